@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "common/geometry/angle.hpp"
+
+namespace adit {
+
+/// A rigid motion of the plane. `T_a_b` is the pose of frame b in frame a; it takes coordinates in
+/// b to coordinates in a, so that neighbours cancel: `T_map_body = T_map_odom * T_odom_body`.
+/// The composition is ξ ⊕ δ as the paper's eq. 1 means it (its printed signs rotate by −θ).
+struct Pose2 {
+  double x = 0.0;      ///< [m]
+  double y = 0.0;      ///< [m]
+  double theta = 0.0;  ///< [rad], not wrapped unless it comes out of an operation below
+
+  [[nodiscard]] Eigen::Vector2d translation() const { return {x, y}; }
+  [[nodiscard]] Eigen::Vector3d vector() const { return {x, y, theta}; }
+
+  [[nodiscard]] static Pose2 from_vector(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), wrap_angle(v.z())};
+  }
+
+  [[nodiscard]] Pose2 inverse() const {
+    const double c = std::cos(theta);
+    const double s = std::sin(theta);
+    return {-c * x - s * y, s * x - c * y, wrap_angle(-theta)};
+  }
+
+  friend Pose2 operator*(const Pose2& T_a_b, const Pose2& T_b_c) {
+    const double c = std::cos(T_a_b.theta);
+    const double s = std::sin(T_a_b.theta);
+    return {T_a_b.x + c * T_b_c.x - s * T_b_c.y, T_a_b.y + s * T_b_c.x + c * T_b_c.y,
+            wrap_angle(T_a_b.theta + T_b_c.theta)};
+  }
+
+  /// Coordinates in a of a point given in b.
+  friend Eigen::Vector2d operator*(const Pose2& T_a_b, const Eigen::Vector2d& p_b) {
+    const double c = std::cos(T_a_b.theta);
+    const double s = std::sin(T_a_b.theta);
+    return {T_a_b.x + c * p_b.x() - s * p_b.y(), T_a_b.y + s * p_b.x() + c * p_b.y()};
+  }
+
+  friend bool operator==(const Pose2&, const Pose2&) = default;
+};
+
+/// The pose of b in the frame of a: `T_a_b` from `T_w_a` and `T_w_b`.
+inline Pose2 between(const Pose2& T_w_a, const Pose2& T_w_b) { return T_w_a.inverse() * T_w_b; }
+
+}  // namespace adit

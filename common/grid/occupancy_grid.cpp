@@ -143,27 +143,25 @@ bool OccupancyGrid::reserve(const CellBox& box) {
 void OccupancyGrid::carve(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   const Eigen::Vector2d start = from / params_.resolution_m;
   const Eigen::Vector2d way = to / params_.resolution_m - start;
-  Eigen::Vector2i cell = cell_at(from);
-  const Eigen::Vector2i steps = (cell_at(to) - cell).cwiseAbs();
-  Eigen::Vector2i step;
+  const Eigen::Vector2i cell = cell_at(from);
+  Eigen::Vector2i left = (cell_at(to) - cell).cwiseAbs();  // steps to go along each axis
   Eigen::Vector2d next;  // share of the way at which the ray leaves the cell along each axis
   Eigen::Vector2d stride;
   for (int axis = 0; axis < 2; ++axis) {
-    step[axis] = way[axis] < 0.0 ? -1 : 1;
     const double edge = cell[axis] + (way[axis] < 0.0 ? 0.0 : 1.0);
     const double length = std::abs(way[axis]);
     stride[axis] = length > 0.0 ? 1.0 / length : std::numeric_limits<double>::infinity();
     next[axis] = length > 0.0 ? std::abs(edge - start[axis]) / length : stride[axis];
   }
-  Eigen::Vector2i left = steps;
-  while (left.sum() > 0) {
-    Cell& seen = at(cell);
-    if (seen.last_scan != scan_) {
-      count(seen.misses);
-      seen.last_scan = scan_;
+  const std::ptrdiff_t row = box_.size().x();
+  const std::ptrdiff_t step[2] = {way.x() < 0.0 ? -1 : 1, way.y() < 0.0 ? -row : row};
+  for (Cell* seen = &at(cell); left.sum() > 0;) {
+    if (seen->last_scan != scan_) {
+      count(seen->misses);
+      seen->last_scan = scan_;
     }
     const int axis = left.y() == 0 || (left.x() > 0 && next.x() < next.y()) ? 0 : 1;
-    cell[axis] += step[axis];
+    seen += step[axis];
     next[axis] += stride[axis];
     --left[axis];
   }

@@ -68,10 +68,10 @@ TEST_F(LiveBus, KeepsTheNewestStateOverAStall) {
   receiver_.subscribe("POSE", Delivery::latest(), keep());
   receiver_.subscribe("IMU", Delivery::queued(100),
                       [](const Received&) { return std::string_view(); });
-  for (std::uint8_t i = 0; i < 200; ++i) sender_.publish("POSE", Bytes{i});
+  for (std::uint8_t i = 0; i < 100; ++i) sender_.publish("POSE", Bytes{i});
   sender_.publish("IMU", {});
-  receive_until([&] { return !kept_.empty() && kept_.back() == Bytes{199}; });
-  EXPECT_LT(kept_.size(), 200U);
+  receive_until([&] { return !kept_.empty() && kept_.back() == Bytes{99}; });
+  EXPECT_LT(kept_.size(), 100U);
 }
 
 TEST_F(LiveBus, SurvivesDatagramsThatAreNotOfLcm) {
@@ -90,8 +90,10 @@ TEST_F(LiveBus, SurvivesDatagramsThatAreNotOfLcm) {
            sizeof(address));
   }
   close(socket);
-  sender_.publish("POSE", Bytes{7});
-  receive_until([&] { return !kept_.empty(); });
+  receive_until([&] {  // again and again, since a full buffer of the kernel loses some
+    sender_.publish("POSE", Bytes{7});
+    return !kept_.empty();
+  });
   EXPECT_EQ(kept_.at(0), Bytes{7});
 }
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // live_logs write LOG: a log of scans for the relay, malformed ones among them.
+// live_logs write-all LOG SECONDS: a log with a message of every type, ten times a second.
+// live_logs fingerprints: every type and its fingerprint, as the C++ side has it.
 // live_logs check PLAYED RECORDED: whether what was recorded while the first was played to the
 // relay is what it should be; says what is not.
 #include <iostream>
@@ -16,6 +18,7 @@
 #include "common/messages/heartbeat.hpp"
 #include "common/messages/laser_scan.hpp"
 #include "common/messages/pose.hpp"
+#include "tests/support/message_types.hpp"
 
 namespace adit {
 namespace {
@@ -34,6 +37,22 @@ void write(const std::string& path) {
     log.write({scan.utime, channels::kLaserFront, bytes});
   }
   log.close();
+}
+
+void write_all(const std::string& path, int seconds) {
+  LogWriter log(path);
+  for (int i = 0; i < 10 * seconds; ++i) {
+    for (const MessageType& type : message_types()) {
+      log.write({kStart + i * 100'000, type.channel, type.sample});
+    }
+  }
+  log.close();
+}
+
+void print_fingerprints() {
+  for (const MessageType& type : message_types()) {
+    std::cout << "adit." << type.name << " " << type.fingerprint << "\n";
+  }
 }
 
 std::map<std::string, std::vector<std::vector<std::uint8_t>>> by_channel(const std::string& path) {
@@ -88,10 +107,15 @@ int main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   if (arguments.size() == 2 && arguments[0] == "write") {
     adit::write(arguments[1]);
+  } else if (arguments.size() == 3 && arguments[0] == "write-all") {
+    adit::write_all(arguments[1], std::stoi(arguments[2]));
+  } else if (arguments.size() == 1 && arguments[0] == "fingerprints") {
+    adit::print_fingerprints();
   } else if (arguments.size() == 3 && arguments[0] == "check") {
     adit::check(arguments[1], arguments[2]);
   } else {
-    std::cerr << "live_logs write LOG | check PLAYED RECORDED\n";
+    std::cerr
+        << "live_logs write LOG | write-all LOG SECONDS | fingerprints | check PLAYED RECORDED\n";
     return 2;
   }
   return adit::failures == 0 ? 0 : 1;

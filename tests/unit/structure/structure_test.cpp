@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "common/bus/stages.hpp"
+#include "tests/support/message_types.hpp"
 
 namespace {
 
@@ -218,6 +219,16 @@ TEST(Structure, EveryTypeIsInTheTableOfChannels) {
     EXPECT_NE(readme.find("| `" + entry.path().stem().string() + "` |"), std::string::npos)
         << entry.path();
   }
+}
+
+TEST(Structure, EveryTypeIsAmongThoseThatTestsGoOver) {
+  std::set<std::string> files;
+  for (const auto& entry : fs::directory_iterator(kRoot / "lcmtypes")) {
+    if (entry.path().extension() == ".lcm") files.insert(entry.path().stem().string());
+  }
+  std::set<std::string> types;
+  for (const adit::MessageType& type : adit::message_types()) types.insert(type.name);
+  EXPECT_THAT(types, ElementsAreArray(files));
 }
 
 /// The text within the braces of a struct, comments that stand alone left out.

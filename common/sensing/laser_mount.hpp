@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/geometry/pose2.hpp"
+
+namespace adit {
+
+/// Where a planar laser sits on the body and which of its readings are to be believed.
+struct LaserMount {
+  Pose2 T_body_laser;         ///< pose of the laser in the body frame [m, rad]
+  double range_min_m = 0.1;   ///< a reading below is dirt on the window or no reading
+  double range_max_m = 50.0;  ///< a reading at or beyond is no return
+
+  template <class V>
+  void visit(V& v) {
+    v("x_m", T_body_laser.x, -10.0, 10.0);
+    v("y_m", T_body_laser.y, -10.0, 10.0);
+    v("yaw_rad", T_body_laser.theta, -3.1415926535897931, 3.1415926535897931);
+    v("range_min_m", range_min_m, 0.0, 10.0);
+    v("range_max_m", range_max_m, 0.5, 1000.0);
+  }
+};
+
+}  // namespace adit

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+
+/// The channels of the pipeline; lcmtypes/README.md says what is on them, from whom and to whom.
+namespace adit::channels {
+
+inline constexpr std::string_view kLaserFront = "LASER_FRONT";
+inline constexpr std::string_view kLaserRear = "LASER_REAR";
+inline constexpr std::string_view kPose = "POSE";
+inline constexpr std::string_view kTiltFront = "TILT_FRONT";
+inline constexpr std::string_view kTiltRear = "TILT_REAR";
+inline constexpr std::string_view kWheelOdometry = "WHEEL_ODOMETRY";
+inline constexpr std::string_view kImu = "IMU";
+inline constexpr std::string_view kScanMatch = "SCAN_MATCH";
+inline constexpr std::string_view kHeartbeat = "HEARTBEAT";
+inline constexpr std::string_view kConfig = "CONFIG";
+inline constexpr std::string_view kStageStats = "STAGE_STATS";
+
+}  // namespace adit::channels

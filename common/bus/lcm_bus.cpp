@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/bus/lcm_bus.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include <lcm/lcm-cpp.hpp>
+#include <poll.h>
+
+#include "common/bus/transport_check.hpp"
+
+namespace adit {
+namespace {
+
+// What LCM may hold while a handler runs; what then goes to the queues of this bus is the newest.
+constexpr int kLcmQueue = 4096;
+
+constexpr int kNoDescriptor = -1;  // poll leaves it out
+constexpr int kIdleTimeoutMs = 1000;
+
+}  // namespace
+
+LcmBus::LcmBus(const LcmBusOptions& options)
+    : lcm_(std::make_unique<lcm::LCM>(options.url)), dispatcher_(options.max_message_bytes) {
+  if (!lcm_->good()) throw std::runtime_error(why_no_lcm(options.url));
+}
+
+LcmBus::~LcmBus() = default;
+
+bool LcmBus::handle(int timeout_ms) {
+  wait(timeout_ms, kNoDescriptor);
+  run_due_timers();
+  return dispatcher_.dispatch_one();
+}
+
+void LcmBus::run(int stop_descriptor) {
+  while (wait(kIdleTimeoutMs, stop_descriptor)) {
+    run_due_timers();
+    dispatcher_.dispatch_one();
+  }
+}
+
+/// Until there is something to do. False if `stop_descriptor` can be read from.
+bool LcmBus::wait(int timeout_ms, int stop_descriptor) {
+  take_from_lcm();
+  const std::int64_t timer_us = timers_.wait_us(now_utime()).value_or(timeout_ms * 1000LL);
+  const auto timer_ms =
+      static_cast<int>(std::min<std::int64_t>((timer_us + 999) / 1000, timeout_ms));
+  std::array<pollfd, 2> descriptors{{{lcm_->getFileno(), POLLIN, 0}, {stop_descriptor, POLLIN, 0}}};
+  const int ready =
+      poll(descriptors.data(), descriptors.size(), dispatcher_.is_idle() ? timer_ms : 0);
+  if (ready < 0 && errno != EINTR) throw std::system_error(errno, std::generic_category(), "poll");
+  take_from_lcm();
+  return ready <= 0 || descriptors[1].revents == 0;
+}
+
+void LcmBus::take_from_lcm() {
+  for (int i = 0; i < kLcmQueue; ++i) {
+    const int handled = lcm_->handleTimeout(0);
+    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+    if (handled < 0) throw std::runtime_error("LCM failed to receive");
+    if (handled == 0) return;
+  }
+}
+
+void LcmBus::on_receive(const lcm::ReceiveBuffer* buffer, const std::string& channel) try {
+  dispatcher_.enqueue({channel,
+                       buffer->recv_utime,
+                       {static_cast<const std::uint8_t*>(buffer->data), buffer->data_size}});
+} catch (...) {
+  failure_ = std::current_exception();
+}
+
+void LcmBus::run_due_timers() {
+  while (const auto tick = timers_.next(now_utime())) tick->handler(now_utime());
+}
+
+void LcmBus::publish(std::string_view channel, std::span<const std::uint8_t> bytes) {
+  require_channel(channel);
+  const auto size = static_cast<unsigned int>(bytes.size());
+  if (lcm_->publish(std::string(channel), bytes.data(), size) != 0) ++unsent_;
+}
+
+SubscriptionId LcmBus::subscribe(std::string_view channel, Delivery delivery, Handler handler) {
+  const SubscriptionId id = dispatcher_.subscribe(channel, delivery, std::move(handler));
+  if (!channels_.emplace(channel).second) return id;
+  lcm::Subscription* const subscription =
+      lcm_->subscribe(std::string(channel), &LcmBus::on_receive, this);
+  if (!subscription) throw std::runtime_error("LCM cannot subscribe to " + std::string(channel));
+  subscription->setQueueCapacity(kLcmQueue);
+  return id;
+}
+
+void LcmBus::every(std::int64_t period_us, TimerHandler handler) {
+  timers_.add(period_us, std::move(handler));
+}
+
+std::int64_t LcmBus::now_utime() const {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
+}
+
+const SubscriptionStats& LcmBus::stats(SubscriptionId id) const { return dispatcher_.stats(id); }
+
+}  // namespace adit

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "common/bus/bus.hpp"
+#include "common/bus/dispatcher.hpp"
+#include "common/bus/timers.hpp"
+
+namespace lcm {
+class LCM;
+struct ReceiveBuffer;
+}  // namespace lcm
+
+namespace adit {
+
+struct LcmBusOptions {
+  std::string url;  ///< empty: LCM's default, or what LCM_DEFAULT_URL says
+  std::size_t max_message_bytes = Dispatcher::kDefaultMaxMessageBytes;
+};
+
+/// The bus on the robot: LCM between processes, the wall clock for time. A process hears what it
+/// publishes itself, too. Messages are taken out of LCM's own queue, which would drop the newest,
+/// before each handler runs, and wait in the queues that `subscribe` asked for.
+class LcmBus final : public Bus {
+ public:
+  /// Throws std::runtime_error, with what to do about it, where there is no LCM on the URL.
+  explicit LcmBus(const LcmBusOptions& options = {});
+  ~LcmBus() override;
+  LcmBus(const LcmBus&) = delete;
+  LcmBus& operator=(const LcmBus&) = delete;
+
+  /// Waits for a message or a timer for `timeout_ms` at most, runs the timers that are due and
+  /// hands one message to its handler. False if no message came.
+  bool handle(int timeout_ms);
+
+  /// Handles messages until `stop_descriptor` can be read from.
+  void run(int stop_descriptor);
+
+  void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override;
+  SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
+  void every(std::int64_t period_us, TimerHandler handler) override;
+  [[nodiscard]] std::int64_t now_utime() const override;
+  [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override;
+  [[nodiscard]] std::int64_t unsent() const override { return unsent_; }
+
+ private:
+  bool wait(int timeout_ms, int stop_descriptor);
+  void take_from_lcm();
+  void on_receive(const lcm::ReceiveBuffer* buffer, const std::string& channel);
+  void run_due_timers();
+
+  std::unique_ptr<lcm::LCM> lcm_;
+  Dispatcher dispatcher_;
+  Timers timers_;
+  std::set<std::string, std::less<>> channels_;
+  std::exception_ptr failure_;  // must not pass through LCM's C code
+  std::int64_t unsent_ = 0;
+};
+
+}  // namespace adit

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "common/bus/bus.hpp"
+#include "common/bus/dispatcher.hpp"
+#include "common/bus/timers.hpp"
+
+namespace adit {
+
+/// A bus inside of one process, without threads and clocks: whoever drives it says what time it is.
+/// Deterministic: a message published in a handler is handled after all that were published before,
+/// and everything has been handled when `inject`, `advance_to` or an outer `publish` return.
+class MemoryBus : public Bus {
+ public:
+  /// Sees every message in the order of publication, with bus time.
+  using Tap = std::function<void(const Received&)>;
+
+  explicit MemoryBus(std::size_t max_message_bytes = Dispatcher::kDefaultMaxMessageBytes)
+      : dispatcher_(max_message_bytes) {}
+
+  /// Lets time go on to `utime`, timers included, then publishes. Time never goes back: a message
+  /// that is older than bus time is published at bus time. A channel that no stage could publish on
+  /// is let through.
+  void inject(std::int64_t utime, std::string_view channel, std::span<const std::uint8_t> bytes);
+
+  /// Lets time go on to `utime`, timers included.
+  void advance_to(std::int64_t utime);
+
+  void tap(Tap tap) { tap_ = std::move(tap); }
+
+  void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override;
+  SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
+  void every(std::int64_t period_us, TimerHandler handler) override;
+  /// 0 before the first inject or advance_to.
+  [[nodiscard]] std::int64_t now_utime() const override { return now_utime_; }
+  [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override;
+
+ private:
+  void deliver(const Received& received);
+  void run(const std::function<void()>& work);
+
+  Dispatcher dispatcher_;
+  Timers timers_;
+  Tap tap_;
+  std::int64_t now_utime_ = 0;
+  bool running_ = false;
+};
+
+}  // namespace adit

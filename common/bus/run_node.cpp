@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/bus/run_node.hpp"
+
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "common/bus/lcm_bus.hpp"
+#include "common/bus/stages.hpp"
+#include "common/bus/stop_signal.hpp"
+#include "common/bus/transport_check.hpp"
+#include "common/bus/version.hpp"
+
+namespace adit {
+namespace {
+
+constexpr int kExitUnusable = 2;
+
+struct Options {
+  std::string config;
+  std::string lcm_url;
+  bool print_config = false;
+};
+
+void declare(CLI::App& app, const std::string& program, Options& options) {
+  app.add_option("--config", options.config, "YAML file with a section for each stage")
+      ->type_name("FILE");
+  app.add_option("--lcm-url", options.lcm_url,
+                 "Where LCM is, e.g. udpm://239.255.76.67:7667?ttl=0 (the default)")
+      ->type_name("URL");
+  app.add_flag("--print-config", options.print_config,
+               "Print every parameter with the value in effect, and end");
+  app.set_version_flag("--version", program + " " + version());
+}
+
+/// One file serves all stages, so the sections of the others are fine.
+ConfigFile load(const std::string& path, const std::string& stage) {
+  if (path.empty()) return {};
+  ConfigFile file = ConfigFile::load(path);
+  std::vector<std::string> known = stage_names();
+  known.push_back(stage);
+  file.require_known_sections(known);
+  return file;
+}
+
+void run_on_lcm(const std::string& program, const ConfiguredNode& node, const std::string& url) {
+  const StopSignal stop;  // before LCM makes its thread
+  if (const auto advice = buffer_advice(url)) std::cerr << program << ": " << *advice << std::endl;
+  LcmBus bus({url});
+  const HostedNode hosted(bus, node, StageBus::Measure::kHandlerTimes, &std::cerr);
+  bus.run(stop.descriptor());
+}
+
+}  // namespace
+
+int run_stage(const std::string& stage, const Configure& configure, int argc, char** argv) try {
+  const std::string program = "adit-" + stage;
+  CLI::App app("The stage " + stage + " of the pipeline, on LCM until SIGINT or SIGTERM.", program);
+  Options options;
+  declare(app, program, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& answer) {  // --help, --version
+    return app.exit(answer);
+  }
+
+  const ConfiguredNode node = configure(load(options.config, stage));
+  if (options.print_config) {
+    std::cout << node.yaml;
+    return 0;
+  }
+  run_on_lcm(program, node, options.lcm_url);
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "adit-" << stage << ": " << error.what() << std::endl;
+  return kExitUnusable;
+}
+
+}  // namespace adit

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/config/bounds.hpp"
+
+#include <cmath>
+
+#include "common/config/number_text.hpp"
+
+namespace adit {
+
+bool Bounds::allow(double value) const {
+  return std::isfinite(value) && value <= max && (value > min || (min_allowed && value == min));
+}
+
+bool Bounds::allow_all() const { return std::isinf(min) && std::isinf(max); }
+
+std::string Bounds::text() const {
+  if (std::isinf(min)) return "<= " + number_text(max);
+  if (std::isinf(max)) return (min_allowed ? ">= " : "> ") + number_text(min);
+  if (min_allowed) return number_text(min) + " to " + number_text(max);
+  return "> " + number_text(min) + ", <= " + number_text(max);
+}
+
+}  // namespace adit

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <string>
+
+namespace adit {
+
+/// The values that a number in the configuration may take. Written where the parameter is visited:
+/// `v("share", share, within(0.0, 1.0));`. The default allows every finite number.
+struct Bounds {
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  bool min_allowed = true;  ///< whether `min` itself is allowed
+
+  [[nodiscard]] bool allow(double value) const;
+  [[nodiscard]] bool allow_all() const;
+  /// "> 0", ">= 2", "0 to 1", "> 0, <= 1".
+  [[nodiscard]] std::string text() const;
+};
+
+constexpr Bounds at_least(double min) { return {.min = min}; }
+constexpr Bounds above(double min) { return {.min = min, .min_allowed = false}; }
+constexpr Bounds within(double min, double max) { return {.min = min, .max = max}; }
+constexpr Bounds above_up_to(double min, double max) {
+  return {.min = min, .max = max, .min_allowed = false};
+}
+
+}  // namespace adit

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/config/config_file.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include <yaml-cpp/yaml.h>
+
+#include "common/config/nearest_name.hpp"
+
+namespace adit {
+namespace {
+
+constexpr int kDeepest = 16;  // sections nest a few levels; an alias may hold itself
+
+/// Turns the YAML library's tree into ours.
+class TreeBuilder {
+ public:
+  explicit TreeBuilder(const std::string& name) : name_(name) {}
+
+  [[nodiscard]] ConfigNode build(const YAML::Node& yaml, int depth = 0) const {
+    ConfigNode node;
+    node.line = yaml.Mark().line + 1;
+    if (depth > kDeepest) fail(node.line, "nested too deeply");
+    if (yaml.IsScalar()) {
+      node.kind = ConfigNode::Kind::kScalar;
+      node.text = yaml.Scalar();
+      node.quoted = yaml.Tag() == "!";
+    } else if (yaml.IsSequence()) {
+      node.kind = ConfigNode::Kind::kList;
+      for (const auto& item : yaml) node.children.push_back(build(item, depth + 1));
+    } else if (yaml.IsMap()) {
+      node.kind = ConfigNode::Kind::kMap;
+      for (const auto& entry : yaml) add_entry(node, entry.first, entry.second, depth);
+    }
+    return node;
+  }
+
+  [[noreturn]] void fail(int line, const std::string& reason) const {
+    throw ConfigError(name_ + ":" + std::to_string(line) + ": " + reason);
+  }
+
+ private:
+  void add_entry(ConfigNode& map, const YAML::Node& key, const YAML::Node& value, int depth) const {
+    const int line = key.Mark().line + 1;
+    if (!key.IsScalar()) fail(line, "a key that is not a word");
+    if (const ConfigNode* first = map.find(key.Scalar())) {
+      fail(line, "'" + key.Scalar() + "' again; first on line " + std::to_string(first->line));
+    }
+    ConfigNode child = build(value, depth + 1);
+    child.key = key.Scalar();
+    child.line = line;
+    map.children.push_back(std::move(child));
+  }
+
+  const std::string& name_;
+};
+
+ConfigNode build_root(const std::string& text, const std::string& name) {
+  const TreeBuilder builder(name);
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.empty()) return {};
+    if (documents.size() > 1) builder.fail(documents[1].Mark().line + 1, "a second document");
+    return builder.build(documents[0]);
+  } catch (const YAML::Exception& error) {
+    builder.fail(error.mark.line + 1, error.msg);
+  }
+}
+
+}  // namespace
+
+const ConfigNode* ConfigNode::find(std::string_view name) const {
+  if (kind != Kind::kMap) return nullptr;
+  const auto found = std::find_if(children.begin(), children.end(),
+                                  [&](const ConfigNode& child) { return child.key == name; });
+  return found != children.end() ? &*found : nullptr;
+}
+
+ConfigFile ConfigFile::load(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  std::ostringstream text;
+  if (!in || std::filesystem::is_directory(path) || (in.peek() != EOF && !(text << in.rdbuf()))) {
+    throw ConfigError("cannot read " + path.string());
+  }
+  return parse(text.str(), path.string());
+}
+
+ConfigFile ConfigFile::parse(const std::string& text, std::string name) {
+  ConfigFile file;
+  file.root_ = build_root(text, name);
+  file.name_ = std::move(name);
+  if (file.root_.kind == ConfigNode::Kind::kScalar || file.root_.kind == ConfigNode::Kind::kList) {
+    throw ConfigError(file.name_ + ":" + std::to_string(file.root_.line) +
+                      ": sections belong here, 'name:' and keys below it");
+  }
+  return file;
+}
+
+void ConfigFile::require_known_sections(const std::vector<std::string>& known) const {
+  for (const ConfigNode& section : root_.children) {
+    if (std::find(known.begin(), known.end(), section.key) == known.end()) {
+      fail_unknown(name_, section, "section '" + section.key + "'", known);
+    }
+  }
+}
+
+void fail_unknown(const std::string& file, const ConfigNode& node, const std::string& what,
+                  const std::vector<std::string>& known) {
+  std::string message = file + ":" + std::to_string(node.line) + ": unknown " + what;
+  const std::string nearest = nearest_name(node.key, known);
+  if (!nearest.empty()) {
+    message += "; did you mean '" + nearest + "'?";
+  } else {
+    message += known.empty() ? "; there is none here" : "; known here:";
+    for (std::size_t i = 0; i < known.size(); ++i) message += (i > 0 ? ", " : " ") + known[i];
+  }
+  throw ConfigError(message);
+}
+
+}  // namespace adit

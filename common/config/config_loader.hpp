@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/config/bounds.hpp"
+#include "common/config/config_file.hpp"
+#include "common/geometry/pose2.hpp"
+
+namespace adit {
+
+/// A pose within a configuration: a map of x_m, y_m and theta_rad.
+struct PoseKeys {
+  Pose2& pose;
+
+  template <class V>
+  void visit(V& v) {
+    v("x_m", pose.x);
+    v("y_m", pose.y);
+    v("theta_rad", pose.theta);
+  }
+};
+
+/// The visitor that fills parameters from one section of a file. A key that the file does not have
+/// keeps its value; a value of the wrong type or out of bounds, and a key that nothing visits,
+/// throw ConfigError with file, line, key and what is allowed. Numbers are finite.
+class ConfigLoader {
+ public:
+  ConfigLoader(const ConfigFile& file, std::string_view section);
+
+  void operator()(std::string_view key, bool& value);
+  void operator()(std::string_view key, int& value, const Bounds& bounds = {});
+  void operator()(std::string_view key, double& value, const Bounds& bounds = {});
+  void operator()(std::string_view key, std::string& value);
+  /// The bounds are those of each element.
+  void operator()(std::string_view key, std::vector<double>& values, const Bounds& bounds = {});
+  void operator()(std::string_view key, Pose2& pose);
+
+  template <class Params>
+  requires requires(Params& params, ConfigLoader& loader) { params.visit(loader); }
+  void operator()(std::string_view key, Params& nested) {
+    enter(key);
+    nested.visit(*this);
+    leave();
+  }
+
+  /// To be called when everything has been visited: refuses what was not.
+  void finish() { leave(); }
+
+ private:
+  struct Level {
+    const ConfigNode* map;  // null where the file has none
+    std::string path;       // "scan_matching.matcher."
+    std::vector<std::string> known;
+  };
+
+  const ConfigNode* visit_key(std::string_view key);
+  void enter(std::string_view key);
+  void push(const ConfigNode* map, std::string path);
+  void leave();
+  [[noreturn]] void fail(const ConfigNode& node, const std::string& reason) const;
+  [[nodiscard]] double read_number(const ConfigNode& node, const Bounds& bounds) const;
+  void check(const ConfigNode& node, double value, const Bounds& bounds) const;
+
+  const std::string& file_name_;
+  std::vector<Level> levels_;
+};
+
+}  // namespace adit

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/config/bounds.hpp"
+#include "common/config/config_loader.hpp"
+#include "common/geometry/pose2.hpp"
+
+namespace adit {
+
+/// The visitor that writes parameters as YAML which loads again as the same values; what is allowed
+/// stands behind each number as a comment.
+class ConfigWriter {
+ public:
+  explicit ConfigWriter(std::string_view section);
+
+  void operator()(std::string_view key, const bool& value);
+  void operator()(std::string_view key, const int& value, const Bounds& bounds = {});
+  void operator()(std::string_view key, const double& value, const Bounds& bounds = {});
+  void operator()(std::string_view key, const std::string& value);
+  void operator()(std::string_view key, const std::vector<double>& values,
+                  const Bounds& bounds = {});
+  void operator()(std::string_view key, Pose2& pose);
+
+  template <class Params>
+  requires requires(Params& params, ConfigWriter& writer) { params.visit(writer); }
+  void operator()(std::string_view key, Params& nested) {
+    open(key);
+    nested.visit(*this);
+    --depth_;
+  }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  void open(std::string_view key);
+  void line(std::string_view key, const std::string& value, const Bounds& bounds);
+
+  std::string text_;
+  std::size_t depth_ = 0;
+};
+
+}  // namespace adit

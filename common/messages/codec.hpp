@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <climits>
+#include <cstdint>
+#include <exception>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "common/messages/result.hpp"
+
+namespace adit {
+
+/// The first eight bytes of a message, which tell its type; the caller has made sure of them.
+std::int64_t fingerprint(std::span<const std::uint8_t> bytes);
+
+/// A message of the generated type Msg from the bytes of the wire, whatever these are: never throws
+/// and never reads beyond them. Refused is everything that `encode` could not have made: another
+/// fingerprint, counts that do not fit the bytes present, bytes too few or too many.
+template <class Msg>
+Result<Msg> decode(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() > INT_MAX) return Refused{"too large"};
+  if (bytes.size() < sizeof(std::int64_t)) return Refused{"shorter than a fingerprint"};
+  if (fingerprint(bytes) != Msg::getHash()) return Refused{"fingerprint of another type"};
+  Msg message;
+  const int size = static_cast<int>(bytes.size());
+  try {
+    const int used = message.decode(bytes.data(), 0, size);
+    if (used < 0) return Refused{"truncated, or with a count that does not fit"};
+    if (used != size) return Refused{"bytes left over at the end"};
+  } catch (const std::exception&) {
+    return Refused{"out of memory"};
+  }
+  return message;
+}
+
+/// The bytes of a message for the wire. Its counts must be those of its arrays.
+template <class Msg>
+std::vector<std::uint8_t> encode(const Msg& message) {
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
+  const int used = message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  if (used < 0) throw std::logic_error("a message does not fit the size it gives for itself");
+  bytes.resize(static_cast<std::size_t>(used));  // a string ends at its first NUL
+  return bytes;
+}
+
+}  // namespace adit

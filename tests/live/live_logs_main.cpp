@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// live_logs write LOG: a log of scans for the relay, malformed ones among them.
+// live_logs write-all LOG SECONDS: a log with a message of every type, ten times a second.
+// live_logs fingerprints: every type and its fingerprint, as the C++ side has it.
+// live_logs check PLAYED RECORDED: whether what was recorded while the first was played to the
+// relay is what it should be; says what is not.
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/event_source.hpp"
+#include "common/bus/log_writer.hpp"
+#include "common/messages/codec.hpp"
+#include "common/messages/config_copy.hpp"
+#include "common/messages/heartbeat.hpp"
+#include "common/messages/laser_scan.hpp"
+#include "common/messages/pose.hpp"
+#include "tests/support/message_types.hpp"
+
+namespace adit {
+namespace {
+
+constexpr int kScans = 150;
+constexpr int kMalformedEvery = 10;
+constexpr std::int64_t kStart = 1'600'000'000'000'000;
+constexpr std::int64_t kPeriodUs = 13'333;
+
+void write(const std::string& path) {
+  LogWriter log(path);
+  for (int i = 0; i < kScans; ++i) {
+    const LaserScan scan{kStart + i * kPeriodUs, std::vector<float>(180 + i, 5.0F), -1.5, 0.0087};
+    std::vector<std::uint8_t> bytes = encode(to_message(scan));
+    if (i % kMalformedEvery == 0) bytes[16] = 0xFF;  // a negative number of beams
+    log.write({scan.utime, channels::kLaserFront, bytes});
+  }
+  log.close();
+}
+
+void write_all(const std::string& path, int seconds) {
+  LogWriter log(path);
+  for (int i = 0; i < 10 * seconds; ++i) {
+    for (const MessageType& type : message_types()) {
+      log.write({kStart + i * 100'000, type.channel, type.sample});
+    }
+  }
+  log.close();
+}
+
+void print_fingerprints() {
+  for (const MessageType& type : message_types()) {
+    std::cout << "adit." << type.name << " " << type.fingerprint << "\n";
+  }
+}
+
+std::map<std::string, std::vector<std::vector<std::uint8_t>>> by_channel(const std::string& path) {
+  LogFile log(path);
+  std::map<std::string, std::vector<std::vector<std::uint8_t>>> messages;
+  while (const auto event = log.next()) {
+    messages[std::string(event->channel)].emplace_back(event->data.begin(), event->data.end());
+  }
+  return messages;
+}
+
+int failures = 0;
+
+void require(bool holds, const std::string& what) {
+  if (holds) return;
+  std::cerr << "not so: " << what << "\n";
+  ++failures;
+}
+
+void check_poses(const std::vector<std::vector<std::uint8_t>>& poses) {
+  std::size_t at = 0;
+  for (int i = 0; i < kScans; ++i) {
+    if (i % kMalformedEvery == 0) continue;
+    if (at == poses.size()) break;
+    const auto pose = from_message(*decode<pose_t>(poses[at++]));
+    require(pose && pose->utime == kStart + i * kPeriodUs && pose->T_odom_body.x == 180.0 + i,
+            "pose " + std::to_string(i) + " is the answer to its scan");
+  }
+  require(poses.size() == kScans - kScans / kMalformedEvery, "each good scan has its answer");
+}
+
+void check(const std::string& played_path, const std::string& recorded_path) {
+  auto played = by_channel(played_path);
+  auto recorded = by_channel(recorded_path);
+  require(recorded["LASER_FRONT"] == played["LASER_FRONT"], "the scans came through as they were");
+  check_poses(recorded["POSE"]);
+
+  require(!recorded["CONFIG"].empty(), "the configuration was published");
+  const auto config = from_message(*decode<config_t>(recorded["CONFIG"].at(0)));
+  require(config && config->stage == "relay" && config->yaml.find("y_m") != std::string::npos,
+          "the configuration is that of the relay");
+
+  const auto heartbeat = from_message(*decode<heartbeat_t>(recorded["HEARTBEAT"].back()));
+  require(heartbeat && heartbeat->refused == kScans / kMalformedEvery,
+          "malformed scans were refused and counted");
+}
+
+}  // namespace
+}  // namespace adit
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (arguments.size() == 2 && arguments[0] == "write") {
+    adit::write(arguments[1]);
+  } else if (arguments.size() == 3 && arguments[0] == "write-all") {
+    adit::write_all(arguments[1], std::stoi(arguments[2]));
+  } else if (arguments.size() == 1 && arguments[0] == "fingerprints") {
+    adit::print_fingerprints();
+  } else if (arguments.size() == 3 && arguments[0] == "check") {
+    adit::check(arguments[1], arguments[2]);
+  } else {
+    std::cerr
+        << "live_logs write LOG | write-all LOG SECONDS | fingerprints | check PLAYED RECORDED\n";
+    return 2;
+  }
+  return adit::failures == 0 ? 0 : 1;
+}

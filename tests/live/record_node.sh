@@ -1,0 +1,56 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: The Adit authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# record_node.sh LOG SPEED RECORD NODE [ARGUMENT..]
+# Plays LOG by lcm-logplayer at SPEED to the node that the command starts, and records everything by
+# lcm-logger into RECORD. To be run by in_private_network.sh. Ends with 0 only if the node ended
+# with 0 on SIGTERM.
+set -u
+
+log=$1; speed=$2; record=$3; shift 3
+kPort=":1DF3 "       # 7667, LCM's, as /proc/net/udp writes it
+kDeadlineSeconds=60
+
+for tool in lcm-logger lcm-logplayer ip; do
+  if ! command -v "$tool" >/dev/null; then
+    echo "skipped: no $tool, try: apt install liblcm-bin iproute2" >&2
+    exit 77
+  fi
+done
+
+# wait_for WHAT COMMAND..: until the command succeeds.
+wait_for() {
+  local what=$1 end=$((SECONDS + kDeadlineSeconds)); shift
+  until "$@"; do
+    if ((SECONDS > end)); then echo "waited in vain for $what" >&2; exit 1; fi
+    sleep 0.05
+  done
+}
+
+is_listening() { grep -q "$kPort" /proc/net/udp; }
+is_recorded() { grep -aq "$1" "$record" 2>/dev/null; }
+size() { stat -c %s "$record"; }
+
+# Nothing but heartbeats for a second: at most 1500 bytes.
+has_settled() {
+  local before; before=$(size)
+  sleep 1
+  (( $(size) - before < 1500 ))
+}
+
+rm -f "$record"
+lcm-logger --quiet --flush-interval=50 "$record" & logger=$!
+trap 'kill "$logger" "${node:-$logger}" 2>/dev/null' EXIT
+wait_for "lcm-logger" is_listening
+
+"$@" & node=$!
+wait_for "the node's first heartbeat" is_recorded HEARTBEAT
+
+lcm-logplayer --speed="$speed" "$log" >/dev/null || exit 1
+wait_for "the end of the record" has_settled
+
+kill -TERM "$node"; wait "$node"; node_exit=$?
+kill -INT "$logger"; wait "$logger"
+trap - EXIT
+if ((node_exit != 0)); then echo "the node ended with $node_exit" >&2; exit 1; fi

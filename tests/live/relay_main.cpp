@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The smallest stage there can be, to test what surrounds one: answers each scan with a pose whose
+// x is the number of beams.
+#include "common/bus/channels.hpp"
+#include "common/bus/run_node.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/laser_scan.hpp"
+#include "common/messages/pose.hpp"
+
+namespace adit {
+namespace {
+
+class RelayNode {
+ public:
+  struct Params {
+    double y_m = 0.5;
+    template <class V>
+    void visit(V& v) {
+      v("y_m", y_m);
+    }
+  };
+
+  RelayNode(Bus& bus, const Params& params) {
+    subscribe<planar_lidar_t>(
+        bus, channels::kLaserFront, Delivery::queued(100), [&bus, params](const LaserScan& scan) {
+          const Pose2 pose{static_cast<double>(scan.ranges_m.size()), params.y_m, 0.0};
+          publish(bus, channels::kPose, to_message(StampedPose{scan.utime, pose, {}}));
+        });
+  }
+};
+
+}  // namespace
+}  // namespace adit
+
+int main(int argc, char** argv) { return adit::run_node<adit::RelayNode>("relay", argc, argv); }

@@ -1,0 +1,58 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: The Adit authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# screenshot.sh LOG PICTURE.png SPY [ARGUMENT..]
+# What lcm-spy shows while LOG is played: starts the command SPY (live_spy of the tests, or
+# `adit spy`) on a virtual display and a private network, opens four channels and writes
+# a picture of the screen. For people to look at.
+set -u
+here=$(dirname "$(readlink -f "$0")")
+
+if [[ ${ADIT_PRIVATE_NETWORK:-} != yes ]]; then
+  ADIT_PRIVATE_NETWORK=yes exec "$here/../in_private_network.sh" "$0" "$@"
+fi
+log=$1; picture=$2; shift 2
+kRows=(2 3 4 5)   # of the table of channels, which is in order of the alphabet
+for tool in Xvfb xdotool import lcm-logplayer; do
+  if ! command -v "$tool" >/dev/null; then
+    echo "skipped: no $tool, try: apt install xvfb xdotool imagemagick liblcm-bin" >&2
+    exit 77
+  fi
+done
+
+scratch=$(mktemp -d)
+processes=()
+trap 'kill "${processes[@]}" 2>/dev/null; wait; rm -rf "$scratch"' EXIT
+
+mkfifo "$scratch/display"
+Xvfb -displayfd 3 -screen 0 1280x1210x24 -nolisten tcp 3>"$scratch/display" 2>/dev/null &
+processes+=($!)
+read -r number <"$scratch/display"
+export DISPLAY=:$number
+
+"$@" >"$scratch/spy.out" 2>&1 & processes+=($!)
+if ! window=$(timeout 60 xdotool search --sync --onlyvisible --name "LCM Spy" | head -1); then
+  cat "$scratch/spy.out" >&2
+  exit 1
+fi
+lcm-logplayer "$log" >/dev/null & processes+=($!)
+sleep 3   # for the table to fill: nothing outside of lcm-spy says when it has
+
+# Without a window manager new windows come up in the corner: move each out of the way.
+windows() { xdotool search --onlyvisible --name "." | sort; }
+xdotool windowsize --sync "$window" 1270 260
+for row in 0 1 2 3; do
+  windows >"$scratch/before"
+  xdotool mousemove 60 $((27 + 16 * kRows[row])) click --repeat 2 --delay 80 1
+  for ((i = 0; i < 100; ++i)); do
+    viewer=$(windows | comm -13 "$scratch/before" - | head -1)
+    [[ -n $viewer ]] && break
+    sleep 0.1
+  done
+  if [[ -z $viewer ]]; then echo "no window came up for a channel" >&2; exit 1; fi
+  xdotool windowsize --sync "$viewer" 630 460 windowmove --sync "$viewer" \
+    $((640 * (row % 2))) $((270 + 470 * (row / 2)))
+done
+sleep 1   # for the windows to be painted
+import -window root "$picture"

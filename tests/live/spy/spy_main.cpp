@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// live_spy [LOG]: what `adit spy` does, apart from the rest of adit.
+#include <exception>
+#include <iostream>
+
+#include "tools/spy/spy.hpp"
+
+int main(int argc, char** argv) try {
+  adit::run_spy(argc > 1 ? std::optional<std::filesystem::path>(argv[1]) : std::nullopt);
+} catch (const std::exception& error) {
+  std::cerr << "live_spy: " << error.what() << "\n";
+  return 2;
+}

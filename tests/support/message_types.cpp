@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/message_types.hpp"
+
+#include "common/bus/channels.hpp"
+#include "common/messages/codec.hpp"
+#include "common/messages/config_copy.hpp"
+#include "common/messages/heartbeat.hpp"
+#include "common/messages/imu_reading.hpp"
+#include "common/messages/laser_scan.hpp"
+#include "common/messages/pose.hpp"
+#include "common/messages/scan_match.hpp"
+#include "common/messages/stage_stats.hpp"
+#include "common/messages/tilt_reading.hpp"
+#include "common/messages/wheel_odometry.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::int64_t kUtime = 1'600'000'000'000'000;
+
+template <class Msg>
+std::string_view take(std::span<const std::uint8_t> bytes) {
+  const Result<Msg> message = decode<Msg>(bytes);
+  return message ? from_message(*message).refusal() : message.refusal();
+}
+
+template <class Msg>
+MessageType type_of(std::string_view channel, const Msg& sample) {
+  return {Msg::getTypeName(), std::string(channel), Msg::getHash(), encode(sample), take<Msg>};
+}
+
+ScanMatchReport sample_match() {
+  ScanMatchReport report;
+  report.utime = kUtime;
+  report.reference_utime = kUtime - 13'333;
+  report.channel = channels::kLaserFront;
+  report.status = ScanMatchReport::Status::kMatched;
+  report.T_odom_body = {12.0, -3.0, 0.7};
+  report.delta = {0.01, 0.0, 0.001};
+  report.covariance = Eigen::Vector3d(1e-4, 1e-4, 1e-6).asDiagonal();
+  report.inlier_share = 0.93;
+  report.rms_residual_m = 0.012;
+  report.degenerate = {{Eigen::Vector3d::UnitX(), DegenerateDirection::Fill::kOdometry},
+                       {Eigen::Vector3d::UnitY(), DegenerateDirection::Fill::kNone}};
+  report.iterations = 7;
+  report.points = 171;
+  return report;
+}
+
+}  // namespace
+
+std::vector<MessageType> message_types() {
+  const LaserScan scan{kUtime, std::vector<float>(40, 5.0F), -1.5, 0.0087};
+  const StampedPose pose{kUtime, {12.0, -3.0, 0.7}, Eigen::Vector3d(0.5, 0.0, 0.1)};
+  const WheelOdometry odometry{kUtime, {1.0, 2.0, 0.5}};
+  const ImuReading imu{kUtime, {0.0, 0.1, 0.2}, {0.1, 0.0, 9.81}};
+  const TiltReading tilt{kUtime, 0.3, -0.1};
+  const Heartbeat heartbeat{kUtime, "mapping", {Health::Level::kDegraded, "no odometry"}, 9, 1, 2};
+  const ConfigCopy config{kUtime, "mapping", "0.1.0", "mapping:\n  cell_m: 0.1\n"};
+  const StageStats stats{kUtime,
+                         "mapping",
+                         5.0,
+                         {{"POSE", 370, 1, 2, 0.4, 3.1}, {"LASER_FRONT", 375, 0, 0, 0.9, 5.0}}};
+  return {type_of(channels::kLaserFront, to_message(scan)),
+          type_of(channels::kPose, to_message(pose)),
+          type_of(channels::kWheelOdometry, to_message(odometry)),
+          type_of(channels::kImu, to_message(imu)),
+          type_of(channels::kTiltFront, to_message(tilt)),
+          type_of(channels::kScanMatch, to_message(sample_match())),
+          type_of(channels::kHeartbeat, to_message(heartbeat)),
+          type_of(channels::kConfig, to_message(config)),
+          type_of(channels::kStageStats, to_message(stats))};
+}
+
+}  // namespace adit

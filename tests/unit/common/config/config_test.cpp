@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/config/config.hpp"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/common/config/example_params.hpp"
+
+namespace adit {
+namespace {
+
+TEST(Config, AMissingKeyKeepsItsDefault) {
+  EXPECT_EQ(load_outer(""), OuterParams{});
+  EXPECT_EQ(load_outer("# nothing\n"), OuterParams{});
+  EXPECT_EQ(load_outer("outer:\n"), OuterParams{});
+  EXPECT_EQ(load_outer("other: {anything: 1}"), OuterParams{});
+  EXPECT_EQ(load_section<OuterParams>(ConfigFile(), "outer"), OuterParams{});
+}
+
+TEST(Config, LoadsEveryType) {
+  const OuterParams params = load_outer(R"(
+outer:
+  search_radius_m: 1e-1
+  share: 1
+  channel: "LASER REAR"
+  thresholds_m: [1, 2.5, 3]
+  T_body_laser: {x_m: -1.5, theta_rad: 3.1}
+  inner:
+    iterations: 3
+    robust: false
+)");
+  EXPECT_EQ(params.search_radius_m, 0.1);
+  EXPECT_EQ(params.share, 1.0);
+  EXPECT_EQ(params.channel, "LASER REAR");
+  EXPECT_EQ(params.thresholds_m, (std::vector<double>{1.0, 2.5, 3.0}));
+  EXPECT_EQ(params.T_body_laser, (Pose2{-1.5, 0.0, 3.1}));
+  EXPECT_EQ(params.inner, (InnerParams{3, false}));
+}
+
+TEST(Config, WritesWhatItLoads) {
+  OuterParams params;
+  params.search_radius_m = 0.1 + 0.2;
+  params.share = 1.0 / 3.0;
+  params.channel = "quote \" backslash \\ line\n tab\t: # é";
+  params.thresholds_m = {};
+  params.T_body_laser = {1e-300, -0.0, 3.0};
+  params.inner.robust = false;
+  EXPECT_EQ(load_outer(to_yaml(params, "outer")), params);
+}
+
+TEST(Config, WritesWhatIsAllowedBesideTheValue) {
+  EXPECT_EQ(to_yaml(OuterParams{}, "outer"), R"(outer:
+  search_radius_m: 0.3  # > 0
+  share: 0.1  # 0 to 1
+  channel: "LASER_FRONT"
+  thresholds_m: [0.5, 0.25]  # >= 0
+  T_body_laser:
+    x_m: 0.2
+    y_m: 0
+    theta_rad: 0
+  inner:
+    iterations: 10  # 1 to 100
+    robust: true
+)");
+}
+
+TEST(Config, BoundsSayWhatTheyAllow) {
+  EXPECT_EQ(above_up_to(0.0, 1.0).text(), "> 0, <= 1");
+  EXPECT_EQ((Bounds{.max = 2.0}.text()), "<= 2");
+  EXPECT_FALSE(above(0.0).allow(0.0));
+  EXPECT_TRUE(at_least(0.0).allow(0.0));
+  EXPECT_FALSE(within(0.0, 1.0).allow(1.1));
+  EXPECT_FALSE(Bounds{}.allow(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_FALSE(Bounds{}.allow(std::numeric_limits<double>::infinity()));
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What holds the tree together and no compiler checks: who includes whom, and that the tables in
+// the READMEs name what there is.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/bus/stages.hpp"
+#include "tests/support/message_types.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAreArray;
+using testing::IsEmpty;
+using testing::IsSubsetOf;
+
+const fs::path kRoot = ADIT_SOURCE_DIR;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// An include: the file that has it and what stands behind `#include`, with its quotes.
+struct Include {
+  std::string file;  // from the root, with slashes
+  std::string what;
+
+  [[nodiscard]] bool is_in(const std::string& folder) const {
+    return file.starts_with(folder + "/");
+  }
+  [[nodiscard]] bool is_of(const std::string& folder) const {
+    return what.starts_with('"' + folder + "/");
+  }
+};
+
+std::vector<fs::path> sources() {
+  std::vector<fs::path> paths;
+  for (const char* folder : {"common", "procs", "sim", "tools", "tests"}) {
+    if (!fs::is_directory(kRoot / folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+      const auto extension = entry.path().extension();
+      if (extension == ".hpp" || extension == ".cpp") paths.push_back(entry.path());
+    }
+  }
+  return paths;
+}
+
+std::vector<Include> includes() {
+  static const std::regex pattern(R"re((?:^|\n)#include\s+(<[^>]+>|"[^"]+"))re");
+  std::vector<Include> found;
+  for (const fs::path& path : sources()) {
+    const std::string text = text_of(path);
+    const std::string file = fs::relative(path, kRoot).generic_string();
+    for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {
+      found.push_back({file, (*it)[1]});
+    }
+  }
+  return found;
+}
+
+/// Those that break the rule, as "file includes what".
+std::vector<std::string> offenders(const std::function<bool(const Include&)>& breaks_the_rule) {
+  std::vector<std::string> lines;
+  for (const Include& include : includes()) {
+    if (breaks_the_rule(include)) lines.push_back(include.file + " includes " + include.what);
+  }
+  return lines;
+}
+
+/// The first column of a table, without back-ticks; empty without the heading.
+std::set<std::string> first_column(const std::string& text, const std::string& heading) {
+  std::set<std::string> names;
+  static const std::regex row(R"(\| *`?\[?`?([A-Za-z0-9_]+)[^|]*\|.*)");
+  std::istringstream lines(text);
+  std::string line;
+  while (std::getline(lines, line) && !line.starts_with("| " + heading + " |")) {
+  }
+  std::smatch match;
+  while (std::getline(lines, line) && line.starts_with('|')) {
+    if (std::regex_match(line, match, row)) names.insert(match[1]);
+  }
+  return names;
+}
+
+std::set<std::string> stage_folders() {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(kRoot / "procs")) {
+    if (entry.is_directory()) names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
+std::set<std::string> matches(const std::string& text, const std::string& pattern) {
+  std::set<std::string> found;
+  const std::regex regex(pattern);
+  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it) {
+    found.insert((*it)[1]);
+  }
+  return found;
+}
+
+/// Files that include a library, which are to be one class: x.cpp and x.hpp at most.
+std::set<std::string> stems_that_include(const std::string& prefix) {
+  std::set<std::string> stems;
+  for (const Include& include : includes()) {
+    if (include.what.starts_with(prefix) && !include.is_in("tests")) {
+      stems.insert(fs::path(include.file).replace_extension().generic_string());
+    }
+  }
+  return stems;
+}
+
+bool is_node_file(const std::string& file) {
+  return fs::path(file).stem().string().ends_with("_node");
+}
+
+TEST(Structure, FindsTheSources) {
+  EXPECT_GT(sources().size(), 20U);
+  EXPECT_GT(includes().size(), 100U);
+}
+
+TEST(Structure, OnlyTheBusKnowsLcm) {
+  EXPECT_THAT(offenders([](const Include& include) {
+                return include.what.starts_with("<lcm/") && !include.is_in("common/bus");
+              }),
+              IsEmpty());
+}
+
+TEST(Structure, OnlyConversionsAndNodesKnowGeneratedMessages) {
+  EXPECT_THAT(offenders([](const Include& include) {
+                return include.is_of("adit") && !include.is_in("common/messages") &&
+                       !include.is_in("tests") && !is_node_file(include.file);
+              }),
+              IsEmpty());
+}
+
+TEST(Structure, StagesKnowNothingOfEachOther) {
+  EXPECT_THAT(offenders([](const Include& include) {
+                const std::string stage = include.file.substr(0, include.file.find('/', 6));
+                return include.is_in("procs") && include.is_of("procs") && !include.is_of(stage);
+              }),
+              IsEmpty());
+}
+
+TEST(Structure, DependenciesPointOneWay) {
+  EXPECT_THAT(offenders([](const Include& include) {
+                const bool of_tools = include.is_of("tools") || include.is_of("tests");
+                const bool of_ends = include.is_of("procs") || include.is_of("sim") || of_tools;
+                return (include.is_in("common") && of_ends) ||
+                       (include.is_in("procs") && (include.is_of("sim") || of_tools)) ||
+                       (include.is_in("sim") && (include.is_of("procs") || of_tools)) ||
+                       (include.is_in("tools") && include.is_of("tests"));
+              }),
+              IsEmpty());
+}
+
+TEST(Structure, AlgorithmsKnowNoTransport) {
+  EXPECT_THAT(offenders([](const Include& include) {
+                const bool may = is_node_file(include.file) || include.file.ends_with("/main.cpp");
+                return include.is_in("procs") && !may &&
+                       (include.is_of("common/bus") || include.is_of("common/messages"));
+              }),
+              IsEmpty());
+}
+
+TEST(Structure, OctoMapAndCholmodAreBehindOneClassEach) {
+  EXPECT_LE(stems_that_include("<octomap/").size(), 1U);
+  EXPECT_LE(stems_that_include("<cholmod").size(), 1U);
+  EXPECT_LE(stems_that_include("<suitesparse/cholmod").size(), 1U);
+}
+
+TEST(Structure, YamlIsReadInOneFile) { EXPECT_LE(stems_that_include("<yaml-cpp/").size(), 1U); }
+
+TEST(Structure, EverySourceFileSaysItsLicence) {
+  std::vector<std::string> without;
+  for (const fs::path& path : sources()) {
+    if (!text_of(path).starts_with("// SPDX-FileCopyrightText: The Adit authors\n"
+                                   "// SPDX-License-Identifier: BSD-3-Clause\n")) {
+      without.push_back(path.string());
+    }
+  }
+  EXPECT_THAT(without, IsEmpty());
+}
+
+TEST(Structure, EveryStageHasItsRowInTheReadme) {
+  const std::string readme = text_of(kRoot / "README.md");
+  if (readme.empty() || stage_folders().empty()) GTEST_SKIP() << "no README.md or no stage yet";
+  EXPECT_THAT(stage_folders(), IsSubsetOf(first_column(readme, "stage")));
+}
+
+TEST(Structure, EveryStageIsKnownToTheConfiguration) {
+  EXPECT_THAT(stage_folders(), IsSubsetOf(adit::stage_names()));
+}
+
+TEST(Structure, EveryChannelHasItsRowInTheTableAndEveryRowIsAChannel) {
+  const auto constants = matches(text_of(kRoot / "common/bus/channels.hpp"),
+                                 R"re(std::string_view k\w+ = "(\w+)";)re");
+  const auto rows = first_column(text_of(kRoot / "lcmtypes/README.md"), "channel");
+  EXPECT_FALSE(constants.empty());
+  EXPECT_THAT(rows, ElementsAreArray(constants));
+}
+
+TEST(Structure, EveryTypeIsInTheTableOfChannels) {
+  const std::string readme = text_of(kRoot / "lcmtypes/README.md");
+  for (const auto& entry : fs::directory_iterator(kRoot / "lcmtypes")) {
+    if (entry.path().extension() != ".lcm") continue;
+    EXPECT_NE(readme.find("| `" + entry.path().stem().string() + "` |"), std::string::npos)
+        << entry.path();
+  }
+}
+
+TEST(Structure, EveryTypeIsAmongThoseThatTestsGoOver) {
+  std::set<std::string> files;
+  for (const auto& entry : fs::directory_iterator(kRoot / "lcmtypes")) {
+    if (entry.path().extension() == ".lcm") files.insert(entry.path().stem().string());
+  }
+  std::set<std::string> types;
+  for (const adit::MessageType& type : adit::message_types()) types.insert(type.name);
+  EXPECT_THAT(types, ElementsAreArray(files));
+}
+
+/// The text within the braces of a struct, comments that stand alone left out.
+std::vector<std::string> fields(const std::string& lcm) {
+  std::vector<std::string> lines;
+  std::istringstream text(lcm.substr(lcm.find('{') + 1));
+  static const std::regex field(R"( *(?!const)[a-z]\w* +\w+(\[\w+\])*;.*)");
+  for (std::string line; std::getline(text, line);) {
+    if (std::regex_match(line, field)) lines.push_back(line);
+  }
+  return lines;
+}
+
+TEST(Structure, EveryFieldOfEveryTypeSaysWhatItIs) {
+  for (const auto& entry : fs::directory_iterator(kRoot / "lcmtypes")) {
+    if (entry.path().extension() != ".lcm") continue;
+    const auto lines = fields(text_of(entry.path()));
+    ASSERT_FALSE(lines.empty()) << entry.path();
+    EXPECT_THAT(lines.front(), testing::ContainsRegex("int64_t utime; +// time|bus time"));
+    for (const std::string& line : lines) {
+      EXPECT_NE(line.find("//"), std::string::npos) << entry.path() << ": " << line;
+    }
+  }
+}
+
+}  // namespace

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/carmen/carmen_reader.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "tests/support/recordings.hpp"
+
+namespace adit {
+namespace {
+
+using testing::ElementsAre;
+
+class CarmenReaderFile : public testing::Test {
+ protected:
+  CarmenReaderFile() : path_(std::filesystem::path(testing::TempDir()) / unique_name()) {}
+  ~CarmenReaderFile() override { std::filesystem::remove(path_); }
+
+  const std::filesystem::path& plain(const std::string& text) {
+    std::ofstream(path_, std::ios::binary) << text;
+    return path_;
+  }
+
+  const std::filesystem::path& compressed(const std::string& text) {
+    gzFile file = gzopen(path_.c_str(), "wb");
+    gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
+    gzclose(file);
+    return path_;
+  }
+
+  std::filesystem::path path_;
+
+ private:
+  static std::string unique_name() {
+    return std::string("adit_carmen_") +
+           testing::UnitTest::GetInstance()->current_test_info()->name() + ".log";
+  }
+};
+
+std::string odom_lines(int count) {
+  std::string text;
+  for (int i = 1; i <= count; ++i) {
+    text += "ODOM " + std::to_string(i) + " 0 0 0 0 0 " + std::to_string(i) + " h 1\n";
+  }
+  return text;
+}
+
+int count_records(CarmenReader& reader) {
+  int count = 0;
+  while (reader.next()) ++count;
+  return count;
+}
+
+TEST_F(CarmenReaderFile, YieldsTheOdometryOfAScanBeforeTheScan) {
+  CarmenReader reader(plain("NEFF 3\nFLASER 2 1 1 0 0 0 7 8 0.5 2.5 h 1\n"));
+  const auto first = reader.next();
+  const auto second = reader.next();
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(std::get<WheelOdometry>(*first).T_wheel_body, (Pose2{7.0, 8.0, 0.5}));
+  EXPECT_EQ(std::get<WheelOdometry>(*first).utime, 2500000);
+  EXPECT_EQ(std::get<CarmenScan>(*second).scan.utime, 2500000);
+  EXPECT_FALSE(reader.next());
+}
+
+TEST_F(CarmenReaderFile, ReadsGzipAndPlainAlike) {
+  const std::string text = odom_lines(20000);
+  CarmenReader from_plain(plain(text));
+  EXPECT_EQ(count_records(from_plain), 20000);
+  CarmenReader from_gzip(compressed(text));
+  EXPECT_EQ(count_records(from_gzip), 20000);
+  EXPECT_DOUBLE_EQ(from_gzip.fraction_read(), 1.0);
+}
+
+TEST_F(CarmenReaderFile, ReadsALastLineWithoutAnEnd) {
+  CarmenReader reader(plain("ODOM 1 0 0 0 0 0 1 h 1"));
+  EXPECT_EQ(count_records(reader), 1);
+}
+
+TEST_F(CarmenReaderFile, SkipsBadLinesAndReportsTheFirstOfEachKind) {
+  std::string text = odom_lines(2);
+  for (int i = 0; i < 10; ++i) text += "ODOM 0 0 0 0 0 0 0 h 0\n";
+  text += "FLASER x\n" + odom_lines(1);
+  CarmenReader reader(plain(text));
+  EXPECT_EQ(count_records(reader), 3);
+  EXPECT_EQ(reader.report().refused_lines(), 11U);
+  EXPECT_THAT(reader.report().sentences(),
+              ElementsAre("lines 3, 4, 5 and 7 more: a time that is not positive",
+                          "line 13: a word where a number belongs"));
+}
+
+TEST_F(CarmenReaderFile, SkipsAStampFromLongBefore) {
+  CarmenReader reader(
+      plain("ODOM 1 0 0 0 0 0 100 h 1\nODOM 2 0 0 0 0 0 3.7 h 1\nODOM 3 0 0 0 0 0 99.9 h 1\n"));
+  EXPECT_EQ(count_records(reader), 2);
+  EXPECT_THAT(reader.report().sentences(),
+              ElementsAre("line 2: a time from long before the lines above it"));
+}
+
+TEST_F(CarmenReaderFile, GoesOnAfterAStampFromTheFuture) {
+  CarmenReader reader(plain("ODOM 1 0 0 0 0 0 5e9 h 1\n" + odom_lines(5)));
+  EXPECT_EQ(count_records(reader), 5);  // one is lost: only the next shows that it was right
+}
+
+TEST_F(CarmenReaderFile, ReportsACompressedFileThatBreaksOff) {
+  std::filesystem::resize_file(compressed(odom_lines(20000)), 30000);
+  CarmenReader reader(path_);
+  EXPECT_GT(count_records(reader), 100);
+  EXPECT_EQ(reader.report().refused.back().reason, "the compressed file is damaged from here on");
+}
+
+TEST_F(CarmenReaderFile, SkipsALineOfMegabytes) {
+  CarmenReader reader(plain("FLASER 9 " + std::string(5U << 20U, '1') + "\n" + odom_lines(1)));
+  EXPECT_EQ(count_records(reader), 1);
+  EXPECT_THAT(reader.report().sentences(), ElementsAre("line 1: a line of more than a megabyte"));
+}
+
+TEST_F(CarmenReaderFile, SurvivesBytesThatAreNoText) {
+  CarmenReader reader(plain(std::string("\0\xff\x01 FLASER\0\n\n\nODOM \0 1\n", 24)));
+  EXPECT_EQ(count_records(reader), 0);
+}
+
+TEST(CarmenReader, RefusesAFileThatIsNotThere) {
+  EXPECT_THROW(CarmenReader("/nonexistent.log"), std::runtime_error);
+  EXPECT_THROW(CarmenReader(testing::TempDir()), std::runtime_error);
+}
+
+TEST(CarmenReader, ReadsTheRecordings) {
+  const std::tuple<const char*, std::size_t, std::size_t> expected[] = {
+      {"laser2d/intel_raw.log.gz", 2726, 0},
+      {"laser2d/csail_raw.log.gz", 1988, 0},
+      {"laser2d/fr079_chain.log.gz", 1464, 0},
+      {"laser2d/acapulco_scans.log.gz", 861, 861},
+      {"laser2d/seattle_scans.log.gz", 241, 241}};
+  for (const auto& [name, scans, refused] : expected) {
+    ADIT_RECORDING_OR_SKIP(path, name);
+    CarmenReader reader(path);
+    count_records(reader);
+    EXPECT_EQ(reader.report().scans, scans) << name;
+    EXPECT_EQ(reader.report().refused_lines(), refused) << name;
+  }
+}
+
+}  // namespace
+}  // namespace adit

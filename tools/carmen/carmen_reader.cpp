@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/carmen/carmen_reader.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+namespace adit {
+namespace {
+
+constexpr std::size_t kLinesNamed = 3;
+constexpr std::int64_t kLateMicroseconds = 1'000'000;
+constexpr std::string_view kOutOfOrder = "a time from long before the lines above it";
+
+std::string sentence(const CarmenReport::Refused& refused) {
+  std::string text = refused.count == 1 ? "line " : "lines ";
+  for (std::size_t i = 0; i < refused.first_lines.size(); ++i) {
+    if (i > 0) text += ", ";
+    text += std::to_string(refused.first_lines[i]);
+  }
+  const std::size_t others = refused.count - refused.first_lines.size();
+  if (others > 0) text += " and " + std::to_string(others) + " more";
+  return text + ": " + std::string(refused.reason);
+}
+
+}  // namespace
+
+std::size_t CarmenReport::refused_lines() const {
+  std::size_t total = 0;
+  for (const Refused& entry : refused) total += entry.count;
+  return total;
+}
+
+std::vector<std::string> CarmenReport::sentences() const {
+  std::vector<std::string> result;
+  for (const Refused& entry : refused) result.push_back(sentence(entry));
+  return result;
+}
+
+bool StampOrder::accepts(std::int64_t utime) {
+  const bool carries_on = !latest_ || utime >= *latest_ - kLateMicroseconds;
+  const bool set_back = outlier_ && std::abs(utime - *outlier_) <= kLateMicroseconds;
+  if (!carries_on && !set_back) {
+    outlier_ = utime;
+    return false;
+  }
+  latest_ = utime;
+  outlier_.reset();
+  return true;
+}
+
+CarmenReader::CarmenReader(const std::filesystem::path& path) : source_(path) {}
+
+std::optional<CarmenRecord> CarmenReader::next() {
+  if (pending_) return CarmenRecord(*std::exchange(pending_, std::nullopt));
+  while (const auto line = source_.next()) {
+    ++report_.lines;
+    if (!line->fault.empty()) {
+      refuse(line->fault);
+    } else if (auto record = accept(parse_carmen_line(line->text))) {
+      return record;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<CarmenRecord> CarmenReader::accept(CarmenLine line) {
+  if (const auto* refused = std::get_if<CarmenRefused>(&line)) refuse(refused->reason);
+  if (const auto* odometry = std::get_if<WheelOdometry>(&line)) return accept_odometry(*odometry);
+  if (auto* scan = std::get_if<CarmenScan>(&line)) return accept_scan(std::move(*scan));
+  return std::nullopt;
+}
+
+std::optional<CarmenRecord> CarmenReader::accept_odometry(const WheelOdometry& odometry) {
+  if (!order_.accepts(odometry.utime)) {
+    refuse(kOutOfOrder);
+    return std::nullopt;
+  }
+  ++report_.odometry_lines;
+  return odometry;
+}
+
+std::optional<CarmenRecord> CarmenReader::accept_scan(CarmenScan scan) {
+  if (!order_.accepts(scan.scan.utime)) {
+    refuse(kOutOfOrder);
+    return std::nullopt;
+  }
+  ++report_.scans;
+  const WheelOdometry odometry = scan.odometry;
+  pending_ = std::move(scan);
+  return odometry;
+}
+
+void CarmenReader::refuse(std::string_view reason) {
+  auto& refused = report_.refused;
+  auto entry = std::find_if(refused.begin(), refused.end(),
+                            [&](const auto& other) { return other.reason == reason; });
+  if (entry == refused.end()) entry = refused.insert(refused.end(), {reason, 0, {}});
+  if (entry->first_lines.size() < kLinesNamed) entry->first_lines.push_back(report_.lines);
+  ++entry->count;
+}
+
+}  // namespace adit

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/eval/number_table.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <istream>
+#include <sstream>
+#include <stdexcept>
+
+namespace adit {
+namespace {
+
+constexpr double kLatestTimeSeconds = 1e11;  // the year 5138; more is not a time
+
+std::optional<double> finite_number(const std::string& word) {
+  double value = 0.0;
+  const char* end = word.data() + word.size();
+  const auto result = std::from_chars(word.data(), end, value);
+  if (result.ec != std::errc{} || result.ptr != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+NumberTable::NumberTable(std::istream& in, std::string_view name, std::size_t columns)
+    : in_(in), name_(name), columns_(columns) {}
+
+std::optional<std::vector<double>> NumberTable::next() {
+  std::string text;
+  while (std::getline(in_, text)) {
+    ++line_;
+    std::istringstream words(text.substr(0, text.find('#')));
+    std::vector<double> row;
+    for (std::string word; words >> word;) {
+      const auto value = finite_number(word);
+      if (!value) fail("'" + word + "' is not a finite number");
+      row.push_back(*value);
+    }
+    if (row.empty()) continue;
+    if (row.size() != columns_) {
+      fail(std::to_string(row.size()) + " numbers where " + std::to_string(columns_) + " belong");
+    }
+    return row;
+  }
+  return std::nullopt;
+}
+
+std::int64_t NumberTable::microseconds(double seconds) const {
+  if (seconds < 0.0 || seconds > kLatestTimeSeconds) fail("a time beyond all reason");
+  return std::llround(seconds * 1e6);
+}
+
+void NumberTable::fail(std::string_view reason) const {
+  throw std::runtime_error(name_ + ":" + std::to_string(line_) + ": " + std::string(reason));
+}
+
+std::ifstream open_table(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  if (!in || std::filesystem::is_directory(path)) {
+    throw std::runtime_error("cannot read " + path.string());
+  }
+  return in;
+}
+
+}  // namespace adit

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/config/bounds.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/registration/surface_points.hpp"
 #include "common/registration/surfel_map.hpp"
@@ -20,11 +21,11 @@ struct CorrelativeSearchParams {
 
   template <class V>
   void visit(V& v) {
-    v("cell_m", cell_m, 0.01, 1.0);
-    v("angle_step_rad", angle_step_rad, 0.001, 0.5);
-    v("points_max", points_max, 10, 10000);
-    v("reach_m", reach_m, 1.0, 100.0);
-    v("blocks_max", blocks_max, 1, 1000000);
+    v("cell_m", cell_m, within(0.01, 1.0));
+    v("angle_step_rad", angle_step_rad, within(0.001, 0.5));
+    v("points_max", points_max, within(10, 10000));
+    v("reach_m", reach_m, within(1.0, 100.0));
+    v("blocks_max", blocks_max, within(1, 1000000));
   }
 };
 

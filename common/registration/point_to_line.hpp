@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "common/config/bounds.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/registration/surface_points.hpp"
 #include "common/registration/surfel_map.hpp"
@@ -22,12 +23,12 @@ struct PointToLineParams {
 
   template <class V>
   void visit(V& v) {
-    v("iterations_max", iterations_max, 1, 1000);
-    v("capture_m", capture_m, 0.01, SurfelMap::kReach);
-    v("scale_start_m", scale_start_m, 0.005, 5.0);
-    v("scale_end_m", scale_end_m, 0.001, 5.0);
-    v("residual_sd_min_m", residual_sd_min_m, 1e-4, 1.0);
-    v("done_m", done_m, 1e-9, 0.1);
+    v("iterations_max", iterations_max, within(1, 1000));
+    v("capture_m", capture_m, within(0.01, SurfelMap::kReach));
+    v("scale_start_m", scale_start_m, within(0.005, 5.0));
+    v("scale_end_m", scale_end_m, within(0.001, 5.0));
+    v("residual_sd_min_m", residual_sd_min_m, within(1e-4, 1.0));
+    v("done_m", done_m, within(1e-9, 0.1));
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "common/config/bounds.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
 
@@ -31,13 +32,13 @@ struct SurfaceParams {
 
   template <class V>
   void visit(V& v) {
-    v("half_window_beams", half_window_beams, 1, 50);
-    v("window_radius_m", window_radius_m, 0.01, 10.0);
-    v("gap_m", gap_m, 0.001, 10.0);
-    v("bend_m", bend_m, 0.0, 1.0);
-    v("gap_on_line_m", gap_on_line_m, 0.0, 100.0);
-    v("residual_max_m", residual_max_m, 0.001, 1.0);
-    v("range_sd_m", range_sd_m, 0.0001, 1.0);
+    v("half_window_beams", half_window_beams, within(1, 50));
+    v("window_radius_m", window_radius_m, within(0.01, 10.0));
+    v("gap_m", gap_m, within(0.001, 10.0));
+    v("bend_m", bend_m, within(0.0, 1.0));
+    v("gap_on_line_m", gap_on_line_m, within(0.0, 100.0));
+    v("residual_max_m", residual_max_m, within(0.001, 1.0));
+    v("range_sd_m", range_sd_m, within(0.0001, 1.0));
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "common/config/bounds.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/registration/surface_points.hpp"
 
@@ -29,8 +30,8 @@ struct SurfelMapParams {
   int count_max = 20;       ///< a merged point is a running mean over this many at most
   template <class V>
   void visit(V& v) {
-    v("spacing_m", spacing_m, 0.005, 1.0);
-    v("count_max", count_max, 1, 10000);
+    v("spacing_m", spacing_m, within(0.005, 1.0));
+    v("count_max", count_max, within(1, 10000));
   }
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/config/bounds.hpp"
 #include "common/geometry/pose2.hpp"
 
 namespace adit {
@@ -14,11 +15,9 @@ struct LaserMount {
 
   template <class V>
   void visit(V& v) {
-    v("x_m", T_body_laser.x, -10.0, 10.0);
-    v("y_m", T_body_laser.y, -10.0, 10.0);
-    v("yaw_rad", T_body_laser.theta, -3.1415926535897931, 3.1415926535897931);
-    v("range_min_m", range_min_m, 0.0, 10.0);
-    v("range_max_m", range_max_m, 0.5, 1000.0);
+    v("T_body_laser", T_body_laser);
+    v("range_min_m", range_min_m, at_least(0.0));
+    v("range_max_m", range_max_m, above(0.0));
   }
 };
 

@@ -9,6 +9,8 @@ namespace adit {
 namespace {
 
 constexpr std::size_t kReadingsKept = 2000;
+constexpr double kSlackM = 0.3;    // what a body at rest may seem to move between two scans
+constexpr double kSlackRad = 0.3;  // and turn
 
 double seconds(std::int64_t microseconds) { return 1e-6 * static_cast<double>(microseconds); }
 
@@ -31,6 +33,11 @@ Pose2 interpolate(const WheelOdometry& a, const WheelOdometry& b, std::int64_t u
 bool MotionPrediction::add(const WheelOdometry& reading) { return append(wheels_, reading); }
 
 bool MotionPrediction::add(const ImuReading& reading) { return append(imu_, reading); }
+
+bool MotionEstimate::possible(const Pose2& T_odom_body) const {
+  const Pose2 step = between(T_odom_last, T_odom_body);
+  return step.translation().norm() <= reach_m && std::abs(step.theta) <= reach_rad;
+}
 
 std::optional<Pose2> MotionPrediction::wheel_pose_at(std::int64_t utime) const {
   const auto after = std::lower_bound(wheels_.begin(), wheels_.end(), utime,
@@ -73,41 +80,44 @@ Pose2 MotionPrediction::step_at_last_speed(double dt_s) const {
   return half * straight * half;
 }
 
-bool MotionPrediction::possible(const Pose2& step, double dt_s) const {
-  constexpr double kSlackM = 0.3;
-  constexpr double kSlackRad = 0.3;
-  return step.translation().norm() <= kSlackM + params_.speed_max_m_s * dt_s &&
-         std::abs(step.theta) <= kSlackRad + params_.yaw_rate_max_rad_s * dt_s;
-}
-
 MotionEstimate MotionPrediction::predict(std::int64_t utime) const {
   MotionEstimate estimate;
   estimate.prior.T_odom_body = T_odom_body_;
+  estimate.T_odom_last = T_odom_body_;
   if (!utime_) return estimate;
   const double dt = seconds(utime - *utime_);
-  Pose2 step = step_at_last_speed(dt);
-  auto& information = estimate.prior.information;
-
-  const auto wheel_then = wheel_pose_at(*utime_);
-  const auto wheel_now = wheel_pose_at(utime);
-  if (wheel_then && wheel_now && possible(between(*wheel_then, *wheel_now), dt)) {
-    step = between(*wheel_then, *wheel_now);
-    const double distance = step.translation().norm();
-    const double sd = params_.odometry_sd_m + params_.odometry_sd_per_m * distance;
-    const double sd_theta = params_.odometry_sd_rad +
-                            params_.odometry_sd_per_rad * std::abs(step.theta) +
-                            params_.odometry_sd_rad_per_m * distance;
-    information.diagonal() << 1.0 / (sd * sd), 1.0 / (sd * sd), 1.0 / (sd_theta * sd_theta);
-    estimate.from_odometry = true;
-  }
-  if (const auto turn = gyro_turn(*utime_, utime)) {
-    step.theta = *turn;
-    const double sd = params_.gyro_sd_rad_s * std::max(dt, 0.01);
-    information(2, 2) = 1.0 / (sd * sd);
-    estimate.from_gyro = true;
-  }
-  estimate.prior.T_odom_body = T_odom_body_ * step;
+  estimate.reach_m = kSlackM + params_.speed_max_m_s * dt;
+  estimate.reach_rad = kSlackRad + params_.yaw_rate_max_rad_s * dt;
+  estimate.prior.T_odom_body = T_odom_body_ * step_at_last_speed(dt);
+  take_odometry(utime, estimate);
+  take_gyro(utime, estimate);
   return estimate;
+}
+
+void MotionPrediction::take_odometry(std::int64_t utime, MotionEstimate& estimate) const {
+  const auto then = wheel_pose_at(*utime_);
+  const auto now = wheel_pose_at(utime);
+  if (!then || !now) return;
+  const Pose2 step = between(*then, *now);
+  if (!estimate.possible(T_odom_body_ * step)) return;  // wheels that spin, or were reset
+  const double distance = step.translation().norm();
+  const double sd = params_.odometry_sd_m + params_.odometry_sd_per_m * distance;
+  const double sd_theta = params_.odometry_sd_rad +
+                          params_.odometry_sd_per_rad * std::abs(step.theta) +
+                          params_.odometry_sd_rad_per_m * distance;
+  estimate.prior.T_odom_body = T_odom_body_ * step;
+  estimate.prior.information.diagonal() << 1.0 / (sd * sd), 1.0 / (sd * sd),
+      1.0 / (sd_theta * sd_theta);
+  estimate.from_odometry = true;
+}
+
+void MotionPrediction::take_gyro(std::int64_t utime, MotionEstimate& estimate) const {
+  const auto turn = gyro_turn(*utime_, utime);
+  if (!turn) return;
+  const double sd = params_.gyro_sd_rad_s * std::max(seconds(utime - *utime_), 0.01);
+  estimate.prior.T_odom_body.theta = wrap_angle(T_odom_body_.theta + *turn);
+  estimate.prior.information(2, 2) = 1.0 / (sd * sd);
+  estimate.from_gyro = true;
 }
 
 void MotionPrediction::correct(std::int64_t utime, const Pose2& T_odom_body, bool matched) {

@@ -69,12 +69,13 @@ void LcmBus::take_from_lcm() {
   }
 }
 
-void LcmBus::on_receive(const lcm::ReceiveBuffer* buffer, const std::string& channel) try {
-  dispatcher_.enqueue({channel,
-                       buffer->recv_utime,
-                       {static_cast<const std::uint8_t*>(buffer->data), buffer->data_size}});
+void LcmBus::on_receive(const lcm::ReceiveBuffer* buffer, const std::string& channel,
+                        LcmBus* bus) try {
+  bus->dispatcher_.enqueue({channel,
+                            buffer->recv_utime,
+                            {static_cast<const std::uint8_t*>(buffer->data), buffer->data_size}});
 } catch (...) {
-  failure_ = std::current_exception();
+  bus->failure_ = std::current_exception();
 }
 
 void LcmBus::run_due_timers() {
@@ -90,8 +91,9 @@ void LcmBus::publish(std::string_view channel, std::span<const std::uint8_t> byt
 SubscriptionId LcmBus::subscribe(std::string_view channel, Delivery delivery, Handler handler) {
   const SubscriptionId id = dispatcher_.subscribe(channel, delivery, std::move(handler));
   if (!channels_.emplace(channel).second) return id;
+  // Not by a member function: GCC 12 miscompiles LCM's call of one under -fsanitize=undefined.
   lcm::Subscription* const subscription =
-      lcm_->subscribe(std::string(channel), &LcmBus::on_receive, this);
+      lcm_->subscribeFunction(std::string(channel), &LcmBus::on_receive, this);
   if (!subscription) throw std::runtime_error("LCM cannot subscribe to " + std::string(channel));
   subscription->setQueueCapacity(kLcmQueue);
   return id;

@@ -54,7 +54,7 @@ class LcmBus final : public Bus {
  private:
   bool wait(int timeout_ms, int stop_descriptor);
   void take_from_lcm();
-  void on_receive(const lcm::ReceiveBuffer* buffer, const std::string& channel);
+  static void on_receive(const lcm::ReceiveBuffer* buffer, const std::string& channel, LcmBus* bus);
   void run_due_timers();
 
   std::unique_ptr<lcm::LCM> lcm_;

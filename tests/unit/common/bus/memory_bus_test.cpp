@@ -109,7 +109,8 @@ TEST(MemoryBus, RefusesMessagesThatAreTooLarge) {
 
 TEST(MemoryBus, ThrowsForNamesThatAreNoChannels) {
   MemoryBus bus;
-  for (const std::string name : {"", "pose", "A B", "A.*", std::string(64, 'A').c_str()}) {
+  for (const std::string& name :
+       std::vector<std::string>{"", "pose", "A B", "A.*", std::string(64, 'A')}) {
     EXPECT_THROW(bus.publish(name, {}), std::invalid_argument) << name;
     EXPECT_THROW(bus.subscribe(name, Delivery::latest(), {}), std::invalid_argument) << name;
   }

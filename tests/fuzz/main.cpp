@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// fuzz_inputs --cases N --seed S: damages good messages, logs and lines of text and gives them to
+// what takes such from outside. A crash, an exception, a hang or a complaint of a sanitizer makes
+// it fail, and it names the case. The same seed gives the same cases, whatever ran before them.
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "tests/fuzz/mutator.hpp"
+#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/watchdog.hpp"
+
+namespace adit::fuzz {
+namespace {
+
+struct Options {
+  std::int64_t cases = 1'000'000;
+  std::int64_t from = 0;
+  std::uint64_t seed = 1;
+};
+
+struct Tally {
+  std::int64_t accepted = 0;
+  std::int64_t refused = 0;
+  std::map<std::string, std::int64_t, std::less<>> reasons;
+};
+
+/// Cases go to the targets in turn; each has a seed of its own.
+void run_case(std::int64_t number, const Options& options, const std::vector<Target>& targets,
+              std::vector<Tally>& tallies) {
+  const std::size_t which = static_cast<std::size_t>(number) % targets.size();
+  const Target& target = targets[which];
+  const Target& stranger = targets[static_cast<std::size_t>(number * 7 + 3) % targets.size()];
+  Mutator mutator(options.seed * 0x100000001B3U + static_cast<std::uint64_t>(number));
+  const std::string_view reason = target.take(mutator.mutate(target.samples, stranger.samples[0]));
+  Tally& tally = tallies[which];
+  reason.empty() ? ++tally.accepted : ++tally.refused;
+  if (!reason.empty()) ++tally.reasons[std::string(reason)];
+}
+
+void print(const std::vector<Target>& targets, const std::vector<Tally>& tallies) {
+  std::printf("%-18s %10s %10s\n", "target", "accepted", "refused");
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    std::printf("%-18s %10lld %10lld\n", targets[i].name.c_str(),
+                static_cast<long long>(tallies[i].accepted),
+                static_cast<long long>(tallies[i].refused));
+    for (const auto& [reason, count] : tallies[i].reasons) {
+      std::printf("    %10lld %s\n", static_cast<long long>(count), reason.c_str());
+    }
+  }
+}
+
+/// A good input that is refused means that the cases reach nothing.
+bool samples_are_good(const std::vector<Target>& targets) {
+  bool good = true;
+  for (const Target& target : targets) {
+    for (const Bytes& sample : target.samples) {
+      const std::string_view reason = target.take(sample);
+      if (!reason.empty()) {
+        std::fprintf(stderr, "a sample of %s is refused: %s\n", target.name.c_str(), reason.data());
+      }
+      good = good && reason.empty();
+    }
+  }
+  return good;
+}
+
+int run(const Options& options) {
+  const std::vector<Target> targets = all_targets();
+  if (!samples_are_good(targets)) return 1;
+  std::vector<Tally> tallies(targets.size());
+  const auto start = std::chrono::steady_clock::now();
+  for (std::int64_t number = options.from; number < options.from + options.cases; ++number) {
+    watch(number);
+    run_case(number, options, targets, tallies);
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  print(targets, tallies);
+  std::printf("%lld cases in %.1f s, %.0f a second\n", static_cast<long long>(options.cases),
+              taken.count(), static_cast<double>(options.cases) / taken.count());
+  return 0;
+}
+
+}  // namespace
+}  // namespace adit::fuzz
+
+int main(int argc, char** argv) {
+  adit::fuzz::Options options;
+  CLI::App app("Damages good inputs and gives them to what takes inputs from outside.");
+  app.add_option("--cases", options.cases, "How many")->capture_default_str();
+  app.add_option("--from", options.from, "Number of the first")->capture_default_str();
+  app.add_option("--seed", options.seed, "Other cases for each")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  const std::string command = std::string(argv[0]) + " --seed " + std::to_string(options.seed);
+  adit::fuzz::start_watchdog(command);
+  return adit::fuzz::run(options);
+}

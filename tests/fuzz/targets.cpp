@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <variant>
+
+#include <unistd.h>
+
+#include "common/bus/log_format.hpp"
+#include "common/bus/log_parser.hpp"
+#include "common/bus/log_writer.hpp"
+#include "tests/fuzz/target.hpp"
+#include "tests/support/message_types.hpp"
+#include "tools/carmen/carmen_line.hpp"
+
+namespace adit::fuzz {
+namespace {
+
+Bytes sample_log() {
+  namespace fs = std::filesystem;
+  const fs::path path =
+      fs::temp_directory_path() / ("fuzz_" + std::to_string(getpid()) + ".lcmlog");
+  LogWriter writer(path);
+  for (int i = 0; i < 5; ++i) writer.write({1'600'000'000'000'000 + i, "POSE", Bytes(40)});
+  writer.close();
+  std::ifstream file(path, std::ios::binary);
+  const Bytes bytes{std::istreambuf_iterator<char>(file), {}};
+  fs::remove(path);
+  return bytes;
+}
+
+/// Reads all events; every byte must belong to one or be reported.
+std::string_view take_log(std::span<const std::uint8_t> bytes) {
+  LogParser parser(bytes);
+  std::size_t in_events = 0;
+  while (const auto event = parser.next()) {
+    in_events += log_format::kHeaderBytes + event->channel.size() + event->data.size();
+  }
+  const LogHealth& health = parser.health();
+  if (in_events + health.corrupt_bytes + health.truncated_bytes != bytes.size()) {
+    std::cerr << "the log reader lost count of the bytes\n";
+    std::abort();
+  }
+  return health.corrupt_bytes + health.truncated_bytes > 0 ? "damaged" : "";
+}
+
+std::string_view take_carmen(std::span<const std::uint8_t> bytes) {
+  const CarmenLine line =
+      parse_carmen_line({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (std::holds_alternative<CarmenIgnored>(line)) return "ignored";
+  const auto* const refused = std::get_if<CarmenRefused>(&line);
+  return refused ? refused->reason : "";
+}
+
+Bytes bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
+
+}  // namespace
+
+std::vector<Target> message_targets() {
+  std::vector<Target> targets;
+  for (const MessageType& type : message_types()) {
+    targets.push_back({type.name, {type.sample}, type.take});
+  }
+  return targets;
+}
+
+Target log_target() { return {"log", {sample_log()}, take_log}; }
+
+Target carmen_target() {
+  return {"carmen",
+          {bytes_of("FLASER 4 1.0 2.5 81.83 0.0 1 2 0.5 3 4 -0.5 1134864629.895182 b21 0.0863"),
+           bytes_of("ODOM 1.5 -2.25 0.5 0.1 0.01 0 1134864629.895182 b21 0.0863"),
+           bytes_of("ROBOTLASER1 0 -1.570796 3.141593 0.785398 81.9 0.01 0 5 1 2 3 4 5 0 "
+                    "1 2 0.5 1 2 0.5 0.1 0.2 0.3 0.4 1e9 1134864629.895182 b21 0.0863")},
+          take_carmen};
+}
+
+std::vector<Target> all_targets() {
+  std::vector<Target> targets = message_targets();
+  targets.push_back(log_target());
+  targets.push_back(carmen_target());
+  return targets;
+}
+
+}  // namespace adit::fuzz

@@ -21,9 +21,8 @@ constexpr std::size_t kScansWaiting = 100;     // more than a second of an LMS-2
 constexpr std::size_t kReadingsWaiting = 500;  // as much of odometry and IMU
 
 bool open_direction(const ScanMatch& match) {
-  return std::any_of(match.degenerate.begin(), match.degenerate.end(), [](const auto& d) {
-    return d.fill == DegenerateDirection::Fill::kNone;
-  });
+  return std::any_of(match.degenerate.begin(), match.degenerate.end(),
+                     [](const auto& d) { return d.fill == DegenerateDirection::Fill::kNone; });
 }
 
 Health health_of(const ScanMatch& match) {

@@ -17,7 +17,7 @@ constexpr const char* kFooter = R"(Each sub-command explains itself: adit COMMAN
 
 A first look, without a robot and without a recording:
   adit sample mine.log --truth mine.tum
-  adit import carmen mine.log mine.lcmlog)";
+  adit map mine.log --out mine)";
 
 }  // namespace
 
@@ -31,6 +31,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_completion_command(*app);
   add_eval_command(*app);
   add_import_command(*app);
+  add_map_command(*app);
   add_sample_command(*app);
   add_spy_command(*app);
   return app;

@@ -21,6 +21,7 @@ int run_adit(int argc, const char* const* argv);
 void add_completion_command(CLI::App& adit);
 void add_eval_command(CLI::App& adit);
 void add_import_command(CLI::App& adit);
+void add_map_command(CLI::App& adit);
 void add_sample_command(CLI::App& adit);
 void add_spy_command(CLI::App& adit);
 

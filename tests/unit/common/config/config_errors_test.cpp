@@ -103,7 +103,7 @@ TEST(ConfigErrors, AFileThatCannotBeReadIsNamed) {
 
 TEST(ConfigErrors, AnEmptyFileIsNoError) {
   const auto path = std::filesystem::path(testing::TempDir()) / "adit_empty.yaml";
-  std::ofstream{path};
+  std::ofstream(path).flush();
   EXPECT_NO_THROW(ConfigFile::load(path));
   std::filesystem::remove(path);
 }

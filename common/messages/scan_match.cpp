@@ -10,6 +10,17 @@
 namespace adit {
 namespace {
 
+using Status = ScanMatch::Status;
+using Fill = DegenerateDirection::Fill;
+
+static_assert(static_cast<int>(Status::kFirstScan) == scan_match_t::STATUS_FIRST_SCAN);
+static_assert(static_cast<int>(Status::kMatched) == scan_match_t::STATUS_MATCHED);
+static_assert(static_cast<int>(Status::kLost) == scan_match_t::STATUS_LOST);
+static_assert(static_cast<int>(Status::kRefused) == scan_match_t::STATUS_REFUSED);
+static_assert(static_cast<int>(Fill::kNone) == scan_match_t::FILL_NONE);
+static_assert(static_cast<int>(Fill::kOdometry) == scan_match_t::FILL_ODOMETRY);
+static_assert(static_cast<int>(Fill::kImu) == scan_match_t::FILL_IMU);
+
 using RowMajor3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 void set_pose(const Pose2& pose, double (&numbers)[3]) {
@@ -18,9 +29,8 @@ void set_pose(const Pose2& pose, double (&numbers)[3]) {
   numbers[2] = pose.theta;
 }
 
-bool is_known(ScanMatchReport::Status status) {
-  return status >= ScanMatchReport::Status::kFirstScan &&
-         status <= ScanMatchReport::Status::kRefused;
+bool is_known(ScanMatch::Status status) {
+  return status >= ScanMatch::Status::kFirstScan && status <= ScanMatch::Status::kRefused;
 }
 
 bool is_known(DegenerateDirection::Fill fill) {
@@ -41,7 +51,7 @@ std::string_view reason_to_refuse(const scan_match_t& message) {
                       Eigen::Map<const RowMajor3d>(message.covariance[0]).allFinite();
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (!is_plausible_utime(message.reference_utime)) return kImplausibleTime;
-  if (!is_known(ScanMatchReport::Status(message.status))) return "unknown status";
+  if (!is_known(ScanMatch::Status(message.status))) return "unknown status";
   if (!finite) return "pose or covariance is not finite";
   if (message.n_degenerate > 3) return "more than three degenerate directions";
   return {};
@@ -49,50 +59,54 @@ std::string_view reason_to_refuse(const scan_match_t& message) {
 
 }  // namespace
 
-scan_match_t to_message(const ScanMatchReport& report) {
+scan_match_t to_message(const ScanMatch& match) {
   scan_match_t message;
-  message.utime = report.utime;
-  message.reference_utime = report.reference_utime;
-  message.channel = report.channel;
-  message.status = static_cast<std::int8_t>(report.status);
-  set_pose(report.T_odom_body, message.T_odom_body);
-  set_pose(report.delta, message.delta);
-  Eigen::Map<RowMajor3d>(message.covariance[0]) = report.covariance;
-  message.inlier_share = report.inlier_share;
-  message.rms_residual_m = report.rms_residual_m;
-  message.n_degenerate = static_cast<std::int32_t>(report.degenerate.size());
-  for (const DegenerateDirection& degenerate : report.degenerate) {
+  message.utime = match.utime;
+  message.reference_utime = match.reference_utime;
+  message.channel = match.channel;
+  message.status = static_cast<std::int8_t>(match.status);
+  set_pose(match.T_odom_body, message.T_odom_body);
+  set_pose(match.T_reference_body, message.delta);
+  Eigen::Map<RowMajor3d>(message.covariance[0]) = match.covariance;
+  message.inlier_share = match.inlier_share;
+  message.contradiction_share = match.contradiction_share;
+  message.rms_residual_m = match.rms_residual_m;
+  message.n_degenerate = static_cast<std::int32_t>(match.degenerate.size());
+  for (const DegenerateDirection& degenerate : match.degenerate) {
     const Eigen::Vector3d& d = degenerate.direction;
     message.degenerate_directions.push_back({d.x(), d.y(), d.z()});
     message.degenerate_fills.push_back(static_cast<std::int8_t>(degenerate.fill));
   }
-  message.iterations = report.iterations;
-  message.searched = static_cast<std::int8_t>(report.searched);
-  message.points = report.points;
+  message.lever_arm_m = match.lever_arm_m;
+  message.iterations = match.iterations;
+  message.searched = static_cast<std::int8_t>(match.searched);
+  message.points = match.points;
   return message;
 }
 
-Result<ScanMatchReport> from_message(const scan_match_t& message) {
+Result<ScanMatch> from_message(const scan_match_t& message) {
   if (const auto reason = reason_to_refuse(message); !reason.empty()) return Refused{reason};
-  ScanMatchReport report;
-  report.utime = message.utime;
-  report.reference_utime = message.reference_utime;
-  report.channel = message.channel;
-  report.status = ScanMatchReport::Status(message.status);
-  report.T_odom_body = {message.T_odom_body[0], message.T_odom_body[1], message.T_odom_body[2]};
-  report.delta = {message.delta[0], message.delta[1], message.delta[2]};
-  report.covariance = Eigen::Map<const RowMajor3d>(message.covariance[0]);
-  report.inlier_share = message.inlier_share;
-  report.rms_residual_m = message.rms_residual_m;
-  report.degenerate = degenerate_directions(message);
-  for (const DegenerateDirection& degenerate : report.degenerate) {
+  ScanMatch match;
+  match.utime = message.utime;
+  match.reference_utime = message.reference_utime;
+  match.channel = message.channel;
+  match.status = ScanMatch::Status(message.status);
+  match.T_odom_body = {message.T_odom_body[0], message.T_odom_body[1], message.T_odom_body[2]};
+  match.T_reference_body = {message.delta[0], message.delta[1], message.delta[2]};
+  match.covariance = Eigen::Map<const RowMajor3d>(message.covariance[0]);
+  match.inlier_share = message.inlier_share;
+  match.contradiction_share = message.contradiction_share;
+  match.rms_residual_m = message.rms_residual_m;
+  match.degenerate = degenerate_directions(message);
+  for (const DegenerateDirection& degenerate : match.degenerate) {
     if (!degenerate.direction.allFinite()) return Refused{"degenerate direction is not finite"};
     if (!is_known(degenerate.fill)) return Refused{"unknown fill"};
   }
-  report.iterations = message.iterations;
-  report.searched = message.searched != 0;
-  report.points = message.points;
-  return report;
+  match.lever_arm_m = message.lever_arm_m;
+  match.iterations = message.iterations;
+  match.searched = message.searched != 0;
+  match.points = message.points;
+  return match;
 }
 
 }  // namespace adit

@@ -30,14 +30,14 @@ MessageType type_of(std::string_view channel, const Msg& sample) {
   return {Msg::getTypeName(), std::string(channel), Msg::getHash(), encode(sample), take<Msg>};
 }
 
-ScanMatchReport sample_match() {
-  ScanMatchReport report;
+ScanMatch sample_match() {
+  ScanMatch report;
   report.utime = kUtime;
   report.reference_utime = kUtime - 13'333;
   report.channel = channels::kLaserFront;
-  report.status = ScanMatchReport::Status::kMatched;
+  report.status = ScanMatch::Status::kMatched;
   report.T_odom_body = {12.0, -3.0, 0.7};
-  report.delta = {0.01, 0.0, 0.001};
+  report.T_reference_body = {0.01, 0.0, 0.001};
   report.covariance = Eigen::Vector3d(1e-4, 1e-4, 1e-6).asDiagonal();
   report.inlier_share = 0.93;
   report.rms_residual_m = 0.012;

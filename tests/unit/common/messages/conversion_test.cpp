@@ -33,14 +33,14 @@ auto over_the_wire(const Value& value) {
 
 LaserScan scan() { return {kUtime, {1.0F, 2.0F, 3.0F}, -1.5, 0.5}; }
 
-ScanMatchReport report() {
-  ScanMatchReport report;
+ScanMatch report() {
+  ScanMatch report;
   report.utime = kUtime;
   report.reference_utime = kUtime - 13'000;
   report.channel = "LASER_FRONT";
-  report.status = ScanMatchReport::Status::kMatched;
+  report.status = ScanMatch::Status::kMatched;
   report.T_odom_body = {1.0, 2.0, 0.5};
-  report.delta = {0.1, 0.0, 0.01};
+  report.T_reference_body = {0.1, 0.0, 0.01};
   report.covariance << 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0;
   report.inlier_share = 0.9;
   report.rms_residual_m = 0.01;
@@ -177,7 +177,7 @@ TEST(ScanMatchMessage, IsRefusedWithConstantsNobodyKnows) {
 }
 
 TEST(ScanMatchMessage, IsRefusedWithNumbersThatAreNotFinite) {
-  ScanMatchReport bad = report();
+  ScanMatch bad = report();
   bad.covariance(1, 2) = kNaN;
   EXPECT_EQ(over_the_wire(bad).refusal(), "pose or covariance is not finite");
 }

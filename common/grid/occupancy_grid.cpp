@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/grid/occupancy_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace adit {
+namespace {
+
+constexpr double kOccupiedShare = 0.3;  // poses are off by more than a cell; walls are seen through
+constexpr double kFarthestCell = 1e8;   // coordinates stay far inside an int
+
+CellBox united(const CellBox& a, const CellBox& b) {
+  if (a.empty()) return b;
+  return {a.from.cwiseMin(b.from), a.to.cwiseMax(b.to)};
+}
+
+/// A box around `needed` that lets the map grow a few times less often than scans come in.
+CellBox with_margin(const CellBox& needed, const CellBox& present) {
+  CellBox box = needed;
+  const Eigen::Vector2i margin = Eigen::Vector2i::Constant(64) + needed.size() / 4;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (present.empty() || needed.from[axis] < present.from[axis]) box.from[axis] -= margin[axis];
+    if (present.empty() || needed.to[axis] > present.to[axis]) box.to[axis] += margin[axis];
+  }
+  return box;
+}
+
+std::size_t count_cells(const CellBox& box) {
+  return static_cast<std::size_t>(box.size().x()) * static_cast<std::size_t>(box.size().y());
+}
+
+std::size_t index_in(const CellBox& box, const Eigen::Vector2i& cell) {
+  const Eigen::Vector2i offset = cell - box.from;
+  return static_cast<std::size_t>(offset.y()) * static_cast<std::size_t>(box.size().x()) +
+         static_cast<std::size_t>(offset.x());
+}
+
+void count(std::uint16_t& counter) {
+  if (counter < std::numeric_limits<std::uint16_t>::max()) ++counter;
+}
+
+}  // namespace
+
+bool CellBox::contains(const Eigen::Vector2i& cell) const {
+  return (cell.array() >= from.array()).all() && (cell.array() < to.array()).all();
+}
+
+bool CellBox::contains(const CellBox& other) const {
+  return (other.from.array() >= from.array()).all() && (other.to.array() <= to.array()).all();
+}
+
+bool OccupancyGrid::insert(const LaserScan& scan, const Pose2& T_map_laser) {
+  const double reach = T_map_laser.translation().cwiseAbs().maxCoeff() + params_.range_max_m;
+  if (!T_map_laser.vector().allFinite() || reach / params_.resolution_m > kFarthestCell)
+    return false;
+  const std::vector<Eigen::Vector2d> ends = end_points(scan, T_map_laser);
+  if (ends.empty()) return true;
+
+  const Eigen::Vector2d start = T_map_laser.translation();
+  CellBox needed{cell_at(start), cell_at(start) + Eigen::Vector2i(1, 1)};
+  for (const Eigen::Vector2d& end : ends) {
+    const Eigen::Vector2i cell = cell_at(end);
+    needed = united(needed, {cell, cell + Eigen::Vector2i(1, 1)});
+  }
+  if (!reserve(needed)) return false;
+
+  ++scan_;
+  for (const Eigen::Vector2d& end : ends) {
+    Cell& cell = at(cell_at(end));
+    if (cell.last_scan != scan_) count(cell.hits);
+    cell.last_scan = scan_;
+  }
+  for (const Eigen::Vector2d& end : ends) carve(start, end);
+  return true;
+}
+
+CellState OccupancyGrid::state(const Eigen::Vector2i& cell) const {
+  const Cell* found = find(cell);
+  if (found == nullptr || found->hits + found->misses == 0) return CellState::kUnknown;
+  return occupancy(cell) >= kOccupiedShare ? CellState::kOccupied : CellState::kFree;
+}
+
+double OccupancyGrid::occupancy(const Eigen::Vector2i& cell) const {
+  const Cell* found = find(cell);
+  if (found == nullptr || found->hits == 0) return 0.0;
+  return static_cast<double>(found->hits) / (found->hits + found->misses);
+}
+
+CellBox OccupancyGrid::known_box() const {
+  CellBox known;
+  for (int j = box_.from.y(); j < box_.to.y(); ++j) {
+    for (int i = box_.from.x(); i < box_.to.x(); ++i) {
+      const Eigen::Vector2i cell(i, j);
+      if (state(cell) == CellState::kUnknown || known.contains(cell)) continue;
+      known = united(known, {cell, cell + Eigen::Vector2i(1, 1)});
+    }
+  }
+  return known;
+}
+
+Eigen::Vector2i OccupancyGrid::cell_at(const Eigen::Vector2d& p_map) const {
+  return (p_map / params_.resolution_m).array().floor().cast<int>();
+}
+
+std::vector<Eigen::Vector2d> OccupancyGrid::end_points(const LaserScan& scan,
+                                                       const Pose2& T_map_laser) const {
+  std::vector<Eigen::Vector2d> ends;
+  ends.reserve(scan.ranges_m.size());
+  for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
+    const double range = scan.ranges_m[i];
+    if (!(range >= params_.range_min_m && range <= params_.range_max_m)) continue;  // NaN too
+    const double angle =
+        T_map_laser.theta + scan.angle_min_rad + static_cast<double>(i) * scan.angle_step_rad;
+    if (!std::isfinite(angle)) continue;
+    ends.push_back(T_map_laser.translation() +
+                   range * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  return ends;
+}
+
+bool OccupancyGrid::reserve(const CellBox& box) {
+  if (!box_.empty() && box_.contains(box)) return true;
+  const CellBox grown = with_margin(united(box_, box), box_);
+  if (count_cells(grown) > static_cast<std::size_t>(params_.cells_max)) return false;
+  std::vector<Cell> cells(count_cells(grown));
+  const auto width = static_cast<std::ptrdiff_t>(box_.size().x());
+  for (int j = box_.from.y(); j < box_.to.y(); ++j) {
+    const Eigen::Vector2i row_start(box_.from.x(), j);
+    const auto row = cells_.begin() + static_cast<std::ptrdiff_t>(index_in(box_, row_start));
+    std::copy(row, row + width,
+              cells.begin() + static_cast<std::ptrdiff_t>(index_in(grown, row_start)));
+  }
+  cells_ = std::move(cells);
+  box_ = grown;
+  return true;
+}
+
+/// Counts a miss in each cell between two points (Amanatides & Woo 1987), but for those that this
+/// scan has seen already. Both points lie in the map, and so does all that is between them.
+void OccupancyGrid::carve(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  const Eigen::Vector2d start = from / params_.resolution_m;
+  const Eigen::Vector2d way = to / params_.resolution_m - start;
+  const Eigen::Vector2i cell = cell_at(from);
+  Eigen::Vector2i left = (cell_at(to) - cell).cwiseAbs();  // steps to go along each axis
+  Eigen::Vector2d next;  // share of the way at which the ray leaves the cell along each axis
+  Eigen::Vector2d stride;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double edge = cell[axis] + (way[axis] < 0.0 ? 0.0 : 1.0);
+    const double length = std::abs(way[axis]);
+    stride[axis] = length > 0.0 ? 1.0 / length : std::numeric_limits<double>::infinity();
+    next[axis] = length > 0.0 ? std::abs(edge - start[axis]) / length : stride[axis];
+  }
+  const std::ptrdiff_t row = box_.size().x();
+  const std::ptrdiff_t step[2] = {way.x() < 0.0 ? -1 : 1, way.y() < 0.0 ? -row : row};
+  for (Cell* seen = &at(cell); left.sum() > 0;) {
+    if (seen->last_scan != scan_) {
+      count(seen->misses);
+      seen->last_scan = scan_;
+    }
+    const int axis = left.y() == 0 || (left.x() > 0 && next.x() < next.y()) ? 0 : 1;
+    seen += step[axis];
+    next[axis] += stride[axis];
+    --left[axis];
+  }
+}
+
+OccupancyGrid::Cell& OccupancyGrid::at(const Eigen::Vector2i& cell) {
+  return cells_[index_in(box_, cell)];
+}
+
+const OccupancyGrid::Cell* OccupancyGrid::find(const Eigen::Vector2i& cell) const {
+  return box_.contains(cell) ? &cells_[index_in(box_, cell)] : nullptr;
+}
+
+}  // namespace adit

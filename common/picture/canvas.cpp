@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/picture/canvas.hpp"
+
+#include <numbers>
+#include <stdexcept>
+
+namespace adit {
+
+Canvas::Canvas(int width, int height)
+    : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)),
+      cairo_(cairo_create(surface_.get())) {}
+
+void Canvas::colour(const Colour& colour) const {
+  cairo_set_source_rgba(cairo(), colour.red, colour.green, colour.blue, colour.alpha);
+}
+
+void Canvas::fill_rectangle(double x, double y, double width, double height) const {
+  cairo_rectangle(cairo(), x, y, width, height);
+  cairo_fill(cairo());
+}
+
+void Canvas::disc(double x, double y, double radius) const {
+  cairo_new_path(cairo());
+  cairo_arc(cairo(), x, y, radius, 0.0, 2.0 * std::numbers::pi);
+  cairo_fill(cairo());
+}
+
+void Canvas::text(const std::string& text, double x, double y, double size, bool bold,
+                  Align align) const {
+  cairo_select_font_face(cairo(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                         bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(cairo(), size);
+  cairo_text_extents_t extents;
+  cairo_text_extents(cairo(), text.c_str(), &extents);
+  double left = x;
+  if (align == Align::kCentre) left -= extents.x_advance / 2.0;
+  if (align == Align::kRight) left -= extents.x_advance;
+  cairo_move_to(cairo(), left, y);
+  cairo_show_text(cairo(), text.c_str());
+}
+
+void Canvas::write_png(const std::filesystem::path& path) const {
+  const cairo_status_t status = cairo_surface_write_to_png(surface_.get(), path.c_str());
+  if (status != CAIRO_STATUS_SUCCESS) {
+    throw std::runtime_error("cannot write " + path.string() + ": " +
+                             cairo_status_to_string(status));
+  }
+}
+
+}  // namespace adit

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <cairo.h>
+
+namespace adit {
+
+struct Colour {
+  double red;
+  double green;
+  double blue;
+  double alpha = 1.0;
+};
+
+constexpr Colour rgb(unsigned hex, double alpha = 1.0) {
+  return {(hex >> 16U & 0xffU) / 255.0, (hex >> 8U & 0xffU) / 255.0, (hex & 0xffU) / 255.0, alpha};
+}
+
+enum class Align { kLeft, kCentre, kRight };
+
+/// A sheet of pixels to draw on, origin at the upper left: cairo with its handles owned.
+class Canvas {
+ public:
+  Canvas(int width, int height);
+
+  [[nodiscard]] cairo_t* cairo() const { return cairo_.get(); }
+  void colour(const Colour& colour) const;
+  void fill_rectangle(double x, double y, double width, double height) const;
+  void disc(double x, double y, double radius) const;
+  /// `y` is that of the base line.
+  void text(const std::string& text, double x, double y, double size, bool bold, Align align) const;
+
+  /// Throws std::runtime_error where the file cannot be written.
+  void write_png(const std::filesystem::path& path) const;
+
+ private:
+  struct Destroy {
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+    void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
+  };
+
+  std::unique_ptr<cairo_surface_t, Destroy> surface_;
+  std::unique_ptr<cairo_t, Destroy> cairo_;
+};
+
+}  // namespace adit

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/picture/map_keys.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "common/picture/palette.hpp"
+
+namespace adit {
+namespace {
+
+void draw_marker(const Canvas& canvas, const Eigen::Vector2d& p, double radius,
+                 const Colour& colour) {
+  canvas.colour(kOpen);
+  canvas.disc(p.x(), p.y(), 1.35 * radius);
+  canvas.colour(colour);
+  canvas.disc(p.x(), p.y(), radius);
+}
+
+double foot(const MapLayout& layout) { return layout.height - kFooter / 2.0 * layout.unit; }
+
+/// 1, 2 or 5 times a power of ten, about a fifth of the map's width.
+double scale_bar_m(const MapLayout& layout) {
+  const double wanted = (layout.high.x() - layout.low.x()) / 5.0;
+  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+  for (const double step : {5.0, 2.0}) {
+    if (step * decade <= wanted) return step * decade;
+  }
+  return decade;
+}
+
+void draw_path_key(const Canvas& canvas, double left, double right, double y, double unit) {
+  const auto steps = static_cast<int>(right - left);
+  for (int i = 0; i < steps; ++i) {
+    canvas.colour(along_path(static_cast<double>(i) / steps));
+    canvas.fill_rectangle(left + i, y - 2.0 * unit, 1.5, 4.0 * unit);
+  }
+  draw_start(canvas, {left, y}, unit);
+  draw_end(canvas, {right, y}, unit);
+  canvas.colour(kInk);
+  canvas.text("start", left, y + 24.0 * unit, 15.0 * unit, false, Align::kCentre);
+  canvas.text("end", right, y + 24.0 * unit, 15.0 * unit, false, Align::kCentre);
+}
+
+void draw_degenerate_key(const Canvas& canvas, double centre, double y, double unit) {
+  canvas.colour(kDegenerate);
+  canvas.fill_rectangle(centre - 30.0 * unit, y - 6.0 * unit, 60.0 * unit, 12.0 * unit);
+  canvas.colour(kInk);
+  canvas.text("degenerate", centre, y + 24.0 * unit, 15.0 * unit, false, Align::kCentre);
+}
+
+}  // namespace
+
+void draw_start(const Canvas& canvas, const Eigen::Vector2d& p, double unit) {
+  draw_marker(canvas, p, 10.0 * unit, kStart);
+}
+
+void draw_end(const Canvas& canvas, const Eigen::Vector2d& p, double unit) {
+  draw_marker(canvas, p, 5.5 * unit, kEnd);
+}
+
+void draw_scale_bar(const Canvas& canvas, const MapLayout& layout) {
+  const double y = foot(layout);
+  const double metres = scale_bar_m(layout);
+  const double length = metres * layout.pixels_per_metre;
+  const double unit = layout.unit;
+  const double x = kMargin * unit;
+  canvas.colour(kInk);
+  canvas.fill_rectangle(x, y - 3.0 * unit, length, 6.0 * unit);
+  canvas.colour(kOpen);
+  canvas.fill_rectangle(x + length / 2.0, y - 1.5 * unit, length / 2.0 - 1.5 * unit, 3.0 * unit);
+  char label[32];
+  std::snprintf(label, sizeof(label), "%g m", metres);
+  canvas.colour(kInk);
+  canvas.text("0", x, y + 24.0 * unit, 15.0 * unit, false, Align::kLeft);
+  canvas.text(label, x + length, y + 24.0 * unit, 15.0 * unit, false, Align::kCentre);
+}
+
+void draw_keys(const Canvas& canvas, const MapLayout& layout, bool with_degenerate) {
+  const double y = foot(layout);
+  const double right = layout.width - (kMargin + 8.0) * layout.unit;
+  const double left = right - 180.0 * layout.unit;
+  draw_path_key(canvas, left, right, y, layout.unit);
+  if (with_degenerate) draw_degenerate_key(canvas, left - 120.0 * layout.unit, y, layout.unit);
+}
+
+}  // namespace adit

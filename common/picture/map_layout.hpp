@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/geometry/pose2.hpp"
+#include "common/grid/occupancy_grid.hpp"
+
+namespace adit {
+
+// Around the map, in units of the sheet.
+inline constexpr double kMargin = 40.0;
+inline constexpr double kHeader = 76.0;
+inline constexpr double kFooter = 84.0;
+
+/// Where things go on the sheet.
+struct MapLayout {
+  MapLayout(const OccupancyGrid& grid, const std::vector<Pose2>& path);
+
+  [[nodiscard]] Eigen::Vector2d pixel(const Eigen::Vector2d& p_map) const {
+    return {left + (p_map.x() - low.x()) * pixels_per_metre,
+            top + (high.y() - p_map.y()) * pixels_per_metre};
+  }
+
+  CellBox cells;
+  Eigen::Vector2d low;  // corners of what is shown, in the map [m]
+  Eigen::Vector2d high;
+  double pixels_per_metre;
+  double unit;  // what a pixel of lettering and lines is on this sheet
+  double left;  // of the map on the sheet
+  double top;
+  int width;
+  int height;
+};
+
+}  // namespace adit

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "common/picture/canvas.hpp"
+
+namespace adit {
+
+inline constexpr Colour kPaper = rgb(0xe8e5df);
+inline constexpr Colour kOpen = rgb(0xffffff);
+inline constexpr Colour kWall = rgb(0x1f242b);
+inline constexpr Colour kInk = rgb(0x33373d);
+inline constexpr Colour kDegenerate = rgb(0xf5b301, 0.55);
+inline constexpr Colour kStart = rgb(0x2a9d5c);
+inline constexpr Colour kEnd = rgb(0xc8324a);
+
+/// From the start of a path to its end; all darker than the ground and lighter than the walls.
+inline constexpr std::array<Colour, 4> kAlongPath = {rgb(0x1a9a8f), rgb(0x2f6fc1), rgb(0x8a4bc0),
+                                                     rgb(0xe0483e)};
+
+inline Colour blend(const Colour& a, const Colour& b, double share) {
+  return {std::lerp(a.red, b.red, share), std::lerp(a.green, b.green, share),
+          std::lerp(a.blue, b.blue, share)};
+}
+
+/// The colour of a path at a share of its length, 0 to 1.
+inline Colour along_path(double share) {
+  const double place = std::clamp(share, 0.0, 1.0) * (kAlongPath.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(place), kAlongPath.size() - 2);
+  return blend(kAlongPath[i], kAlongPath[i + 1], place - static_cast<double>(i));
+}
+
+}  // namespace adit

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/config/bounds.hpp"
+#include "common/geometry/pose2.hpp"
+#include "common/registration/surface_points.hpp"
+#include "common/registration/surfel_map.hpp"
+
+namespace adit {
+
+struct CorrelativeSearchParams {
+  double cell_m = 0.1;  ///< side of a fine cell, and the step of the search
+  double angle_step_rad = 0.0175;
+  int points_max = 90;     ///< of the scan, evenly chosen
+  double reach_m = 25.0;   ///< among those within this range
+  int blocks_max = 20000;  ///< blocks opened; bounds the time in a hopeless case
+
+  template <class V>
+  void visit(V& v) {
+    v("cell_m", cell_m, within(0.01, 1.0));
+    v("angle_step_rad", angle_step_rad, within(0.001, 0.5));
+    v("points_max", points_max, within(10, 10000));
+    v("reach_m", reach_m, within(1.0, 100.0));
+    v("blocks_max", blocks_max, within(1, 1000000));
+  }
+};
+
+/// Half-widths of the search, around its centre.
+struct SearchWindow {
+  double radius_m = 1.0;
+  double angle_rad = 0.6;
+};
+
+struct CorrelationPeak {
+  Pose2 T_odom_body;   ///< to within half a cell and half an angle step
+  double score = 0.0;  ///< in [0, 1]: mean closeness of the points to the reference
+};
+
+/// The poses within the window at which the scan lies best on the reference: exhaustive over a grid
+/// of poses, made cheap by a coarse level that bounds the fine one from above (Olson, "Real-Time
+/// Correlative Scan Matching", ICRA 2009). The best `peaks` that differ by more than a coarse step,
+/// best first; empty where scan or reference is empty.
+std::vector<CorrelationPeak> search_correlation(const std::vector<SurfacePoint>& points_body,
+                                                const SurfelMap& reference, const Pose2& centre,
+                                                const SearchWindow& window, int peaks,
+                                                const CorrelativeSearchParams& params);
+
+}  // namespace adit

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/registration/degeneracy.hpp"
+
+#include <algorithm>
+
+#include <Eigen/Eigenvalues>
+
+namespace adit {
+
+ConstrainedInformation split_degenerate(const Eigen::Matrix3d& information,
+                                        const Eigen::Matrix3d& spurious, double lever_arm_m,
+                                        const DegeneracyParams& params) {
+  const Eigen::Vector3d to_radians(1.0, 1.0, 1.0 / lever_arm_m);
+  const Eigen::Vector3d to_metres(1.0, 1.0, lever_arm_m);
+  const auto in_metres = [&](const Eigen::Matrix3d& M) -> Eigen::Matrix3d {
+    return to_radians.asDiagonal() * M * to_radians.asDiagonal();
+  };
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(in_metres(information));
+  const Eigen::Matrix3d spurious_m = in_metres(spurious);
+  const double least = 1.0 / (params.sd_max_m * params.sd_max_m);
+
+  ConstrainedInformation result;
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector3d v = solver.eigenvectors().col(i);
+    const double known = solver.eigenvalues()[i];
+    const double feigned = v.dot(spurious_m * v);
+    if (known <= std::max(least, params.spurious_ratio * feigned)) {
+      result.degenerate.push_back(v);
+    } else {
+      const Eigen::Vector3d w = to_metres.asDiagonal() * v;
+      result.information += known * w * w.transpose();
+    }
+  }
+  return result;
+}
+
+}  // namespace adit

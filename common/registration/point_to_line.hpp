@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/config/bounds.hpp"
+#include "common/geometry/pose2.hpp"
+#include "common/registration/surface_points.hpp"
+#include "common/registration/surfel_map.hpp"
+
+namespace adit {
+
+struct PointToLineParams {
+  int iterations_max = 30;
+  double capture_m = 0.5;            ///< farthest correspondence
+  double scale_start_m = 0.2;        ///< width of the robust kernel at first
+  double scale_end_m = 0.04;         ///< and at last; beyond twice this a point is an outlier
+  double residual_sd_min_m = 0.005;  ///< no match is believed better than this per point
+  double done_m = 1e-4;  ///< a step below this (metres; radians times one metre) ends it
+
+  template <class V>
+  void visit(V& v) {
+    v("iterations_max", iterations_max, within(1, 1000));
+    v("capture_m", capture_m, within(0.01, SurfelMap::kReach));
+    v("scale_start_m", scale_start_m, within(0.005, 5.0));
+    v("scale_end_m", scale_end_m, within(0.001, 5.0));
+    v("residual_sd_min_m", residual_sd_min_m, within(1e-4, 1.0));
+    v("done_m", done_m, within(1e-9, 0.1));
+  }
+};
+
+/// What is known of the pose before the match: a Gaussian around T_odom_body.
+struct PosePrior {
+  Pose2 T_odom_body;
+  /// Inverse covariance of (x, y, θ) in the body frame at T_odom_body; zero: nothing is known.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+};
+
+struct PointToLineResult {
+  Pose2 T_odom_body;
+  /// Of the match alone, without the prior: inverse covariance of (x, y, θ) in the body frame.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  /// What of `information` the uncertainty of the surface normals alone would produce: a direction
+  /// with no more than a few times this is not constrained.
+  Eigen::Matrix3d spurious = Eigen::Matrix3d::Zero();
+  double overlap = 0.0;         ///< share of the points with a correspondence
+  double inlier_share = 0.0;    ///< share of the points that agree with the reference
+  double closeness = 0.0;       ///< mean over all points, 1 on the reference, 0 far from it
+  double rms_residual_m = 0.0;  ///< of the inliers
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Aligns the points of a scan with the reference: iterated closest points with distances measured
+/// along the surface normal (Censi, "An ICP variant using a point-to-line metric", ICRA 2008), a
+/// Geman-McClure kernel that narrows from coarse to fine, and the prior as one more measurement.
+PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_body,
+                                      const SurfelMap& reference, const Pose2& start,
+                                      const PosePrior& prior, const PointToLineParams& params);
+
+}  // namespace adit

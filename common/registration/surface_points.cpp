@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/registration/surface_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit {
+namespace {
+
+struct Return {
+  int beam;
+  double range;
+  Eigen::Vector2d p_laser;
+};
+
+std::vector<Return> believable_returns(const LaserScan& scan, const LaserMount& mount) {
+  std::vector<Return> returns;
+  returns.reserve(scan.ranges_m.size());
+  for (int i = 0; i < static_cast<int>(scan.ranges_m.size()); ++i) {
+    const double range = scan.ranges_m[i];
+    if (!(range >= mount.range_min_m && range < mount.range_max_m)) continue;  // NaN fails too
+    const double angle = scan.angle_min_rad + i * scan.angle_step_rad;
+    returns.push_back({i, range, {range * std::cos(angle), range * std::sin(angle)}});
+  }
+  return returns;
+}
+
+/// Of three returns in a row: does the middle one keep to the line through the outer two?
+bool in_line(const Return& a, const Return& b, const Return& c, double bend) {
+  const Eigen::Vector2d chord = c.p_laser - a.p_laser;
+  const Eigen::Vector2d d = b.p_laser - a.p_laser;
+  const double length = chord.norm();
+  return std::abs(chord.x() * d.y() - chord.y() * d.x()) < bend * length;
+}
+
+/// joined[i]: returns i and i + 1 lie on one surface.
+std::vector<char> join_neighbours(const std::vector<Return>& returns, const SurfaceParams& params) {
+  const int n = static_cast<int>(returns.size());
+  std::vector<char> joined(std::max(n, 1), 0);
+  for (int i = 0; i + 1 < n; ++i) {
+    const double gap = (returns[i + 1].p_laser - returns[i].p_laser).norm();
+    const bool adjacent = returns[i + 1].beam - returns[i].beam <= 2;
+    if (!adjacent || gap > params.gap_on_line_m) continue;
+    const bool line_before =
+        i > 0 && in_line(returns[i - 1], returns[i], returns[i + 1], params.bend_m);
+    const bool line_after =
+        i + 2 < n && in_line(returns[i], returns[i + 1], returns[i + 2], params.bend_m);
+    joined[i] = gap < params.gap_m || line_before || line_after;
+  }
+  return joined;
+}
+
+/// A return whose neighbours on both sides lie far off, one nearer and one farther, is what a
+/// laser reports when its spot falls on an edge.
+bool mixed_pixel(const std::vector<Return>& returns, const std::vector<char>& joined, int i) {
+  const int n = static_cast<int>(returns.size());
+  if (i == 0 || i + 1 >= n) return false;
+  if (joined[i - 1] || joined[i]) return false;
+  return (returns[i - 1].range - returns[i].range) * (returns[i + 1].range - returns[i].range) < 0;
+}
+
+/// Total least squares line through the returns [first, last]; sets the normal where it fits.
+void fit_normal(const std::vector<Return>& returns, int first, int last,
+                const SurfaceParams& params, const Return& at, SurfacePoint& point) {
+  const int n = last - first + 1;
+  if (n < 3) return;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (int i = first; i <= last; ++i) mean += returns[i].p_laser;
+  mean /= n;
+  double xx = 0, xy = 0, yy = 0;
+  for (int i = first; i <= last; ++i) {
+    const Eigen::Vector2d d = returns[i].p_laser - mean;
+    xx += d.x() * d.x();
+    xy += d.x() * d.y();
+    yy += d.y() * d.y();
+  }
+  const double direction = 0.5 * std::atan2(2.0 * xy, xx - yy);
+  const double half = 0.5 * std::hypot(xx - yy, 2.0 * xy);
+  const double along = 0.5 * (xx + yy) + half;  // sum of squares
+  const double across = std::max(0.0, 0.5 * (xx + yy) - half);
+  const double variance = across / (n - 2);
+  if (variance > params.residual_max_m * params.residual_max_m || along <= 4.0 * across) return;
+  Eigen::Vector2d normal(-std::sin(direction), std::cos(direction));
+  if (normal.dot(at.p_laser) > 0.0) normal = -normal;
+  point.normal = normal;
+  point.normal_variance = std::max(variance, params.range_sd_m * params.range_sd_m) / along;
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount& mount,
+                                         const SurfaceParams& params) {
+  const auto returns = believable_returns(scan, mount);
+  const auto joined = join_neighbours(returns, params);
+  const int n = static_cast<int>(returns.size());
+  const double c = std::cos(mount.T_body_laser.theta);
+  const double s = std::sin(mount.T_body_laser.theta);
+  Eigen::Matrix2d R_body_laser;
+  R_body_laser << c, -s, s, c;
+
+  std::vector<SurfacePoint> points;
+  points.reserve(n);
+  for (int i = 0; i < n; ++i) {
+    if (mixed_pixel(returns, joined, i)) continue;
+    const auto near = [&](int j) {
+      return (returns[j].p_laser - returns[i].p_laser).norm() <
+             std::max(params.window_radius_m, params.gap_on_line_m * (std::abs(j - i) == 1));
+    };
+    int first = i;
+    while (first > 0 && i - first < params.half_window_beams && joined[first - 1] &&
+           near(first - 1))
+      --first;
+    int last = i;
+    while (last + 1 < n && last - i < params.half_window_beams && joined[last] && near(last + 1))
+      ++last;
+    SurfacePoint point;
+    fit_normal(returns, first, last, params, returns[i], point);
+    point.p = mount.T_body_laser * returns[i].p_laser;
+    point.normal = R_body_laser * point.normal;
+    points.push_back(point);
+  }
+  return points;
+}
+
+}  // namespace adit

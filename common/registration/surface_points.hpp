@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/config/bounds.hpp"
+#include "common/sensing/laser_mount.hpp"
+#include "common/sensing/laser_scan.hpp"
+
+namespace adit {
+
+/// A point of a scan with the local direction of the surface it was measured on.
+struct SurfacePoint {
+  Eigen::Vector2d p = Eigen::Vector2d::Zero();       ///< [m]
+  Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit, towards the laser; zero: not known
+  double normal_variance = 0.0;                      ///< of the normal's direction [rad²]
+
+  [[nodiscard]] bool has_normal() const { return normal.squaredNorm() > 0.5; }
+};
+
+struct SurfaceParams {
+  int half_window_beams = 4;     ///< neighbours on each side that a line is fitted to
+  double window_radius_m = 0.4;  ///< and how far they may be
+  double gap_m = 0.2;            ///< neighbours closer than this lie on one surface
+  double bend_m = 0.05;          ///< so do farther ones that keep to a line within this
+  double gap_on_line_m = 1.5;    ///< up to here
+  double residual_max_m = 0.05;  ///< a line that fits worse gives no normal
+  double range_sd_m = 0.01;      ///< noise of a reading, for the normal's variance
+
+  template <class V>
+  void visit(V& v) {
+    v("half_window_beams", half_window_beams, within(1, 50));
+    v("window_radius_m", window_radius_m, within(0.01, 10.0));
+    v("gap_m", gap_m, within(0.001, 10.0));
+    v("bend_m", bend_m, within(0.0, 1.0));
+    v("gap_on_line_m", gap_on_line_m, within(0.0, 100.0));
+    v("residual_max_m", residual_max_m, within(0.001, 1.0));
+    v("range_sd_m", range_sd_m, within(0.0001, 1.0));
+  }
+};
+
+/// The believable points of a scan in the body frame, in order of angle. Left out: NaN and infinite
+/// readings, those outside the mount's range limits, and points that stand alone between a near
+/// and a far surface (mixed pixels, where the beam's spot lay on both).
+/// An empty scan gives an empty vector.
+std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount& mount,
+                                         const SurfaceParams& params);
+
+}  // namespace adit

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/registration/surfel_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace adit {
+namespace {
+
+constexpr double kCosNormalMax = 0.5;  // 60°
+
+int cell_of(double coordinate) {
+  return static_cast<int>(std::floor(coordinate / SurfelMap::kBucket));
+}
+
+bool normals_agree(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  const bool both_known = a.squaredNorm() > 0.5 && b.squaredNorm() > 0.5;
+  return !both_known || a.dot(b) > kCosNormalMax;
+}
+
+}  // namespace
+
+SurfelMap::SurfelMap(const SurfelMapParams& params) : params_(params), heads_(kSide * kSide, -1) {}
+
+void SurfelMap::clear() {
+  surfels_.clear();
+  std::fill(heads_.begin(), heads_.end(), -1);
+}
+
+void SurfelMap::link(int surfel) {
+  auto& head = heads_[bucket(cell_of(surfels_[surfel].p.x()), cell_of(surfels_[surfel].p.y()))];
+  surfels_[surfel].next = head;
+  head = surfel;
+}
+
+void SurfelMap::insert(const std::vector<SurfacePoint>& points_body, const Pose2& T_odom_body,
+                       double odometer) {
+  const double c = std::cos(T_odom_body.theta);
+  const double s = std::sin(T_odom_body.theta);
+  const auto rotate = [&](const Eigen::Vector2d& v) {
+    return Eigen::Vector2d(c * v.x() - s * v.y(), s * v.x() + c * v.y());
+  };
+  for (SurfacePoint point : points_body) {
+    point.p = rotate(point.p) + T_odom_body.translation();
+    point.normal = rotate(point.normal);
+    merge(point, odometer);
+  }
+}
+
+void SurfelMap::merge(const SurfacePoint& point, double odometer) {
+  Surfel* found = nullptr;
+  double best = params_.spacing_m * params_.spacing_m;
+  const int ix0 = cell_of(point.p.x() - params_.spacing_m);
+  const int ix1 = cell_of(point.p.x() + params_.spacing_m);
+  const int iy0 = cell_of(point.p.y() - params_.spacing_m);
+  const int iy1 = cell_of(point.p.y() + params_.spacing_m);
+  for (int iy = iy0; iy <= iy1; ++iy) {
+    for (int ix = ix0; ix <= ix1; ++ix) {
+      for (int i = heads_[bucket(ix, iy)]; i >= 0; i = surfels_[i].next) {
+        const double d2 = (surfels_[i].p - point.p).squaredNorm();
+        if (d2 < best && normals_agree(surfels_[i].normal, point.normal)) {
+          best = d2;
+          found = &surfels_[i];
+        }
+      }
+    }
+  }
+  if (found == nullptr) {
+    surfels_.push_back({point.p, point.normal, point.normal_variance, 1, odometer, -1});
+    link(static_cast<int>(surfels_.size()) - 1);
+    return;
+  }
+  found->last_seen = odometer;
+  found->count = std::min(found->count + 1, params_.count_max);
+  const double share = 1.0 / found->count;
+  if (!point.has_normal()) return;
+  if (!found->has_normal()) {
+    found->normal = point.normal;
+    found->normal_variance = point.normal_variance;
+  } else {
+    // Weighted by certainty; the point moves along the normal alone, so that it keeps its bucket
+    // but for a hair, which look-ups by distance do not notice.
+    const double w = found->normal_variance / (found->normal_variance + point.normal_variance);
+    found->normal =
+        (found->normal + std::max(w, share) * (point.normal - found->normal)).normalized();
+    found->normal_variance = std::max(found->normal_variance * (1.0 - w), 1e-5);
+  }
+  const double offset = found->normal.dot(point.p - found->p);
+  found->p += share * offset * found->normal;
+}
+
+void SurfelMap::forget_before(double odometer) {
+  const auto old = [&](const Surfel& s) { return s.last_seen < odometer; };
+  if (std::none_of(surfels_.begin(), surfels_.end(), old)) return;
+  std::erase_if(surfels_, old);
+  std::fill(heads_.begin(), heads_.end(), -1);
+  for (int i = 0; i < static_cast<int>(surfels_.size()); ++i) link(i);
+}
+
+const Surfel* SurfelMap::nearest(const Eigen::Vector2d& p, const Eigen::Vector2d& normal,
+                                 double radius) const {
+  const int cx = cell_of(p.x());
+  const int cy = cell_of(p.y());
+  const Surfel* found = nullptr;
+  double best = radius * radius;
+  const auto look = [&](int ix, int iy) {
+    for (int i = heads_[bucket(ix, iy)]; i >= 0; i = surfels_[i].next) {
+      const double d2 = (surfels_[i].p - p).squaredNorm();
+      if (d2 < best && normals_agree(surfels_[i].normal, normal)) {
+        best = d2;
+        found = &surfels_[i];
+      }
+    }
+  };
+  for (int iy = cy - 1; iy <= cy + 1; ++iy) {
+    for (int ix = cx - 1; ix <= cx + 1; ++ix) look(ix, iy);
+  }
+  // What lies within one bucket's side has been seen; the outer ring can only hold farther ones.
+  if (best <= kBucket * kBucket || radius <= kBucket) return found;
+  for (int k = -2; k <= 2; ++k) {
+    look(cx + k, cy - 2);
+    look(cx + k, cy + 2);
+  }
+  for (int k = -1; k <= 1; ++k) {
+    look(cx - 2, cy + k);
+    look(cx + 2, cy + k);
+  }
+  return found;
+}
+
+}  // namespace adit

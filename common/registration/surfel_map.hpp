@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/config/bounds.hpp"
+#include "common/geometry/pose2.hpp"
+#include "common/registration/surface_points.hpp"
+
+namespace adit {
+
+/// A small piece of wall: the mean of all points measured on it.
+struct Surfel {
+  Eigen::Vector2d p = Eigen::Vector2d::Zero();       ///< [m]
+  Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit, towards the laser; zero: not known
+  double normal_variance = 0.0;                      ///< [rad²]
+  int count = 0;                                     ///< points merged
+  double last_seen = 0.0;                            ///< odometer when last seen [m]
+  int next = -1;                                     ///< next surfel of the same bucket
+
+  [[nodiscard]] bool has_normal() const { return normal.squaredNorm() > 0.5; }
+};
+
+struct SurfelMapParams {
+  double spacing_m = 0.05;  ///< points closer than this, on the same side of a wall, are merged
+  int count_max = 20;       ///< a merged point is a running mean over this many at most
+  template <class V>
+  void visit(V& v) {
+    v("spacing_m", spacing_m, within(0.005, 1.0));
+    v("count_max", count_max, within(1, 10000));
+  }
+};
+
+/// The walls seen lately, as surfels in a grid of buckets that wraps around: fixed memory, constant
+/// time for each insertion and look-up, no bounds. Coordinates are in the frame of the caller.
+class SurfelMap {
+ public:
+  explicit SurfelMap(const SurfelMapParams& params);
+
+  /// Merges the points, given in the body frame, at the pose. `odometer`: path length so far [m].
+  void insert(const std::vector<SurfacePoint>& points_body, const Pose2& T_odom_body,
+              double odometer);
+
+  /// Drops what was last seen before this odometer reading [m].
+  void forget_before(double odometer);
+
+  /// The surfel nearest to p within `radius` (at most 2 buckets: kReach) whose normal, where both
+  /// are known, differs by less than 60°. Null if there is none.
+  [[nodiscard]] const Surfel* nearest(const Eigen::Vector2d& p, const Eigen::Vector2d& normal,
+                                      double radius) const;
+
+  [[nodiscard]] const std::vector<Surfel>& surfels() const { return surfels_; }
+  [[nodiscard]] bool empty() const { return surfels_.empty(); }
+  void clear();
+
+  static constexpr double kBucket = 0.25;          ///< side of a bucket [m]
+  static constexpr double kReach = 2.0 * kBucket;  ///< farthest look-up [m]
+
+ private:
+  static constexpr int kSide = 512;  ///< buckets; the grid repeats every 128 m
+  static int bucket(int ix, int iy) { return ((iy & (kSide - 1)) * kSide) + (ix & (kSide - 1)); }
+
+  void merge(const SurfacePoint& point, double odometer);
+  void link(int surfel);
+
+  SurfelMapParams params_;
+  std::vector<Surfel> surfels_;
+  std::vector<std::int32_t> heads_;
+};
+
+}  // namespace adit

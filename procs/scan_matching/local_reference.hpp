@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "common/config/bounds.hpp"
+#include "common/geometry/pose2.hpp"
+#include "common/registration/free_space.hpp"
+#include "common/registration/surface_points.hpp"
+#include "common/registration/surfel_map.hpp"
+
+namespace adit {
+
+/// Which laser of the body a scan is from.
+enum class LaserId { kFront, kRear };
+
+/// One scan as matching sees it: its points in the body frame, and the space it saw empty.
+struct Sighting {
+  LaserId laser = LaserId::kFront;
+  std::vector<SurfacePoint> points;
+  FreeSpace free_space;
+};
+
+struct LocalReferenceParams {
+  SurfelMapParams surfels;
+  double keyframe_distance_m = 0.1;     ///< a scan joins the reference after this motion
+  double keyframe_angle_rad = 0.1;      ///< or this turn
+  double memory_m = 15.0;               ///< walls not seen for this length of path are forgotten
+  double contradiction_margin_m = 0.3;  ///< deeper in free space than this is a contradiction
+
+  template <class V>
+  void visit(V& v) {
+    v("surfels", surfels);
+    v("keyframe_distance_m", keyframe_distance_m, at_least(0.0));
+    v("keyframe_angle_rad", keyframe_angle_rad, at_least(0.0));
+    v("memory_m", memory_m, above(0.0));
+    v("contradiction_margin_m", contradiction_margin_m, at_least(0.0));
+  }
+};
+
+/// What a new scan is matched against: the walls seen over the last metres of the way, in odom, and
+/// the last keyframe of each laser. Matching against many scans rather than the last one keeps the
+/// drift over this length negligible.
+class LocalReference {
+ public:
+  explicit LocalReference(const LocalReferenceParams& params)
+      : params_(params), surfels_(params.surfels) {}
+
+  [[nodiscard]] const SurfelMap& surfels() const { return surfels_; }
+
+  /// Share of the points, of this scan and of its laser's last keyframe, that would lie in space
+  /// which the other saw free if the body were at this pose.
+  [[nodiscard]] double contradiction_share(const Sighting& sighting,
+                                           const Pose2& T_odom_body) const;
+
+  /// Takes the scan in if the body has moved enough since its laser's last keyframe.
+  void remember(Sighting sighting, const Pose2& T_odom_body, double odometer_m);
+
+  /// Forgets everything and begins with this scan.
+  void restart(Sighting sighting, const Pose2& T_odom_body, double odometer_m);
+
+ private:
+  struct Keyframe {
+    Sighting sighting;
+    Pose2 T_odom_body;
+  };
+
+  void insert(Sighting sighting, const Pose2& T_odom_body, double odometer_m);
+
+  LocalReferenceParams params_;
+  SurfelMap surfels_;
+  std::map<LaserId, Keyframe> keyframes_;
+};
+
+}  // namespace adit

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/scan_matching/motion_prediction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit {
+namespace {
+
+constexpr std::size_t kReadingsKept = 2000;
+constexpr double kSlackM = 0.3;    // what a body at rest may seem to move between two scans
+constexpr double kSlackRad = 0.3;  // and turn
+
+double seconds(std::int64_t microseconds) { return 1e-6 * static_cast<double>(microseconds); }
+
+template <class Reading>
+bool append(std::deque<Reading>& readings, const Reading& reading) {
+  if (!readings.empty() && reading.utime <= readings.back().utime) return false;
+  readings.push_back(reading);
+  if (readings.size() > kReadingsKept) readings.pop_front();
+  return true;
+}
+
+Pose2 interpolate(const WheelOdometry& a, const WheelOdometry& b, std::int64_t utime) {
+  const double share = seconds(utime - a.utime) / seconds(b.utime - a.utime);
+  const Pose2 step = between(a.T_wheel_body, b.T_wheel_body);
+  return a.T_wheel_body * Pose2{share * step.x, share * step.y, share * step.theta};
+}
+
+}  // namespace
+
+bool MotionPrediction::add(const WheelOdometry& reading) { return append(wheels_, reading); }
+
+bool MotionPrediction::add(const ImuReading& reading) { return append(imu_, reading); }
+
+bool MotionEstimate::possible(const Pose2& T_odom_body) const {
+  const Pose2 step = between(T_odom_last, T_odom_body);
+  return step.translation().norm() <= reach_m && std::abs(step.theta) <= reach_rad;
+}
+
+std::optional<Pose2> MotionPrediction::wheel_pose_at(std::int64_t utime) const {
+  const auto after = std::lower_bound(wheels_.begin(), wheels_.end(), utime,
+                                      [](const auto& w, std::int64_t t) { return w.utime < t; });
+  if (after != wheels_.end() && after->utime == utime) return after->T_wheel_body;
+  if (after == wheels_.begin()) return std::nullopt;
+  const auto before = std::prev(after);
+  if (after != wheels_.end()) return interpolate(*before, *after, utime);
+  if (seconds(utime - before->utime) > params_.odometry_gap_max_s) return std::nullopt;
+  if (before == wheels_.begin()) return before->T_wheel_body;
+  return interpolate(*std::prev(before), *before, utime);  // goes on at the last speed
+}
+
+std::optional<double> MotionPrediction::gyro_turn(std::int64_t from, std::int64_t to) const {
+  // Each reading holds until the next; a gap makes the turn unknown.
+  double turn = 0.0;
+  std::int64_t covered = from;
+  for (auto it = imu_.begin(); it != imu_.end() && covered < to; ++it) {
+    const auto next = std::next(it);
+    const std::int64_t until = next == imu_.end() ? to : std::min(to, next->utime);
+    if (until <= covered) continue;
+    const bool late = it->utime > covered + static_cast<std::int64_t>(1e6 * params_.gyro_gap_max_s);
+    const bool long_gap = seconds(until - it->utime) > params_.gyro_gap_max_s;
+    if (late || long_gap) return std::nullopt;
+    turn += it->angular_velocity.z() * seconds(until - covered);
+    covered = until;
+  }
+  if (covered < to) return std::nullopt;
+  return turn;
+}
+
+Pose2 MotionPrediction::step_at_last_speed(double dt_s) const {
+  // A speed says less the longer ago it was; a turn is over sooner than a drive. The body goes
+  // along an arc: translation is turned by half of the rotation.
+  const auto lasting = [dt_s](double memory) { return memory * (1.0 - std::exp(-dt_s / memory)); };
+  const double turn = speed_body_.z() * lasting(params_.turn_memory_s);
+  const double drive = lasting(params_.speed_memory_s);
+  const Pose2 half{0.0, 0.0, 0.5 * turn};
+  const Pose2 straight{speed_body_.x() * drive, speed_body_.y() * drive, 0.0};
+  return half * straight * half;
+}
+
+MotionEstimate MotionPrediction::predict(std::int64_t utime) const {
+  MotionEstimate estimate;
+  estimate.prior.T_odom_body = T_odom_body_;
+  estimate.T_odom_last = T_odom_body_;
+  if (!utime_) return estimate;
+  const double dt = seconds(utime - *utime_);
+  estimate.reach_m = kSlackM + params_.speed_max_m_s * dt;
+  estimate.reach_rad = kSlackRad + params_.yaw_rate_max_rad_s * dt;
+  estimate.prior.T_odom_body = T_odom_body_ * step_at_last_speed(dt);
+  take_odometry(utime, estimate);
+  take_gyro(utime, estimate);
+  return estimate;
+}
+
+void MotionPrediction::take_odometry(std::int64_t utime, MotionEstimate& estimate) const {
+  const auto then = wheel_pose_at(*utime_);
+  const auto now = wheel_pose_at(utime);
+  if (!then || !now) return;
+  const Pose2 step = between(*then, *now);
+  if (!estimate.possible(T_odom_body_ * step)) return;  // wheels that spin, or were reset
+  const double distance = step.translation().norm();
+  const double sd = params_.odometry_sd_m + params_.odometry_sd_per_m * distance;
+  const double sd_theta = params_.odometry_sd_rad +
+                          params_.odometry_sd_per_rad * std::abs(step.theta) +
+                          params_.odometry_sd_rad_per_m * distance;
+  estimate.prior.T_odom_body = T_odom_body_ * step;
+  estimate.prior.information.diagonal() << 1.0 / (sd * sd), 1.0 / (sd * sd),
+      1.0 / (sd_theta * sd_theta);
+  estimate.from_odometry = true;
+}
+
+void MotionPrediction::take_gyro(std::int64_t utime, MotionEstimate& estimate) const {
+  const auto turn = gyro_turn(*utime_, utime);
+  if (!turn) return;
+  const double sd = params_.gyro_sd_rad_s * std::max(seconds(utime - *utime_), 0.01);
+  estimate.prior.T_odom_body.theta = wrap_angle(T_odom_body_.theta + *turn);
+  estimate.prior.information(2, 2) = 1.0 / (sd * sd);
+  estimate.from_gyro = true;
+}
+
+void MotionPrediction::correct(std::int64_t utime, const Pose2& T_odom_body, bool matched) {
+  utime_ = utime;
+  T_odom_body_ = T_odom_body;
+  if (!matched || !speed_utime_) {
+    speed_utime_ = utime;
+    T_odom_speed_ = T_odom_body;
+    return;
+  }
+  const double dt = seconds(utime - *speed_utime_);
+  if (dt < params_.speed_baseline_s) return;
+  const Pose2 step = between(T_odom_speed_, T_odom_body);
+  const Pose2 unturn{0.0, 0.0, -0.5 * step.theta};
+  const Eigen::Vector2d along = (unturn * step.translation()) / dt;
+  const double shrink = std::min(1.0, params_.speed_max_m_s / std::max(along.norm(), 1e-9));
+  speed_body_ << shrink * along,
+      std::clamp(step.theta / dt, -params_.yaw_rate_max_rad_s, params_.yaw_rate_max_rad_s);
+  speed_utime_ = utime;
+  T_odom_speed_ = T_odom_body;
+}
+
+}  // namespace adit

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/scan_matching/scan_matching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/LU>
+
+namespace adit {
+namespace {
+
+constexpr double kTypicalShare = 0.05;  // weight of a new score in the running mean
+
+/// Root mean square distance of the points: how far a turn of one radian moves them.
+double lever_arm_m(const std::vector<SurfacePoint>& points) {
+  double squares = 0.0;
+  for (const auto& point : points) squares += point.p.squaredNorm();
+  return std::max(0.5, std::sqrt(squares / std::max<std::size_t>(1, points.size())));
+}
+
+DegenerateDirection::Fill fill_of(const Eigen::Vector3d& direction,
+                                  const MotionEstimate& expected) {
+  const bool mostly_turn = std::abs(direction.z()) > 0.7;
+  if (expected.from_gyro && mostly_turn) return DegenerateDirection::Fill::kImu;
+  if (expected.from_odometry) return DegenerateDirection::Fill::kOdometry;
+  return DegenerateDirection::Fill::kNone;
+}
+
+/// What the bounds of motion alone say: (x, y, θ) in the body frame.
+Eigen::Matrix3d reach_information(const MotionEstimate& expected) {
+  const double m = std::max(expected.reach_m, 1e-3);
+  const double rad = std::max(expected.reach_rad, 1e-3);
+  return Eigen::Vector3d(1.0 / (m * m), 1.0 / (m * m), 1.0 / (rad * rad)).asDiagonal();
+}
+
+/// Takes the pose back to the prediction along the directions that the match leaves open.
+Pose2 replace_open(const Pose2& T_odom_body, const Pose2& T_odom_predicted,
+                   const std::vector<Eigen::Vector3d>& open, double lever_arm) {
+  const Eigen::Vector3d scale(1.0, 1.0, lever_arm);
+  const Eigen::Vector3d off = between(T_odom_body, T_odom_predicted).vector().cwiseProduct(scale);
+  Eigen::Vector3d back = Eigen::Vector3d::Zero();
+  for (const auto& v : open) back += v * v.dot(off);
+  return T_odom_body * Pose2::from_vector(back.cwiseQuotient(scale));
+}
+
+}  // namespace
+
+ScanMatching::ScanMatching(const ScanMatchingParams& params)
+    : params_(params),
+      motion_(params.motion),
+      reference_(params.reference),
+      search_(params.search) {}
+
+ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
+  ScanMatch match;
+  match.utime = scan.utime;
+  match.reference_utime = utime_;
+  match.T_odom_body = T_odom_body_;
+  const auto last = last_scan_utime_.find(laser);
+  const bool again = last != last_scan_utime_.end() && scan.utime <= last->second;
+  if (again || scan.utime < utime_) return match;
+
+  Sighting sighting = see(laser, scan);
+  match.points = static_cast<std::int32_t>(sighting.points.size());
+  locate(sighting, match);
+  last_scan_utime_[laser] = scan.utime;
+  advance(std::move(sighting), match);
+  return match;
+}
+
+Sighting ScanMatching::see(LaserId laser, const LaserScan& scan) const {
+  const LaserMount& mount = laser == LaserId::kFront ? params_.laser_front : params_.laser_rear;
+  return {laser, surface_points(scan, mount, params_.surface), FreeSpace(scan, mount)};
+}
+
+void ScanMatching::locate(const Sighting& sighting, ScanMatch& match) {
+  const bool enough = match.points >= params_.points_min;
+  if (reference_.surfels().empty()) {
+    match.status = enough ? ScanMatch::Status::kFirstScan : ScanMatch::Status::kLost;
+    return;
+  }
+  const MotionEstimate expected = motion_.predict(match.utime);
+  PoseSearchResult found;
+  if (enough) found = search_.find(sighting, reference_, expected, typical_score_);
+  const PoseCandidate& best = found.best;
+  match.searched = found.searched;
+  match.inlier_share = best.match.inlier_share;
+  match.contradiction_share = best.contradiction_share;
+  match.rms_residual_m = best.match.rms_residual_m;
+  match.iterations = best.match.iterations;
+  if (best.score >= params_.lost_score) {
+    match.status = ScanMatch::Status::kMatched;
+    typical_score_ += kTypicalShare * (best.score - typical_score_);
+    believe(best, expected, lever_arm_m(sighting.points), match);
+  } else {
+    match.status = ScanMatch::Status::kLost;
+    match.T_odom_body = expected.prior.T_odom_body;
+    match.covariance = (expected.prior.information + reach_information(expected)).inverse();
+  }
+  match.T_reference_body = between(T_odom_body_, match.T_odom_body);
+}
+
+void ScanMatching::believe(const PoseCandidate& best, const MotionEstimate& expected,
+                           double lever_arm, ScanMatch& match) const {
+  const auto known =
+      split_degenerate(best.match.information, best.match.spurious, lever_arm, params_.degeneracy);
+  match.lever_arm_m = lever_arm;
+  for (const auto& v : known.degenerate) match.degenerate.push_back({v, fill_of(v, expected)});
+  match.T_odom_body =
+      replace_open(best.match.T_odom_body, expected.prior.T_odom_body, known.degenerate, lever_arm);
+  match.covariance =
+      (known.information + expected.prior.information + reach_information(expected)).inverse();
+}
+
+void ScanMatching::advance(Sighting sighting, const ScanMatch& match) {
+  const bool lost = match.status == ScanMatch::Status::kLost;
+  motion_.correct(match.utime, match.T_odom_body, !lost);
+  odometer_m_ += match.T_reference_body.translation().norm();
+  T_odom_body_ = match.T_odom_body;
+  utime_ = match.utime;
+
+  lost_in_a_row_ = lost ? lost_in_a_row_ + 1 : 0;
+  const bool enough = match.points >= params_.points_min;
+  if (lost_in_a_row_ >= params_.lost_max && enough) {
+    reference_.restart(std::move(sighting), T_odom_body_, odometer_m_);
+    lost_in_a_row_ = 0;
+  } else if (!lost) {
+    reference_.remember(std::move(sighting), T_odom_body_, odometer_m_);
+  }
+}
+
+}  // namespace adit

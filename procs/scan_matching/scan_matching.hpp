@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "common/config/bounds.hpp"
+#include "common/registration/degeneracy.hpp"
+#include "common/registration/surface_points.hpp"
+#include "common/sensing/laser_mount.hpp"
+#include "common/sensing/laser_scan.hpp"
+#include "common/sensing/scan_match.hpp"
+#include "procs/scan_matching/local_reference.hpp"
+#include "procs/scan_matching/motion_prediction.hpp"
+#include "procs/scan_matching/pose_search.hpp"
+
+namespace adit {
+
+struct ScanMatchingParams {
+  LaserMount laser_front;
+  LaserMount laser_rear{.T_body_laser = {0.0, 0.0, std::numbers::pi}};
+  SurfaceParams surface;
+  MotionPredictionParams motion;
+  LocalReferenceParams reference;
+  PoseSearchParams search;
+  DegeneracyParams degeneracy;
+  int points_min = 20;      ///< a scan with fewer is not matched
+  double lost_score = 0.4;  ///< a match with less is not believed
+  int lost_max = 3;         ///< scans in a row without a match before the reference starts anew
+  double tilt_max_rad =
+      0.03;  ///< scans of a laser that is tilted by more are left to scan_assembly
+
+  template <class V>
+  void visit(V& v) {
+    v("laser_front", laser_front);
+    v("laser_rear", laser_rear);
+    v("surface", surface);
+    v("motion", motion);
+    v("reference", reference);
+    v("search", search);
+    v("degeneracy", degeneracy);
+    v("points_min", points_min, at_least(3));
+    v("lost_score", lost_score, within(0.0, 1.0));
+    v("lost_max", lost_max, at_least(1));
+    v("tilt_max_rad", tilt_max_rad, above(0.0));
+  }
+};
+
+/// Motion from planar scans alone, incrementally: each scan is matched against the walls seen over
+/// the last metres of the way (paper, section 2.1; Lu and Milios, "Robot pose estimation in unknown
+/// environments by matching 2D range scans", 1997; Censi 2008; Olson 2009). Wheel odometry and
+/// gyro, where there are any, are a prior; in a direction that the scan leaves open they stand in
+/// for it, otherwise the last speed does, and the result says so.
+class ScanMatching {
+ public:
+  explicit ScanMatching(const ScanMatchingParams& params);
+
+  /// False where the reading does not advance in time; it is then not used.
+  bool add(const WheelOdometry& reading) { return motion_.add(reading); }
+  bool add(const ImuReading& reading) { return motion_.add(reading); }
+
+  /// Estimates the pose of the body in odom at the time of the scan. Odom begins at the first scan.
+  /// A scan that does not advance in time, of its laser or of the body, is refused; a scan that is
+  /// empty or fits nothing is lost: the pose is then the prediction.
+  ScanMatch add_scan(LaserId laser, const LaserScan& scan);
+
+ private:
+  [[nodiscard]] Sighting see(LaserId laser, const LaserScan& scan) const;
+  void locate(const Sighting& sighting, ScanMatch& match);
+  void believe(const PoseCandidate& best, const MotionEstimate& expected, double lever_arm_m,
+               ScanMatch& match) const;
+  void advance(Sighting sighting, const ScanMatch& match);
+
+  ScanMatchingParams params_;
+  MotionPrediction motion_;
+  LocalReference reference_;
+  PoseSearch search_;
+  std::map<LaserId, std::int64_t> last_scan_utime_;
+  std::int64_t utime_ = 0;
+  Pose2 T_odom_body_;
+  double odometer_m_ = 0.0;
+  double typical_score_ = 0.5;
+  int lost_in_a_row_ = 0;
+};
+
+}  // namespace adit

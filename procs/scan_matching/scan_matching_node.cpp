@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/scan_matching/scan_matching_node.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/imu_reading.hpp"
+#include "common/messages/laser_scan.hpp"
+#include "common/messages/pose.hpp"
+#include "common/messages/scan_match.hpp"
+#include "common/messages/tilt_reading.hpp"
+#include "common/messages/wheel_odometry.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::size_t kScansWaiting = 100;     // more than a second of an LMS-200 at 75 Hz
+constexpr std::size_t kReadingsWaiting = 500;  // as much of odometry and IMU
+
+bool open_direction(const ScanMatch& match) {
+  return std::any_of(match.degenerate.begin(), match.degenerate.end(),
+                     [](const auto& d) { return d.fill == DegenerateDirection::Fill::kNone; });
+}
+
+Health health_of(const ScanMatch& match) {
+  if (match.status == ScanMatch::Status::kLost) {
+    return {Health::Level::kDegraded, "the last scan matched nothing"};
+  }
+  if (open_direction(match)) {
+    return {Health::Level::kDegraded, "motion is not observed in every direction"};
+  }
+  return {};
+}
+
+}  // namespace
+
+ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
+    : bus_(bus), tilt_max_rad_(params.tilt_max_rad), scan_matching_(params) {
+  const auto measured = Delivery::queued(kReadingsWaiting);
+  subscribe<wheel_odometry_t>(bus, channels::kWheelOdometry, measured,
+                              [this](const WheelOdometry& w) { scan_matching_.add(w); });
+  subscribe<imu_t>(bus, channels::kImu, measured,
+                   [this](const ImuReading& reading) { scan_matching_.add(reading); });
+
+  const auto listen = [&](LaserId laser, std::string_view scans, std::string_view tilt) {
+    subscribe<tilt_t>(bus, tilt, Delivery::latest(), [this, laser](const TiltReading& reading) {
+      tilt_rad_[laser] = reading.angle_rad;
+    });
+    subscribe<planar_lidar_t>(bus, scans, Delivery::queued(kScansWaiting),
+                              [this, laser, channel = std::string(scans)](const LaserScan& scan) {
+                                on_scan(laser, channel, scan);
+                              });
+  };
+  listen(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
+  listen(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
+}
+
+void ScanMatchingNode::on_scan(LaserId laser, const std::string& channel, const LaserScan& scan) {
+  if (std::abs(tilt_rad_[laser]) > tilt_max_rad_) return;
+  ScanMatch match = scan_matching_.add_scan(laser, scan);
+  match.channel = channel;
+  health_ = health_of(match);
+  publish(bus_, channels::kScanMatch, to_message(match));
+  if (match.status == ScanMatch::Status::kRefused) return;
+  publish(bus_, channels::kPose, to_message(StampedPose{match.utime, match.T_odom_body, {}}));
+}
+
+}  // namespace adit

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "common/bus/bus.hpp"
+#include "common/messages/heartbeat.hpp"
+#include "procs/scan_matching/scan_matching.hpp"
+
+namespace adit {
+
+/// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); where they are, TILT_FRONT, TILT_REAR (tilt_t),
+///      WHEEL_ODOMETRY (wheel_odometry_t), IMU (imu_t).
+/// Out: SCAN_MATCH (scan_match_t) for every level scan; POSE (pose_t, T_odom_body) for every one
+///      that moved time on.
+class ScanMatchingNode {
+ public:
+  using Params = ScanMatchingParams;
+
+  ScanMatchingNode(Bus& bus, const Params& params);
+
+  /// Degraded while scans are lost or leave a direction open that nothing fills.
+  [[nodiscard]] Health health() const { return health_; }
+
+ private:
+  void on_scan(LaserId laser, const std::string& channel, const LaserScan& scan);
+
+  Bus& bus_;
+  double tilt_max_rad_;
+  ScanMatching scan_matching_;
+  std::map<LaserId, double> tilt_rad_;
+  Health health_;
+};
+
+}  // namespace adit

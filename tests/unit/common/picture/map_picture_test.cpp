@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/picture/map_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include <cairo.h>
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A room of 20 m by 10 m seen from its middle.
+OccupancyGrid room() {
+  OccupancyGrid grid({});
+  LaserScan scan{0, {}, 0.0, 0.005};
+  for (int i = 0; i < 1257; ++i) {
+    const double angle = 0.005 * i;
+    scan.ranges_m.push_back(static_cast<float>(
+        std::min(10.0 / std::abs(std::cos(angle)), 5.0 / std::abs(std::sin(angle)))));
+  }
+  (void)grid.insert(scan, {});
+  return grid;
+}
+
+class MapPng : public testing::Test {
+ protected:
+  MapPng() : path_(std::filesystem::path(testing::TempDir()) / "adit_map_picture.png") {}
+  ~MapPng() override { std::filesystem::remove(path_); }
+
+  std::pair<int, int> size() const {
+    cairo_surface_t* image = cairo_image_surface_create_from_png(path_.c_str());
+    const std::pair<int, int> result{cairo_image_surface_get_width(image),
+                                     cairo_image_surface_get_height(image)};
+    cairo_surface_destroy(image);
+    return result;
+  }
+
+  std::filesystem::path path_;
+};
+
+TEST_F(MapPng, TheSameMapGivesTheSameBytes) {
+  const MapPicture picture{"A room", {{0, 0, 0}, {1, 0, 0}, {2, 1, 1}}, {false, true, false}};
+  write_map_png(room(), picture, path_);
+  const std::string first = contents(path_);
+  write_map_png(room(), picture, path_);
+  EXPECT_EQ(first, contents(path_));
+  EXPECT_GT(first.size(), 1000U);
+}
+
+TEST_F(MapPng, ShowsWhichStretchesAreDegenerate) {
+  MapPicture picture{"A room", {{0, 0, 0}, {1, 0, 0}, {2, 1, 1}}, {}};
+  write_map_png(room(), picture, path_);
+  const std::string without = contents(path_);
+  picture.degenerate = {false, true, false};
+  write_map_png(room(), picture, path_);
+  EXPECT_NE(without, contents(path_));
+}
+
+TEST_F(MapPng, KeepsToItsLargestSize) {
+  write_map_png(room(), {"Wide", {{0, 0, 0}, {900, 0, 0}}, {}}, path_);
+  EXPECT_LE(size().first, 2400);
+  write_map_png(room(), {"High", {{0, 0, 0}, {0, 900, 0}}, {}}, path_);
+  EXPECT_LE(size().second, 2400);
+}
+
+TEST_F(MapPng, DrawsAnEmptyMap) {
+  write_map_png(OccupancyGrid({}), {"Nothing", {}, {}}, path_);
+  write_map_png(OccupancyGrid({}), {"One pose", {{3, 4, 0}}, {true}}, path_);
+  EXPECT_GT(size().first, 0);
+}
+
+TEST_F(MapPng, SaysWhatItCannotWrite) {
+  EXPECT_THROW(write_map_png(room(), {"A room", {}, {}}, "/nonexistent/map.png"),
+               std::runtime_error);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tools/adit/commands.hpp"
+#include "tools/carmen/carmen_reader.hpp"
+#include "tools/eval/tum.hpp"
+
+namespace adit {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct Outcome {
+  int exit_code;
+  std::string out;
+  std::string err;
+};
+
+Outcome adit(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "adit");
+  std::vector<const char*> argv;
+  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int exit_code = run_adit(static_cast<int>(argv.size()), argv.data());
+  return {exit_code, testing::internal::GetCapturedStdout(),
+          testing::internal::GetCapturedStderr()};
+}
+
+class AditCommand : public testing::Test {
+ protected:
+  AditCommand() { std::filesystem::create_directories(folder_); }
+  ~AditCommand() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::string at(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string contents(const std::string& name) const {
+    std::ifstream in(at(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) /
+      (std::string("adit_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(AditCommand, TeachesByItsHelp) {
+  EXPECT_EQ(adit({"--help"}).exit_code, 0);
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"import", "carmen"},
+                                                  {"eval", "relations"},
+                                                  {"sample"},
+                                                  {"spy"},
+                                                  {"completion"}}) {
+    std::vector<std::string> arguments = command;
+    arguments.emplace_back("--help");
+    const Outcome outcome = adit(arguments);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("Usage: adit " + command[0]), HasSubstr("Example")));
+  }
+}
+
+TEST_F(AditCommand, SaysItsVersion) { EXPECT_THAT(adit({"--version"}).out, StartsWith("adit ")); }
+
+TEST_F(AditCommand, WrongUseIsOneLineAndExitCodeTwo) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"imprt"},
+        {"import"},
+        {"sample"},
+        {"sample", at("x.txt")},
+        {"import", "carmen", at("missing"), at("out")},
+        {"sample", "/nonexistent/x.log"},
+        {"eval", "relations", at("missing"), at("missing")}}) {
+    const Outcome outcome = adit(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.err, StartsWith("adit: "));
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+  }
+  EXPECT_EQ(adit({}).exit_code, 2);
+}
+
+TEST_F(AditCommand, ASampleIsTheSameTwiceAndCanBeImported) {
+  ASSERT_EQ(adit({"sample", at("a.log"), "--truth", at("a.tum")}).exit_code, 0);
+  ASSERT_EQ(adit({"sample", at("b.log")}).exit_code, 0);
+  EXPECT_EQ(contents("a.log"), contents("b.log"));
+
+  const Outcome import = adit({"import", "carmen", at("a.log"), at("a.lcmlog")});
+  EXPECT_EQ(import.exit_code, 0);
+  const auto scans = std::to_string(read_tum(at("a.tum")).size());
+  EXPECT_THAT(import.out, HasSubstr(scans + " scans, 0 odometry lines; 0 of " + scans));
+  EXPECT_GT(contents("a.lcmlog").size(), 1'000'000U);
+
+  ASSERT_EQ(adit({"sample", at("c.lcmlog"), "--seed", "2", "--half-degree"}).exit_code, 0);
+  EXPECT_GT(contents("c.lcmlog").size(), contents("a.lcmlog").size());
+}
+
+TEST_F(AditCommand, ImportReportsWhatItSkips) {
+  std::ofstream(at("in.log")) << "FLASER 2 1 1 0 0 0 0 0 0 5 h 5\nODOM 0 0 0 0 0 0 0 h 0\n";
+  const Outcome outcome = adit({"import", "carmen", at("in.log"), at("out.lcmlog")});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.err, HasSubstr("skipped line 2: a time that is not positive"));
+  EXPECT_THAT(outcome.out, HasSubstr("1 of 2 lines skipped"));
+}
+
+TEST_F(AditCommand, ImportLeavesNoLogWhereThereWasNothingToImport) {
+  std::ofstream(at("in.log")) << "PARAM a b\n";
+  EXPECT_EQ(adit({"import", "carmen", at("in.log"), at("out.lcmlog")}).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(at("out.lcmlog")));
+  EXPECT_EQ(adit({"import", "carmen", at("in.log"), at("in.log")}).exit_code, 2);
+  EXPECT_EQ(contents("in.log"), "PARAM a b\n");
+}
+
+TEST_F(AditCommand, EvalRelationsWritesJson) {
+  std::ofstream(at("a.relations")) << "1 2 1 0 0 0 0 0\n1 9 0 0 0 0 0 0\n";
+  std::ofstream(at("a.tum")) << "1 0 0 0 0 0 0 1\n2 1.5 0 0 0 0 0 1\n";
+  const Outcome outcome = adit({"eval", "relations", at("a.relations"), at("a.tum")});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("\"used\": 1"), HasSubstr("\"outside_trajectory\": 1"),
+                                 HasSubstr("\"mean\": 0.5")));
+}
+
+}  // namespace
+}  // namespace adit

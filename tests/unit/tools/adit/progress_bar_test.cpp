@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/adit/progress_bar.hpp"
+
+#include <sstream>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+
+constexpr std::chrono::milliseconds kNoPatience{0};
+
+TEST(ProgressBar, ShowsTheShareThatIsDone) {
+  std::ostringstream out;
+  ProgressBar bar("importing", &out, kNoPatience);
+  bar.update(0.25);
+  EXPECT_THAT(out.str(), HasSubstr("importing  [##########..............................]  25 %"));
+}
+
+TEST(ProgressBar, LeavesNothingBehind) {
+  std::ostringstream out;
+  { ProgressBar("importing", &out, kNoPatience).update(0.5); }
+  EXPECT_THAT(out.str(), EndsWith("\r\033[K"));
+}
+
+TEST(ProgressBar, SaysNothingOfWorkThatIsSoonDone) {
+  std::ostringstream out;
+  {
+    ProgressBar bar("importing", &out, std::chrono::hours(1));
+    for (int i = 0; i <= 100; ++i) bar.update(i / 100.0);
+  }
+  EXPECT_EQ(out.str(), "");
+}
+
+TEST(ProgressBar, DrawsNoOftenerThanTheEyeCanFollow) {
+  std::ostringstream out;
+  ProgressBar bar("importing", &out, kNoPatience);
+  bar.update(0.1);
+  const std::string first = out.str();
+  bar.update(0.2);
+  EXPECT_EQ(out.str(), first);
+}
+
+TEST(ProgressBar, IsSilentWithoutATerminal) { ProgressBar("", nullptr, kNoPatience).update(0.5); }
+
+TEST(ProgressBar, SurvivesSharesThatAreNone) {
+  std::ostringstream out;
+  { ProgressBar("importing", &out, kNoPatience).update(7.0); }
+  { ProgressBar("importing", &out, kNoPatience).update(-7.0); }
+  EXPECT_THAT(out.str(), HasSubstr("100 %"));
+}
+
+}  // namespace
+}  // namespace adit

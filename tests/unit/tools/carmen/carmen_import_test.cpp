@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/carmen/carmen_import.hpp"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/event_source.hpp"
+#include "common/messages/codec.hpp"
+#include "common/messages/laser_scan.hpp"
+#include "common/messages/wheel_odometry.hpp"
+#include "tools/carmen/carmen_text.hpp"
+
+namespace adit {
+namespace {
+
+using testing::ElementsAre;
+
+CarmenScan example() {
+  CarmenScan scan;
+  scan.scan = {1134864629895182, {1.25F, 81.83F, 0.0F}, deg_to_rad(-90.0), deg_to_rad(90.0)};
+  scan.T_log_laser = {1.0, -2.0, 0.25};
+  scan.odometry = {scan.scan.utime, {3.0, 4.0, -3.125}};
+  return scan;
+}
+
+TEST(CarmenText, IsReadBackAsWritten) {
+  const auto read = std::get<CarmenScan>(parse_carmen_line(flaser_line(example())));
+  EXPECT_EQ(read.scan, example().scan);
+  EXPECT_EQ(read.T_log_laser, example().T_log_laser);
+  EXPECT_EQ(read.odometry.T_wheel_body, example().odometry.T_wheel_body);
+}
+
+TEST(CarmenImport, PublishesOdometryThenScanWithTheirTimes) {
+  const std::filesystem::path folder = testing::TempDir();
+  std::ofstream(folder / "adit_import.log") << flaser_line(example()) << "\n";
+  const CarmenReport report =
+      import_carmen(folder / "adit_import.log", folder / "adit_import.lcmlog", [](double) {});
+  EXPECT_EQ(report.scans, 1U);
+
+  LogFile log(folder / "adit_import.lcmlog");
+  const auto odometry = log.next();
+  const auto scan = log.next();
+  ASSERT_TRUE(odometry && scan);
+  EXPECT_FALSE(log.next());
+  EXPECT_EQ(odometry->channel, channels::kWheelOdometry);
+  EXPECT_EQ(scan->channel, channels::kLaserFront);
+  EXPECT_EQ(odometry->utime, example().scan.utime);
+  EXPECT_EQ(scan->utime, example().scan.utime);
+  const auto message = decode<planar_lidar_t>(scan->data);
+  ASSERT_TRUE(message);
+  EXPECT_EQ(from_message(*message)->ranges_m, example().scan.ranges_m);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <exception>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "common/bus/version.hpp"
+#include "tools/adit/commands.hpp"
+
+namespace adit {
+namespace {
+
+constexpr int kExitUnusable = 2;
+
+constexpr const char* kFooter = R"(Each sub-command explains itself: adit COMMAND --help
+
+A first look, without a robot and without a recording:
+  adit sample mine.log --truth mine.tum
+  adit map mine.log --out mine)";
+
+}  // namespace
+
+std::unique_ptr<CLI::App> make_adit_app() {
+  auto app = std::make_unique<CLI::App>(
+      "Works on the logs and maps of a robot that surveys abandoned mines.", "adit");
+  app->set_version_flag("--version", "adit " + version());
+  app->require_subcommand(0, 1);
+  app->get_formatter()->column_width(34);
+  app->footer(kFooter);
+  add_completion_command(*app);
+  add_eval_command(*app);
+  add_import_command(*app);
+  add_map_command(*app);
+  add_sample_command(*app);
+  add_spy_command(*app);
+  return app;
+}
+
+int run_adit(int argc, const char* const* argv) try {
+  const auto app = make_adit_app();
+  try {
+    app->parse(argc, argv);
+  } catch (const CLI::Success& answer) {  // --help, --version
+    return app->exit(answer);
+  }
+  if (!app->get_subcommands().empty()) return 0;
+  std::cerr << app->help();
+  return kExitUnusable;
+} catch (const CLI::ParseError& error) {
+  std::cerr << "adit: " << error.what() << "; see adit --help\n";
+  return kExitUnusable;
+} catch (const std::exception& error) {
+  std::cerr << "adit: " << error.what() << "\n";
+  return kExitUnusable;
+}
+
+}  // namespace adit

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+namespace CLI {
+class App;
+}
+
+namespace adit {
+
+/// The whole of the command line, `adit`, with all of its sub-commands.
+std::unique_ptr<CLI::App> make_adit_app();
+
+/// Runs it. Exit code 0, or 2 with one line on standard error: wrong use, or a file that cannot be
+/// used.
+int run_adit(int argc, const char* const* argv);
+
+// What follows adds one sub-command each, and lives in a file of its own.
+void add_completion_command(CLI::App& adit);
+void add_eval_command(CLI::App& adit);
+void add_import_command(CLI::App& adit);
+void add_map_command(CLI::App& adit);
+void add_sample_command(CLI::App& adit);
+void add_spy_command(CLI::App& adit);
+
+}  // namespace adit

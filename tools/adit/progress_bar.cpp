@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/adit/progress_bar.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <utility>
+
+#include <unistd.h>
+
+namespace adit {
+namespace {
+
+constexpr ProgressBar::Clock::duration kPatience = std::chrono::seconds(1);
+constexpr ProgressBar::Clock::duration kBetweenDraws = std::chrono::milliseconds(100);
+constexpr int kWidth = 40;
+constexpr const char* kClearLine = "\r\033[K";
+
+}  // namespace
+
+ProgressBar::ProgressBar(std::string label)
+    : ProgressBar(std::move(label), isatty(STDERR_FILENO) != 0 ? &std::cerr : nullptr, kPatience) {}
+
+ProgressBar::ProgressBar(std::string label, std::ostream* out, Clock::duration patience)
+    : label_(std::move(label)), out_(out), next_draw_(start_ + patience) {}
+
+ProgressBar::~ProgressBar() {
+  if (shown_) *out_ << kClearLine << std::flush;
+}
+
+void ProgressBar::update(double fraction_done) {
+  if (out_ == nullptr) return;
+  const Clock::time_point now = Clock::now();
+  if (now < next_draw_) return;
+  next_draw_ = now + kBetweenDraws;
+  draw(std::clamp(fraction_done, 0.0, 1.0), now);
+}
+
+void ProgressBar::draw(double fraction_done, Clock::time_point now) {
+  const auto filled = static_cast<std::size_t>(std::lround(fraction_done * kWidth));
+  const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
+  char numbers[64] = "";
+  std::snprintf(numbers, sizeof(numbers), " %3.0f %%", 100.0 * fraction_done);
+  std::string line = label_ + "  [" + bar + "]" + numbers;
+  if (fraction_done > 0.02) {
+    const std::chrono::duration<double> elapsed = now - start_;
+    const double left = elapsed.count() * (1.0 - fraction_done) / fraction_done;
+    std::snprintf(numbers, sizeof(numbers), "  %.0f s left", std::ceil(left));
+    line += numbers;
+  }
+  *out_ << kClearLine << line << std::flush;
+  shown_ = true;
+}
+
+}  // namespace adit

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/map/log_input.hpp"
+
+#include <array>
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+#include "tools/carmen/carmen_import.hpp"
+
+namespace adit {
+namespace {
+
+/// An LCM log begins with the sync word of its first event.
+bool is_lcm_log(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  constexpr std::array<unsigned char, 4> kSync{0xED, 0xA1, 0xDA, 0x01};
+  std::array<char, 4> head{};
+  file.read(head.data(), head.size());
+  for (std::size_t i = 0; i < kSync.size(); ++i) {
+    if (static_cast<unsigned char>(head[i]) != kSync[i]) return false;
+  }
+  return true;
+}
+
+std::vector<std::string> sentences(const LogHealth& health) {
+  std::vector<std::string> found;
+  if (health.corrupt_bytes > 0) {
+    found.push_back(std::to_string(health.corrupt_bytes) + " corrupt bytes in " +
+                    std::to_string(health.corrupt_stretches) + " places");
+  }
+  if (health.truncated_bytes > 0) {
+    found.push_back("the last event, which the end of the file cuts off");
+  }
+  return found;
+}
+
+}  // namespace
+
+LogInput::LogInput(const std::filesystem::path& path, const std::filesystem::path& scratch,
+                   const std::function<void(double)>& progress) {
+  if (is_lcm_log(path) || path.extension() == ".lcmlog") {
+    log_ = std::make_unique<LogFile>(path);
+    complaints_ = sentences(log_->health());
+  } else {
+    complaints_ = import_carmen(path, scratch, progress).sentences();
+    converted_ = scratch;
+    log_ = std::make_unique<LogFile>(scratch);
+  }
+}
+
+LogInput::~LogInput() {
+  log_.reset();
+  std::error_code ignored;
+  if (!converted_.empty()) std::filesystem::remove(converted_, ignored);
+}
+
+}  // namespace adit

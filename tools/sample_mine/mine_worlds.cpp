@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/sample_mine/mine_worlds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "tools/sample_mine/smooth_noise.hpp"
+#include "tools/sample_mine/wall_contour.hpp"
+
+namespace adit {
+namespace {
+
+using Point = Eigen::Vector2d;
+
+/// A straight piece of a working; a room where both ends are the same.
+struct Working {
+  Point from;
+  Point to;
+  double half_width_m;
+};
+
+struct Pillar {
+  Point centre;
+  double radius_m;
+};
+
+const Point kPortal{-6.0, 0.0};
+const Point kRing[] = {{35, 0},  {48, -4}, {78, -6}, {100, 8}, {104, 34},
+                       {86, 52}, {56, 50}, {36, 40}, {30, 18}};
+const Point kRoom{68, 21};
+
+std::vector<Working> workings() {
+  std::vector<Working> plan = {
+      {kPortal, kRing[0], 1.4},  {kRing[2], kRoom, 1.6},    {kRoom, kRing[6], 1.6},
+      {{62, 21}, {74, 21}, 7.5}, {kRing[3], {124, 1}, 1.5},  // dead ends
+      {kRing[5], {93, 70}, 1.4}, {kRing[7], {17, 49}, 1.7}, {{104, 22}, {116, 24}, 1.3}};
+  const std::size_t corners = std::size(kRing);
+  for (std::size_t i = 0; i < corners; ++i) {
+    const double half_width_m = 1.6 + 0.25 * static_cast<double>(i % 3);
+    plan.push_back({kRing[i], kRing[(i + 1) % corners], half_width_m});
+  }
+  return plan;
+}
+
+std::vector<Pillar> pillars(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> shift(-0.4, 0.4);
+  std::vector<Pillar> result;
+  for (const Point& centre :
+       {Point(62, 25), Point(58.5, 20.5), Point(63, 17.5), Point(64.5, 21.5), Point(70, 25.5),
+        Point(74.5, 16.5), Point(73, 20.8), Point(76.5, 23)}) {
+    const double dx = shift(random);
+    const double dy = shift(random);
+    result.push_back({centre + Point(dx, dy), 1.1 + 0.5 * shift(random)});
+  }
+  return result;
+}
+
+double distance_to(const Point& p, const Working& working) {
+  const Point along = working.to - working.from;
+  const double share = std::clamp((p - working.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (p - working.from - share * along).norm();
+}
+
+/// How far inside the rock a point lies [m]; negative in the open.
+class Rock {
+ public:
+  explicit Rock(std::uint64_t seed)
+      : workings_(workings()), pillars_(pillars(seed)), coarse_(seed + 1), fine_(seed + 2) {}
+
+  double operator()(const Point& p) const {
+    double depth = 1e9;
+    for (const Working& w : workings_) depth = std::min(depth, distance_to(p, w) - w.half_width_m);
+    for (const Pillar& pillar : pillars_) {
+      depth = std::max(depth, pillar.radius_m - (p - pillar.centre).norm());
+    }
+    if (depth > 1.0) return depth;  // roughness does not reach that far
+    return depth + 0.40 * coarse_(p / 2.2) + 0.20 * fine_(p / 0.7);
+  }
+
+ private:
+  std::vector<Working> workings_;
+  std::vector<Pillar> pillars_;
+  SmoothNoise coarse_;
+  SmoothNoise fine_;
+};
+
+}  // namespace
+
+SyntheticWorld straight_drift(double length_m, double width_m) {
+  const double x = length_m / 2.0;
+  const double y = width_m / 2.0;
+  return SyntheticWorld({{{-x, y}, {x, y}}, {{-x, -y}, {x, -y}}});
+}
+
+SyntheticWorld sample_mine(std::uint64_t seed) {
+  const Rock rock(seed);
+  std::vector<Segment> walls = zero_contour(rock, {-10.0, -16.0}, {132.0, 80.0}, 0.2);
+  // The adit ends in daylight.
+  std::erase_if(walls, [](const Segment& wall) { return std::min(wall.a.x(), wall.b.x()) < -3.0; });
+  return SyntheticWorld(std::move(walls));
+}
+
+std::vector<Eigen::Vector2d> sample_mine_route() {
+  std::vector<Point> route = {{0.0, 0.0}};
+  route.insert(route.end(), std::begin(kRing), std::end(kRing));  // once around
+  route.insert(route.end(), {kRing[0], kRing[1], kRing[2]});      // again, and across
+  route.insert(route.end(), {{70, 15}, {68.5, 21}, {65.5, 27.5}, kRing[6], kRing[7], kRing[8]});
+  route.insert(route.end(), {{34.8, 0.8}, {33, 0}, {0.0, 0.0}});
+  return route;
+}
+
+}  // namespace adit

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "common/sensing/laser_scan.hpp"
+#include "common/sensing/wheel_odometry.hpp"
+#include "tools/eval/trajectory.hpp"
+#include "tools/sample_mine/synthetic_laser.hpp"
+#include "tools/sample_mine/synthetic_odometry.hpp"
+#include "tools/sample_mine/synthetic_world.hpp"
+
+namespace adit {
+
+/// What one moment of the run gave. The laser sits at the origin of the body.
+struct SampleReading {
+  WheelOdometry odometry;
+  LaserScan scan;
+};
+
+/// A robot's drive through the sample mine, five scans a second. The same seed gives the same run.
+class SampleRun {
+ public:
+  explicit SampleRun(std::uint64_t seed, const LaserModel& laser = {});
+
+  /// The readings of the next moment, or nothing at the end.
+  std::optional<SampleReading> next();
+
+  /// Where the body truly was, at the time of each scan: T_world_body.
+  [[nodiscard]] const Trajectory& truth() const { return truth_; }
+  [[nodiscard]] const SyntheticWorld& mine() const { return mine_; }
+  [[nodiscard]] double fraction_done() const;
+
+ private:
+  SyntheticWorld mine_;
+  Trajectory truth_;
+  SyntheticLaser laser_;
+  SyntheticOdometry odometry_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace adit

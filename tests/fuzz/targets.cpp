@@ -27,7 +27,7 @@ Bytes sample_log() {
   for (int i = 0; i < 5; ++i) writer.write({1'600'000'000'000'000 + i, "POSE", Bytes(40)});
   writer.close();
   std::ifstream file(path, std::ios::binary);
-  const Bytes bytes{std::istreambuf_iterator<char>(file), {}};
+  Bytes bytes{std::istreambuf_iterator<char>(file), {}};
   fs::remove(path);
   return bytes;
 }

@@ -10,7 +10,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-// There with the address sanitizer only.
+// There with the address sanitizer only. NOLINTNEXTLINE: the name is not ours.
 extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*)());
 
 namespace adit::fuzz {

@@ -31,7 +31,8 @@ constexpr std::int64_t kPeriodUs = 13'333;
 void write(const std::string& path) {
   LogWriter log(path);
   for (int i = 0; i < kScans; ++i) {
-    const LaserScan scan{kStart + i * kPeriodUs, std::vector<float>(180 + i, 5.0F), -1.5, 0.0087};
+    const LaserScan scan{kStart + i * kPeriodUs,
+                         std::vector<float>(static_cast<std::size_t>(180 + i), 5.0F), -1.5, 0.0087};
     std::vector<std::uint8_t> bytes = encode(to_message(scan));
     if (i % kMalformedEvery == 0) bytes[16] = 0xFF;  // a negative number of beams
     log.write({scan.utime, channels::kLaserFront, bytes});
@@ -43,7 +44,7 @@ void write_all(const std::string& path, int seconds) {
   LogWriter log(path);
   for (int i = 0; i < 10 * seconds; ++i) {
     for (const MessageType& type : message_types()) {
-      log.write({kStart + i * 100'000, type.channel, type.sample});
+      log.write({kStart + i * std::int64_t{100'000}, type.channel, type.sample});
     }
   }
   log.close();

@@ -135,8 +135,8 @@ TEST(Log, ThatIsNoneIsRefusedWithItsPath) {
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(error.what(), path.string() + ": not an LCM log");
   }
-  EXPECT_THROW(LogFile(scratch("missing.lcmlog")), std::runtime_error);
-  EXPECT_THROW(LogFile(testing::TempDir()), std::runtime_error);
+  EXPECT_THROW(LogFile{scratch("missing.lcmlog")}, std::runtime_error);
+  EXPECT_THROW(LogFile{testing::TempDir()}, std::runtime_error);
 }
 
 TEST(LogWriter, ThrowsWhereItCannotWrite) {

@@ -22,6 +22,7 @@ constexpr std::int64_t kSecond = 1'000'000;
 
 std::vector<LogEvent> scans(int count) {
   std::vector<LogEvent> events;
+  events.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     events.push_back({kStart + i * kSecond / 10, "LASER_FRONT", {static_cast<std::uint8_t>(i)}});
   }

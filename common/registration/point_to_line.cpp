@@ -10,6 +10,19 @@
 namespace adit {
 namespace {
 
+constexpr double kClutterWeight = 0.1;  // which point of the clutter was hit is chance
+
+constexpr double kUnitVariance = 2.0 * 0.01 * 0.01;  // [m²] of a good point on a good surfel
+
+/// What goes with a residual: its weight, its variance [m²], what share of a point it stands for,
+/// and how uncertain the direction is in which it was taken.
+struct Row {
+  double weight;
+  double variance;
+  double share;
+  double normal_variance;
+};
+
 struct Normals {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
@@ -17,7 +30,7 @@ struct Normals {
   double weighted_squares = 0.0;
   double weights = 0.0;
   int corresponding = 0;
-  int inliers = 0;
+  double inliers = 0.0;
   double inlier_squares = 0.0;
   double closeness = 0.0;
 };
@@ -37,14 +50,16 @@ class Accumulator {
     ++sums_.corresponding;
     const Eigen::Vector2d d = p_odom - q->p;
     if (q->has_normal()) {
-      add_row(point.p, rotate_back(q->normal), q->normal.dot(d), 1.0, q->normal_variance);
+      add_row(point.p, rotate_back(q->normal), q->normal.dot(d),
+              {point.weight, q->variance + point.variance, 1.0, q->normal_variance});
     } else if (point.has_normal()) {
-      add_row(point.p, point.normal, n_odom.dot(d), 1.0, point.normal_variance);
+      add_row(point.p, point.normal, n_odom.dot(d),
+              {point.weight, q->variance + point.variance, 1.0, point.normal_variance});
     } else {
       const Eigen::Vector2d d_body = rotate_back(d);
-      constexpr double kPointWeight = 0.1;  // which point of the clutter was hit is chance
-      add_row(point.p, Eigen::Vector2d::UnitX(), d_body.x(), kPointWeight, 0.0);
-      add_row(point.p, Eigen::Vector2d::UnitY(), d_body.y(), kPointWeight, 0.0);
+      const Row row{kClutterWeight * point.weight, q->variance + point.variance, 0.5, 0.0};
+      add_row(point.p, Eigen::Vector2d::UnitX(), d_body.x(), row);
+      add_row(point.p, Eigen::Vector2d::UnitY(), d_body.y(), row);
     }
   }
 
@@ -58,24 +73,24 @@ class Accumulator {
     return {c_ * v.x() + s_ * v.y(), -s_ * v.x() + c_ * v.y()};
   }
 
-  void add_row(const Eigen::Vector2d& p, const Eigen::Vector2d& n, double residual, double weight,
-               double normal_variance) {
-    const double u = residual / scale_;
+  void add_row(const Eigen::Vector2d& p, const Eigen::Vector2d& n, double residual,
+               const Row& row) {
+    const double unit = residual * std::sqrt(kUnitVariance / std::max(row.variance, 1e-6));
+    const double u = unit / scale_;
     const double kernel = 1.0 / ((1.0 + u * u) * (1.0 + u * u));  // Geman-McClure
-    const double w = weight * kernel;
+    const double w = row.weight * kernel * kUnitVariance / std::max(row.variance, 1e-6);
     const Eigen::Vector3d J(n.x(), n.y(), p.x() * n.y() - p.y() * n.x());
     sums_.H.noalias() += w * J * J.transpose();
     sums_.g += w * residual * J;
     // The same row if the normal were turned a quarter: what its error lets through.
     const Eigen::Vector3d K(-n.y(), n.x(), p.x() * n.x() + p.y() * n.y());
-    sums_.spurious.noalias() += w * normal_variance * K * K.transpose();
-    sums_.weighted_squares += w * residual * residual;
-    sums_.weights += w;
-    const double near = residual / scale_;
-    sums_.closeness += (weight == 1.0 ? 1.0 : 0.5) / (1.0 + near * near);
-    if (std::abs(residual) < 2.0 * scale_) {
-      sums_.inliers += weight == 1.0 ? 2 : 1;
-      sums_.inlier_squares += (weight == 1.0 ? 2 : 1) * residual * residual;
+    sums_.spurious.noalias() += w * row.normal_variance * K * K.transpose();
+    sums_.weighted_squares += row.weight * kernel * unit * unit;
+    sums_.weights += row.weight * kernel;
+    sums_.closeness += row.share / (1.0 + u * u);
+    if (std::abs(u) < 2.0) {
+      sums_.inliers += row.share;
+      sums_.inlier_squares += row.share * unit * unit;
     }
   }
 
@@ -132,7 +147,7 @@ PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_bo
   result.information = precision * sums.H;
   result.spurious = precision * sums.spurious;
   result.overlap = static_cast<double>(sums.corresponding) / points_body.size();
-  result.inlier_share = 0.5 * sums.inliers / points_body.size();
+  result.inlier_share = sums.inliers / points_body.size();
   result.closeness = sums.closeness / points_body.size();
   result.rms_residual_m = sums.inliers > 0 ? std::sqrt(sums.inlier_squares / sums.inliers) : 0.0;
   return result;

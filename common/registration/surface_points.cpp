@@ -87,6 +87,16 @@ void fit_normal(const std::vector<Return>& returns, int first, int last,
   point.normal_variance = std::max(variance, params.range_sd_m * params.range_sd_m) / along;
 }
 
+/// An error of range moves the point along the beam, an error of bearing across it: on a wall that
+/// is seen at a grazing angle far away, the second is much larger.
+double variance_along_normal(const Return& at, const SurfacePoint& point,
+                             const SurfaceParams& params) {
+  const double range_variance = params.range_sd_m * params.range_sd_m;
+  const double across = at.range * params.bearing_sd_rad;
+  const double cosine = point.has_normal() ? point.normal.dot(at.p_laser) / at.range : 0.0;
+  return range_variance + across * across * (1.0 - cosine * cosine);
+}
+
 }  // namespace
 
 std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount& mount,
@@ -116,8 +126,10 @@ std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount
       ++last;
     SurfacePoint point;
     fit_normal(returns, first, last, params, returns[i], point);
+    point.variance = variance_along_normal(returns[i], point, params);
     point.p = mount.T_body_laser * returns[i].p_laser;
     point.normal = R_body_laser * point.normal;
+    point.weight = std::min(1.0, returns[i].range * scan.angle_step_rad / params.spacing_full_m);
     points.push_back(point);
   }
   return points;

@@ -17,18 +17,22 @@ struct SurfacePoint {
   Eigen::Vector2d p = Eigen::Vector2d::Zero();       ///< [m]
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit, towards the laser; zero: not known
   double normal_variance = 0.0;                      ///< of the normal's direction [rad²]
+  double variance = 0.0;                             ///< of the position along the normal [m²]
+  double weight = 1.0;                               ///< less where beams lie close together
 
   [[nodiscard]] bool has_normal() const { return normal.squaredNorm() > 0.5; }
 };
 
 struct SurfaceParams {
-  int half_window_beams = 4;     ///< neighbours on each side that a line is fitted to
-  double window_radius_m = 0.4;  ///< and how far they may be
-  double gap_m = 0.2;            ///< neighbours closer than this lie on one surface
-  double bend_m = 0.05;          ///< so do farther ones that keep to a line within this
-  double gap_on_line_m = 1.5;    ///< up to here
-  double residual_max_m = 0.05;  ///< a line that fits worse gives no normal
-  double range_sd_m = 0.01;      ///< noise of a reading, for the normal's variance
+  int half_window_beams = 4;      ///< neighbours on each side that a line is fitted to
+  double window_radius_m = 0.4;   ///< and how far they may be
+  double gap_m = 0.2;             ///< neighbours closer than this lie on one surface
+  double bend_m = 0.05;           ///< so do farther ones that keep to a line within this
+  double gap_on_line_m = 1.5;     ///< up to here
+  double residual_max_m = 0.05;   ///< a line that fits worse gives no normal
+  double spacing_full_m = 0.05;   ///< beams that fall closer together share the weight of one
+  double range_sd_m = 0.01;       ///< noise of a reading
+  double bearing_sd_rad = 0.002;  ///< and of the direction it comes from: the spot is wide
 
   template <class V>
   void visit(V& v) {
@@ -38,7 +42,9 @@ struct SurfaceParams {
     v("bend_m", bend_m, within(0.0, 1.0));
     v("gap_on_line_m", gap_on_line_m, within(0.0, 100.0));
     v("residual_max_m", residual_max_m, within(0.001, 1.0));
+    v("spacing_full_m", spacing_full_m, above(0.0));
     v("range_sd_m", range_sd_m, within(0.0001, 1.0));
+    v("bearing_sd_rad", bearing_sd_rad, within(0.0, 0.1));
   }
 };
 

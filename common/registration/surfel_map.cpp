@@ -68,27 +68,30 @@ void SurfelMap::merge(const SurfacePoint& point, double odometer) {
     }
   }
   if (found == nullptr) {
-    surfels_.push_back({point.p, point.normal, point.normal_variance, 1, odometer, -1});
+    surfels_.push_back(
+        {point.p, point.normal, point.normal_variance, point.variance, odometer, -1});
     link(static_cast<int>(surfels_.size()) - 1);
     return;
   }
   found->last_seen = odometer;
-  found->count = std::min(found->count + 1, params_.count_max);
-  const double share = 1.0 / found->count;
   if (!point.has_normal()) return;
+  // Means weighted by certainty. The old value never becomes so certain that a new one counts for
+  // nothing: the wall is not that flat. The surfel moves along its normal alone, so that it keeps
+  // its bucket but for a hair, which look-ups by distance do not notice.
+  const auto share_of_new = [&](double old_variance, double new_variance) {
+    return std::max(old_variance / (old_variance + new_variance), params_.share_min);
+  };
   if (!found->has_normal()) {
     found->normal = point.normal;
     found->normal_variance = point.normal_variance;
   } else {
-    // Weighted by certainty; the point moves along the normal alone, so that it keeps its bucket
-    // but for a hair, which look-ups by distance do not notice.
-    const double w = found->normal_variance / (found->normal_variance + point.normal_variance);
-    found->normal =
-        (found->normal + std::max(w, share) * (point.normal - found->normal)).normalized();
-    found->normal_variance = std::max(found->normal_variance * (1.0 - w), 1e-5);
+    const double share = share_of_new(found->normal_variance, point.normal_variance);
+    found->normal = (found->normal + share * (point.normal - found->normal)).normalized();
+    found->normal_variance = share * point.normal_variance;
   }
-  const double offset = found->normal.dot(point.p - found->p);
-  found->p += share * offset * found->normal;
+  const double share = share_of_new(found->variance, point.variance);
+  found->p += share * found->normal.dot(point.p - found->p) * found->normal;
+  found->variance = share * point.variance;
 }
 
 void SurfelMap::forget_before(double odometer) {

@@ -18,7 +18,7 @@ struct Surfel {
   Eigen::Vector2d p = Eigen::Vector2d::Zero();       ///< [m]
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit, towards the laser; zero: not known
   double normal_variance = 0.0;                      ///< [rad²]
-  int count = 0;                                     ///< points merged
+  double variance = 0.0;                             ///< of the position along the normal [m²]
   double last_seen = 0.0;                            ///< odometer when last seen [m]
   int next = -1;                                     ///< next surfel of the same bucket
 
@@ -27,11 +27,11 @@ struct Surfel {
 
 struct SurfelMapParams {
   double spacing_m = 0.05;  ///< points closer than this, on the same side of a wall, are merged
-  int count_max = 20;       ///< a merged point is a running mean over this many at most
+  double share_min = 0.05;  ///< of a new point in the mean that a surfel is
   template <class V>
   void visit(V& v) {
     v("spacing_m", spacing_m, within(0.005, 1.0));
-    v("count_max", count_max, within(1, 10000));
+    v("share_min", share_min, within(0.0, 1.0));
   }
 };
 

@@ -9,8 +9,6 @@ namespace adit {
 namespace {
 
 constexpr std::size_t kReadingsKept = 2000;
-constexpr double kSlackM = 0.3;    // what a body at rest may seem to move between two scans
-constexpr double kSlackRad = 0.3;  // and turn
 
 double seconds(std::int64_t microseconds) { return 1e-6 * static_cast<double>(microseconds); }
 
@@ -86,8 +84,8 @@ MotionEstimate MotionPrediction::predict(std::int64_t utime) const {
   estimate.T_odom_last = T_odom_body_;
   if (!utime_) return estimate;
   const double dt = seconds(utime - *utime_);
-  estimate.reach_m = kSlackM + params_.speed_max_m_s * dt;
-  estimate.reach_rad = kSlackRad + params_.yaw_rate_max_rad_s * dt;
+  estimate.reach_m = params_.speed_max_m_s * (dt + params_.stamp_error_max_s);
+  estimate.reach_rad = params_.yaw_rate_max_rad_s * (dt + params_.stamp_error_max_s);
   estimate.prior.T_odom_body = T_odom_body_ * step_at_last_speed(dt);
   take_odometry(utime, estimate);
   take_gyro(utime, estimate);

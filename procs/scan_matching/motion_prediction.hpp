@@ -22,10 +22,11 @@ struct MotionPredictionParams {
   double odometry_gap_max_s = 0.5;      ///< older readings say nothing of now
   double gyro_sd_rad_s = 0.01;          ///< of the gyro's rate, bias included
   double gyro_gap_max_s = 0.2;
-  double speed_memory_s = 5.0;    ///< without sensors a speed dies away in this time
-  double turn_memory_s = 0.5;     ///< and a turn in this
-  double speed_baseline_s = 0.1;  ///< no speed is taken from a shorter time
-  double speed_max_m_s = 1.5;     ///< bounds of what is believed without any sensor
+  double speed_memory_s = 5.0;     ///< without sensors a speed dies away in this time
+  double turn_memory_s = 0.5;      ///< and a turn in this
+  double speed_baseline_s = 0.1;   ///< no speed is taken from a shorter time
+  double speed_max_m_s = 1.5;      ///< bounds of what is believed without any sensor
+  double stamp_error_max_s = 0.4;  ///< how far apart the stamps of two scans may be wrong
   double yaw_rate_max_rad_s = 2.0;
 
   template <class V>
@@ -42,6 +43,7 @@ struct MotionPredictionParams {
     v("turn_memory_s", turn_memory_s, within(0.01, 1000.0));
     v("speed_baseline_s", speed_baseline_s, within(0.0, 10.0));
     v("speed_max_m_s", speed_max_m_s, within(0.01, 100.0));
+    v("stamp_error_max_s", stamp_error_max_s, within(0.0, 60.0));
     v("yaw_rate_max_rad_s", yaw_rate_max_rad_s, within(0.01, 100.0));
   }
 };

@@ -51,4 +51,14 @@ struct Pose2 {
 /// The pose of b in the frame of a: `T_a_b` from `T_w_a` and `T_w_b`.
 inline Pose2 between(const Pose2& T_w_a, const Pose2& T_w_b) { return T_w_a.inverse() * T_w_b; }
 
+/// Takes a small motion (x, y, θ) of frame b, expressed in b, to the same motion expressed in a
+/// frame that moves with it rigidly and in which b has the pose `T_a_b`: the adjoint of SE(2).
+inline Eigen::Matrix3d adjoint(const Pose2& T_a_b) {
+  const double c = std::cos(T_a_b.theta);
+  const double s = std::sin(T_a_b.theta);
+  Eigen::Matrix3d Ad;
+  Ad << c, -s, T_a_b.y, s, c, -T_a_b.x, 0.0, 0.0, 1.0;
+  return Ad;
+}
+
 }  // namespace adit

@@ -29,7 +29,9 @@ ConstrainedInformation split_degenerate(const Eigen::Matrix3d& information,
       result.degenerate.push_back(v);
     } else {
       const Eigen::Vector3d w = to_metres.asDiagonal() * v;
+      const Eigen::Vector3d u = to_radians.asDiagonal() * v;
       result.information += known * w * w.transpose();
+      result.covariance += u * u.transpose() / known;
     }
   }
   return result;

@@ -24,6 +24,7 @@ struct DegeneracyParams {
 /// The information of a match, split into what it says and the directions in which it says nothing.
 struct ConstrainedInformation {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< without the degenerate directions
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();   ///< its inverse in the other directions
   /// Unit vectors of (x [m], y [m], θ [rad] · lever arm [m]).
   std::vector<Eigen::Vector3d> degenerate;
 };

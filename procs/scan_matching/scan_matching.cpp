@@ -98,20 +98,25 @@ void ScanMatching::locate(const Sighting& sighting, ScanMatch& match) {
     match.status = ScanMatch::Status::kLost;
     match.T_odom_body = expected.prior.T_odom_body;
     match.covariance = (expected.prior.information + reach_information(expected)).inverse();
+    reference_covariance_.setZero();
   }
   match.T_reference_body = between(T_odom_body_, match.T_odom_body);
 }
 
 void ScanMatching::believe(const PoseCandidate& best, const MotionEstimate& expected,
-                           double lever_arm, ScanMatch& match) const {
+                           double lever_arm, ScanMatch& match) {
   const auto known =
       split_degenerate(best.match.information, best.match.spurious, lever_arm, params_.degeneracy);
   match.lever_arm_m = lever_arm;
   for (const auto& v : known.degenerate) match.degenerate.push_back({v, fill_of(v, expected)});
   match.T_odom_body =
       replace_open(best.match.T_odom_body, expected.prior.T_odom_body, known.degenerate, lever_arm);
+  // Both ends of the motion were found against the reference, each with its own error.
+  const Eigen::Matrix3d Ad = adjoint(between(match.T_odom_body, T_odom_body_));
   match.covariance =
-      (known.information + expected.prior.information + reach_information(expected)).inverse();
+      (known.information + expected.prior.information + reach_information(expected)).inverse() +
+      Ad * reference_covariance_ * Ad.transpose();
+  reference_covariance_ = known.covariance;
 }
 
 void ScanMatching::advance(Sighting sighting, const ScanMatch& match) {

@@ -73,7 +73,7 @@ class ScanMatching {
   [[nodiscard]] Sighting see(LaserId laser, const LaserScan& scan) const;
   void locate(const Sighting& sighting, ScanMatch& match);
   void believe(const PoseCandidate& best, const MotionEstimate& expected, double lever_arm_m,
-               ScanMatch& match) const;
+               ScanMatch& match);
   void advance(Sighting sighting, const ScanMatch& match);
 
   ScanMatchingParams params_;
@@ -83,6 +83,7 @@ class ScanMatching {
   std::map<LaserId, std::int64_t> last_scan_utime_;
   std::int64_t utime_ = 0;
   Pose2 T_odom_body_;
+  Eigen::Matrix3d reference_covariance_ = Eigen::Matrix3d::Zero();  ///< of the last pose in it
   double odometer_m_ = 0.0;
   double typical_score_ = 0.5;
   int lost_in_a_row_ = 0;

@@ -50,6 +50,15 @@ TEST_F(Pose2Laws, BetweenUndoesComposition) {
   }
 }
 
+TEST_F(Pose2Laws, AdjointMovesASmallMotionToTheOtherFrame) {
+  for (int i = 0; i < 100; ++i) {
+    const Pose2 T_a_b = random_pose();
+    const Eigen::Vector3d small = 1e-7 * random_pose().vector();
+    const Pose2 moved = T_a_b * Pose2::from_vector(small) * T_a_b.inverse();
+    EXPECT_TRUE(moved.vector().isApprox(adjoint(T_a_b) * small, 1e-4));  // first order in `small`
+  }
+}
+
 TEST_F(Pose2Laws, MovesPointsAsTheMatrixDoes) {
   const Pose2 a = random_pose();
   const Eigen::Vector2d p(1.5, -2.0);

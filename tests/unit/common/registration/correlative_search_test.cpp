@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/registration/correlative_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/test_worlds.hpp"
+#include "tools/sample_mine/mine_worlds.hpp"
+
+namespace adit {
+namespace {
+
+const Pose2 kReferencePose{-2.0, 0.0, 0.2};
+
+SurfelMap reference_of(const SyntheticWorld& world, const Pose2& pose) {
+  SurfelMap map{SurfelMapParams{}};
+  map.insert(test::look(world, pose), pose, 0.0);
+  return map;
+}
+
+class CorrelativeSearchFinds : public testing::TestWithParam<Pose2> {};
+
+TEST_P(CorrelativeSearchFinds, ALargeMotionToWithinItsStep) {
+  const SyntheticWorld room = test::crooked_room();
+  const Pose2 truth = kReferencePose * GetParam();
+  const CorrelativeSearchParams params;
+  const auto peaks = search_correlation(test::look(room, truth), reference_of(room, kReferencePose),
+                                        kReferencePose, {1.5, 1.2}, 3, params);
+  ASSERT_FALSE(peaks.empty());
+  const Pose2 error = between(truth, peaks.front().T_odom_body);
+  EXPECT_LT(error.translation().norm(), 1.5 * params.cell_m);
+  EXPECT_LT(std::abs(error.theta), 2.0 * params.angle_step_rad);
+}
+
+INSTANTIATE_TEST_SUITE_P(Motions, CorrelativeSearchFinds,
+                         testing::Values(Pose2{}, Pose2{1.2, 0.0, 0.0}, Pose2{0.3, -0.9, 0.5},
+                                         Pose2{-0.5, 0.4, -1.0}, Pose2{0.0, 0.0, 1.1}));
+
+TEST(CorrelativeSearch, GivesPeaksInOrderAndApart) {
+  const SyntheticWorld room = test::crooked_room();
+  const CorrelativeSearchParams params;
+  const auto peaks = search_correlation(test::look(room, kReferencePose),
+                                        reference_of(room, kReferencePose), kReferencePose,
+                                        {1.0, 0.6}, 4, params);
+  ASSERT_EQ(peaks.size(), 4U);
+  for (std::size_t i = 1; i < peaks.size(); ++i) {
+    EXPECT_LE(peaks[i].score, peaks[i - 1].score);
+    EXPECT_NE(peaks[i].T_odom_body, peaks[i - 1].T_odom_body);
+  }
+  EXPECT_LE(peaks.front().score, 1.0);
+}
+
+TEST(CorrelativeSearch, BoundsNeverHideTheBest) {
+  // The bound and the branch must not change the answer: a search over small windows, each of which
+  // is one block, finds no better score anywhere in the large window.
+  const SyntheticWorld mine = sample_mine(3);
+  const Pose2 here{10.0, 0.0, 0.0};
+  const SurfelMap reference = reference_of(mine, here);
+  const auto points = test::look(mine, here * Pose2{0.7, 0.3, 0.2});
+  const CorrelativeSearchParams params;
+  const auto whole = search_correlation(points, reference, here, {1.2, 0.3}, 1, params);
+  ASSERT_FALSE(whole.empty());
+  for (double x = -1.2; x <= 1.2; x += 0.4) {
+    for (double y = -1.2; y <= 1.2; y += 0.4) {
+      const Pose2 centre{here.x + x, here.y + y, here.theta};
+      for (const auto& peak : search_correlation(points, reference, centre, {0.1, 0.3}, 1, params)) {
+        const Eigen::Vector2d off = peak.T_odom_body.translation() - here.translation();
+        if (off.cwiseAbs().maxCoeff() > 1.2) continue;  // outside of the large window
+        EXPECT_LE(peak.score, whole.front().score + 0.03);  // grids are aligned differently
+      }
+    }
+  }
+}
+
+TEST(CorrelativeSearch, FindsNothingInNothing) {
+  const SyntheticWorld room = test::crooked_room();
+  const SurfelMap nothing{SurfelMapParams{}};
+  EXPECT_TRUE(search_correlation(test::look(room, {}), nothing, {}, {1.0, 0.5}, 3, {}).empty());
+  EXPECT_TRUE(
+      search_correlation({}, reference_of(room, {}), {}, {1.0, 0.5}, 3, {}).empty());
+}
+
+}  // namespace
+}  // namespace adit

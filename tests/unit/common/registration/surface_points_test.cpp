@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/registration/surface_points.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+/// 181 beams over a half circle that look at a wall, x = `distance` in the frame of the laser.
+LaserScan wall_ahead(double distance) {
+  LaserScan scan{1'000'000, {}, -kPi / 2, kPi / 180};
+  for (int i = 0; i < 181; ++i) {
+    const double range = distance / std::cos(scan.angle_min_rad + i * scan.angle_step_rad);
+    scan.ranges_m.push_back(range < 20.0 && range > 0.0 ? static_cast<float>(range) : 81.83F);
+  }
+  return scan;
+}
+
+TEST(SurfacePoints, LieOnTheWallWithNormalsTowardsTheLaser) {
+  const auto points = surface_points(wall_ahead(3.0), LaserMount{}, SurfaceParams{});
+  ASSERT_GT(points.size(), 100U);
+  for (const auto& point : points) {
+    EXPECT_NEAR(point.p.x(), 3.0, 1e-5);  // ranges are floats
+    if (point.has_normal()) EXPECT_NEAR(point.normal.x(), -1.0, 1e-4);
+  }
+  EXPECT_TRUE(points[points.size() / 2].has_normal());
+}
+
+TEST(SurfacePoints, AreGivenInTheFrameOfTheBody) {
+  LaserMount rear;
+  rear.T_body_laser = {-1.0, 0.5, kPi};
+  const auto points = surface_points(wall_ahead(3.0), rear, SurfaceParams{});
+  const auto& ahead = points[points.size() / 2];
+  EXPECT_NEAR(ahead.p.x(), -4.0, 1e-5);
+  EXPECT_NEAR(ahead.p.y(), 0.5, 1e-5);
+  EXPECT_NEAR(ahead.normal.x(), 1.0, 1e-4);
+}
+
+TEST(SurfacePoints, LeaveOutReadingsThatMeanNothing) {
+  LaserScan scan = wall_ahead(3.0);
+  const std::size_t good = surface_points(scan, LaserMount{}, SurfaceParams{}).size();
+  scan.ranges_m[80] = kNan;
+  scan.ranges_m[85] = kInf;
+  scan.ranges_m[90] = -kInf;
+  scan.ranges_m[95] = 0.0F;
+  scan.ranges_m[100] = -2.0F;
+  scan.ranges_m[105] = 1000.0F;
+  const auto points = surface_points(scan, LaserMount{}, SurfaceParams{});
+  EXPECT_EQ(points.size(), good - 6);
+  for (const auto& point : points) EXPECT_TRUE(point.p.allFinite() && point.normal.allFinite());
+}
+
+TEST(SurfacePoints, OfAnEmptyScanAreNone) {
+  EXPECT_TRUE(surface_points(LaserScan{}, LaserMount{}, SurfaceParams{}).empty());
+}
+
+TEST(SurfacePoints, LeaveOutAMixedPixelBetweenAPostAndTheWallBehind) {
+  LaserScan scan = wall_ahead(6.0);
+  for (int i = 88; i <= 92; ++i) scan.ranges_m[i] = 2.0F;  // a post
+  scan.ranges_m[93] = 4.0F;                                // its edge: half on the wall
+  for (const auto& point : surface_points(scan, LaserMount{}, SurfaceParams{})) {
+    EXPECT_GT(std::abs(point.p.norm() - 4.0), 0.5);
+  }
+}
+
+TEST(SurfacePoints, KeepAThinPostOfOneBeam) {
+  LaserScan scan = wall_ahead(6.0);
+  scan.ranges_m[90] = 2.0F;  // nearer than both neighbours: not between them
+  const auto points = surface_points(scan, LaserMount{}, SurfaceParams{});
+  const auto post = std::find_if(points.begin(), points.end(), [](const auto& point) {
+    return std::abs(point.p.x() - 2.0) < 1e-6;
+  });
+  ASSERT_NE(post, points.end());
+  EXPECT_FALSE(post->has_normal());
+}
+
+TEST(SurfacePoints, KnowLessOfAFarWallAtAGrazingAngle) {
+  LaserScan scan{1'000'000, {}, 0.0, kPi / 180};
+  for (int i = 0; i < 91; ++i) {  // a wall beside the laser, y = 1
+    const double sine = std::sin(i * scan.angle_step_rad);
+    scan.ranges_m.push_back(sine > 0.05 ? static_cast<float>(1.0 / sine) : 81.83F);
+  }
+  const auto points = surface_points(scan, LaserMount{}, SurfaceParams{});
+  const SurfaceParams params;
+  const double head_on = params.range_sd_m * params.range_sd_m;
+  EXPECT_NEAR(points.back().variance, head_on, 0.01 * head_on);
+  EXPECT_GT(points.front().variance, 5.0 * head_on);  // 19 m away at 3°: bearing counts
+}
+
+}  // namespace
+}  // namespace adit

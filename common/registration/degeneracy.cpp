@@ -26,7 +26,7 @@ ConstrainedInformation split_degenerate(const Eigen::Matrix3d& information,
     const double known = solver.eigenvalues()[i];
     const double feigned = v.dot(spurious_m * v);
     if (known <= std::max(least, params.spurious_ratio * feigned)) {
-      result.degenerate.push_back(v);
+      result.degenerate.push_back({v, std::max(0.0, known - 2.0 * feigned)});
     } else {
       const Eigen::Vector3d w = to_metres.asDiagonal() * v;
       const Eigen::Vector3d u = to_radians.asDiagonal() * v;

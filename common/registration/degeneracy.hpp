@@ -21,12 +21,18 @@ struct DegeneracyParams {
   }
 };
 
+/// A direction that a match leaves open.
+struct OpenDirection {
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< unit; x [m], y [m], θ [rad] · lever arm
+  /// What may be left of the information when twice the feigned part is taken off [1/m²].
+  double information = 0.0;
+};
+
 /// The information of a match, split into what it says and the directions in which it says nothing.
 struct ConstrainedInformation {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< without the degenerate directions
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();   ///< its inverse in the other directions
-  /// Unit vectors of (x [m], y [m], θ [rad] · lever arm [m]).
-  std::vector<Eigen::Vector3d> degenerate;
+  std::vector<OpenDirection> degenerate;
 };
 
 /// Looks at the information matrix of (x, y, θ) along its principal directions, angles being turned

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kClutterWeight = 0.1;  // which point of the clutter was hit is chance
 
+constexpr double kSharedPoints = 2.5;  // neighbouring normals are fitted to common points
 constexpr double kUnitVariance = 2.0 * 0.01 * 0.01;  // [m²] of a good point on a good surfel
 
 /// What goes with a residual: its weight, its variance [m²], what share of a point it stands for,
@@ -84,7 +85,7 @@ class Accumulator {
     sums_.g += w * residual * J;
     // The same row if the normal were turned a quarter: what its error lets through.
     const Eigen::Vector3d K(-n.y(), n.x(), p.x() * n.x() + p.y() * n.y());
-    sums_.spurious.noalias() += w * row.normal_variance * K * K.transpose();
+    sums_.spurious.noalias() += kSharedPoints * w * row.normal_variance * K * K.transpose();
     sums_.weighted_squares += row.weight * kernel * unit * unit;
     sums_.weights += row.weight * kernel;
     sums_.closeness += row.share / (1.0 + u * u);

@@ -26,7 +26,7 @@ struct DegenerateDirection {
 /// What scan matching made of one scan.
 struct ScanMatch {
   enum class Status : std::int8_t {
-    kFirstScan = 0,  ///< nothing to match against: the pose is where odom begins
+    kFirstScan = 0,  ///< nothing of this laser to match against: the pose is the prediction
     kMatched = 1,
     kLost = 2,     ///< no match to be trusted: the pose is the prediction
     kRefused = 3,  ///< time did not advance: the pose is the last one and nothing was changed

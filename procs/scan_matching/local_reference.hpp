@@ -49,6 +49,8 @@ class LocalReference {
       : params_(params), surfels_(params.surfels) {}
 
   [[nodiscard]] const SurfelMap& surfels() const { return surfels_; }
+  /// Whether there is anything from this laser: lasers that look different ways share no walls.
+  [[nodiscard]] bool knows(LaserId laser) const { return keyframes_.contains(laser); }
 
   /// Share of the points, of this scan and of its laser's last keyframe, that would lie in space
   /// which the other saw free if the body were at this pose.

@@ -11,6 +11,8 @@
 namespace adit {
 namespace {
 
+constexpr double kSpeedSdM = 0.2;  // how far a body may depart from its last speed in one step
+constexpr double kSpeedSdRad = 0.2;
 constexpr double kTypicalShare = 0.05;  // weight of a new score in the running mean
 
 /// Root mean square distance of the points: how far a turn of one radian moves them.
@@ -35,13 +37,28 @@ Eigen::Matrix3d reach_information(const MotionEstimate& expected) {
   return Eigen::Vector3d(1.0 / (m * m), 1.0 / (m * m), 1.0 / (rad * rad)).asDiagonal();
 }
 
-/// Takes the pose back to the prediction along the directions that the match leaves open.
-Pose2 replace_open(const Pose2& T_odom_body, const Pose2& T_odom_predicted,
-                   const std::vector<Eigen::Vector3d>& open, double lever_arm) {
+/// Information of what is expected along a direction: the sensors', or else that a speed lasts.
+double expected_information(const Eigen::Vector3d& direction, const MotionEstimate& expected,
+                            double lever_arm) {
+  const Eigen::Vector3d to_radians(1.0, 1.0, 1.0 / lever_arm);
+  const Eigen::Vector3d v = direction.cwiseProduct(to_radians);
+  const Eigen::Vector3d variances(kSpeedSdM * kSpeedSdM, kSpeedSdM * kSpeedSdM,
+                                  kSpeedSdRad * kSpeedSdRad);
+  return v.dot(expected.prior.information * v) + v.dot(v.cwiseQuotient(variances));
+}
+
+/// Moves the pose towards the prediction along the directions that the match leaves open, all the
+/// way where the match knows nothing.
+Pose2 fill_open(const Pose2& T_odom_body, const MotionEstimate& expected,
+                const std::vector<OpenDirection>& open, double lever_arm) {
   const Eigen::Vector3d scale(1.0, 1.0, lever_arm);
-  const Eigen::Vector3d off = between(T_odom_body, T_odom_predicted).vector().cwiseProduct(scale);
+  const Eigen::Vector3d off =
+      between(T_odom_body, expected.prior.T_odom_body).vector().cwiseProduct(scale);
   Eigen::Vector3d back = Eigen::Vector3d::Zero();
-  for (const auto& v : open) back += v * v.dot(off);
+  for (const auto& [v, information] : open) {
+    const double prior = expected_information(v, expected, lever_arm);
+    back += v * v.dot(off) * prior / (prior + information);
+  }
   return T_odom_body * Pose2::from_vector(back.cwiseQuotient(scale));
 }
 
@@ -77,11 +94,13 @@ Sighting ScanMatching::see(LaserId laser, const LaserScan& scan) const {
 
 void ScanMatching::locate(const Sighting& sighting, ScanMatch& match) {
   const bool enough = match.points >= params_.points_min;
-  if (reference_.surfels().empty()) {
+  const MotionEstimate expected = motion_.predict(match.utime);
+  if (!reference_.knows(sighting.laser)) {
     match.status = enough ? ScanMatch::Status::kFirstScan : ScanMatch::Status::kLost;
+    match.T_odom_body = expected.prior.T_odom_body;
+    match.T_reference_body = between(T_odom_body_, match.T_odom_body);
     return;
   }
-  const MotionEstimate expected = motion_.predict(match.utime);
   PoseSearchResult found;
   if (enough) found = search_.find(sighting, reference_, expected, typical_score_);
   const PoseCandidate& best = found.best;
@@ -90,7 +109,7 @@ void ScanMatching::locate(const Sighting& sighting, ScanMatch& match) {
   match.contradiction_share = best.contradiction_share;
   match.rms_residual_m = best.match.rms_residual_m;
   match.iterations = best.match.iterations;
-  if (best.score >= params_.lost_score) {
+  if (best.score >= params_.lost_score && match.inlier_share >= params_.inlier_share_min) {
     match.status = ScanMatch::Status::kMatched;
     typical_score_ += kTypicalShare * (best.score - typical_score_);
     believe(best, expected, lever_arm_m(sighting.points), match);
@@ -108,9 +127,10 @@ void ScanMatching::believe(const PoseCandidate& best, const MotionEstimate& expe
   const auto known =
       split_degenerate(best.match.information, best.match.spurious, lever_arm, params_.degeneracy);
   match.lever_arm_m = lever_arm;
-  for (const auto& v : known.degenerate) match.degenerate.push_back({v, fill_of(v, expected)});
-  match.T_odom_body =
-      replace_open(best.match.T_odom_body, expected.prior.T_odom_body, known.degenerate, lever_arm);
+  for (const OpenDirection& open : known.degenerate) {
+    match.degenerate.push_back({open.direction, fill_of(open.direction, expected)});
+  }
+  match.T_odom_body = fill_open(best.match.T_odom_body, expected, known.degenerate, lever_arm);
   // Both ends of the motion were found against the reference, each with its own error.
   const Eigen::Matrix3d Ad = adjoint(between(match.T_odom_body, T_odom_body_));
   match.covariance =

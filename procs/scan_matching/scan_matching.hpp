@@ -29,9 +29,10 @@ struct ScanMatchingParams {
   LocalReferenceParams reference;
   PoseSearchParams search;
   DegeneracyParams degeneracy;
-  int points_min = 20;      ///< a scan with fewer is not matched
-  double lost_score = 0.4;  ///< a match with less is not believed
-  int lost_max = 3;         ///< scans in a row without a match before the reference starts anew
+  int points_min = 20;             ///< a scan with fewer is not matched
+  double lost_score = 0.4;         ///< a match with less is not believed,
+  double inlier_share_min = 0.25;  ///< nor one that rests on fewer of the points
+  int lost_max = 3;  ///< scans in a row without a match before the reference starts anew
   double tilt_max_rad =
       0.03;  ///< scans of a laser that is tilted by more are left to scan_assembly
 
@@ -46,6 +47,7 @@ struct ScanMatchingParams {
     v("degeneracy", degeneracy);
     v("points_min", points_min, at_least(3));
     v("lost_score", lost_score, within(0.0, 1.0));
+    v("inlier_share_min", inlier_share_min, within(0.0, 1.0));
     v("lost_max", lost_max, at_least(1));
     v("tilt_max_rad", tilt_max_rad, above(0.0));
   }

@@ -39,9 +39,9 @@ INSTANTIATE_TEST_SUITE_P(Motions, CorrelativeSearchFinds,
 TEST(CorrelativeSearch, GivesPeaksInOrderAndApart) {
   const SyntheticWorld room = test::crooked_room();
   const CorrelativeSearchParams params;
-  const auto peaks = search_correlation(test::look(room, kReferencePose),
-                                        reference_of(room, kReferencePose), kReferencePose,
-                                        {1.0, 0.6}, 4, params);
+  const auto peaks =
+      search_correlation(test::look(room, kReferencePose), reference_of(room, kReferencePose),
+                         kReferencePose, {1.0, 0.6}, 4, params);
   ASSERT_EQ(peaks.size(), 4U);
   for (std::size_t i = 1; i < peaks.size(); ++i) {
     EXPECT_LE(peaks[i].score, peaks[i - 1].score);
@@ -63,9 +63,10 @@ TEST(CorrelativeSearch, BoundsNeverHideTheBest) {
   for (double x = -1.2; x <= 1.2; x += 0.4) {
     for (double y = -1.2; y <= 1.2; y += 0.4) {
       const Pose2 centre{here.x + x, here.y + y, here.theta};
-      for (const auto& peak : search_correlation(points, reference, centre, {0.1, 0.3}, 1, params)) {
+      for (const auto& peak :
+           search_correlation(points, reference, centre, {0.1, 0.3}, 1, params)) {
         const Eigen::Vector2d off = peak.T_odom_body.translation() - here.translation();
-        if (off.cwiseAbs().maxCoeff() > 1.2) continue;  // outside of the large window
+        if (off.cwiseAbs().maxCoeff() > 1.2) continue;      // outside of the large window
         EXPECT_LE(peak.score, whole.front().score + 0.03);  // grids are aligned differently
       }
     }
@@ -76,8 +77,7 @@ TEST(CorrelativeSearch, FindsNothingInNothing) {
   const SyntheticWorld room = test::crooked_room();
   const SurfelMap nothing{SurfelMapParams{}};
   EXPECT_TRUE(search_correlation(test::look(room, {}), nothing, {}, {1.0, 0.5}, 3, {}).empty());
-  EXPECT_TRUE(
-      search_correlation({}, reference_of(room, {}), {}, {1.0, 0.5}, 3, {}).empty());
+  EXPECT_TRUE(search_correlation({}, reference_of(room, {}), {}, {1.0, 0.5}, 3, {}).empty());
 }
 
 }  // namespace

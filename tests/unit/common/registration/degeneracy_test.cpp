@@ -26,9 +26,11 @@ TEST(Degeneracy, NamesTheDirectionThatIsUnknown) {
   const Eigen::Matrix3d information = 1e5 * n * n.transpose() + turn;
   const auto split = split_degenerate(information, kNothing, 2.0, {});
   ASSERT_EQ(split.degenerate.size(), 1U);
-  EXPECT_NEAR(std::abs(split.degenerate[0].dot(Eigen::Vector3d(0.8, -0.6, 0.0))), 1.0, 1e-9);
-  EXPECT_NEAR(Eigen::Vector3d(0.8, -0.6, 0.0).dot(split.information * Eigen::Vector3d(0.8, -0.6, 0)),
-              0.0, 1e-6);
+  EXPECT_NEAR(std::abs(split.degenerate[0].direction.dot(Eigen::Vector3d(0.8, -0.6, 0.0))), 1.0,
+              1e-9);
+  EXPECT_NEAR(
+      Eigen::Vector3d(0.8, -0.6, 0.0).dot(split.information * Eigen::Vector3d(0.8, -0.6, 0)), 0.0,
+      1e-6);
 }
 
 TEST(Degeneracy, DoesNotBelieveWhatNoisyNormalsFeign) {

@@ -15,7 +15,8 @@ namespace {
 
 const Pose2 kReferencePose{-2.0, 0.0, 0.2};
 
-SurfelMap reference_of(const SyntheticWorld& world, const LaserModel& laser = test::perfect_laser()) {
+SurfelMap reference_of(const SyntheticWorld& world,
+                       const LaserModel& laser = test::perfect_laser()) {
   SurfelMap map{SurfelMapParams{}};
   map.insert(test::look(world, kReferencePose, laser), kReferencePose, 0.0);
   return map;

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/scan_matching/motion_prediction.hpp"
+
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000;
+constexpr std::int64_t kStart = 1000 * kSecond;
+
+WheelOdometry wheels(double t_s, const Pose2& pose) {
+  return {kStart + static_cast<std::int64_t>(t_s * 1e6), pose};
+}
+
+ImuReading turning(double t_s, double rate) {
+  ImuReading reading;
+  reading.utime = kStart + static_cast<std::int64_t>(t_s * 1e6);
+  reading.angular_velocity.z() = rate;
+  return reading;
+}
+
+TEST(MotionPrediction, TakesTheStepThatTheWheelsReport) {
+  MotionPrediction motion{MotionPredictionParams{}};
+  motion.correct(kStart, {5.0, 1.0, 0.5}, true);
+  motion.add(wheels(0.0, {100.0, 0.0, 2.0}));
+  motion.add(wheels(1.0, Pose2{100.0, 0.0, 2.0} * Pose2{0.4, 0.1, 0.2}));
+  const auto expected = motion.predict(kStart + kSecond);
+  EXPECT_TRUE(expected.from_odometry);
+  const Pose2 step = between({5.0, 1.0, 0.5}, expected.prior.T_odom_body);
+  EXPECT_NEAR((step.vector() - Eigen::Vector3d(0.4, 0.1, 0.2)).norm(), 0.0, 1e-12);
+  EXPECT_GT(expected.prior.information(0, 0), 0.0);
+}
+
+TEST(MotionPrediction, InterpolatesTheWheelsBetweenReadings) {
+  MotionPrediction motion{MotionPredictionParams{}};
+  motion.correct(kStart + kSecond / 2, {}, true);
+  motion.add(wheels(0.0, {0.0, 0.0, 0.0}));
+  motion.add(wheels(1.0, {1.0, 0.0, 0.0}));
+  motion.add(wheels(2.0, {2.0, 0.0, 0.0}));
+  EXPECT_NEAR(motion.predict(kStart + kSecond * 5 / 4).prior.T_odom_body.x, 0.75, 1e-12);
+}
+
+TEST(MotionPrediction, DoesNotBelieveWheelsThatFellSilent) {
+  MotionPrediction motion{MotionPredictionParams{}};
+  motion.correct(kStart, {}, true);
+  motion.add(wheels(0.0, {}));
+  const auto expected = motion.predict(kStart + 2 * kSecond);
+  EXPECT_FALSE(expected.from_odometry);
+  EXPECT_TRUE(expected.prior.information.isZero());
+}
+
+TEST(MotionPrediction, DoesNotBelieveWheelsThatJump) {
+  MotionPrediction motion{MotionPredictionParams{}};
+  motion.correct(kStart, {}, true);
+  motion.add(wheels(0.0, {}));
+  motion.add(wheels(0.2, {30.0, 0.0, 0.0}));
+  EXPECT_FALSE(motion.predict(kStart + kSecond / 5).from_odometry);
+}
+
+TEST(MotionPrediction, RefusesReadingsThatDoNotAdvance) {
+  MotionPrediction motion{MotionPredictionParams{}};
+  EXPECT_TRUE(motion.add(wheels(1.0, {})));
+  EXPECT_FALSE(motion.add(wheels(1.0, {1.0, 0.0, 0.0})));
+  EXPECT_FALSE(motion.add(wheels(0.5, {})));
+  EXPECT_TRUE(motion.add(turning(1.0, 0.0)));
+  EXPECT_FALSE(motion.add(turning(1.0, 0.0)));
+}
+
+TEST(MotionPrediction, IntegratesTheGyroOverTheStep) {
+  MotionPrediction motion{MotionPredictionParams{}};
+  motion.correct(kStart, {0.0, 0.0, 1.0}, true);
+  for (int i = 0; i <= 10; ++i) motion.add(turning(0.1 * i, 0.3));
+  const auto expected = motion.predict(kStart + kSecond);
+  EXPECT_TRUE(expected.from_gyro);
+  EXPECT_NEAR(expected.prior.T_odom_body.theta, 1.3, 1e-9);
+  EXPECT_GT(expected.prior.information(2, 2), 0.0);
+  EXPECT_EQ(expected.prior.information(0, 0), 0.0);
+}
+
+TEST(MotionPrediction, DoesNotIntegrateTheGyroOverAGap) {
+  MotionPrediction motion{MotionPredictionParams{}};
+  motion.correct(kStart, {}, true);
+  motion.add(turning(0.0, 0.3));
+  motion.add(turning(0.9, 0.3));
+  EXPECT_FALSE(motion.predict(kStart + kSecond).from_gyro);
+}
+
+TEST(MotionPrediction, GoesOnAtTheLastSpeedWithoutSensors) {
+  MotionPredictionParams params;
+  MotionPrediction motion{params};
+  motion.correct(kStart, {}, true);
+  motion.correct(kStart + kSecond, {0.5, 0.0, 0.0}, true);
+  const double x = motion.predict(kStart + 2 * kSecond).prior.T_odom_body.x;
+  EXPECT_GT(x, 0.9);  // the speed dies away over 5 s
+  EXPECT_LE(x, 1.0);
+}
+
+TEST(MotionPrediction, TakesNoSpeedFromStampsThatNearlyCoincide) {
+  MotionPrediction motion{MotionPredictionParams{}};
+  motion.correct(kStart, {}, true);
+  motion.correct(kStart + 1000, {0.3, 0.0, 0.0}, true);
+  EXPECT_NEAR(motion.predict(kStart + kSecond).prior.T_odom_body.x, 0.3, 1e-9);
+}
+
+}  // namespace
+}  // namespace adit

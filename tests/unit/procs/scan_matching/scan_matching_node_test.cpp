@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/scan_matching/scan_matching_node.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/memory_bus.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/laser_scan.hpp"
+#include "common/messages/pose.hpp"
+#include "common/messages/scan_match.hpp"
+#include "common/messages/tilt_reading.hpp"
+#include "tests/support/test_worlds.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::int64_t kStart = 1'000'000'000;
+
+class ScanMatchingNodeOnABus : public testing::Test {
+ protected:
+  ScanMatchingNodeOnABus() {
+    subscribe<scan_match_t>(bus_, channels::kScanMatch, Delivery::queued(100),
+                            [this](const ScanMatch& match) { matches_.push_back(match); });
+    subscribe<pose_t>(bus_, channels::kPose, Delivery::queued(100),
+                      [this](const StampedPose& pose) { poses_.push_back(pose); });
+  }
+
+  void scan(std::int64_t utime, const Pose2& T_world_body) {
+    const LaserScan seen = laser_.measure(room_, T_world_body, utime);
+    bus_.inject(utime, channels::kLaserFront, encode(to_message(seen)));
+  }
+  void tilt(std::int64_t utime, double angle_rad) {
+    bus_.inject(utime, channels::kTiltFront, encode(to_message(TiltReading{utime, angle_rad, 0})));
+  }
+
+  SyntheticWorld room_ = test::crooked_room();
+  SyntheticLaser laser_{LaserModel{}, 1};
+  MemoryBus bus_;
+  ScanMatchingNode node_{bus_, ScanMatchingParams{}};
+  std::vector<ScanMatch> matches_;
+  std::vector<StampedPose> poses_;
+};
+
+TEST_F(ScanMatchingNodeOnABus, PublishesAPoseAndAMatchForEachScan) {
+  scan(kStart, {-2.0, 0.0, 0.0});
+  scan(kStart + 200'000, {-1.9, 0.0, 0.0});
+  ASSERT_EQ(poses_.size(), 2U);
+  ASSERT_EQ(matches_.size(), 2U);
+  EXPECT_EQ(poses_[1].utime, kStart + 200'000);
+  EXPECT_NEAR(poses_[1].T_odom_body.x, 0.1, 0.01);
+  EXPECT_EQ(matches_[1].channel, channels::kLaserFront);
+  EXPECT_EQ(matches_[1].reference_utime, kStart);
+  EXPECT_EQ(node_.health().level, Health::Level::kOk);
+}
+
+TEST_F(ScanMatchingNodeOnABus, SaysThatAScanWasRefusedButGivesNoPoseForIt) {
+  scan(kStart, {-2.0, 0.0, 0.0});
+  scan(kStart, {-1.9, 0.0, 0.0});
+  ASSERT_EQ(matches_.size(), 2U);
+  EXPECT_EQ(matches_[1].status, ScanMatch::Status::kRefused);
+  EXPECT_EQ(poses_.size(), 1U);
+}
+
+TEST_F(ScanMatchingNodeOnABus, LeavesTiltedScansAlone) {
+  scan(kStart, {-2.0, 0.0, 0.0});
+  tilt(kStart + 100'000, 0.4);
+  scan(kStart + 200'000, {-1.9, 0.0, 0.0});
+  EXPECT_EQ(matches_.size(), 1U);
+  tilt(kStart + 300'000, 0.0);
+  scan(kStart + 400'000, {-1.8, 0.0, 0.0});
+  EXPECT_EQ(matches_.size(), 2U);
+}
+
+TEST_F(ScanMatchingNodeOnABus, IsDegradedWhileItIsLost) {
+  scan(kStart, {-2.0, 0.0, 0.0});
+  LaserScan blind{kStart + 200'000, std::vector<float>(181, 81.83F), -1.57, 0.01745};
+  bus_.inject(blind.utime, channels::kLaserFront, encode(to_message(blind)));
+  EXPECT_EQ(node_.health().level, Health::Level::kDegraded);
+  scan(kStart + 400'000, {-2.0, 0.0, 0.0});
+  EXPECT_EQ(node_.health().level, Health::Level::kOk);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/scan_matching/scan_matching.hpp"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include "tests/support/test_worlds.hpp"
+#include "tools/sample_mine/mine_worlds.hpp"
+
+namespace adit {
+namespace {
+
+using Status = ScanMatch::Status;
+
+constexpr std::int64_t kStart = 1'000'000'000;
+constexpr std::int64_t kPeriod = 200'000;
+
+/// A body with a laser that is moved through a world by known steps.
+class Ride {
+ public:
+  Ride(SyntheticWorld world, const Pose2& start, const LaserModel& laser = {},
+       std::uint64_t seed = 1)
+      : world_(std::move(world)), laser_(laser, seed), T_world_body_(start) {
+    matches_.push_back(matching_.add_scan(LaserId::kFront, look()));
+  }
+
+  ScanMatch step(const Pose2& motion) {
+    T_world_body_ = T_world_body_ * motion;
+    truth_ = truth_ * motion;
+    utime_ += kPeriod;
+    matches_.push_back(matching_.add_scan(LaserId::kFront, look()));
+    return matches_.back();
+  }
+
+  LaserScan look() { return laser_.measure(world_, T_world_body_, utime_); }
+  ScanMatch first() const { return matches_.front(); }
+  ScanMatching& matching() { return matching_; }
+  std::int64_t utime() const { return utime_; }
+  const Pose2& T_world_body() const { return T_world_body_; }
+  /// In odom, which begins where the ride did.
+  const Pose2& truth() const { return truth_; }
+
+ private:
+  SyntheticWorld world_;
+  SyntheticLaser laser_;
+  ScanMatching matching_{ScanMatchingParams{}};
+  std::int64_t utime_ = kStart;
+  Pose2 T_world_body_;
+  Pose2 truth_;
+  std::vector<ScanMatch> matches_;
+};
+
+void expect_near(const Pose2& actual, const Pose2& expected, double metres, double radians) {
+  const Pose2 error = between(expected, actual);
+  EXPECT_LT(error.translation().norm(), metres);
+  EXPECT_LT(std::abs(error.theta), radians);
+}
+
+TEST(ScanMatching, BeginsOdomAtTheFirstScan) {
+  Ride ride(test::crooked_room(), {-2.0, 0.0, 0.3});
+  EXPECT_EQ(ride.first().status, Status::kFirstScan);
+  EXPECT_EQ(ride.first().T_odom_body, Pose2{});
+}
+
+class ScanMatchingRecovers : public testing::TestWithParam<Pose2> {};
+
+TEST_P(ScanMatchingRecovers, AKnownMotion) {
+  Ride ride(test::crooked_room(), {-2.0, 0.0, 0.3});
+  const ScanMatch match = ride.step(GetParam());
+  EXPECT_EQ(match.status, Status::kMatched);
+  EXPECT_TRUE(match.degenerate.empty());
+  expect_near(match.T_odom_body, ride.truth(), 0.008, 0.002);  // 5 sigma of the match
+  expect_near(match.T_reference_body, GetParam(), 0.008, 0.002);
+}
+
+INSTANTIATE_TEST_SUITE_P(Motions, ScanMatchingRecovers,
+                         testing::Values(Pose2{0.0, 0.0, 0.0}, Pose2{0.2, 0.0, 0.0},
+                                         Pose2{0.1, -0.2, 0.0}, Pose2{-0.3, 0.1, 0.1},
+                                         Pose2{0.0, 0.0, 0.5}, Pose2{0.4, 0.1, -0.6},
+                                         Pose2{0.0, 0.0, -0.9}, Pose2{0.7, 0.0, 0.2}));
+
+TEST(ScanMatching, DriftsLittleOverAFewMetres) {
+  Ride ride(test::crooked_room(), {-3.0, 0.0, 0.0});
+  for (int i = 0; i < 40; ++i) ride.step({0.1, 0.0, 0.01});
+  const ScanMatch match = ride.step({});
+  expect_near(match.T_odom_body, ride.truth(), 0.01, 0.004);
+}
+
+TEST(ScanMatching, CovarianceIsConsistentWithTheError) {
+  // The normalised error squared has the expectation 3, its number of dimensions. Over 200 seeds
+  // its mean is known to 0.17; the rest is what the model leaves out (quantised ranges, corners,
+  // surfels that several points share).
+  const SyntheticWorld room = test::crooked_room();
+  const SyntheticWorld workings = sample_mine(3);
+  for (const int steps : {1, 8}) {
+    for (const bool mine : {false, true}) {
+      double sum = 0.0;
+      constexpr int kSeeds = 200;
+      for (int seed = 0; seed < kSeeds; ++seed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> u(-1.0, 1.0);
+        const Pose2 start = mine ? Pose2{12.0 + 5.0 * u(random), 0.2 * u(random), 0.1 * u(random)}
+                                 : Pose2{-2.0 + u(random), u(random), 3.0 * u(random)};
+        Ride ride(mine ? workings : room, start, LaserModel{}, seed + 1);
+        ScanMatch match;
+        Pose2 step;
+        for (int i = 0; i < steps; ++i) {
+          step = {0.15 + 0.1 * u(random), 0.02 * u(random), 0.1 * u(random)};
+          match = ride.step(step);
+        }
+        ASSERT_EQ(match.status, Status::kMatched);
+        const Eigen::Vector3d error = between(step, match.T_reference_body).vector();
+        sum += error.dot(match.covariance.inverse() * error) / kSeeds;
+      }
+      EXPECT_GT(sum, 1.5) << steps << " steps, mine " << mine;
+      EXPECT_LT(sum, 4.5) << steps << " steps, mine " << mine;
+    }
+  }
+}
+
+TEST(ScanMatching, ReportsDegeneracyInAStraightDrift) {
+  for (const double heading : {0.0, 0.05, -0.1}) {
+    Ride ride(straight_drift(400.0, 3.0), {0.0, 0.2, heading});
+    for (int i = 0; i < 5; ++i) {
+      const ScanMatch match = ride.step({0.1, 0.0, 0.0});
+      ASSERT_EQ(match.status, Status::kMatched);
+      ASSERT_EQ(match.degenerate.size(), 1U);
+      const double theta = ride.T_world_body().theta;
+      const Eigen::Vector3d axis_body(std::cos(theta), -std::sin(theta), 0.0);
+      EXPECT_GT(std::abs(match.degenerate[0].direction.dot(axis_body)), 0.99);
+      EXPECT_EQ(match.degenerate[0].fill, DegenerateDirection::Fill::kNone);
+      EXPECT_GT(match.covariance(0, 0), 0.25);  // and it says how little: half a metre
+    }
+    // Across the drift and in heading it is as sure as ever.
+    const ScanMatch match = ride.step({0.0, 0.0, 0.02});
+    EXPECT_NEAR(wrap_angle(match.T_odom_body.theta - ride.truth().theta), 0.0, 0.004);
+  }
+}
+
+TEST(ScanMatching, FillsAnOpenDirectionFromOdometry) {
+  Ride ride(straight_drift(400.0, 3.0), {0.0, 0.2, 0.05});
+  Pose2 wheels;
+  ride.matching().add(WheelOdometry{ride.utime(), wheels});
+  ScanMatch match;
+  for (int i = 0; i < 50; ++i) {
+    wheels = wheels * Pose2{0.1, 0.0, 0.0};
+    ride.matching().add(WheelOdometry{ride.utime() + kPeriod, wheels});
+    match = ride.step({0.1, 0.0, 0.0});
+    ASSERT_EQ(match.degenerate.size(), 1U);
+    EXPECT_EQ(match.degenerate[0].fill, DegenerateDirection::Fill::kOdometry);
+  }
+  expect_near(match.T_odom_body, ride.truth(), 0.05, 0.005);  // 1 % of the way
+  EXPECT_LT(match.covariance(0, 0), 0.01);
+}
+
+TEST(ScanMatching, NeitherInventsNorFreezesMotionWhereNothingMeasuresIt) {
+  // Out of the room with its corners into a drift: the last observed speed goes on, and dies away.
+  Ride ride(straight_drift(400.0, 3.0), {0.0, 0.0, 0.0});
+  for (int i = 0; i < 20; ++i) {
+    const ScanMatch match = ride.step({0.1, 0.0, 0.0});
+    EXPECT_LT(std::abs(match.T_reference_body.x), 0.05);  // at rest as far as anyone can tell
+  }
+}
+
+TEST(ScanMatching, IsNotDegenerateInARoomOrAMine) {
+  Ride room(test::crooked_room(), {-2.0, 0.0, 0.3});
+  Ride mine(sample_mine(3), {12.0, 0.0, 0.0});
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_TRUE(room.step({0.05, 0.0, 0.1}).degenerate.empty());
+    EXPECT_TRUE(mine.step({0.1, 0.0, 0.0}).degenerate.empty());
+  }
+}
+
+TEST(ScanMatching, RefusesScansThatDoNotAdvanceInTime) {
+  Ride ride(test::crooked_room(), {-2.0, 0.0, 0.3});
+  const ScanMatch before = ride.step({0.1, 0.0, 0.0});
+  LaserScan scan = ride.look();
+  const ScanMatch again = ride.matching().add_scan(LaserId::kFront, scan);
+  scan.utime -= kPeriod;
+  const ScanMatch late = ride.matching().add_scan(LaserId::kFront, scan);
+  for (const auto& refused : {again, late}) {
+    EXPECT_EQ(refused.status, Status::kRefused);
+    EXPECT_EQ(refused.T_odom_body, before.T_odom_body);
+  }
+  expect_near(ride.step({0.1, 0.0, 0.0}).T_odom_body, ride.truth(), 0.008, 0.002);
+}
+
+TEST(ScanMatching, IsLostInAnEmptyScanAndFindsItselfAgain) {
+  Ride ride(test::crooked_room(), {-2.0, 0.0, 0.3});
+  ride.step({0.1, 0.0, 0.0});
+  LaserScan blind = ride.look();
+  for (int i = 0; i < 5; ++i) {
+    blind.utime += 10'000;
+    blind.ranges_m.assign(i == 0 ? 0 : 181, std::numeric_limits<float>::quiet_NaN());
+    const ScanMatch match = ride.matching().add_scan(LaserId::kFront, blind);
+    EXPECT_EQ(match.status, Status::kLost);
+    EXPECT_TRUE(match.covariance.allFinite());
+    EXPECT_GT(match.covariance(0, 0), 0.01);
+  }
+  const ScanMatch match = ride.step({0.1, 0.0, 0.0});
+  EXPECT_EQ(match.status, Status::kMatched);
+  expect_near(match.T_odom_body, ride.truth(), 0.01, 0.003);
+}
+
+TEST(ScanMatching, StartsAnewInAPlaceThatMatchesNothing) {
+  Ride ride(test::crooked_room(), {-2.0, 0.0, 0.3});
+  SyntheticLaser laser(LaserModel{}, 9);
+  const SyntheticWorld elsewhere = sample_mine(3);
+  std::int64_t utime = ride.utime();
+  int lost = 0;
+  ScanMatch match;
+  for (int i = 0; i < 8; ++i) {
+    utime += kPeriod;
+    match = ride.matching().add_scan(LaserId::kFront,
+                                     laser.measure(elsewhere, {40.0 + 0.1 * i, 0.0, 0.0}, utime));
+    lost += match.status == Status::kLost ? 1 : 0;
+  }
+  EXPECT_GE(lost, 1);
+  EXPECT_LE(lost, 4);
+  EXPECT_EQ(match.status, Status::kMatched);
+}
+
+TEST(ScanMatching, SurvivesReadingsThatMeanNothing) {
+  Ride ride(test::crooked_room(), {-2.0, 0.0, 0.3});
+  ride.step({0.1, 0.0, 0.0});
+  LaserScan scan = ride.look();
+  scan.utime += kPeriod;
+  std::mt19937 random(3);
+  for (float& range : scan.ranges_m) {  // a fifth of the readings are nonsense
+    switch (random() % 15) {
+      case 0:
+        range = std::numeric_limits<float>::quiet_NaN();
+        break;
+      case 1:
+        range = std::numeric_limits<float>::infinity();
+        break;
+      case 2:
+        range = 81.83F;
+        break;
+      default:
+        break;
+    }
+  }
+  const ScanMatch match = ride.matching().add_scan(LaserId::kFront, scan);
+  EXPECT_EQ(match.status, Status::kMatched);
+  expect_near(match.T_odom_body, ride.truth(), 0.01, 0.003);
+}
+
+TEST(ScanMatching, MatchesTheRearLaserToo) {
+  const SyntheticWorld room = test::crooked_room();
+  SyntheticLaser front(LaserModel{}, 1);
+  SyntheticLaser rear(LaserModel{}, 2);
+  ScanMatching matching{ScanMatchingParams{}};
+  const Pose2 start{-1.0, 0.0, 0.3};
+  const Pose2 T_body_rear{0.0, 0.0, std::numbers::pi};
+  Pose2 truth;
+  ScanMatch match;
+  for (int i = 0; i < 20; ++i) {
+    const Pose2 T_world_body = start * truth;
+    const std::int64_t utime = kStart + i * kPeriod;
+    matching.add_scan(LaserId::kFront, front.measure(room, T_world_body, utime));
+    match =
+        matching.add_scan(LaserId::kRear, rear.measure(room, T_world_body * T_body_rear, utime));
+    EXPECT_NE(match.status, Status::kRefused);  // both measured at one time
+    if (i < 19) truth = truth * Pose2{0.05, 0.0, 0.05};
+  }
+  EXPECT_EQ(match.status, Status::kMatched);
+  expect_near(match.T_odom_body, truth, 0.01, 0.003);
+}
+
+TEST(ScanMatching, IsNotMisledByWheelsThatSpin) {
+  Ride ride(test::crooked_room(), {-3.0, 0.0, 0.0});
+  Pose2 wheels;
+  ride.matching().add(WheelOdometry{ride.utime(), wheels});
+  ScanMatch match;
+  for (int i = 0; i < 20; ++i) {
+    wheels = wheels * Pose2{0.3, 0.0, 0.1};  // while the body stands still
+    ride.matching().add(WheelOdometry{ride.utime() + kPeriod, wheels});
+    match = ride.step({});
+  }
+  expect_near(match.T_odom_body, ride.truth(), 0.01, 0.003);
+}
+
+}  // namespace
+}  // namespace adit

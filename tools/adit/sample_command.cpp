@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -11,10 +12,8 @@
 
 #include "tools/adit/commands.hpp"
 #include "tools/adit/progress_bar.hpp"
-#include "tools/carmen/carmen_import.hpp"
-#include "tools/carmen/carmen_text.hpp"
 #include "tools/eval/tum.hpp"
-#include "tools/sample_mine/sample_run.hpp"
+#include "tools/sample_mine/sample_log.hpp"
 
 namespace adit {
 namespace {
@@ -23,6 +22,7 @@ struct Options {
   std::filesystem::path output;
   std::filesystem::path truth;
   std::uint64_t seed = 1;
+  double length_m = std::numeric_limits<double>::infinity();
   bool half_degree = false;
 };
 
@@ -35,27 +35,6 @@ Examples:
   adit sample mine.log                                  as a CARMEN log
   adit sample mine.lcmlog --truth mine.tum --seed 7     as an LCM log, with the true path)";
 
-void write_lcm(SampleRun& run, const std::filesystem::path& path, ProgressBar& bar) {
-  LogWriter log(path);
-  while (const auto reading = run.next()) {
-    write_reading(log, reading->odometry);
-    write_reading(log, reading->scan);
-    bar.update(run.fraction_done());
-  }
-  log.close();
-}
-
-/// Both poses of a line are the odometry: the truth has no place in a log.
-void write_carmen(SampleRun& run, const std::filesystem::path& path, ProgressBar& bar) {
-  std::ofstream log(path);
-  while (const auto reading = run.next()) {
-    const Pose2& pose = reading->odometry.T_wheel_body;
-    log << flaser_line({reading->scan, pose, reading->odometry}) << "\n";
-    bar.update(run.fraction_done());
-  }
-  if (!log.flush()) throw std::runtime_error("cannot write " + path.string());
-}
-
 void write_truth(const Trajectory& truth, const std::filesystem::path& path) {
   std::ofstream out(path);
   write_tum(out, truth);
@@ -63,15 +42,11 @@ void write_truth(const Trajectory& truth, const std::filesystem::path& path) {
 }
 
 void write_sample(const Options& options) {
-  SampleRun run(options.seed, options.half_degree ? half_degree_laser() : LaserModel{});
-  const auto extension = options.output.extension();
-  if (extension != ".lcmlog" && extension != ".log") {
-    throw std::runtime_error("the output ends in .lcmlog or .log, which says what to write");
-  }
+  const LaserModel laser = options.half_degree ? half_degree_laser() : LaserModel{};
+  SampleRun run(options.seed, laser, options.length_m);
   {
     ProgressBar bar("sampling");
-    extension == ".lcmlog" ? write_lcm(run, options.output, bar)
-                           : write_carmen(run, options.output, bar);
+    write_sample_log(run, options.output, [&](double done) { bar.update(done); });
   }
   if (!options.truth.empty()) write_truth(run.truth(), options.truth);
   std::cout << options.output.string() << ": " << run.truth().size() << " scans over "
@@ -93,6 +68,9 @@ void add_sample_command(CLI::App& adit) {
   sample->add_option("--seed", options->seed, "Another number gives another mine")
       ->type_name("N")
       ->capture_default_str();
+  sample->add_option("--length-m", options->length_m, "Only this much of the way")
+      ->type_name("METRES")
+      ->check(CLI::PositiveNumber);
   sample->add_flag("--half-degree", options->half_degree, "361 beams for each scan, not 181");
   sample->callback([options] { write_sample(*options); });
 }

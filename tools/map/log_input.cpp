@@ -5,7 +5,6 @@
 #include <array>
 #include <fstream>
 #include <stdexcept>
-#include <system_error>
 
 #include "tools/carmen/carmen_import.hpp"
 
@@ -46,15 +45,9 @@ LogInput::LogInput(const std::filesystem::path& path, const std::filesystem::pat
     complaints_ = sentences(log_->health());
   } else {
     complaints_ = import_carmen(path, scratch, progress).sentences();
-    converted_ = scratch;
     log_ = std::make_unique<LogFile>(scratch);
+    std::filesystem::remove(scratch);  // what is open stays readable
   }
-}
-
-LogInput::~LogInput() {
-  log_.reset();
-  std::error_code ignored;
-  if (!converted_.empty()) std::filesystem::remove(converted_, ignored);
 }
 
 }  // namespace adit

@@ -20,16 +20,12 @@ class LogInput {
   /// Throws std::runtime_error where the file cannot be used.
   LogInput(const std::filesystem::path& path, const std::filesystem::path& scratch,
            const std::function<void(double)>& progress);
-  ~LogInput();
-  LogInput(const LogInput&) = delete;
-  LogInput& operator=(const LogInput&) = delete;
 
   [[nodiscard]] EventSource& events() { return *log_; }
   /// What was wrong with the recording and has been skipped, a sentence each.
   [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
 
  private:
-  std::filesystem::path converted_;
   std::vector<std::string> complaints_;
   std::unique_ptr<LogFile> log_;
 };

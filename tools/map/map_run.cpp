@@ -14,6 +14,7 @@
 #include "procs/scan_matching/scan_matching_node.hpp"
 #include "tools/map/log_input.hpp"
 #include "tools/map/map_files.hpp"
+#include "tools/map/result_folder.hpp"
 #include "tools/map/run_record.hpp"
 #include "tools/map/stopwatch_bus.hpp"
 #include "tools/map/summary.hpp"
@@ -64,10 +65,11 @@ MapRunResult run_map(const MapRunOptions& options,
   const auto lasers = load_section<ScanMatchingParams>(config, "scan_matching");
   const auto grid = load_section<OccupancyGridParams>(config, kGridSection);
 
-  std::filesystem::create_directories(options.folder);
-  LogInput input(options.input, options.folder / "input.lcmlog",
+  const ResultFolder results(options.folder);
+  const std::filesystem::path& folder = results.unfinished();
+  LogInput input(options.input, folder / "input.lcmlog",
                  [&](double done) { progress("reading", done); });
-  LogWriter log(options.folder / "run.lcmlog");
+  LogWriter log(folder / "run.lcmlog");
   ReplayBus bus(input.events(), &log, replay_options(options.use_odometry));
   StopwatchBus stopwatch(bus);
   RunRecord record(bus);
@@ -85,13 +87,14 @@ MapRunResult run_map(const MapRunOptions& options,
     throw std::runtime_error("no usable laser scan in " + options.input.string());
   }
   const std::string title = options.input.filename().string();
-  if (!write_map_files(record, lasers, grid, title, options.folder)) {
+  if (!write_map_files(record, lasers, grid, title, folder)) {
     result.complaints.emplace_back("no map: the poses are farther apart than map_grid allows");
   }
   RunCost cost = cost_so_far();
   cost.scan_ms = stopwatch.scan_ms();
   cost.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  write_text(summary_json(record, cost), options.folder / "summary.json");
+  write_text(summary_json(record, cost), folder / "summary.json");
+  results.publish();
 
   const Trajectory trajectory = record.trajectory();
   result.scans = record.entries().size();

@@ -28,7 +28,7 @@ struct MapRunResult {
 /// map.png, map.pgm + map.yaml, run.lcmlog (all messages, in and out) and summary.json. The same
 /// log, config and build give the same trajectory.tum and run.lcmlog, byte for byte. `progress` is
 /// called with what is being done and the share of it that is done. Throws ConfigError or
-/// std::runtime_error.
+/// std::runtime_error; the folder is then as it was.
 MapRunResult run_map(const MapRunOptions& options,
                      const std::function<void(const std::string& label, double done)>& progress);
 

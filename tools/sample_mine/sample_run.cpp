@@ -14,11 +14,21 @@ constexpr std::int64_t kStartUtime = 1'700'000'000'000'000;
 constexpr std::uint64_t kLaserStream = 0x1a5e;
 constexpr std::uint64_t kOdometryStream = 0x0d03;
 
+/// The beginning of the trajectory, up to this length of path.
+Trajectory shortened(Trajectory trajectory, double length_max_m) {
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < trajectory.size(); ++i) {
+    length_m += (trajectory[i].pose.translation() - trajectory[i - 1].pose.translation()).norm();
+    if (length_m > length_max_m) trajectory.resize(i);
+  }
+  return trajectory;
+}
+
 }  // namespace
 
-SampleRun::SampleRun(std::uint64_t seed, const LaserModel& laser)
+SampleRun::SampleRun(std::uint64_t seed, const LaserModel& laser, double length_max_m)
     : mine_(sample_mine(seed)),
-      truth_(drive_route(sample_mine_route(), {}, kStartUtime)),
+      truth_(shortened(drive_route(sample_mine_route(), {}, kStartUtime), length_max_m)),
       laser_(laser, seed ^ kLaserStream),
       odometry_({}, seed ^ kOdometryStream) {}
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "common/sensing/laser_scan.hpp"
@@ -21,10 +22,12 @@ struct SampleReading {
   LaserScan scan;
 };
 
-/// A robot's drive through the sample mine, five scans a second. The same seed gives the same run.
+/// A robot's drive through the sample mine, five scans a second. The same seed gives the same run,
+/// of which a shorter one is the beginning.
 class SampleRun {
  public:
-  explicit SampleRun(std::uint64_t seed, const LaserModel& laser = {});
+  explicit SampleRun(std::uint64_t seed, const LaserModel& laser = {},
+                     double length_max_m = std::numeric_limits<double>::infinity());
 
   /// The readings of the next moment, or nothing at the end.
   std::optional<SampleReading> next();

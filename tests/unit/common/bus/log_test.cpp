@@ -12,6 +12,7 @@
 #include "common/bus/event_source.hpp"
 #include "common/bus/log_parser.hpp"
 #include "common/bus/log_writer.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace adit {
 namespace {
@@ -25,8 +26,8 @@ constexpr std::size_t kData = 100;
 constexpr std::size_t kEvent = kHeader + 4 + kData;  // channel POSE
 
 std::filesystem::path scratch(const std::string& name) {
-  const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-  return std::filesystem::path(testing::TempDir()) / (std::string(test->name()) + "_" + name);
+  static const test::ScratchFolder folder;
+  return folder / name;
 }
 
 Bytes read(const std::filesystem::path& path) {

@@ -11,6 +11,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/node_host.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace adit {
 namespace {
@@ -30,8 +31,8 @@ std::vector<LogEvent> scans(int count) {
 }
 
 std::filesystem::path scratch(const std::string& name) {
-  const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-  return std::filesystem::path(testing::TempDir()) / (std::string(test->name()) + "_" + name);
+  static const test::ScratchFolder folder;
+  return folder / name;
 }
 
 /// A stage that answers each scan with a pose.
@@ -51,8 +52,7 @@ std::string replayed(const std::vector<LogEvent>& events, const std::filesystem:
   answer_scans(host.bus());
   bus.run();
   output.close();
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return test::contents(path);
 }
 
 TEST(ReplayBus, DeliversInOrderOfTime) {

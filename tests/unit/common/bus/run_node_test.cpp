@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "common/bus/typed.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace adit {
 namespace {
@@ -65,11 +66,9 @@ Outcome run(std::vector<std::string> arguments) {
 }
 
 std::string config_file(const std::string& text) {
-  const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto path =
-      std::filesystem::path(testing::TempDir()) / (std::string(test->name()) + ".yaml");
-  std::ofstream(path) << text;
-  return path.string();
+  static const test::ScratchFolder folder;
+  std::ofstream(folder / "config.yaml") << text;
+  return folder / "config.yaml";
 }
 
 TEST(RunNode, EndsCleanlyByASignal) {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/scratch_folder.hpp"
 #include "tests/unit/common/config/example_params.hpp"
 
 namespace adit {
@@ -102,10 +103,9 @@ TEST(ConfigErrors, AFileThatCannotBeReadIsNamed) {
 }
 
 TEST(ConfigErrors, AnEmptyFileIsNoError) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "adit_empty.yaml";
-  std::ofstream(path).flush();
-  EXPECT_NO_THROW(ConfigFile::load(path));
-  std::filesystem::remove(path);
+  const test::ScratchFolder folder;
+  std::ofstream(folder / "empty.yaml").flush();
+  EXPECT_NO_THROW(ConfigFile::load(folder / "empty.yaml"));
 }
 
 }  // namespace

@@ -2,25 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/grid/map_server.hpp"
 
-#include <fstream>
-#include <iterator>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include "tests/support/scratch_folder.hpp"
 
 namespace adit {
 namespace {
 
-std::string contents(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+using test::contents;
 
 class MapServer : public testing::Test {
  protected:
-  MapServer() { std::filesystem::create_directories(folder_); }
-  ~MapServer() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "adit_map_server";
+  test::ScratchFolder scratch_;
+  std::filesystem::path folder_ = scratch_.path();
 };
 
 TEST_F(MapServer, WritesShadesFromTheHighestRowDown) {

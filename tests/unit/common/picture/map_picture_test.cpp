@@ -4,20 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include <cairo.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/scratch_folder.hpp"
+
 namespace adit {
 namespace {
 
-std::string contents(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
+using test::contents;
 
 /// A room of 20 m by 10 m seen from its middle.
 OccupancyGrid room() {
@@ -34,9 +31,6 @@ OccupancyGrid room() {
 
 class MapPng : public testing::Test {
  protected:
-  MapPng() : path_(std::filesystem::path(testing::TempDir()) / "adit_map_picture.png") {}
-  ~MapPng() override { std::filesystem::remove(path_); }
-
   std::pair<int, int> size() const {
     cairo_surface_t* image = cairo_image_surface_create_from_png(path_.c_str());
     const std::pair<int, int> result{cairo_image_surface_get_width(image),
@@ -45,7 +39,8 @@ class MapPng : public testing::Test {
     return result;
   }
 
-  std::filesystem::path path_;
+  test::ScratchFolder folder_;
+  std::filesystem::path path_ = folder_ / "map.png";
 };
 
 TEST_F(MapPng, TheSameMapGivesTheSameBytes) {

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/scratch_folder.hpp"
 #include "tools/adit/commands.hpp"
 #include "tools/carmen/carmen_reader.hpp"
 #include "tools/eval/tum.hpp"
@@ -39,25 +39,20 @@ Outcome adit(std::vector<std::string> arguments) {
 
 class AditCommand : public testing::Test {
  protected:
-  AditCommand() { std::filesystem::create_directories(folder_); }
-  ~AditCommand() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] std::string at(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string at(const std::string& name) const { return folder_ / name; }
   [[nodiscard]] std::string contents(const std::string& name) const {
-    std::ifstream in(at(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
+    return test::contents(at(name));
   }
 
  private:
-  std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string("adit_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  test::ScratchFolder folder_;
 };
 
 TEST_F(AditCommand, TeachesByItsHelp) {
   EXPECT_EQ(adit({"--help"}).exit_code, 0);
   for (const std::vector<std::string>& command : {std::vector<std::string>{"import", "carmen"},
                                                   {"eval", "relations"},
+                                                  {"map"},
                                                   {"sample"},
                                                   {"spy"},
                                                   {"completion"}}) {
@@ -79,6 +74,8 @@ TEST_F(AditCommand, WrongUseIsOneLineAndExitCodeTwo) {
         {"sample", at("x.txt")},
         {"import", "carmen", at("missing"), at("out")},
         {"sample", "/nonexistent/x.log"},
+        {"sample", at("x.log"), "--length-m", "0"},
+        {"map", at("missing"), "--out", at("map")},
         {"eval", "relations", at("missing"), at("missing")}}) {
     const Outcome outcome = adit(arguments);
     EXPECT_EQ(outcome.exit_code, 2);
@@ -101,6 +98,17 @@ TEST_F(AditCommand, ASampleIsTheSameTwiceAndCanBeImported) {
 
   ASSERT_EQ(adit({"sample", at("c.lcmlog"), "--seed", "2", "--half-degree"}).exit_code, 0);
   EXPECT_GT(contents("c.lcmlog").size(), contents("a.lcmlog").size());
+
+  ASSERT_EQ(adit({"sample", at("d.log"), "--length-m", "10"}).exit_code, 0);
+  EXPECT_THAT(contents("a.log"), StartsWith(contents("d.log")));
+}
+
+TEST_F(AditCommand, MapsASample) {
+  ASSERT_EQ(adit({"sample", at("a.log"), "--length-m", "10"}).exit_code, 0);
+  const Outcome outcome = adit({"map", at("a.log"), "--out", at("map")});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("63 scans over 10"));
+  EXPECT_THAT(contents("map/summary.json"), HasSubstr("\"total\": 63"));
 }
 
 TEST_F(AditCommand, ImportReportsWhatItSkips) {

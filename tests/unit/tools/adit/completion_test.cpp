@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/scratch_folder.hpp"
 #include "tools/adit/commands.hpp"
 
 namespace adit {
@@ -39,7 +40,6 @@ std::string output_of(const std::string& command) {
 class BashCompletion : public testing::Test {
  protected:
   BashCompletion() { std::ofstream(path_) << bash_completion(list_commands(*make_adit_app())); }
-  ~BashCompletion() override { std::filesystem::remove(path_); }
 
   /// What bash offers for the last of the words, one per line.
   std::string offered(const std::string& words) const {
@@ -47,7 +47,8 @@ class BashCompletion : public testing::Test {
                      "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _adit; echo ${COMPREPLY[@]}'");
   }
 
-  std::filesystem::path path_ = std::filesystem::path(testing::TempDir()) / "adit_completion.bash";
+  test::ScratchFolder folder_;
+  std::filesystem::path path_ = folder_ / "adit_completion.bash";
 };
 
 TEST(Completion, KnowsEveryCommandOfTheTree) {

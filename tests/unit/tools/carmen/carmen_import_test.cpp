@@ -12,6 +12,7 @@
 #include "common/messages/codec.hpp"
 #include "common/messages/laser_scan.hpp"
 #include "common/messages/wheel_odometry.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tools/carmen/carmen_text.hpp"
 
 namespace adit {
@@ -35,7 +36,7 @@ TEST(CarmenText, IsReadBackAsWritten) {
 }
 
 TEST(CarmenImport, PublishesOdometryThenScanWithTheirTimes) {
-  const std::filesystem::path folder = testing::TempDir();
+  const test::ScratchFolder folder;
   std::ofstream(folder / "adit_import.log") << flaser_line(example()) << "\n";
   const CarmenReport report =
       import_carmen(folder / "adit_import.log", folder / "adit_import.lcmlog", [](double) {});

@@ -12,6 +12,7 @@
 #include <zlib.h>
 
 #include "tests/support/recordings.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace adit {
 namespace {
@@ -20,9 +21,6 @@ using testing::ElementsAre;
 
 class CarmenReaderFile : public testing::Test {
  protected:
-  CarmenReaderFile() : path_(std::filesystem::path(testing::TempDir()) / unique_name()) {}
-  ~CarmenReaderFile() override { std::filesystem::remove(path_); }
-
   const std::filesystem::path& plain(const std::string& text) {
     std::ofstream(path_, std::ios::binary) << text;
     return path_;
@@ -35,13 +33,8 @@ class CarmenReaderFile : public testing::Test {
     return path_;
   }
 
-  std::filesystem::path path_;
-
- private:
-  static std::string unique_name() {
-    return std::string("adit_carmen_") +
-           testing::UnitTest::GetInstance()->current_test_info()->name() + ".log";
-  }
+  test::ScratchFolder folder_;
+  std::filesystem::path path_ = folder_ / "carmen.log";
 };
 
 std::string odom_lines(int count) {

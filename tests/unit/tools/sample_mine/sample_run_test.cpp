@@ -33,5 +33,15 @@ TEST(SampleRun, ComesFromItsSeed) {
   EXPECT_NE(first_scan(3), first_scan(4));
 }
 
+TEST(SampleRun, AShorterOneIsTheBeginning) {
+  constexpr double kLength = 20.0;
+  SampleRun whole(1);
+  SampleRun beginning(1, {}, kLength);
+  EXPECT_NEAR(path_length_m(beginning.truth()), kLength, 0.16);  // a step between two scans
+  EXPECT_LE(path_length_m(beginning.truth()), kLength);
+  while (const auto reading = beginning.next()) EXPECT_EQ(reading->scan, whole.next()->scan);
+  EXPECT_DOUBLE_EQ(beginning.fraction_done(), 1.0);
+}
+
 }  // namespace
 }  // namespace adit

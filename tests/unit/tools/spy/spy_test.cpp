@@ -10,6 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/scratch_folder.hpp"
+
 namespace adit {
 namespace {
 
@@ -21,14 +23,10 @@ using testing::HasSubstr;
 class SpyTest : public testing::Test {
  protected:
   SpyTest() {
-    const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
-    root_ = fs::path(testing::TempDir()) / (std::string("spy_") + test->name());
-    fs::remove_all(root_);
     fs::create_directories(root_ / "bin");
     fs::create_directories(root_ / "share/java");
     fs::create_directories(root_ / "tools");
   }
-  ~SpyTest() override { fs::remove_all(root_); }
 
   void install(const std::string& path) const {
     std::ofstream(root_ / path) << "#!/bin/sh\n";
@@ -48,7 +46,8 @@ class SpyTest : public testing::Test {
     return "no complaint";
   }
 
-  fs::path root_;
+  test::ScratchFolder folder_;
+  fs::path root_ = folder_.path();
 };
 
 TEST_F(SpyTest, PutsOurJarsOnTheClassPath) {

@@ -1,0 +1,22 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: The Adit authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# scan_matching_test.sh ADIT SCAN_MATCHING COMPARE_POSES
+# An imported log, played by lcm-logplayer to adit-scan_matching as a process of its own and recorded
+# by lcm-logger, gives the poses that `adit map` gives from the same log in one process.
+set -eu
+here=$(dirname "$(readlink -f "$0")")
+adit=$1; scan_matching=$2; compare_poses=$3
+kLengthM=60   # 75 s of driving, five scans a second
+kSpeed=6      # nothing is lost at thirty scans a second, on a slow or busy machine too
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+"$adit" sample "$scratch/mine.log" --length-m "$kLengthM"
+"$adit" import carmen "$scratch/mine.log" "$scratch/mine.lcmlog"
+"$adit" map "$scratch/mine.lcmlog" --out "$scratch/offline"
+"$here/in_private_network.sh" "$here/record_node.sh" "$scratch/mine.lcmlog" "$kSpeed" \
+  "$scratch/recorded.lcmlog" "$scan_matching"
+"$compare_poses" "$scratch/offline/run.lcmlog" "$scratch/recorded.lcmlog"

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The same log, configuration and build give the same bytes.
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/event_source.hpp"
+#include "common/messages/codec.hpp"
+#include "common/messages/pose.hpp"
+#include "tests/replay/map_fixture.hpp"
+#include "tools/eval/tum.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kLength = 60.0;
+
+/// The messages on POSE.
+Trajectory poses_in(const std::filesystem::path& path) {
+  Trajectory trajectory;
+  LogFile log(path);
+  while (const auto event = log.next()) {
+    if (event->channel != channels::kPose) continue;
+    const auto pose = from_message(*decode<pose_t>(event->data));
+    trajectory.push_back({pose->utime, pose->T_odom_body});
+  }
+  return trajectory;
+}
+
+class Determinism : public MapRunTest {
+ protected:
+  void expect_same_bytes(const std::string& folder, const std::string& other) const {
+    for (const std::string name : {"/trajectory.tum", "/run.lcmlog", "/map.pgm", "/map.png"}) {
+      EXPECT_FALSE(contents(folder + name).empty());
+      EXPECT_TRUE(contents(folder + name) == contents(other + name)) << name;
+    }
+  }
+};
+
+class DeterminismOf : public Determinism,
+                      public testing::WithParamInterface<std::tuple<const char*, bool>> {
+ protected:
+  const std::string log_ = std::get<0>(GetParam());
+  const Odometry odometry_ = std::get<1>(GetParam()) ? Odometry::kUsed : Odometry::kLeftOut;
+};
+
+TEST_P(DeterminismOf, TheSameLogGivesTheSameBytesTwice) {
+  write_sample(log_, kLength);
+  map(at(log_), "once", odometry_);
+  map(at(log_), "twice", odometry_);
+  expect_same_bytes("once", "twice");
+}
+
+TEST_P(DeterminismOf, TheRecordOfARunGivesTheSameRun) {
+  write_sample(log_, kLength);
+  map(at(log_), "once", odometry_);
+  map(at("once/run.lcmlog"), "again", odometry_);
+  EXPECT_TRUE(contents("once/trajectory.tum") == contents("again/trajectory.tum"));
+  EXPECT_TRUE(contents("once/run.lcmlog") == contents("again/run.lcmlog"));
+  EXPECT_EQ(poses_in(at("once/run.lcmlog")), poses_in(at("again/run.lcmlog")));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Logs, DeterminismOf,
+    testing::Combine(testing::Values("sample.lcmlog", "sample.log"), testing::Bool()),
+    [](const auto& instance) {
+      const bool carmen = std::get<0>(instance.param) == std::string("sample.log");
+      return std::string(carmen ? "Carmen" : "Lcm") +
+             (std::get<1>(instance.param) ? "WithOdometry" : "WithoutOdometry");
+    });
+
+TEST_F(Determinism, TheSpellingOfALogDoesNotMatter) {
+  write_sample("sample.lcmlog", kLength);
+  write_sample("sample.log", kLength);
+  // CARMEN text keeps a range to the centimetre, as the laser does, but not all digits of odometry.
+  map(at("sample.lcmlog"), "lcm", Odometry::kLeftOut);
+  map(at("sample.log"), "carmen", Odometry::kLeftOut);
+  EXPECT_TRUE(contents("lcm/trajectory.tum") == contents("carmen/trajectory.tum"));
+}
+
+TEST_F(Determinism, TheTrajectoryIsWhatWasPublished) {
+  write_sample("sample.lcmlog", kLength);
+  map(at("sample.lcmlog"), "map");
+  const Trajectory written = read_tum(at("map/trajectory.tum"));
+  const Trajectory published = poses_in(at("map/run.lcmlog"));
+  ASSERT_EQ(written.size(), published.size());
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    EXPECT_EQ(written[i].utime, published[i].utime);
+    const Pose2 error = between(written[i].pose, published[i].pose);
+    EXPECT_LT(error.translation().norm(), 1e-5);  // digits of the text
+    EXPECT_NEAR(error.theta, 0.0, 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace adit

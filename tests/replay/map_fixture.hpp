@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/scratch_folder.hpp"
+#include "tools/map/map_run.hpp"
+#include "tools/sample_mine/sample_log.hpp"
+
+namespace adit {
+
+/// Runs the whole pipeline on logs of the sample mine, each test in a folder of its own.
+class MapRunTest : public testing::Test {
+ protected:
+  enum class Odometry { kUsed, kLeftOut };
+
+  /// Writes the beginning of a drive through the mine; gives where the robot truly was.
+  Trajectory write_sample(const std::string& name, double length_m) const {
+    SampleRun run(1, {}, length_m);
+    write_sample_log(run, scratch_ / name);
+    return run.truth();
+  }
+
+  MapRunResult map(const std::filesystem::path& input, const std::string& folder,
+                   Odometry odometry = Odometry::kUsed,
+                   const std::filesystem::path& config = {}) const {
+    return run_map({input, scratch_ / folder, config, odometry == Odometry::kUsed},
+                   [](const std::string&, double) {});
+  }
+
+  [[nodiscard]] std::filesystem::path at(const std::string& name) const { return scratch_ / name; }
+  [[nodiscard]] std::string contents(const std::string& name) const {
+    return test::contents(scratch_ / name);
+  }
+
+ private:
+  test::ScratchFolder scratch_;
+};
+
+}  // namespace adit

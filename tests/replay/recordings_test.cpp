@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Real recordings against hand-verified relations: the accuracy that this project has promised for
+// scan matching without loop closing, and what others publish (docs/results/scan_matching.md).
+#include "tests/support/recordings.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/replay/map_fixture.hpp"
+#include "tools/eval/relations.hpp"
+#include "tools/eval/tum.hpp"
+
+namespace adit {
+namespace {
+
+struct Promise {
+  std::string name;
+  std::string log;
+  std::string relations;
+  double with_odometry_m;     // mean translational error
+  double without_odometry_m;  // the published mean with odometry, or less
+};
+
+void PrintTo(const Promise& promise, std::ostream* out) { *out << promise.name; }
+
+class Recording : public MapRunTest, public testing::WithParamInterface<Promise> {
+ protected:
+  double mean_error_m(const std::filesystem::path& log, const std::filesystem::path& relations,
+                      Odometry odometry) const {
+    map(log, "map", odometry);
+    return score_relations(read_relations(relations), read_tum(at("map/trajectory.tum")))
+        .translation_m.mean;
+  }
+};
+
+TEST_P(Recording, AgreesWithItsRelations) {
+  ADIT_RECORDING_OR_SKIP(log, GetParam().log);
+  ADIT_RECORDING_OR_SKIP(relations, GetParam().relations);
+  EXPECT_LE(mean_error_m(log, relations, Odometry::kUsed), GetParam().with_odometry_m);
+  EXPECT_LE(mean_error_m(log, relations, Odometry::kLeftOut), GetParam().without_odometry_m);
+}
+
+INSTANTIATE_TEST_SUITE_P(Laser2d, Recording,
+                         testing::Values(Promise{"Csail", "laser2d/csail_raw.log.gz",
+                                                 "laser2d/csail.relations", 0.10, 0.15},
+                                         Promise{"Intel", "laser2d/intel_raw.log.gz",
+                                                 "laser2d/intel.relations", 0.15, 0.22},
+                                         Promise{"Fr079", "laser2d/fr079_chain.log.gz",
+                                                 "laser2d/fr079.relations", 0.10, 0.26}),
+                         [](const auto& instance) { return instance.param.name; });
+
+}  // namespace
+}  // namespace adit

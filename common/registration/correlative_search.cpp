@@ -168,10 +168,10 @@ class Search {
   }
 
   [[nodiscard]] Block bounded(int level, int a, int x, int y) const {
-    const std::uint8_t* values =
-        grid_.values(level) + (y >> level) * grid_.side(level) + (x >> level);
+    const std::uint8_t* values = grid_.values(level);
+    const int shift = (y >> level) * grid_.side(level) + (x >> level);
     int bound = 0;
-    for (const int cell : turned_[a][level]) bound += values[cell];
+    for (const int cell : turned_[a][level]) bound += values[cell + shift];
     return {bound, level, a, x, y};
   }
 

@@ -22,7 +22,8 @@ bool normals_agree(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 
 }  // namespace
 
-SurfelMap::SurfelMap(const SurfelMapParams& params) : params_(params), heads_(kSide * kSide, -1) {}
+SurfelMap::SurfelMap(const SurfelMapParams& params)
+    : params_(params), heads_(std::size_t{kSide} * kSide, -1) {}
 
 void SurfelMap::clear() {
   surfels_.clear();

@@ -11,29 +11,40 @@ namespace adit {
 namespace {
 
 constexpr double kClutterWeight = 0.1;  // which point of the clutter was hit is chance
-
-constexpr double kSharedPoints = 2.5;  // neighbouring normals are fitted to common points
+constexpr double kSharedPoints = 2.5;   // neighbouring normals are fitted to common points
 constexpr double kUnitVariance = 2.0 * 0.01 * 0.01;  // [m²] of a good point on a good surfel
+constexpr double kVarianceMin = 1e-6;                // [m²]
+constexpr double kNarrowing = 0.5;                   // of the kernel, from one width to the next
+constexpr double kSettled = 0.1;      // a step below this share of the width has settled at it
+constexpr double kCaptureMin = 0.25;  // [m]
 
-/// What goes with a residual: its weight, its variance [m²], what share of a point it stands for,
-/// and how uncertain the direction is in which it was taken.
-struct Row {
-  double weight;
-  double variance;
-  double share;
-  double normal_variance;
+/// A distance along a normal, and what goes with it.
+struct Residual {
+  double distance;         ///< [m]
+  double variance;         ///< of it [m²]
+  double weight;           ///< against other points
+  double share;            ///< of a point that it stands for
+  double normal_variance;  ///< of the direction in which it was taken [rad²]
 };
 
-struct Normals {
+/// The normal equations of one iteration, and what they tell of the match. Residuals are in units
+/// of a good point's: divided by their standard deviation, times that of a good point.
+struct NormalEquations {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d spurious = Eigen::Matrix3d::Zero();
-  double weighted_squares = 0.0;
+  Eigen::Matrix3d spurious = Eigen::Matrix3d::Zero();  ///< part of H that normals may feign
   double weights = 0.0;
+  double weighted_squares = 0.0;
   int corresponding = 0;
   double inliers = 0.0;
   double inlier_squares = 0.0;
   double closeness = 0.0;
+
+  /// Variance of a good point's residual, as found.
+  [[nodiscard]] double unit_variance(double sd_min) const {
+    const double found = weights > 0.0 ? weighted_squares / weights : 0.0;
+    return std::max(found, sd_min * sd_min);
+  }
 };
 
 /// Rows of the Jacobian are taken with respect to a small motion (x, y, θ) in the body frame:
@@ -50,21 +61,22 @@ class Accumulator {
     if (q == nullptr) return;
     ++sums_.corresponding;
     const Eigen::Vector2d d = p_odom - q->p;
+    const double variance = std::max(q->variance + point.variance, kVarianceMin);
     if (q->has_normal()) {
-      add_row(point.p, rotate_back(q->normal), q->normal.dot(d),
-              {point.weight, q->variance + point.variance, 1.0, q->normal_variance});
+      add_row(point.p, rotate_back(q->normal),
+              {q->normal.dot(d), variance, point.weight, 1.0, q->normal_variance});
     } else if (point.has_normal()) {
-      add_row(point.p, point.normal, n_odom.dot(d),
-              {point.weight, q->variance + point.variance, 1.0, point.normal_variance});
+      add_row(point.p, point.normal,
+              {n_odom.dot(d), variance, point.weight, 1.0, point.normal_variance});
     } else {
       const Eigen::Vector2d d_body = rotate_back(d);
-      const Row row{kClutterWeight * point.weight, q->variance + point.variance, 0.5, 0.0};
-      add_row(point.p, Eigen::Vector2d::UnitX(), d_body.x(), row);
-      add_row(point.p, Eigen::Vector2d::UnitY(), d_body.y(), row);
+      const double weight = kClutterWeight * point.weight;
+      add_row(point.p, Eigen::Vector2d::UnitX(), {d_body.x(), variance, weight, 0.5, 0.0});
+      add_row(point.p, Eigen::Vector2d::UnitY(), {d_body.y(), variance, weight, 0.5, 0.0});
     }
   }
 
-  [[nodiscard]] const Normals& sums() const { return sums_; }
+  [[nodiscard]] const NormalEquations& sums() const { return sums_; }
 
  private:
   [[nodiscard]] Eigen::Vector2d rotate(const Eigen::Vector2d& v) const {
@@ -74,24 +86,24 @@ class Accumulator {
     return {c_ * v.x() + s_ * v.y(), -s_ * v.x() + c_ * v.y()};
   }
 
-  void add_row(const Eigen::Vector2d& p, const Eigen::Vector2d& n, double residual,
-               const Row& row) {
-    const double unit = residual * std::sqrt(kUnitVariance / std::max(row.variance, 1e-6));
-    const double u = unit / scale_;
+  void add_row(const Eigen::Vector2d& p, const Eigen::Vector2d& n, const Residual& r) {
+    const double to_unit = std::sqrt(kUnitVariance / r.variance);
+    const double residual = r.distance * to_unit;
+    const double u = residual / scale_;
     const double kernel = 1.0 / ((1.0 + u * u) * (1.0 + u * u));  // Geman-McClure
-    const double w = row.weight * kernel * kUnitVariance / std::max(row.variance, 1e-6);
+    const double w = r.weight * kernel * to_unit * to_unit;
     const Eigen::Vector3d J(n.x(), n.y(), p.x() * n.y() - p.y() * n.x());
     sums_.H.noalias() += w * J * J.transpose();
-    sums_.g += w * residual * J;
+    sums_.g += w * r.distance * J;
     // The same row if the normal were turned a quarter: what its error lets through.
     const Eigen::Vector3d K(-n.y(), n.x(), p.x() * n.x() + p.y() * n.y());
-    sums_.spurious.noalias() += kSharedPoints * w * row.normal_variance * K * K.transpose();
-    sums_.weighted_squares += row.weight * kernel * unit * unit;
-    sums_.weights += row.weight * kernel;
-    sums_.closeness += row.share / (1.0 + u * u);
+    sums_.spurious.noalias() += kSharedPoints * w * r.normal_variance * K * K.transpose();
+    sums_.weights += r.weight * kernel;
+    sums_.weighted_squares += r.weight * kernel * residual * residual;
+    sums_.closeness += r.share / (1.0 + u * u);
     if (std::abs(u) < 2.0) {
-      sums_.inliers += row.share;
-      sums_.inlier_squares += row.share * unit * unit;
+      sums_.inliers += r.share;
+      sums_.inlier_squares += r.share * residual * residual;
     }
   }
 
@@ -99,19 +111,37 @@ class Accumulator {
   double s_;
   Pose2 T_;
   double scale_;
-  Normals sums_;
+  NormalEquations sums_;
 };
 
-Normals linearise(const std::vector<SurfacePoint>& points, const SurfelMap& reference,
-                  const Pose2& T, double scale, double capture) {
+NormalEquations linearise(const std::vector<SurfacePoint>& points, const SurfelMap& reference,
+                          const Pose2& T, double scale, double capture) {
   Accumulator accumulator(T, scale);
   for (const auto& point : points) accumulator.add(point, reference, capture);
   return accumulator.sums();
 }
 
-double residual_variance(const Normals& sums, double sd_min) {
-  const double variance = sums.weights > 0 ? sums.weighted_squares / sums.weights : 0.0;
-  return std::max(variance, sd_min * sd_min);
+/// The Gauss-Newton step of match and prior together, in the body frame.
+Eigen::Vector3d solve(const NormalEquations& sums, const PosePrior& prior, const Pose2& T,
+                      double sd_min) {
+  const double precision = 1.0 / sums.unit_variance(sd_min);
+  const Eigen::Vector3d off = between(prior.T_odom_body, T).vector();
+  // A grain of damping keeps an unconstrained direction where it is.
+  const Eigen::Matrix3d damping = Eigen::Matrix3d::Identity() * 1e-6 * precision;
+  const Eigen::Matrix3d A = precision * sums.H + prior.information + damping;
+  return -A.ldlt().solve(precision * sums.g + prior.information * off);
+}
+
+void describe(const NormalEquations& sums, std::size_t points, double sd_min,
+              PointToLineResult& result) {
+  const double precision = 1.0 / sums.unit_variance(sd_min);
+  const auto n = static_cast<double>(points);
+  result.information = precision * sums.H;
+  result.spurious = precision * sums.spurious;
+  result.overlap = sums.corresponding / n;
+  result.inlier_share = sums.inliers / n;
+  result.closeness = sums.closeness / n;
+  result.rms_residual_m = sums.inliers > 0.0 ? std::sqrt(sums.inlier_squares / sums.inliers) : 0.0;
 }
 
 }  // namespace
@@ -122,35 +152,22 @@ PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_bo
   PointToLineResult result;
   result.T_odom_body = start;
   if (points_body.empty() || reference.empty()) return result;
+  const double sd_min = params.residual_sd_min_m;
   double scale = std::max(params.scale_start_m, params.scale_end_m);
-  Normals sums;
-  for (result.iterations = 1; result.iterations <= params.iterations_max; ++result.iterations) {
-    const double capture = std::min(params.capture_m, std::max(2.5 * scale, 0.25));
+  NormalEquations sums;
+  while (result.iterations < params.iterations_max && !result.converged) {
+    ++result.iterations;
+    const double capture = std::min(params.capture_m, std::max(2.5 * scale, kCaptureMin));
     sums = linearise(points_body, reference, result.T_odom_body, scale, capture);
     if (sums.corresponding < 3) return result;
-    const double precision = 1.0 / residual_variance(sums, params.residual_sd_min_m);
-    const Eigen::Vector3d off = between(prior.T_odom_body, result.T_odom_body).vector();
-    // A grain of damping keeps an unconstrained direction where it is.
-    const Eigen::Matrix3d damping = Eigen::Matrix3d::Identity() * 1e-6 * precision;
-    const Eigen::Matrix3d A = precision * sums.H + prior.information + damping;
-    const Eigen::Vector3d step = -A.ldlt().solve(precision * sums.g + prior.information * off);
+    const Eigen::Vector3d step = solve(sums, prior, result.T_odom_body, sd_min);
     result.T_odom_body = result.T_odom_body * Pose2::from_vector(step);
-    if (scale <= params.scale_end_m && step.norm() < params.done_m) {
-      result.converged = true;
-      break;
-    }
+    result.converged = scale <= params.scale_end_m && step.norm() < params.done_m;
     // Narrow only once the match has settled at this width: a match that still moves would lose
     // the few points that drive it.
-    if (step.norm() < 0.1 * scale) scale = std::max(0.5 * scale, params.scale_end_m);
+    if (step.norm() < kSettled * scale) scale = std::max(kNarrowing * scale, params.scale_end_m);
   }
-  result.iterations = std::min(result.iterations, params.iterations_max);
-  const double precision = 1.0 / residual_variance(sums, params.residual_sd_min_m);
-  result.information = precision * sums.H;
-  result.spurious = precision * sums.spurious;
-  result.overlap = static_cast<double>(sums.corresponding) / points_body.size();
-  result.inlier_share = sums.inliers / points_body.size();
-  result.closeness = sums.closeness / points_body.size();
-  result.rms_residual_m = sums.inliers > 0 ? std::sqrt(sums.inlier_squares / sums.inliers) : 0.0;
+  describe(sums, points_body.size(), sd_min, result);
   return result;
 }
 

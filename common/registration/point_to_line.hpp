@@ -49,7 +49,7 @@ struct PointToLineResult {
   double overlap = 0.0;         ///< share of the points with a correspondence
   double inlier_share = 0.0;    ///< share of the points that agree with the reference
   double closeness = 0.0;       ///< mean over all points, 1 on the reference, 0 far from it
-  double rms_residual_m = 0.0;  ///< of the inliers
+  double rms_residual_m = 0.0;  ///< of the inliers, as of good points near by
   int iterations = 0;
   bool converged = false;
 };

@@ -13,6 +13,7 @@
 #include <lcm/lcm-cpp.hpp>
 #include <poll.h>
 
+#include "common/bus/lcm_url.hpp"
 #include "common/bus/transport_check.hpp"
 
 namespace adit {
@@ -27,7 +28,8 @@ constexpr int kIdleTimeoutMs = 1000;
 }  // namespace
 
 LcmBus::LcmBus(const LcmBusOptions& options)
-    : lcm_(std::make_unique<lcm::LCM>(options.url)), dispatcher_(options.max_message_bytes) {
+    : lcm_(std::make_unique<lcm::LCM>(complete_lcm_url(options.url))),
+      dispatcher_(options.max_message_bytes) {
   if (!lcm_->good()) throw std::runtime_error(why_no_lcm(options.url));
 }
 

@@ -7,10 +7,10 @@
 #include <iterator>
 #include <sstream>
 
+#include "common/bus/lcm_url.hpp"
+
 namespace adit {
 namespace {
-
-constexpr std::int64_t kEnoughBytes = 2 << 20;  // holds a message of 1 MB while a process is busy
 
 bool is_multicast(const std::string& url) { return url.empty() || url.starts_with("udpm:"); }
 
@@ -34,11 +34,12 @@ std::string why_no_lcm(const std::string& url) {
 std::optional<std::string> buffer_advice(const std::string& url) {
   constexpr const char* kPath = "/proc/sys/net/core/rmem_max";
   std::int64_t bytes = 0;
-  if (!is_multicast(url) || !(std::ifstream(kPath) >> bytes) || bytes >= kEnoughBytes) {
+  if (!is_multicast(url) || !(std::ifstream(kPath) >> bytes) || bytes >= kReceiveBufferBytes) {
     return std::nullopt;
   }
   return "receive buffers of " + std::to_string(bytes) +
-         " bytes lose large messages, try: sudo sysctl -w net.core.rmem_max=4194304";
+         " bytes lose large messages, try: sudo sysctl -w net.core.rmem_max=" +
+         std::to_string(kReceiveBufferBytes) + " (to stay: deploy/sysctl/60-adit-lcm.conf)";
 }
 
 bool routes_multicast(std::string_view proc_net_route) {

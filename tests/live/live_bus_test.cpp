@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "common/bus/lcm_bus.hpp"
+#include "common/bus/lcm_url.hpp"
 
 namespace adit {
 namespace {
@@ -62,6 +63,28 @@ TEST_F(LiveBus, CarriesAMessageOfManyFragments) {
   }
   ASSERT_TRUE(arrived());
   EXPECT_EQ(kept_[0], large);
+}
+
+/// What the kernel lets a socket hold.
+int largest_receive_buffer() {
+  const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
+  int bytes = static_cast<int>(kReceiveBufferBytes);
+  socklen_t size = sizeof(bytes);
+  setsockopt(socket, SOL_SOCKET, SO_RCVBUF, &bytes, size);
+  getsockopt(socket, SOL_SOCKET, SO_RCVBUF, &bytes, &size);
+  close(socket);
+  return bytes;
+}
+
+TEST_F(LiveBus, LosesNoPartOfAMegabyteWhereTheKernelHoldsIt) {
+  if (largest_receive_buffer() < kReceiveBufferBytes) {
+    GTEST_SKIP() << "net.core.rmem_max is small; see deploy/sysctl";
+  }
+  receiver_.subscribe("CLOUD", Delivery::queued(100), keep());
+  const Bytes large(1'000'000, 7);
+  sender_.publish("CLOUD", large);  // while nobody receives
+  receive_until([&] { return !kept_.empty(); });
+  EXPECT_EQ(kept_.at(0), large);
 }
 
 TEST_F(LiveBus, KeepsTheNewestStateOverAStall) {

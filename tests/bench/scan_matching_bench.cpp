@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Scan matching over whole logs. An iteration is a log; the counters are what counts: milliseconds
+// for a scan, mean and 99th percentile (of all scans of all iterations).
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include "procs/scan_matching/scan_matching.hpp"
+#include "tests/bench/readings.hpp"
+#include "tests/support/recordings.hpp"
+
+namespace adit {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+enum class Odometry { kUsed, kLeftOut };
+
+void match_log(const Readings& readings, Odometry odometry, std::vector<double>& scan_ms) {
+  ScanMatching scan_matching{ScanMatchingParams{}};
+  for (const auto& reading : readings) {
+    if (const auto* scan = std::get_if<LaserScan>(&reading)) {
+      const auto start = Clock::now();
+      benchmark::DoNotOptimize(scan_matching.add_scan(LaserId::kFront, *scan));
+      scan_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    } else if (odometry == Odometry::kUsed) {
+      scan_matching.add(std::get<WheelOdometry>(reading));
+    }
+  }
+}
+
+void measure(benchmark::State& state, const Readings& readings, Odometry odometry) {
+  std::vector<double> scan_ms;
+  for (auto _ : state) match_log(readings, odometry, scan_ms);
+  const auto n = static_cast<double>(scan_ms.size());
+  const auto p99 = scan_ms.begin() + static_cast<std::ptrdiff_t>(0.99 * (n - 1.0));
+  std::nth_element(scan_ms.begin(), p99, scan_ms.end());
+  state.counters["scans"] = n / static_cast<double>(state.iterations());
+  state.counters["mean_ms"] = std::accumulate(scan_ms.begin(), scan_ms.end(), 0.0) / n;
+  state.counters["p99_ms"] = *p99;
+}
+
+void match_sample(benchmark::State& state, const LaserModel& laser, Odometry odometry) {
+  measure(state, sample_readings(laser), odometry);
+}
+
+void match_recording(benchmark::State& state, const std::string& name, Odometry odometry) {
+  const auto path = test::find_recording("laser2d/" + name);
+  if (!path) return state.SkipWithError("no such recording here; set ADIT_DATA");
+  measure(state, recorded_readings(*path), odometry);
+}
+
+#define ADIT_BENCH_LOG(function, name, log)                                \
+  BENCHMARK_CAPTURE(function, name##_with_odometry, log, Odometry::kUsed)  \
+      ->Unit(benchmark::kMillisecond);                                     \
+  BENCHMARK_CAPTURE(function, name##_laser_alone, log, Odometry::kLeftOut) \
+      ->Unit(benchmark::kMillisecond)
+
+ADIT_BENCH_LOG(match_sample, mine_181_beams, LaserModel{});
+ADIT_BENCH_LOG(match_sample, mine_361_beams, half_degree_laser());
+ADIT_BENCH_LOG(match_recording, intel_180_beams, "intel_raw.log.gz");
+ADIT_BENCH_LOG(match_recording, csail_361_beams, "csail_raw.log.gz");
+ADIT_BENCH_LOG(match_recording, fr079_360_beams, "fr079_chain.log.gz");
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/eval/evaluation.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/scratch_folder.hpp"
+#include "tools/eval/tum.hpp"
+#include "tools/map/map_run.hpp"
+
+namespace adit {
+namespace {
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Evaluation read_results(const std::filesystem::path& folder) {
+  const auto summary = nlohmann::json::parse(test::contents(folder / "summary.json"));
+  Evaluation result;
+  result.trajectory = read_tum(folder / "trajectory.tum");
+  result.scans = result.trajectory.size();
+  result.lost = summary.at("scans").at("lost");
+  result.searched = summary.at("scans").at("searched");
+  result.degenerate = summary.at("scans").at("degenerate");
+  for (const auto& stretch : summary.at("unobserved_stretches")) {
+    if (stretch.at("what") != "degenerate") continue;
+    ++result.degenerate_stretches;
+    result.degenerate_m += stretch.at("length_m").get<double>();
+  }
+  result.scan_ms = summary.at("ms_per_scan").at("mean");
+  result.scan_p99_ms = summary.at("ms_per_scan").at("p99");
+  return result;
+}
+
+}  // namespace
+
+Evaluation evaluate(const std::filesystem::path& log, bool use_odometry, int runs) {
+  const test::ScratchFolder scratch;
+  Evaluation result;
+  std::vector<double> means_ms;
+  std::vector<double> p99s_ms;
+  for (int i = 0; i < runs; ++i) {
+    run_map({log, scratch / "run", {}, use_odometry}, [](const std::string&, double) {});
+    const Evaluation run = read_results(scratch / "run");
+    if (i == 0) result = run;
+    if (run.trajectory != result.trajectory) {
+      throw std::runtime_error(log.string() + ": not the same trajectory twice");
+    }
+    means_ms.push_back(run.scan_ms);
+    p99s_ms.push_back(run.scan_p99_ms);
+  }
+  result.scan_ms = median(means_ms);
+  result.scan_p99_ms = median(p99s_ms);
+  return result;
+}
+
+}  // namespace adit

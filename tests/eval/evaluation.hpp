@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+#include "tools/eval/trajectory.hpp"
+
+namespace adit {
+
+/// What `adit map` made of a log, over several runs.
+struct Evaluation {
+  Trajectory trajectory;
+  std::size_t scans = 0;
+  std::size_t lost = 0;
+  std::size_t searched = 0;
+  std::size_t degenerate = 0;  ///< scans that left a direction open
+  std::size_t degenerate_stretches = 0;
+  double degenerate_m = 0.0;  ///< length of these stretches together
+  double scan_ms = 0.0;       ///< mean of a run, median of the runs
+  double scan_p99_ms = 0.0;   ///< 99th percentile of a run, median of the runs
+};
+
+/// Runs the pipeline `runs` times on a log, in a folder that is gone afterwards. Throws
+/// std::runtime_error where the runs do not all give the same trajectory.
+Evaluation evaluate(const std::filesystem::path& log, bool use_odometry, int runs);
+
+}  // namespace adit

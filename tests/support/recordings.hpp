@@ -19,4 +19,4 @@ std::optional<std::filesystem::path> find_recording(std::string_view name);
 #define ADIT_RECORDING_OR_SKIP(variable, name)                                           \
   const auto variable##_found = adit::test::find_recording(name);                        \
   if (!variable##_found) GTEST_SKIP() << "no recording " << (name) << "; set ADIT_DATA"; \
-  const auto variable = *variable##_found
+  const std::filesystem::path& variable = *variable##_found  // NOLINT(bugprone-macro-parentheses)

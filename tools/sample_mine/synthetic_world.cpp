@@ -146,16 +146,21 @@ void SyntheticWorld::sort_into_cells() {
            col <= cell_index(std::max(a.x(), b.x()) + 1e-6); ++col) {
         const Eigen::Vector2d centre = kCellSize * Eigen::Vector2d(col + 0.5, row + 0.5);
         if (distance_to(centre, {a, b}) > reach) continue;
-        cells_[static_cast<std::size_t>(row * columns_ + col)].push_back(static_cast<int>(i));
+        cells_[index(col, row)].push_back(static_cast<int>(i));
       }
     }
   }
 }
 
+std::size_t SyntheticWorld::index(int column, int row) const {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+         static_cast<std::size_t>(column);
+}
+
 const std::vector<int>& SyntheticWorld::cell(int column, int row) const {
   static const std::vector<int> kNone;
   if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return kNone;
-  return cells_[static_cast<std::size_t>(row * columns_ + column)];
+  return cells_[index(column, row)];
 }
 
 }  // namespace adit

@@ -33,6 +33,7 @@ class SyntheticWorld {
 
  private:
   void sort_into_cells();
+  [[nodiscard]] std::size_t index(int column, int row) const;
   [[nodiscard]] const std::vector<int>& cell(int column, int row) const;
 
   std::vector<Segment> walls_;

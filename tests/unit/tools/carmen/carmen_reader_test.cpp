@@ -17,6 +17,7 @@
 namespace adit {
 namespace {
 
+using std::string_literals::operator""s;
 using testing::ElementsAre;
 
 class CarmenReaderFile : public testing::Test {
@@ -115,13 +116,13 @@ TEST_F(CarmenReaderFile, SkipsALineOfMegabytes) {
 }
 
 TEST_F(CarmenReaderFile, SurvivesBytesThatAreNoText) {
-  CarmenReader reader(plain(std::string("\0\xff\x01 FLASER\0\n\n\nODOM \0 1\n", 24)));
+  CarmenReader reader(plain("\xff\x01 FLASER"s + '\0' + "\n\n\nODOM "s + '\0' + " 1\n"));
   EXPECT_EQ(count_records(reader), 0);
 }
 
 TEST(CarmenReader, RefusesAFileThatIsNotThere) {
-  EXPECT_THROW(CarmenReader("/nonexistent.log"), std::runtime_error);
-  EXPECT_THROW(CarmenReader(testing::TempDir()), std::runtime_error);
+  EXPECT_THROW(CarmenReader{"/nonexistent.log"}, std::runtime_error);
+  EXPECT_THROW(CarmenReader{testing::TempDir()}, std::runtime_error);
 }
 
 TEST(CarmenReader, ReadsTheRecordings) {

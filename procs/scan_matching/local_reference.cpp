@@ -6,6 +6,11 @@
 #include <utility>
 
 namespace adit {
+namespace {
+
+constexpr double kForgetEachM = 1.0;  // forgetting goes over all surfels
+
+}  // namespace
 
 double LocalReference::contradiction_share(const Sighting& sighting,
                                            const Pose2& T_odom_body) const {
@@ -30,7 +35,10 @@ void LocalReference::remember(Sighting sighting, const Pose2& T_odom_body, doubl
                      std::abs(moved.theta) >= params_.keyframe_angle_rad;
     if (!far) return;
   }
-  surfels_.forget_before(odometer_m - params_.memory_m);
+  if (odometer_m >= forget_at_m_) {
+    surfels_.forget_before(odometer_m - params_.memory_m);
+    forget_at_m_ = odometer_m + kForgetEachM;
+  }
   insert(std::move(sighting), T_odom_body, odometer_m);
 }
 

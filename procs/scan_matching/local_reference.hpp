@@ -74,6 +74,7 @@ class LocalReference {
   LocalReferenceParams params_;
   SurfelMap surfels_;
   std::map<LaserId, Keyframe> keyframes_;
+  double forget_at_m_ = 0.0;  ///< odometer at which to forget next
 };
 
 }  // namespace adit

@@ -20,5 +20,5 @@ std::optional<std::filesystem::path> find_recording(std::string_view name);
 #define ADIT_RECORDING_OR_SKIP(variable, name)                                           \
   const auto variable##_found = adit::test::find_recording(name);                        \
   if (!variable##_found) GTEST_SKIP() << "no recording " << (name) << "; set ADIT_DATA"; \
-  const auto variable = *variable##_found
+  const auto& variable = *variable##_found
 // NOLINTEND(bugprone-macro-parentheses)

@@ -36,7 +36,7 @@ struct SearchWindow {
 };
 
 struct CorrelationPeak {
-  Pose2 T_odom_body;   ///< to within half a cell and half an angle step
+  Pose2 T_odom_body;   ///< to a cell or two and an angle step: a start for refinement, not a result
   double score = 0.0;  ///< in [0, 1]: mean closeness of the points to the reference
 };
 

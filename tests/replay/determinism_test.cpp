@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The same log, configuration and build give the same bytes.
+#include <string>
 #include <tuple>
 
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ class Determinism : public MapRunTest {
 };
 
 class DeterminismOf : public Determinism,
-                      public testing::WithParamInterface<std::tuple<const char*, bool>> {
+                      public testing::WithParamInterface<std::tuple<std::string, bool>> {
  protected:
   const std::string log_ = std::get<0>(GetParam());
   const Odometry odometry_ = std::get<1>(GetParam()) ? Odometry::kUsed : Odometry::kLeftOut;
@@ -62,14 +63,16 @@ TEST_P(DeterminismOf, TheRecordOfARunGivesTheSameRun) {
   EXPECT_EQ(poses_in(at("once/run.lcmlog")), poses_in(at("again/run.lcmlog")));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Logs, DeterminismOf,
-    testing::Combine(testing::Values("sample.lcmlog", "sample.log"), testing::Bool()),
-    [](const auto& instance) {
-      const bool carmen = std::get<0>(instance.param) == std::string("sample.log");
-      return std::string(carmen ? "Carmen" : "Lcm") +
-             (std::get<1>(instance.param) ? "WithOdometry" : "WithoutOdometry");
-    });
+INSTANTIATE_TEST_SUITE_P(Logs, DeterminismOf,
+                         testing::Combine(testing::Values(std::string("sample.lcmlog"),
+                                                          std::string("sample.log")),
+                                          testing::Bool()),
+                         [](const auto& instance) {
+                           const bool carmen = std::get<0>(instance.param) == "sample.log";
+                           return std::string(carmen ? "Carmen" : "Lcm") +
+                                  (std::get<1>(instance.param) ? "WithOdometry"
+                                                               : "WithoutOdometry");
+                         });
 
 TEST_F(Determinism, TheSpellingOfALogDoesNotMatter) {
   write_sample("sample.lcmlog", kLength);

@@ -129,13 +129,14 @@ TEST_F(MapRun, WritesAMapAsMapServerReadsIt) {
     const int column = static_cast<int>(std::floor((at.pose.x - x_m) / resolution_m));
     const int row = static_cast<int>(std::floor((at.pose.y - y_m) / resolution_m));
     ASSERT_TRUE(column >= 0 && column < columns && row >= 0 && row < rows);
-    const auto cell = static_cast<std::size_t>((rows - 1 - row) * columns + column);
+    const auto cell = static_cast<std::size_t>(rows - 1 - row) * static_cast<std::size_t>(columns) +
+                      static_cast<std::size_t>(column);
     EXPECT_EQ(cells[cell], '\xFE') << "the robot drove where the map is not free";
   }
 }
 
 TEST_F(MapRun, RefusesBadInputInOneLine) {
-  const std::string garbage = "\x01\xED garbage \xFF\xFE that is neither\0text nor log \n\n";
+  const std::string garbage = "\x01\xED garbage " + std::string(3, '\0') + "\xFF\xFE, no log \n\n";
   write_sample("sample.lcmlog", 2.0);
   const auto good = at("sample.lcmlog");
   const auto cut_off = write("cut.lcmlog", contents("sample.lcmlog").substr(0, 20));

@@ -15,8 +15,10 @@ std::optional<std::filesystem::path> find_recording(std::string_view name);
 
 }  // namespace adit::test
 
+// NOLINTBEGIN(bugprone-macro-parentheses): the name of a variable takes none
 /// Defines `variable` as the path of a recording, or skips the test.
 #define ADIT_RECORDING_OR_SKIP(variable, name)                                           \
   const auto variable##_found = adit::test::find_recording(name);                        \
   if (!variable##_found) GTEST_SKIP() << "no recording " << (name) << "; set ADIT_DATA"; \
-  const std::filesystem::path& variable = *variable##_found  // NOLINT(bugprone-macro-parentheses)
+  const auto& variable = *variable##_found
+// NOLINTEND(bugprone-macro-parentheses)

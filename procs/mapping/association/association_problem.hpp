@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "common/local_map/association.hpp"
+#include "common/pose_graph/pose_graph.hpp"
+
+namespace adit {
+
+/// What is certain, the chain of local maps along the way, and what is to be decided, the closures.
+struct AssociationProblem {
+  std::vector<PoseConstraint> chain;  ///< chain[k] links map k with map k + 1
+  std::vector<double> way_m;          ///< of each map: path length from the first [m]
+  std::vector<Closure> closures;      ///< in order of their newer map
+  /// Of each closure: closures of one group lie side by side at both ends, so that they are likely
+  /// to be right or wrong together.
+  std::vector<int> groups;
+
+  [[nodiscard]] int maps() const { return static_cast<int>(way_m.size()); }
+};
+
+/// The constraint of an alternative of a closure.
+inline PoseConstraint constraint_of(const Closure& closure, int alternative) {
+  const ClosureAlternative& a = closure.alternatives[static_cast<std::size_t>(alternative)];
+  return {a.older_map, closure.newer_map, a.T_older_newer, a.information};
+}
+
+/// One set of decisions and what follows from it: a leaf of the tree of decisions.
+struct Belief {
+  std::vector<int> chosen;         ///< of each closure: an alternative, or Association::kNone
+  std::vector<Pose2> T_map_local;  ///< where the maps then are
+  double objective = 0.0;          ///< Σ eᵀ R e over the chain and the chosen alternatives
+  double cost = 0.0;  ///< −2 log-likelihood, up to a constant: `objective` and that of the decisions
+};
+
+/// The graph of a belief.
+PoseGraph graph_of(const AssociationProblem& problem, const Belief& belief);
+
+}  // namespace adit

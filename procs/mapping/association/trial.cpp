@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/association/trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/pose_graph/optimize.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kTurnMax = 0.01;  // of a map before the field is linearised anew [rad]
+
+double largest_turn(const Eigen::VectorXd& mode) {
+  double turn = 0.0;
+  for (Eigen::Index i = 2; i < mode.size(); i += 3) turn = std::max(turn, std::abs(mode[i]));
+  return turn;
+}
+
+}  // namespace
+
+Trial::Trial(const AssociationProblem& problem, Belief belief)
+    : problem_(problem), belief_(std::move(belief)) {}
+
+GaussianField& Trial::field() {
+  if (!field_) field_.emplace(graph_of(problem_, belief_));
+  return *field_;
+}
+
+Belief Trial::belief() const {
+  Belief belief = belief_;
+  if (field_) {
+    belief.T_map_local = field_->poses();
+    belief.objective = field_->objective();
+  }
+  return belief;
+}
+
+double Trial::objective() const { return field_ ? field_->objective() : belief_.objective; }
+
+PoseConstraint Trial::chosen_constraint(int closure) const {
+  return constraint_of(problem_.closures[static_cast<std::size_t>(closure)], chosen(closure));
+}
+
+double Trial::price_without(const PoseConstraint& constraint, int revoked) {
+  const PoseConstraint other = chosen_constraint(revoked);
+  if (!field().remove(other)) return price(constraint);
+  const double price = field().objective_rise(constraint);
+  field().add(other);
+  return price;
+}
+
+void Trial::take(int closure, int alternative) {
+  const auto k = static_cast<std::size_t>(closure);
+  field().add(constraint_of(problem_.closures[k], alternative));
+  belief_.chosen[k] = alternative;
+  if (largest_turn(field().mode()) > kTurnMax) settle();
+}
+
+void Trial::revoke(const std::vector<int>& closures) {
+  belief_ = belief();
+  field_.reset();
+  for (const int k : closures) belief_.chosen[static_cast<std::size_t>(k)] = Association::kNone;
+  settle();
+}
+
+void Trial::settle() {
+  PoseGraph graph = graph_of(problem_, belief());
+  OptimizeParams params;
+  params.rotation_start = false;
+  params.tolerance = 1e-6;
+  belief_.objective = optimize(graph, params).objective;
+  belief_.T_map_local = std::move(graph.poses);
+  field_.reset();
+}
+
+}  // namespace adit

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "common/pose_graph/gaussian_field.hpp"
+#include "procs/mapping/association/association_problem.hpp"
+
+namespace adit {
+
+/// A belief in the course of being changed. To try an association costs a look at a few columns of
+/// the factor, to make or revoke one a rank update; the field is linearised anew where the maps have
+/// turned so far that the old linearisation would mislead.
+class Trial {
+ public:
+  /// `problem` must outlive this; `belief` is settled (its poses are at their mode).
+  Trial(const AssociationProblem& problem, Belief belief);
+
+  /// With poses and objective as they are now; `cost` is the caller's.
+  [[nodiscard]] Belief belief() const;
+  [[nodiscard]] double objective() const;
+  [[nodiscard]] const std::vector<int>& decisions() const { return belief_.chosen; }
+  [[nodiscard]] int chosen(int closure) const {
+    return belief_.chosen[static_cast<std::size_t>(closure)];
+  }
+
+  /// The problem has a closure more; none is chosen.
+  void grow() { belief_.chosen.push_back(Association::kNone); }
+
+  /// By how much the objective would rise with one constraint more: chi-square with three degrees
+  /// of freedom where the constraint is right.
+  [[nodiscard]] double price(const PoseConstraint& constraint) {
+    return field().objective_rise(constraint);
+  }
+  /// The same if a closure were revoked.
+  [[nodiscard]] double price_without(const PoseConstraint& constraint, int revoked);
+
+  /// Chooses an alternative of a closure for which none is chosen.
+  void take(int closure, int alternative);
+  /// Chooses none for closures that have one.
+  void revoke(const std::vector<int>& closures);
+
+  /// Moves the maps to the mode, not to first order but truly.
+  void settle();
+
+ private:
+  [[nodiscard]] GaussianField& field();
+  [[nodiscard]] PoseConstraint chosen_constraint(int closure) const;
+
+  const AssociationProblem& problem_;
+  Belief belief_;                       ///< poses and objective as last settled
+  std::optional<GaussianField> field_;  ///< linearised there; nothing: not asked for yet
+};
+
+}  // namespace adit

@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/pose_graph/g2o_file.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <system_error>
+
+#include <Eigen/Eigenvalues>
+#include <zlib.h>
+
+#include "common/config/number_text.hpp"
+#include "common/pose_graph/optimize.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kNegativeMax = 1e-9;  // share of the largest eigenvalue that digits may cost
+
+struct CloseGz {
+  void operator()(gzFile_s* file) const { gzclose(file); }
+};
+using GzFile = std::unique_ptr<gzFile_s, CloseGz>;
+
+/// gzopen reads plain files too.
+std::string contents(const std::filesystem::path& path) {
+  std::error_code error;
+  GzFile file;
+  if (!std::filesystem::is_directory(path, error)) file.reset(gzopen(path.c_str(), "rb"));
+  if (!file) throw std::runtime_error("cannot read " + path.string());
+  constexpr unsigned kChunkBytes = 1 << 18;
+  std::string text;
+  for (int got = kChunkBytes; got > 0;) {
+    const std::size_t size = text.size();
+    text.resize(size + kChunkBytes);
+    got = gzread(file.get(), text.data() + size, kChunkBytes);
+    text.resize(size + static_cast<std::size_t>(std::max(got, 0)));
+  }
+  int code = Z_OK;
+  gzerror(file.get(), &code);
+  if (code != Z_OK) throw std::runtime_error(path.string() + ": the compressed file is damaged");
+  return text;
+}
+
+std::string quoted(std::string_view word) {
+  std::string text("'");
+  text += word;
+  return text += '\'';
+}
+
+/// The words of one line.
+class Words {
+ public:
+  Words(std::string_view line, const std::string& file, std::size_t number)
+      : rest_(line.substr(0, line.find('#'))), file_(file), number_(number) {}
+
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw G2oError(file_, number_, reason);
+  }
+
+  std::string_view next() {
+    constexpr std::string_view kBlanks = " \t\r\v\f";
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlanks), rest_.size()));
+    const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));
+    rest_.remove_prefix(word.size());
+    return word;
+  }
+
+  template <class Number>
+  Number number(const char* what) {
+    const std::string_view word = next();
+    if (word.empty()) fail(std::string("the line ends before its ") + what);
+    const std::string_view digits = word.front() == '+' ? word.substr(1) : word;
+    Number value{};
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc{} || end != digits.data() + digits.size() || !is_finite(value)) {
+      fail(quoted(word) + " is no " + what);
+    }
+    return value;
+  }
+
+  void expect_end() {
+    const std::string_view word = next();
+    if (!word.empty()) fail(quoted(word) + " behind the last number");
+  }
+
+ private:
+  static bool is_finite(long) { return true; }
+  static bool is_finite(double value) { return std::isfinite(value); }
+
+  std::string_view rest_;
+  const std::string& file_;
+  std::size_t number_;
+};
+
+/// A constraint between ids, and its line.
+struct Edge {
+  long from;
+  long to;
+  PoseConstraint constraint;
+  std::size_t line;
+};
+
+/// What of the information matrix each of the six numbers is.
+using InformationOrder = std::array<std::array<int, 2>, 6>;
+constexpr InformationOrder kG2oOrder{{{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
+constexpr InformationOrder kToroOrder{{{0, 0}, {0, 1}, {1, 1}, {2, 2}, {0, 2}, {1, 2}}};
+
+class Parser {
+ public:
+  explicit Parser(std::string file) : file_(std::move(file)) {}
+
+  void parse_line(std::string_view line, std::size_t number) {
+    Words words(line, file_, number);
+    const std::string_view tag = words.next();
+    if (tag.empty()) return;
+    if (tag == "VERTEX_SE2" || tag == "VERTEX2") {
+      parse_vertex(words);
+    } else if (tag == "EDGE_SE2") {
+      parse_edge(words, kG2oOrder, number);
+    } else if (tag == "EDGE2") {
+      parse_edge(words, kToroOrder, number);
+    } else if (tag == "FIX") {
+      fixed_.emplace_back(words.number<long>("id"), number);
+    } else {
+      words.fail("unknown tag " + quoted(tag));
+    }
+    words.expect_end();
+  }
+
+  [[nodiscard]] G2oGraph graph() const {
+    G2oGraph result;
+    const std::map<long, int> index = index_nodes(result);
+    for (const Edge& edge : edges_) {
+      PoseConstraint constraint = edge.constraint;
+      constraint.from = index_of(index, edge.from, edge.line);
+      constraint.to = index_of(index, edge.to, edge.line);
+      result.graph.constraints.push_back(constraint);
+    }
+    if (vertices_.empty()) chain_odometry(result.graph);
+    check_fixed(result);
+    return result;
+  }
+
+ private:
+  static Pose2 parse_pose(Words& words) {
+    Pose2 pose;
+    pose.x = words.number<double>("finite number x");
+    pose.y = words.number<double>("finite number y");
+    pose.theta = words.number<double>("finite number theta");
+    return pose;
+  }
+
+  void parse_vertex(Words& words) {
+    const long id = words.number<long>("id");
+    if (!vertices_.emplace(id, parse_pose(words)).second) {
+      words.fail("vertex " + std::to_string(id) + " for the second time");
+    }
+  }
+
+  void parse_edge(Words& words, const InformationOrder& order, std::size_t number) {
+    Edge edge{};
+    edge.from = words.number<long>("id");
+    edge.to = words.number<long>("id");
+    edge.line = number;
+    if (edge.from == edge.to) words.fail("an edge from " + std::to_string(edge.to) + " to itself");
+    edge.constraint.T_from_to = parse_pose(words);
+    Eigen::Matrix3d& information = edge.constraint.information;
+    for (const auto& [r, c] : order) {
+      information(r, c) = information(c, r) = words.number<double>("finite number of information");
+    }
+    const Eigen::Vector3d eigenvalues =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information, Eigen::EigenvaluesOnly)
+            .eigenvalues();
+    if (!(eigenvalues.minCoeff() >= -kNegativeMax * eigenvalues.cwiseAbs().maxCoeff())) {
+      words.fail("the information has the negative eigenvalue " +
+                 number_text(eigenvalues.minCoeff()));
+    }
+    edges_.push_back(edge);
+  }
+
+  /// Lists the nodes in the result and says where each id stands.
+  std::map<long, int> index_nodes(G2oGraph& result) const {
+    std::map<long, Pose2> nodes = vertices_;
+    if (vertices_.empty()) {
+      for (const Edge& edge : edges_) {
+        nodes.emplace(edge.from, Pose2{});
+        nodes.emplace(edge.to, Pose2{});
+      }
+    }
+    std::map<long, int> index;
+    for (const auto& [id, pose] : nodes) {
+      index.emplace_hint(index.end(), id, static_cast<int>(result.ids.size()));
+      result.ids.push_back(id);
+      result.graph.poses.push_back(pose);
+    }
+    return index;
+  }
+
+  [[nodiscard]] int index_of(const std::map<long, int>& index, long id, std::size_t line) const {
+    const auto found = index.find(id);
+    if (found == index.end()) throw G2oError(file_, line, "no vertex " + std::to_string(id));
+    return found->second;
+  }
+
+  void check_fixed(const G2oGraph& result) const {
+    for (const auto& [id, line] : fixed_) {
+      if (!result.ids.empty() && id == result.ids.front()) continue;
+      throw G2oError(file_, line, "only the first pose can be fixed, not " + std::to_string(id));
+    }
+  }
+
+  std::string file_;
+  std::map<long, Pose2> vertices_;
+  std::vector<Edge> edges_;
+  std::vector<std::pair<long, std::size_t>> fixed_;  // id, line
+};
+
+template <class... Words>
+void append(std::string& text, const Words&... words) {
+  ((text += words, text += ' '), ...);
+  text.back() = '\n';
+}
+
+std::string text_of(const Pose2& pose) {
+  return number_text(pose.x) + " " + number_text(pose.y) + " " + number_text(pose.theta);
+}
+
+/// In g2o's order.
+std::string text_of(const Eigen::Matrix3d& information) {
+  std::string text;
+  for (const auto& [row, column] : kG2oOrder) {
+    if (!text.empty()) text += ' ';
+    text += number_text(information(row, column));
+  }
+  return text;
+}
+
+std::string text_of(const G2oGraph& g) {
+  const auto id = [&](int node) { return std::to_string(g.ids[static_cast<std::size_t>(node)]); };
+  std::string text;
+  for (std::size_t i = 0; i < g.graph.poses.size(); ++i) {
+    append(text, "VERTEX_SE2", id(static_cast<int>(i)), text_of(g.graph.poses[i]));
+  }
+  for (const PoseConstraint& c : g.graph.constraints) {
+    append(text, "EDGE_SE2", id(c.from), id(c.to), text_of(c.T_from_to), text_of(c.information));
+  }
+  return text;
+}
+
+bool write_gz(const std::string& text, const std::filesystem::path& path) {
+  GzFile file(gzopen(path.c_str(), "wb"));
+  if (!file) return false;
+  const int written = gzwrite(file.get(), text.data(), static_cast<unsigned>(text.size()));
+  return written == static_cast<int>(text.size()) && gzclose(file.release()) == Z_OK;
+}
+
+bool write_plain(const std::string& text, const std::filesystem::path& path) {
+  std::ofstream file(path, std::ios::binary);
+  file << text << std::flush;
+  return file.good();
+}
+
+}  // namespace
+
+G2oGraph read_g2o(const std::filesystem::path& path) {
+  const std::string text = contents(path);
+  Parser parser(path.string());
+  std::string_view rest = text;
+  for (std::size_t number = 1; !rest.empty(); ++number) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    parser.parse_line(line, number);
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+  }
+  return parser.graph();
+}
+
+void write_g2o(const G2oGraph& graph, const std::filesystem::path& path) {
+  const std::string text = text_of(graph);
+  if (!(path.extension() == ".gz" ? write_gz(text, path) : write_plain(text, path))) {
+    throw std::runtime_error("cannot write " + path.string());
+  }
+}
+
+}  // namespace adit

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/pose_graph/gaussian_field.hpp"
+
+#include <stdexcept>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "common/pose_graph/optimize.hpp"
+
+namespace adit {
+namespace {
+
+/// Of what is known of a relative pose, what a constraint that goes may have brought.
+constexpr double kShareMax = 1.0 - 1e-9;
+
+/// G with G Gᵀ = R, which may be singular.
+Eigen::Matrix3d square_root(const Eigen::Matrix3d& R) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(R);
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+}
+
+GraphStructure analyse_connected(const PoseGraph& graph) {
+  if (graph.poses.size() < 2) throw std::runtime_error("a field of less than two poses");
+  if (const auto node = first_unconnected_node(graph)) {
+    throw std::runtime_error(text(OptimizeReason::kUnconnected, *node));
+  }
+  return analyse(graph);
+}
+
+/// The derivatives of T_from_to = T_map_from⁻¹ · T_map_to: those of a residual against identity.
+LinearPotential relative_pose(const Pose2& T_map_from, const Pose2& T_map_to) {
+  return linearise(PoseConstraint{}, T_map_from, T_map_to);
+}
+
+/// Without node 0, which does not move.
+std::vector<int> blocks_of(int from, int to) {
+  std::vector<int> blocks;
+  if (from != 0) blocks.push_back(from - 1);
+  if (to != 0) blocks.push_back(to - 1);
+  return blocks;
+}
+
+/// Derivatives by these blocks, side by side.
+Eigen::MatrixXd jacobian(const LinearPotential& potential, int from, int to) {
+  Eigen::MatrixXd J(3, (from != 0 ? 3 : 0) + (to != 0 ? 3 : 0));
+  if (from != 0) J.leftCols<3>() = potential.J_from();
+  if (to != 0) J.rightCols<3>() = potential.J_to;
+  return J;
+}
+
+}  // namespace
+
+GaussianField::GaussianField(const PoseGraph& graph)
+    : poses_(graph.poses), equations_(analyse_connected(graph)) {
+  objective_at_linearisation_ = equations_.linearise(graph);
+  b_ = equations_.b();
+  if (!equations_.matrix().factorise()) {
+    throw std::runtime_error(
+        text(OptimizeReason::kUndetermined, equations_.matrix().weakest_block() + 1));
+  }
+}
+
+void GaussianField::add(const PoseConstraint& constraint) {
+  const LinearPotential potential = linear(constraint);
+  const Eigen::MatrixXd J = jacobian(potential, constraint.from, constraint.to);
+  if (!equations_.matrix().update(blocks_of(constraint.from, constraint.to),
+                                  J.transpose() * square_root(constraint.information))) {
+    throw std::runtime_error("a constraint that is not finite");
+  }
+  change_sums(constraint, potential, 1.0);
+}
+
+bool GaussianField::remove(const PoseConstraint& constraint) {
+  const LinearPotential potential = linear(constraint);
+  const Eigen::MatrixXd J = jacobian(potential, constraint.from, constraint.to);
+  const Eigen::MatrixXd C = J.transpose() * square_root(constraint.information);
+  const std::vector<int> blocks = blocks_of(constraint.from, constraint.to);
+  // H − C Cᵀ is positive definite where I − Cᵀ H⁻¹ C is; a downdate that fails destroys the factor.
+  const Eigen::Matrix3d share = C.transpose() * equations_.matrix().inverse_among(blocks) * C;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(share, Eigen::EigenvaluesOnly);
+  if (solver.eigenvalues().maxCoeff() > kShareMax) return false;
+  if (!equations_.matrix().downdate(blocks, C)) {
+    throw std::runtime_error("the field is too ill-conditioned to take a constraint out");
+  }
+  change_sums(constraint, potential, -1.0);
+  return true;
+}
+
+/// Right-hand side and objective; what was derived from them is out of date.
+void GaussianField::change_sums(const PoseConstraint& c, const LinearPotential& potential,
+                                double sign) {
+  const Eigen::Vector3d weighted = c.information * potential.e;
+  if (c.from != 0) {
+    b_.segment<3>(3 * (c.from - 1)) -= sign * potential.J_from().transpose() * weighted;
+  }
+  if (c.to != 0) b_.segment<3>(3 * (c.to - 1)) -= sign * potential.J_to.transpose() * weighted;
+  objective_at_linearisation_ += sign * potential.e.dot(weighted);
+  mode_.resize(0);
+  marginals_.clear();
+}
+
+LinearPotential GaussianField::linear(const PoseConstraint& c) const {
+  return linearise(c, pose(c.from), pose(c.to));
+}
+
+const Pose2& GaussianField::pose(int node) const { return poses_[static_cast<std::size_t>(node)]; }
+
+const Eigen::VectorXd& GaussianField::mode() const {
+  if (mode_.size() == 0) mode_ = equations_.matrix().solve(b_);
+  return mode_;
+}
+
+std::vector<Pose2> GaussianField::poses() const {
+  std::vector<Pose2> moved = poses_;
+  move_poses(mode(), moved);
+  return moved;
+}
+
+double GaussianField::objective() const { return objective_at_linearisation_ - mode().dot(b_); }
+
+/// With R = G Gᵀ: dᵀ G (I + Gᵀ Σ G)⁻¹ Gᵀ d, where R may be singular.
+double GaussianField::objective_rise(const PoseConstraint& c) const {
+  const LinearPotential potential = linear(c);
+  const Eigen::MatrixXd J = jacobian(potential, c.from, c.to);
+  const Eigen::Matrix3d G = square_root(c.information);
+  const std::vector<int> blocks = blocks_of(c.from, c.to);
+  const Eigen::Matrix3d Sigma = J * equations_.matrix().inverse_among(blocks) * J.transpose();
+  Eigen::Vector3d d = potential.e;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    d += J.middleCols<3>(3 * static_cast<Eigen::Index>(i)) * mode().segment<3>(3 * blocks[i]);
+  }
+  const Eigen::Vector3d Gd = G.transpose() * d;
+  const Eigen::Matrix3d S = Eigen::Matrix3d::Identity() + G.transpose() * Sigma * G;
+  return Gd.dot(S.ldlt().solve(Gd));
+}
+
+Eigen::Matrix3d GaussianField::relative_covariance(int from, int to) const {
+  if (from == to) return Eigen::Matrix3d::Zero();
+  const Eigen::MatrixXd J = jacobian(relative_pose(pose(from), pose(to)), from, to);
+  return J * equations_.matrix().inverse_among(blocks_of(from, to)) * J.transpose();
+}
+
+std::vector<Eigen::Matrix3d> GaussianField::relative_covariances_to(int to) const {
+  if (marginals_.empty()) marginals_ = equations_.matrix().inverse_diagonal();
+  const auto marginal = [&](int node) -> Eigen::Matrix3d {
+    if (node == 0) return Eigen::Matrix3d::Zero();
+    return marginals_[static_cast<std::size_t>(node) - 1];
+  };
+  Eigen::MatrixXd columns;
+  if (to != 0) columns = equations_.matrix().inverse_columns(to - 1);
+  std::vector<Eigen::Matrix3d> covariances;
+  for (int from = 0; from < static_cast<int>(poses_.size()); ++from) {
+    const LinearPotential potential = relative_pose(pose(from), pose(to));
+    const Eigen::Matrix3d J_from = potential.J_from();
+    Eigen::Matrix3d covariance = J_from * marginal(from) * J_from.transpose() +
+                                 potential.J_to * marginal(to) * potential.J_to.transpose();
+    if (from != 0 && to != 0) {
+      const Eigen::Matrix3d cross =
+          J_from * columns.middleRows<3>(3 * (from - 1)) * potential.J_to.transpose();
+      covariance += cross + cross.transpose();
+    }
+    covariances.push_back(from == to ? Eigen::Matrix3d::Zero() : covariance);
+  }
+  return covariances;
+}
+
+}  // namespace adit

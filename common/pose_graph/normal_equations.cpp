@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/pose_graph/normal_equations.hpp"
+
+#include <cmath>
+
+namespace adit {
+namespace {
+
+Eigen::Vector2d measured_lever(const PoseConstraint& c, const Pose2& T_map_from) {
+  const double cos_from = std::cos(T_map_from.theta);
+  const double sin_from = std::sin(T_map_from.theta);
+  const Eigen::Vector2d d(cos_from * c.T_from_to.x - sin_from * c.T_from_to.y,
+                          sin_from * c.T_from_to.x + cos_from * c.T_from_to.y);
+  return {-d.y(), d.x()};
+}
+
+}  // namespace
+
+NormalEquations::NormalEquations(const GraphStructure& structure)
+    : pair_of_constraint_(structure.pair_of_constraint),
+      H_(structure.pattern, structure.ordering, 3),
+      b_(Eigen::VectorXd::Zero(3 * structure.pattern.blocks)) {}
+
+double NormalEquations::linearise(const PoseGraph& graph) {
+  H_.set_zero();
+  return accumulate<true, false>(graph);
+}
+
+double NormalEquations::linearise_at_measurements(const PoseGraph& graph) {
+  H_.set_zero();
+  return accumulate<true, true>(graph);
+}
+
+double NormalEquations::linearise_gradient(const PoseGraph& graph) {
+  return accumulate<false, false>(graph);
+}
+
+template <bool kMatrix, bool kAtMeasurements>
+double NormalEquations::accumulate(const PoseGraph& graph) {
+  b_.setZero();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < graph.constraints.size(); ++i) {
+    const PoseConstraint& c = graph.constraints[i];
+    const Pose2& T_map_from = graph.poses[static_cast<std::size_t>(c.from)];
+    LinearPotential potential =
+        adit::linearise(c, T_map_from, graph.poses[static_cast<std::size_t>(c.to)]);
+    if constexpr (kAtMeasurements) potential.lever = measured_lever(c, T_map_from);
+    const Eigen::Vector3d weighted = c.information * potential.e;
+    sum += potential.e.dot(weighted);
+    add_to_b(c, potential, weighted);
+    if constexpr (kMatrix) add_to_matrix(c, pair_of_constraint_[i], potential);
+  }
+  return sum;
+}
+
+/// −Jᵀ R e; J_from = −J_to M.
+void NormalEquations::add_to_b(const PoseConstraint& c, const LinearPotential& potential,
+                               const Eigen::Vector3d& weighted) {
+  Eigen::Vector3d g = potential.J_to.transpose() * weighted;
+  if (c.to != 0) b_.segment<3>(3 * (c.to - 1)) -= g;
+  if (c.from == 0) return;
+  g.z() += potential.lever.dot(g.head<2>());
+  b_.segment<3>(3 * (c.from - 1)) += g;
+}
+
+void NormalEquations::add_to_matrix(const PoseConstraint& c, int pair,
+                                    const LinearPotential& potential) {
+  const Eigen::Matrix3d K = potential.J_to.transpose() * c.information * potential.J_to;
+  if (c.to != 0) H_.add_to_diagonal<3>(c.to - 1, K);
+  if (c.from == 0) return;
+  Eigen::Matrix3d MtK = K;
+  MtK.row(2) += potential.lever.transpose() * K.topRows<2>();
+  if (pair >= 0) H_.add_to_pair<3>(pair, -MtK);
+  MtK.col(2) += MtK.leftCols<2>() * potential.lever;
+  H_.add_to_diagonal<3>(c.from - 1, MtK);
+}
+
+void move_poses(const Eigen::VectorXd& delta, std::vector<Pose2>& poses) {
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const Eigen::Index row = 3 * (static_cast<Eigen::Index>(i) - 1);
+    poses[i] = Pose2::from_vector(poses[i].vector() + delta.segment<3>(row));
+  }
+}
+
+}  // namespace adit

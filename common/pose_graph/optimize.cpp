@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/pose_graph/optimize.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/pose_graph/normal_equations.hpp"
+#include "common/pose_graph/rotation_start.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kNegligible = 1e-9;   // of a chi-square nobody can tell
+constexpr double kContraction = 0.2;   // of the promised decrease, for a factor to be used again
+constexpr double kLambdaFirst = 1e-4;  // damping, where it is needed
+constexpr double kLambdaMax = 1e8;
+constexpr double kLambdaMin = 1e-7;  // less is none
+
+/// A step, and by how much it lowers the objective if the field is as linear as it seems.
+struct Step {
+  Eigen::VectorXd delta;
+  double promise = 0.0;
+};
+
+class Optimizer {
+ public:
+  Optimizer(PoseGraph& graph, const OptimizeParams& params, const OptimizeObserver& observer)
+      : graph_(graph), params_(params), observer_(observer) {}
+
+  OptimizeResult run() {
+    enter(OptimizePhase::kAnalysis);
+    const GraphStructure structure = analyse(graph_);
+    NormalEquations equations(structure);
+    enter(OptimizePhase::kStart);
+    if (params_.rotation_start) {
+      ++result_.factorisations;
+      if (!start_from_rotations(graph_, structure, equations)) return undetermined(equations);
+    }
+    enter(OptimizePhase::kRest);
+    result_.objective = equations.linearise(graph_);
+    while (result_.iterations < params_.iterations_max) {
+      if (!factorise(equations)) return undetermined(equations);
+      if (!descend(equations)) break;
+      equations.linearise(graph_);
+    }
+    return result_;
+  }
+
+ private:
+  void enter(OptimizePhase phase) const {
+    if (observer_) observer_(phase);
+  }
+
+  bool factorise(NormalEquations& equations) {
+    enter(OptimizePhase::kFactorisation);
+    ++result_.factorisations;
+    if (lambda_ > 0.0) equations.matrix().damp(lambda_);
+    const bool factorised = equations.matrix().factorise();
+    enter(OptimizePhase::kRest);
+    return factorised;
+  }
+
+  /// Steps with the present factor, as long as each promises much less than the one before. False:
+  /// there is no more to do.
+  bool descend(NormalEquations& equations) {
+    double promised = 0.0;
+    for (bool first = true; result_.iterations < params_.iterations_max; first = false) {
+      const Step step = solve(equations);
+      const bool done = step.promise <= params_.tolerance * result_.objective + kNegligible;
+      if (!first && !done && step.promise > kContraction * promised) return true;
+      promised = step.promise;
+      const bool damped = lambda_ > 0.0;
+      if (!take(step, equations)) {
+        if (done) return finish();  // what is left is rounding
+        if (!first) return true;
+        lambda_ = std::max(kLambdaFirst, 10.0 * lambda_);
+        return lambda_ <= kLambdaMax;
+      }
+      if (first) lambda_ = lambda_ > kLambdaMin ? 0.1 * lambda_ : 0.0;
+      if (done) return damped || finish();
+    }
+    return false;
+  }
+
+  static Step solve(const NormalEquations& equations) {
+    Step step{equations.matrix().solve(equations.b()), 0.0};
+    step.promise = step.delta.dot(equations.b());
+    return step;
+  }
+
+  /// False: the objective would rise, and the poses stay.
+  bool take(const Step& step, NormalEquations& equations) {
+    std::vector<Pose2> before = graph_.poses;
+    move_poses(step.delta, graph_.poses);
+    const double objective = equations.linearise_gradient(graph_);
+    if (!(objective <= result_.objective)) {
+      graph_.poses = std::move(before);
+      return false;
+    }
+    result_.objective = objective;
+    ++result_.iterations;
+    return true;
+  }
+
+  bool finish() {
+    result_.converged = true;
+    result_.reason = OptimizeReason::kConverged;
+    return false;
+  }
+
+  OptimizeResult undetermined(const NormalEquations& equations) {
+    result_.reason = OptimizeReason::kUndetermined;
+    result_.node = equations.matrix().weakest_block() + 1;
+    return result_;
+  }
+
+  PoseGraph& graph_;
+  const OptimizeParams& params_;
+  const OptimizeObserver& observer_;
+  OptimizeResult result_;
+  double lambda_ = 0.0;
+};
+
+}  // namespace
+
+std::string text(OptimizeReason reason, int node) {
+  switch (reason) {
+    case OptimizeReason::kConverged:
+      return "converged";
+    case OptimizeReason::kEmpty:
+      return "there are no poses";
+    case OptimizeReason::kUnconnected:
+      return "no chain of constraints links pose " + std::to_string(node) + " with the first";
+    case OptimizeReason::kUndetermined:
+      return "the constraints leave pose " + std::to_string(node) + " free to move";
+    case OptimizeReason::kNotConverged:
+      return "not converged";
+  }
+  return {};
+}
+
+OptimizeResult optimize(PoseGraph& graph, const OptimizeParams& params,
+                        const OptimizeObserver& observer) {
+  OptimizeResult result;
+  if (graph.poses.empty()) {
+    result.reason = OptimizeReason::kEmpty;
+  } else if (const auto node = first_unconnected_node(graph)) {
+    result.reason = OptimizeReason::kUnconnected;
+    result.node = *node;
+  } else if (graph.poses.size() == 1) {
+    result.converged = true;
+    result.reason = OptimizeReason::kConverged;
+  } else {
+    const std::vector<Pose2> before = graph.poses;
+    result = Optimizer(graph, params, observer).run();
+    if (result.reason == OptimizeReason::kUndetermined) graph.poses = before;
+  }
+  if (observer) observer(OptimizePhase::kEnd);
+  return result;
+}
+
+void chain_odometry(PoseGraph& graph) {
+  std::vector<const PoseConstraint*> step(graph.poses.size(), nullptr);
+  for (const PoseConstraint& c : graph.constraints) {
+    if (std::abs(c.to - c.from) != 1) continue;
+    const PoseConstraint*& slot = step[static_cast<std::size_t>(std::max(c.from, c.to))];
+    if (slot == nullptr) slot = &c;
+  }
+  for (std::size_t i = 1; i < graph.poses.size(); ++i) {
+    graph.poses[i] = graph.poses[i - 1];
+    if (step[i] == nullptr) continue;
+    const Pose2& T_from_to = step[i]->T_from_to;
+    const bool forward = step[i]->from < step[i]->to;
+    graph.poses[i] = graph.poses[i - 1] * (forward ? T_from_to : T_from_to.inverse());
+  }
+}
+
+}  // namespace adit

@@ -99,6 +99,7 @@ void GaussianField::change_sums(const PoseConstraint& c, const LinearPotential& 
   objective_at_linearisation_ += sign * potential.e.dot(weighted);
   mode_.resize(0);
   marginals_.clear();
+  among_.clear();
 }
 
 LinearPotential GaussianField::linear(const PoseConstraint& c) const {
@@ -120,20 +121,75 @@ std::vector<Pose2> GaussianField::poses() const {
 
 double GaussianField::objective() const { return objective_at_linearisation_ - mode().dot(b_); }
 
-/// With R = G Gᵀ: dᵀ G (I + Gᵀ Σ G)⁻¹ Gᵀ d, where R may be singular.
-double GaussianField::objective_rise(const PoseConstraint& c) const {
-  const LinearPotential potential = linear(c);
-  const Eigen::MatrixXd J = jacobian(potential, c.from, c.to);
-  const Eigen::Matrix3d G = square_root(c.information);
-  const std::vector<int> blocks = blocks_of(c.from, c.to);
-  const Eigen::Matrix3d Sigma = J * equations_.matrix().inverse_among(blocks) * J.transpose();
-  Eigen::Vector3d d = potential.e;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    d += J.middleCols<3>(3 * static_cast<Eigen::Index>(i)) * mode().segment<3>(3 * blocks[i]);
+/// A constraint as the field sees it.
+struct GaussianField::Look {
+  Eigen::MatrixXd J;  // by the blocks that it touches
+  Eigen::Vector3d d;  // residual at the mode
+  Eigen::Matrix3d G;  // G Gᵀ = R, which may be singular
+  std::vector<int> blocks;
+
+  /// J A for a matrix with a row for each row of the field.
+  [[nodiscard]] Eigen::MatrixXd times(const Eigen::MatrixXd& A) const {
+    Eigen::MatrixXd product = Eigen::MatrixXd::Zero(3, A.cols());
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      product += J.middleCols<3>(3 * static_cast<Eigen::Index>(i)) * A.middleRows<3>(3 * blocks[i]);
+    }
+    return product;
   }
+};
+
+GaussianField::Look GaussianField::look_at(const PoseConstraint& c) const {
+  const LinearPotential potential = linear(c);
+  Look look{jacobian(potential, c.from, c.to), potential.e, square_root(c.information),
+            blocks_of(c.from, c.to)};
+  look.d += look.times(mode());
+  return look;
+}
+
+namespace {
+
+/// dᵀ (Σ + R⁻¹)⁻¹ d with R = G Gᵀ.
+double rise_of(const Eigen::Vector3d& d, const Eigen::Matrix3d& Sigma, const Eigen::Matrix3d& G) {
   const Eigen::Vector3d Gd = G.transpose() * d;
   const Eigen::Matrix3d S = Eigen::Matrix3d::Identity() + G.transpose() * Sigma * G;
   return Gd.dot(S.ldlt().solve(Gd));
+}
+
+}  // namespace
+
+double GaussianField::objective_rise(const PoseConstraint& c) const {
+  const Look look = look_at(c);
+  return rise_of(look.d, look.J * equations_.matrix().inverse_among(look.blocks) * look.J.transpose(),
+                 look.G);
+}
+
+std::vector<GaussianField::Without> GaussianField::without_each(
+    const std::vector<PoseConstraint>& present, const PoseConstraint& asked) const {
+  const Look c = look_at(asked);
+  Eigen::MatrixXd columns(b_.size(), 3);  // H⁻¹ J_cᵀ
+  for (int k = 0; k < 3; ++k) {
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(b_.size());
+    for (std::size_t i = 0; i < c.blocks.size(); ++i) {
+      row.segment<3>(3 * c.blocks[i]) =
+          c.J.block<1, 3>(k, 3 * static_cast<Eigen::Index>(i)).transpose();
+    }
+    columns.col(k) = equations_.matrix().solve(row);
+  }
+  const Eigen::Matrix3d S_cc = c.times(columns);
+  std::vector<Without> all;
+  for (const PoseConstraint& constraint : present) {
+    const Look u = look_at(constraint);
+    Eigen::MatrixXd& among = among_[{constraint.from, constraint.to}];
+    if (among.size() == 0) among = equations_.matrix().inverse_among(u.blocks);
+    // Taking u out is adding it with −R: (R⁻¹ − S_uu)⁻¹ = G (I − Gᵀ S_uu G)⁻¹ Gᵀ.
+    const Eigen::Matrix3d left = Eigen::Matrix3d::Identity() -
+                                 u.G.transpose() * u.J * among * u.J.transpose() * u.G;
+    const Eigen::Matrix3d W = u.G * left.ldlt().solve(Eigen::Matrix3d(u.G.transpose()));
+    const Eigen::Matrix3d S_cu = u.times(columns).transpose();
+    all.push_back({u.d.dot(W * u.d), rise_of(c.d + S_cu * W * u.d,
+                                             S_cc + S_cu * W * S_cu.transpose(), c.G)});
+  }
+  return all;
 }
 
 Eigen::Matrix3d GaussianField::relative_covariance(int from, int to) const {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <map>
 #include <vector>
 
 #include <Eigen/Core>
@@ -41,6 +43,17 @@ class GaussianField {
   /// constraint is right.
   [[nodiscard]] double objective_rise(const PoseConstraint& constraint) const;
 
+  /// What the field would be without one of its constraints.
+  struct Without {
+    double objective_fall = 0.0;  ///< of `objective`
+    double rise = 0.0;            ///< what `objective_rise` of the asked constraint would be
+  };
+  /// For each of `present`, constraints of the field, if it alone were removed; exact for the
+  /// linearised field. Costs one column of the factor for all of them, and a look at a path of the
+  /// elimination tree for each, once for as long as the field stays as it is.
+  [[nodiscard]] std::vector<Without> without_each(
+      const std::vector<PoseConstraint>& present, const PoseConstraint& asked) const;
+
   /// Covariance of (x, y, θ) of the pose of `to` in the frame of `from`, small motions of `to`
   /// being expressed in the frame of `from`: for T_from_to = T_map_from⁻¹ · T_map_to to first
   /// order.
@@ -49,6 +62,9 @@ class GaussianField {
   [[nodiscard]] std::vector<Eigen::Matrix3d> relative_covariances_to(int to) const;
 
  private:
+  struct Look;
+
+  [[nodiscard]] Look look_at(const PoseConstraint& constraint) const;
   [[nodiscard]] const Pose2& pose(int node) const;
   [[nodiscard]] LinearPotential linear(const PoseConstraint& constraint) const;
   void change_sums(const PoseConstraint& constraint, const LinearPotential& potential, double sign);
@@ -60,6 +76,7 @@ class GaussianField {
   // Found when they are asked for, forgotten when the field changes.
   mutable Eigen::VectorXd mode_;
   mutable std::vector<Eigen::Matrix3d> marginals_;
+  mutable std::map<std::array<int, 2>, Eigen::MatrixXd> among_;
 };
 
 }  // namespace adit

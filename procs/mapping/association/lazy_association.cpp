@@ -66,6 +66,7 @@ std::vector<Association> LazyAssociation::decide(std::vector<Closure> closures,
     closure.id = static_cast<int>(problem_.closures.size());
     problem_.closures.push_back(std::move(closure));
     belief_.chosen.push_back(Association::kNone);
+    plausible_.push_back(fits_the_way(problem_.closures.back().id));
     if (trial_) trial_->grow();
     decide_one(problem_.closures.back().id, record, utime);
   }
@@ -122,7 +123,7 @@ void LazyAssociation::decide_one(int closure, std::vector<Association>& record,
                                  std::int64_t utime) {
   if (!trial_) trial_.emplace(problem_, belief_);
   const std::vector<int> before = trial_->decisions();
-  if (!choose(*trial_, closure) && fits_the_way(closure)) {
+  if (!choose(*trial_, closure) && plausible_[at(closure)] && search_is_due(closure)) {
     Belief found = search(closure);
     if (found.chosen != before) trial_.emplace(problem_, std::move(found));
   }
@@ -140,6 +141,21 @@ void LazyAssociation::decide_one(int closure, std::vector<Association>& record,
     a.log_likelihood = -0.5 * belief_.cost;
     record.push_back(std::move(a));
   }
+}
+
+/// The first contradiction of a group is looked into, then the second, the fourth, and so on: what
+/// one more of the same kind could not change before is not asked each time.
+bool LazyAssociation::search_is_due(int closure) {
+  const int group = problem_.groups[at(closure)];
+  int contradictions = 0;
+  for (int k = 0; k <= closure; ++k) {
+    if (problem_.groups[at(k)] != group || !plausible_[at(k)]) continue;
+    contradictions += trial_->chosen(k) == Association::kNone ? 1 : 0;
+  }
+  int& due = search_due_[group];
+  if (contradictions < due) return false;
+  due = 2 * contradictions;
+  return true;
 }
 
 /// Whether the closure can be right at all, given the way alone: what the chain of displacements
@@ -161,33 +177,48 @@ bool LazyAssociation::fits_the_way(int closure) const {
 }
 
 /// Chosen closures that could be to blame if this one is right: single ones and groups, the most
-/// suspect first.
+/// suspect first. A group is left out if to give it up would cost more than what could be gained.
 std::vector<std::vector<int>> LazyAssociation::suspects(Trial& trial, int closure) const {
-  const PoseConstraint constraint = constraint_of(problem_.closures[at(closure)], 0);
-  std::map<int, std::vector<int>> groups;
+  std::vector<int> chosen;
   for (int k = 0; k < static_cast<int>(problem_.closures.size()); ++k) {
-    if (trial.chosen(k) != Association::kNone) groups[problem_.groups[at(k)]].push_back(k);
+    if (trial.chosen(k) != Association::kNone) chosen.push_back(k);
   }
+  const auto without =
+      trial.without_each(chosen, constraint_of(problem_.closures[at(closure)], 0));
   struct Suspect {
-    double price;
-    int latest;
+    double price = std::numeric_limits<double>::max();
+    double fall = 0.0;
     std::vector<int> closures;
   };
-  std::vector<Suspect> ranking;
-  for (const auto& [group, members] : groups) {
-    Suspect least{std::numeric_limits<double>::max(), members.back(), {}};
-    for (const int k : members) {
-      const double price = trial.price_without(constraint, k);
-      if (price < least.price) least = {price, k, {k}};
+  std::vector<Suspect> all;
+  std::map<int, Suspect> groups;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (without[i].rise < params_.gate_supported) {
+      all.push_back({without[i].rise, without[i].objective_fall, {chosen[i]}});
     }
-    ranking.push_back(least);
-    if (members.size() > 1) ranking.push_back({least.price, members.back(), members});
+    Suspect& group = groups[problem_.groups[at(chosen[i])]];
+    group.price = std::min(group.price, without[i].rise);
+    group.fall += without[i].objective_fall;
+    group.closures.push_back(chosen[i]);
   }
-  std::stable_sort(ranking.begin(), ranking.end(), [&](const Suspect& a, const Suspect& b) {
-    return params_.best_first ? a.price < b.price : a.latest > b.latest;
+  for (const auto& [id, group] : groups) {
+    if (group.closures.size() > 1) all.push_back(group);
+  }
+  std::erase_if(all, [&](const Suspect& s) {
+    double given_up = -s.fall;
+    for (const int k : s.closures) {
+      if (problem_.closures[at(k)].alternatives.size() == 1) given_up += params_.gate;
+    }
+    for (int k = s.closures.front(); k <= closure; ++k) {
+      if (trial.chosen(k) == Association::kNone && plausible_[at(k)]) given_up -= params_.gate;
+    }
+    return given_up > 0.0;
+  });
+  std::stable_sort(all.begin(), all.end(), [&](const Suspect& a, const Suspect& b) {
+    return params_.best_first ? a.price < b.price : a.closures.back() > b.closures.back();
   });
   std::vector<std::vector<int>> found;
-  for (Suspect& suspect : ranking) {
+  for (Suspect& suspect : all) {
     if (static_cast<int>(found.size()) == params_.suspects_max) break;
     found.push_back(std::move(suspect.closures));
   }
@@ -222,7 +253,7 @@ Belief LazyAssociation::search(int closure) {
     }
     ++trials_;
     for (int k = next.first; k < closure; ++k) {
-      if (trial.chosen(k) == Association::kNone) choose(trial, k);
+      if (trial.chosen(k) == Association::kNone && plausible_[at(k)]) choose(trial, k);
     }
     trial.settle();
     Belief belief = trial.belief();
@@ -242,7 +273,7 @@ double LazyAssociation::bound(const Belief& belief, int first,
     if (belief.chosen[at(k)] != Association::kNone) continue;
     const bool stays = std::find(undone.begin(), undone.end(), k) != undone.end() &&
                        problem_.closures[at(k)].alternatives.size() == 1;
-    if (!stays) bound -= params_.gate;
+    if (!stays && plausible_[at(k)]) bound -= params_.gate;
   }
   return bound;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,6 +69,7 @@ class LazyAssociation {
   [[nodiscard]] double cost(const Belief& belief) const;
   [[nodiscard]] double alternative_cost(int closure, int alternative) const;
   [[nodiscard]] bool fits_the_way(int closure) const;
+  bool search_is_due(int closure);
   Belief search(int closure);
   [[nodiscard]] double bound(const Belief& belief, int first, const std::vector<int>& undone) const;
   std::vector<std::vector<int>> suspects(Trial& trial, int closure) const;
@@ -76,6 +78,8 @@ class LazyAssociation {
   AssociationProblem problem_;
   Belief belief_;
   std::optional<Trial> trial_;  ///< `belief_`, with its field
+  std::vector<bool> plausible_;  ///< of each closure: whether the way alone allows it
+  std::map<int, int> search_due_;  ///< of a group: at how many contradictions
   int groups_ = 0;
   int trials_ = 0;
 };

@@ -44,12 +44,11 @@ PoseConstraint Trial::chosen_constraint(int closure) const {
   return constraint_of(problem_.closures[static_cast<std::size_t>(closure)], chosen(closure));
 }
 
-double Trial::price_without(const PoseConstraint& constraint, int revoked) {
-  const PoseConstraint other = chosen_constraint(revoked);
-  if (!field().remove(other)) return price(constraint);
-  const double price = field().objective_rise(constraint);
-  field().add(other);
-  return price;
+std::vector<GaussianField::Without> Trial::without_each(const std::vector<int>& closures,
+                                                        const PoseConstraint& asked) {
+  std::vector<PoseConstraint> present;
+  for (const int k : closures) present.push_back(chosen_constraint(k));
+  return field().without_each(present, asked);
 }
 
 void Trial::take(int closure, int alternative) {

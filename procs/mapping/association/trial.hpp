@@ -33,8 +33,10 @@ class Trial {
   [[nodiscard]] double price(const PoseConstraint& constraint) {
     return field().objective_rise(constraint);
   }
-  /// The same if a closure were revoked.
-  [[nodiscard]] double price_without(const PoseConstraint& constraint, int revoked);
+  /// For each of the chosen closures, what `price` would be and how far the objective would fall if
+  /// it were revoked.
+  [[nodiscard]] std::vector<GaussianField::Without> without_each(const std::vector<int>& closures,
+                                                                 const PoseConstraint& asked);
 
   /// Chooses an alternative of a closure for which none is chosen.
   void take(int closure, int alternative);

@@ -11,8 +11,8 @@ namespace {
 
 // On the wire.
 constexpr std::size_t kHeadBytes = 64;
-constexpr std::size_t kPoseBytes = 3 * 8;
-constexpr std::size_t kConstraintBytes = 2 * 4 + 1 + 3 * 8 + 9 * 8;
+constexpr std::size_t kPoseBytes = 3 * sizeof(double);
+constexpr std::size_t kConstraintBytes = 2 * sizeof(int) + 1 + 12 * sizeof(double);
 
 std::size_t bytes_in_memory(const PoseGraphPiece& piece) {
   return sizeof(Pose2) * piece.poses.size() + sizeof(MapConstraint) * piece.constraints.size();

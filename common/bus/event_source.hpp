@@ -9,7 +9,7 @@
 
 #include "common/bus/log_event.hpp"
 #include "common/bus/log_parser.hpp"
-#include "common/bus/mapped_file.hpp"
+#include "common/files/mapped_file.hpp"
 
 namespace adit {
 

@@ -19,15 +19,21 @@ planar_lidar_t to_message(const LaserScan& scan) {
   return message;
 }
 
-Result<LaserScan> from_message(const planar_lidar_t& message) {
+std::string_view reason_to_refuse(const LaserScan& scan) {
   constexpr double kTwoTurns = 4.0 * std::numbers::pi;
-  if (!is_plausible_utime(message.utime)) return Refused{kImplausibleTime};
-  if (!std::isfinite(message.rad0)) return Refused{"first bearing is not finite"};
-  if (!(message.radstep > 0.0F)) return Refused{"bearings do not increase"};
-  if (message.nranges * static_cast<double>(message.radstep) > kTwoTurns) {
-    return Refused{"bearings go round more than twice"};
+  if (!is_plausible_utime(scan.utime)) return kImplausibleTime;
+  if (!std::isfinite(scan.angle_min_rad)) return "first bearing is not finite";
+  if (!(scan.angle_step_rad > 0.0)) return "bearings do not increase";
+  if (static_cast<double>(scan.ranges_m.size()) * scan.angle_step_rad > kTwoTurns) {
+    return "bearings go round more than twice";
   }
-  return LaserScan{message.utime, message.ranges, message.rad0, message.radstep};
+  return {};
+}
+
+Result<LaserScan> from_message(const planar_lidar_t& message) {
+  LaserScan scan{message.utime, message.ranges, message.rad0, message.radstep};
+  if (const auto reason = reason_to_refuse(scan); !reason.empty()) return Refused{reason};
+  return scan;
 }
 
 }  // namespace adit

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "common/messages/checks.hpp"
+#include "common/messages/planar.hpp"
 
 namespace adit {
 namespace {
@@ -20,14 +20,6 @@ static_assert(static_cast<int>(Status::kRefused) == scan_match_t::STATUS_REFUSED
 static_assert(static_cast<int>(Fill::kNone) == scan_match_t::FILL_NONE);
 static_assert(static_cast<int>(Fill::kOdometry) == scan_match_t::FILL_ODOMETRY);
 static_assert(static_cast<int>(Fill::kImu) == scan_match_t::FILL_IMU);
-
-using RowMajor3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-
-void set_pose(const Pose2& pose, double (&numbers)[3]) {
-  numbers[0] = pose.x;
-  numbers[1] = pose.y;
-  numbers[2] = pose.theta;
-}
 
 bool is_known(ScanMatch::Status status) {
   return status >= ScanMatch::Status::kFirstScan && status <= ScanMatch::Status::kRefused;
@@ -48,7 +40,7 @@ std::vector<DegenerateDirection> degenerate_directions(const scan_match_t& messa
 
 std::string_view reason_to_refuse(const scan_match_t& message) {
   const bool finite = all_finite(message.T_odom_body) && all_finite(message.delta) &&
-                      Eigen::Map<const RowMajor3d>(message.covariance[0]).allFinite();
+                      matrix_from(message.covariance).allFinite();
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (!is_plausible_utime(message.reference_utime)) return kImplausibleTime;
   if (!is_known(ScanMatch::Status(message.status))) return "unknown status";
@@ -67,7 +59,7 @@ scan_match_t to_message(const ScanMatch& match) {
   message.status = static_cast<std::int8_t>(match.status);
   set_pose(match.T_odom_body, message.T_odom_body);
   set_pose(match.T_reference_body, message.delta);
-  Eigen::Map<RowMajor3d>(message.covariance[0]) = match.covariance;
+  set_matrix(match.covariance, message.covariance);
   message.inlier_share = match.inlier_share;
   message.contradiction_share = match.contradiction_share;
   message.rms_residual_m = match.rms_residual_m;
@@ -91,9 +83,9 @@ Result<ScanMatch> from_message(const scan_match_t& message) {
   match.reference_utime = message.reference_utime;
   match.channel = message.channel;
   match.status = ScanMatch::Status(message.status);
-  match.T_odom_body = {message.T_odom_body[0], message.T_odom_body[1], message.T_odom_body[2]};
-  match.T_reference_body = {message.delta[0], message.delta[1], message.delta[2]};
-  match.covariance = Eigen::Map<const RowMajor3d>(message.covariance[0]);
+  match.T_odom_body = pose_from(message.T_odom_body);
+  match.T_reference_body = pose_from(message.delta);
+  match.covariance = matrix_from(message.covariance);
   match.inlier_share = message.inlier_share;
   match.contradiction_share = message.contradiction_share;
   match.rms_residual_m = message.rms_residual_m;

@@ -18,8 +18,6 @@ void draw_marker(const Canvas& canvas, const Eigen::Vector2d& p, double radius,
   canvas.disc(p.x(), p.y(), radius);
 }
 
-double foot(const MapLayout& layout) { return layout.height - kFooter / 2.0 * layout.unit; }
-
 /// 1, 2 or 5 times a power of ten, about a fifth of the map's width.
 double scale_bar_m(const MapLayout& layout) {
   const double wanted = (layout.high.x() - layout.low.x()) / 5.0;
@@ -77,12 +75,15 @@ void draw_scale_bar(const Canvas& canvas, const MapLayout& layout) {
   canvas.text(label, x + length, y + 24.0 * unit, 15.0 * unit, false, Align::kCentre);
 }
 
-void draw_keys(const Canvas& canvas, const MapLayout& layout, bool with_degenerate) {
+double draw_path_keys(const Canvas& canvas, const MapLayout& layout, bool with_degenerate) {
   const double y = foot(layout);
   const double right = layout.width - (kMargin + 8.0) * layout.unit;
   const double left = right - 180.0 * layout.unit;
   draw_path_key(canvas, left, right, y, layout.unit);
-  if (with_degenerate) draw_degenerate_key(canvas, left - 120.0 * layout.unit, y, layout.unit);
+  if (!with_degenerate) return left - 40.0 * layout.unit;
+  const double centre = left - 120.0 * layout.unit;
+  draw_degenerate_key(canvas, centre, y, layout.unit);
+  return centre - 50.0 * layout.unit;
 }
 
 }  // namespace adit

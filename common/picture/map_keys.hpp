@@ -14,8 +14,9 @@ namespace adit {
 void draw_start(const Canvas& canvas, const Eigen::Vector2d& p, double unit);
 void draw_end(const Canvas& canvas, const Eigen::Vector2d& p, double unit);
 
-/// The foot of the sheet: the scale in metres at the left, and at the right what the colours mean.
+/// The foot of the sheet: the scale in metres at the left, and at the right what the colours of the
+/// path mean. Returns where these begin, left of which there is room for more [pixels].
 void draw_scale_bar(const Canvas& canvas, const MapLayout& layout);
-void draw_keys(const Canvas& canvas, const MapLayout& layout, bool with_degenerate);
+double draw_path_keys(const Canvas& canvas, const MapLayout& layout, bool with_degenerate);
 
 }  // namespace adit

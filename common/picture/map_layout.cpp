@@ -15,12 +15,12 @@ constexpr int kWidthMin = 820;  // what the footer needs
 
 }  // namespace
 
-MapLayout::MapLayout(const OccupancyGrid& grid, const std::vector<Pose2>& path)
+MapLayout::MapLayout(const OccupancyGrid& grid, const std::vector<Pose2>& poses, int keys)
     : cells(grid.known_box()),
       low(grid.resolution_m() * cells.from.cast<double>()),
       high(grid.resolution_m() * cells.to.cast<double>()) {
-  if (cells.empty()) low = high = path.empty() ? Eigen::Vector2d(0, 0) : path[0].translation();
-  for (const Pose2& pose : path) {
+  if (cells.empty()) low = high = poses.empty() ? Eigen::Vector2d(0, 0) : poses[0].translation();
+  for (const Pose2& pose : poses) {
     low = low.cwiseMin(pose.translation());
     high = high.cwiseMax(pose.translation());
   }
@@ -37,7 +37,8 @@ MapLayout::MapLayout(const OccupancyGrid& grid, const std::vector<Pose2>& path)
   pixels_per_metre = std::min({pixels_per_metre, (kPixelsMax - around.x()) / size.x(),
                                (kPixelsMax - around.y()) / size.y()});
   const Eigen::Vector2d map = pixels_per_metre * size;
-  width = std::max(kWidthMin, static_cast<int>(map.x() + around.x()));
+  const int width_min = kWidthMin + static_cast<int>(keys * kGraphKey * unit);
+  width = std::max(width_min, static_cast<int>(map.x() + around.x()));
   height = static_cast<int>(map.y() + around.y());
   left = (width - map.x()) / 2.0;
   top = unit * kHeader;

@@ -15,10 +15,13 @@ namespace adit {
 inline constexpr double kMargin = 40.0;
 inline constexpr double kHeader = 76.0;
 inline constexpr double kFooter = 84.0;
+inline constexpr double kGraphKey = 104.0;  // width of each key of a pose graph
 
 /// Where things go on the sheet.
 struct MapLayout {
-  MapLayout(const OccupancyGrid& grid, const std::vector<Pose2>& path);
+  /// Shows all that is known of the grid and these poses. `keys` are those of a pose graph that the
+  /// foot of the sheet has to hold.
+  MapLayout(const OccupancyGrid& grid, const std::vector<Pose2>& poses, int keys = 0);
 
   [[nodiscard]] Eigen::Vector2d pixel(const Eigen::Vector2d& p_map) const {
     return {left + (p_map.x() - low.x()) * pixels_per_metre,
@@ -35,5 +38,8 @@ struct MapLayout {
   int width;
   int height;
 };
+
+/// Height of the keys and the scale on the sheet [pixels].
+inline double foot(const MapLayout& layout) { return layout.height - kFooter / 2.0 * layout.unit; }
 
 }  // namespace adit

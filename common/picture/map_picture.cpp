@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/picture/canvas.hpp"
+#include "common/picture/graph_overlay.hpp"
 #include "common/picture/map_keys.hpp"
 #include "common/picture/map_layout.hpp"
 #include "common/picture/palette.hpp"
@@ -106,23 +107,36 @@ void draw_path(const Canvas& canvas, const MapLayout& layout, const MapPicture& 
   }
 }
 
+MapLayout layout_of(const OccupancyGrid& grid, const MapPicture& picture) {
+  const GraphPicture& graph = picture.graph;
+  std::vector<Pose2> poses = picture.path;
+  poses.insert(poses.end(), graph.nodes.begin(), graph.nodes.end());
+  const int keys =
+      int(!graph.nodes.empty()) + int(!graph.closures.empty()) + int(!graph.revoked.empty());
+  return {grid, poses, keys};
+}
+
 }  // namespace
 
 void write_map_png(const OccupancyGrid& grid, const MapPicture& picture,
                    const std::filesystem::path& path) {
-  const MapLayout layout(grid, picture.path);
+  const MapLayout layout = layout_of(grid, picture);
   const double unit = layout.unit;
   const Canvas canvas(layout.width, layout.height);
   canvas.colour(kPaper);
   canvas.fill_rectangle(0, 0, layout.width, layout.height);
   draw_ground(canvas, layout, grid);
   draw_path(canvas, layout, picture);
+  draw_graph(canvas, layout, picture.graph);
+  double keys_end = layout.width - kMargin * unit;
   if (!picture.path.empty()) {
     draw_start(canvas, layout.pixel(picture.path.front().translation()), unit);
     draw_end(canvas, layout.pixel(picture.path.back().translation()), unit);
     const auto& flags = picture.degenerate;
-    draw_keys(canvas, layout, std::find(flags.begin(), flags.end(), true) != flags.end());
+    const bool with_degenerate = std::find(flags.begin(), flags.end(), true) != flags.end();
+    keys_end = draw_path_keys(canvas, layout, with_degenerate);
   }
+  draw_graph_keys(canvas, layout, picture.graph, keys_end);
   canvas.colour(kInk);
   canvas.text(picture.title, kMargin * unit, 48.0 * unit, 24.0 * unit, true, Align::kLeft);
   draw_scale_bar(canvas, layout);

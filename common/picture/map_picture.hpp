@@ -8,6 +8,7 @@
 
 #include "common/geometry/pose2.hpp"
 #include "common/grid/occupancy_grid.hpp"
+#include "common/picture/graph_picture.hpp"
 
 namespace adit {
 
@@ -16,12 +17,13 @@ struct MapPicture {
   std::string title;        ///< one line, UTF-8
   std::vector<Pose2> path;  ///< T_map_body from start to end, finite, coloured along its length
   std::vector<bool> degenerate;  ///< for each pose of the path, or empty; drawn as a wide band
+  GraphPicture graph{};          ///< as much of it as is to be seen
 };
 
 /// Draws a map as PNG: open ground white, walls dark, the unknown the colour of the paper; the path
-/// with its start and end; below it a scale bar and what the colours mean. At most 2400 pixels
-/// either way. The same map gives the same bytes on the same system (fonts are the system's).
-/// Throws std::runtime_error where the file cannot be written.
+/// with its start and end, and the pose graph; below it a scale bar and what the colours mean. At
+/// most 2400 pixels either way. The same map gives the same bytes on the same system (fonts are the
+/// system's). Throws std::runtime_error where the file cannot be written.
 void write_map_png(const OccupancyGrid& grid, const MapPicture& picture,
                    const std::filesystem::path& path);
 

@@ -26,6 +26,7 @@ struct Target {
 std::vector<Target> message_targets();
 Target log_target();
 Target carmen_target();
+Target journal_target();
 
 std::vector<Target> all_targets();
 

@@ -12,6 +12,7 @@
 #include "common/bus/log_format.hpp"
 #include "common/bus/log_parser.hpp"
 #include "common/bus/log_writer.hpp"
+#include "common/journal/journal_parser.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/support/message_types.hpp"
 #include "tools/carmen/carmen_line.hpp"
@@ -55,6 +56,31 @@ std::string_view take_carmen(std::span<const std::uint8_t> bytes) {
   return refused ? refused->reason : "";
 }
 
+Bytes sample_journal() {
+  Bytes bytes;
+  for (const std::size_t size : {0U, 40U, 7U, 300U}) {
+    const Bytes data(size, static_cast<std::uint8_t>(size));
+    const Bytes record = journal_format::write({"LOCAL_MAP", data});
+    bytes.insert(bytes.end(), record.begin(), record.end());
+  }
+  return bytes;
+}
+
+/// Reads all records; every byte must belong to one or be reported.
+std::string_view take_journal(std::span<const std::uint8_t> bytes) {
+  JournalParser parser(bytes);
+  std::size_t in_records = 0;
+  while (const auto record = parser.next()) {
+    in_records += journal_format::kHeadBytes + record->kind.size() + record->bytes.size();
+  }
+  const JournalHealth& health = parser.health();
+  if (in_records + health.corrupt_bytes + health.torn_bytes != bytes.size()) {
+    std::cerr << "the journal reader lost count of the bytes\n";
+    std::abort();
+  }
+  return health.corrupt_bytes + health.torn_bytes > 0 ? "damaged" : "";
+}
+
 Bytes bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
 
 }  // namespace
@@ -69,6 +95,8 @@ std::vector<Target> message_targets() {
 
 Target log_target() { return {"log", {sample_log()}, take_log}; }
 
+Target journal_target() { return {"journal", {sample_journal()}, take_journal}; }
+
 Target carmen_target() {
   return {"carmen",
           {bytes_of("FLASER 4 1.0 2.5 81.83 0.0 1 2 0.5 3 4 -0.5 1134864629.895182 b21 0.0863"),
@@ -82,6 +110,7 @@ std::vector<Target> all_targets() {
   std::vector<Target> targets = message_targets();
   targets.push_back(log_target());
   targets.push_back(carmen_target());
+  targets.push_back(journal_target());
   return targets;
 }
 

@@ -3,12 +3,16 @@
 #include "tests/support/message_types.hpp"
 
 #include "common/bus/channels.hpp"
+#include "common/messages/association.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/config_copy.hpp"
 #include "common/messages/heartbeat.hpp"
 #include "common/messages/imu_reading.hpp"
 #include "common/messages/laser_scan.hpp"
+#include "common/messages/local_map_pieces.hpp"
+#include "common/messages/map_correction.hpp"
 #include "common/messages/pose.hpp"
+#include "common/messages/pose_graph_pieces.hpp"
 #include "common/messages/scan_match.hpp"
 #include "common/messages/stage_stats.hpp"
 #include "common/messages/tilt_reading.hpp"
@@ -48,6 +52,45 @@ ScanMatch sample_match() {
   return report;
 }
 
+const Eigen::Matrix3d kCovariance = Eigen::Vector3d(1e-2, 1e-2, 1e-4).asDiagonal();
+const Eigen::Matrix3d kInformation = Eigen::Vector3d(400.0, 400.0, 1e4).asDiagonal();
+
+LocalMap sample_local_map() {
+  const LaserScan scan{kUtime, std::vector<float>(12, 5.0F), -1.5, 0.0087};
+  LocalMap map;
+  map.id = 7;
+  map.utime = kUtime;
+  map.end_utime = kUtime + 1'000'000;
+  map.T_odom_local = {12.0, -3.0, 0.7};
+  map.T_previous_local = {5.0, 0.1, 0.02};
+  map.information = kInformation;
+  map.scans = {{"LASER_FRONT", scan, {0.1, 0.0, 0.0}}, {"LASER_REAR", scan, {0.2, 0.0, 0.01}}};
+  return map;
+}
+
+MapGraph sample_graph() {
+  const PoseConstraint sequential{0, 1, {5.0, 0.0, 0.0}, kInformation};
+  const PoseConstraint closure{2, 0, {-10.0, 0.0, 0.0}, kInformation};
+  return {
+      kUtime,
+      12,
+      {{0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}, {10.0, 0.1, 0.0}},
+      {{sequential, MapConstraint::Kind::kSequential}, {closure, MapConstraint::Kind::kClosure}}};
+}
+
+Association sample_association() {
+  Association association;
+  association.utime = kUtime;
+  association.action = Association::Action::kRevised;
+  association.closure = {
+      3, 40, {{7, {0.4, 0.1, 0.0}, kInformation, 31.0}, {9, {0.0, 0.0, 0.1}, kInformation, 12.0}}};
+  association.chosen = 1;
+  association.chosen_before = 0;
+  association.log_likelihood = -120.5;
+  association.reason = "the corner does not agree";
+  return association;
+}
+
 }  // namespace
 
 std::vector<MessageType> message_types() {
@@ -58,6 +101,7 @@ std::vector<MessageType> message_types() {
   const TiltReading tilt{kUtime, 0.3, -0.1};
   const Heartbeat heartbeat{kUtime, "mapping", {Health::Level::kDegraded, "no odometry"}, 9, 1, 2};
   const ConfigCopy config{kUtime, "mapping", "0.1.0", "mapping:\n  cell_m: 0.1\n"};
+  const MapCorrection correction{kUtime, 12, 0, 40, {0.3, -0.2, 0.01}, kCovariance};
   const StageStats stats{kUtime,
                          "mapping",
                          5.0,
@@ -68,6 +112,10 @@ std::vector<MessageType> message_types() {
           type_of(channels::kImu, to_message(imu)),
           type_of(channels::kTiltFront, to_message(tilt)),
           type_of(channels::kScanMatch, to_message(sample_match())),
+          type_of(channels::kLocalMap, to_message(divide(sample_local_map()).front())),
+          type_of(channels::kPoseGraph, to_message(divide(sample_graph()).front())),
+          type_of(channels::kMapCorrection, to_message(correction)),
+          type_of(channels::kAssociation, to_message(sample_association())),
           type_of(channels::kHeartbeat, to_message(heartbeat)),
           type_of(channels::kConfig, to_message(config)),
           type_of(channels::kStageStats, to_message(stats))};

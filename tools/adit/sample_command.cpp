@@ -5,11 +5,15 @@
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "common/geometry/angle.hpp"
 #include "tools/adit/commands.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/eval/tum.hpp"
@@ -18,22 +22,38 @@
 namespace adit {
 namespace {
 
+const std::map<std::string, SampleWorld> kWorlds = {{"ring", SampleWorld::kRing},
+                                                    {"parallel", SampleWorld::kParallel},
+                                                    {"long", SampleWorld::kLong}};
+constexpr double kLongDrive = 10'000.0;
+
 struct Options {
   std::filesystem::path output;
   std::filesystem::path truth;
   std::uint64_t seed = 1;
-  double length_m = std::numeric_limits<double>::infinity();
+  std::optional<double> length_m;
   bool half_degree = false;
+  std::string world = "ring";
+  std::optional<double> yaw_bias_deg_per_m;
+  double bearing_error_percent = 0.0;
 };
 
 constexpr const char* kFooter =
-    R"(The mine is made up: an adit, a ring of workings, a cross-cut through a room on pillars, dead ends.
-The robot drives 450 m through it and closes two loops. Laser and wheels have errors like real ones.
-The same seed gives the same bytes.
+    R"(The mine is made up. Laser and wheels have errors like real ones. The same seed gives the same bytes.
+
+Worlds:
+  ring      an adit, a ring of workings, a cross-cut through a room on pillars, dead ends;
+            the robot drives 450 m through it and closes two loops
+  parallel  two drifts that look the same, 12 m apart: after 800 m the odometry makes the robot believe
+            that it is in the other one, until it comes to a corner; scan matching alone is led
+            astray with --bearing-error-percent -2.5
+  long      a grid of drifts, 320 m by 210 m, through which the robot drives as far as --length-m says,
+            10 km if it does not, with a scan every 0.1 m
 
 Examples:
   adit sample mine.log                                  as a CARMEN log
-  adit sample mine.lcmlog --truth mine.tum --seed 7     as an LCM log, with the true path)";
+  adit sample mine.lcmlog --truth mine.tum --seed 7     as an LCM log, with the true path
+  adit sample far.lcmlog --world long --length-m 2000   2 km in a large mine)";
 
 void write_truth(const Trajectory& truth, const std::filesystem::path& path) {
   std::ofstream out(path);
@@ -41,9 +61,27 @@ void write_truth(const Trajectory& truth, const std::filesystem::path& path) {
   if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
+double length_of(const Options& options) {
+  constexpr double kWholeWay = std::numeric_limits<double>::infinity();
+  return options.length_m.value_or(options.world == "long" ? kLongDrive : kWholeWay);
+}
+
+SampleSite site_of(const Options& options) {
+  SampleSite site = sample_site(kWorlds.at(options.world), options.seed, length_of(options));
+  if (options.yaw_bias_deg_per_m) {
+    site.odometry.drift_rad_per_m = deg_to_rad(*options.yaw_bias_deg_per_m);
+  }
+  return site;
+}
+
+LaserModel laser_of(const Options& options) {
+  LaserModel laser = options.half_degree ? half_degree_laser() : LaserModel{};
+  laser.bearing_scale = 1.0 + options.bearing_error_percent / 100.0;
+  return laser;
+}
+
 void write_sample(const Options& options) {
-  const LaserModel laser = options.half_degree ? half_degree_laser() : LaserModel{};
-  SampleRun run(options.seed, laser, options.length_m);
+  SampleRun run(site_of(options), options.seed, laser_of(options), length_of(options));
   {
     ProgressBar bar("sampling");
     write_sample_log(run, options.output, [&](double done) { bar.update(done); });
@@ -71,6 +109,21 @@ void add_sample_command(CLI::App& adit) {
   sample->add_option("--length-m", options->length_m, "Only this much of the way")
       ->type_name("METRES")
       ->check(CLI::PositiveNumber);
+  sample->add_option("--world", options->world, "Which mine: ring, parallel or long")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"ring", "parallel", "long"}))
+      ->capture_default_str();
+  sample
+      ->add_option("--yaw-bias-deg-per-m", options->yaw_bias_deg_per_m,
+                   "How the odometry turns away from the truth, instead of as the world has it")
+      ->type_name("DEG")
+      ->check(CLI::Range(-10.0, 10.0));
+  sample
+      ->add_option("--bearing-error-percent", options->bearing_error_percent,
+                   "By how much the laser's true bearings exceed those it reports")
+      ->type_name("PERCENT")
+      ->check(CLI::Range(-10.0, 10.0))
+      ->capture_default_str();
   sample->add_flag("--half-degree", options->half_degree, "361 beams for each scan, not 181");
   sample->callback([options] { write_sample(*options); });
 }

@@ -3,28 +3,15 @@
 #include "tools/sample_mine/mine_worlds.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
-#include "tools/sample_mine/smooth_noise.hpp"
+#include "tools/sample_mine/rock.hpp"
 #include "tools/sample_mine/wall_contour.hpp"
 
 namespace adit {
 namespace {
 
 using Point = Eigen::Vector2d;
-
-/// A straight piece of a working; a room where both ends are the same.
-struct Working {
-  Point from;
-  Point to;
-  double half_width_m;
-};
-
-struct Pillar {
-  Point centre;
-  double radius_m;
-};
 
 const Point kPortal{-6.0, 0.0};
 const Point kRing[] = {{35, 0},  {48, -4}, {78, -6}, {100, 8}, {104, 34},
@@ -58,35 +45,6 @@ std::vector<Pillar> pillars(std::uint64_t seed) {
   return result;
 }
 
-double distance_to(const Point& p, const Working& working) {
-  const Point along = working.to - working.from;
-  const double share = std::clamp((p - working.from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (p - working.from - share * along).norm();
-}
-
-/// How far inside the rock a point lies [m]; negative in the open.
-class Rock {
- public:
-  explicit Rock(std::uint64_t seed)
-      : workings_(workings()), pillars_(pillars(seed)), coarse_(seed + 1), fine_(seed + 2) {}
-
-  double operator()(const Point& p) const {
-    double depth = 1e9;
-    for (const Working& w : workings_) depth = std::min(depth, distance_to(p, w) - w.half_width_m);
-    for (const Pillar& pillar : pillars_) {
-      depth = std::max(depth, pillar.radius_m - (p - pillar.centre).norm());
-    }
-    if (depth > 1.0) return depth;  // roughness does not reach that far
-    return depth + 0.40 * coarse_(p / 2.2) + 0.20 * fine_(p / 0.7);
-  }
-
- private:
-  std::vector<Working> workings_;
-  std::vector<Pillar> pillars_;
-  SmoothNoise coarse_;
-  SmoothNoise fine_;
-};
-
 }  // namespace
 
 SyntheticWorld straight_drift(double length_m, double width_m) {
@@ -96,7 +54,7 @@ SyntheticWorld straight_drift(double length_m, double width_m) {
 }
 
 SyntheticWorld sample_mine(std::uint64_t seed) {
-  const Rock rock(seed);
+  const Rock rock(workings(), pillars(seed), seed);
   std::vector<Segment> walls = zero_contour(rock, {-10.0, -16.0}, {132.0, 80.0}, 0.2);
   // The adit ends in daylight.
   std::erase_if(walls, [](const Segment& wall) { return std::min(wall.a.x(), wall.b.x()) < -3.0; });

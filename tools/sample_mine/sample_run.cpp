@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/sample_mine/sample_run.hpp"
 
-#include "tools/sample_mine/mine_worlds.hpp"
-#include "tools/sample_mine/route_driver.hpp"
+#include <utility>
 
 namespace adit {
 namespace {
@@ -27,10 +26,14 @@ Trajectory shortened(Trajectory trajectory, double length_max_m) {
 }  // namespace
 
 SampleRun::SampleRun(std::uint64_t seed, const LaserModel& laser, double length_max_m)
-    : mine_(sample_mine(seed)),
-      truth_(shortened(drive_route(sample_mine_route(), {}, kStartUtime), length_max_m)),
+    : SampleRun(sample_site(SampleWorld::kRing, seed), seed, laser, length_max_m) {}
+
+SampleRun::SampleRun(SampleSite site, std::uint64_t seed, const LaserModel& laser,
+                     double length_max_m)
+    : mine_(std::move(site.mine)),
+      truth_(shortened(drive_route(site.route, site.drive, kStartUtime), length_max_m)),
       laser_(laser, seed ^ kLaserStream),
-      odometry_({}, seed ^ kOdometryStream) {}
+      odometry_(site.odometry, seed ^ kOdometryStream) {}
 
 std::optional<SampleReading> SampleRun::next() {
   if (next_ == truth_.size()) return std::nullopt;

@@ -10,6 +10,7 @@
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/wheel_odometry.hpp"
 #include "tools/eval/trajectory.hpp"
+#include "tools/sample_mine/sample_site.hpp"
 #include "tools/sample_mine/synthetic_laser.hpp"
 #include "tools/sample_mine/synthetic_odometry.hpp"
 #include "tools/sample_mine/synthetic_world.hpp"
@@ -22,12 +23,16 @@ struct SampleReading {
   LaserScan scan;
 };
 
-/// A robot's drive through the sample mine, five scans a second. The same seed gives the same run,
-/// of which a shorter one is the beginning.
+/// A robot's drive through a made-up mine, five scans a second. The same site and seed give the
+/// same run, of which a shorter one is the beginning.
 class SampleRun {
  public:
   explicit SampleRun(std::uint64_t seed, const LaserModel& laser = {},
                      double length_max_m = std::numeric_limits<double>::infinity());
+
+  /// At another site than the ring. The seed is that of the noise.
+  SampleRun(SampleSite site, std::uint64_t seed, const LaserModel& laser = {},
+            double length_max_m = std::numeric_limits<double>::infinity());
 
   /// The readings of the next moment, or nothing at the end.
   std::optional<SampleReading> next();

@@ -22,7 +22,8 @@ LaserScan SyntheticLaser::measure(const SyntheticWorld& world, const Pose2& T_wo
   scan.angle_step_rad = model_.angle_step_rad;
   scan.ranges_m.reserve(static_cast<std::size_t>(model_.beams));
   for (int i = 0; i < model_.beams; ++i) {
-    const double angle = T_world_laser.theta + model_.angle_min_rad + i * model_.angle_step_rad;
+    const double angle = T_world_laser.theta + model_.bearing_scale * model_.angle_min_rad +
+                         i * model_.bearing_scale * model_.angle_step_rad;
     const auto range = world.cast(T_world_laser.translation(), angle, model_.range_max_m);
     scan.ranges_m.push_back(read_range(range));
   }

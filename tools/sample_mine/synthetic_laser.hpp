@@ -17,6 +17,9 @@ struct LaserModel {
   int beams = 181;
   double angle_min_rad = -std::numbers::pi / 2.0;
   double angle_step_rad = std::numbers::pi / 180.0;
+  /// True bearings, as multiples of those that are reported: whoever matches such scans turns more
+  /// or less than the robot does.
+  double bearing_scale = 1.0;
   double noise_sd_m = 0.008;  ///< of each range, normal and independent
   double quantum_m = 0.01;    ///< ranges are rounded to multiples of this; 0 for none
   double range_max_m = 80.0;

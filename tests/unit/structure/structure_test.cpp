@@ -212,19 +212,35 @@ TEST(Structure, EveryChannelHasItsRowInTheTableAndEveryRowIsAChannel) {
   EXPECT_THAT(rows, ElementsAreArray(constants));
 }
 
-TEST(Structure, EveryTypeIsInTheTableOfChannels) {
-  const std::string readme = text_of(kRoot / "lcmtypes/README.md");
+std::vector<fs::path> type_files() {
+  std::vector<fs::path> paths;
   for (const auto& entry : fs::directory_iterator(kRoot / "lcmtypes")) {
-    if (entry.path().extension() != ".lcm") continue;
-    EXPECT_NE(readme.find("| `" + entry.path().stem().string() + "` |"), std::string::npos)
-        << entry.path();
+    if (entry.path().extension() == ".lcm") paths.push_back(entry.path());
   }
+  return paths;
 }
 
-TEST(Structure, EveryTypeIsAmongThoseThatTestsGoOver) {
+/// Types that are fields of others, and so on no channel.
+std::set<std::string> nested_types() {
+  std::set<std::string> nested;
+  for (const fs::path& path : type_files()) nested.merge(matches(text_of(path), R"(\n +(\w+_t))"));
+  for (const char* number : {"int8_t", "int16_t", "int32_t", "int64_t"}) nested.erase(number);
+  return nested;
+}
+
+TEST(Structure, EveryTypeIsInTheTableOfChannelsOrOfNestedTypes) {
+  const std::string readme = text_of(kRoot / "lcmtypes/README.md");
+  for (const fs::path& path : type_files()) {
+    EXPECT_NE(readme.find("| `" + path.stem().string() + "` |"), std::string::npos) << path;
+  }
+  EXPECT_THAT(first_column(readme, "nested type"), ElementsAreArray(nested_types()));
+}
+
+TEST(Structure, EveryTypeOfAChannelIsAmongThoseThatTestsGoOver) {
+  const std::set<std::string> nested = nested_types();
   std::set<std::string> files;
-  for (const auto& entry : fs::directory_iterator(kRoot / "lcmtypes")) {
-    if (entry.path().extension() == ".lcm") files.insert(entry.path().stem().string());
+  for (const fs::path& path : type_files()) {
+    if (!nested.contains(path.stem().string())) files.insert(path.stem().string());
   }
   std::set<std::string> types;
   for (const adit::MessageType& type : adit::message_types()) types.insert(type.name);
@@ -243,13 +259,15 @@ std::vector<std::string> fields(const std::string& lcm) {
 }
 
 TEST(Structure, EveryFieldOfEveryTypeSaysWhatItIs) {
-  for (const auto& entry : fs::directory_iterator(kRoot / "lcmtypes")) {
-    if (entry.path().extension() != ".lcm") continue;
-    const auto lines = fields(text_of(entry.path()));
-    ASSERT_FALSE(lines.empty()) << entry.path();
-    EXPECT_THAT(lines.front(), testing::ContainsRegex("int64_t utime; +// time|bus time"));
+  const std::set<std::string> nested = nested_types();
+  for (const fs::path& path : type_files()) {
+    const auto lines = fields(text_of(path));
+    ASSERT_FALSE(lines.empty()) << path;
+    if (!nested.contains(path.stem().string())) {
+      EXPECT_THAT(lines.front(), testing::ContainsRegex("int64_t utime; +// time|bus time"));
+    }
     for (const std::string& line : lines) {
-      EXPECT_NE(line.find("//"), std::string::npos) << entry.path() << ": " << line;
+      EXPECT_NE(line.find("//"), std::string::npos) << path << ": " << line;
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include <cairo.h>
@@ -59,6 +60,43 @@ TEST_F(MapPng, ShowsWhichStretchesAreDegenerate) {
   picture.degenerate = {false, true, false};
   write_map_png(room(), picture, path_);
   EXPECT_NE(without, contents(path_));
+}
+
+TEST_F(MapPng, ShowsEachPartOfThePoseGraphThatItIsGiven) {
+  MapPicture picture{"A room", {{0, 0, 0}, {1, 0, 0}, {2, 1, 1}}, {}};
+  const GraphPicture::Edge edge{{0.0, 0.0}, {2.0, 1.0}};
+  std::set<std::string> pictures;
+  const auto draw = [&] {
+    write_map_png(room(), picture, path_);
+    pictures.insert(contents(path_));
+  };
+  draw();
+  picture.graph.nodes = {{0, 0, 0}, {2, 1, 1}};
+  draw();
+  picture.graph.sequential = {edge};
+  draw();
+  picture.graph.closures = {edge};
+  draw();
+  std::swap(picture.graph.closures, picture.graph.revoked);
+  draw();
+  EXPECT_EQ(pictures.size(), 5U);
+}
+
+TEST_F(MapPng, ShowsAPoseGraphWithoutAPathAndBeyondTheMap) {
+  MapPicture picture{"Far away", {}, {}};
+  picture.graph.nodes = {{200.0, 0.0, 0.0}};
+  write_map_png(room(), picture, path_);
+  EXPECT_GT(size().first, 2 * size().second);
+}
+
+TEST_F(MapPng, HasRoomForTheKeysBelowANarrowMap) {
+  MapPicture picture{"High", {{0, 0, 0}, {0, 900, 0}}, {true, true}};
+  write_map_png(room(), picture, path_);
+  const int width = size().first;
+  const GraphPicture::Edge edge{{0.0, 0.0}, {0.0, 9.0}};
+  picture.graph = {{{0, 0, 0}}, {edge}, {edge}, {edge}};
+  write_map_png(room(), picture, path_);
+  EXPECT_GT(size().first, width);
 }
 
 TEST_F(MapPng, KeepsToItsLargestSize) {

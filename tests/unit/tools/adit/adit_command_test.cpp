@@ -75,6 +75,7 @@ TEST_F(AditCommand, WrongUseIsOneLineAndExitCodeTwo) {
         {"import", "carmen", at("missing"), at("out")},
         {"sample", "/nonexistent/x.log"},
         {"sample", at("x.log"), "--length-m", "0"},
+        {"sample", at("x.log"), "--world", "flat"},
         {"map", at("missing"), "--out", at("map")},
         {"eval", "relations", at("missing"), at("missing")}}) {
     const Outcome outcome = adit(arguments);
@@ -101,6 +102,21 @@ TEST_F(AditCommand, ASampleIsTheSameTwiceAndCanBeImported) {
 
   ASSERT_EQ(adit({"sample", at("d.log"), "--length-m", "10"}).exit_code, 0);
   EXPECT_THAT(contents("a.log"), StartsWith(contents("d.log")));
+}
+
+TEST_F(AditCommand, ASampleMayBeOfAnotherWorld) {
+  const auto sample = [&](const std::string& name, std::vector<std::string> options) {
+    options.insert(options.begin(), {"sample", at(name), "--length-m", "5"});
+    EXPECT_EQ(adit(options).exit_code, 0);
+    return contents(name);
+  };
+  const std::string ring = sample("ring.log", {});
+  EXPECT_EQ(ring, sample("same.log", {"--world", "ring"}));
+  const std::string parallel = sample("parallel.log", {"--world", "parallel"});
+  EXPECT_NE(parallel, ring);
+  EXPECT_NE(parallel, sample("biased.log", {"--world", "parallel", "--yaw-bias-deg-per-m", "1"}));
+  EXPECT_NE(parallel, sample("bent.log", {"--world", "parallel", "--bearing-error-percent", "2"}));
+  EXPECT_NE(parallel, sample("long.log", {"--world", "long"}));
 }
 
 TEST_F(AditCommand, MapsASample) {

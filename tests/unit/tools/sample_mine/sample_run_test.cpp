@@ -33,6 +33,13 @@ TEST(SampleRun, ComesFromItsSeed) {
   EXPECT_NE(first_scan(3), first_scan(4));
 }
 
+TEST(SampleRun, MayBeAtAnotherSite) {
+  SampleRun ring(sample_site(SampleWorld::kRing, 1), 1);
+  EXPECT_EQ(ring.next()->scan, SampleRun(1).next()->scan);
+  SampleRun parallel(sample_site(SampleWorld::kParallel, 1), 1);
+  EXPECT_NE(parallel.next()->scan, SampleRun(1).next()->scan);
+}
+
 TEST(SampleRun, AShorterOneIsTheBeginning) {
   constexpr double kLength = 20.0;
   SampleRun whole(1);

@@ -37,6 +37,15 @@ TEST(SyntheticLaser, HasTheNoiseItIsGiven) {
   EXPECT_NEAR(std::sqrt(squares / count), 0.05, 0.003);  // four standard errors
 }
 
+TEST(SyntheticLaser, MayLookInOtherDirectionsThanItReports) {
+  LaserModel model;
+  model.noise_sd_m = 0.0;
+  model.bearing_scale = 0.5;
+  const LaserScan scan = SyntheticLaser(model, 1).measure(straight_drift(400.0, 4.0), {}, 0);
+  EXPECT_FLOAT_EQ(static_cast<float>(scan.angle_min_rad), -1.5707963F);
+  EXPECT_FLOAT_EQ(scan.ranges_m.back(), 2.83F);  // at 45 degrees
+}
+
 TEST(SyntheticLaser, TheSameSeedGivesTheSameScans) {
   const SyntheticWorld world = sample_mine(1);
   SyntheticLaser a(half_degree_laser(), 5);

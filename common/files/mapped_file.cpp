@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/bus/mapped_file.hpp"
+#include "common/files/mapped_file.hpp"
 
 #include <cerrno>
 #include <stdexcept>

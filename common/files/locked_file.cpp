@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/files/locked_file.hpp"
+
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace adit {
+namespace {
+
+template <class Call>
+auto retry(const Call& call) {
+  auto result = call();
+  while (result < 0 && errno == EINTR) result = call();
+  return result;
+}
+
+}  // namespace
+
+LockedFile::LockedFile(const std::filesystem::path& path) : path_(path) {
+  // Non-blocking, so that a pipe or a device does not hold us up before it is refused.
+  file_ =
+      retry([&] { return open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0644); });
+  if (file_ < 0) fail("cannot open", errno);
+  try {
+    require_ordinary();
+    lock();
+  } catch (...) {
+    close(file_);
+    throw;
+  }
+}
+
+LockedFile::~LockedFile() { close(file_); }
+
+std::uint64_t LockedFile::size() const {
+  struct stat status {};
+  if (fstat(file_, &status) != 0) fail("cannot read", errno);
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
+void LockedFile::write_at(std::uint64_t offset, std::span<const std::uint8_t> bytes) const {
+  while (!bytes.empty()) {
+    const auto written = retry(
+        [&] { return pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset)); });
+    if (written <= 0) fail("cannot write", written < 0 ? errno : ENOSPC);
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+    offset += static_cast<std::uint64_t>(written);
+  }
+}
+
+void LockedFile::truncate(std::uint64_t size) const {
+  if (retry([&] { return ftruncate(file_, static_cast<off_t>(size)); }) != 0) {
+    fail("cannot shorten", errno);
+  }
+}
+
+void LockedFile::sync() const {
+  if (retry([&] { return fsync(file_); }) != 0) fail("cannot bring to the disk", errno);
+}
+
+void LockedFile::sync_folder() const {
+  const auto parent = std::filesystem::absolute(path_).parent_path();
+  const int folder =
+      retry([&] { return open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); });
+  if (folder < 0) fail("cannot open its folder", errno);
+  const int result = retry([&] { return fsync(folder); });
+  const int error = errno;
+  close(folder);
+  if (result != 0) fail("cannot bring its folder to the disk", error);
+}
+
+void LockedFile::fail(const std::string& what, int error) const {
+  throw std::runtime_error(path_.string() + ": " + what + ": " +
+                           std::generic_category().message(error));
+}
+
+void LockedFile::require_ordinary() const {
+  struct stat status {};
+  if (fstat(file_, &status) != 0) fail("cannot read", errno);
+  if (!S_ISREG(status.st_mode)) {
+    throw std::runtime_error(path_.string() + ": is no ordinary file");
+  }
+}
+
+void LockedFile::lock() const {
+  if (retry([&] { return flock(file_, LOCK_EX | LOCK_NB); }) == 0) return;
+  if (errno != EWOULDBLOCK) fail("cannot lock", errno);
+  throw std::runtime_error(path_.string() + ": is in use by another process");
+}
+
+}  // namespace adit

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/geometry/pose2.hpp"
+#include "common/pose_graph/pose_graph.hpp"
+
+namespace adit {
+
+/// A constraint between local maps, and where it comes from.
+struct MapConstraint {
+  enum class Kind : std::int8_t {
+    kSequential = 0,  ///< of consecutive local maps
+    kClosure = 1,     ///< of a place that was seen again
+  };
+
+  PoseConstraint measured;
+  Kind kind = Kind::kSequential;
+};
+
+/// The pose graph as the mapping passes it on: all local maps, and the constraints in force.
+struct MapGraph {
+  std::int64_t utime = 0;     ///< of the newest measurement in it [µs since the epoch]
+  std::int64_t revision = 0;  ///< counts the changes
+  std::vector<Pose2> poses;   ///< T_map_local, by the id of the local map
+  std::vector<MapConstraint> constraints;
+};
+
+}  // namespace adit

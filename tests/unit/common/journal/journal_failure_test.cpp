@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a journal does when the disk is full, the path is bad, or its process is killed.
+#include <csignal>
+#include <cstdlib>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tests/unit/common/journal/journal_fixture.hpp"
+
+namespace adit {
+namespace {
+
+using test::error_of;
+using test::record;
+using test::records;
+
+/// Files of this process grow no further than this while it is there.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(std::size_t bytes) {
+    signal_before_ = std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, signal_before_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*signal_before_)(int) = nullptr;
+};
+
+class FailingJournals : public test::JournalTest {};
+
+TEST_F(FailingJournals, AreAsTheyWereBeforeWhereARecordDoesNotFit) {
+  Journal journal(path_);
+  const auto [kind, bytes] = record(1);
+  journal.append(kind, bytes);
+  const auto size = std::filesystem::file_size(path_);
+  {
+    const FileSizeLimit limit(size + 30);
+    const std::string error = error_of([&] { journal.append("LOCAL_MAP", record(2).second); });
+    EXPECT_EQ(error.find(path_.string() + ": cannot write: "), 0U) << error;
+    EXPECT_EQ(std::filesystem::file_size(path_), size);
+  }
+  journal.append(record(2).first, record(2).second);
+  std::size_t count = 0;
+  EXPECT_EQ(read_journal(path_, [&](const JournalRecord&) { ++count; }),
+            (JournalHealth{2, 0, 0, 0}));
+  EXPECT_EQ(count, 2U);
+}
+
+TEST_F(FailingJournals, SayWhatIsWrongWithTheirPath) {
+  EXPECT_EQ(error_of([] { const Journal journal("/nonexistent/a.journal"); }),
+            "/nonexistent/a.journal: cannot open: No such file or directory");
+  EXPECT_EQ(error_of([&] { const Journal journal(folder_.path()); }),
+            folder_.path().string() + ": cannot open: Is a directory");
+  EXPECT_EQ(error_of([] { const Journal journal("/dev/full"); }), "/dev/full: is no ordinary file");
+}
+
+TEST_F(FailingJournals, SayThatTheyMayNotBeWritten) {
+  if (geteuid() == 0) GTEST_SKIP() << "nothing is forbidden to root";
+  (void)append(1, 1);
+  std::filesystem::permissions(path_, std::filesystem::perms::owner_read);
+  EXPECT_EQ(error_of([&] { const Journal journal(path_); }),
+            path_.string() + ": cannot open: Permission denied");
+}
+
+/// Appends until it is killed, and tells through the pipe how many records that were.
+[[noreturn]] void append_for_ever(const std::filesystem::path& path, int pipe) {
+  try {
+    int next = 1;
+    Journal journal(path, [&](const JournalRecord&) { ++next; });
+    for (;; ++next) {
+      const auto [kind, bytes] = record(next);
+      journal.append(kind, bytes);
+      if (write(pipe, &next, sizeof(next)) != sizeof(next)) std::_Exit(1);
+    }
+  } catch (const std::exception&) {
+    std::_Exit(1);
+  }
+}
+
+/// The last number that came through the pipe, 0 if none; reads it to its end.
+int last_number(int pipe) {
+  int last = 0;
+  for (int number = 0; read(pipe, &number, sizeof(number)) == sizeof(number);) last = number;
+  return last;
+}
+
+/// Lets a process append for a while and kills it. How many records it had appended at least.
+int append_and_be_killed(const std::filesystem::path& path, int microseconds) {
+  int ends[2];
+  if (pipe(ends) != 0) return -1;
+  const pid_t child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    append_for_ever(path, ends[1]);
+  }
+  close(ends[1]);
+  usleep(static_cast<useconds_t>(microseconds));
+  kill(child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  const int appended = last_number(ends[0]);
+  close(ends[0]);
+  return appended;
+}
+
+TEST_F(FailingJournals, KeepAllRecordsOfAProcessThatIsKilled) {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> microseconds(1000, 8000);
+  std::size_t before = 0;
+  for (int times = 0; times < 40; ++times) {
+    const int appended = append_and_be_killed(path_, microseconds(random));
+    const auto [found, health] = reopened();
+    ASSERT_GE(found.size(), std::max(before, std::size_t(appended)));
+    ASSERT_EQ(health.corrupt_stretches, 0U);
+    ASSERT_EQ(found, records(static_cast<int>(found.size())));
+    before = found.size();
+  }
+  EXPECT_GT(before, 100U);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "tests/unit/common/journal/journal_fixture.hpp"
+
+namespace adit {
+namespace {
+
+using test::contents;
+using test::error_of;
+using test::records;
+
+TEST(JournalRecord, HasTheBytesThatTheReadmeSays) {
+  const std::vector<std::uint8_t> data = {1, 2, 3};
+  const auto bytes = journal_format::write({"POSE", data});
+  ASSERT_EQ(bytes.size(), 27U);
+  EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 4), "ADJ1");
+  EXPECT_EQ(bytes[7], 4);
+  EXPECT_EQ(bytes[11], 3);
+  EXPECT_EQ(std::string(bytes.begin() + 20, bytes.begin() + 24), "POSE");
+  EXPECT_EQ(bytes.back(), 3);
+}
+
+TEST(JournalRecord, TakesNoKindThatIsEmptyOrTooLong) {
+  EXPECT_THROW(journal_format::write({"", {}}), std::length_error);
+  EXPECT_THROW(journal_format::write({std::string(64, 'x'), {}}), std::length_error);
+  EXPECT_NO_THROW(journal_format::write({std::string(63, 'x'), {}}));
+}
+
+class Journals : public test::JournalTest {};
+
+TEST_F(Journals, GiveBackWhatWasAppendedInOrder) {
+  EXPECT_EQ(append(1, 20), records(20));
+  EXPECT_EQ(reopened().first, records(20));
+  EXPECT_EQ(reopened().second, (JournalHealth{20, 0, 0, 0}));
+}
+
+TEST_F(Journals, AreContinued) {
+  (void)append(1, 3);
+  (void)append(4, 9);
+  EXPECT_EQ(reopened().first, records(9));
+}
+
+TEST_F(Journals, HaveTheSameBytesEachTime) {
+  (void)append(1, 20);
+  const std::string first = contents(path_);
+  std::filesystem::remove(path_);
+  for (int i = 1; i <= 20; ++i) (void)append(i, i);
+  EXPECT_EQ(contents(path_), first);
+}
+
+TEST_F(Journals, AreCreatedEmptyAndMayStaySo) {
+  EXPECT_EQ(reopened().second, JournalHealth{});
+  EXPECT_TRUE(std::filesystem::exists(path_));
+  EXPECT_EQ(reopened().second, JournalHealth{});
+}
+
+TEST_F(Journals, AreOpenedByOneAtATime) {
+  const Journal first(path_);
+  EXPECT_EQ(error_of([&] { const Journal second(path_); }),
+            path_.string() + ": is in use by another process");
+}
+
+TEST_F(Journals, CanBeReadWhileTheyAreWritten) {
+  Journal journal(path_);
+  journal.append("POSE", {});
+  journal.sync();
+  std::size_t count = 0;
+  EXPECT_EQ(read_journal(path_, [&](const JournalRecord&) { ++count; }).records, 1U);
+  EXPECT_EQ(count, 1U);
+}
+
+TEST_F(Journals, ReadingOneThatIsNotThereIsAnErrorAndCreatesNothing) {
+  EXPECT_NE(error_of([&] { read_journal(path_, [](const JournalRecord&) {}); }), "");
+  EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
+TEST_F(Journals, HoldLargeRecords) {
+  const std::vector<std::uint8_t> large(20'000'000, 7);
+  Journal(path_).append("LOCAL_MAP", large);
+  EXPECT_EQ(reopened().first.at(0).second, large);
+}
+
+}  // namespace
+}  // namespace adit

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "common/config/bounds.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/registration/surface_points.hpp"
@@ -18,6 +20,8 @@ struct CorrelativeSearchParams {
   int points_max = 90;     ///< of the scan, evenly chosen
   double reach_m = 25.0;   ///< among those within this range
   int blocks_max = 20000;  ///< blocks opened; bounds the time in a hopeless case
+  int apart_cells = 4;     ///< peaks closer than this, and as many angle steps, are one
+  double score_min = 0.0;  ///< peaks below are not looked for
 
   template <class V>
   void visit(V& v) {
@@ -26,13 +30,20 @@ struct CorrelativeSearchParams {
     v("points_max", points_max, within(10, 10000));
     v("reach_m", reach_m, within(1.0, 100.0));
     v("blocks_max", blocks_max, within(1, 1000000));
+    v("apart_cells", apart_cells, within(1, 100));
+    v("score_min", score_min, within(0.0, 1.0));
   }
 };
 
-/// Half-widths of the search, around its centre.
+/// The poses to be searched, around a centre.
 struct SearchWindow {
-  double radius_m = 1.0;
+  double radius_m = 1.0;  ///< half-widths
   double angle_rad = 0.6;
+  /// Where it is known how x, y and θ of the body in its frame at the centre go together: the
+  /// inverse of their covariance, and how many standard deviations are searched. Zero: all in the
+  /// window.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  double sigmas = 0.0;
 };
 
 struct CorrelationPeak {
@@ -41,9 +52,9 @@ struct CorrelationPeak {
 };
 
 /// The poses within the window at which the scan lies best on the reference: exhaustive over a grid
-/// of poses, made cheap by a coarse level that bounds the fine one from above (Olson, "Real-Time
-/// Correlative Scan Matching", ICRA 2009). The best `peaks` that differ by more than a coarse step,
-/// best first; empty where scan or reference is empty.
+/// of poses, made cheap by coarse levels that bound the fine one from above (Olson, "Real-Time
+/// Correlative Scan Matching", ICRA 2009); the larger the window, the more levels. The best `peaks`
+/// that are apart, best first; empty where scan or reference is empty.
 std::vector<CorrelationPeak> search_correlation(const std::vector<SurfacePoint>& points_body,
                                                 const SurfelMap& reference, const Pose2& centre,
                                                 const SearchWindow& window, int peaks,

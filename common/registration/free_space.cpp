@@ -28,17 +28,21 @@ int FreeSpace::count_inside(const std::vector<SurfacePoint>& points, const Pose2
   const Pose2 T_laser_points = T_laser_body_ * T_body_points;
   const double c = std::cos(T_laser_points.theta);
   const double s = std::sin(T_laser_points.theta);
-  const double beams = static_cast<double>(free_m_.size());
-  int inside = 0;
+  int count = 0;
   for (const auto& point : points) {
-    const double x = c * point.p.x() - s * point.p.y() + T_laser_points.x;
-    const double y = s * point.p.x() + c * point.p.y() + T_laser_points.y;
-    const double beam = std::floor((std::atan2(y, x) - angle_min_) / angle_step_ + 0.5);
-    if (!(beam >= 0.0 && beam < beams)) continue;
-    const double free = free_m_[static_cast<std::size_t>(beam)] - margin;
-    if (free > 0.0 && x * x + y * y < free * free) ++inside;
+    const Eigen::Vector2d p_laser(c * point.p.x() - s * point.p.y() + T_laser_points.x,
+                                  s * point.p.x() + c * point.p.y() + T_laser_points.y);
+    count += inside(p_laser, margin) ? 1 : 0;
   }
-  return inside;
+  return count;
+}
+
+bool FreeSpace::inside(const Eigen::Vector2d& p_laser, double margin) const {
+  const double bearing = std::atan2(p_laser.y(), p_laser.x());
+  const double beam = std::floor((bearing - angle_min_) / angle_step_ + 0.5);
+  if (!(beam >= 0.0 && beam < static_cast<double>(free_m_.size()))) return false;
+  const double free = free_m_[static_cast<std::size_t>(beam)] - margin;
+  return free > 0.0 && p_laser.squaredNorm() < free * free;
 }
 
 }  // namespace adit

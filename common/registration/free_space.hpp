@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "common/geometry/pose2.hpp"
 #include "common/registration/surface_points.hpp"
 #include "common/sensing/laser_mount.hpp"
@@ -23,6 +25,10 @@ class FreeSpace {
   /// what was measured in their direction by more than `margin` [m].
   [[nodiscard]] int count_inside(const std::vector<SurfacePoint>& points,
                                  const Pose2& T_body_points, double margin) const;
+
+  /// The same for one point in the frame of the laser.
+  [[nodiscard]] bool inside(const Eigen::Vector2d& p_laser, double margin) const;
+  [[nodiscard]] const Pose2& T_laser_body() const { return T_laser_body_; }
 
  private:
   Pose2 T_laser_body_;

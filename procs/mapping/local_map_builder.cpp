@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/local_map_builder.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <Eigen/LU>
+
+namespace adit {
+
+LocalMapBuilder::LocalMapBuilder(const LocalMapBuilderParams& params, int first_id, int session)
+    : params_(params), error_(params.error) {
+  map_.id = first_id;
+  map_.session = session;
+}
+
+std::optional<LocalMap> LocalMapBuilder::add(const std::string& channel, const LaserScan& scan,
+                                             const ScanMatch& match) {
+  if (match.status == ScanMatch::Status::kRefused) return std::nullopt;
+  const bool new_odom = match.status == ScanMatch::Status::kFirstScan && match.reference_utime == 0;
+  std::optional<LocalMap> finished;
+  if (new_odom) finished = finish();
+
+  if (map_.scans.empty()) {
+    if (match.status == ScanMatch::Status::kLost) return finished;
+    begin(match.T_odom_body);
+  } else {
+    error_.add_step(between(T_odom_body_, match.T_odom_body), match);
+  }
+  T_odom_body_ = match.T_odom_body;
+  if (match.status == ScanMatch::Status::kLost || !far_enough(channel, T_odom_body_)) {
+    return finished;
+  }
+  keep(channel, scan, T_odom_body_);
+  if (way_m_ < params_.length_m && turn_rad_ < params_.turn_max_rad) return finished;
+
+  finished = end();
+  begin(T_odom_body_);
+  keep(channel, scan, T_odom_body_);
+  return finished;
+}
+
+std::optional<LocalMap> LocalMapBuilder::finish() {
+  if (map_.scans.empty()) return std::nullopt;
+  LocalMap finished = std::move(map_);
+  map_ = {};
+  map_.id = finished.id + 1;
+  map_.session = finished.session + 1;
+  return finished;
+}
+
+bool LocalMapBuilder::far_enough(const std::string& channel, const Pose2& T_odom_body) const {
+  const auto last = last_kept_.find(channel);
+  if (last == last_kept_.end()) return true;
+  const Pose2 moved = between(last->second, T_odom_body);
+  return moved.translation().norm() >= params_.keep_distance_m ||
+         std::abs(moved.theta) >= params_.keep_angle_rad;
+}
+
+void LocalMapBuilder::keep(const std::string& channel, const LaserScan& scan,
+                           const Pose2& T_odom_body) {
+  const Pose2 moved = between(T_odom_kept_, T_odom_body);
+  const double distance = moved.translation().norm();
+  error_.add_way(distance, moved.theta);
+  way_m_ += distance;
+  turn_rad_ += std::abs(moved.theta);
+  T_odom_kept_ = T_odom_body;
+  last_kept_[channel] = T_odom_body;
+  if (map_.scans.empty()) map_.utime = scan.utime;
+  map_.end_utime = scan.utime;
+  map_.scans.push_back({channel, scan, between(map_.T_odom_local, T_odom_body)});
+}
+
+void LocalMapBuilder::begin(const Pose2& T_odom_local) {
+  map_.T_odom_local = T_odom_local;
+  T_odom_kept_ = T_odom_local;
+  last_kept_.clear();
+  way_m_ = 0.0;
+  turn_rad_ = 0.0;
+  error_.restart();
+}
+
+LocalMap LocalMapBuilder::end() {
+  LocalMap finished = std::move(map_);
+  map_ = {};
+  map_.id = finished.id + 1;
+  map_.session = finished.session;
+  map_.T_previous_local = between(finished.T_odom_local, T_odom_body_);
+  map_.information = error_.covariance().inverse();
+  return finished;
+}
+
+}  // namespace adit

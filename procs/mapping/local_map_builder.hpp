@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "common/config/bounds.hpp"
+#include "common/local_map/local_map.hpp"
+#include "common/sensing/scan_match.hpp"
+#include "procs/mapping/displacement_error.hpp"
+
+namespace adit {
+
+struct LocalMapBuilderParams {
+  double length_m = 5.0;         ///< way in a local map (paper, section 2.1)
+  double turn_max_rad = 6.3;     ///< and turning, after which it is finished, however short
+  double keep_distance_m = 0.1;  ///< a scan is kept after this motion of its laser
+  double keep_angle_rad = 0.1;   ///< or this turn
+  DisplacementErrorParams error;
+
+  template <class V>
+  void visit(V& v) {
+    v("length_m", length_m, within(0.1, 1000.0));
+    v("turn_max_rad", turn_max_rad, within(0.1, 1000.0));
+    v("keep_distance_m", keep_distance_m, at_least(0.0));
+    v("keep_angle_rad", keep_angle_rad, at_least(0.0));
+    v("error", error);
+  }
+};
+
+/// Cuts the way into local maps (paper, section 2.1). Way and turning are measured between kept
+/// scans, so that a body at rest makes no maps. The last scan of a local map is the first of the
+/// next. Where scan matching begins a new odom frame, the map at hand is finished and a new session
+/// begins.
+class LocalMapBuilder {
+ public:
+  /// `first_id`, `session`: of the first local map; others than 0 where earlier ones are known.
+  explicit LocalMapBuilder(const LocalMapBuilderParams& params, int first_id = 0, int session = 0);
+
+  /// Takes a scan and what scan matching made of it; in order of time. The local map that this
+  /// finishes, if it does. Scans that were lost are not kept, but the way goes on; refused ones
+  /// change nothing.
+  std::optional<LocalMap> add(const std::string& channel, const LaserScan& scan,
+                              const ScanMatch& match);
+
+  /// The unfinished local map, where it holds a scan at all, and its information as of now. What
+  /// comes afterwards is a new session.
+  std::optional<LocalMap> finish();
+
+  /// The local map at hand; without scans before the first and after `finish`.
+  [[nodiscard]] const LocalMap& current() const { return map_; }
+  /// Covariance of the body's last pose in the frame of the local map at hand: of (x, y, θ) in the
+  /// body frame.
+  [[nodiscard]] Eigen::Matrix3d covariance_local_body() const { return error_.covariance(); }
+
+ private:
+  [[nodiscard]] bool far_enough(const std::string& channel, const Pose2& T_odom_body) const;
+  void keep(const std::string& channel, const LaserScan& scan, const Pose2& T_odom_body);
+  void begin(const Pose2& T_odom_local);
+  LocalMap end();
+
+  LocalMapBuilderParams params_;
+  DisplacementError error_;
+  LocalMap map_;
+  Pose2 T_odom_body_;                       ///< of the last match
+  Pose2 T_odom_kept_;                       ///< of the last kept scan, of whichever laser
+  std::map<std::string, Pose2> last_kept_;  ///< T_odom_body of the last kept scan, by channel
+  double way_m_ = 0.0;
+  double turn_rad_ = 0.0;
+};
+
+}  // namespace adit

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "common/config/bounds.hpp"
+#include "common/geometry/pose2.hpp"
+#include "common/local_map/local_map.hpp"
+#include "common/registration/free_space.hpp"
+#include "common/registration/surface_points.hpp"
+#include "common/sensing/laser_mount.hpp"
+
+namespace adit {
+
+/// Where each laser sits, by the channel of its scans.
+using LaserMounts = std::map<std::string, LaserMount, std::less<>>;
+
+struct LocalWallsParams {
+  SurfaceParams surface;
+  double spacing_m = 0.1;        ///< between the points of a wall
+  double range_max_m = 30.0;     ///< what was seen farther away is left out
+  double wall_sd_m = 0.01;       ///< how far the mean of a wall may be from where it is
+  double view_distance_m = 1.0;  ///< way from one kept view of the free space to the next,
+  double view_angle_rad = 0.8;   ///< or turn
+
+  template <class V>
+  void visit(V& v) {
+    v("surface", surface);
+    v("spacing_m", spacing_m, within(0.01, 1.0));
+    v("range_max_m", range_max_m, within(1.0, 1000.0));
+    v("wall_sd_m", wall_sd_m, within(0.001, 1.0));
+    v("view_distance_m", view_distance_m, above(0.0));
+    v("view_angle_rad", view_angle_rad, above(0.0));
+  }
+};
+
+/// What matching needs of a local map, in its frame: the walls it saw, thinned out, and the space
+/// that it saw to be free.
+struct LocalWalls {
+  /// A scan's free space, chosen so that few of them see nearly all that all saw.
+  struct View {
+    FreeSpace free_space;
+    Pose2 T_local_body;
+  };
+
+  std::vector<SurfacePoint> points;
+  double length_m = 0.0;  ///< of the walls together, about
+  std::vector<View> views;
+};
+
+/// Scans on a channel without a mount are left out: the caller has made sure that there are none.
+LocalWalls local_walls(const LocalMap& map, const LaserMounts& mounts,
+                       const LocalWallsParams& params);
+
+}  // namespace adit

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/map_matching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+namespace adit {
+namespace {
+
+constexpr double kSameM = 0.3;  // alternatives closer than this are one
+constexpr double kSameRad = 0.1;
+constexpr double kWideM = 4.0;  // a wider gate is searched in coarser steps
+constexpr double kWideRad = 1.0;
+
+/// Root mean square distance of the points: how far a turn of one radian moves them.
+double lever_arm_m(const std::vector<SurfacePoint>& points) {
+  double squares = 0.0;
+  for (const auto& point : points) squares += point.p.squaredNorm();
+  return std::max(0.5, std::sqrt(squares / static_cast<double>(points.size())));
+}
+
+std::vector<SurfacePoint> evenly_chosen(const std::vector<SurfacePoint>& points, int most) {
+  const std::size_t n = points.size();
+  const std::size_t m = std::min(n, static_cast<std::size_t>(most));
+  std::vector<SurfacePoint> chosen;
+  chosen.reserve(m);
+  for (std::size_t i = 0; i < m; ++i) chosen.push_back(points[i * n / m]);
+  return chosen;
+}
+
+/// The covariance C = (information)⁻¹ enlarged by a floor, as an information that stays zero where
+/// it was zero: (C + F)⁻¹ = I (1 + F I)⁻¹.
+Eigen::Matrix3d with_floor(const Eigen::Matrix3d& information, const Eigen::Matrix3d& floor) {
+  const Eigen::Matrix3d sum = Eigen::Matrix3d::Identity() + floor * information;
+  const Eigen::Matrix3d result = information * sum.inverse();
+  return 0.5 * (result + result.transpose());
+}
+
+/// One match of two maps.
+class Match {
+ public:
+  Match(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
+        const RelativePose& predicted, const MapMatchingParams& params)
+      : params_(params),
+        predicted_(predicted),
+        gate_(predicted.covariance.inverse()),
+        newer_points_(evenly_chosen(newer.points, params.points_max)),
+        newer_(SurfelMapParams{}),
+        newer_views_(newer.views),
+        older_(SurfelMapParams{}) {
+    newer_.insert(newer.points, {}, 0.0);
+    for (const PlacedWalls& placed : older) {
+      older_.insert(placed.walls->points, placed.T_older_walls, 0.0);
+      for (const auto& view : placed.walls->views) {
+        older_views_.push_back({view.free_space, placed.T_older_walls * view.T_local_body});
+      }
+    }
+    newer_step_m_ = newer.length_m / std::max<std::size_t>(1, newer_points_.size());
+    if (older.empty()) return;
+    older_points_ = evenly_chosen(older.front().walls->points, params.points_max);
+    older_step_m_ = older.front().walls->length_m / std::max<std::size_t>(1, older_points_.size());
+  }
+
+  std::vector<ClosureAlternative> alternatives() {
+    std::vector<ClosureAlternative> found;
+    if (newer_points_.empty() || older_.empty()) return found;
+    lever_arm_m_ = lever_arm_m(newer_points_);
+    for (const auto& peak : peaks()) {
+      const auto alternative = refine(peak.T_odom_body);
+      if (alternative) found.push_back(*alternative);
+    }
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+      return a.log_likelihood > b.log_likelihood;
+    });
+    return distinct(found);
+  }
+
+ private:
+  [[nodiscard]] std::vector<CorrelationPeak> peaks() const {
+    const Eigen::Matrix2d plane = predicted_.covariance.topLeftCorner<2, 2>();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(plane, Eigen::EigenvaluesOnly);
+    const double sd_m = std::sqrt(std::max(0.0, axes.eigenvalues().y()));
+    const double sd_rad = std::sqrt(std::max(0.0, predicted_.covariance(2, 2)));
+    CorrelativeSearchParams how = params_.search;
+    SearchWindow window;
+    window.radius_m =
+        std::clamp(params_.gate_sigmas * sd_m, 2.0 * how.cell_m, params_.radius_max_m);
+    window.angle_rad =
+        std::clamp(params_.gate_sigmas * sd_rad, 2.0 * how.angle_step_rad, std::numbers::pi);
+    if (window.radius_m > kWideM || window.angle_rad > kWideRad) {
+      how.cell_m *= 2.0;
+      how.angle_step_rad *= 2.0;
+      how.apart_cells /= 2;
+    }
+    window.information = gate_;
+    // The cells around the edge of a narrow gate belong to it.
+    window.sigmas = params_.gate_sigmas + how.cell_m / std::max(sd_m, 1e-3);
+    return search_correlation(newer_points_, older_, predicted_.T_older_newer, window,
+                              params_.peaks, how);
+  }
+
+  [[nodiscard]] std::optional<ClosureAlternative> refine(const Pose2& start) const {
+    const PosePrior nothing{start, Eigen::Matrix3d::Zero()};
+    const PointToLineResult match =
+        match_point_to_line(newer_points_, older_, start, nothing, params_.refinement);
+    if (match.overlap < params_.known_share_min) return std::nullopt;
+    const double correlated = params_.correlated_points;
+    const auto known = split_degenerate(match.information / correlated, match.spurious / correlated,
+                                        lever_arm_m_, params_.degeneracy);
+    ClosureAlternative alternative;
+    alternative.T_older_newer = slide(match.T_odom_body, known.degenerate);
+    const Eigen::Vector3d off =
+        between(predicted_.T_older_newer, alternative.T_older_newer).vector();
+    if (off.dot(gate_ * off) > params_.gate_sigmas * params_.gate_sigmas) return std::nullopt;
+    const double m2 = params_.floor_m * params_.floor_m;
+    const double rad2 = params_.floor_rad * params_.floor_rad;
+    alternative.information =
+        with_floor(known.information, Eigen::Vector3d(m2, m2, rad2).asDiagonal());
+    return rate(alternative) ? std::optional(alternative) : std::nullopt;
+  }
+
+  /// Along what the match leaves open, to where the map was predicted.
+  [[nodiscard]] Pose2 slide(const Pose2& T, const std::vector<OpenDirection>& open) const {
+    const Eigen::Vector3d scale(1.0, 1.0, lever_arm_m_);
+    const Eigen::Vector3d off = between(T, predicted_.T_older_newer).vector().cwiseProduct(scale);
+    Eigen::Vector3d back = Eigen::Vector3d::Zero();
+    for (const auto& [v, information] : open) back += v * v.dot(off);
+    return T * Pose2::from_vector(back.cwiseQuotient(scale));
+  }
+
+  /// Sets the likelihood. False where the maps do not overlap or contradict each other.
+  bool rate(ClosureAlternative& alternative) const {
+    const Pose2& T = alternative.T_older_newer;
+    const auto there = agreement(newer_points_, T, older_, older_views_, params_.agreement);
+    const auto back =
+        agreement(older_points_, T.inverse(), newer_, newer_views_, params_.agreement);
+    if (there.known() < params_.known_share_min * there.points) return false;
+    const int known = there.known() + back.known();
+    if (there.near + back.near < params_.near_share_min * known) return false;
+    // Points of one wall are not independent, and the two directions say much the same.
+    alternative.log_likelihood =
+        0.5 / params_.independent_m *
+        (newer_step_m_ * there.log_likelihood + older_step_m_ * back.log_likelihood);
+    return alternative.log_likelihood > 0.0;
+  }
+
+  [[nodiscard]] static std::vector<ClosureAlternative> distinct(
+      const std::vector<ClosureAlternative>& sorted) {
+    std::vector<ClosureAlternative> kept;
+    for (const auto& alternative : sorted) {
+      const auto same = [&](const ClosureAlternative& other) {
+        const Pose2 apart = between(other.T_older_newer, alternative.T_older_newer);
+        return apart.translation().norm() < kSameM && std::abs(apart.theta) < kSameRad;
+      };
+      if (std::none_of(kept.begin(), kept.end(), same)) kept.push_back(alternative);
+    }
+    return kept;
+  }
+
+  const MapMatchingParams& params_;
+  const RelativePose& predicted_;
+  Eigen::Matrix3d gate_;  ///< information of the prediction
+  std::vector<SurfacePoint> newer_points_;
+  SurfelMap newer_;
+  const std::vector<LocalWalls::View>& newer_views_;
+  std::vector<SurfacePoint> older_points_;
+  SurfelMap older_;
+  std::vector<LocalWalls::View> older_views_;
+  double newer_step_m_ = 0.0;  ///< length of wall that each of the points stands for
+  double older_step_m_ = 0.0;
+  double lever_arm_m_ = 1.0;
+};
+
+}  // namespace
+
+std::vector<ClosureAlternative> match_maps(const LocalWalls& newer,
+                                           const std::vector<PlacedWalls>& older, int older_id,
+                                           const RelativePose& predicted,
+                                           const MapMatchingParams& params) {
+  auto alternatives = Match(newer, older, predicted, params).alternatives();
+  for (auto& alternative : alternatives) alternative.older_map = older_id;
+  return alternatives;
+}
+
+}  // namespace adit

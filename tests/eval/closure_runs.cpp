@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/eval/closure_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include <Eigen/LU>
+
+#include "procs/scan_matching/scan_matching.hpp"
+#include "tools/carmen/carmen_reader.hpp"
+#include "tools/sample_mine/sample_run.hpp"
+
+namespace adit {
+namespace {
+
+constexpr const char* kChannel = "LASER_FRONT";
+
+/// Scan matching and local maps, fed with readings.
+class Mapper {
+ public:
+  void add(const WheelOdometry& reading) { matching_.add(reading); }
+
+  void add(const LaserScan& scan) {
+    const ScanMatch match = matching_.add_scan(LaserId::kFront, scan);
+    if (match.status == ScanMatch::Status::kRefused) return;
+    run.matches.push_back(match);
+    run.odom.push_back({match.utime, match.T_odom_body});
+    if (auto map = builder_.add(kChannel, scan, match)) run.maps.push_back(std::move(*map));
+  }
+
+  MappedRun finish() {
+    if (auto map = builder_.finish()) run.maps.push_back(std::move(*map));
+    const LaserMounts mounts{{kChannel, LaserMount{}}};
+    for (const auto& map : run.maps) run.walls.push_back(local_walls(map, mounts, {}));
+    return std::move(run);
+  }
+
+ private:
+  ScanMatching matching_{ScanMatchingParams{}};
+  LocalMapBuilder builder_{LocalMapBuilderParams{}};
+  MappedRun run;
+};
+
+/// Path length up to each pose.
+std::vector<double> odometer_of(const Trajectory& trajectory) {
+  std::vector<double> odometer{0.0};
+  for (std::size_t i = 1; i < trajectory.size(); ++i) {
+    const Pose2 step = between(trajectory[i - 1].pose, trajectory[i].pose);
+    odometer.push_back(odometer.back() + step.translation().norm());
+  }
+  return odometer;
+}
+
+std::vector<Relation> relations_of(const Trajectory& truth) {
+  constexpr int kEach = 6;  // scans, about a metre
+  constexpr double kRevisitM = 1.5;
+  constexpr double kElsewhereM = 15.0;
+  const auto odometer = odometer_of(truth);
+  std::vector<Relation> relations;
+  const auto relate = [&](std::size_t i, std::size_t j) {
+    relations.push_back({truth[i].utime, truth[j].utime, between(truth[i].pose, truth[j].pose)});
+  };
+  for (std::size_t i = 0; i < truth.size(); i += kEach) {
+    for (const double way : {5.0, 20.0, 50.0}) {
+      const auto j = std::lower_bound(odometer.begin(), odometer.end(), odometer[i] + way);
+      if (j != odometer.end()) relate(i, j - odometer.begin());
+    }
+    for (std::size_t j = i + kEach; j < truth.size(); j += kEach) {
+      const bool revisit =
+          odometer[j] - odometer[i] > kElsewhereM &&
+          (truth[i].pose.translation() - truth[j].pose.translation()).norm() < kRevisitM;
+      if (revisit) relate(i, j);
+    }
+  }
+  return relations;
+}
+
+std::size_t index_of(const Trajectory& trajectory, std::int64_t utime) {
+  const auto after = std::lower_bound(trajectory.begin(), trajectory.end(), utime,
+                                      [](const auto& p, std::int64_t t) { return p.utime < t; });
+  if (after == trajectory.end()) return trajectory.size() - 1;
+  const auto i = static_cast<std::size_t>(after - trajectory.begin());
+  return i > 0 && utime - trajectory[i - 1].utime < after->utime - utime ? i - 1 : i;
+}
+
+/// How far the time is from that of a scan.
+std::int64_t offset(const Trajectory& trajectory, std::int64_t utime) {
+  return std::abs(trajectory[index_of(trajectory, utime)].utime - utime);
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+Pose2 MappedRun::T_local_body(int map, std::int64_t utime) const {
+  return between(maps[map].T_odom_local, *interpolate(odom, utime));
+}
+
+int MappedRun::map_at(std::int64_t utime) const {
+  if (!interpolate(odom, utime)) return -1;
+  for (int i = 0; i < static_cast<int>(maps.size()); ++i) {
+    if (utime >= maps[i].utime && utime <= maps[i].end_utime) return i;
+  }
+  return -1;
+}
+
+MappedRun map_recording(const std::filesystem::path& log, const std::filesystem::path& relations,
+                        bool use_odometry) {
+  Mapper mapper;
+  CarmenReader reader(log);
+  while (const auto record = reader.next()) {
+    if (const auto* scan = std::get_if<CarmenScan>(&*record)) {
+      mapper.add(scan->scan);
+    } else if (use_odometry) {
+      mapper.add(std::get<WheelOdometry>(*record));
+    }
+  }
+  MappedRun run = mapper.finish();
+  run.relations = read_relations(relations);
+  return run;
+}
+
+MappedRun map_sample(std::uint64_t seed, bool half_degree, bool use_odometry) {
+  Mapper mapper;
+  SampleRun sample(seed, half_degree ? half_degree_laser() : LaserModel{});
+  while (const auto reading = sample.next()) {
+    if (use_odometry) mapper.add(reading->odometry);
+    mapper.add(reading->scan);
+  }
+  MappedRun run = mapper.finish();
+  run.relations = relations_of(sample.truth());
+  return run;
+}
+
+TruePairs true_pairs(const MappedRun& run) {
+  constexpr int kNeighbours = 3;
+  TruePairs pairs;
+  std::map<std::pair<int, int>, std::int64_t> offsets;  // of the best relation of each pair
+  for (const Relation& relation : run.relations) {
+    int older = run.map_at(relation.utime_1);
+    int newer = run.map_at(relation.utime_2);
+    if (older < 0 || newer < 0 || std::abs(newer - older) < kNeighbours) continue;
+    if (relation.T_1_2.translation().norm() > 5.0) continue;
+    Pose2 T_older_newer = run.T_local_body(older, relation.utime_1) * relation.T_1_2 *
+                          run.T_local_body(newer, relation.utime_2).inverse();
+    if (older > newer) {
+      std::swap(older, newer);
+      T_older_newer = T_older_newer.inverse();
+    }
+    const std::int64_t off =
+        offset(run.odom, relation.utime_1) + offset(run.odom, relation.utime_2);
+    const auto best = offsets.find({older, newer});
+    if (best != offsets.end() && best->second <= off) continue;
+    offsets[{older, newer}] = off;
+    pairs[{older, newer}] = T_older_newer;
+  }
+  return pairs;
+}
+
+std::vector<DriftScore> score_drift(const MappedRun& run, const LocalMapBuilderParams& params) {
+  std::vector<DriftScore> scores{{2.5, 8}, {8, 15}, {15, 30}, {30, 80}, {80, 250}};
+  const auto odometer = odometer_of(run.odom);
+  for (DriftScore& score : scores) {
+    std::vector<double> nees;
+    for (const Relation& relation : run.relations) {
+      const std::size_t i = index_of(run.odom, std::min(relation.utime_1, relation.utime_2));
+      const std::size_t j = index_of(run.odom, std::max(relation.utime_1, relation.utime_2));
+      const double way = odometer[j] - odometer[i];
+      const auto from = interpolate(run.odom, relation.utime_1);
+      const auto to = interpolate(run.odom, relation.utime_2);
+      if (way < score.from_m || way >= score.to_m || !from || !to) continue;
+      DisplacementError error(params.error);
+      for (std::size_t k = i + 1; k <= j; ++k) {
+        const Pose2 step = between(run.odom[k - 1].pose, run.odom[k].pose);
+        error.add_step(step, run.matches[k]);
+        error.add_way(step.translation().norm(), step.theta);
+      }
+      const bool forward = relation.utime_1 < relation.utime_2;
+      const Pose2 truth = forward ? relation.T_1_2 : relation.T_1_2.inverse();
+      const Pose2 found = forward ? between(*from, *to) : between(*to, *from);
+      const Eigen::Matrix3d covariance = error.covariance();
+      const Eigen::Vector3d off = between(truth, found).vector();
+      nees.push_back(off.dot(covariance.inverse() * off));
+      score.nees += nees.back();
+      score.translation_m += off.head<2>().norm();
+      score.rotation_deg += rad_to_deg(std::abs(off.z()));
+      score.sd_m += std::sqrt(0.5 * covariance.topLeftCorner<2, 2>().trace());
+      score.sd_deg += rad_to_deg(std::sqrt(covariance(2, 2)));
+    }
+    score.count = static_cast<int>(nees.size());
+    const double n = std::max(1, score.count);
+    for (double* sum :
+         {&score.nees, &score.translation_m, &score.rotation_deg, &score.sd_m, &score.sd_deg}) {
+      *sum /= n;
+    }
+    score.nees_median = median(nees);
+  }
+  return scores;
+}
+
+}  // namespace adit

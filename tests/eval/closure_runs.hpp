@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "common/local_map/local_map.hpp"
+#include "common/sensing/scan_match.hpp"
+#include "procs/mapping/local_map_builder.hpp"
+#include "procs/mapping/local_walls.hpp"
+#include "tools/eval/relations.hpp"
+#include "tools/eval/trajectory.hpp"
+
+namespace adit {
+
+/// A recording after scan matching, cut into local maps, and what is known of the truth.
+struct MappedRun {
+  std::vector<ScanMatch> matches;
+  Trajectory odom;  ///< T_odom_body at each match
+  std::vector<LocalMap> maps;
+  std::vector<LocalWalls> walls;  ///< of each of the maps
+  std::vector<Relation> relations;
+
+  /// The pose of the body in a local map, at a time in it.
+  [[nodiscard]] Pose2 T_local_body(int map, std::int64_t utime) const;
+  /// The local map that holds a time, or −1.
+  [[nodiscard]] int map_at(std::int64_t utime) const;
+};
+
+/// A CARMEN log with its relations.
+MappedRun map_recording(const std::filesystem::path& log, const std::filesystem::path& relations,
+                        bool use_odometry);
+
+/// A drive through the sample mine, with relations made from its truth: over 5, 20 and 50 m of way,
+/// and between passes by the same place.
+MappedRun map_sample(std::uint64_t seed, bool half_degree, bool use_odometry);
+
+/// Two local maps that lie together, and how: T_older_newer as the relations have it.
+using TruePairs = std::map<std::pair<int, int>, Pose2>;
+
+/// All pairs of maps, other than neighbours in the chain, between which there is a relation.
+TruePairs true_pairs(const MappedRun& run);
+
+/// Mean normalised error squared of displacements (expectation 3), by length of way.
+struct DriftScore {
+  double from_m = 0.0;
+  double to_m = 0.0;
+  int count = 0;
+  double nees = 0.0;
+  double nees_median = 0.0;
+  double translation_m = 0.0;  ///< mean error
+  double rotation_deg = 0.0;
+  double sd_m = 0.0;  ///< mean of what the model says, per axis
+  double sd_deg = 0.0;
+};
+
+std::vector<DriftScore> score_drift(const MappedRun& run, const LocalMapBuilderParams& params);
+
+}  // namespace adit

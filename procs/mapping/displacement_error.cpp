@@ -15,58 +15,93 @@ double duration_s(const ScanMatch& match) {
 
 }  // namespace
 
+void DisplacementError::Part::move(const Eigen::Matrix3d& Ad) {
+  independent = Ad * independent * Ad.transpose();
+  common_root = Ad * common_root;
+}
+
+void DisplacementError::Part::add(const Part& other) {
+  independent += other.independent;
+  common_root += other.common_root;
+}
+
+Eigen::Matrix3d DisplacementError::Part::sum() const {
+  return independent + common_root * common_root.transpose();
+}
+
 void DisplacementError::restart() {
-  independent_.setZero();
-  common_root_.setZero();
+  known_ = {};
+  stretch_ = {};
 }
 
 void DisplacementError::add_step(const Pose2& T_last_body, const ScanMatch& match) {
   const Eigen::Matrix3d Ad = adjoint(T_last_body.inverse());
-  independent_ = Ad * independent_ * Ad.transpose();
-  common_root_ = Ad * common_root_;
-  switch (match.status) {
-    case ScanMatch::Status::kMatched:
-      for (const auto& open : match.degenerate) add_open(open, match, duration_s(match));
-      break;
-    case ScanMatch::Status::kLost:
-      independent_ += match.covariance;
-      break;
-    case ScanMatch::Status::kFirstScan:  // of one more laser: the pose is the prediction
-      common_root_ +=
-          duration_s(match) *
-          Eigen::Vector3d(params_.speed_sd_m_s, params_.speed_sd_m_s, params_.turn_sd_rad_s)
-              .asDiagonal()
-              .toDenseMatrix();
-      break;
-    case ScanMatch::Status::kRefused:
-      break;
+  known_.move(Ad);
+  stretch_.move(Ad);
+  if (match.status == ScanMatch::Status::kMatched && match.degenerate.empty()) {
+    end_stretch();
+    return;
   }
+  stretch_.add(unmeasured(match));
+  stretch_m_ += T_last_body.translation().norm();
+  stretch_lost_ += match.status == ScanMatch::Status::kLost ? 1 : 0;
 }
 
-void DisplacementError::add_open(const DegenerateDirection& open, const ScanMatch& match,
-                                 double dt_s) {
+void DisplacementError::end_stretch() {
+  if (stretch_m_ > params_.hold_m || stretch_lost_ > params_.hold_lost) known_.add(stretch_);
+  stretch_ = {};
+  stretch_m_ = 0.0;
+  stretch_lost_ = 0;
+}
+
+DisplacementError::Part DisplacementError::unmeasured(const ScanMatch& match) const {
+  Part part;
+  if (match.status == ScanMatch::Status::kMatched) {
+    for (const auto& direction : match.degenerate) part.add(open(direction, match));
+    return part;
+  }
+  // The pose is the prediction, by a speed or, where a covariance says better, by odometry.
+  const Eigen::Vector3d sd =
+      duration_s(match) *
+      Eigen::Vector3d(params_.speed_sd_m_s, params_.speed_sd_m_s, params_.turn_sd_rad_s);
+  const bool measured =
+      match.status == ScanMatch::Status::kLost && match.covariance.trace() < sd.squaredNorm();
+  if (measured) {
+    part.independent = match.covariance;
+  } else {
+    part.common_root = sd.asDiagonal();
+  }
+  return part;
+}
+
+DisplacementError::Part DisplacementError::open(const DegenerateDirection& direction,
+                                                const ScanMatch& match) const {
+  Part part;
   const double lever = match.lever_arm_m;
-  const Eigen::Vector3d& v = open.direction;
+  const Eigen::Vector3d& v = direction.direction;
   const Eigen::Vector3d u = v.cwiseQuotient(Eigen::Vector3d(1.0, 1.0, lever));
-  if (open.fill == DegenerateDirection::Fill::kNone) {
+  if (direction.fill == DegenerateDirection::Fill::kNone) {
     const Eigen::Vector3d sd(params_.speed_sd_m_s, params_.speed_sd_m_s,
                              params_.turn_sd_rad_s * lever);
-    common_root_ += dt_s * u * v.cwiseProduct(sd).transpose();
+    part.common_root = duration_s(match) * u * v.cwiseProduct(sd).transpose();
   } else {
     const Eigen::Vector3d w = v.cwiseProduct(Eigen::Vector3d(1.0, 1.0, lever));
-    independent_ += w.dot(match.covariance * w) * u * u.transpose();
+    part.independent = w.dot(match.covariance * w) * u * u.transpose();
   }
+  return part;
 }
 
 void DisplacementError::add_way(double distance_m, double turn_rad) {
   const double xy = square(params_.drift_m_per_sqrt_m) * distance_m;
   const double theta = square(params_.drift_rad_per_sqrt_m) * distance_m +
                        square(params_.drift_rad_per_sqrt_rad) * std::abs(turn_rad);
-  independent_.diagonal() += Eigen::Vector3d(xy, xy, theta);
+  known_.independent.diagonal() += Eigen::Vector3d(xy, xy, theta);
 }
 
 Eigen::Matrix3d DisplacementError::covariance() const {
-  Eigen::Matrix3d covariance = independent_ + common_root_ * common_root_.transpose();
+  Part all = known_;
+  all.add(stretch_);
+  Eigen::Matrix3d covariance = all.sum();
   covariance.diagonal() +=
       Eigen::Vector3d(square(params_.floor_m), square(params_.floor_m), square(params_.floor_rad));
   return covariance;

@@ -11,13 +11,16 @@
 namespace adit {
 
 struct DisplacementErrorParams {
-  double floor_m = 0.005;  ///< of each displacement, however short: the matches at its ends
-  double floor_rad = 0.002;
-  double drift_m_per_sqrt_m = 0.01;  ///< more for the way, as of a random walk
-  double drift_rad_per_sqrt_m = 0.002;
-  double drift_rad_per_sqrt_rad = 0.005;
+  double floor_m = 0.003;  ///< of each displacement, however short: the matches at its ends
+  double floor_rad = 0.001;
+  double drift_m_per_sqrt_m = 0.004;  ///< more for the way, as of a random walk
+  double drift_rad_per_sqrt_m = 0.0008;
+  double drift_rad_per_sqrt_rad = 0.0015;
   double speed_sd_m_s = 0.3;  ///< of a motion that nothing measured: a last speed was assumed
   double turn_sd_rad_s = 0.3;
+  double hold_m =
+      1.0;            ///< walls seen before an unmeasured stretch shorter than this are seen after
+  int hold_lost = 2;  ///< and so are they after as many lost scans
 
   template <class V>
   void visit(V& v) {
@@ -28,6 +31,8 @@ struct DisplacementErrorParams {
     v("drift_rad_per_sqrt_rad", drift_rad_per_sqrt_rad, within(0.0, 1.0));
     v("speed_sd_m_s", speed_sd_m_s, within(0.001, 100.0));
     v("turn_sd_rad_s", turn_sd_rad_s, within(0.001, 100.0));
+    v("hold_m", hold_m, within(0.0, 100.0));
+    v("hold_lost", hold_lost, within(0, 1000));
   }
 };
 
@@ -36,7 +41,8 @@ struct DisplacementErrorParams {
 /// steps cancel for the most part, and the sum of their covariances says nothing of the error of
 /// the whole. What remains is a drift with the way and the turns, and, in the directions that the
 /// scans left open, what stood in for them: the odometry's error, which is taken as independent
-/// from step to step, or that of an assumed speed, which is the same in all steps.
+/// from step to step, or that of an assumed speed, which is the same in all steps. A short stretch
+/// of open or lost scans leaves nothing behind: the next good scan is held against the same walls.
 class DisplacementError {
  public:
   explicit DisplacementError(const DisplacementErrorParams& params) : params_(params) {}
@@ -54,11 +60,25 @@ class DisplacementError {
   [[nodiscard]] Eigen::Matrix3d covariance() const;
 
  private:
-  void add_open(const DegenerateDirection& open, const ScanMatch& match, double dt_s);
+  /// A covariance: what is independent from step to step, and the root of what is common to all.
+  struct Part {
+    Eigen::Matrix3d independent = Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d common_root = Eigen::Matrix3d::Zero();
+
+    void move(const Eigen::Matrix3d& Ad);
+    void add(const Part& other);
+    [[nodiscard]] Eigen::Matrix3d sum() const;
+  };
+
+  [[nodiscard]] Part unmeasured(const ScanMatch& match) const;
+  [[nodiscard]] Part open(const DegenerateDirection& direction, const ScanMatch& match) const;
+  void end_stretch();
 
   DisplacementErrorParams params_;
-  Eigen::Matrix3d independent_ = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d common_root_ = Eigen::Matrix3d::Zero();  ///< of the part common to all steps
+  Part known_;
+  Part stretch_;  ///< of the unmeasured stretch that goes on
+  double stretch_m_ = 0.0;
+  int stretch_lost_ = 0;
 };
 
 }  // namespace adit

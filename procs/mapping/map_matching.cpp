@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kSameM = 0.3;  // alternatives closer than this are one
 constexpr double kSameRad = 0.1;
-constexpr double kWideM = 4.0;  // a wider gate is searched in coarser steps
+constexpr int kFewPoints = 120;  // to see whether a peak is worth refining
+constexpr double kWideM = 4.0;   // a wider gate is searched in coarser steps
 constexpr double kWideRad = 1.0;
 
 /// Root mean square distance of the points: how far a turn of one radian moves them.
@@ -51,6 +52,7 @@ class Match {
         predicted_(predicted),
         gate_(predicted.covariance.inverse()),
         newer_points_(evenly_chosen(newer.points, params.points_max)),
+        few_points_(evenly_chosen(newer.points, kFewPoints)),
         newer_(SurfelMapParams{}),
         newer_views_(newer.views),
         older_(SurfelMapParams{}) {
@@ -71,8 +73,8 @@ class Match {
     std::vector<ClosureAlternative> found;
     if (newer_points_.empty() || older_.empty()) return found;
     lever_arm_m_ = lever_arm_m(newer_points_);
-    for (const auto& peak : peaks()) {
-      const auto alternative = refine(peak.T_odom_body);
+    for (const Pose2& start : starts()) {
+      const auto alternative = refine(start);
       if (alternative) found.push_back(*alternative);
     }
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
@@ -105,10 +107,39 @@ class Match {
                               params_.peaks, how);
   }
 
+  /// What is left of the peaks when a few points have been laid on the reference: most peaks go
+  /// through walls, or come down to the same place.
+  [[nodiscard]] std::vector<Pose2> starts() const {
+    std::vector<Pose2> kept;
+    for (const auto& peak : peaks()) {
+      if (!plausible(peak.T_odom_body, 0.8)) continue;
+      const Pose2 T = settle(few_points_, peak.T_odom_body, params_.refinement).T_odom_body;
+      if (!plausible(T, 1.0)) continue;
+      const bool again =
+          std::any_of(kept.begin(), kept.end(), [&](const Pose2& other) { return same(T, other); });
+      if (!again) kept.push_back(T);
+    }
+    return kept;
+  }
+
+  /// Do enough of a few points lie on walls, and not in free space?
+  [[nodiscard]] bool plausible(const Pose2& T, double strictness) const {
+    const auto found = agreement(few_points_, T, older_, older_views_, params_.agreement);
+    return found.known() >= strictness * params_.known_share_min * found.points &&
+           found.near >= strictness * params_.near_share_min * found.known();
+  }
+
+  /// Without a prior: the graph holds the prediction already, and must not count it twice.
+  [[nodiscard]] PointToLineResult settle(const std::vector<SurfacePoint>& points,
+                                         const Pose2& start,
+                                         const PointToLineParams& params) const {
+    return match_point_to_line(points, older_, start, {start, Eigen::Matrix3d::Zero()}, params);
+  }
+
   [[nodiscard]] std::optional<ClosureAlternative> refine(const Pose2& start) const {
-    const PosePrior nothing{start, Eigen::Matrix3d::Zero()};
-    const PointToLineResult match =
-        match_point_to_line(newer_points_, older_, start, nothing, params_.refinement);
+    PointToLineParams fine = params_.refinement;
+    fine.scale_start_m = fine.scale_end_m;
+    const PointToLineResult match = settle(newer_points_, start, fine);
     if (match.overlap < params_.known_share_min) return std::nullopt;
     const double correlated = params_.correlated_points;
     const auto known = split_degenerate(match.information / correlated, match.spurious / correlated,
@@ -147,18 +178,22 @@ class Match {
     alternative.log_likelihood =
         0.5 / params_.independent_m *
         (newer_step_m_ * there.log_likelihood + older_step_m_ * back.log_likelihood);
-    return alternative.log_likelihood > 0.0;
+    return alternative.log_likelihood >= params_.log_likelihood_min;
+  }
+
+  static bool same(const Pose2& T, const Pose2& other) {
+    const Pose2 apart = between(other, T);
+    return apart.translation().norm() < kSameM && std::abs(apart.theta) < kSameRad;
   }
 
   [[nodiscard]] static std::vector<ClosureAlternative> distinct(
       const std::vector<ClosureAlternative>& sorted) {
     std::vector<ClosureAlternative> kept;
     for (const auto& alternative : sorted) {
-      const auto same = [&](const ClosureAlternative& other) {
-        const Pose2 apart = between(other.T_older_newer, alternative.T_older_newer);
-        return apart.translation().norm() < kSameM && std::abs(apart.theta) < kSameRad;
-      };
-      if (std::none_of(kept.begin(), kept.end(), same)) kept.push_back(alternative);
+      const bool again = std::any_of(kept.begin(), kept.end(), [&](const auto& other) {
+        return same(alternative.T_older_newer, other.T_older_newer);
+      });
+      if (!again) kept.push_back(alternative);
     }
     return kept;
   }
@@ -167,6 +202,7 @@ class Match {
   const RelativePose& predicted_;
   Eigen::Matrix3d gate_;  ///< information of the prediction
   std::vector<SurfacePoint> newer_points_;
+  std::vector<SurfacePoint> few_points_;
   SurfelMap newer_;
   const std::vector<LocalWalls::View>& newer_views_;
   std::vector<SurfacePoint> older_points_;

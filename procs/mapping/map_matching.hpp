@@ -20,23 +20,24 @@ namespace adit {
 struct MapMatchingParams {
   CorrelativeSearchParams search{.cell_m = 0.15,
                                  .angle_step_rad = 0.0262,
-                                 .points_max = 200,
-                                 .blocks_max = 20000,
+                                 .points_max = 100,
+                                 .blocks_max = 60000,
                                  .apart_cells = 6,
                                  .score_min = 0.3};
   PointToLineParams refinement{.scale_start_m = 0.3, .scale_end_m = 0.06};
   WallAgreementParams agreement;
   DegeneracyParams degeneracy;
-  double gate_sigmas = 4.0;        ///< alternatives farther from the prediction are left out
-  double radius_max_m = 20.0;      ///< half-width of the search at most
-  int peaks = 6;                   ///< of the correlation that are looked into
-  int points_max = 500;            ///< of the newer map that are matched
-  double known_share_min = 0.3;    ///< of the newer map's points that the older map must know,
-  double near_share_min = 0.7;     ///< and of these on walls, not in free space
-  double independent_m = 1.0;      ///< length of wall that counts as one observation
-  double correlated_points = 5.0;  ///< neighbouring points that share one error
-  double floor_m = 0.01;           ///< no match of two maps is better: they are not rigid
-  double floor_rad = 0.003;
+  double gate_sigmas = 4.0;         ///< alternatives farther from the prediction are left out
+  double radius_max_m = 20.0;       ///< half-width of the search at most
+  int peaks = 20;                   ///< of the correlation that are looked into
+  int points_max = 500;             ///< of the newer map that are matched
+  double known_share_min = 0.3;     ///< of the newer map's points that the older map must know,
+  double near_share_min = 0.7;      ///< and of these on walls, not in free space
+  double independent_m = 1.5;       ///< length of wall that counts as one observation
+  double log_likelihood_min = 5.0;  ///< chance gives less, at the many poses that are tried
+  double correlated_points = 5.0;   ///< neighbouring points that share one error
+  double floor_m = 0.005;           ///< no match of two maps is better: they are not rigid
+  double floor_rad = 0.0015;
 
   template <class V>
   void visit(V& v) {
@@ -51,6 +52,7 @@ struct MapMatchingParams {
     v("known_share_min", known_share_min, within(0.0, 1.0));
     v("near_share_min", near_share_min, within(0.0, 1.0));
     v("independent_m", independent_m, within(0.01, 1000.0));
+    v("log_likelihood_min", log_likelihood_min, at_least(0.0));
     v("correlated_points", correlated_points, within(1.0, 1000.0));
     v("floor_m", floor_m, within(0.0, 1.0));
     v("floor_rad", floor_rad, within(0.0, 1.0));

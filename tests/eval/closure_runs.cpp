@@ -86,9 +86,25 @@ std::size_t index_of(const Trajectory& trajectory, std::int64_t utime) {
   return i > 0 && utime - trajectory[i - 1].utime < after->utime - utime ? i - 1 : i;
 }
 
-/// How far the time is from that of a scan.
-std::int64_t offset(const Trajectory& trajectory, std::int64_t utime) {
-  return std::abs(trajectory[index_of(trajectory, utime)].utime - utime);
+/// What the pose at a time may be off for being between two scans.
+struct Blur {
+  double m = 0.0;
+  double rad = 0.0;
+
+  [[nodiscard]] bool small() const { return m < 0.03 && rad < 0.02; }
+};
+
+Blur blur_at(const Trajectory& trajectory, std::int64_t utime) {
+  const std::size_t i = index_of(trajectory, utime);
+  const auto here = interpolate(trajectory, utime);
+  if (!here) return {};
+  const Pose2 off = between(trajectory[i].pose, *here);
+  return {off.translation().norm(), std::abs(off.theta)};
+}
+
+bool is_sharp(const Trajectory& trajectory, const Relation& relation) {
+  return blur_at(trajectory, relation.utime_1).small() &&
+         blur_at(trajectory, relation.utime_2).small();
 }
 
 double median(std::vector<double> values) {
@@ -143,31 +159,47 @@ MappedRun map_sample(std::uint64_t seed, bool half_degree, bool use_odometry) {
 TruePairs true_pairs(const MappedRun& run) {
   constexpr int kNeighbours = 3;
   TruePairs pairs;
-  std::map<std::pair<int, int>, std::int64_t> offsets;  // of the best relation of each pair
   for (const Relation& relation : run.relations) {
     int older = run.map_at(relation.utime_1);
     int newer = run.map_at(relation.utime_2);
     if (older < 0 || newer < 0 || std::abs(newer - older) < kNeighbours) continue;
-    if (relation.T_1_2.translation().norm() > 5.0) continue;
+    if (relation.T_1_2.translation().norm() > 5.0 || !is_sharp(run.odom, relation)) continue;
     Pose2 T_older_newer = run.T_local_body(older, relation.utime_1) * relation.T_1_2 *
                           run.T_local_body(newer, relation.utime_2).inverse();
     if (older > newer) {
       std::swap(older, newer);
       T_older_newer = T_older_newer.inverse();
     }
-    const std::int64_t off =
-        offset(run.odom, relation.utime_1) + offset(run.odom, relation.utime_2);
-    const auto best = offsets.find({older, newer});
-    if (best != offsets.end() && best->second <= off) continue;
-    offsets[{older, newer}] = off;
-    pairs[{older, newer}] = T_older_newer;
+    pairs.emplace(std::pair{older, newer}, T_older_newer);
   }
   return pairs;
+}
+
+Scatter scatter_of_relations(const MappedRun& run) {
+  constexpr double kShortM = 2.0;
+  constexpr double kToSd = 1.4826;  // of a normal distribution, from the median of |x|
+  const auto odometer = odometer_of(run.odom);
+  std::vector<double> metres;
+  std::vector<double> radians;
+  for (const Relation& relation : run.relations) {
+    const auto from = interpolate(run.odom, relation.utime_1);
+    const auto to = interpolate(run.odom, relation.utime_2);
+    if (!from || !to || !is_sharp(run.odom, relation)) continue;
+    const double way = odometer[index_of(run.odom, relation.utime_2)] -
+                       odometer[index_of(run.odom, relation.utime_1)];
+    if (std::abs(way) > kShortM) continue;
+    const Pose2 off = between(relation.T_1_2, between(*from, *to));
+    metres.push_back(std::abs(off.x));
+    metres.push_back(std::abs(off.y));
+    radians.push_back(std::abs(off.theta));
+  }
+  return {kToSd * median(metres), kToSd * median(radians)};
 }
 
 std::vector<DriftScore> score_drift(const MappedRun& run, const LocalMapBuilderParams& params) {
   std::vector<DriftScore> scores{{2.5, 8}, {8, 15}, {15, 30}, {30, 80}, {80, 250}};
   const auto odometer = odometer_of(run.odom);
+  const Eigen::Matrix3d scatter = scatter_of_relations(run).covariance();
   for (DriftScore& score : scores) {
     std::vector<double> nees;
     for (const Relation& relation : run.relations) {
@@ -177,6 +209,7 @@ std::vector<DriftScore> score_drift(const MappedRun& run, const LocalMapBuilderP
       const auto from = interpolate(run.odom, relation.utime_1);
       const auto to = interpolate(run.odom, relation.utime_2);
       if (way < score.from_m || way >= score.to_m || !from || !to) continue;
+      if (!is_sharp(run.odom, relation)) continue;
       DisplacementError error(params.error);
       for (std::size_t k = i + 1; k <= j; ++k) {
         const Pose2 step = between(run.odom[k - 1].pose, run.odom[k].pose);
@@ -188,7 +221,7 @@ std::vector<DriftScore> score_drift(const MappedRun& run, const LocalMapBuilderP
       const Pose2 found = forward ? between(*from, *to) : between(*to, *from);
       const Eigen::Matrix3d covariance = error.covariance();
       const Eigen::Vector3d off = between(truth, found).vector();
-      nees.push_back(off.dot(covariance.inverse() * off));
+      nees.push_back(off.dot((covariance + scatter).inverse() * off));
       score.nees += nees.back();
       score.translation_m += off.head<2>().norm();
       score.rotation_deg += rad_to_deg(std::abs(off.z()));

@@ -39,13 +39,28 @@ MappedRun map_recording(const std::filesystem::path& log, const std::filesystem:
 /// and between passes by the same place.
 MappedRun map_sample(std::uint64_t seed, bool half_degree, bool use_odometry);
 
+/// How much relations differ from scan matching over ways so short that it cannot be wrong: the
+/// scatter of the relations themselves, by median, of (x or y, θ).
+struct Scatter {
+  double sd_m = 0.0;
+  double sd_rad = 0.0;
+
+  [[nodiscard]] Eigen::Matrix3d covariance() const {
+    return Eigen::Vector3d(sd_m * sd_m, sd_m * sd_m, sd_rad * sd_rad).asDiagonal();
+  }
+};
+
+Scatter scatter_of_relations(const MappedRun& run);
+
 /// Two local maps that lie together, and how: T_older_newer as the relations have it.
 using TruePairs = std::map<std::pair<int, int>, Pose2>;
 
-/// All pairs of maps, other than neighbours in the chain, between which there is a relation.
+/// All pairs of maps, other than neighbours in the chain, between which there is a relation at
+/// times where a scan was taken or the body hardly moved.
 TruePairs true_pairs(const MappedRun& run);
 
-/// Mean normalised error squared of displacements (expectation 3), by length of way.
+/// Normalised error squared of displacements (expectation 3, median 2.4), by length of way. The
+/// scatter of the relations is counted with the model.
 struct DriftScore {
   double from_m = 0.0;
   double to_m = 0.0;

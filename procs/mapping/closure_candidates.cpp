@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/closure_candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <Eigen/Eigenvalues>
+
+namespace adit {
+namespace {
+
+/// What two maps may overlap, over all relative positions within the gate.
+struct Overlap {
+  double expected = 0.0;
+  double largest = 0.0;
+};
+
+Overlap overlap_in_gate(const MapExtent& older, const MapExtent& newest,
+                        const RelativePose& predicted, double sigmas) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
+      Eigen::Matrix2d(predicted.covariance.topLeftCorner<2, 2>()));
+  const Eigen::Vector2d sd = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  const double reach = older.radius_m() + newest.radius_m() + sigmas * sd.maxCoeff();
+  const Eigen::Vector2d apart = predicted.T_older_newer * newest.centre() - older.centre();
+  Overlap overlap;
+  if (apart.norm() > reach) return overlap;
+
+  constexpr int kSteps = 2;  // each way along both axes of the gate
+  double weights = 0.0;
+  for (int i = -kSteps; i <= kSteps; ++i) {
+    for (int j = -kSteps; j <= kSteps; ++j) {
+      const Eigen::Vector2d u = sigmas / kSteps * Eigen::Vector2d(i, j);
+      if (u.norm() > sigmas) continue;
+      const Eigen::Vector2d off = axes.eigenvectors() * u.cwiseProduct(sd);
+      const double share =
+          older.overlap(newest, predicted.T_older_newer * Pose2{off.x(), off.y(), 0.0});
+      const double weight = std::exp(-0.5 * u.squaredNorm());
+      overlap.expected += weight * share;
+      overlap.largest = std::max(overlap.largest, share);
+      weights += weight;
+    }
+  }
+  overlap.expected /= weights;
+  return overlap;
+}
+
+}  // namespace
+
+std::vector<ClosureCandidate> closure_candidates(const std::vector<Pose2>& poses,
+                                                 const std::vector<Eigen::Matrix3d>& covariances,
+                                                 const std::vector<MapExtent>& extents,
+                                                 const ClosureCandidatesParams& params) {
+  const int newest = static_cast<int>(poses.size()) - 1;
+  std::vector<ClosureCandidate> possible;
+  for (int older = 0; older < newest - params.neighbours; ++older) {
+    const RelativePose predicted{between(poses[older], poses[newest]), covariances[older]};
+    const Overlap overlap =
+        overlap_in_gate(extents[older], extents[newest], predicted, params.sigmas);
+    if (overlap.largest < params.overlap_min) continue;
+    possible.push_back({older, predicted, overlap.expected});
+  }
+  std::stable_sort(possible.begin(), possible.end(),
+                   [](const auto& a, const auto& b) { return a.overlap > b.overlap; });
+
+  std::vector<ClosureCandidate> chosen;
+  for (const ClosureCandidate& candidate : possible) {
+    if (static_cast<int>(chosen.size()) >= params.most) break;
+    const auto close = [&](const ClosureCandidate& other) {
+      return std::abs(other.older - candidate.older) < params.apart;
+    };
+    if (std::none_of(chosen.begin(), chosen.end(), close)) chosen.push_back(candidate);
+  }
+  return chosen;
+}
+
+}  // namespace adit

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/local_map/local_map.hpp"
+#include "procs/mapping/local_walls.hpp"
+#include "tests/support/test_worlds.hpp"
+#include "tools/sample_mine/mine_worlds.hpp"
+
+namespace adit::test {
+
+inline const std::string kFront = "LASER_FRONT";
+
+inline LaserMounts front_mount() { return {{kFront, LaserMount{}}}; }
+
+/// A local map of a straight way of `length_m`, a scan every 0.2 m, each at its true pose.
+inline LocalMap drive_straight(const SyntheticWorld& world, const Pose2& T_world_local,
+                               double length_m, std::uint64_t seed) {
+  SyntheticLaser laser(LaserModel{}, seed);
+  LocalMap map;
+  for (double x = 0.0; x <= length_m; x += 0.2) {
+    const Pose2 T_local_body{x, 0.0, 0.0};
+    map.scans.push_back(
+        {kFront, laser.measure(world, T_world_local * T_local_body, 1'000'000), T_local_body});
+  }
+  return map;
+}
+
+inline LocalWalls walls_of(const SyntheticWorld& world, const Pose2& T_world_local,
+                           double length_m = 5.0, std::uint64_t seed = 1) {
+  return local_walls(drive_straight(world, T_world_local, length_m, seed), front_mount(), {});
+}
+
+}  // namespace adit::test

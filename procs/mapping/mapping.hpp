@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/config/bounds.hpp"
+#include "common/local_map/association.hpp"
+#include "common/local_map/local_map.hpp"
+#include "common/pose_graph/map_correction.hpp"
+#include "common/pose_graph/map_graph.hpp"
+#include "common/sensing/laser_mount.hpp"
+#include "common/sensing/scan_match.hpp"
+#include "procs/mapping/association/lazy_association.hpp"
+#include "procs/mapping/closure_candidates.hpp"
+#include "procs/mapping/local_map_builder.hpp"
+#include "procs/mapping/local_walls.hpp"
+#include "procs/mapping/map_extent.hpp"
+#include "procs/mapping/map_matching.hpp"
+
+namespace adit {
+
+struct MappingParams {
+  LaserMount laser_front;
+  LaserMount laser_rear{.T_body_laser = {0.0, 0.0, std::numbers::pi}};
+  LocalMapBuilderParams local_maps;
+  LocalWallsParams walls;
+  ClosureCandidatesParams candidates;
+  MapMatchingParams matching;
+  LazyAssociationParams association;
+
+  template <class V>
+  void visit(V& v) {
+    v("laser_front", laser_front);
+    v("laser_rear", laser_rear);
+    v("local_maps", local_maps);
+    v("walls", walls);
+    v("candidates", candidates);
+    v("matching", matching);
+    v("association", association);
+  }
+};
+
+/// What a new local map brought.
+struct MapUpdate {
+  LocalMap map;
+  std::vector<Association> associations;  ///< in the order in which they were decided
+};
+
+/// The map: local maps every few metres of the way, held in place by what was measured between them
+/// and by the places that were seen again (paper, sections 2.1 to 2.3). Which places these are is
+/// decided lazily.
+class Mapping {
+ public:
+  explicit Mapping(const MappingParams& params);
+
+  /// A scan and what scan matching made of it, in order of time. Something where it finished a local
+  /// map.
+  std::optional<MapUpdate> add(const std::string& channel, const LaserScan& scan,
+                               const ScanMatch& match);
+
+  /// The way ends here: what there is of a local map is one.
+  std::optional<MapUpdate> finish();
+
+  [[nodiscard]] MapGraph graph() const;
+  /// Nothing before the first local map.
+  [[nodiscard]] std::optional<MapCorrection> correction() const;
+
+  [[nodiscard]] const std::vector<LocalMap>& local_maps() const { return maps_; }
+  [[nodiscard]] const LazyAssociation& association() const { return association_; }
+
+ private:
+  MapUpdate take(LocalMap map);
+  [[nodiscard]] std::vector<Closure> find_closures() const;
+  [[nodiscard]] std::vector<PlacedWalls> place_around(int map) const;
+
+  MappingParams params_;
+  LaserMounts mounts_;
+  LocalMapBuilder builder_;
+  LazyAssociation association_;
+  std::vector<LocalMap> maps_;
+  std::vector<LocalWalls> walls_;
+  std::vector<MapExtent> extents_;
+  std::int64_t revision_ = 0;
+};
+
+}  // namespace adit

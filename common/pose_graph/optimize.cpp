@@ -137,7 +137,7 @@ class Optimizer {
 
 }  // namespace
 
-std::string text(OptimizeReason reason, int node) {
+std::string text(OptimizeReason reason, long node) {
   switch (reason) {
     case OptimizeReason::kConverged:
       return "converged";

@@ -33,7 +33,7 @@ enum class OptimizeReason {
 };
 
 /// One line for a person.
-std::string text(OptimizeReason reason, int node);
+std::string text(OptimizeReason reason, long node);
 
 struct OptimizeResult {
   bool converged = false;

@@ -12,9 +12,11 @@
 namespace adit {
 namespace {
 
-constexpr double kNegligible = 1e-9;   // of a chi-square nobody can tell
-constexpr double kContraction = 0.2;   // of the promised decrease, for a factor to be used again
-constexpr double kLambdaFirst = 1e-4;  // damping, where it is needed
+constexpr double kNegligible = 1e-9;  // of a chi-square nobody can tell
+constexpr double kContraction = 0.2;  // of the promised decrease, for a factor to be used again
+constexpr double kSlowContraction = 0.98;  // the same where a fresh factor is no better
+constexpr double kAsGood = 1.1;            // ratio of promises within which two factors are alike
+constexpr double kLambdaFirst = 1e-4;      // damping, where it is needed
 constexpr double kLambdaMax = 1e8;
 constexpr double kLambdaMin = 1e-7;  // less is none
 
@@ -65,12 +67,13 @@ class Optimizer {
   /// Steps with the present factor, as long as each promises much less than the one before. False:
   /// there is no more to do.
   bool descend(NormalEquations& equations) {
-    double promised = 0.0;
     for (bool first = true; result_.iterations < params_.iterations_max; first = false) {
       const Step step = solve(equations);
       const bool done = step.promise <= params_.tolerance * result_.objective + kNegligible;
-      if (!first && !done && step.promise > kContraction * promised) return true;
-      promised = step.promise;
+      if (first) judge_last_factor(step.promise);
+      const bool worn = !first && step.promise > contraction_ * promise_;
+      promise_ = step.promise;
+      if (worn && !done) return true;
       const bool damped = lambda_ > 0.0;
       if (!take(step, equations)) {
         if (done) return finish();  // what is left is rounding
@@ -82,6 +85,13 @@ class Optimizer {
       if (done) return damped || finish();
     }
     return false;
+  }
+
+  /// Where residuals are large, linearisation itself converges slowly, and a fresh factor promises
+  /// what the old one did: then factors are used for longer.
+  void judge_last_factor(double fresh_promise) {
+    const bool as_good = promise_ < kAsGood * fresh_promise && fresh_promise < kAsGood * promise_;
+    contraction_ = as_good && lambda_ == 0.0 ? kSlowContraction : kContraction;
   }
 
   static Step solve(const NormalEquations& equations) {
@@ -121,11 +131,13 @@ class Optimizer {
   const OptimizeObserver& observer_;
   OptimizeResult result_;
   double lambda_ = 0.0;
+  double promise_ = 0.0;  // of the last step that was found
+  double contraction_ = kContraction;
 };
 
 }  // namespace
 
-std::string text(OptimizeReason reason, int node) {
+std::string text(OptimizeReason reason, long node) {
   switch (reason) {
     case OptimizeReason::kConverged:
       return "converged";

@@ -13,8 +13,8 @@ namespace adit {
 struct OptimizeParams {
   /// Whether to find a start from the measurements; else the poses of the graph are the start.
   bool rotation_start = true;
-  double tolerance = 1e-10;  ///< done if a step promises less than this share of the objective
-  int iterations_max = 200;  ///< a guard: iteration ends by itself
+  double tolerance = 1e-9;   ///< done if a step promises less than this share of the objective
+  int iterations_max = 500;  ///< a guard: iteration ends by itself
 
   template <class V>
   void visit(V& v) {
@@ -33,7 +33,7 @@ enum class OptimizeReason {
 };
 
 /// One line for a person.
-std::string text(OptimizeReason reason, int node);
+std::string text(OptimizeReason reason, long node);
 
 struct OptimizeResult {
   bool converged = false;

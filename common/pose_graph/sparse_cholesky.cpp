@@ -173,6 +173,34 @@ void solve_vector(const FactorView& L, Eigen::VectorXd& x) {
   }
 }
 
+/// The same for a factor of 3 × 3 blocks, whose three columns have their rows below in common.
+void solve_vector_by_blocks(const FactorView& L, Eigen::VectorXd& x) {
+  const auto column = [&](int j) { return L.values + L.start[j]; };
+  for (int j = 0; j < L.n; j += 3) {
+    const double* const a = column(j) + 3;
+    const double* const b = column(j + 1) + 2;
+    const double* const c = column(j + 2) + 1;
+    const int* const rows = L.rows + L.start[j] + 3;
+    const double x0 = x[j];
+    const double x1 = x[j + 1] -= a[-2] * x0;
+    const double x2 = x[j + 2] -= a[-1] * x0 + b[-1] * x1;
+    for (int k = 0; k < L.count[j] - 3; ++k) x[rows[k]] -= a[k] * x0 + b[k] * x1 + c[k] * x2;
+  }
+  for (int j = L.n - 3; j >= 0; j -= 3) {
+    const double* const a = column(j) + 3;
+    const double* const b = column(j + 1) + 2;
+    const double* const c = column(j + 2) + 1;
+    const int* const rows = L.rows + L.start[j] + 3;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int k = 0; k < L.count[j] - 3; ++k) {
+      sum += x[rows[k]] * Eigen::Vector3d(a[k], b[k], c[k]);
+    }
+    x[j + 2] = x[j + 2] / c[-1] - sum[2];
+    x[j + 1] = x[j + 1] / b[-2] - sum[1] - b[-1] * x[j + 2];
+    x[j] = x[j] / a[-3] - sum[0] - a[-2] * x[j + 1] - a[-1] * x[j + 2];
+  }
+}
+
 /// The columns from the given ones up to the roots, ascending.
 std::vector<int> path_to_root(const FactorView& L, const std::vector<int>& from) {
   std::vector<char> seen(at(L.n), 0);
@@ -386,7 +414,7 @@ Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const {
     x.segment(block_size_ * position_[i], block_size_) =
         b.segment(block_size_ * int(i), block_size_);
   }
-  solve_vector(L, x);
+  block_size_ == 3 ? solve_vector_by_blocks(L, x) : solve_vector(L, x);
   Eigen::VectorXd result(L.n);
   for (std::size_t i = 0; i < position_.size(); ++i) {
     result.segment(block_size_ * int(i), block_size_) =

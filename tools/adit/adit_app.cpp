@@ -32,6 +32,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_eval_command(*app);
   add_import_command(*app);
   add_map_command(*app);
+  add_optimize_command(*app);
   add_sample_command(*app);
   add_spy_command(*app);
   return app;

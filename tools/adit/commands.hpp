@@ -22,6 +22,7 @@ void add_completion_command(CLI::App& adit);
 void add_eval_command(CLI::App& adit);
 void add_import_command(CLI::App& adit);
 void add_map_command(CLI::App& adit);
+void add_optimize_command(CLI::App& adit);
 void add_sample_command(CLI::App& adit);
 void add_spy_command(CLI::App& adit);
 

@@ -53,6 +53,7 @@ TEST_F(AditCommand, TeachesByItsHelp) {
   for (const std::vector<std::string>& command : {std::vector<std::string>{"import", "carmen"},
                                                   {"eval", "relations"},
                                                   {"map"},
+                                                  {"optimize"},
                                                   {"sample"},
                                                   {"spy"},
                                                   {"completion"}}) {
@@ -77,6 +78,8 @@ TEST_F(AditCommand, WrongUseIsOneLineAndExitCodeTwo) {
         {"sample", at("x.log"), "--length-m", "0"},
         {"sample", at("x.log"), "--world", "flat"},
         {"map", at("missing"), "--out", at("map")},
+        {"optimize", at("missing")},
+        {"optimize", at("missing"), "--loops", "none"},
         {"eval", "relations", at("missing"), at("missing")}}) {
     const Outcome outcome = adit(arguments);
     EXPECT_EQ(outcome.exit_code, 2);
@@ -84,6 +87,26 @@ TEST_F(AditCommand, WrongUseIsOneLineAndExitCodeTwo) {
     EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
   }
   EXPECT_EQ(adit({}).exit_code, 2);
+}
+
+constexpr const char* kEdge = "EDGE_SE2 3 4 1 0 0 1 0 0 1 0 1\n";
+
+TEST_F(AditCommand, OptimizePrintsFiguresAndWritesPoses) {
+  std::ofstream(at("g.g2o")) << kEdge << "EDGE_SE2 3 4 2 0 0 1 0 0 1 0 1\n";
+  const Outcome outcome = adit({"optimize", at("g.g2o"), "--out", at("best.g2o")});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("\"objective\": 0.5"), HasSubstr("\"total\":")));
+  EXPECT_THAT(contents("best.g2o"), HasSubstr("VERTEX_SE2 4 1.5 0 0\n"));
+}
+
+TEST_F(AditCommand, OptimizeNamesTheLineOrTheNodeThatIsWrong) {
+  std::ofstream(at("line.g2o")) << kEdge << "EDGE_SE2 4 5 1 0\n";
+  EXPECT_THAT(adit({"optimize", at("line.g2o")}).err, HasSubstr("line.g2o:2: "));
+  std::ofstream(at("apart.g2o")) << kEdge << "VERTEX_SE2 3 0 0 0\nVERTEX_SE2 4 0 0 0\n"
+                                 << "VERTEX_SE2 9 0 0 0\n";
+  const Outcome outcome = adit({"optimize", at("apart.g2o")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("apart.g2o: no chain of constraints links pose 9"));
 }
 
 TEST_F(AditCommand, ASampleIsTheSameTwiceAndCanBeImported) {

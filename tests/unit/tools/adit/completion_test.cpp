@@ -52,8 +52,8 @@ class BashCompletion : public testing::Test {
 };
 
 TEST(Completion, KnowsEveryCommandOfTheTree) {
-  EXPECT_THAT(paths(), IsSupersetOf({"", "import", "import carmen", "eval relations", "sample",
-                                     "completion zsh"}));
+  EXPECT_THAT(paths(), IsSupersetOf({"", "import", "import carmen", "eval relations", "optimize",
+                                     "sample", "completion zsh"}));
 }
 
 TEST(Completion, EveryScriptHoldsEveryWord) {

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// wrong_loops_table: what methods make of wrong loop closures that are added to public pose graphs,
+// as a table in Markdown. A method looks at a graph and says which constraints it believes; these
+// are then optimised, so that all are judged alike.
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "common/pose_graph/g2o_file.hpp"
+#include "common/pose_graph/optimize.hpp"
+#include "tests/eval/reweighting.hpp"
+#include "tests/support/recordings.hpp"
+#include "tests/support/wrong_loops.hpp"
+#include "tools/eval/path_error.hpp"
+
+namespace adit {
+namespace {
+
+/// Whether each constraint is believed.
+using Believe = std::function<std::vector<bool>(const PoseGraph&)>;
+
+struct Method {
+  const char* name;
+  Believe believe;
+};
+
+std::vector<bool> believe_all(const PoseGraph& graph) {
+  return std::vector<bool>(graph.constraints.size(), true);
+}
+
+const std::vector<Method>& methods() {
+  static const std::vector<Method> all = {
+      {"least squares", believe_all}, {"Huber", believe_huber}, {"DCS", believe_dcs}};
+  return all;
+}
+
+/// A graph at its optimum, and wrong loops for it.
+struct Trial {
+  std::string graph_name;
+  std::string kind;
+  const PoseGraph& clean;
+  std::vector<PoseConstraint> wrong;
+};
+
+/// How far the nodes are from where the clean graph has them, after rigid alignment [m].
+double rmse_m(const std::vector<Pose2>& poses, const std::vector<Pose2>& reference) {
+  const auto trajectory = [](const std::vector<Pose2>& nodes) {
+    Trajectory result;
+    for (const Pose2& node : nodes) {
+      result.push_back({static_cast<std::int64_t>(result.size()), node});
+    }
+    return result;
+  };
+  return path_error(trajectory(poses), trajectory(reference)).rmse_m;
+}
+
+/// Loops alone are counted.
+struct Count {
+  int right = 0;
+  int right_kept = 0;
+  int wrong_kept = 0;
+};
+
+Count count_loops(const Trial& trial, const std::vector<bool>& believed) {
+  Count count;
+  for (std::size_t i = 0; i < believed.size(); ++i) {
+    const bool wrong = i >= trial.clean.constraints.size();
+    if (!wrong && !test::is_loop(trial.clean.constraints[i])) continue;
+    count.right += wrong ? 0 : 1;
+    if (believed[i]) ++(wrong ? count.wrong_kept : count.right_kept);
+  }
+  return count;
+}
+
+PoseGraph believed_part(const PoseGraph& graph, const std::vector<bool>& believed) {
+  PoseGraph part{graph.poses, {}};
+  for (std::size_t i = 0; i < believed.size(); ++i) {
+    if (believed[i]) part.constraints.push_back(graph.constraints[i]);
+  }
+  return part;
+}
+
+double share(int part, int whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 1.0;
+}
+
+void print_row(const Trial& trial, const Method& method) {
+  PoseGraph graph = trial.clean;
+  graph.constraints.insert(graph.constraints.end(), trial.wrong.begin(), trial.wrong.end());
+  chain_odometry(graph);  // what a method may start from
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<bool> believed = method.believe(graph);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  const Count count = count_loops(trial, believed);
+  PoseGraph part = believed_part(graph, believed);
+  const OptimizeResult result = optimize(part, {});
+  std::printf("| %s | %zu, %s | %s | %.3f | %.3f | %.6g | %.3f | %.2f |\n",
+              trial.graph_name.c_str(), trial.wrong.size(), trial.kind.c_str(), method.name,
+              share(count.right_kept, count.right_kept + count.wrong_kept),
+              share(count.right_kept, count.right), result.objective,
+              rmse_m(part.poses, trial.clean.poses), wall.count());
+  std::fflush(stdout);
+}
+
+void print_graph(const std::string& name, std::uint32_t seed) {
+  const auto path = test::find_recording("posegraph/" + name + ".g2o");
+  if (!path) {
+    std::cerr << "no recording " << name << "; set ADIT_DATA\n";
+    return;
+  }
+  PoseGraph clean = read_g2o(*path).graph;
+  optimize(clean, {});
+  for (const int count : {0, 10, 100, 1000}) {
+    for (const bool consistent : {false, true}) {
+      if (count == 0 && consistent) continue;
+      const auto make = consistent ? test::consistent_wrong_loops : test::random_wrong_loops;
+      const Trial trial{name, consistent ? "in groups" : "at random", clean,
+                        make(clean, count, seed)};
+      for (const Method& method : methods()) print_row(trial, method);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace adit
+
+int main(int argc, char** argv) try {
+  CLI::App app("Wrong loop closures added to public pose graphs, as a table in Markdown");
+  std::vector<std::string> graphs = {"intel", "manhattan"};
+  std::uint32_t seed = 1;
+  app.add_option("--graphs", graphs, "of the recordings")->capture_default_str();
+  app.add_option("--seed", seed, "of the wrong loops")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  std::puts(
+      "| graph | wrong loops | method | precision | recall | objective | RMSE (m) | time (s) |\n"
+      "|---|---|---|---|---|---|---|---|");
+  for (const std::string& graph : graphs) adit::print_graph(graph, seed);
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "wrong_loops_table: " << error.what() << "\n";
+  return 2;
+}

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/wrong_loops.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+
+namespace adit::test {
+namespace {
+
+constexpr double kWrongMin = 3.0;  // [m]
+constexpr int kGroup = 20;
+constexpr int kApart = 2 * kGroup;  // in the order of the nodes, so that no group overlaps itself
+
+class Liar {
+ public:
+  Liar(const PoseGraph& graph, std::uint32_t seed) : graph_(graph), rng_(seed) {
+    for (const PoseConstraint& c : graph.constraints) {
+      if (is_loop(c)) information_.push_back(c.information);
+    }
+    if (information_.empty() || graph.poses.size() < 4 * kApart) {
+      throw std::invalid_argument("a graph without loops, or too small for wrong ones");
+    }
+  }
+
+  /// Constraints from a + k to b + k for k < `length`: node b is claimed to be near node a, and the
+  /// nodes behind them to follow as they do.
+  std::vector<PoseConstraint> lie(int length) {
+    while (true) {
+      const int a = below(static_cast<int>(graph_.poses.size()) - kGroup);
+      const int b = below(static_cast<int>(graph_.poses.size()) - kGroup);
+      const Pose2 claim{2.0 * number() - 1.0, 2.0 * number() - 1.0,
+                        std::numbers::pi * (2.0 * number() - 1.0)};
+      if (std::abs(a - b) < kApart) continue;
+      std::vector<PoseConstraint> loops;
+      for (int k = 0; k < length; ++k) {
+        const Pose2 T_from_to =
+            between(pose(a), pose(a + k)).inverse() * claim * between(pose(b), pose(b + k));
+        loops.push_back({a + k, b + k, T_from_to, drawn_information()});
+      }
+      if (std::all_of(loops.begin(), loops.end(), [this](const auto& c) { return is_wrong(c); })) {
+        return loops;
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] const Pose2& pose(int node) const {
+    return graph_.poses[static_cast<std::size_t>(node)];
+  }
+  [[nodiscard]] bool is_wrong(const PoseConstraint& c) const {
+    const Pose2 truth = between(pose(c.from), pose(c.to));
+    return (truth.translation() - c.T_from_to.translation()).norm() > kWrongMin;
+  }
+  double number() { return static_cast<double>(rng_()) / 4294967296.0; }
+  int below(int n) { return static_cast<int>(number() * n); }
+  const Eigen::Matrix3d& drawn_information() {
+    return information_[static_cast<std::size_t>(below(static_cast<int>(information_.size())))];
+  }
+
+  const PoseGraph& graph_;
+  std::vector<Eigen::Matrix3d> information_;
+  std::mt19937 rng_;
+};
+
+std::vector<PoseConstraint> wrong_loops(const PoseGraph& graph, int count, int group,
+                                        std::uint32_t seed) {
+  Liar liar(graph, seed);
+  std::vector<PoseConstraint> loops;
+  while (static_cast<int>(loops.size()) < count) {
+    const auto more = liar.lie(std::min(group, count - static_cast<int>(loops.size())));
+    loops.insert(loops.end(), more.begin(), more.end());
+  }
+  return loops;
+}
+
+}  // namespace
+
+bool is_loop(const PoseConstraint& constraint) {
+  return std::abs(constraint.to - constraint.from) != 1;
+}
+
+std::vector<PoseConstraint> random_wrong_loops(const PoseGraph& graph, int count,
+                                               std::uint32_t seed) {
+  return wrong_loops(graph, count, 1, seed);
+}
+
+std::vector<PoseConstraint> consistent_wrong_loops(const PoseGraph& graph, int count,
+                                                   std::uint32_t seed) {
+  return wrong_loops(graph, count, kGroup, seed);
+}
+
+}  // namespace adit::test

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/pose_graph/optimize.hpp"
+
+#include <map>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/pose_graph/g2o_file.hpp"
+#include "common/pose_graph/potential.hpp"
+#include "tests/support/recordings.hpp"
+#include "tests/support/test_graphs.hpp"
+
+namespace adit {
+namespace {
+
+TEST(Optimize, FindsTheTruthAgainWithoutNoise) {
+  PoseGraph graph = test::square_walk(100, 6, 0.0);
+  const std::vector<Pose2> truth = graph.poses;
+  for (std::size_t i = 1; i < graph.poses.size(); ++i) graph.poses[i] = {};
+  const OptimizeResult result = optimize(graph, {});
+  EXPECT_TRUE(result.converged);
+  EXPECT_LT(result.objective, 1e-9);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    EXPECT_LT(between(truth[i], graph.poses[i]).vector().norm(), 1e-6);  // sqrt(1e-9 / information)
+  }
+}
+
+TEST(Optimize, HoldsTheFirstPose) {
+  PoseGraph graph = test::square_walk(60, 5, 0.1);
+  graph.poses.front() = {3.0, 4.0, 1.0};
+  ASSERT_TRUE(optimize(graph, {}).converged);
+  EXPECT_EQ(graph.poses.front(), (Pose2{3.0, 4.0, 1.0}));
+}
+
+TEST(Optimize, ReachesTheSameObjectiveWithAndWithoutAStartOfItsOwn) {
+  PoseGraph a = test::square_walk(200, 8, 0.1);
+  PoseGraph b = a;
+  const OptimizeResult with = optimize(a, {});
+  const OptimizeResult without = optimize(b, {.rotation_start = false});
+  EXPECT_TRUE(with.converged && without.converged);
+  EXPECT_NEAR(with.objective, without.objective, 1e-6 * with.objective);
+  EXPECT_NEAR(with.objective, objective(a), 1e-9 * with.objective);
+}
+
+TEST(Optimize, GivesTheSameBytesTwice) {
+  PoseGraph a = test::square_walk(200, 8, 0.1);
+  PoseGraph b = a;
+  optimize(a, {});
+  optimize(b, {});
+  EXPECT_EQ(a.poses, b.poses);
+}
+
+TEST(Optimize, MeetsDirectionsWithoutInformation) {
+  PoseGraph graph = test::square_walk(100, 5, 0.05);
+  for (PoseConstraint& c : graph.constraints) {
+    if (c.to != c.from + 1) c.information = Eigen::Vector3d(0.0, 400.0, 0.0).asDiagonal();
+  }
+  EXPECT_TRUE(optimize(graph, {}).converged);
+}
+
+TEST(Optimize, SaysWhichNodeIsNotConnected) {
+  PoseGraph graph = test::square_walk(10, 5, 0.1);
+  graph.constraints.erase(graph.constraints.begin() + 6);
+  const OptimizeResult result = optimize(graph, {});
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.reason, OptimizeReason::kUnconnected);
+  EXPECT_EQ(result.node, 7);
+  EXPECT_THAT(text(result.reason, result.node), testing::HasSubstr("pose 7"));
+}
+
+TEST(Optimize, SaysWhichNodeIsFreeToMove) {
+  for (const bool rotation_start : {true, false}) {
+    PoseGraph graph = test::square_walk(10, 5, 0.1);
+    graph.constraints.back().information = Eigen::Vector3d(0.0, 400.0, 4000.0).asDiagonal();
+    const std::vector<Pose2> before = graph.poses;
+    const OptimizeResult result = optimize(graph, {.rotation_start = rotation_start});
+    EXPECT_EQ(result.reason, OptimizeReason::kUndetermined);
+    EXPECT_EQ(result.node, 9);
+    EXPECT_EQ(graph.poses, before);
+  }
+}
+
+TEST(Optimize, HasAnAnswerForGraphsOfNoneAndOne) {
+  PoseGraph graph;
+  EXPECT_EQ(optimize(graph, {}).reason, OptimizeReason::kEmpty);
+  graph.poses.emplace_back();
+  EXPECT_TRUE(optimize(graph, {}).converged);
+}
+
+TEST(Optimize, TellsAnObserverWhatItIsAt) {
+  PoseGraph graph = test::square_walk(60, 5, 0.1);
+  std::map<OptimizePhase, int> entered;
+  const OptimizeResult result = optimize(graph, {}, [&](OptimizePhase p) { ++entered[p]; });
+  EXPECT_EQ(entered[OptimizePhase::kAnalysis], 1);
+  EXPECT_EQ(entered[OptimizePhase::kStart], 1);
+  EXPECT_EQ(entered[OptimizePhase::kFactorisation], result.factorisations - 1);  // one is the start
+  EXPECT_EQ(entered[OptimizePhase::kEnd], 1);
+}
+
+TEST(ChainOdometry, FollowsTheMeasuredSteps) {
+  PoseGraph graph;
+  graph.poses.resize(3);
+  graph.constraints = {{0, 1, {1.0, 0.0, 0.5}, Eigen::Matrix3d::Identity()},
+                       {2, 1, Pose2{1.0, 0.0, 0.0}.inverse(), Eigen::Matrix3d::Identity()},
+                       {0, 2, {9.0, 9.0, 9.0}, Eigen::Matrix3d::Identity()}};
+  chain_odometry(graph);
+  EXPECT_EQ(graph.poses[1], (Pose2{1.0, 0.0, 0.5}));
+  EXPECT_NEAR(graph.poses[2].x, 1.0 + std::cos(0.5), 1e-12);
+}
+
+/// A public graph and the best objective known.
+struct Known {
+  const char* name;
+  double objective;
+};
+
+void PrintTo(const Known& known, std::ostream* out) { *out << known.name; }
+
+class OptimizeFromOdometry : public testing::TestWithParam<Known> {};
+
+TEST_P(OptimizeFromOdometry, ReachesTheBestObjectiveKnown) {
+  const std::string name = std::string("posegraph/") + GetParam().name + ".g2o";
+  ADIT_RECORDING_OR_SKIP(path, name);
+  PoseGraph graph = read_g2o(path).graph;
+  chain_odometry(graph);
+  const OptimizeResult result = optimize(graph, {});
+  EXPECT_TRUE(result.converged);
+  EXPECT_NEAR(result.objective, GetParam().objective, 1e-7 * GetParam().objective);
+  EXPECT_NEAR(result.objective, objective(graph), 1e-9 * GetParam().objective);
+}
+
+INSTANTIATE_TEST_SUITE_P(Public, OptimizeFromOdometry,
+                         testing::Values(Known{"intel", 45.004696}, Known{"CSAIL", 40.555128},
+                                         Known{"MIT", 41.163269}, Known{"manhattan", 3549.036766},
+                                         Known{"M3500a", 912.115012}));
+
+}  // namespace
+}  // namespace adit

@@ -67,13 +67,17 @@ void LocalMapBuilder::keep(const std::string& channel, const LaserScan& scan,
   turn_rad_ += std::abs(moved.theta);
   T_odom_kept_ = T_odom_body;
   last_kept_[channel] = T_odom_body;
-  if (map_.scans.empty()) map_.utime = scan.utime;
   map_.end_utime = scan.utime;
-  map_.scans.push_back({channel, scan, between(map_.T_odom_local, T_odom_body)});
+  if (map_.scans.empty()) {
+    map_.utime = scan.utime;
+    map_.T_odom_local = T_odom_body;
+    map_.scans.push_back({channel, scan, Pose2{}});
+  } else {
+    map_.scans.push_back({channel, scan, between(map_.T_odom_local, T_odom_body)});
+  }
 }
 
 void LocalMapBuilder::begin(const Pose2& T_odom_local) {
-  map_.T_odom_local = T_odom_local;
   T_odom_kept_ = T_odom_local;
   last_kept_.clear();
   way_m_ = 0.0;

@@ -16,7 +16,8 @@ namespace {
 constexpr double kSameM = 0.3;  // alternatives closer than this are one
 constexpr double kSameRad = 0.1;
 constexpr int kFewPoints = 120;  // to see whether a peak is worth refining
-constexpr double kWideM = 4.0;   // a wider gate is searched in coarser steps
+constexpr int kFewIterations = 12;
+constexpr double kWideM = 4.0;  // a wider gate is searched in coarser steps
 constexpr double kWideRad = 1.0;
 
 /// Root mean square distance of the points: how far a turn of one radian moves them.
@@ -110,10 +111,12 @@ class Match {
   /// What is left of the peaks when a few points have been laid on the reference: most peaks go
   /// through walls, or come down to the same place.
   [[nodiscard]] std::vector<Pose2> starts() const {
+    PointToLineParams coarse = params_.refinement;
+    coarse.iterations_max = std::min(coarse.iterations_max, kFewIterations);
     std::vector<Pose2> kept;
     for (const auto& peak : peaks()) {
       if (!plausible(peak.T_odom_body, 0.8)) continue;
-      const Pose2 T = settle(few_points_, peak.T_odom_body, params_.refinement).T_odom_body;
+      const Pose2 T = settle(few_points_, peak.T_odom_body, coarse).T_odom_body;
       if (!plausible(T, 1.0)) continue;
       const bool again =
           std::any_of(kept.begin(), kept.end(), [&](const Pose2& other) { return same(T, other); });

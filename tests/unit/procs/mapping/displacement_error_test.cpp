@@ -1,2 +1,111 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/displacement_error.hpp"
+
+#include <cmath>
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+constexpr double kStepM = 0.1;
+constexpr double kPeriodS = 0.2;
+
+ScanMatch matched() {
+  ScanMatch match;
+  match.status = ScanMatch::Status::kMatched;
+  match.reference_utime = 1'000'000;
+  match.utime = match.reference_utime + static_cast<std::int64_t>(1e6 * kPeriodS);
+  match.covariance.diagonal() << 4e-4, 1e-6, 1e-6;
+  match.lever_arm_m = 2.0;
+  return match;
+}
+
+ScanMatch open_along_x(DegenerateDirection::Fill fill) {
+  ScanMatch match = matched();
+  match.degenerate.push_back({Eigen::Vector3d::UnitX(), fill});
+  return match;
+}
+
+void drive(DisplacementError& error, const ScanMatch& match, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    error.add_step({kStepM, 0.0, 0.0}, match);
+    error.add_way(kStepM, 0.0);
+  }
+}
+
+double sd(const DisplacementError& error, int axis) {
+  return std::sqrt(error.covariance()(axis, axis));
+}
+
+TEST(DisplacementError, IsPositiveDefiniteFromTheStart) {
+  const DisplacementError error{DisplacementErrorParams{}};
+  EXPECT_GT(error.covariance().determinant(), 0.0);
+}
+
+TEST(DisplacementError, GrowsWithTheWayAndNotWithTheNumberOfScans) {
+  DisplacementError few{DisplacementErrorParams{}};
+  drive(few, matched(), 50);
+  DisplacementError many{DisplacementErrorParams{}};
+  for (int i = 0; i < 5000; ++i) {
+    many.add_step({kStepM / 100.0, 0.0, 0.0}, matched());
+    many.add_way(kStepM / 100.0, 0.0);
+  }
+  EXPECT_NEAR(sd(few, 0), sd(many, 0), 1e-9);
+  EXPECT_NEAR(sd(few, 2), sd(many, 2), 1e-9);
+  EXPECT_NEAR(sd(few, 1), sd(many, 1), 1e-3);  // heading is swept in finer steps
+}
+
+TEST(DisplacementError, OfHeadingBecomesOneOfPlace) {
+  const DisplacementErrorParams params;
+  DisplacementError error{params};
+  drive(error, matched(), 500);
+  // A random walk of the heading over L metres: sd² = q² L³ / 3 across the way.
+  const double swept = params.drift_rad_per_sqrt_m * std::sqrt(50.0 * 50.0 * 50.0 / 3.0);
+  EXPECT_NEAR(sd(error, 1), std::hypot(swept, params.drift_m_per_sqrt_m * std::sqrt(50.0)), 2e-3);
+}
+
+TEST(DisplacementError, TakesFromOdometryWhatScansLeaveOpen) {
+  DisplacementError error{DisplacementErrorParams{}};
+  drive(error, open_along_x(DegenerateDirection::Fill::kOdometry), 50);
+  EXPECT_NEAR(sd(error, 0), 0.02 * std::sqrt(50.0), 0.01);  // independent from step to step
+  DisplacementError closed{DisplacementErrorParams{}};
+  drive(closed, matched(), 50);
+  EXPECT_NEAR(sd(error, 1), sd(closed, 1), 1e-6);  // across is measured as ever
+}
+
+TEST(DisplacementError, OfAnAssumedSpeedGrowsWithTheTime) {
+  const DisplacementErrorParams params;
+  DisplacementError error{params};
+  drive(error, open_along_x(DegenerateDirection::Fill::kNone), 50);
+  EXPECT_NEAR(sd(error, 0), params.speed_sd_m_s * kPeriodS * 50, 0.01);
+  drive(error, matched(), 10);  // and does not go away
+  EXPECT_GT(sd(error, 0), 0.99 * params.speed_sd_m_s * kPeriodS * 50);
+}
+
+TEST(DisplacementError, ForgetsAShortStretchThatWasOpenOrLost) {
+  DisplacementError closed{DisplacementErrorParams{}};
+  drive(closed, matched(), 10);
+  DisplacementError open{DisplacementErrorParams{}};
+  drive(open, open_along_x(DegenerateDirection::Fill::kNone), 3);
+  EXPECT_GT(sd(open, 0), 0.1);  // while it lasts it counts
+  drive(open, matched(), 7);
+  EXPECT_NEAR(sd(open, 0), sd(closed, 0), 1e-9);
+
+  ScanMatch lost = matched();
+  lost.status = ScanMatch::Status::kLost;
+  lost.covariance.diagonal() << 0.9, 0.9, 1.0;
+  DisplacementError short_loss{DisplacementErrorParams{}};
+  drive(short_loss, lost, 2);
+  drive(short_loss, matched(), 8);
+  EXPECT_NEAR(sd(short_loss, 0), sd(closed, 0), 1e-9);
+  DisplacementError long_loss{DisplacementErrorParams{}};
+  drive(long_loss, lost, 4);
+  drive(long_loss, matched(), 6);
+  EXPECT_GT(sd(long_loss, 0), 0.2);  // scan matching has begun anew
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,2 +1,180 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/local_map_builder.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+using Status = ScanMatch::Status;
+
+const std::string kFront = "LASER_FRONT";
+const std::string kRear = "LASER_REAR";
+
+/// Feeds the builder with scans that scan matching has found at given poses.
+class Feed {
+ public:
+  explicit Feed(int first_id = 0, int session = 0) : builder_({}, first_id, session) {}
+
+  void step(const Pose2& motion, Status status = Status::kMatched,
+            const std::string& channel = kFront) {
+    T_odom_body_ = T_odom_body_ * motion;
+    scan(status, channel);
+  }
+
+  void scan(Status status, const std::string& channel = kFront) {
+    ScanMatch match;
+    match.status = first_ ? Status::kFirstScan : status;
+    match.reference_utime = first_ ? 0 : utime_;
+    match.utime = utime_ += 200'000;
+    match.T_odom_body = T_odom_body_;
+    match.channel = channel;
+    match.covariance.diagonal() << 1e-4, 1e-4, 1e-5;
+    first_ = false;
+    LaserScan scan;
+    scan.utime = match.utime;
+    if (auto map = builder_.add(channel, scan, match)) maps.push_back(std::move(*map));
+  }
+
+  /// Scan matching was started anew.
+  void restart() {
+    first_ = true;
+    T_odom_body_ = {};
+    scan(Status::kFirstScan);
+  }
+
+  void finish() {
+    if (auto map = builder_.finish()) maps.push_back(std::move(*map));
+  }
+
+  LocalMapBuilder& builder() { return builder_; }
+
+  std::vector<LocalMap> maps;
+
+ private:
+  LocalMapBuilder builder_;
+  Pose2 T_odom_body_;
+  std::int64_t utime_ = 1'000'000'000;
+  bool first_ = true;
+};
+
+TEST(LocalMapBuilder, BeginsAMapEveryFiveMetres) {
+  Feed feed;
+  feed.scan(Status::kFirstScan);
+  for (int i = 0; i < 80; ++i) feed.step({0.15, 0.0, 0.0});  // 12 m
+  ASSERT_EQ(feed.maps.size(), 2U);
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_EQ(feed.maps[k].id, k);
+    EXPECT_EQ(feed.maps[k].session, 0);
+    EXPECT_NEAR(feed.maps[k].scans.back().T_local_body.x, 5.1, 1e-9);  // the first beyond 5 m
+    EXPECT_EQ(feed.maps[k].utime, feed.maps[k].scans.front().scan.utime);
+    EXPECT_EQ(feed.maps[k].end_utime, feed.maps[k].scans.back().scan.utime);
+  }
+  EXPECT_EQ(feed.builder().current().id, 2);
+}
+
+TEST(LocalMapBuilder, LetsConsecutiveMapsTouchInOneScan) {
+  Feed feed;
+  feed.scan(Status::kFirstScan);
+  for (int i = 0; i < 80; ++i) feed.step({0.15, 0.0, 0.05});
+  ASSERT_GE(feed.maps.size(), 2U);
+  const LocalMap& first = feed.maps[0];
+  const LocalMap& second = feed.maps[1];
+  EXPECT_EQ(first.scans.back().scan, second.scans.front().scan);
+  EXPECT_EQ(second.scans.front().T_local_body, Pose2{});
+  const Pose2 gap = between(first.T_odom_local * second.T_previous_local, second.T_odom_local);
+  EXPECT_LT(gap.vector().norm(), 1e-12);
+  const Pose2 end = between(second.T_previous_local, first.scans.back().T_local_body);
+  EXPECT_LT(end.vector().norm(), 1e-12);
+}
+
+TEST(LocalMapBuilder, KeepsAScanAfterATenthOfAMetreOrOfARadian) {
+  Feed feed;
+  feed.scan(Status::kFirstScan);
+  for (int i = 0; i < 10; ++i) feed.step({0.03, 0.0, 0.0});  // keeps the 4th and the 8th
+  for (int i = 0; i < 10; ++i) feed.step({0.0, 0.0, 0.03});  // two more
+  feed.finish();
+  ASSERT_EQ(feed.maps.size(), 1U);
+  EXPECT_EQ(feed.maps[0].scans.size(), 1U + 2U + 2U);
+}
+
+TEST(LocalMapBuilder, KeepsTheScansOfEachLaser) {
+  Feed feed;
+  feed.scan(Status::kFirstScan);
+  feed.scan(Status::kFirstScan, kRear);
+  for (int i = 0; i < 10; ++i) {
+    feed.step({0.11, 0.0, 0.0}, Status::kMatched, kFront);
+    feed.scan(Status::kMatched, kRear);
+  }
+  feed.finish();
+  ASSERT_EQ(feed.maps.size(), 1U);
+  EXPECT_EQ(feed.maps[0].scans.size(), 22U);
+}
+
+TEST(LocalMapBuilder, MakesNoMapsAtRest) {
+  Feed feed;
+  feed.scan(Status::kFirstScan);
+  for (int i = 0; i < 20'000; ++i) {
+    feed.step({i % 2 == 0 ? 0.002 : -0.002, 0.0, i % 2 == 0 ? 0.001 : -0.001});
+  }
+  EXPECT_TRUE(feed.maps.empty());
+  EXPECT_EQ(feed.builder().current().scans.size(), 1U);
+}
+
+TEST(LocalMapBuilder, FinishesAMapAfterMuchTurningOnTheSpot) {
+  Feed feed;
+  feed.scan(Status::kFirstScan);
+  for (int i = 0; i < 65; ++i) feed.step({0.0, 0.0, 0.1});  // 6.5 rad
+  EXPECT_EQ(feed.maps.size(), 1U);
+}
+
+TEST(LocalMapBuilder, LeavesOutLostScansAndIgnoresRefusedOnes) {
+  Feed feed;
+  feed.scan(Status::kFirstScan);
+  for (int i = 0; i < 10; ++i) {
+    feed.step({0.2, 0.0, 0.0}, Status::kLost);
+    feed.step({0.2, 0.0, 0.0}, Status::kMatched);
+    feed.scan(Status::kRefused);
+  }
+  feed.finish();
+  ASSERT_EQ(feed.maps.size(), 1U);
+  EXPECT_EQ(feed.maps[0].scans.size(), 11U);
+}
+
+TEST(LocalMapBuilder, BeginsASessionWithANewOdomFrame) {
+  Feed feed(7, 2);
+  feed.scan(Status::kFirstScan);
+  for (int i = 0; i < 20; ++i) feed.step({0.1, 0.0, 0.0});
+  feed.restart();
+  ASSERT_EQ(feed.maps.size(), 1U);  // what there was is not lost
+  EXPECT_EQ(feed.maps[0].id, 7);
+  EXPECT_EQ(feed.maps[0].session, 2);
+  EXPECT_EQ(feed.builder().current().id, 8);
+  EXPECT_EQ(feed.builder().current().session, 3);
+  EXPECT_EQ(feed.builder().current().scans.size(), 1U);
+}
+
+TEST(LocalMapBuilder, SaysHowSureADisplacementIs) {
+  Feed feed;
+  feed.scan(Status::kFirstScan);
+  for (int i = 0; i < 80; ++i) feed.step({0.15, 0.0, 0.0});
+  ASSERT_GE(feed.maps.size(), 2U);
+  const Eigen::Matrix3d covariance = feed.maps[1].information.inverse();
+  EXPECT_GT(std::sqrt(covariance(0, 0)), 0.003);  // more than a match alone,
+  EXPECT_LT(std::sqrt(covariance(0, 0)), 0.03);   // less than half a percent of the way
+  EXPECT_LT(rad_to_deg(std::sqrt(covariance(2, 2))), 0.3);
+}
+
+TEST(LocalMapBuilder, HasNothingToFinishBeforeTheFirstScan) {
+  LocalMapBuilder builder{LocalMapBuilderParams{}};
+  EXPECT_FALSE(builder.finish());
+}
+
+}  // namespace
+}  // namespace adit

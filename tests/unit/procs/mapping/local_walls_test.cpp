@@ -1,2 +1,43 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/local_walls.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/procs/mapping/mapped_world.hpp"
+
+namespace adit {
+namespace {
+
+TEST(LocalWalls, LieOnTheWallsThinnedOut) {
+  const SyntheticWorld room = test::crooked_room();
+  const Pose2 T_world_local{-3.0, 0.0, 0.3};
+  const LocalWallsParams params;
+  const LocalWalls walls = test::walls_of(room, T_world_local, 3.0);
+  EXPECT_GT(walls.length_m, 15.0);  // the room's walls are 40 m, of which half are in sight
+  EXPECT_LT(walls.points.size(), 60.0 / params.spacing_m);
+  for (const auto& point : walls.points) {
+    const auto clearance = room.clearance(T_world_local * point.p, 1.0);
+    ASSERT_TRUE(clearance);
+    EXPECT_LT(*clearance, 0.05);  // 5 sigma of a single reading
+    EXPECT_GE(point.variance, params.wall_sd_m * params.wall_sd_m);
+  }
+}
+
+TEST(LocalWalls, KeepFewViewsOfTheFreeSpace) {
+  const LocalMap map = test::drive_straight(test::crooked_room(), {-3.0, 0.0, 0.0}, 3.0, 1);
+  const LocalWalls walls = local_walls(map, test::front_mount(), {});
+  EXPECT_GE(walls.views.size(), 3U);  // at about each metre
+  EXPECT_LE(walls.views.size(), 4U);
+}
+
+TEST(LocalWalls, LeaveOutScansWithoutAMount) {
+  LocalMap map = test::drive_straight(test::crooked_room(), {-3.0, 0.0, 0.0}, 1.0, 1);
+  for (auto& scan : map.scans) scan.channel = "LASER_ELSEWHERE";
+  const LocalWalls walls = local_walls(map, test::front_mount(), {});
+  EXPECT_TRUE(walls.points.empty());
+  EXPECT_TRUE(walls.views.empty());
+}
+
+}  // namespace
+}  // namespace adit

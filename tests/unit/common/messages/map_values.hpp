@@ -21,18 +21,20 @@ inline Eigen::Matrix3d information() {
   return matrix;
 }
 
-/// Scans of 181 beams a tenth of a second apart.
+inline constexpr std::int64_t kPeriod = 100'000;  // from scan to scan
+
+/// Scans of 181 beams.
 inline LocalMap local_map(int id, int scans) {
   LocalMap map;
   map.id = id;
   map.session = 2;
   map.utime = kUtime;
-  map.end_utime = kUtime + 100'000 * (scans - 1);
+  map.end_utime = kUtime + kPeriod * (scans - 1);
   map.T_odom_local = {12.0, -3.0, 0.7};
   map.T_previous_local = {5.0, 0.1, 0.02};
   map.information = information();
   for (int i = 0; i < scans; ++i) {
-    LocalScan local{"LASER_FRONT", {kUtime + 100'000 * i, {}, -1.57, 0.0175}, {0.1 * i, 0.0, 0.01}};
+    LocalScan local{"LASER_FRONT", {kUtime + kPeriod * i, {}, -1.57, 0.0175}, {0.1 * i, 0.0, 0.01}};
     for (int beam = 0; beam < 181; ++beam) {
       local.scan.ranges_m.push_back(static_cast<float>(5.0 + std::sin(0.1 * beam + i)));
     }

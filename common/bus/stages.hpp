@@ -9,7 +9,7 @@ namespace adit {
 
 /// Every stage of the pipeline: the folders of procs/, the sections of the config file.
 inline const std::vector<std::string>& stage_names() {
-  static const std::vector<std::string> names{"scan_matching"};
+  static const std::vector<std::string> names{"scan_matching", "mapping"};
   return names;
 }
 

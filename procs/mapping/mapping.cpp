@@ -3,6 +3,7 @@
 #include "procs/mapping/mapping.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -19,6 +20,26 @@ Eigen::Matrix3d in_newer_frame(const Eigen::Matrix3d& covariance, const Pose2& T
   return R * covariance * R.transpose();
 }
 
+// How loosely a session hangs on the one before.
+constexpr double kElsewhereM = 1000.0;
+constexpr double kGapM = 1.0;
+constexpr double kGapShare = 0.1;
+constexpr double kGapRad = 0.2;
+// Half-width of the search around each older map for a body that may be anywhere: maps follow each
+// other every few metres [m].
+constexpr double kSearchM = 1.0;
+constexpr std::size_t kRelocalisations = 3;
+
+bool begins_session(const LocalMap& map, const std::vector<LocalMap>& before) {
+  return !before.empty() && before.back().session != map.session;
+}
+
+void sort_by_likelihood(std::vector<Closure>& closures) {
+  std::stable_sort(closures.begin(), closures.end(), [](const Closure& a, const Closure& b) {
+    return a.alternatives.front().log_likelihood > b.alternatives.front().log_likelihood;
+  });
+}
+
 }  // namespace
 
 Mapping::Mapping(const MappingParams& params)
@@ -27,8 +48,20 @@ Mapping::Mapping(const MappingParams& params)
       builder_(params.local_maps),
       association_(params.association) {}
 
+void Mapping::restore(StoredMap stored) {
+  if (stored.maps.empty()) return;
+  builder_ = LocalMapBuilder(params_.local_maps, stored.maps.back().id + 1,
+                             stored.maps.back().session + 1);
+  for (LocalMap& map : stored.maps) enter(std::move(map));
+  association_.restore(stored.associations);
+  odom_continues_ = true;
+}
+
 std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserScan& scan,
                                       const ScanMatch& match) {
+  if (match.status == ScanMatch::Status::kFirstScan && match.reference_utime == 0) {
+    odom_continues_ = false;
+  }
   auto map = builder_.add(channel, scan, match);
   if (!map) return std::nullopt;
   return take(std::move(*map));
@@ -41,20 +74,76 @@ std::optional<MapUpdate> Mapping::finish() {
 }
 
 MapUpdate Mapping::take(LocalMap map) {
+  if (begins_session(map, maps_)) link_session(map);
+  MapUpdate update;
+  update.map = map;
+  enter(std::move(map));
+  update.associations = association_.decide(find_closures(), update.map.end_utime);
+  ++revision_;
+  return update;
+}
+
+void Mapping::enter(LocalMap map) {
   walls_.push_back(local_walls(map, mounts_, params_.walls));
   extents_.emplace_back(walls_.back());
   association_.add_map(map.T_previous_local, map.information);
-  maps_.push_back(map);
-  MapUpdate update;
-  update.associations = association_.decide(find_closures(), map.end_utime);
-  update.map = std::move(map);
-  ++revision_;
-  return update;
+  maps_.push_back(std::move(map));
+}
+
+/// Ties a session to the end of the one before, loosely: where odom goes on, a few metres of the
+/// way are missing at most; otherwise the body may have been carried anywhere.
+void Mapping::link_session(LocalMap& map) const {
+  const LocalMap& last = maps_.back();
+  const Pose2 T_last_end = last.scans.back().T_local_body;
+  Eigen::Vector3d sd(kElsewhereM, kElsewhereM, std::numbers::pi);
+  map.T_previous_local = T_last_end;
+  if (odom_continues_) {
+    map.T_previous_local = between(last.T_odom_local, map.T_odom_local);
+    const double unseen_m = between(T_last_end, map.T_previous_local).translation().norm();
+    sd = {kGapM + kGapShare * unseen_m, kGapM + kGapShare * unseen_m, kGapRad};
+  }
+  map.information = sd.cwiseInverse().cwiseAbs2().asDiagonal();
+}
+
+bool Mapping::session_is_joined() const {
+  const int session = maps_.back().session;
+  if (maps_.front().session == session) return true;
+  const auto session_of = [&](int map) { return maps_[static_cast<std::size_t>(map)].session; };
+  const auto& closures = association_.problem().closures;
+  for (std::size_t k = 0; k < closures.size(); ++k) {
+    const int chosen = association_.belief().chosen[k];
+    if (chosen == Association::kNone || session_of(closures[k].newer_map) != session) continue;
+    const auto& alternative = closures[k].alternatives[static_cast<std::size_t>(chosen)];
+    if (session_of(alternative.older_map) != session) return true;
+  }
+  return false;
+}
+
+/// Looks for the newest map all over the older sessions.
+std::vector<Closure> Mapping::relocalise() const {
+  std::vector<Closure> closures;
+  const int session = maps_.back().session;
+  for (int older = 0; maps_[static_cast<std::size_t>(older)].session != session; ++older) {
+    RelativePose anywhere;
+    anywhere.T_older_newer = {extents_[static_cast<std::size_t>(older)].centre().x(),
+                              extents_[static_cast<std::size_t>(older)].centre().y(), 0.0};
+    anywhere.covariance =
+        Eigen::Vector3d(kSearchM, kSearchM, std::numbers::pi).cwiseAbs2().asDiagonal();
+    Closure closure;
+    closure.newer_map = static_cast<int>(maps_.size()) - 1;
+    closure.alternatives = match_maps(walls_.back(), place_around(older), older, anywhere,
+                                      params_.matching);
+    if (!closure.alternatives.empty()) closures.push_back(std::move(closure));
+  }
+  sort_by_likelihood(closures);
+  if (closures.size() > kRelocalisations) closures.resize(kRelocalisations);
+  return closures;
 }
 
 std::vector<Closure> Mapping::find_closures() const {
   const int newest = static_cast<int>(maps_.size()) - 1;
   if (newest < 1) return {};
+  if (!session_is_joined() && !odom_continues_) return relocalise();
   const Belief& belief = association_.belief();
   const GaussianField field(graph_of(association_.problem(), belief));
   auto covariances = field.relative_covariances_to(newest);
@@ -71,9 +160,7 @@ std::vector<Closure> Mapping::find_closures() const {
                                       candidate.predicted, params_.matching);
     if (!closure.alternatives.empty()) closures.push_back(std::move(closure));
   }
-  std::stable_sort(closures.begin(), closures.end(), [](const Closure& a, const Closure& b) {
-    return a.alternatives.front().log_likelihood > b.alternatives.front().log_likelihood;
-  });
+  sort_by_likelihood(closures);
   return closures;
 }
 
@@ -82,7 +169,8 @@ std::vector<PlacedWalls> Mapping::place_around(int map) const {
   const auto& poses = association_.belief().T_map_local;
   std::vector<PlacedWalls> placed;
   for (const int k : {map, map - 1, map + 1}) {
-    if (k < 0) continue;
+    if (k < 0 || k >= static_cast<int>(maps_.size())) continue;
+    if (maps_[static_cast<std::size_t>(k)].session != maps_[static_cast<std::size_t>(map)].session) continue;
     const auto i = static_cast<std::size_t>(k);
     placed.push_back({&walls_[i], between(poses[static_cast<std::size_t>(map)], poses[i])});
   }

@@ -45,6 +45,12 @@ struct MappingParams {
   }
 };
 
+/// A map as it is kept: all local maps, and every decision in the order in which it was made.
+struct StoredMap {
+  std::vector<LocalMap> maps;
+  std::vector<Association> associations;
+};
+
 /// What a new local map brought.
 struct MapUpdate {
   LocalMap map;
@@ -57,6 +63,11 @@ struct MapUpdate {
 class Mapping {
  public:
   explicit Mapping(const MappingParams& params);
+
+  /// Continues a map, before anything is added. What is added then is a session of its own, joined
+  /// to the map where the places are recognised; where odom goes on from where the map ends, it is
+  /// looked for near there.
+  void restore(StoredMap stored);
 
   /// A scan and what scan matching made of it, in order of time. Something where it finished a local
   /// map.
@@ -75,7 +86,11 @@ class Mapping {
 
  private:
   MapUpdate take(LocalMap map);
+  void enter(LocalMap map);
+  void link_session(LocalMap& map) const;
+  [[nodiscard]] bool session_is_joined() const;
   [[nodiscard]] std::vector<Closure> find_closures() const;
+  [[nodiscard]] std::vector<Closure> relocalise() const;
   [[nodiscard]] std::vector<PlacedWalls> place_around(int map) const;
 
   MappingParams params_;
@@ -86,6 +101,7 @@ class Mapping {
   std::vector<LocalWalls> walls_;
   std::vector<MapExtent> extents_;
   std::int64_t revision_ = 0;
+  bool odom_continues_ = false;  ///< a restored map ends in the odom frame of the present session
 };
 
 }  // namespace adit

@@ -61,16 +61,31 @@ std::vector<Association> LazyAssociation::decide(std::vector<Closure> closures,
                                                  std::int64_t utime) {
   std::vector<Association> record;
   for (Closure& closure : closures) {
-    const int group = group_of(closure);
-    problem_.groups.push_back(group >= 0 ? group : groups_++);
-    closure.id = static_cast<int>(problem_.closures.size());
-    problem_.closures.push_back(std::move(closure));
-    belief_.chosen.push_back(Association::kNone);
-    plausible_.push_back(fits_the_way(problem_.closures.back().id));
-    if (trial_) trial_->grow();
+    append(std::move(closure));
     decide_one(problem_.closures.back().id, record, utime);
   }
   return record;
+}
+
+void LazyAssociation::restore(const std::vector<Association>& associations) {
+  for (const Association& a : associations) {
+    if (a.closure.id == static_cast<int>(problem_.closures.size())) append(a.closure);
+    belief_.chosen[at(a.closure.id)] = a.chosen;
+  }
+  Trial trial(problem_, belief_);
+  trial.settle();
+  belief_ = trial.belief();
+  belief_.cost = cost(belief_);
+}
+
+void LazyAssociation::append(Closure closure) {
+  const int group = group_of(closure);
+  problem_.groups.push_back(group >= 0 ? group : groups_++);
+  closure.id = static_cast<int>(problem_.closures.size());
+  problem_.closures.push_back(std::move(closure));
+  plausible_.push_back(fits_the_way(problem_.closures.back().id));
+  belief_.chosen.push_back(Association::kNone);
+  if (trial_) trial_->grow();
 }
 
 double LazyAssociation::alternative_cost(int closure, int alternative) const {

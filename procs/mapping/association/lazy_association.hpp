@@ -53,6 +53,9 @@ class LazyAssociation {
   /// decided, in order; `utime` is that of the newest measurement.
   std::vector<Association> decide(std::vector<Closure> closures, std::int64_t utime);
 
+  /// Takes over decisions that were made before, in their order, for the maps that were added.
+  void restore(const std::vector<Association>& associations);
+
   /// Asks all closures that are left out once more, as at the end of a recording.
   std::vector<Association> reconsider(std::int64_t utime);
 
@@ -62,6 +65,7 @@ class LazyAssociation {
 
  private:
   [[nodiscard]] int group_of(const Closure& closure) const;
+  void append(Closure closure);
   void decide_one(int closure, std::vector<Association>& record, std::int64_t utime);
   std::optional<int> cheapest(Trial& trial, int closure, double& cost) const;
   bool choose(Trial& trial, int closure) const;

@@ -12,6 +12,7 @@ namespace adit {
 namespace {
 
 constexpr double kTurnMax = 0.01;  // of a map before the field is linearised anew [rad]
+constexpr double kTurnFar = 0.5;   // beyond which iteration might not find the way [rad]
 
 double largest_turn(const Eigen::VectorXd& mode) {
   double turn = 0.0;
@@ -55,7 +56,8 @@ void Trial::take(int closure, int alternative) {
   const auto k = static_cast<std::size_t>(closure);
   field().add(constraint_of(problem_.closures[k], alternative));
   belief_.chosen[k] = alternative;
-  if (largest_turn(field().mode()) > kTurnMax) settle();
+  const double turn = largest_turn(field().mode());
+  if (turn > kTurnMax) settle(turn > kTurnFar);
 }
 
 void Trial::revoke(const std::vector<int>& closures) {
@@ -65,10 +67,10 @@ void Trial::revoke(const std::vector<int>& closures) {
   settle();
 }
 
-void Trial::settle() {
+void Trial::settle(bool afresh) {
   PoseGraph graph = graph_of(problem_, belief());
   OptimizeParams params;
-  params.rotation_start = false;
+  params.rotation_start = afresh;
   params.tolerance = 1e-6;
   belief_.objective = optimize(graph, params).objective;
   belief_.T_map_local = std::move(graph.poses);

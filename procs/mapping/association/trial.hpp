@@ -43,8 +43,9 @@ class Trial {
   /// Chooses none for closures that have one.
   void revoke(const std::vector<int>& closures);
 
-  /// Moves the maps to the mode, not to first order but truly.
-  void settle();
+  /// Moves the maps to the mode, not to first order but truly. `afresh`: whatever their poses are,
+  /// as after one that turned the maps far round.
+  void settle(bool afresh = false);
 
  private:
   [[nodiscard]] GaussianField& field();

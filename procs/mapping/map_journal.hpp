@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "common/journal/journal.hpp"
+#include "common/local_map/association.hpp"
+#include "common/local_map/local_map.hpp"
+#include "procs/mapping/mapping.hpp"
+
+namespace adit {
+
+/// The map on the disk, as messages LOCAL_MAP and ASSOCIATION: each local map is there, decisions
+/// included, before anybody hears of it.
+class MapJournal {
+ public:
+  /// Opens or creates it. Throws std::runtime_error where the file is no journal or cannot be used.
+  explicit MapJournal(const std::filesystem::path& path);
+
+  /// What was there when it was opened. Once.
+  StoredMap take_restored() { return std::move(restored_); }
+
+  /// Returns when the disk has it.
+  void append(const MapUpdate& update);
+
+ private:
+  StoredMap restored_;
+  Journal journal_;
+};
+
+/// Reads one that may be in use. Local maps after one that is lost or damaged are left out, with
+/// the decisions on them: a chain with a gap holds nothing together.
+StoredMap read_map_journal(const std::filesystem::path& path);
+
+}  // namespace adit

@@ -45,7 +45,7 @@ std::vector<int> blocks_of(int from, int to) {
 /// Derivatives by these blocks, side by side.
 Eigen::MatrixXd jacobian(const LinearPotential& potential, int from, int to) {
   Eigen::MatrixXd J(3, (from != 0 ? 3 : 0) + (to != 0 ? 3 : 0));
-  if (from != 0) J.leftCols<3>() = potential.J_from();
+  if (from != 0) J.leftCols<3>() = potential.jacobian_from();
   if (to != 0) J.rightCols<3>() = potential.J_to;
   return J;
 }
@@ -93,9 +93,9 @@ void GaussianField::change_sums(const PoseConstraint& c, const LinearPotential& 
                                 double sign) {
   const Eigen::Vector3d weighted = c.information * potential.e;
   if (c.from != 0) {
-    b_.segment<3>(3 * (c.from - 1)) -= sign * potential.J_from().transpose() * weighted;
+    b_.segment<3>(row_of(c.from)) -= sign * potential.jacobian_from().transpose() * weighted;
   }
-  if (c.to != 0) b_.segment<3>(3 * (c.to - 1)) -= sign * potential.J_to.transpose() * weighted;
+  if (c.to != 0) b_.segment<3>(row_of(c.to)) -= sign * potential.J_to.transpose() * weighted;
   objective_at_linearisation_ += sign * potential.e.dot(weighted);
   mode_.resize(0);
   marginals_.clear();
@@ -209,12 +209,12 @@ std::vector<Eigen::Matrix3d> GaussianField::relative_covariances_to(int to) cons
   std::vector<Eigen::Matrix3d> covariances;
   for (int from = 0; from < static_cast<int>(poses_.size()); ++from) {
     const LinearPotential potential = relative_pose(pose(from), pose(to));
-    const Eigen::Matrix3d J_from = potential.J_from();
+    const Eigen::Matrix3d J_from = potential.jacobian_from();
     Eigen::Matrix3d covariance = J_from * marginal(from) * J_from.transpose() +
                                  potential.J_to * marginal(to) * potential.J_to.transpose();
     if (from != 0 && to != 0) {
       const Eigen::Matrix3d cross =
-          J_from * columns.middleRows<3>(3 * (from - 1)) * potential.J_to.transpose();
+          J_from * columns.middleRows<3>(row_of(from)) * potential.J_to.transpose();
       covariance += cross + cross.transpose();
     }
     covariances.push_back(from == to ? Eigen::Matrix3d::Zero() : covariance);

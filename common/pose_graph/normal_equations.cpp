@@ -20,7 +20,7 @@ Eigen::Vector2d measured_lever(const PoseConstraint& c, const Pose2& T_map_from)
 NormalEquations::NormalEquations(const GraphStructure& structure)
     : pair_of_constraint_(structure.pair_of_constraint),
       H_(structure.pattern, structure.ordering, 3),
-      b_(Eigen::VectorXd::Zero(3 * structure.pattern.blocks)) {}
+      b_(Eigen::VectorXd::Zero(row_of(structure.pattern.blocks + 1))) {}
 
 double NormalEquations::linearise(const PoseGraph& graph) {
   H_.set_zero();
@@ -58,10 +58,10 @@ double NormalEquations::accumulate(const PoseGraph& graph) {
 void NormalEquations::add_to_b(const PoseConstraint& c, const LinearPotential& potential,
                                const Eigen::Vector3d& weighted) {
   Eigen::Vector3d g = potential.J_to.transpose() * weighted;
-  if (c.to != 0) b_.segment<3>(3 * (c.to - 1)) -= g;
+  if (c.to != 0) b_.segment<3>(row_of(c.to)) -= g;
   if (c.from == 0) return;
   g.z() += potential.lever.dot(g.head<2>());
-  b_.segment<3>(3 * (c.from - 1)) += g;
+  b_.segment<3>(row_of(c.from)) += g;
 }
 
 void NormalEquations::add_to_matrix(const PoseConstraint& c, int pair,
@@ -78,8 +78,8 @@ void NormalEquations::add_to_matrix(const PoseConstraint& c, int pair,
 
 void move_poses(const Eigen::VectorXd& delta, std::vector<Pose2>& poses) {
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    const Eigen::Index row = 3 * (static_cast<Eigen::Index>(i) - 1);
-    poses[i] = Pose2::from_vector(poses[i].vector() + delta.segment<3>(row));
+    poses[i] =
+        Pose2::from_vector(poses[i].vector() + delta.segment<3>(row_of(static_cast<int>(i))));
   }
 }
 

@@ -8,6 +8,9 @@
 
 namespace adit {
 
+/// Where a node (other than node 0) begins among the entries of δ.
+inline Eigen::Index row_of(int node) { return Eigen::Index{3} * (node - 1); }
+
 /// The field linearised around the poses of a graph, H δ = b with H = Σ Jᵀ R J and b = −Σ Jᵀ R e
 /// (paper, after eq. 5: the Gaussian Markov random field whose mode is sought). δ holds three
 /// entries (x [m], y [m], θ [rad]) for each node but node 0, which are added to its pose in the map

@@ -36,7 +36,7 @@ struct LinearPotential {
   Eigen::Vector2d lever;  ///< S d [m]
 
   /// ∂e/∂ξ_from = −J_to · M.
-  [[nodiscard]] Eigen::Matrix3d J_from() const {
+  [[nodiscard]] Eigen::Matrix3d jacobian_from() const {
     Eigen::Matrix3d J = -J_to;
     J.topRightCorner<2, 1>() -= J_to.topLeftCorner<2, 2>() * lever;
     return J;

@@ -337,7 +337,8 @@ SparseCholesky::SparseCholesky(const BlockPattern& pattern, const BlockOrdering&
       block_at_(ordering.position.size()),
       cholmod_(std::make_unique<Cholmod>()) {
   require(position_.size() == at(pattern.blocks), "the ordering belongs to another pattern");
-  for (std::size_t b = 0; b < position_.size(); ++b) block_at_[at(position_[b])] = int(b);
+  for (std::size_t b = 0; b < position_.size(); ++b)
+    block_at_[at(position_[b])] = static_cast<int>(b);
   const Columns blocks = upper_columns(pattern, position_);
   cholmod_->columns = expand(blocks, block_size);
   cholmod_->values.assign(cholmod_->columns.rows.size(), 0.0);
@@ -411,14 +412,13 @@ Eigen::VectorXd SparseCholesky::solve(const Eigen::VectorXd& b) const {
   require(b.size() == L.n, "a vector of another size");
   Eigen::VectorXd x(L.n);
   for (std::size_t i = 0; i < position_.size(); ++i) {
-    x.segment(block_size_ * position_[i], block_size_) =
-        b.segment(block_size_ * int(i), block_size_);
+    x.segment(row(position_[i]), block_size_) = b.segment(row(static_cast<int>(i)), block_size_);
   }
   block_size_ == 3 ? solve_vector_by_blocks(L, x) : solve_vector(L, x);
   Eigen::VectorXd result(L.n);
   for (std::size_t i = 0; i < position_.size(); ++i) {
-    result.segment(block_size_ * int(i), block_size_) =
-        x.segment(block_size_ * position_[i], block_size_);
+    result.segment(row(static_cast<int>(i)), block_size_) =
+        x.segment(row(position_[i]), block_size_);
   }
   return result;
 }
@@ -469,8 +469,8 @@ Eigen::MatrixXd SparseCholesky::inverse_columns(int block) const {
   solve_backward(L, all, x);
   Eigen::MatrixXd result(L.n, block_size_);
   for (std::size_t i = 0; i < position_.size(); ++i) {
-    result.middleRows(block_size_ * int(i), block_size_) =
-        x.middleRows(block_size_ * position_[i], block_size_);
+    result.middleRows(row(static_cast<int>(i)), block_size_) =
+        x.middleRows(row(position_[i]), block_size_);
   }
   return result;
 }

@@ -106,6 +106,7 @@ class SparseCholesky {
 
   [[nodiscard]] bool modify(bool add, const std::vector<int>& blocks, const Eigen::MatrixXd& C);
   [[nodiscard]] bool check_pivots();
+  [[nodiscard]] Eigen::Index row(int block) const { return Eigen::Index{block_size_} * block; }
 
   int block_size_ = 0;
   std::vector<int> position_;  // of a block in the order of elimination

@@ -13,7 +13,7 @@ namespace adit {
 namespace {
 
 constexpr double kChiSquare99 = 11.345;  // three degrees of freedom
-constexpr int kRoundsMax = 100;
+constexpr int kRoundsMax = 30;
 constexpr double kWeightStays = 1e-3;
 constexpr double kWeightMin = 1e-9;  // keeps a field that hangs on one loop determined
 
@@ -41,7 +41,7 @@ double largest_change(const std::vector<double>& a, const std::vector<double>& b
 }
 
 std::vector<bool> believe(const PoseGraph& graph, Kernel kernel) {
-  const OptimizeParams one_step{.rotation_start = false, .iterations_max = 1};
+  const OptimizeParams few_steps{.rotation_start = false, .tolerance = 1e-4, .iterations_max = 5};
   PoseGraph weighted = graph;
   chain_odometry(weighted);
   std::vector<double> before(graph.constraints.size(), 0.0);
@@ -51,7 +51,7 @@ std::vector<bool> believe(const PoseGraph& graph, Kernel kernel) {
     for (std::size_t i = 0; i < now.size(); ++i) {
       weighted.constraints[i].information = now[i] * graph.constraints[i].information;
     }
-    optimize(weighted, one_step);
+    optimize(weighted, few_steps);
     before = now;
   }
   std::vector<bool> believed;

@@ -15,13 +15,15 @@ constexpr double kWrongMin = 3.0;  // [m]
 constexpr int kGroup = 20;
 constexpr int kApart = 2 * kGroup;  // in the order of the nodes, so that no group overlaps itself
 
+constexpr std::size_t kPosesMin = 160;
+
 class Liar {
  public:
   Liar(const PoseGraph& graph, std::uint32_t seed) : graph_(graph), rng_(seed) {
     for (const PoseConstraint& c : graph.constraints) {
       if (is_loop(c)) information_.push_back(c.information);
     }
-    if (information_.empty() || graph.poses.size() < 4 * kApart) {
+    if (information_.empty() || graph.poses.size() < kPosesMin) {
       throw std::invalid_argument("a graph without loops, or too small for wrong ones");
     }
   }

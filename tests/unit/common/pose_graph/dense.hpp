@@ -19,8 +19,8 @@ struct DenseField {
       const LinearPotential potential = linearise(c, graph.poses[static_cast<std::size_t>(c.from)],
                                                   graph.poses[static_cast<std::size_t>(c.to)]);
       Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3, n);
-      J.middleCols<3>(3 * c.from) = potential.J_from();
-      J.middleCols<3>(3 * c.to) = potential.J_to;
+      J.middleCols<3>(Eigen::Index{3} * c.from) = potential.jacobian_from();
+      J.middleCols<3>(Eigen::Index{3} * c.to) = potential.J_to;
       full += J.transpose() * c.information * J;
       rhs -= J.transpose() * c.information * potential.e;
       constant += energy(c, potential.e);

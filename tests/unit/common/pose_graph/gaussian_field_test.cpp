@@ -20,8 +20,8 @@ class FieldOfASquareWalk : public testing::Test {
     const LinearPotential p =
         linearise(PoseConstraint{}, graph_.poses[std::size_t(from)], graph_.poses[std::size_t(to)]);
     Eigen::MatrixXd J = Eigen::MatrixXd::Zero(3, inverse.rows());
-    if (from > 0) J.middleCols<3>(3 * from - 3) = p.J_from();
-    if (to > 0) J.middleCols<3>(3 * to - 3) = p.J_to;
+    if (from > 0) J.middleCols<3>(row_of(from)) = p.jacobian_from();
+    if (to > 0) J.middleCols<3>(row_of(to)) = p.J_to;
     return J * inverse * J.transpose();
   }
 

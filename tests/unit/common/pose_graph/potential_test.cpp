@@ -36,7 +36,7 @@ TEST_P(PotentialOfARandomConstraint, HasTheJacobiansOfFiniteDifferences) {
     const Eigen::Vector3d by_to = (residual(constraint_, from_, moved(to_, k, kStep)) -
                                    residual(constraint_, from_, moved(to_, k, -kStep))) /
                                   (2.0 * kStep);
-    EXPECT_LT((potential.J_from().col(k) - by_from).norm(), kTolerance);
+    EXPECT_LT((potential.jacobian_from().col(k) - by_from).norm(), kTolerance);
     EXPECT_LT((potential.J_to.col(k) - by_to).norm(), kTolerance);
   }
 }

@@ -42,7 +42,7 @@ TEST_F(SparseCholeskyOfAField, FindsTheDiagonalOfTheInverse) {
   const Eigen::MatrixXd inverse = dense_.H.inverse();
   const auto diagonal = sparse().inverse_diagonal();
   ASSERT_EQ(diagonal.size(), 59U);
-  for (int i = 0; i < 59; ++i) {
+  for (Eigen::Index i = 0; i < 59; ++i) {
     EXPECT_TRUE(diagonal[static_cast<std::size_t>(i)].isApprox(inverse.block<3, 3>(3 * i, 3 * i),
                                                                kTolerance));
   }

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/association/lazy_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include <Eigen/LU>
+
+#include "common/pose_graph/optimize.hpp"
+#include "common/pose_graph/potential.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kKernel2 = 16.3;    // chi-square, 3 degrees of freedom, 0.999: half weight here
+constexpr int kReweightings = 30;
+constexpr double kSettled = 1e-4;    // change of the objective, as a share
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Which constraints are the way and which are loops.
+struct Parts {
+  std::vector<int> chain;  // constraint from each node to the next, or −1
+  std::vector<int> loops;  // in the order of their later node
+};
+
+Parts split(const PoseGraph& graph) {
+  Parts parts;
+  parts.chain.assign(graph.poses.empty() ? 0 : graph.poses.size() - 1, -1);
+  for (int k = 0; k < static_cast<int>(graph.constraints.size()); ++k) {
+    const PoseConstraint& c = graph.constraints[at(k)];
+    const bool step = std::abs(c.to - c.from) == 1;
+    int* slot = step ? &parts.chain[at(std::min(c.from, c.to))] : nullptr;
+    if (step && *slot < 0) {
+      *slot = k;
+    } else {
+      parts.loops.push_back(k);
+    }
+  }
+  std::stable_sort(parts.loops.begin(), parts.loops.end(), [&](int a, int b) {
+    const auto later = [&](int k) {
+      return std::max(graph.constraints[at(k)].from, graph.constraints[at(k)].to);
+    };
+    return later(a) < later(b);
+  });
+  return parts;
+}
+
+/// The same measurement as the pose of the later node in the earlier one.
+PoseConstraint forward(const PoseConstraint& c) {
+  if (c.from < c.to) return c;
+  const Eigen::Matrix3d Ad = adjoint(c.T_from_to.inverse());
+  return {c.to, c.from, c.T_from_to.inverse(), Ad.transpose() * c.information * Ad};
+}
+
+/// The nodes at which something is to be decided, and the way between them as one step each.
+class Condensed {
+ public:
+  Condensed(const PoseGraph& graph, const Parts& parts) : node_(graph.poses.size(), -1) {
+    std::vector<bool> kept(graph.poses.size(), false);
+    if (!kept.empty()) kept.front() = true;
+    for (const int k : parts.loops) {
+      kept[at(graph.constraints[at(k)].from)] = true;
+      kept[at(graph.constraints[at(k)].to)] = true;
+    }
+    int next = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      if (kept[i]) node_[i] = next++;
+    }
+  }
+
+  [[nodiscard]] int node(int pose) const { return node_[at(pose)]; }
+
+  void give_way(const PoseGraph& graph, const Parts& parts, LazyAssociation& association) const {
+    Pose2 T_last_here;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < node_.size(); ++i) {
+      if (i > 0) {
+        const int k = parts.chain[i - 1];
+        if (k < 0) {
+          throw std::invalid_argument("no constraint leads from pose " + std::to_string(i - 1) +
+                                      " to the next: there is no way to hold loops against");
+        }
+        const PoseConstraint step = forward(graph.constraints[at(k)]);
+        const Eigen::Matrix3d Ad = adjoint(step.T_from_to.inverse());
+        T_last_here = T_last_here * step.T_from_to;
+        covariance = Ad * covariance * Ad.transpose() + step.information.inverse();
+      }
+      if (node_[i] < 0) continue;
+      association.add_map(T_last_here, i > 0 ? covariance.inverse() : covariance);
+      T_last_here = Pose2{};
+      covariance.setZero();
+    }
+  }
+
+ private:
+  std::vector<int> node_;  // of each pose, or −1
+};
+
+}  // namespace
+
+LazyLoopsResult believe_lazily(const PoseGraph& graph, const LazyAssociationParams& params,
+                               const std::function<void(double)>& progress) {
+  LazyLoopsResult result;
+  const Parts parts = split(graph);
+  const Condensed condensed(graph, parts);
+  LazyAssociation association(params);
+  condensed.give_way(graph, parts, association);
+  for (const int k : parts.loops) {
+    const PoseConstraint loop = forward(graph.constraints[at(k)]);
+    Closure closure;
+    closure.newer_map = condensed.node(loop.to);
+    closure.alternatives = {
+        {condensed.node(loop.from), loop.T_from_to, loop.information, 0.0}};
+    result.constraint_of_closure.push_back(k);
+    const auto decided = association.decide({std::move(closure)}, 0);
+    result.history.insert(result.history.end(), decided.begin(), decided.end());
+    if (progress) {
+      progress(static_cast<double>(result.constraint_of_closure.size()) /
+               static_cast<double>(parts.loops.size()));
+    }
+  }
+  const auto reconsidered = association.reconsider(0);
+  result.history.insert(result.history.end(), reconsidered.begin(), reconsidered.end());
+  result.believed.assign(graph.constraints.size(), true);
+  for (std::size_t i = 0; i < result.constraint_of_closure.size(); ++i) {
+    result.believed[at(result.constraint_of_closure[i])] =
+        association.belief().chosen[i] != Association::kNone;
+  }
+  result.trials = association.trials();
+  return result;
+}
+
+double optimize_believed(PoseGraph& graph, const std::vector<bool>& believed) {
+  PoseGraph weighted{graph.poses, {}};
+  std::vector<PoseConstraint> full;
+  std::vector<bool> is_loop;
+  const Parts parts = split(graph);
+  for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
+    if (!believed[k]) continue;
+    full.push_back(graph.constraints[k]);
+    is_loop.push_back(std::find(parts.loops.begin(), parts.loops.end(), static_cast<int>(k)) !=
+                      parts.loops.end());
+  }
+  OptimizeParams params;
+  double last = 0.0;
+  for (int i = 0; i < kReweightings; ++i) {
+    weighted.constraints = full;
+    for (std::size_t k = 0; k < full.size() && i > 0; ++k) {
+      if (!is_loop[k]) continue;
+      const PoseConstraint& c = full[k];
+      const double e2 = energy(c, residual(c, weighted.poses[at(c.from)], weighted.poses[at(c.to)]));
+      weighted.constraints[k].information /= 1.0 + e2 / kKernel2;
+    }
+    const OptimizeResult result = optimize(weighted, params);
+    params.rotation_start = false;
+    if (i > 0 && std::abs(result.objective - last) <= kSettled * last) break;
+    last = result.objective;
+  }
+  graph.poses = weighted.poses;
+  return objective({graph.poses, full});
+}
+
+}  // namespace adit

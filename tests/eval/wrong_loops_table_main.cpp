@@ -15,6 +15,7 @@
 
 #include "common/pose_graph/g2o_file.hpp"
 #include "common/pose_graph/optimize.hpp"
+#include "procs/mapping/association/lazy_loops.hpp"
 #include "tests/eval/reweighting.hpp"
 #include "tests/support/recordings.hpp"
 #include "tests/support/wrong_loops.hpp"
@@ -37,7 +38,13 @@ std::vector<bool> believe_all(const PoseGraph& graph) {
 
 const std::vector<Method>& methods() {
   static const std::vector<Method> all = {
-      {"least squares", believe_all}, {"Huber", believe_huber}, {"DCS", believe_dcs}};
+      {"least squares", believe_all}, {"Huber", believe_huber}, {"DCS", believe_dcs},
+      {"lazy", [](const PoseGraph& graph) { return believe_lazily(graph, {}).believed; }},
+      {"lazy, paper's order", [](const PoseGraph& graph) {
+         LazyAssociationParams params;
+         params.best_first = false;
+         return believe_lazily(graph, params).believed;
+       }}};
   return all;
 }
 

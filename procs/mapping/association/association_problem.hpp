@@ -6,25 +6,31 @@
 
 #include "common/local_map/association.hpp"
 #include "common/pose_graph/pose_graph.hpp"
+#include "procs/mapping/association/way.hpp"
 
 namespace adit {
 
 /// What is certain, the chain of local maps along the way, and what is to be decided, the closures.
 struct AssociationProblem {
   std::vector<PoseConstraint> chain;  ///< chain[k] links map k with map k + 1
-  std::vector<double> way_m;          ///< of each map: path length from the first [m]
+  Way way;                            ///< the same
   std::vector<Closure> closures;      ///< in order of their newer map
   /// Of each closure: closures of one group lie side by side at both ends, so that they are likely
   /// to be right or wrong together.
   std::vector<int> groups;
-
-  [[nodiscard]] int maps() const { return static_cast<int>(way_m.size()); }
+  std::vector<bool> plausible;  ///< of each closure: whether the way alone allows it
 };
 
 /// The constraint of an alternative of a closure.
 inline PoseConstraint constraint_of(const Closure& closure, int alternative) {
   const ClosureAlternative& a = closure.alternatives[static_cast<std::size_t>(alternative)];
   return {a.older_map, closure.newer_map, a.T_older_newer, a.information};
+}
+
+/// By how much an alternative is less likely than the best of its closure, as −2 log-likelihood.
+inline double penalty(const Closure& closure, int alternative) {
+  return 2.0 * (closure.alternatives.front().log_likelihood -
+                closure.alternatives[static_cast<std::size_t>(alternative)].log_likelihood);
 }
 
 /// One set of decisions and what follows from it: a leaf of the tree of decisions.

@@ -4,48 +4,72 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <queue>
 #include <utility>
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 namespace adit {
 namespace {
 
+constexpr double kPlausible = 1.5;  // gates: the way is only known to first order
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-/// A belief with some decisions undone that is yet to be worked out.
-struct Branch {
-  double bound = 0.0;  // on the cost of all beliefs that come of it
-  int order = 0;       // among equals the first
-  int first = 0;       // the earliest decision that was undone
-  Belief belief;
-
-  friend bool operator>(const Branch& a, const Branch& b) {
-    return std::pair(a.bound, a.order) > std::pair(b.bound, b.order);
-  }
-};
 
 }  // namespace
 
 void LazyAssociation::add_map(const Pose2& T_previous_local, const Eigen::Matrix3d& information) {
   trial_.reset();
-  const int maps = problem_.maps();
+  const int maps = problem_.way.maps();
   if (maps == 0) {
-    problem_.way_m.push_back(0.0);
+    problem_.way.add_map({});
     belief_.T_map_local.emplace_back();
     return;
   }
   problem_.chain.push_back({maps - 1, maps, T_previous_local, information});
-  problem_.way_m.push_back(problem_.way_m.back() + T_previous_local.translation().norm());
+  problem_.way.add_map({T_previous_local, information.inverse()});
   belief_.T_map_local.push_back(belief_.T_map_local.back() * T_previous_local);
 }
 
+std::vector<Association> LazyAssociation::decide(std::vector<Closure> closures,
+                                                 std::int64_t utime) {
+  std::vector<Association> record;
+  for (Closure& closure : closures) {
+    append(std::move(closure));
+    std::vector<int> before = belief_.chosen;
+    decide_one(problem_.closures.back().id);
+    adopt(record, utime, std::move(before));
+  }
+  return record;
+}
+
+void LazyAssociation::restore(const std::vector<Association>& associations) {
+  for (const Association& a : associations) {
+    if (a.closure.id == static_cast<int>(problem_.closures.size())) append(a.closure);
+    belief_.chosen[at(a.closure.id)] = a.chosen;
+  }
+  trial_.reset();
+  Trial trial(problem_, belief_);
+  trial.settle();
+  belief_ = trial.belief();
+  belief_.cost = cost(belief_);
+}
+
+void LazyAssociation::append(Closure closure) {
+  const int group = group_of(closure);
+  problem_.groups.push_back(group >= 0 ? group : groups_++);
+  closure.id = static_cast<int>(problem_.closures.size());
+  bool plausible = false;
+  for (int a = 0; a < static_cast<int>(closure.alternatives.size()); ++a) {
+    plausible |= disagreement(problem_.way, constraint_of(closure, a)) < kPlausible * params_.gate;
+  }
+  problem_.plausible.push_back(plausible);
+  problem_.closures.push_back(std::move(closure));
+  belief_.chosen.push_back(Association::kNone);
+  if (trial_) trial_->grow();
+}
+
 int LazyAssociation::group_of(const Closure& closure) const {
-  const auto way = [&](int map) { return problem_.way_m[at(map)]; };
+  const auto way = [&](int map) { return problem_.way.length_m(map); };
   const auto older = [](const Closure& c) { return c.alternatives.front().older_map; };
   for (std::size_t k = problem_.closures.size(); k-- > 0;) {
     const Closure& other = problem_.closures[k];
@@ -57,46 +81,11 @@ int LazyAssociation::group_of(const Closure& closure) const {
   return -1;
 }
 
-std::vector<Association> LazyAssociation::decide(std::vector<Closure> closures,
-                                                 std::int64_t utime) {
-  std::vector<Association> record;
-  for (Closure& closure : closures) {
-    append(std::move(closure));
-    decide_one(problem_.closures.back().id, record, utime);
-  }
-  return record;
-}
-
-void LazyAssociation::restore(const std::vector<Association>& associations) {
-  for (const Association& a : associations) {
-    if (a.closure.id == static_cast<int>(problem_.closures.size())) append(a.closure);
-    belief_.chosen[at(a.closure.id)] = a.chosen;
-  }
-  Trial trial(problem_, belief_);
-  trial.settle();
-  belief_ = trial.belief();
-  belief_.cost = cost(belief_);
-}
-
-void LazyAssociation::append(Closure closure) {
-  const int group = group_of(closure);
-  problem_.groups.push_back(group >= 0 ? group : groups_++);
-  closure.id = static_cast<int>(problem_.closures.size());
-  problem_.closures.push_back(std::move(closure));
-  plausible_.push_back(fits_the_way(problem_.closures.back().id));
-  belief_.chosen.push_back(Association::kNone);
-  if (trial_) trial_->grow();
-}
-
-double LazyAssociation::alternative_cost(int closure, int alternative) const {
-  const auto& alternatives = problem_.closures[at(closure)].alternatives;
-  return 2.0 * (alternatives.front().log_likelihood - alternatives[at(alternative)].log_likelihood);
-}
-
-double LazyAssociation::gate(const std::vector<int>& chosen, int closure) const {
+/// What leaving a closure out costs now: more, where its neighbours say that this is the place.
+double LazyAssociation::gate(const Trial& trial, int closure) const {
   const int group = problem_.groups[at(closure)];
-  for (std::size_t k = 0; k < chosen.size(); ++k) {
-    if (problem_.groups[k] == group && chosen[k] != Association::kNone) {
+  for (std::size_t k = 0; k < problem_.groups.size(); ++k) {
+    if (problem_.groups[k] == group && trial.chosen(static_cast<int>(k)) != Association::kNone) {
       return params_.gate_supported;
     }
   }
@@ -106,50 +95,47 @@ double LazyAssociation::gate(const std::vector<int>& chosen, int closure) const 
 double LazyAssociation::cost(const Belief& belief) const {
   double cost = belief.objective;
   for (std::size_t k = 0; k < belief.chosen.size(); ++k) {
-    const int closure = static_cast<int>(k);
-    cost += belief.chosen[k] == Association::kNone ? params_.gate
-                                                   : alternative_cost(closure, belief.chosen[k]);
+    cost += belief.chosen[k] == Association::kNone
+                ? params_.gate
+                : penalty(problem_.closures[k], belief.chosen[k]);
   }
   return cost;
 }
 
-std::optional<int> LazyAssociation::cheapest(Trial& trial, int closure, double& cost) const {
-  const Closure& c = problem_.closures[at(closure)];
-  std::optional<int> best;
-  for (int a = 0; a < static_cast<int>(c.alternatives.size()); ++a) {
-    const double total = trial.price(constraint_of(c, a)) + alternative_cost(closure, a);
-    if (best && total >= cost) continue;
-    best = a;
-    cost = total;
-  }
-  return best;
-}
-
 /// Takes the best alternative if it is likely.
 bool LazyAssociation::choose(Trial& trial, int closure) const {
-  double cost = 0.0;
-  const auto best = cheapest(trial, closure, cost);
-  if (!best || cost >= gate(trial.decisions(), closure)) return false;
-  trial.take(closure, *best);
+  const Closure& c = problem_.closures[at(closure)];
+  double least = gate(trial, closure);
+  int best = Association::kNone;
+  for (int a = 0; a < static_cast<int>(c.alternatives.size()); ++a) {
+    const double price = trial.price(constraint_of(c, a)) + penalty(c, a);
+    if (price >= least) continue;
+    least = price;
+    best = a;
+  }
+  if (best == Association::kNone) return false;
+  trial.take(closure, best);
   return true;
 }
 
-void LazyAssociation::decide_one(int closure, std::vector<Association>& record,
-                                 std::int64_t utime) {
+void LazyAssociation::decide_one(int closure) {
   if (!trial_) trial_.emplace(problem_, belief_);
-  const std::vector<int> before = trial_->decisions();
-  if (!choose(*trial_, closure) && plausible_[at(closure)] && search_is_due(closure)) {
-    Belief found = search(closure);
-    if (found.chosen != before) trial_.emplace(problem_, std::move(found));
-  }
+  if (choose(*trial_, closure)) return;
+  if (!problem_.plausible[at(closure)] || !search_is_due(closure)) return;
+  if (auto found = search(closure)) trial_.emplace(problem_, std::move(*found));
+}
+
+/// Makes the trial what is believed, and writes down what changed.
+void LazyAssociation::adopt(std::vector<Association>& record, std::int64_t utime,
+                            std::vector<int> before) {
   belief_ = trial_->belief();
   belief_.cost = cost(belief_);
+  const std::size_t newest = before.size() - 1;
   for (std::size_t k = 0; k < before.size(); ++k) {
-    const bool is_new = static_cast<int>(k) == closure;
-    if (!is_new && belief_.chosen[k] == before[k]) continue;
+    if (k != newest && belief_.chosen[k] == before[k]) continue;
     Association a;
     a.utime = utime;
-    a.action = is_new ? Association::Action::kProposed : Association::Action::kRevised;
+    a.action = k == newest ? Association::Action::kProposed : Association::Action::kRevised;
     a.closure = problem_.closures[k];
     a.chosen = belief_.chosen[k];
     a.chosen_before = before[k];
@@ -164,7 +150,7 @@ bool LazyAssociation::search_is_due(int closure) {
   const int group = problem_.groups[at(closure)];
   int contradictions = 0;
   for (int k = 0; k <= closure; ++k) {
-    if (problem_.groups[at(k)] != group || !plausible_[at(k)]) continue;
+    if (problem_.groups[at(k)] != group || !problem_.plausible[at(k)]) continue;
     contradictions += trial_->chosen(k) == Association::kNone ? 1 : 0;
   }
   int& due = search_due_[group];
@@ -173,131 +159,54 @@ bool LazyAssociation::search_is_due(int closure) {
   return true;
 }
 
-/// Whether the closure can be right at all, given the way alone: what the chain of displacements
-/// between the two maps says.
-bool LazyAssociation::fits_the_way(int closure) const {
-  const Closure& c = problem_.closures[at(closure)];
-  return std::any_of(c.alternatives.begin(), c.alternatives.end(), [&](const auto& a) {
-    Pose2 T_older_newer;
-    Eigen::Matrix3d covariance = a.information.inverse();
-    for (int k = a.older_map; k < c.newer_map; ++k) {
-      const PoseConstraint& step = problem_.chain[at(k)];
-      const Eigen::Matrix3d Ad = adjoint(step.T_from_to.inverse());
-      T_older_newer = T_older_newer * step.T_from_to;
-      covariance = Ad * covariance * Ad.transpose() + step.information.inverse();
-    }
-    const Eigen::Vector3d e = between(a.T_older_newer, T_older_newer).vector();
-    return e.dot(covariance.ldlt().solve(e)) < 1.5 * params_.gate;
-  });
-}
-
-/// Chosen closures that could be to blame if this one is right: single ones and groups, the most
-/// suspect first. A group is left out if to give it up would cost more than what could be gained.
-std::vector<std::vector<int>> LazyAssociation::suspects(Trial& trial, int closure) const {
-  std::vector<int> chosen;
-  for (int k = 0; k < static_cast<int>(problem_.closures.size()); ++k) {
-    if (trial.chosen(k) != Association::kNone) chosen.push_back(k);
-  }
-  const auto without =
-      trial.without_each(chosen, constraint_of(problem_.closures[at(closure)], 0));
-  struct Suspect {
-    double price = std::numeric_limits<double>::max();
-    double fall = 0.0;
-    std::vector<int> closures;
-  };
-  std::vector<Suspect> all;
-  std::map<int, Suspect> groups;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    if (without[i].rise < params_.gate_supported) {
-      all.push_back({without[i].rise, without[i].objective_fall, {chosen[i]}});
-    }
-    Suspect& group = groups[problem_.groups[at(chosen[i])]];
-    group.price = std::min(group.price, without[i].rise);
-    group.fall += without[i].objective_fall;
-    group.closures.push_back(chosen[i]);
-  }
-  for (const auto& [id, group] : groups) {
-    if (group.closures.size() > 1) all.push_back(group);
-  }
-  std::erase_if(all, [&](const Suspect& s) {
-    double given_up = -s.fall;
-    for (const int k : s.closures) {
-      if (problem_.closures[at(k)].alternatives.size() == 1) given_up += params_.gate;
-    }
-    for (int k = s.closures.front(); k <= closure; ++k) {
-      if (trial.chosen(k) == Association::kNone && plausible_[at(k)]) given_up -= params_.gate;
-    }
-    return given_up > 0.0;
-  });
-  std::stable_sort(all.begin(), all.end(), [&](const Suspect& a, const Suspect& b) {
-    return params_.best_first ? a.price < b.price : a.closures.back() > b.closures.back();
-  });
-  std::vector<std::vector<int>> found;
-  for (Suspect& suspect : all) {
-    if (static_cast<int>(found.size()) == params_.suspects_max) break;
-    found.push_back(std::move(suspect.closures));
-  }
-  return found;
-}
-
-Belief LazyAssociation::search(int closure) {
-  Belief best = trial_->belief();
-  best.cost = cost(best);
-  std::priority_queue<Branch, std::vector<Branch>, std::greater<>> open;
-  int order = 0;
+/// A belief in which the closure is chosen and that costs less than the present one.
+std::optional<Belief> LazyAssociation::search(int closure) {
+  Belief present = trial_->belief();
+  double least = cost(present);
+  const std::vector<Suspects> order =
+      params_.best_first ? suspects(problem_, *trial_, closure, params_.gate, least)
+                         : latest_groups(problem_, *trial_, params_.trials_max);
+  std::optional<Belief> best;
   int budget = params_.trials_max;
-  const auto branch = [&](Trial& from, int first) {
-    for (const std::vector<int>& group : suspects(from, closure)) {
-      if (--budget < 0) return;
-      Trial undone(problem_, from.belief());
-      undone.revoke(group);
-      ++trials_;
-      Branch next{0.0, order++, std::min(first, group.front()), undone.belief()};
-      next.bound = bound(next.belief, next.first, group);
-      if (next.bound < best.cost) open.push(std::move(next));
-    }
-  };
-  branch(*trial_, closure);
-  while (!open.empty() && open.top().bound < best.cost) {
-    const Branch next = open.top();
-    open.pop();
-    Trial trial(problem_, next.belief);
-    if (!choose(trial, closure)) {
-      if (budget > 0) branch(trial, next.first);
-      continue;
-    }
-    ++trials_;
-    for (int k = next.first; k < closure; ++k) {
-      if (trial.chosen(k) == Association::kNone && plausible_[at(k)]) choose(trial, k);
-    }
-    trial.settle();
-    Belief belief = trial.belief();
-    belief.cost = cost(belief);
-    if (belief.cost < best.cost) best = std::move(belief);
+  for (const Suspects& undone : order) {
+    if (budget-- == 0 || undone.bound >= least) break;
+    auto belief = without(undone, closure);
+    if (!belief || belief->cost >= least) continue;
+    least = belief->cost;
+    best = std::move(belief);
+    if (!params_.best_first) break;
   }
   return best;
 }
 
-/// A lower bound on the cost of every belief that leaves `undone` as it is and the decisions before
-/// `first` too: the objective cannot fall when constraints are added, and no closure that may be
-/// decided again costs less than nothing.
-double LazyAssociation::bound(const Belief& belief, int first,
-                              const std::vector<int>& undone) const {
-  double bound = cost(belief);
-  for (int k = first; k < static_cast<int>(belief.chosen.size()); ++k) {
-    if (belief.chosen[at(k)] != Association::kNone) continue;
-    const bool stays = std::find(undone.begin(), undone.end(), k) != undone.end() &&
-                       problem_.closures[at(k)].alternatives.size() == 1;
-    if (!stays && plausible_[at(k)]) bound -= params_.gate;
+/// What is believed when some decisions are undone, the closure is taken for true, and whatever was
+/// left out since the first of them is decided again. Nothing if it is unlikely even so.
+std::optional<Belief> LazyAssociation::without(const Suspects& undone, int closure) {
+  ++trials_;
+  Trial trial(problem_, trial_->belief());
+  trial.revoke(undone.closures);
+  if (!choose(trial, closure)) return std::nullopt;
+  for (int k = undone.closures.front(); k < closure; ++k) {
+    const bool open = trial.chosen(k) == Association::kNone && problem_.plausible[at(k)];
+    if (open) choose(trial, k);
   }
-  return bound;
+  trial.settle();
+  Belief belief = trial.belief();
+  belief.cost = cost(belief);
+  return belief;
 }
 
 std::vector<Association> LazyAssociation::reconsider(std::int64_t utime) {
   std::vector<Association> record;
-  for (int k = 0; k < static_cast<int>(problem_.closures.size()); ++k) {
-    if (belief_.chosen[at(k)] == Association::kNone) decide_one(k, record, utime);
+  if (!trial_) trial_.emplace(problem_, belief_);
+  const std::vector<int> before = belief_.chosen;
+  for (int k = 0; k < static_cast<int>(before.size()); ++k) {
+    if (before[at(k)] == Association::kNone) choose(*trial_, k);
   }
+  trial_->settle();
+  if (!before.empty()) adopt(record, utime, before);
+  std::erase_if(record, [](const Association& a) { return a.chosen == a.chosen_before; });
+  for (Association& a : record) a.action = Association::Action::kRevised;
   return record;
 }
 

@@ -10,17 +10,17 @@
 
 #include "common/config/bounds.hpp"
 #include "procs/mapping/association/association_problem.hpp"
+#include "procs/mapping/association/suspects.hpp"
 #include "procs/mapping/association/trial.hpp"
 
 namespace adit {
 
 struct LazyAssociationParams {
   double gate = 21.1;            ///< what "none" costs: chi-square, 3 degrees of freedom, 0.9999
-  double gate_supported = 42.0;  ///< and where others of its group are chosen
+  double gate_supported = 42.0;  ///< up to here where others of its group are chosen
   double group_gap_m = 12.0;     ///< closures this close along the way at both ends are a group
   bool best_first = true;        ///< order of search; else the paper's, back through the latest
-  int suspects_max = 4;          ///< groups that are put to the test at a time
-  int trials_max = 24;           ///< beliefs that are worked out for one contradiction
+  int trials_max = 8;            ///< beliefs that are worked out for one contradiction
 
   template <class V>
   void visit(V& v) {
@@ -28,7 +28,6 @@ struct LazyAssociationParams {
     v("gate_supported", gate_supported, above(0.0));
     v("group_gap_m", group_gap_m, at_least(0.0));
     v("best_first", best_first);
-    v("suspects_max", suspects_max, at_least(1));
     v("trials_max", trials_max, at_least(1));
   }
 };
@@ -37,13 +36,18 @@ struct LazyAssociationParams {
 /// association in SLAM", ISRR 2003). For each closure the most likely alternative is taken, or none
 /// if all are unlikely. Where what was just measured is unlikely given the map, earlier decisions
 /// are undone, the measurement is taken for true, and what came after is decided again; the belief
-/// that explains everything at least cost stays.
+/// that explains everything at the least cost stays.
 ///
 /// Costs are −2 log-likelihoods: the objective of the pose graph, a gate for each closure that is
 /// left out, and for an alternative by how much it is less likely than the best one.
+///
+/// Two orders of search: best first, by a bound on what a belief may cost; or the paper's, back
+/// through the latest groups of closures until the newest measurement is likely.
 class LazyAssociation {
  public:
   explicit LazyAssociation(const LazyAssociationParams& params) : params_(params) {}
+  LazyAssociation(const LazyAssociation&) = delete;
+  LazyAssociation& operator=(const LazyAssociation&) = delete;
 
   /// The next local map: `T_previous_local` and its information (see LocalMap). The first call is
   /// for map 0, for which they mean nothing.
@@ -61,29 +65,26 @@ class LazyAssociation {
 
   [[nodiscard]] const AssociationProblem& problem() const { return problem_; }
   [[nodiscard]] const Belief& belief() const { return belief_; }
+  /// Beliefs that were worked out in searches so far.
   [[nodiscard]] int trials() const { return trials_; }
 
  private:
   [[nodiscard]] int group_of(const Closure& closure) const;
   void append(Closure closure);
-  void decide_one(int closure, std::vector<Association>& record, std::int64_t utime);
-  std::optional<int> cheapest(Trial& trial, int closure, double& cost) const;
+  void decide_one(int closure);
   bool choose(Trial& trial, int closure) const;
-  [[nodiscard]] double gate(const std::vector<int>& chosen, int closure) const;
+  [[nodiscard]] double gate(const Trial& trial, int closure) const;
   [[nodiscard]] double cost(const Belief& belief) const;
-  [[nodiscard]] double alternative_cost(int closure, int alternative) const;
-  [[nodiscard]] bool fits_the_way(int closure) const;
   bool search_is_due(int closure);
-  Belief search(int closure);
-  [[nodiscard]] double bound(const Belief& belief, int first, const std::vector<int>& undone) const;
-  std::vector<std::vector<int>> suspects(Trial& trial, int closure) const;
+  std::optional<Belief> search(int closure);
+  std::optional<Belief> without(const Suspects& undone, int closure);
+  void adopt(std::vector<Association>& record, std::int64_t utime, std::vector<int> before);
 
   LazyAssociationParams params_;
   AssociationProblem problem_;
   Belief belief_;
-  std::optional<Trial> trial_;  ///< `belief_`, with its field
-  std::vector<bool> plausible_;  ///< of each closure: whether the way alone allows it
-  std::map<int, int> search_due_;  ///< of a group: at how many contradictions
+  std::optional<Trial> trial_;           ///< `belief_`, with its field
+  std::map<int, int> search_due_;        ///< of a group: at how many contradictions
   int groups_ = 0;
   int trials_ = 0;
 };

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/association/suspects.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace adit {
+namespace {
+
+constexpr std::size_t kSingles = 3;  // that are put to the test
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+class Search {
+ public:
+  Search(const AssociationProblem& problem, Trial& trial, int closure, double gate, double cost)
+      : problem_(problem), trial_(trial), closure_(closure), gate_(gate), cost_(cost) {
+    for (int k = 0; k < static_cast<int>(problem.closures.size()); ++k) {
+      if (trial.chosen(k) != Association::kNone) chosen_.push_back(k);
+    }
+    find_allies();
+  }
+
+  std::vector<Suspects> run() {
+    add(contradicting());
+    const auto without = trial_.without_each(chosen_, asked());
+    std::vector<std::pair<double, int>> singles;
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+      fall_[chosen_[i]] = without[i].objective_fall;
+      singles.emplace_back(without[i].rise, chosen_[i]);
+    }
+    std::sort(singles.begin(), singles.end());
+    if (singles.size() > kSingles) singles.resize(kSingles);
+    for (const auto& [rise, k] : singles) {
+      if (rise < gate_) add({k});
+      add(group_of(k));
+    }
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const Suspects& a, const Suspects& b) { return a.bound < b.bound; });
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] PoseConstraint asked() const {
+    return constraint_of(problem_.closures[at(closure_)], 0);
+  }
+  [[nodiscard]] PoseConstraint in_force(int k) const {
+    return constraint_of(problem_.closures[at(k)], trial_.chosen(k));
+  }
+  [[nodiscard]] bool agree(const PoseConstraint& a, const PoseConstraint& b) const {
+    return disagreement(problem_.way, a, b) < gate_;
+  }
+
+  /// Left out as well, and in agreement with the closure in question.
+  void find_allies() {
+    for (int k = 0; k < closure_; ++k) {
+      if (trial_.chosen(k) != Association::kNone || !problem_.plausible[at(k)]) continue;
+      const PoseConstraint constraint = constraint_of(problem_.closures[at(k)], 0);
+      if (agree(constraint, asked())) allies_.push_back(constraint);
+    }
+  }
+
+  [[nodiscard]] std::vector<int> contradicting() const {
+    std::vector<int> found;
+    for (const int k : chosen_) {
+      if (!agree(in_force(k), asked())) found.push_back(k);
+    }
+    return found;
+  }
+
+  [[nodiscard]] std::vector<int> group_of(int closure) const {
+    std::vector<int> found;
+    for (const int k : chosen_) {
+      if (problem_.groups[at(k)] == problem_.groups[at(closure)]) found.push_back(k);
+    }
+    return found;
+  }
+
+  void add(std::vector<int> closures) {
+    if (closures.empty() || !seen_.insert(closures).second) return;
+    double bound = cost_ - gate_;  // the closure itself is no longer left out
+    for (const int k : closures) {
+      const bool has_others = problem_.closures[at(k)].alternatives.size() > 1;
+      if (!has_others) bound += gate_;
+      bound -= fall_.contains(k) ? fall_.at(k) : 0.0;
+    }
+    for (const PoseConstraint& ally : allies_) {
+      const bool kept_out = std::any_of(closures.begin(), closures.end(), [&](int k) {
+        return !agree(ally, in_force(k));
+      });
+      if (kept_out) bound -= gate_;
+    }
+    if (bound < cost_) found_.push_back({std::move(closures), bound});
+  }
+
+  const AssociationProblem& problem_;
+  Trial& trial_;
+  int closure_;
+  double gate_;
+  double cost_;
+  std::vector<int> chosen_;
+  std::vector<PoseConstraint> allies_;
+  std::map<int, double> fall_;  // of the objective, if a closure alone is undone
+  std::set<std::vector<int>> seen_;
+  std::vector<Suspects> found_;
+};
+
+}  // namespace
+
+std::vector<Suspects> suspects(const AssociationProblem& problem, Trial& trial, int closure,
+                               double gate, double cost) {
+  return Search(problem, trial, closure, gate, cost).run();
+}
+
+std::vector<Suspects> latest_groups(const AssociationProblem& problem, const Trial& trial,
+                                    int most) {
+  std::vector<Suspects> found;
+  std::set<int> groups;
+  for (int k = static_cast<int>(problem.closures.size()) - 1; k >= 0; --k) {
+    if (trial.chosen(k) == Association::kNone) continue;
+    if (!groups.insert(problem.groups[at(k)]).second) continue;
+    if (static_cast<int>(found.size()) == most) break;
+    Suspects next;
+    for (int i = 0; i < static_cast<int>(problem.closures.size()); ++i) {
+      const bool undone = groups.contains(problem.groups[at(i)]);
+      if (undone && trial.chosen(i) != Association::kNone) next.closures.push_back(i);
+    }
+    found.push_back(std::move(next));
+  }
+  return found;
+}
+
+}  // namespace adit

@@ -2,13 +2,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mapping/association/association_problem.hpp"
 
+#include <algorithm>
+
 namespace adit {
 
-PoseGraph graph_of(const AssociationProblem& problem, const Belief& belief) {
-  PoseGraph graph{belief.T_map_local, problem.chain};
+namespace {
+
+/// A constraint in the graph that begins with map `first`.
+PoseConstraint shifted(const PoseConstraint& c, const Belief& belief, int first) {
+  PoseConstraint moved = c;
+  moved.to = c.to - first + 1;
+  moved.from = c.from - first + 1;
+  if (c.from < first) {
+    moved.from = 0;
+    moved.T_from_to = belief.T_map_local[static_cast<std::size_t>(c.from)] * c.T_from_to;
+  }
+  return moved;
+}
+
+}  // namespace
+
+PoseConstraint in_graph_from(const PoseConstraint& constraint, const Belief& belief, int first) {
+  return first == 0 ? constraint : shifted(constraint, belief, first);
+}
+
+PoseGraph graph_of(const AssociationProblem& problem, const Belief& belief, int first) {
+  PoseGraph graph;
+  if (first > 0) graph.poses.emplace_back();
+  graph.poses.insert(graph.poses.end(), belief.T_map_local.begin() + first,
+                     belief.T_map_local.end());
+  const auto add = [&](const PoseConstraint& c) {
+    if (c.to >= first) graph.constraints.push_back(in_graph_from(c, belief, first));
+  };
+  const auto step = problem.chain.begin() + std::max(0, first - 1);
+  std::for_each(step, problem.chain.end(), add);
   for (std::size_t k = 0; k < belief.chosen.size(); ++k) {
     if (belief.chosen[k] == Association::kNone) continue;
-    graph.constraints.push_back(constraint_of(problem.closures[k], belief.chosen[k]));
+    add(constraint_of(problem.closures[k], belief.chosen[k]));
   }
   return graph;
 }

@@ -41,7 +41,12 @@ struct Belief {
   double cost = 0.0;  ///< −2 log-likelihood, up to a constant: `objective` and that of the decisions
 };
 
-/// The graph of a belief.
-PoseGraph graph_of(const AssociationProblem& problem, const Belief& belief);
+/// A constraint between maps as one between the nodes of `graph_of(problem, belief, first)`; its
+/// later map is not before `first`.
+PoseConstraint in_graph_from(const PoseConstraint& constraint, const Belief& belief, int first);
+
+/// The graph of a belief, from map `first` on: node 0 is the frame of map, in which the maps before
+/// `first` stay where they are, node 1 is map `first`. With `first` 0, the whole graph as it is.
+PoseGraph graph_of(const AssociationProblem& problem, const Belief& belief, int first = 0);
 
 }  // namespace adit

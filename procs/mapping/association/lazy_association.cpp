@@ -11,6 +11,7 @@
 namespace adit {
 namespace {
 
+constexpr int kRounds = 10;         // of letting go and taking in, which end by themselves
 constexpr double kPlausible = 1.5;  // gates: the way is only known to first order
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -122,7 +123,10 @@ void LazyAssociation::decide_one(int closure) {
   if (!trial_) trial_.emplace(problem_, belief_);
   if (choose(*trial_, closure)) return;
   if (!problem_.plausible[at(closure)] || !search_is_due(closure)) return;
-  if (auto found = search(closure)) trial_.emplace(problem_, std::move(*found));
+  if (auto found = search(closure)) {
+    trial_.emplace(problem_, std::move(*found));
+    trial_->settle();
+  }
 }
 
 /// Makes the trial what is believed, and writes down what changed.
@@ -179,11 +183,24 @@ std::optional<Belief> LazyAssociation::search(int closure) {
   return best;
 }
 
+/// The earliest map that a revision moves: loops begin at their older maps.
+int LazyAssociation::first_concerned(const Suspects& undone, int closure) const {
+  int first = problem_.chain.empty() ? 0 : problem_.closures[at(closure)].newer_map;
+  const auto include = [&](int k) {
+    for (const ClosureAlternative& a : problem_.closures[at(k)].alternatives) {
+      first = std::min(first, a.older_map);
+    }
+  };
+  include(closure);
+  for (const int k : undone.closures) include(k);
+  return first;
+}
+
 /// What is believed when some decisions are undone, the closure is taken for true, and whatever was
 /// left out since the first of them is decided again. Nothing if it is unlikely even so.
 std::optional<Belief> LazyAssociation::without(const Suspects& undone, int closure) {
   ++trials_;
-  Trial trial(problem_, trial_->belief());
+  Trial trial(problem_, trial_->belief(), first_concerned(undone, closure));
   trial.revoke(undone.closures);
   if (!choose(trial, closure)) return std::nullopt;
   for (int k = undone.closures.front(); k < closure; ++k) {
@@ -196,14 +213,40 @@ std::optional<Belief> LazyAssociation::without(const Suspects& undone, int closu
   return belief;
 }
 
+/// Revokes the chosen closure without which everything else fits best, and the next, as long as that
+/// gains more than leaving it out costs.
+void LazyAssociation::let_go_of_misfits(Trial& trial) const {
+  while (true) {
+    std::vector<int> chosen;
+    for (int k = 0; k < static_cast<int>(problem_.closures.size()); ++k) {
+      if (trial.chosen(k) != Association::kNone) chosen.push_back(k);
+    }
+    if (chosen.empty()) return;
+    const auto without =
+        trial.without_each(chosen, constraint_of(problem_.closures[at(chosen.front())],
+                                                 trial.chosen(chosen.front())));
+    const auto worst = std::max_element(without.begin(), without.end(), [](auto& a, auto& b) {
+      return a.objective_fall < b.objective_fall;
+    });
+    const int misfit = chosen[static_cast<std::size_t>(worst - without.begin())];
+    if (worst->objective_fall <= gate(trial, misfit)) return;
+    trial.revoke({misfit});
+  }
+}
+
 std::vector<Association> LazyAssociation::reconsider(std::int64_t utime) {
   std::vector<Association> record;
   if (!trial_) trial_.emplace(problem_, belief_);
   const std::vector<int> before = belief_.chosen;
-  for (int k = 0; k < static_cast<int>(before.size()); ++k) {
-    if (before[at(k)] == Association::kNone) choose(*trial_, k);
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<int> last = trial_->decisions();
+    let_go_of_misfits(*trial_);
+    for (int k = 0; k < static_cast<int>(before.size()); ++k) {
+      if (trial_->chosen(k) == Association::kNone) choose(*trial_, k);
+    }
+    trial_->settle();
+    if (trial_->decisions() == last) break;
   }
-  trial_->settle();
   if (!before.empty()) adopt(record, utime, before);
   std::erase_if(record, [](const Association& a) { return a.chosen == a.chosen_before; });
   for (Association& a : record) a.action = Association::Action::kRevised;

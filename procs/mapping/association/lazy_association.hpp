@@ -60,7 +60,8 @@ class LazyAssociation {
   /// Takes over decisions that were made before, in their order, for the maps that were added.
   void restore(const std::vector<Association>& associations);
 
-  /// Asks all closures that are left out once more, as at the end of a recording.
+  /// Lets go of what fits badly by now and asks all that is left out once more, as at the end of a
+  /// recording.
   std::vector<Association> reconsider(std::int64_t utime);
 
   [[nodiscard]] const AssociationProblem& problem() const { return problem_; }
@@ -77,6 +78,8 @@ class LazyAssociation {
   [[nodiscard]] double cost(const Belief& belief) const;
   bool search_is_due(int closure);
   std::optional<Belief> search(int closure);
+  [[nodiscard]] int first_concerned(const Suspects& undone, int closure) const;
+  void let_go_of_misfits(Trial& trial) const;
   std::optional<Belief> without(const Suspects& undone, int closure);
   void adopt(std::vector<Association>& record, std::int64_t utime, std::vector<int> before);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/pose_graph/optimize.hpp"
+#include "common/pose_graph/potential.hpp"
 
 namespace adit {
 namespace {
@@ -22,39 +23,53 @@ double largest_turn(const Eigen::VectorXd& mode) {
 
 }  // namespace
 
-Trial::Trial(const AssociationProblem& problem, Belief belief)
-    : problem_(problem), belief_(std::move(belief)) {}
+Trial::Trial(const AssociationProblem& problem, Belief belief, int first)
+    : problem_(problem), belief_(std::move(belief)), first_(first) {
+  if (first_ > 0) {
+    fixed_ = belief_.objective - adit::objective(graph_of(problem_, belief_, first_));
+  }
+}
 
 GaussianField& Trial::field() {
-  if (!field_) field_.emplace(graph_of(problem_, belief_));
+  if (!field_) field_.emplace(graph_of(problem_, belief_, first_));
   return *field_;
+}
+
+/// Takes over the poses of the nodes of the graph.
+void Trial::set_poses(const std::vector<Pose2>& nodes, Belief& belief) const {
+  std::copy(nodes.begin() + (first_ > 0 ? 1 : 0), nodes.end(),
+            belief.T_map_local.begin() + first_);
 }
 
 Belief Trial::belief() const {
   Belief belief = belief_;
   if (field_) {
-    belief.T_map_local = field_->poses();
-    belief.objective = field_->objective();
+    set_poses(field_->poses(), belief);
+    belief.objective = objective();
   }
   return belief;
 }
 
-double Trial::objective() const { return field_ ? field_->objective() : belief_.objective; }
+double Trial::objective() const {
+  return field_ ? fixed_ + field_->objective() : belief_.objective;
+}
 
 PoseConstraint Trial::chosen_constraint(int closure) const {
-  return constraint_of(problem_.closures[static_cast<std::size_t>(closure)], chosen(closure));
+  return in_graph_from(
+      constraint_of(problem_.closures[static_cast<std::size_t>(closure)], chosen(closure)), belief_,
+      first_);
 }
 
 std::vector<GaussianField::Without> Trial::without_each(const std::vector<int>& closures,
                                                         const PoseConstraint& asked) {
   std::vector<PoseConstraint> present;
   for (const int k : closures) present.push_back(chosen_constraint(k));
-  return field().without_each(present, asked);
+  return field().without_each(present, in_graph_from(asked, belief_, first_));
 }
 
 void Trial::take(int closure, int alternative) {
   const auto k = static_cast<std::size_t>(closure);
-  field().add(constraint_of(problem_.closures[k], alternative));
+  field().add(in_graph_from(constraint_of(problem_.closures[k], alternative), belief_, first_));
   belief_.chosen[k] = alternative;
   const double turn = largest_turn(field().mode());
   if (turn > kTurnMax) settle(turn > kTurnFar);
@@ -68,13 +83,14 @@ void Trial::revoke(const std::vector<int>& closures) {
 }
 
 void Trial::settle(bool afresh) {
-  PoseGraph graph = graph_of(problem_, belief());
+  belief_ = belief();
+  field_.reset();
+  PoseGraph graph = graph_of(problem_, belief_, first_);
   OptimizeParams params;
   params.rotation_start = afresh;
   params.tolerance = 1e-6;
-  belief_.objective = optimize(graph, params).objective;
-  belief_.T_map_local = std::move(graph.poses);
-  field_.reset();
+  belief_.objective = fixed_ + optimize(graph, params).objective;
+  set_poses(graph.poses, belief_);
 }
 
 }  // namespace adit

@@ -14,8 +14,10 @@ namespace adit {
 /// turned so far that the old linearisation would mislead.
 class Trial {
  public:
-  /// `problem` must outlive this; `belief` is settled (its poses are at their mode).
-  Trial(const AssociationProblem& problem, Belief belief);
+  /// `problem` must outlive this; `belief` is settled (its poses are at their mode). The maps before
+  /// `first` stay where they are, so that what it costs depends on the loop that is looked at and
+  /// not on the map.
+  Trial(const AssociationProblem& problem, Belief belief, int first = 0);
 
   /// With poses and objective as they are now; `cost` is the caller's.
   [[nodiscard]] Belief belief() const;
@@ -31,7 +33,7 @@ class Trial {
   /// By how much the objective would rise with one constraint more: chi-square with three degrees
   /// of freedom where the constraint is right.
   [[nodiscard]] double price(const PoseConstraint& constraint) {
-    return field().objective_rise(constraint);
+    return field().objective_rise(in_graph_from(constraint, belief_, first_));
   }
   /// For each of the chosen closures, what `price` would be and how far the objective would fall if
   /// it were revoked.
@@ -50,9 +52,12 @@ class Trial {
  private:
   [[nodiscard]] GaussianField& field();
   [[nodiscard]] PoseConstraint chosen_constraint(int closure) const;
+  void set_poses(const std::vector<Pose2>& nodes, Belief& belief) const;
 
   const AssociationProblem& problem_;
   Belief belief_;                       ///< poses and objective as last settled
+  int first_;
+  double fixed_ = 0.0;                  ///< part of the objective that is not in the field
   std::optional<GaussianField> field_;  ///< linearised there; nothing: not asked for yet
 };
 

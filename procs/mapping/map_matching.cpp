@@ -84,7 +84,33 @@ class Match {
     return distinct(found);
   }
 
+  /// The least that both hold against each other with the newer map at T or a little beside it.
+  [[nodiscard]] double contradiction_near(const Pose2& T) const {
+    if (newer_points_.empty() || older_.empty()) return 0.0;
+    const Pose2 settled = settle(newer_points_, T, params_.refinement).T_odom_body;
+    const double there = contradiction(T);
+    return same(settled, T) ? std::min(there, contradiction(settled)) : there;
+  }
+
  private:
+  [[nodiscard]] double contradiction(const Pose2& T) const {
+    const auto there = agreement(newer_points_, T, older_, older_views_, params_.agreement);
+    const auto back =
+        agreement(older_points_, T.inverse(), newer_, newer_views_, params_.agreement);
+    return excess(there) * newer_step_m_ / params_.independent_m +
+           excess(back) * older_step_m_ / params_.independent_m;
+  }
+
+  /// Twice the log-likelihood ratio of as many contradictions as there are against as many as maps
+  /// of one place have, if each point counted.
+  [[nodiscard]] double excess(const WallAgreement& found) const {
+    const double usual = params_.agreement.contradiction;
+    const double share = found.contradicting / std::max(1.0, static_cast<double>(found.known()));
+    if (share <= usual) return 0.0;
+    const double rest = share < 1.0 ? (1.0 - share) * std::log((1.0 - share) / (1.0 - usual)) : 0.0;
+    return 2.0 * found.known() * (share * std::log(share / usual) + rest);
+  }
+
   [[nodiscard]] std::vector<CorrelationPeak> peaks() const {
     const Eigen::Matrix2d plane = predicted_.covariance.topLeftCorner<2, 2>();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(plane, Eigen::EigenvaluesOnly);
@@ -217,6 +243,12 @@ class Match {
 };
 
 }  // namespace
+
+double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
+                     const Pose2& T_older_newer, const MapMatchingParams& params) {
+  const RelativePose there{T_older_newer, Eigen::Matrix3d::Identity()};
+  return Match(newer, older, there, params).contradiction_near(T_older_newer);
+}
 
 std::vector<ClosureAlternative> match_maps(const LocalWalls& newer,
                                            const std::vector<PlacedWalls>& older, int older_id,

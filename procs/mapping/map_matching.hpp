@@ -81,4 +81,11 @@ std::vector<ClosureAlternative> match_maps(const LocalWalls& newer,
                                            const RelativePose& predicted,
                                            const MapMatchingParams& params);
 
+/// What speaks against the newer map lying there, or a little beside it, though it may lie on
+/// nothing older at all: −2 log-likelihood ratio of the walls of each that lie in the free space of
+/// the other, against as many as maps of one place have. Chi-square with one or two degrees of
+/// freedom where it lies there.
+double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
+                     const Pose2& T_older_newer, const MapMatchingParams& params);
+
 }  // namespace adit

@@ -6,19 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include <Eigen/Geometry>
-
-#include "common/pose_graph/gaussian_field.hpp"
-
 namespace adit {
 namespace {
-
-/// Rotates the covariance of a relative pose from the frame of the older map into the newer one.
-Eigen::Matrix3d in_newer_frame(const Eigen::Matrix3d& covariance, const Pose2& T_older_newer) {
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-T_older_newer.theta).toRotationMatrix();
-  return R * covariance * R.transpose();
-}
 
 // How loosely a session hangs on the one before.
 constexpr double kElsewhereM = 1000.0;
@@ -29,6 +18,10 @@ constexpr double kGapRad = 0.2;
 // other every few metres [m].
 constexpr double kSearchM = 1.0;
 constexpr std::size_t kRelocalisations = 3;
+// The newest measurements, whose likelihood is monitored.
+constexpr int kMapsMonitored = 4;
+// How far from where it is believed to be a map is given the benefit of the doubt.
+const Eigen::Vector3d kSurpriseSd(0.2, 0.2, 0.02);
 
 bool begins_session(const LocalMap& map, const std::vector<LocalMap>& before) {
   return !before.empty() && before.back().session != map.session;
@@ -78,7 +71,11 @@ MapUpdate Mapping::take(LocalMap map) {
   MapUpdate update;
   update.map = map;
   enter(std::move(map));
-  update.associations = association_.decide(find_closures(), update.map.end_utime);
+  const std::int64_t utime = update.map.end_utime;
+  const int newest = update.map.id;
+  update.associations = association_.decide(closures(newest, association_.trial()), utime);
+  const auto revised = association_.revise(*this, utime);
+  update.associations.insert(update.associations.end(), revised.begin(), revised.end());
   ++revision_;
   return update;
 }
@@ -122,6 +119,7 @@ bool Mapping::session_is_joined() const {
 /// Looks for the newest map all over the older sessions.
 std::vector<Closure> Mapping::relocalise() const {
   std::vector<Closure> closures;
+  const std::vector<Pose2>& poses = association_.belief().T_map_local;
   const int session = maps_.back().session;
   for (int older = 0; maps_[static_cast<std::size_t>(older)].session != session; ++older) {
     RelativePose anywhere;
@@ -131,7 +129,7 @@ std::vector<Closure> Mapping::relocalise() const {
         Eigen::Vector3d(kSearchM, kSearchM, std::numbers::pi).cwiseAbs2().asDiagonal();
     Closure closure;
     closure.newer_map = static_cast<int>(maps_.size()) - 1;
-    closure.alternatives = match_maps(walls_.back(), place_around(older), older, anywhere,
+    closure.alternatives = match_maps(walls_.back(), place_around(older, poses), older, anywhere,
                                       params_.matching);
     if (!closure.alternatives.empty()) closures.push_back(std::move(closure));
   }
@@ -140,39 +138,59 @@ std::vector<Closure> Mapping::relocalise() const {
   return closures;
 }
 
-std::vector<Closure> Mapping::find_closures() const {
-  const int newest = static_cast<int>(maps_.size()) - 1;
-  if (newest < 1) return {};
-  if (!session_is_joined() && !odom_continues_) return relocalise();
-  const Belief& belief = association_.belief();
-  const GaussianField field(graph_of(association_.problem(), belief));
-  auto covariances = field.relative_covariances_to(newest);
-  for (std::size_t i = 0; i < covariances.size(); ++i) {
-    covariances[i] = in_newer_frame(
-        covariances[i], between(belief.T_map_local[i], belief.T_map_local.back()));
-  }
-  std::vector<Closure> closures;
+std::vector<Closure> Mapping::closures(int map, Trial& trial) const {
+  if (map < 1) return {};
+  const bool newest = map + 1 == static_cast<int>(maps_.size());
+  if (newest && !session_is_joined() && !odom_continues_) return relocalise();
+  const auto end = [&](const auto& all) { return all.begin() + map + 1; };
+  const std::vector<Pose2> all_poses = trial.belief().T_map_local;
+  const std::vector<Pose2> poses(all_poses.begin(), end(all_poses));
+  const std::vector<MapExtent> extents(extents_.begin(), end(extents_));
+  std::vector<Closure> found;
   for (const ClosureCandidate& candidate :
-       closure_candidates(belief.T_map_local, covariances, extents_, params_.candidates)) {
+       closure_candidates(poses, trial.covariances_to(map), extents, params_.candidates)) {
     Closure closure;
-    closure.newer_map = newest;
-    closure.alternatives = match_maps(walls_.back(), place_around(candidate.older), candidate.older,
-                                      candidate.predicted, params_.matching);
-    if (!closure.alternatives.empty()) closures.push_back(std::move(closure));
+    closure.newer_map = map;
+    closure.alternatives =
+        match_maps(walls_[static_cast<std::size_t>(map)], place_around(candidate.older, poses),
+                   candidate.older, candidate.predicted, params_.matching);
+    if (!closure.alternatives.empty()) found.push_back(std::move(closure));
   }
-  sort_by_likelihood(closures);
-  return closures;
+  sort_by_likelihood(found);
+  return found;
+}
+
+/// What the newest maps and the older ones that they overlap hold against each other where they lie.
+double Mapping::surprise(const std::vector<Pose2>& T_map_local) const {
+  const int newest = static_cast<int>(maps_.size()) - 1;
+  double surprise = 0.0;
+  for (int map = std::max(0, newest - kMapsMonitored + 1); map <= newest; ++map) {
+    const auto end = [&](const auto& all) { return all.begin() + map + 1; };
+    const std::vector<Pose2> poses(T_map_local.begin(), end(T_map_local));
+    const std::vector<MapExtent> extents(extents_.begin(), end(extents_));
+    const std::vector<Eigen::Matrix3d> certain(static_cast<std::size_t>(map),
+                                               kSurpriseSd.cwiseAbs2().asDiagonal());
+    double most = 0.0;
+    for (const ClosureCandidate& candidate :
+         closure_candidates(poses, certain, extents, params_.candidates)) {
+      most = std::max(most, contradiction(walls_[static_cast<std::size_t>(map)],
+                                          place_around(candidate.older, poses),
+                                          candidate.predicted.T_older_newer, params_.matching));
+    }
+    surprise += most;
+  }
+  return surprise;
 }
 
 /// A map and then its neighbours in the chain, in its frame.
-std::vector<PlacedWalls> Mapping::place_around(int map) const {
-  const auto& poses = association_.belief().T_map_local;
+std::vector<PlacedWalls> Mapping::place_around(int map,
+                                               const std::vector<Pose2>& T_map_local) const {
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
   std::vector<PlacedWalls> placed;
   for (const int k : {map, map - 1, map + 1}) {
-    if (k < 0 || k >= static_cast<int>(maps_.size())) continue;
-    if (maps_[static_cast<std::size_t>(k)].session != maps_[static_cast<std::size_t>(map)].session) continue;
-    const auto i = static_cast<std::size_t>(k);
-    placed.push_back({&walls_[i], between(poses[static_cast<std::size_t>(map)], poses[i])});
+    if (k < 0 || k >= static_cast<int>(T_map_local.size())) continue;
+    if (maps_[at(k)].session != maps_[at(map)].session) continue;
+    placed.push_back({&walls_[at(k)], between(T_map_local[at(map)], T_map_local[at(k)])});
   }
   return placed;
 }

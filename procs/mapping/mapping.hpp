@@ -60,7 +60,7 @@ struct MapUpdate {
 /// The map: local maps every few metres of the way, held in place by what was measured between them
 /// and by the places that were seen again (paper, sections 2.1 to 2.3). Which places these are is
 /// decided lazily.
-class Mapping {
+class Mapping : private Evidence {
  public:
   explicit Mapping(const MappingParams& params);
 
@@ -89,9 +89,11 @@ class Mapping {
   void enter(LocalMap map);
   void link_session(LocalMap& map) const;
   [[nodiscard]] bool session_is_joined() const;
-  [[nodiscard]] std::vector<Closure> find_closures() const;
+  [[nodiscard]] std::vector<Closure> closures(int map, Trial& trial) const override;
+  [[nodiscard]] double surprise(const std::vector<Pose2>& T_map_local) const override;
   [[nodiscard]] std::vector<Closure> relocalise() const;
-  [[nodiscard]] std::vector<PlacedWalls> place_around(int map) const;
+  [[nodiscard]] std::vector<PlacedWalls> place_around(int map,
+                                                      const std::vector<Pose2>& T_map_local) const;
 
   MappingParams params_;
   LaserMounts mounts_;

@@ -16,7 +16,7 @@ struct WallAgreementParams {
   double margin_m = 0.3;        ///< deeper in free space than this contradicts
   double wall_sd_m = 0.04;      ///< distance of a point from its wall where maps coincide
   double stray_share = 0.1;     ///< of the points near a wall that are no part of it all the same
-  double contradiction = 0.05;  ///< share of the known points in free space where maps coincide,
+  double contradiction = 0.02;  ///< share of the known points in free space where maps coincide,
   double contradiction_by_chance = 0.5;  ///< and where they do not
 
   template <class V>

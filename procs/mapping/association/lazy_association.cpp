@@ -11,10 +11,23 @@
 namespace adit {
 namespace {
 
+constexpr double kSamePlaceM = 2.0;  // alternatives nearer than this say the same
+constexpr double kSamePlaceRad = 0.2;
+constexpr int kGroupsUndone = 3;    // at most, for a map that contradicts what it lies on
 constexpr int kRounds = 10;         // of letting go and taking in, which end by themselves
 constexpr double kPlausible = 1.5;  // gates: the way is only known to first order
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+std::string reason_of(const Association& a) {
+  const bool now = a.chosen != Association::kNone;
+  if (a.action == Association::Action::kProposed) {
+    return now ? "the most likely alternative" : "no alternative is likely given the map";
+  }
+  if (!now) return "contradicted by later measurements";
+  return a.chosen_before == Association::kNone ? "likely now that others are undone"
+                                               : "another alternative explains more";
+}
 
 }  // namespace
 
@@ -36,10 +49,97 @@ std::vector<Association> LazyAssociation::decide(std::vector<Closure> closures,
   std::vector<Association> record;
   for (Closure& closure : closures) {
     append(std::move(closure));
-    std::vector<int> before = belief_.chosen;
+    const std::vector<int> before = belief_.chosen;
     decide_one(problem_.closures.back().id);
-    adopt(record, utime, std::move(before));
+    adopt(record, utime, before, before.size() - 1);
   }
+  return record;
+}
+
+Trial& LazyAssociation::trial() {
+  if (!trial_) trial_.emplace(problem_, belief_);
+  return *trial_;
+}
+
+/// A belief with closures that the problem does not have yet.
+struct LazyAssociation::Revision {
+  AssociationProblem problem;
+  Belief belief;
+};
+
+/// The alternatives that would put a map where it is now, on maps before `first`: they are not asked
+/// again when the belief that put it there is given up.
+void LazyAssociation::leave_out_what_is_believed(Closure& closure, int first) const {
+  const Pose2& now = belief_.T_map_local[at(closure.newer_map)];
+  std::erase_if(closure.alternatives, [&](const ClosureAlternative& a) {
+    if (a.older_map >= first) return false;
+    const Pose2 apart = between(now, belief_.T_map_local[at(a.older_map)] * a.T_older_newer);
+    return apart.translation().norm() < kSamePlaceM && std::abs(apart.theta) < kSamePlaceRad;
+  });
+}
+
+/// Undoes decisions and decides again on the maps since the first of them, by what they have to say
+/// in their new places. Nothing where that explains no more than before.
+std::optional<LazyAssociation::Revision> LazyAssociation::associate_afresh(
+    const Suspects& undone, const Evidence& evidence) {
+  ++trials_;
+  const int newest = problem_.way.maps() - 1;
+  const int first_map = problem_.closures[at(undone.closures.front())].newer_map;
+  Revision revision{problem_, trial_->belief()};
+  LazyAssociation scratch(params_);
+  scratch.problem_ = problem_;
+  scratch.belief_ = trial_->belief();
+  scratch.groups_ = groups_;
+  scratch.trial_.emplace(scratch.problem_, scratch.belief_, first_concerned(undone, undone.closures.front()));
+  scratch.trial_->revoke(undone.closures);
+  for (int map = first_map; map <= newest; ++map) {
+    for (Closure& closure : evidence.closures(map, *scratch.trial_)) {
+      leave_out_what_is_believed(closure, first_map);
+      if (closure.alternatives.empty()) continue;
+      scratch.append(std::move(closure));
+      scratch.choose(*scratch.trial_, scratch.problem_.closures.back().id);
+    }
+  }
+  scratch.trial_->settle();
+  revision.belief = scratch.trial_->belief();
+  revision.belief.cost = scratch.cost(revision.belief);
+  revision.problem = scratch.problem_;
+  return revision;
+}
+
+std::vector<Association> LazyAssociation::revise(const Evidence& evidence, std::int64_t utime) {
+  const double surprise = evidence.surprise(belief_.T_map_local);
+  if (surprise < params_.gate) {
+    surprise_due_ = 0.0;
+    return {};
+  }
+  if (surprise < surprise_due_) return {};
+  std::optional<Revision> best;
+  double gain = 0.0;
+  for (const Suspects& undone : latest_groups(problem_, trial(), kGroupsUndone)) {
+    auto revision = associate_afresh(undone, evidence);
+    if (!revision) continue;
+    const auto added =
+        static_cast<double>(revision->problem.closures.size() - problem_.closures.size());
+    const double present = belief_.cost + added * params_.gate + surprise;
+    const double then = revision->belief.cost + evidence.surprise(revision->belief.T_map_local);
+    if (present - then <= gain) continue;
+    gain = present - then;
+    best = std::move(revision);
+    if (!params_.best_first) break;
+  }
+  surprise_due_ = 2.0 * surprise;
+  if (!best) return {};
+
+  std::vector<Association> record;
+  std::vector<int> before = belief_.chosen;
+  const std::size_t known = before.size();
+  before.resize(best->belief.chosen.size(), Association::kNone);
+  for (std::size_t k = known; k < before.size(); ++k) append(best->problem.closures[k]);
+  trial_.emplace(problem_, std::move(best->belief));
+  trial_->settle();
+  adopt(record, utime, before, known);
+  surprise_due_ = 0.0;
   return record;
 }
 
@@ -129,21 +229,23 @@ void LazyAssociation::decide_one(int closure) {
   }
 }
 
-/// Makes the trial what is believed, and writes down what changed.
+/// Makes the trial what is believed, and writes down what changed. `first_new`: the first closure
+/// that is decided for the first time.
 void LazyAssociation::adopt(std::vector<Association>& record, std::int64_t utime,
-                            std::vector<int> before) {
+                            const std::vector<int>& before, std::size_t first_new) {
   belief_ = trial_->belief();
   belief_.cost = cost(belief_);
-  const std::size_t newest = before.size() - 1;
   for (std::size_t k = 0; k < before.size(); ++k) {
-    if (k != newest && belief_.chosen[k] == before[k]) continue;
+    const bool is_new = k >= first_new;
+    if (!is_new && belief_.chosen[k] == before[k]) continue;
     Association a;
     a.utime = utime;
-    a.action = k == newest ? Association::Action::kProposed : Association::Action::kRevised;
+    a.action = is_new ? Association::Action::kProposed : Association::Action::kRevised;
     a.closure = problem_.closures[k];
     a.chosen = belief_.chosen[k];
     a.chosen_before = before[k];
     a.log_likelihood = -0.5 * belief_.cost;
+    a.reason = reason_of(a);
     record.push_back(std::move(a));
   }
 }
@@ -247,9 +349,7 @@ std::vector<Association> LazyAssociation::reconsider(std::int64_t utime) {
     trial_->settle();
     if (trial_->decisions() == last) break;
   }
-  if (!before.empty()) adopt(record, utime, before);
-  std::erase_if(record, [](const Association& a) { return a.chosen == a.chosen_before; });
-  for (Association& a : record) a.action = Association::Action::kRevised;
+  adopt(record, utime, before, before.size());
   return record;
 }
 

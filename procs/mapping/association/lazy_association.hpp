@@ -10,6 +10,7 @@
 
 #include "common/config/bounds.hpp"
 #include "procs/mapping/association/association_problem.hpp"
+#include "procs/mapping/association/evidence.hpp"
 #include "procs/mapping/association/suspects.hpp"
 #include "procs/mapping/association/trial.hpp"
 
@@ -57,6 +58,14 @@ class LazyAssociation {
   /// decided, in order; `utime` is that of the newest measurement.
   std::vector<Association> decide(std::vector<Closure> closures, std::int64_t utime);
 
+  /// `belief`, to ask what else is known.
+  [[nodiscard]] Trial& trial();
+
+  /// The likelihood of the newest map is monitored: where it is low, the latest groups of closures
+  /// are undone, one after the other, the maps since then are associated afresh, and what makes the
+  /// newest map likely stays (paper, section 2.2). What was decided, in order.
+  std::vector<Association> revise(const Evidence& evidence, std::int64_t utime);
+
   /// Takes over decisions that were made before, in their order, for the maps that were added.
   void restore(const std::vector<Association>& associations);
 
@@ -81,13 +90,18 @@ class LazyAssociation {
   [[nodiscard]] int first_concerned(const Suspects& undone, int closure) const;
   void let_go_of_misfits(Trial& trial) const;
   std::optional<Belief> without(const Suspects& undone, int closure);
-  void adopt(std::vector<Association>& record, std::int64_t utime, std::vector<int> before);
+  struct Revision;
+  void leave_out_what_is_believed(Closure& closure, int first) const;
+  std::optional<Revision> associate_afresh(const Suspects& undone, const Evidence& evidence);
+  void adopt(std::vector<Association>& record, std::int64_t utime, const std::vector<int>& before,
+             std::size_t first_new);
 
   LazyAssociationParams params_;
   AssociationProblem problem_;
   Belief belief_;
   std::optional<Trial> trial_;           ///< `belief_`, with its field
   std::map<int, int> search_due_;        ///< of a group: at how many contradictions
+  double surprise_due_ = 0.0;            ///< from which a revision is tried
   int groups_ = 0;
   int trials_ = 0;
 };

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "common/pose_graph/optimize.hpp"
 #include "common/pose_graph/potential.hpp"
 
@@ -65,6 +67,26 @@ std::vector<GaussianField::Without> Trial::without_each(const std::vector<int>& 
   std::vector<PoseConstraint> present;
   for (const int k : closures) present.push_back(chosen_constraint(k));
   return field().without_each(present, in_graph_from(asked, belief_, first_));
+}
+
+std::vector<Eigen::Matrix3d> Trial::covariances_to(int map) {
+  if (map == 0) return {};
+  const int shift = first_ > 0 ? first_ - 1 : 0;  // from a node to its map
+  const auto by_node = field().relative_covariances_to(map - shift);
+  const std::vector<Pose2> poses = belief().T_map_local;
+  std::vector<Eigen::Matrix3d> covariances;
+  for (int older = 0; older < map; ++older) {
+    const bool fixed = older < first_;
+    const Pose2& T_map_older = poses[static_cast<std::size_t>(older)];
+    const Pose2& T_map_newer = poses[static_cast<std::size_t>(map)];
+    // Of a fixed map as of the frame of map, and from the older frame into the newer one.
+    const Pose2 T = fixed ? T_map_newer : between(T_map_older, T_map_newer);
+    Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+    R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-T.theta).toRotationMatrix();
+    const auto node = static_cast<std::size_t>(fixed ? 0 : older - shift);
+    covariances.emplace_back(R * by_node[node] * R.transpose());
+  }
+  return covariances;
 }
 
 void Trial::take(int closure, int alternative) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "common/pose_graph/gaussian_field.hpp"
 #include "procs/mapping/association/association_problem.hpp"
@@ -39,6 +40,10 @@ class Trial {
   /// it were revoked.
   [[nodiscard]] std::vector<GaussianField::Without> without_each(const std::vector<int>& closures,
                                                                  const PoseConstraint& asked);
+
+  /// For each map before `map`, the covariance of the pose of `map` in it: of (x, y, θ) in the frame
+  /// of `map`. Maps that are held fixed are taken as certain among each other.
+  [[nodiscard]] std::vector<Eigen::Matrix3d> covariances_to(int map);
 
   /// Chooses an alternative of a closure for which none is chosen.
   void take(int closure, int alternative);

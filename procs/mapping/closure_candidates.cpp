@@ -11,6 +11,11 @@
 namespace adit {
 namespace {
 
+// Positions that are tried: a drift is a few metres wide.
+constexpr double kStepM = 3.0;
+constexpr int kStepsMin = 2;
+constexpr int kStepsMax = 8;
+
 /// What two maps may overlap, over all relative positions within the gate.
 struct Overlap {
   double expected = 0.0;
@@ -27,11 +32,15 @@ Overlap overlap_in_gate(const MapExtent& older, const MapExtent& newest,
   Overlap overlap;
   if (apart.norm() > reach) return overlap;
 
-  constexpr int kSteps = 2;  // each way along both axes of the gate
+  const auto steps = [&](double axis_sd) {  // each way along an axis of the gate
+    return std::clamp(static_cast<int>(std::ceil(sigmas * axis_sd / kStepM)), kStepsMin, kStepsMax);
+  };
+  const int steps_x = steps(sd.x());
+  const int steps_y = steps(sd.y());
   double weights = 0.0;
-  for (int i = -kSteps; i <= kSteps; ++i) {
-    for (int j = -kSteps; j <= kSteps; ++j) {
-      const Eigen::Vector2d u = sigmas / kSteps * Eigen::Vector2d(i, j);
+  for (int i = -steps_x; i <= steps_x; ++i) {
+    for (int j = -steps_y; j <= steps_y; ++j) {
+      const Eigen::Vector2d u(sigmas * i / steps_x, sigmas * j / steps_y);
       if (u.norm() > sigmas) continue;
       const Eigen::Vector2d off = axes.eigenvectors() * u.cwiseProduct(sd);
       const double share =

@@ -18,6 +18,8 @@ constexpr double kGapRad = 0.2;
 // other every few metres [m].
 constexpr double kSearchM = 1.0;
 constexpr std::size_t kRelocalisations = 3;
+// Times as many candidates where the likely ones have been wrong.
+constexpr int kThorough = 4;
 // The newest measurements, whose likelihood is monitored.
 constexpr int kMapsMonitored = 4;
 // How far from where it is believed to be a map is given the benefit of the doubt.
@@ -73,7 +75,7 @@ MapUpdate Mapping::take(LocalMap map) {
   enter(std::move(map));
   const std::int64_t utime = update.map.end_utime;
   const int newest = update.map.id;
-  update.associations = association_.decide(closures(newest, association_.trial()), utime);
+  update.associations = association_.decide(closures(newest, association_.trial(), false), utime);
   const auto revised = association_.revise(*this, utime);
   update.associations.insert(update.associations.end(), revised.begin(), revised.end());
   ++revision_;
@@ -138,7 +140,7 @@ std::vector<Closure> Mapping::relocalise() const {
   return closures;
 }
 
-std::vector<Closure> Mapping::closures(int map, Trial& trial) const {
+std::vector<Closure> Mapping::closures(int map, Trial& trial, bool thorough) const {
   if (map < 1) return {};
   const bool newest = map + 1 == static_cast<int>(maps_.size());
   if (newest && !session_is_joined() && !odom_continues_) return relocalise();
@@ -146,9 +148,11 @@ std::vector<Closure> Mapping::closures(int map, Trial& trial) const {
   const std::vector<Pose2> all_poses = trial.belief().T_map_local;
   const std::vector<Pose2> poses(all_poses.begin(), end(all_poses));
   const std::vector<MapExtent> extents(extents_.begin(), end(extents_));
+  ClosureCandidatesParams which = params_.candidates;
+  if (thorough) which.most *= kThorough;
   std::vector<Closure> found;
   for (const ClosureCandidate& candidate :
-       closure_candidates(poses, trial.covariances_to(map), extents, params_.candidates)) {
+       closure_candidates(poses, trial.covariances_to(map), extents, which)) {
     Closure closure;
     closure.newer_map = map;
     closure.alternatives =

@@ -15,8 +15,9 @@ class Evidence {
   virtual ~Evidence() = default;
 
   /// The places that a map may have come back to, where the trial believes it to be: as many
-  /// closures as are worth deciding, their ids without meaning.
-  [[nodiscard]] virtual std::vector<Closure> closures(int map, Trial& trial) const = 0;
+  /// closures as are worth deciding, their ids without meaning. `thorough`: less likely places too.
+  [[nodiscard]] virtual std::vector<Closure> closures(int map, Trial& trial,
+                                                      bool thorough) const = 0;
 
   /// How unlikely the newest map is where it lies: −2 log-likelihood of what it shows against what
   /// older maps show of the same places; 0 where it agrees or shows what is new.

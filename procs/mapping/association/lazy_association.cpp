@@ -92,12 +92,15 @@ std::optional<LazyAssociation::Revision> LazyAssociation::associate_afresh(
   scratch.groups_ = groups_;
   scratch.trial_.emplace(scratch.problem_, scratch.belief_, first_concerned(undone, undone.closures.front()));
   scratch.trial_->revoke(undone.closures);
+  bool found = false;  // where these maps lie now; until then all that is possible is asked
   for (int map = first_map; map <= newest; ++map) {
-    for (Closure& closure : evidence.closures(map, *scratch.trial_)) {
+    for (Closure& closure : evidence.closures(map, *scratch.trial_, !found)) {
       leave_out_what_is_believed(closure, first_map);
       if (closure.alternatives.empty()) continue;
       scratch.append(std::move(closure));
-      scratch.choose(*scratch.trial_, scratch.problem_.closures.back().id);
+      const Closure& added = scratch.problem_.closures.back();
+      const bool chosen = scratch.choose(*scratch.trial_, added.id);
+      found |= chosen && added.alternatives.front().older_map < first_map;
     }
   }
   scratch.trial_->settle();

@@ -54,25 +54,32 @@ std::vector<double> odometer_of(const Trajectory& trajectory) {
   return odometer;
 }
 
+/// Poses about a metre apart.
+std::vector<std::size_t> stops_on(const std::vector<double>& odometer) {
+  std::vector<std::size_t> stops;
+  for (std::size_t i = 0; i < odometer.size(); ++i) {
+    if (stops.empty() || odometer[i] - odometer[stops.back()] >= 1.0) stops.push_back(i);
+  }
+  return stops;
+}
+
 std::vector<Relation> relations_of(const Trajectory& truth) {
-  constexpr int kEach = 6;  // scans, about a metre
   constexpr double kRevisitM = 1.5;
   constexpr double kElsewhereM = 15.0;
   const auto odometer = odometer_of(truth);
+  const auto stops = stops_on(odometer);
   std::vector<Relation> relations;
   const auto relate = [&](std::size_t i, std::size_t j) {
     relations.push_back({truth[i].utime, truth[j].utime, between(truth[i].pose, truth[j].pose)});
   };
-  for (std::size_t i = 0; i < truth.size(); i += kEach) {
+  for (const std::size_t i : stops) {
     for (const double way : {5.0, 20.0, 50.0}) {
       const auto j = std::lower_bound(odometer.begin(), odometer.end(), odometer[i] + way);
       if (j != odometer.end()) relate(i, j - odometer.begin());
     }
-    for (std::size_t j = i + kEach; j < truth.size(); j += kEach) {
-      const bool revisit =
-          odometer[j] - odometer[i] > kElsewhereM &&
-          (truth[i].pose.translation() - truth[j].pose.translation()).norm() < kRevisitM;
-      if (revisit) relate(i, j);
+    for (const std::size_t j : stops) {
+      const double apart = (truth[i].pose.translation() - truth[j].pose.translation()).norm();
+      if (odometer[j] - odometer[i] > kElsewhereM && apart < kRevisitM) relate(i, j);
     }
   }
   return relations;
@@ -141,6 +148,21 @@ MappedRun map_recording(const std::filesystem::path& log, const std::filesystem:
   }
   MappedRun run = mapper.finish();
   run.relations = read_relations(relations);
+  return run;
+}
+
+MappedRun map_corrected(const std::filesystem::path& log) {
+  Mapper mapper;
+  CarmenReader reader(log);
+  Trajectory path;
+  while (const auto record = reader.next()) {
+    const auto* scan = std::get_if<CarmenScan>(&*record);
+    if (scan == nullptr || (!path.empty() && scan->scan.utime <= path.back().utime)) continue;
+    path.push_back({scan->scan.utime, scan->T_log_laser});
+    mapper.add(scan->scan);
+  }
+  MappedRun run = mapper.finish();
+  run.relations = relations_of(path);
   return run;
 }
 

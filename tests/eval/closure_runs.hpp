@@ -35,6 +35,10 @@ struct MappedRun {
 MappedRun map_recording(const std::filesystem::path& log, const std::filesystem::path& relations,
                         bool use_odometry);
 
+/// A CARMEN log whose pose fields hold a path that others have corrected by closing loops: the
+/// laser alone, with relations made of that path as those of the sample mine are of its truth.
+MappedRun map_corrected(const std::filesystem::path& log);
+
 /// A drive through the sample mine, with relations made from its truth: over 5, 20 and 50 m of way,
 /// and between passes by the same place.
 MappedRun map_sample(std::uint64_t seed, bool half_degree, bool use_odometry);

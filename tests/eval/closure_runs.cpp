@@ -26,22 +26,22 @@ class Mapper {
   void add(const LaserScan& scan) {
     const ScanMatch match = matching_.add_scan(LaserId::kFront, scan);
     if (match.status == ScanMatch::Status::kRefused) return;
-    run.matches.push_back(match);
-    run.odom.push_back({match.utime, match.T_odom_body});
-    if (auto map = builder_.add(kChannel, scan, match)) run.maps.push_back(std::move(*map));
+    run_.matches.push_back(match);
+    run_.odom.push_back({match.utime, match.T_odom_body});
+    if (auto map = builder_.add(kChannel, scan, match)) run_.maps.push_back(std::move(*map));
   }
 
   MappedRun finish() {
-    if (auto map = builder_.finish()) run.maps.push_back(std::move(*map));
+    if (auto map = builder_.finish()) run_.maps.push_back(std::move(*map));
     const LaserMounts mounts{{kChannel, LaserMount{}}};
-    for (const auto& map : run.maps) run.walls.push_back(local_walls(map, mounts, {}));
-    return std::move(run);
+    for (const auto& map : run_.maps) run_.walls.push_back(local_walls(map, mounts, {}));
+    return std::move(run_);
   }
 
  private:
   ScanMatching matching_{ScanMatchingParams{}};
   LocalMapBuilder builder_{LocalMapBuilderParams{}};
-  MappedRun run;
+  MappedRun run_;
 };
 
 /// Path length up to each pose.
@@ -123,7 +123,7 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-Pose2 MappedRun::T_local_body(int map, std::int64_t utime) const {
+Pose2 MappedRun::pose_in_map(int map, std::int64_t utime) const {
   return between(maps[map].T_odom_local, *interpolate(odom, utime));
 }
 
@@ -186,8 +186,8 @@ TruePairs true_pairs(const MappedRun& run) {
     int newer = run.map_at(relation.utime_2);
     if (older < 0 || newer < 0 || std::abs(newer - older) < kNeighbours) continue;
     if (relation.T_1_2.translation().norm() > 5.0 || !is_sharp(run.odom, relation)) continue;
-    Pose2 T_older_newer = run.T_local_body(older, relation.utime_1) * relation.T_1_2 *
-                          run.T_local_body(newer, relation.utime_2).inverse();
+    Pose2 T_older_newer = run.pose_in_map(older, relation.utime_1) * relation.T_1_2 *
+                          run.pose_in_map(newer, relation.utime_2).inverse();
     if (older > newer) {
       std::swap(older, newer);
       T_older_newer = T_older_newer.inverse();

@@ -25,8 +25,8 @@ struct MappedRun {
   std::vector<LocalWalls> walls;  ///< of each of the maps
   std::vector<Relation> relations;
 
-  /// The pose of the body in a local map, at a time in it.
-  [[nodiscard]] Pose2 T_local_body(int map, std::int64_t utime) const;
+  /// T_local_body at a time in a local map.
+  [[nodiscard]] Pose2 pose_in_map(int map, std::int64_t utime) const;
   /// The local map that holds a time, or −1.
   [[nodiscard]] int map_at(std::int64_t utime) const;
 };

@@ -65,13 +65,13 @@ class LookupGrid {
  private:
   /// The maximum over the four cells of the level below.
   void gather(int level) {
-    const int n = side(level);
-    const std::uint8_t* below = values_[level - 1].data();
-    for (int y = 0; y < n; ++y) {
-      const std::uint8_t* row = below + std::size_t{4} * y * n;
-      for (int x = 0; x < n; ++x) {
-        values_[level][y * n + x] = std::max(std::max(row[2 * x], row[2 * x + 1]),
-                                             std::max(row[2 * x + 2 * n], row[2 * x + 2 * n + 1]));
+    const std::ptrdiff_t n = side(level);
+    const std::ptrdiff_t next_row = 2 * n;
+    for (std::ptrdiff_t y = 0; y < n; ++y) {
+      for (std::ptrdiff_t x = 0; x < n; ++x) {
+        const std::uint8_t* four = values_[level - 1].data() + 2 * (y * next_row + x);
+        values_[level][y * n + x] =
+            std::max(std::max(four[0], four[1]), std::max(four[next_row], four[next_row + 1]));
       }
     }
   }

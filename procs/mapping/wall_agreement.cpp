@@ -18,7 +18,7 @@ struct PlacedView {
   Eigen::Vector2d p_laser_reference;
 
   explicit PlacedView(const LocalWalls::View& view) : free_space(&view.free_space) {
-    const Pose2 T = view.free_space.T_laser_body() * view.T_local_body.inverse();
+    const Pose2 T = view.free_space.body_in_laser() * view.T_local_body.inverse();
     R_laser_reference = Eigen::Rotation2Dd(T.theta).toRotationMatrix();
     p_laser_reference = T.translation();
   }

@@ -11,6 +11,7 @@ namespace adit {
 namespace {
 
 constexpr int kLevels = 3;  // cells of 1, 2 and 4 fine cells each way
+constexpr int kRow = 8;     // blocks side by side that are bounded together
 
 /// Closeness to the reference in [0, 255] around the search centre, on several levels. A cell of a
 /// coarse level holds the maximum over itself and the next cell each way: an upper bound for every
@@ -23,40 +24,38 @@ class LookupGrid {
     side_ = (static_cast<int>(std::ceil(2.0 * half_width / (cell * kCoarsest))) + 2) * kCoarsest;
     origin_ = centre - Eigen::Vector2d::Constant(0.5 * side_ * cell);
     for (int level = 0; level < kLevels; ++level) {
-      values_[level].assign(static_cast<std::size_t>(side(level)) * side(level), 0);
+      values_[level].assign(static_cast<std::size_t>(side(level)) * side(level) + kRow, 0);
     }
   }
 
   [[nodiscard]] int index_x(double x) const { return static_cast<int>((x - origin_.x()) / cell_); }
   [[nodiscard]] int index_y(double y) const { return static_cast<int>((y - origin_.y()) / cell_); }
   [[nodiscard]] int side(int level) const { return side_ >> level; }
+  /// Of a level, row by row; kRow cells may be read from any of them.
   [[nodiscard]] const std::uint8_t* values(int level) const { return values_[level].data(); }
 
   void stamp(const Eigen::Vector2d& p) {
-    constexpr std::array<std::uint8_t, 3> kCloseness{255, 140, 80};  // same cell, beside, corner
     const int cx = index_x(p.x());
     const int cy = index_y(p.y());
     if (cx < 1 || cy < 1 || cx >= side_ - 1 || cy >= side_ - 1) return;
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        raise(cx + dx, cy + dy, kCloseness[std::abs(dx) + std::abs(dy)]);
-      }
-    }
+    if (values_[0][cy * side_ + cx] == kCloseness[0]) return;  // another point of this cell did it
+    for (int level = 0; level < kLevels; ++level) stamp(level, cx, cy);
   }
 
  private:
-  void raise(int x, int y, std::uint8_t value) {
-    auto& fine = values_[0][y * side_ + x];
-    if (fine >= value) return;
-    fine = value;
-    for (int level = 1; level < kLevels; ++level) {
-      const int cx = x >> level;
-      const int cy = y >> level;
-      for (int v = std::max(cy - 1, 0); v <= cy; ++v) {
-        for (int u = std::max(cx - 1, 0); u <= cx; ++u) {
-          auto& bound = values_[level][v * side(level) + u];
-          bound = std::max(bound, value);
-        }
+  static constexpr std::array<std::uint8_t, 3> kCloseness{255, 140, 80};  // same, beside, corner
+
+  /// The cells of a level that see the fine cell (cx, cy) or one beside it.
+  void stamp(int level, int cx, int cy) {
+    const int cell = 1 << level;
+    const int seen = level == 0 ? 1 : 2 * cell;  // fine cells that a cell looks at, each way
+    const auto first = [&](int c) { return std::max((c - seen + cell - 1) >> level, 0); };
+    const auto last = [&](int c) { return (c + 1) >> level; };
+    const auto off = [&](int u, int c) { return u * cell > c || u * cell + seen <= c ? 1 : 0; };
+    for (int v = first(cy); v <= last(cy); ++v) {
+      for (int u = first(cx); u <= last(cx); ++u) {
+        auto& value = values_[level][v * side(level) + u];
+        value = std::max(value, kCloseness[off(u, cx) + off(v, cy)]);
       }
     }
   }
@@ -85,8 +84,8 @@ struct Block {
   }
 };
 
-/// Where the points of the scan fall in the grid, on each level, when it is turned to one angle.
-using TurnedScan = std::array<std::vector<int>, kLevels>;
+/// Where a point falls in the grid, on each level, when the scan is turned to one angle.
+using TurnedPoint = std::array<int, kLevels>;
 
 /// Evenly chosen points within reach of the lookup grid.
 std::vector<Eigen::Vector2d> choose_points(const std::vector<SurfacePoint>& points,
@@ -118,12 +117,13 @@ class Search {
         grid_(params.cell_m, params.reach_m + (blocks_wide_ + 2) * kBlock * params.cell_m,
               centre.translation()) {
     for (const auto& surfel : reference.surfels()) grid_.stamp(surfel.p);
-    for (int a = 0; a <= 2 * angles_; ++a) turned_.push_back(turn(angle(a)));
+    const int row = 2 * blocks_wide_ + 1;
+    turned_.reserve((2 * angles_ + 1) * points_.size());
+    blocks_.reserve((2 * angles_ + 1) * row * row);
     for (int a = 0; a <= 2 * angles_; ++a) {
+      turn(angle(a));
       for (int y = -blocks_wide_; y <= blocks_wide_; ++y) {
-        for (int x = -blocks_wide_; x <= blocks_wide_; ++x) {
-          blocks_.push_back(bounded(kLevels - 1, a, x * kBlock, y * kBlock));
-        }
+        for (int x = -blocks_wide_; x <= blocks_wide_; x += kRow) push_row(a, x, y);
       }
     }
     std::make_heap(blocks_.begin(), blocks_.end());
@@ -152,36 +152,56 @@ class Search {
     return wrap_angle(centre_.theta + (a - angles_) * params_.angle_step_rad);
   }
 
-  [[nodiscard]] TurnedScan turn(double theta) const {
+  void turn(double theta) {
     const double c = std::cos(theta);
     const double s = std::sin(theta);
-    TurnedScan turned;
-    for (auto& cells : turned) cells.reserve(points_.size());
     for (const auto& p : points_) {
       const int x = grid_.index_x(centre_.x + c * p.x() - s * p.y());
       const int y = grid_.index_y(centre_.y + s * p.x() + c * p.y());
+      auto& cells = turned_.emplace_back();
       for (int level = 0; level < kLevels; ++level) {
-        turned[level].push_back((y >> level) * grid_.side(level) + (x >> level));
+        cells[level] = (y >> level) * grid_.side(level) + (x >> level);
       }
     }
-    return turned;
   }
 
-  [[nodiscard]] Block bounded(int level, int a, int x, int y) const {
-    const std::uint8_t* values = grid_.values(level);
-    const int shift = (y >> level) * grid_.side(level) + (x >> level);
-    int bound = 0;
-    for (const int cell : turned_[a][level]) bound += values[cell + shift];
-    return {bound, level, a, x, y};
+  [[nodiscard]] const TurnedPoint* turned(int a) const { return &turned_[a * points_.size()]; }
+
+  /// Adds the coarsest blocks from (x, y) along x, up to kRow of them and to the end of the window.
+  /// All are summed at once, the values of neighbours being neighbours in the grid.
+  void push_row(int a, int x, int y) {
+    constexpr int kLevel = kLevels - 1;
+    const std::uint8_t* values = grid_.values(kLevel) + y * grid_.side(kLevel) + x;
+    std::array<std::int32_t, kRow> bounds{};
+    const TurnedPoint* points = turned(a);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const std::uint8_t* row = values + points[i][kLevel];
+      for (int k = 0; k < kRow; ++k) bounds[k] += row[k];
+    }
+    for (int k = 0; k < kRow && x + k <= blocks_wide_; ++k) {
+      blocks_.push_back({bounds[k], kLevel, a, (x + k) * kBlock, y * kBlock});
+    }
   }
 
   void split(const Block& block) {
-    const int half = 1 << (block.level - 1);
-    for (int dy = 0; dy <= half; dy += half) {
-      for (int dx = 0; dx <= half; dx += half) {
-        blocks_.push_back(bounded(block.level - 1, block.angle, block.x + dx, block.y + dy));
-        std::push_heap(blocks_.begin(), blocks_.end());
-      }
+    const int level = block.level - 1;
+    const int side = grid_.side(level);
+    const std::uint8_t* values =
+        grid_.values(level) + (block.y >> level) * side + (block.x >> level);
+    std::array<int, 4> bounds{};
+    const TurnedPoint* points = turned(block.angle);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const std::uint8_t* corner = values + points[i][level];
+      bounds[0] += corner[0];
+      bounds[1] += corner[1];
+      bounds[2] += corner[side];
+      bounds[3] += corner[side + 1];
+    }
+    for (int k = 0; k < 4; ++k) {
+      const int half = 1 << level;
+      blocks_.push_back(
+          {bounds[k], level, block.angle, block.x + (k & 1) * half, block.y + (k >> 1) * half});
+      std::push_heap(blocks_.begin(), blocks_.end());
     }
   }
 
@@ -204,7 +224,7 @@ class Search {
   int angles_;
   int blocks_wide_;
   LookupGrid grid_;
-  std::vector<TurnedScan> turned_;
+  std::vector<TurnedPoint> turned_;  ///< all of the first angle, then all of the next
   std::vector<Block> blocks_;
 };
 

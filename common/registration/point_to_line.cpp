@@ -197,11 +197,20 @@ void describe(const NormalEquations& sums, std::size_t points, double sd_min,
   result.rms_residual_m = sums.inliers > 0.0 ? std::sqrt(sums.inlier_squares / sums.inliers) : 0.0;
 }
 
+/// Has a match been here with the same kernel? Nearer than what counts as settled at its width, two
+/// matches see the same.
+bool on_trail(const MatchTrail& trail, const Pose2& T, double scale) {
+  return std::any_of(trail.begin(), trail.end(), [&](const MatchWaypoint& w) {
+    return w.scale_m == scale && between(w.T_odom_body, T).vector().norm() < kSettled * scale;
+  });
+}
+
 }  // namespace
 
 PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_body,
                                       const SurfelMap& reference, const Pose2& start,
-                                      const PosePrior& prior, const PointToLineParams& params) {
+                                      const PosePrior& prior, const PointToLineParams& params,
+                                      MatchTrail* trail) {
   PointToLineResult result;
   result.T_odom_body = start;
   if (points_body.empty() || reference.empty()) return result;
@@ -209,7 +218,13 @@ PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_bo
   double scale = std::max(params.scale_start_m, params.scale_end_m);
   Correspondences correspondences(reference, points_body.size());
   NormalEquations sums;
+  MatchTrail way;
   while (result.iterations < params.iterations_max && !result.converged) {
+    if (trail != nullptr) {
+      result.joined = on_trail(*trail, result.T_odom_body, scale);
+      if (result.joined) break;
+      way.push_back({result.T_odom_body, scale});
+    }
     ++result.iterations;
     const double capture = std::min(params.capture_m, std::max(2.5 * scale, kCaptureMin));
     sums = linearise(points_body, correspondences, result.T_odom_body, scale, capture);
@@ -221,6 +236,10 @@ PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_bo
     // the few points that drive it.
     if (step.norm() < kSettled * scale) scale = std::max(kNarrowing * scale, params.scale_end_m);
   }
+  if (trail != nullptr && (result.converged || result.joined)) {
+    trail->insert(trail->end(), way.begin(), way.end());
+  }
+  if (result.joined) return result;
   describe(sums, points_body.size(), sd_min, result);
   return result;
 }

@@ -136,11 +136,15 @@ class Search {
       std::pop_heap(blocks_.begin(), blocks_.end());
       const Block block = blocks_.back();
       blocks_.pop_back();
+      if (on_found_hill(block)) continue;
       if (block.level > 0) {
         split(block);
-      } else if (add(found, block); static_cast<int>(found.size()) == peaks) {
-        break;  // nothing left can be better
+        continue;
       }
+      // Shifts come in order of their scores, so the first of each hill is its top.
+      tops_.push_back(block);
+      found.push_back(peak(block));
+      if (static_cast<int>(found.size()) == peaks) break;  // nothing left can be better
     }
     return found;
   }
@@ -205,17 +209,20 @@ class Search {
     }
   }
 
-  /// Shifts come in order of their scores, so the first of each hill is its top.
-  void add(std::vector<CorrelationPeak>& found, const Block& shift) const {
-    const Pose2 T{centre_.x + shift.x * params_.cell_m, centre_.y + shift.y * params_.cell_m,
-                  angle(shift.angle)};
-    const auto same_hill = [&](const CorrelationPeak& other) {
-      const Pose2 apart = between(other.T_odom_body, T);
-      return apart.translation().norm() < kBlock * params_.cell_m &&
-             std::abs(apart.theta) < kBlock * params_.angle_step_rad;
-    };
-    if (std::any_of(found.begin(), found.end(), same_hill)) return;
-    found.push_back({T, shift.bound / (255.0 * points_.size())});
+  /// Do all shifts of the block lie within a coarse step of a peak that was found?
+  [[nodiscard]] bool on_found_hill(const Block& block) const {
+    const int last = (1 << block.level) - 1;
+    return std::any_of(tops_.begin(), tops_.end(), [&](const Block& top) {
+      const int x = std::max(top.x - block.x, block.x + last - top.x);
+      const int y = std::max(top.y - block.y, block.y + last - top.y);
+      return x * x + y * y < kBlock * kBlock && std::abs(block.angle - top.angle) < kBlock;
+    });
+  }
+
+  [[nodiscard]] CorrelationPeak peak(const Block& shift) const {
+    return {{centre_.x + shift.x * params_.cell_m, centre_.y + shift.y * params_.cell_m,
+             angle(shift.angle)},
+            shift.bound / (255.0 * static_cast<double>(points_.size()))};
   }
 
   const CorrelativeSearchParams& params_;
@@ -226,6 +233,7 @@ class Search {
   LookupGrid grid_;
   std::vector<TurnedPoint> turned_;  ///< all of the first angle, then all of the next
   std::vector<Block> blocks_;
+  std::vector<Block> tops_;  ///< of the hills found
 };
 
 }  // namespace

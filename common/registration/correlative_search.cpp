@@ -10,12 +10,12 @@
 namespace adit {
 namespace {
 
-constexpr int kLevels = 3;  // cells of 1, 2 and 4 fine cells each way
+constexpr int kLevels = 3;  // blocks of 1, 2 and 4 shifts each way
 constexpr int kRow = 8;     // blocks side by side that are bounded together
 
-/// Closeness to the reference in [0, 255] around the search centre, on several levels. A cell of a
-/// coarse level holds the maximum over itself and the next cell each way: an upper bound for every
-/// shift of less than its side. Large enough that no point at any shift of the search falls
+/// Closeness to the reference in [0, 255] around the search centre, for each fine cell on several
+/// levels: the maximum over the cell and the 2^level - 1 next each way, which is the tightest bound
+/// for all shifts of less than that. Large enough that no point at any shift of the search falls
 /// outside, so that sums need no checks.
 class LookupGrid {
  public:
@@ -23,16 +23,23 @@ class LookupGrid {
     constexpr int kCoarsest = 1 << (kLevels - 1);
     side_ = (static_cast<int>(std::ceil(2.0 * half_width / (cell * kCoarsest))) + 2) * kCoarsest;
     origin_ = centre - Eigen::Vector2d::Constant(0.5 * side_ * cell);
-    for (int level = 0; level < kLevels; ++level) {
-      values_[level].assign(static_cast<std::size_t>(side(level)) * side(level) + kRow, 0);
-    }
+    for (auto& values : values_) values.assign(static_cast<std::size_t>(side_) * side_ + kRow, 0);
   }
 
   [[nodiscard]] int index_x(double x) const { return static_cast<int>((x - origin_.x()) / cell_); }
   [[nodiscard]] int index_y(double y) const { return static_cast<int>((y - origin_.y()) / cell_); }
-  [[nodiscard]] int side(int level) const { return side_ >> level; }
-  /// Of a level, row by row; kRow cells may be read from any of them.
+
+  /// Of a level; kRow values may be read from any place.
   [[nodiscard]] const std::uint8_t* values(int level) const { return values_[level].data(); }
+
+  /// Where the value of a fine cell lies. What differs by a multiple of 2^level fine cells lies
+  /// side by side: one step in x is 1, one in y is `side`.
+  [[nodiscard]] int place(int level, int x, int y) const {
+    const int phases = 1 << level;
+    const int phase = ((y & (phases - 1)) << level) + (x & (phases - 1));
+    return (phase * side(level) + (y >> level)) * side(level) + (x >> level);
+  }
+  [[nodiscard]] int side(int level) const { return side_ >> level; }
 
   void stamp(const Eigen::Vector2d& p) {
     const int cx = index_x(p.x());
@@ -45,16 +52,13 @@ class LookupGrid {
  private:
   static constexpr std::array<std::uint8_t, 3> kCloseness{255, 140, 80};  // same, beside, corner
 
-  /// The cells of a level that see the fine cell (cx, cy) or one beside it.
+  /// All cells whose maximum takes in the fine cell (cx, cy) or one beside it.
   void stamp(int level, int cx, int cy) {
-    const int cell = 1 << level;
-    const int seen = level == 0 ? 1 : 2 * cell;  // fine cells that a cell looks at, each way
-    const auto first = [&](int c) { return std::max((c - seen + cell - 1) >> level, 0); };
-    const auto last = [&](int c) { return (c + 1) >> level; };
-    const auto off = [&](int u, int c) { return u * cell > c || u * cell + seen <= c ? 1 : 0; };
-    for (int v = first(cy); v <= last(cy); ++v) {
-      for (int u = first(cx); u <= last(cx); ++u) {
-        auto& value = values_[level][v * side(level) + u];
+    const int seen = 1 << level;
+    const auto off = [&](int u, int c) { return u > c || u + seen <= c ? 1 : 0; };
+    for (int v = std::max(cy - seen, 0); v <= cy + 1; ++v) {
+      for (int u = std::max(cx - seen, 0); u <= cx + 1; ++u) {
+        auto& value = values_[level][place(level, u, v)];
         value = std::max(value, kCloseness[off(u, cx) + off(v, cy)]);
       }
     }
@@ -84,7 +88,7 @@ struct Block {
   }
 };
 
-/// Where a point falls in the grid, on each level, when the scan is turned to one angle.
+/// Where in the grid a point finds its value, on each level, when the scan is turned to one angle.
 using TurnedPoint = std::array<int, kLevels>;
 
 /// Evenly chosen points within reach of the lookup grid.
@@ -103,6 +107,12 @@ std::vector<Eigen::Vector2d> choose_points(const std::vector<SurfacePoint>& poin
   return chosen;
 }
 
+double farthest(const std::vector<Eigen::Vector2d>& points) {
+  double squared = 0.0;
+  for (const auto& p : points) squared = std::max(squared, p.squaredNorm());
+  return std::sqrt(squared);
+}
+
 /// One search by branch and bound: the grid, the scan at every angle, and the blocks of shifts
 /// still to be looked into, best bound first.
 class Search {
@@ -114,7 +124,7 @@ class Search {
         points_(choose_points(points_body, params)),
         angles_(static_cast<int>(std::ceil(window.angle_rad / params.angle_step_rad))),
         blocks_wide_(static_cast<int>(std::ceil(window.radius_m / (params.cell_m * kBlock)))),
-        grid_(params.cell_m, params.reach_m + (blocks_wide_ + 2) * kBlock * params.cell_m,
+        grid_(params.cell_m, farthest(points_) + (blocks_wide_ + 2) * kBlock * params.cell_m,
               centre.translation()) {
     for (const auto& surfel : reference.surfels()) grid_.stamp(surfel.p);
     const int row = 2 * blocks_wide_ + 1;
@@ -164,7 +174,7 @@ class Search {
       const int y = grid_.index_y(centre_.y + s * p.x() + c * p.y());
       auto& cells = turned_.emplace_back();
       for (int level = 0; level < kLevels; ++level) {
-        cells[level] = (y >> level) * grid_.side(level) + (x >> level);
+        cells[level] = grid_.place(level, x, y);
       }
     }
   }

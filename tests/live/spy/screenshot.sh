@@ -32,7 +32,8 @@ read -r number <"$scratch/display"
 export DISPLAY=:$number
 
 "$@" >"$scratch/spy.out" 2>&1 & processes+=($!)
-if ! window=$(timeout 60 xdotool search --sync --onlyvisible --name "LCM Spy" | head -1); then
+window=$(timeout 60 xdotool search --sync --onlyvisible --name "LCM Spy" | head -1)
+if [[ -z $window ]]; then
   cat "$scratch/spy.out" >&2
   exit 1
 fi

@@ -17,6 +17,7 @@ constexpr double kVarianceMin = 1e-6;                // [m²]
 constexpr double kNarrowing = 0.5;                   // of the kernel, from one width to the next
 constexpr double kSettled = 0.1;      // a step below this share of the width has settled at it
 constexpr double kCaptureMin = 0.25;  // [m]
+constexpr double kTurned = 0.9998;    // cosine of a degree: normals may agree with others now
 
 /// A distance along a normal, and what goes with it.
 struct Residual {
@@ -59,9 +60,9 @@ void add_outer(double w, const Eigen::Vector3d& v, Eigen::Matrix3d& sum) {
 }
 
 /// For each point of the scan the surfel nearest to it. Most points move little from one iteration
-/// to the next: they are looked up again only when they have moved so far that another surfel may
-/// have come nearer. (Nüchter, Lingemann, Hertzberg, "Cached k-d tree search for ICP algorithms",
-/// 2007, keep the leaf; the clearance makes it exact.)
+/// to the next: they are looked up again only when they have moved or turned so far that another
+/// surfel may be the answer. (The idea: Nüchter, Lingemann, Hertzberg, "Cached k-d tree search for
+/// ICP algorithms", 3DIM 2007.)
 class Correspondences {
  public:
   Correspondences(const SurfelMap& reference, std::size_t points)
@@ -71,9 +72,10 @@ class Correspondences {
   const Surfel* find(std::size_t point, const Eigen::Vector2d& p_odom,
                      const Eigen::Vector2d& n_odom, double capture) {
     Known& known = known_[point];
-    if (!((p_odom - known.p).squaredNorm() < known.clearance_squared)) {
+    const bool turned = n_odom.dot(known.normal) < kTurned * n_odom.squaredNorm();
+    if (turned || !((p_odom - known.p).squaredNorm() < known.clearance_squared)) {
       const auto [surfel, clearance] = reference_.nearest(p_odom, n_odom, capture);
-      known = {p_odom, clearance * clearance, surfel};
+      known = {p_odom, n_odom, clearance * clearance, surfel};
     }
     if (known.surfel == nullptr) return nullptr;
     return (known.surfel->p - p_odom).squaredNorm() < capture * capture ? known.surfel : nullptr;
@@ -82,7 +84,8 @@ class Correspondences {
  private:
   struct Known {
     Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< where the point was
-    double clearance_squared = 0.0;               ///< zero: never looked up
+    Eigen::Vector2d normal = Eigen::Vector2d::Zero();
+    double clearance_squared = 0.0;  ///< zero: never looked up
     const Surfel* surfel = nullptr;
   };
 

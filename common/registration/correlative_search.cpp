@@ -225,7 +225,7 @@ class Search {
     return std::any_of(tops_.begin(), tops_.end(), [&](const Block& top) {
       const int x = std::max(top.x - block.x, block.x + last - top.x);
       const int y = std::max(top.y - block.y, block.y + last - top.y);
-      return x * x + y * y < kBlock * kBlock && std::abs(block.angle - top.angle) < kBlock;
+      return x * x + y * y <= kBlock * kBlock && std::abs(block.angle - top.angle) <= kBlock;
     });
   }
 

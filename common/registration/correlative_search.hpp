@@ -41,7 +41,7 @@ struct CorrelationPeak {
 };
 
 /// The poses within the window at which the scan lies best on the reference: exhaustive over a grid
-/// of poses, made cheap by a coarse level that bounds the fine one from above (Olson, "Real-Time
+/// of poses, made cheap by coarse levels that bound the fine one from above (Olson, "Real-Time
 /// Correlative Scan Matching", ICRA 2009). The best `peaks` that differ by more than a coarse step,
 /// best first; empty where scan or reference is empty.
 std::vector<CorrelationPeak> search_correlation(const std::vector<SurfacePoint>& points_body,

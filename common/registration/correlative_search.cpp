@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace adit {
@@ -29,8 +30,10 @@ class LookupGrid {
   [[nodiscard]] int index_x(double x) const { return static_cast<int>((x - origin_.x()) / cell_); }
   [[nodiscard]] int index_y(double y) const { return static_cast<int>((y - origin_.y()) / cell_); }
 
-  /// Of a level; kRow values may be read from any place.
-  [[nodiscard]] const std::uint8_t* values(int level) const { return values_[level].data(); }
+  /// Of a level, moved by so many blocks; kRow values may be read from any place.
+  [[nodiscard]] const std::uint8_t* values(int level, int blocks_x, int blocks_y) const {
+    return values_[level].data() + static_cast<std::ptrdiff_t>(blocks_y) * side(level) + blocks_x;
+  }
 
   /// Where the value of a fine cell lies. What differs by a multiple of 2^level fine cells lies
   /// side by side: one step in x is 1, one in y is `side`.
@@ -129,7 +132,7 @@ class Search {
     for (const auto& surfel : reference.surfels()) grid_.stamp(surfel.p);
     const int row = 2 * blocks_wide_ + 1;
     turned_.reserve((2 * angles_ + 1) * points_.size());
-    blocks_.reserve((2 * angles_ + 1) * row * row);
+    blocks_.reserve(static_cast<std::size_t>(2 * angles_ + 1) * row * row);
     for (int a = 0; a <= 2 * angles_; ++a) {
       turn(angle(a));
       for (int y = -blocks_wide_; y <= blocks_wide_; ++y) {
@@ -185,7 +188,7 @@ class Search {
   /// All are summed at once, the values of neighbours being neighbours in the grid.
   void push_row(int a, int x, int y) {
     constexpr int kLevel = kLevels - 1;
-    const std::uint8_t* values = grid_.values(kLevel) + y * grid_.side(kLevel) + x;
+    const std::uint8_t* values = grid_.values(kLevel, x, y);
     std::array<std::int32_t, kRow> bounds{};
     const TurnedPoint* points = turned(a);
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -200,8 +203,7 @@ class Search {
   void split(const Block& block) {
     const int level = block.level - 1;
     const int side = grid_.side(level);
-    const std::uint8_t* values =
-        grid_.values(level) + (block.y >> level) * side + (block.x >> level);
+    const std::uint8_t* values = grid_.values(level, block.x >> level, block.y >> level);
     std::array<int, 4> bounds{};
     const TurnedPoint* points = turned(block.angle);
     for (std::size_t i = 0; i < points_.size(); ++i) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Pose2 kOrigin{};
 
-SurfacePoint point(double x, double y, Eigen::Vector2d normal = {0.0, 0.0}) {
+SurfacePoint point(double x, double y, const Eigen::Vector2d& normal = {0.0, 0.0}) {
   SurfacePoint p;
   p.p = {x, y};
   p.normal = normal;

@@ -88,6 +88,41 @@ TEST(CorrelativeSearch, FindsItsWayInAWideWindow) {
   EXPECT_LT(std::abs(error.theta), 2.0 * params.angle_step_rad);
 }
 
+TEST(CorrelativeSearch, FindsTheSameWithMoreLevels) {
+  // A wide window has five levels, a narrow one three. Centres are whole cells apart, so the grids
+  // are aligned.
+  const SyntheticWorld mine = sample_mine(3);
+  const Pose2 here{10.0, 0.0, 0.0};
+  const SurfelMap reference = reference_of(mine, here);
+  const auto points = test::look(mine, here * Pose2{0.31, 0.22, 0.1});
+  const CorrelativeSearchParams params;
+  const Pose2 centre{here.x + 100.0 * params.cell_m, here.y - 30.0 * params.cell_m, here.theta};
+  const auto narrow = search_correlation(points, reference, here, {1.0, 0.3}, 1, params);
+  const auto wide = search_correlation(points, reference, centre, {12.0, 0.3}, 1, params);
+  ASSERT_FALSE(narrow.empty());
+  ASSERT_FALSE(wide.empty());
+  EXPECT_NEAR(wide.front().score, narrow.front().score, 0.005);  // a point at the edge of a cell
+  EXPECT_LT(between(narrow.front().T_odom_body, wide.front().T_odom_body).vector().norm(), 1e-6);
+}
+
+TEST(CorrelativeSearch, TakesAPeakOnceThoughTheWindowGoesAllAround) {
+  const SyntheticWorld room = test::crooked_room();
+  const SurfelMap reference = reference_of(room, kReferencePose);
+  const CorrelativeSearchParams params;
+  const Pose2 turned_away{kReferencePose.x, kReferencePose.y, kReferencePose.theta + 3.1};
+  const auto peaks = search_correlation(test::look(room, kReferencePose), reference, turned_away,
+                                        {0.5, 3.1416}, 10, params);
+  ASSERT_EQ(peaks.size(), 10U);
+  for (std::size_t i = 0; i < peaks.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const Pose2 apart = between(peaks[k].T_odom_body, peaks[i].T_odom_body);
+      EXPECT_TRUE(apart.translation().norm() > params.apart_cells * params.cell_m ||
+                  std::abs(apart.theta) > params.apart_cells * params.angle_step_rad)
+          << i << " and " << k;
+    }
+  }
+}
+
 TEST(CorrelativeSearch, KeepsToTheGate) {
   // Long along the body's x axis, narrow across.
   const SyntheticWorld room = test::crooked_room();

@@ -5,16 +5,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include <Eigen/Eigenvalues>
 
 namespace adit {
 namespace {
 
-constexpr int kLevelsMin = 3;  // cells of 1, 2 and 4 fine cells each way
+constexpr int kLevelsMin = 3;  // blocks of 1, 2 and 4 shifts each way
 constexpr int kLevelsMax = 7;
 constexpr int kBlocksWide = 8;  // more of the coarsest blocks on each side ask for another level
+constexpr int kRow = 8;         // blocks side by side that are bounded together
 
 int levels_for(double radius, double cell) {
   int levels = kLevelsMin;
@@ -22,9 +25,9 @@ int levels_for(double radius, double cell) {
   return levels;
 }
 
-/// Closeness to the reference in [0, 255] around the search centre, on several levels. A cell of a
-/// coarse level holds the maximum over itself and the next cell each way: an upper bound for every
-/// shift of less than its side. Large enough that no point at any shift of the search falls
+/// Closeness to the reference in [0, 255] around the search centre, for each fine cell on several
+/// levels: the maximum over the cell and the 2^level - 1 next each way, which is the tightest bound
+/// for all shifts of less than that. Large enough that no point at any shift of the search falls
 /// outside, so that sums need no checks.
 class LookupGrid {
  public:
@@ -33,55 +36,47 @@ class LookupGrid {
     const int coarsest = 1 << (levels - 1);
     side_ = (static_cast<int>(std::ceil(2.0 * half_width / (cell * coarsest))) + 2) * coarsest;
     origin_ = centre - Eigen::Vector2d::Constant(0.5 * side_ * cell);
-    for (int level = 0; level < levels; ++level) {
-      values_[level].assign(static_cast<std::size_t>(side(level)) * side(level), 0);
-    }
+    for (auto& values : values_) values.assign(static_cast<std::size_t>(side_) * side_ + kRow, 0);
   }
 
   [[nodiscard]] int index_x(double x) const { return static_cast<int>((x - origin_.x()) / cell_); }
   [[nodiscard]] int index_y(double y) const { return static_cast<int>((y - origin_.y()) / cell_); }
+
+  /// Of a level, moved by so many blocks; kRow values may be read from any place.
+  [[nodiscard]] const std::uint8_t* values(int level, int blocks_x, int blocks_y) const {
+    return values_[level].data() + static_cast<std::ptrdiff_t>(blocks_y) * side(level) + blocks_x;
+  }
+
+  /// Where the value of a fine cell lies. What differs by a multiple of 2^level fine cells lies
+  /// side by side: one step in x is 1, one in y is `side`.
+  [[nodiscard]] int place(int level, int x, int y) const {
+    const int phases = 1 << level;
+    const int phase = ((y & (phases - 1)) << level) + (x & (phases - 1));
+    return (phase * side(level) + (y >> level)) * side(level) + (x >> level);
+  }
   [[nodiscard]] int side(int level) const { return side_ >> level; }
-  [[nodiscard]] const std::uint8_t* values(int level) const { return values_[level].data(); }
 
   void stamp(const Eigen::Vector2d& p) {
-    constexpr std::array<std::uint8_t, 3> kCloseness{255, 140, 80};  // same cell, beside, corner
     const int cx = index_x(p.x());
     const int cy = index_y(p.y());
     if (cx < 1 || cy < 1 || cx >= side_ - 1 || cy >= side_ - 1) return;
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        auto& fine = values_[0][(cy + dy) * side_ + cx + dx];
-        fine = std::max(fine, kCloseness[std::abs(dx) + std::abs(dy)]);
-      }
-    }
-  }
-
-  /// To be called once, when all is stamped.
-  void make_bounds() {
-    for (int level = 1; level < static_cast<int>(values_.size()); ++level) gather(level);
-    for (int level = 1; level < static_cast<int>(values_.size()); ++level) widen(level);
+    if (values_[0][cy * side_ + cx] == kCloseness[0]) return;  // another point of this cell did it
+    for (int level = 0; level < static_cast<int>(values_.size()); ++level) stamp(level, cx, cy);
   }
 
  private:
-  /// The maximum over the four cells of the level below.
-  void gather(int level) {
-    const int n = side(level);
-    const std::uint8_t* below = values_[level - 1].data();
-    for (int y = 0; y < n; ++y) {
-      const std::uint8_t* row = below + std::size_t{4} * y * n;
-      for (int x = 0; x < n; ++x) {
-        values_[level][y * n + x] = std::max(std::max(row[2 * x], row[2 * x + 1]),
-                                             std::max(row[2 * x + 2 * n], row[2 * x + 2 * n + 1]));
+  static constexpr std::array<std::uint8_t, 3> kCloseness{255, 140, 80};  // same, beside, corner
+
+  /// All cells whose maximum takes in the fine cell (cx, cy) or one beside it.
+  void stamp(int level, int cx, int cy) {
+    const int seen = 1 << level;
+    const auto off = [&](int u, int c) { return u > c || u + seen <= c ? 1 : 0; };
+    for (int v = std::max(cy - seen, 0); v <= cy + 1; ++v) {
+      for (int u = std::max(cx - seen, 0); u <= cx + 1; ++u) {
+        auto& value = values_[level][place(level, u, v)];
+        value = std::max(value, kCloseness[off(u, cx) + off(v, cy)]);
       }
     }
-  }
-
-  /// The maximum over each cell and the next each way.
-  void widen(int level) {
-    const int n = side(level);
-    auto& values = values_[level];
-    for (int i = 0; i + 1 < n * n; ++i) values[i] = std::max(values[i], values[i + 1]);
-    for (int i = 0; i + n < n * n; ++i) values[i] = std::max(values[i], values[i + n]);
   }
 
   double cell_;
@@ -108,9 +103,6 @@ struct Block {
   }
 };
 
-/// Where the points of the scan fall in the grid, on each level, when it is turned to one angle.
-using TurnedScan = std::vector<std::vector<int>>;
-
 /// Evenly chosen points within reach of the lookup grid.
 std::vector<Eigen::Vector2d> choose_points(const std::vector<SurfacePoint>& points,
                                            const CorrelativeSearchParams& params) {
@@ -125,6 +117,12 @@ std::vector<Eigen::Vector2d> choose_points(const std::vector<SurfacePoint>& poin
   chosen.reserve(m);
   for (std::size_t i = 0; i < m; ++i) chosen.push_back(near[i * n / m]);
   return chosen;
+}
+
+double farthest(const std::vector<Eigen::Vector2d>& points) {
+  double squared = 0.0;
+  for (const auto& p : points) squared = std::max(squared, p.squaredNorm());
+  return std::sqrt(squared);
 }
 
 /// What part of the window is searched: an ellipsoid, in the axes of the reference.
@@ -162,21 +160,20 @@ class Search {
         centre_(centre),
         gate_(window, centre.theta),
         points_(choose_points(points_body, params)),
+        bound_min_(params.score_min * kScoreMax * static_cast<double>(points_.size())),
         angles_(static_cast<int>(std::ceil(window.angle_rad / params.angle_step_rad))),
         levels_(levels_for(window.radius_m, params.cell_m)),
         coarsest_(1 << (levels_ - 1)),
         blocks_wide_(static_cast<int>(std::ceil(window.radius_m / (params.cell_m * coarsest_)))),
-        grid_(params.cell_m, params.reach_m + (blocks_wide_ + 2) * coarsest_ * params.cell_m,
-              levels_, centre.translation()) {
+        grid_(params.cell_m, farthest(points_) + (blocks_wide_ + 2) * coarsest_ * params.cell_m,
+              levels_, centre.translation()),
+        places_(points_.size() * levels_ * (2 * angles_ + 1)) {
     for (const auto& surfel : reference.surfels()) grid_.stamp(surfel.p);
-    grid_.make_bounds();
-    for (int a = 0; a <= 2 * angles_; ++a) turned_.push_back(turn(angle(a)));
+    const int row = 2 * blocks_wide_ + 1;
+    blocks_.reserve(static_cast<std::size_t>(2 * angles_ + 1) * row * row);
     for (int a = 0; a <= 2 * angles_; ++a) {
-      for (int y = -blocks_wide_; y <= blocks_wide_; ++y) {
-        for (int x = -blocks_wide_; x <= blocks_wide_; ++x) {
-          propose(levels_ - 1, a, x * coarsest_, y * coarsest_);
-        }
-      }
+      turn(a);
+      for (int y = -blocks_wide_; y <= blocks_wide_; ++y) push_row(a, y);
     }
     std::make_heap(blocks_.begin(), blocks_.end());
   }
@@ -188,100 +185,139 @@ class Search {
       std::pop_heap(blocks_.begin(), blocks_.end());
       const Block block = blocks_.back();
       blocks_.pop_back();
-      if (on_known_hill(found, block)) continue;
+      if (on_found_hill(block)) continue;
       if (block.level > 0) {
         split(block);
         continue;
       }
-      found.push_back({pose(block), block.bound / (255.0 * points_.size())});
+      // Shifts come in order of their scores, so the first of each hill is its top.
+      tops_.push_back(block);
+      found.push_back(peak(block));
       if (static_cast<int>(found.size()) == peaks) break;  // nothing left can be better
     }
     return found;
   }
 
  private:
+  static constexpr double kScoreMax = 255.0;  // of one point
+
   [[nodiscard]] double angle(int a) const {
     return wrap_angle(centre_.theta + (a - angles_) * params_.angle_step_rad);
   }
 
-  [[nodiscard]] Pose2 pose(const Block& shift) const {
-    return {centre_.x + shift.x * params_.cell_m, centre_.y + shift.y * params_.cell_m,
-            angle(shift.angle)};
-  }
-
-  [[nodiscard]] TurnedScan turn(double theta) const {
-    const double c = std::cos(theta);
-    const double s = std::sin(theta);
-    TurnedScan turned(levels_);
-    for (auto& cells : turned) cells.reserve(points_.size());
-    for (const auto& p : points_) {
+  void turn(int a) {
+    const double c = std::cos(angle(a));
+    const double s = std::sin(angle(a));
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const auto& p = points_[i];
       const int x = grid_.index_x(centre_.x + c * p.x() - s * p.y());
       const int y = grid_.index_y(centre_.y + s * p.x() + c * p.y());
       for (int level = 0; level < levels_; ++level) {
-        turned[level].push_back((y >> level) * grid_.side(level) + (x >> level));
+        places_[first_place(a, level) + i] = grid_.place(level, x, y);
       }
     }
-    return turned;
   }
 
-  [[nodiscard]] Block bounded(int level, int a, int x, int y) const {
-    const std::uint8_t* values = grid_.values(level);
-    const int shift = (y >> level) * grid_.side(level) + (x >> level);
-    int bound = 0;
-    for (const int cell : turned_[a][level]) bound += values[cell + shift];
-    return {bound, level, a, x, y};
+  [[nodiscard]] std::size_t first_place(int a, int level) const {
+    return (static_cast<std::size_t>(a) * levels_ + level) * points_.size();
   }
 
-  /// Adds a block to those to be looked into, if anything in it can be a result.
-  bool propose(int level, int a, int x, int y) {
+  /// Where in the grid the points find their values when the scan is turned to this angle.
+  [[nodiscard]] std::span<const int> places(int a, int level) const {
+    return std::span(places_).subspan(first_place(a, level), points_.size());
+  }
+
+  /// Of a block with its first shift there.
+  [[nodiscard]] bool in_gate(int level, int a, int x, int y) const {
     const double half = 0.5 * ((1 << level) - 1) * params_.cell_m;
     const Eigen::Vector3d off(x * params_.cell_m + half, y * params_.cell_m + half,
                               (a - angles_) * params_.angle_step_rad);
-    if (!gate_.touches(off, std::sqrt(2.0) * half)) return false;
-    const Block block = bounded(level, a, x, y);
-    if (block.bound < params_.score_min * 255.0 * points_.size()) return false;
-    blocks_.push_back(block);
-    return true;
+    return gate_.touches(off, std::sqrt(2.0) * half);
   }
 
-  void split(const Block& block) {
-    const int half = 1 << (block.level - 1);
-    for (int dy = 0; dy <= half; dy += half) {
-      for (int dx = 0; dx <= half; dx += half) {
-        if (propose(block.level - 1, block.angle, block.x + dx, block.y + dy)) {
-          std::push_heap(blocks_.begin(), blocks_.end());
-        }
-      }
+  /// Adds the coarsest blocks of a row of the window. Those in the gate are side by side.
+  void push_row(int a, int y) {
+    const auto outside = [&](int x) {
+      return !in_gate(levels_ - 1, a, x * coarsest_, y * coarsest_);
+    };
+    int first = -blocks_wide_;
+    int last = blocks_wide_;
+    while (first <= last && outside(first)) ++first;
+    while (first < last && outside(last)) --last;
+    for (int x = first; x <= last; x += kRow) push_blocks(a, x, std::min(x + kRow - 1, last), y);
+  }
+
+  /// Adds the coarsest blocks from x to last, up to kRow of them. All are summed at once, the
+  /// values of neighbours being neighbours in the grid.
+  void push_blocks(int a, int x, int last, int y) {
+    const int level = levels_ - 1;
+    const std::uint8_t* values = grid_.values(level, x, y);
+    std::array<std::int32_t, kRow> bounds{};
+    for (const int place : places(a, level)) {
+      const std::uint8_t* row = values + place;
+      for (int k = 0; k < kRow; ++k) bounds[k] += row[k];
+    }
+    for (int k = 0; x + k <= last; ++k) {
+      if (bounds[k] < bound_min_) continue;
+      blocks_.push_back({bounds[k], level, a, (x + k) * coarsest_, y * coarsest_});
     }
   }
 
-  /// Shifts come in order of their scores, so the first of each hill is its top. A block with all
-  /// its corners on a hill has nothing else in it.
-  [[nodiscard]] bool on_known_hill(const std::vector<CorrelationPeak>& found,
-                                   const Block& block) const {
-    const double width = ((1 << block.level) - 1) * params_.cell_m;
-    const Pose2 first = pose(block);
-    return std::any_of(found.begin(), found.end(), [&](const CorrelationPeak& peak) {
-      const double turn = angle_diff(first.theta, peak.T_odom_body.theta);
-      if (std::abs(turn) >= params_.apart_cells * params_.angle_step_rad) return false;
-      const Eigen::Vector2d d = first.translation() - peak.T_odom_body.translation();
-      const Eigen::Vector2d farthest =
-          d.cwiseAbs().cwiseMax((d + Eigen::Vector2d::Constant(width)).cwiseAbs());
-      return farthest.norm() < params_.apart_cells * params_.cell_m;
+  void split(const Block& block) {
+    const int level = block.level - 1;
+    const int side = grid_.side(level);
+    const std::uint8_t* values = grid_.values(level, block.x >> level, block.y >> level);
+    std::array<int, 4> bounds{};
+    for (const int place : places(block.angle, level)) {
+      const std::uint8_t* corner = values + place;
+      bounds[0] += corner[0];
+      bounds[1] += corner[1];
+      bounds[2] += corner[side];
+      bounds[3] += corner[side + 1];
+    }
+    for (int k = 0; k < 4; ++k) {
+      const int half = 1 << level;
+      const Block part{bounds[k], level, block.angle, block.x + (k & 1) * half,
+                       block.y + (k >> 1) * half};
+      if (part.bound < bound_min_ || !in_gate(level, part.angle, part.x, part.y)) continue;
+      blocks_.push_back(part);
+      std::push_heap(blocks_.begin(), blocks_.end());
+    }
+  }
+
+  /// Do all shifts of the block lie on a hill whose top was found?
+  [[nodiscard]] bool on_found_hill(const Block& block) const {
+    const int apart = params_.apart_cells;
+    const int last = (1 << block.level) - 1;
+    return std::any_of(tops_.begin(), tops_.end(), [&](const Block& top) {
+      const int x = std::max(top.x - block.x, block.x + last - top.x);
+      const int y = std::max(top.y - block.y, block.y + last - top.y);
+      if (x * x + y * y > apart * apart) return false;
+      // Half a step more: around the circle, angles are no whole number of steps apart.
+      const double turn = angle_diff(angle(block.angle), angle(top.angle));
+      return std::abs(turn) < (apart + 0.5) * params_.angle_step_rad;
     });
+  }
+
+  [[nodiscard]] CorrelationPeak peak(const Block& shift) const {
+    return {{centre_.x + shift.x * params_.cell_m, centre_.y + shift.y * params_.cell_m,
+             angle(shift.angle)},
+            shift.bound / (kScoreMax * static_cast<double>(points_.size()))};
   }
 
   const CorrelativeSearchParams& params_;
   Pose2 centre_;
   Gate gate_;
   std::vector<Eigen::Vector2d> points_;
+  double bound_min_;  ///< nothing below this is looked into
   int angles_;
   int levels_;
-  int coarsest_;  ///< cells on the side of a coarsest block
+  int coarsest_;  ///< shifts on the side of a coarsest block
   int blocks_wide_;
   LookupGrid grid_;
-  std::vector<TurnedScan> turned_;
+  std::vector<int> places_;  ///< all points of the first angle and level, of its next level, and on
   std::vector<Block> blocks_;
+  std::vector<Block> tops_;  ///< of the hills found
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ struct CorrelativeSearchParams {
   int points_max = 90;     ///< of the scan, evenly chosen
   double reach_m = 25.0;   ///< among those within this range
   int blocks_max = 20000;  ///< blocks opened; bounds the time in a hopeless case
-  int apart_cells = 4;     ///< peaks closer than this, and as many angle steps, are one
+  int apart_cells = 4;     ///< peaks no farther apart, and no more angle steps, are one
   double score_min = 0.0;  ///< peaks below are not looked for
 
   template <class V>

@@ -28,7 +28,8 @@ class FreeSpace {
 
   /// The same for one point in the frame of the laser.
   [[nodiscard]] bool inside(const Eigen::Vector2d& p_laser, double margin) const;
-  [[nodiscard]] const Pose2& T_laser_body() const { return T_laser_body_; }
+  /// T_laser_body.
+  [[nodiscard]] const Pose2& body_in_laser() const { return T_laser_body_; }
 
  private:
   Pose2 T_laser_body_;

@@ -17,6 +17,7 @@ constexpr double kVarianceMin = 1e-6;                // [m²]
 constexpr double kNarrowing = 0.5;                   // of the kernel, from one width to the next
 constexpr double kSettled = 0.1;      // a step below this share of the width has settled at it
 constexpr double kCaptureMin = 0.25;  // [m]
+constexpr double kTurned = 0.9998;    // cosine of a degree: normals may agree with others now
 
 /// A distance along a normal, and what goes with it.
 struct Residual {
@@ -47,17 +48,63 @@ struct NormalEquations {
   }
 };
 
+/// Adds w v vᵀ to the upper triangle.
+void add_outer(double w, const Eigen::Vector3d& v, Eigen::Matrix3d& sum) {
+  const Eigen::Vector3d wv = w * v;
+  sum(0, 0) += wv.x() * v.x();
+  sum(0, 1) += wv.x() * v.y();
+  sum(1, 1) += wv.y() * v.y();
+  sum(0, 2) += wv.x() * v.z();
+  sum(1, 2) += wv.y() * v.z();
+  sum(2, 2) += wv.z() * v.z();
+}
+
+/// For each point of the scan the surfel nearest to it. Most points move little from one iteration
+/// to the next: they are looked up again only when they have moved or turned so far that another
+/// surfel may be the answer. (The idea: Nüchter, Lingemann, Hertzberg, "Cached k-d tree search for
+/// ICP algorithms", 3DIM 2007.)
+class Correspondences {
+ public:
+  Correspondences(const SurfelMap& reference, std::size_t points)
+      : reference_(reference), known_(points) {}
+
+  /// Null where there is none within `capture`, which must not grow from call to call.
+  const Surfel* find(std::size_t point, const Eigen::Vector2d& p_odom,
+                     const Eigen::Vector2d& n_odom, double capture) {
+    Known& known = known_[point];
+    const bool turned = n_odom.dot(known.normal) < kTurned * n_odom.squaredNorm();
+    if (turned || !((p_odom - known.p).squaredNorm() < known.clearance_squared)) {
+      const auto [surfel, clearance] = reference_.nearest(p_odom, n_odom, capture);
+      known = {p_odom, n_odom, clearance * clearance, surfel};
+    }
+    if (known.surfel == nullptr) return nullptr;
+    return (known.surfel->p - p_odom).squaredNorm() < capture * capture ? known.surfel : nullptr;
+  }
+
+ private:
+  struct Known {
+    Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< where the point was
+    Eigen::Vector2d normal = Eigen::Vector2d::Zero();
+    double clearance_squared = 0.0;  ///< zero: never looked up
+    const Surfel* surfel = nullptr;
+  };
+
+  const SurfelMap& reference_;
+  std::vector<Known> known_;
+};
+
 /// Rows of the Jacobian are taken with respect to a small motion (x, y, θ) in the body frame:
 /// p_odom = T · (p + δ_xy + δ_θ × p), so that the information comes out in the body frame.
 class Accumulator {
  public:
   Accumulator(const Pose2& T, double scale)
-      : c_(std::cos(T.theta)), s_(std::sin(T.theta)), T_(T), scale_(scale) {}
+      : c_(std::cos(T.theta)), s_(std::sin(T.theta)), T_(T), per_scale2_(1.0 / (scale * scale)) {}
 
-  void add(const SurfacePoint& point, const SurfelMap& reference, double capture) {
+  void add(const SurfacePoint& point, std::size_t index, Correspondences& correspondences,
+           double capture) {
     const Eigen::Vector2d p_odom = rotate(point.p) + T_.translation();
     const Eigen::Vector2d n_odom = rotate(point.normal);
-    const Surfel* q = reference.nearest(p_odom, n_odom, capture);
+    const Surfel* q = correspondences.find(index, p_odom, n_odom, capture);
     if (q == nullptr) return;
     ++sums_.corresponding;
     const Eigen::Vector2d d = p_odom - q->p;
@@ -76,7 +123,13 @@ class Accumulator {
     }
   }
 
-  [[nodiscard]] const NormalEquations& sums() const { return sums_; }
+  [[nodiscard]] NormalEquations sums() const {
+    NormalEquations whole = sums_;
+    whole.H = sums_.H.selfadjointView<Eigen::Upper>();
+    whole.spurious =
+        kSharedPoints * Eigen::Matrix3d(sums_.spurious.selfadjointView<Eigen::Upper>());
+    return whole;
+  }
 
  private:
   [[nodiscard]] Eigen::Vector2d rotate(const Eigen::Vector2d& v) const {
@@ -87,37 +140,40 @@ class Accumulator {
   }
 
   void add_row(const Eigen::Vector2d& p, const Eigen::Vector2d& n, const Residual& r) {
-    const double to_unit = std::sqrt(kUnitVariance / r.variance);
-    const double residual = r.distance * to_unit;
-    const double u = residual / scale_;
-    const double kernel = 1.0 / ((1.0 + u * u) * (1.0 + u * u));  // Geman-McClure
-    const double w = r.weight * kernel * to_unit * to_unit;
+    const double to_unit2 = kUnitVariance / r.variance;
+    const double residual2 = r.distance * r.distance * to_unit2;
+    const double u2 = residual2 * per_scale2_;
+    const double closeness = 1.0 / (1.0 + u2);
+    const double kernel = closeness * closeness;  // Geman-McClure
+    const double w = r.weight * kernel * to_unit2;
     const Eigen::Vector3d J(n.x(), n.y(), p.x() * n.y() - p.y() * n.x());
-    sums_.H.noalias() += w * J * J.transpose();
+    add_outer(w, J, sums_.H);
     sums_.g += w * r.distance * J;
     // The same row if the normal were turned a quarter: what its error lets through.
     const Eigen::Vector3d K(-n.y(), n.x(), p.x() * n.x() + p.y() * n.y());
-    sums_.spurious.noalias() += kSharedPoints * w * r.normal_variance * K * K.transpose();
+    add_outer(w * r.normal_variance, K, sums_.spurious);
     sums_.weights += r.weight * kernel;
-    sums_.weighted_squares += r.weight * kernel * residual * residual;
-    sums_.closeness += r.share / (1.0 + u * u);
-    if (std::abs(u) < 2.0) {
+    sums_.weighted_squares += r.weight * kernel * residual2;
+    sums_.closeness += r.share * closeness;
+    if (u2 < 4.0) {
       sums_.inliers += r.share;
-      sums_.inlier_squares += r.share * residual * residual;
+      sums_.inlier_squares += r.share * residual2;
     }
   }
 
   double c_;
   double s_;
   Pose2 T_;
-  double scale_;
+  double per_scale2_;
   NormalEquations sums_;
 };
 
-NormalEquations linearise(const std::vector<SurfacePoint>& points, const SurfelMap& reference,
+NormalEquations linearise(const std::vector<SurfacePoint>& points, Correspondences& correspondences,
                           const Pose2& T, double scale, double capture) {
   Accumulator accumulator(T, scale);
-  for (const auto& point : points) accumulator.add(point, reference, capture);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    accumulator.add(points[i], i, correspondences, capture);
+  }
   return accumulator.sums();
 }
 
@@ -144,21 +200,37 @@ void describe(const NormalEquations& sums, std::size_t points, double sd_min,
   result.rms_residual_m = sums.inliers > 0.0 ? std::sqrt(sums.inlier_squares / sums.inliers) : 0.0;
 }
 
+/// Has a match been here with the same kernel? Nearer than what counts as settled at its width, two
+/// matches see the same.
+bool on_trail(const MatchTrail& trail, const Pose2& T, double scale) {
+  return std::any_of(trail.begin(), trail.end(), [&](const MatchWaypoint& w) {
+    return w.scale_m == scale && between(w.T_odom_body, T).vector().norm() < kSettled * scale;
+  });
+}
+
 }  // namespace
 
 PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_body,
                                       const SurfelMap& reference, const Pose2& start,
-                                      const PosePrior& prior, const PointToLineParams& params) {
+                                      const PosePrior& prior, const PointToLineParams& params,
+                                      MatchTrail* trail) {
   PointToLineResult result;
   result.T_odom_body = start;
   if (points_body.empty() || reference.empty()) return result;
   const double sd_min = params.residual_sd_min_m;
   double scale = std::max(params.scale_start_m, params.scale_end_m);
+  Correspondences correspondences(reference, points_body.size());
   NormalEquations sums;
+  MatchTrail way;
   while (result.iterations < params.iterations_max && !result.converged) {
+    if (trail != nullptr) {
+      result.joined = on_trail(*trail, result.T_odom_body, scale);
+      if (result.joined) break;
+      way.push_back({result.T_odom_body, scale});
+    }
     ++result.iterations;
     const double capture = std::min(params.capture_m, std::max(2.5 * scale, kCaptureMin));
-    sums = linearise(points_body, reference, result.T_odom_body, scale, capture);
+    sums = linearise(points_body, correspondences, result.T_odom_body, scale, capture);
     if (sums.corresponding < 3) return result;
     const Eigen::Vector3d step = solve(sums, prior, result.T_odom_body, sd_min);
     result.T_odom_body = result.T_odom_body * Pose2::from_vector(step);
@@ -167,6 +239,10 @@ PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_bo
     // the few points that drive it.
     if (step.norm() < kSettled * scale) scale = std::max(kNarrowing * scale, params.scale_end_m);
   }
+  if (trail != nullptr && (result.converged || result.joined)) {
+    trail->insert(trail->end(), way.begin(), way.end());
+  }
+  if (result.joined) return result;
   describe(sums, points_body.size(), sd_min, result);
   return result;
 }

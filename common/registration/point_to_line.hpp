@@ -52,13 +52,24 @@ struct PointToLineResult {
   double rms_residual_m = 0.0;  ///< of the inliers, as of good points near by
   int iterations = 0;
   bool converged = false;
+  bool joined = false;  ///< stopped where an earlier match had been: it would end where that did
 };
+
+/// Where matches of one scan that converged have been, and with which width of the kernel.
+struct MatchWaypoint {
+  Pose2 T_odom_body;
+  double scale_m = 0.0;
+};
+using MatchTrail = std::vector<MatchWaypoint>;
 
 /// Aligns the points of a scan with the reference: iterated closest points with distances measured
 /// along the surface normal (Censi, "An ICP variant using a point-to-line metric", ICRA 2008), a
 /// Geman-McClure kernel that narrows from coarse to fine, and the prior as one more measurement.
+/// Where there is a trail, of matches that differ in their start alone, this match stops as soon as
+/// it joins it. One that converges or joins adds its own.
 PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_body,
                                       const SurfelMap& reference, const Pose2& start,
-                                      const PosePrior& prior, const PointToLineParams& params);
+                                      const PosePrior& prior, const PointToLineParams& params,
+                                      MatchTrail* trail = nullptr);
 
 }  // namespace adit

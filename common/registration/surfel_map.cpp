@@ -3,6 +3,7 @@
 #include "common/registration/surfel_map.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -10,6 +11,14 @@ namespace adit {
 namespace {
 
 constexpr double kCosNormalMax = 0.5;  // 60°
+
+struct Step {
+  int x;
+  int y;
+};
+/// To the buckets around one, the nearer first.
+constexpr std::array<Step, 8> kAround{
+    {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
 
 int cell_of(double coordinate) {
   return static_cast<int>(std::floor(coordinate / SurfelMap::kBucket));
@@ -103,35 +112,51 @@ void SurfelMap::forget_before(double odometer) {
   for (int i = 0; i < static_cast<int>(surfels_.size()); ++i) link(i);
 }
 
-const Surfel* SurfelMap::nearest(const Eigen::Vector2d& p, const Eigen::Vector2d& normal,
+NearestSurfel SurfelMap::nearest(const Eigen::Vector2d& p, const Eigen::Vector2d& normal,
                                  double radius) const {
   const int cx = cell_of(p.x());
   const int cy = cell_of(p.y());
   const Surfel* found = nullptr;
-  double best = radius * radius;
+  double best = std::numeric_limits<double>::infinity();
+  double second = best;
   const auto look = [&](int ix, int iy) {
     for (int i = heads_[bucket(ix, iy)]; i >= 0; i = surfels_[i].next) {
       const double d2 = (surfels_[i].p - p).squaredNorm();
-      if (d2 < best && normals_agree(surfels_[i].normal, normal)) {
+      if (!(d2 < second) || !normals_agree(surfels_[i].normal, normal)) continue;
+      second = std::max(d2, best);
+      if (d2 < best) {
         best = d2;
         found = &surfels_[i];
       }
     }
   };
-  for (int iy = cy - 1; iy <= cy + 1; ++iy) {
-    for (int ix = cx - 1; ix <= cx + 1; ++ix) look(ix, iy);
+  // Squared distances to the neighbouring buckets: beside, and at the corners their sums. Mostly
+  // the bucket of p holds two surfels that are nearer than all that others can hold.
+  const double left = p.x() - cx * kBucket;
+  const double below = p.y() - cy * kBucket;
+  const std::array<double, 3> x2{left * left, 0.0, (kBucket - left) * (kBucket - left)};
+  const std::array<double, 3> y2{below * below, 0.0, (kBucket - below) * (kBucket - below)};
+  look(cx, cy);
+  for (const auto [dx, dy] : kAround) {
+    if (x2[dx + 1] + y2[dy + 1] < second) look(cx + dx, cy + dy);
   }
-  // What lies within one bucket's side has been seen; the outer ring can only hold farther ones.
-  if (best <= kBucket * kBucket || radius <= kBucket) return found;
-  for (int k = -2; k <= 2; ++k) {
-    look(cx + k, cy - 2);
-    look(cx + k, cy + 2);
+  // All has been seen up to here, more than one bucket's side; the outer ring can only hold
+  // farther ones.
+  double seen = kBucket + std::sqrt(std::min({x2[0], x2[2], y2[0], y2[2]}));
+  if (best > kBucket * kBucket && radius > kBucket) {
+    for (int k = -2; k <= 2; ++k) {
+      look(cx + k, cy - 2);
+      look(cx + k, cy + 2);
+    }
+    for (int k = -1; k <= 1; ++k) {
+      look(cx - 2, cy + k);
+      look(cx + 2, cy + k);
+    }
+    seen += kBucket;
   }
-  for (int k = -1; k <= 1; ++k) {
-    look(cx - 2, cy + k);
-    look(cx + 2, cy + k);
-  }
-  return found;
+  const double distance = std::sqrt(best);
+  if (distance < radius) return {found, 0.5 * (std::min(std::sqrt(second), seen) - distance)};
+  return {nullptr, std::min(distance, seen) - radius};
 }
 
 }  // namespace adit

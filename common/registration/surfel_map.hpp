@@ -25,6 +25,13 @@ struct Surfel {
   [[nodiscard]] bool has_normal() const { return normal.squaredNorm() > 0.5; }
 };
 
+/// The answer to a look-up, and for how long it holds.
+struct NearestSurfel {
+  const Surfel* surfel = nullptr;  ///< null: none within the radius
+  double clearance = 0.0;          ///< if the point moves less [m], it is still the nearest, or
+                                   ///< there is still none
+};
+
 struct SurfelMapParams {
   double spacing_m = 0.05;  ///< points closer than this, on the same side of a wall, are merged
   double share_min = 0.05;  ///< of a new point in the mean that a surfel is
@@ -49,8 +56,8 @@ class SurfelMap {
   void forget_before(double odometer);
 
   /// The surfel nearest to p within `radius` (at most 2 buckets: kReach) whose normal, where both
-  /// are known, differs by less than 60°. Null if there is none.
-  [[nodiscard]] const Surfel* nearest(const Eigen::Vector2d& p, const Eigen::Vector2d& normal,
+  /// are known, differs by less than 60°.
+  [[nodiscard]] NearestSurfel nearest(const Eigen::Vector2d& p, const Eigen::Vector2d& normal,
                                       double radius) const;
 
   [[nodiscard]] const std::vector<Surfel>& surfels() const { return surfels_; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mapping/displacement_error.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace adit {
@@ -92,8 +93,10 @@ DisplacementError::Part DisplacementError::open(const DegenerateDirection& direc
 }
 
 void DisplacementError::add_way(double distance_m, double turn_rad) {
-  const double xy = square(params_.drift_m_per_sqrt_m) * distance_m;
-  const double theta = square(params_.drift_rad_per_sqrt_m) * distance_m +
+  // A wall is the mean of the scans that saw it: the fewer they are, the less it holds.
+  const double way = distance_m * std::max(1.0, distance_m / params_.dense_m);
+  const double xy = square(params_.drift_m_per_sqrt_m) * way;
+  const double theta = square(params_.drift_rad_per_sqrt_m) * way +
                        square(params_.drift_rad_per_sqrt_rad) * std::abs(turn_rad);
   known_.independent.diagonal() += Eigen::Vector3d(xy, xy, theta);
 }

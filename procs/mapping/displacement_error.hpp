@@ -16,6 +16,7 @@ struct DisplacementErrorParams {
   double drift_m_per_sqrt_m = 0.004;  ///< more for the way, as of a random walk
   double drift_rad_per_sqrt_m = 0.0008;
   double drift_rad_per_sqrt_rad = 0.0015;
+  double dense_m = 0.25;      ///< scans farther apart draw the walls more faintly, and drift more
   double speed_sd_m_s = 0.3;  ///< of a motion that nothing measured: a last speed was assumed
   double turn_sd_rad_s = 0.3;
   double hold_m =
@@ -29,6 +30,7 @@ struct DisplacementErrorParams {
     v("drift_m_per_sqrt_m", drift_m_per_sqrt_m, within(0.0, 10.0));
     v("drift_rad_per_sqrt_m", drift_rad_per_sqrt_m, within(0.0, 1.0));
     v("drift_rad_per_sqrt_rad", drift_rad_per_sqrt_rad, within(0.0, 1.0));
+    v("dense_m", dense_m, above(0.0));
     v("speed_sd_m_s", speed_sd_m_s, within(0.001, 100.0));
     v("turn_sd_rad_s", turn_sd_rad_s, within(0.001, 100.0));
     v("hold_m", hold_m, within(0.0, 100.0));
@@ -53,7 +55,8 @@ class DisplacementError {
   /// The body made this step, ending with `match`.
   void add_step(const Pose2& T_last_body, const ScanMatch& match);
 
-  /// A piece of the way. Apart from the steps, since a body at rest jitters but does not drift.
+  /// The way from one scan to the next that was used. Apart from the steps, since a body at rest
+  /// jitters but does not drift.
   void add_way(double distance_m, double turn_rad);
 
   /// Of (x, y, θ) in the present body frame [m, m, rad]. Positive definite.

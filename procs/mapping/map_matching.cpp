@@ -51,7 +51,6 @@ class Match {
         const RelativePose& predicted, const MapMatchingParams& params)
       : params_(params),
         predicted_(predicted),
-        gate_(predicted.covariance.inverse()),
         newer_points_(evenly_chosen(newer.points, params.points_max)),
         few_points_(evenly_chosen(newer.points, kFewPoints)),
         newer_(SurfelMapParams{}),
@@ -127,7 +126,7 @@ class Match {
       how.angle_step_rad *= 2.0;
       how.apart_cells /= 2;
     }
-    window.information = gate_;
+    window.information = predicted_.covariance.inverse();
     // The cells around the edge of a narrow gate belong to it.
     window.sigmas = params_.gate_sigmas + how.cell_m / std::max(sd_m, 1e-3);
     return search_correlation(newer_points_, older_, predicted_.T_older_newer, window,
@@ -173,16 +172,22 @@ class Match {
     const double correlated = params_.correlated_points;
     const auto known = split_degenerate(match.information / correlated, match.spurious / correlated,
                                         lever_arm_m_, params_.degeneracy);
+    const Eigen::Vector3d floor(params_.floor_m, params_.floor_m, params_.floor_rad);
+    const Eigen::Matrix3d floor_covariance = floor.cwiseAbs2().asDiagonal();
     ClosureAlternative alternative;
     alternative.T_older_newer = slide(match.T_odom_body, known.degenerate);
-    const Eigen::Vector3d off =
-        between(predicted_.T_older_newer, alternative.T_older_newer).vector();
-    if (off.dot(gate_ * off) > params_.gate_sigmas * params_.gate_sigmas) return std::nullopt;
-    const double m2 = params_.floor_m * params_.floor_m;
-    const double rad2 = params_.floor_rad * params_.floor_rad;
-    alternative.information =
-        with_floor(known.information, Eigen::Vector3d(m2, m2, rad2).asDiagonal());
+    if (!in_gate(alternative.T_older_newer, known.covariance + floor_covariance)) {
+      return std::nullopt;
+    }
+    alternative.information = with_floor(known.information, floor_covariance);
     return rate(alternative) ? std::optional(alternative) : std::nullopt;
+  }
+
+  /// Is the pose, known with this covariance, one of those that are predicted?
+  [[nodiscard]] bool in_gate(const Pose2& T, const Eigen::Matrix3d& covariance) const {
+    const Eigen::Vector3d off = between(predicted_.T_older_newer, T).vector();
+    const Eigen::Matrix3d both = predicted_.covariance + covariance;
+    return off.dot(both.inverse() * off) <= params_.gate_sigmas * params_.gate_sigmas;
   }
 
   /// Along what the match leaves open, to where the map was predicted.
@@ -229,7 +234,6 @@ class Match {
 
   const MapMatchingParams& params_;
   const RelativePose& predicted_;
-  Eigen::Matrix3d gate_;  ///< information of the prediction
   std::vector<SurfacePoint> newer_points_;
   std::vector<SurfacePoint> few_points_;
   SurfelMap newer_;

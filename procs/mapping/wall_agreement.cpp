@@ -18,7 +18,7 @@ struct PlacedView {
   Eigen::Vector2d p_laser_reference;
 
   explicit PlacedView(const LocalWalls::View& view) : free_space(&view.free_space) {
-    const Pose2 T = view.free_space.T_laser_body() * view.T_local_body.inverse();
+    const Pose2 T = view.free_space.body_in_laser() * view.T_local_body.inverse();
     R_laser_reference = Eigen::Rotation2Dd(T.theta).toRotationMatrix();
     p_laser_reference = T.translation();
   }
@@ -54,7 +54,7 @@ WallAgreement agreement(const std::vector<SurfacePoint>& points, const Pose2& T_
   result.points = static_cast<int>(points.size());
   for (const SurfacePoint& point : points) {
     const Eigen::Vector2d p = R * point.p + T_reference_points.translation();
-    const Surfel* wall = reference.nearest(p, R * point.normal, params.reach_m);
+    const Surfel* wall = reference.nearest(p, R * point.normal, params.reach_m).surfel;
     if (wall != nullptr) {
       ++result.near;
       result.log_likelihood += log_near + log_ratio(distance_from(*wall, p), params);

@@ -20,13 +20,14 @@ class Quest {
 
   [[nodiscard]] const PoseCandidate& best() const { return best_; }
 
-  /// Refines `start` and keeps the outcome if it is possible and better than what there was.
+  /// Refines `start` and keeps the outcome if it is new, possible and better than what there was.
   void try_from(const Pose2& start, double scale_m) {
     PointToLineParams refinement = params_.point_to_line;
     refinement.scale_start_m = scale_m;
     PoseCandidate candidate;
     candidate.match = match_point_to_line(sighting_.points, reference_.surfels(), start,
-                                          expected_.prior, refinement);
+                                          expected_.prior, refinement, &trail_);
+    if (candidate.match.joined) return;
     if (!expected_.possible(candidate.match.T_odom_body)) return;
     rate(candidate);
     if (candidate.score > best_.score) best_ = candidate;
@@ -69,6 +70,7 @@ class Quest {
   const LocalReference& reference_;
   const MotionEstimate& expected_;
   PoseCandidate best_;
+  MatchTrail trail_;
 };
 
 }  // namespace

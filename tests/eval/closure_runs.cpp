@@ -26,22 +26,22 @@ class Mapper {
   void add(const LaserScan& scan) {
     const ScanMatch match = matching_.add_scan(LaserId::kFront, scan);
     if (match.status == ScanMatch::Status::kRefused) return;
-    run.matches.push_back(match);
-    run.odom.push_back({match.utime, match.T_odom_body});
-    if (auto map = builder_.add(kChannel, scan, match)) run.maps.push_back(std::move(*map));
+    run_.matches.push_back(match);
+    run_.odom.push_back({match.utime, match.T_odom_body});
+    if (auto map = builder_.add(kChannel, scan, match)) run_.maps.push_back(std::move(*map));
   }
 
   MappedRun finish() {
-    if (auto map = builder_.finish()) run.maps.push_back(std::move(*map));
+    if (auto map = builder_.finish()) run_.maps.push_back(std::move(*map));
     const LaserMounts mounts{{kChannel, LaserMount{}}};
-    for (const auto& map : run.maps) run.walls.push_back(local_walls(map, mounts, {}));
-    return std::move(run);
+    for (const auto& map : run_.maps) run_.walls.push_back(local_walls(map, mounts, {}));
+    return std::move(run_);
   }
 
  private:
   ScanMatching matching_{ScanMatchingParams{}};
   LocalMapBuilder builder_{LocalMapBuilderParams{}};
-  MappedRun run;
+  MappedRun run_;
 };
 
 /// Path length up to each pose.
@@ -54,25 +54,32 @@ std::vector<double> odometer_of(const Trajectory& trajectory) {
   return odometer;
 }
 
+/// Poses about a metre apart.
+std::vector<std::size_t> stops_on(const std::vector<double>& odometer) {
+  std::vector<std::size_t> stops;
+  for (std::size_t i = 0; i < odometer.size(); ++i) {
+    if (stops.empty() || odometer[i] - odometer[stops.back()] >= 1.0) stops.push_back(i);
+  }
+  return stops;
+}
+
 std::vector<Relation> relations_of(const Trajectory& truth) {
-  constexpr int kEach = 6;  // scans, about a metre
   constexpr double kRevisitM = 1.5;
   constexpr double kElsewhereM = 15.0;
   const auto odometer = odometer_of(truth);
+  const auto stops = stops_on(odometer);
   std::vector<Relation> relations;
   const auto relate = [&](std::size_t i, std::size_t j) {
     relations.push_back({truth[i].utime, truth[j].utime, between(truth[i].pose, truth[j].pose)});
   };
-  for (std::size_t i = 0; i < truth.size(); i += kEach) {
+  for (const std::size_t i : stops) {
     for (const double way : {5.0, 20.0, 50.0}) {
       const auto j = std::lower_bound(odometer.begin(), odometer.end(), odometer[i] + way);
       if (j != odometer.end()) relate(i, j - odometer.begin());
     }
-    for (std::size_t j = i + kEach; j < truth.size(); j += kEach) {
-      const bool revisit =
-          odometer[j] - odometer[i] > kElsewhereM &&
-          (truth[i].pose.translation() - truth[j].pose.translation()).norm() < kRevisitM;
-      if (revisit) relate(i, j);
+    for (const std::size_t j : stops) {
+      const double apart = (truth[i].pose.translation() - truth[j].pose.translation()).norm();
+      if (odometer[j] - odometer[i] > kElsewhereM && apart < kRevisitM) relate(i, j);
     }
   }
   return relations;
@@ -116,7 +123,7 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-Pose2 MappedRun::T_local_body(int map, std::int64_t utime) const {
+Pose2 MappedRun::pose_in_map(int map, std::int64_t utime) const {
   return between(maps[map].T_odom_local, *interpolate(odom, utime));
 }
 
@@ -144,6 +151,21 @@ MappedRun map_recording(const std::filesystem::path& log, const std::filesystem:
   return run;
 }
 
+MappedRun map_corrected(const std::filesystem::path& log) {
+  Mapper mapper;
+  CarmenReader reader(log);
+  Trajectory path;
+  while (const auto record = reader.next()) {
+    const auto* scan = std::get_if<CarmenScan>(&*record);
+    if (scan == nullptr || (!path.empty() && scan->scan.utime <= path.back().utime)) continue;
+    path.push_back({scan->scan.utime, scan->T_log_laser});
+    mapper.add(scan->scan);
+  }
+  MappedRun run = mapper.finish();
+  run.relations = relations_of(path);
+  return run;
+}
+
 MappedRun map_sample(std::uint64_t seed, bool half_degree, bool use_odometry) {
   Mapper mapper;
   SampleRun sample(seed, half_degree ? half_degree_laser() : LaserModel{});
@@ -164,8 +186,8 @@ TruePairs true_pairs(const MappedRun& run) {
     int newer = run.map_at(relation.utime_2);
     if (older < 0 || newer < 0 || std::abs(newer - older) < kNeighbours) continue;
     if (relation.T_1_2.translation().norm() > 5.0 || !is_sharp(run.odom, relation)) continue;
-    Pose2 T_older_newer = run.T_local_body(older, relation.utime_1) * relation.T_1_2 *
-                          run.T_local_body(newer, relation.utime_2).inverse();
+    Pose2 T_older_newer = run.pose_in_map(older, relation.utime_1) * relation.T_1_2 *
+                          run.pose_in_map(newer, relation.utime_2).inverse();
     if (older > newer) {
       std::swap(older, newer);
       T_older_newer = T_older_newer.inverse();

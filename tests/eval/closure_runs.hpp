@@ -25,8 +25,8 @@ struct MappedRun {
   std::vector<LocalWalls> walls;  ///< of each of the maps
   std::vector<Relation> relations;
 
-  /// The pose of the body in a local map, at a time in it.
-  [[nodiscard]] Pose2 T_local_body(int map, std::int64_t utime) const;
+  /// T_local_body at a time in a local map.
+  [[nodiscard]] Pose2 pose_in_map(int map, std::int64_t utime) const;
   /// The local map that holds a time, or −1.
   [[nodiscard]] int map_at(std::int64_t utime) const;
 };
@@ -34,6 +34,10 @@ struct MappedRun {
 /// A CARMEN log with its relations.
 MappedRun map_recording(const std::filesystem::path& log, const std::filesystem::path& relations,
                         bool use_odometry);
+
+/// A CARMEN log whose pose fields hold a path that others have corrected by closing loops: the
+/// laser alone, with relations made of that path as those of the sample mine are of its truth.
+MappedRun map_corrected(const std::filesystem::path& log);
 
 /// A drive through the sample mine, with relations made from its truth: over 5, 20 and 50 m of way,
 /// and between passes by the same place.

@@ -16,7 +16,7 @@ log=$1; picture=$2; shift 2
 kRows=(2 3 4 5)   # of the table of channels, which is in order of the alphabet
 for tool in Xvfb xdotool import lcm-logplayer; do
   if ! command -v "$tool" >/dev/null; then
-    echo "skipped: no $tool, try: apt install xvfb xdotool imagemagick liblcm-bin" >&2
+    echo "skipped: no $tool, try: apt install xvfb xdotool imagemagick liblcm-bin libjchart2d-java" >&2
     exit 77
   fi
 done
@@ -32,7 +32,8 @@ read -r number <"$scratch/display"
 export DISPLAY=:$number
 
 "$@" >"$scratch/spy.out" 2>&1 & processes+=($!)
-if ! window=$(timeout 60 xdotool search --sync --onlyvisible --name "LCM Spy" | head -1); then
+window=$(timeout 60 xdotool search --sync --onlyvisible --name "LCM Spy" | head -1)
+if [[ -z $window ]]; then
   cat "$scratch/spy.out" >&2
   exit 1
 fi
@@ -44,8 +45,10 @@ windows() { xdotool search --onlyvisible --name "." | sort; }
 xdotool windowsize --sync "$window" 1270 260
 for row in 0 1 2 3; do
   windows >"$scratch/before"
-  xdotool mousemove 60 $((27 + 16 * kRows[row])) click --repeat 2 --delay 80 1
   for ((i = 0; i < 100; ++i)); do
+    if ((i % 20 == 0)); then   # again where the row was late
+      xdotool mousemove 60 $((27 + 16 * kRows[row])) click --repeat 2 --delay 80 1
+    fi
     viewer=$(windows | comm -13 "$scratch/before" - | head -1)
     [[ -n $viewer ]] && break
     sleep 0.1

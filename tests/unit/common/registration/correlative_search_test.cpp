@@ -73,6 +73,86 @@ TEST(CorrelativeSearch, BoundsNeverHideTheBest) {
   }
 }
 
+TEST(CorrelativeSearch, FindsItsWayInAWideWindow) {
+  const SyntheticWorld mine = sample_mine(3);
+  const Pose2 here{10.0, 0.0, 0.0};
+  CorrelativeSearchParams params;
+  params.cell_m = 0.2;
+  params.angle_step_rad = 0.035;
+  const Pose2 centre = here * Pose2{7.0, -5.0, 2.0};
+  const auto peaks = search_correlation(test::look(mine, here), reference_of(mine, here), centre,
+                                        {12.0, 3.1}, 1, params);
+  ASSERT_FALSE(peaks.empty());
+  const Pose2 error = between(here, peaks.front().T_odom_body);
+  EXPECT_LT(error.translation().norm(), 1.5 * params.cell_m);
+  EXPECT_LT(std::abs(error.theta), 2.0 * params.angle_step_rad);
+}
+
+TEST(CorrelativeSearch, FindsTheSameWithMoreLevels) {
+  // A wide window has five levels, a narrow one three. Centres are whole cells apart, so the grids
+  // are aligned.
+  const SyntheticWorld mine = sample_mine(3);
+  const Pose2 here{10.0, 0.0, 0.0};
+  const SurfelMap reference = reference_of(mine, here);
+  const auto points = test::look(mine, here * Pose2{0.31, 0.22, 0.1});
+  const CorrelativeSearchParams params;
+  const Pose2 centre{here.x + 100.0 * params.cell_m, here.y - 30.0 * params.cell_m, here.theta};
+  const auto narrow = search_correlation(points, reference, here, {1.0, 0.3}, 1, params);
+  const auto wide = search_correlation(points, reference, centre, {12.0, 0.3}, 1, params);
+  ASSERT_FALSE(narrow.empty());
+  ASSERT_FALSE(wide.empty());
+  EXPECT_NEAR(wide.front().score, narrow.front().score, 0.005);  // a point at the edge of a cell
+  EXPECT_LT(between(narrow.front().T_odom_body, wide.front().T_odom_body).vector().norm(), 1e-6);
+}
+
+TEST(CorrelativeSearch, TakesAPeakOnceThoughTheWindowGoesAllAround) {
+  const SyntheticWorld room = test::crooked_room();
+  const SurfelMap reference = reference_of(room, kReferencePose);
+  const CorrelativeSearchParams params;
+  const Pose2 turned_away{kReferencePose.x, kReferencePose.y, kReferencePose.theta + 3.1};
+  const auto peaks = search_correlation(test::look(room, kReferencePose), reference, turned_away,
+                                        {0.5, 3.1416}, 10, params);
+  ASSERT_EQ(peaks.size(), 10U);
+  for (std::size_t i = 0; i < peaks.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const Pose2 apart = between(peaks[k].T_odom_body, peaks[i].T_odom_body);
+      EXPECT_TRUE(apart.translation().norm() > params.apart_cells * params.cell_m ||
+                  std::abs(apart.theta) > params.apart_cells * params.angle_step_rad)
+          << i << " and " << k;
+    }
+  }
+}
+
+TEST(CorrelativeSearch, KeepsToTheGate) {
+  // Long along the body's x axis, narrow across.
+  const SyntheticWorld room = test::crooked_room();
+  const SurfelMap reference = reference_of(room, kReferencePose);
+  SearchWindow window{2.0, 0.3};
+  window.information.diagonal() << 1.0, 100.0, 100.0;
+  window.sigmas = 2.0;
+  for (const double heading : {0.2, 1.3}) {
+    const Pose2 centre{kReferencePose.x, kReferencePose.y, heading};
+    for (const auto& peak :
+         search_correlation(test::look(room, kReferencePose), reference, centre, window, 20, {})) {
+      const Pose2 off = between(centre, peak.T_odom_body);
+      const double theta = angle_diff(peak.T_odom_body.theta, heading);
+      EXPECT_LE(off.x * off.x + 100.0 * off.y * off.y + 100.0 * theta * theta, 4.0 + 1e-9);
+    }
+  }
+}
+
+TEST(CorrelativeSearch, LeavesOutPoorPeaks) {
+  const SyntheticWorld room = test::crooked_room();
+  const SurfelMap reference = reference_of(room, kReferencePose);
+  CorrelativeSearchParams params;
+  params.score_min = 0.5;
+  const auto peaks = search_correlation(test::look(room, kReferencePose), reference, kReferencePose,
+                                        {1.0, 0.6}, 50, params);
+  ASSERT_FALSE(peaks.empty());
+  EXPECT_LT(peaks.size(), 50U);
+  for (const auto& peak : peaks) EXPECT_GE(peak.score, params.score_min);
+}
+
 TEST(CorrelativeSearch, FindsNothingInNothing) {
   const SyntheticWorld room = test::crooked_room();
   const SurfelMap nothing{SurfelMapParams{}};

@@ -55,6 +55,35 @@ TEST(PointToLine, FollowsAStrongPriorAndIgnoresAWeakOne) {
   EXPECT_NEAR(between(kReferencePose, free.T_odom_body).vector().norm(), 0.0, 1e-3);
 }
 
+TEST(PointToLine, StopsWhereItJoinsAMatchThatConverged) {
+  const SyntheticWorld room = test::crooked_room();
+  const Pose2 truth = kReferencePose * Pose2{0.1, 0.05, -0.1};
+  const auto points = test::look(room, truth);
+  const SurfelMap reference = reference_of(room);
+  MatchTrail trail;
+  const auto first = match_point_to_line(points, reference, kReferencePose, {}, {}, &trail);
+  ASSERT_TRUE(first.converged);
+  EXPECT_FALSE(first.joined);
+  ASSERT_FALSE(trail.empty());
+  const Pose2 elsewhere = truth * Pose2{0.1, -0.1, 0.05};
+  const auto alone = match_point_to_line(points, reference, elsewhere, {}, {});
+  const auto second = match_point_to_line(points, reference, elsewhere, {}, {}, &trail);
+  EXPECT_TRUE(second.joined);
+  EXPECT_LT(second.iterations, alone.iterations);
+}
+
+TEST(PointToLine, LeavesNoTrailWhereItDoesNotConverge) {
+  const SyntheticWorld room = test::crooked_room();
+  const auto points = test::look(room, kReferencePose * Pose2{0.1, 0.05, -0.1});
+  PointToLineParams hasty;
+  hasty.iterations_max = 2;
+  MatchTrail trail;
+  const auto result =
+      match_point_to_line(points, reference_of(room), kReferencePose, {}, hasty, &trail);
+  EXPECT_FALSE(result.converged);
+  EXPECT_TRUE(trail.empty());
+}
+
 TEST(PointToLine, SaysNothingOfItselfWithoutPointsOrReference) {
   const SyntheticWorld room = test::crooked_room();
   const SurfelMap nothing{SurfelMapParams{}};

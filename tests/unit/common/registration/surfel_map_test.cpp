@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/registration/surfel_map.hpp"
 
+#include <cmath>
+#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -11,7 +13,7 @@ namespace {
 
 constexpr Pose2 kOrigin{};
 
-SurfacePoint point(double x, double y, Eigen::Vector2d normal = {0.0, 0.0}) {
+SurfacePoint point(double x, double y, const Eigen::Vector2d& normal = {0.0, 0.0}) {
   SurfacePoint p;
   p.p = {x, y};
   p.normal = normal;
@@ -31,13 +33,41 @@ TEST(SurfelMap, FindsTheNearestAsExhaustiveSearchDoes) {
     const Eigen::Vector2d p(metres(random), metres(random));
     double best = SurfelMap::kReach;
     for (const auto& surfel : map.surfels()) best = std::min(best, (surfel.p - p).norm());
-    const Surfel* found = map.nearest(p, {0.0, 0.0}, SurfelMap::kReach);
+    const Surfel* found = map.nearest(p, {0.0, 0.0}, SurfelMap::kReach).surfel;
     if (best < SurfelMap::kReach) {
       ASSERT_NE(found, nullptr);
       EXPECT_NEAR((found->p - p).norm(), best, 1e-12);
     } else {
       EXPECT_EQ(found, nullptr);
     }
+  }
+}
+
+TEST(SurfelMap, SaysHowFarAPointMayMoveWithoutAnotherAnswer) {
+  SurfelMap map{SurfelMapParams{}};
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> metres(-2.0, 2.0);
+  std::uniform_real_distribution<double> radians(0.0, 2.0 * std::numbers::pi);
+  for (int i = 0; i < 40; ++i) map.insert({point(metres(random), metres(random))}, kOrigin, 0.0);
+  for (const double radius : {0.1, 0.25, 0.4, SurfelMap::kReach}) {
+    int nothing = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const Eigen::Vector2d p(metres(random), metres(random));
+      const auto [surfel, clearance] = map.nearest(p, {0.0, 0.0}, radius);
+      ASSERT_GE(clearance, 0.0);
+      const double angle = radians(random);
+      const Eigen::Vector2d moved =
+          p + 0.999 * clearance * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+      const Surfel* now = map.nearest(moved, {0.0, 0.0}, SurfelMap::kReach).surfel;
+      const auto away = [&](const Surfel& s) { return (s.p - moved).norm(); };
+      if (surfel != nullptr && away(*surfel) < SurfelMap::kReach) {
+        ASSERT_EQ(now, surfel);
+      } else if (surfel == nullptr) {
+        ++nothing;
+        ASSERT_TRUE(now == nullptr || away(*now) >= radius);
+      }
+    }
+    EXPECT_GT(nothing, 0);
   }
 }
 
@@ -56,7 +86,7 @@ TEST(SurfelMap, KeepsTheTwoSidesOfAThinWallApart) {
   SurfelMap map{SurfelMapParams{}};
   map.insert({point(1.0, 0.0, {0.0, -1.0}), point(1.0, 0.02, {0.0, 1.0})}, kOrigin, 0.0);
   EXPECT_EQ(map.surfels().size(), 2U);
-  EXPECT_GT(map.nearest({1.0, 0.0}, {0.0, 1.0}, 0.5)->normal.y(), 0.0);
+  EXPECT_GT(map.nearest({1.0, 0.0}, {0.0, 1.0}, 0.5).surfel->normal.y(), 0.0);
 }
 
 TEST(SurfelMap, PlacesPointsByThePose) {
@@ -72,15 +102,15 @@ TEST(SurfelMap, ForgetsWhatWasNotSeenForLong) {
   map.insert({point(1.0, 0.0), point(2.0, 0.0)}, kOrigin, 0.0);
   map.insert({point(2.0, 0.0)}, kOrigin, 10.0);
   map.forget_before(5.0);
-  EXPECT_EQ(map.nearest({1.0, 0.0}, {0.0, 0.0}, 0.5), nullptr);
-  EXPECT_NE(map.nearest({2.0, 0.0}, {0.0, 0.0}, 0.5), nullptr);
+  EXPECT_EQ(map.nearest({1.0, 0.0}, {0.0, 0.0}, 0.5).surfel, nullptr);
+  EXPECT_NE(map.nearest({2.0, 0.0}, {0.0, 0.0}, 0.5).surfel, nullptr);
 }
 
 TEST(SurfelMap, IsNotConfusedByPlacesAWholeGridAway) {
   SurfelMap map{SurfelMapParams{}};
   const double period = 512 * SurfelMap::kBucket;
   map.insert({point(1.0, 1.0)}, kOrigin, 0.0);
-  EXPECT_EQ(map.nearest({1.0 + period, 1.0}, {0.0, 0.0}, 0.5), nullptr);
+  EXPECT_EQ(map.nearest({1.0 + period, 1.0}, {0.0, 0.0}, 0.5).surfel, nullptr);
 }
 
 }  // namespace

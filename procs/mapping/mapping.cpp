@@ -44,7 +44,7 @@ void sort_by_likelihood(std::vector<Closure>& closures) {
 
 Mapping::Mapping(const MappingParams& params)
     : params_(params),
-      mounts_{{"LASER_FRONT", params.laser_front}, {"LASER_REAR", params.laser_rear}},
+      mounts_{{"LASER_FRONT", params.lasers.front}, {"LASER_REAR", params.lasers.rear}},
       builder_(params.local_maps),
       association_(params.association) {}
 
@@ -131,8 +131,8 @@ std::vector<Closure> Mapping::relocalise() const {
         Eigen::Vector3d(kSearchM, kSearchM, std::numbers::pi).cwiseAbs2().asDiagonal();
     Closure closure;
     closure.newer_map = static_cast<int>(maps_.size()) - 1;
-    closure.alternatives = match_maps(walls_.back(), place_around(older), older, anywhere,
-                                      params_.matching);
+    closure.alternatives =
+        match_maps(walls_.back(), place_around(older), older, anywhere, params_.matching);
     if (!closure.alternatives.empty()) closures.push_back(std::move(closure));
   }
   sort_by_likelihood(closures);
@@ -148,8 +148,8 @@ std::vector<Closure> Mapping::find_closures() const {
   const GaussianField field(graph_of(association_.problem(), belief));
   auto covariances = field.relative_covariances_to(newest);
   for (std::size_t i = 0; i < covariances.size(); ++i) {
-    covariances[i] = in_newer_frame(
-        covariances[i], between(belief.T_map_local[i], belief.T_map_local.back()));
+    covariances[i] =
+        in_newer_frame(covariances[i], between(belief.T_map_local[i], belief.T_map_local.back()));
   }
   std::vector<Closure> closures;
   for (const ClosureCandidate& candidate :
@@ -170,7 +170,8 @@ std::vector<PlacedWalls> Mapping::place_around(int map) const {
   std::vector<PlacedWalls> placed;
   for (const int k : {map, map - 1, map + 1}) {
     if (k < 0 || k >= static_cast<int>(maps_.size())) continue;
-    if (maps_[static_cast<std::size_t>(k)].session != maps_[static_cast<std::size_t>(map)].session) continue;
+    if (maps_[static_cast<std::size_t>(k)].session != maps_[static_cast<std::size_t>(map)].session)
+      continue;
     const auto i = static_cast<std::size_t>(k);
     placed.push_back({&walls_[i], between(poses[static_cast<std::size_t>(map)], poses[i])});
   }
@@ -203,8 +204,7 @@ std::optional<MapCorrection> Mapping::correction() const {
   correction.revision = revision_;
   correction.session = newest.session;
   correction.local_map = newest.id;
-  correction.T_map_odom =
-      association_.belief().T_map_local.back() * newest.T_odom_local.inverse();
+  correction.T_map_odom = association_.belief().T_map_local.back() * newest.T_odom_local.inverse();
   return correction;
 }
 

@@ -32,7 +32,7 @@ Examples:
   adit map intel.log.gz --out intel                    a CARMEN log
   adit map run.lcmlog --out again --no-odometry        from the laser alone
   adit map second.lcmlog --out both --resume first     go on with the map in the folder first
-  adit-scan_matching --print-config > my.yaml          every parameter there is; edit, then
+  adit-mapping --print-config > my.yaml                every parameter of a stage; edit, then
   adit map run.lcmlog --out mine --config my.yaml)";
 
 void map(const MapRunOptions& options) {

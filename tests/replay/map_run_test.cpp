@@ -182,6 +182,7 @@ TEST_F(MapRun, ResumesTheMapOfAnEarlierRun) {
   const MapRunResult result = resume(at("second.lcmlog"), "both", "first");
   EXPECT_THAT(result.complaints, IsEmpty());
   EXPECT_GT(result.local_maps, 80U);
+  EXPECT_GT(result.joints, 5U);
 
   const Trajectory path = read_tum(at("both/trajectory.tum"));
   EXPECT_GT(path.size(), second.size());

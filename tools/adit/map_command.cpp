@@ -26,7 +26,8 @@ constexpr const char* kFooter =
   summary.json          scans, path length, closures, times, memory, where motion was not observed
 
 A map that is resumed keeps its frame. The recording is looked for in it as if the robot might have been
-carried anywhere; afterwards path and pictures show both. DIR and the folder to resume may be the same.
+carried anywhere; afterwards path and pictures show both. One or two closures that hold it there may be
+mistaken: look at map.png with --draw-graph. DIR and the folder to resume may be the same.
 
 Examples:
   adit map intel.log.gz --out intel                    a CARMEN log
@@ -50,7 +51,11 @@ void map(const MapRunOptions& options) {
   std::cout << options.folder.string() << ": " << result.scans << " scans over "
             << result.path_length_m << " m in " << result.wall_s << " s, " << result.lost
             << " of them lost; " << result.local_maps << " local maps, " << result.closures
-            << (result.closures == 1 ? " closure\n" : " closures\n");
+            << (result.closures == 1 ? " closure" : " closures");
+  if (!options.resume.empty()) {
+    std::cout << ", " << result.joints << " of them to the map of " << options.resume.string();
+  }
+  std::cout << "\n";
 }
 
 }  // namespace

@@ -121,6 +121,7 @@ MapRunResult result_of(const RunRecord& record, const WholeMap& map) {
   result.path_length_m = path_length_m(record.odometry());
   result.local_maps = map.local_maps.size();
   result.closures = count_closures(map).in_force;
+  result.joints = count_joints(map);
   return result;
 }
 
@@ -154,7 +155,7 @@ MapRunResult run_map(const MapRunOptions& options,
   const WholeMap map = whole_map(earlier, record);
   MapRunResult result = result_of(record, map);
   result.complaints = complaints_of(input, bus);
-  if (!options.resume.empty() && !last_session_is_joined(map)) {
+  if (!options.resume.empty() && result.joints == 0) {
     result.complaints.emplace_back(
         "not recognised in the map that it continues: its place there "
         "is a guess");

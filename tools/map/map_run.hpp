@@ -24,6 +24,7 @@ struct MapRunResult {
   double path_length_m = 0.0;
   std::size_t local_maps = 0;  ///< of the whole map
   std::size_t closures = 0;    ///< in force at the end
+  std::size_t joints = 0;      ///< those of them that hold this run to the map that it continues
   double wall_s = 0.0;
   std::vector<std::string> complaints;  ///< what was skipped or could not be done, a sentence each
 };

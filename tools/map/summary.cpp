@@ -106,7 +106,8 @@ Json map_json(const WholeMap& map) {
           {"closures",
            {{"proposed", closures.proposed},
             {"in_force", closures.in_force},
-            {"revised", closures.revised}}},
+            {"revised", closures.revised},
+            {"to_earlier_sessions", count_joints(map)}}},
           {"objective", objective_of(map.graph)},
           {"bytes_per_local_map", bytes_json(map)}};
 }

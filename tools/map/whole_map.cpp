@@ -102,17 +102,19 @@ Trajectory joined_path(const WholeMap& map) {
   return joined;
 }
 
-bool last_session_is_joined(const WholeMap& map) {
+std::size_t count_joints(const WholeMap& map) {
+  if (map.local_maps.empty()) return 0;
   const auto session_of = [&](int id) {
     return map.local_maps[static_cast<std::size_t>(id)]->session;
   };
   const int last = map.local_maps.back()->session;
-  return std::any_of(map.graph.constraints.begin(), map.graph.constraints.end(),
-                     [&](const MapConstraint& constraint) {
-                       return constraint.kind == MapConstraint::Kind::kClosure &&
-                              session_of(constraint.measured.to) == last &&
-                              session_of(constraint.measured.from) != last;
-                     });
+  return static_cast<std::size_t>(
+      std::count_if(map.graph.constraints.begin(), map.graph.constraints.end(),
+                    [&](const MapConstraint& constraint) {
+                      return constraint.kind == MapConstraint::Kind::kClosure &&
+                             session_of(constraint.measured.to) == last &&
+                             session_of(constraint.measured.from) != last;
+                    }));
 }
 
 }  // namespace adit

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -40,7 +41,7 @@ WholeMap whole_map(const StoredMap& earlier, const RunRecord& record);
 /// All paths as one, in order of time. Of two poses at one time, that of the later session.
 Trajectory joined_path(const WholeMap& map);
 
-/// Whether a closure in force holds the last session to an earlier one.
-bool last_session_is_joined(const WholeMap& map);
+/// How many closures in force hold the last session to earlier ones.
+std::size_t count_joints(const WholeMap& map);
 
 }  // namespace adit

@@ -43,13 +43,14 @@ class HostedNode {
   std::unique_ptr<AnyNode> node_;
 };
 
-/// Takes the section of the stage from the file. A node has
+/// A node with parameters at hand, and the YAML that says of them what others are to know. A node
+/// has
 ///   using Params = ...;                      // visited as in common/config
 ///   Node(Bus& bus, const Params& params);
 ///   Health health() const;                   // where it knows better than "OK"
-/// Throws ConfigError.
 template <class Node>
-ConfiguredNode configure_node(const std::string& stage, const ConfigFile& file) {
+ConfiguredNode configured_node(const std::string& stage, const std::string& yaml,
+                               const typename Node::Params& params) {
   class NodeBox final : public AnyNode {
    public:
     NodeBox(Bus& bus, const typename Node::Params& params) : node_(bus, params) {}
@@ -62,9 +63,14 @@ ConfiguredNode configure_node(const std::string& stage, const ConfigFile& file) 
     Node node_;
   };
 
+  return {stage, yaml, [params](Bus& bus) { return std::make_unique<NodeBox>(bus, params); }};
+}
+
+/// Takes the section of the stage from the file. Throws ConfigError.
+template <class Node>
+ConfiguredNode configure_node(const std::string& stage, const ConfigFile& file) {
   const auto params = load_section<typename Node::Params>(file, stage);
-  return {stage, to_yaml(params, stage),
-          [params](Bus& bus) { return std::make_unique<NodeBox>(bus, params); }};
+  return configured_node<Node>(stage, to_yaml(params, stage), params);
 }
 
 }  // namespace adit

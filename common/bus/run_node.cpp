@@ -41,7 +41,7 @@ void declare(CLI::App& app, const std::string& program, Options& options) {
 ConfigFile load(const std::string& path, const std::string& stage) {
   if (path.empty()) return {};
   ConfigFile file = ConfigFile::load(path);
-  std::vector<std::string> known = stage_names();
+  std::vector<std::string> known = config_sections();
   known.push_back(stage);
   file.require_known_sections(known);
   return file;

@@ -19,10 +19,12 @@
 ///     }
 ///   };
 /// The same visit loads them, checks them, prints them and knows which keys exist. Keys are bool,
-/// int, double, std::string, std::vector<double>, Pose2 or a struct of the same make.
+/// int, double, std::string, std::vector<double>, Pose2 or a struct of the same make. A struct that
+/// several stages must agree on is `v.shared("lasers", lasers)`: a section of its own in the file.
 namespace adit {
 
-/// The defaults, changed by what one section of the file says. Throws ConfigError.
+/// The defaults, changed by what one section of the file says, and those that it shares with
+/// others. Throws ConfigError.
 template <class Params>
 Params load_section(const ConfigFile& file, std::string_view section) {
   Params params;
@@ -32,7 +34,8 @@ Params load_section(const ConfigFile& file, std::string_view section) {
   return params;
 }
 
-/// The section as YAML with every key, ready to be edited and loaded again.
+/// The section as YAML with every key, and those that it shares, ready to be edited and loaded
+/// again.
 template <class Params>
 std::string to_yaml(const Params& params, std::string_view section) {
   Params copy = params;  // one visit serves reading and writing, and so cannot be const

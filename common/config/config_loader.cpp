@@ -31,8 +31,7 @@ std::string shown(const ConfigNode& node) {
 
 }  // namespace
 
-ConfigLoader::ConfigLoader(const ConfigFile& file, std::string_view section)
-    : file_name_(file.name()) {
+ConfigLoader::ConfigLoader(const ConfigFile& file, std::string_view section) : file_(file) {
   push(file.section(section), std::string(section));
 }
 
@@ -99,7 +98,7 @@ void ConfigLoader::enter(std::string_view key) {
 
 void ConfigLoader::push(const ConfigNode* map, std::string path) {
   if (map != nullptr && map->kind != Kind::kMap && map->kind != Kind::kNothing) {
-    throw ConfigError(file_name_ + ":" + std::to_string(map->line) + ": " + path + " is " +
+    throw ConfigError(file_.name() + ":" + std::to_string(map->line) + ": " + path + " is " +
                       shown(*map) + ", not a map of keys");
   }
   levels_.push_back({map, std::move(path), {}});
@@ -111,13 +110,13 @@ void ConfigLoader::leave() {
   if (level.map == nullptr) return;
   for (const ConfigNode& child : level.map->children) {
     if (std::find(level.known.begin(), level.known.end(), child.key) == level.known.end()) {
-      fail_unknown(file_name_, child, "key '" + child.key + "' in " + level.path, level.known);
+      fail_unknown(file_.name(), child, "key '" + child.key + "' in " + level.path, level.known);
     }
   }
 }
 
 void ConfigLoader::fail(const ConfigNode& node, const std::string& reason) const {
-  throw ConfigError(file_name_ + ":" + std::to_string(node.line) + ": " + levels_.back().path +
+  throw ConfigError(file_.name() + ":" + std::to_string(node.line) + ": " + levels_.back().path +
                     "." + node.key + " " + reason);
 }
 

@@ -47,6 +47,14 @@ class ConfigLoader {
     leave();
   }
 
+  /// What several stages read, from a section of its own.
+  template <class Params>
+  void shared(std::string_view section, Params& params) {
+    ConfigLoader loader(file_, section);
+    params.visit(loader);
+    loader.finish();
+  }
+
   /// To be called when everything has been visited: refuses what was not.
   void finish() { leave(); }
 
@@ -65,7 +73,7 @@ class ConfigLoader {
   [[nodiscard]] double read_number(const ConfigNode& node, const Bounds& bounds) const;
   void check(const ConfigNode& node, double value, const Bounds& bounds) const;
 
-  const std::string& file_name_;
+  const ConfigFile& file_;
   std::vector<Level> levels_;
 };
 

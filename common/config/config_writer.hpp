@@ -34,13 +34,22 @@ class ConfigWriter {
     --depth_;
   }
 
-  [[nodiscard]] const std::string& text() const { return text_; }
+  /// What several stages read: a section of its own, behind that of the stage.
+  template <class Params>
+  void shared(std::string_view section, Params& params) {
+    ConfigWriter writer(section);
+    params.visit(writer);
+    shared_ += writer.text();
+  }
+
+  [[nodiscard]] std::string text() const { return text_ + shared_; }
 
  private:
   void open(std::string_view key);
   void line(std::string_view key, const std::string& value, const Bounds& bounds);
 
   std::string text_;
+  std::string shared_;
   std::size_t depth_ = 0;
 };
 

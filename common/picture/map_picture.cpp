@@ -90,8 +90,12 @@ void stroke_path(const Canvas& canvas, const MapLayout& layout, const std::vecto
 
 void draw_path(const Canvas& canvas, const MapLayout& layout, const MapPicture& picture) {
   const std::vector<Pose2>& path = picture.path;
+  const auto joined = [&](std::size_t i) {
+    const auto& jumps = picture.jumps;
+    return std::find(jumps.begin(), jumps.end(), i + 1) == jumps.end();
+  };
   const auto flagged = [&](std::size_t i) {
-    return i < picture.degenerate.size() && picture.degenerate[i];
+    return i < picture.degenerate.size() && picture.degenerate[i] && joined(i);
   };
   canvas.colour(kDegenerate);
   stroke_path(canvas, layout, path, 12.0 * layout.unit, flagged);
@@ -103,7 +107,7 @@ void draw_path(const Canvas& canvas, const MapLayout& layout, const MapPicture& 
     const std::size_t first = pieces * shade / kShades;
     const std::size_t end = pieces * (shade + 1) / kShades;
     stroke_path(canvas, layout, path, 2.6 * layout.unit,
-                [&](std::size_t i) { return i >= first && i < end; });
+                [&](std::size_t i) { return i >= first && i < end && joined(i); });
   }
 }
 

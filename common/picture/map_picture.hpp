@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,7 +18,9 @@ struct MapPicture {
   std::string title;        ///< one line, UTF-8
   std::vector<Pose2> path;  ///< T_map_body from start to end, finite, coloured along its length
   std::vector<bool> degenerate;  ///< for each pose of the path, or empty; drawn as a wide band
-  GraphPicture graph{};          ///< as much of it as is to be seen
+  /// Indices of poses to which the path does not lead: there another session begins.
+  std::vector<std::size_t> jumps{};
+  GraphPicture graph{};  ///< as much of it as is to be seen
 };
 
 /// Draws a map as PNG: open ground white, walls dark, the unknown the colour of the paper; the path

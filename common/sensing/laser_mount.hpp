@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <numbers>
+
 #include "common/config/bounds.hpp"
 #include "common/geometry/pose2.hpp"
 
@@ -18,6 +20,21 @@ struct LaserMount {
     v("T_body_laser", T_body_laser);
     v("range_min_m", range_min_m, at_least(0.0));
     v("range_max_m", range_max_m, above(0.0));
+  }
+};
+
+/// The lasers of the vehicle: a section of the configuration that all stages share, so that none
+/// can have them elsewhere than another.
+struct Lasers {
+  static constexpr const char* kSection = "lasers";
+
+  LaserMount front;
+  LaserMount rear{.T_body_laser = {0.0, 0.0, std::numbers::pi}};
+
+  template <class V>
+  void visit(V& v) {
+    v("front", front);
+    v("rear", rear);
   }
 };
 

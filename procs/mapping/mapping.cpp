@@ -18,6 +18,8 @@ constexpr double kGapRad = 0.2;
 // other every few metres [m].
 constexpr double kSearchM = 1.0;
 constexpr std::size_t kRelocalisations = 3;
+// Log-likelihood of a place among so many: chance gives up to ten, a place that was seen thirty.
+constexpr double kRelocalisationMin = 20.0;
 // Times as many candidates where the likely ones have been wrong.
 constexpr int kThorough = 4;
 // The newest measurements, whose likelihood is monitored.
@@ -39,7 +41,7 @@ void sort_by_likelihood(std::vector<Closure>& closures) {
 
 Mapping::Mapping(const MappingParams& params)
     : params_(params),
-      mounts_{{"LASER_FRONT", params.laser_front}, {"LASER_REAR", params.laser_rear}},
+      mounts_{{"LASER_FRONT", params.lasers.front}, {"LASER_REAR", params.lasers.rear}},
       builder_(params.local_maps),
       association_(params.association) {}
 
@@ -133,6 +135,8 @@ std::vector<Closure> Mapping::relocalise() const {
     closure.newer_map = static_cast<int>(maps_.size()) - 1;
     closure.alternatives = match_maps(walls_.back(), place_around(older, poses), older, anywhere,
                                       params_.matching);
+    std::erase_if(closure.alternatives,
+                  [](const auto& a) { return a.log_likelihood < kRelocalisationMin; });
     if (!closure.alternatives.empty()) closures.push_back(std::move(closure));
   }
   sort_by_likelihood(closures);
@@ -225,8 +229,7 @@ std::optional<MapCorrection> Mapping::correction() const {
   correction.revision = revision_;
   correction.session = newest.session;
   correction.local_map = newest.id;
-  correction.T_map_odom =
-      association_.belief().T_map_local.back() * newest.T_odom_local.inverse();
+  correction.T_map_odom = association_.belief().T_map_local.back() * newest.T_odom_local.inverse();
   return correction;
 }
 

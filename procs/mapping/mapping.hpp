@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,8 +24,7 @@
 namespace adit {
 
 struct MappingParams {
-  LaserMount laser_front;
-  LaserMount laser_rear{.T_body_laser = {0.0, 0.0, std::numbers::pi}};
+  Lasers lasers;
   LocalMapBuilderParams local_maps;
   LocalWallsParams walls;
   ClosureCandidatesParams candidates;
@@ -35,8 +33,7 @@ struct MappingParams {
 
   template <class V>
   void visit(V& v) {
-    v("laser_front", laser_front);
-    v("laser_rear", laser_rear);
+    v.shared(Lasers::kSection, lasers);
     v("local_maps", local_maps);
     v("walls", walls);
     v("candidates", candidates);
@@ -69,8 +66,8 @@ class Mapping : private Evidence {
   /// looked for near there.
   void restore(StoredMap stored);
 
-  /// A scan and what scan matching made of it, in order of time. Something where it finished a local
-  /// map.
+  /// A scan and what scan matching made of it, in order of time. Something where it finished a
+  /// local map.
   std::optional<MapUpdate> add(const std::string& channel, const LaserScan& scan,
                                const ScanMatch& match);
 

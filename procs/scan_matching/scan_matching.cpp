@@ -88,7 +88,7 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
 }
 
 Sighting ScanMatching::see(LaserId laser, const LaserScan& scan) const {
-  const LaserMount& mount = laser == LaserId::kFront ? params_.laser_front : params_.laser_rear;
+  const LaserMount& mount = laser == LaserId::kFront ? params_.lasers.front : params_.lasers.rear;
   return {laser, surface_points(scan, mount, params_.surface), FreeSpace(scan, mount)};
 }
 

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <map>
-#include <numbers>
 #include <optional>
 
 #include <Eigen/Core>
@@ -22,8 +21,7 @@
 namespace adit {
 
 struct ScanMatchingParams {
-  LaserMount laser_front;
-  LaserMount laser_rear{.T_body_laser = {0.0, 0.0, std::numbers::pi}};
+  Lasers lasers;
   SurfaceParams surface;
   MotionPredictionParams motion;
   LocalReferenceParams reference;
@@ -38,8 +36,7 @@ struct ScanMatchingParams {
 
   template <class V>
   void visit(V& v) {
-    v("laser_front", laser_front);
-    v("laser_rear", laser_rear);
+    v.shared(Lasers::kSection, lasers);
     v("surface", surface);
     v("motion", motion);
     v("reference", reference);

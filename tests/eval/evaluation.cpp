@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "procs/mapping/map_journal.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tools/eval/tum.hpp"
 #include "tools/map/map_run.hpp"
@@ -26,7 +27,9 @@ Evaluation read_results(const std::filesystem::path& folder) {
   const auto summary = nlohmann::json::parse(test::contents(folder / "summary.json"));
   Evaluation result;
   result.trajectory = read_tum(folder / "trajectory.tum");
-  result.scans = result.trajectory.size();
+  result.odometry = read_tum(folder / "odometry.tum");
+  result.map = read_map_journal(folder / "map.journal");
+  result.scans = result.odometry.size();
   result.lost = summary.at("scans").at("lost");
   result.searched = summary.at("scans").at("searched");
   result.degenerate = summary.at("scans").at("degenerate");
@@ -37,6 +40,12 @@ Evaluation read_results(const std::filesystem::path& folder) {
   }
   result.scan_ms = summary.at("ms_per_scan").at("mean");
   result.scan_p99_ms = summary.at("ms_per_scan").at("p99");
+  result.closures = summary.at("map").at("closures").at("in_force");
+  result.revised = summary.at("map").at("closures").at("revised");
+  result.local_map_ms = summary.at("ms_per_local_map").at("mean");
+  result.local_map_max_ms = summary.at("ms_per_local_map").at("max");
+  result.local_map_kbytes =
+      1e-3 * summary.at("map").at("bytes_per_local_map").at("serialised").get<double>();
   return result;
 }
 
@@ -47,8 +56,10 @@ Evaluation evaluate(const std::filesystem::path& log, bool use_odometry, int run
   Evaluation result;
   std::vector<double> means_ms;
   std::vector<double> p99s_ms;
+  std::vector<double> local_maps_ms;
+  std::vector<double> local_maps_max_ms;
   for (int i = 0; i < runs; ++i) {
-    run_map({log, scratch / "run", {}, use_odometry}, [](const std::string&, double) {});
+    run_map({log, scratch / "run", {}, use_odometry, {}, false}, [](const std::string&, double) {});
     const Evaluation run = read_results(scratch / "run");
     if (i == 0) result = run;
     if (run.trajectory != result.trajectory) {
@@ -56,9 +67,13 @@ Evaluation evaluate(const std::filesystem::path& log, bool use_odometry, int run
     }
     means_ms.push_back(run.scan_ms);
     p99s_ms.push_back(run.scan_p99_ms);
+    local_maps_ms.push_back(run.local_map_ms);
+    local_maps_max_ms.push_back(run.local_map_max_ms);
   }
   result.scan_ms = median(means_ms);
   result.scan_p99_ms = median(p99s_ms);
+  result.local_map_ms = median(local_maps_ms);
+  result.local_map_max_ms = median(local_maps_max_ms);
   return result;
 }
 

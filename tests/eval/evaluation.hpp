@@ -5,21 +5,29 @@
 #include <cstddef>
 #include <filesystem>
 
+#include "procs/mapping/mapping.hpp"
 #include "tools/eval/trajectory.hpp"
 
 namespace adit {
 
 /// What `adit map` made of a log, over several runs.
 struct Evaluation {
-  Trajectory trajectory;
+  Trajectory odometry;    ///< T_odom_body: of scan matching
+  Trajectory trajectory;  ///< T_map_body: of mapping
+  StoredMap map;
   std::size_t scans = 0;
   std::size_t lost = 0;
   std::size_t searched = 0;
   std::size_t degenerate = 0;  ///< scans that left a direction open
   std::size_t degenerate_stretches = 0;
-  double degenerate_m = 0.0;  ///< length of these stretches together
-  double scan_ms = 0.0;       ///< mean of a run, median of the runs
-  double scan_p99_ms = 0.0;   ///< 99th percentile of a run, median of the runs
+  double degenerate_m = 0.0;      ///< length of these stretches together
+  double scan_ms = 0.0;           ///< mean of a run, median of the runs
+  double scan_p99_ms = 0.0;       ///< 99th percentile of a run, median of the runs
+  std::size_t closures = 0;       ///< in force at the end
+  std::size_t revised = 0;        ///< decisions that were replaced
+  double local_map_ms = 0.0;      ///< mapping, mean of a run, median of the runs
+  double local_map_max_ms = 0.0;  ///< the longest of a run, median of the runs
+  double local_map_kbytes = 0.0;  ///< serialised
 };
 
 /// Runs the pipeline `runs` times on a log, in a folder that is gone afterwards. Throws

@@ -2,19 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // relations_table [--runs N]: what scan matching makes of every recording that is there, as two
 // tables in Markdown: against hand-verified relations, and against a path that is known otherwise.
-#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <string>
-#include <variant>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "tests/eval/benchmarks.hpp"
 #include "tests/eval/evaluation.hpp"
-#include "tests/support/recordings.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tools/carmen/carmen_reader.hpp"
 #include "tools/eval/path_error.hpp"
 #include "tools/eval/relations.hpp"
 #include "tools/sample_mine/sample_log.hpp"
@@ -22,48 +18,13 @@
 namespace adit {
 namespace {
 
-/// A recording with relations, and what others score on it: mean ± standard deviation of the
-/// translational error [m].
-struct Benchmark {
-  const char* name;
-  const char* log;
-  const char* relations;
-  int beams;
-  const char* published;  ///< scan matching with odometry, Kümmerle et al. 2009
-  const char* csm_chain;  ///< point-to-line ICP from scan to scan, without odometry
-};
-
-constexpr Benchmark kBenchmarks[] = {
-    {"CSAIL", "csail_raw.log.gz", "csail.relations", 361, "0.106 ± 0.325", "0.414 ± 1.32"},
-    {"Intel", "intel_raw.log.gz", "intel.relations", 180, "0.220 ± 0.296", "0.798 ± 1.07"},
-    {"FR079", "fr079_chain.log.gz", "fr079.relations", 360, "0.258 ± 0.427", "0.672 ± 1.32"},
-};
-
-/// Recordings whose pose fields hold a path that was corrected by loop closing. Their odometry is
-/// the same path, so that only the laser alone says anything.
-struct Corrected {
-  const char* name;
-  const char* log;
-  int beams;
-};
-
-constexpr Corrected kCorrected[] = {{"Acapulco", "acapulco_scans.log.gz", 181},
-                                    {"Seattle", "seattle_scans.log.gz", 361}};
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  char text[400];
-  std::snprintf(text, sizeof(text), pattern, values...);
-  return text;
-}
-
 /// Relations that the trajectory does not cover count as they do for others: not at all.
 void print_benchmark(const Benchmark& benchmark, bool use_odometry, int runs) {
-  const auto log = test::find_recording(std::string("laser2d/") + benchmark.log);
-  const auto relations = test::find_recording(std::string("laser2d/") + benchmark.relations);
+  const auto log = find_laser_recording(benchmark.log);
+  const auto relations = find_laser_recording(benchmark.relations);
   if (!log || !relations) return;
   const Evaluation run = evaluate(*log, use_odometry, runs);
-  const RelationsScore score = score_relations(read_relations(*relations), run.trajectory);
+  const RelationsScore score = score_relations(read_relations(*relations), run.odometry);
   const auto& t = score.translation_m;
   const auto& r = score.rotation_deg;
   std::cout << format("| %s, %d beams | %s | **%.3f** ± %.3f | %.3f | %.2f ± %.2f | %s | %s |",
@@ -87,11 +48,11 @@ void print_relations_table(int runs) {
 
 void print_path(const std::string& name, bool use_odometry, const Evaluation& run,
                 const Trajectory& reference) {
-  const PathError error = path_error(run.trajectory, reference);
+  const PathError error = path_error(run.odometry, reference);
   std::cout << format("| %s | %s | %.1f / %.1f | %.2f | %.2f | %.2f / %.2f | %.2f |", name.c_str(),
-                      use_odometry ? "yes" : "no", path_length_m(run.trajectory),
+                      use_odometry ? "yes" : "no", path_length_m(run.odometry),
                       path_length_m(reference), error.rmse_m, error.farthest_m,
-                      longest_step_m(run.trajectory), longest_step_m(reference), error.step_m)
+                      longest_step_m(run.odometry), longest_step_m(reference), error.step_m)
             << format(" %zu, %.1f m | %zu | %zu | %zu | %zu | %.2f | %.1f |\n",
                       run.degenerate_stretches, run.degenerate_m, run.degenerate, run.scans,
                       run.lost, run.searched, run.scan_ms, run.scan_p99_ms)
@@ -106,21 +67,8 @@ void print_sample(bool half_degree, bool use_odometry, int runs) {
              evaluate(scratch / "mine.lcmlog", use_odometry, runs), sample.truth());
 }
 
-/// The poses that the log itself holds; scans whose time was refused are not among them.
-Trajectory poses_of(const std::filesystem::path& log) {
-  Trajectory poses;
-  CarmenReader reader(log);
-  while (const auto record = reader.next()) {
-    const auto* scan = std::get_if<CarmenScan>(&*record);
-    if (scan == nullptr) continue;
-    if (!poses.empty() && scan->scan.utime <= poses.back().utime) continue;
-    poses.push_back({scan->scan.utime, scan->T_log_laser});
-  }
-  return poses;
-}
-
 void print_corrected(const Corrected& recording, int runs) {
-  const auto log = test::find_recording(std::string("laser2d/") + recording.log);
+  const auto log = find_laser_recording(recording.log);
   if (!log) return;
   print_path(format("%s, %d beams", recording.name, recording.beams), false,
              evaluate(*log, false, runs), poses_of(*log));

@@ -8,15 +8,10 @@
 set -euo pipefail
 root=$(dirname "$(dirname "$(dirname "$(readlink -f "$0")")")")
 page=$root/docs/results/scan_matching.md
-kHeading='## Figures'
+. "$root/tests/eval/page.sh"
 
 figures() {
-  local changes=
-  git diff --quiet HEAD -- . ":!$page" || changes=', with changes'
-  echo "$(date +%F), commit $(git rev-parse --short HEAD)$changes, default configuration, $(nproc) cores of" \
-    "$(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -1)," \
-    "load before $(cut -d' ' -f1 /proc/loadavg), medians of $1 runs."
-  echo
+  conditions "$page" "$1"
   build/ci/tests/relations_table --runs "$1"
   echo
   echo '```'
@@ -30,9 +25,4 @@ update=
 cd "$root"
 cmake --preset ci >/dev/null
 cmake --build --preset ci --target relations_table bench_scan_matching >&2
-if [[ $update ]]; then
-  new=$(sed "/^$kHeading/q" "$page"; echo; figures "${1:-5}")
-  echo "$new" >"$page"
-else
-  figures "${1:-5}"
-fi
+if [[ $update ]]; then put "$page" "$(figures "${1:-5}")"; else figures "${1:-5}"; fi

@@ -28,7 +28,14 @@ class MapRunTest : public testing::Test {
   MapRunResult map(const std::filesystem::path& input, const std::string& folder,
                    Odometry odometry = Odometry::kUsed,
                    const std::filesystem::path& config = {}) const {
-    return run_map({input, scratch_ / folder, config, odometry == Odometry::kUsed},
+    return run_map({input, scratch_ / folder, config, odometry == Odometry::kUsed, {}, true},
+                   [](const std::string&, double) {});
+  }
+
+  /// Goes on with the map in the folder `earlier`.
+  MapRunResult resume(const std::filesystem::path& input, const std::string& folder,
+                      const std::string& earlier) const {
+    return run_map({input, scratch_ / folder, {}, true, scratch_ / earlier, true},
                    [](const std::string&, double) {});
   }
 

@@ -14,6 +14,8 @@
 
 #include "common/bus/log_writer.hpp"
 #include "common/config/config.hpp"
+#include "common/pose_graph/g2o_file.hpp"
+#include "procs/mapping/map_journal.hpp"
 #include "tests/replay/map_fixture.hpp"
 #include "tools/carmen/carmen_import.hpp"
 #include "tools/eval/tum.hpp"
@@ -23,6 +25,14 @@ namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+
+/// Writes a drive through the mine without its beginning; gives where the robot truly was.
+Trajectory write_rest(std::size_t scans_before, const std::filesystem::path& path) {
+  SampleRun run(1);
+  for (std::size_t i = 0; i < scans_before; ++i) run.next();
+  write_sample_log(run, path);
+  return {run.truth().begin() + static_cast<std::ptrdiff_t>(scans_before), run.truth().end()};
+}
 
 /// Farthest distance between where the trajectory and the truth have the body, both from their
 /// first poses.
@@ -133,6 +143,115 @@ TEST_F(MapRun, WritesAMapAsMapServerReadsIt) {
                       static_cast<std::size_t>(column);
     EXPECT_EQ(cells[cell], '\xFE') << "the robot drove where the map is not free";
   }
+}
+
+TEST_F(MapRun, ClosesTheLoopsOfTheMine) {
+  const Trajectory truth = write_sample("sample.lcmlog", 1000.0);  // all of it
+  const MapRunResult result = map(at("sample.lcmlog"), "map");
+  EXPECT_GT(result.local_maps, 80U);  // one each 5 m
+  EXPECT_GT(result.closures, 20U);
+  EXPECT_LT(farthest_error_m(read_tum(at("map/trajectory.tum")), truth), 0.15);  // 3 cells
+
+  const auto summary = nlohmann::json::parse(contents("map/summary.json"));
+  const auto& found = summary.at("map");
+  EXPECT_EQ(found.at("sessions"), 1);
+  EXPECT_EQ(found.at("local_maps"), result.local_maps);
+  EXPECT_EQ(found.at("closures").at("in_force"), result.closures);
+  EXPECT_GE(found.at("closures").at("proposed"), result.closures);
+  EXPECT_GE(found.at("objective"), 0.0);
+  EXPECT_GT(found.at("bytes_per_local_map").at("serialised"), 1000);
+  EXPECT_GT(found.at("bytes_per_local_map").at("resident"), 1000);
+  EXPECT_GT(summary.at("ms_per_local_map").at("mean"), 0.0);
+  EXPECT_GE(summary.at("ms_per_local_map").at("max"), summary.at("ms_per_local_map").at("mean"));
+
+  const G2oGraph graph = read_g2o(at("map/graph.g2o"));
+  EXPECT_EQ(graph.graph.poses.size(), result.local_maps);
+  EXPECT_EQ(graph.graph.constraints.size(), result.local_maps - 1 + result.closures);
+  const std::string table = contents("map/associations.tsv");
+  EXPECT_GT(std::count(table.begin(), table.end(), '\n'), static_cast<long>(result.closures));
+  const StoredMap journal = read_map_journal(at("map/map.journal"));
+  EXPECT_EQ(journal.maps.size(), result.local_maps);
+}
+
+TEST_F(MapRun, ResumesTheMapOfAnEarlierRun) {
+  constexpr double kHalf = 240.0;  // of 449 m; round the ring
+  const Trajectory first = write_sample("first.lcmlog", kHalf);
+  const Trajectory second = write_rest(first.size(), at("second.lcmlog"));
+  map(at("first.lcmlog"), "first");
+  const std::size_t poses_before = read_tum(at("first/trajectory.tum")).size();
+  const MapRunResult result = resume(at("second.lcmlog"), "both", "first");
+  EXPECT_THAT(result.complaints, IsEmpty());
+  EXPECT_GT(result.local_maps, 80U);
+  EXPECT_GT(result.joints, 5U);
+
+  const Trajectory path = read_tum(at("both/trajectory.tum"));
+  EXPECT_GT(path.size(), second.size());
+  EXPECT_EQ(path.back().utime, second.back().utime);
+  EXPECT_EQ(path.front().utime, first.front().utime);
+  double farthest_m = 0.0;
+  Trajectory truth = first;
+  truth.insert(truth.end(), second.begin(), second.end());
+  for (const TimedPose& at : path) {
+    const Pose2 true_pose = between(truth.front().pose, *interpolate(truth, at.utime));
+    farthest_m = std::max(farthest_m, between(true_pose, at.pose).translation().norm());
+  }
+  EXPECT_LT(farthest_m, 0.3);
+  EXPECT_EQ(read_tum(at("both/odometry.tum")).size(), second.size());
+  EXPECT_EQ(nlohmann::json::parse(contents("both/summary.json")).at("map").at("sessions"), 2);
+
+  // In its own folder it gives the same, and the earlier run was left as it was.
+  EXPECT_EQ(read_tum(at("first/trajectory.tum")).size(), poses_before);
+  resume(at("second.lcmlog"), "first", "first");
+  for (const std::string name : {"/trajectory.tum", "/map.journal", "/map.png"}) {
+    EXPECT_TRUE(contents("first" + name) == contents("both" + name)) << name;
+  }
+}
+
+TEST_F(MapRun, SaysWhyItCannotResume) {
+  write_sample("sample.lcmlog", 20.0);
+  write_sample("short.lcmlog", 2.0);
+  map(at("sample.lcmlog"), "first");
+  map(at("short.lcmlog"), "short");
+  const auto failure_of = [&](const std::string& input, const std::string& earlier) -> std::string {
+    try {
+      resume(at(input), "map", earlier);
+      return {};
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(failure_of("sample.lcmlog", "nowhere"),
+            "no map to resume: there is no " + at("nowhere/map.journal").string());
+  EXPECT_THAT(failure_of("sample.lcmlog", "short"), HasSubstr("there is no local map in "));
+  EXPECT_THAT(failure_of("short.lcmlog", "first"), HasSubstr("too short to continue a map: "));
+  write("first/map.journal", "garbage");
+  EXPECT_THAT(failure_of("sample.lcmlog", "first"), HasSubstr("map.journal"));
+  EXPECT_FALSE(std::filesystem::exists(at("map")));
+}
+
+TEST_F(MapRun, TheConfigurationOnRecordNamesNoPlace) {
+  write_sample("sample.lcmlog", 10.0);
+  map(at("sample.lcmlog"), "map");
+  const std::string record = contents("map/run.lcmlog");
+  EXPECT_THAT(record, HasSubstr("journal: \"map.journal\""));
+  EXPECT_EQ(record.find(at("map").string()), std::string::npos);
+}
+
+TEST_F(MapRun, TheLasersAreWhereBothStagesHaveThem) {
+  write_sample("sample.lcmlog", 60.0);
+  map(at("sample.lcmlog"), "as_it_is");
+  const auto turned =
+      write("turned.yaml", "lasers:\n  front:\n    T_body_laser: {theta_rad: 1.5707963}\n");
+  map(at("sample.lcmlog"), "turned", Odometry::kLeftOut, turned);
+  const auto closures = [&](const std::string& folder) {
+    return nlohmann::json::parse(contents(folder + "/summary.json"))["map"]["closures"]["in_force"];
+  };
+  // The body is another, but the walls lie on each other as before.
+  EXPECT_GE(closures("turned"), 1);
+  EXPECT_GE(closures("as_it_is"), 1);
+  EXPECT_THAT(failure(at("sample.lcmlog"),
+                      write("old.yaml", "scan_matching:\n  laser_front: {range_min_m: 1}\n")),
+              HasSubstr("old.yaml:2: unknown key 'laser_front'"));
 }
 
 TEST_F(MapRun, RefusesBadInputInOneLine) {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Real recordings against hand-verified relations: the accuracy that this project has promised for
-// scan matching without loop closing, and what others publish (docs/results/scan_matching.md).
+// scan matching alone and what others publish (docs/results/scan_matching.md), and what closing
+// loops makes of it (docs/results/mapping.md).
 #include "tests/support/recordings.hpp"
 
 #include <string>
@@ -19,18 +20,18 @@ struct Promise {
   std::string name;
   std::string log;
   std::string relations;
-  double with_odometry_m;     // mean translational error
+  double with_odometry_m;     // mean translational error of scan matching
   double without_odometry_m;  // the published mean with odometry, or less
+  double mapped_m;            // of the map, with and without odometry: what was measured and 15 %
 };
 
 void PrintTo(const Promise& promise, std::ostream* out) { *out << promise.name; }
 
 class Recording : public MapRunTest, public testing::WithParamInterface<Promise> {
  protected:
-  double mean_error_m(const std::filesystem::path& log, const std::filesystem::path& relations,
-                      Odometry odometry) const {
-    map(log, "map", odometry);
-    return score_relations(read_relations(relations), read_tum(at("map/trajectory.tum")))
+  /// Of odometry.tum or trajectory.tum.
+  double mean_error_m(const std::filesystem::path& relations, const std::string& file) const {
+    return score_relations(read_relations(relations), read_tum(at("map/" + file)))
         .translation_m.mean;
   }
 };
@@ -38,17 +39,21 @@ class Recording : public MapRunTest, public testing::WithParamInterface<Promise>
 TEST_P(Recording, AgreesWithItsRelations) {
   ADIT_RECORDING_OR_SKIP(log, GetParam().log);
   ADIT_RECORDING_OR_SKIP(relations, GetParam().relations);
-  EXPECT_LE(mean_error_m(log, relations, Odometry::kUsed), GetParam().with_odometry_m);
-  EXPECT_LE(mean_error_m(log, relations, Odometry::kLeftOut), GetParam().without_odometry_m);
+  map(log, "map", Odometry::kUsed);
+  EXPECT_LE(mean_error_m(relations, "odometry.tum"), GetParam().with_odometry_m);
+  EXPECT_LE(mean_error_m(relations, "trajectory.tum"), GetParam().mapped_m);
+  map(log, "map", Odometry::kLeftOut);
+  EXPECT_LE(mean_error_m(relations, "odometry.tum"), GetParam().without_odometry_m);
+  EXPECT_LE(mean_error_m(relations, "trajectory.tum"), GetParam().mapped_m);
 }
 
 INSTANTIATE_TEST_SUITE_P(Laser2d, Recording,
                          testing::Values(Promise{"Csail", "laser2d/csail_raw.log.gz",
-                                                 "laser2d/csail.relations", 0.10, 0.15},
+                                                 "laser2d/csail.relations", 0.10, 0.15, 0.030},
                                          Promise{"Intel", "laser2d/intel_raw.log.gz",
-                                                 "laser2d/intel.relations", 0.15, 0.22},
+                                                 "laser2d/intel.relations", 0.15, 0.22, 0.114},
                                          Promise{"Fr079", "laser2d/fr079_chain.log.gz",
-                                                 "laser2d/fr079.relations", 0.10, 0.26}),
+                                                 "laser2d/fr079.relations", 0.10, 0.26, 0.055}),
                          [](const auto& instance) { return instance.param.name; });
 
 }  // namespace

@@ -15,16 +15,25 @@ namespace {
 
 constexpr const char* kFooter =
     R"(The folder then holds
-  trajectory.tum        time x y z qx qy qz qw, one line for each scan
+  trajectory.tum        the path in the map: time x y z qx qy qz qw, one line for each scan
+  odometry.tum          the same before loops were closed: smooth, but it drifts
   map.png               a picture of the place with the path in it
   map.pgm, map.yaml     the same for ROS's map_server and nav2
+  graph.g2o             the pose graph: local maps, and what holds them together
+  associations.tsv      which places were taken for the same, when and why; what was undone
+  map.journal           what mapping knows, for --resume
   run.lcmlog            all messages that went in and came out, for lcm-logplayer and adit spy
-  summary.json          scans, path length, times, memory, and where motion was not observed
+  summary.json          scans, path length, closures, times, memory, where motion was not observed
+
+A map that is resumed keeps its frame. The recording is looked for in it as if the robot might have been
+carried anywhere; afterwards path and pictures show both. One or two closures that hold it there may be
+mistaken: look at map.png with --draw-graph. DIR and the folder to resume may be the same.
 
 Examples:
   adit map intel.log.gz --out intel                    a CARMEN log
   adit map run.lcmlog --out again --no-odometry        from the laser alone
-  adit-scan_matching --print-config > my.yaml          every parameter there is; edit, then
+  adit map second.lcmlog --out both --resume first     go on with the map in the folder first
+  adit-mapping --print-config > my.yaml                every parameter of a stage; edit, then
   adit map run.lcmlog --out mine --config my.yaml)";
 
 void map(const MapRunOptions& options) {
@@ -37,18 +46,23 @@ void map(const MapRunOptions& options) {
   });
   bar.reset();
   for (const std::string& sentence : result.complaints) {
-    std::cerr << "adit: " << options.input.string() << ": skipped " << sentence << "\n";
+    std::cerr << "adit: " << options.input.string() << ": " << sentence << "\n";
   }
   std::cout << options.folder.string() << ": " << result.scans << " scans over "
             << result.path_length_m << " m in " << result.wall_s << " s, " << result.lost
-            << " of them lost\n";
+            << " of them lost; " << result.local_maps << " local maps, " << result.closures
+            << (result.closures == 1 ? " closure" : " closures");
+  if (!options.resume.empty()) {
+    std::cout << ", " << result.joints << " of them to the map of " << options.resume.string();
+  }
+  std::cout << "\n";
 }
 
 }  // namespace
 
 void add_map_command(CLI::App& adit) {
-  CLI::App* command =
-      adit.add_subcommand("map", "Find the robot's path in a laser log, and draw the place");
+  CLI::App* command = adit.add_subcommand(
+      "map", "Find the robot's path in a laser log, close its loops, and draw the place");
   command->footer(kFooter);
   const auto options = std::make_shared<MapRunOptions>();
   command->add_option("INPUT", options->input, "A CARMEN log, plain or gzip, or an LCM log")
@@ -62,6 +76,11 @@ void add_map_command(CLI::App& adit) {
   command->add_flag_callback(
       "--no-odometry", [options] { options->use_odometry = false; },
       "Leave out wheel odometry and IMU: the laser alone");
+  command
+      ->add_option("--resume", options->resume, "Continue the map in this folder of an earlier run")
+      ->type_name("DIR");
+  command->add_flag("--draw-graph", options->draw_graph,
+                    "Draw local maps and closures into map.png, those that were undone too");
   command->callback([options] { map(*options); });
 }
 

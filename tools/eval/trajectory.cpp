@@ -9,12 +9,12 @@ namespace {
 
 constexpr std::int64_t kSlackMicroseconds = 1000;
 
+}  // namespace
+
 Pose2 blend(const Pose2& a, const Pose2& b, double share) {
   return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y),
           wrap_angle(a.theta + share * angle_diff(b.theta, a.theta))};
 }
-
-}  // namespace
 
 std::optional<Pose2> interpolate(const Trajectory& trajectory, std::int64_t utime) {
   if (trajectory.empty() || utime < trajectory.front().utime - kSlackMicroseconds ||

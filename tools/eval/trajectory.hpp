@@ -21,9 +21,13 @@ struct TimedPose {
 /// In order of time; no time comes twice.
 using Trajectory = std::vector<TimedPose>;
 
-/// The pose at a time between two poses: position on the straight line, angle the short way round.
-/// A stamp written with fewer digits may fall just outside: up to a millisecond beyond an end gives
-/// the pose at that end, more than that gives nothing.
+/// Between two poses, `share` of the way from a to b: position on the straight line, angle the
+/// short way round.
+Pose2 blend(const Pose2& a, const Pose2& b, double share);
+
+/// The pose at a time between two poses, blended. A stamp written with fewer digits may fall just
+/// outside: up to a millisecond beyond an end gives the pose at that end, more than that gives
+/// nothing.
 std::optional<Pose2> interpolate(const Trajectory& trajectory, std::int64_t utime);
 
 /// Sum of the distances from pose to pose. [m]

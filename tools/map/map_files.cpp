@@ -2,54 +2,72 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/map/map_files.hpp"
 
-#include <fstream>
-#include <stdexcept>
+#include <algorithm>
+#include <sstream>
+#include <utility>
+#include <vector>
 
 #include "common/bus/channels.hpp"
 #include "common/grid/map_server.hpp"
 #include "common/picture/map_picture.hpp"
 #include "tools/eval/tum.hpp"
+#include "tools/map/graph_files.hpp"
+#include "tools/map/text_file.hpp"
 
 namespace adit {
 namespace {
 
 void write_trajectory(const Trajectory& trajectory, const std::filesystem::path& path) {
-  std::ofstream out(path);
-  write_tum(out, trajectory);
-  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
+  std::ostringstream text;
+  write_tum(text, trajectory);
+  write_text(text.str(), path);
 }
 
-bool insert_scans(const RunRecord& record, const ScanMatchingParams& lasers, OccupancyGrid& grid) {
-  for (const auto& [scan, match] : record.entries()) {
-    if (match.status == ScanMatch::Status::kLost) continue;
-    const LaserMount& mount =
-        match.channel == channels::kLaserRear ? lasers.laser_rear : lasers.laser_front;
-    if (!grid.insert(scan, match.T_odom_body * mount.T_body_laser)) return false;
+bool insert_scans(const WholeMap& map, const Lasers& lasers, OccupancyGrid& grid) {
+  return std::all_of(map.scans.begin(), map.scans.end(), [&](const PlacedScan& placed) {
+    const LaserMount& mount = *placed.channel == channels::kLaserRear ? lasers.rear : lasers.front;
+    return grid.insert(*placed.scan, placed.T_map_body * mount.T_body_laser);
+  });
+}
+
+/// Times at which this run did not observe all of its motion, ascending.
+std::vector<std::int64_t> unobserved_times(const RunRecord& record) {
+  std::vector<std::int64_t> times;
+  for (const ScanMatch& match : record.matches()) {
+    if (is_unobserved(match)) times.push_back(match.utime);
   }
-  return true;
+  return times;
 }
 
-MapPicture picture_of(const RunRecord& record, const std::string& title) {
+/// The degenerate is marked on the path of this run, the last one.
+MapPicture picture_of(const WholeMap& map, const RunRecord& record,
+                      const MapFilesOptions& options) {
   MapPicture picture;
-  picture.title = title;
-  for (const auto& [scan, match] : record.entries()) {
-    picture.path.push_back(match.T_odom_body);
-    picture.degenerate.push_back(!match.degenerate.empty() ||
-                                 match.status == ScanMatch::Status::kLost);
+  picture.title = options.title;
+  const auto unobserved = unobserved_times(record);
+  for (const Trajectory& path : map.paths) {
+    const bool of_this_run = &path == &map.paths.back();
+    if (!picture.path.empty()) picture.jumps.push_back(picture.path.size());
+    for (const TimedPose& pose : path) {
+      picture.path.push_back(pose.pose);
+      picture.degenerate.push_back(
+          of_this_run && std::binary_search(unobserved.begin(), unobserved.end(), pose.utime));
+    }
   }
+  if (options.draw_graph) picture.graph = graph_picture(map);
   return picture;
 }
 
 }  // namespace
 
-bool write_map_files(const RunRecord& record, const ScanMatchingParams& lasers,
-                     const OccupancyGridParams& params, const std::string& title,
+bool write_map_files(const WholeMap& map, const RunRecord& record, const MapFilesOptions& options,
                      const std::filesystem::path& folder) {
-  write_trajectory(record.trajectory(), folder / "trajectory.tum");
-  OccupancyGrid grid(params);
-  if (!insert_scans(record, lasers, grid)) return false;
+  write_trajectory(joined_path(map), folder / "trajectory.tum");
+  write_trajectory(record.odometry(), folder / "odometry.tum");
+  OccupancyGrid grid(options.grid);
+  if (!insert_scans(map, options.lasers, grid)) return false;
   write_map_server(grid, folder, "map");
-  write_map_png(grid, picture_of(record, title), folder / "map.png");
+  write_map_png(grid, picture_of(map, record, options), folder / "map.png");
   return true;
 }
 

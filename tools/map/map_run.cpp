@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/map/map_run.hpp"
 
+#include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <stdexcept>
 
 #include "common/bus/channels.hpp"
@@ -11,13 +11,18 @@
 #include "common/bus/replay_bus.hpp"
 #include "common/bus/stages.hpp"
 #include "common/config/config.hpp"
+#include "procs/mapping/map_journal.hpp"
+#include "procs/mapping/mapping_node.hpp"
 #include "procs/scan_matching/scan_matching_node.hpp"
+#include "tools/map/graph_files.hpp"
 #include "tools/map/log_input.hpp"
 #include "tools/map/map_files.hpp"
 #include "tools/map/result_folder.hpp"
 #include "tools/map/run_record.hpp"
 #include "tools/map/stopwatch_bus.hpp"
 #include "tools/map/summary.hpp"
+#include "tools/map/text_file.hpp"
+#include "tools/map/whole_map.hpp"
 
 namespace adit {
 namespace {
@@ -26,20 +31,49 @@ using Clock = std::chrono::steady_clock;
 
 /// The section of the config file that this tool reads itself, beside those of the stages.
 constexpr const char* kGridSection = "map_grid";
+/// The file of the results in which mapping keeps what it knows, and its name in CONFIG.
+constexpr const char* kJournal = "map.journal";
 
 ConfigFile load_config(const std::filesystem::path& path) {
   if (path.empty()) return {};
   ConfigFile file = ConfigFile::load(path);
-  std::vector<std::string> known = stage_names();
+  std::vector<std::string> known = config_sections();
   known.emplace_back(kGridSection);
   file.require_known_sections(known);
   return file;
 }
 
+/// The journal is one of the results, whatever the config says: CONFIG names it as it is called
+/// there, and not where it grows.
+ConfiguredNode configure_mapping(const ConfigFile& config, const std::filesystem::path& folder) {
+  constexpr const char* kStage = "mapping";
+  auto params = load_section<MappingNode::Params>(config, kStage);
+  params.journal = kJournal;
+  const std::string yaml = to_yaml(params, kStage);
+  params.journal = (folder / kJournal).string();
+  return configured_node<MappingNode>(kStage, yaml, params);
+}
+
+/// Brings the journal of an earlier run into the folder, and gives what is in it.
+StoredMap take_over_map(const std::filesystem::path& resume, const std::filesystem::path& folder) {
+  if (resume.empty()) return {};
+  const std::filesystem::path journal = resume / kJournal;
+  if (!std::filesystem::is_regular_file(journal)) {
+    throw std::runtime_error("no map to resume: there is no " + journal.string());
+  }
+  std::filesystem::copy_file(journal, folder / kJournal);
+  StoredMap stored = read_map_journal(folder / kJournal);
+  if (stored.maps.empty()) {
+    throw std::runtime_error("no map to resume: there is no local map in " + journal.string());
+  }
+  return stored;
+}
+
 ReplayOptions replay_options(bool use_odometry) {
   ReplayOptions options;
-  for (const auto channel : {channels::kPose, channels::kScanMatch, channels::kHeartbeat,
-                             channels::kConfig, channels::kStageStats}) {
+  for (const auto channel : {channels::kPose, channels::kScanMatch, channels::kLocalMap,
+                             channels::kPoseGraph, channels::kMapCorrection, channels::kAssociation,
+                             channels::kHeartbeat, channels::kConfig, channels::kStageStats}) {
     options.leave_out.emplace(channel);
   }
   if (!use_odometry) {
@@ -49,10 +83,46 @@ ReplayOptions replay_options(bool use_odometry) {
   return options;
 }
 
-void write_text(const std::string& text, const std::filesystem::path& path) {
-  std::ofstream out(path);
-  out << text;
-  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
+MapFilesOptions map_files_options(const ConfigFile& config, const MapRunOptions& options) {
+  return {options.input.filename().string(),
+          load_section<OccupancyGridParams>(config, kGridSection),
+          load_section<Lasers>(config, Lasers::kSection), options.draw_graph};
+}
+
+/// Without a scan, or without anything that could hold it to the map it continues, there is no
+/// result.
+void require_result(const RunRecord& record, const MapRunOptions& options) {
+  if (record.matches().empty()) {
+    throw std::runtime_error("no usable laser scan in " + options.input.string());
+  }
+  if (!options.resume.empty() && record.local_maps().empty()) {
+    throw std::runtime_error("too short to continue a map: " + options.input.string());
+  }
+}
+
+std::vector<std::string> complaints_of(const LogInput& input, const ReplayBus& bus) {
+  std::vector<std::string> complaints;
+  for (const std::string& sentence : input.complaints())
+    complaints.push_back("skipped " + sentence);
+  if (bus.refused_events() > 0) {
+    complaints.push_back("skipped " + std::to_string(bus.refused_events()) +
+                         " events with times that cannot be");
+  }
+  return complaints;
+}
+
+MapRunResult result_of(const RunRecord& record, const WholeMap& map) {
+  MapRunResult result;
+  const auto& matches = record.matches();
+  result.scans = matches.size();
+  result.lost = static_cast<std::size_t>(std::count_if(
+      matches.begin(), matches.end(),
+      [](const ScanMatch& match) { return match.status == ScanMatch::Status::kLost; }));
+  result.path_length_m = path_length_m(record.odometry());
+  result.local_maps = map.local_maps.size();
+  result.closures = count_closures(map).in_force;
+  result.joints = count_joints(map);
+  return result;
 }
 
 }  // namespace
@@ -61,48 +131,46 @@ MapRunResult run_map(const MapRunOptions& options,
                      const std::function<void(const std::string&, double)>& progress) {
   const auto start = Clock::now();
   const ConfigFile config = load_config(options.config);
-  const auto node = configure_node<ScanMatchingNode>("scan_matching", config);
-  const auto lasers = load_section<ScanMatchingParams>(config, "scan_matching");
-  const auto grid = load_section<OccupancyGridParams>(config, kGridSection);
-
+  const MapFilesOptions files = map_files_options(config, options);
   const ResultFolder results(options.folder);
   const std::filesystem::path& folder = results.unfinished();
+  const auto scan_matching = configure_node<ScanMatchingNode>("scan_matching", config);
+  const auto mapping = configure_mapping(config, folder);
+  const StoredMap earlier = take_over_map(options.resume, folder);
+
   LogInput input(options.input, folder / "input.lcmlog",
                  [&](double done) { progress("reading", done); });
   LogWriter log(folder / "run.lcmlog");
   ReplayBus bus(input.events(), &log, replay_options(options.use_odometry));
-  StopwatchBus stopwatch(bus);
+  StopwatchBus scan_watch(bus,
+                          {std::string(channels::kLaserFront), std::string(channels::kLaserRear)});
+  StopwatchBus map_watch(bus, {std::string(channels::kScanMatch)});
   RunRecord record(bus);
-  const HostedNode scan_matching(stopwatch, node);
-  bus.run([&](double done) { progress("matching scans", done); });
+  const HostedNode scan_matching_hosted(scan_watch, scan_matching);
+  const HostedNode mapping_hosted(map_watch, mapping);
+  bus.run([&](double done) { progress("mapping", done); });
   log.close();
 
-  MapRunResult result;
-  result.complaints = input.complaints();
-  if (bus.refused_events() > 0) {
-    result.complaints.push_back(std::to_string(bus.refused_events()) +
-                                " events with times that cannot be");
+  require_result(record, options);
+  const WholeMap map = whole_map(earlier, record);
+  MapRunResult result = result_of(record, map);
+  result.complaints = complaints_of(input, bus);
+  if (!options.resume.empty() && result.joints == 0) {
+    result.complaints.emplace_back(
+        "not recognised in the map that it continues: its place there "
+        "is a guess");
   }
-  if (record.entries().empty()) {
-    throw std::runtime_error("no usable laser scan in " + options.input.string());
-  }
-  const std::string title = options.input.filename().string();
-  if (!write_map_files(record, lasers, grid, title, folder)) {
+  if (!write_map_files(map, record, files, folder)) {
     result.complaints.emplace_back("no map: the poses are farther apart than map_grid allows");
   }
+  write_graph_files(map, folder);
   RunCost cost = cost_so_far();
-  cost.scan_ms = stopwatch.scan_ms();
+  cost.scan_ms = milliseconds(scan_watch, false);
+  cost.local_map_ms = milliseconds(map_watch, true);
   cost.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  write_text(summary_json(record, cost), folder / "summary.json");
-  results.publish();
-
-  const Trajectory trajectory = record.trajectory();
-  result.scans = record.entries().size();
-  for (const auto& entry : record.entries()) {
-    result.lost += entry.match.status == ScanMatch::Status::kLost ? 1 : 0;
-  }
-  result.path_length_m = path_length_m(trajectory);
   result.wall_s = cost.wall_s;
+  write_text(summary_json(record, map, cost), folder / "summary.json");
+  results.publish();
   return result;
 }
 

@@ -3,17 +3,22 @@
 #include "tools/map/run_record.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
+#include <utility>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
+#include "common/messages/association.hpp"
 #include "common/messages/laser_scan.hpp"
+#include "common/messages/map_correction.hpp"
 #include "common/messages/scan_match.hpp"
 
 namespace adit {
 namespace {
 
 constexpr std::size_t kWaiting = 1000;
+constexpr double kTailStepM = 0.1;  // as local maps keep their scans
+constexpr double kTailStepRad = 0.1;
 
 /// What a stretch consists of; nothing for a scan that is as it should be.
 struct Kind {
@@ -38,6 +43,7 @@ RunRecord::RunRecord(Bus& bus) {
   listen_to_laser(bus, channels::kLaserRear);
   subscribe<scan_match_t>(bus, channels::kScanMatch, Delivery::queued(kWaiting),
                           [this](const ScanMatch& match) { on_match(match); });
+  listen_to_mapping(bus);
 }
 
 void RunRecord::listen_to_laser(Bus& bus, std::string_view channel) {
@@ -46,39 +52,76 @@ void RunRecord::listen_to_laser(Bus& bus, std::string_view channel) {
       [this, name = std::string(channel)](const LaserScan& scan) { last_scan_[name] = scan; });
 }
 
+void RunRecord::listen_to_mapping(Bus& bus) {
+  subscribe<local_map_t>(bus, channels::kLocalMap, Delivery::queued(kWaiting),
+                         [this](const LocalMapPiece& piece) {
+                           if (auto map = local_map_pieces_.add(piece)) {
+                             on_local_map(std::move(*map));
+                           }
+                         });
+  subscribe<pose_graph_t>(bus, channels::kPoseGraph, Delivery::queued(kWaiting),
+                          [this](const PoseGraphPiece& piece) {
+                            if (auto graph = graph_pieces_.add(piece)) graph_ = std::move(graph);
+                          });
+  subscribe<association_t>(
+      bus, channels::kAssociation, Delivery::queued(kWaiting),
+      [this](const Association& association) { associations_.push_back(association); });
+  subscribe<map_correction_t>(
+      bus, channels::kMapCorrection, Delivery::queued(kWaiting),
+      [this](const MapCorrection& correction) { correction_ = correction; });
+}
+
 void RunRecord::on_match(const ScanMatch& match) {
   const auto scan = last_scan_.find(match.channel);
   const bool known = scan != last_scan_.end() && scan->second.utime == match.utime;
   if (match.status == ScanMatch::Status::kRefused || !known) {
     ++refused_;
-  } else {
-    entries_.push_back({scan->second, match});
+    return;
+  }
+  matches_.push_back(match);
+  if (match.status != ScanMatch::Status::kLost && is_far_from_tail(match)) {
+    tail_.push_back({scan->second, match});
   }
 }
 
-Trajectory RunRecord::trajectory() const {
-  Trajectory trajectory;
-  for (const Entry& entry : entries_) {
-    // Two lasers may have measured at one time; the second has the better pose.
-    if (!trajectory.empty() && trajectory.back().utime == entry.match.utime) trajectory.pop_back();
-    trajectory.push_back({entry.match.utime, entry.match.T_odom_body});
-  }
-  return trajectory;
+void RunRecord::on_local_map(LocalMap map) {
+  std::erase_if(tail_, [&](const Entry& entry) { return entry.scan.utime <= map.end_utime; });
+  local_maps_.push_back(std::move(map));
 }
+
+bool RunRecord::is_far_from_tail(const ScanMatch& match) const {
+  const auto last = std::find_if(tail_.rbegin(), tail_.rend(), [&](const Entry& entry) {
+    return entry.match.channel == match.channel;
+  });
+  if (last == tail_.rend()) return true;
+  const Pose2 moved = between(last->match.T_odom_body, match.T_odom_body);
+  return moved.translation().norm() >= kTailStepM || std::abs(moved.theta) >= kTailStepRad;
+}
+
+Trajectory RunRecord::odometry() const {
+  Trajectory odometry;
+  for (const ScanMatch& match : matches_) {
+    // Two lasers may have measured at one time; the second has the better pose.
+    if (!odometry.empty() && odometry.back().utime == match.utime) odometry.pop_back();
+    odometry.push_back({match.utime, match.T_odom_body});
+  }
+  return odometry;
+}
+
+bool is_unobserved(const ScanMatch& match) { return kind_of(match).has_value(); }
 
 std::vector<RunRecord::Stretch> RunRecord::stretches() const {
   std::vector<Stretch> stretches;
   std::optional<Kind> current;
-  for (const Entry& entry : entries_) {
-    const auto kind = kind_of(entry.match);
+  for (const ScanMatch& match : matches_) {
+    const auto kind = kind_of(match);
     if (kind && kind != current) {
-      stretches.push_back(
-          {entry.match.reference_utime, entry.match.utime, 0.0, 0, kind->lost, kind->filled});
+      stretches.push_back({match.reference_utime, match.utime, 0.0, 0, kind->lost, kind->filled});
     }
     current = kind;
     if (!kind) continue;
-    stretches.back().to_utime = entry.match.utime;
-    stretches.back().length_m += entry.match.T_reference_body.translation().norm();
+    stretches.back().to_utime = match.utime;
+    stretches.back().length_m += match.T_reference_body.translation().norm();
     ++stretches.back().scans;
   }
   return stretches;

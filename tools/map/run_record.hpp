@@ -3,18 +3,27 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/local_map/association.hpp"
+#include "common/local_map/local_map.hpp"
+#include "common/messages/local_map_pieces.hpp"
+#include "common/messages/pose_graph_pieces.hpp"
+#include "common/pose_graph/map_correction.hpp"
+#include "common/pose_graph/map_graph.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/scan_match.hpp"
 #include "tools/eval/trajectory.hpp"
 
 namespace adit {
 
-/// Listens to a run and keeps what its files are made of: every scan with what became of it.
+/// Listens to a run and keeps what its files are made of: what became of every scan, the local
+/// maps, and the scans for which there is no local map yet.
 class RunRecord {
  public:
   struct Entry {
@@ -35,20 +44,43 @@ class RunRecord {
   /// `bus` must outlive this.
   explicit RunRecord(Bus& bus);
 
-  /// The scans that gave a pose, in order.
-  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  /// Of the scans that gave a pose, in order.
+  [[nodiscard]] const std::vector<ScanMatch>& matches() const { return matches_; }
   [[nodiscard]] std::size_t refused_scans() const { return refused_; }
+  /// The scans after the last local map; without the lost, and without those that a body at rest
+  /// takes over and over.
+  [[nodiscard]] const std::vector<Entry>& tail() const { return tail_; }
 
-  [[nodiscard]] Trajectory trajectory() const;
+  [[nodiscard]] const std::vector<LocalMap>& local_maps() const { return local_maps_; }
+  [[nodiscard]] const std::vector<Association>& associations() const { return associations_; }
+  /// The last one; nothing before the first local map.
+  [[nodiscard]] const std::optional<MapGraph>& graph() const { return graph_; }
+  [[nodiscard]] const std::optional<MapCorrection>& correction() const { return correction_; }
+
+  /// T_odom_body at each scan.
+  [[nodiscard]] Trajectory odometry() const;
   [[nodiscard]] std::vector<Stretch> stretches() const;
 
  private:
   void listen_to_laser(Bus& bus, std::string_view channel);
+  void listen_to_mapping(Bus& bus);
   void on_match(const ScanMatch& match);
+  void on_local_map(LocalMap map);
+  [[nodiscard]] bool is_far_from_tail(const ScanMatch& match) const;
 
   std::map<std::string, LaserScan> last_scan_;
-  std::vector<Entry> entries_;
+  std::vector<ScanMatch> matches_;
+  std::vector<Entry> tail_;
   std::size_t refused_ = 0;
+  LocalMapAssembler local_map_pieces_;
+  PoseGraphAssembler graph_pieces_;
+  std::vector<LocalMap> local_maps_;
+  std::vector<Association> associations_;
+  std::optional<MapGraph> graph_;
+  std::optional<MapCorrection> correction_;
 };
+
+/// Did the scan leave a direction open, or match nothing?
+bool is_unobserved(const ScanMatch& match);
 
 }  // namespace adit

@@ -3,26 +3,30 @@
 #include "tools/map/stopwatch_bus.hpp"
 
 #include <chrono>
-#include <utility>
-
-#include "common/bus/channels.hpp"
 
 namespace adit {
 
 SubscriptionId StopwatchBus::subscribe(std::string_view channel, Delivery delivery,
                                        Handler handler) {
-  if (channel != channels::kLaserFront && channel != channels::kLaserRear) {
-    return bus_.subscribe(channel, delivery, std::move(handler));
-  }
+  if (!channels_.contains(channel)) return bus_.subscribe(channel, delivery, std::move(handler));
   return bus_.subscribe(channel, delivery,
                         [this, handler = std::move(handler)](const Received& received) {
                           const auto start = std::chrono::steady_clock::now();
+                          answered_ = false;
                           const std::string_view refusal = handler(received);
                           const std::chrono::duration<double, std::milli> taken =
                               std::chrono::steady_clock::now() - start;
-                          scan_ms_.push_back(taken.count());
+                          handled_.push_back({taken.count(), answered_});
                           return refusal;
                         });
+}
+
+std::vector<double> milliseconds(const StopwatchBus& stopwatch, bool answered_only) {
+  std::vector<double> ms;
+  for (const auto& handled : stopwatch.handled()) {
+    if (handled.answered || !answered_only) ms.push_back(handled.ms);
+  }
+  return ms;
 }
 
 }  // namespace adit

@@ -4,25 +4,35 @@
 
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "common/bus/bus.hpp"
 
 namespace adit {
 
-/// Passes a bus on to the stages of a run and keeps the wall time of every laser scan that they
-/// handle, decoding and publishing included. The times go nowhere near the messages, which must
-/// repeat byte for byte.
+/// Passes a bus on to a stage of a run and keeps the wall time that the stage takes for each
+/// message of some channels, decoding and publishing included. The times go nowhere near the
+/// messages, which must repeat byte for byte.
 class StopwatchBus final : public Bus {
  public:
-  explicit StopwatchBus(Bus& bus) : bus_(bus) {}
+  struct Handled {
+    double ms = 0.0;
+    bool answered = false;  ///< whether the stage published anything for it
+  };
 
-  /// Of each scan in order [ms].
-  [[nodiscard]] const std::vector<double>& scan_ms() const { return scan_ms_; }
+  StopwatchBus(Bus& bus, std::set<std::string, std::less<>> channels)
+      : bus_(bus), channels_(std::move(channels)) {}
+
+  /// Messages of these channels, in order.
+  [[nodiscard]] const std::vector<Handled>& handled() const { return handled_; }
 
   void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override {
+    answered_ = true;
     bus_.publish(channel, bytes);
   }
   SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
@@ -36,7 +46,12 @@ class StopwatchBus final : public Bus {
 
  private:
   Bus& bus_;
-  std::vector<double> scan_ms_;
+  std::set<std::string, std::less<>> channels_;
+  std::vector<Handled> handled_;
+  bool answered_ = false;
 };
+
+/// The times of all messages, or only of those that were answered [ms].
+std::vector<double> milliseconds(const StopwatchBus& stopwatch, bool answered_only);
 
 }  // namespace adit

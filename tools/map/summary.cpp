@@ -3,10 +3,15 @@
 #include "tools/map/summary.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
+
+#include "common/messages/codec.hpp"
+#include "common/messages/local_map_pieces.hpp"
+#include "common/pose_graph/potential.hpp"
 
 namespace adit {
 namespace {
@@ -28,19 +33,22 @@ double quantile(std::vector<double> values, double share) {
   return *nth;
 }
 
+double greatest(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
 std::size_t count(const RunRecord& record, ScanMatch::Status status) {
-  return std::count_if(record.entries().begin(), record.entries().end(),
-                       [&](const auto& entry) { return entry.match.status == status; });
+  return std::count_if(record.matches().begin(), record.matches().end(),
+                       [&](const auto& match) { return match.status == status; });
 }
 
 Json scans_json(const RunRecord& record) {
-  const auto& entries = record.entries();
-  const auto degenerate = std::count_if(entries.begin(), entries.end(), [](const auto& entry) {
-    return !entry.match.degenerate.empty();
-  });
-  const auto searched = std::count_if(entries.begin(), entries.end(),
-                                      [](const auto& entry) { return entry.match.searched; });
-  return {{"total", entries.size() + record.refused_scans()},
+  const auto& matches = record.matches();
+  const auto degenerate = std::count_if(
+      matches.begin(), matches.end(), [](const auto& match) { return !match.degenerate.empty(); });
+  const auto searched = std::count_if(matches.begin(), matches.end(),
+                                      [](const auto& match) { return match.searched; });
+  return {{"total", matches.size() + record.refused_scans()},
           {"matched", count(record, ScanMatch::Status::kMatched)},
           {"lost", count(record, ScanMatch::Status::kLost)},
           {"refused", record.refused_scans()},
@@ -61,6 +69,49 @@ Json stretches_json(const RunRecord& record) {
   return list;
 }
 
+/// As messages, in all pieces [bytes].
+double serialised_bytes(const LocalMap& map) {
+  std::size_t bytes = 0;
+  for (const LocalMapPiece& piece : divide(map)) bytes += encode(to_message(piece)).size();
+  return static_cast<double>(bytes);
+}
+
+/// In memory, for its scans; the walls that mapping makes of them are not counted.
+double resident_bytes(const LocalMap& map) {
+  std::size_t bytes = sizeof(LocalMap) + map.scans.size() * sizeof(LocalScan);
+  for (const LocalScan& scan : map.scans) bytes += scan.scan.ranges_m.size() * sizeof(float);
+  return static_cast<double>(bytes);
+}
+
+Json bytes_json(const WholeMap& map) {
+  std::vector<double> serialised;
+  std::vector<double> resident;
+  for (const LocalMap* local_map : map.local_maps) {
+    serialised.push_back(serialised_bytes(*local_map));
+    resident.push_back(resident_bytes(*local_map));
+  }
+  return {{"serialised", std::round(mean(serialised))}, {"resident", std::round(mean(resident))}};
+}
+
+double objective_of(const MapGraph& graph) {
+  PoseGraph plain{graph.poses, {}};
+  for (const auto& constraint : graph.constraints) plain.constraints.push_back(constraint.measured);
+  return objective(plain);
+}
+
+Json map_json(const WholeMap& map) {
+  const ClosureCounts closures = count_closures(map);
+  return {{"sessions", map.paths.size()},
+          {"local_maps", map.local_maps.size()},
+          {"closures",
+           {{"proposed", closures.proposed},
+            {"in_force", closures.in_force},
+            {"revised", closures.revised},
+            {"to_earlier_sessions", count_joints(map)}}},
+          {"objective", objective_of(map.graph)},
+          {"bytes_per_local_map", bytes_json(map)}};
+}
+
 }  // namespace
 
 RunCost cost_so_far() {
@@ -72,8 +123,19 @@ RunCost cost_so_far() {
   return cost;
 }
 
-std::string summary_json(const RunRecord& record, const RunCost& cost) {
-  const Trajectory trajectory = record.trajectory();
+ClosureCounts count_closures(const WholeMap& map) {
+  ClosureCounts counts;
+  for (const Association* association : map.associations) {
+    ++(association->action == Association::Action::kRevised ? counts.revised : counts.proposed);
+  }
+  counts.in_force = static_cast<std::size_t>(std::count_if(
+      map.graph.constraints.begin(), map.graph.constraints.end(),
+      [](const auto& constraint) { return constraint.kind == MapConstraint::Kind::kClosure; }));
+  return counts;
+}
+
+std::string summary_json(const RunRecord& record, const WholeMap& map, const RunCost& cost) {
+  const Trajectory trajectory = record.odometry();
   const double duration_s =
       trajectory.empty()
           ? 0.0
@@ -86,7 +148,10 @@ std::string summary_json(const RunRecord& record, const RunCost& cost) {
       {"cpu_s", cost.cpu_s},
       {"real_time_factor", cost.wall_s > 0.0 ? duration_s / cost.wall_s : 0.0},
       {"ms_per_scan", {{"mean", mean(cost.scan_ms)}, {"p99", quantile(cost.scan_ms, 0.99)}}},
+      {"ms_per_local_map",
+       {{"mean", mean(cost.local_map_ms)}, {"max", greatest(cost.local_map_ms)}}},
       {"peak_memory_mb", cost.peak_memory_mb},
+      {"map", map_json(map)},
       {"unobserved_stretches", stretches_json(record)}};
   return json.dump(2) + "\n";
 }

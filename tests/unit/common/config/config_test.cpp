@@ -67,6 +67,42 @@ TEST(Config, WritesWhatIsAllowedBesideTheValue) {
 )");
 }
 
+struct SharingParams {
+  int own = 1;
+  InnerParams inner;
+
+  template <class V>
+  void visit(V& v) {
+    v.shared("common", inner);
+    v("own", own);
+  }
+};
+
+TEST(Config, WhatStagesShareHasASectionOfItsOwn) {
+  const auto file = ConfigFile::parse("one: {own: 3}\ncommon: {iterations: 7}\n", "test.yaml");
+  for (const char* stage : {"one", "other"}) {
+    EXPECT_EQ(load_section<SharingParams>(file, stage).inner.iterations, 7) << stage;
+  }
+  EXPECT_EQ(load_section<SharingParams>(file, "one").own, 3);
+  const std::string yaml = to_yaml(load_section<SharingParams>(file, "one"), "one");
+  EXPECT_EQ(yaml, "one:\n  own: 3\ncommon:\n  iterations: 7  # 1 to 100\n  robust: true\n");
+}
+
+TEST(Config, SharedKeysAreCheckedLikeOthers) {
+  const auto failure = [](const std::string& text) -> std::string {
+    try {
+      load_section<SharingParams>(ConfigFile::parse(text, "test.yaml"), "one");
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_THAT(failure("common:\n  iteration: 7\n"), testing::HasSubstr("test.yaml:2: unknown key"));
+  EXPECT_THAT(failure("common:\n  iterations: 0\n"), testing::HasSubstr("common.iterations is 0"));
+  EXPECT_THAT(failure("one:\n  inner: {iterations: 7}\n"),
+              testing::HasSubstr("unknown key 'inner'"));
+}
+
 TEST(Config, BoundsSayWhatTheyAllow) {
   EXPECT_EQ(above_up_to(0.0, 1.0).text(), "> 0, <= 1");
   EXPECT_EQ((Bounds{.max = 2.0}.text()), "<= 2");

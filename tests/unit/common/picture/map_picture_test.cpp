@@ -62,6 +62,15 @@ TEST_F(MapPng, ShowsWhichStretchesAreDegenerate) {
   EXPECT_NE(without, contents(path_));
 }
 
+TEST_F(MapPng, NoLineLeadsToWhereAnotherSessionBegins) {
+  MapPicture picture{"A room", {{-8, 0, 0}, {-7, 0, 0}, {7, 0, 0}, {8, 0, 0}}, {}};
+  write_map_png(room(), picture, path_);
+  const std::string joined = contents(path_);
+  picture.jumps = {2};
+  write_map_png(room(), picture, path_);
+  EXPECT_NE(joined, contents(path_));
+}
+
 TEST_F(MapPng, ShowsEachPartOfThePoseGraphThatItIsGiven) {
   MapPicture picture{"A room", {{0, 0, 0}, {1, 0, 0}, {2, 1, 1}}, {}};
   const GraphPicture::Edge edge{{0.0, 0.0}, {2.0, 1.0}};

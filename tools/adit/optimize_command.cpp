@@ -35,8 +35,8 @@ Both spellings are read, plain or gzip: VERTEX_SE2 and EDGE_SE2 (g2o), VERTEX2 a
                    later pose, by lazy data association: what fits is taken; where a loop contradicts
                    what was taken before, earlier decisions are undone if that explains more
 
-A constraint from a pose to the next in the order of ids is the way and is believed; there must be one
-for each pose but the last. All others are loops. The figures then have loops_kept and loops_rejected
+The first constraint from a pose to the next in the order of ids is the way and is believed; there must
+be one for each pose but the last. All others are loops. The figures then have loops_kept and loops_rejected
 as [from, to] in the ids of the file, trials (how many other sets of decisions were worked out) and
 revisions (decisions that were changed later). In the optimum, loops that were kept count the less the
 worse they fit; the objective is the sum over all that is believed, each in full.

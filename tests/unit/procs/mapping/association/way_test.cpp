@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
 #include "tests/unit/procs/mapping/association/ring_walk.hpp"

@@ -49,7 +49,8 @@ const std::vector<Method>& methods() {
        [](const auto& l) {
          return believe_if(l, [](LoopLabel label) { return label == LoopLabel::kNone; });
        }},
-      {"least squares", [](const auto& l) { return believe_if(l, [](LoopLabel) { return true; }); }},
+      {"least squares",
+       [](const auto& l) { return believe_if(l, [](LoopLabel) { return true; }); }},
       {"Huber", [](const auto& l) { return believe_huber(l.graph); }},
       {"DCS", [](const auto& l) { return believe_dcs(l.graph); }},
       {"**lazy**", [](const auto& l) { return lazy(l.graph, true); }},
@@ -84,8 +85,8 @@ void print_row(const std::string& name, const LabelledGraph& labelled, const Met
   std::printf("| %s | %s | %d | %d | %d | %.2f | %.2f | %.2f |\n", name.c_str(), method.name,
               test::kept(labelled, believed, LoopLabel::kRight),
               test::kept(labelled, believed, LoopLabel::kWrong),
-              test::kept(labelled, believed, LoopLabel::kUnknown),
-              plain_rmse_m(labelled, believed), weighted_rmse_m(labelled, believed), wall.count());
+              test::kept(labelled, believed, LoopLabel::kUnknown), plain_rmse_m(labelled, believed),
+              weighted_rmse_m(labelled, believed), wall.count());
   std::fflush(stdout);
 }
 

@@ -42,8 +42,10 @@ TEST_P(WrongLoopsOfBicocca, AreLeftOutAndTheRightOnesKept) {
 INSTANTIATE_TEST_SUITE_P(Replay, WrongLoopsOfBicocca,
                          testing::Values(Promise{"bicocca_0.150", 350, 190, 1.1},
                                          Promise{"bicocca_0.500", 122, 116, 1.0}),
-                         [](const auto& promise) { return promise.param.name.substr(8, 1) + "_" +
-                                                          promise.param.name.substr(10); });
+                         [](const auto& promise) {
+                           return promise.param.name.substr(8, 1) + "_" +
+                                  promise.param.name.substr(10);
+                         });
 
 }  // namespace
 }  // namespace adit

@@ -19,9 +19,9 @@ struct LabelledGraph {
   std::vector<Pose2> truth;       ///< theirs, in a frame of its own
 };
 
-/// From `NAME.g2o`, `NAME.labels` (lines `from to ok|wrong|unknown …`) and lines `id x y theta`, plain
-/// or gzip; `#` starts a comment line. Throws std::runtime_error where a file cannot be read or a
-/// label is for a loop that is not there.
+/// From `NAME.g2o`, `NAME.labels` (lines `from to ok|wrong|unknown …`) and lines `id x y theta`,
+/// plain or gzip; `#` starts a comment line. Throws std::runtime_error where a file cannot be read
+/// or a label is for a loop that is not there.
 LabelledGraph read_labelled_graph(const std::filesystem::path& g2o,
                                   const std::filesystem::path& ground_truth);
 

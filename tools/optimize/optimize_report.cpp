@@ -43,12 +43,10 @@ std::string with_short_pairs(const std::string& text) {
 }  // namespace
 
 std::string to_json(const PoseGraph& graph, const OptimizeRun& run) {
-  Json json = {{"nodes", graph.poses.size()},
-               {"constraints", graph.constraints.size()},
-               {"converged", run.result.converged},
-               {"objective", run.result.objective},
-               {"iterations", run.result.iterations},
-               {"factorisations", run.result.factorisations}};
+  Json json = {
+      {"nodes", graph.poses.size()},         {"constraints", graph.constraints.size()},
+      {"converged", run.result.converged},   {"objective", run.result.objective},
+      {"iterations", run.result.iterations}, {"factorisations", run.result.factorisations}};
   if (run.loops) add_loops(json, *run.loops);
   json["wall_ms"] = wall_ms(run);
   return with_short_pairs(json.dump(2));

@@ -38,10 +38,9 @@ LoopVerdicts verdicts(const G2oGraph& file, const LazyLoopsResult& lazy) {
     list.emplace_back(id_of(file, c.from), id_of(file, c.to));
   }
   loops.trials = lazy.trials;
-  loops.revisions = static_cast<int>(
-      std::count_if(lazy.history.begin(), lazy.history.end(), [](const Association& a) {
-        return a.action == Association::Action::kRevised;
-      }));
+  loops.revisions = static_cast<int>(std::count_if(
+      lazy.history.begin(), lazy.history.end(),
+      [](const Association& a) { return a.action == Association::Action::kRevised; }));
   return loops;
 }
 

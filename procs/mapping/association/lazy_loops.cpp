@@ -15,9 +15,9 @@
 namespace adit {
 namespace {
 
-constexpr double kKernel2 = 16.3;    // chi-square, 3 degrees of freedom, 0.999: half weight here
+constexpr double kKernel2 = 16.3;  // chi-square, 3 degrees of freedom, 0.999: half weight here
 constexpr int kReweightings = 30;
-constexpr double kSettled = 1e-4;    // change of the objective, as a share
+constexpr double kSettled = 1e-4;  // change of the objective, as a share
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -153,8 +153,7 @@ LazyLoopsResult believe_lazily(const PoseGraph& graph, const LazyAssociationPara
     const PoseConstraint loop = forward(graph.constraints[at(k)]);
     Closure closure;
     closure.newer_map = condensed.node(loop.to);
-    closure.alternatives = {
-        {condensed.node(loop.from), loop.T_from_to, loop.information, 0.0}};
+    closure.alternatives = {{condensed.node(loop.from), loop.T_from_to, loop.information, 0.0}};
     result.constraint_of_closure.push_back(k);
     const auto decided = association.decide({std::move(closure)}, 0);
     result.history.insert(result.history.end(), decided.begin(), decided.end());

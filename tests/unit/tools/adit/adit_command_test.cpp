@@ -126,8 +126,8 @@ TEST_F(AditCommand, OptimizeDecidesAboutLoopsAndWritesWhatItBelieves) {
   const G2oGraph file = two_rounds();
   write_g2o(file, at("g.g2o"));
   for (const char* order : {"best_first", "threshold"}) {
-    const Outcome outcome = adit({"optimize", at("g.g2o"), "--loops", "lazy", "--order", order,
-                                  "--out", at("good.g2o")});
+    const Outcome outcome = adit(
+        {"optimize", at("g.g2o"), "--loops", "lazy", "--order", order, "--out", at("good.g2o")});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.err, testing::IsEmpty());
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("\"loops\": 81,"), HasSubstr("\"association\":"),

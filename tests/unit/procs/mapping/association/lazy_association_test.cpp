@@ -12,9 +12,9 @@
 namespace adit {
 namespace {
 
+using test::together;
 using testing::Each;
 using testing::IsEmpty;
-using test::together;
 
 constexpr int kNone = Association::kNone;
 const Pose2 kBeside{0.0, 8.0, 0.0};  // as in a parallel corridor
@@ -44,9 +44,8 @@ class BothOrders : public testing::TestWithParam<bool> {
   LazyAssociation association_{params()};
 };
 
-INSTANTIATE_TEST_SUITE_P(LazyAssociation, BothOrders, testing::Bool(), [](const auto& order) {
-  return order.param ? "BestFirst" : "Threshold";
-});
+INSTANTIATE_TEST_SUITE_P(LazyAssociation, BothOrders, testing::Bool(),
+                         [](const auto& order) { return order.param ? "BestFirst" : "Threshold"; });
 
 TEST_P(BothOrders, TakeRightClosures) {
   test::RingWalk walk(300);
@@ -80,8 +79,8 @@ TEST_P(BothOrders, UndoAnEarlyWrongClosureForSeveralRightOnes) {
 
 TEST_P(BothOrders, UndoAGroupOfWrongClosuresThatAgreeForTwoRightGroups) {
   test::RingWalk walk(330);
-  const auto history = decide(walk, together({walk.group(203, 20, kBeside), walk.group(255, 15),
-                                              walk.group(290, 15)}));
+  const auto history = decide(
+      walk, together({walk.group(203, 20, kBeside), walk.group(255, 15), walk.group(290, 15)}));
   ASSERT_GE(history.size(), 20U);
   EXPECT_EQ(history[19].chosen, 0) << "was not believed at first: nothing to undo";
   EXPECT_THAT(chosen_of(association_, 0, 20), Each(kNone));
@@ -123,8 +122,11 @@ std::vector<Closure> right_and_wrong(test::RingWalk& walk) {
   Closure open = walk.closure(28, 228);
   open.alternatives = {walk.alternative(28, 228, kBeside, 10.0),
                        walk.alternative(28, 228, {}, 8.0)};
-  return together({walk.group(203, 3, kBeside), {open}, walk.group(240, 8),
-                   walk.group(270, 2, kBeside), walk.group(290, 5)});
+  return together({walk.group(203, 3, kBeside),
+                   {open},
+                   walk.group(240, 8),
+                   walk.group(270, 2, kBeside),
+                   walk.group(290, 5)});
 }
 
 TEST_P(BothOrders, HaveAHistoryThatReplaysToTheSameBelief) {

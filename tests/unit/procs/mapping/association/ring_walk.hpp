@@ -51,8 +51,8 @@ class RingWalk {
       pose = pose * Pose2{1.0, 0.0, (i + 1) % 50 == 0 ? std::numbers::pi / 2.0 : 0.0};
     }
     for (int i = 0; i + 1 < maps; ++i) {
-      chain.push_back({i, i + 1, true_motion(i, i + 1) * normal_.motion(kStep),
-                       information_of(kStep)});
+      chain.push_back(
+          {i, i + 1, true_motion(i, i + 1) * normal_.motion(kStep), information_of(kStep)});
     }
   }
 
@@ -91,7 +91,7 @@ class RingWalk {
   Normal normal_;
 };
 
-inline std::vector<Closure> together(std::vector<std::vector<Closure>> groups) {
+inline std::vector<Closure> together(const std::vector<std::vector<Closure>>& groups) {
   std::vector<Closure> all;
   for (const auto& group : groups) all.insert(all.end(), group.begin(), group.end());
   return all;

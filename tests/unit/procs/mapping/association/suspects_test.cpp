@@ -64,8 +64,8 @@ TEST_F(SuspectsOnARing, AreNoneWhereUndoingCannotPay) {
 }
 
 TEST_F(SuspectsOnARing, ComeInTheOrderOfTheirBounds) {
-  decide(test::together({walk_.group(205, 2, kBeside), walk_.group(225, 1, kBeside),
-                         walk_.group(235, 4)}),
+  decide(test::together(
+             {walk_.group(205, 2, kBeside), walk_.group(225, 1, kBeside), walk_.group(235, 4)}),
          {0, 1, 2});
   const auto found = suspects_of_last();
   for (std::size_t i = 1; i < found.size(); ++i) EXPECT_GE(found[i].bound, found[i - 1].bound);

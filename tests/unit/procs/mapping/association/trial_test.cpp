@@ -25,13 +25,13 @@ class TrialOnARing : public testing::Test {
   TrialOnARing() : problem_(test::problem_of(walk_, closures())) {}
 
   std::vector<Closure> closures() {
-    auto all = walk_.group(205, 3);                                      // 0, 1, 2: right
-    all.push_back(walk_.closure(20, 220, {0.0, 4.0, 0.0}));              // 3: beside it
-    all.push_back(walk_.closure(30, 230));                               // 4: right across
+    auto all = walk_.group(205, 3);                          // 0, 1, 2: right
+    all.push_back(walk_.closure(20, 220, {0.0, 4.0, 0.0}));  // 3: beside it
+    all.push_back(walk_.closure(30, 230));                   // 4: right across
     all.back().alternatives.front().information.row(0).setZero();
     all.back().alternatives.front().information.col(0).setZero();
-    all.back().alternatives.front().T_older_newer.x += 2.0;              // and nothing along
-    all.push_back(walk_.closure(60, 40, {0.0, 0.0, 2.5}));               // 5: turned round
+    all.back().alternatives.front().T_older_newer.x += 2.0;  // and nothing along
+    all.push_back(walk_.closure(60, 40, {0.0, 0.0, 2.5}));   // 5: turned round
     return all;
   }
 

@@ -3,6 +3,7 @@
 // wrong_loops_table: what methods make of wrong loop closures that are added to public pose graphs,
 // as a table in Markdown. A method looks at a graph and says which constraints it believes; these
 // are then optimised, so that all are judged alike.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -38,7 +39,9 @@ std::vector<bool> believe_all(const PoseGraph& graph) {
 
 const std::vector<Method>& methods() {
   static const std::vector<Method> all = {
-      {"least squares", believe_all}, {"Huber", believe_huber}, {"DCS", believe_dcs},
+      {"least squares", believe_all},
+      {"Huber", believe_huber},
+      {"DCS", believe_dcs},
       {"lazy", [](const PoseGraph& graph) { return believe_lazily(graph, {}).believed; }},
       {"lazy, paper's order", [](const PoseGraph& graph) {
          LazyAssociationParams params;
@@ -116,7 +119,25 @@ void print_row(const Trial& trial, const Method& method) {
   std::fflush(stdout);
 }
 
-void print_graph(const std::string& name, std::uint32_t seed) {
+struct Options {
+  std::vector<std::string> graphs = {"intel", "manhattan"};
+  std::vector<int> counts = {0, 10, 100, 1000};
+  std::vector<std::string> kinds = {"random", "groups"};
+  std::vector<std::string> only;  // methods; all where it is empty
+  std::uint32_t seed = 1;
+  bool no_head = false;
+};
+
+void print_trial(const Trial& trial, const Options& options) {
+  for (const Method& method : methods()) {
+    const auto& only = options.only;
+    const bool asked =
+        only.empty() || std::find(only.begin(), only.end(), method.name) != only.end();
+    if (asked) print_row(trial, method);
+  }
+}
+
+void print_graph(const std::string& name, const Options& options) {
   const auto path = test::find_recording("posegraph/" + name + ".g2o");
   if (!path) {
     std::cerr << "no recording " << name << "; set ADIT_DATA\n";
@@ -124,13 +145,14 @@ void print_graph(const std::string& name, std::uint32_t seed) {
   }
   PoseGraph clean = read_g2o(*path).graph;
   optimize(clean, {});
-  for (const int count : {0, 10, 100, 1000}) {
-    for (const bool consistent : {false, true}) {
+  for (const int count : options.counts) {
+    for (const std::string& kind : options.kinds) {
+      const bool consistent = kind == "groups";
       if (count == 0 && consistent) continue;
       const auto make = consistent ? test::consistent_wrong_loops : test::random_wrong_loops;
-      const Trial trial{name, consistent ? "in groups" : "at random", clean,
-                        make(clean, count, seed)};
-      for (const Method& method : methods()) print_row(trial, method);
+      print_trial(
+          {name, consistent ? "in groups" : "at random", clean, make(clean, count, options.seed)},
+          options);
     }
   }
 }
@@ -140,15 +162,22 @@ void print_graph(const std::string& name, std::uint32_t seed) {
 
 int main(int argc, char** argv) try {
   CLI::App app("Wrong loop closures added to public pose graphs, as a table in Markdown");
-  std::vector<std::string> graphs = {"intel", "manhattan"};
-  std::uint32_t seed = 1;
-  app.add_option("--graphs", graphs, "of the recordings")->capture_default_str();
-  app.add_option("--seed", seed, "of the wrong loops")->capture_default_str();
+  adit::Options options;
+  app.add_option("--graphs", options.graphs, "of the recordings")->capture_default_str();
+  app.add_option("--counts", options.counts, "of wrong loops")->capture_default_str();
+  app.add_option("--kinds", options.kinds, "of wrong loops")
+      ->check(CLI::IsMember({"random", "groups"}))
+      ->capture_default_str();
+  app.add_option("--only", options.only, "the methods of these names");
+  app.add_option("--seed", options.seed, "of the wrong loops")->capture_default_str();
+  app.add_flag("--no-head", options.no_head, "rows only");
   CLI11_PARSE(app, argc, argv);
-  std::puts(
-      "| graph | wrong loops | method | precision | recall | objective | RMSE (m) | time (s) |\n"
-      "|---|---|---|---|---|---|---|---|");
-  for (const std::string& graph : graphs) adit::print_graph(graph, seed);
+  if (!options.no_head) {
+    std::puts(
+        "| graph | wrong loops | method | precision | recall | objective | RMSE (m) | time (s) |\n"
+        "|---|---|---|---|---|---|---|---|");
+  }
+  for (const std::string& graph : options.graphs) adit::print_graph(graph, options);
   return 0;
 } catch (const std::exception& error) {
   std::cerr << "wrong_loops_table: " << error.what() << "\n";

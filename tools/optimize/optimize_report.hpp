@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "tools/optimize/phase_stopwatch.hpp"
+#include "tools/optimize/optimize_run.hpp"
 
 namespace adit {
 
 /// The figures of an optimisation as JSON: size of the graph, objective, iterations,
-/// factorisations, whether it converged, and the wall time of its phases in milliseconds.
-std::string to_json(const PoseGraph& graph, const OptimizeResult& result,
-                    const PhaseStopwatch& stopwatch);
+/// factorisations, whether it converged, what was decided about loops, and the wall time of the
+/// phases in milliseconds. A loop is a pair of ids on one line.
+std::string to_json(const PoseGraph& graph, const OptimizeRun& run);
 
 }  // namespace adit

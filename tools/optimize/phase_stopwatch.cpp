@@ -6,7 +6,9 @@
 
 namespace adit {
 
-double PhaseStopwatch::total_ms() const { return std::accumulate(ms_.begin(), ms_.end(), 0.0); }
+double PhaseStopwatch::total_ms() const {
+  return std::accumulate(ms_.begin(), ms_.begin() + index(OptimizePhase::kEnd), 0.0);
+}
 
 void PhaseStopwatch::enter(OptimizePhase begins) {
   const Clock::time_point now = Clock::now();

@@ -17,7 +17,7 @@ class PhaseStopwatch {
   [[nodiscard]] OptimizeObserver observer() {
     return [this](OptimizePhase begins) { enter(begins); };
   }
-  /// What comes before the first phase counts as kRest.
+  /// What comes before the first phase counts as kRest, what comes after kEnd as nothing.
   [[nodiscard]] double ms(OptimizePhase phase) const { return ms_[index(phase)]; }
   [[nodiscard]] double total_ms() const;
 

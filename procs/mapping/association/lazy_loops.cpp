@@ -5,19 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <Eigen/LU>
 
-#include "common/pose_graph/optimize.hpp"
 #include "common/pose_graph/potential.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kKernel2 = 16.3;    // chi-square, 3 degrees of freedom, 0.999: half weight here
+constexpr double kKernel2 = 16.3;  // chi-square, 3 degrees of freedom, 0.999: half weight here
 constexpr int kReweightings = 30;
-constexpr double kSettled = 1e-4;    // change of the objective, as a share
+constexpr double kSettled = 1e-4;  // change of the objective, as a share
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -80,14 +80,10 @@ class Condensed {
     for (std::size_t i = 0; i < node_.size(); ++i) {
       if (i > 0) {
         const int k = parts.chain[i - 1];
-        if (k < 0) {
-          throw std::invalid_argument("no constraint leads from pose " + std::to_string(i - 1) +
-                                      " to the next: there is no way to hold loops against");
-        }
         const PoseConstraint step = forward(graph.constraints[at(k)]);
         const Eigen::Matrix3d Ad = adjoint(step.T_from_to.inverse());
         T_last_here = T_last_here * step.T_from_to;
-        covariance = Ad * covariance * Ad.transpose() + step.information.inverse();
+        covariance = Ad * covariance * Ad.transpose() + measured_by(step).covariance;
       }
       if (node_[i] < 0) continue;
       association.add_map(T_last_here, i > 0 ? covariance.inverse() : covariance);
@@ -100,11 +96,55 @@ class Condensed {
   std::vector<int> node_;  // of each pose, or −1
 };
 
+/// What is believed, at full weight.
+struct Believed {
+  Believed(const PoseGraph& graph, const std::vector<bool>& believed) {
+    std::vector<bool> loop(graph.constraints.size(), false);
+    for (const int k : split(graph).loops) loop[at(k)] = true;
+    for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
+      if (!believed[k]) continue;
+      constraints.push_back(graph.constraints[k]);
+      is_loop.push_back(loop[k]);
+    }
+  }
+
+  /// Gives the loops of the same graph the weights that their residuals call for.
+  void reweight(PoseGraph& weighted) const {
+    for (std::size_t k = 0; k < constraints.size(); ++k) {
+      if (!is_loop[k]) continue;
+      const PoseConstraint& c = constraints[k];
+      const double e2 =
+          energy(c, residual(c, weighted.poses[at(c.from)], weighted.poses[at(c.to)]));
+      weighted.constraints[k].information = c.information / (1.0 + e2 / kKernel2);
+    }
+  }
+
+  std::vector<PoseConstraint> constraints;
+  std::vector<bool> is_loop;
+};
+
+bool has_poses(const OptimizeResult& result) {
+  return result.converged || result.reason == OptimizeReason::kNotConverged;
+}
+
+/// Counts on; all else is that of the last step.
+void add(OptimizeResult& all, const OptimizeResult& step) {
+  const int iterations = all.iterations + step.iterations;
+  const int factorisations = all.factorisations + step.factorisations;
+  all = step;
+  all.iterations = iterations;
+  all.factorisations = factorisations;
+}
+
 }  // namespace
 
 LazyLoopsResult believe_lazily(const PoseGraph& graph, const LazyAssociationParams& params,
                                const std::function<void(double)>& progress) {
   LazyLoopsResult result;
+  if (const auto gap = gap_in_way(graph)) {
+    throw std::invalid_argument("no constraint leads from pose " + std::to_string(*gap) +
+                                " to the next: there is no way to hold loops against");
+  }
   const Parts parts = split(graph);
   const Condensed condensed(graph, parts);
   LazyAssociation association(params);
@@ -113,8 +153,7 @@ LazyLoopsResult believe_lazily(const PoseGraph& graph, const LazyAssociationPara
     const PoseConstraint loop = forward(graph.constraints[at(k)]);
     Closure closure;
     closure.newer_map = condensed.node(loop.to);
-    closure.alternatives = {
-        {condensed.node(loop.from), loop.T_from_to, loop.information, 0.0}};
+    closure.alternatives = {{condensed.node(loop.from), loop.T_from_to, loop.information, 0.0}};
     result.constraint_of_closure.push_back(k);
     const auto decided = association.decide({std::move(closure)}, 0);
     result.history.insert(result.history.end(), decided.begin(), decided.end());
@@ -134,34 +173,34 @@ LazyLoopsResult believe_lazily(const PoseGraph& graph, const LazyAssociationPara
   return result;
 }
 
-double optimize_believed(PoseGraph& graph, const std::vector<bool>& believed) {
-  PoseGraph weighted{graph.poses, {}};
-  std::vector<PoseConstraint> full;
-  std::vector<bool> is_loop;
-  const Parts parts = split(graph);
-  for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
-    if (!believed[k]) continue;
-    full.push_back(graph.constraints[k]);
-    is_loop.push_back(std::find(parts.loops.begin(), parts.loops.end(), static_cast<int>(k)) !=
-                      parts.loops.end());
-  }
+std::optional<int> gap_in_way(const PoseGraph& graph) {
+  const std::vector<int> chain = split(graph).chain;
+  const auto gap = std::find(chain.begin(), chain.end(), -1);
+  if (gap == chain.end()) return std::nullopt;
+  return static_cast<int>(gap - chain.begin());
+}
+
+OptimizeResult optimize_believed(PoseGraph& graph, const std::vector<bool>& believed,
+                                 const OptimizeObserver& observer) {
+  const Believed full(graph, believed);
+  PoseGraph weighted{graph.poses, full.constraints};
   OptimizeParams params;
+  OptimizeResult all;
   double last = 0.0;
   for (int i = 0; i < kReweightings; ++i) {
-    weighted.constraints = full;
-    for (std::size_t k = 0; k < full.size() && i > 0; ++k) {
-      if (!is_loop[k]) continue;
-      const PoseConstraint& c = full[k];
-      const double e2 = energy(c, residual(c, weighted.poses[at(c.from)], weighted.poses[at(c.to)]));
-      weighted.constraints[k].information /= 1.0 + e2 / kKernel2;
-    }
-    const OptimizeResult result = optimize(weighted, params);
+    if (i > 0) full.reweight(weighted);
+    const OptimizeResult step = optimize(weighted, params, observer);
+    if (observer) observer(OptimizePhase::kRest);
+    add(all, step);
+    if (!has_poses(step)) return all;
     params.rotation_start = false;
-    if (i > 0 && std::abs(result.objective - last) <= kSettled * last) break;
-    last = result.objective;
+    if (i > 0 && std::abs(step.objective - last) <= kSettled * last) break;
+    last = step.objective;
   }
-  graph.poses = weighted.poses;
-  return objective({graph.poses, full});
+  graph.poses = std::move(weighted.poses);
+  all.objective = objective({graph.poses, full.constraints});
+  if (observer) observer(OptimizePhase::kEnd);
+  return all;
 }
 
 }  // namespace adit

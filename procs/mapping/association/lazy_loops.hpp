@@ -3,9 +3,10 @@
 #pragma once
 
 #include <functional>
-#include <string>
+#include <optional>
 #include <vector>
 
+#include "common/pose_graph/optimize.hpp"
 #include "common/pose_graph/pose_graph.hpp"
 #include "procs/mapping/association/lazy_association.hpp"
 
@@ -26,9 +27,15 @@ struct LazyLoopsResult {
 LazyLoopsResult believe_lazily(const PoseGraph& graph, const LazyAssociationParams& params,
                                const std::function<void(double)>& progress = {});
 
+/// The first pose from which no constraint leads to the next, so that there is no way to hold loops
+/// against.
+std::optional<int> gap_in_way(const PoseGraph& graph);
+
 /// Moves the poses to the optimum under what is believed. Loops count the less the worse they fit
 /// (Cauchy's kernel): of a place that was recognised it is certain which it is, not how well it was
-/// measured. Returns Σ eᵀ R e over all that is believed.
-double optimize_believed(PoseGraph& graph, const std::vector<bool>& believed);
+/// measured. The result has the steps of all reweightings together, and as objective Σ eᵀ R e over
+/// all that is believed, each in full. Poses stay for the same reasons as with `optimize`.
+OptimizeResult optimize_believed(PoseGraph& graph, const std::vector<bool>& believed,
+                                 const OptimizeObserver& observer = {});
 
 }  // namespace adit

@@ -8,7 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/pose_graph/g2o_file.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/test_graphs.hpp"
 #include "tools/adit/commands.hpp"
 #include "tools/carmen/carmen_reader.hpp"
 #include "tools/eval/tum.hpp"
@@ -80,6 +82,9 @@ TEST_F(AditCommand, WrongUseIsOneLineAndExitCodeTwo) {
         {"map", at("missing"), "--out", at("map")},
         {"optimize", at("missing")},
         {"optimize", at("missing"), "--loops", "none"},
+        {"optimize", at("missing"), "--loops", "lazy"},
+        {"optimize", at("missing"), "--loops", "lazy", "--order", "random"},
+        {"optimize", at("missing"), "--order", "threshold"},
         {"eval", "relations", at("missing"), at("missing")}}) {
     const Outcome outcome = adit(arguments);
     EXPECT_EQ(outcome.exit_code, 2);
@@ -107,6 +112,42 @@ TEST_F(AditCommand, OptimizeNamesTheLineOrTheNodeThatIsWrong) {
   const Outcome outcome = adit({"optimize", at("apart.g2o")});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("apart.g2o: no chain of constraints links pose 9"));
+}
+
+/// Two rounds of a square and a loop that is wrong.
+G2oGraph two_rounds() {
+  G2oGraph file{test::square_walk(160, 20, 0.05), {}};
+  for (long id = 0; id < 160; ++id) file.ids.push_back(id);
+  file.graph.constraints.push_back({10, 130, {}, 100.0 * Eigen::Matrix3d::Identity()});
+  return file;
+}
+
+TEST_F(AditCommand, OptimizeDecidesAboutLoopsAndWritesWhatItBelieves) {
+  const G2oGraph file = two_rounds();
+  write_g2o(file, at("g.g2o"));
+  for (const char* order : {"best_first", "threshold"}) {
+    const Outcome outcome = adit(
+        {"optimize", at("g.g2o"), "--loops", "lazy", "--order", order, "--out", at("good.g2o")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, testing::IsEmpty());
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("\"loops\": 81,"), HasSubstr("\"association\":"),
+                                   HasSubstr("\"loops_rejected\": [\n    [10, 130]\n  ]")));
+    const G2oGraph good = read_g2o(at("good.g2o"));
+    EXPECT_EQ(good.ids, file.ids);
+    EXPECT_EQ(good.graph.constraints.size(), file.graph.constraints.size() - 1);
+    for (std::size_t i = 0; i < good.graph.poses.size(); ++i) {
+      const Pose2 apart = between(good.graph.poses[i], file.graph.poses[i]);
+      EXPECT_LT(apart.translation().norm(), 1.0);  // the wrong loop would bend it by tens of metres
+    }
+  }
+}
+
+TEST_F(AditCommand, OptimizeNeedsAWayToHoldLoopsAgainst) {
+  std::ofstream(at("gap.g2o")) << kEdge << "EDGE_SE2 3 9 1 0 0 1 0 0 1 0 1\n";
+  const Outcome outcome = adit({"optimize", at("gap.g2o"), "--loops", "lazy"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("gap.g2o: no constraint links pose 4 with the next, pose 9"));
+  EXPECT_EQ(adit({"optimize", at("gap.g2o")}).exit_code, 0);
 }
 
 TEST_F(AditCommand, ASampleIsTheSameTwiceAndCanBeImported) {

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Loops that place recognition found in the Bicocca building, a third of them wrong: what lazy data
+// association has promised to make of them (docs/results/association.md).
+#include <gtest/gtest.h>
+
+#include "common/pose_graph/optimize.hpp"
+#include "procs/mapping/association/lazy_loops.hpp"
+#include "tests/support/labelled_graph.hpp"
+#include "tests/support/recordings.hpp"
+
+namespace adit {
+namespace {
+
+using test::LoopLabel;
+
+struct Promise {
+  std::string name;
+  int loops;
+  int right_kept;  // at least
+  double rmse_m;   // at most
+};
+
+void PrintTo(const Promise& promise, std::ostream* out) { *out << promise.name; }
+
+class WrongLoopsOfBicocca : public testing::TestWithParam<Promise> {};
+
+TEST_P(WrongLoopsOfBicocca, AreLeftOutAndTheRightOnesKept) {
+  ADIT_RECORDING_OR_SKIP(g2o, "posegraph/" + GetParam().name + ".g2o");
+  ADIT_RECORDING_OR_SKIP(truth, "posegraph/bicocca_ground_truth.txt.gz");
+  test::LabelledGraph labelled = test::read_labelled_graph(g2o, truth);
+  chain_odometry(labelled.graph);
+  const LazyLoopsResult lazy = believe_lazily(labelled.graph, {});
+  EXPECT_EQ(std::ssize(lazy.constraint_of_closure), GetParam().loops);
+  EXPECT_EQ(test::kept(labelled, lazy.believed, LoopLabel::kWrong), 0);
+  EXPECT_GE(test::kept(labelled, lazy.believed, LoopLabel::kRight), GetParam().right_kept);
+
+  ASSERT_TRUE(optimize_believed(labelled.graph, lazy.believed).converged);
+  EXPECT_LE(test::rmse_m(labelled, labelled.graph.poses), GetParam().rmse_m);
+}
+
+INSTANTIATE_TEST_SUITE_P(Replay, WrongLoopsOfBicocca,
+                         testing::Values(Promise{"bicocca_0.150", 350, 190, 1.1},
+                                         Promise{"bicocca_0.500", 122, 116, 1.0}),
+                         [](const auto& promise) {
+                           return promise.param.name.substr(8, 1) + "_" +
+                                  promise.param.name.substr(10);
+                         });
+
+}  // namespace
+}  // namespace adit

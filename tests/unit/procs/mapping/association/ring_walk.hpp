@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "procs/mapping/association/association_problem.hpp"
+#include "procs/mapping/association/lazy_association.hpp"
+
+namespace adit::test {
+
+/// Numbers of the standard normal distribution, the same with every library (Box and Muller).
+class Normal {
+ public:
+  explicit Normal(std::uint32_t seed) : rng_(seed) {}
+
+  double operator()() {
+    const double u = (static_cast<double>(rng_()) + 1.0) / 4294967297.0;
+    const double v = static_cast<double>(rng_()) / 4294967296.0;
+    return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * v);
+  }
+
+  /// A small motion with these standard deviations.
+  Pose2 motion(const Eigen::Vector3d& sd) {
+    const double x = (*this)() * sd.x();
+    const double y = (*this)() * sd.y();
+    return {x, y, (*this)() * sd.z()};
+  }
+
+ private:
+  std::mt19937 rng_;
+};
+
+inline Eigen::Matrix3d information_of(const Eigen::Vector3d& sd) {
+  return sd.array().square().inverse().matrix().asDiagonal();
+}
+
+/// Round and round a square of 50 m a side, a step a metre, so that map i + 200 is where map i is.
+/// Over a round the way alone is uncertain by some metres, over the next corner by some decimetres.
+class RingWalk {
+ public:
+  static constexpr int kRound = 200;
+
+  explicit RingWalk(int maps, std::uint32_t seed = 1) : normal_(seed) {
+    Pose2 pose;
+    for (int i = 0; i < maps; ++i) {
+      truth.push_back(pose);
+      pose = pose * Pose2{1.0, 0.0, (i + 1) % 50 == 0 ? std::numbers::pi / 2.0 : 0.0};
+    }
+    for (int i = 0; i + 1 < maps; ++i) {
+      chain.push_back(
+          {i, i + 1, true_motion(i, i + 1) * normal_.motion(kStep), information_of(kStep)});
+    }
+  }
+
+  /// Where the newer map lies on the older: as it is, but for noise, or moved by `error`.
+  ClosureAlternative alternative(int older, int newer, const Pose2& error = {},
+                                 double log_likelihood = 0.0) {
+    return {older, true_motion(older, newer) * error * normal_.motion(kClosure),
+            information_of(kClosure), log_likelihood};
+  }
+  Closure closure(int older, int newer, const Pose2& error = {}) {
+    Closure result;
+    result.newer_map = newer;
+    result.alternatives = {alternative(older, newer, error)};
+    return result;
+  }
+  /// Closures of `count` maps from `newer` on with those a round before, all with the same error.
+  std::vector<Closure> group(int newer, int count, const Pose2& error = {}) {
+    std::vector<Closure> result;
+    for (int k = 0; k < count; ++k) {
+      result.push_back(closure(newer + k - kRound, newer + k, error));
+    }
+    return result;
+  }
+
+  std::vector<Pose2> truth;
+  std::vector<PoseConstraint> chain;
+
+ private:
+  inline static const Eigen::Vector3d kStep{0.05, 0.05, 0.01};
+  inline static const Eigen::Vector3d kClosure{0.05, 0.05, 0.01};
+
+  [[nodiscard]] Pose2 true_motion(int from, int to) const {
+    return between(truth[static_cast<std::size_t>(from)], truth[static_cast<std::size_t>(to)]);
+  }
+
+  Normal normal_;
+};
+
+inline std::vector<Closure> together(const std::vector<std::vector<Closure>>& groups) {
+  std::vector<Closure> all;
+  for (const auto& group : groups) all.insert(all.end(), group.begin(), group.end());
+  return all;
+}
+
+/// Adds the maps of the walk one by one and has the closures decided, which are in order of their
+/// newer map, as soon as that is there. What was decided.
+inline std::vector<Association> drive(LazyAssociation& association, const RingWalk& walk,
+                                      const std::vector<Closure>& closures) {
+  std::vector<Association> history;
+  auto next = closures.begin();
+  for (int map = 0; map < static_cast<int>(walk.truth.size()); ++map) {
+    const PoseConstraint step =
+        map > 0 ? walk.chain[static_cast<std::size_t>(map - 1)] : PoseConstraint{};
+    association.add_map(step.T_from_to, step.information);
+    std::vector<Closure> here;
+    while (next != closures.end() && next->newer_map == map) here.push_back(*next++);
+    const auto decided = association.decide(here, map);
+    history.insert(history.end(), decided.begin(), decided.end());
+  }
+  return history;
+}
+
+/// The same as a problem of which nothing is decided yet; every closure its own group.
+inline AssociationProblem problem_of(const RingWalk& walk, std::vector<Closure> closures) {
+  AssociationProblem problem;
+  problem.chain = walk.chain;
+  problem.way.add_map({});
+  for (const PoseConstraint& step : walk.chain) problem.way.add_map(measured_by(step));
+  for (std::size_t k = 0; k < closures.size(); ++k) {
+    closures[k].id = static_cast<int>(k);
+    problem.groups.push_back(static_cast<int>(k));
+    problem.plausible.push_back(true);
+  }
+  problem.closures = std::move(closures);
+  return problem;
+}
+
+/// Nothing is chosen: the maps lie as the way has them.
+inline Belief nothing_chosen(const AssociationProblem& problem) {
+  Belief belief;
+  belief.chosen.assign(problem.closures.size(), Association::kNone);
+  belief.T_map_local.emplace_back();
+  for (const PoseConstraint& step : problem.chain) {
+    belief.T_map_local.push_back(belief.T_map_local.back() * step.T_from_to);
+  }
+  return belief;
+}
+
+}  // namespace adit::test

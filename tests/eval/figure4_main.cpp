@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 
 #include "common/picture/map_picture.hpp"
 #include "tests/support/parallel_drive.hpp"
@@ -21,7 +22,7 @@ namespace adit {
 namespace {
 
 // What is shown: the two corridors, in the frame of the first local map. [m]
-const Eigen::AlignedBox2d kShown({-14.0, -10.0}, {96.0, 24.0});
+const Eigen::AlignedBox2d kShown(Eigen::Vector2d(-14.0, -10.0), Eigen::Vector2d(96.0, 24.0));
 constexpr double kRangeMax = 8.0;    // beyond, walls are thin dots
 constexpr double kResolution = 0.1;
 

@@ -18,11 +18,9 @@ SampleSite site(double yaw_bias_deg_per_m) {
   return site;
 }
 
-/// Drift as of wheels: 10° over the loop of 800 m, at one standard deviation.
-MappingParams params() {
+MappingParams params(const DisplacementErrorParams& believed) {
   MappingParams params;
-  params.local_maps.error.drift_rad_per_sqrt_m = 0.006;
-  params.local_maps.error.drift_m_per_sqrt_m = 0.02;
+  params.local_maps.error = believed;
   return params;
 }
 
@@ -30,8 +28,15 @@ bool in_force(int chosen) { return chosen != Association::kNone; }
 
 }  // namespace
 
-ParallelDrive::ParallelDrive(double yaw_bias_deg_per_m)
-    : run_(site(yaw_bias_deg_per_m), kSeed), mapping_(params()) {}
+ParallelDrive::ParallelDrive(double yaw_bias_deg_per_m, const DisplacementErrorParams& believed)
+    : run_(site(yaw_bias_deg_per_m), kSeed), mapping_(params(believed)) {}
+
+DisplacementErrorParams ParallelDrive::of_drifting_wheels() {
+  DisplacementErrorParams error;
+  error.drift_rad_per_sqrt_m = 0.006;
+  error.drift_m_per_sqrt_m = 0.02;
+  return error;
+}
 
 std::optional<MapUpdate> ParallelDrive::next() {
   while (const auto reading = run_.next()) {

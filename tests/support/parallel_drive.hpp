@@ -15,7 +15,11 @@ namespace adit::test {
 /// whose heading turns away from the truth, so that the robot may believe itself in the other one.
 class ParallelDrive {
  public:
-  explicit ParallelDrive(double yaw_bias_deg_per_m);
+  explicit ParallelDrive(double yaw_bias_deg_per_m,
+                         const DisplacementErrorParams& believed = of_drifting_wheels());
+
+  /// The error that makes either corridor likely: 10° over the loop, one standard deviation.
+  static DisplacementErrorParams of_drifting_wheels();
 
   /// Drives on to the end of a local map. Nothing at the end of the way.
   std::optional<MapUpdate> next();
@@ -37,7 +41,7 @@ class ParallelDrive {
 };
 
 /// How many decisions of an update are these.
-int revoked(const MapUpdate& update);     ///< closures that were in force and are so no more
+int revoked(const MapUpdate& update);      ///< closures that were in force and are so no more
 int chosen_anew(const MapUpdate& update); ///< closures that are in force and were not
 
 }  // namespace adit::test

@@ -15,6 +15,7 @@ namespace {
 constexpr double kStepM = 3.0;
 constexpr int kStepsMin = 2;
 constexpr int kStepsMax = 8;
+constexpr double kRoundingUp = 1.0 + 1e-9;
 
 /// What two maps may overlap, over all relative positions within the gate.
 struct Overlap {
@@ -24,13 +25,18 @@ struct Overlap {
 
 Overlap overlap_in_gate(const MapExtent& older, const MapExtent& newest,
                         const RelativePose& predicted, double sigmas) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
-      Eigen::Matrix2d(predicted.covariance.topLeftCorner<2, 2>()));
-  const Eigen::Vector2d sd = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-  const double reach = older.radius_m() + newest.radius_m() + sigmas * sd.maxCoeff();
-  const Eigen::Vector2d apart = predicted.T_older_newer * newest.centre() - older.centre();
+  const Eigen::Matrix2d plane = predicted.covariance.topLeftCorner<2, 2>();
+  const double radii = older.radius_m() + newest.radius_m();
+  const double apart =
+      (predicted.T_older_newer * newest.centre() - older.centre()).norm();
   Overlap overlap;
-  if (apart.norm() > reach) return overlap;
+  // Most maps are far away, and the trace, an upper bound of the larger eigenvalue, says so.
+  if (apart > (radii + sigmas * std::sqrt(std::max(0.0, plane.trace()))) * kRoundingUp) {
+    return overlap;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(plane);
+  const Eigen::Vector2d sd = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  if (apart > radii + sigmas * sd.maxCoeff()) return overlap;
 
   const auto steps = [&](double axis_sd) {  // each way along an axis of the gate
     return std::clamp(static_cast<int>(std::ceil(sigmas * axis_sd / kStepM)), kStepsMin, kStepsMax);
@@ -57,9 +63,9 @@ Overlap overlap_in_gate(const MapExtent& older, const MapExtent& newest,
 
 }  // namespace
 
-std::vector<ClosureCandidate> closure_candidates(const std::vector<Pose2>& poses,
-                                                 const std::vector<Eigen::Matrix3d>& covariances,
-                                                 const std::vector<MapExtent>& extents,
+std::vector<ClosureCandidate> closure_candidates(std::span<const Pose2> poses,
+                                                 std::span<const Eigen::Matrix3d> covariances,
+                                                 std::span<const MapExtent> extents,
                                                  const ClosureCandidatesParams& params) {
   const int newest = static_cast<int>(poses.size()) - 1;
   std::vector<ClosureCandidate> possible;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -44,9 +45,9 @@ struct ClosureCandidate {
 ///   poses:       T_map_local of all local maps
 ///   covariances: for each older map, of T_older_newest as (x, y, θ) in the newest frame
 ///   extents:     of all local maps
-std::vector<ClosureCandidate> closure_candidates(const std::vector<Pose2>& poses,
-                                                 const std::vector<Eigen::Matrix3d>& covariances,
-                                                 const std::vector<MapExtent>& extents,
+std::vector<ClosureCandidate> closure_candidates(std::span<const Pose2> poses,
+                                                 std::span<const Eigen::Matrix3d> covariances,
+                                                 std::span<const MapExtent> extents,
                                                  const ClosureCandidatesParams& params);
 
 }  // namespace adit

@@ -31,6 +31,12 @@ bool begins_session(const LocalMap& map, const std::vector<LocalMap>& before) {
   return !before.empty() && before.back().session != map.session;
 }
 
+/// What there is until a map, and of it.
+template <class T>
+std::span<const T> up_to(int map, const std::vector<T>& all) {
+  return std::span(all).first(static_cast<std::size_t>(map) + 1);
+}
+
 void sort_by_likelihood(std::vector<Closure>& closures) {
   std::stable_sort(closures.begin(), closures.end(), [](const Closure& a, const Closure& b) {
     return a.alternatives.front().log_likelihood > b.alternatives.front().log_likelihood;
@@ -111,7 +117,7 @@ bool Mapping::session_is_joined() const {
   if (maps_.front().session == session) return true;
   const auto session_of = [&](int map) { return maps_[static_cast<std::size_t>(map)].session; };
   const auto& closures = association_.problem().closures;
-  for (std::size_t k = 0; k < closures.size(); ++k) {
+  for (std::size_t k = 0; k < association_.belief().chosen.size(); ++k) {
     const int chosen = association_.belief().chosen[k];
     if (chosen == Association::kNone || session_of(closures[k].newer_map) != session) continue;
     const auto& alternative = closures[k].alternatives[static_cast<std::size_t>(chosen)];
@@ -148,15 +154,13 @@ std::vector<Closure> Mapping::closures(int map, Trial& trial, bool thorough) con
   if (map < 1) return {};
   const bool newest = map + 1 == static_cast<int>(maps_.size());
   if (newest && !session_is_joined() && !odom_continues_) return relocalise();
-  const auto end = [&](const auto& all) { return all.begin() + map + 1; };
-  const std::vector<Pose2> all_poses = trial.belief().T_map_local;
-  const std::vector<Pose2> poses(all_poses.begin(), end(all_poses));
-  const std::vector<MapExtent> extents(extents_.begin(), end(extents_));
+  std::vector<Pose2> poses = trial.belief().T_map_local;
+  poses.resize(static_cast<std::size_t>(map) + 1);
   ClosureCandidatesParams which = params_.candidates;
   if (thorough) which.most *= kThorough;
   std::vector<Closure> found;
   for (const ClosureCandidate& candidate :
-       closure_candidates(poses, trial.covariances_to(map), extents, which)) {
+       closure_candidates(poses, trial.covariances_to(map), up_to(map, extents_), which)) {
     Closure closure;
     closure.newer_map = map;
     closure.alternatives =
@@ -172,15 +176,12 @@ std::vector<Closure> Mapping::closures(int map, Trial& trial, bool thorough) con
 double Mapping::surprise(const std::vector<Pose2>& T_map_local) const {
   const int newest = static_cast<int>(maps_.size()) - 1;
   double surprise = 0.0;
+  const std::vector<Eigen::Matrix3d> certain(maps_.size(), kSurpriseSd.cwiseAbs2().asDiagonal());
   for (int map = std::max(0, newest - kMapsMonitored + 1); map <= newest; ++map) {
-    const auto end = [&](const auto& all) { return all.begin() + map + 1; };
-    const std::vector<Pose2> poses(T_map_local.begin(), end(T_map_local));
-    const std::vector<MapExtent> extents(extents_.begin(), end(extents_));
-    const std::vector<Eigen::Matrix3d> certain(static_cast<std::size_t>(map),
-                                               kSurpriseSd.cwiseAbs2().asDiagonal());
+    const auto poses = up_to(map, T_map_local);
     double most = 0.0;
     for (const ClosureCandidate& candidate :
-         closure_candidates(poses, certain, extents, params_.candidates)) {
+         closure_candidates(poses, certain, up_to(map, extents_), params_.candidates)) {
       most = std::max(most, contradiction(walls_[static_cast<std::size_t>(map)],
                                           place_around(candidate.older, poses),
                                           candidate.predicted.T_older_newer, params_.matching));
@@ -192,7 +193,7 @@ double Mapping::surprise(const std::vector<Pose2>& T_map_local) const {
 
 /// A map and then its neighbours in the chain, in its frame.
 std::vector<PlacedWalls> Mapping::place_around(int map,
-                                               const std::vector<Pose2>& T_map_local) const {
+                                               std::span<const Pose2> T_map_local) const {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   std::vector<PlacedWalls> placed;
   for (const int k : {map, map - 1, map + 1}) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -91,7 +92,7 @@ class Mapping : private Evidence {
   [[nodiscard]] double surprise(const std::vector<Pose2>& T_map_local) const override;
   [[nodiscard]] std::vector<Closure> relocalise() const;
   [[nodiscard]] std::vector<PlacedWalls> place_around(int map,
-                                                      const std::vector<Pose2>& T_map_local) const;
+                                                      std::span<const Pose2> T_map_local) const;
 
   MappingParams params_;
   LaserMounts mounts_;

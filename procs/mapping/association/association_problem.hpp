@@ -39,6 +39,7 @@ struct Belief {
   std::vector<Pose2> T_map_local;  ///< where the maps then are
   double objective = 0.0;          ///< Σ eᵀ R e over the chain and the chosen alternatives
   double cost = 0.0;  ///< −2 log-likelihood, up to a constant: `objective` and that of the decisions
+  bool held = false;  ///< some maps were held where they were though closures pull at them
 };
 
 /// A constraint between maps as one between the nodes of `graph_of(problem, belief, first)`; its

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <Eigen/LU>
@@ -63,7 +64,7 @@ Trial& LazyAssociation::trial() {
 
 /// A belief with closures that the problem does not have yet.
 struct LazyAssociation::Revision {
-  AssociationProblem problem;
+  std::vector<Closure> added;
   Belief belief;
 };
 
@@ -79,34 +80,37 @@ void LazyAssociation::leave_out_what_is_believed(Closure& closure, int first) co
 }
 
 /// Undoes decisions and decides again on the maps since the first of them, by what they have to say
-/// in their new places. Nothing where that explains no more than before.
-std::optional<LazyAssociation::Revision> LazyAssociation::associate_afresh(
-    const Suspects& undone, const Evidence& evidence) {
+/// in their new places.
+LazyAssociation::Revision LazyAssociation::associate_afresh(const Suspects& undone,
+                                                            const Evidence& evidence) {
   ++trials_;
-  const int newest = problem_.way.maps() - 1;
   const int first_map = problem_.closures[at(undone.closures.front())].newer_map;
-  Revision revision{problem_, trial_->belief()};
-  LazyAssociation scratch(params_);
-  scratch.problem_ = problem_;
-  scratch.belief_ = trial_->belief();
-  scratch.groups_ = groups_;
-  scratch.trial_.emplace(scratch.problem_, scratch.belief_, first_concerned(undone, undone.closures.front()));
-  scratch.trial_->revoke(undone.closures);
+  const auto known = static_cast<std::ptrdiff_t>(problem_.closures.size());
+  const int groups = groups_;
+  Trial trial(problem_, trial_->belief(), first_concerned(undone, undone.closures.front()));
+  trial.revoke(undone.closures);
   bool found = false;  // where these maps lie now; until then all that is possible is asked
-  for (int map = first_map; map <= newest; ++map) {
-    for (Closure& closure : evidence.closures(map, *scratch.trial_, !found)) {
+  for (int map = first_map; map < problem_.way.maps(); ++map) {
+    for (Closure& closure : evidence.closures(map, trial, !found)) {
       leave_out_what_is_believed(closure, first_map);
       if (closure.alternatives.empty()) continue;
-      scratch.append(std::move(closure));
-      const Closure& added = scratch.problem_.closures.back();
-      const bool chosen = scratch.choose(*scratch.trial_, added.id);
+      enter(std::move(closure));
+      trial.grow();
+      const Closure& added = problem_.closures.back();
+      const bool chosen = choose(trial, added.id);
       found |= chosen && added.alternatives.front().older_map < first_map;
     }
   }
-  scratch.trial_->settle();
-  revision.belief = scratch.trial_->belief();
-  revision.belief.cost = scratch.cost(revision.belief);
-  revision.problem = scratch.problem_;
+  trial.settle();
+  Revision revision{{}, trial.belief()};
+  revision.belief.cost = cost(revision.belief);
+  const auto first_added = problem_.closures.begin() + known;
+  revision.added.assign(std::make_move_iterator(first_added),
+                        std::make_move_iterator(problem_.closures.end()));
+  problem_.closures.erase(first_added, problem_.closures.end());
+  problem_.groups.resize(problem_.closures.size());
+  problem_.plausible.resize(problem_.closures.size());
+  groups_ = groups;
   return revision;
 }
 
@@ -120,12 +124,10 @@ std::vector<Association> LazyAssociation::revise(const Evidence& evidence, std::
   std::optional<Revision> best;
   double gain = 0.0;
   for (const Suspects& undone : latest_groups(problem_, trial(), kGroupsUndone)) {
-    auto revision = associate_afresh(undone, evidence);
-    if (!revision) continue;
-    const auto added =
-        static_cast<double>(revision->problem.closures.size() - problem_.closures.size());
+    Revision revision = associate_afresh(undone, evidence);
+    const auto added = static_cast<double>(revision.added.size());
     const double present = belief_.cost + added * params_.gate + surprise;
-    const double then = revision->belief.cost + evidence.surprise(revision->belief.T_map_local);
+    const double then = revision.belief.cost + evidence.surprise(revision.belief.T_map_local);
     if (present - then <= gain) continue;
     gain = present - then;
     best = std::move(revision);
@@ -138,9 +140,8 @@ std::vector<Association> LazyAssociation::revise(const Evidence& evidence, std::
   std::vector<int> before = belief_.chosen;
   const std::size_t known = before.size();
   before.resize(best->belief.chosen.size(), Association::kNone);
-  for (std::size_t k = known; k < before.size(); ++k) append(best->problem.closures[k]);
-  trial_.emplace(problem_, std::move(best->belief));
-  trial_->settle();
+  for (Closure& closure : best->added) append(std::move(closure));
+  believe(std::move(best->belief));
   adopt(record, utime, before, known);
   surprise_due_ = 0.0;
   return record;
@@ -159,6 +160,13 @@ void LazyAssociation::restore(const std::vector<Association>& associations) {
 }
 
 void LazyAssociation::append(Closure closure) {
+  enter(std::move(closure));
+  belief_.chosen.push_back(Association::kNone);
+  if (trial_) trial_->grow();
+}
+
+/// Into the problem alone, of which no belief knows yet.
+void LazyAssociation::enter(Closure closure) {
   const int group = group_of(closure);
   problem_.groups.push_back(group >= 0 ? group : groups_++);
   closure.id = static_cast<int>(problem_.closures.size());
@@ -168,8 +176,6 @@ void LazyAssociation::append(Closure closure) {
   }
   problem_.plausible.push_back(plausible);
   problem_.closures.push_back(std::move(closure));
-  belief_.chosen.push_back(Association::kNone);
-  if (trial_) trial_->grow();
 }
 
 int LazyAssociation::group_of(const Closure& closure) const {
@@ -226,10 +232,14 @@ void LazyAssociation::decide_one(int closure) {
   if (!trial_) trial_.emplace(problem_, belief_);
   if (choose(*trial_, closure)) return;
   if (!problem_.plausible[at(closure)] || !search_is_due(closure)) return;
-  if (auto found = search(closure)) {
-    trial_.emplace(problem_, std::move(*found));
-    trial_->settle();
-  }
+  if (auto found = search(closure)) believe(std::move(*found));
+}
+
+/// Goes on from a belief that was worked out while some maps were held.
+void LazyAssociation::believe(Belief belief) {
+  const bool held = belief.held;
+  trial_.emplace(problem_, std::move(belief));
+  if (held) trial_->settle();
 }
 
 /// Makes the trial what is believed, and writes down what changed. `first_new`: the first closure

@@ -81,7 +81,9 @@ class LazyAssociation {
  private:
   [[nodiscard]] int group_of(const Closure& closure) const;
   void append(Closure closure);
+  void enter(Closure closure);
   void decide_one(int closure);
+  void believe(Belief belief);
   bool choose(Trial& trial, int closure) const;
   [[nodiscard]] double gate(const Trial& trial, int closure) const;
   [[nodiscard]] double cost(const Belief& belief) const;
@@ -92,7 +94,7 @@ class LazyAssociation {
   std::optional<Belief> without(const Suspects& undone, int closure);
   struct Revision;
   void leave_out_what_is_believed(Closure& closure, int first) const;
-  std::optional<Revision> associate_afresh(const Suspects& undone, const Evidence& evidence);
+  Revision associate_afresh(const Suspects& undone, const Evidence& evidence);
   void adopt(std::vector<Association>& record, std::int64_t utime, const std::vector<int>& before,
              std::size_t first_new);
 

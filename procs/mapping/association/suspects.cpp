@@ -13,13 +13,40 @@ constexpr std::size_t kSingles = 3;  // that are put to the test
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// A part of the way, by its first and last map.
+struct Stretch {
+  int from = 0;
+  int to = 0;
+};
+
+bool overlap(const Stretch& a, const Stretch& b) { return a.from < b.to && b.from < a.to; }
+
+Stretch loop_of(const PoseConstraint& c) { return {std::min(c.from, c.to), std::max(c.from, c.to)}; }
+
+/// What hangs together with `asked` by loops that share a part of the way. Whatever is decided
+/// elsewhere has no bearing on it: there the way alone leads on.
+Stretch hanging_together(std::vector<Stretch> loops, const Stretch& asked) {
+  loops.push_back(asked);
+  std::sort(loops.begin(), loops.end(),
+            [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+  Stretch whole = loops.front();
+  for (const Stretch& loop : loops) {
+    if (loop.from < whole.to) {
+      whole.to = std::max(whole.to, loop.to);
+    } else if (overlap(whole, asked)) {
+      break;
+    } else {
+      whole = loop;
+    }
+  }
+  return whole;
+}
+
 class Search {
  public:
   Search(const AssociationProblem& problem, Trial& trial, int closure, double gate, double cost)
       : problem_(problem), trial_(trial), closure_(closure), gate_(gate), cost_(cost) {
-    for (int k = 0; k < static_cast<int>(problem.closures.size()); ++k) {
-      if (trial.chosen(k) != Association::kNone) chosen_.push_back(k);
-    }
+    find_concerned();
     find_allies();
   }
 
@@ -53,12 +80,24 @@ class Search {
     return disagreement(problem_.way, a, b) < gate_;
   }
 
+  void find_concerned() {
+    std::vector<Stretch> loops;
+    for (int k = 0; k < static_cast<int>(problem_.closures.size()); ++k) {
+      if (trial_.chosen(k) == Association::kNone) continue;
+      chosen_.push_back(k);
+      loops.push_back(loop_of(in_force(k)));
+    }
+    concerned_ = hanging_together(std::move(loops), loop_of(asked()));
+    std::erase_if(chosen_, [&](int k) { return !overlap(loop_of(in_force(k)), concerned_); });
+  }
+
   /// Left out as well, and in agreement with the closure in question.
   void find_allies() {
     for (int k = 0; k < closure_; ++k) {
       if (trial_.chosen(k) != Association::kNone || !problem_.plausible[at(k)]) continue;
       const PoseConstraint constraint = constraint_of(problem_.closures[at(k)], 0);
-      if (agree(constraint, asked())) allies_.push_back(constraint);
+      const bool near = overlap(loop_of(constraint), concerned_);
+      if (near && agree(constraint, asked())) allies_.push_back(constraint);
     }
   }
 
@@ -100,7 +139,8 @@ class Search {
   int closure_;
   double gate_;
   double cost_;
-  std::vector<int> chosen_;
+  Stretch concerned_;
+  std::vector<int> chosen_;  // and concerned
   std::vector<PoseConstraint> allies_;
   std::map<int, double> fall_;  // of the objective, if a closure alone is undone
   std::set<std::vector<int>> seen_;

@@ -17,6 +17,8 @@ namespace {
 constexpr double kTurnMax = 0.01;  // of a map before the field is linearised anew [rad]
 constexpr double kTurnFar = 0.5;   // beyond which iteration might not find the way [rad]
 
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
 double largest_turn(const Eigen::VectorXd& mode) {
   double turn = 0.0;
   for (Eigen::Index i = 2; i < mode.size(); i += 3) turn = std::max(turn, std::abs(mode[i]));
@@ -43,8 +45,20 @@ void Trial::set_poses(const std::vector<Pose2>& nodes, Belief& belief) const {
             belief.T_map_local.begin() + first_);
 }
 
+/// Whether a closure leads from what is held fixed to what moves. Where only the way does, the rest
+/// would stay where it is anyway.
+bool Trial::holds() const {
+  for (std::size_t k = 0; k < belief_.chosen.size() && first_ > 0; ++k) {
+    if (belief_.chosen[k] == Association::kNone) continue;
+    const PoseConstraint c = constraint_of(problem_.closures[k], belief_.chosen[k]);
+    if (c.from < first_ && c.to >= first_) return true;
+  }
+  return false;
+}
+
 Belief Trial::belief() const {
   Belief belief = belief_;
+  belief.held |= holds();
   if (field_) {
     set_poses(field_->poses(), belief);
     belief.objective = objective();
@@ -73,19 +87,17 @@ std::vector<Eigen::Matrix3d> Trial::covariances_to(int map) {
   if (map == 0) return {};
   const int shift = first_ > 0 ? first_ - 1 : 0;  // from a node to its map
   const auto by_node = field().relative_covariances_to(map - shift);
-  const std::vector<Pose2> poses = belief().T_map_local;
-  std::vector<Eigen::Matrix3d> covariances;
-  for (int older = 0; older < map; ++older) {
-    const bool fixed = older < first_;
-    const Pose2& T_map_older = poses[static_cast<std::size_t>(older)];
-    const Pose2& T_map_newer = poses[static_cast<std::size_t>(map)];
-    // Of a fixed map as of the frame of map, and from the older frame into the newer one.
-    const Pose2 T = fixed ? T_map_newer : between(T_map_older, T_map_newer);
+  const std::vector<Pose2> nodes = field().poses();
+  const auto in_newer = [&](int older) -> Eigen::Matrix3d {
+    const Pose2 T_older_newer = between(nodes[at(older)], nodes[at(map - shift)]);
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-    R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-T.theta).toRotationMatrix();
-    const auto node = static_cast<std::size_t>(fixed ? 0 : older - shift);
-    covariances.emplace_back(R * by_node[node] * R.transpose());
-  }
+    R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-T_older_newer.theta).toRotationMatrix();
+    return R * by_node[at(older)] * R.transpose();
+  };
+  std::vector<Eigen::Matrix3d> covariances;
+  covariances.reserve(at(map));
+  if (first_ > 0) covariances.assign(at(first_), in_newer(0));  // fixed, as is the frame of map
+  for (int older = first_; older < map; ++older) covariances.push_back(in_newer(older - shift));
   return covariances;
 }
 
@@ -113,6 +125,7 @@ void Trial::settle(bool afresh) {
   params.tolerance = 1e-6;
   belief_.objective = fixed_ + optimize(graph, params).objective;
   set_poses(graph.poses, belief_);
+  belief_.held &= first_ > 0;
 }
 
 }  // namespace adit

@@ -58,6 +58,7 @@ class Trial {
   [[nodiscard]] GaussianField& field();
   [[nodiscard]] PoseConstraint chosen_constraint(int closure) const;
   void set_poses(const std::vector<Pose2>& nodes, Belief& belief) const;
+  [[nodiscard]] bool holds() const;
 
   const AssociationProblem& problem_;
   Belief belief_;                       ///< poses and objective as last settled

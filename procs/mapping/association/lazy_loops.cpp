@@ -15,7 +15,7 @@
 namespace adit {
 namespace {
 
-constexpr double kKernel2 = 16.3;  // chi-square, 3 degrees of freedom, 0.999: half weight here
+constexpr double kKernel2 = 7.8;  // chi-square, 3 degrees of freedom, 0.95: a quarter of the weight
 constexpr int kReweightings = 30;
 constexpr double kSettled = 1e-4;  // change of the objective, as a share
 
@@ -115,7 +115,8 @@ struct Believed {
       const PoseConstraint& c = constraints[k];
       const double e2 =
           energy(c, residual(c, weighted.poses[at(c.from)], weighted.poses[at(c.to)]));
-      weighted.constraints[k].information = c.information / (1.0 + e2 / kKernel2);
+      const double root = 1.0 + e2 / kKernel2;
+      weighted.constraints[k].information = c.information / (root * root);
     }
   }
 

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "procs/mapping/mapping.hpp"
+#include "tools/eval/path_error.hpp"
+#include "tools/sample_mine/sample_run.hpp"
+
+namespace adit::test {
+
+/// The drive of figure 4 of the paper, local map by local map: through two parallel drifts, round a
+/// long loop and back into the first of them (parallel_mine). The poses come from the wheels alone,
+/// whose heading turns away from the truth, so that the robot may believe itself in the other one.
+class ParallelDrive {
+ public:
+  explicit ParallelDrive(double yaw_bias_deg_per_m,
+                         const DisplacementErrorParams& believed = of_drifting_wheels());
+
+  /// The error that makes either corridor likely: 10° over the loop, one standard deviation.
+  static DisplacementErrorParams of_drifting_wheels();
+
+  /// Drives on to the end of a local map. Nothing at the end of the way.
+  std::optional<MapUpdate> next();
+
+  [[nodiscard]] const Mapping& mapping() const { return mapping_; }
+
+  /// How far the newest local map is from where it truly was, seen from the first. [m]
+  [[nodiscard]] double newest_error_m() const;
+  /// Of all local maps.
+  [[nodiscard]] PathError error() const;
+
+ private:
+  [[nodiscard]] ScanMatch by_wheels(const WheelOdometry& odometry);
+
+  SampleRun run_;
+  Mapping mapping_;
+  std::optional<WheelOdometry> last_;
+  bool ended_ = false;
+};
+
+/// How many decisions of an update are these.
+int revoked(const MapUpdate& update);      ///< closures that were in force and are so no more
+int chosen_anew(const MapUpdate& update);  ///< closures that are in force and were not
+
+}  // namespace adit::test

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Figure 4 of the paper: the robot takes one of two parallel corridors for the other, and finds out
+// at the corner.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/parallel_drive.hpp"
+
+namespace adit {
+namespace {
+
+class ParallelCorridors : public testing::TestWithParam<double> {};
+
+/// Closures of the second pass through the corridors with the first.
+int closures_to_first_pass(const Mapping& mapping) {
+  constexpr int kApart = 100;  // local maps, of which the loop has 120
+  return static_cast<int>(
+      std::ranges::count_if(mapping.graph().constraints, [](const MapConstraint& c) {
+        return c.kind == MapConstraint::Kind::kClosure && c.measured.to - c.measured.from > kApart;
+      }));
+}
+
+TEST_P(ParallelCorridors, AreToldApartAtTheCorner) {
+  test::ParallelDrive drive(GetParam());
+  double error_before_m = 0.0;
+  auto update = drive.next();
+  for (; update && test::revoked(*update) == 0; update = drive.next()) {
+    error_before_m = drive.newest_error_m();
+  }
+  ASSERT_TRUE(update) << "nothing was ever revoked";
+  EXPECT_GT(error_before_m, 5.0);  // in the wrong corridor, 12 m from the right one
+  EXPECT_GT(test::revoked(*update), 5);
+  EXPECT_GT(test::chosen_anew(*update), 5);
+  EXPECT_LT(drive.newest_error_m(), 0.5);
+
+  while (drive.next()) {
+  }
+  EXPECT_LE(drive.error().rmse_m, 0.2);  // on 920 m, of which 800 m are held at their ends alone
+}
+
+INSTANTIATE_TEST_SUITE_P(YawBias, ParallelCorridors, testing::Values(-0.022, -0.026),
+                         [](const auto& instance) {
+                           return std::to_string(std::lround(-1e6 * instance.param)) +
+                                  "MicrodegreesPerMetre";
+                         });
+
+TEST(ParallelCorridorsByGoodWheels, AreNeverTakenForEachOther) {
+  test::ParallelDrive drive(0.0, DisplacementErrorParams{});
+  int revoked = 0;
+  double error_m = 0.0;
+  while (const auto update = drive.next()) {
+    revoked += test::revoked(*update);
+    error_m = std::max(error_m, drive.newest_error_m());
+  }
+  EXPECT_EQ(revoked, 0);
+  EXPECT_GT(closures_to_first_pass(drive.mapping()), 5);
+  EXPECT_LT(error_m, 2.0);  // three standard deviations of the way before the loop is closed
+  EXPECT_LE(drive.error().rmse_m, 0.2);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The mapping dies again and again, without a farewell, and begins again where its journal ends.
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/memory_bus.hpp"
+#include "common/bus/typed.hpp"
+#include "common/journal/journal.hpp"
+#include "common/messages/association.hpp"
+#include "common/messages/laser_scan.hpp"
+#include "common/messages/local_map_pieces.hpp"
+#include "common/messages/pose_graph_pieces.hpp"
+#include "common/messages/scan_match.hpp"
+#include "procs/mapping/mapping_node.hpp"
+#include "procs/scan_matching/scan_matching.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/support/stored_maps.hpp"
+#include "tools/sample_mine/sample_run.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::int64_t kHour = 3'600'000'000;
+
+/// A scan and what scan matching made of it.
+struct MatchedScan {
+  LaserScan scan;
+  ScanMatch match;
+};
+
+/// What somebody on the bus knows who lives longer than the mapping.
+struct Heard {
+  std::vector<LocalMap> maps;
+  std::vector<Association> associations;
+  std::optional<MapGraph> graph;
+};
+
+/// The mapping from its start to its death, which is that of this object.
+class Life {
+ public:
+  Life(const std::filesystem::path& journal, Heard& heard) {
+    listen(heard);
+    MappingNodeParams params;
+    params.journal = journal.string();
+    node_ = std::make_unique<MappingNode>(bus_, params);
+  }
+
+  void add(const MatchedScan& seen) {
+    bus_.inject(seen.scan.utime, channels::kLaserFront, encode(to_message(seen.scan)));
+    bus_.inject(seen.scan.utime, channels::kScanMatch, encode(to_message(seen.match)));
+  }
+
+ private:
+  void listen(Heard& heard) {
+    subscribe<local_map_t>(bus_, channels::kLocalMap, Delivery::queued(100),
+                           [&](const LocalMapPiece& piece) {
+                             if (auto map = maps_.add(piece)) heard.maps.push_back(std::move(*map));
+                           });
+    subscribe<association_t>(bus_, channels::kAssociation, Delivery::queued(100),
+                             [&](const Association& a) { heard.associations.push_back(a); });
+    subscribe<pose_graph_t>(bus_, channels::kPoseGraph, Delivery::queued(100),
+                            [&](const PoseGraphPiece& piece) {
+                              if (auto graph = graphs_.add(piece)) heard.graph = std::move(graph);
+                            });
+  }
+
+  MemoryBus bus_;
+  LocalMapAssembler maps_;
+  PoseGraphAssembler graphs_;
+  std::unique_ptr<MappingNode> node_;
+};
+
+/// A drive that closes loops, through the sample mine.
+class CrashSafety : public testing::TestWithParam<unsigned> {
+ protected:
+  static void SetUpTestSuite() {
+    SampleRun run(1, {}, 300.0);
+    ScanMatching matching(ScanMatchingParams{});
+    while (const auto reading = run.next()) {
+      matching.add(reading->odometry);
+      ScanMatch match = matching.add_scan(LaserId::kFront, reading->scan);
+      match.channel = channels::kLaserFront;
+      drive_.push_back({reading->scan, std::move(match)});
+    }
+    truth_ = run.truth();
+  }
+
+  /// Drives on, dying at random moments and missing what happens until the next life begins.
+  /// `after_death` is called with the journal closed.
+  template <class AfterDeath>
+  void drive(AfterDeath after_death) {
+    constexpr int kScansMin = 20;
+    std::uniform_int_distribution<int> lived(kScansMin, 500);
+    std::uniform_int_distribution<int> dead(0, 20);
+    for (std::size_t i = 0; i < drive_.size(); i += static_cast<std::size_t>(dead(random_))) {
+      Life life(journal_, heard_);
+      for (int k = lived(random_); k > 0 && i < drive_.size(); --k) life.add(drive_[i++]);
+      ++lives_;
+      if (i < drive_.size()) after_death();
+    }
+  }
+
+  void expect_journal_is_what_was_heard() const {
+    const StoredMap stored = read_map_journal(journal_);
+    EXPECT_TRUE(stored.maps == heard_.maps);
+    EXPECT_TRUE(stored.associations == heard_.associations);
+  }
+
+  void expect_one_map_of_the_mine() const {
+    const StoredMap stored = read_map_journal(journal_);
+    const MapGraph graph = test::restored(stored);
+    EXPECT_LT(test::error_of(stored, graph, truth_).farthest_m, 0.5);
+    EXPECT_GT(test::closures_between_sessions(stored, graph), 0);
+    for (std::size_t i = 0; i < stored.maps.size(); ++i) {
+      EXPECT_EQ(stored.maps[i].id, static_cast<int>(i));
+    }
+  }
+
+  /// Cuts some bytes off the last record, all of them at most.
+  void tear_journal() {
+    std::size_t last = 0;
+    read_journal(journal_, [&](const JournalRecord& record) {
+      last = journal_format::kHeadBytes + record.kind.size() + record.bytes.size();
+    });
+    if (last == 0) return;
+    const std::size_t cut = std::uniform_int_distribution<std::size_t>(1, last)(random_);
+    std::filesystem::resize_file(journal_, std::filesystem::file_size(journal_) - cut);
+  }
+
+  inline static std::vector<MatchedScan> drive_;
+  inline static Trajectory truth_;
+
+  test::ScratchFolder scratch_;
+  std::filesystem::path journal_ = scratch_ / "map.journal";
+  std::mt19937 random_{GetParam()};
+  Heard heard_;
+  int lives_ = 0;
+};
+
+TEST_P(CrashSafety, NothingThatWasAnnouncedIsForgotten) {
+  drive([&] { expect_journal_is_what_was_heard(); });
+  expect_journal_is_what_was_heard();
+  EXPECT_GT(lives_, 3);
+  expect_one_map_of_the_mine();
+}
+
+TEST_P(CrashSafety, TheMapIsRestoredAsItWas) {
+  drive([&] {
+    if (!heard_.graph) return;
+    const MapGraph graph = test::restored(read_map_journal(journal_));
+    ASSERT_EQ(graph.poses.size(), heard_.graph->poses.size());
+    EXPECT_EQ(graph.constraints.size(), heard_.graph->constraints.size());
+    double farthest_m = 0.0;
+    for (std::size_t i = 0; i < graph.poses.size(); ++i) {
+      const Pose2 off = between(heard_.graph->poses[i], graph.poses[i]);
+      farthest_m = std::max(farthest_m, off.translation().norm());
+    }
+    EXPECT_LT(farthest_m, 0.02);  // before, it was linear in what was added last
+  });
+}
+
+TEST_P(CrashSafety, ATornRecordIsAllThatIsLost) {
+  drive([&] {
+    tear_journal();
+    const StoredMap stored = read_map_journal(journal_);
+    const std::size_t maps_lost = heard_.maps.size() - stored.maps.size();
+    const std::size_t associations_lost = heard_.associations.size() - stored.associations.size();
+    EXPECT_LE(maps_lost + associations_lost, 1U);
+    heard_.maps.resize(stored.maps.size());
+    heard_.associations.resize(stored.associations.size());
+    expect_journal_is_what_was_heard();
+  });
+  expect_journal_is_what_was_heard();
+  expect_one_map_of_the_mine();
+}
+
+/// As it would be seen an hour later, in an odom frame that begins at the first scan of then.
+MatchedScan seen_again(const MatchedScan& seen, const MatchedScan& first) {
+  MatchedScan again = seen;
+  again.scan.utime += kHour;
+  again.match.utime += kHour;
+  again.match.reference_utime += kHour;
+  again.match.T_odom_body = between(first.match.T_odom_body, seen.match.T_odom_body);
+  if (seen.match.utime == first.match.utime) {
+    again.match.status = ScanMatch::Status::kFirstScan;
+    again.match.reference_utime = 0;
+  }
+  return again;
+}
+
+TEST_P(CrashSafety, FindsItselfAfterTheWholeRobotBeganAgainElsewhere) {
+  drive([] {});
+  constexpr std::size_t kScans = 250;  // 40 m
+  const std::size_t from =
+      std::uniform_int_distribution<std::size_t>(0, drive_.size() - kScans)(random_);
+  {
+    Life life(journal_, heard_);
+    for (std::size_t i = from; i < from + kScans; ++i)
+      life.add(seen_again(drive_[i], drive_[from]));
+  }
+  const LocalMap& newest = heard_.maps.back();
+  ASSERT_GT(newest.utime, drive_.back().scan.utime);
+  const Pose2 found = between(heard_.graph->poses.front(), heard_.graph->poses.back());
+  const Pose2 truth = between(*interpolate(truth_, heard_.maps.front().utime),
+                              *interpolate(truth_, newest.utime - kHour));
+  EXPECT_LT(between(truth, found).translation().norm(), 0.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seed, CrashSafety, testing::Values(1U, 2U, 3U));
+
+}  // namespace
+}  // namespace adit

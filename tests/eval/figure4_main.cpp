@@ -23,7 +23,7 @@ namespace {
 
 // What is shown: the two corridors, in the frame of the first local map. [m]
 const Eigen::AlignedBox2d kShown(Eigen::Vector2d(-14.0, -10.0), Eigen::Vector2d(96.0, 24.0));
-constexpr double kRangeMax = 8.0;    // beyond, walls are thin dots
+constexpr double kRangeMax = 8.0;  // beyond, walls are thin dots
 constexpr double kResolution = 0.1;
 
 bool is_shown(const Pose2& pose) { return kShown.contains(pose.translation()); }
@@ -47,8 +47,7 @@ GraphPicture graph_picture(const Moment& moment) {
   for (const auto& [measured, kind] : moment.graph.constraints) {
     const auto [a, b] = edge(poses, measured.from, measured.to);
     if (!kShown.contains(a) || !kShown.contains(b)) continue;
-    auto& edges =
-        kind == MapConstraint::Kind::kClosure ? picture.closures : picture.sequential;
+    auto& edges = kind == MapConstraint::Kind::kClosure ? picture.closures : picture.sequential;
     edges.push_back({a, b});
   }
   for (const Closure& closure : moment.revoked) {

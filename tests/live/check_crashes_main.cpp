@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // check_crashes RECORDED JOURNAL TRUTH TORN: whether the journal of a mapping that was killed again
-// and again has what was heard of it, but for one record each of the TORN times that its end was cut
-// off, and makes one map of the place. Says what is not so and ends with 1.
+// and again has what was heard of it, but for one record each of the TORN times that its end was
+// cut off, and makes one map of the place. Says what is not so and ends with 1.
 #include <algorithm>
 #include <exception>
 #include <iostream>

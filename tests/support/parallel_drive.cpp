@@ -3,6 +3,7 @@
 #include "tests/support/parallel_drive.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "common/geometry/angle.hpp"
 
@@ -29,7 +30,14 @@ bool in_force(int chosen) { return chosen != Association::kNone; }
 }  // namespace
 
 ParallelDrive::ParallelDrive(double yaw_bias_deg_per_m, const DisplacementErrorParams& believed)
-    : run_(site(yaw_bias_deg_per_m), kSeed), mapping_(params(believed)) {}
+    : run_(site(yaw_bias_deg_per_m), kSeed), params_(params(believed)) {
+  mapping_.emplace(params_);
+}
+
+void ParallelDrive::restart(StoredMap stored) {
+  mapping_.emplace(params_);
+  mapping_->restore(std::move(stored));
+}
 
 DisplacementErrorParams ParallelDrive::of_drifting_wheels() {
   DisplacementErrorParams error;
@@ -40,13 +48,13 @@ DisplacementErrorParams ParallelDrive::of_drifting_wheels() {
 
 std::optional<MapUpdate> ParallelDrive::next() {
   while (const auto reading = run_.next()) {
-    if (auto update = mapping_.add(kChannel, reading->scan, by_wheels(reading->odometry))) {
+    if (auto update = mapping_->add(kChannel, reading->scan, by_wheels(reading->odometry))) {
       return update;
     }
   }
   if (ended_) return std::nullopt;
   ended_ = true;
-  return mapping_.finish();
+  return mapping_->finish();
 }
 
 /// What scan matching would say that always takes the word of the wheels.
@@ -66,8 +74,8 @@ ScanMatch ParallelDrive::by_wheels(const WheelOdometry& odometry) {
 }
 
 double ParallelDrive::newest_error_m() const {
-  const auto& maps = mapping_.local_maps();
-  const std::vector<Pose2> poses = mapping_.graph().poses;
+  const auto& maps = mapping_->local_maps();
+  const std::vector<Pose2> poses = mapping_->graph().poses;
   const Pose2 found = between(poses.front(), poses.back());
   const Pose2 truth = between(*interpolate(run_.truth(), maps.front().utime),
                               *interpolate(run_.truth(), maps.back().utime));
@@ -75,9 +83,9 @@ double ParallelDrive::newest_error_m() const {
 }
 
 PathError ParallelDrive::error() const {
-  const std::vector<Pose2> poses = mapping_.graph().poses;
+  const std::vector<Pose2> poses = mapping_->graph().poses;
   Trajectory trajectory;
-  for (const LocalMap& map : mapping_.local_maps()) {
+  for (const LocalMap& map : mapping_->local_maps()) {
     trajectory.push_back({map.utime, poses[static_cast<std::size_t>(map.id)]});
   }
   return path_error(trajectory, run_.truth());

@@ -24,7 +24,10 @@ class ParallelDrive {
   /// Drives on to the end of a local map. Nothing at the end of the way.
   std::optional<MapUpdate> next();
 
-  [[nodiscard]] const Mapping& mapping() const { return mapping_; }
+  /// Lets the mapping begin again with what it had stored. The odometry goes on.
+  void restart(StoredMap stored);
+
+  [[nodiscard]] const Mapping& mapping() const { return *mapping_; }
 
   /// How far the newest local map is from where it truly was, seen from the first. [m]
   [[nodiscard]] double newest_error_m() const;
@@ -35,13 +38,14 @@ class ParallelDrive {
   [[nodiscard]] ScanMatch by_wheels(const WheelOdometry& odometry);
 
   SampleRun run_;
-  Mapping mapping_;
+  MappingParams params_;
+  std::optional<Mapping> mapping_;
   std::optional<WheelOdometry> last_;
   bool ended_ = false;
 };
 
 /// How many decisions of an update are these.
 int revoked(const MapUpdate& update);      ///< closures that were in force and are so no more
-int chosen_anew(const MapUpdate& update); ///< closures that are in force and were not
+int chosen_anew(const MapUpdate& update);  ///< closures that are in force and were not
 
 }  // namespace adit::test

@@ -21,9 +21,7 @@ PathError error_of(const StoredMap& stored, const MapGraph& graph, const Traject
 }
 
 int closures_between_sessions(const StoredMap& stored, const MapGraph& graph) {
-  const auto session = [&](int map) {
-    return stored.maps[static_cast<std::size_t>(map)].session;
-  };
+  const auto session = [&](int map) { return stored.maps[static_cast<std::size_t>(map)].session; };
   return static_cast<int>(std::ranges::count_if(graph.constraints, [&](const MapConstraint& c) {
     return c.kind == MapConstraint::Kind::kClosure &&
            session(c.measured.from) != session(c.measured.to);

@@ -28,6 +28,8 @@
 namespace adit {
 namespace {
 
+constexpr std::int64_t kHour = 3'600'000'000;
+
 /// A scan and what scan matching made of it.
 struct MatchedScan {
   LaserScan scan;
@@ -178,6 +180,38 @@ TEST_P(CrashSafety, ATornRecordIsAllThatIsLost) {
   });
   expect_journal_is_what_was_heard();
   expect_one_map_of_the_mine();
+}
+
+/// As it would be seen an hour later, in an odom frame that begins at the first scan of then.
+MatchedScan seen_again(const MatchedScan& seen, const MatchedScan& first) {
+  MatchedScan again = seen;
+  again.scan.utime += kHour;
+  again.match.utime += kHour;
+  again.match.reference_utime += kHour;
+  again.match.T_odom_body = between(first.match.T_odom_body, seen.match.T_odom_body);
+  if (seen.match.utime == first.match.utime) {
+    again.match.status = ScanMatch::Status::kFirstScan;
+    again.match.reference_utime = 0;
+  }
+  return again;
+}
+
+TEST_P(CrashSafety, FindsItselfAfterTheWholeRobotBeganAgainElsewhere) {
+  drive([] {});
+  constexpr std::size_t kScans = 250;  // 40 m
+  const std::size_t from =
+      std::uniform_int_distribution<std::size_t>(0, drive_.size() - kScans)(random_);
+  {
+    Life life(journal_, heard_);
+    for (std::size_t i = from; i < from + kScans; ++i)
+      life.add(seen_again(drive_[i], drive_[from]));
+  }
+  const LocalMap& newest = heard_.maps.back();
+  ASSERT_GT(newest.utime, drive_.back().scan.utime);
+  const Pose2 found = between(heard_.graph->poses.front(), heard_.graph->poses.back());
+  const Pose2 truth = between(*interpolate(truth_, heard_.maps.front().utime),
+                              *interpolate(truth_, newest.utime - kHour));
+  EXPECT_LT(between(truth, found).translation().norm(), 0.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seed, CrashSafety, testing::Values(1U, 2U, 3U));

@@ -48,6 +48,36 @@ INSTANTIATE_TEST_SUITE_P(YawBias, ParallelCorridors, testing::Values(-0.022, -0.
                                   "MicrodegreesPerMetre";
                          });
 
+/// A revision is many records. The process may die when only this share of them is written: few
+/// leave the robot in the wrong corridor, many a map in which both are tied together.
+class ParallelCorridorsWithATornRevision : public testing::TestWithParam<double> {};
+
+TEST_P(ParallelCorridorsWithATornRevision, AreToldApartAfterTheRestart) {
+  test::ParallelDrive drive(-0.026);
+  StoredMap stored;
+  bool revised = false;
+  while (!revised) {
+    const auto update = drive.next();
+    ASSERT_TRUE(update) << "nothing was ever revoked";
+    revised = test::revoked(*update) > 0;
+    const double written = revised ? GetParam() : 1.0;
+    const auto& all = update->associations;
+    stored.maps.push_back(update->map);
+    stored.associations.insert(
+        stored.associations.end(), all.begin(),
+        all.begin() + std::lround(written * static_cast<double>(all.size())));
+  }
+  drive.restart(stored);
+  while (drive.next()) {
+  }
+  EXPECT_LE(drive.error().rmse_m, 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Share, ParallelCorridorsWithATornRevision, testing::Values(0.3, 0.7),
+                         [](const auto& instance) {
+                           return std::to_string(std::lround(100.0 * instance.param)) + "Percent";
+                         });
+
 TEST(ParallelCorridorsByGoodWheels, AreNeverTakenForEachOther) {
   test::ParallelDrive drive(0.0, DisplacementErrorParams{});
   int revoked = 0;

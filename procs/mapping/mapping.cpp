@@ -137,8 +137,8 @@ std::vector<Closure> Mapping::relocalise() const {
         Eigen::Vector3d(kSearchM, kSearchM, std::numbers::pi).cwiseAbs2().asDiagonal();
     Closure closure;
     closure.newer_map = static_cast<int>(maps_.size()) - 1;
-    closure.alternatives =
-        match_maps(walls_.back(), place_around(older, poses), older, anywhere, params_.matching);
+    closure.alternatives = match_maps(walls_.back(), place_around(older, poses), older, anywhere,
+                                      params_.matching);
     if (!closure.alternatives.empty()) closures.push_back(std::move(closure));
   }
   sort_by_likelihood(closures);
@@ -168,8 +168,7 @@ std::vector<Closure> Mapping::closures(int map, Trial& trial, bool thorough) con
   return found;
 }
 
-/// What the newest maps and the older ones that they overlap hold against each other where they
-/// lie.
+/// What the newest maps and the older ones that they overlap hold against each other where they lie.
 double Mapping::surprise(const std::vector<Pose2>& T_map_local) const {
   const int newest = static_cast<int>(maps_.size()) - 1;
   double surprise = 0.0;
@@ -189,7 +188,8 @@ double Mapping::surprise(const std::vector<Pose2>& T_map_local) const {
 }
 
 /// A map and then its neighbours in the chain, in its frame.
-std::vector<PlacedWalls> Mapping::place_around(int map, std::span<const Pose2> T_map_local) const {
+std::vector<PlacedWalls> Mapping::place_around(int map,
+                                               std::span<const Pose2> T_map_local) const {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   std::vector<PlacedWalls> placed;
   for (const int k : {map, map - 1, map + 1}) {
@@ -226,7 +226,8 @@ std::optional<MapCorrection> Mapping::correction() const {
   correction.revision = revision_;
   correction.session = newest.session;
   correction.local_map = newest.id;
-  correction.T_map_odom = association_.belief().T_map_local.back() * newest.T_odom_local.inverse();
+  correction.T_map_odom =
+      association_.belief().T_map_local.back() * newest.T_odom_local.inverse();
   return correction;
 }
 

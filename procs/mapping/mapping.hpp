@@ -70,8 +70,8 @@ class Mapping : private Evidence {
   /// looked for near there.
   void restore(StoredMap stored);
 
-  /// A scan and what scan matching made of it, in order of time. Something where it finished a
-  /// local map.
+  /// A scan and what scan matching made of it, in order of time. Something where it finished a local
+  /// map.
   std::optional<MapUpdate> add(const std::string& channel, const LaserScan& scan,
                                const ScanMatch& match);
 
@@ -90,7 +90,8 @@ class Mapping : private Evidence {
   void enter(LocalMap map);
   void link_session(LocalMap& map) const;
   [[nodiscard]] bool session_is_joined() const;
-  [[nodiscard]] std::vector<Closure> closures(int map, Trial& trial, bool thorough) const override;
+  [[nodiscard]] std::vector<Closure> closures(int map, Trial& trial,
+                                              bool thorough) const override;
   [[nodiscard]] double surprise(const std::vector<Pose2>& T_map_local) const override;
   [[nodiscard]] std::vector<Closure> relocalise() const;
   [[nodiscard]] std::vector<PlacedWalls> place_around(int map,

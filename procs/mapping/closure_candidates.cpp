@@ -27,8 +27,7 @@ Overlap overlap_in_gate(const MapExtent& older, const MapExtent& newest,
                         const RelativePose& predicted, double sigmas) {
   const Eigen::Matrix2d plane = predicted.covariance.topLeftCorner<2, 2>();
   const double radii = older.radius_m() + newest.radius_m();
-  const double apart =
-      (predicted.T_older_newer * newest.centre() - older.centre()).norm();
+  const double apart = (predicted.T_older_newer * newest.centre() - older.centre()).norm();
   Overlap overlap;
   // Most maps are far away, and the trace, an upper bound of the larger eigenvalue, says so.
   if (apart > (radii + sigmas * std::sqrt(std::max(0.0, plane.trace()))) * kRoundingUp) {

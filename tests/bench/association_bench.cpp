@@ -3,8 +3,6 @@
 // What it takes to undo a group of wrong closures and to associate anew what came after, at the end
 // of ways of different length: by closures that contradict it, and by surprise. The loop that is
 // concerned is the same in all, so that the time should be, too.
-#include <benchmark/benchmark.h>
-
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -13,6 +11,8 @@
 #include <random>
 #include <set>
 #include <vector>
+
+#include <benchmark/benchmark.h>
 
 #include "procs/mapping/association/lazy_association.hpp"
 
@@ -23,11 +23,11 @@ constexpr double kStepM = 5.0;
 constexpr int kLongSide = 28;  // steps
 constexpr int kShortSide = 2;
 constexpr int kRound = 2 * (kLongSide + kShortSide);
-constexpr int kAgain = 12;   // maps of a second round, each with a closure
-constexpr int kAway = 8;     // steps to the next loop
+constexpr int kAgain = 12;  // maps of a second round, each with a closure
+constexpr int kAway = 8;    // steps to the next loop
 constexpr int kLoop = kRound + kAgain + kAway;
-constexpr int kWrong = 12;   // closures
-constexpr int kRight = 16;   // that contradict them
+constexpr int kWrong = 12;  // closures
+constexpr int kRight = 16;  // that contradict them
 constexpr int kLast = kRound + kWrong + kRight;
 
 const Eigen::Vector3d kStepSd(0.05, 0.05, 0.012);  // of a step of the way

@@ -114,8 +114,8 @@ class LongRun {
   void print_row() {
     const auto maps = static_cast<double>(mapping_.local_maps().size());
     const auto& chosen = mapping_.association().belief().chosen;
-    const auto believed = std::count_if(chosen.begin(), chosen.end(),
-                                        [](int c) { return c != Association::kNone; });
+    const auto believed =
+        std::count_if(chosen.begin(), chosen.end(), [](int c) { return c != Association::kNone; });
     std::printf("| %.0f | %.1f | %.1f | %.0f | %zu | %td | %d | %.1f | %.1f |\n", maps,
                 1e3 * matching_s_ / in_row_, 1e3 * mapping_s_ / in_row_, 1e3 * slowest_s_,
                 chosen.size(), believed, revised_, (heap_bytes() - heap_before_) / maps / 1e3,

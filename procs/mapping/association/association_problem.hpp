@@ -38,7 +38,8 @@ struct Belief {
   std::vector<int> chosen;         ///< of each closure: an alternative, or Association::kNone
   std::vector<Pose2> T_map_local;  ///< where the maps then are
   double objective = 0.0;          ///< Σ eᵀ R e over the chain and the chosen alternatives
-  double cost = 0.0;  ///< −2 log-likelihood, up to a constant: `objective` and that of the decisions
+  double cost =
+      0.0;  ///< −2 log-likelihood, up to a constant: `objective` and that of the decisions
   bool held = false;  ///< some maps were held where they were though closures pull at them
 };
 

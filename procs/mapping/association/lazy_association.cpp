@@ -68,8 +68,8 @@ struct LazyAssociation::Revision {
   Belief belief;
 };
 
-/// The alternatives that would put a map where it is now, on maps before `first`: they are not asked
-/// again when the belief that put it there is given up.
+/// The alternatives that would put a map where it is now, on maps before `first`: they are not
+/// asked again when the belief that put it there is given up.
 void LazyAssociation::leave_out_what_is_believed(Closure& closure, int first) const {
   const Pose2& now = belief_.T_map_local[at(closure.newer_map)];
   std::erase_if(closure.alternatives, [&](const ClosureAlternative& a) {
@@ -328,8 +328,8 @@ std::optional<Belief> LazyAssociation::without(const Suspects& undone, int closu
   return belief;
 }
 
-/// Revokes the chosen closure without which everything else fits best, and the next, as long as that
-/// gains more than leaving it out costs.
+/// Revokes the chosen closure without which everything else fits best, and the next, as long as
+/// that gains more than leaving it out costs.
 void LazyAssociation::let_go_of_misfits(Trial& trial) const {
   while (true) {
     std::vector<int> chosen;
@@ -337,9 +337,8 @@ void LazyAssociation::let_go_of_misfits(Trial& trial) const {
       if (trial.chosen(k) != Association::kNone) chosen.push_back(k);
     }
     if (chosen.empty()) return;
-    const auto without =
-        trial.without_each(chosen, constraint_of(problem_.closures[at(chosen.front())],
-                                                 trial.chosen(chosen.front())));
+    const auto without = trial.without_each(
+        chosen, constraint_of(problem_.closures[at(chosen.front())], trial.chosen(chosen.front())));
     const auto worst = std::max_element(without.begin(), without.end(), [](auto& a, auto& b) {
       return a.objective_fall < b.objective_fall;
     });

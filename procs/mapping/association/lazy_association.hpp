@@ -101,9 +101,9 @@ class LazyAssociation {
   LazyAssociationParams params_;
   AssociationProblem problem_;
   Belief belief_;
-  std::optional<Trial> trial_;           ///< `belief_`, with its field
-  std::map<int, int> search_due_;        ///< of a group: at how many contradictions
-  double surprise_due_ = 0.0;            ///< from which a revision is tried
+  std::optional<Trial> trial_;     ///< `belief_`, with its field
+  std::map<int, int> search_due_;  ///< of a group: at how many contradictions
+  double surprise_due_ = 0.0;      ///< from which a revision is tried
   int groups_ = 0;
   int trials_ = 0;
 };

@@ -21,7 +21,9 @@ struct Stretch {
 
 bool overlap(const Stretch& a, const Stretch& b) { return a.from < b.to && b.from < a.to; }
 
-Stretch loop_of(const PoseConstraint& c) { return {std::min(c.from, c.to), std::max(c.from, c.to)}; }
+Stretch loop_of(const PoseConstraint& c) {
+  return {std::min(c.from, c.to), std::max(c.from, c.to)};
+}
 
 /// What hangs together with `asked` by loops that share a part of the way. Whatever is decided
 /// elsewhere has no bearing on it: there the way alone leads on.
@@ -126,9 +128,8 @@ class Search {
       bound -= fall_.contains(k) ? fall_.at(k) : 0.0;
     }
     for (const PoseConstraint& ally : allies_) {
-      const bool kept_out = std::any_of(closures.begin(), closures.end(), [&](int k) {
-        return !agree(ally, in_force(k));
-      });
+      const bool kept_out = std::any_of(closures.begin(), closures.end(),
+                                        [&](int k) { return !agree(ally, in_force(k)); });
       if (kept_out) bound -= gate_;
     }
     if (bound < cost_) found_.push_back({std::move(closures), bound});

@@ -41,8 +41,7 @@ GaussianField& Trial::field() {
 
 /// Takes over the poses of the nodes of the graph.
 void Trial::set_poses(const std::vector<Pose2>& nodes, Belief& belief) const {
-  std::copy(nodes.begin() + (first_ > 0 ? 1 : 0), nodes.end(),
-            belief.T_map_local.begin() + first_);
+  std::copy(nodes.begin() + (first_ > 0 ? 1 : 0), nodes.end(), belief.T_map_local.begin() + first_);
 }
 
 /// Whether a closure leads from what is held fixed to what moves. Where only the way does, the rest

@@ -11,13 +11,13 @@
 namespace adit {
 
 /// A belief in the course of being changed. To try an association costs a look at a few columns of
-/// the factor, to make or revoke one a rank update; the field is linearised anew where the maps have
-/// turned so far that the old linearisation would mislead.
+/// the factor, to make or revoke one a rank update; the field is linearised anew where the maps
+/// have turned so far that the old linearisation would mislead.
 class Trial {
  public:
-  /// `problem` must outlive this; `belief` is settled (its poses are at their mode). The maps before
-  /// `first` stay where they are, so that what it costs depends on the loop that is looked at and
-  /// not on the map.
+  /// `problem` must outlive this; `belief` is settled (its poses are at their mode). The maps
+  /// before `first` stay where they are, so that what it costs depends on the loop that is looked
+  /// at and not on the map.
   Trial(const AssociationProblem& problem, Belief belief, int first = 0);
 
   /// With poses and objective as they are now; `cost` is the caller's.
@@ -41,8 +41,8 @@ class Trial {
   [[nodiscard]] std::vector<GaussianField::Without> without_each(const std::vector<int>& closures,
                                                                  const PoseConstraint& asked);
 
-  /// For each map before `map`, the covariance of the pose of `map` in it: of (x, y, θ) in the frame
-  /// of `map`. Maps that are held fixed are taken as certain among each other.
+  /// For each map before `map`, the covariance of the pose of `map` in it: of (x, y, θ) in the
+  /// frame of `map`. Maps that are held fixed are taken as certain among each other.
   [[nodiscard]] std::vector<Eigen::Matrix3d> covariances_to(int map);
 
   /// Chooses an alternative of a closure for which none is chosen.
@@ -61,7 +61,7 @@ class Trial {
   [[nodiscard]] bool holds() const;
 
   const AssociationProblem& problem_;
-  Belief belief_;                       ///< poses and objective as last settled
+  Belief belief_;  ///< poses and objective as last settled
   int first_;
   double fixed_ = 0.0;                  ///< part of the objective that is not in the field
   std::optional<GaussianField> field_;  ///< linearised there; nothing: not asked for yet

@@ -124,14 +124,16 @@ TEST(LazyLoopsOfAFewPoses, MayContradictTheWayOnlyWithinTheGate) {
   EXPECT_EQ(believe_lazily(two_opinions(7.0), {}).believed, (std::vector<bool>{true, false}));
 }
 
-/// The least of x² + k log(1 + (d − x)² / k), Cauchy's kernel, where its derivative is zero.
+/// The least of x² + (d − x)² / (1 + (d − x)² / k), the kernel of Geman and McClure, that is reached
+/// from the middle: where its derivative is zero.
 double optimum(double d) {
-  constexpr double kKernel2 = 16.3;
+  constexpr double kKernel2 = 7.8;
   double low = 0.0;
-  double high = d;
+  double high = 0.5 * d;
   while (high - low > 1e-12) {
     const double x = 0.5 * (low + high);
-    const double slope = x - (d - x) / (1.0 + (d - x) * (d - x) / kKernel2);
+    const double root = 1.0 + (d - x) * (d - x) / kKernel2;
+    const double slope = x - (d - x) / (root * root);
     (slope < 0.0 ? low : high) = x;
   }
   return low;

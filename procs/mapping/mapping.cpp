@@ -18,6 +18,9 @@ constexpr double kGapRad = 0.2;
 // other every few metres [m].
 constexpr double kSearchM = 1.0;
 constexpr std::size_t kRelocalisations = 3;
+// What a place among all of them has to have for it, where nothing else says where the body is:
+// stretches of wall reach 6 in wrong places, whole local maps 20 and more in the right one.
+constexpr double kRelocalisedLogLikelihood = 12.0;
 // Times as many candidates where the likely ones have been wrong.
 constexpr int kThorough = 4;
 // The newest measurements, whose likelihood is monitored.
@@ -131,8 +134,11 @@ std::vector<Closure> Mapping::relocalise() const {
         Eigen::Vector3d(kSearchM, kSearchM, std::numbers::pi).cwiseAbs2().asDiagonal();
     Closure closure;
     closure.newer_map = static_cast<int>(maps_.size()) - 1;
-    closure.alternatives = match_maps(walls_.back(), place_around(older, poses), older, anywhere,
-                                      params_.matching);
+    closure.alternatives =
+        match_maps(walls_.back(), place_around(older, poses), older, anywhere, params_.matching);
+    std::erase_if(closure.alternatives, [](const ClosureAlternative& a) {
+      return a.log_likelihood < kRelocalisedLogLikelihood;
+    });
     if (!closure.alternatives.empty()) closures.push_back(std::move(closure));
   }
   sort_by_likelihood(closures);
@@ -164,7 +170,8 @@ std::vector<Closure> Mapping::closures(int map, Trial& trial, bool thorough) con
   return found;
 }
 
-/// What the newest maps and the older ones that they overlap hold against each other where they lie.
+/// What the newest maps and the older ones that they overlap hold against each other where they
+/// lie.
 double Mapping::surprise(const std::vector<Pose2>& T_map_local) const {
   const int newest = static_cast<int>(maps_.size()) - 1;
   double surprise = 0.0;
@@ -225,8 +232,7 @@ std::optional<MapCorrection> Mapping::correction() const {
   correction.revision = revision_;
   correction.session = newest.session;
   correction.local_map = newest.id;
-  correction.T_map_odom =
-      association_.belief().T_map_local.back() * newest.T_odom_local.inverse();
+  correction.T_map_odom = association_.belief().T_map_local.back() * newest.T_odom_local.inverse();
   return correction;
 }
 

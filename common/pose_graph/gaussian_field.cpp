@@ -159,8 +159,8 @@ double rise_of(const Eigen::Vector3d& d, const Eigen::Matrix3d& Sigma, const Eig
 
 double GaussianField::objective_rise(const PoseConstraint& c) const {
   const Look look = look_at(c);
-  return rise_of(look.d, look.J * equations_.matrix().inverse_among(look.blocks) * look.J.transpose(),
-                 look.G);
+  return rise_of(
+      look.d, look.J * equations_.matrix().inverse_among(look.blocks) * look.J.transpose(), look.G);
 }
 
 std::vector<GaussianField::Without> GaussianField::without_each(
@@ -182,12 +182,12 @@ std::vector<GaussianField::Without> GaussianField::without_each(
     Eigen::MatrixXd& among = among_[{constraint.from, constraint.to}];
     if (among.size() == 0) among = equations_.matrix().inverse_among(u.blocks);
     // Taking u out is adding it with −R: (R⁻¹ − S_uu)⁻¹ = G (I − Gᵀ S_uu G)⁻¹ Gᵀ.
-    const Eigen::Matrix3d left = Eigen::Matrix3d::Identity() -
-                                 u.G.transpose() * u.J * among * u.J.transpose() * u.G;
+    const Eigen::Matrix3d left =
+        Eigen::Matrix3d::Identity() - u.G.transpose() * u.J * among * u.J.transpose() * u.G;
     const Eigen::Matrix3d W = u.G * left.ldlt().solve(Eigen::Matrix3d(u.G.transpose()));
     const Eigen::Matrix3d S_cu = u.times(columns).transpose();
-    all.push_back({u.d.dot(W * u.d), rise_of(c.d + S_cu * W * u.d,
-                                             S_cc + S_cu * W * S_cu.transpose(), c.G)});
+    all.push_back(
+        {u.d.dot(W * u.d), rise_of(c.d + S_cu * W * u.d, S_cc + S_cu * W * S_cu.transpose(), c.G)});
   }
   return all;
 }

@@ -51,8 +51,8 @@ class GaussianField {
   /// For each of `present`, constraints of the field, if it alone were removed; exact for the
   /// linearised field. Costs one column of the factor for all of them, and a look at a path of the
   /// elimination tree for each, once for as long as the field stays as it is.
-  [[nodiscard]] std::vector<Without> without_each(
-      const std::vector<PoseConstraint>& present, const PoseConstraint& asked) const;
+  [[nodiscard]] std::vector<Without> without_each(const std::vector<PoseConstraint>& present,
+                                                  const PoseConstraint& asked) const;
 
   /// Covariance of (x, y, θ) of the pose of `to` in the frame of `from`, small motions of `to`
   /// being expressed in the frame of `from`: for T_from_to = T_map_from⁻¹ · T_map_to to first

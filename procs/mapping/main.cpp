@@ -3,6 +3,4 @@
 #include "common/bus/run_node.hpp"
 #include "procs/mapping/mapping_node.hpp"
 
-int main(int argc, char** argv) {
-  return adit::run_node<adit::MappingNode>("mapping", argc, argv);
-}
+int main(int argc, char** argv) { return adit::run_node<adit::MappingNode>("mapping", argc, argv); }

@@ -58,8 +58,7 @@ class Collector {
 
 }  // namespace
 
-MapJournal::MapJournal(const std::filesystem::path& path)
-    : journal_(path, Collector(restored_)) {}
+MapJournal::MapJournal(const std::filesystem::path& path) : journal_(path, Collector(restored_)) {}
 
 void MapJournal::append(const MapUpdate& update) {
   for (const LocalMapPiece& piece : divide(update.map)) {

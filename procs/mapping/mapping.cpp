@@ -18,8 +18,9 @@ constexpr double kGapRad = 0.2;
 // other every few metres [m].
 constexpr double kSearchM = 1.0;
 constexpr std::size_t kRelocalisations = 3;
-// Log-likelihood of a place among so many: chance gives up to ten, a place that was seen thirty.
-constexpr double kRelocalisationMin = 20.0;
+// What a place among all of them has to have for it, where nothing else says where the body is:
+// wrong places reach about 8, the right one mostly has 20 and more.
+constexpr double kRelocalisedLogLikelihood = 15.0;
 // Times as many candidates where the likely ones have been wrong.
 constexpr int kThorough = 4;
 // The newest measurements, whose likelihood is monitored.
@@ -139,10 +140,11 @@ std::vector<Closure> Mapping::relocalise() const {
         Eigen::Vector3d(kSearchM, kSearchM, std::numbers::pi).cwiseAbs2().asDiagonal();
     Closure closure;
     closure.newer_map = static_cast<int>(maps_.size()) - 1;
-    closure.alternatives = match_maps(walls_.back(), place_around(older, poses), older, anywhere,
-                                      params_.matching);
-    std::erase_if(closure.alternatives,
-                  [](const auto& a) { return a.log_likelihood < kRelocalisationMin; });
+    closure.alternatives =
+        match_maps(walls_.back(), place_around(older, poses), older, anywhere, params_.matching);
+    std::erase_if(closure.alternatives, [](const ClosureAlternative& a) {
+      return a.log_likelihood < kRelocalisedLogLikelihood;
+    });
     if (!closure.alternatives.empty()) closures.push_back(std::move(closure));
   }
   sort_by_likelihood(closures);
@@ -172,7 +174,8 @@ std::vector<Closure> Mapping::closures(int map, Trial& trial, bool thorough) con
   return found;
 }
 
-/// What the newest maps and the older ones that they overlap hold against each other where they lie.
+/// What the newest maps and the older ones that they overlap hold against each other where they
+/// lie.
 double Mapping::surprise(const std::vector<Pose2>& T_map_local) const {
   const int newest = static_cast<int>(maps_.size()) - 1;
   double surprise = 0.0;
@@ -192,8 +195,7 @@ double Mapping::surprise(const std::vector<Pose2>& T_map_local) const {
 }
 
 /// A map and then its neighbours in the chain, in its frame.
-std::vector<PlacedWalls> Mapping::place_around(int map,
-                                               std::span<const Pose2> T_map_local) const {
+std::vector<PlacedWalls> Mapping::place_around(int map, std::span<const Pose2> T_map_local) const {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   std::vector<PlacedWalls> placed;
   for (const int k : {map, map - 1, map + 1}) {

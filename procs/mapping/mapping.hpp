@@ -87,8 +87,7 @@ class Mapping : private Evidence {
   void enter(LocalMap map);
   void link_session(LocalMap& map) const;
   [[nodiscard]] bool session_is_joined() const;
-  [[nodiscard]] std::vector<Closure> closures(int map, Trial& trial,
-                                              bool thorough) const override;
+  [[nodiscard]] std::vector<Closure> closures(int map, Trial& trial, bool thorough) const override;
   [[nodiscard]] double surprise(const std::vector<Pose2>& T_map_local) const override;
   [[nodiscard]] std::vector<Closure> relocalise() const;
   [[nodiscard]] std::vector<PlacedWalls> place_around(int map,

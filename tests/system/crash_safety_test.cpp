@@ -214,7 +214,7 @@ TEST_P(CrashSafety, FindsItselfAfterTheWholeRobotBeganAgainElsewhere) {
   EXPECT_LT(between(truth, found).translation().norm(), 0.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seed, CrashSafety, testing::Values(1U, 2U, 3U));
+INSTANTIATE_TEST_SUITE_P(Seed, CrashSafety, testing::Values(1U, 2U, 19U, 30U));
 
 }  // namespace
 }  // namespace adit

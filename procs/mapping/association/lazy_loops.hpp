@@ -32,9 +32,10 @@ LazyLoopsResult believe_lazily(const PoseGraph& graph, const LazyAssociationPara
 std::optional<int> gap_in_way(const PoseGraph& graph);
 
 /// Moves the poses to the optimum under what is believed. Loops count the less the worse they fit
-/// (kernel of Geman and McClure): of a place that was recognised it is certain which it is, not how well it was
-/// measured. The result has the steps of all reweightings together, and as objective Σ eᵀ R e over
-/// all that is believed, each in full. Poses stay for the same reasons as with `optimize`.
+/// (kernel of Geman and McClure): of a place that was recognised it is certain which it is, not how
+/// well it was measured. The result has the steps of all reweightings together, and as objective Σ
+/// eᵀ R e over all that is believed, each in full. Poses stay for the same reasons as with
+/// `optimize`.
 OptimizeResult optimize_believed(PoseGraph& graph, const std::vector<bool>& believed,
                                  const OptimizeObserver& observer = {});
 

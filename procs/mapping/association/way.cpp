@@ -23,8 +23,7 @@ double normalised(const UncertainPose& cycle) {
 }  // namespace
 
 UncertainPose operator*(const UncertainPose& a, const UncertainPose& b) {
-  return {a.T_from_to * b.T_from_to,
-          moved(a.covariance, b.T_from_to.inverse()) + b.covariance};
+  return {a.T_from_to * b.T_from_to, moved(a.covariance, b.T_from_to.inverse()) + b.covariance};
 }
 
 UncertainPose inverse(const UncertainPose& a) {
@@ -50,7 +49,8 @@ void Way::add_map(const UncertainPose& T_previous_map) {
 
 UncertainPose Way::between(int from, int to) const {
   const Pose2 T_to_first = at(to).T_first_map.inverse();
-  const Eigen::Matrix3d steps = at(std::max(from, to)).covariance - at(std::min(from, to)).covariance;
+  const Eigen::Matrix3d steps =
+      at(std::max(from, to)).covariance - at(std::min(from, to)).covariance;
   return {adit::between(at(from).T_first_map, at(to).T_first_map), moved(steps, T_to_first)};
 }
 

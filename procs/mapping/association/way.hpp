@@ -49,8 +49,8 @@ class Way {
   std::vector<Node> nodes_;
 };
 
-/// What is left when one goes around by the way and two closures, squared and normalised: chi-square
-/// with three degrees of freedom where both are right.
+/// What is left when one goes around by the way and two closures, squared and normalised:
+/// chi-square with three degrees of freedom where both are right.
 double disagreement(const Way& way, const PoseConstraint& a, const PoseConstraint& b);
 
 /// The same for one closure and the way.

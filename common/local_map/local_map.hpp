@@ -26,8 +26,8 @@ struct LocalScan {
 /// the local map. That frame is the body at the first scan, which is in turn the last scan of the
 /// local map before, so that consecutive local maps touch.
 struct LocalMap {
-  int id = 0;       ///< 0, 1, … in the order of the way, over all sessions
-  int session = 0;  ///< counts the times that the mapping began with a new odom frame
+  int id = 0;                  ///< 0, 1, … in the order of the way, over all sessions
+  int session = 0;             ///< counts the times that the mapping began with a new odom frame
   std::int64_t utime = 0;      ///< of the first scan [µs since the epoch]
   std::int64_t end_utime = 0;  ///< of the last
   Pose2 T_odom_local;          ///< pose of this local map in odom

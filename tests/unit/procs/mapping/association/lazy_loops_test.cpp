@@ -124,8 +124,8 @@ TEST(LazyLoopsOfAFewPoses, MayContradictTheWayOnlyWithinTheGate) {
   EXPECT_EQ(believe_lazily(two_opinions(7.0), {}).believed, (std::vector<bool>{true, false}));
 }
 
-/// The least of x² + (d − x)² / (1 + (d − x)² / k), the kernel of Geman and McClure, that is reached
-/// from the middle: where its derivative is zero.
+/// The least of x² + (d − x)² / (1 + (d − x)² / k), the kernel of Geman and McClure, that is
+/// reached from the middle: where its derivative is zero.
 double optimum(double d) {
   constexpr double kKernel2 = 7.8;
   double low = 0.0;

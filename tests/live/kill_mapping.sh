@@ -45,7 +45,8 @@ start_mapping() { "$mapping" --config "$journal.yaml" & node=$!; }
 lcm-logger --quiet --flush-interval=50 "$record" & logger=$!
 trap 'kill "$logger" "${node:-$logger}" "${player:-$logger}" 2>/dev/null' EXIT
 wait_for "lcm-logger" is_listening
-lcm-logplayer --speed="$speed" "$log" >/dev/null & player=$!
+# What the mapping makes of it is in the log as well, and is not to be heard from there.
+lcm-logplayer --speed="$speed" --regexp="LASER_FRONT|LASER_REAR|SCAN_MATCH" "$log" >/dev/null & player=$!
 
 torn=0
 for ((kill = 1; kill <= kKills; ++kill)); do

@@ -132,7 +132,8 @@ struct GaussianField::Look {
   [[nodiscard]] Eigen::MatrixXd times(const Eigen::MatrixXd& A) const {
     Eigen::MatrixXd product = Eigen::MatrixXd::Zero(3, A.cols());
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-      product += J.middleCols<3>(3 * static_cast<Eigen::Index>(i)) * A.middleRows<3>(3 * blocks[i]);
+      product += J.middleCols<3>(3 * static_cast<Eigen::Index>(i)) *
+                 A.middleRows<3>(row_of(blocks[i] + 1));
     }
     return product;
   }
@@ -170,7 +171,7 @@ std::vector<GaussianField::Without> GaussianField::without_each(
   for (int k = 0; k < 3; ++k) {
     Eigen::VectorXd row = Eigen::VectorXd::Zero(b_.size());
     for (std::size_t i = 0; i < c.blocks.size(); ++i) {
-      row.segment<3>(3 * c.blocks[i]) =
+      row.segment<3>(row_of(c.blocks[i] + 1)) =
           c.J.block<1, 3>(k, 3 * static_cast<Eigen::Index>(i)).transpose();
     }
     columns.col(k) = equations_.matrix().solve(row);

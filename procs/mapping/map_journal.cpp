@@ -40,7 +40,7 @@ class Collector {
   void add_association(std::span<const std::uint8_t> bytes) {
     const auto message = decode<association_t>(bytes);
     if (!message) return;
-    auto association = from_message(*message);
+    const auto association = from_message(*message);
     if (!association) return;
     const int closure = association->closure.id;
     if (closure > closures_ ||
@@ -48,7 +48,7 @@ class Collector {
       return;
     }
     closures_ = std::max(closures_, closure + 1);
-    stored_.associations.push_back(std::move(*association));
+    stored_.associations.push_back(*association);
   }
 
   StoredMap& stored_;

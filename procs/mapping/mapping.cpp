@@ -117,14 +117,10 @@ bool Mapping::session_is_joined() const {
   const int session = maps_.back().session;
   if (maps_.front().session == session) return true;
   const auto session_of = [&](int map) { return maps_[static_cast<std::size_t>(map)].session; };
-  const auto& closures = association_.problem().closures;
-  for (std::size_t k = 0; k < association_.belief().chosen.size(); ++k) {
-    const int chosen = association_.belief().chosen[k];
-    if (chosen == Association::kNone || session_of(closures[k].newer_map) != session) continue;
-    const auto& alternative = closures[k].alternatives[static_cast<std::size_t>(chosen)];
-    if (session_of(alternative.older_map) != session) return true;
-  }
-  return false;
+  const auto in_force = constraints_in_force(association_.problem(), association_.belief());
+  return std::any_of(in_force.begin(), in_force.end(), [&](const PoseConstraint& c) {
+    return session_of(c.to) == session && session_of(c.from) != session;
+  });
 }
 
 /// Looks for the newest map all over the older sessions.
@@ -214,12 +210,8 @@ MapGraph Mapping::graph() const {
   for (const PoseConstraint& c : association_.problem().chain) {
     graph.constraints.push_back({c, MapConstraint::Kind::kSequential});
   }
-  const auto& closures = association_.problem().closures;
-  for (std::size_t k = 0; k < closures.size(); ++k) {
-    const int chosen = association_.belief().chosen[k];
-    if (chosen == Association::kNone) continue;
-    graph.constraints.push_back(
-        {constraint_of(closures[k], chosen), MapConstraint::Kind::kClosure});
+  for (const auto& c : constraints_in_force(association_.problem(), association_.belief())) {
+    graph.constraints.push_back({c, MapConstraint::Kind::kClosure});
   }
   return graph;
 }

@@ -22,6 +22,16 @@ PoseConstraint shifted(const PoseConstraint& c, const Belief& belief, int first)
 
 }  // namespace
 
+std::vector<PoseConstraint> constraints_in_force(const AssociationProblem& problem,
+                                                 const Belief& belief) {
+  std::vector<PoseConstraint> constraints;
+  for (std::size_t k = 0; k < belief.chosen.size(); ++k) {
+    if (belief.chosen[k] == Association::kNone) continue;
+    constraints.push_back(constraint_of(problem.closures[k], belief.chosen[k]));
+  }
+  return constraints;
+}
+
 PoseConstraint in_graph_from(const PoseConstraint& constraint, const Belief& belief, int first) {
   return first == 0 ? constraint : shifted(constraint, belief, first);
 }
@@ -36,10 +46,7 @@ PoseGraph graph_of(const AssociationProblem& problem, const Belief& belief, int 
   };
   const auto step = problem.chain.begin() + std::max(0, first - 1);
   std::for_each(step, problem.chain.end(), add);
-  for (std::size_t k = 0; k < belief.chosen.size(); ++k) {
-    if (belief.chosen[k] == Association::kNone) continue;
-    add(constraint_of(problem.closures[k], belief.chosen[k]));
-  }
+  for (const PoseConstraint& c : constraints_in_force(problem, belief)) add(c);
   return graph;
 }
 

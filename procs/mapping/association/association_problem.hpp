@@ -43,6 +43,10 @@ struct Belief {
   bool held = false;  ///< some maps were held where they were though closures pull at them
 };
 
+/// The constraints of the alternatives that are chosen, in the order of their closures.
+std::vector<PoseConstraint> constraints_in_force(const AssociationProblem& problem,
+                                                 const Belief& belief);
+
 /// A constraint between maps as one between the nodes of `graph_of(problem, belief, first)`; its
 /// later map is not before `first`.
 PoseConstraint in_graph_from(const PoseConstraint& constraint, const Belief& belief, int first);

@@ -229,8 +229,7 @@ bool LazyAssociation::choose(Trial& trial, int closure) const {
 }
 
 void LazyAssociation::decide_one(int closure) {
-  if (!trial_) trial_.emplace(problem_, belief_);
-  if (choose(*trial_, closure)) return;
+  if (choose(trial(), closure)) return;
   if (!problem_.plausible[at(closure)] || !search_is_due(closure)) return;
   if (auto found = search(closure)) believe(std::move(*found));
 }
@@ -332,10 +331,7 @@ std::optional<Belief> LazyAssociation::without(const Suspects& undone, int closu
 /// that gains more than leaving it out costs.
 void LazyAssociation::let_go_of_misfits(Trial& trial) const {
   while (true) {
-    std::vector<int> chosen;
-    for (int k = 0; k < static_cast<int>(problem_.closures.size()); ++k) {
-      if (trial.chosen(k) != Association::kNone) chosen.push_back(k);
-    }
+    const std::vector<int> chosen = trial.chosen_closures();
     if (chosen.empty()) return;
     const auto without = trial.without_each(
         chosen, constraint_of(problem_.closures[at(chosen.front())], trial.chosen(chosen.front())));
@@ -350,16 +346,16 @@ void LazyAssociation::let_go_of_misfits(Trial& trial) const {
 
 std::vector<Association> LazyAssociation::reconsider(std::int64_t utime) {
   std::vector<Association> record;
-  if (!trial_) trial_.emplace(problem_, belief_);
+  Trial& present = trial();
   const std::vector<int> before = belief_.chosen;
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<int> last = trial_->decisions();
-    let_go_of_misfits(*trial_);
+    const std::vector<int> last = present.decisions();
+    let_go_of_misfits(present);
     for (int k = 0; k < static_cast<int>(before.size()); ++k) {
-      if (trial_->chosen(k) == Association::kNone) choose(*trial_, k);
+      if (present.chosen(k) == Association::kNone) choose(present, k);
     }
-    trial_->settle();
-    if (trial_->decisions() == last) break;
+    present.settle();
+    if (present.decisions() == last) break;
   }
   adopt(record, utime, before, before.size());
   return record;

@@ -75,20 +75,16 @@ class Condensed {
   [[nodiscard]] int node(int pose) const { return node_[at(pose)]; }
 
   void give_way(const PoseGraph& graph, const Parts& parts, LazyAssociation& association) const {
-    Pose2 T_last_here;
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    UncertainPose T_last_here;
     for (std::size_t i = 0; i < node_.size(); ++i) {
       if (i > 0) {
-        const int k = parts.chain[i - 1];
-        const PoseConstraint step = forward(graph.constraints[at(k)]);
-        const Eigen::Matrix3d Ad = adjoint(step.T_from_to.inverse());
-        T_last_here = T_last_here * step.T_from_to;
-        covariance = Ad * covariance * Ad.transpose() + measured_by(step).covariance;
+        const PoseConstraint& step = graph.constraints[at(parts.chain[i - 1])];
+        T_last_here = T_last_here * measured_by(forward(step));
       }
       if (node_[i] < 0) continue;
-      association.add_map(T_last_here, i > 0 ? covariance.inverse() : covariance);
-      T_last_here = Pose2{};
-      covariance.setZero();
+      const Eigen::Matrix3d& covariance = T_last_here.covariance;
+      association.add_map(T_last_here.T_from_to, i > 0 ? covariance.inverse() : covariance);
+      T_last_here = {};
     }
   }
 

@@ -3,6 +3,7 @@
 #include "procs/mapping/association/suspects.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -83,12 +84,9 @@ class Search {
   }
 
   void find_concerned() {
+    chosen_ = trial_.chosen_closures();
     std::vector<Stretch> loops;
-    for (int k = 0; k < static_cast<int>(problem_.closures.size()); ++k) {
-      if (trial_.chosen(k) == Association::kNone) continue;
-      chosen_.push_back(k);
-      loops.push_back(loop_of(in_force(k)));
-    }
+    for (const int k : chosen_) loops.push_back(loop_of(in_force(k)));
     concerned_ = hanging_together(std::move(loops), loop_of(asked()));
     std::erase_if(chosen_, [&](int k) { return !overlap(loop_of(in_force(k)), concerned_); });
   }
@@ -157,17 +155,16 @@ std::vector<Suspects> suspects(const AssociationProblem& problem, Trial& trial, 
 
 std::vector<Suspects> latest_groups(const AssociationProblem& problem, const Trial& trial,
                                     int most) {
+  const std::vector<int> chosen = trial.chosen_closures();
+  const auto group = [&](int k) { return problem.groups[at(k)]; };
   std::vector<Suspects> found;
   std::set<int> groups;
-  for (int k = static_cast<int>(problem.closures.size()) - 1; k >= 0; --k) {
-    if (trial.chosen(k) == Association::kNone) continue;
-    if (!groups.insert(problem.groups[at(k)]).second) continue;
+  for (auto latest = chosen.rbegin(); latest != chosen.rend(); ++latest) {
+    if (!groups.insert(group(*latest)).second) continue;
     if (static_cast<int>(found.size()) == most) break;
     Suspects next;
-    for (int i = 0; i < static_cast<int>(problem.closures.size()); ++i) {
-      const bool undone = groups.contains(problem.groups[at(i)]);
-      if (undone && trial.chosen(i) != Association::kNone) next.closures.push_back(i);
-    }
+    std::copy_if(chosen.begin(), chosen.end(), std::back_inserter(next.closures),
+                 [&](int k) { return groups.contains(group(k)); });
     found.push_back(std::move(next));
   }
   return found;

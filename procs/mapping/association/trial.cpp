@@ -34,6 +34,14 @@ Trial::Trial(const AssociationProblem& problem, Belief belief, int first)
   }
 }
 
+std::vector<int> Trial::chosen_closures() const {
+  std::vector<int> chosen;
+  for (std::size_t k = 0; k < belief_.chosen.size(); ++k) {
+    if (belief_.chosen[k] != Association::kNone) chosen.push_back(static_cast<int>(k));
+  }
+  return chosen;
+}
+
 GaussianField& Trial::field() {
   if (!field_) field_.emplace(graph_of(problem_, belief_, first_));
   return *field_;

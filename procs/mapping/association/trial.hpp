@@ -24,6 +24,8 @@ class Trial {
   [[nodiscard]] Belief belief() const;
   [[nodiscard]] double objective() const;
   [[nodiscard]] const std::vector<int>& decisions() const { return belief_.chosen; }
+  /// Those of which an alternative is chosen, in ascending order.
+  [[nodiscard]] std::vector<int> chosen_closures() const;
   [[nodiscard]] int chosen(int closure) const {
     return belief_.chosen[static_cast<std::size_t>(closure)];
   }

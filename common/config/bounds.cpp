@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/config/bounds.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/config/number_text.hpp"
@@ -19,6 +20,19 @@ std::string Bounds::text() const {
   if (std::isinf(max)) return (min_allowed ? ">= " : "> ") + number_text(min);
   if (min_allowed) return number_text(min) + " to " + number_text(max);
   return "> " + number_text(min) + ", <= " + number_text(max);
+}
+
+bool OneOf::allow(std::string_view name) const {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string OneOf::text() const {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 < names.size() ? ", " : " or ";
+    text += names[i];
+  }
+  return text;
 }
 
 }  // namespace adit

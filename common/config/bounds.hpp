@@ -4,6 +4,9 @@
 
 #include <limits>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace adit {
 
@@ -17,6 +20,17 @@ struct Bounds {
   [[nodiscard]] bool allow(double value) const;
   [[nodiscard]] bool allow_all() const;
   /// "> 0", ">= 2", "0 to 1", "> 0, <= 1".
+  [[nodiscard]] std::string text() const;
+};
+
+/// The texts that a name in the configuration may be: `v("up", up, OneOf({"x", "y", "z"}));`.
+struct OneOf {
+  explicit OneOf(std::vector<std::string_view> allowed) : names(std::move(allowed)) {}
+
+  std::vector<std::string_view> names;
+
+  [[nodiscard]] bool allow(std::string_view name) const;
+  /// "x, y or z".
   [[nodiscard]] std::string text() const;
 };
 

@@ -66,6 +66,14 @@ void ConfigLoader::operator()(std::string_view key, std::string& value) {
   value = node->text;
 }
 
+void ConfigLoader::operator()(std::string_view key, std::string& value, const OneOf& allowed) {
+  (*this)(key, value);
+  if (has(key) && !allowed.allow(value)) {
+    const ConfigNode* node = levels_.back().map->find(key);
+    fail(*node, "is " + shown(*node) + "; allowed: " + allowed.text());
+  }
+}
+
 void ConfigLoader::operator()(std::string_view key, std::vector<double>& values,
                               const Bounds& bounds) {
   const ConfigNode* node = visit_key(key);
@@ -89,6 +97,19 @@ const ConfigNode* ConfigLoader::visit_key(std::string_view key) {
   Level& level = levels_.back();
   level.known.emplace_back(key);
   return level.map != nullptr ? level.map->find(key) : nullptr;
+}
+
+bool ConfigLoader::has(std::string_view key) const {
+  return levels_.back().map != nullptr && levels_.back().map->find(key) != nullptr;
+}
+
+std::vector<const ConfigNode*> ConfigLoader::visit_list(std::string_view key) {
+  const ConfigNode* node = visit_key(key);
+  if (node == nullptr) return {};
+  if (node->kind != Kind::kList) fail(*node, "is " + shown(*node) + ", not a list");
+  std::vector<const ConfigNode*> maps;
+  for (const ConfigNode& child : node->children) maps.push_back(&child);
+  return maps;
 }
 
 void ConfigLoader::enter(std::string_view key) {

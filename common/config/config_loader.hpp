@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "common/config/bounds.hpp"
@@ -35,6 +36,7 @@ class ConfigLoader {
   void operator()(std::string_view key, int& value, const Bounds& bounds = {});
   void operator()(std::string_view key, double& value, const Bounds& bounds = {});
   void operator()(std::string_view key, std::string& value);
+  void operator()(std::string_view key, std::string& value, const OneOf& allowed);
   /// The bounds are those of each element.
   void operator()(std::string_view key, std::vector<double>& values, const Bounds& bounds = {});
   void operator()(std::string_view key, Pose2& pose);
@@ -45,6 +47,20 @@ class ConfigLoader {
     enter(key);
     nested.visit(*this);
     leave();
+  }
+
+  /// A list of maps, each of which starts from the defaults.
+  template <class Params>
+  requires requires(Params& params, ConfigLoader& loader) { params.visit(loader); }
+  void operator()(std::string_view key, std::vector<Params>& list) {
+    const std::vector<const ConfigNode*> maps = visit_list(key);
+    std::vector<Params> loaded(maps.size());
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+      push(maps[i], levels_.back().path + "." + std::string(key) + "[" + std::to_string(i) + "]");
+      loaded[i].visit(*this);
+      leave();
+    }
+    if (has(key)) list = std::move(loaded);
   }
 
   /// What several stages read, from a section of its own.
@@ -66,6 +82,8 @@ class ConfigLoader {
   };
 
   const ConfigNode* visit_key(std::string_view key);
+  std::vector<const ConfigNode*> visit_list(std::string_view key);
+  [[nodiscard]] bool has(std::string_view key) const;
   void enter(std::string_view key);
   void push(const ConfigNode* map, std::string path);
   void leave();

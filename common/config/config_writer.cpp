@@ -3,6 +3,7 @@
 #include "common/config/config_writer.hpp"
 
 #include <cstdio>
+#include <utility>
 
 #include "common/config/number_text.hpp"
 
@@ -54,6 +55,11 @@ void ConfigWriter::operator()(std::string_view key, const std::string& value) {
   line(key, quoted(value), {});
 }
 
+void ConfigWriter::operator()(std::string_view key, const std::string& value,
+                              const OneOf& allowed) {
+  text_ += indent() + std::string(key) + ": " + quoted(value) + "  # " + allowed.text() + "\n";
+}
+
 void ConfigWriter::operator()(std::string_view key, const std::vector<double>& values,
                               const Bounds& bounds) {
   line(key, list(values), bounds);
@@ -65,12 +71,28 @@ void ConfigWriter::operator()(std::string_view key, Pose2& pose) {
 }
 
 void ConfigWriter::open(std::string_view key) {
-  text_ += std::string(2 * depth_, ' ') + std::string(key) + ":\n";
+  text_ += indent() + std::string(key) + ":\n";
   ++depth_;
 }
 
+void ConfigWriter::begin_item() {
+  ++depth_;
+  at_item_ = true;
+}
+
+void ConfigWriter::end_item() {
+  at_item_ = false;
+  --depth_;
+}
+
+/// What a line begins with: the dash of an item takes the place of the last indentation.
+std::string ConfigWriter::indent() {
+  if (!std::exchange(at_item_, false)) return std::string(2 * depth_, ' ');
+  return std::string(2 * (depth_ - 1), ' ') + "- ";
+}
+
 void ConfigWriter::line(std::string_view key, const std::string& value, const Bounds& bounds) {
-  text_ += std::string(2 * depth_, ' ') + std::string(key) + ": " + value;
+  text_ += indent() + std::string(key) + ": " + value;
   if (!bounds.allow_all()) text_ += "  # " + bounds.text();
   text_ += '\n';
 }

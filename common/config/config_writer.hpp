@@ -22,6 +22,7 @@ class ConfigWriter {
   void operator()(std::string_view key, const int& value, const Bounds& bounds = {});
   void operator()(std::string_view key, const double& value, const Bounds& bounds = {});
   void operator()(std::string_view key, const std::string& value);
+  void operator()(std::string_view key, const std::string& value, const OneOf& allowed);
   void operator()(std::string_view key, const std::vector<double>& values,
                   const Bounds& bounds = {});
   void operator()(std::string_view key, Pose2& pose);
@@ -31,6 +32,19 @@ class ConfigWriter {
   void operator()(std::string_view key, Params& nested) {
     open(key);
     nested.visit(*this);
+    --depth_;
+  }
+
+  template <class Params>
+  requires requires(Params& params, ConfigWriter& writer) { params.visit(writer); }
+  void operator()(std::string_view key, std::vector<Params>& list) {
+    if (list.empty()) return line(key, "[]", {});
+    open(key);
+    for (Params& params : list) {
+      begin_item();
+      params.visit(*this);
+      end_item();
+    }
     --depth_;
   }
 
@@ -46,11 +60,15 @@ class ConfigWriter {
 
  private:
   void open(std::string_view key);
+  void begin_item();
+  void end_item();
+  [[nodiscard]] std::string indent();
   void line(std::string_view key, const std::string& value, const Bounds& bounds);
 
   std::string text_;
   std::string shared_;
   std::size_t depth_ = 0;
+  bool at_item_ = false;  // the next line begins an item of a list
 };
 
 }  // namespace adit

@@ -67,6 +67,67 @@ TEST(Config, WritesWhatIsAllowedBesideTheValue) {
 )");
 }
 
+struct FleetParams {
+  std::vector<InnerParams> robots;
+  std::string steering = "ackermann";
+
+  template <class V>
+  void visit(V& v) {
+    v("robots", robots);
+    v("steering", steering, OneOf({"ackermann", "four_wheel"}));
+  }
+  friend bool operator==(const FleetParams&, const FleetParams&) = default;
+};
+
+FleetParams load_fleet(const std::string& yaml) {
+  return load_section<FleetParams>(ConfigFile::parse(yaml, "robot.yaml"), "fleet");
+}
+
+std::string fleet_complaint(const std::string& yaml) {
+  try {
+    load_fleet(yaml);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Config, AListOfMapsStartsEachFromTheDefaults) {
+  const FleetParams fleet = load_fleet("fleet:\n  robots: [{iterations: 3}, {robust: false}]\n");
+  EXPECT_EQ(fleet.robots, (std::vector<InnerParams>{{3, true}, {10, false}}));
+  EXPECT_EQ(load_fleet("fleet: {robots: []}"), FleetParams{});
+}
+
+TEST(Config, WritesAListOfMapsAsItLoadsIt) {
+  FleetParams fleet;
+  EXPECT_EQ(load_fleet(to_yaml(fleet, "fleet")), fleet);
+  fleet.robots = {{3, true}, {4, false}};
+  EXPECT_EQ(load_fleet(to_yaml(fleet, "fleet")), fleet);
+  EXPECT_EQ(to_yaml(fleet, "fleet"), R"(fleet:
+  robots:
+    - iterations: 3  # 1 to 100
+      robust: true
+    - iterations: 4  # 1 to 100
+      robust: false
+  steering: "ackermann"  # ackermann or four_wheel
+)");
+}
+
+TEST(Config, AFaultInAListOfMapsNamesItsItem) {
+  EXPECT_EQ(fleet_complaint("fleet:\n  robots:\n    - iterations: 3\n    - iterations: 0\n"),
+            "robot.yaml:4: fleet.robots[1].iterations is 0; allowed: 1 to 100");
+  EXPECT_EQ(fleet_complaint("fleet: {robots: {iterations: 3}}"),
+            "robot.yaml:1: fleet.robots is a map, not a list");
+  EXPECT_EQ(fleet_complaint("fleet: {robots: [3]}"),
+            "robot.yaml:1: fleet.robots[0] is '3', not a map of keys");
+}
+
+TEST(Config, ANameIsOneOfThoseAllowed) {
+  EXPECT_EQ(load_fleet("fleet: {steering: four_wheel}").steering, "four_wheel");
+  EXPECT_EQ(fleet_complaint("fleet: {steering: skid}"),
+            "robot.yaml:1: fleet.steering is 'skid'; allowed: ackermann or four_wheel");
+}
+
 struct SharingParams {
   int own = 1;
   InnerParams inner;

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "common/config/bounds.hpp"
+
+namespace adit {
+
+/// The shape of the vehicle and what it can do. The body's origin is the middle of the vehicle on
+/// the ground. Defaults are those of Groundhog, where they are known (docs/decisions/simulator.md).
+struct Vehicle {
+  static constexpr const char* kSection = "vehicle";
+
+  double length_m = 2.4;           ///< of the footprint, along x
+  double width_m = 1.2;            ///< of the footprint, along y
+  double height_m = 1.0;           ///< of the highest point above the ground
+  double belly_clearance_m = 0.3;  ///< of the lowest point between the wheels above the ground
+  double wheelbase_m = 1.5;        ///< from axle to axle, the origin half-way
+  double track_m = 0.95;           ///< from wheel middle to wheel middle
+  double wheel_radius_m = 0.3;
+  double wheel_width_m = 0.25;
+  std::string steering = "four_wheel";  ///< or "ackermann": the front wheels only
+  double turning_radius_m = 1.6;        ///< least radius of the path of the body's origin
+  double speed_max_m_s = 0.5;           ///< forward and in reverse
+  double step_max_m = 0.2;              ///< that a wheel climbs
+  double sinkage_max_m = 0.2;           ///< with which the wheels still turn
+  double wading_depth_max_m = 0.25;     ///< of water in which nothing drowns
+  double tilt_max_rad = 0.5;            ///< roll or pitch at which it still stands
+
+  template <class V>
+  void visit(V& v) {
+    v("length_m", length_m, above(0.0));
+    v("width_m", width_m, above(0.0));
+    v("height_m", height_m, above(0.0));
+    v("belly_clearance_m", belly_clearance_m, above(0.0));
+    v("wheelbase_m", wheelbase_m, above(0.0));
+    v("track_m", track_m, above(0.0));
+    v("wheel_radius_m", wheel_radius_m, above(0.0));
+    v("wheel_width_m", wheel_width_m, above(0.0));
+    v("steering", steering, OneOf({"four_wheel", "ackermann"}));
+    v("turning_radius_m", turning_radius_m, above(0.0));
+    v("speed_max_m_s", speed_max_m_s, above(0.0));
+    v("step_max_m", step_max_m, above(0.0));
+    v("sinkage_max_m", sinkage_max_m, above(0.0));
+    v("wading_depth_max_m", wading_depth_max_m, at_least(0.0));
+    v("tilt_max_rad", tilt_max_rad, above(0.0));
+  }
+};
+
+}  // namespace adit

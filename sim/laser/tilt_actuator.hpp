@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "common/config/bounds.hpp"
+#include "common/sensing/tilt_command.hpp"
+#include "common/sensing/tilt_reading.hpp"
+
+namespace adit {
+
+struct TiltParams {
+  double angle_min_rad = -0.524;  ///< looking up
+  double angle_max_rad = 0.524;   ///< looking down
+  double rate_max_rad_s = 0.5;
+  double acceleration_rad_s2 = 2.0;
+  double encoder_step_rad = 0.0001;  ///< resolution of the angle that is reported
+
+  template <class V>
+  void visit(V& v) {
+    v("angle_min_rad", angle_min_rad, within(-1.5, 0.0));
+    v("angle_max_rad", angle_max_rad, within(0.0, 1.5));
+    v("rate_max_rad_s", rate_max_rad_s, above(0.0));
+    v("acceleration_rad_s2", acceleration_rad_s2, above(0.0));
+    v("encoder_step_rad", encoder_step_rad, at_least(0.0));
+  }
+};
+
+/// The motor that tilts a laser: goes to where it was last told, within its limits of angle, rate
+/// and acceleration, and stays there. Level at first.
+class TiltActuator {
+ public:
+  explicit TiltActuator(const TiltParams& params) : params_(params) {}
+
+  void command(const TiltCommand& command);
+  void advance(double seconds);
+
+  [[nodiscard]] double angle_rad() const { return angle_rad_; }  ///< true
+  [[nodiscard]] double rate_rad_s() const { return rate_rad_s_; }
+  /// What its encoder says.
+  [[nodiscard]] TiltReading reading(std::int64_t utime) const;
+
+ private:
+  TiltParams params_;
+  double goal_rad_ = 0.0;
+  double goal_rate_rad_s_ = 0.0;
+  double angle_rad_ = 0.0;
+  double rate_rad_s_ = 0.0;
+};
+
+}  // namespace adit

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "sim/mesh/ray_scene.hpp"
+#include "sim/mesh/triangle_mesh.hpp"
+
+namespace adit {
+
+/// Puts shapes into a mesh, as parts. Coordinates are in world.
+class MeshBuilder {
+ public:
+  /// What follows belongs to a new part. A name that is taken gets a number behind it.
+  void begin_part(PartKind kind, Material material, const std::string& name);
+
+  /// Returns the index of the vertex.
+  std::uint32_t vertex(const Eigen::Vector3f& p_world);
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  void quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
+
+  void box(const OrientedBox& box);
+  /// A round bar between two points, with flat ends.
+  void bar(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius_m, int sides = 12);
+  /// A tube along a line, without ends.
+  void tube(std::span<const Eigen::Vector3d> line, double radius_m, int sides = 8);
+
+  [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
+  [[nodiscard]] TriangleMesh take() { return std::move(mesh_); }
+
+ private:
+  std::vector<std::uint32_t> ring(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis,
+                                  double radius_m, int sides);
+
+  TriangleMesh mesh_;
+};
+
+}  // namespace adit

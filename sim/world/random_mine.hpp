@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "common/config/bounds.hpp"
+#include "sim/world/world_description.hpp"
+
+namespace adit {
+
+/// What kind of mine chance is to make.
+struct RandomMineParams {
+  std::string topology = "any";  ///< any, parallel_entries, room_and_pillar, branching or ring
+  double length_m = 300.0;       ///< of all drifts, about
+  double damage = 0.5;           ///< share of the drifts with falls, water, pits, low roof; 0 to 1
+
+  template <class V>
+  void visit(V& v) {
+    v("topology", topology,
+      OneOf({"any", "parallel_entries", "room_and_pillar", "branching", "ring"}));
+    v("length_m", length_m, within(30.0, 5000.0));
+    v("damage", damage, within(0.0, 1.0));
+  }
+};
+
+/// A made-up mine: the same parameters and seed give the same description. Always has an entrance
+/// and at least 20 m of sound drift behind it. Throws std::invalid_argument for an unknown
+/// topology.
+WorldDescription random_mine(int seed, const RandomMineParams& params = {});
+
+}  // namespace adit

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/config/bounds.hpp"
+#include "common/geometry/pose2.hpp"
+#include "sim/world/prop_descriptions.hpp"
+
+namespace adit {
+
+/// A passage along a line.
+struct DriftDescription {
+  std::string name;
+  std::vector<double> points_m;  ///< x, y, x, y, .. of its middle, in world
+  double width_m = 3.0;
+  bool entrance = false;  ///< the first point is open to the outside
+
+  template <class V>
+  void visit(V& v) {
+    v("name", name);
+    v("points_m", points_m);
+    v("width_m", width_m, above(0.0));
+    v("entrance", entrance);
+  }
+};
+
+/// Entries and crosscuts at regular distances, with pillars between them: a panel of
+/// room-and-pillar workings. Becomes drifts named `<name>_entry_<i>` and `<name>_crosscut_<j>`, i
+/// and j from 0.
+struct PanelDescription {
+  std::string name;
+  Pose2 T_world_panel;  ///< start of the middle of entry 0; entries run along x, the next ones to y
+  int entries = 2;
+  int crosscuts = 2;
+  double entry_spacing_m = 12.0;     ///< from middle to middle
+  double crosscut_spacing_m = 20.0;  ///< along the entries
+  double first_crosscut_m = 10.0;    ///< along the entries
+  double entry_width_m = 3.0;
+  double crosscut_width_m = 3.0;
+  double length_m = 60.0;  ///< of the entries
+  double slant_rad = 0.0;  ///< of the crosscuts, against right angles to the entries
+
+  template <class V>
+  void visit(V& v) {
+    v("name", name);
+    v("T_world_panel", T_world_panel);
+    v("entries", entries, at_least(1));
+    v("crosscuts", crosscuts, at_least(0));
+    v("entry_spacing_m", entry_spacing_m, above(0.0));
+    v("crosscut_spacing_m", crosscut_spacing_m, above(0.0));
+    v("first_crosscut_m", first_crosscut_m, at_least(0.0));
+    v("entry_width_m", entry_width_m, above(0.0));
+    v("crosscut_width_m", crosscut_width_m, above(0.0));
+    v("length_m", length_m, above(0.0));
+    v("slant_rad", slant_rad, within(-1.0, 1.0));
+  }
+};
+
+/// An open place, or a pillar left in one.
+struct PolygonDescription {
+  std::string name;
+  std::vector<double> points_m;  ///< x, y, x, y, .. of its corners in order, in world
+
+  template <class V>
+  void visit(V& v) {
+    v("name", name);
+    v("points_m", points_m);
+  }
+};
+
+/// Where rock is not.
+struct PlanDescription {
+  std::vector<DriftDescription> drifts;
+  std::vector<PanelDescription> panels;
+  std::vector<PolygonDescription> rooms;
+  std::vector<PolygonDescription> pillars;  ///< rock again, cut out of the rooms and drifts
+
+  template <class V>
+  void visit(V& v) {
+    v("drifts", drifts);
+    v("panels", panels);
+    v("rooms", rooms);
+    v("pillars", pillars);
+  }
+};
+
+/// Smooth randomness.
+struct ReliefDescription {
+  double height_m = 0.03;  ///< greatest departure to either side
+  double length_m = 2.0;   ///< over which it varies
+  int octaves = 3;         ///< each of half the length and half the height of the one before
+
+  template <class V>
+  void visit(V& v) {
+    v("height_m", height_m, at_least(0.0));
+    v("length_m", length_m, above(0.0));
+    v("octaves", octaves, within(1, 8));
+  }
+};
+
+/// The heights between which the mine is open.
+struct HeightsDescription {
+  /// s, z, s, z, .. : height of the floor without relief at distance s along `heading_rad` from the
+  /// origin, ascending in s, joined smoothly, level beyond the ends. Level at 0 where empty.
+  std::vector<double> profile_m;
+  double heading_rad = 0.0;
+  double opening_m = 2.0;  ///< from floor to roof
+  ReliefDescription floor_relief{.height_m = 0.03, .length_m = 2.0};
+  ReliefDescription roof_relief{.height_m = 0.08, .length_m = 2.0};
+
+  template <class V>
+  void visit(V& v) {
+    v("profile_m", profile_m);
+    v("heading_rad", heading_rad);
+    v("opening_m", opening_m, above(0.3));
+    v("floor_relief", floor_relief);
+    v("roof_relief", roof_relief);
+  }
+};
+
+/// A mesh from a file instead of a plan.
+struct MeshDescription {
+  std::string file;      ///< OBJ, PLY, DAE and what else Assimp reads; empty for none
+  double scale = 1.0;    ///< metres for one unit of the file
+  std::string up = "z";  ///< axis of the file that points up: x, y or z
+  bool flat_floor = false;
+  double floor_m = 0.0;  ///< z of a flat floor to add, after scale and axes
+  bool flat_roof = false;
+  double roof_m = 2.0;
+
+  template <class V>
+  void visit(V& v) {
+    v("file", file);
+    v("scale", scale, above(0.0));
+    v("up", up, OneOf({"x", "y", "z"}));
+    v("flat_floor", flat_floor);
+    v("floor_m", floor_m);
+    v("flat_roof", flat_roof);
+    v("roof_m", roof_m);
+  }
+};
+
+/// A world file (sim/worlds/*.yaml) has this in its one section, `world`.
+struct WorldDescription {
+  static constexpr const char* kSection = "world";
+
+  std::string name;
+  int seed = 1;         ///< of all that is random in it
+  double grid_m = 0.2;  ///< length of the edges of the mesh, about
+  Pose2 T_world_start;
+  MeshDescription mesh;
+  PlanDescription plan;
+  HeightsDescription heights;
+  ReliefDescription wall_relief{.height_m = 0.12, .length_m = 1.5};
+  PropDescriptions props;
+
+  template <class V>
+  void visit(V& v) {
+    v("name", name);
+    v("seed", seed, at_least(0));
+    v("grid_m", grid_m, within(0.05, 1.0));
+    v("T_world_start", T_world_start);
+    v("mesh", mesh);
+    v("plan", plan);
+    v("heights", heights);
+    v("wall_relief", wall_relief);
+    v("props", props);
+  }
+};
+
+}  // namespace adit

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/mesh/ray_scene.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/box_drift.hpp"
+
+namespace adit {
+namespace {
+
+constexpr float kFar = 100.0F;
+
+Ray ray(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
+  return {origin.cast<float>(), direction.normalized().cast<float>()};
+}
+
+TEST(RayScene, MeetsTheNearestSurface) {
+  const World world = box_drift({40.0, 4.0, 2.0});
+  const RayScene scene(world.mesh);
+  const auto wall = scene.cast(ray({0.0, 0.5, 1.0}, {0.0, 1.0, 0.0}), kFar);
+  ASSERT_TRUE(wall);
+  EXPECT_NEAR(wall->distance_m, 1.5, 1e-5);
+  EXPECT_EQ(world.mesh.part_of(wall->triangle).name, "walls");
+  EXPECT_NEAR(wall->normal.y(), -1.0, 1e-6);
+
+  const auto floor = scene.cast(ray({3.0, 0.0, 1.0}, {1.0, 0.0, -1.0}), kFar);
+  ASSERT_TRUE(floor);
+  EXPECT_NEAR(floor->distance_m, std::sqrt(2.0), 1e-5);
+  EXPECT_EQ(world.mesh.part_of(floor->triangle).kind, PartKind::kFloor);
+}
+
+TEST(RayScene, SeesNothingBeyondTheRange) {
+  const World world = box_drift();
+  const RayScene scene(world.mesh);
+  EXPECT_FALSE(scene.cast(ray({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}), 19.0F));
+  EXPECT_TRUE(scene.cast(ray({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}), 21.0F));
+}
+
+TEST(RayScene, ManyRaysAtOnceMeetWhatEachMeets) {
+  const World world = box_drift({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
+    builder.begin_part(PartKind::kPost, Material::kTimber, "post");
+    builder.bar({3.0, 1.0, 0.0}, {3.0, 1.0, 2.0}, 0.1);
+  });
+  const RayScene scene(world.mesh);
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  std::vector<Ray> rays;
+  for (int i = 0; i < 1003; ++i) {
+    rays.push_back(ray({0.0, 0.0, 1.0}, {normal(random), normal(random), normal(random)}));
+  }
+  std::vector<RayHit> hits(rays.size());
+  scene.cast(rays, 15.0F, hits);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const auto one = scene.cast(rays[i], 15.0F);
+    EXPECT_EQ(one.has_value(), std::isfinite(hits[i].distance_m)) << i;
+    if (one) {
+      EXPECT_NEAR(one->distance_m, hits[i].distance_m, 1e-4) << i;
+    }
+  }
+}
+
+TEST(RayScene, WaterIsThereForLightOnly) {
+  const World world = box_drift({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
+    builder.begin_part(PartKind::kWater, Material::kWater, "water");
+    builder.box(level_box({0.0, 0.0, 0.3}, {4.0, 4.0, 0.2}));
+  });
+  const RayScene scene(world.mesh);
+  const Ray down = ray({0.0, 0.0, 1.0}, {0.0, 0.0, -1.0});
+  EXPECT_NEAR(scene.cast(down, kFar)->distance_m, 0.6, 1e-5);
+  EXPECT_NEAR(scene.cast(down, kFar, RayScene::Layer::kSolid)->distance_m, 1.0, 1e-5);
+  EXPECT_THAT(scene.touching(level_box({0.0, 0.0, 0.3}, {1.0, 1.0, 0.4})), testing::IsEmpty());
+}
+
+TEST(RayScene, FindsWhatABoxTouches) {
+  const World world = box_drift({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
+    builder.begin_part(PartKind::kCable, Material::kSteel, "cable");
+    builder.bar({5.0, -2.0, 1.0}, {5.0, 2.0, 1.0}, 0.015);
+  });
+  const RayScene scene(world.mesh);
+  EXPECT_THAT(scene.touching(level_box({3.5, 0.0, 1.0}, {2.9, 1.0, 1.0})), testing::IsEmpty());
+  const auto touched = scene.touching(level_box({3.5, 0.0, 1.0}, {3.0, 1.0, 1.0}));
+  ASSERT_THAT(touched, testing::Not(testing::IsEmpty()));
+  for (const std::uint32_t triangle : touched) {
+    EXPECT_EQ(world.mesh.part_of(triangle).name, "cable");
+  }
+}
+
+TEST(RayScene, AnEmptyMeshIsASceneOfNothing) {
+  const TriangleMesh nothing;
+  const RayScene scene(nothing);
+  EXPECT_FALSE(scene.cast(ray({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}), kFar));
+  EXPECT_THAT(scene.touching(level_box({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0})), testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sim/world/world_description.hpp"
+
+namespace adit {
+
+/// What a prop does to the floor or the roof within a rectangle of the plan.
+struct HeightChange {
+  Eigen::Vector2d low{0.0, 0.0};   ///< corner of the rectangle, p_world [m]
+  Eigen::Vector2d high{0.0, 0.0};  ///< the opposite one
+  /// Takes the height there [m] to the new one.
+  std::function<double(const Eigen::Vector2d& p_world, double height_m)> apply;
+};
+
+/// Where floor and roof are, as functions of the plan, inside and outside of the mine. Frame world.
+class Heights {
+ public:
+  /// Throws std::invalid_argument for a profile that does not ascend.
+  Heights(const HeightsDescription& description, int seed);
+
+  void change_floor(HeightChange change) { floor_changes_.push_back(std::move(change)); }
+  void change_roof(HeightChange change) { roof_changes_.push_back(std::move(change)); }
+
+  [[nodiscard]] double floor(const Eigen::Vector2d& p_world) const;
+  /// At least 5 cm above the floor.
+  [[nodiscard]] double roof(const Eigen::Vector2d& p_world) const;
+
+ private:
+  HeightsDescription description_;
+  int seed_ = 0;
+  std::vector<HeightChange> floor_changes_;
+  std::vector<HeightChange> roof_changes_;
+};
+
+}  // namespace adit

@@ -85,6 +85,17 @@ TEST(VehicleGround, StartsOnASlopeAsSteepAsItStandsOn) {
   }
 }
 
+TEST(VehicleGround, LooksForAFloorWhereTheWorldKnowsNone) {
+  World world = box_drift({}, [](MeshBuilder& builder) {
+    builder.begin_part(PartKind::kOther, Material::kRock, "hillside");
+    builder.box(level_box({0.0, 0.0, 30.0}, {40.0, 40.0, 1.0}));  // with room below and above
+  });
+  world.truth.floor_height = nullptr;
+  const Site site(std::move(world));
+  const VehicleModel vehicle(site, {}, without_slip(), 1, 0);
+  EXPECT_NEAR(vehicle.motion().T_world_body.translation().z(), 0.0, kFloat);
+}
+
 TEST(VehicleGround, StraddlesRails) {
   const Site site(with_rails({-0.25, 0.25}, 0.1));
   VehicleModel vehicle(site, {}, without_slip(), 1, 0);

@@ -93,7 +93,8 @@ class Flood {
       : raster_(world.truth, vehicle),
         columns_((raster_.columns() + kSquaresPerCell - 1) / kSquaresPerCell),
         rows_((raster_.rows() + kSquaresPerCell - 1) / kSquaresPerCell),
-        reached_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
+        reached_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
+        asked_(reached_.size()) {
     for (std::size_t i = 0; i < kHeadings; ++i) {
       ways_[i] = footprints(vehicle, kMoves[i].heading_rad());
     }
@@ -163,10 +164,12 @@ class Flood {
 
   void add(const State& state, std::vector<State>& open) {
     if (state.column < 0 || state.row < 0 || state.column >= columns_ || state.row >= rows_) return;
-    std::uint16_t& headings = reached_[index(state.column, state.row)];
+    const std::size_t cell = index(state.column, state.row);
     const auto bit = static_cast<std::uint16_t>(1U << static_cast<unsigned>(state.heading));
-    if ((headings & bit) != 0 || !fits(state)) return;
-    headings |= bit;
+    if ((asked_[cell] & bit) != 0) return;
+    asked_[cell] |= bit;
+    if (!fits(state)) return;
+    reached_[cell] |= bit;
     open.push_back(state);
   }
 
@@ -184,6 +187,7 @@ class Flood {
   int columns_;
   int rows_;
   std::vector<std::uint16_t> reached_;  ///< a bit for each heading
+  std::vector<std::uint16_t> asked_;    ///< whether the vehicle fits, likewise
   std::array<std::vector<Footprint>, kHeadings> ways_;
 };
 

@@ -7,6 +7,7 @@
 #include "common/config/bounds.hpp"
 #include "common/sensing/tilt_command.hpp"
 #include "common/sensing/tilt_reading.hpp"
+#include "sim/laser/trapezoidal_motion.hpp"
 
 namespace adit {
 
@@ -28,25 +29,27 @@ struct TiltParams {
 };
 
 /// The motor that tilts a laser: goes to where it was last told, within its limits of angle, rate
-/// and acceleration, and stays there. Level at first.
+/// and acceleration, without overshoot, and stays there. Level at first.
 class TiltActuator {
  public:
   explicit TiltActuator(const TiltParams& params) : params_(params) {}
 
+  /// A goal beyond the limits becomes the limit. A command of a number that is not finite, or of a
+  /// rate that is not positive, is ignored: the motor goes on to where it was told before.
   void command(const TiltCommand& command);
   void advance(double seconds);
 
-  [[nodiscard]] double angle_rad() const { return angle_rad_; }  ///< true
-  [[nodiscard]] double rate_rad_s() const { return rate_rad_s_; }
+  [[nodiscard]] double angle_rad() const { return state().position; }  ///< true
+  [[nodiscard]] double rate_rad_s() const { return state().rate; }
   /// What its encoder says.
   [[nodiscard]] TiltReading reading(std::int64_t utime) const;
 
  private:
+  [[nodiscard]] TrapezoidalMotion::State state() const { return motion_.at(since_command_s_); }
+
   TiltParams params_;
-  double goal_rad_ = 0.0;
-  double goal_rate_rad_s_ = 0.0;
-  double angle_rad_ = 0.0;
-  double rate_rad_s_ = 0.0;
+  TrapezoidalMotion motion_{0.0};
+  double since_command_s_ = 0.0;
 };
 
 }  // namespace adit

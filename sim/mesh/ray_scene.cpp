@@ -37,11 +37,9 @@ bool is_water(const TriangleMesh& mesh, std::uint32_t triangle) {
   return material == Material::kWater || material == Material::kMirror;
 }
 
-Eigen::Vector3f facing_normal(const TriangleMesh& mesh, std::uint32_t triangle,
-                              const Eigen::Vector3f& direction) {
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  const Eigen::Vector3f normal =
-      (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).normalized();
+/// From the one that Embree gives, which is of any length and to either side.
+Eigen::Vector3f facing_normal(const Eigen::Vector3f& Ng, const Eigen::Vector3f& direction) {
+  const Eigen::Vector3f normal = Ng.normalized();
   return normal.dot(direction) > 0.0F ? Eigen::Vector3f(-normal) : normal;
 }
 
@@ -90,8 +88,8 @@ class RayScene::Impl {
       rtcIntersect1(scene_.get(), &context, &query);
       if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
       if (layer == Layer::kOptical || !is_water(mesh_, query.hit.primID)) {
-        return RayHit{query.ray.tfar, query.hit.primID,
-                      facing_normal(mesh_, query.hit.primID, ray.direction)};
+        const Eigen::Vector3f Ng(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
+        return RayHit{query.ray.tfar, query.hit.primID, facing_normal(Ng, ray.direction)};
       }
       from = query.ray.tfar + kBehindWater;
     }
@@ -181,8 +179,8 @@ class RayScene::Impl {
         hits[i] = {kInfinity, 0, Eigen::Vector3f::Zero()};
         continue;
       }
-      const std::uint32_t triangle = query.hit.primID[i];
-      hits[i] = {query.ray.tfar[i], triangle, facing_normal(mesh_, triangle, rays[i].direction)};
+      const Eigen::Vector3f Ng(query.hit.Ng_x[i], query.hit.Ng_y[i], query.hit.Ng_z[i]);
+      hits[i] = {query.ray.tfar[i], query.hit.primID[i], facing_normal(Ng, rays[i].direction)};
     }
   }
 

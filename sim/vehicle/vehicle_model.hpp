@@ -5,14 +5,18 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <string>
 
 #include <Eigen/Geometry>
 
 #include "common/vehicle/drive_command.hpp"
 #include "common/vehicle/vehicle.hpp"
+#include "sim/vehicle/battery.hpp"
+#include "sim/vehicle/drivetrain.hpp"
+#include "sim/vehicle/stance.hpp"
+#include "sim/vehicle/steering.hpp"
 #include "sim/vehicle/vehicle_params.hpp"
+#include "sim/vehicle/wheel_slip.hpp"
 #include "sim/world/world.hpp"
 
 namespace adit {
@@ -36,8 +40,9 @@ class VehicleModel {
   VehicleModel(const Site& site, const Vehicle& vehicle, const VehicleModelParams& params,
                std::uint64_t seed, std::int64_t utime);
 
-  void command(const DriveCommand& command);
-  void command(const StopOrder& order);
+  /// What is refused, what is clamped, and when it expires: Drivetrain.
+  void command(const DriveCommand& command) { drivetrain_.command(command); }
+  void command(const StopOrder& order) { drivetrain_.command(order); }
 
   /// Lets time go on, by one integration step (10 ms at most).
   void advance(double seconds);
@@ -45,20 +50,32 @@ class VehicleModel {
   [[nodiscard]] const BodyMotion& motion() const { return motion_; }
   /// As the vehicle says itself: of the wheels, slip not known.
   [[nodiscard]] VehicleState state() const;
-  [[nodiscard]] const std::array<double, 4>& sinkage_m() const { return sinkage_m_; }
+  /// Front left, front right, rear left, rear right.
+  [[nodiscard]] const std::array<double, 4>& sinkage_m() const { return stance_.sinkage_m(); }
+  /// Of the body's origin over ground, in either direction.
   [[nodiscard]] double travelled_m() const { return travelled_m_; }
 
   /// Why the run is over; nothing while it is not.
   [[nodiscard]] const std::optional<std::string>& failure() const { return failure_; }
 
  private:
+  void move(double seconds);
+  [[nodiscard]] Pose2 next_place() const;
+  std::optional<std::string> check_surroundings();
+  void fail(const std::string& reason);
+  void stand();
+
   const Site& site_;
   Vehicle vehicle_;
-  VehicleModelParams params_;
-  std::mt19937_64 random_;
+  Steering steering_;
+  Drivetrain drivetrain_;
+  WheelSlip slip_;
+  Stance stance_;
+  Battery battery_;
+  Pose2 T_world_plan_;
   BodyMotion motion_;
-  std::array<double, 4> sinkage_m_{};
   double travelled_m_ = 0.0;
+  double unchecked_m_ = 0.0;  ///< way of the outermost points since the last look for collisions
   std::optional<std::string> failure_;
 };
 

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/vehicle/body_clearance.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace adit {
+namespace {
+
+constexpr float kAboveM = 1.0F;
+constexpr float kBehindSurfaceM = 1e-3F;
+
+/// Lowest and highest vertex [m]; the lowest is above the highest for a mesh without vertices.
+std::pair<float, float> span_z(const TriangleMesh& mesh) {
+  float low = std::numeric_limits<float>::max();
+  float high = std::numeric_limits<float>::lowest();
+  for (const Eigen::Vector3f& vertex : mesh.vertices) {
+    if (!vertex.allFinite()) continue;
+    low = std::min(low, vertex.z());
+    high = std::max(high, vertex.z());
+  }
+  return {low, high};
+}
+
+}  // namespace
+
+std::optional<std::string> touched_part(const RayScene& scene, const Vehicle& vehicle,
+                                        const Eigen::Isometry3d& T_world_body) {
+  const double middle_z = 0.5 * (vehicle.belly_clearance_m + vehicle.height_m);
+  const double half_z = 0.5 * (vehicle.height_m - vehicle.belly_clearance_m);
+  OrientedBox box;
+  box.T_world_box = T_world_body * Eigen::Translation3d(0.0, 0.0, middle_z);
+  box.half_size = {0.5 * vehicle.length_m, 0.5 * vehicle.width_m, half_z};
+  const auto triangles = scene.touching(box);
+  if (triangles.empty()) return std::nullopt;
+  return scene.mesh().part_of(triangles.front()).name;
+}
+
+std::optional<double> floor_with_headroom(const RayScene& scene, const Vehicle& vehicle,
+                                          const Eigen::Vector2d& p_world) {
+  const auto [low, high] = span_z(scene.mesh());
+  std::optional<double> floor;
+  float above = std::numeric_limits<float>::infinity();  // the surface before, going down
+  float z = high + kAboveM;
+  while (z > low) {
+    const Ray down{{static_cast<float>(p_world.x()), static_cast<float>(p_world.y()), z},
+                   -Eigen::Vector3f::UnitZ()};
+    const auto hit = scene.cast(down, z - low + kAboveM, RayScene::Layer::kSolid);
+    if (!hit) break;
+    const float surface = z - hit->distance_m;
+    if (above - surface >= static_cast<float>(vehicle.height_m)) floor = surface;
+    above = surface;
+    z = surface - kBehindSurfaceM;
+  }
+  return floor;
+}
+
+}  // namespace adit

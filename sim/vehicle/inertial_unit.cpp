@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "sim/vehicle/proprioception.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kGravityM_S2 = 9.81;
+
+Eigen::Vector3d draw(std::normal_distribution<double>& normal, std::mt19937_64& random,
+                     double standard_deviation) {
+  Eigen::Vector3d drawn;
+  for (double& value : drawn) value = standard_deviation * normal(random);
+  return drawn;
+}
+
+Eigen::Vector3d v_world(const BodyMotion& motion) {
+  return motion.T_world_body.linear() * motion.v_body;
+}
+
+}  // namespace
+
+InertialUnit::InertialUnit(const ImuParams& params, std::uint64_t seed)
+    : params_(params), random_(seed) {
+  gyro_bias_ = draw(normal_, random_, params_.gyro_bias_sd_rad_s);
+  accelerometer_bias_ = draw(normal_, random_, params_.accelerometer_bias_sd_m_s2);
+}
+
+ImuReading InertialUnit::measure(const BodyMotion& before, const BodyMotion& now, double seconds) {
+  const Eigen::Matrix3d R_before_now =
+      before.T_world_body.linear().transpose() * now.T_world_body.linear();
+  const Eigen::AngleAxisd turn(R_before_now);
+  const Eigen::Vector3d a_world = (v_world(now) - v_world(before)) / seconds;
+  const Eigen::Vector3d f_world = a_world + kGravityM_S2 * Eigen::Vector3d::UnitZ();
+
+  gyro_bias_ +=
+      draw(normal_, random_, params_.gyro_bias_walk_rad_s_per_sqrt_s * std::sqrt(seconds));
+  ImuReading reading;
+  reading.utime = now.utime;
+  reading.angular_velocity = turn.axis() * turn.angle() / seconds + gyro_bias_ +
+                             draw(normal_, random_, params_.gyro_noise_rad_s);
+  reading.linear_acceleration = now.T_world_body.linear().transpose() * f_world +
+                                accelerometer_bias_ +
+                                draw(normal_, random_, params_.accelerometer_noise_m_s2);
+  return reading;
+}
+
+}  // namespace adit

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/vehicle/stance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/vehicle/metres_text.hpp"
+#include "sim/vehicle/soft_ground.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::array<const char*, 4> kWheelNames{"front left wheel", "front right wheel",
+                                                 "rear left wheel", "rear right wheel"};
+// The rays under a wheel are some centimetres apart: without a limit it would jump from one to the
+// next. A wheel climbs over an edge at about this slope.
+constexpr double kClimbSlope = 1.0;
+// Wheels stand on a plane that is known once they do, since its tilt moves them sideways.
+constexpr int kPutRounds = 3;
+
+std::string at_step(std::size_t wheel, double step_m, const Part& part) {
+  return std::string(kWheelNames[wheel]) + " at a step of " + metres_text(step_m) + " of '" +
+         part.name + "'";
+}
+
+}  // namespace
+
+Stance::Stance(const Site& site, const Vehicle& vehicle)
+    : site_(site), vehicle_(vehicle), probe_(site.scene(), vehicle) {}
+
+Stance::Fault Stance::put(const Pose2& T_world_plan, double floor_m) {
+  T_world_body_ = Eigen::AngleAxisd(T_world_plan.theta, Eigen::Vector3d::UnitZ());
+  for (int round = 0; round < kPutRounds; ++round) {
+    ground_m_.fill(floor_m);
+    if (Fault fault = look_for_ground(T_world_plan)) return fault;
+    contact_m_ = ground_m_;
+    if (Fault fault = sink(T_world_plan)) return fault;
+    if (Fault fault = fit_plane(T_world_plan)) return fault;
+  }
+  return std::nullopt;
+}
+
+Stance::Fault Stance::move(const Pose2& T_world_plan) {
+  std::array<double, 4> way_m{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector2d before = (T_world_body_ * p_body_wheel(i)).head<2>();
+    way_m[i] = (p_world_wheel(i, T_world_plan) - before).norm();
+  }
+  if (Fault fault = look_for_ground(T_world_plan)) return fault;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double climb_max_m = kClimbSlope * way_m[i];
+    contact_m_[i] += std::clamp(ground_m_[i] - contact_m_[i], -climb_max_m, climb_max_m);
+  }
+  if (Fault fault = sink(T_world_plan)) return fault;
+  return fit_plane(T_world_plan);
+}
+
+Eigen::Vector3d Stance::p_body_wheel(std::size_t wheel) const {
+  return {(wheel < 2 ? 0.5 : -0.5) * vehicle_.wheelbase_m,
+          (wheel % 2 == 0 ? 0.5 : -0.5) * vehicle_.track_m, 0.0};
+}
+
+/// With the tilt as it was before, which changes little in one move.
+Eigen::Vector2d Stance::p_world_wheel(std::size_t wheel, const Pose2& T_world_plan) const {
+  const Eigen::Vector2d ahead = T_world_body_.linear().col(0).head<2>();
+  const double turn = T_world_plan.theta - std::atan2(ahead.y(), ahead.x());
+  const Eigen::Vector2d level = (T_world_body_.linear() * p_body_wheel(wheel)).head<2>();
+  return Pose2{T_world_plan.x, T_world_plan.y, turn} * level;
+}
+
+Stance::Fault Stance::look_for_ground(const Pose2& T_world_plan) {
+  const TriangleMesh& mesh = site_.scene().mesh();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto ground = probe_.under({p_world_wheel(i, T_world_plan), T_world_plan.theta,
+                                      ground_m_[i] + 2.0 * vehicle_.wheel_radius_m});
+    if (!ground) return std::string("no ground under the ") + kWheelNames[i];
+    const double change_m = std::abs(ground->height_m - ground_m_[i]);
+    if (ground->step_m > vehicle_.step_max_m) {
+      return at_step(i, ground->step_m, mesh.part_of(ground->step_triangle));
+    }
+    if (change_m > vehicle_.step_max_m) {
+      return at_step(i, change_m, mesh.part_of(ground->triangle));
+    }
+    ground_m_[i] = ground->height_m;
+  }
+  return std::nullopt;
+}
+
+Stance::Fault Stance::sink(const Pose2& T_world_plan) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Sinkage sinkage = sinkage_at(site_.world(), p_world_wheel(i, T_world_plan));
+    sinkage_m_[i] = sinkage.depth_m;
+    if (sinkage.depth_m > vehicle_.sinkage_max_m) {
+      return std::string(kWheelNames[i]) + " stuck in '" + sinkage.name + "', sunk in by " +
+             metres_text(sinkage.depth_m);
+    }
+  }
+  return std::nullopt;
+}
+
+/// The wheels form a rectangle, so that the plane's slopes are differences of means.
+Stance::Fault Stance::fit_plane(const Pose2& T_world_plan) {
+  std::array<double, 4> low{};
+  for (std::size_t i = 0; i < 4; ++i) low[i] = contact_m_[i] - sinkage_m_[i];
+  const double height = 0.25 * (low[0] + low[1] + low[2] + low[3]);
+  const double rise_x = 0.5 * (low[0] + low[1] - low[2] - low[3]) / vehicle_.wheelbase_m;
+  const double rise_y = 0.5 * (low[0] + low[2] - low[1] - low[3]) / vehicle_.track_m;
+  const double pitch = -std::asin(std::clamp(rise_x, -1.0, 1.0));
+  const double roll = std::asin(std::clamp(rise_y / std::cos(pitch), -1.0, 1.0));
+
+  T_world_body_ = Eigen::Translation3d(T_world_plan.x, T_world_plan.y, height) *
+                  Eigen::AngleAxisd(T_world_plan.theta, Eigen::Vector3d::UnitZ()) *
+                  Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
+                  Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());
+  if (std::abs(pitch) > vehicle_.tilt_max_rad) return "falls over: pitch";
+  if (std::abs(roll) > vehicle_.tilt_max_rad) return "falls over: roll";
+  return std::nullopt;
+}
+
+}  // namespace adit

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/vehicle/vehicle_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "sim/vehicle/body_clearance.hpp"
+#include "sim/vehicle/metres_text.hpp"
+#include "sim/vehicle/standing_water.hpp"
+
+namespace adit {
+namespace {
+
+// Thinner things than this are still met: they pass into the body, which is far longer.
+constexpr double kCollisionEveryM = 0.04;
+
+}  // namespace
+
+VehicleModel::VehicleModel(const Site& site, const Vehicle& vehicle,
+                           const VehicleModelParams& params, std::uint64_t seed, std::int64_t utime)
+    : site_(site),
+      vehicle_(vehicle),
+      steering_(vehicle),
+      drivetrain_(vehicle, params, utime),
+      slip_(params, seed),
+      stance_(site, vehicle),
+      battery_(vehicle, params),
+      T_world_plan_(site.world().T_world_start) {
+  const auto floor_m = floor_with_headroom(site.scene(), vehicle, T_world_plan_.translation());
+  std::optional<std::string> fault = "no floor with room above it";
+  if (floor_m) fault = stance_.put(T_world_plan_, *floor_m);
+  motion_ = {utime, stance_.T_world_body(), {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+  if (!fault) fault = check_surroundings();
+  if (fault) throw std::invalid_argument("the vehicle cannot stand at the start: " + *fault);
+}
+
+void VehicleModel::advance(double seconds) {
+  drivetrain_.advance(seconds);
+  motion_.utime = drivetrain_.utime();
+  if (failure_) return stand();
+  battery_.draw(drivetrain_.speed_m_s(), seconds);
+  if (battery_.empty()) return fail("battery empty");
+  if (drivetrain_.wheel_way_m() == 0.0) return stand();
+  move(seconds);
+}
+
+void VehicleModel::move(double seconds) {
+  slip_.advance(drivetrain_.wheel_way_m());
+  const Eigen::Isometry3d T_world_before = motion_.T_world_body;
+  T_world_plan_ = next_place();
+  auto fault = stance_.move(T_world_plan_);
+  motion_.T_world_body = stance_.T_world_body();
+
+  const Eigen::Isometry3d T_before_now = T_world_before.inverse() * motion_.T_world_body;
+  const Eigen::AngleAxisd turn(T_before_now.linear());
+  motion_.omega_body = turn.axis() * turn.angle() / seconds;
+  motion_.v_body = T_before_now.linear().transpose() * T_before_now.translation() / seconds;
+  travelled_m_ += T_before_now.translation().norm();
+
+  const double reach_m = 0.5 * std::hypot(vehicle_.length_m, vehicle_.width_m);
+  unchecked_m_ += T_before_now.translation().norm() + turn.angle() * reach_m;
+  if (!fault && unchecked_m_ >= kCollisionEveryM) fault = check_surroundings();
+  if (fault) fail(*fault);
+}
+
+/// The wheels' way along the slope, less what slip takes, as seen from above.
+Pose2 VehicleModel::next_place() const {
+  const double softness =
+      *std::max_element(sinkage_m().begin(), sinkage_m().end()) / vehicle_.sinkage_max_m;
+  const double way_m = drivetrain_.wheel_way_m() * (1.0 - slip_.lost_share(softness));
+  const double level_share = motion_.T_world_body.linear().col(0).head<2>().norm();
+  const double turn_rad = way_m * steering_.turn_rad_per_m(drivetrain_.curvature_1_m());
+  return T_world_plan_ *
+         steering_.motion(way_m * level_share, turn_rad, slip_.side_slip_rad(softness));
+}
+
+std::optional<std::string> VehicleModel::check_surroundings() {
+  unchecked_m_ = 0.0;
+  if (const auto part = touched_part(site_.scene(), vehicle_, motion_.T_world_body)) {
+    return "collision with '" + *part + "'";
+  }
+  const auto water = water_above(site_.world(), motion_.T_world_body.translation());
+  if (water && water->depth_m > vehicle_.wading_depth_max_m) {
+    return "in water '" + water->name + "' of " + metres_text(water->depth_m);
+  }
+  return std::nullopt;
+}
+
+void VehicleModel::fail(const std::string& reason) {
+  failure_ = reason + " after " + metres_text(travelled_m_);
+  stand();
+}
+
+void VehicleModel::stand() {
+  if (failure_) drivetrain_.halt();
+  motion_.v_body.setZero();
+  motion_.omega_body.setZero();
+}
+
+VehicleState VehicleModel::state() const {
+  return {motion_.utime,    drivetrain_.speed_m_s(), drivetrain_.curvature_1_m(),
+          battery_.share(), drivetrain_.stopped(),   drivetrain_.expired()};
+}
+
+}  // namespace adit

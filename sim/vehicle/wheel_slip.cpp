@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/vehicle/wheel_slip.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit {
+namespace {
+
+constexpr double kCorrelationM = 1.0;
+constexpr double kLostMax = 0.9;
+constexpr double kLostInSoftGround = 0.4;  // more than on firm ground, where wheels sink deepest
+constexpr double kSideInSoftGround = 3.0;  // times more than on firm ground, likewise
+
+}  // namespace
+
+WheelSlip::WheelSlip(const VehicleModelParams& params, std::uint64_t seed)
+    : params_(params), random_(seed) {
+  lost_ = normal_(random_);
+  side_ = normal_(random_);
+}
+
+void WheelSlip::advance(double way_m) {
+  const double kept = std::exp(-std::abs(way_m) / kCorrelationM);
+  const double fresh = std::sqrt(1.0 - kept * kept);
+  lost_ = kept * lost_ + fresh * normal_(random_);
+  side_ = kept * side_ + fresh * normal_(random_);
+}
+
+double WheelSlip::lost_share(double softness) const {
+  const double lost = params_.slip_share + params_.slip_sd * lost_ + kLostInSoftGround * softness;
+  return std::clamp(lost, 0.0, kLostMax);
+}
+
+double WheelSlip::side_slip_rad(double softness) const {
+  return params_.side_slip_sd_rad * side_ * (1.0 + kSideInSoftGround * softness);
+}
+
+}  // namespace adit

@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include "sim/world/height_profile.hpp"
+#include "sim/world/relief.hpp"
 #include "sim/world/world_description.hpp"
 
 namespace adit {
@@ -33,8 +35,14 @@ class Heights {
   [[nodiscard]] double roof(const Eigen::Vector2d& p_world) const;
 
  private:
-  HeightsDescription description_;
-  int seed_ = 0;
+  /// Of the floor, before relief and changes.
+  [[nodiscard]] double base(const Eigen::Vector2d& p_world) const;
+
+  HeightProfile profile_;
+  Eigen::Vector2d heading_;
+  double opening_m_;
+  Relief floor_relief_;
+  Relief roof_relief_;
   std::vector<HeightChange> floor_changes_;
   std::vector<HeightChange> roof_changes_;
 };

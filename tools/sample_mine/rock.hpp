@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "tools/sample_mine/smooth_noise.hpp"
+#include "sim/noise/smooth_noise.hpp"
 
 namespace adit {
 

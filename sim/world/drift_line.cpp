@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/world/drift_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include "sim/world/corner_list.hpp"
+
+namespace adit {
+namespace {
+
+DriftLine line_of(const DriftDescription& drift) {
+  const std::string what = "drift '" + drift.name + "'";
+  DriftLine line{drift.name, corner_list(drift.points_m, 2, what), drift.width_m, drift.entrance};
+  for (std::size_t i = 1; i < line.points.size(); ++i) {
+    if (line.points[i] == line.points[i - 1]) {
+      throw std::invalid_argument(what + " has the same point twice in a row");
+    }
+  }
+  return line;
+}
+
+DriftLine entry(const PanelDescription& panel, int i) {
+  const double y = i * panel.entry_spacing_m;
+  const Pose2& T = panel.T_world_panel;
+  return {panel.name + "_entry_" + std::to_string(i),
+          {T * Eigen::Vector2d(0.0, y), T * Eigen::Vector2d(panel.length_m, y)},
+          panel.entry_width_m,
+          false};
+}
+
+DriftLine crosscut(const PanelDescription& panel, int j) {
+  const double x = panel.first_crosscut_m + j * panel.crosscut_spacing_m;
+  const double y = (panel.entries - 1) * panel.entry_spacing_m;
+  const double x_last = x + y * std::tan(panel.slant_rad);
+  const std::string name = panel.name + "_crosscut_" + std::to_string(j);
+  if (std::min(x, x_last) < 0.0 || std::max(x, x_last) > panel.length_m) {
+    throw std::invalid_argument("drift '" + name + "' leaves its panel, which is " +
+                                std::to_string(panel.length_m) + " m long");
+  }
+  const Pose2& T = panel.T_world_panel;
+  return {name,
+          {T * Eigen::Vector2d(x, 0.0), T * Eigen::Vector2d(x_last, y)},
+          panel.crosscut_width_m,
+          false};
+}
+
+void add_panel(const PanelDescription& panel, std::vector<DriftLine>& lines) {
+  for (int i = 0; i < panel.entries; ++i) lines.push_back(entry(panel, i));
+  if (panel.entries < 2) return;  // nothing to cross to
+  for (int j = 0; j < panel.crosscuts; ++j) lines.push_back(crosscut(panel, j));
+}
+
+void check_names(const std::vector<DriftLine>& lines) {
+  std::set<std::string> names;
+  for (const DriftLine& line : lines) {
+    if (!names.insert(line.name).second) {
+      throw std::invalid_argument("two drifts are named '" + line.name + "'");
+    }
+  }
+}
+
+}  // namespace
+
+double DriftLine::length_m() const {
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+  return length;
+}
+
+DriftLine::Station DriftLine::at(double s_m) const {
+  double left = std::max(s_m, 0.0);
+  for (std::size_t i = 1;; ++i) {
+    const Eigen::Vector2d along = points[i] - points[i - 1];
+    const double length = along.norm();
+    if (left <= length || i + 1 == points.size()) {
+      return {points[i - 1] + std::min(left / length, 1.0) * along,
+              std::atan2(along.y(), along.x())};
+    }
+    left -= length;
+  }
+}
+
+Eigen::Vector2d DriftLine::beside(double s_m, double across_m) const {
+  const Station station = at(s_m);
+  return station.p_world +
+         across_m * Eigen::Vector2d(-std::sin(station.heading_rad), std::cos(station.heading_rad));
+}
+
+double DriftLine::distance_m(const Eigen::Vector2d& p_world) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Eigen::Vector2d along = points[i] - points[i - 1];
+    const double share =
+        std::clamp((p_world - points[i - 1]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (p_world - points[i - 1] - share * along).norm());
+  }
+  return nearest;
+}
+
+std::vector<DriftLine> drift_lines(const PlanDescription& plan) {
+  std::vector<DriftLine> lines;
+  for (const DriftDescription& drift : plan.drifts) lines.push_back(line_of(drift));
+  for (const PanelDescription& panel : plan.panels) add_panel(panel, lines);
+  check_names(lines);
+  return lines;
+}
+
+const DriftLine& find_drift(const std::vector<DriftLine>& drifts, const std::string& name,
+                            const std::string& what) {
+  std::string names;
+  for (const DriftLine& drift : drifts) {
+    if (drift.name == name) return drift;
+    names += (names.empty() ? "" : ", ") + drift.name;
+  }
+  throw std::invalid_argument(what + " is in drift '" + name + "', but there are only: " + names);
+}
+
+}  // namespace adit

@@ -19,6 +19,8 @@ int main(int argc, char** argv) try {
   CLI::App app("A mine to drive in, on LCM until SIGINT or SIGTERM.", "adit-sim");
   adit::LiveRunOptions options;
   options.program = "adit-sim";
+  adit::WorldChoice world;
+  adit::add_world_options(app, world)->required();
   adit::add_live_run_options(app, options);
   app.footer(adit::kLiveRunFooter);
   app.set_version_flag("--version", "adit-sim " + adit::version());
@@ -27,7 +29,7 @@ int main(int argc, char** argv) try {
   } catch (const CLI::Success& answer) {  // --help, --version
     return app.exit(answer);
   }
-  adit::run_live(options);
+  adit::run_live(world, options);
   return 0;
 } catch (const std::exception& error) {
   std::cerr << "adit-sim: " << error.what() << std::endl;

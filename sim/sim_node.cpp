@@ -32,7 +32,7 @@ pose_t to_message(const BodyMotion& motion) {
   const Eigen::Quaterniond q(motion.T_world_body.linear());
   Eigen::Map<Eigen::Vector3d>(message.pos) = motion.T_world_body.translation();
   Eigen::Map<Eigen::Vector3d>(message.vel) = motion.v_body;
-  Eigen::Map<Eigen::Vector4d>(message.orientation) = {q.w(), q.x(), q.y(), q.z()};
+  Eigen::Map<Eigen::Vector4d>(message.orientation) = Eigen::Vector4d(q.w(), q.x(), q.y(), q.z());
   Eigen::Map<Eigen::Vector3d>(message.rotation_rate) = motion.omega_body;
   std::ranges::fill(message.accel, std::numeric_limits<double>::quiet_NaN());
   return message;

@@ -8,14 +8,11 @@
 #include <iostream>
 
 #include "common/bus/lcm_bus.hpp"
-#include "common/bus/stages.hpp"
 #include "common/bus/stop_signal.hpp"
 #include "common/bus/transport_check.hpp"
-#include "common/config/config.hpp"
-#include "sim/live/fault_text.hpp"
 #include "sim/live/live_simulator.hpp"
+#include "sim/live/settings.hpp"
 #include "sim/world/build_world.hpp"
-#include "sim/world/world_file.hpp"
 
 namespace adit {
 namespace {
@@ -54,21 +51,10 @@ void run(LcmBus& bus, LiveSimulator& simulator, const StopSignal& stop) {
 
 }  // namespace
 
-SimulationParams load_simulation_params(const std::filesystem::path& config,
-                                        const std::vector<std::string>& faults) {
-  ConfigFile file;
-  if (!config.empty()) file = ConfigFile::load(config);
-  file.require_known_sections(config_sections());
-  auto params = load_section<SimulationParams>(file, kSimSection);
-  for (const FaultDescription& fault : params.faults) require_complete(fault);
-  for (const std::string& fault : faults) params.faults.push_back(parse_fault(fault));
-  return params;
-}
-
-void run_live(const LiveRunOptions& options) {
+void run_live(const WorldChoice& world, const LiveRunOptions& options) {
   const StopSignal stop;  // before Embree and LCM make threads
   const SimulationParams params = load_simulation_params(options.config, options.faults);
-  const WorldDescription description = find_world(options.world, options.seed);
+  const WorldDescription description = describe(world);
   const Site site(build_world(description));
 
   if (const auto advice = buffer_advice(options.lcm_url)) {

@@ -6,9 +6,8 @@
 #include "common/bus/stages.hpp"
 #include "common/bus/typed.hpp"
 #include "common/bus/version.hpp"
-#include "common/config/config.hpp"
 #include "common/messages/sim_time.hpp"
-#include "sim/world/world_file.hpp"
+#include "sim/live/settings.hpp"
 
 namespace adit {
 namespace {
@@ -16,17 +15,12 @@ namespace {
 constexpr std::size_t kAnswersWaiting = 1000;
 constexpr std::int64_t kReminderUs = 500'000;  // of wall time
 
-/// What is in effect, the mine included, so that a log explains itself.
-std::string configuration(const SimulationParams& params, const WorldDescription& description) {
-  return to_yaml(params, kSimSection) + to_world_file(description);
-}
-
 }  // namespace
 
 LiveSimulator::LiveSimulator(Bus& bus, const Site& site, const WorldDescription& description,
                              const SimulationParams& params, const LiveRunOptions& options,
                              std::int64_t start_utime)
-    : host_(bus, {kSimSection, version(), configuration(params, description)}),
+    : host_(bus, {kSimSection, version(), yaml_in_effect(params, description)}),
       node_(host_.bus(), site, params, static_cast<std::uint64_t>(description.seed), start_utime),
       pacing_(options.pacing),
       process_faults_(params.faults),

@@ -35,16 +35,11 @@ Faults, as KIND[:TARGET][=AMOUNT]@SECONDS, with the seconds counted in simulated
   kill:mapping@60  suspend:mapping@60  (adit-mapping, where it was started beside the simulator))";
 
 void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
-  app.add_option("WORLD", options.world, "The mine")->required();
   app.add_option_function<std::string>(
          "--speed",
          [&options](const std::string& text) { options.pacing.factor = factor_from(text); },
          "Times real time, or max: as fast as it goes; 1 without")
       ->type_name("F|max");
-  app.add_option("--seed", options.seed,
-                 "Instead of that of the world: of all that is random in it")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber);
   app.add_option("--wait-for", options.pacing.wait_for, "Stages that must keep up")
       ->type_name("STAGE,..")
       ->delimiter(',');

@@ -10,7 +10,7 @@ class App;
 
 namespace adit {
 
-/// The arguments of a live run, for `adit-sim` and `adit sim`: WORLD and all options.
+/// The options of a live run, for `adit-sim` and `adit sim`.
 void add_live_run_options(CLI::App& app, LiveRunOptions& options);
 
 /// What both say about worlds, time and faults at the end of their help.

@@ -16,6 +16,13 @@ namespace {
 // Thinner things than this are still met: they pass into the body, which is far longer.
 constexpr double kCollisionEveryM = 0.04;
 
+/// A mesh from elsewhere may not know its floor.
+std::optional<double> floor_at_start(const Site& site, const Vehicle& vehicle) {
+  const Eigen::Vector2d p_world = site.world().T_world_start.translation();
+  const auto& floor_height = site.world().truth.floor_height;
+  return floor_height ? floor_height(p_world) : floor_with_headroom(site.scene(), vehicle, p_world);
+}
+
 }  // namespace
 
 VehicleModel::VehicleModel(const Site& site, const Vehicle& vehicle,
@@ -28,8 +35,8 @@ VehicleModel::VehicleModel(const Site& site, const Vehicle& vehicle,
       stance_(site, vehicle),
       battery_(vehicle, params),
       T_world_plan_(site.world().T_world_start) {
-  const auto floor_m = floor_with_headroom(site.scene(), vehicle, T_world_plan_.translation());
-  std::optional<std::string> fault = "no floor with room above it";
+  const auto floor_m = floor_at_start(site, vehicle);
+  std::optional<std::string> fault = "no floor";
   if (floor_m) fault = stance_.put(T_world_plan_, *floor_m);
   motion_ = {utime, stance_.T_world_body(), {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
   if (!fault) fault = check_surroundings();

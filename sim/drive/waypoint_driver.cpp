@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/drive/waypoint_driver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "sim/vehicle/metres_text.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kRightAngle = std::numbers::pi / 2.0;
+constexpr double kBehind = 0.75 * std::numbers::pi;  // within 45° of straight back
+constexpr double kSameM = 1e-3;                      // nearer waypoints are one
+constexpr double kBendEveryM = 0.25;                 // distance at which bends ahead are looked for
+constexpr double kCreepMS = 0.03;                    // least speed, with which the end is reached
+
+Pose2 plan_pose(const BodyMotion& motion) {
+  const auto& T = motion.T_world_body;
+  return {T.translation().x(), T.translation().y(), std::atan2(T.linear()(1, 0), T.linear()(0, 0))};
+}
+
+struct Leg {
+  Eigen::Vector2d from;
+  Eigen::Vector2d to;
+  double speed_m_s = 0.0;
+  bool reverse = false;
+};
+
+/// From where the body is, in order, without those that lead nowhere.
+std::vector<Leg> legs_through(const std::vector<Waypoint>& waypoints, const Pose2& T_world_body,
+                              const WaypointDriverParams& params) {
+  std::vector<Leg> legs;
+  Eigen::Vector2d from = T_world_body.translation();
+  double heading = T_world_body.theta;
+  for (const Waypoint& waypoint : waypoints) {
+    const Eigen::Vector2d step = waypoint.p_world - from;
+    if (step.norm() < kSameM) continue;
+    const double direction = std::atan2(step.y(), step.x());
+    const bool reverse = params.reverse && std::abs(angle_diff(direction, heading)) > kBehind;
+    legs.push_back(
+        {from, waypoint.p_world, waypoint.speed_m_s.value_or(params.speed_m_s), reverse});
+    heading = reverse ? direction + std::numbers::pi : direction;
+    from = waypoint.p_world;
+  }
+  return legs;
+}
+
+}  // namespace
+
+WaypointDriver::WaypointDriver(std::vector<Waypoint> waypoints, const Vehicle& vehicle,
+                               const WaypointDriverParams& params)
+    : waypoints_(std::move(waypoints)), vehicle_(vehicle), params_(params) {
+  if (waypoints_.empty()) throw std::invalid_argument("no waypoint to drive to");
+  for (const Waypoint& waypoint : waypoints_) {
+    if (!waypoint.p_world.allFinite()) throw std::invalid_argument("a waypoint is not finite");
+  }
+}
+
+DriveCommand WaypointDriver::command(const BodyMotion& motion) {
+  const Pose2 T_world_body = plan_pose(motion);
+  if (!planned_) {
+    plan(T_world_body);
+    progress_utime_ = motion.utime;
+  }
+  if (!done_ && !given_up_) follow(T_world_body, motion.utime);
+  if (done_ || given_up_) return {motion.utime, 0.0, 0.0};
+  return {motion.utime, runs_[run_].reverse ? -speed() : speed(), curvature(T_world_body)};
+}
+
+double WaypointDriver::length_m() const {
+  double length = 0.0;
+  for (const Run& run : runs_) length += run.way.length_m();
+  return length;
+}
+
+/// Cuts the way into runs: a new one begins where the direction of driving changes.
+void WaypointDriver::plan(const Pose2& T_world_body) {
+  const auto legs = legs_through(waypoints_, T_world_body, params_);
+  for (std::size_t i = 0; i < legs.size();) {
+    std::vector<Eigen::Vector2d> points{legs[i].from};
+    std::vector<double> speeds;
+    const bool reverse = legs[i].reverse;
+    for (; i < legs.size() && legs[i].reverse == reverse; ++i) {
+      points.push_back(legs[i].to);
+      speeds.push_back(std::min(legs[i].speed_m_s, vehicle_.speed_max_m_s));
+    }
+    runs_.push_back({Way(std::move(points)), std::move(speeds), reverse});
+  }
+  planned_ = true;
+  done_ = runs_.empty();
+}
+
+/// Finds where the body is along the way. The search looks ahead only, so that a way that crosses
+/// itself is driven in order.
+void WaypointDriver::follow(const Pose2& T_world_body, std::int64_t utime) {
+  const Way& way = runs_[run_].way;
+  const Eigen::Vector2d p_world = T_world_body.translation();
+  const double to_m = std::min(way.length_m(), s_m_ + params_.look_ahead_m);
+  s_m_ = way.nearest_m(p_world, s_m_, to_m);
+  if ((way.at(s_m_) - p_world).norm() > params_.off_way_max_m) {
+    given_up_ = "off the way after " + metres_text(progress_m());
+  } else if (!is_patient(utime)) {
+    given_up_ = "no progress after " + metres_text(progress_m());
+  } else if (way.length_m() - s_m_ <= params_.arrival_m) {
+    begin_next_run();
+  }
+}
+
+bool WaypointDriver::is_patient(std::int64_t utime) {
+  if (progress_m() >= progress_mark_m_ + params_.progress_min_m) {
+    progress_mark_m_ = progress_m();
+    progress_utime_ = utime;
+  }
+  return static_cast<double>(utime - progress_utime_) * 1e-6 <= params_.patience_s;
+}
+
+void WaypointDriver::begin_next_run() {
+  done_ = run_ + 1 == runs_.size();
+  if (done_) return;
+  driven_m_ += runs_[run_].way.length_m();
+  s_m_ = 0.0;
+  ++run_;
+}
+
+/// Of the arc along x to the point that is steered for, forward or backward: 2y/d² (Coulter 1992,
+/// section 2). A point on the other side of the body takes the tightest turn.
+double WaypointDriver::curvature(const Pose2& T_world_body) const {
+  const Run& run = runs_[run_];
+  const Eigen::Vector2d p_body = T_world_body.inverse() * run.way.at(s_m_ + params_.look_ahead_m);
+  const double curvature_max = 1.0 / vehicle_.turning_radius_m;
+  const bool beyond = run.reverse ? p_body.x() > 0.0 : p_body.x() < 0.0;
+  if (beyond) return std::copysign(curvature_max, p_body.y());
+  const double curvature = 2.0 * p_body.y() / p_body.squaredNorm();
+  return std::clamp(curvature, -curvature_max, curvature_max);
+}
+
+/// That of the leg, if the bends and the end that lie ahead can still be reached as slowly as they
+/// want.
+double WaypointDriver::speed() const {
+  const Run& run = runs_[run_];
+  const double leg_speed = run.speeds_m_s[run.way.leg(s_m_)];
+  const double left_m = run.way.length_m() - s_m_;
+  double squared = std::min(leg_speed * leg_speed, 2.0 * params_.braking_m_s2 * left_m);
+  const double horizon_m = leg_speed * leg_speed / (2.0 * params_.braking_m_s2);
+  for (double ahead = 0.0; ahead <= std::min(horizon_m, left_m); ahead += kBendEveryM) {
+    const double sharpness = std::min(1.0, bend_rad(s_m_ + ahead) / kRightAngle);
+    const double bend_speed = leg_speed * (1.0 - sharpness * (1.0 - params_.slow_share));
+    squared = std::min(squared, bend_speed * bend_speed + 2.0 * params_.braking_m_s2 * ahead);
+  }
+  return std::max(std::sqrt(squared), std::min(kCreepMS, leg_speed));
+}
+
+/// How far the way turns about a place, within the look-ahead to either side.
+double WaypointDriver::bend_rad(double s_m) const {
+  const Way& way = runs_[run_].way;
+  const double before = way.heading_rad(way.leg(s_m - params_.look_ahead_m));
+  const double behind = way.heading_rad(way.leg(s_m + params_.look_ahead_m));
+  return std::abs(angle_diff(behind, before));
+}
+
+}  // namespace adit

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/vehicle/drivetrain.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+constexpr double kStepS = 0.01;
+constexpr double kExact = 1e-9;
+constexpr std::int64_t kStart = 1'000'000;
+
+struct Driven {
+  double way_m = 0.0;
+  double seconds = 0.0;
+};
+
+class DrivetrainTest : public testing::Test {
+ protected:
+  void tell(double speed_m_s, double curvature_1_m = 0.0) {
+    drivetrain_.command(DriveCommand{drivetrain_.utime(), speed_m_s, curvature_1_m});
+  }
+  void order(bool stopped, std::int64_t utime) {
+    drivetrain_.command(StopOrder{utime, stopped, stopped ? "test" : ""});
+  }
+  /// With a fresh command at each step.
+  double drive(double speed_m_s, double curvature_1_m, double seconds) {
+    double way_m = 0.0;
+    for (int i = 0; i < std::lround(seconds / kStepS); ++i) {
+      tell(speed_m_s, curvature_1_m);
+      drivetrain_.advance(kStepS);
+      way_m += drivetrain_.wheel_way_m();
+    }
+    return way_m;
+  }
+  /// Without any, until it stands.
+  Driven coast() {
+    Driven driven;
+    while (drivetrain_.speed_m_s() != 0.0) {
+      drivetrain_.advance(kStepS);
+      driven.way_m += drivetrain_.wheel_way_m();
+      driven.seconds += kStepS;
+    }
+    return driven;
+  }
+
+  Vehicle vehicle_;  // at most 0.5 m/s, at least 1.6 m of radius
+  VehicleModelParams params_;
+  Drivetrain drivetrain_{vehicle_, params_, kStart};
+};
+
+TEST_F(DrivetrainTest, AcceleratesAtItsRate) {
+  const double way_m = drive(0.4, 0.0, 1.0);
+  EXPECT_NEAR(drivetrain_.speed_m_s(), 0.3, kExact);
+  EXPECT_NEAR(way_m, 0.5 * 0.3, kExact);
+  drive(0.4, 0.0, 1.0);
+  EXPECT_NEAR(drivetrain_.speed_m_s(), 0.4, kExact);
+}
+
+TEST_F(DrivetrainTest, BrakesToASlowerSpeedAndThroughAChangeOfDirection) {
+  drive(0.4, 0.0, 3.0);
+  drive(0.2, 0.0, 0.1);
+  EXPECT_NEAR(drivetrain_.speed_m_s(), 0.4 - 0.1 * 0.8, kExact);
+  drive(0.2, 0.0, 1.0);
+  EXPECT_NEAR(drivetrain_.speed_m_s(), 0.2, kExact);
+  drive(-0.3, 0.0, 0.5);  // a quarter of a second to brake, then acceleration
+  EXPECT_NEAR(drivetrain_.speed_m_s(), -0.25 * 0.3, kExact);
+}
+
+TEST_F(DrivetrainTest, SteersAtItsRateAlsoWhereItStands) {
+  drive(0.0, 0.4, 0.5);
+  EXPECT_NEAR(drivetrain_.curvature_1_m(), 0.25, kExact);
+  drive(0.0, 0.4, 0.5);
+  EXPECT_NEAR(drivetrain_.curvature_1_m(), 0.4, kExact);
+}
+
+TEST_F(DrivetrainTest, ClampsWhatIsOutOfRange) {
+  drive(3.0, -7.0, 5.0);
+  EXPECT_NEAR(drivetrain_.speed_m_s(), vehicle_.speed_max_m_s, kExact);
+  EXPECT_NEAR(drivetrain_.curvature_1_m(), -1.0 / vehicle_.turning_radius_m, kExact);
+}
+
+TEST_F(DrivetrainTest, IgnoresWhatIsNotANumberOrOlderThanTheLast) {
+  drive(0.4, 0.0, 2.0);
+  tell(0.4);
+  tell(std::numeric_limits<double>::quiet_NaN());
+  tell(0.4, std::numeric_limits<double>::infinity());
+  drivetrain_.command(DriveCommand{drivetrain_.utime() - 1, 0.1, 0.0});
+  drivetrain_.advance(kStepS);
+  EXPECT_NEAR(drivetrain_.speed_m_s(), 0.4, kExact);
+}
+
+TEST_F(DrivetrainTest, StandsUntilItIsTold) {
+  drivetrain_.advance(kStepS);
+  EXPECT_EQ(drivetrain_.speed_m_s(), 0.0);
+  EXPECT_TRUE(drivetrain_.expired());
+  tell(0.1);
+  EXPECT_FALSE(drivetrain_.expired());
+}
+
+TEST_F(DrivetrainTest, BrakesAfterAQuarterOfASecondWithoutCommand) {
+  drive(0.4, 0.0, 2.0);
+  tell(0.4);
+  const Driven driven = coast();
+  EXPECT_TRUE(drivetrain_.expired());
+  EXPECT_NEAR(driven.way_m, 0.4 * 0.25 + 0.4 * 0.4 / (2.0 * 0.8), kExact);
+  EXPECT_NEAR(driven.seconds, 0.25 + 0.4 / 0.8, kExact);
+}
+
+TEST_F(DrivetrainTest, TakesACommandFromTheFutureForOneOfNow) {
+  drive(0.4, 0.0, 2.0);
+  drivetrain_.command(DriveCommand{drivetrain_.utime() + 60'000'000, 0.4, 0.0});
+  EXPECT_NEAR(coast().seconds, 0.25 + 0.4 / 0.8, kExact);
+  drive(0.4, 0.0, 0.5);  // and later commands still count
+  EXPECT_NEAR(drivetrain_.speed_m_s(), 0.15, kExact);
+}
+
+TEST_F(DrivetrainTest, HoldsAStopUntilANewerOrderReleasesIt) {
+  drive(0.4, 0.0, 2.0);
+  const std::int64_t stop_utime = drivetrain_.utime();
+  order(true, stop_utime);
+  const double way_m = drive(0.4, 0.0, 1.0);
+  EXPECT_NEAR(way_m, 0.4 * 0.4 / (2.0 * 0.8), kExact);
+  EXPECT_EQ(drivetrain_.speed_m_s(), 0.0);
+  EXPECT_TRUE(drivetrain_.stopped());
+  order(false, stop_utime - 1);
+  order(false, stop_utime);
+  EXPECT_TRUE(drivetrain_.stopped());
+  order(false, stop_utime + 1);
+  EXPECT_FALSE(drivetrain_.stopped());
+  drive(0.4, 0.0, 0.5);
+  EXPECT_NEAR(drivetrain_.speed_m_s(), 0.15, kExact);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <functional>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/sim/vehicle/driving.hpp"
+
+namespace adit {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// A drift with one thing in it.
+World drift_with(PartKind kind, const char* name, const std::function<void(MeshBuilder&)>& add) {
+  return box_drift({}, [&](MeshBuilder& builder) {
+    builder.begin_part(kind, Material::kRock, name);
+    add(builder);
+  });
+}
+
+World with_box(const char* name, const Eigen::Vector3d& middle, const Eigen::Vector3d& size) {
+  return drift_with(PartKind::kOther, name,
+                    [&](MeshBuilder& builder) { builder.box(level_box(middle, size)); });
+}
+
+World with_post() {
+  return drift_with(PartKind::kPost, "post", [](MeshBuilder& builder) {
+    builder.bar({5.0, 0.3, 0.0}, {5.0, 0.3, 2.0}, 0.1);
+  });
+}
+
+/// A floor of stretches along x, 4 m wide, each at its height, and nothing else.
+struct Stretch {
+  double from_m;
+  double to_m;
+  double z_m;
+};
+World with_floor(const std::vector<Stretch>& stretches) {
+  MeshBuilder builder;
+  builder.begin_part(PartKind::kFloor, Material::kRock, "floor");
+  for (const auto& [from, to, z] : stretches) {
+    const auto corner = [&, z_m = z](double x, double y) {
+      return builder.vertex(Eigen::Vector3d(x, y, z_m).cast<float>());
+    };
+    builder.quad(corner(from, -2.0), corner(to, -2.0), corner(to, 2.0), corner(from, 2.0));
+  }
+  World world;
+  world.mesh = builder.take();
+  return world;
+}
+
+/// Standing water from x = 3 m on, with its surface in the mesh.
+World with_water(double level_m) {
+  World world = box_drift({}, [&](MeshBuilder& builder) {
+    builder.begin_part(PartKind::kWater, Material::kWater, "sump");
+    const auto corner = [&](double x, double y) {
+      return builder.vertex(Eigen::Vector3d(x, y, level_m).cast<float>());
+    };
+    builder.quad(corner(3.0, -2.0), corner(10.0, -2.0), corner(10.0, 2.0), corner(3.0, 2.0));
+  });
+  world.water.push_back({"sump", {{3.0, -2.0}, {10.0, -2.0}, {10.0, 2.0}, {3.0, 2.0}}, level_m});
+  return world;
+}
+
+TEST(VehicleFailure, APostStopsItWhereItsFrontIs) {
+  const Site site(with_post());
+  VehicleModel vehicle(site, {}, without_slip(), 1, 0);
+  drive(vehicle, 0.5, 0.0, 30.0);
+  ASSERT_TRUE(vehicle.failure());
+  EXPECT_THAT(*vehicle.failure(), StartsWith("collision with 'post' after 3.7"));
+  // The post begins at 4.9 m, the vehicle ends 1.2 m ahead; it looks each 4 cm, and moves by 5 mm.
+  EXPECT_NEAR(vehicle.travelled_m(), 3.7 + 0.0225, 0.0225);
+}
+
+TEST(VehicleFailure, IsForGood) {
+  const Site site(with_post());
+  VehicleModel vehicle(site, {}, without_slip(), 1, 0);
+  drive(vehicle, 0.5, 0.0, 30.0);
+  const BodyMotion stood = vehicle.motion();
+  const auto reason = vehicle.failure();
+  for (int i = 0; i < 100; ++i) {
+    vehicle.command(DriveCommand{vehicle.motion().utime, -0.5, 0.0});
+    vehicle.advance(kStepS);
+  }
+  EXPECT_EQ(vehicle.failure(), reason);
+  EXPECT_EQ(vehicle.motion().T_world_body.matrix(), stood.T_world_body.matrix());
+  EXPECT_EQ(vehicle.motion().v_body.norm(), 0.0);
+  EXPECT_EQ(vehicle.state().speed_m_s, 0.0);
+  EXPECT_EQ(vehicle.motion().utime, stood.utime + 1'000'000);
+}
+
+TEST(VehicleFailure, ACableAcrossTheWayCatchesIt) {
+  const auto cable = [](double z) {
+    return drift_with(PartKind::kCable, "cable", [z](MeshBuilder& builder) {
+      builder.bar({5.0, -2.0, z}, {5.0, 2.0, z}, 0.015);
+    });
+  };
+  EXPECT_THAT(failure_ahead(cable(0.8)), StartsWith("collision with 'cable' after 3.8"));
+  EXPECT_EQ(failure_ahead(cable(1.1)), "none");
+}
+
+TEST(VehicleFailure, ALowRoofCatchesItAndAHigherOneDoesNot) {
+  EXPECT_THAT(failure_ahead(with_box("low_roof", {6.0, 0.0, 1.9}, {2.0, 4.0, 2.0})),
+              HasSubstr("collision with 'low_roof'"));
+  EXPECT_EQ(failure_ahead(with_box("low_roof", {6.0, 0.0, 2.05}, {2.0, 4.0, 2.0})), "none");
+}
+
+TEST(VehicleFailure, AWallIsACollision) {
+  EXPECT_THAT(failure_ahead(box_drift({20.0, 4.0, 2.0})), StartsWith("collision with 'walls'"));
+}
+
+TEST(VehicleFailure, AStoneHigherThanTheBellyIsACollision) {
+  EXPECT_THAT(failure_ahead(with_box("stone", {5.0, 0.0, 0.2}, {0.3, 0.3, 0.4})),
+              HasSubstr("collision with 'stone'"));
+  EXPECT_EQ(failure_ahead(with_box("stone", {5.0, 0.0, 0.1}, {0.3, 0.3, 0.2})), "none");
+}
+
+TEST(VehicleFailure, AStepThatIsTooHighUpOrDown) {
+  EXPECT_THAT(failure_ahead(with_box("ledge", {10.0, 0.0, 0.0}, {10.0, 4.0, 0.5})),
+              HasSubstr("wheel at a step of 0.25 m of 'ledge'"));
+  EXPECT_THAT(failure_ahead(with_floor({{-20.0, 5.0, 0.0}, {5.0, 20.0, -0.25}})),
+              HasSubstr("wheel at a step of 0.25 m of 'floor'"));
+}
+
+TEST(VehicleFailure, AStepThatItClimbsIsNone) {
+  EXPECT_EQ(failure_ahead(with_box("ledge", {10.0, 0.0, 0.0}, {10.0, 4.0, 0.3})), "none");
+  EXPECT_EQ(failure_ahead(with_floor({{-20.0, 5.0, 0.0}, {5.0, 20.0, -0.15}})), "none");
+}
+
+TEST(VehicleFailure, APitWithAndWithoutABottom) {
+  EXPECT_THAT(failure_ahead(with_floor({{-20.0, 5.0, 0.0}, {5.0, 7.0, -1.0}, {7.0, 20.0, 0.0}})),
+              HasSubstr("at a step of 1.00 m"));
+  EXPECT_THAT(failure_ahead(with_floor({{-20.0, 5.0, 0.0}, {7.0, 20.0, 0.0}})),
+              StartsWith("no ground under the front left wheel after 4.2"));
+}
+
+TEST(VehicleFailure, DeepWaterDrownsItAndShallowWaterDoesNot) {
+  EXPECT_THAT(failure_ahead(with_water(0.3)), StartsWith("in water 'sump' of 0.30 m after 3.0"));
+  EXPECT_EQ(failure_ahead(with_water(0.2)), "none");
+}
+
+TEST(VehicleFailure, MudHoldsIt) {
+  World world = box_drift();
+  world.soft_ground.push_back({"mud", {4.0, 0.0}, 2.0, 0.3});
+  EXPECT_THAT(failure_ahead(std::move(world)),
+              StartsWith("front left wheel stuck in 'mud', sunk in by 0.20 m"));
+}
+
+/// Why the vehicle cannot stand at the start.
+std::string start_fault(World world, const Pose2& start = {}) {
+  world.T_world_start = start;
+  const Site site(std::move(world));
+  try {
+    VehicleModel(site, {}, {}, 1, 0);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(VehicleFailure, AStartMustHaveRoom) {
+  EXPECT_EQ(start_fault(with_post(), {4.5, 0.0, 0.0}),
+            "the vehicle cannot stand at the start: collision with 'post'");
+  EXPECT_EQ(start_fault(box_drift(), {100.0, 0.0, 0.0}),
+            "the vehicle cannot stand at the start: no floor");
+  EXPECT_EQ(start_fault(box_drift({40.0, 4.0, 0.9})),
+            "the vehicle cannot stand at the start: collision with 'roof'");
+  EXPECT_EQ(start_fault(World{}), "the vehicle cannot stand at the start: no floor");
+  EXPECT_EQ(start_fault(box_drift(), {3.0, 0.5, 1.0}), "none");
+}
+
+}  // namespace
+}  // namespace adit

@@ -12,12 +12,12 @@
 namespace adit {
 namespace {
 
-constexpr double kMargin = 2.0;             // of rock around the mine [m]
+constexpr double kMargin = 2.0;  // of rock around the mine [m]
 constexpr int kWindowsMax = 4;
 constexpr double kPixelsPerMetreMax = 40.0;
-constexpr float kReliefFactor = 4.0F;       // by which slopes of the floor are drawn steeper
-constexpr float kOcclusionReach = 1.0F;     // [m]
-constexpr double kCut = 1.5;                // above the floor: what is level there counts as roof [m]
+constexpr float kReliefFactor = 4.0F;    // by which slopes of the floor are drawn steeper
+constexpr float kOcclusionReach = 1.0F;  // [m]
+constexpr double kCut = 1.5;             // above the floor: what is level there counts as roof [m]
 const Eigen::Vector3f kToLight = Eigen::Vector3f(-1.0F, 1.0F, 1.6F).normalized();
 
 /// Of a mesh from elsewhere it has to be guessed what is roof.
@@ -60,7 +60,7 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> box_of(const TriangleMesh& mesh) {
 
 bool is_ground(PartKind kind) { return kind == PartKind::kFloor || kind == PartKind::kOther; }
 
-Rgb lit(const Part& part, const SurfacePoint& point, float openness) {
+Rgb lit(const Part& part, const SeenPoint& point, float openness) {
   Eigen::Vector3f normal = point.normal;
   if (is_ground(part.kind)) {
     normal.head<2>() *= kReliefFactor;
@@ -127,15 +127,15 @@ RgbImage PlanView::draw(const PlanWindow& window) const {
     }
     std::vector<RayHit> hits(rays.size());
     scene_.cast(rays, reach, hits);
-    std::vector<SurfacePoint> points(rays.size(), {rays[0].origin, Eigen::Vector3f::UnitZ()});
+    std::vector<SeenPoint> points(rays.size(), {rays[0].origin, Eigen::Vector3f::UnitZ()});
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (std::isfinite(hits[i].distance_m)) points[i] = surface_point(rays[i], hits[i]);
     }
     std::vector<float> openness(points.size());
     find_openness(scene_, points, kOcclusionReach, openness);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const bool rock = std::isinf(hits[i].distance_m) ||
-                        mesh_.part_of(hits[i].triangle).kind == PartKind::kWall;
+      const bool rock =
+          std::isinf(hits[i].distance_m) || mesh_.part_of(hits[i].triangle).kind == PartKind::kWall;
       light[i] = rock ? kRock : lit(mesh_.part_of(hits[i].triangle), points[i], openness[i]);
     }
   };

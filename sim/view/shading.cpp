@@ -74,7 +74,7 @@ std::array<Eigen::Vector3f, kDirections> hemisphere() {
 
 }  // namespace
 
-SurfacePoint surface_point(const Ray& ray, const RayHit& hit) {
+SeenPoint surface_point(const Ray& ray, const RayHit& hit) {
   return {ray.origin + hit.distance_m * ray.direction + kHair * hit.normal, hit.normal};
 }
 
@@ -117,8 +117,8 @@ Rgb colour_at(const Part& part, const Eigen::Vector3f& p_world) {
     case Material::kMud:
       return grain(p_world) * plain;
     case Material::kTimber:
-      return (0.75F + 0.5F * noise(Eigen::Vector3f(p_world.cwiseProduct(
-                          Eigen::Vector3f(23.0F, 23.0F, 7.0F))))) *
+      return (0.75F + 0.5F * noise(Eigen::Vector3f(
+                                 p_world.cwiseProduct(Eigen::Vector3f(23.0F, 23.0F, 7.0F))))) *
              plain;
     case Material::kSteel:
     case Material::kWater:
@@ -128,7 +128,7 @@ Rgb colour_at(const Part& part, const Eigen::Vector3f& p_world) {
   return plain;
 }
 
-void find_openness(const RayScene& scene, std::span<const SurfacePoint> points, float reach_m,
+void find_openness(const RayScene& scene, std::span<const SeenPoint> points, float reach_m,
                    std::span<float> openness) {
   static const std::array<Eigen::Vector3f, kDirections> kHemisphere = hemisphere();
   std::vector<Ray> rays;

@@ -38,6 +38,14 @@ LcmBusOptions bus_options(const LiveDriveOptions& options) {
   return bus;
 }
 
+/// TRUTH is of a simulator, and that may wait for this driver as for a stage.
+LcmBusOptions answering_bus_options(const LiveDriveOptions& options) {
+  LcmBusOptions bus = bus_options(options);
+  bus.time = BusTime::kSimulated;
+  bus.stage = "drive";
+  return bus;
+}
+
 std::string failure_of(const WaypointDriver& driver, const std::string& run_failure) {
   return run_failure.empty() ? driver.given_up().value_or("") : run_failure;
 }
@@ -68,7 +76,7 @@ void drive_by_keys(const LiveDriveOptions& options) {
 
 void drive_by_waypoints(const LiveDriveOptions& options) {
   const StopSignal stop;
-  LcmBus bus(bus_options(options));
+  LcmBus bus(answering_bus_options(options));
   const WaypointDriverNode node(
       bus, WaypointDriver(read_waypoints(options.waypoints), vehicle_in(options.config)));
   std::string run_failure;

@@ -19,8 +19,8 @@ struct LiveDriveOptions {
 /// terminal.
 void drive_by_keys(const LiveDriveOptions& options);
 
-/// Along waypoints by TRUTH, to their end. Throws std::runtime_error with the reason where the run
-/// fails or the driver gives up.
+/// Along waypoints by TRUTH, to their end. A simulator may wait for it by the name `drive`. Throws
+/// std::runtime_error with the reason where the run fails or the driver gives up.
 void drive_by_waypoints(const LiveDriveOptions& options);
 
 }  // namespace adit

@@ -14,8 +14,9 @@ namespace {
 
 constexpr double kReflectivityOfBlack = 0.1;
 constexpr std::size_t kSubraysMax = 9;
-// How far in front of a mirror the ray that it reflects begins, so as not to meet it again.
-constexpr float kOffMirror = 1e-4F;
+// How far along its way a ray that a mirror reflects begins, so as not to meet the mirror again
+// [m].
+constexpr float kOffMirror = 0.01F;
 
 double power(double reflectivity, double cos_incidence, double range_m) {
   return reflectivity * cos_incidence / (range_m * range_m);
@@ -76,14 +77,15 @@ std::optional<Echo> LaserModel::echo(const Ray& ray, const RayHit& hit) const {
 /// mirror would show is too faint.
 std::optional<Echo> LaserModel::mirrored_echo(const Ray& ray, const RayHit& mirror) const {
   const float cosine = -ray.direction.dot(mirror.normal);
-  const Ray reflected{ray.origin + mirror.distance_m * ray.direction + kOffMirror * mirror.normal,
-                      ray.direction + 2.0F * cosine * mirror.normal};
-  const auto hit = scene_.cast(reflected, ray_length_m_ - mirror.distance_m);
+  const Eigen::Vector3f away = ray.direction + 2.0F * cosine * mirror.normal;
+  const float behind_m = mirror.distance_m + kOffMirror;
+  const Ray reflected{ray.origin + mirror.distance_m * ray.direction + kOffMirror * away, away};
+  const auto hit = scene_.cast(reflected, ray_length_m_ - behind_m);
   if (!hit) return std::nullopt;
   const double rho = reflectivity(scene_.mesh().part_of(hit->triangle).material);
   if (rho == 0.0) return std::nullopt;
   const double share = mirrored_share(cosine);  // on the way there, and again on the way back
-  const double range = static_cast<double>(mirror.distance_m) + hit->distance_m;
+  const double range = static_cast<double>(behind_m) + hit->distance_m;
   return Echo{range, share * share * power(rho, cos_incidence(reflected, *hit), range)};
 }
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/box_drift.hpp"
+#include "tests/support/rough_mine.hpp"
 
 namespace adit {
 namespace {
@@ -60,6 +61,26 @@ TEST(RayScene, ManyRaysAtOnceMeetWhatEachMeets) {
     EXPECT_EQ(one.has_value(), std::isfinite(hits[i].distance_m)) << i;
     if (one) {
       EXPECT_NEAR(one->distance_m, hits[i].distance_m, 1e-4) << i;
+    }
+  }
+}
+
+TEST(RayScene, NoRayOfAFanGetsLost) {
+  const TriangleMesh mesh = rough_mine({.pillars = 1});
+  const RayScene scene(mesh);
+  std::vector<RayHit> hits(361);
+  for (int k = 0; k < 100; ++k) {
+    const Eigen::AngleAxisd tilt(0.01 * k - 0.5, Eigen::Vector3d::UnitY());
+    std::vector<Ray> rays;
+    for (int i = 0; i < 361; ++i) {
+      const double angle = deg_to_rad(0.5 * i - 90.0);
+      rays.push_back(ray({3.0 + 0.05 * k, 1.5, 0.7},
+                         tilt * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0)));
+    }
+    scene.cast(rays, kFar, hits);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const auto one = scene.cast(rays[i], kFar);
+      EXPECT_NEAR(one ? one->distance_m : kFar, std::min(hits[i].distance_m, kFar), 1e-4) << i;
     }
   }
 }

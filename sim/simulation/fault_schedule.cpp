@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/simulation/fault_schedule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace adit {
+namespace {
+
+std::int64_t microseconds(double seconds) { return std::llround(seconds * 1e6); }
+
+bool is_of_a_laser(const FaultDescription& fault) {
+  return fault.kind == "laser_dies" || fault.kind == "laser_recovers";
+}
+
+void check(const FaultDescription& fault) {
+  if (is_of_a_laser(fault) && fault.target != "front" && fault.target != "rear") {
+    throw std::invalid_argument("fault " + fault.kind + ": no laser '" + fault.target +
+                                "', only front and rear");
+  }
+  if (fault.kind == "packet_loss" && !(fault.amount >= 0.0 && fault.amount <= 1.0)) {
+    throw std::invalid_argument("fault packet_loss: the amount is a share, 0 to 1");
+  }
+}
+
+}  // namespace
+
+FaultSchedule::FaultSchedule(const std::vector<FaultDescription>& faults,
+                             std::int64_t start_utime) {
+  for (const FaultDescription& fault : faults) {
+    check(fault);
+    faults_.push_back({start_utime + microseconds(fault.at_s), fault});
+  }
+  std::stable_sort(faults_.begin(), faults_.end(),
+                   [](const Fault& a, const Fault& b) { return a.utime < b.utime; });
+}
+
+bool FaultSchedule::alive(SimLaser laser, std::int64_t utime) const {
+  const char* target = laser == SimLaser::kFront ? "front" : "rear";
+  bool alive = true;
+  for (const auto& [at, fault] : faults_) {
+    if (at > utime) break;
+    if (is_of_a_laser(fault) && fault.target == target) alive = fault.kind == "laser_recovers";
+  }
+  return alive;
+}
+
+std::int64_t FaultSchedule::clock_ahead_us(std::int64_t utime) const {
+  std::int64_t ahead = 0;
+  for (const auto& [at, fault] : faults_) {
+    if (at <= utime && fault.kind == "time_jump") ahead += microseconds(fault.amount);
+  }
+  return ahead;
+}
+
+double FaultSchedule::loss_share(std::int64_t utime) const {
+  double share = 0.0;
+  for (const auto& [at, fault] : faults_) {
+    if (at <= utime && fault.kind == "packet_loss") share = fault.amount;
+  }
+  return share;
+}
+
+}  // namespace adit

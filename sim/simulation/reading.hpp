@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <variant>
+
+#include "common/sensing/ground_and_air.hpp"
+#include "common/sensing/imu_reading.hpp"
+#include "common/sensing/laser_scan.hpp"
+#include "common/sensing/tilt_reading.hpp"
+#include "common/sensing/wheel_odometry.hpp"
+#include "common/vehicle/drive_command.hpp"
+#include "common/vehicle/run_state.hpp"
+#include "sim/vehicle/vehicle_model.hpp"
+
+namespace adit {
+
+enum class SimLaser { kFront, kRear };
+
+struct LaserReading {
+  SimLaser laser;
+  LaserScan scan;
+};
+
+struct TiltOf {
+  SimLaser laser;
+  TiltReading reading;
+};
+
+/// What one driver delivers at one moment, or the simulator says beside them (BodyMotion: the
+/// truth; RunState).
+using Reading = std::variant<LaserReading, TiltOf, WheelOdometry, ImuReading, GasReading,
+                             SinkageReading, VehicleState, BodyMotion, RunState>;
+
+/// When it was measured, by the clock of who measured it [µs since the epoch].
+std::int64_t& utime_of(Reading& reading);
+
+/// Whether a driver delivers it, and not the simulator beside them.
+bool is_of_a_driver(const Reading& reading);
+
+}  // namespace adit

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/simulation/simulation.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "sim/simulation/air.hpp"
+#include "sim/simulation/delivery.hpp"
+#include "sim/simulation/fault_schedule.hpp"
+#include "sim/simulation/laser_on_body.hpp"
+#include "sim/simulation/random_stream.hpp"
+#include "sim/vehicle/proprioception.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kStepS = static_cast<double>(Simulation::kStepUs) * 1e-6;
+
+// How many steps apart.
+constexpr std::int64_t kTiltEvery = 2;
+constexpr std::int64_t kWheelsEvery = 5;
+constexpr std::int64_t kGasEvery = 50;
+constexpr std::int64_t kSinkageEvery = 10;
+constexpr std::int64_t kVehicleEvery = 10;
+constexpr std::int64_t kTruthEvery = 2;
+constexpr std::int64_t kRunEvery = 100;
+
+LaserOnBody::Setup laser_setup(const SimulationParams& params, SimLaser laser, std::uint64_t seed) {
+  const bool front = laser == SimLaser::kFront;
+  const LaserMount& mount = front ? params.lasers.front : params.lasers.rear;
+  if (mount.range_max_m > params.laser.no_return_m()) {
+    throw std::invalid_argument(
+        "lasers: range_max_m is beyond the reading of the simulated laser " +
+        std::string("for no return, 8191 times laser.unit_m"));
+  }
+  return {mount,
+          params.laser,
+          params.tilt,
+          front ? 0.0 : 0.5,
+          stream_seed(seed, front ? RandomStream::kFrontLaser : RandomStream::kRearLaser),
+          stream_seed(seed, front ? RandomStream::kFrontScanLoss : RandomStream::kRearScanLoss)};
+}
+
+}  // namespace
+
+class Simulation::Impl {
+ public:
+  Impl(const Site& site, const SimulationParams& params, std::uint64_t seed,
+       std::int64_t start_utime)
+      : site_(site),
+        params_(params),
+        faults_(params.faults, start_utime),
+        vehicle_(site, params.vehicle, params.motion, stream_seed(seed, RandomStream::kVehicle),
+                 start_utime),
+        lasers_{make_laser(SimLaser::kFront, seed, start_utime),
+                make_laser(SimLaser::kRear, seed, start_utime)},
+        wheels_(params.wheel_odometry, stream_seed(seed, RandomStream::kWheelOdometry),
+                params.vehicle),
+        imu_(params.imu, stream_seed(seed, RandomStream::kImu)),
+        queue_(faults_, stream_seed(seed, RandomStream::kPacketLoss)),
+        utime_(start_utime) {}
+
+  void command(const DriveCommand& command) { vehicle_.command(command); }
+  void command(const StopOrder& order) { vehicle_.command(order); }
+  void command(SimLaser laser, const TiltCommand& command) { of(laser).command(command); }
+
+  std::vector<Reading> step() {
+    const BodyMotion before = vehicle_.motion();
+    const bool was_over = vehicle_.failure().has_value();
+    advance();
+    add_scans();
+    add_sensors(before);
+    add_truth(!was_over && vehicle_.failure());
+    return queue_.take();
+  }
+
+  [[nodiscard]] std::int64_t utime() const { return utime_; }
+  [[nodiscard]] const VehicleModel& vehicle() const { return vehicle_; }
+  [[nodiscard]] RunState state() const {
+    return {utime_, vehicle_.travelled_m(), vehicle_.failure().value_or("")};
+  }
+
+ private:
+  [[nodiscard]] LaserOnBody make_laser(SimLaser laser, std::uint64_t seed,
+                                       std::int64_t utime) const {
+    return {site_.scene(), laser_setup(params_, laser, seed), utime,
+            vehicle_.motion().T_world_body};
+  }
+
+  LaserOnBody& of(SimLaser laser) { return lasers_[laser == SimLaser::kFront ? 0 : 1]; }
+
+  void advance() {
+    ++steps_;
+    utime_ += kStepUs;
+    vehicle_.advance(kStepS);
+    const VehicleState state = vehicle_.state();
+    wheels_.advance(state.speed_m_s, state.curvature_1_m, kStepS);
+    for (LaserOnBody& laser : lasers_) laser.advance(utime_, vehicle_.motion().T_world_body);
+  }
+
+  void add_scans() {
+    for (const SimLaser laser : {SimLaser::kFront, SimLaser::kRear}) {
+      const auto alive = [&](std::int64_t utime) { return faults_.alive(laser, utime); };
+      for (auto& [utime, scan] : of(laser).finished_scans(alive)) {
+        queue_.add(utime, LaserReading{laser, std::move(scan)});
+      }
+    }
+  }
+
+  void add_sensors(const BodyMotion& before) {
+    const auto add = [&](Reading reading) { queue_.add(utime_, std::move(reading)); };
+    if (is_time(kTiltEvery)) {
+      add(TiltOf{SimLaser::kFront, of(SimLaser::kFront).tilt_reading()});
+      add(TiltOf{SimLaser::kRear, of(SimLaser::kRear).tilt_reading()});
+    }
+    if (params_.wheel_odometry.present && is_time(kWheelsEvery)) add(wheels_.reading(utime_));
+    if (params_.imu.present) add(imu_.measure(before, vehicle_.motion(), kStepS));
+    if (is_time(kGasEvery)) {
+      const Eigen::Vector3d p_world = vehicle_.motion().T_world_body.translation();
+      add(air_at(site_.world(), p_world.head<2>(), utime_));
+    }
+    if (is_time(kSinkageEvery)) add(SinkageReading{utime_, vehicle_.sinkage_m()});
+    if (is_time(kVehicleEvery)) add(vehicle_.state());
+  }
+
+  void add_truth(bool just_failed) {
+    if (is_time(kTruthEvery)) queue_.add(utime_, vehicle_.motion());
+    if (just_failed || is_time(kRunEvery)) queue_.add(utime_, state());
+  }
+
+  [[nodiscard]] bool is_time(std::int64_t every) const { return steps_ % every == 0; }
+
+  const Site& site_;
+  SimulationParams params_;
+  FaultSchedule faults_;
+  VehicleModel vehicle_;
+  std::array<LaserOnBody, 2> lasers_;
+  DeadReckoning wheels_;
+  InertialUnit imu_;
+  ReadingQueue queue_;
+  std::int64_t utime_;
+  std::int64_t steps_ = 0;
+};
+
+Simulation::Simulation(const Site& site, const SimulationParams& params, std::uint64_t seed,
+                       std::int64_t start_utime)
+    : impl_(std::make_unique<Impl>(site, params, seed, start_utime)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+void Simulation::command(const DriveCommand& command) { impl_->command(command); }
+void Simulation::command(const StopOrder& order) { impl_->command(order); }
+void Simulation::command(SimLaser laser, const TiltCommand& command) {
+  impl_->command(laser, command);
+}
+
+std::vector<Reading> Simulation::step() { return impl_->step(); }
+
+std::int64_t Simulation::utime() const { return impl_->utime(); }
+const VehicleModel& Simulation::vehicle() const { return impl_->vehicle(); }
+RunState Simulation::state() const { return impl_->state(); }
+
+}  // namespace adit

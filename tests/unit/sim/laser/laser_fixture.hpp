@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <numbers>
+
+#include "sim/laser/laser_model.hpp"
+#include "tests/support/box_drift.hpp"
+
+namespace adit {
+
+/// A laser that makes no errors, sees everything and reads millimetres.
+inline LaserParams perfect_laser() {
+  LaserParams params;
+  params.unit_m = 0.001;
+  params.range_of_black_m = 10'000.0;
+  params.noise_sd_m = 0.0;
+  params.offset_max_m = 0.0;
+  return params;
+}
+
+/// Half the unit of perfect_laser(), and what single precision costs.
+constexpr double kHalfMillimetre = 0.0005 + 0.00002;
+
+/// Turned by `yaw_rad` and then tilted, positive looking down.
+inline Eigen::Isometry3d laser_at(const Eigen::Vector3d& p_world, double yaw_rad = 0.0,
+                                  double tilt_rad = 0.0) {
+  return Eigen::Translation3d(p_world) * Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(tilt_rad, Eigen::Vector3d::UnitY());
+}
+
+inline LaserScan scan_at_rest(LaserModel& laser, const Eigen::Isometry3d& T_world_laser) {
+  return laser.measure([&](double) { return T_world_laser; }, 0);
+}
+
+inline double beam_angle(const LaserScan& scan, std::size_t beam) {
+  return scan.angle_min_rad + static_cast<double>(beam) * scan.angle_step_rad;
+}
+
+/// Of a ray in the plan from the middle of a rectangle of these sides to its rim.
+inline double range_in_rectangle(double length_m, double width_m, double angle_rad) {
+  return std::min(length_m / 2.0 / std::abs(std::cos(angle_rad)),
+                  width_m / 2.0 / std::abs(std::sin(angle_rad)));
+}
+
+}  // namespace adit

@@ -13,15 +13,15 @@
 namespace adit {
 namespace {
 
-constexpr float kRangeMax = 300.0F;       // [m]
-constexpr double kStepBack = 2.0;         // [m]
-constexpr double kWallDistance = 0.5;     // that the camera keeps [m]
-constexpr float kLampReach = 9.0F;        // at which its light has fallen to a half [m]
-constexpr float kLampPower = 1.5F;        // as linear light on white, close by
-constexpr float kFillPower = 0.25F;       // of the light from the eye itself
-constexpr float kAmbient = 0.09F;         // from all around
-constexpr float kOcclusionReach = 0.5F;   // [m]
-constexpr float kFogDepth = 35.0F;        // in which the fog takes all but 1/e [m]
+constexpr float kRangeMax = 300.0F;      // [m]
+constexpr double kStepBack = 2.0;        // [m]
+constexpr double kWallDistance = 0.5;    // that the camera keeps [m]
+constexpr float kLampReach = 9.0F;       // at which its light has fallen to a half [m]
+constexpr float kLampPower = 1.5F;       // as linear light on white, close by
+constexpr float kFillPower = 0.25F;      // of the light from the eye itself
+constexpr float kAmbient = 0.09F;        // from all around
+constexpr float kOcclusionReach = 0.5F;  // [m]
+constexpr float kFogDepth = 35.0F;       // in which the fog takes all but 1/e [m]
 const Rgb kFog = linear(0x23282f);
 const Rgb kDay = linear(0xd5dfe8);
 

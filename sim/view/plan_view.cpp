@@ -12,12 +12,12 @@
 namespace adit {
 namespace {
 
-constexpr double kMargin = 2.0;             // of rock around the mine [m]
+constexpr double kMargin = 2.0;  // of rock around the mine [m]
 constexpr int kWindowsMax = 4;
 constexpr double kPixelsPerMetreMax = 40.0;
-constexpr float kReliefFactor = 4.0F;       // by which slopes of the floor are drawn steeper
-constexpr float kOcclusionReach = 1.0F;     // [m]
-constexpr double kCut = 1.5;                // above the floor: what is level there counts as roof [m]
+constexpr float kReliefFactor = 4.0F;    // by which slopes of the floor are drawn steeper
+constexpr float kOcclusionReach = 1.0F;  // [m]
+constexpr double kCut = 1.5;             // above the floor: what is level there counts as roof [m]
 const Eigen::Vector3f kToLight = Eigen::Vector3f(-1.0F, 1.0F, 1.6F).normalized();
 
 /// Of a mesh from elsewhere it has to be guessed what is roof.
@@ -134,8 +134,8 @@ RgbImage PlanView::draw(const PlanWindow& window) const {
     std::vector<float> openness(points.size());
     find_openness(scene_, points, kOcclusionReach, openness);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const bool rock = std::isinf(hits[i].distance_m) ||
-                        mesh_.part_of(hits[i].triangle).kind == PartKind::kWall;
+      const bool rock =
+          std::isinf(hits[i].distance_m) || mesh_.part_of(hits[i].triangle).kind == PartKind::kWall;
       light[i] = rock ? kRock : lit(mesh_.part_of(hits[i].triangle), points[i], openness[i]);
     }
   };

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/world/props/convex_outline.hpp"
+
+#include <algorithm>
+
+namespace adit {
+namespace {
+
+bool turns_left(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  const Eigen::Vector2d ab = b - a;
+  const Eigen::Vector2d ac = c - a;
+  return ab.x() * ac.y() - ab.y() * ac.x() > 0.0;
+}
+
+/// The chain below points in order, without its last point, with which the other chain begins.
+template <class Iterator>
+void append_chain(Iterator begin, Iterator end, std::vector<Eigen::Vector2d>& outline) {
+  const std::size_t first = outline.size();
+  for (Iterator it = begin; it != end; ++it) {
+    while (outline.size() >= first + 2 &&
+           !turns_left(outline[outline.size() - 2], outline.back(), *it)) {
+      outline.pop_back();
+    }
+    outline.push_back(*it);
+  }
+  outline.pop_back();
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> convex_outline(std::vector<Eigen::Vector2d> points) {
+  std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+  });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 2) return points;
+  std::vector<Eigen::Vector2d> outline;
+  append_chain(points.begin(), points.end(), outline);
+  append_chain(points.rbegin(), points.rend(), outline);
+  return outline;
+}
+
+}  // namespace adit

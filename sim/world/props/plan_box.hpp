@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace adit {
+
+/// A rectangle of the plan along the axes, p_world [m].
+struct PlanBox {
+  Eigen::Vector2d low{0.0, 0.0};
+  Eigen::Vector2d high{0.0, 0.0};
+};
+
+inline PlanBox box_around(const std::vector<Eigen::Vector2d>& points) {
+  PlanBox box{points.front(), points.front()};
+  for (const Eigen::Vector2d& point : points) {
+    box.low = box.low.cwiseMin(point);
+    box.high = box.high.cwiseMax(point);
+  }
+  return box;
+}
+
+inline PlanBox box_around(const Eigen::Vector2d& middle, double radius_m) {
+  return {middle.array() - radius_m, middle.array() + radius_m};
+}
+
+}  // namespace adit

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "sim/view/render.hpp"
 #include "sim/view/shading.hpp"
 
 namespace adit {
@@ -50,8 +51,6 @@ double exaggeration_for(double opening_px) {
 }
 
 }  // namespace
-
-const Rgb SectionView::kRock = linear(0x3c3834);
 
 int SectionWindow::width() const {
   return static_cast<int>(std::lround((to_m - from_m) * pixels_per_metre));
@@ -106,7 +105,7 @@ std::vector<SectionWindow> SectionView::windows(int width) const {
 RgbImage SectionView::draw(const SectionWindow& window) const {
   const auto opening_of_half_pixel = openings(window, 2 * window.width());
   const auto paint = [&](std::span<const Eigen::Vector2d> samples, std::span<Rgb> light) {
-    std::fill(light.begin(), light.end(), kRock);
+    std::fill(light.begin(), light.end(), linear(kRock));
     std::vector<Ray> rays;
     std::vector<std::size_t> sample_of_ray;
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -141,12 +140,10 @@ std::optional<SectionView::Opening> SectionView::opening_at(double s_m) const {
   if (!floor_m) return std::nullopt;
   Ray up{Eigen::Vector3d(p.x(), p.y(), *floor_m + kProbe).cast<float>(), Eigen::Vector3f::UnitZ()};
   while (const auto hit = site_.scene().cast(up, kRoofMax)) {
-    const Eigen::Vector3f beyond =
-        surface_point(up, {hit->distance_m, hit->triangle, -hit->normal}).p_world;
     if (is_rock(site_.scene().mesh().part_of(hit->triangle).kind)) {
-      return Opening{*floor_m, static_cast<double>(beyond.z())};
+      return Opening{*floor_m, static_cast<double>(up.origin.z() + hit->distance_m)};
     }
-    up.origin = beyond;
+    up.origin = surface_point(up, {hit->distance_m, hit->triangle, -hit->normal}).p_world;
   }
   return Opening{*floor_m, *floor_m + kRoofMax};
 }

@@ -9,7 +9,6 @@
 #include <Eigen/Core>
 
 #include "common/picture/rgb_image.hpp"
-#include "sim/view/render.hpp"
 #include "sim/world/drift_line.hpp"
 #include "sim/world/world.hpp"
 
@@ -36,8 +35,7 @@ struct SectionWindow {
 /// shows what lies behind the cut.
 class SectionView {
  public:
-  /// Of rock that is cut through.
-  static const Rgb kRock;
+  static constexpr unsigned kRock = 0x3c3834;  ///< of rock that is cut through, as on the web
 
   /// Both must outlive this.
   SectionView(const Site& site, const DriftLine& line) : site_(site), line_(line) {}

@@ -9,7 +9,7 @@
 
 namespace adit {
 
-/// Draws a mine on one sheet of 1800 pixels' width, as PNG: its plan with the roof lifted off, a
+/// Draws a mine on one sheet, as PNG: its plan with the roof lifted off, a
 /// section along a drift, and what a person sees who stands in it. The same mine and options give
 /// the same bytes on the same system (fonts are the system's). Throws std::runtime_error where the
 /// file cannot be written.

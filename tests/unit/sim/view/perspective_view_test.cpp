@@ -22,7 +22,7 @@ bool is_timber(const RgbImage::Pixel& pixel) { return pixel[0] > pixel[2] + 40; 
 
 TEST(Camera, APointIsWhereItsRayGoes) {
   const Camera camera(level({1.0, 2.0, 3.0}, 0.7), 1.2, 640, 480);
-  for (const Eigen::Vector2d uv : {Eigen::Vector2d(320.0, 240.0), {10.5, 20.5}, {600.0, 400.0}}) {
+  for (const Eigen::Vector2d& uv : {Eigen::Vector2d(320.0, 240.0), {10.5, 20.5}, {600.0, 400.0}}) {
     const Ray ray = camera.ray(uv);
     const auto pixel = camera.pixel((ray.origin + 7.0F * ray.direction).cast<double>());
     ASSERT_TRUE(pixel);
@@ -64,14 +64,15 @@ TEST(PerspectiveView, ThingsFarOffAreDarker) {
 
 TEST(PerspectiveView, AThingThrowsAShadow) {
   const auto seen = [](bool with_board) {
-    const Site site(box_drift({40.0, 8.0, 3.0}, [&](MeshBuilder& builder) {
+    const Site site(box_drift({16.0, 8.0, 3.0}, [&](MeshBuilder& builder) {
       builder.begin_part(PartKind::kCar, Material::kSteel, "board");
       if (with_board) builder.box(level_box({4.0, 0.0, 1.2}, {0.02, 0.4, 0.4}));
     }));
     const Camera camera(level({0.0, 0.0, 1.2}, 0.0), 1.2, 320, 200);
-    // The lamp is 0.45 m to the left and 0.3 m above the eye: at 8 m the shadow of the middle of
-    // the board, which is 4 m off, has gone as far to the other side.
-    const Eigen::Vector2d uv = *camera.pixel({20.0, -0.45 * 4.0, 1.2 - 0.3 * 4.0});
+    // The lamp is 0.45 m to the left and 0.3 m above the eye: on the wall, as far behind the board
+    // as that is before the lamp, the shadow is the board twice as large around (−0.45, 0.9). The
+    // board itself hides what is up to 0.4 m to the right.
+    const Eigen::Vector2d uv = *camera.pixel({8.0, -0.6, 0.9});
     return perspective_view(site.scene(), camera)
         .at(static_cast<int>(uv.x()), static_cast<int>(uv.y()));
   };

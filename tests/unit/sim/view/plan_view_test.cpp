@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/view/render.hpp"
 #include "sim/view/shading.hpp"
 #include "tests/support/box_drift.hpp"
 
@@ -25,7 +26,7 @@ struct Plan {
   RgbImage image;
 };
 
-const RgbImage::Pixel kRock = to_pixel(PlanView::kRock);
+const RgbImage::Pixel kRock = to_pixel(linear(PlanView::kRock));
 
 /// What a wide level floor looks like: light from the upper left at its height (1.6 of the length
 /// of (−1, 1, 1.6)) and from all around.

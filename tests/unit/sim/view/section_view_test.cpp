@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/view/render.hpp"
 #include "sim/view/section_line.hpp"
 #include "sim/view/shading.hpp"
 #include "tests/support/box_drift.hpp"
@@ -11,7 +12,7 @@
 namespace adit {
 namespace {
 
-const RgbImage::Pixel kRock = to_pixel(SectionView::kRock);
+const RgbImage::Pixel kRock = to_pixel(linear(SectionView::kRock));
 const DriftLine kMiddle{"middle", {{-20.0, 0.0}, {20.0, 0.0}}, 4.0, false};
 
 /// A picture of the only window.

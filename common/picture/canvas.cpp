@@ -53,8 +53,8 @@ void Canvas::image(const RgbImage& image, int x, int y) const {
         bytes + static_cast<std::ptrdiff_t>(row) * cairo_image_surface_get_stride(surface));
     for (int column = 0; column < image.width; ++column) {
       const auto& [red, green, blue] = image.at(column, row);
-      line[column] = static_cast<std::uint32_t>(red) << 16U |
-                     static_cast<std::uint32_t>(green) << 8U | blue;
+      line[column] =
+          static_cast<std::uint32_t>(red) << 16U | static_cast<std::uint32_t>(green) << 8U | blue;
     }
   }
   cairo_surface_mark_dirty(surface);

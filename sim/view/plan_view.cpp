@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sim/view/render.hpp"
 #include "sim/view/shading.hpp"
 
 namespace adit {
@@ -72,8 +73,6 @@ Rgb lit(const Part& part, const SeenPoint& point, float openness) {
 
 }  // namespace
 
-const Rgb PlanView::kRock = linear(0x57524c);
-
 int PlanWindow::width() const {
   return static_cast<int>(std::lround((high.x() - low.x()) * pixels_per_metre));
 }
@@ -136,7 +135,8 @@ RgbImage PlanView::draw(const PlanWindow& window) const {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const bool rock =
           std::isinf(hits[i].distance_m) || mesh_.part_of(hits[i].triangle).kind == PartKind::kWall;
-      light[i] = rock ? kRock : lit(mesh_.part_of(hits[i].triangle), points[i], openness[i]);
+      light[i] =
+          rock ? linear(kRock) : lit(mesh_.part_of(hits[i].triangle), points[i], openness[i]);
     }
   };
   return render(window.width(), window.height(), paint);

@@ -8,7 +8,6 @@
 
 #include "common/picture/rgb_image.hpp"
 #include "sim/mesh/ray_scene.hpp"
-#include "sim/view/render.hpp"
 #include "sim/world/world.hpp"
 
 namespace adit {
@@ -29,8 +28,7 @@ struct PlanWindow {
 /// A mine from above, its roof lifted off.
 class PlanView {
  public:
-  /// Of rock that is cut through.
-  static const Rgb kRock;
+  static constexpr unsigned kRock = 0x57524c;  ///< of rock that is cut through, as on the web
 
   explicit PlanView(const World& world);
   PlanView(const PlanView&) = delete;

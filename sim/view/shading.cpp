@@ -128,6 +128,11 @@ Rgb colour_at(const Part& part, const Eigen::Vector3f& p_world) {
   return plain;
 }
 
+bool is_rock(PartKind kind) {
+  return kind == PartKind::kFloor || kind == PartKind::kRoof || kind == PartKind::kWall ||
+         kind == PartKind::kOther;
+}
+
 void find_openness(const RayScene& scene, std::span<const SeenPoint> points, float reach_m,
                    std::span<float> openness) {
   static const std::array<Eigen::Vector3f, kDirections> kHemisphere = hemisphere();
@@ -135,7 +140,12 @@ void find_openness(const RayScene& scene, std::span<const SeenPoint> points, flo
   rays.reserve(kRaysPerPoint * points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& [p_world, normal] = points[i];
-    const auto [u, v] = tangents(normal);
+    const auto [a, b] = tangents(normal);
+    // Turned differently at each place: a fixed set of directions would draw stars round posts.
+    const Eigen::Array3i at = (1000.0F * p_world).array().floor().cast<int>();
+    const float turn = 2.0F * std::numbers::pi_v<float> * lattice(at.x(), at.y(), at.z());
+    const Eigen::Vector3f u = std::cos(turn) * a + std::sin(turn) * b;
+    const Eigen::Vector3f v = std::cos(turn) * b - std::sin(turn) * a;
     for (std::size_t k = 0; k < kRaysPerPoint; ++k) {
       const Eigen::Vector3f& d = kHemisphere[i % kSamplesPerPixel + k * kSamplesPerPixel];
       rays.push_back({p_world, d.x() * u + d.y() * v + d.z() * normal});

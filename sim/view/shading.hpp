@@ -28,6 +28,9 @@ Rgb plain_colour(const Part& part);
 /// The colour at a place of it. Rock, floor and timber have a grain, fixed in the world.
 Rgb colour_at(const Part& part, const Eigen::Vector3f& p_world);
 
+/// Whether it is the mine itself and nothing that stands or lies in it.
+bool is_rock(PartKind kind);
+
 /// For each place the share of the light from all around that reaches it, when what lies farther
 /// off than `reach_m` does not count (ambient occlusion). Four places one after another are taken
 /// for samples of one pixel and look to different sides, two rays each, so that their mean is

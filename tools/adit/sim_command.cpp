@@ -9,6 +9,7 @@
 
 #include "sim/live/live_run.hpp"
 #include "sim/live/sim_options.hpp"
+#include "sim/view/view.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_file.hpp"
 #include "tools/adit/commands.hpp"
@@ -20,10 +21,13 @@ namespace {
 struct Options {
   WorldChoice world;
   LiveRunOptions run;
+  std::filesystem::path view;
   std::filesystem::path truth;
-  std::filesystem::path describe;
+  std::filesystem::path description;
 
-  [[nodiscard]] bool only_writes() const { return !truth.empty() || !describe.empty(); }
+  [[nodiscard]] bool only_writes() const {
+    return !view.empty() || !truth.empty() || !description.empty();
+  }
 };
 
 constexpr const char* kExamples = R"(
@@ -33,7 +37,7 @@ Examples:
   adit-scan_matching --sim-time & adit drive --keys        and drive
   adit sim mathies --speed max --wait-for scan_matching    as fast as scan matching keeps up
   adit sim random --seed 7 --damage 0.8 --describe my.yaml
-  adit sim my.yaml --truth my_truth                        centre lines, plan and obstacles as JSON)";
+  adit sim my.yaml --view my.png --truth my_truth          a picture; centre lines, plan and obstacles as JSON)";
 
 void write_description(const WorldDescription& description, const std::filesystem::path& path) {
   std::ofstream out(path);
@@ -43,24 +47,29 @@ void write_description(const WorldDescription& description, const std::filesyste
 
 void write_files(const Options& options) {
   const WorldDescription description = describe(options.world);
-  if (!options.describe.empty()) write_description(description, options.describe);
-  if (options.truth.empty()) return;
-  write_truth_files(build_world(description), options.truth);
+  if (!options.description.empty()) write_description(description, options.description);
+  if (options.view.empty() && options.truth.empty()) return;
+  const Site site(build_world(description));
+  if (!options.truth.empty()) write_truth_files(site.world(), options.truth);
+  if (!options.view.empty()) write_view(site, options.view);
 }
 
 }  // namespace
 
 void add_sim_command(CLI::App& adit) {
-  CLI::App* sim = adit.add_subcommand("sim", "A mine to drive in, on LCM; or what is true of it");
+  CLI::App* sim = adit.add_subcommand(
+      "sim", "A mine to drive in, on LCM; or what it looks like, and what is true of it");
   sim->footer(std::string(kLiveRunFooter) + kExamples);
   const auto options = std::make_shared<Options>();
   options->run.program = "adit sim";
   add_world_options(*sim, options->world)->required();
   add_live_run_options(*sim, options->run);
+  sim->add_option("--view", options->view, "Draw it as plan, section and in perspective, and end")
+      ->type_name("PNG");
   sim->add_option("--truth", options->truth,
                   "Write drifts.geojson, plan.geojson, obstacles.json, and end")
       ->type_name("DIR");
-  sim->add_option("--describe", options->describe,
+  sim->add_option("--describe", options->description,
                   "Write the whole description as a world file, and end")
       ->type_name("FILE");
   sim->callback([options] {

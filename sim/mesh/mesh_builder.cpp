@@ -28,6 +28,12 @@ void MeshBuilder::begin_part(PartKind kind, Material material, const std::string
   mesh_.parts.push_back({kind, material, unique});
 }
 
+void MeshBuilder::reserve(std::size_t vertices, std::size_t triangles) {
+  mesh_.vertices.reserve(mesh_.vertices.size() + vertices);
+  mesh_.triangles.reserve(mesh_.triangles.size() + triangles);
+  mesh_.triangle_parts.reserve(mesh_.triangle_parts.size() + triangles);
+}
+
 std::uint32_t MeshBuilder::vertex(const Eigen::Vector3f& p_world) {
   mesh_.vertices.push_back(p_world);
   return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);

@@ -21,6 +21,9 @@ class MeshBuilder {
   /// What follows belongs to a new part. A name that is taken gets a number behind it.
   void begin_part(PartKind kind, Material material, const std::string& name);
 
+  /// Makes room for so many more.
+  void reserve(std::size_t vertices, std::size_t triangles);
+
   /// Returns the index of the vertex.
   std::uint32_t vertex(const Eigen::Vector3f& p_world);
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);

@@ -44,6 +44,7 @@ struct PlanRing {
   std::vector<Eigen::Vector2d> points;  ///< p_world [m]
 
   [[nodiscard]] bool is_pillar() const;
+  [[nodiscard]] double signed_area_m2() const;  ///< negative for a pillar
 };
 
 /// Something that stands, lies, hangs or gapes in the way.

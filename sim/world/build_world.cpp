@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/world/build_world.hpp"
+
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "sim/world/drift_graph.hpp"
+#include "sim/world/heights.hpp"
+#include "sim/world/mine_surface.hpp"
+#include "sim/world/open_space.hpp"
+
+namespace adit {
+namespace {
+
+void check_start(const OpenSpace& space, const Pose2& T_world_start) {
+  if (space.depth_m(T_world_start.translation()) > 0.0) return;
+  throw std::invalid_argument("the start at x " + std::to_string(T_world_start.x) + ", y " +
+                              std::to_string(T_world_start.y) + " is in rock");
+}
+
+World build_plan_world(const WorldDescription& description) {
+  const std::vector<DriftLine> drifts = drift_lines(description.plan);
+  const auto space = std::make_shared<OpenSpace>(description, drifts);
+  const auto bare_heights = std::make_shared<Heights>(description.heights, description.seed);
+  check_start(*space, description.T_world_start);
+
+  World world;
+  MeshBuilder builder;
+  world.name = description.name;
+  world.T_world_start = description.T_world_start;
+  world.truth.drifts = drift_graph(drifts);
+  world.truth.plan = add_mine_surface(*space, *bare_heights, description.grid_m,
+                                      description.heights.opening_m, builder);
+  world.truth.floor_height = [space,
+                              bare_heights](const Eigen::Vector2d& p) -> std::optional<double> {
+    if (!(space->depth_m(p) > 0.0)) return std::nullopt;
+    return bare_heights->floor(p);
+  };
+  world.mesh = builder.take();
+  return world;
+}
+
+}  // namespace
+
+World build_world(const WorldDescription& description) { return build_plan_world(description); }
+
+}  // namespace adit

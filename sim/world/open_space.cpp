@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/world/open_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "sim/world/corner_list.hpp"
+
+namespace adit {
+namespace {
+
+// Of the roughness of a wall: what it has all the way up, and what varies with height.
+constexpr double kShareInPlan = 0.6;
+constexpr double kBucketSide = 4.0;
+
+enum SeedOf : std::uint64_t { kWallInPlan = 3, kWallInHeight = 4 };
+
+Relief wall_relief(const WorldDescription& description, double share, SeedOf what) {
+  ReliefDescription relief = description.wall_relief;
+  relief.height_m *= share;
+  return {relief, static_cast<std::uint64_t>(description.seed) * 16U + what};
+}
+
+bool meets_another(const Eigen::Vector2d& end, const DriftLine& drift,
+                   const std::vector<DriftLine>& drifts) {
+  return std::any_of(drifts.begin(), drifts.end(), [&](const DriftLine& other) {
+    return &other != &drift && other.distance_m(end) < other.width_m / 2.0;
+  });
+}
+
+/// The middle of the drift in pieces; free ends are flat, others round.
+std::vector<DriftPiece> pieces_of(const DriftLine& drift, const std::vector<DriftLine>& drifts) {
+  std::vector<DriftPiece> pieces;
+  for (std::size_t i = 1; i < drift.points.size(); ++i) {
+    const Eigen::Vector2d along = drift.points[i] - drift.points[i - 1];
+    const double length = along.norm();
+    pieces.push_back(
+        {drift.points[i - 1], along / length, length, drift.width_m / 2.0, false, false});
+  }
+  const bool ring = drift.points.front() == drift.points.back();
+  pieces.front().flat_start =
+      drift.entrance || (!ring && !meets_another(drift.points.front(), drift, drifts));
+  pieces.back().flat_end = !ring && !meets_another(drift.points.back(), drift, drifts);
+  return pieces;
+}
+
+DriftPiece apron_of(const DriftPiece& first) {
+  return {first.from, -first.along, OpenSpace::kApronLength, first.half_width_m, true, true};
+}
+
+void check_extent(const std::vector<PlanShape>& shapes) {
+  for (const PlanShape& shape : shapes) {
+    const Eigen::AlignedBox2d box = bounds(shape);
+    const double farthest =
+        std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+    if (!(farthest <= OpenSpace::kExtentMax)) {
+      throw std::invalid_argument("the plan reaches " + std::to_string(farthest) +
+                                  " m from the origin; " + std::to_string(OpenSpace::kExtentMax) +
+                                  " m is the most");
+    }
+  }
+}
+
+}  // namespace
+
+OpenSpace::Shapes OpenSpace::shapes_of(const PlanDescription& plan,
+                                       const std::vector<DriftLine>& drifts) {
+  Shapes shapes;
+  for (const DriftLine& drift : drifts) {
+    const std::vector<DriftPiece> pieces = pieces_of(drift, drifts);
+    shapes.all.insert(shapes.all.end(), pieces.begin(), pieces.end());
+    if (drift.entrance) shapes.aprons.push_back(apron_of(pieces.front()));
+  }
+  shapes.all.insert(shapes.all.end(), shapes.aprons.begin(), shapes.aprons.end());
+  for (const PolygonDescription& room : plan.rooms) {
+    shapes.all.push_back(PlanPolygon{corner_list(room.points_m, 3, "room '" + room.name + "'")});
+  }
+  shapes.open = shapes.all.size();
+  if (shapes.open == 0) throw std::invalid_argument("the plan has neither a drift nor a room");
+  for (const PolygonDescription& pillar : plan.pillars) {
+    shapes.all.push_back(
+        PlanPolygon{corner_list(pillar.points_m, 3, "pillar '" + pillar.name + "'")});
+  }
+  check_extent(shapes.all);
+  return shapes;
+}
+
+PlanBuckets OpenSpace::buckets_of(const Shapes& shapes, double grid_m, double reach_m) {
+  return {shapes.all, grid_m * std::ceil(kBucketSide / grid_m), reach_m};
+}
+
+OpenSpace::OpenSpace(const WorldDescription& description, const std::vector<DriftLine>& drifts)
+    : shapes_(shapes_of(description.plan, drifts)),
+      reach_m_(description.wall_relief.height_m + 2.0 * description.grid_m),
+      buckets_(buckets_of(shapes_, description.grid_m, reach_m_)),
+      relief_in_plan_(wall_relief(description, kShareInPlan, kWallInPlan)),
+      relief_in_height_(wall_relief(description, 1.0 - kShareInPlan, kWallInHeight)) {}
+
+double OpenSpace::planned_depth_m(const Eigen::Vector2d& p_world) const {
+  double depth = -reach_m_;
+  for (const std::uint32_t i : buckets_.at(p_world)) {
+    const double of_shape = adit::depth_m(shapes_.all[i], p_world);
+    depth = i < shapes_.open ? std::max(depth, of_shape) : std::min(depth, -of_shape);
+  }
+  return depth;
+}
+
+double OpenSpace::depth_m(const Eigen::Vector2d& p_world) const {
+  const double depth = planned_depth_m(p_world);
+  if (std::abs(depth) >= reach_m_) return depth;
+  return depth + relief_in_plan_(p_world);
+}
+
+bool OpenSpace::on_apron(const Eigen::Vector2d& p_world) const {
+  return std::any_of(shapes_.aprons.begin(), shapes_.aprons.end(), [&](DriftPiece apron) {
+    apron.half_width_m += reach_m_;
+    apron.length_m += reach_m_;
+    return adit::depth_m(apron, p_world) > 0.0;
+  });
+}
+
+}  // namespace adit

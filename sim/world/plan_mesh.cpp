@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/world/plan_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit {
+namespace {
+
+// Of an edge: nearer to a corner of the grid there would be slivers.
+constexpr double kEdgeShareMin = 0.01;
+
+/// One row of corners of the grid: depths, and the points made of them so far.
+struct NodeRow {
+  explicit NodeRow(std::size_t nodes) : depth(nodes), node(nodes), crossing(nodes) {}
+
+  void clear() {
+    std::fill(depth.begin(), depth.end(), -1.0);
+    std::fill(node.begin(), node.end(), PlanMesh::kNone);
+    std::fill(crossing.begin(), crossing.end(), PlanMesh::kNone);
+  }
+
+  std::vector<double> depth;
+  std::vector<std::uint32_t> node;
+  std::vector<std::uint32_t> crossing;  ///< on the edge to the next corner of the row
+};
+
+/// A corner of one square of the grid, or an edge by the corner where it begins, counter-clockwise
+/// from the lowest.
+constexpr std::array<std::array<int, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
+/// Goes over the grid row by row from below, so that only two rows are in memory.
+class PlanMesher {
+ public:
+  PlanMesher(const OpenSpace& space, double grid_m)
+      : space_(space),
+        grid_m_(grid_m),
+        cells_per_bucket_(static_cast<int>(std::lround(space.buckets().side_m() / grid_m))),
+        columns_(space.buckets().columns() * cells_per_bucket_),
+        rows_{NodeRow(nodes()), NodeRow(nodes())},
+        upright_(nodes()) {}
+
+  PlanMesh mesh() {
+    for (NodeRow& row : rows_) row.clear();
+    for (int row = 0; row < space_.buckets().rows() * cells_per_bucket_; ++row) add_row(row);
+    return std::move(mesh_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t nodes() const { return static_cast<std::size_t>(columns_) + 1; }
+
+  [[nodiscard]] Eigen::Vector2d place(int column, int row) const {
+    return space_.buckets().origin() + grid_m_ * Eigen::Vector2d(column, row);
+  }
+
+  void add_row(int row) {
+    row_ = row;
+    std::swap(rows_[0], rows_[1]);
+    rows_[1].clear();
+    std::fill(upright_.begin(), upright_.end(), PlanMesh::kNone);
+    const int bucket_row = row / cells_per_bucket_;
+    for (int bucket = 0; bucket < space_.buckets().columns(); ++bucket) {
+      if (space_.buckets().at(bucket, bucket_row).empty()) continue;
+      const int first = bucket * cells_per_bucket_;
+      for (int i = 0; i <= cells_per_bucket_; ++i) {
+        rows_[1].depth[static_cast<std::size_t>(first + i)] =
+            space_.depth_m(place(first + i, row + 1));
+      }
+      for (int i = 0; i < cells_per_bucket_; ++i) add_cell(first + i);
+    }
+  }
+
+  void add_cell(int column) {
+    column_ = column;
+    int open = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      depth_[i] = row_of(i).depth[column_of(i)];
+      open += is_open(i) ? 1 : 0;
+    }
+    if (open == 0) return;
+    const bool across = open == 2 && is_open(0) == is_open(2);
+    if (across && depth_[0] + depth_[1] + depth_[2] + depth_[3] <= 0.0) {
+      add_corners_apart();
+    } else {
+      add_polygon();
+    }
+  }
+
+  /// Each open corner of the square as a triangle.
+  void add_corners_apart() {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!is_open(i)) continue;
+      const std::uint32_t leaves = crossing(i);
+      const std::uint32_t enters = crossing((i + 3) % 4);
+      mesh_.triangles.push_back({node(i), leaves, enters});
+      mesh_.next_on_wall[leaves] = enters;
+    }
+  }
+
+  /// The open part of the square as one polygon.
+  void add_polygon() {
+    std::size_t start = 0;
+    while (!is_open(start)) ++start;
+    polygon_.clear();
+    std::uint32_t leaves = PlanMesh::kNone;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t i = (start + k) % 4;
+      if (is_open(i)) polygon_.push_back(node(i));
+      if (is_open(i) == is_open((i + 1) % 4)) continue;
+      polygon_.push_back(crossing(i));
+      if (is_open(i)) {
+        leaves = polygon_.back();
+      } else {
+        mesh_.next_on_wall[leaves] = polygon_.back();
+      }
+    }
+    for (std::size_t i = 2; i < polygon_.size(); ++i) {
+      mesh_.triangles.push_back({polygon_[0], polygon_[i - 1], polygon_[i]});
+    }
+  }
+
+  [[nodiscard]] bool is_open(std::size_t corner) const { return depth_[corner] > 0.0; }
+  [[nodiscard]] std::size_t column_of(std::size_t corner) const {
+    return static_cast<std::size_t>(column_ + kCorners[corner][0]);
+  }
+  NodeRow& row_of(std::size_t corner) {
+    return rows_[static_cast<std::size_t>(kCorners[corner][1])];
+  }
+  [[nodiscard]] Eigen::Vector2d place(std::size_t corner) const {
+    return place(column_ + kCorners[corner][0], row_ + kCorners[corner][1]);
+  }
+
+  std::uint32_t add_point(const Eigen::Vector2d& p_world) {
+    mesh_.points.push_back(p_world);
+    mesh_.next_on_wall.push_back(PlanMesh::kNone);
+    return static_cast<std::uint32_t>(mesh_.points.size() - 1);
+  }
+
+  std::uint32_t node(std::size_t corner) {
+    std::uint32_t& index = row_of(corner).node[column_of(corner)];
+    if (index == PlanMesh::kNone) index = add_point(place(corner));
+    return index;
+  }
+
+  /// Where the wall crosses the edge that begins at a corner.
+  std::uint32_t crossing(std::size_t edge) {
+    const std::size_t end = (edge + 1) % 4;
+    std::uint32_t& index = edge == 1   ? upright_[column_of(1)]
+                           : edge == 3 ? upright_[column_of(0)]
+                           : edge == 0 ? rows_[0].crossing[column_of(0)]
+                                       : rows_[1].crossing[column_of(3)];
+    if (index == PlanMesh::kNone) {
+      const double share = std::clamp(depth_[edge] / (depth_[edge] - depth_[end]), kEdgeShareMin,
+                                      1.0 - kEdgeShareMin);
+      index = add_point(place(edge) + share * (place(end) - place(edge)));
+    }
+    return index;
+  }
+
+  const OpenSpace& space_;
+  double grid_m_;
+  int cells_per_bucket_;
+  int columns_;
+  std::array<NodeRow, 2> rows_;         ///< below and above the squares at hand
+  std::vector<std::uint32_t> upright_;  ///< crossings of the edges between these rows
+  int row_ = 0;                         ///< of the square at hand
+  int column_ = 0;
+  std::array<double, 4> depth_{};  ///< at its corners
+  std::vector<std::uint32_t> polygon_;
+  PlanMesh mesh_;
+};
+
+}  // namespace
+
+PlanMesh plan_mesh(const OpenSpace& space, double grid_m) {
+  return PlanMesher(space, grid_m).mesh();
+}
+
+}  // namespace adit

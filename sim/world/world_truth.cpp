@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/world/world_truth.hpp"
+
+namespace adit {
+
+double DriftGraph::length_m() const {
+  double length = 0.0;
+  for (const DriftEdge& edge : edges) length += edge.length_m;
+  return length;
+}
+
+bool PlanRing::is_pillar() const { return signed_area_m2() < 0.0; }
+
+double PlanRing::signed_area_m2() const {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d a = points[i] - points[0];  // near, for the sake of precision
+    const Eigen::Vector2d b = points[(i + 1) % points.size()] - points[0];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return twice / 2.0;
+}
+
+}  // namespace adit

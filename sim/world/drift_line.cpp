@@ -117,7 +117,8 @@ const DriftLine& find_drift(const std::vector<DriftLine>& drifts, const std::str
     if (drift.name == name) return drift;
     names += (names.empty() ? "" : ", ") + drift.name;
   }
-  throw std::invalid_argument(what + " is in drift '" + name + "', but there are only: " + names);
+  throw std::invalid_argument(what + " is in drift '" + name + "', but there " +
+                              (names.empty() ? "are no drifts" : "are only: " + names));
 }
 
 }  // namespace adit

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/mesh/mesh_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+
+#include <Eigen/Geometry>
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include "sim/mesh/mesh_builder.hpp"
+
+namespace adit {
+namespace {
+
+// Longest side of what can be a mine [m].
+constexpr double kSizeMin = 1.0;
+constexpr double kSizeMax = 20000.0;
+
+struct NamedKind {
+  std::string_view word;
+  PartKind kind;
+  Material material;
+};
+
+constexpr std::array<NamedKind, 12> kNamedKinds{{
+    {"floor", PartKind::kFloor, Material::kRock},
+    {"roof", PartKind::kRoof, Material::kRock},
+    {"wall", PartKind::kWall, Material::kRock},
+    {"rail", PartKind::kRail, Material::kSteel},
+    {"sleeper", PartKind::kSleeper, Material::kTimber},
+    {"post", PartKind::kPost, Material::kTimber},
+    {"crib", PartKind::kCrib, Material::kTimber},
+    {"rubble", PartKind::kRubble, Material::kRock},
+    {"beam", PartKind::kBeam, Material::kTimber},
+    {"cable", PartKind::kCable, Material::kSteel},
+    {"car", PartKind::kCar, Material::kSteel},
+    {"water", PartKind::kWater, Material::kWater},
+}};
+
+NamedKind kind_of(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto* named = std::find_if(
+      kNamedKinds.begin(), kNamedKinds.end(),
+      [&](const NamedKind& candidate) { return name.find(candidate.word) != std::string::npos; });
+  if (named != kNamedKinds.end()) return *named;
+  return {"", PartKind::kOther, Material::kRock};
+}
+
+/// From the axes of the file to those of world, with the scale.
+Eigen::Matrix3d to_world(const MeshFileParams& params) {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  if (params.up == 'y') rotation << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
+  if (params.up == 'x') rotation << 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0;
+  return params.scale * rotation;
+}
+
+Eigen::Affine3d to_eigen(const aiMatrix4x4& m) {
+  Eigen::Affine3d T;
+  T.matrix() << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, 0.0, 0.0,
+      0.0, 1.0;
+  return T;
+}
+
+/// Goes through the meshes of a scene.
+class Collector {
+ public:
+  void add(const aiScene& scene, const aiNode& node, const Eigen::Affine3d& T_world_parent) {
+    const Eigen::Affine3d T_world_node = T_world_parent * to_eigen(node.mTransformation);
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      add(*scene.mMeshes[node.mMeshes[i]], node.mName.C_Str(), T_world_node);
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) add(scene, *node.mChildren[i], T_world_node);
+  }
+
+  [[nodiscard]] const Eigen::AlignedBox3d& box() const { return box_; }
+  TriangleMesh take() { return builder_.take(); }
+
+ private:
+  void add(const aiMesh& mesh, const std::string& node_name, const Eigen::Affine3d& T_world_mesh) {
+    const std::string name = mesh.mName.length > 0 ? mesh.mName.C_Str() : node_name;
+    const NamedKind kind = kind_of(name);
+    builder_.begin_part(kind.kind, kind.material, name.empty() ? "mesh" : name);
+    std::vector<Eigen::Vector3d> places;
+    const auto first = static_cast<std::uint32_t>(builder_.mesh().vertices.size());
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+      const aiVector3D& v = mesh.mVertices[i];
+      places.emplace_back(T_world_mesh * Eigen::Vector3d(v.x, v.y, v.z));
+      builder_.vertex(places.back().cast<float>());
+    }
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) add(mesh.mFaces[i], places, first);
+  }
+
+  void add(const aiFace& face, const std::vector<Eigen::Vector3d>& places, std::uint32_t first) {
+    if (face.mNumIndices != 3) return;  // a point or a line
+    const auto* index = face.mIndices;
+    if (std::any_of(index, index + 3, [&](unsigned i) { return i >= places.size(); })) return;
+    const Eigen::Vector3d& a = places[index[0]];
+    const Eigen::Vector3d& b = places[index[1]];
+    const Eigen::Vector3d& c = places[index[2]];
+    const double area = (b - a).cross(c - a).norm();
+    if (!std::isfinite(area) || area == 0.0) return;
+    builder_.triangle(first + index[0], first + index[1], first + index[2]);
+    for (const Eigen::Vector3d& corner : {a, b, c}) box_.extend(corner);
+  }
+
+  MeshBuilder builder_;
+  Eigen::AlignedBox3d box_;
+};
+
+void check_file(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw std::runtime_error("there is no mesh file " + file.string());
+  }
+  if (std::filesystem::file_size(file, error) == 0) {
+    throw std::runtime_error(file.string() + " is empty");
+  }
+}
+
+void check_size(const std::filesystem::path& file, const Eigen::AlignedBox3d& box, double scale) {
+  if (box.isEmpty()) throw std::runtime_error(file.string() + " has no triangle with an area");
+  const double size = box.sizes().maxCoeff();
+  const double farthest =
+      std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  std::ostringstream what;
+  if (size < kSizeMin || size > kSizeMax) {
+    what << file.string() << " is " << size << " m long with scale " << scale
+         << ": set `scale` to the metres of one unit of the file";
+    throw std::runtime_error(what.str());
+  }
+  if (farthest > kSizeMax) {
+    what << file.string() << " lies " << farthest << " m from its origin with scale " << scale
+         << ": move it nearer, or set `scale` to the metres of one unit of the file";
+    throw std::runtime_error(what.str());
+  }
+}
+
+/// The message of Assimp may have many lines.
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+}  // namespace
+
+TriangleMesh load_mesh_file(const std::filesystem::path& file, const MeshFileParams& params) {
+  check_file(file);
+  Assimp::Importer importer;
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
+                              aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
+                                  aiComponent_COLORS | aiComponent_TEXCOORDS |
+                                  aiComponent_MATERIALS | aiComponent_TEXTURES);
+  const aiScene* scene =
+      importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_RemoveComponent |
+                                           aiProcess_JoinIdenticalVertices);
+  if (scene == nullptr || scene->mRootNode == nullptr) {
+    throw std::runtime_error(file.string() +
+                             " is not a mesh: " + first_line(importer.GetErrorString()));
+  }
+  Collector collector;
+  collector.add(*scene, *scene->mRootNode, Eigen::Affine3d(to_world(params)));
+  check_size(file, collector.box(), params.scale);
+  return collector.take();
+}
+
+}  // namespace adit

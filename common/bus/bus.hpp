@@ -50,8 +50,9 @@ struct SubscriptionStats {
 /// What carries messages between stages. One thread: handlers run one at a time, on whoever drives
 /// the bus, never inside of `publish`. A handler's exception goes to whoever drives the bus.
 ///
-/// Bus time is the wall clock on the robot (LcmBus) and the time of the messages in a replay or a
-/// test (ReplayBus, MemoryBus): the same inputs then give the same outputs.
+/// Bus time is the wall clock on the robot (LcmBus), a simulator's where it says so, and the time
+/// of the messages in a replay or a test (ReplayBus, MemoryBus): the same inputs then give the same
+/// outputs.
 ///
 /// A channel is 1 to 63 of A–Z, 0–9 and _; anything else throws std::invalid_argument.
 class Bus {

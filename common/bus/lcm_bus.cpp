@@ -13,14 +13,19 @@
 #include <lcm/lcm-cpp.hpp>
 #include <poll.h>
 
+#include "common/bus/channels.hpp"
 #include "common/bus/lcm_url.hpp"
 #include "common/bus/transport_check.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/sim_time.hpp"
 
 namespace adit {
 namespace {
 
 // What LCM may hold while a handler runs; what then goes to the queues of this bus is the newest.
 constexpr int kLcmQueue = 4096;
+
+constexpr std::size_t kTimesWaiting = 1000;  // a simulator sends 20 for each second
 
 constexpr int kNoDescriptor = -1;  // poll leaves it out
 constexpr int kIdleTimeoutMs = 1000;
@@ -29,8 +34,11 @@ constexpr int kIdleTimeoutMs = 1000;
 
 LcmBus::LcmBus(const LcmBusOptions& options)
     : lcm_(std::make_unique<lcm::LCM>(complete_lcm_url(options.url))),
+      time_(options.time),
+      stage_(options.stage),
       dispatcher_(options.max_message_bytes) {
   if (!lcm_->good()) throw std::runtime_error(why_no_lcm(options.url));
+  if (time_ == BusTime::kSimulated) follow_simulated_time();
 }
 
 LcmBus::~LcmBus() = default;
@@ -51,7 +59,9 @@ void LcmBus::run(int stop_descriptor) {
 /// Until there is something to do. False if `stop_descriptor` can be read from.
 bool LcmBus::wait(int timeout_ms, int stop_descriptor) {
   take_from_lcm();
-  const std::int64_t timer_us = timers_.wait_us(now_utime()).value_or(timeout_ms * 1000LL);
+  const std::int64_t timeout_us = timeout_ms * 1000LL;
+  const std::int64_t timer_us =
+      time_ == BusTime::kSimulated ? timeout_us : timers_.wait_us(now_utime()).value_or(timeout_us);
   const auto timer_ms =
       static_cast<int>(std::min<std::int64_t>((timer_us + 999) / 1000, timeout_ms));
   std::array<pollfd, 2> descriptors{{{lcm_->getFileno(), POLLIN, 0}, {stop_descriptor, POLLIN, 0}}};
@@ -74,14 +84,27 @@ void LcmBus::take_from_lcm() {
 void LcmBus::on_receive(const lcm::ReceiveBuffer* buffer, const std::string& channel,
                         LcmBus* bus) try {
   bus->dispatcher_.enqueue({channel,
-                            buffer->recv_utime,
+                            bus->time_ == BusTime::kWall ? buffer->recv_utime : bus->now_utime(),
                             {static_cast<const std::uint8_t*>(buffer->data), buffer->data_size}});
 } catch (...) {
   bus->failure_ = std::current_exception();
 }
 
 void LcmBus::run_due_timers() {
+  if (time_ == BusTime::kSimulated) return;  // they have their turn with SIM_TIME
   while (const auto tick = timers_.next(now_utime())) tick->handler(now_utime());
+}
+
+void LcmBus::follow_simulated_time() {
+  adit::subscribe<sim_time_t>(*this, channels::kSimTime, Delivery::queued(kTimesWaiting),
+                              [this](const SimTime& time) { go_on_to(time.utime); });
+}
+
+void LcmBus::go_on_to(std::int64_t utime) {
+  simulated_utime_ = utime;
+  while (const auto tick = timers_.next(utime)) tick->handler(utime);
+  if (stage_.empty()) return;
+  adit::publish(*this, channels::kSimTimeDone, to_message(SimTimeDone{utime, stage_}));
 }
 
 void LcmBus::publish(std::string_view channel, std::span<const std::uint8_t> bytes) {
@@ -106,6 +129,7 @@ void LcmBus::every(std::int64_t period_us, TimerHandler handler) {
 }
 
 std::int64_t LcmBus::now_utime() const {
+  if (time_ == BusTime::kSimulated) return simulated_utime_;
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
 }

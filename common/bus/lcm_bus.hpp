@@ -21,14 +21,24 @@ struct ReceiveBuffer;
 
 namespace adit {
 
+/// Whose time bus time is: the clock's of this machine, or a simulator's, by SIM_TIME.
+enum class BusTime { kWall, kSimulated };
+
 struct LcmBusOptions {
   std::string url;  ///< empty: LCM's default, or what LCM_DEFAULT_URL says
   std::size_t max_message_bytes = Dispatcher::kDefaultMaxMessageBytes;
+  BusTime time = BusTime::kWall;
+  std::string stage = {};  ///< in whose name SIM_TIME is answered; empty: it is not
 };
 
 /// The bus on the robot: LCM between processes, the wall clock for time. A process hears what it
 /// publishes itself, too. Messages are taken out of LCM's own queue, which would drop the newest,
 /// before each handler runs, and wait in the queues that `subscribe` asked for.
+///
+/// With simulated time, bus time is the newest SIM_TIME that had its turn: it waits for its turn as
+/// other messages do, in order of arrival, so that all that came before it has been handled. Then
+/// the timers up to it run, and SIM_TIME_DONE says so to a simulator that waits. Before the first
+/// SIM_TIME bus time is 0 and no timer runs.
 class LcmBus final : public Bus {
  public:
   /// Throws std::runtime_error, with what to do about it, where there is no LCM on the URL.
@@ -56,8 +66,13 @@ class LcmBus final : public Bus {
   void take_from_lcm();
   static void on_receive(const lcm::ReceiveBuffer* buffer, const std::string& channel, LcmBus* bus);
   void run_due_timers();
+  void follow_simulated_time();
+  void go_on_to(std::int64_t utime);
 
   std::unique_ptr<lcm::LCM> lcm_;
+  BusTime time_;
+  std::string stage_;
+  std::int64_t simulated_utime_ = 0;
   Dispatcher dispatcher_;
   Timers timers_;
   std::set<std::string, std::less<>> channels_;

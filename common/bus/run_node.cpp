@@ -23,6 +23,7 @@ constexpr int kExitUnusable = 2;
 struct Options {
   std::string config;
   std::string lcm_url;
+  bool sim_time = false;
   bool print_config = false;
 };
 
@@ -32,6 +33,9 @@ void declare(CLI::App& app, const std::string& program, Options& options) {
   app.add_option("--lcm-url", options.lcm_url,
                  "Where LCM is, e.g. udpm://239.255.76.67:7667?ttl=0 (the default)")
       ->type_name("URL");
+  app.add_flag(
+      "--sim-time", options.sim_time,
+      "Go by the time of a simulator (SIM_TIME) and tell it when its messages are handled");
   app.add_flag("--print-config", options.print_config,
                "Print every parameter with the value in effect, and end");
   app.set_version_flag("--version", program + " " + version());
@@ -47,10 +51,20 @@ ConfigFile load(const std::string& path, const std::string& stage) {
   return file;
 }
 
-void run_on_lcm(const std::string& program, const ConfiguredNode& node, const std::string& url) {
+LcmBusOptions bus_options(const Options& options, const std::string& stage) {
+  LcmBusOptions bus;
+  bus.url = options.lcm_url;
+  if (options.sim_time) bus.time = BusTime::kSimulated;
+  bus.stage = stage;
+  return bus;
+}
+
+void run_on_lcm(const std::string& program, const ConfiguredNode& node, const Options& options) {
   const StopSignal stop;  // before LCM makes its thread
-  if (const auto advice = buffer_advice(url)) std::cerr << program << ": " << *advice << std::endl;
-  LcmBus bus({url});
+  if (const auto advice = buffer_advice(options.lcm_url)) {
+    std::cerr << program << ": " << *advice << std::endl;
+  }
+  LcmBus bus(bus_options(options, node.stage));
   const HostedNode hosted(bus, node, StageBus::Measure::kHandlerTimes, &std::cerr);
   bus.run(stop.descriptor());
 }
@@ -73,7 +87,7 @@ int run_stage(const std::string& stage, const Configure& configure, int argc, ch
     std::cout << node.yaml;
     return 0;
   }
-  run_on_lcm(program, node, options.lcm_url);
+  run_on_lcm(program, node, options);
   return 0;
 } catch (const std::exception& error) {
   std::cerr << "adit-" << stage << ": " << error.what() << std::endl;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/sensing/laser_mount.hpp"
+#include "common/vehicle/vehicle.hpp"
 
 namespace adit {
 
@@ -15,10 +16,15 @@ inline const std::vector<std::string>& stage_names() {
   return names;
 }
 
-/// All sections of the config file that belong to stages: one for each, and those that they share.
+/// The section of the simulator, which is no stage but runs like one.
+inline constexpr const char* kSimSection = "sim";
+
+/// All sections of the config file: one for each stage, those that they share, the simulator's.
 inline std::vector<std::string> config_sections() {
   std::vector<std::string> names = stage_names();
   names.emplace_back(Lasers::kSection);
+  names.emplace_back(Vehicle::kSection);
+  names.emplace_back(kSimSection);
   return names;
 }
 

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <system_error>
 
+#include <poll.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
@@ -37,6 +38,11 @@ StopSignal::~StopSignal() {
   }
   close(descriptor_);
   pthread_sigmask(SIG_SETMASK, &previous_, nullptr);
+}
+
+bool StopSignal::came() const {
+  pollfd poll_descriptor{descriptor_, POLLIN, 0};
+  return poll(&poll_descriptor, 1, 0) > 0;
 }
 
 }  // namespace adit

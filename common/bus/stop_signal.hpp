@@ -17,6 +17,9 @@ class StopSignal {
 
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
+  /// Whether one of the signals came, without waiting for it.
+  [[nodiscard]] bool came() const;
+
  private:
   sigset_t previous_{};
   int descriptor_ = -1;

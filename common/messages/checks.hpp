@@ -21,6 +21,10 @@ bool all_finite(const Numbers& numbers) {
                      [](double number) { return std::isfinite(number); });
 }
 
+/// Whether a number is a share of a whole; NaN is none.
+inline bool is_share(double number) { return number >= 0.0 && number <= 1.0; }
+
+constexpr const char* kNoShare = "share beyond 0 to 1";
 constexpr const char* kImplausibleTime = "time outside of 1970 to 2286";
 
 }  // namespace adit

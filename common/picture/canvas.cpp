@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/picture/canvas.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <stdexcept>
 
@@ -38,6 +40,26 @@ void Canvas::text(const std::string& text, double x, double y, double size, bool
   if (align == Align::kRight) left -= extents.x_advance;
   cairo_move_to(cairo(), left, y);
   cairo_show_text(cairo(), text.c_str());
+}
+
+void Canvas::image(const RgbImage& image, int x, int y) const {
+  const Canvas copy(image.width, image.height);
+  cairo_surface_t* surface = copy.surface_.get();
+  cairo_surface_flush(surface);
+  unsigned char* bytes = cairo_image_surface_get_data(surface);
+  if (bytes == nullptr) return;
+  for (int row = 0; row < image.height; ++row) {
+    auto* line = reinterpret_cast<std::uint32_t*>(
+        bytes + static_cast<std::ptrdiff_t>(row) * cairo_image_surface_get_stride(surface));
+    for (int column = 0; column < image.width; ++column) {
+      const auto& [red, green, blue] = image.at(column, row);
+      line[column] =
+          static_cast<std::uint32_t>(red) << 16U | static_cast<std::uint32_t>(green) << 8U | blue;
+    }
+  }
+  cairo_surface_mark_dirty(surface);
+  cairo_set_source_surface(cairo(), surface, x, y);
+  cairo_paint(cairo());
 }
 
 void Canvas::write_png(const std::filesystem::path& path) const {

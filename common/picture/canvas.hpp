@@ -8,6 +8,8 @@
 
 #include <cairo.h>
 
+#include "common/picture/rgb_image.hpp"
+
 namespace adit {
 
 struct Colour {
@@ -34,6 +36,9 @@ class Canvas {
   void disc(double x, double y, double radius) const;
   /// `y` is that of the base line.
   void text(const std::string& text, double x, double y, double size, bool bold, Align align) const;
+
+  /// Pixel for pixel, its upper left corner at x, y.
+  void image(const RgbImage& image, int x, int y) const;
 
   /// Throws std::runtime_error where the file cannot be written.
   void write_png(const std::filesystem::path& path) const;

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/picture/map_keys.hpp"
 
-#include <cmath>
-#include <cstdio>
-
 #include "common/picture/palette.hpp"
+#include "common/picture/scale_bar.hpp"
 
 namespace adit {
 namespace {
@@ -16,16 +14,6 @@ void draw_marker(const Canvas& canvas, const Eigen::Vector2d& p, double radius,
   canvas.disc(p.x(), p.y(), 1.35 * radius);
   canvas.colour(colour);
   canvas.disc(p.x(), p.y(), radius);
-}
-
-/// 1, 2 or 5 times a power of ten, about a fifth of the map's width.
-double scale_bar_m(const MapLayout& layout) {
-  const double wanted = (layout.high.x() - layout.low.x()) / 5.0;
-  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
-  for (const double step : {5.0, 2.0}) {
-    if (step * decade <= wanted) return step * decade;
-  }
-  return decade;
 }
 
 void draw_path_key(const Canvas& canvas, double left, double right, double y, double unit) {
@@ -59,20 +47,9 @@ void draw_end(const Canvas& canvas, const Eigen::Vector2d& p, double unit) {
 }
 
 void draw_scale_bar(const Canvas& canvas, const MapLayout& layout) {
-  const double y = foot(layout);
-  const double metres = scale_bar_m(layout);
-  const double length = metres * layout.pixels_per_metre;
-  const double unit = layout.unit;
-  const double x = kMargin * unit;
-  canvas.colour(kInk);
-  canvas.fill_rectangle(x, y - 3.0 * unit, length, 6.0 * unit);
-  canvas.colour(kOpen);
-  canvas.fill_rectangle(x + length / 2.0, y - 1.5 * unit, length / 2.0 - 1.5 * unit, 3.0 * unit);
-  char label[32];
-  std::snprintf(label, sizeof(label), "%g m", metres);
-  canvas.colour(kInk);
-  canvas.text("0", x, y + 24.0 * unit, 15.0 * unit, false, Align::kLeft);
-  canvas.text(label, x + length, y + 24.0 * unit, 15.0 * unit, false, Align::kCentre);
+  const double metres = scale_bar_m((layout.high.x() - layout.low.x()) / 5.0);
+  draw_scale_bar(canvas, kMargin * layout.unit, foot(layout), metres, layout.pixels_per_metre,
+                 layout.unit);
 }
 
 double draw_path_keys(const Canvas& canvas, const MapLayout& layout, bool with_degenerate) {

@@ -10,10 +10,10 @@ namespace adit {
 
 /// A line of straight legs in the plan, frame `world`. Places on it count in metres from its start;
 /// behind the end it goes on straight.
-class Way {
+class LeggedWay {
  public:
   /// At least two points, no two neighbours the same.
-  explicit Way(std::vector<Eigen::Vector2d> points);
+  explicit LeggedWay(std::vector<Eigen::Vector2d> points);
 
   [[nodiscard]] double length_m() const { return starts_m_.back(); }
   [[nodiscard]] Eigen::Vector2d at(double s_m) const;

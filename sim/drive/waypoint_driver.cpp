@@ -88,7 +88,7 @@ void WaypointDriver::plan(const Pose2& T_world_body) {
       points.push_back(legs[i].to);
       speeds.push_back(std::min(legs[i].speed_m_s, vehicle_.speed_max_m_s));
     }
-    runs_.push_back({Way(std::move(points)), std::move(speeds), reverse});
+    runs_.push_back({LeggedWay(std::move(points)), std::move(speeds), reverse});
   }
   planned_ = true;
   done_ = runs_.empty();
@@ -97,7 +97,7 @@ void WaypointDriver::plan(const Pose2& T_world_body) {
 /// Finds where the body is along the way. The search looks ahead only, so that a way that crosses
 /// itself is driven in order.
 void WaypointDriver::follow(const Pose2& T_world_body, std::int64_t utime) {
-  const Way& way = runs_[run_].way;
+  const LeggedWay& way = runs_[run_].way;
   const Eigen::Vector2d p_world = T_world_body.translation();
   const double to_m = std::min(way.length_m(), s_m_ + params_.look_ahead_m);
   s_m_ = way.nearest_m(p_world, s_m_, to_m);
@@ -156,7 +156,7 @@ double WaypointDriver::speed() const {
 
 /// How far the way turns about a place, within the look-ahead to either side.
 double WaypointDriver::bend_rad(double s_m) const {
-  const Way& way = runs_[run_].way;
+  const LeggedWay& way = runs_[run_].way;
   const double before = way.heading_rad(way.leg(s_m - params_.look_ahead_m));
   const double behind = way.heading_rad(way.leg(s_m + params_.look_ahead_m));
   return std::abs(angle_diff(behind, before));

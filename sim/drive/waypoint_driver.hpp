@@ -64,7 +64,7 @@ class WaypointDriver {
  private:
   /// Legs that are driven in one direction, to a stand at the end.
   struct Run {
-    Way way;
+    LeggedWay way;
     std::vector<double> speeds_m_s;  ///< of the legs
     bool reverse = false;
   };

@@ -6,11 +6,11 @@
 
 namespace adit {
 
-void Delivery::add(std::int64_t utime, Reading reading) {
+void ReadingQueue::add(std::int64_t utime, Reading reading) {
   added_.emplace_back(utime, std::move(reading));
 }
 
-std::vector<Reading> Delivery::take() {
+std::vector<Reading> ReadingQueue::take() {
   std::stable_sort(added_.begin(), added_.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Reading> readings;
@@ -26,7 +26,7 @@ std::vector<Reading> Delivery::take() {
   return readings;
 }
 
-bool Delivery::is_lost(std::int64_t utime) {
+bool ReadingQueue::is_lost(std::int64_t utime) {
   const double share = faults_.loss_share(utime);
   return share > 0.0 && std::uniform_real_distribution<double>()(random_) < share;
 }

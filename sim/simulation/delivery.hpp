@@ -14,10 +14,10 @@ namespace adit {
 
 /// What becomes of readings on their way: they are put in order, some get lost, and those of
 /// drivers get the time of a clock that may have jumped.
-class Delivery {
+class ReadingQueue {
  public:
   /// `faults` must outlive this.
-  Delivery(const FaultSchedule& faults, std::uint64_t seed) : faults_(faults), random_(seed) {}
+  ReadingQueue(const FaultSchedule& faults, std::uint64_t seed) : faults_(faults), random_(seed) {}
 
   /// `utime`: when it is delivered, true time. At the same time in the order of the calls.
   void add(std::int64_t utime, Reading reading);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <variant>
 
 #include "common/sensing/ground_and_air.hpp"
@@ -12,20 +11,12 @@
 #include "common/sensing/tilt_reading.hpp"
 #include "common/sensing/wheel_odometry.hpp"
 #include "common/vehicle/drive_command.hpp"
+#include "common/vehicle/run_state.hpp"
 #include "sim/vehicle/vehicle_model.hpp"
 
 namespace adit {
 
 enum class SimLaser { kFront, kRear };
-
-/// How the run stands.
-struct RunState {
-  std::int64_t utime = 0;  ///< [µs since the epoch]
-  double travelled_m = 0.0;
-  std::string failure;  ///< why the run is over; empty while it is not
-
-  friend bool operator==(const RunState&, const RunState&) = default;
-};
 
 struct LaserReading {
   SimLaser laser;

@@ -59,7 +59,7 @@ class Simulation::Impl {
         wheels_(params.wheel_odometry, stream_seed(seed, RandomStream::kWheelOdometry),
                 params.vehicle),
         imu_(params.imu, stream_seed(seed, RandomStream::kImu)),
-        delivery_(faults_, stream_seed(seed, RandomStream::kPacketLoss)),
+        queue_(faults_, stream_seed(seed, RandomStream::kPacketLoss)),
         utime_(start_utime) {}
 
   void command(const DriveCommand& command) { vehicle_.command(command); }
@@ -73,7 +73,7 @@ class Simulation::Impl {
     add_scans();
     add_sensors(before);
     add_truth(!was_over && vehicle_.failure());
-    return delivery_.take();
+    return queue_.take();
   }
 
   [[nodiscard]] std::int64_t utime() const { return utime_; }
@@ -104,13 +104,13 @@ class Simulation::Impl {
     for (const SimLaser laser : {SimLaser::kFront, SimLaser::kRear}) {
       const auto alive = [&](std::int64_t utime) { return faults_.alive(laser, utime); };
       for (auto& [utime, scan] : of(laser).finished_scans(alive)) {
-        delivery_.add(utime, LaserReading{laser, std::move(scan)});
+        queue_.add(utime, LaserReading{laser, std::move(scan)});
       }
     }
   }
 
   void add_sensors(const BodyMotion& before) {
-    const auto add = [&](Reading reading) { delivery_.add(utime_, std::move(reading)); };
+    const auto add = [&](Reading reading) { queue_.add(utime_, std::move(reading)); };
     if (is_time(kTiltEvery)) {
       add(TiltOf{SimLaser::kFront, of(SimLaser::kFront).tilt_reading()});
       add(TiltOf{SimLaser::kRear, of(SimLaser::kRear).tilt_reading()});
@@ -126,8 +126,8 @@ class Simulation::Impl {
   }
 
   void add_truth(bool just_failed) {
-    if (is_time(kTruthEvery)) delivery_.add(utime_, vehicle_.motion());
-    if (just_failed || is_time(kRunEvery)) delivery_.add(utime_, state());
+    if (is_time(kTruthEvery)) queue_.add(utime_, vehicle_.motion());
+    if (just_failed || is_time(kRunEvery)) queue_.add(utime_, state());
   }
 
   [[nodiscard]] bool is_time(std::int64_t every) const { return steps_ % every == 0; }
@@ -139,7 +139,7 @@ class Simulation::Impl {
   std::array<LaserOnBody, 2> lasers_;
   DeadReckoning wheels_;
   InertialUnit imu_;
-  Delivery delivery_;
+  ReadingQueue queue_;
   std::int64_t utime_;
   std::int64_t steps_ = 0;
 };

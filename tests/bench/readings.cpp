@@ -7,7 +7,7 @@
 
 namespace adit {
 
-Readings sample_readings(const LaserModel& laser) {
+Readings sample_readings(const SyntheticLaserModel& laser) {
   Readings readings;
   SampleRun run(1, laser);
   while (const auto reading = run.next()) {

@@ -16,7 +16,7 @@ namespace adit {
 using Readings = std::vector<std::variant<WheelOdometry, LaserScan>>;
 
 /// The whole drive through the sample mine.
-Readings sample_readings(const LaserModel& laser);
+Readings sample_readings(const SyntheticLaserModel& laser);
 /// A CARMEN log.
 Readings recorded_readings(const std::filesystem::path& path);
 

@@ -18,7 +18,7 @@ const Pose2 kOff{0.08, -0.05, 0.04};  // what a prediction may be off by
 /// The last scan of a short drive, and the others as reference, all at their true poses.
 struct Place {
   explicit Place(std::int64_t beams) {
-    SampleRun run(1, beams == 361 ? half_degree_laser() : LaserModel{}, kLength);
+    SampleRun run(1, beams == 361 ? half_degree_laser() : SyntheticLaserModel{}, kLength);
     for (const auto& [utime, pose] : run.truth()) {
       scan = run.next()->scan;
       points = surface_points(scan, mount, {});

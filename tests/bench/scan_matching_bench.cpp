@@ -49,7 +49,7 @@ void measure(benchmark::State& state, const Readings& readings, Odometry odometr
   state.counters["p99_ms"] = *p99;
 }
 
-void match_sample(benchmark::State& state, const LaserModel& laser, Odometry odometry) {
+void match_sample(benchmark::State& state, const SyntheticLaserModel& laser, Odometry odometry) {
   measure(state, sample_readings(laser), odometry);
 }
 
@@ -65,7 +65,7 @@ void match_recording(benchmark::State& state, const std::string& name, Odometry 
   BENCHMARK_CAPTURE(function, name##_laser_alone, log, Odometry::kLeftOut) \
       ->Unit(benchmark::kMillisecond)
 
-ADIT_BENCH_LOG(match_sample, mine_181_beams, LaserModel{});
+ADIT_BENCH_LOG(match_sample, mine_181_beams, SyntheticLaserModel{});
 ADIT_BENCH_LOG(match_sample, mine_361_beams, half_degree_laser());
 ADIT_BENCH_LOG(match_recording, intel_180_beams, "intel_raw.log.gz");
 ADIT_BENCH_LOG(match_recording, csail_361_beams, "csail_raw.log.gz");

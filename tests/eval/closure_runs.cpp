@@ -168,7 +168,7 @@ MappedRun map_corrected(const std::filesystem::path& log) {
 
 MappedRun map_sample(std::uint64_t seed, bool half_degree, bool use_odometry) {
   Mapper mapper;
-  SampleRun sample(seed, half_degree ? half_degree_laser() : LaserModel{});
+  SampleRun sample(seed, half_degree ? half_degree_laser() : SyntheticLaserModel{});
   while (const auto reading = sample.next()) {
     if (use_odometry) mapper.add(reading->odometry);
     mapper.add(reading->scan);

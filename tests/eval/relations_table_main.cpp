@@ -61,7 +61,7 @@ void print_path(const std::string& name, bool use_odometry, const Evaluation& ru
 
 void print_sample(bool half_degree, bool use_odometry, int runs) {
   const test::ScratchFolder scratch;
-  SampleRun sample(1, half_degree ? half_degree_laser() : LaserModel{});
+  SampleRun sample(1, half_degree ? half_degree_laser() : SyntheticLaserModel{});
   write_sample_log(sample, scratch / "mine.lcmlog");
   print_path(half_degree ? "sample mine, 361 beams" : "sample mine, 181 beams", use_odometry,
              evaluate(scratch / "mine.lcmlog", use_odometry, runs), sample.truth());

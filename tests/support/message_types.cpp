@@ -6,6 +6,8 @@
 #include "common/messages/association.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/config_copy.hpp"
+#include "common/messages/drive_command.hpp"
+#include "common/messages/gas_reading.hpp"
 #include "common/messages/heartbeat.hpp"
 #include "common/messages/imu_reading.hpp"
 #include "common/messages/laser_scan.hpp"
@@ -13,9 +15,15 @@
 #include "common/messages/map_correction.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/pose_graph_pieces.hpp"
+#include "common/messages/run_state.hpp"
 #include "common/messages/scan_match.hpp"
+#include "common/messages/sim_time.hpp"
+#include "common/messages/sinkage_reading.hpp"
 #include "common/messages/stage_stats.hpp"
+#include "common/messages/stop_order.hpp"
+#include "common/messages/tilt_command.hpp"
 #include "common/messages/tilt_reading.hpp"
+#include "common/messages/vehicle_state.hpp"
 #include "common/messages/wheel_odometry.hpp"
 
 namespace adit {
@@ -91,9 +99,31 @@ Association sample_association() {
   return association;
 }
 
-}  // namespace
+/// Those of a vehicle that is driven.
+std::vector<MessageType> vehicle_types() {
+  const DriveCommand drive{kUtime, 0.4, -0.2};
+  const StopOrder stop{kUtime, true, "a wall is near"};
+  const TiltCommand tilt{kUtime, -0.3, 0.2};
+  const VehicleState vehicle{kUtime, 0.4, -0.2, 0.83, false, true};
+  const GasReading gas{kUtime, 0.011, 0.198, 0.00002};
+  const SinkageReading sinkage{kUtime, {0.0, 0.01, 0.12, 0.0}};
+  return {type_of(channels::kDriveCommand, to_message(drive)),
+          type_of(channels::kStop, to_message(stop)),
+          type_of(channels::kTiltCommandFront, to_message(tilt)),
+          type_of(channels::kVehicleState, to_message(vehicle)),
+          type_of(channels::kGas, to_message(gas)),
+          type_of(channels::kSinkage, to_message(sinkage))};
+}
 
-std::vector<MessageType> message_types() {
+/// Those of a simulated run.
+std::vector<MessageType> simulation_types() {
+  const RunState state{kUtime, 120.5, "hit a post"};
+  return {type_of(channels::kRunState, to_message(state)),
+          type_of(channels::kSimTime, to_message(SimTime{kUtime})),
+          type_of(channels::kSimTimeDone, to_message(SimTimeDone{kUtime, "mapping"}))};
+}
+
+std::vector<MessageType> stage_types() {
   const LaserScan scan{kUtime, std::vector<float>(40, 5.0F), -1.5, 0.0087};
   const StampedPose pose{kUtime, {12.0, -3.0, 0.7}, Eigen::Vector3d(0.5, 0.0, 0.1)};
   const WheelOdometry odometry{kUtime, {1.0, 2.0, 0.5}};
@@ -119,6 +149,16 @@ std::vector<MessageType> message_types() {
           type_of(channels::kHeartbeat, to_message(heartbeat)),
           type_of(channels::kConfig, to_message(config)),
           type_of(channels::kStageStats, to_message(stats))};
+}
+
+}  // namespace
+
+std::vector<MessageType> message_types() {
+  std::vector<MessageType> types = stage_types();
+  for (const auto& more : {vehicle_types(), simulation_types()}) {
+    types.insert(types.end(), more.begin(), more.end());
+  }
+  return types;
 }
 
 }  // namespace adit

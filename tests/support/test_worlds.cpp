@@ -20,15 +20,15 @@ SyntheticWorld crooked_room() {
   return SyntheticWorld(walls);
 }
 
-LaserModel perfect_laser() {
-  LaserModel laser;
+SyntheticLaserModel perfect_laser() {
+  SyntheticLaserModel laser;
   laser.noise_sd_m = 0.0;
   laser.quantum_m = 0.0;
   return laser;
 }
 
 std::vector<SurfacePoint> look(const SyntheticWorld& world, const Pose2& T_world_body,
-                               const LaserModel& laser, std::uint64_t seed) {
+                               const SyntheticLaserModel& laser, std::uint64_t seed) {
   SyntheticLaser eye(laser, seed);
   return surface_points(eye.measure(world, T_world_body, 1'000'000), LaserMount{}, SurfaceParams{});
 }

@@ -16,10 +16,11 @@ namespace adit::test {
 SyntheticWorld crooked_room();
 
 /// A laser that reads the truth.
-LaserModel perfect_laser();
+SyntheticLaserModel perfect_laser();
 
 /// The surface points that a laser at the origin of the body sees from a pose.
 std::vector<SurfacePoint> look(const SyntheticWorld& world, const Pose2& T_world_body,
-                               const LaserModel& laser = perfect_laser(), std::uint64_t seed = 1);
+                               const SyntheticLaserModel& laser = perfect_laser(),
+                               std::uint64_t seed = 1);
 
 }  // namespace adit::test

@@ -29,11 +29,13 @@ std::unique_ptr<CLI::App> make_adit_app() {
   app->get_formatter()->column_width(34);
   app->footer(kFooter);
   add_completion_command(*app);
+  add_drive_command(*app);
   add_eval_command(*app);
   add_import_command(*app);
   add_map_command(*app);
   add_optimize_command(*app);
   add_sample_command(*app);
+  add_sim_command(*app);
   add_spy_command(*app);
   return app;
 }

@@ -19,11 +19,13 @@ int run_adit(int argc, const char* const* argv);
 
 // What follows adds one sub-command each, and lives in a file of its own.
 void add_completion_command(CLI::App& adit);
+void add_drive_command(CLI::App& adit);
 void add_eval_command(CLI::App& adit);
 void add_import_command(CLI::App& adit);
 void add_map_command(CLI::App& adit);
 void add_optimize_command(CLI::App& adit);
 void add_sample_command(CLI::App& adit);
+void add_sim_command(CLI::App& adit);
 void add_spy_command(CLI::App& adit);
 
 }  // namespace adit

@@ -74,8 +74,8 @@ SampleSite site_of(const Options& options) {
   return site;
 }
 
-LaserModel laser_of(const Options& options) {
-  LaserModel laser = options.half_degree ? half_degree_laser() : LaserModel{};
+SyntheticLaserModel laser_of(const Options& options) {
+  SyntheticLaserModel laser = options.half_degree ? half_degree_laser() : SyntheticLaserModel{};
   laser.bearing_scale = 1.0 + options.bearing_error_percent / 100.0;
   return laser;
 }

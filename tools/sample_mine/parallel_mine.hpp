@@ -26,7 +26,7 @@ std::vector<Eigen::Vector2d> parallel_mine_route();
 
 /// Odometry whose only error worth the name is a slow turn of the heading. When the robot comes
 /// back, it believes itself some 10 m farther north than it is: in the north drift.
-/// Scan matching is led there by a laser with LaserModel::bearing_scale = 0.975.
+/// Scan matching is led there by a laser with SyntheticLaserModel::bearing_scale = 0.975.
 OdometryModel parallel_mine_odometry();
 
 }  // namespace adit

@@ -40,8 +40,8 @@ class Roughness {
   }
 
  private:
-  SmoothNoise coarse_;
-  SmoothNoise fine_;
+  RockNoise coarse_;
+  RockNoise fine_;
 };
 
 /// How far inside the rock a point lies [m]; negative in the open.

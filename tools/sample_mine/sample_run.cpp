@@ -25,10 +25,10 @@ Trajectory shortened(Trajectory trajectory, double length_max_m) {
 
 }  // namespace
 
-SampleRun::SampleRun(std::uint64_t seed, const LaserModel& laser, double length_max_m)
+SampleRun::SampleRun(std::uint64_t seed, const SyntheticLaserModel& laser, double length_max_m)
     : SampleRun(sample_site(SampleWorld::kRing, seed), seed, laser, length_max_m) {}
 
-SampleRun::SampleRun(SampleSite site, std::uint64_t seed, const LaserModel& laser,
+SampleRun::SampleRun(SampleSite site, std::uint64_t seed, const SyntheticLaserModel& laser,
                      double length_max_m)
     : mine_(std::move(site.mine)),
       truth_(shortened(drive_route(site.route, site.drive, kStartUtime), length_max_m)),

@@ -27,11 +27,11 @@ struct SampleReading {
 /// same run, of which a shorter one is the beginning.
 class SampleRun {
  public:
-  explicit SampleRun(std::uint64_t seed, const LaserModel& laser = {},
+  explicit SampleRun(std::uint64_t seed, const SyntheticLaserModel& laser = {},
                      double length_max_m = std::numeric_limits<double>::infinity());
 
   /// At another site than the ring. The seed is that of the noise.
-  SampleRun(SampleSite site, std::uint64_t seed, const LaserModel& laser = {},
+  SampleRun(SampleSite site, std::uint64_t seed, const SyntheticLaserModel& laser = {},
             double length_max_m = std::numeric_limits<double>::infinity());
 
   /// The readings of the next moment, or nothing at the end.

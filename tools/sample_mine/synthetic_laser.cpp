@@ -7,8 +7,8 @@
 
 namespace adit {
 
-LaserModel half_degree_laser() {
-  LaserModel model;
+SyntheticLaserModel half_degree_laser() {
+  SyntheticLaserModel model;
   model.beams = 361;
   model.angle_step_rad = std::numbers::pi / 360.0;
   return model;

@@ -13,7 +13,7 @@
 namespace adit {
 
 /// What a planar laser does to the truth. The defaults are those of a SICK LMS 200 at 1°.
-struct LaserModel {
+struct SyntheticLaserModel {
   int beams = 181;
   double angle_min_rad = -std::numbers::pi / 2.0;
   double angle_step_rad = std::numbers::pi / 180.0;
@@ -27,19 +27,20 @@ struct LaserModel {
 };
 
 /// The LMS 200 at half a degree.
-LaserModel half_degree_laser();
+SyntheticLaserModel half_degree_laser();
 
 /// A laser with its own stream of noise: the same seed and the same calls give the same scans.
 class SyntheticLaser {
  public:
-  SyntheticLaser(const LaserModel& model, std::uint64_t seed) : model_(model), random_(seed) {}
+  SyntheticLaser(const SyntheticLaserModel& model, std::uint64_t seed)
+      : model_(model), random_(seed) {}
 
   LaserScan measure(const SyntheticWorld& world, const Pose2& T_world_laser, std::int64_t utime);
 
  private:
   float read_range(std::optional<double> true_range_m);
 
-  LaserModel model_;
+  SyntheticLaserModel model_;
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
 };

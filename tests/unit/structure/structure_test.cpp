@@ -7,6 +7,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <regex>
 #include <set>
 #include <string>
@@ -176,6 +177,43 @@ TEST(Structure, AlgorithmsKnowNoTransport) {
                        (include.is_of("common/bus") || include.is_of("common/messages"));
               }),
               IsEmpty());
+}
+
+TEST(Structure, OnlyWhatRunsTheSimulatorKnowsTransport) {
+  EXPECT_THAT(offenders([](const Include& include) {
+                const bool may = is_node_file(include.file) || include.file == "sim/main.cpp" ||
+                                 include.is_in("sim/live");
+                return include.is_in("sim") && !may &&
+                       (include.is_of("common/bus") || include.is_of("common/messages"));
+              }),
+              IsEmpty());
+}
+
+TEST(Structure, LargeLibrariesOfTheSimulatorAreBehindOneClassEach) {
+  EXPECT_THAT(stems_that_include("<embree3/"), testing::ElementsAre("sim/mesh/ray_scene"));
+  EXPECT_LE(stems_that_include("<assimp/").size(), 1U);
+}
+
+/// Types of headers, with the files that define them. All programs link everything, and two types
+/// of one name would be taken for each other without a word.
+std::map<std::string, std::set<std::string>> defined_types() {
+  static const std::regex pattern(R"((?:^|\n)(?:class|struct|enum class) (\w+)[^;\n]*\{)");
+  std::map<std::string, std::set<std::string>> types;
+  for (const fs::path& path : sources()) {
+    const std::string file = fs::relative(path, kRoot).generic_string();
+    if (path.extension() != ".hpp" || file.starts_with("tests/")) continue;
+    const std::string text = text_of(path);
+    for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {
+      types[(*it)[1]].insert(file);
+    }
+  }
+  return types;
+}
+
+TEST(Structure, NoTwoTypesHaveOneName) {
+  for (const auto& [type, files] : defined_types()) {
+    EXPECT_THAT(files, testing::SizeIs(1)) << type;
+  }
 }
 
 TEST(Structure, OctoMapAndCholmodAreBehindOneClassEach) {

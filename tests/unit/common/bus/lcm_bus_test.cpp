@@ -12,10 +12,15 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "common/bus/channels.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/sim_time.hpp"
+
 namespace adit {
 namespace {
 
 using testing::ElementsAre;
+using testing::IsEmpty;
 
 std::vector<std::uint8_t> bytes(const std::string& text) { return {text.begin(), text.end()}; }
 
@@ -102,6 +107,88 @@ TEST_F(LcmBusTest, StopsWhenToldTo) {
   bus_.run(pipe_ends[0]);
   close(pipe_ends[0]);
   close(pipe_ends[1]);
+}
+
+LcmBusOptions by_simulated_time(const std::string& stage) {
+  LcmBusOptions options;
+  options.url = "memq://";
+  options.time = BusTime::kSimulated;
+  options.stage = stage;
+  return options;
+}
+
+class LcmBusBySimulatedTime : public testing::Test {
+ protected:
+  LcmBusBySimulatedTime() {
+    subscribe<sim_time_done_t>(bus_, channels::kSimTimeDone, Delivery::queued(100),
+                               [this](const SimTimeDone& done) {
+                                 happened_.push_back(done.stage + " " + std::to_string(done.utime));
+                               });
+  }
+
+  void send_time(std::int64_t utime) {
+    publish(bus_, channels::kSimTime, to_message(SimTime{utime}));
+  }
+  void handle_all() {
+    while (bus_.handle(0)) {
+    }
+  }
+
+  LcmBus bus_{by_simulated_time("mapping")};
+  std::vector<std::string> happened_;
+};
+
+TEST_F(LcmBusBySimulatedTime, KnowsNoTimeAndRunsNoTimersAtFirst) {
+  bus_.every(1, [&](std::int64_t) { happened_.emplace_back("tick"); });
+  handle_all();
+  EXPECT_EQ(bus_.now_utime(), 0);
+  EXPECT_THAT(happened_, IsEmpty());
+}
+
+TEST_F(LcmBusBySimulatedTime, RunsTimersByIt) {
+  bus_.every(100, [&](std::int64_t utime) {
+    happened_.push_back("tick " + std::to_string(utime) + " " + std::to_string(bus_.now_utime()));
+  });
+  for (const std::int64_t utime : {5000, 5050, 5100}) {
+    send_time(utime);
+    handle_all();
+  }
+  EXPECT_THAT(happened_, ElementsAre("tick 5000 5000", "mapping 5000", "mapping 5050",
+                                     "tick 5100 5100", "mapping 5100"));
+}
+
+TEST_F(LcmBusBySimulatedTime, AnswersWhenAllThatCameBeforeHasBeenHandled) {
+  for (const char* channel : {"POSE", "IMU"}) {
+    bus_.subscribe(channel, Delivery::queued(10), [this](const Received& received) {
+      happened_.push_back(std::string(received.channel) + " " + std::to_string(bus_.now_utime()));
+      return std::string_view();
+    });
+  }
+  bus_.publish("IMU", {});
+  bus_.publish("POSE", {});
+  send_time(70);
+  bus_.publish("POSE", {});
+  send_time(80);
+  handle_all();
+  EXPECT_THAT(happened_, ElementsAre("IMU 0", "POSE 0", "POSE 70", "mapping 70", "mapping 80"));
+}
+
+TEST_F(LcmBusBySimulatedTime, FollowsASimulatorThatBeginsAnew) {
+  send_time(90'000'000);
+  send_time(1'000'000);
+  handle_all();
+  EXPECT_EQ(bus_.now_utime(), 1'000'000);
+}
+
+TEST(LcmBus, AnswersInNobodysNameWithoutAStage) {
+  LcmBus bus(by_simulated_time(""));
+  const auto id = bus.subscribe(channels::kSimTimeDone, Delivery::latest(),
+                                [](const Received&) { return std::string_view(); });
+  publish(bus, channels::kSimTime, to_message(SimTime{7}));
+  while (bus.handle(0)) {
+  }
+  EXPECT_EQ(bus.now_utime(), 7);
+  EXPECT_EQ(bus.stats(id).handled, 0);
 }
 
 TEST(LcmBus, ThrowsForAUrlThatIsNone) { EXPECT_THROW(LcmBus({"nonsense://"}), std::runtime_error); }

@@ -110,7 +110,7 @@ TEST(RunNode, RefusesAnUnknownSection) {
 }
 
 TEST(RunNode, TakesTheSectionsOfOtherStages) {
-  const std::string path = config_file("scan_matching: {}\nmapping: {}\n");
+  const std::string path = config_file("scan_matching: {}\nmapping: {}\nsim: {}\nvehicle: {}\n");
   EXPECT_EQ(run<EndingNode>({"--print-config", "--config", path}).exit_code, 0);
 }
 

@@ -16,7 +16,7 @@ namespace {
 const Pose2 kReferencePose{-2.0, 0.0, 0.2};
 
 SurfelMap reference_of(const SyntheticWorld& world,
-                       const LaserModel& laser = test::perfect_laser()) {
+                       const SyntheticLaserModel& laser = test::perfect_laser()) {
   SurfelMap map{SurfelMapParams{}};
   map.insert(test::look(world, kReferencePose, laser), kReferencePose, 0.0);
   return map;
@@ -114,8 +114,9 @@ TEST(PointToLine, InformationIsThatOfItsResiduals) {
   constexpr int kTrials = 300;
   const SurfelMap reference = reference_of(room);
   for (int i = 0; i < kTrials; ++i) {
-    const auto result = match_point_to_line(test::look(room, kReferencePose, LaserModel{}, i + 1),
-                                            reference, kReferencePose, PosePrior{}, {});
+    const auto result =
+        match_point_to_line(test::look(room, kReferencePose, SyntheticLaserModel{}, i + 1),
+                            reference, kReferencePose, PosePrior{}, {});
     const Eigen::Vector3d error = between(kReferencePose, result.T_odom_body).vector();
     spread += error * error.transpose() / kTrials;
     claimed += result.information.inverse() / kTrials;

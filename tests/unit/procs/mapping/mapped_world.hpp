@@ -19,7 +19,7 @@ inline LaserMounts front_mount() { return {{kFront, LaserMount{}}}; }
 /// A local map of a straight way of `length_m`, a scan every 0.2 m, each at its true pose.
 inline LocalMap drive_straight(const SyntheticWorld& world, const Pose2& T_world_local,
                                double length_m, std::uint64_t seed) {
-  SyntheticLaser laser(LaserModel{}, seed);
+  SyntheticLaser laser(SyntheticLaserModel{}, seed);
   LocalMap map;
   for (double x = 0.0; x <= length_m; x += 0.2) {
     const Pose2 T_local_body{x, 0.0, 0.0};

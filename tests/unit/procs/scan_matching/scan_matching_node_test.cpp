@@ -38,7 +38,7 @@ class ScanMatchingNodeOnABus : public testing::Test {
   }
 
   SyntheticWorld room_ = test::crooked_room();
-  SyntheticLaser laser_{LaserModel{}, 1};
+  SyntheticLaser laser_{SyntheticLaserModel{}, 1};
   MemoryBus bus_;
   ScanMatchingNode node_{bus_, ScanMatchingParams{}};
   std::vector<ScanMatch> matches_;

@@ -23,7 +23,7 @@ constexpr std::int64_t kPeriod = 200'000;
 /// A body with a laser that is moved through a world by known steps.
 class Ride {
  public:
-  Ride(SyntheticWorld world, const Pose2& start, const LaserModel& laser = {},
+  Ride(SyntheticWorld world, const Pose2& start, const SyntheticLaserModel& laser = {},
        std::uint64_t seed = 1)
       : world_(std::move(world)), laser_(laser, seed), T_world_body_(start) {
     matches_.push_back(matching_.add_scan(LaserId::kFront, look()));
@@ -106,7 +106,7 @@ TEST(ScanMatching, CovarianceIsConsistentWithTheError) {
         std::uniform_real_distribution<double> u(-1.0, 1.0);
         const Pose2 start = mine ? Pose2{12.0 + 5.0 * u(random), 0.2 * u(random), 0.1 * u(random)}
                                  : Pose2{-2.0 + u(random), u(random), 3.0 * u(random)};
-        Ride ride(mine ? workings : room, start, LaserModel{}, seed + 1);
+        Ride ride(mine ? workings : room, start, SyntheticLaserModel{}, seed + 1);
         ScanMatch match;
         Pose2 step;
         for (int i = 0; i < steps; ++i) {
@@ -209,7 +209,7 @@ TEST(ScanMatching, IsLostInAnEmptyScanAndFindsItselfAgain) {
 
 TEST(ScanMatching, StartsAnewInAPlaceThatMatchesNothing) {
   Ride ride(test::crooked_room(), {-2.0, 0.0, 0.3});
-  SyntheticLaser laser(LaserModel{}, 9);
+  SyntheticLaser laser(SyntheticLaserModel{}, 9);
   const SyntheticWorld elsewhere = sample_mine(3);
   std::int64_t utime = ride.utime();
   int lost = 0;
@@ -253,8 +253,8 @@ TEST(ScanMatching, SurvivesReadingsThatMeanNothing) {
 
 TEST(ScanMatching, MatchesTheRearLaserToo) {
   const SyntheticWorld room = test::crooked_room();
-  SyntheticLaser front(LaserModel{}, 1);
-  SyntheticLaser rear(LaserModel{}, 2);
+  SyntheticLaser front(SyntheticLaserModel{}, 1);
+  SyntheticLaser rear(SyntheticLaserModel{}, 2);
   ScanMatching matching{ScanMatchingParams{}};
   const Pose2 start{-1.0, 0.0, 0.3};
   const Pose2 T_body_rear{0.0, 0.0, std::numbers::pi};

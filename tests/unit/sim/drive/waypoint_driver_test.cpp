@@ -31,7 +31,8 @@ struct Drive {
   double speed_max_m_s = -std::numeric_limits<double>::infinity();
 };
 
-Drive drive(WaypointDriver& driver, VehicleModel& vehicle, const Way& line, double seconds_max) {
+Drive drive(WaypointDriver& driver, VehicleModel& vehicle, const LeggedWay& line,
+            double seconds_max) {
   Drive drive;
   while (!driver.done() && !driver.given_up() && !vehicle.failure() &&
          drive.seconds < seconds_max) {
@@ -75,7 +76,7 @@ TEST_P(WaypointDriverOf, FollowsACurveAndStopsAtTheEnd) {
   shape.steering = GetParam();
   VehicleModel vehicle(site, shape, {}, 3, 0);  // with slip, ahead and to the side
   WaypointDriver driver(waypoints(s_curve()), shape);
-  const Drive drive_of = drive(driver, vehicle, Way(s_curve()), 200.0);
+  const Drive drive_of = drive(driver, vehicle, LeggedWay(s_curve()), 200.0);
 
   EXPECT_TRUE(driver.done()) << driver.given_up().value_or("") << vehicle.failure().value_or("");
   EXPECT_LT(drive_of.off_line_max_m, 0.15);
@@ -139,8 +140,8 @@ TEST(WaypointDriver, DrivesACrossingInOrder) {
   VehicleModel vehicle(site, {}, {}, 1, 0);
   const std::vector<Eigen::Vector2d> eight{{10.0, 0.0}, {10.0, 8.0}, {5.0, 8.0}, {5.0, -8.0}};
   WaypointDriver driver(waypoints(eight), {});
-  const Drive drive_of =
-      drive(driver, vehicle, Way({{0.0, 0.0}, eight[0], eight[1], eight[2], eight[3]}), 300.0);
+  const Drive drive_of = drive(
+      driver, vehicle, LeggedWay({{0.0, 0.0}, eight[0], eight[1], eight[2], eight[3]}), 300.0);
   EXPECT_TRUE(driver.done()) << driver.given_up().value_or("");
   EXPECT_NEAR(vehicle.travelled_m(), driver.length_m(), 3.0);  // less what three corners save
   EXPECT_LT(drive_of.off_line_max_m, 0.75);                    // half of the look-ahead
@@ -153,7 +154,7 @@ TEST(WaypointDriver, BacksUpToWhatLiesBehindWhereItMay) {
   WaypointDriverParams params;
   params.reverse = true;
   WaypointDriver driver(waypoints(back), {}, params);
-  const Drive drive_of = drive(driver, vehicle, Way({{0.0, 0.0}, back[0], back[1]}), 200.0);
+  const Drive drive_of = drive(driver, vehicle, LeggedWay({{0.0, 0.0}, back[0], back[1]}), 200.0);
   EXPECT_TRUE(driver.done()) << driver.given_up().value_or("");
   EXPECT_LT((place(vehicle) - back[1]).norm(), 0.1);
   EXPECT_LT(drive_of.speed_min_m_s, -0.3);
@@ -164,7 +165,7 @@ TEST(WaypointDriver, TurnsRoundWhereItMayNotBackUp) {
   const Site site(hall());
   VehicleModel vehicle(site, {}, {}, 1, 0);
   WaypointDriver driver(waypoints({{-8.0, 2.0}}), {}, WaypointDriverParams{.off_way_max_m = 5.0});
-  const Drive drive_of = drive(driver, vehicle, Way({{0.0, 0.0}, {-8.0, 2.0}}), 200.0);
+  const Drive drive_of = drive(driver, vehicle, LeggedWay({{0.0, 0.0}, {-8.0, 2.0}}), 200.0);
   EXPECT_TRUE(driver.done()) << driver.given_up().value_or("");
   EXPECT_GE(drive_of.speed_min_m_s, 0.0);
 }

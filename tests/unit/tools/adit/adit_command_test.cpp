@@ -54,9 +54,11 @@ TEST_F(AditCommand, TeachesByItsHelp) {
   EXPECT_EQ(adit({"--help"}).exit_code, 0);
   for (const std::vector<std::string>& command : {std::vector<std::string>{"import", "carmen"},
                                                   {"eval", "relations"},
+                                                  {"drive"},
                                                   {"map"},
                                                   {"optimize"},
                                                   {"sample"},
+                                                  {"sim"},
                                                   {"spy"},
                                                   {"completion"}}) {
     std::vector<std::string> arguments = command;

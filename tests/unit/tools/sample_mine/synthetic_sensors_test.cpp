@@ -12,7 +12,7 @@ namespace adit {
 namespace {
 
 TEST(SyntheticLaser, MeasuresCounterClockwiseFromTheRight) {
-  LaserModel model;
+  SyntheticLaserModel model;
   model.noise_sd_m = 0.0;
   const SyntheticWorld world = straight_drift(400.0, 4.0);
   const LaserScan scan = SyntheticLaser(model, 1).measure(world, {0.0, 0.5, 0.0}, 77);
@@ -24,7 +24,7 @@ TEST(SyntheticLaser, MeasuresCounterClockwiseFromTheRight) {
 }
 
 TEST(SyntheticLaser, HasTheNoiseItIsGiven) {
-  LaserModel model;
+  SyntheticLaserModel model;
   model.noise_sd_m = 0.05;
   SyntheticLaser laser(model, 1);
   const SyntheticWorld world = straight_drift(400.0, 4.0);
@@ -38,7 +38,7 @@ TEST(SyntheticLaser, HasTheNoiseItIsGiven) {
 }
 
 TEST(SyntheticLaser, MayLookInOtherDirectionsThanItReports) {
-  LaserModel model;
+  SyntheticLaserModel model;
   model.noise_sd_m = 0.0;
   model.bearing_scale = 0.5;
   const LaserScan scan = SyntheticLaser(model, 1).measure(straight_drift(400.0, 4.0), {}, 0);

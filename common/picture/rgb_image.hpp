@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace adit {
+
+/// Pixels row by row from the top, black at first.
+struct RgbImage {
+  using Pixel = std::array<std::uint8_t, 3>;  ///< red, green, blue
+
+  RgbImage(int width_px, int height_px)
+      : width(width_px),
+        height(height_px),
+        pixels(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px)) {}
+
+  [[nodiscard]] Pixel& at(int x, int y) { return pixels[index(x, y)]; }
+  [[nodiscard]] const Pixel& at(int x, int y) const { return pixels[index(x, y)]; }
+
+  int width;
+  int height;
+  std::vector<Pixel> pixels;
+
+ private:
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
+  }
+};
+
+}  // namespace adit

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/picture/canvas.hpp"
+
+namespace adit {
+
+/// 1, 2 or 5 times a power of ten, the greatest that is no longer than `longest_m`.
+double scale_bar_m(double longest_m);
+
+/// A bar of two halves, `metres` long, whose left end is at x and whose middle line at y, with its
+/// length written below. `unit` is what a pixel of lettering is on this sheet.
+void draw_scale_bar(const Canvas& canvas, double x, double y, double metres,
+                    double pixels_per_metre, double unit);
+
+}  // namespace adit

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/live/pacing.hpp"
+#include "sim/live/world_choice.hpp"
+
+namespace adit {
+
+/// A run of the simulator on LCM.
+struct LiveRunOptions {
+  std::string program;  ///< that speaks on standard error
+  PacingParams pacing{.factor = 1.0, .wait_for = {}};
+  std::filesystem::path config;     ///< empty: defaults
+  std::vector<std::string> faults;  ///< as parse_fault takes them, besides those in the config
+  std::string lcm_url;
+  std::optional<double> for_s;  ///< of simulated time; until it is stopped without
+};
+
+/// Runs the simulator until SIGINT, SIGTERM or its time is up. A run that failed goes on, standing
+/// still. Throws for what cannot be run.
+void run_live(const WorldChoice& world, const LiveRunOptions& options);
+
+}  // namespace adit

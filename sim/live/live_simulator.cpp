@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/live/live_simulator.hpp"
+
+#include "common/bus/channels.hpp"
+#include "common/bus/stages.hpp"
+#include "common/bus/typed.hpp"
+#include "common/bus/version.hpp"
+#include "common/messages/sim_time.hpp"
+#include "sim/live/settings.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::size_t kAnswersWaiting = 1000;
+constexpr std::int64_t kReminderUs = 500'000;  // of wall time
+
+}  // namespace
+
+LiveSimulator::LiveSimulator(Bus& bus, const Site& site, const WorldDescription& description,
+                             const SimulationParams& params, const LiveRunOptions& options,
+                             std::int64_t start_utime)
+    : host_(bus, {kSimSection, version(), yaml_in_effect(params, description)}),
+      node_(host_.bus(), site, params, static_cast<std::uint64_t>(description.seed), start_utime),
+      pacing_(options.pacing),
+      process_faults_(params.faults),
+      progress_(options.program),
+      start_utime_(start_utime),
+      for_s_(options.for_s) {
+  host_.set_health([this] { return node_.health(); });
+  subscribe<sim_time_done_t>(host_.bus(), channels::kSimTimeDone, Delivery::queued(kAnswersWaiting),
+                             [this](const SimTimeDone& done) {
+                               // One from the future answers another simulator, or this one's
+                               // predecessor.
+                               if (done.utime <= node_.simulation().utime())
+                                 pacing_.done(done.stage, done.utime);
+                             });
+  node_.send_time();
+}
+
+std::int64_t LiveSimulator::go_on(std::int64_t wall_us) {
+  progress_.update(node_.simulation(), start_utime_, wall_us);
+  const Pacing::Decision decision = pacing_.decide(node_.next_utime(), wall_us);
+  if (decision.kind == Pacing::Decision::Kind::kStep) step();
+  if (decision.kind == Pacing::Decision::Kind::kWaitForStages) remind_stages(wall_us);
+  return decision.wait_us;
+}
+
+void LiveSimulator::step() {
+  node_.step();
+  const std::int64_t elapsed_us = node_.simulation().utime() - start_utime_;
+  for (const std::string& what : process_faults_.advance(static_cast<double>(elapsed_us) * 1e-6)) {
+    progress_.say(what);
+  }
+}
+
+/// What a stage missed that came late, or was started again, is the time: without it, it would
+/// never answer.
+void LiveSimulator::remind_stages(std::int64_t wall_us) {
+  for (const std::string& stage : pacing_.newly_silent(wall_us)) {
+    progress_.say("waiting for " + stage + ", which has not answered for 5 s; does adit-" + stage +
+                  " --sim-time run?");
+  }
+  if (wall_us < next_reminder_us_) return;
+  next_reminder_us_ = wall_us + kReminderUs;
+  node_.send_time();
+}
+
+bool LiveSimulator::done() const {
+  const std::int64_t elapsed_us = node_.simulation().utime() - start_utime_;
+  return for_s_ && static_cast<double>(elapsed_us) * 1e-6 >= *for_s_;
+}
+
+}  // namespace adit

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/live/pacing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit {
+namespace {
+
+constexpr std::int64_t kForgivenUs = 100'000;  // being late by more than that is not made up for
+constexpr std::int64_t kAskAgainUs = 100'000;  // an answer comes sooner, as a rule
+
+}  // namespace
+
+Pacing::Pacing(const PacingParams& params) : factor_(params.factor) {
+  for (const std::string& stage : params.wait_for) stages_[stage];
+}
+
+void Pacing::done(std::string_view stage, std::int64_t utime) {
+  const auto found = stages_.find(stage);
+  if (found == stages_.end()) return;
+  found->second = {std::max(utime, found->second.done_utime.value_or(utime)), std::nullopt, false};
+}
+
+Pacing::Decision Pacing::decide(std::int64_t utime, std::int64_t wall_us) {
+  if (must_wait_for_stages(utime, wall_us)) {
+    return {Decision::Kind::kWaitForStages, kAskAgainUs};
+  }
+  const std::int64_t wait_us = until_due_us(utime, wall_us);
+  if (wait_us > 0) return {Decision::Kind::kWaitForClock, wait_us};
+  return {};
+}
+
+bool Pacing::must_wait_for_stages(std::int64_t utime, std::int64_t wall_us) {
+  bool wait = false;
+  for (auto& [name, stage] : stages_) {
+    const bool keeps_up = stage.done_utime && utime - *stage.done_utime <= kAheadMaxUs;
+    if (keeps_up) continue;
+    wait = true;
+    if (!stage.blocks_since_us) stage.blocks_since_us = wall_us;
+  }
+  return wait;
+}
+
+std::int64_t Pacing::until_due_us(std::int64_t utime, std::int64_t wall_us) {
+  if (!factor_) return 0;
+  if (!origin_) origin_ = {utime, wall_us};
+  const double since_origin_us = static_cast<double>(utime - origin_->utime) / *factor_;
+  const std::int64_t due_us = origin_->wall_us + std::llround(since_origin_us);
+  if (wall_us > due_us + kForgivenUs) origin_ = {utime, wall_us};
+  return std::max<std::int64_t>(0, due_us - wall_us);
+}
+
+std::vector<std::string> Pacing::newly_silent(std::int64_t wall_us) {
+  std::vector<std::string> names;
+  for (auto& [name, stage] : stages_) {
+    if (stage.told || !stage.blocks_since_us) continue;
+    if (wall_us - *stage.blocks_since_us < kPatienceUs) continue;
+    stage.told = true;
+    names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace adit

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/live/processes.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace adit {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr pid_t kInit = 1;
+
+std::optional<pid_t> number(const std::string& text) {
+  pid_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// From `pid (name) state ppid ..`, where the name may hold anything.
+std::optional<pid_t> parent_of(const fs::path& folder) {
+  std::ifstream file(folder / "stat");
+  const std::string stat{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t name_end = stat.rfind(')');
+  if (name_end == std::string::npos || name_end + 4 >= stat.size()) return std::nullopt;
+  const std::size_t begin = name_end + 4;  // behind ") S "
+  return number(stat.substr(begin, stat.find(' ', begin) - begin));
+}
+
+std::map<pid_t, pid_t> all_parents() {
+  std::map<pid_t, pid_t> parents;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    const auto pid = number(entry.path().filename().string());
+    if (!pid) continue;
+    if (const auto parent = parent_of(entry.path())) parents[*pid] = *parent;
+  }
+  return parents;
+}
+
+bool descends(pid_t pid, pid_t ancestor, const std::map<pid_t, pid_t>& parents) {
+  // Not more steps than there are processes: the table is no snapshot, and might hold a circle.
+  for (std::size_t i = 0; i < parents.size(); ++i) {
+    const auto found = parents.find(pid);
+    if (found == parents.end()) return false;
+    if (found->second == ancestor) return true;
+    pid = found->second;
+  }
+  return false;
+}
+
+std::string executable_of(pid_t pid) {
+  std::error_code unknown;
+  return fs::read_symlink(fs::path("/proc") / std::to_string(pid) / "exe", unknown)
+      .filename()
+      .string();
+}
+
+}  // namespace
+
+std::vector<pid_t> descendants_named(pid_t ancestor, const std::string& executable) {
+  const std::map<pid_t, pid_t> parents = all_parents();
+  std::vector<pid_t> found;
+  for (const auto& [pid, parent] : parents) {
+    if (descends(pid, ancestor, parents) && executable_of(pid) == executable) found.push_back(pid);
+  }
+  return found;
+}
+
+int signal_siblings(const std::string& executable, int signal) {
+  const pid_t parent = getppid();
+  if (parent <= kInit) return 0;
+  const std::vector<pid_t> pids = descendants_named(parent, executable);
+  return static_cast<int>(
+      std::ranges::count_if(pids, [&](pid_t pid) { return kill(pid, signal) == 0; }));
+}
+
+}  // namespace adit

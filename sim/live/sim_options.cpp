@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/live/sim_options.hpp"
+
+#include <charconv>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace adit {
+namespace {
+
+std::optional<double> factor_from(const std::string& text) {
+  if (text == "max") return std::nullopt;
+  double factor = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), factor);
+  const bool number = error == std::errc() && end == text.data() + text.size();
+  if (!number || !(factor > 0.0 && factor <= 1e6)) {
+    throw CLI::ValidationError("--speed", "'" + text + "' is neither a positive number nor max");
+  }
+  return factor;
+}
+
+}  // namespace
+
+const char* const kLiveRunFooter =
+    R"(WORLD is the name of a mine that is built in, `random`, a world file (.yaml) or a mesh (.obj, .ply, ..).
+
+Time: stages that are started with --sim-time go by the simulator's time, and answer when they have
+handled all that came before. With --wait-for the simulator is never more than 0.2 s ahead of them, so
+that nothing gets lost however slow they are; without it and with --speed max it waits for nobody.
+
+Faults, as KIND[:TARGET][=AMOUNT]@SECONDS, with the seconds counted in simulated time:
+  laser_dies:front@20  laser_recovers:front@30  packet_loss=0.1@5  time_jump=2@40
+  kill:mapping@60  suspend:mapping@60  (adit-mapping, where it was started beside the simulator))";
+
+void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
+  app.add_option_function<std::string>(
+         "--speed",
+         [&options](const std::string& text) { options.pacing.factor = factor_from(text); },
+         "Times real time, or max: as fast as it goes; 1 without")
+      ->type_name("F|max");
+  app.add_option("--wait-for", options.pacing.wait_for, "Stages that must keep up")
+      ->type_name("STAGE,..")
+      ->delimiter(',');
+  app.add_option("--config", options.config, "YAML file with a section sim")->type_name("FILE");
+  app.add_option("--fault", options.faults, "Something that goes wrong; may be given several times")
+      ->type_name("FAULT")
+      ->allow_extra_args(false);
+  app.add_option("--lcm-url", options.lcm_url,
+                 "Where LCM is, e.g. udpm://239.255.76.67:7667?ttl=0 (the default)")
+      ->type_name("URL");
+  app.add_option("--for", options.for_s, "End after so much simulated time")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
+}
+
+}  // namespace adit

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/live/world_choice.hpp"
+
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+
+#include "sim/world/random_mine.hpp"
+#include "sim/world/world_file.hpp"
+
+namespace adit {
+namespace {
+
+constexpr const char* kRandom = "random";
+constexpr int kFirstSeed = 1;
+
+RandomMineParams random_params(const WorldChoice& choice) {
+  RandomMineParams params;
+  params.length_m = choice.length_m.value_or(params.length_m);
+  params.topology = choice.topology.value_or(params.topology);
+  params.damage = choice.damage.value_or(params.damage);
+  return params;
+}
+
+}  // namespace
+
+CLI::Option* add_world_options(CLI::App& app, WorldChoice& choice) {
+  CLI::Option* world = app.add_option("WORLD", choice.name,
+                                      "A mine that is built in, random, a world file, or a mesh");
+  app.add_option("--seed", choice.seed, "Of all that is random, instead of that of the world")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--length-m", choice.length_m, "Of all drifts of a random mine, about")
+      ->type_name("METRES")
+      ->check(CLI::Range(30.0, 5000.0));
+  app.add_option("--topology", choice.topology, "Of a random mine")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"any", "parallel_entries", "room_and_pillar", "branching", "ring"}));
+  app.add_option("--damage", choice.damage,
+                 "Share of the drifts of a random mine with falls, water, pits, low roof")
+      ->type_name("SHARE")
+      ->check(CLI::Range(0.0, 1.0));
+  return world;
+}
+
+WorldDescription describe(const WorldChoice& choice) {
+  const bool of_random = choice.length_m || choice.topology || choice.damage;
+  if (of_random && choice.name != kRandom) {
+    throw std::invalid_argument("--length-m, --topology and --damage are for the world random");
+  }
+  if (!of_random) return find_world(choice.name, choice.seed);
+  return random_mine(choice.seed.value_or(kFirstSeed), random_params(choice));
+}
+
+}  // namespace adit

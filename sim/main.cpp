@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <exception>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "common/bus/version.hpp"
+#include "sim/live/live_run.hpp"
+#include "sim/live/sim_options.hpp"
+
+namespace {
+
+constexpr int kExitUnusable = 2;
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  CLI::App app("A mine to drive in, on LCM until SIGINT or SIGTERM.", "adit-sim");
+  adit::LiveRunOptions options;
+  options.program = "adit-sim";
+  adit::WorldChoice world;
+  adit::add_world_options(app, world)->required();
+  adit::add_live_run_options(app, options);
+  app.footer(adit::kLiveRunFooter);
+  app.set_version_flag("--version", "adit-sim " + adit::version());
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& answer) {  // --help, --version
+    return app.exit(answer);
+  }
+  adit::run_live(world, options);
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "adit-sim: " << error.what() << std::endl;
+  return kExitUnusable;
+}

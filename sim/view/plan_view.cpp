@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/view/plan_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "sim/view/render.hpp"
+#include "sim/view/shading.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kMargin = 2.0;  // of rock around the mine [m]
+constexpr int kWindowsMax = 4;
+constexpr double kPixelsPerMetreMax = 40.0;
+constexpr float kReliefFactor = 4.0F;    // by which slopes of the floor are drawn steeper
+constexpr float kOcclusionReach = 1.0F;  // [m]
+constexpr double kCut = 1.5;             // above the floor: what is level there counts as roof [m]
+const Eigen::Vector3f kToLight = Eigen::Vector3f(-1.0F, 1.0F, 1.6F).normalized();
+
+/// Of a mesh from elsewhere it has to be guessed what is roof.
+bool is_level_and_high(const World& world, const TriangleMesh::Triangle& triangle) {
+  if (!world.truth.floor_height) return false;
+  const auto& vertices = world.mesh.vertices;
+  const Eigen::Vector3f& a = vertices[triangle[0]];
+  const Eigen::Vector3f& b = vertices[triangle[1]];
+  const Eigen::Vector3f& c = vertices[triangle[2]];
+  const Eigen::Vector3d middle = ((a + b + c) / 3.0F).cast<double>();
+  const auto floor_m = world.truth.floor_height(middle.head<2>());
+  return floor_m && middle.z() > *floor_m + kCut &&
+         std::abs((b - a).cross(c - a).normalized().z()) > 0.5F;
+}
+
+TriangleMesh without_roof(const World& world) {
+  const TriangleMesh& whole = world.mesh;
+  TriangleMesh mesh{whole.vertices, {}, {}, whole.parts};
+  for (std::uint32_t i = 0; i < whole.triangles.size(); ++i) {
+    const PartKind kind = whole.part_of(i).kind;
+    if (kind == PartKind::kRoof) continue;
+    if (kind == PartKind::kOther && is_level_and_high(world, whole.triangles[i])) continue;
+    mesh.triangles.push_back(whole.triangles[i]);
+    mesh.triangle_parts.push_back(whole.triangle_parts[i]);
+  }
+  return mesh;
+}
+
+/// Corners of the box around all triangles; one of no size at the origin where there is none.
+std::pair<Eigen::Vector3d, Eigen::Vector3d> box_of(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t i : triangle) {
+      if (mesh.vertices[i].allFinite()) box.extend(mesh.vertices[i].cast<double>());
+    }
+  }
+  if (box.isEmpty()) return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  return {box.min(), box.max()};
+}
+
+bool is_ground(PartKind kind) { return kind == PartKind::kFloor || kind == PartKind::kOther; }
+
+Rgb lit(const Part& part, const SeenPoint& point, float openness) {
+  Eigen::Vector3f normal = point.normal;
+  if (is_ground(part.kind)) {
+    normal.head<2>() *= kReliefFactor;
+    normal.normalize();
+  }
+  const float sun = 0.75F * std::max(0.0F, normal.dot(kToLight));
+  return (0.25F + 0.75F * openness) * (0.55F + sun) * plain_colour(part);
+}
+
+}  // namespace
+
+int PlanWindow::width() const {
+  return static_cast<int>(std::lround((high.x() - low.x()) * pixels_per_metre));
+}
+
+int PlanWindow::height() const {
+  return static_cast<int>(std::lround((high.y() - low.y()) * pixels_per_metre));
+}
+
+Eigen::Vector2d PlanWindow::pixel(const Eigen::Vector2d& p_world) const {
+  return pixels_per_metre * Eigen::Vector2d(p_world.x() - low.x(), high.y() - p_world.y());
+}
+
+Eigen::Vector2d PlanWindow::p_world(const Eigen::Vector2d& uv) const {
+  return {low.x() + uv.x() / pixels_per_metre, high.y() - uv.y() / pixels_per_metre};
+}
+
+PlanView::PlanView(const World& world) : mesh_(without_roof(world)), scene_(mesh_) {
+  std::tie(low_, high_) = box_of(mesh_);
+}
+
+std::vector<PlanWindow> PlanView::windows(int width, int height_max, int gap) const {
+  const Eigen::Vector2d low = low_.head<2>() - Eigen::Vector2d::Constant(kMargin);
+  const Eigen::Vector2d high = high_.head<2>() + Eigen::Vector2d::Constant(kMargin);
+  const Eigen::Vector2d size = high - low;
+  int count = 1;
+  double scale = 0.0;
+  for (int n = 1; n <= kWindowsMax; ++n) {
+    const double room = (height_max - (n - 1) * gap) / static_cast<double>(n);
+    const double fits = std::min({n * width / size.x(), room / size.y(), kPixelsPerMetreMax});
+    if (fits <= 1.2 * scale) continue;  // cut no more than it helps
+    count = n;
+    scale = fits;
+  }
+  std::vector<PlanWindow> windows;
+  for (int i = 0; i < count; ++i) {
+    const double from = low.x() + i * size.x() / count;
+    windows.push_back({{from, low.y()}, {from + size.x() / count, high.y()}, scale});
+  }
+  return windows;
+}
+
+RgbImage PlanView::draw(const PlanWindow& window) const {
+  const double top = high_.z() + 1.0;
+  const auto reach = static_cast<float>(top - low_.z() + 1.0);
+  const auto paint = [&](std::span<const Eigen::Vector2d> samples, std::span<Rgb> light) {
+    std::vector<Ray> rays;
+    rays.reserve(samples.size());
+    for (const Eigen::Vector2d& uv : samples) {
+      const Eigen::Vector2d p = window.p_world(uv);
+      rays.push_back({Eigen::Vector3d(p.x(), p.y(), top).cast<float>(), -Eigen::Vector3f::UnitZ()});
+    }
+    std::vector<RayHit> hits(rays.size());
+    scene_.cast(rays, reach, hits);
+    std::vector<SeenPoint> points(rays.size(), {rays[0].origin, Eigen::Vector3f::UnitZ()});
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (std::isfinite(hits[i].distance_m)) points[i] = surface_point(rays[i], hits[i]);
+    }
+    std::vector<float> openness(points.size());
+    find_openness(scene_, points, kOcclusionReach, openness);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const bool rock =
+          std::isinf(hits[i].distance_m) || mesh_.part_of(hits[i].triangle).kind == PartKind::kWall;
+      light[i] =
+          rock ? linear(kRock) : lit(mesh_.part_of(hits[i].triangle), points[i], openness[i]);
+    }
+  };
+  return render(window.width(), window.height(), paint);
+}
+
+}  // namespace adit

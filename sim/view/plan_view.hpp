@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/picture/rgb_image.hpp"
+#include "sim/mesh/ray_scene.hpp"
+#include "sim/world/world.hpp"
+
+namespace adit {
+
+/// A rectangle of the plan and its scale. x of world is to the right, y up.
+struct PlanWindow {
+  Eigen::Vector2d low{0.0, 0.0};  ///< p_world [m]
+  Eigen::Vector2d high{0.0, 0.0};
+  double pixels_per_metre = 1.0;
+
+  [[nodiscard]] int width() const;   ///< [pixels]
+  [[nodiscard]] int height() const;  ///< [pixels]
+  /// (u, v) as in Camera.
+  [[nodiscard]] Eigen::Vector2d pixel(const Eigen::Vector2d& p_world) const;
+  [[nodiscard]] Eigen::Vector2d p_world(const Eigen::Vector2d& uv) const;
+};
+
+/// A mine from above, its roof lifted off.
+class PlanView {
+ public:
+  static constexpr unsigned kRock = 0x57524c;  ///< of rock that is cut through, as on the web
+
+  explicit PlanView(const World& world);
+  PlanView(const PlanView&) = delete;
+  PlanView& operator=(const PlanView&) = delete;
+
+  /// The whole mine at the largest scale at which it fits. A long one is cut across into up to four
+  /// windows, from left to right, to be put below each other `gap` apart. Sizes in pixels.
+  [[nodiscard]] std::vector<PlanWindow> windows(int width, int height_max, int gap) const;
+
+  /// The floor is lit from the upper left, its relief drawn steeper than it is.
+  [[nodiscard]] RgbImage draw(const PlanWindow& window) const;
+
+ private:
+  TriangleMesh mesh_;  // without the roof
+  RayScene scene_;
+  Eigen::Vector3d low_;  // of the mesh
+  Eigen::Vector3d high_;
+};
+
+}  // namespace adit

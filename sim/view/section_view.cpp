@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/view/section_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <Eigen/Geometry>
+
+#include "sim/view/render.hpp"
+#include "sim/view/shading.hpp"
+
+namespace adit {
+namespace {
+
+constexpr int kWindowsMax = 4;
+constexpr int kProbes = 200;  // for openings along a window
+constexpr double kPixelsPerMetreWanted = 20.0;
+constexpr double kPixelsPerMetreMax = 60.0;
+constexpr double kOpeningPixelsMin = 48.0;
+constexpr double kMargin = 0.5;     // of rock above and below, without exaggeration [m]
+constexpr double kProbe = 0.3;      // above the floor, where openings are looked for [m]
+constexpr float kRoofMax = 10.0F;   // above the probe; what is higher is open to the sky [m]
+constexpr float kDepthMax = 60.0F;  // behind the cut [m]
+constexpr float kDarkening = 8.0F;  // depth in which light falls to 1/e [m]
+const Rgb kAir = linear(0xe4ded2);
+
+Ray ray_behind(const DriftLine::Station& at, double z) {
+  const Eigen::Vector3d left(-std::sin(at.heading_rad), std::cos(at.heading_rad), 0.0);
+  return {Eigen::Vector3d(at.p_world.x(), at.p_world.y(), z).cast<float>(), left.cast<float>()};
+}
+
+/// What is seen behind the cut: props in their colours, rock pale as if full of light.
+Rgb behind(const TriangleMesh& mesh, const Ray& ray, const RayHit& hit) {
+  if (std::isinf(hit.distance_m)) return std::exp(-kDepthMax / kDarkening) * kAir;
+  const Part& part = mesh.part_of(hit.triangle);
+  const float facing = std::abs(hit.normal.dot(ray.direction));
+  if (is_rock(part.kind)) {
+    return std::exp(-hit.distance_m / kDarkening) * (0.55F + 0.45F * facing) * kAir;
+  }
+  return (0.5F + 0.5F * facing) * colour_at(part, surface_point(ray, hit).p_world);
+}
+
+/// 1, or what makes an opening of so many pixels one that shows.
+double exaggeration_for(double opening_px) {
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * opening_px >= kOpeningPixelsMin) return factor;
+  }
+  return 10.0;
+}
+
+}  // namespace
+
+int SectionWindow::width() const {
+  return static_cast<int>(std::lround((to_m - from_m) * pixels_per_metre));
+}
+
+int SectionWindow::height() const {
+  return static_cast<int>(std::lround((z_high_m - z_low_m) * pixels_per_metre * exaggeration));
+}
+
+Eigen::Vector2d SectionWindow::pixel(double s_m, double z_m) const {
+  return {(s_m - from_m) * pixels_per_metre, (z_high_m - z_m) * pixels_per_metre * exaggeration};
+}
+
+std::pair<double, double> SectionWindow::place(const Eigen::Vector2d& uv) const {
+  return {from_m + uv.x() / pixels_per_metre,
+          z_high_m - uv.y() / (pixels_per_metre * exaggeration)};
+}
+
+std::vector<SectionWindow> SectionView::windows(int width) const {
+  const double length = std::max(line_.length_m(), 1.0);
+  const int count = std::clamp(static_cast<int>(std::ceil(length * kPixelsPerMetreWanted / width)),
+                               1, kWindowsMax);
+  const double scale = std::min(count * width / length, kPixelsPerMetreMax);
+  std::vector<SectionWindow> windows;
+  double tallest = 0.0;
+  double highest_opening = 0.0;
+  for (int i = 0; i < count; ++i) {
+    SectionWindow window{i * length / count, (i + 1) * length / count, 0.0, 0.0, scale, 1.0};
+    Eigen::AlignedBox1d heights;
+    for (const auto& opening : openings(window, kProbes)) {
+      if (!opening) continue;
+      heights.extend(Eigen::Matrix<double, 1, 1>(opening->floor_m));
+      heights.extend(Eigen::Matrix<double, 1, 1>(opening->roof_m));
+      highest_opening = std::max(highest_opening, opening->roof_m - opening->floor_m);
+    }
+    if (!heights.isEmpty()) {
+      window.z_low_m = heights.min().x();
+      window.z_high_m = heights.max().x();
+    }
+    tallest = std::max(tallest, window.z_high_m - window.z_low_m);
+    windows.push_back(window);
+  }
+  for (SectionWindow& window : windows) {
+    const double middle = (window.z_low_m + window.z_high_m) / 2.0;
+    window.z_low_m = middle - tallest / 2.0 - kMargin;
+    window.z_high_m = middle + tallest / 2.0 + kMargin;
+    window.exaggeration = exaggeration_for(highest_opening * scale);
+  }
+  return windows;
+}
+
+RgbImage SectionView::draw(const SectionWindow& window) const {
+  const auto opening_of_half_pixel = openings(window, 2 * window.width());
+  const auto paint = [&](std::span<const Eigen::Vector2d> samples, std::span<Rgb> light) {
+    std::fill(light.begin(), light.end(), linear(kRock));
+    std::vector<Ray> rays;
+    std::vector<std::size_t> sample_of_ray;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const auto [s, z] = window.place(samples[i]);
+      const auto& opening = opening_of_half_pixel[static_cast<std::size_t>(2.0 * samples[i].x())];
+      if (!opening || z <= opening->floor_m || z >= opening->roof_m) continue;
+      rays.push_back(ray_behind(line_.at(s), z));
+      sample_of_ray.push_back(i);
+    }
+    std::vector<RayHit> hits(rays.size());
+    site_.scene().cast(rays, kDepthMax, hits);
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      light[sample_of_ray[k]] = behind(site_.scene().mesh(), rays[k], hits[k]);
+    }
+  };
+  return render(window.width(), window.height(), paint);
+}
+
+std::vector<std::optional<SectionView::Opening>> SectionView::openings(const SectionWindow& window,
+                                                                       int count) const {
+  std::vector<std::optional<Opening>> found;
+  for (int i = 0; i < count; ++i) {
+    found.push_back(opening_at(std::lerp(window.from_m, window.to_m, (i + 0.5) / count)));
+  }
+  return found;
+}
+
+std::optional<SectionView::Opening> SectionView::opening_at(double s_m) const {
+  const Eigen::Vector2d p = line_.at(s_m).p_world;
+  const auto& floor_height = site_.world().truth.floor_height;
+  const auto floor_m = floor_height ? floor_height(p) : std::nullopt;
+  if (!floor_m) return std::nullopt;
+  Ray up{Eigen::Vector3d(p.x(), p.y(), *floor_m + kProbe).cast<float>(), Eigen::Vector3f::UnitZ()};
+  while (const auto hit = site_.scene().cast(up, kRoofMax)) {
+    if (is_rock(site_.scene().mesh().part_of(hit->triangle).kind)) {
+      return Opening{*floor_m, static_cast<double>(up.origin.z() + hit->distance_m)};
+    }
+    up.origin = surface_point(up, {hit->distance_m, hit->triangle, -hit->normal}).p_world;
+  }
+  return Opening{*floor_m, *floor_m + kRoofMax};
+}
+
+}  // namespace adit

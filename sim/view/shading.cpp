@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/view/shading.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace adit {
+namespace {
+
+constexpr float kHair = 2e-3F;  // [m]; rays in single precision a kilometre off are good to 0.1 mm
+constexpr std::size_t kRaysPerPoint = 2;
+constexpr std::size_t kDirections = kRaysPerPoint * kSamplesPerPixel;
+
+/// A number in [0, 1) for a place of the grid (Wang's integer hash).
+float lattice(std::int32_t x, std::int32_t y, std::int32_t z) {
+  std::uint32_t h = static_cast<std::uint32_t>(x) * 73856093U ^
+                    static_cast<std::uint32_t>(y) * 19349663U ^
+                    static_cast<std::uint32_t>(z) * 83492791U;
+  h = (h ^ 61U) ^ (h >> 16U);
+  h *= 9U;
+  h ^= h >> 4U;
+  h *= 0x27d4eb2dU;
+  h ^= h >> 15U;
+  return static_cast<float>(h >> 8U) / 16777216.0F;
+}
+
+/// Value noise in [0, 1], varying over one unit.
+float noise(const Eigen::Vector3f& p) {
+  const Eigen::Array3f low = p.array().floor();
+  const Eigen::Array3f in = p.array() - low;
+  const Eigen::Array3f w = in * in * (3.0F - 2.0F * in);
+  const Eigen::Array3i cell = low.cast<int>();
+  const auto along_x = [&](int j, int k) {
+    return std::lerp(lattice(cell.x(), cell.y() + j, cell.z() + k),
+                     lattice(cell.x() + 1, cell.y() + j, cell.z() + k), w.x());
+  };
+  return std::lerp(std::lerp(along_x(0, 0), along_x(1, 0), w.y()),
+                   std::lerp(along_x(0, 1), along_x(1, 1), w.y()), w.z());
+}
+
+/// About 1, by which the colour of natural stuff varies.
+float grain(const Eigen::Vector3f& p_world) {
+  return 0.7F + 0.3F * noise(2.5F * p_world) + 0.3F * noise(17.0F * p_world);
+}
+
+/// Two unit vectors that complete a normal to a right-handed frame (Duff et al., "Building an
+/// orthonormal basis, revisited", 2017).
+std::array<Eigen::Vector3f, 2> tangents(const Eigen::Vector3f& n) {
+  const float sign = std::copysign(1.0F, n.z());
+  const float a = -1.0F / (sign + n.z());
+  const float b = n.x() * n.y() * a;
+  return {Eigen::Vector3f(1.0F + sign * n.x() * n.x() * a, sign * b, -sign * n.x()),
+          Eigen::Vector3f(b, sign + n.y() * n.y() * a, -n.y())};
+}
+
+/// Spread over the hemisphere around z, as dense as the cosine to it (Vogel's spiral on the disc).
+std::array<Eigen::Vector3f, kDirections> hemisphere() {
+  std::array<Eigen::Vector3f, kDirections> directions;
+  const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / kDirections;
+    const double angle = golden_angle * static_cast<double>(i);
+    directions[i] = Eigen::Vector3d(std::sqrt(share) * std::cos(angle),
+                                    std::sqrt(share) * std::sin(angle), std::sqrt(1.0 - share))
+                        .cast<float>();
+  }
+  return directions;
+}
+
+}  // namespace
+
+SeenPoint surface_point(const Ray& ray, const RayHit& hit) {
+  return {ray.origin + hit.distance_m * ray.direction + kHair * hit.normal, hit.normal};
+}
+
+Rgb plain_colour(const Part& part) {
+  switch (part.kind) {
+    case PartKind::kFloor:
+      return part.material == Material::kMud ? linear(0x5b4a36) : linear(0xa89a86);
+    case PartKind::kRoof:
+      return linear(0x8c8880);
+    case PartKind::kWall:
+      return linear(0x98928a);
+    case PartKind::kRail:
+      return linear(0x6f7f90);
+    case PartKind::kSleeper:
+      return linear(0x6b4d33);
+    case PartKind::kPost:
+      return linear(0xc2924f);
+    case PartKind::kCrib:
+      return linear(0xb5813f);
+    case PartKind::kRubble:
+      return linear(0x85858a);
+    case PartKind::kBeam:
+      return linear(0xa4672c);
+    case PartKind::kCable:
+      return linear(0xb9c6d6);
+    case PartKind::kCar:
+      return linear(0x9b4a33);
+    case PartKind::kWater:
+      return linear(0x3f7fb5);
+    case PartKind::kOther:
+      break;
+  }
+  return linear(0x9a948b);
+}
+
+Rgb colour_at(const Part& part, const Eigen::Vector3f& p_world) {
+  const Rgb plain = plain_colour(part);
+  switch (part.material) {
+    case Material::kRock:
+    case Material::kMud:
+      return grain(p_world) * plain;
+    case Material::kTimber:
+      return (0.75F + 0.5F * noise(Eigen::Vector3f(
+                                 p_world.cwiseProduct(Eigen::Vector3f(23.0F, 23.0F, 7.0F))))) *
+             plain;
+    case Material::kSteel:
+    case Material::kWater:
+    case Material::kMirror:
+      break;
+  }
+  return plain;
+}
+
+bool is_rock(PartKind kind) {
+  return kind == PartKind::kFloor || kind == PartKind::kRoof || kind == PartKind::kWall ||
+         kind == PartKind::kOther;
+}
+
+void find_openness(const RayScene& scene, std::span<const SeenPoint> points, float reach_m,
+                   std::span<float> openness) {
+  static const std::array<Eigen::Vector3f, kDirections> kHemisphere = hemisphere();
+  std::vector<Ray> rays;
+  rays.reserve(kRaysPerPoint * points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& [p_world, normal] = points[i];
+    const auto [a, b] = tangents(normal);
+    // Turned differently at each place: a fixed set of directions would draw stars round posts.
+    const Eigen::Array3i at = (1000.0F * p_world).array().floor().cast<int>();
+    const float turn = 2.0F * std::numbers::pi_v<float> * lattice(at.x(), at.y(), at.z());
+    const Eigen::Vector3f u = std::cos(turn) * a + std::sin(turn) * b;
+    const Eigen::Vector3f v = std::cos(turn) * b - std::sin(turn) * a;
+    for (std::size_t k = 0; k < kRaysPerPoint; ++k) {
+      const Eigen::Vector3f& d = kHemisphere[i % kSamplesPerPixel + k * kSamplesPerPixel];
+      rays.push_back({p_world, d.x() * u + d.y() * v + d.z() * normal});
+    }
+  }
+  std::vector<RayHit> hits(rays.size());
+  scene.cast(rays, reach_m, hits);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    int open = 0;
+    for (std::size_t k = 0; k < kRaysPerPoint; ++k) {
+      if (std::isinf(hits[kRaysPerPoint * i + k].distance_m)) ++open;
+    }
+    openness[i] = static_cast<float>(open) / kRaysPerPoint;
+  }
+}
+
+}  // namespace adit

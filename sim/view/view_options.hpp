@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/geometry/pose2.hpp"
+
+namespace adit {
+
+/// From where a mine is looked at.
+struct ViewOptions {
+  std::optional<Pose2> from;       ///< T_world_camera in the plan; nothing for behind the start
+  double eye_m = 1.2;              ///< height of the camera above the floor
+  double pitch_rad = 0.06;         ///< of the camera, positive looks down
+  double field_of_view_rad = 1.3;  ///< of the width of the picture
+  int width_px = 1800;             ///< of the sheet, at least 600
+
+  /// The line along which the mine is cut, p_world; fewer than two points for the drift at the
+  /// start.
+  std::vector<Eigen::Vector2d> section;
+};
+
+}  // namespace adit

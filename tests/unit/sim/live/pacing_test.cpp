@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/live/pacing.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using Kind = Pacing::Decision::Kind;
+
+constexpr std::int64_t kStart = 1'000'000'000;  // simulated
+constexpr std::int64_t kSecond = 1'000'000;
+constexpr std::int64_t kStep = 10'000;
+
+TEST(Pacing, GoesAsFastAsItCanWhereNobodyAsksForMore) {
+  Pacing pacing({});
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(pacing.decide(kStart + i * kStep, 0).kind, Kind::kStep);
+}
+
+TEST(Pacing, KeepsToRealTimeTimesTheFactor) {
+  Pacing pacing({.factor = 4.0, .wait_for = {}});
+  EXPECT_EQ(pacing.decide(kStart, 77).kind, Kind::kStep);
+  const auto early = pacing.decide(kStart + kStep, 77 + 500);
+  EXPECT_EQ(early.kind, Kind::kWaitForClock);
+  EXPECT_EQ(early.wait_us, kStep / 4 - 500);
+  EXPECT_EQ(pacing.decide(kStart + kStep, 77 + kStep / 4).kind, Kind::kStep);
+}
+
+TEST(Pacing, MakesUpForALittleDelayAndNotForALongOne) {
+  Pacing pacing({.factor = 1.0, .wait_for = {}});
+  EXPECT_EQ(pacing.decide(kStart, 0).kind, Kind::kStep);
+  EXPECT_EQ(pacing.decide(kStart + kStep, 50'000).kind, Kind::kStep);  // 40 ms late
+  EXPECT_EQ(pacing.decide(kStart + 5 * kStep, 50'000).kind, Kind::kStep);
+  EXPECT_EQ(pacing.decide(kStart + 6 * kStep, 9 * kSecond).kind, Kind::kStep);
+  const auto next = pacing.decide(kStart + 7 * kStep, 9 * kSecond);
+  EXPECT_EQ(next.kind, Kind::kWaitForClock);
+  EXPECT_EQ(next.wait_us, kStep);
+}
+
+TEST(Pacing, DoesNotBeginBeforeAllStagesHaveAnswered) {
+  Pacing pacing({.factor = {}, .wait_for = {"mapping", "scan_matching"}});
+  EXPECT_EQ(pacing.decide(kStart + kStep, 0).kind, Kind::kWaitForStages);
+  pacing.done("mapping", kStart);
+  EXPECT_EQ(pacing.decide(kStart + kStep, 0).kind, Kind::kWaitForStages);
+  pacing.done("scan_matching", kStart);
+  EXPECT_EQ(pacing.decide(kStart + kStep, 0).kind, Kind::kStep);
+}
+
+TEST(Pacing, IsNeverFartherAheadOfTheSlowestThanItMay) {
+  Pacing pacing({.factor = {}, .wait_for = {"mapping", "scan_matching"}});
+  pacing.done("mapping", kStart + kSecond);
+  pacing.done("scan_matching", kStart);
+  EXPECT_EQ(pacing.decide(kStart + Pacing::kAheadMaxUs, 0).kind, Kind::kStep);
+  EXPECT_EQ(pacing.decide(kStart + Pacing::kAheadMaxUs + kStep, 0).kind, Kind::kWaitForStages);
+  pacing.done("scan_matching", kStart + kStep);
+  EXPECT_EQ(pacing.decide(kStart + Pacing::kAheadMaxUs + kStep, 0).kind, Kind::kStep);
+}
+
+TEST(Pacing, WaitsForClockAndStagesBoth) {
+  Pacing pacing({.factor = 1.0, .wait_for = {"mapping"}});
+  pacing.done("mapping", kStart);
+  EXPECT_EQ(pacing.decide(kStart, 0).kind, Kind::kStep);
+  EXPECT_EQ(pacing.decide(kStart + kStep, 0).kind, Kind::kWaitForClock);
+  EXPECT_EQ(pacing.decide(kStart + kSecond, 2 * kSecond).kind, Kind::kWaitForStages);
+}
+
+TEST(Pacing, LetsAnswersThroughThatAreOldOrOfOthers) {
+  Pacing pacing({.factor = {}, .wait_for = {"mapping"}});
+  pacing.done("mapping", kStart + kSecond);
+  pacing.done("mapping", kStart);
+  pacing.done("guard", kStart);
+  EXPECT_EQ(pacing.decide(kStart + kSecond + kStep, 0).kind, Kind::kStep);
+}
+
+TEST(Pacing, NamesAStageThatIsSilentOnceAndAgainAfterItAnswered) {
+  Pacing pacing({.factor = {}, .wait_for = {"mapping", "scan_matching"}});
+  pacing.done("scan_matching", kStart);
+  EXPECT_EQ(pacing.decide(kStart + kStep, 0).kind, Kind::kWaitForStages);
+  EXPECT_THAT(pacing.newly_silent(Pacing::kPatienceUs - 1), IsEmpty());
+  EXPECT_THAT(pacing.newly_silent(Pacing::kPatienceUs), ElementsAre("mapping"));
+  EXPECT_THAT(pacing.newly_silent(2 * Pacing::kPatienceUs), IsEmpty());
+  pacing.done("mapping", kStart);
+  EXPECT_EQ(pacing.decide(kStart + kSecond, 3 * Pacing::kPatienceUs).kind, Kind::kWaitForStages);
+  EXPECT_THAT(pacing.newly_silent(4 * Pacing::kPatienceUs),
+              ElementsAre("mapping", "scan_matching"));
+}
+
+}  // namespace
+}  // namespace adit

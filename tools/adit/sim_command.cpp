@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+
+#include "sim/live/live_run.hpp"
+#include "sim/live/sim_options.hpp"
+#include "sim/view/view.hpp"
+#include "sim/world/build_world.hpp"
+#include "sim/world/world_file.hpp"
+#include "tools/adit/commands.hpp"
+#include "tools/sim/truth_files.hpp"
+
+namespace adit {
+namespace {
+
+struct Options {
+  WorldChoice world;
+  LiveRunOptions run;
+  std::filesystem::path view;
+  std::filesystem::path truth;
+  std::filesystem::path description;
+
+  [[nodiscard]] bool only_writes() const {
+    return !view.empty() || !truth.empty() || !description.empty();
+  }
+};
+
+constexpr const char* kExamples = R"(
+
+Examples:
+  adit sim bruceton                                        in real time; then, beside it
+  adit-scan_matching --sim-time & adit drive --keys        and drive
+  adit sim mathies --speed max --wait-for scan_matching    as fast as scan matching keeps up
+  adit sim random --seed 7 --damage 0.8 --describe my.yaml
+  adit sim my.yaml --view my.png --truth my_truth          a picture; centre lines, plan and obstacles as JSON)";
+
+void write_description(const WorldDescription& description, const std::filesystem::path& path) {
+  std::ofstream out(path);
+  out << to_world_file(description);
+  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
+}
+
+void write_files(const Options& options) {
+  const WorldDescription description = describe(options.world);
+  if (!options.description.empty()) write_description(description, options.description);
+  if (options.view.empty() && options.truth.empty()) return;
+  const Site site(build_world(description));
+  if (!options.truth.empty()) write_truth_files(site.world(), options.truth);
+  if (!options.view.empty()) write_view(site, options.view);
+}
+
+}  // namespace
+
+void add_sim_command(CLI::App& adit) {
+  CLI::App* sim = adit.add_subcommand(
+      "sim", "A mine to drive in, on LCM; or what it looks like, and what is true of it");
+  sim->footer(std::string(kLiveRunFooter) + kExamples);
+  const auto options = std::make_shared<Options>();
+  options->run.program = "adit sim";
+  add_world_options(*sim, options->world)->required();
+  add_live_run_options(*sim, options->run);
+  sim->add_option("--view", options->view, "Draw it as plan, section and in perspective, and end")
+      ->type_name("PNG");
+  sim->add_option("--truth", options->truth,
+                  "Write drifts.geojson, plan.geojson, obstacles.json, and end")
+      ->type_name("DIR");
+  sim->add_option("--describe", options->description,
+                  "Write the whole description as a world file, and end")
+      ->type_name("FILE");
+  sim->callback([options] {
+    if (options->only_writes()) return write_files(*options);
+    run_live(options->world, options->run);
+  });
+}
+
+}  // namespace adit

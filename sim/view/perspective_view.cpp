@@ -13,7 +13,7 @@
 namespace adit {
 namespace {
 
-constexpr float kRangeMax = 300.0F;      // [m]
+constexpr float kRangeMax = 5000.0F;     // [m]
 constexpr double kStepBack = 2.0;        // [m]
 constexpr double kWallDistance = 0.5;    // that the camera keeps [m]
 constexpr float kLampReach = 9.0F;       // at which its light has fallen to a half [m]
@@ -53,10 +53,10 @@ Eigen::Vector3f lamp_of(const RayScene& scene, const Camera& camera) {
 
 /// For each place whether light from the lamp gets there.
 std::vector<bool> lit_by(const RayScene& scene, const Eigen::Vector3f& lamp,
-                         const std::vector<SurfacePoint>& points) {
+                         const std::vector<SeenPoint>& points) {
   std::vector<Ray> rays;
   rays.reserve(points.size());
-  for (const SurfacePoint& point : points) {
+  for (const SeenPoint& point : points) {
     rays.push_back({lamp, (point.p_world - lamp).normalized()});
   }
   std::vector<RayHit> hits(rays.size());
@@ -75,7 +75,7 @@ float fall_off(float distance_m) {
 }
 
 /// Steel and water shine (Blinn and Phong).
-float gloss(Material material, const SurfacePoint& point, const Eigen::Vector3f& to_lamp,
+float gloss(Material material, const SeenPoint& point, const Eigen::Vector3f& to_lamp,
             const Eigen::Vector3f& to_eye) {
   if (material != Material::kSteel && material != Material::kWater && material != Material::kMirror)
     return 0.0F;
@@ -87,8 +87,7 @@ struct Lighting {
   Eigen::Vector3f eye;
   Eigen::Vector3f lamp;
 
-  [[nodiscard]] Rgb seen(const Part& part, const SurfacePoint& point, bool lit,
-                         float openness) const {
+  [[nodiscard]] Rgb seen(const Part& part, const SeenPoint& point, bool lit, float openness) const {
     const Eigen::Vector3f to_lamp = (lamp - point.p_world).normalized();
     const Eigen::Vector3f to_eye = (eye - point.p_world).normalized();
     const float distance = (point.p_world - eye).norm();
@@ -125,7 +124,7 @@ RgbImage perspective_view(const RayScene& scene, const Camera& camera) {
     for (const Eigen::Vector2d& uv : samples) rays.push_back(camera.ray(uv));
     std::vector<RayHit> hits(rays.size());
     scene.cast(rays, kRangeMax, hits);
-    std::vector<SurfacePoint> points(rays.size(), {lighting.eye, Eigen::Vector3f::UnitZ()});
+    std::vector<SeenPoint> points(rays.size(), {lighting.eye, Eigen::Vector3f::UnitZ()});
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (std::isfinite(hits[i].distance_m)) points[i] = surface_point(rays[i], hits[i]);
     }

@@ -13,14 +13,14 @@
 namespace adit {
 
 /// A place on a surface, for the computation of light.
-struct SurfacePoint {
+struct SeenPoint {
   Eigen::Vector3f p_world;
   Eigen::Vector3f normal;  ///< unit, towards where it is seen from
 };
 
 /// Where a ray meets a surface; drawn back from it by a hair, so that rays that leave do not meet
 /// the surface itself.
-SurfacePoint surface_point(const Ray& ray, const RayHit& hit);
+SeenPoint surface_point(const Ray& ray, const RayHit& hit);
 
 /// The colour of a part in white light, without grain.
 Rgb plain_colour(const Part& part);
@@ -35,7 +35,7 @@ bool is_rock(PartKind kind);
 /// off than `reach_m` does not count (ambient occlusion). Four places one after another are taken
 /// for samples of one pixel and look to different sides, two rays each, so that their mean is
 /// smooth.
-void find_openness(const RayScene& scene, std::span<const SurfacePoint> points, float reach_m,
+void find_openness(const RayScene& scene, std::span<const SeenPoint> points, float reach_m,
                    std::span<float> openness);
 
 }  // namespace adit

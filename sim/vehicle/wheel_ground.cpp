@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/vehicle/wheel_ground.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -51,8 +50,10 @@ Ground look_down(const RayScene& scene, const std::array<Ray, kRays>& rays) {
 }
 
 bool has_ground_below_middle(const Ground& ground) {
-  const auto* row = ground.height_m.begin() + kMiddle * kSide;
-  return std::any_of(row, row + kSide, [](double height_m) { return height_m != kNone; });
+  for (int i = 0; i < kRays; ++i) {
+    if (along(i) == 0 && ground.height_m[i] != kNone) return true;
+  }
+  return false;
 }
 
 void rest_on(const Ground& ground, double radius_m, WheelGround& wheel) {

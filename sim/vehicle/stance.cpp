@@ -17,7 +17,7 @@ constexpr std::array<const char*, 4> kWheelNames{"front left wheel", "front righ
 // The rays under a wheel are some centimetres apart: without a limit it would jump from one to the
 // next. A wheel climbs over an edge at about this slope.
 constexpr double kClimbSlope = 1.0;
-// Wheels stand on a plane that is known once they do, since its tilt moves them sideways.
+// The wheels give the tilt, and the tilt moves the wheels: rounds until both agree to a micrometre.
 constexpr int kPutRounds = 8;
 constexpr double kAnyChange = std::numeric_limits<double>::infinity();
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/vehicle/wheel_ground.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -25,7 +24,9 @@ struct Ground {
   std::array<std::uint32_t, kRays> triangle;
 };
 
-int index(int along, int across) { return along * kSide + across; }
+/// Counted from the middle of the wheel.
+int along(int ray) { return ray / kSide - kMiddle; }
+int across(int ray) { return ray % kSide - kMiddle; }
 
 /// Many rays at once see water, too, which carries no wheel.
 RayHit below_water(const RayScene& scene, const Ray& ray, const RayHit& hit) {
@@ -49,13 +50,15 @@ Ground look_down(const RayScene& scene, const std::array<Ray, kRays>& rays) {
 }
 
 bool has_ground_below_middle(const Ground& ground) {
-  const auto* row = ground.height_m.begin() + index(kMiddle, 0);
-  return std::any_of(row, row + kSide, [](double height_m) { return height_m != kNone; });
+  for (int i = 0; i < kRays; ++i) {
+    if (along(i) == 0 && ground.height_m[i] != kNone) return true;
+  }
+  return false;
 }
 
 void rest_on(const Ground& ground, double radius_m, WheelGround& wheel) {
   for (int i = 0; i < kRays; ++i) {
-    const double x = (i / kSide - kMiddle) * kSpacing * radius_m;
+    const double x = along(i) * kSpacing * radius_m;
     const double rim_m = radius_m - std::sqrt(radius_m * radius_m - x * x);  // above its lowest
     if (ground.height_m[i] - rim_m <= wheel.height_m) continue;
     wheel.height_m = ground.height_m[i] - rim_m;
@@ -64,15 +67,12 @@ void rest_on(const Ground& ground, double radius_m, WheelGround& wheel) {
 }
 
 void find_step(const Ground& ground, WheelGround& wheel) {
-  for (int along = 0; along + 2 < kSide; ++along) {
-    for (int across = 0; across < kSide; ++across) {
-      const int behind = index(along, across);
-      const int ahead = index(along + 2, across);
-      const double rise = ground.height_m[ahead] - ground.height_m[behind];
-      if (!std::isfinite(rise) || std::abs(rise) <= wheel.step_m) continue;
-      wheel.step_m = std::abs(rise);
-      wheel.step_triangle = ground.triangle[rise > 0.0 ? ahead : behind];
-    }
+  for (int behind = 0; behind + 2 * kSide < kRays; ++behind) {
+    const int ahead = behind + 2 * kSide;
+    const double rise = ground.height_m[ahead] - ground.height_m[behind];
+    if (!std::isfinite(rise) || std::abs(rise) <= wheel.step_m) continue;
+    wheel.step_m = std::abs(rise);
+    wheel.step_triangle = ground.triangle[rise > 0.0 ? ahead : behind];
   }
 }
 
@@ -87,8 +87,8 @@ std::optional<WheelGround> WheelGroundProbe::under(const WheelPlace& place) cons
   const Pose2 T_world_wheel{place.p_world.x(), place.p_world.y(), place.heading_rad};
   std::array<Ray, kRays> rays;
   for (int i = 0; i < kRays; ++i) {
-    const double x = (i / kSide - kMiddle) * kSpacing * wheel_radius_m_;
-    const double y = (i % kSide - kMiddle) * wheel_width_m_ / (kSide - 1);
+    const double x = along(i) * kSpacing * wheel_radius_m_;
+    const double y = across(i) * wheel_width_m_ / (kSide - 1);
     const Eigen::Vector2d p_world = T_world_wheel * Eigen::Vector2d(x, y);
     rays[i] = {Eigen::Vector3d(p_world.x(), p_world.y(), place.look_from_m).cast<float>(),
                -Eigen::Vector3f::UnitZ()};

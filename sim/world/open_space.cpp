@@ -41,7 +41,7 @@ std::vector<DriftPiece> pieces_of(const DriftLine& drift, const std::vector<Drif
   }
   const bool ring = drift.points.front() == drift.points.back();
   pieces.front().flat_start =
-      drift.entrance || (!ring && !meets_another(drift.points.front(), drift, drifts));
+      !drift.entrance && !ring && !meets_another(drift.points.front(), drift, drifts);
   pieces.back().flat_end = !ring && !meets_another(drift.points.back(), drift, drifts);
   return pieces;
 }
@@ -71,9 +71,12 @@ OpenSpace::Shapes OpenSpace::shapes_of(const PlanDescription& plan,
   for (const DriftLine& drift : drifts) {
     const std::vector<DriftPiece> pieces = pieces_of(drift, drifts);
     shapes.all.insert(shapes.all.end(), pieces.begin(), pieces.end());
-    if (drift.entrance) shapes.aprons.push_back(apron_of(pieces.front()));
+    if (!drift.entrance) continue;
+    shapes.aprons.push_back(apron_of(pieces.front()));
+    DriftPiece open_to_the_drift = shapes.aprons.back();  // or a seam would count as a wall
+    open_to_the_drift.flat_start = false;
+    shapes.all.push_back(open_to_the_drift);
   }
-  shapes.all.insert(shapes.all.end(), shapes.aprons.begin(), shapes.aprons.end());
   for (const PolygonDescription& room : plan.rooms) {
     shapes.all.push_back(PlanPolygon{corner_list(room.points_m, 3, "room '" + room.name + "'")});
   }

@@ -167,6 +167,19 @@ TEST(MineSurface, AnEntranceIsOpenAndHasGroundInFrontOfIt) {
   EXPECT_FALSE(cast(site, {-4.5, 0.0, 1.0}, -Eigen::Vector3d::UnitZ()));
 }
 
+TEST(MineSurface, RoughWallsLeaveNothingInAMouth) {
+  WorldDescription description = smooth_drift(true);
+  description.wall_relief = {.height_m = 0.4, .length_m = 0.5, .octaves = 2};
+  for (description.seed = 1; description.seed < 6; ++description.seed) {
+    const Site site(build_world(description));
+    EXPECT_EQ(site.world().truth.plan.size(), 1U);
+    for (double y = -1.0; y <= 1.0; y += 0.1) {
+      EXPECT_FALSE(cast(site, {0.5, y, 1.0}, -Eigen::Vector3d::UnitX()));
+      EXPECT_TRUE(site.world().truth.floor_height({0.0, y}));
+    }
+  }
+}
+
 TEST(MineSurface, OutlineOfAStraightDriftIsItsRectangle) {
   for (const bool entrance : {false, true}) {
     const World world = build_world(smooth_drift(entrance));

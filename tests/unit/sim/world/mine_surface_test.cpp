@@ -230,6 +230,19 @@ TEST(MineSurface, PillarsStandInRooms) {
   EXPECT_TRUE(site.world().truth.drifts.edges.empty());
 }
 
+TEST(MineSurface, DriftsOpenIntoRoomsAndDriftsThatTheyOnlyTouch) {
+  WorldDescription description = smooth_drift();
+  description.wall_relief = {.height_m = 0.4, .length_m = 0.5, .octaves = 2};
+  description.plan.rooms = {{"room", {30.0, -5.0, 40.0, -5.0, 40.0, 5.0, 30.0, 5.0}}};
+  description.plan.drifts.push_back({"side", {15.0, 1.5, 15.0, 20.0}, 3.0, false});
+  const Site site(build_world(description));
+  EXPECT_EQ(site.world().truth.plan.size(), 1U);
+  for (double across = -0.8; across <= 0.8; across += 0.1) {
+    EXPECT_GT(cast(site, {5.0, across, 1.0}, Eigen::Vector3d::UnitX())->distance_m, 34.0);
+    EXPECT_GT(cast(site, {15.0 + across, 0.0, 1.0}, Eigen::Vector3d::UnitY())->distance_m, 19.0);
+  }
+}
+
 TEST(MineSurface, TheSameDescriptionGivesTheSameBytes) {
   const World a = build_world(panel_world());
   const World b = build_world(panel_world());

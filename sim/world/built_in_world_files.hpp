@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace adit {
+
+/// A file of sim/worlds, as it was when the library was built.
+struct WorldFileText {
+  std::string name;  ///< without `.yaml`
+  std::string text;
+};
+
+/// Sorted by name. Made by cmake/embed_worlds.cmake.
+std::vector<WorldFileText> built_in_world_files();
+
+}  // namespace adit

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sim/world/random/dice.hpp"
+#include "sim/world/world_description.hpp"
+
+namespace adit {
+
+/// A line of the given length that bends a little now and then but keeps to its direction.
+std::vector<Eigen::Vector2d> wandering_line(const Eigen::Vector2d& from, double heading_rad,
+                                            double length_m, Dice& dice);
+
+/// The drift along a line.
+DriftDescription drift_along(const std::string& name, const std::vector<Eigen::Vector2d>& line,
+                             double width_m);
+
+/// `main`, from the origin along x, straight for `kSoundLength` and wandering thereafter.
+DriftDescription main_drift(double length_m, Dice& dice);
+
+}  // namespace adit

@@ -40,8 +40,8 @@ class Roughness {
   }
 
  private:
-  RockNoise coarse_;
-  RockNoise fine_;
+  SmoothNoise coarse_;
+  SmoothNoise fine_;
 };
 
 /// How far inside the rock a point lies [m]; negative in the open.

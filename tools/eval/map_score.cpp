@@ -62,7 +62,7 @@ std::vector<Eigen::Vector2d> points_of(const std::vector<PlanRing>& rings) {
       }
     }
   }
-  return thinned(found, kSpacing);
+  return found;
 }
 
 double share_near(const std::vector<Eigen::Vector2d>& points, const NearestPoints& mapped) {

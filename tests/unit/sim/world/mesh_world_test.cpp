@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/world/mesh_world.hpp"
+
+#include <fstream>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/world/build_world.hpp"
+#include "tests/support/box_drift.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace adit {
+namespace {
+
+using testing::HasSubstr;
+
+class MeshWorld : public testing::Test {
+ protected:
+  /// Writes the mesh as a file, and describes a world of it.
+  WorldDescription description_of(const TriangleMesh& mesh) {
+    std::ofstream file(scratch_ / "mine.obj");
+    for (const Eigen::Vector3f& v : mesh.vertices) {
+      file << "v " << v.x() << ' ' << v.y() << ' ' << v.z() << '\n';
+    }
+    for (const auto& [a, b, c] : mesh.triangles) {
+      file << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+    }
+    WorldDescription description;
+    description.mesh.file = scratch_ / "mine.obj";
+    return description;
+  }
+
+  static std::string error_of(const WorldDescription& description) {
+    try {
+      build_world(description);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  test::ScratchFolder scratch_;
+};
+
+TEST_F(MeshWorld, ABoxHasItsFloorAndItsOutline) {
+  const World world = build_world(description_of(box_drift().mesh));
+  EXPECT_NEAR(world.truth.floor_height({3.0, 1.0}).value(), 0.0, 1e-6);  // single precision
+  EXPECT_FALSE(world.truth.floor_height({3.0, 3.0}));
+  EXPECT_TRUE(world.truth.drifts.edges.empty());
+  ASSERT_EQ(world.truth.plan.size(), 1U);
+  EXPECT_NEAR(world.truth.plan[0].signed_area_m2(), 160.0, 1e-3);
+  EXPECT_EQ(Site(world).scene().mesh().triangles.size(), 12U);
+}
+
+TEST_F(MeshWorld, TheGroundUnderTheRockAroundIsNoFloor) {
+  const World box = box_drift({}, [](MeshBuilder& builder) {
+    builder.box(level_box({0.0, 0.0, 1.0}, {42.0, 6.0, 2.8}));  // 0.4 m of rock all around
+  });
+  const World world = build_world(description_of(box.mesh));
+  EXPECT_NEAR(world.truth.floor_height({3.0, 1.0}).value(), 0.0, 1e-6);
+  ASSERT_EQ(world.truth.plan.size(), 1U);
+  EXPECT_NEAR(world.truth.plan[0].signed_area_m2(), 160.0, 1e-3);
+}
+
+TEST_F(MeshWorld, WhatStandsInItIsAPillarOfThePlan) {
+  const World box = box_drift({}, [](MeshBuilder& builder) {
+    builder.box(level_box({5.0, 0.0, 1.0}, {1.0, 1.0, 2.2}));
+  });
+  const World world = build_world(description_of(box.mesh));
+  ASSERT_EQ(world.truth.plan.size(), 2U);
+  EXPECT_FALSE(world.truth.plan[0].is_pillar());
+  EXPECT_NEAR(world.truth.plan[1].signed_area_m2(), -1.0, 1e-5);
+}
+
+TEST_F(MeshWorld, AFlatFloorAndRoofAreAddedOnRequest) {
+  TriangleMesh walls = box_drift().mesh;
+  walls.triangles.erase(walls.triangles.begin(), walls.triangles.begin() + 4);
+  WorldDescription description = description_of(walls);
+  EXPECT_THAT(error_of(description), HasSubstr("no floor at the start"));
+  description.mesh.flat_floor = true;
+  description.mesh.floor_m = 0.2;
+  description.mesh.flat_roof = true;
+  description.mesh.roof_m = 1.9;
+  const World world = build_world(description);
+  EXPECT_NEAR(world.truth.floor_height({3.0, 1.0}).value(), 0.2, 1e-6);
+  EXPECT_EQ(world.mesh.parts.back().kind, PartKind::kRoof);
+}
+
+TEST_F(MeshWorld, AnOpenMeshIsAWorldWithoutOutline) {
+  TriangleMesh mesh = box_drift().mesh;
+  mesh.triangles.pop_back();
+  EXPECT_TRUE(build_world(description_of(mesh)).truth.plan.empty());
+}
+
+TEST_F(MeshWorld, RefusesAStartOutsidePropsAndAPlan) {
+  WorldDescription description = description_of(box_drift().mesh);
+  description.T_world_start = {50.0, 0.0, 0.0};
+  EXPECT_THAT(error_of(description), HasSubstr("no floor at the start"));
+  description.T_world_start = {};
+  description.props.posts = {{.drift = "main"}};
+  EXPECT_THAT(error_of(description), HasSubstr("no drifts"));
+  description.props.posts.clear();
+  description.plan.drifts = {{"main", {0.0, 0.0, 30.0, 0.0}, 3.0, false}};
+  EXPECT_THAT(error_of(description), HasSubstr("not of both"));
+}
+
+}  // namespace
+}  // namespace adit

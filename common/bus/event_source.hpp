@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/bus/log_event.hpp"
@@ -47,6 +48,8 @@ class LogFile final : public EventSource {
   std::optional<LogEventView> next() override;
   [[nodiscard]] std::size_t size() const override { return events_.size(); }
   [[nodiscard]] const LogHealth& health() const { return health_; }
+  /// All of them, whatever `next` has given already.
+  [[nodiscard]] std::span<const LogEventView> events() const { return events_; }
 
  private:
   MappedFile file_;

@@ -254,6 +254,20 @@ TEST_F(MapRun, TheLasersAreWhereBothStagesHaveThem) {
               HasSubstr("old.yaml:2: unknown key 'laser_front'"));
 }
 
+TEST_F(MapRun, TheLasersAreWhereTheLogSaysUnlessTheConfigurationDoes) {
+  write_sample("sample.lcmlog", 20.0);
+  const auto ahead = write("ahead.yaml", "lasers:\n  front:\n    T_body_laser: {x_m: 1.5}\n");
+  map(at("sample.lcmlog"), "ahead", Odometry::kUsed, ahead);
+  map(at("ahead/run.lcmlog"), "again");
+  EXPECT_EQ(contents("again/trajectory.tum"), contents("ahead/trajectory.tum"));
+
+  const auto back = write("back.yaml", "lasers:\n  front:\n    T_body_laser: {x_m: 0}\n");
+  map(at("sample.lcmlog"), "plain");
+  map(at("ahead/run.lcmlog"), "back", Odometry::kUsed, back);
+  EXPECT_EQ(contents("back/trajectory.tum"), contents("plain/trajectory.tum"));
+  EXPECT_NE(contents("plain/trajectory.tum"), contents("ahead/trajectory.tum"));
+}
+
 TEST_F(MapRun, RefusesBadInputInOneLine) {
   const std::string garbage = "\x01\xED garbage " + std::string(3, '\0') + "\xFF\xFE, no log \n\n";
   write_sample("sample.lcmlog", 2.0);

@@ -25,6 +25,9 @@ constexpr const char* kFooter =
   run.lcmlog            all messages that went in and came out, for lcm-logplayer and adit spy
   summary.json          scans, path length, closures, times, memory, where motion was not observed
 
+Where the lasers sit on the body is taken from the section `lasers` of the configuration, or else from the
+log, if it says so itself (channel CONFIG), or else they sit at the body's origin.
+
 A map that is resumed keeps its frame. The recording is looked for in it as if the robot might have been
 carried anywhere; afterwards path and pictures show both. One or two closures that hold it there may be
 mistaken: look at map.png with --draw-graph. DIR and the folder to resume may be the same.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ class LogInput {
            const std::function<void(double)>& progress);
 
   [[nodiscard]] EventSource& events() { return *log_; }
+  /// All events, whatever has been taken from `events()` already.
+  [[nodiscard]] std::span<const LogEventView> all_events() const { return log_->events(); }
   /// What was wrong with the recording and has been skipped, a sentence each.
   [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
 

@@ -17,6 +17,7 @@
 #include "tools/map/graph_files.hpp"
 #include "tools/map/log_input.hpp"
 #include "tools/map/map_files.hpp"
+#include "tools/map/recorded_lasers.hpp"
 #include "tools/map/result_folder.hpp"
 #include "tools/map/run_record.hpp"
 #include "tools/map/stopwatch_bus.hpp"
@@ -43,11 +44,28 @@ ConfigFile load_config(const std::filesystem::path& path) {
   return file;
 }
 
+/// As the configuration file says it; otherwise as the log says it; otherwise the defaults.
+Lasers find_lasers(const ConfigFile& config, const LogInput& input) {
+  if (config.section(Lasers::kSection) == nullptr) {
+    if (const auto recorded = recorded_lasers(input.all_events())) return *recorded;
+  }
+  return load_section<Lasers>(config, Lasers::kSection);
+}
+
+ConfiguredNode configure_scan_matching(const ConfigFile& config, const Lasers& lasers) {
+  constexpr const char* kStage = "scan_matching";
+  auto params = load_section<ScanMatchingNode::Params>(config, kStage);
+  params.lasers = lasers;
+  return configured_node<ScanMatchingNode>(kStage, to_yaml(params, kStage), params);
+}
+
 /// The journal is one of the results, whatever the config says: CONFIG names it as it is called
 /// there, and not where it grows.
-ConfiguredNode configure_mapping(const ConfigFile& config, const std::filesystem::path& folder) {
+ConfiguredNode configure_mapping(const ConfigFile& config, const Lasers& lasers,
+                                 const std::filesystem::path& folder) {
   constexpr const char* kStage = "mapping";
   auto params = load_section<MappingNode::Params>(config, kStage);
+  params.lasers = lasers;
   params.journal = kJournal;
   const std::string yaml = to_yaml(params, kStage);
   params.journal = (folder / kJournal).string();
@@ -83,10 +101,10 @@ ReplayOptions replay_options(bool use_odometry) {
   return options;
 }
 
-MapFilesOptions map_files_options(const ConfigFile& config, const MapRunOptions& options) {
+MapFilesOptions map_files_options(const ConfigFile& config, const Lasers& lasers,
+                                  const MapRunOptions& options) {
   return {options.input.filename().string(),
-          load_section<OccupancyGridParams>(config, kGridSection),
-          load_section<Lasers>(config, Lasers::kSection), options.draw_graph};
+          load_section<OccupancyGridParams>(config, kGridSection), lasers, options.draw_graph};
 }
 
 /// Without a scan, or without anything that could hold it to the map it continues, there is no
@@ -131,15 +149,16 @@ MapRunResult run_map(const MapRunOptions& options,
                      const std::function<void(const std::string&, double)>& progress) {
   const auto start = Clock::now();
   const ConfigFile config = load_config(options.config);
-  const MapFilesOptions files = map_files_options(config, options);
   const ResultFolder results(options.folder);
   const std::filesystem::path& folder = results.unfinished();
-  const auto scan_matching = configure_node<ScanMatchingNode>("scan_matching", config);
-  const auto mapping = configure_mapping(config, folder);
   const StoredMap earlier = take_over_map(options.resume, folder);
 
   LogInput input(options.input, folder / "input.lcmlog",
                  [&](double done) { progress("reading", done); });
+  const Lasers lasers = find_lasers(config, input);
+  const MapFilesOptions files = map_files_options(config, lasers, options);
+  const auto scan_matching = configure_scan_matching(config, lasers);
+  const auto mapping = configure_mapping(config, lasers, folder);
   LogWriter log(folder / "run.lcmlog");
   ReplayBus bus(input.events(), &log, replay_options(options.use_odometry));
   StopwatchBus scan_watch(bus,

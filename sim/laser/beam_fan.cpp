@@ -51,19 +51,26 @@ BeamFan::BeamFan(const LaserParams& params) : subrays_(static_cast<std::size_t>(
   }
   const double step_rad = params.angle_step_rad();
   const int turns = params.timing.turns(step_rad);
-  for (int knot = 0; knot < turns * (kIntervals + 1); ++knot) {
-    const double turn = knot / (kIntervals + 1) + 0.5 * (knot % (kIntervals + 1)) / kIntervals;
-    knot_times_s_.push_back(turn / params.timing.mirror_hz);
-  }
+  for (int turn = 0; turn < turns; ++turn) add_knots(turn, params.timing.mirror_hz);
   for (int beam = 0; beam < params.beams; ++beam) {
-    const double place = kIntervals * beam * step_rad / std::numbers::pi;
-    const int interval = std::min(static_cast<int>(place), kIntervals - 1);
-    const int knot = beam % turns * (kIntervals + 1) + interval;
-    beam_times_.push_back({static_cast<std::size_t>(knot), place - interval});
+    add_beam_time(beam % turns, beam * step_rad / std::numbers::pi);
     const std::vector<Ray> rays = rays_of_beam(params, beam);
     rays_laser_.insert(rays_laser_.end(), rays.begin(), rays.end());
   }
   rays_world_.resize(rays_laser_.size());
+}
+
+void BeamFan::add_knots(int turn, double mirror_hz) {
+  for (int i = 0; i <= kIntervals; ++i) {
+    knot_times_s_.push_back((turn + 0.5 * i / kIntervals) / mirror_hz);
+  }
+}
+
+void BeamFan::add_beam_time(int turn, double share_of_half_turn) {
+  const double place = kIntervals * share_of_half_turn;
+  const int interval = std::min(static_cast<int>(place), kIntervals - 1);
+  const int knot = turn * (kIntervals + 1) + interval;
+  beam_times_.push_back({static_cast<std::size_t>(knot), place - interval});
 }
 
 const std::vector<Ray>& BeamFan::rays(const PoseAt& T_world_laser) {

@@ -33,6 +33,9 @@ class BeamFan {
     double share = 0.0;    ///< of the way from it to the next, 0 to 1
   };
 
+  void add_knots(int turn, double mirror_hz);
+  void add_beam_time(int turn, double share_of_half_turn);
+
   std::size_t subrays_;
   std::vector<double> knot_times_s_;  ///< when the pose is asked for
   std::vector<BeamTime> beam_times_;

@@ -32,8 +32,8 @@ LaserOnBody::Setup laser_setup(const SimulationParams& params, SimLaser laser, s
   const LaserMount& mount = front ? params.lasers.front : params.lasers.rear;
   if (mount.range_max_m > params.laser.no_return_m()) {
     throw std::invalid_argument(
-        "lasers: range_max_m is beyond the reading of the simulated laser " +
-        std::string("for no return, 8191 times laser.unit_m"));
+        "lasers: range_max_m is beyond 8191 times laser.unit_m of sim, which "
+        "the laser reads for no return");
   }
   return {mount,
           params.laser,

@@ -64,8 +64,8 @@ class PlanMesher {
       if (space_.buckets().at(bucket, bucket_row).empty()) continue;
       const int first = bucket * cells_per_bucket_;
       for (int i = 0; i <= cells_per_bucket_; ++i) {
-        rows_[1].depth[static_cast<std::size_t>(first + i)] =
-            space_.depth_m(place(first + i, row + 1));
+        const int column = first + i;
+        rows_[1].depth[static_cast<std::size_t>(column)] = space_.depth_m(place(column, row + 1));
       }
       for (int i = 0; i < cells_per_bucket_; ++i) add_cell(first + i);
     }
@@ -122,7 +122,8 @@ class PlanMesher {
 
   [[nodiscard]] bool is_open(std::size_t corner) const { return depth_[corner] > 0.0; }
   [[nodiscard]] std::size_t column_of(std::size_t corner) const {
-    return static_cast<std::size_t>(column_ + kCorners[corner][0]);
+    const int column = column_ + kCorners[corner][0];
+    return static_cast<std::size_t>(column);
   }
   NodeRow& row_of(std::size_t corner) {
     return rows_[static_cast<std::size_t>(kCorners[corner][1])];

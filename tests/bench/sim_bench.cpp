@@ -1,64 +1,114 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How much faster than real time the simulator is, in a mine of about a million triangles. Times
-// are of the processor, so that others on the machine count little.
+// How much faster than real time the simulator is, in a built-in mine of more than a million
+// triangles, and how long that takes to load. Times are of the processor, so that others on the
+// machine count little.
 #include <cmath>
-#include <numbers>
 
 #include <benchmark/benchmark.h>
 
 #include "sim/laser/laser_model.hpp"
-#include "sim/mesh/ray_scene.hpp"
-#include "tests/support/rough_mine.hpp"
+#include "sim/simulation/simulation.hpp"
+#include "sim/world/build_world.hpp"
+#include "sim/world/drift_line.hpp"
+#include "sim/world/world_file.hpp"
 
 namespace adit {
 namespace {
 
 constexpr double kLasers = 2.0;
+constexpr double kEveryM = 0.5;  // between the places of a tour
 
-const TriangleMesh& mesh() {
-  static const TriangleMesh mine = rough_mine();
-  return mine;
-}
+WorldDescription description() { return find_world("bruceton"); }
 
-const RayScene& scene() {
-  static const RayScene made(mesh());
+const Site& site() {
+  static const Site made(build_world(description()));
   return made;
 }
 
-/// Along a drift at 0.5 m/s, nodding as a laser does that makes a scan in three dimensions.
-Eigen::Isometry3d pose(double seconds) {
-  const double along_m = std::fmod(10.0 + 0.5 * seconds, 110.0);
-  return Eigen::Translation3d(along_m, 61.5, 0.7) *
-         Eigen::AngleAxisd(0.4 * std::sin(seconds), Eigen::Vector3d::UnitY());
+void count_triangles(benchmark::State& state) {
+  state.counters["triangles"] = static_cast<double>(site().world().mesh.triangles.size());
 }
 
-void scans(benchmark::State& state) {
+/// How often real time goes into the time that was taken.
+benchmark::Counter times_real_time(double simulated_s) {
+  return {simulated_s, benchmark::Counter::kIsRate};
+}
+
+/// Poses of a laser along the middle of every drift, nodding.
+std::vector<Eigen::Isometry3d> tour() {
+  std::vector<Eigen::Isometry3d> poses;
+  for (const DriftLine& drift : drift_lines(description().plan)) {
+    for (double s_m = 1.0; s_m < drift.length_m() - 1.0; s_m += kEveryM) {
+      const auto [p_world, heading_rad] = drift.at(s_m);
+      const double floor_m = site().world().truth.floor_height(p_world).value_or(0.0);
+      poses.push_back(Eigen::Translation3d(p_world.x(), p_world.y(), floor_m + 0.7) *
+                      Eigen::AngleAxisd(heading_rad, Eigen::Vector3d::UnitZ()) *
+                      Eigen::AngleAxisd(0.4 * std::sin(s_m), Eigen::Vector3d::UnitY()));
+    }
+  }
+  return poses;
+}
+
+void scans_of_two_lasers(benchmark::State& state) {
   LaserParams params;
   params.subrays = static_cast<int>(state.range(0));
-  LaserModel laser(scene(), params, 1);
+  LaserModel laser(site().scene(), params, 1);
   const double period_s = params.timing.scan_period_s(params.angle_step_rad());
-  double now_s = 0.0;
+  const std::vector<Eigen::Isometry3d> poses = tour();
+  std::size_t place = 0;
   for (auto _ : state) {
-    const auto scan = laser.measure([&](double s) { return pose(now_s + s); }, 0);
+    const auto scan = laser.measure([&](double) { return poses[place]; }, 0);
     benchmark::DoNotOptimize(scan.ranges_m.data());
-    now_s += 7.0 * period_s;  // so that a short run, too, sees much of the mine
+    place = (place + 97) % poses.size();  // so that a short run, too, sees all of the mine
   }
-  const auto n = static_cast<double>(state.iterations());
-  state.counters["times_real_time"] =
-      benchmark::Counter(n * period_s / kLasers, benchmark::Counter::kIsRate);
-  state.counters["triangles"] = static_cast<double>(mesh().triangles.size());
+  const auto scans = static_cast<double>(state.iterations());
+  state.counters["times_real_time"] = times_real_time(scans * period_s / kLasers);
+  count_triangles(state);
 }
 
-/// From triangles in memory to a scene that is ready.
+/// A robot that drives along a drift and nods with both lasers, and all it says.
+void whole_robot(benchmark::State& state) {
+  SimulationParams params;
+  params.laser.subrays = static_cast<int>(state.range(0));
+  Simulation simulation(site(), params, 1, 0);
+  for (auto _ : state) {
+    const std::int64_t now = simulation.utime();
+    const double tilt_rad = now / 2'000'000 % 2 == 0 ? 0.4 : -0.4;
+    simulation.command(SimLaser::kFront, TiltCommand{now, tilt_rad, 0.5});
+    simulation.command(SimLaser::kRear, TiltCommand{now, -tilt_rad, 0.5});
+    const double speed_m_s = now / 40'000'000 % 2 == 0 ? 0.5 : -0.5;  // there and back
+    simulation.command(DriveCommand{now, speed_m_s, 0.0});
+    benchmark::DoNotOptimize(simulation.step().size());
+  }
+  if (!simulation.state().failure.empty()) {
+    return state.SkipWithError(simulation.state().failure.c_str());
+  }
+  state.counters["times_real_time"] =
+      times_real_time(static_cast<double>(simulation.utime()) * 1e-6);
+  count_triangles(state);
+}
+
+/// From the description to a site that is ready.
+void load(benchmark::State& state) {
+  for (auto _ : state) {
+    const Site made(build_world(description()));
+    benchmark::DoNotOptimize(&made);
+  }
+  count_triangles(state);
+}
+
+/// Of which this is for the ray casting.
 void scene_of_a_mesh(benchmark::State& state) {
   for (auto _ : state) {
-    const RayScene made(mesh());
+    const RayScene made(site().world().mesh);
     benchmark::DoNotOptimize(&made);
   }
 }
 
-BENCHMARK(scans)->Arg(1)->Arg(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK(scans_of_two_lasers)->Arg(1)->Arg(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK(whole_robot)->Arg(1)->Arg(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK(load)->Unit(benchmark::kMillisecond);
 BENCHMARK(scene_of_a_mesh)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -7,16 +7,15 @@
 namespace adit {
 
 /// Drifts that cross at right angles, with square pillars between them and rough surfaces; the
-/// floor is about z = 0. Drifts run along x and y in the middle of multiples of `spacing_m`.
+/// floor is about z = 0. One begins at each multiple of `spacing_m` in x and in y from 0 on.
 struct RoughMine {
-  int pillars = 10;         ///< along each side
-  double spacing_m = 12.0;  ///< from drift to drift; drifts are a quarter of it wide
+  int pillars = 1;          ///< along each side
+  double spacing_m = 12.0;  ///< from drift to drift; a drift is a quarter of it wide
   double height_m = 2.0;
   double grid_m = 0.2;  ///< length of the edges of the mesh, about
   double roughness_m = 0.05;
 };
 
-/// The default has about a million triangles.
 TriangleMesh rough_mine(const RoughMine& mine = {});
 
 }  // namespace adit

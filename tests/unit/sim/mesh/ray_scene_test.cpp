@@ -66,7 +66,7 @@ TEST(RayScene, ManyRaysAtOnceMeetWhatEachMeets) {
 }
 
 TEST(RayScene, NoRayOfAFanGetsLost) {
-  const TriangleMesh mesh = rough_mine({.pillars = 1});
+  const TriangleMesh mesh = rough_mine();
   const RayScene scene(mesh);
   std::vector<RayHit> hits(361);
   for (int k = 0; k < 100; ++k) {

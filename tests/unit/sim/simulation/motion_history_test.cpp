@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/simulation/motion_history.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace adit {
@@ -42,7 +44,9 @@ TEST(MotionHistory, OutsideIsTheNearestMoment) {
 
 TEST(MotionHistory, KeepsWhatIsStillAskedFor) {
   MotionHistory history(moment(0, 0.0, 0.0, 0.0));
-  for (int i = 1; i <= 10; ++i) history.add(moment(10'000 * i, i, 0.0, 0.0));
+  for (double x = 1.0; x < 10.5; ++x) {
+    history.add(moment(std::llround(x * 10'000.0), x, 0.0, 0.0));
+  }
   history.forget_before(55'000);
   expect_at(history, 55'000, 0.0, moment(0, 5.5, 0.0, 0.0));
   expect_at(history, 10'000, 0.0, moment(0, 5.0, 0.0, 0.0));

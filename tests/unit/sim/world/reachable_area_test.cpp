@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/world/reachable_area.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "sim/world/build_world.hpp"
+#include "sim/world/passable_raster.hpp"
+#include "tests/support/box_drift.hpp"
+
+namespace adit {
+namespace {
+
+// A vehicle may be off the middle of its cell, and squares of 0.1 m count as a whole.
+constexpr double kCellAndSquare = 0.3;
+
+Obstacle block(double x_low, double x_high, double y_low, double y_high) {
+  return {.kind = PartKind::kCrib,
+          .name = "block",
+          .outline = {{x_low, y_low}, {x_high, y_low}, {x_high, y_high}, {x_low, y_high}},
+          .z_low_m = 0.0,
+          .z_high_m = 2.0};
+}
+
+/// In which the vehicle cannot stand across.
+World narrow_drift() { return box_drift({.length_m = 40.0, .width_m = 2.2, .height_m = 2.0}); }
+
+double farthest_x(const ReachableArea& area) {
+  double farthest = -100.0;
+  for (const Eigen::Vector2d& cell : area.cells) farthest = std::max(farthest, cell.x());
+  return farthest;
+}
+
+double reached_m(const ReachableArea& area) {
+  return std::accumulate(area.edge_length_m.begin(), area.edge_length_m.end(), 0.0);
+}
+
+TEST(ReachableArea, OfABoxIsTheBoxLessHalfTheVehicle) {
+  const Vehicle vehicle;
+  const ReachableArea area = reachable_area(narrow_drift(), vehicle);
+  // The middle comes no nearer to an end than half the length, to a side than half the width.
+  EXPECT_NEAR(farthest_x(area), 20.0 - vehicle.length_m / 2.0, kCellAndSquare);
+  const double width = 2.2 - vehicle.width_m;
+  const double length = 40.0 - vehicle.length_m;
+  EXPECT_NEAR(area.area_m2, width * length, 0.2 * (width + length));
+}
+
+TEST(ReachableArea, EndsAtAPostThatLeavesNoWayAround) {
+  World world = narrow_drift();
+  world.truth.obstacles = {block(5.0, 5.3, -0.1, 0.1)};  // 1.0 m to either side
+  EXPECT_NEAR(farthest_x(reachable_area(world, {})), 5.0 - 1.2, kCellAndSquare);
+}
+
+TEST(ReachableArea, GoesAroundOneThatLeavesAWay) {
+  World world = box_drift();
+  world.truth.obstacles = {block(5.0, 5.3, -0.3, 0.3)};  // 1.7 m to either side
+  EXPECT_GT(farthest_x(reachable_area(world, {})), 18.0);
+}
+
+TEST(ReachableArea, IsNothingWhereTheVehicleDoesNotFit) {
+  World world = box_drift({.length_m = 40.0, .width_m = 1.0, .height_m = 2.0});
+  EXPECT_TRUE(reachable_area(world, {}).cells.empty());
+  world = box_drift();
+  world.T_world_start = {500.0, 0.0, 0.0};
+  EXPECT_TRUE(reachable_area(world, {}).cells.empty());
+  world.truth.plan.clear();
+  EXPECT_EQ(reachable_area(world, {}).area_m2, 0.0);
+}
+
+TEST(ReachableArea, CountsTheLengthOfDriftsAndTheGroundOutside) {
+  WorldDescription description;
+  description.grid_m = 0.2;
+  description.plan.drifts = {{"main", {0.0, 0.0, 40.0, 0.0}, 3.0, true},
+                             {"side", {20.0, 0.0, 20.0, 30.0}, 3.0, false},
+                             {"narrow", {30.0, 0.0, 30.0, 30.0}, 1.1, false}};
+  description.T_world_start = {0.0, 0.0, 0.0};  // half outside
+  const World world = build_world(description);
+  const Vehicle vehicle;
+  const ReachableArea area = reachable_area(world, vehicle);
+  ASSERT_EQ(area.edge_length_m.size(), world.truth.drifts.edges.size());
+  const double half_length = vehicle.length_m / 2.0;
+  // Into the narrow one its nose may look; its middle stays in the wide one, 1.5 m to either side.
+  const double expected = 40.0 - half_length + 30.0 - half_length;
+  EXPECT_NEAR(reached_m(area), expected, 1.5 + 3 * 0.3);
+}
+
+TEST(IsPassable, BelowTheBellyAboveTheTopAndShallow) {
+  const Vehicle vehicle;  // 1.0 m high, belly at 0.3 m, 0.25 m of water
+  Obstacle obstacle = block(0.0, 1.0, 0.0, 1.0);
+  EXPECT_FALSE(is_passable(obstacle, 0.0, vehicle));
+  obstacle.z_high_m = 0.25;
+  EXPECT_TRUE(is_passable(obstacle, 0.0, vehicle));
+  EXPECT_FALSE(is_passable(obstacle, -0.1, vehicle));
+  obstacle.z_low_m = 1.05;
+  obstacle.z_high_m = 2.0;
+  EXPECT_TRUE(is_passable(obstacle, 0.0, vehicle));
+  EXPECT_FALSE(is_passable(obstacle, 0.1, vehicle));
+  obstacle = {
+      .kind = PartKind::kWater, .name = "", .outline = {}, .z_low_m = -0.2, .z_high_m = 0.0};
+  EXPECT_TRUE(is_passable(obstacle, 0.0, vehicle));
+  obstacle.z_low_m = -0.3;
+  EXPECT_FALSE(is_passable(obstacle, 0.0, vehicle));
+}
+
+}  // namespace
+}  // namespace adit

@@ -10,8 +10,6 @@ namespace adit {
 namespace {
 
 constexpr double kMergeDistance = 1.0;
-// A drift that ends on the wall of another touches it, whatever the last bits say.
-constexpr double kTouchMargin = 0.01;
 
 /// Where a drift is split: the place along it, and the place of the node.
 struct Split {
@@ -96,11 +94,11 @@ class Splitter {
     std::size_t drift = a;
     Split foot{s_m, end};
     for (std::size_t b = 0; b < drifts_.size(); ++b) {
-      if (b == a) continue;
+      if (b == a || !drifts_[b].reaches(end)) continue;
       for (const Segment& segment : segments_[b]) {
         const Split here = foot_on(segment, end);
         const double distance = (here.p_node - end).norm();
-        if (distance > drifts_[b].width_m / 2.0 + kTouchMargin || distance >= nearest) continue;
+        if (distance >= nearest) continue;
         nearest = distance;
         drift = b;
         foot = here;

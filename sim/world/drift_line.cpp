@@ -13,6 +13,9 @@
 namespace adit {
 namespace {
 
+// One that ends on the wall of another touches it, whatever the last bits say.
+constexpr double kTouchMargin = 0.01;
+
 DriftLine line_of(const DriftDescription& drift) {
   const std::string what = "drift '" + drift.name + "'";
   DriftLine line{drift.name, corner_list(drift.points_m, 2, what), drift.width_m, drift.entrance};
@@ -100,6 +103,10 @@ double DriftLine::distance_m(const Eigen::Vector2d& p_world) const {
     nearest = std::min(nearest, (p_world - points[i - 1] - share * along).norm());
   }
   return nearest;
+}
+
+bool DriftLine::reaches(const Eigen::Vector2d& p_world) const {
+  return distance_m(p_world) <= width_m / 2.0 + kTouchMargin;
 }
 
 std::vector<DriftLine> drift_lines(const PlanDescription& plan) {

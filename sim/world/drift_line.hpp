@@ -31,6 +31,8 @@ struct DriftLine {
   [[nodiscard]] Eigen::Vector2d beside(double s_m, double across_m) const;
   /// Of the place on the line that is nearest.
   [[nodiscard]] double distance_m(const Eigen::Vector2d& p_world) const;
+  /// Whether a place is in the drift as planned, or on its wall, by a centimetre.
+  [[nodiscard]] bool reaches(const Eigen::Vector2d& p_world) const;
 };
 
 /// All drifts of a plan, those of its panels included. Throws std::invalid_argument, naming the

@@ -23,15 +23,23 @@ Relief wall_relief(const WorldDescription& description, double share, SeedOf wha
   return {relief, static_cast<std::uint64_t>(description.seed) * 16U + what};
 }
 
-bool meets_another(const Eigen::Vector2d& end, const DriftLine& drift,
-                   const std::vector<DriftLine>& drifts) {
-  return std::any_of(drifts.begin(), drifts.end(), [&](const DriftLine& other) {
-    return &other != &drift && other.distance_m(end) < other.width_m / 2.0;
-  });
+/// Whether the end of a drift opens into another drift, or a room.
+bool opens(const Eigen::Vector2d& end, const DriftLine& drift, const std::vector<DriftLine>& drifts,
+           const std::vector<PlanPolygon>& rooms) {
+  const auto is_drift = [&](const DriftLine& other) {
+    return &other != &drift && other.reaches(end);
+  };
+  const auto is_room = [&](const PlanPolygon& room) {
+    return depth_m(room, end) > -drift.width_m / 2.0;
+  };
+  return std::any_of(drifts.begin(), drifts.end(), is_drift) ||
+         std::any_of(rooms.begin(), rooms.end(), is_room);
 }
 
-/// The middle of the drift in pieces; free ends are flat, others round.
-std::vector<DriftPiece> pieces_of(const DriftLine& drift, const std::vector<DriftLine>& drifts) {
+/// The middle of the drift in pieces. Ends are flat in rock. Others are round and so reach into
+/// what they open into: edge to edge there would be a seam of no depth.
+std::vector<DriftPiece> pieces_of(const DriftLine& drift, const std::vector<DriftLine>& drifts,
+                                  const std::vector<PlanPolygon>& rooms) {
   std::vector<DriftPiece> pieces;
   for (std::size_t i = 1; i < drift.points.size(); ++i) {
     const Eigen::Vector2d along = drift.points[i] - drift.points[i - 1];
@@ -40,10 +48,21 @@ std::vector<DriftPiece> pieces_of(const DriftLine& drift, const std::vector<Drif
         {drift.points[i - 1], along / length, length, drift.width_m / 2.0, false, false});
   }
   const bool ring = drift.points.front() == drift.points.back();
-  pieces.front().flat_start =
-      drift.entrance || (!ring && !meets_another(drift.points.front(), drift, drifts));
-  pieces.back().flat_end = !ring && !meets_another(drift.points.back(), drift, drifts);
+  const auto is_flat = [&](const Eigen::Vector2d& end) {
+    return !ring && !opens(end, drift, drifts, rooms);
+  };
+  pieces.front().flat_start = !drift.entrance && is_flat(drift.points.front());
+  pieces.back().flat_end = is_flat(drift.points.back());
   return pieces;
+}
+
+std::vector<PlanPolygon> polygons_of(const std::vector<PolygonDescription>& descriptions,
+                                     const std::string& kind) {
+  std::vector<PlanPolygon> polygons;
+  for (const PolygonDescription& polygon : descriptions) {
+    polygons.push_back({corner_list(polygon.points_m, 3, kind + " '" + polygon.name + "'")});
+  }
+  return polygons;
 }
 
 DriftPiece apron_of(const DriftPiece& first) {
@@ -67,22 +86,22 @@ void check_extent(const std::vector<PlanShape>& shapes) {
 
 OpenSpace::Shapes OpenSpace::shapes_of(const PlanDescription& plan,
                                        const std::vector<DriftLine>& drifts) {
+  const std::vector<PlanPolygon> rooms = polygons_of(plan.rooms, "room");
+  const std::vector<PlanPolygon> pillars = polygons_of(plan.pillars, "pillar");
   Shapes shapes;
   for (const DriftLine& drift : drifts) {
-    const std::vector<DriftPiece> pieces = pieces_of(drift, drifts);
+    const std::vector<DriftPiece> pieces = pieces_of(drift, drifts, rooms);
     shapes.all.insert(shapes.all.end(), pieces.begin(), pieces.end());
-    if (drift.entrance) shapes.aprons.push_back(apron_of(pieces.front()));
+    if (!drift.entrance) continue;
+    shapes.aprons.push_back(apron_of(pieces.front()));
+    DriftPiece into_the_drift = shapes.aprons.back();
+    into_the_drift.flat_start = false;
+    shapes.all.push_back(into_the_drift);
   }
-  shapes.all.insert(shapes.all.end(), shapes.aprons.begin(), shapes.aprons.end());
-  for (const PolygonDescription& room : plan.rooms) {
-    shapes.all.push_back(PlanPolygon{corner_list(room.points_m, 3, "room '" + room.name + "'")});
-  }
+  shapes.all.insert(shapes.all.end(), rooms.begin(), rooms.end());
   shapes.open = shapes.all.size();
   if (shapes.open == 0) throw std::invalid_argument("the plan has neither a drift nor a room");
-  for (const PolygonDescription& pillar : plan.pillars) {
-    shapes.all.push_back(
-        PlanPolygon{corner_list(pillar.points_m, 3, "pillar '" + pillar.name + "'")});
-  }
+  shapes.all.insert(shapes.all.end(), pillars.begin(), pillars.end());
   check_extent(shapes.all);
   return shapes;
 }

@@ -47,6 +47,11 @@ TEST(DriftLine, KnowsHowFarAPlaceIs) {
   EXPECT_DOUBLE_EQ(kBent.distance_m({13.0, 9.0}), 5.0);
 }
 
+TEST(DriftLine, ReachesToItsWalls) {
+  EXPECT_TRUE(kBent.reaches({4.0, -1.5}));
+  EXPECT_FALSE(kBent.reaches({4.0, -1.6}));
+}
+
 TEST(DriftLines, APanelBecomesEntriesAndSlantedCrosscuts) {
   PlanDescription plan;
   PanelDescription panel;

@@ -167,6 +167,19 @@ TEST(MineSurface, AnEntranceIsOpenAndHasGroundInFrontOfIt) {
   EXPECT_FALSE(cast(site, {-4.5, 0.0, 1.0}, -Eigen::Vector3d::UnitZ()));
 }
 
+TEST(MineSurface, RoughWallsLeaveNothingInAMouth) {
+  WorldDescription description = smooth_drift(true);
+  description.wall_relief = {.height_m = 0.4, .length_m = 0.5, .octaves = 2};
+  for (description.seed = 1; description.seed < 6; ++description.seed) {
+    const Site site(build_world(description));
+    EXPECT_EQ(site.world().truth.plan.size(), 1U);
+    for (double y = -1.0; y <= 1.0; y += 0.1) {
+      EXPECT_FALSE(cast(site, {0.5, y, 1.0}, -Eigen::Vector3d::UnitX()));
+      EXPECT_TRUE(site.world().truth.floor_height({0.0, y}));
+    }
+  }
+}
+
 TEST(MineSurface, OutlineOfAStraightDriftIsItsRectangle) {
   for (const bool entrance : {false, true}) {
     const World world = build_world(smooth_drift(entrance));
@@ -215,6 +228,19 @@ TEST(MineSurface, PillarsStandInRooms) {
   EXPECT_NEAR(cast(site, {5.0, 2.0, 1.0}, Eigen::Vector3d::UnitX())->distance_m, 15.0, 0.003);
   ASSERT_EQ(site.world().truth.plan.size(), 2U);
   EXPECT_TRUE(site.world().truth.drifts.edges.empty());
+}
+
+TEST(MineSurface, DriftsOpenIntoRoomsAndDriftsThatTheyOnlyTouch) {
+  WorldDescription description = smooth_drift();
+  description.wall_relief = {.height_m = 0.4, .length_m = 0.5, .octaves = 2};
+  description.plan.rooms = {{"room", {30.0, -5.0, 40.0, -5.0, 40.0, 5.0, 30.0, 5.0}}};
+  description.plan.drifts.push_back({"side", {15.0, 1.5, 15.0, 20.0}, 3.0, false});
+  const Site site(build_world(description));
+  EXPECT_EQ(site.world().truth.plan.size(), 1U);
+  for (double across = -0.8; across <= 0.8; across += 0.1) {
+    EXPECT_GT(cast(site, {5.0, across, 1.0}, Eigen::Vector3d::UnitX())->distance_m, 34.0);
+    EXPECT_GT(cast(site, {15.0 + across, 0.0, 1.0}, Eigen::Vector3d::UnitY())->distance_m, 19.0);
+  }
 }
 
 TEST(MineSurface, TheSameDescriptionGivesTheSameBytes) {

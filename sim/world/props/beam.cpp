@@ -46,7 +46,7 @@ void add_timber(const BeamDescription& beam, const DriftLine& drift, PropSite& s
 /// length. `lane` is from −1, at the right wall, to 1.
 void add_cable(const BeamDescription& beam, const DriftLine& drift, double lane, PropSite& site) {
   const auto at_roof = [&](double side) {
-    const double across_m = (lane + site.between(-0.2, 0.2)) * drift.width_m / 2.0;
+    const double across_m = (lane + site.between(-0.35, 0.35)) * drift.width_m / 2.0;
     const Eigen::Vector2d plan = drift.beside(beam.at_m + side * kCableSpan / 2.0, across_m);
     return Eigen::Vector3d(plan.x(), plan.y(), site.heights.roof(plan));
   };

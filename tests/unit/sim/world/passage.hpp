@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sim/world/drift_line.hpp"
+#include "sim/world/world.hpp"
+
+namespace adit {
+
+/// What has to fit: a level box that keeps `belly_m` above the floor in its middle.
+struct Body {
+  double length_m = 2.4;
+  double width_m = 1.2;
+  double height_m = 1.0;
+  double belly_m = 0.3;
+};
+
+/// Whether a body stands free at a pose of the plan.
+bool is_free(const Site& site, const Body& body, const Pose2& T_world_body);
+
+/// Whether a body gets from one place of a drift to another within it, by small steps along,
+/// across and of heading, whatever its steering allows.
+bool is_passable(const Site& site, const Body& body, const DriftLine& drift, double from_m,
+                 double to_m);
+
+}  // namespace adit

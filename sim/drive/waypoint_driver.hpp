@@ -19,7 +19,7 @@ namespace adit {
 
 struct WaypointDriverParams {
   double speed_m_s = 0.4;       ///< where a waypoint says nothing else
-  double look_ahead_m = 1.0;    ///< along the way, of the point that is steered for
+  double look_ahead_m = 1.5;    ///< along the way, of the point that is steered for
   bool reverse = false;         ///< back up to waypoints that lie behind, instead of turning round
   double slow_share = 0.4;      ///< of the speed, through a bend of a right angle or more
   double braking_m_s2 = 0.15;   ///< planned before bends and the end
@@ -44,7 +44,8 @@ struct WaypointDriverParams {
 
 /// Drives along waypoints by the truth, as a person who sees the mine would: pure pursuit (Coulter,
 /// "Implementation of the pure pursuit path tracking algorithm", CMU-RI-TR-92-01). The way begins
-/// where the body is at the first command. Corners are cut by less than the look-ahead.
+/// where the body is at the first command. Right angles are missed by up to
+/// half of the look-ahead, to the inside or the outside.
 class WaypointDriver {
  public:
   /// Throws std::invalid_argument without waypoints, or with one that is not finite.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/vehicle/metres_text.hpp"
 #include "sim/vehicle/soft_ground.hpp"
@@ -16,12 +17,18 @@ constexpr std::array<const char*, 4> kWheelNames{"front left wheel", "front righ
 // The rays under a wheel are some centimetres apart: without a limit it would jump from one to the
 // next. A wheel climbs over an edge at about this slope.
 constexpr double kClimbSlope = 1.0;
-// Wheels stand on a plane that is known once they do, since its tilt moves them sideways.
-constexpr int kPutRounds = 3;
+// The wheels give the tilt, and the tilt moves the wheels: rounds until both agree to a micrometre.
+constexpr int kPutRounds = 8;
+constexpr double kAnyChange = std::numeric_limits<double>::infinity();
 
 std::string at_step(std::size_t wheel, double step_m, const Part& part) {
   return std::string(kWheelNames[wheel]) + " at a step of " + metres_text(step_m) + " of '" +
          part.name + "'";
+}
+
+std::string over_by(const char* tilt, double angle_rad) {
+  const long degrees = std::lround(rad_to_deg(std::abs(angle_rad)));
+  return std::string("falls over at ") + tilt + " of " + std::to_string(degrees) + " degrees";
 }
 
 }  // namespace
@@ -33,12 +40,12 @@ Stance::Fault Stance::put(const Pose2& T_world_plan, double floor_m) {
   T_world_body_ = Eigen::AngleAxisd(T_world_plan.theta, Eigen::Vector3d::UnitZ());
   for (int round = 0; round < kPutRounds; ++round) {
     ground_m_.fill(floor_m);
-    if (Fault fault = look_for_ground(T_world_plan)) return fault;
+    if (Fault fault = look_for_ground(T_world_plan, kAnyChange)) return fault;
     contact_m_ = ground_m_;
     if (Fault fault = sink(T_world_plan)) return fault;
-    if (Fault fault = fit_plane(T_world_plan)) return fault;
+    fit_plane(T_world_plan);
   }
-  return std::nullopt;
+  return check_tilt();
 }
 
 Stance::Fault Stance::move(const Pose2& T_world_plan) {
@@ -47,13 +54,14 @@ Stance::Fault Stance::move(const Pose2& T_world_plan) {
     const Eigen::Vector2d before = (T_world_body_ * p_body_wheel(i)).head<2>();
     way_m[i] = (p_world_wheel(i, T_world_plan) - before).norm();
   }
-  if (Fault fault = look_for_ground(T_world_plan)) return fault;
+  if (Fault fault = look_for_ground(T_world_plan, vehicle_.step_max_m)) return fault;
   for (std::size_t i = 0; i < 4; ++i) {
     const double climb_max_m = kClimbSlope * way_m[i];
     contact_m_[i] += std::clamp(ground_m_[i] - contact_m_[i], -climb_max_m, climb_max_m);
   }
   if (Fault fault = sink(T_world_plan)) return fault;
-  return fit_plane(T_world_plan);
+  fit_plane(T_world_plan);
+  return check_tilt();
 }
 
 Eigen::Vector3d Stance::p_body_wheel(std::size_t wheel) const {
@@ -69,7 +77,7 @@ Eigen::Vector2d Stance::p_world_wheel(std::size_t wheel, const Pose2& T_world_pl
   return Pose2{T_world_plan.x, T_world_plan.y, turn} * level;
 }
 
-Stance::Fault Stance::look_for_ground(const Pose2& T_world_plan) {
+Stance::Fault Stance::look_for_ground(const Pose2& T_world_plan, double change_max_m) {
   const TriangleMesh& mesh = site_.scene().mesh();
   for (std::size_t i = 0; i < 4; ++i) {
     const auto ground = probe_.under({p_world_wheel(i, T_world_plan), T_world_plan.theta,
@@ -79,7 +87,7 @@ Stance::Fault Stance::look_for_ground(const Pose2& T_world_plan) {
     if (ground->step_m > vehicle_.step_max_m) {
       return at_step(i, ground->step_m, mesh.part_of(ground->step_triangle));
     }
-    if (change_m > vehicle_.step_max_m) {
+    if (change_m > change_max_m) {
       return at_step(i, change_m, mesh.part_of(ground->triangle));
     }
     ground_m_[i] = ground->height_m;
@@ -100,7 +108,7 @@ Stance::Fault Stance::sink(const Pose2& T_world_plan) {
 }
 
 /// The wheels form a rectangle, so that the plane's slopes are differences of means.
-Stance::Fault Stance::fit_plane(const Pose2& T_world_plan) {
+void Stance::fit_plane(const Pose2& T_world_plan) {
   std::array<double, 4> low{};
   for (std::size_t i = 0; i < 4; ++i) low[i] = contact_m_[i] - sinkage_m_[i];
   const double height = 0.25 * (low[0] + low[1] + low[2] + low[3]);
@@ -113,8 +121,14 @@ Stance::Fault Stance::fit_plane(const Pose2& T_world_plan) {
                   Eigen::AngleAxisd(T_world_plan.theta, Eigen::Vector3d::UnitZ()) *
                   Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
                   Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX());
-  if (std::abs(pitch) > vehicle_.tilt_max_rad) return "falls over: pitch";
-  if (std::abs(roll) > vehicle_.tilt_max_rad) return "falls over: roll";
+}
+
+Stance::Fault Stance::check_tilt() const {
+  const Eigen::Matrix3d R = T_world_body_.linear();
+  const double pitch = std::asin(std::clamp(R(2, 0), -1.0, 1.0));
+  const double roll = std::atan2(R(2, 1), R(2, 2));
+  if (std::abs(pitch) > vehicle_.tilt_max_rad) return over_by("a pitch", pitch);
+  if (std::abs(roll) > vehicle_.tilt_max_rad) return over_by("a roll", roll);
   return std::nullopt;
 }
 

@@ -21,7 +21,8 @@ namespace adit {
 /// Wheels are numbered front left, front right, rear left, rear right.
 class Stance {
  public:
-  /// Why the vehicle does not stand; nothing where it does.
+  /// Why the vehicle does not stand: no ground under a wheel, a step that is too high for one, one
+  /// that is sunk in too deep, or too much roll or pitch. Nothing where it stands.
   using Fault = std::optional<std::string>;
 
   /// `site` must outlive this.
@@ -39,9 +40,12 @@ class Stance {
  private:
   [[nodiscard]] Eigen::Vector3d p_body_wheel(std::size_t wheel) const;
   [[nodiscard]] Eigen::Vector2d p_world_wheel(std::size_t wheel, const Pose2& T_world_plan) const;
-  Fault look_for_ground(const Pose2& T_world_plan);
+  /// `change_max_m` is how far the ground under a wheel may have risen or fallen since the last
+  /// look.
+  Fault look_for_ground(const Pose2& T_world_plan, double change_max_m);
   Fault sink(const Pose2& T_world_plan);
-  Fault fit_plane(const Pose2& T_world_plan);
+  void fit_plane(const Pose2& T_world_plan);
+  [[nodiscard]] Fault check_tilt() const;
 
   const Site& site_;
   Vehicle vehicle_;

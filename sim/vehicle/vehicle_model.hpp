@@ -47,6 +47,7 @@ class VehicleModel {
   /// Lets time go on, by one integration step (10 ms at most).
   void advance(double seconds);
 
+  /// Velocities are the means over the last step.
   [[nodiscard]] const BodyMotion& motion() const { return motion_; }
   /// As the vehicle says itself: of the wheels, slip not known.
   [[nodiscard]] VehicleState state() const;

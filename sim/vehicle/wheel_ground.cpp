@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/vehicle/wheel_ground.hpp"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+
+#include "common/geometry/pose2.hpp"
 
 namespace adit {
 namespace {
 
-constexpr int kSide = WheelGroundProbe::kSide;
-constexpr int kRays = WheelGroundProbe::kRays;
+constexpr int kSide = 5;
+constexpr int kRays = kSide * kSide;
 constexpr int kMiddle = kSide / 2;
 constexpr double kSpacing = 0.3;  // of the rays along the wheel, in wheel radii
 constexpr float kDepthM = 10.0F;  // a shaft that is deeper has no ground
@@ -22,7 +24,9 @@ struct Ground {
   std::array<std::uint32_t, kRays> triangle;
 };
 
-int index(int along, int across) { return along * kSide + across; }
+/// Counted from the middle of the wheel.
+int along(int ray) { return ray / kSide - kMiddle; }
+int across(int ray) { return ray % kSide - kMiddle; }
 
 /// Many rays at once see water, too, which carries no wheel.
 RayHit below_water(const RayScene& scene, const Ray& ray, const RayHit& hit) {
@@ -45,16 +49,30 @@ Ground look_down(const RayScene& scene, const std::array<Ray, kRays>& rays) {
   return ground;
 }
 
+bool has_ground_below_middle(const Ground& ground) {
+  for (int i = 0; i < kRays; ++i) {
+    if (along(i) == 0 && ground.height_m[i] != kNone) return true;
+  }
+  return false;
+}
+
+void rest_on(const Ground& ground, double radius_m, WheelGround& wheel) {
+  for (int i = 0; i < kRays; ++i) {
+    const double x = along(i) * kSpacing * radius_m;
+    const double rim_m = radius_m - std::sqrt(radius_m * radius_m - x * x);  // above its lowest
+    if (ground.height_m[i] - rim_m <= wheel.height_m) continue;
+    wheel.height_m = ground.height_m[i] - rim_m;
+    wheel.triangle = ground.triangle[i];
+  }
+}
+
 void find_step(const Ground& ground, WheelGround& wheel) {
-  for (int along = 0; along + 2 < kSide; ++along) {
-    for (int across = 0; across < kSide; ++across) {
-      const int behind = index(along, across);
-      const int ahead = index(along + 2, across);
-      const double rise = ground.height_m[ahead] - ground.height_m[behind];
-      if (!std::isfinite(rise) || std::abs(rise) <= wheel.step_m) continue;
-      wheel.step_m = std::abs(rise);
-      wheel.step_triangle = ground.triangle[rise > 0.0 ? ahead : behind];
-    }
+  for (int behind = 0; behind + 2 * kSide < kRays; ++behind) {
+    const int ahead = behind + 2 * kSide;
+    const double rise = ground.height_m[ahead] - ground.height_m[behind];
+    if (!std::isfinite(rise) || std::abs(rise) <= wheel.step_m) continue;
+    wheel.step_m = std::abs(rise);
+    wheel.step_triangle = ground.triangle[rise > 0.0 ? ahead : behind];
   }
 }
 
@@ -66,35 +84,19 @@ WheelGroundProbe::WheelGroundProbe(const RayScene& scene, const Vehicle& vehicle
       wheel_width_m_(vehicle.wheel_width_m) {}
 
 std::optional<WheelGround> WheelGroundProbe::under(const WheelPlace& place) const {
-  const Eigen::Vector2d ahead(std::cos(place.heading_rad), std::sin(place.heading_rad));
-  const Eigen::Vector2d left(-ahead.y(), ahead.x());
-  const double spacing_m = kSpacing * wheel_radius_m_;
+  const Pose2 T_world_wheel{place.p_world.x(), place.p_world.y(), place.heading_rad};
   std::array<Ray, kRays> rays;
-  for (int along = 0; along < kSide; ++along) {
-    for (int across = 0; across < kSide; ++across) {
-      const double x = (along - kMiddle) * spacing_m;
-      const double y = (across - kMiddle) * wheel_width_m_ / (kSide - 1);
-      const Eigen::Vector2d p = place.p_world + x * ahead + y * left;
-      rays[index(along, across)] = {Eigen::Vector3d(p.x(), p.y(), place.look_from_m).cast<float>(),
-                                    -Eigen::Vector3f::UnitZ()};
-    }
+  for (int i = 0; i < kRays; ++i) {
+    const double x = along(i) * kSpacing * wheel_radius_m_;
+    const double y = across(i) * wheel_width_m_ / (kSide - 1);
+    const Eigen::Vector2d p_world = T_world_wheel * Eigen::Vector2d(x, y);
+    rays[i] = {Eigen::Vector3d(p_world.x(), p_world.y(), place.look_from_m).cast<float>(),
+               -Eigen::Vector3f::UnitZ()};
   }
   const Ground ground = look_down(scene_, rays);
-
-  const auto* middle = ground.height_m.begin() + index(kMiddle, 0);
-  if (*std::max_element(middle, middle + kSide) == kNone) return std::nullopt;
+  if (!has_ground_below_middle(ground)) return std::nullopt;
   WheelGround wheel{kNone, 0, 0.0, 0};
-  for (int along = 0; along < kSide; ++along) {
-    const double x = (along - kMiddle) * spacing_m;
-    const double rim_m =  // of the wheel above its lowest point
-        wheel_radius_m_ - std::sqrt(wheel_radius_m_ * wheel_radius_m_ - x * x);
-    for (int across = 0; across < kSide; ++across) {
-      const int i = index(along, across);
-      if (ground.height_m[i] - rim_m <= wheel.height_m) continue;
-      wheel.height_m = ground.height_m[i] - rim_m;
-      wheel.triangle = ground.triangle[i];
-    }
-  }
+  rest_on(ground, wheel_radius_m_, wheel);
   find_step(ground, wheel);
   return wheel;
 }

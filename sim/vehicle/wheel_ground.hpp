@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -29,14 +28,10 @@ struct WheelGround {
   std::uint32_t step_triangle = 0;  ///< the upper side of it
 };
 
-/// Looks for the ground under wheels with rays, five along by five across each wheel: a wheel is a
-/// cylinder that rests on the highest of what they meet.
+/// Looks for the ground under wheels with rays, five along by five across each wheel, so that no
+/// rail slips between two: a wheel is a cylinder that rests on the highest of what they meet.
 class WheelGroundProbe {
  public:
-  static constexpr int kSide = 5;
-  static constexpr int kRays = kSide * kSide;
-  using Heights = std::array<double, kRays>;
-
   /// `scene` must outlive this.
   WheelGroundProbe(const RayScene& scene, const Vehicle& vehicle);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -23,8 +24,8 @@ inline VehicleModelParams without_slip() {
 
 /// Commands and advances, as long as there is no failure.
 inline void drive(VehicleModel& vehicle, double speed_m_s, double curvature_1_m, double seconds) {
-  const int steps = static_cast<int>(seconds / kStepS + 0.5);
-  for (int i = 0; i < steps && !vehicle.failure(); ++i) {
+  const long steps = std::lround(seconds / kStepS);
+  for (long i = 0; i < steps && !vehicle.failure(); ++i) {
     vehicle.command(DriveCommand{vehicle.motion().utime, speed_m_s, curvature_1_m});
     vehicle.advance(kStepS);
   }

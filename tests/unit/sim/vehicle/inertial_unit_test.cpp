@@ -99,7 +99,7 @@ TEST(InertialUnit, EachUnitHasABiasOfItsOwn) {
   params.accelerometer_bias_sd_m_s2 = 0.02;
   const auto gyro = [&](int seed) {
     InertialUnit unit(params, static_cast<std::uint64_t>(seed));
-    const Eigen::Vector3d first = unit.measure(at_rest(), at_rest(), kStepS).angular_velocity;
+    Eigen::Vector3d first = unit.measure(at_rest(), at_rest(), kStepS).angular_velocity;
     EXPECT_EQ(first, unit.measure(at_rest(), at_rest(), kStepS).angular_velocity);
     return first;
   };

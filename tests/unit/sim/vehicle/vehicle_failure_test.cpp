@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 
@@ -119,11 +120,39 @@ TEST(VehicleFailure, AStoneHigherThanTheBellyIsACollision) {
   EXPECT_EQ(failure_ahead(with_box("stone", {5.0, 0.0, 0.1}, {0.3, 0.3, 0.2})), "none");
 }
 
+TEST(VehicleFailure, AStumpBelowTheBellyIsAStepForAWheel) {
+  EXPECT_THAT(failure_ahead(with_box("stump", {5.0, 0.475, 0.14}, {0.15, 0.15, 0.28})),
+              StartsWith("front left wheel at a step of 0.28 m of 'stump' after 3.9"));
+  EXPECT_EQ(failure_ahead(with_box("stump", {5.0, 0.0, 0.14}, {0.15, 0.15, 0.28})), "none");
+}
+
 TEST(VehicleFailure, AStepThatIsTooHighUpOrDown) {
   EXPECT_THAT(failure_ahead(with_box("ledge", {10.0, 0.0, 0.0}, {10.0, 4.0, 0.5})),
               HasSubstr("wheel at a step of 0.25 m of 'ledge'"));
   EXPECT_THAT(failure_ahead(with_floor({{-20.0, 5.0, 0.0}, {5.0, 20.0, -0.25}})),
               HasSubstr("wheel at a step of 0.25 m of 'floor'"));
+}
+
+/// A level floor up to x = 4 m, and from there a ramp.
+World with_ramp(double slope) {
+  return drift_with(PartKind::kOther, "ramp", [slope](MeshBuilder& builder) {
+    const float rise = static_cast<float>(4.0 * std::tan(slope));
+    const auto corner = [&](float x, float y, float z) { return builder.vertex({x, y, z}); };
+    builder.quad(corner(4.0F, -2.0F, 0.0F), corner(8.0F, -2.0F, rise), corner(8.0F, 2.0F, rise),
+                 corner(4.0F, 2.0F, 0.0F));
+  });
+}
+
+TEST(VehicleFailure, FallsOverWhereItIsTooSteep) {
+  EXPECT_THAT(failure_ahead(with_ramp(0.4), 10.0), HasSubstr("none"));
+  World steep = with_ramp(0.6);
+  Vehicle high;
+  high.belly_clearance_m = 0.6;  // so that its nose goes over the foot of the ramp
+  const Site site(std::move(steep));
+  VehicleModel vehicle(site, high, without_slip(), 1, 0);
+  drive(vehicle, 0.5, 0.0, 20.0);
+  EXPECT_THAT(vehicle.failure().value_or("none"),
+              StartsWith("falls over at a pitch of 29 degrees after"));  // 0.5 rad
 }
 
 TEST(VehicleFailure, AStepThatItClimbsIsNone) {

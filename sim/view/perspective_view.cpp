@@ -13,7 +13,7 @@
 namespace adit {
 namespace {
 
-constexpr float kRangeMax = 300.0F;      // [m]
+constexpr float kRangeMax = 5000.0F;     // [m]
 constexpr double kStepBack = 2.0;        // [m]
 constexpr double kWallDistance = 0.5;    // that the camera keeps [m]
 constexpr float kLampReach = 9.0F;       // at which its light has fallen to a half [m]

@@ -89,7 +89,7 @@ Eigen::Vector2d PlanWindow::p_world(const Eigen::Vector2d& uv) const {
   return {low.x() + uv.x() / pixels_per_metre, high.y() - uv.y() / pixels_per_metre};
 }
 
-PlanView::PlanView(const World& world) : mesh_(without_roof(world)), scene_(mesh_) {
+PlanView::PlanView(const World& world) : world_(world), mesh_(without_roof(world)), scene_(mesh_) {
   std::tie(low_, high_) = box_of(mesh_);
 }
 
@@ -133,13 +133,21 @@ RgbImage PlanView::draw(const PlanWindow& window) const {
     std::vector<float> openness(points.size());
     find_openness(scene_, points, kOcclusionReach, openness);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const bool rock =
-          std::isinf(hits[i].distance_m) || mesh_.part_of(hits[i].triangle).kind == PartKind::kWall;
+      const bool rock = std::isinf(hits[i].distance_m) ||
+                        !is_open(points[i].p_world, mesh_.part_of(hits[i].triangle).kind);
       light[i] =
           rock ? linear(kRock) : lit(mesh_.part_of(hits[i].triangle), points[i], openness[i]);
     }
   };
   return render(window.width(), window.height(), paint);
+}
+
+/// Water and props may go on into the rock.
+bool PlanView::is_open(const Eigen::Vector3f& p_world, PartKind kind) const {
+  if (is_ground(kind)) return true;
+  const auto& floor_height = world_.truth.floor_height;
+  return kind != PartKind::kWall &&
+         (!floor_height || floor_height(p_world.head<2>().cast<double>()).has_value());
 }
 
 }  // namespace adit

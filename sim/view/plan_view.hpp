@@ -30,6 +30,7 @@ class PlanView {
  public:
   static constexpr unsigned kRock = 0x57524c;  ///< of rock that is cut through, as on the web
 
+  /// `world` must outlive this.
   explicit PlanView(const World& world);
   PlanView(const PlanView&) = delete;
   PlanView& operator=(const PlanView&) = delete;
@@ -42,6 +43,9 @@ class PlanView {
   [[nodiscard]] RgbImage draw(const PlanWindow& window) const;
 
  private:
+  [[nodiscard]] bool is_open(const Eigen::Vector3f& p_world, PartKind kind) const;
+
+  const World& world_;
   TriangleMesh mesh_;  // without the roof
   RayScene scene_;
   Eigen::Vector3d low_;  // of the mesh

@@ -18,10 +18,10 @@ constexpr int kWindowsMax = 4;
 constexpr int kProbes = 200;  // for openings along a window
 constexpr double kPixelsPerMetreWanted = 20.0;
 constexpr double kPixelsPerMetreMax = 60.0;
-constexpr double kOpeningPixelsMin = 48.0;
+constexpr double kOpeningPixelsMin = 36.0;
 constexpr double kMargin = 0.5;     // of rock above and below, without exaggeration [m]
 constexpr double kProbe = 0.3;      // above the floor, where openings are looked for [m]
-constexpr float kRoofMax = 10.0F;   // above the probe; what is higher is open to the sky [m]
+constexpr float kReach = 10.0F;     // of openings up and down; what is more is open to the sky [m]
 constexpr float kDepthMax = 60.0F;  // behind the cut [m]
 constexpr float kDarkening = 8.0F;  // depth in which light falls to 1/e [m]
 const Rgb kAir = linear(0xe4ded2);
@@ -138,14 +138,24 @@ std::optional<SectionView::Opening> SectionView::opening_at(double s_m) const {
   const auto& floor_height = site_.world().truth.floor_height;
   const auto floor_m = floor_height ? floor_height(p) : std::nullopt;
   if (!floor_m) return std::nullopt;
-  Ray up{Eigen::Vector3d(p.x(), p.y(), *floor_m + kProbe).cast<float>(), Eigen::Vector3f::UnitZ()};
-  while (const auto hit = site_.scene().cast(up, kRoofMax)) {
+  const Eigen::Vector3d probe(p.x(), p.y(), *floor_m + kProbe);
+  const double down = distance_to_rock(probe, -Eigen::Vector3d::UnitZ());
+  const double up = distance_to_rock(probe, Eigen::Vector3d::UnitZ());
+  // Pits and hollows are not in the truth. Behind a prop that ends at the floor this is missed.
+  return Opening{down < kReach ? probe.z() - down : *floor_m, probe.z() + up};
+}
+
+/// Through whatever stands in the way. [m]
+double SectionView::distance_to_rock(const Eigen::Vector3d& from,
+                                     const Eigen::Vector3d& direction) const {
+  Ray ray{from.cast<float>(), direction.cast<float>()};
+  while (const auto hit = site_.scene().cast(ray, kReach)) {
     if (is_rock(site_.scene().mesh().part_of(hit->triangle).kind)) {
-      return Opening{*floor_m, static_cast<double>(up.origin.z() + hit->distance_m)};
+      return hit->distance_m + (ray.origin.cast<double>() - from).norm();
     }
-    up.origin = surface_point(up, {hit->distance_m, hit->triangle, -hit->normal}).p_world;
+    ray.origin = surface_point(ray, {hit->distance_m, hit->triangle, -hit->normal}).p_world;
   }
-  return Opening{*floor_m, *floor_m + kRoofMax};
+  return kReach;
 }
 
 }  // namespace adit

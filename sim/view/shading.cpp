@@ -9,6 +9,8 @@
 #include <numbers>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 namespace adit {
 namespace {
 
@@ -43,9 +45,13 @@ float noise(const Eigen::Vector3f& p) {
                    std::lerp(along_x(0, 1), along_x(1, 1), w.y()), w.z());
 }
 
-/// About 1, by which the colour of natural stuff varies.
+/// About 1, by which the colour of natural stuff varies. Askew, so that the lattice of the noise
+/// does not show on walls and floors.
 float grain(const Eigen::Vector3f& p_world) {
-  return 0.7F + 0.3F * noise(2.5F * p_world) + 0.3F * noise(17.0F * p_world);
+  static const Eigen::Matrix3f kAskew =
+      Eigen::AngleAxisf(0.9F, Eigen::Vector3f(0.5F, 0.6F, 0.62F).normalized()).toRotationMatrix();
+  const Eigen::Vector3f p = kAskew * p_world;
+  return 0.62F + 0.26F * noise(1.7F * p) + 0.26F * noise(7.0F * p) + 0.24F * noise(29.0F * p);
 }
 
 /// Two unit vectors that complete a normal to a right-handed frame (Duff et al., "Building an
@@ -111,7 +117,7 @@ Rgb plain_colour(const Part& part) {
 }
 
 Rgb colour_at(const Part& part, const Eigen::Vector3f& p_world) {
-  const Rgb plain = plain_colour(part);
+  Rgb plain = plain_colour(part);
   switch (part.material) {
     case Material::kRock:
     case Material::kMud:

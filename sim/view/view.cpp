@@ -73,10 +73,14 @@ void draw_ticks(const Canvas& canvas, const Placed<SectionWindow>& placed) {
   const double every = scale_bar_m(kScaleBarMax / window.pixels_per_metre);
   const double y = placed.corner.y() + window.height();
   canvas.colour(kInk);
-  for (double s = every * std::ceil(window.from_m / every); s <= window.to_m; s += every) {
+  const double first = every * std::ceil(window.from_m / every);
+  const int ticks = static_cast<int>((window.to_m - first) / every);
+  for (int k = 0; k <= ticks; ++k) {
+    const double s = first + k * every;
     const double x = placed.corner.x() + window.pixel(s, 0.0).x();
     canvas.fill_rectangle(x - 0.5, y, 1.0, 4.0);
-    canvas.text(text("%g m", s), x, y + 17.0, 13.0, false, Align::kCentre);
+    const Align align = k == 0 ? Align::kLeft : k == ticks ? Align::kRight : Align::kCentre;
+    canvas.text(text("%g m", s), x, y + 17.0, 13.0, false, align);
   }
 }
 

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/eval/trajectory_score.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+/// Straight along x from the origin, a pose each 0.1 m and 0.1 s.
+Trajectory straight(double length_m, double scale = 1.0) {
+  Trajectory trajectory;
+  for (int i = 0; i <= std::lround(10.0 * length_m); ++i) {
+    trajectory.push_back({1'000'000 + 100'000 * i, {scale * 0.1 * i, 0.0, 0.0}});
+  }
+  return trajectory;
+}
+
+Trajectory moved(const Pose2& T_to_from, Trajectory trajectory) {
+  for (TimedPose& at : trajectory) at.pose = T_to_from * at.pose;
+  return trajectory;
+}
+
+TEST(TrajectoryScore, ThePerfectPathHasNoErrorInAnyFrame) {
+  const Trajectory truth = straight(120.0);
+  const Pose2 T_map_world{3.0, -4.0, 2.0};
+  const TrajectoryScore score = score_trajectory(moved(T_map_world, truth), truth);
+  EXPECT_EQ(score.poses, truth.size());
+  EXPECT_NEAR(between(T_map_world.inverse(), score.T_world_map).vector().norm(), 0.0, 1e-9);
+  EXPECT_NEAR(score.aligned.max_m, 0.0, 1e-9);
+  EXPECT_NEAR(score.anchored.max_m, 0.0, 1e-9);
+  EXPECT_NEAR(score.true_length_m, 120.0, 1e-9);
+  EXPECT_NEAR(score.length_ratio, 1.0, 1e-9);
+  for (const RelativeErrors& errors : score.relative) {
+    EXPECT_GT(errors.stretches, 0U);
+    EXPECT_NEAR(errors.translation_m, 0.0, 1e-9);
+    EXPECT_NEAR(errors.rotation_deg, 0.0, 1e-6);
+  }
+}
+
+TEST(TrajectoryScore, APathThatShrinksEvenlyErrsInProportion) {
+  // 2 % short over 100 m: anchored at the start, up to 2 m, 1 m in the mean, 2 / √3 m in the mean
+  // square; aligned, half of that to either side.
+  const Trajectory truth = straight(100.0);
+  const TrajectoryScore score = score_trajectory(straight(100.0, 0.98), truth);
+  EXPECT_NEAR(score.anchored.max_m, 2.0, 1e-9);
+  EXPECT_NEAR(score.anchored.mean_m, 1.0, 1e-9);
+  EXPECT_NEAR(score.anchored.rmse_m, 2.0 / std::sqrt(3.0), 1e-3);  // a sum instead of the integral
+  EXPECT_NEAR(score.aligned.max_m, 1.0, 1e-9);
+  EXPECT_NEAR(score.aligned.rmse_m, 1.0 / std::sqrt(3.0), 1e-3);
+  EXPECT_NEAR(score.length_ratio, 0.98, 1e-9);
+  EXPECT_NEAR(score.relative[0].translation_m, 0.02, 2.1e-3);  // a stretch may be a pose longer
+  EXPECT_NEAR(score.relative[1].translation_m, 0.2, 2.1e-3);
+}
+
+TEST(TrajectoryScore, AOneTimeTurnCostsEachLengthItsShare) {
+  // 10° in the middle of 40 m: of the stretches of 10 m a quarter of the 31 has it.
+  const double turn = deg_to_rad(10.0);
+  const Trajectory truth = straight(40.0);
+  Trajectory found = truth;
+  for (TimedPose& at : found) {
+    if (at.pose.x > 20.05) at.pose = Pose2{20.0, 0.0, turn} * Pose2{at.pose.x - 20.0, 0.0, 0.0};
+  }
+  const TrajectoryScore score = score_trajectory(found, truth);
+  EXPECT_EQ(score.relative[1].length_m, 10.0);
+  EXPECT_NEAR(static_cast<double>(score.relative[1].stretches), 31.0, 1.0);
+  // Those that begin in the ten metres before the turn and end behind it.
+  EXPECT_NEAR(score.relative[1].rotation_deg, 10.0 * 10.0 / 31.0, 0.4);  // one stretch more or less
+  EXPECT_EQ(score.relative[2].stretches, 0U);                            // 100 m were not driven
+}
+
+TEST(TrajectoryScore, NoiseDoesNotCountAsWay) {
+  const Trajectory truth = straight(50.0);
+  Trajectory found = truth;
+  for (std::size_t i = 0; i < found.size(); ++i) found[i].pose.y = i % 2 == 0 ? 0.05 : -0.05;
+  EXPECT_NEAR(path_length_m(found) / path_length_m(truth), std::sqrt(2.0), 1e-3);
+  // In steps of half a metre 0.1 m to the side are 2 %.
+  EXPECT_NEAR(score_trajectory(found, truth).length_ratio, 1.0, 0.02);
+}
+
+TEST(TrajectoryScore, SaysSoWhereNoTimeIsCovered) {
+  Trajectory later = straight(10.0);
+  for (TimedPose& at : later) at.utime += 1'000'000'000;
+  EXPECT_THROW(score_trajectory(later, straight(10.0)), std::runtime_error);
+  EXPECT_THROW(score_trajectory({}, straight(10.0)), std::runtime_error);
+}
+
+TEST(ThinnedTrajectory, KeepsTheFirstAndOneForEachStep) {
+  const Trajectory kept = thinned(straight(10.0), 0.45);
+  ASSERT_EQ(kept.size(), 21U);  // each half metre, the next tenth after 0.45 m
+  EXPECT_NEAR(kept[1].pose.x, 0.5, 1e-9);
+  EXPECT_TRUE(thinned(Trajectory{}, 0.5).empty());
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/eval/map_image.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "common/geometry/pose2.hpp"
+
+namespace adit {
+namespace {
+
+using Keys = std::map<std::string, std::string>;
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
+  throw std::runtime_error(path.string() + ": " + reason);
+}
+
+std::ifstream open(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in || std::filesystem::is_directory(path)) {
+    throw std::runtime_error("cannot read " + path.string());
+  }
+  return in;
+}
+
+/// The file is flat: lines `key: value`.
+Keys read_keys(const std::filesystem::path& path) {
+  std::ifstream in = open(path);
+  Keys keys;
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t colon = line.find(": ");
+    if (colon != std::string::npos) keys[line.substr(0, colon)] = line.substr(colon + 2);
+  }
+  return keys;
+}
+
+/// `count` numbers between blanks, commas and brackets.
+std::vector<double> numbers(const std::filesystem::path& path, const Keys& keys,
+                            const std::string& key, std::size_t count) {
+  const auto found = keys.find(key);
+  if (found == keys.end()) fail(path, "has no " + key);
+  std::string text = found->second;
+  for (char& c : text) {
+    if (c == '[' || c == ']' || c == ',') c = ' ';
+  }
+  std::istringstream words(text);
+  std::vector<double> values{std::istream_iterator<double>(words), {}};
+  if (values.size() != count) fail(path, "cannot use '" + found->second + "' as " + key);
+  return values;
+}
+
+struct Shades {
+  int width = 0;
+  int height = 0;
+  std::string rows;  // from the top
+};
+
+Shades read_pgm(const std::filesystem::path& path) {
+  std::ifstream in = open(path);
+  std::string magic;
+  Shades shades;
+  int white = 0;
+  in >> magic >> shades.width >> shades.height >> white;
+  if (!in || magic != "P5" || white != 255 || shades.width < 1 || shades.height < 1) {
+    fail(path, "is not a binary PGM of 8 bits");
+  }
+  in.get();
+  shades.rows.assign(std::istreambuf_iterator<char>(in), {});
+  const std::size_t needed =
+      static_cast<std::size_t>(shades.width) * static_cast<std::size_t>(shades.height);
+  if (shades.rows.size() != needed) fail(path, "does not hold as many pixels as it says");
+  return shades;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> read_occupied(const std::filesystem::path& yaml) {
+  const Keys keys = read_keys(yaml);
+  if (!keys.contains("image")) fail(yaml, "has no image");
+  const double resolution = numbers(yaml, keys, "resolution", 1)[0];
+  if (!(resolution > 0.0)) fail(yaml, "has a resolution that is not positive");
+  const std::vector<double> origin = numbers(yaml, keys, "origin", 3);
+  const Pose2 T_map_image{origin[0], origin[1], origin[2]};
+  const bool negate = numbers(yaml, keys, "negate", 1)[0] != 0.0;
+  const double threshold = numbers(yaml, keys, "occupied_thresh", 1)[0];
+  const Shades shades = read_pgm(yaml.parent_path() / keys.at("image"));
+
+  std::vector<Eigen::Vector2d> occupied;
+  for (std::size_t i = 0; i < shades.rows.size(); ++i) {
+    const double shade = static_cast<unsigned char>(shades.rows[i]) / 255.0;
+    if ((negate ? shade : 1.0 - shade) <= threshold) continue;
+    const auto width = static_cast<std::size_t>(shades.width);
+    const std::size_t column = i % width;
+    const std::size_t row = i / width;
+    const Eigen::Vector2d cell(static_cast<double>(column),
+                               shades.height - 1 - static_cast<double>(row));
+    occupied.emplace_back(T_map_image * (resolution * (cell + Eigen::Vector2d(0.5, 0.5))));
+  }
+  return occupied;
+}
+
+}  // namespace adit

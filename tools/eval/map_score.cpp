@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/eval/map_score.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include "tools/eval/nearest_points.hpp"
+#include "tools/eval/world_walls.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kStep = 0.5;      // of the way from fan to fan [m]
+constexpr int kBeams = 720;        // of a fan
+constexpr double kSpacing = 0.1;   // of reference points [m]
+constexpr double kFarthest = 5.0;  // that a mapped point is from a wall, what is more counts so [m]
+
+std::vector<Ray> fan(const Eigen::Vector3d& from) {
+  std::vector<Ray> rays;
+  for (int i = 0; i < kBeams; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kBeams;
+    rays.push_back(
+        {from.cast<float>(), Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0).cast<float>()});
+  }
+  return rays;
+}
+
+std::vector<Eigen::Vector2d> walls_seen(const Site& site, const WorldWalls& walls,
+                                        const Trajectory& truth, const MapScoreOptions& options) {
+  std::vector<Eigen::Vector2d> seen;
+  const auto& floor_height = site.world().truth.floor_height;
+  for (const auto& [utime, T_world_body] : thinned(truth, kStep)) {
+    const auto floor_m = floor_height ? floor_height(T_world_body.translation()) : std::nullopt;
+    if (!floor_m) continue;
+    const std::vector<Ray> rays =
+        fan({T_world_body.x, T_world_body.y, *floor_m + options.laser_height_m});
+    std::vector<RayHit> hits(rays.size());
+    site.scene().cast(rays, static_cast<float>(options.range_m), hits);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (std::isinf(hits[i].distance_m) || !walls.is_wall(hits[i].triangle)) continue;
+      const Eigen::Vector3f p_world = rays[i].origin + hits[i].distance_m * rays[i].direction;
+      seen.emplace_back(p_world.head<2>().cast<double>());
+    }
+  }
+  return thinned(seen, kSpacing);
+}
+
+/// Points of the outlines, each kSpacing.
+std::vector<Eigen::Vector2d> points_of(const std::vector<PlanRing>& rings) {
+  std::vector<Eigen::Vector2d> found;
+  for (const PlanRing& ring : rings) {
+    for (std::size_t i = 0; i < ring.points.size(); ++i) {
+      const Eigen::Vector2d& a = ring.points[i];
+      const Eigen::Vector2d& b = ring.points[(i + 1) % ring.points.size()];
+      const int count = std::max(1, static_cast<int>(std::ceil((b - a).norm() / kSpacing)));
+      for (int k = 0; k < count; ++k) {
+        found.emplace_back(a + (b - a) * (static_cast<double>(k) / count));
+      }
+    }
+  }
+  return found;
+}
+
+double share_near(const std::vector<Eigen::Vector2d>& points, const NearestPoints& mapped) {
+  const auto near = std::count_if(points.begin(), points.end(), [&](const auto& p) {
+    return std::isfinite(mapped.distance_m(p));
+  });
+  return static_cast<double>(near) / static_cast<double>(points.size());
+}
+
+/// Sorts the distances.
+WallDistances summary(std::vector<double>& distances) {
+  std::sort(distances.begin(), distances.end());
+  const auto count = static_cast<double>(distances.size());
+  const auto at = [&](double share) {
+    return distances[static_cast<std::size_t>(share * (count - 1.0))];
+  };
+  return {std::accumulate(distances.begin(), distances.end(), 0.0) / count, at(0.5), at(0.95)};
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> walls_seen(const Site& site, const Trajectory& truth,
+                                        const MapScoreOptions& options) {
+  return walls_seen(site, WorldWalls(site.world(), kFarthest), truth, options);
+}
+
+MapScore score_map(const std::vector<Eigen::Vector2d>& mapped, const Pose2& T_world_map,
+                   const Site& site, const Trajectory& truth, const MapScoreOptions& options) {
+  if (mapped.empty()) throw std::runtime_error("the map has no occupied cell");
+  std::vector<Eigen::Vector2d> points;  // p_world
+  for (const Eigen::Vector2d& p_map : mapped) points.emplace_back(T_world_map * p_map);
+
+  const WorldWalls walls(site.world(), kFarthest);
+  const std::vector<Eigen::Vector2d> seen = walls_seen(site, walls, truth, options);
+  if (seen.empty()) {
+    throw std::runtime_error("no wall of " + site.world().name +
+                             " is seen from the true way: is it the right world?");
+  }
+  MapScore score;
+  score.mapped_points = points.size();
+  score.reference_points = seen.size();
+  const NearestPoints nearest(points, options.tolerance_m);
+  score.coverage = share_near(seen, nearest);
+  const std::vector<Eigen::Vector2d> outlines = points_of(site.world().truth.plan);
+  if (!outlines.empty()) score.coverage_of_mine = share_near(outlines, nearest);
+
+  std::vector<double> distances;
+  for (const Eigen::Vector2d& p : points) {
+    distances.push_back(std::min(kFarthest, walls.distance_m(p)));
+  }
+  const auto far = std::count_if(distances.begin(), distances.end(),
+                                 [&](double distance) { return distance > options.deviation_m; });
+  score.deviation = static_cast<double>(far) / static_cast<double>(points.size());
+  score.wall_distance = summary(distances);
+  return score;
+}
+
+}  // namespace adit

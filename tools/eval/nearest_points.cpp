@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/eval/nearest_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace adit {
+
+NearestPoints::NearestPoints(const std::vector<Eigen::Vector2d>& points, double reach_m)
+    : reach_m_(reach_m) {
+  points_.reserve(points.size());
+  for (const Eigen::Vector2d& p : points) points_.emplace_back(cell_at(p), p);
+  std::stable_sort(points_.begin(), points_.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+}
+
+double NearestPoints::distance_m(const Eigen::Vector2d& p) const {
+  const auto [i, j] = cell_at(p);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int column = i - 1; column <= i + 1; ++column) {
+    // The cells of one column lie side by side.
+    auto at = std::lower_bound(points_.begin(), points_.end(), Cell{column, j - 1},
+                               [](const auto& a, const Cell& cell) { return a.first < cell; });
+    for (; at != points_.end() && at->first <= Cell{column, j + 1}; ++at) {
+      nearest = std::min(nearest, (at->second - p).norm());
+    }
+  }
+  return nearest <= reach_m_ ? nearest : std::numeric_limits<double>::infinity();
+}
+
+NearestPoints::Cell NearestPoints::cell_at(const Eigen::Vector2d& p) const {
+  return {static_cast<int>(std::floor(p.x() / reach_m_)),
+          static_cast<int>(std::floor(p.y() / reach_m_))};
+}
+
+std::vector<Eigen::Vector2d> thinned(const std::vector<Eigen::Vector2d>& points, double spacing_m) {
+  std::set<std::pair<int, int>> taken;
+  std::vector<Eigen::Vector2d> kept;
+  for (const Eigen::Vector2d& p : points) {
+    const Eigen::Array2i cell = (p / spacing_m).array().floor().cast<int>();
+    if (taken.emplace(cell.x(), cell.y()).second) kept.push_back(p);
+  }
+  return kept;
+}
+
+}  // namespace adit

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/eval/world_walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace adit {
+namespace {
+
+constexpr double kLowest = 0.1;   // above the floor [m]
+constexpr double kHighest = 2.0;  // above the floor [m]
+constexpr double kSteep = 0.5;    // cosine of 60°
+constexpr double kBeside = 0.3;   // where the floor before a wall is looked for [m]
+
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+Corners corners_of(const TriangleMesh& mesh, std::uint32_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return {mesh.vertices[a].cast<double>(), mesh.vertices[b].cast<double>(),
+          mesh.vertices[c].cast<double>()};
+}
+
+/// Below the middle of a triangle, or beside it: a wall stands where the floor ends.
+std::optional<double> floor_near(const World& world, const Eigen::Vector2d& middle,
+                                 const Eigen::Vector3d& normal) {
+  if (!world.truth.floor_height) return std::nullopt;
+  const Eigen::Vector2d across = kBeside * normal.head<2>();
+  for (const Eigen::Vector2d& beside :
+       {Eigen::Vector2d(0.0, 0.0), across, Eigen::Vector2d(-across)}) {
+    if (const auto floor_m = world.truth.floor_height(middle + beside)) return floor_m;
+  }
+  return std::nullopt;
+}
+
+bool may_be_level(PartKind kind) {
+  return kind != PartKind::kFloor && kind != PartKind::kRoof && kind != PartKind::kOther;
+}
+
+bool is_never_wall(PartKind kind) {
+  return kind == PartKind::kWater || kind == PartKind::kRail || kind == PartKind::kSleeper;
+}
+
+bool is_wall(const World& world, std::uint32_t triangle) {
+  const PartKind kind = world.mesh.part_of(triangle).kind;
+  const Corners corners = corners_of(world.mesh, triangle);
+  const Eigen::Vector3d normal =
+      (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+  if (is_never_wall(kind) || !normal.allFinite()) return false;
+  if (!may_be_level(kind) && std::abs(normal.z()) > kSteep) return false;
+  const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+  const auto floor_m = floor_near(world, middle.head<2>(), normal);
+  if (!floor_m) return true;  // nobody knows how high it is
+  const auto [low, high] = std::minmax({corners[0].z(), corners[1].z(), corners[2].z()});
+  return high > *floor_m + kLowest && low < *floor_m + kHighest;
+}
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+double distance_to_edge(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
+                        const Eigen::Vector2d& b) {
+  const Eigen::Vector2d along = b - a;
+  const double square = along.squaredNorm();
+  const double share = square > 0.0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0.0;
+  return (p - a - share * along).norm();
+}
+
+double distance_to(const std::array<Eigen::Vector2d, 3>& outline, const Eigen::Vector2d& p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  int left = 0;
+  int right = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector2d& a = outline[i];
+    const Eigen::Vector2d& b = outline[(i + 1) % 3];
+    const double side = cross(b - a, p - a);
+    if (side > 0.0) ++left;
+    if (side < 0.0) ++right;
+    nearest = std::min(nearest, distance_to_edge(p, a, b));
+  }
+  return left == 3 || right == 3 ? 0.0 : nearest;
+}
+
+}  // namespace
+
+WorldWalls::WorldWalls(const World& world, double reach_m) : reach_m_(reach_m) {
+  const auto count = static_cast<std::uint32_t>(world.mesh.triangles.size());
+  is_wall_.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    is_wall_[i] = adit::is_wall(world, i);
+    if (!is_wall_[i]) continue;
+    const Corners corners = corners_of(world.mesh, i);
+    outlines_.push_back({corners[0].head<2>(), corners[1].head<2>(), corners[2].head<2>()});
+    enter(static_cast<std::uint32_t>(outlines_.size() - 1));
+  }
+  std::sort(cells_.begin(), cells_.end());
+}
+
+double WorldWalls::distance_m(const Eigen::Vector2d& p_world) const {
+  const int j = cell_of(p_world.y());
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = cell_of(p_world.x()) - 1; i <= cell_of(p_world.x()) + 1; ++i) {
+    // The cells of one column lie side by side.
+    auto at = std::lower_bound(cells_.begin(), cells_.end(), std::pair(Cell{i, j - 1}, 0U));
+    for (; at != cells_.end() && at->first <= Cell{i, j + 1}; ++at) {
+      nearest = std::min(nearest, distance_to(outlines_[at->second], p_world));
+    }
+  }
+  return nearest <= reach_m_ ? nearest : std::numeric_limits<double>::infinity();
+}
+
+int WorldWalls::cell_of(double coordinate) const {
+  return static_cast<int>(std::floor(coordinate / reach_m_));
+}
+
+/// Into all cells that the box around it touches.
+void WorldWalls::enter(std::uint32_t index) {
+  const auto& [a, b, c] = outlines_[index];
+  const Eigen::Vector2d low = a.cwiseMin(b).cwiseMin(c);
+  const Eigen::Vector2d high = a.cwiseMax(b).cwiseMax(c);
+  for (int i = cell_of(low.x()); i <= cell_of(high.x()); ++i) {
+    for (int j = cell_of(low.y()); j <= cell_of(high.y()); ++j) cells_.push_back({{i, j}, index});
+  }
+}
+
+}  // namespace adit

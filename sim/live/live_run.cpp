@@ -8,8 +8,10 @@
 #include <iostream>
 
 #include "common/bus/lcm_bus.hpp"
+#include "common/bus/stages.hpp"
 #include "common/bus/stop_signal.hpp"
 #include "common/bus/transport_check.hpp"
+#include "common/config/config.hpp"
 #include "sim/live/live_simulator.hpp"
 #include "sim/live/settings.hpp"
 #include "sim/world/build_world.hpp"
@@ -54,6 +56,10 @@ void run(LcmBus& bus, LiveSimulator& simulator, const StopSignal& stop) {
 void run_live(const WorldChoice& world, const LiveRunOptions& options) {
   const StopSignal stop;  // before Embree and LCM make threads
   const SimulationParams params = load_simulation_params(options.config, options.faults);
+  if (options.print_config) {
+    std::cout << to_yaml(params, kSimSection);
+    return;
+  }
   const WorldDescription description = describe(world);
   const Site site(build_world(description));
 

@@ -21,6 +21,7 @@ struct LiveRunOptions {
   std::vector<std::string> faults;  ///< as parse_fault takes them, besides those in the config
   std::string lcm_url;
   std::optional<double> for_s;  ///< of simulated time; until it is stopped without
+  bool print_config = false;    ///< write the configuration in effect to standard output, and end
 };
 
 /// Runs the simulator until SIGINT, SIGTERM or its time is up. A run that failed goes on, standing

@@ -15,6 +15,13 @@ namespace {
 constexpr std::size_t kAnswersWaiting = 1000;
 constexpr std::int64_t kReminderUs = 500'000;  // of wall time
 
+std::string why_it_waits(const std::string& stage) {
+  std::string line = "waiting for ";
+  line += stage;
+  line += ", which has not answered for 5 s; was it started with --sim-time?";
+  return line;
+}
+
 }  // namespace
 
 LiveSimulator::LiveSimulator(Bus& bus, const Site& site, const WorldDescription& description,
@@ -58,8 +65,7 @@ void LiveSimulator::step() {
 /// never answer.
 void LiveSimulator::remind_stages(std::int64_t wall_us) {
   for (const std::string& stage : pacing_.newly_silent(wall_us)) {
-    progress_.say("waiting for " + stage + ", which has not answered for 5 s; does adit-" + stage +
-                  " --sim-time run?");
+    progress_.say(why_it_waits(stage));
   }
   if (wall_us < next_reminder_us_) return;
   next_reminder_us_ = wall_us + kReminderUs;

@@ -30,6 +30,9 @@ Time: stages that are started with --sim-time go by the simulator's time, and an
 handled all that came before. With --wait-for the simulator is never more than 0.2 s ahead of them, so
 that nothing gets lost however slow they are; without it and with --speed max it waits for nobody.
 
+The stages must have the lasers where the simulator has them: give all the same --config, for example
+what adit sim WORLD --print-config prints.
+
 Faults, as KIND[:TARGET][=AMOUNT]@SECONDS, with the seconds counted in simulated time:
   laser_dies:front@20  laser_recovers:front@30  packet_loss=0.1@5  time_jump=2@40
   kill:mapping@60  suspend:mapping@60  (adit-mapping, where it was started beside the simulator))";
@@ -50,6 +53,8 @@ void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
   app.add_option("--lcm-url", options.lcm_url,
                  "Where LCM is, e.g. udpm://239.255.76.67:7667?ttl=0 (the default)")
       ->type_name("URL");
+  app.add_flag("--print-config", options.print_config,
+               "Print every parameter with the value in effect, and end");
   app.add_option("--for", options.for_s, "End after so much simulated time")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);

@@ -41,7 +41,8 @@ RgbImage render(int width, int height, const RowPainter& paint) {
   for (int row = 0; row < height; ++row) {
     for (std::size_t i = 0; i < count; ++i) {
       const auto& [du, dv] = kOffsets[i % kSamplesPerPixel];
-      samples[i] = {static_cast<double>(i / kSamplesPerPixel) + du, row + dv};
+      const std::size_t column = i / kSamplesPerPixel;
+      samples[i] = {static_cast<double>(column) + du, row + dv};
     }
     paint(samples, light);
     for (int column = 0; column < width; ++column) {

@@ -117,7 +117,7 @@ Rgb plain_colour(const Part& part) {
 }
 
 Rgb colour_at(const Part& part, const Eigen::Vector3f& p_world) {
-  const Rgb plain = plain_colour(part);
+  Rgb plain = plain_colour(part);
   switch (part.material) {
     case Material::kRock:
     case Material::kMud:

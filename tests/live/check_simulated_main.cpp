@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// check_simulated RECORDED SECONDS: whether scan matching has made something of every scan of so
-// many simulated seconds, lost none, and followed the robot, which drove. Says what is not so and
-// ends with 1.
+// check_simulated SECONDS: listens until SIGTERM, as a stage for which the simulator waits by the
+// name `check`, and says then whether scan matching has made something of every scan of so many
+// simulated seconds, lost none, and followed the robot, which drove. Ends with 1 if not. A recorder
+// could not tell: nobody waits for it.
 #include <exception>
 #include <iostream>
 #include <optional>
 #include <string>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/event_source.hpp"
-#include "common/messages/codec.hpp"
+#include "common/bus/lcm_bus.hpp"
+#include "common/bus/stop_signal.hpp"
+#include "common/bus/typed.hpp"
 #include "common/messages/heartbeat.hpp"
 #include "common/messages/pose.hpp"
 
@@ -19,9 +21,10 @@ namespace {
 
 constexpr double kScansPerSecond = 75.0;  // of two lasers with 361 beams
 constexpr double kDrivenMinM = 5.0;
+constexpr std::size_t kWaiting = 1000;
 constexpr double kErrorMaxM = 0.5;  // over less than twenty metres, sideways and along
 
-struct Recorded {
+struct Heard {
   int scans = 0;
   int matches = 0;
   std::optional<Heartbeat> heartbeat;  // the newest of scan matching
@@ -30,23 +33,27 @@ struct Recorded {
   Pose2 pose;
 };
 
-template <class Msg>
-auto value_of(const LogEventView& event) {
-  return *from_message(*decode<Msg>(event.data));
+void count(Bus& bus, std::string_view channel, int& messages) {
+  bus.subscribe(channel, Delivery::queued(kWaiting), [&messages](const Received&) {
+    ++messages;
+    return std::string_view();
+  });
 }
 
-void take(const LogEventView& event, Recorded& recorded) {
-  if (event.channel.starts_with("LASER_")) ++recorded.scans;
-  if (event.channel == channels::kScanMatch) ++recorded.matches;
-  if (event.channel == channels::kPose) recorded.pose = value_of<pose_t>(event).T_odom_body;
-  if (event.channel == channels::kTruth) {
-    recorded.truth = value_of<pose_t>(event).T_odom_body;
-    if (!recorded.first_truth) recorded.first_truth = recorded.truth;
-  }
-  if (event.channel == channels::kHeartbeat) {
-    const auto heartbeat = value_of<heartbeat_t>(event);
-    if (heartbeat.stage == "scan_matching") recorded.heartbeat = heartbeat;
-  }
+void listen(Bus& bus, Heard& heard) {
+  count(bus, channels::kLaserFront, heard.scans);
+  count(bus, channels::kLaserRear, heard.scans);
+  count(bus, channels::kScanMatch, heard.matches);
+  const auto queued = Delivery::queued(kWaiting);
+  subscribe<pose_t>(bus, channels::kPose, queued,
+                    [&heard](const StampedPose& pose) { heard.pose = pose.T_odom_body; });
+  subscribe<pose_t>(bus, channels::kTruth, queued, [&heard](const StampedPose& pose) {
+    heard.truth = pose.T_odom_body;
+    if (!heard.first_truth) heard.first_truth = heard.truth;
+  });
+  subscribe<heartbeat_t>(bus, channels::kHeartbeat, queued, [&heard](const Heartbeat& heartbeat) {
+    if (heartbeat.stage == "scan_matching") heard.heartbeat = heartbeat;
+  });
 }
 
 int failures = 0;
@@ -57,20 +64,29 @@ void require(bool holds, const std::string& what) {
   ++failures;
 }
 
-int check(const std::string& path, double seconds) {
-  Recorded recorded;
-  LogFile log(path);
-  while (const auto event = log.next()) take(*event, recorded);
-  require(recorded.scans >= static_cast<int>(kScansPerSecond * seconds) - 2, "all scans are there");
-  require(recorded.matches == recorded.scans, "each scan has its match");
-  require(recorded.heartbeat && recorded.heartbeat->dropped == 0, "no message was dropped");
-  require(recorded.heartbeat && recorded.heartbeat->refused == 0, "no message was refused");
-  if (!recorded.first_truth) return 1;
-  const Pose2 driven = between(*recorded.first_truth, recorded.truth);
-  const double error_m = between(driven, recorded.pose).translation().norm();
+LcmBusOptions bus_options() {
+  LcmBusOptions options;
+  options.time = BusTime::kSimulated;
+  options.stage = "check";
+  return options;
+}
+
+int check(double seconds) {
+  const StopSignal stop;
+  LcmBus bus(bus_options());
+  Heard heard;
+  listen(bus, heard);
+  bus.run(stop.descriptor());
+  require(heard.scans >= static_cast<int>(kScansPerSecond * seconds) - 2, "all scans are there");
+  require(heard.matches == heard.scans, "each scan has its match");
+  require(heard.heartbeat && heard.heartbeat->dropped == 0, "no message was dropped");
+  require(heard.heartbeat && heard.heartbeat->refused == 0, "no message was refused");
+  if (!heard.first_truth) return 1;
+  const Pose2 driven = between(*heard.first_truth, heard.truth);
+  const double error_m = between(driven, heard.pose).translation().norm();
   require(driven.translation().norm() > kDrivenMinM, "the robot drove");
   require(error_m < kErrorMaxM, "scan matching followed it");
-  std::cout << recorded.scans << " scans, " << recorded.matches << " matches, "
+  std::cout << heard.scans << " scans, " << heard.matches << " matches, "
             << driven.translation().norm() << " m driven, " << error_m << " m off\n";
   return failures == 0 ? 0 : 1;
 }
@@ -79,11 +95,11 @@ int check(const std::string& path, double seconds) {
 }  // namespace adit
 
 int main(int argc, char** argv) try {
-  if (argc != 3) {
-    std::cerr << "check_simulated RECORDED SECONDS\n";
+  if (argc != 2) {
+    std::cerr << "check_simulated SECONDS\n";
     return 2;
   }
-  return adit::check(argv[1], std::stod(argv[2]));
+  return adit::check(std::stod(argv[1]));
 } catch (const std::exception& error) {
   std::cerr << "check_simulated: " << error.what() << "\n";
   return 2;

@@ -51,7 +51,7 @@ std::vector<double> numbers(const std::filesystem::path& path, const Keys& keys,
     if (c == '[' || c == ']' || c == ',') c = ' ';
   }
   std::istringstream words(text);
-  const std::vector<double> values{std::istream_iterator<double>(words), {}};
+  std::vector<double> values{std::istream_iterator<double>(words), {}};
   if (values.size() != count) fail(path, "cannot use '" + found->second + "' as " + key);
   return values;
 }
@@ -97,8 +97,10 @@ std::vector<Eigen::Vector2d> read_occupied(const std::filesystem::path& yaml) {
     const double shade = static_cast<unsigned char>(shades.rows[i]) / 255.0;
     if ((negate ? shade : 1.0 - shade) <= threshold) continue;
     const auto width = static_cast<std::size_t>(shades.width);
-    const Eigen::Vector2d cell(static_cast<double>(i % width),
-                               shades.height - 1 - static_cast<double>(i / width));
+    const std::size_t column = i % width;
+    const std::size_t row = i / width;
+    const Eigen::Vector2d cell(static_cast<double>(column),
+                               shades.height - 1 - static_cast<double>(row));
     occupied.emplace_back(T_map_image * (resolution * (cell + Eigen::Vector2d(0.5, 0.5))));
   }
   return occupied;

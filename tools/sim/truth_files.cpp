@@ -29,7 +29,7 @@ Json feature(const std::string& type, Json coordinates, Json properties) {
 
 Json collection(Json features) {
   return {{"type", "FeatureCollection"},
-          {"coordinates", "metres, frame world"},
+          {"units", "metres, frame world"},
           {"features", std::move(features)}};
 }
 
@@ -108,7 +108,7 @@ Json obstacles(const std::vector<Obstacle>& all) {
 
 void write(const Json& json, const std::filesystem::path& path) {
   std::ofstream out(path);
-  out << json.dump(1) << "\n";
+  out << json.dump() << "\n";
   if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 

@@ -33,7 +33,7 @@ class Processes : public testing::Test {
   }
 
   std::string executable(const std::string& name) {
-    const std::string path = folder_ / name;
+    std::string path = folder_ / name;
     if (!std::filesystem::exists(path)) std::filesystem::copy_file("/bin/sleep", path);
     return path;
   }

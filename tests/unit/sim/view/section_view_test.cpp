@@ -65,7 +65,7 @@ TEST(SectionView, ExaggeratesHeightsInALongMine) {
   const auto windows = SectionView(site, line).windows(1000);
   ASSERT_EQ(windows.size(), 4U);
   EXPECT_NEAR(windows[0].pixels_per_metre, 10.0, 1e-9);
-  EXPECT_EQ(windows[0].exaggeration, 5.0);  // of 20 pixels, twice would make 40: too few
+  EXPECT_EQ(windows[0].exaggeration, 2.0);  // 20 pixels are too few
   EXPECT_NEAR(windows[3].to_m, 400.0, 1e-9);
 }
 

@@ -53,6 +53,7 @@ class AditCommand : public testing::Test {
 TEST_F(AditCommand, TeachesByItsHelp) {
   EXPECT_EQ(adit({"--help"}).exit_code, 0);
   for (const std::vector<std::string>& command : {std::vector<std::string>{"import", "carmen"},
+                                                  {"eval", "map"},
                                                   {"eval", "relations"},
                                                   {"drive"},
                                                   {"map"},
@@ -87,6 +88,8 @@ TEST_F(AditCommand, WrongUseIsOneLineAndExitCodeTwo) {
         {"optimize", at("missing"), "--loops", "lazy"},
         {"optimize", at("missing"), "--loops", "lazy", "--order", "random"},
         {"optimize", at("missing"), "--order", "threshold"},
+        {"eval", "map", at("missing")},
+        {"eval", "map", at("missing"), "--world", "straight"},
         {"eval", "relations", at("missing"), at("missing")}}) {
     const Outcome outcome = adit(arguments);
     EXPECT_EQ(outcome.exit_code, 2);

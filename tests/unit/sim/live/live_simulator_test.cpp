@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/live/live_simulator.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/memory_bus.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/sim_time.hpp"
+#include "tests/support/box_drift.hpp"
+
+namespace adit {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr std::int64_t kStart = 1'600'000'000'000'000;
+constexpr std::int64_t kSecond = 1'000'000;
+
+LiveRunOptions options_that_wait_for(const std::vector<std::string>& stages) {
+  LiveRunOptions options;
+  options.program = "test";
+  options.pacing = {.factor = {}, .wait_for = stages};
+  options.for_s = 1.0;
+  return options;
+}
+
+class LiveSimulatorTest : public testing::Test {
+ protected:
+  LiveSimulatorTest() {
+    subscribe<sim_time_t>(bus_, channels::kSimTime, Delivery::queued(1000),
+                          [this](const SimTime& time) { times_.push_back(time.utime - kStart); });
+  }
+
+  LiveSimulator simulator(const std::vector<std::string>& stages) {
+    return {bus_, site_, {}, {}, options_that_wait_for(stages), kStart};
+  }
+  void answer(std::int64_t utime) {
+    publish(bus_, channels::kSimTimeDone, to_message(SimTimeDone{utime, "mapping"}));
+  }
+
+  Site site_{box_drift()};
+  MemoryBus bus_;
+  std::vector<std::int64_t> times_;  // that were sent, since the start
+};
+
+TEST_F(LiveSimulatorTest, RunsUntilItsTimeIsUp) {
+  LiveSimulator simulator = this->simulator({});
+  while (!simulator.done()) simulator.go_on(0);
+  EXPECT_EQ(times_.size(), 21U);  // each 50 ms, the start as well
+  EXPECT_EQ(times_.back(), kSecond);
+}
+
+TEST_F(LiveSimulatorTest, GoesNoFartherThanTheStagesAllowThatItWaitsFor) {
+  LiveSimulator simulator = this->simulator({"mapping"});
+  const auto go_on = [&] {
+    for (int i = 0; i < 100; ++i) simulator.go_on(0);
+  };
+  go_on();
+  EXPECT_EQ(times_.back(), 0);
+  answer(kStart);
+  go_on();
+  EXPECT_EQ(times_.back(), Pacing::kAheadMaxUs);
+  answer(kStart + kSecond);  // of what it has not said: another simulator is answered
+  go_on();
+  EXPECT_EQ(times_.back(), Pacing::kAheadMaxUs);
+  answer(kStart + Pacing::kAheadMaxUs);
+  go_on();
+  EXPECT_EQ(times_.back(), 2 * Pacing::kAheadMaxUs);
+}
+
+TEST_F(LiveSimulatorTest, RepeatsTheTimeForAStageThatComesLate) {
+  LiveSimulator simulator = this->simulator({"mapping"});
+  times_.clear();
+  for (int ms = 1; ms <= 1100; ++ms) simulator.go_on(kSecond + ms * 1000);
+  EXPECT_THAT(times_, ElementsAre(0, 0, 0));  // twice a second
+}
+
+TEST_F(LiveSimulatorTest, NamesAStageThatDoesNotAnswer) {
+  LiveSimulator simulator = this->simulator({"mapping"});
+  testing::internal::CaptureStderr();
+  simulator.go_on(0);
+  simulator.go_on(Pacing::kPatienceUs);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("waiting for mapping"));
+}
+
+TEST(ProgressLine, SaysHowItGoes) {
+  const VehicleState driving{kStart, 0.4, 0.0, 0.9, false, false};
+  EXPECT_EQ(progress_line(83.42, 7.94, {kStart, 31.24, ""}, driving),
+            "83.4 s simulated, 7.9 x real time, 31.2 m, driving");
+  EXPECT_THAT(progress_line(1.0, 1.0, {kStart, 1.0, "hit a post"}, driving),
+              HasSubstr("failed: hit a post"));
+}
+
+}  // namespace
+}  // namespace adit

@@ -18,7 +18,7 @@ struct RailsDescription {
   double from_m = 0.0;
   double to_m = 0.0;
   double across_m = 0.0;
-  double gauge_m = 0.6;  ///< between the rails; fits between the wheels of Groundhog
+  double gauge_m = 0.6;   ///< between the rails; fits between the wheels of Groundhog
   double height_m = 0.1;  ///< of their top above the floor
   double sleeper_every_m = 0.7;
 

@@ -107,7 +107,7 @@ TEST_P(WaypointDriverOf, TakesACornerOfDriftsOfThreeMetres) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     VehicleModel vehicle(site, shape, {}, seed, 0);
     WaypointDriver driver(waypoints({{8.0, 0.0}, {8.0, 10.0}}), shape);
-    drive(driver, vehicle, Way({{0.0, 0.0}, {8.0, 0.0}, {8.0, 10.0}}), 200.0);
+    drive(driver, vehicle, LeggedWay({{0.0, 0.0}, {8.0, 0.0}, {8.0, 10.0}}), 200.0);
     EXPECT_TRUE(driver.done()) << vehicle.failure().value_or("");
   }
 }

@@ -18,7 +18,7 @@ constexpr double kFloat = 1e-4;  // of single precision at 60 m, and of the ray 
 
 PropDescriptions with_rails(const std::string& drift) {
   PropDescriptions props;
-  props.rails.push_back({.drift = drift, .from_m = 5.0, .to_m = 45.0});
+  props.rails.push_back({.drift = drift, .from_m = 5.0, .to_m = 45.0, .gauge_m = 0.76});
   return props;
 }
 

@@ -34,10 +34,11 @@ struct VehicleModelParams {
   }
 };
 
-/// Errors of the dead reckoning of the wheels.
+/// Errors of the dead reckoning of the wheels. By default it is calibrated for the mean slip, but
+/// for 1 %: 0.98 / (1 − 0.03).
 struct WheelOdometryParams {
   bool present = true;
-  double distance_scale = 1.01;
+  double distance_scale = 0.98;  ///< of the way that the wheels rolled
   double turn_scale = 0.97;
   double distance_noise_m_per_sqrt_m = 0.01;
   double turn_noise_rad_per_sqrt_m = 0.005;

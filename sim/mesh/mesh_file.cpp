@@ -3,11 +3,10 @@
 #include "sim/mesh/mesh_file.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
+#include <string>
 
 #include <Eigen/Geometry>
 #include <assimp/Importer.hpp>
@@ -16,6 +15,7 @@
 #include <assimp/scene.h>
 
 #include "sim/mesh/mesh_builder.hpp"
+#include "sim/mesh/surface_names.hpp"
 
 namespace adit {
 namespace {
@@ -23,37 +23,6 @@ namespace {
 // Longest side of what can be a mine [m].
 constexpr double kSizeMin = 1.0;
 constexpr double kSizeMax = 20000.0;
-
-struct NamedKind {
-  std::string_view word;
-  PartKind kind;
-  Material material;
-};
-
-constexpr std::array<NamedKind, 12> kNamedKinds{{
-    {"floor", PartKind::kFloor, Material::kRock},
-    {"roof", PartKind::kRoof, Material::kRock},
-    {"wall", PartKind::kWall, Material::kRock},
-    {"rail", PartKind::kRail, Material::kSteel},
-    {"sleeper", PartKind::kSleeper, Material::kTimber},
-    {"post", PartKind::kPost, Material::kTimber},
-    {"crib", PartKind::kCrib, Material::kTimber},
-    {"rubble", PartKind::kRubble, Material::kRock},
-    {"beam", PartKind::kBeam, Material::kTimber},
-    {"cable", PartKind::kCable, Material::kSteel},
-    {"car", PartKind::kCar, Material::kSteel},
-    {"water", PartKind::kWater, Material::kWater},
-}};
-
-NamedKind kind_of(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto* named = std::find_if(
-      kNamedKinds.begin(), kNamedKinds.end(),
-      [&](const NamedKind& candidate) { return name.find(candidate.word) != std::string::npos; });
-  if (named != kNamedKinds.end()) return *named;
-  return {"", PartKind::kOther, Material::kRock};
-}
 
 /// From the axes of the file to those of world, with the scale.
 Eigen::Matrix3d to_world(const MeshFileParams& params) {
@@ -87,8 +56,8 @@ class Collector {
  private:
   void add(const aiMesh& mesh, const std::string& node_name, const Eigen::Affine3d& T_world_mesh) {
     const std::string name = mesh.mName.length > 0 ? mesh.mName.C_Str() : node_name;
-    const NamedKind kind = kind_of(name);
-    builder_.begin_part(kind.kind, kind.material, name.empty() ? "mesh" : name);
+    const auto [kind, material] = surface_named(name);
+    builder_.begin_part(kind, material, name.empty() ? "mesh" : name);
     std::vector<Eigen::Vector3d> places;
     const auto first = static_cast<std::uint32_t>(builder_.mesh().vertices.size());
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "sim/world/corner_list.hpp"
+#include "sim/world/seed_of.hpp"
 
 namespace adit {
 namespace {
@@ -15,12 +16,10 @@ namespace {
 constexpr double kShareInPlan = 0.6;
 constexpr double kBucketSide = 4.0;
 
-enum SeedOf : std::uint64_t { kWallInPlan = 3, kWallInHeight = 4 };
-
-Relief wall_relief(const WorldDescription& description, double share, SeedOf what) {
+Relief wall_relief(const WorldDescription& description, double share, ReliefKind kind) {
   ReliefDescription relief = description.wall_relief;
   relief.height_m *= share;
-  return {relief, static_cast<std::uint64_t>(description.seed) * 16U + what};
+  return {relief, seed_of(description.seed, kind)};
 }
 
 /// Whether the end of a drift opens into another drift, or a room.
@@ -114,8 +113,8 @@ OpenSpace::OpenSpace(const WorldDescription& description, const std::vector<Drif
     : shapes_(shapes_of(description.plan, drifts)),
       reach_m_(description.wall_relief.height_m + 2.0 * description.grid_m),
       buckets_(buckets_of(shapes_, description.grid_m, reach_m_)),
-      relief_in_plan_(wall_relief(description, kShareInPlan, kWallInPlan)),
-      relief_in_height_(wall_relief(description, 1.0 - kShareInPlan, kWallInHeight)) {}
+      relief_in_plan_(wall_relief(description, kShareInPlan, ReliefKind::kWallInPlan)),
+      relief_in_height_(wall_relief(description, 1.0 - kShareInPlan, ReliefKind::kWallInHeight)) {}
 
 double OpenSpace::planned_depth_m(const Eigen::Vector2d& p_world) const {
   double depth = -reach_m_;

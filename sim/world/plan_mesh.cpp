@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/world/short_walls.hpp"
+
 namespace adit {
 namespace {
 
-// Of an edge: nearer to a corner of the grid there would be slivers.
+// Of an edge of the grid: nearer to a corner of it no wall crosses.
 constexpr double kEdgeShareMin = 0.01;
+// Of an edge of the grid: no piece of wall is shorter.
+constexpr double kWallShareMin = 0.1;
 
 /// One row of corners of the grid: depths, and the points made of them so far.
 struct NodeRow {
@@ -175,7 +179,9 @@ class PlanMesher {
 }  // namespace
 
 PlanMesh plan_mesh(const OpenSpace& space, double grid_m) {
-  return PlanMesher(space, grid_m).mesh();
+  PlanMesh mesh = PlanMesher(space, grid_m).mesh();
+  join_short_walls(mesh, kWallShareMin * grid_m);
+  return mesh;
 }
 
 }  // namespace adit

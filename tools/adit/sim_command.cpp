@@ -10,6 +10,7 @@
 #include "sim/live/live_run.hpp"
 #include "sim/live/sim_options.hpp"
 #include "sim/view/view.hpp"
+#include "sim/view/view_place.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_file.hpp"
 #include "tools/adit/commands.hpp"
@@ -22,6 +23,7 @@ struct Options {
   WorldChoice world;
   LiveRunOptions run;
   std::filesystem::path view;
+  ViewOptions look;
   std::filesystem::path truth;
   std::filesystem::path description;
 
@@ -37,7 +39,8 @@ Examples:
   adit-scan_matching --sim-time & adit drive --keys        and drive
   adit sim mathies --speed max --wait-for scan_matching    as fast as scan matching keeps up
   adit sim random --seed 7 --damage 0.8 --describe my.yaml
-  adit sim my.yaml --view my.png --truth my_truth          a picture; centre lines, plan and obstacles as JSON)";
+  adit sim my.yaml --view my.png --truth my_truth          a picture; centre lines, plan and obstacles as JSON
+  adit sim mathies --view beam.png --camera 300,0,0        what one sees who stands there)";
 
 void write_description(const WorldDescription& description, const std::filesystem::path& path) {
   std::ofstream out(path);
@@ -51,7 +54,7 @@ void write_files(const Options& options) {
   if (options.view.empty() && options.truth.empty()) return;
   const Site site(build_world(description));
   if (!options.truth.empty()) write_truth_files(site.world(), options.truth);
-  if (!options.view.empty()) write_view(site, options.view);
+  if (!options.view.empty()) write_view(site, options.view, options.look);
 }
 
 }  // namespace
@@ -64,8 +67,15 @@ void add_sim_command(CLI::App& adit) {
   options->run.program = "adit sim";
   add_world_options(*sim, options->world)->required();
   add_live_run_options(*sim, options->run);
-  sim->add_option("--view", options->view, "Draw it as plan, section and in perspective, and end")
-      ->type_name("PNG");
+  CLI::Option* view = sim->add_option("--view", options->view,
+                                      "Draw it as plan, section and in perspective, and end")
+                          ->type_name("PNG");
+  sim->add_option_function<std::string>(
+         "--camera",
+         [options](const std::string& place) { options->look.from = parse_view_place(place); },
+         "With --view: where to stand and look in perspective; behind the start without")
+      ->type_name("X,Y,HEADING_DEG")
+      ->needs(view);
   sim->add_option("--truth", options->truth,
                   "Write drifts.geojson, plan.geojson, obstacles.json, and end")
       ->type_name("DIR");

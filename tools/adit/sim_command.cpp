@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 
+#include "common/files/text_file.hpp"
 #include "sim/live/live_run.hpp"
 #include "sim/live/sim_options.hpp"
 #include "sim/view/view.hpp"
@@ -38,19 +37,14 @@ Examples:
   adit sim bruceton                                        in real time; then, beside it
   adit-scan_matching --sim-time & adit drive --keys        and drive
   adit sim mathies --speed max --wait-for scan_matching    as fast as scan matching keeps up
+  adit sim mathies --config deploy/config/groundhog.yaml --record run.lcmlog
   adit sim random --seed 7 --damage 0.8 --describe my.yaml
   adit sim my.yaml --view my.png --truth my_truth          a picture; centre lines, plan and obstacles as JSON
   adit sim mathies --view beam.png --camera 300,0,0        what one sees who stands there)";
 
-void write_description(const WorldDescription& description, const std::filesystem::path& path) {
-  std::ofstream out(path);
-  out << to_world_file(description);
-  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
-}
-
 void write_files(const Options& options) {
   const WorldDescription description = describe(options.world);
-  if (!options.description.empty()) write_description(description, options.description);
+  if (!options.description.empty()) write_text(to_world_file(description), options.description);
   if (options.view.empty() && options.truth.empty()) return;
   const Site site(build_world(description));
   if (!options.truth.empty()) write_truth_files(site.world(), options.truth);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,9 +17,13 @@
 
 namespace adit {
 
-/// Puts shapes into a mesh, as parts. Coordinates are in world.
+/// Puts shapes into a mesh, as parts. Coordinates are in world. Throws std::invalid_argument for
+/// more triangles, vertices or parts than a world may have.
 class MeshBuilder {
  public:
+  /// Of each, triangles and vertices. With the tree for the rays, a world of so many takes 2 GB.
+  static constexpr std::size_t kTrianglesMax = 8'000'000;
+
   /// What follows belongs to a new part. A name that is taken gets a number behind it.
   void begin_part(PartKind kind, Material material, const std::string& name);
 
@@ -43,6 +49,8 @@ class MeshBuilder {
                                   double radius_m, int sides);
 
   TriangleMesh mesh_;
+  std::set<std::string> names_;              ///< of the parts
+  std::map<std::string, int> last_numbers_;  ///< put behind each name that was taken
 };
 
 }  // namespace adit

@@ -16,6 +16,7 @@
 #include <assimp/scene.h>
 
 #include "sim/mesh/mesh_builder.hpp"
+#include "sim/mesh/mesh_file_check.hpp"
 
 namespace adit {
 namespace {
@@ -116,16 +117,6 @@ class Collector {
   Eigen::AlignedBox3d box_;
 };
 
-void check_file(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    throw std::runtime_error("there is no mesh file " + file.string());
-  }
-  if (std::filesystem::file_size(file, error) == 0) {
-    throw std::runtime_error(file.string() + " is empty");
-  }
-}
-
 void check_size(const std::filesystem::path& file, const Eigen::AlignedBox3d& box, double scale) {
   if (box.isEmpty()) throw std::runtime_error(file.string() + " has no triangle with an area");
   const double size = box.sizes().maxCoeff();
@@ -150,7 +141,7 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 }  // namespace
 
 TriangleMesh load_mesh_file(const std::filesystem::path& file, const MeshFileParams& params) {
-  check_file(file);
+  check_mesh_file(file);
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,

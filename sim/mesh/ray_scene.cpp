@@ -20,7 +20,7 @@ namespace {
 constexpr const char* kDevice = "threads=1,isa=avx2";
 constexpr std::size_t kPacket = 8;  // the width of that instruction set
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// How far behind water a ray goes on.
+// How far behind water a ray goes on; 1 km away the next number may be farther.
 constexpr float kBehindWater = 1e-4F;
 
 struct ReleaseDevice {
@@ -91,7 +91,7 @@ class RayScene::Impl {
         const Eigen::Vector3f Ng(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
         return RayHit{query.ray.tfar, query.hit.primID, facing_normal(Ng, ray.direction)};
       }
-      from = query.ray.tfar + kBehindWater;
+      from = std::max(query.ray.tfar + kBehindWater, std::nextafter(query.ray.tfar, kInfinity));
     }
   }
 

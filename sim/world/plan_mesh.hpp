@@ -26,7 +26,8 @@ struct PlanMesh {
 
 /// Marching squares over a grid (Lorensen and Cline 1987, in the plane). Walls are met where the
 /// depth is zero along an edge of the grid; a square with open corners across from each other is
-/// open in its middle if their mean is.
+/// open in its middle if their mean is. Throws std::invalid_argument for a plan that is too large
+/// for such a grid.
 PlanMesh plan_mesh(const OpenSpace& space, double grid_m);
 
 }  // namespace adit

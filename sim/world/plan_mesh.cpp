@@ -14,7 +14,7 @@ namespace {
 constexpr double kEdgeShareMin = 0.01;
 // Squares of the grid around drifts and rooms, and in all; more would take longer than some
 // seconds.
-constexpr std::int64_t kNearSquaresMax = 20'000'000;
+constexpr std::int64_t kNearSquaresMax = 10'000'000;
 constexpr std::int64_t kSquaresMax = 2'000'000'000;
 
 /// One row of corners of the grid: depths, and the points made of them so far.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
@@ -135,6 +136,28 @@ void check_size(const std::filesystem::path& file, const Eigen::AlignedBox3d& bo
   }
 }
 
+/// Assimp 5.2 reads beyond its vertices where it splits polygons.
+void check_indices(const std::filesystem::path& file, const aiMesh& mesh) {
+  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+    const std::span indices(face.mIndices, face.mNumIndices);
+    if (std::ranges::all_of(indices, [&](unsigned i) { return i < mesh.mNumVertices; })) continue;
+    throw std::runtime_error(file.string() +
+                             " is not a mesh: a face has a corner that is not there");
+  }
+}
+
+/// Says of each mesh whether it has polygons. Assimp 5.2 aborts where it splits a mesh that some
+/// readers say has polygons, and that has none.
+void correct_primitive_types(const aiScene& scene) {
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+    aiMesh& mesh = *scene.mMeshes[i];
+    const bool polygons = std::any_of(mesh.mFaces, mesh.mFaces + mesh.mNumFaces,
+                                      [](const aiFace& face) { return face.mNumIndices > 3; });
+    mesh.mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+    if (polygons) mesh.mPrimitiveTypes |= aiPrimitiveType_POLYGON;
+  }
+}
+
 /// The message of Assimp may have many lines.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
@@ -148,9 +171,15 @@ TriangleMesh load_mesh_file(const std::filesystem::path& file, const MeshFilePar
                               aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
                                   aiComponent_COLORS | aiComponent_TEXCOORDS |
                                   aiComponent_MATERIALS | aiComponent_TEXTURES);
-  const aiScene* scene =
-      importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_RemoveComponent |
-                                           aiProcess_JoinIdenticalVertices);
+  const aiScene* scene = importer.ReadFile(file.string(), 0);
+  if (scene != nullptr) {
+    for (const aiMesh* mesh : std::span(scene->mMeshes, scene->mNumMeshes)) {
+      check_indices(file, *mesh);
+    }
+    correct_primitive_types(*scene);
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_RemoveComponent |
+                                         aiProcess_JoinIdenticalVertices);
+  }
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw std::runtime_error(file.string() +
                              " is not a mesh: " + first_line(importer.GetErrorString()));

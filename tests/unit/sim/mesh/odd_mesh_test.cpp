@@ -54,6 +54,12 @@ TEST_F(OddMesh, AnnouncedInMillionsIsRefusedBeforeItFillsTheMemory) {
               one_line);
 }
 
+TEST_F(OddMesh, OfAHeaderWithoutEndIsRefusedBeforeItsEndIsLookedForForEver) {
+  const std::string header = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n";
+  EXPECT_THAT(error_of("a.ply", header), HasSubstr("no end"));
+  EXPECT_THAT(error_of("a.ply", header + "end_headi\xf4\x7f\n-8 -"), HasSubstr("none of a PLY"));
+}
+
 TEST_F(OddMesh, OfWrongXmlIsRefused) {
   EXPECT_NE(error_of("a.dae", "<?xml version=\"1.0\"?><COLLADA><mesh></COLLADA>"), "");
   EXPECT_NE(error_of("b.dae", "<?xml version=\"1.0\"?><html><body/></html>"), "");

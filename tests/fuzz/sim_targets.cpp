@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What people give to the simulator: meshes of any make, and descriptions of mines.
+// What people give to the simulator: descriptions of mines.
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -13,64 +13,6 @@
 
 namespace adit::fuzz {
 namespace {
-
-constexpr std::string_view kObj = R"(o Floor
-v -8 -2 0
-v 8 -2 0
-v 8 2 0
-v -8 2 0
-vn 0 0 1
-vt 0 0
-o Walls
-v -8 -2 2
-v 8 -2 2
-v 8 2 2
-v -8 2 2
-f 1/1/1 2/1/1 3/1/1 4/1/1
-f 5 6 7 8
-f 1 2 6 5
-f 2 3 7 6
-f 3 4 8 7
-f -5 -8 -4 -1
-)";
-
-constexpr std::string_view kPly = R"(ply
-format ascii 1.0
-comment a floor and a roof
-element vertex 8
-property float x
-property float y
-property float z
-element face 2
-property list uchar int vertex_indices
-end_header
--8 -2 0
-8 -2 0
-8 2 0
--8 2 0
--8 -2 2
-8 -2 2
-8 2 2
--8 2 2
-4 0 1 2 3
-4 4 5 6 7
-)";
-
-constexpr std::string_view kDae = R"(<?xml version="1.0"?>
-<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
-<asset><up_axis>Z_UP</up_axis></asset>
-<library_geometries><geometry id="g" name="g"><mesh>
-<source id="p"><float_array id="pa" count="12">-9 -9 0 9 -9 0 9 9 0 -9 9 0</float_array>
-<technique_common><accessor source="#pa" count="4" stride="3"><param name="X" type="float"/>
-<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
-<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-<triangles count="2"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2 0 2 3</p></triangles>
-</mesh></geometry></library_geometries>
-<library_visual_scenes><visual_scene id="s"><node id="n"><translate>1 0 0</translate>
-<instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
-<scene><instance_visual_scene url="#s"/></scene>
-</COLLADA>
-)";
 
 constexpr std::string_view kWorld = R"(world:
   name: small
@@ -126,9 +68,6 @@ Target world_target(std::string_view ending, std::string_view sample) {
 
 }  // namespace
 
-std::vector<Target> world_targets() {
-  return {world_target("obj", kObj), world_target("ply", kPly), world_target("dae", kDae),
-          world_target("yaml", kWorld)};
-}
+std::vector<Target> world_targets() { return {world_target("yaml", kWorld)}; }
 
 }  // namespace adit::fuzz

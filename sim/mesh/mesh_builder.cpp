@@ -14,6 +14,13 @@ namespace {
 
 constexpr std::size_t kPartsMax = std::numeric_limits<std::uint16_t>::max();
 
+void require_room(std::size_t count, const char* what) {
+  if (count <= MeshBuilder::kTrianglesMax) return;
+  throw std::invalid_argument("too many " + std::string(what) + " in one world: at most " +
+                              std::to_string(MeshBuilder::kTrianglesMax) +
+                              " are possible; make it smaller or coarser");
+}
+
 }  // namespace
 
 void MeshBuilder::begin_part(PartKind kind, Material material, const std::string& name) {
@@ -36,17 +43,21 @@ void MeshBuilder::take_over(
 }
 
 void MeshBuilder::reserve(std::size_t vertices, std::size_t triangles) {
+  require_room(mesh_.vertices.size() + vertices, "vertices");
+  require_room(mesh_.triangles.size() + triangles, "triangles");
   mesh_.vertices.reserve(mesh_.vertices.size() + vertices);
   mesh_.triangles.reserve(mesh_.triangles.size() + triangles);
   mesh_.triangle_parts.reserve(mesh_.triangle_parts.size() + triangles);
 }
 
 std::uint32_t MeshBuilder::vertex(const Eigen::Vector3f& p_world) {
+  require_room(mesh_.vertices.size() + 1, "vertices");
   mesh_.vertices.push_back(p_world);
   return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
 }
 
 void MeshBuilder::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  require_room(mesh_.triangles.size() + 1, "triangles");
   mesh_.triangles.push_back({a, b, c});
   mesh_.triangle_parts.push_back(current_part());
 }

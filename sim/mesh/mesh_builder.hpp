@@ -19,9 +19,13 @@
 
 namespace adit {
 
-/// Puts shapes into a mesh, as parts. Coordinates are in world.
+/// Puts shapes into a mesh, as parts. Coordinates are in world. Throws std::invalid_argument for
+/// more triangles, vertices or parts than a world may have.
 class MeshBuilder {
  public:
+  /// Of each, triangles and vertices. With the tree for the rays, a world of so many takes 2 GB.
+  static constexpr std::size_t kTrianglesMax = 8'000'000;
+
   /// What follows belongs to a new part. A name that is taken gets a number behind it.
   void begin_part(PartKind kind, Material material, const std::string& name);
 

@@ -3,7 +3,10 @@
 #include "sim/mesh/mesh_file.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -14,7 +17,10 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include "sim/mesh/child_work.hpp"
 #include "sim/mesh/mesh_builder.hpp"
+#include "sim/mesh/mesh_bytes.hpp"
+#include "sim/mesh/mesh_file_check.hpp"
 #include "sim/mesh/surface_names.hpp"
 
 namespace adit {
@@ -23,6 +29,8 @@ namespace {
 // Longest side of what can be a mine [m].
 constexpr double kSizeMin = 1.0;
 constexpr double kSizeMax = 20000.0;
+// Of processor time, for the reader of a file of the largest size allowed.
+constexpr int kSecondsMax = 60;
 
 /// From the axes of the file to those of world, with the scale.
 Eigen::Matrix3d to_world(const MeshFileParams& params) {
@@ -85,16 +93,6 @@ class Collector {
   Eigen::AlignedBox3d box_;
 };
 
-void check_file(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    throw std::runtime_error("there is no mesh file " + file.string());
-  }
-  if (std::filesystem::file_size(file, error) == 0) {
-    throw std::runtime_error(file.string() + " is empty");
-  }
-}
-
 void check_size(const std::filesystem::path& file, const Eigen::AlignedBox3d& box, double scale) {
   if (box.isEmpty()) throw std::runtime_error(file.string() + " has no triangle with an area");
   const double size = box.sizes().maxCoeff();
@@ -113,22 +111,48 @@ void check_size(const std::filesystem::path& file, const Eigen::AlignedBox3d& bo
   }
 }
 
+/// Assimp 5.2 reads beyond its vertices where it splits polygons.
+void check_indices(const std::filesystem::path& file, const aiMesh& mesh) {
+  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+    const std::span indices(face.mIndices, face.mNumIndices);
+    if (std::ranges::all_of(indices, [&](unsigned i) { return i < mesh.mNumVertices; })) continue;
+    throw std::runtime_error(file.string() +
+                             " is not a mesh: a face has a corner that is not there");
+  }
+}
+
+/// Says of each mesh whether it has polygons. Assimp 5.2 aborts where it splits a mesh that some
+/// readers say has polygons, and that has none.
+void correct_primitive_types(const aiScene& scene) {
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+    aiMesh& mesh = *scene.mMeshes[i];
+    const bool polygons = std::any_of(mesh.mFaces, mesh.mFaces + mesh.mNumFaces,
+                                      [](const aiFace& face) { return face.mNumIndices > 3; });
+    mesh.mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+    if (polygons) mesh.mPrimitiveTypes |= aiPrimitiveType_POLYGON;
+  }
+}
+
 /// The message of Assimp may have many lines.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-}  // namespace
-
-TriangleMesh load_mesh_file(const std::filesystem::path& file, const MeshFileParams& params) {
-  check_file(file);
+/// A damaged file may crash it, or keep it for ever.
+TriangleMesh read_with_assimp(const std::filesystem::path& file, const MeshFileParams& params) {
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                               aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
                                   aiComponent_COLORS | aiComponent_TEXCOORDS |
                                   aiComponent_MATERIALS | aiComponent_TEXTURES);
-  const aiScene* scene =
-      importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_RemoveComponent |
-                                           aiProcess_JoinIdenticalVertices);
+  const aiScene* scene = importer.ReadFile(file.string(), 0);
+  if (scene != nullptr) {
+    for (const aiMesh* mesh : std::span(scene->mMeshes, scene->mNumMeshes)) {
+      check_indices(file, *mesh);
+    }
+    correct_primitive_types(*scene);
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_RemoveComponent |
+                                         aiProcess_JoinIdenticalVertices);
+  }
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw std::runtime_error(file.string() +
                              " is not a mesh: " + first_line(importer.GetErrorString()));
@@ -137,6 +161,18 @@ TriangleMesh load_mesh_file(const std::filesystem::path& file, const MeshFilePar
   collector.add(*scene, *scene->mRootNode, Eigen::Affine3d(to_world(params)));
   check_size(file, collector.box(), params.scale);
   return collector.take();
+}
+
+}  // namespace
+
+TriangleMesh load_mesh_file(const std::filesystem::path& file, const MeshFileParams& params) {
+  check_mesh_file(file);
+  const auto read = [&] { return to_bytes(read_with_assimp(file, params)); };
+  try {
+    return mesh_from_bytes(work_in_child(read, kSecondsMax));
+  } catch (const ChildDied& death) {
+    throw std::runtime_error(file.string() + " is not a mesh: " + death.what());
+  }
 }
 
 }  // namespace adit

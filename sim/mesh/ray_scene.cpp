@@ -21,7 +21,7 @@ constexpr const char* kDevice = "threads=1,isa=avx2";
 constexpr std::size_t kPacket = 8;  // the width of that instruction set
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 const RayHit kNoHit{kInfinity, 0, Eigen::Vector3f::Zero()};
-// How far behind water a ray goes on.
+// How far behind water a ray goes on; 1 km away the next number may be farther.
 constexpr float kBehindWater = 1e-4F;
 
 struct ReleaseDevice {
@@ -93,7 +93,7 @@ class RayScene::Impl {
         const Eigen::Vector3f Ng(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
         return RayHit{query.ray.tfar, query.hit.primID, facing_normal(Ng, ray.direction)};
       }
-      from_m = query.ray.tfar + kBehindWater;
+      from_m = std::max(query.ray.tfar + kBehindWater, std::nextafter(query.ray.tfar, kInfinity));
     }
   }
 

@@ -16,12 +16,14 @@ namespace {
 
 // One that ends on the wall of another touches it, whatever the last bits say.
 constexpr double kTouchMargin = 0.01;
+// Nearer points than this are one: the way from one to the other has no direction to rely on [m].
+constexpr double kSamePoint = 1e-3;
 
 DriftLine line_of(const DriftDescription& drift) {
   const std::string what = "drift '" + drift.name + "'";
   DriftLine line{drift.name, corner_list(drift.points_m, 2, what), drift.width_m, drift.entrance};
   for (std::size_t i = 1; i < line.points.size(); ++i) {
-    if (line.points[i] == line.points[i - 1]) {
+    if ((line.points[i] - line.points[i - 1]).norm() < kSamePoint) {
       throw std::invalid_argument(what + " has the same point twice in a row");
     }
   }

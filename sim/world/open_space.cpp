@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/config/number_text.hpp"
 #include "sim/world/corner_list.hpp"
 #include "sim/world/seed_of.hpp"
 
@@ -68,16 +69,25 @@ DriftPiece apron_of(const DriftPiece& first) {
   return {first.from, -first.along, OpenSpace::kApronLength, first.half_width_m, true, true};
 }
 
+/// Refuses what is no number, too.
+void require_within(double farthest_m) {
+  if (farthest_m <= OpenSpace::kExtentMax) return;
+  throw std::invalid_argument("the plan reaches " + number_text(farthest_m) +
+                              " m from the origin; " + number_text(OpenSpace::kExtentMax) +
+                              " m is the most");
+}
+
 void check_extent(const std::vector<PlanShape>& shapes) {
   for (const PlanShape& shape : shapes) {
     const Eigen::AlignedBox2d box = bounds(shape);
-    const double farthest =
-        std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-    if (!(farthest <= OpenSpace::kExtentMax)) {
-      throw std::invalid_argument("the plan reaches " + std::to_string(farthest) +
-                                  " m from the origin; " + std::to_string(OpenSpace::kExtentMax) +
-                                  " m is the most");
-    }
+    require_within(std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()));
+  }
+}
+
+/// Before anything is reckoned from them: a length that overflows leaves no number in the bounds.
+void check_points(const std::vector<DriftLine>& drifts) {
+  for (const DriftLine& drift : drifts) {
+    for (const Eigen::Vector2d& p : drift.points) require_within(p.lpNorm<Eigen::Infinity>());
   }
 }
 
@@ -85,6 +95,7 @@ void check_extent(const std::vector<PlanShape>& shapes) {
 
 OpenSpace::Shapes OpenSpace::shapes_of(const PlanDescription& plan,
                                        const std::vector<DriftLine>& drifts) {
+  check_points(drifts);
   const std::vector<PlanPolygon> rooms = polygons_of(plan.rooms, "room");
   const std::vector<PlanPolygon> pillars = polygons_of(plan.pillars, "pillar");
   Shapes shapes;

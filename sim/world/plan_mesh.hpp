@@ -29,7 +29,8 @@ struct PlanMesh {
 /// Marching squares over a grid (Lorensen and Cline 1987, in the plane). Walls are met where the
 /// depth is zero along an edge of the grid; a square with open corners across from each other is
 /// open in its middle if their mean is. No piece of wall is shorter than a tenth of an edge, but
-/// for walls of three pieces.
+/// for walls of three pieces. Throws std::invalid_argument for a plan that is too large for such a
+/// grid.
 PlanMesh plan_mesh(const OpenSpace& space, double grid_m);
 
 }  // namespace adit

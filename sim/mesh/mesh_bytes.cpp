@@ -7,13 +7,18 @@
 namespace adit {
 namespace {
 
+void append(Bytes& bytes, const void* from, std::size_t n) {
+  const std::size_t end = bytes.size();
+  bytes.resize(end + n);
+  if (n > 0) std::memcpy(bytes.data() + end, from, n);
+}
+
+/// The number of the values, and the values.
 template <class T>
-void append(Bytes& bytes, const T* values, std::size_t n) {
-  const auto* from = reinterpret_cast<const std::uint8_t*>(values);
+void append_all(Bytes& bytes, const T* values, std::size_t n) {
   const auto size = static_cast<std::uint64_t>(n);
-  const auto* head = reinterpret_cast<const std::uint8_t*>(&size);
-  bytes.insert(bytes.end(), head, head + sizeof(size));
-  bytes.insert(bytes.end(), from, from + n * sizeof(T));
+  append(bytes, &size, sizeof(size));
+  append(bytes, values, n * sizeof(T));
 }
 
 class Reader {
@@ -44,16 +49,16 @@ class Reader {
 
 Bytes to_bytes(const TriangleMesh& mesh) {
   Bytes bytes;
-  append(bytes, mesh.vertices.data(), mesh.vertices.size());
-  append(bytes, mesh.triangles.data(), mesh.triangles.size());
-  append(bytes, mesh.triangle_parts.data(), mesh.triangle_parts.size());
+  append_all(bytes, mesh.vertices.data(), mesh.vertices.size());
+  append_all(bytes, mesh.triangles.data(), mesh.triangles.size());
+  append_all(bytes, mesh.triangle_parts.data(), mesh.triangle_parts.size());
   std::vector<std::uint8_t> kinds;
   for (const Part& part : mesh.parts) {
     kinds.push_back(static_cast<std::uint8_t>(part.kind));
     kinds.push_back(static_cast<std::uint8_t>(part.material));
   }
-  append(bytes, kinds.data(), kinds.size());
-  for (const Part& part : mesh.parts) append(bytes, part.name.data(), part.name.size());
+  append_all(bytes, kinds.data(), kinds.size());
+  for (const Part& part : mesh.parts) append_all(bytes, part.name.data(), part.name.size());
   return bytes;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string_view>
 
 /// The channels of the pipeline; lcmtypes/README.md says what is on them, from whom and to whom.
@@ -33,5 +34,14 @@ inline constexpr std::string_view kSimTimeDone = "SIM_TIME_DONE";
 inline constexpr std::string_view kHeartbeat = "HEARTBEAT";
 inline constexpr std::string_view kConfig = "CONFIG";
 inline constexpr std::string_view kStageStats = "STAGE_STATS";
+
+/// All of them.
+inline constexpr std::array kAll{
+    kLaserFront,      kLaserRear,    kPose,         kTiltFront, kTiltRear,
+    kWheelOdometry,   kImu,          kScanMatch,    kLocalMap,  kPoseGraph,
+    kMapCorrection,   kAssociation,  kDriveCommand, kStop,      kTiltCommandFront,
+    kTiltCommandRear, kVehicleState, kGas,          kSinkage,   kTruth,
+    kRunState,        kSimTime,      kSimTimeDone,  kHeartbeat, kConfig,
+    kStageStats};
 
 }  // namespace adit::channels

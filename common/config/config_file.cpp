@@ -10,6 +10,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "common/config/nearest_name.hpp"
+#include "common/config/text_check.hpp"
 
 namespace adit {
 namespace {
@@ -59,8 +60,17 @@ class TreeBuilder {
   const std::string& name_;
 };
 
+/// On some of what is no text, yaml-cpp 0.7 goes on for ever.
+void require_text(const std::string& text, const TreeBuilder& builder) {
+  const auto at = first_that_is_no_text(text);
+  if (!at) return;
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(*at);
+  builder.fail(static_cast<int>(std::count(text.begin(), end, '\n')) + 1, "no text");
+}
+
 ConfigNode build_root(const std::string& text, const std::string& name) {
   const TreeBuilder builder(name);
+  require_text(text, builder);
   try {
     const std::vector<YAML::Node> documents = YAML::LoadAll(text);
     if (documents.empty()) return {};

@@ -3,10 +3,11 @@
 #include "common/config/config_loader.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
+
+#include "common/config/parse_number.hpp"
 
 namespace adit {
 namespace {
@@ -14,13 +15,9 @@ namespace {
 using Kind = ConfigNode::Kind;
 
 template <class T>
-std::optional<T> parse_number(const ConfigNode& node) {
+std::optional<T> number_in(const ConfigNode& node) {
   if (node.kind != Kind::kScalar || node.quoted) return std::nullopt;
-  T value{};
-  const char* end = node.text.data() + node.text.size();
-  const auto result = std::from_chars(node.text.data(), end, value);
-  if (result.ec != std::errc{} || result.ptr != end) return std::nullopt;
-  return value;
+  return parse_number<T>(node.text);
 }
 
 std::string shown(const ConfigNode& node) {
@@ -48,7 +45,7 @@ void ConfigLoader::operator()(std::string_view key, bool& value) {
 void ConfigLoader::operator()(std::string_view key, int& value, const Bounds& bounds) {
   const ConfigNode* node = visit_key(key);
   if (node == nullptr) return;
-  const auto number = parse_number<int>(*node);
+  const auto number = number_in<int>(*node);
   if (!number) fail(*node, "is " + shown(*node) + ", not a whole number");
   check(*node, *number, bounds);
   value = *number;
@@ -142,7 +139,7 @@ void ConfigLoader::fail(const ConfigNode& node, const std::string& reason) const
 }
 
 double ConfigLoader::read_number(const ConfigNode& node, const Bounds& bounds) const {
-  const auto number = parse_number<double>(node);
+  const auto number = number_in<double>(node);
   if (!number) fail(node, "is " + shown(node) + ", not a number");
   if (!std::isfinite(*number)) fail(node, "is " + shown(node) + ", not a finite number");
   check(node, *number, bounds);

@@ -13,6 +13,7 @@ namespace adit {
 struct Vehicle {
   static constexpr const char* kSection = "vehicle";
 
+  double mass_kg = 680.0;
   double length_m = 2.4;           ///< of the footprint, along x
   double width_m = 1.2;            ///< of the footprint, along y
   double height_m = 1.0;           ///< of the highest point above the ground
@@ -31,6 +32,7 @@ struct Vehicle {
 
   template <class V>
   void visit(V& v) {
+    v("mass_kg", mass_kg, above(0.0));
     v("length_m", length_m, above(0.0));
     v("width_m", width_m, above(0.0));
     v("height_m", height_m, above(0.0));

@@ -13,40 +13,12 @@ namespace adit {
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2.0;
-constexpr double kBehind = 0.75 * std::numbers::pi;  // within 45° of straight back
-constexpr double kSameM = 1e-3;                      // nearer waypoints are one
-constexpr double kBendEveryM = 0.25;                 // distance at which bends ahead are looked for
-constexpr double kCreepMS = 0.03;                    // least speed, with which the end is reached
+constexpr double kBendEveryM = 0.25;  // distance at which bends ahead are looked for
+constexpr double kCreepMS = 0.03;     // least speed, with which the end is reached
 
 Pose2 plan_pose(const BodyMotion& motion) {
   const auto& T = motion.T_world_body;
   return {T.translation().x(), T.translation().y(), std::atan2(T.linear()(1, 0), T.linear()(0, 0))};
-}
-
-struct Leg {
-  Eigen::Vector2d from;
-  Eigen::Vector2d to;
-  double speed_m_s = 0.0;
-  bool reverse = false;
-};
-
-/// From where the body is, in order, without those that lead nowhere.
-std::vector<Leg> legs_through(const std::vector<Waypoint>& waypoints, const Pose2& T_world_body,
-                              const WaypointDriverParams& params) {
-  std::vector<Leg> legs;
-  Eigen::Vector2d from = T_world_body.translation();
-  double heading = T_world_body.theta;
-  for (const Waypoint& waypoint : waypoints) {
-    const Eigen::Vector2d step = waypoint.p_world - from;
-    if (step.norm() < kSameM) continue;
-    const double direction = std::atan2(step.y(), step.x());
-    const bool reverse = params.reverse && std::abs(angle_diff(direction, heading)) > kBehind;
-    legs.push_back(
-        {from, waypoint.p_world, waypoint.speed_m_s.value_or(params.speed_m_s), reverse});
-    heading = reverse ? direction + std::numbers::pi : direction;
-    from = waypoint.p_world;
-  }
-  return legs;
 }
 
 }  // namespace
@@ -73,23 +45,13 @@ DriveCommand WaypointDriver::command(const BodyMotion& motion) {
 
 double WaypointDriver::length_m() const {
   double length = 0.0;
-  for (const Run& run : runs_) length += run.way.length_m();
+  for (const DriveLegs& run : runs_) length += run.way.length_m();
   return length;
 }
 
-/// Cuts the way into runs: a new one begins where the direction of driving changes.
 void WaypointDriver::plan(const Pose2& T_world_body) {
-  const auto legs = legs_through(waypoints_, T_world_body, params_);
-  for (std::size_t i = 0; i < legs.size();) {
-    std::vector<Eigen::Vector2d> points{legs[i].from};
-    std::vector<double> speeds;
-    const bool reverse = legs[i].reverse;
-    for (; i < legs.size() && legs[i].reverse == reverse; ++i) {
-      points.push_back(legs[i].to);
-      speeds.push_back(std::min(legs[i].speed_m_s, vehicle_.speed_max_m_s));
-    }
-    runs_.push_back({LeggedWay(std::move(points)), std::move(speeds), reverse});
-  }
+  runs_ = plan_drive(waypoints_, T_world_body,
+                     {params_.speed_m_s, vehicle_.speed_max_m_s, params_.reverse});
   planned_ = true;
   done_ = runs_.empty();
 }
@@ -129,7 +91,7 @@ void WaypointDriver::begin_next_run() {
 /// Of the arc along x to the point that is steered for, forward or backward: 2y/d² (Coulter 1992,
 /// section 2). A point on the other side of the body takes the tightest turn.
 double WaypointDriver::curvature(const Pose2& T_world_body) const {
-  const Run& run = runs_[run_];
+  const DriveLegs& run = runs_[run_];
   const Eigen::Vector2d p_body = T_world_body.inverse() * run.way.at(s_m_ + params_.look_ahead_m);
   const double curvature_max = 1.0 / vehicle_.turning_radius_m;
   const bool beyond = run.reverse ? p_body.x() > 0.0 : p_body.x() < 0.0;
@@ -141,7 +103,7 @@ double WaypointDriver::curvature(const Pose2& T_world_body) const {
 /// That of the leg, if the bends and the end that lie ahead can still be reached as slowly as they
 /// want.
 double WaypointDriver::speed() const {
-  const Run& run = runs_[run_];
+  const DriveLegs& run = runs_[run_];
   const double leg_speed = run.speeds_m_s[run.way.leg(s_m_)];
   const double left_m = run.way.length_m() - s_m_;
   double squared = std::min(leg_speed * leg_speed, 2.0 * params_.braking_m_s2 * left_m);

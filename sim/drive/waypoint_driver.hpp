@@ -11,7 +11,7 @@
 #include "common/geometry/pose2.hpp"
 #include "common/vehicle/drive_command.hpp"
 #include "common/vehicle/vehicle.hpp"
-#include "sim/drive/way.hpp"
+#include "sim/drive/drive_plan.hpp"
 #include "sim/drive/waypoint_file.hpp"
 #include "sim/vehicle/vehicle_model.hpp"
 
@@ -44,8 +44,8 @@ struct WaypointDriverParams {
 
 /// Drives along waypoints by the truth, as a person who sees the mine would: pure pursuit (Coulter,
 /// "Implementation of the pure pursuit path tracking algorithm", CMU-RI-TR-92-01). The way begins
-/// where the body is at the first command. Right angles are missed by up to
-/// half of the look-ahead, to the inside or the outside.
+/// where the body is at the first command. Right angles are missed by up to half of the look-ahead,
+/// to the inside or the outside.
 class WaypointDriver {
  public:
   /// Throws std::invalid_argument without waypoints, or with one that is not finite.
@@ -62,13 +62,6 @@ class WaypointDriver {
   [[nodiscard]] const std::optional<std::string>& given_up() const { return given_up_; }
 
  private:
-  /// Legs that are driven in one direction, to a stand at the end.
-  struct Run {
-    LeggedWay way;
-    std::vector<double> speeds_m_s;  ///< of the legs
-    bool reverse = false;
-  };
-
   void plan(const Pose2& T_world_body);
   void follow(const Pose2& T_world_body, std::int64_t utime);
   bool is_patient(std::int64_t utime);
@@ -80,7 +73,7 @@ class WaypointDriver {
   std::vector<Waypoint> waypoints_;
   Vehicle vehicle_;
   WaypointDriverParams params_;
-  std::vector<Run> runs_;
+  std::vector<DriveLegs> runs_;
   std::size_t run_ = 0;
   double s_m_ = 0.0;              ///< along the run
   double driven_m_ = 0.0;         ///< of the runs before

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/drive/waypoint_file.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include "common/config/parse_number.hpp"
 
 namespace adit {
 namespace {
@@ -20,13 +21,9 @@ std::vector<std::string> words_of(const std::string& line) {
 }
 
 double number(const std::string& word) {
-  double value = 0.0;
-  const char* end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars(word.data(), end, value);
-  if (error != std::errc() || rest != end || !std::isfinite(value)) {
-    throw std::runtime_error("'" + word + "' is not a number");
-  }
-  return value;
+  const auto value = parse_number<double>(word);
+  if (!value || !std::isfinite(*value)) throw std::runtime_error("'" + word + "' is not a number");
+  return *value;
 }
 
 Waypoint waypoint(const std::vector<std::string>& words) {

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+
+#include "common/config/parse_number.hpp"
 
 namespace adit {
 namespace {
@@ -43,12 +44,9 @@ const Kind& kind_of(const FaultDescription& fault) {
 }
 
 double number(const std::string& text, const std::string& fault) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-    fail(fault, "'" + text + "' is no number; " + kForm);
-  }
-  return value;
+  const auto value = parse_number<double>(text);
+  if (!value || !std::isfinite(*value)) fail(fault, "'" + text + "' is no number; " + kForm);
+  return *value;
 }
 
 /// Takes what follows the last `mark` off the text.

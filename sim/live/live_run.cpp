@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <iostream>
 
 #include "common/bus/lcm_bus.hpp"
@@ -21,6 +20,8 @@ namespace {
 
 constexpr std::int64_t kSecondUs = 1'000'000;
 constexpr std::int64_t kWaitMaxUs = 50'000;  // so that a signal to stop is heard soon
+constexpr int kQuietMs = 500;
+constexpr std::int64_t kHearOutMaxUs = 10 * kSecondUs;
 
 std::int64_t whole_second_utime() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -32,10 +33,16 @@ std::int64_t wall_us() {
   return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
 }
 
-LcmBusOptions bus_options(const std::string& url) {
+LcmBusOptions bus_options(const LiveRunOptions& run) {
   LcmBusOptions options;
-  options.url = url;
+  options.url = run.lcm_url;
   options.time = BusTime::kSimulated;  // its own, which it hears as the others do
+  if (!run.record.empty()) options.stage = kRecordStage;
+  return options;
+}
+
+LiveRunOptions waiting_for_its_record(LiveRunOptions options) {
+  if (!options.record.empty()) options.pacing.wait_for.emplace_back(kRecordStage);
   return options;
 }
 
@@ -49,6 +56,13 @@ void listen(LcmBus& bus, std::int64_t wait_us) {
 
 void run(LcmBus& bus, LiveSimulator& simulator, const StopSignal& stop) {
   while (!simulator.done() && !stop.came()) listen(bus, simulator.go_on(wall_us()));
+}
+
+/// Until nothing has come for a while: no message tells that there is none on its way.
+void hear_out(LcmBus& bus) {
+  const std::int64_t end_us = wall_us() + kHearOutMaxUs;
+  while (bus.handle(kQuietMs) && wall_us() < end_us) {
+  }
 }
 
 }  // namespace
@@ -66,9 +80,13 @@ void run_live(const WorldChoice& world, const LiveRunOptions& options) {
   if (const auto advice = buffer_advice(options.lcm_url)) {
     std::cerr << options.program << ": " << *advice << std::endl;
   }
-  LcmBus bus(bus_options(options.lcm_url));
-  LiveSimulator simulator(bus, site, description, params, options, whole_second_utime());
+  LcmBus bus(bus_options(options));
+  LiveSimulator simulator(bus, site, description, params, waiting_for_its_record(options),
+                          whole_second_utime());
   run(bus, simulator, stop);
+  if (options.record.empty()) return;
+  hear_out(bus);
+  simulator.close_record();
 }
 
 }  // namespace adit

@@ -20,12 +20,17 @@ struct LiveRunOptions {
   std::filesystem::path config;     ///< empty: defaults
   std::vector<std::string> faults;  ///< as parse_fault takes them, besides those in the config
   std::string lcm_url;
-  std::optional<double> for_s;  ///< of simulated time; until it is stopped without
-  bool print_config = false;    ///< write the configuration in effect to standard output, and end
+  std::filesystem::path record;  ///< everything on the bus; an LCM log; empty: not written
+  std::optional<double> for_s;   ///< of simulated time; until it is stopped without
+  bool print_config = false;     ///< write the configuration in effect to standard output, and end
 };
 
+/// The name by which a simulator that records waits for itself, as for a stage.
+inline constexpr const char* kRecordStage = "record";
+
 /// Runs the simulator until SIGINT, SIGTERM or its time is up. A run that failed goes on, standing
-/// still. Throws for what cannot be run.
+/// still. One that records is never far ahead of its record, and hears the stages out at the end.
+/// Throws for what cannot be run or written.
 void run_live(const WorldChoice& world, const LiveRunOptions& options);
 
 }  // namespace adit

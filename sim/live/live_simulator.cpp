@@ -34,6 +34,9 @@ LiveSimulator::LiveSimulator(Bus& bus, const Site& site, const WorldDescription&
       progress_(options.program),
       start_utime_(start_utime),
       for_s_(options.for_s) {
+  if (!options.record.empty()) {
+    recorder_.emplace(bus, options.record, [this] { return node_.simulation().utime(); });
+  }
   host_.set_health([this] { return node_.health(); });
   subscribe<sim_time_done_t>(host_.bus(), channels::kSimTimeDone, Delivery::queued(kAnswersWaiting),
                              [this](const SimTimeDone& done) {
@@ -75,6 +78,10 @@ void LiveSimulator::remind_stages(std::int64_t wall_us) {
 bool LiveSimulator::done() const {
   const std::int64_t elapsed_us = node_.simulation().utime() - start_utime_;
   return for_s_ && static_cast<double>(elapsed_us) * 1e-6 >= *for_s_;
+}
+
+void LiveSimulator::close_record() {
+  if (recorder_) recorder_->close();
 }
 
 }  // namespace adit

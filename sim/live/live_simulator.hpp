@@ -8,6 +8,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/bus/node_host.hpp"
+#include "sim/live/bus_recorder.hpp"
 #include "sim/live/live_run.hpp"
 #include "sim/live/pacing.hpp"
 #include "sim/live/process_faults.hpp"
@@ -26,6 +27,8 @@ class LiveSimulator {
   LiveSimulator(Bus& bus, const Site& site, const WorldDescription& description,
                 const SimulationParams& params, const LiveRunOptions& options,
                 std::int64_t start_utime);
+  LiveSimulator(const LiveSimulator&) = delete;
+  LiveSimulator& operator=(const LiveSimulator&) = delete;
 
   /// Takes a step if it is time for one. Returns how long to listen to the bus before the next
   /// call [µs]; an answer of a stage may end that. Wall time is any that goes on steadily.
@@ -33,6 +36,9 @@ class LiveSimulator {
 
   /// Whether the time that was asked for is up.
   [[nodiscard]] bool done() const;
+
+  /// Ends the record, if there is one.
+  void close_record();
 
  private:
   void step();
@@ -46,6 +52,7 @@ class LiveSimulator {
   std::int64_t start_utime_;
   std::optional<double> for_s_;
   std::int64_t next_reminder_us_ = 0;  // wall time
+  std::optional<BusRecorder> recorder_;
 };
 
 }  // namespace adit

@@ -3,7 +3,6 @@
 #include "sim/live/processes.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -14,19 +13,14 @@
 
 #include <unistd.h>
 
+#include "common/config/parse_number.hpp"
+
 namespace adit {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr pid_t kInit = 1;
-
-std::optional<pid_t> number(const std::string& text) {
-  pid_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 /// From `pid (name) state ppid ..`, where the name may hold anything.
 std::optional<pid_t> parent_of(const fs::path& folder) {
@@ -35,13 +29,13 @@ std::optional<pid_t> parent_of(const fs::path& folder) {
   const std::size_t name_end = stat.rfind(')');
   if (name_end == std::string::npos || name_end + 4 >= stat.size()) return std::nullopt;
   const std::size_t begin = name_end + 4;  // behind ") S "
-  return number(stat.substr(begin, stat.find(' ', begin) - begin));
+  return parse_number<pid_t>(stat.substr(begin, stat.find(' ', begin) - begin));
 }
 
 std::map<pid_t, pid_t> all_parents() {
   std::map<pid_t, pid_t> parents;
   for (const auto& entry : fs::directory_iterator("/proc")) {
-    const auto pid = number(entry.path().filename().string());
+    const auto pid = parse_number<pid_t>(entry.path().filename().string());
     if (!pid) continue;
     if (const auto parent = parent_of(entry.path())) parents[*pid] = *parent;
   }

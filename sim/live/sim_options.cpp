@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/live/sim_options.hpp"
 
-#include <charconv>
 #include <string>
 
 #include <CLI/CLI.hpp>
+
+#include "common/config/parse_number.hpp"
 
 namespace adit {
 namespace {
 
 std::optional<double> factor_from(const std::string& text) {
   if (text == "max") return std::nullopt;
-  double factor = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), factor);
-  const bool number = error == std::errc() && end == text.data() + text.size();
-  if (!number || !(factor > 0.0 && factor <= 1e6)) {
+  const auto factor = parse_number<double>(text);
+  if (!factor || !(*factor > 0.0 && *factor <= 1e6)) {
     throw CLI::ValidationError("--speed", "'" + text + "' is neither a positive number nor max");
   }
   return factor;
@@ -28,10 +27,11 @@ const char* const kLiveRunFooter =
 
 Time: stages that are started with --sim-time go by the simulator's time, and answer when they have
 handled all that came before. With --wait-for the simulator is never more than 0.2 s ahead of them, so
-that nothing gets lost however slow they are; without it and with --speed max it waits for nobody.
+that nothing gets lost however slow they are; without it and with --speed max it waits for nobody. Nobody
+waits for lcm-logger either: --record loses nothing.
 
 The stages must have the lasers where the simulator has them: give all the same --config, for example
-what adit sim WORLD --print-config prints.
+deploy/config/groundhog.yaml, or what adit sim WORLD --print-config prints.
 
 Faults, as KIND[:TARGET][=AMOUNT]@SECONDS, with the seconds counted in simulated time:
   laser_dies:front@20  laser_recovers:front@30  packet_loss=0.1@5  time_jump=2@40
@@ -53,6 +53,9 @@ void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
   app.add_option("--lcm-url", options.lcm_url,
                  "Where LCM is, e.g. udpm://239.255.76.67:7667?ttl=0 (the default)")
       ->type_name("URL");
+  app.add_option("--record", options.record,
+                 "Write everything on the bus into an LCM log, and wait for that")
+      ->type_name("FILE");
   app.add_flag("--print-config", options.print_config,
                "Print every parameter with the value in effect, and end");
   app.add_option("--for", options.for_s, "End after so much simulated time")

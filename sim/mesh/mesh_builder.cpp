@@ -14,9 +14,11 @@ namespace {
 
 constexpr std::size_t kPartsMax = std::numeric_limits<std::uint16_t>::max();
 
-bool has_name(const TriangleMesh& mesh, const std::string& name) {
-  return std::any_of(mesh.parts.begin(), mesh.parts.end(),
-                     [&](const Part& part) { return part.name == name; });
+void require_room(std::size_t count, const char* what) {
+  if (count <= MeshBuilder::kTrianglesMax) return;
+  throw std::invalid_argument("too many " + std::string(what) + " in one world: at most " +
+                              std::to_string(MeshBuilder::kTrianglesMax) +
+                              " are possible; make it smaller or coarser");
 }
 
 }  // namespace
@@ -24,24 +26,40 @@ bool has_name(const TriangleMesh& mesh, const std::string& name) {
 void MeshBuilder::begin_part(PartKind kind, Material material, const std::string& name) {
   if (mesh_.parts.size() == kPartsMax) throw std::invalid_argument("too many parts in one world");
   std::string unique = name;
-  for (int i = 2; has_name(mesh_, unique); ++i) unique = name + "_" + std::to_string(i);
+  while (!names_.insert(unique).second) {
+    unique = name + "_" + std::to_string(++repeats_[name] + 1);
+  }
   mesh_.parts.push_back({kind, material, unique});
 }
 
+void MeshBuilder::take_over(
+    const std::function<bool(const Part& part, const Eigen::Vector3f& middle)>& is_chosen) {
+  for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh_.triangles[i];
+    const Eigen::Vector3f middle =
+        (mesh_.vertices[a] + mesh_.vertices[b] + mesh_.vertices[c]) / 3.0F;
+    if (is_chosen(mesh_.part_of(i), middle)) mesh_.triangle_parts[i] = current_part();
+  }
+}
+
 void MeshBuilder::reserve(std::size_t vertices, std::size_t triangles) {
+  require_room(mesh_.vertices.size() + vertices, "vertices");
+  require_room(mesh_.triangles.size() + triangles, "triangles");
   mesh_.vertices.reserve(mesh_.vertices.size() + vertices);
   mesh_.triangles.reserve(mesh_.triangles.size() + triangles);
   mesh_.triangle_parts.reserve(mesh_.triangle_parts.size() + triangles);
 }
 
 std::uint32_t MeshBuilder::vertex(const Eigen::Vector3f& p_world) {
+  require_room(mesh_.vertices.size() + 1, "vertices");
   mesh_.vertices.push_back(p_world);
   return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
 }
 
 void MeshBuilder::triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  require_room(mesh_.triangles.size() + 1, "triangles");
   mesh_.triangles.push_back({a, b, c});
-  mesh_.triangle_parts.push_back(static_cast<std::uint16_t>(mesh_.parts.size() - 1));
+  mesh_.triangle_parts.push_back(current_part());
 }
 
 void MeshBuilder::quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {

@@ -3,8 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
+#include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -15,11 +19,19 @@
 
 namespace adit {
 
-/// Puts shapes into a mesh, as parts. Coordinates are in world.
+/// Puts shapes into a mesh, as parts. Coordinates are in world. Throws std::invalid_argument for
+/// more triangles, vertices or parts than a world may have.
 class MeshBuilder {
  public:
+  /// Of each, triangles and vertices. With the tree for the rays, a world of so many takes 2 GB.
+  static constexpr std::size_t kTrianglesMax = 8'000'000;
+
   /// What follows belongs to a new part. A name that is taken gets a number behind it.
   void begin_part(PartKind kind, Material material, const std::string& name);
+
+  /// Triangles that are chosen, by their part and their middle, go over to the current part.
+  void take_over(
+      const std::function<bool(const Part& part, const Eigen::Vector3f& middle)>& is_chosen);
 
   /// Makes room for so many more.
   void reserve(std::size_t vertices, std::size_t triangles);
@@ -39,10 +51,15 @@ class MeshBuilder {
   [[nodiscard]] TriangleMesh take() { return std::move(mesh_); }
 
  private:
+  [[nodiscard]] std::uint16_t current_part() const {
+    return static_cast<std::uint16_t>(mesh_.parts.size() - 1);
+  }
   std::vector<std::uint32_t> ring(const Eigen::Vector3d& centre, const Eigen::Vector3d& axis,
                                   double radius_m, int sides);
 
   TriangleMesh mesh_;
+  std::set<std::string> names_;         ///< of the parts
+  std::map<std::string, int> repeats_;  ///< of the names that came again
 };
 
 }  // namespace adit

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
+#include <span>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
+#include <string>
 
 #include <Eigen/Geometry>
 #include <assimp/Importer.hpp>
@@ -15,7 +17,11 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include "sim/mesh/child_work.hpp"
 #include "sim/mesh/mesh_builder.hpp"
+#include "sim/mesh/mesh_bytes.hpp"
+#include "sim/mesh/mesh_file_check.hpp"
+#include "sim/mesh/surface_names.hpp"
 
 namespace adit {
 namespace {
@@ -23,37 +29,8 @@ namespace {
 // Longest side of what can be a mine [m].
 constexpr double kSizeMin = 1.0;
 constexpr double kSizeMax = 20000.0;
-
-struct NamedKind {
-  std::string_view word;
-  PartKind kind;
-  Material material;
-};
-
-constexpr std::array<NamedKind, 12> kNamedKinds{{
-    {"floor", PartKind::kFloor, Material::kRock},
-    {"roof", PartKind::kRoof, Material::kRock},
-    {"wall", PartKind::kWall, Material::kRock},
-    {"rail", PartKind::kRail, Material::kSteel},
-    {"sleeper", PartKind::kSleeper, Material::kTimber},
-    {"post", PartKind::kPost, Material::kTimber},
-    {"crib", PartKind::kCrib, Material::kTimber},
-    {"rubble", PartKind::kRubble, Material::kRock},
-    {"beam", PartKind::kBeam, Material::kTimber},
-    {"cable", PartKind::kCable, Material::kSteel},
-    {"car", PartKind::kCar, Material::kSteel},
-    {"water", PartKind::kWater, Material::kWater},
-}};
-
-NamedKind kind_of(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto* named = std::find_if(
-      kNamedKinds.begin(), kNamedKinds.end(),
-      [&](const NamedKind& candidate) { return name.find(candidate.word) != std::string::npos; });
-  if (named != kNamedKinds.end()) return *named;
-  return {"", PartKind::kOther, Material::kRock};
-}
+// Of processor time, for the reader of a file of the largest size allowed.
+constexpr int kSecondsMax = 60;
 
 /// From the axes of the file to those of world, with the scale.
 Eigen::Matrix3d to_world(const MeshFileParams& params) {
@@ -87,8 +64,8 @@ class Collector {
  private:
   void add(const aiMesh& mesh, const std::string& node_name, const Eigen::Affine3d& T_world_mesh) {
     const std::string name = mesh.mName.length > 0 ? mesh.mName.C_Str() : node_name;
-    const NamedKind kind = kind_of(name);
-    builder_.begin_part(kind.kind, kind.material, name.empty() ? "mesh" : name);
+    const auto [kind, material] = surface_named(name);
+    builder_.begin_part(kind, material, name.empty() ? "mesh" : name);
     std::vector<Eigen::Vector3d> places;
     const auto first = static_cast<std::uint32_t>(builder_.mesh().vertices.size());
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
@@ -116,16 +93,6 @@ class Collector {
   Eigen::AlignedBox3d box_;
 };
 
-void check_file(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    throw std::runtime_error("there is no mesh file " + file.string());
-  }
-  if (std::filesystem::file_size(file, error) == 0) {
-    throw std::runtime_error(file.string() + " is empty");
-  }
-}
-
 void check_size(const std::filesystem::path& file, const Eigen::AlignedBox3d& box, double scale) {
   if (box.isEmpty()) throw std::runtime_error(file.string() + " has no triangle with an area");
   const double size = box.sizes().maxCoeff();
@@ -144,22 +111,48 @@ void check_size(const std::filesystem::path& file, const Eigen::AlignedBox3d& bo
   }
 }
 
+/// Assimp 5.2 reads beyond its vertices where it splits polygons.
+void check_indices(const std::filesystem::path& file, const aiMesh& mesh) {
+  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+    const std::span indices(face.mIndices, face.mNumIndices);
+    if (std::ranges::all_of(indices, [&](unsigned i) { return i < mesh.mNumVertices; })) continue;
+    throw std::runtime_error(file.string() +
+                             " is not a mesh: a face has a corner that is not there");
+  }
+}
+
+/// Says of each mesh whether it has polygons. Assimp 5.2 aborts where it splits a mesh that some
+/// readers say has polygons, and that has none.
+void correct_primitive_types(const aiScene& scene) {
+  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+    aiMesh& mesh = *scene.mMeshes[i];
+    const bool polygons = std::any_of(mesh.mFaces, mesh.mFaces + mesh.mNumFaces,
+                                      [](const aiFace& face) { return face.mNumIndices > 3; });
+    mesh.mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+    if (polygons) mesh.mPrimitiveTypes |= aiPrimitiveType_POLYGON;
+  }
+}
+
 /// The message of Assimp may have many lines.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-}  // namespace
-
-TriangleMesh load_mesh_file(const std::filesystem::path& file, const MeshFileParams& params) {
-  check_file(file);
+/// A damaged file may crash it, or keep it for ever.
+TriangleMesh read_with_assimp(const std::filesystem::path& file, const MeshFileParams& params) {
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                               aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
                                   aiComponent_COLORS | aiComponent_TEXCOORDS |
                                   aiComponent_MATERIALS | aiComponent_TEXTURES);
-  const aiScene* scene =
-      importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_RemoveComponent |
-                                           aiProcess_JoinIdenticalVertices);
+  const aiScene* scene = importer.ReadFile(file.string(), 0);
+  if (scene != nullptr) {
+    for (const aiMesh* mesh : std::span(scene->mMeshes, scene->mNumMeshes)) {
+      check_indices(file, *mesh);
+    }
+    correct_primitive_types(*scene);
+    scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_RemoveComponent |
+                                         aiProcess_JoinIdenticalVertices);
+  }
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw std::runtime_error(file.string() +
                              " is not a mesh: " + first_line(importer.GetErrorString()));
@@ -168,6 +161,18 @@ TriangleMesh load_mesh_file(const std::filesystem::path& file, const MeshFilePar
   collector.add(*scene, *scene->mRootNode, Eigen::Affine3d(to_world(params)));
   check_size(file, collector.box(), params.scale);
   return collector.take();
+}
+
+}  // namespace
+
+TriangleMesh load_mesh_file(const std::filesystem::path& file, const MeshFileParams& params) {
+  check_mesh_file(file);
+  const auto read = [&] { return to_bytes(read_with_assimp(file, params)); };
+  try {
+    return mesh_from_bytes(work_in_child(read, kSecondsMax));
+  } catch (const ChildDied& death) {
+    throw std::runtime_error(file.string() + " is not a mesh: " + death.what());
+  }
 }
 
 }  // namespace adit

@@ -20,7 +20,8 @@ namespace {
 constexpr const char* kDevice = "threads=1,isa=avx2";
 constexpr std::size_t kPacket = 8;  // the width of that instruction set
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// How far behind water a ray goes on.
+const RayHit kNoHit{kInfinity, 0, Eigen::Vector3f::Zero()};
+// How far behind water a ray goes on; 1 km away the next number may be farther.
 constexpr float kBehindWater = 1e-4F;
 
 struct ReleaseDevice {
@@ -79,26 +80,34 @@ class RayScene::Impl {
     }
   }
 
-  [[nodiscard]] std::optional<RayHit> cast(const Ray& ray, float range_max_m, Layer layer) const {
-    float from = 0.0F;
+  /// The first hit beyond `from_m`.
+  [[nodiscard]] std::optional<RayHit> cast(const Ray& ray, float from_m, float range_max_m,
+                                           Layer layer) const {
     while (true) {
-      RTCRayHit query = make_query(ray, from, range_max_m);
+      RTCRayHit query = make_query(ray, from_m, range_max_m);
       RTCIntersectContext context;
       rtcInitIntersectContext(&context);
       rtcIntersect1(scene_.get(), &context, &query);
       if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-      if (layer == Layer::kOptical || !is_water(mesh_, query.hit.primID)) {
+      if (is_in(layer, query.hit.primID)) {
         const Eigen::Vector3f Ng(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z);
         return RayHit{query.ray.tfar, query.hit.primID, facing_normal(Ng, ray.direction)};
       }
-      from = query.ray.tfar + kBehindWater;
+      from_m = std::max(query.ray.tfar + kBehindWater, std::nextafter(query.ray.tfar, kInfinity));
     }
   }
 
-  void cast(std::span<const Ray> rays, float range_max_m, std::span<RayHit> hits) const {
+  void cast(std::span<const Ray> rays, float range_max_m, std::span<RayHit> hits,
+            Layer layer) const {
     for (std::size_t start = 0; start < rays.size(); start += kPacket) {
       const std::size_t n = std::min(kPacket, rays.size() - start);
       cast_packet(rays.subspan(start, n), range_max_m, hits.subspan(start, n));
+    }
+    if (layer == Layer::kOptical) return;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (hits[i].distance_m == kInfinity || is_in(layer, hits[i].triangle)) continue;
+      const float from_m = hits[i].distance_m + kBehindWater;
+      hits[i] = cast(rays[i], from_m, range_max_m, layer).value_or(kNoHit);
     }
   }
 
@@ -117,6 +126,10 @@ class RayScene::Impl {
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
 
  private:
+  [[nodiscard]] bool is_in(Layer layer, std::uint32_t triangle) const {
+    return layer == Layer::kOptical || !is_water(mesh_, triangle);
+  }
+
   void attach_mesh() {
     const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<float*>(
@@ -176,7 +189,7 @@ class RayScene::Impl {
     rtcIntersect8(valid.data(), scene_.get(), &context, &query);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) {
-        hits[i] = {kInfinity, 0, Eigen::Vector3f::Zero()};
+        hits[i] = kNoHit;
         continue;
       }
       const Eigen::Vector3f Ng(query.hit.Ng_x[i], query.hit.Ng_y[i], query.hit.Ng_z[i]);
@@ -195,11 +208,12 @@ RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
 std::optional<RayHit> RayScene::cast(const Ray& ray, float range_max_m, Layer layer) const {
-  return impl_->cast(ray, range_max_m, layer);
+  return impl_->cast(ray, 0.0F, range_max_m, layer);
 }
 
-void RayScene::cast(std::span<const Ray> rays, float range_max_m, std::span<RayHit> hits) const {
-  impl_->cast(rays, range_max_m, hits);
+void RayScene::cast(std::span<const Ray> rays, float range_max_m, std::span<RayHit> hits,
+                    Layer layer) const {
+  impl_->cast(rays, range_max_m, hits, layer);
 }
 
 std::vector<std::uint32_t> RayScene::touching(const OrientedBox& box) const {

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -53,7 +53,8 @@ class RayScene {
 
   /// The same for many rays at once, faster where they lie close together. `hits` is as long as
   /// `rays`; a hit at infinity is none.
-  void cast(std::span<const Ray> rays, float range_max_m, std::span<RayHit> hits) const;
+  void cast(std::span<const Ray> rays, float range_max_m, std::span<RayHit> hits,
+            Layer layer = Layer::kOptical) const;
 
   /// Indices of the solid triangles that the box touches, ascending.
   [[nodiscard]] std::vector<std::uint32_t> touching(const OrientedBox& box) const;

@@ -7,7 +7,6 @@
 
 #include <Eigen/Geometry>
 
-#include "common/geometry/pose2.hpp"
 #include "common/vehicle/vehicle.hpp"
 #include "sim/mesh/ray_scene.hpp"
 

@@ -41,9 +41,9 @@ void Drivetrain::command(const DriveCommand& command) {
 }
 
 void Drivetrain::command(const StopOrder& order) {
-  const std::int64_t utime = std::min(order.utime, utime_);
-  if (order_ && utime < order_->utime) return;
-  if (stopped() && !order.stopped && utime == order_->utime) return;
+  std::int64_t utime = std::min(order.utime, utime_);
+  if (order_ && order.stopped) utime = std::max(utime, order_->utime);
+  if (order_ && !order.stopped && utime <= order_->utime) return;
   order_ = {utime, order.stopped, order.reason};
 }
 

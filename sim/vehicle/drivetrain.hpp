@@ -16,7 +16,8 @@ namespace adit {
 /// A drive command that is not finite is ignored, as is one that is older than the last; speed and
 /// curvature beyond what the vehicle can do are clamped. A time that is yet to come counts as now.
 /// Without a command younger than the expiry, or under a stop order, the brakes are on and the
-/// steering stays as it is. A stop order holds until an order that is newer releases it.
+/// steering stays as it is. A stop order counts however old it is, since who gave it may have a
+/// clock that went back, and holds until an order that is newer than all before releases it.
 class Drivetrain {
  public:
   Drivetrain(const Vehicle& vehicle, const VehicleModelParams& params, std::int64_t utime);

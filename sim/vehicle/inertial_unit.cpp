@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
+#include "sim/vehicle/gravity.hpp"
 #include "sim/vehicle/proprioception.hpp"
 
 namespace adit {
 namespace {
-
-constexpr double kGravityM_S2 = 9.81;
 
 Eigen::Vector3d draw(std::normal_distribution<double>& normal, std::mt19937_64& random,
                      double standard_deviation) {

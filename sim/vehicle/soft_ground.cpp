@@ -3,6 +3,7 @@
 #include "sim/vehicle/soft_ground.hpp"
 
 namespace adit {
+
 Sinkage sinkage_at(const World& world, const Eigen::Vector2d& p_world) {
   Sinkage deepest;
   for (const SoftGround& ground : world.soft_ground) {

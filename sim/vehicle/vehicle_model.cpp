@@ -47,7 +47,7 @@ void VehicleModel::advance(double seconds) {
   drivetrain_.advance(seconds);
   motion_.utime = drivetrain_.utime();
   if (failure_) return stand();
-  battery_.draw(drivetrain_.speed_m_s(), seconds);
+  battery_.draw(drivetrain_.speed_m_s(), rise_ahead(), seconds);
   if (battery_.empty()) return fail("battery empty");
   if (drivetrain_.wheel_way_m() == 0.0) return stand();
   move(seconds);
@@ -70,6 +70,11 @@ void VehicleModel::move(double seconds) {
   unchecked_m_ += T_before_now.translation().norm() + turn.angle() * reach_m;
   if (!fault && unchecked_m_ >= kCollisionEveryM) fault = check_surroundings();
   if (fault) fail(*fault);
+}
+
+/// Sine of the angle at which the ground under the body rises along x.
+double VehicleModel::rise_ahead() const {
+  return std::clamp(motion_.T_world_body.linear()(2, 0), -1.0, 1.0);
 }
 
 /// The wheels' way along the slope, less what slip takes, as seen from above.

@@ -61,6 +61,7 @@ class VehicleModel {
 
  private:
   void move(double seconds);
+  [[nodiscard]] double rise_ahead() const;
   [[nodiscard]] Pose2 next_place() const;
   std::optional<std::string> check_surroundings();
   void fail(const std::string& reason);

@@ -16,8 +16,9 @@ struct VehicleModelParams {
   double slip_sd = 0.02;           ///< of it, varying over about a metre
   double side_slip_sd_rad = 0.01;  ///< of the direction of motion against the steering
   double battery_wh = 5000.0;
-  double power_idle_w = 200.0;
-  double power_drive_w = 1500.0;  ///< more, at full speed
+  double power_idle_w = 200.0;       ///< drawn all the time
+  double rolling_resistance = 0.15;  ///< force against the wheels, as a share of that on the ground
+  double drive_efficiency = 0.5;     ///< share of the power drawn that reaches the wheels
 
   template <class V>
   void visit(V& v) {
@@ -30,7 +31,8 @@ struct VehicleModelParams {
     v("side_slip_sd_rad", side_slip_sd_rad, within(0.0, 0.5));
     v("battery_wh", battery_wh, above(0.0));
     v("power_idle_w", power_idle_w, at_least(0.0));
-    v("power_drive_w", power_drive_w, at_least(0.0));
+    v("rolling_resistance", rolling_resistance, at_least(0.0));
+    v("drive_efficiency", drive_efficiency, above_up_to(0.0, 1.0));
   }
 };
 

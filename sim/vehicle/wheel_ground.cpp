@@ -28,23 +28,13 @@ struct Ground {
 int along(int ray) { return ray / kSide - kMiddle; }
 int across(int ray) { return ray % kSide - kMiddle; }
 
-/// Many rays at once see water, too, which carries no wheel.
-RayHit below_water(const RayScene& scene, const Ray& ray, const RayHit& hit) {
-  if (!std::isfinite(hit.distance_m)) return hit;
-  const Material material = scene.mesh().part_of(hit.triangle).material;
-  if (material != Material::kWater && material != Material::kMirror) return hit;
-  const RayHit none{std::numeric_limits<float>::infinity(), 0, Eigen::Vector3f::Zero()};
-  return scene.cast(ray, kDepthM, RayScene::Layer::kSolid).value_or(none);
-}
-
 Ground look_down(const RayScene& scene, const std::array<Ray, kRays>& rays) {
   std::array<RayHit, kRays> hits;
-  scene.cast(rays, kDepthM, hits);
+  scene.cast(rays, kDepthM, hits, RayScene::Layer::kSolid);
   Ground ground{};
   for (std::size_t i = 0; i < kRays; ++i) {
-    const RayHit hit = below_water(scene, rays[i], hits[i]);
-    ground.height_m[i] = static_cast<double>(rays[i].origin.z()) - hit.distance_m;
-    ground.triangle[i] = hit.triangle;
+    ground.height_m[i] = static_cast<double>(rays[i].origin.z()) - hits[i].distance_m;
+    ground.triangle[i] = hits[i].triangle;
   }
   return ground;
 }

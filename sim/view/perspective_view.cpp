@@ -8,6 +8,8 @@
 #include <numbers>
 #include <vector>
 
+#include "sim/view/colours.hpp"
+#include "sim/view/render.hpp"
 #include "sim/view/shading.hpp"
 
 namespace adit {
@@ -27,8 +29,7 @@ const Rgb kDay = linear(0xd5dfe8);
 
 /// Height of the floor, or 0 where nobody knows it.
 double floor_at(const World& world, const Eigen::Vector2d& p_world) {
-  if (!world.truth.floor_height) return 0.0;
-  return world.truth.floor_height(p_world).value_or(0.0);
+  return world.truth.floor_at(p_world).value_or(0.0);
 }
 
 Pose2 behind_start(const Site& site, double eye_m) {

@@ -12,7 +12,6 @@ namespace adit {
 namespace {
 
 constexpr Colour kGas = rgb(0xd08a00);
-constexpr Colour kMud = rgb(0x4a3218, 0.55);
 constexpr double kArrow = 16.0;  // length [pixels]
 
 /// A triangle on the place, its tip to where the heading goes.
@@ -53,11 +52,6 @@ void draw_plan_marks(const Canvas& canvas, const PlanWindow& window, const Eigen
   const auto on_sheet = [&](const Eigen::Vector2d& p_world) -> Eigen::Vector2d {
     return window.pixel(p_world) + corner.cast<double>();
   };
-  for (const SoftGround& mud : world.soft_ground) {
-    canvas.colour(kMud);
-    const Eigen::Vector2d p = on_sheet(mud.p_world);
-    canvas.disc(p.x(), p.y(), mud.radius_m * window.pixels_per_metre);
-  }
   for (const GasPocket& gas : world.gas) {
     draw_gas(canvas, on_sheet(gas.p_world), gas.radius_m * window.pixels_per_metre);
   }

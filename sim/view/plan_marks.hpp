@@ -10,7 +10,7 @@
 namespace adit {
 
 /// Draws over a window of the plan, whose upper left corner is at `corner` on the sheet, what has
-/// no surface: mud, gas, the start and the camera.
+/// no surface: gas, the start and the camera.
 void draw_plan_marks(const Canvas& canvas, const PlanWindow& window, const Eigen::Vector2i& corner,
                      const World& world, const Pose2& T_world_camera);
 

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sim/mesh/mesh_bounds.hpp"
+#include "sim/view/colours.hpp"
 #include "sim/view/render.hpp"
 #include "sim/view/shading.hpp"
 
@@ -23,13 +25,12 @@ const Eigen::Vector3f kToLight = Eigen::Vector3f(-1.0F, 1.0F, 1.6F).normalized()
 
 /// Of a mesh from elsewhere it has to be guessed what is roof.
 bool is_level_and_high(const World& world, const TriangleMesh::Triangle& triangle) {
-  if (!world.truth.floor_height) return false;
   const auto& vertices = world.mesh.vertices;
   const Eigen::Vector3f& a = vertices[triangle[0]];
   const Eigen::Vector3f& b = vertices[triangle[1]];
   const Eigen::Vector3f& c = vertices[triangle[2]];
   const Eigen::Vector3d middle = ((a + b + c) / 3.0F).cast<double>();
-  const auto floor_m = world.truth.floor_height(middle.head<2>());
+  const auto floor_m = world.truth.floor_at(middle.head<2>());
   return floor_m && middle.z() > *floor_m + kCut &&
          std::abs((b - a).cross(c - a).normalized().z()) > 0.5F;
 }
@@ -45,18 +46,6 @@ TriangleMesh without_roof(const World& world) {
     mesh.triangle_parts.push_back(whole.triangle_parts[i]);
   }
   return mesh;
-}
-
-/// Corners of the box around all triangles; one of no size at the origin where there is none.
-std::pair<Eigen::Vector3d, Eigen::Vector3d> box_of(const TriangleMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const auto& triangle : mesh.triangles) {
-    for (const std::uint32_t i : triangle) {
-      if (mesh.vertices[i].allFinite()) box.extend(mesh.vertices[i].cast<double>());
-    }
-  }
-  if (box.isEmpty()) return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-  return {box.min(), box.max()};
 }
 
 bool is_ground(PartKind kind) { return kind == PartKind::kFloor || kind == PartKind::kOther; }
@@ -90,7 +79,10 @@ Eigen::Vector2d PlanWindow::p_world(const Eigen::Vector2d& uv) const {
 }
 
 PlanView::PlanView(const World& world) : world_(world), mesh_(without_roof(world)), scene_(mesh_) {
-  std::tie(low_, high_) = box_of(mesh_);
+  const Eigen::AlignedBox3f box = mesh_bounds(mesh_);
+  if (box.isEmpty()) return;
+  low_ = box.min().cast<double>();
+  high_ = box.max().cast<double>();
 }
 
 std::vector<PlanWindow> PlanView::windows(int width, int height_max, int gap) const {

@@ -48,8 +48,8 @@ class PlanView {
   const World& world_;
   TriangleMesh mesh_;  // without the roof
   RayScene scene_;
-  Eigen::Vector3d low_;  // of the mesh
-  Eigen::Vector3d high_;
+  Eigen::Vector3d low_{0.0, 0.0, 0.0};  // of the mesh
+  Eigen::Vector3d high_{0.0, 0.0, 0.0};
 };
 
 }  // namespace adit

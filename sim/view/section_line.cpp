@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/view/shading.hpp"
+#include "sim/view/rock_distance.hpp"
 
 namespace adit {
 namespace {
@@ -36,19 +36,13 @@ DriftLine whole_drift(const DriftGraph& drifts, const std::string& name) {
   return line;
 }
 
-/// How far it is to rock, whatever stands before it [m].
+/// How far the line goes from a place, to behind the next wall [m].
 double room(const Site& site, const Pose2& from) {
-  const auto& floor_height = site.world().truth.floor_height;
-  const double floor_m = floor_height ? floor_height(from.translation()).value_or(0.0) : 0.0;
+  const double floor_m = site.world().truth.floor_at(from.translation()).value_or(0.0);
   const Eigen::Vector3d eye(from.x, from.y, floor_m + 1.0);
   const Eigen::Vector3d ahead(std::cos(from.theta), std::sin(from.theta), 0.0);
-  Ray ray{eye.cast<float>(), ahead.cast<float>()};
-  while (const auto hit = site.scene().cast(ray, kAheadMax)) {
-    const double distance = hit->distance_m + (ray.origin.cast<double>() - eye).norm();
-    if (is_rock(site.scene().mesh().part_of(hit->triangle).kind)) return distance + kIntoRock;
-    ray.origin = surface_point(ray, {hit->distance_m, hit->triangle, -hit->normal}).p_world;
-  }
-  return kAheadMax;
+  const Ray ray{eye.cast<float>(), ahead.cast<float>()};
+  return distance_to_rock(site.scene(), ray, kAheadMax) + kIntoRock;
 }
 
 DriftLine straight_ahead(const Site& site) {

@@ -8,7 +8,9 @@
 
 #include <Eigen/Geometry>
 
+#include "sim/view/colours.hpp"
 #include "sim/view/render.hpp"
+#include "sim/view/rock_distance.hpp"
 #include "sim/view/shading.hpp"
 
 namespace adit {
@@ -135,27 +137,16 @@ std::vector<std::optional<SectionView::Opening>> SectionView::openings(const Sec
 
 std::optional<SectionView::Opening> SectionView::opening_at(double s_m) const {
   const Eigen::Vector2d p = line_.at(s_m).p_world;
-  const auto& floor_height = site_.world().truth.floor_height;
-  const auto floor_m = floor_height ? floor_height(p) : std::nullopt;
+  const auto floor_m = site_.world().truth.floor_at(p);
   if (!floor_m) return std::nullopt;
-  const Eigen::Vector3d probe(p.x(), p.y(), *floor_m + kProbe);
-  const double down = distance_to_rock(probe, -Eigen::Vector3d::UnitZ());
-  const double up = distance_to_rock(probe, Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3f probe = Eigen::Vector3d(p.x(), p.y(), *floor_m + kProbe).cast<float>();
+  const auto reach = [&](const Eigen::Vector3f& direction) {
+    return distance_to_rock(site_.scene(), {probe, direction}, kReach);
+  };
+  const double down = reach(-Eigen::Vector3f::UnitZ());
+  const double up = reach(Eigen::Vector3f::UnitZ());
   // Pits and hollows are not in the truth. Behind a prop that ends at the floor this is missed.
-  return Opening{down < kReach ? probe.z() - down : *floor_m, probe.z() + up};
-}
-
-/// Through whatever stands in the way. [m]
-double SectionView::distance_to_rock(const Eigen::Vector3d& from,
-                                     const Eigen::Vector3d& direction) const {
-  Ray ray{from.cast<float>(), direction.cast<float>()};
-  while (const auto hit = site_.scene().cast(ray, kReach)) {
-    if (is_rock(site_.scene().mesh().part_of(hit->triangle).kind)) {
-      return hit->distance_m + (ray.origin.cast<double>() - from).norm();
-    }
-    ray.origin = surface_point(ray, {hit->distance_m, hit->triangle, -hit->normal}).p_world;
-  }
-  return kReach;
+  return Opening{down < kReach ? *floor_m + kProbe - down : *floor_m, *floor_m + kProbe + up};
 }
 
 }  // namespace adit

@@ -55,8 +55,6 @@ class SectionView {
 
   /// Nothing in rock.
   [[nodiscard]] std::optional<Opening> opening_at(double s_m) const;
-  [[nodiscard]] double distance_to_rock(const Eigen::Vector3d& from,
-                                        const Eigen::Vector3d& direction) const;
   /// Openings at `count` places within a window, in the middle of as many equal parts.
   [[nodiscard]] std::vector<std::optional<Opening>> openings(const SectionWindow& window,
                                                              int count) const;

@@ -8,7 +8,6 @@
 
 #include "sim/mesh/ray_scene.hpp"
 #include "sim/mesh/triangle_mesh.hpp"
-#include "sim/view/render.hpp"
 
 namespace adit {
 
@@ -21,12 +20,6 @@ struct SeenPoint {
 /// Where a ray meets a surface; drawn back from it by a hair, so that rays that leave do not meet
 /// the surface itself.
 SeenPoint surface_point(const Ray& ray, const RayHit& hit);
-
-/// The colour of a part in white light, without grain.
-Rgb plain_colour(const Part& part);
-
-/// The colour at a place of it. Rock, floor and timber have a grain, fixed in the world.
-Rgb colour_at(const Part& part, const Eigen::Vector3f& p_world);
 
 /// Whether it is the mine itself and nothing that stands or lies in it.
 bool is_rock(PartKind kind);

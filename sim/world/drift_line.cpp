@@ -9,18 +9,21 @@
 #include <stdexcept>
 
 #include "sim/world/corner_list.hpp"
+#include "sim/world/plan_segment.hpp"
 
 namespace adit {
 namespace {
 
 // One that ends on the wall of another touches it, whatever the last bits say.
 constexpr double kTouchMargin = 0.01;
+// Nearer points than this are one: the way from one to the other has no direction to rely on [m].
+constexpr double kSamePoint = 1e-3;
 
 DriftLine line_of(const DriftDescription& drift) {
   const std::string what = "drift '" + drift.name + "'";
   DriftLine line{drift.name, corner_list(drift.points_m, 2, what), drift.width_m, drift.entrance};
   for (std::size_t i = 1; i < line.points.size(); ++i) {
-    if (line.points[i] == line.points[i - 1]) {
+    if ((line.points[i] - line.points[i - 1]).norm() < kSamePoint) {
       throw std::invalid_argument(what + " has the same point twice in a row");
     }
   }
@@ -94,15 +97,27 @@ Eigen::Vector2d DriftLine::beside(double s_m, double across_m) const {
          across_m * Eigen::Vector2d(-std::sin(station.heading_rad), std::cos(station.heading_rad));
 }
 
-double DriftLine::distance_m(const Eigen::Vector2d& p_world) const {
-  double nearest = std::numeric_limits<double>::infinity();
+DriftLine::Place DriftLine::place_of(const Eigen::Vector2d& p_world) const {
+  Place nearest;
+  double nearest_m = std::numeric_limits<double>::infinity();
+  double begin_m = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Eigen::Vector2d along = points[i] - points[i - 1];
-    const double share =
-        std::clamp((p_world - points[i - 1]).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    nearest = std::min(nearest, (p_world - points[i - 1] - share * along).norm());
+    const Eigen::Vector2d from_begin = p_world - points[i - 1];
+    const double share = nearest_share(p_world, points[i - 1], points[i]);
+    const double distance_m = (from_begin - share * along).norm();
+    if (distance_m < nearest_m) {
+      nearest_m = distance_m;
+      nearest = {begin_m + share * along.norm(),
+                 std::copysign(distance_m, cross(along, from_begin))};
+    }
+    begin_m += along.norm();
   }
   return nearest;
+}
+
+double DriftLine::distance_m(const Eigen::Vector2d& p_world) const {
+  return std::abs(place_of(p_world).across_m);
 }
 
 bool DriftLine::reaches(const Eigen::Vector2d& p_world) const {

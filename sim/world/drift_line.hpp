@@ -19,6 +19,12 @@ struct DriftLine {
     double heading_rad = 0.0;           ///< of the line there
   };
 
+  /// A place as a drift counts it.
+  struct Place {
+    double s_m = 0.0;       ///< along the line, from its first point
+    double across_m = 0.0;  ///< to the left of it
+  };
+
   std::string name;
   std::vector<Eigen::Vector2d> points;  ///< p_world [m], at least two
   double width_m = 3.0;
@@ -29,7 +35,9 @@ struct DriftLine {
   [[nodiscard]] Station at(double s_m) const;
   /// `across_m` to the left of the middle at `s_m`.
   [[nodiscard]] Eigen::Vector2d beside(double s_m, double across_m) const;
-  /// Of the place on the line that is nearest.
+  /// By the place on the line that is nearest. Beyond an end `s_m` is that of the end.
+  [[nodiscard]] Place place_of(const Eigen::Vector2d& p_world) const;
+  /// From the place on the line that is nearest.
   [[nodiscard]] double distance_m(const Eigen::Vector2d& p_world) const;
   /// Whether a place is in the drift as planned, or on its wall, by a centimetre.
   [[nodiscard]] bool reaches(const Eigen::Vector2d& p_world) const;

@@ -7,6 +7,11 @@
 #include <stdexcept>
 
 namespace adit {
+namespace {
+
+constexpr double kHeightMax = 5000.0;  // deeper than any mine [m]
+
+}  // namespace
 
 HeightProfile::HeightProfile(const std::vector<double>& profile_m) {
   if (profile_m.size() % 2 != 0) {
@@ -15,6 +20,9 @@ HeightProfile::HeightProfile(const std::vector<double>& profile_m) {
   for (std::size_t i = 0; i < profile_m.size(); i += 2) {
     if (!std::isfinite(profile_m[i]) || !std::isfinite(profile_m[i + 1])) {
       throw std::invalid_argument("heights: profile_m has a number that is not finite");
+    }
+    if (std::abs(profile_m[i + 1]) > kHeightMax) {
+      throw std::invalid_argument("heights: profile_m goes farther up or down than 5000 m");
     }
     if (!knots_.empty() && profile_m[i] <= knots_.back().s_m) {
       throw std::invalid_argument("heights: the distances in profile_m do not ascend");

@@ -11,8 +11,8 @@ namespace adit {
 /// piecewise cubic interpolants", 1984), level at its ends and beyond them.
 class HeightProfile {
  public:
-  /// `profile_m` is s, z, s, z, .. Throws std::invalid_argument for an odd list and where s does
-  /// not ascend. Zero everywhere for none.
+  /// `profile_m` is s, z, s, z, .. Throws std::invalid_argument for an odd list, where s does
+  /// not ascend, and for heights that no mine has. Zero everywhere for none.
   explicit HeightProfile(const std::vector<double>& profile_m);
 
   [[nodiscard]] double at(double s_m) const;

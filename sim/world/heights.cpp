@@ -5,16 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/world/seed_of.hpp"
+
 namespace adit {
 namespace {
 
 constexpr double kOpeningMin = 0.05;
-
-enum SeedOf : std::uint64_t { kFloorRelief = 1, kRoofRelief = 2 };
-
-std::uint64_t seed_of(int seed, SeedOf what) {
-  return static_cast<std::uint64_t>(seed) * 16U + what;
-}
 
 double changed(const std::vector<HeightChange>& changes, const Eigen::Vector2d& p_world,
                double height_m) {
@@ -32,8 +28,8 @@ Heights::Heights(const HeightsDescription& description, int seed)
     : profile_(description.profile_m),
       heading_(std::cos(description.heading_rad), std::sin(description.heading_rad)),
       opening_m_(description.opening_m),
-      floor_relief_(description.floor_relief, seed_of(seed, kFloorRelief)),
-      roof_relief_(description.roof_relief, seed_of(seed, kRoofRelief)) {}
+      floor_relief_(description.floor_relief, seed_of(seed, ReliefKind::kFloor)),
+      roof_relief_(description.roof_relief, seed_of(seed, ReliefKind::kRoof)) {}
 
 double Heights::base(const Eigen::Vector2d& p_world) const {
   return profile_.at(heading_.dot(p_world));

@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/mesh/mesh_builder.hpp"
+#include "sim/mesh/mesh_bounds.hpp"
 #include "sim/mesh/mesh_file.hpp"
 #include "sim/mesh/mesh_slice.hpp"
 #include "sim/world/mine_surface.hpp"
@@ -20,14 +20,6 @@ namespace {
 
 // Less room than this above a surface, and it is not the floor but the underside of something.
 constexpr double kHeadroom = 0.5;
-
-Eigen::AlignedBox3f box_of(const TriangleMesh& mesh) {
-  Eigen::AlignedBox3f box;
-  for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
-    for (const std::uint32_t i : triangle) box.extend(mesh.vertices[i]);
-  }
-  return box;
-}
 
 /// A level rectangle that covers the mesh.
 void add_flat(TriangleMesh& mesh, const Eigen::AlignedBox3f& box, double z_m, const Part& part) {
@@ -46,7 +38,7 @@ void add_flat(TriangleMesh& mesh, const Eigen::AlignedBox3f& box, double z_m, co
 
 TriangleMesh load(const MeshDescription& description) {
   TriangleMesh mesh = load_mesh_file(description.file, {description.scale, description.up.at(0)});
-  const Eigen::AlignedBox3f box = box_of(mesh);
+  const Eigen::AlignedBox3f box = mesh_bounds(mesh);
   if (description.flat_floor) {
     add_flat(mesh, box, description.floor_m, {PartKind::kFloor, Material::kRock, "flat floor"});
   }
@@ -60,7 +52,7 @@ TriangleMesh load(const MeshDescription& description) {
 class MeshGround {
  public:
   explicit MeshGround(TriangleMesh mesh)
-      : mesh_(std::move(mesh)), scene_(mesh_), box_(box_of(mesh_)) {}
+      : mesh_(std::move(mesh)), scene_(mesh_), box_(mesh_bounds(mesh_)) {}
 
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
 

@@ -6,25 +6,32 @@
 #include <cmath>
 
 #include "sim/world/plan_mesh.hpp"
+#include "sim/world/wall_shape.hpp"
 
 namespace adit {
 namespace {
 
-// A wall bulges from nothing at floor and roof to all it may over this share of its height.
-constexpr double kShareToBulge = 0.2;
+/// A function of the plan at each of its points.
+template <class Function>
+auto at_points(const PlanMesh& plan, const Function& function) {
+  std::vector<decltype(function(plan.points[0]))> values;
+  values.reserve(plan.points.size());
+  for (const Eigen::Vector2d& p : plan.points) values.push_back(function(p));
+  return values;
+}
 
 /// Floor, roof and walls over one triangulation of the plan.
 class SurfaceBuilder {
  public:
   SurfaceBuilder(const OpenSpace& space, const Heights& heights, int wall_rows, PlanMesh plan,
                  MeshBuilder& builder)
-      : space_(space),
-        heights_(heights),
-        wall_rows_(wall_rows),
+      : wall_rows_(wall_rows),
         plan_(std::move(plan)),
-        builder_(builder) {
-    for (const Eigen::Vector2d& p : plan_.points) outside_.push_back(space.on_apron(p));
-  }
+        builder_(builder),
+        outside_(at_points(plan_, [&](const auto& p) { return space.on_apron(p); })),
+        floor_m_(at_points(plan_, [&](const auto& p) { return heights.floor(p); })),
+        roof_m_(at_points(plan_, [&](const auto& p) { return heights.roof(p); })),
+        walls_(space, plan_, floor_m_, roof_m_) {}
 
   void add() {
     reserve();
@@ -40,7 +47,7 @@ class SurfaceBuilder {
     std::vector<bool> done(plan_.points.size(), false);
     for (std::uint32_t start = 0; start < done.size(); ++start) {
       PlanRing ring;
-      for (std::uint32_t i = start; on_wall(i) && !done[i]; i = plan_.next_on_wall[i]) {
+      for (std::uint32_t i = start; plan_.is_on_wall(i) && !done[i]; i = plan_.next_on_wall[i]) {
         done[i] = true;
         if (!outside_[i]) ring.points.push_back(outline_point(i));
       }
@@ -50,10 +57,6 @@ class SurfaceBuilder {
   }
 
  private:
-  [[nodiscard]] bool on_wall(std::uint32_t i) const {
-    return plan_.next_on_wall[i] != PlanMesh::kNone;
-  }
-
   void reserve() {
     const std::size_t points = plan_.points.size();
     const auto walls = static_cast<std::size_t>(
@@ -63,65 +66,42 @@ class SurfaceBuilder {
     builder_.reserve(2 * points + walls * rows, 2 * plan_.triangles.size() + 2 * walls * rows);
   }
 
-  std::uint32_t vertex(const Eigen::Vector2d& p, double z) {
-    return builder_.vertex(Eigen::Vector3d(p.x(), p.y(), z).cast<float>());
+  /// A vertex over each point of the plan.
+  std::vector<std::uint32_t> add_vertices(const std::vector<double>& z_m) {
+    std::vector<std::uint32_t> indices;
+    for (std::size_t i = 0; i < plan_.points.size(); ++i) {
+      const Eigen::Vector2d& p = plan_.points[i];
+      indices.push_back(builder_.vertex(Eigen::Vector3d(p.x(), p.y(), z_m[i]).cast<float>()));
+    }
+    return indices;
   }
 
   void add_floor() {
     builder_.begin_part(PartKind::kFloor, Material::kRock, "floor");
-    for (const Eigen::Vector2d& p : plan_.points) {
-      floor_m_.push_back(heights_.floor(p));
-      floor_.push_back(vertex(p, floor_m_.back()));
-    }
-    for (const auto& [a, b, c] : plan_.triangles)
+    floor_ = add_vertices(floor_m_);
+    for (const auto& [a, b, c] : plan_.triangles) {
       builder_.triangle(floor_[a], floor_[b], floor_[c]);
+    }
   }
 
   void add_roof() {
     builder_.begin_part(PartKind::kRoof, Material::kRock, "roof");
-    for (const Eigen::Vector2d& p : plan_.points) {
-      roof_m_.push_back(heights_.roof(p));
-      roof_.push_back(vertex(p, roof_m_.back()));
-    }
+    roof_ = add_vertices(roof_m_);
     for (const auto& [a, b, c] : plan_.triangles) {
       if (outside_[a] && outside_[b] && outside_[c]) continue;
       builder_.triangle(roof_[a], roof_[c], roof_[b]);
     }
   }
 
-  /// The wall at a point of the plan, at a share of the way from floor to roof.
-  [[nodiscard]] Eigen::Vector3d wall_place(std::uint32_t i, double share) const {
-    const Eigen::Vector2d& p = plan_.points[i];
-    const Eigen::Vector3d upright(p.x(), p.y(), std::lerp(floor_m_[i], roof_m_[i], share));
-    const double grown = std::min(1.0, std::min(share, 1.0 - share) / kShareToBulge);
-    const Eigen::Vector2d back = -grown * space_.bulge_m(upright) * into_open_[i];
-    return upright + Eigen::Vector3d(back.x(), back.y(), 0.0);
-  }
-
-  /// Horizontal, at right angles to the line between the neighbours.
-  void find_directions() {
-    into_open_.assign(plan_.points.size(), Eigen::Vector2d::Zero());
-    std::vector<std::uint32_t> before(plan_.points.size(), PlanMesh::kNone);
-    for (std::uint32_t i = 0; i < before.size(); ++i) {
-      if (on_wall(i)) before[plan_.next_on_wall[i]] = i;
-    }
-    for (std::uint32_t i = 0; i < before.size(); ++i) {
-      if (!on_wall(i)) continue;
-      const Eigen::Vector2d along = plan_.points[plan_.next_on_wall[i]] - plan_.points[before[i]];
-      into_open_[i] = Eigen::Vector2d(-along.y(), along.x()).normalized();
-    }
-  }
-
   /// The vertices between floor and roof.
   void add_columns() {
     builder_.begin_part(PartKind::kWall, Material::kRock, "walls");
-    find_directions();
     columns_.assign(plan_.points.size(), PlanMesh::kNone);
     for (std::uint32_t i = 0; i < columns_.size(); ++i) {
-      if (!on_wall(i)) continue;
+      if (!plan_.is_on_wall(i)) continue;
       for (int row = 1; row < wall_rows_; ++row) {
         const double share = static_cast<double>(row) / wall_rows_;
-        const std::uint32_t index = builder_.vertex(wall_place(i, share).cast<float>());
+        const std::uint32_t index = builder_.vertex(walls_.at(i, share).cast<float>());
         if (row == 1) columns_[i] = index;
       }
     }
@@ -135,7 +115,7 @@ class SurfaceBuilder {
 
   void add_walls() {
     for (std::uint32_t i = 0; i < plan_.points.size(); ++i) {
-      if (!on_wall(i)) continue;
+      if (!plan_.is_on_wall(i)) continue;
       const std::uint32_t j = plan_.next_on_wall[i];
       if (outside_[i] && outside_[j]) continue;
       for (int row = 0; row < wall_rows_; ++row) {
@@ -149,13 +129,11 @@ class SurfaceBuilder {
   [[nodiscard]] Eigen::Vector2d outline_point(std::uint32_t i) const {
     const double row = std::min(kOutlineHeight / (roof_m_[i] - floor_m_[i]), 1.0) * wall_rows_;
     const double below = std::min(std::floor(row), wall_rows_ - 1.0);
-    const Eigen::Vector3d low = wall_place(i, below / wall_rows_);
-    const Eigen::Vector3d high = wall_place(i, (below + 1.0) / wall_rows_);
+    const Eigen::Vector3d low = walls_.at(i, below / wall_rows_);
+    const Eigen::Vector3d high = walls_.at(i, (below + 1.0) / wall_rows_);
     return (low + (row - below) * (high - low)).head<2>();
   }
 
-  const OpenSpace& space_;
-  const Heights& heights_;
   int wall_rows_;
   PlanMesh plan_;
   MeshBuilder& builder_;
@@ -164,10 +142,10 @@ class SurfaceBuilder {
   std::vector<bool> outside_;  ///< under the open sky
   std::vector<double> floor_m_;
   std::vector<double> roof_m_;
+  WallShape walls_;
   std::vector<std::uint32_t> floor_;  ///< vertices
   std::vector<std::uint32_t> roof_;
-  std::vector<std::uint32_t> columns_;      ///< first vertex above the floor
-  std::vector<Eigen::Vector2d> into_open_;  ///< unit, away from the wall
+  std::vector<std::uint32_t> columns_;  ///< first vertex above the floor
 };
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/config/number_text.hpp"
 #include "sim/world/corner_list.hpp"
+#include "sim/world/seed_of.hpp"
 
 namespace adit {
 namespace {
@@ -15,12 +17,10 @@ namespace {
 constexpr double kShareInPlan = 0.6;
 constexpr double kBucketSide = 4.0;
 
-enum SeedOf : std::uint64_t { kWallInPlan = 3, kWallInHeight = 4 };
-
-Relief wall_relief(const WorldDescription& description, double share, SeedOf what) {
+Relief wall_relief(const WorldDescription& description, double share, ReliefKind kind) {
   ReliefDescription relief = description.wall_relief;
   relief.height_m *= share;
-  return {relief, static_cast<std::uint64_t>(description.seed) * 16U + what};
+  return {relief, seed_of(description.seed, kind)};
 }
 
 /// Whether the end of a drift opens into another drift, or a room.
@@ -69,16 +69,25 @@ DriftPiece apron_of(const DriftPiece& first) {
   return {first.from, -first.along, OpenSpace::kApronLength, first.half_width_m, true, true};
 }
 
+/// Refuses what is no number, too.
+void require_within(double farthest_m) {
+  if (farthest_m <= OpenSpace::kExtentMax) return;
+  throw std::invalid_argument("the plan reaches " + number_text(farthest_m) +
+                              " m from the origin; " + number_text(OpenSpace::kExtentMax) +
+                              " m is the most");
+}
+
 void check_extent(const std::vector<PlanShape>& shapes) {
   for (const PlanShape& shape : shapes) {
     const Eigen::AlignedBox2d box = bounds(shape);
-    const double farthest =
-        std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-    if (!(farthest <= OpenSpace::kExtentMax)) {
-      throw std::invalid_argument("the plan reaches " + std::to_string(farthest) +
-                                  " m from the origin; " + std::to_string(OpenSpace::kExtentMax) +
-                                  " m is the most");
-    }
+    require_within(std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()));
+  }
+}
+
+/// Before anything is reckoned from them: a length that overflows leaves no number in the bounds.
+void check_points(const std::vector<DriftLine>& drifts) {
+  for (const DriftLine& drift : drifts) {
+    for (const Eigen::Vector2d& p : drift.points) require_within(p.lpNorm<Eigen::Infinity>());
   }
 }
 
@@ -86,6 +95,7 @@ void check_extent(const std::vector<PlanShape>& shapes) {
 
 OpenSpace::Shapes OpenSpace::shapes_of(const PlanDescription& plan,
                                        const std::vector<DriftLine>& drifts) {
+  check_points(drifts);
   const std::vector<PlanPolygon> rooms = polygons_of(plan.rooms, "room");
   const std::vector<PlanPolygon> pillars = polygons_of(plan.pillars, "pillar");
   Shapes shapes;
@@ -114,8 +124,8 @@ OpenSpace::OpenSpace(const WorldDescription& description, const std::vector<Drif
     : shapes_(shapes_of(description.plan, drifts)),
       reach_m_(description.wall_relief.height_m + 2.0 * description.grid_m),
       buckets_(buckets_of(shapes_, description.grid_m, reach_m_)),
-      relief_in_plan_(wall_relief(description, kShareInPlan, kWallInPlan)),
-      relief_in_height_(wall_relief(description, 1.0 - kShareInPlan, kWallInHeight)) {}
+      relief_in_plan_(wall_relief(description, kShareInPlan, ReliefKind::kWallInPlan)),
+      relief_in_height_(wall_relief(description, 1.0 - kShareInPlan, ReliefKind::kWallInHeight)) {}
 
 double OpenSpace::planned_depth_m(const Eigen::Vector2d& p_world) const {
   double depth = -reach_m_;

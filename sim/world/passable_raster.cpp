@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "sim/world/open_space.hpp"
@@ -89,7 +88,7 @@ PassableRaster::PassableRaster(const WorldTruth& truth, const Vehicle& vehicle) 
     if (node.entrance) open_ground_at(node, truth);
   }
   for (const Obstacle& obstacle : truth.obstacles) {
-    const auto floor = truth.floor_height(mean_of(obstacle.outline));
+    const auto floor = truth.floor_at(mean_of(obstacle.outline));
     if (!is_passable(obstacle, floor.value_or(obstacle.z_low_m), vehicle)) close(obstacle);
   }
 }
@@ -127,7 +126,7 @@ void PassableRaster::open(const std::vector<PlanRing>& plan) {
 void PassableRaster::open_ground_at(const DriftNode& entrance, const WorldTruth& truth) {
   visit_squares(around(entrance.p_world, kEntranceReach),
                 [&](const Eigen::Vector2d& p, std::uint8_t& square) {
-                  if (truth.floor_height(p)) square = 1;
+                  if (truth.floor_at(p)) square = 1;
                 });
 }
 

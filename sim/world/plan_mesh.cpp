@@ -4,12 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "sim/world/short_walls.hpp"
 
 namespace adit {
 namespace {
 
-// Of an edge: nearer to a corner of the grid there would be slivers.
+// Of an edge of the grid: nearer to a corner of it no wall crosses.
 constexpr double kEdgeShareMin = 0.01;
+// Of an edge of the grid: no piece of wall is shorter.
+constexpr double kWallShareMin = 0.1;
+// Squares of the grid around drifts and rooms, and in all; more would take longer than some
+// seconds.
+constexpr std::int64_t kNearSquaresMax = 10'000'000;
+constexpr std::int64_t kSquaresMax = 2'000'000'000;
 
 /// One row of corners of the grid: depths, and the points made of them so far.
 struct NodeRow {
@@ -29,6 +39,21 @@ struct NodeRow {
 /// A corner of one square of the grid, or an edge by the corner where it begins, counter-clockwise
 /// from the lowest.
 constexpr std::array<std::array<int, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
+void require_reasonable_size(const PlanBuckets& buckets, double grid_m) {
+  std::int64_t near = 0;
+  for (int row = 0; row < buckets.rows(); ++row) {
+    for (int column = 0; column < buckets.columns(); ++column) {
+      if (!buckets.at(column, row).empty()) ++near;
+    }
+  }
+  const std::int64_t side = std::lround(buckets.side_m() / grid_m);
+  const std::int64_t in_bucket = side * side;
+  const std::int64_t all = std::int64_t{buckets.rows()} * buckets.columns();
+  if (near * in_bucket <= kNearSquaresMax && all * in_bucket <= kSquaresMax) return;
+  throw std::invalid_argument("the plan is too large for edges of " + std::to_string(grid_m) +
+                              " m: make it smaller, or grid_m greater");
+}
 
 /// Goes over the grid row by row from below, so that only two rows are in memory.
 class PlanMesher {
@@ -175,7 +200,10 @@ class PlanMesher {
 }  // namespace
 
 PlanMesh plan_mesh(const OpenSpace& space, double grid_m) {
-  return PlanMesher(space, grid_m).mesh();
+  require_reasonable_size(space.buckets(), grid_m);
+  PlanMesh mesh = PlanMesher(space, grid_m).mesh();
+  join_short_walls(mesh, kWallShareMin * grid_m);
+  return mesh;
 }
 
 }  // namespace adit

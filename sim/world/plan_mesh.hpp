@@ -22,11 +22,15 @@ struct PlanMesh {
   /// For each point on a wall the next one, with open space to the left; kNone for all others. The
   /// walls are closed lines.
   std::vector<std::uint32_t> next_on_wall;
+
+  [[nodiscard]] bool is_on_wall(std::uint32_t point) const { return next_on_wall[point] != kNone; }
 };
 
 /// Marching squares over a grid (Lorensen and Cline 1987, in the plane). Walls are met where the
 /// depth is zero along an edge of the grid; a square with open corners across from each other is
-/// open in its middle if their mean is.
+/// open in its middle if their mean is. No piece of wall is shorter than a tenth of an edge, but
+/// for walls of three pieces. Throws std::invalid_argument for a plan that is too large for such a
+/// grid.
 PlanMesh plan_mesh(const OpenSpace& space, double grid_m);
 
 }  // namespace adit

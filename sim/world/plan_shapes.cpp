@@ -6,15 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/world/plan_segment.hpp"
+
 namespace adit {
 namespace {
-
-double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
-                           const Eigen::Vector2d& b) {
-  const Eigen::Vector2d along = b - a;
-  const double share = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (p - a - share * along).norm();
-}
 
 Eigen::AlignedBox2d box_of(const DriftPiece& piece) {
   Eigen::AlignedBox2d box(piece.from);
@@ -35,7 +30,7 @@ double depth_m(const DriftPiece& piece, const Eigen::Vector2d& p_world) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const Eigen::Vector2d p = p_world - piece.from;
   const double s = p.dot(piece.along);
-  const double across = std::abs(piece.along.x() * p.y() - piece.along.y() * p.x());
+  const double across = std::abs(cross(piece.along, p));
   const double beside = piece.half_width_m - across;
   const double behind_start = piece.flat_start ? s : kFar;
   const double before_end = piece.flat_end ? piece.length_m - s : kFar;

@@ -10,7 +10,8 @@
 namespace adit {
 
 // What stands, lies, hangs or gapes in a mine. Places along a drift count in metres from its first
-// point; places across it in metres to the left of its middle.
+// point; places across it in metres to the left of its middle. The bounds are wide for a mine and
+// keep a slip of the pen from becoming millions of posts or triangles.
 
 /// Two rails on sleepers, along the middle of a stretch of drift.
 struct RailsDescription {
@@ -27,9 +28,9 @@ struct RailsDescription {
     v("drift", drift);
     v("from_m", from_m);
     v("to_m", to_m);
-    v("across_m", across_m);
-    v("gauge_m", gauge_m, above(0.0));
-    v("height_m", height_m, above(0.0));
+    v("across_m", across_m, within(-50.0, 50.0));
+    v("gauge_m", gauge_m, within(0.1, 5.0));
+    v("height_m", height_m, within(0.01, 1.0));
     v("sleeper_every_m", sleeper_every_m, above(0.1));
   }
 };
@@ -50,10 +51,10 @@ struct PostsDescription {
     v("drift", drift);
     v("from_m", from_m);
     v("to_m", to_m);
-    v("every_m", every_m, above(0.0));
-    v("across_m", across_m);
+    v("every_m", every_m, at_least(0.3));
+    v("across_m", across_m, within(-50.0, 50.0));
     v("both_sides", both_sides);
-    v("radius_m", radius_m, above(0.0));
+    v("radius_m", radius_m, within(0.01, 5.0));
     v("lean_rad", lean_rad, within(0.0, 0.5));
   }
 };
@@ -69,8 +70,8 @@ struct CribDescription {
   void visit(V& v) {
     v("drift", drift);
     v("at_m", at_m);
-    v("across_m", across_m);
-    v("side_m", side_m, above(0.1));
+    v("across_m", across_m, within(-50.0, 50.0));
+    v("side_m", side_m, above_up_to(0.1, 20.0));
   }
 };
 
@@ -86,9 +87,9 @@ struct RubbleDescription {
   void visit(V& v) {
     v("drift", drift);
     v("at_m", at_m);
-    v("across_m", across_m);
-    v("radius_m", radius_m, above(0.0));
-    v("height_m", height_m, above(0.0));
+    v("across_m", across_m, within(-50.0, 50.0));
+    v("radius_m", radius_m, within(0.05, 20.0));
+    v("height_m", height_m, within(0.05, 20.0));
   }
 };
 
@@ -108,12 +109,12 @@ struct BeamDescription {
   void visit(V& v) {
     v("drift", drift);
     v("at_m", at_m);
-    v("thickness_m", thickness_m, above(0.0));
+    v("thickness_m", thickness_m, within(0.01, 5.0));
     v("yaw_rad", yaw_rad, within(-1.5, 1.5));
-    v("high_end_m", high_end_m, above(0.0));
+    v("high_end_m", high_end_m, above_up_to(0.0, 50.0));
     v("cables", cables, within(0, 8));
-    v("cable_diameter_m", cable_diameter_m, above(0.0));
-    v("cable_sag_m", cable_sag_m, at_least(0.0));
+    v("cable_diameter_m", cable_diameter_m, within(0.001, 1.0));
+    v("cable_sag_m", cable_sag_m, within(0.0, 50.0));
   }
 };
 
@@ -130,10 +131,10 @@ struct CarDescription {
   void visit(V& v) {
     v("drift", drift);
     v("at_m", at_m);
-    v("across_m", across_m);
-    v("length_m", length_m, above(0.0));
-    v("width_m", width_m, above(0.0));
-    v("height_m", height_m, above(0.0));
+    v("across_m", across_m, within(-50.0, 50.0));
+    v("length_m", length_m, within(0.1, 50.0));
+    v("width_m", width_m, within(0.1, 20.0));
+    v("height_m", height_m, within(0.1, 20.0));
   }
 };
 
@@ -151,7 +152,7 @@ struct LowRoofDescription {
     v("drift", drift);
     v("from_m", from_m);
     v("to_m", to_m);
-    v("clearance_m", clearance_m, above(0.1));
+    v("clearance_m", clearance_m, above_up_to(0.1, 50.0));
   }
 };
 
@@ -169,9 +170,9 @@ struct PitDescription {
     v("name", name);
     v("drift", drift);
     v("at_m", at_m);
-    v("across_m", across_m);
-    v("radius_m", radius_m, above(0.0));
-    v("depth_m", depth_m, above(0.0));
+    v("across_m", across_m, within(-50.0, 50.0));
+    v("radius_m", radius_m, within(0.05, 50.0));
+    v("depth_m", depth_m, above_up_to(0.0, 50.0));
   }
 };
 
@@ -191,7 +192,7 @@ struct WaterDescription {
     v("drift", drift);
     v("from_m", from_m);
     v("to_m", to_m);
-    v("depth_m", depth_m, above(0.0));
+    v("depth_m", depth_m, above_up_to(0.0, 50.0));
     v("mirror", mirror);
   }
 };
@@ -210,9 +211,9 @@ struct MudDescription {
     v("name", name);
     v("drift", drift);
     v("at_m", at_m);
-    v("across_m", across_m);
-    v("radius_m", radius_m, above(0.0));
-    v("depth_m", depth_m, above(0.0));
+    v("across_m", across_m, within(-50.0, 50.0));
+    v("radius_m", radius_m, within(0.05, 50.0));
+    v("depth_m", depth_m, above_up_to(0.0, 5.0));
   }
 };
 
@@ -229,7 +230,7 @@ struct GasDescription {
     v("name", name);
     v("drift", drift);
     v("at_m", at_m);
-    v("radius_m", radius_m, above(0.0));
+    v("radius_m", radius_m, within(0.05, 1000.0));
     v("methane_share", methane_share, within(0.0, 1.0));
   }
 };

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "sim/world/drift_line.hpp"
+#include "sim/world/footprint.hpp"
 #include "sim/world/passable_raster.hpp"
 
 namespace adit {
@@ -47,45 +48,6 @@ struct State {
   int heading = 0;
 };
 
-/// Squares under the vehicle, counted from the lowest square of its cell.
-using Footprint = std::vector<std::array<int, 2>>;
-
-Footprint footprint(const Vehicle& vehicle, const Pose2& T_cell_body) {
-  constexpr double kSpacing = PassableRaster::kSide;
-  const int along = static_cast<int>(std::ceil(vehicle.length_m / kSpacing));
-  const int across = static_cast<int>(std::ceil(vehicle.width_m / kSpacing));
-  Footprint squares;
-  for (int i = 0; i <= along; ++i) {
-    for (int j = 0; j <= across; ++j) {
-      const Eigen::Vector2d p_body(vehicle.length_m * (static_cast<double>(i) / along - 0.5),
-                                   vehicle.width_m * (static_cast<double>(j) / across - 0.5));
-      const Eigen::Vector2d place = T_cell_body * p_body / PassableRaster::kSide;
-      squares.push_back(
-          {static_cast<int>(std::floor(place.x())), static_cast<int>(std::floor(place.y()))});
-    }
-  }
-  std::sort(squares.begin(), squares.end());
-  squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
-  return squares;
-}
-
-/// The ways to stand in a cell with about one heading, the middle of all first.
-std::vector<Footprint> footprints(const Vehicle& vehicle, double heading_rad) {
-  constexpr std::array<double, 3> kShifts{0.0, -ReachableArea::kSide / 3.0,
-                                          ReachableArea::kSide / 3.0};
-  constexpr std::array<double, 3> kTurns{0.0, -0.14, 0.14};  // headings are 0.46 rad apart at most
-  std::vector<Footprint> ways;
-  for (const double turn : kTurns) {
-    for (const double x : kShifts) {
-      for (const double y : kShifts) {
-        constexpr double kMiddle = ReachableArea::kSide / 2.0;
-        ways.push_back(footprint(vehicle, {kMiddle + x, kMiddle + y, heading_rad + turn}));
-      }
-    }
-  }
-  return ways;
-}
-
 /// Cells and headings that can be reached from one another.
 class Flood {
  public:
@@ -96,7 +58,7 @@ class Flood {
         reached_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
         asked_(reached_.size()) {
     for (std::size_t i = 0; i < kHeadings; ++i) {
-      ways_[i] = footprints(vehicle, kMoves[i].heading_rad());
+      ways_[i] = footprints(vehicle, kMoves[i].heading_rad(), ReachableArea::kSide);
     }
   }
 

@@ -23,10 +23,11 @@ struct ReachableArea {
 
 /// Where a vehicle can get to from the start of the world, by the truth: its rectangle is moved
 /// along its heading, with turns of about 25° from one cell to the next, over cells of 0.2 m and 16
-/// headings, where it touches neither rock nor an obstacle that it cannot pass (is_passable). An
-/// upper bound of what can be driven: it turns in less than any real radius, may be off by half a
-/// cell and half a step of heading to fit, and does not tilt; obstacles count with the whole of
-/// their outlines. Empty where the vehicle does not fit at the start, or the plan is not known.
+/// headings, where it touches neither rock nor an obstacle that it cannot pass (is_passable). More
+/// than what can be driven, on the whole: it turns in less than any real radius, may be off by a
+/// third of a cell and of a step of heading to fit, and does not tilt; but obstacles count with the
+/// whole of their outlines. Empty where the vehicle does not fit at the start, or the plan is not
+/// known.
 /// Throws std::invalid_argument for a plan too large.
 ReachableArea reachable_area(const World& world, const Vehicle& vehicle);
 

@@ -22,7 +22,7 @@ struct DriftDescription {
   void visit(V& v) {
     v("name", name);
     v("points_m", points_m);
-    v("width_m", width_m, above(0.0));
+    v("width_m", width_m, above_up_to(0.0, 50.0));
     v("entrance", entrance);
   }
 };
@@ -47,13 +47,13 @@ struct PanelDescription {
   void visit(V& v) {
     v("name", name);
     v("T_world_panel", T_world_panel);
-    v("entries", entries, at_least(1));
-    v("crosscuts", crosscuts, at_least(0));
+    v("entries", entries, within(1, 100));
+    v("crosscuts", crosscuts, within(0, 100));
     v("entry_spacing_m", entry_spacing_m, above(0.0));
     v("crosscut_spacing_m", crosscut_spacing_m, above(0.0));
     v("first_crosscut_m", first_crosscut_m, at_least(0.0));
-    v("entry_width_m", entry_width_m, above(0.0));
-    v("crosscut_width_m", crosscut_width_m, above(0.0));
+    v("entry_width_m", entry_width_m, above_up_to(0.0, 50.0));
+    v("crosscut_width_m", crosscut_width_m, above_up_to(0.0, 50.0));
     v("length_m", length_m, above(0.0));
     v("slant_rad", slant_rad, within(-1.0, 1.0));
   }
@@ -95,8 +95,8 @@ struct ReliefDescription {
 
   template <class V>
   void visit(V& v) {
-    v("height_m", height_m, at_least(0.0));
-    v("length_m", length_m, above(0.0));
+    v("height_m", height_m, within(0.0, 2.0));
+    v("length_m", length_m, within(0.1, 1000.0));
     v("octaves", octaves, within(1, 8));
   }
 };
@@ -115,7 +115,7 @@ struct HeightsDescription {
   void visit(V& v) {
     v("profile_m", profile_m);
     v("heading_rad", heading_rad);
-    v("opening_m", opening_m, above(0.3));
+    v("opening_m", opening_m, above_up_to(0.3, 50.0));
     v("floor_relief", floor_relief);
     v("roof_relief", roof_relief);
   }
@@ -137,9 +137,9 @@ struct MeshDescription {
     v("scale", scale, above(0.0));
     v("up", up, OneOf({"x", "y", "z"}));
     v("flat_floor", flat_floor);
-    v("floor_m", floor_m);
+    v("floor_m", floor_m, within(-5000.0, 5000.0));
     v("flat_roof", flat_roof);
-    v("roof_m", roof_m);
+    v("roof_m", roof_m, within(-5000.0, 5000.0));
   }
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/world/world_truth.hpp"
 
+#include "sim/world/plan_segment.hpp"
+
 namespace adit {
 
 double DriftGraph::length_m() const {
@@ -17,9 +19,13 @@ double PlanRing::signed_area_m2() const {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector2d a = points[i] - points[0];  // near, for the sake of precision
     const Eigen::Vector2d b = points[(i + 1) % points.size()] - points[0];
-    twice += a.x() * b.y() - a.y() * b.x();
+    twice += cross(a, b);
   }
   return twice / 2.0;
+}
+
+std::optional<double> WorldTruth::floor_at(const Eigen::Vector2d& p_world) const {
+  return floor_height ? floor_height(p_world) : std::nullopt;
 }
 
 }  // namespace adit

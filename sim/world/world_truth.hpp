@@ -64,6 +64,9 @@ struct WorldTruth {
 
   /// Height of the bare floor, without props [m]; nothing outside of the mine.
   std::function<std::optional<double>(const Eigen::Vector2d& p_world)> floor_height;
+
+  /// The same; nothing where nobody knows it, too.
+  [[nodiscard]] std::optional<double> floor_at(const Eigen::Vector2d& p_world) const;
 };
 
 }  // namespace adit

@@ -2,16 +2,17 @@
 # SPDX-FileCopyrightText: The Adit authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# simulated_time_test.sh ADIT SIM SCAN_MATCHING CHECK_SIMULATED
+# simulated_time_test.sh ADIT SIM SCAN_MATCHING MAPPING CHECK_SIMULATED
 # The simulator as fast as it goes waits for the stages, each a process of its own, which lose
-# nothing. Says how many times real time that was.
+# nothing, one fed by another as well; nor does its record. Says how many times real time that was.
 set -u
 here=$(dirname "$(readlink -f "$0")")
 
 if [[ ${ADIT_PRIVATE_NETWORK:-} != yes ]]; then
   ADIT_PRIVATE_NETWORK=yes exec "$here/in_private_network.sh" "$0" "$@"
 fi
-adit=$1; sim=$2; scan_matching=$3; check_simulated=$4
+adit=$1; sim=$2; scan_matching=$3; mapping=$4; check_simulated=$5
+config="$here/../../deploy/config/groundhog.yaml"
 kSeconds=25   # simulated
 
 scratch=$(mktemp -d)
@@ -19,17 +20,18 @@ processes=()
 trap 'kill "${processes[@]}" 2>/dev/null; wait; rm -rf "$scratch"' EXIT
 
 printf '16 0\n24 0\n32 7\n' >"$scratch/waypoints"
-"$check_simulated" "$kSeconds" & check=$!; processes+=("$check")
-"$scan_matching" --sim-time & stage=$!; processes+=("$stage")
+"$check_simulated" "$kSeconds" "$scratch/run.lcmlog" & check=$!; processes+=("$check")
+"$scan_matching" --sim-time --config "$config" & matcher=$!; processes+=("$matcher")
+"$mapping" --sim-time --config "$config" & mapper=$!; processes+=("$mapper")
 "$adit" drive --waypoints "$scratch/waypoints" & driver=$!; processes+=("$driver")
 
 start=$(date +%s%N)
-"$sim" "$here/bent_drift.yaml" --speed max --wait-for scan_matching,drive,check \
-  --for "$kSeconds" || exit 1
+"$sim" "$here/bent_drift.yaml" --speed max --config "$config" \
+  --wait-for scan_matching,mapping,drive,check --record "$scratch/run.lcmlog" --for "$kSeconds" || exit 1
 echo "$((kSeconds * 10000000000 / ($(date +%s%N) - start))) tenths of times real time"
 sleep 2   # for what is on its way: no message tells that there is none
 
-for process in "$driver" "$stage" "$check"; do
+for process in "$driver" "$matcher" "$mapper" "$check"; do
   kill -TERM "$process"
   wait "$process" || { echo "a process failed" >&2; exit 1; }
 done

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -55,12 +53,6 @@ Examples:
   adit sample mine.lcmlog --truth mine.tum --seed 7     as an LCM log, with the true path
   adit sample far.lcmlog --world long --length-m 2000   2 km in a large mine)";
 
-void write_truth(const Trajectory& truth, const std::filesystem::path& path) {
-  std::ofstream out(path);
-  write_tum(out, truth);
-  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
-}
-
 double length_of(const Options& options) {
   constexpr double kWholeWay = std::numeric_limits<double>::infinity();
   return options.length_m.value_or(options.world == "long" ? kLongDrive : kWholeWay);
@@ -86,7 +78,7 @@ void write_sample(const Options& options) {
     ProgressBar bar("sampling");
     write_sample_log(run, options.output, [&](double done) { bar.update(done); });
   }
-  if (!options.truth.empty()) write_truth(run.truth(), options.truth);
+  if (!options.truth.empty()) write_tum(options.truth, run.truth());
   std::cout << options.output.string() << ": " << run.truth().size() << " scans over "
             << std::lround(path_length_m(run.truth())) << " m\n";
 }

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 
+#include "common/files/text_file.hpp"
 #include "sim/live/live_run.hpp"
 #include "sim/live/sim_options.hpp"
 #include "sim/view/view.hpp"
+#include "sim/view/view_place.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_file.hpp"
 #include "tools/adit/commands.hpp"
@@ -22,6 +22,7 @@ struct Options {
   WorldChoice world;
   LiveRunOptions run;
   std::filesystem::path view;
+  ViewOptions look;
   std::filesystem::path truth;
   std::filesystem::path description;
 
@@ -36,22 +37,18 @@ Examples:
   adit sim bruceton                                        in real time; then, beside it
   adit-scan_matching --sim-time & adit drive --keys        and drive
   adit sim mathies --speed max --wait-for scan_matching    as fast as scan matching keeps up
+  adit sim mathies --config deploy/config/groundhog.yaml --record run.lcmlog
   adit sim random --seed 7 --damage 0.8 --describe my.yaml
-  adit sim my.yaml --view my.png --truth my_truth          a picture; centre lines, plan and obstacles as JSON)";
-
-void write_description(const WorldDescription& description, const std::filesystem::path& path) {
-  std::ofstream out(path);
-  out << to_world_file(description);
-  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
-}
+  adit sim my.yaml --view my.png --truth my_truth          a picture; centre lines, plan and obstacles as JSON
+  adit sim mathies --view beam.png --camera 300,0,0        what one sees who stands there)";
 
 void write_files(const Options& options) {
   const WorldDescription description = describe(options.world);
-  if (!options.description.empty()) write_description(description, options.description);
+  if (!options.description.empty()) write_text(to_world_file(description), options.description);
   if (options.view.empty() && options.truth.empty()) return;
   const Site site(build_world(description));
   if (!options.truth.empty()) write_truth_files(site.world(), options.truth);
-  if (!options.view.empty()) write_view(site, options.view);
+  if (!options.view.empty()) write_view(site, options.view, options.look);
 }
 
 }  // namespace
@@ -64,8 +61,15 @@ void add_sim_command(CLI::App& adit) {
   options->run.program = "adit sim";
   add_world_options(*sim, options->world)->required();
   add_live_run_options(*sim, options->run);
-  sim->add_option("--view", options->view, "Draw it as plan, section and in perspective, and end")
-      ->type_name("PNG");
+  CLI::Option* view = sim->add_option("--view", options->view,
+                                      "Draw it as plan, section and in perspective, and end")
+                          ->type_name("PNG");
+  sim->add_option_function<std::string>(
+         "--camera",
+         [options](const std::string& place) { options->look.from = parse_view_place(place); },
+         "With --view: where to stand and look in perspective; behind the start without")
+      ->type_name("X,Y,HEADING_DEG")
+      ->needs(view);
   sim->add_option("--truth", options->truth,
                   "Write drifts.geojson, plan.geojson, obstacles.json, and end")
       ->type_name("DIR");

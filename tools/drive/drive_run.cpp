@@ -3,8 +3,6 @@
 #include "tools/drive/drive_run.hpp"
 
 #include <chrono>
-#include <fstream>
-#include <stdexcept>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/log_writer.hpp"
@@ -70,12 +68,6 @@ void record_truth(Bus& bus, Trajectory& truth) {
                     });
 }
 
-void write_truth(const std::filesystem::path& path, const Trajectory& truth) {
-  std::ofstream out(path);
-  write_tum(out, truth);
-  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
-}
-
 }  // namespace
 
 DriveRunResult run_drive(const DriveRunOptions& options, const DriveProgress& progress) {
@@ -99,7 +91,7 @@ DriveRunResult run_drive(const DriveRunOptions& options, const DriveProgress& pr
     if (progress) progress(drive.share());
   }
   log.close();
-  if (!options.truth.empty()) write_truth(options.truth, truth);
+  if (!options.truth.empty()) write_tum(options.truth, truth);
 
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   const auto simulated_us = drive.simulation().utime() - kDriveStartUtime;

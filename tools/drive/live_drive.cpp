@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/drive/live_drive.hpp"
 
-#include <array>
 #include <iostream>
 #include <stdexcept>
-
-#include <unistd.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/lcm_bus.hpp"

@@ -20,7 +20,8 @@ struct LiveDriveOptions {
 void drive_by_keys(const LiveDriveOptions& options);
 
 /// Along waypoints by TRUTH, to their end. A simulator may wait for it by the name `drive`. Throws
-/// std::runtime_error with the reason where the run fails or the driver gives up.
+/// std::runtime_error with the reason where the run fails or the driver gives up. A simulator that
+/// waits for it stands still once it has ended.
 void drive_by_waypoints(const LiveDriveOptions& options);
 
 }  // namespace adit

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -62,12 +63,23 @@ struct Shades {
   std::string rows;  // from the top
 };
 
+/// The next number of the head of a PGM; a comment runs from # to the end of its line.
+int next_number(std::istream& in) {
+  while ((in >> std::ws).peek() == '#')
+    in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  int number = 0;
+  in >> number;
+  return number;
+}
+
 Shades read_pgm(const std::filesystem::path& path) {
   std::ifstream in = open(path);
   std::string magic;
+  in >> magic;
   Shades shades;
-  int white = 0;
-  in >> magic >> shades.width >> shades.height >> white;
+  shades.width = next_number(in);
+  shades.height = next_number(in);
+  const int white = next_number(in);
   if (!in || magic != "P5" || white != 255 || shades.width < 1 || shades.height < 1) {
     fail(path, "is not a binary PGM of 8 bits");
   }

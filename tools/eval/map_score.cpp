@@ -32,9 +32,8 @@ std::vector<Ray> fan(const Eigen::Vector3d& from) {
 std::vector<Eigen::Vector2d> walls_seen(const Site& site, const WorldWalls& walls,
                                         const Trajectory& truth, const MapScoreOptions& options) {
   std::vector<Eigen::Vector2d> seen;
-  const auto& floor_height = site.world().truth.floor_height;
   for (const auto& [utime, T_world_body] : thinned(truth, kStep)) {
-    const auto floor_m = floor_height ? floor_height(T_world_body.translation()) : std::nullopt;
+    const auto floor_m = site.world().truth.floor_at(T_world_body.translation());
     if (!floor_m) continue;
     const std::vector<Ray> rays =
         fan({T_world_body.x, T_world_body.y, *floor_m + options.laser_height_m});

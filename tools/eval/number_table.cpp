@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/eval/number_table.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <istream>
 #include <sstream>
 #include <stdexcept>
+
+#include "common/config/parse_number.hpp"
 
 namespace adit {
 namespace {
@@ -14,11 +15,8 @@ namespace {
 constexpr double kLatestTimeSeconds = 1e11;  // the year 5138; more is not a time
 
 std::optional<double> finite_number(const std::string& word) {
-  double value = 0.0;
-  const char* end = word.data() + word.size();
-  const auto result = std::from_chars(word.data(), end, value);
-  if (result.ec != std::errc{} || result.ptr != end || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const auto value = parse_number<double>(word);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 }  // namespace

@@ -39,4 +39,16 @@ double path_length_m(const Trajectory& trajectory) {
   return length;
 }
 
+double travelled_m(const Trajectory& trajectory, double step_m) {
+  double length = 0.0;
+  const TimedPose* counted = trajectory.empty() ? nullptr : &trajectory.front();
+  for (const TimedPose& pose : trajectory) {
+    const double away = (pose.pose.translation() - counted->pose.translation()).norm();
+    if (away < step_m) continue;
+    length += away;
+    counted = &pose;
+  }
+  return length;
+}
+
 }  // namespace adit

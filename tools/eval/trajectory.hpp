@@ -30,7 +30,16 @@ Pose2 blend(const Pose2& a, const Pose2& b, double share);
 /// nothing.
 std::optional<Pose2> interpolate(const Trajectory& trajectory, std::int64_t utime);
 
-/// Sum of the distances from pose to pose. [m]
+/// Sum of the distances from pose to pose [m]. What jitters is longer by that.
 double path_length_m(const Trajectory& trajectory);
+
+/// Length of the way of a robot whose poses jitter [m]: motion counts as soon as it has led at
+/// least `step_m` away from the last pose that counted. What jitters by less has no length; of a
+/// straight way less than a step is missing at the end, and of an arc of radius R in steps of s the
+/// share s²/24R².
+double travelled_m(const Trajectory& trajectory, double step_m);
+
+/// A step for travelled_m: longer than matched scans jitter, much shorter than a bend.
+inline constexpr double kTravelStepM = 0.2;
 
 }  // namespace adit

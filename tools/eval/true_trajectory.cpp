@@ -3,24 +3,18 @@
 #include "tools/eval/true_trajectory.hpp"
 
 #include <stdexcept>
-#include <string_view>
 
+#include "common/bus/channels.hpp"
 #include "common/bus/event_source.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/pose.hpp"
 
 namespace adit {
-namespace {
-
-constexpr std::string_view kTruth = "TRUTH";
-
-}  // namespace
-
 Trajectory read_truth(const std::filesystem::path& log) {
   LogFile events(log);
   Trajectory trajectory;
   while (const auto event = events.next()) {
-    if (event->channel != kTruth) continue;
+    if (event->channel != channels::kTruth) continue;
     const auto message = decode<pose_t>(event->data);
     if (!message) continue;
     const auto pose = from_message(*message);

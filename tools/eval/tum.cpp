@@ -7,7 +7,9 @@
 #include <fstream>
 #include <istream>
 #include <ostream>
+#include <sstream>
 
+#include "common/files/text_file.hpp"
 #include "tools/eval/number_table.hpp"
 
 namespace adit {
@@ -30,6 +32,12 @@ void write_tum(std::ostream& out, const Trajectory& trajectory) {
                   std::sin(pose.theta / 2.0), std::cos(pose.theta / 2.0));
     out << line;
   }
+}
+
+void write_tum(const std::filesystem::path& path, const Trajectory& trajectory) {
+  std::ostringstream text;
+  write_tum(text, trajectory);
+  write_text(text.str(), path);
 }
 
 Trajectory read_tum(std::istream& in, std::string_view name) {

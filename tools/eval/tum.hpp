@@ -14,6 +14,8 @@ namespace adit {
 /// pose, in seconds, metres and a unit quaternion; `#` starts a comment. Written with a fixed
 /// number of digits, so that the same trajectory gives the same bytes.
 void write_tum(std::ostream& out, const Trajectory& trajectory);
+/// Throws std::runtime_error with the path where it cannot be written.
+void write_tum(const std::filesystem::path& path, const Trajectory& trajectory);
 
 /// Reads the planar part (x, y, yaw). A malformed line, or a time that does not increase, throws
 /// std::runtime_error with `name:line: reason`.

@@ -7,6 +7,8 @@
 #include <limits>
 #include <optional>
 
+#include "sim/world/plan_segment.hpp"
+
 namespace adit {
 namespace {
 
@@ -26,11 +28,10 @@ Corners corners_of(const TriangleMesh& mesh, std::uint32_t triangle) {
 /// Below the middle of a triangle, or beside it: a wall stands where the floor ends.
 std::optional<double> floor_near(const World& world, const Eigen::Vector2d& middle,
                                  const Eigen::Vector3d& normal) {
-  if (!world.truth.floor_height) return std::nullopt;
   const Eigen::Vector2d across = kBeside * normal.head<2>();
   for (const Eigen::Vector2d& beside :
        {Eigen::Vector2d(0.0, 0.0), across, Eigen::Vector2d(-across)}) {
-    if (const auto floor_m = world.truth.floor_height(middle + beside)) return floor_m;
+    if (const auto floor_m = world.truth.floor_at(middle + beside)) return floor_m;
   }
   return std::nullopt;
 }
@@ -57,18 +58,6 @@ bool is_wall(const World& world, std::uint32_t triangle) {
   return high > *floor_m + kLowest && low < *floor_m + kHighest;
 }
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-double distance_to_edge(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
-                        const Eigen::Vector2d& b) {
-  const Eigen::Vector2d along = b - a;
-  const double square = along.squaredNorm();
-  const double share = square > 0.0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0.0;
-  return (p - a - share * along).norm();
-}
-
 double distance_to(const std::array<Eigen::Vector2d, 3>& outline, const Eigen::Vector2d& p) {
   double nearest = std::numeric_limits<double>::infinity();
   int left = 0;
@@ -79,7 +68,7 @@ double distance_to(const std::array<Eigen::Vector2d, 3>& outline, const Eigen::V
     const double side = cross(b - a, p - a);
     if (side > 0.0) ++left;
     if (side < 0.0) ++right;
-    nearest = std::min(nearest, distance_to_edge(p, a, b));
+    nearest = std::min(nearest, distance_to_segment(p, a, b));
   }
   return left == 3 || right == 3 ? 0.0 : nearest;
 }

@@ -6,9 +6,9 @@
 #include <set>
 #include <utility>
 
+#include "common/files/text_file.hpp"
 #include "common/pose_graph/g2o_file.hpp"
 #include "tools/map/association_table.hpp"
-#include "tools/map/text_file.hpp"
 
 namespace adit {
 namespace {

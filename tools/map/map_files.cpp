@@ -3,7 +3,6 @@
 #include "tools/map/map_files.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -12,16 +11,9 @@
 #include "common/picture/map_picture.hpp"
 #include "tools/eval/tum.hpp"
 #include "tools/map/graph_files.hpp"
-#include "tools/map/text_file.hpp"
 
 namespace adit {
 namespace {
-
-void write_trajectory(const Trajectory& trajectory, const std::filesystem::path& path) {
-  std::ostringstream text;
-  write_tum(text, trajectory);
-  write_text(text.str(), path);
-}
 
 bool insert_scans(const WholeMap& map, const Lasers& lasers, OccupancyGrid& grid) {
   return std::all_of(map.scans.begin(), map.scans.end(), [&](const PlacedScan& placed) {
@@ -62,8 +54,8 @@ MapPicture picture_of(const WholeMap& map, const RunRecord& record,
 
 bool write_map_files(const WholeMap& map, const RunRecord& record, const MapFilesOptions& options,
                      const std::filesystem::path& folder) {
-  write_trajectory(joined_path(map), folder / "trajectory.tum");
-  write_trajectory(record.odometry(), folder / "odometry.tum");
+  write_tum(folder / "trajectory.tum", joined_path(map));
+  write_tum(folder / "odometry.tum", record.odometry());
   OccupancyGrid grid(options.grid);
   if (!insert_scans(map, options.lasers, grid)) return false;
   write_map_server(grid, folder, "map");

@@ -11,6 +11,7 @@
 #include "common/bus/replay_bus.hpp"
 #include "common/bus/stages.hpp"
 #include "common/config/config.hpp"
+#include "common/files/text_file.hpp"
 #include "procs/mapping/map_journal.hpp"
 #include "procs/mapping/mapping_node.hpp"
 #include "procs/scan_matching/scan_matching_node.hpp"
@@ -22,7 +23,6 @@
 #include "tools/map/run_record.hpp"
 #include "tools/map/stopwatch_bus.hpp"
 #include "tools/map/summary.hpp"
-#include "tools/map/text_file.hpp"
 #include "tools/map/whole_map.hpp"
 
 namespace adit {
@@ -136,7 +136,7 @@ MapRunResult result_of(const RunRecord& record, const WholeMap& map) {
   result.lost = static_cast<std::size_t>(std::count_if(
       matches.begin(), matches.end(),
       [](const ScanMatch& match) { return match.status == ScanMatch::Status::kLost; }));
-  result.path_length_m = path_length_m(record.odometry());
+  result.path_length_m = travelled_m(record.odometry(), kTravelStepM);
   result.local_maps = map.local_maps.size();
   result.closures = count_closures(map).in_force;
   result.joints = count_joints(map);

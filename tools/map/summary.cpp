@@ -142,7 +142,7 @@ std::string summary_json(const RunRecord& record, const WholeMap& map, const Run
           : 1e-6 * static_cast<double>(trajectory.back().utime - trajectory.front().utime);
   const Json json = {
       {"scans", scans_json(record)},
-      {"path_length_m", path_length_m(trajectory)},
+      {"path_length_m", travelled_m(trajectory, kTravelStepM)},
       {"duration_s", duration_s},
       {"wall_s", cost.wall_s},
       {"cpu_s", cost.cpu_s},

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/sim/truth_files.hpp"
 
-#include <fstream>
-#include <stdexcept>
 #include <string>
 
 #include <nlohmann/json.hpp>
+
+#include "common/files/text_file.hpp"
 
 namespace adit {
 namespace {
@@ -107,9 +107,7 @@ Json obstacles(const std::vector<Obstacle>& all) {
 }
 
 void write(const Json& json, const std::filesystem::path& path) {
-  std::ofstream out(path);
-  out << json.dump() << "\n";
-  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
+  write_text(json.dump() + "\n", path);
 }
 
 }  // namespace

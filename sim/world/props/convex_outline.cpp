@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
+#include "sim/world/plan_segment.hpp"
+
 namespace adit {
 namespace {
 
 bool turns_left(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-  const Eigen::Vector2d ab = b - a;
-  const Eigen::Vector2d ac = c - a;
-  return ab.x() * ac.y() - ab.y() * ac.x() > 0.0;
+  return cross(b - a, c - a) > 0.0;
 }
 
 /// The chain below points in order, without its last point, with which the other chain begins.

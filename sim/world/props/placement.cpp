@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "common/config/number_text.hpp"
@@ -17,10 +16,6 @@ void require_along(const DriftLine& drift, double at_m, const std::string& what)
   throw std::invalid_argument(what + ": " + number_text(at_m) + " m is not along drift '" +
                               drift.name + "', which is " + number_text(drift.length_m()) +
                               " m long");
-}
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
 }
 
 }  // namespace
@@ -39,25 +34,6 @@ const DriftLine& drift_with(const std::vector<DriftLine>& drifts, const std::str
   if (to_m > from_m) return drift;
   throw std::invalid_argument(what + ": ends at " + number_text(to_m) + " m, and begins at " +
                               number_text(from_m) + " m");
-}
-
-DriftPlace place_in(const DriftLine& drift, const Eigen::Vector2d& p_world) {
-  DriftPlace nearest;
-  double nearest_m = std::numeric_limits<double>::infinity();
-  double begin_m = 0.0;
-  for (std::size_t i = 0; i + 1 < drift.points.size(); ++i) {
-    const Eigen::Vector2d along = drift.points[i + 1] - drift.points[i];
-    const double length_m = along.norm();
-    const Eigen::Vector2d from_begin = p_world - drift.points[i];
-    const double share = std::clamp(from_begin.dot(along) / (length_m * length_m), 0.0, 1.0);
-    const double distance_m = (from_begin - share * along).norm();
-    if (distance_m < nearest_m) {
-      nearest_m = distance_m;
-      nearest = {begin_m + share * length_m, std::copysign(distance_m, cross(along, from_begin))};
-    }
-    begin_m += length_m;
-  }
-  return nearest;
 }
 
 std::vector<double> places_between(double from_m, double to_m, double step_m) {

@@ -5,17 +5,9 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "sim/world/drift_line.hpp"
 
 namespace adit {
-
-/// A place as a drift counts it.
-struct DriftPlace {
-  double s_m = 0.0;       ///< along the line, from its first point
-  double across_m = 0.0;  ///< to the left of it
-};
 
 /// The drift in which a prop is. Throws std::invalid_argument, beginning with `what`, where there
 /// is no such drift or `at_m` is not along it.
@@ -25,9 +17,6 @@ const DriftLine& drift_with(const std::vector<DriftLine>& drifts, const std::str
 /// The same for a stretch, which must not run backwards.
 const DriftLine& drift_with(const std::vector<DriftLine>& drifts, const std::string& name,
                             double from_m, double to_m, const std::string& what);
-
-/// Of the place of the line that is nearest. Beyond an end `s_m` is that of the end.
-DriftPlace place_in(const DriftLine& drift, const Eigen::Vector2d& p_world);
 
 /// Places along a stretch, its ends included, at most `step_m` apart [m].
 std::vector<double> places_between(double from_m, double to_m, double step_m);

@@ -21,7 +21,7 @@ std::vector<Eigen::Vector2d> stretch_outline(const DriftLine& drift, double from
 
 double share_of_stretch(const DriftLine& drift, double from_m, double to_m,
                         const Eigen::Vector2d& p_world) {
-  const DriftPlace place = place_in(drift, p_world);
+  const DriftLine::Place place = drift.place_of(p_world);
   if (std::abs(place.across_m) > drift.width_m / 2.0 + kBehindWalls) return -1.0;
   const double share = (place.s_m - from_m) / (to_m - from_m);
   return share <= 1.0 ? share : -1.0;

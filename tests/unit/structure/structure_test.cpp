@@ -16,6 +16,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/bus/channels.hpp"
 #include "common/bus/stages.hpp"
 #include "tests/support/message_types.hpp"
 
@@ -252,6 +253,8 @@ TEST(Structure, EveryChannelHasItsRowInTheTableAndEveryRowIsAChannel) {
   const auto rows = first_column(text_of(kRoot / "lcmtypes/README.md"), "channel");
   EXPECT_FALSE(constants.empty());
   EXPECT_THAT(rows, ElementsAreArray(constants));
+  const std::set<std::string> listed(adit::channels::kAll.begin(), adit::channels::kAll.end());
+  EXPECT_THAT(listed, ElementsAreArray(constants));
 }
 
 std::vector<fs::path> type_files() {

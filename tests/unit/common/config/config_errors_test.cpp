@@ -97,6 +97,15 @@ TEST(ConfigErrors, WhatIsNotYamlIsRefusedWithItsLine) {
   EXPECT_THAT(complaint("outer: " + std::string(100000, '[')), StartsWith("robot.yaml:"));
 }
 
+TEST(ConfigErrors, WhatIsNoTextIsRefusedBeforeItIsReadAsYaml) {
+  EXPECT_EQ(complaint("outer:\n  share: \x01\n"), "robot.yaml:2: no text");
+  EXPECT_EQ(complaint(std::string("\0", 1)), "robot.yaml:1: no text");
+  EXPECT_EQ(complaint("a: 1\n\nb: \xC3("), "robot.yaml:3: no text");  // half a character
+  EXPECT_EQ(complaint("outer: {} # \xFF"), "robot.yaml:1: no text");
+  EXPECT_EQ(complaint("outer: {} # \xE2\x82"), "robot.yaml:1: no text");  // cut off
+  EXPECT_EQ(complaint("outer: {} # \xC3\xA9 \xE2\x82\xAC \xF0\x9F\x98\x80\t\r\n"), "");
+}
+
 TEST(ConfigErrors, AFileThatCannotBeReadIsNamed) {
   EXPECT_THROW(ConfigFile::load("/nonexistent/robot.yaml"), ConfigError);
   EXPECT_THROW(ConfigFile::load(testing::TempDir()), ConfigError);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/live/live_simulator.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,12 @@
 #include <gtest/gtest.h>
 
 #include "common/bus/channels.hpp"
+#include "common/bus/event_source.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/sim_time.hpp"
 #include "tests/support/box_drift.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace adit {
 namespace {
@@ -80,6 +83,31 @@ TEST_F(LiveSimulatorTest, RepeatsTheTimeForAStageThatComesLate) {
   times_.clear();
   for (int ms = 1; ms <= 1100; ++ms) simulator.go_on(kSecond + ms * 1000);
   EXPECT_THAT(times_, ElementsAre(0, 0, 0));  // twice a second
+}
+
+TEST_F(LiveSimulatorTest, RecordsAllThatIsOnTheBusInOrder) {
+  const test::ScratchFolder scratch;
+  LiveRunOptions options = options_that_wait_for({});
+  options.record = scratch / "run.lcmlog";
+  std::vector<LogEvent> published;
+  bus_.tap([&](const Received& message) {
+    published.push_back(
+        {0, std::string(message.channel), {message.bytes.begin(), message.bytes.end()}});
+  });
+  LiveSimulator simulator(bus_, site_, {}, {}, options, kStart);
+  while (!simulator.done()) simulator.go_on(0);
+  simulator.close_record();
+
+  const LogFile log(options.record);
+  ASSERT_EQ(log.events().size(), published.size());
+  EXPECT_GT(published.size(), 300U);  // of IMU, lasers and all else in a second
+  for (std::size_t i = 0; i < published.size(); ++i) {
+    const LogEventView& event = log.events()[i];
+    EXPECT_EQ(event.channel, published[i].channel);
+    EXPECT_TRUE(std::ranges::equal(event.data, published[i].data));
+  }
+  EXPECT_EQ(log.events().front().utime, kStart);
+  EXPECT_EQ(log.events().back().utime, kStart + kSecond);
 }
 
 TEST_F(LiveSimulatorTest, NamesAStageThatDoesNotAnswer) {

@@ -94,6 +94,15 @@ TEST(RayScene, WaterIsThereForLightOnly) {
   const Ray down = ray({0.0, 0.0, 1.0}, {0.0, 0.0, -1.0});
   EXPECT_NEAR(scene.cast(down, kFar)->distance_m, 0.6, 1e-5);
   EXPECT_NEAR(scene.cast(down, kFar, RayScene::Layer::kSolid)->distance_m, 1.0, 1e-5);
+  // Among many: one over the water, one beside it.
+  const std::vector<Ray> rays{down, ray({5.0, 0.0, 1.0}, {0.0, 0.0, -1.0})};
+  std::vector<RayHit> hits(rays.size());
+  scene.cast(rays, kFar, hits, RayScene::Layer::kSolid);
+  EXPECT_NEAR(hits[0].distance_m, 1.0, 1e-5);
+  EXPECT_NEAR(hits[1].distance_m, 1.0, 1e-5);
+  EXPECT_EQ(world.mesh.part_of(hits[0].triangle).kind, PartKind::kFloor);
+  scene.cast(rays, 0.9F, hits, RayScene::Layer::kSolid);
+  EXPECT_TRUE(std::isinf(hits[0].distance_m));
   EXPECT_THAT(scene.touching(level_box({0.0, 0.0, 0.3}, {1.0, 1.0, 0.4})), testing::IsEmpty());
 }
 

@@ -56,6 +56,29 @@ TEST(Faults, ATimeJumpMovesTheClockOfTheSensorsOnly) {
   }
 }
 
+/// Speed a second after the clock of the sensors has jumped at 2 s, under a driver that tells by
+/// that clock what time it is.
+double speed_after_jump(double jump_s) {
+  const Site site(box_drift());
+  Simulation simulation(site, with({{"time_jump", 2.0, "", jump_s}}), 1, kStart);
+  std::int64_t clock_utime = kStart;
+  while (simulation.utime() < kStart + 3 * kSecond) {
+    simulation.command(DriveCommand{clock_utime, 0.4, 0.0});
+    for (const ImuReading& reading : only<ImuReading>(simulation.step())) {
+      clock_utime = reading.utime;
+    }
+  }
+  return simulation.vehicle().state().speed_m_s;
+}
+
+TEST(Faults, AVehicleStandsWhereTheClockOfItsDriverWentBack) {
+  EXPECT_EQ(speed_after_jump(-2.0), 0.0);  // expired after 0.25 s, then brakes for 0.5 s
+}
+
+TEST(Faults, AVehicleGoesOnWhereTheClockOfItsDriverIsAhead) {
+  EXPECT_DOUBLE_EQ(speed_after_jump(5.0), 0.4);
+}
+
 TEST(Faults, PacketLossTakesItsShareOfAllButTheTruth) {
   const Site site(box_drift());
   const auto all = bytes_of(run(site, {}, 20.0));

@@ -136,5 +136,27 @@ TEST_F(DrivetrainTest, HoldsAStopUntilANewerOrderReleasesIt) {
   EXPECT_NEAR(drivetrain_.speed_m_s(), 0.15, kExact);
 }
 
+TEST_F(DrivetrainTest, ObeysAStopOfAClockThatWentBack) {
+  drive(0.4, 0.0, 2.0);
+  order(false, drivetrain_.utime());
+  order(true, drivetrain_.utime() - 5'000'000);
+  EXPECT_TRUE(drivetrain_.stopped());
+  order(false, drivetrain_.utime() - 4'000'000);  // which may be from before the stop
+  EXPECT_TRUE(drivetrain_.stopped());
+  drivetrain_.advance(kStepS);
+  order(false, drivetrain_.utime());
+  EXPECT_FALSE(drivetrain_.stopped());
+}
+
+TEST_F(DrivetrainTest, StandsUnderADriverWhoseClockWentBack) {
+  drive(0.4, 0.0, 2.0);
+  for (int i = 0; i < 300; ++i) {
+    drivetrain_.command(DriveCommand{drivetrain_.utime() - 2'000'000, 0.4, 0.0});
+    drivetrain_.advance(kStepS);
+  }
+  EXPECT_TRUE(drivetrain_.expired());
+  EXPECT_EQ(drivetrain_.speed_m_s(), 0.0);
+}
+
 }  // namespace
 }  // namespace adit

@@ -91,9 +91,11 @@ TEST(VehicleMotion, DrawsFromTheBatteryByTimeAndSpeed) {
   VehicleModel vehicle(site, {}, params, 1, 0);
   drive(vehicle, 0.0, 0.0, 36.0);  // 200 W: 2 Wh
   EXPECT_NEAR(vehicle.state().battery_share, 0.8, 1e-9);
-  drive(vehicle, 0.5, 0.0, 9.0);  // 1700 W: 4.25 Wh, less what is saved until it has its speed
-  const double saved_wh = 1500.0 * 0.5 * (0.5 / 0.3) / 3600.0;
-  EXPECT_NEAR(vehicle.state().battery_share, (8.0 - 4.25 + saved_wh) / 10.0, 3e-4);  // one step
+  drive(vehicle, 0.5, 0.0, 9.0);
+  // Against rolling resistance at full speed, less what is saved until it has its speed.
+  const double drive_w = 680.0 * 9.81 * 0.15 * 0.5 / 0.5;
+  const double drawn_wh = (200.0 * 9.0 + drive_w * (9.0 - 0.5 * (0.5 / 0.3))) / 3600.0;
+  EXPECT_NEAR(vehicle.state().battery_share, 0.8 - drawn_wh / 10.0, 3e-4);  // one step
 }
 
 TEST(VehicleMotion, EndsWithAnEmptyBattery) {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/view/colours.hpp"
 #include "sim/view/render.hpp"
-#include "sim/view/shading.hpp"
 #include "tests/support/box_drift.hpp"
 
 namespace adit {

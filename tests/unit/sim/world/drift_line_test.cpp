@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <tuple>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -45,6 +46,17 @@ TEST(DriftLine, HasItsLeftBesideIt) {
 TEST(DriftLine, KnowsHowFarAPlaceIs) {
   EXPECT_DOUBLE_EQ(kBent.distance_m({4.0, -2.0}), 2.0);
   EXPECT_DOUBLE_EQ(kBent.distance_m({13.0, 9.0}), 5.0);
+}
+
+TEST(DriftLine, CountsPlacesAlongAndToItsLeft) {
+  for (const auto& [p, s_m, across_m] : {std::tuple(Eigen::Vector2d(4.0, 1.0), 4.0, 1.0),
+                                         {{4.0, -2.0}, 4.0, -2.0},
+                                         {{9.0, 4.0}, 14.0, 1.0},
+                                         {{13.0, 4.0}, 14.0, -3.0},
+                                         {{-3.0, 0.0}, 0.0, 3.0}}) {
+    EXPECT_DOUBLE_EQ(kBent.place_of(p).s_m, s_m);
+    EXPECT_DOUBLE_EQ(kBent.place_of(p).across_m, across_m);
+  }
 }
 
 TEST(DriftLine, ReachesToItsWalls) {

@@ -115,6 +115,23 @@ TEST(MineSurface, FloorRoofAndWallsAreNamed) {
   EXPECT_EQ(part(Eigen::Vector3d::UnitY()).name, "walls");
 }
 
+TEST(MineSurface, FloorIsOfMudWhereItIsSoft) {
+  WorldDescription description = smooth_drift();
+  description.props.mud.push_back(
+      {.name = "mud", .drift = "main", .at_m = 15.0, .across_m = 0.0, .radius_m = 1.2});
+  const Site site(build_world(description));
+  const auto part = [&](double x) {
+    return site.world().mesh.part_of(cast(site, {x, 0.03, 1.0}, {0.0, 0.0, -1.0})->triangle);
+  };
+  EXPECT_EQ(part(15.0).kind, PartKind::kFloor);
+  EXPECT_EQ(part(15.0).material, Material::kMud);
+  EXPECT_EQ(part(15.0).name, "mud");
+  // The middle of a triangle says whose it is: no corner is farther from it than 0.2 m.
+  EXPECT_EQ(part(15.0 + 1.2 - 0.2).material, Material::kMud);
+  EXPECT_EQ(part(15.0 + 1.2 + 0.2).material, Material::kRock);
+  EXPECT_EQ(part(15.0 - 1.2 - 0.2).material, Material::kRock);
+}
+
 TEST(MineSurface, RoughWallsKeepWithinTheirRelief) {
   WorldDescription description = smooth_drift();
   description.wall_relief.height_m = 0.2;

@@ -103,6 +103,10 @@ TEST(IsPassable, BelowTheBellyAboveTheTopAndShallow) {
   EXPECT_TRUE(is_passable(obstacle, 0.0, vehicle));
   obstacle.z_low_m = -0.3;
   EXPECT_FALSE(is_passable(obstacle, 0.0, vehicle));
+  obstacle.kind = PartKind::kFloor;  // a pit or mud: wheels climb, and sink, by 0.2 m
+  EXPECT_FALSE(is_passable(obstacle, 0.0, vehicle));
+  obstacle.z_low_m = -0.15;
+  EXPECT_TRUE(is_passable(obstacle, 0.0, vehicle));
 }
 
 }  // namespace

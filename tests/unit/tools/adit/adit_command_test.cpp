@@ -11,7 +11,7 @@
 #include "common/pose_graph/g2o_file.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test_graphs.hpp"
-#include "tools/adit/commands.hpp"
+#include "tests/unit/tools/adit/outcome.hpp"
 #include "tools/carmen/carmen_reader.hpp"
 #include "tools/eval/tum.hpp"
 
@@ -21,23 +21,6 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-struct Outcome {
-  int exit_code;
-  std::string out;
-  std::string err;
-};
-
-Outcome adit(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "adit");
-  std::vector<const char*> argv;
-  for (const std::string& argument : arguments) argv.push_back(argument.c_str());
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  const int exit_code = run_adit(static_cast<int>(argv.size()), argv.data());
-  return {exit_code, testing::internal::GetCapturedStdout(),
-          testing::internal::GetCapturedStderr()};
-}
 
 class AditCommand : public testing::Test {
  protected:

@@ -49,6 +49,12 @@ TEST_F(MapImage, OccupiedCellsAreWhereTheMapHasThem) {
   EXPECT_EQ(occupied[1], Eigen::Vector2d(0.25, 2.25));
 }
 
+TEST_F(MapImage, PassesOverTheCommentOfMapSaver) {
+  write("map.yaml", kYaml);
+  write("map.pgm", std::string("P5\n# CREATOR: map_saver.cpp 0.500 m/pix\n1 1\n255\n") + '\0');
+  EXPECT_EQ(read().size(), 1U);
+}
+
 TEST_F(MapImage, ReadsWhatAGridWrites) {
   OccupancyGrid grid({.resolution_m = 0.05});
   ASSERT_TRUE(grid.insert({0, {2.0F, 3.0F}, 0.0, 1.5}, {1.0, 1.0, 0.25}));

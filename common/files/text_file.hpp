@@ -7,7 +7,8 @@
 
 namespace adit {
 
-/// Throws std::runtime_error where the file cannot be written.
+/// All that is in the file afterwards. Throws std::runtime_error with the path where the file
+/// cannot be written.
 void write_text(const std::string& text, const std::filesystem::path& path);
 
 }  // namespace adit

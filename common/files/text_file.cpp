@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/map/text_file.hpp"
+#include "common/files/text_file.hpp"
 
 #include <fstream>
 #include <stdexcept>

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/config/text_check.hpp"
+
+#include <algorithm>
+
+namespace adit {
+namespace {
+
+bool is_control(unsigned char byte) {
+  const bool is_space = byte == '\t' || byte == '\n' || byte == '\r';
+  return (byte < 0x20 && !is_space) || byte == 0x7F;
+}
+
+/// Bytes behind the first of a character of UTF-8; nothing for one that begins none.
+std::optional<std::size_t> bytes_that_follow(unsigned char first) {
+  if (first < 0x80) return 0;
+  if (first >= 0xC2 && first <= 0xDF) return 1;
+  if (first >= 0xE0 && first <= 0xEF) return 2;
+  if (first >= 0xF0 && first <= 0xF4) return 3;
+  return std::nullopt;
+}
+
+bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+
+}  // namespace
+
+std::optional<std::size_t> first_that_is_no_text(std::string_view bytes) {
+  for (std::size_t i = 0; i < bytes.size();) {
+    const auto byte = static_cast<unsigned char>(bytes[i]);
+    const auto following = bytes_that_follow(byte);
+    if (is_control(byte) || !following) return i;
+    const std::string_view rest = bytes.substr(i + 1, *following);
+    if (rest.size() < *following || !std::all_of(rest.begin(), rest.end(), continues)) return i;
+    i += 1 + *following;
+  }
+  return std::nullopt;
+}
+
+}  // namespace adit

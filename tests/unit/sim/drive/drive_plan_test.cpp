@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/drive/drive_plan.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+using testing::ElementsAre;
+using testing::SizeIs;
+
+Waypoint at(double x, double y, std::optional<double> speed_m_s = {}) {
+  return {{x, y}, speed_m_s};
+}
+
+constexpr DrivePlanParams kForward{0.4, 0.5, false};
+constexpr DrivePlanParams kEitherWay{0.4, 0.5, true};
+
+TEST(DrivePlan, IsOneStretchWhereNobodyMayReverse) {
+  const auto plan = plan_drive({at(5, 0), at(5, 4), at(5, 0)}, {}, kForward);
+  ASSERT_THAT(plan, SizeIs(1));
+  EXPECT_DOUBLE_EQ(plan[0].way.length_m(), 13.0);
+  EXPECT_FALSE(plan[0].reverse);
+}
+
+TEST(DrivePlan, IsCutWhereTheDirectionOfDrivingChanges) {
+  const auto plan = plan_drive({at(5, 0), at(8, 1), at(3, 0), at(9, 0)}, {}, kEitherWay);
+  ASSERT_THAT(plan, SizeIs(3));
+  EXPECT_FALSE(plan[0].reverse);
+  EXPECT_TRUE(plan[1].reverse);
+  EXPECT_FALSE(plan[2].reverse);
+  EXPECT_THAT(plan[0].speeds_m_s, SizeIs(2));
+  EXPECT_EQ(plan[1].way.at(0.0), Eigen::Vector2d(8, 1));
+}
+
+TEST(DrivePlan, TurnsToWhatIsAside) {
+  EXPECT_FALSE(plan_drive({at(-1, 1.01)}, {}, kEitherWay)[0].reverse);  // 45° from straight back
+  EXPECT_TRUE(plan_drive({at(-1, 0.99)}, {}, kEitherWay)[0].reverse);
+}
+
+TEST(DrivePlan, GoesAsFastAsWaypointsSayAndTheVehicleCan) {
+  const auto plan = plan_drive({at(1, 0), at(2, 0, 0.2), at(3, 0, 7.0)}, {}, kForward);
+  ASSERT_THAT(plan, SizeIs(1));
+  EXPECT_THAT(plan[0].speeds_m_s, ElementsAre(0.4, 0.2, 0.5));
+}
+
+TEST(DrivePlan, LeavesOutWhatLeadsNowhere) {
+  EXPECT_THAT(plan_drive({at(0, 0), at(0.0005, 0)}, {}, kForward), SizeIs(0));
+}
+
+}  // namespace
+}  // namespace adit

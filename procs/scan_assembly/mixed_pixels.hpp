@@ -23,13 +23,15 @@ struct MixedPixelParams {
 /// Takes out returns that are of no surface; they become NaN. A beam that is cut by an edge returns
 /// a range between those of both surfaces (a mixed pixel). Suspect is what differs along the ray
 /// from both neighbours in its scan, and does not go on the straight line through the two returns
-/// on either side, as a wall at grazing incidence does. Of these,
+/// on either side, as a wall at grazing incidence does. Where a scan takes several turns of the
+/// mirror (`turns`, ScanTiming) the laser tilts between neighbours, and it is enough that either
+/// holds among the beams of one turn. Of these,
 /// - what lies between its neighbours, nearer together than the span, is a mixture;
 /// - what lies before both, or behind both, may be thin, as a cable, or wrong.
 /// Either stays if it has support: as many returns at its range, no mixtures, among the three
 /// nearest beams of the scans before and after. A cable crosses several of them; along an edge
 /// there are mixtures above each other, which therefore do not count. Edges along the scan are not
 /// looked for.
-void remove_mixed_pixels(RangeImage& image, const MixedPixelParams& params);
+void remove_mixed_pixels(RangeImage& image, int turns, const MixedPixelParams& params);
 
 }  // namespace adit

@@ -135,6 +135,7 @@ const LaserMount& ScanAssembly::mount() const {
 }
 
 std::optional<Cloud> ScanAssembly::assemble(bool complete) const {
+  if (scans_.empty()) return std::nullopt;
   Cloud cloud;
   cloud.utime = tilt_rad_.end_utime();
   cloud.id = request_.id;
@@ -145,7 +146,8 @@ std::optional<Cloud> ScanAssembly::assemble(bool complete) const {
                             {tilt_rad_, T_odom_body_, cloud.T_odom_level, R_level_body(up_body)});
 
   RangeImage image = range_image(scans_, mount());
-  remove_mixed_pixels(image, params_.mixed_pixels);
+  const int turns = params_.timing.turns(scans_.front().angle_step_rad);
+  remove_mixed_pixels(image, turns, params_.mixed_pixels);
   for (std::size_t i = 0; i < scans_.size(); ++i) {
     // What was measured before the first or after the last tilt is not known in its place.
     if (scans_[i].utime < first_line_utime_) continue;

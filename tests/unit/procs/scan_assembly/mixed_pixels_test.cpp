@@ -18,9 +18,9 @@ using test::SweepingRobot;
 
 constexpr float kNo = std::numeric_limits<float>::infinity();
 
-int removed(RangeImage image) {
+int removed(RangeImage image, int turns = 1) {
   const RangeImage before = image;
-  remove_mixed_pixels(image, {});
+  remove_mixed_pixels(image, turns, {});
   int n = 0;
   for (std::size_t i = 0; i < image.size(); ++i) {
     for (std::size_t j = 0; j < image[i].size(); ++j) {
@@ -47,6 +47,16 @@ TEST(MixedPixelFilter, LeavesAWallAtGrazingIncidenceAlone) {
     row.push_back(2.0F / std::sin(0.05F + 0.0087F * static_cast<float>(i)));
   EXPECT_GT(row[0] - row[1], 1.0F);
   EXPECT_EQ(removed({row, row, row}), 0);
+}
+
+TEST(MixedPixelFilter, LeavesFloorAloneThatIsSeenInTwoTurnsOfTheMirror) {
+  std::vector<float> row;
+  for (int i = 0; i < 40; ++i) {
+    const float bearing = 0.9F + 0.0087F * static_cast<float>(i);
+    const float distance = i % 2 == 0 ? 3.0F : 2.9F;  // at which the plane of the turn meets it
+    row.push_back(distance / std::cos(bearing));
+  }
+  EXPECT_EQ(removed({row, row, row}, 2), 0);
 }
 
 TEST(MixedPixelFilter, LeavesWhatIsThinInSeveralScansAndTakesOutWhatIsInOne) {

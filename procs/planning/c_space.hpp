@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "common/config/bounds.hpp"
+#include "common/vehicle/vehicle.hpp"
+#include "procs/planning/ground_layers.hpp"
+#include "procs/planning/heading_set.hpp"
+#include "procs/planning/run_kernel.hpp"
+
+namespace adit {
+
+/// What a pose of the vehicle costs, by cell and heading.
+class CSpace {
+ public:
+  static constexpr std::uint16_t kLethal = 0xffff;  ///< something that was seen is in the way
+  static constexpr std::uint16_t kUnseen = 0xfffe;  ///< too much under the wheels was not seen
+  static constexpr std::uint16_t kEven = 100;       ///< a pose on even ground
+
+  /// Headings π apart share their costs, the vehicle being symmetric.
+  CSpace(int headings, int columns, int rows);
+
+  [[nodiscard]] int headings() const { return headings_; }
+  [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] int rows() const { return rows_; }
+  [[nodiscard]] bool contains(int column, int row) const {
+    return column >= 0 && row >= 0 && column < columns_ && row < rows_;
+  }
+  /// The costs at a heading, row by row.
+  [[nodiscard]] const std::uint16_t* slice(int heading) const {
+    return costs_.data() + static_cast<std::size_t>(heading % (headings_ / 2)) * cells();
+  }
+  [[nodiscard]] std::uint16_t* slice(int heading) {
+    return costs_.data() + static_cast<std::size_t>(heading % (headings_ / 2)) * cells();
+  }
+  [[nodiscard]] std::size_t cells() const {
+    return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  }
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+
+ private:
+  int headings_;
+  int columns_;
+  int rows_;
+  std::vector<std::uint16_t> costs_;
+};
+
+struct CSpaceParams {
+  int headings = 32;               ///< a multiple of 8
+  double between_weight = 0.125;   ///< of ground between the wheels, that under them having 1
+  double rough_factor = 6.0;       ///< a pose at the limit costs this much more than on even ground
+  double unseen_share_max = 0.25;  ///< of the ground under the wheels
+  GroundLimits ground;
+
+  template <class V>
+  void visit(V& v) {
+    v("headings", headings, within(8, 128));
+    v("between_weight", between_weight, within(0.0, 1.0));
+    v("rough_factor", rough_factor, within(0.0, 100.0));
+    v("unseen_share_max", unseen_share_max, within(0.0, 1.0));
+    v("ground", ground);
+  }
+};
+
+/// The oriented kernels of the paper's section 3.2 for a vehicle and a size of cells.
+/// - cost: the mean roughness with most weight under the wheels, little between, none beyond
+/// - lethal: kernels that miss nothing under rotation and the size of cells, one for what the
+/// wheels
+///   must not meet, one for what nothing of the vehicle must
+/// - unseen: the share of the ground under the wheels
+class CSpaceKernels {
+ public:
+  /// Throws std::invalid_argument where the cells are so small that sums would run over.
+  CSpaceKernels(const Vehicle& vehicle, const CSpaceParams& params, double cell_m);
+
+  [[nodiscard]] const HeadingSet& headings() const { return headings_; }
+  [[nodiscard]] double cell_m() const { return cell_m_; }
+  [[nodiscard]] CSpace convolve(const GroundLayers& layers) const;
+
+  struct Oriented {
+    RunKernel wheels;  ///< as they are
+    RunKernel body;
+    RunKernel lethal_wheels;  ///< conservative
+    RunKernel lethal_body;
+  };
+  /// Of a heading; those π apart are the same.
+  [[nodiscard]] const Oriented& oriented(int heading) const {
+    return oriented_[static_cast<std::size_t>(heading) % oriented_.size()];
+  }
+  /// Of a pose that is not lethal, from what lies under its wheels and under all of it.
+  [[nodiscard]] std::uint16_t cost(const Oriented& kernel, std::uint32_t wheel_roughness,
+                                   std::uint32_t body_roughness, std::uint32_t unseen) const;
+
+ private:
+  CSpaceParams params_;
+  HeadingSet headings_;
+  double cell_m_;
+  std::vector<Oriented> oriented_;
+};
+
+}  // namespace adit

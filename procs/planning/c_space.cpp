@@ -18,7 +18,7 @@ constexpr std::uint32_t kRoughnessMask = (1U << kUnseenShift) - 1U;
 constexpr int kMostCells =
     4095;  // of a kernel: 255 each fill 20 bits, and they can be counted in 12
 
-constexpr std::uint32_t kWhole = 255;  // weight under the wheels, and roughness at the limit
+constexpr double kWhole = 255.0;  // roughness at the limit
 
 using Layer = std::vector<std::uint8_t>;
 
@@ -78,6 +78,22 @@ int greatest_reach(const std::vector<CSpaceKernels::Oriented>& kernels) {
   return reach;
 }
 
+/// Weight w between the wheels and 1 under them is w everywhere and 1 − w more under the wheels.
+void weigh(CSpaceKernels::Oriented& kernel, const CSpaceParams& params) {
+  if (kernel.lethal_body.cells > kMostCells) {
+    throw std::invalid_argument("the cells of the terrain are too small for this vehicle");
+  }
+  if (kernel.wheels.cells == 0) {
+    throw std::invalid_argument("the cells of the terrain are too large for this vehicle");
+  }
+  const double w = params.between_weight;
+  const double most = kWhole * (w * kernel.body.cells + (1.0 - w) * kernel.wheels.cells);
+  const double unit = std::ldexp(params.rough_factor * CSpace::kEven / most, 32);
+  kernel.cost_per_wheels = static_cast<std::uint64_t>((1.0 - w) * unit);
+  kernel.cost_per_body = static_cast<std::uint64_t>(w * unit);
+  kernel.unseen_max = static_cast<std::uint32_t>(params.unseen_share_max * kernel.wheels.cells);
+}
+
 }  // namespace
 
 CSpace::CSpace(int headings, int columns, int rows)
@@ -87,42 +103,25 @@ CSpace::CSpace(int headings, int columns, int rows)
       costs_(static_cast<std::size_t>(headings / 2) * cells(), kLethal) {}
 
 CSpaceKernels::CSpaceKernels(const Vehicle& vehicle, const CSpaceParams& params, double cell_m)
-    : params_(params), headings_(params.headings), cell_m_(cell_m) {
+    : headings_(params.headings),
+      cell_m_(cell_m),
+      outside_roughness_(
+          static_cast<std::uint32_t>(std::lround(kWhole * params.ground.unseen_roughness))) {
   const auto wheels = wheel_tracks(vehicle);
   const std::vector<BodyRectangle> body{body_outline(vehicle)};
   for (int k = 0; k < headings_.count() / 2; ++k) {
-    oriented_.push_back({covering_kernel(wheels, headings_, k, cell_m),
-                         covering_kernel(body, headings_, k, cell_m),
-                         conservative_kernel(wheels, headings_, k, cell_m),
-                         conservative_kernel(body, headings_, k, cell_m)});
-    if (oriented_.back().lethal_body.cells > kMostCells) {
-      throw std::invalid_argument("the cells of the terrain are too small for this vehicle");
-    }
-    if (oriented_.back().wheels.cells == 0) {
-      throw std::invalid_argument("the cells of the terrain are too large for this vehicle");
-    }
+    Oriented kernel;
+    kernel.wheels = covering_kernel(wheels, headings_, k, cell_m);
+    kernel.body = covering_kernel(body, headings_, k, cell_m);
+    kernel.lethal_wheels = conservative_kernel(wheels, headings_, k, cell_m);
+    kernel.lethal_body = conservative_kernel(body, headings_, k, cell_m);
+    weigh(kernel, params);
+    oriented_.push_back(std::move(kernel));
   }
 }
 
-std::uint16_t CSpaceKernels::cost(const Oriented& kernel, std::uint32_t wheel_roughness,
-                                  std::uint32_t body_roughness, std::uint32_t unseen) const {
-  const auto wheel_cells = static_cast<std::uint32_t>(kernel.wheels.cells);
-  const auto body_cells = static_cast<std::uint32_t>(kernel.body.cells);
-  if (unseen > params_.unseen_share_max * wheel_cells) return CSpace::kUnseen;
-  // Weight w between the wheels and 1 under them is w everywhere and 1 − w more under the wheels.
-  const auto between = static_cast<std::uint32_t>(std::lround(params_.between_weight * kWhole));
-  const std::uint64_t sum =
-      std::uint64_t{between} * body_roughness + std::uint64_t{kWhole - between} * wheel_roughness;
-  const std::uint64_t most = kWhole * (std::uint64_t{between} * body_cells +
-                                       std::uint64_t{kWhole - between} * wheel_cells);
-  const auto factor = static_cast<std::uint64_t>(std::lround(params_.rough_factor * CSpace::kEven));
-  return static_cast<std::uint16_t>(CSpace::kEven + factor * sum / most);
-}
-
 CSpace CSpaceKernels::convolve(const GroundLayers& layers) const {
-  const auto outside =
-      static_cast<std::uint32_t>(std::lround(kWhole * params_.ground.unseen_roughness));
-  const LayerSums sums(layers, greatest_reach(oriented_), outside);
+  const LayerSums sums(layers, greatest_reach(oriented_), outside_roughness_);
   CSpace space(headings_.count(), layers.columns, layers.rows);
   RowTotals totals(layers.columns);
   for (int k = 0; k < headings_.count() / 2; ++k) {
@@ -132,8 +131,8 @@ CSpace CSpaceKernels::convolve(const GroundLayers& layers) const {
       std::uint16_t* costs = space.slice(k) + space.index(0, row);
       for (std::size_t i = 0; i < totals.lethal.size(); ++i) {
         if (totals.lethal[i] != 0) continue;
-        costs[i] = cost(kernel, totals.ground[i] & kRoughnessMask, totals.roughness[i],
-                        totals.ground[i] >> kUnseenShift);
+        costs[i] = kernel.cost(totals.ground[i] & kRoughnessMask, totals.roughness[i],
+                               totals.ground[i] >> kUnseenShift);
       }
     }
   }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "common/config/bounds.hpp"
@@ -32,10 +33,12 @@ class CSpace {
   }
   /// The costs at a heading, row by row.
   [[nodiscard]] const std::uint16_t* slice(int heading) const {
-    return costs_.data() + static_cast<std::size_t>(heading % (headings_ / 2)) * cells();
+    const int half = headings_ / 2;
+    return costs_.data() +
+           static_cast<std::size_t>(heading < half ? heading : heading - half) * cells();
   }
   [[nodiscard]] std::uint16_t* slice(int heading) {
-    return costs_.data() + static_cast<std::size_t>(heading % (headings_ / 2)) * cells();
+    return const_cast<std::uint16_t*>(std::as_const(*this).slice(heading));
   }
   [[nodiscard]] std::size_t cells() const {
     return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
@@ -84,24 +87,34 @@ class CSpaceKernels {
   [[nodiscard]] double cell_m() const { return cell_m_; }
   [[nodiscard]] CSpace convolve(const GroundLayers& layers) const;
 
+  /// The kernels of a heading, and what turns their sums into a cost.
   struct Oriented {
     RunKernel wheels;  ///< as they are
     RunKernel body;
     RunKernel lethal_wheels;  ///< conservative
     RunKernel lethal_body;
+    std::uint32_t unseen_max = 0;       ///< cells under the wheels
+    std::uint64_t cost_per_wheels = 0;  ///< of roughness 1, times 2³²
+    std::uint64_t cost_per_body = 0;
+
+    /// Of a pose that is not lethal.
+    [[nodiscard]] std::uint16_t cost(std::uint32_t wheel_roughness, std::uint32_t body_roughness,
+                                     std::uint32_t unseen) const {
+      if (unseen > unseen_max) return CSpace::kUnseen;
+      return static_cast<std::uint16_t>(
+          CSpace::kEven +
+          ((wheel_roughness * cost_per_wheels + body_roughness * cost_per_body) >> 32U));
+    }
   };
   /// Of a heading; those π apart are the same.
   [[nodiscard]] const Oriented& oriented(int heading) const {
     return oriented_[static_cast<std::size_t>(heading) % oriented_.size()];
   }
-  /// Of a pose that is not lethal, from what lies under its wheels and under all of it.
-  [[nodiscard]] std::uint16_t cost(const Oriented& kernel, std::uint32_t wheel_roughness,
-                                   std::uint32_t body_roughness, std::uint32_t unseen) const;
 
  private:
-  CSpaceParams params_;
   HeadingSet headings_;
   double cell_m_;
+  std::uint32_t outside_roughness_;
   std::vector<Oriented> oriented_;
 };
 

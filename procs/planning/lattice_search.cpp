@@ -69,20 +69,22 @@ class Search {
   }
 
  private:
+  // All states of a cell lie side by side: a search stays within the memory of few cells.
   [[nodiscard]] State state_of(const LatticePose& pose, bool reverse) const {
-    const int layer = (reverse ? space_.headings() : 0) + pose.heading;
-    return static_cast<State>(static_cast<std::size_t>(layer) * space_.cells() +
-                              space_.index(pose.column, pose.row));
+    const std::size_t layer = static_cast<std::size_t>(pose.heading) * 2 + (reverse ? 1 : 0);
+    return static_cast<State>(space_.index(pose.column, pose.row) * layers() + layer);
   }
 
   [[nodiscard]] LatticePose pose_of(State state) const {
-    const auto cell = static_cast<int>(state % space_.cells());
-    const auto layer = static_cast<int>(state / space_.cells());
-    return {cell % space_.columns(), cell / space_.columns(), layer % space_.headings()};
+    const auto cell = static_cast<int>(state / layers());
+    return {cell % space_.columns(), cell / space_.columns(),
+            static_cast<int>(state % layers() / 2)};
   }
 
-  [[nodiscard]] bool is_reverse(State state) const {
-    return state >= space_.cells() * static_cast<std::size_t>(space_.headings());
+  [[nodiscard]] static bool is_reverse(State state) { return state % 2 != 0; }
+
+  [[nodiscard]] std::size_t layers() const {
+    return 2 * static_cast<std::size_t>(space_.headings());
   }
 
   [[nodiscard]] std::uint32_t mirrored(const LatticePose& pose) const {
@@ -112,11 +114,13 @@ class Search {
     const LatticePose pose = pose_of(state);
     end_here(state, pose);
     for (const MotionPrimitive& step : lattice_.primitives.from(pose.heading)) {
-      const std::int32_t cost = lattice_.cost(pose, step);
-      if (cost == Lattice::kBlocked) continue;
-      const std::int32_t change = step.reverse == is_reverse(state) ? 0 : change_;
       const LatticePose next = Lattice::behind(pose, step);
-      open(state_of(next, step.reverse), next, costs_[state] + cost + change, {state, &step});
+      if (!lattice_.stands(next)) continue;
+      const State to = state_of(next, step.reverse);
+      const std::int32_t before = costs_[state] + (step.reverse == is_reverse(state) ? 0 : change_);
+      if (before + step.way_mm * CSpace::kEven >= costs_[to]) continue;  // even on even ground
+      const std::int32_t cost = lattice_.cost(pose, step);
+      if (cost != Lattice::kBlocked) open(to, next, before + cost, {state, &step});
     }
   }
 

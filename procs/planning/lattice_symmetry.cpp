@@ -45,6 +45,7 @@ MotionPrimitive reversed(const MotionPrimitive& primitive, double way_factor) {
   back.cells = -primitive.cells;
   back.reverse = true;
   back.swept.clear();
+  back.way_mm = 0;
   std::int32_t way_mm = primitive.swept.back().way_mm;
   for (std::size_t i = primitive.swept.size(); i-- > 0;) {
     // The pose before the i-th: the one in which the primitive began is not among those swept.
@@ -58,6 +59,7 @@ MotionPrimitive reversed(const MotionPrimitive& primitive, double way_factor) {
       const auto driven = static_cast<std::int32_t>(std::ceil(way_factor * way_mm));
       way_mm = pose.way_mm;
       pose.way_mm = driven;
+      back.way_mm += driven;
     }
     back.swept.push_back(pose);
   }

@@ -158,6 +158,7 @@ void MotionPrimitives::sweep(MotionPrimitive& primitive, double factor) {
     poses[chain[i]].way_mm =
         static_cast<std::int32_t>(std::ceil(factor * share * length * kMmPerM));
   }
+  for (const SweptPose& pose : poses) primitive.way_mm += pose.way_mm;
   primitive.swept.assign(poses.begin() + 1, poses.end());
 }
 

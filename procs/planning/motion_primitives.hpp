@@ -29,8 +29,10 @@ struct MotionPrimitive {
   int to = 0;
   Eigen::Vector2i cells{0, 0};  ///< displacement
   bool reverse = false;
-  Manoeuvre manoeuvre{};           ///< as driven forwards; in reverse from its end to its beginning
-  std::vector<SweptPose> swept{};  ///< all that it comes through, its end last, without its beginning
+  Manoeuvre manoeuvre{};    ///< as driven forwards; in reverse from its end to its beginning
+  std::int32_t way_mm = 0;  ///< in all
+  std::vector<SweptPose>
+      swept{};  ///< all that it comes through, its end last, without its beginning
 };
 
 struct PrimitiveParams {

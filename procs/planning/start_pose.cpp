@@ -28,8 +28,9 @@ LatticePose nearest_pose(const TerrainMap& terrain, const HeadingSet& headings,
                          const Pose2& T_level_body) {
   const Eigen::Vector2d cells =
       (T_level_body.translation() - terrain.p_level_corner) / terrain.cell_m;
-  // Beyond what an int holds lies no cell either.
-  if (!(cells.cwiseAbs().maxCoeff() < 1e6)) return {-1, -1, 0};
+  // What is not finite is nowhere, and beyond what an int holds lies no cell either.
+  const bool somewhere = T_level_body.vector().allFinite() && cells.cwiseAbs().maxCoeff() < 1e6;
+  if (!somewhere) return {-1, -1, 0};
   return {static_cast<int>(std::floor(cells.x())), static_cast<int>(std::floor(cells.y())),
           headings.nearest(T_level_body.theta)};
 }

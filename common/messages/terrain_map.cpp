@@ -55,6 +55,7 @@ void append(const TerrainCell& cell, terrain_t& message) {
   message.clearance_mm.push_back(rounded_clearance(cell.clearance_m));
   message.slope_tenth_mrad.push_back(rounded(cell.slope_rad, kPerRadian));
   message.step_mm.push_back(rounded(cell.step_m, kPerMetre));
+  message.repulsion_mm.push_back(rounded(cell.repulsion_m, kPerMetre));
 }
 
 TerrainCell cell_from(const terrain_t& message, std::size_t i) {
@@ -65,7 +66,8 @@ TerrainCell cell_from(const terrain_t& message, std::size_t i) {
           number_from(message.coefficient_mm[i], kPerMetre),
           clearance_from(message.clearance_mm[i]),
           number_from(message.slope_tenth_mrad[i], kPerRadian),
-          number_from(message.step_mm[i], kPerMetre)};
+          number_from(message.step_mm[i], kPerMetre),
+          number_from(message.repulsion_mm[i], kPerMetre)};
 }
 
 bool is_corner(const double (&p)[2]) {

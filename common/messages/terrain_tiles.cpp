@@ -10,7 +10,7 @@ namespace {
 
 // On the wire.
 constexpr std::size_t kHeadBytes = 128;
-constexpr std::size_t kCellBytes = 1 + 7 * sizeof(std::int16_t);
+constexpr std::size_t kCellBytes = 1 + 8 * sizeof(std::int16_t);
 constexpr std::size_t kCellsOfTile = (kPieceBytes - kHeadBytes) / kCellBytes;
 
 TerrainMap head_of(const TerrainMap& map) {

@@ -8,7 +8,7 @@
 namespace adit {
 namespace {
 
-using Phase = TiltSweep::Phase;
+using Phase = SweepMotion::Phase;
 
 double seconds(std::int64_t microseconds) { return 1e-6 * static_cast<double>(microseconds); }
 

@@ -16,7 +16,7 @@
 #include "procs/scan_assembly/beam_placing.hpp"
 #include "procs/scan_assembly/gravity.hpp"
 #include "procs/scan_assembly/mixed_pixels.hpp"
-#include "procs/scan_assembly/tilt_sweep.hpp"
+#include "procs/scan_assembly/sweep_motion.hpp"
 #include "procs/scan_assembly/time_track.hpp"
 
 namespace adit {
@@ -24,7 +24,7 @@ namespace adit {
 struct ScanAssemblyParams {
   Lasers lasers;
   ScanTiming timing;
-  TiltSweepParams sweep;
+  SweepMotionParams sweep;
   GravityParams gravity;
   MixedPixelParams mixed_pixels;
   double patience_s = 4.0;     ///< beyond the time that the motions of the sweep take
@@ -92,7 +92,7 @@ class ScanAssembly {
   [[nodiscard]] std::optional<Cloud> assemble(bool complete) const;
 
   ScanAssemblyParams params_;
-  TiltSweep sweep_;
+  SweepMotion sweep_;
   Gravity gravity_;
   ScanRequest request_;
   std::string complaint_;

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "procs/scan_assembly/gravity.hpp"
-#include "procs/scan_assembly/tilt_sweep.hpp"
+#include "procs/scan_assembly/sweep_motion.hpp"
 #include "procs/scan_assembly/time_track.hpp"
 
 namespace adit {
@@ -66,7 +66,7 @@ TEST(Levelling, MakesUpVerticalAndKeepsTheHeading) {
   EXPECT_GT(forward.x(), 0.0);
 }
 
-class TiltSweepInSteps : public testing::Test {
+class SweepMotionInSteps : public testing::Test {
  protected:
   void reads(double angle_rad) { sweep_.add({0, angle_rad, 0.0}); }
   /// The goal of the command that is sent at a time; NaN for none.
@@ -75,27 +75,27 @@ class TiltSweepInSteps : public testing::Test {
     return command ? command->angle_rad : std::numeric_limits<double>::quiet_NaN();
   }
 
-  TiltSweep sweep_{TiltSweepParams{}};
+  SweepMotion sweep_{SweepMotionParams{}};
 };
 
-TEST_F(TiltSweepInSteps, GoesThereThroughItAndBack) {
+TEST_F(SweepMotionInSteps, GoesThereThroughItAndBack) {
   sweep_.begin();
   EXPECT_EQ(goal_at(0), -0.5);
   reads(-0.5);
   EXPECT_TRUE(std::isnan(goal_at(1)));  // it may not stand yet
   reads(-0.5);
   EXPECT_EQ(goal_at(2), 0.5);
-  EXPECT_EQ(sweep_.phase(), TiltSweep::Phase::kSweep);
+  EXPECT_EQ(sweep_.phase(), SweepMotion::Phase::kSweep);
   reads(0.5);
   reads(0.5);
   EXPECT_EQ(goal_at(3), 0.0);
   reads(0.0);
   reads(0.0);
   EXPECT_TRUE(std::isnan(goal_at(4)));
-  EXPECT_EQ(sweep_.phase(), TiltSweep::Phase::kIdle);
+  EXPECT_EQ(sweep_.phase(), SweepMotion::Phase::kIdle);
 }
 
-TEST_F(TiltSweepInSteps, GoesOnOnlyWhenTheLaserStandsAtItsGoal) {
+TEST_F(SweepMotionInSteps, GoesOnOnlyWhenTheLaserStandsAtItsGoal) {
   sweep_.begin();
   goal_at(0);
   reads(-0.49);
@@ -106,7 +106,7 @@ TEST_F(TiltSweepInSteps, GoesOnOnlyWhenTheLaserStandsAtItsGoal) {
   EXPECT_TRUE(std::isnan(goal_at(2)));
 }
 
-TEST_F(TiltSweepInSteps, RepeatsItsCommandEachSecond) {
+TEST_F(SweepMotionInSteps, RepeatsItsCommandEachSecond) {
   sweep_.begin();
   EXPECT_EQ(goal_at(0), -0.5);
   EXPECT_TRUE(std::isnan(goal_at(999'999)));

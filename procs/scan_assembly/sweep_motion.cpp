@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/scan_assembly/tilt_sweep.hpp"
+#include "procs/scan_assembly/sweep_motion.hpp"
 
 #include <cmath>
 
@@ -12,12 +12,12 @@ constexpr double kStandsRad = 0.001;  // from one reading to the next
 
 }  // namespace
 
-void TiltSweep::add(const TiltReading& reading) {
+void SweepMotion::add(const TiltReading& reading) {
   before_last_rad_ = last_rad_;
   last_rad_ = reading.angle_rad;
 }
 
-std::optional<TiltCommand> TiltSweep::advance(std::int64_t utime) {
+std::optional<TiltCommand> SweepMotion::advance(std::int64_t utime) {
   if (phase_ == Phase::kIdle) return std::nullopt;
   if (command_utime_ && arrived()) {
     if (phase_ == Phase::kReturn) {
@@ -32,25 +32,25 @@ std::optional<TiltCommand> TiltSweep::advance(std::int64_t utime) {
   return TiltCommand{utime, goal_rad(), sweeps ? params_.rate_rad_s : params_.approach_rate_rad_s};
 }
 
-double TiltSweep::duration_s() const {
+double SweepMotion::duration_s() const {
   const double range = std::abs(params_.to_rad - params_.from_rad);
   const double approach = std::max(range, std::abs(params_.from_rad));
   return approach / params_.approach_rate_rad_s + range / params_.rate_rad_s;
 }
 
-void TiltSweep::enter(Phase phase) {
+void SweepMotion::enter(Phase phase) {
   phase_ = phase;
   last_rad_.reset();
   before_last_rad_.reset();
   command_utime_.reset();
 }
 
-double TiltSweep::goal_rad() const {
+double SweepMotion::goal_rad() const {
   if (phase_ == Phase::kApproach) return params_.from_rad;
   return phase_ == Phase::kSweep ? params_.to_rad : 0.0;
 }
 
-bool TiltSweep::arrived() const {
+bool SweepMotion::arrived() const {
   if (!before_last_rad_) return false;
   return std::abs(*last_rad_ - goal_rad()) <= params_.arrived_rad &&
          std::abs(*last_rad_ - *before_last_rad_) <= kStandsRad;

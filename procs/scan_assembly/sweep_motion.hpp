@@ -11,7 +11,7 @@
 
 namespace adit {
 
-struct TiltSweepParams {
+struct SweepMotionParams {
   double from_rad = -0.5;  ///< where it begins; positive looks down
   double to_rad = 0.5;
   double rate_rad_s = 0.156;         ///< of the sweep: a line for each 0.24°, 240 of an LMS-200
@@ -30,11 +30,11 @@ struct TiltSweepParams {
 
 /// Takes a laser through a sweep: to where it begins, through it, back to level. A command is
 /// repeated while it is not fulfilled, for it may have been lost.
-class TiltSweep {
+class SweepMotion {
  public:
   enum class Phase { kIdle, kApproach, kSweep, kReturn };
 
-  explicit TiltSweep(const TiltSweepParams& params) : params_(params) {}
+  explicit SweepMotion(const SweepMotionParams& params) : params_(params) {}
 
   void begin() { enter(Phase::kApproach); }
   /// From wherever it is, back to level.
@@ -56,7 +56,7 @@ class TiltSweep {
   [[nodiscard]] double goal_rad() const;
   [[nodiscard]] bool arrived() const;
 
-  TiltSweepParams params_;
+  SweepMotionParams params_;
   Phase phase_ = Phase::kIdle;
   std::optional<double> last_rad_, before_last_rad_;  ///< readings of this phase
   std::optional<std::int64_t> command_utime_;         ///< of the last command of this phase

@@ -29,7 +29,7 @@ std::optional<Eigen::Vector3d> Gravity::up_body() const {
   return mean.normalized();
 }
 
-Eigen::Matrix3d R_level_body(const Eigen::Vector3d& up_body) {
+Eigen::Matrix3d level_rotation(const Eigen::Vector3d& up_body) {
   const Eigen::Vector3d forward = Eigen::Vector3d::UnitX();
   Eigen::Matrix3d R;
   R.row(2) = up_body;

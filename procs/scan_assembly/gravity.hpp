@@ -44,6 +44,6 @@ class Gravity {
 
 /// The rotation that makes a body level: takes `up_body` to z and leaves the direction of the
 /// body's x axis in the plan as it is.
-Eigen::Matrix3d R_level_body(const Eigen::Vector3d& up_body);
+Eigen::Matrix3d level_rotation(const Eigen::Vector3d& up_body);
 
 }  // namespace adit

@@ -143,7 +143,7 @@ std::optional<Cloud> ScanAssembly::assemble(bool complete) const {
   cloud.T_odom_level = T_odom_body_.at(cloud.utime).value();
   const Eigen::Vector3d up_body = up_body_.value_or(Eigen::Vector3d::UnitZ());
   const BeamPlacing placing(mount(), params_.timing,
-                            {tilt_rad_, T_odom_body_, cloud.T_odom_level, R_level_body(up_body)});
+                            {tilt_rad_, T_odom_body_, cloud.T_odom_level, level_rotation(up_body)});
 
   RangeImage image = range_image(scans_, mount());
   const int turns = params_.timing.turns(scans_.front().angle_step_rad);

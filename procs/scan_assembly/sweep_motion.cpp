@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/scan_assembly/sweep_motion.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace adit {

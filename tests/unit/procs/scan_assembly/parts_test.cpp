@@ -57,7 +57,7 @@ TEST(Gravity, ForgetsOldReadings) {
 
 TEST(Levelling, MakesUpVerticalAndKeepsTheHeading) {
   const Eigen::Vector3d up = Eigen::Vector3d(0.2, -0.3, 1.0).normalized();
-  const Eigen::Matrix3d R = R_level_body(up);
+  const Eigen::Matrix3d R = level_rotation(up);
   EXPECT_LT((R * up - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
   EXPECT_LT((R * R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
   EXPECT_NEAR(R.determinant(), 1.0, 1e-12);

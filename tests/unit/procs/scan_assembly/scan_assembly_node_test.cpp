@@ -9,6 +9,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
+#include "common/bus/node_host.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/cloud_pieces.hpp"
 #include "common/messages/pose.hpp"
@@ -29,6 +30,8 @@ class ScanAssemblyNodeInAMine : public testing::Test {
                          ++pieces_;
                          if (auto cloud = assembler_.add(piece)) clouds_.push_back(*cloud);
                        });
+    subscribe<heartbeat_t>(bus_, channels::kHeartbeat, Delivery::latest(),
+                           [this](const Heartbeat& heartbeat) { heartbeat_ = heartbeat; });
     // In place of scan matching: the world is odom.
     bus_.tap([this](const Received& received) {
       if (received.channel == channels::kTruth)
@@ -59,7 +62,9 @@ class ScanAssemblyNodeInAMine : public testing::Test {
   Site site_{box_drift(drift_)};
   MemoryBus bus_;
   SimNode sim_{bus_, site_, SimulationParams{}, 1, kStart};
-  ScanAssemblyNode node_{bus_, params()};
+  NodeHost host_{bus_, {"scan_assembly", "0.1.0", ""}};
+  ScanAssemblyNode node_{host_.bus(), params()};
+  Heartbeat heartbeat_;
   std::vector<std::uint8_t> truth_;
   CloudAssembler assembler_;
   std::vector<Cloud> clouds_;
@@ -77,6 +82,9 @@ TEST_F(ScanAssemblyNodeInAMine, AnswersARequestWithACloudInTenSeconds) {
   EXPECT_EQ(node_.health(), Health{});
   EXPECT_GT(cloud.lines.size(), 230U);
   EXPECT_GT(pieces_, 10);
+  EXPECT_GT(heartbeat_.handled, 1000);
+  EXPECT_EQ(heartbeat_.dropped, 0);
+  EXPECT_EQ(heartbeat_.refused, 0);
   // Offset, unit and noise of the laser: 15, 5 and 24 mm; a bias of the accelerometers of three
   // times 0.02 m/s² over up to 12 m that are met steeply: 72 mm.
   EXPECT_LE(test::largest_error(drift_, cloud), 0.044 + 0.072);

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <numeric>
+#include <tuple>
 
 namespace adit {
 namespace {
@@ -14,6 +15,38 @@ using Kind = BeamEnd::Kind;
 constexpr float kSlopeMax = 0.5F;        // of beams that can say something of the ground
 constexpr float kGapAlways = 0.3F;       // the width of a region, which bridges as much [m]
 constexpr float kLaserHeightMin = 0.2F;  // [m]
+
+/// The beams of a fan, sector by sector.
+class SectorBeams {
+ public:
+  template <class SectorOf>
+  SectorBeams(std::span<const CloudLine* const> lines, const BeamEnds& ends, std::size_t sectors,
+              const SectorOf& sector_of)
+      : starts_(sectors + 1, 0) {
+    std::vector<std::pair<std::uint32_t, BeamEnd>> beams;
+    const auto add = [&](const std::optional<BeamEnd>& end, const Eigen::Vector3f& direction) {
+      if (!end || end->slope > kSlopeMax) return;
+      beams.emplace_back(static_cast<std::uint32_t>(sector_of(direction.x(), direction.y())), *end);
+      ++starts_[beams.back().first + 1];
+    };
+    for (const CloudLine* line : lines) {
+      for (const auto& p : line->points) add(ends.of_point(line->origin, p), p - line->origin);
+      for (const auto& miss : line->misses) add(ends.of_miss(line->origin, miss), miss);
+    }
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+    beams_.resize(beams.size());
+    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+    for (const auto& [sector, beam] : beams) beams_[next[sector]++] = beam;
+  }
+
+  [[nodiscard]] std::span<BeamEnd> of(std::size_t sector) {
+    return std::span(beams_).subspan(starts_[sector], starts_[sector + 1] - starts_[sector]);
+  }
+
+ private:
+  std::vector<std::uint32_t> starts_;  ///< of the beams of each sector, and the end
+  std::vector<BeamEnd> beams_;
+};
 
 /// From a place to the farthest corner of the map.
 float reach_m(const TerrainMap& map, const Eigen::Vector3f& origin) {
@@ -27,12 +60,14 @@ float reach_m(const TerrainMap& map, const Eigen::Vector3f& origin) {
 
 SightLines::SightLines(std::span<const CloudLine* const> lines, const BeamEnds& ends,
                        const TerrainMap& map, const UnseenGroundParams& params)
-    : params_(params), cell_m_(static_cast<float>(map.cell_m)), beams_(kSectors) {
+    : params_(params), cell_m_(static_cast<float>(map.cell_m)) {
   for (const CloudLine* line : lines) origin_ += line->origin / static_cast<float>(lines.size());
   bins_ = static_cast<std::size_t>(reach_m(map, origin_) / cell_m_) + 2;
   sightings_.resize(kSectors * bins_);
-  add_beams(lines, ends);
-  for (std::size_t sector = 0; sector < kSectors; ++sector) look_along(sector);
+  SectorBeams beams(lines, ends, kSectors, sector);
+  for (std::size_t i = 0; i < kSectors; ++i) {
+    look_along(beams.of(i), std::span(sightings_).subspan(i * bins_, bins_));
+  }
 }
 
 const Sighting& SightLines::at(float x, float y) const {
@@ -41,32 +76,19 @@ const Sighting& SightLines::at(float x, float y) const {
   return sightings_[sector(d.x(), d.y()) * bins_ + std::min(bin, bins_ - 1)];
 }
 
+/// By a quantity that grows with the angle and needs no arc tangent.
 std::size_t SightLines::sector(float x, float y) {
-  constexpr float kPerRadian = kSectors / (2.0F * std::numbers::pi_v<float>);
-  const auto i = static_cast<int>((std::atan2(y, x) + std::numbers::pi_v<float>)*kPerRadian);
-  return static_cast<std::size_t>(std::clamp(i, 0, kSectors - 1));
-}
-
-void SightLines::add_beams(std::span<const CloudLine* const> lines, const BeamEnds& ends) {
-  for (const CloudLine* line : lines) {
-    for (const Eigen::Vector3f& p : line->points) {
-      const auto end = ends.of_point(line->origin, p);
-      if (!end || end->slope > kSlopeMax) continue;
-      beams_[sector(p.x() - line->origin.x(), p.y() - line->origin.y())].push_back(*end);
-    }
-    for (const Eigen::Vector3f& miss : line->misses) {
-      const auto end = ends.of_miss(line->origin, miss);
-      if (end) beams_[sector(miss.x(), miss.y())].push_back(*end);
-    }
-  }
+  const float sum = std::abs(x) + std::abs(y);
+  if (!(sum > 0.0F)) return 0;
+  const float quarters = x >= 0.0F ? 1.0F + y / sum : 3.0F - y / sum;  // 0 to 4
+  return std::min(static_cast<std::size_t>(quarters * (kSectors / 4)), std::size_t{kSectors - 1});
 }
 
 /// From the steepest beam upwards: each shows what lies beyond the reach of those below it.
-void SightLines::look_along(std::size_t sector) {
-  std::vector<BeamEnd>& beams = beams_[sector];
-  std::stable_sort(beams.begin(), beams.end(),
-                   [](const BeamEnd& a, const BeamEnd& b) { return a.slope < b.slope; });
-  const std::span<Sighting> out = std::span(sightings_).subspan(sector * bins_, bins_);
+void SightLines::look_along(std::span<BeamEnd> beams, std::span<Sighting> out) const {
+  std::sort(beams.begin(), beams.end(), [](const BeamEnd& a, const BeamEnd& b) {
+    return std::tie(a.slope, a.range_m, a.kind) < std::tie(b.slope, b.range_m, b.kind);
+  });
   std::size_t done = 0;
   for (std::size_t i = 0; i < beams.size(); ++i) {
     const auto end = std::min(static_cast<std::size_t>(beams[i].range_m / cell_m_) + 1, bins_);

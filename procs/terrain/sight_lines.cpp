@@ -4,49 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
+
+#include "procs/terrain/sector_beams.hpp"
 
 namespace adit {
 namespace {
 
 using Kind = BeamEnd::Kind;
 
-constexpr float kSlopeMax = 0.5F;        // of beams that can say something of the ground
 constexpr float kGapAlways = 0.3F;       // the width of a region, which bridges as much [m]
 constexpr float kLaserHeightMin = 0.2F;  // [m]
-
-/// The beams of a fan, sector by sector.
-class SectorBeams {
- public:
-  template <class SectorOf>
-  SectorBeams(std::span<const CloudLine* const> lines, const BeamEnds& ends, std::size_t sectors,
-              const SectorOf& sector_of)
-      : starts_(sectors + 1, 0) {
-    std::vector<std::pair<std::uint32_t, BeamEnd>> beams;
-    const auto add = [&](const std::optional<BeamEnd>& end, const Eigen::Vector3f& direction) {
-      if (!end || end->slope > kSlopeMax) return;
-      beams.emplace_back(static_cast<std::uint32_t>(sector_of(direction.x(), direction.y())), *end);
-      ++starts_[beams.back().first + 1];
-    };
-    for (const CloudLine* line : lines) {
-      for (const auto& p : line->points) add(ends.of_point(line->origin, p), p - line->origin);
-      for (const auto& miss : line->misses) add(ends.of_miss(line->origin, miss), miss);
-    }
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    beams_.resize(beams.size());
-    std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-    for (const auto& [sector, beam] : beams) beams_[next[sector]++] = beam;
-  }
-
-  [[nodiscard]] std::span<BeamEnd> of(std::size_t sector) {
-    return std::span(beams_).subspan(starts_[sector], starts_[sector + 1] - starts_[sector]);
-  }
-
- private:
-  std::vector<std::uint32_t> starts_;  ///< of the beams of each sector, and the end
-  std::vector<BeamEnd> beams_;
-};
 
 /// From a place to the farthest corner of the map.
 float reach_m(const TerrainMap& map, const Eigen::Vector3f& origin) {
@@ -63,9 +31,9 @@ SightLines::SightLines(std::span<const CloudLine* const> lines, const BeamEnds& 
     : params_(params), cell_m_(static_cast<float>(map.cell_m)) {
   for (const CloudLine* line : lines) origin_ += line->origin / static_cast<float>(lines.size());
   bins_ = static_cast<std::size_t>(reach_m(map, origin_) / cell_m_) + 2;
-  sightings_.resize(kSectors * bins_);
-  SectorBeams beams(lines, ends, kSectors, sector);
-  for (std::size_t i = 0; i < kSectors; ++i) {
+  sightings_.resize(SectorBeams::kSectors * bins_);
+  SectorBeams beams(lines, ends);
+  for (std::size_t i = 0; i < SectorBeams::kSectors; ++i) {
     look_along(beams.of(i), std::span(sightings_).subspan(i * bins_, bins_));
   }
 }
@@ -73,15 +41,7 @@ SightLines::SightLines(std::span<const CloudLine* const> lines, const BeamEnds& 
 const Sighting& SightLines::at(float x, float y) const {
   const Eigen::Vector2f d = Eigen::Vector2f(x, y) - origin_.head<2>();
   const auto bin = static_cast<std::size_t>(d.norm() / cell_m_);
-  return sightings_[sector(d.x(), d.y()) * bins_ + std::min(bin, bins_ - 1)];
-}
-
-/// By a quantity that grows with the angle and needs no arc tangent.
-std::size_t SightLines::sector(float x, float y) {
-  const float sum = std::abs(x) + std::abs(y);
-  if (!(sum > 0.0F)) return 0;
-  const float quarters = x >= 0.0F ? 1.0F + y / sum : 3.0F - y / sum;  // 0 to 4
-  return std::min(static_cast<std::size_t>(quarters * (kSectors / 4)), std::size_t{kSectors - 1});
+  return sightings_[SectorBeams::sector(d.x(), d.y()) * bins_ + std::min(bin, bins_ - 1)];
 }
 
 /// From the steepest beam upwards: each shows what lies beyond the reach of those below it.

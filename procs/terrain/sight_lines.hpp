@@ -31,9 +31,6 @@ class SightLines {
   [[nodiscard]] const Sighting& at(float x, float y) const;
 
  private:
-  static constexpr int kSectors = 480;  ///< of half a degree, as beams are apart, to one degree
-
-  [[nodiscard]] static std::size_t sector(float x, float y);
   void look_along(std::span<BeamEnd> beams, std::span<Sighting> out) const;
   [[nodiscard]] Sighting between(const BeamEnd& below, const BeamEnd& above, float range_m) const;
   [[nodiscard]] bool is_gap(const BeamEnd& below, const BeamEnd& above) const;

@@ -66,8 +66,10 @@ TEST(TerrainEstimator, OrderStatisticsIgnoreStrayPointsThatMinimumAndMaximumDoNo
 }
 
 TEST(TerrainEstimator, OrderStatisticsKeepThinThings) {
-  // All three of the points must be above the least of an obstacle: 1 m of the 1.1 m.
-  EXPECT_NEAR(obstacle_share({.on_obstacle = 3}, "kth"), std::pow(1.0 / 1.1, 3), kChance);
+  // All three points must be more than 0.15 m above the ground, the third lowest of which is two
+  // standard deviations below its mean.
+  const double one = (1.15 - (kObstacle - 0.02)) / 1.1;
+  EXPECT_NEAR(obstacle_share({.on_obstacle = 3}, "kth"), std::pow(one, 3), kChance);
   EXPECT_GT(obstacle_share({.on_obstacle = 5}, "kth"), 0.97);
   EXPECT_GT(obstacle_share({.on_obstacle = 3}, "paper"), 0.99);
 }

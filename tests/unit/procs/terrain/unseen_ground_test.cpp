@@ -48,7 +48,7 @@ TEST(UnseenGround, OfAPitIsBelowTheBeamsOverIt) {
     add_ground(builder, 5.5, 15.0);
   });
   // Two cells from its edges: a region that reaches over the edge shows the ground beyond it.
-  const Eigen::AlignedBox2d pit(Eigen::Vector2d(4.2, -1.5), Eigen::Vector2d(5.2, 1.5));
+  const Eigen::AlignedBox2d pit(Eigen::Vector2d(4.2, -1.0), Eigen::Vector2d(5.2, 1.0));
   EXPECT_EQ(share_of(map, pit, is(Ground::kBelowRay)), 1.0);
   const double edge_grade = kLaserHeight / (4.0 - kLaserAhead);
   for (const double x : {4.35, 4.75, 5.05}) {
@@ -65,8 +65,8 @@ TEST(UnseenGround, BeyondACrestIsBelowTheBeamsOverIt) {
     add_ground(builder, -5.0, 5.0);
     add_ground(builder, 5.0, 15.0, -1.5);
   });
-  const Eigen::AlignedBox2d beyond(Eigen::Vector2d(5.2, -1.0), Eigen::Vector2d(8.0, 1.0));
-  EXPECT_GT(share_of(map, beyond, is(Ground::kBelowRay)), 0.95);  // the sides are cut off
+  const Eigen::AlignedBox2d beyond(Eigen::Vector2d(5.2, -0.5), Eigen::Vector2d(8.0, 0.5));
+  EXPECT_EQ(share_of(map, beyond, is(Ground::kBelowRay)), 1.0);
 }
 
 TEST(UnseenGround, OfWaterReturnsNothing) {

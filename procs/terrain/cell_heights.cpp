@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/terrain/cell_heights.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace adit {
@@ -37,7 +39,9 @@ std::size_t unusable_points(const Cloud& cloud) {
 }
 
 CellHeights::CellHeights(const Cloud& cloud, const TerrainMap& map)
-    : columns_(map.columns), starts_(map.cells.size() + 1, 0) {
+    : columns_(map.columns),
+      lowest_m_(map.cells.size(), std::numeric_limits<float>::infinity()),
+      starts_(map.cells.size() + 1, 0) {
   const std::vector<int> cells = cells_of(cloud, CellFinder(map));
   for (const int cell : cells) {
     if (cell != CellFinder::kOutside) ++starts_[static_cast<std::size_t>(cell) + 1];
@@ -48,8 +52,11 @@ CellHeights::CellHeights(const Cloud& cloud, const TerrainMap& map)
   std::size_t i = 0;
   for (const CloudLine& line : cloud.lines) {
     for (const Eigen::Vector3f& p : line.points) {
-      const int cell = cells[i++];
-      if (cell != CellFinder::kOutside) heights_[next[static_cast<std::size_t>(cell)]++] = p.z();
+      const int cell_or_none = cells[i++];
+      if (cell_or_none == CellFinder::kOutside) continue;
+      const auto cell = static_cast<std::size_t>(cell_or_none);
+      heights_[next[cell]++] = p.z();
+      lowest_m_[cell] = std::min(lowest_m_[cell], p.z());
     }
   }
 }

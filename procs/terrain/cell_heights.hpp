@@ -57,8 +57,15 @@ class CellHeights {
     return std::span(heights_).subspan(begin, end - begin);
   }
 
+  /// The lowest in a cell [m]; infinite where it has no points.
+  [[nodiscard]] float lowest_m(int column, int row) const {
+    return lowest_m_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                     static_cast<std::size_t>(column)];
+  }
+
  private:
   int columns_;
+  std::vector<float> lowest_m_;
   std::vector<std::uint32_t> starts_;  ///< of the heights of each cell, and the end
   std::vector<float> heights_;
 };

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace adit {
 namespace {
 
-constexpr std::int32_t kNotYet = -1;
+constexpr std::size_t kNotYet = std::numeric_limits<std::size_t>::max();
+constexpr float kNoise = 0.03F;  // of the lowest heights of neighbours [m]
 
 }  // namespace
 
@@ -20,17 +22,8 @@ GroundLevel::GroundLevel(const TerrainMap& map, const std::vector<float>& low_m,
       level_m_(map.cells.size(), 0.0F),
       unseen_(map.cells.size(), kNotYet),
       seen_(map.cells.size(), 0) {
-  queue_.reserve(map.cells.size());
   start_below_vehicle(map, params.vehicle);
-  const auto columns = static_cast<std::size_t>(map.columns);
-  for (std::size_t i = 0; i < queue_.size(); ++i) {
-    const std::size_t cell = queue_[i];
-    const std::size_t column = cell % columns;
-    if (column > 0) visit(cell - 1, cell);
-    if (column + 1 < columns) visit(cell + 1, cell);
-    if (cell >= columns) visit(cell - columns, cell);
-    if (cell + columns < map.cells.size()) visit(cell + columns, cell);
-  }
+  spread(static_cast<std::size_t>(map.columns));
 }
 
 /// The cells of the footprint; the nearest one where the map does not reach that far.
@@ -47,23 +40,54 @@ void GroundLevel::start_below_vehicle(const TerrainMap& map, const Vehicle& vehi
     for (int column = columns.first; column <= columns.second; ++column) {
       const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +
                         static_cast<std::size_t>(column);
-      unseen_[cell] = 0;
       seen_[cell] = low_m_[cell] <= step_m_ ? 1 : 0;
-      queue_.push_back(cell);
+      enter(cell, 0.0F, 0);
     }
   }
 }
 
+void GroundLevel::enter(std::size_t cell, float level_m, std::size_t unseen) {
+  level_m_[cell] = level_m;
+  unseen_[cell] = unseen;
+  if (queues_.size() <= unseen) queues_.resize(unseen + 1);
+  queues_[unseen].push_back(cell);
+}
+
+/// As Dijkstra's algorithm does, with the cells since the ground was seen as the way.
+void GroundLevel::spread(std::size_t columns) {
+  std::vector<std::size_t> batch;
+  for (std::size_t unseen = 0; unseen < queues_.size();) {
+    batch.clear();
+    batch.swap(queues_[unseen]);
+    for (const std::size_t cell : batch) {
+      if (unseen_[cell] == unseen) visit_neighbours(cell, columns);
+    }
+    const bool ground_again = !queues_.front().empty();
+    unseen = ground_again ? 0 : unseen + 1;
+  }
+}
+
+void GroundLevel::visit_neighbours(std::size_t cell, std::size_t columns) {
+  const std::size_t column = cell % columns;
+  if (column > 0) visit(cell - 1, cell);
+  if (column + 1 < columns) visit(cell + 1, cell);
+  if (cell >= columns) visit(cell - columns, cell);
+  if (cell + columns < level_m_.size()) visit(cell + columns, cell);
+}
+
 void GroundLevel::visit(std::size_t cell, std::size_t from) {
-  if (unseen_[cell] != kNotYet) return;
-  queue_.push_back(cell);
+  if (unseen_[cell] == 0) return;
   const float level = level_m_[from];
   const float low = low_m_[cell];
-  seen_[cell] = low <= level + step_m_ + rise_m_ * static_cast<float>(unseen_[from]) ? 1 : 0;
-  // Behind a pit the ground is to be expected where it was before it.
-  const bool goes_on = seen_[cell] != 0 && low >= level - step_m_;
-  level_m_[cell] = goes_on ? low : level;
-  unseen_[cell] = goes_on ? 0 : unseen_[from] + 1;
+  const float rise = rise_m_ * static_cast<float>(unseen_[from] + 1);
+  if (low <= level + rise + kNoise && low >= level - step_m_) {
+    seen_[cell] = 1;
+    enter(cell, low, 0);
+  } else if (unseen_[from] + 1 < unseen_[cell]) {
+    // Behind a pit, a stone or a wall the ground is to be expected where it was before it.
+    seen_[cell] = low <= level + step_m_ + rise ? 1 : 0;
+    enter(cell, level, unseen_[from] + 1);
+  }
 }
 
 }  // namespace adit

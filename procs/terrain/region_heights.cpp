@@ -37,24 +37,37 @@ RegionHeights::RegionHeights(const CellHeights& heights, const TerrainMap& map,
       k_(params.estimator.kind == "paper" ? 1 : params.estimator.k),
       points_per_rank_(params.estimator.points_per_rank) {}
 
+RegionHeights::Extent RegionHeights::extent(int column, int row) const {
+  return {std::max(column - 1, 0), std::min(column + 1, columns_ - 1), std::max(row - 1, 0),
+          std::min(row + 1, rows_ - 1)};
+}
+
 template <class Visit>
 void RegionHeights::visit(int column, int row, const Visit& visit) const {
-  const int first = std::max(column - 1, 0);
-  const int last = std::min(column + 1, columns_ - 1);
-  for (int r = std::max(row - 1, 0); r <= std::min(row + 1, rows_ - 1); ++r) {
-    for (const float z : heights_.in(first, last, r)) visit(z);
+  const Extent region = extent(column, row);
+  for (int r = region.bottom; r <= region.top; ++r) {
+    for (const float z : heights_.in(region.left, region.right, r)) visit(z);
   }
 }
 
-/// Never less than one point decides, and no more than half of them are passed over.
+float RegionHeights::least_m(int column, int row) const {
+  const Extent region = extent(column, row);
+  float least = kInfinity;
+  for (int r = region.bottom; r <= region.top; ++r) {
+    for (int c = region.left; c <= region.right; ++c) {
+      least = std::min(least, heights_.lowest_m(c, r));
+    }
+  }
+  return least;
+}
+
 int RegionHeights::rank(std::uint32_t count) const {
   const auto supported = static_cast<int>(count) / points_per_rank_;
   return std::clamp(supported, 1, k_);
 }
 
 float RegionHeights::low_m(int column, int row) const {
-  float least = kInfinity;
-  visit(column, row, [&](float z) { least = std::min(least, z); });
+  const float least = least_m(column, row);
   if (least == kInfinity) return std::numeric_limits<float>::quiet_NaN();
   // The roof has no part in how many points support the lowest.
   const float limit = least + headroom_m_;

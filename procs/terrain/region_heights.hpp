@@ -28,8 +28,14 @@ class RegionHeights {
   [[nodiscard]] Above above(int column, int row, float ground_m) const;
 
  private:
+  /// Columns and rows of a region, first and last.
+  struct Extent {
+    int left, right, bottom, top;
+  };
+  [[nodiscard]] Extent extent(int column, int row) const;
   template <class Visit>
   void visit(int column, int row, const Visit& visit) const;
+  [[nodiscard]] float least_m(int column, int row) const;
   [[nodiscard]] int rank(std::uint32_t count) const;
 
   const CellHeights& heights_;

@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <tuple>
+
+#include "procs/terrain/sector_beams.hpp"
 
 namespace adit {
 namespace {
 
 using Kind = BeamEnd::Kind;
 
-constexpr float kSlopeMax = 0.5F;        // of beams that can say something of the ground
 constexpr float kGapAlways = 0.3F;       // the width of a region, which bridges as much [m]
 constexpr float kLaserHeightMin = 0.2F;  // [m]
 
@@ -27,46 +28,27 @@ float reach_m(const TerrainMap& map, const Eigen::Vector3f& origin) {
 
 SightLines::SightLines(std::span<const CloudLine* const> lines, const BeamEnds& ends,
                        const TerrainMap& map, const UnseenGroundParams& params)
-    : params_(params), cell_m_(static_cast<float>(map.cell_m)), beams_(kSectors) {
+    : params_(params), cell_m_(static_cast<float>(map.cell_m)) {
   for (const CloudLine* line : lines) origin_ += line->origin / static_cast<float>(lines.size());
   bins_ = static_cast<std::size_t>(reach_m(map, origin_) / cell_m_) + 2;
-  sightings_.resize(kSectors * bins_);
-  add_beams(lines, ends);
-  for (std::size_t sector = 0; sector < kSectors; ++sector) look_along(sector);
+  sightings_.resize(SectorBeams::kSectors * bins_);
+  SectorBeams beams(lines, ends);
+  for (std::size_t i = 0; i < SectorBeams::kSectors; ++i) {
+    look_along(beams.of(i), std::span(sightings_).subspan(i * bins_, bins_));
+  }
 }
 
 const Sighting& SightLines::at(float x, float y) const {
   const Eigen::Vector2f d = Eigen::Vector2f(x, y) - origin_.head<2>();
   const auto bin = static_cast<std::size_t>(d.norm() / cell_m_);
-  return sightings_[sector(d.x(), d.y()) * bins_ + std::min(bin, bins_ - 1)];
-}
-
-std::size_t SightLines::sector(float x, float y) {
-  constexpr float kPerRadian = kSectors / (2.0F * std::numbers::pi_v<float>);
-  const auto i = static_cast<int>((std::atan2(y, x) + std::numbers::pi_v<float>)*kPerRadian);
-  return static_cast<std::size_t>(std::clamp(i, 0, kSectors - 1));
-}
-
-void SightLines::add_beams(std::span<const CloudLine* const> lines, const BeamEnds& ends) {
-  for (const CloudLine* line : lines) {
-    for (const Eigen::Vector3f& p : line->points) {
-      const auto end = ends.of_point(line->origin, p);
-      if (!end || end->slope > kSlopeMax) continue;
-      beams_[sector(p.x() - line->origin.x(), p.y() - line->origin.y())].push_back(*end);
-    }
-    for (const Eigen::Vector3f& miss : line->misses) {
-      const auto end = ends.of_miss(line->origin, miss);
-      if (end) beams_[sector(miss.x(), miss.y())].push_back(*end);
-    }
-  }
+  return sightings_[SectorBeams::sector(d.x(), d.y()) * bins_ + std::min(bin, bins_ - 1)];
 }
 
 /// From the steepest beam upwards: each shows what lies beyond the reach of those below it.
-void SightLines::look_along(std::size_t sector) {
-  std::vector<BeamEnd>& beams = beams_[sector];
-  std::stable_sort(beams.begin(), beams.end(),
-                   [](const BeamEnd& a, const BeamEnd& b) { return a.slope < b.slope; });
-  const std::span<Sighting> out = std::span(sightings_).subspan(sector * bins_, bins_);
+void SightLines::look_along(std::span<BeamEnd> beams, std::span<Sighting> out) const {
+  std::sort(beams.begin(), beams.end(), [](const BeamEnd& a, const BeamEnd& b) {
+    return std::tie(a.slope, a.range_m, a.kind) < std::tie(b.slope, b.range_m, b.kind);
+  });
   std::size_t done = 0;
   for (std::size_t i = 0; i < beams.size(); ++i) {
     const auto end = std::min(static_cast<std::size_t>(beams[i].range_m / cell_m_) + 1, bins_);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -30,19 +31,14 @@ class SightLines {
   [[nodiscard]] const Sighting& at(float x, float y) const;
 
  private:
-  static constexpr int kSectors = 480;  // 0.75° each: no scan of half a degree leaves one empty
-
-  [[nodiscard]] static std::size_t sector(float x, float y);
-  void add_beams(std::span<const CloudLine* const> lines, const BeamEnds& ends);
-  void look_along(std::size_t sector);
+  void look_along(std::span<BeamEnd> beams, std::span<Sighting> out) const;
   [[nodiscard]] Sighting between(const BeamEnd& below, const BeamEnd& above, float range_m) const;
   [[nodiscard]] bool is_gap(const BeamEnd& below, const BeamEnd& above) const;
 
   UnseenGroundParams params_;
   float cell_m_;
   Eigen::Vector3f origin_{0.0F, 0.0F, 0.0F};
-  std::size_t bins_;  ///< of distance, a cell each
-  std::vector<std::vector<BeamEnd>> beams_;
+  std::size_t bins_;                 ///< of distance, a cell each
   std::vector<Sighting> sightings_;  ///< by sector, in each by distance
 };
 

@@ -13,9 +13,9 @@
 namespace adit {
 
 struct GoalParams {
-  double shortfall_factor = 20.0;  ///< a metre short costs this many of even ground
-  double lateral_factor = 1.0;     ///< likewise a metre beside the line from the robot
-  double tolerance_m = 0.3;        ///< of a pose that is to be reached
+  double shortfall_factor = 8.0;  ///< a metre short costs this many of even ground; the worst 7
+  double lateral_factor = 1.0;    ///< likewise a metre beside the line from the robot
+  double tolerance_m = 0.3;       ///< of a pose that is to be reached
   double heading_tolerance_rad = 0.25;
   double min_progress_m = 2.5;  ///< of a path down a corridor; less is none (paper, section 3.3)
 

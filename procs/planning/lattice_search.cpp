@@ -21,11 +21,11 @@ using State =
 struct Open {
   std::int32_t f;
   std::int32_t h;
-  std::uint32_t mirrored;  // the same for a state and its mirror image
+  std::uint32_t rank;
   State state;
 
   friend bool operator>(const Open& a, const Open& b) {
-    return std::tie(a.f, a.h, a.mirrored, a.state) > std::tie(b.f, b.h, b.mirrored, b.state);
+    return std::tie(a.f, a.h, a.rank, a.state) > std::tie(b.f, b.h, b.rank, b.state);
   }
 };
 
@@ -45,6 +45,7 @@ class Search {
         change_(static_cast<std::int32_t>(std::lround(params.direction_change_m * kCostPerM))),
         expansions_max_(params.expansions_max),
         costs_(2 * space_.cells() * static_cast<std::size_t>(space_.headings()), kNoWay),
+        handed_(handedness()),
         arrivals_(std::make_unique_for_overwrite<Arrival[]>(costs_.size())) {
     for (int k = 0; k < headings.count(); ++k)
       accepted_.push_back(goals.accepts(headings.angle(k)));
@@ -87,11 +88,31 @@ class Search {
     return 2 * static_cast<std::size_t>(space_.headings());
   }
 
-  [[nodiscard]] std::uint32_t mirrored(const LatticePose& pose) const {
-    const int row = std::abs(2 * pose.row - (space_.rows() - 1));
+  /// Orders poses as the mirror image of the scene orders their images: by how far they are from
+  /// its middle row, and then by the side, counted from the one that `handed_` says.
+  [[nodiscard]] std::uint32_t rank(const LatticePose& pose) const {
+    const int off = 2 * pose.row - (space_.rows() - 1);
+    const int turned = pose.heading % (space_.headings() / 2) == 0
+                           ? 0
+                           : (2 * pose.heading < space_.headings() ? 1 : -1);
+    const bool second = (off != 0 ? off : turned) * handed_ > 0;
     const int heading = std::min(pose.heading, space_.headings() - pose.heading);
-    return static_cast<std::uint32_t>((heading * 2 * space_.rows() + row) * space_.columns() +
+    const int row = 2 * std::abs(off) + (second ? 1 : 0);
+    return static_cast<std::uint32_t>((heading * 4 * space_.rows() + row) * space_.columns() +
                                       pose.column);
+  }
+
+  /// The side on which less is left to drive, where that first differs from the other side's: 1 or
+  /// −1, or 0 if it does nowhere.
+  [[nodiscard]] int handedness() const {
+    for (int row = 0; row < space_.rows() / 2; ++row) {
+      for (int column = 0; column < space_.columns(); ++column) {
+        const std::int32_t here = heuristic_[space_.index(column, row)];
+        const std::int32_t there = heuristic_[space_.index(column, space_.rows() - 1 - row)];
+        if (here != there) return here < there ? 1 : -1;
+      }
+    }
+    return 0;
   }
 
   void open(State state, const LatticePose& pose, std::int32_t cost, const Arrival& arrival) {
@@ -99,7 +120,7 @@ class Search {
     if (left == kNoWay || cost >= costs_[state]) return;
     costs_[state] = cost;
     arrivals_[state] = arrival;
-    open_.push({cost + left, left, mirrored(pose), state});
+    open_.push({cost + left, left, rank(pose), state});
   }
 
   void end_here(State state, const LatticePose& pose) {
@@ -142,6 +163,7 @@ class Search {
   std::int32_t change_;
   int expansions_max_;
   std::vector<std::int32_t> costs_;
+  int handed_;
   // Left as they are: only those of states with a cost are looked at, a few of millions.
   std::unique_ptr<Arrival[]> arrivals_;
   std::vector<bool> accepted_;

@@ -64,7 +64,10 @@ MotionPrimitives::MotionPrimitives(const Vehicle& vehicle, const PrimitiveParams
   const std::set<int> turns{1, std::max(1, eighth / 2), eighth};
   for (int k = 0; k <= eighth; ++k) {
     const bool on_axis = k == 0 || k == eighth;  // of symmetry: what bends left is mirrored there
-    add_with_its_likes(straight(k, params.step_m), on_axis, params);
+    const MotionPrimitive once = straight(k, 0.0);
+    const MotionPrimitive step = straight(k, params.step_m);
+    add_with_its_likes(step, on_axis, params);
+    if (once.cells != step.cells) add_with_its_likes(once, on_axis, params);
     for (const int turn : turns) {
       add_bends(k, turn, params);
       if (!on_axis) add_bends(k, -turn, params);
@@ -110,9 +113,11 @@ MotionPrimitive MotionPrimitives::bend(int heading, int turn, double radius_min_
 }
 
 void MotionPrimitives::add_bends(int heading, int turn, const PrimitiveParams& params) {
-  add_with_its_likes(bend(heading, turn, radius_min_m_), false, params);
+  const MotionPrimitive tight = bend(heading, turn, radius_min_m_);
+  add_with_its_likes(tight, false, params);
   if (std::abs(turn) != 1) return;
-  add_with_its_likes(bend(heading, turn, kGentle * radius_min_m_), false, params);
+  const MotionPrimitive gentle = bend(heading, turn, kGentle * radius_min_m_);
+  if (gentle.cells != tight.cells) add_with_its_likes(gentle, false, params);
 }
 
 Pose2 MotionPrimitives::forward_pose(const MotionPrimitive& primitive, double way_m) const {

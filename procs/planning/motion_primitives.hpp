@@ -48,7 +48,8 @@ struct PrimitiveParams {
   }
 };
 
-/// What the robot can drive from each heading: straight on, and bends by one heading, tight and
+/// What the robot can drive from each heading: straight on, by a step and by as little as leads to
+/// the middle of a cell, and bends by one heading, tight and
 /// gentle, and tight ones by a sixteenth and an eighth of a turn; forwards and in reverse. A bend
 /// ends at another heading than it begins, always, or states would collapse into their parents
 /// (Nav2 3172). The set is the same when it is mirrored or turned by a right angle, exactly.

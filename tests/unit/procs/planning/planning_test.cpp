@@ -67,14 +67,16 @@ int touched(const PlannedPath& path, const TerrainMap& terrain, const Vehicle& v
 }
 
 TEST(Planning, FindsTheWayDownAFreeCorridor) {
-  const PlannedPath path = plan(terrain_of(CorridorScene{}));
+  PlanGoal goal;
+  goal.distance_m = 12.0;
+  const PlannedPath path = plan(terrain_of(CorridorScene{}, 30.0), goal);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound);
-  EXPECT_GE(path.reached_m, 8.5);  // the map ends at 10 m, and the vehicle reaches 1.2 m ahead
+  EXPECT_NEAR(path.reached_m, 12.0, 0.05 + 1e-9);  // half a cell
   EXPECT_TRUE(path.blocking.empty());
   for (const PathPoint& point : path.points) {
-    EXPECT_NEAR(point.T_odom_body.y, 0.0, 0.25);
+    EXPECT_NEAR(point.T_odom_body.y, 0.0, 0.05 + 1e-9);  // half a cell
     EXPECT_FALSE(point.reverse);
-    EXPECT_GT(point.clearance_m, 1.0);
+    EXPECT_NEAR(point.clearance_m, 1.4, 0.15);  // of 2 m, in cells
   }
 }
 
@@ -203,7 +205,7 @@ TEST(Planning, SeesNothingOfTheGroundUnderItself) {
 TEST(Planning, LeavesAStartThatNoiseMakesLethal) {
   const PlannedPath under = plan(corridor_with(obstacle_cell(0.5), {-0.1, 0.3}, {0.1, 0.6}));
   EXPECT_EQ(under.outcome, PlanOutcome::kFound);
-  const PlannedPath beside = plan(corridor_with(obstacle_cell(0.5), {-5.0, 0.65}, {0.5, 2.0}));
+  const PlannedPath beside = plan(corridor_with(obstacle_cell(0.5), {-5.0, 0.75}, {0.5, 2.0}));
   EXPECT_EQ(beside.outcome, PlanOutcome::kFound);
 }
 

@@ -15,7 +15,7 @@ namespace adit {
 /// What is known of the ground of a cell.
 enum class Ground : std::uint8_t {
   kSeen,
-  kNeverSeen,  ///< no beam passed over it at all
+  kNeverSeen,  ///< no beam was aimed at it
   kShadow,     ///< hidden behind something nearer
   kBelowRay,   ///< beams passed over it without meeting it: the ground is lower than `low_m`
   kNoReturn,   ///< beams that should have met the ground here came back with nothing: water?
@@ -24,13 +24,14 @@ enum class Ground : std::uint8_t {
 /// One cell of a terrain map. Heights are z in level [m]; those that are not known are NaN.
 struct TerrainCell {
   Ground ground = Ground::kNeverSeen;
-  std::uint16_t count = 0;     ///< points it rests on
-  float low_m = 0.0F;          ///< of the ground
-  float high_m = 0.0F;         ///< highest within vehicle height and margin above `low_m`
+  std::uint16_t count = 0;  ///< points it rests on; 0 where it lies between beams that met ground
+  float low_m = 0.0F;       ///< of the ground
+  float high_m = 0.0F;      ///< highest within vehicle height and margin above `low_m`
   float coefficient_m = 0.0F;  ///< navigational coefficient, high_m − low_m: how hard it is to pass
   float clearance_m = 0.0F;    ///< from `low_m` to the roof; infinite where none is seen
   float slope_rad = 0.0F;      ///< of a plane through the ground around
   float step_m = 0.0F;         ///< largest difference of the ground to a neighbouring cell
+  float repulsion_m = 0.0F;    ///< coefficients around, by a kernel that keeps paths away from them
 };
 
 /// The 2½D terrain map of a 3D scan (the paper's section 3.1), in the frame level of its cloud.

@@ -10,11 +10,9 @@
 #include "common/registration/free_space.hpp"
 #include "common/registration/surface_points.hpp"
 #include "common/registration/surfel_map.hpp"
+#include "common/sensing/laser_id.hpp"
 
 namespace adit {
-
-/// Which laser of the body a scan is from.
-enum class LaserId { kFront, kRear };
 
 /// One scan as matching sees it: its points in the body frame, and the space it saw empty.
 struct Sighting {

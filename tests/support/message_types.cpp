@@ -4,6 +4,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/messages/association.hpp"
+#include "common/messages/cloud_pieces.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/config_copy.hpp"
 #include "common/messages/drive_command.hpp"
@@ -13,14 +14,18 @@
 #include "common/messages/laser_scan.hpp"
 #include "common/messages/local_map_pieces.hpp"
 #include "common/messages/map_correction.hpp"
+#include "common/messages/plan_goal.hpp"
+#include "common/messages/planned_path.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/pose_graph_pieces.hpp"
 #include "common/messages/run_state.hpp"
 #include "common/messages/scan_match.hpp"
+#include "common/messages/scan_request.hpp"
 #include "common/messages/sim_time.hpp"
 #include "common/messages/sinkage_reading.hpp"
 #include "common/messages/stage_stats.hpp"
 #include "common/messages/stop_order.hpp"
+#include "common/messages/terrain_tiles.hpp"
 #include "common/messages/tilt_command.hpp"
 #include "common/messages/tilt_reading.hpp"
 #include "common/messages/vehicle_state.hpp"
@@ -115,6 +120,38 @@ std::vector<MessageType> vehicle_types() {
           type_of(channels::kSinkage, to_message(sinkage))};
 }
 
+Cloud sample_cloud() {
+  const CloudLine line{kUtime - 5, {1.0F, 0.0F, 0.6F}, {{3.0F, 1.0F, 0.0F}}, {{1.0F, 0.0F, 0.0F}}};
+  return {kUtime, 3, {12.0, -3.0, 0.7}, true, {line, line}};
+}
+
+TerrainMap sample_terrain() {
+  const TerrainCell cell{Ground::kSeen, 12, 0.01F, 0.11F, 0.1F, 1.7F, 0.02F, 0.05F, 0.03F};
+  return {kUtime, 3, {12.0, -3.0, 0.7}, {-1.0, -1.0}, 0.1, 3, 2, std::vector<TerrainCell>(6, cell)};
+}
+
+PlannedPath sample_path() {
+  PlannedPath path;
+  path.utime = kUtime;
+  path.id = 4;
+  path.outcome = PlanOutcome::kFound;
+  path.points = {{{12.0, -3.0, 0.7}, 0.2, false, 0.4, 0.0},
+                 {{12.3, -2.8, 0.8}, 0.0, true, 0.3, 9.5}};
+  path.reached_m = 9.6;
+  path.blocking = {{{14.0, 1.0}, BlockingCell::Reason::kRoof, 0.8}};
+  return path;
+}
+
+/// Those from a look at the ground to a path.
+std::vector<MessageType> navigation_types() {
+  const PlanGoal goal{kUtime, 4, PlanGoal::Kind::kTo, {20.0, -3.0, 0.1}, 10.0};
+  return {type_of(channels::kScanRequest, to_message(ScanRequest{kUtime, 3, LaserId::kFront})),
+          type_of(channels::kCloud, to_message(divide(sample_cloud()).front())),
+          type_of(channels::kTerrain, to_message(divide(sample_terrain()).front())),
+          type_of(channels::kGoal, to_message(goal)),
+          type_of(channels::kPath, to_message(sample_path()))};
+}
+
 /// Those of a simulated run.
 std::vector<MessageType> simulation_types() {
   const RunState state{kUtime, 120.5, "hit a post"};
@@ -155,7 +192,7 @@ std::vector<MessageType> stage_types() {
 
 std::vector<MessageType> message_types() {
   std::vector<MessageType> types = stage_types();
-  for (const auto& more : {vehicle_types(), simulation_types()}) {
+  for (const auto& more : {vehicle_types(), navigation_types(), simulation_types()}) {
     types.insert(types.end(), more.begin(), more.end());
   }
   return types;

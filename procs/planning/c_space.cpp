@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/planning/c_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "procs/planning/row_sums.hpp"
+
+namespace adit {
+namespace {
+
+// Roughness and the number of unseen cells share one sum: the kernel of the wheels is run over
+// once.
+constexpr int kUnseenShift = 20;
+constexpr std::uint32_t kRoughnessMask = (1U << kUnseenShift) - 1U;
+constexpr int kMostCells =
+    4095;  // of a kernel: 255 each fill 20 bits, and they can be counted in 12
+
+constexpr double kWhole = 255.0;  // roughness at the limit
+
+using Layer = std::vector<std::uint8_t>;
+
+/// The layers, summed along rows.
+struct LayerSums {
+  LayerSums(const GroundLayers& layers, int border, std::uint32_t unseen_roughness)
+      : lethal_body(layers.columns, layers.rows, border, 0, Of{layers, layers.under_body}),
+        lethal_wheels(layers.columns, layers.rows, border, 0, Of{layers, layers.under_wheels}),
+        roughness(layers.columns, layers.rows, border, unseen_roughness,
+                  Of{layers, layers.roughness}),
+        ground(layers.columns, layers.rows, border, (1U << kUnseenShift) + unseen_roughness,
+               [&](int column, int row) {
+                 const std::size_t i = layers.index(column, row);
+                 return (std::uint32_t{layers.unseen[i]} << kUnseenShift) + layers.roughness[i];
+               }) {}
+
+  struct Of {
+    const GroundLayers& layers;
+    const Layer& layer;
+    std::uint8_t operator()(int column, int row) const { return layer[layers.index(column, row)]; }
+  };
+
+  RowSums<std::uint16_t> lethal_body;
+  RowSums<std::uint16_t> lethal_wheels;
+  RowSums<std::uint32_t> roughness;
+  RowSums<std::uint32_t> ground;
+};
+
+/// What the kernels gather over one row of cells.
+struct RowTotals {
+  explicit RowTotals(int columns)
+      : lethal(static_cast<std::size_t>(columns)),
+        roughness(lethal.size()),
+        ground(lethal.size()) {}
+
+  void gather(const LayerSums& sums, const CSpaceKernels::Oriented& kernel, int row) {
+    std::fill(lethal.begin(), lethal.end(), std::uint16_t{0});
+    std::fill(roughness.begin(), roughness.end(), 0U);
+    std::fill(ground.begin(), ground.end(), 0U);
+    sums.lethal_body.add_row(kernel.lethal_body, row, lethal);
+    sums.lethal_wheels.add_row(kernel.lethal_wheels, row, lethal);
+    sums.roughness.add_row(kernel.body, row, roughness);
+    sums.ground.add_row(kernel.wheels, row, ground);
+  }
+
+  std::vector<std::uint16_t> lethal;
+  std::vector<std::uint32_t> roughness;
+  std::vector<std::uint32_t> ground;
+};
+
+int greatest_reach(const std::vector<CSpaceKernels::Oriented>& kernels) {
+  int reach = 0;
+  for (const auto& k : kernels) {
+    reach =
+        std::max({reach, k.wheels.reach, k.body.reach, k.lethal_wheels.reach, k.lethal_body.reach});
+  }
+  return reach;
+}
+
+/// Weight w between the wheels and 1 under them is w everywhere and 1 − w more under the wheels.
+void weigh(CSpaceKernels::Oriented& kernel, const CSpaceParams& params) {
+  if (kernel.lethal_body.cells > kMostCells) {
+    throw std::invalid_argument("the cells of the terrain are too small for this vehicle");
+  }
+  if (kernel.wheels.cells == 0) {
+    throw std::invalid_argument("the cells of the terrain are too large for this vehicle");
+  }
+  const double w = params.between_weight;
+  const double most = kWhole * (w * kernel.body.cells + (1.0 - w) * kernel.wheels.cells);
+  const double unit = std::ldexp(params.rough_factor * CSpace::kEven / most, 32);
+  kernel.cost_per_wheels = static_cast<std::uint64_t>((1.0 - w) * unit);
+  kernel.cost_per_body = static_cast<std::uint64_t>(w * unit);
+  kernel.unseen_max = static_cast<std::uint32_t>(params.unseen_share_max * kernel.wheels.cells);
+}
+
+}  // namespace
+
+CSpace::CSpace(int headings, int columns, int rows)
+    : headings_(headings),
+      columns_(columns),
+      rows_(rows),
+      costs_(static_cast<std::size_t>(headings / 2) * cells(), kLethal) {}
+
+CSpaceKernels::CSpaceKernels(const Vehicle& vehicle, const CSpaceParams& params, double cell_m)
+    : headings_(params.headings),
+      cell_m_(cell_m),
+      outside_roughness_(
+          static_cast<std::uint32_t>(std::lround(kWhole * params.ground.unseen_roughness))) {
+  const auto wheels = wheel_tracks(vehicle);
+  const std::vector<BodyRectangle> body{body_outline(vehicle)};
+  for (int k = 0; k < headings_.count() / 2; ++k) {
+    Oriented kernel;
+    kernel.wheels = covering_kernel(wheels, headings_, k, cell_m);
+    kernel.body = covering_kernel(body, headings_, k, cell_m);
+    kernel.lethal_wheels = conservative_kernel(wheels, headings_, k, cell_m);
+    kernel.lethal_body = conservative_kernel(body, headings_, k, cell_m);
+    weigh(kernel, params);
+    oriented_.push_back(std::move(kernel));
+  }
+}
+
+CSpace CSpaceKernels::convolve(const GroundLayers& layers) const {
+  const LayerSums sums(layers, greatest_reach(oriented_), outside_roughness_);
+  CSpace space(headings_.count(), layers.columns, layers.rows);
+  RowTotals totals(layers.columns);
+  for (int k = 0; k < headings_.count() / 2; ++k) {
+    const Oriented& kernel = oriented(k);
+    for (int row = 0; row < layers.rows; ++row) {
+      totals.gather(sums, kernel, row);
+      std::uint16_t* costs = space.slice(k) + space.index(0, row);
+      for (std::size_t i = 0; i < totals.lethal.size(); ++i) {
+        if (totals.lethal[i] != 0) continue;
+        costs[i] = kernel.cost(totals.ground[i] & kRoughnessMask, totals.roughness[i],
+                               totals.ground[i] >> kUnseenShift);
+      }
+    }
+  }
+  return space;
+}
+
+}  // namespace adit

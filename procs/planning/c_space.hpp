@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "common/config/bounds.hpp"
+#include "common/vehicle/vehicle.hpp"
+#include "procs/planning/ground_layers.hpp"
+#include "procs/planning/heading_set.hpp"
+#include "procs/planning/run_kernel.hpp"
+
+namespace adit {
+
+/// What a pose of the vehicle costs, by cell and heading.
+class CSpace {
+ public:
+  static constexpr std::uint16_t kLethal = 0xffff;  ///< something that was seen is in the way
+  static constexpr std::uint16_t kUnseen = 0xfffe;  ///< too much under the wheels was not seen
+  static constexpr std::uint16_t kEven = 100;       ///< a pose on even ground
+
+  /// Headings π apart share their costs, the vehicle being symmetric.
+  CSpace(int headings, int columns, int rows);
+
+  [[nodiscard]] int headings() const { return headings_; }
+  [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] int rows() const { return rows_; }
+  [[nodiscard]] bool contains(int column, int row) const {
+    return column >= 0 && row >= 0 && column < columns_ && row < rows_;
+  }
+  /// The costs at a heading, row by row.
+  [[nodiscard]] const std::uint16_t* slice(int heading) const {
+    const int half = headings_ / 2;
+    return costs_.data() +
+           static_cast<std::size_t>(heading < half ? heading : heading - half) * cells();
+  }
+  [[nodiscard]] std::uint16_t* slice(int heading) {
+    return const_cast<std::uint16_t*>(std::as_const(*this).slice(heading));
+  }
+  [[nodiscard]] std::size_t cells() const {
+    return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
+  }
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+
+ private:
+  int headings_;
+  int columns_;
+  int rows_;
+  std::vector<std::uint16_t> costs_;
+};
+
+struct CSpaceParams {
+  int headings = 32;               ///< a multiple of 8
+  double between_weight = 0.125;   ///< of ground between the wheels, that under them having 1
+  double rough_factor = 6.0;       ///< a pose at the limit costs this much more than on even ground
+  double unseen_share_max = 0.25;  ///< of the ground under the wheels
+  GroundLimits ground;
+
+  template <class V>
+  void visit(V& v) {
+    v("headings", headings, within(8, 128));
+    v("between_weight", between_weight, within(0.0, 1.0));
+    v("rough_factor", rough_factor, within(0.0, 100.0));
+    v("unseen_share_max", unseen_share_max, within(0.0, 1.0));
+    v("ground", ground);
+  }
+};
+
+/// The oriented kernels of the paper's section 3.2 for a vehicle and a size of cells.
+/// - cost: the mean roughness with most weight under the wheels, little between, none beyond
+/// - lethal: kernels that miss nothing under rotation and the size of cells, one for what the
+/// wheels
+///   must not meet, one for what nothing of the vehicle must
+/// - unseen: the share of the ground under the wheels
+class CSpaceKernels {
+ public:
+  /// Throws std::invalid_argument where the cells are so small that sums would run over.
+  CSpaceKernels(const Vehicle& vehicle, const CSpaceParams& params, double cell_m);
+
+  [[nodiscard]] const HeadingSet& headings() const { return headings_; }
+  [[nodiscard]] double cell_m() const { return cell_m_; }
+  [[nodiscard]] CSpace convolve(const GroundLayers& layers) const;
+
+  /// The kernels of a heading, and what turns their sums into a cost.
+  struct Oriented {
+    RunKernel wheels;  ///< as they are
+    RunKernel body;
+    RunKernel lethal_wheels;  ///< conservative
+    RunKernel lethal_body;
+    std::uint32_t unseen_max = 0;       ///< cells under the wheels
+    std::uint64_t cost_per_wheels = 0;  ///< of roughness 1, times 2³²
+    std::uint64_t cost_per_body = 0;
+
+    /// Of a pose that is not lethal.
+    [[nodiscard]] std::uint16_t cost(std::uint32_t wheel_roughness, std::uint32_t body_roughness,
+                                     std::uint32_t unseen) const {
+      if (unseen > unseen_max) return CSpace::kUnseen;
+      return static_cast<std::uint16_t>(
+          CSpace::kEven +
+          ((wheel_roughness * cost_per_wheels + body_roughness * cost_per_body) >> 32U));
+    }
+  };
+  /// Of a heading; those π apart are the same.
+  [[nodiscard]] const Oriented& oriented(int heading) const {
+    return oriented_[static_cast<std::size_t>(heading) % oriented_.size()];
+  }
+
+ private:
+  HeadingSet headings_;
+  double cell_m_;
+  std::uint32_t outside_roughness_;
+  std::vector<Oriented> oriented_;
+};
+
+}  // namespace adit

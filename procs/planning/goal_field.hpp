@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/config/bounds.hpp"
+#include "common/path/planned_path.hpp"
+#include "common/terrain/terrain_map.hpp"
+#include "procs/planning/lattice.hpp"
+
+namespace adit {
+
+struct GoalParams {
+  double shortfall_factor = 8.0;  ///< a metre short costs this many of even ground; the worst 7
+  double lateral_factor = 1.0;    ///< likewise a metre beside the line from the robot
+  double tolerance_m = 0.3;       ///< of a pose that is to be reached
+  double heading_tolerance_rad = 0.25;
+  double min_progress_m = 2.5;  ///< of a path down a corridor; less is none (paper, section 3.3)
+
+  template <class V>
+  void visit(V& v) {
+    v("shortfall_factor", shortfall_factor, within(0.0, 100.0));
+    v("lateral_factor", lateral_factor, within(0.0, 100.0));
+    v("tolerance_m", tolerance_m, above(0.0));
+    v("heading_tolerance_rad", heading_tolerance_rad, above(0.0));
+    v("min_progress_m", min_progress_m, at_least(0.0));
+  }
+};
+
+/// The array of goals of the paper's section 3.3: what it costs to end in each cell. Down a
+/// corridor every cell that is far enough is a goal, the farthest straight down the best; otherwise
+/// those within reach of a pose are.
+class GoalField {
+ public:
+  static constexpr std::int32_t kNoGoal = -1;
+
+  /// All poses in level.
+  GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose2& T_level_body,
+            const TerrainMap& terrain, const GoalParams& params);
+
+  /// Of ending in a cell, or kNoGoal.
+  [[nodiscard]] std::int32_t ending_cost(std::size_t cell) const { return ending_costs_[cell]; }
+  [[nodiscard]] std::size_t cells() const { return ending_costs_.size(); }
+  /// Whether a search may end with this heading.
+  [[nodiscard]] bool accepts(double heading_rad) const;
+  /// From the robot on towards the goal [m].
+  [[nodiscard]] double progress(const Eigen::Vector2d& p_level) const;
+  /// The least that is a path [m].
+  [[nodiscard]] double least_progress() const { return least_progress_m_; }
+  [[nodiscard]] const Eigen::Vector2d& direction() const { return direction_; }
+
+ private:
+  [[nodiscard]] std::int32_t along(const Eigen::Vector2d& p_level) const;
+  [[nodiscard]] std::int32_t to(const Eigen::Vector2d& p_level) const;
+
+  PlanGoal::Kind kind_;
+  GoalParams params_;
+  Pose2 T_level_goal_;
+  Eigen::Vector2d p_level_body_;
+  Eigen::Vector2d direction_;  ///< unit vector in level
+  double distance_m_;
+  double least_progress_m_;
+  std::vector<std::int32_t> ending_costs_;
+};
+
+}  // namespace adit

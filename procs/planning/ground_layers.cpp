@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/planning/ground_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "procs/planning/distance_transform.hpp"
+#include "procs/planning/footprint.hpp"
+
+namespace adit {
+namespace {
+
+using Reason = BlockingCell::Reason;
+
+constexpr double kWhole = 255.0;  // roughness of ground at the limit
+
+bool carries(Reason reason) { return reason == Reason::kBelly || reason == Reason::kRoof; }
+
+/// Of ground that is not refused, 0 to 1.
+double share_of_limits(const TerrainCell& cell, const Vehicle& vehicle,
+                       const GroundLimits& limits) {
+  const double share = std::max(cell.coefficient_m / (vehicle.step_max_m - limits.step_margin_m),
+                                cell.slope_rad / limits.slope_max_rad / 2.0);
+  return std::clamp(share, 0.0, 1.0);
+}
+
+/// Around a robot in level.
+struct Standing {
+  Pose2 T_body_level;
+  BodyRectangle footprint;
+  BodyRectangle blind;
+
+  Standing(const Pose2& T_level_body, const Vehicle& vehicle, const GroundLimits& limits)
+      : T_body_level(T_level_body.inverse()),
+        footprint(body_outline(vehicle)),
+        blind(footprint.grown(limits.blind_margin_m)) {}
+};
+
+void classify(GroundLayers& layers, std::size_t i, std::optional<Reason> reason) {
+  if (!reason) return;
+  if (*reason == Reason::kUnknown) {
+    layers.unseen[i] = 1;
+  } else {
+    layers.under_wheels[i] = 1;
+    layers.under_body[i] = carries(*reason) ? 1 : 0;
+  }
+}
+
+double roughness_of(const TerrainCell& cell, std::optional<Reason> reason, bool taken_as_even,
+                    const Vehicle& vehicle, const GroundLimits& limits) {
+  if (reason == Reason::kUnknown) return taken_as_even ? 0.0 : limits.unseen_roughness;
+  return reason ? 1.0 : share_of_limits(cell, vehicle, limits);
+}
+
+void add_repellent(GroundLayers& layers, const GroundLimits& limits) {
+  for (std::size_t i = 0; i < layers.roughness.size(); ++i) {
+    const double near = 1.0 - layers.wheel_distance_m[i] / limits.repellent_range_m;
+    if (near <= 0.0) continue;
+    const double more = near * limits.repellent_roughness * kWhole;
+    layers.roughness[i] =
+        static_cast<std::uint8_t>(std::lround(std::min(layers.roughness[i] + more, kWhole)));
+  }
+}
+
+}  // namespace
+
+std::optional<Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehicle,
+                                    const GroundLimits& limits) {
+  switch (cell.ground) {
+    case Ground::kNeverSeen:
+    case Ground::kShadow:
+      return Reason::kUnknown;
+    case Ground::kBelowRay:
+      return Reason::kStep;
+    case Ground::kNoReturn:
+      return Reason::kWater;
+    case Ground::kSeen:
+      break;
+  }
+  if (std::isnan(cell.coefficient_m)) return Reason::kUnknown;
+  if (cell.clearance_m < vehicle.height_m + limits.roof_margin_m) return Reason::kRoof;
+  if (cell.coefficient_m > vehicle.belly_clearance_m - limits.belly_margin_m) return Reason::kBelly;
+  const double step = std::fmax(cell.coefficient_m, cell.step_m);  // of which one may be unknown
+  if (step > vehicle.step_max_m - limits.step_margin_m) return Reason::kStep;
+  if (cell.slope_rad > limits.slope_max_rad) return Reason::kSlope;
+  return std::nullopt;
+}
+
+GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
+                           const Vehicle& vehicle, const GroundLimits& limits) {
+  const std::size_t n = terrain.cells.size();
+  GroundLayers layers;
+  layers.columns = terrain.columns;
+  layers.rows = terrain.rows;
+  layers.cell_m = terrain.cell_m;
+  for (auto* layer :
+       {&layers.under_body, &layers.under_wheels, &layers.unseen, &layers.roughness}) {
+    layer->assign(n, 0);
+  }
+  const Standing robot(T_level_body, vehicle, limits);
+  for (int row = 0; row < terrain.rows; ++row) {
+    for (int column = 0; column < terrain.columns; ++column) {
+      const std::size_t i = layers.index(column, row);
+      const TerrainCell& cell = terrain.at(column, row);
+      const auto reason = lethal_reason(cell, vehicle, limits);
+      const Eigen::Vector2d p_body = robot.T_body_level * terrain.centre(column, row);
+      const bool below = robot.footprint.contains(p_body);
+      const bool blind = reason == Reason::kUnknown && robot.blind.contains(p_body);
+      if (!below && !blind) classify(layers, i, reason);
+      layers.roughness[i] = static_cast<std::uint8_t>(
+          std::lround(kWhole * roughness_of(cell, reason, below || blind, vehicle, limits)));
+    }
+  }
+  layers.body_distance_m = distance_transform(layers.under_body, layers.columns, layers.cell_m);
+  layers.wheel_distance_m = distance_transform(layers.under_wheels, layers.columns, layers.cell_m);
+  add_repellent(layers, limits);
+  return layers;
+}
+
+}  // namespace adit

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/config/bounds.hpp"
+
+namespace adit {
+
+/// What ground is refused, beyond what the shape of the vehicle says, and what it costs.
+struct GroundLimits {
+  double step_margin_m = 0.03;       ///< below Vehicle::step_max_m that a wheel is led over
+  double belly_margin_m = 0.03;      ///< below Vehicle::belly_clearance_m
+  double roof_margin_m = 0.1;        ///< above Vehicle::height_m
+  double slope_max_rad = 0.35;       ///< of ground under the wheels
+  double unseen_roughness = 0.5;     ///< of ground that was not seen, 0 (even) to 1 (at the limit)
+  double blind_margin_m = 0.5;       ///< around the robot, where its lasers cannot see the ground
+  double repellent_range_m = 0.5;    ///< from what is lethal, within which ground costs more
+  double repellent_roughness = 0.4;  ///< beside what is lethal
+
+  template <class V>
+  void visit(V& v) {
+    v("step_margin_m", step_margin_m, at_least(0.0));
+    v("belly_margin_m", belly_margin_m, at_least(0.0));
+    v("roof_margin_m", roof_margin_m, at_least(0.0));
+    v("slope_max_rad", slope_max_rad, above(0.0));
+    v("unseen_roughness", unseen_roughness, within(0.0, 1.0));
+    v("blind_margin_m", blind_margin_m, at_least(0.0));
+    v("repellent_range_m", repellent_range_m, above(0.0));
+    v("repellent_roughness", repellent_roughness, within(0.0, 1.0));
+  }
+};
+
+}  // namespace adit

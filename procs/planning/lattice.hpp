@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "procs/planning/c_space.hpp"
+#include "procs/planning/motion_primitives.hpp"
+
+namespace adit {
+
+/// Length by cost that driving 1 m of even ground takes: the unit of all costs of a search.
+inline constexpr std::int32_t kCostPerM = 1000 * CSpace::kEven;
+
+/// A pose of the lattice.
+struct LatticePose {
+  int column = 0;
+  int row = 0;
+  int heading = 0;
+
+  friend bool operator==(const LatticePose&, const LatticePose&) = default;
+};
+
+/// What can be driven in a C-space.
+struct Lattice {
+  const CSpace& space;
+  const MotionPrimitives& primitives;
+  std::uint16_t refused =
+      CSpace::kUnseen;  ///< costs from here on; or kLethal: unseen ground is not
+
+  static constexpr std::int32_t kBlocked = -1;
+
+  [[nodiscard]] bool stands(const LatticePose& pose) const {
+    return space.contains(pose.column, pose.row) &&
+           space.slice(pose.heading)[space.index(pose.column, pose.row)] < refused;
+  }
+  [[nodiscard]] static LatticePose behind(const LatticePose& pose, const MotionPrimitive& step) {
+    return {pose.column + step.cells.x(), pose.row + step.cells.y(), step.to};
+  }
+  /// Of a primitive from a pose, or kBlocked.
+  [[nodiscard]] std::int32_t cost(const LatticePose& pose, const MotionPrimitive& step) const {
+    std::int32_t sum = 0;
+    for (const SweptPose& swept : step.swept) {
+      const int column = pose.column + swept.column;
+      const int row = pose.row + swept.row;
+      if (!space.contains(column, row)) return kBlocked;
+      const std::uint16_t cost = space.slice(swept.heading)[space.index(column, row)];
+      if (cost >= refused) return kBlocked;
+      sum += cost * swept.way_mm;
+    }
+    return sum;
+  }
+};
+
+}  // namespace adit

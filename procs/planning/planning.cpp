@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/planning/planning.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+#include "procs/planning/cell_heuristic.hpp"
+#include "procs/planning/evidence.hpp"
+#include "procs/planning/path_points.hpp"
+#include "procs/planning/reachable.hpp"
+#include "procs/planning/start_pose.hpp"
+
+namespace adit {
+namespace {
+
+void check(const TerrainMap& terrain) {
+  const bool sized = terrain.columns > 0 && terrain.rows > 0 && terrain.cell_m > 0.0 &&
+                     terrain.cells.size() == static_cast<std::size_t>(terrain.columns) *
+                                                 static_cast<std::size_t>(terrain.rows);
+  if (!sized) throw std::invalid_argument("the terrain map has not the cells that it says");
+}
+
+/// "after 1.3 m towards the goal"
+std::string after(double reached_m) {
+  char text[64];
+  std::snprintf(text, sizeof text, "after %.1f m towards the goal", reached_m);
+  return text;
+}
+
+const char* name_of(BlockingCell::Reason reason) {
+  switch (reason) {
+    case BlockingCell::Reason::kStep:
+      return "a step under the wheels";
+    case BlockingCell::Reason::kBelly:
+      return "an obstacle that is too high to drive over";
+    case BlockingCell::Reason::kRoof:
+      return "a roof that is too low";
+    case BlockingCell::Reason::kUnknown:
+      return "ground that was not seen";
+    case BlockingCell::Reason::kWater:
+      return "what may be water";
+    case BlockingCell::Reason::kSlope:
+      return "a slope that is too steep";
+  }
+  return "";
+}
+
+/// What most of the cells are.
+std::string most_of(const std::vector<BlockingCell>& cells) {
+  int counts[6] = {};
+  std::size_t most = 0;
+  for (const BlockingCell& cell : cells) {
+    const auto i = static_cast<std::size_t>(cell.reason);
+    if (++counts[i] > counts[most]) most = i;
+  }
+  if (cells.empty()) return "the edge of the map";
+  return name_of(static_cast<BlockingCell::Reason>(most));
+}
+
+PlannedPath start_blocked(const LatticePose& start, const Lattice& lattice,
+                          const Grounds& grounds) {
+  PlannedPath answer;
+  answer.outcome = PlanOutcome::kStartBlocked;
+  if (!lattice.space.contains(start.column, start.row)) {
+    answer.reason = "The robot is not on the terrain map.";
+    return answer;
+  }
+  answer.blocking = blocking_cells(start, lattice, grounds);
+  answer.reason = "The robot cannot stand where it is: " + most_of(answer.blocking) + ".";
+  return answer;
+}
+
+}  // namespace
+
+Planning::Planning(const PlanningParams& params) : params_(params) {
+  // What does not fit together is to be said before the first plan, at any usual size of cells.
+  const HeadingSet headings(params.c_space.headings);
+  const MotionPrimitives primitives(params.vehicle, params.primitives, headings, 0.1);
+}
+
+void Planning::prepare(const TerrainMap& terrain, const Pose2& T_level_body) {
+  check(terrain);
+  if (!kernels_ || kernels_->cell_m() != terrain.cell_m) {
+    kernels_.emplace(params_.vehicle, params_.c_space, terrain.cell_m);
+    primitives_.emplace(params_.vehicle, params_.primitives, kernels_->headings(), terrain.cell_m);
+  }
+  GroundLayers layers =
+      ground_layers(terrain, T_level_body, params_.vehicle, params_.c_space.ground);
+  CSpace space = kernels_->convolve(layers);
+  ground_.emplace(PlanGround{std::move(layers), std::move(space)});
+}
+
+Lattice Planning::lattice(std::uint16_t refused) const {
+  return {ground_->space, *primitives_, refused};
+}
+
+PlannedPath Planning::plan(const TerrainMap& terrain, const PlanGoal& goal,
+                           const Pose2& T_odom_body) {
+  const Pose2 T_level_body = between(terrain.T_odom_level, T_odom_body);
+  prepare(terrain, T_level_body);
+  const HeadingSet& headings = kernels_->headings();
+  const LatticePose start = nearest_pose(terrain, headings, T_level_body);
+  const Lattice free = lattice(CSpace::kUnseen);
+  if (!free.stands(start)) {
+    const double at_the_limit = CSpace::kEven * (1.0 + params_.c_space.rough_factor);
+    allow_leaving(ground_->space, start, ground_->layers, *kernels_,
+                  static_cast<std::uint16_t>(at_the_limit));
+  }
+  const GoalField goals(goal, between(terrain.T_odom_level, goal.T_odom_goal), T_level_body,
+                        terrain, params_.goals);
+  const auto heuristic = cell_heuristic(free, goals, terrain.cell_m);
+  const LatticePath found = search_lattice(free, headings, start, goals, heuristic, params_.search);
+
+  PlannedPath answer;
+  if (found.found) {
+    answer.outcome = PlanOutcome::kFound;
+    answer.points = path_points(found, start, *primitives_, headings, terrain, ground_->layers,
+                                params_.vehicle, params_.point_spacing_m);
+    const Pose2 T_level_end = between(terrain.T_odom_level, answer.points.back().T_odom_body);
+    answer.reached_m = goals.progress(T_level_end.translation());
+    answer.reason = "A path was found.";
+  } else if (found.gave_up) {
+    answer.outcome = PlanOutcome::kGaveUp;
+    answer.reason = "The search was cut off by its limit.";
+  } else {
+    answer = no_path(terrain, start, goals);
+  }
+  answer.utime = terrain.utime;
+  answer.id = goal.id;
+  return answer;
+}
+
+PlannedPath Planning::no_path(const TerrainMap& terrain, const LatticePose& start,
+                              const GoalField& goals) const {
+  const Lattice free = lattice(CSpace::kUnseen);
+  const Grounds grounds{terrain, ground_->layers, *kernels_, params_.vehicle,
+                        params_.c_space.ground};
+  if (!free.stands(start)) return start_blocked(start, free, grounds);
+  const Reachable region = reachable(free, start, goals, terrain);
+  const double least = goals.least_progress();
+  const Reachable seen_or_not = reachable(lattice(CSpace::kLethal), start, goals, terrain, least);
+  PlannedPath answer;
+  answer.outcome = seen_or_not.progress_m >= least ? PlanOutcome::kUnknown : PlanOutcome::kBlocked;
+  answer.reached_m = region.progress_m;
+  answer.blocking = blocking_cells(region, free, goals, grounds);
+  answer.reason =
+      "No path: " + most_of(answer.blocking) + " is in the way " + after(region.progress_m) + ".";
+  return answer;
+}
+
+}  // namespace adit

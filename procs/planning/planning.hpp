@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "common/config/bounds.hpp"
+#include "common/path/planned_path.hpp"
+#include "common/terrain/terrain_map.hpp"
+#include "common/vehicle/vehicle.hpp"
+#include "procs/planning/c_space.hpp"
+#include "procs/planning/goal_field.hpp"
+#include "procs/planning/lattice_search.hpp"
+#include "procs/planning/motion_primitives.hpp"
+
+namespace adit {
+
+struct PlanningParams {
+  Vehicle vehicle;
+  CSpaceParams c_space;
+  PrimitiveParams primitives;
+  GoalParams goals;
+  SearchParams search;
+  double point_spacing_m = 0.15;  ///< of the path
+
+  template <class V>
+  void visit(V& v) {
+    v.shared(Vehicle::kSection, vehicle);
+    v("c_space", c_space);
+    v("primitives", primitives);
+    v("goals", goals);
+    v("search", search);
+    v("point_spacing_m", point_spacing_m, above_up_to(0.0, 1.0));
+  }
+};
+
+/// What a plan rests on, for those who want to look at it.
+struct PlanGround {
+  GroundLayers layers;
+  CSpace space;
+};
+
+/// Finds a path over the terrain of one 3D scan: C-space maps by oriented kernels and A* in them
+/// (the paper's sections 3.2 and 3.3).
+class Planning {
+ public:
+  /// Throws std::invalid_argument where the vehicle cannot be planned for.
+  explicit Planning(const PlanningParams& params);
+
+  /// A path from where the robot is, or why there is none. Its points begin at the pose of the
+  /// lattice nearest to the robot: within half a cell and half a heading. Throws
+  /// std::invalid_argument where the map has other cells than it says, or cells that are too small
+  /// or too large for the vehicle; a goal or a pose with no place is answered.
+  PlannedPath plan(const TerrainMap& terrain, const PlanGoal& goal, const Pose2& T_odom_body);
+
+  /// What the last plan rested on.
+  [[nodiscard]] const std::optional<PlanGround>& ground() const { return ground_; }
+  /// Those of the last plan; nothing before.
+  [[nodiscard]] const std::optional<CSpaceKernels>& kernels() const { return kernels_; }
+
+ private:
+  void prepare(const TerrainMap& terrain, const Pose2& T_level_body);
+  [[nodiscard]] Lattice lattice(std::uint16_t refused) const;
+  [[nodiscard]] PlannedPath no_path(const TerrainMap& terrain, const LatticePose& start,
+                                    const GoalField& goals) const;
+
+  PlanningParams params_;
+  std::optional<CSpaceKernels> kernels_;
+  std::optional<MotionPrimitives> primitives_;
+  std::optional<PlanGround> ground_;
+};
+
+}  // namespace adit

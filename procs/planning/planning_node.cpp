@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/planning/planning_node.hpp"
+
+#include <stdexcept>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/plan_goal.hpp"
+#include "common/messages/planned_path.hpp"
+#include "common/messages/pose.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::size_t kTilesWaiting = 200;  // several maps
+
+}  // namespace
+
+PlanningNode::PlanningNode(Bus& bus, const Params& params) : bus_(bus), planning_(params) {
+  subscribe<terrain_t>(bus, channels::kTerrain, Delivery::queued(kTilesWaiting),
+                       [this](const TerrainTile& tile) {
+                         auto terrain = assembler_.add(tile);
+                         if (!terrain) return;
+                         terrain_ = std::move(terrain);
+                         answer();
+                       });
+  subscribe<pose_t>(bus, channels::kPose, Delivery::latest(), [this](const StampedPose& pose) {
+    T_odom_body_ = pose.T_odom_body;
+    answer();
+  });
+  subscribe<plan_goal_t>(bus, channels::kGoal, Delivery::latest(), [this](const PlanGoal& goal) {
+    goal_ = goal;
+    answer();
+  });
+}
+
+void PlanningNode::answer() {
+  if (!goal_ || !terrain_ || !T_odom_body_) return;
+  publish(bus_, channels::kPath, to_message(plan()));
+  goal_.reset();
+}
+
+/// Who asked gets an answer, also where the terrain is none that can be planned on.
+PlannedPath PlanningNode::plan() {
+  try {
+    failure_.clear();
+    return planning_.plan(*terrain_, *goal_, *T_odom_body_);
+  } catch (const std::invalid_argument& failure) {
+    failure_ = failure.what();
+    return {terrain_->utime, goal_->id, PlanOutcome::kGaveUp, failure_, {}, 0.0, {}};
+  }
+}
+
+Health PlanningNode::health() const {
+  using Level = Health::Level;
+  if (!failure_.empty()) return {Level::kDegraded, failure_};
+  if (goal_ && !terrain_) return {Level::kDegraded, "a goal waits for the first terrain"};
+  if (goal_) return {Level::kDegraded, "a goal waits for the first pose"};
+  return {};
+}
+
+}  // namespace adit

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "common/bus/bus.hpp"
+#include "common/messages/heartbeat.hpp"
+#include "common/messages/terrain_tiles.hpp"
+#include "procs/planning/planning.hpp"
+
+namespace adit {
+
+/// In:  TERRAIN (terrain_t), in pieces; GOAL (plan_goal_t); POSE (pose_t).
+/// Out: PATH (planned_path_t), once for each goal, over the newest terrain. A goal that comes
+/// before
+///      the first terrain or pose waits for it; a newer goal takes its place.
+class PlanningNode {
+ public:
+  using Params = PlanningParams;
+
+  /// Throws as Planning does.
+  PlanningNode(Bus& bus, const Params& params);
+
+  /// Degraded while a goal waits, and where no path could be looked for.
+  [[nodiscard]] Health health() const;
+
+ private:
+  void answer();
+  [[nodiscard]] PlannedPath plan();
+
+  Bus& bus_;
+  Planning planning_;
+  TerrainAssembler assembler_;
+  std::optional<TerrainMap> terrain_;
+  std::optional<Pose2> T_odom_body_;
+  std::optional<PlanGoal> goal_;  ///< that has no answer yet
+  std::string failure_;           ///< of the last plan
+};
+
+}  // namespace adit

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "procs/planning/run_kernel.hpp"
+
+namespace adit {
+
+/// Sums along the rows of a layer of a grid from the left, so that the sum of a run of cells is one
+/// difference, exact in whole numbers. They may run over: a difference is right modulo the range of
+/// `Sum`, and what a kernel adds up to fits into it. Around the layer lies a border of one value.
+template <class Sum>
+class RowSums {
+ public:
+  /// `value(column, row)` is asked within the layer only.
+  template <class Value>
+  RowSums(int columns, int rows, int border, Sum outside, const Value& value)
+      : border_(border), stride_(static_cast<std::size_t>(columns + 2 * border) + 1) {
+    sums_.resize(stride_ * static_cast<std::size_t>(rows + 2 * border));
+    Sum* sum = sums_.data();
+    for (int row = -border; row < rows + border; ++row) {
+      *sum++ = 0;
+      for (int column = -border; column < columns + border; ++column, ++sum) {
+        const bool inside = row >= 0 && row < rows && column >= 0 && column < columns;
+        *sum =
+            static_cast<Sum>(sum[-1] + (inside ? static_cast<Sum>(value(column, row)) : outside));
+      }
+    }
+  }
+
+  /// Adds to `totals` the sums of the kernel around each of the cells of a row, as many as there
+  /// are totals.
+  void add_row(const RunKernel& kernel, int row, std::vector<Sum>& totals) const {
+    for (const RunKernel::Run& run : kernel.runs) {
+      const Sum* before = at(run.row + row, run.first);
+      const Sum* behind = at(run.row + row, run.last + 1);
+      Sum* total = totals.data();
+      for (std::size_t i = 0; i < totals.size(); ++i) {
+        total[i] = static_cast<Sum>(total[i] + behind[i] - before[i]);
+      }
+    }
+  }
+
+ private:
+  /// Sum of the cells of a row left of a column.
+  [[nodiscard]] const Sum* at(int row, int column) const {
+    return sums_.data() + static_cast<std::size_t>(row + border_) * stride_ +
+           static_cast<std::size_t>(column + border_);
+  }
+
+  int border_;
+  std::size_t stride_;
+  std::vector<Sum> sums_;
+};
+
+}  // namespace adit

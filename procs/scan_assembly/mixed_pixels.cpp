@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/scan_assembly/mixed_pixels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace adit {
+namespace {
+
+enum class Kind {
+  kSurface,  // or nothing at all
+  kMixture,
+  kAlone,
+};
+
+using Row = std::vector<float>;
+using Kinds = std::vector<std::vector<Kind>>;
+
+constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+
+float at(const Row& row, std::ptrdiff_t beam) {
+  const bool there = beam >= 0 && beam < std::ssize(row);
+  return there ? row[static_cast<std::size_t>(beam)] : kNothing;
+}
+
+/// NaN differs from nothing, infinity from all that is finite.
+bool differs(float a, float b, const MixedPixelParams& params) {
+  return std::abs(a - b) > params.jump_min_m;
+}
+
+/// Whether the beam goes on the straight line through the next two at a distance of `step` and
+/// twice that. Inverse ranges of a line at equal steps of angle Δ obey u₀ + u₂ = 2 cos Δ u₁; here
+/// cos Δ is 1, which at a degree is wrong by 0.03 % of the range.
+bool continues_line(const Row& row, std::ptrdiff_t beam, std::ptrdiff_t step,
+                    const MixedPixelParams& params) {
+  const float next = at(row, beam + step);
+  const float second = at(row, beam + 2 * step);
+  if (!std::isfinite(next) || !std::isfinite(second)) return false;
+  const float inverse = 2.0F / next - 1.0F / second;
+  return inverse > 0.0F && !differs(1.0F / inverse, at(row, beam), params);
+}
+
+/// Whether the beam is of one surface with others at a distance of `step`, to either side.
+bool is_of_surface(const Row& row, std::ptrdiff_t beam, std::ptrdiff_t step,
+                   const MixedPixelParams& params) {
+  const float range = at(row, beam);
+  return !differs(range, at(row, beam - step), params) ||
+         !differs(range, at(row, beam + step), params) ||
+         continues_line(row, beam, -step, params) || continues_line(row, beam, step, params);
+}
+
+Kind kind_of(const Row& row, std::ptrdiff_t beam, int turns, const MixedPixelParams& params) {
+  const float range = at(row, beam);
+  const float left = at(row, beam - 1);
+  const float right = at(row, beam + 1);
+  if (!std::isfinite(range)) return Kind::kSurface;
+  if (is_of_surface(row, beam, 1, params)) return Kind::kSurface;
+  if (is_of_surface(row, beam, turns, params)) return Kind::kSurface;
+  const bool between = (left < range) == (range < right);
+  if (!between) return Kind::kAlone;
+  return std::abs(left - right) <= params.span_max_m ? Kind::kMixture : Kind::kSurface;
+}
+
+Kinds kinds_of(const RangeImage& image, int turns, const MixedPixelParams& params) {
+  Kinds kinds;
+  for (const Row& row : image) {
+    std::vector<Kind>& of_row = kinds.emplace_back(row.size());
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      of_row[i] = kind_of(row, static_cast<std::ptrdiff_t>(i), turns, params);
+    }
+  }
+  return kinds;
+}
+
+/// Returns near `beam` in a row that agree with a range and are no mixtures.
+int supporters(const Row& row, const std::vector<Kind>& kinds, std::size_t beam, float range,
+               const MixedPixelParams& params) {
+  int n = 0;
+  const std::size_t end = std::min(row.size(), beam + 2);
+  for (std::size_t i = beam > 0 ? beam - 1 : 0; i < end; ++i) {
+    const bool seen = std::isfinite(row[i]) && kinds[i] != Kind::kMixture;
+    if (seen && !differs(row[i], range, params)) ++n;
+  }
+  return n;
+}
+
+bool is_supported(const RangeImage& image, const Kinds& kinds, std::size_t line, std::size_t beam,
+                  const MixedPixelParams& params) {
+  int n = 0;
+  const float range = image[line][beam];
+  if (line > 0) n += supporters(image[line - 1], kinds[line - 1], beam, range, params);
+  if (line + 1 < image.size()) {
+    n += supporters(image[line + 1], kinds[line + 1], beam, range, params);
+  }
+  return n >= params.support_min;
+}
+
+}  // namespace
+
+void remove_mixed_pixels(RangeImage& image, int turns, const MixedPixelParams& params) {
+  const RangeImage seen = image;
+  const Kinds kinds = kinds_of(seen, turns, params);
+  for (std::size_t line = 0; line < seen.size(); ++line) {
+    for (std::size_t beam = 0; beam < seen[line].size(); ++beam) {
+      if (kinds[line][beam] == Kind::kSurface) continue;
+      if (!is_supported(seen, kinds, line, beam, params)) image[line][beam] = kNothing;
+    }
+  }
+}
+
+}  // namespace adit

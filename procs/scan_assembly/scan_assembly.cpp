@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/scan_assembly/scan_assembly.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace adit {
+namespace {
+
+using Phase = SweepMotion::Phase;
+
+double seconds(std::int64_t microseconds) { return 1e-6 * static_cast<double>(microseconds); }
+
+const char* name_of(LaserId laser) {
+  return laser == LaserId::kFront ? "the front laser" : "the rear laser";
+}
+
+}  // namespace
+
+ScanAssembly::ScanAssembly(const ScanAssemblyParams& params)
+    : params_(params), sweep_(params.sweep), gravity_(params.gravity) {}
+
+void ScanAssembly::begin(const ScanRequest& request, std::int64_t utime) {
+  if (sweep_.phase() == Phase::kApproach || sweep_.phase() == Phase::kSweep) {
+    complaint_ = "request refused: a sweep is under way";
+    return;
+  }
+  if (sweep_.phase() == Phase::kReturn && request.laser != request_.laser) {
+    complaint_ = "request refused: the other laser is not level yet";
+    return;
+  }
+  if (!last_pose_) {
+    complaint_ = "request refused: the pose is not known";
+    return;
+  }
+  complaint_.clear();
+  request_ = request;
+  scans_.clear();
+  tilt_rad_.clear();
+  T_odom_body_.clear();
+  T_odom_body_.add(last_pose_->utime, last_pose_->T_odom_body);
+  T_odom_begin_ = last_pose_->T_odom_body;
+  utime_ = begin_utime_ = scan_utime_ = tilt_utime_ = utime;
+  sweep_.begin();
+}
+
+bool ScanAssembly::listens_to(LaserId laser) const {
+  return sweep_.phase() != Phase::kIdle && laser == request_.laser;
+}
+
+bool ScanAssembly::add(LaserId laser, const LaserScan& scan) {
+  if (!listens_to(laser)) return false;
+  scan_utime_ = utime_;
+  if (sweep_.phase() != Phase::kSweep) return false;
+  if (!std::isfinite(scan.angle_min_rad) || !std::isfinite(scan.angle_step_rad)) return false;
+  if (!scans_.empty() && scan.utime <= scans_.back().utime) return false;
+  scans_.push_back(scan);
+  return true;
+}
+
+bool ScanAssembly::add(LaserId laser, const TiltReading& reading) {
+  if (!listens_to(laser) || !std::isfinite(reading.angle_rad)) return false;
+  tilt_utime_ = utime_;
+  const bool newest = tilt_rad_.empty() || reading.utime > tilt_rad_.end_utime();
+  if (!tilt_rad_.add(reading.utime, reading.angle_rad)) return false;
+  if (newest) sweep_.add(reading);
+  return true;
+}
+
+bool ScanAssembly::add(std::int64_t utime, const Pose2& T_odom_body) {
+  if (!T_odom_body.vector().allFinite()) return false;
+  last_pose_ = {utime, T_odom_body};
+  return sweep_.phase() != Phase::kIdle && T_odom_body_.add(utime, T_odom_body);
+}
+
+ScanAssembly::Step ScanAssembly::advance(std::int64_t utime) {
+  utime_ = utime;
+  Step step;
+  if (sweep_.phase() == Phase::kIdle) return step;
+  if (const std::string reason = reason_to_stop(utime); !reason.empty()) {
+    step.cloud = cut_short(reason);
+  }
+  const Phase before = sweep_.phase();
+  step.command = sweep_.advance(utime);
+  if (before == Phase::kApproach && sweep_.phase() == Phase::kSweep) begin_lines();
+  if (before == Phase::kSweep && sweep_.phase() == Phase::kReturn) {
+    step.cloud = assemble(true);
+    if (!step.cloud) complaint_ = "no scan came during the sweep";
+  }
+  return step;
+}
+
+std::string ScanAssembly::reason_to_stop(std::int64_t utime) const {
+  const double patience = sweep_.duration_s() + params_.patience_s;
+  if (sweep_.phase() == Phase::kReturn) {
+    const bool late = seconds(utime - begin_utime_) > 2.0 * patience;
+    return late ? std::string(name_of(request_.laser)) + " does not come back to level" : "";
+  }
+  if (seconds(utime - begin_utime_) > patience) return "the sweep took too long";
+  if (seconds(utime - scan_utime_) > params_.silence_max_s) {
+    return std::string(name_of(request_.laser)) + " is silent";
+  }
+  if (seconds(utime - tilt_utime_) > params_.silence_max_s) {
+    return "the tilt of " + std::string(name_of(request_.laser)) + " is silent";
+  }
+  const Pose2 way = between(T_odom_begin_, last_pose_->T_odom_body);
+  if (way.translation().norm() > params_.moved_max_m ||
+      std::abs(way.theta) > params_.moved_max_rad) {
+    return "the robot moved";
+  }
+  return {};
+}
+
+std::optional<Cloud> ScanAssembly::cut_short(const std::string& reason) {
+  complaint_ = reason;
+  if (sweep_.phase() == Phase::kReturn) {
+    sweep_.rest();
+    return std::nullopt;
+  }
+  const bool has_lines = sweep_.phase() == Phase::kSweep;
+  sweep_.go_back();
+  return has_lines ? assemble(false) : std::nullopt;
+}
+
+void ScanAssembly::begin_lines() {
+  scans_.clear();
+  first_line_utime_ = tilt_rad_.end_utime();
+  up_body_ = gravity_.up_body();
+  if (!up_body_) complaint_ = "no inertial readings of a body at rest: it is taken as level";
+}
+
+const LaserMount& ScanAssembly::mount() const {
+  return request_.laser == LaserId::kFront ? params_.lasers.front : params_.lasers.rear;
+}
+
+std::optional<Cloud> ScanAssembly::assemble(bool complete) const {
+  if (scans_.empty()) return std::nullopt;
+  Cloud cloud;
+  cloud.utime = tilt_rad_.end_utime();
+  cloud.id = request_.id;
+  cloud.complete = complete;
+  cloud.T_odom_level = T_odom_body_.at(cloud.utime).value();
+  const Eigen::Vector3d up_body = up_body_.value_or(Eigen::Vector3d::UnitZ());
+  const BeamPlacing placing(mount(), params_.timing,
+                            {tilt_rad_, T_odom_body_, cloud.T_odom_level, level_rotation(up_body)});
+
+  RangeImage image = range_image(scans_, mount());
+  const int turns = params_.timing.turns(scans_.front().angle_step_rad);
+  remove_mixed_pixels(image, turns, params_.mixed_pixels);
+  for (std::size_t i = 0; i < scans_.size(); ++i) {
+    // What was measured before the first or after the last tilt is not known in its place.
+    if (scans_[i].utime < first_line_utime_) continue;
+    if (placing.end_utime(scans_[i]) > cloud.utime) continue;
+    cloud.lines.push_back(placing.place(scans_[i], image[i]));
+  }
+  if (cloud.lines.empty()) return std::nullopt;
+  return cloud;
+}
+
+}  // namespace adit

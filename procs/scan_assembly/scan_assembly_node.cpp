@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/scan_assembly/scan_assembly_node.hpp"
+
+#include "common/bus/channels.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/cloud_pieces.hpp"
+#include "common/messages/imu_reading.hpp"
+#include "common/messages/laser_scan.hpp"
+#include "common/messages/pose.hpp"
+#include "common/messages/scan_request.hpp"
+#include "common/messages/tilt_command.hpp"
+#include "common/messages/tilt_reading.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::size_t kRequestsWaiting = 10;
+constexpr std::size_t kScansWaiting = 100;     // more than a second of an LMS-200 at 75 Hz
+constexpr std::size_t kReadingsWaiting = 500;  // as much of tilt, pose and IMU
+constexpr std::int64_t kPeriodUs = 20'000;     // as often as the tilt is measured
+
+}  // namespace
+
+ScanAssemblyNode::ScanAssemblyNode(Bus& bus, const Params& params)
+    : bus_(bus), scan_assembly_(params) {
+  const auto measured = Delivery::queued(kReadingsWaiting);
+  subscribe<scan_request_t>(
+      bus, channels::kScanRequest, Delivery::queued(kRequestsWaiting),
+      [this](const ScanRequest& request) { scan_assembly_.begin(request, bus_.now_utime()); });
+  subscribe<pose_t>(bus, channels::kPose, measured, [this](const StampedPose& pose) {
+    scan_assembly_.add(pose.utime, pose.T_odom_body);
+  });
+  subscribe<imu_t>(bus, channels::kImu, measured,
+                   [this](const ImuReading& reading) { scan_assembly_.add(reading); });
+  listen(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
+  listen(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
+  bus.every(kPeriodUs, [this](std::int64_t utime) { advance(utime); });
+}
+
+void ScanAssemblyNode::listen(LaserId laser, std::string_view scans, std::string_view tilt) {
+  subscribe<planar_lidar_t>(
+      bus_, scans, Delivery::queued(kScansWaiting),
+      [this, laser](const LaserScan& scan) { scan_assembly_.add(laser, scan); });
+  subscribe<tilt_t>(
+      bus_, tilt, Delivery::queued(kReadingsWaiting),
+      [this, laser](const TiltReading& reading) { scan_assembly_.add(laser, reading); });
+}
+
+void ScanAssemblyNode::advance(std::int64_t utime) {
+  const ScanAssembly::Step step = scan_assembly_.advance(utime);
+  if (step.command) {
+    const bool front = scan_assembly_.laser() == LaserId::kFront;
+    publish(bus_, front ? channels::kTiltCommandFront : channels::kTiltCommandRear,
+            to_message(*step.command));
+  }
+  if (!step.cloud) return;
+  for (const CloudPiece& piece : divide(*step.cloud)) {
+    publish(bus_, channels::kCloud, to_message(piece));
+  }
+}
+
+Health ScanAssemblyNode::health() const {
+  if (scan_assembly_.complaint().empty()) return {};
+  return {Health::Level::kDegraded, scan_assembly_.complaint()};
+}
+
+}  // namespace adit

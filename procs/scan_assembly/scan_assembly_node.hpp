@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+
+#include "common/bus/bus.hpp"
+#include "common/messages/heartbeat.hpp"
+#include "procs/scan_assembly/scan_assembly.hpp"
+
+namespace adit {
+
+/// In:  SCAN_REQUEST (scan_request_t); LASER_FRONT, LASER_REAR (planar_lidar_t); TILT_FRONT,
+///      TILT_REAR (tilt_t); POSE (pose_t); where it is, IMU (imu_t).
+/// Out: for each request TILT_COMMAND_FRONT or TILT_COMMAND_REAR (tilt_command_t), which sweep the
+///      laser and bring it back to level; then CLOUD (cloud_t) in pieces.
+class ScanAssemblyNode {
+ public:
+  using Params = ScanAssemblyParams;
+
+  ScanAssemblyNode(Bus& bus, const Params& params);
+
+  /// Degraded where the last request was refused, or its sweep cut short or not levelled.
+  [[nodiscard]] Health health() const;
+
+ private:
+  void listen(LaserId laser, std::string_view scans, std::string_view tilt);
+  void advance(std::int64_t utime);
+
+  Bus& bus_;
+  ScanAssembly scan_assembly_;
+};
+
+}  // namespace adit

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/cloud/cloud.hpp"
+#include "common/terrain/terrain_map.hpp"
+
+namespace adit {
+
+/// Whether a point can be from a laser at all: finite, and within a kilometre.
+bool is_usable(const Eigen::Vector3f& p_level);
+
+/// Where the points and misses of a cloud are not usable: how many are passed over.
+std::size_t unusable_points(const Cloud& cloud);
+
+/// Which cell of a map a place lies in.
+class CellFinder {
+ public:
+  explicit CellFinder(const TerrainMap& map)
+      : corner_(map.p_level_corner.cast<float>()),
+        cells_per_m_(static_cast<float>(1.0 / map.cell_m)),
+        columns_(map.columns),
+        rows_(map.rows) {}
+
+  static constexpr int kOutside = -1;
+  /// Index of the cell, row by row. Coordinates are finite.
+  [[nodiscard]] int at(float x, float y) const {
+    const float u = (x - corner_.x()) * cells_per_m_;
+    const float v = (y - corner_.y()) * cells_per_m_;
+    if (!(u >= 0.0F && v >= 0.0F)) return kOutside;
+    if (u >= static_cast<float>(columns_) || v >= static_cast<float>(rows_)) return kOutside;
+    return static_cast<int>(v) * columns_ + static_cast<int>(u);
+  }
+
+ private:
+  Eigen::Vector2f corner_;
+  float cells_per_m_;
+  int columns_;
+  int rows_;
+};
+
+/// The heights of a cloud's points, cell by cell. Those of neighbours in a row lie side by side.
+class CellHeights {
+ public:
+  CellHeights(const Cloud& cloud, const TerrainMap& map);
+
+  /// z in level [m] of the points in the cells from `first` to `last`, both included, of one row.
+  [[nodiscard]] std::span<const float> in(int first, int last, int row) const {
+    const std::size_t base = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
+    const std::uint32_t begin = starts_[base + static_cast<std::size_t>(first)];
+    const std::uint32_t end = starts_[base + static_cast<std::size_t>(last) + 1];
+    return std::span(heights_).subspan(begin, end - begin);
+  }
+
+  /// The lowest in a cell [m]; infinite where it has no points.
+  [[nodiscard]] float lowest_m(int column, int row) const {
+    return lowest_m_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                     static_cast<std::size_t>(column)];
+  }
+
+ private:
+  int columns_;
+  std::vector<float> lowest_m_;
+  std::vector<std::uint32_t> starts_;  ///< of the heights of each cell, and the end
+  std::vector<float> heights_;
+};
+
+}  // namespace adit

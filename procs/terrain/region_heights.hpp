@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "procs/terrain/cell_heights.hpp"
+#include "procs/terrain/terrain_params.hpp"
+
+namespace adit {
+
+/// The heights of the paper's overlapping regions: each the cells from one before to one behind the
+/// cell in its middle, 3 × 3.
+class RegionHeights {
+ public:
+  /// What stands above the ground of a region.
+  struct Above {
+    float high_m = 0.0F;  ///< highest within the headroom; the ground itself where there is none
+    float roof_m = 0.0F;  ///< lowest above the headroom; infinite where there is none
+    std::uint32_t count = 0;  ///< points within the headroom
+  };
+
+  /// `heights` must outlive this.
+  RegionHeights(const CellHeights& heights, const TerrainMap& map, const TerrainParams& params);
+
+  /// The lowest height [m]; NaN without points.
+  [[nodiscard]] float low_m(int column, int row) const;
+  [[nodiscard]] Above above(int column, int row, float ground_m) const;
+
+ private:
+  /// Columns and rows of a region, first and last.
+  struct Extent {
+    int left, right, bottom, top;
+  };
+  [[nodiscard]] Extent extent(int column, int row) const;
+  template <class Visit>
+  void visit(int column, int row, const Visit& visit) const;
+  [[nodiscard]] float least_m(int column, int row) const;
+  [[nodiscard]] int rank(std::uint32_t count) const;
+
+  const CellHeights& heights_;
+  int columns_;
+  int rows_;
+  float headroom_m_;
+  int k_;
+  int points_per_rank_;
+};
+
+}  // namespace adit

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "procs/terrain/beam_end.hpp"
+
+namespace adit {
+
+/// What beams say of a place where none of them ended.
+struct Sighting {
+  Ground ground = Ground::kNeverSeen;
+  /// kSeen: of the ground between two beams that met it. kBelowRay: of the lowest beam over the
+  /// place (the virtual surface of arXiv 2010.16018). NaN for the others. z in level [m].
+  float height_m = std::numeric_limits<float>::quiet_NaN();
+};
+
+/// The beams of one laser that looked around from one place, as a fan of upright half-planes, and
+/// in each of these the lowest beam at every distance. Costs one visit for each beam, and not one
+/// for each cell on its way: from one place a steeper beam is lower all the way, so that the lowest
+/// at a distance is the steepest of those that reach it.
+class SightLines {
+ public:
+  /// Lines begin close together, within the lever of a tilting mount.
+  SightLines(std::span<const CloudLine* const> lines, const BeamEnds& ends, const TerrainMap& map,
+             const UnseenGroundParams& params);
+
+  [[nodiscard]] const Sighting& at(float x, float y) const;
+
+ private:
+  void look_along(std::span<BeamEnd> beams, std::span<Sighting> out) const;
+  [[nodiscard]] Sighting between(const BeamEnd& below, const BeamEnd& above, float range_m) const;
+  [[nodiscard]] bool is_gap(const BeamEnd& below, const BeamEnd& above) const;
+
+  UnseenGroundParams params_;
+  float cell_m_;
+  Eigen::Vector3f origin_{0.0F, 0.0F, 0.0F};
+  std::size_t bins_;                 ///< of distance, a cell each
+  std::vector<Sighting> sightings_;  ///< by sector, in each by distance
+};
+
+}  // namespace adit

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/terrain/terrain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "procs/terrain/ground_level.hpp"
+#include "procs/terrain/ground_shape.hpp"
+#include "procs/terrain/region_heights.hpp"
+#include "procs/terrain/repulsion.hpp"
+#include "procs/terrain/unseen_ground.hpp"
+
+namespace adit {
+namespace {
+
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
+template <class Visit>
+void for_each_cell(const TerrainMap& map, const Visit& visit) {
+  std::size_t i = 0;
+  for (int row = 0; row < map.rows; ++row) {
+    for (int column = 0; column < map.columns; ++column) visit(column, row, i++);
+  }
+}
+
+std::vector<float> lowest(const RegionHeights& regions, const TerrainMap& map) {
+  std::vector<float> low_m(map.cells.size());
+  for_each_cell(map,
+                [&](int column, int row, std::size_t i) { low_m[i] = regions.low_m(column, row); });
+  return low_m;
+}
+
+/// A cell in which something stands on the ground, or hangs above it, is seen even where the ground
+/// itself is not: one that shows the roof alone is not.
+void set_heights(TerrainMap& map, const RegionHeights& regions, const GroundLevel& ground) {
+  for_each_cell(map, [&](int column, int row, std::size_t i) {
+    const RegionHeights::Above above = regions.above(column, row, ground.low_m(i));
+    TerrainCell& cell = map.cells[i];
+    cell.clearance_m = above.roof_m;  // until the ground is known, the height of the roof itself
+    if (above.count == 0) return;
+    cell.ground = Ground::kSeen;
+    cell.count = static_cast<std::uint16_t>(std::min<std::uint32_t>(above.count, UINT16_MAX));
+    cell.low_m = ground.low_m(i);
+    cell.high_m = above.high_m;
+  });
+}
+
+void set_differences(TerrainMap& map) {
+  for (TerrainCell& cell : map.cells) {
+    cell.coefficient_m = cell.high_m - cell.low_m;
+    cell.clearance_m = cell.clearance_m - cell.low_m;
+  }
+}
+
+}  // namespace
+
+TerrainMap Terrain::make(const Cloud& cloud) const {
+  TerrainMap map = blank(cloud);
+  const CellHeights heights(cloud, map);
+  const RegionHeights regions(heights, map, params_);
+  const std::vector<float> low_m = lowest(regions, map);
+  const GroundLevel ground(map, low_m, params_);
+  set_heights(map, regions, ground);
+  tell_unseen_ground_apart(map, cloud, ground, params_);
+  set_differences(map);
+  set_slope_and_step(map);
+  set_repulsion(map, params_.repulsion);
+  return map;
+}
+
+TerrainMap Terrain::blank(const Cloud& cloud) const {
+  const auto cells = [&](double metres) {
+    return static_cast<int>(std::lround(metres / params_.cell_m));
+  };
+  TerrainMap map;
+  map.utime = cloud.utime;
+  map.id = cloud.id;
+  map.T_odom_level = cloud.T_odom_level;
+  map.cell_m = params_.cell_m;
+  map.columns = std::max(cells(params_.length_m), 1);
+  map.rows = std::max(cells(params_.width_m), 1);
+  map.p_level_corner = {-params_.behind_m, -0.5 * map.rows * map.cell_m};
+  TerrainCell unknown;
+  unknown.low_m = kUnknown;
+  unknown.high_m = kUnknown;
+  map.cells.assign(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows),
+                   unknown);
+  return map;
+}
+
+}  // namespace adit

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/terrain/terrain_node.hpp"
+
+#include "common/bus/channels.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/terrain_tiles.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::size_t kPiecesWaiting = 200;  // several sweeps
+
+}  // namespace
+
+TerrainNode::TerrainNode(Bus& bus, const Params& params) : bus_(bus), terrain_(params) {
+  subscribe<cloud_t>(bus, channels::kCloud, Delivery::queued(kPiecesWaiting),
+                     [this](const CloudPiece& piece) {
+                       if (const auto cloud = assembler_.add(piece)) on_cloud(*cloud);
+                     });
+}
+
+void TerrainNode::on_cloud(const Cloud& cloud) {
+  superseded_ = assembler_.counts().superseded;
+  cut_short_ = !cloud.complete;
+  for (const TerrainTile& tile : divide(terrain_.make(cloud))) {
+    publish(bus_, channels::kTerrain, to_message(tile));
+  }
+}
+
+Health TerrainNode::health() const {
+  using Level = Health::Level;
+  if (assembler_.counts().superseded > superseded_) {
+    return {Level::kDegraded, "a 3D scan came without some of its pieces"};
+  }
+  if (cut_short_) return {Level::kDegraded, "the last 3D scan was cut short"};
+  return {};
+}
+
+}  // namespace adit

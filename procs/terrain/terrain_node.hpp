@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/bus/bus.hpp"
+#include "common/messages/cloud_pieces.hpp"
+#include "common/messages/heartbeat.hpp"
+#include "procs/terrain/terrain.hpp"
+
+namespace adit {
+
+/// In:  CLOUD (cloud_t), in pieces.
+/// Out: TERRAIN (terrain_t), in pieces, for each cloud of which all pieces came.
+class TerrainNode {
+ public:
+  using Params = TerrainParams;
+
+  TerrainNode(Bus& bus, const Params& params);
+
+  /// Degraded where the newest cloud was cut short, or lacks pieces.
+  [[nodiscard]] Health health() const;
+
+ private:
+  void on_cloud(const Cloud& cloud);
+
+  Bus& bus_;
+  Terrain terrain_;
+  CloudAssembler assembler_;
+  std::int64_t superseded_ = 0;  ///< clouds that lacked pieces, when the last one was complete
+  bool cut_short_ = false;
+};
+
+}  // namespace adit

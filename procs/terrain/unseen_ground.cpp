@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/terrain/unseen_ground.hpp"
+
+#include <vector>
+
+#include "procs/terrain/sight_lines.hpp"
+
+namespace adit {
+namespace {
+
+constexpr float kOnePlace = 0.25F;  // in which a tilting laser stays [m]
+
+/// Lines by the place that they look from, in the order of the cloud.
+std::vector<std::vector<const CloudLine*>> by_place(const Cloud& cloud) {
+  std::vector<std::vector<const CloudLine*>> places;
+  for (const CloudLine& line : cloud.lines) {
+    if (!is_usable(line.origin)) continue;
+    auto place = places.begin();
+    while (place != places.end() && (place->front()->origin - line.origin).norm() > kOnePlace) {
+      ++place;
+    }
+    if (place == places.end()) place = places.insert(place, std::vector<const CloudLine*>{});
+    place->push_back(&line);
+  }
+  return places;
+}
+
+int knowledge(Ground ground) {
+  switch (ground) {
+    case Ground::kSeen:
+      return 4;
+    case Ground::kNoReturn:
+      return 3;
+    case Ground::kBelowRay:
+      return 2;
+    case Ground::kShadow:
+      return 1;
+    case Ground::kNeverSeen:
+      break;
+  }
+  return 0;
+}
+
+bool knows_more(const Sighting& sighting, const TerrainCell& cell) {
+  if (sighting.ground == Ground::kBelowRay && cell.ground == Ground::kBelowRay) {
+    return sighting.height_m < cell.low_m;
+  }
+  return knowledge(sighting.ground) > knowledge(cell.ground);
+}
+
+void apply(const Sighting& sighting, TerrainCell& cell) {
+  if (!knows_more(sighting, cell)) return;
+  cell.ground = sighting.ground;
+  cell.low_m = sighting.height_m;
+  if (sighting.ground == Ground::kSeen) cell.high_m = sighting.height_m;
+}
+
+}  // namespace
+
+void tell_unseen_ground_apart(TerrainMap& map, const Cloud& cloud, const GroundLevel& ground,
+                              const TerrainParams& params) {
+  const BeamEnds ends(map, ground, params);
+  for (const auto& lines : by_place(cloud)) {
+    const SightLines sight(lines, ends, map, params.unseen);
+    for (int row = 0; row < map.rows; ++row) {
+      for (int column = 0; column < map.columns; ++column) {
+        TerrainCell& cell = map.at(column, row);
+        if (cell.ground == Ground::kSeen) continue;
+        const Eigen::Vector2f p = map.centre(column, row).cast<float>();
+        apply(sight.at(p.x(), p.y()), cell);
+      }
+    }
+  }
+}
+
+}  // namespace adit

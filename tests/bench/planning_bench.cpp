@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of a plan on a map of 20 × 20 m: layers, C-space maps of 32 headings at two sizes of
+// cells, heuristic and search, and all of it.
+#include <benchmark/benchmark.h>
+
+#include "procs/planning/cell_heuristic.hpp"
+#include "procs/planning/planning.hpp"
+#include "procs/planning/start_pose.hpp"
+#include "tests/support/terrain_scenes.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::uint32_t kSeed = 7;
+
+TerrainMap scene(double cell_m = 0.1) { return terrain_of(random_corridor(kSeed), 20.0, cell_m); }
+
+void layers(benchmark::State& state) {
+  const TerrainMap terrain = scene();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(ground_layers(terrain, {}, Vehicle{}, GroundLimits{}));
+  }
+}
+BENCHMARK(layers)->Unit(benchmark::kMillisecond);
+
+void c_space(benchmark::State& state) {
+  const double cell_m = static_cast<double>(state.range(0)) / 1000.0;
+  const TerrainMap terrain = scene(cell_m);
+  const GroundLayers ground = ground_layers(terrain, {}, Vehicle{}, GroundLimits{});
+  const CSpaceKernels kernels(Vehicle{}, CSpaceParams{}, cell_m);
+  for (auto _ : state) benchmark::DoNotOptimize(kernels.convolve(ground));
+}
+BENCHMARK(c_space)->Arg(100)->Arg(50)->ArgName("cell_mm")->Unit(benchmark::kMillisecond);
+
+/// What a search needs.
+struct Prepared {
+  TerrainMap terrain = scene();
+  PlanningParams params;
+  CSpaceKernels kernels{params.vehicle, params.c_space, terrain.cell_m};
+  MotionPrimitives primitives{params.vehicle, params.primitives, kernels.headings(),
+                              terrain.cell_m};
+  CSpace space =
+      kernels.convolve(ground_layers(terrain, {}, params.vehicle, params.c_space.ground));
+  Lattice lattice{space, primitives};
+  GoalField goals{PlanGoal{}, {}, {}, terrain, params.goals};
+};
+
+void heuristic(benchmark::State& state) {
+  const Prepared with;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(cell_heuristic(with.lattice, with.goals, with.terrain.cell_m));
+  }
+}
+BENCHMARK(heuristic)->Unit(benchmark::kMillisecond);
+
+void search(benchmark::State& state) {
+  const Prepared with;
+  const auto left = cell_heuristic(with.lattice, with.goals, with.terrain.cell_m);
+  const LatticePose start = nearest_pose(with.terrain, with.kernels.headings(), {});
+  for (auto _ : state) {
+    const LatticePath path = search_lattice(with.lattice, with.kernels.headings(), start,
+                                            with.goals, left, with.params.search);
+    state.counters["expansions"] = path.expansions;
+  }
+}
+BENCHMARK(search)->Unit(benchmark::kMillisecond);
+
+void whole_plan(benchmark::State& state) {
+  const TerrainMap terrain = scene();
+  Planning planning(PlanningParams{});
+  for (auto _ : state) benchmark::DoNotOptimize(planning.plan(terrain, PlanGoal{}, {}));
+}
+BENCHMARK(whole_plan)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace adit

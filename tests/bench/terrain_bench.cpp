@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How long a 3D scan of 240 × 361 beams takes to become a terrain map of 20 × 20 m at 0.1 m. Times
+// are of the processor, so that others on the machine count little.
+#include <benchmark/benchmark.h>
+
+#include "procs/terrain/terrain.hpp"
+#include "sim/world/build_world.hpp"
+#include "sim/world/drift_line.hpp"
+#include "sim/world/world_file.hpp"
+#include "tests/support/tilt_sweep.hpp"
+
+namespace adit {
+namespace {
+
+Cloud scan_of(const char* world, const char* drift, double s_m) {
+  const WorldDescription description = find_world(world);
+  const Site site(build_world(description));
+  const auto drifts = drift_lines(description.plan);
+  const auto [p_world, heading_rad] = find_drift(drifts, drift, "bench").at(s_m);
+  return tilt_sweep(site, level_on_floor(site.world(), {p_world.x(), p_world.y(), heading_rad}));
+}
+
+void make_terrain(benchmark::State& state, const Cloud& cloud, const char* estimator) {
+  TerrainParams params;
+  params.estimator.kind = estimator;
+  const Terrain terrain(params);
+  for (auto _ : state) benchmark::DoNotOptimize(terrain.make(cloud));
+  state.counters["points"] = static_cast<double>(cloud.points());
+}
+
+void free_corridor(benchmark::State& state, const char* estimator) {
+  static const Cloud cloud = scan_of("mathies", "main", 50.0);
+  make_terrain(state, cloud, estimator);
+}
+
+void broken_beam(benchmark::State& state, const char* estimator) {
+  static const Cloud cloud = scan_of("mathies", "main", 300.0);
+  make_terrain(state, cloud, estimator);
+}
+
+BENCHMARK_CAPTURE(free_corridor, kth, "kth")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(free_corridor, paper, "paper")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(broken_beam, kth, "kth")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(broken_beam, paper, "paper")->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the robot is asked on its way, and what planning answers.
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "common/messages/pieces.hpp"
+#include "common/messages/plan_goal.hpp"
+#include "common/messages/planar.hpp"
+#include "common/messages/planned_path.hpp"
+#include "common/messages/scan_request.hpp"
+#include "tests/unit/common/messages/map_values.hpp"
+
+namespace adit {
+namespace {
+
+using test::kNaN;
+using test::kUtime;
+using test::over_the_wire;
+
+PlanGoal goal(std::int64_t utime, std::int32_t id = 4) {
+  return {utime, id, PlanGoal::Kind::kTo, {20.0, -3.0, 0.1}, 12.0};
+}
+
+PlannedPath found() {
+  PlannedPath path;
+  path.utime = kUtime;
+  path.id = 4;
+  path.outcome = PlanOutcome::kFound;
+  path.reason = "free as far as it was seen";
+  path.points = {{{1.0, 2.0, 0.7}, 0.2, false, 0.4, 0.0},
+                 {{1.3, 2.2, 0.8}, 0.0, true, std::numeric_limits<double>::infinity(), 9.5}};
+  path.reached_m = 9.6;
+  return path;
+}
+
+PlannedPath blocked(std::size_t cells, std::int64_t utime = kUtime, std::int32_t id = 4) {
+  PlannedPath path{utime, id, PlanOutcome::kBlocked, "a beam lies across", {}, 2.1, {}};
+  for (std::size_t i = 0; i < cells; ++i) {
+    path.blocking.push_back(
+        {{0.1 * static_cast<double>(i), 1.0}, BlockingCell::Reason::kRoof, 0.8});
+  }
+  return path;
+}
+
+template <class Message, class Value>
+std::string_view refusal_after(const Value& value, const std::function<void(Message&)>& change) {
+  Message message = to_message(value);
+  change(message);
+  return from_message(message).refusal();
+}
+
+TEST(NavigationMessages, GoThereAndBack) {
+  for (const LaserId laser : {LaserId::kFront, LaserId::kRear}) {
+    const ScanRequest request{kUtime, 3, laser};
+    EXPECT_EQ(*over_the_wire(request), request);
+  }
+  EXPECT_EQ(*over_the_wire(goal(kUtime)), goal(kUtime));
+  EXPECT_EQ(*over_the_wire(found()), found());
+  EXPECT_EQ(*over_the_wire(blocked(3)), blocked(3));
+}
+
+TEST(NavigationMessages, AreRefusedWithATimeOrAnIdThatCannotBe) {
+  EXPECT_EQ(over_the_wire(ScanRequest{-1}).refusal(), kImplausibleTime);
+  EXPECT_EQ(over_the_wire(ScanRequest{kUtime, -1}).refusal(), "negative id");
+  EXPECT_EQ(over_the_wire(goal(-1)).refusal(), kImplausibleTime);
+  EXPECT_EQ(over_the_wire(goal(kUtime, -1)).refusal(), "negative id");
+  EXPECT_EQ(over_the_wire(blocked(1, -1)).refusal(), kImplausibleTime);
+  EXPECT_EQ(over_the_wire(blocked(1, kUtime, -1)).refusal(), "negative id");
+}
+
+TEST(ScanRequestMessage, IsRefusedForALaserThatIsNone) {
+  for (const char* laser : {"", "LASER_LEFT", "LASER_FRONT "}) {
+    const auto refusal = refusal_after<scan_request_t>(
+        ScanRequest{kUtime}, [laser](scan_request_t& m) { m.laser = laser; });
+    EXPECT_EQ(refusal, "unknown laser");
+  }
+}
+
+TEST(PlanGoalMessage, IsRefusedWhereItLeadsNowhere) {
+  using Message = plan_goal_t;
+  const auto refusal = [](const std::function<void(Message&)>& change) {
+    return refusal_after<Message>(goal(kUtime), change);
+  };
+  EXPECT_EQ(refusal([](Message& m) { m.kind = 2; }), "unknown kind");
+  EXPECT_EQ(refusal([](Message& m) { m.kind = -1; }), "unknown kind");
+  EXPECT_EQ(refusal([](Message& m) { m.T_odom_goal[1] = kNaN; }), kPoseNotFinite);
+  EXPECT_EQ(refusal([](Message& m) { m.distance_max_m = kNaN; }), "distance is not finite");
+  EXPECT_EQ(refusal([](Message& m) { m.distance_max_m = 0.0; }), "distance is not positive");
+}
+
+TEST(PlannedPathMessage, CutsEvidenceThatIsTooLongAndKeepsItsCount) {
+  const planned_path_t message = to_message(blocked(10'000));
+  const auto bytes = encode(message).size();
+  EXPECT_LE(bytes, kPieceBytes);
+  EXPECT_GT(bytes, kPieceBytes - 100);  // a cell takes 25
+  EXPECT_EQ(message.n_blocking_found, 10'000);
+  const auto path = from_message(message);
+  ASSERT_TRUE(path);
+  const auto all = blocked(10'000).blocking;
+  EXPECT_TRUE(std::equal(path->blocking.begin(), path->blocking.end(), all.begin()));
+}
+
+TEST(PlannedPathMessage, NeverCutsThePath) {
+  PlannedPath path = found();
+  path.points.resize(2000, path.points.front());  // 98 kB
+  path.blocking = blocked(10).blocking;
+  const planned_path_t message = to_message(path);
+  EXPECT_EQ(message.n_points, 2000);
+  EXPECT_EQ(message.n_blocking, 0);
+  EXPECT_EQ(message.n_blocking_found, 10);
+}
+
+TEST(PlannedPathMessage, IsRefusedWhereItContradictsItself) {
+  using Message = planned_path_t;
+  EXPECT_EQ(refusal_after<Message>(found(), [](Message& m) { m.outcome = 5; }), "unknown outcome");
+  EXPECT_EQ(refusal_after<Message>(found(), [](Message& m) { m.outcome = 2; }),
+            "points without a path");
+  EXPECT_EQ(refusal_after<Message>(blocked(1), [](Message& m) { m.outcome = 0; }),
+            "path without points");
+  EXPECT_EQ(refusal_after<Message>(blocked(3), [](Message& m) { m.n_blocking_found = 2; }),
+            "fewer blocking cells than are there");
+}
+
+TEST(PlannedPathMessage, IsRefusedWithNumbersThatCannotBe) {
+  using Message = planned_path_t;
+  const auto refusal = [](const std::function<void(Message&)>& change) {
+    return refusal_after<Message>(found(), change);
+  };
+  EXPECT_EQ(refusal([](Message& m) { m.reached_m = kNaN; }), "progress is not finite");
+  EXPECT_EQ(refusal([](Message& m) { m.points[1].T_odom_body[0] = kNaN; }), kPoseNotFinite);
+  EXPECT_EQ(refusal([](Message& m) { m.points[1].curvature_1_m = kNaN; }),
+            "curvature is not finite");
+  EXPECT_EQ(refusal([](Message& m) { m.points[1].clearance_m = kNaN; }), "clearance is no number");
+  EXPECT_EQ(refusal([](Message& m) { m.points[1].cost = kNaN; }), "cost is not finite");
+}
+
+TEST(PlannedPathMessage, IsRefusedWithEvidenceThatIsNone) {
+  using Message = planned_path_t;
+  EXPECT_EQ(refusal_after<Message>(blocked(2), [](Message& m) { m.blocking[1].p_odom[0] = kNaN; }),
+            "cell at a place that is not finite");
+  EXPECT_EQ(refusal_after<Message>(blocked(2), [](Message& m) { m.blocking[1].reason = 6; }),
+            "cell of an unknown reason");
+  EXPECT_TRUE(refusal_after<Message>(blocked(2), [](Message& m) {
+                m.blocking[1].height_m = kNaN;
+              }).empty());
+}
+
+}  // namespace
+}  // namespace adit

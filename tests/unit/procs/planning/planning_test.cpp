@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/planning/planning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "procs/planning/footprint.hpp"
+#include "tests/support/terrain_scenes.hpp"
+
+namespace adit {
+namespace {
+
+using Reason = BlockingCell::Reason;
+
+PlannedPath plan(const TerrainMap& terrain, const PlanGoal& goal = {}, const Pose2& robot = {},
+                 const PlanningParams& params = {}) {
+  return Planning(params).plan(terrain, goal, robot);
+}
+
+PlanGoal to(const Pose2& pose) {
+  PlanGoal goal;
+  goal.kind = PlanGoal::Kind::kTo;
+  goal.T_odom_goal = pose;
+  return goal;
+}
+
+TerrainMap corridor_with(const TerrainCell& cell, const Eigen::Vector2d& low,
+                         const Eigen::Vector2d& high) {
+  TerrainMap terrain = terrain_of(CorridorScene{});
+  paint_box(terrain, cell, low, high);
+  return terrain;
+}
+
+int count(const PlannedPath& path, Reason reason) {
+  return static_cast<int>(std::count_if(path.blocking.begin(), path.blocking.end(),
+                                        [&](const auto& cell) { return cell.reason == reason; }));
+}
+
+/// Points of lethal cells that the vehicle itself touches on its way.
+int touched(const PlannedPath& path, const TerrainMap& terrain, const Vehicle& vehicle) {
+  const std::vector<BodyRectangle> body{body_outline(vehicle)};
+  const auto wheels = wheel_tracks(vehicle);
+  int touches = 0;
+  for (const PathPoint& point : path.points) {
+    const Pose2 T_body_level = (terrain.T_odom_level.inverse() * point.T_odom_body).inverse();
+    for (int row = 0; row < terrain.rows; ++row) {
+      for (int column = 0; column < terrain.columns; ++column) {
+        const auto reason = lethal_reason(terrain.at(column, row), vehicle, {});
+        if (!reason || *reason == Reason::kUnknown) continue;
+        const bool any = *reason == Reason::kBelly || *reason == Reason::kRoof;
+        for (const double dx : {-0.5, 0.0, 0.5}) {
+          for (const double dy : {-0.5, 0.0, 0.5}) {
+            const Eigen::Vector2d p = T_body_level * (terrain.centre(column, row) +
+                                                      terrain.cell_m * Eigen::Vector2d(dx, dy));
+            if (any_contains(any ? body : wheels, p)) ++touches;
+          }
+        }
+      }
+    }
+  }
+  return touches;
+}
+
+TEST(Planning, FindsTheWayDownAFreeCorridor) {
+  PlanGoal goal;
+  goal.distance_m = 12.0;
+  const PlannedPath path = plan(terrain_of(CorridorScene{}, 30.0), goal);
+  ASSERT_EQ(path.outcome, PlanOutcome::kFound);
+  EXPECT_NEAR(path.reached_m, 12.0, 0.05 + 1e-9);  // half a cell
+  EXPECT_TRUE(path.blocking.empty());
+  for (const PathPoint& point : path.points) {
+    EXPECT_NEAR(point.T_odom_body.y, 0.0, 0.05 + 1e-9);  // half a cell
+    EXPECT_FALSE(point.reverse);
+    EXPECT_NEAR(point.clearance_m, 1.4, 0.15);  // of 2 m, in cells
+  }
+}
+
+TEST(Planning, GivesAPathThatCanBeDriven) {
+  const double spacing = PlanningParams{}.point_spacing_m;
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const PlannedPath path = plan(terrain_of(random_corridor(seed)));
+    ASSERT_EQ(path.outcome, PlanOutcome::kFound) << seed;
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+      const PathPoint& here = path.points[i - 1];
+      const Pose2 T_here_next = between(here.T_odom_body, path.points[i].T_odom_body);
+      const double way = T_here_next.translation().norm();
+      EXPECT_LE(way, 1.5 * spacing);
+      EXPECT_EQ(T_here_next.x < -1e-9, here.reverse && way > 1e-9);
+      // An arc turns by its length times its curvature; a stretch may be part arc, part straight.
+      EXPECT_LE(std::abs(T_here_next.theta), 1.01 * way / Vehicle{}.turning_radius_m + 1e-9);
+      EXPECT_LE(std::abs(here.curvature_1_m), 1.0 / Vehicle{}.turning_radius_m + 1e-9);
+      EXPECT_GE(path.points[i].cost, here.cost);
+    }
+  }
+}
+
+TEST(Planning, TouchesNothingLethalOnItsWay) {
+  for (std::uint32_t seed = 100; seed < 130; ++seed) {
+    const TerrainMap terrain = terrain_of(random_corridor(seed));
+    const PlannedPath path = plan(terrain);
+    ASSERT_EQ(path.outcome, PlanOutcome::kFound) << seed;
+    EXPECT_EQ(touched(path, terrain, Vehicle{}), 0) << seed;
+  }
+}
+
+TEST(Planning, AnswersAMirroredSceneWithTheMirroredPath) {
+  const double off = 0.05;  // the middle of a row, about which maps are mirrored
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    TerrainMap terrain = terrain_of(random_corridor(seed), 20.1);
+    terrain.p_level_corner.y() = -10.05;
+    const PlannedPath path = plan(terrain, {}, {off, 0.0, 0.0});
+    const PlannedPath image = plan(mirrored(terrain), {}, {off, 0.0, 0.0});
+    ASSERT_EQ(path.points.size(), image.points.size()) << seed;
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+      EXPECT_NEAR(path.points[i].T_odom_body.x, image.points[i].T_odom_body.x, 1e-9);
+      EXPECT_NEAR(path.points[i].T_odom_body.y, -image.points[i].T_odom_body.y, 1e-9);
+      EXPECT_NEAR(path.points[i].curvature_1_m, -image.points[i].curvature_1_m, 1e-9);
+    }
+  }
+}
+
+TEST(Planning, GivesTheSamePathTwice) {
+  Planning planning(PlanningParams{});
+  const TerrainMap terrain = terrain_of(random_corridor(5));
+  EXPECT_EQ(planning.plan(terrain, {}, {}), planning.plan(terrain, {}, {}));
+}
+
+TEST(Planning, PassesAGapOfOneMetreEighty) {
+  TerrainMap terrain = corridor_with(obstacle_cell(1.0), {4.0, -2.0}, {4.3, -0.9});
+  paint_box(terrain, obstacle_cell(1.0), {4.0, 0.9}, {4.3, 2.0});
+  const PlannedPath path = plan(terrain);
+  EXPECT_EQ(path.outcome, PlanOutcome::kFound);
+  EXPECT_GT(path.reached_m, 6.0);
+}
+
+TEST(Planning, StraddlesRails) {
+  CorridorScene scene;
+  scene.rails = true;
+  const PlannedPath path = plan(terrain_of(scene), {}, {0.0, 0.4, 0.0});
+  ASSERT_EQ(path.outcome, PlanOutcome::kFound);
+  // The tracks are as far apart as the rails: no more on them than it takes to get off them.
+  const double gauge = 0.9;
+  int ridden = 0;
+  for (const PathPoint& point : path.points) {
+    const double left = point.T_odom_body.y + Vehicle{}.track_m / 2.0;
+    const double right = point.T_odom_body.y - Vehicle{}.track_m / 2.0;
+    const bool on = std::min({std::abs(left - gauge / 2.0), std::abs(right + gauge / 2.0),
+                              std::abs(left + gauge / 2.0), std::abs(right - gauge / 2.0)}) < 0.1;
+    if (on) ++ridden;
+  }
+  EXPECT_LT(ridden, static_cast<int>(path.points.size()) / 3);
+}
+
+TEST(Planning, ShowsABeamAcrossTheCorridorAsEvidence) {
+  const PlannedPath path = plan(corridor_with(obstacle_cell(0.6), {2.8, -2.0}, {3.0, 2.0}));
+  EXPECT_EQ(path.outcome, PlanOutcome::kBlocked);
+  EXPECT_TRUE(path.points.empty());
+  EXPECT_NEAR(path.reached_m, 2.8 - 1.2, 0.35);  // half its length before it, and the margins
+  EXPECT_GT(count(path, Reason::kBelly), 20);
+  for (const BlockingCell& cell : path.blocking) {
+    EXPECT_TRUE(std::abs(cell.p_odom.y()) > 1.8 || std::abs(cell.p_odom.x() - 2.9) < 0.11);
+  }
+  EXPECT_THAT(path.reason, testing::HasSubstr("too high to drive over"));
+}
+
+TEST(Planning, TellsWhatIsInTheWay) {
+  const auto across = [](const TerrainCell& cell) {
+    return plan(corridor_with(cell, {2.5, -2.0}, {3.5, 2.0}));
+  };
+  EXPECT_GT(count(across(roofed_cell(0.8)), Reason::kRoof), 10);
+  EXPECT_FLOAT_EQ(static_cast<float>(across(roofed_cell(0.8)).blocking[20].height_m), 0.8F);
+  EXPECT_GT(count(across(unseen_cell(Ground::kNoReturn)), Reason::kWater), 10);
+  EXPECT_GT(count(across(unseen_cell(Ground::kBelowRay)), Reason::kStep), 10);
+  EXPECT_GT(count(across(obstacle_cell(0.22)), Reason::kStep), 10);
+}
+
+TEST(Planning, TellsWhatIsBlockedFromWhatIsNotSeen) {
+  const Eigen::Vector2d low(2.5, -2.0);
+  const PlannedPath unseen = plan(corridor_with(unseen_cell(Ground::kShadow), low, {5.5, 2.0}));
+  EXPECT_EQ(unseen.outcome, PlanOutcome::kUnknown);
+  EXPECT_GT(count(unseen, Reason::kUnknown), 10);
+  TerrainMap both = corridor_with(unseen_cell(Ground::kShadow), low, {5.5, 2.0});
+  paint_box(both, obstacle_cell(1.0), {2.8, -2.0}, {3.0, 2.0});
+  EXPECT_EQ(plan(both).outcome, PlanOutcome::kBlocked);
+}
+
+TEST(Planning, TakesLessThanTwoAndAHalfMetresForNoPath) {
+  const auto end_at = [](double x) {
+    return plan(corridor_with(obstacle_cell(1.0), {x, -2.0}, {x + 0.3, 2.0}));
+  };
+  EXPECT_EQ(end_at(3.5).outcome, PlanOutcome::kBlocked);
+  EXPECT_EQ(end_at(4.5).outcome, PlanOutcome::kFound);
+}
+
+TEST(Planning, SeesNothingOfTheGroundUnderItself) {
+  TerrainMap terrain = corridor_with(unseen_cell(Ground::kNeverSeen), {-1.5, -0.9}, {1.5, 0.9});
+  EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kFound);
+}
+
+TEST(Planning, LeavesAStartThatNoiseMakesLethal) {
+  const PlannedPath under = plan(corridor_with(obstacle_cell(0.5), {-0.1, 0.3}, {0.1, 0.6}));
+  EXPECT_EQ(under.outcome, PlanOutcome::kFound);
+  const PlannedPath beside = plan(corridor_with(obstacle_cell(0.5), {-5.0, 0.75}, {0.5, 2.0}));
+  EXPECT_EQ(beside.outcome, PlanOutcome::kFound);
+}
+
+TEST(Planning, DoesNotStartWhereTheWheelsAreNotSeen) {
+  PlanningParams params;
+  params.c_space.ground.blind_margin_m = 0.0;
+  // The footprint stands for itself, but a pose of the lattice is up to half a cell from it.
+  TerrainMap terrain = corridor_with(unseen_cell(Ground::kNeverSeen), {-9.0, -2.0}, {9.0, 2.0});
+  EXPECT_NE(plan(terrain, {}, {}, params).outcome, PlanOutcome::kFound);
+}
+
+TEST(Planning, SaysThatTheRobotIsNotOnTheMap) {
+  for (const double x : {50.0, 1e300, std::nan("")}) {
+    const PlannedPath path = plan(terrain_of(CorridorScene{}), {}, {x, 0.0, 0.0});
+    EXPECT_EQ(path.outcome, PlanOutcome::kStartBlocked);
+    EXPECT_EQ(path.reason, "The robot is not on the terrain map.");
+  }
+}
+
+TEST(Planning, ReachesAPoseWithinItsTolerances) {
+  const GoalParams tolerances;
+  for (const Pose2& pose : {Pose2{4.0, 0.8, 0.4}, Pose2{-3.0, 0.0, 0.0}, Pose2{0.0, 0.0, 0.0}}) {
+    const PlannedPath path = plan(terrain_of(CorridorScene{}), to(pose));
+    ASSERT_EQ(path.outcome, PlanOutcome::kFound);
+    const Pose2 off = between(pose, path.points.back().T_odom_body);
+    EXPECT_LE(off.translation().norm(), tolerances.tolerance_m + 1e-9);
+    EXPECT_LE(std::abs(off.theta), tolerances.heading_tolerance_rad);
+  }
+}
+
+TEST(Planning, BacksUpToAPoseBehindIt) {
+  const PlannedPath path = plan(terrain_of(CorridorScene{}), to({-3.0, 0.0, 0.0}));
+  ASSERT_EQ(path.outcome, PlanOutcome::kFound);
+  EXPECT_TRUE(path.points.front().reverse);
+}
+
+TEST(Planning, PlansInTheFrameOfTheOdometry) {
+  TerrainMap terrain = terrain_of(random_corridor(3));
+  const PlannedPath here = plan(terrain);
+  const Pose2 T_odom_level{40.0, -7.0, 2.0};
+  terrain.T_odom_level = T_odom_level;
+  PlanGoal goal;
+  goal.T_odom_goal = T_odom_level;
+  const PlannedPath there = plan(terrain, goal, T_odom_level);
+  ASSERT_EQ(here.points.size(), there.points.size());
+  for (std::size_t i = 0; i < here.points.size(); ++i) {
+    const Pose2 moved = T_odom_level * here.points[i].T_odom_body;
+    EXPECT_NEAR((moved.translation() - there.points[i].T_odom_body.translation()).norm(), 0, 1e-9);
+  }
+}
+
+TEST(Planning, RefusesAMapThatIsNotWhatItSays) {
+  TerrainMap terrain = even_ground();
+  terrain.cells.pop_back();
+  EXPECT_THROW(plan(terrain), std::invalid_argument);
+  EXPECT_THROW(plan(TerrainMap{}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A simulated robot on a bus is asked for a 3D scan.
+#include "procs/scan_assembly/scan_assembly_node.hpp"
+
+#include <gtest/gtest.h>
+
+#include "adit/pose_t.hpp"
+
+#include "common/bus/channels.hpp"
+#include "common/bus/memory_bus.hpp"
+#include "common/bus/node_host.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/cloud_pieces.hpp"
+#include "common/messages/pose.hpp"
+#include "common/messages/scan_request.hpp"
+#include "sim/sim_node.hpp"
+#include "tests/unit/procs/scan_assembly/sweeping_robot.hpp"
+
+namespace adit {
+namespace {
+
+using test::kStart;
+
+class ScanAssemblyNodeInAMine : public testing::Test {
+ protected:
+  ScanAssemblyNodeInAMine() {
+    subscribe<cloud_t>(bus_, channels::kCloud, Delivery::queued(100),
+                       [this](const CloudPiece& piece) {
+                         ++pieces_;
+                         if (auto cloud = assembler_.add(piece)) clouds_.push_back(*cloud);
+                       });
+    subscribe<heartbeat_t>(bus_, channels::kHeartbeat, Delivery::latest(),
+                           [this](const Heartbeat& heartbeat) { heartbeat_ = heartbeat; });
+    // In place of scan matching: the world is odom.
+    bus_.tap([this](const Received& received) {
+      if (received.channel == channels::kTruth)
+        truth_.assign(received.bytes.begin(), received.bytes.end());
+    });
+  }
+
+  static ScanAssemblyParams params() {
+    ScanAssemblyParams params;
+    params.lasers = groundhog_lasers();
+    return params;
+  }
+
+  void run(double seconds) {
+    const std::int64_t end = sim_.simulation().utime() + std::llround(seconds * 1e6);
+    while (sim_.simulation().utime() < end) {
+      bus_.advance_to(sim_.next_utime());
+      sim_.step();
+      if (!truth_.empty()) bus_.publish(channels::kPose, truth_);
+      truth_.clear();
+    }
+  }
+  void request(LaserId laser) {
+    publish(bus_, channels::kScanRequest, to_message(ScanRequest{bus_.now_utime(), 5, laser}));
+  }
+
+  BoxDrift drift_;
+  Site site_{box_drift(drift_)};
+  MemoryBus bus_;
+  SimNode sim_{bus_, site_, SimulationParams{}, 1, kStart};
+  NodeHost host_{bus_, {"scan_assembly", "0.1.0", ""}};
+  ScanAssemblyNode node_{host_.bus(), params()};
+  Heartbeat heartbeat_;
+  std::vector<std::uint8_t> truth_;
+  CloudAssembler assembler_;
+  std::vector<Cloud> clouds_;
+  int pieces_ = 0;
+};
+
+TEST_F(ScanAssemblyNodeInAMine, AnswersARequestWithACloudInTenSeconds) {
+  run(1.5);
+  request(LaserId::kFront);
+  run(10.0);
+  ASSERT_EQ(clouds_.size(), 1U);
+  const Cloud& cloud = clouds_.front();
+  EXPECT_TRUE(cloud.complete);
+  EXPECT_EQ(cloud.id, 5);
+  EXPECT_EQ(node_.health(), Health{});
+  EXPECT_GT(cloud.lines.size(), 230U);
+  EXPECT_GT(pieces_, 10);
+  EXPECT_GT(heartbeat_.handled, 1000);
+  EXPECT_EQ(heartbeat_.dropped, 0);
+  EXPECT_EQ(heartbeat_.refused, 0);
+  // Offset, unit and noise of the laser: 15, 5 and 24 mm; a bias of the accelerometers of three
+  // times 0.02 m/s² over up to 12 m that are met steeply: 72 mm.
+  EXPECT_LE(test::largest_error(drift_, cloud), 0.044 + 0.072);
+}
+
+TEST_F(ScanAssemblyNodeInAMine, LooksBackWithTheRearLaser) {
+  run(1.5);
+  request(LaserId::kRear);
+  run(10.0);
+  ASSERT_EQ(clouds_.size(), 1U);
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  for (const CloudLine& line : clouds_[0].lines) {
+    for (const Eigen::Vector3f& p : line.points) sum += p;
+  }
+  EXPECT_LT(sum.x(), 0.0F);
+  EXPECT_EQ(node_.health(), Health{});
+}
+
+TEST_F(ScanAssemblyNodeInAMine, AnswersEachRequestAnew) {
+  run(1.5);
+  request(LaserId::kFront);
+  run(10.0);
+  request(LaserId::kFront);
+  run(10.0);
+  EXPECT_EQ(clouds_.size(), 2U);
+}
+
+TEST_F(ScanAssemblyNodeInAMine, SaysWhyItRefusesARequest) {
+  request(LaserId::kFront);
+  EXPECT_EQ(node_.health().level, Health::Level::kDegraded);
+  EXPECT_EQ(node_.health().reason, "request refused: the pose is not known");
+}
+
+}  // namespace
+}  // namespace adit

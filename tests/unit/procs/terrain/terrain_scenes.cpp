@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/unit/procs/terrain/terrain_scenes.hpp"
+
+#include <cmath>
+
+#include "tests/support/tilt_sweep.hpp"
+
+namespace adit {
+
+Cloud cloud_of(const std::function<void(MeshBuilder&)>& add,
+               const Eigen::Isometry3d& T_world_body) {
+  MeshBuilder builder;
+  builder.begin_part(PartKind::kFloor, Material::kRock, "rock");
+  add(builder);
+  World world;
+  world.mesh = builder.take();
+  return tilt_sweep(Site(std::move(world)), T_world_body);
+}
+
+void add_rock(MeshBuilder& builder, const Eigen::Vector3d& middle, const Eigen::Vector3d& size) {
+  OrientedBox box;
+  box.T_world_box.translation() = middle;
+  box.half_size = size / 2.0;
+  builder.box(box);
+}
+
+void add_ground(MeshBuilder& builder, double from_m, double to_m, double top_m) {
+  add_rock(builder, {(from_m + to_m) / 2.0, 0.0, top_m - 2.0}, {to_m - from_m, 4.0, 4.0});
+}
+
+void add_drift(MeshBuilder& builder) {
+  add_ground(builder, -15.0, 15.0);
+  add_rock(builder, {0.0, 0.0, 2.5}, {30.0, 4.0, 1.0});
+  for (const double side : {-1.0, 1.0}) {
+    add_rock(builder, {0.0, side * 2.5, 1.0}, {30.0, 1.0, 4.0});
+    add_rock(builder, {side * 15.5, 0.0, 1.0}, {1.0, 4.0, 4.0});
+  }
+}
+
+const TerrainCell& cell_at(const TerrainMap& map, double x, double y) {
+  const Eigen::Vector2d cell = (Eigen::Vector2d(x, y) - map.p_level_corner) / map.cell_m;
+  return map.at(static_cast<int>(std::floor(cell.x())), static_cast<int>(std::floor(cell.y())));
+}
+
+void for_cells(const TerrainMap& map, const Eigen::AlignedBox2d& box,
+               const std::function<void(const TerrainCell&)>& visit) {
+  for (int row = 0; row < map.rows; ++row) {
+    for (int column = 0; column < map.columns; ++column) {
+      if (box.contains(map.centre(column, row))) visit(map.at(column, row));
+    }
+  }
+}
+
+double share_of(const TerrainMap& map, const Eigen::AlignedBox2d& box,
+                const std::function<bool(const TerrainCell&)>& is) {
+  int cells = 0;
+  int hits = 0;
+  for_cells(map, box, [&](const TerrainCell& cell) {
+    ++cells;
+    hits += is(cell) ? 1 : 0;
+  });
+  return static_cast<double>(hits) / cells;
+}
+
+}  // namespace adit

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/terrain/terrain.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/procs/terrain/terrain_scenes.hpp"
+
+namespace adit {
+namespace {
+
+// Of a height: the laser's systematic error of 15 mm at most, its noise of 5 mm and its unit of
+// 10 mm, of which a beam to the ground or a low thing puts no more than half into the height.
+constexpr double kNoise = 0.03;
+const Eigen::AlignedBox2d kAhead(Eigen::Vector2d(2.5, -1.5), Eigen::Vector2d(7.5, 1.5));
+
+TerrainMap map_of(const Cloud& cloud, const std::string& estimator = "kth") {
+  TerrainParams params;
+  params.estimator.kind = estimator;
+  return Terrain(params).make(cloud);
+}
+
+Cloud drift_with(const std::function<void(MeshBuilder&)>& add) {
+  return cloud_of([&](MeshBuilder& builder) {
+    add_drift(builder);
+    add(builder);
+  });
+}
+
+class OfBothEstimators : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Terrain, OfBothEstimators, testing::Values("kth", "paper"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST_P(OfBothEstimators, FlatGroundIsEasy) {
+  const TerrainMap map = map_of(cloud_of(add_drift), GetParam());
+  for_cells(map, kAhead, [](const TerrainCell& cell) {
+    EXPECT_EQ(cell.ground, Ground::kSeen);
+    EXPECT_LT(cell.coefficient_m, kNoise);
+    EXPECT_NEAR(cell.low_m, 0.0, kNoise);
+    EXPECT_LT(cell.step_m, kNoise);
+    // Two rows of the plane, 0.4 m apart, that differ by no more than half the noise.
+    EXPECT_LT(cell.slope_rad, 0.04);
+  });
+}
+
+TEST_P(OfBothEstimators, ABoxIsAsHardAsItIsHigh) {
+  const auto box = [](MeshBuilder& builder) {
+    add_rock(builder, {5.0, 0.5, 0.15}, {0.6, 0.6, 0.3});
+  };
+  const TerrainMap map = map_of(drift_with(box), GetParam());
+  const Eigen::AlignedBox2d above(Eigen::Vector2d(4.7, 0.2), Eigen::Vector2d(5.3, 0.8));
+  // Where a region begins at the face of the box, its lowest is up to two lines above the ground:
+  // 0.25° at 3.65 m each.
+  constexpr double kTwoLines = 2.0 * 0.00436 * 3.65;
+  for_cells(map, above, [](const TerrainCell& cell) {
+    EXPECT_NEAR(cell.coefficient_m, 0.3, kNoise + kTwoLines);
+    EXPECT_NEAR(cell.low_m, 0.0, kNoise + kTwoLines);
+  });
+  EXPECT_LT(cell_at(map, 4.35, 0.5).coefficient_m, kNoise);
+}
+
+TEST_P(OfBothEstimators, RailsShowAndTheGroundBetweenThemDoesNot) {
+  const auto rails = [](MeshBuilder& builder) {
+    for (const double y : {-0.45, 0.45}) add_rock(builder, {0.0, y, 0.05}, {28.0, 0.06, 0.1});
+  };
+  const TerrainMap map = map_of(drift_with(rails), GetParam());
+  const Eigen::AlignedBox2d rail(Eigen::Vector2d(2.5, 0.4), Eigen::Vector2d(4.5, 0.5));
+  for_cells(map, rail,
+            [](const TerrainCell& cell) { EXPECT_NEAR(cell.coefficient_m, 0.1, kNoise); });
+  const Eigen::AlignedBox2d between(Eigen::Vector2d(2.5, -0.2), Eigen::Vector2d(4.5, 0.2));
+  for_cells(map, between, [](const TerrainCell& cell) { EXPECT_LT(cell.coefficient_m, kNoise); });
+}
+
+TEST_P(OfBothEstimators, AThinHangingCableIsInTheWay) {
+  const auto cable = [](MeshBuilder& builder) {
+    builder.bar({4.05, -1.9, 0.8}, {4.05, 1.9, 0.8}, 0.015);
+  };
+  const TerrainMap map = map_of(drift_with(cable), GetParam());
+  const Eigen::AlignedBox2d below(Eigen::Vector2d(4.0, -1.5), Eigen::Vector2d(4.1, 1.5));
+  for_cells(map, below, [](const TerrainCell& cell) {
+    EXPECT_NEAR(cell.coefficient_m, 0.8, 0.015 + kNoise);  // the radius of the cable
+  });
+}
+
+TEST_P(OfBothEstimators, ALowRoofIsInTheWayAndAHighOneIsClearance) {
+  const auto low_roof = [](MeshBuilder& builder) {
+    add_rock(builder, {7.5, 0.0, 1.4}, {5.0, 4.0, 1.2});
+  };
+  const TerrainMap map = map_of(drift_with(low_roof), GetParam());
+  const Eigen::AlignedBox2d edge(Eigen::Vector2d(5.0, -1.5), Eigen::Vector2d(5.1, 1.5));
+  for_cells(map, edge, [](const TerrainCell& cell) { EXPECT_GT(cell.coefficient_m, 0.75); });
+  const Eigen::AlignedBox2d high(Eigen::Vector2d(3.6, -1.0), Eigen::Vector2d(4.4, 1.0));
+  for_cells(map, high, [](const TerrainCell& cell) {
+    EXPECT_LT(cell.coefficient_m, kNoise);
+    EXPECT_NEAR(cell.clearance_m, 2.0, kNoise);
+  });
+}
+
+TEST(Terrain, TheRoofIsNoGroundWhereTheGroundIsHidden) {
+  const auto block = [](MeshBuilder& builder) {
+    add_rock(builder, {3.0, 0.0, 0.5}, {0.4, 3.9, 1.0});
+  };
+  const TerrainMap map = map_of(drift_with(block));
+  const Eigen::AlignedBox2d behind(Eigen::Vector2d(3.6, -1.5), Eigen::Vector2d(4.4, 1.5));
+  for_cells(map, behind, [](const TerrainCell& cell) { EXPECT_EQ(cell.ground, Ground::kShadow); });
+}
+
+TEST(Terrain, MeasuresTheSlopeOfARamp) {
+  const double grade = std::tan(10.0 * std::numbers::pi / 180.0);
+  const auto ramp = [&](MeshBuilder& builder) {
+    add_ground(builder, -5.0, 3.0);
+    const std::array corners{builder.vertex({3.0F, -2.0F, 0.0F}),
+                             builder.vertex({13.0F, -2.0F, static_cast<float>(10.0 * grade)}),
+                             builder.vertex({13.0F, 2.0F, static_cast<float>(10.0 * grade)}),
+                             builder.vertex({3.0F, 2.0F, 0.0F})};
+    builder.quad(corners[0], corners[1], corners[2], corners[3]);
+  };
+  const TerrainMap map = map_of(cloud_of(ramp));
+  const Eigen::AlignedBox2d on_it(Eigen::Vector2d(3.5, -1.5), Eigen::Vector2d(8.0, 1.5));
+  double sum = 0.0;
+  int cells = 0;
+  for_cells(map, on_it, [&](const TerrainCell& cell) {
+    ASSERT_EQ(cell.ground, Ground::kSeen);
+    sum += cell.slope_rad;
+    ++cells;
+    EXPECT_NEAR(cell.slope_rad, 0.1745, 0.06);            // as flat ground, and the lines on it
+    EXPECT_LT(cell.coefficient_m, 0.3 * grade + kNoise);  // the rise within a region
+  });
+  EXPECT_NEAR(sum / cells, 0.1745, 0.01);  // the single ones are off to both sides
+}
+
+TEST(Terrain, IsLevelWhereTheVehicleIsNot) {
+  Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
+  T_world_body.rotate(Eigen::AngleAxisd(0.06, Eigen::Vector3d(0.6, 0.8, 0.0)));
+  const TerrainMap map = map_of(cloud_of(add_drift, T_world_body));
+  const double easy = share_of(map, kAhead, [](const TerrainCell& cell) {
+    return cell.coefficient_m < kNoise && std::abs(cell.low_m) < kNoise;
+  });
+  EXPECT_EQ(easy, 1.0);
+}
+
+}  // namespace
+}  // namespace adit

@@ -85,7 +85,7 @@ void GroundLevel::visit(std::size_t cell, std::size_t from) {
     enter(cell, low, 0);
   } else if (unseen_[from] + 1 < unseen_[cell]) {
     // Behind a pit, a stone or a wall the ground is to be expected where it was before it.
-    seen_[cell] = low <= level + step_m_ + rise ? 1 : 0;
+    seen_[cell] = low < level ? 1 : 0;
     enter(cell, level, unseen_[from] + 1);
   }
 }

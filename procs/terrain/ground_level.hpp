@@ -16,10 +16,9 @@ class GroundLevel {
  public:
   /// Spreads from where the vehicle stands (z = 0) to the neighbours, and from these to theirs,
   /// over seen ground before all else. `low_m` are the lowest heights of the regions, row by row,
-  /// NaN where there is none; they must outlive this. A region that is higher than its neighbour by
-  /// more than a step, and by more than ground may rise where it is not seen, does not show the
-  /// ground: the level goes on as it was. It climbs no faster than ground may rise, not even where
-  /// a region shows the middle of a wall.
+  /// NaN where there is none; they must outlive this. A region that is higher
+  /// than its neighbour by more than ground may rise since it was last seen does not show the
+  /// ground: the level goes on as it was, and what rises above it counts as height.
   GroundLevel(const TerrainMap& map, const std::vector<float>& low_m, const TerrainParams& params);
 
   [[nodiscard]] float at(std::size_t cell) const { return level_m_[cell]; }

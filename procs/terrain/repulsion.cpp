@@ -28,7 +28,7 @@ class Kernel {
 
   [[nodiscard]] int reach() const { return reach_; }
   [[nodiscard]] const float* row(int y) const {
-    const auto side = static_cast<std::size_t>(2 * reach_ + 1);
+    const auto side = 2 * static_cast<std::size_t>(reach_) + 1;
     return weights_.data() + static_cast<std::size_t>(y + reach_) * side + reach_;
   }
 

@@ -34,7 +34,7 @@ std::size_t SectorBeams::sector(float x, float y) {
   const float sum = std::abs(x) + std::abs(y);
   if (!(sum > 0.0F)) return 0;
   const float quarters = x >= 0.0F ? 1.0F + y / sum : 3.0F - y / sum;  // 0 to 4
-  return std::min(static_cast<std::size_t>(quarters * (kSectors / 4)), kSectors - 1);
+  return std::min(static_cast<std::size_t>(quarters / 4.0F * kSectors), kSectors - 1);
 }
 
 SectorBeams::SectorBeams(std::span<const CloudLine* const> lines, const BeamEnds& ends)

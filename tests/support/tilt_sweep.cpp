@@ -78,7 +78,8 @@ Cloud tilt_sweep(const Site& site, const Eigen::Isometry3d& T_world_body, const 
     const Eigen::Isometry3d T_world_laser =
         T_world_body * tilted_laser(sweep.mount, tilt_rad(sweep, scan));
     const auto utime = static_cast<std::int64_t>(std::llround(scan * period_s * 1e6));
-    const LaserScan measured = laser.measure([&](double) { return T_world_laser; }, utime);
+    const LaserScan measured =
+        laser.measure([&](double) { return Eigen::Isometry3d(T_world_laser); }, utime);
     cloud.lines.push_back(line(measured, sweep.mount, T_world_level.inverse() * T_world_laser));
   }
   cloud.utime = static_cast<std::int64_t>(std::llround(sweep.scans * period_s * 1e6));

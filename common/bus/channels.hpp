@@ -42,11 +42,12 @@ inline constexpr std::string_view kStageStats = "STAGE_STATS";
 
 /// All of them.
 inline constexpr std::array kAll{
-    kLaserFront,      kLaserRear,    kPose,         kTiltFront, kTiltRear,
-    kWheelOdometry,   kImu,          kScanMatch,    kLocalMap,  kPoseGraph,
-    kMapCorrection,   kAssociation,  kDriveCommand, kStop,      kTiltCommandFront,
-    kTiltCommandRear, kVehicleState, kGas,          kSinkage,   kTruth,
-    kRunState,        kSimTime,      kSimTimeDone,  kHeartbeat, kConfig,
+    kLaserFront,      kLaserRear,    kPose,         kTiltFront,   kTiltRear,
+    kWheelOdometry,   kImu,          kScanMatch,    kLocalMap,    kPoseGraph,
+    kMapCorrection,   kAssociation,  kDriveCommand, kStop,        kTiltCommandFront,
+    kTiltCommandRear, kVehicleState, kGas,          kSinkage,     kTruth,
+    kRunState,        kSimTime,      kSimTimeDone,  kScanRequest, kCloud,
+    kTerrain,         kGoal,         kPath,         kHeartbeat,   kConfig,
     kStageStats};
 
 }  // namespace adit::channels

@@ -38,14 +38,14 @@ SightLines::SightLines(std::span<const CloudLine* const> lines, const BeamEnds& 
   }
 }
 
-const Sighting& SightLines::at(float x, float y) const {
+const SeenThrough& SightLines::at(float x, float y) const {
   const Eigen::Vector2f d = Eigen::Vector2f(x, y) - origin_.head<2>();
   const auto bin = static_cast<std::size_t>(d.norm() / cell_m_);
   return sightings_[SectorBeams::sector(d.x(), d.y()) * bins_ + std::min(bin, bins_ - 1)];
 }
 
 /// From the steepest beam upwards: each shows what lies beyond the reach of those below it.
-void SightLines::look_along(std::span<BeamEnd> beams, std::span<Sighting> out) const {
+void SightLines::look_along(std::span<BeamEnd> beams, std::span<SeenThrough> out) const {
   std::sort(beams.begin(), beams.end(), [](const BeamEnd& a, const BeamEnd& b) {
     return std::tie(a.slope, a.range_m, a.kind) < std::tie(b.slope, b.range_m, b.kind);
   });
@@ -61,10 +61,10 @@ void SightLines::look_along(std::span<BeamEnd> beams, std::span<Sighting> out) c
   const bool hidden = !beams.empty() && beams.back().kind == Kind::kObstacle;
   if (hidden)
     std::fill(out.begin() + static_cast<std::ptrdiff_t>(done), out.end(),
-              Sighting{Ground::kShadow});
+              SeenThrough{Ground::kShadow});
 }
 
-Sighting SightLines::between(const BeamEnd& below, const BeamEnd& above, float range_m) const {
+SeenThrough SightLines::between(const BeamEnd& below, const BeamEnd& above, float range_m) const {
   if (below.kind == Kind::kLost || above.kind == Kind::kLost) return {Ground::kNoReturn};
   if (below.kind == Kind::kObstacle) return {Ground::kShadow};
   if (is_gap(below, above)) return {Ground::kBelowRay, origin_.z() + above.slope * range_m};

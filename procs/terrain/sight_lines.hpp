@@ -11,7 +11,7 @@
 namespace adit {
 
 /// What beams say of a place where none of them ended.
-struct Sighting {
+struct SeenThrough {
   Ground ground = Ground::kNeverSeen;
   /// kSeen: of the ground between two beams that met it. kBelowRay: of the lowest beam over the
   /// place (the virtual surface of arXiv 2010.16018). NaN for the others. z in level [m].
@@ -28,18 +28,19 @@ class SightLines {
   SightLines(std::span<const CloudLine* const> lines, const BeamEnds& ends, const TerrainMap& map,
              const UnseenGroundParams& params);
 
-  [[nodiscard]] const Sighting& at(float x, float y) const;
+  [[nodiscard]] const SeenThrough& at(float x, float y) const;
 
  private:
-  void look_along(std::span<BeamEnd> beams, std::span<Sighting> out) const;
-  [[nodiscard]] Sighting between(const BeamEnd& below, const BeamEnd& above, float range_m) const;
+  void look_along(std::span<BeamEnd> beams, std::span<SeenThrough> out) const;
+  [[nodiscard]] SeenThrough between(const BeamEnd& below, const BeamEnd& above,
+                                    float range_m) const;
   [[nodiscard]] bool is_gap(const BeamEnd& below, const BeamEnd& above) const;
 
   UnseenGroundParams params_;
   float cell_m_;
   Eigen::Vector3f origin_{0.0F, 0.0F, 0.0F};
-  std::size_t bins_;                 ///< of distance, a cell each
-  std::vector<Sighting> sightings_;  ///< by sector, in each by distance
+  std::size_t bins_;                    ///< of distance, a cell each
+  std::vector<SeenThrough> sightings_;  ///< by sector, in each by distance
 };
 
 }  // namespace adit

@@ -42,14 +42,14 @@ int knowledge(Ground ground) {
   return 0;
 }
 
-bool knows_more(const Sighting& sighting, const TerrainCell& cell) {
+bool knows_more(const SeenThrough& sighting, const TerrainCell& cell) {
   if (sighting.ground == Ground::kBelowRay && cell.ground == Ground::kBelowRay) {
     return sighting.height_m < cell.low_m;
   }
   return knowledge(sighting.ground) > knowledge(cell.ground);
 }
 
-void apply(const Sighting& sighting, TerrainCell& cell) {
+void apply(const SeenThrough& sighting, TerrainCell& cell) {
   if (!knows_more(sighting, cell)) return;
   cell.ground = sighting.ground;
   cell.low_m = sighting.height_m;

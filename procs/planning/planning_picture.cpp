@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/planning/planning_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+
+namespace adit {
+namespace {
+
+constexpr int kKernels = 8;  // over half a turn
+constexpr std::uint8_t kWhite = 255;
+constexpr std::uint8_t kMargin = 225;   // lethal to an obstacle, without weight
+constexpr std::uint8_t kBetween = 170;  // between the wheels
+constexpr double kPaleCost = 60.0;      // added to that of even ground, half as bright
+
+std::string degrees(double angle_rad) {
+  return std::to_string(std::lround(rad_to_deg(angle_rad))) + "°";
+}
+
+std::uint8_t grey_of(std::uint16_t cost) {
+  if (cost == CSpace::kLethal) return 0;
+  if (cost == CSpace::kUnseen) return 90;
+  const double over = cost - CSpace::kEven;
+  return static_cast<std::uint8_t>(std::lround(120.0 + 135.0 * kPaleCost / (kPaleCost + over)));
+}
+
+GreyCells slice_of(const CSpace& space, const HeadingSet& headings, double angle_rad) {
+  const int heading = headings.nearest(angle_rad);
+  GreyCells slice{"C-space at " + degrees(headings.angle(heading)), space.columns(), {}};
+  const std::uint16_t* costs = space.slice(heading);
+  std::transform(costs, costs + space.cells(), std::back_inserter(slice.grey), grey_of);
+  return slice;
+}
+
+void fill(GreyCells& cells, const RunKernel& kernel, int reach, std::uint8_t grey) {
+  for (const RunKernel::Run& run : kernel.runs) {
+    for (int column = run.first; column <= run.last; ++column) {
+      cells.grey[static_cast<std::size_t>((run.row + reach) * cells.columns + column + reach)] =
+          grey;
+    }
+  }
+}
+
+GreyCells kernel_of(const CSpaceKernels& kernels, int heading) {
+  const auto& oriented = kernels.oriented(heading);
+  const int reach = oriented.lethal_body.reach;
+  GreyCells cells{degrees(kernels.headings().angle(heading)), 2 * reach + 1, {}};
+  cells.grey.assign(static_cast<std::size_t>(cells.columns * cells.columns), kWhite);
+  fill(cells, oriented.lethal_body, reach, kMargin);
+  fill(cells, oriented.body, reach, kBetween);
+  fill(cells, oriented.wheels, reach, 0);
+  return cells;
+}
+
+}  // namespace
+
+PlanPicture planning_picture(const std::string& title, const TerrainMap& terrain,
+                             const PlannedPath& path, const Planning& planning,
+                             const Vehicle& vehicle, const std::vector<double>& angles_rad) {
+  PlanPicture picture{title, terrain, path, vehicle.length_m, vehicle.width_m, {}, {}};
+  if (!planning.kernels() || !planning.ground()) return picture;
+  const CSpaceKernels& kernels = *planning.kernels();
+  for (const double angle : angles_rad) {
+    picture.slices.push_back(slice_of(planning.ground()->space, kernels.headings(), angle));
+  }
+  for (int i = 0; i < kKernels; ++i) {
+    picture.kernels.push_back(kernel_of(kernels, i * kernels.headings().count() / (2 * kKernels)));
+  }
+  return picture;
+}
+
+}  // namespace adit

@@ -56,7 +56,9 @@ RgbImage enlarged(int columns, int rows, int cell_px, const Pixel& pixel) {
 
 RgbImage enlarged(const GreyCells& cells, int cell_px) {
   return enlarged(cells.columns, cells.rows(), cell_px, [&](int column, int row) {
-    const std::uint8_t grey = cells.grey[static_cast<std::size_t>(row * cells.columns + column)];
+    const std::uint8_t grey =
+        cells.grey[static_cast<std::size_t>(row) * static_cast<std::size_t>(cells.columns) +
+                   static_cast<std::size_t>(column)];
     return RgbImage::Pixel{grey, grey, grey};
   });
 }

@@ -16,7 +16,7 @@ constexpr double kOffShare = 0.125;  // of a gap by which a heading may be off e
 /// The shortest vector of whole cells near an angle from 0 to π/4.
 Eigen::Vector2i short_vector(double angle, double gap) {
   for (int x = 1;; ++x) {
-    const Eigen::Vector2i v(x, static_cast<int>(std::lround(x * std::tan(angle))));
+    Eigen::Vector2i v(x, static_cast<int>(std::lround(x * std::tan(angle))));
     if (std::abs(std::atan2(v.y(), v.x()) - angle) <= kOffShare * gap) return v;
   }
 }

@@ -36,10 +36,11 @@ GreyCells slice_of(const CSpace& space, const HeadingSet& headings, double angle
 }
 
 void fill(GreyCells& cells, const RunKernel& kernel, int reach, std::uint8_t grey) {
+  const auto side = static_cast<std::size_t>(cells.columns);
   for (const RunKernel::Run& run : kernel.runs) {
     for (int column = run.first; column <= run.last; ++column) {
-      cells.grey[static_cast<std::size_t>((run.row + reach) * cells.columns + column + reach)] =
-          grey;
+      cells.grey[static_cast<std::size_t>(run.row + reach) * side +
+                 static_cast<std::size_t>(column + reach)] = grey;
     }
   }
 }
@@ -48,7 +49,8 @@ GreyCells kernel_of(const CSpaceKernels& kernels, int heading) {
   const auto& oriented = kernels.oriented(heading);
   const int reach = oriented.lethal_body.reach;
   GreyCells cells{degrees(kernels.headings().angle(heading)), 2 * reach + 1, {}};
-  cells.grey.assign(static_cast<std::size_t>(cells.columns * cells.columns), kWhite);
+  const auto side = static_cast<std::size_t>(cells.columns);
+  cells.grey.assign(side * side, kWhite);
   fill(cells, oriented.lethal_body, reach, kMargin);
   fill(cells, oriented.body, reach, kBetween);
   fill(cells, oriented.wheels, reach, 0);

@@ -57,8 +57,9 @@ TerrainMap even_ground(double side_m, double cell_m) {
   terrain.columns = static_cast<int>(std::lround(side_m / cell_m));
   terrain.rows = terrain.columns;
   terrain.p_level_corner.setConstant(-side_m / 2.0);
-  terrain.cells.assign(static_cast<std::size_t>(terrain.columns * terrain.rows),
-                       obstacle_cell(0.0));
+  terrain.cells.assign(
+      static_cast<std::size_t>(terrain.columns) * static_cast<std::size_t>(terrain.rows),
+      obstacle_cell(0.0));
   return terrain;
 }
 

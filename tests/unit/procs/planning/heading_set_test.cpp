@@ -27,7 +27,7 @@ TEST_P(EachCount, HasAboutEqualSpacing) {
 TEST_P(EachCount, IsItsOwnMirrorImageAndTurn) {
   const HeadingSet headings(GetParam());
   for (int k = 0; k < GetParam(); ++k) {
-    const Eigen::Vector2i v = headings.direction(k);
+    const Eigen::Vector2i& v = headings.direction(k);
     EXPECT_EQ(headings.direction(headings.wrapped(-k)), Eigen::Vector2i(v.x(), -v.y()));
     EXPECT_EQ(headings.direction(headings.wrapped(k + GetParam() / 4)),
               Eigen::Vector2i(-v.y(), v.x()));

@@ -46,8 +46,7 @@ DriveRunResult drive(const std::string& world, const std::filesystem::path& wayp
 std::string scores(const std::filesystem::path& folder, const Site& site) {
   const Trajectory truth = read_truth(folder / "run.lcmlog");
   const TrajectoryScore path = score_trajectory(read_tum(folder / "trajectory.tum"), truth);
-  const MapScore map =
-      score_map(read_occupied(folder / "map.yaml"), path.T_world_map, site, truth);
+  const MapScore map = score_map(read_occupied(folder / "map.yaml"), path.T_world_map, site, truth);
   return format(" %.3f | %.2f | %.3f | %.4f | %.2f %% | %.2f %% | %.3f, %.3f |",
                 path.aligned.rmse_m, path.aligned.max_m, path.anchored.rmse_m, path.length_ratio,
                 100.0 * map.coverage, 100.0 * map.deviation, map.wall_distance.median_m,

@@ -48,7 +48,7 @@ class Drive {
     return length_m > 0.0 ? driver_.driver().progress_m() / length_m : 0.0;
   }
   [[nodiscard]] std::string failure() const {
-    const std::string failure = sim_.simulation().state().failure;
+    std::string failure = sim_.simulation().state().failure;
     if (!failure.empty()) return failure;
     return driver_.driver().given_up().value_or("");
   }

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/memory_bus.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/plan_goal.hpp"
 #include "common/messages/planned_path.hpp"
@@ -15,36 +14,29 @@
 #include "procs/planning/planning_node.hpp"
 #include "procs/scan_assembly/scan_assembly_node.hpp"
 #include "procs/terrain/terrain_node.hpp"
-#include "sim/sim_node.hpp"
 #include "tests/support/box_drift.hpp"
+#include "tests/support/robot_that_knows_its_place.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::int64_t kStart = 1'600'000'000'000'000;
-
 class RobotThatLooksAndPlans {
  public:
-  explicit RobotThatLooksAndPlans(World world) : site_(std::move(world)) {
+  explicit RobotThatLooksAndPlans(World world) : robot_(std::move(world)) {
     subscribe<planned_path_t>(bus_, channels::kPath, Delivery::queued(10),
                               [this](const PlannedPath& path) { paths_.push_back(path); });
     subscribe<terrain_t>(bus_, channels::kTerrain, Delivery::queued(100),
                          [this](const TerrainTile& tile) {
                            if (assembler_.add(tile)) ++terrains_;
                          });
-    // In place of scan matching: the world is odom.
-    bus_.tap([this](const Received& received) {
-      if (received.channel != channels::kTruth) return;
-      truth_.assign(received.bytes.begin(), received.bytes.end());
-    });
   }
 
   /// Ten seconds, of which the sweep takes eight; then a goal straight ahead.
   PlannedPath look_and_plan(double distance_m) {
-    run(1.5);
+    robot_.run(1.5);
     publish(bus_, channels::kScanRequest,
             to_message(ScanRequest{bus_.now_utime(), 1, LaserId::kFront}));
-    run(10.0);
+    robot_.run(10.0);
     EXPECT_EQ(terrains_, 1);
     publish(bus_, channels::kGoal,
             to_message(PlanGoal{bus_.now_utime(), 2, PlanGoal::Kind::kAlong, {}, distance_m}));
@@ -60,23 +52,11 @@ class RobotThatLooksAndPlans {
     return params;
   }
 
-  void run(double seconds) {
-    const std::int64_t end = sim_.simulation().utime() + std::llround(seconds * 1e6);
-    while (sim_.simulation().utime() < end) {
-      bus_.advance_to(sim_.next_utime());
-      sim_.step();
-      if (!truth_.empty()) bus_.publish(channels::kPose, truth_);
-      truth_.clear();
-    }
-  }
-
-  Site site_;
-  MemoryBus bus_;
-  SimNode sim_{bus_, site_, SimulationParams{}, 1, kStart};
+  RobotThatKnowsItsPlace robot_;
+  MemoryBus& bus_ = robot_.bus();
   ScanAssemblyNode scan_assembly_{bus_, assembly_params()};
   TerrainNode terrain_{bus_, TerrainParams{}};
   PlanningNode planning_{bus_, PlanningParams{}};
-  std::vector<std::uint8_t> truth_;
   TerrainAssembler assembler_;
   int terrains_ = 0;
   std::vector<PlannedPath> paths_;

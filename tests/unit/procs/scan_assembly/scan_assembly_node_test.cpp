@@ -8,19 +8,17 @@
 #include "adit/pose_t.hpp"
 
 #include "common/bus/channels.hpp"
-#include "common/bus/memory_bus.hpp"
 #include "common/bus/node_host.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/cloud_pieces.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/scan_request.hpp"
-#include "sim/sim_node.hpp"
+#include "tests/support/robot_that_knows_its_place.hpp"
 #include "tests/unit/procs/scan_assembly/sweeping_robot.hpp"
 
 namespace adit {
 namespace {
 
-using test::kStart;
 
 class ScanAssemblyNodeInAMine : public testing::Test {
  protected:
@@ -32,11 +30,6 @@ class ScanAssemblyNodeInAMine : public testing::Test {
                        });
     subscribe<heartbeat_t>(bus_, channels::kHeartbeat, Delivery::latest(),
                            [this](const Heartbeat& heartbeat) { heartbeat_ = heartbeat; });
-    // In place of scan matching: the world is odom.
-    bus_.tap([this](const Received& received) {
-      if (received.channel == channels::kTruth)
-        truth_.assign(received.bytes.begin(), received.bytes.end());
-    });
   }
 
   static ScanAssemblyParams params() {
@@ -45,27 +38,17 @@ class ScanAssemblyNodeInAMine : public testing::Test {
     return params;
   }
 
-  void run(double seconds) {
-    const std::int64_t end = sim_.simulation().utime() + std::llround(seconds * 1e6);
-    while (sim_.simulation().utime() < end) {
-      bus_.advance_to(sim_.next_utime());
-      sim_.step();
-      if (!truth_.empty()) bus_.publish(channels::kPose, truth_);
-      truth_.clear();
-    }
-  }
+  void run(double seconds) { robot_.run(seconds); }
   void request(LaserId laser) {
     publish(bus_, channels::kScanRequest, to_message(ScanRequest{bus_.now_utime(), 5, laser}));
   }
 
   BoxDrift drift_;
-  Site site_{box_drift(drift_)};
-  MemoryBus bus_;
-  SimNode sim_{bus_, site_, SimulationParams{}, 1, kStart};
+  RobotThatKnowsItsPlace robot_{box_drift(drift_)};
+  MemoryBus& bus_ = robot_.bus();
   NodeHost host_{bus_, {"scan_assembly", "0.1.0", ""}};
   ScanAssemblyNode node_{host_.bus(), params()};
   Heartbeat heartbeat_;
-  std::vector<std::uint8_t> truth_;
   CloudAssembler assembler_;
   std::vector<Cloud> clouds_;
   int pieces_ = 0;

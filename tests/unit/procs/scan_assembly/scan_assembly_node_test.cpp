@@ -19,7 +19,6 @@
 namespace adit {
 namespace {
 
-
 class ScanAssemblyNodeInAMine : public testing::Test {
  protected:
   ScanAssemblyNodeInAMine() {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "common/cloud/cloud.hpp"
@@ -16,6 +17,7 @@ namespace adit {
 /// kPieceBytes; a line that is larger alone has a piece to itself.
 std::vector<CloudPiece> divide(const Cloud& cloud);
 
+inline auto age(const CloudPiece& piece) { return std::pair(piece.part.utime, piece.part.id); }
 bool same_head(const CloudPiece& a, const CloudPiece& b);
 std::size_t bytes_in_memory(const CloudPiece& piece);
 std::optional<Cloud> join(const PieceSet<CloudPiece>& pieces);

@@ -12,19 +12,20 @@
 namespace adit {
 
 /// Joins the pieces of things of which only the newest counts, in whatever order they come: of the
-/// latest time, and of these of the highest id. What it holds is bounded: one thing, of as many
-/// bytes as the limit says.
+/// latest time, and of these of the highest id or revision. What it holds is bounded: one thing, of
+/// as many bytes as the limit says.
 ///
-/// A piece has a `part`, which has `utime` and `id`, `n_pieces` and `piece`. Beside it there are
+/// A piece has `n_pieces` and `piece`. Beside it there are
+///   auto age(const Piece&);                                // what is newer is greater
 ///   bool same_head(const Piece&, const Piece&);            // but for the number of the piece
 ///   std::size_t bytes_in_memory(const Piece&);
-///   std::optional<Part> join(const PieceSet<Piece>&);      // nothing where they do not fit
-template <class Piece>
+///   std::optional<Whole> join(const PieceSet<Piece>&);      // nothing where they do not fit
+template <class Piece, std::size_t kDefaultBytesMax = 64'000'000>
 class NewestAssembler {
  public:
-  using Whole = decltype(Piece::part);
+  using Whole = typename decltype(join(std::declval<const PieceSet<Piece>&>()))::value_type;
 
-  static constexpr std::size_t kBytesMax = 64'000'000;
+  static constexpr std::size_t kBytesMax = kDefaultBytesMax;
 
   /// Since the start. All but `joined` is lost, to this receiver.
   struct Counts {
@@ -64,8 +65,6 @@ class NewestAssembler {
     PieceSet<Piece> pieces;
     std::size_t bytes = 0;
   };
-
-  static auto age(const Piece& piece) { return std::pair(piece.part.utime, piece.part.id); }
 
   /// Whether the piece belongs to what is now waited for.
   bool make_place_for(const Piece& piece) {

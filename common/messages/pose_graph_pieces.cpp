@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/messages/pose_graph_pieces.hpp"
 
-#include <algorithm>
-#include <compare>
-#include <utility>
-
 namespace adit {
 namespace {
 
@@ -13,26 +9,6 @@ namespace {
 constexpr std::size_t kHeadBytes = 64;
 constexpr std::size_t kPoseBytes = 3 * sizeof(double);
 constexpr std::size_t kConstraintBytes = 2 * sizeof(int) + 1 + 12 * sizeof(double);
-
-std::size_t bytes_in_memory(const PoseGraphPiece& piece) {
-  return sizeof(Pose2) * piece.poses.size() + sizeof(MapConstraint) * piece.constraints.size();
-}
-
-auto age(const PoseGraphPiece& piece) { return std::pair(piece.utime, piece.revision); }
-
-/// Everything in order again; nothing where a pose is missing or given twice.
-std::optional<MapGraph> join_parts(const PieceSet<PoseGraphPiece>& parts) {
-  const PoseGraphPiece& head = *parts.pieces().front();
-  MapGraph graph{head.utime, head.revision, {}, {}};
-  for (const auto& part : parts.pieces()) {
-    if (!part->poses.empty() && part->first_node != static_cast<int>(graph.poses.size())) return {};
-    graph.poses.insert(graph.poses.end(), part->poses.begin(), part->poses.end());
-    graph.constraints.insert(graph.constraints.end(), part->constraints.begin(),
-                             part->constraints.end());
-  }
-  if (graph.poses.size() != static_cast<std::size_t>(head.n_nodes)) return std::nullopt;
-  return graph;
-}
 
 }  // namespace
 
@@ -65,47 +41,22 @@ std::vector<PoseGraphPiece> divide(const MapGraph& graph) {
   return pieces;
 }
 
-std::optional<MapGraph> PoseGraphAssembler::add(const PoseGraphPiece& piece) {
-  if (!make_place_for(piece)) return std::nullopt;
-  if (!waiting_->parts.add(piece.piece, piece)) {
-    ++counts_.duplicates;
-    return std::nullopt;
-  }
-  waiting_->bytes += bytes_in_memory(piece);
-  if (waiting_->parts.complete()) return join();
-  if (waiting_->bytes > bytes_max_) {
-    ++counts_.given_up;
-    waiting_.reset();
-  }
-  return std::nullopt;
+bool same_head(const PoseGraphPiece& a, const PoseGraphPiece& b) { return a.n_nodes == b.n_nodes; }
+
+std::size_t bytes_in_memory(const PoseGraphPiece& piece) {
+  return sizeof(Pose2) * piece.poses.size() + sizeof(MapConstraint) * piece.constraints.size();
 }
 
-/// Whether the piece belongs to the graph that is now waited for.
-bool PoseGraphAssembler::make_place_for(const PoseGraphPiece& piece) {
-  if (waiting_) {
-    if (age(piece) < age(waiting_->head)) {
-      ++counts_.outdated;
-      return false;
-    }
-    if (age(piece) == age(waiting_->head)) {
-      const bool same =
-          piece.n_nodes == waiting_->head.n_nodes && piece.n_pieces == waiting_->head.n_pieces;
-      if (!same) ++counts_.contradictory;
-      return same;
-    }
-    ++counts_.superseded;
+std::optional<MapGraph> join(const PieceSet<PoseGraphPiece>& pieces) {
+  const PoseGraphPiece& head = *pieces.pieces().front();
+  MapGraph graph{head.utime, head.revision, {}, {}};
+  for (const auto& part : pieces.pieces()) {
+    if (!part->poses.empty() && part->first_node != static_cast<int>(graph.poses.size())) return {};
+    graph.poses.insert(graph.poses.end(), part->poses.begin(), part->poses.end());
+    graph.constraints.insert(graph.constraints.end(), part->constraints.begin(),
+                             part->constraints.end());
   }
-  PoseGraphPiece head = piece;
-  head.poses.clear();
-  head.constraints.clear();
-  waiting_ = Waiting{std::move(head), PieceSet<PoseGraphPiece>(piece.n_pieces)};
-  return true;
-}
-
-std::optional<MapGraph> PoseGraphAssembler::join() {
-  std::optional<MapGraph> graph = join_parts(waiting_->parts);
-  graph ? ++counts_.joined : ++counts_.given_up;
-  waiting_.reset();
+  if (graph.poses.size() != static_cast<std::size_t>(head.n_nodes)) return std::nullopt;
   return graph;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "common/messages/newest_assembler.hpp"
@@ -14,6 +15,7 @@ namespace adit {
 /// Divides a terrain map, always in the same way, into runs of cells that fit kPieceBytes.
 std::vector<TerrainTile> divide(const TerrainMap& map);
 
+inline auto age(const TerrainTile& tile) { return std::pair(tile.part.utime, tile.part.id); }
 bool same_head(const TerrainTile& a, const TerrainTile& b);
 std::size_t bytes_in_memory(const TerrainTile& tile);
 /// Nothing where a cell is missing or there twice.

@@ -8,7 +8,7 @@
 #include "sim/world/build_world.hpp"
 #include "sim/world/drift_line.hpp"
 #include "sim/world/world_file.hpp"
-#include "tests/support/tilt_sweep.hpp"
+#include "sim/sweep/tilt_sweep.hpp"
 
 namespace adit {
 namespace {

@@ -11,9 +11,9 @@
 namespace adit {
 namespace {
 
-const Eigen::Vector3d kEye{-2.2, 0.0, 1.5};  // p_level [m]
-constexpr double kDown = 0.12;               // of the gaze [rad]
-constexpr double kWide = 1.1;                // tangent of half the field of view
+const Eigen::Vector3d kEye{-0.6, 0.0, 1.1};  // p_level [m]
+constexpr double kDown = 0.06;               // of the gaze [rad]
+constexpr double kWide = 0.85;               // tangent of half the field of view
 constexpr double kNearM = 0.5;
 constexpr double kFadeM = 14.0;       // at which a point has a third of its brightness left
 constexpr double kPointM = 0.035;     // across

@@ -8,6 +8,7 @@
 #include "common/picture/plan_overlay.hpp"
 #include "common/picture/sheet.hpp"
 #include "common/picture/terrain_layer.hpp"
+#include "common/picture/text_block.hpp"
 
 namespace adit {
 namespace {
@@ -15,17 +16,17 @@ namespace {
 constexpr double kGap = 24.0;
 constexpr double kSheet = 1440.0;  // width, as of the slices
 constexpr double kPathWidth = 800.0;
-constexpr double kTitleText = 21.0;
-constexpr double kTitle = 44.0;
+constexpr TextStyle kTitle{.size = 21.0, .line = 30.0, .bold = true};
+constexpr TextStyle kFact{.size = 17.0, .line = 26.0};
 constexpr double kLabel = 22.0;
 constexpr double kLabelText = 15.0;
 
 Colour grey(std::uint8_t value) { return {value / 255.0, value / 255.0, value / 255.0}; }
 
-double draw_title(const Canvas& canvas, const std::string& title, double left, double top) {
+double draw_title(const Canvas& canvas, const std::string& title, double left, double top,
+                  double width) {
   canvas.colour(kInk);
-  canvas.text(title, left, top + kTitleText, kTitleText, true, Align::kLeft);
-  return top + kTitle;
+  return draw_text_block(canvas, title, left, top, width, kTitle) + kGap / 2.0;
 }
 
 /// The last row at the top.
@@ -86,10 +87,25 @@ double draw_kernels(const Canvas& canvas, const PlanPicture& picture, double lef
     canvas.image(image_of(kernel), x, top + kLabel, side, side);
     x += side + kGap;
   }
-  const Legend legend{{grey(PlanPicture::kWheelGrey), "under the wheels: most of the weight", {}},
-                      {grey(PlanPicture::kBetweenGrey), "between them: little", {}},
-                      {grey(PlanPicture::kMarginGrey), "none, but nothing that is too high", {}}};
+  const Legend legend{
+      {grey(PlanPicture::kWheelGrey), "under the wheels: most of the weight", {}},
+      {grey(PlanPicture::kBetweenGrey), "between them: little", {}},
+      {grey(PlanPicture::kMarginGrey), "no weight, but no obstacle may be there", {}}};
   return draw_legend(canvas, legend, left, top + kLabel + side + kGap / 2.0, kSheet);
+}
+
+double draw_scan(const Canvas& canvas, const PlanPicture& picture, double left, double top,
+                 double width) {
+  canvas.colour(kInk);
+  top = draw_text_block(canvas, "The scan, from behind the robot", left, top, width, kFact);
+  const double height = width * picture.scan->height / picture.scan->width;
+  canvas.image(*picture.scan, left, top, width, height);
+  top += height + kGap;
+  canvas.colour(kInk);
+  for (const std::string& fact : picture.facts) {
+    top = draw_text_block(canvas, fact, left, top, width, kFact);
+  }
+  return top;
 }
 
 /// The scan, or the terrain where there is no view of it, beside the path; below, the layers.
@@ -98,10 +114,7 @@ double draw_maps(const Canvas& canvas, const PlanPicture& picture, double left, 
   const double third = (kSheet - 2.0 * kGap) / 3.0;
   double bottom = draw_path(canvas, picture, left + half + kGap, top, half);
   if (picture.scan) {
-    canvas.text("The scan, from behind the robot", left, top + 17.0, 17.0, false, Align::kLeft);
-    const double height = half * picture.scan->height / picture.scan->width;
-    canvas.image(*picture.scan, left, top + 26.0, half, height);
-    bottom = std::max(bottom, top + 26.0 + height);
+    bottom = std::max(bottom, draw_scan(canvas, picture, left, top, half));
   } else {
     const double end = draw_layer(canvas, picture, TerrainLayer::kCoefficient, left, top, half);
     bottom = std::max(bottom, end);
@@ -119,7 +132,7 @@ double draw_maps(const Canvas& canvas, const PlanPicture& picture, double left, 
 
 void write_path_png(const PlanPicture& picture, const std::filesystem::path& path) {
   write_sheet(path, kPathWidth, [&](const Canvas& canvas, double left, double top) {
-    top = draw_title(canvas, picture.title, left, top);
+    top = draw_title(canvas, picture.title, left, top, kPathWidth);
     return draw_path(canvas, picture, left, top, kPathWidth);
   });
 }
@@ -138,7 +151,7 @@ void write_kernels_png(const PlanPicture& picture, const std::filesystem::path& 
 
 void write_plan_png(const PlanPicture& picture, const std::filesystem::path& path) {
   write_sheet(path, kSheet, [&](const Canvas& canvas, double left, double top) {
-    top = draw_title(canvas, picture.title, left, top);
+    top = draw_title(canvas, picture.title, left, top, kSheet);
     top = draw_maps(canvas, picture, left, top);
     top = draw_slices(canvas, picture, left, top, 8);
     return draw_kernels(canvas, picture, left, top);

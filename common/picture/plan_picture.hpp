@@ -46,7 +46,8 @@ struct PlanPicture {
   std::vector<GreyCells> kernels;     ///< small, their cells drawn larger
   std::vector<std::uint8_t> reached;  ///< 1: cells that the robot can get to; or empty
   std::optional<PlanGoal> goal;
-  std::optional<RgbImage> scan;  ///< a view of the points
+  std::optional<RgbImage> scan;    ///< a view of the points
+  std::vector<std::string> facts;  ///< lines of text below it
 };
 
 // Each draws a PNG, maps with y up, and throws std::runtime_error where it cannot be written.

@@ -9,12 +9,14 @@
 #include "common/picture/terrain_picture.hpp"
 #include "procs/planning/planning_picture.hpp"
 #include "tools/plan/path_json.hpp"
+#include "tools/plan/plan_facts.hpp"
 
 namespace adit {
 namespace {
 
 constexpr int kSlices = 8;  // over half a turn, after which they are the same again
-constexpr int kScanSide = 720;
+constexpr int kScanWidth = 708;
+constexpr int kScanHeight = 400;
 
 std::vector<double> slice_angles() {
   std::vector<double> angles;
@@ -30,7 +32,8 @@ void write_plan_files(const std::string& title, const Cloud& cloud, const ScanPl
   PlanPicture picture =
       planning_picture(title, plan.terrain, plan.path, planning, vehicle, slice_angles());
   picture.goal = plan.goal;
-  picture.scan = cloud_image(cloud, kScanSide, kScanSide);
+  picture.facts = plan_facts(cloud, plan);
+  picture.scan = cloud_image(cloud, kScanWidth, kScanHeight);
   write_terrain_png(plan.terrain, folder / "terrain.png");
   write_terrain_png(plan.terrain, folder / "clearance.png", TerrainLayer::kClearance);
   write_terrain_png(plan.terrain, folder / "unknown.png", TerrainLayer::kKnowledge);

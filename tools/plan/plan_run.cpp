@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/plan/plan_run.hpp"
 
-#include <cstdio>
+#include <iomanip>
 #include <stdexcept>
 
 #include "common/bus/stages.hpp"
 #include "tools/cloud/cloud_file.hpp"
 #include "tools/map/result_folder.hpp"
+#include "tools/plan/plan_facts.hpp"
 #include "tools/plan/plan_files.hpp"
 
 namespace adit {
@@ -18,13 +19,6 @@ ConfigFile load_config(const std::filesystem::path& path) {
   ConfigFile file = ConfigFile::load(path);
   file.require_known_sections(config_sections());
   return file;
-}
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char line[512];
-  std::snprintf(line, sizeof line, format, values...);
-  return line;
 }
 
 ScanSource scan_of_points(const PlanRunOptions& options) {
@@ -49,30 +43,6 @@ void complain(const PlanRunOptions& options, const ScanSource& source, std::ostr
   for (const std::string& sentence : source.complaints) {
     err << "adit: " << options.input.string() << ": " << sentence << "\n";
   }
-}
-
-void say(const Cloud& cloud, const ScanPlan& plan, std::ostream& out) {
-  const auto& [seen, never_seen, shadow, below_ray, no_return] = plan.ground;
-  const Eigen::Vector3f laser =
-      cloud.lines.empty() ? Eigen::Vector3f::Zero() : cloud.lines.front().origin;
-  const auto& times = plan.times;
-  const PlannedPath& path = plan.path;
-  out << text("  scan   %zu points%s; laser at %.2f, %.2f, %.2f m from the robot on the ground\n",
-              cloud.points(), cloud.complete ? "" : ", cut short", laser.x(), laser.y(), laser.z())
-      << text(
-             "  cells  %zu: %zu seen, %zu never looked at, %zu in shadow, %zu below a beam, %zu "
-             "without return\n",
-             plan.terrain.cells.size(), seen, never_seen, shadow, below_ray, no_return)
-      << text(
-             "  times  terrain %.1f ms, C-space %.1f ms, search %.1f ms: scan to path %.1f ms "
-             "(kernels, once: %.1f ms)\n",
-             times.terrain_ms, times.c_space_ms, times.search_ms, times.scan_to_path_ms(),
-             times.kernels_ms)
-      << "  path   " << name_of(path.outcome) << ": " << path.reason << "\n";
-  if (path.points.empty()) return;
-  out << text(
-      "         %.1f m long, %.1f m towards the goal, at least %.2f m from what is lethal\n",
-      path_length_m(path), path.reached_m, least_clearance_m(path));
 }
 
 std::string title_of(const PlanRunOptions& options, const NumberedScan& scan,
@@ -103,7 +73,8 @@ bool run_plan(const PlanRunOptions& options, std::ostream& out, std::ostream& er
     out << options.folder.string();
     if (options.choice.all) out << "/scan_" << scan.number;
     out << "\n";
-    say(scan.cloud, plan, out);
+    for (const std::string& fact : plan_facts(scan.cloud, plan)) out << "  " << fact << "\n";
+    out << "  " << plan_times(plan.times) << "\n";
     all_found = all_found && plan.path.outcome == PlanOutcome::kFound;
   }
   results.publish();
@@ -119,9 +90,9 @@ void list_scans(const PlanRunOptions& options, std::ostream& out, std::ostream& 
   out << "scan      id             utime   lines    points\n";
   int number = 0;
   for (const Cloud& cloud : source.clouds) {
-    out << text("%4d %7d %17lld %7zu %9zu%s\n", ++number, cloud.id,
-                static_cast<long long>(cloud.utime), cloud.lines.size(), cloud.points(),
-                cloud.complete ? "" : "  cut short");
+    out << std::setw(4) << ++number << std::setw(8) << cloud.id << std::setw(18) << cloud.utime
+        << std::setw(8) << cloud.lines.size() << std::setw(10) << cloud.points()
+        << (cloud.complete ? "\n" : "  cut short\n");
   }
 }
 

@@ -23,9 +23,9 @@ struct ReasonColour {
   const char* name;
 };
 /// In the order of BlockingCell::Reason.
-constexpr std::array<ReasonColour, 6> kReasons = {{{rgb(0xe0182d), "a step"},
-                                                   {rgb(0xff7a00), "too high to drive over"},
-                                                   {rgb(0xb5179e), "the roof"},
+constexpr std::array<ReasonColour, 6> kReasons = {{{rgb(0xff00b8), "a step"},
+                                                   {rgb(0xe0182d), "too high to drive over"},
+                                                   {rgb(0x7b1fa2), "the roof"},
                                                    {rgb(0xf2c200), "not seen"},
                                                    {rgb(0x1560bd), "water?"},
                                                    {rgb(0x7a4a21), "too steep"}}};

@@ -41,12 +41,14 @@ RgbImage image_of(const GreyCells& cells) {
 }
 
 double draw_path(const Canvas& canvas, const PlanPicture& picture, double left, double top,
-                 double width) {
+                 double width, const Legend& more) {
   const MapPanel panel(canvas, picture.terrain, left, top, width);
   panel.draw(reached_image(picture),
              picture.path.points.empty() ? "What is in the way" : "The path");
   draw_plan(panel, picture);
-  return panel.finish(plan_legend(picture));
+  Legend legend = plan_legend(picture);
+  legend.insert(legend.end(), more.begin(), more.end());
+  return panel.finish(legend);
 }
 
 double draw_layer(const Canvas& canvas, const PlanPicture& picture, TerrainLayer layer, double left,
@@ -112,7 +114,7 @@ double draw_scan(const Canvas& canvas, const PlanPicture& picture, double left, 
 double draw_maps(const Canvas& canvas, const PlanPicture& picture, double left, double top) {
   const double half = (kSheet - kGap) / 2.0;
   const double third = (kSheet - 2.0 * kGap) / 3.0;
-  double bottom = draw_path(canvas, picture, left + half + kGap, top, half);
+  double bottom = draw_path(canvas, picture, left + half + kGap, top, half, {});
   if (picture.scan) {
     bottom = std::max(bottom, draw_scan(canvas, picture, left, top, half));
   } else {
@@ -133,7 +135,7 @@ double draw_maps(const Canvas& canvas, const PlanPicture& picture, double left, 
 void write_path_png(const PlanPicture& picture, const std::filesystem::path& path) {
   write_sheet(path, kPathWidth, [&](const Canvas& canvas, double left, double top) {
     top = draw_title(canvas, picture.title, left, top, kPathWidth);
-    return draw_path(canvas, picture, left, top, kPathWidth);
+    return draw_path(canvas, picture, left, top, kPathWidth, legend_of(TerrainLayer::kCoefficient));
   });
 }
 

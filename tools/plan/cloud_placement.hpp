@@ -16,13 +16,15 @@ namespace adit {
 struct CloudPlacement {
   /// Axis of the file that points against gravity: x, y, z, -x, -y or -z.
   std::string up = "z";
-  std::optional<Eigen::Vector3d> p_file_laser;  ///< [m]; else what the file says, else its origin
+  std::optional<Eigen::Vector3d> p_file_laser =
+      std::nullopt;  ///< [m]; else what the file says, else its origin
   /// Where the vehicle's middle is to be, in the plan of the upright cloud [m]; else below the
   /// laser.
-  std::optional<Eigen::Vector2d> p_plan_vehicle;
-  std::optional<double> ground_m;  ///< height of the ground there, upright; else it is looked for
-  double heading_rad = 0.0;        ///< of the vehicle, in that plan
-  bool level = false;              ///< turn the cloud until the ground near the vehicle is level
+  std::optional<Eigen::Vector2d> p_plan_vehicle = std::nullopt;
+  std::optional<double> ground_m =
+      std::nullopt;          ///< height of the ground there, upright; else it is looked for
+  double heading_rad = 0.0;  ///< of the vehicle, in that plan
+  bool level = false;        ///< turn the cloud until the ground near the vehicle is level
 };
 
 /// The coordinates of a file as x, y and z of an upright frame: z is what points up. Of an axis

@@ -20,8 +20,8 @@ struct ScanSource {
 
 /// Which of the scans of a log. Without any of these, the first that is complete.
 struct ScanChoice {
-  std::optional<int> number;  ///< in the order of the log, from 1
-  std::optional<int> id;
+  std::optional<int> number = std::nullopt;  ///< in the order of the log, from 1
+  std::optional<int> id = std::nullopt;
   bool all = false;
 };
 

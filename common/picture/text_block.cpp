@@ -15,13 +15,11 @@ double draw_text_block(const Canvas& canvas, const std::string& text, double lef
   std::istringstream words(text);
   std::string line;
   for (std::string word; words >> word;) {
-    const std::string longer = line.empty() ? word : line + ' ' + word;
-    if (!line.empty() && canvas.text_width(longer, style.size, style.bold) > width) {
-      draw(line);
-      line = word;
-    } else {
-      line = longer;
-    }
+    std::string longer = line;
+    longer.append(line.empty() ? "" : " ").append(word);
+    const bool fits = canvas.text_width(longer, style.size, style.bold) <= width;
+    if (!fits && !line.empty()) draw(line);
+    line = fits || line.empty() ? longer : word;
   }
   draw(line);
   return top;

@@ -62,8 +62,8 @@ class BinaryRows {
  private:
   void skip_list(const Element& element, const PlyHeader::Property& property) {
     const double count = property.count->read(take(property.count->bytes, element), big_endian_);
-    const auto fit = static_cast<double>(left_.size() / property.type.bytes);
-    if (!(count >= 0.0 && count <= fit)) fail_short(element);
+    const std::size_t fit = left_.size() / property.type.bytes;
+    if (!(count >= 0.0 && count <= static_cast<double>(fit))) fail_short(element);
     take(static_cast<std::size_t>(count) * property.type.bytes, element);
   }
 

@@ -9,6 +9,13 @@
 #include "common/config/parse_number.hpp"
 
 namespace adit {
+namespace {
+
+[[noreturn]] void fail(const std::string& option, const std::string& text, const std::string& why) {
+  throw std::invalid_argument(option + ": '" + text + "' " + why);
+}
+
+}  // namespace
 
 std::vector<double> parse_number_list(const std::string& option, const std::string& text,
                                       std::size_t least, std::size_t most) {
@@ -16,16 +23,13 @@ std::vector<double> parse_number_list(const std::string& option, const std::stri
   for (std::size_t from = 0; from <= text.size();) {
     const std::size_t to = std::min(text.find(',', from), text.size());
     const auto number = parse_number<double>(std::string_view(text).substr(from, to - from));
-    if (!number || !std::isfinite(*number)) {
-      throw std::invalid_argument(option + ": '" + text + "' is not numbers with commas between");
-    }
+    if (!number || !std::isfinite(*number)) fail(option, text, "is not numbers between commas");
     numbers.push_back(*number);
     from = to + 1;
   }
   if (numbers.size() < least || numbers.size() > most) {
-    const std::string count =
-        std::to_string(least) + (most > least ? " or " + std::to_string(most) : std::string());
-    throw std::invalid_argument(option + ": '" + text + "' should be " + count + " numbers");
+    const std::string or_most = most > least ? " or " + std::to_string(most) : "";
+    fail(option, text, "should be " + std::to_string(least) + or_most + " numbers");
   }
   return numbers;
 }

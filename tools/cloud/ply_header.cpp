@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/cloud/ply_header.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <stdexcept>
 
 #include "common/config/parse_number.hpp"
@@ -10,6 +12,8 @@ namespace adit {
 namespace {
 
 using Format = PlyHeader::Format;
+
+constexpr std::size_t kNameMax = 100;
 
 Format format_of(std::string_view words, const TextLines& lines) {
   const std::string_view name = take_word(words);
@@ -24,6 +28,10 @@ PlyHeader::Element element_of(std::string_view words, const TextLines& lines) {
   const std::string name(take_word(words));
   const auto count = parse_number<std::uint64_t>(take_word(words));
   if (!count) lines.fail("'element' without a number of them");
+  const bool printable = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isgraph(c) != 0;  // it is shown where something is wrong
+  });
+  if (!printable || name.size() > kNameMax) lines.fail("'element' without a usable name");
   return {name, *count, {}};
 }
 

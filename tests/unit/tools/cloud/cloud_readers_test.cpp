@@ -135,6 +135,7 @@ TEST(PlyReader, RefusesHeadersThatLie) {
   EXPECT_THAT(why(ply_head("property float x")), StartsWith("line 3: "));
   EXPECT_THAT(why(ply_head("element vertex 1\nproperty half x")), StartsWith("line 4: "));
   EXPECT_THAT(why(ply_head("element vertex 1\nproperty list float int x")), HasSubstr("fractions"));
+  EXPECT_THAT(why(ply_head("element \x1b[2J 1" + xyz)), HasSubstr("usable name"));
   EXPECT_THAT(why(ply_head("", "binary")), StartsWith("line 2: "));
   EXPECT_THAT(why("ply\nelement vertex 0\nend_header\n"), HasSubstr("format"));
   EXPECT_THAT(why("solid box\n"), StartsWith("line 1: "));

@@ -75,8 +75,8 @@ TEST_F(PlanCommand, SaysHowToPlanOnTheBarePointsThatItWrites) {
 TEST_F(PlanCommand, RefusesWhatCannotBeUsedInOneLine) {
   std::ofstream(at("few.xyz")) << "1 2 3\n";
   std::ofstream(at("bad.xyz")) << "1 2 3\n4 5\n";
-  std::ofstream(at("empty.ply"));
-  std::ofstream(at("empty.lcmlog"));
+  std::ofstream(at("empty.ply")) << "";
+  std::ofstream(at("empty.lcmlog")) << "";
   expect_refusal(plan("none.ply"), "none.ply");
   expect_refusal(plan("few.xyz"), "ground near the vehicle is not seen");
   expect_refusal(plan("bad.xyz"), "bad.xyz: line 2: ");

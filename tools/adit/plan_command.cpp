@@ -38,7 +38,8 @@ is assumed of them:
 Exit code: 0 a path, 3 none (with --all: on one of the scans), 2 what cannot be used.
 
 Examples:
-  adit scan mathies --at 300,0,0 --out beam.lcmlog     a scan of a simulated mine
+  adit scan mathies --at 308,5.84,-4.4 --out beam.lcmlog   before a broken beam
+  adit scan mathies --at 120,1.6,3.6 --out free.lcmlog
   adit plan beam.lcmlog --out beam
   adit plan room.ply --out room --up y --goal 4,1.5
   adit plan run.lcmlog --list

@@ -31,8 +31,8 @@ placed without error. A log holds all of it, for adit plan or a stage; a PLY fil
 from where the vehicle's middle stands on the ground, x ahead, y to the left, z up.
 
 Examples:
-  adit scan mathies --at 300,0,0 --out beam.lcmlog     before the broken beam
-  adit scan bruceton --out start.ply                   where the world has its start
+  adit scan mathies --at 308,5.84,-4.4 --out beam.lcmlog     before the broken beam
+  adit scan bruceton --out start.ply                         where the world has its start
   adit plan beam.lcmlog --out beam)";
 
 /// The mean of where the lines begin.

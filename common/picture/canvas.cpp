@@ -28,23 +28,48 @@ void Canvas::disc(double x, double y, double radius) const {
   cairo_fill(cairo());
 }
 
-void Canvas::text(const std::string& text, double x, double y, double size, bool bold,
-                  Align align) const {
+double Canvas::text_width(const std::string& text, double size, bool bold) const {
   cairo_select_font_face(cairo(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
                          bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cairo(), size);
   cairo_text_extents_t extents;
   cairo_text_extents(cairo(), text.c_str(), &extents);
+  return extents.x_advance;
+}
+
+void Canvas::text(const std::string& text, double x, double y, double size, bool bold,
+                  Align align) const {
+  const double width = text_width(text, size, bold);  // sets the font as well
   double left = x;
-  if (align == Align::kCentre) left -= extents.x_advance / 2.0;
-  if (align == Align::kRight) left -= extents.x_advance;
+  if (align == Align::kCentre) left -= width / 2.0;
+  if (align == Align::kRight) left -= width;
   cairo_move_to(cairo(), left, y);
   cairo_show_text(cairo(), text.c_str());
 }
 
 void Canvas::image(const RgbImage& image, int x, int y) const {
   const Canvas copy(image.width, image.height);
-  cairo_surface_t* surface = copy.surface_.get();
+  copy.set(image);
+  cairo_set_source_surface(cairo(), copy.surface_.get(), x, y);
+  cairo_paint(cairo());
+}
+
+void Canvas::image(const RgbImage& image, double x, double y, double width, double height) const {
+  const Canvas copy(image.width, image.height);
+  copy.set(image);
+  cairo_save(cairo());
+  cairo_translate(cairo(), x, y);
+  cairo_scale(cairo(), width / image.width, height / image.height);
+  cairo_set_source_surface(cairo(), copy.surface_.get(), 0.0, 0.0);
+  cairo_pattern_set_filter(cairo_get_source(cairo()),
+                           width < image.width ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
+  cairo_rectangle(cairo(), 0.0, 0.0, image.width, image.height);
+  cairo_fill(cairo());
+  cairo_restore(cairo());
+}
+
+void Canvas::set(const RgbImage& image) const {
+  cairo_surface_t* surface = surface_.get();
   cairo_surface_flush(surface);
   unsigned char* bytes = cairo_image_surface_get_data(surface);
   if (bytes == nullptr) return;
@@ -58,8 +83,6 @@ void Canvas::image(const RgbImage& image, int x, int y) const {
     }
   }
   cairo_surface_mark_dirty(surface);
-  cairo_set_source_surface(cairo(), surface, x, y);
-  cairo_paint(cairo());
 }
 
 void Canvas::write_png(const std::filesystem::path& path) const {

@@ -8,20 +8,10 @@
 
 #include <cairo.h>
 
+#include "common/picture/colour.hpp"
 #include "common/picture/rgb_image.hpp"
 
 namespace adit {
-
-struct Colour {
-  double red;
-  double green;
-  double blue;
-  double alpha = 1.0;
-};
-
-constexpr Colour rgb(unsigned hex, double alpha = 1.0) {
-  return {(hex >> 16U & 0xffU) / 255.0, (hex >> 8U & 0xffU) / 255.0, (hex & 0xffU) / 255.0, alpha};
-}
 
 enum class Align { kLeft, kCentre, kRight };
 
@@ -37,13 +27,21 @@ class Canvas {
   /// `y` is that of the base line.
   void text(const std::string& text, double x, double y, double size, bool bold, Align align) const;
 
+  /// Of text as it is drawn.
+  [[nodiscard]] double text_width(const std::string& text, double size, bool bold) const;
+
   /// Pixel for pixel, its upper left corner at x, y.
   void image(const RgbImage& image, int x, int y) const;
+  /// The same, stretched to a rectangle: its pixels stay squares where they are enlarged, and are
+  /// averaged where they are made smaller.
+  void image(const RgbImage& image, double x, double y, double width, double height) const;
 
   /// Throws std::runtime_error where the file cannot be written.
   void write_png(const std::filesystem::path& path) const;
 
  private:
+  void set(const RgbImage& image) const;
+
   struct Destroy {
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
     void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }

@@ -6,8 +6,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
-#include "common/picture/canvas.hpp"
+#include "common/picture/colour.hpp"
+#include "common/picture/rgb_image.hpp"
 
 namespace adit {
 
@@ -30,6 +32,13 @@ inline constexpr std::array<Colour, 4> kAlongPath = {rgb(0x1a9a8f), rgb(0x2f6fc1
 inline Colour blend(const Colour& a, const Colour& b, double share) {
   return {std::lerp(a.red, b.red, share), std::lerp(a.green, b.green, share),
           std::lerp(a.blue, b.blue, share)};
+}
+
+inline RgbImage::Pixel rgb_pixel(const Colour& colour) {
+  const auto byte = [](double share) {
+    return static_cast<std::uint8_t>(std::lround(255.0 * share));
+  };
+  return {byte(colour.red), byte(colour.green), byte(colour.blue)};
 }
 
 /// The colour of a path at a share of its length, 0 to 1.

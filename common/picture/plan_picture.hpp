@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/path/planned_path.hpp"
+#include "common/picture/rgb_image.hpp"
 #include "common/terrain/terrain_map.hpp"
 
 namespace adit {
@@ -25,18 +27,39 @@ struct GreyCells {
 
 /// How a plan came about.
 struct PlanPicture {
+  /// Of the slices; what is passable lies between the last two, the dearer the darker.
+  static constexpr std::uint8_t kLethalGrey = 0;
+  static constexpr std::uint8_t kUnseenGrey = 90;
+  static constexpr std::uint8_t kDearGrey = 120;
+  static constexpr std::uint8_t kEvenGrey = 255;
+  /// Of the kernels: under the wheels, between them, lethal to an obstacle but without weight.
+  static constexpr std::uint8_t kWheelGrey = 0;
+  static constexpr std::uint8_t kBetweenGrey = 170;
+  static constexpr std::uint8_t kMarginGrey = 225;
+
   std::string title;  ///< one line, UTF-8
   TerrainMap terrain;
   PlannedPath path;
-  double length_m = 0.0;           ///< of the vehicle
-  double width_m = 0.0;            ///< likewise
-  std::vector<GreyCells> slices;   ///< of the C-space, with the cells of the terrain
-  std::vector<GreyCells> kernels;  ///< small, their cells drawn larger
+  double length_m = 0.0;              ///< of the vehicle
+  double width_m = 0.0;               ///< likewise
+  std::vector<GreyCells> slices;      ///< of the C-space, with the cells of the terrain
+  std::vector<GreyCells> kernels;     ///< small, their cells drawn larger
+  std::vector<std::uint8_t> reached;  ///< 1: cells that the robot can get to; or empty
+  std::optional<PlanGoal> goal;
+  std::optional<RgbImage> scan;    ///< a view of the points
+  std::vector<std::string> facts;  ///< lines of text below it
 };
 
-/// Draws a plan as PNG, y up: the terrain map in grey, bright where it is easy (the paper's figures
-/// 5b and 7), with the path or what blocks it; C-space maps beside it, and kernels (figure 5c)
-/// below. Throws std::runtime_error where the file cannot be written.
+// Each draws a PNG, maps with y up, and throws std::runtime_error where it cannot be written.
+
+/// The terrain in grey, bright where it is easy, with the path or what blocks it (the paper's
+/// figure 7).
+void write_path_png(const PlanPicture& picture, const std::filesystem::path& path);
+/// C-space maps at their headings.
+void write_slices_png(const PlanPicture& picture, const std::filesystem::path& path);
+/// The oriented kernels (the paper's figure 5c).
+void write_kernels_png(const PlanPicture& picture, const std::filesystem::path& path);
+/// All of it, and the scan, on one sheet (the paper's figure 5).
 void write_plan_png(const PlanPicture& picture, const std::filesystem::path& path);
 
 }  // namespace adit

@@ -60,6 +60,12 @@ std::string most_of(const std::vector<BlockingCell>& cells) {
   return name_of(static_cast<BlockingCell::Reason>(most));
 }
 
+std::vector<std::uint8_t> cells_of(const Reachable& region, const CSpace& space) {
+  std::vector<std::uint8_t> reached(space.cells(), 0);
+  for (const LatticePose& pose : region.poses) reached[space.index(pose.column, pose.row)] = 1;
+  return reached;
+}
+
 PlannedPath start_blocked(const LatticePose& start, const Lattice& lattice,
                           const Grounds& grounds) {
   PlannedPath answer;
@@ -81,8 +87,9 @@ Planning::Planning(const PlanningParams& params) : params_(params) {
   const MotionPrimitives primitives(params.vehicle, params.primitives, headings, 0.1);
 }
 
-void Planning::prepare(const TerrainMap& terrain, const Pose2& T_level_body) {
+void Planning::prepare(const TerrainMap& terrain, const Pose2& T_odom_body) {
   check(terrain);
+  const Pose2 T_level_body = between(terrain.T_odom_level, T_odom_body);
   if (!kernels_ || kernels_->cell_m() != terrain.cell_m) {
     kernels_.emplace(params_.vehicle, params_.c_space, terrain.cell_m);
     primitives_.emplace(params_.vehicle, params_.primitives, kernels_->headings(), terrain.cell_m);
@@ -90,7 +97,7 @@ void Planning::prepare(const TerrainMap& terrain, const Pose2& T_level_body) {
   GroundLayers layers =
       ground_layers(terrain, T_level_body, params_.vehicle, params_.c_space.ground);
   CSpace space = kernels_->convolve(layers);
-  ground_.emplace(PlanGround{std::move(layers), std::move(space)});
+  ground_.emplace(PlanGround{std::move(layers), std::move(space), {}});
 }
 
 Lattice Planning::lattice(std::uint16_t refused) const {
@@ -99,8 +106,13 @@ Lattice Planning::lattice(std::uint16_t refused) const {
 
 PlannedPath Planning::plan(const TerrainMap& terrain, const PlanGoal& goal,
                            const Pose2& T_odom_body) {
+  prepare(terrain, T_odom_body);
+  return find(terrain, goal, T_odom_body);
+}
+
+PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
+                           const Pose2& T_odom_body) {
   const Pose2 T_level_body = between(terrain.T_odom_level, T_odom_body);
-  prepare(terrain, T_level_body);
   const HeadingSet& headings = kernels_->headings();
   const LatticePose start = nearest_pose(terrain, headings, T_level_body);
   const Lattice free = lattice(CSpace::kUnseen);
@@ -134,12 +146,13 @@ PlannedPath Planning::plan(const TerrainMap& terrain, const PlanGoal& goal,
 }
 
 PlannedPath Planning::no_path(const TerrainMap& terrain, const LatticePose& start,
-                              const GoalField& goals) const {
+                              const GoalField& goals) {
   const Lattice free = lattice(CSpace::kUnseen);
   const Grounds grounds{terrain, ground_->layers, *kernels_, params_.vehicle,
                         params_.c_space.ground};
   if (!free.stands(start)) return start_blocked(start, free, grounds);
   const Reachable region = reachable(free, start, goals, terrain);
+  ground_->reached = cells_of(region, ground_->space);
   const double least = goals.least_progress();
   const Reachable seen_or_not = reachable(lattice(CSpace::kLethal), start, goals, terrain, least);
   PlannedPath answer;

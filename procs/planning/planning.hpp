@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "common/config/bounds.hpp"
 #include "common/path/planned_path.hpp"
@@ -38,6 +40,7 @@ struct PlanningParams {
 struct PlanGround {
   GroundLayers layers;
   CSpace space;
+  std::vector<std::uint8_t> reached;  ///< 1: the robot's middle can get there; empty with a path
 };
 
 /// Finds a path over the terrain of one 3D scan: C-space maps by oriented kernels and A* in them
@@ -53,16 +56,19 @@ class Planning {
   /// or too large for the vehicle; a goal or a pose with no place is answered.
   PlannedPath plan(const TerrainMap& terrain, const PlanGoal& goal, const Pose2& T_odom_body);
 
+  // The two halves of it, for those who want to know how long each takes. The first throws as
+  // `plan` does; the second takes what the first was given.
+  void prepare(const TerrainMap& terrain, const Pose2& T_odom_body);
+  PlannedPath find(const TerrainMap& terrain, const PlanGoal& goal, const Pose2& T_odom_body);
+
   /// What the last plan rested on.
   [[nodiscard]] const std::optional<PlanGround>& ground() const { return ground_; }
   /// Those of the last plan; nothing before.
   [[nodiscard]] const std::optional<CSpaceKernels>& kernels() const { return kernels_; }
 
  private:
-  void prepare(const TerrainMap& terrain, const Pose2& T_level_body);
   [[nodiscard]] Lattice lattice(std::uint16_t refused) const;
-  [[nodiscard]] PlannedPath no_path(const TerrainMap& terrain, const LatticePose& start,
-                                    const GoalField& goals) const;
+  PlannedPath no_path(const TerrainMap& terrain, const LatticePose& start, const GoalField& goals);
 
   PlanningParams params_;
   std::optional<CSpaceKernels> kernels_;

@@ -12,19 +12,18 @@ namespace {
 
 constexpr int kKernels = 8;  // over half a turn
 constexpr std::uint8_t kWhite = 255;
-constexpr std::uint8_t kMargin = 225;   // lethal to an obstacle, without weight
-constexpr std::uint8_t kBetween = 170;  // between the wheels
-constexpr double kPaleCost = 60.0;      // added to that of even ground, half as bright
+constexpr double kPaleCost = 60.0;  // added to that of even ground, half as bright
 
 std::string degrees(double angle_rad) {
   return std::to_string(std::lround(rad_to_deg(angle_rad))) + "°";
 }
 
 std::uint8_t grey_of(std::uint16_t cost) {
-  if (cost == CSpace::kLethal) return 0;
-  if (cost == CSpace::kUnseen) return 90;
-  const double over = cost - CSpace::kEven;
-  return static_cast<std::uint8_t>(std::lround(120.0 + 135.0 * kPaleCost / (kPaleCost + over)));
+  if (cost == CSpace::kLethal) return PlanPicture::kLethalGrey;
+  if (cost == CSpace::kUnseen) return PlanPicture::kUnseenGrey;
+  const double pale = kPaleCost / (kPaleCost + cost - CSpace::kEven);
+  return static_cast<std::uint8_t>(
+      std::lround(std::lerp(PlanPicture::kDearGrey, PlanPicture::kEvenGrey, pale)));
 }
 
 GreyCells slice_of(const CSpace& space, const HeadingSet& headings, double angle_rad) {
@@ -51,9 +50,9 @@ GreyCells kernel_of(const CSpaceKernels& kernels, int heading) {
   GreyCells cells{degrees(kernels.headings().angle(heading)), 2 * reach + 1, {}};
   const auto side = static_cast<std::size_t>(cells.columns);
   cells.grey.assign(side * side, kWhite);
-  fill(cells, oriented.lethal_body, reach, kMargin);
-  fill(cells, oriented.body, reach, kBetween);
-  fill(cells, oriented.wheels, reach, 0);
+  fill(cells, oriented.lethal_body, reach, PlanPicture::kMarginGrey);
+  fill(cells, oriented.body, reach, PlanPicture::kBetweenGrey);
+  fill(cells, oriented.wheels, reach, PlanPicture::kWheelGrey);
   return cells;
 }
 
@@ -62,8 +61,14 @@ GreyCells kernel_of(const CSpaceKernels& kernels, int heading) {
 PlanPicture planning_picture(const std::string& title, const TerrainMap& terrain,
                              const PlannedPath& path, const Planning& planning,
                              const Vehicle& vehicle, const std::vector<double>& angles_rad) {
-  PlanPicture picture{title, terrain, path, vehicle.length_m, vehicle.width_m, {}, {}};
+  PlanPicture picture;
+  picture.title = title;
+  picture.terrain = terrain;
+  picture.path = path;
+  picture.length_m = vehicle.length_m;
+  picture.width_m = vehicle.width_m;
   if (!planning.kernels() || !planning.ground()) return picture;
+  picture.reached = planning.ground()->reached;
   const CSpaceKernels& kernels = *planning.kernels();
   for (const double angle : angles_rad) {
     picture.slices.push_back(slice_of(planning.ground()->space, kernels.headings(), angle));

@@ -9,8 +9,10 @@
 namespace adit {
 namespace {
 
-constexpr int kReach = 2;        // cells to either side of the middle
-constexpr int kPlaneCells = 13;  // that a plane needs, more than half of them all
+constexpr int kReach = 2;  // cells to either side of the middle
+/// That a plane needs: more than four rows of five. At the edge of what is seen rails are often
+/// seen alone, as two rows of cells, and their height over four rows would pass for a slope.
+constexpr int kPlaneCells = 21;
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 template <class Visit>
@@ -47,7 +49,6 @@ struct PlaneSums {
   }
 };
 
-/// Thirteen of 5 × 5 cells are never all in a line, so that a plane through them is one.
 float slope_rad(const TerrainMap& map, int column, int row) {
   const float middle = map.at(column, row).low_m;  // keeps the sums small, and so exact
   PlaneSums sums;

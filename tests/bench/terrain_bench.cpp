@@ -5,10 +5,10 @@
 #include <benchmark/benchmark.h>
 
 #include "procs/terrain/terrain.hpp"
+#include "sim/sweep/tilt_sweep.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/drift_line.hpp"
 #include "sim/world/world_file.hpp"
-#include "tests/support/tilt_sweep.hpp"
 
 namespace adit {
 namespace {

@@ -112,6 +112,7 @@ std::vector<Target> all_targets() {
   targets.push_back(carmen_target());
   targets.push_back(journal_target());
   for (Target& target : world_targets()) targets.push_back(std::move(target));
+  for (Target& target : cloud_targets()) targets.push_back(std::move(target));
   return targets;
 }
 

@@ -34,7 +34,9 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_import_command(*app);
   add_map_command(*app);
   add_optimize_command(*app);
+  add_plan_command(*app);
   add_sample_command(*app);
+  add_scan_command(*app);
   add_sim_command(*app);
   add_spy_command(*app);
   return app;
@@ -50,6 +52,8 @@ int run_adit(int argc, const char* const* argv) try {
   if (!app->get_subcommands().empty()) return 0;
   std::cerr << app->help();
   return kExitUnusable;
+} catch (const CLI::RuntimeError& answer) {  // that of a command, which has said why
+  return answer.get_exit_code();
 } catch (const CLI::ParseError& error) {
   std::cerr << "adit: " << error.what() << "; see adit --help\n";
   return kExitUnusable;

@@ -14,7 +14,7 @@ namespace adit {
 std::unique_ptr<CLI::App> make_adit_app();
 
 /// Runs it. Exit code 0, or 2 with one line on standard error: wrong use, or a file that cannot be
-/// used.
+/// used; or what a command says of its own for an answer that is no.
 int run_adit(int argc, const char* const* argv);
 
 // What follows adds one sub-command each, and lives in a file of its own.
@@ -24,7 +24,9 @@ void add_eval_command(CLI::App& adit);
 void add_import_command(CLI::App& adit);
 void add_map_command(CLI::App& adit);
 void add_optimize_command(CLI::App& adit);
+void add_plan_command(CLI::App& adit);
 void add_sample_command(CLI::App& adit);
+void add_scan_command(CLI::App& adit);
 void add_sim_command(CLI::App& adit);
 void add_spy_command(CLI::App& adit);
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/support/tilt_sweep.hpp"
+#include "sim/sweep/tilt_sweep.hpp"
 
 namespace adit {
 

@@ -41,7 +41,9 @@ TEST_F(AditCommand, TeachesByItsHelp) {
                                                   {"drive"},
                                                   {"map"},
                                                   {"optimize"},
+                                                  {"plan"},
                                                   {"sample"},
+                                                  {"scan"},
                                                   {"sim"},
                                                   {"spy"},
                                                   {"completion"}}) {

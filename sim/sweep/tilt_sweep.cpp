@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/support/tilt_sweep.hpp"
+#include "sim/sweep/tilt_sweep.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/picture/legend.hpp"
+
+#include "common/picture/canvas.hpp"
+#include "common/picture/palette.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kText = 15.0;
+constexpr double kBox = 15.0;    // height, and width of what is one colour
+constexpr double kRamp = 70.0;   // width
+constexpr double kToName = 6.0;  // from the box
+constexpr double kApart = 20.0;  // of items
+constexpr double kRow = 24.0;
+
+double box_width(const LegendItem& item) { return item.to ? kRamp : kBox; }
+
+void draw_box(const Canvas& canvas, const LegendItem& item, double left, double top) {
+  const double width = box_width(item);
+  canvas.colour(kInk);
+  canvas.fill_rectangle(left - 1.0, top - 1.0, width + 2.0, kBox + 2.0);
+  for (double x = 0.0; x < width; x += 1.0) {
+    canvas.colour(item.to ? blend(item.colour, *item.to, x / width) : item.colour);
+    canvas.fill_rectangle(left + x, top, 1.0, kBox);
+  }
+}
+
+}  // namespace
+
+double draw_legend(const Canvas& canvas, const Legend& legend, double left, double top,
+                   double width) {
+  double x = left;
+  double y = top;
+  for (const LegendItem& item : legend) {
+    const double needed = box_width(item) + kToName + canvas.text_width(item.name, kText, false);
+    if (x > left && x + needed > left + width) {
+      x = left;
+      y += kRow;
+    }
+    draw_box(canvas, item, x + 1.0, y + 1.0);
+    canvas.colour(kInk);
+    canvas.text(item.name, x + box_width(item) + kToName, y + kBox - 1.0, kText, false,
+                Align::kLeft);
+    x += needed + kApart;
+  }
+  return y + kRow;
+}
+
+}  // namespace adit

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/plan/scan_source.hpp"
+
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/log_writer.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/cloud_pieces.hpp"
+#include "common/messages/scan_request.hpp"
+#include "procs/scan_assembly/scan_assembly_node.hpp"
+#include "tests/support/robot_that_knows_its_place.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/unit/tools/plan/swept_scan.hpp"
+
+namespace adit {
+namespace {
+
+using testing::HasSubstr;
+
+class ScanSources : public testing::Test {
+ protected:
+  void write(const std::vector<Cloud>& clouds, std::size_t leave_out_piece = 1000) {
+    LogWriter log(file_);
+    for (const Cloud& cloud : clouds) {
+      std::size_t number = 0;
+      for (const CloudPiece& piece : divide(cloud)) {
+        if (number++ == leave_out_piece) continue;
+        log.write({cloud.utime, channels::kCloud, encode(to_message(piece))});
+      }
+    }
+    log.close();
+  }
+
+  [[nodiscard]] std::string refusal() const {
+    try {
+      (void)scans_of_log(file_, {});
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  test::ScratchFolder folder_;
+  std::filesystem::path file_ = folder_ / "scans.lcmlog";
+};
+
+/// A small scan.
+Cloud scan(int id, bool complete = true) {
+  Cloud cloud;
+  cloud.utime = 1'000'000 * (id + 1);
+  cloud.id = id;
+  cloud.complete = complete;
+  cloud.lines.resize(1);
+  cloud.lines[0].points = {{1.0F, 2.0F, static_cast<float>(id)}};
+  return cloud;
+}
+
+std::vector<int> ids(const std::vector<NumberedScan>& scans) {
+  std::vector<int> result;
+  for (const NumberedScan& chosen : scans) result.push_back(chosen.cloud.id);
+  return result;
+}
+
+TEST_F(ScanSources, ALogMayHoldSeveralOfWhichOneIsChosen) {
+  write({scan(3, false), scan(5), scan(9)});
+  const ScanSource source = scans_of_log(file_, {});
+  ASSERT_EQ(source.clouds.size(), 3U);
+  EXPECT_EQ(ids(choose(source, {})), (std::vector<int>{5}));  // the first that is complete
+  EXPECT_EQ(ids(choose(source, {.number = 1})), (std::vector<int>{3}));
+  EXPECT_EQ(ids(choose(source, {.id = 9})), (std::vector<int>{9}));
+  EXPECT_EQ(ids(choose(source, {.all = true})), (std::vector<int>{3, 5, 9}));
+  EXPECT_THROW(choose(source, {.number = 4}), std::runtime_error);
+  EXPECT_THROW(choose(source, {.id = 4}), std::runtime_error);
+  write({scan(3, false)});
+  EXPECT_EQ(ids(choose(scans_of_log(file_, {}), {})), (std::vector<int>{3}));
+}
+
+TEST_F(ScanSources, SaysWhatALogLacks) {
+  write({test::swept_drift(true)}, 1);
+  EXPECT_THAT(refusal(), HasSubstr("scans.lcmlog: no 3D scan"));
+  EXPECT_THAT(refusal(), HasSubstr("it lacks SCAN_REQUEST, LASER_FRONT, TILT_FRONT, POSE"));
+}
+
+/// What the drivers, scan matching and whoever asks for a scan put on the bus, and the scan that
+/// came of it there.
+Cloud record_sweep(const std::filesystem::path& file) {
+  RobotThatKnowsItsPlace robot(box_drift());
+  MemoryBus& bus = robot.bus();
+  LogWriter log(file);
+  for (const auto channel : {channels::kLaserFront, channels::kTiltFront, channels::kPose,
+                             channels::kImu, channels::kScanRequest, channels::kTiltCommandFront}) {
+    bus.subscribe(channel, Delivery::queued(1000), [&](const Received& received) {
+      log.write({bus.now_utime(), received.channel, received.bytes});
+      return std::string_view();
+    });
+  }
+  ScanAssemblyParams params;
+  params.lasers = groundhog_lasers();
+  const ScanAssemblyNode node(bus, params);
+  CloudAssembler assembler;
+  Cloud swept;
+  subscribe<cloud_t>(bus, channels::kCloud, Delivery::queued(1000), [&](const CloudPiece& piece) {
+    if (const auto cloud = assembler.add(piece)) swept = *cloud;
+  });
+  robot.run(1.5);
+  publish(bus, channels::kScanRequest,
+          to_message(ScanRequest{bus.now_utime(), 1, LaserId::kFront}));
+  robot.run(10.0);
+  log.close();
+  return swept;
+}
+
+TEST_F(ScanSources, PutsAScanTogetherFromWhatALogHoldsOfTheSweep) {
+  const Cloud live = record_sweep(file_);
+  const ScanSource source = scans_of_log(file_, {});
+  ASSERT_EQ(source.clouds.size(), 1U);
+  const Cloud& again = source.clouds[0];
+  EXPECT_THAT(source.complaints, testing::ElementsAre(HasSubstr("taken for Groundhog's")));
+  EXPECT_TRUE(again.complete);
+  EXPECT_GT(again.points(), 50'000U);
+  ASSERT_EQ(again.lines.size(), live.lines.size());
+  for (std::size_t i = 0; i < live.lines.size(); ++i) {
+    EXPECT_EQ(again.lines[i].points, live.lines[i].points) << i;
+  }
+}
+
+}  // namespace
+}  // namespace adit

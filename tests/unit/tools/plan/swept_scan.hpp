@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/cloud/cloud.hpp"
+#include "sim/sweep/tilt_sweep.hpp"
+#include "tests/support/box_drift.hpp"
+
+namespace adit::test {
+
+/// What the front laser sees at the start of a drift that is free, or has a fall across it 3.2 m
+/// ahead.
+inline Cloud swept_drift(bool free) {
+  const Site site(free ? box_drift() : box_drift({}, [](MeshBuilder& builder) {
+    builder.begin_part(PartKind::kWall, Material::kRock, "fall");
+    builder.box(level_box({3.2, 0.0, 0.4}, {0.6, 4.0, 0.8}));
+  }));
+  Cloud cloud = tilt_sweep(site, Eigen::Isometry3d::Identity());
+  cloud.id = 7;
+  return cloud;
+}
+
+}  // namespace adit::test

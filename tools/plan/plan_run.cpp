@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/plan/plan_run.hpp"
+
+#include <iomanip>
+#include <stdexcept>
+
+#include "common/bus/stages.hpp"
+#include "tools/cloud/cloud_file.hpp"
+#include "tools/map/result_folder.hpp"
+#include "tools/plan/plan_facts.hpp"
+#include "tools/plan/plan_files.hpp"
+
+namespace adit {
+namespace {
+
+ConfigFile load_config(const std::filesystem::path& path) {
+  if (path.empty()) return {};
+  ConfigFile file = ConfigFile::load(path);
+  file.require_known_sections(config_sections());
+  return file;
+}
+
+ScanSource scan_of_points(const PlanRunOptions& options) {
+  if (options.choice.all || options.choice.number || options.choice.id) {
+    throw std::invalid_argument("--scan, --id and --all are for logs; a cloud is one scan");
+  }
+  const PointCloud points = read_cloud_file(options.input);
+  ScanSource source;
+  if (points.skipped > 0) {
+    source.complaints.push_back("skipped " + std::to_string(points.skipped) +
+                                " points that are not finite, or farther than 100 km from 0");
+  }
+  try {
+    source.clouds.push_back(place_cloud(points, options.placement));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(options.input.string() + ": " + error.what());
+  }
+  return source;
+}
+
+void complain(const PlanRunOptions& options, const ScanSource& source, std::ostream& err) {
+  for (const std::string& sentence : source.complaints) {
+    err << "adit: " << options.input.string() << ": " << sentence << "\n";
+  }
+}
+
+std::string title_of(const PlanRunOptions& options, const NumberedScan& scan,
+                     const PlannedPath& path) {
+  std::string title = options.input.filename().string();
+  if (options.choice.all || scan.number > 1) title.append(" ").append(std::to_string(scan.number));
+  return title + ": " + path.reason;
+}
+
+}  // namespace
+
+bool run_plan(const PlanRunOptions& options, std::ostream& out, std::ostream& err) {
+  const ConfigFile config = load_config(options.config);
+  const ScanPlanParams params = load_scan_plan_params(config, options.estimator);
+  Planning planning(params.planning);
+  const ScanSource source =
+      is_scan_log(options.input) ? scans_of_log(options.input, config) : scan_of_points(options);
+  complain(options, source, err);
+  bool all_found = true;
+  const ResultFolder results(options.folder);
+  for (const NumberedScan& scan : choose(source, options.choice)) {
+    const ScanPlan plan = plan_on_scan(scan.cloud, options.goal, params, planning);
+    std::filesystem::path folder = results.unfinished();
+    if (options.choice.all) folder /= "scan_" + std::to_string(scan.number);
+    std::filesystem::create_directories(folder);
+    write_plan_files(title_of(options, scan, plan.path), scan.cloud, plan, planning,
+                     params.planning.vehicle, folder);
+    out << options.folder.string();
+    if (options.choice.all) out << "/scan_" << scan.number;
+    out << "\n";
+    for (const std::string& fact : plan_facts(scan.cloud, plan)) out << "  " << fact << "\n";
+    out << "  " << plan_times(plan.times) << "\n";
+    all_found = all_found && plan.path.outcome == PlanOutcome::kFound;
+  }
+  results.publish();
+  return all_found;
+}
+
+void list_scans(const PlanRunOptions& options, std::ostream& out, std::ostream& err) {
+  if (!is_scan_log(options.input)) {
+    throw std::invalid_argument("--list is for logs; a cloud is one scan");
+  }
+  const ScanSource source = scans_of_log(options.input, load_config(options.config));
+  complain(options, source, err);
+  out << "scan      id             utime   lines    points\n";
+  int number = 0;
+  for (const Cloud& cloud : source.clouds) {
+    out << std::setw(4) << ++number << std::setw(8) << cloud.id << std::setw(18) << cloud.utime
+        << std::setw(8) << cloud.lines.size() << std::setw(10) << cloud.points()
+        << (cloud.complete ? "\n" : "  cut short\n");
+  }
+}
+
+}  // namespace adit

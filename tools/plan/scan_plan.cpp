@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/plan/scan_plan.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "common/config/config.hpp"
+#include "procs/terrain/terrain.hpp"
+
+namespace adit {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What the work gives, and how long it took.
+template <class Work>
+double milliseconds(const Work& work) {
+  const auto start = Clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+PlanGoal in_odom(const GoalChoice& choice, const Cloud& cloud) {
+  PlanGoal goal;
+  goal.utime = cloud.utime;
+  goal.id = cloud.id;
+  goal.kind = choice.kind;
+  goal.T_odom_goal = cloud.T_odom_level * choice.T_level_goal;
+  goal.distance_m = choice.distance_m;
+  return goal;
+}
+
+}  // namespace
+
+ScanPlanParams load_scan_plan_params(const ConfigFile& config, const std::string& estimator) {
+  ScanPlanParams params{load_section<TerrainParams>(config, "terrain"),
+                        load_section<PlanningParams>(config, "planning")};
+  if (!estimator.empty()) params.terrain.estimator.kind = estimator;
+  return params;
+}
+
+ScanPlan plan_on_scan(const Cloud& cloud, const GoalChoice& choice, const ScanPlanParams& params,
+                      Planning& planning) {
+  ScanPlan plan;
+  const Terrain terrain(params.terrain);
+  plan.times.terrain_ms = milliseconds([&] { plan.terrain = terrain.make(cloud); });
+  for (const TerrainCell& cell : plan.terrain.cells) {
+    ++plan.ground[static_cast<std::size_t>(cell.ground)];
+  }
+  plan.goal = in_odom(choice, cloud);
+  const auto prepare = [&] { planning.prepare(plan.terrain, cloud.T_odom_level); };
+  const double first_ms = milliseconds(prepare);
+  plan.times.c_space_ms = milliseconds(prepare);
+  plan.times.kernels_ms = std::max(first_ms - plan.times.c_space_ms, 0.0);
+  plan.times.search_ms =
+      milliseconds([&] { plan.path = planning.find(plan.terrain, plan.goal, cloud.T_odom_level); });
+  return plan;
+}
+
+double path_length_m(const PlannedPath& path) {
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    length_m +=
+        between(path.points[i - 1].T_odom_body, path.points[i].T_odom_body).translation().norm();
+  }
+  return length_m;
+}
+
+double least_clearance_m(const PlannedPath& path) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const PathPoint& point : path.points) least_m = std::min(least_m, point.clearance_m);
+  return least_m;
+}
+
+const char* name_of(PlanOutcome outcome) {
+  switch (outcome) {
+    case PlanOutcome::kFound:
+      return "found";
+    case PlanOutcome::kStartBlocked:
+      return "start_blocked";
+    case PlanOutcome::kBlocked:
+      return "blocked";
+    case PlanOutcome::kUnknown:
+      return "unknown";
+    case PlanOutcome::kGaveUp:
+      return "gave_up";
+  }
+  return "";
+}
+
+}  // namespace adit

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/sim/scan_file.hpp"
+
+#include <stdexcept>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/log_writer.hpp"
+#include "common/messages/cloud_pieces.hpp"
+#include "common/messages/codec.hpp"
+#include "tools/cloud/ply_writer.hpp"
+
+namespace adit {
+namespace {
+
+void write_log(const Cloud& cloud, const std::filesystem::path& file) {
+  LogWriter log(file);
+  for (const CloudPiece& piece : divide(cloud)) {
+    log.write({cloud.utime, channels::kCloud, encode(to_message(piece))});
+  }
+  log.close();
+}
+
+}  // namespace
+
+void write_scan(const Cloud& cloud, const std::filesystem::path& file) {
+  if (file.extension() == ".lcmlog") return write_log(cloud, file);
+  if (file.extension() == ".ply") return write_ply(cloud, file);
+  throw std::runtime_error(file.string() + ": a scan is written as .lcmlog or .ply");
+}
+
+}  // namespace adit

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+#include "common/cloud/cloud.hpp"
+
+namespace adit {
+
+/// Writes a 3D scan: as an LCM log of its messages (.lcmlog), with all that is known of it, or as
+/// the bare points in level (.ply). Throws std::runtime_error for another ending and where the file
+/// cannot be written.
+void write_scan(const Cloud& cloud, const std::filesystem::path& file);
+
+}  // namespace adit

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "procs/guard/arc_sweep.hpp"
 #include "procs/guard/decimal_text.hpp"
@@ -19,6 +20,23 @@ int direction_of(double speed_m_s) {
   return std::abs(speed_m_s) < kStandsM_S ? 0 : speed_m_s > 0.0 ? 1 : -1;
 }
 
+void check(const char* laser, const LaserMount& mount, const Vehicle& vehicle) {
+  if (mount.height_m > vehicle.step_max_m && mount.height_m < vehicle.height_m) return;
+  throw std::invalid_argument(
+      std::string("lasers: ") + laser +
+      ".height_m is not between vehicle.step_max_m and vehicle.height_m: "
+      "the guard would take all that it sees for ground or roof");
+}
+
+GuardParams checked(const GuardParams& params) {
+  check("front", params.lasers.front, params.vehicle);
+  check("rear", params.lasers.rear, params.vehicle);
+  if (!(params.tilt_margin_rad < params.vehicle.tilt_max_rad)) {
+    throw std::invalid_argument("guard: tilt_margin_rad is not less than vehicle.tilt_max_rad");
+  }
+  return params;
+}
+
 std::string joined(const std::vector<StopReason>& reasons) {
   std::string line;
   for (const StopReason& reason : reasons) line += (line.empty() ? "" : "; ") + reason.text;
@@ -28,7 +46,7 @@ std::string joined(const std::vector<StopReason>& reasons) {
 }  // namespace
 
 Guard::Guard(const GuardParams& params)
-    : params_(params),
+    : params_(checked(params)),
       front_("laser front", params.lasers.front),
       rear_("laser rear", params.lasers.rear),
       attitude_(params.attitude),

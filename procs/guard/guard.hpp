@@ -45,6 +45,8 @@ struct StopReason {
 /// Times: `now` is bus time [µs since the epoch]; all that is heard must be told with it.
 class Guard {
  public:
+  /// Throws std::invalid_argument where a level laser would take all it sees for ground or roof, and
+  /// where the margin leaves no tilt at all.
   explicit Guard(const GuardParams& params);
 
   void hear(LaserId laser, const LaserScan& scan, std::int64_t now);

@@ -26,6 +26,7 @@ class GuardNode {
   static constexpr std::int64_t kJudgeUs = 50'000;
   static constexpr std::int64_t kRepeatUs = 100'000;
 
+  /// Throws as Guard does.
   GuardNode(Bus& bus, const Params& params);
 
   /// Degraded while a sensor, the pose or the supervisor is missing, or beyond its limit: with how

@@ -17,6 +17,7 @@
 #include "common/messages/gas_reading.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/stop_order.hpp"
+#include "tests/unit/procs/guard/healthy_robot.hpp"
 
 namespace adit {
 namespace {
@@ -45,7 +46,7 @@ class GuardNodeOnABus : public testing::Test {
   }
 
   MemoryBus bus_;
-  GuardNode node_{bus_, GuardParams{}};
+  GuardNode node_{bus_, groundhog_guard()};
   std::vector<StopOrder> orders_;
   std::int64_t now_ = kStart;
   bool poses_ = true;
@@ -112,6 +113,17 @@ TEST_F(GuardNodeOnABus, IsDegradedByWhatIsWrongWithTheRobotNotByWhoDrives) {
             "methane 2.00 %, limit 1.00 % (times so far: pose 1, command 1, gas 1)");
   go_on(20.0);  // and the gas is silent
   EXPECT_THAT(node_.health().reason, testing::StartsWith("gas silent"));
+}
+
+TEST(GuardConfiguration, LasersThatWouldSeeNothingAreRefused) {
+  GuardParams params = groundhog_guard();
+  EXPECT_NO_THROW(Guard{params});
+  params.lasers.rear.height_m = 0.1;
+  EXPECT_THROW(Guard{params}, std::invalid_argument);
+  EXPECT_THROW(Guard{GuardParams{}}, std::invalid_argument);  // lasers on the ground
+  params = groundhog_guard();
+  params.tilt_margin_rad = 0.5;
+  EXPECT_THROW(Guard{params}, std::invalid_argument);
 }
 
 TEST(GuardConfiguration, NoTimeOutCanBeSwitchedOff) {

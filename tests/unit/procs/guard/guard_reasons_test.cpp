@@ -67,7 +67,8 @@ TEST_F(GuardReasons, AnObstacleOnTheArcThatTheVehicleIsStillOn) {
   robot_.curvature_1_m = 0.6;
   robot_.state.speed_m_s = 0.3;
   robot_.state.curvature_1_m = -0.6;
-  robot_.front.ranges_m[90] = robot_.front.ranges_m[91] = 0.75F;  // 45° to the right
+  // Beside its right front corner, where it goes only while it still steers to the right.
+  robot_.front.ranges_m[16] = robot_.front.ranges_m[17] = 0.727F;
   EXPECT_TRUE(robot_.seconds_to_stop(0.2));
   EXPECT_THAT(robot_.order.reason, testing::HasSubstr("on the arc that it is on"));
 }

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where nothing is wrong, the guard lets the robot drive.
+#include <gtest/gtest.h>
+
+#include "tests/support/box_drift.hpp"
+#include "tests/system/guarded_robot.hpp"
+
+namespace adit {
+namespace {
+
+constexpr BoxDrift kNarrow{40.0, 1.8, 2.0};  // 0.3 m on either side of the vehicle
+
+/// Way in twenty seconds, which must be without a stop.
+double way_m(World world, double speed_m_s) {
+  GuardedRobot robot(std::move(world));
+  robot.drive(speed_m_s);
+  robot.go_on(20.0);
+  EXPECT_EQ(robot.failure(), "");
+  EXPECT_FALSE(robot.order().stopped) << robot.order().reason;
+  EXPECT_EQ(robot.stops(), 0);
+  return std::abs(robot.motion().T_world_body.translation().x());
+}
+
+TEST(GuardLetsDrive, DownTheMiddleOfANarrowDrift) {
+  EXPECT_GT(way_m(box_drift(kNarrow), 0.5), 8.5);  // less slip, the release and acceleration
+  EXPECT_GT(way_m(box_drift(kNarrow), -0.5), 8.5);
+}
+
+TEST(GuardLetsDrive, OverRails) {
+  const auto rails = [](MeshBuilder& builder) {
+    builder.begin_part(PartKind::kRail, Material::kSteel, "rails");
+    for (const double x : {2.0, 3.1, 5.0, 5.8, 8.0}) {
+      builder.box(level_box({x, 0.0, 0.06}, {0.07, 1.8, 0.12}));
+    }
+  };
+  EXPECT_GT(way_m(box_drift(kNarrow, rails), 0.5), 8.5);
+  EXPECT_GT(way_m(box_drift(kNarrow, rails), 0.2), 3.0);
+}
+
+TEST(GuardLetsDrive, UpAndDownASlope) {
+  const auto hump = [](MeshBuilder& builder) {
+    builder.begin_part(PartKind::kOther, Material::kRock, "hump");
+    const auto corner = [&](double x, double y, double z) {
+      return builder.vertex(Eigen::Vector3d(x, y, z).cast<float>());
+    };
+    const auto slope = [&](double from_x, double from_z, double to_x, double to_z) {
+      builder.quad(corner(from_x, -0.9, from_z), corner(to_x, -0.9, to_z), corner(to_x, 0.9, to_z),
+                   corner(from_x, 0.9, from_z));
+    };
+    slope(2.0, 0.0, 5.0, 0.6);
+    slope(5.0, 0.6, 8.0, 0.0);
+  };
+  EXPECT_GT(way_m(box_drift({40.0, 1.8, 3.0}, hump), 0.5), 8.5);
+}
+
+TEST(GuardLetsDrive, BackOutOfADeadEnd) {
+  GuardedRobot robot(box_drift({8.0, 1.8, 2.0}));
+  robot.drive(0.4);
+  robot.go_on(15.0);
+  EXPECT_TRUE(robot.order().stopped);
+  const double there = robot.motion().T_world_body.translation().x();
+  robot.drive(-0.4);
+  robot.go_on(5.0);
+  EXPECT_FALSE(robot.order().stopped) << robot.order().reason;
+  EXPECT_LT(robot.motion().T_world_body.translation().x(), there - 1.0);
+}
+
+}  // namespace
+}  // namespace adit

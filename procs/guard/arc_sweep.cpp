@@ -55,6 +55,12 @@ double ArcSweep::way_m(const Eigen::Vector2d& p_body) const {
   return straight_ ? straight_way_m(p_body, footprint) : way_m(p_body, footprint);
 }
 
+double ArcSweep::reach_m(double way_m) const {
+  const double farthest_moves_m =
+      straight_ ? way_m : way_m * std::abs(curvature_1_m_) * wide_.radius_max_m;
+  return std::hypot(wide_.x_m, wide_.y_m) + farthest_moves_m;
+}
+
 double ArcSweep::straight_way_m(const Eigen::Vector2d& p_body, const Rectangle& footprint) const {
   const double ahead_m = p_body.x() * direction_ - footprint.x_m;
   return std::abs(p_body.y()) <= footprint.y_m && ahead_m >= 0.0 ? ahead_m : kNever;

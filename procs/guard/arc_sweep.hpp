@@ -31,10 +31,13 @@ class ArcSweep {
   /// them, and otherwise not at all: it may be driven out of what it stands in.
   [[nodiscard]] double way_m(const Eigen::Vector2d& p_body) const;
 
+  /// Nothing farther from the body's origin than this is met within the way [m].
+  [[nodiscard]] double reach_m(double way_m) const;
+
  private:
   struct Rectangle {
-    double x_m;  ///< half the length
-    double y_m;  ///< half the width
+    double x_m;                 ///< half the length
+    double y_m;                 ///< half the width
     double radius_min_m = 0.0;  ///< of the ring about the centre in which it lies
     double radius_max_m = 0.0;
 

@@ -11,7 +11,8 @@ namespace adit {
 namespace {
 
 constexpr double kGravity = 9.81;  // [m/s²]
-constexpr double kGapMaxS = 0.1;   // over which a turn rate is believed to have lasted
+constexpr std::int64_t kWithoutGravityUs = 10'000'000;
+constexpr double kGapMaxS = 0.1;  // over which a turn rate is believed to have lasted
 
 }  // namespace
 
@@ -21,6 +22,7 @@ void Attitude::add(const ImuReading& reading, std::int64_t at_us) {
   last_us_ = at_us;
   const Eigen::Vector3d& force = reading.linear_acceleration;
   const bool may_be_gravity = std::abs(force.norm() - kGravity) <= params_.deviation_max_m_s2;
+  if (may_be_gravity) gravity_us_ = at_us;
   if (!up_body_) {
     if (may_be_gravity) up_body_ = force.normalized();
     return;
@@ -30,6 +32,10 @@ void Attitude::add(const ImuReading& reading, std::int64_t at_us) {
   const double share = seconds / (params_.settling_s + seconds);
   if (may_be_gravity) up += share * (force.normalized() - up);
   up_body_ = up.normalized();
+}
+
+bool Attitude::is_known(std::int64_t now_us) const {
+  return gravity_us_ && now_us - *gravity_us_ <= kWithoutGravityUs;
 }
 
 double pitch_up_rad(const Eigen::Vector3d& up_body) {

@@ -23,10 +23,10 @@ struct AttitudeParams {
   }
 };
 
-/// Which way is up, of a body that drives: the gyroscopes turn it on at once, and the specific force
-/// corrects it slowly where it is about that of gravity (a complementary filter: Mahony, Hamel,
-/// Pflimlin, "Nonlinear complementary filters on the special orthogonal group", IEEE TAC 2008,
-/// without estimate of the bias). A bump of 30 m/s² over a rail does nothing.
+/// Which way is up, of a body that drives: the gyroscopes turn it on at once, and the specific
+/// force corrects it slowly where it is about that of gravity (a complementary filter: Mahony,
+/// Hamel, Pflimlin, "Nonlinear complementary filters on the special orthogonal group", IEEE TAC
+/// 2008, without estimate of the bias). A bump of 30 m/s² over a rail does nothing.
 class Attitude {
  public:
   explicit Attitude(const AttitudeParams& params) : params_(params) {}
@@ -37,10 +37,15 @@ class Attitude {
   /// Unit vector in the body frame; nothing before the first reading that may be gravity.
   [[nodiscard]] const std::optional<Eigen::Vector3d>& up_body() const { return up_body_; }
 
+  /// Whether a reading that may be gravity came in the last ten seconds: the gyroscopes alone go
+  /// astray.
+  [[nodiscard]] bool is_known(std::int64_t now_us) const;
+
  private:
   AttitudeParams params_;
   std::optional<Eigen::Vector3d> up_body_;
   std::optional<std::int64_t> last_us_;
+  std::optional<std::int64_t> gravity_us_;
 };
 
 /// The angle of the body's x axis above the level [rad].

@@ -21,7 +21,8 @@ std::optional<std::string> air_reason(const GasReading& reading, const AirParams
            percent(params.methane_max_share);
   }
   if (reading.oxygen_share < params.oxygen_min_share) {
-    return "oxygen " + percent(reading.oxygen_share) + ", limit " + percent(params.oxygen_min_share);
+    return "oxygen " + percent(reading.oxygen_share) + ", limit " +
+           percent(params.oxygen_min_share);
   }
   if (reading.carbon_monoxide_share > params.carbon_monoxide_max_share) {
     return "carbon monoxide " + ppm(reading.carbon_monoxide_share) + ", limit " +

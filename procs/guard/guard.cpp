@@ -14,23 +14,27 @@
 namespace adit {
 namespace {
 
-constexpr double kStandsM_S = 0.01;  // slower is no motion
+constexpr double kStandsM_S = 0.01;  // measured; slower is no motion
 
-int direction_of(double speed_m_s) {
-  return std::abs(speed_m_s) < kStandsM_S ? 0 : speed_m_s > 0.0 ? 1 : -1;
-}
+int direction_of(double speed_m_s) { return (speed_m_s > 0.0 ? 1 : 0) - (speed_m_s < 0.0 ? 1 : 0); }
 
-void check(const char* laser, const LaserMount& mount, const Vehicle& vehicle) {
-  if (mount.height_m > vehicle.step_max_m && mount.height_m < vehicle.height_m) return;
-  throw std::invalid_argument(
-      std::string("lasers: ") + laser +
-      ".height_m is not between vehicle.step_max_m and vehicle.height_m: "
-      "the guard would take all that it sees for ground or roof");
+void check(const std::string& laser, const LaserMount& mount, const GuardParams& params) {
+  const Vehicle& vehicle = params.vehicle;
+  if (!(mount.height_m > vehicle.step_max_m && mount.height_m < vehicle.height_m)) {
+    throw std::invalid_argument("lasers: " + laser +
+                                ".height_m is not between vehicle.step_max_m and vehicle.height_m: "
+                                "the guard would take all that it sees for ground or roof");
+  }
+  const double blind_to_m = std::abs(mount.T_body_laser.x) + mount.range_min_m;
+  if (blind_to_m - 0.5 * vehicle.length_m > params.obstacle.margin_m) {
+    throw std::invalid_argument("guard: obstacle.margin_m is less than what lasers." + laser +
+                                " is blind for, ahead of the vehicle");
+  }
 }
 
 GuardParams checked(const GuardParams& params) {
-  check("front", params.lasers.front, params.vehicle);
-  check("rear", params.lasers.rear, params.vehicle);
+  check("front", params.lasers.front, params);
+  check("rear", params.lasers.rear, params);
   if (!(params.tilt_margin_rad < params.vehicle.tilt_max_rad)) {
     throw std::invalid_argument("guard: tilt_margin_rad is not less than vehicle.tilt_max_rad");
   }
@@ -146,6 +150,7 @@ ArcMotion Guard::commanded() const {
 /// What the vehicle itself says: it brakes before it obeys, and steers while it drives.
 ArcMotion Guard::rolling() const {
   if (!state_heard_.is_fresh(time_.now_us(), params_.timeout_s)) return {};
+  if (std::abs(state_.speed_m_s) < kStandsM_S) return {};
   return {state_.speed_m_s, state_.curvature_1_m};
 }
 
@@ -162,8 +167,8 @@ Guard::Text Guard::obstacle_on(const ArcMotion& motion, const char* arc) const {
     const auto age_s = laser->age_s(time_.now_us());
     if (!age_s || *age_s > params_.timeout_s) continue;  // where it was, the vehicle is no more
     const double stopping_m = stopping_distance_m(params_.obstacle, motion.speed_m_s, *age_s);
-    const double way_m = way_to_obstacle_m(laser->points(), sweep);
-    if (!(way_m < stopping_m)) continue;
+    const double way_m = way_to_obstacle_m(laser->points(), sweep, stopping_m);
+    if (std::isinf(way_m)) continue;
     return "obstacle " + decimal_text(way_m, 2) + (direction > 0 ? " m ahead" : " m behind") +
            " on " + arc + ", stopping takes " + decimal_text(stopping_m, 2) + " m";
   }
@@ -185,7 +190,8 @@ Guard::Text Guard::tilt() const {
   if (auto text = imu_heard_.silence_once_heard("inertial unit", now_us, params_.timeout_s)) {
     return text;
   }
-  if (!attitude_.up_body()) return std::nullopt;
+  if (!imu_heard_.at_us()) return std::nullopt;
+  if (!attitude_.is_known(now_us)) return "inertial unit without gravity";
   const double max_rad = params_.vehicle.tilt_max_rad - params_.tilt_margin_rad;
   return tilt_reason(*attitude_.up_body(), max_rad);
 }

@@ -35,18 +35,19 @@ struct StopReason {
   std::string text;  ///< with numbers
 };
 
-/// The last word on motion. Whoever drives may be wrong or dead; this depends on nobody's plan, only
-/// on what the sensors say and on what the vehicle is told. Stands for an obstacle on the arc that
-/// is commanded, or that the vehicle is still on, within the distance in which it can stop; for
-/// lasers (those that look where it drives), a pose or commands that are stale; for roll, pitch,
-/// sinkage and air beyond their limits, which let it go back where it came from; and for a
+/// The last word on motion. Whoever drives may be wrong or dead; this depends on nobody's plan,
+/// only on what the sensors say and on what the vehicle is told. Stands for an obstacle on the arc
+/// that is commanded, or that the vehicle is still on, within the distance in which it can stop;
+/// for lasers (those that look where it drives), a pose or commands that are stale; for roll,
+/// pitch, sinkage and air beyond their limits, which let it go back where it came from; and for a
 /// supervisor that was heard and is no more. Never fails: what it does not know is a reason.
 ///
 /// Times: `now` is bus time [µs since the epoch]; all that is heard must be told with it.
 class Guard {
  public:
-  /// Throws std::invalid_argument where a level laser would take all it sees for ground or roof, and
-  /// where the margin leaves no tilt at all.
+  /// Throws std::invalid_argument where all that a level laser sees would be taken for ground or
+  /// roof, where one is blind for what the margin leaves, and where the margin leaves no tilt at
+  /// all.
   explicit Guard(const GuardParams& params);
 
   void hear(LaserId laser, const LaserScan& scan, std::int64_t now);
@@ -85,9 +86,7 @@ class Guard {
   [[nodiscard]] Text supervisor() const;
   [[nodiscard]] ArcMotion commanded() const;
   [[nodiscard]] ArcMotion rolling() const;
-  [[nodiscard]] LaserWatch& of(LaserId laser) {
-    return laser == LaserId::kFront ? front_ : rear_;
-  }
+  [[nodiscard]] LaserWatch& of(LaserId laser) { return laser == LaserId::kFront ? front_ : rear_; }
 
   GuardParams params_;
   SteadyTime time_;

@@ -19,7 +19,7 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kImuWaiting = 100;        // a second of them
+constexpr std::size_t kImuWaiting = 100;         // a second of them
 constexpr std::size_t kHeartbeatsWaiting = 100;  // of all stages, so that the supervisor's is there
 constexpr std::string_view kSupervisor = "supervisor";
 

@@ -14,8 +14,8 @@
 namespace adit {
 
 /// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); TILT_FRONT, TILT_REAR (tilt_t); DRIVE_COMMAND
-///      (drive_command_t); POSE (pose_t); VEHICLE_STATE (vehicle_state_t); IMU (imu_t); GAS (gas_t);
-///      SINKAGE (sinkage_t); HEARTBEAT (heartbeat_t), of the stage supervisor.
+///      (drive_command_t); POSE (pose_t); VEHICLE_STATE (vehicle_state_t); IMU (imu_t); GAS
+///      (gas_t); SINKAGE (sinkage_t); HEARTBEAT (heartbeat_t), of the stage supervisor.
 /// Out: STOP (stop_t), when the vehicle is to stand or is released, when other reasons come up, and
 ///      each kRepeatUs, so that a datagram that gets lost does no harm and the vehicle knows that
 ///      the guard is alive. Judges at each scan, each command and each kJudgeUs.

@@ -11,13 +11,13 @@
 
 namespace adit {
 
-/// The section `guard` of the configuration. No time-out can be switched off: one of zero would stop
-/// the robot for ever, and one without an end would do nothing.
+/// The section `guard` of the configuration. No time-out can be switched off: one of zero would
+/// stop the robot for ever, and one without an end would do nothing.
 struct GuardParams {
   Lasers lasers;
   Vehicle vehicle;
-  double timeout_s = 0.25;       ///< of lasers, tilts, pose, commands and the inertial unit
-  double slow_timeout_s = 1.5;   ///< of gas and sinkage, which come twice a second at least
+  double timeout_s = 0.25;      ///< of lasers, tilts, pose, commands and the inertial unit
+  double slow_timeout_s = 1.5;  ///< of gas and sinkage, which come twice a second at least
   double supervisor_timeout_s = 3.0;
   bool require_supervisor = false;  ///< also before it was heard first
   double hold_s = 0.5;              ///< without a reason, before the vehicle is released

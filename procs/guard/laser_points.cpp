@@ -10,7 +10,8 @@
 namespace adit {
 namespace {
 
-const Eigen::Vector2d kNothing = Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+const Eigen::Vector2d kNothing =
+    Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
 
 bool is_return(double range_m, const LaserMount& mount) {
   return range_m >= mount.range_min_m && range_m < mount.range_max_m;  // not of NaN

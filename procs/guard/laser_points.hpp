@@ -19,8 +19,9 @@ struct LaserPoints {
   int returns = 0;  ///< beams that came back at all, with a range that is to be believed
 };
 
-/// Places a scan on the body. What is at most one step above the ground is ground, and what is above
-/// the highest point of the vehicle is roof, by the plane under its wheels or by that which is level
+/// Places a scan on the body. What is at most one step above the ground is ground, and what is
+/// above the highest point of the vehicle is roof, by the plane under its wheels or by that which
+/// is level
 /// (`up_body`): the first is right on a slope, the second while a wheel is on a rail. Where both
 /// allow it, a point is an obstacle.
 LaserPoints place_scan(const LaserScan& scan, const LaserMount& mount, double tilt_rad,

@@ -11,10 +11,6 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-double way_of_beam_m(const Eigen::Vector2d& p_body, const ArcSweep& sweep) {
-  return std::isnan(p_body.x()) ? kNever : sweep.way_m(p_body);
-}
-
 }  // namespace
 
 double stopping_distance_m(const ObstacleParams& params, double speed_m_s, double age_s) {
@@ -23,15 +19,17 @@ double stopping_distance_m(const ObstacleParams& params, double speed_m_s, doubl
          params.margin_m;
 }
 
-double way_to_obstacle_m(const LaserPoints& points, const ArcSweep& sweep) {
+double way_to_obstacle_m(const LaserPoints& points, const ArcSweep& sweep, double within_m) {
+  const double reach_m = sweep.reach_m(within_m);
   double nearest = kNever;
   double before = kNever;  // of the neighbouring beam
   for (const Eigen::Vector2d& p_body : points.p_body) {
-    const double way = way_of_beam_m(p_body, sweep);
+    const bool near = p_body.squaredNorm() <= reach_m * reach_m;  // not where there is nothing: NaN
+    const double way = near ? sweep.way_m(p_body) : kNever;
     nearest = std::min(nearest, std::max(before, way));
     before = way;
   }
-  return nearest;
+  return nearest < within_m ? nearest : kNever;
 }
 
 }  // namespace adit

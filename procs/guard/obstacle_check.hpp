@@ -12,7 +12,7 @@
 namespace adit {
 
 struct ObstacleParams {
-  double reaction_s = 0.1;  ///< from a scan to the brakes: messages, the timer of this stage
+  double reaction_s = 0.1;    ///< from a scan to the brakes: messages, the timer of this stage
   double braking_m_s2 = 0.6;  ///< that the vehicle reaches for certain
   double margin_m = 0.15;     ///< that is to be left; more than what the lasers are blind for
   double side_margin_m = 0.05;
@@ -30,11 +30,12 @@ struct ObstacleParams {
 /// sees.
 double stopping_distance_m(const ObstacleParams& params, double speed_m_s, double age_s);
 
-/// Way of the body's origin to the first obstacle [m], infinity without one. Two neighbouring beams
-/// must meet it: one alone may be a mixed pixel, dust or a drop of water. At half a degree a post of
-/// 4 cm is met by two beams up to 2 m away, a cable of 1 cm up to half a metre: nearer than the
+/// Way of the body's origin to the first obstacle [m], infinity without one that is nearer than
+/// `within_m`. Two neighbouring beams
+/// must meet it: one alone may be a mixed pixel, dust or a drop of water. At half a degree a post
+/// of 4 cm is met by two beams up to 2 m away, a cable of 1 cm up to half a metre: nearer than the
 /// stopping distance from about 0.6 m/s on, and so in time for this vehicle as a rule, not for
 /// certain.
-double way_to_obstacle_m(const LaserPoints& points, const ArcSweep& sweep);
+double way_to_obstacle_m(const LaserPoints& points, const ArcSweep& sweep, double within_m);
 
 }  // namespace adit

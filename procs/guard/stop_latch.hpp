@@ -8,8 +8,8 @@
 namespace adit {
 
 /// Whether the vehicle is to stand: as soon as there is a reason, and until there was none for a
-/// while and a command has come that is newer than the last moment in which there was one. Stands at
-/// first.
+/// while and a command has come that is newer than the last moment in which there was one. Stands
+/// at first.
 class StopLatch {
  public:
   explicit StopLatch(double hold_s) : hold_s_(hold_s) {}

@@ -17,8 +17,8 @@ namespace adit {
 /// curvature beyond what the vehicle can do are clamped. A time that is yet to come counts as now.
 /// Without a command younger than the expiry, or under a stop order, the brakes are on and the
 /// steering stays as it is. A stop order counts however old it is, since who gave it may have a
-/// clock that went back, and holds until an order that is newer than all before releases it. Once an
-/// order has come, orders must go on coming: who gives them is dead or hangs otherwise, and the
+/// clock that went back, and holds until an order that is newer than all before releases it. Once
+/// an order has come, orders must go on coming: who gives them is dead or hangs otherwise, and the
 /// vehicle stands until one that counts comes again. Without any ever it drives as it is told.
 class Drivetrain {
  public:

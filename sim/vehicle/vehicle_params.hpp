@@ -12,10 +12,10 @@ struct VehicleModelParams {
   double braking_m_s2 = 0.8;         ///< on a stop order, an expired command, or a slower one
   double steering_rate_1_m_s = 0.5;  ///< greatest change of the curvature per second
   double command_expiry_s = 0.25;
-  double stop_order_expiry_s = 0.5;   ///< in which one must follow the other, once one came
-  double slip_share = 0.03;        ///< of the speed that is lost on firm ground, mean
-  double slip_sd = 0.02;           ///< of it, varying over about a metre
-  double side_slip_sd_rad = 0.01;  ///< of the direction of motion against the steering
+  double stop_order_expiry_s = 0.5;  ///< in which one must follow the other, once one came
+  double slip_share = 0.03;          ///< of the speed that is lost on firm ground, mean
+  double slip_sd = 0.02;             ///< of it, varying over about a metre
+  double side_slip_sd_rad = 0.01;    ///< of the direction of motion against the steering
   double battery_wh = 5000.0;
   double power_idle_w = 200.0;       ///< drawn all the time
   double rolling_resistance = 0.15;  ///< force against the wheels, as a share of that on the ground

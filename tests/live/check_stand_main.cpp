@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// check_stand LOG CHANNEL EXPIRY: whether the vehicle in a simulator's LOG drove when the last message
-// came on CHANNEL, stands within 300 ms after this has been so for EXPIRY seconds, for good, and says
-// why it stands. Ends with 1 if not.
+// check_stand LOG CHANNEL EXPIRY: whether the vehicle in a simulator's LOG drove when the last
+// message came on CHANNEL, stands within 300 ms after this has been so for EXPIRY seconds, for
+// good, and says why it stands. Ends with 1 if not.
 #include <cmath>
 #include <cstdint>
 #include <exception>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// adit-known_place: says where a simulated robot is, as scan matching would, until SIGTERM: TRUTH goes
-// out as POSE. The simulator may wait for it by the name `known_place`.
+// adit-known_place: says where a simulated robot is, as scan matching would, until SIGTERM: TRUTH
+// goes out as POSE. The simulator may wait for it by the name `known_place`.
 #include <exception>
 #include <iostream>
 

@@ -3,6 +3,8 @@
 // Where nothing is wrong, the guard lets the robot drive.
 #include <gtest/gtest.h>
 
+#include "sim/world/build_world.hpp"
+#include "sim/world/world_description.hpp"
 #include "tests/support/box_drift.hpp"
 #include "tests/system/guarded_robot.hpp"
 
@@ -36,6 +38,15 @@ TEST(GuardLetsDrive, OverRails) {
   };
   EXPECT_GT(way_m(box_drift(kNarrow, rails), 0.5), 8.5);
   EXPECT_GT(way_m(box_drift(kNarrow, rails), 0.2), 3.0);
+}
+
+TEST(GuardLetsDrive, OverRoughGround) {
+  WorldDescription rough;  // walls of 0.12 m to either side
+  rough.name = "rough";
+  rough.T_world_start = {5.0, 0.0, 0.0};
+  rough.plan.drifts.push_back({"drift", {0.0, 0.0, 40.0, 0.0}, 2.4});
+  rough.heights.floor_relief = {.height_m = 0.06, .length_m = 1.0};
+  EXPECT_GT(way_m(build_world(rough), 0.5), 5.0 + 8.0);  // from where it starts
 }
 
 TEST(GuardLetsDrive, UpAndDownASlope) {

@@ -6,6 +6,8 @@
 // was silent for its time-out: 250 ms for lasers, pose and commands, 3 s for the supervisor.
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,8 +30,6 @@ constexpr double kSoonS = 0.3;
 constexpr double kTimeoutS = 0.25;
 constexpr double kFront = 1.2;  // of the vehicle, from its middle [m]
 
-const auto kSoon = Optional(AllOf(Gt(0.0), Le(kSoonS + 1e-9)));  // rounding
-
 class GuardStops : public testing::Test {
  protected:
   /// Driving for three seconds.
@@ -38,6 +38,12 @@ class GuardStops : public testing::Test {
     robot.go_on(3.0);
     ASSERT_FALSE(robot.order().stopped) << robot.order().reason;
     ASSERT_GT(robot.speed_m_s(), 0.8 * std::abs(speed_m_s));
+  }
+  static void expect_soon(GuardedRobot& robot, const std::function<bool()>& is_true,
+                          double seconds_max) {
+    const auto seconds = robot.seconds_to_stand(is_true, seconds_max);
+    EXPECT_THAT(seconds, Optional(AllOf(Gt(0.0), Le(kSoonS + 1e-9))));  // rounding
+    RecordProperty("ms_to_stand", static_cast<int>(std::lround(1e3 * seconds.value_or(NAN))));
   }
   static void expect_reason(const GuardedRobot& robot, const std::string& text) {
     EXPECT_TRUE(robot.order().stopped);
@@ -64,8 +70,11 @@ double left_m(World world, double something_x_m, double speed_m_s) {
 
 TEST_F(GuardStops, BeforeAWall) {
   for (const double speed : {0.15, 0.3, 0.5}) {
-    EXPECT_GT(left_m(box_drift({8.0, 4.0, 2.0}), 4.0, speed), 0.15) << speed;  // the margin
-    EXPECT_LT(left_m(box_drift({8.0, 4.0, 2.0}), 4.0, speed), 0.35) << speed;
+    const double left = left_m(box_drift({8.0, 4.0, 2.0}), 4.0, speed);
+    EXPECT_GT(left, 0.15) << speed;  // the margin
+    EXPECT_LT(left, 0.35) << speed;
+    RecordProperty("mm_left_at_mm_s_" + std::to_string(std::lround(1e3 * speed)),
+                   static_cast<int>(std::lround(1e3 * left)));
   }
 }
 
@@ -75,7 +84,10 @@ TEST_F(GuardStops, BeforeAPost) {
       builder.begin_part(PartKind::kOther, Material::kTimber, "post");
       builder.bar({4.0, y, 0.0}, {4.0, y, 2.0}, 0.03);
     };
-    EXPECT_GT(left_m(box_drift({40.0, 4.0, 2.0}, post), 3.97, 0.4), 0.1) << y;
+    const double left = left_m(box_drift({40.0, 4.0, 2.0}, post), 3.97, 0.4);
+    EXPECT_GT(left, 0.1) << y;
+    RecordProperty("mm_left_at_mm_" + std::to_string(std::lround(1e3 * y)),
+                   static_cast<int>(std::lround(1e3 * left)));
   }
 }
 
@@ -91,7 +103,7 @@ TEST_F(GuardStops, ForALaserThatDies) {
   GuardedRobot robot(box_drift(), with_fault({"laser_dies", 3.5, "front", 0.0}));
   start(robot);
   const auto silent = [&] { return robot.silence_s(channels::kLaserFront) > kTimeoutS; };
-  EXPECT_THAT(robot.seconds_to_stand(silent, 5.0), kSoon);
+  expect_soon(robot, silent, 5.0);
   expect_reason(robot, "laser front silent");
 }
 
@@ -99,7 +111,7 @@ TEST_F(GuardStops, ForTheLaserBehindInReverse) {
   GuardedRobot robot(box_drift(), with_fault({"laser_dies", 3.5, "rear", 0.0}));
   start(robot, -kGroundhogM_S);
   const auto silent = [&] { return robot.silence_s(channels::kLaserRear) > kTimeoutS; };
-  EXPECT_THAT(robot.seconds_to_stand(silent, 5.0), kSoon);
+  expect_soon(robot, silent, 5.0);
   expect_reason(robot, "laser rear silent");
 }
 
@@ -108,7 +120,7 @@ TEST_F(GuardStops, ForAPoseThatNoLongerComes) {
   start(robot);
   robot.lose_its_place();
   const auto silent = [&] { return robot.silence_s(channels::kPose) > kTimeoutS; };
-  EXPECT_THAT(robot.seconds_to_stand(silent, 5.0), kSoon);
+  expect_soon(robot, silent, 5.0);
   expect_reason(robot, "pose silent");
 }
 
@@ -117,7 +129,7 @@ TEST_F(GuardStops, ForCommandsThatNoLongerCome) {
   start(robot);
   robot.fall_silent();
   const auto silent = [&] { return robot.silence_s(channels::kDriveCommand) > kTimeoutS; };
-  EXPECT_THAT(robot.seconds_to_stand(silent, 5.0), kSoon);
+  expect_soon(robot, silent, 5.0);
   expect_reason(robot, "command silent");
 }
 
@@ -129,7 +141,7 @@ TEST_F(GuardStops, ForASupervisorThatIsNoMore) {
   EXPECT_FALSE(robot.order().stopped);
   robot.supervise(false);
   const auto silent = [&] { return robot.silence_s(channels::kHeartbeat) > 3.0; };
-  EXPECT_THAT(robot.seconds_to_stand(silent, 10.0), kSoon);
+  expect_soon(robot, silent, 10.0);
   expect_reason(robot, "supervisor silent");
 }
 
@@ -148,7 +160,7 @@ TEST_F(GuardStops, ForRoll) {
     const Eigen::Matrix3d R = robot.motion().T_world_body.linear();
     return std::atan2(R(2, 1), R(2, 2)) > 0.4;
   };
-  EXPECT_THAT(robot.seconds_to_stand(rolled, 40.0), kSoon);
+  expect_soon(robot, rolled, 40.0);
   expect_reason(robot, "roll of 0.4");
 }
 
@@ -158,7 +170,7 @@ TEST_F(GuardStops, ForMud) {
   GuardedRobot robot(std::move(world));
   start(robot);
   const auto sunk = [&] { return std::ranges::max(robot.sinkage().depth_m) > 0.15; };
-  EXPECT_THAT(robot.seconds_to_stand(sunk, 40.0), kSoon);
+  expect_soon(robot, sunk, 40.0);
   expect_reason(robot, "wheel sunk in by 0.1");
 }
 
@@ -168,7 +180,7 @@ TEST_F(GuardStops, ForGasAndLetsTheRobotLeave) {
   GuardedRobot robot(std::move(world));
   start(robot);
   const auto gassed = [&] { return robot.gas().methane_share >= 0.01; };
-  EXPECT_THAT(robot.seconds_to_stand(gassed, 60.0), kSoon);
+  expect_soon(robot, gassed, 60.0);
   expect_reason(robot, "methane 1.");
   const double there = robot.motion().T_world_body.translation().x();
   robot.drive(-kGroundhogM_S);

@@ -65,8 +65,10 @@ Agreement compare(const ArcMotion& motion, std::uint32_t seed) {
     EXPECT_LE(way_m, stepped_m + 1e-9) << p.transpose();  // rounding
     if (way_m >= kReachM - kStepM) continue;
     ++agreement.met;
+    EXPECT_LE(p.norm(), sweep.reach_m(way_m) + 1e-9);
     const Pose2 T = after(std::copysign(way_m, motion.speed_m_s), motion.curvature_1_m);
-    EXPECT_NEAR(outside_m(vehicle, margin_m, T, p), 0.0, 1e-6) << p.transpose();  // 1e-7 is taken for straight
+    EXPECT_NEAR(outside_m(vehicle, margin_m, T, p), 0.0, 1e-6)
+        << p.transpose();  // 1e-7 is taken for straight
     if (stepped_m > way_m + kStepM + 1e-9) ++agreement.grazed;
   }
   return agreement;
@@ -84,7 +86,7 @@ TEST(ArcSweep, MeetsPointsWhereTheFootprintInSmallStepsDoes) {
 }
 
 TEST(ArcSweep, TheOuterRearCornerSwingsOut) {
-  const Vehicle vehicle;  // 2.4 × 1.2 m, at least 1.6 m
+  const Vehicle vehicle;                      // 2.4 × 1.2 m, at least 1.6 m
   const Eigen::Vector2d beside(-1.3, -0.65);  // behind its rear, right of its flank
   EXPECT_EQ(ArcSweep(vehicle, {0.4, 0.0}, 0.0).way_m(beside), kNever);
   const Eigen::Vector2d at_the_rear(-0.9, -0.65);  // on the inside: met from behind, after a turn
@@ -99,7 +101,7 @@ TEST(ArcSweep, LetsTheVehicleGoOnBesideWhatIsCloserThanTheMargin) {
   const Vehicle vehicle;
   const Eigen::Vector2d beside(0.5, 0.62);
   EXPECT_EQ(ArcSweep(vehicle, {0.4, 0.0}, 0.05).way_m(beside), kNever);
-  EXPECT_LT(ArcSweep(vehicle, {0.4, 0.6}, 0.05).way_m(beside), 0.3);  // but not into it
+  EXPECT_LT(ArcSweep(vehicle, {0.4, 0.6}, 0.05).way_m(beside), 0.3);   // but not into it
   EXPECT_GT(ArcSweep(vehicle, {0.4, -0.1}, 0.05).way_m(beside), 1.0);  // nor its rear for long
 }
 

@@ -4,9 +4,8 @@
 
 #include <cmath>
 
-#include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
+#include <gtest/gtest.h>
 
 namespace adit {
 namespace {
@@ -31,7 +30,7 @@ class Leaning {
 
   [[nodiscard]] double roll() const { return roll_rad(*attitude_.up_body()); }
   [[nodiscard]] double pitch_up() const { return pitch_up_rad(*attitude_.up_body()); }
-  [[nodiscard]] bool is_known() const { return attitude_.up_body().has_value(); }
+  [[nodiscard]] bool is_known() const { return attitude_.is_known(at_us_); }
 
  private:
   static Eigen::Matrix3d rotation(double roll, double pitch) {
@@ -70,10 +69,21 @@ TEST(Attitude, IsNotMovedByABump) {
 TEST(Attitude, IsCorrectedByGravityInItsTime) {
   Leaning body;
   body.stand(0.0, 0.0, 1.0);
-  body.stand(0.3, 0.0, 1.0);                          // which the gyroscopes did not see
+  body.stand(0.3, 0.0, 1.0);                                     // which the gyroscopes did not see
   EXPECT_NEAR(body.roll(), 0.3 * (1.0 - std::exp(-1.0)), 0.01);  // of unit vectors, and steps
   body.stand(0.3, 0.0, 9.0);
   EXPECT_NEAR(body.roll(), 0.3, 1e-3);
+}
+
+TEST(Attitude, IsNotKnownLongWithoutGravity) {
+  Leaning body;
+  body.stand(0.1, 0.0, 1.0);
+  for (int i = 0; i < 1000; ++i) body.read({0.0, 0.0, 1.0}, Eigen::Vector3d::Zero());
+  EXPECT_TRUE(body.is_known());
+  body.read({0.0, 0.0, 1.0}, Eigen::Vector3d::Zero());
+  EXPECT_FALSE(body.is_known());
+  body.stand(0.1, 0.0, 0.01);
+  EXPECT_TRUE(body.is_known());
 }
 
 TEST(Attitude, BeginsWithAReadingThatMayBeGravity) {

@@ -122,6 +122,9 @@ TEST(GuardConfiguration, LasersThatWouldSeeNothingAreRefused) {
   EXPECT_THROW(Guard{params}, std::invalid_argument);
   EXPECT_THROW(Guard{GuardParams{}}, std::invalid_argument);  // lasers on the ground
   params = groundhog_guard();
+  params.obstacle.margin_m = 0.04;  // the laser is blind for 0.05 m before the vehicle
+  EXPECT_THROW(Guard{params}, std::invalid_argument);
+  params = groundhog_guard();
   params.tilt_margin_rad = 0.5;
   EXPECT_THROW(Guard{params}, std::invalid_argument);
 }

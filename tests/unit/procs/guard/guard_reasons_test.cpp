@@ -43,7 +43,8 @@ class GuardReasons : public testing::Test {
 TEST_F(GuardReasons, AnObstacleOnTheArc) {
   robot_.front = HealthyRobot::scan_with(0.4F, 9);  // 0.25 m before the vehicle
   EXPECT_THAT(robot_.seconds_to_stop(1.0), Optional(DoubleNear(0.0, 0.031)));  // the next scan
-  expect_alone(StopKind::kObstacle, "obstacle 0.25 m ahead on the commanded arc, stopping takes 0.2");
+  expect_alone(StopKind::kObstacle,
+               "obstacle 0.25 m ahead on the commanded arc, stopping takes 0.2");
   robot_.front = HealthyRobot::free_scan();
   expect_release();
 }
@@ -54,6 +55,13 @@ TEST_F(GuardReasons, ThatAreNone) {
   EXPECT_EQ(robot_.seconds_to_stop(1.0), std::nullopt) << robot_.order.reason;
   robot_.front = HealthyRobot::scan_with(0.4F, 1);  // one beam
   EXPECT_EQ(robot_.seconds_to_stop(1.0), std::nullopt) << robot_.order.reason;
+}
+
+TEST_F(GuardReasons, AnObstacleHoweverSlowlyItCreeps) {
+  robot_.speed_m_s = 0.001;
+  robot_.front = HealthyRobot::scan_with(0.25F, 9);  // a tenth of a metre, and the margin is more
+  EXPECT_TRUE(robot_.seconds_to_stop(0.1));
+  expect_alone(StopKind::kObstacle, "obstacle 0.10 m ahead on the commanded arc");
 }
 
 TEST_F(GuardReasons, AnObstacleBehindInReverse) {
@@ -149,6 +157,12 @@ TEST_F(GuardReasons, AnInertialUnitThatWasHeardAndIsNoMore) {
   robot_.silent = {"imu"};
   EXPECT_THAT(robot_.seconds_to_stop(1.0), Optional(DoubleNear(0.25, 0.02)));
   expect_alone(StopKind::kTilt, "inertial unit silent for 0.2");
+}
+
+TEST_F(GuardReasons, AnInertialUnitThatFeelsNoGravity) {
+  robot_.imu.linear_acceleration = {0.0, 0.0, 1.0};  // in units of g
+  EXPECT_THAT(robot_.seconds_to_stop(11.0), Optional(DoubleNear(10.0, 0.1)));
+  expect_alone(StopKind::kTilt, "inertial unit without gravity");
 }
 
 TEST_F(GuardReasons, Sinkage) {

@@ -25,8 +25,8 @@ inline GuardParams groundhog_guard() {
   return params;
 }
 
-/// A guard that hears all that it wants from a robot that drives ahead, with nothing near it, at the
-/// rates of lcmtypes/README.md. A test changes what is said.
+/// A guard that hears all that it wants from a robot that drives ahead, with nothing near it, at
+/// the rates of lcmtypes/README.md. A test changes what is said.
 class HealthyRobot {
  public:
   static constexpr std::int64_t kStart = 1'600'000'000'000'000;

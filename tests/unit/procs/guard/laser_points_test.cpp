@@ -49,8 +49,8 @@ TEST(LaserPoints, ArePlacedOnTheBody) {
 
 TEST(LaserPoints, LeaveOutWhatIsNoReturn) {
   const float infinite = std::numeric_limits<float>::infinity();
-  const LaserPoints points =
-      place_scan(ahead({kNan, infinite, -1.0F, 0.0F, 0.1F, 50.0F, 81.91F}), mount(), 0.0, kLevel, {});
+  const LaserPoints points = place_scan(ahead({kNan, infinite, -1.0F, 0.0F, 0.1F, 50.0F, 81.91F}),
+                                        mount(), 0.0, kLevel, {});
   EXPECT_EQ(points.returns, 0);
   EXPECT_EQ(obstacles(points), 0);
   EXPECT_EQ(place_scan({}, mount(), 0.0, kLevel, {}).p_body.size(), 0U);
@@ -78,12 +78,13 @@ TEST(WayToObstacle, NeedsTwoNeighbouringBeams) {
   const ArcSweep sweep(Vehicle{}, {0.4, 0.0}, 0.05);
   const auto way_m = [&](std::vector<float> ranges_m) {
     return way_to_obstacle_m(place_scan(ahead(std::move(ranges_m)), mount(), 0.0, kLevel, {}),
-                             sweep);
+                             sweep, 2.0);
   };
   EXPECT_EQ(way_m({kNan, 1.0F, kNan, 1.0F, kNan}), std::numeric_limits<double>::infinity());
   EXPECT_NEAR(way_m({9.0F, 1.0F, 1.0F, 9.0F}), 1.05 + 1.0 - 1.2, 1e-3);
   EXPECT_NEAR(way_m({9.0F, 0.5F, 1.0F, 9.0F}), 1.05 + 1.0 - 1.2, 1e-3);  // both are at the second
   EXPECT_EQ(way_m({}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(way_m({4.0F, 4.0F}), std::numeric_limits<double>::infinity());  // too far away
 }
 
 TEST(StoppingDistance, IsReactionAndBrakingAndMargin) {

@@ -117,7 +117,7 @@ void Guard::find_reasons() {
   reasons_.clear();
   const std::int64_t now_us = time_.now_us();
   const int direction = direction_of(commanded().speed_m_s);
-  const auto unless_leaving = [&](WayBack& way_back, Text reason) {
+  const auto unless_leaving = [&](WayBack& way_back, const Text& reason) {
     return way_back.forbids(reason.has_value(), direction, now_us) ? reason : Text();
   };
   add(StopKind::kObstacle, obstacle());

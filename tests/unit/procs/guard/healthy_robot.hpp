@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -53,9 +54,7 @@ class HealthyRobot {
   /// Beams straight ahead that end at a range.
   static LaserScan scan_with(float range_m, int beams) {
     LaserScan scan = free_scan();
-    for (int i = 0; i < beams; ++i) {
-      scan.ranges_m[static_cast<std::size_t>(180 - beams / 2 + i)] = range_m;
-    }
+    std::fill_n(scan.ranges_m.begin() + 180 - beams / 2, beams, range_m);
     return scan;
   }
 

@@ -31,7 +31,12 @@ void Attitude::add(const ImuReading& reading, std::int64_t at_us) {
   Eigen::Vector3d up = *up_body_ - seconds * reading.angular_velocity.cross(*up_body_);
   const double share = seconds / (params_.settling_s + seconds);
   if (may_be_gravity) up += share * (force.normalized() - up);
-  up_body_ = up.normalized();
+  if (up.allFinite() && up.norm() > 0.0) {
+    up_body_ = up.normalized();
+  } else {  // a turn rate beyond all measure
+    up_body_.reset();
+    gravity_us_.reset();
+  }
 }
 
 bool Attitude::is_known(std::int64_t now_us) const {

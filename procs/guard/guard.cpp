@@ -41,6 +41,13 @@ GuardParams checked(const GuardParams& params) {
   return params;
 }
 
+std::string obstacle_text(const std::string& what, double way_m, double stopping_m,
+                          const ArcMotion& motion, const char* arc) {
+  const char* where = direction_of(motion.speed_m_s) > 0 ? " m ahead on " : " m behind on ";
+  return what + decimal_text(way_m, 2) + where + arc + ", stopping takes " +
+         decimal_text(stopping_m, 2) + " m";
+}
+
 std::string joined(const std::vector<StopReason>& reasons) {
   std::string line;
   for (const StopReason& reason : reasons) line += (line.empty() ? "" : "; ") + reason.text;
@@ -53,13 +60,15 @@ Guard::Guard(const GuardParams& params)
     : params_(checked(params)),
       front_("laser front", params.lasers.front),
       rear_("laser rear", params.lasers.rear),
+      flanks_(params.vehicle, params.lasers),
       attitude_(params.attitude),
       latch_(params.hold_s) {}
 
 void Guard::hear(LaserId laser, const LaserScan& scan, std::int64_t now) {
   time_.go_on_to(now);
   const auto up_body = attitude_.up_body().value_or(Eigen::Vector3d::UnitZ());
-  of(laser).hear(scan, time_.of(scan.utime), up_body, params_.vehicle);
+  if (!of(laser).hear(scan, time_.of(scan.utime), up_body, params_.vehicle)) return;
+  flanks_.see(laser, of(laser).points());
 }
 
 void Guard::hear(LaserId laser, const TiltReading& reading, std::int64_t now) {
@@ -93,9 +102,9 @@ void Guard::hear(const SinkageReading& reading, std::int64_t now) {
   if (sinkage_heard_.hear(time_.of(reading.utime))) sinkage_ = reading;
 }
 
-void Guard::hear_pose(std::int64_t utime, std::int64_t now) {
+void Guard::hear_pose(const Pose2& T_odom_body, std::int64_t utime, std::int64_t now) {
   time_.go_on_to(now);
-  pose_heard_.hear(time_.of(utime));
+  if (pose_heard_.hear(time_.of(utime))) flanks_.move_to(T_odom_body);
 }
 
 void Guard::hear_supervisor(std::int64_t utime, std::int64_t now) {
@@ -160,18 +169,19 @@ Guard::Text Guard::obstacle() const {
 }
 
 Guard::Text Guard::obstacle_on(const ArcMotion& motion, const char* arc) const {
-  const int direction = direction_of(motion.speed_m_s);
-  if (direction == 0) return std::nullopt;
+  if (direction_of(motion.speed_m_s) == 0) return std::nullopt;
   const ArcSweep sweep(params_.vehicle, motion, params_.obstacle.side_margin_m);
   for (const LaserWatch* laser : {&front_, &rear_}) {
     const auto age_s = laser->age_s(time_.now_us());
     if (!age_s || *age_s > params_.timeout_s) continue;  // where it was, the vehicle is no more
     const double stopping_m = stopping_distance_m(params_.obstacle, motion.speed_m_s, *age_s);
     const double way_m = way_to_obstacle_m(laser->points(), sweep, stopping_m);
-    if (std::isinf(way_m)) continue;
-    return "obstacle " + decimal_text(way_m, 2) + (direction > 0 ? " m ahead" : " m behind") +
-           " on " + arc + ", stopping takes " + decimal_text(stopping_m, 2) + " m";
+    if (!std::isinf(way_m)) return obstacle_text("obstacle ", way_m, stopping_m, motion, arc);
   }
+  const double stopping_m = stopping_distance_m(params_.obstacle, motion.speed_m_s, 0.0);
+  const double way_m = way_to_nearest_m(flanks_.p_body(), sweep, stopping_m);
+  if (!std::isinf(way_m))
+    return obstacle_text("remembered obstacle ", way_m, stopping_m, motion, arc);
   return std::nullopt;
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/geometry/pose2.hpp"
 #include "common/sensing/ground_and_air.hpp"
 #include "common/sensing/imu_reading.hpp"
 #include "common/sensing/laser_id.hpp"
@@ -16,6 +17,7 @@
 #include "common/sensing/tilt_reading.hpp"
 #include "common/vehicle/drive_command.hpp"
 #include "procs/guard/attitude.hpp"
+#include "procs/guard/flank_memory.hpp"
 #include "procs/guard/guard_params.hpp"
 #include "procs/guard/laser_watch.hpp"
 #include "procs/guard/last_heard.hpp"
@@ -57,7 +59,7 @@ class Guard {
   void hear(const ImuReading& reading, std::int64_t now);
   void hear(const GasReading& reading, std::int64_t now);
   void hear(const SinkageReading& reading, std::int64_t now);
-  void hear_pose(std::int64_t utime, std::int64_t now);
+  void hear_pose(const Pose2& T_odom_body, std::int64_t utime, std::int64_t now);
   void hear_supervisor(std::int64_t utime, std::int64_t now);
 
   /// Looks at everything once more: whether the vehicle is to stand now, and why.
@@ -92,6 +94,7 @@ class Guard {
   SteadyTime time_;
   LaserWatch front_;
   LaserWatch rear_;
+  FlankMemory flanks_;
   Attitude attitude_;
   LastHeard command_heard_, state_heard_, imu_heard_, gas_heard_, sinkage_heard_, pose_heard_,
       supervisor_heard_;

@@ -65,7 +65,7 @@ void GuardNode::watch_motion() {
                                judge();
                              });
   subscribe<pose_t>(bus_, channels::kPose, Delivery::latest(), [this](const StampedPose& pose) {
-    guard_.hear_pose(pose.utime, bus_.now_utime());
+    guard_.hear_pose(pose.T_odom_body, pose.utime, bus_.now_utime());
   });
   subscribe<vehicle_state_t>(
       bus_, channels::kVehicleState, Delivery::latest(),

@@ -8,9 +8,11 @@ void LaserWatch::hear(const TiltReading& reading, std::int64_t at_us) {
   if (tilt_.hear(at_us)) tilt_rad_ = reading.angle_rad;
 }
 
-void LaserWatch::hear(const LaserScan& scan, std::int64_t at_us, const Eigen::Vector3d& up_body,
+bool LaserWatch::hear(const LaserScan& scan, std::int64_t at_us, const Eigen::Vector3d& up_body,
                       const Vehicle& vehicle) {
-  if (scan_.hear(at_us)) points_ = place_scan(scan, mount_, tilt_rad_, up_body, vehicle);
+  if (!scan_.hear(at_us)) return false;
+  points_ = place_scan(scan, mount_, tilt_rad_, up_body, vehicle);
+  return true;
 }
 
 std::optional<std::string> LaserWatch::fault(std::int64_t now_us, double timeout_s) const {

@@ -28,7 +28,8 @@ class LaserWatch {
   LaserWatch(std::string name, const LaserMount& mount) : name_(std::move(name)), mount_(mount) {}
 
   void hear(const TiltReading& reading, std::int64_t at_us);
-  void hear(const LaserScan& scan, std::int64_t at_us, const Eigen::Vector3d& up_body,
+  /// False for a scan that is older than the last.
+  bool hear(const LaserScan& scan, std::int64_t at_us, const Eigen::Vector3d& up_body,
             const Vehicle& vehicle);
 
   /// Why it is not to be relied on: silent, blind, or its tilt is not known any more.

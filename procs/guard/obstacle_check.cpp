@@ -32,4 +32,11 @@ double way_to_obstacle_m(const LaserPoints& points, const ArcSweep& sweep, doubl
   return nearest < within_m ? nearest : kNever;
 }
 
+double way_to_nearest_m(const std::vector<Eigen::Vector2d>& p_body, const ArcSweep& sweep,
+                        double within_m) {
+  double nearest = kNever;
+  for (const Eigen::Vector2d& p : p_body) nearest = std::min(nearest, sweep.way_m(p));
+  return nearest < within_m ? nearest : kNever;
+}
+
 }  // namespace adit

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "common/config/bounds.hpp"
 #include "procs/guard/arc_sweep.hpp"
@@ -37,5 +38,9 @@ double stopping_distance_m(const ObstacleParams& params, double speed_m_s, doubl
 /// stopping distance from about 0.6 m/s on, and so in time for this vehicle as a rule, not for
 /// certain.
 double way_to_obstacle_m(const LaserPoints& points, const ArcSweep& sweep, double within_m);
+
+/// The same for points each of which is believed.
+double way_to_nearest_m(const std::vector<Eigen::Vector2d>& p_body, const ArcSweep& sweep,
+                        double within_m);
 
 }  // namespace adit

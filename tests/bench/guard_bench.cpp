@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What the guard does for one scan of 361 beams, in a drift of 1.8 m with its end ahead: places it,
-// sweeps both arcs over both scans, and judges all else.
+// sweeps both arcs over both scans and over what is remembered beside it, and judges all else.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -39,10 +39,12 @@ void judge_scan(benchmark::State& state, double end_m) {
   Guard guard(params());
   LaserScan scan = drift_scan(end_m);
   std::int64_t now = kStart;
+  Pose2 T_odom_body;
   for (auto _ : state) {
     now += 27'000;
     scan.utime = now;
-    guard.hear_pose(now, now);
+    T_odom_body.x += 0.4 * 0.027;
+    guard.hear_pose(T_odom_body, now, now);
     guard.hear(DriveCommand{now, 0.4, 0.3}, now);
     guard.hear(VehicleState{now, 0.4, -0.3, 1.0, false, false}, now);
     guard.hear(now / 27'000 % 2 == 0 ? LaserId::kFront : LaserId::kRear, scan, now);

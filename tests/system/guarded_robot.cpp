@@ -58,15 +58,18 @@ void GuardedRobot::listen() {
                        [this](const SinkageReading& reading) { sinkage_ = reading; });
 }
 
-/// Steers back to the middle as it goes.
 void GuardedRobot::command(std::int64_t utime) {
   if (!commands_) return;
+  const double curvature = curvature_1_m_.value_or(curvature_to_middle());
+  publish(robot_.bus(), channels::kDriveCommand,
+          to_message(DriveCommand{utime, speed_m_s_, curvature}));
+}
+
+double GuardedRobot::curvature_to_middle() const {
   const Eigen::Isometry3d& T = motion().T_world_body;
   const double heading = std::atan2(T(1, 0), T(0, 0));
   const double sign = speed_m_s_ < 0.0 ? -1.0 : 1.0;
-  const double curvature = -0.5 * T.translation().y() - 1.5 * sign * heading;
-  publish(robot_.bus(), channels::kDriveCommand,
-          to_message(DriveCommand{utime, speed_m_s_, curvature}));
+  return -0.5 * T.translation().y() - 1.5 * sign * heading;
 }
 
 void GuardedRobot::go_on(double seconds) {

@@ -13,13 +13,18 @@
 
 namespace adit {
 
-/// A simulated robot with a guard and somebody who drives on and on down the middle (y = 0), at one
-/// speed, whatever is there. Simulated time is counted in seconds from the start.
+/// A simulated robot with a guard and somebody who drives on and on down the middle (y = 0) or as a
+/// test says, whatever is there. Simulated time is counted in seconds from the start.
 class GuardedRobot {
  public:
   explicit GuardedRobot(World world, const SimulationParams& params = {});
 
-  void drive(double speed_m_s) { speed_m_s_ = speed_m_s; }
+  void drive(double speed_m_s) { drive(speed_m_s, std::nullopt); }
+  /// With a curvature of its own, instead of that which leads to the middle.
+  void drive(double speed_m_s, std::optional<double> curvature_1_m) {
+    speed_m_s_ = speed_m_s;
+    curvature_1_m_ = curvature_1_m;
+  }
   void fall_silent() { commands_ = false; }
   void lose_its_place() { robot_.lose_its_place(); }
   /// HEARTBEAT of a supervisor each second, from now on or no more.
@@ -40,15 +45,18 @@ class GuardedRobot {
   [[nodiscard]] const GasReading& gas() const { return gas_; }
   [[nodiscard]] const SinkageReading& sinkage() const { return sinkage_; }
   [[nodiscard]] std::string failure() const { return robot_.simulation().state().failure; }
+  [[nodiscard]] double travelled_m() const { return robot_.simulation().state().travelled_m; }
   [[nodiscard]] int stops() const { return stops_; }  ///< after a release
 
  private:
   void listen();
   void command(std::int64_t utime);
+  [[nodiscard]] double curvature_to_middle() const;
 
   RobotThatKnowsItsPlace robot_;
   GuardNode guard_;
   double speed_m_s_ = 0.0;
+  std::optional<double> curvature_1_m_;
   bool commands_ = true;
   bool supervised_ = false;
   int stops_ = 0;

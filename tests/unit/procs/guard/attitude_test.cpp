@@ -3,6 +3,7 @@
 #include "procs/guard/attitude.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -84,6 +85,17 @@ TEST(Attitude, IsNotKnownLongWithoutGravity) {
   EXPECT_FALSE(body.is_known());
   body.stand(0.1, 0.0, 0.01);
   EXPECT_TRUE(body.is_known());
+}
+
+TEST(Attitude, IsNotKnownAfterATurnBeyondAllMeasure) {
+  for (const double rate : {std::numeric_limits<double>::max(), 1e200}) {
+    Leaning body;
+    body.stand(0.1, 0.0, 1.0);
+    body.read({0.0, 0.0, 50.0}, {rate, rate, -rate});
+    EXPECT_TRUE(!body.is_known() || std::isfinite(body.roll())) << rate;
+    body.stand(0.1, 0.0, 10.0);
+    EXPECT_NEAR(body.roll(), 0.1, 1e-3);
+  }
 }
 
 TEST(Attitude, BeginsWithAReadingThatMayBeGravity) {

@@ -81,6 +81,21 @@ TEST_F(GuardReasons, AnObstacleOnTheArcThatTheVehicleIsStillOn) {
   EXPECT_THAT(robot_.order.reason, testing::HasSubstr("on the arc that it is on"));
 }
 
+TEST_F(GuardReasons, WhatItHasBegunToPassIsRememberedInATurn) {
+  // A post 0.08 m beside its right flank comes into line with the laser, and goes out of its sight.
+  robot_.front.ranges_m[0] = robot_.front.ranges_m[1] = robot_.front.ranges_m[2] = 0.68F;
+  robot_.go_on(0.1);
+  robot_.front = HealthyRobot::free_scan();
+  for (int i = 0; i < 75; ++i) {
+    robot_.T_odom_body.x += 0.02;
+    robot_.go_on(0.03);
+  }
+  EXPECT_FALSE(robot_.order.stopped) << robot_.order.reason;
+  robot_.curvature_1_m = 0.6;  // to the left, so that its rear swings out
+  EXPECT_TRUE(robot_.seconds_to_stop(0.1));
+  expect_alone(StopKind::kObstacle, "remembered obstacle 0.");
+}
+
 TEST_F(GuardReasons, ASilentLaserWhereItDrives) {
   robot_.silent = {"rear"};
   EXPECT_EQ(robot_.seconds_to_stop(1.0), std::nullopt);

@@ -34,7 +34,7 @@ TEST(GuardRelease, NeedsACommandThatIsNewerThanTheStop) {
   std::int64_t now = HealthyRobot::kStart;
   guard.hear(DriveCommand{now, 0.0, 0.0}, now);
   guard.judge(now);  // no pose yet
-  guard.hear_pose(now + 500'000, now + 500'000);
+  guard.hear_pose({}, now + 500'000, now + 500'000);
   // The same command again and again, as if it were stuck somewhere: stale.
   guard.hear(DriveCommand{now, 0.0, 0.0}, now + 500'000);
   const StopOrder order = guard.judge(now + 500'000);
@@ -122,7 +122,7 @@ TEST(GuardClocks, WhatIsOfTheFutureIsOfNow) {
   Guard guard(groundhog_guard());
   const std::int64_t now = HealthyRobot::kStart;
   guard.judge(now - 1'000'000);
-  guard.hear_pose(now + 3'600'000'000, now);
+  guard.hear_pose({}, now + 3'600'000'000, now);
   guard.hear(DriveCommand{now + 3'600'000'000, 0.0, 0.0}, now);
   EXPECT_FALSE(guard.judge(now).stopped);
   EXPECT_EQ(guard.judge(now + 300'000).reason, "pose silent for 0.30 s; command silent for 0.30 s");
@@ -135,7 +135,7 @@ TEST(GuardClocks, WhatIsOldIsStaleHoweverOftenItComes) {
   Guard guard(groundhog_guard());
   for (int i = 0; i < 10; ++i) {
     const std::int64_t now = HealthyRobot::kStart + i * 50'000;
-    guard.hear_pose(now - 1'000'000, now);
+    guard.hear_pose({}, now - 1'000'000, now);
     guard.hear(DriveCommand{now, 0.0, 0.0}, now);
     EXPECT_EQ(guard.judge(now).reason, "pose silent for 1.00 s");
   }

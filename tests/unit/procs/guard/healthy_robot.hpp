@@ -65,6 +65,7 @@ class HealthyRobot {
   double speed_m_s = 0.3;
   double curvature_1_m = 0.0;
   VehicleState state;
+  Pose2 T_odom_body;
   LaserScan front = free_scan();
   LaserScan rear = free_scan();
   ImuReading imu{0, Eigen::Vector3d::Zero(), {0.0, 0.0, 9.81}};
@@ -97,7 +98,7 @@ class HealthyRobot {
     }
     if (steps_ % 3 == 0) say("front", LaserId::kFront, front);
     if (steps_ % 3 == 1) say("rear", LaserId::kRear, rear);
-    if (steps_ % 3 == 2 && !silent.contains("pose")) guard_.hear_pose(now_, now_);
+    if (steps_ % 3 == 2 && !silent.contains("pose")) guard_.hear_pose(T_odom_body, now_, now_);
     say("state", 10, state);
     say("gas", 50, gas);
     say("sinkage", 10, sinkage);

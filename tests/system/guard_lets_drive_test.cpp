@@ -3,6 +3,7 @@
 // Where nothing is wrong, the guard lets the robot drive.
 #include <gtest/gtest.h>
 
+#include "procs/scan_matching/scan_matching_node.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_description.hpp"
 #include "tests/support/box_drift.hpp"
@@ -40,13 +41,30 @@ TEST(GuardLetsDrive, OverRails) {
   EXPECT_GT(way_m(box_drift(kNarrow, rails), 0.2), 3.0);
 }
 
-TEST(GuardLetsDrive, OverRoughGround) {
+World rough_drift() {
   WorldDescription rough;  // walls of 0.12 m to either side
   rough.name = "rough";
   rough.T_world_start = {5.0, 0.0, 0.0};
   rough.plan.drifts.push_back({"drift", {0.0, 0.0, 40.0, 0.0}, 2.4});
   rough.heights.floor_relief = {.height_m = 0.06, .length_m = 1.0};
-  EXPECT_GT(way_m(build_world(rough), 0.5), 5.0 + 8.0);  // from where it starts
+  return build_world(rough);
+}
+
+TEST(GuardLetsDrive, OverRoughGround) {
+  EXPECT_GT(way_m(rough_drift(), 0.5), 5.0 + 8.0);  // from where it starts
+}
+
+TEST(GuardLetsDrive, WithThePoseOfScanMatching) {
+  GuardedRobot robot(rough_drift());
+  ScanMatchingParams params;
+  params.lasers = groundhog_lasers();
+  const ScanMatchingNode scan_matching(robot.bus(), params);
+  robot.lose_its_place();
+  robot.drive(0.5);
+  robot.go_on(15.0);
+  EXPECT_FALSE(robot.order().stopped) << robot.order().reason;
+  EXPECT_EQ(robot.stops(), 0);
+  EXPECT_GT(robot.travelled_m(), 5.0);
 }
 
 TEST(GuardLetsDrive, UpAndDownASlope) {

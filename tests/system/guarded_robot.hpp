@@ -27,6 +27,7 @@ class GuardedRobot {
   }
   void fall_silent() { commands_ = false; }
   void lose_its_place() { robot_.lose_its_place(); }
+  [[nodiscard]] MemoryBus& bus() { return robot_.bus(); }
   /// HEARTBEAT of a supervisor each second, from now on or no more.
   void supervise(bool alive) { supervised_ = alive; }
 

@@ -14,6 +14,11 @@ struct ArcMotion {
   double curvature_1_m = 0.0;
 };
 
+/// 1 forward, -1 in reverse, 0 where it stands.
+inline int direction_of(const ArcMotion& motion) {
+  return (motion.speed_m_s > 0.0 ? 1 : 0) - (motion.speed_m_s < 0.0 ? 1 : 0);
+}
+
 /// What the footprint covers while the vehicle drives on along a circle: exact, for points. The
 /// body turns about the centre of the circle, which for a vehicle that steers by the front wheels
 /// alone lies on the line of its rear axle, and so in its own frame a point goes round that centre

@@ -4,49 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "procs/guard/arc_sweep.hpp"
-#include "procs/guard/decimal_text.hpp"
-#include "procs/guard/obstacle_check.hpp"
 #include "procs/guard/tilt_check.hpp"
 
 namespace adit {
 namespace {
 
 constexpr double kStandsM_S = 0.01;  // measured; slower is no motion
-
-int direction_of(double speed_m_s) { return (speed_m_s > 0.0 ? 1 : 0) - (speed_m_s < 0.0 ? 1 : 0); }
-
-void check(const std::string& laser, const LaserMount& mount, const GuardParams& params) {
-  const Vehicle& vehicle = params.vehicle;
-  if (!(mount.height_m > vehicle.step_max_m && mount.height_m < vehicle.height_m)) {
-    throw std::invalid_argument("lasers: " + laser +
-                                ".height_m is not between vehicle.step_max_m and vehicle.height_m: "
-                                "the guard would take all that it sees for ground or roof");
-  }
-  const double blind_to_m = std::abs(mount.T_body_laser.x) + mount.range_min_m;
-  if (blind_to_m - 0.5 * vehicle.length_m > params.obstacle.margin_m) {
-    throw std::invalid_argument("guard: obstacle.margin_m is less than what lasers." + laser +
-                                " is blind for, ahead of the vehicle");
-  }
-}
-
-GuardParams checked(const GuardParams& params) {
-  check("front", params.lasers.front, params);
-  check("rear", params.lasers.rear, params);
-  if (!(params.tilt_margin_rad < params.vehicle.tilt_max_rad)) {
-    throw std::invalid_argument("guard: tilt_margin_rad is not less than vehicle.tilt_max_rad");
-  }
-  return params;
-}
-
-std::string obstacle_text(const std::string& what, double way_m, double stopping_m,
-                          const ArcMotion& motion, const char* arc) {
-  const char* where = direction_of(motion.speed_m_s) > 0 ? " m ahead on " : " m behind on ";
-  return what + decimal_text(way_m, 2) + where + arc + ", stopping takes " +
-         decimal_text(stopping_m, 2) + " m";
-}
 
 std::string joined(const std::vector<StopReason>& reasons) {
   std::string line;
@@ -57,23 +21,20 @@ std::string joined(const std::vector<StopReason>& reasons) {
 }  // namespace
 
 Guard::Guard(const GuardParams& params)
-    : params_(checked(params)),
-      front_("laser front", params.lasers.front),
-      rear_("laser rear", params.lasers.rear),
-      flanks_(params.vehicle, params.lasers),
+    : params_(usable(params)),
+      surroundings_(params),
       attitude_(params.attitude),
       latch_(params.hold_s) {}
 
 void Guard::hear(LaserId laser, const LaserScan& scan, std::int64_t now) {
   time_.go_on_to(now);
   const auto up_body = attitude_.up_body().value_or(Eigen::Vector3d::UnitZ());
-  if (!of(laser).hear(scan, time_.of(scan.utime), up_body, params_.vehicle)) return;
-  flanks_.see(laser, of(laser).points());
+  surroundings_.hear(laser, scan, time_.of(scan.utime), up_body);
 }
 
 void Guard::hear(LaserId laser, const TiltReading& reading, std::int64_t now) {
   time_.go_on_to(now);
-  of(laser).hear(reading, time_.of(reading.utime));
+  surroundings_.hear(laser, reading, time_.of(reading.utime));
 }
 
 void Guard::hear(const DriveCommand& command, std::int64_t now) {
@@ -104,7 +65,7 @@ void Guard::hear(const SinkageReading& reading, std::int64_t now) {
 
 void Guard::hear_pose(const Pose2& T_odom_body, std::int64_t utime, std::int64_t now) {
   time_.go_on_to(now);
-  if (pose_heard_.hear(time_.of(utime))) flanks_.move_to(T_odom_body);
+  if (pose_heard_.hear(time_.of(utime))) surroundings_.move_to(T_odom_body);
 }
 
 void Guard::hear_supervisor(std::int64_t utime, std::int64_t now) {
@@ -125,7 +86,7 @@ StopOrder Guard::judge(std::int64_t now) {
 void Guard::find_reasons() {
   reasons_.clear();
   const std::int64_t now_us = time_.now_us();
-  const int direction = direction_of(commanded().speed_m_s);
+  const int direction = direction_of(commanded());
   const auto unless_leaving = [&](WayBack& way_back, const Text& reason) {
     return way_back.forbids(reason.has_value(), direction, now_us) ? reason : Text();
   };
@@ -164,35 +125,14 @@ ArcMotion Guard::rolling() const {
 }
 
 Guard::Text Guard::obstacle() const {
-  if (auto text = obstacle_on(commanded(), "the commanded arc")) return text;
-  return obstacle_on(rolling(), "the arc that it is on");
-}
-
-Guard::Text Guard::obstacle_on(const ArcMotion& motion, const char* arc) const {
-  if (direction_of(motion.speed_m_s) == 0) return std::nullopt;
-  const ArcSweep sweep(params_.vehicle, motion, params_.obstacle.side_margin_m);
-  for (const LaserWatch* laser : {&front_, &rear_}) {
-    const auto age_s = laser->age_s(time_.now_us());
-    if (!age_s || *age_s > params_.timeout_s) continue;  // where it was, the vehicle is no more
-    const double stopping_m = stopping_distance_m(params_.obstacle, motion.speed_m_s, *age_s);
-    const double way_m = way_to_obstacle_m(laser->points(), sweep, stopping_m);
-    if (!std::isinf(way_m)) return obstacle_text("obstacle ", way_m, stopping_m, motion, arc);
-  }
-  const double stopping_m = stopping_distance_m(params_.obstacle, motion.speed_m_s, 0.0);
-  const double way_m = way_to_nearest_m(flanks_.p_body(), sweep, stopping_m);
-  if (!std::isinf(way_m))
-    return obstacle_text("remembered obstacle ", way_m, stopping_m, motion, arc);
-  return std::nullopt;
+  const std::int64_t now_us = time_.now_us();
+  if (auto text = surroundings_.obstacle_on(commanded(), "the commanded arc", now_us)) return text;
+  return surroundings_.obstacle_on(rolling(), "the arc that it is on", now_us);
 }
 
 Guard::Text Guard::lasers() const {
-  const int commanded_to = direction_of(commanded().speed_m_s);
-  const int rolls_to = direction_of(rolling().speed_m_s);
-  for (const auto& [laser, direction] : {std::pair{&front_, 1}, std::pair{&rear_, -1}}) {
-    if (commanded_to != direction && rolls_to != direction) continue;
-    if (auto fault = laser->fault(time_.now_us(), params_.timeout_s)) return fault;
-  }
-  return std::nullopt;
+  if (auto text = surroundings_.blindness_on(commanded(), time_.now_us())) return text;
+  return surroundings_.blindness_on(rolling(), time_.now_us());
 }
 
 Guard::Text Guard::tilt() const {

@@ -16,13 +16,13 @@
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/tilt_reading.hpp"
 #include "common/vehicle/drive_command.hpp"
+#include "procs/guard/arc_sweep.hpp"
 #include "procs/guard/attitude.hpp"
-#include "procs/guard/flank_memory.hpp"
 #include "procs/guard/guard_params.hpp"
-#include "procs/guard/laser_watch.hpp"
 #include "procs/guard/last_heard.hpp"
 #include "procs/guard/steady_time.hpp"
 #include "procs/guard/stop_latch.hpp"
+#include "procs/guard/surroundings.hpp"
 #include "procs/guard/way_back.hpp"
 
 namespace adit {
@@ -47,9 +47,7 @@ struct StopReason {
 /// Times: `now` is bus time [µs since the epoch]; all that is heard must be told with it.
 class Guard {
  public:
-  /// Throws std::invalid_argument where all that a level laser sees would be taken for ground or
-  /// roof, where one is blind for what the margin leaves, and where the margin leaves no tilt at
-  /// all.
+  /// Throws as `usable` does.
   explicit Guard(const GuardParams& params);
 
   void hear(LaserId laser, const LaserScan& scan, std::int64_t now);
@@ -80,7 +78,6 @@ class Guard {
   void find_reasons();
   void count_new();
   [[nodiscard]] Text obstacle() const;
-  [[nodiscard]] Text obstacle_on(const ArcMotion& motion, const char* arc) const;
   [[nodiscard]] Text lasers() const;
   [[nodiscard]] Text tilt() const;
   [[nodiscard]] Text sinkage() const;
@@ -88,13 +85,10 @@ class Guard {
   [[nodiscard]] Text supervisor() const;
   [[nodiscard]] ArcMotion commanded() const;
   [[nodiscard]] ArcMotion rolling() const;
-  [[nodiscard]] LaserWatch& of(LaserId laser) { return laser == LaserId::kFront ? front_ : rear_; }
 
   GuardParams params_;
   SteadyTime time_;
-  LaserWatch front_;
-  LaserWatch rear_;
-  FlankMemory flanks_;
+  Surroundings surroundings_;
   Attitude attitude_;
   LastHeard command_heard_, state_heard_, imu_heard_, gas_heard_, sinkage_heard_, pose_heard_,
       supervisor_heard_;

@@ -44,4 +44,9 @@ struct GuardParams {
   }
 };
 
+/// The same. Throws std::invalid_argument where all that a level laser sees would be taken for
+/// ground or roof, where one is blind for what the margin leaves, and where the margin leaves no
+/// tilt at all.
+GuardParams usable(const GuardParams& params);
+
 }  // namespace adit

@@ -31,7 +31,7 @@ struct VehicleState {
   double speed_m_s = 0.0;      ///< by the wheels, along the body's x axis
   double curvature_1_m = 0.0;  ///< by the steering
   double battery_share = 1.0;  ///< of a full charge, 0 to 1
-  bool stopped = false;        ///< held by a stop order
+  bool stopped = false;        ///< held by a stop order, or because these no longer come
   bool expired = false;        ///< held because the last drive command is too old, or none came
 
   friend bool operator==(const VehicleState&, const VehicleState&) = default;

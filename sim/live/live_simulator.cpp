@@ -59,8 +59,9 @@ std::int64_t LiveSimulator::go_on(std::int64_t wall_us) {
 void LiveSimulator::step() {
   node_.step();
   const std::int64_t elapsed_us = node_.simulation().utime() - start_utime_;
-  for (const std::string& what : process_faults_.advance(static_cast<double>(elapsed_us) * 1e-6)) {
-    progress_.say(what);
+  for (const auto& harm : process_faults_.advance(static_cast<double>(elapsed_us) * 1e-6)) {
+    progress_.say(harm.line);
+    pacing_.give_up(harm.stage);
   }
 }
 

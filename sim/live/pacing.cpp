@@ -23,6 +23,11 @@ void Pacing::done(std::string_view stage, std::int64_t utime) {
   found->second = {std::max(utime, found->second.done_utime.value_or(utime)), std::nullopt, false};
 }
 
+void Pacing::give_up(std::string_view stage) {
+  const auto found = stages_.find(stage);
+  if (found != stages_.end()) stages_.erase(found);
+}
+
 Pacing::Decision Pacing::decide(std::int64_t utime, std::int64_t wall_us) {
   if (must_wait_for_stages(utime, wall_us)) {
     return {Decision::Kind::kWaitForStages, kAskAgainUs};

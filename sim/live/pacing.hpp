@@ -37,6 +37,10 @@ class Pacing {
   /// A stage has handled all until `utime`. Stages that nobody waits for are let through.
   void done(std::string_view stage, std::int64_t utime);
 
+  /// Nobody waits for the stage any more, as for one that was killed or suspended on purpose: it
+  /// would hold up the simulator for ever. Of a stage that nobody waits for, nothing changes.
+  void give_up(std::string_view stage);
+
   /// Whether the step may be taken that leads to `utime`.
   Decision decide(std::int64_t utime, std::int64_t wall_us);
 

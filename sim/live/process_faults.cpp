@@ -27,12 +27,12 @@ ProcessFaults::ProcessFaults(const std::vector<FaultDescription>& faults) {
   std::ranges::stable_sort(faults_, {}, &FaultDescription::at_s);
 }
 
-std::vector<std::string> ProcessFaults::advance(double elapsed_s) {
-  std::vector<std::string> lines;
+std::vector<ProcessFaults::Harm> ProcessFaults::advance(double elapsed_s) {
+  std::vector<Harm> done;
   for (; next_ < faults_.size() && faults_[next_].at_s <= elapsed_s; ++next_) {
-    lines.push_back(harm(faults_[next_]));
+    done.push_back({faults_[next_].target, harm(faults_[next_])});
   }
-  return lines;
+  return done;
 }
 
 }  // namespace adit

@@ -16,9 +16,13 @@ class ProcessFaults {
  public:
   explicit ProcessFaults(const std::vector<FaultDescription>& faults);
 
-  /// Lets happen what is due that many seconds after the start. One line for each, with what came
-  /// of it.
-  std::vector<std::string> advance(double elapsed_s);
+  struct Harm {
+    std::string stage;  ///< that was killed or suspended, `adit-<stage>`
+    std::string line;   ///< for people, with what came of it
+  };
+
+  /// Lets happen what is due that many seconds after the start.
+  std::vector<Harm> advance(double elapsed_s);
 
  private:
   std::vector<FaultDescription> faults_;

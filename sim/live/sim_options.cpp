@@ -35,7 +35,8 @@ deploy/config/groundhog.yaml, or what adit sim WORLD --print-config prints.
 
 Faults, as KIND[:TARGET][=AMOUNT]@SECONDS, with the seconds counted in simulated time:
   laser_dies:front@20  laser_recovers:front@30  packet_loss=0.1@5  time_jump=2@40
-  kill:mapping@60  suspend:mapping@60  (adit-mapping, where it was started beside the simulator))";
+  kill:mapping@60  suspend:mapping@60  (adit-mapping, where it was started beside the simulator; nobody
+  waits for it any more))";
 
 void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
   app.add_option_function<std::string>(

@@ -45,6 +45,7 @@ void Drivetrain::command(const StopOrder& order) {
   if (order_ && order.stopped) utime = std::max(utime, order_->utime);
   if (order_ && !order.stopped && utime <= order_->utime) return;
   order_ = {utime, order.stopped, order.reason};
+  order_heard_utime_ = utime_;
 }
 
 void Drivetrain::advance(double seconds) {
@@ -59,9 +60,16 @@ void Drivetrain::advance(double seconds) {
   utime_ += std::llround(seconds * 1e6);
 }
 
+bool Drivetrain::stopped() const {
+  return order_ && (order_->stopped || is_past(order_heard_utime_, params_.stop_order_expiry_s));
+}
+
 bool Drivetrain::expired() const {
-  return !command_ ||
-         static_cast<double>(utime_ - command_->utime) * 1e-6 >= params_.command_expiry_s;
+  return !command_ || is_past(command_->utime, params_.command_expiry_s);
+}
+
+bool Drivetrain::is_past(std::int64_t utime, double expiry_s) const {
+  return static_cast<double>(utime_ - utime) * 1e-6 >= expiry_s;
 }
 
 }  // namespace adit

@@ -12,9 +12,10 @@ struct VehicleModelParams {
   double braking_m_s2 = 0.8;         ///< on a stop order, an expired command, or a slower one
   double steering_rate_1_m_s = 0.5;  ///< greatest change of the curvature per second
   double command_expiry_s = 0.25;
-  double slip_share = 0.03;        ///< of the speed that is lost on firm ground, mean
-  double slip_sd = 0.02;           ///< of it, varying over about a metre
-  double side_slip_sd_rad = 0.01;  ///< of the direction of motion against the steering
+  double stop_order_expiry_s = 0.5;  ///< in which one must follow the other, once one came
+  double slip_share = 0.03;          ///< of the speed that is lost on firm ground, mean
+  double slip_sd = 0.02;             ///< of it, varying over about a metre
+  double side_slip_sd_rad = 0.01;    ///< of the direction of motion against the steering
   double battery_wh = 5000.0;
   double power_idle_w = 200.0;       ///< drawn all the time
   double rolling_resistance = 0.15;  ///< force against the wheels, as a share of that on the ground
@@ -26,6 +27,7 @@ struct VehicleModelParams {
     v("braking_m_s2", braking_m_s2, above(0.0));
     v("steering_rate_1_m_s", steering_rate_1_m_s, above(0.0));
     v("command_expiry_s", command_expiry_s, above(0.0));
+    v("stop_order_expiry_s", stop_order_expiry_s, above(0.0));
     v("slip_share", slip_share, within(0.0, 0.9));
     v("slip_sd", slip_sd, within(0.0, 0.5));
     v("side_slip_sd_rad", side_slip_sd_rad, within(0.0, 0.5));

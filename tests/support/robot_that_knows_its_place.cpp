@@ -9,7 +9,8 @@
 
 namespace adit {
 
-RobotThatKnowsItsPlace::RobotThatKnowsItsPlace(World world) : site_(std::move(world)) {
+RobotThatKnowsItsPlace::RobotThatKnowsItsPlace(World world, const SimulationParams& params)
+    : site_(std::move(world)), sim_(bus_, site_, params, 1, kStartUtime) {
   bus_.tap([this](const Received& received) {
     if (received.channel != channels::kTruth) return;
     truth_.assign(received.bytes.begin(), received.bytes.end());
@@ -21,7 +22,7 @@ void RobotThatKnowsItsPlace::run(double seconds) {
   while (sim_.simulation().utime() < end) {
     bus_.advance_to(sim_.next_utime());
     sim_.step();
-    if (!truth_.empty()) bus_.publish(channels::kPose, truth_);
+    if (knows_ && !truth_.empty()) bus_.publish(channels::kPose, truth_);
     truth_.clear();
   }
 }

@@ -17,18 +17,23 @@ class RobotThatKnowsItsPlace {
  public:
   static constexpr std::int64_t kStartUtime = 1'600'000'000'000'000;
 
-  explicit RobotThatKnowsItsPlace(World world);
+  explicit RobotThatKnowsItsPlace(World world, const SimulationParams& params = {});
 
   /// Of simulated time.
   void run(double seconds);
 
+  /// No POSE from now on.
+  void lose_its_place() { knows_ = false; }
+
   [[nodiscard]] MemoryBus& bus() { return bus_; }
+  [[nodiscard]] const Simulation& simulation() const { return sim_.simulation(); }
 
  private:
   Site site_;
   MemoryBus bus_;
-  SimNode sim_{bus_, site_, SimulationParams{}, 1, kStartUtime};
+  SimNode sim_;
   std::vector<std::uint8_t> truth_;
+  bool knows_ = true;
 };
 
 }  // namespace adit

@@ -50,6 +50,19 @@ TEST(Pacing, DoesNotBeginBeforeAllStagesHaveAnswered) {
   EXPECT_EQ(pacing.decide(kStart + kStep, 0).kind, Kind::kStep);
 }
 
+TEST(Pacing, DoesNotWaitForAStageThatItGaveUp) {
+  Pacing pacing({.factor = {}, .wait_for = {"mapping", "scan_matching"}});
+  pacing.done("mapping", kStart);
+  pacing.done("scan_matching", kStart);
+  EXPECT_EQ(pacing.decide(kStart + kSecond, 0).kind, Kind::kWaitForStages);
+  pacing.give_up("mapping");
+  pacing.give_up("nobody");
+  pacing.done("mapping", kStart + kStep);  // its last answer, which was on its way
+  pacing.done("scan_matching", kStart + kSecond);
+  EXPECT_EQ(pacing.decide(kStart + kSecond, 0).kind, Kind::kStep);
+  EXPECT_THAT(pacing.newly_silent(100 * kSecond), IsEmpty());
+}
+
 TEST(Pacing, IsNeverFartherAheadOfTheSlowestThanItMay) {
   Pacing pacing({.factor = {}, .wait_for = {"mapping", "scan_matching"}});
   pacing.done("mapping", kStart + kSecond);

@@ -148,6 +148,37 @@ TEST_F(DrivetrainTest, ObeysAStopOfAClockThatWentBack) {
   EXPECT_FALSE(drivetrain_.stopped());
 }
 
+TEST_F(DrivetrainTest, StandsWhereStopOrdersNoLongerCome) {
+  drive(0.4, 0.0, 2.0);
+  EXPECT_FALSE(drivetrain_.stopped());  // none ever came
+  for (int i = 0; i < 20; ++i) {
+    order(false, drivetrain_.utime());
+    drive(0.4, 0.0, 0.1);
+  }
+  EXPECT_NEAR(drivetrain_.speed_m_s(), 0.4, kExact);
+  drive(0.4, 0.0, 0.39);
+  EXPECT_FALSE(drivetrain_.stopped());
+  drive(0.4, 0.0, 0.01);  // half a second after the last
+  EXPECT_TRUE(drivetrain_.stopped());
+  drive(0.4, 0.0, 0.5);
+  EXPECT_EQ(drivetrain_.speed_m_s(), 0.0);
+  order(false, drivetrain_.utime());
+  EXPECT_FALSE(drivetrain_.stopped());
+  drive(0.4, 0.0, 0.1);
+  EXPECT_NEAR(drivetrain_.speed_m_s(), 0.03, kExact);
+}
+
+TEST_F(DrivetrainTest, IsNotKeptGoingByReleasesThatDoNotCount) {
+  drive(0.4, 0.0, 2.0);
+  order(false, drivetrain_.utime());
+  for (int i = 0; i < 10; ++i) {  // of a clock that went back
+    drive(0.4, 0.0, 0.1);
+    order(false, kStart);
+  }
+  EXPECT_TRUE(drivetrain_.stopped());
+  EXPECT_EQ(drivetrain_.speed_m_s(), 0.0);
+}
+
 TEST_F(DrivetrainTest, StandsUnderADriverWhoseClockWentBack) {
   drive(0.4, 0.0, 2.0);
   for (int i = 0; i < 300; ++i) {

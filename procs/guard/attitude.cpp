@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/guard/attitude.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace adit {
+namespace {
+
+constexpr double kGravity = 9.81;  // [m/s²]
+constexpr std::int64_t kWithoutGravityUs = 10'000'000;
+constexpr double kGapMaxS = 0.1;  // over which a turn rate is believed to have lasted
+
+}  // namespace
+
+void Attitude::add(const ImuReading& reading, std::int64_t at_us) {
+  const double since_s = static_cast<double>(at_us - last_us_.value_or(at_us)) * 1e-6;
+  const double seconds = std::clamp(since_s, 0.0, kGapMaxS);
+  last_us_ = at_us;
+  const Eigen::Vector3d& force = reading.linear_acceleration;
+  const bool may_be_gravity = std::abs(force.norm() - kGravity) <= params_.deviation_max_m_s2;
+  if (may_be_gravity) gravity_us_ = at_us;
+  if (!up_body_) {
+    if (may_be_gravity) up_body_ = force.normalized();
+    return;
+  }
+  // What stands still in the level turns against the body in the body's frame.
+  Eigen::Vector3d up = *up_body_ - seconds * reading.angular_velocity.cross(*up_body_);
+  const double share = seconds / (params_.settling_s + seconds);
+  if (may_be_gravity) up += share * (force.normalized() - up);
+  if (up.allFinite() && up.norm() > 0.0) {
+    up_body_ = up.normalized();
+  } else {  // a turn rate beyond all measure
+    up_body_.reset();
+    gravity_us_.reset();
+  }
+}
+
+bool Attitude::is_known(std::int64_t now_us) const {
+  return gravity_us_ && now_us - *gravity_us_ <= kWithoutGravityUs;
+}
+
+double pitch_up_rad(const Eigen::Vector3d& up_body) {
+  return std::asin(std::clamp(up_body.x(), -1.0, 1.0));
+}
+
+double roll_rad(const Eigen::Vector3d& up_body) { return std::atan2(up_body.y(), up_body.z()); }
+
+}  // namespace adit

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "common/bus/bus.hpp"
+#include "common/messages/heartbeat.hpp"
+#include "common/sensing/laser_id.hpp"
+#include "procs/guard/guard.hpp"
+
+namespace adit {
+
+/// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); TILT_FRONT, TILT_REAR (tilt_t); DRIVE_COMMAND
+///      (drive_command_t); POSE (pose_t); VEHICLE_STATE (vehicle_state_t); IMU (imu_t); GAS
+///      (gas_t); SINKAGE (sinkage_t); HEARTBEAT (heartbeat_t), of the stage supervisor.
+/// Out: STOP (stop_t), when the vehicle is to stand or is released, when other reasons come up, and
+///      each kRepeatUs, so that a datagram that gets lost does no harm and the vehicle knows that
+///      the guard is alive. Judges at each scan, each command and each kJudgeUs.
+class GuardNode {
+ public:
+  using Params = GuardParams;
+
+  static constexpr std::int64_t kJudgeUs = 50'000;
+  static constexpr std::int64_t kRepeatUs = 100'000;
+
+  /// Throws as Guard does.
+  GuardNode(Bus& bus, const Params& params);
+
+  /// Degraded while a sensor, the pose or the supervisor is missing, or beyond its limit: with how
+  /// often reasons of each kind arose.
+  [[nodiscard]] Health health() const;
+
+  [[nodiscard]] const Guard& guard() const { return guard_; }
+
+ private:
+  void watch_laser(LaserId laser, std::string_view scans, std::string_view tilts);
+  void watch_motion();
+  void watch_surroundings();
+  void judge();
+
+  Bus& bus_;
+  Guard guard_;
+  std::optional<std::int64_t> told_utime_;
+  bool told_stopped_ = true;
+  std::array<bool, kStopKindNames.size()> told_kinds_{};
+};
+
+}  // namespace adit

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/config/bounds.hpp"
+#include "common/sensing/laser_mount.hpp"
+#include "common/vehicle/vehicle.hpp"
+#include "procs/guard/attitude.hpp"
+#include "procs/guard/ground_and_air_check.hpp"
+#include "procs/guard/obstacle_check.hpp"
+
+namespace adit {
+
+/// The section `guard` of the configuration. No time-out can be switched off: one of zero would
+/// stop the robot for ever, and one without an end would do nothing.
+struct GuardParams {
+  Lasers lasers;
+  Vehicle vehicle;
+  double timeout_s = 0.25;      ///< of lasers, tilts, pose, commands and the inertial unit
+  double slow_timeout_s = 1.5;  ///< of gas and sinkage, which come twice a second at least
+  double supervisor_timeout_s = 3.0;
+  bool require_supervisor = false;  ///< also before it was heard first
+  double hold_s = 0.5;              ///< without a reason, before the vehicle is released
+  double tilt_margin_rad = 0.1;     ///< before Vehicle::tilt_max_rad
+  double sinkage_share = 0.75;      ///< of Vehicle::sinkage_max_m
+  ObstacleParams obstacle;
+  AirParams air;
+  AttitudeParams attitude;
+
+  template <class V>
+  void visit(V& v) {
+    v.shared(Lasers::kSection, lasers);
+    v.shared(Vehicle::kSection, vehicle);
+    v("timeout_s", timeout_s, above_up_to(0.0, 1.0));
+    v("slow_timeout_s", slow_timeout_s, above_up_to(0.0, 10.0));
+    v("supervisor_timeout_s", supervisor_timeout_s, above_up_to(0.0, 60.0));
+    v("require_supervisor", require_supervisor);
+    v("hold_s", hold_s, within(0.1, 60.0));
+    v("tilt_margin_rad", tilt_margin_rad, at_least(0.0));
+    v("sinkage_share", sinkage_share, above_up_to(0.0, 1.0));
+    v("obstacle", obstacle);
+    v("air", air);
+    v("attitude", attitude);
+  }
+};
+
+/// The same. Throws std::invalid_argument where all that a level laser sees would be taken for
+/// ground or roof, where one is blind for what the margin leaves, and where the margin leaves no
+/// tilt at all.
+GuardParams usable(const GuardParams& params);
+
+}  // namespace adit

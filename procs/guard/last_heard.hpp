@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "procs/guard/decimal_text.hpp"
+
+namespace adit {
+
+/// When a source was heard last, by SteadyTime [µs].
+class LastHeard {
+ public:
+  /// False for what is older than the last: it is no news.
+  bool hear(std::int64_t at_us) {
+    if (at_us_ && at_us < *at_us_) return false;
+    at_us_ = at_us;
+    return true;
+  }
+
+  [[nodiscard]] const std::optional<std::int64_t>& at_us() const { return at_us_; }
+
+  /// Nothing where it was never heard.
+  [[nodiscard]] std::optional<double> age_s(std::int64_t now_us) const {
+    if (!at_us_) return std::nullopt;
+    return static_cast<double>(now_us - *at_us_) * 1e-6;
+  }
+
+  /// Heard, and not longer ago than that.
+  [[nodiscard]] bool is_fresh(std::int64_t now_us, double timeout_s) const {
+    return at_us_ && *age_s(now_us) <= timeout_s;
+  }
+
+  /// "laser front silent for 0.31 s", "no pose yet"; nothing while it is fresh.
+  [[nodiscard]] std::optional<std::string> silence(const char* source, std::int64_t now_us,
+                                                   double timeout_s) const {
+    if (!at_us_) return std::string("no ") + source + " yet";
+    if (is_fresh(now_us, timeout_s)) return std::nullopt;
+    return std::string(source) + " silent for " + decimal_text(*age_s(now_us), 2) + " s";
+  }
+
+  /// As `silence`, of a source that need not be there: once heard, it must go on.
+  [[nodiscard]] std::optional<std::string> silence_once_heard(const char* source,
+                                                              std::int64_t now_us,
+                                                              double timeout_s) const {
+    return at_us_ ? silence(source, now_us, timeout_s) : std::nullopt;
+  }
+
+ private:
+  std::optional<std::int64_t> at_us_;
+};
+
+}  // namespace adit

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// adit-constant_driver SPEED: drives straight on at that speed [m/s], whatever is there, until
+// SIGTERM: a DRIVE_COMMAND for each 50 ms of simulated time. The simulator may wait for it by the
+// name `constant_driver`.
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/lcm_bus.hpp"
+#include "common/bus/stop_signal.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/drive_command.hpp"
+
+int main(int argc, char** argv) try {
+  if (argc != 2) {
+    std::cerr << "adit-constant_driver SPEED\n";
+    return 2;
+  }
+  const double speed_m_s = std::stod(argv[1]);
+  const adit::StopSignal stop;
+  adit::LcmBusOptions options;
+  options.time = adit::BusTime::kSimulated;
+  options.stage = "constant_driver";
+  adit::LcmBus bus(options);
+  bus.every(50'000, [&bus, speed_m_s](std::int64_t utime) {
+    adit::publish(bus, adit::channels::kDriveCommand,
+                  adit::to_message(adit::DriveCommand{utime, speed_m_s, 0.0}));
+  });
+  bus.run(stop.descriptor());
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "adit-constant_driver: " << error.what() << "\n";
+  return 2;
+}

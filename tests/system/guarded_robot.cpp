@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/system/guarded_robot.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/drive_command.hpp"
+#include "common/messages/gas_reading.hpp"
+#include "common/messages/heartbeat.hpp"
+#include "common/messages/sinkage_reading.hpp"
+#include "common/messages/stop_order.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kStepS = 0.01;
+constexpr double kForGoodS = 2.0;
+
+GuardParams guard_params() {
+  GuardParams params;
+  params.lasers = groundhog_lasers();
+  return params;
+}
+
+}  // namespace
+
+GuardedRobot::GuardedRobot(World world, const SimulationParams& params)
+    : robot_(std::move(world), params), guard_(robot_.bus(), guard_params()) {
+  listen();
+  robot_.bus().every(50'000, [this](std::int64_t utime) { command(utime); });
+  robot_.bus().every(1'000'000, [this](std::int64_t utime) {
+    if (!supervised_) return;
+    publish(robot_.bus(), channels::kHeartbeat,
+            to_message(Heartbeat{utime, "supervisor", {}, 0, 0, 0}));
+  });
+}
+
+void GuardedRobot::listen() {
+  MemoryBus& bus = robot_.bus();
+  for (const std::string_view channel :
+       {channels::kLaserFront, channels::kLaserRear, channels::kPose, channels::kDriveCommand,
+        channels::kHeartbeat}) {
+    bus.subscribe(channel, Delivery::latest(), [this](const Received& received) {
+      heard_utime_[std::string(received.channel)] = received.utime;
+      return std::string_view();
+    });
+  }
+  subscribe<stop_t>(bus, channels::kStop, Delivery::queued(10), [this](const StopOrder& order) {
+    if (order.stopped && !order_.stopped) ++stops_;
+    order_ = order;
+  });
+  subscribe<gas_t>(bus, channels::kGas, Delivery::latest(),
+                   [this](const GasReading& reading) { gas_ = reading; });
+  subscribe<sinkage_t>(bus, channels::kSinkage, Delivery::latest(),
+                       [this](const SinkageReading& reading) { sinkage_ = reading; });
+}
+
+void GuardedRobot::command(std::int64_t utime) {
+  if (!commands_) return;
+  const double curvature = curvature_1_m_.value_or(curvature_to_middle());
+  publish(robot_.bus(), channels::kDriveCommand,
+          to_message(DriveCommand{utime, speed_m_s_, curvature}));
+}
+
+double GuardedRobot::curvature_to_middle() const {
+  const Eigen::Isometry3d& T = motion().T_world_body;
+  const double heading = std::atan2(T(1, 0), T(0, 0));
+  const double sign = speed_m_s_ < 0.0 ? -1.0 : 1.0;
+  return -0.5 * T.translation().y() - 1.5 * sign * heading;
+}
+
+void GuardedRobot::go_on(double seconds) {
+  for (int i = 0; i < std::lround(seconds / kStepS); ++i) robot_.run(kStepS);
+}
+
+std::optional<double> GuardedRobot::seconds_to_stand(const std::function<bool()>& is_true,
+                                                     double seconds_max) {
+  std::optional<double> true_s;
+  std::optional<double> stood_s;
+  for (double s = 0.0; s < seconds_max + kForGoodS; s += kStepS) {
+    robot_.run(kStepS);
+    if (speed_m_s() > 0.0) stood_s.reset();
+    if (speed_m_s() == 0.0 && !stood_s) stood_s = s;
+    if (!true_s && is_true()) true_s = s;
+    if (true_s && stood_s && s - *stood_s >= kForGoodS) return *stood_s - *true_s;
+  }
+  return std::nullopt;
+}
+
+double GuardedRobot::silence_s(std::string_view channel) const {
+  const auto found = heard_utime_.find(channel);
+  if (found == heard_utime_.end()) return 0.0;
+  return static_cast<double>(robot_.simulation().utime() - found->second) * 1e-6;
+}
+
+const BodyMotion& GuardedRobot::motion() const { return robot_.simulation().vehicle().motion(); }
+
+double GuardedRobot::speed_m_s() const { return motion().v_body.norm(); }
+
+}  // namespace adit

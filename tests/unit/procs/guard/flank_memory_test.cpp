@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/guard/flank_memory.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+const Eigen::Vector2d kNothing =
+    Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+
+Lasers lasers() {
+  Lasers lasers;
+  lasers.front.T_body_laser = {1.0, 0.0, 0.0};
+  lasers.rear.T_body_laser = {-1.0, 0.0, std::numbers::pi};
+  return lasers;
+}
+
+class FlankMemoryTest : public testing::Test {
+ protected:
+  /// Drives on and looks; there is one post, of two beams, at a place in odom.
+  void drive(const Pose2& step, int times, const Eigen::Vector2d& post_odom) {
+    for (int i = 0; i < times; ++i) {
+      T_odom_body_ = T_odom_body_ * step;
+      memory_.move_to(T_odom_body_);
+      look(post_odom);
+    }
+  }
+  void look(const Eigen::Vector2d& post_odom) {
+    const Eigen::Vector2d p = T_odom_body_.inverse() * post_odom;
+    memory_.see(LaserId::kFront, seen(p, p.x() >= 1.0));
+    memory_.see(LaserId::kRear, seen(p, p.x() <= -1.0));
+  }
+  static LaserPoints seen(const Eigen::Vector2d& p_body, bool visible) {
+    const Eigen::Vector2d p = visible ? p_body : kNothing;
+    return {{kNothing, p, p + Eigen::Vector2d(0.0, 0.01), kNothing}, 2};
+  }
+
+  FlankMemory memory_{Vehicle{}, lasers()};  // 2.4 × 1.2 m
+  Pose2 T_odom_body_{3.0, -2.0, 0.7};
+  const Pose2 kAhead{0.02, 0.0, 0.0};
+};
+
+TEST_F(FlankMemoryTest, KeepsWhatTheVehiclePassesUntilItIsInSightAgain) {
+  const Eigen::Vector2d post = T_odom_body_ * Eigen::Vector2d(1.5, 0.8);
+  drive(kAhead, 20, post);
+  EXPECT_THAT(memory_.p_body(), IsEmpty());  // in sight, 1.1 m ahead
+  drive(kAhead, 30, post);
+  ASSERT_THAT(memory_.p_body(), Not(IsEmpty()));
+  EXPECT_LT((memory_.p_body()[0] - Eigen::Vector2d(0.5, 0.8)).norm(), 0.012);  // the other beam
+  drive(kAhead, 70, post);
+  EXPECT_THAT(memory_.p_body(), Not(IsEmpty()));  // 0.9 m behind
+  drive(kAhead, 10, post);
+  EXPECT_THAT(memory_.p_body(), IsEmpty());
+}
+
+TEST_F(FlankMemoryTest, KeepsItAlsoInReverseAndInATurn) {
+  const Eigen::Vector2d post = T_odom_body_ * Eigen::Vector2d(-1.2, -0.9);
+  drive({-0.02, 0.0, 0.004}, 30, post);
+  ASSERT_THAT(memory_.p_body(), Not(IsEmpty()));
+  const Eigen::Vector2d truth = T_odom_body_.inverse() * post;
+  EXPECT_LT((memory_.p_body()[0] - truth).norm(), 0.012);
+}
+
+TEST_F(FlankMemoryTest, BelievesNoSingleBeam) {
+  const Eigen::Vector2d post = T_odom_body_ * Eigen::Vector2d(1.01, 0.8);
+  memory_.move_to(T_odom_body_);
+  const Eigen::Vector2d p = T_odom_body_.inverse() * post;
+  memory_.see(LaserId::kFront, {{kNothing, p, kNothing, p}, 2});
+  drive(kAhead, 10, {100.0, 100.0});
+  EXPECT_THAT(memory_.p_body(), IsEmpty());
+}
+
+TEST_F(FlankMemoryTest, ForgetsWhereTheVehicleHasBeenAndWhatIsFar) {
+  const Eigen::Vector2d post = T_odom_body_ * Eigen::Vector2d(1.05, 0.62);
+  drive(kAhead, 10, post);
+  EXPECT_THAT(memory_.p_body(), Not(IsEmpty()));
+  drive({0.0, 0.01, 0.0}, 5, {100.0, 100.0});  // slips over it
+  EXPECT_THAT(memory_.p_body(), IsEmpty());
+  const Eigen::Vector2d other = T_odom_body_ * Eigen::Vector2d(1.05, 1.5);
+  drive(kAhead, 10, other);
+  EXPECT_THAT(memory_.p_body(), Not(IsEmpty()));
+  drive({0.0, -0.05, 0.0}, 5, {100.0, 100.0});
+  EXPECT_THAT(memory_.p_body(), IsEmpty());
+}
+
+TEST_F(FlankMemoryTest, ForgetsAllWhereThePoseJumps) {
+  drive(kAhead, 10, T_odom_body_ * Eigen::Vector2d(1.05, 0.8));
+  EXPECT_THAT(memory_.p_body(), Not(IsEmpty()));
+  T_odom_body_.x += 0.6;
+  memory_.move_to(T_odom_body_);
+  EXPECT_THAT(memory_.p_body(), IsEmpty());
+}
+
+TEST_F(FlankMemoryTest, DoesNotGrowWhileTheVehicleStands) {
+  const Eigen::Vector2d post = T_odom_body_ * Eigen::Vector2d(1.0, 0.8);
+  for (int i = 0; i < 10'000; ++i) drive({0.001 * std::sin(i), 0.001 * std::cos(i), 0.0}, 1, post);
+  EXPECT_LE(memory_.p_body().size(), 8U);  // cells that it may be in
+}
+
+TEST_F(FlankMemoryTest, NeedsAPose) {
+  memory_.see(LaserId::kFront, seen({1.05, 0.8}, true));
+  EXPECT_THAT(memory_.p_body(), IsEmpty());
+  memory_.move_to({1e200, -1e200, 0.3});  // anywhere
+  memory_.see(LaserId::kFront, seen({1.05, 0.8}, true));
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/driving/driving.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace adit {
+namespace {
+
+constexpr double kStepMaxS = 0.2;    // that a command stands for
+constexpr double kStandS = 0.3;      // between two runs, so that the vehicle has come to a stand
+constexpr double kSteered1M = 0.05;  // of curvature, with which it may drive off
+
+double approach(double value, double target, double change_max) {
+  return value + std::clamp(target - value, -change_max, change_max);
+}
+
+std::string text_of(const char* format, double number) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, number);
+  return text;
+}
+
+}  // namespace
+
+Driving::Driving(const DrivingParams& params)
+    : params_(params), steered_(params.vehicle), filter_(params.smoothing_s), trust_(params.trust) {
+  state_.reason = "no path has come yet";
+}
+
+void Driving::follow(const PlannedPath& path) {
+  state_ = {state_.utime, path.id, Kind::kDriving, {}, 0.0, 0.0, {}};
+  if (path.outcome != PlanOutcome::kFound || path.points.empty()) {
+    state_.kind = Kind::kIdle;
+    state_.reason = path.reason.empty() ? "there is no path" : path.reason;
+    return;
+  }
+  progress_.emplace(runs_of(path.points, steered_));
+  state_.remaining_m = progress_->remaining_m();
+  begin_run();
+}
+
+void Driving::begin_run() {
+  profile_.emplace(progress_->run(), params_.speed, params_.steering,
+                   params_.vehicle.speed_max_m_s);
+}
+
+void Driving::add_pose(std::int64_t utime, const Pose2& T_odom_body) {
+  filter_.add(utime, steered_.pose(T_odom_body));
+}
+
+void Driving::add_match(std::int64_t utime, ScanMatch::Status status) {
+  trust_.add_match(utime, status);
+}
+
+DriveOutput Driving::drive(std::int64_t utime) {
+  const double seconds = seconds_to(utime);
+  trust_or_wait(utime);
+  if (state_.kind == Kind::kDriving) locate(utime);
+  if (state_.kind == Kind::kDriving) {
+    move(seconds);
+  } else {
+    stand(seconds);
+  }
+  filter_.set_motion(speed_m_s_, curvature_1_m_);
+  return {{utime, speed_m_s_, steered_.curvature_of_origin(curvature_1_m_)}, state_};
+}
+
+double Driving::seconds_to(std::int64_t utime) {
+  const std::int64_t since = utime_ ? utime - *utime_ : 0;
+  utime_ = utime;
+  state_.utime = utime;
+  return std::clamp(static_cast<double>(since) * 1e-6, 0.0, kStepMaxS);
+}
+
+void Driving::trust_or_wait(std::int64_t utime) {
+  if (state_.kind != Kind::kDriving && state_.kind != Kind::kWaiting) return;
+  const auto doubt = trust_.doubt(utime, filter_.utime());
+  state_.kind = doubt ? Kind::kWaiting : Kind::kDriving;
+  state_.reason = doubt.value_or("");
+}
+
+void Driving::locate(std::int64_t utime) {
+  const auto reaction_us = std::llround(params_.reaction_s * 1e6);
+  const Pose2 T_odom_steered = filter_.at(utime + reaction_us);
+  progress_->advance(T_odom_steered);
+  state_.progress_m = progress_->done_m();
+  state_.remaining_m = progress_->remaining_m();
+  state_.error = progress_->error(T_odom_steered);
+  wanted_1_m_ = curvature_to(T_odom_steered);
+  if (std::abs(state_.error.lateral_m) > params_.lateral_max_m) {
+    fail(text_of("it is %.2f m beside the path", std::abs(state_.error.lateral_m)));
+  } else if (std::abs(state_.error.heading_rad) > params_.heading_max_rad) {
+    fail(text_of("it looks %.0f degrees off the path",
+                 rad_to_deg(std::abs(state_.error.heading_rad))));
+  }
+}
+
+void Driving::fail(const std::string& reason) {
+  state_.kind = Kind::kFailed;
+  state_.reason = reason;
+}
+
+double Driving::curvature_to(const Pose2& T_odom_steered) const {
+  const PathRun& run = progress_->run();
+  const double s_m = progress_->s_m();
+  if (params_.controller == "pure_pursuit") {
+    return pursuit_curvature(run, s_m, T_odom_steered, speed_m_s_, params_.pure_pursuit);
+  }
+  return lateral_curvature(state_.error, blended_curvature(run, s_m, params_.steering),
+                           run.direction(), params_.pd);
+}
+
+void Driving::move(double seconds) {
+  if (progress_->run_remaining_m() <= params_.arrival_m) return end_run(seconds);
+  steer(seconds);
+  accelerate(seconds);
+}
+
+void Driving::end_run(double seconds) {
+  stand(seconds);
+  if (standing_s_ < kStandS) return;
+  if (progress_->begin_next_run()) {
+    begin_run();
+  } else {
+    state_.kind = Kind::kArrived;
+  }
+}
+
+void Driving::steer(double seconds) {
+  const double most = steered_.curvature_max_1_m();
+  curvature_1_m_ = approach(curvature_1_m_, std::clamp(wanted_1_m_, -most, most),
+                            params_.steering.rate_1_m_s * seconds);
+}
+
+/// From a stand it drives off when it is steered.
+void Driving::accelerate(double seconds) {
+  const double most = steered_.curvature_max_1_m();
+  const double left = std::abs(std::clamp(wanted_1_m_, -most, most) - curvature_1_m_);
+  const double direction = progress_->run().direction();
+  const bool stands = speed_m_s_ == 0.0 && (standing_s_ < kStandS || left > kSteered1M);
+  if (stands || speed_m_s_ * direction < 0.0) return stand(seconds);
+  const double faster = std::abs(speed_m_s_) + params_.speed.acceleration_m_s2 * seconds;
+  speed_m_s_ = direction * std::min(profile_->at(progress_->s_m()), faster);
+  standing_s_ = 0.0;
+}
+
+void Driving::stand(double seconds) {
+  standing_s_ = speed_m_s_ == 0.0 ? standing_s_ + seconds : 0.0;
+  speed_m_s_ = 0.0;
+}
+
+}  // namespace adit

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
+#include <vector>
 
 namespace adit {
 namespace {
 
+constexpr double kAroundM = 0.05;    // for the curvature at a place
 constexpr double kStepMaxS = 0.2;    // that a command stands for
 constexpr double kStandS = 0.3;      // between two runs, so that the vehicle has come to a stand
 constexpr double kSteered1M = 0.05;  // of curvature, with which it may drive off
@@ -37,14 +40,16 @@ void Driving::follow(const PlannedPath& path) {
     state_.reason = path.reason.empty() ? "there is no path" : path.reason;
     return;
   }
-  progress_.emplace(runs_of(path.points, steered_));
+  std::vector<PathRun> runs = runs_of(path.points, steered_);
+  for (PathRun& run : runs) run = blended(run, params_.steering.blend_m);
+  progress_.emplace(std::move(runs));
   state_.remaining_m = progress_->remaining_m();
   begin_run();
 }
 
 void Driving::begin_run() {
-  profile_.emplace(progress_->run(), params_.speed, params_.steering,
-                   params_.vehicle.speed_max_m_s);
+  profile_.emplace(progress_->run(), params_.speed, params_.vehicle.speed_max_m_s,
+                   params_.steering.rate_1_m_s);
 }
 
 void Driving::add_pose(std::int64_t utime, const Pose2& T_odom_body) {
@@ -109,8 +114,8 @@ double Driving::curvature_to(const Pose2& T_odom_steered) const {
   if (params_.controller == "pure_pursuit") {
     return pursuit_curvature(run, s_m, T_odom_steered, speed_m_s_, params_.pure_pursuit);
   }
-  return lateral_curvature(state_.error, blended_curvature(run, s_m, params_.steering),
-                           run.direction(), params_.pd);
+  const double curvature = run.curvature_1_m(s_m - kAroundM, s_m + kAroundM);
+  return lateral_curvature(state_.error, curvature, run.direction(), params_.pd);
 }
 
 void Driving::move(double seconds) {

@@ -22,6 +22,17 @@
 
 namespace adit {
 
+struct SteeringParams {
+  double rate_1_m_s = 0.4;  ///< greatest change of the curvature per second
+  double blend_m = 0.5;     ///< way over which a jump of the path's curvature is steered
+
+  template <class V>
+  void visit(V& v) {
+    v("rate_1_m_s", rate_1_m_s, above(0.0));
+    v("blend_m", blend_m, within(0.0, 2.0));
+  }
+};
+
 struct DrivingParams {
   Vehicle vehicle;
   std::string controller = "pd";  ///< or "pure_pursuit"

@@ -8,7 +8,7 @@
 namespace adit {
 
 struct LateralParams {
-  double response_m = 0.6;  ///< way in which an error falls to a third or so
+  double response_m = 0.8;  ///< way in which an error falls to a third or so
   double damping = 1.0;     ///< 1 is critical: the fastest without overshoot
 
   template <class V>

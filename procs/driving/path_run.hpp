@@ -25,7 +25,7 @@ class PathRun {
   [[nodiscard]] double length_m() const { return knots_.back().s_m; }
   /// 1, or −1 in reverse.
   [[nodiscard]] double direction() const { return direction_; }
-  /// Behind its end it goes on straight.
+  /// Behind its end it goes on as it bends at last.
   [[nodiscard]] Pose2 at(double s_m) const;
   /// The least that is said of the stretch.
   [[nodiscard]] double clearance_m(double s_m) const;
@@ -36,12 +36,18 @@ class PathRun {
   [[nodiscard]] double nearest_m(const Eigen::Vector2d& p_odom, double from_m, double to_m) const;
 
  private:
+  [[nodiscard]] Pose2 behind_end(double way_m) const;
   /// Index of the knot that ends the stretch of a place; 0 with one knot only.
   [[nodiscard]] std::size_t end_of_stretch(double s_m) const;
 
   std::vector<Knot> knots_;
   double direction_;
 };
+
+/// The same run as it can be steered: each place, its heading too, is the mean over `blend_m` of
+/// the way around, less near the ends, which stay where they are. A jump Δκ of the curvature
+/// becomes a ramp of that length, half of it before; in return a bend is cut by κ blend²/24.
+PathRun blended(const PathRun& run, double blend_m);
 
 /// Cut where the direction of travel changes. Points less than a millimetre from the one before are
 /// left out. Points must be finite, and at least one.

@@ -9,7 +9,7 @@ namespace adit {
 
 struct PursuitParams {
   double lookahead_s = 2.0;  ///< of the way at the present speed
-  double lookahead_min_m = 0.6;
+  double lookahead_min_m = 0.8;
   double lookahead_max_m = 1.2;
 
   template <class V>

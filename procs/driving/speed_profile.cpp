@@ -9,40 +9,36 @@ namespace adit {
 namespace {
 
 constexpr double kSpacingM = 0.05;
+constexpr double kTiny = 1e-9;
 constexpr double kSteeringShare = 0.8;  // of its rate, for the path; the rest is for errors
 
 /// What holds at a place, whatever comes behind it.
-double limit(const PathRun& run, double s_m, const SpeedParams& speed,
-             const SteeringParams& steering, double speed_max_m_s) {
-  const double ahead = blended_curvature(run, s_m + kSpacingM, steering);
-  const double behind = blended_curvature(run, s_m - kSpacingM, steering);
+double limit(const PathRun& run, double s_m, double fastest, const SpeedParams& params,
+             double steering_rate_1_m_s) {
+  const double ahead = run.curvature_1_m(s_m, s_m + 2.0 * kSpacingM);
+  const double behind = run.curvature_1_m(s_m - 2.0 * kSpacingM, s_m);
   const double change = std::abs(ahead - behind) / (2.0 * kSpacingM);
-  const double bend = std::abs(blended_curvature(run, s_m, steering));
-  const double room = std::clamp(run.clearance_m(s_m) / speed.clearance_full_m, 0.0, 1.0);
-  const double fastest = std::min(speed.speed_m_s, speed_max_m_s);
-  const double least =
-      std::min({room * fastest, std::sqrt(speed.lateral_acceleration_m_s2 / std::max(bend, 1e-9)),
-                kSteeringShare * steering.rate_1_m_s / std::max(change, 1e-9)});
-  return least;
+  const double bend = std::max(std::abs(ahead), std::abs(behind));
+  const double room = std::clamp(run.clearance_m(s_m) / params.clearance_full_m, 0.0, 1.0);
+  return std::min({room * fastest,
+                   std::sqrt(params.lateral_acceleration_m_s2 / std::max(bend, kTiny)),
+                   kSteeringShare * steering_rate_1_m_s / std::max(change, kTiny)});
 }
 
 }  // namespace
 
-double blended_curvature(const PathRun& run, double s_m, const SteeringParams& params) {
-  return run.curvature_1_m(s_m - params.blend_m / 2.0, s_m + params.blend_m / 2.0);
-}
-
-SpeedProfile::SpeedProfile(const PathRun& run, const SpeedParams& speed,
-                           const SteeringParams& steering, double speed_max_m_s)
-    : creep_m_s_(std::min({speed.creep_m_s, speed.speed_m_s, speed_max_m_s})) {
+SpeedProfile::SpeedProfile(const PathRun& run, const SpeedParams& params, double speed_max_m_s,
+                           double steering_rate_1_m_s)
+    : creep_m_s_(std::min({params.creep_m_s, params.speed_m_s, speed_max_m_s})) {
   const auto pieces =
       static_cast<std::size_t>(std::max(1.0, std::ceil(run.length_m() / kSpacingM)));
+  const double fastest = std::min(params.speed_m_s, speed_max_m_s);
   spacing_m_ = run.length_m() / static_cast<double>(pieces);
   squares_.assign(pieces + 1, 0.0);
   for (std::size_t i = pieces; i-- > 0;) {
     const double s_m = spacing_m_ * static_cast<double>(i);
-    const double here = limit(run, s_m, speed, steering, speed_max_m_s);
-    const double braking = squares_[i + 1] + 2.0 * speed.acceleration_m_s2 * spacing_m_;
+    const double here = limit(run, s_m, fastest, params, steering_rate_1_m_s);
+    const double braking = squares_[i + 1] + 2.0 * params.acceleration_m_s2 * spacing_m_;
     squares_[i] = std::min(here * here, braking);
   }
 }

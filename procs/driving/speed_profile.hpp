@@ -26,28 +26,13 @@ struct SpeedParams {
   }
 };
 
-struct SteeringParams {
-  double rate_1_m_s = 0.4;  ///< greatest change of the curvature per second, of commands
-  double blend_m = 0.5;     ///< way over which a jump of the path's curvature is steered
-
-  template <class V>
-  void visit(V& v) {
-    v("rate_1_m_s", rate_1_m_s, above(0.0));
-    v("blend_m", blend_m, within(0.05, 2.0));
-  }
-};
-
-/// Curvature of the path at a place as it is steered: a mean over the way around, so that it jumps
-/// nowhere. A jump of Δκ so becomes a ramp, half of it before, that leads Δκ blend²/24 off the
-/// path.
-double blended_curvature(const PathRun& run, double s_m, const SteeringParams& params);
-
 /// How fast a run is to be driven, to a stand at its end: no faster than curvature, obstacles
 /// beside and the steering allow, and so that braking suffices for what comes.
 class SpeedProfile {
  public:
-  SpeedProfile(const PathRun& run, const SpeedParams& speed, const SteeringParams& steering,
-               double speed_max_m_s);
+  /// `steering_rate_1_m_s` is the greatest change of the curvature per second.
+  SpeedProfile(const PathRun& run, const SpeedParams& params, double speed_max_m_s,
+               double steering_rate_1_m_s);
 
   /// At a place of the run, without direction: at least creeping, 0 at its end and behind.
   [[nodiscard]] double at(double s_m) const;

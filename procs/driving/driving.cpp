@@ -11,10 +11,20 @@
 namespace adit {
 namespace {
 
-constexpr double kAroundM = 0.05;    // for the curvature at a place
-constexpr double kStepMaxS = 0.2;    // that a command stands for
-constexpr double kStandS = 0.3;      // between two runs, so that the vehicle has come to a stand
-constexpr double kSteered1M = 0.05;  // of curvature, with which it may drive off
+constexpr double kAroundM = 0.05;     // for the curvature at a place
+constexpr double kLongestM = 1000.0;  // of a path: no scan sees a tenth of that
+constexpr double kStepMaxS = 0.2;     // that a command stands for
+constexpr double kStandS = 0.3;       // between two runs, so that the vehicle has come to a stand
+constexpr double kSteered1M = 0.05;   // of curvature, with which it may drive off
+
+double length_of(const std::vector<PathPoint>& points) {
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length_m +=
+        (points[i].T_odom_body.translation() - points[i - 1].T_odom_body.translation()).norm();
+  }
+  return length_m;
+}
 
 double approach(double value, double target, double change_max) {
   return value + std::clamp(target - value, -change_max, change_max);
@@ -34,12 +44,12 @@ Driving::Driving(const DrivingParams& params)
 }
 
 void Driving::follow(const PlannedPath& path) {
-  state_ = {state_.utime, path.id, Kind::kDriving, {}, 0.0, 0.0, {}};
-  if (path.outcome != PlanOutcome::kFound || path.points.empty()) {
-    state_.kind = Kind::kIdle;
-    state_.reason = path.reason.empty() ? "there is no path" : path.reason;
-    return;
-  }
+  state_ = {state_.utime, path.id, Kind::kIdle, path.reason, 0.0, 0.0, {}};
+  if (path.outcome != PlanOutcome::kFound || path.points.empty()) return;
+  state_.reason = "the path is longer than any that can be driven";
+  if (!(length_of(path.points) <= kLongestM)) return;
+  state_.kind = Kind::kDriving;
+  state_.reason.clear();
   std::vector<PathRun> runs = runs_of(path.points, steered_);
   for (PathRun& run : runs) run = blended(run, params_.steering.blend_m);
   progress_.emplace(std::move(runs));
@@ -95,8 +105,9 @@ void Driving::locate(std::int64_t utime) {
   state_.remaining_m = progress_->remaining_m();
   state_.error = progress_->error(T_odom_steered);
   wanted_1_m_ = curvature_to(T_odom_steered);
-  if (std::abs(state_.error.lateral_m) > params_.lateral_max_m) {
-    fail(text_of("it is %.2f m beside the path", std::abs(state_.error.lateral_m)));
+  const double distance_m = progress_->distance_m(T_odom_steered);
+  if (distance_m > params_.distance_max_m) {
+    fail(text_of("it is %.2f m off the path", distance_m));
   } else if (std::abs(state_.error.heading_rad) > params_.heading_max_rad) {
     fail(text_of("it looks %.0f degrees off the path",
                  rad_to_deg(std::abs(state_.error.heading_rad))));

@@ -44,7 +44,7 @@ struct DrivingParams {
   double smoothing_s = 0.3;      ///< of poses; longer than their noise, shorter than their drift
   double reaction_s = 0.05;      ///< after which a command takes effect
   double arrival_m = 0.02;       ///< left of a run at its end
-  double lateral_max_m = 0.35;   ///< beside the path; beyond, it needs a new one
+  double distance_max_m = 0.35;  ///< off the path; beyond, it needs a new one
   double heading_max_rad = 0.5;  ///< against the path, likewise
 
   template <class V>
@@ -59,7 +59,7 @@ struct DrivingParams {
     v("smoothing_s", smoothing_s, above_up_to(0.0, 5.0));
     v("reaction_s", reaction_s, within(0.0, 0.5));
     v("arrival_m", arrival_m, within(0.005, 0.5));
-    v("lateral_max_m", lateral_max_m, above_up_to(0.0, 2.0));
+    v("distance_max_m", distance_max_m, above_up_to(0.0, 2.0));
     v("heading_max_rad", heading_max_rad, above_up_to(0.0, 1.2));
   }
 };
@@ -78,7 +78,8 @@ class Driving {
   /// Throws std::invalid_argument for a vehicle that cannot be steered.
   explicit Driving(const DrivingParams& params);
 
-  /// Takes the place of the path before; without points there is none to drive.
+  /// Takes the place of the path before. Where none was found, or one of more than a kilometre,
+  /// there is none to drive.
   void follow(const PlannedPath& path);
   void add_pose(std::int64_t utime, const Pose2& T_odom_body);
   void add_match(std::int64_t utime, ScanMatch::Status status);

@@ -33,4 +33,8 @@ TrackError PathProgress::error(const Pose2& T_odom_steered) const {
   return {T_path_steered.y, T_path_steered.theta};
 }
 
+double PathProgress::distance_m(const Pose2& T_odom_steered) const {
+  return (run().at(s_m_).translation() - T_odom_steered.translation()).norm();
+}
+
 }  // namespace adit

@@ -31,6 +31,8 @@ class PathProgress {
   [[nodiscard]] double done_m() const { return driven_m_ + s_m_; }
   [[nodiscard]] double remaining_m() const;
   [[nodiscard]] TrackError error(const Pose2& T_odom_steered) const;
+  /// From the place on the run: more than the error beside it before its beginning, behind its end.
+  [[nodiscard]] double distance_m(const Pose2& T_odom_steered) const;
 
  private:
   std::vector<PathRun> runs_;

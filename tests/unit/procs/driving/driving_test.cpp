@@ -24,7 +24,7 @@ class ObedientVehicle : public testing::Test {
   DriveOutput step(bool with_pose = true) {
     utime_ += kPeriodUs;
     if (with_pose) driving_.add_pose(utime_, T_odom_body_);
-    const DriveOutput output = driving_.drive(utime_);
+    DriveOutput output = driving_.drive(utime_);
     const double way_m = output.command.speed_m_s * 1e-6 * kPeriodUs;
     T_odom_body_ = T_odom_body_ * along_arc(way_m, way_m * output.command.curvature_1_m);
     return output;
@@ -148,12 +148,24 @@ TEST_F(ObedientVehicle, StandsBesideItsPathUntilANewOneComes) {
   step_for(5.0);
   const Pose2 on_path = T_odom_body_;
   T_odom_body_.y = 0.6;
-  expect_standing(Kind::kFailed, "it is 0.60 m beside the path");
+  expect_standing(Kind::kFailed, "it is 0.60 m off the path");
   T_odom_body_ = on_path;
   step_for(1.0);
-  expect_standing(Kind::kFailed, "it is 0.60 m beside the path");
-  driving_.follow(straight(2));
+  expect_standing(Kind::kFailed, "it is 0.60 m off the path");
+  driving_.follow(PathSketch({}, T_odom_body_).go(2.0).path());
   EXPECT_EQ(step().state.kind, Kind::kDriving);
+}
+
+TEST_F(ObedientVehicle, DoesNotDriveToAPathThatBeginsElsewhere) {
+  driving_.follow(PathSketch({}, {1.5, 0.0, 0.0}).go(5.0).path());
+  expect_standing(Kind::kFailed, "it is 1.50 m off the path");
+}
+
+TEST_F(ObedientVehicle, DoesNotFollowAPathWithoutEnd) {
+  PlannedPath path = straight();
+  path.points.back().T_odom_body.x = 1e300;
+  driving_.follow(path);
+  expect_standing(Kind::kIdle, "the path is longer than any that can be driven");
 }
 
 TEST_F(ObedientVehicle, DoesNotFollowAPathThatItLooksAwayFrom) {

@@ -114,6 +114,23 @@ void print(const Score& score) {
   std::printf(" |");
 }
 
+/// The way from the last pose that came to a stand, on a straight.
+void print_stops(int drives) {
+  double worst_m = 0.0;
+  double speed_m_s = 0.0;
+  for (int i = 0; i < drives; ++i) {
+    PathDriveSetup setup;
+    setup.seed = static_cast<std::uint64_t>(i) + 1;
+    setup.poses_end_m = 4.0 + 0.002 * i;  // at another time between two commands
+    const PathDrive drive = drive_path(PathSketch(setup.driving.vehicle).go(12.0).path(), setup);
+    if (drive.without_poses_m < worst_m) continue;
+    worst_m = drive.without_poses_m;
+    speed_m_s = drive.speed_then_m_s;
+  }
+  std::printf("\nPoses end: it stands after %.2f m, from %.2f m/s (worst of %d).\n", worst_m,
+              speed_m_s, drives);
+}
+
 void run(int drives, int corridors, double radius_m) {
   Score totals[2];
   std::printf("| path | steering | PD | PD, reverse | pursuit | pursuit, reverse |\n");
@@ -151,6 +168,7 @@ void run(int drives, int corridors, double radius_m) {
        [](const Score& s) { return quantile(s.swings_per_m, 0.95); });
   line("steering, rms rate, 95 % [1/m/s]", " %.2f |",
        [](const Score& s) { return quantile(s.steering_rms_1_m_s, 0.95); });
+  print_stops(drives);
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <random>
 
 #include "sim/vehicle/vehicle_model.hpp"
 #include "tests/support/box_drift.hpp"
@@ -16,7 +14,6 @@ namespace {
 
 constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr std::int64_t kStepUs = 10'000;
-constexpr std::int64_t kPoseUs = 26'667;  // an LMS-200 at half a degree
 constexpr std::int64_t kCommandUs = 50'000;
 constexpr double kStepS = 1e-6 * static_cast<double>(kStepUs);
 constexpr double kLongestS = 600.0;
@@ -29,48 +26,6 @@ Pose2 plan_of(const Eigen::Isometry3d& T_world_body) {
   const Eigen::Vector3d x = T_world_body.linear().col(0);
   return {p.x(), p.y(), std::atan2(x.y(), x.x())};
 }
-
-/// Poses with noise, as they come.
-class PoseSource {
- public:
-  PoseSource(const PoseNoise& noise, std::uint64_t seed) : noise_(noise), random_(seed) {
-    for (double& slow : slow_) slow = normal_(random_);
-  }
-
-  void see(std::int64_t utime, const Pose2& T_world_body) {
-    if (utime < next_utime_) return;
-    next_utime_ = utime + kPoseUs - kPoseUs % kStepUs;
-    const double kept = std::exp(-1e-6 * static_cast<double>(kPoseUs) / noise_.slow_s);
-    for (double& slow : slow_) slow = kept * slow + std::sqrt(1.0 - kept * kept) * normal_(random_);
-    const auto with = [&](double value, int i, double white, double slow) {
-      return value + white * normal_(random_) + slow * slow_[i];
-    };
-    waiting_.push_back({utime,
-                        {with(T_world_body.x, 0, noise_.white_m, noise_.slow_m),
-                         with(T_world_body.y, 1, noise_.white_m, noise_.slow_m),
-                         with(T_world_body.theta, 2, noise_.white_rad, noise_.slow_rad)}});
-  }
-
-  void deliver(std::int64_t utime, Driving& driving) {
-    while (!waiting_.empty() && waiting_.front().utime + noise_.delay_us <= utime) {
-      driving.add_pose(waiting_.front().utime, waiting_.front().T_odom_body);
-      waiting_.pop_front();
-    }
-  }
-
- private:
-  struct Seen {
-    std::int64_t utime;
-    Pose2 T_odom_body;
-  };
-
-  PoseNoise noise_;
-  std::mt19937_64 random_;
-  std::normal_distribution<double> normal_;
-  double slow_[3] = {};
-  std::int64_t next_utime_ = 0;
-  std::deque<Seen> waiting_;
-};
 
 /// Changes of side, of errors in order.
 int swings(const std::vector<double>& errors_m) {
@@ -136,7 +91,9 @@ class Run {
   void step() {
     if (!silent()) {
       poses_.see(utime_, pose());
-      poses_.deliver(utime_, driving_);
+      poses_.deliver(utime_, [this](std::int64_t utime, const Pose2& T_odom_body) {
+        driving_.add_pose(utime, T_odom_body);
+      });
       last_utime_ = utime_;
       silent_from_m_ = vehicle_.travelled_m();
       drive_.speed_then_m_s = vehicle_.state().speed_m_s;
@@ -164,7 +121,7 @@ class Run {
   const PlannedPath& path_;
   const PathDriveSetup& setup_;
   VehicleModel vehicle_;
-  PoseSource poses_;
+  LatePoses poses_;
   Driving driving_;
   TrueLateralError error_;
   PathDrive drive_;

@@ -8,21 +8,9 @@
 
 #include "procs/driving/driving.hpp"
 #include "sim/vehicle/vehicle_params.hpp"
+#include "tests/support/late_poses.hpp"
 
 namespace adit {
-
-/// How the poses that driving gets depart from the truth, beside coming late.
-struct PoseNoise {
-  double white_m = 0.02;  ///< of each pose, x and y each
-  double white_rad = 0.0087;
-  double slow_m = 0.02;  ///< varying over `slow_s`
-  double slow_rad = 0.0087;
-  double slow_s = 5.0;
-  std::int64_t delay_us = 30'000;
-
-  /// None but the delay.
-  static PoseNoise none() { return {0.0, 0.0, 0.0, 0.0, 5.0, 30'000}; }
-};
 
 struct PathDriveSetup {
   DrivingParams driving;

@@ -24,6 +24,7 @@
 #include "tests/support/box_drift.hpp"
 #include "tests/support/path_drive.hpp"
 #include "tests/support/robot_that_knows_its_place.hpp"
+#include "tests/support/robot_that_matches_scans.hpp"
 #include "tests/support/true_lateral_error.hpp"
 
 namespace adit {
@@ -36,6 +37,7 @@ World drift_with_a_post() {
   });
 }
 
+template <class Robot>
 class RobotThatDrives {
  public:
   RobotThatDrives() : robot_(drift_with_a_post()) {
@@ -83,7 +85,7 @@ class RobotThatDrives {
     return params;
   }
 
-  RobotThatKnowsItsPlace robot_;
+  Robot robot_;
   MemoryBus& bus_ = robot_.bus();
   ScanAssemblyNode scan_assembly_{bus_, assembly_params()};
   TerrainNode terrain_{bus_, TerrainParams{}};
@@ -95,8 +97,14 @@ class RobotThatDrives {
   Pose2 truth_;
 };
 
-TEST(DriveAPath, GoesRoundAPostAndArrives) {
-  RobotThatDrives robot;
+template <class Robot>
+class DriveAPath : public testing::Test {};
+
+using Robots = testing::Types<RobotThatKnowsItsPlace, RobotThatMatchesScans>;
+TYPED_TEST_SUITE(DriveAPath, Robots);
+
+TYPED_TEST(DriveAPath, GoesRoundAPostAndArrives) {
+  RobotThatDrives<TypeParam> robot;
   robot.look_and_plan(8.0);
   ASSERT_EQ(robot.path().outcome, PlanOutcome::kFound) << robot.path().reason;
   const std::vector<double> errors_m = robot.drive();

@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "procs/driving/blended_run.hpp"
+
 namespace adit {
 namespace {
 
 constexpr double kAroundM = 0.05;     // for the curvature at a place
 constexpr double kLongestM = 1000.0;  // of a path: no scan sees a tenth of that
 constexpr double kStepMaxS = 0.2;     // that a command stands for
-constexpr double kStandS = 0.3;       // between two runs, so that the vehicle has come to a stand
-constexpr double kSteered1M = 0.05;   // of curvature, with which it may drive off
 
 double length_of(const std::vector<PathPoint>& points) {
   double length_m = 0.0;
@@ -24,10 +24,6 @@ double length_of(const std::vector<PathPoint>& points) {
         (points[i].T_odom_body.translation() - points[i - 1].T_odom_body.translation()).norm();
   }
   return length_m;
-}
-
-double approach(double value, double target, double change_max) {
-  return value + std::clamp(target - value, -change_max, change_max);
 }
 
 std::string text_of(const char* format, double number) {
@@ -39,7 +35,11 @@ std::string text_of(const char* format, double number) {
 }  // namespace
 
 Driving::Driving(const DrivingParams& params)
-    : params_(params), steered_(params.vehicle), filter_(params.smoothing_s), trust_(params.trust) {
+    : params_(params),
+      steered_(params.vehicle),
+      filter_(params.smoothing_s),
+      trust_(params.trust),
+      ramp_(params.speed.acceleration_m_s2, params.steering.rate_1_m_s) {
   state_.reason = "no path has come yet";
 }
 
@@ -77,10 +77,10 @@ DriveOutput Driving::drive(std::int64_t utime) {
   if (state_.kind == Kind::kDriving) {
     move(seconds);
   } else {
-    stand(seconds);
+    ramp_.stand(seconds);
   }
-  filter_.set_motion(speed_m_s_, curvature_1_m_);
-  return {{utime, speed_m_s_, steered_.curvature_of_origin(curvature_1_m_)}, state_};
+  filter_.set_motion(ramp_.speed_m_s(), ramp_.curvature_1_m());
+  return {{utime, ramp_.speed_m_s(), steered_.curvature_of_origin(ramp_.curvature_1_m())}, state_};
 }
 
 double Driving::seconds_to(std::int64_t utime) {
@@ -123,7 +123,7 @@ double Driving::curvature_to(const Pose2& T_odom_steered) const {
   const PathRun& run = progress_->run();
   const double s_m = progress_->s_m();
   if (params_.controller == "pure_pursuit") {
-    return pursuit_curvature(run, s_m, T_odom_steered, speed_m_s_, params_.pure_pursuit);
+    return pursuit_curvature(run, s_m, T_odom_steered, ramp_.speed_m_s(), params_.pure_pursuit);
   }
   const double curvature = run.curvature_1_m(s_m - kAroundM, s_m + kAroundM);
   return lateral_curvature(state_.error, curvature, run.direction(), params_.pd);
@@ -131,41 +131,19 @@ double Driving::curvature_to(const Pose2& T_odom_steered) const {
 
 void Driving::move(double seconds) {
   if (progress_->run_remaining_m() <= params_.arrival_m) return end_run(seconds);
-  steer(seconds);
-  accelerate(seconds);
+  const double most = steered_.curvature_max_1_m();
+  const double speed = progress_->run().direction() * profile_->at(progress_->s_m());
+  ramp_.drive(speed, std::clamp(wanted_1_m_, -most, most), seconds);
 }
 
 void Driving::end_run(double seconds) {
-  stand(seconds);
-  if (standing_s_ < kStandS) return;
+  ramp_.stand(seconds);
+  if (!ramp_.has_stood()) return;
   if (progress_->begin_next_run()) {
     begin_run();
   } else {
     state_.kind = Kind::kArrived;
   }
-}
-
-void Driving::steer(double seconds) {
-  const double most = steered_.curvature_max_1_m();
-  curvature_1_m_ = approach(curvature_1_m_, std::clamp(wanted_1_m_, -most, most),
-                            params_.steering.rate_1_m_s * seconds);
-}
-
-/// From a stand it drives off when it is steered.
-void Driving::accelerate(double seconds) {
-  const double most = steered_.curvature_max_1_m();
-  const double left = std::abs(std::clamp(wanted_1_m_, -most, most) - curvature_1_m_);
-  const double direction = progress_->run().direction();
-  const bool stands = speed_m_s_ == 0.0 && (standing_s_ < kStandS || left > kSteered1M);
-  if (stands || speed_m_s_ * direction < 0.0) return stand(seconds);
-  const double faster = std::abs(speed_m_s_) + params_.speed.acceleration_m_s2 * seconds;
-  speed_m_s_ = direction * std::min(profile_->at(progress_->s_m()), faster);
-  standing_s_ = 0.0;
-}
-
-void Driving::stand(double seconds) {
-  standing_s_ = speed_m_s_ == 0.0 ? standing_s_ + seconds : 0.0;
-  speed_m_s_ = 0.0;
 }
 
 }  // namespace adit

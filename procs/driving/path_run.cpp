@@ -13,8 +13,7 @@ namespace adit {
 namespace {
 
 constexpr double kSameM = 0.001;
-constexpr double kKnotM = 0.05;  // from knot to knot of a run that is blended
-constexpr int kSamples = 8;      // to either side, of a mean
+constexpr double kLastM = 0.05;  // by which a run knows how it bends at last
 
 void add(const PathPoint& point, const SteeredPoint& steered, std::vector<PathRun::Knot>& knots) {
   PathRun::Knot knot{0.0, steered.pose(point.T_odom_body), point.clearance_m};
@@ -28,17 +27,6 @@ void add(const PathPoint& point, const SteeredPoint& steered, std::vector<PathRu
                                 angle_diff(knot.T_odom_steered.theta, last.T_odom_steered.theta);
   }
   knots.push_back(knot);
-}
-
-/// By the rule of trapezoids. Headings of a run are not wrapped.
-Pose2 mean_pose(const PathRun& run, double s_m, double half_m) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int i = -kSamples; i <= kSamples; ++i) {
-    const double weight = std::abs(i) == kSamples ? 0.5 : 1.0;
-    sum += weight * run.at(s_m + half_m * i / kSamples).vector();
-  }
-  const Eigen::Vector3d mean = sum / (2.0 * kSamples);
-  return {mean.x(), mean.y(), mean.z()};
 }
 
 }  // namespace
@@ -55,7 +43,7 @@ std::size_t PathRun::end_of_stretch(double s_m) const {
 
 Pose2 PathRun::behind_end(double way_m) const {
   const Pose2& T_odom_end = knots_.back().T_odom_steered;
-  const double turn = way_m * curvature_1_m(length_m() - kKnotM, length_m());
+  const double turn = way_m * curvature_1_m(length_m() - kLastM, length_m());
   const Pose2 T_odom_behind = T_odom_end * along_arc(direction_ * way_m, direction_ * turn);
   return {T_odom_behind.x, T_odom_behind.y, T_odom_end.theta + direction_ * turn};
 }
@@ -103,22 +91,6 @@ double PathRun::nearest_m(const Eigen::Vector2d& p_odom, double from_m, double t
     best_m = knots_[i - 1].s_m + t;
   }
   return best_m;
-}
-
-PathRun blended(const PathRun& run, double blend_m) {
-  const int pieces = static_cast<int>(std::ceil(run.length_m() / kKnotM));
-  std::vector<PathRun::Knot> knots;
-  for (int i = 0; i <= pieces; ++i) {
-    const double s_m = pieces > 0 ? run.length_m() * i / pieces : 0.0;
-    const double half_m = std::min({blend_m / 2.0, s_m, run.length_m() - s_m});
-    PathRun::Knot knot{0.0, mean_pose(run, s_m, half_m), run.clearance_m(s_m)};
-    if (i > 0) {
-      const Pose2& last = knots.back().T_odom_steered;
-      knot.s_m = knots.back().s_m + (knot.T_odom_steered.translation() - last.translation()).norm();
-    }
-    knots.push_back(knot);
-  }
-  return {std::move(knots), run.direction() < 0.0};
 }
 
 std::vector<PathRun> runs_of(const std::vector<PathPoint>& points, const SteeredPoint& steered) {

@@ -44,11 +44,6 @@ class PathRun {
   double direction_;
 };
 
-/// The same run as it can be steered: each place, its heading too, is the mean over `blend_m` of
-/// the way around, less near the ends, which stay where they are. A jump Δκ of the curvature
-/// becomes a ramp of that length, half of it before; in return a bend is cut by κ blend²/24.
-PathRun blended(const PathRun& run, double blend_m);
-
 /// Cut where the direction of travel changes. Points less than a millimetre from the one before are
 /// left out. Points must be finite, and at least one.
 std::vector<PathRun> runs_of(const std::vector<PathPoint>& points, const SteeredPoint& steered);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "procs/driving/blended_run.hpp"
 #include "tests/support/path_sketch.hpp"
 
 namespace adit {

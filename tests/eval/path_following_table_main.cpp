@@ -159,6 +159,7 @@ void run(int drives, int corridors, double radius_m) {
     for (const Score& total : totals) std::printf(format, value(total));
     std::printf("\n");
   };
+  line("drives", " %.0f |", [](const Score& s) { return 1.0 * s.drives; });
   line("arrived [%]", " %.1f |", [](const Score& s) { return 100.0 * s.arrived / s.drives; });
   line("end, 95 % [cm]", " %.1f |", [](const Score& s) { return 100.0 * quantile(s.end_m, 0.95); });
   line("end, 95 % [°]", " %.1f |",

@@ -165,8 +165,7 @@ TEST(DrivingStateMessage, IsRefusedWithWhatCannotBe) {
   EXPECT_EQ(refusal([](Message& m) { m.progress_m = kNaN; }), "way that is none");
   EXPECT_EQ(refusal([](Message& m) { m.remaining_m = -0.1; }), "way that is none");
   EXPECT_EQ(refusal([](Message& m) { m.lateral_error_m = kNaN; }), "lateral error is not finite");
-  EXPECT_EQ(refusal([](Message& m) { m.heading_error_rad = kNaN; }),
-            "heading error is not finite");
+  EXPECT_EQ(refusal([](Message& m) { m.heading_error_rad = kNaN; }), "heading error is not finite");
 }
 
 }  // namespace

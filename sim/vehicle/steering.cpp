@@ -7,14 +7,6 @@
 
 namespace adit {
 
-Pose2 along_arc(double length_m, double turn_rad) {
-  // The chord of an arc has half its turn: sin(t/2)/(t/2), whose series serves near zero.
-  const double half = 0.5 * turn_rad;
-  const double shrink = std::abs(half) < 1e-4 ? 1.0 - half * half / 6.0 : std::sin(half) / half;
-  const double chord = length_m * shrink;
-  return {chord * std::cos(half), chord * std::sin(half), turn_rad};
-}
-
 Steering::Steering(const Vehicle& vehicle) {
   if (vehicle.steering != "ackermann") return;
   ahead_x_m_ = -0.5 * vehicle.wheelbase_m;

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "common/geometry/arc.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/vehicle/vehicle.hpp"
 
 namespace adit {
-
-/// Motion along an arc that begins along x: `length_m` long, turning by `turn_rad`. Exact.
-Pose2 along_arc(double length_m, double turn_rad);
 
 /// Which point of the body moves straight ahead, and how the body turns with it.
 ///

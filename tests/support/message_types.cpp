@@ -8,6 +8,7 @@
 #include "common/messages/codec.hpp"
 #include "common/messages/config_copy.hpp"
 #include "common/messages/drive_command.hpp"
+#include "common/messages/driving_state.hpp"
 #include "common/messages/gas_reading.hpp"
 #include "common/messages/heartbeat.hpp"
 #include "common/messages/imu_reading.hpp"
@@ -142,14 +143,17 @@ PlannedPath sample_path() {
   return path;
 }
 
-/// Those from a look at the ground to a path.
+/// Those from a look at the ground to a drive.
 std::vector<MessageType> navigation_types() {
   const PlanGoal goal{kUtime, 4, PlanGoal::Kind::kTo, {20.0, -3.0, 0.1}, 10.0};
+  const DrivingState driving{
+      kUtime, 4, DrivingState::Kind::kWaiting, "the pose is old", 2.5, 7.1, {0.02, -0.01}};
   return {type_of(channels::kScanRequest, to_message(ScanRequest{kUtime, 3, LaserId::kFront})),
           type_of(channels::kCloud, to_message(divide(sample_cloud()).front())),
           type_of(channels::kTerrain, to_message(divide(sample_terrain()).front())),
           type_of(channels::kGoal, to_message(goal)),
-          type_of(channels::kPath, to_message(sample_path()))};
+          type_of(channels::kPath, to_message(sample_path())),
+          type_of(channels::kDrivingState, to_message(driving))};
 }
 
 /// Those of a simulated run.

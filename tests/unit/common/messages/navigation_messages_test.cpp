@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the robot is asked on its way, and what planning answers.
+// What the robot is asked on its way, what planning answers, and how the drive stands.
 #include <functional>
 
 #include <gtest/gtest.h>
 
+#include "common/messages/driving_state.hpp"
 #include "common/messages/pieces.hpp"
 #include "common/messages/plan_goal.hpp"
 #include "common/messages/planar.hpp"
@@ -44,6 +45,10 @@ PlannedPath blocked(std::size_t cells, std::int64_t utime = kUtime, std::int32_t
   return path;
 }
 
+DrivingState driving(std::int64_t utime = kUtime, std::int32_t id = 4) {
+  return {utime, id, DrivingState::Kind::kFailed, "it left the path", 2.5, 7.1, {0.4, -0.01}};
+}
+
 template <class Message, class Value>
 std::string_view refusal_after(const Value& value, const std::function<void(Message&)>& change) {
   Message message = to_message(value);
@@ -59,6 +64,7 @@ TEST(NavigationMessages, GoThereAndBack) {
   EXPECT_EQ(*over_the_wire(goal(kUtime)), goal(kUtime));
   EXPECT_EQ(*over_the_wire(found()), found());
   EXPECT_EQ(*over_the_wire(blocked(3)), blocked(3));
+  EXPECT_EQ(*over_the_wire(driving()), driving());
 }
 
 TEST(NavigationMessages, AreRefusedWithATimeOrAnIdThatCannotBe) {
@@ -68,6 +74,8 @@ TEST(NavigationMessages, AreRefusedWithATimeOrAnIdThatCannotBe) {
   EXPECT_EQ(over_the_wire(goal(kUtime, -1)).refusal(), "negative id");
   EXPECT_EQ(over_the_wire(blocked(1, -1)).refusal(), kImplausibleTime);
   EXPECT_EQ(over_the_wire(blocked(1, kUtime, -1)).refusal(), "negative id");
+  EXPECT_EQ(over_the_wire(driving(-1)).refusal(), kImplausibleTime);
+  EXPECT_EQ(over_the_wire(driving(kUtime, -1)).refusal(), "negative id");
 }
 
 TEST(ScanRequestMessage, IsRefusedForALaserThatIsNone) {
@@ -145,6 +153,19 @@ TEST(PlannedPathMessage, IsRefusedWithEvidenceThatIsNone) {
   EXPECT_TRUE(refusal_after<Message>(blocked(2), [](Message& m) {
                 m.blocking[1].height_m = kNaN;
               }).empty());
+}
+
+TEST(DrivingStateMessage, IsRefusedWithWhatCannotBe) {
+  using Message = driving_state_t;
+  const auto refusal = [](const std::function<void(Message&)>& change) {
+    return refusal_after<Message>(driving(), change);
+  };
+  EXPECT_EQ(refusal([](Message& m) { m.state = 5; }), "unknown state");
+  EXPECT_EQ(refusal([](Message& m) { m.state = -1; }), "unknown state");
+  EXPECT_EQ(refusal([](Message& m) { m.progress_m = kNaN; }), "way that is none");
+  EXPECT_EQ(refusal([](Message& m) { m.remaining_m = -0.1; }), "way that is none");
+  EXPECT_EQ(refusal([](Message& m) { m.lateral_error_m = kNaN; }), "lateral error is not finite");
+  EXPECT_EQ(refusal([](Message& m) { m.heading_error_rad = kNaN; }), "heading error is not finite");
 }
 
 }  // namespace

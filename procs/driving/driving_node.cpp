@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/driving/driving_node.hpp"
+
+#include "common/bus/channels.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/drive_command.hpp"
+#include "common/messages/driving_state.hpp"
+#include "common/messages/planned_path.hpp"
+#include "common/messages/pose.hpp"
+#include "common/messages/scan_match.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::size_t kPosesWaiting = 100;  // more than a second of an LMS-200 at 75 Hz
+constexpr std::int64_t kStatePeriodUs = 4 * DrivingNode::kCommandPeriodUs;
+
+bool is_news(const DrivingState& state, const DrivingState& told) {
+  return state.kind != told.kind || state.reason != told.reason || state.path_id != told.path_id ||
+         state.utime < told.utime || state.utime >= told.utime + kStatePeriodUs;
+}
+
+}  // namespace
+
+DrivingNode::DrivingNode(Bus& bus, const Params& params) : bus_(bus), driving_(params) {
+  const auto measured = Delivery::queued(kPosesWaiting);
+  subscribe<pose_t>(bus, channels::kPose, measured, [this](const StampedPose& pose) {
+    driving_.add_pose(pose.utime, pose.T_odom_body);
+  });
+  subscribe<scan_match_t>(bus, channels::kScanMatch, measured, [this](const ScanMatch& match) {
+    driving_.add_match(match.utime, match.status);
+  });
+  subscribe<planned_path_t>(bus, channels::kPath, Delivery::latest(),
+                            [this](const PlannedPath& path) { driving_.follow(path); });
+  bus.every(kCommandPeriodUs, [this](std::int64_t utime) { drive(utime); });
+}
+
+void DrivingNode::drive(std::int64_t utime) {
+  const DriveOutput output = driving_.drive(utime);
+  publish(bus_, channels::kDriveCommand, to_message(output.command));
+  if (!told_ || is_news(output.state, *told_)) tell(output.state);
+}
+
+void DrivingNode::tell(const DrivingState& state) {
+  publish(bus_, channels::kDrivingState, to_message(state));
+  told_ = state;
+}
+
+Health DrivingNode::health() const {
+  using Level = Health::Level;
+  const DrivingState& state = driving_.state();
+  if (state.kind == DrivingState::Kind::kWaiting) return {Level::kDegraded, state.reason};
+  if (state.kind == DrivingState::Kind::kFailed) return {Level::kFault, state.reason};
+  return {};
+}
+
+}  // namespace adit

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "common/bus/bus.hpp"
+#include "common/messages/heartbeat.hpp"
+#include "procs/driving/driving.hpp"
+
+namespace adit {
+
+/// In:  PATH (planned_path_t); POSE (pose_t); SCAN_MATCH (scan_match_t), if it comes.
+/// Out: DRIVE_COMMAND (drive_command_t), each kCommandPeriodUs, also while it stands, so that a
+///      silent channel means that driving is dead; DRIVING_STATE (driving_state_t), each fourth
+///      time and when its kind, its reason or the path changes.
+class DrivingNode {
+ public:
+  using Params = DrivingParams;
+
+  static constexpr std::int64_t kCommandPeriodUs = 50'000;
+
+  /// Throws as Driving does.
+  DrivingNode(Bus& bus, const Params& params);
+
+  /// Degraded while it waits, at fault beside its path.
+  [[nodiscard]] Health health() const;
+
+ private:
+  void drive(std::int64_t utime);
+  void tell(const DrivingState& state);
+
+  Bus& bus_;
+  Driving driving_;
+  std::optional<DrivingState> told_;
+};
+
+}  // namespace adit

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/robot_that_matches_scans.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace adit {
+namespace {
+
+ScanMatchingParams matching_params() {
+  ScanMatchingParams params;
+  params.lasers = groundhog_lasers();
+  return params;
+}
+
+}  // namespace
+
+RobotThatMatchesScans::RobotThatMatchesScans(World world)
+    : site_(std::move(world)), scan_matching_(bus_, matching_params()) {}
+
+void RobotThatMatchesScans::run(double seconds) {
+  const std::int64_t end = sim_.simulation().utime() + std::llround(seconds * 1e6);
+  while (sim_.simulation().utime() < end) {
+    bus_.advance_to(sim_.next_utime());
+    sim_.step();
+  }
+}
+
+}  // namespace adit

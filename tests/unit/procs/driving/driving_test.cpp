@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/driving/driving.hpp"
+
+#include <cmath>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "common/geometry/arc.hpp"
+#include "tests/support/path_sketch.hpp"
+
+namespace adit {
+namespace {
+
+using Kind = DrivingState::Kind;
+
+constexpr std::int64_t kStart = 1'600'000'000'000'000;
+constexpr std::int64_t kPeriodUs = 50'000;
+
+/// A vehicle with four-wheel steering that does at once what it is told.
+class ObedientVehicle : public testing::Test {
+ protected:
+  DriveOutput step(bool with_pose = true) {
+    utime_ += kPeriodUs;
+    if (with_pose) driving_.add_pose(utime_, T_odom_body_);
+    DriveOutput output = driving_.drive(utime_);
+    const double way_m = output.command.speed_m_s * 1e-6 * kPeriodUs;
+    T_odom_body_ = T_odom_body_ * along_arc(way_m, way_m * output.command.curvature_1_m);
+    return output;
+  }
+
+  /// Until it is in a state, or for a minute.
+  DriveOutput drive_until(Kind kind, const std::function<void(const DriveOutput&)>& look = {}) {
+    DriveOutput output;
+    for (int i = 0; i < 1200; ++i) {
+      output = step();
+      if (look) look(output);
+      if (output.state.kind == kind) break;
+    }
+    return output;
+  }
+
+  void step_for(double seconds, bool with_pose = true) {
+    for (int i = 0; i < std::lround(seconds / 0.05); ++i) step(with_pose);
+  }
+
+  void expect_standing(Kind kind, const std::string& reason, bool with_pose = true) {
+    const DriveOutput output = step(with_pose);
+    EXPECT_EQ(output.command.speed_m_s, 0.0);
+    EXPECT_EQ(output.command.utime, utime_);
+    EXPECT_EQ(output.state.kind, kind);
+    EXPECT_EQ(output.state.reason, reason);
+  }
+
+  static PlannedPath straight(std::int32_t id = 1) {
+    PlannedPath path = PathSketch({}).go(8.0).path();
+    path.id = id;
+    return path;
+  }
+
+  Driving driving_{DrivingParams{}};
+  std::int64_t utime_ = kStart;
+  Pose2 T_odom_body_;
+};
+
+TEST_F(ObedientVehicle, StandsWithoutAPath) {
+  expect_standing(Kind::kIdle, "no path has come yet");
+}
+
+TEST_F(ObedientVehicle, DrivesToTheEndAndStandsThere) {
+  driving_.follow(straight(7));
+  double fastest = 0.0;
+  double before = 0.0;
+  const DriveOutput output = drive_until(Kind::kArrived, [&](const DriveOutput& out) {
+    fastest = std::max(fastest, out.command.speed_m_s);
+    EXPECT_LE(out.command.speed_m_s, before + 0.2 * 0.05 + 1e-9);
+    before = out.command.speed_m_s;
+  });
+  EXPECT_DOUBLE_EQ(fastest, 0.4);
+  EXPECT_EQ(output.state.path_id, 7);
+  EXPECT_NEAR(T_odom_body_.x, 8.0, 0.03);
+  EXPECT_NEAR(output.state.progress_m, 8.0, 0.02);
+  EXPECT_NEAR(output.state.remaining_m, 0.0, 0.02);
+  expect_standing(Kind::kArrived, "");
+  step_for(1.0, false);
+  expect_standing(Kind::kArrived, "", false);
+}
+
+TEST_F(ObedientVehicle, StandsInACuspUntilItIsSteeredTheOtherWay) {
+  driving_.follow(PathSketch({}).go(2.0, 0.5).back(2.0, -0.5).path());
+  int standing = 0;
+  bool reversed = false;
+  const DriveOutput end = drive_until(Kind::kArrived, [&](const DriveOutput& out) {
+    const DriveCommand& command = out.command;
+    const bool between_runs = out.state.progress_m > 1.5 && out.state.progress_m < 2.5;
+    if (between_runs && command.speed_m_s == 0.0) ++standing;
+    if (command.speed_m_s < 0.0 && !reversed) {
+      EXPECT_LT(command.curvature_1_m, -0.4);
+      reversed = true;
+    }
+    EXPECT_FALSE(reversed && command.speed_m_s > 0.0);
+  });
+  EXPECT_TRUE(reversed);
+  EXPECT_GE(standing, 40);  // from 0.5 to -0.45 at 0.4 1/m/s takes 2.4 s
+  EXPECT_EQ(end.state.kind, Kind::kArrived);
+  const Pose2 T_odom_end =
+      PathSketch({}).go(2.0, 0.5).back(2.0, -0.5).path().points.back().T_odom_body;
+  EXPECT_LT(between(T_odom_end, T_odom_body_).translation().norm(), 0.05);
+  EXPECT_LT(std::abs(between(T_odom_end, T_odom_body_).theta), deg_to_rad(2.0));
+}
+
+TEST_F(ObedientVehicle, ArrivesAtOnceWhereThePathIsOnePlace) {
+  PlannedPath path = straight();
+  path.points.resize(1);
+  driving_.follow(path);
+  EXPECT_EQ(drive_until(Kind::kArrived).state.kind, Kind::kArrived);
+  EXPECT_EQ(T_odom_body_, Pose2{});
+}
+
+TEST_F(ObedientVehicle, WaitsForPosesAndGoesOnByItself) {
+  driving_.follow(straight());
+  expect_standing(Kind::kWaiting, "no pose has come yet", false);
+  step_for(5.0);
+  EXPECT_EQ(step().state.kind, Kind::kDriving);
+  step_for(0.25, false);
+  expect_standing(Kind::kWaiting, "the newest pose is too old", false);
+  EXPECT_EQ(step().state.kind, Kind::kDriving);
+  EXPECT_EQ(drive_until(Kind::kArrived).state.kind, Kind::kArrived);
+}
+
+TEST_F(ObedientVehicle, WaitsWhileScanMatchingIsLostForLong) {
+  driving_.follow(straight());
+  step_for(3.0);
+  driving_.add_match(utime_, ScanMatch::Status::kLost);
+  step_for(0.5);
+  EXPECT_EQ(driving_.state().kind, Kind::kDriving);
+  driving_.add_match(utime_, ScanMatch::Status::kLost);  // still
+  expect_standing(Kind::kWaiting, "scan matching is lost");
+  driving_.add_match(utime_, ScanMatch::Status::kRefused);  // says nothing
+  expect_standing(Kind::kWaiting, "scan matching is lost");
+  driving_.add_match(utime_, ScanMatch::Status::kMatched);
+  EXPECT_EQ(step().state.kind, Kind::kDriving);
+}
+
+TEST_F(ObedientVehicle, StandsBesideItsPathUntilANewOneComes) {
+  driving_.follow(straight());
+  step_for(5.0);
+  const Pose2 on_path = T_odom_body_;
+  T_odom_body_.y = 0.6;
+  expect_standing(Kind::kFailed, "it is 0.60 m off the path");
+  T_odom_body_ = on_path;
+  step_for(1.0);
+  expect_standing(Kind::kFailed, "it is 0.60 m off the path");
+  driving_.follow(PathSketch({}, T_odom_body_).go(2.0).path());
+  EXPECT_EQ(step().state.kind, Kind::kDriving);
+}
+
+TEST_F(ObedientVehicle, DoesNotDriveToAPathThatBeginsElsewhere) {
+  driving_.follow(PathSketch({}, {1.5, 0.0, 0.0}).go(5.0).path());
+  expect_standing(Kind::kFailed, "it is 1.50 m off the path");
+}
+
+TEST_F(ObedientVehicle, DoesNotFollowAPathWithoutEnd) {
+  PlannedPath path = straight();
+  path.points.back().T_odom_body.x = 1e300;
+  driving_.follow(path);
+  expect_standing(Kind::kIdle, "the path is longer than any that can be driven");
+}
+
+TEST_F(ObedientVehicle, DoesNotFollowAPathThatItLooksAwayFrom) {
+  T_odom_body_.theta = 0.6;
+  driving_.follow(straight());
+  expect_standing(Kind::kFailed, "it looks 34 degrees off the path");
+}
+
+TEST_F(ObedientVehicle, StandsWhenANewPlanFoundNoPath) {
+  driving_.follow(straight());
+  step_for(5.0);
+  PlannedPath none;
+  none.id = 2;
+  none.reason = "No path: a roof that is too low is in the way.";
+  driving_.follow(none);
+  expect_standing(Kind::kIdle, none.reason);
+  EXPECT_EQ(driving_.state().path_id, 2);
+}
+
+TEST_F(ObedientVehicle, TakesANewPathWhileItMoves) {
+  driving_.follow(straight());
+  step_for(5.0);
+  const double before = step().command.speed_m_s;
+  driving_.follow(PathSketch({}, T_odom_body_).go(5.0).path());
+  EXPECT_GE(step().command.speed_m_s, before);
+  driving_.follow(PathSketch({}, T_odom_body_).back(2.0).path());
+  EXPECT_EQ(step().command.speed_m_s, 0.0);
+  EXPECT_EQ(drive_until(Kind::kArrived).state.kind, Kind::kArrived);
+}
+
+TEST_F(ObedientVehicle, WaitsWhereTimeIsNotThatOfThePoses) {
+  driving_.follow(straight());
+  step_for(5.0);
+  utime_ -= 3'600'000'000;  // the clock of the commands, and of no pose yet
+  expect_standing(Kind::kWaiting, "the newest pose is of a time to come", false);
+  EXPECT_EQ(step().state.kind, Kind::kDriving);
+}
+
+TEST(Driving, RefusesAVehicleThatCannotBeSteered) {
+  DrivingParams params;
+  params.vehicle.steering = "ackermann";
+  params.vehicle.turning_radius_m = 0.5;
+  EXPECT_THROW(Driving{params}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace adit

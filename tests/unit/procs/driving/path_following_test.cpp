@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Drives along paths in the simulator, with noise of poses and with slip. All figures, with more
+// drives: tests/eval, path_following_table.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/corridor_path.hpp"
+#include "tests/support/path_drive.hpp"
+#include "tests/support/path_sketch.hpp"
+
+namespace adit {
+namespace {
+
+using Kind = DrivingState::Kind;
+
+constexpr double kNearM = 0.10;         // what is asked of 95 % of the way
+constexpr double kSwingsPerM = 0.6;     // of a slalom, that has bends of 2.5 m, with one cut each
+constexpr double kSteeringRate = 0.25;  // rms [1/m/s], beside 0.4 that it may have
+
+class PathFollowing : public testing::TestWithParam<const char*> {
+ protected:
+  static PathDriveSetup setup() {
+    PathDriveSetup setup;
+    setup.driving.vehicle.steering = GetParam();
+    return setup;
+  }
+};
+
+/// Four drives, each with other noise and slip.
+void expect_near(const PlannedPath& path, PathDriveSetup setup) {
+  std::vector<double> lateral_m;
+  for (setup.seed = 1; setup.seed <= 4; ++setup.seed) {
+    const PathDrive drive = drive_path(path, setup);
+    EXPECT_EQ(drive.end, Kind::kArrived) << drive.reason;
+    EXPECT_LE(drive.swings_per_m, kSwingsPerM);
+    EXPECT_LE(drive.steering_rms_1_m_s, kSteeringRate);
+    lateral_m.insert(lateral_m.end(), drive.lateral_m.begin(), drive.lateral_m.end());
+  }
+  EXPECT_LE(quantile(lateral_m, 0.95), kNearM);
+}
+
+TEST_P(PathFollowing, StaysNearEveryShapeInBothDirections) {
+  for (const PathShape& shape : path_shapes(setup().driving.vehicle, 1.6)) {
+    SCOPED_TRACE(shape.name);
+    expect_near(shape.path, setup());
+    expect_near(driven_in_reverse(shape.path), setup());
+  }
+}
+
+TEST_P(PathFollowing, StaysNearWhatPlanningFinds) {
+  for (std::uint32_t seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE(seed);
+    expect_near(corridor_path(seed, setup().driving.vehicle), setup());
+  }
+}
+
+TEST_P(PathFollowing, ArrivesWhereThePathEndsWherePosesAreGood) {
+  PathDriveSetup quiet = setup();
+  quiet.noise = PoseNoise::none();
+  for (const PathShape& shape : path_shapes(quiet.driving.vehicle, 1.8)) {
+    SCOPED_TRACE(shape.name);
+    const PathDrive drive = drive_path(shape.path, quiet);
+    EXPECT_EQ(drive.end, Kind::kArrived) << drive.reason;
+    EXPECT_LE(drive.T_end_body.translation().norm(), 0.05);
+    EXPECT_LE(std::abs(drive.T_end_body.theta), deg_to_rad(2.0));
+  }
+}
+
+TEST_P(PathFollowing, TakesUpABeginningBesideThePath) {
+  PathDriveSetup quiet = setup();
+  quiet.noise = PoseNoise::none();
+  for (const double side : {-1.0, 1.0}) {
+    for (const double turn : {-1.0, 1.0}) {
+      const Pose2 start{0.0, 0.07 * side, deg_to_rad(5.6) * turn};
+      const auto path = PathSketch(quiet.driving.vehicle, start).go(10.0).path();
+      const PathDrive drive = drive_path(path, quiet);
+      ASSERT_EQ(drive.end, Kind::kArrived) << drive.reason;
+      // After five metres, six times the response, what is left is that of side slip.
+      const std::vector<double> late(drive.lateral_m.begin() + 250, drive.lateral_m.end());
+      EXPECT_LE(quantile(late, 1.0), 0.05);
+    }
+  }
+}
+
+TEST_P(PathFollowing, StandsWithinItsBrakingDistanceWhenPosesEnd) {
+  PathDriveSetup silent = setup();
+  silent.poses_end_m = 4.0;
+  const PathDrive drive = drive_path(PathSketch(silent.driving.vehicle).go(12.0).path(), silent);
+  const double v = drive.speed_then_m_s;
+  EXPECT_EQ(drive.end, Kind::kWaiting);
+  EXPECT_NEAR(v, 0.4, 0.01);
+  // The age at which a pose is too old, and a period of commands; a centimetre of time steps.
+  const double reaction_s = silent.driving.trust.pose_age_max_s + 0.05;
+  EXPECT_LE(drive.without_poses_m, v * reaction_s + v * v / (2.0 * 0.8) + 0.01);
+}
+
+TEST_P(PathFollowing, GivesTheSameDriveTwice) {
+  const auto path = path_shapes(setup().driving.vehicle, 1.6)[3].path;
+  EXPECT_EQ(drive_path(path, setup()).lateral_m, drive_path(path, setup()).lateral_m);
+}
+
+INSTANTIATE_TEST_SUITE_P(Driving, PathFollowing, testing::Values("four_wheel", "ackermann"));
+
+TEST(PurePursuit, FollowsGentlePathsToo) {
+  PathDriveSetup setup;
+  setup.driving.controller = "pure_pursuit";
+  const auto shapes = path_shapes(setup.driving.vehicle, 1.6);
+  for (const std::size_t i : {0U, 1U, 2U}) {  // straight, gentle S, circle
+    SCOPED_TRACE(shapes[i].name);
+    expect_near(shapes[i].path, setup);
+    expect_near(driven_in_reverse(shapes[i].path), setup);
+  }
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How long a 3D scan of 240 × 361 beams takes to get into an octree of 0.1 m: with OctoMap as it
+// comes, from one origin and with that of each line, and as volume_map does it. Times are of the
+// processor, so that others on the machine count little.
+#include <benchmark/benchmark.h>
+#include <octomap/OcTree.h>
+
+#include "procs/volume_map/occupancy_tree.hpp"
+#include "procs/volume_map/scan_cells.hpp"
+#include "sim/world/build_world.hpp"
+#include "sim/world/drift_line.hpp"
+#include "sim/world/world_file.hpp"
+#include "tests/support/tilt_sweep.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kCellM = 0.1;
+constexpr double kRangeMaxM = 20.0;
+
+Cloud make_scan() {
+  const WorldDescription description = find_world("mathies");
+  const Site site(build_world(description));
+  const auto drifts = drift_lines(description.plan);
+  const auto [p_world, heading_rad] = find_drift(drifts, "main", "bench").at(50.0);
+  return tilt_sweep(site, level_on_floor(site.world(), {p_world.x(), p_world.y(), heading_rad}));
+}
+
+const Cloud& scan() {
+  static const Cloud cloud = make_scan();
+  return cloud;
+}
+
+octomap::point3d octo(const Eigen::Vector3f& p) { return {p.x(), p.y(), p.z()}; }
+
+octomap::Pointcloud points_of(const CloudLine& line) {
+  octomap::Pointcloud points;
+  for (const Eigen::Vector3f& p : line.points) points.push_back(octo(p));
+  return points;
+}
+
+/// As most do it: one origin for all, here that of the line in the middle.
+void octomap_one_origin(benchmark::State& state) {
+  octomap::Pointcloud points;
+  for (const CloudLine& line : scan().lines) points.push_back(points_of(line));
+  const auto origin = octo(scan().lines[scan().lines.size() / 2].origin);
+  const bool discretize = state.range(0) != 0;
+  for (auto _ : state) {
+    octomap::OcTree tree(kCellM);
+    tree.insertPointCloud(points, origin, kRangeMaxM, false, discretize);
+    benchmark::DoNotOptimize(tree);
+  }
+  state.counters["points"] = static_cast<double>(scan().points());
+}
+
+void octomap_each_origin(benchmark::State& state) {
+  for (auto _ : state) {
+    octomap::OcTree tree(kCellM);
+    octomap::KeySet free;
+    octomap::KeySet occupied;
+    for (const CloudLine& line : scan().lines) {
+      octomap::KeySet free_of_line;
+      octomap::KeySet occupied_of_line;
+      if (state.range(0) != 0) {
+        tree.computeDiscreteUpdate(points_of(line), octo(line.origin), free_of_line,
+                                   occupied_of_line, kRangeMaxM);
+      } else {
+        tree.computeUpdate(points_of(line), octo(line.origin), free_of_line, occupied_of_line,
+                           kRangeMaxM);
+      }
+      free.insert(free_of_line.begin(), free_of_line.end());
+      occupied.insert(occupied_of_line.begin(), occupied_of_line.end());
+    }
+    for (const auto& key : free) {
+      if (occupied.find(key) == occupied.end()) tree.updateNode(key, false);
+    }
+    for (const auto& key : occupied) tree.updateNode(key, true);
+    benchmark::DoNotOptimize(tree);
+    state.counters["nodes"] = static_cast<double>(tree.size());
+    state.counters["cells"] = static_cast<double>(free.size());
+  }
+}
+
+ScanCells cells_of(const Cloud& cloud) {
+  const VoxelGrid grid(kCellM);
+  ScanCells cells;
+  for (const CloudLine& line : cloud.lines) add_line(grid, line, kRangeMaxM, cells);
+  return cells;
+}
+
+void rays(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(cells_of(scan()));
+}
+
+void tree_update(benchmark::State& state) {
+  const ScanCells cells = cells_of(scan());
+  for (auto _ : state) {
+    OccupancyTree tree(kCellM);
+    tree.update(runs_of(cells.free, cells.occupied));
+    benchmark::DoNotOptimize(tree);
+    state.counters["nodes"] = static_cast<double>(tree.nodes());
+  }
+}
+
+void insertion(benchmark::State& state) {
+  for (auto _ : state) {
+    OccupancyTree tree(kCellM);
+    const ScanCells cells = cells_of(scan());
+    tree.update(runs_of(cells.free, cells.occupied));
+    benchmark::DoNotOptimize(tree);
+  }
+}
+
+void stream(benchmark::State& state) {
+  OccupancyTree tree(kCellM);
+  const ScanCells cells = cells_of(scan());
+  tree.update(runs_of(cells.free, cells.occupied));
+  for (auto _ : state) benchmark::DoNotOptimize(tree.stream());
+  state.counters["bytes"] = static_cast<double>(tree.stream().size());
+}
+
+BENCHMARK(octomap_one_origin)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(octomap_each_origin)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(rays)->Unit(benchmark::kMillisecond);
+BENCHMARK(tree_update)->Unit(benchmark::kMillisecond);
+BENCHMARK(insertion)->Unit(benchmark::kMillisecond);
+BENCHMARK(stream)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace adit

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/volume_map/scan_cells.hpp"
 
-#include <array>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,63 +10,60 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr std::array<VoxelCode, 3> kAxisBits{0x249249249249U, 0x492492492492U, 0x924924924924U};
-
 /// The sum in this order, in single precision, as OctoMap has it.
 double norm(const Vector3f& v) {
   return std::sqrt(static_cast<double>(v.x() * v.x() + v.y() * v.y() + v.z() * v.z()));
 }
 
-/// Where a ray crosses into the next cell along one axis, by its length so far [m], and what this
-/// does to the code of the cell.
+/// One axis along a ray.
 struct Axis {
-  double next = std::numeric_limits<double>::max();
-  double step = std::numeric_limits<double>::max();
-  VoxelCode code_step = 0;
+  double next_m = std::numeric_limits<double>::max();  ///< of the ray, up to the next cell
+  double step_m = 0.0;                                 ///< of the ray, from cell to cell
+  VoxelCode bits = 0;                                  ///< of codes that belong to the axis
+  VoxelCode code_step = 0;                             ///< to the next cell, among these bits
 };
 
-Axis axis_of(const VoxelGrid& grid, int i, int key, float origin, float direction) {
+template <unsigned kAxis>
+Axis axis_of(const VoxelGrid& grid, int key, float origin, float direction) {
+  constexpr VoxelCode kOne = VoxelCode{1} << kAxis;
+  constexpr VoxelCode kBits = spread_bits(0xFFFFU) << kAxis;
   if (direction == 0.0F) return {};
   const bool up = direction > 0.0F;
-  const auto half = static_cast<float>((up ? 1 : -1) * grid.cell_m() * 0.5);
+  const auto half = static_cast<float>((up ? 0.5 : -0.5) * grid.cell_m());
   const double border = grid.centre_m(key) + static_cast<double>(half);
-  const VoxelCode bits = kAxisBits[static_cast<std::size_t>(i)];
-  const VoxelCode one = bits & (~bits + 1);
   return {(border - static_cast<double>(origin)) / static_cast<double>(direction),
-          grid.cell_m() / std::abs(static_cast<double>(direction)),
-          up ? ~bits + 1 : ~one + 1};
+          grid.cell_m() / std::abs(static_cast<double>(direction)), kBits,
+          up ? ~kBits + 1 : ~kOne + 1};  // a carry passes over the bits of other axes
 }
 
 /// The cells from that of the origin to that before the end: Amanatides & Woo 1987, in the
-/// arithmetic of OcTreeBaseImpl::computeRayKeys. Steps are taken without branches, of which the
-/// processor could foresee none.
-void add_ray(const VoxelGrid& grid, const Vector3f& origin, const VoxelGrid::Keys& origin_keys,
+/// arithmetic of OcTreeBaseImpl::computeRayKeys. Where rounding makes the ray miss the cell of its
+/// end, its length ends it.
+void add_ray(const VoxelGrid& grid, const Vector3f& origin, const VoxelGrid::Keys& keys,
              const Vector3f& end, VoxelCode end_code, CellSet& free) {
-  VoxelCode code = VoxelGrid::code_of(origin_keys);
+  VoxelCode code = VoxelGrid::code_of(keys);
   if (code == end_code) return;
-  Vector3f direction = end - origin;
-  const auto length = static_cast<float>(norm(direction));
-  direction /= length;
-  Axis x = axis_of(grid, 0, origin_keys.x(), origin.x(), direction.x());
-  Axis y = axis_of(grid, 1, origin_keys.y(), origin.y(), direction.y());
-  Axis z = axis_of(grid, 2, origin_keys.z(), origin.z(), direction.z());
-  const double length_m = static_cast<double>(length);
-  VoxelCode cx = code & kAxisBits[0];
-  VoxelCode cy = code & kAxisBits[1];
-  VoxelCode cz = code & kAxisBits[2];
-  do {
+  const Vector3f beam = end - origin;
+  const auto length = static_cast<float>(norm(beam));
+  Axis x = axis_of<0>(grid, keys.x(), origin.x(), beam.x() / length);
+  Axis y = axis_of<1>(grid, keys.y(), origin.y(), beam.y() / length);
+  Axis z = axis_of<2>(grid, keys.z(), origin.z(), beam.z() / length);
+
+  double limit_m = std::numeric_limits<double>::max();  // the first cell counts in any case
+  const auto leave_along = [&](Axis& axis) {
+    if (axis.next_m > limit_m) return false;
     free.insert(code);
-    const bool x_first = (x.next < y.next) & (x.next < z.next);
-    const bool y_first = !(x.next < y.next) & (y.next < z.next);
-    const bool z_first = !(x_first | y_first);
-    x.next += x_first ? x.step : 0.0;
-    y.next += y_first ? y.step : 0.0;
-    z.next += z_first ? z.step : 0.0;
-    cx = (cx + (x_first ? x.code_step : 0)) & kAxisBits[0];
-    cy = (cy + (y_first ? y.code_step : 0)) & kAxisBits[1];
-    cz = (cz + (z_first ? z.code_step : 0)) & kAxisBits[2];
-    code = cx | cy | cz;
-  } while (code != end_code && !(std::min(std::min(x.next, y.next), z.next) > length_m));
+    axis.next_m += axis.step_m;
+    code = (code & ~axis.bits) | (((code & axis.bits) + axis.code_step) & axis.bits);
+    return code != end_code;
+  };
+  for (bool on = true; on; limit_m = static_cast<double>(length)) {
+    if (x.next_m < y.next_m) {
+      on = x.next_m < z.next_m ? leave_along(x) : leave_along(z);
+    } else {
+      on = y.next_m < z.next_m ? leave_along(y) : leave_along(z);
+    }
+  }
 }
 
 }  // namespace

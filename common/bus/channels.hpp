@@ -27,6 +27,7 @@ inline constexpr std::string_view kTiltCommandRear = "TILT_COMMAND_REAR";
 inline constexpr std::string_view kScanRequest = "SCAN_REQUEST";
 inline constexpr std::string_view kCloud = "CLOUD";
 inline constexpr std::string_view kTerrain = "TERRAIN";
+inline constexpr std::string_view kVolume = "VOLUME";
 inline constexpr std::string_view kGoal = "GOAL";
 inline constexpr std::string_view kPath = "PATH";
 inline constexpr std::string_view kVehicleState = "VEHICLE_STATE";
@@ -47,7 +48,7 @@ inline constexpr std::array kAll{
     kMapCorrection,   kAssociation,  kDriveCommand, kStop,        kTiltCommandFront,
     kTiltCommandRear, kVehicleState, kGas,          kSinkage,     kTruth,
     kRunState,        kSimTime,      kSimTimeDone,  kScanRequest, kCloud,
-    kTerrain,         kGoal,         kPath,         kHeartbeat,   kConfig,
-    kStageStats};
+    kTerrain,         kVolume,       kGoal,         kPath,        kHeartbeat,
+    kConfig,          kStageStats};
 
 }  // namespace adit::channels

@@ -9,12 +9,13 @@
 #include <unordered_map>
 #include <vector>
 
+#include "common/volume/cell_run.hpp"
 #include "common/volume/voxel_grid.hpp"
 
 namespace adit {
 
-/// A set of cells, a bit for each, in blocks of 32 × 32 × 32 where there are any. Neighbours in space
-/// are neighbours in memory.
+/// A set of cells, a bit for each, in blocks of 32 × 32 × 32 where there are any. Neighbours in
+/// space are neighbours in memory.
 class CellSet {
  public:
   /// True where the cell was not there yet.
@@ -47,16 +48,7 @@ class CellSet {
   VoxelCode last_number_ = ~VoxelCode{0};
   Block* last_block_ = nullptr;
 
-  friend std::vector<struct CellRun> runs_of(const CellSet& free, const CellSet& occupied);
-};
-
-/// Cells that follow each other along the curve and are all of one kind.
-struct CellRun {
-  VoxelCode first = 0;
-  VoxelCode end = 0;  ///< behind the last
-  bool occupied = false;
-
-  friend bool operator==(const CellRun&, const CellRun&) = default;
+  friend std::vector<CellRun> runs_of(const CellSet& free, const CellSet& occupied);
 };
 
 /// The cells of both along the curve; what is in both is occupied.

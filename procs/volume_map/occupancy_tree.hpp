@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "procs/volume_map/cell_set.hpp"
+#include "common/volume/cell_run.hpp"
 
 namespace adit {
 

@@ -70,26 +70,25 @@ void add_ray(const VoxelGrid& grid, const Vector3f& origin, const VoxelGrid::Key
 
 void add_line(const VoxelGrid& grid, const CloudLine& line, double range_max_m, ScanCells& cells) {
   const auto origin_keys = grid.keys_of(line.origin);
-  if (!origin_keys) {
-    cells.refused_points += static_cast<std::int64_t>(line.points.size());
-    return;
-  }
   for (const Vector3f& point : line.points) {
-    const Vector3f beam = point - line.origin;
-    const double range_m = norm(beam);
-    const bool cut = !(range_m <= range_max_m);
-    const Vector3f end =
-        cut ? Vector3f(line.origin + beam / static_cast<float>(range_m) *
-                                         static_cast<float>(range_max_m))
-            : point;
-    const auto end_keys = grid.keys_of(end);
-    if (!end_keys) {
+    const auto point_keys = grid.keys_of(point);
+    if (!origin_keys || !point_keys) {
       ++cells.refused_points;
       continue;
     }
-    const VoxelCode end_code = VoxelGrid::code_of(*end_keys);
-    add_ray(grid, line.origin, *origin_keys, end, end_code, cells.free);
-    if (!cut) cells.occupied.insert(end_code);
+    const Vector3f beam = point - line.origin;
+    const double range_m = norm(beam);
+    if (range_m <= range_max_m) {
+      const VoxelCode end = VoxelGrid::code_of(*point_keys);
+      add_ray(grid, line.origin, *origin_keys, point, end, cells.free);
+      cells.occupied.insert(end);
+      continue;
+    }
+    const Vector3f cut =
+        line.origin + beam / static_cast<float>(range_m) * static_cast<float>(range_max_m);
+    if (const auto keys = grid.keys_of(cut)) {
+      add_ray(grid, line.origin, *origin_keys, cut, VoxelGrid::code_of(*keys), cells.free);
+    }
   }
 }
 

@@ -14,12 +14,12 @@ namespace adit {
 struct ScanCells {
   CellSet free;                     ///< through which beams went; also those where others ended
   CellSet occupied;                 ///< in which beams ended
-  std::int64_t refused_points = 0;  ///< not finite, or beyond the cube of the grid
+  std::int64_t refused_points = 0;  ///< no numbers, or beyond the cube of the grid
 };
 
-/// Adds what the beams of a line say, from its origin to each of its points, all in the frame of the
-/// grid. A beam that is longer than `range_max_m` is cut there, and meets nothing. A beam without
-/// return says nothing: water and coal swallow beams at any distance.
+/// Adds what the beams of a line say, from its origin to each of its points, all in the frame of
+/// the grid. A beam that is longer than `range_max_m` is cut there, and meets nothing. A beam
+/// without return says nothing: water and coal swallow beams at any distance.
 ///
 /// The cells are those of octomap::OcTree::computeUpdate, bit for bit.
 void add_line(const VoxelGrid& grid, const CloudLine& line, double range_max_m, ScanCells& cells);

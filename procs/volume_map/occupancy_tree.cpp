@@ -9,6 +9,23 @@
 #include <octomap/OcTree.h>
 
 namespace adit {
+namespace {
+
+std::runtime_error cannot_write(const std::filesystem::path& path) {
+  return std::runtime_error("cannot write " + path.string());
+}
+
+std::ofstream open(const std::filesystem::path& path) {
+  std::ofstream file(path, std::ios::binary);
+  if (!file) throw cannot_write(path);
+  return file;
+}
+
+void finish(std::ofstream& file, const std::filesystem::path& path) {
+  if (!file.flush()) throw cannot_write(path);
+}
+
+}  // namespace
 
 /// OctoMap's tree, with two walks of its own: one that updates many cells with one visit to each
 /// node, and one that writes.
@@ -93,16 +110,21 @@ std::size_t OccupancyTree::nodes() const { return tree_->size(); }
 std::vector<std::uint8_t> OccupancyTree::stream() const { return tree_->stream(); }
 
 void OccupancyTree::write_ot(const std::filesystem::path& path) const {
-  std::ofstream file(path, std::ios::binary);
+  std::ofstream file = open(path);
   tree_->write(file);
-  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
+  finish(file, path);
 }
 
+/// The head is OctoMap's too, whose own writer talks on standard error.
 void OccupancyTree::write_bt(const std::filesystem::path& path) const {
-  std::ofstream file(path, std::ios::binary);
+  std::ofstream file = open(path);
   Tree most_likely(*tree_);
-  most_likely.writeBinary(file);
-  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
+  most_likely.toMaxLikelihood();
+  most_likely.prune();
+  file << "# Octomap OcTree binary file\nid OcTree\nsize " << most_likely.size() << "\nres "
+       << most_likely.getResolution() << "\ndata\n";
+  most_likely.writeBinaryData(file);
+  finish(file, path);
 }
 
 }  // namespace adit

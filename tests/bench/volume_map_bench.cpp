@@ -8,6 +8,7 @@
 
 #include "procs/volume_map/occupancy_tree.hpp"
 #include "procs/volume_map/scan_cells.hpp"
+#include "procs/volume_map/volume_map.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/drift_line.hpp"
 #include "sim/world/world_file.hpp"
@@ -83,49 +84,63 @@ void octomap_each_origin(benchmark::State& state) {
 }
 
 ScanCells cells_of(const Cloud& cloud) {
-  const VoxelGrid grid(kCellM);
   ScanCells cells;
-  for (const CloudLine& line : cloud.lines) add_line(grid, line, kRangeMaxM, cells);
+  for (const CloudLine& line : cloud.lines) {
+    add_line(VoxelGrid(kCellM), line, kRangeMaxM, cells);
+  }
   return cells;
 }
 
-void rays(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(cells_of(scan()));
-}
-
-void tree_update(benchmark::State& state) {
-  const ScanCells cells = cells_of(scan());
+void ours_each_origin(benchmark::State& state) {
+  const Cloud& cloud = scan();
   for (auto _ : state) {
     OccupancyTree tree(kCellM);
+    const ScanCells cells = cells_of(cloud);
     tree.update(runs_of(cells.free, cells.occupied));
-    benchmark::DoNotOptimize(tree);
     state.counters["nodes"] = static_cast<double>(tree.nodes());
   }
 }
 
-void insertion(benchmark::State& state) {
+/// Of these, the way along the beams.
+void ours_beams(benchmark::State& state) {
+  const Cloud& cloud = scan();
+  for (auto _ : state) benchmark::DoNotOptimize(cells_of(cloud));
+}
+
+/// All that a scan costs: the tree, the points that are kept, the stream that is published.
+void sub_volume(benchmark::State& state) {
+  const Cloud& cloud = scan();
   for (auto _ : state) {
-    OccupancyTree tree(kCellM);
-    const ScanCells cells = cells_of(scan());
-    tree.update(runs_of(cells.free, cells.occupied));
-    benchmark::DoNotOptimize(tree);
+    SubVolume volume{SubVolumeParams{}};
+    volume.insert(cloud, {});
+    state.counters["octree_kB"] = 1e-3 * static_cast<double>(volume.octree().size());
+    state.counters["points"] = static_cast<double>(volume.points().size());
   }
 }
 
-void stream(benchmark::State& state) {
-  OccupancyTree tree(kCellM);
-  const ScanCells cells = cells_of(scan());
-  tree.update(runs_of(cells.free, cells.occupied));
-  for (auto _ : state) benchmark::DoNotOptimize(tree.stream());
-  state.counters["bytes"] = static_cast<double>(tree.stream().size());
+/// What a change of the graph costs: a hundred sub-volumes move.
+void change_of_graph(benchmark::State& state) {
+  VolumeMap map{VolumeMapParams{}};
+  Cloud cloud;
+  for (int i = 0; i < 100; ++i) {
+    cloud.T_odom_level.x = 20.0 * i;
+    map.add(cloud);
+  }
+  map.set_graph({0, 1, {{}}, {}});
+  map.set_correction({0, 1, 0, 0, {}, {}});
+  for (auto _ : state) map.set_graph({0, 1, {{1.0, 2.0, 0.1}}, {}});
 }
 
-BENCHMARK(octomap_one_origin)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK(octomap_each_origin)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK(rays)->Unit(benchmark::kMillisecond);
-BENCHMARK(tree_update)->Unit(benchmark::kMillisecond);
-BENCHMARK(insertion)->Unit(benchmark::kMillisecond);
-BENCHMARK(stream)->Unit(benchmark::kMillisecond);
+BENCHMARK(octomap_one_origin)->ArgName("discretize")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(octomap_each_origin)
+    ->ArgName("discretize")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(ours_each_origin)->Unit(benchmark::kMillisecond);
+BENCHMARK(ours_beams)->Unit(benchmark::kMillisecond);
+BENCHMARK(sub_volume)->Unit(benchmark::kMillisecond);
+BENCHMARK(change_of_graph)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace adit

@@ -38,7 +38,7 @@ class OccupancyTree::Tree : public octomap::OcTree {
     if (runs.empty()) return;
     const bool fresh = root == nullptr;
     if (fresh) {
-      root = new Node();  // NOLINT(cppcoreguidelines-owning-memory): OctoMap deletes it
+      root = new Node();  // OctoMap deletes it
       ++tree_size;
       size_changed = true;
     }

@@ -17,7 +17,6 @@
 namespace adit {
 namespace {
 
-constexpr double kCellM = 0.1;
 constexpr double kRangeMaxM = 20.0;
 
 Cloud make_scan() {
@@ -33,6 +32,9 @@ const Cloud& scan() {
   return cloud;
 }
 
+/// The first argument of a benchmark, in millimetres.
+double cell_m(const benchmark::State& state) { return 1e-3 * static_cast<double>(state.range(0)); }
+
 octomap::point3d octo(const Eigen::Vector3f& p) { return {p.x(), p.y(), p.z()}; }
 
 octomap::Pointcloud points_of(const CloudLine& line) {
@@ -46,9 +48,9 @@ void octomap_one_origin(benchmark::State& state) {
   octomap::Pointcloud points;
   for (const CloudLine& line : scan().lines) points.push_back(points_of(line));
   const auto origin = octo(scan().lines[scan().lines.size() / 2].origin);
-  const bool discretize = state.range(0) != 0;
+  const bool discretize = state.range(1) != 0;
   for (auto _ : state) {
-    octomap::OcTree tree(kCellM);
+    octomap::OcTree tree(cell_m(state));
     tree.insertPointCloud(points, origin, kRangeMaxM, false, discretize);
     benchmark::DoNotOptimize(tree);
   }
@@ -57,13 +59,13 @@ void octomap_one_origin(benchmark::State& state) {
 
 void octomap_each_origin(benchmark::State& state) {
   for (auto _ : state) {
-    octomap::OcTree tree(kCellM);
+    octomap::OcTree tree(cell_m(state));
     octomap::KeySet free;
     octomap::KeySet occupied;
     for (const CloudLine& line : scan().lines) {
       octomap::KeySet free_of_line;
       octomap::KeySet occupied_of_line;
-      if (state.range(0) != 0) {
+      if (state.range(1) != 0) {
         tree.computeDiscreteUpdate(points_of(line), octo(line.origin), free_of_line,
                                    occupied_of_line, kRangeMaxM);
       } else {
@@ -83,10 +85,10 @@ void octomap_each_origin(benchmark::State& state) {
   }
 }
 
-ScanCells cells_of(const Cloud& cloud) {
+ScanCells cells_of(const Cloud& cloud, double cell_m) {
   ScanCells cells;
   for (const CloudLine& line : cloud.lines) {
-    add_line(VoxelGrid(kCellM), line, kRangeMaxM, cells);
+    add_line(VoxelGrid(cell_m), line, kRangeMaxM, cells);
   }
   return cells;
 }
@@ -94,8 +96,8 @@ ScanCells cells_of(const Cloud& cloud) {
 void ours_each_origin(benchmark::State& state) {
   const Cloud& cloud = scan();
   for (auto _ : state) {
-    OccupancyTree tree(kCellM);
-    const ScanCells cells = cells_of(cloud);
+    OccupancyTree tree(cell_m(state));
+    const ScanCells cells = cells_of(cloud, cell_m(state));
     tree.update(runs_of(cells.free, cells.occupied));
     state.counters["nodes"] = static_cast<double>(tree.nodes());
   }
@@ -104,14 +106,14 @@ void ours_each_origin(benchmark::State& state) {
 /// Of these, the way along the beams.
 void ours_beams(benchmark::State& state) {
   const Cloud& cloud = scan();
-  for (auto _ : state) benchmark::DoNotOptimize(cells_of(cloud));
+  for (auto _ : state) benchmark::DoNotOptimize(cells_of(cloud, cell_m(state)));
 }
 
 /// All that a scan costs: the tree, the points that are kept, the stream that is published.
 void sub_volume(benchmark::State& state) {
   const Cloud& cloud = scan();
   for (auto _ : state) {
-    SubVolume volume{SubVolumeParams{}};
+    SubVolume volume{{.cell_m = cell_m(state)}};
     volume.insert(cloud, {});
     state.counters["octree_kB"] = 1e-3 * static_cast<double>(volume.octree().size());
     state.counters["points"] = static_cast<double>(volume.points().size());
@@ -131,15 +133,16 @@ void change_of_graph(benchmark::State& state) {
   for (auto _ : state) map.set_graph({0, 1, {{1.0, 2.0, 0.1}}, {}});
 }
 
-BENCHMARK(octomap_one_origin)->ArgName("discretize")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
-BENCHMARK(octomap_each_origin)
-    ->ArgName("discretize")
-    ->Arg(0)
-    ->Arg(1)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(ours_each_origin)->Unit(benchmark::kMillisecond);
-BENCHMARK(ours_beams)->Unit(benchmark::kMillisecond);
-BENCHMARK(sub_volume)->Unit(benchmark::kMillisecond);
+void octomap_arguments(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgNames({"cell_mm", "discretize"});
+  benchmark->Args({100, 0})->Args({100, 1})->Args({50, 0});
+}
+
+BENCHMARK(octomap_one_origin)->Apply(octomap_arguments)->Unit(benchmark::kMillisecond);
+BENCHMARK(octomap_each_origin)->Apply(octomap_arguments)->Unit(benchmark::kMillisecond);
+BENCHMARK(ours_each_origin)->ArgName("cell_mm")->Arg(100)->Arg(50)->Unit(benchmark::kMillisecond);
+BENCHMARK(ours_beams)->ArgName("cell_mm")->Arg(100)->Arg(50)->Unit(benchmark::kMillisecond);
+BENCHMARK(sub_volume)->ArgName("cell_mm")->Arg(100)->Arg(50)->Unit(benchmark::kMillisecond);
 BENCHMARK(change_of_graph)->Unit(benchmark::kMillisecond);
 
 }  // namespace

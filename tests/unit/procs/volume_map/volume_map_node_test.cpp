@@ -78,7 +78,7 @@ TEST_F(VolumeMapNodeOnABus, PublishesNothingBeforeTheFirstGraphAndThenAll) {
   EXPECT_TRUE(volumes_.empty());
   send_graph(1, {{}});
   ASSERT_EQ(volumes_.size(), 2U);
-  EXPECT_EQ(volumes_[1].T_map_volume, Pose2(12.0, 0.0, 0.0));
+  EXPECT_EQ(volumes_[1].T_map_volume, (Pose2{12.0, 0.0, 0.0}));
 }
 
 TEST_F(VolumeMapNodeOnABus, PublishesPosesAloneWhereTheGraphMoves) {
@@ -93,7 +93,7 @@ TEST_F(VolumeMapNodeOnABus, PublishesPosesAloneWhereTheGraphMoves) {
   EXPECT_EQ(poses_[0].id, 1);
   EXPECT_EQ(poses_[0].local_map, 1);
   EXPECT_EQ(poses_[0].graph_revision, 3);
-  EXPECT_EQ(poses_[0].T_map_volume, Pose2(12.0, 0.5, 0.0));
+  EXPECT_EQ(poses_[0].T_map_volume, (Pose2{12.0, 0.5, 0.0}));
 }
 
 TEST_F(VolumeMapNodeOnABus, SaysWhereACloudWasCutShort) {

@@ -144,7 +144,7 @@ TEST(VolumeMap, WaitsForACorrectionAndAGraphOfOneRevision) {
   EXPECT_FALSE(map.volumes()[0].tie);
   map.set_graph(graph_of(2, {{1.0, 0.0, 0.0}}));
   ASSERT_TRUE(map.volumes()[0].tie);
-  EXPECT_EQ(map.volumes()[0].T_map_volume, Pose2(1.0, 0.0, 0.0));
+  EXPECT_EQ(map.volumes()[0].T_map_volume, (Pose2{1.0, 0.0, 0.0}));
 }
 
 TEST(VolumeMap, TakesScansOfOneLocalMapTogetherWhereTheyAreNear) {

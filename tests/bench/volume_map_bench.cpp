@@ -12,6 +12,7 @@
 #include "sim/world/build_world.hpp"
 #include "sim/world/drift_line.hpp"
 #include "sim/world/world_file.hpp"
+#include "tests/support/box_drift.hpp"
 #include "tests/support/tilt_sweep.hpp"
 
 namespace adit {
@@ -27,9 +28,17 @@ Cloud make_scan() {
   return tilt_sweep(site, level_on_floor(site.world(), {p_world.x(), p_world.y(), heading_rad}));
 }
 
-const Cloud& scan() {
-  static const Cloud cloud = make_scan();
-  return cloud;
+/// A hall of 16 × 4 m: beams are longer, and more cells are seen.
+Cloud make_scan_of_hall() {
+  const Site site(box_drift({40.0, 16.0, 4.0}));
+  return tilt_sweep(site, level_on_floor(site.world(), {}));
+}
+
+/// Whether of the hall is the second argument of a benchmark.
+const Cloud& scan(const benchmark::State& state) {
+  static const Cloud drift = make_scan();
+  static const Cloud hall = make_scan_of_hall();
+  return state.range(1) == 0 ? drift : hall;
 }
 
 /// The first argument of a benchmark, in millimetres.
@@ -44,28 +53,29 @@ octomap::Pointcloud points_of(const CloudLine& line) {
 }
 
 /// As most do it: one origin for all, here that of the line in the middle.
-void octomap_one_origin(benchmark::State& state) {
+void octomap_one_origin(benchmark::State& state, bool discretize) {
+  const Cloud& cloud = scan(state);
   octomap::Pointcloud points;
-  for (const CloudLine& line : scan().lines) points.push_back(points_of(line));
-  const auto origin = octo(scan().lines[scan().lines.size() / 2].origin);
-  const bool discretize = state.range(1) != 0;
+  for (const CloudLine& line : cloud.lines) points.push_back(points_of(line));
+  const auto origin = octo(cloud.lines[cloud.lines.size() / 2].origin);
   for (auto _ : state) {
     octomap::OcTree tree(cell_m(state));
     tree.insertPointCloud(points, origin, kRangeMaxM, false, discretize);
     benchmark::DoNotOptimize(tree);
   }
-  state.counters["points"] = static_cast<double>(scan().points());
+  state.counters["points"] = static_cast<double>(cloud.points());
 }
 
-void octomap_each_origin(benchmark::State& state) {
+void octomap_each_origin(benchmark::State& state, bool discretize) {
+  const Cloud& cloud = scan(state);
   for (auto _ : state) {
     octomap::OcTree tree(cell_m(state));
     octomap::KeySet free;
     octomap::KeySet occupied;
-    for (const CloudLine& line : scan().lines) {
+    for (const CloudLine& line : cloud.lines) {
       octomap::KeySet free_of_line;
       octomap::KeySet occupied_of_line;
-      if (state.range(1) != 0) {
+      if (discretize) {
         tree.computeDiscreteUpdate(points_of(line), octo(line.origin), free_of_line,
                                    occupied_of_line, kRangeMaxM);
       } else {
@@ -94,7 +104,7 @@ ScanCells cells_of(const Cloud& cloud, double cell_m) {
 }
 
 void ours_each_origin(benchmark::State& state) {
-  const Cloud& cloud = scan();
+  const Cloud& cloud = scan(state);
   for (auto _ : state) {
     OccupancyTree tree(cell_m(state));
     const ScanCells cells = cells_of(cloud, cell_m(state));
@@ -105,13 +115,13 @@ void ours_each_origin(benchmark::State& state) {
 
 /// Of these, the way along the beams.
 void ours_beams(benchmark::State& state) {
-  const Cloud& cloud = scan();
+  const Cloud& cloud = scan(state);
   for (auto _ : state) benchmark::DoNotOptimize(cells_of(cloud, cell_m(state)));
 }
 
 /// All that a scan costs: the tree, the points that are kept, the stream that is published.
 void sub_volume(benchmark::State& state) {
-  const Cloud& cloud = scan();
+  const Cloud& cloud = scan(state);
   for (auto _ : state) {
     SubVolume volume{{.cell_m = cell_m(state)}};
     volume.insert(cloud, {});
@@ -133,16 +143,18 @@ void change_of_graph(benchmark::State& state) {
   for (auto _ : state) map.set_graph({0, 1, {{1.0, 2.0, 0.1}}, {}});
 }
 
-void octomap_arguments(benchmark::internal::Benchmark* benchmark) {
-  benchmark->ArgNames({"cell_mm", "discretize"});
-  benchmark->Args({100, 0})->Args({100, 1})->Args({50, 0});
+void arguments(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgNames({"cell_mm", "hall"})->Unit(benchmark::kMillisecond);
+  benchmark->Args({100, 0})->Args({50, 0})->Args({100, 1});
 }
 
-BENCHMARK(octomap_one_origin)->Apply(octomap_arguments)->Unit(benchmark::kMillisecond);
-BENCHMARK(octomap_each_origin)->Apply(octomap_arguments)->Unit(benchmark::kMillisecond);
-BENCHMARK(ours_each_origin)->ArgName("cell_mm")->Arg(100)->Arg(50)->Unit(benchmark::kMillisecond);
-BENCHMARK(ours_beams)->ArgName("cell_mm")->Arg(100)->Arg(50)->Unit(benchmark::kMillisecond);
-BENCHMARK(sub_volume)->ArgName("cell_mm")->Arg(100)->Arg(50)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(octomap_one_origin, exact, false)->Apply(arguments);
+BENCHMARK_CAPTURE(octomap_one_origin, discretised, true)->Apply(arguments);
+BENCHMARK_CAPTURE(octomap_each_origin, exact, false)->Apply(arguments);
+BENCHMARK_CAPTURE(octomap_each_origin, discretised, true)->Apply(arguments);
+BENCHMARK(ours_each_origin)->Apply(arguments);
+BENCHMARK(ours_beams)->Apply(arguments);
+BENCHMARK(sub_volume)->Apply(arguments);
 BENCHMARK(change_of_graph)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -28,7 +28,11 @@ SubVolume::SubVolume(const SubVolumeParams& params)
 void SubVolume::insert(const Cloud& cloud, const Pose2& T_volume_level) {
   ScanCells cells;
   for (const CloudLine& line : cloud.lines) {
-    insert_line(move(T_volume_level, line), cloud.id, cells);
+    if (line.origin.norm() <= kOriginMaxM) {
+      insert_line(move(T_volume_level, line), cloud.id, cells);
+    } else {
+      cells.refused_points += static_cast<std::int64_t>(line.points.size());
+    }
   }
   open_->tree.update(runs_of(cells.free, cells.occupied));
   refused_points_ += cells.refused_points;
@@ -45,7 +49,9 @@ void SubVolume::insert_line(const CloudLine& line, std::int32_t scan, ScanCells&
   const VoxelGrid point_grid(params_.point_spacing_m);
   for (const Eigen::Vector3f& p : line.points) {
     const auto keys = point_grid.keys_of(p);
-    if (keys && open_->with_point.insert(VoxelGrid::code_of(*keys))) points_.push_back({p, scan});
+    if (keys && open_->with_point.insert(VoxelGrid::code_of(*keys)).second) {
+      points_.push_back({p, scan});
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 #include <Eigen/Core>
@@ -43,6 +44,8 @@ struct VolumePoint {
 /// does).
 class SubVolume {
  public:
+  static constexpr float kOriginMaxM = 10.0F;  ///< so that the cells of a scan are bounded
+
   explicit SubVolume(const SubVolumeParams& params);
 
   /// In order of time, while it is open.
@@ -62,13 +65,14 @@ class SubVolume {
   [[nodiscard]] std::int64_t free() const { return free_; }          ///< cells
   /// Of each cell of `point_spacing_m` the first point in it, however far away.
   [[nodiscard]] const std::vector<VolumePoint>& points() const { return points_; }
-  /// That were no numbers, or more than 2^15 cells away.
+  /// That were no numbers or more than 2^15 cells away, or whose beams began so far from the body
+  /// that no laser of it can have been there (kOriginMaxM).
   [[nodiscard]] std::int64_t refused_points() const { return refused_points_; }
 
  private:
   struct Open {
     OccupancyTree tree;
-    CellSet with_point;
+    std::unordered_set<VoxelCode> with_point;  ///< cells of `point_spacing_m`
   };
 
   void insert_line(const CloudLine& line, std::int32_t scan, ScanCells& cells);

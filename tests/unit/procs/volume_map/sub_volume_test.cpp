@@ -112,8 +112,11 @@ TEST(SubVolume, LeavesOutPointsThatCannotBe) {
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   cloud.lines.back().points.emplace_back(kNaN, 1.0F, 1.0F);
   cloud.lines.back().points.emplace_back(1e9F, 1.0F, 1.0F);
+  for (const float x : {kNaN, 11.0F}) {
+    cloud.lines.push_back({0, {x, 0.0F, 0.0F}, {{1.0F, 0.0F, 0.0F}}, {}});
+  }
   const SubVolume volume = volume_of(cloud);
-  EXPECT_EQ(volume.refused_points(), 2);
+  EXPECT_EQ(volume.refused_points(), 4);
   EXPECT_EQ(volume.octree(), expected.octree());
   EXPECT_EQ(volume.points().size(), expected.points().size());
 }

@@ -27,6 +27,7 @@ inline constexpr std::string_view kTiltCommandRear = "TILT_COMMAND_REAR";
 inline constexpr std::string_view kScanRequest = "SCAN_REQUEST";
 inline constexpr std::string_view kCloud = "CLOUD";
 inline constexpr std::string_view kTerrain = "TERRAIN";
+inline constexpr std::string_view kVolume = "VOLUME";
 inline constexpr std::string_view kGoal = "GOAL";
 inline constexpr std::string_view kPath = "PATH";
 inline constexpr std::string_view kDrivingState = "DRIVING_STATE";
@@ -43,12 +44,12 @@ inline constexpr std::string_view kStageStats = "STAGE_STATS";
 
 /// All of them.
 inline constexpr std::array kAll{
-    kLaserFront,      kLaserRear,    kPose,         kTiltFront,    kTiltRear,
-    kWheelOdometry,   kImu,          kScanMatch,    kLocalMap,     kPoseGraph,
-    kMapCorrection,   kAssociation,  kDriveCommand, kStop,         kTiltCommandFront,
-    kTiltCommandRear, kVehicleState, kGas,          kSinkage,      kTruth,
-    kRunState,        kSimTime,      kSimTimeDone,  kScanRequest,  kCloud,
-    kTerrain,         kGoal,         kPath,         kDrivingState, kHeartbeat,
-    kConfig,          kStageStats};
+    kLaserFront,      kLaserRear,    kPose,         kTiltFront,   kTiltRear,
+    kWheelOdometry,   kImu,          kScanMatch,    kLocalMap,    kPoseGraph,
+    kMapCorrection,   kAssociation,  kDriveCommand, kStop,        kTiltCommandFront,
+    kTiltCommandRear, kVehicleState, kGas,          kSinkage,     kTruth,
+    kRunState,        kSimTime,      kSimTimeDone,  kScanRequest, kCloud,
+    kTerrain,         kVolume,       kGoal,         kPath,        kDrivingState,
+    kHeartbeat,       kConfig,       kStageStats};
 
 }  // namespace adit::channels

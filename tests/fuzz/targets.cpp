@@ -111,6 +111,7 @@ std::vector<Target> all_targets() {
   targets.push_back(log_target());
   targets.push_back(carmen_target());
   targets.push_back(journal_target());
+  targets.push_back(octree_target());
   for (Target& target : world_targets()) targets.push_back(std::move(target));
   for (Target& target : cloud_targets()) targets.push_back(std::move(target));
   return targets;

@@ -30,6 +30,7 @@
 #include "common/messages/tilt_command.hpp"
 #include "common/messages/tilt_reading.hpp"
 #include "common/messages/vehicle_state.hpp"
+#include "common/messages/volume_pieces.hpp"
 #include "common/messages/wheel_odometry.hpp"
 
 namespace adit {
@@ -131,6 +132,12 @@ TerrainMap sample_terrain() {
   return {kUtime, 3, {12.0, -3.0, 0.7}, {-1.0, -1.0}, 0.1, 3, 2, std::vector<TerrainCell>(6, cell)};
 }
 
+Volume sample_volume() {
+  // The first child of the root is free, the last one occupied.
+  const std::int64_t eighth = std::int64_t{1} << 45;
+  return {kUtime, 3, 1, 12, 7, {12.0, -3.0, 0.7}, 0.1, eighth, eighth, {0x01, 0x80}};
+}
+
 PlannedPath sample_path() {
   PlannedPath path;
   path.utime = kUtime;
@@ -151,6 +158,7 @@ std::vector<MessageType> navigation_types() {
   return {type_of(channels::kScanRequest, to_message(ScanRequest{kUtime, 3, LaserId::kFront})),
           type_of(channels::kCloud, to_message(divide(sample_cloud()).front())),
           type_of(channels::kTerrain, to_message(divide(sample_terrain()).front())),
+          type_of(channels::kVolume, to_message(divide(sample_volume()).front())),
           type_of(channels::kGoal, to_message(goal)),
           type_of(channels::kPath, to_message(sample_path())),
           type_of(channels::kDrivingState, to_message(driving))};

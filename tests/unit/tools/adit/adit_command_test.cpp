@@ -46,6 +46,7 @@ TEST_F(AditCommand, TeachesByItsHelp) {
                                                   {"scan"},
                                                   {"sim"},
                                                   {"spy"},
+                                                  {"volume"},
                                                   {"completion"}}) {
     std::vector<std::string> arguments = command;
     arguments.emplace_back("--help");
@@ -68,6 +69,7 @@ TEST_F(AditCommand, WrongUseIsOneLineAndExitCodeTwo) {
         {"sample", at("x.log"), "--length-m", "0"},
         {"sample", at("x.log"), "--world", "flat"},
         {"map", at("missing"), "--out", at("map")},
+        {"volume", at("missing"), "--out", at("volume")},
         {"optimize", at("missing")},
         {"optimize", at("missing"), "--loops", "none"},
         {"optimize", at("missing"), "--loops", "lazy"},

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "common/volume/cell_run.hpp"
+#include "common/volume/voxel_grid.hpp"
+
+namespace adit {
+
+/// A set of cells, a bit for each, in blocks of 32 × 32 × 32 where there are any. Neighbours in
+/// space are neighbours in memory.
+class CellSet {
+ public:
+  /// True where the cell was not there yet.
+  bool insert(VoxelCode cell) {
+    std::uint64_t& word = block_of(cell)[word_of(cell)];
+    const std::uint64_t before = word;
+    word |= bit_of(cell);
+    return word != before;
+  }
+
+  [[nodiscard]] bool contains(VoxelCode cell) const;
+  [[nodiscard]] std::size_t size() const;
+
+ private:
+  static constexpr unsigned kBlockBits = 15;
+  using Block = std::array<std::uint64_t, 512>;
+
+  static std::size_t word_of(VoxelCode cell) { return (cell >> 6U) % std::tuple_size_v<Block>; }
+  static std::uint64_t bit_of(VoxelCode cell) { return std::uint64_t{1} << (cell % 64U); }
+
+  /// Rays stay in a block for a while.
+  Block& block_of(VoxelCode cell) {
+    const VoxelCode number = cell >> kBlockBits;
+    if (number != last_number_) find_block(number);
+    return *last_block_;
+  }
+  void find_block(VoxelCode number);
+
+  std::unordered_map<VoxelCode, std::unique_ptr<Block>> blocks_;  // by number along the curve
+  VoxelCode last_number_ = ~VoxelCode{0};
+  Block* last_block_ = nullptr;
+
+  friend std::vector<CellRun> runs_of(const CellSet& free, const CellSet& occupied);
+};
+
+/// The cells of both along the curve; what is in both is occupied.
+std::vector<CellRun> runs_of(const CellSet& free, const CellSet& occupied);
+
+}  // namespace adit

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/volume_map/occupancy_tree.hpp"
+
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include <octomap/OcTree.h>
+
+namespace adit {
+namespace {
+
+std::runtime_error cannot_write(const std::filesystem::path& path) {
+  return std::runtime_error("cannot write " + path.string());
+}
+
+std::ofstream open(const std::filesystem::path& path) {
+  std::ofstream file(path, std::ios::binary);
+  if (!file) throw cannot_write(path);
+  return file;
+}
+
+void finish(std::ofstream& file, const std::filesystem::path& path) {
+  if (!file.flush()) throw cannot_write(path);
+}
+
+}  // namespace
+
+/// OctoMap's tree, with two walks of its own: one that updates many cells with one visit to each
+/// node, and one that writes.
+class OccupancyTree::Tree : public octomap::OcTree {
+ public:
+  using octomap::OcTree::OcTree;
+  using Node = octomap::OcTreeNode;
+
+  void update_runs(std::span<const CellRun> runs) {
+    if (runs.empty()) return;
+    const bool fresh = root == nullptr;
+    if (fresh) {
+      root = new Node();  // OctoMap deletes it
+      ++tree_size;
+      size_changed = true;
+    }
+    const CellRun* run = runs.data();
+    update_node(*root, fresh, 0, 0, run, runs.data() + runs.size());
+  }
+
+  std::vector<std::uint8_t> stream() const {
+    std::vector<std::uint8_t> bytes;
+    if (root != nullptr) append(*root, bytes);
+    return bytes;
+  }
+
+ private:
+  enum State : std::uint8_t { kUnknown = 0, kFree = 1, kOccupied = 2, kMixed = 3 };
+
+  /// The part of the runs that lies within the node, whose first cell is `begin`; `run` is the
+  /// first of these runs, and afterwards the first that goes beyond the node.
+  void update_node(Node& node, bool fresh, int depth, VoxelCode begin, const CellRun*& run,
+                   const CellRun* end) {
+    const bool leaf = !nodeHasChildren(&node);
+    const VoxelCode node_end = begin + cells_of_node(depth);
+    if (leaf && run->first <= begin && run->end >= node_end) {
+      updateNodeLogOdds(&node, run->occupied ? prob_hit_log : prob_miss_log);
+      if (run->end == node_end) ++run;
+      return;
+    }
+    if (leaf && !fresh) expandNode(&node);
+    const VoxelCode cells = cells_of_node(depth + 1);
+    for (unsigned i = 0; i < 8 && run != end; ++i) {
+      const VoxelCode child_begin = begin + i * cells;
+      if (run->first >= child_begin + cells) continue;
+      const bool fresh_child = !nodeChildExists(&node, i);
+      if (fresh_child) createNodeChild(&node, i);
+      update_node(*getNodeChild(&node, i), fresh_child, depth + 1, child_begin, run, end);
+    }
+    if (!pruneNode(&node)) node.updateOccupancyChildren();
+  }
+
+  /// Writes the node and what is below it, and takes back what turns out to be of one kind.
+  State append(const Node& node, std::vector<std::uint8_t>& bytes) const {
+    if (!nodeHasChildren(&node)) return isNodeOccupied(node) ? kOccupied : kFree;
+    const std::size_t place = bytes.size();
+    bytes.resize(place + 2);
+    unsigned states = 0;
+    for (unsigned i = 0; i < 8; ++i) {
+      if (!nodeChildExists(&node, i)) continue;
+      states |= static_cast<unsigned>(append(*getNodeChild(&node, i), bytes)) << (2 * i);
+    }
+    if (place != 0 && (states == 0x5555U || states == 0xAAAAU)) {
+      bytes.resize(place);
+      return states == 0x5555U ? kFree : kOccupied;
+    }
+    bytes[place] = static_cast<std::uint8_t>(states);
+    bytes[place + 1] = static_cast<std::uint8_t>(states >> 8U);
+    return kMixed;
+  }
+};
+
+OccupancyTree::OccupancyTree(double cell_m) : tree_(std::make_unique<Tree>(cell_m)) {}
+OccupancyTree::OccupancyTree(OccupancyTree&&) noexcept = default;
+OccupancyTree& OccupancyTree::operator=(OccupancyTree&&) noexcept = default;
+OccupancyTree::~OccupancyTree() = default;
+
+void OccupancyTree::update(std::span<const CellRun> runs) { tree_->update_runs(runs); }
+
+std::size_t OccupancyTree::nodes() const { return tree_->size(); }
+
+std::vector<std::uint8_t> OccupancyTree::stream() const { return tree_->stream(); }
+
+void OccupancyTree::write_ot(const std::filesystem::path& path) const {
+  std::ofstream file = open(path);
+  tree_->write(file);
+  finish(file, path);
+}
+
+/// The head is OctoMap's too, whose own writer talks on standard error.
+void OccupancyTree::write_bt(const std::filesystem::path& path) const {
+  std::ofstream file = open(path);
+  Tree most_likely(*tree_);
+  most_likely.toMaxLikelihood();
+  most_likely.prune();
+  file << "# Octomap OcTree binary file\nid OcTree\nsize " << most_likely.size() << "\nres "
+       << most_likely.getResolution() << "\ndata\n";
+  most_likely.writeBinaryData(file);
+  finish(file, path);
+}
+
+}  // namespace adit

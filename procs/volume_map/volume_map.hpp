@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "common/cloud/cloud.hpp"
+#include "common/config/bounds.hpp"
+#include "common/geometry/pose2.hpp"
+#include "common/pose_graph/map_correction.hpp"
+#include "common/pose_graph/map_graph.hpp"
+#include "procs/volume_map/sub_volume.hpp"
+
+namespace adit {
+
+struct VolumeMapParams : SubVolumeParams {
+  double span_m = 10.0;  ///< from the first scan of a sub-volume to the last one
+
+  template <class V>
+  void visit(V& v) {
+    SubVolumeParams::visit(v);
+    v("span_m", span_m, within(0.0, 100.0));
+  }
+};
+
+/// A sub-volume and where it is.
+struct PlacedVolume {
+  /// By which it moves with the pose graph.
+  struct Tie {
+    int local_map = 0;  ///< id
+    Pose2 T_local_volume;
+  };
+
+  SubVolume volume;
+  Pose2 T_odom_volume;     ///< when its first scan was taken
+  std::optional<Tie> tie;  ///< nothing before the first pose graph
+  Pose2 T_map_volume;      ///< without a tie odom stands for map
+};
+
+/// The mine as a volume: sub-volumes, each tied to the local map that was the newest one when its
+/// scans came. A change of the graph moves them, and nothing is inserted again.
+///
+/// Scans that come before the first graph make sub-volumes of their own, which are tied when it
+/// comes. The newest sub-volume alone is open to more scans; all others are as small as
+/// SubVolume::close says, so that memory grows with the number of scans.
+class VolumeMap {
+ public:
+  explicit VolumeMap(const VolumeMapParams& params) : params_(params) {}
+
+  /// Takes a scan into the newest sub-volume, if that is tied to the same local map and near, or
+  /// else into a new one.
+  void add(const Cloud& cloud);
+
+  /// Moves what is tied. A sub-volume of a local map that the graph lacks stays where it is.
+  void set_graph(const MapGraph& graph);
+  /// Ties what comes from now on, and what came before the first, as soon as both are of one
+  /// revision.
+  void set_correction(const MapCorrection& correction);
+
+  [[nodiscard]] const std::vector<PlacedVolume>& volumes() const { return volumes_; }
+  [[nodiscard]] std::int64_t graph_revision() const { return graph_.revision; }
+  [[nodiscard]] std::int64_t refused_points() const;
+
+  /// All in one tree in map, for export. As the cells of sub-volumes do not lie on those of map, it
+  /// is resampled: a cell is occupied if the middle of an occupied cell of any sub-volume is in it,
+  /// and free if else a part of a free one is in it (at most a quarter of a cell from where its
+  /// samples lie). It has the log-odds of one measurement.
+  [[nodiscard]] OccupancyTree merged() const;
+
+ private:
+  struct Odom {
+    int local_map = 0;
+    Pose2 T_local_odom;
+  };
+
+  [[nodiscard]] bool newest_takes(const Cloud& cloud) const;
+  void begin_volume(const Cloud& cloud);
+  void connect();
+  void tie(PlacedVolume& placed) const;
+
+  VolumeMapParams params_;
+  std::vector<PlacedVolume> volumes_;
+  MapGraph graph_;
+  std::optional<MapCorrection> correction_;
+  std::optional<Odom> odom_;  ///< where it is, as of the newest correction that has its graph
+};
+
+}  // namespace adit

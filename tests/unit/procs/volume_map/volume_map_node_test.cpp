@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/volume_map/volume_map_node.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/memory_bus.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/map_correction.hpp"
+#include "common/messages/volume_pieces.hpp"
+#include "tests/unit/procs/volume_map/swept_drift.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::int64_t kUtime = 1'600'000'000'000'000;
+
+class VolumeMapNodeOnABus : public testing::Test {
+ protected:
+  VolumeMapNodeOnABus() {
+    subscribe<volume_t>(bus_, channels::kVolume, Delivery::queued(100),
+                        [this](const VolumePiece& piece) {
+                          if (is_pose_only(piece)) {
+                            poses_.push_back(piece.part);
+                          } else if (const auto volume = assembler_.add(piece)) {
+                            volumes_.push_back(*volume);
+                          }
+                        });
+  }
+
+  void send_cloud(std::int32_t id, double x) {
+    Cloud cloud = test::sweep_of_drift({x, 0.0, 0.0}, 20);
+    cloud.id = id;
+    cloud.utime = kUtime + id;
+    for (const CloudPiece& piece : divide(cloud)) {
+      publish(bus_, channels::kCloud, to_message(piece));
+    }
+  }
+  void send_graph(std::int64_t revision, std::vector<Pose2> poses) {
+    const int newest = static_cast<int>(poses.size()) - 1;
+    for (const PoseGraphPiece& piece : divide({kUtime, revision, std::move(poses), {}})) {
+      publish(bus_, channels::kPoseGraph, to_message(piece));
+    }
+    publish(bus_, channels::kMapCorrection,
+            to_message(MapCorrection{kUtime, revision, 0, newest, {}, {}}));
+  }
+
+  MemoryBus bus_;
+  VolumeMapNode node_{bus_, VolumeMapParams{}};
+  VolumeAssembler assembler_;
+  std::vector<Volume> volumes_;
+  std::vector<Volume> poses_;
+};
+
+TEST_F(VolumeMapNodeOnABus, PublishesASubVolumeWithEachCloud) {
+  send_graph(1, {{}});
+  EXPECT_TRUE(volumes_.empty());
+  send_cloud(1, 0.0);
+  send_cloud(2, 1.0);
+  ASSERT_EQ(volumes_.size(), 2U);
+  EXPECT_EQ(volumes_[0].utime, kUtime + 1);
+  EXPECT_EQ(volumes_[0].revision, 1);
+  EXPECT_EQ(volumes_[1].id, 0);
+  EXPECT_EQ(volumes_[1].revision, 2);
+  EXPECT_EQ(volumes_[1].graph_revision, 1);
+  EXPECT_EQ(volumes_[1].octree, node_.map().volumes()[0].volume.octree());
+  EXPECT_GT(volumes_[1].occupied, 100);
+  EXPECT_TRUE(poses_.empty());
+  EXPECT_EQ(node_.health(), Health{});
+}
+
+TEST_F(VolumeMapNodeOnABus, PublishesNothingBeforeTheFirstGraphAndThenAll) {
+  send_cloud(1, 0.0);
+  send_cloud(2, 12.0);
+  EXPECT_TRUE(volumes_.empty());
+  send_graph(1, {{}});
+  ASSERT_EQ(volumes_.size(), 2U);
+  EXPECT_EQ(volumes_[1].T_map_volume, (Pose2{12.0, 0.0, 0.0}));
+}
+
+TEST_F(VolumeMapNodeOnABus, PublishesPosesAloneWhereTheGraphMoves) {
+  send_graph(1, {{}});
+  send_cloud(1, 0.0);
+  send_graph(2, {{}, {12.0, 0.0, 0.0}});
+  EXPECT_TRUE(poses_.empty());  // the first one stays
+  send_cloud(2, 12.0);
+  send_graph(3, {{}, {12.0, 0.5, 0.0}});
+  EXPECT_EQ(volumes_.size(), 2U);
+  ASSERT_EQ(poses_.size(), 1U);
+  EXPECT_EQ(poses_[0].id, 1);
+  EXPECT_EQ(poses_[0].local_map, 1);
+  EXPECT_EQ(poses_[0].graph_revision, 3);
+  EXPECT_EQ(poses_[0].T_map_volume, (Pose2{12.0, 0.5, 0.0}));
+}
+
+TEST_F(VolumeMapNodeOnABus, SaysWhereACloudWasCutShort) {
+  Cloud cloud = test::sweep_of_drift({}, 5);
+  cloud.complete = false;
+  for (const CloudPiece& piece : divide(cloud)) {
+    publish(bus_, channels::kCloud, to_message(piece));
+  }
+  EXPECT_EQ(node_.health().level, Health::Level::kDegraded);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/volume/volume_run.hpp"
+
+#include <stdexcept>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/event_source.hpp"
+#include "common/bus/replay_bus.hpp"
+#include "common/bus/stages.hpp"
+#include "common/config/config.hpp"
+#include "procs/volume_map/volume_files.hpp"
+#include "procs/volume_map/volume_map_node.hpp"
+#include "tools/map/result_folder.hpp"
+
+namespace adit {
+namespace {
+
+VolumeMapParams load_params(const std::filesystem::path& path) {
+  if (path.empty()) return {};
+  const ConfigFile file = ConfigFile::load(path);
+  file.require_known_sections(config_sections());
+  return load_section<VolumeMapParams>(file, "volume_map");
+}
+
+std::vector<std::string> complaints_of(const LogFile& log, const ReplayBus& bus,
+                                       const VolumeMap& map) {
+  std::vector<std::string> complaints;
+  const auto complain = [&](std::size_t n, const char* what) {
+    if (n > 0) complaints.push_back("skipped " + std::to_string(n) + what);
+  };
+  complain(log.health().corrupt_bytes, " corrupt bytes");
+  complain(log.health().truncated_bytes, " bytes of an event that the end of the file cuts off");
+  complain(bus.refused_events(), " events with times that cannot be");
+  complain(static_cast<std::size_t>(map.refused_points()), " points that cannot be");
+  if (!map.volumes().front().tie) {
+    complaints.emplace_back(
+        "no pose graph with its correction: the scans lie as odometry has them");
+  }
+  return complaints;
+}
+
+}  // namespace
+
+VolumeRunResult run_volume(const VolumeRunOptions& options,
+                           const std::function<void(double)>& progress) {
+  const VolumeMapParams params = load_params(options.config);
+  LogFile log(options.input);
+  ReplayOptions replay;
+  replay.leave_out.emplace(channels::kVolume);
+  ReplayBus bus(log, nullptr, replay);
+  const VolumeMapNode node(bus, params);
+  bus.run(progress);
+
+  const VolumeMap& map = node.map();
+  if (map.volumes().empty()) {
+    throw std::runtime_error("no 3D scan (channel CLOUD) in " + options.input.string());
+  }
+  const ResultFolder results(options.folder);
+  write_volume_files(map, results.unfinished());
+  results.publish();
+
+  VolumeRunResult result;
+  result.volumes = map.volumes().size();
+  for (const PlacedVolume& placed : map.volumes()) {
+    result.scans += placed.volume.scans();
+    result.points += placed.volume.points().size();
+  }
+  result.complaints = complaints_of(log, bus, map);
+  return result;
+}
+
+}  // namespace adit

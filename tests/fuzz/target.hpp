@@ -27,6 +27,7 @@ std::vector<Target> message_targets();
 Target log_target();
 Target carmen_target();
 Target journal_target();
+Target process_list_target();
 std::vector<Target> world_targets();
 
 std::vector<Target> all_targets();

@@ -128,7 +128,7 @@ Target carmen_target() {
 Target process_list_target() {
   return {"process list",
           {bytes_of(R"(group "g" { cmd "laser" { exec = "A=B laser 'x y'"; host = "robot"; }
-              group "h" { cmd "slam" { exec = "slam \\"; auto_respawn = "true"; stop_signal = 15;
+              group "h" { cmd "slam" { exec = "slam \\ x"; auto_respawn = "true"; stop_signal = 15;
                 depends_on = "laser"; restart_limit = 3; alive_channel = "POSE";
                 alive_rate_hz = 2.5; start_timeout_s = 4; stop_time_allowed = 0.5; } } }  # both
               script "go" { start group "g/h" wait "running" timeout_s 9; wait ms 500;

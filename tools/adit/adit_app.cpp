@@ -32,8 +32,10 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_drive_command(*app);
   add_eval_command(*app);
   add_import_command(*app);
+  add_logs_command(*app);
   add_map_command(*app);
   add_optimize_command(*app);
+  add_process_commands(*app);
   add_sample_command(*app);
   add_sim_command(*app);
   add_spy_command(*app);

@@ -79,8 +79,8 @@ int Watch::timeout_ms() const {
 void Watch::take_signals() {
   std::uint8_t signal = 0;
   const ssize_t n = read(kWatchSignalsDescriptor, &signal, 1);
-  if (n < 0) return;
-  if (n == 0 || signal == SIGKILL) {
+  if (n < 0 && errno == EAGAIN) return;
+  if (n <= 0 || signal == SIGKILL) {
     killing_ = true;
     return;
   }

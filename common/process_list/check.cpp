@@ -108,9 +108,9 @@ std::string wrong_links(const ProcessList& list) {
 }  // namespace
 
 std::string what_is_wrong(const ProcessList& list) {
-  if (const std::string wrong = wrong_names(list); !wrong.empty()) return wrong;
+  if (std::string wrong = wrong_names(list); !wrong.empty()) return wrong;
   for (const ListedCommand& command : list.commands) {
-    if (const std::string wrong = wrong_command(list, command); !wrong.empty()) return wrong;
+    if (std::string wrong = wrong_command(list, command); !wrong.empty()) return wrong;
   }
   for (const ProcessScript& script : list.scripts) {
     for (const ScriptAction& action : script.actions) {

@@ -20,7 +20,7 @@ using Kind = ListToken::Kind;
 std::string parse_group_name(TokenStream& tokens, const std::string& outer) {
   const ListToken name = tokens.expect(Kind::kString, "the name of the group in quotes");
   require_name(tokens, name);
-  const std::string group = outer.empty() ? name.text : outer + "/" + name.text;
+  std::string group = outer.empty() ? name.text : outer + "/" + name.text;
   require_names(tokens, name.place, group);
   return group;
 }

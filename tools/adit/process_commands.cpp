@@ -52,7 +52,7 @@ Examples:
   adit logs mapping -f              and what it prints from now on, until Ctrl-C)";
 
 std::shared_ptr<Options> add_socket_option(CLI::App& command) {
-  const auto options = std::make_shared<Options>();
+  auto options = std::make_shared<Options>();
   options->socket = default_socket_path();
   command
       .add_option("--socket", options->socket,

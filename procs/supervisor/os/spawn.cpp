@@ -74,7 +74,7 @@ std::vector<std::string> environment_with(
   path += (path.empty() ? "/usr/local/bin:/usr/bin:/bin:" : ":") + folder;
   for (const auto& [name, value] : additions) values[name] = value;
   std::vector<std::string> environment;
-  for (const auto& [name, value] : values) environment.push_back(name + "=" + value);
+  for (auto& [name, value] : values) environment.push_back(value.insert(0, name + "="));
   return environment;
 }
 

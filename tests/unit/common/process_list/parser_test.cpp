@@ -100,7 +100,7 @@ TEST(ProcessListParser, TakesQuotesOfBothKindsAndWhatIsEscapedInThem) {
 TEST(ProcessListParser, FindsTheCommandsOfAGroupAndOfTheGroupsWithin) {
   const ProcessList list = parse(R"(group "a" { cmd "1" { exec = "x"; }
     group "b" { cmd "2" { exec = "x"; } } } group "ab" { cmd "3" { exec = "x"; } })");
-  const auto ids = [&](ScriptTarget target) { return list.ids_of(target); };
+  const auto ids = [&](const ScriptTarget& target) { return list.ids_of(target); };
   EXPECT_THAT(ids({ScriptTarget::Kind::kGroup, "a"}), ElementsAre("1", "2"));
   EXPECT_THAT(ids({ScriptTarget::Kind::kGroup, "a/b"}), ElementsAre("2"));
   EXPECT_THAT(ids({ScriptTarget::Kind::kEverything, ""}), ElementsAre("1", "2", "3"));

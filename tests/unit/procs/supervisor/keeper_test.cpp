@@ -22,8 +22,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr std::int64_t kSecond = 1'000'000;
-
 class KeeperTest : public testing::Test {
  protected:
   void keep(const std::string& list, const RestartPace& pace = {0.001, 0.002, 60.0}) {

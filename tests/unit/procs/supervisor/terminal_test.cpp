@@ -23,7 +23,7 @@ using testing::HasSubstr;
 class TerminalTest : public testing::Test {
  protected:
   TerminalTest()
-      : server_(folder_.path() / "deep" / "s.sock"), thread_([this](std::stop_token stop) {
+      : server_(folder_.path() / "deep" / "s.sock"), thread_([this](const std::stop_token& stop) {
           while (!stop.stop_requested()) {
             server_.poll([](const auto& words) { return answer(words); });
             std::this_thread::sleep_for(std::chrono::milliseconds(1));

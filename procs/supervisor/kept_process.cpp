@@ -43,6 +43,11 @@ bool KeptProcess::advance(std::int64_t now_us, bool dependencies_work) {
   return state != life_.state() || pid != this->pid();
 }
 
+/// Not while only what the program left behind still runs.
+bool KeptProcess::works() const {
+  return life_.state() == LifeState::kWorking && child_ && !child_->program_has_ended();
+}
+
 void KeptProcess::look_after_child(std::int64_t now_us) {
   const auto end = child_->poll();
   output_.add(child_->read_output(kOutputBytesMax));

@@ -37,7 +37,7 @@ class KeptProcess {
   [[nodiscard]] const ListedCommand& command() const { return command_; }
   [[nodiscard]] const ProcessLife& life() const { return life_; }
   [[nodiscard]] const OutputLog& output() const { return output_; }
-  [[nodiscard]] bool works() const { return life_.state() == LifeState::kWorking; }
+  [[nodiscard]] bool works() const;
   [[nodiscard]] const ProcessUse& use() const { return use_; }
   [[nodiscard]] std::int32_t run_id() const { return run_id_; }
   /// Of its last end, as waitpid has it.

@@ -27,7 +27,8 @@ struct Options {
 
 constexpr const char* kChangeFooter =
     R"(Only what stands in the supervisor's process list can be started, and only by the user whose supervisor
-it is, or root, on the same computer. One in charge has the processes of other computers started too.
+it is, or root, on the same computer. One in charge has the processes of other computers started too. A
+process waits for what it depends on, which is not started with it.
 
 Examples:
   adit start mapping terrain

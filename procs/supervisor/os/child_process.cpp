@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,17 +28,21 @@ Descriptor moved_up(Descriptor descriptor) {
   return high;
 }
 
-struct Pipe {
-  Descriptor read;
-  Descriptor write;
+/// One end for us, one for adit-watch. Sockets, not pipes: who writes to one whose other end is
+/// gone gets an error and no SIGPIPE.
+struct Line {
+  Descriptor ours;
+  Descriptor theirs;
 };
 
-Pipe make_pipe() {
+Line make_line() {
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-  Descriptor read(ends[0]);
-  Descriptor write(ends[1]);
-  return {moved_up(std::move(read)), moved_up(std::move(write))};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw std::system_error(errno, std::generic_category(), "socketpair");
+  }
+  Descriptor ours(ends[0]);
+  Descriptor theirs(ends[1]);
+  return {moved_up(std::move(ours)), moved_up(std::move(theirs))};
 }
 
 std::vector<std::string> arguments_of(const ChildStart& start) {
@@ -61,22 +66,22 @@ std::string ChildProcess::End::text() const {
 
 ChildProcess::ChildProcess(const ChildStart& start) {
   PseudoTerminal terminal = PseudoTerminal::open();
-  Pipe reports = make_pipe();
-  Pipe signals = make_pipe();
+  Line reports = make_line();
+  Line signals = make_line();
   const Descriptor theirs = moved_up(std::move(terminal.theirs));
-  watcher_ =
-      spawn({arguments_of(start),
-             environment_with(start.line.environment, start.watcher.parent_path().string()),
-             {theirs.get(), theirs.get(), theirs.get(), reports.write.get(), signals.read.get()}});
-  fcntl(signals.write.get(), F_SETFL, O_NONBLOCK);
+  watcher_ = spawn(
+      {arguments_of(start),
+       environment_with(start.line.environment, start.watcher.parent_path().string()),
+       {theirs.get(), theirs.get(), theirs.get(), reports.theirs.get(), signals.theirs.get()}});
+  fcntl(signals.ours.get(), F_SETFL, O_NONBLOCK);
   terminal_ = std::move(terminal.ours);
-  reports_ = std::move(reports.read);
-  signals_ = std::move(signals.write);
-  reports.write.reset();  // else its end would not be heard
+  reports_ = std::move(reports.ours);
+  signals_ = std::move(signals.ours);
+  reports.theirs.reset();  // else its end would not be heard
   wait_until_it_runs();
 }
 
-/// Whoever is left is killed by adit-watch when the pipe closes. It is waited for: milliseconds.
+/// Whoever is left is killed by adit-watch when the line closes. It is waited for: milliseconds.
 ChildProcess::~ChildProcess() {
   if (watcher_ <= 0) return;
   signals_.reset();
@@ -128,7 +133,7 @@ std::string ChildProcess::read_output(std::size_t bytes_max) const {
 
 void ChildProcess::send(int signal) const {
   const auto byte = static_cast<unsigned char>(signal);
-  [[maybe_unused]] const ssize_t written = write(signals_.get(), &byte, 1);
+  [[maybe_unused]] const ssize_t written = ::send(signals_.get(), &byte, 1, MSG_NOSIGNAL);
 }
 
 }  // namespace adit

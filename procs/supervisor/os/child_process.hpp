@@ -52,6 +52,8 @@ class ChildProcess {
   /// To the program and all that it started. SIGKILL leaves nobody.
   void send(int signal) const;
 
+  /// Whether the program itself has ended; something that it started may be left.
+  [[nodiscard]] bool program_has_ended() const { return end_.has_value(); }
   /// Of adit-watch: all processes descend from it.
   [[nodiscard]] pid_t watcher() const { return watcher_; }
   /// Of the program.

@@ -38,7 +38,7 @@ int signals_of_children() {
   return signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
 }
 
-void keep_pipes_to_myself() {
+void keep_lines_to_myself() {
   fcntl(kWatchReportsDescriptor, F_SETFD, FD_CLOEXEC);
   fcntl(kWatchSignalsDescriptor, F_SETFD, FD_CLOEXEC);
   fcntl(kWatchSignalsDescriptor, F_SETFL, O_NONBLOCK);
@@ -48,7 +48,7 @@ void keep_pipes_to_myself() {
 
 Watch::Watch(const WatchOptions& options) : options_(options) {
   ignore_signals();
-  keep_pipes_to_myself();
+  keep_lines_to_myself();
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   child_signals_ = signals_of_children();
   if (child_signals_ < 0) throw std::system_error(errno, std::generic_category(), "signalfd");

@@ -21,8 +21,8 @@ struct WatchOptions {
 
 /// Runs a program and stays until it and everything that it started, at whatever depth and in
 /// whatever session, is gone. Whoever loses its parent among these becomes a child of this process
-/// (PR_SET_CHILD_SUBREAPER), so that nobody gets away. Signals that come over the pipe go to all of
-/// them. When the pipe closes, because the supervisor is gone, however it went, all are killed.
+/// (PR_SET_CHILD_SUBREAPER), so that nobody gets away. Signals that come over the line go to all of
+/// them. When the line closes, because the supervisor is gone, however it went, all are killed.
 class Watch {
  public:
   explicit Watch(const WatchOptions& options);

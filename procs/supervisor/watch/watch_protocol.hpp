@@ -6,7 +6,7 @@
 
 namespace adit {
 
-/// What adit-watch and who started it tell each other over two pipes. To adit-watch: single bytes,
+/// What adit-watch and who started it tell each other over two lines. To adit-watch: single bytes,
 /// the number of a signal for all that it watches over; SIGKILL means that nothing is to be left.
 /// From it: reports, in the byte order of the machine; and its end, once nothing is left.
 struct WatchReport {

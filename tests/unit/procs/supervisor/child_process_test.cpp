@@ -83,12 +83,16 @@ TEST(ChildProcess, HasATerminalWhoseLinesComeUnchanged) {
             "yes\nerr\n");
 }
 
-TEST(ChildProcess, LeadsASessionAndHearsAllSignals) {
-  // Signals 32 and 33 are glibc's own: it ignores them between fork and exec.
+TEST(ChildProcess, LeadsASession) {
   EXPECT_EQ(output_of(shell("set -- $(cut -d\" \" -f 5,6 /proc/$$/stat); "
-                            "test $1 = $$ && test $2 = $$ && echo own; "
-                            "grep -Ec \"SigBlk:.0{16}|SigIgn:.*0{7}$\" /proc/$$/status")),
-            "own\n2\n");
+                            "test $1 = $$ && test $2 = $$ && echo own")),
+            "own\n");
+}
+
+TEST(ChildProcess, HearsAllSignals) {
+  // Signals 32 and 33 are glibc's own: it ignores them between fork and exec.
+  EXPECT_EQ(output_of(start_of("grep -Ec 'SigBlk:.0{16}|SigIgn:.*0{7}$' /proc/self/status")),
+            "2\n");
 }
 
 TEST(ChildProcess, InheritsNoDescriptors) {
@@ -147,6 +151,15 @@ TEST(ChildProcess, TakesAllWithItWhenItGoes) {
     ASSERT_TRUE(test::soon([&] { return test::processes_with(sleep) >= 3; }));
   }
   EXPECT_EQ(test::processes_with(sleep), 0);
+}
+
+TEST(ChildProcess, SurvivesTheDeathOfItsWatcher) {
+  ChildProcess child(shell("sleep " + test::unique_sleep()));
+  kill(child.watcher(), SIGKILL);
+  ASSERT_TRUE(
+      test::soon([&] { return ProcessTable::read().entries().at(child.watcher()).state == 'Z'; }));
+  child.send(SIGTERM);  // to nobody
+  EXPECT_EQ(end_of(child).text(), "killed by SIGKILL");
 }
 
 TEST(ChildProcess, LeavesNoZombies) {

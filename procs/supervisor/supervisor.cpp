@@ -3,37 +3,15 @@
 #include "procs/supervisor/supervisor.hpp"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
+#include "procs/supervisor/logs_answer.hpp"
 #include "procs/supervisor/os/wall_time.hpp"
 
 namespace adit {
 namespace {
-
-constexpr std::size_t kTextBytesMax = 8'000;     // of one process at a time
-constexpr std::size_t kOutputBytesMax = 50'000;  // of one message
-constexpr std::size_t kAnswerBytesMax = 2'000'000;
-
-ProcmanStatus status_of(const KeptProcess& process) {
-  const ListedCommand& command = process.command();
-  return {{command.id, command.exec, command.group, command.auto_respawn, command.stop_signal,
-           command.stop_time_allowed_s},
-          process.pid(),
-          process.run_id(),
-          process.wait_status(),
-          process.use().cpu_cores,
-          process.use().address_bytes,
-          process.use().memory_bytes};
-}
-
-std::string text_of(const OutputPiece& piece) {
-  std::string text;
-  if (piece.missed > 0)
-    text.append("(").append(std::to_string(piece.missed)).append(" lines left out)\n");
-  for (const std::string& line : piece.lines) text.append(line).append("\n");
-  return text;
-}
 
 OrderPolicy policy_of(const SupervisorParams& params) {
   return {params.role == "deputy" ? params.in_charge : "", params.accept_orders};
@@ -105,7 +83,7 @@ std::string_view Supervisor::obey(const ProcmanOrders& orders, std::int64_t now_
 ProcmanInfo Supervisor::info(std::int64_t utime) const {
   ProcmanInfo info{utime, site_.deputy, load_, {}};
   for (const KeptProcess& process : fleet_.keeper().processes()) {
-    info.commands.push_back(status_of(process));
+    info.commands.push_back(procman_status(process));
   }
   return info;
 }
@@ -113,25 +91,6 @@ ProcmanInfo Supervisor::info(std::int64_t utime) const {
 std::vector<ProcmanOrders> Supervisor::orders(std::int64_t utime) {
   if (!site_.in_charge) return {};
   return fleet_.remotes().orders(site_.deputy, utime);
-}
-
-std::vector<ProcmanOutput> Supervisor::take_output(std::int64_t utime) {
-  std::vector<ProcmanOutput> outputs;
-  std::size_t bytes = kOutputBytesMax;
-  for (const KeptProcess& process : fleet_.keeper().processes()) {
-    std::int64_t& sent = sent_lines_[process.command().id];
-    if (process.output().next() == sent) continue;
-    const OutputPiece piece = process.output().since(sent, kTextBytesMax);
-    sent = piece.next;
-    std::string text = text_of(piece);
-    if (bytes + text.size() > kOutputBytesMax) {
-      outputs.push_back({utime, site_.deputy, {}});
-      bytes = 0;
-    }
-    bytes += text.size();
-    outputs.back().texts.push_back({process.command().id, std::move(text)});
-  }
-  return outputs;
 }
 
 std::set<std::string> Supervisor::alive_channels() const {
@@ -167,7 +126,9 @@ TerminalAnswer Supervisor::answer(const std::vector<std::string>& words) {
   const std::string& verb = words.front();
   const std::vector<std::string> names(words.begin() + 1, words.end());
   if (verb == "ps") return {fleet_.rows(steady_us())};
-  if (verb == "logs" || verb == "follow") return answer_logs(words);
+  if ((verb == "logs" || verb == "follow") && names.size() == 1) {
+    return logs_answer(fleet_, names.front(), verb == "follow");
+  }
   if (verb == "script" && names.size() == 1) {
     begin_script(names.front());
     return {};
@@ -176,26 +137,6 @@ TerminalAnswer Supervisor::answer(const std::vector<std::string>& words) {
   if (found == kChanges.end()) throw std::invalid_argument("unknown request \"" + verb + "\"");
   change({found->second, names.empty() ? site_.list.ids_of({}) : names}, steady_us());
   return {};
-}
-
-TerminalAnswer Supervisor::answer_logs(const std::vector<std::string>& words) {
-  if (words.size() != 2) throw std::invalid_argument("the logs of which process?");
-  KeptProcess* const process = fleet_.keeper().find(words[1]);
-  const ListedCommand* const listed = site_.list.find(words[1]);
-  if (!listed) throw std::invalid_argument("there is no process \"" + words[1] + "\" in the list");
-  if (!process) {
-    throw std::invalid_argument("\"" + words[1] + "\" runs on " + listed->deputy + ": ask there");
-  }
-  const OutputPiece all = process->output().since(0, kAnswerBytesMax);
-  TerminalAnswer answer{text_of(all)};
-  if (words[0] == "follow") {
-    answer.more = [process, next = all.next]() mutable {
-      const OutputPiece piece = process->output().since(next, kAnswerBytesMax);
-      next = piece.next;
-      return text_of(piece);
-    };
-  }
-  return answer;
 }
 
 }  // namespace adit

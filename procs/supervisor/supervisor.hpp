@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,6 +14,7 @@
 #include "procs/supervisor/keeping/script_run.hpp"
 #include "procs/supervisor/orders/order_policy.hpp"
 #include "procs/supervisor/os/host_meter.hpp"
+#include "procs/supervisor/procman_view.hpp"
 #include "procs/supervisor/site.hpp"
 #include "procs/supervisor/supervisor_params.hpp"
 #include "procs/supervisor/terminal/terminal_server.hpp"
@@ -50,7 +50,9 @@ class Supervisor {
   /// None where this supervisor is not in charge.
   [[nodiscard]] std::vector<ProcmanOrders> orders(std::int64_t utime);
   /// What processes have printed since, in pieces of less than 60 kB.
-  [[nodiscard]] std::vector<ProcmanOutput> take_output(std::int64_t utime);
+  [[nodiscard]] std::vector<ProcmanOutput> take_output(std::int64_t utime) {
+    return relay_.take(fleet_.keeper(), site_.deputy, utime);
+  }
 
   /// On which processes show that they are alive.
   [[nodiscard]] std::set<std::string> alive_channels() const;
@@ -62,7 +64,6 @@ class Supervisor {
 
  private:
   TerminalAnswer answer(const std::vector<std::string>& words);
-  TerminalAnswer answer_logs(const std::vector<std::string>& words);
   void advance_script(std::int64_t now_us);
   void begin_script(const std::string& name);
   void change(const ScriptChange& change, std::int64_t now_us);
@@ -75,7 +76,7 @@ class Supervisor {
   HostLoad load_;
   std::optional<ScriptRun> script_;
   std::string script_failure_;
-  std::map<std::string, std::int64_t> sent_lines_;
+  OutputRelay relay_;
   bool new_orders_ = false;
   TerminalServer terminals_;
 };

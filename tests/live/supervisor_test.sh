@@ -65,6 +65,8 @@ start_sensors
 
 # The script of the one in charge starts what the other is to run.
 "$sheriff" await robot near running >/dev/null || fail "the process of the one in charge"
+near=$("$sheriff" await robot near running)
+[[ $(ls "/proc/$near/fd" | wc -l) == 3 ]] || fail "near has inherited descriptors, as LCM's sockets are"
 far=$("$sheriff" await sensors far running) || fail "the process of the other computer"
 "$sheriff" output sensors far "hello from far" & listening=$!
 await_sleepers 3

@@ -51,4 +51,12 @@ OutputPiece OutputLog::since(std::int64_t next, std::size_t bytes_max) const {
       {lines_.begin() + from, lines_.end()}, std::max<std::int64_t>(begin - next, 0), this->next()};
 }
 
+std::string text_of(const OutputPiece& piece) {
+  std::string text;
+  if (piece.missed > 0)
+    text.append("(").append(std::to_string(piece.missed)).append(" lines left out)\n");
+  for (const std::string& line : piece.lines) text.append(line).append("\n");
+  return text;
+}
+
 }  // namespace adit

@@ -18,6 +18,9 @@ struct OutputPiece {
   std::int64_t next = 0;    ///< number of the line after the last
 };
 
+/// Line by line, with a word about those that are missed.
+std::string text_of(const OutputPiece& piece);
+
 /// The last lines that a process has printed, numbered from 0. What is no text in them (controls of
 /// a terminal, bytes that are no UTF-8) shows as '?', and a long line is cut in pieces, so that
 /// what a process prints harms neither the terminal nor the memory of who looks.

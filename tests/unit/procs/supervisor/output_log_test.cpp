@@ -41,6 +41,7 @@ TEST(OutputLog, LeavesOutTheOldestWhereItIsTooMuchAndSaysHowMany) {
   log.add("11\n22\n33\n44\n");
   const OutputPiece piece = log.since(0, 6);
   EXPECT_THAT(piece.lines, ElementsAre("33", "44"));
+  EXPECT_EQ(text_of(piece), "(2 lines left out)\n33\n44\n");
   EXPECT_EQ(piece.missed, 2);
   EXPECT_EQ(piece.next, 4);
 }

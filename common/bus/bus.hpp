@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace adit {
 
@@ -68,6 +69,13 @@ class Bus {
   /// Calls the handler as soon as bus time is known and then each period [µs]. A replay makes up
   /// for the ticks of a gap of at most ten seconds.
   virtual void every(std::int64_t period_us, TimerHandler handler) = 0;
+
+  /// The same by the time of the world, where bus time is a simulator's: for what looks after
+  /// processes and devices. What is computed from messages has no use for it. In a replay or a
+  /// test, which have no such time, as `every`.
+  virtual void every_of_world(std::int64_t period_us, TimerHandler handler) {
+    every(period_us, std::move(handler));
+  }
 
   /// Bus time [µs since the epoch].
   [[nodiscard]] virtual std::int64_t now_utime() const = 0;

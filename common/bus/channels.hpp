@@ -41,6 +41,10 @@ inline constexpr std::string_view kSimTimeDone = "SIM_TIME_DONE";
 inline constexpr std::string_view kHeartbeat = "HEARTBEAT";
 inline constexpr std::string_view kConfig = "CONFIG";
 inline constexpr std::string_view kStageStats = "STAGE_STATS";
+inline constexpr std::string_view kPmInfo = "PM_INFO";
+inline constexpr std::string_view kPmOrders = "PM_ORDERS";
+inline constexpr std::string_view kPmOutput = "PM_OUTPUT";
+inline constexpr std::string_view kPmDiscover = "PM_DISCOVER";
 
 /// All of them.
 inline constexpr std::array kAll{
@@ -50,6 +54,7 @@ inline constexpr std::array kAll{
     kTiltCommandRear, kVehicleState, kGas,          kSinkage,     kTruth,
     kRunState,        kSimTime,      kSimTimeDone,  kScanRequest, kCloud,
     kTerrain,         kVolume,       kGoal,         kPath,        kDrivingState,
-    kHeartbeat,       kConfig,       kStageStats};
+    kHeartbeat,       kConfig,       kStageStats,   kPmInfo,      kPmOrders,
+    kPmOutput,        kPmDiscover};
 
 }  // namespace adit::channels

@@ -27,6 +27,11 @@ constexpr int kLcmQueue = 4096;
 
 constexpr std::size_t kTimesWaiting = 1000;  // a simulator sends 20 for each second
 
+std::int64_t wall_utime() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
+}
+
 constexpr int kNoDescriptor = -1;  // poll leaves it out
 constexpr int kIdleTimeoutMs = 1000;
 
@@ -60,16 +65,20 @@ void LcmBus::run(int stop_descriptor) {
 bool LcmBus::wait(int timeout_ms, int stop_descriptor) {
   take_from_lcm();
   const std::int64_t timeout_us = timeout_ms * 1000LL;
-  const std::int64_t timer_us =
-      time_ == BusTime::kSimulated ? timeout_us : timers_.wait_us(now_utime()).value_or(timeout_us);
-  const auto timer_ms =
-      static_cast<int>(std::min<std::int64_t>((timer_us + 999) / 1000, timeout_ms));
+  const auto timer_ms = static_cast<int>(
+      std::min<std::int64_t>((wait_for_timers_us(timeout_us) + 999) / 1000, timeout_ms));
   std::array<pollfd, 2> descriptors{{{lcm_->getFileno(), POLLIN, 0}, {stop_descriptor, POLLIN, 0}}};
   const int ready =
       poll(descriptors.data(), descriptors.size(), dispatcher_.is_idle() ? timer_ms : 0);
   if (ready < 0 && errno != EINTR) throw std::system_error(errno, std::generic_category(), "poll");
   take_from_lcm();
   return ready <= 0 || descriptors[1].revents == 0;
+}
+
+/// Until the next timer that does not go by a simulator.
+std::int64_t LcmBus::wait_for_timers_us(std::int64_t timeout_us) const {
+  const Timers& timers = time_ == BusTime::kSimulated ? world_timers_ : timers_;
+  return timers.wait_us(wall_utime()).value_or(timeout_us);
 }
 
 void LcmBus::take_from_lcm() {
@@ -91,8 +100,9 @@ void LcmBus::on_receive(const lcm::ReceiveBuffer* buffer, const std::string& cha
 }
 
 void LcmBus::run_due_timers() {
-  if (time_ == BusTime::kSimulated) return;  // they have their turn with SIM_TIME
-  while (const auto tick = timers_.next(now_utime())) tick->handler(now_utime());
+  // Those of simulated time have their turn with SIM_TIME.
+  Timers& timers = time_ == BusTime::kSimulated ? world_timers_ : timers_;
+  while (const auto tick = timers.next(wall_utime())) tick->handler(now_utime());
 }
 
 void LcmBus::follow_simulated_time() {
@@ -128,10 +138,13 @@ void LcmBus::every(std::int64_t period_us, TimerHandler handler) {
   timers_.add(period_us, std::move(handler));
 }
 
+void LcmBus::every_of_world(std::int64_t period_us, TimerHandler handler) {
+  Timers& timers = time_ == BusTime::kSimulated ? world_timers_ : timers_;
+  timers.add(period_us, std::move(handler));
+}
+
 std::int64_t LcmBus::now_utime() const {
-  if (time_ == BusTime::kSimulated) return simulated_utime_;
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
+  return time_ == BusTime::kSimulated ? simulated_utime_ : wall_utime();
 }
 
 const SubscriptionStats& LcmBus::stats(SubscriptionId id) const { return dispatcher_.stats(id); }

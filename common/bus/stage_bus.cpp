@@ -38,6 +38,10 @@ Handler StageBus::measured(Handler handler) {
   };
 }
 
+void StageBus::every_of_world(std::int64_t period_us, TimerHandler handler) {
+  bus_.every_of_world(period_us, std::move(handler));
+}
+
 void StageBus::every(std::int64_t period_us, TimerHandler handler) {
   bus_.every(period_us, std::move(handler));
 }

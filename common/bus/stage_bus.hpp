@@ -35,6 +35,7 @@ class StageBus final : public Bus {
   void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override;
   SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
   void every(std::int64_t period_us, TimerHandler handler) override;
+  void every_of_world(std::int64_t period_us, TimerHandler handler) override;
   [[nodiscard]] std::int64_t now_utime() const override { return bus_.now_utime(); }
   [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override;
   [[nodiscard]] std::int64_t unsent() const override { return bus_.unsent(); }

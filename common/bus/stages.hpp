@@ -14,7 +14,7 @@ namespace adit {
 inline const std::vector<std::string>& stage_names() {
   static const std::vector<std::string> names{"scan_matching", "mapping",    "scan_assembly",
                                               "terrain",       "volume_map", "planning",
-                                              "driving",       "guard"};
+                                              "driving",       "guard",      "supervisor"};
   return names;
 }
 

@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr pid_t kInit = 1;
+constexpr const char* kWatcher = "adit-watch";  // stands between the supervisor and each process
 
 /// From `pid (name) state ppid ..`, where the name may hold anything.
 std::optional<pid_t> parent_of(const fs::path& folder) {
@@ -71,10 +72,17 @@ std::vector<pid_t> descendants_named(pid_t ancestor, const std::string& executab
   return found;
 }
 
+pid_t starter_of(pid_t pid) {
+  do {
+    pid = parent_of(fs::path("/proc") / std::to_string(pid)).value_or(0);
+  } while (pid > kInit && executable_of(pid) == kWatcher);
+  return pid;
+}
+
 int signal_siblings(const std::string& executable, int signal) {
-  const pid_t parent = getppid();
-  if (parent <= kInit) return 0;
-  const std::vector<pid_t> pids = descendants_named(parent, executable);
+  const pid_t starter = starter_of(getpid());
+  if (starter <= kInit) return 0;
+  const std::vector<pid_t> pids = descendants_named(starter, executable);
   return static_cast<int>(
       std::ranges::count_if(pids, [&](pid_t pid) { return kill(pid, signal) == 0; }));
 }

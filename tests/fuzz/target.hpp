@@ -28,6 +28,7 @@ Target log_target();
 Target carmen_target();
 Target journal_target();
 Target octree_target();
+Target process_list_target();
 std::vector<Target> world_targets();
 std::vector<Target> cloud_targets();
 

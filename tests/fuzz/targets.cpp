@@ -12,7 +12,10 @@
 #include "common/bus/log_format.hpp"
 #include "common/bus/log_parser.hpp"
 #include "common/bus/log_writer.hpp"
+#include "common/config/config_file.hpp"
 #include "common/journal/journal_parser.hpp"
+#include "common/process_list/parser.hpp"
+#include "common/process_list/writer.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/support/message_types.hpp"
 #include "tools/carmen/carmen_line.hpp"
@@ -81,6 +84,22 @@ std::string_view take_journal(std::span<const std::uint8_t> bytes) {
   return health.corrupt_bytes + health.torn_bytes > 0 ? "damaged" : "";
 }
 
+/// Reads a list of processes; what was read must read back the same from what is written of it.
+std::string_view take_process_list(std::span<const std::uint8_t> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  ProcessList list;
+  try {
+    list = parse_process_list(text, "list");
+  } catch (const ConfigError&) {
+    return "refused";
+  }
+  if (parse_process_list(to_text(list), "written") != list) {
+    std::cerr << "a process list is another when it is written and read\n";
+    std::abort();
+  }
+  return {};
+}
+
 Bytes bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
 
 }  // namespace
@@ -106,12 +125,25 @@ Target carmen_target() {
           take_carmen};
 }
 
+Target process_list_target() {
+  return {"process list",
+          {bytes_of(R"(group "g" { cmd "laser" { exec = "A=B laser 'x y'"; host = "robot"; }
+              group "h" { cmd "slam" { exec = "slam \\ x"; auto_respawn = "true"; stop_signal = 15;
+                depends_on = "laser"; restart_limit = 3; alive_channel = "POSE";
+                alive_rate_hz = 2.5; start_timeout_s = 4; stop_time_allowed = 0.5; } } }  # both
+              script "go" { start group "g/h" wait "running" timeout_s 9; wait ms 500;
+                stop cmd "slam"; wait cmd "slam" status "stopped"; run_script "end"; }
+              script "end" { restart everything; })")},
+          take_process_list};
+}
+
 std::vector<Target> all_targets() {
   std::vector<Target> targets = message_targets();
   targets.push_back(log_target());
   targets.push_back(carmen_target());
   targets.push_back(journal_target());
   targets.push_back(octree_target());
+  targets.push_back(process_list_target());
   for (Target& target : world_targets()) targets.push_back(std::move(target));
   for (Target& target : cloud_targets()) targets.push_back(std::move(target));
   return targets;

@@ -19,6 +19,7 @@
 #include "common/messages/planned_path.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/pose_graph_pieces.hpp"
+#include "common/messages/procman.hpp"
 #include "common/messages/run_state.hpp"
 #include "common/messages/scan_match.hpp"
 #include "common/messages/scan_request.hpp"
@@ -172,6 +173,21 @@ std::vector<MessageType> simulation_types() {
           type_of(channels::kSimTimeDone, to_message(SimTimeDone{kUtime, "mapping"}))};
 }
 
+/// Those of procman.
+std::vector<MessageType> procman_types() {
+  const ProcmanCommand command{"mapping", "adit-mapping --sim-time", "slam", true, 15, 3.0};
+  const ProcmanInfo info{kUtime,
+                         "robot",
+                         {0.4, 8'000'000'000, 3'000'000'000, 0, 0},
+                         {{command, 4711, 3, 9, 0.7, 120'000'000, 40'000'000}}};
+  const ProcmanOrders orders{kUtime, "robot", "base", {{command, 4, false}, {command, 4, true}}};
+  const ProcmanOutput output{kUtime, "robot", {{"mapping", "a loop"}, {"terrain", "no cloud"}}};
+  return {type_of(channels::kPmInfo, to_message(info)),
+          type_of(channels::kPmOrders, to_message(orders)),
+          type_of(channels::kPmOutput, to_message(output)),
+          type_of(channels::kPmDiscover, to_message(ProcmanDiscovery{kUtime, "base", 77}))};
+}
+
 std::vector<MessageType> stage_types() {
   const LaserScan scan{kUtime, std::vector<float>(40, 5.0F), -1.5, 0.0087};
   const StampedPose pose{kUtime, {12.0, -3.0, 0.7}, Eigen::Vector3d(0.5, 0.0, 0.1)};
@@ -204,7 +220,8 @@ std::vector<MessageType> stage_types() {
 
 std::vector<MessageType> message_types() {
   std::vector<MessageType> types = stage_types();
-  for (const auto& more : {vehicle_types(), navigation_types(), simulation_types()}) {
+  for (const auto& more :
+       {vehicle_types(), navigation_types(), simulation_types(), procman_types()}) {
     types.insert(types.end(), more.begin(), more.end());
   }
   return types;

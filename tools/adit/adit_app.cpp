@@ -32,9 +32,11 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_drive_command(*app);
   add_eval_command(*app);
   add_import_command(*app);
+  add_logs_command(*app);
   add_map_command(*app);
   add_optimize_command(*app);
   add_plan_command(*app);
+  add_process_commands(*app);
   add_sample_command(*app);
   add_scan_command(*app);
   add_sim_command(*app);

@@ -17,14 +17,17 @@ std::unique_ptr<CLI::App> make_adit_app();
 /// used; or what a command says of its own for an answer that is no.
 int run_adit(int argc, const char* const* argv);
 
-// What follows adds one sub-command each, and lives in a file of its own.
+// What follows adds one sub-command each, and lives in a file of its own; those that talk to the
+// supervisor share one.
 void add_completion_command(CLI::App& adit);
 void add_drive_command(CLI::App& adit);
 void add_eval_command(CLI::App& adit);
 void add_import_command(CLI::App& adit);
 void add_map_command(CLI::App& adit);
+void add_logs_command(CLI::App& adit);
 void add_optimize_command(CLI::App& adit);
 void add_plan_command(CLI::App& adit);
+void add_process_commands(CLI::App& adit);
 void add_sample_command(CLI::App& adit);
 void add_scan_command(CLI::App& adit);
 void add_sim_command(CLI::App& adit);

@@ -142,8 +142,9 @@ TEST(Structure, OnlyTheBusKnowsLcm) {
 
 TEST(Structure, OnlyConversionsAndNodesKnowGeneratedMessages) {
   EXPECT_THAT(offenders([](const Include& include) {
-                return include.is_of("adit") && !include.is_in("common/messages") &&
-                       !include.is_in("tests") && !is_node_file(include.file);
+                const bool generated = include.is_of("adit") || include.is_of("procman_lcm");
+                return generated && !include.is_in("common/messages") && !include.is_in("tests") &&
+                       !is_node_file(include.file);
               }),
               IsEmpty());
 }
@@ -259,7 +260,7 @@ TEST(Structure, EveryChannelHasItsRowInTheTableAndEveryRowIsAChannel) {
 
 std::vector<fs::path> type_files() {
   std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(kRoot / "lcmtypes")) {
+  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "lcmtypes")) {
     if (entry.path().extension() == ".lcm") paths.push_back(entry.path());
   }
   return paths;

@@ -157,6 +157,21 @@ TEST_F(LcmBusBySimulatedTime, RunsTimersByIt) {
                                      "tick 5100 5100", "mapping 5100"));
 }
 
+TEST_F(LcmBusBySimulatedTime, RunsTimersOfTheWorldWithoutIt) {
+  int ticks = 0;
+  bus_.every_of_world(1000, [&](std::int64_t utime) {
+    EXPECT_EQ(utime, bus_.now_utime());
+    ++ticks;
+  });
+  while (ticks < 3) bus_.handle(100);
+  EXPECT_EQ(bus_.now_utime(), 0);
+  send_time(5000);
+  handle_all();
+  const int before = ticks;
+  while (ticks < before + 3) bus_.handle(100);
+  EXPECT_EQ(bus_.now_utime(), 5000);
+}
+
 TEST_F(LcmBusBySimulatedTime, AnswersWhenAllThatCameBeforeHasBeenHandled) {
   for (const char* channel : {"POSE", "IMU"}) {
     bus_.subscribe(channel, Delivery::queued(10), [this](const Received& received) {

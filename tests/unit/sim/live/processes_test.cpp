@@ -62,6 +62,10 @@ class Processes : public testing::Test {
     return orphan;
   }
 
+  test::ScratchFolder folder_;
+  std::vector<pid_t> started_;
+  std::vector<pid_t> orphans_;
+
  private:
   /// Returns when the executable runs: its end of the pipe closes as it does.
   static pid_t start_child(const std::string& path) {
@@ -78,10 +82,6 @@ class Processes : public testing::Test {
     close(pipe_ends[0]);
     return pid;
   }
-
-  test::ScratchFolder folder_;
-  std::vector<pid_t> started_;
-  std::vector<pid_t> orphans_;
 };
 
 TEST_F(Processes, AreFoundByTheNameOfTheirExecutable) {
@@ -95,6 +95,22 @@ TEST_F(Processes, AreNotFoundAmongStrangers) {
   const pid_t orphan = start_orphan("adit-mapping");
   EXPECT_EQ(kill(orphan, 0), 0);  // it lives
   EXPECT_THAT(descendants_named(getpid(), "adit-mapping"), IsEmpty());
+}
+
+TEST_F(Processes, AreStartedByWhoIsAboveTheirWatcher) {
+  const std::string shell = folder_ / "adit-watch";
+  std::filesystem::copy_file("/bin/sh", shell);
+  started_.push_back(fork());
+  if (started_.back() == 0) {
+    execl(shell.c_str(), shell.c_str(), "-c", (executable("adit-sim") + " 60; true").c_str(),
+          nullptr);
+    _exit(127);
+  }
+  std::vector<pid_t> simulators;
+  while (simulators.empty()) simulators = descendants_named(getpid(), "adit-sim");
+  EXPECT_EQ(starter_of(simulators.front()), getpid());
+  EXPECT_EQ(starter_of(started_.back()), getpid());
+  orphans_.push_back(simulators.front());
 }
 
 /// A process that signals its siblings, as the simulator does.

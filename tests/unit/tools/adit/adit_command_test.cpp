@@ -39,14 +39,19 @@ TEST_F(AditCommand, TeachesByItsHelp) {
                                                   {"eval", "map"},
                                                   {"eval", "relations"},
                                                   {"drive"},
+                                                  {"logs"},
                                                   {"map"},
                                                   {"optimize"},
                                                   {"plan"},
+                                                  {"ps"},
+                                                  {"restart"},
                                                   {"sample"},
                                                   {"scan"},
                                                   {"sim"},
                                                   {"spy"},
                                                   {"volume"},
+                                                  {"start"},
+                                                  {"stop"},
                                                   {"completion"}}) {
     std::vector<std::string> arguments = command;
     arguments.emplace_back("--help");
@@ -75,6 +80,12 @@ TEST_F(AditCommand, WrongUseIsOneLineAndExitCodeTwo) {
         {"optimize", at("missing"), "--loops", "lazy"},
         {"optimize", at("missing"), "--loops", "lazy", "--order", "random"},
         {"optimize", at("missing"), "--order", "threshold"},
+        {"ps", "--socket", at("missing")},
+        {"start", "--socket", at("missing")},
+        {"start", "x", "--all", "--socket", at("missing")},
+        {"stop", "x", "--socket", at("missing")},
+        {"logs", "x", "--socket", at("missing")},
+        {"logs"},
         {"eval", "map", at("missing")},
         {"eval", "map", at("missing"), "--world", "straight"},
         {"eval", "relations", at("missing"), at("missing")}}) {

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "procman_lcm/deputy_info_t.hpp"
+#include "procman_lcm/discovery_t.hpp"
+#include "procman_lcm/orders_t.hpp"
+#include "procman_lcm/output_t.hpp"
+
+#include "common/messages/result.hpp"
+#include "common/procman/procman_values.hpp"
+
+namespace adit {
+
+procman_lcm::deputy_info_t to_message(const ProcmanInfo& info);
+procman_lcm::orders_t to_message(const ProcmanOrders& orders);
+procman_lcm::output_t to_message(const ProcmanOutput& output);
+procman_lcm::discovery_t to_message(const ProcmanDiscovery& discovery);
+
+/// Refused: an implausible time, no deputy, a load or a use that is not finite or negative, a
+/// negative process id, and commands as for orders.
+Result<ProcmanInfo> from_message(const procman_lcm::deputy_info_t& message);
+
+/// Refused: an implausible time, no deputy or sheriff, a command without a name, a stop signal that
+/// is none, a time to stop that is not finite or negative.
+Result<ProcmanOrders> from_message(const procman_lcm::orders_t& message);
+
+/// Refused: an implausible time, no deputy, a text of a command without a name.
+Result<ProcmanOutput> from_message(const procman_lcm::output_t& message);
+
+/// Refused: an implausible time.
+Result<ProcmanDiscovery> from_message(const procman_lcm::discovery_t& message);
+
+}  // namespace adit

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "common/process_list/process_list.hpp"
+
+namespace adit {
+
+/// Reads a process list in procman's grammar (python/src/procman/sheriff_config.py):
+///   group "sensing" {
+///     cmd "scan_matching" {
+///       exec = "adit-scan_matching --config robot.yaml"; deputy = "robot";
+///       auto_respawn = "true"; stop_signal = 15; stop_time_allowed = 3;
+///       depends_on = "laser", "imu"; restart_limit = 5;
+///       alive_channel = "POSE"; alive_rate_hz = 5; start_timeout_s = 4;
+///     }
+///   }
+///   script "go" { start group "sensing" wait "running" timeout_s 20; wait ms 500;
+///                 wait cmd "mapping" status "running"; run_script "other"; }
+/// The third line of the command and `timeout_s` are ours. Older files have `host` for `deputy`; a
+/// number may stand in quotes, as procman itself writes it. What stands in the list is checked, see
+/// check_process_list.
+///
+/// Throws ConfigError, `name:line:column: ` and what was expected there.
+ProcessList parse_process_list(std::string_view text, const std::string& name);
+
+/// The same from a file. Throws ConfigError also where it cannot be read.
+ProcessList read_process_list(const std::filesystem::path& path);
+
+}  // namespace adit

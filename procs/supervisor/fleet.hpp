@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "procs/supervisor/keeper.hpp"
+#include "procs/supervisor/keeping/script_run.hpp"
+#include "procs/supervisor/orders/remote_deputies.hpp"
+#include "procs/supervisor/site.hpp"
+
+namespace adit {
+
+/// All processes of the list, on this computer and on others, by their names.
+class Fleet {
+ public:
+  Fleet(const SupervisorSite& site, const RestartPace& pace);
+
+  /// Does to each what a script or a terminal wants. Throws std::invalid_argument, and does
+  /// nothing, where a name is not in the list, or a process is another computer's and this
+  /// supervisor is not in charge.
+  void change(const ScriptChange& change, std::int64_t now_us);
+
+  [[nodiscard]] Standing standing(const std::string& id, std::int64_t now_us);
+
+  /// For people: a line for each process, in the order of the list, its words divided by tabs:
+  /// name, deputy, group, state, process id, cores in use, memory [bytes], restarts, trouble.
+  [[nodiscard]] std::string rows(std::int64_t now_us);
+
+  void heard(std::string_view channel, std::int64_t now_us);
+  /// Whether anything has changed on this computer.
+  bool advance(std::int64_t now_us);
+
+  [[nodiscard]] const SupervisorSite& site() const { return site_; }
+  [[nodiscard]] Keeper& keeper() { return keeper_; }
+  [[nodiscard]] const Keeper& keeper() const { return keeper_; }
+  [[nodiscard]] RemoteDeputies& remotes() { return remotes_; }
+
+ private:
+  void require_may_change(const std::string& id);
+  void change(ScriptAction::Kind kind, const std::string& id, std::int64_t now_us);
+  [[nodiscard]] std::string note_on(const KeptProcess& process, std::int64_t now_us);
+  [[nodiscard]] std::string row(const ListedCommand& command, std::int64_t now_us);
+
+  const SupervisorSite& site_;
+  Keeper keeper_;
+  RemoteDeputies remotes_;
+};
+
+}  // namespace adit

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace adit {
+
+/// Lines that somebody has not read yet.
+struct OutputPiece {
+  std::vector<std::string> lines;
+  std::int64_t missed = 0;  ///< lines before these that are gone or were too many
+  std::int64_t next = 0;    ///< number of the line after the last
+};
+
+/// Line by line, with a word about those that are missed.
+std::string text_of(const OutputPiece& piece);
+
+/// The last lines that a process has printed, numbered from 0. What is no text in them (controls of
+/// a terminal, bytes that are no UTF-8) shows as '?', and a long line is cut in pieces, so that
+/// what a process prints harms neither the terminal nor the memory of who looks.
+class OutputLog {
+ public:
+  static constexpr std::size_t kLinesMax = 1000;
+  static constexpr std::size_t kLineBytesMax = 1000;
+
+  void add(std::string_view bytes);
+  /// The process is gone: what stands on its last line is a line.
+  void end_line();
+
+  [[nodiscard]] std::int64_t next() const {
+    return first_ + static_cast<std::int64_t>(lines_.size());
+  }
+
+  /// The lines from number `next` on, of these the newest that together have so many bytes.
+  [[nodiscard]] OutputPiece since(std::int64_t next, std::size_t bytes_max) const;
+
+ private:
+  std::deque<std::string> lines_;
+  std::int64_t first_ = 0;  // number of the first line that is kept
+  std::string open_line_;
+};
+
+}  // namespace adit

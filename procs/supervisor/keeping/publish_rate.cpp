@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/supervisor/keeping/publish_rate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit {
+namespace {
+
+double window_s(double rate_hz) { return std::max(2.0, 2.0 / rate_hz); }
+
+}  // namespace
+
+PublishRate::PublishRate(double rate_hz)
+    : window_us_(std::llround(window_s(rate_hz) * 1e6)),
+      needed_(
+          static_cast<std::size_t>(std::max(1.0, std::floor(window_s(rate_hz) * rate_hz) - 1.0))) {}
+
+void PublishRate::heard(std::int64_t now_us) {
+  times_us_.push_back(now_us);
+  if (times_us_.size() > needed_) times_us_.pop_front();
+}
+
+bool PublishRate::is_kept(std::int64_t now_us) const {
+  return times_us_.size() == needed_ && now_us - times_us_.front() <= window_us_;
+}
+
+}  // namespace adit

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "procs/supervisor/fleet.hpp"
+#include "procs/supervisor/terminal/terminal_server.hpp"
+
+namespace adit {
+
+/// What a process of this computer has printed and, with `follow`, what it prints from now on; the
+/// fleet must outlive the answer then. Throws std::invalid_argument where the process is another
+/// computer's or not in the list.
+TerminalAnswer logs_answer(Fleet& fleet, const std::string& id, bool follow);
+
+}  // namespace adit

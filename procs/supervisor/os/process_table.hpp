@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include <sys/types.h>
+
+namespace adit {
+
+/// A process as /proc/PID/stat has it.
+struct ProcessEntry {
+  pid_t pid = 0;
+  pid_t parent = 0;
+  char state = '?';  ///< Z: it is over, and its parent has not asked
+  double cpu_s = 0.0;
+  std::int64_t address_bytes = 0;
+  std::int64_t memory_bytes = 0;
+};
+
+/// From a line of /proc/PID/stat; nothing where it is none. The name may hold anything.
+std::optional<ProcessEntry> parse_process_entry(std::string_view stat);
+
+/// The processes of this computer. No snapshot: it is read while they live.
+class ProcessTable {
+ public:
+  static ProcessTable read(const std::filesystem::path& proc = "/proc");
+  explicit ProcessTable(std::map<pid_t, ProcessEntry> entries) : entries_(std::move(entries)) {}
+
+  [[nodiscard]] const std::map<pid_t, ProcessEntry>& entries() const { return entries_; }
+  [[nodiscard]] std::set<pid_t> children_of(pid_t parent) const;
+  /// At whatever depth, without the process itself.
+  [[nodiscard]] std::set<pid_t> descendants_of(pid_t ancestor) const;
+
+ private:
+  std::map<pid_t, ProcessEntry> entries_;
+};
+
+}  // namespace adit

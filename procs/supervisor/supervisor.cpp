@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/supervisor/supervisor.hpp"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "procs/supervisor/logs_answer.hpp"
+#include "procs/supervisor/os/wall_time.hpp"
+
+namespace adit {
+namespace {
+
+OrderPolicy policy_of(const SupervisorParams& params) {
+  return {params.role == "deputy" ? params.in_charge : "", params.accept_orders};
+}
+
+}  // namespace
+
+Supervisor::Supervisor(const SupervisorParams& params)
+    : site_(make_site(params)),
+      policy_(policy_of(params)),
+      script_timeout_s_(params.script_timeout_s),
+      fleet_(site_, params.restart),
+      load_(host_.measure()),
+      terminals_(site_.socket) {
+  if (!params.start_script.empty()) begin_script(params.start_script);
+}
+
+Supervisor::News Supervisor::advance(std::int64_t now_us) {
+  terminals_.poll([this](const std::vector<std::string>& words) { return answer(words); });
+  advance_script(now_us);
+  const bool here = fleet_.advance(now_us);
+  return {here, std::exchange(new_orders_, false)};
+}
+
+void Supervisor::measure(std::int64_t now_us) {
+  fleet_.keeper().measure(now_us);
+  load_ = host_.measure();
+}
+
+void Supervisor::begin_script(const std::string& name) {
+  script_.emplace(site_.list, name, script_timeout_s_);
+  script_failure_.clear();
+}
+
+void Supervisor::advance_script(std::int64_t now_us) {
+  if (!script_) return;
+  const auto standing_of = [&](const std::string& id) { return fleet_.standing(id, now_us); };
+  try {
+    while (const auto change = script_->advance(now_us, standing_of)) this->change(*change, now_us);
+    if (!script_->is_over()) return;
+    script_failure_ = script_->failure();
+  } catch (const std::invalid_argument& refusal) {
+    script_failure_ = "script \"" + script_->name() + "\": " + refusal.what();
+  }
+  script_.reset();
+}
+
+void Supervisor::change(const ScriptChange& change, std::int64_t now_us) {
+  fleet_.change(change, now_us);
+  new_orders_ = true;
+}
+
+std::string_view Supervisor::obey(const ProcmanOrders& orders, std::int64_t now_us) {
+  if (orders.deputy != site_.deputy) return {};
+  std::string_view refusal = reason_to_refuse(policy_, orders);
+  if (!refusal.empty()) return refusal;
+  for (const ProcmanOrder& order : orders.orders) {
+    KeptProcess* const process = fleet_.keeper().find(order.command.id);
+    const auto reason = reason_to_refuse(process ? &process->command() : nullptr, order);
+    if (reason.empty()) {
+      process->order(order.run_id, order.stop, now_us);
+    } else {
+      refusal = reason;
+    }
+  }
+  return refusal;
+}
+
+ProcmanInfo Supervisor::info(std::int64_t utime) const {
+  ProcmanInfo info{utime, site_.deputy, load_, {}};
+  for (const KeptProcess& process : fleet_.keeper().processes()) {
+    info.commands.push_back(procman_status(process));
+  }
+  return info;
+}
+
+std::vector<ProcmanOrders> Supervisor::orders(std::int64_t utime) {
+  if (!site_.in_charge) return {};
+  return fleet_.remotes().orders(site_.deputy, utime);
+}
+
+std::set<std::string> Supervisor::alive_channels() const {
+  std::set<std::string> channels;
+  for (const ListedCommand& command : site_.list.commands) {
+    if (command.alive) channels.insert(command.alive->channel);
+  }
+  return channels;
+}
+
+std::string Supervisor::complaint() const {
+  for (const KeptProcess& process : fleet_.keeper().processes()) {
+    const LifeState state = process.life().state();
+    if (state == LifeState::kFailed || state == LifeState::kPausing) {
+      return process.command().id + " is " + std::string(name_of(state)) + ": " +
+             process.life().trouble();
+    }
+  }
+  return script_failure_;
+}
+
+bool Supervisor::gave_up() const {
+  return std::ranges::any_of(fleet_.keeper().processes(), [](const KeptProcess& process) {
+    return process.life().state() == LifeState::kFailed;
+  });
+}
+
+TerminalAnswer Supervisor::answer(const std::vector<std::string>& words) {
+  static const std::map<std::string, ScriptAction::Kind> kChanges{
+      {"start", ScriptAction::Kind::kStart},
+      {"stop", ScriptAction::Kind::kStop},
+      {"restart", ScriptAction::Kind::kRestart}};
+  const std::string& verb = words.front();
+  const std::vector<std::string> names(words.begin() + 1, words.end());
+  if (verb == "ps") return {fleet_.rows(steady_us())};
+  if ((verb == "logs" || verb == "follow") && names.size() == 1) {
+    return logs_answer(fleet_, names.front(), verb == "follow");
+  }
+  if (verb == "script" && names.size() == 1) {
+    begin_script(names.front());
+    return {};
+  }
+  const auto found = kChanges.find(verb);
+  if (found == kChanges.end()) throw std::invalid_argument("unknown request \"" + verb + "\"");
+  change({found->second, names.empty() ? site_.list.ids_of({}) : names}, steady_us());
+  return {};
+}
+
+}  // namespace adit

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/procman/procman_values.hpp"
+#include "procs/supervisor/fleet.hpp"
+#include "procs/supervisor/keeping/script_run.hpp"
+#include "procs/supervisor/orders/order_policy.hpp"
+#include "procs/supervisor/os/host_meter.hpp"
+#include "procs/supervisor/procman_view.hpp"
+#include "procs/supervisor/site.hpp"
+#include "procs/supervisor/supervisor_params.hpp"
+#include "procs/supervisor/terminal/terminal_server.hpp"
+
+namespace adit {
+
+/// Keeps the processes of this computer and, where it is in charge, has those of others kept. It
+/// obeys the terminals of this computer, its start script and, as far as the configuration allows,
+/// orders from the network; whoever orders can only start and stop what is in the list.
+///
+/// Times are those of steady_us(), `utime` that of wall_utime().
+class Supervisor {
+ public:
+  struct News {
+    bool here = false;       ///< something has changed on this computer
+    bool elsewhere = false;  ///< there are new orders for others
+  };
+
+  /// Throws ConfigError for what cannot be, std::runtime_error where the socket cannot be had.
+  explicit Supervisor(const SupervisorParams& params);
+
+  /// To be called every few hundredths of a second.
+  News advance(std::int64_t now_us);
+  void measure(std::int64_t now_us);
+
+  /// Orders from the network. Returns why one was refused, as a text of static storage; those
+  /// beside it are obeyed. Orders for other computers are none of ours.
+  std::string_view obey(const ProcmanOrders& orders, std::int64_t now_us);
+  void heard(const ProcmanInfo& info, std::int64_t now_us) { fleet_.remotes().heard(info, now_us); }
+  void heard(std::string_view channel, std::int64_t now_us) { fleet_.heard(channel, now_us); }
+
+  [[nodiscard]] ProcmanInfo info(std::int64_t utime) const;
+  /// None where this supervisor is not in charge.
+  [[nodiscard]] std::vector<ProcmanOrders> orders(std::int64_t utime);
+  /// What processes have printed since, in pieces of less than 60 kB.
+  [[nodiscard]] std::vector<ProcmanOutput> take_output(std::int64_t utime) {
+    return relay_.take(fleet_.keeper(), site_.deputy, utime);
+  }
+
+  /// On which processes show that they are alive.
+  [[nodiscard]] std::set<std::string> alive_channels() const;
+
+  /// What is not as it should be; empty where all is well.
+  [[nodiscard]] std::string complaint() const;
+  /// Whether some process was given up.
+  [[nodiscard]] bool gave_up() const;
+
+ private:
+  TerminalAnswer answer(const std::vector<std::string>& words);
+  void advance_script(std::int64_t now_us);
+  void begin_script(const std::string& name);
+  void change(const ScriptChange& change, std::int64_t now_us);
+
+  SupervisorSite site_;
+  OrderPolicy policy_;
+  double script_timeout_s_;
+  Fleet fleet_;
+  HostMeter host_;
+  HostLoad load_;
+  std::optional<ScriptRun> script_;
+  std::string script_failure_;
+  OutputRelay relay_;
+  bool new_orders_ = false;
+  TerminalServer terminals_;
+};
+
+}  // namespace adit

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/supervisor/watch/watch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <system_error>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/signalfd.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "procs/supervisor/os/process_table.hpp"
+#include "procs/supervisor/os/wall_time.hpp"
+
+namespace adit {
+namespace {
+
+constexpr int kKillAgainMs = 20;  // what was born meanwhile
+
+/// Who is to outlive all others must not be asked to end with them.
+void ignore_signals() {
+  for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGTTIN, SIGTTOU, SIGTSTP}) {
+    std::signal(signal, SIG_IGN);
+  }
+}
+
+int signals_of_children() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGCHLD);
+  sigprocmask(SIG_BLOCK, &signals, nullptr);
+  return signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
+}
+
+void keep_lines_to_myself() {
+  fcntl(kWatchReportsDescriptor, F_SETFD, FD_CLOEXEC);
+  fcntl(kWatchSignalsDescriptor, F_SETFD, FD_CLOEXEC);
+  fcntl(kWatchSignalsDescriptor, F_SETFL, O_NONBLOCK);
+}
+
+}  // namespace
+
+Watch::Watch(const WatchOptions& options) : options_(options) {
+  ignore_signals();
+  keep_lines_to_myself();
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  child_signals_ = signals_of_children();
+  if (child_signals_ < 0) throw std::system_error(errno, std::generic_category(), "signalfd");
+  program_ = start_program(options_.argv);
+  const bool runs = program_.error == 0;
+  report(runs ? WatchReport::Kind::kStarted : WatchReport::Kind::kCouldNotStart,
+         runs ? program_.pid : program_.error);
+}
+
+void Watch::run() {
+  for (reap(); anybody_left_; reap()) {
+    if (kill_at_us_ && steady_us() >= *kill_at_us_) killing_ = true;
+    if (killing_) send_to_all(SIGKILL);
+    // Nobody writes any more where the supervisor is gone: that is not to wake us for ever.
+    const int signals = killing_ ? -1 : kWatchSignalsDescriptor;
+    std::array<pollfd, 2> descriptors{{{signals, POLLIN, 0}, {child_signals_, POLLIN, 0}}};
+    poll(descriptors.data(), descriptors.size(), timeout_ms());
+    if (descriptors[0].revents != 0) take_signals();
+  }
+}
+
+int Watch::timeout_ms() const {
+  if (killing_) return kKillAgainMs;
+  if (!kill_at_us_) return -1;
+  return static_cast<int>(std::max<std::int64_t>(*kill_at_us_ - steady_us(), 0) / 1000) + 1;
+}
+
+void Watch::take_signals() {
+  std::uint8_t signal = 0;
+  const ssize_t n = read(kWatchSignalsDescriptor, &signal, 1);
+  if (n < 0 && errno == EAGAIN) return;
+  if (n <= 0 || signal == SIGKILL) {
+    killing_ = true;
+    return;
+  }
+  send_to_all(signal);
+  send_to_all(SIGCONT);  // one that stands still would not hear it
+}
+
+void Watch::send_to_all(int signal) const {
+  for (const pid_t pid : ProcessTable::read().descendants_of(getpid())) kill(pid, signal);
+}
+
+void Watch::reap() {
+  signalfd_siginfo news{};
+  while (read(child_signals_, &news, sizeof(news)) > 0) {
+  }
+  int status = 0;
+  pid_t pid = 0;
+  while ((pid = waitpid(-1, &status, WNOHANG)) > 0) {
+    if (pid != program_.pid) continue;
+    report(WatchReport::Kind::kEnded, status);
+    send_to_all(options_.stop_signal);
+    kill_at_us_ = steady_us() + std::llround(options_.stop_time_s * 1e6);
+  }
+  anybody_left_ = pid == 0;
+}
+
+void Watch::report(WatchReport::Kind kind, int number) const {
+  const WatchReport report{kind, number};
+  [[maybe_unused]] const ssize_t written = write(kWatchReportsDescriptor, &report, sizeof(report));
+}
+
+}  // namespace adit

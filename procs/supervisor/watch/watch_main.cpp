@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// adit-watch STOP_SIGNAL STOP_TIME_S PROGRAM [ARGUMENT..]: for adit-supervisor, not for people.
+#include <exception>
+#include <iostream>
+
+#include "common/config/parse_number.hpp"
+#include "procs/supervisor/watch/watch.hpp"
+
+namespace {
+
+constexpr int kExitUnusable = 2;
+constexpr int kFirstOfProgram = 3;
+
+int watch(int argc, char** argv) {
+  const auto stop_signal = argc > kFirstOfProgram ? adit::parse_number<int>(argv[1]) : std::nullopt;
+  const auto stop_time_s = stop_signal ? adit::parse_number<double>(argv[2]) : std::nullopt;
+  if (!stop_time_s) {
+    std::cerr << "adit-watch: is started by adit-supervisor, for each program one\n";
+    return kExitUnusable;
+  }
+  adit::Watch({*stop_signal, *stop_time_s, argv + kFirstOfProgram}).run();
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  return watch(argc, argv);
+} catch (const std::exception& error) {
+  std::cerr << "adit-watch: " << error.what() << "\n";
+  return kExitUnusable;
+}

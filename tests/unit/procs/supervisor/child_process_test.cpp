@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Real processes: what a program that is started sees, and that nobody gets away.
+#include "procs/supervisor/os/child_process.hpp"
+
+#include <csignal>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "procs/supervisor/os/process_table.hpp"
+#include "tests/unit/procs/supervisor/processes.hpp"
+
+namespace adit {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::size_t kPlenty = 10'000'000;
+
+ChildStart start_of(const std::string& line) {
+  return {*parse_command_line(line), SIGTERM, 5.0, ADIT_WATCH};
+}
+
+/// A shell with a script, which must have no single quotes.
+ChildStart shell(const std::string& script) { return start_of("sh -c '" + script + "'"); }
+
+/// Runs it to its end.
+ChildProcess::End end_of(ChildProcess& child, std::string* output = nullptr) {
+  std::optional<ChildProcess::End> end;
+  EXPECT_TRUE(test::soon([&] {
+    end = child.poll();
+    const std::string more = child.read_output(kPlenty);
+    if (output) *output += more;
+    return end.has_value();
+  }));
+  return end.value_or(ChildProcess::End{});
+}
+
+std::string output_of(const ChildStart& start) {
+  ChildProcess child(start);
+  std::string output;
+  end_of(child, &output);
+  return output;
+}
+
+TEST(ChildProcess, GivesBackHowTheProgramEnded) {
+  ChildProcess well(shell("exit 0"));
+  EXPECT_TRUE(end_of(well).well());
+  ChildProcess badly(shell("exit 3"));
+  const ChildProcess::End end = end_of(badly);
+  EXPECT_EQ(WEXITSTATUS(end.wait_status), 3);
+  EXPECT_EQ(end.text(), "ended with exit code 3");
+  ChildProcess killed(shell("kill -SEGV $$"));
+  EXPECT_EQ(end_of(killed).text(), "killed by SIGSEGV");
+}
+
+TEST(ChildProcess, SaysWhyAProgramCannotBeStarted) {
+  EXPECT_THROW(
+      {
+        try {
+          const ChildProcess child(start_of("/nonexistent/program x"));
+        } catch (const std::runtime_error& error) {
+          EXPECT_THAT(error.what(), HasSubstr("No such file"));
+          throw;
+        }
+      },
+      std::runtime_error);
+}
+
+TEST(ChildProcess, PassesArgumentsAsTheyAreAndAddsToTheEnvironment) {
+  EXPECT_EQ(output_of(start_of(R"(printf '%s|' "a b" '' '$HOME;' c\ d)")), "a b||$HOME;|c d|");
+  EXPECT_EQ(output_of(start_of("ADIT_TEST='x y' sh -c 'echo $ADIT_TEST $0'")), "x y sh\n");
+}
+
+TEST(ChildProcess, HasATerminalWhoseLinesComeUnchanged) {
+  EXPECT_EQ(output_of(shell("test -t 0 && test -t 1 && test -t 2 && echo yes; echo err >&2")),
+            "yes\nerr\n");
+}
+
+TEST(ChildProcess, LeadsASession) {
+  EXPECT_EQ(output_of(shell("set -- $(cut -d\" \" -f 5,6 /proc/$$/stat); "
+                            "test $1 = $$ && test $2 = $$ && echo own")),
+            "own\n");
+}
+
+TEST(ChildProcess, HearsAllSignals) {
+  // Signals 32 and 33 are glibc's own: it ignores them between fork and exec.
+  EXPECT_EQ(output_of(start_of("grep -Ec 'SigBlk:.0{16}|SigIgn:.*0{7}$' /proc/self/status")),
+            "2\n");
+}
+
+TEST(ChildProcess, InheritsNoDescriptors) {
+  const int leak = open("/dev/null", O_RDONLY);  // as LCM's sockets are: not close-on-exec
+  ASSERT_GE(leak, 3);
+  // 3 is that of ls itself, which reads the folder.
+  EXPECT_EQ(output_of(start_of("ls -1 /proc/self/fd")), "0\n1\n2\n3\n");
+  close(leak);
+}
+
+TEST(ChildProcess, SendsSignalsToAllThatDescendFromIt) {
+  const std::string sleep = test::unique_sleep();
+  ChildProcess child(
+      shell("sleep " + sleep + " & setsid sh -c \"sleep " + sleep + "; true\" & wait"));
+  // Two that sleep, and the two shells that were told so.
+  ASSERT_TRUE(test::soon([&] { return test::processes_with(sleep) >= 4; }));
+  child.send(SIGTERM);
+  EXPECT_EQ(end_of(child).text(), "killed by SIGTERM");
+  EXPECT_EQ(test::processes_with(sleep), 0);
+}
+
+TEST(ChildProcess, KillsWhatDoesNotWantToEnd) {
+  const std::string sleep = test::unique_sleep();
+  ChildProcess child(
+      shell("trap \"\" TERM INT HUP; sleep " + sleep + " & echo ready; wait; sleep " + sleep));
+  ASSERT_TRUE(test::soon([&] { return !child.read_output(kPlenty).empty(); }));
+  child.send(SIGTERM);
+  EXPECT_FALSE(child.poll());
+  EXPECT_GE(test::processes_with(sleep), 1);
+  child.send(SIGKILL);
+  EXPECT_EQ(end_of(child).text(), "killed by SIGKILL");
+  EXPECT_EQ(test::processes_with(sleep), 0);
+}
+
+TEST(ChildProcess, StopsWhatAProgramLeavesBehind) {
+  const std::string sleep = test::unique_sleep();
+  ChildProcess child(shell("setsid sleep " + sleep + " & exit 4"));
+  EXPECT_EQ(end_of(child).text(), "ended with exit code 4");
+  EXPECT_EQ(test::processes_with(sleep), 0);
+}
+
+TEST(ChildProcess, KillsWhatAProgramLeavesBehindAndDoesNotStop) {
+  const std::string sleep = test::unique_sleep();
+  ChildStart start = shell("(trap \"\" TERM; sleep " + sleep + ") & sleep 0.1; exit 4");
+  start.stop_time_s = 0.1;
+  ChildProcess child(start);
+  EXPECT_EQ(end_of(child).text(), "ended with exit code 4");
+  EXPECT_EQ(test::processes_with(sleep), 0);
+}
+
+TEST(ChildProcess, TakesAllWithItWhenItGoes) {
+  const std::string sleep = test::unique_sleep();
+  {
+    const ChildProcess child(
+        shell("trap \"\" HUP TERM; setsid sleep " + sleep + " & sleep " + sleep));
+    ASSERT_TRUE(test::soon([&] { return test::processes_with(sleep) >= 3; }));
+  }
+  EXPECT_EQ(test::processes_with(sleep), 0);
+}
+
+TEST(ChildProcess, SurvivesTheDeathOfItsWatcher) {
+  ChildProcess child(shell("sleep " + test::unique_sleep()));
+  kill(child.watcher(), SIGKILL);
+  ASSERT_TRUE(
+      test::soon([&] { return ProcessTable::read().entries().at(child.watcher()).state == 'Z'; }));
+  child.send(SIGTERM);  // to nobody
+  EXPECT_EQ(end_of(child).text(), "killed by SIGKILL");
+}
+
+TEST(ChildProcess, LeavesNoZombies) {
+  {
+    ChildProcess child(
+        shell("for i in 1 2 3 4 5; do (sleep 0.01 &) ; done; sleep 0.1; echo done; "
+              "exec sleep 100"));
+    std::string output;
+    ASSERT_TRUE(test::soon([&] { return !(output += child.read_output(kPlenty)).empty(); }));
+    ASSERT_TRUE(test::soon(
+        [&] { return ProcessTable::read().descendants_of(child.watcher()).size() == 1; }));
+  }
+  EXPECT_TRUE(ProcessTable::read().children_of(getpid()).empty());
+}
+
+TEST(ChildProcess, WaitsWithItsOutputUntilSomebodyReads) {
+  ChildProcess child(shell("yes 0123456789 | head -c 3000000"));
+  std::string output;
+  EXPECT_TRUE(end_of(child, &output).well());
+  EXPECT_EQ(output.size(), 3'000'000U);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "procs/supervisor/orders/order_policy.hpp"
+#include "procs/supervisor/orders/remote_deputies.hpp"
+
+namespace adit {
+namespace {
+
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr std::int64_t kSecond = 1'000'000;
+constexpr std::int64_t kUtime = 1'600'000'000'000'000;
+
+ListedCommand listed(const std::string& id, const std::string& deputy) {
+  ListedCommand command;
+  command.id = id;
+  command.exec = std::string("x");
+  command.deputy = deputy;
+  return command;
+}
+
+ProcmanOrders from(const std::string& sheriff) { return {kUtime, "robot", sheriff, {}}; }
+
+TEST(OrderPolicy, ObeysNobodyByDefault) {
+  EXPECT_THAT(reason_to_refuse(OrderPolicy{}, from("anybody")), testing::HasSubstr("foreign"));
+}
+
+TEST(OrderPolicy, ObeysTheOneInChargeOnly) {
+  const OrderPolicy policy{"base", false};
+  EXPECT_THAT(reason_to_refuse(policy, from("base")), IsEmpty());
+  EXPECT_THAT(reason_to_refuse(policy, from("other")), testing::HasSubstr("foreign"));
+}
+
+TEST(OrderPolicy, ObeysEverybodyWhereItIsToldTo) {
+  EXPECT_THAT(reason_to_refuse(OrderPolicy{"", true}, from("anybody")), IsEmpty());
+}
+
+TEST(OrderPolicy, KnowsOnlyCommandsAndCommandLinesOfTheList) {
+  const ListedCommand command = listed("slam", "robot");
+  const auto reason = [&](const std::string& exec) {
+    ProcmanOrder order;
+    order.command.id = "slam";
+    order.command.exec = exec;
+    return reason_to_refuse(&command, order);
+  };
+  EXPECT_THAT(reason("x"), IsEmpty());
+  EXPECT_THAT(reason(""), IsEmpty());
+  EXPECT_EQ(reason("x; rm -rf /"), "order with another command line than listed");
+  EXPECT_EQ(reason_to_refuse(nullptr, ProcmanOrder{}),
+            "order for a command that is not in the list of this computer");
+}
+
+class RemoteDeputiesTest : public testing::Test {
+ protected:
+  static ProcessList list() {
+    ListedCommand seen = listed("seen", "far");
+    seen.alive = AliveSign{"POSE", 1.0};
+    return {{listed("here", "robot"), listed("there", "far"), seen}, {}};
+  }
+
+  void hear(const std::string& id, int pid, std::int32_t run_id, std::int64_t now_us,
+            const std::string& deputy = "far") {
+    ProcmanStatus status;
+    status.command.id = id;
+    status.pid = pid;
+    status.run_id = run_id;
+    remotes_.heard({kUtime, deputy, {}, {status}}, now_us);
+  }
+
+  std::optional<ProcmanOrder> order() {
+    const auto all = remotes_.orders("robot", kUtime);
+    if (all.empty()) return std::nullopt;
+    EXPECT_EQ(all.front().deputy, "far");
+    EXPECT_EQ(all.front().sheriff, "robot");
+    return all.front().orders.front();
+  }
+
+  RemoteDeputies remotes_{list(), "robot"};
+};
+
+TEST_F(RemoteDeputiesTest, OrderNothingThatNobodyWants) {
+  hear("there", 17, 3, 0);
+  EXPECT_THAT(remotes_.orders("robot", kUtime), IsEmpty());
+  EXPECT_FALSE(remotes_.has("here"));
+}
+
+TEST_F(RemoteDeputiesTest, WaitForTheDeputyBeforeTheyOrder) {
+  remotes_.start("there");
+  EXPECT_FALSE(order());
+  hear("there", 0, 7, 0);
+  EXPECT_EQ(order()->run_id, 8);
+  EXPECT_FALSE(order()->stop);
+  EXPECT_EQ(order()->command.exec, "x");
+}
+
+TEST_F(RemoteDeputiesTest, LeaveARunThatRunsAlready) {
+  hear("there", 17, 7, 0);
+  remotes_.start("there");
+  EXPECT_EQ(order()->run_id, 7);
+  remotes_.restart("there");
+  EXPECT_EQ(order()->run_id, 8);
+  EXPECT_EQ(order()->run_id, 8);  // repeated, not counted on
+}
+
+TEST_F(RemoteDeputiesTest, TellHowFarAnOrderHasCome) {
+  EXPECT_EQ(remotes_.standing("there", 0), Standing::kBetween);  // nothing was heard
+  hear("there", 0, 7, 0);
+  EXPECT_EQ(remotes_.standing("there", 0), Standing::kStopped);
+  remotes_.start("there");
+  EXPECT_EQ(remotes_.standing("there", 0), Standing::kBetween);
+  order();
+  EXPECT_EQ(remotes_.standing("there", 0), Standing::kBetween);
+  hear("there", 17, 8, kSecond);
+  EXPECT_EQ(remotes_.standing("there", kSecond), Standing::kWorking);
+  remotes_.stop("there");
+  order();
+  EXPECT_EQ(remotes_.standing("there", kSecond), Standing::kBetween);
+  hear("there", 0, 8, 2 * kSecond);
+  EXPECT_EQ(remotes_.standing("there", 2 * kSecond), Standing::kStopped);
+}
+
+TEST_F(RemoteDeputiesTest, KnowNothingOfADeputyThatIsSilent) {
+  hear("there", 17, 1, 0);
+  EXPECT_EQ(remotes_.status("there", 5 * kSecond)->pid, 17);
+  EXPECT_FALSE(remotes_.status("there", 5 * kSecond + 1));
+  EXPECT_EQ(remotes_.standing("there", 5 * kSecond + 1), Standing::kBetween);
+}
+
+TEST_F(RemoteDeputiesTest, BelieveOnlyTheDeputyOfTheList) {
+  hear("there", 17, 1, 0, "other");
+  EXPECT_FALSE(remotes_.status("there", 0));
+}
+
+TEST_F(RemoteDeputiesTest, AskForSignsOfLifeToo) {
+  hear("seen", 17, 1, 0);
+  EXPECT_EQ(remotes_.standing("seen", 0), Standing::kBetween);
+  remotes_.heard("POSE", 0);
+  EXPECT_EQ(remotes_.standing("seen", 0), Standing::kWorking);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <thread>
+
+#include <unistd.h>
+
+namespace adit::test {
+
+/// A number of seconds for `sleep` that no other process of this computer sleeps for, so that the
+/// processes of a test can be told by it.
+inline std::string unique_sleep() {
+  static int count = 0;
+  return "1000." + std::to_string(getpid()) + "00" + std::to_string(++count);
+}
+
+/// Processes, zombies left out, on whose command line the text is.
+inline int processes_with(const std::string& text) {
+  int found = 0;
+  std::error_code gone;
+  for (const auto& folder : std::filesystem::directory_iterator("/proc", gone)) {
+    if (folder.path() == std::filesystem::path("/proc") / std::to_string(getpid())) continue;
+    std::ifstream file(folder.path() / "cmdline");
+    const std::string line{std::istreambuf_iterator<char>(file), {}};
+    if (line.find(text) != std::string::npos) ++found;
+  }
+  return found;
+}
+
+/// Whether the condition comes true within ten seconds.
+inline bool soon(const std::function<bool()>& condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return true;
+}
+
+}  // namespace adit::test

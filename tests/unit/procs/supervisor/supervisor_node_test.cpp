@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The stage with real processes, on a bus in memory whose time goes on as the world's does.
+#include "procs/supervisor/supervisor_node.hpp"
+
+#include <atomic>
+#include <csignal>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/memory_bus.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/procman.hpp"
+#include "procs/supervisor/terminal/terminal_client.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/unit/procs/supervisor/processes.hpp"
+
+namespace adit {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr std::int64_t kStart = 1'600'000'000'000'000;
+constexpr const char* kList = R"(
+group "g" { cmd "talk" { exec = "sh -c 'echo hello; exec sleep 1000'"; deputy = "robot"; } }
+cmd "quiet" { exec = "sleep 1000"; alive_channel = "POSE"; start_timeout_s = 60; }
+cmd "far" { exec = "sleep 1000"; deputy = "sensors"; }
+script "go" { start group "g" wait "running"; start cmd "quiet" wait "running"; start cmd "far"; }
+script "hopeless" { wait cmd "quiet" status "running" timeout_s 0; }
+)";
+
+class SupervisorNodeTest : public testing::Test {
+ protected:
+  SupervisorNodeTest() {
+    std::ofstream(folder_ / "list.cfg") << kList;
+    params_.processes = folder_ / "list.cfg";
+    params_.deputy_id = "robot";
+    params_.socket = folder_ / "s.sock";
+    params_.watcher = ADIT_WATCH;
+    bus_.tap([this](const Received& received) { take(received); });
+  }
+
+  void take(const Received& received) {
+    if (received.channel == channels::kPmInfo) {
+      info_ = *from_message(*decode<procman_lcm::deputy_info_t>(received.bytes));
+      ++infos_;
+    } else if (received.channel == channels::kPmOrders) {
+      orders_.push_back(*from_message(*decode<procman_lcm::orders_t>(received.bytes)));
+    } else if (received.channel == channels::kPmOutput) {
+      const auto output = from_message(*decode<procman_lcm::output_t>(received.bytes));
+      for (const auto& text : output->texts) printed_ += text.id + ": " + text.text;
+    }
+  }
+
+  void start_node() { node_ = std::make_unique<SupervisorNode>(bus_, params_); }
+
+  void go_on() {
+    utime_ += 20'000;
+    bus_.advance_to(utime_);
+  }
+
+  bool soon(const std::function<bool()>& condition) {
+    return test::soon([&] {
+      go_on();
+      return condition();
+    });
+  }
+
+  [[nodiscard]] ProcmanStatus status(const std::string& id) const {
+    for (const ProcmanStatus& status : info_.commands) {
+      if (status.command.id == id) return status;
+    }
+    return {};
+  }
+
+  /// As a stock sheriff sends it.
+  void order(const std::string& sheriff, const std::string& id, const std::string& exec,
+             std::int32_t run_id, bool stop = false) {
+    ProcmanOrder order;
+    order.command.id = id;
+    order.command.exec = exec;
+    order.run_id = run_id;
+    order.stop = stop;
+    publish(bus_, channels::kPmOrders,
+            to_message(ProcmanOrders{kStart, "robot", sheriff, {order}}));
+  }
+
+  [[nodiscard]] const SubscriptionStats& order_stats() const { return bus_.stats(0); }
+
+  /// What a terminal says, from a thread of its own since the node answers on this one.
+  std::string terminal(const std::vector<std::string>& words) {
+    std::string said;
+    std::atomic<bool> done = false;
+    std::jthread thread([&] {
+      try {
+        said = ask_supervisor(params_.socket, words);
+      } catch (const std::runtime_error& error) {
+        said = std::string("error: ") + error.what();
+      }
+      done = true;
+    });
+    EXPECT_TRUE(soon([&] { return done.load(); }));
+    thread.join();
+    return said;
+  }
+
+  test::ScratchFolder folder_;
+  SupervisorParams params_;
+  MemoryBus bus_;
+  std::unique_ptr<SupervisorNode> node_;
+  std::int64_t utime_ = kStart;
+  ProcmanInfo info_;
+  int infos_ = 0;
+  std::vector<ProcmanOrders> orders_;
+  std::string printed_;
+};
+
+TEST_F(SupervisorNodeTest, TellsOfItsProcessesAsProcmanDoes) {
+  start_node();
+  go_on();
+  EXPECT_EQ(info_.deputy, "robot");
+  ASSERT_EQ(info_.commands.size(), 2U);  // not that of another computer
+  EXPECT_EQ(info_.commands[0].command,
+            (ProcmanCommand{"talk", "sh -c 'echo hello; exec sleep 1000'", "g", false, 2, 7.0}));
+  EXPECT_EQ(info_.commands[0].pid, 0);
+  EXPECT_GT(info_.load.memory_bytes, 0);
+}
+
+TEST_F(SupervisorNodeTest, TellsEachSecondAndOnChangeAndWhenAsked) {
+  start_node();
+  bus_.advance_to(kStart);
+  infos_ = 0;
+  utime_ = kStart + 5'000'000;
+  bus_.advance_to(utime_);
+  EXPECT_EQ(infos_, 5);
+  publish(bus_, channels::kPmDiscover, to_message(ProcmanDiscovery{kStart, "sheriff", 1}));
+  EXPECT_EQ(infos_, 6);
+  EXPECT_EQ(terminal({"start", "talk"}), "");
+  EXPECT_TRUE(soon([&] { return status("talk").pid > 0; }));
+}
+
+TEST_F(SupervisorNodeTest, RefusesForeignOrdersByDefault) {
+  start_node();
+  go_on();
+  order("sheriff", "talk", "", 5);
+  EXPECT_EQ(order_stats().refused, 1);
+  EXPECT_THAT(order_stats().refusals.begin()->first, HasSubstr("foreign sheriff"));
+  go_on();
+  EXPECT_EQ(status("talk").pid, 0);
+}
+
+TEST_F(SupervisorNodeTest, ObeysASheriffWhereItIsToldToAndRunsOnlyWhatIsListed) {
+  params_.accept_orders = true;
+  start_node();
+  order("sheriff", "talk", status("talk").command.exec, 5);
+  ASSERT_TRUE(soon([&] { return status("talk").pid > 0; }));
+  EXPECT_EQ(status("talk").run_id, 5);
+  EXPECT_TRUE(soon([&] { return printed_ == "talk: hello\n"; })) << printed_;
+  order("sheriff", "talk", "sh -c evil", 6);
+  order("sheriff", "evil", "sh -c evil", 6);
+  order("sheriff", "far", "", 6);
+  EXPECT_EQ(order_stats().refused, 3);
+  go_on();
+  EXPECT_EQ(status("talk").run_id, 5);
+  order("sheriff", "talk", "", 5, true);
+  ASSERT_TRUE(soon([&] { return status("talk").pid == 0; }));
+  EXPECT_EQ(WTERMSIG(status("talk").wait_status), SIGINT);
+  EXPECT_EQ(node_->health(), Health{});
+}
+
+TEST_F(SupervisorNodeTest, AsADeputyObeysTheOneInCharge) {
+  params_.role = "deputy";
+  params_.in_charge = "base";
+  start_node();
+  order("stranger", "talk", "", 1);
+  order("base", "talk", "", 2);
+  EXPECT_EQ(order_stats().refused, 1);
+  ASSERT_TRUE(soon([&] { return status("talk").pid > 0; }));
+  EXPECT_EQ(status("talk").run_id, 2);
+  EXPECT_THAT(terminal({"start", "far"}), HasSubstr("\"far\" runs on sensors, and this"));
+  EXPECT_THAT(orders_, testing::SizeIs(2));  // those of this test
+}
+
+TEST_F(SupervisorNodeTest, RunsItsStartScriptAndOrdersWhatOthersAreToRun) {
+  params_.start_script = "go";
+  start_node();
+  ASSERT_TRUE(soon([&] { return status("quiet").pid > 0; }));
+  EXPECT_GT(status("talk").pid, 0);
+  publish(bus_, channels::kPmInfo,
+          to_message(ProcmanInfo{kStart, "sensors", {}, {{{"far", "", "", false, 0, 0.0}, 0, 3}}}));
+  go_on();
+  EXPECT_THAT(orders_, IsEmpty());  // the script waits for a sign of life
+  EXPECT_TRUE(soon([&] {
+    bus_.publish(channels::kPose, {});
+    return !orders_.empty();
+  }));
+  EXPECT_EQ(orders_.back().deputy, "sensors");
+  EXPECT_EQ(orders_.back().sheriff, "robot");
+  ASSERT_EQ(orders_.back().orders.size(), 1U);
+  EXPECT_EQ(orders_.back().orders[0].command.id, "far");
+  EXPECT_EQ(orders_.back().orders[0].run_id, 4);
+}
+
+TEST_F(SupervisorNodeTest, SaysWhyAScriptHasEnded) {
+  params_.start_script = "hopeless";
+  start_node();
+  go_on();
+  EXPECT_EQ(node_->health().level, Health::Level::kDegraded);
+  EXPECT_THAT(node_->health().reason, HasSubstr("waited in vain for \"quiet\""));
+}
+
+TEST_F(SupervisorNodeTest, ServesTerminals) {
+  start_node();
+  EXPECT_EQ(terminal({"start", "talk"}), "");
+  ASSERT_TRUE(soon([&] { return !printed_.empty(); }));
+  EXPECT_EQ(terminal({"logs", "talk"}), "hello\n");
+  EXPECT_THAT(terminal({"ps"}), AllOf(HasSubstr("talk\trobot\tg\trunning\t"),
+                                      HasSubstr("quiet\trobot\t\tstopped\t0\t"),
+                                      HasSubstr("far\tsensors\t\tunknown\t0\t")));
+  EXPECT_EQ(terminal({"stop"}), "");  // all
+  EXPECT_TRUE(soon([&] { return status("talk").pid == 0; }));
+  EXPECT_THAT(terminal({"start", "talk", "none"}), HasSubstr("there is no process \"none\""));
+  go_on();
+  EXPECT_EQ(status("talk").pid, 0);  // nothing was done by halves
+  EXPECT_THAT(terminal({"logs", "far"}), HasSubstr("runs on sensors: ask there"));
+  EXPECT_THAT(terminal({"logs", "none"}), HasSubstr("no process \"none\""));
+  EXPECT_THAT(terminal({"script", "none"}), HasSubstr("no script \"none\""));
+  EXPECT_THAT(terminal({"dance"}), HasSubstr("unknown request"));
+}
+
+TEST_F(SupervisorNodeTest, ReportsAProcessThatWasGivenUp) {
+  std::ofstream(folder_ / "list.cfg") << R"(cmd "bad" { exec = "false"; })";
+  start_node();
+  terminal({"start", "bad"});
+  EXPECT_TRUE(soon([&] { return node_->health().level == Health::Level::kFault; }));
+  EXPECT_EQ(node_->health().reason, "bad is failed: ended with exit code 1");
+}
+
+TEST_F(SupervisorNodeTest, RefusesAConfigurationThatCannotBe) {
+  const auto error_of = [&](const SupervisorParams& params) -> std::string {
+    try {
+      const SupervisorNode node(bus_, params);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  SupervisorParams params = params_;
+  params.processes.clear();
+  EXPECT_THAT(error_of(params), HasSubstr("supervisor.processes is not set"));
+  params.processes = folder_ / "none.cfg";
+  EXPECT_THAT(error_of(params), HasSubstr("none.cfg: cannot be read"));
+  params = params_;
+  params.start_script = "none";
+  EXPECT_THAT(error_of(params), HasSubstr("has no script \"none\""));
+  params = params_;
+  params.watcher = "/nonexistent";
+  EXPECT_THAT(error_of(params), HasSubstr("/nonexistent cannot be run"));
+  params = params_;
+  params.role = "deputy";
+  EXPECT_THAT(error_of(params), HasSubstr("command \"quiet\" names no deputy"));
+}
+
+}  // namespace
+}  // namespace adit

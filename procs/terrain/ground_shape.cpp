@@ -10,7 +10,7 @@ namespace adit {
 namespace {
 
 constexpr int kReach = 2;        // cells to either side of the middle
-constexpr int kPlaneCells = 13;  // that a plane needs, more than half of them all
+constexpr int kPlaneCells = 20;  // that a plane needs: at the edge of the view a rail is no slope
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 template <class Visit>
@@ -47,7 +47,7 @@ struct PlaneSums {
   }
 };
 
-/// Thirteen of 5 × 5 cells are never all in a line, so that a plane through them is one.
+/// Twenty of 5 × 5 cells are never all in a line, so that a plane through them is one.
 float slope_rad(const TerrainMap& map, int column, int row) {
   const float middle = map.at(column, row).low_m;  // keeps the sums small, and so exact
   PlaneSums sums;

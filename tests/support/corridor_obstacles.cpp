@@ -11,7 +11,10 @@
 namespace adit {
 namespace {
 
-constexpr double kNearM = kCorridorStart + 1.8;  // what stands in the way of the robot begins here
+// Tall things begin here: lower ones are hidden below the steepest beam up to 2.4 m ahead. Of that
+// ground a robot knows from before that it is free.
+constexpr double kNearM = kCorridorStart + 1.8;
+constexpr double kLowNearM = kCorridorStart + 2.4;
 constexpr double kFarM = kCorridorStart + 7.0;
 
 const char* const kDrift = "main";
@@ -21,6 +24,7 @@ double anywhere_m(const CorridorMine& mine, Dice& dice) {
   return dice.between(-0.5, 0.5) * width_m(mine);
 }
 double at_m(Dice& dice) { return dice.between(kNearM, kFarM); }
+double low_at_m(Dice& dice) { return dice.between(kLowNearM, kFarM); }
 
 /// Adds something at a place of the drift: `add(builder, T_world_place, floor_m)`.
 template <class Add>
@@ -38,7 +42,7 @@ void nothing(CorridorMine& /*mine*/, Dice& /*dice*/) {}
 void posts(CorridorMine& mine, Dice& dice) {
   const int n = dice.between(1, 6);
   for (int i = 0; i < n; ++i) {
-    const double at = dice.between(kCorridorStart - 0.5, kFarM);
+    const double at = dice.between(kCorridorStart + 1.2, kFarM);
     mine.description.props.posts.push_back({.drift = kDrift,
                                             .from_m = at,
                                             .to_m = at,
@@ -58,20 +62,22 @@ void cribs(CorridorMine& mine, Dice& dice) {
 }
 
 void fall(CorridorMine& mine, Dice& dice) {
+  const double radius_m = dice.between(0.6, 2.2);
   mine.description.props.rubble.push_back({.drift = kDrift,
-                                           .at_m = at_m(dice) + 0.5,
+                                           .at_m = low_at_m(dice) + radius_m,
                                            .across_m = anywhere_m(mine, dice),
-                                           .radius_m = dice.between(0.6, 2.2),
+                                           .radius_m = radius_m,
                                            .height_m = dice.between(0.3, 1.8)});
 }
 
 void low_rubble(CorridorMine& mine, Dice& dice) {
   const int n = dice.between(2, 6);
   for (int i = 0; i < n; ++i) {
+    const double radius_m = dice.between(0.4, 1.5);
     mine.description.props.rubble.push_back({.drift = kDrift,
-                                             .at_m = at_m(dice),
+                                             .at_m = low_at_m(dice) + radius_m,
                                              .across_m = anywhere_m(mine, dice),
-                                             .radius_m = dice.between(0.4, 1.5),
+                                             .radius_m = radius_m,
                                              .height_m = dice.between(0.05, 0.2)});
   }
 }
@@ -82,7 +88,7 @@ void boulders(CorridorMine& mine, Dice& dice) {
   for (int i = 0; i < n; ++i) {
     const double radius_m = dice.between(0.2, 1.0) * largest_m;
     const int seed = dice.between(0, 1000000);
-    const double at = at_m(dice);
+    const double at = low_at_m(dice) + radius_m;
     add_at(mine, at, anywhere_m(mine, dice),
            [=](MeshBuilder& builder, const Pose2& place, double floor) {
              std::mt19937_64 random(static_cast<std::uint64_t>(seed));
@@ -103,7 +109,7 @@ void rails(CorridorMine& mine, Dice& dice) {
 
 void broken_beam(CorridorMine& mine, Dice& dice) {
   mine.description.props.beams.push_back({.drift = kDrift,
-                                          .at_m = at_m(dice) + 0.7,
+                                          .at_m = low_at_m(dice) + 1.5,
                                           .thickness_m = dice.between(0.12, 0.3),
                                           .yaw_rad = dice.between(-0.7, 0.7),
                                           .high_end_m = dice.between(0.5, 1.7),
@@ -175,7 +181,7 @@ void pit(CorridorMine& mine, Dice& dice) {
     const double radius_m = dice.between(0.25, 1.3);
     mine.description.props.pits.push_back({.name = "pit_" + std::to_string(i),
                                            .drift = kDrift,
-                                           .at_m = at_m(dice) + radius_m,
+                                           .at_m = low_at_m(dice) + radius_m,
                                            .across_m = anywhere_m(mine, dice),
                                            .radius_m = radius_m,
                                            .depth_m = dice.between(0.25, 2.0)});
@@ -186,8 +192,8 @@ void pit(CorridorMine& mine, Dice& dice) {
 void trench(CorridorMine& mine, Dice& dice) {
   // The floor is a pair of slabs then, on which the robot stands, with nothing between them.
   const double depth_m = dice.between(0.08, 0.6);
-  const double gap_m = dice.between(0.15, 1.2);
-  const double edge = dice.between(2.0, 6.0);
+  const double gap_m = dice.between(0.6, 1.5);  // a wheel bridges what is narrower
+  const double edge = dice.between(2.4, 6.0);
   add_at(mine, kCorridorStart, 0.0, [=](MeshBuilder& builder, const Pose2& place, double floor) {
     builder.begin_part(PartKind::kFloor, Material::kRock, "slab");
     builder.box(plan_box(place * Pose2{(edge - 5.0) / 2.0, 0.0, 0.0}, floor + depth_m - 0.5,
@@ -199,7 +205,7 @@ void trench(CorridorMine& mine, Dice& dice) {
 }
 
 void water(CorridorMine& mine, Dice& dice) {
-  const double from = at_m(dice);
+  const double from = low_at_m(dice);
   mine.description.props.water.push_back({.name = "water",
                                           .drift = kDrift,
                                           .from_m = from,
@@ -226,7 +232,7 @@ void ramp(CorridorMine& mine, Dice& dice) {
 void step(CorridorMine& mine, Dice& dice) {
   const double height_m = dice.between(0.06, 0.4);
   const bool down = dice.chance(0.5);
-  const double edge = dice.between(1.8, 6.0);
+  const double edge = dice.between(2.4, 6.0);
   const double length_m = down ? 7.0 : 10.0;
   add_at(mine, kCorridorStart, 0.0, [=](MeshBuilder& builder, const Pose2& place, double floor) {
     const double middle = down ? edge - length_m / 2.0 : edge + length_m / 2.0;

@@ -90,11 +90,20 @@ void Planning::prepare(const TerrainMap& terrain, const Pose2& T_level_body) {
   GroundLayers layers =
       ground_layers(terrain, T_level_body, params_.vehicle, params_.c_space.ground);
   CSpace space = kernels_->convolve(layers);
-  ground_.emplace(PlanGround{std::move(layers), std::move(space)});
+  CloseLook close_look(layers, primitives_->reach());
+  ground_.emplace(PlanGround{std::move(layers), std::move(space), std::move(close_look)});
 }
 
 Lattice Planning::lattice(std::uint16_t refused) const {
-  return {ground_->space, *primitives_, refused};
+  return {ground_->space, *primitives_, refused, &ground_->close_look};
+}
+
+bool Planning::stands(const LatticePose& pose) const {
+  if (!lattice(CSpace::kUnseen).stands(pose)) return false;
+  const CSpace& space = ground_->space;
+  if (!CSpace::is_close(space.slice(pose.heading)[space.index(pose.column, pose.row)])) return true;
+  const auto& kernel = kernels_->oriented(pose.heading);
+  return ground_->close_look.is_free(kernel.exact_body, kernel.exact_wheels, pose.column, pose.row);
 }
 
 PlannedPath Planning::plan(const TerrainMap& terrain, const PlanGoal& goal,
@@ -104,7 +113,7 @@ PlannedPath Planning::plan(const TerrainMap& terrain, const PlanGoal& goal,
   const HeadingSet& headings = kernels_->headings();
   const LatticePose start = nearest_pose(terrain, headings, T_level_body);
   const Lattice free = lattice(CSpace::kUnseen);
-  if (!free.stands(start)) {
+  if (!stands(start)) {
     const double at_the_limit = CSpace::kEven * (1.0 + params_.c_space.rough_factor);
     allow_leaving(ground_->space, start, ground_->layers, *kernels_,
                   static_cast<std::uint16_t>(at_the_limit));

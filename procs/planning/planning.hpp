@@ -10,6 +10,7 @@
 #include "common/vehicle/vehicle.hpp"
 #include "procs/planning/c_space.hpp"
 #include "procs/planning/goal_field.hpp"
+#include "procs/planning/lattice.hpp"
 #include "procs/planning/lattice_search.hpp"
 #include "procs/planning/motion_primitives.hpp"
 
@@ -38,6 +39,7 @@ struct PlanningParams {
 struct PlanGround {
   GroundLayers layers;
   CSpace space;
+  CloseLook close_look;
 };
 
 /// Finds a path over the terrain of one 3D scan: C-space maps by oriented kernels and A* in them
@@ -61,6 +63,7 @@ class Planning {
  private:
   void prepare(const TerrainMap& terrain, const Pose2& T_level_body);
   [[nodiscard]] Lattice lattice(std::uint16_t refused) const;
+  [[nodiscard]] bool stands(const LatticePose& pose) const;
   [[nodiscard]] PlannedPath no_path(const TerrainMap& terrain, const LatticePose& start,
                                     const GoalField& goals) const;
 

@@ -23,7 +23,7 @@ std::string degrees(double angle_rad) {
 std::uint8_t grey_of(std::uint16_t cost) {
   if (cost == CSpace::kLethal) return 0;
   if (cost == CSpace::kUnseen) return 90;
-  const double over = cost - CSpace::kEven;
+  const double over = CSpace::bare(cost) - CSpace::kEven;
   return static_cast<std::uint8_t>(std::lround(120.0 + 135.0 * kPaleCost / (kPaleCost + over)));
 }
 
@@ -47,11 +47,11 @@ void fill(GreyCells& cells, const RunKernel& kernel, int reach, std::uint8_t gre
 
 GreyCells kernel_of(const CSpaceKernels& kernels, int heading) {
   const auto& oriented = kernels.oriented(heading);
-  const int reach = oriented.lethal_body.reach;
+  const int reach = oriented.close_body.reach;
   GreyCells cells{degrees(kernels.headings().angle(heading)), 2 * reach + 1, {}};
   const auto side = static_cast<std::size_t>(cells.columns);
   cells.grey.assign(side * side, kWhite);
-  fill(cells, oriented.lethal_body, reach, kMargin);
+  fill(cells, oriented.close_body, reach, kMargin);
   fill(cells, oriented.body, reach, kBetween);
   fill(cells, oriented.wheels, reach, 0);
   return cells;

@@ -85,8 +85,8 @@ TEST(CSpace, IsTheDirectSumAtEachPose) {
                              std::uint32_t beyond) {
           return direct_sum(mapped.layers, layer, of, column, row, beyond);
         };
-        const bool lethal = sum(mapped.layers.under_body, kernel.lethal_body, 0) +
-                                sum(mapped.layers.under_wheels, kernel.lethal_wheels, 0) >
+        const bool lethal = sum(mapped.layers.under_body, kernel.close_body, 0) +
+                                sum(mapped.layers.under_wheels, kernel.close_wheels, 0) >
                             0;
         const std::uint16_t expected =
             lethal ? CSpace::kLethal
@@ -140,7 +140,7 @@ TEST(CSpace, IsNotMoreCautiousThanCellsAndHeadingsAsk) {
     const double margin = kCellM * std::sqrt(2.0) + corner * half_gap + 0.02;
     const BodyRectangle grown = body_outline(even.vehicle).grown(margin);
     const Pose2 turned{0.0, 0.0, even.kernels.headings().angle(k)};
-    for (const auto& run : even.kernels.oriented(k).lethal_body.runs) {
+    for (const auto& run : even.kernels.oriented(k).close_body.runs) {
       for (int dx = run.first; dx <= run.last; ++dx) {
         const Eigen::Vector2d p = kCellM * Eigen::Vector2d(dx, run.row);
         EXPECT_TRUE(grown.contains(turned.inverse() * p)) << k;

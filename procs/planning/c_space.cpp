@@ -26,6 +26,12 @@ using Layer = std::vector<std::uint8_t>;
 struct LayerSums {
   LayerSums(const GroundLayers& layers, int border, std::uint32_t unseen_roughness)
       : lethal_body(layers.columns, layers.rows, border, 0, Of{layers, layers.under_body}),
+        body(layers.columns, layers.rows, border, 0,
+             [&](int column, int row) {
+               const std::size_t i = layers.index(column, row);
+               return std::uint8_t{
+                   static_cast<std::uint8_t>(layers.under_body[i] | layers.unseen[i])};
+             }),
         lethal_wheels(layers.columns, layers.rows, border, 0, Of{layers, layers.under_wheels}),
         roughness(layers.columns, layers.rows, border, unseen_roughness,
                   Of{layers, layers.roughness}),
@@ -42,6 +48,7 @@ struct LayerSums {
   };
 
   RowSums<std::uint16_t> lethal_body;
+  RowSums<std::uint16_t> body;  ///< what is not seen, too
   RowSums<std::uint16_t> lethal_wheels;
   RowSums<std::uint32_t> roughness;
   RowSums<std::uint32_t> ground;
@@ -62,7 +69,7 @@ struct RowTotals {
     std::fill(ground.begin(), ground.end(), 0U);
     sums.lethal_body.add_row(kernel.lethal_body, row, lethal);
     sums.lethal_wheels.add_row(kernel.lethal_wheels, row, lethal);
-    sums.lethal_body.add_row(kernel.close_body, row, close);
+    sums.body.add_row(kernel.close_body, row, close);
     sums.lethal_wheels.add_row(kernel.close_wheels, row, close);
     sums.roughness.add_row(kernel.body, row, roughness);
     sums.ground.add_row(kernel.wheels, row, ground);
@@ -108,10 +115,8 @@ std::vector<BodyRectangle> less(const std::vector<BodyRectangle>& rectangles, do
   return smaller;
 }
 
-/// What is both close and not seen, nobody can look at closely.
 std::uint16_t close(std::uint16_t cost) {
-  return cost < CSpace::kUnseen ? static_cast<std::uint16_t>(cost + CSpace::kClose)
-                                : CSpace::kLethal;
+  return cost < CSpace::kUnseen ? static_cast<std::uint16_t>(cost + CSpace::kClose) : cost;
 }
 
 }  // namespace

@@ -57,6 +57,7 @@ class Marks {
   void mark(const LatticePose& pose, const MotionPrimitive& step, const Counts& counts) {
     mark_layer(grounds_.layers.under_body, step.body, pose, counts);
     mark_layer(grounds_.layers.under_wheels, step.wheels, pose, counts);
+    mark_layer(grounds_.layers.unseen, step.body, pose, counts);
   }
 
   [[nodiscard]] std::vector<BlockingCell> cells() const {

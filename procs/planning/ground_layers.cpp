@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "procs/planning/blind_ground.hpp"
 #include "procs/planning/distance_transform.hpp"
 #include "procs/planning/footprint.hpp"
 
@@ -24,18 +25,6 @@ double share_of_limits(const TerrainCell& cell, const Vehicle& vehicle,
                                 cell.slope_rad / limits.slope_max_rad / 2.0);
   return std::clamp(share, 0.0, 1.0);
 }
-
-/// Around a robot in level.
-struct Standing {
-  Pose2 T_body_level;
-  BodyRectangle footprint;
-  BodyRectangle blind;
-
-  Standing(const Pose2& T_level_body, const Vehicle& vehicle, const GroundLimits& limits)
-      : T_body_level(T_level_body.inverse()),
-        footprint(body_outline(vehicle)),
-        blind(footprint.grown(limits.blind_margin_m)) {}
-};
 
 void classify(GroundLayers& layers, std::size_t i, std::optional<Reason> reason) {
   if (!reason) return;
@@ -98,15 +87,17 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
        {&layers.under_body, &layers.under_wheels, &layers.unseen, &layers.roughness}) {
     layer->assign(n, 0);
   }
-  const Standing robot(T_level_body, vehicle, limits);
+  const Pose2 T_body_level = T_level_body.inverse();
+  const BodyRectangle footprint = body_outline(vehicle);
+  const BlindGround blind_ground(terrain, T_level_body, vehicle, limits);
   for (int row = 0; row < terrain.rows; ++row) {
     for (int column = 0; column < terrain.columns; ++column) {
       const std::size_t i = layers.index(column, row);
       const TerrainCell& cell = terrain.at(column, row);
       const auto reason = lethal_reason(cell, vehicle, limits);
-      const Eigen::Vector2d p_body = robot.T_body_level * terrain.centre(column, row);
-      const bool below = robot.footprint.contains(p_body);
-      const bool blind = reason == Reason::kUnknown && robot.blind.contains(p_body);
+      const Eigen::Vector2d p_level = terrain.centre(column, row);
+      const bool below = footprint.contains(T_body_level * p_level);
+      const bool blind = reason == Reason::kUnknown && blind_ground.contains(p_level);
       if (!below && !blind) classify(layers, i, reason);
       layers.roughness[i] = static_cast<std::uint8_t>(
           std::lround(kWhole * roughness_of(cell, reason, below || blind, vehicle, limits)));

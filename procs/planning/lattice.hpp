@@ -42,20 +42,27 @@ struct Lattice {
   /// Of a primitive from a pose of the map, or kBlocked.
   [[nodiscard]] std::int32_t cost(const LatticePose& pose, const MotionPrimitive& step) const {
     std::int32_t sum = 0;
-    bool close = CSpace::is_close(cost_at(pose));
+    bool close = needs_a_look(cost_at(pose));
     for (const SweptPose& swept : step.swept) {
       const int column = pose.column + swept.column;
       const int row = pose.row + swept.row;
       if (!space.contains(column, row)) return kBlocked;
       const std::uint16_t cost = space.slice(swept.heading)[space.index(column, row)];
       if (!allows(cost)) return kBlocked;
-      close = close || CSpace::is_close(cost);
+      close = close || needs_a_look(cost);
       sum += CSpace::bare(cost) * swept.way_mm;
     }
-    if (close && !close_look->is_free(step.body, step.wheels, pose.column, pose.row)) {
-      return kBlocked;
-    }
-    return sum;
+    return close && !allows(step.body, step.wheels, pose.column, pose.row) ? kBlocked : sum;
+  }
+  /// What was not seen is in the way of the body only.
+  [[nodiscard]] bool allows(const RunKernel& body, const RunKernel& wheels, int column,
+                            int row) const {
+    if (close_look == nullptr) return true;
+    if (!close_look->is_free(body, wheels, column, row)) return false;
+    return refused > CSpace::kUnseen || !close_look->is_unseen(body, column, row);
+  }
+  [[nodiscard]] static bool needs_a_look(std::uint16_t cost) {
+    return CSpace::is_close(cost) || cost == CSpace::kUnseen;
   }
 
  private:

@@ -16,6 +16,8 @@
 namespace adit {
 namespace {
 
+constexpr double kUsualCellM = 0.1;
+
 void check(const TerrainMap& terrain) {
   const bool sized = terrain.columns > 0 && terrain.rows > 0 && terrain.cell_m > 0.0 &&
                      terrain.cells.size() == static_cast<std::size_t>(terrain.columns) *
@@ -77,16 +79,18 @@ PlannedPath start_blocked(const LatticePose& start, const Lattice& lattice,
 
 Planning::Planning(const PlanningParams& params) : params_(params) {
   // What does not fit together is to be said before the first plan, at any usual size of cells.
-  const HeadingSet headings(params.c_space.headings);
-  const MotionPrimitives primitives(params.vehicle, params.primitives, headings, 0.1);
+  prepare_for(kUsualCellM);
+}
+
+void Planning::prepare_for(double cell_m) {
+  if (kernels_ && kernels_->cell_m() == cell_m) return;
+  kernels_.emplace(params_.vehicle, params_.c_space, cell_m);
+  primitives_.emplace(params_.vehicle, params_.primitives, kernels_->headings(), cell_m);
 }
 
 void Planning::prepare(const TerrainMap& terrain, const Pose2& T_level_body) {
   check(terrain);
-  if (!kernels_ || kernels_->cell_m() != terrain.cell_m) {
-    kernels_.emplace(params_.vehicle, params_.c_space, terrain.cell_m);
-    primitives_.emplace(params_.vehicle, params_.primitives, kernels_->headings(), terrain.cell_m);
-  }
+  prepare_for(terrain.cell_m);
   GroundLayers layers =
       ground_layers(terrain, T_level_body, params_.vehicle, params_.c_space.ground);
   CSpace space = kernels_->convolve(layers);
@@ -99,11 +103,10 @@ Lattice Planning::lattice(std::uint16_t refused) const {
 }
 
 bool Planning::stands(const LatticePose& pose) const {
-  if (!lattice(CSpace::kUnseen).stands(pose)) return false;
-  const CSpace& space = ground_->space;
-  if (!CSpace::is_close(space.slice(pose.heading)[space.index(pose.column, pose.row)])) return true;
+  const Lattice free = lattice(CSpace::kUnseen);
   const auto& kernel = kernels_->oriented(pose.heading);
-  return ground_->close_look.is_free(kernel.exact_body, kernel.exact_wheels, pose.column, pose.row);
+  return free.stands(pose) &&
+         free.allows(kernel.exact_body, kernel.exact_wheels, pose.column, pose.row);
 }
 
 PlannedPath Planning::plan(const TerrainMap& terrain, const PlanGoal& goal,

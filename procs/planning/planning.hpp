@@ -57,10 +57,11 @@ class Planning {
 
   /// What the last plan rested on.
   [[nodiscard]] const std::optional<PlanGround>& ground() const { return ground_; }
-  /// Those of the last plan; nothing before.
+  /// Those of the last plan; before, for cells of the usual size.
   [[nodiscard]] const std::optional<CSpaceKernels>& kernels() const { return kernels_; }
 
  private:
+  void prepare_for(double cell_m);
   void prepare(const TerrainMap& terrain, const Pose2& T_level_body);
   [[nodiscard]] Lattice lattice(std::uint16_t refused) const;
   [[nodiscard]] bool stands(const LatticePose& pose) const;

@@ -36,6 +36,24 @@ void classify(GroundLayers& layers, std::size_t i, std::optional<Reason> reason)
   }
 }
 
+/// Nobody saw where the edge of a drop, or of water, is: it may be as much as a cell nearer than
+/// what lies beyond it.
+void widen_edges(GroundLayers& layers, const TerrainMap& terrain) {
+  const auto mark = [&](int column, int row) {
+    if (terrain.contains(column, row)) layers.under_wheels[layers.index(column, row)] = 1;
+  };
+  for (int row = 0; row < terrain.rows; ++row) {
+    for (int column = 0; column < terrain.columns; ++column) {
+      const Ground ground = terrain.at(column, row).ground;
+      if (ground != Ground::kBelowRay && ground != Ground::kNoReturn) continue;
+      for (const int step : {-1, 1}) {
+        mark(column + step, row);
+        mark(column, row + step);
+      }
+    }
+  }
+}
+
 double roughness_of(const TerrainCell& cell, std::optional<Reason> reason, bool taken_as_even,
                     const Vehicle& vehicle, const GroundLimits& limits) {
   if (reason == Reason::kUnknown) return taken_as_even ? 0.0 : limits.unseen_roughness;
@@ -103,6 +121,7 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
           std::lround(kWhole * roughness_of(cell, reason, below || blind, vehicle, limits)));
     }
   }
+  widen_edges(layers, terrain);
   layers.body_distance_m = distance_transform(layers.under_body, layers.columns, layers.cell_m);
   layers.wheel_distance_m = distance_transform(layers.under_wheels, layers.columns, layers.cell_m);
   add_repellent(layers, limits);

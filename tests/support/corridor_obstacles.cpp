@@ -178,7 +178,7 @@ void sloping_roof(CorridorMine& mine, Dice& dice) {
 void pit(CorridorMine& mine, Dice& dice) {
   const int n = dice.between(1, 2);
   for (int i = 0; i < n; ++i) {
-    const double radius_m = dice.between(0.25, 1.3);
+    const double radius_m = dice.between(0.4, 1.3);  // a wheel bridges what is smaller
     mine.description.props.pits.push_back({.name = "pit_" + std::to_string(i),
                                            .drift = kDrift,
                                            .at_m = low_at_m(dice) + radius_m,

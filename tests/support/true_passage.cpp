@@ -17,8 +17,8 @@ namespace {
 constexpr double kStepM = 0.4;
 constexpr int kLooks = 4;  // on the way of a step
 constexpr std::array kCurvatures{0.0, 0.25, -0.25, 0.5, -0.5};
-constexpr double kCellM = 0.1;
-constexpr double kHeadingCell = 0.1;  // [rad]
+constexpr double kCellM = 0.15;
+constexpr double kHeadingCell = 0.15;  // [rad]
 constexpr double kGreed = 2.0;        // a metre on along the drift is worth that of way
 
 struct State {

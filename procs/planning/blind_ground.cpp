@@ -38,8 +38,8 @@ std::optional<double> height_between(const TerrainMap& terrain, const Pose2& T_b
 }
 
 /// Whether the ground beyond what is blind before an end (`side` 1 ahead, −1 behind) is a
-/// continuation of that under the robot, which may stand on a slope: either level from its end, or
-/// from its middle.
+/// continuation of that under the robot, which may stand on a slope: as high as it, or so when its
+/// own slope is followed back to the end of the robot, or to its middle.
 bool goes_on(const TerrainMap& terrain, const Pose2& T_body_level, const Vehicle& vehicle,
              const GroundLimits& limits, double side) {
   const double end_m = vehicle.length_m / 2.0;
@@ -53,7 +53,7 @@ bool goes_on(const TerrainMap& terrain, const Pose2& T_body_level, const Vehicle
   const double grade = far ? (*far - *near) / ((kStripM + kFarStripM) / 2.0) : 0.0;
   const double at_end = *near - grade * limits.blind_ahead_m;
   const double at_middle = *near - grade * from_m;
-  return std::min(std::abs(at_end), std::abs(at_middle)) <
+  return std::min({std::abs(*near), std::abs(at_end), std::abs(at_middle)}) <
          vehicle.step_max_m - limits.step_margin_m;
 }
 

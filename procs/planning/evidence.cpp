@@ -25,6 +25,7 @@ double height_of(const TerrainCell& cell, Reason reason) {
       return cell.coefficient_m;
     case Reason::kUnknown:
     case Reason::kWater:
+    case Reason::kDrop:
       break;
   }
   return 0.0;

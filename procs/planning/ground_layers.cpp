@@ -79,7 +79,7 @@ std::optional<Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehi
     case Ground::kShadow:
       return Reason::kUnknown;
     case Ground::kBelowRay:
-      return Reason::kStep;
+      return Reason::kDrop;
     case Ground::kNoReturn:
       return Reason::kWater;
     case Ground::kSeen:

@@ -46,13 +46,15 @@ const char* name_of(BlockingCell::Reason reason) {
       return "what may be water";
     case BlockingCell::Reason::kSlope:
       return "a slope that is too steep";
+    case BlockingCell::Reason::kDrop:
+      return "a drop";
   }
   return "";
 }
 
 /// What most of the cells are.
 std::string most_of(const std::vector<BlockingCell>& cells) {
-  int counts[6] = {};
+  int counts[7] = {};
   std::size_t most = 0;
   for (const BlockingCell& cell : cells) {
     const auto i = static_cast<std::size_t>(cell.reason);

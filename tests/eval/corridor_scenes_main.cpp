@@ -28,7 +28,7 @@ struct Options {
   int scenes = 200;
   int first = 0;
   int jobs = 1;
-  double room_m = 0.15;
+  double room_m = 0.2;  ///< what cells and the regions of the terrain take away
   std::string estimator = "kth";
   std::string kind;
   std::filesystem::path picture;

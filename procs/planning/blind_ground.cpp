@@ -61,18 +61,19 @@ bool goes_on(const TerrainMap& terrain, const Pose2& T_body_level, const Vehicle
 
 BlindGround::BlindGround(const TerrainMap& terrain, const Pose2& T_level_body,
                          const Vehicle& vehicle, const GroundLimits& limits)
-    : T_body_level_(T_level_body.inverse()), rectangle_(body_outline(vehicle)) {
-  const bool ahead = goes_on(terrain, T_body_level_, vehicle, limits, 1.0);
-  const bool behind = goes_on(terrain, T_body_level_, vehicle, limits, -1.0);
-  const double front = rectangle_.half.x() + (ahead ? limits.blind_ahead_m : 0.0);
-  const double rear = rectangle_.half.x() + (behind ? limits.blind_ahead_m : 0.0);
-  rectangle_.middle.x() = (front - rear) / 2.0;
-  rectangle_.half.x() = (front + rear) / 2.0;
-  rectangle_.half.y() += limits.blind_margin_m;
+    : T_body_level_(T_level_body.inverse()) {
+  const BodyRectangle body = body_outline(vehicle);
+  rectangles_.push_back({body.middle, body.half + Eigen::Vector2d(0.0, limits.blind_beside_m)});
+  for (const double side : {-1.0, 1.0}) {
+    if (!goes_on(terrain, T_body_level_, vehicle, limits, side)) continue;
+    const double half_m = limits.blind_ahead_m / 2.0;
+    rectangles_.push_back(
+        {{side * (body.half.x() + half_m), 0.0}, {half_m, body.half.y() + limits.blind_margin_m}});
+  }
 }
 
 bool BlindGround::contains(const Eigen::Vector2d& p_level) const {
-  return rectangle_.contains(T_body_level_ * p_level);
+  return any_contains(rectangles_, T_body_level_ * p_level);
 }
 
 }  // namespace adit

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "common/terrain/terrain_map.hpp"
 #include "common/vehicle/vehicle.hpp"
@@ -23,7 +23,7 @@ class BlindGround {
 
  private:
   Pose2 T_body_level_;
-  BodyRectangle rectangle_;
+  std::vector<BodyRectangle> rectangles_;
 };
 
 }  // namespace adit

@@ -36,8 +36,8 @@ void classify(GroundLayers& layers, std::size_t i, std::optional<Reason> reason)
   }
 }
 
-/// Nobody saw where the edge of a drop, or of water, is: it may be as much as a cell nearer than
-/// what lies beyond it.
+/// Nobody saw where the edge of a drop, or of water, is: a region reaches a cell beyond the last
+/// points of the ground before it, and these lie anywhere in a cell.
 void widen_edges(GroundLayers& layers, const TerrainMap& terrain) {
   const auto mark = [&](int column, int row) {
     if (terrain.contains(column, row)) layers.under_wheels[layers.index(column, row)] = 1;
@@ -46,9 +46,10 @@ void widen_edges(GroundLayers& layers, const TerrainMap& terrain) {
     for (int column = 0; column < terrain.columns; ++column) {
       const Ground ground = terrain.at(column, row).ground;
       if (ground != Ground::kBelowRay && ground != Ground::kNoReturn) continue;
-      for (const int step : {-1, 1}) {
-        mark(column + step, row);
-        mark(column, row + step);
+      for (int dy = -2; dy <= 2; ++dy) {
+        for (int dx = -2; dx <= 2; ++dx) {
+          if (dx * dx + dy * dy <= 4) mark(column + dx, row + dy);
+        }
       }
     }
   }

@@ -62,6 +62,7 @@ class MotionPrimitives {
   MotionPrimitives(const Vehicle& vehicle, const PrimitiveParams& params,
                    const HeadingSet& headings, double cell_m);
 
+  [[nodiscard]] const HeadingSet& headings() const { return headings_; }
   /// In order, forwards first.
   [[nodiscard]] const std::vector<MotionPrimitive>& from(int heading) const {
     return from_[static_cast<std::size_t>(heading)];

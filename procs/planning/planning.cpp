@@ -82,6 +82,11 @@ PlannedPath start_blocked(const LatticePose& start, const Lattice& lattice,
 Planning::Planning(const PlanningParams& params) : params_(params) {
   // What does not fit together is to be said before the first plan, at any usual size of cells.
   prepare_for(kUsualCellM);
+  if (params.goals.shortfall_factor <= 1.0 + params.c_space.rough_factor) {
+    throw std::invalid_argument(
+        "planning.goals.shortfall_factor must exceed 1 + planning.c_space.rough_factor, or a path "
+        "over rough ground does not pay");
+  }
 }
 
 void Planning::prepare_for(double cell_m) {
@@ -133,6 +138,8 @@ PlannedPath Planning::plan(const TerrainMap& terrain, const PlanGoal& goal,
     answer.outcome = PlanOutcome::kFound;
     answer.points = path_points(found, start, *primitives_, headings, terrain, ground_->layers,
                                 params_.vehicle, params_.point_spacing_m);
+    // It stands there, and the pose of the lattice is nearer than the slack of a cell.
+    answer.points.front().T_odom_body = T_odom_body;
     const Pose2 T_level_end = between(terrain.T_odom_level, answer.points.back().T_odom_body);
     answer.reached_m = goals.progress(T_level_end.translation());
     answer.reason = "A path was found.";

@@ -49,7 +49,7 @@ class Planning {
   /// Throws std::invalid_argument where the vehicle cannot be planned for.
   explicit Planning(const PlanningParams& params);
 
-  /// A path from where the robot is, or why there is none. Its points begin at the pose of the
+  /// A path from where the robot is, or why there is none. It is planned from the pose of the
   /// lattice nearest to the robot: within half a cell and half a heading. Throws
   /// std::invalid_argument where the map has other cells than it says, or cells that are too small
   /// or too large for the vehicle; a goal or a pose with no place is answered.

@@ -51,10 +51,10 @@ bool knows_more(const SeenThrough& sighting, const TerrainCell& cell) {
   return knowledge(sighting.ground) > knowledge(cell.ground);
 }
 
-/// A region reaches beyond the last points of the ground before a drop: a cell of its own without
-/// points is no ground where beams pass over it.
+/// A region reaches beyond the last points of the ground before a drop, and into what is hidden: a
+/// cell without points of its own is no ground where beams pass over it, or do not get to.
 bool is_beyond_an_edge(const SeenThrough& sighting, const TerrainCell& cell, float step_max_m) {
-  const bool missed = sighting.ground == Ground::kBelowRay || sighting.ground == Ground::kNoReturn;
+  const bool missed = sighting.ground != Ground::kSeen && sighting.ground != Ground::kNeverSeen;
   return missed && cell.ground == Ground::kSeen && cell.high_m - cell.low_m < step_max_m;
 }
 

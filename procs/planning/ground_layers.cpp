@@ -36,21 +36,39 @@ void classify(GroundLayers& layers, std::size_t i, std::optional<Reason> reason)
   }
 }
 
+bool is_drop(const TerrainMap& terrain, int column, int row) {
+  if (!terrain.contains(column, row)) return false;
+  const Ground ground = terrain.at(column, row).ground;
+  return ground == Ground::kBelowRay || ground == Ground::kNoReturn;
+}
+
+/// Whether a drop is as wide here as three cells, which no wheel bridges for certain.
+bool is_wide_drop(const TerrainMap& terrain, int column, int row) {
+  int around = 0;
+  for (const int step : {-1, 1}) {
+    around += is_drop(terrain, column + step, row) ? 1 : 0;
+    around += is_drop(terrain, column, row + step) ? 1 : 0;
+  }
+  return around >= 3;
+}
+
 /// Nobody saw where the edge of a drop, or of water, is: a region reaches a cell beyond the last
 /// points of the ground before it, and these lie anywhere in a cell.
 void widen_edges(GroundLayers& layers, const TerrainMap& terrain) {
-  const auto mark = [&](int column, int row) {
-    if (terrain.contains(column, row)) layers.under_wheels[layers.index(column, row)] = 1;
+  const auto mark_around = [&](int column, int row, int reach) {
+    for (int dy = -reach; dy <= reach; ++dy) {
+      for (int dx = -reach; dx <= reach; ++dx) {
+        const bool on = terrain.contains(column + dx, row + dy);
+        if (on && dx * dx + dy * dy <= reach * reach) {
+          layers.under_wheels[layers.index(column + dx, row + dy)] = 1;
+        }
+      }
+    }
   };
   for (int row = 0; row < terrain.rows; ++row) {
     for (int column = 0; column < terrain.columns; ++column) {
-      const Ground ground = terrain.at(column, row).ground;
-      if (ground != Ground::kBelowRay && ground != Ground::kNoReturn) continue;
-      for (int dy = -2; dy <= 2; ++dy) {
-        for (int dx = -2; dx <= 2; ++dx) {
-          if (dx * dx + dy * dy <= 4) mark(column + dx, row + dy);
-        }
-      }
+      if (!is_drop(terrain, column, row)) continue;
+      mark_around(column, row, is_wide_drop(terrain, column, row) ? 3 : 1);
     }
   }
 }

@@ -36,39 +36,45 @@ void classify(GroundLayers& layers, std::size_t i, std::optional<Reason> reason)
   }
 }
 
-bool is_drop(const TerrainMap& terrain, int column, int row) {
-  if (!terrain.contains(column, row)) return false;
-  const Ground ground = terrain.at(column, row).ground;
-  return ground == Ground::kBelowRay || ground == Ground::kNoReturn;
-}
+using Is = bool (*)(Ground);
 
-/// Whether a drop is as wide here as three cells, which no wheel bridges for certain.
-bool is_wide_drop(const TerrainMap& terrain, int column, int row) {
+bool is_drop(Ground ground) { return ground == Ground::kBelowRay || ground == Ground::kNoReturn; }
+bool is_shadow(Ground ground) { return ground == Ground::kShadow; }
+
+/// Whether what a cell is reaches over three cells: no wheel bridges such a drop for certain, and
+/// no post hides in less of a shadow.
+bool is_wide(const TerrainMap& terrain, int column, int row, Is is) {
   int around = 0;
+  const auto look = [&](int c, int r) {
+    if (terrain.contains(c, r) && is(terrain.at(c, r).ground)) ++around;
+  };
   for (const int step : {-1, 1}) {
-    around += is_drop(terrain, column + step, row) ? 1 : 0;
-    around += is_drop(terrain, column, row + step) ? 1 : 0;
+    look(column + step, row);
+    look(column, row + step);
   }
   return around >= 3;
 }
 
-/// Nobody saw where the edge of a drop, or of water, is: a region reaches a cell beyond the last
-/// points of the ground before it, and these lie anywhere in a cell.
-void widen_edges(GroundLayers& layers, const TerrainMap& terrain) {
+/// Nobody saw where the edge of a drop, of water or of a shadow is: a region reaches a cell beyond
+/// the last points of the ground before it, and these lie anywhere in a cell. Marks the cells round
+/// those that are, round the wide ones `wide` cells far.
+void widen(std::vector<std::uint8_t>& layer, const TerrainMap& terrain, Is is, int narrow,
+           int wide) {
   const auto mark_around = [&](int column, int row, int reach) {
     for (int dy = -reach; dy <= reach; ++dy) {
       for (int dx = -reach; dx <= reach; ++dx) {
-        const bool on = terrain.contains(column + dx, row + dy);
-        if (on && dx * dx + dy * dy <= reach * reach) {
-          layers.under_wheels[layers.index(column + dx, row + dy)] = 1;
-        }
+        if (!terrain.contains(column + dx, row + dy)) continue;
+        if (dx * dx + dy * dy > reach * reach) continue;
+        layer[static_cast<std::size_t>(row + dy) * static_cast<std::size_t>(terrain.columns) +
+              static_cast<std::size_t>(column + dx)] = 1;
       }
     }
   };
   for (int row = 0; row < terrain.rows; ++row) {
     for (int column = 0; column < terrain.columns; ++column) {
-      if (!is_drop(terrain, column, row)) continue;
-      mark_around(column, row, is_wide_drop(terrain, column, row) ? 3 : 1);
+      if (!is(terrain.at(column, row).ground)) continue;
+      const int reach = is_wide(terrain, column, row, is) ? wide : narrow;
+      if (reach > 0) mark_around(column, row, reach);
     }
   }
 }
@@ -140,7 +146,8 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
           std::lround(kWhole * roughness_of(cell, reason, below || blind, vehicle, limits)));
     }
   }
-  widen_edges(layers, terrain);
+  widen(layers.under_wheels, terrain, is_drop, 1, 3);
+  widen(layers.unseen, terrain, is_shadow, 0, 2);
   layers.body_distance_m = distance_transform(layers.under_body, layers.columns, layers.cell_m);
   layers.wheel_distance_m = distance_transform(layers.under_wheels, layers.columns, layers.cell_m);
   add_repellent(layers, limits);

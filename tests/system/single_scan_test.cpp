@@ -26,7 +26,7 @@ WorldDescription drift() {
   mine.name = "drift";
   mine.seed = 3;
   mine.plan.drifts.push_back({.name = "main", .points_m = {0.0, 0.0, 30.0, 0.0}, .width_m = 3.2});
-  mine.heights.floor_relief.height_m = 0.02;
+  mine.heights.floor_relief.height_m = 0.01;
   mine.wall_relief.height_m = 0.08;
   mine.T_world_start = {5.0, 0.0, 0.0};
   return mine;

@@ -196,10 +196,10 @@ TEST(CSpace, RefusesALowRoofAWetFloorADropAndASlope) {
 
 TEST(CSpace, ToleratesSomeUnseenGroundUnderTheWheelsAndNotMuch) {
   TerrainMap some = even_ground(10.0);
-  paint_box(some, unseen_cell(Ground::kShadow), {0.0, -1.0}, {0.25, 1.0});
+  paint_box(some, unseen_cell(Ground::kNeverSeen), {0.0, -1.0}, {0.25, 1.0});
   EXPECT_LT(Mapped(some).at({0.0, 0.0, 0.0}), CSpace::kUnseen);
   TerrainMap much = even_ground(10.0);
-  paint_box(much, unseen_cell(Ground::kShadow), {0.0, -1.0}, {1.5, 1.0});
+  paint_box(much, unseen_cell(Ground::kNeverSeen), {0.0, -1.0}, {1.5, 1.0});
   EXPECT_EQ(Mapped(much).at({0.0, 0.0, 0.0}), CSpace::kUnseen);
 }
 

@@ -26,6 +26,7 @@ static_assert(static_cast<int>(Reason::kRoof) == blocking_cell_t::REASON_ROOF);
 static_assert(static_cast<int>(Reason::kUnknown) == blocking_cell_t::REASON_UNKNOWN);
 static_assert(static_cast<int>(Reason::kWater) == blocking_cell_t::REASON_WATER);
 static_assert(static_cast<int>(Reason::kSlope) == blocking_cell_t::REASON_SLOPE);
+static_assert(static_cast<int>(Reason::kDrop) == blocking_cell_t::REASON_DROP);
 
 constexpr std::size_t kBlockingCellBytes = 3 * sizeof(double) + 1;  // on the wire
 
@@ -68,7 +69,7 @@ BlockingCell cell_from(const blocking_cell_t& message) {
 std::string_view reason_to_refuse(const blocking_cell_t& message) {
   const auto reason = Reason(message.reason);
   if (!all_finite(message.p_odom)) return "cell at a place that is not finite";
-  if (reason < Reason::kStep || reason > Reason::kSlope) return "cell of an unknown reason";
+  if (reason < Reason::kStep || reason > Reason::kDrop) return "cell of an unknown reason";
   return {};
 }
 

@@ -57,6 +57,7 @@ struct BlockingCell {
     kUnknown = 3,
     kWater = 4,
     kSlope = 5,
+    kDrop = 6,  ///< lower than beams that passed over it
   };
 
   Eigen::Vector2d p_odom{0.0, 0.0};  ///< its middle [m]

@@ -26,6 +26,12 @@ using Layer = std::vector<std::uint8_t>;
 struct LayerSums {
   LayerSums(const GroundLayers& layers, int border, std::uint32_t unseen_roughness)
       : lethal_body(layers.columns, layers.rows, border, 0, Of{layers, layers.under_body}),
+        body(layers.columns, layers.rows, border, 0,
+             [&](int column, int row) {
+               const std::size_t i = layers.index(column, row);
+               return std::uint8_t{
+                   static_cast<std::uint8_t>(layers.under_body[i] | layers.unseen[i])};
+             }),
         lethal_wheels(layers.columns, layers.rows, border, 0, Of{layers, layers.under_wheels}),
         roughness(layers.columns, layers.rows, border, unseen_roughness,
                   Of{layers, layers.roughness}),
@@ -42,6 +48,7 @@ struct LayerSums {
   };
 
   RowSums<std::uint16_t> lethal_body;
+  RowSums<std::uint16_t> body;  ///< what is not seen, too
   RowSums<std::uint16_t> lethal_wheels;
   RowSums<std::uint32_t> roughness;
   RowSums<std::uint32_t> ground;
@@ -51,20 +58,25 @@ struct LayerSums {
 struct RowTotals {
   explicit RowTotals(int columns)
       : lethal(static_cast<std::size_t>(columns)),
+        close(lethal.size()),
         roughness(lethal.size()),
         ground(lethal.size()) {}
 
   void gather(const LayerSums& sums, const CSpaceKernels::Oriented& kernel, int row) {
     std::fill(lethal.begin(), lethal.end(), std::uint16_t{0});
+    std::fill(close.begin(), close.end(), std::uint16_t{0});
     std::fill(roughness.begin(), roughness.end(), 0U);
     std::fill(ground.begin(), ground.end(), 0U);
     sums.lethal_body.add_row(kernel.lethal_body, row, lethal);
     sums.lethal_wheels.add_row(kernel.lethal_wheels, row, lethal);
+    sums.body.add_row(kernel.close_body, row, close);
+    sums.lethal_wheels.add_row(kernel.close_wheels, row, close);
     sums.roughness.add_row(kernel.body, row, roughness);
     sums.ground.add_row(kernel.wheels, row, ground);
   }
 
   std::vector<std::uint16_t> lethal;
+  std::vector<std::uint16_t> close;
   std::vector<std::uint32_t> roughness;
   std::vector<std::uint32_t> ground;
 };
@@ -73,14 +85,14 @@ int greatest_reach(const std::vector<CSpaceKernels::Oriented>& kernels) {
   int reach = 0;
   for (const auto& k : kernels) {
     reach =
-        std::max({reach, k.wheels.reach, k.body.reach, k.lethal_wheels.reach, k.lethal_body.reach});
+        std::max({reach, k.wheels.reach, k.body.reach, k.close_wheels.reach, k.close_body.reach});
   }
   return reach;
 }
 
 /// Weight w between the wheels and 1 under them is w everywhere and 1 − w more under the wheels.
 void weigh(CSpaceKernels::Oriented& kernel, const CSpaceParams& params) {
-  if (kernel.lethal_body.cells > kMostCells) {
+  if (kernel.close_body.cells > kMostCells) {
     throw std::invalid_argument("the cells of the terrain are too small for this vehicle");
   }
   if (kernel.wheels.cells == 0) {
@@ -92,6 +104,19 @@ void weigh(CSpaceKernels::Oriented& kernel, const CSpaceParams& params) {
   kernel.cost_per_wheels = static_cast<std::uint64_t>((1.0 - w) * unit);
   kernel.cost_per_body = static_cast<std::uint64_t>(w * unit);
   kernel.unseen_max = static_cast<std::uint32_t>(params.unseen_share_max * kernel.wheels.cells);
+}
+
+/// Those of which something is left when a margin is taken away all round.
+std::vector<BodyRectangle> less(const std::vector<BodyRectangle>& rectangles, double margin_m) {
+  std::vector<BodyRectangle> smaller;
+  for (const auto& rectangle : rectangles) {
+    if (rectangle.half.minCoeff() > margin_m) smaller.push_back(rectangle.grown(-margin_m));
+  }
+  return smaller;
+}
+
+std::uint16_t close(std::uint16_t cost) {
+  return cost < CSpace::kUnseen ? static_cast<std::uint16_t>(cost + CSpace::kClose) : cost;
 }
 
 }  // namespace
@@ -113,8 +138,13 @@ CSpaceKernels::CSpaceKernels(const Vehicle& vehicle, const CSpaceParams& params,
     Oriented kernel;
     kernel.wheels = covering_kernel(wheels, headings_, k, cell_m);
     kernel.body = covering_kernel(body, headings_, k, cell_m);
-    kernel.lethal_wheels = conservative_kernel(wheels, headings_, k, cell_m);
-    kernel.lethal_body = conservative_kernel(body, headings_, k, cell_m);
+    kernel.close_wheels = conservative_kernel(wheels, headings_, k, cell_m);
+    kernel.close_body = conservative_kernel(body, headings_, k, cell_m);
+    kernel.lethal_wheels = covering_kernel(less(wheels, cell_m), headings_, k, cell_m);
+    kernel.lethal_body = covering_kernel(less(body, cell_m), headings_, k, cell_m);
+    const std::vector<Pose2> standing{{0.0, 0.0, headings_.angle(k)}};
+    kernel.exact_wheels = swept_kernel(wheels, standing, cell_m);
+    kernel.exact_body = swept_kernel(body, standing, cell_m);
     weigh(kernel, params);
     oriented_.push_back(std::move(kernel));
   }
@@ -131,8 +161,10 @@ CSpace CSpaceKernels::convolve(const GroundLayers& layers) const {
       std::uint16_t* costs = space.slice(k) + space.index(0, row);
       for (std::size_t i = 0; i < totals.lethal.size(); ++i) {
         if (totals.lethal[i] != 0) continue;
-        costs[i] = kernel.cost(totals.ground[i] & kRoughnessMask, totals.roughness[i],
-                               totals.ground[i] >> kUnseenShift);
+        const std::uint16_t cost =
+            kernel.cost(totals.ground[i] & kRoughnessMask, totals.roughness[i],
+                        totals.ground[i] >> kUnseenShift);
+        costs[i] = totals.close[i] == 0 ? cost : close(cost);
       }
     }
   }

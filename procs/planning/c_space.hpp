@@ -21,6 +21,17 @@ class CSpace {
   static constexpr std::uint16_t kLethal = 0xffff;  ///< something that was seen is in the way
   static constexpr std::uint16_t kUnseen = 0xfffe;  ///< too much under the wheels was not seen
   static constexpr std::uint16_t kEven = 100;       ///< a pose on even ground
+  /// Marks the cost of a pose that may be lethal, or not, by where in its cell and how the vehicle
+  /// stands: who comes through has to look closely.
+  static constexpr std::uint16_t kClose = 0x8000;
+
+  [[nodiscard]] static bool is_close(std::uint16_t cost) {
+    return cost >= kClose && cost < kUnseen;
+  }
+  /// Without the mark.
+  [[nodiscard]] static std::uint16_t bare(std::uint16_t cost) {
+    return is_close(cost) ? static_cast<std::uint16_t>(cost - kClose) : cost;
+  }
 
   /// Headings π apart share their costs, the vehicle being symmetric.
   CSpace(int headings, int columns, int rows);
@@ -74,9 +85,9 @@ struct CSpaceParams {
 
 /// The oriented kernels of the paper's section 3.2 for a vehicle and a size of cells.
 /// - cost: the mean roughness with most weight under the wheels, little between, none beyond
-/// - lethal: kernels that miss nothing under rotation and the size of cells, one for what the
-/// wheels
+/// - close: kernels that miss nothing under rotation and the size of cells, one for what the wheels
 ///   must not meet, one for what nothing of the vehicle must
+/// - lethal: the same less a cell all round, which meet that at any pose of the cell and heading
 /// - unseen: the share of the ground under the wheels
 class CSpaceKernels {
  public:
@@ -91,8 +102,12 @@ class CSpaceKernels {
   struct Oriented {
     RunKernel wheels;  ///< as they are
     RunKernel body;
-    RunKernel lethal_wheels;  ///< conservative
+    RunKernel close_wheels;  ///< conservative
+    RunKernel close_body;
+    RunKernel lethal_wheels;  ///< may be empty
     RunKernel lethal_body;
+    RunKernel exact_wheels;  ///< of the pose in the middle of the cell, at the heading itself
+    RunKernel exact_body;
     std::uint32_t unseen_max = 0;       ///< cells under the wheels
     std::uint64_t cost_per_wheels = 0;  ///< of roughness 1, times 2³²
     std::uint64_t cost_per_body = 0;

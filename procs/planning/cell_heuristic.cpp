@@ -13,10 +13,12 @@ namespace adit {
 namespace {
 
 std::vector<std::uint16_t> least_costs(const CSpace& space) {
-  std::vector<std::uint16_t> least(space.slice(0), space.slice(0) + space.cells());
-  for (int k = 1; k < space.headings() / 2; ++k) {
+  std::vector<std::uint16_t> least(space.cells(), CSpace::kLethal);
+  for (int k = 0; k < space.headings() / 2; ++k) {
     const std::uint16_t* slice = space.slice(k);
-    for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], slice[i]);
+    for (std::size_t i = 0; i < least.size(); ++i) {
+      least[i] = std::min(least[i], CSpace::bare(slice[i]));
+    }
   }
   return least;
 }

@@ -25,6 +25,7 @@ double height_of(const TerrainCell& cell, Reason reason) {
       return cell.coefficient_m;
     case Reason::kUnknown:
     case Reason::kWater:
+    case Reason::kDrop:
       break;
   }
   return 0.0;
@@ -47,9 +48,17 @@ class Marks {
     if (unseen) {
       mark_layer(grounds_.layers.unseen, kernel.wheels, pose, counts);
     } else {
-      mark_layer(grounds_.layers.under_body, kernel.lethal_body, pose, counts);
-      mark_layer(grounds_.layers.under_wheels, kernel.lethal_wheels, pose, counts);
+      mark_layer(grounds_.layers.under_body, kernel.close_body, pose, counts);
+      mark_layer(grounds_.layers.under_wheels, kernel.close_wheels, pose, counts);
     }
+  }
+
+  /// The same of what makes a piece of driving lethal.
+  template <class Counts>
+  void mark(const LatticePose& pose, const MotionPrimitive& step, const Counts& counts) {
+    mark_layer(grounds_.layers.under_body, step.body, pose, counts);
+    mark_layer(grounds_.layers.under_wheels, step.wheels, pose, counts);
+    mark_layer(grounds_.layers.unseen, step.body, pose, counts);
   }
 
   [[nodiscard]] std::vector<BlockingCell> cells() const {
@@ -109,11 +118,18 @@ std::vector<BlockingCell> blocking_cells(const Reachable& region, const Lattice&
     for (const MotionPrimitive& step : lattice.primitives.from(pose.heading)) {
       const LatticePose next = Lattice::behind(pose, step);
       const Eigen::Vector2d on = terrain.centre(next.column, next.row) - p;
-      const LatticePose refused = first_refused(lattice, pose, step);
-      if (on.dot(goals.direction()) <= 0.0 || refused == pose) continue;
-      marks.mark(refused, [&](const Eigen::Vector2d& p_level) {
+      if (on.dot(goals.direction()) <= 0.0 || lattice.cost(pose, step) != Lattice::kBlocked) {
+        continue;
+      }
+      const auto is_ahead = [&](const Eigen::Vector2d& p_level) {
         return (p_level - p).dot(goals.direction()) > 0.0;
-      });
+      };
+      const LatticePose refused = first_refused(lattice, pose, step);
+      if (refused == pose) {
+        marks.mark(pose, step, is_ahead);
+      } else {
+        marks.mark(refused, is_ahead);
+      }
     }
   }
   return marks.cells();

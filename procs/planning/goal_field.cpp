@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace adit {
 namespace {
@@ -55,8 +56,9 @@ std::int32_t GoalField::to(const Eigen::Vector2d& p_level) const {
 }
 
 bool GoalField::accepts(double heading_rad) const {
-  return kind_ == PlanGoal::Kind::kAlong ||
-         std::abs(angle_diff(heading_rad, T_level_goal_.theta)) <= params_.heading_tolerance_rad;
+  const double off = std::abs(angle_diff(heading_rad, T_level_goal_.theta));
+  if (kind_ == PlanGoal::Kind::kTo) return off <= params_.heading_tolerance_rad;
+  return std::min(off, std::numbers::pi - off) <= params_.along_heading_max_rad;
 }
 
 double GoalField::progress(const Eigen::Vector2d& p_level) const {

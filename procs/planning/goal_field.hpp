@@ -17,6 +17,7 @@ struct GoalParams {
   double lateral_factor = 1.0;    ///< likewise a metre beside the line from the robot
   double tolerance_m = 0.3;       ///< of a pose that is to be reached
   double heading_tolerance_rad = 0.25;
+  double along_heading_max_rad = 0.8;  ///< to a corridor, of the end of a path down it, either way
   double min_progress_m = 2.5;  ///< of a path down a corridor; less is none (paper, section 3.3)
 
   template <class V>
@@ -25,6 +26,7 @@ struct GoalParams {
     v("lateral_factor", lateral_factor, within(0.0, 100.0));
     v("tolerance_m", tolerance_m, above(0.0));
     v("heading_tolerance_rad", heading_tolerance_rad, above(0.0));
+    v("along_heading_max_rad", along_heading_max_rad, above(0.0));
     v("min_progress_m", min_progress_m, at_least(0.0));
   }
 };
@@ -43,7 +45,8 @@ class GoalField {
   /// Of ending in a cell, or kNoGoal.
   [[nodiscard]] std::int32_t ending_cost(std::size_t cell) const { return ending_costs_[cell]; }
   [[nodiscard]] std::size_t cells() const { return ending_costs_.size(); }
-  /// Whether a search may end with this heading.
+  /// Whether a search may end with this heading: nobody gets farther down a corridor by turning
+  /// across it.
   [[nodiscard]] bool accepts(double heading_rad) const;
   /// From the robot on towards the goal [m].
   [[nodiscard]] double progress(const Eigen::Vector2d& p_level) const;

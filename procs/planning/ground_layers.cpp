@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "procs/planning/blind_ground.hpp"
 #include "procs/planning/distance_transform.hpp"
 #include "procs/planning/footprint.hpp"
 
@@ -25,18 +26,6 @@ double share_of_limits(const TerrainCell& cell, const Vehicle& vehicle,
   return std::clamp(share, 0.0, 1.0);
 }
 
-/// Around a robot in level.
-struct Standing {
-  Pose2 T_body_level;
-  BodyRectangle footprint;
-  BodyRectangle blind;
-
-  Standing(const Pose2& T_level_body, const Vehicle& vehicle, const GroundLimits& limits)
-      : T_body_level(T_level_body.inverse()),
-        footprint(body_outline(vehicle)),
-        blind(footprint.grown(limits.blind_margin_m)) {}
-};
-
 void classify(GroundLayers& layers, std::size_t i, std::optional<Reason> reason) {
   if (!reason) return;
   if (*reason == Reason::kUnknown) {
@@ -44,6 +33,49 @@ void classify(GroundLayers& layers, std::size_t i, std::optional<Reason> reason)
   } else {
     layers.under_wheels[i] = 1;
     layers.under_body[i] = carries(*reason) ? 1 : 0;
+  }
+}
+
+using Is = bool (*)(Ground);
+
+bool is_drop(Ground ground) { return ground == Ground::kBelowRay || ground == Ground::kNoReturn; }
+bool is_shadow(Ground ground) { return ground == Ground::kShadow; }
+
+/// Whether what a cell is reaches over three cells: no wheel bridges such a drop for certain, and
+/// no post hides in less of a shadow.
+bool is_wide(const TerrainMap& terrain, int column, int row, Is is) {
+  int around = 0;
+  const auto look = [&](int c, int r) {
+    if (terrain.contains(c, r) && is(terrain.at(c, r).ground)) ++around;
+  };
+  for (const int step : {-1, 1}) {
+    look(column + step, row);
+    look(column, row + step);
+  }
+  return around >= 3;
+}
+
+/// Nobody saw where the edge of a drop, of water or of a shadow is: a region reaches a cell beyond
+/// the last points of the ground before it, and these lie anywhere in a cell. Marks the cells round
+/// those that are, round the wide ones `wide` cells far.
+void widen(std::vector<std::uint8_t>& layer, const TerrainMap& terrain, Is is, int narrow,
+           int wide) {
+  const auto mark_around = [&](int column, int row, int reach) {
+    for (int dy = -reach; dy <= reach; ++dy) {
+      for (int dx = -reach; dx <= reach; ++dx) {
+        if (!terrain.contains(column + dx, row + dy)) continue;
+        if (dx * dx + dy * dy > reach * reach) continue;
+        layer[static_cast<std::size_t>(row + dy) * static_cast<std::size_t>(terrain.columns) +
+              static_cast<std::size_t>(column + dx)] = 1;
+      }
+    }
+  };
+  for (int row = 0; row < terrain.rows; ++row) {
+    for (int column = 0; column < terrain.columns; ++column) {
+      if (!is(terrain.at(column, row).ground)) continue;
+      const int reach = is_wide(terrain, column, row, is) ? wide : narrow;
+      if (reach > 0) mark_around(column, row, reach);
+    }
   }
 }
 
@@ -72,7 +104,7 @@ std::optional<Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehi
     case Ground::kShadow:
       return Reason::kUnknown;
     case Ground::kBelowRay:
-      return Reason::kStep;
+      return Reason::kDrop;
     case Ground::kNoReturn:
       return Reason::kWater;
     case Ground::kSeen:
@@ -98,20 +130,24 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
        {&layers.under_body, &layers.under_wheels, &layers.unseen, &layers.roughness}) {
     layer->assign(n, 0);
   }
-  const Standing robot(T_level_body, vehicle, limits);
+  const Pose2 T_body_level = T_level_body.inverse();
+  const BodyRectangle footprint = body_outline(vehicle);
+  const BlindGround blind_ground(terrain, T_level_body, vehicle, limits);
   for (int row = 0; row < terrain.rows; ++row) {
     for (int column = 0; column < terrain.columns; ++column) {
       const std::size_t i = layers.index(column, row);
       const TerrainCell& cell = terrain.at(column, row);
       const auto reason = lethal_reason(cell, vehicle, limits);
-      const Eigen::Vector2d p_body = robot.T_body_level * terrain.centre(column, row);
-      const bool below = robot.footprint.contains(p_body);
-      const bool blind = reason == Reason::kUnknown && robot.blind.contains(p_body);
+      const Eigen::Vector2d p_level = terrain.centre(column, row);
+      const bool below = footprint.contains(T_body_level * p_level);
+      const bool blind = reason == Reason::kUnknown && blind_ground.contains(p_level);
       if (!below && !blind) classify(layers, i, reason);
       layers.roughness[i] = static_cast<std::uint8_t>(
           std::lround(kWhole * roughness_of(cell, reason, below || blind, vehicle, limits)));
     }
   }
+  widen(layers.under_wheels, terrain, is_drop, 1, 3);
+  widen(layers.unseen, terrain, is_shadow, 0, 2);
   layers.body_distance_m = distance_transform(layers.under_body, layers.columns, layers.cell_m);
   layers.wheel_distance_m = distance_transform(layers.under_wheels, layers.columns, layers.cell_m);
   add_repellent(layers, limits);

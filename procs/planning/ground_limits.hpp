@@ -13,7 +13,9 @@ struct GroundLimits {
   double roof_margin_m = 0.1;        ///< above Vehicle::height_m
   double slope_max_rad = 0.35;       ///< of ground under the wheels
   double unseen_roughness = 0.5;     ///< of ground that was not seen, 0 (even) to 1 (at the limit)
-  double blind_margin_m = 0.5;       ///< around the robot, where its lasers cannot see the ground
+  double blind_beside_m = 0.4;       ///< the robot, unseen: its tail swings by 0.3 m at most
+  double blind_ahead_m = 1.2;        ///< likewise before an end of it
+  double blind_margin_m = 0.8;       ///< to either side of that, beyond its width
   double repellent_range_m = 0.5;    ///< from what is lethal, within which ground costs more
   double repellent_roughness = 0.4;  ///< beside what is lethal
 
@@ -24,6 +26,8 @@ struct GroundLimits {
     v("roof_margin_m", roof_margin_m, at_least(0.0));
     v("slope_max_rad", slope_max_rad, above(0.0));
     v("unseen_roughness", unseen_roughness, within(0.0, 1.0));
+    v("blind_beside_m", blind_beside_m, at_least(0.0));
+    v("blind_ahead_m", blind_ahead_m, at_least(0.0));
     v("blind_margin_m", blind_margin_m, at_least(0.0));
     v("repellent_range_m", repellent_range_m, above(0.0));
     v("repellent_roughness", repellent_roughness, within(0.0, 1.0));

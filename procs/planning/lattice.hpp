@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "procs/planning/c_space.hpp"
+#include "procs/planning/close_look.hpp"
 #include "procs/planning/motion_primitives.hpp"
 
 namespace adit {
@@ -27,29 +28,49 @@ struct Lattice {
   const CSpace& space;
   const MotionPrimitives& primitives;
   std::uint16_t refused =
-      CSpace::kUnseen;  ///< costs from here on; or kLethal: unseen ground is not
+      CSpace::kUnseen;                    ///< costs from here on; or kLethal: unseen ground is not
+  const CloseLook* close_look = nullptr;  ///< without it, what is close is refused
 
   static constexpr std::int32_t kBlocked = -1;
 
   [[nodiscard]] bool stands(const LatticePose& pose) const {
-    return space.contains(pose.column, pose.row) &&
-           space.slice(pose.heading)[space.index(pose.column, pose.row)] < refused;
+    return space.contains(pose.column, pose.row) && allows(cost_at(pose));
   }
   [[nodiscard]] static LatticePose behind(const LatticePose& pose, const MotionPrimitive& step) {
     return {pose.column + step.cells.x(), pose.row + step.cells.y(), step.to};
   }
-  /// Of a primitive from a pose, or kBlocked.
+  /// Of a primitive from a pose of the map, or kBlocked.
   [[nodiscard]] std::int32_t cost(const LatticePose& pose, const MotionPrimitive& step) const {
     std::int32_t sum = 0;
+    bool close = needs_a_look(cost_at(pose));
     for (const SweptPose& swept : step.swept) {
       const int column = pose.column + swept.column;
       const int row = pose.row + swept.row;
       if (!space.contains(column, row)) return kBlocked;
       const std::uint16_t cost = space.slice(swept.heading)[space.index(column, row)];
-      if (cost >= refused) return kBlocked;
-      sum += cost * swept.way_mm;
+      if (!allows(cost)) return kBlocked;
+      close = close || needs_a_look(cost);
+      sum += CSpace::bare(cost) * swept.way_mm;
     }
-    return sum;
+    return close && !allows(step.body, step.wheels, pose.column, pose.row) ? kBlocked : sum;
+  }
+  /// What was not seen is in the way of the body only.
+  [[nodiscard]] bool allows(const RunKernel& body, const RunKernel& wheels, int column,
+                            int row) const {
+    if (close_look == nullptr) return true;
+    if (!close_look->is_free(body, wheels, column, row)) return false;
+    return refused > CSpace::kUnseen || !close_look->is_unseen(body, column, row);
+  }
+  [[nodiscard]] static bool needs_a_look(std::uint16_t cost) {
+    return CSpace::is_close(cost) || cost == CSpace::kUnseen;
+  }
+
+ private:
+  [[nodiscard]] std::uint16_t cost_at(const LatticePose& pose) const {
+    return space.slice(pose.heading)[space.index(pose.column, pose.row)];
+  }
+  [[nodiscard]] bool allows(std::uint16_t cost) const {
+    return cost < refused && (close_look != nullptr || !CSpace::is_close(cost));
   }
 };
 

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/planning/lattice_symmetry.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace adit {
 
@@ -15,6 +18,25 @@ Eigen::Vector2i LatticeSymmetry::of(const Eigen::Vector2i& cells) const {
 int LatticeSymmetry::of(int heading, const HeadingSet& headings) const {
   return headings.wrapped((mirrored ? -heading : heading) + quarters * headings.count() / 4);
 }
+
+namespace {
+
+/// The image of a kernel under what takes cells to cells.
+template <class Image>
+RunKernel image_of(const RunKernel& kernel, const Image& image) {
+  std::set<std::pair<int, int>> cells;
+  int reach = 0;
+  for (const RunKernel::Run& run : kernel.runs) {
+    for (int column = run.first; column <= run.last; ++column) {
+      const Eigen::Vector2i cell = image(Eigen::Vector2i(column, run.row));
+      cells.emplace(cell.x(), cell.y());
+      reach = std::max(reach, cell.cwiseAbs().maxCoeff());
+    }
+  }
+  return kernel_of(reach, [&](int column, int row) { return cells.count({column, row}) != 0; });
+}
+
+}  // namespace
 
 MotionPrimitive LatticeSymmetry::of(const MotionPrimitive& primitive,
                                     const HeadingSet& headings) const {
@@ -29,6 +51,9 @@ MotionPrimitive LatticeSymmetry::of(const MotionPrimitive& primitive,
     pose.row = static_cast<std::int16_t>(cell.y());
     pose.heading = static_cast<std::uint16_t>(of(pose.heading, headings));
   }
+  const auto turned = [&](const Eigen::Vector2i& cell) { return of(cell); };
+  image.body = image_of(primitive.body, turned);
+  image.wheels = image_of(primitive.wheels, turned);
   return image;
 }
 
@@ -63,6 +88,11 @@ MotionPrimitive reversed(const MotionPrimitive& primitive, double way_factor) {
     }
     back.swept.push_back(pose);
   }
+  const auto from_its_end = [&](const Eigen::Vector2i& cell) {
+    return Eigen::Vector2i(cell - primitive.cells);
+  };
+  back.body = image_of(primitive.body, from_its_end);
+  back.wheels = image_of(primitive.wheels, from_its_end);
   return back;
 }
 

@@ -16,6 +16,7 @@ constexpr double kGentle = 2.5;    // radius of a gentle bend, in least ones
 constexpr double kLongestM = 4.0;  // that a bend may take
 constexpr int kSamplesPerCell = 20;
 constexpr double kMmPerM = 1000.0;
+constexpr double kLookM = 0.02;  // of a point of the vehicle, from one look to the next
 
 double axle_behind(const Vehicle& vehicle) {
   return vehicle.steering == "ackermann" ? vehicle.wheelbase_m / 2.0 : 0.0;
@@ -57,6 +58,7 @@ MotionPrimitives::MotionPrimitives(const Vehicle& vehicle, const PrimitiveParams
                                    const HeadingSet& headings, double cell_m)
     : headings_(headings),
       cell_m_(cell_m),
+      vehicle_(vehicle),
       axle_m_(axle_behind(vehicle)),
       radius_min_m_(axle_radius(vehicle)),
       from_(static_cast<std::size_t>(headings.count())) {
@@ -120,6 +122,16 @@ void MotionPrimitives::add_bends(int heading, int turn, const PrimitiveParams& p
   if (gentle.cells != tight.cells) add_with_its_likes(gentle, false, params);
 }
 
+int MotionPrimitives::reach() const {
+  int reach = 0;
+  for (const auto& primitives : from_) {
+    for (const MotionPrimitive& p : primitives) {
+      reach = std::max({reach, p.body.reach, p.wheels.reach});
+    }
+  }
+  return reach;
+}
+
 Pose2 MotionPrimitives::forward_pose(const MotionPrimitive& primitive, double way_m) const {
   const int heading = primitive.reverse ? primitive.to : primitive.from;
   const Pose2 axle{-axle_m_, 0.0, 0.0};
@@ -167,9 +179,22 @@ void MotionPrimitives::sweep(MotionPrimitive& primitive, double factor) {
   primitive.swept.assign(poses.begin() + 1, poses.end());
 }
 
+/// Looks so often that no point of the vehicle moves by more than twice the slack of the kernels.
+void MotionPrimitives::cover(MotionPrimitive& primitive) const {
+  const double length = primitive.manoeuvre.length_m();
+  const double turn = std::abs(primitive.manoeuvre.turn_rad);
+  const double corner_m = std::hypot(vehicle_.length_m, vehicle_.width_m) / 2.0;
+  const int looks = static_cast<int>(std::ceil((length + corner_m * turn) / kLookM));
+  std::vector<Pose2> poses;
+  for (int i = 0; i <= looks; ++i) poses.push_back(forward_pose(primitive, length * i / looks));
+  primitive.body = swept_kernel({body_outline(vehicle_)}, poses, cell_m_);
+  primitive.wheels = swept_kernel(wheel_tracks(vehicle_), poses, cell_m_);
+}
+
 void MotionPrimitives::add_with_its_likes(MotionPrimitive primitive, bool own_image,
                                           const PrimitiveParams& params) {
   sweep(primitive, primitive.from == primitive.to ? 1.0 : params.turn_factor);
+  cover(primitive);
   for (const LatticeSymmetry& symmetry : lattice_symmetries()) {
     if (own_image && symmetry.mirrored) continue;
     const MotionPrimitive image = symmetry.of(primitive, headings_);

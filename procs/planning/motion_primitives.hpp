@@ -11,6 +11,7 @@
 #include "common/vehicle/vehicle.hpp"
 #include "procs/planning/heading_set.hpp"
 #include "procs/planning/manoeuvre.hpp"
+#include "procs/planning/run_kernel.hpp"
 
 namespace adit {
 
@@ -32,7 +33,9 @@ struct MotionPrimitive {
   Manoeuvre manoeuvre{};    ///< as driven forwards; in reverse from its end to its beginning
   std::int32_t way_mm = 0;  ///< in all
   std::vector<SweptPose>
-      swept{};  ///< all that it comes through, its end last, without its beginning
+      swept{};         ///< all that it comes through, its end last, without its beginning
+  RunKernel body{};    ///< all cells that the vehicle comes over, from the one where it begins
+  RunKernel wheels{};  ///< likewise its wheels
 };
 
 struct PrimitiveParams {
@@ -59,6 +62,7 @@ class MotionPrimitives {
   MotionPrimitives(const Vehicle& vehicle, const PrimitiveParams& params,
                    const HeadingSet& headings, double cell_m);
 
+  [[nodiscard]] const HeadingSet& headings() const { return headings_; }
   /// In order, forwards first.
   [[nodiscard]] const std::vector<MotionPrimitive>& from(int heading) const {
     return from_[static_cast<std::size_t>(heading)];
@@ -66,6 +70,8 @@ class MotionPrimitives {
   /// Least way of a primitive for that of the shortest chain of neighbouring cells it comes
   /// through.
   [[nodiscard]] double least_way_share() const { return least_way_share_; }
+  /// Of their kernels, the greatest.
+  [[nodiscard]] int reach() const;
   /// Pose of the body at a way along a primitive, from the middle of the cell where it begins.
   [[nodiscard]] Pose2 pose_at(const MotionPrimitive& primitive, double way_m) const;
   /// Of the path of the body's origin for the stretch that begins there, positive to the left.
@@ -76,12 +82,14 @@ class MotionPrimitives {
   [[nodiscard]] MotionPrimitive straight(int heading, double step_m) const;
   [[nodiscard]] MotionPrimitive bend(int heading, int turn, double radius_min_m) const;
   void sweep(MotionPrimitive& primitive, double factor);
+  void cover(MotionPrimitive& primitive) const;
   void add_bends(int heading, int turn, const PrimitiveParams& params);
   /// And its images, and all of these in reverse.
   void add_with_its_likes(MotionPrimitive primitive, bool own_image, const PrimitiveParams& params);
 
   HeadingSet headings_;
   double cell_m_;
+  Vehicle vehicle_;
   double axle_m_;        ///< of the point that moves along x, behind the body's origin
   double radius_min_m_;  ///< of the path of that point
   double least_way_share_ = 1.0;

@@ -16,6 +16,8 @@
 namespace adit {
 namespace {
 
+constexpr double kUsualCellM = 0.1;
+
 void check(const TerrainMap& terrain) {
   const bool sized = terrain.columns > 0 && terrain.rows > 0 && terrain.cell_m > 0.0 &&
                      terrain.cells.size() == static_cast<std::size_t>(terrain.columns) *
@@ -44,13 +46,15 @@ const char* name_of(BlockingCell::Reason reason) {
       return "what may be water";
     case BlockingCell::Reason::kSlope:
       return "a slope that is too steep";
+    case BlockingCell::Reason::kDrop:
+      return "a drop";
   }
   return "";
 }
 
 /// What most of the cells are.
 std::string most_of(const std::vector<BlockingCell>& cells) {
-  int counts[6] = {};
+  int counts[7] = {};
   std::size_t most = 0;
   for (const BlockingCell& cell : cells) {
     const auto i = static_cast<std::size_t>(cell.reason);
@@ -83,25 +87,40 @@ PlannedPath start_blocked(const LatticePose& start, const Lattice& lattice,
 
 Planning::Planning(const PlanningParams& params) : params_(params) {
   // What does not fit together is to be said before the first plan, at any usual size of cells.
-  const HeadingSet headings(params.c_space.headings);
-  const MotionPrimitives primitives(params.vehicle, params.primitives, headings, 0.1);
+  prepare_for(kUsualCellM);
+  if (params.goals.shortfall_factor <= 1.0 + params.c_space.rough_factor) {
+    throw std::invalid_argument(
+        "planning.goals.shortfall_factor must exceed 1 + planning.c_space.rough_factor, or a path "
+        "over rough ground does not pay");
+  }
+}
+
+void Planning::prepare_for(double cell_m) {
+  if (kernels_ && kernels_->cell_m() == cell_m) return;
+  kernels_.emplace(params_.vehicle, params_.c_space, cell_m);
+  primitives_.emplace(params_.vehicle, params_.primitives, kernels_->headings(), cell_m);
 }
 
 void Planning::prepare(const TerrainMap& terrain, const Pose2& T_odom_body) {
   check(terrain);
   const Pose2 T_level_body = between(terrain.T_odom_level, T_odom_body);
-  if (!kernels_ || kernels_->cell_m() != terrain.cell_m) {
-    kernels_.emplace(params_.vehicle, params_.c_space, terrain.cell_m);
-    primitives_.emplace(params_.vehicle, params_.primitives, kernels_->headings(), terrain.cell_m);
-  }
+  prepare_for(terrain.cell_m);
   GroundLayers layers =
       ground_layers(terrain, T_level_body, params_.vehicle, params_.c_space.ground);
   CSpace space = kernels_->convolve(layers);
-  ground_.emplace(PlanGround{std::move(layers), std::move(space), {}});
+  CloseLook close_look(layers, primitives_->reach());
+  ground_.emplace(PlanGround{std::move(layers), std::move(space), std::move(close_look), {}});
 }
 
 Lattice Planning::lattice(std::uint16_t refused) const {
-  return {ground_->space, *primitives_, refused};
+  return {ground_->space, *primitives_, refused, &ground_->close_look};
+}
+
+bool Planning::stands(const LatticePose& pose) const {
+  const Lattice free = lattice(CSpace::kUnseen);
+  const auto& kernel = kernels_->oriented(pose.heading);
+  return free.stands(pose) &&
+         free.allows(kernel.exact_body, kernel.exact_wheels, pose.column, pose.row);
 }
 
 PlannedPath Planning::plan(const TerrainMap& terrain, const PlanGoal& goal,
@@ -116,7 +135,7 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
   const HeadingSet& headings = kernels_->headings();
   const LatticePose start = nearest_pose(terrain, headings, T_level_body);
   const Lattice free = lattice(CSpace::kUnseen);
-  if (!free.stands(start)) {
+  if (!stands(start)) {
     const double at_the_limit = CSpace::kEven * (1.0 + params_.c_space.rough_factor);
     allow_leaving(ground_->space, start, ground_->layers, *kernels_,
                   static_cast<std::uint16_t>(at_the_limit));
@@ -131,6 +150,8 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
     answer.outcome = PlanOutcome::kFound;
     answer.points = path_points(found, start, *primitives_, headings, terrain, ground_->layers,
                                 params_.vehicle, params_.point_spacing_m);
+    // It stands there, and the pose of the lattice is nearer than the slack of a cell.
+    answer.points.front().T_odom_body = T_odom_body;
     const Pose2 T_level_end = between(terrain.T_odom_level, answer.points.back().T_odom_body);
     answer.reached_m = goals.progress(T_level_end.translation());
     answer.reason = "A path was found.";

@@ -12,6 +12,7 @@
 #include "common/vehicle/vehicle.hpp"
 #include "procs/planning/c_space.hpp"
 #include "procs/planning/goal_field.hpp"
+#include "procs/planning/lattice.hpp"
 #include "procs/planning/lattice_search.hpp"
 #include "procs/planning/motion_primitives.hpp"
 
@@ -40,6 +41,7 @@ struct PlanningParams {
 struct PlanGround {
   GroundLayers layers;
   CSpace space;
+  CloseLook close_look;
   std::vector<std::uint8_t> reached;  ///< 1: the robot's middle can get there; empty with a path
 };
 
@@ -50,7 +52,7 @@ class Planning {
   /// Throws std::invalid_argument where the vehicle cannot be planned for.
   explicit Planning(const PlanningParams& params);
 
-  /// A path from where the robot is, or why there is none. Its points begin at the pose of the
+  /// A path from where the robot is, or why there is none. It is planned from the pose of the
   /// lattice nearest to the robot: within half a cell and half a heading. Throws
   /// std::invalid_argument where the map has other cells than it says, or cells that are too small
   /// or too large for the vehicle; a goal or a pose with no place is answered.
@@ -63,11 +65,13 @@ class Planning {
 
   /// What the last plan rested on.
   [[nodiscard]] const std::optional<PlanGround>& ground() const { return ground_; }
-  /// Those of the last plan; nothing before.
+  /// Those of the last plan; before, for cells of the usual size.
   [[nodiscard]] const std::optional<CSpaceKernels>& kernels() const { return kernels_; }
 
  private:
+  void prepare_for(double cell_m);
   [[nodiscard]] Lattice lattice(std::uint16_t refused) const;
+  [[nodiscard]] bool stands(const LatticePose& pose) const;
   PlannedPath no_path(const TerrainMap& terrain, const LatticePose& start, const GoalField& goals);
 
   PlanningParams params_;

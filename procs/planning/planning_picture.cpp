@@ -21,7 +21,7 @@ std::string degrees(double angle_rad) {
 std::uint8_t grey_of(std::uint16_t cost) {
   if (cost == CSpace::kLethal) return PlanPicture::kLethalGrey;
   if (cost == CSpace::kUnseen) return PlanPicture::kUnseenGrey;
-  const double pale = kPaleCost / (kPaleCost + cost - CSpace::kEven);
+  const double pale = kPaleCost / (kPaleCost + CSpace::bare(cost) - CSpace::kEven);
   return static_cast<std::uint8_t>(
       std::lround(std::lerp(PlanPicture::kDearGrey, PlanPicture::kEvenGrey, pale)));
 }
@@ -46,11 +46,11 @@ void fill(GreyCells& cells, const RunKernel& kernel, int reach, std::uint8_t gre
 
 GreyCells kernel_of(const CSpaceKernels& kernels, int heading) {
   const auto& oriented = kernels.oriented(heading);
-  const int reach = oriented.lethal_body.reach;
+  const int reach = oriented.close_body.reach;
   GreyCells cells{degrees(kernels.headings().angle(heading)), 2 * reach + 1, {}};
   const auto side = static_cast<std::size_t>(cells.columns);
   cells.grey.assign(side * side, kWhite);
-  fill(cells, oriented.lethal_body, reach, PlanPicture::kMarginGrey);
+  fill(cells, oriented.close_body, reach, PlanPicture::kMarginGrey);
   fill(cells, oriented.body, reach, PlanPicture::kBetweenGrey);
   fill(cells, oriented.wheels, reach, PlanPicture::kWheelGrey);
   return cells;

@@ -17,6 +17,7 @@ Reachable reachable(const Lattice& lattice, const LatticePose& start, const Goal
     if (seen[i]) return;
     seen[i] = true;
     region.poses.push_back(pose);
+    if (!goals.accepts(lattice.primitives.headings().angle(pose.heading))) return;
     region.progress_m =
         std::max(region.progress_m, goals.progress(terrain.centre(pose.column, pose.row)));
   };

@@ -13,7 +13,7 @@ namespace adit {
 /// Where a robot can get to, and how far towards the goal.
 struct Reachable {
   std::vector<LatticePose> poses;  ///< in order of discovery
-  double progress_m = 0.0;         ///< the greatest of them, not less than 0
+  double progress_m = 0.0;         ///< the greatest of those where a path may end, not less than 0
 };
 
 /// All that can be reached from a pose, at any cost, or as much as it takes to make a progress of

@@ -44,6 +44,16 @@ class RowSums {
     }
   }
 
+  /// The sum of a kernel around one cell.
+  [[nodiscard]] Sum around(const RunKernel& kernel, int column, int row) const {
+    Sum total = 0;
+    for (const RunKernel::Run& run : kernel.runs) {
+      total = static_cast<Sum>(total + *at(run.row + row, run.last + 1 + column) -
+                               *at(run.row + row, run.first + column));
+    }
+    return total;
+  }
+
  private:
   /// Sum of the cells of a row left of a column.
   [[nodiscard]] const Sum* at(int row, int column) const {

@@ -48,6 +48,25 @@ RunKernel kernel_of(int reach, const std::function<bool(int, int)>& holds) {
   return kernel;
 }
 
+RunKernel swept_kernel(const std::vector<BodyRectangle>& rectangles,
+                       const std::vector<Pose2>& poses, double cell_m) {
+  double way_m = 0.0;
+  for (const Pose2& pose : poses) way_m = std::max(way_m, pose.translation().norm());
+  const int reach = reach_of(rectangles, cell_m) + static_cast<int>(std::ceil(way_m / cell_m));
+  const double far_m = radius(rectangles) + kSlackM + cell_m;
+  return kernel_of(reach, [&](int column, int row) {
+    const Eigen::Vector2d p = cell_m * Eigen::Vector2d(column, row);
+    for (const Pose2& pose : poses) {
+      const Eigen::Vector2d away = p - pose.translation();
+      if (away.squaredNorm() > far_m * far_m) continue;
+      for (const auto& rectangle : rectangles) {
+        if (meets_square(rectangle.grown(kSlackM), pose.theta, away, cell_m / 2.0)) return true;
+      }
+    }
+    return false;
+  });
+}
+
 RunKernel covering_kernel(const std::vector<BodyRectangle>& rectangles, const HeadingSet& headings,
                           int heading, double cell_m) {
   const Pose2 T_body_grid = Pose2{0.0, 0.0, headings.angle(heading)}.inverse();

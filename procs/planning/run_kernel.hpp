@@ -26,6 +26,11 @@ struct RunKernel {
 /// The cells within `reach` for which `holds(column, row)`.
 RunKernel kernel_of(int reach, const std::function<bool(int, int)>& holds);
 
+/// The cells of which any point may lie under one of the rectangles at one of the poses of the
+/// body, from the middle of a cell, or within 1 cm of one.
+RunKernel swept_kernel(const std::vector<BodyRectangle>& rectangles,
+                       const std::vector<Pose2>& poses, double cell_m);
+
 /// The cells with their middle under one of the rectangles, the body standing on the middle of its
 /// cell with a heading of the set.
 RunKernel covering_kernel(const std::vector<BodyRectangle>& rectangles, const HeadingSet& headings,

@@ -63,7 +63,7 @@ TerrainMap Terrain::make(const Cloud& cloud) const {
   const std::vector<float> low_m = lowest(regions, map);
   const GroundLevel ground(map, low_m, params_);
   set_heights(map, regions, ground);
-  tell_unseen_ground_apart(map, cloud, ground, params_);
+  tell_unseen_ground_apart(map, cloud, heights, ground, params_);
   set_differences(map);
   set_slope_and_step(map);
   set_repulsion(map, params_.repulsion);
@@ -81,7 +81,9 @@ TerrainMap Terrain::blank(const Cloud& cloud) const {
   map.cell_m = params_.cell_m;
   map.columns = std::max(cells(params_.length_m), 1);
   map.rows = std::max(cells(params_.width_m), 1);
-  map.p_level_corner = {-params_.behind_m, -0.5 * map.rows * map.cell_m};
+  // The vehicle stands in the middle of a cell: a path can begin where it is.
+  map.p_level_corner =
+      -map.cell_m * Eigen::Vector2d(cells(params_.behind_m) + 0.5, map.rows / 2 + 0.5);
   TerrainCell unknown;
   unknown.low_m = kUnknown;
   unknown.high_m = kUnknown;

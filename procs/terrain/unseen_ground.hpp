@@ -4,6 +4,7 @@
 
 #include "common/cloud/cloud.hpp"
 #include "common/terrain/terrain_map.hpp"
+#include "procs/terrain/cell_heights.hpp"
 #include "procs/terrain/ground_level.hpp"
 #include "procs/terrain/terrain_params.hpp"
 
@@ -12,7 +13,7 @@ namespace adit {
 /// Says of the cells that no point shows why not, from the beams that went there, and gives those
 /// between beams that met the ground its height. Where lasers looked from several places, the one
 /// that knows most is believed.
-void tell_unseen_ground_apart(TerrainMap& map, const Cloud& cloud, const GroundLevel& ground,
-                              const TerrainParams& params);
+void tell_unseen_ground_apart(TerrainMap& map, const Cloud& cloud, const CellHeights& heights,
+                              const GroundLevel& ground, const TerrainParams& params);
 
 }  // namespace adit

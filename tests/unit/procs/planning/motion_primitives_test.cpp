@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 #include <stdexcept>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "procs/planning/footprint.hpp"
 #include "procs/planning/lattice_symmetry.hpp"
 
 namespace adit {
@@ -123,6 +125,49 @@ TEST_P(EachSet, SweepsAllPosesInBetween) {
       EXPECT_TRUE(near(0, 0, primitive.from) ||
                   std::any_of(primitive.swept.begin(), primitive.swept.end(),
                               [&](const auto& s) { return near(s.column, s.row, s.heading); }));
+    }
+  });
+}
+
+/// Whether a kernel has the cell of a point.
+bool has(const RunKernel& kernel, const Eigen::Vector2d& p) {
+  const auto column = static_cast<int>(std::lround(p.x() / kCellM));
+  const auto row = static_cast<int>(std::lround(p.y() / kCellM));
+  return std::any_of(kernel.runs.begin(), kernel.runs.end(), [&](const RunKernel::Run& run) {
+    return run.row == row && run.first <= column && column <= run.last;
+  });
+}
+
+TEST_P(EachSet, CoversAllThatTheTrueFootprintComesOver) {
+  const BodyRectangle body = body_outline(vehicle_);
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  each([&](const MotionPrimitive& primitive) {
+    for (double way = 0.0; way < primitive.manoeuvre.length_m(); way += 0.017) {
+      const Pose2 pose = primitives_.pose_at(primitive, way);
+      const Eigen::Vector2d anywhere(share(engine), share(engine));
+      ASSERT_TRUE(has(primitive.body, pose * (body.middle + body.half.cwiseProduct(anywhere))));
+      ASSERT_TRUE(has(primitive.body, pose * (body.middle + body.half)));
+      for (const BodyRectangle& track : wheel_tracks(vehicle_)) {
+        ASSERT_TRUE(has(primitive.wheels, pose * (track.middle + track.half)));
+        ASSERT_TRUE(
+            has(primitive.wheels, pose * (track.middle + track.half.cwiseProduct(anywhere))));
+      }
+    }
+  });
+}
+
+TEST_P(EachSet, CoversNoMoreThanACellBesideIt) {
+  each([&](const MotionPrimitive& primitive) {
+    if (primitive.from != primitive.to) return;
+    const Pose2 T_grid_body{0.0, 0.0, headings_.angle(primitive.from)};
+    const double most = vehicle_.width_m / 2.0 + 0.02 + kCellM * std::sqrt(0.5);
+    for (const RunKernel::Run& run : primitive.body.runs) {
+      for (const int column : {run.first, run.last}) {
+        const Eigen::Vector2d p =
+            T_grid_body.inverse() * (kCellM * Eigen::Vector2d(column, run.row));
+        EXPECT_LT(std::abs(p.y()), most);
+      }
     }
   });
 }

@@ -160,7 +160,8 @@ TEST(Planning, ShowsABeamAcrossTheCorridorAsEvidence) {
   const PlannedPath path = plan(corridor_with(obstacle_cell(0.6), {2.8, -2.0}, {3.0, 2.0}));
   EXPECT_EQ(path.outcome, PlanOutcome::kBlocked);
   EXPECT_TRUE(path.points.empty());
-  EXPECT_NEAR(path.reached_m, 2.8 - 1.2, 0.35);  // half its length before it, and the margins
+  EXPECT_GT(path.reached_m, 2.8 - 1.2 - 0.35);  // half its length before it, and the margins
+  EXPECT_LT(path.reached_m, 2.8 - 0.6);         // half its width, where it turns before it
   EXPECT_GT(count(path, Reason::kBelly), 20);
   for (const BlockingCell& cell : path.blocking) {
     EXPECT_TRUE(std::abs(cell.p_odom.y()) > 1.8 || std::abs(cell.p_odom.x() - 2.9) < 0.11);
@@ -173,9 +174,11 @@ TEST(Planning, TellsWhatIsInTheWay) {
     return plan(corridor_with(cell, {2.5, -2.0}, {3.5, 2.0}));
   };
   EXPECT_GT(count(across(roofed_cell(0.8)), Reason::kRoof), 10);
-  EXPECT_FLOAT_EQ(static_cast<float>(across(roofed_cell(0.8)).blocking[20].height_m), 0.8F);
+  EXPECT_THAT(
+      across(roofed_cell(0.8)).blocking,
+      testing::Contains(testing::Field(&BlockingCell::height_m, testing::DoubleNear(0.8, 1e-6))));
   EXPECT_GT(count(across(unseen_cell(Ground::kNoReturn)), Reason::kWater), 10);
-  EXPECT_GT(count(across(unseen_cell(Ground::kBelowRay)), Reason::kStep), 10);
+  EXPECT_GT(count(across(unseen_cell(Ground::kBelowRay)), Reason::kDrop), 10);
   EXPECT_GT(count(across(obstacle_cell(0.22)), Reason::kStep), 10);
 }
 
@@ -262,6 +265,47 @@ TEST(Planning, RefusesAMapThatIsNotWhatItSays) {
   terrain.cells.pop_back();
   EXPECT_THROW(plan(terrain), std::invalid_argument);
   EXPECT_THROW(plan(TerrainMap{}), std::invalid_argument);
+}
+
+TEST(Planning, RefusesCostsByWhichRoughGroundDoesNotPay) {
+  PlanningParams params;
+  params.goals.shortfall_factor = 1.0 + params.c_space.rough_factor;
+  EXPECT_THROW(Planning{params}, std::invalid_argument);
+}
+
+TEST(Planning, BeginsWhereTheRobotIs) {
+  TerrainMap terrain = terrain_of(CorridorScene{}, 20.1);  // the origin in the middle of a cell
+  EXPECT_EQ(plan(terrain).points.front().T_odom_body, (Pose2{0.0, 0.0, 0.0}));
+  const Pose2 robot{0.03, -0.04, 0.05};
+  EXPECT_EQ(plan(terrain, {}, robot).points.front().T_odom_body, robot);
+}
+
+TEST(Planning, KeepsItsBodyOffWhatWasNotSeen) {
+  // A wall may stand right behind the edge of what hides it.
+  TerrainMap terrain = corridor_with(unseen_cell(Ground::kShadow), {4.0, 0.0}, {6.0, 2.0});
+  const PlannedPath path = plan(terrain);
+  ASSERT_EQ(path.outcome, PlanOutcome::kFound);
+  const BodyRectangle body = body_outline(Vehicle{});
+  for (const PathPoint& point : path.points) {
+    EXPECT_FALSE(meets_square({body.middle, body.half}, point.T_odom_body.theta,
+                              Eigen::Vector2d(5.0, 1.0) - point.T_odom_body.translation(), 0.9));
+  }
+}
+
+TEST(Planning, TakesBlindGroundForEvenOnlyWhereItGoesOnBeyond) {
+  const auto with_step = [](double height_m) {
+    TerrainMap terrain = corridor_with(unseen_cell(Ground::kNeverSeen), {-5.0, -2.0}, {2.0, 2.0});
+    for (int row = 0; row < terrain.rows; ++row) {
+      for (int column = 0; column < terrain.columns; ++column) {
+        TerrainCell& cell = terrain.at(column, row);
+        if (cell.ground == Ground::kSeen) cell.low_m = static_cast<float>(height_m);
+      }
+    }
+    return terrain;
+  };
+  EXPECT_EQ(plan(with_step(0.0)).outcome, PlanOutcome::kFound);
+  EXPECT_EQ(plan(with_step(0.25)).outcome, PlanOutcome::kUnknown);
+  EXPECT_EQ(plan(with_step(-0.25)).outcome, PlanOutcome::kUnknown);
 }
 
 }  // namespace

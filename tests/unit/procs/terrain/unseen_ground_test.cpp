@@ -35,7 +35,7 @@ TEST(UnseenGround, LiesInTheShadowOfAPillar) {
     add_drift(builder);
     add_rock(builder, {4.0, 0.0, 1.0}, {0.5, 0.5, 2.0});
   });
-  const Eigen::AlignedBox2d behind(Eigen::Vector2d(4.5, -0.2), Eigen::Vector2d(9.0, 0.2));
+  const Eigen::AlignedBox2d behind(Eigen::Vector2d(4.5, -0.15), Eigen::Vector2d(9.0, 0.15));
   EXPECT_EQ(share_of(map, behind, is(Ground::kShadow)), 1.0);
   const Eigen::AlignedBox2d beside(Eigen::Vector2d(4.5, 1.0), Eigen::Vector2d(7.0, 1.5));
   EXPECT_EQ(share_of(map, beside, is(Ground::kSeen)), 1.0);

@@ -22,13 +22,16 @@ struct ReasonColour {
   Colour colour;
   const char* name;
 };
-/// In the order of BlockingCell::Reason.
-constexpr std::array<ReasonColour, 6> kReasons = {{{rgb(0xff00b8), "a step"},
+/// In the order of BlockingCell::Reason, of which kDrop is the last.
+constexpr std::array<ReasonColour, 7> kReasons = {{{rgb(0xff00b8), "a step"},
                                                    {rgb(0xe0182d), "too high to drive over"},
                                                    {rgb(0x7b1fa2), "the roof"},
                                                    {rgb(0xf2c200), "not seen"},
                                                    {rgb(0x1560bd), "water?"},
-                                                   {rgb(0x7a4a21), "too steep"}}};
+                                                   {rgb(0x7a4a21), "too steep"},
+                                                   {rgb(0x008b8b), "a drop"}}};
+
+static_assert(kReasons.size() == static_cast<std::size_t>(BlockingCell::Reason::kDrop) + 1);
 
 const ReasonColour& reason_of(const BlockingCell& cell) {
   return kReasons[static_cast<std::size_t>(cell.reason)];

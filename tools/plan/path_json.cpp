@@ -23,6 +23,8 @@ const char* name_of(BlockingCell::Reason reason) {
       return "water";
     case BlockingCell::Reason::kSlope:
       return "slope";
+    case BlockingCell::Reason::kDrop:
+      return "drop";
   }
   return "";
 }

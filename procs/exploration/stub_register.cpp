@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/exploration/stub_register.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace adit {
+namespace {
+
+const double kAdvanceCosine = std::cos(1.0);  // of the angle by which a corridor may bend
+
+void set(Stub& stub, StubState state, std::string evidence, std::int64_t utime) {
+  if (stub.state == state) return;
+  stub.state = state;
+  stub.evidence = std::move(evidence);
+  stub.utime = utime;
+}
+
+bool lies_ahead(const Stub& stub, const Eigen::Vector2d& p_map) {
+  const Eigen::Vector2d way = p_map - stub.p_map;
+  return way.dot(stub.direction_map) > kAdvanceCosine * way.norm();
+}
+
+std::string seen_by(std::optional<int> local_map) {
+  if (!local_map) return "what lies there was seen";
+  return "what lies there was seen by local map " + std::to_string(*local_map);
+}
+
+}  // namespace
+
+void StubRegister::update(const std::vector<OpenEnd>& ends, const KnownSpace& space,
+                          const std::vector<BarrierText>& barriers, std::int64_t utime) {
+  move_with_the_graph(space);
+  std::vector<bool> found(stubs_.size());
+  std::vector<bool> taken(ends.size());
+  match(ends, space, false, found, taken);
+  match(ends, space, true, found, taken);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i]) set(stubs_[i], StubState::kExplored, seen_by(space.newest()), utime);
+  }
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (taken[k]) continue;
+    Stub stub;
+    stub.id = static_cast<int>(stubs_.size());
+    stub.utime = utime;
+    place(stub, ends[k], space);
+    stubs_.push_back(stub);
+    verdicts_.emplace_back();
+    judge(stubs_.size() - 1, ends[k].access, barriers, utime);
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (!found[i] || stubs_[i].state == StubState::kExplored) continue;
+    const auto end = std::find_if(ends.begin(), ends.end(), [&](const OpenEnd& candidate) {
+      return candidate.p_map == stubs_[i].p_map;
+    });
+    judge(i, end->access, barriers, utime);
+  }
+}
+
+void StubRegister::move_with_the_graph(const KnownSpace& space) {
+  for (Stub& stub : stubs_) {
+    const auto T_map_local = space.pose_of(stub.local_map);
+    if (!T_map_local) continue;
+    stub.p_map = *T_map_local * stub.p_local;
+    stub.direction_map = *T_map_local * stub.direction_local - T_map_local->translation();
+  }
+}
+
+/// Nearest pairs first; those that moved on down their corridor after those that stayed.
+void StubRegister::match(const std::vector<OpenEnd>& ends, const KnownSpace& space, bool advance,
+                         std::vector<bool>& found, std::vector<bool>& taken) {
+  std::vector<Pair> pairs;
+  const double reach = advance ? params_.advance_m : params_.match_m;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i] || stubs_[i].state == StubState::kExplored) continue;
+    if (advance && verdicts_[i].final) continue;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      const double distance = (ends[k].p_map - stubs_[i].p_map).norm();
+      if (taken[k] || distance > reach) continue;
+      if (advance && !lies_ahead(stubs_[i], ends[k].p_map)) continue;
+      pairs.push_back({distance, i, k});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return std::tie(a.distance_m, a.stub, a.end) < std::tie(b.distance_m, b.stub, b.end);
+  });
+  for (const Pair& pair : pairs) {
+    if (found[pair.stub] || taken[pair.end]) continue;
+    found[pair.stub] = true;
+    taken[pair.end] = true;
+    if (advance) verdicts_[pair.stub].arrivals = 0;
+    place(stubs_[pair.stub], ends[pair.end], space);
+  }
+}
+
+void StubRegister::place(Stub& stub, const OpenEnd& end, const KnownSpace& space) const {
+  stub.p_map = end.p_map;
+  stub.direction_map = end.direction_map;
+  stub.width_m = end.width_m;
+  stub.local_map = space.tile_at(end.p_map).value_or(space.newest().value_or(0));
+  const Pose2 T_local_map = space.pose_of(stub.local_map).value_or(Pose2{}).inverse();
+  stub.p_local = T_local_map * end.p_map;
+  stub.direction_local = T_local_map * end.direction_map - T_local_map.translation();
+}
+
+void StubRegister::judge(std::size_t i, Access access, const std::vector<BarrierText>& barriers,
+                         std::int64_t utime) {
+  Stub& stub = stubs_[i];
+  if (verdicts_[i].final) return;
+  if (access == Access::kReachable) {
+    if (stub.state != StubState::kBeyondBudget) set(stub, StubState::kOpen, {}, utime);
+    return;
+  }
+  if (access == Access::kBehindBarrier && !barriers.empty()) {
+    const auto nearest = std::min_element(
+        barriers.begin(), barriers.end(), [&](const BarrierText& a, const BarrierText& b) {
+          return (a.p_map - stub.p_map).norm() < (b.p_map - stub.p_map).norm();
+        });
+    return set(stub, nearest->state, nearest->evidence, utime);
+  }
+  set(stub, StubState::kTooNarrow, "no known way there is wide enough for the vehicle", utime);
+}
+
+void StubRegister::arrived(int stub, const Eigen::Vector2d& p_map, int local_map,
+                           std::int64_t utime) {
+  if (find(stub) == nullptr) return;
+  Stub& at = stubs_[static_cast<std::size_t>(stub)];
+  Verdict& verdict = verdicts_[static_cast<std::size_t>(stub)];
+  if (at.state != StubState::kOpen || (at.p_map - p_map).norm() > params_.arrive_m) return;
+  if (++verdict.arrivals < params_.arrivals) return;
+  verdict.final = true;
+  set(at, StubState::kUnseeable,
+      "local map " + std::to_string(local_map) + " stood before it, and no beam came back", utime);
+}
+
+bool StubRegister::block(int stub, std::string evidence, std::int64_t utime) {
+  if (find(stub) == nullptr || find(stub)->state == StubState::kExplored) return false;
+  const auto i = static_cast<std::size_t>(stub);
+  verdicts_[i].final = true;
+  set(stubs_[i], StubState::kBlocked, std::move(evidence), utime);
+  return true;
+}
+
+bool StubRegister::reopen(int stub, std::string evidence, std::int64_t utime) {
+  if (find(stub) == nullptr || !verdicts_[static_cast<std::size_t>(stub)].final) return false;
+  const auto i = static_cast<std::size_t>(stub);
+  verdicts_[i] = {};
+  if (stubs_[i].state != StubState::kExplored) {
+    set(stubs_[i], StubState::kOpen, std::move(evidence), utime);
+  }
+  return true;
+}
+
+void StubRegister::set_within_budget(int stub, bool within, const std::string& evidence,
+                                     std::int64_t utime) {
+  if (find(stub) == nullptr) return;
+  Stub& which = stubs_[static_cast<std::size_t>(stub)];
+  if (is_closed(which.state)) return;
+  set(which, within ? StubState::kOpen : StubState::kBeyondBudget, within ? "" : evidence, utime);
+}
+
+const Stub* StubRegister::find(int stub) const {
+  const bool known = stub >= 0 && stub < static_cast<int>(stubs_.size());
+  return known ? &stubs_[static_cast<std::size_t>(stub)] : nullptr;
+}
+
+}  // namespace adit

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/config/bounds.hpp"
+#include "common/exploration/stub.hpp"
+#include "procs/exploration/known_space.hpp"
+#include "procs/exploration/open_ends.hpp"
+
+namespace adit {
+
+struct StubRegisterParams {
+  double join_m = 0.6;      ///< frontier cells no farther apart are one stub
+  double match_m = 2.0;     ///< from where a stub was to where it is found again
+  double advance_m = 12.0;  ///< by which a stub moves on down its corridor at most, at a time
+  double arrive_m = 1.5;    ///< from where nothing can be in the way of seeing what is there
+  int arrivals = 3;         ///< local maps made there, after which there is nothing to be seen
+
+  template <class V>
+  void visit(V& v) {
+    v("join_m", join_m, within(0.2, 10.0));
+    v("match_m", match_m, within(0.2, 20.0));
+    v("advance_m", advance_m, within(0.0, 100.0));
+    v("arrive_m", arrive_m, within(0.1, 20.0));
+    v("arrivals", arrivals, at_least(1));
+  }
+};
+
+/// Every stub that was ever seen, what became of it, and the evidence. A stub is tied to the local
+/// map that saw it, moves with it, and moves on down the corridor as the robot does; where the
+/// corridor divides, one branch inherits it and the others are new.
+class StubRegister {
+ public:
+  explicit StubRegister(const StubRegisterParams& params) : params_(params) {}
+
+  /// What is open now. `barriers`: by their places in map, what is behind them is blocked; the
+  /// evidence is the text of the nearest.
+  struct BarrierText {
+    Eigen::Vector2d p_map{0.0, 0.0};
+    StubState state = StubState::kBlocked;
+    std::string evidence;
+  };
+  void update(const std::vector<OpenEnd>& ends, const KnownSpace& space,
+              const std::vector<BarrierText>& barriers, std::int64_t utime);
+
+  /// A local map was made at this place while the stub was the target.
+  void arrived(int stub, const Eigen::Vector2d& p_map, int local_map, std::int64_t utime);
+
+  /// False where there is no such stub, or where it is explored.
+  bool block(int stub, std::string evidence, std::int64_t utime);
+  bool reopen(int stub, std::string evidence, std::int64_t utime);
+  /// Whether an open stub can be reached and left within the budget.
+  void set_within_budget(int stub, bool within, const std::string& evidence, std::int64_t utime);
+
+  /// By id.
+  [[nodiscard]] const std::vector<Stub>& stubs() const { return stubs_; }
+  [[nodiscard]] const Stub* find(int stub) const;
+
+ private:
+  struct Verdict {
+    bool final = false;  ///< blocked or unseeable, whatever can be reached
+    int arrivals = 0;
+  };
+  struct Pair {
+    double distance_m;
+    std::size_t stub;
+    std::size_t end;
+  };
+
+  void move_with_the_graph(const KnownSpace& space);
+  void match(const std::vector<OpenEnd>& ends, const KnownSpace& space, bool advance,
+             std::vector<bool>& found, std::vector<bool>& taken);
+  void place(Stub& stub, const OpenEnd& end, const KnownSpace& space) const;
+  void judge(std::size_t stub, Access access, const std::vector<BarrierText>& barriers,
+             std::int64_t utime);
+
+  StubRegisterParams params_;
+  std::vector<Stub> stubs_;
+  std::vector<Verdict> verdicts_;  ///< by id
+};
+
+}  // namespace adit

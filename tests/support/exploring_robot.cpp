@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/exploring_robot.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace adit::test {
+namespace {
+
+constexpr std::int64_t kStart = 1'600'000'000'000'000;
+constexpr double kSpeed = 0.3;
+constexpr double kLookM = 1.25;     // way from scan to scan
+constexpr double kStrideM = 0.2;    // in which the robot goes
+constexpr double kMapM = 5.0;       // way in a local map
+constexpr double kAlignedM = 30.0;  // over which the map bends
+
+SyntheticLaserModel noisy_laser() {
+  SyntheticLaserModel model;
+  model.range_max_m = 30.0;
+  return model;
+}
+
+}  // namespace
+
+ExploringRobot::ExploringRobot(const LightMine& mine, double bend_m, std::uint64_t seed)
+    : mine_(&mine),
+      bend_m_(bend_m),
+      laser_(noisy_laser(), seed),
+      T_world_body_(mine.T_world_start),
+      seen_(mine.corridor.size()) {
+  begin_map();
+  look();
+  maps_.push_back(map_);
+}
+
+void ExploringRobot::begin_map() {
+  map_ = {};
+  map_.id = static_cast<int>(maps_.size());
+  map_.utime = utime();
+  map_.T_odom_local = between(mine_->T_world_start, T_world_body_);
+  T_world_local_ = T_world_body_;
+  T_world_locals_.push_back(T_world_body_);
+}
+
+std::int64_t ExploringRobot::utime() const {
+  return kStart + static_cast<std::int64_t>(1e6 * travelled_m_ / kSpeed);
+}
+
+void ExploringRobot::look() {
+  since_look_m_ = 0.0;
+  map_.end_utime = utime();
+  const Pose2 T_local_body = between(T_world_local_, T_world_body_);
+  const Lasers lasers;
+  for (const auto& [channel, mount] :
+       {std::pair("LASER_FRONT", lasers.front), std::pair("LASER_REAR", lasers.rear)}) {
+    map_.scans.push_back({channel,
+                          laser_.measure(mine_->walls, T_world_body_ * mount.T_body_laser, utime()),
+                          T_local_body});
+  }
+  note_what_is_seen();
+}
+
+void ExploringRobot::note_what_is_seen() {
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    const Eigen::Vector2d way = mine_->corridor[i] - T_world_body_.translation();
+    if (seen_[i] || way.norm() > kSightM) continue;
+    if (mine_->walls.cast(T_world_body_.translation(), std::atan2(way.y(), way.x()), way.norm())) {
+      continue;
+    }
+    seen_[i] = true;
+    ++n_seen_;
+  }
+}
+
+double ExploringRobot::go(const std::vector<Eigen::Vector2d>& route_map, double distance_m) {
+  stopped_ = false;
+  begin_map();
+  look();
+  const Pose2 T_world_map = T_world_body_ * T_map_body().inverse();
+  double way = 0.0;
+  for (const Eigen::Vector2d& p_map : route_map) {
+    const Eigen::Vector2d target = T_world_map * p_map;
+    while (!stopped_) {
+      const Eigen::Vector2d off = target - T_world_body_.translation();
+      const double stride = std::min({kStrideM, off.norm(), distance_m - way});
+      if (off.norm() < 1e-6 || stride <= 1e-9) break;
+      const Eigen::Vector2d next = T_world_body_.translation() + stride * off.normalized();
+      if (!mine_->reachable(next)) {
+        stopped_ = true;
+        break;
+      }
+      T_world_body_ = {next.x(), next.y(), std::atan2(off.y(), off.x())};
+      way += stride;
+      travelled_m_ += stride;
+      since_look_m_ += stride;
+      if (since_look_m_ >= kLookM) look();
+    }
+  }
+  look();
+  maps_.push_back(map_);
+  return way;
+}
+
+/// The same place is bent the same way by all local maps of one graph.
+Pose2 ExploringRobot::bent(const Pose2& T_world) const {
+  const Pose2 T_map = between(mine_->T_world_start, T_world);
+  const double phase = static_cast<double>(maps_.size());
+  const auto wave = [&](double along) {
+    return bend_m_ * (std::sin(along / kAlignedM + phase) - std::sin(phase));
+  };
+  return {T_map.x + wave(T_map.y), T_map.y + wave(T_map.x), T_map.theta};
+}
+
+MapGraph ExploringRobot::graph() const {
+  MapGraph graph;
+  graph.utime = maps_.back().end_utime;
+  graph.revision = static_cast<std::int64_t>(maps_.size());
+  for (const Pose2& T_world_local : T_world_locals_) graph.poses.push_back(bent(T_world_local));
+  return graph;
+}
+
+Pose2 ExploringRobot::T_map_body() const {
+  return bent(T_world_local_) * between(T_world_local_, T_world_body_);
+}
+
+Eigen::Vector2d ExploringRobot::to_map(const Eigen::Vector2d& p_world) const {
+  return bent({p_world.x(), p_world.y(), 0.0}).translation();
+}
+
+double ExploringRobot::seen_share() const {
+  return seen_.empty() ? 0.0 : static_cast<double>(n_seen_) / static_cast<double>(seen_.size());
+}
+
+namespace {
+
+/// A stub is blocked wrongly where the vehicle can be.
+int count_wrong_blocked(const LightMine& mine, const std::vector<Stub>& stubs) {
+  return static_cast<int>(std::count_if(stubs.begin(), stubs.end(), [&](const Stub& stub) {
+    return stub.state == StubState::kBlocked && mine.reachable(mine.T_world_start * stub.p_map);
+  }));
+}
+
+class Run {
+ public:
+  Run(const LightMine& mine, Exploration& exploration, double budget_m, double bend_m,
+      std::uint64_t seed)
+      : mine_(mine), exploration_(exploration), budget_m_(budget_m), robot_(mine, bend_m, seed) {}
+
+  ExplorationRun run() {
+    take_map();
+    while (robot_.travelled_m() < budget_m_ && step()) note_share();
+    while (run_.seen_share.size() < 4) run_.seen_share.push_back(robot_.seen_share());
+    run_.travelled_m = robot_.travelled_m();
+    run_.home_off_m =
+        (robot_.T_world_body().translation() - mine_.T_world_start.translation()).norm();
+    run_.home = run_.home_off_m <= 0.5 && run_.travelled_m <= budget_m_;
+    run_.complete = exploration_.reasons_why_not_complete().empty();
+    run_.stubs = static_cast<int>(exploration_.stubs().size());
+    run_.wrong_blocked = count_wrong_blocked(mine_, exploration_.stubs());
+    return run_;
+  }
+
+ private:
+  void take_map() {
+    exploration_.add(robot_.last_map());
+    exploration_.update(robot_.graph());
+  }
+
+  void note_share() {
+    const double share = robot_.travelled_m() / budget_m_;
+    while (run_.seen_share.size() < 4 &&
+           share >= 0.25 * static_cast<double>(run_.seen_share.size() + 1)) {
+      run_.seen_share.push_back(robot_.seen_share());
+    }
+  }
+
+  /// False when all is done, or nothing can be.
+  bool step() {
+    const int target = exploration_.report().decision.stub;
+    const auto before = std::chrono::steady_clock::now();
+    take_map();
+    const ExplorationDecision decision = exploration_.decide(
+        {robot_.utime(), robot_.T_map_body(), budget_m_ - robot_.travelled_m(), 0.0});
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - before;
+    run_.longest_decision_s = std::max(run_.longest_decision_s, took.count());
+    ++run_.decisions;
+    count_turn(target, decision.stub);
+    using Kind = ExplorationDecision::Kind;
+    if (decision.kind == Kind::kDone || decision.kind == Kind::kStay) return false;
+    const double way = robot_.go(route_of(decision), kMapM);
+    if (robot_.stopped() && decision.kind == Kind::kHome) return false;
+    if (robot_.stopped() && way < 2.5) {
+      ++run_.blocked;
+      take_map();
+      exploration_.decide(
+          {robot_.utime(), robot_.T_map_body(), budget_m_ - robot_.travelled_m(), 0.0});
+      const int stub = exploration_.report().decision.stub;
+      exploration_.report_blocked(stub, {robot_.utime(), 0.0, "the planner found no path"});
+    }
+    return ++idle_ < 20 || robot_.travelled_m() > idle_from_m_ + 1.0 ? note_progress() : false;
+  }
+
+  bool note_progress() {
+    if (robot_.travelled_m() > idle_from_m_ + 1.0) {
+      idle_from_m_ = robot_.travelled_m();
+      idle_ = 0;
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::vector<Eigen::Vector2d> route_of(const ExplorationDecision& decision) const {
+    std::vector<Eigen::Vector2d> route = exploration_.route();
+    if (decision.kind == ExplorationDecision::Kind::kHome) {
+      route.emplace_back(decision.T_map_goal.translation());
+    }
+    return route;
+  }
+
+  void count_turn(int before, int now) {
+    if (before < 0 || now < 0 || before == now) return;
+    const Stub& stub = exploration_.stubs()[static_cast<std::size_t>(before)];
+    if (stub.state == StubState::kOpen) ++run_.turns;
+  }
+
+  const LightMine& mine_;
+  Exploration& exploration_;
+  double budget_m_;
+  ExploringRobot robot_;
+  ExplorationRun run_;
+  double idle_from_m_ = 0.0;
+  int idle_ = 0;
+};
+
+}  // namespace
+
+ExplorationRun run_exploration(const LightMine& mine, Exploration& exploration, double budget_m,
+                               double bend_m, std::uint64_t seed) {
+  return Run(mine, exploration, budget_m, bend_m, seed).run();
+}
+
+}  // namespace adit::test

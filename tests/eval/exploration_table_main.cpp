@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include <CLI/CLI.hpp>
 
 #include "procs/exploration/exploration.hpp"
+#include "procs/exploration/exploration_picture.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/random_mine.hpp"
 #include "sim/world/world_file.hpp"
@@ -28,6 +30,7 @@ struct Options {
   std::vector<std::string> rules{"ours", "nearest", "right_hand", "random"};
   double budget_factor = 2.5;
   double bend_m = 0.0;
+  std::filesystem::path picture;  // of the last mine and rule; empty: none
 };
 
 int nearest(const std::vector<StubOffer>& offers) {
@@ -91,23 +94,25 @@ World world_of(const std::string& mine) {
 
 void print_row(const std::string& mine, const std::string& rule, double corridor_m, double budget_m,
                const test::ExplorationRun& run) {
-  std::cout << format(
-                   "| %s | %.0f | %.0f | %s | %.1f | %.1f | %.1f | %.1f | %s | %.0f | %.2f | %s ",
-                   mine.c_str(), corridor_m, budget_m, rule.c_str(), 100 * run.seen_share[0],
-                   100 * run.seen_share[1], 100 * run.seen_share[2], 100 * run.seen_share[3],
-                   run.home ? "yes" : "no", run.travelled_m,
-                   run.travelled_m / std::max(1.0, corridor_m * run.seen_share[3]),
-                   run.complete ? "yes" : "no")
-            << format("| %d | %d | %d | %d | %.0f |\n", run.stubs, run.blocked, run.wrong_blocked,
-                      run.turns, 1e3 * run.longest_decision_s)
-            << std::flush;
+  std::cout
+      << format(
+             "| %s | %.0f | %.0f | %s | %.1f | %.1f | %.1f | %.1f | %s | %.0f | %.0f | %.2f | %s ",
+             mine.c_str(), corridor_m, budget_m, rule.c_str(), 100 * run.seen_share[0],
+             100 * run.seen_share[1], 100 * run.seen_share[2], 100 * run.seen_share[3],
+             run.home ? "yes" : "no", run.missed_m, run.travelled_m,
+             run.travelled_m / std::max(1.0, corridor_m * run.seen_share[3]),
+             run.complete ? "yes" : "no")
+      << format("| %d | %d | %d | %d | %.0f |\n", run.stubs, run.blocked, run.wrong_blocked,
+                run.turns, 1e3 * run.longest_decision_s)
+      << std::flush;
 }
 
 void print_table(const Options& options) {
   std::cout << "| mine | corridor (m) | budget (m) | rule | seen at 25 % | 50 % | 75 % | 100 % "
-               "| home | way (m) | way per corridor | complete | stubs | blocked | wrongly | turns "
+               "| home | missed (m) | way (m) | way per corridor | complete | stubs | blocked | "
+               "wrongly | turns "
                "| longest decision (ms) |\n"
-               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const std::string& mine : options.mines) {
     const test::LightMine light = test::light_mine(world_of(mine));
     const double budget_m = options.budget_factor * light.corridor_m() + 50.0;
@@ -116,6 +121,8 @@ void print_table(const Options& options) {
       set_rule(rule, exploration);
       const auto run = test::run_exploration(light, exploration, budget_m, options.bend_m);
       print_row(mine, rule, light.corridor_m(), budget_m, run);
+      if (options.picture.empty()) continue;
+      write_exploration_png(exploration_picture(mine, exploration, run.way_map), options.picture);
     }
   }
 }
@@ -130,6 +137,7 @@ int main(int argc, char** argv) try {
   app.add_option("--rules", options.rules, "ours, nearest, right_hand, random");
   app.add_option("--budget", options.budget_factor, "Way per metre of corridor that is reachable");
   app.add_option("--bend", options.bend_m, "By which the map is wrong [m]");
+  app.add_option("--picture", options.picture, "PNG of the last mine and rule");
   CLI11_PARSE(app, argc, argv);
   adit::print_table(options);
   return 0;

@@ -51,6 +51,7 @@ std::int64_t ExploringRobot::utime() const {
 
 void ExploringRobot::look() {
   since_look_m_ = 0.0;
+  way_.push_back(T_world_body_.translation());
   map_.end_utime = utime();
   const Pose2 T_local_body = between(T_world_local_, T_world_body_);
   const Lasers lasers;
@@ -130,6 +131,18 @@ Eigen::Vector2d ExploringRobot::to_map(const Eigen::Vector2d& p_world) const {
   return bent({p_world.x(), p_world.y(), 0.0}).translation();
 }
 
+double ExploringRobot::missed_m() const {
+  double missed = 0.0;
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    bool near = false;
+    for (std::size_t k = 0; k < seen_.size() && !near; ++k) {
+      near = seen_[k] && (mine_->corridor[k] - mine_->corridor[i]).norm() <= kMissedM;
+    }
+    if (!near) missed += LightMine::kSpacingM;
+  }
+  return missed;
+}
+
 double ExploringRobot::seen_share() const {
   return seen_.empty() ? 0.0 : static_cast<double>(n_seen_) / static_cast<double>(seen_.size());
 }
@@ -153,6 +166,8 @@ class Run {
     take_map();
     while (robot_.travelled_m() < budget_m_ && step()) note_share();
     while (run_.seen_share.size() < 4) run_.seen_share.push_back(robot_.seen_share());
+    run_.missed_m = robot_.missed_m();
+    for (const auto& p_world : robot_.way()) run_.way_map.push_back(robot_.to_map(p_world));
     run_.travelled_m = robot_.travelled_m();
     run_.home_off_m =
         (robot_.T_world_body().translation() - mine_.T_world_start.translation()).norm();

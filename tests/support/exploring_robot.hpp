@@ -36,6 +36,12 @@ class ExploringRobot {
   [[nodiscard]] double seen_share() const;
   [[nodiscard]] Eigen::Vector2d to_map(const Eigen::Vector2d& p_world) const;
 
+  /// Of the corridor, what is farther than kMissedM from all that was seen [m].
+  [[nodiscard]] double missed_m() const;
+  /// Where it has been, p_world.
+  [[nodiscard]] const std::vector<Eigen::Vector2d>& way() const { return way_; }
+
+  static constexpr double kMissedM = 2.0;
   static constexpr double kSightM = 8.0;
 
  private:
@@ -57,11 +63,14 @@ class ExploringRobot {
   bool stopped_ = false;
   std::vector<bool> seen_;
   std::size_t n_seen_ = 0;
+  std::vector<Eigen::Vector2d> way_;
 };
 
 /// How an exploration went.
 struct ExplorationRun {
   std::vector<double> seen_share;  ///< at 25, 50, 75 and 100 % of the budget
+  double missed_m = 0.0;           ///< of corridor that was not seen, nor anything near it
+  std::vector<Eigen::Vector2d> way_map;
   double travelled_m = 0.0;
   double home_off_m = 0.0;  ///< from the start, at the end
   bool home = false;        ///< within half a metre, within the budget

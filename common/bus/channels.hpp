@@ -29,6 +29,7 @@ inline constexpr std::string_view kCloud = "CLOUD";
 inline constexpr std::string_view kTerrain = "TERRAIN";
 inline constexpr std::string_view kGoal = "GOAL";
 inline constexpr std::string_view kPath = "PATH";
+inline constexpr std::string_view kExploration = "EXPLORATION";
 inline constexpr std::string_view kVehicleState = "VEHICLE_STATE";
 inline constexpr std::string_view kGas = "GAS";
 inline constexpr std::string_view kSinkage = "SINKAGE";
@@ -48,6 +49,6 @@ inline constexpr std::array kAll{
     kTiltCommandRear, kVehicleState, kGas,          kSinkage,     kTruth,
     kRunState,        kSimTime,      kSimTimeDone,  kScanRequest, kCloud,
     kTerrain,         kGoal,         kPath,         kHeartbeat,   kConfig,
-    kStageStats};
+    kStageStats,      kExploration};
 
 }  // namespace adit::channels

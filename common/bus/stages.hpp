@@ -12,8 +12,8 @@ namespace adit {
 
 /// Every stage of the pipeline: the folders of procs/.
 inline const std::vector<std::string>& stage_names() {
-  static const std::vector<std::string> names{"scan_matching", "mapping", "scan_assembly",
-                                              "terrain", "planning"};
+  static const std::vector<std::string> names{"scan_matching", "mapping",  "scan_assembly",
+                                              "terrain",       "planning", "exploration"};
   return names;
 }
 

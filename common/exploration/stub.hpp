@@ -22,13 +22,11 @@ enum class StubState : std::int8_t {
 
 /// A place where the mine goes on, with an identity that it keeps while the map grows and moves.
 struct Stub {
-  int id = 0;                                 ///< 0, 1, ... in the order in which they were seen
-  int local_map = 0;                          ///< to which it is tied
-  Eigen::Vector2d p_local{0.0, 0.0};          ///< in the frame of that local map [m]
-  Eigen::Vector2d direction_local{1.0, 0.0};  ///< into what was not seen, a unit vector
-  Eigen::Vector2d p_map{0.0, 0.0};            ///< the same by the present graph [m]
-  Eigen::Vector2d direction_map{1.0, 0.0};
-  double width_m = 0.0;  ///< from wall to wall, about
+  int id = 0;                               ///< 0, 1, ... in the order in which they were seen
+  int local_map = 0;                        ///< to which it is tied
+  Eigen::Vector2d p_map{0.0, 0.0};          ///< by the present graph [m]
+  Eigen::Vector2d direction_map{1.0, 0.0};  ///< into what was not seen, a unit vector
+  double width_m = 0.0;                     ///< from wall to wall, about
   StubState state = StubState::kOpen;
   std::int64_t utime = 0;  ///< when it came into that state [µs since the epoch]
   std::string evidence;    ///< for that state, a sentence

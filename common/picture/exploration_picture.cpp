@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMarginPx = 24;
 constexpr int kHeadPx = 44;
-constexpr int kFootPx = 64;
+constexpr int kFootPx = 84;
 constexpr int kSidePxMax = 4;  // of a cell
 constexpr int kWidthPxMax = 3200;
 constexpr int kWidthPxMin = 640;
@@ -50,7 +50,7 @@ class Sheet {
 
   [[nodiscard]] const Canvas& canvas() const { return canvas_; }
   [[nodiscard]] double pixels_per_metre() const { return side_px_ / picture_.cell_m; }
-  [[nodiscard]] double foot() const { return kHeadPx + rows_ * side_px_ + kFootPx / 2.0; }
+  [[nodiscard]] double foot() const { return kHeadPx + rows_ * side_px_ + kFootPx / 3.0; }
 
   [[nodiscard]] Eigen::Vector2d pixel(const Eigen::Vector2d& p_map) const {
     const Eigen::Vector2d cells = (p_map - picture_.p_map_corner) / picture_.cell_m;
@@ -142,7 +142,7 @@ void write_exploration_png(const ExplorationPicture& picture, const std::filesys
   sheet.canvas().colour(kInk);
   sheet.canvas().text(picture.title, kMarginPx, kHeadPx - 18.0, 16.0, true, Align::kLeft);
   draw_keys(sheet);
-  draw_scale_bar(sheet.canvas(), kMarginPx, sheet.foot() + 14.0,
+  draw_scale_bar(sheet.canvas(), kMarginPx, sheet.foot() + 12.0,
                  scale_bar_m(kWidthPxMin / 4.0 / sheet.pixels_per_metre()),
                  sheet.pixels_per_metre(), 0.8);
   sheet.canvas().write_png(path);

@@ -10,6 +10,8 @@
 namespace adit {
 namespace {
 
+// How far the line of a corridor may be from its middle, to be drawn.
+constexpr double kStraightM = 0.3;
 // A node this near to an open end is one, in radii of the vehicle beyond its clearance.
 constexpr double kAtEndM = 2.0;
 // Into a corner of a corridor the skeleton runs by up to the root of two times the clearance.
@@ -166,8 +168,8 @@ class Simplifier {
       if (line.gone) continue;
       const int from = number_of(line.from);
       const int to = number_of(line.to);
-      result.corridors.push_back(
-          {from, to, length_of(line.points), 2.0 * line.clearance_m, line.points});
+      result.corridors.push_back({from, to, length_of(line.points), 2.0 * line.clearance_m,
+                                  simplified(line.points, kStraightM)});
     }
     return result;
   }

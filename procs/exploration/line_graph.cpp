@@ -5,12 +5,22 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace adit {
 namespace {
 
 constexpr int kPath = -1;          // a cell between nodes
 constexpr std::size_t kEvery = 5;  // cells of a line of which one becomes a point
+
+/// To a stretch of line; to its start where both ends are one.
+double distance_to_line(const Eigen::Vector2d& p, const Eigen::Vector2d& from,
+                        const Eigen::Vector2d& to) {
+  const Eigen::Vector2d along = to - from;
+  const double square = along.squaredNorm();
+  const double share = square > 0.0 ? std::clamp((p - from).dot(along) / square, 0.0, 1.0) : 0.0;
+  return (p - from - share * along).norm();
+}
 
 /// Follows the cells of a skeleton from node to node.
 class Tracer {
@@ -130,6 +140,35 @@ class Tracer {
 
 LineGraph line_graph(const DrivableSpace& space, const CellField<std::uint8_t>& skeleton) {
   return Tracer(space, skeleton).run();
+}
+
+std::vector<Eigen::Vector2d> simplified(const std::vector<Eigen::Vector2d>& points,
+                                        double tolerance_m) {
+  std::vector<bool> kept(points.size());
+  if (!points.empty()) kept.front() = kept.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> spans;
+  if (points.size() > 2) spans.emplace_back(0, points.size() - 1);
+  while (!spans.empty()) {
+    const auto [from, to] = spans.back();
+    spans.pop_back();
+    double farthest = tolerance_m;
+    std::size_t split = from;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double off = distance_to_line(points[i], points[from], points[to]);
+      if (off <= farthest) continue;
+      farthest = off;
+      split = i;
+    }
+    if (split == from) continue;
+    kept[split] = true;
+    spans.emplace_back(from, split);
+    spans.emplace_back(split, to);
+  }
+  std::vector<Eigen::Vector2d> result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (kept[i]) result.push_back(points[i]);
+  }
+  return result;
 }
 
 double length_of(const std::vector<Eigen::Vector2d>& points) {

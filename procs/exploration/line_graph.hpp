@@ -34,6 +34,10 @@ struct LineGraph {
 
 LineGraph line_graph(const DrivableSpace& space, const CellField<std::uint8_t>& skeleton);
 
+/// Fewer points, none of those left out farther than this from the line (Douglas and Peucker 1973).
+std::vector<Eigen::Vector2d> simplified(const std::vector<Eigen::Vector2d>& points,
+                                        double tolerance_m);
+
 double length_of(const std::vector<Eigen::Vector2d>& points);
 
 }  // namespace adit

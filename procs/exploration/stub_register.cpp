@@ -46,9 +46,9 @@ void StubRegister::update(const std::vector<OpenEnd>& ends, const KnownSpace& sp
     Stub stub;
     stub.id = static_cast<int>(stubs_.size());
     stub.utime = utime;
-    place(stub, ends[k], space);
     stubs_.push_back(stub);
-    verdicts_.emplace_back();
+    holds_.emplace_back();
+    place(stubs_.size() - 1, ends[k], space);
     judge(stubs_.size() - 1, ends[k].access, barriers, utime);
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -61,11 +61,12 @@ void StubRegister::update(const std::vector<OpenEnd>& ends, const KnownSpace& sp
 }
 
 void StubRegister::move_with_the_graph(const KnownSpace& space) {
-  for (Stub& stub : stubs_) {
+  for (std::size_t i = 0; i < stubs_.size(); ++i) {
+    Stub& stub = stubs_[i];
     const auto T_map_local = space.pose_of(stub.local_map);
     if (!T_map_local) continue;
-    stub.p_map = *T_map_local * stub.p_local;
-    stub.direction_map = *T_map_local * stub.direction_local - T_map_local->translation();
+    stub.p_map = *T_map_local * holds_[i].p_local;
+    stub.direction_map = *T_map_local * holds_[i].direction_local - T_map_local->translation();
   }
 }
 
@@ -76,7 +77,7 @@ void StubRegister::match(const std::vector<OpenEnd>& ends, const KnownSpace& spa
   const double reach = advance ? params_.advance_m : params_.match_m;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i] || stubs_[i].state == StubState::kExplored) continue;
-    if (advance && verdicts_[i].final) continue;
+    if (advance && holds_[i].final) continue;
     for (std::size_t k = 0; k < ends.size(); ++k) {
       const double distance = (ends[k].p_map - stubs_[i].p_map).norm();
       if (taken[k] || distance > reach) continue;
@@ -91,25 +92,26 @@ void StubRegister::match(const std::vector<OpenEnd>& ends, const KnownSpace& spa
     if (found[pair.stub] || taken[pair.end]) continue;
     found[pair.stub] = true;
     taken[pair.end] = true;
-    if (advance) verdicts_[pair.stub].arrivals = 0;
-    place(stubs_[pair.stub], ends[pair.end], space);
+    if (advance) holds_[pair.stub].arrivals = 0;
+    place(pair.stub, ends[pair.end], space);
   }
 }
 
-void StubRegister::place(Stub& stub, const OpenEnd& end, const KnownSpace& space) const {
+void StubRegister::place(std::size_t i, const OpenEnd& end, const KnownSpace& space) {
+  Stub& stub = stubs_[i];
   stub.p_map = end.p_map;
   stub.direction_map = end.direction_map;
   stub.width_m = end.width_m;
   stub.local_map = space.tile_at(end.p_map).value_or(space.newest().value_or(0));
   const Pose2 T_local_map = space.pose_of(stub.local_map).value_or(Pose2{}).inverse();
-  stub.p_local = T_local_map * end.p_map;
-  stub.direction_local = T_local_map * end.direction_map - T_local_map.translation();
+  holds_[i].p_local = T_local_map * end.p_map;
+  holds_[i].direction_local = T_local_map * end.direction_map - T_local_map.translation();
 }
 
 void StubRegister::judge(std::size_t i, Access access, const std::vector<BarrierText>& barriers,
                          std::int64_t utime) {
   Stub& stub = stubs_[i];
-  if (verdicts_[i].final) return;
+  if (holds_[i].final) return;
   if (access == Access::kReachable) {
     if (stub.state != StubState::kBeyondBudget) set(stub, StubState::kOpen, {}, utime);
     return;
@@ -128,10 +130,10 @@ void StubRegister::arrived(int stub, const Eigen::Vector2d& p_map, int local_map
                            std::int64_t utime) {
   if (find(stub) == nullptr) return;
   Stub& at = stubs_[static_cast<std::size_t>(stub)];
-  Verdict& verdict = verdicts_[static_cast<std::size_t>(stub)];
+  Hold& hold = holds_[static_cast<std::size_t>(stub)];
   if (at.state != StubState::kOpen || (at.p_map - p_map).norm() > params_.arrive_m) return;
-  if (++verdict.arrivals < params_.arrivals) return;
-  verdict.final = true;
+  if (++hold.arrivals < params_.arrivals) return;
+  hold.final = true;
   set(at, StubState::kUnseeable,
       "local map " + std::to_string(local_map) + " stood before it, and no beam came back", utime);
 }
@@ -139,15 +141,16 @@ void StubRegister::arrived(int stub, const Eigen::Vector2d& p_map, int local_map
 bool StubRegister::block(int stub, std::string evidence, std::int64_t utime) {
   if (find(stub) == nullptr || find(stub)->state == StubState::kExplored) return false;
   const auto i = static_cast<std::size_t>(stub);
-  verdicts_[i].final = true;
+  holds_[i].final = true;
   set(stubs_[i], StubState::kBlocked, std::move(evidence), utime);
   return true;
 }
 
 bool StubRegister::reopen(int stub, std::string evidence, std::int64_t utime) {
-  if (find(stub) == nullptr || !verdicts_[static_cast<std::size_t>(stub)].final) return false;
+  if (find(stub) == nullptr || !holds_[static_cast<std::size_t>(stub)].final) return false;
   const auto i = static_cast<std::size_t>(stub);
-  verdicts_[i] = {};
+  holds_[i].final = false;
+  holds_[i].arrivals = 0;
   if (stubs_[i].state != StubState::kExplored) {
     set(stubs_[i], StubState::kOpen, std::move(evidence), utime);
   }

@@ -62,7 +62,10 @@ class StubRegister {
   [[nodiscard]] const Stub* find(int stub) const;
 
  private:
-  struct Verdict {
+  /// What only the register needs to know of a stub.
+  struct Hold {
+    Eigen::Vector2d p_local{0.0, 0.0};  ///< in the frame of the local map that it is tied to
+    Eigen::Vector2d direction_local{1.0, 0.0};
     bool final = false;  ///< blocked or unseeable, whatever can be reached
     int arrivals = 0;
   };
@@ -75,13 +78,13 @@ class StubRegister {
   void move_with_the_graph(const KnownSpace& space);
   void match(const std::vector<OpenEnd>& ends, const KnownSpace& space, bool advance,
              std::vector<bool>& found, std::vector<bool>& taken);
-  void place(Stub& stub, const OpenEnd& end, const KnownSpace& space) const;
+  void place(std::size_t stub, const OpenEnd& end, const KnownSpace& space);
   void judge(std::size_t stub, Access access, const std::vector<BarrierText>& barriers,
              std::int64_t utime);
 
   StubRegisterParams params_;
   std::vector<Stub> stubs_;
-  std::vector<Verdict> verdicts_;  ///< by id
+  std::vector<Hold> holds_;  ///< by id
 };
 
 }  // namespace adit

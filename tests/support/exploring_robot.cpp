@@ -15,6 +15,7 @@ constexpr double kSpeed = 0.3;
 constexpr double kLookM = 1.25;     // way from scan to scan
 constexpr double kStrideM = 0.2;    // in which the robot goes
 constexpr double kMapM = 5.0;       // way in a local map
+constexpr double kBeyondM = 1.5;    // of a stub, where what is blocked begins
 constexpr double kAlignedM = 30.0;  // over which the map bends
 
 SyntheticLaserModel noisy_laser() {
@@ -149,10 +150,11 @@ double ExploringRobot::seen_share() const {
 
 namespace {
 
-/// A stub is blocked wrongly where the vehicle can be.
+/// A stub is blocked wrongly where the vehicle can be beyond it.
 int count_wrong_blocked(const LightMine& mine, const std::vector<Stub>& stubs) {
   return static_cast<int>(std::count_if(stubs.begin(), stubs.end(), [&](const Stub& stub) {
-    return stub.state == StubState::kBlocked && mine.reachable(mine.T_world_start * stub.p_map);
+    const Eigen::Vector2d beyond = stub.p_map + kBeyondM * stub.direction_map;
+    return stub.state == StubState::kBlocked && mine.reachable(mine.T_world_start * beyond);
   }));
 }
 

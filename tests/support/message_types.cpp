@@ -8,6 +8,7 @@
 #include "common/messages/codec.hpp"
 #include "common/messages/config_copy.hpp"
 #include "common/messages/drive_command.hpp"
+#include "common/messages/exploration_report.hpp"
 #include "common/messages/gas_reading.hpp"
 #include "common/messages/heartbeat.hpp"
 #include "common/messages/imu_reading.hpp"
@@ -142,14 +143,30 @@ PlannedPath sample_path() {
   return path;
 }
 
-/// Those from a look at the ground to a path.
+ExplorationReport sample_exploration() {
+  ExplorationReport report;
+  report.utime = kUtime;
+  report.revision = 12;
+  report.decision = {
+      ExplorationDecision::Kind::kAlong, {20.0, -3.0, 0.1}, 12.5, 1, false, "straight on"};
+  report.T_odom_goal = {20.1, -2.9, 0.1};
+  report.budget = {800.0, 120.0, 310.0};
+  report.stubs = {{0, 3, {5, 1}, {0, 1}, 2.8, StubState::kBlocked, kUtime, "a beam"},
+                  {1, 7, {20, -3}, {1, 0}, 3.1, StubState::kOpen, kUtime, ""}};
+  report.corridors = {{{{0, 0}, CorridorNode::Kind::kDeadEnd}, {{20, -3}, {}}},
+                      {{0, 1, 20.4, 2.9, {{0, 0}, {10, -1}, {20, -3}}}}};
+  return report;
+}
+
+/// Those from a look at the ground to a path, and where to go next.
 std::vector<MessageType> navigation_types() {
   const PlanGoal goal{kUtime, 4, PlanGoal::Kind::kTo, {20.0, -3.0, 0.1}, 10.0};
   return {type_of(channels::kScanRequest, to_message(ScanRequest{kUtime, 3, LaserId::kFront})),
           type_of(channels::kCloud, to_message(divide(sample_cloud()).front())),
           type_of(channels::kTerrain, to_message(divide(sample_terrain()).front())),
           type_of(channels::kGoal, to_message(goal)),
-          type_of(channels::kPath, to_message(sample_path()))};
+          type_of(channels::kPath, to_message(sample_path())),
+          type_of(channels::kExploration, to_message(sample_exploration()))};
 }
 
 /// Those of a simulated run.

@@ -12,10 +12,11 @@
 namespace adit {
 namespace {
 
-constexpr double kAlongRad = 0.6;        // between the way to a stub and the way on from there
-constexpr double kStraightOnRad = 1.0;   // that a corridor may bend, in the mode corridor
-constexpr double kStraightOnM = 30.0;    // how far ahead its open end may be
-constexpr double kHeadingOverM = 1.5;    // of a route
+constexpr double kAlongRad = 0.6;       // between the way to a stub and the way on from there
+constexpr double kStraightOnRad = 1.0;  // that a corridor may bend, in the mode corridor
+constexpr double kStraightOnM = 30.0;   // how far ahead its open end may be
+constexpr double kHeadingOverM = 1.5;   // of a route
+constexpr double kNoWayM = 1e6;
 constexpr double kBehindStartM = 0.5;    // of the rear of the vehicle
 constexpr double kBeyondReachedM = 0.8;  // of the farthest place that the planner reached
 
@@ -164,8 +165,27 @@ std::optional<int> Exploration::choose(const ExplorationState& state,
   if (rule_) return rule_(state, offers);
   if (params_.mode == "corridor") return straight_on(state, offers);
   const Stub* target = register_.find(decision_.stub);
-  return choose_stub(offers, target == nullptr ? std::nullopt : std::optional(target->id),
-                     params_.choice);
+  const auto target_id = target == nullptr ? std::nullopt : std::optional(target->id);
+  const auto near = nearest_offers(offers, target_id, params_.choice);
+  return choose_stub(near, ways_between(near), target_id, params_.choice);
+}
+
+/// Ways between all of these stubs [m].
+Eigen::MatrixXd Exploration::ways_between(const std::vector<StubOffer>& offers) const {
+  const auto n = static_cast<Eigen::Index>(offers.size());
+  Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(n, n);
+  if (n < 2) return ways;
+  std::vector<Eigen::Vector2d> places;
+  for (const StubOffer& offer : offers) places.push_back(register_.find(offer.stub)->p_map);
+  for (Eigen::Index i = 0; i + 1 < n; ++i) {
+    const std::vector<Eigen::Vector2d> others(places.begin() + i + 1, places.end());
+    const TravelField field(space_, places[static_cast<std::size_t>(i)], others);
+    for (Eigen::Index j = i + 1; j < n; ++j) {
+      const auto way = field.distance_m(places[static_cast<std::size_t>(j)]);
+      ways(i, j) = ways(j, i) = way.value_or(kNoWayM);
+    }
+  }
+  return ways;
 }
 
 /// The open end that lies ahead most nearly straight (paper, section 3.3).

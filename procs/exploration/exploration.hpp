@@ -122,6 +122,7 @@ class Exploration {
                                               const TravelField& here);
   [[nodiscard]] std::optional<int> choose(const ExplorationState& state,
                                           const std::vector<StubOffer>& offers) const;
+  [[nodiscard]] Eigen::MatrixXd ways_between(const std::vector<StubOffer>& offers) const;
   [[nodiscard]] std::optional<int> straight_on(const ExplorationState& state,
                                                const std::vector<StubOffer>& offers) const;
   [[nodiscard]] ExplorationDecision to_stub(int stub, const ExplorationState& state,

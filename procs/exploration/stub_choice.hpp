@@ -5,19 +5,23 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "common/config/bounds.hpp"
 
 namespace adit {
 
 struct StubChoiceParams {
-  double approach_m = 5.0;   ///< added to every way, so that what is near does not win by nothing
-  double switch_gain = 0.2;  ///< by which share another stub has to be better than the target
+  int tour_stubs = 9;  ///< of the nearest, between which the order is found; time doubles each
+  double home_weight = 1.0;  ///< of an early return, in mean gains of a stub
+  double switch_gain = 0.2;  ///< share of the way to the target that another has to save
   double home_factor = 1.5;  ///< on the way home: it may be longer than the map says
   double reserve_m = 20.0;   ///< that is never spent
 
   template <class V>
   void visit(V& v) {
-    v("approach_m", approach_m, above(0.0));
+    v("tour_stubs", tour_stubs, within(1, 14));
+    v("home_weight", home_weight, at_least(0.0));
     v("switch_gain", switch_gain, within(0.0, 10.0));
     v("home_factor", home_factor, within(1.0, 10.0));
     v("reserve_m", reserve_m, at_least(0.0));
@@ -36,12 +40,21 @@ struct StubOffer {
 bool is_within_budget(const StubOffer& offer, double step_m, double remaining_m,
                       const StubChoiceParams& params);
 
-/// Expected new corridor per metre of way.
-double worth(const StubOffer& offer, const StubChoiceParams& params);
+/// Those between which the order is to be found: the nearest, and the target; by way, then id.
+std::vector<StubOffer> nearest_offers(std::vector<StubOffer> offers, std::optional<int> target,
+                                      const StubChoiceParams& params);
 
-/// The stub that is worth most, of those given; the target unless another is better by the share of
-/// the parameters. Of equals that with the lower id. Nothing where there are none.
-std::optional<int> choose_stub(const std::vector<StubOffer>& offers, std::optional<int> target,
+/// For each stub the cost of the best tour that begins with it, calls at all others and ends at
+/// home: every metre of way counts by the gain that is still ahead, so that what is gained early
+/// counts most (front-loaded, after FIG-OP, Peltzer et al. 2022). Exact, by dynamic programming
+/// over subsets (Held and Karp 1962). `between_m(i, j)`: from offer i to offer j.
+std::vector<double> tour_costs(const std::vector<StubOffer>& offers,
+                               const Eigen::MatrixXd& between_m, const StubChoiceParams& params);
+
+/// The first stub of the best tour; the target, unless another tour saves the share of the
+/// parameters. Of equals the nearer, then that with the lower id. Nothing where there are none.
+std::optional<int> choose_stub(const std::vector<StubOffer>& offers,
+                               const Eigen::MatrixXd& between_m, std::optional<int> target,
                                const StubChoiceParams& params);
 
 }  // namespace adit

@@ -37,17 +37,19 @@ std::optional<std::size_t> nearest(const CellField<float>& field, const Eigen::V
 
 }  // namespace
 
-TravelField::TravelField(const DrivableSpace& space, const Eigen::Vector2d& p_map_from)
+TravelField::TravelField(const DrivableSpace& space, const Eigen::Vector2d& p_map_from,
+                         const std::vector<Eigen::Vector2d>& only_to)
     : resolution_m_(space.resolution_m),
       length_m_(space.known.box(), kUnreached),
       back_(space.known.box(), kNoStep) {
   const auto from = nearest(length_m_, space.cell_at(p_map_from),
                             [&](std::size_t i) { return space.access[i] == Access::kReachable; });
-  if (from) search(space, *from);
+  if (from) search(space, *from, only_to);
 }
 
 /// Costs are small integers, so that buckets do for a queue.
-void TravelField::search(const DrivableSpace& space, std::size_t from) {
+void TravelField::search(const DrivableSpace& space, std::size_t from,
+                         const std::vector<Eigen::Vector2d>& only_to) {
   CellField<int> cost(space.known.box(), std::numeric_limits<int>::max());
   std::array<std::vector<std::size_t>, kBuckets> buckets;
   const auto around = cost.around();
@@ -57,6 +59,11 @@ void TravelField::search(const DrivableSpace& space, std::size_t from) {
   cost[from] = 0;
   length_m_[from] = 0.0F;
   buckets[0].push_back(from);
+  std::vector<std::size_t> wanted;
+  for (const Eigen::Vector2d& p : only_to) {
+    const Eigen::Vector2i cell = space.cell_at(p);
+    if (space.access.get(cell) == Access::kReachable) wanted.push_back(cost.index(cell));
+  }
   std::size_t waiting = 1;
   for (int now = 0; waiting > 0; ++now) {
     std::vector<std::size_t>& bucket = buckets[static_cast<std::size_t>(now) % kBuckets];
@@ -64,6 +71,7 @@ void TravelField::search(const DrivableSpace& space, std::size_t from) {
       const std::size_t at = bucket[k];
       --waiting;
       if (cost[at] != now) continue;
+      if (!wanted.empty() && std::erase(wanted, at) > 0 && wanted.empty()) return;
       for (std::size_t i = 0; i < around.size(); ++i) {
         const std::size_t next = at + static_cast<std::size_t>(around[i]);
         if (space.access[next] != Access::kReachable) continue;

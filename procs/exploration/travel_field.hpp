@@ -16,7 +16,9 @@ namespace adit {
 /// neighbours, which prefers not to graze walls.
 class TravelField {
  public:
-  TravelField(const DrivableSpace& space, const Eigen::Vector2d& p_map_from);
+  /// Only as far as needed to reach these places, where any are given.
+  TravelField(const DrivableSpace& space, const Eigen::Vector2d& p_map_from,
+              const std::vector<Eigen::Vector2d>& only_to = {});
 
   /// Length of the way [m]; nothing where there is none.
   [[nodiscard]] std::optional<double> distance_m(const Eigen::Vector2d& p_map) const;
@@ -27,7 +29,8 @@ class TravelField {
   static constexpr std::uint8_t kNoStep = 255;
 
   [[nodiscard]] std::optional<std::size_t> reached(const Eigen::Vector2d& p_map) const;
-  void search(const DrivableSpace& space, std::size_t from);
+  void search(const DrivableSpace& space, std::size_t from,
+              const std::vector<Eigen::Vector2d>& only_to);
 
   double resolution_m_;
   CellField<float> length_m_;

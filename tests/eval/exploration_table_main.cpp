@@ -40,8 +40,8 @@ int nearest(const std::vector<StubOffer>& offers) {
 }
 
 /// The rightmost of those nearby, seen from the robot; where there is none, the nearest of all.
-int right_hand(const Exploration& exploration, const ExplorationState& state,
-               const std::vector<StubOffer>& offers) {
+int rightmost(const Exploration& exploration, const ExplorationState& state,
+              const std::vector<StubOffer>& offers) {
   constexpr double kNearM = 15.0;
   int best = nearest(offers);
   double least = 1e9;
@@ -57,32 +57,37 @@ int right_hand(const Exploration& exploration, const ExplorationState& state,
   return best;
 }
 
-/// One of them, kept while it is there.
-class RandomRule {
+/// Keeps to what was chosen while it is there, against pacing back and forth.
+std::optional<int> kept(int target, const std::vector<StubOffer>& offers) {
+  for (const StubOffer& offer : offers) {
+    if (offer.stub == target) return target;
+  }
+  return std::nullopt;
+}
+
+/// A sequence of numbers that is the same each time.
+class Chance {
  public:
-  int choose(const std::vector<StubOffer>& offers) {
-    for (const StubOffer& offer : offers) {
-      if (offer.stub == target_) return target_;
-    }
+  std::size_t below(std::size_t n) {
     state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
-    target_ = offers[(state_ >> 33U) % offers.size()].stub;
-    return target_;
+    return (state_ >> 33U) % n;
   }
 
  private:
   std::uint64_t state_ = 42;
-  int target_ = -1;
 };
 
 void set_rule(const std::string& rule, Exploration& exploration) {
   if (rule == "ours") return;
-  exploration.use_rule([rule, &exploration, random = RandomRule()](
+  exploration.use_rule([rule, &exploration, chance = Chance()](
                            const ExplorationState& state,
                            const std::vector<StubOffer>& offers) mutable -> std::optional<int> {
     if (offers.empty()) return std::nullopt;
     if (rule == "nearest") return nearest(offers);
-    if (rule == "right_hand") return right_hand(exploration, state, offers);
-    return random.choose(offers);
+    const auto target = kept(exploration.report().decision.stub, offers);
+    if (target) return target;
+    if (rule == "right_hand") return rightmost(exploration, state, offers);
+    return offers[chance.below(offers.size())].stub;
   });
 }
 

@@ -3,8 +3,10 @@
 #include "tests/support/exploring_robot.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace adit::test {
@@ -15,6 +17,8 @@ constexpr double kSpeed = 0.3;
 constexpr double kLookM = 1.25;     // way from scan to scan
 constexpr double kStrideM = 0.2;    // in which the robot goes
 constexpr double kMapM = 5.0;       // way in a local map
+constexpr double kViewM = 10.0;     // of the planner
+constexpr double kNoWayM = 2.5;     // less progress is none (paper, section 3.3)
 constexpr double kBeyondM = 1.5;    // of a stub, where what is blocked begins
 constexpr double kAlignedM = 30.0;  // over which the map bends
 
@@ -22,6 +26,66 @@ SyntheticLaserModel noisy_laser() {
   SyntheticLaserModel model;
   model.range_max_m = 30.0;
   return model;
+}
+
+/// What a planner does: past what is in the way, and back to the route as far ahead as possible.
+struct WayRound {
+  std::vector<Eigen::Vector2d> cells;  // p_world; empty where there is no way of kNoWayM
+  std::size_t skipped = 0;             // points of the route up to where it meets it again
+};
+
+class LocalFlood {
+ public:
+  LocalFlood(const LightMine& mine, const Eigen::Vector2d& from) : origin_(from) {
+    queue_ = {{0, 0}};
+    before_[{0, 0}] = {0, 0};
+    for (std::size_t k = 0; k < queue_.size(); ++k) {
+      const auto [x, y] = queue_[k];
+      for (const auto& [dx, dy] : kSteps) {
+        const Cell next{x + dx, y + dy};
+        if (std::hypot(next.first, next.second) * kStrideM > kViewM) continue;
+        if (before_.count(next) > 0 || !mine.reachable(place(next))) continue;
+        before_[next] = queue_[k];
+        queue_.push_back(next);
+      }
+    }
+  }
+
+  /// Empty where it is not reached.
+  [[nodiscard]] std::vector<Eigen::Vector2d> way_to(const Eigen::Vector2d& p) const {
+    const Eigen::Vector2d off = (p - origin_) / kStrideM;
+    Cell cell{static_cast<int>(std::lround(off.x())), static_cast<int>(std::lround(off.y()))};
+    std::vector<Eigen::Vector2d> way;
+    if (before_.count(cell) == 0) return way;
+    for (; cell != Cell{0, 0}; cell = before_.at(cell)) way.push_back(place(cell));
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+ private:
+  using Cell = std::pair<int, int>;
+  static constexpr std::array<Cell, 8> kSteps{
+      {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+
+  [[nodiscard]] Eigen::Vector2d place(const Cell& cell) const {
+    return origin_ + kStrideM * Eigen::Vector2d(cell.first, cell.second);
+  }
+
+  Eigen::Vector2d origin_;
+  std::vector<Cell> queue_;
+  std::map<Cell, Cell> before_;
+};
+
+WayRound way_round(const LightMine& mine, const Eigen::Vector2d& from,
+                   const std::vector<Eigen::Vector2d>& route) {
+  const LocalFlood flood(mine, from);
+  for (std::size_t i = route.size(); i-- > 0;) {
+    const bool far = (route[i] - from).norm() >= kNoWayM || i + 1 == route.size();
+    if (!far || (route[i] - from).norm() > kViewM) continue;
+    WayRound round{flood.way_to(route[i]), i + 1};
+    if (!round.cells.empty()) return round;
+  }
+  return {};
 }
 
 }  // namespace
@@ -82,28 +146,43 @@ double ExploringRobot::go(const std::vector<Eigen::Vector2d>& route_map, double 
   begin_map();
   look();
   const Pose2 T_world_map = T_world_body_ * T_map_body().inverse();
+  std::vector<Eigen::Vector2d> route;
+  for (const Eigen::Vector2d& p_map : route_map) route.push_back(T_world_map * p_map);
   double way = 0.0;
-  for (const Eigen::Vector2d& p_map : route_map) {
-    const Eigen::Vector2d target = T_world_map * p_map;
-    while (!stopped_) {
-      const Eigen::Vector2d off = target - T_world_body_.translation();
-      const double stride = std::min({kStrideM, off.norm(), distance_m - way});
-      if (off.norm() < 1e-6 || stride <= 1e-9) break;
-      const Eigen::Vector2d next = T_world_body_.translation() + stride * off.normalized();
-      if (!mine_->reachable(next)) {
-        stopped_ = true;
-        break;
-      }
-      T_world_body_ = {next.x(), next.y(), std::atan2(off.y(), off.x())};
-      way += stride;
-      travelled_m_ += stride;
-      since_look_m_ += stride;
-      if (since_look_m_ >= kLookM) look();
+  for (std::size_t i = 0; i < route.size() && way < distance_m && !stopped_;) {
+    if (walk_to(route[i], distance_m, way)) {
+      ++i;
+      continue;
     }
+    const std::vector<Eigen::Vector2d> rest(route.begin() + static_cast<std::ptrdiff_t>(i),
+                                            route.end());
+    const auto round = way_round(*mine_, T_world_body_.translation(), rest);
+    stopped_ = round.cells.empty();
+    for (const Eigen::Vector2d& p : round.cells) {
+      if (!walk_to(p, distance_m, way)) break;
+    }
+    i += round.skipped;
   }
   look();
   maps_.push_back(map_);
   return way;
+}
+
+/// False where it stopped before something; true where it arrived or went as far as it may.
+bool ExploringRobot::walk_to(const Eigen::Vector2d& target, double distance_m, double& way) {
+  while (way < distance_m) {
+    const Eigen::Vector2d off = target - T_world_body_.translation();
+    const double stride = std::min({kStrideM, off.norm(), distance_m - way});
+    if (off.norm() < 1e-6) return true;
+    const Eigen::Vector2d next = T_world_body_.translation() + stride * off.normalized();
+    if (!mine_->reachable(next)) return false;
+    T_world_body_ = {next.x(), next.y(), std::atan2(off.y(), off.x())};
+    way += stride;
+    travelled_m_ += stride;
+    since_look_m_ += stride;
+    if (since_look_m_ >= kLookM) look();
+  }
+  return true;
 }
 
 /// The same place is bent the same way by all local maps of one graph.
@@ -207,9 +286,9 @@ class Run {
     count_turn(target, decision.stub);
     using Kind = ExplorationDecision::Kind;
     if (decision.kind == Kind::kDone || decision.kind == Kind::kStay) return false;
-    const double way = robot_.go(route_of(decision), kMapM);
+    robot_.go(route_of(decision), kMapM);
     if (robot_.stopped() && decision.kind == Kind::kHome) return false;
-    if (robot_.stopped() && way < 2.5) {
+    if (robot_.stopped()) {
       ++run_.blocked;
       take_map();
       exploration_.decide(

@@ -20,7 +20,8 @@ class ExploringRobot {
  public:
   explicit ExploringRobot(const LightMine& mine, double bend_m = 0.0, std::uint64_t seed = 1);
 
-  /// Along a route in map, this far at most. How far it got; it stops before what it cannot pass.
+  /// Along a route in map, this far at most, and round what is in the way, as a planner that sees
+  /// the truth for ten metres. How far it got; it stops where there is no way of 2.5 m.
   /// A local map is made of the way.
   double go(const std::vector<Eigen::Vector2d>& route_map, double distance_m);
   /// Whether the last way ended before something that it cannot pass.
@@ -49,6 +50,7 @@ class ExploringRobot {
   void begin_map();
   void look();
   void note_what_is_seen();
+  bool walk_to(const Eigen::Vector2d& target, double distance_m, double& way);
 
   const LightMine* mine_;
   double bend_m_;

@@ -18,6 +18,8 @@ constexpr double kStraightOnM = 30.0;   // how far ahead its open end may be
 constexpr double kHeadingOverM = 1.5;   // of a route
 constexpr double kNoWayM = 1e6;
 constexpr double kBehindStartM = 0.5;    // of the rear of the vehicle
+constexpr double kWayOutM = 10.0;        // from the start, where an open end may lead out
+constexpr double kOutwards = -0.3;       // of its direction, against the heading of the start
 constexpr double kBeyondReachedM = 0.8;  // of the farthest place that the planner reached
 
 std::string metres(double metres) {
@@ -89,9 +91,22 @@ void Exploration::refresh() {
   space_ = drivable_space(known_.cells(), known_.resolution_m(), params_.vehicle.width_m, cuts(),
                           T_map_home().translation(), params_.drivable);
   ends_ = open_ends(space_, params_.stubs.join_m);
+  for (OpenEnd& end : ends_) {
+    if (leads_out(end)) end.access = Access::kBehindBarrier;
+  }
   register_.update(ends_, known_, barrier_texts(), utime_);
   corridors_ = corridor_graph(space_, skeleton(space_), ends_, params_.corridors);
   from_home_.emplace(space_, T_map_home().translation());
+}
+
+/// From outside nothing comes back, so that what is known may end before the barrier does.
+bool Exploration::leads_out(const OpenEnd& end) const {
+  if (!params_.way_out_behind) return false;
+  const Pose2 T_home_map = T_map_home().inverse();
+  const Eigen::Vector2d p_home = T_home_map * end.p_map;
+  const Eigen::Vector2d direction = T_home_map * end.direction_map - T_home_map.translation();
+  return p_home.norm() < kWayOutM && p_home.x() < params_.vehicle.length_m / 2.0 &&
+         direction.x() < kOutwards;
 }
 
 /// The start is where the first local map began.

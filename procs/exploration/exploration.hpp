@@ -118,6 +118,7 @@ class Exploration {
   [[nodiscard]] std::vector<Cut> cuts() const;
   [[nodiscard]] std::vector<StubRegister::BarrierText> barrier_texts() const;
   void add_way_out();
+  [[nodiscard]] bool leads_out(const OpenEnd& end) const;
   [[nodiscard]] std::vector<StubOffer> offers(const ExplorationState& state,
                                               const TravelField& here);
   [[nodiscard]] std::optional<int> choose(const ExplorationState& state,

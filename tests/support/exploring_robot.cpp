@@ -19,6 +19,8 @@ constexpr double kStrideM = 0.2;    // in which the robot goes
 constexpr double kMapM = 5.0;       // way in a local map
 constexpr double kViewM = 10.0;     // of the planner
 constexpr double kNoWayM = 2.5;     // less progress is none (paper, section 3.3)
+constexpr double kSomeWayM = 1.0;   // after which it is seen anew before anything is blocked
+constexpr double kOnwardM = 6.0;    // beyond a stub, straight on
 constexpr double kBeyondM = 1.5;    // of a stub, where what is blocked begins
 constexpr double kAlignedM = 30.0;  // over which the map bends
 
@@ -282,13 +284,13 @@ class Run {
         {robot_.utime(), robot_.T_map_body(), budget_m_ - robot_.travelled_m(), 0.0});
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - before;
     run_.longest_decision_s = std::max(run_.longest_decision_s, took.count());
-    ++run_.decisions;
+    ++run_.decisions; if (getenv("DBG")) fprintf(stderr,"%d kind %d stub %d way %.2f %s\n",run_.decisions,int(decision.kind),decision.stub,robot_.travelled_m(),decision.reason.c_str());
     count_turn(target, decision.stub);
     using Kind = ExplorationDecision::Kind;
     if (decision.kind == Kind::kDone || decision.kind == Kind::kStay) return false;
-    robot_.go(route_of(decision), kMapM);
+    const double way = robot_.go(route_of(decision), kMapM);
     if (robot_.stopped() && decision.kind == Kind::kHome) return false;
-    if (robot_.stopped()) {
+    if (robot_.stopped() && way < kSomeWayM) {
       ++run_.blocked;
       take_map();
       exploration_.decide(
@@ -311,6 +313,11 @@ class Run {
     std::vector<Eigen::Vector2d> route = exploration_.route();
     if (decision.kind == ExplorationDecision::Kind::kHome) {
       route.emplace_back(decision.T_map_goal.translation());
+      return route;
+    }
+    const Stub& stub = exploration_.stubs()[static_cast<std::size_t>(decision.stub)];
+    for (double on = kStrideM; on <= kOnwardM; on += kStrideM) {
+      route.emplace_back(stub.p_map + on * stub.direction_map);
     }
     return route;
   }

@@ -12,13 +12,15 @@
 namespace adit {
 
 struct DrivableParams {
-  double margin_m = 0.1;         ///< beside the vehicle
+  /// Beside the vehicle: less than nothing, as cells blur walls. What is too narrow after all, the
+  /// planner refuses, with evidence.
+  double margin_m = -0.05;
   double clearance_max_m = 5.0;  ///< farther walls count as that far
   double barrier_half_m = 8.0;   ///< at most, to each side
 
   template <class V>
   void visit(V& v) {
-    v("margin_m", margin_m, within(0.0, 2.0));
+    v("margin_m", margin_m, within(-0.3, 2.0));
     v("clearance_max_m", clearance_max_m, within(1.0, 50.0));
     v("barrier_half_m", barrier_half_m, within(0.5, 100.0));
   }

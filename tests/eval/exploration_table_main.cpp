@@ -14,6 +14,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "common/config/config.hpp"
 #include "procs/exploration/exploration.hpp"
 #include "procs/exploration/exploration_picture.hpp"
 #include "sim/world/build_world.hpp"
@@ -25,11 +26,14 @@
 namespace adit {
 namespace {
 
+constexpr double kBudgetBaseM = 100.0;  // however small the mine
+
 struct Options {
   std::vector<std::string> mines;
   std::vector<std::string> rules{"ours", "nearest", "right_hand", "random"};
   double budget_factor = 2.5;
   double bend_m = 0.0;
+  std::filesystem::path config;   // section `exploration`; empty: defaults
   std::filesystem::path picture;  // of the last mine and rule; empty: none
 };
 
@@ -118,11 +122,15 @@ void print_table(const Options& options) {
                "wrongly | turns "
                "| longest decision (ms) |\n"
                "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  ExplorationParams params;
+  if (!options.config.empty()) {
+    params = load_section<ExplorationParams>(ConfigFile::load(options.config), "exploration");
+  }
   for (const std::string& mine : options.mines) {
     const test::LightMine light = test::light_mine(world_of(mine));
-    const double budget_m = options.budget_factor * light.corridor_m() + 50.0;
+    const double budget_m = options.budget_factor * light.corridor_m() + kBudgetBaseM;
     for (const std::string& rule : options.rules) {
-      Exploration exploration{ExplorationParams{}};
+      Exploration exploration(params);
       set_rule(rule, exploration);
       const auto run = test::run_exploration(light, exploration, budget_m, options.bend_m);
       print_row(mine, rule, light.corridor_m(), budget_m, run);
@@ -142,6 +150,7 @@ int main(int argc, char** argv) try {
   app.add_option("--rules", options.rules, "ours, nearest, right_hand, random");
   app.add_option("--budget", options.budget_factor, "Way per metre of corridor that is reachable");
   app.add_option("--bend", options.bend_m, "By which the map is wrong [m]");
+  app.add_option("--config", options.config, "YAML file with a section exploration");
   app.add_option("--picture", options.picture, "PNG of the last mine and rule");
   CLI11_PARSE(app, argc, argv);
   adit::print_table(options);

@@ -284,7 +284,7 @@ class Run {
         {robot_.utime(), robot_.T_map_body(), budget_m_ - robot_.travelled_m(), 0.0});
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - before;
     run_.longest_decision_s = std::max(run_.longest_decision_s, took.count());
-    ++run_.decisions; if (getenv("DBG")) fprintf(stderr,"%d kind %d stub %d way %.2f %s\n",run_.decisions,int(decision.kind),decision.stub,robot_.travelled_m(),decision.reason.c_str());
+    ++run_.decisions;
     count_turn(target, decision.stub);
     using Kind = ExplorationDecision::Kind;
     if (decision.kind == Kind::kDone || decision.kind == Kind::kStay) return false;

@@ -36,10 +36,11 @@ void StubRegister::update(const std::vector<OpenEnd>& ends, const KnownSpace& sp
   move_with_the_graph(space);
   std::vector<bool> found(stubs_.size());
   std::vector<bool> taken(ends.size());
-  match(ends, space, false, found, taken);
-  match(ends, space, true, found, taken);
+  for (const Search search : {Search::kHere, Search::kOnward, Search::kReopened}) {
+    match(ends, space, search, found, taken);
+  }
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!found[i]) set(stubs_[i], StubState::kExplored, seen_by(space.newest()), utime);
+    if (!found[i] && !holds_[i].final) close(i, space.newest(), utime);
   }
   for (std::size_t k = 0; k < ends.size(); ++k) {
     if (taken[k]) continue;
@@ -52,7 +53,7 @@ void StubRegister::update(const std::vector<OpenEnd>& ends, const KnownSpace& sp
     judge(stubs_.size() - 1, ends[k].access, barriers, utime);
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!found[i] || stubs_[i].state == StubState::kExplored) continue;
+    if (!found[i]) continue;
     const auto end = std::find_if(ends.begin(), ends.end(), [&](const OpenEnd& candidate) {
       return candidate.p_map == stubs_[i].p_map;
     });
@@ -70,19 +71,22 @@ void StubRegister::move_with_the_graph(const KnownSpace& space) {
   }
 }
 
-/// Nearest pairs first; those that moved on down their corridor after those that stayed.
-void StubRegister::match(const std::vector<OpenEnd>& ends, const KnownSpace& space, bool advance,
+bool StubRegister::may_be(std::size_t i, const OpenEnd& end, Search search) const {
+  const bool explored = stubs_[i].state == StubState::kExplored;
+  if (explored != (search == Search::kReopened)) return false;
+  const double distance = (end.p_map - stubs_[i].p_map).norm();
+  if (search != Search::kOnward) return distance <= params_.match_m;
+  return !holds_[i].final && distance <= params_.advance_m && lies_ahead(stubs_[i], end.p_map);
+}
+
+/// Nearest pairs first.
+void StubRegister::match(const std::vector<OpenEnd>& ends, const KnownSpace& space, Search search,
                          std::vector<bool>& found, std::vector<bool>& taken) {
   std::vector<Pair> pairs;
-  const double reach = advance ? params_.advance_m : params_.match_m;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i] || stubs_[i].state == StubState::kExplored) continue;
-    if (advance && holds_[i].final) continue;
     for (std::size_t k = 0; k < ends.size(); ++k) {
-      const double distance = (ends[k].p_map - stubs_[i].p_map).norm();
-      if (taken[k] || distance > reach) continue;
-      if (advance && !lies_ahead(stubs_[i], ends[k].p_map)) continue;
-      pairs.push_back({distance, i, k});
+      if (found[i] || taken[k] || !may_be(i, ends[k], search)) continue;
+      pairs.push_back({(ends[k].p_map - stubs_[i].p_map).norm(), i, k});
     }
   }
   std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
@@ -92,9 +96,16 @@ void StubRegister::match(const std::vector<OpenEnd>& ends, const KnownSpace& spa
     if (found[pair.stub] || taken[pair.end]) continue;
     found[pair.stub] = true;
     taken[pair.end] = true;
-    if (advance) holds_[pair.stub].arrivals = 0;
+    if (search == Search::kOnward) holds_[pair.stub].arrivals = 0;
     place(pair.stub, ends[pair.end], space);
   }
+}
+
+/// What lies there was seen; after so many times, for good.
+void StubRegister::close(std::size_t i, std::optional<int> local_map, std::int64_t utime) {
+  if (stubs_[i].state == StubState::kExplored) return;
+  set(stubs_[i], StubState::kExplored, seen_by(local_map), utime);
+  holds_[i].final = ++holds_[i].closings >= params_.closings;
 }
 
 void StubRegister::place(std::size_t i, const OpenEnd& end, const KnownSpace& space) {

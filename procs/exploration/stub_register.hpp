@@ -19,6 +19,7 @@ struct StubRegisterParams {
   double match_m = 2.0;     ///< from where a stub was to where it is found again
   double advance_m = 12.0;  ///< by which a stub moves on down its corridor at most, at a time
   double arrive_m = 1.5;    ///< from where nothing can be in the way of seeing what is there
+  int closings = 3;         ///< by being seen, after which what opens again is a seam of the map
   int arrivals = 3;         ///< local maps made there, after which there is nothing to be seen
 
   template <class V>
@@ -27,13 +28,15 @@ struct StubRegisterParams {
     v("match_m", match_m, within(0.2, 20.0));
     v("advance_m", advance_m, within(0.0, 100.0));
     v("arrive_m", arrive_m, within(0.1, 20.0));
+    v("closings", closings, at_least(1));
     v("arrivals", arrivals, at_least(1));
   }
 };
 
 /// Every stub that was ever seen, what became of it, and the evidence. A stub is tied to the local
 /// map that saw it, moves with it, and moves on down the corridor as the robot does; where the
-/// corridor divides, one branch inherits it and the others are new.
+/// corridor divides, one branch inherits it and the others are new. Where the map moves, seams in
+/// it may open again; that is the stub that was there, and not for ever.
 class StubRegister {
  public:
   explicit StubRegister(const StubRegisterParams& params) : params_(params) {}
@@ -68,6 +71,7 @@ class StubRegister {
     Eigen::Vector2d direction_local{1.0, 0.0};
     bool final = false;  ///< blocked or unseeable, whatever can be reached
     int arrivals = 0;
+    int closings = 0;
   };
   struct Pair {
     double distance_m;
@@ -76,8 +80,16 @@ class StubRegister {
   };
 
   void move_with_the_graph(const KnownSpace& space);
-  void match(const std::vector<OpenEnd>& ends, const KnownSpace& space, bool advance,
+  /// Which stubs may be found, and where.
+  enum class Search {
+    kHere,      ///< those that are not explored, near where they were
+    kOnward,    ///< the same, down their corridors
+    kReopened,  ///< explored ones, near where they were
+  };
+  [[nodiscard]] bool may_be(std::size_t stub, const OpenEnd& end, Search search) const;
+  void match(const std::vector<OpenEnd>& ends, const KnownSpace& space, Search search,
              std::vector<bool>& found, std::vector<bool>& taken);
+  void close(std::size_t stub, std::optional<int> local_map, std::int64_t utime);
   void place(std::size_t stub, const OpenEnd& end, const KnownSpace& space);
   void judge(std::size_t stub, Access access, const std::vector<BarrierText>& barriers,
              std::int64_t utime);

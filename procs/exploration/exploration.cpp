@@ -291,7 +291,9 @@ ExplorationDecision Exploration::to_home(const ExplorationState& state, std::str
 }
 
 bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {
-  if (!register_.block(stub, evidence.reason, evidence.utime)) return false;
+  const bool way_home =
+      stub == ExplorationDecision::kNoStub && decision_.kind == ExplorationDecision::Kind::kHome;
+  if (!way_home && !register_.block(stub, evidence.reason, evidence.utime)) return false;
   if (decision_.stub != stub || route_.empty()) return true;
   const RoutePlace place = along(route_, std::max(evidence.reached_m, 0.0) + kBeyondReachedM);
   const auto tie = known_.tile_at(place.p_map);
@@ -299,7 +301,9 @@ bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {
   const Pose2 T_local_map = known_.pose_of(*tie)->inverse();
   barriers_.push_back({Barrier::Kind::kBlocked, stub, *tie, T_local_map * place.p_map,
                        T_local_map * place.direction - T_local_map.translation()});
-  barrier_evidence_.push_back("behind stub " + std::to_string(stub) + ": " + evidence.reason);
+  barrier_evidence_.push_back(
+      (way_home ? "on the way home: " : "behind stub " + std::to_string(stub) + ": ") +
+      evidence.reason);
   refresh();
   if (from_home_->distance_m(state_.T_map_body.translation())) return true;
   barriers_.pop_back();  // it would cut off the robot

@@ -100,6 +100,8 @@ class Exploration {
 
   /// The planner found no way to the stub from where the last decision was made. It is not chosen
   /// again, nor is what lies behind the place where the way ended, unless another way is found.
+  /// On the way home there is no stub (ExplorationDecision::kNoStub), and another way is looked
+  /// for. False where there is no such stub or it is explored.
   bool report_blocked(int stub, const BlockedEvidence& evidence);
   /// A person says that it is not blocked.
   bool reopen(int stub, std::int64_t utime);

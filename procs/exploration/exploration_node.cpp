@@ -77,7 +77,7 @@ void ExplorationNode::on_pose(const StampedPose& pose) {
 /// Twice no way to the same target: it is blocked.
 void ExplorationNode::on_path(const PlannedPath& path) {
   using Kind = ExplorationDecision::Kind;
-  const bool wanted = decision_.kind == Kind::kGoTo || decision_.kind == Kind::kAlong;
+  const bool wanted = decision_.kind != Kind::kStay && decision_.kind != Kind::kDone;
   const bool none =
       (path.outcome == PlanOutcome::kBlocked || path.outcome == PlanOutcome::kUnknown) &&
       path.reached_m < params_.no_path_m;

@@ -10,11 +10,14 @@ namespace adit {
 namespace {
 
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
-constexpr std::array<int, 8> kStepCost{20, 28, 20, 28, 20, 28, 20, 28};
+constexpr std::array<int, 8> kStepCost{10, 14, 10, 14, 10, 14, 10, 14};
 constexpr double kNearWallM = 0.3;  // of more than the least clearance, where no wall is near
-constexpr int kNearWallCost = 2;    // times as much
-constexpr std::size_t kBuckets = 64;
-static_assert(kBuckets > 28 * kNearWallCost, "the dearest step has to fit");
+// Times as much; where the body has been, it can be again.
+constexpr int kDrivenCost = 4;
+constexpr int kClearCost = 5;
+constexpr int kNearWallCost = 9;
+constexpr std::size_t kBuckets = 128;
+static_assert(kBuckets > 14 * kNearWallCost, "the dearest step has to fit");
 constexpr int kSnapCells = 5;  // from a place to a cell that counts
 
 /// The nearest cell of a kind about a place: in squares of growing size.
@@ -75,7 +78,9 @@ void TravelField::search(const DrivableSpace& space, std::size_t from,
       for (std::size_t i = 0; i < around.size(); ++i) {
         const std::size_t next = at + static_cast<std::size_t>(around[i]);
         if (space.access[next] != Access::kReachable) continue;
-        const int factor = space.clearance_m[next] < near_wall ? kNearWallCost : 1;
+        const int factor = space.known[next] == Known::kDriven   ? kDrivenCost
+                           : space.clearance_m[next] < near_wall ? kNearWallCost
+                                                                 : kClearCost;
         const int total = now + factor * kStepCost[i];
         if (total >= cost[next]) continue;
         cost[next] = total;

@@ -13,7 +13,7 @@
 namespace adit {
 
 /// The ways from one place to all that can be reached: Dijkstra's search over cells, eight
-/// neighbours, which prefers not to graze walls.
+/// neighbours, which prefers where the body has been already, and not to graze walls.
 class TravelField {
  public:
   /// Only as far as needed to reach these places, where any are given.

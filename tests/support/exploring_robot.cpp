@@ -289,7 +289,6 @@ class Run {
     using Kind = ExplorationDecision::Kind;
     if (decision.kind == Kind::kDone || decision.kind == Kind::kStay) return false;
     const double way = robot_.go(route_of(decision), kMapM);
-    if (robot_.stopped() && decision.kind == Kind::kHome) return false;
     if (robot_.stopped() && way < kSomeWayM) {
       ++run_.blocked;
       take_map();

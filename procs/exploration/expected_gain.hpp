@@ -13,7 +13,7 @@ struct ExpectedGainParams {
   double prior_m = 20.0;      ///< of corridor behind a stub, before any was seen
   double prior_weight = 5.0;  ///< as many corridors as that is worth
   double look_m = 40.0;       ///< how far ahead known space makes a loop likely
-  double least_m = 2.0;       ///< that is always expected
+  double least_m = 10.0;      ///< what closing any stub is worth
   double loop_factor = 5.0;   ///< metres of corridor that closing a loop is worth, per metre of sd
 
   template <class V>

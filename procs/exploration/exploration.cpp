@@ -142,19 +142,24 @@ std::vector<StubRegister::BarrierText> Exploration::barrier_texts() const {
   return texts;
 }
 
+/// With each new local map.
+void Exploration::note_pursuit(const ExplorationState& state, const TravelField& here) {
+  const int newest = known_.newest().value_or(-1);
+  const Stub* target = register_.find(decision_.stub);
+  if (newest == newest_seen_ || target == nullptr) return;
+  newest_seen_ = newest;
+  const auto way = here.distance_m(target->p_map);
+  if (way) register_.pursued(target->id, *way, newest, state.utime);
+}
+
 const ExplorationDecision& Exploration::decide(const ExplorationState& state) {
   state_ = state;
-  const int newest = known_.newest().value_or(-1);
-  if (newest != newest_seen_ && decision_.stub != ExplorationDecision::kNoStub) {
-    register_.arrived(decision_.stub, state.T_map_body.translation(), newest, state.utime);
-  }
-  newest_seen_ = newest;
-  route_.clear();
   decision_ = make(state);
   return decision_;
 }
 
 ExplorationDecision Exploration::make(const ExplorationState& state) {
+  route_.clear();
   ExplorationDecision stay;
   stay.T_map_goal = state.T_map_body;
   if (!from_home_) {
@@ -167,6 +172,7 @@ ExplorationDecision Exploration::make(const ExplorationState& state) {
     return stay;
   }
   const TravelField here(space_, state.T_map_body.translation());
+  note_pursuit(state, here);
   const auto all = offers(state, here);
   if (returning_) return to_home(state, "the corridor is explored as far as it goes");
   if (const auto stub = choose(state, all)) return to_stub(*stub, state, here);
@@ -293,8 +299,13 @@ ExplorationDecision Exploration::to_home(const ExplorationState& state, std::str
 bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {
   const bool way_home =
       stub == ExplorationDecision::kNoStub && decision_.kind == ExplorationDecision::Kind::kHome;
-  if (!way_home && !register_.block(stub, evidence.reason, evidence.utime)) return false;
-  if (decision_.stub != stub || route_.empty()) return true;
+  const Stub* target = register_.find(stub);
+  if (!way_home && (target == nullptr || target->state == StubState::kExplored)) return false;
+  const bool on_the_way = decision_.stub == stub && !route_.empty();
+  // What is in the way far from the stub says nothing of the stub: there may be another way.
+  const bool far = on_the_way && decision_.distance_m > params_.step_m;
+  if (!far) register_.block(stub, evidence.reason, evidence.utime);
+  if (!on_the_way) return true;
   const RoutePlace place = along(route_, std::max(evidence.reached_m, 0.0) + kBeyondReachedM);
   const auto tie = known_.tile_at(place.p_map);
   if (!tie) return true;
@@ -308,6 +319,7 @@ bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {
   if (from_home_->distance_m(state_.T_map_body.translation())) return true;
   barriers_.pop_back();  // it would cut off the robot
   barrier_evidence_.pop_back();
+  register_.block(stub, evidence.reason, evidence.utime);
   refresh();
   return true;
 }

@@ -120,6 +120,7 @@ class Exploration {
   [[nodiscard]] std::vector<Cut> cuts() const;
   [[nodiscard]] std::vector<StubRegister::BarrierText> barrier_texts() const;
   void add_way_out();
+  void note_pursuit(const ExplorationState& state, const TravelField& here);
   [[nodiscard]] bool leads_out(const OpenEnd& end) const;
   [[nodiscard]] std::vector<StubOffer> offers(const ExplorationState& state,
                                               const TravelField& here);
@@ -146,7 +147,7 @@ class Exploration {
   std::optional<TravelField> from_home_;
   std::int64_t utime_ = 0;
   std::int64_t revision_ = 0;
-  int newest_seen_ = -1;  ///< local map, when arrival was last looked at
+  int newest_seen_ = -1;  ///< local map, when the pursuit of the target was last looked at
   ExplorationState state_;
   ExplorationDecision decision_;
   std::vector<Eigen::Vector2d> route_;

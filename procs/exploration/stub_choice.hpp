@@ -13,7 +13,7 @@ namespace adit {
 
 struct StubChoiceParams {
   int tour_stubs = 9;  ///< of the nearest, between which the order is found; time doubles each
-  double home_weight = 1.0;  ///< of an early return, in mean gains of a stub
+  double home_weight = 3.0;  ///< of an early return, in mean gains of a stub
   double switch_gain = 0.2;  ///< share of the way to the target that another has to save
   double home_factor = 1.5;  ///< on the way home: it may be longer than the map says
   double reserve_m = 20.0;   ///< that is never spent

@@ -10,6 +10,7 @@
 namespace adit {
 namespace {
 
+constexpr double kNearerM = 1.0;              // less is none
 const double kAdvanceCosine = std::cos(1.0);  // of the angle by which a corridor may bend
 
 void set(Stub& stub, StubState state, std::string evidence, std::int64_t utime) {
@@ -96,7 +97,6 @@ void StubRegister::match(const std::vector<OpenEnd>& ends, const KnownSpace& spa
     if (found[pair.stub] || taken[pair.end]) continue;
     found[pair.stub] = true;
     taken[pair.end] = true;
-    if (search == Search::kOnward) holds_[pair.stub].arrivals = 0;
     place(pair.stub, ends[pair.end], space);
   }
 }
@@ -137,16 +137,24 @@ void StubRegister::judge(std::size_t i, Access access, const std::vector<Barrier
   set(stub, StubState::kTooNarrow, "no known way there is wide enough for the vehicle", utime);
 }
 
-void StubRegister::arrived(int stub, const Eigen::Vector2d& p_map, int local_map,
-                           std::int64_t utime) {
+void StubRegister::pursued(int stub, double way_m, int local_map, std::int64_t utime) {
   if (find(stub) == nullptr) return;
-  Stub& at = stubs_[static_cast<std::size_t>(stub)];
+  Stub& target = stubs_[static_cast<std::size_t>(stub)];
   Hold& hold = holds_[static_cast<std::size_t>(stub)];
-  if (at.state != StubState::kOpen || (at.p_map - p_map).norm() > params_.arrive_m) return;
-  if (++hold.arrivals < params_.arrivals) return;
+  if (target.state != StubState::kOpen) return;
+  const bool moved = (target.p_map - hold.p_then).norm() > params_.match_m;
+  if (moved || way_m < hold.least_way_m - kNearerM) {
+    hold.stalls = 0;
+    hold.least_way_m = way_m;
+    hold.p_then = target.p_map;
+    return;
+  }
+  if (++hold.stalls < params_.stalls) return;
   hold.final = true;
-  set(at, StubState::kUnseeable,
-      "local map " + std::to_string(local_map) + " stood before it, and no beam came back", utime);
+  set(target, StubState::kUnseeable,
+      "up to local map " + std::to_string(local_map) + ", " + std::to_string(hold.stalls) +
+          " in a row came no nearer and saw nothing of it",
+      utime);
 }
 
 bool StubRegister::block(int stub, std::string evidence, std::int64_t utime) {
@@ -161,7 +169,9 @@ bool StubRegister::reopen(int stub, std::string evidence, std::int64_t utime) {
   if (find(stub) == nullptr || !holds_[static_cast<std::size_t>(stub)].final) return false;
   const auto i = static_cast<std::size_t>(stub);
   holds_[i].final = false;
-  holds_[i].arrivals = 0;
+  holds_[i].stalls = 0;
+  holds_[i].closings = 0;
+  holds_[i].least_way_m = Hold{}.least_way_m;
   if (stubs_[i].state != StubState::kExplored) {
     set(stubs_[i], StubState::kOpen, std::move(evidence), utime);
   }

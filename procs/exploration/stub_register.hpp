@@ -18,18 +18,16 @@ struct StubRegisterParams {
   double join_m = 0.6;      ///< frontier cells no farther apart are one stub
   double match_m = 2.0;     ///< from where a stub was to where it is found again
   double advance_m = 12.0;  ///< by which a stub moves on down its corridor at most, at a time
-  double arrive_m = 1.5;    ///< from where nothing can be in the way of seeing what is there
   int closings = 3;         ///< by being seen, after which what opens again is a seam of the map
-  int arrivals = 3;         ///< local maps made there, after which there is nothing to be seen
+  int stalls = 4;  ///< local maps that come no nearer to a target, after which it is given up
 
   template <class V>
   void visit(V& v) {
     v("join_m", join_m, within(0.2, 10.0));
     v("match_m", match_m, within(0.2, 20.0));
     v("advance_m", advance_m, within(0.0, 100.0));
-    v("arrive_m", arrive_m, within(0.1, 20.0));
     v("closings", closings, at_least(1));
-    v("arrivals", arrivals, at_least(1));
+    v("stalls", stalls, at_least(1));
   }
 };
 
@@ -51,8 +49,9 @@ class StubRegister {
   void update(const std::vector<OpenEnd>& ends, const KnownSpace& space,
               const std::vector<BarrierText>& barriers, std::int64_t utime);
 
-  /// A local map was made at this place while the stub was the target.
-  void arrived(int stub, const Eigen::Vector2d& p_map, int local_map, std::int64_t utime);
+  /// A local map was made while the stub was the target, and so long is the way to it now. What
+  /// comes no nearer and stays where it is, is given up: water, open air, or no way after all.
+  void pursued(int stub, double way_m, int local_map, std::int64_t utime);
 
   /// False where there is no such stub, or where it is explored.
   bool block(int stub, std::string evidence, std::int64_t utime);
@@ -70,7 +69,9 @@ class StubRegister {
     Eigen::Vector2d p_local{0.0, 0.0};  ///< in the frame of the local map that it is tied to
     Eigen::Vector2d direction_local{1.0, 0.0};
     bool final = false;  ///< blocked or unseeable, whatever can be reached
-    int arrivals = 0;
+    int stalls = 0;
+    double least_way_m = 1e9;          ///< to it, while it was the target
+    Eigen::Vector2d p_then{0.0, 0.0};  ///< where it was then, p_map
     int closings = 0;
   };
   struct Pair {

@@ -154,7 +154,9 @@ void Exploration::note_pursuit(const ExplorationState& state, const TravelField&
 
 const ExplorationDecision& Exploration::decide(const ExplorationState& state) {
   state_ = state;
+  const int before = decision_.stub;
   decision_ = make(state);
+  if (decision_.stub != before) register_.begin_pursuit(decision_.stub);
   return decision_;
 }
 

@@ -137,6 +137,11 @@ void StubRegister::judge(std::size_t i, Access access, const std::vector<Barrier
   set(stub, StubState::kTooNarrow, "no known way there is wide enough for the vehicle", utime);
 }
 
+/// From wherever the robot is now; what stalled before is remembered until it comes nearer.
+void StubRegister::begin_pursuit(int stub) {
+  if (find(stub) != nullptr) holds_[static_cast<std::size_t>(stub)].least_way_m = kNever;
+}
+
 void StubRegister::pursued(int stub, double way_m, int local_map, std::int64_t utime) {
   if (find(stub) == nullptr) return;
   Stub& target = stubs_[static_cast<std::size_t>(stub)];
@@ -144,7 +149,7 @@ void StubRegister::pursued(int stub, double way_m, int local_map, std::int64_t u
   if (target.state != StubState::kOpen) return;
   const bool moved = (target.p_map - hold.p_then).norm() > params_.match_m;
   if (moved || way_m < hold.least_way_m - kNearerM) {
-    hold.stalls = 0;
+    if (hold.least_way_m < kNever) hold.stalls = 0;
     hold.least_way_m = way_m;
     hold.p_then = target.p_map;
     return;
@@ -171,7 +176,7 @@ bool StubRegister::reopen(int stub, std::string evidence, std::int64_t utime) {
   holds_[i].final = false;
   holds_[i].stalls = 0;
   holds_[i].closings = 0;
-  holds_[i].least_way_m = Hold{}.least_way_m;
+  holds_[i].least_way_m = kNever;
   if (stubs_[i].state != StubState::kExplored) {
     set(stubs_[i], StubState::kOpen, std::move(evidence), utime);
   }

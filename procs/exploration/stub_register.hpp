@@ -51,6 +51,7 @@ class StubRegister {
 
   /// A local map was made while the stub was the target, and so long is the way to it now. What
   /// comes no nearer and stays where it is, is given up: water, open air, or no way after all.
+  void begin_pursuit(int stub);
   void pursued(int stub, double way_m, int local_map, std::int64_t utime);
 
   /// False where there is no such stub, or where it is explored.
@@ -65,12 +66,13 @@ class StubRegister {
 
  private:
   /// What only the register needs to know of a stub.
+  static constexpr double kNever = 1e9;
   struct Hold {
     Eigen::Vector2d p_local{0.0, 0.0};  ///< in the frame of the local map that it is tied to
     Eigen::Vector2d direction_local{1.0, 0.0};
     bool final = false;  ///< blocked or unseeable, whatever can be reached
     int stalls = 0;
-    double least_way_m = 1e9;          ///< to it, while it was the target
+    double least_way_m = kNever;       ///< to it, in this pursuit
     Eigen::Vector2d p_then{0.0, 0.0};  ///< where it was then, p_map
     int closings = 0;
   };

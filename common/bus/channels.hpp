@@ -31,6 +31,7 @@ inline constexpr std::string_view kVolume = "VOLUME";
 inline constexpr std::string_view kGoal = "GOAL";
 inline constexpr std::string_view kPath = "PATH";
 inline constexpr std::string_view kDrivingState = "DRIVING_STATE";
+inline constexpr std::string_view kExploration = "EXPLORATION";
 inline constexpr std::string_view kVehicleState = "VEHICLE_STATE";
 inline constexpr std::string_view kGas = "GAS";
 inline constexpr std::string_view kSinkage = "SINKAGE";
@@ -55,6 +56,6 @@ inline constexpr std::array kAll{
     kRunState,        kSimTime,      kSimTimeDone,  kScanRequest, kCloud,
     kTerrain,         kVolume,       kGoal,         kPath,        kDrivingState,
     kHeartbeat,       kConfig,       kStageStats,   kPmInfo,      kPmOrders,
-    kPmOutput,        kPmDiscover};
+    kPmOutput,        kPmDiscover,   kExploration};
 
 }  // namespace adit::channels

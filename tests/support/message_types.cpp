@@ -9,6 +9,7 @@
 #include "common/messages/config_copy.hpp"
 #include "common/messages/drive_command.hpp"
 #include "common/messages/driving_state.hpp"
+#include "common/messages/exploration_report.hpp"
 #include "common/messages/gas_reading.hpp"
 #include "common/messages/heartbeat.hpp"
 #include "common/messages/imu_reading.hpp"
@@ -151,7 +152,22 @@ PlannedPath sample_path() {
   return path;
 }
 
-/// Those from a look at the ground to a drive.
+ExplorationReport sample_exploration() {
+  ExplorationReport report;
+  report.utime = kUtime;
+  report.revision = 12;
+  report.decision = {
+      ExplorationDecision::Kind::kAlong, {20.0, -3.0, 0.1}, 12.5, 1, false, "straight on"};
+  report.T_odom_goal = {20.1, -2.9, 0.1};
+  report.budget = {800.0, 120.0, 310.0};
+  report.stubs = {{0, 3, {5, 1}, {0, 1}, 2.8, StubState::kBlocked, kUtime, "a beam"},
+                  {1, 7, {20, -3}, {1, 0}, 3.1, StubState::kOpen, kUtime, ""}};
+  report.corridors = {{{{0, 0}, CorridorNode::Kind::kDeadEnd}, {{20, -3}, {}}},
+                      {{0, 1, 20.4, 2.9, {{0, 0}, {10, -1}, {20, -3}}}}};
+  return report;
+}
+
+/// Those from a look at the ground to a drive, and where to go next.
 std::vector<MessageType> navigation_types() {
   const PlanGoal goal{kUtime, 4, PlanGoal::Kind::kTo, {20.0, -3.0, 0.1}, 10.0};
   const DrivingState driving{
@@ -162,7 +178,8 @@ std::vector<MessageType> navigation_types() {
           type_of(channels::kVolume, to_message(divide(sample_volume()).front())),
           type_of(channels::kGoal, to_message(goal)),
           type_of(channels::kPath, to_message(sample_path())),
-          type_of(channels::kDrivingState, to_message(driving))};
+          type_of(channels::kDrivingState, to_message(driving)),
+          type_of(channels::kExploration, to_message(sample_exploration()))};
 }
 
 /// Those of a simulated run.

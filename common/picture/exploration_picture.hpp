@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/exploration/exploration_report.hpp"
+
+namespace adit {
+
+/// What there is to be shown of an exploration.
+struct ExplorationPicture {
+  enum class Ground : std::uint8_t { kUnseen, kWall, kFree, kDrivable };
+
+  std::string title;  ///< one line, UTF-8
+  double cell_m = 0.2;
+  Eigen::Vector2d p_map_corner{0.0, 0.0};  ///< lowest corner of the cells
+  int columns = 0;
+  std::vector<Ground> cells;  ///< row by row from the lowest
+  ExplorationReport report;
+  std::vector<Eigen::Vector2d> way;  ///< of the robot, p_map; may be empty
+};
+
+/// Draws the known space as PNG, y up, four pixels a cell where the sheet holds it: corridors by
+/// their middles, junctions, dead ends, and the stubs by their state. Throws std::runtime_error
+/// where the file cannot be written.
+void write_exploration_png(const ExplorationPicture& picture, const std::filesystem::path& path);
+
+}  // namespace adit

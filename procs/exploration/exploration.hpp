@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/config/bounds.hpp"
+#include "common/exploration/exploration_report.hpp"
+#include "common/local_map/local_map.hpp"
+#include "common/pose_graph/map_graph.hpp"
+#include "common/sensing/laser_mount.hpp"
+#include "common/vehicle/vehicle.hpp"
+#include "procs/exploration/barrier.hpp"
+#include "procs/exploration/corridor_graph.hpp"
+#include "procs/exploration/drivable_space.hpp"
+#include "procs/exploration/expected_gain.hpp"
+#include "procs/exploration/known_space.hpp"
+#include "procs/exploration/open_ends.hpp"
+#include "procs/exploration/stub_choice.hpp"
+#include "procs/exploration/stub_register.hpp"
+#include "procs/exploration/travel_field.hpp"
+
+namespace adit {
+
+struct ExplorationParams {
+  Vehicle vehicle;
+  Lasers lasers;
+  KnownSpaceParams known;
+  DrivableParams drivable;
+  CorridorGraphParams corridors;
+  StubRegisterParams stubs;
+  ExpectedGainParams gain;
+  StubChoiceParams choice;
+  std::string mode = "explore";  ///< or "corridor": straight on until blocked, then home (paper)
+  double step_m = 10.0;          ///< from here to the next goal at most
+  double at_home_m = 0.5;        ///< from the start
+  bool way_out_behind = true;    ///< the mine lies ahead of the start, the way out behind it
+
+  template <class V>
+  void visit(V& v) {
+    v.shared(Vehicle::kSection, vehicle);
+    v.shared(Lasers::kSection, lasers);
+    v("known", known);
+    v("drivable", drivable);
+    v("corridors", corridors);
+    v("stubs", stubs);
+    v("gain", gain);
+    v("choice", choice);
+    v("mode", mode, OneOf({"explore", "corridor"}));
+    v("step_m", step_m, within(1.0, 100.0));
+    v("at_home_m", at_home_m, within(0.1, 10.0));
+    v("way_out_behind", way_out_behind);
+  }
+};
+
+/// The robot as it is when it asks where to go.
+struct ExplorationState {
+  std::int64_t utime = 0;
+  Pose2 T_map_body;
+  double remaining_m = 0.0;  ///< way that battery and time still allow
+  double sd_m = 0.0;         ///< of the pose in map, where it is known
+};
+
+/// What a planner says who found no path.
+struct BlockedEvidence {
+  std::int64_t utime = 0;
+  double reached_m = 0.0;  ///< farthest progress that was possible
+  std::string reason;      ///< a sentence
+};
+
+/// Where to go next, so that the mine is explored to the end and the robot comes home: the stubs of
+/// the map, their gain against the way there, and a hard budget for the way home (the paper's
+/// section 3.3 and what it leaves open).
+class Exploration {
+ public:
+  explicit Exploration(const ExplorationParams& params);
+
+  /// A local map, before the graph that knows it. False where it is malformed, and left out.
+  bool add(const LocalMap& map);
+
+  /// Where all local maps are now. A graph with a pose that is not finite is left out: false.
+  bool update(const MapGraph& graph);
+
+  /// The same map, state and target give the same answer. `decide` keeps the target.
+  const ExplorationDecision& decide(const ExplorationState& state);
+
+  /// Another rule of choice than ours, to be held against it: the stub of those within the budget,
+  /// or nothing to go home.
+  using Rule =
+      std::function<std::optional<int>(const ExplorationState&, const std::vector<StubOffer>&)>;
+  void use_rule(Rule rule) { rule_ = std::move(rule); }
+
+  /// The planner found no way to the stub from where the last decision was made. It is not chosen
+  /// again, nor is what lies behind the place where the way ended, unless another way is found.
+  /// On the way home there is no stub (ExplorationDecision::kNoStub), and another way is looked
+  /// for. False where there is no such stub or it is explored.
+  bool report_blocked(int stub, const BlockedEvidence& evidence);
+  /// A person says that it is not blocked.
+  bool reopen(int stub, std::int64_t utime);
+
+  [[nodiscard]] ExplorationReport report() const;
+  [[nodiscard]] const std::vector<Stub>& stubs() const { return register_.stubs(); }
+  [[nodiscard]] const CorridorGraph& corridors() const { return corridors_; }
+  [[nodiscard]] const DrivableSpace& space() const { return space_; }
+  /// From where the last decision was made to its target, in map; empty where there is none.
+  [[nodiscard]] const std::vector<Eigen::Vector2d>& route() const { return route_; }
+  /// The stubs that are not closed, with why, one sentence each; empty: the mine is explored.
+  [[nodiscard]] std::vector<std::string> reasons_why_not_complete() const;
+
+ private:
+  void refresh();
+  [[nodiscard]] std::vector<Cut> cuts() const;
+  [[nodiscard]] std::vector<StubRegister::BarrierText> barrier_texts() const;
+  void add_way_out();
+  void note_pursuit(const ExplorationState& state, const TravelField& here);
+  [[nodiscard]] bool leads_out(const OpenEnd& end) const;
+  [[nodiscard]] std::vector<StubOffer> offers(const ExplorationState& state,
+                                              const TravelField& here);
+  [[nodiscard]] std::optional<int> choose(const ExplorationState& state,
+                                          const std::vector<StubOffer>& offers) const;
+  [[nodiscard]] Eigen::MatrixXd ways_between(const std::vector<StubOffer>& offers) const;
+  [[nodiscard]] std::optional<int> straight_on(const ExplorationState& state,
+                                               const std::vector<StubOffer>& offers) const;
+  [[nodiscard]] ExplorationDecision to_stub(int stub, const ExplorationState& state,
+                                            const TravelField& here);
+  [[nodiscard]] ExplorationDecision to_home(const ExplorationState& state, std::string reason);
+  [[nodiscard]] ExplorationDecision make(const ExplorationState& state);
+  [[nodiscard]] Pose2 T_map_home() const;
+
+  ExplorationParams params_;
+  Rule rule_;
+  KnownSpace known_;
+  StubRegister register_;
+  std::vector<Barrier> barriers_;
+  std::vector<std::string> barrier_evidence_;
+  DrivableSpace space_;
+  std::vector<OpenEnd> ends_;
+  CorridorGraph corridors_;
+  std::optional<TravelField> from_home_;
+  std::int64_t utime_ = 0;
+  std::int64_t revision_ = 0;
+  int newest_seen_ = -1;  ///< local map, when the pursuit of the target was last looked at
+  ExplorationState state_;
+  ExplorationDecision decision_;
+  std::vector<Eigen::Vector2d> route_;
+  bool returning_ = false;  ///< for good: in the mode corridor
+};
+
+}  // namespace adit

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/exploration/exploration_node.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/exploration_report.hpp"
+#include "common/messages/map_correction.hpp"
+#include "common/messages/planned_path.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::size_t kPiecesWaiting = 500;  // several local maps, or a large graph
+constexpr std::int64_t kPeriodUs = 1'000'000;
+constexpr double kMovedM = 0.05;
+constexpr double kJumpM = 5.0;  // from pose to pose: a new odom frame, and no way
+
+double sd_of(const MapCorrection& correction) {
+  if (!correction.covariance) return 0.0;
+  const Eigen::Matrix2d covariance = correction.covariance->topLeftCorner<2, 2>();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, axes.eigenvalues().maxCoeff()));
+}
+
+std::string evidence_of(const PlannedPath& path) {
+  std::string text = "the planner found no path (" + std::to_string(path.id) + ")";
+  return path.reason.empty() ? text : text + ": " + path.reason;
+}
+
+}  // namespace
+
+ExplorationNode::ExplorationNode(Bus& bus, const Params& params)
+    : bus_(bus), params_(params), exploration_(params) {
+  subscribe<local_map_t>(bus, channels::kLocalMap, Delivery::queued(kPiecesWaiting),
+                         [this](const LocalMapPiece& piece) {
+                           if (const auto map = local_maps_.add(piece)) on_local_map(*map);
+                         });
+  subscribe<pose_graph_t>(bus, channels::kPoseGraph, Delivery::queued(kPiecesWaiting),
+                          [this](const PoseGraphPiece& piece) {
+                            if (const auto graph = graphs_.add(piece)) on_graph(*graph);
+                          });
+  subscribe<map_correction_t>(
+      bus, channels::kMapCorrection, Delivery::latest(),
+      [this](const MapCorrection& correction) { correction_ = correction; });
+  subscribe<pose_t>(bus, channels::kPose, Delivery::latest(),
+                    [this](const StampedPose& pose) { on_pose(pose); });
+  subscribe<planned_path_t>(bus, channels::kPath, Delivery::queued(10),
+                            [this](const PlannedPath& path) { on_path(path); });
+  bus.every(kPeriodUs, [this](std::int64_t) {
+    if (travelled_m_ - published_m_ > kMovedM) publish_decision();
+  });
+}
+
+void ExplorationNode::on_local_map(const LocalMap& map) {
+  exploration_.add(map) ? ++local_maps_taken_ : ++local_maps_refused_;
+}
+
+void ExplorationNode::on_graph(const MapGraph& graph) {
+  local_maps_in_graph_ = graph.poses.size();
+  if (exploration_.update(graph)) publish_decision();
+}
+
+void ExplorationNode::on_pose(const StampedPose& pose) {
+  if (pose_) {
+    const double way = between(pose_->T_odom_body, pose.T_odom_body).translation().norm();
+    if (way < kJumpM) travelled_m_ += way;
+  }
+  pose_ = pose;
+}
+
+/// Twice no way to the same target: it is blocked.
+void ExplorationNode::on_path(const PlannedPath& path) {
+  using Kind = ExplorationDecision::Kind;
+  const bool wanted = decision_.kind != Kind::kStay && decision_.kind != Kind::kDone;
+  const bool none =
+      (path.outcome == PlanOutcome::kBlocked || path.outcome == PlanOutcome::kUnknown) &&
+      path.reached_m < params_.no_path_m;
+  if (!wanted || !none || decision_.stub != no_path_stub_) no_paths_ = 0;
+  if (!wanted || !none) return;
+  no_path_stub_ = decision_.stub;
+  if (++no_paths_ < params_.no_path_answers) return;
+  no_paths_ = 0;
+  exploration_.report_blocked(decision_.stub, {path.utime, path.reached_m, evidence_of(path)});
+  publish_decision();
+}
+
+void ExplorationNode::publish_decision() {
+  if (!correction_ || !pose_) return;
+  const Pose2 T_map_body = correction_->T_map_odom * pose_->T_odom_body;
+  decision_ =
+      exploration_.decide({pose_->utime, T_map_body, std::max(0.0, params_.budget_m - travelled_m_),
+                           sd_of(*correction_)});
+  published_m_ = travelled_m_;
+  ExplorationReport report = exploration_.report();
+  report.T_odom_goal = correction_->T_map_odom.inverse() * report.decision.T_map_goal;
+  publish(bus_, channels::kExploration, to_message(report));
+}
+
+Health ExplorationNode::health() const {
+  using Level = Health::Level;
+  if (local_maps_refused_ > 0) {
+    return {Level::kDegraded, std::to_string(local_maps_refused_) + " local maps are malformed"};
+  }
+  if (local_maps_in_graph_ > local_maps_taken_) {
+    return {Level::kDegraded,
+            std::to_string(local_maps_in_graph_ - local_maps_taken_) + " local maps never came"};
+  }
+  if (published_m_ >= 0.0 && decision_.kind == ExplorationDecision::Kind::kStay) {
+    return {Level::kDegraded, decision_.reason};
+  }
+  return {};
+}
+
+}  // namespace adit

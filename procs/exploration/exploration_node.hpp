@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "common/bus/bus.hpp"
+#include "common/messages/heartbeat.hpp"
+#include "common/messages/local_map_pieces.hpp"
+#include "common/messages/pose.hpp"
+#include "common/messages/pose_graph_pieces.hpp"
+#include "common/path/planned_path.hpp"
+#include "common/pose_graph/map_correction.hpp"
+#include "procs/exploration/exploration.hpp"
+
+namespace adit {
+
+struct ExplorationNodeParams : ExplorationParams {
+  double budget_m = 2000.0;  ///< of way, there and back, since the stage began
+  int no_path_answers = 2;   ///< of the planner in a row, after which a stub is blocked
+  double no_path_m = 2.5;    ///< an answer that reaches less is none (paper, section 3.3)
+
+  template <class V>
+  void visit(V& v) {
+    v("budget_m", budget_m, at_least(0.0));
+    v("no_path_answers", no_path_answers, at_least(1));
+    v("no_path_m", no_path_m, above(0.0));
+    ExplorationParams::visit(v);
+  }
+};
+
+/// In:  LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in pieces; MAP_CORRECTION
+///      (map_correction_t); POSE (pose_t); PATH (planned_path_t), which may find no way to the
+///      present target.
+/// Out: EXPLORATION (exploration_t), whenever the graph came, and once a second while the robot
+///      moves. It orders nothing: whoever sequences the mission makes a goal of the decision.
+class ExplorationNode {
+ public:
+  using Params = ExplorationNodeParams;
+
+  ExplorationNode(Bus& bus, const Params& params);
+
+  /// Degraded where local maps are malformed or missing, or nothing can be decided.
+  [[nodiscard]] Health health() const;
+
+ private:
+  void on_local_map(const LocalMap& map);
+  void on_graph(const MapGraph& graph);
+  void on_pose(const StampedPose& pose);
+  void on_path(const PlannedPath& path);
+  void publish_decision();
+
+  Bus& bus_;
+  Params params_;
+  Exploration exploration_;
+  LocalMapAssembler local_maps_;
+  PoseGraphAssembler graphs_;
+  std::optional<MapCorrection> correction_;
+  std::optional<StampedPose> pose_;
+  double travelled_m_ = 0.0;
+  double published_m_ = -1.0;  ///< way when the last decision was published
+  int no_paths_ = 0;           ///< answers in a row, to the present target
+  int no_path_stub_ = ExplorationDecision::kNoStub;
+  std::size_t local_maps_taken_ = 0;
+  std::size_t local_maps_refused_ = 0;
+  std::size_t local_maps_in_graph_ = 0;
+  ExplorationDecision decision_;
+};
+
+}  // namespace adit

@@ -1,0 +1,8 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/bus/run_node.hpp"
+#include "procs/exploration/exploration_node.hpp"
+
+int main(int argc, char** argv) {
+  return adit::run_node<adit::ExplorationNode>("exploration", argc, argv);
+}

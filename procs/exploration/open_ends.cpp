@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/exploration/open_ends.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace adit {
+namespace {
+
+struct Frontier {
+  std::size_t cell;
+  Eigen::Vector2d outward;  // to the unseen cells beside it
+};
+
+/// Outward is summed over a ring of cells, so that it does not depend on one.
+Eigen::Vector2d outward(const DrivableSpace& space, std::size_t index) {
+  constexpr int kReach = 3;
+  const Eigen::Vector2i middle = space.known.cell(index);
+  Eigen::Vector2d sum(0.0, 0.0);
+  for (int y = -kReach; y <= kReach; ++y) {
+    for (int x = -kReach; x <= kReach; ++x) {
+      const Known known = space.known.get(middle + Eigen::Vector2i(x, y), Known::kUnseen);
+      if (known == Known::kUnseen) sum += Eigen::Vector2d(x, y);
+      if (known == Known::kFree || known == Known::kDriven) sum -= Eigen::Vector2d(x, y);
+    }
+  }
+  return sum;
+}
+
+/// Rows from the lowest; the rim of the field holds nothing drivable.
+std::vector<Frontier> frontier_of(const DrivableSpace& space) {
+  const auto around = space.known.around();
+  const auto least = static_cast<float>(space.radius_m - 1e-6);  // where the body was is no end
+  std::vector<Frontier> frontier;
+  for (std::size_t i = 0; i < space.known.size(); ++i) {
+    if (space.access[i] == Access::kNone || space.clearance_m[i] < least) continue;
+    bool at_unseen = false;
+    for (std::size_t side = 0; side < around.size(); side += 2) {
+      at_unseen |= space.known[i + static_cast<std::size_t>(around[side])] == Known::kUnseen;
+    }
+    if (at_unseen) frontier.push_back({i, outward(space, i)});
+  }
+  return frontier;
+}
+
+/// Those within reach of each other, of one access. Marks: 1 + index of each frontier cell.
+std::vector<std::vector<std::size_t>> clusters_of(const DrivableSpace& space,
+                                                  const std::vector<Frontier>& frontier,
+                                                  int reach) {
+  CellField<std::uint32_t> marks(space.known.box());
+  for (std::size_t k = 0; k < frontier.size(); ++k) {
+    marks[frontier[k].cell] = static_cast<std::uint32_t>(k + 1);
+  }
+  std::vector<std::vector<std::size_t>> clusters;
+  for (std::size_t k = 0; k < frontier.size(); ++k) {
+    if (marks[frontier[k].cell] == 0) continue;
+    marks[frontier[k].cell] = 0;
+    std::vector<std::size_t> cluster{k};
+    for (std::size_t n = 0; n < cluster.size(); ++n) {
+      const std::size_t from = frontier[cluster[n]].cell;
+      const Eigen::Vector2i middle = space.known.cell(from);
+      for (int y = -reach; y <= reach; ++y) {
+        for (int x = -reach; x <= reach; ++x) {
+          const Eigen::Vector2i cell = middle + Eigen::Vector2i(x, y);
+          if (!marks.box().contains(cell) || marks[marks.index(cell)] == 0) continue;
+          const std::size_t other = marks[marks.index(cell)] - 1;
+          if (space.access[frontier[other].cell] != space.access[from]) continue;
+          marks[marks.index(cell)] = 0;
+          cluster.push_back(other);
+        }
+      }
+    }
+    clusters.push_back(std::move(cluster));
+  }
+  return clusters;
+}
+
+OpenEnd to_open_end(const DrivableSpace& space, const std::vector<Frontier>& frontier,
+                    const std::vector<std::size_t>& cluster) {
+  OpenEnd end;
+  Eigen::Vector2d mean(0.0, 0.0);
+  Eigen::Vector2d direction(0.0, 0.0);
+  for (const std::size_t k : cluster) {
+    mean += space.middle(frontier[k].cell) / static_cast<double>(cluster.size());
+    direction += frontier[k].outward;
+  }
+  if (direction.norm() > 0.0) end.direction_map = direction.normalized();
+  const Eigen::Vector2d across(-end.direction_map.y(), end.direction_map.x());
+  double nearest = std::numeric_limits<double>::infinity();
+  double low = 0.0;
+  double high = 0.0;
+  for (const std::size_t k : cluster) {
+    const Eigen::Vector2d p = space.middle(frontier[k].cell);
+    low = std::min(low, across.dot(p - mean));
+    high = std::max(high, across.dot(p - mean));
+    if ((p - mean).norm() >= nearest) continue;
+    nearest = (p - mean).norm();
+    end.p_map = p;
+  }
+  end.width_m = high - low + 2.0 * space.radius_m;
+  end.access = space.access[frontier[cluster.front()].cell];
+  return end;
+}
+
+}  // namespace
+
+std::vector<OpenEnd> open_ends(const DrivableSpace& space, double join_m) {
+  const std::vector<Frontier> frontier = frontier_of(space);
+  const int reach = std::max(1, static_cast<int>(join_m / space.resolution_m));
+  std::vector<OpenEnd> ends;
+  for (const auto& cluster : clusters_of(space, frontier, reach)) {
+    ends.push_back(to_open_end(space, frontier, cluster));
+  }
+  return ends;
+}
+
+}  // namespace adit

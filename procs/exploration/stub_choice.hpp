@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/config/bounds.hpp"
+
+namespace adit {
+
+struct StubChoiceParams {
+  int tour_stubs = 9;  ///< of the nearest, between which the order is found; time doubles each
+  double home_weight = 3.0;  ///< of an early return, in mean gains of a stub
+  double switch_gain = 0.2;  ///< share of the way to the target that another has to save
+  double home_factor = 1.5;  ///< on the way home: it may be longer than the map says
+  double reserve_m = 20.0;   ///< that is never spent
+
+  template <class V>
+  void visit(V& v) {
+    v("tour_stubs", tour_stubs, within(1, 14));
+    v("home_weight", home_weight, at_least(0.0));
+    v("switch_gain", switch_gain, within(0.0, 10.0));
+    v("home_factor", home_factor, within(1.0, 10.0));
+    v("reserve_m", reserve_m, at_least(0.0));
+  }
+};
+
+/// A stub as it is weighed.
+struct StubOffer {
+  int stub = 0;
+  double gain_m = 0.0;  ///< new corridor to be expected there
+  double way_m = 0.0;   ///< from here
+  double home_m = 0.0;  ///< from there
+};
+
+/// Whether one can go there, look on for `step_m`, and be home within the budget.
+bool is_within_budget(const StubOffer& offer, double step_m, double remaining_m,
+                      const StubChoiceParams& params);
+
+/// Those between which the order is to be found: the nearest, and the target; by way, then id.
+std::vector<StubOffer> nearest_offers(std::vector<StubOffer> offers, std::optional<int> target,
+                                      const StubChoiceParams& params);
+
+/// For each stub the cost of the best tour that begins with it, calls at all others and ends at
+/// home: every metre of way counts by the gain that is still ahead, so that what is gained early
+/// counts most (front-loaded, after FIG-OP, Peltzer et al. 2022). Exact, by dynamic programming
+/// over subsets (Held and Karp 1962). `between_m(i, j)`: from offer i to offer j.
+std::vector<double> tour_costs(const std::vector<StubOffer>& offers,
+                               const Eigen::MatrixXd& between_m, const StubChoiceParams& params);
+
+/// The first stub of the best tour; the target, unless another tour saves the share of the
+/// parameters. Of equals the nearer, then that with the lower id. Nothing where there are none.
+std::optional<int> choose_stub(const std::vector<StubOffer>& offers,
+                               const Eigen::MatrixXd& between_m, std::optional<int> target,
+                               const StubChoiceParams& params);
+
+}  // namespace adit

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/config/bounds.hpp"
+#include "common/exploration/stub.hpp"
+#include "procs/exploration/known_space.hpp"
+#include "procs/exploration/open_ends.hpp"
+
+namespace adit {
+
+struct StubRegisterParams {
+  double join_m = 0.6;      ///< frontier cells no farther apart are one stub
+  double match_m = 2.0;     ///< from where a stub was to where it is found again
+  double advance_m = 12.0;  ///< by which a stub moves on down its corridor at most, at a time
+  int closings = 3;         ///< by being seen, after which what opens again is a seam of the map
+  int stalls = 4;  ///< local maps that come no nearer to a target, after which it is given up
+
+  template <class V>
+  void visit(V& v) {
+    v("join_m", join_m, within(0.2, 10.0));
+    v("match_m", match_m, within(0.2, 20.0));
+    v("advance_m", advance_m, within(0.0, 100.0));
+    v("closings", closings, at_least(1));
+    v("stalls", stalls, at_least(1));
+  }
+};
+
+/// Every stub that was ever seen, what became of it, and the evidence. A stub is tied to the local
+/// map that saw it, moves with it, and moves on down the corridor as the robot does; where the
+/// corridor divides, one branch inherits it and the others are new. Where the map moves, seams in
+/// it may open again; that is the stub that was there, and not for ever.
+class StubRegister {
+ public:
+  explicit StubRegister(const StubRegisterParams& params) : params_(params) {}
+
+  /// What is open now. `barriers`: by their places in map, what is behind them is blocked; the
+  /// evidence is the text of the nearest.
+  struct BarrierText {
+    Eigen::Vector2d p_map{0.0, 0.0};
+    StubState state = StubState::kBlocked;
+    std::string evidence;
+  };
+  void update(const std::vector<OpenEnd>& ends, const KnownSpace& space,
+              const std::vector<BarrierText>& barriers, std::int64_t utime);
+
+  /// A local map was made while the stub was the target, and so long is the way to it now. What
+  /// comes no nearer and stays where it is, is given up: water, open air, or no way after all.
+  void begin_pursuit(int stub);
+  void pursued(int stub, double way_m, int local_map, std::int64_t utime);
+
+  /// False where there is no such stub, or where it is explored.
+  bool block(int stub, std::string evidence, std::int64_t utime);
+  bool reopen(int stub, std::string evidence, std::int64_t utime);
+  /// Whether an open stub can be reached and left within the budget.
+  void set_within_budget(int stub, bool within, const std::string& evidence, std::int64_t utime);
+
+  /// By id.
+  [[nodiscard]] const std::vector<Stub>& stubs() const { return stubs_; }
+  [[nodiscard]] const Stub* find(int stub) const;
+
+ private:
+  /// What only the register needs to know of a stub.
+  static constexpr double kNever = 1e9;
+  struct Hold {
+    Eigen::Vector2d p_local{0.0, 0.0};  ///< in the frame of the local map that it is tied to
+    Eigen::Vector2d direction_local{1.0, 0.0};
+    bool final = false;  ///< blocked or unseeable, whatever can be reached
+    int stalls = 0;
+    double least_way_m = kNever;       ///< to it, in this pursuit
+    Eigen::Vector2d p_then{0.0, 0.0};  ///< where it was then, p_map
+    int closings = 0;
+  };
+  struct Pair {
+    double distance_m;
+    std::size_t stub;
+    std::size_t end;
+  };
+
+  void move_with_the_graph(const KnownSpace& space);
+  /// Which stubs may be found, and where.
+  enum class Search {
+    kHere,      ///< those that are not explored, near where they were
+    kOnward,    ///< the same, down their corridors
+    kReopened,  ///< explored ones, near where they were
+  };
+  [[nodiscard]] bool may_be(std::size_t stub, const OpenEnd& end, Search search) const;
+  void match(const std::vector<OpenEnd>& ends, const KnownSpace& space, Search search,
+             std::vector<bool>& found, std::vector<bool>& taken);
+  void close(std::size_t stub, std::optional<int> local_map, std::int64_t utime);
+  void place(std::size_t stub, const OpenEnd& end, const KnownSpace& space);
+  void judge(std::size_t stub, Access access, const std::vector<BarrierText>& barriers,
+             std::int64_t utime);
+
+  StubRegisterParams params_;
+  std::vector<Stub> stubs_;
+  std::vector<Hold> holds_;  ///< by id
+};
+
+}  // namespace adit

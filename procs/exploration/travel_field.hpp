@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "procs/exploration/drivable_space.hpp"
+
+namespace adit {
+
+/// The ways from one place to all that can be reached: Dijkstra's search over cells, eight
+/// neighbours, which prefers where the body has been already, and not to graze walls.
+class TravelField {
+ public:
+  /// Only as far as needed to reach these places, where any are given.
+  TravelField(const DrivableSpace& space, const Eigen::Vector2d& p_map_from,
+              const std::vector<Eigen::Vector2d>& only_to = {});
+
+  /// Length of the way [m]; nothing where there is none.
+  [[nodiscard]] std::optional<double> distance_m(const Eigen::Vector2d& p_map) const;
+  /// Places from there to here, both ends included, a cell apart; empty where there is no way.
+  [[nodiscard]] std::vector<Eigen::Vector2d> way_from(const Eigen::Vector2d& p_map) const;
+
+ private:
+  static constexpr std::uint8_t kNoStep = 255;
+
+  [[nodiscard]] std::optional<std::size_t> reached(const Eigen::Vector2d& p_map) const;
+  void search(const DrivableSpace& space, std::size_t from,
+              const std::vector<Eigen::Vector2d>& only_to);
+
+  double resolution_m_;
+  CellField<float> length_m_;
+  CellField<std::uint8_t> back_;  ///< which neighbour it was reached from
+};
+
+}  // namespace adit

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// exploration_table MINES..: explores simulated mines without physics by several rules, as a table
+// in Markdown. A mine is a name, or random:SEED.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "common/config/config.hpp"
+#include "procs/exploration/exploration.hpp"
+#include "procs/exploration/exploration_picture.hpp"
+#include "sim/world/build_world.hpp"
+#include "sim/world/random_mine.hpp"
+#include "sim/world/world_file.hpp"
+#include "tests/eval/benchmarks.hpp"
+#include "tests/support/exploring_robot.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kBudgetBaseM = 100.0;  // however small the mine
+
+struct Options {
+  std::vector<std::string> mines;
+  std::vector<std::string> rules{"ours", "nearest", "right_hand", "random"};
+  double budget_factor = 2.5;
+  double bend_m = 0.0;
+  std::filesystem::path config;   // section `exploration`; empty: defaults
+  std::filesystem::path picture;  // of the last mine and rule; empty: none
+};
+
+int nearest(const std::vector<StubOffer>& offers) {
+  return std::min_element(offers.begin(), offers.end(),
+                          [](const StubOffer& a, const StubOffer& b) { return a.way_m < b.way_m; })
+      ->stub;
+}
+
+/// The rightmost of those nearby, seen from the robot; where there is none, the nearest of all.
+int rightmost(const Exploration& exploration, const ExplorationState& state,
+              const std::vector<StubOffer>& offers) {
+  constexpr double kNearM = 15.0;
+  int best = nearest(offers);
+  double least = 1e9;
+  for (const StubOffer& offer : offers) {
+    if (offer.way_m > kNearM) continue;
+    const Eigen::Vector2d p = state.T_map_body.inverse() *
+                              exploration.stubs()[static_cast<std::size_t>(offer.stub)].p_map;
+    const double bearing = std::atan2(p.y(), p.x());  // from behind by the right to the left
+    if (bearing >= least) continue;
+    least = bearing;
+    best = offer.stub;
+  }
+  return best;
+}
+
+/// Keeps to what was chosen while it is there, against pacing back and forth.
+std::optional<int> kept(int target, const std::vector<StubOffer>& offers) {
+  for (const StubOffer& offer : offers) {
+    if (offer.stub == target) return target;
+  }
+  return std::nullopt;
+}
+
+/// A sequence of numbers that is the same each time.
+class Chance {
+ public:
+  std::size_t below(std::size_t n) {
+    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (state_ >> 33U) % n;
+  }
+
+ private:
+  std::uint64_t state_ = 42;
+};
+
+void set_rule(const std::string& rule, Exploration& exploration) {
+  if (rule == "ours") return;
+  exploration.use_rule([rule, &exploration, chance = Chance()](
+                           const ExplorationState& state,
+                           const std::vector<StubOffer>& offers) mutable -> std::optional<int> {
+    if (offers.empty()) return std::nullopt;
+    if (rule == "nearest") return nearest(offers);
+    const auto target = kept(exploration.report().decision.stub, offers);
+    if (target) return target;
+    if (rule == "right_hand") return rightmost(exploration, state, offers);
+    return offers[chance.below(offers.size())].stub;
+  });
+}
+
+World world_of(const std::string& mine) {
+  const std::string prefix = "random:";
+  if (!mine.starts_with(prefix)) return build_world(find_world(mine));
+  return build_world(random_mine(std::stoi(mine.substr(prefix.size()))));
+}
+
+void print_row(const std::string& mine, const std::string& rule, double corridor_m, double budget_m,
+               const test::ExplorationRun& run) {
+  std::cout
+      << format(
+             "| %s | %.0f | %.0f | %s | %.1f | %.1f | %.1f | %.1f | %s | %.0f | %.0f | %.2f | %s ",
+             mine.c_str(), corridor_m, budget_m, rule.c_str(), 100 * run.seen_share[0],
+             100 * run.seen_share[1], 100 * run.seen_share[2], 100 * run.seen_share[3],
+             run.home ? "yes" : "no", run.missed_m, run.travelled_m,
+             run.travelled_m / std::max(1.0, corridor_m * run.seen_share[3]),
+             run.complete ? "yes" : "no")
+      << format("| %d | %d | %d | %d | %.0f |\n", run.stubs, run.blocked, run.wrong_blocked,
+                run.turns, 1e3 * run.longest_decision_s)
+      << std::flush;
+}
+
+void print_table(const Options& options) {
+  std::cout << "| mine | corridor (m) | budget (m) | rule | seen at 25 % | 50 % | 75 % | 100 % "
+               "| home | missed (m) | way (m) | way per corridor | complete | stubs | blocked | "
+               "wrongly | turns "
+               "| longest decision (ms) |\n"
+               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  ExplorationParams params;
+  if (!options.config.empty()) {
+    params = load_section<ExplorationParams>(ConfigFile::load(options.config), "exploration");
+  }
+  for (const std::string& mine : options.mines) {
+    const test::LightMine light = test::light_mine(world_of(mine));
+    const double budget_m = options.budget_factor * light.corridor_m() + kBudgetBaseM;
+    for (const std::string& rule : options.rules) {
+      Exploration exploration(params);
+      set_rule(rule, exploration);
+      const auto run = test::run_exploration(light, exploration, budget_m, options.bend_m);
+      print_row(mine, rule, light.corridor_m(), budget_m, run);
+      if (options.picture.empty()) continue;
+      write_exploration_png(exploration_picture(mine, exploration, run.way_map), options.picture);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace adit
+
+int main(int argc, char** argv) try {
+  CLI::App app("Explores simulated mines without physics, as a table in Markdown");
+  adit::Options options;
+  app.add_option("MINES", options.mines, "Worlds by name, or random:SEED")->required();
+  app.add_option("--rules", options.rules, "ours, nearest, right_hand, random");
+  app.add_option("--budget", options.budget_factor, "Way per metre of corridor that is reachable");
+  app.add_option("--bend", options.bend_m, "By which the map is wrong [m]");
+  app.add_option("--config", options.config, "YAML file with a section exploration");
+  app.add_option("--picture", options.picture, "PNG of the last mine and rule");
+  CLI11_PARSE(app, argc, argv);
+  adit::print_table(options);
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "exploration_table: " << error.what() << "\n";
+  return 2;
+}

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/exploration/exploration.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "sim/world/random_mine.hpp"
+#include "tests/support/exploring_robot.hpp"
+#include "tests/unit/procs/exploration/mines.hpp"
+
+namespace adit {
+namespace {
+
+using Kind = ExplorationDecision::Kind;
+constexpr double kPlenty = 2000.0;
+
+/// A robot, and an exploration that knows what it saw.
+class Explorer {
+ public:
+  explicit Explorer(const test::LightMine& mine, const ExplorationParams& params = {},
+                    double bend_m = 0.0)
+      : exploration(params), robot(mine, bend_m) {
+    take_map();
+  }
+
+  void take_map() {
+    EXPECT_TRUE(exploration.add(robot.last_map()));
+    EXPECT_TRUE(exploration.update(robot.graph()));
+  }
+  const ExplorationDecision& decide(double remaining_m = kPlenty) {
+    return exploration.decide({robot.utime(), robot.T_map_body(), remaining_m, 0.0});
+  }
+  /// On along the route of the last decision.
+  void go(double distance_m) {
+    robot.go(exploration.route(), distance_m);
+    take_map();
+  }
+  [[nodiscard]] std::vector<Stub> stubs(StubState state) const {
+    std::vector<Stub> found;
+    for (const Stub& stub : exploration.stubs()) {
+      if (stub.state == state) found.push_back(stub);
+    }
+    return found;
+  }
+
+  Exploration exploration;
+  test::ExploringRobot robot;
+};
+
+TEST(Exploration, StaysWhileThereIsNoMap) {
+  Exploration exploration{ExplorationParams{}};
+  const ExplorationDecision decision = exploration.decide({1, {}, kPlenty, 0.0});
+  EXPECT_EQ(decision.kind, Kind::kStay);
+  EXPECT_EQ(decision.reason, "there is no map yet");
+}
+
+TEST(Exploration, BeginsStraightAheadAndCallsWhatIsBehindTheWayOut) {
+  const auto mine = drift_mine(straight());
+  Explorer explorer(mine);
+  const ExplorationDecision decision = explorer.decide();
+  EXPECT_EQ(decision.kind, Kind::kAlong);
+  EXPECT_GT(decision.T_map_goal.x, 5.0);  // it sees 8 m
+  EXPECT_NEAR(decision.T_map_goal.theta, 0.0, 0.4);
+  const auto open = explorer.stubs(StubState::kOpen);
+  ASSERT_EQ(open.size(), 1U);
+  EXPECT_NEAR(open[0].width_m, 3.0, 0.7);  // rough walls, and the frontier is an arc
+  EXPECT_FALSE(explorer.stubs(StubState::kWayOut).empty());
+}
+
+TEST(Exploration, SeesTheArmsOfAJunctionAsStubs) {
+  const auto mine = drift_mine(junction());
+  Explorer explorer(mine);
+  for (int i = 0; i < 4; ++i) {  // 20 m, to the junction
+    explorer.decide();
+    explorer.go(5.0);
+  }
+  const auto open = explorer.stubs(StubState::kOpen);
+  ASSERT_EQ(open.size(), 2U);
+  EXPECT_LT(open[0].direction_map.y() * open[1].direction_map.y(), 0.0);
+  EXPECT_LT(open[0].p_map.y() * open[1].p_map.y(), 0.0);
+}
+
+TEST(Exploration, ExploresEveryKindOfMineToItsEndAndComesHome) {
+  for (const auto& drifts : {straight(), junction(), crossroads(), ring(), rooms_and_pillars()}) {
+    Exploration exploration{ExplorationParams{}};
+    const auto mine = drift_mine(drifts);
+    const auto run = test::run_exploration(mine, exploration, kPlenty);
+    EXPECT_TRUE(run.complete);
+    EXPECT_TRUE(run.home) << run.home_off_m;
+    EXPECT_EQ(run.missed_m, 0.0);
+    EXPECT_EQ(run.wrong_blocked, 0);
+    for (const Stub& stub : exploration.stubs()) EXPECT_FALSE(stub.evidence.empty());
+  }
+}
+
+TEST(Exploration, IsNeverLateAtHome) {
+  for (int seed = 1; seed <= 6; ++seed) {
+    const auto mine = test::light_mine(build_world(random_mine(seed)));
+    for (const double budget_m : {60.0, 120.0, 200.0}) {
+      Exploration exploration{ExplorationParams{}};
+      const auto run = test::run_exploration(mine, exploration, budget_m);
+      EXPECT_TRUE(run.home) << seed << ", " << budget_m << ": " << run.home_off_m;
+      EXPECT_LE(run.travelled_m, budget_m);
+    }
+  }
+}
+
+TEST(Exploration, SaysWhyItIsNotComplete) {
+  const auto mine = drift_mine(straight());
+  Explorer explorer(mine);
+  const ExplorationDecision decision = explorer.decide(30.0);
+  EXPECT_EQ(decision.kind, Kind::kDone);  // it has not left home
+  EXPECT_FALSE(decision.complete);
+  ASSERT_EQ(explorer.stubs(StubState::kBeyondBudget).size(), 1U);
+  const auto reasons = explorer.exploration.reasons_why_not_complete();
+  ASSERT_EQ(reasons.size(), 1U);
+  EXPECT_NE(reasons[0].find("beyond the budget"), std::string::npos) << reasons[0];
+  EXPECT_EQ(explorer.decide(kPlenty).kind, Kind::kAlong);  // with more, it is open again
+}
+
+TEST(Exploration, KeepsTheIdentityOfAStubWhileTheGraphMoves) {
+  const auto mine = drift_mine(crossroads());
+  Explorer explorer(mine, {}, 0.3);
+  for (int i = 0; i < 4; ++i) {
+    explorer.decide();
+    explorer.go(5.0);
+  }
+  const auto before = explorer.stubs(StubState::kOpen);
+  MapGraph moved = explorer.robot.graph();
+  const Pose2 T{7.0, -3.0, 0.4};
+  for (Pose2& pose : moved.poses) pose = T * pose;
+  EXPECT_TRUE(explorer.exploration.update(moved));
+  const auto after = explorer.stubs(StubState::kOpen);
+  ASSERT_EQ(before.size(), 3U);
+  ASSERT_EQ(after.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(after[i].id, before[i].id);
+    // Cells are cut anew, so that the middle of a frontier moves by a few of them.
+    EXPECT_LT((after[i].p_map - T * before[i].p_map).norm(), 0.8);
+  }
+}
+
+TEST(Exploration, FollowsAStubDownItsCorridor) {
+  const auto mine = drift_mine(straight());
+  Explorer explorer(mine);
+  const int first = explorer.decide().stub;
+  for (int i = 0; i < 4; ++i) {
+    explorer.go(5.0);
+    EXPECT_EQ(explorer.decide().stub, first);
+  }
+}
+
+TEST(Exploration, DoesNotChooseABlockedStubAgainNorWhatLiesBehind) {
+  const auto mine = drift_mine(crossroads());
+  Explorer explorer(mine);
+  for (int i = 0; i < 4; ++i) {
+    explorer.decide();
+    explorer.go(5.0);
+  }
+  const int blocked = explorer.decide().stub;
+  EXPECT_TRUE(
+      explorer.exploration.report_blocked(blocked, {explorer.robot.utime(), 1.0, "a beam"}));
+  for (int i = 0; i < 12; ++i) {
+    EXPECT_NE(explorer.decide().stub, blocked);
+    explorer.go(5.0);
+  }
+  const Stub& stub = explorer.exploration.stubs()[static_cast<std::size_t>(blocked)];
+  EXPECT_EQ(stub.state, StubState::kBlocked);
+  EXPECT_EQ(stub.evidence, "a beam");
+  EXPECT_FALSE(explorer.exploration.report_blocked(999, {}));
+}
+
+TEST(Exploration, GoesToABlockedStubThatAPersonReopens) {
+  const auto mine = drift_mine(straight());
+  Explorer explorer(mine);
+  const int stub = explorer.decide().stub;
+  EXPECT_TRUE(explorer.exploration.report_blocked(stub, {1, 1.0, "a beam"}));
+  EXPECT_EQ(explorer.decide().kind, Kind::kDone);
+  EXPECT_TRUE(explorer.decide().complete);
+  EXPECT_TRUE(explorer.exploration.reopen(stub, 2));
+  EXPECT_EQ(explorer.decide().stub, stub);
+  EXPECT_FALSE(explorer.exploration.reopen(stub, 2));  // it is not closed
+}
+
+TEST(Exploration, TurnsRoundAtTheEndOfTheCorridorInTheModeOfThePaper) {
+  ExplorationParams params;
+  params.mode = "corridor";
+  Exploration exploration(params);
+  const auto mine = drift_mine(crossroads());
+  const auto run = test::run_exploration(mine, exploration, kPlenty);
+  EXPECT_TRUE(run.home);
+  EXPECT_FALSE(run.complete);        // the arms to both sides stay open
+  EXPECT_GT(run.travelled_m, 60.0);  // 42 m in, less what it sees ahead, and back
+  EXPECT_LT(run.travelled_m, 90.0);
+}
+
+TEST(Exploration, DecidesTheSameEachTime) {
+  const auto mine = drift_mine(rooms_and_pillars());
+  std::vector<ExplorationReport> reports;
+  for (int i = 0; i < 2; ++i) {
+    Exploration exploration{ExplorationParams{}};
+    test::run_exploration(mine, exploration, 300.0, 0.1);
+    reports.push_back(exploration.report());
+  }
+  EXPECT_EQ(reports[0], reports[1]);
+}
+
+TEST(Exploration, DoesNotPaceAtCrossings) {
+  Exploration exploration{ExplorationParams{}};
+  const auto mine = drift_mine(rooms_and_pillars());
+  const auto run = test::run_exploration(mine, exploration, kPlenty, 0.1);
+  EXPECT_TRUE(run.complete);
+  EXPECT_LE(run.turns, 6);
+  EXPECT_LT(run.travelled_m, 2.0 * mine.corridor_m());
+}
+
+TEST(Exploration, LeavesOutMalformedLocalMaps) {
+  const auto mine = drift_mine(straight());
+  const test::ExploringRobot robot(mine);
+  Exploration exploration{ExplorationParams{}};
+  LocalMap map = robot.last_map();
+  EXPECT_FALSE(exploration.add(LocalMap{}));
+  map.id = -1;
+  EXPECT_FALSE(exploration.add(map));
+  map = robot.last_map();
+  map.scans[0].T_local_body.x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(exploration.add(map));
+  map.scans[0].T_local_body.x = 1e9;
+  EXPECT_FALSE(exploration.add(map));
+  map = robot.last_map();
+  for (float& range : map.scans[0].scan.ranges_m) range = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_TRUE(exploration.add(map));  // half of what it saw is gone
+  MapGraph graph = robot.graph();
+  graph.poses[0].theta = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(exploration.update(graph));
+}
+
+}  // namespace
+}  // namespace adit

@@ -51,8 +51,6 @@ function(adit_lcm_library name)
   add_dependencies(adit_${name} adit_${name}_headers)
   target_include_directories(adit_${name} SYSTEM INTERFACE ${include})
   target_link_libraries(adit_${name} INTERFACE adit_settings adit::lcm)
-  # LCM's inline code reads a float through an int32_t pointer.
-  target_compile_options(adit_${name} INTERFACE -fno-strict-aliasing)
 endfunction()
 
 function(adit_lcm_jar name)

@@ -85,14 +85,11 @@ double roughness_of(const TerrainCell& cell, std::optional<Reason> reason, bool 
   return reason ? 1.0 : share_of_limits(cell, vehicle, limits);
 }
 
-void add_repellent(GroundLayers& layers, const GroundLimits& limits) {
-  for (std::size_t i = 0; i < layers.roughness.size(); ++i) {
-    const double near = 1.0 - layers.wheel_distance_m[i] / limits.repellent_range_m;
-    if (near <= 0.0) continue;
-    const double more = near * limits.repellent_roughness * kWhole;
-    layers.roughness[i] =
-        static_cast<std::uint8_t>(std::lround(std::min(layers.roughness[i] + more, kWhole)));
-  }
+/// What stands beside a cell, by the kernel of the terrain map (the paper's section 3.1).
+double repelled(const TerrainCell& cell, const Vehicle& vehicle, const GroundLimits& limits) {
+  const double step_m = vehicle.step_max_m - limits.step_margin_m;
+  return limits.repulsion_roughness *
+         std::clamp(std::fmax(cell.repulsion_m, 0.0) / step_m, 0.0, 1.0);
 }
 
 }  // namespace
@@ -142,15 +139,15 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
       const bool below = footprint.contains(T_body_level * p_level);
       const bool blind = reason == Reason::kUnknown && blind_ground.contains(p_level);
       if (!below && !blind) classify(layers, i, reason);
-      layers.roughness[i] = static_cast<std::uint8_t>(
-          std::lround(kWhole * roughness_of(cell, reason, below || blind, vehicle, limits)));
+      const double rough = roughness_of(cell, reason, below || blind, vehicle, limits) +
+                           repelled(cell, vehicle, limits);
+      layers.roughness[i] = static_cast<std::uint8_t>(std::lround(kWhole * std::min(rough, 1.0)));
     }
   }
   widen(layers.under_wheels, terrain, is_drop, 1, 3);
   widen(layers.unseen, terrain, is_shadow, 0, 2);
   layers.body_distance_m = distance_transform(layers.under_body, layers.columns, layers.cell_m);
   layers.wheel_distance_m = distance_transform(layers.under_wheels, layers.columns, layers.cell_m);
-  add_repellent(layers, limits);
   return layers;
 }
 

@@ -16,8 +16,7 @@ struct GroundLimits {
   double blind_beside_m = 0.4;       ///< the robot, unseen: its tail swings by 0.3 m at most
   double blind_ahead_m = 1.2;        ///< likewise before an end of it
   double blind_margin_m = 0.8;       ///< to either side of that, beyond its width
-  double repellent_range_m = 0.5;    ///< from what is lethal, within which ground costs more
-  double repellent_roughness = 0.4;  ///< beside what is lethal
+  double repulsion_roughness = 0.4;  ///< of even ground that repels as a step at the limit does
 
   template <class V>
   void visit(V& v) {
@@ -29,8 +28,7 @@ struct GroundLimits {
     v("blind_beside_m", blind_beside_m, at_least(0.0));
     v("blind_ahead_m", blind_ahead_m, at_least(0.0));
     v("blind_margin_m", blind_margin_m, at_least(0.0));
-    v("repellent_range_m", repellent_range_m, above(0.0));
-    v("repellent_roughness", repellent_roughness, within(0.0, 1.0));
+    v("repulsion_roughness", repulsion_roughness, within(0.0, 1.0));
   }
 };
 

@@ -22,13 +22,14 @@ double axle_behind(const Vehicle& vehicle) {
   return vehicle.steering == "ackermann" ? vehicle.wheelbase_m / 2.0 : 0.0;
 }
 
-double axle_radius(const Vehicle& vehicle) {
+double axle_radius(const Vehicle& vehicle, double reserve) {
   const double axle = axle_behind(vehicle);
+  const double radius = vehicle.turning_radius_m * (1.0 + reserve);
   if (vehicle.turning_radius_m <= axle) {
     throw std::invalid_argument(
         "the turning radius is at most half the wheelbase, which Ackermann steering cannot do");
   }
-  return std::sqrt(vehicle.turning_radius_m * vehicle.turning_radius_m - axle * axle);
+  return std::sqrt(radius * radius - axle * axle);
 }
 
 double chebyshev(const SweptPose& a, const SweptPose& b) {
@@ -60,7 +61,7 @@ MotionPrimitives::MotionPrimitives(const Vehicle& vehicle, const PrimitiveParams
       cell_m_(cell_m),
       vehicle_(vehicle),
       axle_m_(axle_behind(vehicle)),
-      radius_min_m_(axle_radius(vehicle)),
+      radius_min_m_(axle_radius(vehicle, params.radius_reserve)),
       from_(static_cast<std::size_t>(headings.count())) {
   const int eighth = headings_.count() / 8;
   const std::set<int> turns{1, std::max(1, eighth / 2), eighth};

@@ -42,12 +42,16 @@ struct PrimitiveParams {
   double step_m = 0.3;          ///< of driving straight on, at least
   double turn_factor = 1.05;    ///< a way round a bend costs this many times a straight one
   double reverse_factor = 2.0;  ///< likewise in reverse
+  /// By which bends are wider than the vehicle can do, so that driving can make up for an error to
+  /// the outside.
+  double radius_reserve = 0.1;
 
   template <class V>
   void visit(V& v) {
     v("step_m", step_m, above_up_to(0.0, 2.0));
     v("turn_factor", turn_factor, within(1.0, 10.0));
     v("reverse_factor", reverse_factor, within(1.0, 100.0));
+    v("radius_reserve", radius_reserve, within(0.0, 1.0));
   }
 };
 

@@ -11,7 +11,7 @@ namespace adit {
 namespace {
 
 /// In YAML's double quotes, which take any byte.
-std::string quoted(const std::string& text) {
+std::string between_quotes(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') {
@@ -52,12 +52,13 @@ void ConfigWriter::operator()(std::string_view key, const double& value, const B
 }
 
 void ConfigWriter::operator()(std::string_view key, const std::string& value) {
-  line(key, quoted(value), {});
+  line(key, between_quotes(value), {});
 }
 
 void ConfigWriter::operator()(std::string_view key, const std::string& value,
                               const OneOf& allowed) {
-  text_ += indent() + std::string(key) + ": " + quoted(value) + "  # " + allowed.text() + "\n";
+  text_ +=
+      indent() + std::string(key) + ": " + between_quotes(value) + "  # " + allowed.text() + "\n";
 }
 
 void ConfigWriter::operator()(std::string_view key, const std::vector<double>& values,

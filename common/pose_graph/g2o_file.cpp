@@ -49,7 +49,7 @@ std::string contents(const std::filesystem::path& path) {
   return text;
 }
 
-std::string quoted(std::string_view word) {
+std::string between_quotes(std::string_view word) {
   std::string text("'");
   text += word;
   return text += '\'';
@@ -81,14 +81,14 @@ class Words {
     Number value{};
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc{} || end != digits.data() + digits.size() || !is_finite(value)) {
-      fail(quoted(word) + " is no " + what);
+      fail(between_quotes(word) + " is no " + what);
     }
     return value;
   }
 
   void expect_end() {
     const std::string_view word = next();
-    if (!word.empty()) fail(quoted(word) + " behind the last number");
+    if (!word.empty()) fail(between_quotes(word) + " behind the last number");
   }
 
  private:
@@ -130,7 +130,7 @@ class Parser {
     } else if (tag == "FIX") {
       fixed_.emplace_back(words.number<long>("id"), number);
     } else {
-      words.fail("unknown tag " + quoted(tag));
+      words.fail("unknown tag " + between_quotes(tag));
     }
     words.expect_end();
   }

@@ -13,7 +13,7 @@ namespace adit {
 namespace {
 
 /// Step by step: GCC 12 warns of a sum of texts here, wrongly (its bug 105651).
-std::string quoted(std::string_view text, char quote) {
+std::string between_quotes(std::string_view text, char quote) {
   std::string result(1, quote);
   result += text;
   result += quote;
@@ -23,15 +23,15 @@ std::string quoted(std::string_view text, char quote) {
 std::string described(const ListToken& token) {
   using Kind = ListToken::Kind;
   if (token.kind == Kind::kEndOfFile) return "the end of the file";
-  if (token.kind == Kind::kString) return quoted(token.text, '"');
-  return quoted(token.text, '\'');
+  if (token.kind == Kind::kString) return between_quotes(token.text, '"');
+  return between_quotes(token.text, '\'');
 }
 
 std::string listed(std::initializer_list<std::string_view> texts, bool in_quotes) {
   std::string text;
   for (const std::string_view* one = texts.begin(); one != texts.end(); ++one) {
     if (one != texts.begin()) text += one + 1 == texts.end() ? " or " : ", ";
-    text += in_quotes ? quoted(*one, '"') : std::string(*one);
+    text += in_quotes ? between_quotes(*one, '"') : std::string(*one);
   }
   return text;
 }

@@ -12,7 +12,7 @@ namespace {
 
 using ActionKind = ScriptAction::Kind;
 
-std::string quoted(std::string_view text) {
+std::string between_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '\n') {
@@ -30,12 +30,12 @@ std::string quoted(std::string_view text) {
 /// In quotes where it has an exponent, which bare numbers have not.
 std::string number(double value) {
   const std::string text = number_text(value);
-  return text.find('e') == std::string::npos ? text : quoted(text);
+  return text.find('e') == std::string::npos ? text : between_quotes(text);
 }
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + quoted(name);
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + between_quotes(name);
   return text;
 }
 
@@ -46,9 +46,9 @@ class CommandWriter {
 
   void write(const ListedCommand& command) {
     const ListedCommand none;
-    out_ << indent_ << "cmd " << quoted(command.id) << " {\n";
-    attribute("exec", quoted(command.exec), true);
-    attribute("deputy", quoted(command.deputy), command.deputy != none.deputy);
+    out_ << indent_ << "cmd " << between_quotes(command.id) << " {\n";
+    attribute("exec", between_quotes(command.exec), true);
+    attribute("deputy", between_quotes(command.deputy), command.deputy != none.deputy);
     attribute("auto_respawn", "\"true\"", command.auto_respawn);
     attribute("stop_signal", std::to_string(command.stop_signal),
               command.stop_signal != none.stop_signal);
@@ -64,7 +64,7 @@ class CommandWriter {
     attribute("restart_limit", std::to_string(command.restart_limit.value_or(0)),
               command.restart_limit.has_value());
     const AliveSign alive = command.alive.value_or(AliveSign{});
-    attribute("alive_channel", quoted(alive.channel), command.alive.has_value());
+    attribute("alive_channel", between_quotes(alive.channel), command.alive.has_value());
     attribute("alive_rate_hz", number(alive.rate_hz), command.alive.has_value());
     attribute("start_timeout_s", number(command.start_timeout_s),
               command.start_timeout_s != ListedCommand{}.start_timeout_s);
@@ -89,7 +89,7 @@ void write_command(std::ostream& out, const ListedCommand& command) {
   const std::vector<std::string> levels = levels_of(command.group);
   std::string indent;
   for (const std::string& level : levels) {
-    out << indent << "group " << quoted(level) << " {\n";
+    out << indent << "group " << between_quotes(level) << " {\n";
     indent += "  ";
   }
   CommandWriter(out, indent).write(command);
@@ -100,12 +100,14 @@ void write_command(std::ostream& out, const ListedCommand& command) {
 
 std::string target_text(const ScriptTarget& target) {
   if (target.kind == ScriptTarget::Kind::kEverything) return "everything";
-  return (target.kind == ScriptTarget::Kind::kGroup ? "group " : "cmd ") + quoted(target.name);
+  return (target.kind == ScriptTarget::Kind::kGroup ? "group " : "cmd ") +
+         between_quotes(target.name);
 }
 
 std::string status_text(const ScriptAction& action) {
   const std::string status = action.awaited == AwaitedStatus::kRunning ? "running" : "stopped";
-  return quoted(status) + (action.timeout_s ? " timeout_s " + number(*action.timeout_s) : "");
+  return between_quotes(status) +
+         (action.timeout_s ? " timeout_s " + number(*action.timeout_s) : "");
 }
 
 std::string change_text(std::string_view verb, const ScriptAction& action) {
@@ -127,7 +129,7 @@ std::string action_text(const ScriptAction& action) {
     case ActionKind::kWaitStatus:
       return "wait " + target_text(action.target) + " status " + status_text(action);
     case ActionKind::kRunScript:
-      return "run_script " + quoted(action.script);
+      return "run_script " + between_quotes(action.script);
   }
   return {};
 }
@@ -138,7 +140,7 @@ std::string to_text(const ProcessList& list) {
   std::ostringstream out;
   for (const ListedCommand& command : list.commands) write_command(out, command);
   for (const ProcessScript& script : list.scripts) {
-    out << "script " << quoted(script.name) << " {\n";
+    out << "script " << between_quotes(script.name) << " {\n";
     for (const ScriptAction& action : script.actions) out << "  " << action_text(action) << ";\n";
     out << "}\n";
   }

@@ -73,13 +73,13 @@ void Driving::add_match(std::int64_t utime, ScanMatch::Status status) {
 DriveOutput Driving::drive(std::int64_t utime) {
   const double seconds = seconds_to(utime);
   trust_or_wait(utime);
-  if (state_.kind == Kind::kDriving) locate(utime);
-  if (state_.kind == Kind::kDriving) {
+  if (is_under_way()) locate(utime);
+  if (is_under_way()) {
     move(seconds);
   } else {
     ramp_.stand(seconds);
   }
-  filter_.set_motion(ramp_.speed_m_s(), ramp_.curvature_1_m());
+  filter_.set_motion(vehicle_.speed_m_s(utime, ramp_.speed_m_s()), ramp_.curvature_1_m());
   return {{utime, ramp_.speed_m_s(), steered_.curvature_of_origin(ramp_.curvature_1_m())}, state_};
 }
 
@@ -93,8 +93,14 @@ double Driving::seconds_to(std::int64_t utime) {
 void Driving::trust_or_wait(std::int64_t utime) {
   if (state_.kind != Kind::kDriving && state_.kind != Kind::kWaiting) return;
   const auto doubt = trust_.doubt(utime, filter_.utime());
-  state_.kind = doubt ? Kind::kWaiting : Kind::kDriving;
-  state_.reason = doubt.value_or("");
+  held_ = doubt ? std::nullopt : vehicle_.hold(utime);
+  state_.kind = doubt || held_ ? Kind::kWaiting : Kind::kDriving;
+  state_.reason = doubt.value_or(held_.value_or(""));
+}
+
+/// Held, it knows where it is and is to go on.
+bool Driving::is_under_way() const {
+  return state_.kind == Kind::kDriving || (state_.kind == Kind::kWaiting && held_);
 }
 
 void Driving::locate(std::int64_t utime) {
@@ -132,8 +138,15 @@ double Driving::curvature_to(const Pose2& T_odom_steered) const {
 void Driving::move(double seconds) {
   if (progress_->run_remaining_m() <= params_.arrival_m) return end_run(seconds);
   const double most = steered_.curvature_max_1_m();
-  const double speed = progress_->run().direction() * profile_->at(progress_->s_m());
-  ramp_.drive(speed, std::clamp(wanted_1_m_, -most, most), seconds);
+  ramp_.drive(speed_here(), std::clamp(wanted_1_m_, -most, most), seconds);
+}
+
+/// While it is held no more than creeping is asked for: it would be let go into a speed that the
+/// vehicle does not have, and be refused what it can well do slowly.
+double Driving::speed_here() const {
+  const double planned = profile_->at(progress_->s_m());
+  const double fastest = held_ ? std::min(planned, params_.speed.creep_m_s) : planned;
+  return progress_->run().direction() * fastest;
 }
 
 void Driving::end_run(double seconds) {

@@ -23,7 +23,7 @@ struct DrivingState {
     kDriving = 1,  ///< on its way
     kWaiting = 2,  ///< stands until it knows again where it is, or is let go
     kArrived = 3,  ///< stands at the end of the path
-    kFailed = 4,   ///< stands beside the path and needs a new one
+    kFailed = 4,   ///< stands beside the path, or cannot go on, and needs a new one
   };
 
   std::int64_t utime = 0;    ///< [µs since the epoch]

@@ -39,6 +39,7 @@ Driving::Driving(const DrivingParams& params)
       steered_(params.vehicle),
       filter_(params.smoothing_s),
       trust_(params.trust),
+      hold_limit_(params.held_max_s),
       ramp_(params.speed.acceleration_m_s2, params.steering.rate_1_m_s) {
   state_.reason = "no path has come yet";
 }
@@ -53,6 +54,7 @@ void Driving::follow(const PlannedPath& path) {
   std::vector<PathRun> runs = runs_of(path.points, steered_);
   for (PathRun& run : runs) run = blended(run, params_.steering.blend_m);
   progress_.emplace(std::move(runs));
+  hold_limit_.begin_anew();
   state_.remaining_m = progress_->remaining_m();
   begin_run();
 }
@@ -78,6 +80,7 @@ DriveOutput Driving::drive(std::int64_t utime) {
     move(seconds);
   } else {
     ramp_.stand(seconds);
+    hold_limit_.begin_anew();
   }
   filter_.set_motion(vehicle_.speed_m_s(utime, ramp_.speed_m_s()), ramp_.curvature_1_m());
   return {{utime, ramp_.speed_m_s(), steered_.curvature_of_origin(ramp_.curvature_1_m())}, state_};
@@ -111,12 +114,19 @@ void Driving::locate(std::int64_t utime) {
   state_.remaining_m = progress_->remaining_m();
   state_.error = progress_->error(T_odom_steered);
   wanted_1_m_ = curvature_to(T_odom_steered);
+  judge(utime, T_odom_steered);
+}
+
+void Driving::judge(std::int64_t utime, const Pose2& T_odom_steered) {
+  hold_limit_.go_on(utime, state_.progress_m, held_.has_value());
   const double distance_m = progress_->distance_m(T_odom_steered);
   if (distance_m > params_.distance_max_m) {
     fail(text_of("it is %.2f m off the path", distance_m));
   } else if (std::abs(state_.error.heading_rad) > params_.heading_max_rad) {
     fail(text_of("it looks %.0f degrees off the path",
                  rad_to_deg(std::abs(state_.error.heading_rad))));
+  } else if (hold_limit_.is_reached()) {
+    fail(*held_ + text_of(", no way on for %.0f s", params_.held_max_s));
   }
 }
 

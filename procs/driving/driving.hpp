@@ -13,6 +13,7 @@
 #include "procs/driving/command_ramp.hpp"
 #include "procs/driving/driving_params.hpp"
 #include "procs/driving/heard_vehicle.hpp"
+#include "procs/driving/hold_limit.hpp"
 #include "procs/driving/path_progress.hpp"
 #include "procs/driving/pose_filter.hpp"
 #include "procs/driving/pose_trust.hpp"
@@ -30,7 +31,8 @@ struct DriveOutput {
 /// Drives along paths: where the robot is on its path, how far beside it, how it must be steered
 /// and how fast it may go (the paper's section 3.3). It stands while it does not know where it is
 /// and goes on when it does; beside its path it stands until it gets a new one. While the vehicle
-/// is held it goes on asking to creep, so that who holds it can judge that.
+/// is held it goes on asking to creep, so that who holds it can judge that; if there is no way on
+/// for long, it needs a new path, too.
 class Driving {
  public:
   /// Throws std::invalid_argument for a vehicle that cannot be steered.
@@ -57,6 +59,7 @@ class Driving {
   [[nodiscard]] bool is_under_way() const;
   void begin_run();
   void locate(std::int64_t utime);
+  void judge(std::int64_t utime, const Pose2& T_odom_steered);
   void fail(const std::string& reason);
   void move(double seconds);
   [[nodiscard]] double speed_here() const;
@@ -68,6 +71,7 @@ class Driving {
   PoseFilter filter_;
   PoseTrust trust_;
   HeardVehicle vehicle_;
+  HoldLimit hold_limit_;
   CommandRamp ramp_;
   DrivingState state_;
   std::optional<PathProgress> progress_;

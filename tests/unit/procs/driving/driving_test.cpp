@@ -214,6 +214,19 @@ TEST_F(ObedientVehicle, AsksToCreepWhileItIsHeldAndGoesOnFromThere) {
   EXPECT_EQ(drive_until(Kind::kArrived).state.kind, Kind::kArrived);
 }
 
+TEST_F(ObedientVehicle, NeedsANewPathWhereItIsHeldForLong) {
+  driving_.follow(straight());
+  step_for(5.0);
+  for (int i = 0; i < 201; ++i) EXPECT_EQ(step_held().state.kind, Kind::kWaiting);
+  const DriveOutput output = step_held();
+  EXPECT_EQ(output.state.kind, Kind::kFailed);
+  EXPECT_EQ(output.state.reason, "held by a stop order, no way on for 10 s");
+  EXPECT_EQ(output.command.speed_m_s, 0.0);  // who held it for what is ahead lets it go now
+  step_for(0.5);
+  driving_.follow(PathSketch({}, T_odom_body_).go(2.0).path());
+  EXPECT_EQ(step_held().state.kind, Kind::kWaiting);
+}
+
 TEST_F(ObedientVehicle, KnowsWhereItIsWhileItIsHeld) {
   driving_.follow(straight());
   step_for(5.0);

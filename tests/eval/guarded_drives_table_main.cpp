@@ -94,7 +94,7 @@ void run(int mines, int first, int looks, double lane_m) {
   std::printf("| ended by the guard | %d |\n", score.ended_by_guard);
   std::printf("| holds by the guard, of them longer than 2 s | %d, %d |\n", score.holds,
               score.long_holds);
-  std::printf("| holds with the way truly free, and the margins | %d |\n", score.needless_holds);
+  std::printf("| holds with 0.35 m truly free, margins included | %d |\n", score.needless_holds);
   std::printf("| true lateral error, 95 %% / worst | %.1f / %.1f cm |\n",
               100.0 * quantile(score.lateral_m, 0.95), 100.0 * quantile(score.lateral_m, 1.0));
 }

@@ -21,9 +21,9 @@ struct DrivingState {
   enum class Kind : std::int8_t {
     kIdle = 0,     ///< there is no path to drive
     kDriving = 1,  ///< on its way
-    kWaiting = 2,  ///< stands until it knows again where it is
+    kWaiting = 2,  ///< stands until it knows again where it is, or is let go
     kArrived = 3,  ///< stands at the end of the path
-    kFailed = 4,   ///< stands beside the path and needs a new one
+    kFailed = 4,   ///< stands beside the path, or cannot go on, and needs a new one
   };
 
   std::int64_t utime = 0;    ///< [µs since the epoch]

@@ -39,6 +39,7 @@ Driving::Driving(const DrivingParams& params)
       steered_(params.vehicle),
       filter_(params.smoothing_s),
       trust_(params.trust),
+      hold_limit_(params.held_max_s),
       ramp_(params.speed.acceleration_m_s2, params.steering.rate_1_m_s) {
   state_.reason = "no path has come yet";
 }
@@ -53,6 +54,7 @@ void Driving::follow(const PlannedPath& path) {
   std::vector<PathRun> runs = runs_of(path.points, steered_);
   for (PathRun& run : runs) run = blended(run, params_.steering.blend_m);
   progress_.emplace(std::move(runs));
+  hold_limit_.begin_anew();
   state_.remaining_m = progress_->remaining_m();
   begin_run();
 }
@@ -73,13 +75,14 @@ void Driving::add_match(std::int64_t utime, ScanMatch::Status status) {
 DriveOutput Driving::drive(std::int64_t utime) {
   const double seconds = seconds_to(utime);
   trust_or_wait(utime);
-  if (state_.kind == Kind::kDriving) locate(utime);
-  if (state_.kind == Kind::kDriving) {
+  if (is_under_way()) locate(utime);
+  if (is_under_way()) {
     move(seconds);
   } else {
     ramp_.stand(seconds);
+    hold_limit_.begin_anew();
   }
-  filter_.set_motion(ramp_.speed_m_s(), ramp_.curvature_1_m());
+  filter_.set_motion(vehicle_.speed_m_s(utime, ramp_.speed_m_s()), ramp_.curvature_1_m());
   return {{utime, ramp_.speed_m_s(), steered_.curvature_of_origin(ramp_.curvature_1_m())}, state_};
 }
 
@@ -93,8 +96,14 @@ double Driving::seconds_to(std::int64_t utime) {
 void Driving::trust_or_wait(std::int64_t utime) {
   if (state_.kind != Kind::kDriving && state_.kind != Kind::kWaiting) return;
   const auto doubt = trust_.doubt(utime, filter_.utime());
-  state_.kind = doubt ? Kind::kWaiting : Kind::kDriving;
-  state_.reason = doubt.value_or("");
+  held_ = doubt ? std::nullopt : vehicle_.hold(utime);
+  state_.kind = doubt || held_ ? Kind::kWaiting : Kind::kDriving;
+  state_.reason = doubt.value_or(held_.value_or(""));
+}
+
+/// Held, it knows where it is and is to go on.
+bool Driving::is_under_way() const {
+  return state_.kind == Kind::kDriving || (state_.kind == Kind::kWaiting && held_);
 }
 
 void Driving::locate(std::int64_t utime) {
@@ -105,12 +114,19 @@ void Driving::locate(std::int64_t utime) {
   state_.remaining_m = progress_->remaining_m();
   state_.error = progress_->error(T_odom_steered);
   wanted_1_m_ = curvature_to(T_odom_steered);
+  judge(utime, T_odom_steered);
+}
+
+void Driving::judge(std::int64_t utime, const Pose2& T_odom_steered) {
+  hold_limit_.go_on(utime, state_.progress_m, held_.has_value());
   const double distance_m = progress_->distance_m(T_odom_steered);
   if (distance_m > params_.distance_max_m) {
     fail(text_of("it is %.2f m off the path", distance_m));
   } else if (std::abs(state_.error.heading_rad) > params_.heading_max_rad) {
     fail(text_of("it looks %.0f degrees off the path",
                  rad_to_deg(std::abs(state_.error.heading_rad))));
+  } else if (hold_limit_.is_reached()) {
+    fail(*held_ + text_of(", no way on for %.0f s", params_.held_max_s));
   }
 }
 
@@ -132,8 +148,15 @@ double Driving::curvature_to(const Pose2& T_odom_steered) const {
 void Driving::move(double seconds) {
   if (progress_->run_remaining_m() <= params_.arrival_m) return end_run(seconds);
   const double most = steered_.curvature_max_1_m();
-  const double speed = progress_->run().direction() * profile_->at(progress_->s_m());
-  ramp_.drive(speed, std::clamp(wanted_1_m_, -most, most), seconds);
+  ramp_.drive(speed_here(), std::clamp(wanted_1_m_, -most, most), seconds);
+}
+
+/// While it is held no more than creeping is asked for: it would be let go into a speed that the
+/// vehicle does not have, and be refused what it can well do slowly.
+double Driving::speed_here() const {
+  const double planned = profile_->at(progress_->s_m());
+  const double fastest = held_ ? std::min(planned, params_.speed.creep_m_s) : planned;
+  return progress_->run().direction() * fastest;
 }
 
 void Driving::end_run(double seconds) {

@@ -9,6 +9,7 @@
 #include "common/messages/planned_path.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/scan_match.hpp"
+#include "common/messages/vehicle_state.hpp"
 
 namespace adit {
 namespace {
@@ -31,6 +32,8 @@ DrivingNode::DrivingNode(Bus& bus, const Params& params) : bus_(bus), driving_(p
   subscribe<scan_match_t>(bus, channels::kScanMatch, measured, [this](const ScanMatch& match) {
     driving_.add_match(match.utime, match.status);
   });
+  subscribe<vehicle_state_t>(bus, channels::kVehicleState, Delivery::latest(),
+                             [this](const VehicleState& state) { driving_.add_state(state); });
   subscribe<planned_path_t>(bus, channels::kPath, Delivery::latest(),
                             [this](const PlannedPath& path) { driving_.follow(path); });
   bus.every(kCommandPeriodUs, [this](std::int64_t utime) { drive(utime); });

@@ -37,6 +37,7 @@ struct DrivingParams {
   double arrival_m = 0.02;       ///< left of a run at its end
   double distance_max_m = 0.35;  ///< off the path; beyond, it needs a new one
   double heading_max_rad = 0.5;  ///< against the path, likewise
+  double held_max_s = 10.0;      ///< without way; held for longer, likewise
 
   template <class V>
   void visit(V& v) {
@@ -52,6 +53,7 @@ struct DrivingParams {
     v("arrival_m", arrival_m, within(0.005, 0.5));
     v("distance_max_m", distance_max_m, above_up_to(0.0, 2.0));
     v("heading_max_rad", heading_max_rad, above_up_to(0.0, 1.2));
+    v("held_max_s", held_max_s, within(1.0, 600.0));
   }
 };
 

@@ -46,7 +46,9 @@ ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
                    [this](const ImuReading& reading) { scan_matching_.add(reading); });
 
   const auto listen = [&](LaserId laser, std::string_view scans, std::string_view tilt) {
-    subscribe<tilt_t>(bus, tilt, Delivery::latest(), [this, laser](const TiltReading& reading) {
+    // All of them: the newest alone would wait behind the scans that came before it, and each
+    // further one behind more, so that a stage that is late would never hear that a laser tilts.
+    subscribe<tilt_t>(bus, tilt, measured, [this, laser](const TiltReading& reading) {
       tilt_rad_[laser] = reading.angle_rad;
     });
     subscribe<planar_lidar_t>(bus, scans, Delivery::queued(kScansWaiting),

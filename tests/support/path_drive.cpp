@@ -15,6 +15,7 @@ namespace {
 constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr std::int64_t kStepUs = 10'000;
 constexpr std::int64_t kCommandUs = 50'000;
+constexpr std::int64_t kStateUs = 100'000;
 constexpr double kStepS = 1e-6 * static_cast<double>(kStepUs);
 constexpr double kLongestS = 600.0;
 constexpr double kLeftWithoutPosesS = 5.0;
@@ -98,6 +99,7 @@ class Run {
       silent_from_m_ = vehicle_.travelled_m();
       drive_.speed_then_m_s = vehicle_.state().speed_m_s;
     }
+    if ((utime_ - kStart) % kStateUs == 0) driving_.add_state(vehicle_.state());
     if ((utime_ - kStart) % kCommandUs == 0) command();
     utime_ += kStepUs;
     vehicle_.advance(kStepS);

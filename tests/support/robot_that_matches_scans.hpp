@@ -23,6 +23,8 @@ class RobotThatMatchesScans {
   void run(double seconds);
 
   [[nodiscard]] MemoryBus& bus() { return bus_; }
+  [[nodiscard]] const Site& site() const { return site_; }
+  [[nodiscard]] const Simulation& simulation() const { return sim_.simulation(); }
 
  private:
   Site site_;

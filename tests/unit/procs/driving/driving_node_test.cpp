@@ -14,6 +14,7 @@
 #include "common/messages/planned_path.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/scan_match.hpp"
+#include "common/messages/vehicle_state.hpp"
 #include "tests/support/path_sketch.hpp"
 
 namespace adit {
@@ -97,6 +98,18 @@ TEST_F(DrivingNodeOnABus, IsDegradedWhileItDoesNotKnowWhereItIs) {
   wait(1.0);
   EXPECT_EQ(node_.health(), (Health{Health::Level::kDegraded, "scan matching is lost"}));
   EXPECT_EQ(commands_.back().speed_m_s, 0.0);
+}
+
+TEST_F(DrivingNodeOnABus, SaysThatTheVehicleIsHeld) {
+  send_path();
+  wait(0.5);
+  VehicleState state;
+  state.utime = bus_.now_utime();
+  state.stopped = true;
+  publish(bus_, channels::kVehicleState, to_message(state));
+  wait(0.05);
+  EXPECT_EQ(states_.back().kind, Kind::kWaiting);
+  EXPECT_EQ(node_.health(), (Health{Health::Level::kDegraded, "held by a stop order"}));
 }
 
 TEST_F(DrivingNodeOnABus, IsAtFaultBesideItsPath) {

@@ -41,6 +41,17 @@ class ObedientVehicle : public testing::Test {
     return output;
   }
 
+  /// Of a vehicle that somebody holds where it is.
+  DriveOutput step_held() {
+    utime_ += kPeriodUs;
+    driving_.add_pose(utime_, T_odom_body_);
+    VehicleState state;
+    state.utime = utime_;
+    state.stopped = true;
+    driving_.add_state(state);
+    return driving_.drive(utime_);
+  }
+
   void step_for(double seconds, bool with_pose = true) {
     for (int i = 0; i < std::lround(seconds / 0.05); ++i) step(with_pose);
   }
@@ -59,7 +70,8 @@ class ObedientVehicle : public testing::Test {
     return path;
   }
 
-  Driving driving_{DrivingParams{}};
+  const DrivingParams params_;
+  Driving driving_{params_};
   std::int64_t utime_ = kStart;
   Pose2 T_odom_body_;
 };
@@ -183,6 +195,58 @@ TEST_F(ObedientVehicle, StandsWhenANewPlanFoundNoPath) {
   driving_.follow(none);
   expect_standing(Kind::kIdle, none.reason);
   EXPECT_EQ(driving_.state().path_id, 2);
+}
+
+TEST_F(ObedientVehicle, AsksToCreepWhileItIsHeldAndGoesOnFromThere) {
+  driving_.follow(straight());
+  step_for(5.0);
+  for (int i = 0; i < 20; ++i) {
+    const DriveOutput output = step_held();
+    EXPECT_EQ(output.state.kind, Kind::kWaiting);
+    EXPECT_EQ(output.state.reason, "held by a stop order");
+    EXPECT_DOUBLE_EQ(output.command.speed_m_s, 0.05);
+  }
+  step_for(0.3);  // no word of the vehicle: what it said is too old
+  const DriveOutput output = step();
+  EXPECT_EQ(output.state.kind, Kind::kDriving);
+  EXPECT_GT(output.command.speed_m_s, 0.05);
+  EXPECT_LT(output.command.speed_m_s, 0.15);
+  EXPECT_EQ(drive_until(Kind::kArrived).state.kind, Kind::kArrived);
+}
+
+TEST_F(ObedientVehicle, NeedsANewPathWhereItIsHeldForLong) {
+  driving_.follow(straight());
+  step_for(5.0);
+  for (int i = 0; i < 201; ++i) EXPECT_EQ(step_held().state.kind, Kind::kWaiting);
+  const DriveOutput output = step_held();
+  EXPECT_EQ(output.state.kind, Kind::kFailed);
+  EXPECT_EQ(output.state.reason, "held by a stop order, no way on for 10 s");
+  EXPECT_EQ(output.command.speed_m_s, 0.0);  // who held it for what is ahead lets it go now
+  step_for(0.5);
+  driving_.follow(PathSketch({}, T_odom_body_).go(2.0).path());
+  EXPECT_EQ(step_held().state.kind, Kind::kWaiting);
+}
+
+TEST_F(ObedientVehicle, KnowsWhereItIsWhileItIsHeld) {
+  driving_.follow(straight());
+  step_for(5.0);
+  for (int i = 0; i < 10; ++i) step_held();
+  const double held_m = step_held().state.progress_m;
+  for (int i = 0; i < 100; ++i) step_held();
+  // It begins anew from where the last commands would have led in 50 ms at 0.4 m/s.
+  EXPECT_NEAR(held_m, T_odom_body_.x, 0.021);
+  EXPECT_NEAR(driving_.state().progress_m, held_m, 1e-6);
+}
+
+TEST_F(ObedientVehicle, DoesNotCreepWhereItDoesNotKnowWhereItIs) {
+  driving_.follow(straight());
+  step_for(5.0);
+  step_held();
+  driving_.add_match(utime_, ScanMatch::Status::kLost);
+  for (int i = 0; i < 11; ++i) step_held();
+  const DriveOutput output = step_held();
+  EXPECT_EQ(output.state.reason, "scan matching is lost");
+  EXPECT_EQ(output.command.speed_m_s, 0.0);
 }
 
 TEST_F(ObedientVehicle, TakesANewPathWhileItMoves) {

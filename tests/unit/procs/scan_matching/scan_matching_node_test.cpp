@@ -75,6 +75,19 @@ TEST_F(ScanMatchingNodeOnABus, LeavesTiltedScansAlone) {
   EXPECT_EQ(matches_.size(), 2U);
 }
 
+TEST_F(ScanMatchingNodeOnABus, LeavesTiltedScansAloneAlsoWhenItIsLate) {
+  bus_.subscribe("BUSY", Delivery::latest(), [this](const Received&) {
+    tilt(kStart, 0.4);
+    scan(kStart + 10'000, {-2.0, 0.0, 0.0});
+    tilt(kStart + 20'000, 0.0);
+    scan(kStart + 30'000, {-2.0, 0.0, 0.0});
+    return std::string_view();
+  });
+  bus_.publish("BUSY", {});
+  ASSERT_EQ(matches_.size(), 1U);
+  EXPECT_EQ(matches_[0].utime, kStart + 30'000);
+}
+
 TEST_F(ScanMatchingNodeOnABus, IsDegradedWhileItIsLost) {
   scan(kStart, {-2.0, 0.0, 0.0});
   LaserScan blind{kStart + 200'000, std::vector<float>(181, 81.83F), -1.57, 0.01745};

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/driving/hold_limit.hpp"
+
+#include <cmath>
+
+namespace adit {
+
+void HoldLimit::go_on(std::int64_t utime, double way_m, bool held) {
+  if (std::abs(way_m - way_m_) >= kWayM) since_utime_.reset();
+  if (!since_utime_) {
+    way_m_ = way_m;
+    if (held) since_utime_ = utime;
+  }
+  const double since_s = 1e-6 * static_cast<double>(utime - since_utime_.value_or(utime));
+  reached_ = held && since_s > seconds_max_;
+}
+
+}  // namespace adit

@@ -1,0 +1,74 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: The Adit authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# drive_test.sh SIM CHECK_STAND CHECK_ARRIVAL ONE_GOAL STAGE..
+# The robot looks, plans and drives, at Groundhog's speed, each stage a process of its own. It arrives
+# where all is well, and also where planning dies or hangs on the way. Where driving or scan matching
+# do, it stands within 300 ms of simulated time after their last word has expired. Each case has a
+# network of its own, and all run at the same time.
+set -u
+here=$(dirname "$(readlink -f "$0")")
+kGoalM=3.5
+kHarmS=15         # it drives from about 10.5 s on, and would for 23 s
+kStoodS=18
+kArrivedS=43
+kFast=4           # times real time
+kMeasured=2       # where time is measured: the simulator is not to be ahead of the stages
+kCommandExpiry=0.25
+kPoseExpiry=0.25  # of the guard
+
+sim=$1; check_stand=$2; check_arrival=$3; one_goal=$4; stages=("${@:5}")
+
+# drive LOG CONFIG FACTOR SECONDS [FAULT]: inside a private network.
+drive() {
+  local names=one_goal processes=() stage result
+  for stage in "${stages[@]}"; do
+    "$stage" --sim-time --config "$2" & processes+=($!)
+    names+=",${stage##*/adit-}"
+  done
+  "$one_goal" "$kGoalM" & processes+=($!)
+  "$sim" "$here/bent_drift.yaml" --config "$2" --speed "$3" --for "$4" ${5:+--fault "$5"} \
+    --wait-for "$names" --record "$1"
+  result=$?
+  kill -KILL "${processes[@]}" 2>/dev/null; wait "${processes[@]}" 2>/dev/null
+  return $result
+}
+
+if [[ -n ${ADIT_DRIVE:-} ]]; then
+  read -ra drive_arguments <<<"$ADIT_DRIVE"
+  drive "${drive_arguments[@]}"
+  exit
+fi
+"$here/in_private_network.sh" true || exit
+
+scratch=$(mktemp -d)
+arguments=("$@"); cases=(); names=()
+trap 'kill "${cases[@]}" 2>/dev/null; wait; rm -rf "$scratch"' EXIT
+{ cat "$here/../../deploy/config/groundhog.yaml"; echo 'driving: {speed: {speed_m_s: 0.15}}'; } \
+  >"$scratch/config.yaml"
+
+# begin FACTOR SECONDS FAULT CHECK [ARGUMENT..]: the check is given the record before its arguments.
+begin() {
+  local log="$scratch/${#cases[@]}.lcmlog"
+  (ADIT_DRIVE="$log $scratch/config.yaml $1 $2 $3" \
+     "$here/in_private_network.sh" "$0" "${arguments[@]}" && "$4" "$log" "${@:5}") \
+    >"$log.text" 2>&1 & cases+=($!)
+  names+=("${3:-all well}")
+}
+
+begin $kFast $kArrivedS "" "$check_arrival"
+for harm in kill suspend; do
+  begin $kFast $kArrivedS "$harm:planning@$kHarmS" "$check_arrival"
+  begin $kMeasured $kStoodS "$harm:driving@$kHarmS" "$check_stand" DRIVE_COMMAND $kCommandExpiry
+  begin $kMeasured $kStoodS "$harm:scan_matching@$kHarmS" "$check_stand" POSE $kPoseExpiry
+done
+
+failed=0
+for i in "${!cases[@]}"; do
+  wait "${cases[i]}" || failed=1
+  echo "${names[i]}:"
+  cat "$scratch/$i.lcmlog.text"
+done
+cases=()
+exit $failed

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// adit-one_goal DISTANCE: asks for one 3D scan, and for a path straight ahead over so many metres
+// when the terrain of that scan is there. Runs until SIGTERM. The simulator may wait for it by the
+// name `one_goal`.
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/lcm_bus.hpp"
+#include "common/bus/stop_signal.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/plan_goal.hpp"
+#include "common/messages/scan_request.hpp"
+#include "common/messages/terrain_tiles.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::int64_t kBeginsUs = 1'500'000;  // after the first time that is heard
+constexpr std::size_t kTilesWaiting = 200;
+
+class OneGoal {
+ public:
+  OneGoal(Bus& bus, double distance_m) : bus_(bus), distance_m_(distance_m) {
+    bus.every(50'000, [this](std::int64_t utime) { look(utime); });
+    subscribe<terrain_t>(bus, channels::kTerrain, Delivery::queued(kTilesWaiting),
+                         [this](const TerrainTile& tile) {
+                           if (terrain_.add(tile)) go();
+                         });
+  }
+
+ private:
+  void look(std::int64_t utime) {
+    if (first_utime_ == 0) first_utime_ = utime;
+    if (looked_ || utime < first_utime_ + kBeginsUs) return;
+    looked_ = true;
+    publish(bus_, channels::kScanRequest, to_message(ScanRequest{utime, 1, LaserId::kFront}));
+  }
+
+  void go() {
+    const PlanGoal goal{bus_.now_utime(), 1, PlanGoal::Kind::kAlong, {}, distance_m_};
+    publish(bus_, channels::kGoal, to_message(goal));
+  }
+
+  Bus& bus_;
+  double distance_m_;
+  TerrainAssembler terrain_;
+  std::int64_t first_utime_ = 0;
+  bool looked_ = false;
+};
+
+void run(double distance_m) {
+  const StopSignal stop;
+  LcmBusOptions options;
+  options.time = BusTime::kSimulated;
+  options.stage = "one_goal";
+  LcmBus bus(options);
+  const OneGoal one_goal(bus, distance_m);
+  bus.run(stop.descriptor());
+}
+
+}  // namespace
+}  // namespace adit
+
+int main(int argc, char** argv) try {
+  if (argc != 2) {
+    std::cerr << "adit-one_goal DISTANCE\n";
+    return 2;
+  }
+  adit::run(std::stod(argv[1]));
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "adit-one_goal: " << error.what() << "\n";
+  return 2;
+}

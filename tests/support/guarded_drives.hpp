@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/path/driving_state.hpp"
+#include "common/path/planned_path.hpp"
+#include "sim/world/world_description.hpp"
+
+namespace adit {
+
+/// A time in which the guard let the vehicle stand, between two moments at which it drove.
+struct GuardHold {
+  std::string reason;        ///< the first that it told
+  double seconds = 0.0;      ///< until it was released, or the drive was given up
+  double free_m = 0.0;       ///< of the path, with the guard's margins; 0.6 at most
+  double at_m = 0.0;         ///< progress on the path
+  double clearance_m = 0.0;  ///< least that the path says of there and half a metre on
+  double lateral_m = 0.0;    ///< of the true body beside the path
+};
+
+/// A look, a plan and the drive along it.
+struct GuardedDrive {
+  PlanOutcome outcome = PlanOutcome::kBlocked;
+  DrivingState state;  ///< at last
+  double path_m = 0.0;
+  double seconds = 0.0;
+  std::vector<double> lateral_m;  ///< of the true body beside the path, each 0.1 s
+  std::vector<GuardHold> holds;
+  std::string failure;  ///< of the run: a collision, for one
+
+  [[nodiscard]] bool arrived() const { return state.kind == DrivingState::Kind::kArrived; }
+};
+
+/// A robot that starts in a mine of one drift looks ahead, plans down the drift for `distance_m` at
+/// most, and drives, so many times: all nodes from the lasers by scan matching to the wheels on one
+/// bus, with a guard. A drive ends where driving says so, or after 120 s; the last one of a mine
+/// where no path is found, or the run has failed.
+std::vector<GuardedDrive> drive_guarded(const WorldDescription& mine, int looks,
+                                        double distance_m = 8.0);
+
+}  // namespace adit

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A simulated robot looks, plans and drives down drifts with posts and falls of rock, with a guard:
+// all nodes from the laser to the wheels on one bus. A sample of tests/eval, guarded_drives_table.
+#include "tests/support/guarded_drives.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/drift_to_drive.hpp"
+#include "tests/support/path_drive.hpp"
+
+namespace adit {
+namespace {
+
+class GuardedDrives : public testing::TestWithParam<int> {};
+
+TEST_P(GuardedDrives, ArriveAndTouchNothing) {
+  const auto drives = drive_guarded(drift_to_drive(GetParam()), 2);
+  ASSERT_EQ(drives.size(), 2U);
+  for (const GuardedDrive& drive : drives) {
+    ASSERT_EQ(drive.outcome, PlanOutcome::kFound);
+    EXPECT_EQ(drive.failure, "");
+    EXPECT_TRUE(drive.arrived()) << drive.state.reason;
+    EXPECT_TRUE(drive.holds.empty()) << drive.holds.front().reason;
+    EXPECT_GT(drive.path_m, 5.0);
+    EXPECT_LE(quantile(drive.lateral_m, 0.95), 0.10);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Mines, GuardedDrives, testing::Values(1, 2));
+
+}  // namespace
+}  // namespace adit

@@ -116,7 +116,7 @@ TEST_F(CarmenReaderFile, SkipsALineOfMegabytes) {
 }
 
 TEST_F(CarmenReaderFile, SurvivesBytesThatAreNoText) {
-  CarmenReader reader(plain("\xff\x01 FLASER"s + '\0' + "\n\n\nODOM "s + '\0' + " 1\n"));
+  CarmenReader reader(plain("\xff\x01 FLASER\0\n\n\nODOM \0 1\n"s));
   EXPECT_EQ(count_records(reader), 0);
 }
 

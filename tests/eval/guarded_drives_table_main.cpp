@@ -59,7 +59,7 @@ void tell(int mine, std::size_t look, const GuardedDrive& drive) {
     std::fprintf(stderr, "mine %d, look %zu: %s\n", mine, look, drive.failure.c_str());
   }
   if (drive.outcome != PlanOutcome::kFound) {
-    std::fprintf(stderr, "mine %d, look %zu: no path\n", mine, look);
+    std::fprintf(stderr, "mine %d, look %zu: %s\n", mine, look, drive.reason.c_str());
     return;
   }
   for (const GuardHold& hold : drive.holds) {

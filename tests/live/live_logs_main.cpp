@@ -52,7 +52,7 @@ void write_all(const std::string& path, int seconds) {
 
 void print_fingerprints() {
   for (const MessageType& type : message_types()) {
-    std::cout << "adit." << type.name << " " << type.fingerprint << "\n";
+    std::cout << type.package << "." << type.name << " " << type.fingerprint << "\n";
   }
 }
 

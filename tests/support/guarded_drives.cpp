@@ -88,6 +88,7 @@ class GuardedRun {
     path_ = {};
     publish(bus_, channels::kGoal, to_message(goal(id, distance_m)));
     drive_.outcome = path_.outcome;
+    drive_.reason = path_.reason;
     if (path_.outcome == PlanOutcome::kFound) drive();
     drive_.failure = robot_.simulation().state().failure;
     return drive_;

@@ -24,6 +24,7 @@ struct GuardHold {
 /// A look, a plan and the drive along it.
 struct GuardedDrive {
   PlanOutcome outcome = PlanOutcome::kBlocked;
+  std::string reason;  ///< of the plan
   DrivingState state;  ///< at last
   double path_m = 0.0;
   double seconds = 0.0;

@@ -199,10 +199,13 @@ std::vector<MessageType> procman_types() {
                          {{command, 4711, 3, 9, 0.7, 120'000'000, 40'000'000}}};
   const ProcmanOrders orders{kUtime, "robot", "base", {{command, 4, false}, {command, 4, true}}};
   const ProcmanOutput output{kUtime, "robot", {{"mapping", "a loop"}, {"terrain", "no cloud"}}};
-  return {type_of(channels::kPmInfo, to_message(info)),
-          type_of(channels::kPmOrders, to_message(orders)),
-          type_of(channels::kPmOutput, to_message(output)),
-          type_of(channels::kPmDiscover, to_message(ProcmanDiscovery{kUtime, "base", 77}))};
+  std::vector<MessageType> types{
+      type_of(channels::kPmInfo, to_message(info)),
+      type_of(channels::kPmOrders, to_message(orders)),
+      type_of(channels::kPmOutput, to_message(output)),
+      type_of(channels::kPmDiscover, to_message(ProcmanDiscovery{kUtime, "base", 77}))};
+  for (MessageType& type : types) type.package = "procman_lcm";
+  return types;
 }
 
 std::vector<MessageType> stage_types() {

@@ -20,6 +20,8 @@ struct MessageType {
 
   /// What a stage does with the bytes: decodes and converts. The reason of refusal, or nothing.
   std::function<std::string_view(std::span<const std::uint8_t>)> take;
+
+  std::string package = "adit";
 };
 
 /// Every type in lcmtypes/.

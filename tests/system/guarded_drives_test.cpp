@@ -18,7 +18,7 @@ TEST_P(GuardedDrives, ArriveAndTouchNothing) {
   const auto drives = drive_guarded(drift_to_drive(GetParam()), 2);
   ASSERT_EQ(drives.size(), 2U);
   for (const GuardedDrive& drive : drives) {
-    ASSERT_EQ(drive.outcome, PlanOutcome::kFound);
+    ASSERT_EQ(drive.outcome, PlanOutcome::kFound) << drive.reason;
     EXPECT_EQ(drive.failure, "");
     EXPECT_TRUE(drive.arrived()) << drive.state.reason;
     EXPECT_TRUE(drive.holds.empty()) << drive.holds.front().reason;
@@ -27,7 +27,7 @@ TEST_P(GuardedDrives, ArriveAndTouchNothing) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Mines, GuardedDrives, testing::Values(1, 2));
+INSTANTIATE_TEST_SUITE_P(Mines, GuardedDrives, testing::Values(2, 4));
 
 }  // namespace
 }  // namespace adit

@@ -148,7 +148,7 @@ TEST(PlannedPathMessage, IsRefusedWithEvidenceThatIsNone) {
   using Message = planned_path_t;
   EXPECT_EQ(refusal_after<Message>(blocked(2), [](Message& m) { m.blocking[1].p_odom[0] = kNaN; }),
             "cell at a place that is not finite");
-  EXPECT_EQ(refusal_after<Message>(blocked(2), [](Message& m) { m.blocking[1].reason = 6; }),
+  EXPECT_EQ(refusal_after<Message>(blocked(2), [](Message& m) { m.blocking[1].reason = 7; }),
             "cell of an unknown reason");
   EXPECT_TRUE(refusal_after<Message>(blocked(2), [](Message& m) {
                 m.blocking[1].height_m = kNaN;

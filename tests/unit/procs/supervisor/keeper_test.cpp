@@ -60,7 +60,7 @@ class KeeperTest : public testing::Test {
 
 TEST_F(KeeperTest, KillsWhatIgnoresItsStopSignal) {
   const std::string sleep = test::unique_sleep();
-  keep(R"(cmd "deaf" { exec = "sh -c 'trap \"\" TERM; echo ready; sleep )" + sleep +
+  keep(R"(cmd "deaf" { exec = "sh -c 'trap \"\" TERM; echo ready; exec sleep )" + sleep +
        R"('"; stop_signal = 15; stop_time_allowed = 0.1; })");
   process("deaf").start();
   ASSERT_TRUE(prints("deaf", "ready"));

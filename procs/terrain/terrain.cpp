@@ -82,8 +82,9 @@ TerrainMap Terrain::blank(const Cloud& cloud) const {
   map.columns = std::max(cells(params_.length_m), 1);
   map.rows = std::max(cells(params_.width_m), 1);
   // The vehicle stands in the middle of a cell: a path can begin where it is.
-  map.p_level_corner =
-      -map.cell_m * Eigen::Vector2d(cells(params_.behind_m) + 0.5, map.rows / 2 + 0.5);
+  const int behind = cells(params_.behind_m);
+  const int beside = map.rows / 2;
+  map.p_level_corner = -map.cell_m * Eigen::Vector2d(behind + 0.5, beside + 0.5);
   TerrainCell unknown;
   unknown.low_m = kUnknown;
   unknown.high_m = kUnknown;

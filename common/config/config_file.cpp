@@ -10,6 +10,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "common/config/nearest_name.hpp"
+#include "common/config/second_document.hpp"
 #include "common/config/text_check.hpp"
 
 namespace adit {
@@ -72,10 +73,9 @@ ConfigNode build_root(const std::string& text, const std::string& name) {
   const TreeBuilder builder(name);
   require_text(text, builder);
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.empty()) return {};
-    if (documents.size() > 1) builder.fail(documents[1].Mark().line + 1, "a second document");
-    return builder.build(documents[0]);
+    if (const auto line = second_document_line(text)) builder.fail(*line, "a second document");
+    const YAML::Node document = YAML::Load(text);
+    return document.IsNull() ? ConfigNode{} : builder.build(document);
   } catch (const YAML::Exception& error) {
     builder.fail(error.mark.line + 1, error.msg);
   }

@@ -5,15 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/in_plan.hpp"
+
 namespace adit {
-namespace {
-
-Eigen::Isometry3d in_space(const Pose2& T_a_b) {
-  return Eigen::Translation3d(T_a_b.x, T_a_b.y, 0.0) *
-         Eigen::AngleAxisd(T_a_b.theta, Eigen::Vector3d::UnitZ());
-}
-
-}  // namespace
 
 CloudLine BeamPlacing::place(const LaserScan& scan, const std::vector<float>& ranges_m) const {
   CloudLine line;

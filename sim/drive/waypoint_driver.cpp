@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "common/geometry/in_plan.hpp"
 #include "sim/vehicle/metres_text.hpp"
 
 namespace adit {
@@ -15,11 +16,6 @@ namespace {
 constexpr double kRightAngle = std::numbers::pi / 2.0;
 constexpr double kBendEveryM = 0.25;  // distance at which bends ahead are looked for
 constexpr double kCreepMS = 0.03;     // least speed, with which the end is reached
-
-Pose2 plan_pose(const BodyMotion& motion) {
-  const auto& T = motion.T_world_body;
-  return {T.translation().x(), T.translation().y(), std::atan2(T.linear()(1, 0), T.linear()(0, 0))};
-}
 
 }  // namespace
 
@@ -33,7 +29,7 @@ WaypointDriver::WaypointDriver(std::vector<Waypoint> waypoints, const Vehicle& v
 }
 
 DriveCommand WaypointDriver::command(const BodyMotion& motion) {
-  const Pose2 T_world_body = plan_pose(motion);
+  const Pose2 T_world_body = in_plan(motion.T_world_body);
   if (!planned_) {
     plan(T_world_body);
     progress_utime_ = motion.utime;

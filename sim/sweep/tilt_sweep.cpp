@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/geometry/in_plan.hpp"
 #include "sim/laser/laser_model.hpp"
 #include "sim/vehicle/stance.hpp"
 
@@ -16,17 +17,6 @@ double floor_m(const World& world, const Pose2& T_world_plan) {
   const auto height = world.truth.floor_height(T_world_plan.translation());
   if (!height) throw std::invalid_argument("no floor at the place of the vehicle");
   return *height;
-}
-
-Pose2 in_plan(const Eigen::Isometry3d& T_world_body) {
-  const Eigen::Vector3d forward = T_world_body.linear().col(0);
-  return {T_world_body.translation().x(), T_world_body.translation().y(),
-          std::atan2(forward.y(), forward.x())};
-}
-
-Eigen::Isometry3d level_at(const Pose2& T_world_plan, double z_m) {
-  return Eigen::Translation3d(T_world_plan.x, T_world_plan.y, z_m) *
-         Eigen::AngleAxisd(T_world_plan.theta, Eigen::Vector3d::UnitZ());
 }
 
 double tilt_rad(const TiltSweep& sweep, int scan) {
@@ -57,7 +47,7 @@ CloudLine line(const LaserScan& scan, const LaserMount& mount,
 }  // namespace
 
 Eigen::Isometry3d level_on_floor(const World& world, const Pose2& T_world_plan) {
-  return level_at(T_world_plan, floor_m(world, T_world_plan));
+  return in_space(T_world_plan, floor_m(world, T_world_plan));
 }
 
 Eigen::Isometry3d standing(const Site& site, const Pose2& T_world_plan, const Vehicle& vehicle) {
@@ -72,7 +62,7 @@ Cloud tilt_sweep(const Site& site, const Eigen::Isometry3d& T_world_body, const 
   Cloud cloud;
   cloud.T_odom_level = in_plan(T_world_body);
   const Eigen::Isometry3d T_world_level =
-      level_at(cloud.T_odom_level, T_world_body.translation().z());
+      in_space(cloud.T_odom_level, T_world_body.translation().z());
   const double period_s = sweep.laser.timing.scan_period_s(sweep.laser.angle_step_rad());
   for (int scan = 0; scan < sweep.scans; ++scan) {
     const Eigen::Isometry3d T_world_laser =

@@ -18,6 +18,7 @@
 #include "common/messages/pose.hpp"
 #include "common/messages/run_state.hpp"
 #include "common/messages/stop_order.hpp"
+#include "tests/live/log_check.hpp"
 
 namespace adit {
 namespace {
@@ -25,15 +26,6 @@ namespace {
 constexpr double kWayMinM = 3.0;
 constexpr double kEndM = 0.15;  // poses are those of scan matching, over a few metres
 constexpr double kForGoodS = 1.0;
-
-template <class Msg>
-auto value_of(const LogEventView& event) {
-  const auto message = decode<Msg>(event.data);
-  if (!message) throw std::runtime_error("a message that does not decode");
-  const auto value = from_message(*message);
-  if (!value) throw std::runtime_error("a message that is refused");
-  return *value;
-}
 
 struct Seen {
   std::optional<Pose2> T_world_odom;  // the robot starts at the origin of odom
@@ -70,19 +62,13 @@ Seen look(const LogFile& log) {
   return seen;
 }
 
-int failures = 0;
-
-void require(bool holds, const std::string& what) {
-  if (holds) return;
-  std::cerr << "not so: " << what << "\n";
-  ++failures;
-}
+Requirements require;
 
 int check(const std::string& path) {
   const Seen seen = look(LogFile(path));
   require(!seen.path.points.empty(), "there is a path: " + seen.path.reason);
   require(seen.T_world_odom.has_value(), "there is truth");
-  if (failures > 0) return 1;
+  if (!require.hold()) return require.exit_code();
   const Pose2 T_world_end = *seen.T_world_odom * seen.path.points.back().T_odom_body;
   const double off_m = between(T_world_end, seen.T_world_body).translation().norm();
   const double way_m = between(*seen.T_world_odom, seen.T_world_body).translation().norm();
@@ -94,7 +80,7 @@ int check(const std::string& path) {
   require(off_m < kEndM, "it stands at the end of its path");
   require(stands_s > kForGoodS, "and for good");
   require(seen.failure.empty(), "it touched nothing: " + seen.failure);
-  return failures == 0 ? 0 : 1;
+  return require.exit_code();
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "common/messages/codec.hpp"
 #include "common/messages/local_map_pieces.hpp"
 #include "procs/mapping/map_journal.hpp"
+#include "tests/live/log_check.hpp"
 #include "tests/support/stored_maps.hpp"
 #include "tools/eval/tum.hpp"
 
@@ -50,13 +51,7 @@ int missing(const std::vector<T>& heard, const std::vector<T>& stored) {
       heard, [&](const T& x) { return std::ranges::find(stored, x) == stored.end(); }));
 }
 
-int failures = 0;
-
-void require(bool holds, const std::string& what) {
-  if (holds) return;
-  std::cerr << "not so: " << what << "\n";
-  ++failures;
-}
+Requirements require;
 
 int check(const std::string& recorded, const std::string& journal, const std::string& truth,
           int torn) {
@@ -78,7 +73,7 @@ int check(const std::string& recorded, const std::string& journal, const std::st
   require(sessions >= kSessionsMin, "the mapping was killed");
   require(joints > 0, "later sessions recognise places of earlier ones");
   require(farthest_m < kFarthestM, "the map is that of the place");
-  return failures == 0 ? 0 : 1;
+  return require.exit_code();
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "common/bus/typed.hpp"
 #include "common/messages/heartbeat.hpp"
 #include "common/messages/pose.hpp"
+#include "tests/live/log_check.hpp"
 
 namespace adit {
 namespace {
@@ -61,13 +62,7 @@ void listen(Bus& bus, Heard& heard) {
   });
 }
 
-int failures = 0;
-
-void require(bool holds, const std::string& what) {
-  if (holds) return;
-  std::cerr << "not so: " << what << "\n";
-  ++failures;
-}
+Requirements require;
 
 LcmBusOptions bus_options() {
   LcmBusOptions options;
@@ -116,7 +111,7 @@ int check(double seconds, const std::string& log) {
   require(error_m < kErrorMaxM, "scan matching followed it");
   std::cout << scans << " scans, " << driven.translation().norm() << " m driven, " << error_m
             << " m off\n";
-  return failures == 0 ? 0 : 1;
+  return require.exit_code();
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "common/messages/pose.hpp"
 #include "common/messages/run_state.hpp"
 #include "common/messages/vehicle_state.hpp"
+#include "tests/live/log_check.hpp"
 
 namespace adit {
 namespace {
@@ -23,13 +24,6 @@ namespace {
 constexpr double kSoonS = 0.3;
 constexpr double kDroveM_S = 0.1;
 constexpr double kForGoodS = 1.0;
-
-template <class Msg>
-auto value_of(const LogEventView& event) {
-  const auto message = decode<Msg>(event.data);
-  if (!message) throw std::runtime_error("a message that does not decode");
-  return from_message(*message);
-}
 
 struct Seen {
   std::optional<std::int64_t> last_utime;    // of a message on the channel
@@ -50,29 +44,23 @@ Seen look(const LogFile& log, const std::string& channel) {
       seen.speed_then_m_s = speed_m_s;
     } else if (event.channel == channels::kTruth) {
       const auto truth = value_of<pose_t>(event);
-      speed_m_s = truth && truth->v_body ? truth->v_body->head<2>().norm() : NAN;
+      speed_m_s = truth.v_body ? truth.v_body->head<2>().norm() : NAN;
       if (speed_m_s > 0.0) seen.moving_utime = event.utime;
     } else if (event.channel == channels::kVehicleState) {
-      seen.state = *value_of<vehicle_state_t>(event);
+      seen.state = value_of<vehicle_state_t>(event);
     } else if (event.channel == channels::kRunState) {
-      seen.failure = value_of<run_state_t>(event)->failure;
+      seen.failure = value_of<run_state_t>(event).failure;
     }
   }
   return seen;
 }
 
-int failures = 0;
-
-void require(bool holds, const std::string& what) {
-  if (holds) return;
-  std::cerr << "not so: " << what << "\n";
-  ++failures;
-}
+Requirements require;
 
 int check(const std::string& path, const std::string& channel, double expiry_s) {
   const Seen seen = look(LogFile(path), channel);
   require(seen.last_utime && seen.moving_utime, "there is " + channel + " and motion in the log");
-  if (failures > 0) return 1;
+  if (!require.hold()) return require.exit_code();
   const auto seconds = [](std::int64_t us) { return static_cast<double>(us) * 1e-6; };
   const double stood_s = seconds(*seen.moving_utime - *seen.last_utime);
   std::cout << "stood " << stood_s << " s after the last " << channel << ", of which " << expiry_s
@@ -82,7 +70,7 @@ int check(const std::string& path, const std::string& channel, double expiry_s) 
   require(seconds(seen.end_utime - *seen.moving_utime) > kForGoodS, "and for good");
   require(seen.state.stopped, "it says that it is held");
   require(seen.failure.empty(), "it touched nothing: " + seen.failure);
-  return failures == 0 ? 0 : 1;
+  return require.exit_code();
 }
 
 }  // namespace

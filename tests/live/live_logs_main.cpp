@@ -18,6 +18,7 @@
 #include "common/messages/heartbeat.hpp"
 #include "common/messages/laser_scan.hpp"
 #include "common/messages/pose.hpp"
+#include "tests/live/log_check.hpp"
 #include "tests/support/message_types.hpp"
 
 namespace adit {
@@ -65,13 +66,7 @@ std::map<std::string, std::vector<std::vector<std::uint8_t>>> by_channel(const s
   return messages;
 }
 
-int failures = 0;
-
-void require(bool holds, const std::string& what) {
-  if (holds) return;
-  std::cerr << "not so: " << what << "\n";
-  ++failures;
-}
+Requirements require;
 
 void check_poses(const std::vector<std::vector<std::uint8_t>>& poses) {
   std::size_t at = 0;
@@ -119,5 +114,5 @@ int main(int argc, char** argv) {
         << "live_logs write LOG | write-all LOG SECONDS | fingerprints | check PLAYED RECORDED\n";
     return 2;
   }
-  return adit::failures == 0 ? 0 : 1;
+  return adit::require.exit_code();
 }

@@ -8,6 +8,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
+#include "common/geometry/in_plan.hpp"
 #include "common/messages/drive_command.hpp"
 #include "common/messages/driving_state.hpp"
 #include "common/messages/plan_goal.hpp"
@@ -42,18 +43,6 @@ Params with_lasers() {
   Params params;
   params.lasers = groundhog_lasers();
   return params;
-}
-
-Pose2 plan_of(const Eigen::Isometry3d& T_world_body) {
-  const Eigen::Vector3d p = T_world_body.translation();
-  return {p.x(), p.y(), std::atan2(T_world_body(1, 0), T_world_body(0, 0))};
-}
-
-Eigen::Isometry3d in_space(const Pose2& pose) {
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.translation() = Eigen::Vector3d(pose.x, pose.y, 0.0);
-  T.linear() = Eigen::AngleAxisd(pose.theta, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  return T;
 }
 
 /// The vehicle with what the guard wants to be left beside and ahead of it.
@@ -98,12 +87,12 @@ class GuardedRun {
   [[nodiscard]] const BodyMotion& motion() const { return robot_.simulation().vehicle().motion(); }
 
   /// What scan matching got wrong so far is no error of those who drive.
-  void anchor() { T_odom_world_ = T_odom_body_ * plan_of(motion().T_world_body).inverse(); }
+  void anchor() { T_odom_world_ = T_odom_body_ * in_plan(motion().T_world_body).inverse(); }
 
-  [[nodiscard]] Pose2 true_pose() const { return T_odom_world_ * plan_of(motion().T_world_body); }
+  [[nodiscard]] Pose2 true_pose() const { return T_odom_world_ * in_plan(motion().T_world_body); }
 
   [[nodiscard]] PlanGoal goal(int id, double distance_m) const {
-    const Eigen::Vector2d p_world = plan_of(motion().T_world_body).translation();
+    const Eigen::Vector2d p_world = in_plan(motion().T_world_body).translation();
     const double s_m = drift_.place_of(p_world).s_m;
     const Eigen::Vector2d ahead = drift_.at(s_m + distance_m).p_world - p_world;
     const double heading = std::atan2(ahead.y(), ahead.x()) + T_odom_world_.theta;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/in_plan.hpp"
 #include "sim/vehicle/vehicle_model.hpp"
 #include "tests/support/box_drift.hpp"
 #include "tests/support/true_lateral_error.hpp"
@@ -21,12 +22,6 @@ constexpr double kLongestS = 600.0;
 constexpr double kLeftWithoutPosesS = 5.0;
 constexpr double kScoreM = 0.02;
 constexpr double kSwingM = 0.03;
-
-Pose2 plan_of(const Eigen::Isometry3d& T_world_body) {
-  const Eigen::Vector3d p = T_world_body.translation();
-  const Eigen::Vector3d x = T_world_body.linear().col(0);
-  return {p.x(), p.y(), std::atan2(x.y(), x.x())};
-}
 
 /// Changes of side, of errors in order.
 int swings(const std::vector<double>& errors_m) {
@@ -75,7 +70,7 @@ class Run {
     if (rest_m > 0.0) drive_.swings_per_m = swings(rest) / rest_m;
   }
 
-  [[nodiscard]] Pose2 pose() const { return plan_of(vehicle_.motion().T_world_body); }
+  [[nodiscard]] Pose2 pose() const { return in_plan(vehicle_.motion().T_world_body); }
 
   [[nodiscard]] bool over() const {
     using Kind = DrivingState::Kind;

@@ -7,6 +7,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
+#include "common/geometry/in_plan.hpp"
 #include "common/messages/drive_command.hpp"
 #include "common/messages/gas_reading.hpp"
 #include "common/messages/heartbeat.hpp"
@@ -66,10 +67,9 @@ void GuardedRobot::command(std::int64_t utime) {
 }
 
 double GuardedRobot::curvature_to_middle() const {
-  const Eigen::Isometry3d& T = motion().T_world_body;
-  const double heading = std::atan2(T(1, 0), T(0, 0));
+  const Pose2 T_world_body = in_plan(motion().T_world_body);
   const double sign = speed_m_s_ < 0.0 ? -1.0 : 1.0;
-  return -0.5 * T.translation().y() - 1.5 * sign * heading;
+  return -0.5 * T_world_body.y - 1.5 * sign * T_world_body.theta;
 }
 
 void GuardedRobot::go_on(double seconds) {

@@ -24,6 +24,7 @@
 #include "sim/vehicle/body_clearance.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/drift_line.hpp"
+#include "tests/support/groundhog_params.hpp"
 #include "tests/support/robot_that_matches_scans.hpp"
 #include "tests/support/true_lateral_error.hpp"
 
@@ -37,13 +38,6 @@ constexpr double kLongestS = 120.0;
 constexpr double kSweepS = 10.0;
 constexpr double kFreeM = 0.6;           // farthest that is looked at
 constexpr std::size_t kPointsAhead = 4;  // of 15 cm
-
-template <class Params>
-Params with_lasers() {
-  Params params;
-  params.lasers = groundhog_lasers();
-  return params;
-}
 
 /// The vehicle with what the guard wants to be left beside and ahead of it.
 Vehicle with_margins() {
@@ -163,11 +157,11 @@ class GuardedRun {
   DriftLine drift_;
   RobotThatMatchesScans robot_;
   MemoryBus& bus_ = robot_.bus();
-  ScanAssemblyNode scan_assembly_{bus_, with_lasers<ScanAssemblyParams>()};
+  ScanAssemblyNode scan_assembly_{bus_, with_groundhog_lasers<ScanAssemblyParams>()};
   TerrainNode terrain_{bus_, TerrainParams{}};
   PlanningNode planning_{bus_, PlanningParams{}};
   DrivingNode driving_{bus_, DrivingParams{}};
-  GuardNode guard_{bus_, with_lasers<GuardParams>()};
+  GuardNode guard_{bus_, with_groundhog_lasers<GuardParams>()};
   PlannedPath path_;
   DrivingState state_;
   Pose2 T_odom_body_;

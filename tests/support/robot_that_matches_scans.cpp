@@ -5,19 +5,12 @@
 #include <cmath>
 #include <utility>
 
+#include "tests/support/groundhog_params.hpp"
+
 namespace adit {
-namespace {
-
-ScanMatchingParams matching_params() {
-  ScanMatchingParams params;
-  params.lasers = groundhog_lasers();
-  return params;
-}
-
-}  // namespace
 
 RobotThatMatchesScans::RobotThatMatchesScans(World world)
-    : site_(std::move(world)), scan_matching_(bus_, matching_params()) {}
+    : site_(std::move(world)), scan_matching_(bus_, with_groundhog_lasers<ScanMatchingParams>()) {}
 
 void RobotThatMatchesScans::run(double seconds) {
   const std::int64_t end = sim_.simulation().utime() + std::llround(seconds * 1e6);

@@ -12,18 +12,13 @@
 #include "common/bus/typed.hpp"
 #include "common/messages/drive_command.hpp"
 #include "common/messages/driving_state.hpp"
-#include "common/messages/plan_goal.hpp"
-#include "common/messages/planned_path.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/run_state.hpp"
-#include "common/messages/scan_request.hpp"
 #include "procs/driving/driving_node.hpp"
-#include "procs/planning/planning_node.hpp"
-#include "procs/scan_assembly/scan_assembly_node.hpp"
-#include "procs/terrain/terrain_node.hpp"
 #include "tests/support/box_drift.hpp"
 #include "tests/support/path_drive.hpp"
 #include "tests/support/robot_that_knows_its_place.hpp"
+#include "tests/support/robot_that_looks_and_plans.hpp"
 #include "tests/support/robot_that_matches_scans.hpp"
 #include "tests/support/true_lateral_error.hpp"
 
@@ -41,8 +36,6 @@ template <class Robot>
 class RobotThatDrives {
  public:
   RobotThatDrives() : robot_(drift_with_a_post()) {
-    subscribe<planned_path_t>(bus_, channels::kPath, Delivery::latest(),
-                              [this](const PlannedPath& path) { path_ = path; });
     subscribe<driving_state_t>(bus_, channels::kDrivingState, Delivery::latest(),
                                [this](const DrivingState& state) { state_ = state; });
     subscribe<run_state_t>(bus_, channels::kRunState, Delivery::latest(),
@@ -51,19 +44,11 @@ class RobotThatDrives {
                       [this](const StampedPose& truth) { truth_ = truth.T_odom_body; });
   }
 
-  /// Ten seconds, of which the sweep takes eight; then a goal straight ahead.
-  void look_and_plan(double distance_m) {
-    robot_.run(1.5);
-    publish(bus_, channels::kScanRequest,
-            to_message(ScanRequest{bus_.now_utime(), 1, LaserId::kFront}));
-    robot_.run(10.0);
-    publish(bus_, channels::kGoal,
-            to_message(PlanGoal{bus_.now_utime(), 2, PlanGoal::Kind::kAlong, {}, distance_m}));
-  }
+  void look_and_plan(double distance_m) { robot_.look_and_plan(distance_m); }
 
   /// Until it stands again, for two minutes at most; the true errors, each 0.1 s.
   std::vector<double> drive() {
-    TrueLateralError error(path_.points);
+    TrueLateralError error(path().points);
     std::vector<double> errors_m;
     for (int i = 0; i < 1200 && state_.kind != DrivingState::Kind::kArrived; ++i) {
       robot_.run(0.1);
@@ -73,25 +58,15 @@ class RobotThatDrives {
     return errors_m;
   }
 
-  [[nodiscard]] const PlannedPath& path() const { return path_; }
+  [[nodiscard]] const PlannedPath& path() const { return robot_.path(); }
   [[nodiscard]] const DrivingState& state() const { return state_; }
   [[nodiscard]] const RunState& run_state() const { return run_; }
   [[nodiscard]] const Pose2& truth() const { return truth_; }
 
  private:
-  static ScanAssemblyParams assembly_params() {
-    ScanAssemblyParams params;
-    params.lasers = groundhog_lasers();
-    return params;
-  }
-
-  Robot robot_;
+  RobotThatLooksAndPlans<Robot> robot_;
   MemoryBus& bus_ = robot_.bus();
-  ScanAssemblyNode scan_assembly_{bus_, assembly_params()};
-  TerrainNode terrain_{bus_, TerrainParams{}};
-  PlanningNode planning_{bus_, PlanningParams{}};
   DrivingNode driving_{bus_, DrivingParams{}};
-  PlannedPath path_;
   DrivingState state_;
   RunState run_;
   Pose2 truth_;

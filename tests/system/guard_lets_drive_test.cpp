@@ -7,6 +7,7 @@
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_description.hpp"
 #include "tests/support/box_drift.hpp"
+#include "tests/support/groundhog_params.hpp"
 #include "tests/system/guarded_robot.hpp"
 
 namespace adit {
@@ -56,9 +57,7 @@ TEST(GuardLetsDrive, OverRoughGround) {
 
 TEST(GuardLetsDrive, WithThePoseOfScanMatching) {
   GuardedRobot robot(rough_drift());
-  ScanMatchingParams params;
-  params.lasers = groundhog_lasers();
-  const ScanMatchingNode scan_matching(robot.bus(), params);
+  const ScanMatchingNode scan_matching(robot.bus(), with_groundhog_lasers<ScanMatchingParams>());
   robot.lose_its_place();
   robot.drive(0.5);
   robot.go_on(15.0);

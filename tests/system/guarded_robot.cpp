@@ -13,6 +13,7 @@
 #include "common/messages/heartbeat.hpp"
 #include "common/messages/sinkage_reading.hpp"
 #include "common/messages/stop_order.hpp"
+#include "tests/support/groundhog_params.hpp"
 
 namespace adit {
 namespace {
@@ -20,16 +21,10 @@ namespace {
 constexpr double kStepS = 0.01;
 constexpr double kForGoodS = 2.0;
 
-GuardParams guard_params() {
-  GuardParams params;
-  params.lasers = groundhog_lasers();
-  return params;
-}
-
 }  // namespace
 
 GuardedRobot::GuardedRobot(World world, const SimulationParams& params)
-    : robot_(std::move(world), params), guard_(robot_.bus(), guard_params()) {
+    : robot_(std::move(world), params), guard_(robot_.bus(), with_groundhog_lasers<GuardParams>()) {
   listen();
   robot_.bus().every(50'000, [this](std::int64_t utime) { command(utime); });
   robot_.bus().every(1'000'000, [this](std::int64_t utime) {

@@ -18,6 +18,7 @@
 #include "procs/scan_assembly/scan_assembly_node.hpp"
 #include "procs/volume_map/volume_map_node.hpp"
 #include "tests/support/box_drift.hpp"
+#include "tests/support/groundhog_params.hpp"
 #include "tests/support/robot_that_knows_its_place.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tools/volume/volume_run.hpp"
@@ -68,16 +69,10 @@ class RobotThatLooksAround {
   void close_log() { log_.close(); }
 
  private:
-  static ScanAssemblyParams assembly_params() {
-    ScanAssemblyParams params;
-    params.lasers = groundhog_lasers();
-    return params;
-  }
-
   LogWriter log_;
   RobotThatKnowsItsPlace robot_{box_drift()};
   MemoryBus& bus_ = robot_.bus();
-  ScanAssemblyNode scan_assembly_{bus_, assembly_params()};
+  ScanAssemblyNode scan_assembly_{bus_, with_groundhog_lasers<ScanAssemblyParams>()};
   VolumeMapNode volume_map_{bus_, VolumeMapParams{}};
   VolumeAssembler assembler_;
   Volume volume_;

@@ -13,6 +13,7 @@
 #include "common/messages/cloud_pieces.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/scan_request.hpp"
+#include "tests/support/groundhog_params.hpp"
 #include "tests/support/robot_that_knows_its_place.hpp"
 #include "tests/unit/procs/scan_assembly/sweeping_robot.hpp"
 
@@ -31,12 +32,6 @@ class ScanAssemblyNodeInAMine : public testing::Test {
                            [this](const Heartbeat& heartbeat) { heartbeat_ = heartbeat; });
   }
 
-  static ScanAssemblyParams params() {
-    ScanAssemblyParams params;
-    params.lasers = groundhog_lasers();
-    return params;
-  }
-
   void run(double seconds) { robot_.run(seconds); }
   void request(LaserId laser) {
     publish(bus_, channels::kScanRequest, to_message(ScanRequest{bus_.now_utime(), 5, laser}));
@@ -46,7 +41,7 @@ class ScanAssemblyNodeInAMine : public testing::Test {
   RobotThatKnowsItsPlace robot_{box_drift(drift_)};
   MemoryBus& bus_ = robot_.bus();
   NodeHost host_{bus_, {"scan_assembly", "0.1.0", ""}};
-  ScanAssemblyNode node_{host_.bus(), params()};
+  ScanAssemblyNode node_{host_.bus(), with_groundhog_lasers<ScanAssemblyParams>()};
   Heartbeat heartbeat_;
   CloudAssembler assembler_;
   std::vector<Cloud> clouds_;

@@ -13,6 +13,7 @@
 #include "sim/simulation/laser_on_body.hpp"
 #include "sim/simulation/simulation_params.hpp"
 #include "tests/support/box_drift.hpp"
+#include "tests/support/groundhog_params.hpp"
 
 namespace adit::test {
 
@@ -29,8 +30,7 @@ inline LaserParams perfect_laser() {
 }
 
 inline ScanAssemblyParams assembly_params() {
-  ScanAssemblyParams params;
-  params.lasers = groundhog_lasers();
+  auto params = with_groundhog_lasers<ScanAssemblyParams>();
   params.lasers.front.range_max_m = 8.0;  // no return of perfect_laser() reads 8.191 m
   return params;
 }

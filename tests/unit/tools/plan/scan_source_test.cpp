@@ -13,6 +13,7 @@
 #include "common/messages/cloud_pieces.hpp"
 #include "common/messages/scan_request.hpp"
 #include "procs/scan_assembly/scan_assembly_node.hpp"
+#include "tests/support/groundhog_params.hpp"
 #include "tests/support/robot_that_knows_its_place.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/tools/plan/swept_scan.hpp"
@@ -99,9 +100,7 @@ Cloud record_sweep(const std::filesystem::path& file) {
       return std::string_view();
     });
   }
-  ScanAssemblyParams params;
-  params.lasers = groundhog_lasers();
-  const ScanAssemblyNode node(bus, params);
+  const ScanAssemblyNode node(bus, with_groundhog_lasers<ScanAssemblyParams>());
   CloudAssembler assembler;
   Cloud swept;
   subscribe<cloud_t>(bus, channels::kCloud, Delivery::queued(1000), [&](const CloudPiece& piece) {

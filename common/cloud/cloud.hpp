@@ -26,7 +26,7 @@ struct CloudLine {
 /// axis against gravity.
 struct Cloud {
   std::int64_t utime = 0;  ///< end of the sweep [µs since the epoch]
-  std::int32_t id = 0;     ///< counts the sweeps
+  std::int32_t id = 0;     ///< of the request that it answers
   Pose2 T_odom_level;      ///< in the plan
   bool complete = true;    ///< false where the sweep was cut short
   std::vector<CloudLine> lines;

@@ -32,6 +32,10 @@ inline constexpr std::string_view kGoal = "GOAL";
 inline constexpr std::string_view kPath = "PATH";
 inline constexpr std::string_view kDrivingState = "DRIVING_STATE";
 inline constexpr std::string_view kExploration = "EXPLORATION";
+inline constexpr std::string_view kPhase = "PHASE";
+inline constexpr std::string_view kExploreRequest = "EXPLORE_REQUEST";
+inline constexpr std::string_view kMapRequest = "MAP_REQUEST";
+inline constexpr std::string_view kMissionOrder = "MISSION_ORDER";
 inline constexpr std::string_view kVehicleState = "VEHICLE_STATE";
 inline constexpr std::string_view kGas = "GAS";
 inline constexpr std::string_view kSinkage = "SINKAGE";
@@ -56,6 +60,7 @@ inline constexpr std::array kAll{
     kRunState,        kSimTime,      kSimTimeDone,  kScanRequest, kCloud,
     kTerrain,         kVolume,       kGoal,         kPath,        kDrivingState,
     kHeartbeat,       kConfig,       kStageStats,   kPmInfo,      kPmOrders,
-    kPmOutput,        kPmDiscover,   kExploration};
+    kPmOutput,        kPmDiscover,   kExploration,  kPhase,       kExploreRequest,
+    kMapRequest,      kMissionOrder};
 
 }  // namespace adit::channels

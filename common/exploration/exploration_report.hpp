@@ -46,6 +46,7 @@ struct ExplorationBudget {
 struct ExplorationReport {
   std::int64_t utime = 0;     ///< of the newest measurement in it [µs since the epoch]
   std::int64_t revision = 0;  ///< of the MapGraph that it rests on
+  std::int32_t request = 0;   ///< newest ExploreRequest that it answers; 0 before the first
   ExplorationDecision decision;
   Pose2 T_odom_goal;  ///< the goal of the decision in odom
   ExplorationBudget budget;

@@ -120,6 +120,7 @@ std::string_view reason_to_refuse(const exploration_t& message) {
   const auto kind = Kind(message.kind);
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.revision < 0) return "negative revision";
+  if (message.request < 0) return "negative id";
   if (kind < Kind::kStay || kind > Kind::kDone) return "unknown kind of decision";
   if (message.stub < ExplorationDecision::kNoStub) return "target with a negative id";
   if (!all_finite(message.T_map_goal) || !all_finite(message.T_odom_goal)) return kPoseNotFinite;
@@ -203,6 +204,7 @@ exploration_t to_message(const ExplorationReport& report) {
   exploration_t message;
   message.utime = report.utime;
   message.revision = report.revision;
+  message.request = report.request;
   set_decision(report, message);
   message.remaining_m = report.budget.remaining_m;
   message.home_m = report.budget.home_m;
@@ -220,6 +222,7 @@ Result<ExplorationReport> from_message(const exploration_t& message) {
   ExplorationReport report;
   report.utime = message.utime;
   report.revision = message.revision;
+  report.request = message.request;
   report.decision = {Kind(message.kind), pose_from(message.T_map_goal), message.distance_m,
                      message.stub,       message.complete != 0,         message.reason};
   report.T_odom_goal = pose_from(message.T_odom_goal);

@@ -10,12 +10,16 @@
 #include "common/messages/drive_command.hpp"
 #include "common/messages/driving_state.hpp"
 #include "common/messages/exploration_report.hpp"
+#include "common/messages/explore_request.hpp"
 #include "common/messages/gas_reading.hpp"
 #include "common/messages/heartbeat.hpp"
 #include "common/messages/imu_reading.hpp"
 #include "common/messages/laser_scan.hpp"
 #include "common/messages/local_map_pieces.hpp"
 #include "common/messages/map_correction.hpp"
+#include "common/messages/map_request.hpp"
+#include "common/messages/mission_order.hpp"
+#include "common/messages/mission_phase.hpp"
 #include "common/messages/plan_goal.hpp"
 #include "common/messages/planned_path.hpp"
 #include "common/messages/pose.hpp"
@@ -156,6 +160,7 @@ ExplorationReport sample_exploration() {
   ExplorationReport report;
   report.utime = kUtime;
   report.revision = 12;
+  report.request = 6;
   report.decision = {
       ExplorationDecision::Kind::kAlong, {20.0, -3.0, 0.1}, 12.5, 1, false, "straight on"};
   report.T_odom_goal = {20.1, -2.9, 0.1};
@@ -180,6 +185,28 @@ std::vector<MessageType> navigation_types() {
           type_of(channels::kPath, to_message(sample_path())),
           type_of(channels::kDrivingState, to_message(driving)),
           type_of(channels::kExploration, to_message(sample_exploration()))};
+}
+
+/// Those of a mission.
+std::vector<MessageType> mission_types() {
+  MissionPhase phase;
+  phase.utime = kUtime;
+  phase.sequence = 17;
+  phase.phase = Phase::kExecute;
+  phase.reason = "a path of 8.1 m";
+  phase.homeward = true;
+  phase.homeward_reason = "the way on is blocked";
+  phase.laser = LaserId::kRear;
+  phase.goal_id = 4;
+  phase.scans = 5;
+  phase.travelled_m = 40.5;
+  phase.remaining_m = 800.0;
+  const ExploreRequest request{kUtime, 6, 800.0, true, BlockedVerdict{kUtime, 1, 1.4, "a beam"}};
+  const MissionOrder order{kUtime, MissionOrder::Kind::kComeHome};
+  return {type_of(channels::kPhase, to_message(phase)),
+          type_of(channels::kExploreRequest, to_message(request)),
+          type_of(channels::kMapRequest, to_message(MapRequest{kUtime, "exploration"})),
+          type_of(channels::kMissionOrder, to_message(order))};
 }
 
 /// Those of a simulated run.
@@ -240,8 +267,8 @@ std::vector<MessageType> stage_types() {
 
 std::vector<MessageType> message_types() {
   std::vector<MessageType> types = stage_types();
-  for (const auto& more :
-       {vehicle_types(), navigation_types(), simulation_types(), procman_types()}) {
+  for (const auto& more : {vehicle_types(), navigation_types(), mission_types(), simulation_types(),
+                           procman_types()}) {
     types.insert(types.end(), more.begin(), more.end());
   }
   return types;

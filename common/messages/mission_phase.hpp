@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "adit/phase_t.hpp"
+
+#include "common/messages/result.hpp"
+#include "common/mission/mission_phase.hpp"
+
+namespace adit {
+
+phase_t to_message(const MissionPhase& phase);
+
+/// Refused: an implausible time, a phase, outcome or laser that there is not, numbers that are not
+/// finite or negative.
+Result<MissionPhase> from_message(const phase_t& message);
+
+}  // namespace adit

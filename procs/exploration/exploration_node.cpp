@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t kPiecesWaiting = 500;  // several local maps, or a large graph
 constexpr std::int64_t kPeriodUs = 1'000'000;
 constexpr double kMovedM = 0.05;
+constexpr double kNextWayM = 12.0;  // as far as a 3D scan sees
+constexpr double kWaySpacingM = 0.3;
 constexpr double kJumpM = 5.0;  // from pose to pose: a new odom frame, and no way
 
 double sd_of(const MapCorrection& correction) {
@@ -99,6 +101,9 @@ void ExplorationNode::publish_decision() {
   published_m_ = travelled_m_;
   ExplorationReport report = exploration_.report();
   report.T_odom_goal = correction_->T_map_odom.inverse() * report.decision.T_map_goal;
+  for (const Eigen::Vector2d& p_map : exploration_.next_way(kNextWayM, kWaySpacingM)) {
+    report.route_odom.emplace_back(correction_->T_map_odom.inverse() * p_map);
+  }
   publish(bus_, channels::kExploration, to_message(report));
 }
 

@@ -10,7 +10,6 @@ namespace {
 constexpr double kAskAgainS = 2.0;       // a message may be lost
 constexpr double kScanPatienceS = 30.0;  // a sweep takes eight seconds
 constexpr double kPlanPatienceS = 10.0;
-constexpr double kAnswerPatienceS = 6.0;  // of exploration, that has no map yet
 constexpr double kDrivingSilentS = 3.0;
 constexpr double kPoseSilentS = 1.0;
 
@@ -120,11 +119,6 @@ void Mission::wait(MissionAsk& ask) {
 void Mission::explore(MissionAsk& ask) {
   if (odom_is_new_ && !has_map_) {
     go_by_sight("it does not know where it is on its map, and moves on to recognise a place");
-    return;
-  }
-  const bool silent = since_phase_s() > kAnswerPatienceS;
-  if (silent && !answered_ && !has_map_ && !restored_) {
-    go_by_sight("there is no map yet: straight on");
     return;
   }
   if (!is_time_to_ask(kAskAgainS)) return;

@@ -57,6 +57,10 @@ void Mission::add_exploration(const ExplorationReport& report) {
 void Mission::decide(const ExplorationReport& report) {
   const ExplorationDecision& decision = report.decision;
   phase_.complete = decision.complete;
+  if (decision.kind == Kind::kStay && report.revision == 0 && !restored_ && !odom_is_new_) {
+    go_by_sight("there is no map yet: straight on");
+    return;
+  }
   if (decision.kind == Kind::kStay) {
     if (since_phase_s() > params_.stay_s) lost_try(decision.reason);
     return;

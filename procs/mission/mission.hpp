@@ -126,7 +126,6 @@ class Mission {
   std::int64_t restored_utime_ = 0;  ///< of the last change of phase before a restart
   bool odom_is_new_ = false;         ///< it is not the first of the mission
   std::int32_t request_ = 0;         ///< id of the last that exploration was asked
-  bool answered_ = false;            ///< exploration, ever
   std::optional<BlockedVerdict> verdict_;
   std::vector<Eigen::Vector2d> route_odom_;
   bool backing_off_ = false;

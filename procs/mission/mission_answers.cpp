@@ -51,7 +51,6 @@ void Mission::add_correction(const MapCorrection& correction) {
 
 void Mission::add_exploration(const ExplorationReport& report) {
   if (report.request == 0) return;
-  answered_ = true;
   if (phase_.phase == Phase::kExplore && report.request == request_) decide(report);
 }
 
@@ -186,8 +185,8 @@ void Mission::refuse(double reached_m, const std::string& reason, bool unseen) {
   verdict_ =
       BlockedVerdict{attempt_.utime(), phase_.stub, attempt_.reached_m(), attempt_.evidence()};
   attempt_.got_on();
-  if (!has_map_ && !answered_) {
-    end(MissionOutcome::kStranded, "there is no way into the mine: " + verdict_->evidence);
+  if (phase_.stub < 0 && ++lost_tries_ > params_.lost_tries_max) {
+    end(MissionOutcome::kStranded, "no way on was found: " + verdict_->evidence);
     return;
   }
   enter(Phase::kExplore, "the way is blocked: " + verdict_->evidence);
@@ -210,8 +209,10 @@ void Mission::add_driving(const DrivingState& state) {
     return;
   }
   if (state.kind == DrivingState::Kind::kArrived) {
-    if (!std::exchange(backing_off_, false) && got_on_m > kGotOnM) attempt_.got_on();
-    if (got_on_m > kGotOnM) lost_tries_ = 0;
+    if (!backing_off_ && got_on_m > kGotOnM) {
+      attempt_.got_on();
+      lost_tries_ = 0;
+    }
     enter(Phase::kExplore, "it has come to the end of the path");
   } else if (state.kind == DrivingState::Kind::kFailed) {
     backing_off_ = false;

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/mission_score.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/support/exploring_robot.hpp"
+#include "tests/support/true_passage.hpp"
+#include "tools/eval/trajectory_score.hpp"
+
+namespace adit::test {
+namespace {
+
+constexpr double kLookM = 0.5;  // of the true way, from one look around to the next
+
+std::string outcome_of(const MissionLog& log) {
+  if (!log.failure.empty()) return "failed";
+  if (log.phases.empty() || log.phases.back().phase != Phase::kEnded) return "timed out";
+  switch (log.phases.back().outcome) {
+    case MissionOutcome::kHome:
+      return "home";
+    case MissionOutcome::kStopped:
+      return "stopped";
+    default:
+      return "stranded";
+  }
+}
+
+void add_phases(const MissionLog& log, MissionScore& score) {
+  for (std::size_t i = 1; i < log.phases.size(); ++i) {
+    const Phase before = log.phases[i - 1].phase;
+    const Phase now = log.phases[i].phase;
+    if (before != Phase::kPlan && before != Phase::kExecute) continue;
+    score.other_laser += now == Phase::kScan ? 1 : 0;
+    score.back_offs += now == Phase::kPlan ? 1 : 0;
+  }
+  if (log.phases.empty()) return;
+  score.reason = log.failure.empty() ? log.phases.back().reason : log.failure;
+  score.scans = log.phases.back().scans;
+  score.complete = log.phases.back().complete;
+}
+
+void add_way(const MissionLog& log, MissionScore& score) {
+  score.travelled_m = log.travelled_m;
+  if (log.truth.empty()) return;
+  const Eigen::Vector2d start = log.truth.front().pose.translation();
+  for (const TimedPose& at : log.truth) {
+    score.home_off_m = (at.pose.translation() - start).norm();
+    score.farthest_m = std::max(score.farthest_m, score.home_off_m);
+  }
+  score.simulated_s = 1e-6 * static_cast<double>(log.truth.back().utime - log.truth.front().utime);
+  if (log.believed.empty()) return;
+  score.rmse_believed_m = score_trajectory(log.believed, log.truth).anchored.rmse_m;
+  if (log.mapped.empty()) return;
+  const TrajectoryScore mapped = score_trajectory(log.mapped, log.truth);
+  score.rmse_m = mapped.anchored.rmse_m;
+  score.length_ratio = mapped.length_ratio;
+}
+
+}  // namespace
+
+MissionTruth::MissionTruth(const World& world)
+    : mine_(light_mine(world)), roomy_(light_mine(world, with_room(Vehicle{}, kRoomM))) {}
+
+MissionScore MissionTruth::score(const MissionLog& log) const {
+  MissionScore score;
+  score.outcome = outcome_of(log);
+  add_phases(log, score);
+  add_way(log, score);
+  add_coverage(log, score);
+  add_verdicts(log, score);
+  score.guard_stops = log.guard_stops;
+  return score;
+}
+
+void MissionTruth::add_coverage(const MissionLog& log, MissionScore& score) const {
+  std::vector<bool> seen(mine_.corridor.size());
+  for (const TimedPose& at : thinned(log.truth, kLookM)) {
+    const Eigen::Vector2d body = at.pose.translation();
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const Eigen::Vector2d way = mine_.corridor[i] - body;
+      if (seen[i] || way.norm() > kSightM) continue;
+      seen[i] = !mine_.walls.cast(body, std::atan2(way.y(), way.x()), way.norm());
+    }
+  }
+  score.corridor_m = mine_.corridor_m();
+  if (seen.empty()) return;
+  const auto n = static_cast<double>(std::count(seen.begin(), seen.end(), true));
+  score.seen_share = n / static_cast<double>(seen.size());
+  for (const Eigen::Vector2d& p : mine_.corridor) {
+    bool near = false;
+    for (std::size_t k = 0; k < seen.size() && !near; ++k) {
+      near = seen[k] && (mine_.corridor[k] - p).norm() <= ExploringRobot::kMissedM;
+    }
+    if (!near) score.missed_m += LightMine::kSpacingM;
+  }
+}
+
+/// By where the stub is on the last map, laid upon the truth.
+void MissionTruth::add_verdicts(const MissionLog& log, MissionScore& score) const {
+  if (!log.report || log.mapped.empty()) return;
+  const Pose2 T_world_map = score_trajectory(log.mapped, log.truth).T_world_map;
+  for (const BlockedVerdict& verdict : log.verdicts) {
+    if (verdict.stub < 0 || static_cast<std::size_t>(verdict.stub) >= log.report->stubs.size()) {
+      ++score.home_verdicts;
+      continue;
+    }
+    ++score.verdicts;
+    const Stub& stub = log.report->stubs[static_cast<std::size_t>(verdict.stub)];
+    const Eigen::Vector2d beyond = stub.p_map + kBeyondM * stub.direction_map;
+    score.false_verdicts += roomy_.reachable(T_world_map * beyond) ? 1 : 0;
+  }
+}
+
+}  // namespace adit::test

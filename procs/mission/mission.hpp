@@ -22,8 +22,8 @@
 #include "common/sensing/scan_request.hpp"
 #include "common/vehicle/drive_command.hpp"
 #include "procs/mission/attempt.hpp"
-#include "procs/mission/driven_way.hpp"
 #include "procs/mission/mission_limits.hpp"
+#include "procs/mission/own_track.hpp"
 
 namespace adit {
 
@@ -109,7 +109,7 @@ class Mission {
   MissionParams params_;
   MissionLimits limits_;
   MissionPhase phase_;
-  DrivenWay way_;
+  OwnTrack way_;
   Attempt attempt_;
   std::int64_t utime_ = 0;
   std::int64_t begun_utime_ = 0;

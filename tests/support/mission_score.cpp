@@ -7,13 +7,24 @@
 #include <vector>
 
 #include "tests/support/exploring_robot.hpp"
-#include "tests/support/true_passage.hpp"
 #include "tools/eval/trajectory_score.hpp"
 
 namespace adit::test {
 namespace {
 
 constexpr double kLookM = 0.5;  // of the true way, from one look around to the next
+
+/// What it can do, nobody doubts.
+Vehicle with_room_round_it() {
+  Vehicle vehicle;
+  vehicle.length_m += 2.0 * MissionTruth::kRoomM;
+  vehicle.width_m += 2.0 * MissionTruth::kRoomM;
+  vehicle.height_m += 0.25;           // with which the terrain stage looks for what hangs
+  vehicle.belly_clearance_m -= 0.08;  // its margin, and roughness of the ground
+  vehicle.step_max_m -= 0.08;
+  vehicle.wading_depth_max_m = 0.0;  // all water is refused
+  return vehicle;
+}
 
 std::string outcome_of(const MissionLog& log) {
   if (!log.failure.empty()) return "failed";
@@ -62,7 +73,7 @@ void add_way(const MissionLog& log, MissionScore& score) {
 }  // namespace
 
 MissionTruth::MissionTruth(const World& world)
-    : mine_(light_mine(world)), roomy_(light_mine(world, with_room(Vehicle{}, kRoomM))) {}
+    : mine_(light_mine(world)), roomy_(light_mine(world, with_room_round_it())) {}
 
 MissionScore MissionTruth::score(const MissionLog& log) const {
   MissionScore score;

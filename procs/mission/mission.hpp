@@ -102,6 +102,7 @@ class Mission {
   void judge(const PlannedPath& path);
   void refuse(double reached_m, const std::string& reason, bool unseen);
   void back_off(const std::string& reason);
+  void retrace(const std::string& reason);
   void lost_try(const std::string& reason);
   [[nodiscard]] LaserId facing(const std::vector<Eigen::Vector2d>& route_odom) const;
   [[nodiscard]] PlanGoal goal() const;
@@ -128,6 +129,7 @@ class Mission {
   std::int32_t request_ = 0;         ///< id of the last that exploration was asked
   std::optional<BlockedVerdict> verdict_;
   std::vector<Eigen::Vector2d> route_odom_;
+  PlanGoal::Kind goal_kind_ = PlanGoal::Kind::kRoute;
   bool backing_off_ = false;
   std::int64_t terrain_utime_ = 0;
   std::optional<DrivingState> driving_;

@@ -106,6 +106,7 @@ void Mission::look_along(std::vector<Eigen::Vector2d> route_odom, const std::str
     return;
   }
   route_odom_ = std::move(route_odom);
+  goal_kind_ = PlanGoal::Kind::kRoute;
   tries_ = 0;
   look(facing(route_odom_), reason);
 }
@@ -131,7 +132,7 @@ LaserId Mission::facing(const std::vector<Eigen::Vector2d>& route_odom) const {
 }
 
 PlanGoal Mission::goal() const {
-  PlanGoal goal{utime_, phase_.goal_id, PlanGoal::Kind::kRoute, {}, kSightM, route_odom_};
+  PlanGoal goal{utime_, phase_.goal_id, goal_kind_, {}, kSightM, route_odom_};
   goal.T_odom_goal = {route_odom_.back().x(), route_odom_.back().y(), 0.0};
   return goal;
 }
@@ -154,6 +155,10 @@ void Mission::judge(const PlannedPath& path) {
     progress_mark_m_ = way_.travelled_m();
     driving_utime_ = utime_;
     enter(Phase::kExecute, path.reason);
+    return;
+  }
+  if (backing_off_ && goal_kind_ != PlanGoal::Kind::kRetrace) {
+    retrace(path.reason);
     return;
   }
   if (backing_off_) {
@@ -195,8 +200,16 @@ void Mission::refuse(double reached_m, const std::string& reason, bool unseen) {
 void Mission::back_off(const std::string& reason) {
   backing_off_ = true;
   route_odom_ = way_.back(params_.back_off_m);
+  goal_kind_ = PlanGoal::Kind::kRoute;
   ++phase_.goal_id;
   enter(Phase::kPlan, "it backs off to look from another place: " + reason);
+}
+
+/// What it came over carried it, whatever the scans say of it.
+void Mission::retrace(const std::string& reason) {
+  goal_kind_ = PlanGoal::Kind::kRetrace;
+  ++phase_.goal_id;
+  enter(Phase::kPlan, "it goes back on its own track: " + reason);
 }
 
 void Mission::add_driving(const DrivingState& state) {

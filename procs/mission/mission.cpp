@@ -48,8 +48,10 @@ void Mission::enter(Phase phase, const std::string& reason) {
   phase_.phase = phase;
   phase_.reason = reason;
   asked_utime_ = 0;
-  if (phase != Phase::kPlan && phase != Phase::kExecute) backing_off_ = false;
   if (phase == Phase::kExplore) ++request_;
+  if (phase == Phase::kPlan || phase == Phase::kExecute) return;
+  backing_off_ = false;
+  goal_kind_ = PlanGoal::Kind::kRoute;
 }
 
 void Mission::end(MissionOutcome outcome, const std::string& reason) {

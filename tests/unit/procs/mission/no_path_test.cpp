@@ -13,6 +13,11 @@ using Driving = DrivingState::Kind;
 
 class AMissionWithoutAPath : public ScriptedStages {
  protected:
+  void back() {
+    driving(Driving::kDriving);
+    x_m_ -= 0.25;
+    tick();
+  }
   /// A way behind it, so that it can back off.
   void drive_in() {
     to_execute();
@@ -101,6 +106,8 @@ TEST_F(AMissionWithoutAPath, CountsADriveThatFailsAsARefusal) {
   tick();
   EXPECT_EQ(now(), Phase::kPlan);  // it backs off
   path(PlanOutcome::kBlocked);
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);  // on its own track, then
+  path(PlanOutcome::kBlocked);
   ASSERT_TRUE(request_.blocked);
   EXPECT_THAT(request_.blocked->evidence, HasSubstr("Driving gave up: beside its path."));
   EXPECT_THAT(request_.blocked->evidence, HasSubstr("Nor is there a way back"));
@@ -172,6 +179,27 @@ TEST_F(AMissionWithoutAPath, DoesNotTakeBackingOffForGettingOn) {
   answer(Kind::kAlong, 3);
   terrain();
   path(PlanOutcome::kBlocked);
+  EXPECT_TRUE(request_.blocked);
+}
+
+/// What is seen from farther back leads to where it was refused, again and again.
+TEST_F(AMissionWithoutAPath, DoesNotPaceBackAndForthForEver) {
+  drive_in();
+  for (int i = 0; i < 10 && !request_.blocked; ++i) {
+    path(PlanOutcome::kBlocked);
+    if (request_.blocked) break;
+    path(PlanOutcome::kFound);
+    for (int k = 0; k < 12; ++k) back();
+    arrive();
+    answer(Kind::kAlong, 3);
+    terrain();
+    path(PlanOutcome::kFound);
+    drive(3.0);
+    arrive();
+    answer(Kind::kAlong, 3);
+    terrain();
+    ASSERT_LT(i, 3);
+  }
   EXPECT_TRUE(request_.blocked);
 }
 

@@ -70,6 +70,32 @@ void add_way(const MissionLog& log, MissionScore& score) {
   score.length_ratio = mapped.length_ratio;
 }
 
+/// Which places of the corridor were seen.
+std::vector<bool> seen_of(const LightMine& mine, const Trajectory& truth) {
+  std::vector<bool> seen(mine.corridor.size());
+  for (const TimedPose& at : thinned(truth, kLookM)) {
+    const Eigen::Vector2d body = at.pose.translation();
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const Eigen::Vector2d way = mine.corridor[i] - body;
+      if (seen[i] || way.norm() > MissionTruth::kSightM) continue;
+      seen[i] = !mine.walls.cast(body, std::atan2(way.y(), way.x()), way.norm());
+    }
+  }
+  return seen;
+}
+
+double missed_m(const LightMine& mine, const std::vector<bool>& seen) {
+  double missed = 0.0;
+  for (const Eigen::Vector2d& p : mine.corridor) {
+    bool near = false;
+    for (std::size_t k = 0; k < seen.size() && !near; ++k) {
+      near = seen[k] && (mine.corridor[k] - p).norm() <= ExploringRobot::kMissedM;
+    }
+    if (!near) missed += LightMine::kSpacingM;
+  }
+  return missed;
+}
+
 }  // namespace
 
 MissionTruth::MissionTruth(const World& world)
@@ -87,26 +113,12 @@ MissionScore MissionTruth::score(const MissionLog& log) const {
 }
 
 void MissionTruth::add_coverage(const MissionLog& log, MissionScore& score) const {
-  std::vector<bool> seen(mine_.corridor.size());
-  for (const TimedPose& at : thinned(log.truth, kLookM)) {
-    const Eigen::Vector2d body = at.pose.translation();
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      const Eigen::Vector2d way = mine_.corridor[i] - body;
-      if (seen[i] || way.norm() > kSightM) continue;
-      seen[i] = !mine_.walls.cast(body, std::atan2(way.y(), way.x()), way.norm());
-    }
-  }
   score.corridor_m = mine_.corridor_m();
-  if (seen.empty()) return;
+  const std::vector<bool> seen = seen_of(mine_, log.truth);
   const auto n = static_cast<double>(std::count(seen.begin(), seen.end(), true));
-  score.seen_share = n / static_cast<double>(seen.size());
-  for (const Eigen::Vector2d& p : mine_.corridor) {
-    bool near = false;
-    for (std::size_t k = 0; k < seen.size() && !near; ++k) {
-      near = seen[k] && (mine_.corridor[k] - p).norm() <= ExploringRobot::kMissedM;
-    }
-    if (!near) score.missed_m += LightMine::kSpacingM;
-  }
+  if (!seen.empty()) score.seen_share = n / static_cast<double>(seen.size());
+  score.missed_m = missed_m(mine_, seen);
+  score.sure_missed_m = missed_m(roomy_, seen_of(roomy_, log.truth));
 }
 
 /// By where the stub is on the last map, laid upon the truth.

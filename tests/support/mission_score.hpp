@@ -12,14 +12,15 @@ namespace adit::test {
 
 /// How a mission went, by the truth.
 struct MissionScore {
-  std::string outcome;       ///< home, stopped, stranded, timed out, failed or crashed
-  std::string reason;        ///< for that, a sentence
-  double home_off_m = 0.0;   ///< of the true body from the start, at the end
-  double farthest_m = 0.0;   ///< of the true body from the start, straight
-  double corridor_m = 0.0;   ///< that can be reached
-  double seen_share = 0.0;   ///< of that, from within 8 m
-  double missed_m = 0.0;     ///< of that, farther than 2 m from all that was seen
-  double travelled_m = 0.0;  ///< true
+  std::string outcome;         ///< home, stopped, stranded, timed out, failed or crashed
+  std::string reason;          ///< for that, a sentence
+  double home_off_m = 0.0;     ///< of the true body from the start, at the end
+  double farthest_m = 0.0;     ///< of the true body from the start, straight
+  double corridor_m = 0.0;     ///< that can be reached
+  double seen_share = 0.0;     ///< of that, from within 8 m
+  double missed_m = 0.0;       ///< of that, farther than 2 m from all that was seen
+  double sure_missed_m = 0.0;  ///< the same of what the vehicle with some room can reach
+  double travelled_m = 0.0;    ///< true
   double simulated_s = 0.0;
   double wall_s = 0.0;
   int scans = 0;

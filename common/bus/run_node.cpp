@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/bus/run_node.hpp"
 
+#include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -19,6 +21,7 @@ namespace adit {
 namespace {
 
 constexpr int kExitUnusable = 2;
+constexpr const char* kConfigVariable = "ADIT_CONFIG";
 
 struct Options {
   std::string config;
@@ -29,7 +32,8 @@ struct Options {
 
 void declare(CLI::App& app, const std::string& program, Options& options) {
   app.add_option("--config", options.config, "YAML file with a section for each stage")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->envname(kConfigVariable);
   app.add_option("--lcm-url", options.lcm_url,
                  "Where LCM is, e.g. udpm://239.255.76.67:7667?ttl=0 (the default)")
       ->type_name("URL");
@@ -49,6 +53,15 @@ ConfigFile load(const std::string& path, const std::string& stage) {
   known.push_back(stage);
   file.require_known_sections(known);
   return file;
+}
+
+/// What was said to this process is said to those that it starts, unless they are told otherwise.
+/// Not that time is a simulator's: left in somebody's shell, that would make a robot wait for ever.
+void hand_on(const Options& options) {
+  if (!options.config.empty()) {
+    setenv(kConfigVariable, std::filesystem::absolute(options.config).c_str(), 1);
+  }
+  if (!options.lcm_url.empty()) setenv("LCM_DEFAULT_URL", options.lcm_url.c_str(), 1);
 }
 
 LcmBusOptions bus_options(const Options& options, const std::string& stage) {
@@ -87,6 +100,7 @@ int run_stage(const std::string& stage, const Configure& configure, int argc, ch
     std::cout << node.yaml;
     return 0;
   }
+  hand_on(options);  // before there are threads
   run_on_lcm(program, node, options);
   return 0;
 } catch (const std::exception& error) {

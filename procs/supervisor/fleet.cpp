@@ -18,7 +18,7 @@ std::string_view state_of(const ProcmanStatus& status) {
 
 Fleet::Fleet(const SupervisorSite& site, const RestartPace& pace)
     : site_(site),
-      keeper_(site.list, {site.deputy, site.watcher, pace}),
+      keeper_(site.list, {site.deputy, site.watcher, pace, site.log_dir, site.log_limits}),
       remotes_(site.list, site.deputy) {}
 
 void Fleet::require_may_change(const std::string& id) {
@@ -32,22 +32,73 @@ void Fleet::require_may_change(const std::string& id) {
 
 void Fleet::change(const ScriptChange& change, std::int64_t now_us) {
   for (const std::string& id : change.ids) require_may_change(id);
-  for (const std::string& id : change.ids) this->change(change.kind, id, now_us);
+  for (const std::string& id : change.ids) {
+    if (change.kind == Kind::kStart) {
+      start(id);
+    } else {
+      stops_.add(*site_.list.find(id), change.kind == Kind::kRestart, now_us);
+    }
+  }
+  stop_due(now_us);
 }
 
-void Fleet::change(Kind kind, const std::string& id, std::int64_t now_us) {
+void Fleet::start(const std::string& id) {
+  stops_.forget(id);
   if (KeptProcess* const process = keeper_.find(id)) {
-    if (kind == Kind::kStart) process->start();
-    if (kind == Kind::kStop) process->stop(now_us);
-    if (kind == Kind::kRestart) process->restart(now_us);
+    process->start();
   } else {
-    if (kind == Kind::kStart) remotes_.start(id);
-    if (kind == Kind::kStop) remotes_.stop(id);
-    if (kind == Kind::kRestart) remotes_.restart(id);
+    remotes_.start(id);
   }
 }
 
+void Fleet::stop(const OrderedStops::Stop& stop, std::int64_t now_us) {
+  if (KeptProcess* const process = keeper_.find(stop.id)) {
+    if (stop.and_start) return process->restart(now_us);
+    process->stop(now_us);
+  } else if (remotes_.has(stop.id)) {
+    if (stop.and_start) return remotes_.restart(stop.id);
+    remotes_.stop(stop.id);
+  }
+}
+
+/// Again and again, since what does not run is no longer in the way as soon as it was told.
+void Fleet::stop_due(std::int64_t now_us) {
+  const auto is_ending = [&](const std::string& id) {
+    if (KeptProcess* const process = keeper_.find(id)) {
+      return process->life().state() == LifeState::kStopping;
+    }
+    return remotes_.has(id) && remotes_.is_ending(id, now_us);
+  };
+  for (;;) {
+    const auto due = stops_.take_due(now_us, is_ending);
+    if (due.empty()) return;
+    for (const OrderedStops::Stop& stop : due) this->stop(stop, now_us);
+  }
+}
+
+void Fleet::relist(const ProcessList& before, std::int64_t now_us) {
+  for (const ListedCommand& old : before.commands) {
+    KeptProcess* const process = keeper_.find(old.id);
+    const ListedCommand* const now = site_.list.find(old.id);
+    if (!process || (now && *now == old)) continue;
+    const LifeState state = process->life().state();
+    const bool stays = now && now->deputy == site_.deputy;
+    // One that was given up has another chance, now that it is another.
+    const bool and_start = stays && (process->life().wanted() || state == LifeState::kFailed);
+    if (!stays || and_start) stops_.add(old, and_start, now_us);
+  }
+  keeper_.relist(site_.list);
+  remotes_.relist(site_.list);
+  stop_due(now_us);
+}
+
+const OutputLog* Fleet::output(const std::string& id) {
+  const KeptProcess* const process = keeper_.find(id);
+  return process ? &process->output() : remote_output_.find(id);
+}
+
 Standing Fleet::standing(const std::string& id, std::int64_t now_us) {
+  if (stops_.waits(id)) return Standing::kBetween;
   const KeptProcess* const process = keeper_.find(id);
   if (!process) return remotes_.standing(id, now_us);
   if (process->works()) return Standing::kWorking;
@@ -62,6 +113,7 @@ void Fleet::heard(std::string_view channel, std::int64_t now_us) {
 }
 
 bool Fleet::advance(std::int64_t now_us) {
+  stop_due(now_us);
   return keeper_.advance(now_us, [&](const std::string& id) {
     return remotes_.standing(id, now_us) == Standing::kWorking;
   });
@@ -75,6 +127,7 @@ std::string Fleet::rows(std::int64_t now_us) {
 
 /// What it waits for, or its trouble.
 std::string Fleet::note_on(const KeptProcess& process, std::int64_t now_us) {
+  if (stops_.waits(process.command().id)) return "stops after what depends on it";
   if (process.life().state() != LifeState::kWaiting) return process.life().trouble();
   std::string note;
   for (const std::string& id : process.command().depends_on) {

@@ -3,6 +3,7 @@
 #include "procs/supervisor/site.hpp"
 
 #include <array>
+#include <cmath>
 
 #include <unistd.h>
 
@@ -24,6 +25,14 @@ std::string host_name() {
 fs::path beside_this_program(const std::string& name) {
   std::error_code unknown;
   return fs::read_symlink("/proc/self/exe", unknown).parent_path() / name;
+}
+
+void make_log_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw ConfigError("supervisor.log_dir: " + folder.string() + " cannot be written to");
+  }
 }
 
 void give_deputies(ProcessList& list, const std::string& in_charge, const std::string& file) {
@@ -52,6 +61,9 @@ SupervisorSite make_site(const SupervisorParams& params) {
   if (access(site.watcher.c_str(), X_OK) != 0) {
     throw ConfigError("supervisor.watcher: " + site.watcher.string() + " cannot be run");
   }
+  site.log_dir = params.log_dir;
+  site.log_limits = {std::llround(params.log_file_max_mb * 1e6), params.log_files};
+  if (!site.log_dir.empty()) make_log_folder(site.log_dir);
   site.list = read_process_list(params.processes);
   give_deputies(site.list, site.in_charge ? site.deputy : params.in_charge, params.processes);
   if (!params.start_script.empty() && !site.list.find_script(params.start_script)) {

@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/supervisor/fleet.hpp"
 
-#include <sstream>
 #include <stdexcept>
 
 namespace adit {
 namespace {
 
 using Kind = ScriptAction::Kind;
-
-std::string_view state_of(const ProcmanStatus& status) {
-  return status.pid > 0 ? "running" : "stopped";
-}
 
 }  // namespace
 
@@ -44,15 +39,12 @@ void Fleet::change(const ScriptChange& change, std::int64_t now_us) {
 
 void Fleet::start(const std::string& id) {
   stops_.forget(id);
-  if (KeptProcess* const process = keeper_.find(id)) {
-    process->start();
-  } else {
-    remotes_.start(id);
-  }
+  if (remotes_.has(id)) return remotes_.start(id);
+  keeper_.find(id)->start();
 }
 
 void Fleet::stop(const OrderedStops::Stop& stop, std::int64_t now_us) {
-  if (KeptProcess* const process = keeper_.find(stop.id)) {
+  if (KeptProcess* const process = keeper_.find(stop.id)) {  // one that is gone from the list too
     if (stop.and_start) return process->restart(now_us);
     process->stop(now_us);
   } else if (remotes_.has(stop.id)) {
@@ -117,40 +109,6 @@ bool Fleet::advance(std::int64_t now_us) {
   return keeper_.advance(now_us, [&](const std::string& id) {
     return remotes_.standing(id, now_us) == Standing::kWorking;
   });
-}
-
-std::string Fleet::rows(std::int64_t now_us) {
-  std::string text;
-  for (const ListedCommand& command : site_.list.commands) text += row(command, now_us) + "\n";
-  return text;
-}
-
-/// What it waits for, or its trouble.
-std::string Fleet::note_on(const KeptProcess& process, std::int64_t now_us) {
-  if (stops_.waits(process.command().id)) return "stops after what depends on it";
-  if (process.life().state() != LifeState::kWaiting) return process.life().trouble();
-  std::string note;
-  for (const std::string& id : process.command().depends_on) {
-    if (standing(id, now_us) == Standing::kWorking) continue;
-    note.append(note.empty() ? "for " : ", ").append(id);
-  }
-  return note;
-}
-
-std::string Fleet::row(const ListedCommand& command, std::int64_t now_us) {
-  std::ostringstream out;
-  out << command.id << '\t' << command.deputy << '\t' << command.group << '\t';
-  if (const KeptProcess* const process = keeper_.find(command.id)) {
-    out << name_of(process->life().state()) << '\t' << process->pid() << '\t'
-        << process->use().cpu_cores << '\t' << process->use().memory_bytes << '\t'
-        << process->life().restarts() << '\t' << note_on(*process, now_us);
-  } else if (const auto status = remotes_.status(command.id, now_us)) {
-    out << state_of(*status) << '\t' << status->pid << '\t' << status->cpu_cores << '\t'
-        << status->memory_bytes << "\t0\t";
-  } else {
-    out << "unknown\t0\t0\t0\t0\tnothing was heard from " << command.deputy << " for five seconds";
-  }
-  return out.str();
 }
 
 }  // namespace adit

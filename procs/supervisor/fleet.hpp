@@ -32,9 +32,8 @@ class Fleet {
 
   [[nodiscard]] Standing standing(const std::string& id, std::int64_t now_us);
 
-  /// For people: a line for each process, in the order of the list, its words divided by tabs:
-  /// name, deputy, group, state, process id, cores in use, memory [bytes], restarts, trouble.
-  [[nodiscard]] std::string rows(std::int64_t now_us);
+  /// Whether it is to be stopped, once what depends on it is.
+  [[nodiscard]] bool stops_later(const std::string& id) const { return stops_.waits(id); }
 
   void heard(std::string_view channel, std::int64_t now_us);
   void heard(const ProcmanOutput& output) {
@@ -56,8 +55,6 @@ class Fleet {
   void start(const std::string& id);
   void stop(const OrderedStops::Stop& stop, std::int64_t now_us);
   void stop_due(std::int64_t now_us);
-  [[nodiscard]] std::string note_on(const KeptProcess& process, std::int64_t now_us);
-  [[nodiscard]] std::string row(const ListedCommand& command, std::int64_t now_us);
 
   const SupervisorSite& site_;
   Keeper keeper_;

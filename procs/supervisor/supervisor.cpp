@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "procs/supervisor/fleet_rows.hpp"
 #include "procs/supervisor/keeping/list_change.hpp"
 #include "procs/supervisor/logs_answer.hpp"
 #include "procs/supervisor/os/wall_time.hpp"
@@ -39,7 +40,7 @@ Supervisor::Supervisor(const SupervisorParams& params)
 Supervisor::News Supervisor::advance(std::int64_t now_us) {
   terminals_.poll([this](const std::vector<std::string>& words) { return answer(words); });
   if (reload_signal_.came()) reload_by_signal(now_us);
-  advance_script(now_us);
+  if (script_.advance(fleet_, now_us)) news_.elsewhere = true;
   if (fleet_.advance(now_us)) news_.here = true;
   return std::exchange(news_, {});
 }
@@ -58,11 +59,7 @@ std::string Supervisor::reload(std::int64_t now_us) {
   list_failure_.clear();
   const ListChange change = change_between(site_.list, list);
   std::string text = text_of(change);
-  if (script_) {
-    script_failure_ = "script \"" + script_->name() + "\" was ended by a new process list";
-    text += script_failure_ + "\n";
-    script_.reset();
-  }
+  if (script_.end("was ended by a new process list")) text += script_.failure() + "\n";
   std::swap(site_.list, list);
   fleet_.relist(list, now_us);
   news_.here = true;
@@ -77,21 +74,7 @@ void Supervisor::measure(std::int64_t now_us) {
 }
 
 void Supervisor::begin_script(const std::string& name) {
-  script_.emplace(site_.list, name, params_.script_timeout_s);
-  script_failure_.clear();
-}
-
-void Supervisor::advance_script(std::int64_t now_us) {
-  if (!script_) return;
-  const auto standing_of = [&](const std::string& id) { return fleet_.standing(id, now_us); };
-  try {
-    while (const auto change = script_->advance(now_us, standing_of)) this->change(*change, now_us);
-    if (!script_->is_over()) return;
-    script_failure_ = script_->failure();
-  } catch (const std::invalid_argument& refusal) {
-    script_failure_ = "script \"" + script_->name() + "\": " + refusal.what();
-  }
-  script_.reset();
+  script_.begin(name, site_.list, params_.script_timeout_s);
 }
 
 void Supervisor::change(const ScriptChange& change, std::int64_t now_us) {
@@ -105,7 +88,8 @@ std::string_view Supervisor::obey(const ProcmanOrders& orders, std::int64_t now_
   if (!refusal.empty()) return refusal;
   for (const ProcmanOrder& order : orders.orders) {
     KeptProcess* const process = fleet_.keeper().find(order.command.id);
-    const auto reason = reason_to_refuse(process ? &process->command() : nullptr, order);
+    const ListedCommand* const listed = site_.list.find(order.command.id);
+    const auto reason = reason_to_refuse(process ? listed : nullptr, order);
     if (reason.empty()) {
       process->order(order.run_id, order.stop, now_us);
     } else {
@@ -139,7 +123,7 @@ std::set<std::string> Supervisor::alive_channels() const {
 std::string Supervisor::complaint() const {
   const std::string complaint = complaint_about(fleet_.keeper());
   if (!complaint.empty()) return complaint;
-  return list_failure_.empty() ? script_failure_ : list_failure_;
+  return list_failure_.empty() ? script_.failure() : list_failure_;
 }
 
 TerminalAnswer Supervisor::answer(const std::vector<std::string>& words) {
@@ -149,7 +133,7 @@ TerminalAnswer Supervisor::answer(const std::vector<std::string>& words) {
       {"restart", ScriptAction::Kind::kRestart}};
   const std::string& verb = words.front();
   const std::vector<std::string> names(words.begin() + 1, words.end());
-  if (verb == "ps") return {fleet_.rows(steady_us())};
+  if (verb == "ps") return {rows_of(fleet_, steady_us())};
   if ((verb == "logs" || verb == "follow") && names.size() == 1) {
     return logs_answer(fleet_, names.front(), verb == "follow");
   }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -12,7 +11,7 @@
 #include "common/procman/procman_values.hpp"
 #include "procs/supervisor/fleet.hpp"
 #include "procs/supervisor/fleet_health.hpp"
-#include "procs/supervisor/keeping/script_run.hpp"
+#include "procs/supervisor/fleet_script.hpp"
 #include "procs/supervisor/orders/order_policy.hpp"
 #include "procs/supervisor/os/host_meter.hpp"
 #include "procs/supervisor/os/reload_signal.hpp"
@@ -74,7 +73,6 @@ class Supervisor {
   void reload_by_signal(std::int64_t now_us);
   std::string reload(std::int64_t now_us);
   TerminalAnswer answer(const std::vector<std::string>& words);
-  void advance_script(std::int64_t now_us);
   void begin_script(const std::string& name);
   void change(const ScriptChange& change, std::int64_t now_us);
 
@@ -84,8 +82,7 @@ class Supervisor {
   Fleet fleet_;
   HostMeter host_;
   HostLoad load_;
-  std::optional<ScriptRun> script_;
-  std::string script_failure_;
+  FleetScript script_;
   OutputRelay relay_;
   News news_;
   std::string list_failure_;

@@ -16,6 +16,7 @@
 #include "common/bus/stop_signal.hpp"
 #include "common/bus/transport_check.hpp"
 #include "common/bus/version.hpp"
+#include "common/files/shared_file.hpp"
 
 namespace adit {
 namespace {
@@ -48,7 +49,7 @@ void declare(CLI::App& app, const std::string& program, Options& options) {
 /// One file serves all stages, so the sections of the others are fine.
 ConfigFile load(const std::string& path, const std::string& stage) {
   if (path.empty()) return {};
-  ConfigFile file = ConfigFile::load(path);
+  ConfigFile file = ConfigFile::load(shared_file(path, "config"));
   std::vector<std::string> known = config_sections();
   known.push_back(stage);
   file.require_known_sections(known);
@@ -59,7 +60,8 @@ ConfigFile load(const std::string& path, const std::string& stage) {
 /// Not that time is a simulator's: left in somebody's shell, that would make a robot wait for ever.
 void hand_on(const Options& options) {
   if (!options.config.empty()) {
-    setenv(kConfigVariable, std::filesystem::absolute(options.config).c_str(), 1);
+    const auto config = std::filesystem::absolute(shared_file(options.config, "config"));
+    setenv(kConfigVariable, config.c_str(), 1);
   }
   if (!options.lcm_url.empty()) setenv("LCM_DEFAULT_URL", options.lcm_url.c_str(), 1);
 }

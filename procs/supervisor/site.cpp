@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "common/config/config_file.hpp"
+#include "common/files/shared_file.hpp"
 #include "common/process_list/parser.hpp"
 #include "procs/supervisor/terminal/socket_path.hpp"
 
@@ -64,7 +65,7 @@ SupervisorSite make_site(const SupervisorParams& params) {
   site.log_dir = params.log_dir;
   site.log_limits = {std::llround(params.log_file_max_mb * 1e6), params.log_files};
   if (!site.log_dir.empty()) make_log_folder(site.log_dir);
-  site.list = read_process_list(params.processes);
+  site.list = read_process_list(shared_file(params.processes, "processes"));
   give_deputies(site.list, site.in_charge ? site.deputy : params.in_charge, params.processes);
   if (!params.start_script.empty() && !site.list.find_script(params.start_script)) {
     throw ConfigError("supervisor.start_script: " + params.processes + " has no script \"" +

@@ -60,10 +60,10 @@ same as: kill -HUP, systemctl reload adit-supervisor.)";
 
 std::shared_ptr<Options> add_socket_option(CLI::App& command) {
   auto options = std::make_shared<Options>();
-  options->socket = default_socket_path();
+  options->socket = socket_path_to_ask();
   command
       .add_option("--socket", options->socket,
-                  "Where the supervisor listens; the user's own without")
+                  "Where the supervisor listens; the user's own without, or the system's")
       ->type_name("PATH");
   return options;
 }

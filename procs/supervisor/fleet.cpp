@@ -31,10 +31,15 @@ void Fleet::change(const ScriptChange& change, std::int64_t now_us) {
     if (change.kind == Kind::kStart) {
       start(id);
     } else {
-      stops_.add(*site_.list.find(id), change.kind == Kind::kRestart, now_us);
+      stop_in_turn(*site_.list.find(id), change.kind == Kind::kRestart, now_us);
     }
   }
   stop_due(now_us);
+}
+
+void Fleet::stop_in_turn(const ListedCommand& command, bool and_start, std::int64_t now_us) {
+  stops_.add(command, and_start, now_us);
+  if (KeptProcess* const process = keeper_.find(command.id)) process->announce_stop();
 }
 
 void Fleet::start(const std::string& id) {
@@ -77,7 +82,7 @@ void Fleet::relist(const ProcessList& before, std::int64_t now_us) {
     const bool stays = now && now->deputy == site_.deputy;
     // One that was given up has another chance, now that it is another.
     const bool and_start = stays && (process->life().wanted() || state == LifeState::kFailed);
-    if (!stays || and_start) stops_.add(old, and_start, now_us);
+    if (!stays || and_start) stop_in_turn(old, and_start, now_us);
   }
   keeper_.relist(site_.list);
   remotes_.relist(site_.list);
@@ -106,9 +111,8 @@ void Fleet::heard(std::string_view channel, std::int64_t now_us) {
 
 bool Fleet::advance(std::int64_t now_us) {
   stop_due(now_us);
-  return keeper_.advance(now_us, [&](const std::string& id) {
-    return remotes_.standing(id, now_us) == Standing::kWorking;
-  });
+  return keeper_.advance(
+      now_us, [&](const std::string& id) { return standing(id, now_us) == Standing::kWorking; });
 }
 
 }  // namespace adit

@@ -54,6 +54,7 @@ class Fleet {
   void require_may_change(const std::string& id);
   void start(const std::string& id);
   void stop(const OrderedStops::Stop& stop, std::int64_t now_us);
+  void stop_in_turn(const ListedCommand& command, bool and_start, std::int64_t now_us);
   void stop_due(std::int64_t now_us);
 
   const SupervisorSite& site_;

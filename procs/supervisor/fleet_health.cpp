@@ -27,8 +27,9 @@ bool any_given_up(const Keeper& keeper) {
 }
 
 std::string count_of_running(const Keeper& keeper) {
-  const auto running =
-      std::ranges::count_if(keeper.processes(), [](const KeptProcess& p) { return p.works(); });
+  const auto running = std::ranges::count_if(keeper.processes(), [](const KeptProcess& process) {
+    return process.life().state() == LifeState::kWorking;
+  });
   return std::to_string(running) + " of " + std::to_string(keeper.processes().size()) +
          " processes run";
 }

@@ -49,9 +49,24 @@ void KeptProcess::take_next_listing() {
 /// A word of the supervisor's own in the file.
 void KeptProcess::note(const std::string& what) { log_.add("--- " + what, wall_utime()); }
 
+void KeptProcess::start() {
+  leaves_ = false;
+  life_.want_running();
+}
+
+void KeptProcess::stop(std::int64_t now_us) {
+  leaves_ = false;
+  life_.want_stopped(now_us);
+}
+
+void KeptProcess::restart(std::int64_t now_us) {
+  leaves_ = false;
+  life_.want_restart(now_us);
+}
+
 void KeptProcess::order(std::int32_t run_id, bool stop, std::int64_t now_us) {
-  if (stop) return life_.want_stopped(now_us);
-  if (std::exchange(run_id_, run_id) != run_id) life_.want_restart(now_us);
+  if (stop) return this->stop(now_us);
+  if (std::exchange(run_id_, run_id) != run_id) restart(now_us);
 }
 
 void KeptProcess::heard(std::int64_t now_us) {
@@ -69,7 +84,7 @@ bool KeptProcess::advance(std::int64_t now_us, bool dependencies_work) {
 
 /// Not while only what the program left behind still runs.
 bool KeptProcess::works() const {
-  return life_.state() == LifeState::kWorking && child_ && !child_->program_has_ended();
+  return !leaves_ && life_.state() == LifeState::kWorking && child_ && !child_->program_has_ended();
 }
 
 void KeptProcess::look_after_child(std::int64_t now_us) {

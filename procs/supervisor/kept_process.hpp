@@ -34,9 +34,11 @@ class KeptProcess {
   KeptProcess(const KeptProcess&) = delete;
   KeptProcess& operator=(const KeptProcess&) = delete;
 
-  void start() { life_.want_running(); }
-  void stop(std::int64_t now_us) { life_.want_stopped(now_us); }
-  void restart(std::int64_t now_us) { life_.want_restart(now_us); }
+  void start();
+  void stop(std::int64_t now_us);
+  void restart(std::int64_t now_us);
+  /// It is to stop, or to restart, when its turn has come: until then nobody is to start on it.
+  void announce_stop() { leaves_ = true; }
   /// From its next start on it is this command; at once where it does not run.
   void list_as(const ListedCommand& command);
   /// As procman's deputies take orders: another run id asks for a new run.
@@ -51,6 +53,7 @@ class KeptProcess {
   [[nodiscard]] const ListedCommand& command() const { return command_; }
   [[nodiscard]] const ProcessLife& life() const { return life_; }
   [[nodiscard]] const OutputLog& output() const { return output_; }
+  /// Whether others can depend on it.
   [[nodiscard]] bool works() const;
   /// Why what it prints does not get into its file; empty where it does.
   [[nodiscard]] std::string log_trouble() const { return log_.trouble(); }
@@ -79,6 +82,7 @@ class KeptProcess {
   UsageMeter meter_;
   ProcessUse use_;
   std::unique_ptr<ChildProcess> child_;
+  bool leaves_ = false;
   std::int32_t run_id_ = 0;
   int wait_status_ = 0;
 };

@@ -121,7 +121,7 @@ std::set<std::string> Supervisor::alive_channels() const {
 }
 
 std::string Supervisor::complaint() const {
-  const std::string complaint = complaint_about(fleet_.keeper());
+  std::string complaint = complaint_about(fleet_.keeper());
   if (!complaint.empty()) return complaint;
   return list_failure_.empty() ? script_.failure() : list_failure_;
 }

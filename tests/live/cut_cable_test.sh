@@ -72,6 +72,7 @@ await_ps robot '^far .*unknown'
 await_ps sensors '^near .*unknown'
 ask sensors ps | grep -Eq '^far .*running' || fail "far has stopped"
 ask robot ps | grep -Eq '^near .*running' || fail "near has stopped"
+"$sheriff" await robot near running >/dev/null || fail "a computer without a carrier does not hear itself"
 ask robot stop late || fail "adit stop late"
 kill -0 "$near" "$far" "$changed" || fail "somebody has stopped"
 

@@ -146,6 +146,25 @@ TEST_F(ProcessListReload, TakesBackAChangeBeforeItCame) {
   EXPECT_TRUE(soon([&] { return pid("changes") > 0; }));
 }
 
+TEST_F(ProcessListReload, RestartsInOrderOfWhatDependsOnWhat) {
+  write_list(R"(cmd "first" { exec = "sleep 1000"; }
+                cmd "second" { exec = "sleep 1001"; depends_on = "first"; })");
+  ask({"reload"});
+  ask({"start", "first", "second"});
+  EXPECT_TRUE(soon([&] { return pid("second") > 0; }));
+  const int first = pid("first");
+  const int second = pid("second");
+  write_list(R"(cmd "first" { exec = "sleep 1002"; }
+                cmd "second" { exec = "sleep 1003"; depends_on = "first"; })");
+  ask({"reload"});
+  EXPECT_TRUE(soon([&] {
+    const bool second_runs_anew = pid("second") > 0 && pid("second") != second;
+    EXPECT_FALSE(second_runs_anew && (pid("first") == first || pid("first") == 0));
+    return second_runs_anew;
+  }));
+  EXPECT_EQ(status("second").command.exec, "sleep 1003");
+}
+
 TEST_F(ProcessListReload, DoesNotLeaveWhoFollowsALogHanging) {
   std::string heard;
   std::atomic<bool> over = false;

@@ -43,15 +43,13 @@ cd "$scratch"
 bin=$tree/usr/bin
 programs=0
 for program in "$bin"/adit*; do
-  case ${program##*/} in
-    adit-watch | adit-record) continue ;;   # for the supervisor, and without help
-  esac
-  "$program" --help >/dev/null || fail "${program##*/} --help"
+  name=${program##*/}
+  case $name in adit-watch | adit-record) continue ;; esac   # for the supervisor, and without help
+  "$program" --help >/dev/null || fail "$name --help"
   programs=$((programs + 1))
-done
-for stage in "$bin"/adit-*_* "$bin"/adit-{mapping,terrain,planning,driving,guard,exploration,supervisor}; do
-  "$stage" --config "$tree/etc/adit/robot.yaml" --print-config >/dev/null || fail "$stage with robot.yaml"
-  "$stage" --config simulated.yaml --print-config >/dev/null || fail "$stage does not find simulated.yaml"
+  case $name in adit | adit-sim) continue ;; esac
+  "$program" --config "$tree/etc/adit/robot.yaml" --print-config >/dev/null || fail "$name with robot.yaml"
+  "$program" --config simulated.yaml --print-config >/dev/null || fail "$name does not find simulated.yaml"
 done
 "$bin/adit" sim bruceton --describe "$scratch/mine.yaml" && [[ -s $scratch/mine.yaml ]] || fail "a world by name"
 "$bin/adit" sim "$tree/usr/share/adit/worlds/straight.yaml" --describe "$scratch/other.yaml" || fail "a world file"

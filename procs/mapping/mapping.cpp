@@ -59,6 +59,7 @@ void Mapping::restore(StoredMap stored) {
   for (LocalMap& map : stored.maps) enter(std::move(map));
   association_.restore(stored.associations);
   odom_continues_ = true;
+  revision_ = static_cast<std::int64_t>(maps_.size());
 }
 
 std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserScan& scan,

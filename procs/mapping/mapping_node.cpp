@@ -11,6 +11,7 @@
 #include "common/messages/laser_scan.hpp"
 #include "common/messages/local_map_pieces.hpp"
 #include "common/messages/map_correction.hpp"
+#include "common/messages/map_request.hpp"
 #include "common/messages/pose_graph_pieces.hpp"
 #include "common/messages/scan_match.hpp"
 
@@ -18,6 +19,9 @@ namespace adit {
 namespace {
 
 constexpr std::size_t kScansWaiting = 500;  // while a closure is searched, at 75 Hz
+// A local map has about three pieces; exploration takes some 30 ms for one, and holds 500 pieces.
+constexpr std::int64_t kRepeatPeriodUs = 50'000;
+constexpr std::size_t kRepeatPieces = 4;
 
 }  // namespace
 
@@ -25,6 +29,7 @@ MappingNode::MappingNode(Bus& bus, const Params& params) : bus_(bus), mapping_(p
   if (!params.journal.empty()) {
     journal_.emplace(params.journal);
     mapping_.restore(journal_->take_restored());
+    graph_due_ = true;
   }
   for (const std::string_view channel : {channels::kLaserFront, channels::kLaserRear}) {
     subscribe<planar_lidar_t>(bus, channel, Delivery::queued(kScansWaiting),
@@ -36,6 +41,12 @@ MappingNode::MappingNode(Bus& bus, const Params& params) : bus_(bus), mapping_(p
   }
   subscribe<scan_match_t>(bus, channels::kScanMatch, Delivery::queued(kScansWaiting),
                           [this](const ScanMatch& match) { on_match(match); });
+  subscribe<map_request_t>(bus, channels::kMapRequest, Delivery::queued(10),
+                           [this](const MapRequest&) {
+                             repeater_.ask(mapping_.local_maps().size());
+                             graph_due_ = true;
+                           });
+  bus.every(kRepeatPeriodUs, [this](std::int64_t) { repeat(); });
 }
 
 void MappingNode::on_match(const ScanMatch& match) {
@@ -66,7 +77,19 @@ void MappingNode::pass_on(const MapUpdate& update) {
   publish_graph();
 }
 
+/// Never more at once than the queues of those who asked can hold.
+void MappingNode::repeat() {
+  if (graph_due_) publish_graph();
+  if (repeater_.done()) return;
+  for (const LocalMapPiece& piece : repeater_.next(mapping_.local_maps(), kRepeatPieces)) {
+    publish(bus_, channels::kLocalMap, to_message(piece));
+  }
+  graph_due_ = repeater_.done();
+}
+
 void MappingNode::publish_graph() {
+  graph_due_ = false;
+  if (mapping_.local_maps().empty()) return;
   for (const PoseGraphPiece& piece : divide(mapping_.graph())) {
     publish(bus_, channels::kPoseGraph, to_message(piece));
   }

@@ -3,6 +3,7 @@
 #include "procs/mapping/mapping.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -32,6 +33,16 @@ bool begins_session(const LocalMap& map, const std::vector<LocalMap>& before) {
   return !before.empty() && before.back().session != map.session;
 }
 
+/// Where the body may have been carried, a glance from where it stands is too little to find it.
+LocalMapBuilderParams builder_params(const MappingParams& params) {
+  LocalMapBuilderParams builder = params.local_maps;
+  if (params.carried) builder.first_s = 0.0;
+  return builder;
+}
+
+/// How far a pose is from another, turning included [m].
+double extent(const Pose2& T) { return T.translation().norm() + std::abs(T.theta); }
+
 /// What there is until a map, and of it.
 template <class T>
 std::span<const T> up_to(int map, const std::vector<T>& all) {
@@ -49,24 +60,41 @@ void sort_by_likelihood(std::vector<Closure>& closures) {
 Mapping::Mapping(const MappingParams& params)
     : params_(params),
       mounts_{{"LASER_FRONT", params.lasers.front}, {"LASER_REAR", params.lasers.rear}},
-      builder_(params.local_maps),
+      builder_(builder_params(params)),
       association_(params.association) {}
 
-void Mapping::restore(StoredMap stored) {
-  if (stored.maps.empty()) return;
-  builder_ = LocalMapBuilder(params_.local_maps, stored.maps.back().id + 1,
-                             stored.maps.back().session + 1);
+std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
   for (LocalMap& map : stored.maps) enter(std::move(map));
-  association_.restore(stored.associations);
-  odom_continues_ = true;
+  if (!maps_.empty()) association_.restore(stored.associations);
   revision_ = static_cast<std::int64_t>(maps_.size());
+  std::optional<MapUpdate> update;
+  if (stored.unfinished) update = take(std::move(*stored.unfinished));
+  if (maps_.empty()) return update;
+  builder_ =
+      LocalMapBuilder(builder_params(params_), maps_.back().id + 1, maps_.back().session + 1);
+  odom_ = Odom::kRestored;
+  odom_continues_ = true;
+  return update;
+}
+
+/// A new odom frame begins at zero. Where its first scan was missed, it is told by that: the body,
+/// at rest since, is nearer to zero than to where the map ends; where it is near both, it does not
+/// matter.
+void Mapping::note_odom(const ScanMatch& match) {
+  bool anew = match.status == ScanMatch::Status::kFirstScan && match.reference_utime == 0;
+  if (odom_ == Odom::kRestored && !params_.carried) {
+    const LocalMap& last = maps_.back();
+    const Pose2 T_odom_end = last.T_odom_local * last.scans.back().T_local_body;
+    anew = anew || extent(match.T_odom_body) < extent(between(T_odom_end, match.T_odom_body));
+  }
+  if (anew) odom_continues_ = false;
+  if (anew && (!maps_.empty() || !builder_.current().scans.empty())) odom_ = Odom::kNew;
+  if (!anew && odom_ == Odom::kRestored) odom_ = Odom::kKnown;
 }
 
 std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserScan& scan,
                                       const ScanMatch& match) {
-  if (match.status == ScanMatch::Status::kFirstScan && match.reference_utime == 0) {
-    odom_continues_ = false;
-  }
+  note_odom(match);
   auto map = builder_.add(channel, scan, match);
   if (!map) return std::nullopt;
   return take(std::move(*map));
@@ -79,7 +107,9 @@ std::optional<MapUpdate> Mapping::finish() {
 }
 
 MapUpdate Mapping::take(LocalMap map) {
-  if (begins_session(map, maps_)) link_session(map);
+  const bool begins = begins_session(map, maps_);
+  if (begins) link_session(map);
+  if (begins && map.session == builder_.current().session) odom_ = Odom::kKnown;
   MapUpdate update;
   update.map = map;
   enter(std::move(map));
@@ -89,7 +119,21 @@ MapUpdate Mapping::take(LocalMap map) {
   const auto revised = association_.revise(*this, utime);
   update.associations.insert(update.associations.end(), revised.begin(), revised.end());
   ++revision_;
+  covariance_ = covariance_in_older_sessions();
   return update;
+}
+
+/// In the older local map against which it is best known.
+std::optional<Eigen::Matrix3d> Mapping::covariance_in_older_sessions() {
+  const int session = maps_.back().session;
+  if (maps_.front().session == session) return std::nullopt;
+  const auto covariances = association_.trial().covariances_to(static_cast<int>(maps_.size()) - 1);
+  std::optional<Eigen::Matrix3d> best;
+  for (std::size_t i = 0; maps_[i].session != session; ++i) {
+    const double spread = covariances[i].topLeftCorner<2, 2>().trace();
+    if (!best || spread < best->topLeftCorner<2, 2>().trace()) best = covariances[i];
+  }
+  return best;
 }
 
 void Mapping::enter(LocalMap map) {
@@ -100,7 +144,8 @@ void Mapping::enter(LocalMap map) {
 }
 
 /// Ties a session to the end of the one before, loosely: where odom goes on, a few metres of the
-/// way are missing at most; otherwise the body may have been carried anywhere.
+/// way are missing at most; where it begins anew, the body is where it was, or was carried
+/// anywhere.
 void Mapping::link_session(LocalMap& map) const {
   const LocalMap& last = maps_.back();
   const Pose2 T_last_end = last.scans.back().T_local_body;
@@ -110,6 +155,8 @@ void Mapping::link_session(LocalMap& map) const {
     map.T_previous_local = between(last.T_odom_local, map.T_odom_local);
     const double unseen_m = between(T_last_end, map.T_previous_local).translation().norm();
     sd = {kGapM + kGapShare * unseen_m, kGapM + kGapShare * unseen_m, kGapRad};
+  } else if (!params_.carried) {
+    sd = {params_.lost_m, params_.lost_m, params_.lost_rad};
   }
   map.information = sd.cwiseInverse().cwiseAbs2().asDiagonal();
 }
@@ -152,11 +199,14 @@ std::vector<Closure> Mapping::relocalise() const {
 std::vector<Closure> Mapping::closures(int map, Trial& trial, bool thorough) const {
   if (map < 1) return {};
   const bool newest = map + 1 == static_cast<int>(maps_.size());
-  if (newest && !session_is_joined() && !odom_continues_) return relocalise();
+  const bool joined = !newest || session_is_joined();
+  if (!joined && !odom_continues_ && params_.carried) return relocalise();
   std::vector<Pose2> poses = trial.belief().T_map_local;
   poses.resize(static_cast<std::size_t>(map) + 1);
   ClosureCandidatesParams which = params_.candidates;
   if (thorough) which.most *= kThorough;
+  // What holds a session to the one before is too loose for neighbours in the chain to say nothing.
+  if (!joined && !params_.carried) which.neighbours = 0;
   std::vector<Closure> found;
   for (const ClosureCandidate& candidate :
        closure_candidates(poses, trial.covariances_to(map), up_to(map, extents_), which)) {
@@ -218,7 +268,7 @@ MapGraph Mapping::graph() const {
 }
 
 std::optional<MapCorrection> Mapping::correction() const {
-  if (maps_.empty()) return std::nullopt;
+  if (maps_.empty() || odom_ != Odom::kKnown) return std::nullopt;
   const LocalMap& newest = maps_.back();
   MapCorrection correction;
   correction.utime = newest.end_utime;
@@ -226,6 +276,7 @@ std::optional<MapCorrection> Mapping::correction() const {
   correction.session = newest.session;
   correction.local_map = newest.id;
   correction.T_map_odom = association_.belief().T_map_local.back() * newest.T_odom_local.inverse();
+  correction.covariance = covariance_;
   return correction;
 }
 

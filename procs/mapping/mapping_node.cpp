@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mapping/mapping_node.hpp"
 
+#include <cmath>
 #include <exception>
+#include <optional>
 #include <utility>
 
 #include "common/bus/channels.hpp"
@@ -25,12 +27,9 @@ constexpr std::size_t kRepeatPieces = 4;
 
 }  // namespace
 
-MappingNode::MappingNode(Bus& bus, const Params& params) : bus_(bus), mapping_(params) {
-  if (!params.journal.empty()) {
-    journal_.emplace(params.journal);
-    mapping_.restore(journal_->take_restored());
-    graph_due_ = true;
-  }
+MappingNode::MappingNode(Bus& bus, const Params& params)
+    : bus_(bus), params_(params), mapping_(params) {
+  if (!params.journal.empty()) restore(params.journal);
   for (const std::string_view channel : {channels::kLaserFront, channels::kLaserRear}) {
     subscribe<planar_lidar_t>(bus, channel, Delivery::queued(kScansWaiting),
                               [this, channel = std::string(channel)](const LaserScan& scan) {
@@ -49,25 +48,63 @@ MappingNode::MappingNode(Bus& bus, const Params& params) : bus_(bus), mapping_(p
   bus.every(kRepeatPeriodUs, [this](std::int64_t) { repeat(); });
 }
 
+void MappingNode::restore(const std::string& journal) {
+  journal_.emplace(journal);
+  restored_ = mapping_.restore(journal_->take_restored());
+  if (restored_) keep([&] { journal_->append(*restored_); });
+  graph_due_ = true;
+}
+
 void MappingNode::on_match(const ScanMatch& match) {
   auto& waiting = waiting_[match.channel];
   while (!waiting.empty() && waiting.front().utime < match.utime) waiting.pop_front();
   if (waiting.empty() || waiting.front().utime != match.utime) return;
   const LaserScan scan = std::move(waiting.front());
   waiting.pop_front();
-  if (const auto update = mapping_.add(match.channel, scan, match)) pass_on(*update);
+  const bool knew = mapping_.correction().has_value();
+  if (const auto update = mapping_.add(match.channel, scan, match)) {
+    pass_on(*update);
+  } else if (!knew && mapping_.correction()) {
+    publish_graph();
+  }
+  if (journal_) keep_unfinished();
+}
+
+/// Each metre or half a radian of the way. The first local map of a session is over before that,
+/// and how it hangs on the map is not known yet.
+void MappingNode::keep_unfinished() {
+  const LocalMap& map = mapping_.unfinished();
+  const auto& maps = mapping_.local_maps();
+  if (map.scans.empty() || (!maps.empty() && maps.back().session != map.session)) return;
+  if (map.id != kept_map_) {
+    kept_map_ = map.id;
+    T_local_kept_ = {};
+  }
+  const Pose2& T_local_body = map.scans.back().T_local_body;
+  const Pose2 moved = between(T_local_kept_, T_local_body);
+  if (moved.translation().norm() < params_.lost_m && std::abs(moved.theta) < params_.lost_rad) {
+    return;
+  }
+  T_local_kept_ = T_local_body;
+  keep([&] { journal_->append_unfinished(map); });
+}
+
+void MappingNode::keep(const std::function<void()>& append) {
+  health_ = {};
+  try {
+    append();
+  } catch (const std::exception& failure) {
+    health_ = {Health::Level::kDegraded, failure.what()};
+  }
 }
 
 /// To the disk first: what was announced is not forgotten.
 void MappingNode::pass_on(const MapUpdate& update) {
-  health_ = {};
-  if (journal_) {
-    try {
-      journal_->append(update);
-    } catch (const std::exception& failure) {
-      health_ = {Health::Level::kDegraded, failure.what()};
-    }
-  }
+  if (journal_) keep([&] { journal_->append(update); });
+  publish_update(update);
+}
+
+void MappingNode::publish_update(const MapUpdate& update) {
   for (const LocalMapPiece& piece : divide(update.map)) {
     publish(bus_, channels::kLocalMap, to_message(piece));
   }
@@ -79,6 +116,7 @@ void MappingNode::pass_on(const MapUpdate& update) {
 
 /// Never more at once than the queues of those who asked can hold.
 void MappingNode::repeat() {
+  if (restored_) publish_update(*std::exchange(restored_, std::nullopt));
   if (graph_due_) publish_graph();
   if (repeater_.done()) return;
   for (const LocalMapPiece& piece : repeater_.next(mapping_.local_maps(), kRepeatPieces)) {

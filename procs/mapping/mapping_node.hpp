@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -30,8 +31,8 @@ struct MappingNodeParams : MappingParams {
 /// Out: with each local map LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in pieces,
 ///      ASSOCIATION (association_t) for each decision, MAP_CORRECTION (map_correction_t). All
 ///      local maps again for those who ask, some pieces at a time, with the graph before and after.
-/// Where a journal is named and there, the map in it is continued: after a restart of the process
-/// nothing is lost but the local map that was at hand.
+/// Where a journal is named and there, the map in it is continued: after a restart nothing is lost
+/// but the last metre (`lost_m`), and what is known goes out at once.
 class MappingNode {
  public:
   using Params = MappingNodeParams;
@@ -43,15 +44,23 @@ class MappingNode {
 
  private:
   void on_match(const ScanMatch& match);
+  void restore(const std::string& journal);
+  void keep(const std::function<void()>& append);
+  void keep_unfinished();
   void pass_on(const MapUpdate& update);
+  void publish_update(const MapUpdate& update);
   void publish_graph();
   void repeat();
 
   Bus& bus_;
+  MappingParams params_;
   Mapping mapping_;
   MapRepeater repeater_;
   bool graph_due_ = false;  ///< it is to go out with the next tick
   std::optional<MapJournal> journal_;
+  std::optional<MapUpdate> restored_;  ///< what came of the local map that was being made
+  int kept_map_ = -1;                  ///< id of the newest of which a part is kept
+  Pose2 T_local_kept_;                 ///< the body at the end of that part
   std::map<std::string, std::deque<LaserScan>> waiting_;  ///< scans without their match, by channel
   Health health_;
 };

@@ -41,6 +41,7 @@ class MappingNode {
   MappingNode(Bus& bus, const Params& params);
 
   [[nodiscard]] Health health() const { return health_; }
+  [[nodiscard]] const Mapping& map() const { return mapping_; }
 
  private:
   void on_match(const ScanMatch& match);

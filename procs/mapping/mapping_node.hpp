@@ -61,6 +61,7 @@ class MappingNode {
   std::optional<MapJournal> journal_;
   std::optional<MapUpdate> restored_;  ///< what came of the local map that was being made
   int kept_map_ = -1;                  ///< id of the newest of which a part is kept
+  bool start_is_due_ = false;          ///< nothing of the first local map is kept
   Pose2 T_local_kept_;                 ///< the body at the end of that part
   std::map<std::string, std::deque<LaserScan>> waiting_;  ///< scans without their match, by channel
   Health health_;

@@ -42,6 +42,12 @@ WaypointDriverParams patient() {
   return params;
 }
 
+ScanMatchingParams scan_matching_params() {
+  auto params = with_groundhog_lasers<ScanMatchingParams>();
+  params.lasers_tilt = true;
+  return params;
+}
+
 int scans_in(const VolumeMap& map) {
   int scans = 0;
   for (const PlacedVolume& placed : map.volumes()) scans += placed.volume.scans();
@@ -87,7 +93,7 @@ class PowerCutDrive::Life {
   MemoryBus bus_;
   std::optional<StampedPose> pose_;
   std::optional<MapCorrection> correction_;
-  ScanMatchingNode scan_matching_{bus_, with_groundhog_lasers<ScanMatchingParams>()};
+  ScanMatchingNode scan_matching_{bus_, scan_matching_params()};
   ScanAssemblyNode scan_assembly_{bus_, with_groundhog_lasers<ScanAssemblyParams>()};
   std::unique_ptr<MappingNode> mapping_;
   std::unique_ptr<VolumeMapNode> volume_map_;
@@ -104,6 +110,7 @@ PowerCutDrive::PowerCutDrive(World world, std::vector<Waypoint> waypoints,
     if (life_ && sensed) life_->hear(received);
   });
   begin_life();
+  T_world_start_ = T_world_body();
   run(1.0);
 }
 
@@ -151,7 +158,8 @@ PowerCut PowerCutDrive::cut(bool torn, std::mt19937& random) {
   cut.maps = life_->maps();
   cut.scans = life_->scans();
   T_world_before_ = T_world_body();
-  if (life_->correction() && life_->pose()) T_map_before_ = life_->T_map_body();
+  const bool placed = life_->correction() && life_->pose();
+  T_map_before_ = placed ? life_->T_map_body() : between(T_world_start_, T_world_before_);
   driving_ = false;
   life_.reset();
   if (torn) {

@@ -75,6 +75,7 @@ class PowerCutDrive {
   bool driving_ = false;
   std::int32_t sweeps_ = 0;
   std::unique_ptr<Life> life_;
+  Pose2 T_world_start_;
   /// Before the last cut: where the robot truly was, and where it believed to be.
   Pose2 T_world_before_;
   Pose2 T_map_before_;

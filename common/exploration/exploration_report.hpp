@@ -49,6 +49,9 @@ struct ExplorationReport {
   std::int32_t request = 0;   ///< newest ExploreRequest that it answers; 0 before the first
   ExplorationDecision decision;
   Pose2 T_odom_goal;  ///< the goal of the decision in odom
+  /// The next of the way in odom, from the robot on, and beyond a stub straight on; empty where
+  /// there is nowhere to go.
+  std::vector<Eigen::Vector2d> route_odom;
   ExplorationBudget budget;
   std::vector<Stub> stubs;  ///< all that were ever seen, by id
   CorridorGraph corridors;

@@ -36,6 +36,7 @@ static_assert(static_cast<int>(NodeKind::kOpenEnd) == corridor_node_t::KIND_OPEN
 // So that the stubs leave room for corridors.
 constexpr std::size_t kStubBytes = kPieceBytes / 2;
 constexpr std::size_t kNodesMax = 800;
+constexpr std::size_t kRouteMax = 200;
 
 void set_vector(const Eigen::Vector2d& vector, double (&numbers)[2]) {
   numbers[0] = vector.x();
@@ -128,6 +129,10 @@ std::string_view reason_to_refuse(const exploration_t& message) {
       !std::isfinite(message.home_m) || !std::isfinite(message.explored_m)) {
     return "distance is not finite";
   }
+  const auto& route = message.route_odom;
+  const bool sound = std::all_of(route.begin(), route.end(),
+                                 [](const std::vector<float>& p) { return all_finite(p); });
+  if (!sound) return "route that is not finite";
   if (message.n_stubs_found < message.n_stubs) return "fewer stubs than are there";
   if (message.n_corridors_found < message.n_corridors) return "fewer corridors than are there";
   return {};
@@ -151,6 +156,11 @@ void set_decision(const ExplorationReport& report, exploration_t& message) {
   message.kind = static_cast<std::int8_t>(report.decision.kind);
   set_pose(report.decision.T_map_goal, message.T_map_goal);
   set_pose(report.T_odom_goal, message.T_odom_goal);
+  for (const Eigen::Vector2d& p : report.route_odom) {
+    if (message.route_odom.size() == kRouteMax) break;
+    message.route_odom.push_back({static_cast<float>(p.x()), static_cast<float>(p.y())});
+  }
+  message.n_route = static_cast<std::int32_t>(message.route_odom.size());
   message.distance_m = report.decision.distance_m;
   message.stub = report.decision.stub;
   message.complete = static_cast<std::int8_t>(report.decision.complete);
@@ -226,6 +236,7 @@ Result<ExplorationReport> from_message(const exploration_t& message) {
   report.decision = {Kind(message.kind), pose_from(message.T_map_goal), message.distance_m,
                      message.stub,       message.complete != 0,         message.reason};
   report.T_odom_goal = pose_from(message.T_odom_goal);
+  for (const auto& p : message.route_odom) report.route_odom.emplace_back(p[0], p[1]);
   report.budget = {message.remaining_m, message.home_m, message.explored_m};
   for (const exploration_stub_t& stub : message.stubs) report.stubs.push_back(stub_from(stub));
   std::stable_sort(report.stubs.begin(), report.stubs.end(),

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/messages/plan_goal.hpp"
 
+#include <algorithm>
+
 #include "common/messages/planar.hpp"
 
 namespace adit {
@@ -11,6 +13,27 @@ using Kind = PlanGoal::Kind;
 
 static_assert(static_cast<int>(Kind::kAlong) == plan_goal_t::KIND_ALONG);
 static_assert(static_cast<int>(Kind::kTo) == plan_goal_t::KIND_TO);
+static_assert(static_cast<int>(Kind::kRoute) == plan_goal_t::KIND_ROUTE);
+static_assert(static_cast<int>(Kind::kRetrace) == plan_goal_t::KIND_RETRACE);
+
+constexpr std::size_t kRouteMax = 1000;  // places
+
+std::string_view reason_to_refuse(const plan_goal_t& message) {
+  const auto kind = Kind(message.kind);
+  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
+  if (message.id < 0) return "negative id";
+  if (kind < Kind::kAlong || kind > Kind::kRetrace) return "unknown kind";
+  if (!all_finite(message.T_odom_goal)) return kPoseNotFinite;
+  if (!std::isfinite(message.distance_max_m)) return "distance is not finite";
+  if (message.distance_max_m <= 0.0) return "distance is not positive";
+  const bool route = kind == Kind::kRoute || kind == Kind::kRetrace;
+  if (route && (message.route_odom.size() < 2 || message.route_odom.size() > kRouteMax)) {
+    return "route that is none";
+  }
+  const bool sound = std::all_of(message.route_odom.begin(), message.route_odom.end(),
+                                 [](const std::vector<double>& p) { return all_finite(p); });
+  return sound ? std::string_view{} : "route that is not finite";
+}
 
 }  // namespace
 
@@ -21,19 +44,18 @@ plan_goal_t to_message(const PlanGoal& goal) {
   message.kind = static_cast<std::int8_t>(goal.kind);
   set_pose(goal.T_odom_goal, message.T_odom_goal);
   message.distance_max_m = goal.distance_m;
+  message.n_route = static_cast<std::int32_t>(goal.route_odom.size());
+  for (const Eigen::Vector2d& p : goal.route_odom) message.route_odom.push_back({p.x(), p.y()});
   return message;
 }
 
 Result<PlanGoal> from_message(const plan_goal_t& message) {
-  const auto kind = Kind(message.kind);
-  if (!is_plausible_utime(message.utime)) return Refused{kImplausibleTime};
-  if (message.id < 0) return Refused{"negative id"};
-  if (kind != Kind::kAlong && kind != Kind::kTo) return Refused{"unknown kind"};
-  if (!all_finite(message.T_odom_goal)) return Refused{kPoseNotFinite};
-  if (!std::isfinite(message.distance_max_m)) return Refused{"distance is not finite"};
-  if (message.distance_max_m <= 0.0) return Refused{"distance is not positive"};
-  return PlanGoal{message.utime, message.id, kind, pose_from(message.T_odom_goal),
-                  message.distance_max_m};
+  if (const auto reason = reason_to_refuse(message); !reason.empty()) return Refused{reason};
+  PlanGoal goal{message.utime,          message.id,
+                Kind(message.kind),     pose_from(message.T_odom_goal),
+                message.distance_max_m, {}};
+  for (const std::vector<double>& p : message.route_odom) goal.route_odom.emplace_back(p[0], p[1]);
+  return goal;
 }
 
 }  // namespace adit

@@ -51,6 +51,37 @@ RoutePlace along(const std::vector<Eigen::Vector2d>& route, double distance_m) {
   return {route[at], direction.norm() > 0.0 ? direction.normalized() : Eigen::Vector2d::UnitX()};
 }
 
+/// Places `spacing_m` apart of a line, as far as `length_m` along it.
+std::vector<Eigen::Vector2d> thinned(const std::vector<Eigen::Vector2d>& line, double length_m,
+                                     double spacing_m) {
+  std::vector<Eigen::Vector2d> places{line.front()};
+  double next_m = spacing_m;
+  double way_m = 0.0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double leg_m = (line[i + 1] - line[i]).norm();
+    for (; next_m <= std::min(way_m + leg_m, length_m); next_m += spacing_m) {
+      places.emplace_back(line[i] + (next_m - way_m) / leg_m * (line[i + 1] - line[i]));
+    }
+    way_m += leg_m;
+  }
+  if (way_m <= length_m) places.push_back(line.back());
+  return places;
+}
+
+/// Without the steps from cell to cell; both ends stay.
+std::vector<Eigen::Vector2d> smoothed(const std::vector<Eigen::Vector2d>& line) {
+  constexpr int kReach = 3;  // neighbours to each side
+  std::vector<Eigen::Vector2d> smooth;
+  const int n = static_cast<int>(line.size());
+  for (int i = 0; i < n; ++i) {
+    const int reach = std::min({kReach, i, n - 1 - i});
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (int k = i - reach; k <= i + reach; ++k) sum += line[static_cast<std::size_t>(k)];
+    smooth.emplace_back(sum / (2 * reach + 1));
+  }
+  return smooth;
+}
+
 double heading_of(const Eigen::Vector2d& direction) {
   return std::atan2(direction.y(), direction.x());
 }
@@ -301,6 +332,21 @@ ExplorationDecision Exploration::to_home(const ExplorationState& state, std::str
   const RoutePlace place = along(route_, params_.step_m);
   decision.T_map_goal = {place.p_map.x(), place.p_map.y(), heading_of(place.direction)};
   return decision;
+}
+
+std::vector<Eigen::Vector2d> Exploration::next_way(double length_m, double spacing_m) const {
+  using Kind = ExplorationDecision::Kind;
+  if (decision_.kind == Kind::kStay || decision_.kind == Kind::kDone) return {};
+  std::vector<Eigen::Vector2d> line{state_.T_map_body.translation()};
+  line.insert(line.end(), route_.begin(), route_.end());
+  const Stub* stub = register_.find(decision_.stub);
+  if (stub != nullptr) {
+    line.push_back(stub->p_map);
+    line.emplace_back(stub->p_map + length_m * stub->direction_map);
+  } else {
+    line.push_back(T_map_home().translation());
+  }
+  return smoothed(thinned(line, length_m, spacing_m));
 }
 
 bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {

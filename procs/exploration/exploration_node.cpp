@@ -23,6 +23,8 @@ namespace {
 constexpr std::size_t kPiecesWaiting = 500;  // several local maps, or a large graph
 constexpr std::int64_t kPeriodUs = 1'000'000;
 constexpr double kMovedM = 0.05;
+constexpr double kNextWayM = 12.0;  // as far as a 3D scan sees
+constexpr double kWaySpacingM = 0.3;
 constexpr double kJumpM = 8.0;  // from pose to pose: a new odom frame, and no way
 
 double sd_of(const MapCorrection& correction) {
@@ -199,7 +201,11 @@ void ExplorationNode::publish_report() {
   ExplorationReport report = exploration_.report();
   report.request = request_ ? request_->id : 0;
   if (has_map_ && correction_) {
-    report.T_odom_goal = correction_->T_map_odom.inverse() * report.decision.T_map_goal;
+    const Pose2 T_odom_map = correction_->T_map_odom.inverse();
+    report.T_odom_goal = T_odom_map * report.decision.T_map_goal;
+    for (const Eigen::Vector2d& p_map : exploration_.next_way(kNextWayM, kWaySpacingM)) {
+      report.route_odom.emplace_back(T_odom_map * p_map);
+    }
   } else {
     report.utime = pose_->utime;
     report.decision.reason = "there is no map yet";

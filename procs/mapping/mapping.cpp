@@ -3,7 +3,6 @@
 #include "procs/mapping/mapping.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -40,9 +39,6 @@ LocalMapBuilderParams builder_params(const MappingParams& params) {
   return builder;
 }
 
-/// How far a pose is from another, turning included [m].
-double extent(const Pose2& T) { return T.translation().norm() + std::abs(T.theta); }
-
 /// What there is until a map, and of it.
 template <class T>
 std::span<const T> up_to(int map, const std::vector<T>& all) {
@@ -77,16 +73,16 @@ std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
   return update;
 }
 
-/// A new odom frame begins at zero. Where its first scan was missed, it is told by that: the body,
-/// at rest since, is nearer to zero than to where the map ends; where it is near both, it does not
-/// matter.
+/// Whether this is the odom frame of the scan before, or of the end of what was restored.
 void Mapping::note_odom(const ScanMatch& match) {
+  if (match.status == ScanMatch::Status::kRefused) return;
   bool anew = match.status == ScanMatch::Status::kFirstScan && match.reference_utime == 0;
-  if (odom_ == Odom::kRestored && !params_.carried) {
-    const LocalMap& last = maps_.back();
-    const Pose2 T_odom_end = last.T_odom_local * last.scans.back().T_local_body;
-    anew = anew || extent(match.T_odom_body) < extent(between(T_odom_end, match.T_odom_body));
+  if (odom_utime_) {
+    anew |= *odom_utime_ != match.odom_utime;
+  } else if (!maps_.empty()) {
+    anew |= match.odom_utime > maps_.back().end_utime;
   }
+  odom_utime_ = match.odom_utime;
   if (anew) odom_continues_ = false;
   if (anew && (!maps_.empty() || !builder_.current().scans.empty())) odom_ = Odom::kNew;
   if (!anew && odom_ == Odom::kRestored) odom_ = Odom::kKnown;

@@ -120,6 +120,7 @@ class Mapping : private Evidence {
     kNew,       ///< its first local map is being made
   };
   Odom odom_ = Odom::kKnown;
+  std::optional<std::int64_t> odom_utime_;  ///< when the odom frame of the last scan began
   bool odom_continues_ = false;  ///< a restored map ends in the odom frame of the present session
   std::optional<Eigen::Matrix3d> covariance_;  ///< see MapCorrection
 };

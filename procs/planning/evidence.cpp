@@ -114,15 +114,17 @@ std::vector<BlockingCell> blocking_cells(const Reachable& region, const Lattice&
   const TerrainMap& terrain = grounds.terrain;
   for (const LatticePose& pose : region.poses) {
     const Eigen::Vector2d p = terrain.centre(pose.column, pose.row);
-    if (goals.progress(p) < region.progress_m - kFrontM) continue;
+    const std::size_t cell = lattice.space.index(pose.column, pose.row);
+    if (goals.progress(cell) < region.progress_m - kFrontM) continue;
+    const Eigen::Vector2d direction = goals.direction(p);
     for (const MotionPrimitive& step : lattice.primitives.from(pose.heading)) {
       const LatticePose next = Lattice::behind(pose, step);
       const Eigen::Vector2d on = terrain.centre(next.column, next.row) - p;
-      if (on.dot(goals.direction()) <= 0.0 || lattice.cost(pose, step) != Lattice::kBlocked) {
+      if (on.dot(direction) <= 0.0 || lattice.cost(pose, step) != Lattice::kBlocked) {
         continue;
       }
       const auto is_ahead = [&](const Eigen::Vector2d& p_level) {
-        return (p_level - p).dot(goals.direction()) > 0.0;
+        return (p_level - p).dot(direction) > 0.0;
       };
       const LatticePose refused = first_refused(lattice, pose, step);
       if (refused == pose) {

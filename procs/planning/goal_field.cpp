@@ -32,13 +32,42 @@ GoalField::GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose
     least_progress_m_ = distance_m_ - params.tolerance_m;
     if (distance_m_ > 0.0) direction_ = way / distance_m_;
   }
-  ending_costs_.reserve(terrain.cells.size());
-  for (int row = 0; row < terrain.rows; ++row) {
-    for (int column = 0; column < terrain.columns; ++column) {
-      const Eigen::Vector2d p = terrain.centre(column, row);
-      ending_costs_.push_back(kind_ == PlanGoal::Kind::kAlong ? along(p) : to(p));
-    }
+  if (kind_ == PlanGoal::Kind::kRoute) {
+    const Pose2 T_level_odom = terrain.T_odom_level.inverse();
+    std::vector<Eigen::Vector2d> points;
+    for (const Eigen::Vector2d& p : goal.route_odom) points.emplace_back(T_level_odom * p);
+    route_ = GoalRoute(points);
+    distance_m_ = route_.length_m();
+    least_progress_m_ = std::min(params.min_progress_m, distance_m_ - params.tolerance_m);
   }
+  ending_costs_.reserve(terrain.cells.size());
+  headings_rad_.reserve(terrain.cells.size());
+  for (int row = 0; row < terrain.rows; ++row) {
+    for (int column = 0; column < terrain.columns; ++column) add_cell(terrain.centre(column, row));
+  }
+}
+
+void GoalField::add_cell(const Eigen::Vector2d& p_level) {
+  if (kind_ != PlanGoal::Kind::kRoute) progress_m_.push_back(progress(p_level));
+  if (kind_ != PlanGoal::Kind::kRoute) {
+    ending_costs_.push_back(kind_ == PlanGoal::Kind::kAlong ? along(p_level) : to(p_level));
+    headings_rad_.push_back(static_cast<float>(T_level_goal_.theta));
+  } else if (route_.empty()) {
+    ending_costs_.push_back(kNoGoal);
+    progress_m_.push_back(0.0);
+    headings_rad_.push_back(0.0F);
+  } else {
+    const GoalRoute::Place place = route_.nearest(p_level);
+    ending_costs_.push_back(on_route(place));
+    progress_m_.push_back(progress(place));
+    headings_rad_.push_back(static_cast<float>(std::atan2(place.tangent.y(), place.tangent.x())));
+  }
+}
+
+std::int32_t GoalField::on_route(const GoalRoute::Place& place) const {
+  if (place.s_m < least_progress_m_ || place.lateral_m > params_.beside_route_max_m) return kNoGoal;
+  const double shortfall_m = std::abs(distance_m_ - place.s_m);
+  return cost_of(params_.shortfall_factor * shortfall_m + params_.lateral_factor * place.lateral_m);
 }
 
 std::int32_t GoalField::along(const Eigen::Vector2d& p_level) const {
@@ -55,15 +84,28 @@ std::int32_t GoalField::to(const Eigen::Vector2d& p_level) const {
   return off > params_.tolerance_m ? kNoGoal : cost_of(off);
 }
 
-bool GoalField::accepts(double heading_rad) const {
-  const double off = std::abs(angle_diff(heading_rad, T_level_goal_.theta));
+bool GoalField::accepts(std::size_t cell, double heading_rad) const {
+  const double off = std::abs(angle_diff(heading_rad, static_cast<double>(headings_rad_[cell])));
   if (kind_ == PlanGoal::Kind::kTo) return off <= params_.heading_tolerance_rad;
   return std::min(off, std::numbers::pi - off) <= params_.along_heading_max_rad;
 }
 
 double GoalField::progress(const Eigen::Vector2d& p_level) const {
   if (kind_ == PlanGoal::Kind::kAlong) return (p_level - p_level_body_).dot(direction_);
-  return distance_m_ - (p_level - T_level_goal_.translation()).norm();
+  if (kind_ == PlanGoal::Kind::kTo) {
+    return distance_m_ - (p_level - T_level_goal_.translation()).norm();
+  }
+  if (route_.empty()) return 0.0;
+  return progress(route_.nearest(p_level));
+}
+
+double GoalField::progress(const GoalRoute::Place& place) const {
+  return place.lateral_m > params_.beside_route_max_m ? 0.0 : std::min(place.s_m, distance_m_);
+}
+
+Eigen::Vector2d GoalField::direction(const Eigen::Vector2d& p_level) const {
+  return kind_ == PlanGoal::Kind::kRoute && !route_.empty() ? route_.nearest(p_level).tangent
+                                                            : direction_;
 }
 
 }  // namespace adit

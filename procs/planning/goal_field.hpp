@@ -8,6 +8,7 @@
 #include "common/config/bounds.hpp"
 #include "common/path/planned_path.hpp"
 #include "common/terrain/terrain_map.hpp"
+#include "procs/planning/goal_route.hpp"
 #include "procs/planning/lattice.hpp"
 
 namespace adit {
@@ -19,6 +20,7 @@ struct GoalParams {
   double heading_tolerance_rad = 0.25;
   double along_heading_max_rad = 0.8;  ///< to a corridor, of the end of a path down it, either way
   double min_progress_m = 2.5;  ///< of a path down a corridor; less is none (paper, section 3.3)
+  double beside_route_max_m = 1.5;  ///< of the end of a path along a route
 
   template <class V>
   void visit(V& v) {
@@ -28,12 +30,13 @@ struct GoalParams {
     v("heading_tolerance_rad", heading_tolerance_rad, above(0.0));
     v("along_heading_max_rad", along_heading_max_rad, above(0.0));
     v("min_progress_m", min_progress_m, at_least(0.0));
+    v("beside_route_max_m", beside_route_max_m, above(0.0));
   }
 };
 
 /// The array of goals of the paper's section 3.3: what it costs to end in each cell. Down a
-/// corridor every cell that is far enough is a goal, the farthest straight down the best; otherwise
-/// those within reach of a pose are.
+/// corridor every cell that is far enough is a goal, the farthest straight down the best; along a
+/// route likewise; otherwise those within reach of a pose are.
 class GoalField {
  public:
   static constexpr std::int32_t kNoGoal = -1;
@@ -45,18 +48,24 @@ class GoalField {
   /// Of ending in a cell, or kNoGoal.
   [[nodiscard]] std::int32_t ending_cost(std::size_t cell) const { return ending_costs_[cell]; }
   [[nodiscard]] std::size_t cells() const { return ending_costs_.size(); }
-  /// Whether a search may end with this heading: nobody gets farther down a corridor by turning
-  /// across it.
-  [[nodiscard]] bool accepts(double heading_rad) const;
-  /// From the robot on towards the goal [m].
+  /// Whether a search may end in a cell with this heading: nobody gets farther down a corridor by
+  /// turning across it.
+  [[nodiscard]] bool accepts(std::size_t cell, double heading_rad) const;
+  /// From the robot on towards the goal [m]. Far beside a route there is none.
   [[nodiscard]] double progress(const Eigen::Vector2d& p_level) const;
+  /// The same of the middle of a cell.
+  [[nodiscard]] double progress(std::size_t cell) const { return progress_m_[cell]; }
   /// The least that is a path [m].
   [[nodiscard]] double least_progress() const { return least_progress_m_; }
-  [[nodiscard]] const Eigen::Vector2d& direction() const { return direction_; }
+  /// In which it goes on at a place, a unit vector.
+  [[nodiscard]] Eigen::Vector2d direction(const Eigen::Vector2d& p_level) const;
 
  private:
   [[nodiscard]] std::int32_t along(const Eigen::Vector2d& p_level) const;
   [[nodiscard]] std::int32_t to(const Eigen::Vector2d& p_level) const;
+  [[nodiscard]] std::int32_t on_route(const GoalRoute::Place& place) const;
+  [[nodiscard]] double progress(const GoalRoute::Place& place) const;
+  void add_cell(const Eigen::Vector2d& p_level);
 
   PlanGoal::Kind kind_;
   GoalParams params_;
@@ -65,7 +74,10 @@ class GoalField {
   Eigen::Vector2d direction_;  ///< unit vector in level
   double distance_m_;
   double least_progress_m_;
+  GoalRoute route_;
   std::vector<std::int32_t> ending_costs_;
+  std::vector<double> progress_m_;   ///< of each cell
+  std::vector<float> headings_rad_;  ///< in which it goes on, of each cell
 };
 
 }  // namespace adit

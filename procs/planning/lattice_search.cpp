@@ -47,8 +47,7 @@ class Search {
         costs_(2 * space_.cells() * static_cast<std::size_t>(space_.headings()), kNoWay),
         handed_(handedness()),
         arrivals_(std::make_unique_for_overwrite<Arrival[]>(costs_.size())) {
-    for (int k = 0; k < headings.count(); ++k)
-      accepted_.push_back(goals.accepts(headings.angle(k)));
+    for (int k = 0; k < headings.count(); ++k) angles_rad_.push_back(headings.angle(k));
   }
 
   LatticePath run(const LatticePose& start) {
@@ -124,9 +123,10 @@ class Search {
   }
 
   void end_here(State state, const LatticePose& pose) {
-    const std::int32_t ending = goals_.ending_cost(space_.index(pose.column, pose.row));
-    if (ending == GoalField::kNoGoal || !accepted_[static_cast<std::size_t>(pose.heading)]) return;
-    if (costs_[state] + ending >= best_cost_) return;
+    const std::size_t cell = space_.index(pose.column, pose.row);
+    const std::int32_t ending = goals_.ending_cost(cell);
+    if (ending == GoalField::kNoGoal || costs_[state] + ending >= best_cost_) return;
+    if (!goals_.accepts(cell, angles_rad_[static_cast<std::size_t>(pose.heading)])) return;
     best_cost_ = costs_[state] + ending;
     best_ = state;
   }
@@ -166,7 +166,7 @@ class Search {
   int handed_;
   // Left as they are: only those of states with a cost are looked at, a few of millions.
   std::unique_ptr<Arrival[]> arrivals_;
-  std::vector<bool> accepted_;
+  std::vector<double> angles_rad_;  ///< of the headings
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;
   std::int32_t best_cost_ = kNoWay;
   State best_ = 0;

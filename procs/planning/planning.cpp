@@ -172,10 +172,10 @@ PlannedPath Planning::no_path(const TerrainMap& terrain, const LatticePose& star
   const Grounds grounds{terrain, ground_->layers, *kernels_, params_.vehicle,
                         params_.c_space.ground};
   if (!free.stands(start)) return start_blocked(start, free, grounds);
-  const Reachable region = reachable(free, start, goals, terrain);
+  const Reachable region = reachable(free, start, goals);
   ground_->reached = cells_of(region, ground_->space);
   const double least = goals.least_progress();
-  const Reachable seen_or_not = reachable(lattice(CSpace::kLethal), start, goals, terrain, least);
+  const Reachable seen_or_not = reachable(lattice(CSpace::kLethal), start, goals, least);
   PlannedPath answer;
   answer.outcome = seen_or_not.progress_m >= least ? PlanOutcome::kUnknown : PlanOutcome::kBlocked;
   answer.reached_m = region.progress_m;

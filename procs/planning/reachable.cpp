@@ -7,7 +7,7 @@
 namespace adit {
 
 Reachable reachable(const Lattice& lattice, const LatticePose& start, const GoalField& goals,
-                    const TerrainMap& terrain, double enough_m) {
+                    double enough_m) {
   const CSpace& space = lattice.space;
   std::vector<bool> seen(space.cells() * static_cast<std::size_t>(space.headings()));
   Reachable region;
@@ -17,9 +17,9 @@ Reachable reachable(const Lattice& lattice, const LatticePose& start, const Goal
     if (seen[i]) return;
     seen[i] = true;
     region.poses.push_back(pose);
-    if (!goals.accepts(lattice.primitives.headings().angle(pose.heading))) return;
-    region.progress_m =
-        std::max(region.progress_m, goals.progress(terrain.centre(pose.column, pose.row)));
+    const std::size_t cell = space.index(pose.column, pose.row);
+    if (!goals.accepts(cell, lattice.primitives.headings().angle(pose.heading))) return;
+    region.progress_m = std::max(region.progress_m, goals.progress(cell));
   };
   if (lattice.stands(start)) add(start);
   for (std::size_t i = 0; i < region.poses.size() && region.progress_m < enough_m; ++i) {

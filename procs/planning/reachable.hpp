@@ -19,7 +19,6 @@ struct Reachable {
 /// All that can be reached from a pose, at any cost, or as much as it takes to make a progress of
 /// `enough_m`. Empty where the robot cannot stand.
 Reachable reachable(const Lattice& lattice, const LatticePose& start, const GoalField& goals,
-                    const TerrainMap& terrain,
                     double enough_m = std::numeric_limits<double>::infinity());
 
 }  // namespace adit

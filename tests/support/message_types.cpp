@@ -59,6 +59,7 @@ ScanMatch sample_match() {
   ScanMatch report;
   report.utime = kUtime;
   report.reference_utime = kUtime - 13'333;
+  report.odom_utime = kUtime - 40'000;
   report.channel = channels::kLaserFront;
   report.status = ScanMatch::Status::kMatched;
   report.T_odom_body = {12.0, -3.0, 0.7};
@@ -164,6 +165,7 @@ ExplorationReport sample_exploration() {
   report.decision = {
       ExplorationDecision::Kind::kAlong, {20.0, -3.0, 0.1}, 12.5, 1, false, "straight on"};
   report.T_odom_goal = {20.1, -2.9, 0.1};
+  report.route_odom = {{12.0, -3.0}, {16.5, -2.5}, {20.0, -3.0}};
   report.budget = {800.0, 120.0, 310.0};
   report.stubs = {{0, 3, {5, 1}, {0, 1}, 2.8, StubState::kBlocked, kUtime, "a beam"},
                   {1, 7, {20, -3}, {1, 0}, 3.1, StubState::kOpen, kUtime, ""}};
@@ -174,7 +176,8 @@ ExplorationReport sample_exploration() {
 
 /// Those from a look at the ground to a drive, and where to go next.
 std::vector<MessageType> navigation_types() {
-  const PlanGoal goal{kUtime, 4, PlanGoal::Kind::kTo, {20.0, -3.0, 0.1}, 10.0};
+  const PlanGoal goal{
+      kUtime, 4, PlanGoal::Kind::kRoute, {20.0, -3.0, 0.1}, 10.0, {{12.0, -3.0}, {20.0, -3.0}}};
   const DrivingState driving{
       kUtime, 4, DrivingState::Kind::kWaiting, "the pose is old", 2.5, 7.1, {0.02, -0.01}};
   return {type_of(channels::kScanRequest, to_message(ScanRequest{kUtime, 3, LaserId::kFront})),

@@ -91,7 +91,13 @@ TEST(PlanGoalMessage, IsRefusedWhereItLeadsNowhere) {
   const auto refusal = [](const std::function<void(Message&)>& change) {
     return refusal_after<Message>(goal(kUtime), change);
   };
-  EXPECT_EQ(refusal([](Message& m) { m.kind = 2; }), "unknown kind");
+  EXPECT_EQ(refusal([](Message& m) { m.kind = 4; }), "unknown kind");
+  EXPECT_EQ(refusal([](Message& m) { m.kind = 2; }), "route that is none");
+  EXPECT_EQ(refusal([](Message& m) {
+              m.route_odom = {{1.0, kNaN}};
+              m.n_route = 1;
+            }),
+            "route that is not finite");
   EXPECT_EQ(refusal([](Message& m) { m.kind = -1; }), "unknown kind");
   EXPECT_EQ(refusal([](Message& m) { m.T_odom_goal[1] = kNaN; }), kPoseNotFinite);
   EXPECT_EQ(refusal([](Message& m) { m.distance_max_m = kNaN; }), "distance is not finite");

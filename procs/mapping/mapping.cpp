@@ -192,6 +192,13 @@ std::vector<Closure> Mapping::relocalise() const {
   return closures;
 }
 
+/// In the chain of one session, which says of both what a match could.
+bool Mapping::is_neighbour(int older, int newer) const {
+  return newer - older <= params_.candidates.neighbours &&
+         maps_[static_cast<std::size_t>(older)].session ==
+             maps_[static_cast<std::size_t>(newer)].session;
+}
+
 std::vector<Closure> Mapping::closures(int map, Trial& trial, bool thorough) const {
   if (map < 1) return {};
   const bool newest = map + 1 == static_cast<int>(maps_.size());
@@ -202,10 +209,15 @@ std::vector<Closure> Mapping::closures(int map, Trial& trial, bool thorough) con
   ClosureCandidatesParams which = params_.candidates;
   if (thorough) which.most *= kThorough;
   // What holds a session to the one before is too loose for neighbours in the chain to say nothing.
-  if (!joined && !params_.carried) which.neighbours = 0;
+  const bool looser = !joined && !params_.carried;
+  if (looser) {
+    which.neighbours = 0;
+    which.most += params_.candidates.neighbours;
+  }
   std::vector<Closure> found;
   for (const ClosureCandidate& candidate :
        closure_candidates(poses, trial.covariances_to(map), up_to(map, extents_), which)) {
+    if (looser && is_neighbour(candidate.older, map)) continue;
     Closure closure;
     closure.newer_map = map;
     closure.alternatives =

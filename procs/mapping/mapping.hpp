@@ -100,6 +100,7 @@ class Mapping : private Evidence {
   void note_odom(const ScanMatch& match);
   [[nodiscard]] std::optional<Eigen::Matrix3d> covariance_in_older_sessions();
   [[nodiscard]] bool session_is_joined() const;
+  [[nodiscard]] bool is_neighbour(int older, int newer) const;
   [[nodiscard]] std::vector<Closure> closures(int map, Trial& trial, bool thorough) const override;
   [[nodiscard]] double surprise(const std::vector<Pose2>& T_map_local) const override;
   [[nodiscard]] std::vector<Closure> relocalise() const;

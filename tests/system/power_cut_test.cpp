@@ -47,6 +47,7 @@ void expect_found(const test::PowerCut& cut) {
   EXPECT_LT(*cut.found_s, 1.0);  // of simulated time: half a second of scans
   EXPECT_LT(cut.error_m, kFoundM);
   EXPECT_LT(cut.error_rad, kFoundRad);
+  EXPECT_LT(cut.sd_m, 0.1);
   EXPECT_EQ(cut.maps_lost, 0);
 }
 

@@ -47,16 +47,17 @@ class Collector {
   void add_part(std::span<const std::uint8_t> bytes) {
     const auto message = decode<local_map_t>(bytes);
     if (!message) return;
-    auto part = from_message(*message);
-    if (!part || part->part.id != static_cast<int>(stored_.maps.size())) return;
-    if (part->piece == 0) {
-      stored_.unfinished = std::move(part->part);
+    const auto refusable = from_message(*message);
+    if (!refusable || refusable->part.id != static_cast<int>(stored_.maps.size())) return;
+    LocalMapPiece read = *refusable;
+    if (read.piece == 0) {
+      stored_.unfinished = std::move(read.part);
       parts_ = 1;
-    } else if (stored_.unfinished && part->piece == parts_ &&
-               part->part.utime == stored_.unfinished->utime) {
+    } else if (stored_.unfinished && read.piece == parts_ &&
+               read.part.utime == stored_.unfinished->utime) {
       LocalMap& map = *stored_.unfinished;
-      map.end_utime = part->part.end_utime;
-      std::move(part->part.scans.begin(), part->part.scans.end(), std::back_inserter(map.scans));
+      map.end_utime = read.part.end_utime;
+      std::move(read.part.scans.begin(), read.part.scans.end(), std::back_inserter(map.scans));
       ++parts_;
     }
   }

@@ -3,31 +3,31 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
-#include <vector>
-
-#include "common/local_map/local_map.hpp"
-#include "common/messages/local_map_pieces.hpp"
+#include <optional>
 
 namespace adit {
 
-/// What is to be sent again to those who began later, a few pieces at a time. Local maps go round:
-/// whoever asks in between gets those that he missed on the next round, and several who ask at
-/// once get one round.
+/// Which local map is to be sent again next, to those who began later. Local maps go round: whoever
+/// asks in between gets those that he missed on the next round, and several who ask at once get one
+/// round.
 class MapRepeater {
  public:
   /// All of so many local maps from now on, each once.
   void ask(std::size_t maps) { left_ = maps; }
 
-  /// The next pieces, `most` at most; none when the round is over.
-  std::vector<LocalMapPiece> next(const std::vector<LocalMap>& maps, std::size_t most);
+  /// The index of the next, of so many; nothing when the round is over.
+  std::optional<std::size_t> next(std::size_t maps) {
+    if (left_ == 0 || maps == 0) return std::nullopt;
+    --left_;
+    if (next_ >= maps) next_ = 0;
+    return next_++;
+  }
 
-  [[nodiscard]] bool done() const { return left_ == 0 && pieces_.empty(); }
+  [[nodiscard]] bool done() const { return left_ == 0; }
 
  private:
-  std::size_t next_ = 0;  ///< index of a local map
-  std::size_t left_ = 0;  ///< local maps in this round
-  std::deque<LocalMapPiece> pieces_;
+  std::size_t next_ = 0;
+  std::size_t left_ = 0;  ///< in this round
 };
 
 }  // namespace adit

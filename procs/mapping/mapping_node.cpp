@@ -6,6 +6,7 @@
 #include <exception>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
@@ -120,11 +121,17 @@ void MappingNode::publish_update(const MapUpdate& update) {
 void MappingNode::repeat() {
   if (restored_) publish_update(*std::exchange(restored_, std::nullopt));
   if (graph_due_) publish_graph();
-  if (repeater_.done()) return;
-  for (const LocalMapPiece& piece : repeater_.next(mapping_.local_maps(), kRepeatPieces)) {
-    publish(bus_, channels::kLocalMap, to_message(piece));
+  const std::vector<LocalMap>& maps = mapping_.local_maps();
+  for (std::size_t sent = 0; sent < kRepeatPieces; ++sent) {
+    if (repeated_.empty()) {
+      const auto next = repeater_.next(maps.size());
+      if (!next) return;
+      for (LocalMapPiece& piece : divide(maps[*next])) repeated_.push_back(std::move(piece));
+    }
+    publish(bus_, channels::kLocalMap, to_message(repeated_.front()));
+    repeated_.pop_front();
+    graph_due_ = repeated_.empty() && repeater_.done();
   }
-  graph_due_ = repeater_.done();
 }
 
 void MappingNode::publish_graph() {

@@ -10,6 +10,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/messages/heartbeat.hpp"
+#include "common/messages/local_map.hpp"
 #include "procs/mapping/map_journal.hpp"
 #include "procs/mapping/map_repeater.hpp"
 #include "procs/mapping/mapping.hpp"
@@ -57,7 +58,8 @@ class MappingNode {
   MappingParams params_;
   Mapping mapping_;
   MapRepeater repeater_;
-  bool graph_due_ = false;  ///< it is to go out with the next tick
+  std::deque<LocalMapPiece> repeated_;  ///< pieces that are to be sent again
+  bool graph_due_ = false;              ///< it is to go out with the next tick
   std::optional<MapJournal> journal_;
   std::optional<MapUpdate> restored_;  ///< what came of the local map that was being made
   int kept_map_ = -1;                  ///< id of the newest of which a part is kept

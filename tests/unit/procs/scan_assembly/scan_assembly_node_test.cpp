@@ -89,6 +89,18 @@ TEST_F(ScanAssemblyNodeInAMine, AnswersEachRequestAnew) {
   EXPECT_EQ(clouds_.size(), 2U);
 }
 
+/// Who asks, asks until it is answered.
+TEST_F(ScanAssemblyNodeInAMine, TakesARepeatedRequestForOne) {
+  run(1.5);
+  for (int i = 0; i < 5; ++i) {
+    request(LaserId::kFront);
+    run(2.0);
+    EXPECT_EQ(node_.health(), Health{}) << i;
+  }
+  run(10.0);
+  EXPECT_EQ(clouds_.size(), 1U);
+}
+
 TEST_F(ScanAssemblyNodeInAMine, SaysWhyItRefusesARequest) {
   request(LaserId::kFront);
   EXPECT_EQ(node_.health().level, Health::Level::kDegraded);

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Whole missions in small random mines, by the truth.
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "sim/world/build_world.hpp"
+#include "tests/support/mission_log.hpp"
+#include "tests/support/mission_score.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tools/mission/mission_run.hpp"
+
+namespace adit {
+namespace {
+
+WorldChoice small_mine(int seed, const std::string& topology) {
+  WorldChoice choice;
+  choice.name = "random";
+  choice.seed = seed;
+  choice.length_m = 30.0;
+  choice.topology = topology;
+  choice.damage = 0.5;
+  return choice;
+}
+
+class AMissionInAMine : public testing::Test {
+ protected:
+  std::filesystem::path run(const WorldChoice& world, const std::string& name, double time_max_s) {
+    MissionRunOptions options;
+    options.world = world;
+    options.folder = scratch_ / name;
+    options.time_max_s = time_max_s;
+    run_mission(options);
+    return options.folder / "run.lcmlog";
+  }
+
+  void expect_success(const WorldChoice& world) {
+    const auto log = test::read_mission(run(world, "mission", 1200.0));
+    const test::MissionScore score = test::MissionTruth(build_world(describe(world))).score(log);
+    EXPECT_EQ(score.outcome, "home") << score.reason;
+    EXPECT_LE(score.home_off_m, 0.5);
+    EXPECT_LE(score.rmse_m, 0.2);
+    EXPECT_GT(score.farthest_m, 5.0);
+    EXPECT_GT(score.scans, 0);
+  }
+
+  test::ScratchFolder scratch_;
+};
+
+TEST_F(AMissionInAMine, ComesHomeFromABranchingMine) { expect_success(small_mine(4, "branching")); }
+
+TEST_F(AMissionInAMine, ComesHomeFromParallelEntries) {
+  expect_success(small_mine(5, "parallel_entries"));
+}
+
+TEST_F(AMissionInAMine, GivesTheSameLogTwice) {
+  const WorldChoice world = small_mine(4, "branching");
+  const std::string first = test::contents(run(world, "first", 60.0));
+  EXPECT_GT(first.size(), 1'000'000U);
+  EXPECT_TRUE(first == test::contents(run(world, "second", 60.0)));
+}
+
+}  // namespace
+}  // namespace adit

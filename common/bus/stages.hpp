@@ -13,8 +13,8 @@ namespace adit {
 /// Every stage of the pipeline: the folders of procs/.
 inline const std::vector<std::string>& stage_names() {
   static const std::vector<std::string> names{
-      "scan_matching", "mapping", "scan_assembly", "terrain",     "volume_map",
-      "planning",      "driving", "guard",         "exploration", "supervisor"};
+      "scan_matching", "mapping", "scan_assembly", "terrain", "volume_map", "planning",
+      "driving",       "guard",   "exploration",   "mission", "supervisor"};
   return names;
 }
 

@@ -43,6 +43,7 @@ std::string_view reason_to_refuse(const scan_match_t& message) {
                       matrix_from(message.covariance).allFinite();
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (!is_plausible_utime(message.reference_utime)) return kImplausibleTime;
+  if (!is_plausible_utime(message.odom_utime)) return kImplausibleTime;
   if (!is_known(ScanMatch::Status(message.status))) return "unknown status";
   if (!finite) return "pose or covariance is not finite";
   if (message.n_degenerate > 3) return "more than three degenerate directions";
@@ -55,6 +56,7 @@ scan_match_t to_message(const ScanMatch& match) {
   scan_match_t message;
   message.utime = match.utime;
   message.reference_utime = match.reference_utime;
+  message.odom_utime = match.odom_utime;
   message.channel = match.channel;
   message.status = static_cast<std::int8_t>(match.status);
   set_pose(match.T_odom_body, message.T_odom_body);
@@ -81,6 +83,7 @@ Result<ScanMatch> from_message(const scan_match_t& message) {
   ScanMatch match;
   match.utime = message.utime;
   match.reference_utime = message.reference_utime;
+  match.odom_utime = message.odom_utime;
   match.channel = message.channel;
   match.status = ScanMatch::Status(message.status);
   match.T_odom_body = pose_from(message.T_odom_body);

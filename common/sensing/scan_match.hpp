@@ -34,6 +34,7 @@ struct ScanMatch {
 
   std::int64_t utime = 0;            ///< of the scan [µs since the epoch]
   std::int64_t reference_utime = 0;  ///< of the scan before it, 0 for the first
+  std::int64_t odom_utime = 0;       ///< of the first scan in this odom frame
   std::string channel;               ///< on which the scan came
   Status status = Status::kRefused;
   Pose2 T_odom_body;

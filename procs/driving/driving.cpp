@@ -68,6 +68,10 @@ void Driving::add_pose(std::int64_t utime, const Pose2& T_odom_body) {
   filter_.add(utime, steered_.pose(T_odom_body));
 }
 
+void Driving::add_phase(const MissionPhase& phase, std::int64_t utime) {
+  leave_.hear(phase, utime);
+}
+
 void Driving::add_match(std::int64_t utime, ScanMatch::Status status) {
   trust_.add_match(utime, status);
 }
@@ -95,7 +99,8 @@ double Driving::seconds_to(std::int64_t utime) {
 
 void Driving::trust_or_wait(std::int64_t utime) {
   if (state_.kind != Kind::kDriving && state_.kind != Kind::kWaiting) return;
-  const auto doubt = trust_.doubt(utime, filter_.utime());
+  auto doubt = trust_.doubt(utime, filter_.utime());
+  if (!doubt) doubt = leave_.refusal(utime, state_.path_id);
   held_ = doubt ? std::nullopt : vehicle_.hold(utime);
   state_.kind = doubt || held_ ? Kind::kWaiting : Kind::kDriving;
   state_.reason = doubt.value_or(held_.value_or(""));

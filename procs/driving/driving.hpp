@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "common/mission/mission_phase.hpp"
 #include "common/path/driving_state.hpp"
 #include "common/path/planned_path.hpp"
 #include "common/sensing/scan_match.hpp"
@@ -14,6 +15,7 @@
 #include "procs/driving/driving_params.hpp"
 #include "procs/driving/heard_vehicle.hpp"
 #include "procs/driving/hold_limit.hpp"
+#include "procs/driving/mission_leave.hpp"
 #include "procs/driving/path_progress.hpp"
 #include "procs/driving/pose_filter.hpp"
 #include "procs/driving/pose_trust.hpp"
@@ -46,6 +48,10 @@ class Driving {
   /// How fast it truly is, and whether it is held: the newest, as long as it is fresh.
   void add_state(const VehicleState& state) { vehicle_.hear(state); }
 
+  /// How the mission stands. Once that was heard, it drives only what the mission is executing, as
+  /// long as it is told so.
+  void add_phase(const MissionPhase& phase, std::int64_t utime);
+
   /// The command for now; to be asked at least each 200 ms while it drives.
   DriveOutput drive(std::int64_t utime);
 
@@ -72,6 +78,7 @@ class Driving {
   PoseTrust trust_;
   HeardVehicle vehicle_;
   HoldLimit hold_limit_;
+  MissionLeave leave_;
   CommandRamp ramp_;
   DrivingState state_;
   std::optional<PathProgress> progress_;

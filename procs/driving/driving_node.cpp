@@ -6,6 +6,7 @@
 #include "common/bus/typed.hpp"
 #include "common/messages/drive_command.hpp"
 #include "common/messages/driving_state.hpp"
+#include "common/messages/mission_phase.hpp"
 #include "common/messages/planned_path.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/scan_match.hpp"
@@ -36,6 +37,9 @@ DrivingNode::DrivingNode(Bus& bus, const Params& params) : bus_(bus), driving_(p
                              [this](const VehicleState& state) { driving_.add_state(state); });
   subscribe<planned_path_t>(bus, channels::kPath, Delivery::latest(),
                             [this](const PlannedPath& path) { driving_.follow(path); });
+  subscribe<phase_t>(bus, channels::kPhase, Delivery::latest(), [this](const MissionPhase& phase) {
+    driving_.add_phase(phase, bus_.now_utime());
+  });
   bus.every(kCommandPeriodUs, [this](std::int64_t utime) { drive(utime); });
 }
 

@@ -11,8 +11,8 @@
 
 namespace adit {
 
-/// In:  PATH (planned_path_t); POSE (pose_t); SCAN_MATCH (scan_match_t) and VEHICLE_STATE
-///      (vehicle_state_t), if they come.
+/// In:  PATH (planned_path_t); POSE (pose_t); SCAN_MATCH (scan_match_t), VEHICLE_STATE
+///      (vehicle_state_t) and PHASE (phase_t), if they come.
 /// Out: DRIVE_COMMAND (drive_command_t), each kCommandPeriodUs, also while it stands, so that a
 ///      silent channel means that driving is dead; DRIVING_STATE (driving_state_t), each fourth
 ///      time and when its kind, its reason or the path changes.

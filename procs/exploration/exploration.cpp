@@ -207,6 +207,7 @@ ExplorationDecision Exploration::make(const ExplorationState& state) {
   const TravelField here(space_, state.T_map_body.translation());
   note_pursuit(state, here);
   const auto all = offers(state, here);
+  if (state.homeward) return to_home(state, "the mission has turned around");
   if (returning_) return to_home(state, "the corridor is explored as far as it goes");
   if (const auto stub = choose(state, all)) return to_stub(*stub, state, here);
   returning_ = params_.mode == "corridor";

@@ -67,6 +67,7 @@ struct ExplorationState {
   Pose2 T_map_body;
   double remaining_m = 0.0;  ///< way that battery and time still allow
   double sd_m = 0.0;         ///< of the pose in map, where it is known
+  bool homeward = false;     ///< nothing but the way home is asked for
 };
 
 /// What a planner says who found no path.

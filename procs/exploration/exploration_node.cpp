@@ -10,6 +10,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/exploration_report.hpp"
+#include "common/messages/explore_request.hpp"
 #include "common/messages/map_correction.hpp"
 #include "common/messages/planned_path.hpp"
 
@@ -54,6 +55,8 @@ ExplorationNode::ExplorationNode(Bus& bus, const Params& params)
                     [this](const StampedPose& pose) { on_pose(pose); });
   subscribe<planned_path_t>(bus, channels::kPath, Delivery::queued(10),
                             [this](const PlannedPath& path) { on_path(path); });
+  subscribe<explore_request_t>(bus, channels::kExploreRequest, Delivery::queued(10),
+                               [this](const ExploreRequest& request) { on_request(request); });
   bus.every(kPeriodUs, [this](std::int64_t) {
     if (travelled_m_ - published_m_ > kMovedM) publish_decision();
   });
@@ -76,9 +79,10 @@ void ExplorationNode::on_pose(const StampedPose& pose) {
   pose_ = pose;
 }
 
-/// Twice no way to the same target: it is blocked.
+/// Where nobody asks, twice no way to the same target: it is blocked.
 void ExplorationNode::on_path(const PlannedPath& path) {
   using Kind = ExplorationDecision::Kind;
+  if (request_) return;
   const bool wanted = decision_.kind != Kind::kStay && decision_.kind != Kind::kDone;
   const bool none =
       (path.outcome == PlanOutcome::kBlocked || path.outcome == PlanOutcome::kUnknown) &&
@@ -92,17 +96,49 @@ void ExplorationNode::on_path(const PlannedPath& path) {
   publish_decision();
 }
 
+/// It is repeated until it is answered, and may be so again; its verdict counts the first time.
+void ExplorationNode::on_request(const ExploreRequest& request) {
+  if (!pose_ || (!correction_ && request.blocked)) return;
+  const bool again = request_ && request_->id == request.id;
+  if (request.blocked && !again) report_blocked(*request.blocked);
+  request_ = request;
+  requested_m_ = travelled_m_;
+  correction_ ? publish_decision() : publish_report();
+}
+
+void ExplorationNode::report_blocked(const BlockedVerdict& verdict) {
+  exploration_.report_blocked(verdict.stub, {verdict.utime, verdict.reached_m, verdict.evidence});
+}
+
+double ExplorationNode::remaining_m() const {
+  const double budget_m = request_ ? request_->remaining_m : params_.budget_m;
+  return std::max(0.0, budget_m - (travelled_m_ - requested_m_));
+}
+
 void ExplorationNode::publish_decision() {
   if (!correction_ || !pose_) return;
   const Pose2 T_map_body = correction_->T_map_odom * pose_->T_odom_body;
-  decision_ =
-      exploration_.decide({pose_->utime, T_map_body, std::max(0.0, params_.budget_m - travelled_m_),
-                           sd_of(*correction_)});
+  decision_ = exploration_.decide({pose_->utime, T_map_body, remaining_m(), sd_of(*correction_),
+                                   request_ && request_->homeward});
   published_m_ = travelled_m_;
+  publish_report();
+}
+
+/// Without a correction there is no map yet, and odom stands for it.
+void ExplorationNode::publish_report() {
   ExplorationReport report = exploration_.report();
-  report.T_odom_goal = correction_->T_map_odom.inverse() * report.decision.T_map_goal;
-  for (const Eigen::Vector2d& p_map : exploration_.next_way(kNextWayM, kWaySpacingM)) {
-    report.route_odom.emplace_back(correction_->T_map_odom.inverse() * p_map);
+  report.request = request_ ? request_->id : 0;
+  if (correction_) {
+    const Pose2 T_odom_map = correction_->T_map_odom.inverse();
+    report.T_odom_goal = T_odom_map * report.decision.T_map_goal;
+    for (const Eigen::Vector2d& p_map : exploration_.next_way(kNextWayM, kWaySpacingM)) {
+      report.route_odom.emplace_back(T_odom_map * p_map);
+    }
+  } else {
+    report.utime = pose_->utime;
+    report.decision.reason = "there is no map yet";
+    report.decision.T_map_goal = report.T_odom_goal = pose_->T_odom_body;
+    report.budget.remaining_m = remaining_m();
   }
   publish(bus_, channels::kExploration, to_message(report));
 }

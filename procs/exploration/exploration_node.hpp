@@ -11,6 +11,7 @@
 #include "common/messages/local_map_pieces.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/pose_graph_pieces.hpp"
+#include "common/mission/explore_request.hpp"
 #include "common/path/planned_path.hpp"
 #include "common/pose_graph/map_correction.hpp"
 #include "procs/exploration/exploration.hpp"
@@ -18,7 +19,7 @@
 namespace adit {
 
 struct ExplorationNodeParams : ExplorationParams {
-  double budget_m = 2000.0;  ///< of way, there and back, since the stage began
+  double budget_m = 2000.0;  ///< of way, there and back, since the stage began, until it is asked
   int no_path_answers = 2;   ///< of the planner in a row, after which a stub is blocked
   double no_path_m = 2.5;    ///< an answer that reaches less is none (paper, section 3.3)
 
@@ -33,9 +34,13 @@ struct ExplorationNodeParams : ExplorationParams {
 
 /// In:  LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in pieces; MAP_CORRECTION
 ///      (map_correction_t); POSE (pose_t); PATH (planned_path_t), which may find no way to the
-///      present target.
-/// Out: EXPLORATION (exploration_t), whenever the graph came, and once a second while the robot
-///      moves. It orders nothing: whoever sequences the mission makes a goal of the decision.
+///      present target; EXPLORE_REQUEST (explore_request_t), which asks for a decision. From the
+///      first on, what is left of the budget and what is blocked is what they say, and PATH says
+///      nothing any more.
+/// Out: EXPLORATION (exploration_t), whenever the graph came or it was asked, and once a second
+///      while the robot moves. It orders nothing: whoever sequences the mission makes a goal of the
+///      decision. Before there is a map a request is answered by kStay, and one with a verdict is
+///      left unanswered.
 class ExplorationNode {
  public:
   using Params = ExplorationNodeParams;
@@ -50,7 +55,11 @@ class ExplorationNode {
   void on_graph(const MapGraph& graph);
   void on_pose(const StampedPose& pose);
   void on_path(const PlannedPath& path);
+  void on_request(const ExploreRequest& request);
+  void report_blocked(const BlockedVerdict& verdict);
+  [[nodiscard]] double remaining_m() const;
   void publish_decision();
+  void publish_report();
 
   Bus& bus_;
   Params params_;
@@ -59,6 +68,8 @@ class ExplorationNode {
   PoseGraphAssembler graphs_;
   std::optional<MapCorrection> correction_;
   std::optional<StampedPose> pose_;
+  std::optional<ExploreRequest> request_;  ///< the newest
+  double requested_m_ = 0.0;               ///< way when that came
   double travelled_m_ = 0.0;
   double published_m_ = -1.0;  ///< way when the last decision was published
   int no_paths_ = 0;           ///< answers in a row, to the present target

@@ -18,7 +18,9 @@ LocalMapBuilder::LocalMapBuilder(const LocalMapBuilderParams& params, int first_
 std::optional<LocalMap> LocalMapBuilder::add(const std::string& channel, const LaserScan& scan,
                                              const ScanMatch& match) {
   if (match.status == ScanMatch::Status::kRefused) return std::nullopt;
-  const bool new_odom = match.status == ScanMatch::Status::kFirstScan && match.reference_utime == 0;
+  const bool first = match.status == ScanMatch::Status::kFirstScan && match.reference_utime == 0;
+  const bool new_odom = first || (odom_utime_ && *odom_utime_ != match.odom_utime);
+  odom_utime_ = match.odom_utime;
   std::optional<LocalMap> finished;
   if (new_odom) finished = finish();
 

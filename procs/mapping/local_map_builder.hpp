@@ -64,6 +64,7 @@ class LocalMapBuilder {
   LocalMapBuilderParams params_;
   DisplacementError error_;
   LocalMap map_;
+  std::optional<std::int64_t> odom_utime_;  ///< when the odom frame began
   Pose2 T_odom_body_;                       ///< of the last match
   Pose2 T_odom_kept_;                       ///< of the last kept scan, of whichever laser
   std::map<std::string, Pose2> last_kept_;  ///< T_odom_body of the last kept scan, by channel

@@ -63,9 +63,7 @@ void Mapping::restore(StoredMap stored) {
 
 std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserScan& scan,
                                       const ScanMatch& match) {
-  if (match.status == ScanMatch::Status::kFirstScan && match.reference_utime == 0) {
-    odom_continues_ = false;
-  }
+  if (!maps_.empty() && match.odom_utime > maps_.back().end_utime) odom_continues_ = false;
   auto map = builder_.add(channel, scan, match);
   if (!map) return std::nullopt;
   return take(std::move(*map));

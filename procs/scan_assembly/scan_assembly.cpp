@@ -10,6 +10,8 @@ namespace {
 
 using Phase = SweepMotion::Phase;
 
+constexpr double kOnItsWayS = 2.0;
+
 double seconds(std::int64_t microseconds) { return 1e-6 * static_cast<double>(microseconds); }
 
 const char* name_of(LaserId laser) {
@@ -22,6 +24,7 @@ ScanAssembly::ScanAssembly(const ScanAssemblyParams& params)
     : params_(params), sweep_(params.sweep), gravity_(params.gravity) {}
 
 void ScanAssembly::begin(const ScanRequest& request, std::int64_t utime) {
+  if (is_known(request, utime)) return;
   if (sweep_.phase() == Phase::kApproach || sweep_.phase() == Phase::kSweep) {
     complaint_ = "request refused: a sweep is under way";
     return;
@@ -43,6 +46,13 @@ void ScanAssembly::begin(const ScanRequest& request, std::int64_t utime) {
   T_odom_begin_ = last_pose_->T_odom_body;
   utime_ = begin_utime_ = scan_utime_ = tilt_utime_ = utime;
   sweep_.begin();
+}
+
+/// Who asks repeats it until there is a cloud. That may be on its way.
+bool ScanAssembly::is_known(const ScanRequest& request, std::int64_t utime) const {
+  const bool same = request.id == request_.id && request.laser == request_.laser;
+  if (!same || begin_utime_ == 0) return false;
+  return sweep_.phase() != Phase::kIdle || seconds(utime - cloud_utime_) < kOnItsWayS;
 }
 
 bool ScanAssembly::listens_to(LaserId laser) const {
@@ -86,6 +96,7 @@ ScanAssembly::Step ScanAssembly::advance(std::int64_t utime) {
   if (before == Phase::kApproach && sweep_.phase() == Phase::kSweep) begin_lines();
   if (before == Phase::kSweep && sweep_.phase() == Phase::kReturn) {
     step.cloud = assemble(true);
+    cloud_utime_ = utime;
     if (!step.cloud) complaint_ = "no scan came during the sweep";
   }
   return step;

@@ -62,7 +62,8 @@ class ScanAssembly {
 
   explicit ScanAssembly(const ScanAssemblyParams& params);
 
-  /// Where a sweep is under way, or the pose is not known, nothing happens but a complaint.
+  /// Where a sweep is under way, or the pose is not known, nothing happens but a complaint. The
+  /// request of that sweep may be repeated.
   void begin(const ScanRequest& request, std::int64_t utime);
 
   // Each false where the reading is not used. While no sweep is under way, only poses and inertia
@@ -85,6 +86,7 @@ class ScanAssembly {
 
  private:
   [[nodiscard]] const LaserMount& mount() const;
+  [[nodiscard]] bool is_known(const ScanRequest& request, std::int64_t utime) const;
   [[nodiscard]] bool listens_to(LaserId laser) const;
   [[nodiscard]] std::string reason_to_stop(std::int64_t utime) const;
   std::optional<Cloud> cut_short(const std::string& reason);
@@ -107,6 +109,7 @@ class ScanAssembly {
   std::int64_t begin_utime_ = 0;       ///< bus time of the request
   std::int64_t scan_utime_ = 0;        ///< bus time at which the laser was last heard
   std::int64_t tilt_utime_ = 0;        ///< the same of its tilt
+  std::int64_t cloud_utime_ = 0;       ///< bus time at which it had its cloud
 
   std::int64_t utime_ = 0;  ///< bus time
   struct LastPose {

@@ -74,6 +74,8 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   ScanMatch match;
   match.utime = scan.utime;
   match.reference_utime = utime_;
+  if (odom_utime_ == 0) odom_utime_ = scan.utime;
+  match.odom_utime = odom_utime_;
   match.T_odom_body = T_odom_body_;
   const auto last = last_scan_utime_.find(laser);
   const bool again = last != last_scan_utime_.end() && scan.utime <= last->second;

@@ -80,6 +80,7 @@ class ScanMatching {
   LocalReference reference_;
   PoseSearch search_;
   std::map<LaserId, std::int64_t> last_scan_utime_;
+  std::int64_t odom_utime_ = 0;  ///< of the first scan
   std::int64_t utime_ = 0;
   Pose2 T_odom_body_;
   Eigen::Matrix3d reference_covariance_ = Eigen::Matrix3d::Zero();  ///< of the last pose in it

@@ -59,6 +59,7 @@ ScanMatch sample_match() {
   ScanMatch report;
   report.utime = kUtime;
   report.reference_utime = kUtime - 13'333;
+  report.odom_utime = kUtime - 40'000;
   report.channel = channels::kLaserFront;
   report.status = ScanMatch::Status::kMatched;
   report.T_odom_body = {12.0, -3.0, 0.7};

@@ -24,6 +24,7 @@ void add_drive_command(CLI::App& adit);
 void add_eval_command(CLI::App& adit);
 void add_import_command(CLI::App& adit);
 void add_map_command(CLI::App& adit);
+void add_mission_command(CLI::App& adit);
 void add_logs_command(CLI::App& adit);
 void add_optimize_command(CLI::App& adit);
 void add_plan_command(CLI::App& adit);

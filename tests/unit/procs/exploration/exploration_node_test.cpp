@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/exploration/exploration_node.hpp"
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -10,6 +12,7 @@
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/exploration_report.hpp"
+#include "common/messages/explore_request.hpp"
 #include "common/messages/map_correction.hpp"
 #include "common/messages/planned_path.hpp"
 #include "tests/support/exploring_robot.hpp"
@@ -62,6 +65,14 @@ class ExplorationNodeOnABus : public testing::Test {
     path.reached_m = 1.0;
     publish(bus_, channels::kPath, to_message(path));
   }
+  void ask(int id, double remaining_m, bool homeward = false,
+           std::optional<BlockedVerdict> blocked = {}) {
+    const ExploreRequest request{robot_.utime(), id, remaining_m, homeward, std::move(blocked)};
+    publish(bus_, channels::kExploreRequest, to_message(request));
+  }
+  [[nodiscard]] BlockedVerdict verdict() const {
+    return {robot_.utime(), reports_.back().decision.stub, 1.0, "a beam is in the way"};
+  }
   [[nodiscard]] Pose2 body_in_odom() const { return kMapOdom.inverse() * robot_.T_map_body(); }
 
   static constexpr Pose2 kMapOdom{1.0, -2.0, 0.5};
@@ -109,6 +120,90 @@ TEST_F(ExplorationNodeOnABus, TakesAStubForBlockedAfterTwoAnswersWithoutAPath) {
   EXPECT_EQ(blocked.evidence, "the planner found no path (2): a beam is in the way");
   EXPECT_EQ(reports_[1].decision.kind, Kind::kDone);
   EXPECT_TRUE(reports_[1].decision.complete);
+}
+
+TEST_F(ExplorationNodeOnABus, AnswersEachRequestWithWhatIsLeftByIt) {
+  send_all();
+  EXPECT_EQ(reports_.back().request, 0);
+  ask(7, 300.0);
+  ASSERT_EQ(reports_.size(), 2U);
+  EXPECT_EQ(reports_[1].request, 7);
+  EXPECT_EQ(reports_[1].decision, reports_[0].decision);
+  EXPECT_DOUBLE_EQ(reports_[1].budget.remaining_m, 300.0);
+  robot_.go({{2.0, 0.0}}, 2.0);
+  send_pose();
+  bus_.advance_to(robot_.utime() + kSecond);
+  ASSERT_EQ(reports_.size(), 3U);
+  EXPECT_EQ(reports_[2].request, 7);
+  EXPECT_NEAR(reports_[2].budget.remaining_m, 298.0, 0.01);
+  ask(8, 12.0);  // with a reserve of 20 m
+  ASSERT_EQ(reports_.size(), 4U);
+  EXPECT_EQ(reports_[3].request, 8);
+  EXPECT_EQ(reports_[3].decision.kind, Kind::kHome);
+  EXPECT_FALSE(reports_[3].decision.complete);
+}
+
+TEST_F(ExplorationNodeOnABus, LetsAVerdictCountOnceForEachRequest) {
+  mine_ = drift_mine(junction());
+  robot_ = test::ExploringRobot(mine_);
+  send_all();
+  while (reports_.back().decision.kind != Kind::kAlong || reports_.back().stubs.size() < 2) {
+    ASSERT_LT(robot_.travelled_m(), 40.0);
+    const Eigen::Vector2d goal = reports_.back().decision.T_map_goal.translation();
+    robot_.go({{goal.x(), 0.0}}, 5.0);
+    send_all();
+  }
+  const BlockedVerdict blocked = verdict();
+  ask(1, 300.0, false, blocked);
+  const ExplorationReport first = reports_.back();
+  EXPECT_EQ(first.request, 1);
+  EXPECT_EQ(first.stubs[static_cast<std::size_t>(blocked.stub)].state, StubState::kBlocked);
+  EXPECT_EQ(first.stubs[static_cast<std::size_t>(blocked.stub)].evidence, blocked.evidence);
+  EXPECT_NE(first.decision.stub, blocked.stub);
+  ask(1, 300.0, false, verdict());  // of the next target, but of the same request
+  EXPECT_EQ(reports_.back().decision, first.decision);
+  EXPECT_EQ(reports_.back().stubs, first.stubs);
+}
+
+TEST_F(ExplorationNodeOnABus, TakesNoVerdictsFromPathsOnceItIsAsked) {
+  send_all();
+  ask(1, 300.0);
+  for (const int id : {1, 2, 3}) send_no_path(id);
+  ASSERT_EQ(reports_.size(), 2U);
+  ask(2, 300.0);
+  EXPECT_EQ(reports_.back().decision, reports_.front().decision);
+}
+
+TEST_F(ExplorationNodeOnABus, DecidesForHomeAloneWhereThatIsAskedFor) {
+  send_all();
+  robot_.go({{5.0, 0.0}}, 5.0);
+  send_all();
+  ask(1, 300.0, true);
+  EXPECT_EQ(reports_.back().decision.kind, Kind::kHome);
+  EXPECT_EQ(reports_.back().decision.stub, ExplorationDecision::kNoStub);
+  EXPECT_FALSE(reports_.back().decision.complete);
+  send_graph();
+  EXPECT_EQ(reports_.back().decision.kind, Kind::kHome);
+  ask(2, 300.0, false);
+  EXPECT_EQ(reports_.back().decision.kind, Kind::kAlong);
+}
+
+TEST_F(ExplorationNodeOnABus, SaysThatThereIsNoMapYetAndKeepsVerdictsForLater) {
+  ask(1, 300.0);
+  EXPECT_TRUE(reports_.empty());
+  send_pose();
+  ask(1, 300.0);
+  ASSERT_EQ(reports_.size(), 1U);
+  EXPECT_EQ(reports_[0].request, 1);
+  EXPECT_EQ(reports_[0].decision.kind, Kind::kStay);
+  EXPECT_EQ(reports_[0].decision.reason, "there is no map yet");
+  const BlockedVerdict blocked{robot_.utime(), 0, 1.0, "a beam is in the way"};
+  ask(2, 300.0, false, blocked);
+  EXPECT_EQ(reports_.size(), 1U);
+  send_all();
+  ask(2, 300.0, false, blocked);
+  EXPECT_EQ(reports_.back().request, 2);
+  EXPECT_EQ(reports_.back().stubs[0].state, StubState::kBlocked);
 }
 
 TEST_F(ExplorationNodeOnABus, SaysWhatLocalMapsItLacks) {

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mission/mission_journal.hpp"
+
+#include "common/messages/codec.hpp"
+#include "common/messages/mission_phase.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::string_view kPhase = "PHASE";
+
+std::optional<MissionPhase> phase_of(const JournalRecord& record) {
+  if (record.kind != kPhase) return std::nullopt;
+  const auto message = decode<phase_t>(record.bytes);
+  if (!message) return std::nullopt;
+  const auto phase = from_message(*message);
+  return phase ? std::optional(*phase) : std::nullopt;
+}
+
+}  // namespace
+
+MissionJournal::MissionJournal(const std::filesystem::path& path)
+    : journal_(path, [this](const JournalRecord& record) {
+        const auto phase = phase_of(record);
+        if (!phase) return;
+        if (!last_) begun_utime_ = phase->utime;
+        last_ = phase;
+      }) {}
+
+void MissionJournal::append(const MissionPhase& phase) {
+  journal_.append(kPhase, encode(to_message(phase)));
+  journal_.sync();
+}
+
+}  // namespace adit

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mission/mission_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <Eigen/Eigenvalues>
+
+namespace adit {
+namespace {
+
+constexpr double kMemory = 0.995;      // of the share of lost scans: some 200 scans
+constexpr double kEnoughWayM = 100.0;  // to say what a metre costs
+constexpr double kSlowestM_s = 0.05;   // with pauses for scans
+
+std::string text_of(const char* format, double number) {
+  char text[96];
+  std::snprintf(text, sizeof text, format, number);
+  return text;
+}
+
+}  // namespace
+
+void MissionLimits::come_home(const std::string& reason) {
+  if (!reason_) reason_ = reason;
+}
+
+void MissionLimits::add(const GasReading& gas) {
+  if (gas.methane_share > params_.methane_max_share) {
+    come_home(text_of("%.2f %% of methane in the air", 100.0 * gas.methane_share));
+  } else if (gas.oxygen_share < params_.oxygen_min_share) {
+    come_home(text_of("only %.1f %% of oxygen in the air", 100.0 * gas.oxygen_share));
+  } else if (gas.carbon_monoxide_share > params_.carbon_monoxide_max_share) {
+    come_home(text_of("%.0f ppm of carbon monoxide in the air", 1e6 * gas.carbon_monoxide_share));
+  }
+}
+
+void MissionLimits::add(const SinkageReading& sinkage) {
+  const double deepest = *std::max_element(sinkage.depth_m.begin(), sinkage.depth_m.end());
+  if (deepest > params_.sinkage_max_m) {
+    come_home(text_of("a wheel is %.2f m deep in the ground", deepest));
+  }
+}
+
+void MissionLimits::add(const VehicleState& state) {
+  if (!battery_start_share_) battery_start_share_ = state.battery_share;
+  battery_share_ = state.battery_share;
+}
+
+void MissionLimits::add(const ScanMatch& match) {
+  const bool lost = match.status == ScanMatch::Status::kLost;
+  lost_share_ = kMemory * lost_share_ + (1.0 - kMemory) * (lost ? 1.0 : 0.0);
+  if (lost_share_ > params_.lost_scans_max_share) {
+    come_home(text_of("%.0f %% of the last scans do not match", 100.0 * lost_share_));
+  }
+}
+
+void MissionLimits::add(const MapCorrection& correction) {
+  if (!correction.covariance) return;
+  const Eigen::Matrix2d covariance = correction.covariance->topLeftCorner<2, 2>();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance, Eigen::EigenvaluesOnly);
+  const double sd_m = std::sqrt(std::max(0.0, axes.eigenvalues().maxCoeff()));
+  if (sd_m > params_.map_sd_max_m) {
+    come_home(text_of("the map is only known to %.1f m here", sd_m));
+  }
+}
+
+double MissionLimits::remaining_m(double elapsed_s, double travelled_m) const {
+  double remaining = params_.way_max_m - travelled_m;
+  const double speed = elapsed_s > 0.0 ? travelled_m / elapsed_s : 0.0;
+  remaining = std::min(remaining, (params_.time_max_s - elapsed_s) * std::max(speed, kSlowestM_s));
+  if (battery_share_) {
+    double per_m = params_.battery_share_per_m;
+    if (travelled_m > kEnoughWayM) {
+      per_m = std::max(0.0, (*battery_start_share_ - *battery_share_) / travelled_m);
+    }
+    const double left = *battery_share_ - params_.battery_reserve_share;
+    if (per_m > 0.0) remaining = std::min(remaining, left / per_m);
+  }
+  return std::max(0.0, remaining);
+}
+
+}  // namespace adit

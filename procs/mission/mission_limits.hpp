@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "common/config/bounds.hpp"
+#include "common/pose_graph/map_correction.hpp"
+#include "common/sensing/ground_and_air.hpp"
+#include "common/sensing/scan_match.hpp"
+#include "common/vehicle/drive_command.hpp"
+
+namespace adit {
+
+/// When a mission turns around. Limits of air and ground lie before those at which the guard stops.
+struct MissionLimitsParams {
+  double way_max_m = 5000.0;  ///< there and back
+  double time_max_s = 28800.0;
+  double battery_reserve_share = 0.2;   ///< that is to be left at home
+  double battery_share_per_m = 0.0002;  ///< until the way so far says more
+  double methane_max_share = 0.01;      ///< a fifth of what explodes
+  double oxygen_min_share = 0.18;
+  double carbon_monoxide_max_share = 0.0002;
+  double sinkage_max_m = 0.1;
+  double lost_scans_max_share = 0.5;  ///< of the scans of some metres
+  double map_sd_max_m = 5.0;          ///< of where the newest local map is
+
+  template <class V>
+  void visit(V& v) {
+    v("way_max_m", way_max_m, above(0.0));
+    v("time_max_s", time_max_s, above(0.0));
+    v("battery_reserve_share", battery_reserve_share, within(0.0, 0.9));
+    v("battery_share_per_m", battery_share_per_m, within(0.0, 0.1));
+    v("methane_max_share", methane_max_share, within(0.0, 1.0));
+    v("oxygen_min_share", oxygen_min_share, within(0.0, 1.0));
+    v("carbon_monoxide_max_share", carbon_monoxide_max_share, within(0.0, 1.0));
+    v("sinkage_max_m", sinkage_max_m, above(0.0));
+    v("lost_scans_max_share", lost_scans_max_share, above_up_to(0.0, 1.0));
+    v("map_sd_max_m", map_sd_max_m, above(0.0));
+  }
+};
+
+/// What a mission may still spend, and what says that it is to come home now.
+class MissionLimits {
+ public:
+  explicit MissionLimits(const MissionLimitsParams& params) : params_(params) {}
+
+  void add(const GasReading& gas);
+  void add(const SinkageReading& sinkage);
+  void add(const VehicleState& state);
+  /// Of scans while it moves.
+  void add(const ScanMatch& match);
+  void add(const MapCorrection& correction);
+
+  /// Why it is to come home, a sentence; the first there was, for good.
+  [[nodiscard]] const std::optional<std::string>& reason() const { return reason_; }
+  /// Way that time, battery and the greatest way still allow [m].
+  [[nodiscard]] double remaining_m(double elapsed_s, double travelled_m) const;
+
+ private:
+  void come_home(const std::string& reason);
+
+  MissionLimitsParams params_;
+  std::optional<std::string> reason_;
+  std::optional<double> battery_share_;
+  std::optional<double> battery_start_share_;
+  double lost_share_ = 0.0;
+};
+
+}  // namespace adit

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mission/mission_node.hpp"
+
+#include <exception>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/driving_state.hpp"
+#include "common/messages/exploration_report.hpp"
+#include "common/messages/explore_request.hpp"
+#include "common/messages/gas_reading.hpp"
+#include "common/messages/map_correction.hpp"
+#include "common/messages/mission_order.hpp"
+#include "common/messages/mission_phase.hpp"
+#include "common/messages/plan_goal.hpp"
+#include "common/messages/planned_path.hpp"
+#include "common/messages/pose.hpp"
+#include "common/messages/scan_match.hpp"
+#include "common/messages/scan_request.hpp"
+#include "common/messages/sinkage_reading.hpp"
+#include "common/messages/terrain_tiles.hpp"
+#include "common/messages/vehicle_state.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::int64_t kPeriodUs = 100'000;
+constexpr std::int64_t kTellPeriodUs = 1'000'000;
+constexpr std::size_t kWaiting = 100;
+
+}  // namespace
+
+MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(params) {
+  if (!params.journal.empty()) {
+    journal_.emplace(params.journal);
+    if (journal_->last()) mission_.restore(*journal_->last(), journal_->begun_utime());
+  }
+  subscribe_to_stages();
+  const auto latest = Delivery::latest();
+  subscribe<vehicle_state_t>(bus, channels::kVehicleState, latest,
+                             [this](const VehicleState& s) { mission_.limits().add(s); });
+  subscribe<gas_t>(bus, channels::kGas, latest,
+                   [this](const GasReading& gas) { mission_.limits().add(gas); });
+  subscribe<sinkage_t>(bus, channels::kSinkage, latest,
+                       [this](const SinkageReading& s) { mission_.limits().add(s); });
+  subscribe<mission_order_t>(bus, channels::kMissionOrder, Delivery::queued(kWaiting),
+                             [this](const MissionOrder& order) {
+                               mission_.add_order(order);
+                               advance();
+                             });
+  bus.every(kPeriodUs, [this](std::int64_t) { advance(); });
+}
+
+void MissionNode::subscribe_to_stages() {
+  const auto queued = Delivery::queued(kWaiting);
+  subscribe<pose_t>(bus_, channels::kPose, queued, [this](const StampedPose& pose) {
+    mission_.add_pose(pose.utime, pose.T_odom_body);
+  });
+  subscribe<scan_match_t>(bus_, channels::kScanMatch, queued,
+                          [this](const ScanMatch& match) { mission_.add_match(match); });
+  subscribe<map_correction_t>(
+      bus_, channels::kMapCorrection, queued,
+      [this](const MapCorrection& correction) { mission_.add_correction(correction); });
+  subscribe<exploration_t>(bus_, channels::kExploration, queued,
+                           [this](const ExplorationReport& report) {
+                             mission_.add_exploration(report);
+                             advance();
+                           });
+  subscribe<terrain_t>(bus_, channels::kTerrain, queued, [this](const TerrainTile& tile) {
+    if (tile.piece + 1 < tile.n_pieces) return;
+    mission_.add_terrain(tile.part.utime, tile.part.id);
+    advance();
+  });
+  subscribe<planned_path_t>(bus_, channels::kPath, queued, [this](const PlannedPath& path) {
+    mission_.add_path(path);
+    advance();
+  });
+  subscribe<driving_state_t>(bus_, channels::kDrivingState, queued,
+                             [this](const DrivingState& state) {
+                               mission_.add_driving(state);
+                               advance();
+                             });
+}
+
+void MissionNode::advance() {
+  const std::int64_t utime = bus_.now_utime();
+  const MissionAsk ask = mission_.advance(utime);
+  tell();
+  if (ask.explore) publish(bus_, channels::kExploreRequest, to_message(*ask.explore));
+  if (ask.scan) publish(bus_, channels::kScanRequest, to_message(*ask.scan));
+  if (ask.goal) publish(bus_, channels::kGoal, to_message(*ask.goal));
+}
+
+/// To the disk first: what was announced is not forgotten.
+void MissionNode::tell() {
+  const MissionPhase& phase = mission_.phase();
+  const bool news = phase.sequence != told_sequence_;
+  if (!news && bus_.now_utime() < told_utime_ + kTellPeriodUs) return;
+  if (news && journal_) {
+    try {
+      journal_->append(phase);
+      journal_failure_.clear();
+    } catch (const std::exception& failure) {
+      journal_failure_ = failure.what();
+    }
+  }
+  publish(bus_, channels::kPhase, to_message(phase));
+  told_sequence_ = phase.sequence;
+  told_utime_ = bus_.now_utime();
+}
+
+Health MissionNode::health() const {
+  using Level = Health::Level;
+  const MissionPhase& phase = mission_.phase();
+  if (!journal_failure_.empty()) return {Level::kFault, journal_failure_};
+  if (phase.outcome == MissionOutcome::kStranded) return {Level::kFault, phase.reason};
+  if (phase.phase == Phase::kWaiting) {
+    return {Level::kDegraded, "it waits for pose and driving: " + phase.reason};
+  }
+  return {};
+}
+
+}  // namespace adit

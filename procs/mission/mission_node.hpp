@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "common/bus/bus.hpp"
+#include "common/messages/heartbeat.hpp"
+#include "procs/mission/mission.hpp"
+#include "procs/mission/mission_journal.hpp"
+
+namespace adit {
+
+struct MissionNodeParams : MissionParams {
+  std::string journal;  ///< file that keeps how the mission stands; empty: nothing is kept
+
+  template <class V>
+  void visit(V& v) {
+    v("journal", journal);
+    MissionParams::visit(v);
+  }
+};
+
+/// In:  POSE (pose_t), SCAN_MATCH (scan_match_t), MAP_CORRECTION (map_correction_t), EXPLORATION
+///      (exploration_t), TERRAIN (terrain_t), PATH (planned_path_t), DRIVING_STATE
+///      (driving_state_t), VEHICLE_STATE (vehicle_state_t), GAS (gas_t), SINKAGE (sinkage_t),
+///      MISSION_ORDER (mission_order_t).
+/// Out: PHASE (phase_t), on change and each second; EXPLORE_REQUEST (explore_request_t),
+///      SCAN_REQUEST (scan_request_t) and GOAL (plan_goal_t), each repeated until it is answered.
+class MissionNode {
+ public:
+  using Params = MissionNodeParams;
+
+  /// Throws std::runtime_error where the journal cannot be used.
+  MissionNode(Bus& bus, const Params& params);
+
+  /// Degraded while it waits, at fault where the robot is stranded or the journal fails.
+  [[nodiscard]] Health health() const;
+
+ private:
+  void subscribe_to_stages();
+  void advance();
+  void tell();
+
+  Bus& bus_;
+  Mission mission_;
+  std::optional<MissionJournal> journal_;
+  std::string journal_failure_;
+  std::int32_t told_sequence_ = -1;
+  std::int64_t told_utime_ = 0;
+};
+
+}  // namespace adit

@@ -110,8 +110,8 @@ std::string graph_svg(const MissionMap& map, const MapView& view) {
   std::string nodes;
   for (const Pose2& node : graph.nodes) nodes += disc("node", view.at(node.translation()), 1.2);
   return group("layer-graph", line("edge", edges(graph.sequential, view)) + nodes +
-                                  line("closure", edges(graph.closures, view)) +
-                                  line("revoked", edges(graph.revoked, view)));
+                                  line("closure", edges(graph.closures, view))) +
+         group("layer-revoked", line("revoked", edges(graph.revoked, view)));
 }
 
 std::string ways_svg(const Trajectory& path, const std::optional<std::int64_t>& homeward_utime,
@@ -154,8 +154,9 @@ std::string scans_svg(const std::vector<ScanMark>& scans, const MapView& view,
   std::vector<Eigen::Vector2d> taken;
   std::string parts;
   for (const ScanMark& scan : scans) {
-    const Eigen::Vector2d place = view.at(scan.T_map_body.translation());
-    const Eigen::Vector2d left(-std::sin(scan.T_map_body.theta), -std::cos(scan.T_map_body.theta));
+    const Eigen::Vector2d place = view.at(scan.T_map_ahead.translation());
+    const Eigen::Vector2d left(-std::sin(scan.T_map_ahead.theta),
+                               -std::cos(scan.T_map_ahead.theta));
     Eigen::Vector2d at = place + kBeside * left;
     const auto is_taken = [&](const Eigen::Vector2d& other) {
       return (other - at).norm() < 2.0 * kRadius;

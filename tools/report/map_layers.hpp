@@ -23,7 +23,7 @@ std::string graph_svg(const MissionMap& map, const MapView& view);
 std::string ways_svg(const Trajectory& path, const std::optional<std::int64_t>& homeward_utime,
                      const MapView& view);
 std::string stubs_svg(const std::vector<Stub>& stubs, const MapView& view, const std::string& page);
-/// Numbers to the left of the robot, so that those of the way home are on the other side.
+/// Numbers to the left of the way on, so that those of the way home are on the other side.
 std::string scans_svg(const std::vector<ScanMark>& scans, const MapView& view,
                       const std::string& page);
 std::string start_svg(const Trajectory& path, const MapView& view);

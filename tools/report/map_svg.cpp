@@ -95,7 +95,7 @@ const char* map_style() {
 .mine .corridor{stroke:var(--corridor);stroke-width:1;stroke-dasharray:1 3}
 .mine .junction{fill:var(--corridor)}.mine .dead-end{fill:var(--ink)}
 .mine .edge{stroke:var(--graph);stroke-width:.7}.mine .node{fill:var(--graph)}
-.mine .closure{stroke:var(--closure);stroke-width:1.6}
+.mine .closure{stroke:var(--closure);stroke-width:1;opacity:.5}
 .mine .revoked{stroke:var(--revoked);stroke-width:1.8;stroke-dasharray:4 3}
 .mine .stub{stroke-width:2;stroke:var(--closed);fill:var(--rim)}
 .mine .stub.open{stroke:var(--open)}.mine .stub.done{stroke:var(--done);stroke-width:1.4}

@@ -17,7 +17,7 @@ namespace adit {
 /// Where a 3D scan was taken, to be marked on the map.
 struct ScanMark {
   int number = 0;
-  Pose2 T_map_body;
+  Pose2 T_map_ahead;  ///< its heading is where the laser looked, ahead or behind
   bool found = true;  ///< a path came of it
   std::string text;   ///< for who points at it
 };

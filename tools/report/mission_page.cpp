@@ -41,25 +41,24 @@ struct Layer {
   const char* name;
   bool shown;
 };
-constexpr Layer kLayers[] = {{"show-way", "way", true},
-                             {"show-scans", "3D scans", true},
-                             {"show-stubs", "openings", true},
-                             {"show-graph", "pose graph", true},
-                             {"show-corridors", "corridors", false}};
+constexpr Layer kLayers[] = {
+    {"show-way", "way", true},           {"show-scans", "3D scans", true},
+    {"show-stubs", "openings", true},    {"show-revoked", "closures taken back", true},
+    {"show-graph", "pose graph", false}, {"show-corridors", "corridors", false}};
 
 /// Boxes beside the map, so that no script is needed to show and hide its layers.
 std::string map_html(const MapToDraw& map) {
   std::string html;
   for (const auto& [id, name, shown] : kLayers) {
     html += std::string("<input type=\"checkbox\" id=\"") + id + "\"" + (shown ? " checked" : "") +
-            "> <label for=\"" + id + "\">" + name + "</label>\n";
+            "><label for=\"" + id + "\">\u00A0" + name + "</label>\n";
   }
   const char* keys =
       "<p class=\"note\">The way out is a solid line, the way home a dashed one. Numbers are 3D "
       "scans and lead to their cards; red ones found no way. Rings are openings: red where the "
       "mine "
-      "still goes on. Green lines join places that were recognised, dashed orange ones were taken "
-      "back.</p>";
+      "still goes on. Lines of the pose graph are green where a "
+      "place was recognised; dashed orange ones were taken back.</p>";
   return element("div", html + element("div", map_svg(map), "class=\"map\" tabindex=\"0\""),
                  "class=\"layers\"") +
          keys;

@@ -87,7 +87,8 @@ std::string openings_html(const MissionRecords& records) {
       report->decision.complete
           ? "<p>Exploration says that the mine is complete: every opening ever seen is closed. The "
             "table is the certificate.</p>"
-          : "<p>Places where the mine goes on, or seemed to. What is not closed was left for "
+          : "<p>Places where the mine goes on, or seemed to (the stubs of the log). What is not "
+            "closed was left for "
             "another mission.</p>";
   return certificate +
          html_table("Openings, their state and its evidence",

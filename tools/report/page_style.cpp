@@ -46,7 +46,7 @@ pre{font:.78rem/1.45 ui-monospace,"DejaVu Sans Mono",monospace;overflow-x:auto;b
 border:1px solid var(--line);padding:.7rem}
 .map{overflow:auto;background:var(--sheet);border:1px solid var(--line)}
 .map svg{display:block;width:100%;height:auto;min-width:44rem;margin:0 auto}
-.layers{border:0;padding:0;margin:.5rem 0;font-size:.85rem}.layers label{margin-right:1.1rem;white-space:nowrap}
+.layers{border:0;padding:0;margin:.5rem 0;font-size:.85rem}.layers>label{margin-right:1.1rem;white-space:nowrap}
 .mine a:focus-visible circle,.mine a:hover circle{stroke:var(--link);stroke-width:3}
 )"
          R"(.timeline{font-size:.8rem;margin:1rem 0}.lane{display:grid;grid-template-columns:4.6rem 1fr 9.5rem;
@@ -62,9 +62,9 @@ border-bottom:1px solid var(--line)}.lane span:last-child{color:var(--soft);font
 scroll-margin-top:1rem;min-width:0}.card.stuck{border-left:4px solid var(--warn)}
 .card:target{outline:2px solid var(--link)}.verdict{margin:.2rem 0 .7rem;line-height:1.4}
 .pictures{display:grid;grid-template-columns:1fr 1fr;gap:.7rem;align-items:end}
-.pictures figure{margin:0;min-width:0}.pictures figure:nth-child(3){grid-column:1/-1}
+.pictures figure{margin:0;min-width:0}.pictures figure:last-child:nth-child(odd){grid-column:1/-1}
 .pictures svg,.pictures img{display:block;width:100%;height:auto;max-height:22rem;background:#14171c}
-.pictures img{object-fit:contain}figcaption{font-size:.72rem;color:var(--soft);margin-top:.2rem}
+.pictures img{object-fit:cover;max-height:13rem}figcaption{font-size:.72rem;color:var(--soft);margin-top:.2rem}
 .card .figures{grid-template-columns:repeat(auto-fill,minmax(7rem,1fr));gap:.4rem 1rem;margin:.7rem 0 0}
 .card .figures dd{font-size:.86rem}.up{font-size:.78rem;margin:.5rem 0 0}
 .cells{fill:none}.cells image{image-rendering:pixelated}
@@ -78,11 +78,12 @@ gap:.25rem 1rem;font-size:.8rem}.keys i{display:inline-block;width:1.5rem;height
 border:1px solid var(--line);vertical-align:-.05em}
 #show-way:not(:checked)~.map .layer-way,#show-scans:not(:checked)~.map .layer-scans,
 #show-stubs:not(:checked)~.map .layer-stubs,#show-corridors:not(:checked)~.map .layer-corridors,
-#show-graph:not(:checked)~.map .layer-graph{display:none}
+#show-graph:not(:checked)~.map .layer-graph,
+#show-revoked:not(:checked)~.map .layer-revoked{display:none}
 footer{margin:3rem auto 2rem;color:var(--soft);font-size:.82rem}
 @media(max-width:40rem){body{font-size:16px}.outcome{font-size:1.3rem}.figures{grid-template-columns:1fr 1fr}
 .lane{grid-template-columns:3.8rem 1fr}.lane span:last-child{grid-column:2;margin-top:-.2rem}
-.axis span:last-child{display:none}.axis span:nth-child(even){display:none}}
+.axis>span:last-child{display:none}.axis div span:nth-child(even){display:none}}
 @media print{:root{--page:#fff;--box:#fff}body{font-size:10.5pt}nav,.up,label,input{display:none}
 .map{border:0;overflow:visible}.map svg{min-width:0}.card,tr,figure{break-inside:avoid}.cards{display:block}
 .card{margin-bottom:1rem}h2{break-after:avoid}.pictures svg,.pictures img{max-height:14rem}

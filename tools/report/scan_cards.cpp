@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tools/report/html.hpp"
 #include "tools/report/terrain_svg.hpp"
@@ -72,7 +73,7 @@ std::string card(const RecordedScan& scan, const MissionMap& map) {
                      element("div",
                              picture(pictures.terrain, "Terrain, and the way over it") +
                                  picture(pictures.c_space, "C-space, at " + heading) +
-                                 picture(pictures.view, "The points, from behind the robot"),
+                                 picture(pictures.view, "The points, as the laser looks"),
                              "class=\"pictures\"") +
                      facts_of(scan, map.T_map_body_at(scan.utime)) + plans_of(scan) +
                      "<p class=\"up\"><a href=\"#map\">to the map</a></p>",
@@ -119,7 +120,10 @@ std::vector<ScanMark> scan_marks(const MissionRecords& records, const MissionMap
   for (const RecordedScan& scan : records.scans.scans()) {
     const auto T_map_body = map.T_map_body_at(scan.utime);
     if (!T_map_body) continue;
-    marks.push_back({scan.number, *T_map_body, leads_on(scan),
+    // Who goes on with the rear laser ahead travels backwards.
+    const bool rear = scan.laser == LaserId::kRear;
+    const Pose2 T_body_ahead{0.0, 0.0, rear ? std::numbers::pi : 0.0};
+    marks.push_back({scan.number, *T_map_body * T_body_ahead, leads_on(scan),
                      std::string("Scan ") + std::to_string(scan.number) + ", " +
                          clock_text(scan.utime) + ": " + outcome_text(scan)});
   }

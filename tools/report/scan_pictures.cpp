@@ -20,11 +20,24 @@ namespace {
 constexpr int kViewWidth = 400;
 constexpr int kViewHeight = 240;
 
+/// Seen as the laser looks: the points of the rear one lie behind the robot.
+Cloud as_the_laser_looks(Cloud cloud) {
+  double ahead_m = 0.0;
+  for (const CloudLine& line : cloud.lines) {
+    for (const Eigen::Vector3f& p : line.points) ahead_m += p.x();
+  }
+  if (ahead_m >= 0.0) return cloud;
+  for (CloudLine& line : cloud.lines) {
+    for (Eigen::Vector3f& p : line.points) p.head<2>() *= -1.0F;
+  }
+  return cloud;
+}
+
 std::string view_of(const Cloud& cloud) {
-  const RgbImage image = cloud_image(cloud, kViewWidth, kViewHeight);
+  const RgbImage image = cloud_image(as_the_laser_looks(cloud), kViewWidth, kViewHeight);
   return std::string("<img width=\"") + std::to_string(kViewWidth) + "\" height=\"" +
          std::to_string(kViewHeight) +
-         "\" alt=\"The points of the scan, as seen from behind the robot\" src=\"" +
+         "\" alt=\"The points of the scan, as the laser looks\" src=\"" +
          data_uri("image/png", indexed_png(image)) + "\">";
 }
 

@@ -2,71 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/indexed_png.hpp"
 
-#include <array>
 #include <cstddef>
-#include <map>
 #include <stdexcept>
 #include <string_view>
 
 #include <zlib.h>
+
+#include "tools/report/colour_index.hpp"
 
 namespace adit {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 using Pixel = RgbImage::Pixel;
-
-constexpr std::size_t kColoursMax = 256;
-
-struct Indexed {
-  std::vector<Pixel> palette;
-  Bytes indices;
-};
-
-/// Colours that share their highest bits are one.
-Pixel key_of(const Pixel& pixel, int bits) {
-  const auto mask = static_cast<std::uint8_t>(0xffU << (8U - static_cast<unsigned>(bits)));
-  return {static_cast<std::uint8_t>(pixel[0] & mask), static_cast<std::uint8_t>(pixel[1] & mask),
-          static_cast<std::uint8_t>(pixel[2] & mask)};
-}
-
-struct Sum {
-  std::array<std::uint64_t, 3> channels{};
-  std::uint64_t count = 0;
-  std::uint8_t index = 0;
-};
-
-/// Nothing where there are more colours than a palette holds.
-std::optional<Indexed> indexed_by(const RgbImage& image, int bits) {
-  std::map<Pixel, Sum> sums;
-  for (const Pixel& pixel : image.pixels) {
-    Sum& sum = sums[key_of(pixel, bits)];
-    if (sums.size() > kColoursMax) return std::nullopt;
-    for (std::size_t i = 0; i < 3; ++i) sum.channels[i] += pixel[i];
-    ++sum.count;
-  }
-  Indexed indexed;
-  for (auto& [key, sum] : sums) {
-    sum.index = static_cast<std::uint8_t>(indexed.palette.size());
-    Pixel mean{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      mean[i] = static_cast<std::uint8_t>((sum.channels[i] + sum.count / 2) / sum.count);
-    }
-    indexed.palette.push_back(mean);
-  }
-  indexed.indices.reserve(image.pixels.size());
-  for (const Pixel& pixel : image.pixels) {
-    indexed.indices.push_back(sums[key_of(pixel, bits)].index);
-  }
-  return indexed;
-}
-
-Indexed indexed_of(const RgbImage& image) {
-  for (int bits = 8; bits > 2; --bits) {
-    if (auto indexed = indexed_by(image, bits)) return std::move(*indexed);
-  }
-  return *indexed_by(image, 2);
-}
 
 int depth_of(std::size_t colours) {
   if (colours <= 2) return 1;
@@ -131,7 +79,7 @@ Bytes header_of(const RgbImage& image, int depth) {
 
 std::vector<std::uint8_t> indexed_png(const RgbImage& image, const std::optional<Pixel>& clear) {
   if (image.width <= 0 || image.height <= 0) throw std::invalid_argument("an image without pixels");
-  const Indexed indexed = indexed_of(image);
+  const IndexedImage indexed = indexed_image(image);
   const int depth = depth_of(indexed.palette.size());
   Bytes palette;
   Bytes alpha;

@@ -59,8 +59,6 @@ MapView::MapView(const OccupancyGrid* grid, const Trajectory& path) {
   high_ += around;
 }
 
-std::string svg_point(const Eigen::Vector2d& p) { return fixed(p.x(), 1) + "," + fixed(p.y(), 1); }
-
 std::string ground_svg(const OccupancyGrid& grid, const MapView& view) {
   const CellBox box = grid.known_box();
   if (box.empty()) return "";

@@ -34,9 +34,6 @@ class MapView {
   double units_per_metre_;
 };
 
-/// "12.3,45.6" of a place in a drawing.
-std::string svg_point(const Eigen::Vector2d& p);
-
 /// The grid as an image of the drawing: open ground white, walls dark, the unknown see-through.
 /// Cells are joined where there are more of them than a screen shows.
 std::string ground_svg(const OccupancyGrid& grid, const MapView& view);

@@ -13,7 +13,7 @@ const char* page_style() {
 @media(prefers-color-scheme:dark){:root{--page:#15181c;--text:#e4e2dc;--soft:#a1a8b0;--line:#343a41;
 --box:#1d2126;--link:#8ab8f5;--warn:#ff8a80;--p-wait:#6d757d;--p-explore:#b58ae0;--p-scan:#3fbdb3;
 --p-plan:#e0a93a;--p-execute:#6aa3ec;--p-paused:#f0776b;--p-stopped:#ff8a80;
---ink:#e4e2dc;--rim:#15181c;--out:#6aa8f5;--back:#ff7b6b;--graph:#8d959d;--closure:#63c95e;
+--sheet:#31373e;--ink:#e4e2dc;--rim:#15181c;--out:#6aa8f5;--back:#ff7b6b;--graph:#8d959d;--closure:#63c95e;
 --revoked:#ffa24d;--corridor:#5b8ec9;--open:#ff5c77;--closed:#b3a1e0;--done:#59c48c;--scan:#e4e2dc;
 --scan-ink:#15181c;--stuck:#ff8a80}.mine .ground{filter:invert(.88)}}
 *{box-sizing:border-box}html{scroll-behavior:smooth;-webkit-text-size-adjust:100%}

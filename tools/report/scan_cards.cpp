@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "tools/report/html.hpp"
-#include "tools/report/terrain_svg.hpp"
+#include "tools/report/terrain_overlay.hpp"
 #include "tools/report/text.hpp"
 
 namespace adit {

@@ -73,7 +73,7 @@ RgbImage image_of(const GreyCells& cells) {
 ScanPictures ScanDrawing::draw(const ScanToDraw& scan) {
   ScanPictures pictures;
   if (scan.cloud) pictures.view = view_of(*scan.cloud);
-  if (!scan.terrain) return pictures;
+  if (!scan.terrain || scan.terrain->cells.empty()) return pictures;
   const CellBox box = box_to_show(scan);
   pictures.terrain = terrain_svg(scan, terrain_image(*scan.terrain), box, params_.vehicle,
                                  "The terrain: bright is easy to pass");

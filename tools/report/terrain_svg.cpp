@@ -2,45 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/terrain_svg.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <set>
-#include <utility>
-#include <vector>
-
 #include "tools/report/data_uri.hpp"
 #include "tools/report/indexed_png.hpp"
+#include "tools/report/svg_parts.hpp"
+#include "tools/report/terrain_overlay.hpp"
 #include "tools/report/text.hpp"
 
 namespace adit {
 namespace {
 
 constexpr double kAroundM = 0.6;
-constexpr double kOutlineEveryM = 1.5;
 constexpr double kLeastSideM = 6.0;
-
-/// From level to the picture: cells, y down.
-class CellView {
- public:
-  CellView(const TerrainMap& terrain, const CellBox& box) : terrain_(terrain), box_(box) {}
-
-  [[nodiscard]] Eigen::Vector2d at(const Eigen::Vector2d& p_level) const {
-    const Eigen::Vector2d cell = (p_level - terrain_.p_level_corner) / terrain_.cell_m;
-    return {cell.x() - box_.from.x(), box_.to.y() - cell.y()};
-  }
-  [[nodiscard]] Eigen::Vector2d at(const Pose2& T_odom) const {
-    return at(between(terrain_.T_odom_level, T_odom).translation());
-  }
-  [[nodiscard]] const TerrainMap& terrain() const { return terrain_; }
-
- private:
-  const TerrainMap& terrain_;
-  CellBox box_;
-};
-
-std::string point(const Eigen::Vector2d& p) { return fixed(p.x(), 1) + "," + fixed(p.y(), 1); }
 
 RgbImage cut(const RgbImage& image, const CellBox& box) {
   RgbImage part(box.size().x(), box.size().y());
@@ -52,99 +24,7 @@ RgbImage cut(const RgbImage& image, const CellBox& box) {
   return part;
 }
 
-std::string outline(const CellView& view, const Pose2& T_level_body, const Vehicle& vehicle,
-                    const char* css_class) {
-  const double x = vehicle.length_m / 2.0;
-  const double y = vehicle.width_m / 2.0;
-  std::string points;
-  for (const Eigen::Vector2d& corner : {Eigen::Vector2d(-x, -y), Eigen::Vector2d(x, -y),
-                                        Eigen::Vector2d(x, y), Eigen::Vector2d(-x, y)}) {
-    points += point(view.at(T_level_body * corner)) + " ";
-  }
-  points.pop_back();
-  return std::string("<polygon class=\"") + css_class + "\" points=\"" + points + "\"/>";
-}
-
-std::string path_of(const CellView& view, const PlannedPath& path, const Vehicle& vehicle) {
-  std::string outlines;
-  std::string line;
-  double way = kOutlineEveryM;
-  for (std::size_t i = 0; i < path.points.size(); ++i) {
-    const Pose2& T_odom_body = path.points[i].T_odom_body;
-    line += point(view.at(T_odom_body)) + " ";
-    if (i > 0) way += between(path.points[i - 1].T_odom_body, T_odom_body).translation().norm();
-    if (way < kOutlineEveryM && i + 1 < path.points.size()) continue;
-    way = 0.0;
-    outlines += outline(view, between(view.terrain().T_odom_level, T_odom_body), vehicle, "step");
-  }
-  if (line.empty()) return "";
-  line.pop_back();
-  return outlines + "<polyline class=\"way\" points=\"" + line + "\"/>";
-}
-
-/// Cells side by side are one stroke, so that a page does not grow with them.
-std::string blocking_of(const CellView& view, const PlannedPath& path) {
-  std::map<BlockingCell::Reason, std::set<std::pair<int, int>>> cells;  // row, column
-  for (const BlockingCell& cell : path.blocking) {
-    const Eigen::Vector2d p_level = view.terrain().T_odom_level.inverse() * cell.p_odom;
-    const Eigen::Vector2d at = view.at(p_level);
-    cells[cell.reason].insert(
-        {static_cast<int>(std::floor(at.y())), static_cast<int>(std::floor(at.x()))});
-  }
-  std::string text;
-  for (const auto& [reason, places] : cells) {
-    const BlockingName& name = blocking_name(reason);
-    text += std::string("<path class=\"") + name.css_class + "\" d=\"";
-    for (auto at = places.begin(); at != places.end();) {
-      const auto [row, first] = *at;
-      int end = first;
-      while (at != places.end() && at->first == row && at->second == end) ++at, ++end;
-      text += 'M' + std::to_string(first) + ' ' + fixed(row + 0.5, 1) + 'h' +
-              std::to_string(end - first);
-    }
-    text += "\"><title>" + std::string(name.name) + "</title></path>";
-  }
-  return text;
-}
-
-/// As far as the robot is to get: along a line, along a route, or a place.
-std::vector<Eigen::Vector2d> way_to(const CellView& view, const PlanGoal& goal) {
-  const Pose2 T_level_odom = view.terrain().T_odom_level.inverse();
-  std::vector<Eigen::Vector2d> way;
-  for (const Eigen::Vector2d& p_odom : goal.route_odom)
-    way.push_back(view.at(T_level_odom * p_odom));
-  if (!way.empty()) return way;
-  const Pose2 T_level_goal = T_level_odom * goal.T_odom_goal;
-  way.push_back(view.at(T_level_goal.translation()));
-  if (goal.kind == PlanGoal::Kind::kAlong) {
-    way.push_back(view.at(T_level_goal * Eigen::Vector2d(goal.distance_m, 0.0)));
-  }
-  return way;
-}
-
-std::string goal_of(const CellView& view, const PlanGoal& goal) {
-  const std::vector<Eigen::Vector2d> way = way_to(view, goal);
-  std::string line;
-  for (const Eigen::Vector2d& place : way) {
-    line += line.empty() ? 'M' : 'L';
-    line += point(place);
-  }
-  return "<path class=\"goal\" d=\"" + line + "\"/><circle class=\"goal\" cx=\"" +
-         fixed(way.back().x(), 1) + "\" cy=\"" + fixed(way.back().y(), 1) + "\" r=\"3\"/>";
-}
-
 }  // namespace
-
-const BlockingName& blocking_name(BlockingCell::Reason reason) {
-  static constexpr std::array<BlockingName, 7> kNames{{{"b0", "a step"},
-                                                       {"b1", "too high to drive over"},
-                                                       {"b2", "the roof"},
-                                                       {"b3", "not seen"},
-                                                       {"b4", "perhaps water"},
-                                                       {"b5", "too steep"},
-                                                       {"b6", "a drop"}}};
-  return kNames.at(static_cast<std::size_t>(reason));
-}
 
 CellBox box_to_show(const ScanToDraw& scan) {
   const TerrainMap& terrain = *scan.terrain;
@@ -167,7 +47,7 @@ CellBox box_to_show(const ScanToDraw& scan) {
   }
   box.from = box.from.cwiseMax(Eigen::Vector2i(0, 0));
   box.to = box.to.cwiseMin(size);
-  return box;
+  return box.empty() ? CellBox{{0, 0}, size} : box;
 }
 
 std::string terrain_svg(const ScanToDraw& scan, const RgbImage& cells, const CellBox& box,
@@ -179,14 +59,14 @@ std::string terrain_svg(const ScanToDraw& scan, const RgbImage& cells, const Cel
                     "\" role=\"img\" aria-label=\"" + escaped(label) + "\"><image width=\"" +
                     width + "\" height=\"" + height + "\" href=\"" +
                     data_uri("image/png", indexed_png(cut(cells, box))) + "\"/>";
-  if (scan.goal) svg += goal_of(view, *scan.goal);
-  if (scan.path) svg += path_of(view, *scan.path, vehicle) + blocking_of(view, *scan.path);
-  svg += outline(view, {}, vehicle, "robot");
+  if (scan.goal) svg += svg_goal(view, *scan.goal);
+  if (scan.path) svg += svg_path(view, *scan.path, vehicle) + svg_blocking(view, *scan.path);
+  svg += svg_outline(view, {}, vehicle, "robot");
   const Eigen::Vector2d ahead = view.at(Eigen::Vector2d(0.4 * vehicle.length_m, 0.0));
   const Eigen::Vector2d left = view.at(Eigen::Vector2d(0.0, 0.35 * vehicle.width_m));
   const Eigen::Vector2d right = view.at(Eigen::Vector2d(0.0, -0.35 * vehicle.width_m));
-  svg += std::string("<polygon class=\"ahead\" points=\"") + point(ahead) + " " + point(left) +
-         " " + point(right) + "\"/></svg>";
+  svg += std::string("<polygon class=\"ahead\" points=\"") + svg_point(ahead) + " " +
+         svg_point(left) + " " + svg_point(right) + "\"/></svg>";
   return svg;
 }
 

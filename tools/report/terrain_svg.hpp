@@ -20,11 +20,4 @@ CellBox box_to_show(const ScanToDraw& scan);
 std::string terrain_svg(const ScanToDraw& scan, const RgbImage& cells, const CellBox& box,
                         const Vehicle& vehicle, const std::string& label);
 
-/// What blocks a path, by reason: CSS class and name, in the order of BlockingCell::Reason.
-struct BlockingName {
-  const char* css_class;
-  const char* name;
-};
-const BlockingName& blocking_name(BlockingCell::Reason reason);
-
 }  // namespace adit

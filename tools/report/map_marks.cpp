@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "tools/report/map_layers.hpp"
+#include "tools/report/svg_parts.hpp"
+#include "tools/report/text.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kAimUnits = 12.0;
+
+std::string css_of(StubState state) {
+  if (!is_closed(state)) return "open";
+  return state == StubState::kExplored || state == StubState::kWayOut ? "done" : "closed";
+}
+
+}  // namespace
+
+const char* name_of(StubState state) {
+  switch (state) {
+    case StubState::kOpen:
+      return "open";
+    case StubState::kExplored:
+      return "explored";
+    case StubState::kBlocked:
+      return "blocked";
+    case StubState::kTooNarrow:
+      return "too narrow";
+    case StubState::kBeyondBudget:
+      return "too far";
+    case StubState::kUnseeable:
+      return "nothing came back";
+    case StubState::kWayOut:
+      return "the way out";
+  }
+  return "";
+}
+
+std::string stubs_svg(const std::vector<Stub>& stubs, const MapView& view,
+                      const std::string& page) {
+  std::string parts;
+  for (const bool closed : {true, false}) {  // what is open over what is closed
+    for (const Stub& stub : stubs) {
+      if (is_closed(stub.state) != closed) continue;
+      const std::string css = css_of(stub.state);
+      const Eigen::Vector2d at = view.at(stub.p_map);
+      const Eigen::Vector2d aim(stub.direction_map.x(), -stub.direction_map.y());
+      const std::string id = std::to_string(stub.id);
+      parts += "<a href=\"" + page + "#stub-" + id + "\">";
+      if (css != "done") {
+        parts += svg_line("aim " + css, svg_stroke(at, at + kAimUnits * aim));
+      }
+      parts += svg_disc("stub " + css, at, css == "done" ? 2.6 : 4.5,
+                        "Opening " + id + ", " + name_of(stub.state) + ": " + stub.evidence) +
+               "</a>";
+    }
+  }
+  return svg_group("layer-stubs", parts);
+}
+
+std::string scans_svg(const std::vector<ScanMark>& scans, const MapView& view,
+                      const std::string& page) {
+  constexpr double kRadius = 7.5;
+  constexpr double kBeside = 16.0;
+  constexpr int kRowsMax = 4;
+  std::vector<Eigen::Vector2d> taken;
+  std::string parts;
+  for (const ScanMark& scan : scans) {
+    const Eigen::Vector2d place = view.at(scan.T_map_ahead.translation());
+    const Eigen::Vector2d left(-std::sin(scan.T_map_ahead.theta),
+                               -std::cos(scan.T_map_ahead.theta));
+    Eigen::Vector2d at = place + kBeside * left;
+    const auto is_taken = [&](const Eigen::Vector2d& other) {
+      return (other - at).norm() < 2.0 * kRadius;
+    };
+    for (int row = 2; row <= kRowsMax && std::any_of(taken.begin(), taken.end(), is_taken); ++row) {
+      at = place + row * kBeside * left;
+    }
+    taken.push_back(at);
+    const std::string number = std::to_string(scan.number);
+    parts += "<a class=\"scan" + std::string(scan.found ? "" : " stuck") + "\" href=\"" + page +
+             "#scan-" + number + "\"><title>" + escaped(scan.text) + "</title>" +
+             svg_line("lead", svg_stroke(place, at)) + svg_disc("mark", at, kRadius) +
+             "<text x=\"" + fixed(at.x(), 1) + "\" y=\"" + fixed(at.y() + 3.0, 1) + "\">" + number +
+             "</text></a>";
+  }
+  return svg_group("layer-scans", parts);
+}
+
+}  // namespace adit

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/junctions_geojson.hpp"
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "tools/report/map_layers.hpp"
@@ -11,7 +13,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json coordinates(const Eigen::Vector2d& p_map) { return {p_map.x(), p_map.y()}; }
+/// To the millimetre.
+Json coordinates(const Eigen::Vector2d& p_map) {
+  return {std::round(1e3 * p_map.x()) / 1e3, std::round(1e3 * p_map.y()) / 1e3};
+}
 
 Json feature(const char* type, Json coordinates, Json properties) {
   return {{"type", "Feature"},

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kHeadUnits = 46.0;
 constexpr double kFootUnits = 44.0;
-constexpr double kKeyUnits = 118.0;
+constexpr double kKeyUnits = 126.0;
 constexpr double kFileWidthMin = 900.0;
 
 std::string layers(const MapToDraw& map, const MapView& view, const std::string& page) {

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/mission_ear.hpp"
 
+#include <algorithm>
+#include <map>
 #include <set>
-#include <string>
 
 #include "common/bus/channels.hpp"
 #include "tools/report/log_player.hpp"
@@ -46,9 +47,9 @@ PlanningParams planning_params(const LogCensus& census) {
 MissionEar::MissionEar(const LogCensus& census, bool remap)
     : census_(census),
       drawing_(planning_params(census)),
-      scans_(bus_, [this](const ScanToDraw& scan) { return drawing_.draw(scan); }),
-      volume_(bus_, recorded_params<VolumeMapParams>(census, "volume_map")) {
-  if (remap) mapping_.emplace(bus_, mapping_params(census));
+      scans_(heard_, [this](const ScanToDraw& scan) { return drawing_.draw(scan); }),
+      volume_(heard_, recorded_params<VolumeMapParams>(census, "volume_map")) {
+  if (remap) mapping_.emplace(heard_, mapping_params(census));
 }
 
 void MissionEar::listen(const ReportOptions& options, const std::function<void(double)>& progress) {
@@ -56,6 +57,21 @@ void MissionEar::listen(const ReportOptions& options, const std::function<void(d
   phases_.finish(census_.last_utime);
   scans_.finish();
   events_.finish(census_.last_utime);
+}
+
+std::vector<std::string> MissionEar::complaints() const {
+  std::map<std::string, std::int64_t> refused;  // by channel; several may hear one
+  for (const SubscriptionId id : heard_.subscriptions()) {
+    const SubscriptionStats& stats = heard_.stats(id);
+    refused[stats.channel] = std::max(refused[stats.channel], stats.refused);
+  }
+  std::vector<std::string> complaints;
+  for (const auto& [channel, count] : refused) {
+    if (count == 0) continue;
+    complaints.push_back("passed over " + std::to_string(count) + " messages of " + channel +
+                         " that are damaged, or of another version");
+  }
+  return complaints;
 }
 
 }  // namespace adit

@@ -4,8 +4,11 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "common/bus/memory_bus.hpp"
+#include "common/bus/stage_bus.hpp"
 #include "procs/mapping/mapping_node.hpp"
 #include "procs/volume_map/volume_map_node.hpp"
 #include "tools/report/event_record.hpp"
@@ -29,6 +32,9 @@ class MissionEar {
 
   void listen(const ReportOptions& options, const std::function<void(double)>& progress);
 
+  /// Messages that are not what they should be, those of another version among them: a sentence for
+  /// each channel.
+  [[nodiscard]] std::vector<std::string> complaints() const;
   [[nodiscard]] MissionRecords records() const {
     return {census_, phases_, map_, scans_, events_, state_};
   }
@@ -38,12 +44,13 @@ class MissionEar {
  private:
   const LogCensus& census_;
   MemoryBus bus_;
+  StageBus heard_{bus_, StageBus::Measure::kNothing};
   ScanDrawing drawing_;
-  PhaseRecord phases_{bus_};
-  MapRecord map_{bus_};
+  PhaseRecord phases_{heard_};
+  MapRecord map_{heard_};
   ScanRecord scans_;
-  EventRecord events_{bus_};
-  StateRecord state_{bus_};
+  EventRecord events_{heard_};
+  StateRecord state_{heard_};
   VolumeMapNode volume_;
   std::optional<MappingNode> mapping_;
 };

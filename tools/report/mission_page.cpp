@@ -50,8 +50,9 @@ constexpr Layer kLayers[] = {
 std::string map_html(const MapToDraw& map) {
   std::string html;
   for (const auto& [id, name, shown] : kLayers) {
-    html += std::string("<input type=\"checkbox\" id=\"") + id + "\"" + (shown ? " checked" : "") +
-            "><label for=\"" + id + "\">\u00A0" + name + "</label>\n";
+    const std::string box = std::string("<input type=\"checkbox\" id=\"") + id + "\"" +
+                            (shown ? " checked" : "") + "> ";
+    html += element("label", box + name) + "\n";
   }
   const char* keys =
       "<p class=\"note\">The way out is a solid line, the way home a dashed one. Numbers are 3D "

@@ -46,7 +46,7 @@ pre{font:.78rem/1.45 ui-monospace,"DejaVu Sans Mono",monospace;overflow-x:auto;b
 border:1px solid var(--line);padding:.7rem}
 .map{overflow:auto;background:var(--sheet);border:1px solid var(--line)}
 .map svg{display:block;width:100%;height:auto;min-width:44rem;margin:0 auto}
-.layers{border:0;padding:0;margin:.5rem 0;font-size:.85rem}.layers>label{margin-right:1.1rem;white-space:nowrap}
+.layers{border:0;padding:0;margin:.5rem 0;font-size:.85rem}.layers label{margin-right:1.1rem;white-space:nowrap}
 .mine a:focus-visible circle,.mine a:hover circle{stroke:var(--link);stroke-width:3}
 )"
          R"(.timeline{font-size:.8rem;margin:1rem 0}.lane{display:grid;grid-template-columns:4.6rem 1fr 9.5rem;
@@ -76,10 +76,12 @@ scroll-margin-top:1rem;min-width:0}.card.stuck{border-left:4px solid var(--warn)
 .keys{list-style:none;padding:0;display:grid;grid-template-columns:repeat(auto-fill,minmax(13rem,1fr));
 gap:.25rem 1rem;font-size:.8rem}.keys i{display:inline-block;width:1.5rem;height:.75rem;margin-right:.5rem;
 border:1px solid var(--line);vertical-align:-.05em}
-#show-way:not(:checked)~.map .layer-way,#show-scans:not(:checked)~.map .layer-scans,
-#show-stubs:not(:checked)~.map .layer-stubs,#show-corridors:not(:checked)~.map .layer-corridors,
-#show-graph:not(:checked)~.map .layer-graph,
-#show-revoked:not(:checked)~.map .layer-revoked{display:none}
+.layers:has(#show-way:not(:checked)) .layer-way,
+.layers:has(#show-scans:not(:checked)) .layer-scans,
+.layers:has(#show-stubs:not(:checked)) .layer-stubs,
+.layers:has(#show-corridors:not(:checked)) .layer-corridors,
+.layers:has(#show-graph:not(:checked)) .layer-graph,
+.layers:has(#show-revoked:not(:checked)) .layer-revoked{display:none}
 footer{margin:3rem auto 2rem;color:var(--soft);font-size:.82rem}
 @media(max-width:40rem){body{font-size:16px}.outcome{font-size:1.3rem}.figures{grid-template-columns:1fr 1fr}
 .lane{grid-template-columns:3.8rem 1fr}.lane span:last-child{grid-column:2;margin-top:-.2rem}

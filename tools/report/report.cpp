@@ -40,8 +40,10 @@ MapToDraw to_draw(const MissionRecords& records, const MissionFacts& facts, cons
           scan_marks(records, map), facts.homeward_utime};
 }
 
-std::vector<std::string> notes_of(const LogCensus& census, const MissionMap& map) {
+std::vector<std::string> notes_of(const LogCensus& census, const MissionEar& ear,
+                                  const MissionMap& map) {
   std::vector<std::string> notes = census.complaints;
+  for (std::string& complaint : ear.complaints()) notes.push_back(std::move(complaint));
   if (map.missing_local_maps() > 0) {
     notes.push_back(counted(map.missing_local_maps(), "local map") +
                     " of the pose graph are not in the log");
@@ -68,7 +70,8 @@ MissionReport write_report(const ReportOptions& options, const ReportProgress& p
   const MapToDraw drawn = to_draw(records, facts, map, grid);
   const std::string title = title_of(census);
   tell("writing", 0.3);
-  MissionReport report{outcome_text(facts), facts.scans, facts.way_m, 0, notes_of(census, map)};
+  MissionReport report{outcome_text(facts), facts.scans, facts.way_m, 0,
+                       notes_of(census, ear, map)};
   for (std::string& sentence :
        write_report_files({records, facts, drawn, ear.volume(), title}, results.unfinished())) {
     report.complaints.push_back(std::move(sentence));

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/bus/event_source.hpp"
+#include "common/bus/log_writer.hpp"
 #include "common/pose_graph/g2o_file.hpp"
 #include "common/volume/octree_stream.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -31,6 +32,7 @@ using test::MissionLogOptions;
 using testing::AnyOf;
 using testing::Contains;
 using testing::Each;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -211,6 +213,17 @@ TEST_F(Report, TakesALogThatIsCutOff) {
   EXPECT_THAT(report.outcome, HasSubstr("under way"));
   EXPECT_THAT(report.complaints, Contains(HasSubstr("cut off")));
   EXPECT_THAT(test::faults_of_markup(text("mission.html")), IsEmpty());
+}
+
+TEST_F(Report, PassesOverMessagesThatAreNone) {
+  test::write_mission_log(folder_ / "a.lcmlog");
+  LogWriter damaged(folder_ / "b.lcmlog");
+  const std::vector<std::uint8_t> bytes{1, 2, 3, 4, 5, 6, 7, 8, 9};
+  for (int i = 0; i < 3; ++i) damaged.write({kMissionUtime + 60'000'000, "PATH", bytes});
+  damaged.close();
+  const MissionReport report = write_report({{folder_ / "a.lcmlog", folder_ / "b.lcmlog"}, out()});
+  EXPECT_THAT(report.complaints, ElementsAre(HasSubstr("3 messages of PATH")));
+  EXPECT_EQ(report.scans, 2U);
 }
 
 TEST_F(Report, PutsTheLogsOfOneMissionTogether) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSideUnits = 1000.0;
 constexpr double kUnitsPerMetreMax = 40.0;
-constexpr double kMarginUnits = 40.0;  // for the numbers beside the path
+constexpr double kMarginUnits = 78.0;  // for the numbers beside the path
 constexpr int kPixelsMax = 2400;
 constexpr double kWallAt = 0.4;  // share of hits that is a wall for sure
 constexpr double kShades = 8.0;

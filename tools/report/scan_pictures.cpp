@@ -3,6 +3,7 @@
 #include "tools/report/scan_pictures.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 #include "common/picture/cloud_picture.hpp"
@@ -59,11 +60,10 @@ double heading_of(const ScanToDraw& scan) {
 
 RgbImage image_of(const GreyCells& cells) {
   RgbImage image(cells.columns, cells.rows());
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column) {
-      const auto grey = cells.grey[static_cast<std::size_t>(row * image.width + column)];
-      image.at(column, image.height - 1 - row) = {grey, grey, grey};
-    }
+  for (std::size_t i = 0; i < cells.grey.size(); ++i) {
+    const int row = static_cast<int>(i) / image.width;
+    const std::uint8_t grey = cells.grey[i];
+    image.at(static_cast<int>(i) % image.width, image.height - 1 - row) = {grey, grey, grey};
   }
   return image;
 }

@@ -2,20 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/picture/scale_bar.hpp"
 
-#include <cmath>
 #include <cstdio>
 
 #include "common/picture/palette.hpp"
 
 namespace adit {
-
-double scale_bar_m(double longest_m) {
-  const double decade = std::pow(10.0, std::floor(std::log10(longest_m)));
-  for (const double step : {5.0, 2.0}) {
-    if (step * decade <= longest_m) return step * decade;
-  }
-  return decade;
-}
 
 void draw_scale_bar(const Canvas& canvas, double x, double y, double metres,
                     double pixels_per_metre, double unit) {

@@ -3,11 +3,9 @@
 #pragma once
 
 #include "common/picture/canvas.hpp"
+#include "common/picture/scale_length.hpp"
 
 namespace adit {
-
-/// 1, 2 or 5 times a power of ten, the greatest that is no longer than `longest_m`.
-double scale_bar_m(double longest_m);
 
 /// A bar of two halves, `metres` long, whose left end is at x and whose middle line at y, with its
 /// length written below. `unit` is what a pixel of lettering is on this sheet.

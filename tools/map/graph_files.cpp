@@ -7,23 +7,12 @@
 #include <utility>
 
 #include "common/files/text_file.hpp"
-#include "common/pose_graph/g2o_file.hpp"
 #include "tools/map/association_table.hpp"
 
 namespace adit {
 namespace {
 
 using Edge = GraphPicture::Edge;
-
-G2oGraph g2o_of(const MapGraph& graph) {
-  G2oGraph g2o;
-  g2o.graph.poses = graph.poses;
-  for (std::size_t i = 0; i < graph.poses.size(); ++i) g2o.ids.push_back(static_cast<long>(i));
-  for (const auto& constraint : graph.constraints) {
-    g2o.graph.constraints.push_back(constraint.measured);
-  }
-  return g2o;
-}
 
 Edge edge_of(const MapGraph& graph, int from, int to) {
   return {graph.poses[static_cast<std::size_t>(from)].translation(),
@@ -54,6 +43,16 @@ std::vector<Edge> revoked_edges(const WholeMap& map) {
 }
 
 }  // namespace
+
+G2oGraph g2o_of(const MapGraph& graph) {
+  G2oGraph g2o;
+  g2o.graph.poses = graph.poses;
+  for (std::size_t i = 0; i < graph.poses.size(); ++i) g2o.ids.push_back(static_cast<long>(i));
+  for (const auto& constraint : graph.constraints) {
+    g2o.graph.constraints.push_back(constraint.measured);
+  }
+  return g2o;
+}
 
 void write_graph_files(const WholeMap& map, const std::filesystem::path& folder) {
   write_g2o(g2o_of(map.graph), folder / "graph.g2o");

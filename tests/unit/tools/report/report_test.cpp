@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/report/report.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "common/bus/event_source.hpp"
+#include "common/bus/log_writer.hpp"
+#include "common/pose_graph/g2o_file.hpp"
+#include "common/volume/octree_stream.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/unit/tools/report/markup_check.hpp"
+#include "tests/unit/tools/report/mission_log.hpp"
+#include "tools/cloud/cloud_file.hpp"
+#include "tools/eval/map_image.hpp"
+#include "tools/eval/tum.hpp"
+
+namespace adit {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::kMissionUtime;
+using test::MissionLogOptions;
+using testing::AnyOf;
+using testing::Contains;
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+
+class Report : public testing::Test {
+ protected:
+  MissionReport run(const MissionLogOptions& options = {}) {
+    test::write_mission_log(folder_ / "a.lcmlog", options);
+    return write_report({{folder_ / "a.lcmlog"}, out()});
+  }
+  [[nodiscard]] fs::path out() const { return folder_ / "out"; }
+  [[nodiscard]] std::string text(const std::string& file) const {
+    return test::contents(out() / file);
+  }
+  [[nodiscard]] json summary() const { return json::parse(text("summary.json")); }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(Report, SaysHowTheMissionWent) {
+  const MissionReport report = run();
+  EXPECT_EQ(report.outcome, "The robot came home. Of 3 openings, 1 is left open.");
+  EXPECT_THAT(report.complaints, IsEmpty());
+  EXPECT_EQ(report.scans, 2U);
+  EXPECT_NEAR(report.way_m, 20.0, 1e-9);
+  EXPECT_EQ(report.page_bytes, fs::file_size(out() / "mission.html"));
+}
+
+TEST_F(Report, CountsWhatIsInTheLog) {
+  run();
+  const json facts = summary();
+  EXPECT_EQ(facts["simulated"], true);
+  EXPECT_NEAR(facts["duration_s"], 51.0, 1e-6);
+  EXPECT_NEAR(facts["farthest_from_start_m"], 10.0, 1e-9);
+  EXPECT_EQ(facts["mission"]["outcome"], "home");
+  EXPECT_EQ(facts["mission"]["turned_around_because"], test::kHostile);
+  EXPECT_NEAR(facts["phases"]["by_phase"]["execute"]["seconds"], 18.0 + 20.0, 1e-6);
+  EXPECT_NEAR(facts["phases"]["by_phase"]["scan"]["share"], 8.0 / 51.0, 1e-6);
+  EXPECT_EQ(facts["scans"], (json{{"taken", 2}, {"without_path", 1}}));
+  EXPECT_EQ(facts["map"]["local_maps"], 4);
+  EXPECT_EQ(facts["map"]["closures"],
+            (json{{"proposed", 2}, {"accepted", 1}, {"revised", 1}, {"revoked", 1}}));
+  EXPECT_EQ(facts["guard"]["stops"], 1);
+  EXPECT_NEAR(facts["guard"]["stopped_s"], 2.0, 0.11);  // the step of the orders
+  EXPECT_EQ(facts["restarts"], 1);
+  EXPECT_EQ(facts["collision"], false);
+  EXPECT_EQ(facts["config"]["planning"]["version"], "1.2.3");
+  EXPECT_LT(facts["against_truth"]["rmse_m"], 1e-3);  // the world lies elsewhere, but is the same
+}
+
+TEST_F(Report, DrawsTheWallsWhereTheyAre) {
+  run();
+  const auto walls = read_occupied(out() / "map.yaml");
+  ASSERT_GT(walls.size(), 500U);
+  std::size_t beside = 0;
+  for (const Eigen::Vector2d& p_map : walls) {
+    if (std::abs(std::abs(p_map.y()) - 2.0) < 0.06) ++beside;  // a cell
+  }
+  EXPECT_GT(beside, walls.size() * 8 / 10);  // the rest is the end of the drift
+}
+
+TEST_F(Report, WritesFilesThatOthersRead) {
+  run();
+  const G2oGraph graph = read_g2o(out() / "graph.g2o");
+  EXPECT_EQ(graph.graph.poses.size(), 4U);
+  EXPECT_EQ(graph.graph.constraints.size(), 4U);
+  const Trajectory path = read_tum(out() / "trajectory.tum");
+  ASSERT_GT(path.size(), 100U);
+  EXPECT_NEAR(interpolate(path, kMissionUtime + 25'000'000)->x, 10.0, 1e-6);
+  EXPECT_GT(read_cloud_file(out() / "cloud.ply").points.size(), 1000U);
+  EXPECT_GT(fs::file_size(out() / "map.png"), 1000U);
+  EXPECT_EQ(LogFile(out() / "run.lcmlog").size(), LogFile(folder_ / "a.lcmlog").size());
+}
+
+TEST_F(Report, WritesAnOctreeThatIsOne) {
+  run();
+  const std::string volume = text("volume.bt");
+  const std::size_t data = volume.find("\ndata\n");
+  ASSERT_NE(data, std::string::npos);
+  const OctreeCounts cells = count_cells(
+      {reinterpret_cast<const std::uint8_t*>(volume.data()) + data + 6, volume.size() - data - 6});
+  EXPECT_EQ(cells.refusal, "");
+  EXPECT_GT(cells.occupied, 1000);
+  EXPECT_GT(cells.free, cells.occupied);
+}
+
+TEST_F(Report, WritesTheCorridorsInMetres) {
+  run();
+  const json geo = json::parse(text("junctions.geojson"));
+  EXPECT_EQ(geo["type"], "FeatureCollection");
+  EXPECT_THAT(geo["coordinates_are"].get<std::string>(), HasSubstr("not longitude"));
+  ASSERT_EQ(geo["features"].size(), 6U);  // two ends, a corridor, three openings
+  EXPECT_EQ(geo["features"][2]["geometry"]["coordinates"], (json{{0.0, 0.0}, {15.0, 0.0}}));
+  const json& open = geo["features"][3]["properties"];
+  EXPECT_EQ(open["state"], "open");
+  EXPECT_EQ(open["closed"], false);
+  EXPECT_EQ(open["evidence"], test::kHostile);
+}
+
+TEST_F(Report, MakesAPageThatIsWellFormedAndNeedsNothingElse) {
+  run();
+  EXPECT_THAT(test::faults_of_markup(text("mission.html")), IsEmpty());
+  EXPECT_THAT(test::faults_of_markup(text("map.svg")), IsEmpty());
+  EXPECT_THAT(test::links_of_markup(text("mission.html")),
+              Each(AnyOf(StartsWith("#"), StartsWith("data:image/png;base64,"))));
+  EXPECT_THAT(text("mission.html"), Not(HasSubstr("http")));
+  EXPECT_THAT(text("mission.html"), Not(HasSubstr("url(")));
+  EXPECT_THAT(test::links_of_markup(text("map.svg")), Contains("mission.html#scan-2"));
+}
+
+TEST_F(Report, LinksScansAndOpeningsOfTheMapToWhatIsSaidOfThem) {
+  run();
+  const auto links = test::links_of_markup(text("mission.html"));
+  for (const char* link : {"#scan-1", "#scan-2", "#stub-0", "#stub-2"}) {
+    EXPECT_THAT(links,
+                Contains(link));  // that they lead somewhere is of a page that is well-formed
+  }
+}
+
+TEST_F(Report, EscapesEveryTextOfTheLog) {
+  run();
+  for (const char* file : {"mission.html", "map.svg"}) {
+    EXPECT_THAT(text(file), Not(HasSubstr("<script>alert"))) << file;
+    EXPECT_THAT(text(file), HasSubstr("&lt;script&gt;alert(&quot;x&quot;)")) << file;
+  }
+}
+
+TEST_F(Report, GivesTheSameBytesAgain) {
+  run();
+  write_report({{folder_ / "a.lcmlog"}, folder_ / "again"});
+  for (const auto& entry : fs::directory_iterator(out())) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_TRUE(test::contents(entry.path()) == test::contents(folder_ / "again" / name)) << name;
+  }
+}
+
+TEST_F(Report, SaysWhatItCanWithoutPhases) {
+  const MissionReport report = run({{"PHASE"}});
+  EXPECT_THAT(report.outcome, HasSubstr("does not say how the mission stood"));
+  EXPECT_THAT(text("mission.html"), HasSubstr("The log has no PHASE"));
+  const json facts = summary();
+  EXPECT_EQ(facts["mission"]["outcome"], nullptr);
+  EXPECT_NEAR(facts["way_m"], 20.0, 0.5);  // two steps of the path, and the turn
+  // From the request to the cloud; from when driving said that it drove.
+  EXPECT_NEAR(facts["phases"]["by_phase"]["scan"]["seconds"], 7.0, 1e-6);
+  EXPECT_NEAR(facts["phases"]["by_phase"]["execute"]["seconds"], 18.0 + 20.0, 1e-6);
+}
+
+TEST_F(Report, SaysNothingOfATruthThatIsNotThere) {
+  run({{"TRUTH", "RUN_STATE"}});
+  EXPECT_EQ(summary()["simulated"], false);
+  EXPECT_EQ(summary()["against_truth"], nullptr);
+  EXPECT_EQ(summary()["collision"], nullptr);
+}
+
+TEST_F(Report, LeavesOutWhatTheLogLacksAndSaysSo) {
+  const MissionReport report =
+      run({{"LOCAL_MAP", "POSE_GRAPH", "ASSOCIATION", "CLOUD", "EXPLORATION"}});
+  for (const char* lack : {"no map", "no graph.g2o", "no cloud.ply", "no junctions.geojson"}) {
+    EXPECT_THAT(report.complaints, Contains(HasSubstr(lack)));
+  }
+  EXPECT_FALSE(fs::exists(out() / "map.png"));
+  EXPECT_FALSE(fs::exists(out() / "cloud.ply"));
+  EXPECT_THAT(test::faults_of_markup(text("mission.html")), IsEmpty());
+}
+
+TEST_F(Report, SaysWhichLocalMapsAreMissing) {
+  const MissionReport report = run({{}, 15.0});  // the first one came at 10 s
+  EXPECT_THAT(report.complaints, Contains(HasSubstr("1 local map of the pose graph")));
+  EXPECT_EQ(summary()["map"]["local_maps"], 4);
+}
+
+TEST_F(Report, TakesALogThatIsCutOff) {
+  test::write_mission_log(folder_ / "a.lcmlog");
+  fs::resize_file(folder_ / "a.lcmlog", fs::file_size(folder_ / "a.lcmlog") / 2 + 5);
+  const MissionReport report = write_report({{folder_ / "a.lcmlog"}, out()});
+  EXPECT_THAT(report.outcome, HasSubstr("under way"));
+  EXPECT_THAT(report.complaints, Contains(HasSubstr("cut off")));
+  EXPECT_THAT(test::faults_of_markup(text("mission.html")), IsEmpty());
+}
+
+TEST_F(Report, PassesOverMessagesThatAreNone) {
+  test::write_mission_log(folder_ / "a.lcmlog");
+  LogWriter damaged(folder_ / "b.lcmlog");
+  const std::vector<std::uint8_t> bytes{1, 2, 3, 4, 5, 6, 7, 8, 9};
+  for (int i = 0; i < 3; ++i) damaged.write({kMissionUtime + 60'000'000, "PATH", bytes});
+  damaged.close();
+  const MissionReport report = write_report({{folder_ / "a.lcmlog", folder_ / "b.lcmlog"}, out()});
+  EXPECT_THAT(report.complaints, ElementsAre(HasSubstr("3 messages of PATH")));
+  EXPECT_EQ(report.scans, 2U);
+}
+
+TEST_F(Report, PutsTheLogsOfOneMissionTogether) {
+  run();
+  const json whole = summary();
+  test::write_mission_log(folder_ / "b.lcmlog", {{}, 0.0, 25.0});
+  test::write_mission_log(folder_ / "c.lcmlog", {{}, 25.0});
+  write_report({{folder_ / "b.lcmlog", folder_ / "c.lcmlog"}, out()});
+  json parts = summary();
+  EXPECT_EQ(parts, whole);
+  EXPECT_EQ(LogFile(out() / "run.lcmlog").size(), LogFile(folder_ / "a.lcmlog").size());
+}
+
+TEST_F(Report, LeavesALogWhereItIsThatIsInItsFolder) {
+  fs::create_directory(out());
+  test::write_mission_log(out() / "run.lcmlog");
+  const std::string before = text("run.lcmlog");
+  write_report({{out() / "run.lcmlog"}, out()});
+  EXPECT_TRUE(text("run.lcmlog") == before);
+  EXPECT_TRUE(fs::exists(out() / "mission.html"));
+}
+
+TEST_F(Report, RefusesWhatIsNoLogOfAMission) {
+  std::ofstream(folder_ / "empty.lcmlog").close();
+  EXPECT_THROW(write_report({{folder_ / "empty.lcmlog"}, out()}), std::runtime_error);
+  EXPECT_THROW(write_report({{folder_ / "none.lcmlog"}, out()}), std::runtime_error);
+  EXPECT_THROW(run({{"PHASE", "POSE", "LOCAL_MAP", "CLOUD"}}), std::runtime_error);
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "common/exploration/exploration_report.hpp"
+
+namespace adit {
+
+/// The corridor graph as GeoJSON: corridors as lines; junctions, dead ends and openings as points,
+/// the openings with their state and its evidence. Coordinates are metres in the plan of the map
+/// frame, x and y, and no longitude and latitude: a foreign member says so.
+std::string junctions_geojson(const ExplorationReport& report);
+
+}  // namespace adit

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/report/mission_facts.hpp"
+#include "tools/report/text.hpp"
+
+namespace adit {
+namespace {
+
+std::string openings_text(const MissionFacts& facts) {
+  if (!facts.stubs || facts.stubs->found == 0) return "";
+  if (facts.last && facts.last->complete) {
+    return " It explored the mine: every one of the " +
+           counted(facts.stubs->found, "opening", "openings") +
+           " that it saw is closed, with evidence.";
+  }
+  if (facts.stubs->open == 0) return "";
+  return " Of " + counted(facts.stubs->found, "opening") + ", " +
+         std::to_string(facts.stubs->open) + (facts.stubs->open == 1 ? " is" : " are") +
+         " left open.";
+}
+
+std::string end_text(const MissionFacts& facts) {
+  const std::string away = metres(facts.from_start_m) + " from where it started";
+  if (!facts.last) {
+    return "The log does not say how the mission stood (it has no PHASE); the robot was " + away +
+           " when it ended.";
+  }
+  switch (facts.last->outcome) {
+    case MissionOutcome::kHome:
+      return "The robot came home.";
+    case MissionOutcome::kStopped:
+      return "The mission was stopped by order; the robot stands " + away + ".";
+    case MissionOutcome::kStranded:
+      return "The robot did not come home: it stands " + away + ", and no way was found any more.";
+    case MissionOutcome::kUnderWay:
+      return std::string("The log ends while the mission is under way (") +
+             name_of(facts.last->phase) + "); the robot was " + away + ".";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string outcome_text(const MissionFacts& facts) {
+  std::string text = end_text(facts) + openings_text(facts);
+  if (facts.failure && !facts.failure->empty()) {
+    text += " The simulated run failed: " + sentence(*facts.failure);
+  }
+  return text;
+}
+
+}  // namespace adit

@@ -30,6 +30,7 @@ class Configurator {
     auto params = load_section<typename Node::Params>(config_, stage);
     if constexpr (requires { params.lasers; }) params.lasers = lasers_;
     if constexpr (requires { params.vehicle; }) params.vehicle = vehicle_;
+    if constexpr (requires { params.lasers_tilt; }) params.lasers_tilt = true;
     // CONFIG names a journal as it is called in its folder, and not where that is.
     if constexpr (requires { params.journal; }) params.journal = stage + ".journal";
     const std::string yaml = to_yaml(params, stage);

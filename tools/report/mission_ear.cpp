@@ -42,13 +42,20 @@ PlanningParams planning_params(const LogCensus& census) {
   return recorded_params<PlanningParams>(census, "planning");
 }
 
+/// The journal stays where it was.
+VolumeMapNode::Params volume_params(const LogCensus& census) {
+  auto params = recorded_params<VolumeMapNode::Params>(census, "volume_map");
+  params.journal.clear();
+  return params;
+}
+
 }  // namespace
 
 MissionEar::MissionEar(const LogCensus& census, bool remap)
     : census_(census),
       drawing_(planning_params(census)),
       scans_(heard_, [this](const ScanToDraw& scan) { return drawing_.draw(scan); }),
-      volume_(heard_, recorded_params<VolumeMapParams>(census, "volume_map")) {
+      volume_(heard_, volume_params(census)) {
   if (remap) mapping_.emplace(heard_, mapping_params(census));
 }
 

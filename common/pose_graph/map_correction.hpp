@@ -19,8 +19,9 @@ struct MapCorrection {
   int local_map = 0;          ///< id of the newest local map, to which odom is tied
   Pose2 T_map_odom;
 
-  /// Of the pose of that local map in map: (x, y, θ) in the frame of the local map [m², m rad,
-  /// rad²].
+  /// Of the pose of that local map in the map of the sessions before, where it is known best: (x,
+  /// y, θ) in the frame of the local map [m², m rad, rad²]. Nothing in the first session, which is
+  /// in no doubt about its own map.
   std::optional<Eigen::Matrix3d> covariance;
 
   friend bool operator==(const MapCorrection&, const MapCorrection&) = default;

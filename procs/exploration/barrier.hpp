@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include <Eigen/Core>
 
@@ -18,6 +19,9 @@ struct Barrier {
   int local_map = 0;
   Eigen::Vector2d p_local{0.0, 0.0};          ///< its middle
   Eigen::Vector2d direction_local{1.0, 0.0};  ///< in which it cannot be crossed, a unit vector
+  std::string evidence;                       ///< a sentence
+
+  friend bool operator==(const Barrier&, const Barrier&) = default;
 };
 
 }  // namespace adit

@@ -146,8 +146,12 @@ Pose2 Exploration::T_map_home() const { return known_.pose_of(0).value_or(Pose2{
 void Exploration::add_way_out() {
   if (!params_.way_out_behind || !barriers_.empty() || !known_.pose_of(0)) return;
   const double behind = params_.vehicle.length_m / 2.0 + kBehindStartM;
-  barriers_.push_back({Barrier::Kind::kWayOut, -1, 0, {-behind, 0.0}, {-1.0, 0.0}});
-  barrier_evidence_.emplace_back("behind the start: the way out");
+  barriers_.push_back({Barrier::Kind::kWayOut,
+                       -1,
+                       0,
+                       {-behind, 0.0},
+                       {-1.0, 0.0},
+                       "behind the start: the way out"});
 }
 
 std::vector<Cut> Exploration::cuts() const {
@@ -163,12 +167,12 @@ std::vector<Cut> Exploration::cuts() const {
 
 std::vector<StubRegister::BarrierText> Exploration::barrier_texts() const {
   std::vector<StubRegister::BarrierText> texts;
-  for (std::size_t i = 0; i < barriers_.size(); ++i) {
-    const auto T_map_local = known_.pose_of(barriers_[i].local_map);
+  for (const Barrier& barrier : barriers_) {
+    const auto T_map_local = known_.pose_of(barrier.local_map);
     if (!T_map_local) continue;
-    const bool way_out = barriers_[i].kind == Barrier::Kind::kWayOut;
-    texts.push_back({*T_map_local * barriers_[i].p_local,
-                     way_out ? StubState::kWayOut : StubState::kBlocked, barrier_evidence_[i]});
+    const bool way_out = barrier.kind == Barrier::Kind::kWayOut;
+    texts.push_back({*T_map_local * barrier.p_local,
+                     way_out ? StubState::kWayOut : StubState::kBlocked, barrier.evidence});
   }
   return texts;
 }
@@ -359,15 +363,14 @@ bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {
   const auto tie = known_.tile_at(place.p_map);
   if (!tie) return true;
   const Pose2 T_local_map = known_.pose_of(*tie)->inverse();
+  const std::string where =
+      way_home ? "on the way home: " : "behind stub " + std::to_string(stub) + ": ";
   barriers_.push_back({Barrier::Kind::kBlocked, stub, *tie, T_local_map * place.p_map,
-                       T_local_map * place.direction - T_local_map.translation()});
-  barrier_evidence_.push_back(
-      (way_home ? "on the way home: " : "behind stub " + std::to_string(stub) + ": ") +
-      evidence.reason);
+                       T_local_map * place.direction - T_local_map.translation(),
+                       where + evidence.reason});
   refresh();
   if (from_home_->distance_m(state_.T_map_body.translation())) return true;
   barriers_.pop_back();  // it would cut off the robot
-  barrier_evidence_.pop_back();
   register_.block(stub, evidence.reason, evidence.utime);
   refresh();
   return true;
@@ -375,11 +378,7 @@ bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {
 
 bool Exploration::reopen(int stub, std::int64_t utime) {
   if (!register_.reopen(stub, "reopened by a person", utime)) return false;
-  for (std::size_t i = barriers_.size(); i-- > 0;) {
-    if (barriers_[i].stub != stub) continue;
-    barriers_.erase(barriers_.begin() + static_cast<std::ptrdiff_t>(i));
-    barrier_evidence_.erase(barrier_evidence_.begin() + static_cast<std::ptrdiff_t>(i));
-  }
+  std::erase_if(barriers_, [&](const Barrier& barrier) { return barrier.stub == stub; });
   refresh();
   return true;
 }
@@ -394,6 +393,21 @@ std::vector<std::string> Exploration::reasons_why_not_complete() const {
                           : name + " is open");
   }
   return reasons;
+}
+
+ExplorationMemory Exploration::memory() const {
+  return {register_.remembered(), barriers_,    decision_.kind,
+          decision_.stub,         newest_seen_, returning_};
+}
+
+void Exploration::restore(const ExplorationMemory& memory) {
+  register_.restore(memory.stubs);
+  barriers_ = memory.barriers;
+  decision_ = {};
+  decision_.kind = memory.kind;
+  decision_.stub = memory.target;
+  newest_seen_ = memory.newest_seen;
+  returning_ = memory.returning;
 }
 
 ExplorationReport Exploration::report() const {

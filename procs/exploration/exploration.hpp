@@ -22,6 +22,7 @@
 #include "procs/exploration/corridor_graph.hpp"
 #include "procs/exploration/drivable_space.hpp"
 #include "procs/exploration/expected_gain.hpp"
+#include "procs/exploration/exploration_memory.hpp"
 #include "procs/exploration/known_space.hpp"
 #include "procs/exploration/open_ends.hpp"
 #include "procs/exploration/stub_choice.hpp"
@@ -107,6 +108,11 @@ class Exploration {
   /// A person says that it is not blocked.
   bool reopen(int stub, std::int64_t utime);
 
+  /// What is to be kept beside the map; with it, and then the map, another goes on as this one
+  /// would.
+  [[nodiscard]] ExplorationMemory memory() const;
+  void restore(const ExplorationMemory& memory);
+
   [[nodiscard]] ExplorationReport report() const;
   [[nodiscard]] const std::vector<Stub>& stubs() const { return register_.stubs(); }
   [[nodiscard]] const CorridorGraph& corridors() const { return corridors_; }
@@ -144,7 +150,6 @@ class Exploration {
   KnownSpace known_;
   StubRegister register_;
   std::vector<Barrier> barriers_;
-  std::vector<std::string> barrier_evidence_;
   DrivableSpace space_;
   std::vector<OpenEnd> ends_;
   CorridorGraph corridors_;

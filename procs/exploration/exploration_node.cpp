@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <iterator>
 
 #include <Eigen/Eigenvalues>
 
@@ -12,6 +14,7 @@
 #include "common/messages/exploration_report.hpp"
 #include "common/messages/explore_request.hpp"
 #include "common/messages/map_correction.hpp"
+#include "common/messages/map_request.hpp"
 #include "common/messages/planned_path.hpp"
 
 namespace adit {
@@ -22,7 +25,7 @@ constexpr std::int64_t kPeriodUs = 1'000'000;
 constexpr double kMovedM = 0.05;
 constexpr double kNextWayM = 12.0;  // as far as a 3D scan sees
 constexpr double kWaySpacingM = 0.3;
-constexpr double kJumpM = 5.0;  // from pose to pose: a new odom frame, and no way
+constexpr double kJumpM = 8.0;  // from pose to pose: a new odom frame, and no way
 
 double sd_of(const MapCorrection& correction) {
   if (!correction.covariance) return 0.0;
@@ -40,6 +43,14 @@ std::string evidence_of(const PlannedPath& path) {
 
 ExplorationNode::ExplorationNode(Bus& bus, const Params& params)
     : bus_(bus), params_(params), exploration_(params) {
+  if (!params.journal.empty()) {
+    const KeptExploration& kept = journal_.emplace(params.journal).restored();
+    exploration_.restore(kept.exploration);
+    map_utime_ = kept.map_utime;
+    request_ = kept.request;
+    requested_m_ = kept.requested_m;
+    travelled_m_ = kept.travelled_m;
+  }
   subscribe<local_map_t>(bus, channels::kLocalMap, Delivery::queued(kPiecesWaiting),
                          [this](const LocalMapPiece& piece) {
                            if (const auto map = local_maps_.add(piece)) on_local_map(*map);
@@ -50,31 +61,71 @@ ExplorationNode::ExplorationNode(Bus& bus, const Params& params)
                           });
   subscribe<map_correction_t>(
       bus, channels::kMapCorrection, Delivery::latest(),
-      [this](const MapCorrection& correction) { correction_ = correction; });
+      [this](const MapCorrection& correction) { on_correction(correction); });
   subscribe<pose_t>(bus, channels::kPose, Delivery::latest(),
                     [this](const StampedPose& pose) { on_pose(pose); });
   subscribe<planned_path_t>(bus, channels::kPath, Delivery::queued(10),
                             [this](const PlannedPath& path) { on_path(path); });
   subscribe<explore_request_t>(bus, channels::kExploreRequest, Delivery::queued(10),
                                [this](const ExploreRequest& request) { on_request(request); });
-  bus.every(kPeriodUs, [this](std::int64_t) {
-    if (travelled_m_ - published_m_ > kMovedM) publish_decision();
-  });
+  bus.every(kPeriodUs, [this](std::int64_t utime) { on_tick(utime); });
+}
+
+void ExplorationNode::on_tick(std::int64_t utime) {
+  if (asker_.is_due(utime, !has_map_ || !correction_ || local_maps_missing() > 0)) {
+    publish(bus_, channels::kMapRequest, to_message(MapRequest{utime, "exploration"}));
+    asker_.heard(utime);
+  }
+  if (travelled_m_ - published_m_ > kMovedM) publish_decision();
 }
 
 void ExplorationNode::on_local_map(const LocalMap& map) {
-  exploration_.add(map) ? ++local_maps_taken_ : ++local_maps_refused_;
+  asker_.heard(bus_.now_utime());
+  const auto taken = local_maps_taken_.find(map.id);
+  if (taken != local_maps_taken_.end() && taken->second == map.end_utime) return;
+  if (map.id == 0) belong_to(map);
+  if (!exploration_.add(map)) ++local_maps_refused_;
+  local_maps_taken_[map.id] = map.end_utime;
+  if (!has_map_) take_graph();
+}
+
+/// What is known of another map says nothing of this one.
+void ExplorationNode::belong_to(const LocalMap& first) {
+  if (map_utime_ != 0 && map_utime_ != first.utime) exploration_.restore({});
+  map_utime_ = first.utime;
 }
 
 void ExplorationNode::on_graph(const MapGraph& graph) {
-  local_maps_in_graph_ = graph.poses.size();
-  if (exploration_.update(graph)) publish_decision();
+  graph_ = graph;
+  take_graph();
 }
 
+std::size_t ExplorationNode::local_maps_missing() const {
+  const int n = graph_ ? static_cast<int>(graph_->poses.size()) : 0;
+  const auto there = std::distance(local_maps_taken_.begin(), local_maps_taken_.lower_bound(n));
+  return static_cast<std::size_t>(n - static_cast<int>(there));
+}
+
+/// In a map with gaps stubs would seem explored that are not.
+void ExplorationNode::take_graph() {
+  if (!graph_ || (!has_map_ && local_maps_missing() > 0)) return;
+  if (!exploration_.update(*graph_)) return;
+  has_map_ = true;
+  publish_decision();
+}
+
+void ExplorationNode::on_correction(const MapCorrection& correction) {
+  const bool waited_for = !correction_;
+  correction_ = correction;
+  if (waited_for) publish_decision();
+}
+
+/// The correction of one odom frame says nothing of the next.
 void ExplorationNode::on_pose(const StampedPose& pose) {
   if (pose_) {
     const double way = between(pose_->T_odom_body, pose.T_odom_body).translation().norm();
     if (way < kJumpM) travelled_m_ += way;
+    if (way >= kJumpM) correction_.reset();
   }
   pose_ = pose;
 }
@@ -98,15 +149,19 @@ void ExplorationNode::on_path(const PlannedPath& path) {
 
 /// It is repeated until it is answered, and may be so again; its verdict counts the first time.
 void ExplorationNode::on_request(const ExploreRequest& request) {
-  if (!pose_ || (!correction_ && request.blocked)) return;
+  const bool has_map = has_map_ && correction_;
+  const bool knew_one = map_utime_ != 0;
+  if (!pose_ || (!has_map && (knew_one || request.blocked))) return;
   const bool again = request_ && request_->id == request.id;
   if (request.blocked && !again) report_blocked(*request.blocked);
   request_ = request;
   requested_m_ = travelled_m_;
-  correction_ ? publish_decision() : publish_report();
+  has_map ? publish_decision() : publish_report();
 }
 
+/// It rests on the way from where the last decision was made.
 void ExplorationNode::report_blocked(const BlockedVerdict& verdict) {
+  if (!decided_) decide();
   exploration_.report_blocked(verdict.stub, {verdict.utime, verdict.reached_m, verdict.evidence});
 }
 
@@ -115,20 +170,37 @@ double ExplorationNode::remaining_m() const {
   return std::max(0.0, budget_m - (travelled_m_ - requested_m_));
 }
 
-void ExplorationNode::publish_decision() {
-  if (!correction_ || !pose_) return;
+void ExplorationNode::decide() {
   const Pose2 T_map_body = correction_->T_map_odom * pose_->T_odom_body;
   decision_ = exploration_.decide({pose_->utime, T_map_body, remaining_m(), sd_of(*correction_),
                                    request_ && request_->homeward});
+  decided_ = true;
+}
+
+void ExplorationNode::publish_decision() {
+  if (!has_map_ || !correction_ || !pose_) return;
+  decide();
   published_m_ = travelled_m_;
+  keep();
   publish_report();
+}
+
+/// To the disk first: what was said is not forgotten.
+void ExplorationNode::keep() {
+  if (!journal_) return;
+  journal_failure_.clear();
+  try {
+    journal_->keep({map_utime_, exploration_.memory(), request_, requested_m_, travelled_m_});
+  } catch (const std::exception& failure) {
+    journal_failure_ = failure.what();
+  }
 }
 
 /// Without a correction there is no map yet, and odom stands for it.
 void ExplorationNode::publish_report() {
   ExplorationReport report = exploration_.report();
   report.request = request_ ? request_->id : 0;
-  if (correction_) {
+  if (has_map_ && correction_) {
     const Pose2 T_odom_map = correction_->T_map_odom.inverse();
     report.T_odom_goal = T_odom_map * report.decision.T_map_goal;
     for (const Eigen::Vector2d& p_map : exploration_.next_way(kNextWayM, kWaySpacingM)) {
@@ -148,9 +220,9 @@ Health ExplorationNode::health() const {
   if (local_maps_refused_ > 0) {
     return {Level::kDegraded, std::to_string(local_maps_refused_) + " local maps are malformed"};
   }
-  if (local_maps_in_graph_ > local_maps_taken_) {
-    return {Level::kDegraded,
-            std::to_string(local_maps_in_graph_ - local_maps_taken_) + " local maps never came"};
+  if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
+  if (const std::size_t missing = local_maps_missing(); missing > 0) {
+    return {Level::kDegraded, std::to_string(missing) + " local maps never came"};
   }
   if (published_m_ >= 0.0 && decision_.kind == ExplorationDecision::Kind::kStay) {
     return {Level::kDegraded, decision_.reason};

@@ -139,17 +139,17 @@ void StubRegister::judge(std::size_t i, Access access, const std::vector<Barrier
 
 /// From wherever the robot is now; what stalled before is remembered until it comes nearer.
 void StubRegister::begin_pursuit(int stub) {
-  if (find(stub) != nullptr) holds_[static_cast<std::size_t>(stub)].least_way_m = kNever;
+  if (find(stub) != nullptr) holds_[static_cast<std::size_t>(stub)].least_way_m = StubHold::kNever;
 }
 
 void StubRegister::pursued(int stub, double way_m, int local_map, std::int64_t utime) {
   if (find(stub) == nullptr) return;
   Stub& target = stubs_[static_cast<std::size_t>(stub)];
-  Hold& hold = holds_[static_cast<std::size_t>(stub)];
+  StubHold& hold = holds_[static_cast<std::size_t>(stub)];
   if (target.state != StubState::kOpen) return;
   const bool moved = (target.p_map - hold.p_then).norm() > params_.match_m;
   if (moved || way_m < hold.least_way_m - kNearerM) {
-    if (hold.least_way_m < kNever) hold.stalls = 0;
+    if (hold.least_way_m < StubHold::kNever) hold.stalls = 0;
     hold.least_way_m = way_m;
     hold.p_then = target.p_map;
     return;
@@ -176,7 +176,7 @@ bool StubRegister::reopen(int stub, std::string evidence, std::int64_t utime) {
   holds_[i].final = false;
   holds_[i].stalls = 0;
   holds_[i].closings = 0;
-  holds_[i].least_way_m = kNever;
+  holds_[i].least_way_m = StubHold::kNever;
   if (stubs_[i].state != StubState::kExplored) {
     set(stubs_[i], StubState::kOpen, std::move(evidence), utime);
   }
@@ -189,6 +189,21 @@ void StubRegister::set_within_budget(int stub, bool within, const std::string& e
   Stub& which = stubs_[static_cast<std::size_t>(stub)];
   if (is_closed(which.state)) return;
   set(which, within ? StubState::kOpen : StubState::kBeyondBudget, within ? "" : evidence, utime);
+}
+
+std::vector<RememberedStub> StubRegister::remembered() const {
+  std::vector<RememberedStub> stubs;
+  for (std::size_t i = 0; i < stubs_.size(); ++i) stubs.push_back({stubs_[i], holds_[i]});
+  return stubs;
+}
+
+void StubRegister::restore(const std::vector<RememberedStub>& stubs) {
+  stubs_.clear();
+  holds_.clear();
+  for (const auto& [stub, hold] : stubs) {
+    stubs_.push_back(stub);
+    holds_.push_back(hold);
+  }
 }
 
 const Stub* StubRegister::find(int stub) const {

@@ -31,6 +31,29 @@ struct StubRegisterParams {
   }
 };
 
+/// What only the register needs to know of a stub.
+struct StubHold {
+  static constexpr double kNever = 1e9;
+
+  Eigen::Vector2d p_local{0.0, 0.0};  ///< in the frame of the local map that it is tied to
+  Eigen::Vector2d direction_local{1.0, 0.0};
+  bool final = false;  ///< blocked or unseeable, whatever can be reached
+  int stalls = 0;
+  double least_way_m = kNever;       ///< to it, in this pursuit
+  Eigen::Vector2d p_then{0.0, 0.0};  ///< where it was then, p_map
+  int closings = 0;
+
+  friend bool operator==(const StubHold&, const StubHold&) = default;
+};
+
+/// All that is known of a stub.
+struct RememberedStub {
+  Stub stub;
+  StubHold hold;
+
+  friend bool operator==(const RememberedStub&, const RememberedStub&) = default;
+};
+
 /// Every stub that was ever seen, what became of it, and the evidence. A stub is tied to the local
 /// map that saw it, moves with it, and moves on down the corridor as the robot does; where the
 /// corridor divides, one branch inherits it and the others are new. Where the map moves, seams in
@@ -64,18 +87,11 @@ class StubRegister {
   [[nodiscard]] const std::vector<Stub>& stubs() const { return stubs_; }
   [[nodiscard]] const Stub* find(int stub) const;
 
+  /// By id; and with it a register goes on as this one would.
+  [[nodiscard]] std::vector<RememberedStub> remembered() const;
+  void restore(const std::vector<RememberedStub>& stubs);
+
  private:
-  /// What only the register needs to know of a stub.
-  static constexpr double kNever = 1e9;
-  struct Hold {
-    Eigen::Vector2d p_local{0.0, 0.0};  ///< in the frame of the local map that it is tied to
-    Eigen::Vector2d direction_local{1.0, 0.0};
-    bool final = false;  ///< blocked or unseeable, whatever can be reached
-    int stalls = 0;
-    double least_way_m = kNever;       ///< to it, in this pursuit
-    Eigen::Vector2d p_then{0.0, 0.0};  ///< where it was then, p_map
-    int closings = 0;
-  };
   struct Pair {
     double distance_m;
     std::size_t stub;
@@ -99,7 +115,7 @@ class StubRegister {
 
   StubRegisterParams params_;
   std::vector<Stub> stubs_;
-  std::vector<Hold> holds_;  ///< by id
+  std::vector<StubHold> holds_;  ///< by id
 };
 
 }  // namespace adit

@@ -13,6 +13,7 @@ LocalMapBuilder::LocalMapBuilder(const LocalMapBuilderParams& params, int first_
     : params_(params), error_(params.error) {
   map_.id = first_id;
   map_.session = session;
+  continues_ = session > 0;
 }
 
 std::optional<LocalMap> LocalMapBuilder::add(const std::string& channel, const LaserScan& scan,
@@ -31,11 +32,11 @@ std::optional<LocalMap> LocalMapBuilder::add(const std::string& channel, const L
     error_.add_step(between(T_odom_body_, match.T_odom_body), match);
   }
   T_odom_body_ = match.T_odom_body;
-  if (match.status == ScanMatch::Status::kLost || !far_enough(channel, T_odom_body_)) {
-    return finished;
-  }
+  if (match.status == ScanMatch::Status::kLost) return finished;
+  const bool due = first_is_due(scan.utime);
+  if (!due && !far_enough(channel, T_odom_body_)) return finished;
   keep(channel, scan, T_odom_body_);
-  if (way_m_ < params_.length_m && turn_rad_ < params_.turn_max_rad) return finished;
+  if (!due && way_m_ < params_.length_m && turn_rad_ < params_.turn_max_rad) return finished;
 
   finished = end();
   begin(T_odom_body_);
@@ -49,7 +50,13 @@ std::optional<LocalMap> LocalMapBuilder::finish() {
   map_ = {};
   map_.id = finished.id + 1;
   map_.session = finished.session + 1;
+  continues_ = true;
   return finished;
+}
+
+bool LocalMapBuilder::first_is_due(std::int64_t utime) const {
+  return continues_ && params_.first_s > 0.0 && !map_.scans.empty() &&
+         1e-6 * static_cast<double>(utime - map_.utime) >= params_.first_s;
 }
 
 bool LocalMapBuilder::far_enough(const std::string& channel, const Pose2& T_odom_body) const {
@@ -88,6 +95,7 @@ void LocalMapBuilder::begin(const Pose2& T_odom_local) {
 }
 
 LocalMap LocalMapBuilder::end() {
+  continues_ = false;
   LocalMap finished = std::move(map_);
   map_ = {};
   map_.id = finished.id + 1;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@ struct LocalMapBuilderParams {
   double turn_max_rad = 6.3;     ///< and turning, after which it is finished, however short
   double keep_distance_m = 0.1;  ///< a scan is kept after this motion of its laser
   double keep_angle_rad = 0.1;   ///< or this turn
+  double first_s = 0.5;          ///< after which the first of a later session is finished, at rest
   DisplacementErrorParams error;
 
   template <class V>
@@ -26,6 +28,7 @@ struct LocalMapBuilderParams {
     v("turn_max_rad", turn_max_rad, within(0.1, 1000.0));
     v("keep_distance_m", keep_distance_m, at_least(0.0));
     v("keep_angle_rad", keep_angle_rad, at_least(0.0));
+    v("first_s", first_s, within(0.0, 60.0));
     v("error", error);
   }
 };
@@ -33,7 +36,8 @@ struct LocalMapBuilderParams {
 /// Cuts the way into local maps (paper, section 2.1). Way and turning are measured between kept
 /// scans, so that a body at rest makes no maps. The last scan of a local map is the first of the
 /// next. Where scan matching begins a new odom frame, the map at hand is finished and a new session
-/// begins.
+/// begins. The first local map of a session that continues a map is a short one, of what is seen
+/// from where the body stands, so that it can be found on the map before it moves.
 class LocalMapBuilder {
  public:
   /// `first_id`, `session`: of the first local map; others than 0 where earlier ones are known.
@@ -56,6 +60,7 @@ class LocalMapBuilder {
   [[nodiscard]] Eigen::Matrix3d covariance_local_body() const { return error_.covariance(); }
 
  private:
+  [[nodiscard]] bool first_is_due(std::int64_t utime) const;
   [[nodiscard]] bool far_enough(const std::string& channel, const Pose2& T_odom_body) const;
   void keep(const std::string& channel, const LaserScan& scan, const Pose2& T_odom_body);
   void begin(const Pose2& T_odom_local);
@@ -70,6 +75,7 @@ class LocalMapBuilder {
   std::map<std::string, Pose2> last_kept_;  ///< T_odom_body of the last kept scan, by channel
   double way_m_ = 0.0;
   double turn_rad_ = 0.0;
+  bool continues_ = false;  ///< the local map at hand is the first of a later session
 };
 
 }  // namespace adit

@@ -3,7 +3,9 @@
 #include "procs/mapping/map_journal.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "common/messages/association.hpp"
 #include "common/messages/codec.hpp"
@@ -13,6 +15,7 @@ namespace adit {
 namespace {
 
 constexpr std::string_view kLocalMap = "LOCAL_MAP";
+constexpr std::string_view kPart = "LOCAL_MAP_PART";
 constexpr std::string_view kAssociation = "ASSOCIATION";
 
 /// Puts records together.
@@ -22,6 +25,7 @@ class Collector {
 
   void operator()(const JournalRecord& record) {
     if (record.kind == kLocalMap) add_piece(record.bytes);
+    if (record.kind == kPart) add_part(record.bytes);
     if (record.kind == kAssociation) add_association(record.bytes);
   }
 
@@ -34,6 +38,27 @@ class Collector {
     auto map = assembler_.add(*piece);
     if (map && map->id == static_cast<int>(stored_.maps.size())) {
       stored_.maps.push_back(std::move(*map));
+      stored_.unfinished.reset();
+      parts_ = 0;
+    }
+  }
+
+  /// A part after one that is lost is left out.
+  void add_part(std::span<const std::uint8_t> bytes) {
+    const auto message = decode<local_map_t>(bytes);
+    if (!message) return;
+    const auto refusable = from_message(*message);
+    if (!refusable || refusable->part.id != static_cast<int>(stored_.maps.size())) return;
+    LocalMapPiece read = *refusable;
+    if (read.piece == 0) {
+      stored_.unfinished = std::move(read.part);
+      parts_ = 1;
+    } else if (stored_.unfinished && read.piece == parts_ &&
+               read.part.utime == stored_.unfinished->utime) {
+      LocalMap& map = *stored_.unfinished;
+      map.end_utime = read.part.end_utime;
+      std::move(read.part.scans.begin(), read.part.scans.end(), std::back_inserter(map.scans));
+      ++parts_;
     }
   }
 
@@ -54,6 +79,7 @@ class Collector {
   StoredMap& stored_;
   LocalMapAssembler assembler_;
   int closures_ = 0;
+  int parts_ = 0;  ///< of the unfinished local map
 };
 
 }  // namespace
@@ -68,6 +94,16 @@ void MapJournal::append(const MapUpdate& update) {
     journal_.append(kAssociation, encode(to_message(association)));
   }
   journal_.sync();
+}
+
+void MapJournal::append_unfinished(const LocalMap& map) {
+  if (map.id != parts_.id) parts_ = {map.id, 0, 0};
+  LocalMapPiece part{map, parts_.parts + 1, parts_.parts};
+  auto& scans = part.part.scans;
+  scans.erase(scans.begin(), scans.begin() + static_cast<std::ptrdiff_t>(parts_.scans));
+  journal_.append(kPart, encode(to_message(part)));
+  journal_.sync();
+  parts_ = {map.id, parts_.parts + 1, map.scans.size()};
 }
 
 StoredMap read_map_journal(const std::filesystem::path& path) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -14,7 +15,8 @@
 namespace adit {
 
 /// The map on the disk, as messages LOCAL_MAP and ASSOCIATION: each local map is there, decisions
-/// included, before anybody hears of it.
+/// included, before anybody hears of it. Of the one that is being made there are parts, in records
+/// LOCAL_MAP_PART, each a LOCAL_MAP with the scans since the part before.
 class MapJournal {
  public:
   /// Opens or creates it. Throws std::runtime_error where the file is no journal or cannot be used.
@@ -26,8 +28,20 @@ class MapJournal {
   /// Returns when the disk has it.
   void append(const MapUpdate& update);
 
+  /// What there is by now of the local map that is being made, in order of time. Returns when the
+  /// disk has it; writes only what it has not.
+  void append_unfinished(const LocalMap& map);
+
  private:
+  /// What of an unfinished local map is written.
+  struct Parts {
+    int id = -1;
+    int parts = 0;
+    std::size_t scans = 0;
+  };
+
   StoredMap restored_;
+  Parts parts_;
   Journal journal_;
 };
 

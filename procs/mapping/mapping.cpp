@@ -32,6 +32,13 @@ bool begins_session(const LocalMap& map, const std::vector<LocalMap>& before) {
   return !before.empty() && before.back().session != map.session;
 }
 
+/// Where the body may have been carried, a glance from where it stands is too little to find it.
+LocalMapBuilderParams builder_params(const MappingParams& params) {
+  LocalMapBuilderParams builder = params.local_maps;
+  if (params.carried) builder.first_s = 0.0;
+  return builder;
+}
+
 /// What there is until a map, and of it.
 template <class T>
 std::span<const T> up_to(int map, const std::vector<T>& all) {
@@ -49,21 +56,41 @@ void sort_by_likelihood(std::vector<Closure>& closures) {
 Mapping::Mapping(const MappingParams& params)
     : params_(params),
       mounts_{{"LASER_FRONT", params.lasers.front}, {"LASER_REAR", params.lasers.rear}},
-      builder_(params.local_maps),
+      builder_(builder_params(params)),
       association_(params.association) {}
 
-void Mapping::restore(StoredMap stored) {
-  if (stored.maps.empty()) return;
-  builder_ = LocalMapBuilder(params_.local_maps, stored.maps.back().id + 1,
-                             stored.maps.back().session + 1);
+std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
   for (LocalMap& map : stored.maps) enter(std::move(map));
-  association_.restore(stored.associations);
+  if (!maps_.empty()) association_.restore(stored.associations);
+  revision_ = static_cast<std::int64_t>(maps_.size());
+  std::optional<MapUpdate> update;
+  if (stored.unfinished) update = take(std::move(*stored.unfinished));
+  if (maps_.empty()) return update;
+  builder_ =
+      LocalMapBuilder(builder_params(params_), maps_.back().id + 1, maps_.back().session + 1);
+  odom_ = Odom::kRestored;
   odom_continues_ = true;
+  return update;
+}
+
+/// Whether this is the odom frame of the scan before, or of the end of what was restored.
+void Mapping::note_odom(const ScanMatch& match) {
+  if (match.status == ScanMatch::Status::kRefused) return;
+  bool anew = match.status == ScanMatch::Status::kFirstScan && match.reference_utime == 0;
+  if (odom_utime_) {
+    anew |= *odom_utime_ != match.odom_utime;
+  } else if (!maps_.empty()) {
+    anew |= match.odom_utime > maps_.back().end_utime;
+  }
+  odom_utime_ = match.odom_utime;
+  if (anew) odom_continues_ = false;
+  if (anew && (!maps_.empty() || !builder_.current().scans.empty())) odom_ = Odom::kNew;
+  if (!anew && odom_ == Odom::kRestored) odom_ = Odom::kKnown;
 }
 
 std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserScan& scan,
                                       const ScanMatch& match) {
-  if (!maps_.empty() && match.odom_utime > maps_.back().end_utime) odom_continues_ = false;
+  note_odom(match);
   auto map = builder_.add(channel, scan, match);
   if (!map) return std::nullopt;
   return take(std::move(*map));
@@ -76,7 +103,9 @@ std::optional<MapUpdate> Mapping::finish() {
 }
 
 MapUpdate Mapping::take(LocalMap map) {
-  if (begins_session(map, maps_)) link_session(map);
+  const bool begins = begins_session(map, maps_);
+  if (begins) link_session(map);
+  if (begins && map.session == builder_.current().session) odom_ = Odom::kKnown;
   MapUpdate update;
   update.map = map;
   enter(std::move(map));
@@ -86,7 +115,21 @@ MapUpdate Mapping::take(LocalMap map) {
   const auto revised = association_.revise(*this, utime);
   update.associations.insert(update.associations.end(), revised.begin(), revised.end());
   ++revision_;
+  covariance_ = covariance_in_older_sessions();
   return update;
+}
+
+/// In the older local map against which it is best known.
+std::optional<Eigen::Matrix3d> Mapping::covariance_in_older_sessions() {
+  const int session = maps_.back().session;
+  if (maps_.front().session == session) return std::nullopt;
+  const auto covariances = association_.trial().covariances_to(static_cast<int>(maps_.size()) - 1);
+  std::optional<Eigen::Matrix3d> best;
+  for (std::size_t i = 0; maps_[i].session != session; ++i) {
+    const double spread = covariances[i].topLeftCorner<2, 2>().trace();
+    if (!best || spread < best->topLeftCorner<2, 2>().trace()) best = covariances[i];
+  }
+  return best;
 }
 
 void Mapping::enter(LocalMap map) {
@@ -97,7 +140,8 @@ void Mapping::enter(LocalMap map) {
 }
 
 /// Ties a session to the end of the one before, loosely: where odom goes on, a few metres of the
-/// way are missing at most; otherwise the body may have been carried anywhere.
+/// way are missing at most; where it begins anew, the body is where it was, or was carried
+/// anywhere.
 void Mapping::link_session(LocalMap& map) const {
   const LocalMap& last = maps_.back();
   const Pose2 T_last_end = last.scans.back().T_local_body;
@@ -107,6 +151,8 @@ void Mapping::link_session(LocalMap& map) const {
     map.T_previous_local = between(last.T_odom_local, map.T_odom_local);
     const double unseen_m = between(T_last_end, map.T_previous_local).translation().norm();
     sd = {kGapM + kGapShare * unseen_m, kGapM + kGapShare * unseen_m, kGapRad};
+  } else if (!params_.carried) {
+    sd = {params_.lost_m, params_.lost_m, params_.lost_rad};
   }
   map.information = sd.cwiseInverse().cwiseAbs2().asDiagonal();
 }
@@ -146,17 +192,32 @@ std::vector<Closure> Mapping::relocalise() const {
   return closures;
 }
 
+/// In the chain of one session, which says of both what a match could.
+bool Mapping::is_neighbour(int older, int newer) const {
+  return newer - older <= params_.candidates.neighbours &&
+         maps_[static_cast<std::size_t>(older)].session ==
+             maps_[static_cast<std::size_t>(newer)].session;
+}
+
 std::vector<Closure> Mapping::closures(int map, Trial& trial, bool thorough) const {
   if (map < 1) return {};
   const bool newest = map + 1 == static_cast<int>(maps_.size());
-  if (newest && !session_is_joined() && !odom_continues_) return relocalise();
+  const bool joined = !newest || session_is_joined();
+  if (!joined && !odom_continues_ && params_.carried) return relocalise();
   std::vector<Pose2> poses = trial.belief().T_map_local;
   poses.resize(static_cast<std::size_t>(map) + 1);
   ClosureCandidatesParams which = params_.candidates;
   if (thorough) which.most *= kThorough;
+  // What holds a session to the one before is too loose for neighbours in the chain to say nothing.
+  const bool looser = !joined && !params_.carried;
+  if (looser) {
+    which.neighbours = 0;
+    which.most += params_.candidates.neighbours;
+  }
   std::vector<Closure> found;
   for (const ClosureCandidate& candidate :
        closure_candidates(poses, trial.covariances_to(map), up_to(map, extents_), which)) {
+    if (looser && is_neighbour(candidate.older, map)) continue;
     Closure closure;
     closure.newer_map = map;
     closure.alternatives =
@@ -215,7 +276,7 @@ MapGraph Mapping::graph() const {
 }
 
 std::optional<MapCorrection> Mapping::correction() const {
-  if (maps_.empty()) return std::nullopt;
+  if (maps_.empty() || odom_ != Odom::kKnown) return std::nullopt;
   const LocalMap& newest = maps_.back();
   MapCorrection correction;
   correction.utime = newest.end_utime;
@@ -223,6 +284,7 @@ std::optional<MapCorrection> Mapping::correction() const {
   correction.session = newest.session;
   correction.local_map = newest.id;
   correction.T_map_odom = association_.belief().T_map_local.back() * newest.T_odom_local.inverse();
+  correction.covariance = covariance_;
   return correction;
 }
 

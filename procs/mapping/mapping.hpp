@@ -31,6 +31,9 @@ struct MappingParams {
   ClosureCandidatesParams candidates;
   MapMatchingParams matching;
   LazyAssociationParams association;
+  bool carried = false;   ///< where odom begins anew, the body may be anywhere; else where it was
+  double lost_m = 1.0;    ///< of the way between what is stored and where it then is, about
+  double lost_rad = 0.5;  ///< of its turning
 
   template <class V>
   void visit(V& v) {
@@ -40,6 +43,9 @@ struct MappingParams {
     v("candidates", candidates);
     v("matching", matching);
     v("association", association);
+    v("carried", carried);
+    v("lost_m", lost_m, within(0.01, 100.0));
+    v("lost_rad", lost_rad, within(0.01, 3.2));
   }
 };
 
@@ -47,6 +53,7 @@ struct MappingParams {
 struct StoredMap {
   std::vector<LocalMap> maps;
   std::vector<Association> associations;
+  std::optional<LocalMap> unfinished;  ///< the one that was being made, as far as it is stored
 };
 
 /// What a new local map brought.
@@ -64,8 +71,9 @@ class Mapping : private Evidence {
 
   /// Continues a map, before anything is added. What is added then is a session of its own, joined
   /// to the map where the places are recognised; where odom goes on from where the map ends, it is
-  /// looked for near there.
-  void restore(StoredMap stored);
+  /// looked for near there, and also where it begins anew and the body was not carried.
+  /// Something where a local map was being made, which is then one.
+  std::optional<MapUpdate> restore(StoredMap stored);
 
   /// A scan and what scan matching made of it, in order of time. Something where it finished a
   /// local map.
@@ -76,8 +84,11 @@ class Mapping : private Evidence {
   std::optional<MapUpdate> finish();
 
   [[nodiscard]] MapGraph graph() const;
-  /// Nothing before the first local map.
+  /// Nothing before the first local map, nor while it is not known where odom is on the map:
+  /// between the begin of a new one and its first local map.
   [[nodiscard]] std::optional<MapCorrection> correction() const;
+  /// The local map that is being made.
+  [[nodiscard]] const LocalMap& unfinished() const { return builder_.current(); }
 
   [[nodiscard]] const std::vector<LocalMap>& local_maps() const { return maps_; }
   [[nodiscard]] const LazyAssociation& association() const { return association_; }
@@ -86,7 +97,10 @@ class Mapping : private Evidence {
   MapUpdate take(LocalMap map);
   void enter(LocalMap map);
   void link_session(LocalMap& map) const;
+  void note_odom(const ScanMatch& match);
+  [[nodiscard]] std::optional<Eigen::Matrix3d> covariance_in_older_sessions();
   [[nodiscard]] bool session_is_joined() const;
+  [[nodiscard]] bool is_neighbour(int older, int newer) const;
   [[nodiscard]] std::vector<Closure> closures(int map, Trial& trial, bool thorough) const override;
   [[nodiscard]] double surprise(const std::vector<Pose2>& T_map_local) const override;
   [[nodiscard]] std::vector<Closure> relocalise() const;
@@ -101,7 +115,15 @@ class Mapping : private Evidence {
   std::vector<LocalWalls> walls_;
   std::vector<MapExtent> extents_;
   std::int64_t revision_ = 0;
+  enum class Odom {
+    kKnown,     ///< that of the newest local map
+    kRestored,  ///< of the newest local map or a new one: the next scan tells
+    kNew,       ///< its first local map is being made
+  };
+  Odom odom_ = Odom::kKnown;
+  std::optional<std::int64_t> odom_utime_;  ///< when the odom frame of the last scan began
   bool odom_continues_ = false;  ///< a restored map ends in the odom frame of the present session
+  std::optional<Eigen::Matrix3d> covariance_;  ///< see MapCorrection
 };
 
 }  // namespace adit

@@ -3,13 +3,16 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 
 #include "common/bus/bus.hpp"
 #include "common/messages/heartbeat.hpp"
+#include "common/messages/local_map.hpp"
 #include "procs/mapping/map_journal.hpp"
+#include "procs/mapping/map_repeater.hpp"
 #include "procs/mapping/mapping.hpp"
 
 namespace adit {
@@ -24,11 +27,13 @@ struct MappingNodeParams : MappingParams {
   }
 };
 
-/// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); SCAN_MATCH (scan_match_t), one for each scan.
+/// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); SCAN_MATCH (scan_match_t), one for each scan;
+///      MAP_REQUEST (map_request_t).
 /// Out: with each local map LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in pieces,
-///      ASSOCIATION (association_t) for each decision, MAP_CORRECTION (map_correction_t).
-/// Where a journal is named and there, the map in it is continued: after a restart of the process
-/// nothing is lost but the local map that was at hand.
+///      ASSOCIATION (association_t) for each decision, MAP_CORRECTION (map_correction_t). All
+///      local maps again for those who ask, some pieces at a time, with the graph before and after.
+/// Where a journal is named and there, the map in it is continued: after a restart nothing is lost
+/// but the last metre (`lost_m`), and what is known goes out at once.
 class MappingNode {
  public:
   using Params = MappingNodeParams;
@@ -37,15 +42,29 @@ class MappingNode {
   MappingNode(Bus& bus, const Params& params);
 
   [[nodiscard]] Health health() const { return health_; }
+  [[nodiscard]] const Mapping& map() const { return mapping_; }
 
  private:
   void on_match(const ScanMatch& match);
+  void restore(const std::string& journal);
+  void keep(const std::function<void()>& append);
+  void keep_unfinished();
   void pass_on(const MapUpdate& update);
+  void publish_update(const MapUpdate& update);
   void publish_graph();
+  void repeat();
 
   Bus& bus_;
+  MappingParams params_;
   Mapping mapping_;
+  MapRepeater repeater_;
+  std::deque<LocalMapPiece> repeated_;  ///< pieces that are to be sent again
+  bool graph_due_ = false;              ///< it is to go out with the next tick
   std::optional<MapJournal> journal_;
+  std::optional<MapUpdate> restored_;  ///< what came of the local map that was being made
+  int kept_map_ = -1;                  ///< id of the newest of which a part is kept
+  bool start_is_due_ = false;          ///< nothing of the first local map is kept
+  Pose2 T_local_kept_;                 ///< the body at the end of that part
   std::map<std::string, std::deque<LaserScan>> waiting_;  ///< scans without their match, by channel
   Health health_;
 };

@@ -32,7 +32,8 @@ struct ScanMatchingParams {
   double inlier_share_min = 0.25;  ///< nor one that rests on fewer of the points
   int lost_max = 3;  ///< scans in a row without a match before the reference starts anew
   double tilt_max_rad =
-      0.03;  ///< scans of a laser that is tilted by more are left to scan_assembly
+      0.03;                  ///< scans of a laser that is tilted by more are left to scan_assembly
+  bool lasers_tilt = false;  ///< then scans count only once it is known how far
 
   template <class V>
   void visit(V& v) {
@@ -47,6 +48,7 @@ struct ScanMatchingParams {
     v("inlier_share_min", inlier_share_min, within(0.0, 1.0));
     v("lost_max", lost_max, at_least(1));
     v("tilt_max_rad", tilt_max_rad, above(0.0));
+    v("lasers_tilt", lasers_tilt);
   }
 };
 

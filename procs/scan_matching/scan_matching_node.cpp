@@ -38,7 +38,10 @@ Health health_of(const ScanMatch& match) {
 }  // namespace
 
 ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
-    : bus_(bus), tilt_max_rad_(params.tilt_max_rad), scan_matching_(params) {
+    : bus_(bus),
+      tilt_max_rad_(params.tilt_max_rad),
+      lasers_tilt_(params.lasers_tilt),
+      scan_matching_(params) {
   const auto measured = Delivery::queued(kReadingsWaiting);
   subscribe<wheel_odometry_t>(bus, channels::kWheelOdometry, measured,
                               [this](const WheelOdometry& w) { scan_matching_.add(w); });
@@ -60,8 +63,14 @@ ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
   listen(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
 }
 
+/// Where the computer was cut off in the middle of a sweep, its laser is still tilted.
+bool ScanMatchingNode::is_level(LaserId laser) const {
+  const auto tilt = tilt_rad_.find(laser);
+  return tilt == tilt_rad_.end() ? !lasers_tilt_ : std::abs(tilt->second) <= tilt_max_rad_;
+}
+
 void ScanMatchingNode::on_scan(LaserId laser, const std::string& channel, const LaserScan& scan) {
-  if (std::abs(tilt_rad_[laser]) > tilt_max_rad_) return;
+  if (!is_level(laser)) return;
   ScanMatch match = scan_matching_.add_scan(laser, scan);
   match.channel = channel;
   health_ = health_of(match);

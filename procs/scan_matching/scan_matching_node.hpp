@@ -25,9 +25,11 @@ class ScanMatchingNode {
 
  private:
   void on_scan(LaserId laser, const std::string& channel, const LaserScan& scan);
+  [[nodiscard]] bool is_level(LaserId laser) const;
 
   Bus& bus_;
   double tilt_max_rad_;
+  bool lasers_tilt_;
   ScanMatching scan_matching_;
   std::map<LaserId, double> tilt_rad_;
   Health health_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/volume_map/sub_volume.hpp"
 
+#include <utility>
+
 #include "common/volume/octree_stream.hpp"
 
 namespace adit {
@@ -25,6 +27,22 @@ CloudLine move(const Pose2& T_a_b, const CloudLine& line) {
 SubVolume::SubVolume(const SubVolumeParams& params)
     : params_(params), open_(Open{OccupancyTree(params.cell_m), {}}) {}
 
+SubVolume::SubVolume(const SubVolumeParams& params, VolumeContents contents)
+    : params_(params),
+      utime_(contents.utime),
+      scans_(contents.scans),
+      octree_(std::move(contents.octree)),
+      points_(std::move(contents.points)),
+      refused_points_(contents.refused_points) {
+  count();
+}
+
+void SubVolume::count() {
+  const OctreeCounts counts = count_cells(octree_);
+  occupied_ = counts.occupied;
+  free_ = counts.free;
+}
+
 void SubVolume::insert(const Cloud& cloud, const Pose2& T_volume_level) {
   ScanCells cells;
   for (const CloudLine& line : cloud.lines) {
@@ -39,9 +57,7 @@ void SubVolume::insert(const Cloud& cloud, const Pose2& T_volume_level) {
   utime_ = cloud.utime;
   ++scans_;
   octree_ = open_->tree.stream();
-  const OctreeCounts counts = count_cells(octree_);
-  occupied_ = counts.occupied;
-  free_ = counts.free;
+  count();
 }
 
 void SubVolume::insert_line(const CloudLine& line, std::int32_t scan, ScanCells& cells) {

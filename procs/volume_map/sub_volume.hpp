@@ -38,6 +38,16 @@ struct VolumePoint {
   std::int32_t scan = 0;  ///< id of the cloud
 };
 
+/// What a closed sub-volume is.
+struct VolumeContents {
+  double cell_m = 0.0;
+  std::int64_t utime = 0;
+  int scans = 0;
+  std::vector<std::uint8_t> octree;
+  std::vector<VolumePoint> points;
+  std::int64_t refused_points = 0;
+};
+
 /// What one or more 3D scans from about one place say of the rock around it, in the frame "volume":
 /// see common/volume/volume.hpp. Each cell is measured once by each scan, as free where beams
 /// passed and none ended, and as occupied where any ended (as octomap::OcTree::insertPointCloud
@@ -47,6 +57,8 @@ class SubVolume {
   static constexpr float kOriginMaxM = 10.0F;  ///< so that the cells of a scan are bounded
 
   explicit SubVolume(const SubVolumeParams& params);
+  /// A closed one, as it was.
+  SubVolume(const SubVolumeParams& params, VolumeContents contents);
 
   /// In order of time, while it is open.
   void insert(const Cloud& cloud, const Pose2& T_volume_level);
@@ -75,6 +87,7 @@ class SubVolume {
     std::unordered_set<VoxelCode> with_point;  ///< cells of `point_spacing_m`
   };
 
+  void count();
   void insert_line(const CloudLine& line, std::int32_t scan, ScanCells& cells);
 
   SubVolumeParams params_;

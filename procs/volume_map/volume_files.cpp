@@ -37,10 +37,13 @@ Vertex vertex(const VolumePoint& point, const Pose2& T_map_volume) {
 
 void write_ply(const VolumeMap& map, const std::filesystem::path& path) {
   std::size_t n = 0;
-  for (const PlacedVolume& placed : map.volumes()) n += placed.volume.points().size();
+  for (const PlacedVolume& placed : map.volumes()) {
+    if (!placed.left_out) n += placed.volume.points().size();
+  }
   std::ofstream file(path, std::ios::binary);
   file << header(n);
   for (const PlacedVolume& placed : map.volumes()) {
+    if (placed.left_out) continue;
     for (const VolumePoint& point : placed.volume.points()) {
       const Vertex at = vertex(point, placed.T_map_volume);
       file.write(reinterpret_cast<const char*>(&at), sizeof at);

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/volume_map/volume_map.hpp"
 
+#include <stdexcept>
+#include <string>
+#include <utility>
+
 #include "procs/volume_map/resampling.hpp"
 
 namespace adit {
@@ -17,25 +21,53 @@ const Pose2& pose(const MapGraph& graph, int local_map) {
 
 }  // namespace
 
-void VolumeMap::add(const Cloud& cloud) {
-  if (!newest_takes(cloud)) begin_volume(cloud);
-  PlacedVolume& newest = volumes_.back();
-  newest.volume.insert(cloud, between(newest.T_odom_volume, cloud.T_odom_level));
+StoredVolume stored(const PlacedVolume& placed) {
+  const SubVolume& volume = placed.volume;
+  return {{volume.cell_m(), volume.utime(), volume.scans(), volume.octree(), volume.points(),
+           volume.refused_points()},
+          placed.T_odom_volume,
+          placed.tie};
 }
 
-bool VolumeMap::newest_takes(const Cloud& cloud) const {
-  if (volumes_.empty()) return false;
+void VolumeMap::restore(std::vector<StoredVolume> volumes) {
+  for (StoredVolume& volume : volumes) {
+    if (volume.contents.cell_m != params_.cell_m) {
+      throw std::runtime_error("the volume that is to be continued has cells of " +
+                               std::to_string(volume.contents.cell_m) + " m, not of " +
+                               std::to_string(params_.cell_m) + " m");
+    }
+    volumes_.push_back({SubVolume(params_, std::move(volume.contents)), volume.T_odom_volume,
+                        volume.tie, volume.T_odom_volume, false});
+  }
+  restored_ = volumes_.size();
+}
+
+bool VolumeMap::add(const Cloud& cloud) {
+  const bool late = cloud.utime < session_begin_utime_;
+  const std::optional<Odom>& odom = late ? odom_before_ : odom_;
+  if (late && !odom) {
+    ++left_out_;
+    return false;
+  }
+  if (!newest_takes(cloud, odom)) begin_volume(cloud, odom);
+  PlacedVolume& newest = volumes_.back();
+  newest.volume.insert(cloud, between(newest.T_odom_volume, cloud.T_odom_level));
+  return true;
+}
+
+bool VolumeMap::newest_takes(const Cloud& cloud, const std::optional<Odom>& odom) const {
+  if (volumes_.empty() || !volumes_.back().volume.is_open()) return false;
   const PlacedVolume& newest = volumes_.back();
-  if (newest.tie.has_value() != odom_.has_value()) return false;
-  if (odom_ && newest.tie->local_map != odom_->local_map) return false;
+  if (newest.tie.has_value() != odom.has_value()) return false;
+  if (odom && newest.tie->local_map != odom->local_map) return false;
   const Pose2 T_volume_level = between(newest.T_odom_volume, cloud.T_odom_level);
   return T_volume_level.translation().norm() <= params_.span_m;
 }
 
-void VolumeMap::begin_volume(const Cloud& cloud) {
+void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<Odom>& odom) {
   if (!volumes_.empty()) volumes_.back().volume.close();
-  volumes_.push_back({SubVolume(params_), cloud.T_odom_level, {}, cloud.T_odom_level});
-  if (odom_) tie(volumes_.back());
+  volumes_.push_back({SubVolume(params_), cloud.T_odom_level, {}, cloud.T_odom_level, false});
+  if (odom) tie(volumes_.back(), *odom);
 }
 
 void VolumeMap::set_graph(const MapGraph& graph) {
@@ -58,16 +90,34 @@ void VolumeMap::connect() {
   if (!correction_ || correction_->revision != graph_.revision) return;
   if (!has_pose(graph_, correction_->local_map)) return;
   const Pose2& T_map_local = pose(graph_, correction_->local_map);
-  odom_ = {correction_->local_map, between(T_map_local, correction_->T_map_odom)};
+  if (odom_ && odom_->session != correction_->session) {
+    odom_before_ = odom_;
+    session_begin_utime_ = correction_->utime;
+  }
+  odom_ = {correction_->session, correction_->local_map,
+           between(T_map_local, correction_->T_map_odom)};
+  leave_out_what_is_of_another_odom();
   for (PlacedVolume& placed : volumes_) {
-    if (!placed.tie) tie(placed);
+    if (!placed.tie && !placed.left_out) tie(placed, *odom_);
   }
 }
 
-void VolumeMap::tie(PlacedVolume& placed) const {
-  placed.tie = {odom_->local_map, odom_->T_local_odom * placed.T_odom_volume};
-  if (!has_pose(graph_, odom_->local_map)) return;
-  placed.T_map_volume = pose(graph_, odom_->local_map) * placed.tie->T_local_volume;
+/// What was kept without a tie was seen before the first local map of all: in the first session.
+void VolumeMap::leave_out_what_is_of_another_odom() {
+  if (restored_ == 0) return;
+  const auto end = volumes_.begin() + static_cast<std::ptrdiff_t>(std::exchange(restored_, 0));
+  if (odom_->session == 0) return;
+  for (auto placed = volumes_.begin(); placed != end; ++placed) {
+    if (placed->tie) continue;
+    left_out_ += placed->volume.scans();
+    placed->left_out = true;
+  }
+}
+
+void VolumeMap::tie(PlacedVolume& placed, const Odom& odom) const {
+  placed.tie = {odom.local_map, odom.T_local_odom * placed.T_odom_volume};
+  if (!has_pose(graph_, odom.local_map)) return;
+  placed.T_map_volume = pose(graph_, odom.local_map) * placed.tie->T_local_volume;
 }
 
 std::int64_t VolumeMap::refused_points() const {
@@ -80,6 +130,7 @@ OccupancyTree VolumeMap::merged() const {
   CellSet free;
   CellSet occupied;
   for (const PlacedVolume& placed : volumes_) {
+    if (placed.left_out) continue;
     resample(placed.volume, placed.T_map_volume, free, occupied);
   }
   OccupancyTree tree(params_.cell_m);

@@ -38,7 +38,16 @@ struct PlacedVolume {
   Pose2 T_odom_volume;     ///< when its first scan was taken
   std::optional<Tie> tie;  ///< nothing before the first pose graph
   Pose2 T_map_volume;      ///< without a tie odom stands for map
+  bool left_out = false;   ///< nobody knows where it is
 };
+
+/// One as it is kept.
+struct StoredVolume {
+  VolumeContents contents;
+  Pose2 T_odom_volume;
+  std::optional<PlacedVolume::Tie> tie;
+};
+StoredVolume stored(const PlacedVolume& placed);
 
 /// The mine as a volume: sub-volumes, each tied to the local map that was the newest one when its
 /// scans came. A change of the graph moves them, and nothing is inserted again.
@@ -46,13 +55,20 @@ struct PlacedVolume {
 /// Scans that come before the first graph make sub-volumes of their own, which are tied when it
 /// comes. The newest sub-volume alone is open to more scans; all others are as small as
 /// SubVolume::close says, so that memory grows with the number of scans.
+///
+/// Where mapping begins a session, that is with a new odom frame, a scan from before is tied by the
+/// odom frame that it was taken in. One of which nobody knows where that was is left out.
 class VolumeMap {
  public:
   explicit VolumeMap(const VolumeMapParams& params) : params_(params) {}
 
+  /// Goes on from what was kept, before anything is added. Throws std::runtime_error where its
+  /// cells are of another size.
+  void restore(std::vector<StoredVolume> volumes);
+
   /// Takes a scan into the newest sub-volume, if that is tied to the same local map and near, or
-  /// else into a new one.
-  void add(const Cloud& cloud);
+  /// else into a new one. False where it is left out.
+  bool add(const Cloud& cloud);
 
   /// Moves what is tied. A sub-volume of a local map that the graph lacks stays where it is.
   void set_graph(const MapGraph& graph);
@@ -63,6 +79,8 @@ class VolumeMap {
   [[nodiscard]] const std::vector<PlacedVolume>& volumes() const { return volumes_; }
   [[nodiscard]] std::int64_t graph_revision() const { return graph_.revision; }
   [[nodiscard]] std::int64_t refused_points() const;
+  /// Scans that were left out, since nobody knows where they were taken.
+  [[nodiscard]] int left_out() const { return left_out_; }
 
   /// All in one tree in map, for export. As the cells of sub-volumes do not lie on those of map, it
   /// is resampled: a cell is occupied if the middle of an occupied cell of any sub-volume is in it,
@@ -72,20 +90,26 @@ class VolumeMap {
 
  private:
   struct Odom {
+    int session = 0;
     int local_map = 0;
     Pose2 T_local_odom;
   };
 
-  [[nodiscard]] bool newest_takes(const Cloud& cloud) const;
-  void begin_volume(const Cloud& cloud);
+  [[nodiscard]] bool newest_takes(const Cloud& cloud, const std::optional<Odom>& odom) const;
+  void begin_volume(const Cloud& cloud, const std::optional<Odom>& odom);
   void connect();
-  void tie(PlacedVolume& placed) const;
+  void leave_out_what_is_of_another_odom();
+  void tie(PlacedVolume& placed, const Odom& odom) const;
 
   VolumeMapParams params_;
   std::vector<PlacedVolume> volumes_;
   MapGraph graph_;
   std::optional<MapCorrection> correction_;
   std::optional<Odom> odom_;  ///< where it is, as of the newest correction that has its graph
+  std::optional<Odom> odom_before_;       ///< of the session before, as long as that was known
+  std::int64_t session_begin_utime_ = 0;  ///< by which the present session had begun
+  std::size_t restored_ = 0;              ///< sub-volumes that were kept
+  int left_out_ = 0;
 };
 
 }  // namespace adit

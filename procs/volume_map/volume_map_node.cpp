@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/volume_map/volume_map_node.hpp"
 
+#include <exception>
+
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/map_correction.hpp"
+#include "common/messages/map_request.hpp"
 #include "common/messages/volume_pieces.hpp"
 
 namespace adit {
@@ -13,6 +16,9 @@ namespace {
 // Several sweeps, and a graph of some thousand local maps. Where this is not enough, the oldest
 // clouds are lost, and nobody waits.
 constexpr std::size_t kPiecesWaiting = 200;
+// After a restart all goes out again, not all at once.
+constexpr int kVolumesAtOnce = 4;
+constexpr std::int64_t kPeriodUs = 500'000;
 
 Volume volume_of(const PlacedVolume& placed, std::size_t id, std::int64_t graph_revision) {
   const SubVolume& volume = placed.volume;
@@ -26,6 +32,9 @@ Volume volume_of(const PlacedVolume& placed, std::size_t id, std::int64_t graph_
 }  // namespace
 
 VolumeMapNode::VolumeMapNode(Bus& bus, const Params& params) : bus_(bus), map_(params) {
+  if (!params.journal.empty()) {
+    map_.restore(journal_.emplace(params.journal).take_restored());
+  }
   subscribe<cloud_t>(bus, channels::kCloud, Delivery::queued(kPiecesWaiting),
                      [this](const CloudPiece& piece) {
                        if (const auto cloud = clouds_.add(piece)) on_cloud(*cloud);
@@ -40,24 +49,49 @@ VolumeMapNode::VolumeMapNode(Bus& bus, const Params& params) : bus_(bus), map_(p
   subscribe<map_correction_t>(bus, channels::kMapCorrection, Delivery::latest(),
                               [this](const MapCorrection& correction) {
                                 map_.set_correction(correction);
+                                keep();
                                 publish_news();
                               });
+  bus.every(kPeriodUs, [this](std::int64_t utime) {
+    ask(utime);
+    publish_news();
+  });
+}
+
+void VolumeMapNode::ask(std::int64_t utime) {
+  if (!asker_.is_due(utime, map_.graph_revision() == 0)) return;
+  publish(bus_, channels::kMapRequest, to_message(MapRequest{utime, "volume_map"}));
+  asker_.heard(utime);
 }
 
 void VolumeMapNode::on_cloud(const Cloud& cloud) {
   superseded_ = clouds_.counts().superseded;
   cut_short_ = !cloud.complete;
-  map_.add(cloud);
+  placed_ = map_.add(cloud);
+  keep();
   publish_news();
+}
+
+/// To the disk first: what was announced is not forgotten.
+void VolumeMapNode::keep() {
+  if (!journal_) return;
+  journal_failure_.clear();
+  try {
+    journal_->keep(map_);
+  } catch (const std::exception& failure) {
+    journal_failure_ = failure.what();
+  }
 }
 
 void VolumeMapNode::publish_news() {
   published_.resize(map_.volumes().size());
+  int left = kVolumesAtOnce;
   for (std::size_t id = 0; id < published_.size(); ++id) {
     const PlacedVolume& placed = map_.volumes()[id];
     const bool new_cells = published_[id].revision != placed.volume.scans();
     const bool moved = published_[id].T_map_volume != placed.T_map_volume;
     if (!placed.tie || (!new_cells && !moved)) continue;
+    if (new_cells && left-- <= 0) continue;
     const Volume volume = volume_of(placed, id, map_.graph_revision());
     if (new_cells) {
       for (const VolumePiece& piece : divide(volume)) {
@@ -75,6 +109,8 @@ Health VolumeMapNode::health() const {
   if (clouds_.counts().superseded > superseded_) {
     return {Level::kDegraded, "a 3D scan came without some of its pieces"};
   }
+  if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
+  if (!placed_) return {Level::kDegraded, "nobody knows where the last 3D scan was taken"};
   if (cut_short_) return {Level::kDegraded, "the last 3D scan was cut short"};
   return {};
 }

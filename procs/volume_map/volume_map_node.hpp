@@ -3,27 +3,45 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "common/bus/bus.hpp"
 #include "common/messages/cloud_pieces.hpp"
 #include "common/messages/heartbeat.hpp"
 #include "common/messages/pose_graph_pieces.hpp"
+#include "common/mission/map_asker.hpp"
+#include "procs/volume_map/volume_journal.hpp"
 #include "procs/volume_map/volume_map.hpp"
 
 namespace adit {
+
+struct VolumeMapNodeParams : VolumeMapParams {
+  std::string journal;  ///< file that keeps what was seen; empty: nothing is kept
+
+  template <class V>
+  void visit(V& v) {
+    v("journal", journal);
+    VolumeMapParams::visit(v);
+  }
+};
 
 /// In:  CLOUD (cloud_t) and POSE_GRAPH (pose_graph_t), both in pieces; MAP_CORRECTION
 ///      (map_correction_t).
 /// Out: VOLUME (volume_t), in pieces: each sub-volume that is tied to the pose graph, as soon as it
 ///      is and whenever a cloud came into it; and its pose alone whenever that changed.
+///      MAP_REQUEST (map_request_t), until there is a graph.
+/// Where a journal is named and there, the volume in it is continued.
 class VolumeMapNode {
  public:
-  using Params = VolumeMapParams;
+  using Params = VolumeMapNodeParams;
 
+  /// Throws std::runtime_error where the journal cannot be used.
   VolumeMapNode(Bus& bus, const Params& params);
 
-  /// Degraded where the newest cloud was cut short, or lacks pieces.
+  /// Degraded where the newest cloud was cut short, lacks pieces or could not be placed, and where
+  /// it cannot be kept.
   [[nodiscard]] Health health() const;
 
   [[nodiscard]] const VolumeMap& map() const { return map_; }
@@ -35,15 +53,21 @@ class VolumeMapNode {
   };
 
   void on_cloud(const Cloud& cloud);
+  void ask(std::int64_t utime);
+  void keep();
   void publish_news();
 
   Bus& bus_;
   VolumeMap map_;
+  std::optional<VolumeJournal> journal_;
+  std::string journal_failure_;
+  MapAsker asker_;
   CloudAssembler clouds_;
   PoseGraphAssembler graphs_;
   std::vector<Published> published_;  ///< by the id of the sub-volume
   std::int64_t superseded_ = 0;       ///< clouds that lacked pieces, when the last one was complete
   bool cut_short_ = false;
+  bool placed_ = true;
 };
 
 }  // namespace adit

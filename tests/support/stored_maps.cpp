@@ -8,7 +8,7 @@ namespace adit::test {
 
 MapGraph restored(const StoredMap& stored) {
   Mapping mapping(MappingParams{});
-  mapping.restore(stored);
+  mapping.restore({stored.maps, stored.associations, {}});
   return mapping.graph();
 }
 

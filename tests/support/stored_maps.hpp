@@ -7,7 +7,8 @@
 
 namespace adit::test {
 
-/// The map as a mapping would begin with it, that has the default configuration.
+/// The map as a mapping would begin with it, that has the default configuration, but for what is
+/// unfinished.
 MapGraph restored(const StoredMap& stored);
 
 /// Of the positions of the local maps.

@@ -46,9 +46,10 @@ struct Heard {
 /// The mapping from its start to its death, which is that of this object.
 class Life {
  public:
-  Life(const std::filesystem::path& journal, Heard& heard) {
+  Life(const std::filesystem::path& journal, Heard& heard, bool carried = false) {
     listen(heard);
     MappingNodeParams params;
+    params.carried = carried;
     params.journal = journal.string();
     node_ = std::make_unique<MappingNode>(bus_, params);
   }
@@ -202,7 +203,7 @@ TEST_P(CrashSafety, FindsItselfAfterTheWholeRobotBeganAgainElsewhere) {
   const std::size_t from =
       std::uniform_int_distribution<std::size_t>(0, drive_.size() - kScans)(random_);
   {
-    Life life(journal_, heard_);
+    Life life(journal_, heard_, true);
     for (std::size_t i = from; i < from + kScans; ++i)
       life.add(seen_again(drive_[i], drive_[from]));
   }

@@ -73,7 +73,7 @@ class RobotThatLooksAround {
   RobotThatKnowsItsPlace robot_{box_drift()};
   MemoryBus& bus_ = robot_.bus();
   ScanAssemblyNode scan_assembly_{bus_, with_groundhog_lasers<ScanAssemblyParams>()};
-  VolumeMapNode volume_map_{bus_, VolumeMapParams{}};
+  VolumeMapNode volume_map_{bus_, VolumeMapNodeParams{}};
   VolumeAssembler assembler_;
   Volume volume_;
 };

@@ -60,12 +60,13 @@ ConfiguredNode configure_scan_matching(const ConfigFile& config, const Lasers& l
 }
 
 /// The journal is one of the results, whatever the config says: CONFIG names it as it is called
-/// there, and not where it grows.
+/// there, and not where it grows. Another log may begin anywhere on the map that it continues.
 ConfiguredNode configure_mapping(const ConfigFile& config, const Lasers& lasers,
-                                 const std::filesystem::path& folder) {
+                                 const std::filesystem::path& folder, bool resumes) {
   constexpr const char* kStage = "mapping";
   auto params = load_section<MappingNode::Params>(config, kStage);
   params.lasers = lasers;
+  params.carried = params.carried || resumes;
   params.journal = kJournal;
   const std::string yaml = to_yaml(params, kStage);
   params.journal = (folder / kJournal).string();
@@ -158,7 +159,7 @@ MapRunResult run_map(const MapRunOptions& options,
   const Lasers lasers = find_lasers(config, input);
   const MapFilesOptions files = map_files_options(config, lasers, options);
   const auto scan_matching = configure_scan_matching(config, lasers);
-  const auto mapping = configure_mapping(config, lasers, folder);
+  const auto mapping = configure_mapping(config, lasers, folder, !options.resume.empty());
   LogWriter log(folder / "run.lcmlog");
   ReplayBus bus(input.events(), &log, replay_options(options.use_odometry));
   StopwatchBus scan_watch(bus,

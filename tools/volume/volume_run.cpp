@@ -16,11 +16,11 @@
 namespace adit {
 namespace {
 
-VolumeMapParams load_params(const std::filesystem::path& path) {
+VolumeMapNodeParams load_params(const std::filesystem::path& path) {
   if (path.empty()) return {};
   const ConfigFile file = ConfigFile::load(path);
   file.require_known_sections(config_sections());
-  return load_section<VolumeMapParams>(file, "volume_map");
+  return load_section<VolumeMapNodeParams>(file, "volume_map");
 }
 
 std::vector<std::string> complaints_of(const LogFile& log, const ReplayBus& bus,
@@ -44,7 +44,8 @@ std::vector<std::string> complaints_of(const LogFile& log, const ReplayBus& bus,
 
 VolumeRunResult run_volume(const VolumeRunOptions& options,
                            const std::function<void(double)>& progress) {
-  const VolumeMapParams params = load_params(options.config);
+  VolumeMapNodeParams params = load_params(options.config);
+  params.journal.clear();  // what is in the log is all that there is
   LogFile log(options.input);
   ReplayOptions replay;
   replay.leave_out.emplace(channels::kVolume);

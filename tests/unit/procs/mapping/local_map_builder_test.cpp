@@ -148,16 +148,33 @@ TEST(LocalMapBuilder, LeavesOutLostScansAndIgnoresRefusedOnes) {
 }
 
 TEST(LocalMapBuilder, BeginsASessionWithANewOdomFrame) {
-  Feed feed(7, 2);
+  Feed feed;
   feed.scan(Status::kFirstScan);
   for (int i = 0; i < 20; ++i) feed.step({0.1, 0.0, 0.0});
   feed.restart();
   ASSERT_EQ(feed.maps.size(), 1U);  // what there was is not lost
+  EXPECT_EQ(feed.maps[0].id, 0);
+  EXPECT_EQ(feed.maps[0].session, 0);
+  EXPECT_EQ(feed.builder().current().id, 1);
+  EXPECT_EQ(feed.builder().current().session, 1);
+  EXPECT_EQ(feed.builder().current().scans.size(), 1U);
+}
+
+TEST(LocalMapBuilder, BeginsALaterSessionWithAMapOfWhereItStands) {
+  Feed feed(7, 2);
+  feed.scan(Status::kFirstScan);
+  for (int i = 0; i < 2; ++i) feed.step({});
+  EXPECT_TRUE(feed.maps.empty());
+  feed.step({});  // 0.6 s
+  ASSERT_EQ(feed.maps.size(), 1U);
   EXPECT_EQ(feed.maps[0].id, 7);
   EXPECT_EQ(feed.maps[0].session, 2);
-  EXPECT_EQ(feed.builder().current().id, 8);
-  EXPECT_EQ(feed.builder().current().session, 3);
-  EXPECT_EQ(feed.builder().current().scans.size(), 1U);
+  EXPECT_EQ(feed.maps[0].scans.size(), 2U);
+  for (int i = 0; i < 20; ++i) feed.step({});
+  EXPECT_EQ(feed.maps.size(), 1U);
+  for (int i = 0; i < 51; ++i) feed.step({0.1, 0.0, 0.0});
+  ASSERT_EQ(feed.maps.size(), 2U);
+  EXPECT_EQ(feed.maps[1].session, 2);
 }
 
 TEST(LocalMapBuilder, SaysHowSureADisplacementIs) {

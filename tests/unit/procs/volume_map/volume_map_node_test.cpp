@@ -49,7 +49,7 @@ class VolumeMapNodeOnABus : public testing::Test {
   }
 
   MemoryBus bus_;
-  VolumeMapNode node_{bus_, VolumeMapParams{}};
+  VolumeMapNode node_{bus_, VolumeMapNodeParams{}};
   VolumeAssembler assembler_;
   std::vector<Volume> volumes_;
   std::vector<Volume> poses_;

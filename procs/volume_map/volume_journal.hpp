@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "common/journal/journal.hpp"
+#include "procs/volume_map/volume_map.hpp"
+
+namespace adit {
+
+/// The volume on the disk: with each scan what its sub-volume then is, as small as a closed one and
+/// compressed, and of its points those that are new. So the file grows with the scans as the memory
+/// does.
+class VolumeJournal {
+ public:
+  /// Opens or creates it. Throws std::runtime_error where the file is no journal or cannot be used.
+  explicit VolumeJournal(const std::filesystem::path& path);
+
+  /// What was there when it was opened. Once.
+  std::vector<StoredVolume> take_restored() { return std::move(restored_); }
+
+  /// Adds what is new. Returns when the disk has it.
+  void keep(const VolumeMap& map);
+
+ private:
+  struct Written {
+    int scans = 0;
+    std::size_t points = 0;
+    bool tied = false;
+  };
+
+  void read(const JournalRecord& record);
+
+  std::vector<StoredVolume> restored_;
+  std::vector<Written> written_;  ///< by id
+  Journal journal_;
+};
+
+}  // namespace adit

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "common/bus/memory_bus.hpp"
+#include "common/geometry/pose2.hpp"
+#include "sim/drive/waypoint_driver.hpp"
+#include "sim/sim_node.hpp"
+#include "sim/world/world.hpp"
+
+namespace adit::test {
+
+/// How the computer of a robot was cut off, and what it knew when it was on again.
+struct PowerCut {
+  double way_m = 0.0;      ///< driven until then
+  bool in_motion = false;  ///< else at rest, or in a sweep
+  bool torn = false;       ///< the last record of each journal lost its end
+  int maps = 0;            ///< local maps that had been announced
+  int maps_lost = 0;       ///< of these
+  int scans = 0;           ///< 3D scans that had been taken
+  int scans_lost = 0;
+  /// Seconds from the first scan to the first correction; nothing where none came.
+  std::optional<double> found_s;
+  /// Of the pose in map, against the truth, over the time of the cut.
+  double error_m = 0.0;
+  double error_rad = 0.0;
+  double sd_m = 0.0;  ///< that the correction states, of the worst direction
+  double sd_rad = 0.0;
+  double later_error_m = 0.0;  ///< the same error, when it has driven on
+  double later_sd_m = 0.0;
+};
+
+/// A simulated robot on a drive, whose computer is cut off at any moment: all stages are destroyed
+/// and made anew over the same journals, while the world goes on.
+class PowerCutDrive {
+ public:
+  PowerCutDrive(World world, std::vector<Waypoint> waypoints, std::filesystem::path folder);
+  ~PowerCutDrive();
+
+  /// So far on. False at the end of the way, or where it fails.
+  bool drive(double way_m);
+  /// Takes a 3D scan, or begins one and drives no more.
+  void sweep(double seconds = 10.0);
+  /// Cuts off, and waits standing for the first correction.
+  PowerCut cut(bool torn, std::mt19937& random);
+  /// Fills in what is known later.
+  void look_back(PowerCut& cut) const;
+
+  [[nodiscard]] double way_m() const { return driver_.progress_m(); }
+
+ private:
+  class Life;
+
+  void run(double seconds);
+  void step();
+  void begin_life();
+  void tear(const std::filesystem::path& journal, std::mt19937& random) const;
+  [[nodiscard]] Pose2 T_world_body() const;
+  [[nodiscard]] std::filesystem::path map_journal() const { return folder_ / "map.journal"; }
+  [[nodiscard]] std::filesystem::path volume_journal() const { return folder_ / "volume.journal"; }
+
+  std::filesystem::path folder_;
+  Site site_;
+  MemoryBus bus_;
+  SimNode sim_;
+  WaypointDriver driver_;
+  bool driving_ = false;
+  std::int32_t sweeps_ = 0;
+  std::unique_ptr<Life> life_;
+  Pose2 T_world_start_;
+  /// Before the last cut: where the robot truly was, and where it believed to be.
+  Pose2 T_world_before_;
+  Pose2 T_map_before_;
+};
+
+}  // namespace adit::test

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/mapping_node.hpp"
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/memory_bus.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/laser_scan.hpp"
+#include "common/messages/local_map_pieces.hpp"
+#include "common/messages/map_correction.hpp"
+#include "common/messages/map_request.hpp"
+#include "common/messages/pose_graph_pieces.hpp"
+#include "common/messages/scan_match.hpp"
+#include "procs/scan_matching/scan_matching.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tools/sample_mine/sample_run.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000;
+
+/// The stage on a drive through the sample mine, and who listens to it.
+class MappingNodeOnABus : public testing::Test {
+ protected:
+  MappingNodeOnABus() { begin(); }
+
+  void begin() {
+    node_.reset();
+    bus_ = std::make_unique<MemoryBus>();
+    heard_.clear();
+    graph_.reset();
+    correction_.reset();
+    subscribe<local_map_t>(*bus_, channels::kLocalMap, Delivery::queued(1000),
+                           [this](const LocalMapPiece& piece) {
+                             if (piece.piece == 0) heard_.push_back(piece.part.id);
+                           });
+    subscribe<pose_graph_t>(*bus_, channels::kPoseGraph, Delivery::queued(1000),
+                            [this](const PoseGraphPiece& piece) {
+                              if (auto graph = graphs_.add(piece)) graph_ = std::move(graph);
+                            });
+    subscribe<map_correction_t>(*bus_, channels::kMapCorrection, Delivery::latest(),
+                                [this](const MapCorrection& c) { correction_ = c; });
+    MappingNodeParams params;
+    params.journal = (scratch_ / "map.journal").string();
+    node_ = std::make_unique<MappingNode>(*bus_, params);
+  }
+
+  void drive(int scans) {
+    for (int i = 0; i < scans; ++i) {
+      const auto reading = run_.next();
+      matching_.add(reading->odometry);
+      ScanMatch match = matching_.add_scan(LaserId::kFront, reading->scan);
+      match.channel = channels::kLaserFront;
+      bus_->inject(reading->scan.utime, channels::kLaserFront, encode(to_message(reading->scan)));
+      bus_->inject(reading->scan.utime, channels::kScanMatch, encode(to_message(match)));
+      utime_ = reading->scan.utime;
+    }
+  }
+
+  test::ScratchFolder scratch_;
+  SampleRun run_{1, {}, 300.0};
+  ScanMatching matching_{ScanMatchingParams{}};
+  std::unique_ptr<MemoryBus> bus_;
+  std::unique_ptr<MappingNode> node_;
+  PoseGraphAssembler graphs_;
+  std::vector<int> heard_;
+  std::optional<MapGraph> graph_;
+  std::optional<MapCorrection> correction_;
+  std::int64_t utime_ = 0;
+};
+
+TEST_F(MappingNodeOnABus, RepeatsItsMapForThoseWhoAskALittleAtATime) {
+  drive(400);
+  const std::size_t maps = node_->map().local_maps().size();
+  ASSERT_GT(maps, 5U);
+  heard_.clear();
+  graph_.reset();
+  for (const char* stage : {"exploration", "volume_map"}) {
+    publish(*bus_, channels::kMapRequest, to_message(MapRequest{utime_, stage}));
+  }
+  bus_->advance_to(utime_ + 60'000);
+  EXPECT_LE(heard_.size(), 8U);  // two ticks of four pieces at most
+  ASSERT_TRUE(graph_);
+  EXPECT_EQ(graph_->poses.size(), maps);
+  bus_->advance_to(utime_ + 10 * kSecond);
+  EXPECT_EQ(heard_.size(), maps);
+  EXPECT_EQ(std::set<int>(heard_.begin(), heard_.end()).size(), maps);
+}
+
+TEST_F(MappingNodeOnABus, SaysWhereOdomIsAsSoonAsItKnows) {
+  drive(200);
+  const MapCorrection before = *correction_;
+  begin();
+  bus_->advance_to(utime_ + 1);
+  EXPECT_TRUE(graph_);
+  EXPECT_FALSE(correction_);  // odom may have begun anew
+  drive(1);
+  ASSERT_TRUE(correction_);
+  const Pose2 off = between(before.T_map_odom, correction_->T_map_odom);
+  EXPECT_LT(off.translation().norm(), 0.05);
+  EXPECT_LT(std::abs(off.theta), 0.01);
+}
+
+TEST_F(MappingNodeOnABus, SaysNothingOfANewOdomBeforeItHasSeenIt) {
+  drive(200);
+  begin();
+  matching_ = ScanMatching(ScanMatchingParams{});
+  drive(1);
+  EXPECT_FALSE(correction_);
+  drive(10);
+  ASSERT_TRUE(correction_);
+  EXPECT_EQ(correction_->session, 1);
+  EXPECT_TRUE(correction_->covariance);
+}
+
+}  // namespace
+}  // namespace adit

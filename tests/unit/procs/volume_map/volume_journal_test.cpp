@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/volume_map/volume_journal.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "procs/volume_map/volume_record.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/unit/procs/volume_map/swept_drift.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::int64_t kUtime = 1'600'000'000'000'000;
+
+Cloud sweep(std::int32_t id, double x) {
+  Cloud cloud = test::sweep_of_drift({x, 0.0, 0.0}, 20);
+  cloud.id = id;
+  cloud.utime = kUtime + id;
+  return cloud;
+}
+
+void place(VolumeMap& map, int session, std::int64_t utime, const Pose2& T_map_odom) {
+  map.set_graph({kUtime, utime, {{}, {5.0, 0.0, 0.0}}, {}});
+  map.set_correction({kUtime + utime, utime, session, session, T_map_odom, {}});
+}
+
+void expect_same(const VolumeMap& a, const VolumeMap& b) {
+  ASSERT_EQ(a.volumes().size(), b.volumes().size());
+  for (std::size_t i = 0; i < a.volumes().size(); ++i) {
+    const auto& [volume, T_odom_volume, tie, T_map_volume, left_out] = a.volumes()[i];
+    const PlacedVolume& other = b.volumes()[i];
+    EXPECT_EQ(volume.octree(), other.volume.octree());
+    EXPECT_EQ(volume.scans(), other.volume.scans());
+    EXPECT_EQ(volume.utime(), other.volume.utime());
+    EXPECT_EQ(volume.occupied(), other.volume.occupied());
+    EXPECT_EQ(T_map_volume, other.T_map_volume);
+    ASSERT_EQ(volume.points().size(), other.volume.points().size());
+    for (std::size_t k = 0; k < volume.points().size(); ++k) {
+      ASSERT_EQ(volume.points()[k].p_volume, other.volume.points()[k].p_volume);
+      ASSERT_EQ(volume.points()[k].scan, other.volume.points()[k].scan);
+    }
+  }
+}
+
+class VolumeJournalOnDisk : public testing::Test {
+ protected:
+  [[nodiscard]] VolumeMap restored() const {
+    VolumeMap map{VolumeMapParams{}};
+    map.restore(VolumeJournal(path_).take_restored());
+    return map;
+  }
+
+  test::ScratchFolder scratch_;
+  std::filesystem::path path_ = scratch_ / "volume.journal";
+};
+
+TEST_F(VolumeJournalOnDisk, GivesBackAllThatWasSeen) {
+  VolumeMap map{VolumeMapParams{}};
+  {
+    VolumeJournal journal(path_);
+    map.add(sweep(1, 0.0));  // before there is a graph
+    journal.keep(map);
+    place(map, 0, 1, {});
+    journal.keep(map);
+    map.add(sweep(2, 1.0));
+    journal.keep(map);
+    map.add(sweep(3, 12.0));
+    journal.keep(map);
+  }
+  VolumeMap again = restored();
+  place(again, 0, 1, {});
+  expect_same(again, map);
+  EXPECT_EQ(again.left_out(), 0);
+  again.add(sweep(4, 12.5));  // what was kept is closed
+  EXPECT_EQ(again.volumes().size(), 3U);
+  std::size_t points = 0;
+  for (const PlacedVolume& placed : map.volumes()) points += placed.volume.points().size();
+  EXPECT_LT(std::filesystem::file_size(path_), 16 * points);
+}
+
+TEST_F(VolumeJournalOnDisk, LosesOneScanToATornRecord) {
+  VolumeMap map{VolumeMapParams{}};
+  place(map, 0, 1, {});
+  VolumeMap first{VolumeMapParams{}};
+  place(first, 0, 1, {});
+  {
+    VolumeJournal journal(path_);
+    for (VolumeMap* of : {&map, &first}) of->add(sweep(1, 0.0));
+    journal.keep(map);
+    map.add(sweep(2, 1.0));
+    journal.keep(map);
+  }
+  std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - 7);
+  VolumeMap again = restored();
+  place(again, 0, 1, {});
+  expect_same(again, first);
+}
+
+TEST_F(VolumeJournalOnDisk, IsRefusedByAMapOfOtherCells) {
+  VolumeMap map{VolumeMapParams{}};
+  map.add(sweep(1, 0.0));
+  VolumeJournal(path_).keep(map);
+  VolumeMapParams params;
+  params.cell_m = 0.2;
+  VolumeMap other{params};
+  EXPECT_THROW(other.restore(VolumeJournal(path_).take_restored()), std::runtime_error);
+}
+
+TEST(VolumeRecord, IsNothingWhereTheBytesAreNone) {
+  EXPECT_FALSE(volume_record_from({}));
+  VolumeRecord record;
+  record.volume.contents.cell_m = 0.1;
+  const auto bytes = to_bytes(record);
+  EXPECT_TRUE(volume_record_from(bytes));
+  for (std::size_t n = 0; n < bytes.size(); ++n) {
+    EXPECT_FALSE(volume_record_from(std::span(bytes).first(n)));
+  }
+}
+
+/// The robot was cut off before its first local map, and odom began anew.
+TEST_F(VolumeJournalOnDisk, LeavesOutWhatLiesInAnOdomThatNobodyKnows) {
+  VolumeMap map{VolumeMapParams{}};
+  map.add(sweep(1, 0.0));
+  VolumeJournal(path_).keep(map);
+  VolumeMap again = restored();
+  place(again, 1, 1, {});
+  EXPECT_EQ(again.left_out(), 1);
+  EXPECT_FALSE(again.volumes()[0].tie);
+}
+
+TEST(VolumeMapOverSessions, TiesAScanToTheOdomThatItWasTakenIn) {
+  VolumeMap map{VolumeMapParams{}};
+  place(map, 0, 1, {1.0, 0.0, 0.0});
+  place(map, 1, 100, {7.0, 0.0, 0.0});
+  EXPECT_TRUE(map.add(sweep(50, 2.0)));   // from before the new session
+  EXPECT_TRUE(map.add(sweep(150, 2.0)));  // of it
+  ASSERT_EQ(map.volumes().size(), 2U);
+  EXPECT_NEAR(map.volumes()[0].T_map_volume.x, 3.0, 1e-9);
+  EXPECT_EQ(map.volumes()[0].tie->local_map, 0);
+  EXPECT_NEAR(map.volumes()[1].T_map_volume.x, 9.0, 1e-9);
+  EXPECT_EQ(map.volumes()[1].tie->local_map, 1);
+}
+
+}  // namespace
+}  // namespace adit

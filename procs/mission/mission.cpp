@@ -133,7 +133,10 @@ void Mission::explore(MissionAsk& ask) {
 
 void Mission::scan(MissionAsk& ask) {
   if (since_phase_s() > kScanPatienceS) {
-    ++tries_;
+    if (++tries_ > params_.lost_tries_max) {
+      end(MissionOutcome::kStranded, "no 3D scan comes any more");
+      return;
+    }
     const LaserId other = phase_.laser == LaserId::kFront ? LaserId::kRear : LaserId::kFront;
     look(tries_ % 2 == 0 ? other : phase_.laser, "no 3D scan came, so once more");
     return;

@@ -135,6 +135,15 @@ TEST_F(AMission, ScansOnceMoreAndWithTheOtherLaserWhereNoScanComes) {
   EXPECT_EQ(scan_.laser, LaserId::kRear);
 }
 
+TEST_F(AMission, IsStrandedWhereNoScanComesAnyMore) {
+  to_scan();
+  wait(29.0);
+  EXPECT_EQ(now(), Phase::kScan);
+  wait(10.5 * 30.5);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kStranded);
+  EXPECT_EQ(phase().reason, "no 3D scan comes any more");
+}
+
 TEST_F(AMission, ScansAnewWherePlanningDoesNotAnswer) {
   to_plan();
   wait(10.5);

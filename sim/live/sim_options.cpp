@@ -59,6 +59,10 @@ void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
       ->type_name("FILE");
   app.add_flag("--print-config", options.print_config,
                "Print every parameter with the value in effect, and end");
+  app.add_option("--start-utime", options.start_utime,
+                 "Simulated time at the start, µs since the epoch; that of the clock without")
+      ->type_name("USEC")
+      ->check(CLI::PositiveNumber);
   app.add_option("--for", options.for_s, "End after so much simulated time")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);

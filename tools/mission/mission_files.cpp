@@ -14,26 +14,20 @@
 namespace adit {
 namespace {
 
+// Pose and commands expire after 0.25 s, and take two turns from the simulator to who judges them.
+constexpr const char* kAhead = " --ahead-max-s 0.1";
+
 constexpr const char* kLicence =
     "# SPDX-FileCopyrightText: The Adit authors\n# SPDX-License-Identifier: BSD-3-Clause\n";
-
-/// All but the supervisor, which keeps them.
-std::vector<std::string> stages() {
-  std::vector<std::string> names;
-  for (const std::string& name : stage_names()) {
-    if (name != "supervisor") names.push_back(name);
-  }
-  return names;
-}
 
 /// For a shell's reader, within the double quotes of a process list.
 std::string quoted(const std::string& word) { return "'" + word + "'"; }
 
 std::string simulator_line(const SimulatorStart& start) {
   std::string names;
-  for (const std::string& stage : stages()) names += (names.empty() ? "" : ",") + stage;
+  for (const std::string& stage : stage_names()) names += (names.empty() ? "" : ",") + stage;
   std::string line = "adit-sim start.yaml --config mission.yaml --speed " + start.speed +
-                     " --wait-for " + names + " --record " + start.log.filename().string();
+                     kAhead + " --wait-for " + names + " --record " + start.log.filename().string();
   if (start.start_utime) line += " --start-utime " + std::to_string(*start.start_utime);
   for (const std::string& fault : start.faults) line += " --fault " + quoted(fault);
   return line;
@@ -72,7 +66,8 @@ std::string mission_processes(const SimulatorStart& start) {
   std::string text = kLicence;
   text += "group \"simulation\" {\n  cmd \"sim\" {\n    exec = \"" + simulator_line(start) +
           "\";\n    stop_signal = 15; stop_time_allowed = 20;\n  }\n}\ngroup \"stages\" {\n";
-  for (const std::string& stage : stages()) {
+  for (const std::string& stage : stage_names()) {
+    if (stage == "supervisor") continue;  // which keeps them
     text += "  cmd \"" + stage + "\" {\n    exec = \"adit-" + stage +
             " --sim-time --config mission.yaml\";\n    auto_respawn = \"true\"; stop_signal = 15; "
             "stop_time_allowed = 3;\n  }\n";

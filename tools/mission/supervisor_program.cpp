@@ -23,7 +23,8 @@ ChildStart start_of(const fs::path& config) {
   if (const char* const others = std::getenv("PATH")) path.append(":").append(others);
   ChildStart start;
   start.line.environment = {{"PATH", path}};
-  start.line.arguments = {(folder / "adit-supervisor").string(), "--config", config.string()};
+  start.line.arguments = {(folder / "adit-supervisor").string(), "--sim-time", "--config",
+                          config.string()};
   start.stop_signal = SIGTERM;
   start.stop_time_s = 5.0;
   start.watcher = folder / "adit-watch";

@@ -69,13 +69,13 @@ TEST_F(LiveSimulatorTest, GoesNoFartherThanTheStagesAllowThatItWaitsFor) {
   EXPECT_EQ(times_.back(), 0);
   answer(kStart);
   go_on();
-  EXPECT_EQ(times_.back(), Pacing::kAheadMaxUs);
+  EXPECT_EQ(times_.back(), kAheadMaxUs);
   answer(kStart + kSecond);  // of what it has not said: another simulator is answered
   go_on();
-  EXPECT_EQ(times_.back(), Pacing::kAheadMaxUs);
-  answer(kStart + Pacing::kAheadMaxUs);
+  EXPECT_EQ(times_.back(), kAheadMaxUs);
+  answer(kStart + kAheadMaxUs);
   go_on();
-  EXPECT_EQ(times_.back(), 2 * Pacing::kAheadMaxUs);
+  EXPECT_EQ(times_.back(), 2 * kAheadMaxUs);
 }
 
 TEST_F(LiveSimulatorTest, RepeatsTheTimeForAStageThatComesLate) {

@@ -67,10 +67,10 @@ TEST(Pacing, IsNeverFartherAheadOfTheSlowestThanItMay) {
   Pacing pacing({.factor = {}, .wait_for = {"mapping", "scan_matching"}});
   pacing.done("mapping", kStart + kSecond);
   pacing.done("scan_matching", kStart);
-  EXPECT_EQ(pacing.decide(kStart + Pacing::kAheadMaxUs, 0).kind, Kind::kStep);
-  EXPECT_EQ(pacing.decide(kStart + Pacing::kAheadMaxUs + kStep, 0).kind, Kind::kWaitForStages);
+  EXPECT_EQ(pacing.decide(kStart + kAheadMaxUs, 0).kind, Kind::kStep);
+  EXPECT_EQ(pacing.decide(kStart + kAheadMaxUs + kStep, 0).kind, Kind::kWaitForStages);
   pacing.done("scan_matching", kStart + kStep);
-  EXPECT_EQ(pacing.decide(kStart + Pacing::kAheadMaxUs + kStep, 0).kind, Kind::kStep);
+  EXPECT_EQ(pacing.decide(kStart + kAheadMaxUs + kStep, 0).kind, Kind::kStep);
 }
 
 TEST(Pacing, WaitsForClockAndStagesBoth) {

@@ -15,9 +15,10 @@ namespace adit {
 /// Where the robot is to go, from where it is.
 struct PlanGoal {
   enum class Kind : std::int8_t {
-    kAlong = 0,  ///< as far as possible in a direction: straight down the corridor
-    kTo = 1,     ///< to a pose
-    kRoute = 2,  ///< as far as possible along a route, on which the corridor bends and branches
+    kAlong = 0,    ///< as far as possible in a direction: straight down the corridor
+    kTo = 1,       ///< to a pose
+    kRoute = 2,    ///< as far as possible along a route, on which the corridor bends and branches
+    kRetrace = 3,  ///< back on the own track, whatever the terrain seems to be
   };
 
   std::int64_t utime = 0;  ///< [µs since the epoch]
@@ -26,7 +27,7 @@ struct PlanGoal {
   Pose2 T_odom_goal;         ///< the pose; of kAlong its heading is the direction
   double distance_m = 10.0;  ///< of kAlong: how far at most
   std::vector<Eigen::Vector2d> route_odom =
-      {};  ///< of kRoute: from the robot on, at least two places [m]
+      {};  ///< of kRoute and kRetrace: from the robot on, two places at least [m]
 
   friend bool operator==(const PlanGoal&, const PlanGoal&) = default;
 };

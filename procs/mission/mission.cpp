@@ -18,7 +18,7 @@ double seconds(std::int64_t microseconds) { return 1e-6 * static_cast<double>(mi
 }  // namespace
 
 void Mission::restore(const MissionPhase& last, std::int64_t begun_utime) {
-  const MissionPhase before = std::exchange(phase_, {});
+  phase_ = {};
   begun_utime_ = begun_utime;
   restored_ = true;
   restored_utime_ = last.utime;
@@ -31,11 +31,14 @@ void Mission::restore(const MissionPhase& last, std::int64_t begun_utime) {
   phase_.laser = last.laser;
   way_.set_travelled(last.travelled_m);
   request_ = last.sequence;  // exploration answers each id once
-  if (last.phase == Phase::kEnded) {
-    phase_ = last;
+  if (last.phase == Phase::kEnded || last.phase == Phase::kPaused) {
+    phase_ = last;  // who was told to stand, stands
+  } else if (last.phase == Phase::kWaiting) {
+    phase_.reason = last.reason;
   } else {
-    phase_.reason = "the mission was interrupted while it was to " + before.reason;
+    phase_.reason = "the mission was interrupted, after: " + last.reason;
   }
+  limits_.begin(last.travelled_m);
   home_for_good_ = last.homeward && last.stub < 0;
 }
 
@@ -46,6 +49,9 @@ void Mission::enter(Phase phase, const std::string& reason) {
   phase_.reason = reason;
   asked_utime_ = 0;
   if (phase == Phase::kExplore) ++request_;
+  if (phase == Phase::kPlan || phase == Phase::kExecute) return;
+  backing_off_ = false;
+  goal_kind_ = PlanGoal::Kind::kRoute;
 }
 
 void Mission::end(MissionOutcome outcome, const std::string& reason) {
@@ -57,8 +63,8 @@ void Mission::turn_around(const std::string& reason) {
   home_for_good_ = true;
   phase_.homeward = true;
   phase_.homeward_reason = reason;
+  phase_.stub = -1;  // so that the journal says that it is for good
   verdict_.reset();
-  backing_off_ = false;
   enter(Phase::kExplore, "the robot turns around: " + reason);
 }
 
@@ -104,7 +110,7 @@ MissionAsk Mission::advance(std::int64_t utime) {
 
 /// For the stages, and after a restart for the map.
 void Mission::wait(MissionAsk& ask) {
-  if (begun_utime_ == phase_utime_ && !restored_ && params_.start == "by_order") {
+  if (phase_.sequence == 0 && !restored_ && params_.start == "by_order") {
     enter(Phase::kPaused, "it waits for the order to go");
     return;
   }

@@ -22,8 +22,8 @@
 #include "common/sensing/scan_request.hpp"
 #include "common/vehicle/drive_command.hpp"
 #include "procs/mission/attempt.hpp"
-#include "procs/mission/driven_way.hpp"
 #include "procs/mission/mission_limits.hpp"
+#include "procs/mission/own_track.hpp"
 
 namespace adit {
 
@@ -102,6 +102,8 @@ class Mission {
   void judge(const PlannedPath& path);
   void refuse(double reached_m, const std::string& reason, bool unseen);
   void back_off(const std::string& reason);
+  void retrace(const std::string& reason);
+  [[nodiscard]] bool got_on() const;
   void lost_try(const std::string& reason);
   [[nodiscard]] LaserId facing(const std::vector<Eigen::Vector2d>& route_odom) const;
   [[nodiscard]] PlanGoal goal() const;
@@ -109,7 +111,7 @@ class Mission {
   MissionParams params_;
   MissionLimits limits_;
   MissionPhase phase_;
-  DrivenWay way_;
+  OwnTrack way_;
   Attempt attempt_;
   std::int64_t utime_ = 0;
   std::int64_t begun_utime_ = 0;
@@ -126,10 +128,11 @@ class Mission {
   std::int64_t restored_utime_ = 0;  ///< of the last change of phase before a restart
   bool odom_is_new_ = false;         ///< it is not the first of the mission
   std::int32_t request_ = 0;         ///< id of the last that exploration was asked
-  bool answered_ = false;            ///< exploration, ever
   std::optional<BlockedVerdict> verdict_;
   std::vector<Eigen::Vector2d> route_odom_;
+  PlanGoal::Kind goal_kind_ = PlanGoal::Kind::kRoute;
   bool backing_off_ = false;
+  std::optional<Eigen::Vector2d> p_odom_refused_;  ///< where the present attempt was, at first
   std::int64_t terrain_utime_ = 0;
   std::optional<DrivingState> driving_;
   std::int64_t driving_utime_ = 0;

@@ -36,6 +36,7 @@ void Mission::add_match(const ScanMatch& match) {
   odom_is_new_ = true;
   has_map_ = false;
   way_.begin_anew();
+  p_odom_refused_.reset();
   if (phase_.phase == Phase::kPaused || phase_.phase == Phase::kEnded) return;
   if (first_heard && !home_for_good_ && params_.after_cut_off == "home") {
     home_for_good_ = phase_.homeward = true;
@@ -51,7 +52,6 @@ void Mission::add_correction(const MapCorrection& correction) {
 
 void Mission::add_exploration(const ExplorationReport& report) {
   if (report.request == 0) return;
-  answered_ = true;
   if (phase_.phase == Phase::kExplore && report.request == request_) decide(report);
 }
 
@@ -107,6 +107,7 @@ void Mission::look_along(std::vector<Eigen::Vector2d> route_odom, const std::str
     return;
   }
   route_odom_ = std::move(route_odom);
+  goal_kind_ = PlanGoal::Kind::kRoute;
   tries_ = 0;
   look(facing(route_odom_), reason);
 }
@@ -132,7 +133,7 @@ LaserId Mission::facing(const std::vector<Eigen::Vector2d>& route_odom) const {
 }
 
 PlanGoal Mission::goal() const {
-  PlanGoal goal{utime_, phase_.goal_id, PlanGoal::Kind::kRoute, {}, kSightM, route_odom_};
+  PlanGoal goal{utime_, phase_.goal_id, goal_kind_, {}, kSightM, route_odom_};
   goal.T_odom_goal = {route_odom_.back().x(), route_odom_.back().y(), 0.0};
   return goal;
 }
@@ -157,6 +158,10 @@ void Mission::judge(const PlannedPath& path) {
     enter(Phase::kExecute, path.reason);
     return;
   }
+  if (backing_off_ && goal_kind_ != PlanGoal::Kind::kRetrace) {
+    retrace(path.reason);
+    return;
+  }
   if (backing_off_) {
     backing_off_ = false;
     refuse(attempt_.reached_m(), "Nor is there a way back: " + path.reason, false);
@@ -168,6 +173,9 @@ void Mission::judge(const PlannedPath& path) {
 }
 
 void Mission::refuse(double reached_m, const std::string& reason, bool unseen) {
+  if (attempt_.refusals() == 0 && way_.T_odom_body()) {
+    p_odom_refused_ = way_.T_odom_body()->translation();
+  }
   const bool may_back_off = way_.back(params_.back_off_m).size() > 5;
   switch (attempt_.refuse(utime_, reached_m, reason, unseen, may_back_off)) {
     case Attempt::Next::kOtherLaser:
@@ -186,8 +194,8 @@ void Mission::refuse(double reached_m, const std::string& reason, bool unseen) {
   verdict_ =
       BlockedVerdict{attempt_.utime(), phase_.stub, attempt_.reached_m(), attempt_.evidence()};
   attempt_.got_on();
-  if (!has_map_ && !answered_) {
-    end(MissionOutcome::kStranded, "there is no way into the mine: " + verdict_->evidence);
+  if (phase_.stub < 0 && ++lost_tries_ > params_.lost_tries_max) {
+    end(MissionOutcome::kStranded, "no way on was found: " + verdict_->evidence);
     return;
   }
   enter(Phase::kExplore, "the way is blocked: " + verdict_->evidence);
@@ -196,26 +204,42 @@ void Mission::refuse(double reached_m, const std::string& reason, bool unseen) {
 void Mission::back_off(const std::string& reason) {
   backing_off_ = true;
   route_odom_ = way_.back(params_.back_off_m);
+  goal_kind_ = PlanGoal::Kind::kRoute;
   ++phase_.goal_id;
   enter(Phase::kPlan, "it backs off to look from another place: " + reason);
+}
+
+/// What it came over carried it, whatever the scans say of it.
+void Mission::retrace(const std::string& reason) {
+  goal_kind_ = PlanGoal::Kind::kRetrace;
+  ++phase_.goal_id;
+  enter(Phase::kPlan, "it goes back on its own track: " + reason);
+}
+
+/// Back to where it was refused is not on.
+bool Mission::got_on() const {
+  if (way_.travelled_m() - progress_mark_m_ < kGotOnM || !way_.T_odom_body()) return false;
+  return !p_odom_refused_ ||
+         (way_.T_odom_body()->translation() - *p_odom_refused_).norm() > kGotOnM;
 }
 
 void Mission::add_driving(const DrivingState& state) {
   driving_ = state;
   driving_utime_ = utime_;
   if (!moves()) return;
-  const double got_on_m = way_.travelled_m() - progress_mark_m_;
   if (state.path_id != phase_.goal_id || state.kind == DrivingState::Kind::kIdle) {
     if (since_phase_s() > kLostPathS) enter(Phase::kExplore, "driving has lost its path");
     return;
   }
   if (state.kind == DrivingState::Kind::kArrived) {
-    if (!std::exchange(backing_off_, false) && got_on_m > kGotOnM) attempt_.got_on();
-    if (got_on_m > kGotOnM) lost_tries_ = 0;
+    if (!backing_off_ && got_on()) {
+      attempt_.got_on();
+      lost_tries_ = 0;
+    }
     enter(Phase::kExplore, "it has come to the end of the path");
   } else if (state.kind == DrivingState::Kind::kFailed) {
     backing_off_ = false;
-    if (got_on_m > kGotOnM) attempt_.got_on();
+    if (got_on()) attempt_.got_on();
     refuse(0.0, "Driving gave up: " + state.reason + ".", false);
   }
 }

@@ -73,8 +73,9 @@ double MissionLimits::remaining_m(double elapsed_s, double travelled_m) const {
   remaining = std::min(remaining, (params_.time_max_s - elapsed_s) * std::max(speed, kSlowestM_s));
   if (battery_share_) {
     double per_m = params_.battery_share_per_m;
-    if (travelled_m > kEnoughWayM) {
-      per_m = std::max(0.0, (*battery_start_share_ - *battery_share_) / travelled_m);
+    const double way_m = travelled_m - battery_start_m_;
+    if (way_m > kEnoughWayM) {
+      per_m = std::max(0.0, (*battery_start_share_ - *battery_share_) / way_m);
     }
     const double left = *battery_share_ - params_.battery_reserve_share;
     if (per_m > 0.0) remaining = std::min(remaining, left / per_m);

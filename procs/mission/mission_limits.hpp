@@ -47,6 +47,9 @@ class MissionLimits {
  public:
   explicit MissionLimits(const MissionLimitsParams& params) : params_(params) {}
 
+  /// After a restart: what was driven before the battery is heard of [m].
+  void begin(double travelled_m) { battery_start_m_ = travelled_m; }
+
   void add(const GasReading& gas);
   void add(const SinkageReading& sinkage);
   void add(const VehicleState& state);
@@ -66,6 +69,7 @@ class MissionLimits {
   std::optional<std::string> reason_;
   std::optional<double> battery_share_;
   std::optional<double> battery_start_share_;
+  double battery_start_m_ = 0.0;  ///< way by then
   double lost_share_ = 0.0;
 };
 

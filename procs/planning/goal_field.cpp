@@ -18,7 +18,8 @@ std::int32_t cost_of(double metres) {
 }  // namespace
 
 GoalField::GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose2& T_level_body,
-                     const TerrainMap& terrain, const GoalParams& params)
+                     const TerrainMap& terrain, const GoalParams& params,
+                     const std::vector<float>& room_m)
     : kind_(goal.kind),
       params_(params),
       T_level_goal_(T_level_goal),
@@ -39,11 +40,22 @@ GoalField::GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose
     route_ = GoalRoute(points);
     distance_m_ = route_.length_m();
     least_progress_m_ = std::min(params.min_progress_m, distance_m_ - params.tolerance_m);
+    is_last_leg_ = least_progress_m_ < params.min_progress_m;
   }
   ending_costs_.reserve(terrain.cells.size());
   headings_rad_.reserve(terrain.cells.size());
   for (int row = 0; row < terrain.rows; ++row) {
     for (int column = 0; column < terrain.columns; ++column) add_cell(terrain.centre(column, row));
+  }
+  if (kind_ != PlanGoal::Kind::kTo && !is_last_leg_) add_room(room_m);
+}
+
+/// Where there is little room, the way on may be shut, or only be found after going back.
+void GoalField::add_room(const std::vector<float>& room_m) {
+  for (std::size_t i = 0; i < room_m.size(); ++i) {
+    if (ending_costs_[i] == kNoGoal) continue;
+    const double missing_m = std::max(0.0, params_.room_m - static_cast<double>(room_m[i]));
+    ending_costs_[i] += cost_of(params_.room_factor * missing_m);
   }
 }
 
@@ -65,7 +77,8 @@ void GoalField::add_cell(const Eigen::Vector2d& p_level) {
 }
 
 std::int32_t GoalField::on_route(const GoalRoute::Place& place) const {
-  if (place.s_m < least_progress_m_ || place.lateral_m > params_.beside_route_max_m) return kNoGoal;
+  const double lateral_max_m = is_last_leg_ ? params_.tolerance_m : params_.beside_route_max_m;
+  if (place.s_m < least_progress_m_ || place.lateral_m > lateral_max_m) return kNoGoal;
   const double shortfall_m = std::abs(distance_m_ - place.s_m);
   return cost_of(params_.shortfall_factor * shortfall_m + params_.lateral_factor * place.lateral_m);
 }

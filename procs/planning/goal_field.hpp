@@ -21,6 +21,9 @@ struct GoalParams {
   double along_heading_max_rad = 0.8;  ///< to a corridor, of the end of a path down it, either way
   double min_progress_m = 2.5;  ///< of a path down a corridor; less is none (paper, section 3.3)
   double beside_route_max_m = 1.5;  ///< of the end of a path along a route
+  double room_m = 1.5;  ///< that the end of a path should have to what is lethal, all round
+  double room_factor =
+      8.0;  ///< a metre less costs this many of even ground: no pockets beside walls
 
   template <class V>
   void visit(V& v) {
@@ -31,6 +34,8 @@ struct GoalParams {
     v("along_heading_max_rad", along_heading_max_rad, above(0.0));
     v("min_progress_m", min_progress_m, at_least(0.0));
     v("beside_route_max_m", beside_route_max_m, above(0.0));
+    v("room_m", room_m, within(0.0, 10.0));
+    v("room_factor", room_factor, within(0.0, 100.0));
   }
 };
 
@@ -41,9 +46,11 @@ class GoalField {
  public:
   static constexpr std::int32_t kNoGoal = -1;
 
-  /// All poses in level.
+  /// All poses in level. `room_m`: from the middle of each cell to the nearest that is lethal [m],
+  /// or nothing where that is not to count.
   GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose2& T_level_body,
-            const TerrainMap& terrain, const GoalParams& params);
+            const TerrainMap& terrain, const GoalParams& params,
+            const std::vector<float>& room_m = {});
 
   /// Of ending in a cell, or kNoGoal.
   [[nodiscard]] std::int32_t ending_cost(std::size_t cell) const { return ending_costs_[cell]; }
@@ -64,6 +71,7 @@ class GoalField {
   [[nodiscard]] std::int32_t along(const Eigen::Vector2d& p_level) const;
   [[nodiscard]] std::int32_t to(const Eigen::Vector2d& p_level) const;
   [[nodiscard]] std::int32_t on_route(const GoalRoute::Place& place) const;
+  void add_room(const std::vector<float>& room_m);
   [[nodiscard]] double progress(const GoalRoute::Place& place) const;
   void add_cell(const Eigen::Vector2d& p_level);
 
@@ -74,6 +82,7 @@ class GoalField {
   Eigen::Vector2d direction_;  ///< unit vector in level
   double distance_m_;
   double least_progress_m_;
+  bool is_last_leg_ = false;  ///< the route ends here: not near its end, but there
   GoalRoute route_;
   std::vector<std::int32_t> ending_costs_;
   std::vector<double> progress_m_;   ///< of each cell

@@ -141,7 +141,7 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
                   static_cast<std::uint16_t>(at_the_limit));
   }
   const GoalField goals(goal, between(terrain.T_odom_level, goal.T_odom_goal), T_level_body,
-                        terrain, params_.goals);
+                        terrain, params_.goals, ground_->layers.body_distance_m);
   const auto heuristic = cell_heuristic(free, goals, terrain.cell_m);
   const LatticePath found = search_lattice(free, headings, start, goals, heuristic, params_.search);
 

@@ -9,6 +9,7 @@
 #include "common/messages/plan_goal.hpp"
 #include "common/messages/planned_path.hpp"
 #include "common/messages/pose.hpp"
+#include "procs/planning/retrace.hpp"
 
 namespace adit {
 namespace {
@@ -36,8 +37,14 @@ PlanningNode::PlanningNode(Bus& bus, const Params& params) : bus_(bus), planning
 }
 
 void PlanningNode::answer() {
-  if (!goal_ || !terrain_ || !T_odom_body_) return;
-  publish(bus_, channels::kPath, to_message(plan()));
+  if (!goal_ || !T_odom_body_) return;
+  if (goal_->kind == PlanGoal::Kind::kRetrace) {
+    publish(bus_, channels::kPath, to_message(retrace(*goal_, *T_odom_body_)));
+  } else if (terrain_) {
+    publish(bus_, channels::kPath, to_message(plan()));
+  } else {
+    return;
+  }
   goal_.reset();
 }
 

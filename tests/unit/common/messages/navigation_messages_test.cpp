@@ -91,7 +91,7 @@ TEST(PlanGoalMessage, IsRefusedWhereItLeadsNowhere) {
   const auto refusal = [](const std::function<void(Message&)>& change) {
     return refusal_after<Message>(goal(kUtime), change);
   };
-  EXPECT_EQ(refusal([](Message& m) { m.kind = 3; }), "unknown kind");
+  EXPECT_EQ(refusal([](Message& m) { m.kind = 4; }), "unknown kind");
   EXPECT_EQ(refusal([](Message& m) { m.kind = 2; }), "route that is none");
   EXPECT_EQ(refusal([](Message& m) {
               m.route_odom = {{1.0, kNaN}};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/mission/driven_way.hpp"
+#include "procs/mission/own_track.hpp"
 
 namespace adit {
 namespace {
@@ -10,7 +10,7 @@ constexpr std::size_t kPlaces = 100;  // that are kept
 
 }  // namespace
 
-void DrivenWay::add(std::int64_t utime, const Pose2& T_odom_body) {
+void OwnTrack::add(std::int64_t utime, const Pose2& T_odom_body) {
   utime_ = utime;
   T_odom_body_ = T_odom_body;
   if (places_.empty()) {
@@ -24,12 +24,12 @@ void DrivenWay::add(std::int64_t utime, const Pose2& T_odom_body) {
   if (places_.size() > kPlaces) places_.pop_front();
 }
 
-void DrivenWay::begin_anew() {
+void OwnTrack::begin_anew() {
   T_odom_body_.reset();
   places_.clear();
 }
 
-std::vector<Eigen::Vector2d> DrivenWay::back(double length_m) const {
+std::vector<Eigen::Vector2d> OwnTrack::back(double length_m) const {
   if (!T_odom_body_) return {};
   std::vector<Eigen::Vector2d> way{T_odom_body_->translation()};
   double way_m = 0.0;

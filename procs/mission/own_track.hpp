@@ -14,7 +14,7 @@
 namespace adit {
 
 /// The way of the body in odom: how long it is, and its last metres, to go back on.
-class DrivenWay {
+class OwnTrack {
  public:
   void add(std::int64_t utime, const Pose2& T_odom_body);
   /// A new odom frame: what was driven counts, but nobody can go back on it.

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "sim/world/world.hpp"
+#include "tests/support/light_mine.hpp"
+#include "tests/support/mission_log.hpp"
+
+namespace adit::test {
+
+/// How a mission went, by the truth.
+struct MissionScore {
+  std::string outcome;         ///< home, stopped, stranded, timed out, failed or crashed
+  std::string reason;          ///< for that, a sentence
+  double home_off_m = 0.0;     ///< of the true body from the start, at the end
+  double farthest_m = 0.0;     ///< of the true body from the start, straight
+  double corridor_m = 0.0;     ///< that can be reached
+  double seen_share = 0.0;     ///< of that, from within 8 m
+  double missed_m = 0.0;       ///< of that, farther than 2 m from all that was seen
+  double sure_missed_m = 0.0;  ///< the same of what the vehicle with some room can reach
+  double travelled_m = 0.0;    ///< true
+  double simulated_s = 0.0;
+  double wall_s = 0.0;
+  int scans = 0;
+  double rmse_m = 0.0;           ///< of T_map_body by the last graph, laid upon the truth at first
+  double rmse_believed_m = 0.0;  ///< as it was believed at the time
+  double length_ratio = 0.0;     ///< of the way by the last graph to the true one
+  int verdicts = 0;              ///< that a stub is blocked
+  int false_verdicts = 0;        ///< where the vehicle with some room fits beyond it
+  int home_verdicts = 0;         ///< that the way home is, or where no stub was
+  bool complete = false;         ///< said of the exploration
+  int other_laser = 0;           ///< second looks from the same place
+  int back_offs = 0;
+  int guard_stops = 0;
+
+  [[nodiscard]] bool false_complete() const { return complete && missed_m > 2.0; }
+};
+
+/// The truth of a world that a mission is held against. Costs a search for what can be reached.
+class MissionTruth {
+ public:
+  static constexpr double kSightM = 8.0;   ///< from which corridor counts as seen
+  static constexpr double kBeyondM = 1.5;  ///< of a stub, where what is blocked begins
+  static constexpr double kRoomM = 0.1;    ///< round the vehicle that is sure to fit
+
+  explicit MissionTruth(const World& world);
+
+  /// But for the wall time.
+  [[nodiscard]] MissionScore score(const MissionLog& log) const;
+
+ private:
+  void add_coverage(const MissionLog& log, MissionScore& score) const;
+  void add_verdicts(const MissionLog& log, MissionScore& score) const;
+
+  LightMine mine_;
+  LightMine roomy_;  ///< the same for a vehicle with room
+};
+
+}  // namespace adit::test

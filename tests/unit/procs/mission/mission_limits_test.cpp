@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mission/mission_limits.hpp"
+
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+MissionLimitsParams plenty() {
+  MissionLimitsParams params;
+  params.way_max_m = 1e5;
+  params.time_max_s = 1e7;
+  return params;
+}
+
+VehicleState charged(double share) {
+  VehicleState state;
+  state.battery_share = share;
+  return state;
+}
+
+TEST(MissionLimits, LeaveTheWayThatWasNotDriven) {
+  MissionLimitsParams params = plenty();
+  params.way_max_m = 800.0;
+  const MissionLimits limits(params);
+  EXPECT_DOUBLE_EQ(limits.remaining_m(1000.0, 300.0), 500.0);
+  EXPECT_DOUBLE_EQ(limits.remaining_m(1000.0, 900.0), 0.0);
+}
+
+TEST(MissionLimits, LeaveTheTimeAtTheSpeedSoFar) {
+  MissionLimitsParams params = plenty();
+  params.time_max_s = 1000.0;
+  const MissionLimits limits(params);
+  EXPECT_DOUBLE_EQ(limits.remaining_m(600.0, 120.0), 400.0 * 0.2);
+  EXPECT_DOUBLE_EQ(limits.remaining_m(600.0, 3.0), 400.0 * 0.05);  // but for a slow start
+  EXPECT_DOUBLE_EQ(limits.remaining_m(0.0, 0.0), 1000.0 * 0.05);
+  EXPECT_DOUBLE_EQ(limits.remaining_m(1200.0, 120.0), 0.0);
+}
+
+TEST(MissionLimits, LeaveTheChargeAboveTheReserve) {
+  MissionLimits limits(plenty());  // 0.2 in reserve, 0.0002 per metre to begin with
+  limits.add(charged(0.9));
+  EXPECT_NEAR(limits.remaining_m(0.0, 0.0), 0.7 / 0.0002, 1e-6);
+  limits.add(charged(0.8));  // 0.1 for 200 m
+  EXPECT_NEAR(limits.remaining_m(1.0, 200.0), 0.6 / (0.1 / 200.0), 1e-6);
+  limits.add(charged(0.1));
+  EXPECT_DOUBLE_EQ(limits.remaining_m(1.0, 300.0), 0.0);
+}
+
+TEST(MissionLimits, CountChargePerMetreFromWhereTheBatteryWasFirstHeard) {
+  MissionLimits limits(plenty());
+  limits.begin(1000.0);
+  limits.add(charged(0.6));
+  limits.add(charged(0.5));  // 0.1 for 200 m since the restart
+  EXPECT_NEAR(limits.remaining_m(1.0, 1200.0), 0.3 / (0.1 / 200.0), 1e-6);
+}
+
+TEST(MissionLimits, KeepTheFirstReason) {
+  MissionLimits limits(plenty());
+  EXPECT_FALSE(limits.reason());
+  limits.add(GasReading{1, 0.0, 0.209, 0.0003});
+  limits.add(GasReading{2, 0.02, 0.209, 0.0});
+  EXPECT_EQ(limits.reason(), "300 ppm of carbon monoxide in the air");
+}
+
+TEST(MissionLimits, AreSilentAtTheLimit) {
+  MissionLimits limits(plenty());
+  limits.add(GasReading{1, 0.01, 0.18, 0.0002});
+  limits.add(SinkageReading{1, {0.1, 0.1, 0.1, 0.1}});
+  EXPECT_FALSE(limits.reason());
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a mission does where there is no way on.
+#include <gmock/gmock.h>
+
+#include "tests/unit/procs/mission/scripted_stages.hpp"
+
+namespace adit {
+namespace {
+
+using testing::HasSubstr;
+using Driving = DrivingState::Kind;
+
+class AMissionWithoutAPath : public ScriptedStages {
+ protected:
+  void back() {
+    driving(Driving::kDriving);
+    x_m_ -= 0.25;
+    tick();
+  }
+  /// A way behind it, so that it can back off.
+  void drive_in() {
+    to_execute();
+    drive(10.0);
+    arrive();
+    answer(Kind::kAlong, 3);
+    terrain();
+    ASSERT_EQ(now(), Phase::kPlan);
+  }
+};
+
+TEST_F(AMissionWithoutAPath, LooksToTheOtherSideThenFromFartherBackThenSaysSo) {
+  drive_in();
+  path(PlanOutcome::kUnknown, 1.2);
+  EXPECT_EQ(now(), Phase::kScan);
+  EXPECT_EQ(scan_.laser, LaserId::kRear);
+  terrain();
+  path(PlanOutcome::kUnknown, 0.7);
+  ASSERT_EQ(now(), Phase::kPlan);
+  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 3.0, 0.26);  // a step of driving
+  path(PlanOutcome::kFound);
+  ASSERT_EQ(now(), Phase::kExecute);
+  arrive();
+  ASSERT_EQ(now(), Phase::kExplore);
+  EXPECT_FALSE(request_.blocked);
+  answer(Kind::kAlong, 3);
+  terrain();
+  path(PlanOutcome::kUnknown, 0.9);
+  ASSERT_EQ(now(), Phase::kExplore);
+  ASSERT_TRUE(request_.blocked);
+  EXPECT_EQ(request_.blocked->stub, 3);
+  EXPECT_EQ(request_.blocked->reached_m, 1.2);
+  EXPECT_THAT(request_.blocked->evidence, HasSubstr("a beam is in the way Again: a beam"));
+}
+
+TEST_F(AMissionWithoutAPath, BacksOffAtOnceFromWhatItSees) {
+  drive_in();
+  path(PlanOutcome::kBlocked);
+  EXPECT_EQ(now(), Phase::kPlan);
+  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+}
+
+TEST_F(AMissionWithoutAPath, LooksTwiceWhereItCannotBackOff) {
+  to_plan();
+  path(PlanOutcome::kBlocked);
+  EXPECT_EQ(now(), Phase::kExplore);
+  EXPECT_FALSE(request_.blocked);
+  answer(Kind::kGoTo);
+  terrain();
+  path(PlanOutcome::kBlocked);
+  EXPECT_TRUE(request_.blocked);
+}
+
+TEST_F(AMissionWithoutAPath, RepeatsAVerdictUntilItIsAnsweredAndTellsItOnce) {
+  to_plan();
+  path(PlanOutcome::kBlocked);
+  answer(Kind::kGoTo);
+  terrain();
+  path(PlanOutcome::kBlocked);
+  const int id = request_.id;
+  request_ = {};
+  wait(2.5);
+  EXPECT_EQ(request_.id, id);
+  EXPECT_TRUE(request_.blocked);
+  answer(Kind::kGoTo, 1);
+  to_execute();
+  drive(2.0);
+  arrive();
+  EXPECT_FALSE(request_.blocked);
+}
+
+TEST_F(AMissionWithoutAPath, BeginsAnewForAnotherTarget) {
+  to_plan();
+  path(PlanOutcome::kBlocked);
+  answer(Kind::kGoTo, 1);
+  terrain();
+  path(PlanOutcome::kBlocked);
+  EXPECT_FALSE(request_.blocked);
+}
+
+TEST_F(AMissionWithoutAPath, CountsADriveThatFailsAsARefusal) {
+  drive_in();
+  path(PlanOutcome::kFound);
+  driving(Driving::kFailed, "beside its path");
+  tick();
+  EXPECT_EQ(now(), Phase::kPlan);  // it backs off
+  path(PlanOutcome::kBlocked);
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);  // on its own track, then
+  path(PlanOutcome::kBlocked);
+  ASSERT_TRUE(request_.blocked);
+  EXPECT_THAT(request_.blocked->evidence, HasSubstr("Driving gave up: beside its path."));
+  EXPECT_THAT(request_.blocked->evidence, HasSubstr("Nor is there a way back"));
+}
+
+TEST_F(AMissionWithoutAPath, ForgetsRefusalsOnceItGotOn) {
+  drive_in();
+  path(PlanOutcome::kBlocked);
+  path(PlanOutcome::kFound);
+  arrive();
+  answer(Kind::kAlong, 3);
+  terrain();
+  path(PlanOutcome::kFound);
+  drive(2.0);
+  arrive();
+  answer(Kind::kAlong, 3);
+  terrain();
+  path(PlanOutcome::kBlocked);
+  EXPECT_EQ(now(), Phase::kPlan);  // it may back off once more
+}
+
+TEST_F(AMissionWithoutAPath, DoesNotWaitForDrivingForEver) {
+  to_execute();
+  driving_talks_ = false;
+  wait(3.5);
+  EXPECT_EQ(now(), Phase::kExplore);
+  EXPECT_THAT(phase().reason, HasSubstr("Driving is silent."));
+}
+
+/// Of a path that was to lead back, nothing is left for the next that is planned.
+TEST_F(AMissionWithoutAPath, ForgetsThatItBackedOffWhereDrivingFallsSilent) {
+  drive_in();
+  path(PlanOutcome::kBlocked);
+  path(PlanOutcome::kFound);
+  driving_talks_ = false;
+  wait(3.5);
+  ASSERT_EQ(now(), Phase::kExplore);
+  driving_talks_ = true;
+  wait(2.0);
+  answer(Kind::kAlong, 4);
+  const std::int64_t old_utime = terrain_utime_;
+  terrain();
+  PlannedPath old;
+  old.id = phase().goal_id;
+  old.utime = old_utime;
+  old.outcome = PlanOutcome::kFound;
+  mission_.add_path(old);
+  EXPECT_EQ(now(), Phase::kPlan);
+}
+
+TEST_F(AMissionWithoutAPath, IsStrandedAfterSoManyTriesOnTheWayHome) {
+  to_explore();
+  for (int i = 0; i < 100 && now() != Phase::kEnded; ++i) {
+    answer(Kind::kHome);
+    terrain();
+    path(PlanOutcome::kBlocked);
+  }
+  EXPECT_EQ(phase().outcome, MissionOutcome::kStranded);
+  EXPECT_THAT(phase().reason, HasSubstr("no way on was found"));
+}
+
+/// Each time to 3 m from there and back again to where it ends.
+TEST_F(AMissionWithoutAPath, DoesNotTakeBackingOffForGettingOn) {
+  drive_in();
+  path(PlanOutcome::kBlocked);
+  path(PlanOutcome::kFound);
+  drive(2.0);
+  arrive();
+  answer(Kind::kAlong, 3);
+  terrain();
+  path(PlanOutcome::kBlocked);
+  EXPECT_TRUE(request_.blocked);
+}
+
+/// What is seen from farther back leads to where it was refused, again and again.
+TEST_F(AMissionWithoutAPath, DoesNotPaceBackAndForthForEver) {
+  drive_in();
+  for (int i = 0; i < 10 && !request_.blocked; ++i) {
+    path(PlanOutcome::kBlocked);
+    if (request_.blocked) break;
+    path(PlanOutcome::kFound);
+    for (int k = 0; k < 12; ++k) back();
+    arrive();
+    answer(Kind::kAlong, 3);
+    terrain();
+    path(PlanOutcome::kFound);
+    drive(3.0);
+    arrive();
+    answer(Kind::kAlong, 3);
+    terrain();
+    ASSERT_LT(i, 3);
+  }
+  EXPECT_TRUE(request_.blocked);
+}
+
+TEST_F(AMissionWithoutAPath, IsStrandedWhereNothingLeadsIntoTheMine) {
+  to_explore();
+  for (int i = 0; i < 100 && now() != Phase::kEnded; ++i) {
+    ExplorationReport nothing;
+    nothing.request = request_.id;
+    mission_.add_exploration(nothing);
+    terrain();
+    path(PlanOutcome::kBlocked);
+  }
+  EXPECT_EQ(phase().outcome, MissionOutcome::kStranded);
+}
+
+TEST_F(AMissionWithoutAPath, GoesBySightWhereExplorationOnlyStays) {
+  to_explore();
+  const auto stay = [&] {
+    ExplorationReport report;
+    report.request = request_.id;
+    report.revision = 1;
+    mission_.add_exploration(report);
+    advance();
+  };
+  stay();
+  EXPECT_EQ(now(), Phase::kExplore);
+  for (int i = 0; i < 31; ++i) {
+    wait(1.0);
+    stay();
+  }
+  EXPECT_EQ(now(), Phase::kScan);
+  EXPECT_THAT(phase().reason, HasSubstr("exploration knows no way"));
+}
+
+}  // namespace
+}  // namespace adit

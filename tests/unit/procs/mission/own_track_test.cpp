@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mission/own_track.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+TEST(OwnTrack, IsAsLongAsTheArcThatWasDriven) {
+  OwnTrack track;
+  const double radius_m = 5.0;
+  for (int i = 0; i <= 1000; ++i) {
+    const double angle = 2.0 * i / 1000.0;
+    track.add(i, {radius_m * std::sin(angle), radius_m * (1.0 - std::cos(angle)), angle});
+  }
+  EXPECT_NEAR(track.travelled_m(), 10.0, 0.2);  // places are that far apart
+}
+
+TEST(OwnTrack, TakesNoisyStandingForNoWay) {
+  OwnTrack track;
+  for (int i = 0; i < 1000; ++i) track.add(i, {0.05 * std::sin(i), 0.05 * std::cos(3.0 * i), 0.0});
+  EXPECT_EQ(track.travelled_m(), 0.0);
+}
+
+TEST(OwnTrack, LeadsBackOverThePlacesWhereItWas) {
+  OwnTrack track;
+  for (int i = 0; i <= 40; ++i) track.add(i, {0.25 * i, 0.0, 0.0});       // to 10, 0
+  for (int i = 1; i <= 8; ++i) track.add(40 + i, {10.0, 0.25 * i, 1.5});  // to 10, 2
+  const auto way = track.back(4.0);
+  ASSERT_GT(way.size(), 2U);
+  EXPECT_EQ(way.front(), Eigen::Vector2d(10.0, 2.0));
+  EXPECT_NEAR(way.back().x(), 8.0, 0.26);  // a step more at most
+  EXPECT_NEAR(way.back().y(), 0.0, 1e-9);
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) length_m += (way[i] - way[i - 1]).norm();
+  EXPECT_GE(length_m, 4.0);
+  EXPECT_LE(length_m, 4.25);
+}
+
+TEST(OwnTrack, CountsButDoesNotLeadBackIntoAnotherOdomFrame) {
+  OwnTrack track;
+  for (int i = 0; i <= 8; ++i) track.add(i, {0.25 * i, 0.0, 0.0});
+  track.begin_anew();
+  EXPECT_TRUE(track.back(3.0).empty());
+  EXPECT_DOUBLE_EQ(track.travelled_m(), 2.0);
+  track.add(9, {100.0, 0.0, 0.0});
+  EXPECT_DOUBLE_EQ(track.travelled_m(), 2.0);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A mission goes on from its journal, wherever it was cut off.
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "procs/mission/mission_journal.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/unit/procs/mission/scripted_stages.hpp"
+
+namespace adit {
+namespace {
+
+using testing::HasSubstr;
+
+class AMissionThatIsRestarted : public ScriptedStages {
+ protected:
+  /// The process dies after its last word, and another one begins.
+  void restart() {
+    MissionJournal(file()).append(phase());
+    mission_ = Mission(MissionParams{});
+    const MissionJournal journal(file());
+    ASSERT_TRUE(journal.last());
+    mission_.restore(*journal.last(), journal.begun_utime());
+    driving_ = {};
+  }
+  [[nodiscard]] std::filesystem::path file() const { return scratch_ / "mission.journal"; }
+
+  test::ScratchFolder scratch_;
+};
+
+TEST_F(AMissionThatIsRestarted, GoesOnFromEachPhase) {
+  for (const Phase phase : {Phase::kExplore, Phase::kScan, Phase::kPlan, Phase::kExecute}) {
+    to(phase);
+    if (phase == Phase::kExecute) drive(2.0);
+    const MissionPhase before = this->phase();
+    restart();
+    EXPECT_EQ(now(), Phase::kWaiting);
+    EXPECT_EQ(this->phase().scans, before.scans);
+    EXPECT_EQ(this->phase().goal_id, before.goal_id);
+    EXPECT_EQ(this->phase().travelled_m, before.travelled_m);
+    EXPECT_THAT(this->phase().reason, HasSubstr(before.reason));
+    const int request = request_.id;
+    to_explore();
+    EXPECT_GT(request_.id, request);  // an id that nobody has answered
+    EXPECT_GT(this->phase().sequence, before.sequence);
+    EXPECT_FALSE(this->phase().homeward);
+  }
+}
+
+TEST_F(AMissionThatIsRestarted, DoesNotForgetThatItIsToComeHome) {
+  to_execute();
+  order(MissionOrder::Kind::kComeHome);
+  restart();
+  to_explore();
+  EXPECT_TRUE(phase().homeward);
+  EXPECT_EQ(phase().homeward_reason, "by order");
+  EXPECT_TRUE(request_.homeward);
+}
+
+TEST_F(AMissionThatIsRestarted, StandsWhereItWasToldTo) {
+  to_execute();
+  order(MissionOrder::Kind::kPause);
+  restart();
+  wait(10.0);
+  EXPECT_EQ(now(), Phase::kPaused);
+  order(MissionOrder::Kind::kGoOn);
+  to_explore();
+}
+
+TEST_F(AMissionThatIsRestarted, StaysAtItsEnd) {
+  to_explore();
+  answer(Kind::kDone);
+  const MissionPhase before = phase();
+  restart();
+  wait(10.0);
+  EXPECT_EQ(phase().phase, Phase::kEnded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
+  EXPECT_EQ(phase().sequence, before.sequence);
+}
+
+TEST_F(AMissionThatIsRestarted, ComesHomeWhereTheWholeComputerWasOff) {
+  match(kStart);
+  to_execute();
+  restart();
+  utime_ += 60'000'000;
+  match(utime_);
+  EXPECT_TRUE(phase().homeward);
+  EXPECT_EQ(phase().homeward_reason, "the computer was off");
+  map(utime_);
+  to_explore();
+  EXPECT_TRUE(request_.homeward);
+}
+
+TEST_F(AMissionThatIsRestarted, GoesOnWhereOnlyItselfWasOff) {
+  match(kStart);
+  to_execute();
+  restart();
+  match(kStart);
+  to_explore();
+  EXPECT_FALSE(request_.homeward);
+}
+
+TEST_F(AMissionThatIsRestarted, HasTheTimeThatIsLeftAndNoMore) {
+  to_execute();
+  drive(2.0);
+  MissionJournal(file()).append(phase());
+  utime_ += 20'000'000'000;  // of 28,800 s
+  restart();
+  tick();
+  EXPECT_NEAR(phase().remaining_m, 8800.0 * 0.05, 1.0);
+}
+
+TEST_F(AMissionThatIsRestarted, DoesNotHeapReasonsUpOverManyRestarts) {
+  to_execute();
+  restart();
+  const std::string reason = phase().reason;
+  for (int i = 0; i < 5; ++i) restart();
+  EXPECT_EQ(phase().reason, reason);
+}
+
+TEST_F(AMissionThatIsRestarted, TakesTheWordBeforeATornOne) {
+  to_explore();
+  MissionJournal(file()).append(phase());
+  const auto whole = std::filesystem::file_size(file());
+  const MissionPhase before = phase();
+  answer(Kind::kGoTo);
+  MissionJournal(file()).append(phase());
+  const auto longer = std::filesystem::file_size(file());
+  for (auto size = whole + 1; size < longer; size += 7) {
+    const auto copy = scratch_ / ("torn_" + std::to_string(size));
+    std::filesystem::copy_file(file(), copy);
+    std::filesystem::resize_file(copy, size);
+    const MissionJournal journal(copy);
+    ASSERT_TRUE(journal.last());
+    EXPECT_EQ(*journal.last(), before) << size;
+  }
+}
+
+TEST_F(AMissionThatIsRestarted, BeginsWithoutAJournal) {
+  const MissionJournal journal(file());
+  EXPECT_FALSE(journal.last());
+  EXPECT_EQ(journal.begun_utime(), 0);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "procs/mission/mission.hpp"
+
+namespace adit {
+
+/// A mission, and stages that answer it as a test tells them to. The robot is on the x axis of
+/// odom, which is map.
+class ScriptedStages : public testing::Test {
+ protected:
+  using Kind = ExplorationDecision::Kind;
+  static constexpr std::int64_t kStart = 1'600'000'000'000'000;
+  static constexpr std::int64_t kTick = 100'000;
+
+  /// Time goes on; poses and the state of driving come, unless these are silent.
+  void wait(double seconds) {
+    for (int i = 0; i < std::lround(10.0 * seconds); ++i) tick();
+  }
+  void tick() {
+    utime_ += kTick;
+    if (poses_) mission_.add_pose(utime_, {x_m_, 0.0, 0.0});
+    if (driving_talks_) mission_.add_driving(driving_);
+    note(mission_.advance(utime_));
+  }
+  void advance() { note(mission_.advance(utime_)); }
+
+  void answer(Kind kind, int stub = 0, const std::string& reason = "because") {
+    ExplorationReport report;
+    report.revision = 1;
+    report.request = request_.id;
+    report.decision.kind = kind;
+    report.decision.stub = kind == Kind::kHome || kind == Kind::kDone ? -1 : stub;
+    report.decision.reason = reason;
+    report.route_odom = {{x_m_, 0.0}, {x_m_ + reach_m_, 0.0}};
+    mission_.add_exploration(report);
+    advance();
+  }
+  void terrain() {
+    terrain_utime_ = utime_;
+    mission_.add_terrain(utime_, phase().goal_id);
+    advance();
+  }
+  void path(PlanOutcome outcome, double reached_m = 0.5) {
+    PlannedPath path;
+    path.utime = terrain_utime_;
+    path.id = phase().goal_id;
+    path.outcome = outcome;
+    path.reason = outcome == PlanOutcome::kFound ? "a path" : "a beam is in the way";
+    path.reached_m = reached_m;
+    mission_.add_path(path);
+    advance();
+  }
+  void driving(DrivingState::Kind kind, const std::string& reason = "") {
+    driving_.kind = kind;
+    driving_.path_id = phase().goal_id;
+    driving_.reason = reason;
+  }
+  void drive(double way_m) {
+    driving(DrivingState::Kind::kDriving);
+    const int ticks = static_cast<int>(std::lround(way_m / 0.25));
+    for (int i = 0; i < ticks; ++i) {
+      x_m_ += 0.25;
+      tick();
+    }
+  }
+
+  void to_explore() {
+    wait(0.2);
+    ASSERT_EQ(now(), Phase::kExplore);
+  }
+  void to_scan(Kind kind = Kind::kGoTo) {
+    if (now() != Phase::kExplore) to_explore();
+    answer(kind);
+    ASSERT_EQ(now(), Phase::kScan);
+  }
+  void to_plan() {
+    if (now() != Phase::kScan) to_scan();
+    terrain();
+    ASSERT_EQ(now(), Phase::kPlan);
+  }
+  void to_execute() {
+    if (now() != Phase::kPlan) to_plan();
+    path(PlanOutcome::kFound);
+    ASSERT_EQ(now(), Phase::kExecute);
+  }
+  void to(Phase phase) {
+    if (phase == Phase::kExplore) to_explore();
+    if (phase == Phase::kScan) to_scan();
+    if (phase == Phase::kPlan) to_plan();
+    if (phase == Phase::kExecute) to_execute();
+  }
+  void arrive() {
+    driving(DrivingState::Kind::kArrived);
+    tick();
+  }
+  void map(std::int64_t utime) {
+    MapCorrection correction;
+    correction.utime = utime;
+    mission_.add_correction(correction);
+  }
+  void match(std::int64_t odom_utime) {
+    ScanMatch match;
+    match.odom_utime = odom_utime;
+    match.status = ScanMatch::Status::kMatched;
+    mission_.add_match(match);
+  }
+  void order(MissionOrder::Kind kind) {
+    mission_.add_order({utime_, kind});
+    advance();
+  }
+
+  [[nodiscard]] const MissionPhase& phase() const { return mission_.phase(); }
+  [[nodiscard]] Phase now() const { return phase().phase; }
+
+  void note(const MissionAsk& ask) {
+    if (ask.explore) request_ = *ask.explore;
+    explores_ += ask.explore ? 1 : 0;
+    scans_ += ask.scan ? 1 : 0;
+    goals_ += ask.goal ? 1 : 0;
+    if (ask.scan) scan_ = *ask.scan;
+    if (ask.goal) goal_ = *ask.goal;
+  }
+
+  Mission mission_{MissionParams{}};
+  std::int64_t utime_ = kStart;
+  std::int64_t terrain_utime_ = 0;
+  double x_m_ = 0.0;
+  double reach_m_ = 10.0;  ///< of the route; negative: backwards
+  bool poses_ = true;
+  bool driving_talks_ = true;
+  DrivingState driving_;
+  ExploreRequest request_;
+  ScanRequest scan_;
+  PlanGoal goal_;
+  int explores_ = 0, scans_ = 0, goals_ = 0;
+};
+
+}  // namespace adit

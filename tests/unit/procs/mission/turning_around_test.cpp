@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What turns a mission around, orders, and odom frames that begin anew.
+#include <gmock/gmock.h>
+
+#include "tests/unit/procs/mission/scripted_stages.hpp"
+
+namespace adit {
+namespace {
+
+using testing::HasSubstr;
+using Order = MissionOrder::Kind;
+
+class AMissionUnderWay : public ScriptedStages {
+ protected:
+  void expect_homeward(const std::string& reason) {
+    tick();
+    EXPECT_EQ(now(), Phase::kExplore);
+    EXPECT_TRUE(phase().homeward);
+    EXPECT_THAT(phase().homeward_reason, HasSubstr(reason));
+    EXPECT_TRUE(request_.homeward);
+    const int sequence = phase().sequence;
+    tick();
+    EXPECT_EQ(phase().sequence, sequence);  // once, and for good
+  }
+};
+
+TEST_F(AMissionUnderWay, TurnsAroundInBadAir) {
+  to_execute();
+  mission_.limits().add(GasReading{utime_, 0.02, 0.209, 0.0});
+  expect_homeward("2.00 % of methane");
+}
+
+TEST_F(AMissionUnderWay, TurnsAroundWhereOxygenIsScarce) {
+  to_scan();
+  mission_.limits().add(GasReading{utime_, 0.0, 0.17, 0.0});
+  expect_homeward("only 17.0 % of oxygen");
+}
+
+TEST_F(AMissionUnderWay, TurnsAroundOnSoftGround) {
+  to_plan();
+  mission_.limits().add(SinkageReading{utime_, {0.0, 0.0, 0.12, 0.0}});
+  expect_homeward("a wheel is 0.12 m deep");
+}
+
+TEST_F(AMissionUnderWay, TurnsAroundWhereTheMapIsVague) {
+  to_execute();
+  MapCorrection correction;
+  correction.covariance = Eigen::Vector3d(36.0, 1.0, 0.1).asDiagonal().toDenseMatrix();
+  mission_.add_correction(correction);
+  expect_homeward("only known to 6.0 m");
+}
+
+TEST_F(AMissionUnderWay, TurnsAroundWhereScansDoNotMatchButNotWhileItStands) {
+  ScanMatch lost;
+  lost.status = ScanMatch::Status::kLost;
+  to_scan();
+  for (int i = 0; i < 1000; ++i) mission_.add_match(lost);
+  tick();
+  EXPECT_FALSE(phase().homeward);
+  to_execute();
+  drive(1.0);
+  for (int i = 0; i < 137; ++i) mission_.add_match(lost);  // 0.995^137 > 0.5
+  tick();
+  EXPECT_FALSE(phase().homeward);
+  for (int i = 0; i < 3; ++i) mission_.add_match(lost);
+  expect_homeward("of the last scans do not match");
+}
+
+TEST_F(AMissionUnderWay, StandsAndGoesOnByOrderInAnyPhase) {
+  for (const Phase phase : {Phase::kExplore, Phase::kScan, Phase::kPlan, Phase::kExecute}) {
+    to(phase);
+    order(Order::kPause);
+    EXPECT_EQ(now(), Phase::kPaused);
+    const int asked = explores_ + scans_ + goals_;
+    wait(10.0);
+    EXPECT_EQ(now(), Phase::kPaused);
+    EXPECT_EQ(explores_ + scans_ + goals_, asked);
+    order(Order::kGoOn);
+    tick();
+    EXPECT_EQ(now(), Phase::kExplore);
+  }
+}
+
+TEST_F(AMissionUnderWay, ComesHomeByOrder) {
+  to_execute();
+  order(Order::kComeHome);
+  expect_homeward("by order");
+  EXPECT_EQ(phase().stub, -1);
+}
+
+TEST_F(AMissionUnderWay, StopsByOrderForGood) {
+  to_execute();
+  order(Order::kStop);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kStopped);
+  order(Order::kGoOn);
+  order(Order::kComeHome);
+  EXPECT_EQ(now(), Phase::kEnded);
+}
+
+TEST_F(AMissionUnderWay, WaitsForTheOrderToGo) {
+  MissionParams params;
+  params.start = "by_order";
+  mission_ = Mission(params);
+  wait(5.0);
+  EXPECT_EQ(now(), Phase::kPaused);
+  order(Order::kGoOn);
+  to_explore();
+}
+
+TEST_F(AMissionUnderWay, TakesTheOrderToGoAtOnce) {
+  MissionParams params;
+  params.start = "by_order";
+  mission_ = Mission(params);
+  tick();
+  order(Order::kGoOn);  // before time went on
+  to_explore();
+}
+
+TEST_F(AMissionUnderWay, WaitsForItsMapInANewOdomFrame) {
+  match(kStart);
+  to_execute();
+  match(utime_);
+  EXPECT_EQ(now(), Phase::kWaiting);
+  EXPECT_FALSE(phase().homeward);
+  wait(5.0);
+  EXPECT_EQ(now(), Phase::kWaiting);
+  map(utime_);
+  tick();
+  EXPECT_EQ(now(), Phase::kExplore);
+}
+
+TEST_F(AMissionUnderWay, GoesBySightWhereItsMapDoesNotKnowIt) {
+  match(kStart);
+  to_execute();
+  match(utime_);
+  wait(31.0);
+  EXPECT_EQ(now(), Phase::kScan);
+  EXPECT_THAT(phase().reason, HasSubstr("moves on to recognise a place"));
+}
+
+}  // namespace
+}  // namespace adit

@@ -25,6 +25,7 @@ using testing::HasSubstr;
 
 constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr std::int64_t kSecond = 1'000'000;
+constexpr std::int64_t kAheadMaxUs = 200'000;  // the default
 
 LiveRunOptions options_that_wait_for(const std::vector<std::string>& stages) {
   LiveRunOptions options;

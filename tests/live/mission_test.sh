@@ -33,7 +33,7 @@ begin() { "$adit" mission "$@" --out "$out" >>"$scratch/mission.text" 2>&1 & mis
 driven_m() { awk -F'\t' '$2 != "STOP" { m = $7 } END { print int(m) }' "$out/phases.tsv" 2>/dev/null; }
 await_driven() {
   for ((i = 0; i < kDeadlineSeconds * 10; ++i)); do
-    (($(driven_m) >= $1)) && return
+    ((0$(driven_m) >= $1)) && return
     kill -0 "$mission" 2>/dev/null || fail "it ended before it had driven $1 m"
     sleep 0.1
   done

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/bus/run_node.hpp"
 
+#include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -14,11 +16,13 @@
 #include "common/bus/stop_signal.hpp"
 #include "common/bus/transport_check.hpp"
 #include "common/bus/version.hpp"
+#include "common/files/shared_file.hpp"
 
 namespace adit {
 namespace {
 
 constexpr int kExitUnusable = 2;
+constexpr const char* kConfigVariable = "ADIT_CONFIG";
 
 struct Options {
   std::string config;
@@ -29,7 +33,8 @@ struct Options {
 
 void declare(CLI::App& app, const std::string& program, Options& options) {
   app.add_option("--config", options.config, "YAML file with a section for each stage")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->envname(kConfigVariable);
   app.add_option("--lcm-url", options.lcm_url,
                  "Where LCM is, e.g. udpm://239.255.76.67:7667?ttl=0 (the default)")
       ->type_name("URL");
@@ -44,11 +49,21 @@ void declare(CLI::App& app, const std::string& program, Options& options) {
 /// One file serves all stages, so the sections of the others are fine.
 ConfigFile load(const std::string& path, const std::string& stage) {
   if (path.empty()) return {};
-  ConfigFile file = ConfigFile::load(path);
+  ConfigFile file = ConfigFile::load(shared_file(path, "config"));
   std::vector<std::string> known = config_sections();
   known.push_back(stage);
   file.require_known_sections(known);
   return file;
+}
+
+/// What was said to this process is said to those that it starts, unless they are told otherwise.
+/// Not that time is a simulator's: left in somebody's shell, that would make a robot wait for ever.
+void hand_on(const Options& options) {
+  if (!options.config.empty()) {
+    const auto config = std::filesystem::absolute(shared_file(options.config, "config"));
+    setenv(kConfigVariable, config.c_str(), 1);
+  }
+  if (!options.lcm_url.empty()) setenv("LCM_DEFAULT_URL", options.lcm_url.c_str(), 1);
 }
 
 LcmBusOptions bus_options(const Options& options, const std::string& stage) {
@@ -87,6 +102,7 @@ int run_stage(const std::string& stage, const Configure& configure, int argc, ch
     std::cout << node.yaml;
     return 0;
   }
+  hand_on(options);  // before there are threads
   run_on_lcm(program, node, options);
   return 0;
 } catch (const std::exception& error) {

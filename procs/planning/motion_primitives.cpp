@@ -15,6 +15,7 @@ namespace {
 constexpr double kGentle = 2.5;    // radius of a gentle bend, in least ones
 constexpr double kLongestM = 4.0;  // that a bend may take
 constexpr int kSamplesPerCell = 20;
+constexpr double kTiny = 1e-9;  // of a number that should be whole
 constexpr double kMmPerM = 1000.0;
 constexpr double kLookM = 0.02;  // of a point of the vehicle, from one look to the next
 
@@ -121,6 +122,23 @@ void MotionPrimitives::add_bends(int heading, int turn, const PrimitiveParams& p
   if (std::abs(turn) != 1) return;
   const MotionPrimitive gentle = bend(heading, turn, kGentle * radius_min_m_);
   if (gentle.cells != tight.cells) add_with_its_likes(gentle, false, params);
+}
+
+MotionPrimitives MotionPrimitives::led_by_rear(double reverse_factor) const {
+  MotionPrimitives led = *this;
+  for (auto& primitives : led.from_) {
+    for (MotionPrimitive& primitive : primitives) {
+      primitive.way_mm = 0;
+      for (SweptPose& pose : primitive.swept) {
+        // The ways in reverse were rounded up: at a factor of 1 or more, that is undone exactly.
+        const double way_mm = primitive.reverse ? std::floor(pose.way_mm / reverse_factor + kTiny)
+                                                : std::ceil(pose.way_mm * reverse_factor - kTiny);
+        pose.way_mm = static_cast<std::int32_t>(way_mm);
+        primitive.way_mm += pose.way_mm;
+      }
+    }
+  }
+  return led;
 }
 
 int MotionPrimitives::reach() const {

@@ -66,6 +66,10 @@ class MotionPrimitives {
   MotionPrimitives(const Vehicle& vehicle, const PrimitiveParams& params,
                    const HeadingSet& headings, double cell_m);
 
+  /// The same for going back with the rear leading: `reverse_factor`, that of these, is then the
+  /// price of driving forwards.
+  [[nodiscard]] MotionPrimitives led_by_rear(double reverse_factor) const;
+
   [[nodiscard]] const HeadingSet& headings() const { return headings_; }
   /// In order, forwards first.
   [[nodiscard]] const std::vector<MotionPrimitive>& from(int heading) const {

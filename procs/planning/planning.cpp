@@ -83,6 +83,11 @@ PlannedPath start_blocked(const LatticePose& start, const Lattice& lattice,
   return answer;
 }
 
+bool is_behind(const GoalField& goals, const Pose2& T_level_body) {
+  const Eigen::Vector2d ahead(std::cos(T_level_body.theta), std::sin(T_level_body.theta));
+  return ahead.dot(goals.direction(T_level_body.translation())) < 0.0;
+}
+
 }  // namespace
 
 Planning::Planning(const PlanningParams& params) : params_(params) {
@@ -98,7 +103,12 @@ Planning::Planning(const PlanningParams& params) : params_(params) {
 void Planning::prepare_for(double cell_m) {
   if (kernels_ && kernels_->cell_m() == cell_m) return;
   kernels_.emplace(params_.vehicle, params_.c_space, cell_m);
-  primitives_.emplace(params_.vehicle, params_.primitives, kernels_->headings(), cell_m);
+  front_leads_.emplace(params_.vehicle, params_.primitives, kernels_->headings(), cell_m);
+  rear_leads_ = front_leads_->led_by_rear(params_.primitives.reverse_factor);
+}
+
+const MotionPrimitives& Planning::primitives() const {
+  return goes_back_ ? *rear_leads_ : *front_leads_;
 }
 
 void Planning::prepare(const TerrainMap& terrain, const Pose2& T_odom_body) {
@@ -108,12 +118,12 @@ void Planning::prepare(const TerrainMap& terrain, const Pose2& T_odom_body) {
   GroundLayers layers =
       ground_layers(terrain, T_level_body, params_.vehicle, params_.c_space.ground);
   CSpace space = kernels_->convolve(layers);
-  CloseLook close_look(layers, primitives_->reach());
+  CloseLook close_look(layers, primitives().reach());
   ground_.emplace(PlanGround{std::move(layers), std::move(space), std::move(close_look), {}});
 }
 
 Lattice Planning::lattice(std::uint16_t refused) const {
-  return {ground_->space, *primitives_, refused, &ground_->close_look};
+  return {ground_->space, primitives(), refused, &ground_->close_look};
 }
 
 bool Planning::stands(const LatticePose& pose) const {
@@ -133,6 +143,9 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
                            const Pose2& T_odom_body) {
   const Pose2 T_level_body = between(terrain.T_odom_level, T_odom_body);
   const HeadingSet& headings = kernels_->headings();
+  const GoalField goals(goal, between(terrain.T_odom_level, goal.T_odom_goal), T_level_body,
+                        terrain, params_.goals, ground_->layers.body_distance_m);
+  goes_back_ = is_behind(goals, T_level_body);
   const LatticePose start = nearest_pose(terrain, headings, T_level_body);
   const Lattice free = lattice(CSpace::kUnseen);
   if (!stands(start)) {
@@ -140,15 +153,13 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
     allow_leaving(ground_->space, start, ground_->layers, *kernels_,
                   static_cast<std::uint16_t>(at_the_limit));
   }
-  const GoalField goals(goal, between(terrain.T_odom_level, goal.T_odom_goal), T_level_body,
-                        terrain, params_.goals, ground_->layers.body_distance_m);
   const auto heuristic = cell_heuristic(free, goals, terrain.cell_m);
   const LatticePath found = search_lattice(free, headings, start, goals, heuristic, params_.search);
 
   PlannedPath answer;
   if (found.found) {
     answer.outcome = PlanOutcome::kFound;
-    answer.points = path_points(found, start, *primitives_, headings, terrain, ground_->layers,
+    answer.points = path_points(found, start, primitives(), headings, terrain, ground_->layers,
                                 params_.vehicle, params_.point_spacing_m);
     // It stands there, and the pose of the lattice is nearer than the slack of a cell.
     answer.points.front().T_odom_body = T_odom_body;

@@ -70,13 +70,17 @@ class Planning {
 
  private:
   void prepare_for(double cell_m);
+  [[nodiscard]] const MotionPrimitives& primitives() const;
   [[nodiscard]] Lattice lattice(std::uint16_t refused) const;
   [[nodiscard]] bool stands(const LatticePose& pose) const;
   PlannedPath no_path(const TerrainMap& terrain, const LatticePose& start, const GoalField& goals);
 
   PlanningParams params_;
   std::optional<CSpaceKernels> kernels_;
-  std::optional<MotionPrimitives> primitives_;
+  // With the front leading, to goals ahead, and the rear, to those behind the robot.
+  std::optional<MotionPrimitives> front_leads_;
+  std::optional<MotionPrimitives> rear_leads_;
+  bool goes_back_ = false;
   std::optional<PlanGround> ground_;
 };
 

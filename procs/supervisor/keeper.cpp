@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <set>
 #include <thread>
 
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "procs/supervisor/keeping/ordered_stops.hpp"
 #include "procs/supervisor/os/wall_time.hpp"
 
 namespace adit {
@@ -21,20 +21,50 @@ constexpr auto kLook = std::chrono::milliseconds(10);
 
 }  // namespace
 
-Keeper::Keeper(const ProcessList& list, const KeeperOptions& options) {
+Keeper::Keeper(const ProcessList& list, const KeeperOptions& options) : options_(options) {
   prctl(PR_SET_CHILD_SUBREAPER, 1);
-  for (const ListedCommand& command : list.commands) {
-    if (command.deputy != options.deputy) continue;
-    processes_.emplace_back(command, options.pace, options.watcher);
-  }
+  relist(list);
 }
 
 Keeper::~Keeper() {
-  stop_all(steady_us());
+  OrderedStops stops;
+  for (const KeptProcess& process : processes_) stops.add(process.command(), false, steady_us());
+  const auto is_ending = [this](const std::string& id) { return find(id)->life().runs(); };
   while (anything_runs()) {
-    advance(steady_us(), [](const std::string&) { return false; });
+    for (const auto& stop : stops.take_due(steady_us(), is_ending)) {
+      find(stop.id)->stop(steady_us());
+    }
+    for (KeptProcess& process : processes_) process.advance(steady_us(), false);
     std::this_thread::sleep_for(kLook);
   }
+}
+
+bool Keeper::keeps(const ListedCommand& command) const { return command.deputy == options_.deputy; }
+
+void Keeper::relist(const ProcessList& list) {
+  std::list<KeptProcess> before;
+  before.swap(processes_);
+  gone_.clear();
+  for (const ListedCommand& command : list.commands) {
+    if (!keeps(command)) continue;
+    const auto old = std::ranges::find_if(
+        before, [&](const KeptProcess& process) { return process.command().id == command.id; });
+    if (old == before.end()) {
+      processes_.emplace_back(command, options_);
+    } else {
+      old->list_as(command);
+      processes_.splice(processes_.end(), before, old);
+    }
+  }
+  for (const KeptProcess& process : before) gone_.insert(process.command().id);
+  processes_.splice(processes_.begin(), before);
+}
+
+void Keeper::forget_gone() {
+  processes_.remove_if([this](const KeptProcess& process) {
+    return gone_.contains(process.command().id) && !process.life().runs() &&
+           !process.life().wanted();
+  });
 }
 
 KeptProcess* Keeper::find(const std::string& id) {
@@ -56,6 +86,7 @@ bool Keeper::advance(std::int64_t now_us, const WorksElsewhere& works_elsewhere)
     const bool may_start = dependencies_work(process, works_elsewhere);
     if (process.advance(now_us, may_start)) changed = true;
   }
+  if (!gone_.empty()) forget_gone();
   return changed;
 }
 
@@ -81,10 +112,6 @@ void Keeper::kill_strays(const ProcessTable& table) const {
     kill(stray, SIGKILL);
     waitpid(stray, nullptr, WNOHANG);
   }
-}
-
-void Keeper::stop_all(std::int64_t now_us) {
-  for (KeptProcess& process : processes_) process.stop(now_us);
 }
 
 bool Keeper::anything_runs() const {

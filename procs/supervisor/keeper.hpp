@@ -3,22 +3,16 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
+#include <list>
+#include <set>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "common/process_list/process_list.hpp"
 #include "procs/supervisor/kept_process.hpp"
 
 namespace adit {
-
-struct KeeperOptions {
-  std::string deputy;             ///< whose commands of the list are kept
-  std::filesystem::path watcher;  ///< adit-watch
-  RestartPace pace;
-};
 
 /// Keeps the processes of one computer. Nothing that these start outlives it, however it ends: see
 /// ChildProcess; and should one of the watchers be killed, those that it watched over come to this
@@ -29,14 +23,18 @@ class Keeper {
   using WorksElsewhere = std::function<bool(const std::string& id)>;
 
   Keeper(const ProcessList& list, const KeeperOptions& options);
-  /// Stops all, as stop_all does, and waits for that.
+  /// Stops all, what depends on others before these, and waits for that.
   ~Keeper();
   Keeper(const Keeper&) = delete;
   Keeper& operator=(const Keeper&) = delete;
 
+  /// Keeps what this list says from now on. A process that the list has otherwise runs on as it was
+  /// until it is restarted; one that it has no more runs on until it is stopped, and is forgotten.
+  void relist(const ProcessList& list);
+
   /// Null where the command is none of this computer's.
   [[nodiscard]] KeptProcess* find(const std::string& id);
-  [[nodiscard]] const std::vector<KeptProcess>& processes() const { return processes_; }
+  [[nodiscard]] const std::list<KeptProcess>& processes() const { return processes_; }
 
   void heard(std::string_view channel, std::int64_t now_us);
 
@@ -46,15 +44,17 @@ class Keeper {
   /// How much each process uses; about once a second.
   void measure(std::int64_t now_us);
 
-  void stop_all(std::int64_t now_us);
-  [[nodiscard]] bool anything_runs() const;
-
  private:
   [[nodiscard]] bool dependencies_work(const KeptProcess& process,
                                        const WorksElsewhere& works_elsewhere);
+  [[nodiscard]] bool keeps(const ListedCommand& command) const;
+  void forget_gone();
   void kill_strays(const ProcessTable& table) const;
+  [[nodiscard]] bool anything_runs() const;
 
-  std::vector<KeptProcess> processes_;  // in the order of the list
+  KeeperOptions options_;
+  std::set<std::string> gone_;        // from the list
+  std::list<KeptProcess> processes_;  // in the order of the list, those that are gone first
 };
 
 }  // namespace adit

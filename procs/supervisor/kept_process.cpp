@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "procs/supervisor/os/wall_time.hpp"
+
 namespace adit {
 namespace {
 
@@ -17,18 +19,54 @@ LifeRules rules_of(const ListedCommand& command, const RestartPace& pace) {
           command.alive.has_value(), command.start_timeout_s,     pace};
 }
 
+PublishRate rate_of(const ListedCommand& command) {
+  return PublishRate(command.alive.value_or(AliveSign{}).rate_hz);
+}
+
 }  // namespace
 
-KeptProcess::KeptProcess(const ListedCommand& command, const RestartPace& pace,
-                         std::filesystem::path watcher)
+KeptProcess::KeptProcess(const ListedCommand& command, const KeeperOptions& options)
     : command_(command),
-      watcher_path_(std::move(watcher)),
-      life_(rules_of(command, pace)),
-      rate_(command.alive.value_or(AliveSign{}).rate_hz) {}
+      options_(options),
+      life_(rules_of(command, options.pace)),
+      rate_(rate_of(command)),
+      log_(options.log_dir, command.id, options.log_limits),
+      output_([this](const std::string& line) { log_.add(line, wall_utime()); }) {}
+
+void KeptProcess::list_as(const ListedCommand& command) {
+  next_listing_ = command;
+  if (!child_) take_next_listing();
+}
+
+void KeptProcess::take_next_listing() {
+  if (!next_listing_) return;
+  command_ = *next_listing_;
+  next_listing_.reset();
+  life_.go_by(rules_of(command_, options_.pace));
+  rate_ = rate_of(command_);
+}
+
+/// A word of the supervisor's own in the file.
+void KeptProcess::note(const std::string& what) { log_.add("--- " + what, wall_utime()); }
+
+void KeptProcess::start() {
+  leaves_ = false;
+  life_.want_running();
+}
+
+void KeptProcess::stop(std::int64_t now_us) {
+  leaves_ = false;
+  life_.want_stopped(now_us);
+}
+
+void KeptProcess::restart(std::int64_t now_us) {
+  leaves_ = false;
+  life_.want_restart(now_us);
+}
 
 void KeptProcess::order(std::int32_t run_id, bool stop, std::int64_t now_us) {
-  if (stop) return life_.want_stopped(now_us);
-  if (std::exchange(run_id_, run_id) != run_id) life_.want_restart(now_us);
+  if (stop) return this->stop(now_us);
+  if (std::exchange(run_id_, run_id) != run_id) restart(now_us);
 }
 
 void KeptProcess::heard(std::int64_t now_us) {
@@ -40,12 +78,13 @@ bool KeptProcess::advance(std::int64_t now_us, bool dependencies_work) {
   const pid_t pid = this->pid();
   if (child_) look_after_child(now_us);
   act(life_.advance(now_us, dependencies_work, rate_.is_kept(now_us)), now_us);
+  log_.flush();
   return state != life_.state() || pid != this->pid();
 }
 
 /// Not while only what the program left behind still runs.
 bool KeptProcess::works() const {
-  return life_.state() == LifeState::kWorking && child_ && !child_->program_has_ended();
+  return !leaves_ && life_.state() == LifeState::kWorking && child_ && !child_->program_has_ended();
 }
 
 void KeptProcess::look_after_child(std::int64_t now_us) {
@@ -57,6 +96,7 @@ void KeptProcess::look_after_child(std::int64_t now_us) {
   use_ = {};
   child_.reset();
   life_.ended(now_us, end->text(), end->well());
+  note(end->text());
 }
 
 void KeptProcess::act(ProcessLife::Act what, std::int64_t now_us) {
@@ -73,13 +113,15 @@ void KeptProcess::act(ProcessLife::Act what, std::int64_t now_us) {
 }
 
 void KeptProcess::launch(std::int64_t now_us) {
+  take_next_listing();
   rate_.forget();
   meter_ = {};
   try {
     child_ = std::make_unique<ChildProcess>(
         ChildStart{*parse_command_line(command_.exec), command_.stop_signal,
-                   command_.stop_time_allowed_s, watcher_path_});
+                   command_.stop_time_allowed_s, options_.watcher});
     life_.started(now_us);
+    note("started: " + command_.exec);
   } catch (const std::runtime_error& error) {
     life_.could_not_start(now_us, error.what());
     output_.add(std::string(error.what()) + "\n");

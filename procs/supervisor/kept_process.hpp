@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "common/process_list/process_list.hpp"
@@ -12,19 +13,34 @@
 #include "procs/supervisor/keeping/process_life.hpp"
 #include "procs/supervisor/keeping/publish_rate.hpp"
 #include "procs/supervisor/os/child_process.hpp"
+#include "procs/supervisor/os/process_log.hpp"
 #include "procs/supervisor/os/usage_meter.hpp"
 
 namespace adit {
+
+struct KeeperOptions {
+  std::string deputy;             ///< whose commands of the list are kept
+  std::filesystem::path watcher;  ///< adit-watch
+  RestartPace pace = {};
+  std::filesystem::path log_dir = {};  ///< for what they print; empty: no files
+  RotatedFile::Limits log_limits = {};
+};
 
 /// One command of the list, kept as it is wanted: its life and the process that lives it. Times are
 /// those of steady_us().
 class KeptProcess {
  public:
-  KeptProcess(const ListedCommand& command, const RestartPace& pace, std::filesystem::path watcher);
+  KeptProcess(const ListedCommand& command, const KeeperOptions& options);
+  KeptProcess(const KeptProcess&) = delete;
+  KeptProcess& operator=(const KeptProcess&) = delete;
 
-  void start() { life_.want_running(); }
-  void stop(std::int64_t now_us) { life_.want_stopped(now_us); }
-  void restart(std::int64_t now_us) { life_.want_restart(now_us); }
+  void start();
+  void stop(std::int64_t now_us);
+  void restart(std::int64_t now_us);
+  /// It is to stop, or to restart, when its turn has come: until then nobody is to start on it.
+  void announce_stop() { leaves_ = true; }
+  /// From its next start on it is this command; at once where it does not run.
+  void list_as(const ListedCommand& command);
   /// As procman's deputies take orders: another run id asks for a new run.
   void order(std::int32_t run_id, bool stop, std::int64_t now_us);
   /// A message came on the channel that shows its life.
@@ -37,7 +53,10 @@ class KeptProcess {
   [[nodiscard]] const ListedCommand& command() const { return command_; }
   [[nodiscard]] const ProcessLife& life() const { return life_; }
   [[nodiscard]] const OutputLog& output() const { return output_; }
+  /// Whether others can depend on it.
   [[nodiscard]] bool works() const;
+  /// Why what it prints does not get into its file; empty where it does.
+  [[nodiscard]] std::string log_trouble() const { return log_.trouble(); }
   [[nodiscard]] const ProcessUse& use() const { return use_; }
   [[nodiscard]] std::int32_t run_id() const { return run_id_; }
   /// Of its last end, as waitpid has it.
@@ -48,17 +67,22 @@ class KeptProcess {
 
  private:
   void launch(std::int64_t now_us);
+  void take_next_listing();
+  void note(const std::string& what);
   void look_after_child(std::int64_t now_us);
   void act(ProcessLife::Act what, std::int64_t now_us);
 
   ListedCommand command_;
-  std::filesystem::path watcher_path_;
+  std::optional<ListedCommand> next_listing_;
+  KeeperOptions options_;
   ProcessLife life_;
   PublishRate rate_;
+  ProcessLog log_;
   OutputLog output_;
   UsageMeter meter_;
   ProcessUse use_;
   std::unique_ptr<ChildProcess> child_;
+  bool leaves_ = false;
   std::int32_t run_id_ = 0;
   int wait_status_ = 0;
 };

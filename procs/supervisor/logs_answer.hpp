@@ -9,9 +9,9 @@
 
 namespace adit {
 
-/// What a process of this computer has printed and, with `follow`, what it prints from now on; the
-/// fleet must outlive the answer then. Throws std::invalid_argument where the process is another
-/// computer's or not in the list.
+/// What a process has printed and, with `follow`, what it prints from now on; the fleet must
+/// outlive the answer then. Of another computer's that is what was heard since this supervisor
+/// started. Throws std::invalid_argument where the process is not in the list.
 TerminalAnswer logs_answer(Fleet& fleet, const std::string& id, bool follow);
 
 }  // namespace adit

@@ -32,6 +32,7 @@ std::vector<ProcmanOutput> OutputRelay::take(const Keeper& keeper, const std::st
   for (const KeptProcess& process : keeper.processes()) {
     std::int64_t& sent = sent_lines_[process.command().id];
     if (process.output().next() == sent) continue;
+    if (process.output().next() < sent) sent = 0;  // it was forgotten between
     const OutputPiece piece = process.output().since(sent, kTextBytesMax);
     sent = piece.next;
     std::string text = text_of(piece);

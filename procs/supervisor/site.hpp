@@ -6,6 +6,7 @@
 #include <string>
 
 #include "common/process_list/process_list.hpp"
+#include "procs/supervisor/os/rotated_file.hpp"
 #include "procs/supervisor/supervisor_params.hpp"
 
 namespace adit {
@@ -17,11 +18,13 @@ struct SupervisorSite {
   bool in_charge = true;
   std::filesystem::path socket;
   std::filesystem::path watcher;
+  std::filesystem::path log_dir;  ///< empty: what processes print is kept in no files
+  RotatedFile::Limits log_limits;
 };
 
-/// Reads the process list. A command without a deputy, or with procman's "localhost", is that of
-/// the one in charge. Throws ConfigError where there is no list, or no one in charge for such a
-/// command, or no such script.
+/// Reads the process list, and makes the folder for logs. A command without a deputy, or with
+/// procman's "localhost", is that of the one in charge. Throws ConfigError where there is no list,
+/// or no one in charge for such a command, or no such script, or no such folder.
 SupervisorSite make_site(const SupervisorParams& params);
 
 }  // namespace adit

@@ -2,16 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/supervisor/supervisor.hpp"
 
-#include <algorithm>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
+#include "procs/supervisor/fleet_rows.hpp"
+#include "procs/supervisor/keeping/list_change.hpp"
 #include "procs/supervisor/logs_answer.hpp"
 #include "procs/supervisor/os/wall_time.hpp"
 
 namespace adit {
 namespace {
+
+ProcessList read_again(const SupervisorParams& params) try {
+  return make_site(params).list;
+} catch (const std::runtime_error& refusal) {
+  throw std::runtime_error(std::string(refusal.what()) + "; the old process list stays");
+}
 
 OrderPolicy policy_of(const SupervisorParams& params) {
   return {params.role == "deputy" ? params.in_charge : "", params.accept_orders};
@@ -20,48 +27,59 @@ OrderPolicy policy_of(const SupervisorParams& params) {
 }  // namespace
 
 Supervisor::Supervisor(const SupervisorParams& params)
-    : site_(make_site(params)),
+    : params_(params),
+      site_(make_site(params)),
       policy_(policy_of(params)),
-      script_timeout_s_(params.script_timeout_s),
       fleet_(site_, params.restart),
       load_(host_.measure()),
       terminals_(site_.socket) {
   if (!params.start_script.empty()) begin_script(params.start_script);
+  service_manager_.tell("READY=1");
 }
 
 Supervisor::News Supervisor::advance(std::int64_t now_us) {
   terminals_.poll([this](const std::vector<std::string>& words) { return answer(words); });
-  advance_script(now_us);
-  const bool here = fleet_.advance(now_us);
-  return {here, std::exchange(new_orders_, false)};
+  if (reload_signal_.came()) reload_by_signal(now_us);
+  if (script_.advance(fleet_, now_us)) news_.elsewhere = true;
+  if (fleet_.advance(now_us)) news_.here = true;
+  return std::exchange(news_, {});
+}
+
+/// Nobody waits for an answer: what is wrong shows in the heartbeat.
+void Supervisor::reload_by_signal(std::int64_t now_us) try {
+  reload(now_us);
+} catch (const std::runtime_error& refusal) {
+  list_failure_ = refusal.what();
+}
+
+/// A script knows its list by heart, so it cannot go on by another.
+std::string Supervisor::reload(std::int64_t now_us) {
+  news_.list = true;
+  ProcessList list = read_again(params_);
+  list_failure_.clear();
+  const ListChange change = change_between(site_.list, list);
+  std::string text = text_of(change);
+  if (script_.end("was ended by a new process list")) text += script_.failure() + "\n";
+  std::swap(site_.list, list);
+  fleet_.relist(list, now_us);
+  news_.here = true;
+  news_.elsewhere = true;
+  return text;
 }
 
 void Supervisor::measure(std::int64_t now_us) {
   fleet_.keeper().measure(now_us);
   load_ = host_.measure();
+  service_manager_.tell("WATCHDOG=1\nSTATUS=" + count_of_running(fleet_.keeper()));
 }
 
 void Supervisor::begin_script(const std::string& name) {
-  script_.emplace(site_.list, name, script_timeout_s_);
-  script_failure_.clear();
-}
-
-void Supervisor::advance_script(std::int64_t now_us) {
-  if (!script_) return;
-  const auto standing_of = [&](const std::string& id) { return fleet_.standing(id, now_us); };
-  try {
-    while (const auto change = script_->advance(now_us, standing_of)) this->change(*change, now_us);
-    if (!script_->is_over()) return;
-    script_failure_ = script_->failure();
-  } catch (const std::invalid_argument& refusal) {
-    script_failure_ = "script \"" + script_->name() + "\": " + refusal.what();
-  }
-  script_.reset();
+  script_.begin(name, site_.list, params_.script_timeout_s);
 }
 
 void Supervisor::change(const ScriptChange& change, std::int64_t now_us) {
   fleet_.change(change, now_us);
-  new_orders_ = true;
+  news_.elsewhere = true;
 }
 
 std::string_view Supervisor::obey(const ProcmanOrders& orders, std::int64_t now_us) {
@@ -70,7 +88,8 @@ std::string_view Supervisor::obey(const ProcmanOrders& orders, std::int64_t now_
   if (!refusal.empty()) return refusal;
   for (const ProcmanOrder& order : orders.orders) {
     KeptProcess* const process = fleet_.keeper().find(order.command.id);
-    const auto reason = reason_to_refuse(process ? &process->command() : nullptr, order);
+    const ListedCommand* const listed = site_.list.find(order.command.id);
+    const auto reason = reason_to_refuse(process ? listed : nullptr, order);
     if (reason.empty()) {
       process->order(order.run_id, order.stop, now_us);
     } else {
@@ -102,20 +121,9 @@ std::set<std::string> Supervisor::alive_channels() const {
 }
 
 std::string Supervisor::complaint() const {
-  for (const KeptProcess& process : fleet_.keeper().processes()) {
-    const LifeState state = process.life().state();
-    if (state == LifeState::kFailed || state == LifeState::kPausing) {
-      return process.command().id + " is " + std::string(name_of(state)) + ": " +
-             process.life().trouble();
-    }
-  }
-  return script_failure_;
-}
-
-bool Supervisor::gave_up() const {
-  return std::ranges::any_of(fleet_.keeper().processes(), [](const KeptProcess& process) {
-    return process.life().state() == LifeState::kFailed;
-  });
+  std::string complaint = complaint_about(fleet_.keeper());
+  if (!complaint.empty()) return complaint;
+  return list_failure_.empty() ? script_.failure() : list_failure_;
 }
 
 TerminalAnswer Supervisor::answer(const std::vector<std::string>& words) {
@@ -125,7 +133,7 @@ TerminalAnswer Supervisor::answer(const std::vector<std::string>& words) {
       {"restart", ScriptAction::Kind::kRestart}};
   const std::string& verb = words.front();
   const std::vector<std::string> names(words.begin() + 1, words.end());
-  if (verb == "ps") return {fleet_.rows(steady_us())};
+  if (verb == "ps") return {rows_of(fleet_, steady_us())};
   if ((verb == "logs" || verb == "follow") && names.size() == 1) {
     return logs_answer(fleet_, names.front(), verb == "follow");
   }
@@ -133,6 +141,7 @@ TerminalAnswer Supervisor::answer(const std::vector<std::string>& words) {
     begin_script(names.front());
     return {};
   }
+  if (verb == "reload" && names.empty()) return {reload(steady_us())};
   const auto found = kChanges.find(verb);
   if (found == kChanges.end()) throw std::invalid_argument("unknown request \"" + verb + "\"");
   change({found->second, names.empty() ? site_.list.ids_of({}) : names}, steady_us());

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,9 +10,12 @@
 
 #include "common/procman/procman_values.hpp"
 #include "procs/supervisor/fleet.hpp"
-#include "procs/supervisor/keeping/script_run.hpp"
+#include "procs/supervisor/fleet_health.hpp"
+#include "procs/supervisor/fleet_script.hpp"
 #include "procs/supervisor/orders/order_policy.hpp"
 #include "procs/supervisor/os/host_meter.hpp"
+#include "procs/supervisor/os/reload_signal.hpp"
+#include "procs/supervisor/os/service_manager.hpp"
 #include "procs/supervisor/procman_view.hpp"
 #include "procs/supervisor/site.hpp"
 #include "procs/supervisor/supervisor_params.hpp"
@@ -23,7 +25,8 @@ namespace adit {
 
 /// Keeps the processes of this computer and, where it is in charge, has those of others kept. It
 /// obeys the terminals of this computer, its start script and, as far as the configuration allows,
-/// orders from the network; whoever orders can only start and stop what is in the list.
+/// orders from the network; whoever orders can only start and stop what is in the list. The list is
+/// read again on SIGHUP and for a terminal; where it is wrong, the old one stays.
 ///
 /// Times are those of steady_us(), `utime` that of wall_utime().
 class Supervisor {
@@ -31,6 +34,7 @@ class Supervisor {
   struct News {
     bool here = false;       ///< something has changed on this computer
     bool elsewhere = false;  ///< there are new orders for others
+    bool list = false;       ///< the process list was read again, for better or worse
   };
 
   /// Throws ConfigError for what cannot be, std::runtime_error where the socket cannot be had.
@@ -44,6 +48,7 @@ class Supervisor {
   /// beside it are obeyed. Orders for other computers are none of ours.
   std::string_view obey(const ProcmanOrders& orders, std::int64_t now_us);
   void heard(const ProcmanInfo& info, std::int64_t now_us) { fleet_.remotes().heard(info, now_us); }
+  void heard(const ProcmanOutput& output) { fleet_.heard(output); }
   void heard(std::string_view channel, std::int64_t now_us) { fleet_.heard(channel, now_us); }
 
   [[nodiscard]] ProcmanInfo info(std::int64_t utime) const;
@@ -60,24 +65,29 @@ class Supervisor {
   /// What is not as it should be; empty where all is well.
   [[nodiscard]] std::string complaint() const;
   /// Whether some process was given up.
-  [[nodiscard]] bool gave_up() const;
+  [[nodiscard]] bool gave_up() const { return any_given_up(fleet_.keeper()); }
+  /// Why the process list could not be read again; empty where it could.
+  [[nodiscard]] const std::string& list_failure() const { return list_failure_; }
 
  private:
+  void reload_by_signal(std::int64_t now_us);
+  std::string reload(std::int64_t now_us);
   TerminalAnswer answer(const std::vector<std::string>& words);
-  void advance_script(std::int64_t now_us);
   void begin_script(const std::string& name);
   void change(const ScriptChange& change, std::int64_t now_us);
 
+  SupervisorParams params_;
   SupervisorSite site_;
   OrderPolicy policy_;
-  double script_timeout_s_;
   Fleet fleet_;
   HostMeter host_;
   HostLoad load_;
-  std::optional<ScriptRun> script_;
-  std::string script_failure_;
+  FleetScript script_;
   OutputRelay relay_;
-  bool new_orders_ = false;
+  News news_;
+  std::string list_failure_;
+  ReloadSignal reload_signal_;
+  ServiceManager service_manager_;
   TerminalServer terminals_;
 };
 

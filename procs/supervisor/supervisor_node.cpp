@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/supervisor/supervisor_node.hpp"
 
+#include <iostream>
+
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/procman.hpp"
@@ -51,7 +53,18 @@ void SupervisorNode::listen() {
                    publish_info();
                    return std::string_view{};
                  }));
+  bus_.subscribe(channels::kPmOutput, Delivery::queued(kOrdersWaiting),
+                 reading<procman_lcm::output_t>([this](const ProcmanOutput& output) {
+                   supervisor_.heard(output);
+                   return std::string_view{};
+                 }));
+  listen_for_life();
+}
+
+/// A channel that no list names any more is listened to for nothing.
+void SupervisorNode::listen_for_life() {
   for (const std::string& channel : supervisor_.alive_channels()) {
+    if (!life_channels_.insert(channel).second) continue;
     bus_.subscribe(channel, Delivery::queued(kSignsWaiting),
                    [this, channel](const Received&) -> std::string_view {
                      supervisor_.heard(channel, steady_us());
@@ -62,6 +75,10 @@ void SupervisorNode::listen() {
 
 void SupervisorNode::advance() {
   const Supervisor::News news = supervisor_.advance(steady_us());
+  if (news.list) listen_for_life();
+  if (news.list && !supervisor_.list_failure().empty()) {
+    std::cerr << "adit-supervisor: " << supervisor_.list_failure() << std::endl;
+  }
   if (news.here) publish_info();
   if (news.elsewhere) publish_orders();
 }

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "common/bus/bus.hpp"
 #include "common/messages/heartbeat.hpp"
 #include "procs/supervisor/supervisor.hpp"
@@ -10,7 +13,8 @@ namespace adit {
 
 /// In:  PM_ORDERS (orders_t), as far as the configuration allows; PM_INFO (deputy_info_t) of
 /// others;
-///      PM_DISCOVER (discovery_t); whatever channels the process list says show life.
+///      PM_DISCOVER (discovery_t); PM_OUTPUT (output_t) of others; whatever channels the process
+///      list says show life.
 /// Out: PM_INFO (deputy_info_t) each second and on change; PM_OUTPUT (output_t); where it is in
 ///      charge, PM_ORDERS (orders_t) for others each second and on change.
 /// All of it by the time of the world, also where bus time is a simulator's. When it goes, it stops
@@ -28,6 +32,7 @@ class SupervisorNode {
 
  private:
   void listen();
+  void listen_for_life();
   void advance();
   void publish_each_second();
   void publish_info();
@@ -36,6 +41,7 @@ class SupervisorNode {
 
   Bus& bus_;
   Supervisor supervisor_;
+  std::set<std::string> life_channels_;  // that are listened to
 };
 
 }  // namespace adit

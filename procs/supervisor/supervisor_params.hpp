@@ -19,6 +19,9 @@ struct SupervisorParams {
   double script_timeout_s = 30.0;  ///< for waits in scripts that name no time
   std::string socket;              ///< for `adit ps` and the like; empty: the default of this user
   std::string watcher;             ///< adit-watch; empty: the one beside this program
+  std::string log_dir;             ///< for what processes print, a file for each; empty: nowhere
+  double log_file_max_mb = 4.0;    ///< of one file, before it is put aside
+  int log_files = 5;               ///< of each process, the oldest go
   RestartPace restart;
 
   template <class V>
@@ -32,6 +35,9 @@ struct SupervisorParams {
     v("script_timeout_s", script_timeout_s, at_least(0.0));
     v("socket", socket);
     v("watcher", watcher);
+    v("log_dir", log_dir);
+    v("log_file_max_mb", log_file_max_mb, within(0.01, 1000.0));
+    v("log_files", log_files, within(1, 100));
     v("restart", restart);
   }
 };

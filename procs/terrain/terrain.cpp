@@ -54,9 +54,30 @@ void set_differences(TerrainMap& map) {
   }
 }
 
+/// Whether the laser at the rear end has looked, that is whether most lines begin behind the
+/// origin.
+bool looks_back(const Cloud& cloud) {
+  std::size_t behind = 0;
+  for (const CloudLine& line : cloud.lines) behind += line.origin.x() < 0.0F ? 1 : 0;
+  return 2 * behind > cloud.lines.size();
+}
+
 }  // namespace
 
 TerrainMap Terrain::make(const Cloud& cloud) const {
+  TerrainMap map = heights(cloud);
+  judge(map);
+  return map;
+}
+
+TerrainMap Terrain::make(const Cloud& cloud, TerrainMemory& memory) const {
+  TerrainMap map = heights(cloud);
+  memory.recall(map);
+  judge(map);
+  return map;
+}
+
+TerrainMap Terrain::heights(const Cloud& cloud) const {
   TerrainMap map = blank(cloud);
   const CellHeights heights(cloud, map);
   const RegionHeights regions(heights, map, params_);
@@ -64,10 +85,13 @@ TerrainMap Terrain::make(const Cloud& cloud) const {
   const GroundLevel ground(map, low_m, params_);
   set_heights(map, regions, ground);
   tell_unseen_ground_apart(map, cloud, heights, ground, params_);
+  return map;
+}
+
+void Terrain::judge(TerrainMap& map) const {
   set_differences(map);
   set_slope_and_step(map);
   set_repulsion(map, params_.repulsion);
-  return map;
 }
 
 TerrainMap Terrain::blank(const Cloud& cloud) const {
@@ -82,7 +106,8 @@ TerrainMap Terrain::blank(const Cloud& cloud) const {
   map.columns = std::max(cells(params_.length_m), 1);
   map.rows = std::max(cells(params_.width_m), 1);
   // The vehicle stands in the middle of a cell: a path can begin where it is.
-  const int behind = cells(params_.behind_m);
+  const int short_side = cells(params_.behind_m);
+  const int behind = looks_back(cloud) ? map.columns - 1 - short_side : short_side;
   const int beside = map.rows / 2;
   map.p_level_corner = -map.cell_m * Eigen::Vector2d(behind + 0.5, beside + 0.5);
   TerrainCell unknown;

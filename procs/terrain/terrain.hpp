@@ -4,6 +4,7 @@
 
 #include "common/cloud/cloud.hpp"
 #include "common/terrain/terrain_map.hpp"
+#include "procs/terrain/terrain_memory.hpp"
 #include "procs/terrain/terrain_params.hpp"
 
 namespace adit {
@@ -19,9 +20,13 @@ class Terrain {
   /// Points that are not usable (`unusable_points`) are passed over. A cloud without points gives a
   /// map of which nothing is known.
   [[nodiscard]] TerrainMap make(const Cloud& cloud) const;
+  /// The same with what earlier clouds showed and this one does not, which it goes into itself.
+  [[nodiscard]] TerrainMap make(const Cloud& cloud, TerrainMemory& memory) const;
 
  private:
   [[nodiscard]] TerrainMap blank(const Cloud& cloud) const;
+  [[nodiscard]] TerrainMap heights(const Cloud& cloud) const;
+  void judge(TerrainMap& map) const;
 
   TerrainParams params_;
 };

@@ -4,6 +4,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
+#include "common/messages/pose.hpp"
 #include "common/messages/terrain_tiles.hpp"
 
 namespace adit {
@@ -13,7 +14,10 @@ constexpr std::size_t kPiecesWaiting = 200;  // several sweeps
 
 }  // namespace
 
-TerrainNode::TerrainNode(Bus& bus, const Params& params) : bus_(bus), terrain_(params) {
+TerrainNode::TerrainNode(Bus& bus, const Params& params)
+    : bus_(bus), terrain_(params), memory_(params) {
+  subscribe<pose_t>(bus, channels::kPose, Delivery::latest(),
+                    [this](const StampedPose& pose) { memory_.add(pose.utime, pose.T_odom_body); });
   subscribe<cloud_t>(bus, channels::kCloud, Delivery::queued(kPiecesWaiting),
                      [this](const CloudPiece& piece) {
                        if (const auto cloud = assembler_.add(piece)) on_cloud(*cloud);
@@ -23,7 +27,7 @@ TerrainNode::TerrainNode(Bus& bus, const Params& params) : bus_(bus), terrain_(p
 void TerrainNode::on_cloud(const Cloud& cloud) {
   superseded_ = assembler_.counts().superseded;
   cut_short_ = !cloud.complete;
-  for (const TerrainTile& tile : divide(terrain_.make(cloud))) {
+  for (const TerrainTile& tile : divide(terrain_.make(cloud, memory_))) {
     publish(bus_, channels::kTerrain, to_message(tile));
   }
 }

@@ -9,7 +9,7 @@
 
 namespace adit {
 
-/// In:  CLOUD (cloud_t), in pieces.
+/// In:  CLOUD (cloud_t), in pieces; POSE (pose_t), for the way that the body has come.
 /// Out: TERRAIN (terrain_t), in pieces, for each cloud of which all pieces came.
 class TerrainNode {
  public:
@@ -25,6 +25,7 @@ class TerrainNode {
 
   Bus& bus_;
   Terrain terrain_;
+  TerrainMemory memory_;
   CloudAssembler assembler_;
   std::int64_t superseded_ = 0;  ///< clouds that lacked pieces, when the last one was complete
   bool cut_short_ = false;

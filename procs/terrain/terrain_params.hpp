@@ -54,15 +54,39 @@ struct RepulsionParams {
   }
 };
 
+/// What is taken over from earlier maps, in odom, which drifts.
+struct TerrainMemoryParams {
+  int maps_max = 8;              ///< that are kept, of 0.6 MB each; 0: none, and no way either
+  double way_max_m = 15.0;       ///< since then, beyond which odom is not trusted
+  double rest_max_m = 0.06;      ///< of heights that both know, when one plane is taken off
+  double agreeing_share = 0.75;  ///< of these heights that have to lie within it
+  double tilt_max = 0.1;         ///< between two levels, as rise over distance
+  double gone_share_max = 0.3;   ///< of earlier obstacles that are no longer met where they were
+  double change_reach_m = 2.0;   ///< round a new obstacle, how far it may reach unseen
+
+  template <class V>
+  void visit(V& v) {
+    v("maps_max", maps_max, within(0, 50));
+    v("way_max_m", way_max_m, within(0.0, 100.0));
+    v("rest_max_m", rest_max_m, above(0.0));
+    v("agreeing_share", agreeing_share, above_up_to(0.0, 1.0));
+    v("tilt_max", tilt_max, at_least(0.0));
+    v("gone_share_max", gone_share_max, within(0.0, 1.0));
+    v("change_reach_m", change_reach_m, within(0.0, 20.0));
+  }
+};
+
 struct TerrainParams {
   double cell_m = 0.1;
-  double length_m = 20.0;        ///< of the map, along x
-  double width_m = 20.0;         ///< along y, half of it to either side
-  double behind_m = 4.0;         ///< of the length, how much lies behind the body's origin
+  double length_m = 20.0;  ///< of the map, along x
+  double width_m = 20.0;   ///< along y, half of it to either side
+  /// Of the length, how much lies behind the body's origin, seen from the laser that looks.
+  double behind_m = 6.0;
   double height_margin_m = 0.2;  ///< above the vehicle, in which it does not want to meet anything
   HeightEstimatorParams estimator;
   UnseenGroundParams unseen;
   RepulsionParams repulsion;
+  TerrainMemoryParams memory;
   Vehicle vehicle;
 
   /// Up to which height above the ground things are in the way [m].
@@ -78,6 +102,7 @@ struct TerrainParams {
     v("estimator", estimator);
     v("unseen", unseen);
     v("repulsion", repulsion);
+    v("memory", memory);
     v.shared(Vehicle::kSection, vehicle);
   }
 };

@@ -4,6 +4,7 @@
 
 #include "common/bus/stages.hpp"
 #include "common/config/config.hpp"
+#include "common/files/shared_file.hpp"
 #include "sim/live/fault_text.hpp"
 #include "sim/world/world_file.hpp"
 
@@ -11,7 +12,7 @@ namespace adit {
 
 ConfigFile load_config(const std::filesystem::path& path) {
   if (path.empty()) return {};
-  ConfigFile file = ConfigFile::load(path);
+  ConfigFile file = ConfigFile::load(shared_file(path, "config"));
   file.require_known_sections(config_sections());
   return file;
 }

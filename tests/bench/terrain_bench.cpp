@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long a 3D scan of 240 × 361 beams takes to become a terrain map of 20 × 20 m at 0.1 m. Times
 // are of the processor, so that others on the machine count little.
+#include <vector>
+
 #include <benchmark/benchmark.h>
 
 #include "procs/terrain/terrain.hpp"
@@ -39,6 +41,33 @@ void broken_beam(benchmark::State& state, const char* estimator) {
   make_terrain(state, cloud, estimator);
 }
 
+/// As a mission does, with all the earlier looks that are kept.
+void with_memory(benchmark::State& state) {
+  static std::vector<Cloud> clouds{
+      scan_of("mathies", "main", 44.0), scan_of("mathies", "main", 46.0),
+      scan_of("mathies", "main", 48.0), scan_of("mathies", "main", 50.0)};
+  const TerrainParams params;
+  const Terrain terrain(params);
+  TerrainMemory memory(params);
+  std::int64_t utime = 0;
+  for (Cloud& cloud : clouds) {
+    for (int look = 0; look < 2; ++look) {
+      cloud.utime = utime += 20'000'000;
+      benchmark::DoNotOptimize(terrain.make(cloud, memory));
+    }
+  }
+  int used = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    TerrainMemory kept = memory;
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(terrain.make(clouds.back(), kept));
+    used = kept.recollection().used;
+  }
+  state.counters["looks"] = used;
+}
+
+BENCHMARK(with_memory)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(free_corridor, kth, "kth")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(free_corridor, paper, "paper")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(broken_beam, kth, "kth")->Unit(benchmark::kMillisecond);

@@ -13,21 +13,7 @@ if [[ ${ADIT_PRIVATE_NETWORK:-} != yes ]]; then
   ADIT_PRIVATE_NETWORK=yes exec "$here/in_private_network.sh" "$0" "$@"
 fi
 supervisor=$1; adit=$2; sheriff=$3
-export LCM_DEFAULT_URL='udpm://239.255.76.67:7667?ttl=1'   # 0 would not leave the computer
-scratch=$(mktemp -d)
-sleep_s="1000.$$"   # by which the processes of this test are told from all others
-trap 'kill -KILL $(jobs -p) 2>/dev/null; rm -rf "$scratch"' EXIT
-
-fail() { echo "FAILED: $*" >&2; cat "$scratch"/*.err >&2; exit 1; }
-skip() { echo "skipped: $*" >&2; exit 77; }
-
-unshare -n sleep 120 & other=$!
-until [[ $(readlink "/proc/$other/ns/net") != $(readlink /proc/self/ns/net) ]]; do sleep 0.01; done
-ip route del 224.0.0.0/4 dev lo
-ip link add cable0 type veth peer name cable1 && ip link set cable1 netns "$other" &&
-  ip addr add 10.9.0.1/24 dev cable0 && ip link set cable0 up && ip route add 224.0.0.0/4 dev cable0 &&
-  nsenter -t "$other" -n bash -c 'ip link set lo up && ip addr add 10.9.0.2/24 dev cable1 &&
-    ip link set cable1 up && ip route add 224.0.0.0/4 dev cable1' || skip "no veth between namespaces"
+. "$here/two_computers.sh"
 
 cat > "$scratch/list.cfg" <<EOF
 group "sensing" { cmd "near" { exec = "sleep $sleep_s"; deputy = "robot"; } }
@@ -35,32 +21,8 @@ cmd "far" { exec = "sh -c 'echo hello from far; sleep $sleep_s & setsid sleep $s
             deputy = "sensors"; depends_on = "near"; stop_time_allowed = 1; }
 script "go" { start cmd "near" wait "running"; start cmd "far" wait "running" timeout_s 20; }
 EOF
-cat > "$scratch/robot.yaml" <<EOF
-supervisor: {processes: $scratch/list.cfg, deputy_id: robot, start_script: go, socket: $scratch/robot.sock}
-EOF
-cat > "$scratch/sensors.yaml" <<EOF
-supervisor: {processes: $scratch/list.cfg, deputy_id: sensors, role: deputy, in_charge: robot,
-             socket: $scratch/sensors.sock}
-EOF
-start_sensors() {
-  nsenter -t "$other" -n "$supervisor" --config "$scratch/sensors.yaml" 2>>"$scratch/sensors.err" &
-  sensors=$!
-}
-how_many_sleep() {
-  local n=0 words file
-  for file in /proc/[0-9]*/cmdline; do
-    words=()
-    mapfile -d '' words 2>/dev/null <"$file"
-    [[ ${words[*]} == "sleep $sleep_s" ]] && n=$((n + 1))
-  done 2>/dev/null
-  echo "$n"
-}
-await_sleepers() {
-  for _ in $(seq 200); do [[ $(how_many_sleep) == "$1" ]] && return; sleep 0.02; done
-  fail "$(how_many_sleep) processes sleep, not $1"
-}
 
-"$supervisor" --config "$scratch/robot.yaml" 2>"$scratch/robot.err" & robot=$!
+start_robot
 start_sensors
 
 # The script of the one in charge starts what the other is to run.

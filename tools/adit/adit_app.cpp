@@ -39,6 +39,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_order_command(*app);
   add_plan_command(*app);
   add_process_commands(*app);
+  add_reload_command(*app);
   add_sample_command(*app);
   add_scan_command(*app);
   add_sim_command(*app);

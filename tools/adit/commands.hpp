@@ -30,6 +30,7 @@ void add_optimize_command(CLI::App& adit);
 void add_order_command(CLI::App& adit);
 void add_plan_command(CLI::App& adit);
 void add_process_commands(CLI::App& adit);
+void add_reload_command(CLI::App& adit);
 void add_sample_command(CLI::App& adit);
 void add_scan_command(CLI::App& adit);
 void add_sim_command(CLI::App& adit);

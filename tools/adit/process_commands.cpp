@@ -46,18 +46,24 @@ Examples:
   watch -n1 adit ps)";
 
 constexpr const char* kLogsFooter =
-    R"(The last thousand lines that a process of this computer has printed.
+    R"(The last thousand lines that a process has printed; of another computer's, those of them that came over
+the network since the supervisor of this one started.
 
 Examples:
   adit logs mapping
   adit logs mapping -f              and what it prints from now on, until Ctrl-C)";
 
+constexpr const char* kReloadFooter =
+    R"(What has not changed runs on, what has is restarted if it runs, what is gone is stopped, what is new waits
+for adit start. Each computer reads its own list. A list that is wrong is refused and the old one stays. The
+same as: kill -HUP, systemctl reload adit-supervisor.)";
+
 std::shared_ptr<Options> add_socket_option(CLI::App& command) {
   auto options = std::make_shared<Options>();
-  options->socket = default_socket_path();
+  options->socket = socket_path_to_ask();
   command
       .add_option("--socket", options->socket,
-                  "Where the supervisor listens; the user's own without")
+                  "Where the supervisor listens; the user's own without, or the system's")
       ->type_name("PATH");
   return options;
 }
@@ -99,6 +105,13 @@ void add_process_commands(CLI::App& adit) {
   const auto options = add_socket_option(*ps);
   ps->callback(
       [options] { std::cout << process_table_text(ask_supervisor(options->socket, {"ps"})); });
+}
+
+void add_reload_command(CLI::App& adit) {
+  CLI::App* reload = adit.add_subcommand("reload", "Have the supervisor read its list again");
+  reload->footer(kReloadFooter);
+  const auto options = add_socket_option(*reload);
+  reload->callback([options] { std::cout << ask_supervisor(options->socket, {"reload"}); });
 }
 
 void add_logs_command(CLI::App& adit) {

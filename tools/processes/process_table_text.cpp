@@ -14,7 +14,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-// As Fleet::rows has them.
+// As rows_of has them, of the supervisor.
 enum Column { kName, kDeputy, kGroup, kState, kPid, kCpu, kMemory, kRestarts, kNote, kColumns };
 
 const Row kHeading{"NAME", "COMPUTER", "GROUP", "STATE", "PID", "CPU %", "MB", "RESTARTS", ""};

@@ -7,7 +7,7 @@
 
 namespace adit {
 
-/// The rows that a supervisor answers to "ps" (see Fleet::rows) as a table for a terminal, with a
+/// The rows that a supervisor answers to "ps" (see its rows_of) as a table for a terminal, with a
 /// heading. The columns of group and trouble are left out where nothing stands in them.
 std::string process_table_text(std::string_view rows);
 

@@ -29,6 +29,7 @@ void OutputLog::add(std::string_view bytes) {
     if (c == '\n' || open_line_.size() == kLineBytesMax) {
       if (open_line_.ends_with('\r')) open_line_.pop_back();
       lines_.push_back(as_text(std::exchange(open_line_, {})));
+      if (on_line_) on_line_(lines_.back());
     }
   }
   for (; lines_.size() > kLinesMax; ++first_) lines_.pop_front();

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace adit {
@@ -28,6 +30,10 @@ class OutputLog {
  public:
   static constexpr std::size_t kLinesMax = 1000;
   static constexpr std::size_t kLineBytesMax = 1000;
+  using OnLine = std::function<void(const std::string& line)>;
+
+  /// `on_line` is told each line as it ends, also where they come faster than anybody reads.
+  explicit OutputLog(OnLine on_line = {}) : on_line_(std::move(on_line)) {}
 
   void add(std::string_view bytes);
   /// The process is gone: what stands on its last line is a line.
@@ -41,6 +47,7 @@ class OutputLog {
   [[nodiscard]] OutputPiece since(std::int64_t next, std::size_t bytes_max) const;
 
  private:
+  OnLine on_line_;
   std::deque<std::string> lines_;
   std::int64_t first_ = 0;  // number of the first line that is kept
   std::string open_line_;

@@ -60,6 +60,9 @@ class ProcessLife {
 
   explicit ProcessLife(const LifeRules& rules) : rules_(rules) {}
 
+  /// From now on; what it is on its way to is not changed.
+  void go_by(const LifeRules& rules) { rules_ = rules; }
+
   void want_running();
   void want_stopped(std::int64_t now_us);
   void want_restart(std::int64_t now_us);

@@ -20,11 +20,29 @@ std::int32_t another(std::int32_t run_id) {
 
 }  // namespace
 
-RemoteDeputies::RemoteDeputies(const ProcessList& list, const std::string& own) {
-  for (const ListedCommand& command : list.commands) {
-    if (command.deputy == own) continue;
-    const double rate_hz = command.alive.value_or(AliveSign{}).rate_hz;
-    commands_.emplace(command.id, Command{command, PublishRate(rate_hz), {}, 0, Wish::kNone, {}});
+RemoteDeputies::RemoteDeputies(const ProcessList& list, const std::string& own) : own_(own) {
+  relist(list);
+}
+
+RemoteDeputies::Command RemoteDeputies::begin(const ListedCommand& command) {
+  const double rate_hz = command.alive.value_or(AliveSign{}).rate_hz;
+  return {command, PublishRate(rate_hz), {}, 0, Wish::kNone, {}};
+}
+
+void RemoteDeputies::relist(const ProcessList& list) {
+  std::map<std::string, Command> before;
+  before.swap(commands_);
+  for (const ListedCommand& listed : list.commands) {
+    if (listed.deputy == own_) continue;
+    Command& command = commands_.emplace(listed.id, begin(listed)).first->second;
+    const auto old = before.find(listed.id);
+    if (old == before.end() || old->second.listed.deputy != listed.deputy) continue;
+    command.status = old->second.status;
+    command.heard_us = old->second.heard_us;
+    command.wish = old->second.wish;
+    command.order = old->second.order;
+    if (command.order) command.order->command = as_procman(listed);
+    if (old->second.listed.alive == listed.alive) command.rate = old->second.rate;
   }
 }
 
@@ -87,6 +105,14 @@ Standing RemoteDeputies::standing(const std::string& id, std::int64_t now_us) co
   if (!runs) return Standing::kStopped;
   const bool shows_life = !command.listed.alive || command.rate.is_kept(now_us);
   return shows_life ? Standing::kWorking : Standing::kBetween;
+}
+
+bool RemoteDeputies::is_ending(const std::string& id, std::int64_t now_us) const {
+  const auto status = this->status(id, now_us);
+  if (!status || status->pid <= 0) return false;
+  const Command& command = commands_.at(id);
+  if (command.wish == Wish::kStop || command.wish == Wish::kRunAnew) return true;
+  return command.order && (command.order->stop || command.order->run_id != status->run_id);
 }
 
 }  // namespace adit

@@ -25,6 +25,10 @@ class RemoteDeputies {
   /// All commands but those of `own`.
   RemoteDeputies(const ProcessList& list, const std::string& own);
 
+  /// Those of this list from now on. What is known and ordered of a command stays, as long as it is
+  /// the same computer's.
+  void relist(const ProcessList& list);
+
   void heard(const ProcmanInfo& info, std::int64_t now_us);
   void heard(std::string_view channel, std::int64_t now_us);
 
@@ -38,6 +42,8 @@ class RemoteDeputies {
 
   /// Between, where it is on its way to what was ordered, or its deputy is silent.
   [[nodiscard]] Standing standing(const std::string& id, std::int64_t now_us) const;
+  /// Whether it still runs and is to stop, as far as is heard.
+  [[nodiscard]] bool is_ending(const std::string& id, std::int64_t now_us) const;
   /// The newest; nothing where the deputy has been silent for five seconds.
   [[nodiscard]] std::optional<ProcmanStatus> status(const std::string& id,
                                                     std::int64_t now_us) const;
@@ -54,8 +60,10 @@ class RemoteDeputies {
     std::optional<ProcmanOrder> order;  // that is repeated
   };
 
+  static Command begin(const ListedCommand& command);
   static void decide(Command& command);
 
+  std::string own_;
   std::map<std::string, Command> commands_;
 };
 

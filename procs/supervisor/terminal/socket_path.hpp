@@ -10,4 +10,8 @@ namespace adit {
 /// /run/adit for root, else in a folder of the user's own below /tmp.
 std::filesystem::path default_socket_path();
 
+/// Where a terminal of this user finds a supervisor: there, or else, where it may look into it, in
+/// /run/adit, which has the one that the system starts.
+std::filesystem::path socket_path_to_ask();
+
 }  // namespace adit

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 const fs::path kRoot = ADIT_SOURCE_DIR;
 
 std::vector<std::string> our_programs() {
-  std::vector<std::string> names{"adit"};
+  std::vector<std::string> names{"adit", "adit-record"};
   for (const std::string& stage : stage_names()) names.push_back("adit-" + stage);
   return names;
 }
@@ -43,10 +43,41 @@ TEST(ProcessLists, NameProgramsThatThereAreAndFilesThatThereAre) {
   EXPECT_GT(lists, 0);
 }
 
+SupervisorParams supervisor_of(const std::string& config) {
+  return load_section<SupervisorParams>(ConfigFile::load(kRoot / "deploy/config" / config),
+                                        "supervisor");
+}
+
 TEST(ProcessLists, AreWhatTheConfigurationOfTheSupervisorSays) {
-  const fs::path path = kRoot / "deploy/config/simulated.yaml";
-  const auto params = load_section<SupervisorParams>(ConfigFile::load(path), "supervisor");
-  EXPECT_NE(read_process_list(kRoot / params.processes).find_script(params.start_script), nullptr);
+  const auto simulated = supervisor_of("simulated.yaml");
+  EXPECT_NE(read_process_list(kRoot / simulated.processes).find_script(simulated.start_script),
+            nullptr);
+  const auto robot = supervisor_of("robot.yaml");
+  const fs::path file = fs::path(robot.processes).filename();
+  EXPECT_NE(read_process_list(kRoot / "deploy/processes" / file).find_script(robot.start_script),
+            nullptr);
+}
+
+TEST(ProcessLists, HaveEveryStageRunOnTheRobot) {
+  const ProcessList list = read_process_list(kRoot / "deploy/processes/robot.cfg");
+  for (const std::string& stage : stage_names()) {
+    if (stage == "supervisor") continue;
+    const ListedCommand* const command = list.find(stage);
+    ASSERT_NE(command, nullptr) << stage;
+    EXPECT_EQ(command->exec, "adit-" + stage);
+    EXPECT_TRUE(command->auto_respawn) << stage;
+  }
+}
+
+/// What is told by a channel that is silent without input would be restarted for nothing.
+TEST(ProcessLists, HaveSignsOfLifeOnTheRobotThatComeWithoutInput) {
+  const ProcessList list = read_process_list(kRoot / "deploy/processes/robot.cfg");
+  std::vector<std::string> channels;
+  for (const ListedCommand& command : list.commands) {
+    if (command.alive) channels.push_back(command.alive->channel);
+  }
+  EXPECT_THAT(channels, testing::IsSubsetOf({"STOP", "DRIVING_STATE", "PHASE"}));
+  EXPECT_FALSE(channels.empty());
 }
 
 }  // namespace

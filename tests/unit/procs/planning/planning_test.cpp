@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -243,6 +244,23 @@ TEST(Planning, BacksUpToAPoseBehindIt) {
   const PlannedPath path = plan(terrain_of(CorridorScene{}), to({-3.0, 0.0, 0.0}));
   ASSERT_EQ(path.outcome, PlanOutcome::kFound);
   EXPECT_TRUE(path.points.front().reverse);
+}
+
+/// Goals behind it, of both kinds, straight and in bends.
+TEST(Planning, GoesBackInReverseAllTheWay) {
+  for (std::uint32_t seed = 0; seed < 3; ++seed) {
+    const TerrainMap terrain = terrain_of(random_corridor(seed));
+    // A robot that has come from the far end: the corridor lies behind it.
+    PlanGoal along;
+    const PlannedPath back = plan(terrain, along, {0.0, 0.0, std::numbers::pi});
+    ASSERT_EQ(back.outcome, PlanOutcome::kFound) << seed;
+    for (const PathPoint& point : back.points) EXPECT_TRUE(point.reverse) << seed;
+    const PlannedPath ahead = plan(terrain, along);
+    EXPECT_NEAR(back.reached_m, ahead.reached_m, 0.3) << seed;
+  }
+  const PlannedPath path = plan(even_ground(), to({-6.0, 1.0, 0.0}));
+  ASSERT_EQ(path.outcome, PlanOutcome::kFound);
+  for (const PathPoint& point : path.points) EXPECT_TRUE(point.reverse);
 }
 
 TEST(Planning, PlansInTheFrameOfTheOdometry) {

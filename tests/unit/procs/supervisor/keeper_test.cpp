@@ -3,6 +3,7 @@
 // The keeper with real processes: small shells.
 #include "procs/supervisor/keeper.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <memory>
 #include <string>
@@ -14,6 +15,7 @@
 
 #include "common/process_list/parser.hpp"
 #include "procs/supervisor/os/wall_time.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/unit/procs/supervisor/processes.hpp"
 
 namespace adit {
@@ -196,6 +198,35 @@ TEST_F(KeeperTest, KillsWhoLostTheirWatcher) {
     keeper_->measure(steady_us());
     return test::processes_with(sleep) == 0;
   }));
+}
+
+TEST_F(KeeperTest, StopsWhatDependsOnOthersBeforeThese) {
+  const test::ScratchFolder folder;
+  const auto noted = [&](const std::string& id, const std::string& more = "") {
+    return "cmd \"" + id + "\" { exec = \"sh -c 'trap \\\"sleep 0.05; echo " + id + " >> " +
+           (folder / "order").string() +
+           "; exit\\\" TERM; echo ready; while :; do sleep 0.01; done'\"; stop_signal = 15; " +
+           more + "}";
+  };
+  keep(noted("laser") + noted("matching", R"(depends_on = "laser"; )") +
+       noted("mapping", R"(depends_on = "matching", "laser"; )"));
+  for (const char* id : {"laser", "matching", "mapping"}) process(id).start();
+  for (const char* id : {"laser", "matching", "mapping"}) ASSERT_TRUE(prints(id, "ready"));
+  keeper_.reset();
+  EXPECT_EQ(test::contents(folder / "order"), "mapping\nmatching\nlaser\n");
+}
+
+TEST_F(KeeperTest, WritesWhatIsPrintedToFilesAndHowItEnded) {
+  const test::ScratchFolder folder;
+  keeper_ = std::make_unique<Keeper>(
+      parse_process_list(R"(cmd "flood" { exec = "sh -c 'seq 1 5000; exit 3'"; })", "list"),
+      KeeperOptions{"", ADIT_WATCH, {}, folder.path(), {}});
+  process("flood").start();
+  ASSERT_TRUE(becomes("flood", LifeState::kFailed));
+  const std::string text = test::contents(folder / "flood.log");
+  EXPECT_EQ(std::ranges::count(text, '\n'), 5002);  // more than is kept in memory
+  EXPECT_THAT(text, HasSubstr("Z --- started: sh -c 'seq 1 5000; exit 3'\n"));
+  EXPECT_THAT(text, testing::EndsWith("Z --- ended with exit code 3\n"));
 }
 
 /// The program of this test that keeps a process, until it is killed.

@@ -231,10 +231,45 @@ TEST_F(SupervisorNodeTest, ServesTerminals) {
   EXPECT_THAT(terminal({"start", "talk", "none"}), HasSubstr("there is no process \"none\""));
   go_on();
   EXPECT_EQ(status("talk").pid, 0);  // nothing was done by halves
-  EXPECT_THAT(terminal({"logs", "far"}), HasSubstr("runs on sensors: ask there"));
+  EXPECT_THAT(terminal({"logs", "far"}), HasSubstr("nothing was heard of it from sensors"));
   EXPECT_THAT(terminal({"logs", "none"}), HasSubstr("no process \"none\""));
   EXPECT_THAT(terminal({"script", "none"}), HasSubstr("no script \"none\""));
   EXPECT_THAT(terminal({"dance"}), HasSubstr("unknown request"));
+}
+
+TEST_F(SupervisorNodeTest, ShowsWhatIsPrintedOnOtherComputers) {
+  start_node();
+  const auto printed = [&](const std::string& deputy, const std::string& id, const char* text) {
+    publish(bus_, channels::kPmOutput, to_message(ProcmanOutput{kStart, deputy, {{id, text}}}));
+  };
+  printed("sensors", "far", "one\n");
+  printed("stranger", "far", "lie\n");
+  printed("sensors", "unlisted", "lie\n");
+  printed("robot", "talk", "lie\n");  // as one's own words come back
+  printed("sensors", "far", "two\n\x1b[2J");
+  EXPECT_EQ(terminal({"logs", "far"}), "one\ntwo\n");
+  EXPECT_EQ(terminal({"logs", "talk"}), "");
+}
+
+TEST_F(SupervisorNodeTest, StopsInOrderAcrossComputers) {
+  std::ofstream(folder_ / "list.cfg") << R"(cmd "near" { exec = "sleep 1000"; deputy = "robot"; }
+    cmd "far" { exec = "sleep 1000"; deputy = "sensors"; depends_on = "near"; })";
+  start_node();
+  const auto far_is = [&](std::int32_t pid) {
+    const ProcmanStatus far{{"far", "", "", false, 0, 0.0}, pid, 3};
+    publish(bus_, channels::kPmInfo, to_message(ProcmanInfo{kStart, "sensors", {}, {far}}));
+  };
+  terminal({"start", "near"});
+  ASSERT_TRUE(soon([&] { return status("near").pid > 0; }));
+  far_is(17);
+  EXPECT_EQ(terminal({"stop"}), "");
+  ASSERT_TRUE(soon([&] { return !orders_.empty(); }));
+  EXPECT_TRUE(orders_.back().orders[0].stop);
+  for (int i = 0; i < 5; ++i) go_on();
+  EXPECT_THAT(terminal({"ps"}), AllOf(HasSubstr("near\trobot\t\trunning"),
+                                      HasSubstr("stops after what depends on it")));
+  far_is(0);
+  EXPECT_TRUE(soon([&] { return terminal({"ps"}).starts_with("near\trobot\t\tstopped"); }));
 }
 
 TEST_F(SupervisorNodeTest, ReportsAProcessThatWasGivenUp) {
@@ -265,6 +300,9 @@ TEST_F(SupervisorNodeTest, RefusesAConfigurationThatCannotBe) {
   params = params_;
   params.watcher = "/nonexistent";
   EXPECT_THAT(error_of(params), HasSubstr("/nonexistent cannot be run"));
+  params = params_;
+  params.log_dir = "/proc/logs";
+  EXPECT_THAT(error_of(params), HasSubstr("/proc/logs cannot be written to"));
   params = params_;
   params.role = "deputy";
   EXPECT_THAT(error_of(params), HasSubstr("command \"quiet\" names no deputy"));

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace adit {
+
+/// The file, or, where there is none at this relative path, the one of its name that came with this
+/// program: ../share/adit/FOLDER from where it is installed. The path itself where that has none
+/// either, so that who opens it says what is missing. So deploy/config/groundhog.yaml is what it is
+/// in the tree of the sources, and is found after installation too.
+std::filesystem::path shared_file(const std::filesystem::path& path, const std::string& folder);
+
+}  // namespace adit

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/terrain/driven_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit {
+namespace {
+
+constexpr double kPieceM = 0.1;
+constexpr double kPieceRad = 0.1;
+constexpr double kJumpM = 0.5;    // beyond what is driven in the time
+constexpr double kJumpRad = 0.7;  // in less than a second
+constexpr std::size_t kPlaces = 2000;
+
+}  // namespace
+
+bool DrivenWay::can_follow(std::int64_t utime, const Pose2& T_odom_body) const {
+  if (!last_) return true;
+  const double seconds =
+      1e-6 * static_cast<double>(std::max<std::int64_t>(utime - last_->utime, 0));
+  const Pose2 step = between(last_->T_odom_body, T_odom_body);
+  if (step.translation().norm() > kJumpM + 2.0 * speed_max_m_s_ * seconds) return false;
+  return seconds > 1.0 || std::abs(step.theta) < kJumpRad;
+}
+
+bool DrivenWay::add(std::int64_t utime, const Pose2& T_odom_body) {
+  const bool follows = can_follow(utime, T_odom_body);
+  last_ = {utime, T_odom_body};
+  if (!follows) places_.clear();
+  if (!places_.empty()) {
+    const Pose2 step = between(places_.back().T_odom_body, T_odom_body);
+    const double piece_m = step.translation().norm();
+    if (piece_m < kPieceM && std::abs(step.theta) < kPieceRad) return follows;
+    way_m_ += piece_m;
+  }
+  places_.push_back({T_odom_body, way_m_});
+  while (places_.size() > kPlaces || places_.front().way_m < way_m_ - way_max_m_) {
+    places_.pop_front();
+  }
+  return follows;
+}
+
+}  // namespace adit

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "common/geometry/pose2.hpp"
+
+namespace adit {
+
+/// The way that the body has come, in odom: a pose for each piece of it, as far back as odom is
+/// trusted.
+class DrivenWay {
+ public:
+  struct Place {
+    Pose2 T_odom_body;
+    double way_m;  ///< driven until there
+  };
+
+  DrivenWay(double way_max_m, double speed_max_m_s)
+      : way_max_m_(way_max_m), speed_max_m_s_(speed_max_m_s) {}
+
+  /// False where nobody drives that far in the time: odom has begun anew, and so does the way.
+  bool add(std::int64_t utime, const Pose2& T_odom_body);
+
+  /// Driven in all [m]; what noise adds at rest is no way.
+  [[nodiscard]] double way_m() const { return way_m_; }
+  /// Oldest first.
+  [[nodiscard]] const std::deque<Place>& places() const { return places_; }
+
+ private:
+  [[nodiscard]] bool can_follow(std::int64_t utime, const Pose2& T_odom_body) const;
+
+  double way_max_m_;
+  double speed_max_m_s_;
+  double way_m_ = 0.0;
+  std::deque<Place> places_;
+  struct Reading {
+    std::int64_t utime;
+    Pose2 T_odom_body;
+  };
+  std::optional<Reading> last_;
+};
+
+}  // namespace adit

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The supervisor with real processes, whose list is written anew while they run.
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <map>
+#include <string>
+#include <thread>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "procs/supervisor/os/wall_time.hpp"
+#include "procs/supervisor/supervisor.hpp"
+#include "procs/supervisor/terminal/terminal_client.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tests/unit/procs/supervisor/processes.hpp"
+
+namespace adit {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class ProcessListReload : public testing::Test {
+ protected:
+  ProcessListReload() {
+    ReloadSignal::block();
+    write_list(R"(cmd "stays" { exec = "sleep 1000"; } cmd "changes" { exec = "sleep 1001"; }
+                  cmd "goes" { exec = "sleep 1002"; } cmd "rests" { exec = "sleep 1003"; }
+                  cmd "fails" { exec = "false"; } script "wait" { wait ms 100000; })");
+    SupervisorParams params;
+    params.processes = folder_ / "list.cfg";
+    params.deputy_id = "robot";
+    params.socket = folder_ / "s.sock";
+    params.watcher = ADIT_WATCH;
+    supervisor_ = std::make_unique<Supervisor>(params);
+    ask({"start", "stays", "changes", "goes", "fails"});
+    EXPECT_TRUE(soon([&] { return pid("stays") > 0 && pid("changes") > 0 && pid("goes") > 0; }));
+    EXPECT_TRUE(soon([&] { return supervisor_->gave_up(); }));
+  }
+
+  void write_list(const std::string& text) { std::ofstream(folder_ / "list.cfg") << text; }
+
+  bool soon(const std::function<bool()>& condition) {
+    return test::soon([&] {
+      supervisor_->advance(steady_us());
+      return condition();
+    });
+  }
+
+  /// What a terminal is told, which asks from a thread of its own.
+  std::string ask(const std::vector<std::string>& words) {
+    std::string said;
+    std::atomic<bool> done = false;
+    const std::jthread thread([&] {
+      try {
+        said = ask_supervisor(folder_ / "s.sock", words);
+      } catch (const std::runtime_error& error) {
+        said = error.what();
+      }
+      done = true;
+    });
+    EXPECT_TRUE(soon([&] { return done.load(); }));
+    return said;
+  }
+
+  [[nodiscard]] ProcmanStatus status(const std::string& id) const {
+    for (const ProcmanStatus& status : supervisor_->info(1).commands) {
+      if (status.command.id == id) return status;
+    }
+    return {};
+  }
+  [[nodiscard]] int pid(const std::string& id) const { return status(id).pid; }
+  [[nodiscard]] bool is_listed(const std::string& id) const {
+    return !status(id).command.id.empty();
+  }
+
+  test::ScratchFolder folder_;
+  std::unique_ptr<Supervisor> supervisor_;
+};
+
+const char* const kAnother = R"(
+cmd "new" { exec = "sleep 1004"; } cmd "changes" { exec = "sleep 1005"; stop_signal = 15; }
+cmd "stays" { exec = "sleep 1000"; } cmd "rests" { exec = "sleep 1006"; }
+cmd "fails" { exec = "sleep 1007"; alive_channel = "SIGN"; start_timeout_s = 60; })";
+
+TEST_F(ProcessListReload, DoesToEachWhatItsChangeAsksFor) {
+  const int stayed = pid("stays");
+  const int changed = pid("changes");
+  write_list(kAnother);
+  EXPECT_EQ(ask({"reload"}),
+            "changed: changes rests fails\nnew: new\ngone: goes\nscripts have changed\n");
+  EXPECT_TRUE(soon([&] { return pid("changes") > 0 && pid("changes") != changed; }));
+  EXPECT_EQ(status("changes").command.exec, "sleep 1005");
+  EXPECT_TRUE(soon([&] { return !is_listed("goes"); }));
+  EXPECT_EQ(pid("stays"), stayed);
+  EXPECT_EQ(pid("new"), 0);
+  EXPECT_TRUE(is_listed("new"));
+  EXPECT_EQ(pid("rests"), 0);
+  EXPECT_EQ(status("rests").command.exec, "sleep 1006");
+  EXPECT_TRUE(soon([&] { return pid("fails") > 0; }));  // it has another chance
+  EXPECT_THAT(supervisor_->alive_channels(), testing::ElementsAre("SIGN"));
+  EXPECT_THAT(ask({"ps"}), Not(HasSubstr("goes")));
+  EXPECT_THAT(ask({"stop", "goes"}), HasSubstr("there is no process \"goes\""));
+}
+
+TEST_F(ProcessListReload, ComesWithTheSignalToo) {
+  write_list(kAnother);
+  raise(SIGHUP);
+  EXPECT_TRUE(soon([&] { return is_listed("new"); }));
+  EXPECT_THAT(supervisor_->list_failure(), testing::IsEmpty());
+}
+
+TEST_F(ProcessListReload, OfABadListLeavesAllAsItIs) {
+  const int stayed = pid("stays");
+  const int changed = pid("changes");
+  write_list(R"(cmd "stays" { exec = "sleep 1000"; } cmd "changes" { exec = ; })");
+  EXPECT_THAT(ask({"reload"}),
+              testing::AllOf(HasSubstr("list.cfg:1:"), HasSubstr("the old process list stays")));
+  raise(SIGHUP);
+  EXPECT_TRUE(soon([&] { return !supervisor_->list_failure().empty(); }));
+  EXPECT_EQ(pid("stays"), stayed);
+  EXPECT_EQ(pid("changes"), changed);
+  EXPECT_TRUE(is_listed("goes"));
+  write_list(kAnother);
+  ask({"reload"});
+  EXPECT_THAT(supervisor_->list_failure(), testing::IsEmpty());
+}
+
+TEST_F(ProcessListReload, EndsAScriptAndSaysSo) {
+  EXPECT_EQ(ask({"script", "wait"}), "");
+  EXPECT_THAT(ask({"reload"}), HasSubstr("script \"wait\" was ended by a new process list"));
+}
+
+TEST_F(ProcessListReload, TakesBackAChangeBeforeItCame) {
+  const int stayed = pid("stays");
+  write_list(R"(cmd "stays" { exec = "sleep 1000"; })");
+  ask({"reload"});
+  write_list(kAnother);
+  ask({"reload"});
+  EXPECT_EQ(pid("stays"), stayed);
+  EXPECT_TRUE(soon([&] { return is_listed("changes") && pid("changes") == 0; }));
+  EXPECT_EQ(ask({"start", "changes"}), "");
+  EXPECT_TRUE(soon([&] { return pid("changes") > 0; }));
+}
+
+TEST_F(ProcessListReload, RestartsInOrderOfWhatDependsOnWhat) {
+  write_list(R"(cmd "first" { exec = "sleep 1000"; }
+                cmd "second" { exec = "sleep 1001"; depends_on = "first"; })");
+  ask({"reload"});
+  ask({"start", "first", "second"});
+  EXPECT_TRUE(soon([&] { return pid("second") > 0; }));
+  const int first = pid("first");
+  const int second = pid("second");
+  write_list(R"(cmd "first" { exec = "sleep 1002"; }
+                cmd "second" { exec = "sleep 1003"; depends_on = "first"; })");
+  ask({"reload"});
+  EXPECT_TRUE(soon([&] {
+    const bool second_runs_anew = pid("second") > 0 && pid("second") != second;
+    EXPECT_FALSE(second_runs_anew && (pid("first") == first || pid("first") == 0));
+    return second_runs_anew;
+  }));
+  EXPECT_EQ(status("second").command.exec, "sleep 1003");
+}
+
+TEST_F(ProcessListReload, DoesNotLeaveWhoFollowsALogHanging) {
+  std::string heard;
+  std::atomic<bool> over = false;
+  const std::jthread follower([&] {
+    try {
+      ask_supervisor(folder_ / "s.sock", {"follow", "goes"}, [](std::string_view) {});
+    } catch (const std::runtime_error&) {
+    }
+    over = true;
+  });
+  write_list(kAnother);
+  ask({"reload"});
+  EXPECT_TRUE(soon([&] { return !is_listed("goes"); }));
+  supervisor_.reset();  // and nothing is read that is gone
+  EXPECT_TRUE(test::soon([&] { return over.load(); }));
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where memory is not to be trusted, and that it is bounded.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/procs/terrain/memory_scenes.hpp"
+#include "tests/unit/procs/terrain/terrain_scenes.hpp"
+
+namespace adit {
+namespace {
+
+const Pose2 kFirst{-6.0, 0.0, 0.0};
+const Pose2 kHere{0.0, 0.0, 0.0};
+const Eigen::AlignedBox2d kBeside(Eigen::Vector2d(-2.0, 0.8), Eigen::Vector2d(1.5, 1.5));
+
+bool is_seen(const TerrainCell& cell) { return cell.ground == Ground::kSeen; }
+
+TEST(TerrainMemoryLimits, LooksOfTooLongAgoAreForgotten) {
+  for (const double detour_m : {3.0, 6.0}) {
+    LookingVehicle vehicle(kFirst);
+    vehicle.look(add_drift);
+    vehicle.drive_to({detour_m, 0.0, 0.0});
+    vehicle.drive_to(kHere);  // 12 m after the look, or 18 m
+    const TerrainMap map = vehicle.look(add_drift);
+    EXPECT_EQ(share_of(map, kBeside, is_seen), detour_m < 4.5 ? 1.0 : 0.0) << detour_m;
+  }
+}
+
+TEST(TerrainMemoryLimits, KeepsOnlySoManyMaps) {
+  TerrainParams params;
+  params.memory.maps_max = 2;
+  LookingVehicle vehicle(kHere, params);
+  for (int i = 0; i < 4; ++i) {
+    vehicle.look(add_drift);
+    EXPECT_EQ(vehicle.memory().maps(), std::min<std::size_t>(static_cast<std::size_t>(i) + 1, 2));
+  }
+}
+
+TEST(TerrainMemoryLimits, NoneIsKeptWhereNoneIsWanted) {
+  TerrainParams params;
+  params.memory.maps_max = 0;
+  LookingVehicle vehicle(kFirst, params);
+  vehicle.look(add_drift);
+  vehicle.drive_to(kHere);
+  EXPECT_EQ(share_of(vehicle.look(add_drift), kBeside, is_seen), 0.0);
+}
+
+TEST(TerrainMemoryLimits, AJumpOfOdomEndsIt) {
+  LookingVehicle vehicle(kFirst);
+  vehicle.look(add_drift);
+  vehicle.drive_to(kHere);
+  vehicle.memory().add(1'600'000'030'000'000, {90.0, 0.0, 0.0});
+  EXPECT_EQ(vehicle.memory().maps(), 0U);
+}
+
+TEST(TerrainMemoryLimits, ALookWhoseWallsAreElsewhereIsRefused) {
+  for (const Pose2& wrong : {Pose2{0.0, 0.5, 0.0}, Pose2{0.0, 0.0, 0.1}}) {
+    LookingVehicle vehicle(kFirst);
+    vehicle.look(add_drift, false, 0.0, wrong);
+    vehicle.drive_to(kHere);
+    const TerrainMap map = vehicle.look(add_drift);
+    EXPECT_EQ(vehicle.memory().recollection().refused, 1);
+    EXPECT_EQ(share_of(map, kBeside, is_seen), 0.0);
+  }
+}
+
+TEST(TerrainMemoryLimits, ALookWhoseGroundIsAnotherIsRefused) {
+  const auto ramp = [](MeshBuilder& builder) {  // of a level that is off by 10 degrees
+    const auto corner = [&](float x, float y) {
+      return builder.vertex({x, y, 0.18F * (x + 6.0F)});
+    };
+    builder.quad(corner(-15, -2), corner(15, -2), corner(15, 2), corner(-15, 2));
+  };
+  LookingVehicle vehicle(kFirst);
+  vehicle.look(ramp);
+  vehicle.drive_to(kHere);
+  const auto flat = [](MeshBuilder& builder) { add_ground(builder, -15.0, 15.0); };
+  vehicle.look(flat);
+  EXPECT_EQ(vehicle.memory().recollection().refused, 1);
+}
+
+}  // namespace
+}  // namespace adit

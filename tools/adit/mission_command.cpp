@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
 #include <cstdio>
-#include <iostream>
 #include <memory>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
-#include <unistd.h>
 
 #include "tools/adit/commands.hpp"
+#include "tools/adit/mission_teller.hpp"
 #include "tools/mission/mission_folder.hpp"
 #include "tools/mission/mission_live.hpp"
 #include "tools/mission/mission_run.hpp"
@@ -43,31 +42,6 @@ Examples:
   adit mission --out mission --resume           after it was interrupted, or all of it was cut off
   adit mission mathies --in-process --out mission)";
 
-/// Of one mission on a terminal; whoever reads a file gets a line now and then.
-class Teller {
- public:
-  void update(const MissionProgress& progress, double wall_s) {
-    const double factor = wall_s > 0.0 ? progress.simulated_s / wall_s : 0.0;
-    if (on_terminal_) {
-      std::printf("\r%s ", progress_text(progress, factor).c_str());
-    } else if (wall_s >= next_s_) {
-      std::printf("%s\n", progress_text(progress, factor).c_str());
-      next_s_ = wall_s + kLineEachS;
-    }
-    std::fflush(stdout);
-  }
-  void say(const std::string& what) const {
-    if (on_terminal_) std::printf("\n");
-    std::fflush(stdout);
-    std::cerr << "adit mission: " << what << std::endl;
-  }
-
- private:
-  static constexpr double kLineEachS = 10.0;
-  bool on_terminal_ = isatty(STDOUT_FILENO) == 1;
-  double next_s_ = 0.0;
-};
-
 /// Throws the exit code of a mission that did not come home.
 void conclude(const MissionProgress& last, const std::string& trouble, double wall_s) {
   std::printf("\n%s\n%.0f s of simulated time in %.0f s; %.2f m from the start at the end\n",
@@ -87,7 +61,7 @@ void run_here(const MissionLiveOptions& mission) {
   options.config = mission.config;
   options.faults = mission.faults;
   options.time_max_s = mission.time_max_s;
-  Teller teller;
+  MissionTeller teller;
   const auto begin = std::chrono::steady_clock::now();
   const MissionRunResult result = run_mission(options, [&](const MissionProgress& progress) {
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
@@ -101,7 +75,7 @@ void run_here(const MissionLiveOptions& mission) {
 }
 
 void run_processes(const MissionLiveOptions& mission) {
-  Teller teller;
+  MissionTeller teller;
   const MissionLiveResult result = run_live_mission(
       mission,
       [&](const MissionProgress& progress, double wall_s) { teller.update(progress, wall_s); },
@@ -111,7 +85,8 @@ void run_processes(const MissionLiveOptions& mission) {
 
 void run(const Options& options) {
   if (options.mission.world.name.empty() == !options.mission.resume) {
-    throw std::invalid_argument("say in which mine, or --resume to go on with the mission of --out");
+    throw std::invalid_argument(
+        "say in which mine, or --resume to go on with the mission of --out");
   }
   if (options.in_process) return run_here(options.mission);
   run_processes(options.mission);

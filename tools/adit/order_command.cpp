@@ -36,13 +36,15 @@ Examples:
 }  // namespace
 
 void add_order_command(CLI::App& adit) {
-  CLI::App* command = adit.add_subcommand("order", "Tell a mission to pause, go on, come home, stop");
+  CLI::App* command =
+      adit.add_subcommand("order", "Tell a mission to pause, go on, come home, stop");
   command->footer(kFooter);
   const auto options = std::make_shared<MissionOrderOptions>();
   command->add_option("ORDER", options->order, "pause, go-on, come-home or stop")
       ->transform(CLI::CheckedTransformer(kOrders))
       ->required();
-  command->add_option("--mission", options->mission, "Folder of a mission with a network of its own")
+  command
+      ->add_option("--mission", options->mission, "Folder of a mission with a network of its own")
       ->type_name("DIR");
   command->add_option("--patience-s", options->patience_s, "How long to wait until it obeys")
       ->type_name("SECONDS")

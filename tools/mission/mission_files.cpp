@@ -26,8 +26,8 @@ std::string quoted(const std::string& word) { return "'" + word + "'"; }
 std::string simulator_line(const SimulatorStart& start) {
   std::string names;
   for (const std::string& stage : stage_names()) names += (names.empty() ? "" : ",") + stage;
-  std::string line = "adit-sim start.yaml --config mission.yaml --speed " + start.speed +
-                     kAhead + " --wait-for " + names + " --record " + start.log.filename().string();
+  std::string line = "adit-sim start.yaml --config mission.yaml --speed " + start.speed + kAhead +
+                     " --wait-for " + names + " --record " + start.log.filename().string();
   if (start.start_utime) line += " --start-utime " + std::to_string(*start.start_utime);
   for (const std::string& fault : start.faults) line += " --fault " + quoted(fault);
   return line;

@@ -5,17 +5,14 @@
 #include <chrono>
 #include <cstdlib>
 #include <span>
+#include <utility>
 
 #include "common/bus/lcm_bus.hpp"
 #include "common/bus/stop_signal.hpp"
 #include "common/files/locked_file.hpp"
-#include "common/files/text_file.hpp"
 #include "procs/supervisor/terminal/terminal_client.hpp"
-#include "sim/live/fault_text.hpp"
-#include "sim/world/build_world.hpp"
-#include "sim/world/world_file.hpp"
-#include "tools/mission/mission_files.hpp"
 #include "tools/mission/mission_folder.hpp"
+#include "tools/mission/mission_preparation.hpp"
 #include "tools/mission/mission_watch.hpp"
 #include "tools/mission/private_network.hpp"
 #include "tools/mission/supervisor_program.hpp"
@@ -24,40 +21,13 @@ namespace adit {
 namespace {
 
 constexpr const char* kPrivateUrl = "udpm://239.255.76.67:7667?ttl=0";
-constexpr std::int64_t kAfterCutUs = 10'000'000;  // of simulated time
-constexpr std::int64_t kTellUs = 500'000;         // of wall time
+constexpr std::int64_t kTellUs = 500'000;  // of wall time
 constexpr std::int64_t kSilenceMaxUs = 60'000'000;
 constexpr int kListenMs = 50;
 
 std::int64_t wall_us() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
-}
-
-/// Writes what all processes read. Returns where the robot once began.
-Eigen::Vector2d prepare(const MissionLiveOptions& options, const MissionFolder& folder) {
-  for (const std::string& fault : options.faults) parse_fault(fault);
-  SimulatorStart start{folder.next_log(), std::nullopt, options.speed, options.faults};
-  if (options.resume) {
-    folder.require_unfinished();
-    WorldDescription world = find_world(folder.world().string());
-    const MissionStand stand = folder.last_stand();
-    const Eigen::Vector2d p_world_start = world.T_world_start.translation();
-    world.T_world_start = stand.T_world_body;
-    start.start_utime = stand.utime + kAfterCutUs;
-    write_text(to_world_file(world), folder.start());
-    write_text(mission_processes(start), folder.path() / "processes.cfg");
-    return p_world_start;
-  }
-  folder.require_new();
-  const WorldDescription world = describe(options.world);
-  build_world(world);  // what cannot be built is said here, and not by a process that ends
-  write_text(mission_config(options.config), folder.config());
-  write_text(to_world_file(world), folder.world());
-  write_text(to_world_file(world), folder.start());
-  write_text(mission_processes(start), folder.path() / "processes.cfg");
-  write_text(mission_supervisor(), folder.path() / "supervisor.yaml");
-  return world.T_world_start.translation();
 }
 
 /// Tells others, which may want to look or to give an order, on whose network it is.
@@ -110,7 +80,8 @@ class LiveMission {
     if (stop.came()) return "it was interrupted; adit mission --resume goes on";
     if (!watch_.failure().empty()) return "the run has failed: " + watch_.failure();
     if (watch_.progress().simulated_s > options_.time_max_s) return "its time is up";
-    if (const auto end = supervisor_.ended()) return "adit-supervisor " + *end + "; see supervisor.log";
+    if (const auto end = supervisor_.ended())
+      return "adit-supervisor " + *end + "; see supervisor.log";
     if (std::exchange(utime_, watch_.utime()) != watch_.utime() || moved_us_ == 0) {
       moved_us_ = now_us;
     }
@@ -150,7 +121,7 @@ MissionLiveResult run_live_mission(const MissionLiveOptions& options,
   const MissionFolder folder(options.folder);
   const LockedFile running(folder.running());
   announce(running);
-  const Eigen::Vector2d p_world_start = prepare(options, folder);
+  const Eigen::Vector2d p_world_start = prepare_mission(options, folder);
   std::filesystem::current_path(folder.path());
   LiveMission mission(options, folder, p_world_start, say);
   return mission.run(stop, progress);

@@ -16,13 +16,13 @@ namespace adit {
 /// A mission in a simulated mine, each stage a process under an adit-supervisor, on a network of
 /// their own.
 struct MissionLiveOptions {
-  WorldChoice world;                  ///< not read where it goes on
-  std::filesystem::path folder;       ///< made if it is not there; see MissionFolder
-  bool resume = false;                ///< go on with the mission in the folder
-  std::filesystem::path config;       ///< YAML; empty: defaults, and the lasers of the simulator
-  std::string speed = "max";          ///< times real time, or max
+  WorldChoice world;                 ///< not read where it goes on
+  std::filesystem::path folder;      ///< made if it is not there; see MissionFolder
+  bool resume = false;               ///< go on with the mission in the folder
+  std::filesystem::path config;      ///< YAML; empty: defaults, and the lasers of the simulator
+  std::string speed = "max";         ///< times real time, or max
   std::vector<std::string> faults;   ///< as parse_fault takes them
-  double time_max_s = 8.0 * 3600.0;   ///< of simulated time
+  double time_max_s = 8.0 * 3600.0;  ///< of simulated time
 };
 
 struct MissionLiveResult {

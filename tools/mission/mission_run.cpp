@@ -60,7 +60,8 @@ class MissionInProcess {
       bus_.advance_to(sim_.next_utime());
       sim_.step();
       note_farthest();
-      if (progress && (simulated_s() >= told_s_ + kProgressS || phase_.sequence != told_sequence_)) {
+      if (progress &&
+          (simulated_s() >= told_s_ + kProgressS || phase_.sequence != told_sequence_)) {
         told_s_ = simulated_s();
         told_sequence_ = phase_.sequence;
         progress(now());

@@ -47,7 +47,8 @@ void MissionWatch::listen(Bus& bus) {
       bus, channels::kMapCorrection, queued,
       [this](const MapCorrection& correction) { local_maps_ = correction.local_map + 1; });
   subscribe<pose_t>(bus, channels::kTruth, Delivery::latest(), [this](const StampedPose& truth) {
-    from_start_m_ = (truth.T_odom_body.translation() - p_world_start_).norm();  // of TRUTH: in world
+    from_start_m_ =
+        (truth.T_odom_body.translation() - p_world_start_).norm();  // of TRUTH: in world
     farthest_m_ = std::max(farthest_m_, from_start_m_);
   });
   subscribe<run_state_t>(bus, channels::kRunState, Delivery::latest(),

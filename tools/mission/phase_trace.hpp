@@ -12,9 +12,9 @@
 
 namespace adit {
 
-/// Writes each change of phase, and each new reason to stop, as a line of tab-separated values: time
-/// [s], phase as its number, out or home, goal, stub, laser, way driven and left [m], reason. What a
-/// file of that name holds already stays.
+/// Writes each change of phase, and each new reason to stop, as a line of tab-separated values:
+/// time [s], phase as its number, out or home, goal, stub, laser, way driven and left [m], reason.
+/// What a file of that name holds already stays.
 class PhaseTrace {
  public:
   /// `bus` must outlive this. `now_s` is the time of a line.

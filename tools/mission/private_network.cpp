@@ -70,8 +70,8 @@ void route_multicast(const Descriptor& socket) {
 }
 
 bool is_the_same(const fs::path& a, const fs::path& b) {
-  struct stat of_a{};
-  struct stat of_b{};
+  struct stat of_a {};
+  struct stat of_b {};
   return stat(a.c_str(), &of_a) == 0 && stat(b.c_str(), &of_b) == 0 && of_a.st_ino == of_b.st_ino;
 }
 

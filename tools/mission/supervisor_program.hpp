@@ -11,9 +11,9 @@
 
 namespace adit {
 
-/// An adit-supervisor, of the folder where this program is, that runs in the working folder and shows
-/// life by simulated time, as the guard wants it. Neither
-/// it nor anything that it started outlives this object or this process, however that ends.
+/// An adit-supervisor, of the folder where this program is, that runs in the working folder and
+/// shows life by simulated time, as the guard wants it. Neither it nor anything that it started
+/// outlives this object or this process, however that ends.
 class SupervisorProgram {
  public:
   /// What it prints is added to the file `log`. Throws std::runtime_error where it cannot be

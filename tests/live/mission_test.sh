@@ -33,7 +33,7 @@ begin() { "$adit" mission "$@" --out "$out" >>"$scratch/mission.text" 2>&1 & mis
 driven_m() { awk -F'\t' '$2 != "STOP" { m = $7 } END { print int(m) }' "$out/phases.tsv" 2>/dev/null; }
 await_driven() {
   for ((i = 0; i < kDeadlineSeconds * 10; ++i)); do
-    ((0$(driven_m) >= $1)) && return
+    ((10#0$(driven_m) >= $1)) && return
     kill -0 "$mission" 2>/dev/null || fail "it ended before it had driven $1 m"
     sleep 0.1
   done
@@ -66,7 +66,7 @@ case $case in
     grep -q -- "--resume" "$scratch/again.text" || fail "does not say how to go on"
     ;;
   harmed)
-    begin "$world" --config "$config" --fault kill:planning@15 --fault suspend:driving@20
+    begin "$world" --config "$config" --fault kill:planning@45 --fault suspend:driving@65
     expect_home
     grep -q "driving does not answer" "$scratch/mission.text" || fail "nobody saw driving stand still"
     ;;

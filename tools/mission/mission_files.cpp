@@ -68,9 +68,9 @@ std::string mission_processes(const SimulatorStart& start) {
           "\";\n    stop_signal = 15; stop_time_allowed = 20;\n  }\n}\ngroup \"stages\" {\n";
   for (const std::string& stage : stage_names()) {
     if (stage == "supervisor") continue;  // which keeps them
-    text += "  cmd \"" + stage + "\" {\n    exec = \"adit-" + stage +
-            " --sim-time --config mission.yaml\";\n    auto_respawn = \"true\"; stop_signal = 15; "
-            "stop_time_allowed = 3;\n  }\n";
+    text.append("  cmd \"").append(stage).append("\" {\n    exec = \"adit-").append(stage);
+    text.append(" --sim-time --config mission.yaml\";\n    auto_respawn = \"true\"; ");
+    text.append("stop_signal = 15; stop_time_allowed = 3;\n  }\n");
   }
   text += "}\nscript \"go\" {\n  start group \"stages\";\n  start cmd \"sim\";\n}\n";
   return text;

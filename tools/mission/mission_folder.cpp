@@ -3,7 +3,6 @@
 #include "tools/mission/mission_folder.hpp"
 
 #include <optional>
-#include <ranges>
 #include <stdexcept>
 
 #include "common/bus/channels.hpp"
@@ -33,8 +32,9 @@ std::optional<MissionStand> stand_in(const LogEventView& event) {
 std::optional<MissionStand> last_stand_in(const fs::path& log) {
   if (fs::file_size(log) == 0) return std::nullopt;
   const LogFile file(log);
-  for (const LogEventView& event : file.events() | std::views::reverse) {
-    if (const auto stand = stand_in(event)) return stand;
+  const auto events = file.events();
+  for (auto event = events.rbegin(); event != events.rend(); ++event) {
+    if (const auto stand = stand_in(*event)) return stand;
   }
   return std::nullopt;
 }
@@ -80,8 +80,9 @@ void MissionFolder::require_unfinished() const {
 }
 
 MissionStand MissionFolder::last_stand() const {
-  for (const fs::path& log : logs() | std::views::reverse) {
-    if (const auto stand = last_stand_in(log)) return *stand;
+  const std::vector<fs::path> logs = this->logs();
+  for (auto log = logs.rbegin(); log != logs.rend(); ++log) {
+    if (const auto stand = last_stand_in(*log)) return *stand;
   }
   throw std::runtime_error(path_.string() + ": no log says where the robot is");
 }

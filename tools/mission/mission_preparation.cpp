@@ -30,7 +30,7 @@ Eigen::Vector2d begin(const MissionLiveOptions& options, const MissionFolder& fo
 Eigen::Vector2d go_on(const MissionFolder& folder, SimulatorStart& start) {
   folder.require_unfinished();
   WorldDescription world = find_world(folder.world().string());
-  const Eigen::Vector2d p_world_start = world.T_world_start.translation();
+  Eigen::Vector2d p_world_start = world.T_world_start.translation();
   const MissionStand stand = folder.last_stand();
   world.T_world_start = stand.T_world_body;
   start.start_utime = stand.utime + kAfterCutUs;
@@ -43,8 +43,7 @@ Eigen::Vector2d go_on(const MissionFolder& folder, SimulatorStart& start) {
 Eigen::Vector2d prepare_mission(const MissionLiveOptions& options, const MissionFolder& folder) {
   for (const std::string& fault : options.faults) parse_fault(fault);
   SimulatorStart start{folder.next_log(), std::nullopt, options.speed, options.faults};
-  const Eigen::Vector2d p_world_start =
-      options.resume ? go_on(folder, start) : begin(options, folder);
+  Eigen::Vector2d p_world_start = options.resume ? go_on(folder, start) : begin(options, folder);
   write_text(mission_processes(start), folder.path() / "processes.cfg");
   return p_world_start;
 }

@@ -82,7 +82,7 @@ void run_live(const WorldChoice& world, const LiveRunOptions& options) {
   }
   LcmBus bus(bus_options(options));
   LiveSimulator simulator(bus, site, description, params, waiting_for_its_record(options),
-                          whole_second_utime());
+                          options.start_utime.value_or(whole_second_utime()));
   run(bus, simulator, stop);
   if (options.record.empty()) return;
   hear_out(bus);

@@ -22,7 +22,8 @@ struct LiveRunOptions {
   std::string lcm_url;
   std::filesystem::path record;  ///< everything on the bus; an LCM log; empty: not written
   std::optional<double> for_s;   ///< of simulated time; until it is stopped without
-  bool print_config = false;     ///< write the configuration in effect to standard output, and end
+  std::optional<std::int64_t> start_utime;  ///< of simulated time; that of the clock without
+  bool print_config = false;  ///< write the configuration in effect to standard output, and end
 };
 
 /// The name by which a simulator that records waits for itself, as for a stage.

@@ -13,7 +13,8 @@ constexpr std::int64_t kAskAgainUs = 100'000;  // an answer comes sooner, as a r
 
 }  // namespace
 
-Pacing::Pacing(const PacingParams& params) : factor_(params.factor) {
+Pacing::Pacing(const PacingParams& params)
+    : factor_(params.factor), ahead_max_us_(std::llround(params.ahead_max_s * 1e6)) {
   for (const std::string& stage : params.wait_for) stages_[stage];
 }
 
@@ -40,7 +41,7 @@ Pacing::Decision Pacing::decide(std::int64_t utime, std::int64_t wall_us) {
 bool Pacing::must_wait_for_stages(std::int64_t utime, std::int64_t wall_us) {
   bool wait = false;
   for (auto& [name, stage] : stages_) {
-    const bool keeps_up = stage.done_utime && utime - *stage.done_utime <= kAheadMaxUs;
+    const bool keeps_up = stage.done_utime && utime - *stage.done_utime <= ahead_max_us_;
     if (keeps_up) continue;
     wait = true;
     if (!stage.blocks_since_us) stage.blocks_since_us = wall_us;

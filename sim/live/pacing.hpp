@@ -15,15 +15,15 @@ namespace adit {
 struct PacingParams {
   std::optional<double> factor;       ///< of real time; nothing: as fast as it goes
   std::vector<std::string> wait_for;  ///< stages that must keep up
+  double ahead_max_s = 0.2;           ///< of the slowest of them, at least a period of SIM_TIME
 };
 
 /// Says when the simulator may take its next step: not before the wall clock, times the factor, has
-/// come there, and never more than kAheadMaxUs ahead of what the slowest of the stages that are
+/// come there, and never more than ahead_max_s ahead of what the slowest of the stages that are
 /// waited for has handled. Time in which the simulator was late is not made up for. Knows no clock:
 /// wall time is any time that goes on steadily [µs].
 class Pacing {
  public:
-  static constexpr std::int64_t kAheadMaxUs = 200'000;
   static constexpr std::int64_t kPatienceUs = 5'000'000;  ///< of wall time
 
   struct Decision {
@@ -62,6 +62,7 @@ class Pacing {
   [[nodiscard]] std::int64_t until_due_us(std::int64_t utime, std::int64_t wall_us);
 
   std::optional<double> factor_;
+  std::int64_t ahead_max_us_;
   std::map<std::string, Stage, std::less<>> stages_;
   std::optional<Origin> origin_;  // from which real time counts
 };

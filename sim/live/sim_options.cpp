@@ -47,6 +47,11 @@ void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
   app.add_option("--wait-for", options.pacing.wait_for, "Stages that must keep up")
       ->type_name("STAGE,..")
       ->delimiter(',');
+  app.add_option("--ahead-max-s", options.pacing.ahead_max_s,
+                 "How far ahead of the slowest of them it may be, in simulated time")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.05, 10.0))
+      ->capture_default_str();
   app.add_option("--config", options.config, "YAML file with a section sim")->type_name("FILE");
   app.add_option("--fault", options.faults, "Something that goes wrong; may be given several times")
       ->type_name("FAULT")
@@ -59,6 +64,10 @@ void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
       ->type_name("FILE");
   app.add_flag("--print-config", options.print_config,
                "Print every parameter with the value in effect, and end");
+  app.add_option("--start-utime", options.start_utime,
+                 "Simulated time at the start, µs since the epoch; that of the clock without")
+      ->type_name("USEC")
+      ->check(CLI::PositiveNumber);
   app.add_option("--for", options.for_s, "End after so much simulated time")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);

@@ -36,6 +36,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   add_map_command(*app);
   add_mission_command(*app);
   add_optimize_command(*app);
+  add_order_command(*app);
   add_plan_command(*app);
   add_process_commands(*app);
   add_reload_command(*app);

@@ -27,6 +27,7 @@ void add_map_command(CLI::App& adit);
 void add_mission_command(CLI::App& adit);
 void add_logs_command(CLI::App& adit);
 void add_optimize_command(CLI::App& adit);
+void add_order_command(CLI::App& adit);
 void add_plan_command(CLI::App& adit);
 void add_process_commands(CLI::App& adit);
 void add_reload_command(CLI::App& adit);

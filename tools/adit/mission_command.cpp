@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -7,48 +8,113 @@
 #include <CLI/CLI.hpp>
 
 #include "tools/adit/commands.hpp"
+#include "tools/adit/mission_teller.hpp"
+#include "tools/mission/mission_folder.hpp"
+#include "tools/mission/mission_live.hpp"
 #include "tools/mission/mission_run.hpp"
 
 namespace adit {
 namespace {
 
+constexpr int kExitNotHome = 1;
+
+struct Options {
+  MissionLiveOptions mission;
+  bool in_process = false;
+};
+
 constexpr const char* kFooter =
-    R"(Sends a robot into a simulated mine: it explores, scans, plans and drives by itself, and comes home.
+    R"(Sends a robot into a simulated mine: it explores, scans, plans and drives by itself, and comes home. Each
+stage is a process of its own, kept running by an adit-supervisor, on a network of their own; with
+--in-process all are in this one, with the same log each time. Exit code 0 when the robot is at home, 1
+when it is not.
+
+The folder then holds run.lcmlog with all that was said, phases.tsv with what the robot was at and why, the
+journals from which it can go on, and the configuration of all processes. While it runs:
+  adit ps --socket DIR/supervisor.sock          its processes; adit logs NAME and adit restart NAME, too
+  adit order come-home --mission DIR            what a person may order
+
+Faults are those of adit sim; a process that is killed or suspended is started again.
 
 Examples:
-  adit mission mathies --in-process --out mission
-  adit mission random --seed 7 --in-process --out mission)";
+  adit mission mathies --out mission
+  adit mission random --seed 7 --length-m 60 --out mission --fault kill:mapping@100
+  adit mission --out mission --resume           after it was interrupted, or all of it was cut off
+  adit mission mathies --in-process --out mission)";
 
-const char* name_of(Phase phase) {
-  constexpr const char* kNames[] = {"waiting", "explore", "scan", "plan",
-                                    "execute", "paused",  "ended"};
-  return kNames[static_cast<int>(phase)];
-}
-
-void print(const MissionProgress& progress) {
-  const MissionPhase& phase = progress.phase;
-  std::printf(
-      "\r%6.0f s  %-8s %s  %6.1f m driven, %6.1f m from the start, %3d local maps, %3d scans ",
-      progress.simulated_s, name_of(phase.phase), phase.homeward ? "homeward" : "outbound",
-      phase.travelled_m, progress.from_start_m, progress.local_maps, phase.scans);
+/// Throws the exit code of a mission that did not come home.
+void conclude(const MissionProgress& last, const std::string& trouble, double wall_s) {
+  std::printf("\n%s\n%.0f s of simulated time in %.0f s; %.2f m from the start at the end\n",
+              trouble.empty() ? last.phase.reason.c_str() : trouble.c_str(), last.simulated_s,
+              wall_s, last.from_start_m);
   std::fflush(stdout);
+  const bool home = trouble.empty() && last.phase.outcome == MissionOutcome::kHome;
+  if (!home) throw CLI::RuntimeError(kExitNotHome);
 }
 
-void run(const MissionRunOptions& options) {
-  std::int32_t told = -1;
+void run_here(const MissionLiveOptions& mission) {
+  if (mission.resume) throw std::invalid_argument("--resume is for a mission of processes");
+  MissionFolder(mission.folder).require_new();
+  MissionRunOptions options;
+  options.world = mission.world;
+  options.folder = mission.folder;
+  options.config = mission.config;
+  options.faults = mission.faults;
+  options.time_max_s = mission.time_max_s;
+  MissionTeller teller;
+  const auto begin = std::chrono::steady_clock::now();
   const MissionRunResult result = run_mission(options, [&](const MissionProgress& progress) {
-    print(progress);
-    if (progress.phase.sequence != told && std::getenv("ADIT_TRACE"))
-      std::printf("%s\n", progress.phase.reason.c_str());
-    told = progress.phase.sequence;
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+    teller.update(progress, wall.count());
   });
-  print(result.last);
-  std::printf(
-      "\n%s\n%.0f s of simulated time in %.0f s; farthest %.1f m, %.2f m from the start at the "
-      "end\n",
-      result.last.phase.reason.c_str(), result.last.simulated_s, result.wall_s, result.farthest_m,
-      result.home_off_m);
-  if (!result.failure.empty()) throw std::runtime_error("the run has failed: " + result.failure);
+  const bool ended = result.last.phase.phase == Phase::kEnded;
+  const std::string trouble = !result.failure.empty() ? "the run has failed: " + result.failure
+                              : ended                 ? ""
+                                                      : "its time is up";
+  conclude(result.last, trouble, result.wall_s);
+}
+
+void run_processes(const MissionLiveOptions& mission) {
+  MissionTeller teller;
+  const MissionLiveResult result = run_live_mission(
+      mission,
+      [&](const MissionProgress& progress, double wall_s) { teller.update(progress, wall_s); },
+      [&](const std::string& what) { teller.say(what); });
+  conclude(result.last, result.trouble, result.wall_s);
+}
+
+void run(const Options& options) {
+  if (options.mission.world.name.empty() == !options.mission.resume) {
+    throw std::invalid_argument(
+        "say in which mine, or --resume to go on with the mission of --out");
+  }
+  if (options.in_process) return run_here(options.mission);
+  run_processes(options.mission);
+}
+
+void add_options(CLI::App& command, Options& options) {
+  MissionLiveOptions& mission = options.mission;
+  CLI::Option* world = add_world_options(command, mission.world);
+  command.add_option("--world", mission.world.name, "The same as WORLD")->excludes(world);
+  command.add_option("--out", mission.folder, "Folder for what it brings back")
+      ->type_name("DIR")
+      ->required();
+  CLI::Option* in_process =
+      command.add_flag("--in-process", options.in_process, "All stages in this process");
+  command.add_flag("--resume", mission.resume, "Go on with the mission in the folder")
+      ->excludes(world)
+      ->excludes(in_process);
+  command.add_option("--config", mission.config, "YAML file with sections of stages and sim")
+      ->type_name("FILE");
+  command.add_option("--fault", mission.faults, "As for adit sim; may be given several times")
+      ->type_name("FAULT")
+      ->allow_extra_args(false);
+  command.add_option("--speed", mission.speed, "Times real time, or max: as fast as it goes")
+      ->type_name("F|max")
+      ->excludes(in_process);
+  command.add_option("--time-max-s", mission.time_max_s, "Of simulated time, until it is given up")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
 }
 
 }  // namespace
@@ -56,16 +122,8 @@ void run(const MissionRunOptions& options) {
 void add_mission_command(CLI::App& adit) {
   CLI::App* command = adit.add_subcommand("mission", "Send a robot into a simulated mine");
   command->footer(kFooter);
-  const auto options = std::make_shared<MissionRunOptions>();
-  add_world_options(*command, options->world)->required();
-  command->add_option("--out", options->folder, "Folder for what it brings back")
-      ->type_name("DIR")
-      ->required();
-  command->add_option("--fault", options->faults, "As for adit sim")
-      ->type_name("FAULT")
-      ->allow_extra_args(false);
-  command->add_option("--config", options->config, "YAML file")->type_name("FILE");
-  command->add_flag("--in-process", options->in_process, "All stages in this process");
+  const auto options = std::make_shared<Options>();
+  add_options(*command, *options);
   command->callback([options] { run(*options); });
 }
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <memory>
 
 #include "common/bus/channels.hpp"
@@ -19,12 +17,12 @@
 #include "common/geometry/in_plan.hpp"
 #include "common/messages/map_correction.hpp"
 #include "common/messages/mission_phase.hpp"
-#include "common/messages/stop_order.hpp"
 #include "sim/live/fault_text.hpp"
 #include "sim/live/settings.hpp"
 #include "sim/sim_node.hpp"
 #include "sim/world/build_world.hpp"
 #include "tools/drive/drive_run.hpp"
+#include "tools/mission/phase_trace.hpp"
 #include "tools/mission/pipeline.hpp"
 
 namespace adit {
@@ -43,12 +41,12 @@ class MissionInProcess {
         params_(load_simulation_params(options.config, options.faults)),
         log_(options.folder / "run.lcmlog"),
         host_(bus_, {kSimSection, version(), yaml_in_effect(params_, world)}),
-        sim_(host_.bus(), site, params_, static_cast<std::uint64_t>(world.seed), kDriveStartUtime) {
+        sim_(host_.bus(), site, params_, static_cast<std::uint64_t>(world.seed), kDriveStartUtime),
+        trace_(bus_, options.folder / "phases.tsv", [this] { return simulated_s(); }) {
     host_.set_health([this] { return sim_.health(); });
     bus_.tap([this](const Received& message) {
       log_.write({message.utime, message.channel, message.bytes});
     });
-    phases_.open(options.folder / "phases.tsv");
     listen();
     for (const ConfiguredNode& node : configure_pipeline(
              load_config(options.config), params_.lasers, params_.vehicle, options.folder)) {
@@ -62,7 +60,8 @@ class MissionInProcess {
       bus_.advance_to(sim_.next_utime());
       sim_.step();
       note_farthest();
-      if (progress && (simulated_s() >= told_s_ + kProgressS || phase_.sequence != told_sequence_)) {
+      if (progress &&
+          (simulated_s() >= told_s_ + kProgressS || phase_.sequence != told_sequence_)) {
         told_s_ = simulated_s();
         told_sequence_ = phase_.sequence;
         progress(now());
@@ -83,28 +82,11 @@ class MissionInProcess {
     subscribe<phase_t>(bus_, channels::kPhase, Delivery::queued(kWaiting),
                        [this](const MissionPhase& phase) {
                          if (phase_.phase != Phase::kEnded) ended_s_ = simulated_s();
-                         if (phase.sequence != phase_.sequence) write(phase);
                          phase_ = phase;
                        });
-    subscribe<stop_t>(bus_, channels::kStop, Delivery::queued(kWaiting),
-                      [this](const StopOrder& order) {
-                        if (order.stopped && order.reason != stop_) {
-                          phases_ << simulated_s() << "\tSTOP\t" << order.reason << std::endl;
-                        }
-                        stop_ = order.reason;
-                      });
     subscribe<map_correction_t>(
         bus_, channels::kMapCorrection, Delivery::queued(kWaiting),
         [this](const MapCorrection& correction) { local_maps_ = correction.local_map + 1; });
-  }
-
-  void write(const MissionPhase& phase) {
-    char text[160];
-    std::snprintf(text, sizeof text, "%.1f\t%d\t%s\t%d\t%d\t%s\t%.1f\t%.0f\t", simulated_s(),
-                  static_cast<int>(phase.phase), phase.homeward ? "home" : "out", phase.goal_id,
-                  phase.stub, phase.laser == LaserId::kFront ? "front" : "rear",
-                  phase.travelled_m, phase.remaining_m);
-    phases_ << text << phase.reason << std::endl;
   }
 
   [[nodiscard]] bool over() const {
@@ -131,10 +113,9 @@ class MissionInProcess {
   MemoryBus bus_;
   NodeHost host_;
   SimNode sim_;
+  PhaseTrace trace_;
   std::vector<std::unique_ptr<HostedNode>> nodes_;
   MissionPhase phase_;
-  std::ofstream phases_;
-  std::string stop_;
   double ended_s_ = 0.0;
   double told_s_ = 0.0;
   std::int32_t told_sequence_ = 0;

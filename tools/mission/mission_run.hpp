@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "common/mission/mission_phase.hpp"
 #include "sim/live/world_choice.hpp"
+#include "tools/mission/mission_progress.hpp"
 
 namespace adit {
 
@@ -19,16 +19,7 @@ struct MissionRunOptions {
   std::filesystem::path folder;      ///< made if it is not there; run.lcmlog and journals go there
   std::filesystem::path config;      ///< YAML; empty: defaults, and the lasers of the simulator
   std::vector<std::string> faults;   ///< as parse_fault takes them
-  bool in_process = true;
   double time_max_s = 8.0 * 3600.0;  ///< of simulated time
-};
-
-/// How a mission stands, for a line of progress.
-struct MissionProgress {
-  MissionPhase phase;
-  double simulated_s = 0.0;
-  double from_start_m = 0.0;  ///< of the true body, straight
-  int local_maps = 0;
 };
 
 struct MissionRunResult {

@@ -25,6 +25,7 @@ using testing::HasSubstr;
 
 constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr std::int64_t kSecond = 1'000'000;
+constexpr std::int64_t kAheadMaxUs = 200'000;  // the default
 
 LiveRunOptions options_that_wait_for(const std::vector<std::string>& stages) {
   LiveRunOptions options;
@@ -69,13 +70,13 @@ TEST_F(LiveSimulatorTest, GoesNoFartherThanTheStagesAllowThatItWaitsFor) {
   EXPECT_EQ(times_.back(), 0);
   answer(kStart);
   go_on();
-  EXPECT_EQ(times_.back(), Pacing::kAheadMaxUs);
+  EXPECT_EQ(times_.back(), kAheadMaxUs);
   answer(kStart + kSecond);  // of what it has not said: another simulator is answered
   go_on();
-  EXPECT_EQ(times_.back(), Pacing::kAheadMaxUs);
-  answer(kStart + Pacing::kAheadMaxUs);
+  EXPECT_EQ(times_.back(), kAheadMaxUs);
+  answer(kStart + kAheadMaxUs);
   go_on();
-  EXPECT_EQ(times_.back(), 2 * Pacing::kAheadMaxUs);
+  EXPECT_EQ(times_.back(), 2 * kAheadMaxUs);
 }
 
 TEST_F(LiveSimulatorTest, RepeatsTheTimeForAStageThatComesLate) {

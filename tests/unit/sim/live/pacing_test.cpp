@@ -14,6 +14,7 @@ using Kind = Pacing::Decision::Kind;
 
 constexpr std::int64_t kStart = 1'000'000'000;  // simulated
 constexpr std::int64_t kSecond = 1'000'000;
+constexpr std::int64_t kAheadMaxUs = 200'000;  // the default
 constexpr std::int64_t kStep = 10'000;
 
 TEST(Pacing, GoesAsFastAsItCanWhereNobodyAsksForMore) {
@@ -67,10 +68,10 @@ TEST(Pacing, IsNeverFartherAheadOfTheSlowestThanItMay) {
   Pacing pacing({.factor = {}, .wait_for = {"mapping", "scan_matching"}});
   pacing.done("mapping", kStart + kSecond);
   pacing.done("scan_matching", kStart);
-  EXPECT_EQ(pacing.decide(kStart + Pacing::kAheadMaxUs, 0).kind, Kind::kStep);
-  EXPECT_EQ(pacing.decide(kStart + Pacing::kAheadMaxUs + kStep, 0).kind, Kind::kWaitForStages);
+  EXPECT_EQ(pacing.decide(kStart + kAheadMaxUs, 0).kind, Kind::kStep);
+  EXPECT_EQ(pacing.decide(kStart + kAheadMaxUs + kStep, 0).kind, Kind::kWaitForStages);
   pacing.done("scan_matching", kStart + kStep);
-  EXPECT_EQ(pacing.decide(kStart + Pacing::kAheadMaxUs + kStep, 0).kind, Kind::kStep);
+  EXPECT_EQ(pacing.decide(kStart + kAheadMaxUs + kStep, 0).kind, Kind::kStep);
 }
 
 TEST(Pacing, WaitsForClockAndStagesBoth) {
@@ -100,6 +101,13 @@ TEST(Pacing, NamesAStageThatIsSilentOnceAndAgainAfterItAnswered) {
   EXPECT_EQ(pacing.decide(kStart + kSecond, 3 * Pacing::kPatienceUs).kind, Kind::kWaitForStages);
   EXPECT_THAT(pacing.newly_silent(4 * Pacing::kPatienceUs),
               ElementsAre("mapping", "scan_matching"));
+}
+
+TEST(Pacing, IsAsFarAheadOfAStageAsItMayBeAndNoFarther) {
+  Pacing pacing({.factor = {}, .wait_for = {"mapping"}, .ahead_max_s = 0.1});
+  pacing.done("mapping", kStart);
+  EXPECT_EQ(pacing.decide(kStart + 100'000, 0).kind, Kind::kStep);
+  EXPECT_EQ(pacing.decide(kStart + 100'001, 0).kind, Kind::kWaitForStages);
 }
 
 }  // namespace

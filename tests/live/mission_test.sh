@@ -1,0 +1,102 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: The Adit authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# mission_test.sh ADIT CASE
+# A short mission, each stage a process, ends at home: `home`, where all is well; `harmed`, where one
+# process is killed and another stands still; `cut`, where everything is killed at once and started
+# again; `lossy`, where a twentieth of what the drivers
+# say is lost, and where the kernel has netem, of all messages between processes; `ordered`, where a
+# person says when to come home. Nothing is left running.
+set -u
+here=$(dirname "$(readlink -f "$0")")
+adit=$1; case=$2
+kWayMaxM=24        # so that the robot turns around after the first bend
+kCutAfterM=3
+kLossPercent=5
+kDeadlineSeconds=100
+kNearHomeM=1.0
+
+# The network of a mission within this one; skipped where it cannot be had.
+"$here/in_private_network.sh" true || exit
+scratch=$(mktemp -d)
+out=$scratch/out
+trap 'kill -KILL $(jobs -p) 2>/dev/null; wait; rm -rf "$scratch"' EXIT
+echo "mission: {after_cut_off: home, limits: {way_max_m: $kWayMaxM}}" >"$scratch/config.yaml"
+
+fail() {
+  echo "FAILED: $*" >&2
+  tail -n 40 "$scratch"/*.text "$out/phases.tsv" "$out/supervisor.log" >&2
+  exit 1
+}
+begin() { "$adit" mission "$@" --out "$out" >>"$scratch/mission.text" 2>&1 & mission=$!; }
+driven_m() { awk -F'\t' '$2 != "STOP" { m = $7 } END { print int(m) }' "$out/phases.tsv" 2>/dev/null; }
+await_driven() {
+  for ((i = 0; i < kDeadlineSeconds * 10; ++i)); do
+    ((10#0$(driven_m) >= $1)) && return
+    kill -0 "$mission" 2>/dev/null || fail "it ended before it had driven $1 m"
+    sleep 0.1
+  done
+  fail "it does not drive"
+}
+share() { awk -v percent="$1" 'BEGIN { print percent / 100 }'; }
+# What runs in the folder of the mission.
+left_over() {
+  local file
+  for file in /proc/[0-9]*/cwd; do [[ $(readlink "$file") == "$out" ]] && echo "$file"; done 2>/dev/null
+}
+expect_nobody() {
+  for _ in $(seq 50); do [[ -z $(left_over) ]] && return; sleep 0.1; done
+  fail "left running: $(left_over)"
+}
+expect_home() {
+  wait "$mission" || fail "the mission ended with $?"
+  expect_nobody
+  local off; off=$(awk '/from the start at the end/ { print $(NF - 7) }' "$scratch/mission.text" | tail -1)
+  awk -v off="$off" -v max="$kNearHomeM" 'BEGIN { exit !(off != "" && off < max) }' ||
+    fail "it says that it is at home, and is $off m away"
+}
+
+world=$here/bent_drift.yaml; config=$scratch/config.yaml
+case $case in
+  home)
+    begin "$world" --config "$config"
+    expect_home
+    "$adit" mission "$world" --out "$out" 2>"$scratch/again.text" && fail "overwrites a mission"
+    grep -q -- "--resume" "$scratch/again.text" || fail "does not say how to go on"
+    ;;
+  harmed)
+    begin "$world" --config "$config" --fault kill:planning@45 --fault suspend:driving@65
+    expect_home
+    grep -q "driving does not answer" "$scratch/mission.text" || fail "nobody saw driving stand still"
+    ;;
+  cut)
+    begin "$world" --config "$config"
+    await_driven "$kCutAfterM"
+    kill -KILL "$mission"; wait "$mission" 2>/dev/null
+    expect_nobody
+    begin --resume
+    expect_home
+    [[ -s $out/run.lcmlog && -s $out/run_2.lcmlog ]] || fail "there are no logs of two lives"
+    ;;
+  lossy)
+    begin "$world" --config "$config" --fault "packet_loss=$(share $kLossPercent)@5"
+    until [[ -s $out/mission.pid && -e $out/supervisor.log ]]; do sleep 0.02; done
+    nsenter --target "$(cat "$out/mission.pid")" --user --net --preserve-credentials \
+      tc qdisc add dev lo root netem loss "$kLossPercent%" 2>/dev/null ||
+      echo "no netem here: only what the drivers say is lost"
+    expect_home
+    ;;
+  ordered)
+    echo "mission: {limits: {way_max_m: 500}}" >"$config"
+    begin "$world" --config "$config"
+    await_driven "$kCutAfterM"
+    "$adit" order pause --mission "$out" || fail "it does not pause"
+    "$adit" order go-on --mission "$out" || fail "it does not go on"
+    "$adit" order come-home --mission "$out" | grep -q "homeward: by order" || fail "it does not come home"
+    expect_home
+    "$adit" order pause --mission "$out" 2>"$scratch/order.text" && fail "an order to nobody is obeyed"
+    grep -q "no mission runs" "$scratch/order.text" || fail "does not say that no mission runs"
+    ;;
+  *) fail "no case $case" ;;
+esac

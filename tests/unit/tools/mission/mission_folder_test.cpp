@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/mission/mission_folder.hpp"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/log_writer.hpp"
+#include "common/bus/stages.hpp"
+#include "common/config/config_file.hpp"
+#include "common/files/text_file.hpp"
+#include "common/messages/codec.hpp"
+#include "common/messages/mission_phase.hpp"
+#include "common/messages/pose.hpp"
+#include "procs/mission/mission_journal.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "tools/mission/mission_files.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::int64_t kStart = 1'600'000'000'000'000;
+
+void write_log(const std::filesystem::path& path, double x_m) {
+  LogWriter log(path);
+  const auto bytes = encode(to_message(StampedPose{kStart, {x_m, 0.5, 0.25}, {}}));
+  log.write({kStart, channels::kTruth, bytes});
+  log.close();
+}
+
+TEST(MissionFolder, ProtectsTheMissionThatIsThere) {
+  const test::ScratchFolder scratch;
+  const MissionFolder folder(scratch.path() / "new");
+  folder.require_new();
+  EXPECT_THROW(folder.require_unfinished(), std::runtime_error);
+  write_log(folder.next_log(), 1.0);
+  EXPECT_THROW(folder.require_new(), std::runtime_error);
+}
+
+TEST(MissionFolder, FindsWhereTheRobotWasInTheNewestLogThatSaysIt) {
+  const test::ScratchFolder scratch;
+  const MissionFolder folder(scratch.path());
+  EXPECT_THROW(static_cast<void>(folder.last_stand()), std::runtime_error);
+  write_log(folder.next_log(), 1.0);
+  write_log(folder.next_log(), 2.0);
+  write_text("", folder.next_log());  // a life that was cut off at once
+  const MissionStand stand = folder.last_stand();
+  EXPECT_EQ(stand.utime, kStart);
+  EXPECT_EQ(stand.T_world_body.translation(), Eigen::Vector2d(2.0, 0.5));
+  EXPECT_EQ(folder.logs().size(), 3);
+}
+
+TEST(MissionFolder, DoesNotGoOnWithAMissionThatHasEnded) {
+  const test::ScratchFolder scratch;
+  const MissionFolder folder(scratch.path());
+  write_text("", folder.world());
+  write_text("", folder.config());
+  MissionPhase phase;
+  phase.utime = kStart;
+  phase.phase = Phase::kScan;
+  MissionJournal(folder.journal()).append(phase);
+  folder.require_unfinished();
+  phase.phase = Phase::kEnded;
+  MissionJournal(folder.journal()).append(phase);
+  EXPECT_THROW(folder.require_unfinished(), std::runtime_error);
+}
+
+TEST(MissionFiles, HoldEachSectionOnceAndLoadAgain) {
+  const ConfigFile file = ConfigFile::parse(mission_config(""), "mission.yaml");
+  file.require_known_sections(config_sections());
+  for (const char* section : {"mapping", "mission", "guard", "lasers", "vehicle", "sim"}) {
+    EXPECT_NE(file.section(section), nullptr) << section;
+  }
+  EXPECT_EQ(without_repeated_sections({"a:\n  x: 1\nb:\n  y: 2\n", "b:\n  y: 3\nc:\n  z: 4\n"}),
+            "a:\n  x: 1\nb:\n  y: 2\nc:\n  z: 4\n");
+}
+
+}  // namespace
+}  // namespace adit

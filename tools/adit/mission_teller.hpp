@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "tools/mission/mission_progress.hpp"
+
+namespace adit {
+
+/// Shows how a mission goes: on a terminal one line that changes, in a file a line now and then.
+class MissionTeller {
+ public:
+  MissionTeller();
+
+  /// `wall_s` is the time since the mission began.
+  void update(const MissionProgress& progress, double wall_s);
+  /// What a person should know, on standard error.
+  void say(const std::string& what) const;
+
+ private:
+  bool on_terminal_;
+  double next_s_ = 0.0;
+};
+
+}  // namespace adit

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/mission/mission_order_run.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/lcm_bus.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/mission_order.hpp"
+#include "common/messages/mission_phase.hpp"
+#include "tools/mission/mission_folder.hpp"
+#include "tools/mission/private_network.hpp"
+
+namespace adit {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Kind = MissionOrder::Kind;
+
+constexpr int kSayAgainMs = 200;
+
+/// A mission whose folder nobody has locked has left its number behind.
+pid_t process_of(const std::filesystem::path& folder) {
+  pid_t pid = 0;
+  std::ifstream(folder / "mission.pid") >> pid;
+  if (pid <= 0 || !std::filesystem::exists("/proc/" + std::to_string(pid))) {
+    throw std::runtime_error("no mission runs in " + folder.string());
+  }
+  return pid;
+}
+
+bool is_obeyed(Kind order, const MissionPhase& phase) {
+  switch (order) {
+    case Kind::kPause:
+      return phase.phase == Phase::kPaused;
+    case Kind::kGoOn:
+      return phase.phase != Phase::kPaused;
+    case Kind::kComeHome:
+      return phase.homeward;
+    case Kind::kStop:
+      return phase.phase == Phase::kEnded;
+  }
+  return false;
+}
+
+std::string sentence(const MissionPhase& phase) {
+  return phase.homeward ? phase.reason + " (homeward: " + phase.homeward_reason + ")"
+                        : phase.reason;
+}
+
+[[noreturn]] void fail(const std::optional<MissionPhase>& phase) {
+  if (!phase) {
+    throw std::runtime_error(
+        "no mission answers on LCM; one that adit mission started is on a network of its own: say "
+        "--mission DIR, its --out");
+  }
+  throw std::runtime_error("the mission does not obey: " + sentence(*phase));
+}
+
+}  // namespace
+
+std::string order_mission(const MissionOrderOptions& options) {
+  if (!options.mission.empty()) {
+    enter_network_of(process_of(options.mission));
+    unsetenv("LCM_DEFAULT_URL");
+  }
+  LcmBus bus({.url = options.lcm_url, .time = BusTime::kSimulated});
+  std::optional<MissionPhase> phase;
+  subscribe<phase_t>(bus, channels::kPhase, Delivery::latest(),
+                     [&](const MissionPhase& heard) { phase = heard; });
+  const auto until = Clock::now() + std::chrono::duration<double>(options.patience_s);
+  while (Clock::now() < until) {
+    const auto utime = std::chrono::duration_cast<std::chrono::microseconds>(
+        std::chrono::system_clock::now().time_since_epoch());
+    publish(bus, channels::kMissionOrder, to_message(MissionOrder{utime.count(), options.order}));
+    const auto again = Clock::now() + std::chrono::milliseconds(kSayAgainMs);
+    while (Clock::now() < again) bus.handle(kSayAgainMs / 4);
+    if (!phase) continue;
+    if (is_obeyed(options.order, *phase)) return sentence(*phase);
+    if (phase->phase == Phase::kEnded) {
+      throw std::runtime_error("the mission has ended: " + phase->reason);
+    }
+  }
+  fail(phase);
+}
+
+}  // namespace adit

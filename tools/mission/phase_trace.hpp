@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+
+#include "common/bus/bus.hpp"
+#include "common/mission/mission_phase.hpp"
+
+namespace adit {
+
+/// Writes each change of phase, and each new reason to stop, as a line of tab-separated values:
+/// time [s], phase as its number, out or home, goal, stub, laser, way driven and left [m], reason.
+/// What a file of that name holds already stays.
+class PhaseTrace {
+ public:
+  /// `bus` must outlive this. `now_s` is the time of a line.
+  PhaseTrace(Bus& bus, const std::filesystem::path& file, std::function<double()> now_s);
+  PhaseTrace(const PhaseTrace&) = delete;
+  PhaseTrace& operator=(const PhaseTrace&) = delete;
+
+ private:
+  void write(const MissionPhase& phase);
+
+  std::ofstream file_;
+  std::function<double()> now_s_;
+  std::int32_t sequence_ = 0;
+  std::string stop_;
+};
+
+}  // namespace adit

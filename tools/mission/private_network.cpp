@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/mission/private_network.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <net/if.h>
+#include <net/route.h>
+#include <sched.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "common/files/text_file.hpp"
+#include "procs/supervisor/os/descriptor.hpp"
+
+namespace adit {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kLoopback = "lo";
+
+[[noreturn]] void fail(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+/// So that files are written as whom they always are.
+void map_user_to_itself(uid_t user, gid_t group) {
+  const auto map = [](auto id) { return std::to_string(id) + " " + std::to_string(id) + " 1\n"; };
+  write_text("deny", "/proc/self/setgroups");
+  write_text(map(user), "/proc/self/uid_map");
+  write_text(map(group), "/proc/self/gid_map");
+}
+
+void bring_up_loopback(const Descriptor& socket) {
+  ifreq request{};
+  std::strncpy(request.ifr_name, kLoopback, IFNAMSIZ - 1);
+  if (ioctl(socket.get(), SIOCGIFFLAGS, &request) != 0) fail("flags of lo");
+  request.ifr_flags |= IFF_UP | IFF_RUNNING;
+  if (ioctl(socket.get(), SIOCSIFFLAGS, &request) != 0) fail("lo cannot be brought up");
+}
+
+sockaddr address(const char* text) {
+  sockaddr_in internet{};
+  internet.sin_family = AF_INET;
+  inet_pton(AF_INET, text, &internet.sin_addr);
+  sockaddr any{};
+  static_assert(sizeof any == sizeof internet);
+  std::memcpy(&any, &internet, sizeof any);
+  return any;
+}
+
+void route_multicast(const Descriptor& socket) {
+  std::string device = kLoopback;
+  rtentry route{};
+  route.rt_dst = address("224.0.0.0");
+  route.rt_genmask = address("240.0.0.0");
+  route.rt_flags = RTF_UP;
+  route.rt_dev = device.data();
+  if (ioctl(socket.get(), SIOCADDRT, &route) != 0) fail("no route for multicast");
+}
+
+bool is_the_same(const fs::path& a, const fs::path& b) {
+  struct stat of_a {};
+  struct stat of_b {};
+  return stat(a.c_str(), &of_a) == 0 && stat(b.c_str(), &of_b) == 0 && of_a.st_ino == of_b.st_ino;
+}
+
+}  // namespace
+
+bool enter_private_network() {
+  const uid_t user = geteuid();
+  const gid_t group = getegid();
+  const bool as_root = user == 0 && unshare(CLONE_NEWNET) == 0;
+  if (!as_root) {
+    if (unshare(CLONE_NEWUSER | CLONE_NEWNET) != 0) return false;
+    map_user_to_itself(user, group);
+  }
+  const Descriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  if (!socket) fail("socket");
+  bring_up_loopback(socket);
+  route_multicast(socket);
+  return true;
+}
+
+void enter_network_of(pid_t pid) {
+  const fs::path theirs = fs::path("/proc") / std::to_string(pid) / "ns";
+  for (const char* space : {"user", "net"}) {  // who has joined the first, may join the second
+    if (is_the_same(theirs / space, fs::path("/proc/self/ns") / space)) continue;
+    const Descriptor joined(open((theirs / space).c_str(), O_RDONLY | O_CLOEXEC));
+    if (joined && setns(joined.get(), 0) == 0) continue;
+    throw std::runtime_error("the network of process " + std::to_string(pid) +
+                             " cannot be joined: " + std::generic_category().message(errno));
+  }
+}
+
+}  // namespace adit

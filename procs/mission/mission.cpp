@@ -10,6 +10,7 @@ namespace {
 constexpr double kAskAgainS = 2.0;       // a message may be lost
 constexpr double kScanPatienceS = 30.0;  // a sweep takes eight seconds
 constexpr double kPlanPatienceS = 10.0;
+constexpr double kExplorationPatienceS = 300.0;  // it may be restarted, and wait for the map
 constexpr double kDrivingSilentS = 3.0;
 constexpr double kPoseSilentS = 1.0;
 
@@ -125,6 +126,10 @@ void Mission::wait(MissionAsk& ask) {
 void Mission::explore(MissionAsk& ask) {
   if (odom_is_new_ && !has_map_) {
     go_by_sight("it does not know where it is on its map, and moves on to recognise a place");
+    return;
+  }
+  if (since_phase_s() > kExplorationPatienceS) {
+    lost_try("it does not answer");
     return;
   }
   if (!is_time_to_ask(kAskAgainS)) return;

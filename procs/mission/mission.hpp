@@ -69,6 +69,7 @@ class Mission {
   void add_match(const ScanMatch& match);
   void add_correction(const MapCorrection& correction);
   void add_exploration(const ExplorationReport& report);
+  void add_cloud(std::int32_t id, bool complete);
   void add_terrain(std::int64_t utime, std::int32_t id);
   void add_path(const PlannedPath& path);
   void add_driving(const DrivingState& state);
@@ -131,6 +132,7 @@ class Mission {
   std::optional<BlockedVerdict> verdict_;
   std::vector<Eigen::Vector2d> route_odom_;
   PlanGoal::Kind goal_kind_ = PlanGoal::Kind::kRoute;
+  bool by_sight_ = false;  ///< no target of exploration
   bool backing_off_ = false;
   std::optional<Eigen::Vector2d> p_odom_refused_;  ///< where the present attempt was, at first
   std::int64_t terrain_utime_ = 0;

@@ -13,8 +13,10 @@ namespace {
 constexpr double kFacingM = 2.5;         // of the route, that says in which direction it leads
 constexpr double kFacingSlackRad = 0.3;  // before the other laser leads
 constexpr double kSightM = 10.0;         // without a map
-constexpr double kGotOnM = 1.0;          // that counts as having got on
-constexpr double kLostPathS = 2.0;       // until driving should have its path
+constexpr double kNeverLeftM = 0.3;
+constexpr int kCutShortMax = 3;     // scans in a row; then what there is has to do
+constexpr double kGotOnM = 1.0;     // that counts as having got on
+constexpr double kLostPathS = 2.0;  // until driving should have its path
 
 using Kind = ExplorationDecision::Kind;
 
@@ -76,6 +78,7 @@ void Mission::decide(const ExplorationReport& report) {
   if (!home && !home_for_good_) phase_.homeward_reason.clear();
   phase_.homeward = home || home_for_good_;
   phase_.stub = decision.stub;
+  by_sight_ = false;
   attempt_.aim_at(decision.stub, home);
   look_along(report.route_odom, decision.reason);
 }
@@ -83,7 +86,9 @@ void Mission::decide(const ExplorationReport& report) {
 void Mission::lost_try(const std::string& reason) {
   ++lost_tries_;
   if (lost_tries_ > params_.lost_tries_max) {
-    end(MissionOutcome::kStranded, "no way on was found: " + reason);
+    const bool never_left = way_.travelled_m() < kNeverLeftM;
+    end(never_left ? MissionOutcome::kHome : MissionOutcome::kStranded,
+        (never_left ? "there is no way into the mine: " : "no way on was found: ") + reason);
   } else {
     go_by_sight("exploration knows no way (" + reason + "): straight on");
   }
@@ -93,6 +98,7 @@ void Mission::lost_try(const std::string& reason) {
 void Mission::go_by_sight(const std::string& reason) {
   if (!way_.T_odom_body()) return;
   phase_.stub = -1;
+  by_sight_ = true;
   attempt_.aim_at(-1, phase_.homeward);
   const bool reverse = lost_tries_ % 2 == 1;
   const double reach_m = reverse ? -kSightM : kSightM;
@@ -136,6 +142,12 @@ PlanGoal Mission::goal() const {
   PlanGoal goal{utime_, phase_.goal_id, goal_kind_, {}, kSightM, route_odom_};
   goal.T_odom_goal = {route_odom_.back().x(), route_odom_.back().y(), 0.0};
   return goal;
+}
+
+/// A scan that was cut short, since the robot moved or a laser was silent, is not one to judge by.
+void Mission::add_cloud(std::int32_t id, bool complete) {
+  if (phase_.phase != Phase::kScan || id != phase_.goal_id || complete) return;
+  if (++tries_ <= kCutShortMax) look(phase_.laser, "the scan was cut short, so once more");
 }
 
 void Mission::add_terrain(std::int64_t utime, std::int32_t id) {
@@ -190,6 +202,12 @@ void Mission::refuse(double reached_m, const std::string& reason, bool unseen) {
       return;
     case Attempt::Next::kGiveUp:
       break;
+  }
+  if (by_sight_) {  // nobody's target is blocked
+    const std::string evidence = attempt_.evidence();
+    attempt_.got_on();
+    lost_try(evidence);
+    return;
   }
   verdict_ =
       BlockedVerdict{attempt_.utime(), phase_.stub, attempt_.reached_m(), attempt_.evidence()};

@@ -6,6 +6,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
+#include "common/messages/cloud_pieces.hpp"
 #include "common/messages/driving_state.hpp"
 #include "common/messages/exploration_report.hpp"
 #include "common/messages/explore_request.hpp"
@@ -67,6 +68,9 @@ void MissionNode::subscribe_to_stages() {
                              mission_.add_exploration(report);
                              advance();
                            });
+  subscribe<cloud_t>(bus_, channels::kCloud, queued, [this](const CloudPiece& piece) {
+    if (piece.piece == 0) mission_.add_cloud(piece.part.id, piece.part.complete);
+  });
   subscribe<terrain_t>(bus_, channels::kTerrain, queued, [this](const TerrainTile& tile) {
     if (tile.piece + 1 < tile.n_pieces) return;
     mission_.add_terrain(tile.part.utime, tile.part.id);

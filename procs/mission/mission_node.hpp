@@ -24,7 +24,7 @@ struct MissionNodeParams : MissionParams {
 };
 
 /// In:  POSE (pose_t), SCAN_MATCH (scan_match_t), MAP_CORRECTION (map_correction_t), EXPLORATION
-///      (exploration_t), TERRAIN (terrain_t), PATH (planned_path_t), DRIVING_STATE
+///      (exploration_t), CLOUD (cloud_t), TERRAIN (terrain_t), PATH (planned_path_t), DRIVING_STATE
 ///      (driving_state_t), VEHICLE_STATE (vehicle_state_t), GAS (gas_t), SINKAGE (sinkage_t),
 ///      MISSION_ORDER (mission_order_t).
 /// Out: PHASE (phase_t), on change and each second; EXPLORE_REQUEST (explore_request_t),

@@ -203,7 +203,42 @@ TEST_F(AMissionWithoutAPath, DoesNotPaceBackAndForthForEver) {
   EXPECT_TRUE(request_.blocked);
 }
 
-TEST_F(AMissionWithoutAPath, IsStrandedWhereNothingLeadsIntoTheMine) {
+TEST_F(AMissionWithoutAPath, CallsNothingBlockedThatExplorationDidNotName) {
+  to_explore();
+  ExplorationReport nothing;
+  nothing.request = request_.id;
+  mission_.add_exploration(nothing);
+  for (int i = 0; i < 4; ++i) {
+    terrain();
+    path(PlanOutcome::kBlocked);
+    EXPECT_FALSE(request_.blocked);
+  }
+  EXPECT_EQ(now(), Phase::kScan);
+}
+
+TEST_F(AMissionWithoutAPath, DoesNotWaitForExplorationForEver) {
+  to_explore();
+  wait(299.0);
+  EXPECT_EQ(now(), Phase::kExplore);
+  wait(2.0);
+  EXPECT_EQ(now(), Phase::kScan);
+}
+
+TEST_F(AMissionWithoutAPath, JudgesByNoScanThatWasCutShort) {
+  to_scan();
+  const int cut = phase().goal_id;
+  mission_.add_cloud(cut, false);
+  advance();
+  EXPECT_EQ(now(), Phase::kScan);
+  EXPECT_NE(phase().goal_id, cut);
+  mission_.add_terrain(utime_, cut);
+  EXPECT_EQ(now(), Phase::kScan);
+  for (int i = 0; i < 3; ++i) mission_.add_cloud(phase().goal_id, false);
+  terrain();
+  EXPECT_EQ(now(), Phase::kPlan);
+}
+
+TEST_F(AMissionWithoutAPath, IsAtHomeWhereNothingLeadsIntoTheMine) {
   to_explore();
   for (int i = 0; i < 100 && now() != Phase::kEnded; ++i) {
     ExplorationReport nothing;
@@ -212,7 +247,8 @@ TEST_F(AMissionWithoutAPath, IsStrandedWhereNothingLeadsIntoTheMine) {
     terrain();
     path(PlanOutcome::kBlocked);
   }
-  EXPECT_EQ(phase().outcome, MissionOutcome::kStranded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
+  EXPECT_THAT(phase().reason, HasSubstr("no way into the mine"));
 }
 
 TEST_F(AMissionWithoutAPath, GoesBySightWhereExplorationOnlyStays) {

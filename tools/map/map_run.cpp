@@ -109,12 +109,17 @@ MapFilesOptions map_files_options(const ConfigFile& config, const Lasers& lasers
 }
 
 /// Without a scan, or without anything that could hold it to the map it continues, there is no
-/// result.
-void require_result(const RunRecord& record, const MapRunOptions& options) {
+/// result. What the earlier run had not finished is finished now, but is no part of this one.
+void require_result(const RunRecord& record, const StoredMap& earlier,
+                    const MapRunOptions& options) {
   if (record.matches().empty()) {
     throw std::runtime_error("no usable laser scan in " + options.input.string());
   }
-  if (!options.resume.empty() && record.local_maps().empty()) {
+  const auto& maps = record.local_maps();
+  const bool some = std::any_of(maps.begin(), maps.end(), [&earlier](const LocalMap& map) {
+    return earlier.maps.empty() || map.session > earlier.maps.back().session;
+  });
+  if (!options.resume.empty() && !some) {
     throw std::runtime_error("too short to continue a map: " + options.input.string());
   }
 }
@@ -171,7 +176,7 @@ MapRunResult run_map(const MapRunOptions& options,
   bus.run([&](double done) { progress("mapping", done); });
   log.close();
 
-  require_result(record, options);
+  require_result(record, earlier, options);
   const WholeMap map = whole_map(earlier, record);
   MapRunResult result = result_of(record, map);
   result.complaints = complaints_of(input, bus);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kSpeedSdM = 0.2;  // how far a body may depart from its last speed in one step
 constexpr double kSpeedSdRad = 0.2;
+constexpr double kOdometerStepM = 0.1;
 constexpr double kTypicalShare = 0.05;  // weight of a new score in the running mean
 
 /// Root mean square distance of the points: how far a turn of one radian moves them.
@@ -144,17 +145,39 @@ void ScanMatching::believe(const PoseCandidate& best, const MotionEstimate& expe
 void ScanMatching::advance(Sighting sighting, const ScanMatch& match) {
   const bool lost = match.status == ScanMatch::Status::kLost;
   motion_.correct(match.utime, match.T_odom_body, !lost);
-  odometer_m_ += match.T_reference_body.translation().norm();
   T_odom_body_ = match.T_odom_body;
   utime_ = match.utime;
+  count_way();
+  learn(std::move(sighting), match);
+}
 
-  lost_in_a_row_ = lost ? lost_in_a_row_ + 1 : 0;
-  const bool enough = match.points >= params_.points_min;
-  if (lost_in_a_row_ >= params_.lost_max && enough) {
+/// In steps that stand out from the noise: the sum of what two lasers disagree about, 75 times a
+/// second, would let a robot that stands still forget the walls around it.
+void ScanMatching::count_way() {
+  const double step_m = between(T_odom_counted_, T_odom_body_).translation().norm();
+  if (step_m < kOdometerStepM) return;
+  odometer_m_ += step_m;
+  T_odom_counted_ = T_odom_body_;
+}
+
+void ScanMatching::learn(Sighting sighting, const ScanMatch& match) {
+  if (match.status != ScanMatch::Status::kLost) {
+    lost_in_a_row_ = 0;
+    lost_in_a_row_of_[sighting.laser] = 0;
+    reference_.remember(std::move(sighting), T_odom_body_, odometer_m_);
+    return;
+  }
+  int& of_laser = lost_in_a_row_of_[sighting.laser];
+  ++lost_in_a_row_;
+  ++of_laser;
+  if (match.points < params_.points_min) return;
+  if (lost_in_a_row_ >= params_.lost_max) {
     reference_.restart(std::move(sighting), T_odom_body_, odometer_m_);
     lost_in_a_row_ = 0;
-  } else if (!lost) {
-    reference_.remember(std::move(sighting), T_odom_body_, odometer_m_);
+    lost_in_a_row_of_.clear();
+  } else if (of_laser >= params_.lost_max) {  // the others know where the body is
+    reference_.begin_anew(std::move(sighting), T_odom_body_, odometer_m_);
+    of_laser = 0;
   }
 }
 

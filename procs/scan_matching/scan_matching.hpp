@@ -30,7 +30,8 @@ struct ScanMatchingParams {
   int points_min = 20;             ///< a scan with fewer is not matched
   double lost_score = 0.4;         ///< a match with less is not believed,
   double inlier_share_min = 0.25;  ///< nor one that rests on fewer of the points
-  int lost_max = 3;  ///< scans in a row without a match before the reference starts anew
+  int lost_max = 3;  ///< scans in a row, of a laser or of all, without a match before the
+                     ///< reference of this laser, or of all, starts anew
   double tilt_max_rad =
       0.03;                  ///< scans of a laser that is tilted by more are left to scan_assembly
   bool lasers_tilt = false;  ///< then scans count only once it is known how far
@@ -76,6 +77,8 @@ class ScanMatching {
   void believe(const PoseCandidate& best, const MotionEstimate& expected, double lever_arm_m,
                ScanMatch& match);
   void advance(Sighting sighting, const ScanMatch& match);
+  void count_way();
+  void learn(Sighting sighting, const ScanMatch& match);
 
   ScanMatchingParams params_;
   MotionPrediction motion_;
@@ -87,8 +90,10 @@ class ScanMatching {
   Pose2 T_odom_body_;
   Eigen::Matrix3d reference_covariance_ = Eigen::Matrix3d::Zero();  ///< of the last pose in it
   double odometer_m_ = 0.0;
+  Pose2 T_odom_counted_;  ///< up to where the odometer has counted
   double typical_score_ = 0.5;
-  int lost_in_a_row_ = 0;
+  int lost_in_a_row_ = 0;  ///< of all lasers together
+  std::map<LaserId, int> lost_in_a_row_of_;
 };
 
 }  // namespace adit

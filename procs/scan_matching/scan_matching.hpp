@@ -17,6 +17,7 @@
 #include "procs/scan_matching/local_reference.hpp"
 #include "procs/scan_matching/motion_prediction.hpp"
 #include "procs/scan_matching/pose_search.hpp"
+#include "procs/scan_matching/standstill.hpp"
 
 namespace adit {
 
@@ -26,6 +27,7 @@ struct ScanMatchingParams {
   MotionPredictionParams motion;
   LocalReferenceParams reference;
   PoseSearchParams search;
+  StandstillParams standstill;
   DegeneracyParams degeneracy;
   int points_min = 20;             ///< a scan with fewer is not matched
   double lost_score = 0.4;         ///< a match with less is not believed,
@@ -43,6 +45,7 @@ struct ScanMatchingParams {
     v("motion", motion);
     v("reference", reference);
     v("search", search);
+    v("standstill", standstill);
     v("degeneracy", degeneracy);
     v("points_min", points_min, at_least(3));
     v("lost_score", lost_score, within(0.0, 1.0));
@@ -84,6 +87,7 @@ class ScanMatching {
   MotionPrediction motion_;
   LocalReference reference_;
   PoseSearch search_;
+  Standstill standstill_;
   std::map<LaserId, std::int64_t> last_scan_utime_;
   std::int64_t odom_utime_ = 0;  ///< of the first scan
   std::int64_t utime_ = 0;

@@ -42,6 +42,10 @@ void LocalReference::remember(Sighting sighting, const Pose2& T_odom_body, doubl
   insert(std::move(sighting), T_odom_body, odometer_m);
 }
 
+void LocalReference::begin_anew(Sighting sighting, const Pose2& T_odom_body, double odometer_m) {
+  insert(std::move(sighting), T_odom_body, odometer_m);
+}
+
 void LocalReference::restart(Sighting sighting, const Pose2& T_odom_body, double odometer_m) {
   surfels_.clear();
   keyframes_.clear();

@@ -58,6 +58,9 @@ class LocalReference {
   /// Takes the scan in if the body has moved enough since its laser's last keyframe.
   void remember(Sighting sighting, const Pose2& T_odom_body, double odometer_m);
 
+  /// Begins its laser anew with this scan; what the other lasers saw stays.
+  void begin_anew(Sighting sighting, const Pose2& T_odom_body, double odometer_m);
+
   /// Forgets everything and begins with this scan.
   void restart(Sighting sighting, const Pose2& T_odom_body, double odometer_m);
 

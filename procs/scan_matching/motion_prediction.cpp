@@ -9,6 +9,9 @@ namespace adit {
 namespace {
 
 constexpr std::size_t kReadingsKept = 2000;
+constexpr double kShortestS = 0.01;  // no step is known better for being shorter
+constexpr double kStillM = 1e-3;     // less than any wheel encoder tells apart over a step
+constexpr double kStillRad = 1e-3;
 
 double seconds(std::int64_t microseconds) { return 1e-6 * static_cast<double>(microseconds); }
 
@@ -99,14 +102,30 @@ void MotionPrediction::take_odometry(std::int64_t utime, MotionEstimate& estimat
   const Pose2 step = between(*then, *now);
   if (!estimate.possible(T_odom_body_ * step)) return;  // wheels that spin, or were reset
   const double distance = step.translation().norm();
-  const double sd = params_.odometry_sd_m + params_.odometry_sd_per_m * distance;
-  const double sd_theta = params_.odometry_sd_rad +
+  // So that a second in many short steps is as sure as in a few long ones.
+  const double share = std::sqrt(
+      std::min(1.0, std::max(seconds(utime - *utime_), kShortestS) / params_.odometry_sd_time_s));
+  const double sd = share * params_.odometry_sd_m + params_.odometry_sd_per_m * distance;
+  const double sd_theta = share * params_.odometry_sd_rad +
                           params_.odometry_sd_per_rad * std::abs(step.theta) +
                           params_.odometry_sd_rad_per_m * distance;
   estimate.prior.T_odom_body = T_odom_body_ * step;
   estimate.prior.information.diagonal() << 1.0 / (sd * sd), 1.0 / (sd * sd),
       1.0 / (sd_theta * sd_theta);
   estimate.from_odometry = true;
+  estimate.stands = wheels_stand(utime);
+}
+
+/// From before the last pose until now; odometry that repeats itself for a moment is not enough.
+bool MotionPrediction::wheels_stand(std::int64_t utime) const {
+  const std::int64_t since = utime - static_cast<std::int64_t>(1e6 * params_.still_s);
+  if (wheels_.empty() || wheels_.front().utime > since) return false;
+  for (auto it = wheels_.rbegin(); it != wheels_.rend(); ++it) {
+    const Pose2 step = between(it->T_wheel_body, wheels_.back().T_wheel_body);
+    if (step.translation().norm() > kStillM || std::abs(step.theta) > kStillRad) return false;
+    if (it->utime <= std::min(since, *utime_)) return true;
+  }
+  return false;
 }
 
 void MotionPrediction::take_gyro(std::int64_t utime, MotionEstimate& estimate) const {
@@ -116,6 +135,8 @@ void MotionPrediction::take_gyro(std::int64_t utime, MotionEstimate& estimate) c
   estimate.prior.T_odom_body.theta = wrap_angle(T_odom_body_.theta + *turn);
   estimate.prior.information(2, 2) = 1.0 / (sd * sd);
   estimate.from_gyro = true;
+  const double turned_max = params_.still_turn_max_rad_s * std::max(seconds(utime - *utime_), 0.1);
+  estimate.stands = estimate.stands && std::abs(*turn) <= turned_max;
 }
 
 void MotionPrediction::correct(std::int64_t utime, const Pose2& T_odom_body, bool matched) {

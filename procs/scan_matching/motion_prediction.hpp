@@ -19,7 +19,10 @@ struct MotionPredictionParams {
   double odometry_sd_rad = 0.02;        ///< of its rotation
   double odometry_sd_per_rad = 0.1;     ///< more for each radian of it
   double odometry_sd_rad_per_m = 0.05;  ///< and for each metre
+  double odometry_sd_time_s = 0.2;      ///< a shorter step has its share of sd_m² and sd_rad²
   double odometry_gap_max_s = 0.5;      ///< older readings say nothing of now
+  double still_s = 0.5;                 ///< wheels that have not moved for this long stand,
+  double still_turn_max_rad_s = 0.05;   ///< unless the gyro says that the body turns
   double gyro_sd_rad_s = 0.01;          ///< of the gyro's rate, bias included
   double gyro_gap_max_s = 0.2;
   double speed_memory_s = 5.0;     ///< without sensors a speed dies away in this time
@@ -36,7 +39,10 @@ struct MotionPredictionParams {
     v("odometry_sd_rad", odometry_sd_rad, within(1e-4, 10.0));
     v("odometry_sd_per_rad", odometry_sd_per_rad, within(0.0, 10.0));
     v("odometry_sd_rad_per_m", odometry_sd_rad_per_m, within(0.0, 10.0));
+    v("odometry_sd_time_s", odometry_sd_time_s, within(1e-3, 60.0));
     v("odometry_gap_max_s", odometry_gap_max_s, within(0.0, 60.0));
+    v("still_s", still_s, within(0.01, 60.0));
+    v("still_turn_max_rad_s", still_turn_max_rad_s, within(0.0, 10.0));
     v("gyro_sd_rad_s", gyro_sd_rad_s, within(1e-5, 10.0));
     v("gyro_gap_max_s", gyro_gap_max_s, within(0.0, 60.0));
     v("speed_memory_s", speed_memory_s, within(0.01, 1000.0));
@@ -53,6 +59,7 @@ struct MotionEstimate {
   PosePrior prior;             ///< information is zero in what no sensor measured
   bool from_odometry = false;  ///< wheels covered the step
   bool from_gyro = false;      ///< the gyro covered the rotation
+  bool stands = false;         ///< wheels, and gyro where there is one, measured no motion
   Pose2 T_odom_last;           ///< where the body was
   double reach_m = 0.0;        ///< how far it can have come since,
   double reach_rad = 0.0;      ///< and turned
@@ -80,6 +87,7 @@ class MotionPrediction {
  private:
   void take_odometry(std::int64_t utime, MotionEstimate& estimate) const;
   void take_gyro(std::int64_t utime, MotionEstimate& estimate) const;
+  [[nodiscard]] bool wheels_stand(std::int64_t utime) const;
   [[nodiscard]] std::optional<Pose2> wheel_pose_at(std::int64_t utime) const;
   [[nodiscard]] std::optional<double> gyro_turn(std::int64_t from, std::int64_t to) const;
   [[nodiscard]] Pose2 step_at_last_speed(double dt_s) const;

@@ -8,11 +8,12 @@
 
 #include <Eigen/LU>
 
+#include "procs/scan_matching/open_directions.hpp"
+
 namespace adit {
 namespace {
 
-constexpr double kSpeedSdM = 0.2;  // how far a body may depart from its last speed in one step
-constexpr double kSpeedSdRad = 0.2;
+constexpr double kOdometerStepM = 0.1;
 constexpr double kTypicalShare = 0.05;  // weight of a new score in the running mean
 
 /// Root mean square distance of the points: how far a turn of one radian moves them.
@@ -22,53 +23,14 @@ double lever_arm_m(const std::vector<SurfacePoint>& points) {
   return std::max(0.5, std::sqrt(squares / std::max<std::size_t>(1, points.size())));
 }
 
-DegenerateDirection::Fill fill_of(const Eigen::Vector3d& direction,
-                                  const MotionEstimate& expected) {
-  const bool mostly_turn = std::abs(direction.z()) > 0.7;
-  if (expected.from_gyro && mostly_turn) return DegenerateDirection::Fill::kImu;
-  if (expected.from_odometry) return DegenerateDirection::Fill::kOdometry;
-  return DegenerateDirection::Fill::kNone;
-}
-
-/// What the bounds of motion alone say: (x, y, θ) in the body frame.
-Eigen::Matrix3d reach_information(const MotionEstimate& expected) {
-  const double m = std::max(expected.reach_m, 1e-3);
-  const double rad = std::max(expected.reach_rad, 1e-3);
-  return Eigen::Vector3d(1.0 / (m * m), 1.0 / (m * m), 1.0 / (rad * rad)).asDiagonal();
-}
-
-/// Information of what is expected along a direction: the sensors', or else that a speed lasts.
-double expected_information(const Eigen::Vector3d& direction, const MotionEstimate& expected,
-                            double lever_arm) {
-  const Eigen::Vector3d to_radians(1.0, 1.0, 1.0 / lever_arm);
-  const Eigen::Vector3d v = direction.cwiseProduct(to_radians);
-  const Eigen::Vector3d variances(kSpeedSdM * kSpeedSdM, kSpeedSdM * kSpeedSdM,
-                                  kSpeedSdRad * kSpeedSdRad);
-  return v.dot(expected.prior.information * v) + v.dot(v.cwiseQuotient(variances));
-}
-
-/// Moves the pose towards the prediction along the directions that the match leaves open, all the
-/// way where the match knows nothing.
-Pose2 fill_open(const Pose2& T_odom_body, const MotionEstimate& expected,
-                const std::vector<OpenDirection>& open, double lever_arm) {
-  const Eigen::Vector3d scale(1.0, 1.0, lever_arm);
-  const Eigen::Vector3d off =
-      between(T_odom_body, expected.prior.T_odom_body).vector().cwiseProduct(scale);
-  Eigen::Vector3d back = Eigen::Vector3d::Zero();
-  for (const auto& [v, information] : open) {
-    const double prior = expected_information(v, expected, lever_arm);
-    back += v * v.dot(off) * prior / (prior + information);
-  }
-  return T_odom_body * Pose2::from_vector(back.cwiseQuotient(scale));
-}
-
 }  // namespace
 
 ScanMatching::ScanMatching(const ScanMatchingParams& params)
     : params_(params),
       motion_(params.motion),
       reference_(params.reference),
-      search_(params.search) {}
+      search_(params.search),
+      standstill_(params.standstill) {}
 
 ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   ScanMatch match;
@@ -121,6 +83,7 @@ void ScanMatching::locate(const Sighting& sighting, ScanMatch& match) {
     match.covariance = (expected.prior.information + reach_information(expected)).inverse();
     reference_covariance_.setZero();
   }
+  standstill_.hold(expected, match);
   match.T_reference_body = between(T_odom_body_, match.T_odom_body);
 }
 
@@ -144,17 +107,39 @@ void ScanMatching::believe(const PoseCandidate& best, const MotionEstimate& expe
 void ScanMatching::advance(Sighting sighting, const ScanMatch& match) {
   const bool lost = match.status == ScanMatch::Status::kLost;
   motion_.correct(match.utime, match.T_odom_body, !lost);
-  odometer_m_ += match.T_reference_body.translation().norm();
   T_odom_body_ = match.T_odom_body;
   utime_ = match.utime;
+  count_way();
+  learn(std::move(sighting), match);
+}
 
-  lost_in_a_row_ = lost ? lost_in_a_row_ + 1 : 0;
-  const bool enough = match.points >= params_.points_min;
-  if (lost_in_a_row_ >= params_.lost_max && enough) {
+/// In steps that stand out from the noise: the sum of what two lasers disagree about, 75 times a
+/// second, would let a robot that stands still forget the walls around it.
+void ScanMatching::count_way() {
+  const double step_m = between(T_odom_counted_, T_odom_body_).translation().norm();
+  if (step_m < kOdometerStepM) return;
+  odometer_m_ += step_m;
+  T_odom_counted_ = T_odom_body_;
+}
+
+void ScanMatching::learn(Sighting sighting, const ScanMatch& match) {
+  if (match.status != ScanMatch::Status::kLost) {
+    lost_in_a_row_ = 0;
+    lost_in_a_row_of_[sighting.laser] = 0;
+    reference_.remember(std::move(sighting), T_odom_body_, odometer_m_);
+    return;
+  }
+  int& of_laser = lost_in_a_row_of_[sighting.laser];
+  ++lost_in_a_row_;
+  ++of_laser;
+  if (match.points < params_.points_min) return;
+  if (lost_in_a_row_ >= params_.lost_max) {
     reference_.restart(std::move(sighting), T_odom_body_, odometer_m_);
     lost_in_a_row_ = 0;
-  } else if (!lost) {
-    reference_.remember(std::move(sighting), T_odom_body_, odometer_m_);
+    lost_in_a_row_of_.clear();
+  } else if (of_laser >= params_.lost_max) {  // the others know where the body is
+    reference_.begin_anew(std::move(sighting), T_odom_body_, odometer_m_);
+    of_laser = 0;
   }
 }
 

@@ -17,6 +17,7 @@
 #include "procs/scan_matching/local_reference.hpp"
 #include "procs/scan_matching/motion_prediction.hpp"
 #include "procs/scan_matching/pose_search.hpp"
+#include "procs/scan_matching/standstill.hpp"
 
 namespace adit {
 
@@ -26,11 +27,13 @@ struct ScanMatchingParams {
   MotionPredictionParams motion;
   LocalReferenceParams reference;
   PoseSearchParams search;
+  StandstillParams standstill;
   DegeneracyParams degeneracy;
   int points_min = 20;             ///< a scan with fewer is not matched
   double lost_score = 0.4;         ///< a match with less is not believed,
   double inlier_share_min = 0.25;  ///< nor one that rests on fewer of the points
-  int lost_max = 3;  ///< scans in a row without a match before the reference starts anew
+  int lost_max = 3;  ///< scans in a row, of a laser or of all, without a match before the
+                     ///< reference of this laser, or of all, starts anew
   double tilt_max_rad =
       0.03;                  ///< scans of a laser that is tilted by more are left to scan_assembly
   bool lasers_tilt = false;  ///< then scans count only once it is known how far
@@ -42,6 +45,7 @@ struct ScanMatchingParams {
     v("motion", motion);
     v("reference", reference);
     v("search", search);
+    v("standstill", standstill);
     v("degeneracy", degeneracy);
     v("points_min", points_min, at_least(3));
     v("lost_score", lost_score, within(0.0, 1.0));
@@ -76,19 +80,24 @@ class ScanMatching {
   void believe(const PoseCandidate& best, const MotionEstimate& expected, double lever_arm_m,
                ScanMatch& match);
   void advance(Sighting sighting, const ScanMatch& match);
+  void count_way();
+  void learn(Sighting sighting, const ScanMatch& match);
 
   ScanMatchingParams params_;
   MotionPrediction motion_;
   LocalReference reference_;
   PoseSearch search_;
+  Standstill standstill_;
   std::map<LaserId, std::int64_t> last_scan_utime_;
   std::int64_t odom_utime_ = 0;  ///< of the first scan
   std::int64_t utime_ = 0;
   Pose2 T_odom_body_;
   Eigen::Matrix3d reference_covariance_ = Eigen::Matrix3d::Zero();  ///< of the last pose in it
   double odometer_m_ = 0.0;
+  Pose2 T_odom_counted_;  ///< up to where the odometer has counted
   double typical_score_ = 0.5;
-  int lost_in_a_row_ = 0;
+  int lost_in_a_row_ = 0;  ///< of all lasers together
+  std::map<LaserId, int> lost_in_a_row_of_;
 };
 
 }  // namespace adit

@@ -104,5 +104,41 @@ TEST(MotionPrediction, TakesNoSpeedFromStampsThatNearlyCoincide) {
   EXPECT_NEAR(motion.predict(kStart + kSecond).prior.T_odom_body.x, 0.3, 1e-9);
 }
 
+TEST(MotionPrediction, StandsOnceTheWheelsHaveNotMovedForAWhile) {
+  MotionPrediction motion{MotionPredictionParams{}};
+  motion.add(wheels(-1.0, {}));
+  motion.add(wheels(-0.3, {0.2, 0.0, 0.0}));
+  motion.add(wheels(0.1, {0.2, 0.0, 0.0}));
+  motion.correct(kStart, {}, true);
+  EXPECT_FALSE(motion.predict(kStart + kSecond / 10).stands);  // odometry that repeats itself
+  motion.add(wheels(0.4, {0.2, 0.0, 0.0}));
+  EXPECT_TRUE(motion.predict(kStart + 4 * kSecond / 10).stands);
+  motion.add(wheels(0.5, {0.21, 0.0, 0.0}));
+  EXPECT_FALSE(motion.predict(kStart + kSecond / 2).stands);
+}
+
+TEST(MotionPrediction, DoesNotStandWhileTheGyroTurns) {
+  MotionPrediction motion{MotionPredictionParams{}};
+  for (int i = -10; i <= 10; ++i) {
+    motion.add(wheels(0.1 * i, {}));
+    motion.add(turning(0.1 * i, 0.2));
+  }
+  motion.correct(kStart, {}, true);
+  EXPECT_FALSE(motion.predict(kStart + kSecond).stands);
+}
+
+TEST(MotionPrediction, IsAsSureOfManyShortStepsAsOfOneLongOne) {
+  MotionPredictionParams params;
+  MotionPrediction motion{params};
+  motion.add(wheels(0.0, {}));
+  motion.add(wheels(0.2, {}));
+  motion.correct(kStart, {}, true);
+  const double steps = 10.0;
+  const auto each = motion.predict(kStart + std::llround(0.02 * kSecond)).prior.information;
+  const auto all = motion.predict(kStart + std::llround(0.2 * kSecond)).prior.information;
+  EXPECT_NEAR(each(0, 0) / steps, all(0, 0), 1e-9 * all(0, 0));
+  EXPECT_NEAR(each(2, 2) / steps, all(2, 2), 1e-9 * all(2, 2));
+}
+
 }  // namespace
 }  // namespace adit

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/scan_matching/standstill.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adit {
+
+bool Standstill::refuted_by(const ScanMatch& match) {
+  if (against_ >= params_.refute_scans) return true;
+  if (match.status != ScanMatch::Status::kMatched) return false;
+  const Pose2 off = between(*T_odom_body_, match.T_odom_body);
+  const bool against =
+      off.translation().norm() > params_.refute_m || std::abs(off.theta) > params_.refute_rad;
+  against_ = against ? against_ + 1 : 0;
+  return against_ >= params_.refute_scans;
+}
+
+void Standstill::hold(const MotionEstimate& expected, ScanMatch& match) {
+  if (!expected.stands) {
+    T_odom_body_.reset();
+    against_ = 0;
+    return;
+  }
+  if (!T_odom_body_) T_odom_body_ = expected.T_odom_last;
+  if (refuted_by(match)) return;
+  match.T_odom_body = *T_odom_body_;
+  const double dt = std::max(1e-3, 1e-6 * static_cast<double>(match.utime - match.reference_utime));
+  const double xy = params_.sd_m_per_sqrt_s * params_.sd_m_per_sqrt_s * dt;
+  const double theta = params_.sd_rad_per_sqrt_s * params_.sd_rad_per_sqrt_s * dt;
+  match.covariance = Eigen::Vector3d(xy, xy, theta).asDiagonal();
+}
+
+}  // namespace adit

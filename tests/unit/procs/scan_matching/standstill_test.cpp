@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/scan_matching/standstill.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "procs/scan_matching/scan_matching.hpp"
+#include "tests/support/test_worlds.hpp"
+#include "tools/sample_mine/mine_worlds.hpp"
+
+namespace adit {
+namespace {
+
+using Status = ScanMatch::Status;
+
+constexpr std::int64_t kStart = 1'000'000'000;
+constexpr std::int64_t kPeriod = 26'666;  // of each LMS-200; the two take turns
+
+/// A robot with a laser at each end, wheels that may lie, and a true place.
+class TwoLasers {
+ public:
+  explicit TwoLasers(SyntheticWorld world, const Pose2& start = {})
+      : world_(std::move(world)), T_world_body_(start), T_world_start_(start) {}
+
+  /// One scan of each laser; before them, body and wheels make a step.
+  void step(const Pose2& motion, const Pose2& wheels) {
+    T_world_body_ = T_world_body_ * motion;
+    T_wheel_body_ = T_wheel_body_ * wheels;
+    utime_ += kPeriod;
+    if (has_wheels_) matching_.add(WheelOdometry{utime_, T_wheel_body_});
+    take(LaserId::kFront, front_.measure(world_, T_world_body_, utime_));
+    const Pose2 T_world_rear = T_world_body_ * Pose2{kRearOffM, 0.0, std::numbers::pi};
+    take(LaserId::kRear, rear_.measure(world_, T_world_rear, utime_));
+  }
+
+  [[nodiscard]] Pose2 error() const {
+    return between(between(T_world_start_, T_world_body_), T_odom_body_);
+  }
+  [[nodiscard]] double moved_m() const { return moved_m_; }  ///< sum of all steps of odom
+  [[nodiscard]] int lost() const { return lost_; }
+  void forget_counts() { moved_m_ = 0.0, lost_ = 0; }
+  void leave_out_wheels() { has_wheels_ = false; }
+
+ private:
+  static constexpr double kRearOffM = 0.02;  // the lasers' offsets are of this size
+
+  void take(LaserId laser, const LaserScan& scan) {
+    const ScanMatch match = matching_.add_scan(laser, scan);
+    moved_m_ += match.T_reference_body.translation().norm();
+    lost_ += match.status == Status::kLost ? 1 : 0;
+    T_odom_body_ = match.T_odom_body;
+  }
+
+  SyntheticWorld world_;
+  SyntheticLaser front_{SyntheticLaserModel{}, 1};
+  SyntheticLaser rear_{SyntheticLaserModel{}, 2};
+  ScanMatching matching_{ScanMatchingParams{}};
+  std::int64_t utime_ = kStart;
+  Pose2 T_world_body_;
+  Pose2 T_world_start_;
+  Pose2 T_wheel_body_;
+  Pose2 T_odom_body_;
+  double moved_m_ = 0.0;
+  int lost_ = 0;
+  bool has_wheels_ = true;
+};
+
+TEST(Standstill, ARobotThatStandsByItsWheelsDoesNotCreep) {
+  for (const bool mine : {false, true}) {
+    TwoLasers robot(mine ? sample_mine(3) : straight_drift(400.0, 3.0), {12.0, 0.1, 0.05});
+    for (int i = 0; i < 40; ++i) robot.step({0.01, 0.0, 0.0}, {0.01, 0.0, 0.0});
+    for (int i = 0; i < 30; ++i) robot.step({}, {});  // more than the half second of still_s
+    robot.forget_counts();
+    for (int i = 0; i < 500; ++i) robot.step({}, {});
+    EXPECT_LT(robot.moved_m(), 1e-9);
+    EXPECT_LT(robot.error().translation().norm(), 0.03);  // the offset of the rear laser
+  }
+}
+
+TEST(Standstill, IsRefutedByScansWhereTheWheelsAreBlocked) {
+  TwoLasers robot(test::crooked_room(), {-3.0, 0.0, 0.0});
+  for (int i = 0; i < 30; ++i) robot.step({}, {});
+  for (int i = 0; i < 100; ++i) robot.step({0.005, 0.0, 0.0}, {});  // it slides half a metre
+  EXPECT_LT(robot.error().translation().norm(), 0.03);
+}
+
+TEST(Standstill, IsOverWhenTheWheelsMove) {
+  TwoLasers robot(test::crooked_room(), {-3.0, 0.0, 0.0});
+  for (int i = 0; i < 30; ++i) robot.step({}, {});
+  for (int i = 0; i < 4; ++i) robot.step({0.01, 0.0, 0.0}, {0.01, 0.0, 0.0});
+  EXPECT_LT(robot.error().translation().norm(), 0.03);  // 0.04 if it were still held
+}
+
+TEST(ScanMatching, KeepsTheWallsAroundARobotThatStandsForLong) {
+  // Without wheels that hold it, what the lasers disagree about adds up to metres.
+  TwoLasers robot(sample_mine(3), {12.0, 0.1, 0.05});
+  robot.leave_out_wheels();
+  for (int i = 0; i < 4000; ++i) robot.step({}, {});
+  EXPECT_GT(robot.moved_m(), LocalReferenceParams{}.memory_m);
+  for (int i = 0; i < 50; ++i) robot.step({0.01, 0.0, 0.0}, {});
+  EXPECT_EQ(robot.lost(), 0);
+}
+
+TEST(ScanMatching, BeginsALaserAnewThatMatchesNothingWhileTheOtherOneMatches) {
+  ScanMatching matching{ScanMatchingParams{}};
+  SyntheticLaser front(SyntheticLaserModel{}, 1);
+  SyntheticLaser rear(SyntheticLaserModel{}, 2);
+  const SyntheticWorld room = test::crooked_room();
+  const SyntheticWorld elsewhere = sample_mine(3);
+  int lost = 0;
+  ScanMatch ahead;
+  ScanMatch behind;
+  for (int i = 0; i < 12; ++i) {
+    const std::int64_t utime = kStart + i * kPeriod;
+    ahead = matching.add_scan(LaserId::kFront, front.measure(room, {-2.0, 0.0, 0.0}, utime));
+    const Pose2 T_world_rear{i < 3 ? -2.0 : 40.0, 0.0, std::numbers::pi};
+    behind = matching.add_scan(LaserId::kRear,
+                               rear.measure(i < 3 ? room : elsewhere, T_world_rear, utime));
+    lost += behind.status == Status::kLost ? 1 : 0;
+  }
+  EXPECT_GE(lost, 1);
+  EXPECT_LE(lost, 4);
+  EXPECT_EQ(behind.status, Status::kMatched);
+  EXPECT_EQ(ahead.status, Status::kMatched);
+  EXPECT_LT(ahead.T_odom_body.translation().norm(), 0.02);
+}
+
+}  // namespace
+}  // namespace adit

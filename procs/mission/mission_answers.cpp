@@ -169,7 +169,8 @@ void Mission::judge(const PlannedPath& path) {
     refuse(attempt_.reached_m(), "Nor is there a way back: " + path.reason, Evidence::kDrive);
     return;
   }
-  const bool seen = path.outcome == PlanOutcome::kBlocked;
+  // Where nothing at all is named that is in the way, nobody saw it.
+  const bool seen = path.outcome == PlanOutcome::kBlocked && !path.blocking.empty();
   refuse(path.reached_m, path.reason, seen ? Evidence::kSeen : Evidence::kUnseen);
 }
 

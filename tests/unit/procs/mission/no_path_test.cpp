@@ -121,6 +121,19 @@ TEST_F(AMissionWithoutAPath, BeginsAnewForAnotherTarget) {
   EXPECT_FALSE(request_.blocked);
 }
 
+TEST_F(AMissionWithoutAPath, IsNeverSureWhereNothingIsNamedThatIsInTheWay) {
+  blocks_ = false;
+  to_plan();
+  path(PlanOutcome::kBlocked);
+  for (int i = 0; i < 9 && !request_.blocked; ++i) {
+    if (now() == Phase::kExplore) answer(Kind::kGoTo);
+    if (now() == Phase::kScan) terrain();
+    path(PlanOutcome::kBlocked);
+  }
+  ASSERT_TRUE(request_.blocked);
+  EXPECT_TRUE(request_.blocked->doubtful);
+}
+
 /// It says nothing of the ground: there was a path.
 TEST_F(AMissionWithoutAPath, LooksAgainWhereADriveFails) {
   drive_in();

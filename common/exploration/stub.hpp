@@ -18,6 +18,7 @@ enum class StubState : std::int8_t {
   kBeyondBudget = 4,  ///< open, but too far to go there and come home
   kUnseeable = 5,     ///< seen from close by, and nothing came back: water, or open air
   kWayOut = 6,        ///< outside of the mine, behind the start
+  kDoubtful = 7,      ///< no way was found, but what would be in it was not seen
 };
 
 /// A place where the mine goes on, with an identity that it keeps while the map grows and moves.
@@ -34,9 +35,14 @@ struct Stub {
   friend bool operator==(const Stub&, const Stub&) = default;
 };
 
-/// Whether nothing is left to be done there. Open beyond the budget is open.
+/// Whether one may go there, now or with more budget.
+inline bool is_to_visit(StubState state) {
+  return state == StubState::kOpen || state == StubState::kBeyondBudget;
+}
+
+/// Whether it is known that nothing is left to be done there.
 inline bool is_closed(StubState state) {
-  return state != StubState::kOpen && state != StubState::kBeyondBudget;
+  return !is_to_visit(state) && state != StubState::kDoubtful;
 }
 
 }  // namespace adit

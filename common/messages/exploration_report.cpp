@@ -29,6 +29,7 @@ static_assert(static_cast<int>(StubState::kBeyondBudget) ==
               exploration_stub_t::STATE_BEYOND_BUDGET);
 static_assert(static_cast<int>(StubState::kUnseeable) == exploration_stub_t::STATE_UNSEEABLE);
 static_assert(static_cast<int>(StubState::kWayOut) == exploration_stub_t::STATE_WAY_OUT);
+static_assert(static_cast<int>(StubState::kDoubtful) == exploration_stub_t::STATE_DOUBTFUL);
 static_assert(static_cast<int>(NodeKind::kJunction) == corridor_node_t::KIND_JUNCTION);
 static_assert(static_cast<int>(NodeKind::kDeadEnd) == corridor_node_t::KIND_DEAD_END);
 static_assert(static_cast<int>(NodeKind::kOpenEnd) == corridor_node_t::KIND_OPEN_END);
@@ -60,7 +61,7 @@ std::string_view reason_to_refuse(const exploration_stub_t& message) {
   const auto state = StubState(message.state);
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.id < 0 || message.local_map < 0) return "stub with a negative id or local map";
-  if (state < StubState::kOpen || state > StubState::kWayOut) return "stub of an unknown state";
+  if (state < StubState::kOpen || state > StubState::kDoubtful) return "stub of an unknown state";
   if (!all_finite(message.p_map) || !all_finite(message.direction_map) ||
       !std::isfinite(message.width_m)) {
     return "stub that is not finite";

@@ -33,6 +33,7 @@ explore_request_t to_message(const ExploreRequest& request) {
   message.blocked_stub = verdict.stub;
   message.reached_m = verdict.reached_m;
   message.evidence = verdict.evidence;
+  message.doubtful = static_cast<std::int8_t>(verdict.doubtful);
   return message;
 }
 
@@ -41,7 +42,7 @@ Result<ExploreRequest> from_message(const explore_request_t& message) {
   ExploreRequest request{message.utime, message.id, message.remaining_m, message.homeward != 0, {}};
   if (message.blocked != 0) {
     request.blocked = {message.blocked_utime, message.blocked_stub, message.reached_m,
-                       message.evidence};
+                       message.evidence, message.doubtful != 0};
   }
   return request;
 }

@@ -8,12 +8,13 @@
 
 namespace adit {
 
-/// What a planner said who found no path, twice, from two poses.
+/// What a planner said who found no path, several times, from two poses.
 struct BlockedVerdict {
   std::int64_t utime = 0;  ///< of the scan it rests on [µs since the epoch]
   std::int32_t stub = -1;  ///< that it was to go to; -1 on the way home
   double reached_m = 0.0;  ///< farthest progress that was possible
   std::string evidence;    ///< a sentence
+  bool doubtful = false;   ///< what would be in the way was not seen, or not twice
 
   friend bool operator==(const BlockedVerdict&, const BlockedVerdict&) = default;
 };

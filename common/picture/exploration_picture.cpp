@@ -25,13 +25,14 @@ constexpr Colour kCannotStand = rgb(0xf1ece0);
 constexpr Colour kCorridor = rgb(0x2f6fc1);
 constexpr Colour kDeadEnd = rgb(0x33373d);
 
-constexpr std::array<std::pair<const char*, Colour>, 7> kStates{{{"open", rgb(0xe0483e)},
+constexpr std::array<std::pair<const char*, Colour>, 8> kStates{{{"open", rgb(0xe0483e)},
                                                                  {"explored", rgb(0x9fd3b4)},
                                                                  {"blocked", rgb(0x8a4bc0)},
                                                                  {"too narrow", rgb(0xa98d5d)},
                                                                  {"beyond budget", rgb(0xf07800)},
                                                                  {"unseeable", rgb(0x1a9a8f)},
-                                                                 {"way out", rgb(0x808890)}}};
+                                                                 {"way out", rgb(0x808890)},
+                                                                 {"doubtful", rgb(0xd45fa8)}}};
 
 Colour colour_of(StubState state) { return kStates.at(static_cast<std::size_t>(state)).second; }
 

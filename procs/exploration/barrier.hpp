@@ -9,10 +9,11 @@
 
 namespace adit {
 
-/// A line across a drift that is not to be crossed: where the planner found no way, or where the
-/// outside begins. Tied to a local map, so that it moves with the map.
+/// A line across a drift that is not to be crossed: where the planner found no way, by what was
+/// seen or not for certain, or where the outside begins. Tied to a local map, so that it moves with
+/// the map.
 struct Barrier {
-  enum class Kind : std::uint8_t { kBlocked, kWayOut };
+  enum class Kind : std::uint8_t { kBlocked, kWayOut, kDoubtful };
 
   Kind kind = Kind::kBlocked;
   int stub = -1;  ///< whose way it cuts off; -1 for the way out

@@ -90,6 +90,24 @@ double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return std::abs(angle_diff(heading_of(a), heading_of(b)));
 }
 
+StubState state_behind(Barrier::Kind barrier) {
+  switch (barrier) {
+    case Barrier::Kind::kBlocked:
+      return StubState::kBlocked;
+    case Barrier::Kind::kWayOut:
+      return StubState::kWayOut;
+    case Barrier::Kind::kDoubtful:
+      return StubState::kDoubtful;
+  }
+  return StubState::kBlocked;
+}
+
+std::string why_not_closed(const Stub& stub) {
+  if (stub.state == StubState::kBeyondBudget) return " is beyond the budget: " + stub.evidence;
+  if (stub.state != StubState::kDoubtful) return " is open";
+  return " was given up, but nobody saw that it is blocked: " + stub.evidence;
+}
+
 }  // namespace
 
 Exploration::Exploration(const ExplorationParams& params)
@@ -170,9 +188,7 @@ std::vector<StubRegister::BarrierText> Exploration::barrier_texts() const {
   for (const Barrier& barrier : barriers_) {
     const auto T_map_local = known_.pose_of(barrier.local_map);
     if (!T_map_local) continue;
-    const bool way_out = barrier.kind == Barrier::Kind::kWayOut;
-    texts.push_back({*T_map_local * barrier.p_local,
-                     way_out ? StubState::kWayOut : StubState::kBlocked, barrier.evidence});
+    texts.push_back({*T_map_local * barrier.p_local, state_behind(barrier.kind), barrier.evidence});
   }
   return texts;
 }
@@ -214,6 +230,7 @@ ExplorationDecision Exploration::make(const ExplorationState& state) {
   if (state.homeward) return to_home(state, "the mission has turned around");
   if (returning_) return to_home(state, "the corridor is explored as far as it goes");
   if (const auto stub = choose(state, all)) return to_stub(*stub, state, here);
+  if (retry_doubtful(state.utime)) return make(state);
   returning_ = params_.mode == "corridor";
   const auto why = reasons_why_not_complete();
   return to_home(state, why.empty() ? "every stub is closed" : why.front());
@@ -269,7 +286,7 @@ std::vector<StubOffer> Exploration::offers(const ExplorationState& state, const 
   std::vector<StubOffer> offers;
   for (std::size_t i = 0; i < register_.stubs().size(); ++i) {
     const Stub& stub = register_.stubs()[i];
-    if (is_closed(stub.state)) continue;
+    if (!is_to_visit(stub.state)) continue;
     const auto way = here.distance_m(stub.p_map);
     const auto home = from_home_->distance_m(stub.p_map);
     if (!way || !home) continue;
@@ -357,7 +374,7 @@ bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {
   const bool on_the_way = decision_.stub == stub && !route_.empty();
   // What is in the way far from the stub says nothing of the stub: there may be another way.
   const bool far = on_the_way && decision_.distance_m > params_.step_m;
-  if (!far) register_.block(stub, evidence.reason, evidence.utime);
+  if (!far) register_.block(stub, evidence.doubtful, evidence.reason, evidence.utime);
   if (!on_the_way) return true;
   const RoutePlace place = along(route_, std::max(evidence.reached_m, 0.0) + kBeyondReachedM);
   const auto tie = known_.tile_at(place.p_map);
@@ -365,13 +382,24 @@ bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {
   const Pose2 T_local_map = known_.pose_of(*tie)->inverse();
   const std::string where =
       way_home ? "on the way home: " : "behind stub " + std::to_string(stub) + ": ";
-  barriers_.push_back({Barrier::Kind::kBlocked, stub, *tie, T_local_map * place.p_map,
+  barriers_.push_back({evidence.doubtful ? Barrier::Kind::kDoubtful : Barrier::Kind::kBlocked, stub,
+                       *tie, T_local_map * place.p_map,
                        T_local_map * place.direction - T_local_map.translation(),
                        where + evidence.reason});
   refresh();
   if (from_home_->distance_m(state_.T_map_body.translation())) return true;
   barriers_.pop_back();  // it would cut off the robot
-  register_.block(stub, evidence.reason, evidence.utime);
+  register_.block(stub, evidence.doubtful, evidence.reason, evidence.utime);
+  refresh();
+  return true;
+}
+
+/// When nothing else is left, and from wherever the robot is by then.
+bool Exploration::retry_doubtful(std::int64_t utime) {
+  if (!register_.retry_doubtful(utime)) return false;
+  std::erase_if(barriers_, [](const Barrier& barrier) {
+    return barrier.kind == Barrier::Kind::kDoubtful && barrier.stub >= 0;
+  });
   refresh();
   return true;
 }
@@ -388,9 +416,7 @@ std::vector<std::string> Exploration::reasons_why_not_complete() const {
   for (const Stub& stub : register_.stubs()) {
     if (is_closed(stub.state)) continue;
     const std::string name = "stub " + std::to_string(stub.id);
-    reasons.push_back(stub.state == StubState::kBeyondBudget
-                          ? name + " is beyond the budget: " + stub.evidence
-                          : name + " is open");
+    reasons.push_back(name + why_not_closed(stub));
   }
   return reasons;
 }

@@ -76,6 +76,7 @@ struct BlockedEvidence {
   std::int64_t utime = 0;
   double reached_m = 0.0;  ///< farthest progress that was possible
   std::string reason;      ///< a sentence
+  bool doubtful = false;   ///< what would be in the way was not seen, or not twice
 };
 
 /// Where to go next, so that the mine is explored to the end and the robot comes home: the stubs of
@@ -104,6 +105,7 @@ class Exploration {
   /// again, nor is what lies behind the place where the way ended, unless another way is found.
   /// On the way home there is no stub (ExplorationDecision::kNoStub), and another way is looked
   /// for. False where there is no such stub or it is explored.
+  /// What is doubtful is tried once more when nothing else is left, and is never complete.
   bool report_blocked(int stub, const BlockedEvidence& evidence);
   /// A person says that it is not blocked.
   bool reopen(int stub, std::int64_t utime);
@@ -127,6 +129,7 @@ class Exploration {
 
  private:
   void refresh();
+  bool retry_doubtful(std::int64_t utime);
   [[nodiscard]] std::vector<Cut> cuts() const;
   [[nodiscard]] std::vector<StubRegister::BarrierText> barrier_texts() const;
   void add_way_out();

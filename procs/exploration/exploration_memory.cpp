@@ -45,7 +45,7 @@ std::string to_text(const RememberedStub& stub) {
   put(out, hold.direction_local);
   out << hold.final << ' ' << hold.stalls << ' ' << hold.least_way_m << ' ';
   put(out, hold.p_then);
-  out << hold.closings << ' ';
+  out << hold.closings << ' ' << hold.retried << ' ';
   put(out, s.p_map);
   put(out, s.direction_map);
   out << one_line(s.evidence) << '\n';
@@ -62,12 +62,12 @@ std::optional<RememberedStub> stub_from_text(std::string_view text) {
   get(in, hold.direction_local);
   in >> hold.final >> hold.stalls >> hold.least_way_m;
   get(in, hold.p_then);
-  in >> hold.closings;
+  in >> hold.closings >> hold.retried;
   get(in, s.p_map);
   get(in, s.direction_map);
   get_sentence(in, s.evidence);
   s.state = StubState(state);
-  const bool known = s.state >= StubState::kOpen && s.state <= StubState::kWayOut;
+  const bool known = s.state >= StubState::kOpen && s.state <= StubState::kDoubtful;
   if (!in || s.id < 0 || s.local_map < 0 || !known) return std::nullopt;
   return stub;
 }
@@ -93,7 +93,7 @@ std::optional<std::vector<Barrier>> barriers_from_text(std::string_view text) {
     get(in, barrier.p_local);
     get(in, barrier.direction_local);
     get_sentence(in, barrier.evidence);
-    if (!in || kind < 0 || kind > static_cast<int>(Barrier::Kind::kWayOut)) return std::nullopt;
+    if (!in || kind < 0 || kind > static_cast<int>(Barrier::Kind::kDoubtful)) return std::nullopt;
     barrier.kind = Barrier::Kind(kind);
     barriers.push_back(std::move(barrier));
   }

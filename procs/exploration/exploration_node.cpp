@@ -162,7 +162,8 @@ void ExplorationNode::on_request(const ExploreRequest& request) {
 /// It rests on the way from where the last decision was made.
 void ExplorationNode::report_blocked(const BlockedVerdict& verdict) {
   if (!decided_) decide();
-  exploration_.report_blocked(verdict.stub, {verdict.utime, verdict.reached_m, verdict.evidence});
+  exploration_.report_blocked(
+      verdict.stub, {verdict.utime, verdict.reached_m, verdict.evidence, verdict.doubtful});
 }
 
 double ExplorationNode::remaining_m() const {

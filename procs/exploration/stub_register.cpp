@@ -162,12 +162,23 @@ void StubRegister::pursued(int stub, double way_m, int local_map, std::int64_t u
       utime);
 }
 
-bool StubRegister::block(int stub, std::string evidence, std::int64_t utime) {
+bool StubRegister::block(int stub, bool doubtful, std::string evidence, std::int64_t utime) {
   if (find(stub) == nullptr || find(stub)->state == StubState::kExplored) return false;
   const auto i = static_cast<std::size_t>(stub);
   holds_[i].final = true;
-  set(stubs_[i], StubState::kBlocked, std::move(evidence), utime);
+  const StubState state = doubtful ? StubState::kDoubtful : StubState::kBlocked;
+  set(stubs_[i], state, std::move(evidence), utime);
   return true;
+}
+
+bool StubRegister::retry_doubtful(std::int64_t utime) {
+  bool any = false;
+  for (std::size_t i = 0; i < stubs_.size(); ++i) {
+    if (stubs_[i].state != StubState::kDoubtful || holds_[i].retried) continue;
+    reopen(stubs_[i].id, "no way was found, and it is tried once more", utime);
+    any = holds_[i].retried = true;
+  }
+  return any;
 }
 
 bool StubRegister::reopen(int stub, std::string evidence, std::int64_t utime) {
@@ -187,7 +198,7 @@ void StubRegister::set_within_budget(int stub, bool within, const std::string& e
                                      std::int64_t utime) {
   if (find(stub) == nullptr) return;
   Stub& which = stubs_[static_cast<std::size_t>(stub)];
-  if (is_closed(which.state)) return;
+  if (!is_to_visit(which.state)) return;
   set(which, within ? StubState::kOpen : StubState::kBeyondBudget, within ? "" : evidence, utime);
 }
 

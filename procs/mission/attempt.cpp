@@ -7,7 +7,9 @@
 namespace adit {
 namespace {
 
-constexpr int kRefusalsMax = 4;  // whatever was tried in between
+constexpr int kRefusalsMax = 6;  // whatever was tried in between
+constexpr int kSeenMin = 2;      // a verdict comes from two poses
+constexpr int kBackOffsMax = 2;
 
 }  // namespace
 
@@ -26,23 +28,28 @@ void Attempt::got_on() {
   homeward_ = homeward;
 }
 
+bool Attempt::is_doubtful() const { return seen_ < kSeenMin; }
+
 Attempt::Next Attempt::refuse(std::int64_t utime, double reached_m, const std::string& reason,
-                              bool unseen, bool may_back_off) {
+                              Evidence evidence, bool may_back_off) {
   ++refusals_;
+  if (evidence == Evidence::kSeen) ++seen_;
   utime_ = utime;
   reached_m_ = std::max(reached_m_, reached_m);
   evidence_ += (evidence_.empty() ? "" : " Again: ") + reason;
-  if (refusals_ >= kRefusalsMax) return Next::kGiveUp;
-  if (unseen && !looked_round_) {
+  if (refusals_ >= kRefusalsMax || !is_doubtful()) return Next::kGiveUp;
+  if (evidence == Evidence::kDrive && !drove_again_) {
+    drove_again_ = true;
+    return Next::kLookAgain;
+  }
+  if (evidence == Evidence::kUnseen && !looked_round_) {
     looked_round_ = true;
     return Next::kOtherLaser;
   }
-  if (!backed_off_) {
-    backed_off_ = true;
-    if (may_back_off) return Next::kBackOff;
-    return refusals_ < 2 ? Next::kLookAgain : Next::kGiveUp;
-  }
-  return Next::kGiveUp;
+  if (!may_back_off) return refusals_ < 2 ? Next::kLookAgain : Next::kGiveUp;
+  if (back_offs_ == kBackOffsMax) return Next::kGiveUp;
+  ++back_offs_;
+  return Next::kBackOff;
 }
 
 }  // namespace adit

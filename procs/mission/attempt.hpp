@@ -12,12 +12,19 @@ namespace adit {
 /// How often and from where a way to one target was looked for in vain.
 class Attempt {
  public:
+  /// What a refusal rests on.
+  enum class Evidence {
+    kSeen,    ///< what is seen leaves no way
+    kUnseen,  ///< what is not seen leaves none, or the planner cannot say
+    kDrive,   ///< a drive that failed: there was a path, and it says nothing of the ground
+  };
+
   /// What is to be tried next.
   enum class Next {
     kOtherLaser,  ///< look at what lies behind and beside, from the same place
-    kBackOff,     ///< look again from some metres back
+    kBackOff,     ///< look again from `back_offs` times some metres back
     kLookAgain,
-    kGiveUp,  ///< it is blocked
+    kGiveUp,  ///< it is blocked, or, where `is_doubtful`, not to be found
   };
 
   /// For another target than the last everything begins anew.
@@ -25,10 +32,13 @@ class Attempt {
   /// The robot got on: what was refused was elsewhere.
   void got_on();
   /// The planner found no path, or the drive failed.
-  Next refuse(std::int64_t utime, double reached_m, const std::string& reason, bool unseen,
+  Next refuse(std::int64_t utime, double reached_m, const std::string& reason, Evidence evidence,
               bool may_back_off);
 
   [[nodiscard]] int refusals() const { return refusals_; }
+  [[nodiscard]] int back_offs() const { return back_offs_; }
+  /// Fewer than two looks saw that there is no way.
+  [[nodiscard]] bool is_doubtful() const;
   [[nodiscard]] std::int64_t utime() const { return utime_; }
   [[nodiscard]] double reached_m() const { return reached_m_; }
   [[nodiscard]] const std::string& evidence() const { return evidence_; }
@@ -37,8 +47,10 @@ class Attempt {
   int stub_ = -1;
   bool homeward_ = false;
   int refusals_ = 0;
+  int seen_ = 0;  ///< of them by what was seen
   bool looked_round_ = false;
-  bool backed_off_ = false;
+  bool drove_again_ = false;
+  int back_offs_ = 0;
   std::int64_t utime_ = 0;
   double reached_m_ = 0.0;
   std::string evidence_;

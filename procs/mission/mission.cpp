@@ -162,7 +162,7 @@ void Mission::plan(MissionAsk& ask) {
 /// Of other outcomes than those that add_driving tells.
 void Mission::execute() {
   if (seconds(utime_ - driving_utime_) > kDrivingSilentS) {
-    refuse(0.0, "Driving is silent.", false);
+    refuse(0.0, "Driving is silent.", Attempt::Evidence::kDrive);
   }
 }
 

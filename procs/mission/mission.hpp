@@ -101,7 +101,8 @@ class Mission {
   void look_along(std::vector<Eigen::Vector2d> route_odom, const std::string& reason);
   void look(LaserId laser, const std::string& reason);
   void judge(const PlannedPath& path);
-  void refuse(double reached_m, const std::string& reason, bool unseen);
+  void refuse(double reached_m, const std::string& reason, Attempt::Evidence evidence);
+  void drive_failed(const std::string& reason);
   void back_off(const std::string& reason);
   void retrace(const std::string& reason);
   [[nodiscard]] bool got_on() const;
@@ -134,7 +135,7 @@ class Mission {
   PlanGoal::Kind goal_kind_ = PlanGoal::Kind::kRoute;
   bool by_sight_ = false;  ///< no target of exploration
   bool backing_off_ = false;
-  std::optional<Eigen::Vector2d> p_odom_refused_;  ///< where the present attempt was, at first
+  std::vector<Eigen::Vector2d> refused_odom_;  ///< where attempts were, at first
   std::int64_t terrain_utime_ = 0;
   std::optional<DrivingState> driving_;
   std::int64_t driving_utime_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What the mission makes of what the stages say.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -19,6 +20,7 @@ constexpr double kGotOnM = 1.0;     // that counts as having got on
 constexpr double kLostPathS = 2.0;  // until driving should have its path
 
 using Kind = ExplorationDecision::Kind;
+using Evidence = Attempt::Evidence;
 
 }  // namespace
 
@@ -38,7 +40,7 @@ void Mission::add_match(const ScanMatch& match) {
   odom_is_new_ = true;
   has_map_ = false;
   way_.begin_anew();
-  p_odom_refused_.reset();
+  refused_odom_.clear();
   if (phase_.phase == Phase::kPaused || phase_.phase == Phase::kEnded) return;
   if (first_heard && !home_for_good_ && params_.after_cut_off == "home") {
     home_for_good_ = phase_.homeward = true;
@@ -176,20 +178,20 @@ void Mission::judge(const PlannedPath& path) {
   }
   if (backing_off_) {
     backing_off_ = false;
-    refuse(attempt_.reached_m(), "Nor is there a way back: " + path.reason, false);
+    refuse(attempt_.reached_m(), "Nor is there a way back: " + path.reason, Evidence::kDrive);
     return;
   }
-  const bool unseen =
-      path.outcome == PlanOutcome::kUnknown || path.outcome == PlanOutcome::kStartBlocked;
-  refuse(path.reached_m, path.reason, unseen);
+  // Where nothing at all is named that is in the way, nobody saw it.
+  const bool seen = path.outcome == PlanOutcome::kBlocked && !path.blocking.empty();
+  refuse(path.reached_m, path.reason, seen ? Evidence::kSeen : Evidence::kUnseen);
 }
 
-void Mission::refuse(double reached_m, const std::string& reason, bool unseen) {
+void Mission::refuse(double reached_m, const std::string& reason, Evidence evidence) {
   if (attempt_.refusals() == 0 && way_.T_odom_body()) {
-    p_odom_refused_ = way_.T_odom_body()->translation();
+    refused_odom_.push_back(way_.T_odom_body()->translation());
   }
   const bool may_back_off = way_.back(params_.back_off_m).size() > 5;
-  switch (attempt_.refuse(utime_, reached_m, reason, unseen, may_back_off)) {
+  switch (attempt_.refuse(utime_, reached_m, reason, evidence, may_back_off)) {
     case Attempt::Next::kOtherLaser:
       look(phase_.laser == LaserId::kFront ? LaserId::kRear : LaserId::kFront,
            "the ground is not known well enough, so it looks to the other side: " + reason);
@@ -209,19 +211,20 @@ void Mission::refuse(double reached_m, const std::string& reason, bool unseen) {
     lost_try(evidence);
     return;
   }
-  verdict_ =
-      BlockedVerdict{attempt_.utime(), phase_.stub, attempt_.reached_m(), attempt_.evidence()};
+  verdict_ = BlockedVerdict{attempt_.utime(), phase_.stub, attempt_.reached_m(),
+                            attempt_.evidence(), attempt_.is_doubtful()};
   attempt_.got_on();
   if (phase_.stub < 0 && ++lost_tries_ > params_.lost_tries_max) {
     end(MissionOutcome::kStranded, "no way on was found: " + verdict_->evidence);
     return;
   }
-  enter(Phase::kExplore, "the way is blocked: " + verdict_->evidence);
+  enter(Phase::kExplore,
+        (verdict_->doubtful ? "no way is found: " : "the way is blocked: ") + verdict_->evidence);
 }
 
 void Mission::back_off(const std::string& reason) {
   backing_off_ = true;
-  route_odom_ = way_.back(params_.back_off_m);
+  route_odom_ = way_.back(std::max(1, attempt_.back_offs()) * params_.back_off_m);
   goal_kind_ = PlanGoal::Kind::kRoute;
   ++phase_.goal_id;
   enter(Phase::kPlan, "it backs off to look from another place: " + reason);
@@ -234,11 +237,13 @@ void Mission::retrace(const std::string& reason) {
   enter(Phase::kPlan, "it goes back on its own track: " + reason);
 }
 
-/// Back to where it was refused is not on.
+/// Back to where it was once refused is not on.
 bool Mission::got_on() const {
   if (way_.travelled_m() - progress_mark_m_ < kGotOnM || !way_.T_odom_body()) return false;
-  return !p_odom_refused_ ||
-         (way_.T_odom_body()->translation() - *p_odom_refused_).norm() > kGotOnM;
+  const Eigen::Vector2d p_odom_body = way_.T_odom_body()->translation();
+  return std::all_of(
+      refused_odom_.begin(), refused_odom_.end(),
+      [&](const Eigen::Vector2d& p_odom) { return (p_odom_body - p_odom).norm() > kGotOnM; });
 }
 
 void Mission::add_driving(const DrivingState& state) {
@@ -256,10 +261,18 @@ void Mission::add_driving(const DrivingState& state) {
     }
     enter(Phase::kExplore, "it has come to the end of the path");
   } else if (state.kind == DrivingState::Kind::kFailed) {
-    backing_off_ = false;
-    if (got_on()) attempt_.got_on();
-    refuse(0.0, "Driving gave up: " + state.reason + ".", false);
+    drive_failed("Driving gave up: " + state.reason + ".");
   }
+}
+
+/// On the way back that says nothing of what lies ahead, and it may be another place already.
+void Mission::drive_failed(const std::string& reason) {
+  if (backing_off_) {
+    enter(Phase::kExplore, "it looks from where it got to: " + reason);
+    return;
+  }
+  if (got_on()) attempt_.got_on();
+  refuse(0.0, reason, Evidence::kDrive);
 }
 
 void Mission::add_order(const MissionOrder& order) {

@@ -23,8 +23,8 @@ namespace test {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MissionScore, outcome, reason, home_off_m, farthest_m,
                                    corridor_m, seen_share, missed_m, sure_missed_m, travelled_m,
                                    simulated_s, wall_s, scans, rmse_m, rmse_believed_m,
-                                   length_ratio, verdicts, false_verdicts, home_verdicts, complete,
-                                   other_laser, back_offs, guard_stops)
+                                   length_ratio, verdicts, false_verdicts, doubtful, home_verdicts,
+                                   complete, other_laser, back_offs, guard_stops)
 
 }  // namespace test
 

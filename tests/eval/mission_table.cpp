@@ -11,7 +11,7 @@ namespace {
 
 struct Sum {
   int home = 0, failed = 0, crashed = 0, at_home = 0, verdicts = 0, false_verdicts = 0;
-  int home_verdicts = 0, complete = 0, false_complete = 0, surely_false_complete = 0,
+  int doubtful = 0, home_verdicts = 0, complete = 0, false_complete = 0, surely_false_complete = 0,
       guard_stops = 0;
   double seen_share = 0.0, travelled_m = 0.0, simulated_s = 0.0, rmse_max_m = 0.0;
 
@@ -22,6 +22,7 @@ struct Sum {
     crashed += score.outcome == "crashed";
     verdicts += score.verdicts;
     false_verdicts += score.false_verdicts;
+    doubtful += score.doubtful;
     home_verdicts += score.home_verdicts;
     complete += score.complete;
     false_complete += score.false_complete();
@@ -41,9 +42,9 @@ void print_table(const std::vector<MissionRow>& rows) {
       << "| mine | outcome | from the start (m) | farthest (m) | corridor (m) | seen (%) "
          "| missed; by the vehicle with room (m) | way (m) | simulated (s) | wall (s) | scans | "
          "RMSE, map (m) "
-         "| RMSE, believed (m) | length ratio | blocked | falsely | on the way home "
+         "| RMSE, believed (m) | length ratio | blocked | falsely | doubtful | on the way home "
          "| complete | falsely | other laser | back-offs | guard stops |\n"
-         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---"
+         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---"
          "|---|\n";
   for (const auto& [name, world, score] : rows) {
     std::cout
@@ -51,11 +52,11 @@ void print_table(const std::vector<MissionRow>& rows) {
                   name.c_str(), score.outcome.c_str(), score.home_off_m, score.farthest_m,
                   score.corridor_m, 100.0 * score.seen_share, score.missed_m, score.sure_missed_m,
                   score.travelled_m, score.simulated_s, score.wall_s, score.scans)
-        << format("| %.2f | %.2f | %.3f | %d | %d | %d | %s | %s | %d | %d | %d |\n", score.rmse_m,
-                  score.rmse_believed_m, score.length_ratio, score.verdicts, score.false_verdicts,
-                  score.home_verdicts, score.complete ? "yes" : "no",
-                  score.false_complete() ? "yes" : "no", score.other_laser, score.back_offs,
-                  score.guard_stops);
+        << format("| %.2f | %.2f | %.3f | %d | %d | %d | %d | %s | %s | %d | %d | %d |\n",
+                  score.rmse_m, score.rmse_believed_m, score.length_ratio, score.verdicts,
+                  score.false_verdicts, score.doubtful, score.home_verdicts,
+                  score.complete ? "yes" : "no", score.false_complete() ? "yes" : "no",
+                  score.other_laser, score.back_offs, score.guard_stops);
   }
 }
 
@@ -71,6 +72,7 @@ void print_summary(const std::vector<MissionRow>& rows, double wall_s) {
             << format("| corridor seen, mean | %.1f %% |\n", 100.0 * sum.seen_share / n)
             << format("| verdicts that a stub is blocked; of them false | %d; %d |\n", sum.verdicts,
                       sum.false_verdicts)
+            << format("| stubs given up that nobody saw to be blocked | %d |\n", sum.doubtful)
             << format("| verdicts on the way home or without a stub | %d |\n", sum.home_verdicts)
             << format(
                    "| called complete; of them falsely; for the vehicle with room | %d; %d; %d |\n",

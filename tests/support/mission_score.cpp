@@ -130,6 +130,10 @@ void MissionTruth::add_verdicts(const MissionLog& log, MissionScore& score) cons
       ++score.home_verdicts;
       continue;
     }
+    if (verdict.doubtful) {
+      ++score.doubtful;
+      continue;
+    }
     ++score.verdicts;
     const Stub& stub = log.report->stubs[static_cast<std::size_t>(verdict.stub)];
     const Eigen::Vector2d beyond = stub.p_map + kBeyondM * stub.direction_map;

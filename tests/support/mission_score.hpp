@@ -29,6 +29,7 @@ struct MissionScore {
   double length_ratio = 0.0;     ///< of the way by the last graph to the true one
   int verdicts = 0;              ///< that a stub is blocked
   int false_verdicts = 0;        ///< where the vehicle with some room fits beyond it
+  int doubtful = 0;              ///< stubs given up that nobody saw to be blocked
   int home_verdicts = 0;         ///< that the way home is, or where no stub was
   bool complete = false;         ///< said of the exploration
   int other_laser = 0;           ///< second looks from the same place

@@ -73,6 +73,8 @@ const char* name_of(StubState state) {
       return "nothing came back";
     case StubState::kWayOut:
       return "the way out";
+    case StubState::kDoubtful:
+      return "no way found, doubtful";
   }
   return "";
 }

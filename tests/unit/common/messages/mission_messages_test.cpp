@@ -57,7 +57,7 @@ MissionPhase homeward() {
 }
 
 ExploreRequest blocked() {
-  return {kUtime, 6, 800.0, true, BlockedVerdict{kUtime - 9, 1, 1.4, "a beam"}};
+  return {kUtime, 6, 800.0, true, BlockedVerdict{kUtime - 9, 1, 1.4, "a beam", true}};
 }
 
 TEST(MissionMessages, KeepWhatTheySay) {

@@ -173,6 +173,39 @@ TEST(Exploration, DoesNotChooseABlockedStubAgainNorWhatLiesBehind) {
   EXPECT_FALSE(explorer.exploration.report_blocked(999, {}));
 }
 
+TEST(Exploration, TriesWhatIsDoubtfulOnceMoreAndNeverCallsItComplete) {
+  const auto mine = drift_mine(straight());
+  Explorer explorer(mine);
+  const int stub = explorer.decide().stub;
+  const BlockedEvidence doubt{1, 1.0, "nothing was seen", true};
+  EXPECT_TRUE(explorer.exploration.report_blocked(stub, doubt));
+  EXPECT_EQ(explorer.decide().stub, stub);
+  EXPECT_TRUE(explorer.exploration.report_blocked(stub, doubt));
+  EXPECT_EQ(explorer.decide().kind, Kind::kDone);
+  EXPECT_FALSE(explorer.decide().complete);
+  EXPECT_EQ(explorer.stubs(StubState::kDoubtful).size(), 1U);
+  EXPECT_NE(explorer.decide().reason.find("nothing was seen"), std::string::npos);
+  // What is seen to be blocked after all is known.
+  EXPECT_TRUE(explorer.exploration.reopen(stub, 2));
+  EXPECT_TRUE(explorer.exploration.report_blocked(stub, {3, 1.0, "a beam"}));
+  EXPECT_TRUE(explorer.decide().complete);
+}
+
+TEST(Exploration, TriesOtherStubsBeforeWhatIsDoubtful) {
+  const auto mine = drift_mine(crossroads());
+  Explorer explorer(mine);
+  for (int i = 0; i < 4; ++i) {
+    explorer.decide();
+    explorer.go(5.0);
+  }
+  const int doubtful = explorer.decide().stub;
+  const BlockedEvidence doubt{explorer.robot.utime(), 1.0, "nothing was seen", true};
+  EXPECT_TRUE(explorer.exploration.report_blocked(doubtful, doubt));
+  const ExplorationDecision next = explorer.decide();
+  EXPECT_NE(next.stub, doubtful);
+  EXPECT_NE(next.stub, ExplorationDecision::kNoStub);
+}
+
 TEST(Exploration, GoesToABlockedStubThatAPersonReopens) {
   const auto mine = drift_mine(straight());
   Explorer explorer(mine);

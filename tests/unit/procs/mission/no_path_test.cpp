@@ -47,11 +47,33 @@ TEST_F(AMissionWithoutAPath, LooksToTheOtherSideThenFromFartherBackThenSaysSo) {
   answer(Kind::kAlong, 3);
   terrain();
   path(PlanOutcome::kUnknown, 0.9);
+  ASSERT_EQ(now(), Phase::kPlan);
+  EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 6.0, 0.26);  // once more, and farther
+  path(PlanOutcome::kFound);
+  arrive();
+  answer(Kind::kAlong, 3);
+  terrain();
+  path(PlanOutcome::kUnknown, 0.9);
   ASSERT_EQ(now(), Phase::kExplore);
   ASSERT_TRUE(request_.blocked);
   EXPECT_EQ(request_.blocked->stub, 3);
   EXPECT_EQ(request_.blocked->reached_m, 1.2);
   EXPECT_THAT(request_.blocked->evidence, HasSubstr("a beam is in the way Again: a beam"));
+  EXPECT_TRUE(request_.blocked->doubtful);  // no look has seen that there is no way
+}
+
+TEST_F(AMissionWithoutAPath, IsSureOfWhatItSawFromTwoPlaces) {
+  drive_in();
+  path(PlanOutcome::kBlocked);
+  path(PlanOutcome::kFound);
+  for (int i = 0; i < 12; ++i) back();
+  arrive();
+  answer(Kind::kAlong, 3);
+  terrain();
+  path(PlanOutcome::kBlocked);
+  ASSERT_TRUE(request_.blocked);
+  EXPECT_FALSE(request_.blocked->doubtful);
+  EXPECT_THAT(phase().reason, HasSubstr("the way is blocked"));
 }
 
 TEST_F(AMissionWithoutAPath, BacksOffAtOnceFromWhatItSees) {
@@ -99,18 +121,62 @@ TEST_F(AMissionWithoutAPath, BeginsAnewForAnotherTarget) {
   EXPECT_FALSE(request_.blocked);
 }
 
-TEST_F(AMissionWithoutAPath, CountsADriveThatFailsAsARefusal) {
+TEST_F(AMissionWithoutAPath, IsNeverSureWhereNothingIsNamedThatIsInTheWay) {
+  blocks_ = false;
+  to_plan();
+  path(PlanOutcome::kBlocked);
+  for (int i = 0; i < 9 && !request_.blocked; ++i) {
+    if (now() == Phase::kExplore) answer(Kind::kGoTo);
+    if (now() == Phase::kScan) terrain();
+    path(PlanOutcome::kBlocked);
+  }
+  ASSERT_TRUE(request_.blocked);
+  EXPECT_TRUE(request_.blocked->doubtful);
+}
+
+/// It says nothing of the ground: there was a path.
+TEST_F(AMissionWithoutAPath, LooksAgainWhereADriveFails) {
   drive_in();
   path(PlanOutcome::kFound);
   driving(Driving::kFailed, "beside its path");
   tick();
+  ASSERT_EQ(now(), Phase::kExplore);
+  EXPECT_FALSE(request_.blocked);
+  answer(Kind::kAlong, 3);
+  terrain();
+  path(PlanOutcome::kFound);
+  driving(Driving::kFailed, "held by a stop order");
+  tick();
   EXPECT_EQ(now(), Phase::kPlan);  // it backs off
   path(PlanOutcome::kBlocked);
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);  // on its own track, then
-  path(PlanOutcome::kBlocked);
+}
+
+/// Poses that jump fail one drive after the other, those to get back, too.
+TEST_F(AMissionWithoutAPath, IsNeverSureByDrivesThatFail) {
+  drive_in();
+  for (int i = 0; i < 20 && !request_.blocked; ++i) {
+    path(PlanOutcome::kFound);
+    driving(Driving::kFailed, "beside its path");
+    tick();
+    if (now() != Phase::kExplore || request_.blocked) continue;
+    answer(Kind::kAlong, 3);
+    terrain();
+  }
   ASSERT_TRUE(request_.blocked);
+  EXPECT_TRUE(request_.blocked->doubtful);
   EXPECT_THAT(request_.blocked->evidence, HasSubstr("Driving gave up: beside its path."));
-  EXPECT_THAT(request_.blocked->evidence, HasSubstr("Nor is there a way back"));
+}
+
+TEST_F(AMissionWithoutAPath, LooksFromWhereADriveBackFailed) {
+  drive_in();
+  path(PlanOutcome::kBlocked);
+  path(PlanOutcome::kFound);
+  for (int i = 0; i < 6; ++i) back();
+  driving(Driving::kFailed, "beside its path");
+  tick();
+  EXPECT_EQ(now(), Phase::kExplore);
+  EXPECT_FALSE(request_.blocked);
 }
 
 TEST_F(AMissionWithoutAPath, ForgetsRefusalsOnceItGotOn) {

@@ -56,6 +56,7 @@ class ScriptedStages : public testing::Test {
     path.outcome = outcome;
     path.reason = outcome == PlanOutcome::kFound ? "a path" : "a beam is in the way";
     path.reached_m = reached_m;
+    if (outcome == PlanOutcome::kBlocked && blocks_) path.blocking = {BlockingCell{}};
     mission_.add_path(path);
     advance();
   }
@@ -135,6 +136,7 @@ class ScriptedStages : public testing::Test {
   std::int64_t terrain_utime_ = 0;
   double x_m_ = 0.0;
   double reach_m_ = 10.0;  ///< of the route; negative: backwards
+  bool blocks_ = true;     ///< what is in the way is named
   bool poses_ = true;
   bool driving_talks_ = true;
   DrivingState driving_;

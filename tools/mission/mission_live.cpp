@@ -63,6 +63,7 @@ class LiveMission {
       if (progress) progress(watch_.progress(), 1e-6 * static_cast<double>(now_us - begin_us));
     }
     result.wall_s = 1e-6 * static_cast<double>(wall_us() - begin_us);
+    result.interrupted = stop.came();
     supervisor_.stop();
     result.last = watch_.progress();
     result.farthest_m = watch_.farthest_m();

@@ -13,6 +13,7 @@
 #include <lcm/lcm-cpp.hpp>
 #include <poll.h>
 
+#include "common/bus/channel_filter.hpp"
 #include "common/bus/channels.hpp"
 #include "common/bus/lcm_url.hpp"
 #include "common/bus/transport_check.hpp"
@@ -63,7 +64,6 @@ void LcmBus::run(int stop_descriptor) {
 
 /// Until there is something to do. False if `stop_descriptor` can be read from.
 bool LcmBus::wait(int timeout_ms, int stop_descriptor) {
-  take_from_lcm();
   const std::int64_t timeout_us = timeout_ms * 1000LL;
   const auto timer_ms = static_cast<int>(
       std::min<std::int64_t>((wait_for_timers_us(timeout_us) + 999) / 1000, timeout_ms));
@@ -71,7 +71,7 @@ bool LcmBus::wait(int timeout_ms, int stop_descriptor) {
   const int ready =
       poll(descriptors.data(), descriptors.size(), dispatcher_.is_idle() ? timer_ms : 0);
   if (ready < 0 && errno != EINTR) throw std::system_error(errno, std::generic_category(), "poll");
-  take_from_lcm();
+  if (ready < 0 || descriptors[0].revents != 0) take_from_lcm();
   return ready <= 0 || descriptors[1].revents == 0;
 }
 
@@ -126,11 +126,14 @@ void LcmBus::publish(std::string_view channel, std::span<const std::uint8_t> byt
 SubscriptionId LcmBus::subscribe(std::string_view channel, Delivery delivery, Handler handler) {
   const SubscriptionId id = dispatcher_.subscribe(channel, delivery, std::move(handler));
   if (!channels_.emplace(channel).second) return id;
+  const std::set<int> sockets = bound_datagram_sockets();
   // Not by a member function: GCC 12 miscompiles LCM's call of one under -fsanitize=undefined.
   lcm::Subscription* const subscription =
       lcm_->subscribeFunction(std::string(channel), &LcmBus::on_receive, this);
   if (!subscription) throw std::runtime_error("LCM cannot subscribe to " + std::string(channel));
   subscription->setQueueCapacity(kLcmQueue);
+  if (channels_.size() == 1) sockets_ = bound_datagram_sockets_but(sockets);
+  pass_only(channels_, sockets_);
   return id;
 }
 

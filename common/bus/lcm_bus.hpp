@@ -79,6 +79,7 @@ class LcmBus final : public Bus {
   Timers timers_;
   Timers world_timers_;  // where bus time is simulated; else `timers_` has them all
   std::set<std::string, std::less<>> channels_;
+  std::set<int> sockets_;       // by which LCM receives
   std::exception_ptr failure_;  // must not pass through LCM's C code
   std::int64_t unsent_ = 0;
 };

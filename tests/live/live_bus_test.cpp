@@ -9,11 +9,13 @@
 #include <vector>
 
 #include <arpa/inet.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "common/bus/channel_filter.hpp"
 #include "common/bus/lcm_bus.hpp"
 #include "common/bus/lcm_url.hpp"
 
@@ -95,6 +97,28 @@ TEST_F(LiveBus, KeepsTheNewestStateOverAStall) {
   sender_.publish("IMU", {});
   receive_until([&] { return !kept_.empty() && kept_.back() == Bytes{99}; });
   EXPECT_LT(kept_.size(), 100U);
+}
+
+/// Of the filters of all sockets by which this process receives.
+std::vector<socklen_t> lengths_of_filters() {
+  std::vector<socklen_t> lengths;
+  for (const int socket : bound_datagram_sockets()) {
+    socklen_t length = 0;  // 0 asks for it
+    getsockopt(socket, SOL_SOCKET, SO_ATTACH_FILTER, nullptr, &length);
+    lengths.push_back(length);
+  }
+  return lengths;
+}
+
+TEST_F(LiveBus, LetsTheKernelDropWhatNobodyHereSubscribedTo) {
+  receiver_.subscribe("POSE", Delivery::queued(100), keep());
+  receiver_.subscribe("IMU", Delivery::queued(100), keep());
+  const auto length = static_cast<socklen_t>(channel_filter({"POSE", "IMU"}).size());
+  EXPECT_THAT(lengths_of_filters(), testing::Contains(length));
+  sender_.publish("GAS", Bytes{1});
+  sender_.publish("IMU", Bytes{2});
+  receive_until([&] { return !kept_.empty(); });
+  EXPECT_EQ(kept_.at(0), Bytes{2});
 }
 
 TEST_F(LiveBus, SurvivesDatagramsThatAreNotOfLcm) {

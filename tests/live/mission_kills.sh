@@ -17,7 +17,7 @@ kPatienceSeconds=1200
 scratch=$(mktemp -d)
 trap 'kill -KILL $(jobs -p) 2>/dev/null; wait; rm -rf "$scratch"' EXIT
 at() { echo $((kFirstS + RANDOM % (kLastS - kFirstS))); }
-last() { tr '\r' '\n' <"$1" | grep -v '^ *$' | tail -2 | head -1; }
+last() { tr '\r' '\n' <"$1" | grep -B 1 'from the start at the end' | tail -2 | head -1; }
 stand() { tr '\r' '\n' <"$1" | grep 'from the start at the end' | tail -1; }
 
 # row HARM MOMENT EXIT TEXT

@@ -22,7 +22,7 @@ for ((n = 1; SECONDS < end; ++n)); do
     "$adit" ps --socket "$out/supervisor.sock" 2>/dev/null | sed 's/^/    /'
   done
   ((SECONDS < end)) || kill -TERM "$mission" 2>/dev/null
-  wait "$mission"; echo; echo "ended with $?: $(tail -n 1 "$scratch/$n.text")"
+  wait "$mission"; echo; echo "ended with $?: $(grep 'from the start at the end' "$scratch/$n.text")"
   mission=
   rm -rf "$out"
 done

@@ -16,6 +16,8 @@ kCutAfterM=3
 kLossPercent=5
 kDeadlineSeconds=100
 kNearHomeM=1.0
+kReport=(mission.html map.png map.pgm map.yaml map.svg graph.g2o trajectory.tum cloud.ply volume.bt
+  junctions.geojson run.lcmlog summary.json)
 
 # The network of a mission within this one; skipped where it cannot be had.
 "$here/in_private_network.sh" true || exit
@@ -62,6 +64,7 @@ case $case in
   home)
     begin "$world" --config "$config"
     expect_home
+    for file in "${kReport[@]}"; do [[ -s $out/$file ]] || fail "there is no $file"; done
     "$adit" mission "$world" --out "$out" 2>"$scratch/again.text" && fail "overwrites a mission"
     grep -q -- "--resume" "$scratch/again.text" || fail "does not say how to go on"
     ;;
@@ -78,6 +81,7 @@ case $case in
     begin --resume
     expect_home
     [[ -s $out/run.lcmlog && -s $out/run_2.lcmlog ]] || fail "there are no logs of two lives"
+    grep -q "is at home" "$out/mission.html" || fail "the report does not tell of the second life"
     ;;
   lossy)
     begin "$world" --config "$config" --fault "packet_loss=$(share $kLossPercent)@5"

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # record_node.sh LOG SPEED RECORD NODE [ARGUMENT..]
-# Plays LOG by lcm-logplayer at SPEED to the node that the command starts, and records everything by
+# Plays LOG, or those of its CHANNELS (a regular expression), by lcm-logplayer at SPEED to the node that the command starts, and records everything by
 # lcm-logger into RECORD. To be run by in_private_network.sh. Ends with 0 only if the node ended
 # with 0 on SIGTERM.
 set -u
@@ -29,7 +29,7 @@ wait_for "lcm-logger" is_listening
 "$@" & node=$!
 wait_for "the node's first heartbeat" is_recorded HEARTBEAT
 
-lcm-logplayer --speed="$speed" "$log" >/dev/null || exit 1
+lcm-logplayer --speed="$speed" --regexp="${CHANNELS:-.*}" "$log" >/dev/null || exit 1
 wait_for "the end of the record" has_settled
 
 kill -TERM "$node"; wait "$node"; node_exit=$?

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "tools/adit/commands.hpp"
 #include "tools/adit/mission_teller.hpp"
+#include "tools/adit/report_teller.hpp"
 #include "tools/mission/mission_folder.hpp"
 #include "tools/mission/mission_live.hpp"
 #include "tools/mission/mission_run.hpp"
@@ -29,8 +32,9 @@ stage is a process of its own, kept running by an adit-supervisor, on a network 
 --in-process all are in this one, with the same log each time. Exit code 0 when the robot is at home, 1
 when it is not.
 
-The folder then holds run.lcmlog with all that was said, phases.tsv with what the robot was at and why, the
-journals from which it can go on, and the configuration of all processes. While it runs:
+The folder then holds the report of adit report, mission.html with map and figures and the files that belong
+to it; run.lcmlog with all that was said, phases.tsv with what the robot was at and why, the journals from
+which it can go on, and the configuration of all processes. While it runs:
   adit ps --socket DIR/supervisor.sock          its processes; adit logs NAME and adit restart NAME, too
   adit order come-home --mission DIR            what a person may order
 
@@ -42,12 +46,27 @@ Examples:
   adit mission --out mission --resume           after it was interrupted, or all of it was cut off
   adit mission mathies --in-process --out mission)";
 
-/// Throws the exit code of a mission that did not come home.
-void conclude(const MissionProgress& last, const std::string& trouble, double wall_s) {
+/// Makes the folder of the mission from its logs, also of one that did not come home. What stops
+/// that is said, and changes nothing of how the mission ended. A life that was cut off at once has
+/// left an empty log.
+void report(const std::filesystem::path& folder) try {
+  const MissionFolder mission(folder);
+  std::vector<std::filesystem::path> logs = mission.logs();
+  std::erase_if(logs, [](const auto& log) { return std::filesystem::file_size(log) == 0; });
+  tell_report({logs, mission.path()});
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "adit mission: there is no report: %s\n", error.what());
+}
+
+void tell_end(const MissionProgress& last, const std::string& trouble, double wall_s) {
   std::printf("\n%s\n%.0f s of simulated time in %.0f s; %.2f m from the start at the end\n",
               trouble.empty() ? last.phase.reason.c_str() : trouble.c_str(), last.simulated_s,
               wall_s, last.from_start_m);
   std::fflush(stdout);
+}
+
+/// Throws the exit code of a mission that did not come home.
+void require_home(const MissionProgress& last, const std::string& trouble) {
   const bool home = trouble.empty() && last.phase.outcome == MissionOutcome::kHome;
   if (!home) throw CLI::RuntimeError(kExitNotHome);
 }
@@ -71,16 +90,21 @@ void run_here(const MissionLiveOptions& mission) {
   const std::string trouble = !result.failure.empty() ? "the run has failed: " + result.failure
                               : ended                 ? ""
                                                       : "its time is up";
-  conclude(result.last, trouble, result.wall_s);
+  tell_end(result.last, trouble, result.wall_s);
+  report(mission.folder);
+  require_home(result.last, trouble);
 }
 
 void run_processes(const MissionLiveOptions& mission) {
+  const std::filesystem::path folder = std::filesystem::absolute(mission.folder);
   MissionTeller teller;
   const MissionLiveResult result = run_live_mission(
       mission,
       [&](const MissionProgress& progress, double wall_s) { teller.update(progress, wall_s); },
       [&](const std::string& what) { teller.say(what); });
-  conclude(result.last, result.trouble, result.wall_s);
+  tell_end(result.last, result.trouble, result.wall_s);
+  if (!result.interrupted) report(folder);
+  require_home(result.last, result.trouble);
 }
 
 void run(const Options& options) {

@@ -1,14 +1,11 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <iostream>
 #include <memory>
-#include <optional>
 
 #include <CLI/CLI.hpp>
 
 #include "tools/adit/commands.hpp"
-#include "tools/adit/progress_bar.hpp"
-#include "tools/report/report.hpp"
+#include "tools/adit/report_teller.hpp"
 
 namespace adit {
 namespace {
@@ -36,19 +33,6 @@ Examples:
   adit report before.lcmlog after.lcmlog --out mission
   adit report run.lcmlog --out again --remap)";
 
-void report(const ReportOptions& options) {
-  std::optional<ProgressBar> bar;
-  std::string shown;
-  const MissionReport result = write_report(options, [&](const std::string& label, double done) {
-    if (label != shown) bar.emplace(label);
-    shown = label;
-    bar->update(done);
-  });
-  bar.reset();
-  for (const std::string& sentence : result.complaints) std::cerr << "adit: " << sentence << "\n";
-  std::cout << (options.folder / "mission.html").string() << ": " << result.outcome << "\n";
-}
-
 }  // namespace
 
 void add_report_command(CLI::App& adit) {
@@ -63,7 +47,7 @@ void add_report_command(CLI::App& adit) {
       ->type_name("DIR")
       ->required();
   command->add_flag("--remap", options->remap, "Make the map anew from the laser scans");
-  command->callback([options] { report(*options); });
+  command->callback([options] { tell_report(*options); });
 }
 
 }  // namespace adit

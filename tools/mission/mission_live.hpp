@@ -28,8 +28,9 @@ struct MissionLiveOptions {
 struct MissionLiveResult {
   MissionProgress last;
   double wall_s = 0.0;
-  double farthest_m = 0.0;  ///< of the true body from the start, straight
-  std::string trouble;      ///< why it did not come to its end; empty if it did
+  double farthest_m = 0.0;   ///< of the true body from the start, straight
+  bool interrupted = false;  ///< by SIGINT or SIGTERM
+  std::string trouble;       ///< why it did not come to its end; empty if it did
 };
 
 /// Wall time since the mission began [s].

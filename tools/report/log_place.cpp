@@ -16,8 +16,9 @@ void place_log(const std::vector<fs::path>& logs, const fs::path& folder,
                const fs::path& unfinished) {
   const fs::path place = unfinished / "run.lcmlog";
   std::error_code error;
+  // The folder of the mission itself, which has its logs and would hold them twice.
+  if (fs::equivalent(logs.front(), folder / "run.lcmlog", error)) return;
   if (logs.size() == 1) {
-    if (fs::equivalent(logs.front(), folder / "run.lcmlog", error)) return;
     fs::create_hard_link(fs::canonical(logs.front()), place, error);
     if (error) fs::copy_file(logs.front(), place);
     return;

@@ -246,6 +246,21 @@ TEST_F(Report, LeavesALogWhereItIsThatIsInItsFolder) {
   EXPECT_TRUE(fs::exists(out() / "mission.html"));
 }
 
+TEST_F(Report, LeavesTheLogsOfAMissionInItsFolderAsTheyAre) {
+  fs::create_directory(out());
+  test::write_mission_log(out() / "run.lcmlog", {{}, 0.0, 25.0});
+  test::write_mission_log(out() / "run_2.lcmlog", {{}, 25.0});
+  const std::string first = text("run.lcmlog");
+  const std::string second = text("run_2.lcmlog");
+  write_report({{out() / "run.lcmlog", out() / "run_2.lcmlog"}, out()});
+  const json here = summary();
+  EXPECT_TRUE(text("run.lcmlog") == first);
+  EXPECT_TRUE(text("run_2.lcmlog") == second);
+  fs::remove_all(out());
+  run();
+  EXPECT_EQ(here, summary());
+}
+
 TEST_F(Report, RefusesWhatIsNoLogOfAMission) {
   std::ofstream(folder_ / "empty.lcmlog").close();
   EXPECT_THROW(write_report({{folder_ / "empty.lcmlog"}, out()}), std::runtime_error);

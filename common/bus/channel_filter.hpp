@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include <linux/filter.h>
+
+namespace adit {
+
+using Channels = std::set<std::string, std::less<>>;
+
+/// What passes a socket of LCM's udpm, as a program for the kernel: messages on the channels, those
+/// that come in fragments, and what is no message of LCM. By the layout of LCM's datagrams, which
+/// is a magic number, a sequence number, and the channel with a NUL.
+std::vector<sock_filter> channel_filter(const Channels& channels);
+
+/// Multicast goes to every process, and each would wake up for it, also to throw it away. With this
+/// the kernel drops for these sockets what is on other channels. Where it refuses, all goes on
+/// without. The order of messages is as it was.
+void pass_only(const Channels& channels, const std::set<int>& sockets);
+
+/// Bound datagram sockets of this process, by their descriptors. LCM keeps its own to itself.
+std::set<int> bound_datagram_sockets();
+std::set<int> bound_datagram_sockets_but(const std::set<int>& known);
+
+}  // namespace adit

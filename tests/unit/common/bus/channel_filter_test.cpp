@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the kernel lets through, on a socket of its own.
+#include "common/bus/channel_filter.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "common/bus/channels.hpp"
+
+namespace adit {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::string message(const std::string& channel, const std::string& payload = {}) {
+  return std::string("LC02") + std::string(3, '\0') + '\x07' + channel + '\0' + payload;
+}
+
+class ChannelFilter : public testing::Test {
+ protected:
+  ChannelFilter() {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    bind(receiver_, reinterpret_cast<const sockaddr*>(&address), sizeof(address));
+    socklen_t size = sizeof(address_);
+    getsockname(receiver_, reinterpret_cast<sockaddr*>(&address_), &size);
+  }
+  ~ChannelFilter() override {
+    close(receiver_);
+    close(sender_);
+  }
+
+  void send(const std::string& datagram) {
+    sendto(sender_, datagram.data(), datagram.size(), 0,
+           reinterpret_cast<const sockaddr*>(&address_), sizeof(address_));
+  }
+
+  /// All that comes before a datagram that is none of LCM.
+  std::vector<std::string> received() {
+    const std::string last = "the end";
+    send(last);
+    std::vector<std::string> found;
+    for (std::string datagram; datagram != last;) {
+      datagram.resize(1000);
+      const auto bytes = recv(receiver_, datagram.data(), datagram.size(), 0);
+      datagram.resize(bytes < 0 ? 0 : static_cast<std::size_t>(bytes));
+      if (datagram != last) found.push_back(datagram);
+    }
+    return found;
+  }
+
+  int receiver_ = socket(AF_INET, SOCK_DGRAM, 0);
+  int sender_ = socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in address_{};
+};
+
+TEST_F(ChannelFilter, PassesEachChannelThatWeHaveAndNoOtherOne) {
+  for (const std::string_view wanted : channels::kAll) {
+    pass_only({std::string(wanted)}, {receiver_});
+    for (const std::string_view channel : channels::kAll) send(message(std::string(channel)));
+    EXPECT_THAT(received(), ElementsAre(message(std::string(wanted))));
+  }
+}
+
+TEST_F(ChannelFilter, TellsNamesApartThatBeginAlike) {
+  pass_only({"A", "SIM_TIME", "POSE_GRAPH"}, {receiver_});
+  for (const char* channel : {"", "AB", "SIM_TIM", "SIM_TIME_DONE", "POSE", "POSE_GRAPHS"}) {
+    send(message(channel));
+    send(message(channel, "A payload that is longer than any name of a channel"));
+  }
+  EXPECT_THAT(received(), IsEmpty());
+  for (const char* channel : {"SIM_TIME", "A", "POSE_GRAPH"}) send(message(channel, "1"));
+  EXPECT_THAT(received(),
+              ElementsAre(message("SIM_TIME", "1"), message("A", "1"), message("POSE_GRAPH", "1")));
+}
+
+TEST_F(ChannelFilter, PassesFragments) {
+  pass_only({"POSE"}, {receiver_});
+  const std::string fragment = "LC03" + std::string(16, '\0') + "CLOUD";
+  send(fragment);
+  EXPECT_THAT(received(), ElementsAre(fragment));
+}
+
+TEST_F(ChannelFilter, PassesEverythingWhereTheChannelsAreTooMany) {
+  pass_only({"POSE"}, {receiver_});
+  Channels many;
+  for (int i = 0; i < 1000; ++i) many.insert("CHANNEL_" + std::to_string(i));
+  pass_only(many, {receiver_});
+  send(message("OTHER"));
+  EXPECT_THAT(received(), ElementsAre(message("OTHER")));
+}
+
+TEST_F(ChannelFilter, FindsTheSocketsOfThisProcess) {
+  EXPECT_TRUE(bound_datagram_sockets().contains(receiver_));
+  EXPECT_FALSE(bound_datagram_sockets().contains(sender_));
+  EXPECT_THAT(bound_datagram_sockets_but(bound_datagram_sockets()), IsEmpty());
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the mission hears unasked: motion, the map, people.
+
+#include "procs/mission/mission.hpp"
+
+namespace adit {
+
+void Mission::add_pose(std::int64_t utime, const Pose2& T_odom_body) {
+  way_.add(utime, T_odom_body);
+}
+
+/// Where scan matching begins anew, so does odom, and what was planned in it is of no use.
+void Mission::add_match(const ScanMatch& match) {
+  const bool drives = driving_ && driving_->kind == DrivingState::Kind::kDriving;
+  if (moves() && drives) limits_.add(match);
+  if (match.odom_utime == odom_utime_) return;
+  const bool first_heard = odom_utime_ == 0;
+  odom_utime_ = match.odom_utime;
+  if (first_heard && match.odom_utime <= restored_utime_) return;
+  if (first_heard && !restored_) return;
+  odom_is_new_ = true;
+  has_map_ = false;
+  way_.begin_anew();
+  refused_odom_.clear();
+  if (phase_.phase == Phase::kPaused || phase_.phase == Phase::kEnded) return;
+  if (first_heard && !home_for_good_ && params_.after_cut_off == "home") {
+    home_for_good_ = phase_.homeward = true;
+    phase_.homeward_reason = "the computer was off";
+  }
+  enter(Phase::kWaiting, "odom begins anew: it waits to know where it is on its map");
+}
+
+void Mission::add_correction(const MapCorrection& correction) {
+  limits_.add(correction);
+  if (correction.utime >= odom_utime_) has_map_ = true;
+}
+
+void Mission::add_order(const MissionOrder& order) {
+  using Order = MissionOrder::Kind;
+  if (phase_.phase == Phase::kEnded) return;
+  const bool paused = phase_.phase == Phase::kPaused;
+  if (order.kind == Order::kPause && !paused) {
+    enter(Phase::kPaused, "by order");
+  } else if (order.kind == Order::kGoOn && paused) {
+    enter(Phase::kWaiting, "by order it goes on");
+  } else if (order.kind == Order::kComeHome && !home_for_good_) {
+    turn_around("by order");
+  } else if (order.kind == Order::kStop) {
+    end(MissionOutcome::kStopped, "by order");
+  }
+}
+
+}  // namespace adit

@@ -47,7 +47,7 @@ GoalField::GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose
   for (int row = 0; row < terrain.rows; ++row) {
     for (int column = 0; column < terrain.columns; ++column) add_cell(terrain.centre(column, row));
   }
-  if (kind_ != PlanGoal::Kind::kTo && !is_last_leg_) add_room(room_m);
+  if (leads_on()) add_room(room_m);
 }
 
 /// Where there is little room, the way on may be shut, or only be found after going back.

@@ -64,6 +64,8 @@ class GoalField {
   [[nodiscard]] double progress(std::size_t cell) const { return progress_m_[cell]; }
   /// The least that is a path [m].
   [[nodiscard]] double least_progress() const { return least_progress_m_; }
+  /// Whether the way is to go on from the end of a path.
+  [[nodiscard]] bool leads_on() const { return kind_ != PlanGoal::Kind::kTo && !is_last_leg_; }
   /// In which it goes on at a place, a unit vector.
   [[nodiscard]] Eigen::Vector2d direction(const Eigen::Vector2d& p_level) const;
 

@@ -9,6 +9,7 @@
 
 #include "procs/planning/cell_heuristic.hpp"
 #include "procs/planning/evidence.hpp"
+#include "procs/planning/path_end.hpp"
 #include "procs/planning/path_points.hpp"
 #include "procs/planning/reachable.hpp"
 #include "procs/planning/start_pose.hpp"
@@ -166,6 +167,9 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
     const Pose2 T_level_end = between(terrain.T_odom_level, answer.points.back().T_odom_body);
     answer.reached_m = goals.progress(T_level_end.translation());
     answer.reason = "A path was found.";
+    if (goals.leads_on()) {
+      end_with_room(answer, terrain, headings, lattice(CSpace::kLethal), goals);
+    }
   } else if (found.gave_up) {
     answer.outcome = PlanOutcome::kGaveUp;
     answer.reason = "The search was cut off by its limit.";

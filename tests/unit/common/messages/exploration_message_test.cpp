@@ -89,7 +89,7 @@ TEST(ExplorationMessage, IsRefusedWithPartsThatCannotBe) {
   using Message = exploration_t;
   EXPECT_EQ(refusal_after([](Message& m) { m.stubs[1].id = -1; }),
             "stub with a negative id or local map");
-  EXPECT_EQ(refusal_after([](Message& m) { m.stubs[1].state = 7; }), "stub of an unknown state");
+  EXPECT_EQ(refusal_after([](Message& m) { m.stubs[1].state = 8; }), "stub of an unknown state");
   EXPECT_EQ(refusal_after([](Message& m) { m.stubs[1].utime = -1; }), kImplausibleTime);
   EXPECT_EQ(refusal_after([](Message& m) { m.stubs[1].p_map[0] = kNaN; }),
             "stub that is not finite");

@@ -201,6 +201,14 @@ TEST(Planning, TakesLessThanTwoAndAHalfMetresForNoPath) {
   EXPECT_EQ(end_at(4.5).outcome, PlanOutcome::kFound);
 }
 
+/// Right before a wall it could not turn any more, and would see no way on.
+TEST(Planning, EndsWhereThereIsRoomToGoOn) {
+  const PlannedPath path = plan(corridor_with(obstacle_cell(1.0), {7.0, -2.0}, {7.3, 2.0}));
+  ASSERT_EQ(path.outcome, PlanOutcome::kFound);
+  EXPECT_LT(path.reached_m, 7.0 - 1.2 - 1.5 + 0.2);  // half its length, and the room
+  EXPECT_GT(path.reached_m, 7.0 - 1.2 - 1.5 - 0.8);  // margins, and steps of the look ahead
+}
+
 TEST(Planning, SeesNothingOfTheGroundUnderItself) {
   TerrainMap terrain = corridor_with(unseen_cell(Ground::kNeverSeen), {-1.5, -0.9}, {1.5, 0.9});
   EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kFound);

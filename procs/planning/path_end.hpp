@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "common/path/planned_path.hpp"
+#include "common/terrain/terrain_map.hpp"
+#include "procs/planning/goal_field.hpp"
+#include "procs/planning/heading_set.hpp"
+#include "procs/planning/lattice.hpp"
+
+namespace adit {
+
+/// Ends a path to go on from where there is room to do so: where nothing lethal is within 1.5 m
+/// straight ahead of its last pose, in the direction of travel. Before the outer wall of a bend
+/// there is none, and from there no way on would be found. `seen` refuses what is lethal alone, as
+/// what lies beyond a path was not seen. A path that would be too short to count stays as it is.
+void end_with_room(PlannedPath& path, const TerrainMap& terrain, const HeadingSet& headings,
+                   const Lattice& seen, const GoalField& goals);
+
+}  // namespace adit

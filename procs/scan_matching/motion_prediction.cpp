@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "procs/scan_matching/wheel_track.hpp"
+
 namespace adit {
 namespace {
 
 constexpr std::size_t kReadingsKept = 2000;
 constexpr double kShortestS = 0.01;  // no step is known better for being shorter
-constexpr double kStillM = 1e-3;     // less than any wheel encoder tells apart over a step
-constexpr double kStillRad = 1e-3;
 
 double seconds(std::int64_t microseconds) { return 1e-6 * static_cast<double>(microseconds); }
 
@@ -23,12 +23,6 @@ bool append(std::deque<Reading>& readings, const Reading& reading) {
   return true;
 }
 
-Pose2 interpolate(const WheelOdometry& a, const WheelOdometry& b, std::int64_t utime) {
-  const double share = seconds(utime - a.utime) / seconds(b.utime - a.utime);
-  const Pose2 step = between(a.T_wheel_body, b.T_wheel_body);
-  return a.T_wheel_body * Pose2{share * step.x, share * step.y, share * step.theta};
-}
-
 }  // namespace
 
 bool MotionPrediction::add(const WheelOdometry& reading) { return append(wheels_, reading); }
@@ -38,18 +32,6 @@ bool MotionPrediction::add(const ImuReading& reading) { return append(imu_, read
 bool MotionEstimate::possible(const Pose2& T_odom_body) const {
   const Pose2 step = between(T_odom_last, T_odom_body);
   return step.translation().norm() <= reach_m && std::abs(step.theta) <= reach_rad;
-}
-
-std::optional<Pose2> MotionPrediction::wheel_pose_at(std::int64_t utime) const {
-  const auto after = std::lower_bound(wheels_.begin(), wheels_.end(), utime,
-                                      [](const auto& w, std::int64_t t) { return w.utime < t; });
-  if (after != wheels_.end() && after->utime == utime) return after->T_wheel_body;
-  if (after == wheels_.begin()) return std::nullopt;
-  const auto before = std::prev(after);
-  if (after != wheels_.end()) return interpolate(*before, *after, utime);
-  if (seconds(utime - before->utime) > params_.odometry_gap_max_s) return std::nullopt;
-  if (before == wheels_.begin()) return before->T_wheel_body;
-  return interpolate(*std::prev(before), *before, utime);  // goes on at the last speed
 }
 
 std::optional<double> MotionPrediction::gyro_turn(std::int64_t from, std::int64_t to) const {
@@ -96,8 +78,8 @@ MotionEstimate MotionPrediction::predict(std::int64_t utime) const {
 }
 
 void MotionPrediction::take_odometry(std::int64_t utime, MotionEstimate& estimate) const {
-  const auto then = wheel_pose_at(*utime_);
-  const auto now = wheel_pose_at(utime);
+  const auto then = wheel_pose_at(wheels_, *utime_, params_.odometry_gap_max_s);
+  const auto now = wheel_pose_at(wheels_, utime, params_.odometry_gap_max_s);
   if (!then || !now) return;
   const Pose2 step = between(*then, *now);
   if (!estimate.possible(T_odom_body_ * step)) return;  // wheels that spin, or were reset
@@ -113,19 +95,8 @@ void MotionPrediction::take_odometry(std::int64_t utime, MotionEstimate& estimat
   estimate.prior.information.diagonal() << 1.0 / (sd * sd), 1.0 / (sd * sd),
       1.0 / (sd_theta * sd_theta);
   estimate.from_odometry = true;
-  estimate.stands = wheels_stand(utime);
-}
-
-/// From before the last pose until now; odometry that repeats itself for a moment is not enough.
-bool MotionPrediction::wheels_stand(std::int64_t utime) const {
-  const std::int64_t since = utime - static_cast<std::int64_t>(1e6 * params_.still_s);
-  if (wheels_.empty() || wheels_.front().utime > since) return false;
-  for (auto it = wheels_.rbegin(); it != wheels_.rend(); ++it) {
-    const Pose2 step = between(it->T_wheel_body, wheels_.back().T_wheel_body);
-    if (step.translation().norm() > kStillM || std::abs(step.theta) > kStillRad) return false;
-    if (it->utime <= std::min(since, *utime_)) return true;
-  }
-  return false;
+  const std::int64_t still_since = utime - std::llround(1e6 * params_.still_s);
+  estimate.stands = wheels_stand(wheels_, std::min(still_since, *utime_));
 }
 
 void MotionPrediction::take_gyro(std::int64_t utime, MotionEstimate& estimate) const {

@@ -10,6 +10,7 @@
 #include "common/registration/point_to_line.hpp"
 #include "common/sensing/imu_reading.hpp"
 #include "common/sensing/wheel_odometry.hpp"
+#include "procs/scan_matching/wheel_track.hpp"
 
 namespace adit {
 
@@ -87,13 +88,11 @@ class MotionPrediction {
  private:
   void take_odometry(std::int64_t utime, MotionEstimate& estimate) const;
   void take_gyro(std::int64_t utime, MotionEstimate& estimate) const;
-  [[nodiscard]] bool wheels_stand(std::int64_t utime) const;
-  [[nodiscard]] std::optional<Pose2> wheel_pose_at(std::int64_t utime) const;
   [[nodiscard]] std::optional<double> gyro_turn(std::int64_t from, std::int64_t to) const;
   [[nodiscard]] Pose2 step_at_last_speed(double dt_s) const;
 
   MotionPredictionParams params_;
-  std::deque<WheelOdometry> wheels_;
+  WheelTrack wheels_;
   std::deque<ImuReading> imu_;
   std::optional<std::int64_t> utime_;
   Pose2 T_odom_body_;

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/scan_matching/wheel_track.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace adit {
+namespace {
+
+constexpr double kStillM = 1e-3;  // less than any wheel encoder tells apart over a step
+constexpr double kStillRad = 1e-3;
+
+Pose2 interpolate(const WheelOdometry& a, const WheelOdometry& b, std::int64_t utime) {
+  const double share =
+      static_cast<double>(utime - a.utime) / static_cast<double>(b.utime - a.utime);
+  const Pose2 step = between(a.T_wheel_body, b.T_wheel_body);
+  return a.T_wheel_body * Pose2{share * step.x, share * step.y, share * step.theta};
+}
+
+}  // namespace
+
+std::optional<Pose2> wheel_pose_at(const WheelTrack& wheels, std::int64_t utime, double gap_max_s) {
+  const auto after = std::lower_bound(wheels.begin(), wheels.end(), utime,
+                                      [](const auto& w, std::int64_t t) { return w.utime < t; });
+  if (after != wheels.end() && after->utime == utime) return after->T_wheel_body;
+  if (after == wheels.begin()) return std::nullopt;
+  const auto before = std::prev(after);
+  if (after != wheels.end()) return interpolate(*before, *after, utime);
+  if (1e-6 * static_cast<double>(utime - before->utime) > gap_max_s) return std::nullopt;
+  if (before == wheels.begin()) return before->T_wheel_body;
+  return interpolate(*std::prev(before), *before, utime);  // goes on at the last speed
+}
+
+bool wheels_stand(const WheelTrack& wheels, std::int64_t since) {
+  for (auto it = wheels.rbegin(); it != wheels.rend(); ++it) {
+    const Pose2 step = between(it->T_wheel_body, wheels.back().T_wheel_body);
+    if (step.translation().norm() > kStillM || std::abs(step.theta) > kStillRad) return false;
+    if (it->utime <= since) return true;
+  }
+  return false;
+}
+
+}  // namespace adit

@@ -58,13 +58,6 @@ void report(const std::filesystem::path& folder) try {
   std::fprintf(stderr, "adit mission: there is no report: %s\n", error.what());
 }
 
-void tell_end(const MissionProgress& last, const std::string& trouble, double wall_s) {
-  std::printf("\n%s\n%.0f s of simulated time in %.0f s; %.2f m from the start at the end\n",
-              trouble.empty() ? last.phase.reason.c_str() : trouble.c_str(), last.simulated_s,
-              wall_s, last.from_start_m);
-  std::fflush(stdout);
-}
-
 /// Throws the exit code of a mission that did not come home.
 void require_home(const MissionProgress& last, const std::string& trouble) {
   const bool home = trouble.empty() && last.phase.outcome == MissionOutcome::kHome;
@@ -90,7 +83,7 @@ void run_here(const MissionLiveOptions& mission) {
   const std::string trouble = !result.failure.empty() ? "the run has failed: " + result.failure
                               : ended                 ? ""
                                                       : "its time is up";
-  tell_end(result.last, trouble, result.wall_s);
+  MissionTeller::end(result.last, trouble, result.wall_s);
   report(mission.folder);
   require_home(result.last, trouble);
 }
@@ -102,7 +95,7 @@ void run_processes(const MissionLiveOptions& mission) {
       mission,
       [&](const MissionProgress& progress, double wall_s) { teller.update(progress, wall_s); },
       [&](const std::string& what) { teller.say(what); });
-  tell_end(result.last, result.trouble, result.wall_s);
+  MissionTeller::end(result.last, result.trouble, result.wall_s);
   if (!result.interrupted) report(folder);
   require_home(result.last, result.trouble);
 }

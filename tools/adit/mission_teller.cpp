@@ -33,4 +33,11 @@ void MissionTeller::say(const std::string& what) const {
   std::cerr << "adit mission: " << what << std::endl;
 }
 
+void MissionTeller::end(const MissionProgress& last, const std::string& trouble, double wall_s) {
+  std::printf("\n%s\n%.0f s of simulated time in %.0f s; %.2f m from the start at the end\n",
+              trouble.empty() ? last.phase.reason.c_str() : trouble.c_str(), last.simulated_s,
+              wall_s, last.from_start_m);
+  std::fflush(stdout);
+}
+
 }  // namespace adit

@@ -17,6 +17,8 @@ class MissionTeller {
   void update(const MissionProgress& progress, double wall_s);
   /// What a person should know, on standard error.
   void say(const std::string& what) const;
+  /// How it ended, and how long that took. `trouble` is why it did not come to its end, or empty.
+  static void end(const MissionProgress& last, const std::string& trouble, double wall_s);
 
  private:
   bool on_terminal_;

@@ -12,6 +12,7 @@ namespace adit {
 namespace {
 
 constexpr double kMemory = 0.995;      // of the share of lost scans: some 200 scans
+constexpr int kPointsMin = 60;         // fewer come from where a laser looks into the open
 constexpr double kEnoughWayM = 100.0;  // to say what a metre costs
 constexpr double kSlowestM_s = 0.05;   // with pauses for scans
 
@@ -50,6 +51,7 @@ void MissionLimits::add(const VehicleState& state) {
 }
 
 void MissionLimits::add(const ScanMatch& match) {
+  if (match.points < kPointsMin) return;
   const bool lost = match.status == ScanMatch::Status::kLost;
   lost_share_ = kMemory * lost_share_ + (1.0 - kMemory) * (lost ? 1.0 : 0.0);
   if (lost_share_ > params_.lost_scans_max_share) {

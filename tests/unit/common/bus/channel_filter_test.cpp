@@ -87,7 +87,9 @@ TEST_F(ChannelFilter, TellsNamesApartThatBeginAlike) {
 
 TEST_F(ChannelFilter, PassesFragments) {
   pass_only({"POSE"}, {receiver_});
-  const std::string fragment = "LC03" + std::string(16, '\0') + "CLOUD";
+  std::string fragment = "LC03";
+  fragment.resize(fragment.size() + 16);
+  fragment.append("CLOUD");
   send(fragment);
   EXPECT_THAT(received(), ElementsAre(fragment));
 }

@@ -51,9 +51,21 @@ TEST_F(AMissionUnderWay, TurnsAroundWhereTheMapIsVague) {
   expect_homeward("only known to 6.0 m");
 }
 
+TEST_F(AMissionUnderWay, DoesNotTurnAroundWhereALaserLooksIntoTheOpen) {
+  ScanMatch open;
+  open.status = ScanMatch::Status::kLost;
+  open.points = 10;
+  to_execute();
+  drive(1.0);
+  for (int i = 0; i < 1000; ++i) mission_.add_match(open);
+  tick();
+  EXPECT_FALSE(phase().homeward);
+}
+
 TEST_F(AMissionUnderWay, TurnsAroundWhereScansDoNotMatchButNotWhileItStands) {
   ScanMatch lost;
   lost.status = ScanMatch::Status::kLost;
+  lost.points = 100;
   to_scan();
   for (int i = 0; i < 1000; ++i) mission_.add_match(lost);
   tick();

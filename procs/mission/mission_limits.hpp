@@ -20,9 +20,9 @@ struct MissionLimitsParams {
   double time_max_s = 28800.0;
   double battery_reserve_share = 0.2;   ///< that is to be left at home
   double battery_share_per_m = 0.0002;  ///< until the way so far says more
-  double methane_max_share = 0.01;      ///< a fifth of what explodes
-  double oxygen_min_share = 0.18;
-  double carbon_monoxide_max_share = 0.0002;
+  double methane_max_share = 0.005;     ///< a tenth of what explodes
+  double oxygen_min_share = 0.2;
+  double carbon_monoxide_max_share = 30e-6;
   double sinkage_max_m = 0.1;
   double lost_scans_max_share = 0.5;  ///< of the scans of some metres
   double map_sd_max_m = 5.0;          ///< of where the newest local map is

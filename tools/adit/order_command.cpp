@@ -41,7 +41,7 @@ void add_order_command(CLI::App& adit) {
   command->footer(kFooter);
   const auto options = std::make_shared<MissionOrderOptions>();
   command->add_option("ORDER", options->order, "pause, go-on, come-home or stop")
-      ->transform(CLI::CheckedTransformer(kOrders))
+      ->transform(CLI::CheckedTransformer(kOrders).description(""))
       ->required();
   command
       ->add_option("--mission", options->mission, "Folder of a mission with a network of its own")

@@ -65,9 +65,12 @@ TEST(MissionLimits, KeepTheFirstReason) {
 }
 
 TEST(MissionLimits, AreSilentAtTheLimit) {
-  MissionLimits limits(plenty());
-  limits.add(GasReading{1, 0.01, 0.18, 0.0002});
-  limits.add(SinkageReading{1, {0.1, 0.1, 0.1, 0.1}});
+  const MissionLimitsParams at = plenty();
+  MissionLimits limits(at);
+  limits.add(
+      GasReading{1, at.methane_max_share, at.oxygen_min_share, at.carbon_monoxide_max_share});
+  const double depth_m = at.sinkage_max_m;
+  limits.add(SinkageReading{1, {depth_m, depth_m, depth_m, depth_m}});
   EXPECT_FALSE(limits.reason());
 }
 

@@ -10,7 +10,7 @@
 
 namespace adit {
 
-/// Ends a path to go on from where there is room to do so: where nothing lethal is within 1.5 m
+/// Ends a path along a route where there is room to go on: where nothing lethal is within 1.5 m
 /// straight ahead of its last pose, in the direction of travel. Before the outer wall of a bend
 /// there is none, and from there no way on would be found. `seen` refuses what is lethal alone, as
 /// what lies beyond a path was not seen. A path that would be too short to count stays as it is.

@@ -69,7 +69,7 @@ case $case in
     grep -q -- "--resume" "$scratch/again.text" || fail "does not say how to go on"
     ;;
   harmed)
-    begin "$world" --config "$config" --fault kill:planning@45 --fault suspend:driving@65
+    begin "$world" --config "$config" --fault kill:planning@20 --fault suspend:driving@40
     expect_home
     grep -q "driving does not answer" "$scratch/mission.text" || fail "nobody saw driving stand still"
     ;;

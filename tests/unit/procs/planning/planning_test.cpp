@@ -203,7 +203,10 @@ TEST(Planning, TakesLessThanTwoAndAHalfMetresForNoPath) {
 
 /// Right before a wall it could not turn any more, and would see no way on.
 TEST(Planning, EndsWhereThereIsRoomToGoOn) {
-  const PlannedPath path = plan(corridor_with(obstacle_cell(1.0), {7.0, -2.0}, {7.3, 2.0}));
+  PlanGoal route;
+  route.kind = PlanGoal::Kind::kRoute;
+  route.route_odom = {{0.0, 0.0}, {10.0, 0.0}};
+  const PlannedPath path = plan(corridor_with(obstacle_cell(1.0), {7.0, -2.0}, {7.3, 2.0}), route);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound);
   EXPECT_LT(path.reached_m, 7.0 - 1.2 - 1.5 + 0.2);  // half its length, and the room
   EXPECT_GT(path.reached_m, 7.0 - 1.2 - 1.5 - 0.8);  // margins, and steps of the look ahead

@@ -24,6 +24,9 @@ bool all_finite(const Numbers& numbers) {
 /// Whether a number is a share of a whole; NaN is none.
 inline bool is_share(double number) { return number >= 0.0 && number <= 1.0; }
 
+/// Whether a number is the length of a way: finite and not negative.
+inline bool is_way(double way_m) { return std::isfinite(way_m) && way_m >= 0.0; }
+
 constexpr const char* kNoShare = "share beyond 0 to 1";
 constexpr const char* kImplausibleTime = "time outside of 1970 to 2286";
 

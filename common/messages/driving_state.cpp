@@ -15,8 +15,6 @@ static_assert(static_cast<int>(Kind::kWaiting) == driving_state_t::STATE_WAITING
 static_assert(static_cast<int>(Kind::kArrived) == driving_state_t::STATE_ARRIVED);
 static_assert(static_cast<int>(Kind::kFailed) == driving_state_t::STATE_FAILED);
 
-bool is_way(double way_m) { return std::isfinite(way_m) && way_m >= 0.0; }
-
 std::string_view reason_to_refuse(const driving_state_t& message) {
   const auto kind = Kind(message.state);
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;

@@ -7,8 +7,6 @@
 namespace adit {
 namespace {
 
-bool is_way(double way_m) { return std::isfinite(way_m) && way_m >= 0.0; }
-
 std::string_view reason_to_refuse(const explore_request_t& message) {
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.id <= 0) return "id that is not positive";

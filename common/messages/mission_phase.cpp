@@ -20,8 +20,6 @@ static_assert(static_cast<int>(MissionOutcome::kHome) == phase_t::OUTCOME_HOME);
 static_assert(static_cast<int>(MissionOutcome::kStopped) == phase_t::OUTCOME_STOPPED);
 static_assert(static_cast<int>(MissionOutcome::kStranded) == phase_t::OUTCOME_STRANDED);
 
-bool is_way(double way_m) { return std::isfinite(way_m) && way_m >= 0.0; }
-
 std::string_view reason_to_refuse(const phase_t& message) {
   const auto phase = Phase(message.phase);
   const auto outcome = MissionOutcome(message.outcome);

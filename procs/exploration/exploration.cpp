@@ -7,11 +7,13 @@
 #include <cstdio>
 #include <utility>
 
+#include "common/geometry/smooth_line.hpp"
 #include "procs/exploration/skeleton.hpp"
 
 namespace adit {
 namespace {
 
+constexpr int kSmoothedWith = 3;        // neighbours to each side, against the steps of cells
 constexpr double kAlongRad = 0.6;       // between the way to a stub and the way on from there
 constexpr double kStraightOnRad = 1.0;  // that a corridor may bend, in the mode corridor
 constexpr double kStraightOnM = 30.0;   // how far ahead its open end may be
@@ -66,20 +68,6 @@ std::vector<Eigen::Vector2d> thinned(const std::vector<Eigen::Vector2d>& line, d
   }
   if (way_m <= length_m) places.push_back(line.back());
   return places;
-}
-
-/// Without the steps from cell to cell; both ends stay.
-std::vector<Eigen::Vector2d> smoothed(const std::vector<Eigen::Vector2d>& line) {
-  constexpr int kReach = 3;  // neighbours to each side
-  std::vector<Eigen::Vector2d> smooth;
-  const int n = static_cast<int>(line.size());
-  for (int i = 0; i < n; ++i) {
-    const int reach = std::min({kReach, i, n - 1 - i});
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (int k = i - reach; k <= i + reach; ++k) sum += line[static_cast<std::size_t>(k)];
-    smooth.emplace_back(sum / (2 * reach + 1));
-  }
-  return smooth;
 }
 
 double heading_of(const Eigen::Vector2d& direction) {
@@ -363,7 +351,7 @@ std::vector<Eigen::Vector2d> Exploration::next_way(double length_m, double spaci
   } else {
     line.push_back(T_map_home().translation());
   }
-  return smoothed(thinned(line, length_m, spacing_m));
+  return smoothed(thinned(line, length_m, spacing_m), kSmoothedWith);
 }
 
 bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {

@@ -7,8 +7,6 @@
 #include <exception>
 #include <iterator>
 
-#include <Eigen/Eigenvalues>
-
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/exploration_report.hpp"
@@ -16,6 +14,7 @@
 #include "common/messages/map_correction.hpp"
 #include "common/messages/map_request.hpp"
 #include "common/messages/planned_path.hpp"
+#include "common/pose_graph/position_sd.hpp"
 
 namespace adit {
 namespace {
@@ -26,13 +25,6 @@ constexpr double kMovedM = 0.05;
 constexpr double kNextWayM = 12.0;  // as far as a 3D scan sees
 constexpr double kWaySpacingM = 0.3;
 constexpr double kJumpM = 8.0;  // from pose to pose: a new odom frame, and no way
-
-double sd_of(const MapCorrection& correction) {
-  if (!correction.covariance) return 0.0;
-  const Eigen::Matrix2d covariance = correction.covariance->topLeftCorner<2, 2>();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, axes.eigenvalues().maxCoeff()));
-}
 
 std::string evidence_of(const PlannedPath& path) {
   std::string text = "the planner found no path (" + std::to_string(path.id) + ")";
@@ -173,7 +165,8 @@ double ExplorationNode::remaining_m() const {
 
 void ExplorationNode::decide() {
   const Pose2 T_map_body = correction_->T_map_odom * pose_->T_odom_body;
-  decision_ = exploration_.decide({pose_->utime, T_map_body, remaining_m(), sd_of(*correction_),
+  decision_ = exploration_.decide({pose_->utime, T_map_body, remaining_m(),
+                                   position_sd_m(*correction_).value_or(0.0),
                                    request_ && request_->homeward});
   decided_ = true;
 }

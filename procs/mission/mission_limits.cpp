@@ -3,10 +3,9 @@
 #include "procs/mission/mission_limits.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
-#include <Eigen/Eigenvalues>
+#include "common/pose_graph/position_sd.hpp"
 
 namespace adit {
 namespace {
@@ -60,10 +59,7 @@ void MissionLimits::add(const ScanMatch& match) {
 }
 
 void MissionLimits::add(const MapCorrection& correction) {
-  if (!correction.covariance) return;
-  const Eigen::Matrix2d covariance = correction.covariance->topLeftCorner<2, 2>();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance, Eigen::EigenvaluesOnly);
-  const double sd_m = std::sqrt(std::max(0.0, axes.eigenvalues().maxCoeff()));
+  const double sd_m = position_sd_m(correction).value_or(0.0);
   if (sd_m > params_.map_sd_max_m) {
     come_home(text_of("the map is only known to %.1f m here", sd_m));
   }

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "common/geometry/smooth_line.hpp"
+
 namespace adit {
 namespace {
 
@@ -31,25 +33,13 @@ std::vector<Eigen::Vector2d> usable(const std::vector<Eigen::Vector2d>& track,
   return places;
 }
 
-std::vector<Eigen::Vector2d> smoothed(const std::vector<Eigen::Vector2d>& line) {
-  const int n = static_cast<int>(line.size());
-  std::vector<Eigen::Vector2d> smooth;
-  for (int i = 0; i < n; ++i) {
-    const int reach = std::min({kReach, i, n - 1 - i});
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (int k = i - reach; k <= i + reach; ++k) sum += line[static_cast<std::size_t>(k)];
-    smooth.emplace_back(sum / (2 * reach + 1));
-  }
-  return smooth;
-}
-
 }  // namespace
 
 PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body) {
   PlannedPath path;
   path.utime = goal.utime;
   path.id = goal.id;
-  const auto line = smoothed(usable(goal.route_odom, T_odom_body.translation()));
+  const auto line = smoothed(usable(goal.route_odom, T_odom_body.translation()), kReach);
   double way_m = 0.0;
   double heading = T_odom_body.theta;
   for (std::size_t i = 0; i < line.size(); ++i) {

@@ -201,6 +201,7 @@ const ExplorationDecision& Exploration::decide(const ExplorationState& state) {
 
 ExplorationDecision Exploration::make(const ExplorationState& state) {
   route_.clear();
+  patrolled_.reset();
   ExplorationDecision stay;
   stay.T_map_goal = state.T_map_body;
   if (!from_home_) {
@@ -213,12 +214,14 @@ ExplorationDecision Exploration::make(const ExplorationState& state) {
     return stay;
   }
   const TravelField here(space_, state.T_map_body.translation());
+  patrol_.pass(places(), state.T_map_body.translation(), state.utime);
   note_pursuit(state, here);
   const auto all = offers(state, here);
   if (state.homeward) return to_home(state, "the mission has turned around");
   if (returning_) return to_home(state, "the corridor is explored as far as it goes");
   if (const auto stub = choose(state, all)) return to_stub(*stub, state, here);
   if (retry_doubtful(state.utime)) return make(state);
+  if (const auto on = to_longest_ago(state, here)) return *on;
   returning_ = params_.mode == "corridor";
   const auto why = reasons_why_not_complete();
   return to_home(state, why.empty() ? "every stub is closed" : why.front());
@@ -339,6 +342,41 @@ ExplorationDecision Exploration::to_home(const ExplorationState& state, std::str
   return decision;
 }
 
+std::vector<PatrolPlace> Exploration::places() const {
+  std::vector<PatrolPlace> places;
+  for (int id = 0; params_.patrol && id <= known_.newest().value_or(-1); ++id) {
+    if (const auto T_map_local = known_.pose_of(id)) {
+      places.push_back({id, T_map_local->translation()});
+    }
+  }
+  return places;
+}
+
+/// Where nothing is left to be explored; nothing where no place is within the budget any more.
+std::optional<ExplorationDecision> Exploration::to_longest_ago(const ExplorationState& state,
+                                                               const TravelField& here) {
+  std::vector<PatrolPlace> within = places();
+  std::erase_if(within, [&](const PatrolPlace& place) {
+    const auto way = here.distance_m(place.p_map);
+    const auto home = from_home_->distance_m(place.p_map);
+    return !way || !home ||
+           !is_within_budget({-1, 0.0, *way, *home}, 0.0, state.remaining_m, params_.choice);
+  });
+  patrolled_ = patrol_.next(within);
+  if (!patrolled_) return std::nullopt;
+  route_ = here.way_from(patrolled_->p_map);
+  std::reverse(route_.begin(), route_.end());
+  ExplorationDecision decision;
+  decision.kind = ExplorationDecision::Kind::kGoTo;
+  decision.distance_m = here.distance_m(patrolled_->p_map).value_or(0.0);
+  decision.complete = reasons_why_not_complete().empty();
+  const RoutePlace place = along(route_, params_.step_m);
+  decision.T_map_goal = {place.p_map.x(), place.p_map.y(), heading_of(place.direction)};
+  decision.reason = "on patrol to where local map " + std::to_string(patrolled_->local_map) +
+                    " began, " + metres(decision.distance_m) + " from here, seen longest ago";
+  return decision;
+}
+
 std::vector<Eigen::Vector2d> Exploration::next_way(double length_m, double spacing_m) const {
   using Kind = ExplorationDecision::Kind;
   if (decision_.kind == Kind::kStay || decision_.kind == Kind::kDone) return {};
@@ -349,12 +387,16 @@ std::vector<Eigen::Vector2d> Exploration::next_way(double length_m, double spaci
     line.push_back(stub->p_map);
     line.emplace_back(stub->p_map + length_m * stub->direction_map);
   } else {
-    line.push_back(T_map_home().translation());
+    line.push_back(patrolled_ ? patrolled_->p_map : T_map_home().translation());
   }
   return smoothed(thinned(line, length_m, spacing_m), kSmoothedWith);
 }
 
 bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {
+  if (patrolled_ && stub == ExplorationDecision::kNoStub) {
+    patrol_.give_up(patrolled_->local_map, evidence.utime);
+    return true;
+  }
   const bool way_home =
       stub == ExplorationDecision::kNoStub && decision_.kind == ExplorationDecision::Kind::kHome;
   const Stub* target = register_.find(stub);

@@ -25,6 +25,7 @@
 #include "procs/exploration/exploration_memory.hpp"
 #include "procs/exploration/known_space.hpp"
 #include "procs/exploration/open_ends.hpp"
+#include "procs/exploration/patrol.hpp"
 #include "procs/exploration/stub_choice.hpp"
 #include "procs/exploration/stub_register.hpp"
 #include "procs/exploration/travel_field.hpp"
@@ -44,6 +45,7 @@ struct ExplorationParams {
   double step_m = 10.0;          ///< from here to the next goal at most
   double at_home_m = 0.5;        ///< from the start
   bool way_out_behind = true;    ///< the mine lies ahead of the start, the way out behind it
+  bool patrol = false;  ///< once no stub is left, on to what was seen longest ago, not home at once
 
   template <class V>
   void visit(V& v) {
@@ -59,6 +61,7 @@ struct ExplorationParams {
     v("step_m", step_m, within(1.0, 100.0));
     v("at_home_m", at_home_m, within(0.1, 10.0));
     v("way_out_behind", way_out_behind);
+    v("patrol", patrol);
   }
 };
 
@@ -145,6 +148,9 @@ class Exploration {
   [[nodiscard]] ExplorationDecision to_stub(int stub, const ExplorationState& state,
                                             const TravelField& here);
   [[nodiscard]] ExplorationDecision to_home(const ExplorationState& state, std::string reason);
+  [[nodiscard]] std::vector<PatrolPlace> places() const;
+  [[nodiscard]] std::optional<ExplorationDecision> to_longest_ago(const ExplorationState& state,
+                                                                  const TravelField& here);
   [[nodiscard]] ExplorationDecision make(const ExplorationState& state);
   [[nodiscard]] Pose2 T_map_home() const;
 
@@ -164,6 +170,8 @@ class Exploration {
   ExplorationDecision decision_;
   std::vector<Eigen::Vector2d> route_;
   bool returning_ = false;  ///< for good: in the mode corridor
+  Patrol patrol_;
+  std::optional<PatrolPlace> patrolled_;  ///< target of the last decision, where that is no stub
 };
 
 }  // namespace adit

@@ -18,6 +18,7 @@ constexpr double kDrivenRadiusM = 0.3;
 constexpr int kRim = 2;
 constexpr int kSlack = 50;  // cells by which the field grows at a time
 constexpr double kTieRadiusM = 20.0;
+constexpr double kSeamM = 2.0;  // by which a graph may bend the way between two local maps
 
 double radius_of(const KnownTile& tile, double resolution_m) {
   double radius = 0.0;
@@ -149,7 +150,8 @@ CellField<Known> KnownSpace::cells() const {
   return known;
 }
 
-/// The way of the body, over the seams of local maps too: it holds what is drivable together.
+/// The way of the body, over the seams of local maps too: it holds what is drivable together. Where
+/// mapping kept no local maps of places that were known, the next one begins elsewhere.
 void KnownSpace::drive(CellField<Known>& known) const {
   Eigen::Vector2d last(0.0, 0.0);
   std::optional<int> session;
@@ -157,7 +159,8 @@ void KnownSpace::drive(CellField<Known>& known) const {
     if (!entry.T_map_local) continue;
     for (const Eigen::Vector2d& p_local : entry.tile.way) {
       const Eigen::Vector2d p = *entry.T_map_local * p_local;
-      mark_line(known, session == entry.tile.session ? last : p, p, resolution_m());
+      const bool goes_on = session == entry.tile.session && (p - last).norm() <= kSeamM;
+      mark_line(known, goes_on ? last : p, p, resolution_m());
       session = entry.tile.session;
       last = p;
     }

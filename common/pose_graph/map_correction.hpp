@@ -16,7 +16,8 @@ struct MapCorrection {
   std::int64_t utime = 0;     ///< of the newest measurement in it [µs since the epoch]
   std::int64_t revision = 0;  ///< of the MapGraph from which it follows
   int session = 0;            ///< of the odom frame, see LocalMap
-  int local_map = 0;          ///< id of the newest local map, to which odom is tied
+  int local_map = 0;          ///< id of the newest local map, to which odom is tied; an older one
+                              ///< where the body is in a place of which no more are kept
   Pose2 T_map_odom;
 
   /// Of the pose of that local map in the map of the sessions before, where it is known best: (x,

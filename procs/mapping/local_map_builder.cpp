@@ -54,6 +54,14 @@ std::optional<LocalMap> LocalMapBuilder::finish() {
   return finished;
 }
 
+void LocalMapBuilder::replace_last(const UncertainPose& T_before_last) {
+  --map_.id;
+  const UncertainPose T_last_local{map_.T_previous_local, map_.information.inverse()};
+  const UncertainPose T_before_local = T_before_last * T_last_local;
+  map_.T_previous_local = T_before_local.T_from_to;
+  map_.information = T_before_local.covariance.inverse();
+}
+
 bool LocalMapBuilder::first_is_due(std::int64_t utime) const {
   return continues_ && params_.first_s > 0.0 && !map_.scans.empty() &&
          1e-6 * static_cast<double>(utime - map_.utime) >= params_.first_s;

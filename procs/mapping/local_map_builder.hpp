@@ -10,6 +10,7 @@
 #include "common/config/bounds.hpp"
 #include "common/local_map/local_map.hpp"
 #include "common/sensing/scan_match.hpp"
+#include "procs/mapping/association/way.hpp"
 #include "procs/mapping/displacement_error.hpp"
 
 namespace adit {
@@ -52,6 +53,10 @@ class LocalMapBuilder {
   /// The unfinished local map, where it holds a scan at all, and its information as of now. What
   /// comes afterwards is a new session.
   std::optional<LocalMap> finish();
+
+  /// The local map that was finished last is not kept: the one at hand takes its place, and hangs
+  /// on the one before, from which this is where it begins.
+  void replace_last(const UncertainPose& T_before_last);
 
   /// The local map at hand; without scans before the first and after `finish`.
   [[nodiscard]] const LocalMap& current() const { return map_; }

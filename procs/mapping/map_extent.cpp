@@ -50,6 +50,24 @@ MapExtent::MapExtent(const LocalWalls& walls) {
   sort_unique(covered_);
 }
 
+bool MapExtent::covers(const Eigen::Vector2d& p) const {
+  return std::binary_search(covered_.begin(), covered_.end(), key_of(square_of(p)));
+}
+
+double MapExtent::seen_by(const std::vector<Placed>& others) const {
+  if (samples_.empty()) return 0.0;
+  std::vector<Pose2> T_other_this;
+  for (const Placed& other : others) T_other_this.push_back(other.T_this_other.inverse());
+  const auto seen = [&](const Eigen::Vector2d& p) {
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      if (others[k].extent->covers(T_other_this[k] * p)) return true;
+    }
+    return false;
+  };
+  const auto count = std::count_if(samples_.begin(), samples_.end(), seen);
+  return static_cast<double>(count) / static_cast<double>(samples_.size());
+}
+
 double MapExtent::overlap(const MapExtent& other, const Pose2& T_this_other) const {
   if (other.samples_.empty()) return 0.0;
   const double c = std::cos(T_this_other.theta);
@@ -57,7 +75,7 @@ double MapExtent::overlap(const MapExtent& other, const Pose2& T_this_other) con
   const auto inside = [&](const Eigen::Vector2d& p) {
     const Eigen::Vector2d q(c * p.x() - s * p.y() + T_this_other.x,
                             s * p.x() + c * p.y() + T_this_other.y);
-    return std::binary_search(covered_.begin(), covered_.end(), key_of(square_of(q)));
+    return covers(q);
   };
   const auto count = std::count_if(other.samples_.begin(), other.samples_.end(), inside);
   return static_cast<double>(count) / static_cast<double>(other.samples_.size());

@@ -97,13 +97,13 @@ void MapJournal::append(const MapUpdate& update) {
 }
 
 void MapJournal::append_unfinished(const LocalMap& map) {
-  if (map.id != parts_.id) parts_ = {map.id, 0, 0};
+  if (map.id != parts_.id || map.utime != parts_.utime) parts_ = {map.id, map.utime, 0, 0};
   LocalMapPiece part{map, parts_.parts + 1, parts_.parts};
   auto& scans = part.part.scans;
   scans.erase(scans.begin(), scans.begin() + static_cast<std::ptrdiff_t>(parts_.scans));
   journal_.append(kPart, encode(to_message(part)));
   journal_.sync();
-  parts_ = {map.id, parts_.parts + 1, map.scans.size()};
+  parts_ = {map.id, map.utime, parts_.parts + 1, map.scans.size()};
 }
 
 StoredMap read_map_journal(const std::filesystem::path& path) {

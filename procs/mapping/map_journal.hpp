@@ -36,6 +36,7 @@ class MapJournal {
   /// What of an unfinished local map is written.
   struct Parts {
     int id = -1;
+    std::int64_t utime = 0;  ///< of its first scan; one that takes the place of another has its id
     int parts = 0;
     std::size_t scans = 0;
   };

@@ -25,6 +25,8 @@ constexpr double kRelocalisedLogLikelihood = 15.0;
 constexpr int kThorough = 4;
 // The newest measurements, whose likelihood is monitored.
 constexpr int kMapsMonitored = 4;
+// Share of its walls that a local map has to have in common with others to show nothing new.
+constexpr double kNothingNew = 0.98;
 // How far from where it is believed to be a map is given the benefit of the doubt.
 const Eigen::Vector3d kSurpriseSd(0.2, 0.2, 0.02);
 
@@ -106,6 +108,9 @@ MapUpdate Mapping::take(LocalMap map) {
   const bool begins = begins_session(map, maps_);
   if (begins) link_session(map);
   if (begins && map.session == builder_.current().session) odom_ = Odom::kKnown;
+  std::optional<LazyAssociation::Mark> before;
+  if (params_.passes_max > 0 && !begins) before = association_.mark();
+  found_.reset();
   MapUpdate update;
   update.map = map;
   enter(std::move(map));
@@ -116,7 +121,46 @@ MapUpdate Mapping::take(LocalMap map) {
   update.associations.insert(update.associations.end(), revised.begin(), revised.end());
   ++revision_;
   covariance_ = covariance_in_older_sessions();
+  if (before && shows_nothing_new(update)) forget_newest(update, std::move(*before));
   return update;
+}
+
+/// Found on as many older maps as are to be kept, with no doubt and nothing decided otherwise for
+/// it. The next local map has to be the one after it, of the same odom.
+bool Mapping::shows_nothing_new(const MapUpdate& update) const {
+  const LocalMap& next = builder_.current();
+  if (next.session != update.map.session || next.id != update.map.id + 1) return false;
+  if (static_cast<int>(update.associations.size()) < params_.passes_max) return false;
+  for (const Association& a : update.associations) {
+    if (a.action != Association::Action::kProposed || a.chosen == Association::kNone) return false;
+  }
+  const std::vector<Pose2>& poses = association_.belief().T_map_local;
+  std::vector<MapExtent::Placed> older;
+  for (std::size_t k = 0; k + 1 < maps_.size(); ++k) {
+    older.push_back({&extents_[k], between(poses.back(), poses[k])});
+  }
+  return extents_.back().seen_by(older) >= kNothingNew;
+}
+
+/// The next local map hangs on the last one that is kept by all that is known of where the body is.
+/// That has what the graph says between the two in it, which the closures of the next one meet
+/// again; as these hang on maps that are known against each other far better than that, it makes
+/// nothing surer than it is.
+void Mapping::forget_newest(MapUpdate& update, LazyAssociation::Mark before) {
+  const std::vector<Pose2>& poses = association_.belief().T_map_local;
+  const Association& surest = update.associations.front();
+  const auto chosen = static_cast<std::size_t>(surest.chosen);
+  found_ = {update.map.end_utime, surest.closure.alternatives[chosen].older_map,
+            poses.back() * update.map.T_odom_local.inverse()};
+  const UncertainPose T_last_here{between(poses[poses.size() - 2], poses.back()),
+                                  association_.trial().covariances_to(update.map.id).back()};
+  association_.go_back_to(std::move(before));
+  maps_.pop_back();
+  walls_.pop_back();
+  extents_.pop_back();
+  builder_.replace_last(T_last_here);
+  --revision_;
+  update.kept = false;
 }
 
 /// In the older local map against which it is best known.
@@ -285,6 +329,11 @@ std::optional<MapCorrection> Mapping::correction() const {
   correction.local_map = newest.id;
   correction.T_map_odom = association_.belief().T_map_local.back() * newest.T_odom_local.inverse();
   correction.covariance = covariance_;
+  if (found_) {
+    correction.utime = found_->utime;
+    correction.local_map = found_->older_map;
+    correction.T_map_odom = found_->T_map_odom;
+  }
   return correction;
 }
 

@@ -34,6 +34,9 @@ struct MappingParams {
   bool carried = false;   ///< where odom begins anew, the body may be anywhere; else where it was
   double lost_m = 1.0;    ///< of the way between what is stored and where it then is, about
   double lost_rad = 0.5;  ///< of its turning
+  /// Of a place that so many earlier passes saw, a local map that shows nothing new is not kept: it
+  /// says where the body is, and is forgotten. 0: all are kept.
+  int passes_max = 0;
 
   template <class V>
   void visit(V& v) {
@@ -46,6 +49,7 @@ struct MappingParams {
     v("carried", carried);
     v("lost_m", lost_m, within(0.01, 100.0));
     v("lost_rad", lost_rad, within(0.01, 3.2));
+    v("passes_max", passes_max, within(0, 1000));
   }
 };
 
@@ -60,11 +64,17 @@ struct StoredMap {
 struct MapUpdate {
   LocalMap map;
   std::vector<Association> associations;  ///< in the order in which they were decided
+  bool kept = true;  ///< else it only said where the body is; the graph is as it was
 };
 
 /// The map: local maps every few metres of the way, held in place by what was measured between them
 /// and by the places that were seen again (paper, sections 2.1 to 2.3). Which places these are is
 /// decided lazily.
+///
+/// Who goes through a mine again and again makes no larger map, where that is asked for: a place
+/// has no more local maps than the passes that are kept (a reduced pose graph, after Johannsson,
+/// Kaess, Fallon, Leonard, "Temporally scalable visual SLAM using a reduced pose graph", ICRA
+/// 2013).
 class Mapping : private Evidence {
  public:
   explicit Mapping(const MappingParams& params);
@@ -95,6 +105,8 @@ class Mapping : private Evidence {
 
  private:
   MapUpdate take(LocalMap map);
+  [[nodiscard]] bool shows_nothing_new(const MapUpdate& update) const;
+  void forget_newest(MapUpdate& update, LazyAssociation::Mark before);
   void enter(LocalMap map);
   void link_session(LocalMap& map) const;
   void note_odom(const ScanMatch& match);
@@ -124,6 +136,13 @@ class Mapping : private Evidence {
   std::optional<std::int64_t> odom_utime_;  ///< when the odom frame of the last scan began
   bool odom_continues_ = false;  ///< a restored map ends in the odom frame of the present session
   std::optional<Eigen::Matrix3d> covariance_;  ///< see MapCorrection
+  /// Where a local map that was not kept found the body, after all that are kept.
+  struct Found {
+    std::int64_t utime = 0;
+    int older_map = 0;  ///< on which it lies
+    Pose2 T_map_odom;
+  };
+  std::optional<Found> found_;
 };
 
 }  // namespace adit

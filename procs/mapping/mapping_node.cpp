@@ -25,6 +25,7 @@ constexpr std::size_t kScansWaiting = 500;  // while a closure is searched, at 7
 // A local map has about three pieces; exploration takes some 30 ms for one, and holds 500 pieces.
 constexpr std::int64_t kRepeatPeriodUs = 50'000;
 constexpr std::size_t kRepeatPieces = 4;
+constexpr int kReplaced = -2;  // no id
 
 }  // namespace
 
@@ -77,10 +78,10 @@ void MappingNode::keep_unfinished() {
   const LocalMap& map = mapping_.unfinished();
   const auto& maps = mapping_.local_maps();
   if (map.scans.empty() || (!maps.empty() && maps.back().session != map.session)) return;
-  if (map.id != kept_map_) {
+  if (const bool replaces = kept_map_ == kReplaced; map.id != kept_map_) {
     kept_map_ = map.id;
     T_local_kept_ = {};
-    start_is_due_ = maps.empty();
+    start_is_due_ = maps.empty() || replaces;
   }
   const Pose2& T_local_body = map.scans.back().T_local_body;
   const Pose2 moved = between(T_local_kept_, T_local_body);
@@ -101,8 +102,14 @@ void MappingNode::keep(const std::function<void()>& append) {
   }
 }
 
-/// To the disk first: what was announced is not forgotten.
+/// To the disk first: what was announced is not forgotten. What is not kept leaves the graph as it
+/// was; where the body is goes to the disk with what is made next.
 void MappingNode::pass_on(const MapUpdate& update) {
+  if (!update.kept) {
+    kept_map_ = kReplaced;
+    publish_correction();
+    return;
+  }
   if (journal_) keep([&] { journal_->append(update); });
   publish_update(update);
 }
@@ -140,6 +147,10 @@ void MappingNode::publish_graph() {
   for (const PoseGraphPiece& piece : divide(mapping_.graph())) {
     publish(bus_, channels::kPoseGraph, to_message(piece));
   }
+  publish_correction();
+}
+
+void MappingNode::publish_correction() {
   if (const auto correction = mapping_.correction()) {
     publish(bus_, channels::kMapCorrection, to_message(*correction));
   }

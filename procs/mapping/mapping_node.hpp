@@ -52,6 +52,7 @@ class MappingNode {
   void pass_on(const MapUpdate& update);
   void publish_update(const MapUpdate& update);
   void publish_graph();
+  void publish_correction();
   void repeat();
 
   Bus& bus_;

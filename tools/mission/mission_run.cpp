@@ -84,9 +84,10 @@ class MissionInProcess {
                          if (phase_.phase != Phase::kEnded) ended_s_ = simulated_s();
                          phase_ = phase;
                        });
-    subscribe<map_correction_t>(
-        bus_, channels::kMapCorrection, Delivery::queued(kWaiting),
-        [this](const MapCorrection& correction) { local_maps_ = correction.local_map + 1; });
+    subscribe<map_correction_t>(bus_, channels::kMapCorrection, Delivery::queued(kWaiting),
+                                [this](const MapCorrection& correction) {
+                                  local_maps_ = std::max(local_maps_, correction.local_map + 1);
+                                });
   }
 
   [[nodiscard]] bool over() const {

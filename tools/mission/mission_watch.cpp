@@ -43,9 +43,10 @@ void MissionWatch::listen(Bus& bus) {
     if (phase_.phase != Phase::kEnded) ended_s_ = simulated_s();
     phase_ = phase;
   });
-  subscribe<map_correction_t>(
-      bus, channels::kMapCorrection, queued,
-      [this](const MapCorrection& correction) { local_maps_ = correction.local_map + 1; });
+  subscribe<map_correction_t>(bus, channels::kMapCorrection, queued,
+                              [this](const MapCorrection& correction) {
+                                local_maps_ = std::max(local_maps_, correction.local_map + 1);
+                              });
   subscribe<pose_t>(bus, channels::kTruth, Delivery::latest(), [this](const StampedPose& truth) {
     from_start_m_ =
         (truth.T_odom_body.translation() - p_world_start_).norm();  // of TRUTH: in world

@@ -147,6 +147,24 @@ std::vector<Association> LazyAssociation::revise(const Evidence& evidence, std::
   return record;
 }
 
+LazyAssociation::Mark LazyAssociation::mark() const {
+  return {
+      problem_.way.maps(), problem_.closures.size(), belief_, search_due_, surprise_due_, groups_};
+}
+
+void LazyAssociation::go_back_to(Mark mark) {
+  trial_.reset();
+  problem_.chain.resize(static_cast<std::size_t>(std::max(0, mark.maps - 1)));
+  problem_.way.shorten_to(mark.maps);
+  problem_.closures.resize(mark.closures);
+  problem_.groups.resize(mark.closures);
+  problem_.plausible.resize(mark.closures);
+  belief_ = std::move(mark.belief);
+  search_due_ = std::move(mark.search_due);
+  surprise_due_ = mark.surprise_due;
+  groups_ = mark.groups;
+}
+
 void LazyAssociation::restore(const std::vector<Association>& associations) {
   for (const Association& a : associations) {
     if (a.closure.id == static_cast<int>(problem_.closures.size())) append(a.closure);

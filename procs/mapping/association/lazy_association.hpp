@@ -66,6 +66,19 @@ class LazyAssociation {
   /// newest map likely stays (paper, section 2.2). What was decided, in order.
   std::vector<Association> revise(const Evidence& evidence, std::int64_t utime);
 
+  /// How things stand, to come back to.
+  struct Mark {
+    int maps = 0;
+    std::size_t closures = 0;
+    Belief belief;
+    std::map<int, int> search_due;
+    double surprise_due = 0.0;
+    int groups = 0;
+  };
+  [[nodiscard]] Mark mark() const;
+  /// Forgets the maps that came since then, and all that was decided.
+  void go_back_to(Mark mark);
+
   /// Takes over decisions that were made before, in their order, for the maps that were added.
   void restore(const std::vector<Association>& associations);
 

@@ -31,6 +31,8 @@ class Way {
  public:
   /// The next map, by its displacement from the one before; the first call is for map 0.
   void add_map(const UncertainPose& T_previous_map);
+  /// All but the first so many maps are forgotten.
+  void shorten_to(int maps) { nodes_.resize(static_cast<std::size_t>(maps)); }
 
   [[nodiscard]] UncertainPose between(int from, int to) const;
   /// Path length from the first map [m].

@@ -24,8 +24,8 @@ CloudLine move(const Pose2& T_a_b, const CloudLine& line) {
 
 }  // namespace
 
-SubVolume::SubVolume(const SubVolumeParams& params)
-    : params_(params), open_(Open{OccupancyTree(params.cell_m), {}}) {}
+SubVolume::SubVolume(const SubVolumeParams& params, int scans_before)
+    : params_(params), open_(Open{OccupancyTree(params.cell_m), {}}), scans_(scans_before) {}
 
 SubVolume::SubVolume(const SubVolumeParams& params, VolumeContents contents)
     : params_(params),

@@ -56,7 +56,8 @@ class SubVolume {
  public:
   static constexpr float kOriginMaxM = 10.0F;  ///< so that the cells of a scan are bounded
 
-  explicit SubVolume(const SubVolumeParams& params);
+  /// `scans_before`: of those that it takes the place of, over which the count goes on.
+  explicit SubVolume(const SubVolumeParams& params, int scans_before = 0);
   /// A closed one, as it was.
   SubVolume(const SubVolumeParams& params, VolumeContents contents);
 

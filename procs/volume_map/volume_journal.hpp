@@ -30,6 +30,7 @@ class VolumeJournal {
     int scans = 0;
     std::size_t points = 0;
     bool tied = false;
+    int renewals = 0;
   };
 
   void read(const JournalRecord& record);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/volume_map/volume_map.hpp"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -10,6 +11,8 @@
 
 namespace adit {
 namespace {
+
+constexpr double kSameWayRad = 0.5;  // between the headings of two scans that see much the same
 
 bool has_pose(const MapGraph& graph, int local_map) {
   return local_map >= 0 && static_cast<std::size_t>(local_map) < graph.poses.size();
@@ -40,6 +43,7 @@ void VolumeMap::restore(std::vector<StoredVolume> volumes) {
                         volume.tie, volume.T_odom_volume, false});
   }
   restored_ = volumes_.size();
+  newest_ = volumes_.empty() ? 0 : volumes_.size() - 1;
 }
 
 bool VolumeMap::add(const Cloud& cloud) {
@@ -50,14 +54,14 @@ bool VolumeMap::add(const Cloud& cloud) {
     return false;
   }
   if (!newest_takes(cloud, odom)) begin_volume(cloud, odom);
-  PlacedVolume& newest = volumes_.back();
+  PlacedVolume& newest = volumes_[newest_];
   newest.volume.insert(cloud, between(newest.T_odom_volume, cloud.T_odom_level));
   return true;
 }
 
 bool VolumeMap::newest_takes(const Cloud& cloud, const std::optional<Odom>& odom) const {
-  if (volumes_.empty() || !volumes_.back().volume.is_open()) return false;
-  const PlacedVolume& newest = volumes_.back();
+  if (volumes_.empty() || !volumes_[newest_].volume.is_open()) return false;
+  const PlacedVolume& newest = volumes_[newest_];
   if (newest.tie.has_value() != odom.has_value()) return false;
   if (odom && newest.tie->local_map != odom->local_map) return false;
   const Pose2 T_volume_level = between(newest.T_odom_volume, cloud.T_odom_level);
@@ -65,9 +69,35 @@ bool VolumeMap::newest_takes(const Cloud& cloud, const std::optional<Odom>& odom
 }
 
 void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<Odom>& odom) {
-  if (!volumes_.empty()) volumes_.back().volume.close();
-  volumes_.push_back({SubVolume(params_), cloud.T_odom_level, {}, cloud.T_odom_level, false});
-  if (odom) tie(volumes_.back(), *odom);
+  if (!volumes_.empty()) volumes_[newest_].volume.close();
+  PlacedVolume begun{SubVolume(params_), cloud.T_odom_level, {}, cloud.T_odom_level, false, 0};
+  if (odom) tie(begun, *odom);
+  if (const auto older = odom ? renewed_by(cloud, *odom) : std::nullopt) {
+    newest_ = *older;
+    begun.volume = SubVolume(params_, volumes_[newest_].volume.scans());
+    begun.renewals = volumes_[newest_].renewals + 1;
+    volumes_[newest_] = std::move(begun);
+  } else {
+    newest_ = volumes_.size();
+    volumes_.push_back(std::move(begun));
+  }
+}
+
+/// The nearest of those that began near enough and look the same way.
+std::optional<std::size_t> VolumeMap::renewed_by(const Cloud& cloud, const Odom& odom) const {
+  if (params_.renew_m <= 0.0 || !has_pose(graph_, odom.local_map)) return std::nullopt;
+  const Pose2 T_map_level = pose(graph_, odom.local_map) * odom.T_local_odom * cloud.T_odom_level;
+  std::optional<std::size_t> best;
+  double nearest = params_.renew_m;
+  for (std::size_t i = 0; i < volumes_.size(); ++i) {
+    const Pose2 apart = between(volumes_[i].T_map_volume, T_map_level);
+    const bool placed = volumes_[i].tie && !volumes_[i].left_out;
+    if (!placed || std::abs(apart.theta) > kSameWayRad) continue;
+    if (apart.translation().norm() > nearest) continue;
+    nearest = apart.translation().norm();
+    best = i;
+  }
+  return best;
 }
 
 void VolumeMap::set_graph(const MapGraph& graph) {

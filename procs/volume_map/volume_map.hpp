@@ -18,11 +18,15 @@ namespace adit {
 
 struct VolumeMapParams : SubVolumeParams {
   double span_m = 10.0;  ///< from the first scan of a sub-volume to the last one
+  /// A sub-volume that begins this near to where an older one did, and looks the same way, takes
+  /// its place; 0: none does.
+  double renew_m = 0.0;
 
   template <class V>
   void visit(V& v) {
     SubVolumeParams::visit(v);
     v("span_m", span_m, within(0.0, 100.0));
+    v("renew_m", renew_m, within(0.0, 10.0));
   }
 };
 
@@ -39,6 +43,7 @@ struct PlacedVolume {
   std::optional<Tie> tie;  ///< nothing before the first pose graph
   Pose2 T_map_volume;      ///< without a tie odom stands for map
   bool left_out = false;   ///< nobody knows where it is
+  int renewals = 0;        ///< how often another took its place
 };
 
 /// One as it is kept.
@@ -54,7 +59,9 @@ StoredVolume stored(const PlacedVolume& placed);
 ///
 /// Scans that come before the first graph make sub-volumes of their own, which are tied when it
 /// comes. The newest sub-volume alone is open to more scans; all others are as small as
-/// SubVolume::close says, so that memory grows with the number of scans.
+/// SubVolume::close says, so that memory grows with the number of scans. Where a mine is gone
+/// through again and again, the newest look from a place may take the place of an older one
+/// (`renew_m`): it is the one that is still true, and memory grows with the mine alone.
 ///
 /// Where mapping begins a session, that is with a new odom frame, a scan from before is tied by the
 /// odom frame that it was taken in. One of which nobody knows where that was is left out.
@@ -97,12 +104,14 @@ class VolumeMap {
 
   [[nodiscard]] bool newest_takes(const Cloud& cloud, const std::optional<Odom>& odom) const;
   void begin_volume(const Cloud& cloud, const std::optional<Odom>& odom);
+  [[nodiscard]] std::optional<std::size_t> renewed_by(const Cloud& cloud, const Odom& odom) const;
   void connect();
   void leave_out_what_is_of_another_odom();
   void tie(PlacedVolume& placed, const Odom& odom) const;
 
   VolumeMapParams params_;
   std::vector<PlacedVolume> volumes_;
+  std::size_t newest_ = 0;  ///< index of the one that scans came into last
   MapGraph graph_;
   std::optional<MapCorrection> correction_;
   std::optional<Odom> odom_;  ///< where it is, as of the newest correction that has its graph

@@ -2,27 +2,101 @@
 # SPDX-FileCopyrightText: The Adit authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# mission_soak.sh ADIT HOURS [WORLD]
-# By hand, not in CI. Missions one after the other until so many hours of the clock are over; prints the
-# memory of each process each minute (`adit ps`), so that what grows can be seen.
+# mission_soak.sh ADIT SIMULATED_HOURS [WORLD [OPTION..]]
+# By hand, not in CI: eight hours of simulated time take one or two of the clock. One mission of so many hours by
+# one set of processes that is never started again: the robot explores the mine, and then patrols it until its
+# time is up. Each half hour of simulated time a row with the memory of each process (`adit ps`, MB); at the end
+# by how much each has grown over the last three quarters of the time. Exit code 1 where one has grown by more
+# than 5 %, or where the mission did not last. OPTIONs are of `adit mission`, of its mine.
 set -u
-adit=$(readlink -f "$1"); hours=$2; world=${3:-bruceton}
-kPeriodSeconds=60
+adit=$(readlink -f "$1"); hours=$2; world=${3:-random}
+if (($# > 3)); then choice=("${@:4}"); else choice=(); fi
+[[ $world == random && ${#choice[@]} -eq 0 ]] && choice=(--seed 7 --length-m 60)
+kRowSeconds=${SOAK_ROW:-1800}
+kSettledShare=0.25   # of the time, in which memory may grow: what is read and learnt once
+kGrowthMax=5         # per cent
+kPollSeconds=2
+
+# Turned around by nothing but the time; of a place that three passes have seen the map keeps no more.
+config() {
+  cat <<YAML
+mapping: {passes_max: 3}
+volume_map: {renew_m: 2}
+exploration: {patrol: true}
+mission:
+  limits: {time_max_s: $(awk -v h="$hours" 'BEGIN { print 3600 * h }'), way_max_m: 1000000}
+sim: {motion: {battery_wh: 1000000}}
+YAML
+}
 
 scratch=$(mktemp -d)
 mission=
-trap '[[ -z $mission ]] || { kill -TERM $mission; wait $mission; }; rm -rf "$scratch"' EXIT
-end=$(awk -v hours="$hours" -v now="$SECONDS" 'BEGIN { print int(now + 3600 * hours) }')
-for ((n = 1; SECONDS < end; ++n)); do
-  out=$scratch/$n
-  "$adit" mission "$world" --seed "$n" --out "$out" >"$scratch/$n.text" 2>&1 & mission=$!
-  echo; echo "Mission $n:"; echo
-  while kill -0 "$mission" 2>/dev/null && ((SECONDS < end)); do
-    sleep "$kPeriodSeconds" & wait -n "$mission" $!
-    "$adit" ps --socket "$out/supervisor.sock" 2>/dev/null | sed 's/^/    /'
-  done
-  ((SECONDS < end)) || kill -TERM "$mission" 2>/dev/null
-  wait "$mission"; echo; echo "ended with $?: $(grep 'from the start at the end' "$scratch/$n.text")"
-  mission=
-  rm -rf "$out"
+trap 'kill -TERM $mission 2>/dev/null; wait; rm -rf "$scratch"' EXIT
+out=$scratch/mission
+config >"$scratch/soak.yaml"
+
+megabytes() { if [[ -e $1 ]]; then stat -c %s "$1" | awk '{ printf "%.1f", $1 / 1e6 }'; else echo 0; fi; }
+# simulated seconds, metres driven, local maps, 3D scans, times real time: of the newest line of progress
+progress() {
+  tail -n 1 "$scratch/text" |
+    awk '/real time/ { for (i = 2; i <= NF; ++i) {
+           if ($i == "driven,") way = $(i - 2); if ($i == "local") maps = $(i - 1)
+           if ($i == "scans,") scans = $(i - 1); if ($i == "x") speed = $(i - 1) }
+         print $1, way, maps, scans, speed }'
+}
+processes() { "$adit" ps --socket "$out/supervisor.sock" 2>/dev/null | awk 'NR > 1 { print $1, $(NF - 1) }'; }
+
+row() {
+  local memory=$1; shift
+  echo "$1 $(awk '{ printf "%s ", $2 }' <<<"$memory")" >>"$scratch/memory"
+  if [[ ! -e $scratch/names ]]; then
+    awk '{ print $1 }' <<<"$memory" >"$scratch/names"
+    echo "| simulated (h) | driven (m) | local maps | 3D scans | times real time | $(
+      paste -sd '|' "$scratch/names" | sed 's/|/ | /g') | mapping.journal | volume.journal | run.lcmlog |"
+    awk -v n="$(wc -l <"$scratch/names")" 'BEGIN { for (i = 0; i < n + 8; ++i) printf "|---"; print "|" }'
+  fi
+  awk -v s="$1" -v way="$2" -v maps="$3" -v scans="$4" -v speed="$5" -v memory="$(
+    awk '{ printf "%s | ", $2 }' <<<"$memory")" -v disk="$(megabytes "$out/mapping.journal") | $(
+    megabytes "$out/volume_map.journal") | $(megabytes "$out/run.lcmlog")" \
+    'BEGIN { printf "| %.2f | %s | %s | %s | %s | %s%s |\n", s / 3600, way, maps, scans, speed, memory, disk }'
+}
+
+# Per process: growth from the first row of the settled time to the last, and whether that is too much.
+verdict() {
+  awk -v share="$kSettledShare" -v most="$kGrowthMax" '
+    FNR == NR { name[++n] = $1; next }
+    { time[++rows] = $1; for (i = 1; i <= n; ++i) memory[rows, i] = $(i + 1) }
+    END {
+      for (first = 1; first < rows && time[first] < share * time[rows]; ++first) {}
+      printf "\nFrom %.2f h to %.2f h:\n\n| process | MB | MB | growth (%%) | |\n|---|---|---|---|---|\n",
+             time[first] / 3600, time[rows] / 3600
+      for (i = 1; i <= n; ++i) {
+        growth = 100 * (memory[rows, i] / memory[first, i] - 1)
+        printf "| %s | %.1f | %.1f | %.1f | %s |\n", name[i], memory[first, i], memory[rows, i], growth,
+               growth > most ? "too much" : "flat"
+        bad += growth > most
+      }
+      exit bad > 0
+    }' "$scratch/names" "$scratch/memory"
+}
+
+"$adit" mission "$world" "${choice[@]}" --config "$scratch/soak.yaml" --out "$out" \
+  --time-max-s "$(awk -v h="$hours" 'BEGIN { print 3600 * h + 1800 }')" >"$scratch/text" 2>&1 & mission=$!
+next=$kRowSeconds; last=0
+while kill -0 "$mission" 2>/dev/null; do
+  read -r seconds way maps scans speed <<<"$(progress)"
+  [[ -n ${seconds:-} ]] && last=$seconds
+  if ((last >= next)); then
+    memory=$(processes)
+    [[ -n $memory ]] && row "$memory" "$seconds" "$way" "$maps" "$scans" "$speed"
+    next=$((next + kRowSeconds))
+  fi
+  # The report of so long a log is not what is measured here.
+  ((last >= 3600 * hours - kRowSeconds / 2)) && grep -q "at home" "$scratch/text" && break
+  sleep "$kPollSeconds"
 done
+echo; grep -B 1 "from the start at the end" "$scratch/text" || tail -n 3 "$scratch/text"
+[[ -e $scratch/memory ]] || { echo "there is nothing to compare: it ended after $last s"; exit 1; }
+verdict; flat=$?
+awk -v last="$last" -v h="$hours" 'BEGIN { exit last < 0.9 * 3600 * h }' || { echo "it did not last"; exit 1; }
+exit $flat

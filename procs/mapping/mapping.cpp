@@ -109,7 +109,7 @@ MapUpdate Mapping::take(LocalMap map) {
   if (begins) link_session(map);
   if (begins && map.session == builder_.current().session) odom_ = Odom::kKnown;
   std::optional<LazyAssociation::Mark> before;
-  if (params_.passes_max > 0 && !begins) before = association_.mark();
+  if (params_.per_place_max > 0 && !begins) before = association_.mark();
   found_.reset();
   MapUpdate update;
   update.map = map;
@@ -130,7 +130,7 @@ MapUpdate Mapping::take(LocalMap map) {
 bool Mapping::shows_nothing_new(const MapUpdate& update) const {
   const LocalMap& next = builder_.current();
   if (next.session != update.map.session || next.id != update.map.id + 1) return false;
-  if (static_cast<int>(update.associations.size()) < params_.passes_max) return false;
+  if (static_cast<int>(update.associations.size()) < params_.per_place_max) return false;
   for (const Association& a : update.associations) {
     if (a.action != Association::Action::kProposed || a.chosen == Association::kNone) return false;
   }

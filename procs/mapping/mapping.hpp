@@ -34,9 +34,9 @@ struct MappingParams {
   bool carried = false;   ///< where odom begins anew, the body may be anywhere; else where it was
   double lost_m = 1.0;    ///< of the way between what is stored and where it then is, about
   double lost_rad = 0.5;  ///< of its turning
-  /// Of a place that so many earlier passes saw, a local map that shows nothing new is not kept: it
-  /// says where the body is, and is forgotten. 0: all are kept.
-  int passes_max = 0;
+  /// A local map that lies on so many older ones and shows nothing new is not kept: it says where
+  /// the body is, and is forgotten. 0: all are kept.
+  int per_place_max = 0;
 
   template <class V>
   void visit(V& v) {
@@ -49,7 +49,7 @@ struct MappingParams {
     v("carried", carried);
     v("lost_m", lost_m, within(0.01, 100.0));
     v("lost_rad", lost_rad, within(0.01, 3.2));
-    v("passes_max", passes_max, within(0, 1000));
+    v("per_place_max", per_place_max, within(0, 1000));
   }
 };
 
@@ -71,10 +71,9 @@ struct MapUpdate {
 /// and by the places that were seen again (paper, sections 2.1 to 2.3). Which places these are is
 /// decided lazily.
 ///
-/// Who goes through a mine again and again makes no larger map, where that is asked for: a place
-/// has no more local maps than the passes that are kept (a reduced pose graph, after Johannsson,
-/// Kaess, Fallon, Leonard, "Temporally scalable visual SLAM using a reduced pose graph", ICRA
-/// 2013).
+/// Who goes through a mine again and again makes no larger map, where that is asked for: of a place
+/// no more than `per_place_max` local maps are kept (a reduced pose graph, after Johannsson, Kaess,
+/// Fallon, Leonard, "Temporally scalable visual SLAM using a reduced pose graph", ICRA 2013).
 class Mapping : private Evidence {
  public:
   explicit Mapping(const MappingParams& params);

@@ -12,15 +12,15 @@ set -u
 adit=$(readlink -f "$1"); hours=$2; world=${3:-random}
 if (($# > 3)); then choice=("${@:4}"); else choice=(); fi
 [[ $world == random && ${#choice[@]} -eq 0 ]] && choice=(--seed 7 --length-m 60)
-kRowSeconds=${SOAK_ROW:-1800}
+kRowSeconds=1800     # of simulated time
 kSettledShare=0.25   # of the time, in which memory may grow: what is read and learnt once
 kGrowthMax=5         # per cent
 kPollSeconds=2
 
-# Turned around by nothing but the time; of a place that three passes have seen the map keeps no more.
+# Turned around by nothing but the time; of a place the map keeps what three local maps and one look brought.
 config() {
   cat <<YAML
-mapping: {passes_max: 3}
+mapping: {per_place_max: 3}
 volume_map: {renew_m: 2}
 exploration: {patrol: true}
 mission:
@@ -73,8 +73,8 @@ verdict() {
       for (i = 1; i <= n; ++i) {
         growth = 100 * (memory[rows, i] / memory[first, i] - 1)
         printf "| %s | %.1f | %.1f | %.1f | %s |\n", name[i], memory[first, i], memory[rows, i], growth,
-               growth > most ? "too much" : "flat"
-        bad += growth > most
+               (growth > most) ? "too much" : "flat"
+        bad += (growth > most)
       }
       exit bad > 0
     }' "$scratch/names" "$scratch/memory"

@@ -70,5 +70,22 @@ TEST_F(MapJournalOnDisk, ForgetsThePartsOfAFinishedLocalMap) {
   EXPECT_EQ(stored.maps[0], local_map(0, 6));
 }
 
+/// One that was not kept leaves its id to the next.
+TEST_F(MapJournalOnDisk, GivesBackTheOneThatTookThePlaceOfAnother) {
+  LocalMap next = local_map(1, 4);
+  for (LocalScan& scan : next.scans) scan.scan.utime += 10'000;
+  next.utime += 10'000;
+  next.end_utime += 10'000;
+  {
+    MapJournal journal(path_);
+    journal.append({local_map(0, 3), {}});
+    journal.append_unfinished(local_map(1, 5));
+    journal.append_unfinished(next);
+  }
+  const StoredMap stored = read_map_journal(path_);
+  ASSERT_TRUE(stored.unfinished);
+  EXPECT_EQ(*stored.unfinished, next);
+}
+
 }  // namespace
 }  // namespace adit

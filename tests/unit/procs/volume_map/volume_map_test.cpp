@@ -81,6 +81,26 @@ TEST(VolumeMap, HasASubVolumeForEachLocalMap) {
   EXPECT_GT(farthest_from_rock_m(map), 0.5);  // the second stands askew
 }
 
+TEST(VolumeMap, LetsTheNewestLookFromAPlaceTakeThePlaceOfAnOlderOne) {
+  VolumeMapParams params;
+  params.renew_m = 1.0;
+  VolumeMap map{params};
+  map.set_graph(graph_of(1, {kStart}));
+  map.set_correction(correction(1, 0, {}));
+  const Pose2 away{12.0, 0.0, 0.0};
+  const Pose2 back{0.0, 0.0, std::numbers::pi};
+  for (const Pose2& T : {kStart, away, back, away, kStart}) {
+    map.add(scan_at(T, T, static_cast<std::int32_t>(map.volumes().size())));
+  }
+  ASSERT_EQ(map.volumes().size(), 3U);  // the one that looks back is another
+  EXPECT_EQ(map.volumes()[0].volume.scans(), 2);
+  EXPECT_TRUE(map.volumes()[0].volume.is_open());
+  for (const VolumePoint& point : map.volumes()[0].volume.points()) ASSERT_EQ(point.scan, 3);
+  EXPECT_EQ(map.volumes()[1].volume.scans(), 2);
+  EXPECT_EQ(map.volumes()[2].volume.scans(), 1);
+  EXPECT_LT(farthest_from_rock_m(map), kResampledM);
+}
+
 TEST(VolumeMap, ClosesALoopWithoutInsertingAgain) {
   VolumeMap map = drifted_map();
   const auto octree = map.volumes()[1].volume.octree();

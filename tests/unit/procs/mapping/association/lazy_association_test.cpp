@@ -55,6 +55,25 @@ TEST_P(BothOrders, TakeRightClosures) {
   EXPECT_EQ(revisions(history), 0);
 }
 
+TEST_P(BothOrders, ComeBackToHowThingsStood) {
+  test::RingWalk walk(300);
+  const auto closures = together({walk.group(205, 10), walk.group(260, 10)});
+  decide(walk, closures);
+  const Belief before = association_.belief();
+  const auto again = [&] {
+    association_.add_map(walk.chain.front().T_from_to, walk.chain.front().information);
+    return association_.decide({walk.closure(99, 299)}, 0).size();
+  };
+  const auto mark = association_.mark();
+  EXPECT_EQ(again(), 1U);
+  association_.go_back_to(mark);
+  EXPECT_EQ(association_.belief().chosen, before.chosen);
+  EXPECT_EQ(association_.belief().T_map_local, before.T_map_local);
+  EXPECT_EQ(association_.problem().closures.size(), closures.size());
+  EXPECT_EQ(association_.problem().chain.size(), walk.chain.size());
+  EXPECT_EQ(again(), 1U);
+}
+
 TEST_P(BothOrders, TakeNoneWhereNothingFits) {
   test::RingWalk walk(300);
   auto far = walk.closure(100, 210);

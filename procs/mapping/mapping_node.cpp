@@ -58,7 +58,9 @@ void MappingNode::restore(const std::string& journal) {
 }
 
 void MappingNode::on_match(const ScanMatch& match) {
-  auto& waiting = waiting_[match.channel];
+  const auto found = waiting_.find(match.channel);
+  if (found == waiting_.end()) return;
+  auto& waiting = found->second;
   while (!waiting.empty() && waiting.front().utime < match.utime) waiting.pop_front();
   if (waiting.empty() || waiting.front().utime != match.utime) return;
   const LaserScan scan = std::move(waiting.front());

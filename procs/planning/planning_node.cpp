@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include <malloc.h>
+
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/plan_goal.hpp"
@@ -15,6 +17,10 @@ namespace adit {
 namespace {
 
 constexpr std::size_t kTilesWaiting = 200;  // several maps
+
+/// A search takes several times what it leaves, and the C library would hold on to the most that
+/// any one ever took.
+void give_back_memory() { malloc_trim(0); }
 
 }  // namespace
 
@@ -42,6 +48,7 @@ void PlanningNode::answer() {
     publish(bus_, channels::kPath, to_message(retrace(*goal_, *T_odom_body_)));
   } else if (terrain_) {
     publish(bus_, channels::kPath, to_message(plan()));
+    give_back_memory();
   } else {
     return;
   }

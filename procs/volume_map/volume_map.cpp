@@ -70,12 +70,14 @@ bool VolumeMap::newest_takes(const Cloud& cloud, const std::optional<Odom>& odom
 
 void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<Odom>& odom) {
   if (!volumes_.empty()) volumes_[newest_].volume.close();
-  PlacedVolume begun{SubVolume(params_), cloud.T_odom_level, {}, cloud.T_odom_level, false, 0};
+  PlacedVolume begun{SubVolume(params_), cloud.T_odom_level, {}, cloud.T_odom_level, false};
   if (odom) tie(begun, *odom);
   if (const auto older = odom ? renewed_by(cloud, *odom) : std::nullopt) {
     newest_ = *older;
-    begun.volume = SubVolume(params_, volumes_[newest_].volume.scans());
-    begun.renewals = volumes_[newest_].renewals + 1;
+    const PlacedVolume& before = volumes_[newest_];
+    begun.volume = SubVolume(params_, before.volume.scans());
+    begun.renewals = before.renewals + 1;
+    begun.T_volume_place = between(begun.T_map_volume, before.T_map_volume * before.T_volume_place);
     volumes_[newest_] = std::move(begun);
   } else {
     newest_ = volumes_.size();
@@ -83,14 +85,16 @@ void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<Odom>& odom
   }
 }
 
-/// The nearest of those that began near enough and look the same way.
+/// The nearest of those whose place is near enough and that look the same way. Places stay apart by
+/// as much, so that there are no more than fit into the mine.
 std::optional<std::size_t> VolumeMap::renewed_by(const Cloud& cloud, const Odom& odom) const {
   if (params_.renew_m <= 0.0 || !has_pose(graph_, odom.local_map)) return std::nullopt;
   const Pose2 T_map_level = pose(graph_, odom.local_map) * odom.T_local_odom * cloud.T_odom_level;
   std::optional<std::size_t> best;
   double nearest = params_.renew_m;
   for (std::size_t i = 0; i < volumes_.size(); ++i) {
-    const Pose2 apart = between(volumes_[i].T_map_volume, T_map_level);
+    const Pose2 T_map_place = volumes_[i].T_map_volume * volumes_[i].T_volume_place;
+    const Pose2 apart = between(T_map_place, T_map_level);
     const bool placed = volumes_[i].tie && !volumes_[i].left_out;
     if (!placed || std::abs(apart.theta) > kSameWayRad) continue;
     if (apart.translation().norm() > nearest) continue;

@@ -18,8 +18,8 @@ namespace adit {
 
 struct VolumeMapParams : SubVolumeParams {
   double span_m = 10.0;  ///< from the first scan of a sub-volume to the last one
-  /// A sub-volume that begins this near to where an older one did, and looks the same way, takes
-  /// its place; 0: none does.
+  /// A sub-volume that begins this near to the place of an older one, and looks the same way, takes
+  /// that place; 0: none does.
   double renew_m = 0.0;
 
   template <class V>
@@ -44,6 +44,7 @@ struct PlacedVolume {
   Pose2 T_map_volume;      ///< without a tie odom stands for map
   bool left_out = false;   ///< nobody knows where it is
   int renewals = 0;        ///< how often another took its place
+  Pose2 T_volume_place{};  ///< where the first of them began, which stays though they do not
 };
 
 /// One as it is kept.

@@ -101,6 +101,22 @@ TEST(VolumeMap, LetsTheNewestLookFromAPlaceTakeThePlaceOfAnOlderOne) {
   EXPECT_LT(farthest_from_rock_m(map), kResampledM);
 }
 
+/// Looks that take the place of one another do not walk away from it, or a gap would open behind
+/// them for one more.
+TEST(VolumeMap, HasNoMorePlacesThanFitHoweverOftenItLooks) {
+  VolumeMapParams params;
+  params.renew_m = 2.0;
+  VolumeMap map{params};
+  map.set_graph(graph_of(1, {kStart}));
+  map.set_correction(correction(1, 0, {}));
+  for (int round = 0; round < 4; ++round) {
+    for (const double x : {-12.0, -1.5, 12.0, 0.0, -12.0, 1.5, 12.0, 3.0}) {
+      map.add(scan_at({x, 0.0, 0.0}, {x, 0.0, 0.0}));
+    }
+  }
+  EXPECT_EQ(map.volumes().size(), 4U);  // at −12, −1.5, 12 and 1.5 m
+}
+
 TEST(VolumeMap, ClosesALoopWithoutInsertingAgain) {
   VolumeMap map = drifted_map();
   const auto octree = map.volumes()[1].volume.octree();

@@ -5,9 +5,10 @@
 # mission_soak.sh ADIT SIMULATED_HOURS [WORLD [OPTION..]]
 # By hand, not in CI: eight hours of simulated time take one or two of the clock. One mission of so many hours by
 # one set of processes that is never started again: the robot explores the mine, and then patrols it until its
-# time is up. Each half hour of simulated time a row with the memory of each process (`adit ps`, MB); at the end
-# by how much each has grown over the last three quarters of the time. Exit code 1 where one has grown by more
-# than 5 %, or where the mission did not last. OPTIONs are of `adit mission`, of its mine.
+# time is up. Each half hour of simulated time a row with the memory of each process (`adit ps`, MB), the mean over
+# that half hour, since what a process is at changes it by a tenth; at the end by how much each has grown over the
+# last three quarters of the time. Exit code 1 where one has grown by more than 5 %, or where the mission did not
+# last, or a process had to be started again. OPTIONs are of `adit mission`, of its mine.
 set -u
 adit=$(readlink -f "$1"); hours=$2; world=${3:-random}
 if (($# > 3)); then choice=("${@:4}"); else choice=(); fi
@@ -44,7 +45,16 @@ progress() {
            if ($i == "scans,") scans = $(i - 1); if ($i == "x") speed = $(i - 1) }
          print $1, way, maps, scans, speed }'
 }
-processes() { "$adit" ps --socket "$out/supervisor.sock" 2>/dev/null | awk 'NR > 1 { print $1, $(NF - 1) }'; }
+# Name and memory of each process that runs.
+sample() {
+  "$adit" ps --socket "$out/supervisor.sock" 2>/dev/null | awk 'NR > 1 && $7 > 0 { print $1, $7 }' >>"$scratch/samples"
+}
+# The mean of each process since the last time, in the order of their list.
+means() {
+  awk '{ if (!($1 in n)) name[++names] = $1; sum[$1] += $2; ++n[$1] }
+       END { for (i = 1; i <= names; ++i) printf "%s %.1f\n", name[i], sum[name[i]] / n[name[i]] }' "$scratch/samples"
+  rm "$scratch/samples"
+}
 
 row() {
   local memory=$1; shift
@@ -86,9 +96,9 @@ next=$kRowSeconds; last=0
 while kill -0 "$mission" 2>/dev/null; do
   read -r seconds way maps scans speed <<<"$(progress)"
   [[ -n ${seconds:-} ]] && last=$seconds
-  if ((last >= next)); then
-    memory=$(processes)
-    [[ -n $memory ]] && row "$memory" "$seconds" "$way" "$maps" "$scans" "$speed"
+  sample
+  if ((last >= next)) && [[ -s $scratch/samples ]]; then
+    row "$(means)" "$seconds" "$way" "$maps" "$scans" "$speed"
     next=$((next + kRowSeconds))
   fi
   # The report of so long a log is not what is measured here.
@@ -99,4 +109,5 @@ echo; grep -B 1 "from the start at the end" "$scratch/text" || tail -n 3 "$scrat
 [[ -e $scratch/memory ]] || { echo "there is nothing to compare: it ended after $last s"; exit 1; }
 verdict; flat=$?
 awk -v last="$last" -v h="$hours" 'BEGIN { exit last < 0.9 * 3600 * h }' || { echo "it did not last"; exit 1; }
+if grep "started again" "$scratch/text"; then exit 1; fi
 exit $flat

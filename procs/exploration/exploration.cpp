@@ -18,6 +18,7 @@ constexpr double kAlongRad = 0.6;       // between the way to a stub and the way
 constexpr double kStraightOnRad = 1.0;  // that a corridor may bend, in the mode corridor
 constexpr double kStraightOnM = 30.0;   // how far ahead its open end may be
 constexpr double kHeadingOverM = 1.5;   // of a route
+constexpr double kHomeAheadM = 12.0;    // the next goal, and not a place on the way there
 constexpr double kNoWayM = 1e6;
 constexpr double kBehindStartM = 0.5;    // of the rear of the vehicle
 constexpr double kWayOutM = 10.0;        // from the start, where an open end may lead out
@@ -330,7 +331,7 @@ ExplorationDecision Exploration::to_home(const ExplorationState& state, std::str
     return decision;
   }
   decision.kind = ExplorationDecision::Kind::kHome;
-  if (decision.distance_m <= params_.step_m) {
+  if (decision.distance_m <= kHomeAheadM) {
     decision.T_map_goal = home;
     return decision;
   }

@@ -42,7 +42,7 @@ struct ExplorationParams {
   StubChoiceParams choice;
   std::string mode = "explore";  ///< or "corridor": straight on until blocked, then home (paper)
   double step_m = 10.0;          ///< from here to the next goal at most
-  double at_home_m = 0.5;        ///< from the start
+  double at_home_m = 0.3;        ///< from the start, by the map
   bool way_out_behind = true;    ///< the mine lies ahead of the start, the way out behind it
 
   template <class V>

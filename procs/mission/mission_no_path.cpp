@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the mission tries where there is no path.
 #include <algorithm>
+#include <cstdio>
 
 #include "procs/mission/mission.hpp"
 
@@ -15,6 +16,10 @@ using Evidence = Attempt::Evidence;
 }  // namespace
 
 void Mission::refuse(double reached_m, const std::string& reason, Evidence evidence) {
+  if (is_nearly_home()) {
+    end_nearly_home(reason);
+    return;
+  }
   if (attempt_.refusals() == 0 && way_.T_odom_body()) {
     refused_odom_.push_back(way_.T_odom_body()->translation());
   }
@@ -48,6 +53,19 @@ void Mission::refuse(double reached_m, const std::string& reason, Evidence evide
   }
   enter(Phase::kExplore,
         (verdict_->doubtful ? "no way is found: " : "the way is blocked: ") + verdict_->evidence);
+}
+
+bool Mission::is_nearly_home() const {
+  if (!p_odom_home_ || !way_.T_odom_body()) return false;
+  return (way_.T_odom_body()->translation() - *p_odom_home_).norm() <= params_.nearly_home_m;
+}
+
+/// To wander about for the last decimetres is worth nothing.
+void Mission::end_nearly_home(const std::string& reason) {
+  char where[64];
+  std::snprintf(where, sizeof where, ", %.2f m from the start, and comes no nearer: ",
+                (way_.T_odom_body()->translation() - *p_odom_home_).norm());
+  end(MissionOutcome::kHome, "the robot is at home" + (where + reason));
 }
 
 void Mission::back_off(const std::string& reason) {

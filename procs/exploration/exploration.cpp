@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/geometry/smooth_line.hpp"
+#include "procs/exploration/simple_rules.hpp"
 #include "procs/exploration/skeleton.hpp"
 
 namespace adit {
@@ -227,8 +228,10 @@ ExplorationDecision Exploration::make(const ExplorationState& state) {
 
 std::optional<int> Exploration::choose(const ExplorationState& state,
                                        const std::vector<StubOffer>& offers) const {
-  if (rule_) return rule_(state, offers);
   if (params_.mode == "corridor") return straight_on(state, offers);
+  if (params_.choice.rule != "tour") {
+    return choose_by(params_.choice.rule, offers, register_.stubs(), state.T_map_body, decision_.stub);
+  }
   const Stub* target = register_.find(decision_.stub);
   const auto target_id = target == nullptr ? std::nullopt : std::optional(target->id);
   const auto near = nearest_offers(offers, target_id, params_.choice);

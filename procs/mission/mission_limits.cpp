@@ -49,7 +49,31 @@ void MissionLimits::add(const VehicleState& state) {
   battery_share_ = state.battery_share;
 }
 
-void MissionLimits::add(const ScanMatch& match) {
+/// A robot that stands is not lost by what it sees, but does not know that it stands where nothing
+/// tells it.
+void MissionLimits::add(const ScanMatch& match, bool moves) {
+  if (moves) count_lost(match);
+  count_unmeasured(match);
+}
+
+/// One scan that tells all directions ends it: it was held against the same walls as those before.
+void MissionLimits::count_unmeasured(const ScanMatch& match) {
+  if (match.status != ScanMatch::Status::kMatched) return;
+  const bool open = std::any_of(
+      match.degenerate.begin(), match.degenerate.end(),
+      [](const auto& d) { return d.fill == DegenerateDirection::Fill::kNone; });
+  if (!open) {
+    unmeasured_utime_.reset();
+    return;
+  }
+  if (!unmeasured_utime_) unmeasured_utime_ = match.utime;
+  const double since_s = 1e-6 * static_cast<double>(match.utime - *unmeasured_utime_);
+  if (since_s > params_.unmeasured_max_s) {
+    come_home(text_of("no sensor has told for %.0f s how it moves: the walls leave a direction open", since_s));
+  }
+}
+
+void MissionLimits::count_lost(const ScanMatch& match) {
   if (match.points < kPointsMin) return;
   const bool lost = match.status == ScanMatch::Status::kLost;
   lost_share_ = kMemory * lost_share_ + (1.0 - kMemory) * (lost ? 1.0 : 0.0);

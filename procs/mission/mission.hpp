@@ -104,6 +104,7 @@ class Mission {
   void go_by_sight(const std::string& reason);
   void look_along(std::vector<Eigen::Vector2d> route_odom, const std::string& reason);
   [[nodiscard]] bool is_nearly_home() const;
+  void refuse_nearly_home(const std::string& reason);
   void end_nearly_home(const std::string& reason);
   void look(LaserId laser, const std::string& reason);
   void judge(const PlannedPath& path);

@@ -59,10 +59,7 @@ void MissionLimits::add(const ScanMatch& match, bool moves) {
 /// One scan that tells all directions ends it: it was held against the same walls as those before.
 void MissionLimits::count_unmeasured(const ScanMatch& match) {
   if (match.status != ScanMatch::Status::kMatched) return;
-  const bool open = std::any_of(
-      match.degenerate.begin(), match.degenerate.end(),
-      [](const auto& d) { return d.fill == DegenerateDirection::Fill::kNone; });
-  if (!open) {
+  if (!leaves_open(match)) {
     unmeasured_utime_.reset();
     return;
   }

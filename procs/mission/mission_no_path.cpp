@@ -17,7 +17,7 @@ using Evidence = Attempt::Evidence;
 
 void Mission::refuse(double reached_m, const std::string& reason, Evidence evidence) {
   if (is_nearly_home()) {
-    end_nearly_home(reason);
+    refuse_nearly_home(reason);
     return;
   }
   if (attempt_.refusals() == 0 && way_.T_odom_body()) {
@@ -61,6 +61,15 @@ bool Mission::is_nearly_home() const {
 }
 
 /// To wander about for the last decimetres is worth nothing.
+void Mission::refuse_nearly_home(const std::string& reason) {
+  if (++nearly_home_tries_ > params_.nearly_home_tries) {
+    end_nearly_home(reason);
+  } else {
+    look(phase_.laser == LaserId::kFront ? LaserId::kRear : LaserId::kFront,
+         "it is nearly home, and looks to the other side: " + reason);
+  }
+}
+
 void Mission::end_nearly_home(const std::string& reason) {
   char where[64];
   std::snprintf(where, sizeof where, ", %.2f m from the start, and comes no nearer: ",

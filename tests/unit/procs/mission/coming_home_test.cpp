@@ -39,9 +39,12 @@ TEST_F(AMissionNearHome, FollowsTheRouteWhereItEndsBefore) {
 
 TEST_F(AMissionNearHome, IsHomeWhereNothingLeadsAnyNearer) {
   lead_home(0.4);
-  ASSERT_EQ(now(), Phase::kScan);
-  terrain();
-  path(PlanOutcome::kBlocked);
+  for (const LaserId laser : {LaserId::kRear, LaserId::kFront}) {
+    ASSERT_EQ(now(), Phase::kScan);
+    EXPECT_EQ(scan_.laser, laser);
+    terrain();
+    path(PlanOutcome::kBlocked);
+  }
   ASSERT_EQ(now(), Phase::kEnded);
   EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
   EXPECT_THAT(phase().reason, HasSubstr("at home, 0.40 m from the start, and comes no nearer"));

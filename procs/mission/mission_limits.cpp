@@ -61,12 +61,15 @@ void MissionLimits::count_unmeasured(const ScanMatch& match) {
   if (match.status != ScanMatch::Status::kMatched) return;
   if (!leaves_open(match)) {
     unmeasured_utime_.reset();
+    unmeasured_s_ = 0.0;
     return;
   }
   if (!unmeasured_utime_) unmeasured_utime_ = match.utime;
-  const double since_s = 1e-6 * static_cast<double>(match.utime - *unmeasured_utime_);
-  if (since_s > params_.unmeasured_max_s) {
-    come_home(text_of("no sensor has told for %.0f s how it moves: the walls leave a direction open", since_s));
+  unmeasured_s_ = 1e-6 * static_cast<double>(match.utime - *unmeasured_utime_);
+  if (is_unmeasured()) {
+    come_home(
+        text_of("no sensor has told for %.0f s how it moves: the walls leave a direction open",
+                unmeasured_s_));
   }
 }
 

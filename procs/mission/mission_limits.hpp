@@ -60,6 +60,8 @@ class MissionLimits {
 
   /// Why it is to come home, a sentence; the first there was, for good.
   [[nodiscard]] const std::optional<std::string>& reason() const { return reason_; }
+  /// Whether it knows no more how it moves: what nothing has told for so long now.
+  [[nodiscard]] bool is_unmeasured() const { return unmeasured_s_ > params_.unmeasured_max_s; }
   /// Way that time, battery and the greatest way still allow [m].
   [[nodiscard]] double remaining_m(double elapsed_s, double travelled_m) const;
 
@@ -74,7 +76,8 @@ class MissionLimits {
   std::optional<double> battery_start_share_;
   double battery_start_m_ = 0.0;  ///< way by then
   double lost_share_ = 0.0;
-  std::optional<std::int64_t> unmeasured_utime_;  ///< since when a direction is open
+  std::optional<std::int64_t> unmeasured_utime_;  ///< since when a direction is open,
+  double unmeasured_s_ = 0.0;                     ///< and for how long
 };
 
 }  // namespace adit

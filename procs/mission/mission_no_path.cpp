@@ -101,8 +101,13 @@ bool Mission::got_on() const {
       [&](const Eigen::Vector2d& p_odom) { return (p_odom_body - p_odom).norm() > kGotOnM; });
 }
 
-/// On the way back that says nothing of what lies ahead, and it may be another place already.
+/// On the way back that says nothing of what lies ahead, and it may be another place already. Who
+/// does not know how it moves leaves it at that: it could be led anywhere, out of the mine, too.
 void Mission::drive_failed(const std::string& reason) {
+  if (limits_.is_unmeasured()) {
+    end(MissionOutcome::kStranded, "it does not know any more where it is: " + reason);
+    return;
+  }
   if (backing_off_) {
     enter(Phase::kExplore, "it looks from where it got to: " + reason);
     return;

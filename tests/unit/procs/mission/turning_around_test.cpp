@@ -74,6 +74,13 @@ TEST_F(AMissionUnderWay, TurnsAroundWhereNothingTellsHowItMoves) {
   }
   EXPECT_NEAR(1e-6 * static_cast<double>(utime_ - since_utime), 10.0, 0.35);  // ticks of 0.1 s
   expect_homeward("how it moves");
+  // A drive that fails for that on the way back is the last.
+  to_execute();
+  driving(DrivingState::Kind::kFailed, "no sensor has told for 5.0 m how it moves");
+  tick();
+  ASSERT_EQ(now(), Phase::kEnded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kStranded);
+  EXPECT_THAT(phase().reason, HasSubstr("does not know any more where it is"));
 }
 
 TEST_F(AMissionUnderWay, GoesOnWhereWheelsTellHowItMoves) {

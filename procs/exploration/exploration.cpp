@@ -230,7 +230,8 @@ std::optional<int> Exploration::choose(const ExplorationState& state,
                                        const std::vector<StubOffer>& offers) const {
   if (params_.mode == "corridor") return straight_on(state, offers);
   if (params_.choice.rule != "tour") {
-    return choose_by(params_.choice.rule, offers, register_.stubs(), state.T_map_body, decision_.stub);
+    return choose_by(params_.choice.rule, offers, register_.stubs(), state.T_map_body,
+                     decision_.stub);
   }
   const Stub* target = register_.find(decision_.stub);
   const auto target_id = target == nullptr ? std::nullopt : std::optional(target->id);

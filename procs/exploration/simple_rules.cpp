@@ -52,9 +52,8 @@ std::optional<int> choose_by(const std::string& rule, const std::vector<StubOffe
                              const std::vector<Stub>& stubs, const Pose2& T_map_body, int target) {
   if (offers.empty()) return std::nullopt;
   if (rule == "nearest") return nearest(offers);
-  const bool is_offered = std::any_of(offers.begin(), offers.end(), [&](const StubOffer& offer) {
-    return offer.stub == target;
-  });
+  const bool is_offered = std::any_of(offers.begin(), offers.end(),
+                                      [&](const StubOffer& offer) { return offer.stub == target; });
   if (is_offered) return target;
   if (rule == "right_hand") return rightmost(offers, stubs, T_map_body);
   if (rule == "random") return any(offers);

@@ -146,8 +146,7 @@ double GoalField::progress(const GoalRoute::Place& place) const {
 }
 
 Eigen::Vector2d GoalField::direction(const Eigen::Vector2d& p_level) const {
-  return has_route() && !route_.empty() ? route_.nearest(p_level).tangent
-                                                            : direction_;
+  return has_route() && !route_.empty() ? route_.nearest(p_level).tangent : direction_;
 }
 
 }  // namespace adit

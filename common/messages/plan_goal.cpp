@@ -15,6 +15,7 @@ static_assert(static_cast<int>(Kind::kAlong) == plan_goal_t::KIND_ALONG);
 static_assert(static_cast<int>(Kind::kTo) == plan_goal_t::KIND_TO);
 static_assert(static_cast<int>(Kind::kRoute) == plan_goal_t::KIND_ROUTE);
 static_assert(static_cast<int>(Kind::kRetrace) == plan_goal_t::KIND_RETRACE);
+static_assert(static_cast<int>(Kind::kRouteTo) == plan_goal_t::KIND_ROUTE_TO);
 
 constexpr std::size_t kRouteMax = 1000;  // places
 
@@ -22,11 +23,11 @@ std::string_view reason_to_refuse(const plan_goal_t& message) {
   const auto kind = Kind(message.kind);
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.id < 0) return "negative id";
-  if (kind < Kind::kAlong || kind > Kind::kRetrace) return "unknown kind";
+  if (kind < Kind::kAlong || kind > Kind::kRouteTo) return "unknown kind";
   if (!all_finite(message.T_odom_goal)) return kPoseNotFinite;
   if (!std::isfinite(message.distance_max_m)) return "distance is not finite";
   if (message.distance_max_m <= 0.0) return "distance is not positive";
-  const bool route = kind == Kind::kRoute || kind == Kind::kRetrace;
+  const bool route = kind == Kind::kRoute || kind == Kind::kRetrace || kind == Kind::kRouteTo;
   if (route && (message.route_odom.size() < 2 || message.route_odom.size() > kRouteMax)) {
     return "route that is none";
   }

@@ -19,6 +19,7 @@ struct PlanGoal {
     kTo = 1,       ///< to a pose
     kRoute = 2,    ///< as far as possible along a route, on which the corridor bends and branches
     kRetrace = 3,  ///< back on the own track, whatever the terrain seems to be
+    kRouteTo = 4,  ///< along a route to its end, a place, with any heading; as far as possible
   };
 
   std::int64_t utime = 0;  ///< [µs since the epoch]
@@ -27,7 +28,7 @@ struct PlanGoal {
   Pose2 T_odom_goal;         ///< the pose; of kAlong its heading is the direction
   double distance_m = 10.0;  ///< of kAlong: how far at most
   std::vector<Eigen::Vector2d> route_odom =
-      {};  ///< of kRoute and kRetrace: from the robot on, two places at least [m]
+      {};  ///< of the kinds that have one: from the robot on, two places at least [m]
 
   friend bool operator==(const PlanGoal&, const PlanGoal&) = default;
 };

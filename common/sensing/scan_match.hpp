@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -53,5 +54,12 @@ struct ScanMatch {
 
   friend bool operator==(const ScanMatch&, const ScanMatch&) = default;
 };
+
+/// Whether there is a direction in which neither the scan nor a sensor tells the motion.
+inline bool leaves_open(const ScanMatch& match) {
+  return std::any_of(match.degenerate.begin(), match.degenerate.end(), [](const auto& direction) {
+    return direction.fill == DegenerateDirection::Fill::kNone;
+  });
+}
 
 }  // namespace adit

@@ -55,6 +55,7 @@ void Driving::follow(const PlannedPath& path) {
   for (PathRun& run : runs) run = blended(run, params_.steering.blend_m);
   progress_.emplace(std::move(runs));
   hold_limit_.begin_anew();
+  unmeasured_.begin_anew();
   state_.remaining_m = progress_->remaining_m();
   begin_run();
 }
@@ -72,8 +73,9 @@ void Driving::add_phase(const MissionPhase& phase, std::int64_t utime) {
   leave_.hear(phase, utime);
 }
 
-void Driving::add_match(std::int64_t utime, ScanMatch::Status status) {
-  trust_.add_match(utime, status);
+void Driving::add_match(const ScanMatch& match) {
+  trust_.add_match(match.utime, match.status);
+  unmeasured_.add_match(match);
 }
 
 DriveOutput Driving::drive(std::int64_t utime) {
@@ -86,6 +88,7 @@ DriveOutput Driving::drive(std::int64_t utime) {
     ramp_.stand(seconds);
     hold_limit_.begin_anew();
   }
+  unmeasured_.drive(ramp_.speed_m_s() * seconds);
   filter_.set_motion(vehicle_.speed_m_s(utime, ramp_.speed_m_s()), ramp_.curvature_1_m());
   return {{utime, ramp_.speed_m_s(), steered_.curvature_of_origin(ramp_.curvature_1_m())}, state_};
 }
@@ -132,6 +135,8 @@ void Driving::judge(std::int64_t utime, const Pose2& T_odom_steered) {
                  rad_to_deg(std::abs(state_.error.heading_rad))));
   } else if (hold_limit_.is_reached()) {
     fail(*held_ + text_of(", no way on for %.0f s", params_.held_max_s));
+  } else if (unmeasured_.way_m() > params_.unmeasured_max_m) {
+    fail(text_of("no sensor has told for %.1f m how it moves", unmeasured_.way_m()));
   }
 }
 

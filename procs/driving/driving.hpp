@@ -21,6 +21,7 @@
 #include "procs/driving/pose_trust.hpp"
 #include "procs/driving/speed_profile.hpp"
 #include "procs/driving/steered_point.hpp"
+#include "procs/driving/unmeasured_way.hpp"
 
 namespace adit {
 
@@ -44,7 +45,7 @@ class Driving {
   /// there is none to drive.
   void follow(const PlannedPath& path);
   void add_pose(std::int64_t utime, const Pose2& T_odom_body);
-  void add_match(std::int64_t utime, ScanMatch::Status status);
+  void add_match(const ScanMatch& match);
   /// How fast it truly is, and whether it is held: the newest, as long as it is fresh.
   void add_state(const VehicleState& state) { vehicle_.hear(state); }
 
@@ -78,6 +79,7 @@ class Driving {
   PoseTrust trust_;
   HeardVehicle vehicle_;
   HoldLimit hold_limit_;
+  UnmeasuredWay unmeasured_;
   MissionLeave leave_;
   CommandRamp ramp_;
   DrivingState state_;

@@ -30,9 +30,8 @@ DrivingNode::DrivingNode(Bus& bus, const Params& params) : bus_(bus), driving_(p
   subscribe<pose_t>(bus, channels::kPose, measured, [this](const StampedPose& pose) {
     driving_.add_pose(pose.utime, pose.T_odom_body);
   });
-  subscribe<scan_match_t>(bus, channels::kScanMatch, measured, [this](const ScanMatch& match) {
-    driving_.add_match(match.utime, match.status);
-  });
+  subscribe<scan_match_t>(bus, channels::kScanMatch, measured,
+                          [this](const ScanMatch& match) { driving_.add_match(match); });
   subscribe<vehicle_state_t>(bus, channels::kVehicleState, Delivery::latest(),
                              [this](const VehicleState& state) { driving_.add_state(state); });
   subscribe<planned_path_t>(bus, channels::kPath, Delivery::latest(),

@@ -32,12 +32,13 @@ struct DrivingParams {
   SpeedParams speed;
   SteeringParams steering;
   TrustParams trust;
-  double smoothing_s = 0.3;      ///< of poses; longer than their noise, shorter than their drift
-  double reaction_s = 0.05;      ///< after which a command takes effect
-  double arrival_m = 0.02;       ///< left of a run at its end
-  double distance_max_m = 0.35;  ///< off the path; beyond, it needs a new one
-  double heading_max_rad = 0.5;  ///< against the path, likewise
-  double held_max_s = 10.0;      ///< without way; held for longer, likewise
+  double smoothing_s = 0.3;       ///< of poses; longer than their noise, shorter than their drift
+  double reaction_s = 0.05;       ///< after which a command takes effect
+  double arrival_m = 0.02;        ///< left of a run at its end
+  double distance_max_m = 0.35;   ///< off the path; beyond, it needs a new one
+  double heading_max_rad = 0.5;   ///< against the path, likewise
+  double held_max_s = 10.0;       ///< without way; held for longer, likewise
+  double unmeasured_max_m = 5.0;  ///< driven without a sensor that tells how far, likewise
 
   template <class V>
   void visit(V& v) {
@@ -54,6 +55,7 @@ struct DrivingParams {
     v("distance_max_m", distance_max_m, above_up_to(0.0, 2.0));
     v("heading_max_rad", heading_max_rad, above_up_to(0.0, 1.2));
     v("held_max_s", held_max_s, within(1.0, 600.0));
+    v("unmeasured_max_m", unmeasured_max_m, above(0.0));
   }
 };
 

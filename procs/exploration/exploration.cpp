@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/geometry/smooth_line.hpp"
+#include "procs/exploration/simple_rules.hpp"
 #include "procs/exploration/skeleton.hpp"
 
 namespace adit {
@@ -18,6 +19,7 @@ constexpr double kAlongRad = 0.6;       // between the way to a stub and the way
 constexpr double kStraightOnRad = 1.0;  // that a corridor may bend, in the mode corridor
 constexpr double kStraightOnM = 30.0;   // how far ahead its open end may be
 constexpr double kHeadingOverM = 1.5;   // of a route
+constexpr double kHomeAheadM = 12.0;    // the next goal, and not a place on the way there
 constexpr double kNoWayM = 1e6;
 constexpr double kBehindStartM = 0.5;    // of the rear of the vehicle
 constexpr double kWayOutM = 10.0;        // from the start, where an open end may lead out
@@ -229,8 +231,11 @@ ExplorationDecision Exploration::make(const ExplorationState& state) {
 
 std::optional<int> Exploration::choose(const ExplorationState& state,
                                        const std::vector<StubOffer>& offers) const {
-  if (rule_) return rule_(state, offers);
   if (params_.mode == "corridor") return straight_on(state, offers);
+  if (params_.choice.rule != "tour") {
+    return choose_by(params_.choice.rule, offers, register_.stubs(), state.T_map_body,
+                     decision_.stub);
+  }
   const Stub* target = register_.find(decision_.stub);
   const auto target_id = target == nullptr ? std::nullopt : std::optional(target->id);
   const auto near = nearest_offers(offers, target_id, params_.choice);
@@ -333,7 +338,7 @@ ExplorationDecision Exploration::to_home(const ExplorationState& state, std::str
     return decision;
   }
   decision.kind = ExplorationDecision::Kind::kHome;
-  if (decision.distance_m <= params_.step_m) {
+  if (decision.distance_m <= kHomeAheadM) {
     decision.T_map_goal = home;
     return decision;
   }

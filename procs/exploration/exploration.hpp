@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -43,7 +42,7 @@ struct ExplorationParams {
   StubChoiceParams choice;
   std::string mode = "explore";  ///< or "corridor": straight on until blocked, then home (paper)
   double step_m = 10.0;          ///< from here to the next goal at most
-  double at_home_m = 0.5;        ///< from the start
+  double at_home_m = 0.3;        ///< from the start, by the map
   bool way_out_behind = true;    ///< the mine lies ahead of the start, the way out behind it
   bool patrol = false;  ///< once no stub is left, on to what was seen longest ago, not home at once
 
@@ -98,12 +97,6 @@ class Exploration {
   /// The same map, state and target give the same answer. `decide` keeps the target.
   const ExplorationDecision& decide(const ExplorationState& state);
 
-  /// Another rule of choice than ours, to be held against it: the stub of those within the budget,
-  /// or nothing to go home.
-  using Rule =
-      std::function<std::optional<int>(const ExplorationState&, const std::vector<StubOffer>&)>;
-  void use_rule(Rule rule) { rule_ = std::move(rule); }
-
   /// The planner found no way to the stub from where the last decision was made. It is not chosen
   /// again, nor is what lies behind the place where the way ended, unless another way is found.
   /// On the way home there is no stub (ExplorationDecision::kNoStub), and another way is looked
@@ -155,7 +148,6 @@ class Exploration {
   [[nodiscard]] Pose2 T_map_home() const;
 
   ExplorationParams params_;
-  Rule rule_;
   KnownSpace known_;
   StubRegister register_;
   std::vector<Barrier> barriers_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,6 +13,7 @@
 namespace adit {
 
 struct StubChoiceParams {
+  std::string rule = "tour";  ///< ours, or one that it is held against: see simple_rules.hpp
   int tour_stubs = 9;  ///< of the nearest, between which the order is found; time doubles each
   double home_weight = 3.0;  ///< of an early return, in mean gains of a stub
   double switch_gain = 0.2;  ///< share of the way to the target that another has to save
@@ -20,6 +22,7 @@ struct StubChoiceParams {
 
   template <class V>
   void visit(V& v) {
+    v("rule", rule, OneOf({"tour", "nearest", "right_hand", "random"}));
     v("tour_stubs", tour_stubs, within(1, 14));
     v("home_weight", home_weight, at_least(0.0));
     v("switch_gain", switch_gain, within(0.0, 10.0));

@@ -35,6 +35,8 @@ struct MissionParams {
   double relocalise_s = 30.0;          ///< to wait for the map in a new odom frame
   double stay_s = 30.0;                ///< to wait for exploration to know where to go
   int lost_tries_max = 10;             ///< without a way on, before it is stranded
+  double nearly_home_m = 0.5;  ///< from the start; it is home there if it can get no nearer,
+  int nearly_home_tries = 2;   ///< after so many tries
 
   template <class V>
   void visit(V& v) {
@@ -45,6 +47,8 @@ struct MissionParams {
     v("relocalise_s", relocalise_s, within(0.0, 600.0));
     v("stay_s", stay_s, within(0.0, 600.0));
     v("lost_tries_max", lost_tries_max, at_least(1));
+    v("nearly_home_m", nearly_home_m, within(0.0, 10.0));
+    v("nearly_home_tries", nearly_home_tries, at_least(0));
   }
 };
 
@@ -99,6 +103,9 @@ class Mission {
   void decide(const ExplorationReport& report);
   void go_by_sight(const std::string& reason);
   void look_along(std::vector<Eigen::Vector2d> route_odom, const std::string& reason);
+  [[nodiscard]] bool is_nearly_home() const;
+  void refuse_nearly_home(const std::string& reason);
+  void end_nearly_home(const std::string& reason);
   void look(LaserId laser, const std::string& reason);
   void judge(const PlannedPath& path);
   void refuse(double reached_m, const std::string& reason, Attempt::Evidence evidence);
@@ -133,6 +140,8 @@ class Mission {
   std::optional<BlockedVerdict> verdict_;
   std::vector<Eigen::Vector2d> route_odom_;
   PlanGoal::Kind goal_kind_ = PlanGoal::Kind::kRoute;
+  std::optional<Eigen::Vector2d> p_odom_home_;  ///< where the route ends, if that is home
+  int nearly_home_tries_ = 0;
   bool by_sight_ = false;  ///< no target of exploration
   bool backing_off_ = false;
   std::vector<Eigen::Vector2d> refused_odom_;  ///< where attempts were, at first

@@ -10,9 +10,18 @@ namespace {
 
 constexpr int kCutShortMax = 3;     // scans in a row; then what there is has to do
 constexpr double kLostPathS = 2.0;  // until driving should have its path
+constexpr double kSameM = 0.01;     // of two places that are one
 
 using Kind = ExplorationDecision::Kind;
 using Evidence = Attempt::Evidence;
+
+/// In odom, where the route of a report ends there.
+std::optional<Eigen::Vector2d> home_of(const ExplorationReport& report) {
+  if (report.decision.kind != Kind::kHome || report.route_odom.empty()) return std::nullopt;
+  const Eigen::Vector2d p_odom_goal = report.T_odom_goal.translation();
+  if ((report.route_odom.back() - p_odom_goal).norm() > kSameM) return std::nullopt;
+  return p_odom_goal;
+}
 
 }  // namespace
 
@@ -44,6 +53,11 @@ void Mission::decide(const ExplorationReport& report) {
   phase_.stub = decision.stub;
   by_sight_ = false;
   attempt_.aim_at(decision.stub, home);
+  p_odom_home_ = home_of(report);
+  if (is_nearly_home() && ++nearly_home_tries_ > params_.nearly_home_tries) {
+    end_nearly_home(decision.reason);
+    return;
+  }
   look_along(report.route_odom, decision.reason);
 }
 

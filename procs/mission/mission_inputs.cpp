@@ -13,7 +13,7 @@ void Mission::add_pose(std::int64_t utime, const Pose2& T_odom_body) {
 /// Where scan matching begins anew, so does odom, and what was planned in it is of no use.
 void Mission::add_match(const ScanMatch& match) {
   const bool drives = driving_ && driving_->kind == DrivingState::Kind::kDriving;
-  if (moves() && drives) limits_.add(match);
+  limits_.add(match, moves() && drives);
   if (match.odom_utime == odom_utime_) return;
   const bool first_heard = odom_utime_ == 0;
   odom_utime_ = match.odom_utime;

@@ -49,7 +49,31 @@ void MissionLimits::add(const VehicleState& state) {
   battery_share_ = state.battery_share;
 }
 
-void MissionLimits::add(const ScanMatch& match) {
+/// A robot that stands is not lost by what it sees, but does not know that it stands where nothing
+/// tells it.
+void MissionLimits::add(const ScanMatch& match, bool moves) {
+  if (moves) count_lost(match);
+  count_unmeasured(match);
+}
+
+/// One scan that tells all directions ends it: it was held against the same walls as those before.
+void MissionLimits::count_unmeasured(const ScanMatch& match) {
+  if (match.status != ScanMatch::Status::kMatched) return;
+  if (!leaves_open(match)) {
+    unmeasured_utime_.reset();
+    unmeasured_s_ = 0.0;
+    return;
+  }
+  if (!unmeasured_utime_) unmeasured_utime_ = match.utime;
+  unmeasured_s_ = 1e-6 * static_cast<double>(match.utime - *unmeasured_utime_);
+  if (is_unmeasured()) {
+    come_home(
+        text_of("no sensor has told for %.0f s how it moves: the walls leave a direction open",
+                unmeasured_s_));
+  }
+}
+
+void MissionLimits::count_lost(const ScanMatch& match) {
   if (match.points < kPointsMin) return;
   const bool lost = match.status == ScanMatch::Status::kLost;
   lost_share_ = kMemory * lost_share_ + (1.0 - kMemory) * (lost ? 1.0 : 0.0);

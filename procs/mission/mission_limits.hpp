@@ -26,6 +26,7 @@ struct MissionLimitsParams {
   double sinkage_max_m = 0.1;
   double lost_scans_max_share = 0.5;  ///< of the scans of some metres
   double map_sd_max_m = 5.0;          ///< of where the newest local map is
+  double unmeasured_max_s = 10.0;     ///< in which no scan and no other sensor tells a direction
 
   template <class V>
   void visit(V& v) {
@@ -39,6 +40,7 @@ struct MissionLimitsParams {
     v("sinkage_max_m", sinkage_max_m, above(0.0));
     v("lost_scans_max_share", lost_scans_max_share, above_up_to(0.0, 1.0));
     v("map_sd_max_m", map_sd_max_m, above(0.0));
+    v("unmeasured_max_s", unmeasured_max_s, above(0.0));
   }
 };
 
@@ -53,16 +55,19 @@ class MissionLimits {
   void add(const GasReading& gas);
   void add(const SinkageReading& sinkage);
   void add(const VehicleState& state);
-  /// Of scans while it moves.
-  void add(const ScanMatch& match);
+  void add(const ScanMatch& match, bool moves);
   void add(const MapCorrection& correction);
 
   /// Why it is to come home, a sentence; the first there was, for good.
   [[nodiscard]] const std::optional<std::string>& reason() const { return reason_; }
+  /// Whether it knows no more how it moves: what nothing has told for so long now.
+  [[nodiscard]] bool is_unmeasured() const { return unmeasured_s_ > params_.unmeasured_max_s; }
   /// Way that time, battery and the greatest way still allow [m].
   [[nodiscard]] double remaining_m(double elapsed_s, double travelled_m) const;
 
  private:
+  void count_lost(const ScanMatch& match);
+  void count_unmeasured(const ScanMatch& match);
   void come_home(const std::string& reason);
 
   MissionLimitsParams params_;
@@ -71,6 +76,8 @@ class MissionLimits {
   std::optional<double> battery_start_share_;
   double battery_start_m_ = 0.0;  ///< way by then
   double lost_share_ = 0.0;
+  std::optional<std::int64_t> unmeasured_utime_;  ///< since when a direction is open,
+  double unmeasured_s_ = 0.0;                     ///< and for how long
 };
 
 }  // namespace adit

@@ -22,6 +22,7 @@ void Mission::go_by_sight(const std::string& reason) {
   if (!way_.T_odom_body()) return;
   phase_.stub = -1;
   by_sight_ = true;
+  p_odom_home_.reset();
   attempt_.aim_at(-1, phase_.homeward);
   const bool reverse = lost_tries_ % 2 == 1;
   const double reach_m = reverse ? -kSightM : kSightM;
@@ -62,7 +63,9 @@ LaserId Mission::facing(const std::vector<Eigen::Vector2d>& route_odom) const {
 }
 
 PlanGoal Mission::goal() const {
-  PlanGoal goal{utime_, phase_.goal_id, goal_kind_, {}, kSightM, route_odom_};
+  const bool to_home = p_odom_home_ && !backing_off_;
+  const PlanGoal::Kind kind = to_home ? PlanGoal::Kind::kRouteTo : goal_kind_;
+  PlanGoal goal{utime_, phase_.goal_id, kind, {}, kSightM, route_odom_};
   goal.T_odom_goal = {route_odom_.back().x(), route_odom_.back().y(), 0.0};
   return goal;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the mission tries where there is no path.
 #include <algorithm>
+#include <cstdio>
 
 #include "procs/mission/mission.hpp"
 
@@ -15,6 +16,10 @@ using Evidence = Attempt::Evidence;
 }  // namespace
 
 void Mission::refuse(double reached_m, const std::string& reason, Evidence evidence) {
+  if (is_nearly_home()) {
+    refuse_nearly_home(reason);
+    return;
+  }
   if (attempt_.refusals() == 0 && way_.T_odom_body()) {
     refused_odom_.push_back(way_.T_odom_body()->translation());
   }
@@ -50,6 +55,28 @@ void Mission::refuse(double reached_m, const std::string& reason, Evidence evide
         (verdict_->doubtful ? "no way is found: " : "the way is blocked: ") + verdict_->evidence);
 }
 
+bool Mission::is_nearly_home() const {
+  if (!p_odom_home_ || !way_.T_odom_body()) return false;
+  return (way_.T_odom_body()->translation() - *p_odom_home_).norm() <= params_.nearly_home_m;
+}
+
+/// To wander about for the last decimetres is worth nothing.
+void Mission::refuse_nearly_home(const std::string& reason) {
+  if (++nearly_home_tries_ > params_.nearly_home_tries) {
+    end_nearly_home(reason);
+  } else {
+    look(phase_.laser == LaserId::kFront ? LaserId::kRear : LaserId::kFront,
+         "it is nearly home, and looks to the other side: " + reason);
+  }
+}
+
+void Mission::end_nearly_home(const std::string& reason) {
+  char where[64];
+  std::snprintf(where, sizeof where, ", %.2f m from the start, and comes no nearer: ",
+                (way_.T_odom_body()->translation() - *p_odom_home_).norm());
+  end(MissionOutcome::kHome, "the robot is at home" + (where + reason));
+}
+
 void Mission::back_off(const std::string& reason) {
   backing_off_ = true;
   route_odom_ = way_.back(std::max(1, attempt_.back_offs()) * params_.back_off_m);
@@ -74,8 +101,13 @@ bool Mission::got_on() const {
       [&](const Eigen::Vector2d& p_odom) { return (p_odom_body - p_odom).norm() > kGotOnM; });
 }
 
-/// On the way back that says nothing of what lies ahead, and it may be another place already.
+/// On the way back that says nothing of what lies ahead, and it may be another place already. Who
+/// does not know how it moves leaves it at that: it could be led anywhere, out of the mine, too.
 void Mission::drive_failed(const std::string& reason) {
+  if (limits_.is_unmeasured()) {
+    end(MissionOutcome::kStranded, "it does not know any more where it is: " + reason);
+    return;
+  }
   if (backing_off_) {
     enter(Phase::kExplore, "it looks from where it got to: " + reason);
     return;

@@ -9,6 +9,8 @@
 namespace adit {
 namespace {
 
+constexpr double kNearerM = 0.1;  // to a place; a path that gets no nearer is none
+
 Eigen::Vector2d ahead(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 std::int32_t cost_of(double metres) {
@@ -27,41 +29,66 @@ GoalField::GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose
       direction_(ahead(T_level_goal.theta)),
       distance_m_(goal.distance_m),
       least_progress_m_(std::min(params.min_progress_m, goal.distance_m)) {
-  if (kind_ == PlanGoal::Kind::kTo) {
-    const Eigen::Vector2d way = T_level_goal.translation() - p_level_body_;
-    distance_m_ = way.norm();
-    least_progress_m_ = distance_m_ - params.tolerance_m;
-    if (distance_m_ > 0.0) direction_ = way / distance_m_;
-  }
-  if (kind_ == PlanGoal::Kind::kRoute) {
+  if (kind_ == PlanGoal::Kind::kTo) approach(params.tolerance_m);
+  if (kind_ == PlanGoal::Kind::kRoute || kind_ == PlanGoal::Kind::kRouteTo) {
     const Pose2 T_level_odom = terrain.T_odom_level.inverse();
     std::vector<Eigen::Vector2d> points;
     for (const Eigen::Vector2d& p : goal.route_odom) points.emplace_back(T_level_odom * p);
-    route_ = GoalRoute(points);
-    distance_m_ = route_.length_m();
-    least_progress_m_ = std::min(params.min_progress_m, distance_m_ - params.tolerance_m);
-    is_last_leg_ = least_progress_m_ < params.min_progress_m;
+    follow(points);
   }
   ending_costs_.reserve(terrain.cells.size());
   headings_rad_.reserve(terrain.cells.size());
+  at_place_.reserve(terrain.cells.size());
   for (int row = 0; row < terrain.rows; ++row) {
     for (int column = 0; column < terrain.columns; ++column) add_cell(terrain.centre(column, row));
   }
-  if (leads_on()) add_room(room_m);
+  if (kind_ != PlanGoal::Kind::kTo && !is_last_leg_) add_room(room_m);
+}
+
+void GoalField::follow(const std::vector<Eigen::Vector2d>& points) {
+  route_ = GoalRoute(points);
+  distance_m_ = route_.length_m();
+  least_progress_m_ = std::min(params_.min_progress_m, distance_m_ - params_.tolerance_m);
+  is_last_leg_ = least_progress_m_ < params_.min_progress_m;
+  if (kind_ != PlanGoal::Kind::kRouteTo || points.empty()) return;
+  T_level_goal_ = {points.back().x(), points.back().y(), 0.0};
+  place_m_ = std::min(params_.place_m, (points.back() - p_level_body_).norm() - kNearerM);
+  if (is_last_leg_) approach(place_m_);
+}
+
+void GoalField::approach(double within_m) {
+  const Eigen::Vector2d way = T_level_goal_.translation() - p_level_body_;
+  distance_m_ = way.norm();
+  least_progress_m_ = distance_m_ - within_m;
+  if (distance_m_ > 0.0) direction_ = way / distance_m_;
+}
+
+/// The last leg to a place is not along anything: it may take turning to and fro.
+bool GoalField::has_route() const {
+  return kind_ == PlanGoal::Kind::kRoute || (kind_ == PlanGoal::Kind::kRouteTo && !is_last_leg_);
+}
+
+bool GoalField::is_at_place(const Eigen::Vector2d& p_level) const {
+  return (p_level - T_level_goal_.translation()).norm() <= place_m_ && place_m_ > 0.0;
+}
+
+bool GoalField::leads_on(const Eigen::Vector2d& p_level) const {
+  return kind_ != PlanGoal::Kind::kTo && !is_last_leg_ && !is_at_place(p_level);
 }
 
 /// Where there is little room, the way on may be shut, or only be found after going back.
 void GoalField::add_room(const std::vector<float>& room_m) {
   for (std::size_t i = 0; i < room_m.size(); ++i) {
-    if (ending_costs_[i] == kNoGoal) continue;
+    if (ending_costs_[i] == kNoGoal || at_place_[i]) continue;
     const double missing_m = std::max(0.0, params_.room_m - static_cast<double>(room_m[i]));
     ending_costs_[i] += cost_of(params_.room_factor * missing_m);
   }
 }
 
 void GoalField::add_cell(const Eigen::Vector2d& p_level) {
-  if (kind_ != PlanGoal::Kind::kRoute) progress_m_.push_back(progress(p_level));
-  if (kind_ != PlanGoal::Kind::kRoute) {
+  at_place_.push_back(is_at_place(p_level));
+  if (!has_route()) {
+    progress_m_.push_back(progress(p_level));
     ending_costs_.push_back(kind_ == PlanGoal::Kind::kAlong ? along(p_level) : to(p_level));
     headings_rad_.push_back(static_cast<float>(T_level_goal_.theta));
   } else if (route_.empty()) {
@@ -70,7 +97,7 @@ void GoalField::add_cell(const Eigen::Vector2d& p_level) {
     headings_rad_.push_back(0.0F);
   } else {
     const GoalRoute::Place place = route_.nearest(p_level);
-    ending_costs_.push_back(on_route(place));
+    ending_costs_.push_back(at_place_.back() ? to(p_level) : on_route(place));
     progress_m_.push_back(progress(place));
     headings_rad_.push_back(static_cast<float>(std::atan2(place.tangent.y(), place.tangent.x())));
   }
@@ -94,10 +121,12 @@ std::int32_t GoalField::along(const Eigen::Vector2d& p_level) const {
 
 std::int32_t GoalField::to(const Eigen::Vector2d& p_level) const {
   const double off = (p_level - T_level_goal_.translation()).norm();
-  return off > params_.tolerance_m ? kNoGoal : cost_of(off);
+  if (is_at_place(p_level)) return cost_of(params_.shortfall_factor * off);
+  return kind_ != PlanGoal::Kind::kTo || off > params_.tolerance_m ? kNoGoal : cost_of(off);
 }
 
 bool GoalField::accepts(std::size_t cell, double heading_rad) const {
+  if (at_place_[cell]) return true;
   const double off = std::abs(angle_diff(heading_rad, static_cast<double>(headings_rad_[cell])));
   if (kind_ == PlanGoal::Kind::kTo) return off <= params_.heading_tolerance_rad;
   return std::min(off, std::numbers::pi - off) <= params_.along_heading_max_rad;
@@ -105,7 +134,7 @@ bool GoalField::accepts(std::size_t cell, double heading_rad) const {
 
 double GoalField::progress(const Eigen::Vector2d& p_level) const {
   if (kind_ == PlanGoal::Kind::kAlong) return (p_level - p_level_body_).dot(direction_);
-  if (kind_ == PlanGoal::Kind::kTo) {
+  if (!has_route()) {
     return distance_m_ - (p_level - T_level_goal_.translation()).norm();
   }
   if (route_.empty()) return 0.0;
@@ -117,8 +146,7 @@ double GoalField::progress(const GoalRoute::Place& place) const {
 }
 
 Eigen::Vector2d GoalField::direction(const Eigen::Vector2d& p_level) const {
-  return kind_ == PlanGoal::Kind::kRoute && !route_.empty() ? route_.nearest(p_level).tangent
-                                                            : direction_;
+  return has_route() && !route_.empty() ? route_.nearest(p_level).tangent : direction_;
 }
 
 }  // namespace adit

@@ -21,6 +21,7 @@ struct GoalParams {
   double along_heading_max_rad = 0.8;  ///< to a corridor, of the end of a path down it, either way
   double min_progress_m = 2.5;  ///< of a path down a corridor; less is none (paper, section 3.3)
   double beside_route_max_m = 1.5;  ///< of the end of a path along a route
+  double place_m = 0.5;             ///< off the end of a route that is to be reached, at most
   double room_m = 1.5;  ///< that the end of a path should have to what is lethal, all round
   double room_factor =
       8.0;  ///< a metre less costs this many of even ground: no pockets beside walls
@@ -34,6 +35,7 @@ struct GoalParams {
     v("along_heading_max_rad", along_heading_max_rad, above(0.0));
     v("min_progress_m", min_progress_m, at_least(0.0));
     v("beside_route_max_m", beside_route_max_m, above(0.0));
+    v("place_m", place_m, above(0.0));
     v("room_m", room_m, within(0.0, 10.0));
     v("room_factor", room_factor, within(0.0, 100.0));
   }
@@ -41,7 +43,8 @@ struct GoalParams {
 
 /// The array of goals of the paper's section 3.3: what it costs to end in each cell. Down a
 /// corridor every cell that is far enough is a goal, the farthest straight down the best; along a
-/// route likewise; otherwise those within reach of a pose are.
+/// route likewise; otherwise those within reach of a pose are. Where the end of a route is to be
+/// reached, what lies round it is, too, with any heading, and the nearer the better.
 class GoalField {
  public:
   static constexpr std::int32_t kNoGoal = -1;
@@ -56,7 +59,7 @@ class GoalField {
   [[nodiscard]] std::int32_t ending_cost(std::size_t cell) const { return ending_costs_[cell]; }
   [[nodiscard]] std::size_t cells() const { return ending_costs_.size(); }
   /// Whether a search may end in a cell with this heading: nobody gets farther down a corridor by
-  /// turning across it.
+  /// turning across it. At a place that is to be reached it does not matter.
   [[nodiscard]] bool accepts(std::size_t cell, double heading_rad) const;
   /// From the robot on towards the goal [m]. Far beside a route there is none.
   [[nodiscard]] double progress(const Eigen::Vector2d& p_level) const;
@@ -65,11 +68,15 @@ class GoalField {
   /// The least that is a path [m].
   [[nodiscard]] double least_progress() const { return least_progress_m_; }
   /// Whether the way is to go on from the end of a path.
-  [[nodiscard]] bool leads_on() const { return kind_ != PlanGoal::Kind::kTo && !is_last_leg_; }
+  [[nodiscard]] bool leads_on(const Eigen::Vector2d& p_level) const;
   /// In which it goes on at a place, a unit vector.
   [[nodiscard]] Eigen::Vector2d direction(const Eigen::Vector2d& p_level) const;
 
  private:
+  void follow(const std::vector<Eigen::Vector2d>& points);
+  void approach(double within_m);
+  [[nodiscard]] bool has_route() const;
+  [[nodiscard]] bool is_at_place(const Eigen::Vector2d& p_level) const;
   [[nodiscard]] std::int32_t along(const Eigen::Vector2d& p_level) const;
   [[nodiscard]] std::int32_t to(const Eigen::Vector2d& p_level) const;
   [[nodiscard]] std::int32_t on_route(const GoalRoute::Place& place) const;
@@ -80,6 +87,7 @@ class GoalField {
   PlanGoal::Kind kind_;
   GoalParams params_;
   Pose2 T_level_goal_;
+  double place_m_ = 0.0;  ///< round the goal, where any heading will do; 0: there is no such place
   Eigen::Vector2d p_level_body_;
   Eigen::Vector2d direction_;  ///< unit vector in level
   double distance_m_;
@@ -89,6 +97,7 @@ class GoalField {
   std::vector<std::int32_t> ending_costs_;
   std::vector<double> progress_m_;   ///< of each cell
   std::vector<float> headings_rad_;  ///< in which it goes on, of each cell
+  std::vector<bool> at_place_;       ///< whether a cell is where any heading will do
 };
 
 }  // namespace adit

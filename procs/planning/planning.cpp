@@ -167,7 +167,9 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
     const Pose2 T_level_end = between(terrain.T_odom_level, answer.points.back().T_odom_body);
     answer.reached_m = goals.progress(T_level_end.translation());
     answer.reason = "A path was found.";
-    if (goals.leads_on() && goal.kind == PlanGoal::Kind::kRoute) {
+    const bool along_route =
+        goal.kind == PlanGoal::Kind::kRoute || goal.kind == PlanGoal::Kind::kRouteTo;
+    if (along_route && goals.leads_on(T_level_end.translation())) {
       end_with_room(answer, terrain, headings, lattice(CSpace::kLethal), goals);
     }
   } else if (found.gave_up) {

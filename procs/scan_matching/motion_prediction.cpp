@@ -110,10 +110,18 @@ void MotionPrediction::take_gyro(std::int64_t utime, MotionEstimate& estimate) c
   estimate.stands = estimate.stands && std::abs(*turn) <= turned_max;
 }
 
-void MotionPrediction::correct(std::int64_t utime, const Pose2& T_odom_body, bool matched) {
+/// So that many short steps without a measurement lead no farther than one long one.
+void MotionPrediction::let_speed_die_away(double dt_s) {
+  speed_body_.head<2>() *= std::exp(-dt_s / params_.speed_memory_s);
+  speed_body_.z() *= std::exp(-dt_s / params_.turn_memory_s);
+}
+
+void MotionPrediction::correct(std::int64_t utime, const Pose2& T_odom_body, bool measured) {
+  if (utime_ && !measured) let_speed_die_away(seconds(utime - *utime_));
   utime_ = utime;
   T_odom_body_ = T_odom_body;
-  if (!matched || !speed_utime_) {
+  if (!measured && speed_utime_) return;
+  if (!speed_utime_) {
     speed_utime_ = utime;
     T_odom_speed_ = T_odom_body;
     return;

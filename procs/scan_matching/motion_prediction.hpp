@@ -82,14 +82,16 @@ class MotionPrediction {
   /// Expected pose at `utime`, from the last pose given to `correct`.
   [[nodiscard]] MotionEstimate predict(std::int64_t utime) const;
 
-  /// The pose at `utime` is now known; `matched`: from a match, so that its speed means something.
-  void correct(std::int64_t utime, const Pose2& T_odom_body, bool matched);
+  /// The pose at `utime` is now known; `measured`: in all directions, by a match or a sensor, so
+  /// that its speed means something. What was predicted in part only lets the last speed die away.
+  void correct(std::int64_t utime, const Pose2& T_odom_body, bool measured);
 
  private:
   void take_odometry(std::int64_t utime, MotionEstimate& estimate) const;
   void take_gyro(std::int64_t utime, MotionEstimate& estimate) const;
   [[nodiscard]] std::optional<double> gyro_turn(std::int64_t from, std::int64_t to) const;
   [[nodiscard]] Pose2 step_at_last_speed(double dt_s) const;
+  void let_speed_die_away(double dt_s);
 
   MotionPredictionParams params_;
   WheelTrack wheels_;

@@ -106,7 +106,7 @@ void ScanMatching::believe(const PoseCandidate& best, const MotionEstimate& expe
 
 void ScanMatching::advance(Sighting sighting, const ScanMatch& match) {
   const bool lost = match.status == ScanMatch::Status::kLost;
-  motion_.correct(match.utime, match.T_odom_body, !lost);
+  motion_.correct(match.utime, match.T_odom_body, !lost && !leaves_open(match));
   T_odom_body_ = match.T_odom_body;
   utime_ = match.utime;
   count_way();

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/scan_matching/scan_matching_node.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "common/bus/channels.hpp"
@@ -20,16 +19,11 @@ namespace {
 constexpr std::size_t kScansWaiting = 100;     // more than a second of an LMS-200 at 75 Hz
 constexpr std::size_t kReadingsWaiting = 500;  // as much of odometry and IMU
 
-bool open_direction(const ScanMatch& match) {
-  return std::any_of(match.degenerate.begin(), match.degenerate.end(),
-                     [](const auto& d) { return d.fill == DegenerateDirection::Fill::kNone; });
-}
-
 Health health_of(const ScanMatch& match) {
   if (match.status == ScanMatch::Status::kLost) {
     return {Health::Level::kDegraded, "the last scan matched nothing"};
   }
-  if (open_direction(match)) {
+  if (leaves_open(match)) {
     return {Health::Level::kDegraded, "motion is not observed in every direction"};
   }
   return {};

@@ -3,12 +3,9 @@
 // exploration_table MINES..: explores simulated mines without physics by several rules, as a table
 // in Markdown. A mine is a name, or random:SEED.
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,70 +27,12 @@ constexpr double kBudgetBaseM = 100.0;  // however small the mine
 
 struct Options {
   std::vector<std::string> mines;
-  std::vector<std::string> rules{"ours", "nearest", "right_hand", "random"};
+  std::vector<std::string> rules{"tour", "nearest", "right_hand", "random"};
   double budget_factor = 2.5;
   double bend_m = 0.0;
   std::filesystem::path config;   // section `exploration`; empty: defaults
   std::filesystem::path picture;  // of the last mine and rule; empty: none
 };
-
-int nearest(const std::vector<StubOffer>& offers) {
-  return std::min_element(offers.begin(), offers.end(),
-                          [](const StubOffer& a, const StubOffer& b) { return a.way_m < b.way_m; })
-      ->stub;
-}
-
-/// The rightmost of those nearby, seen from the robot; where there is none, the nearest of all.
-int rightmost(const Exploration& exploration, const ExplorationState& state,
-              const std::vector<StubOffer>& offers) {
-  constexpr double kNearM = 15.0;
-  int best = nearest(offers);
-  double least = 1e9;
-  for (const StubOffer& offer : offers) {
-    if (offer.way_m > kNearM) continue;
-    const Eigen::Vector2d p = state.T_map_body.inverse() *
-                              exploration.stubs()[static_cast<std::size_t>(offer.stub)].p_map;
-    const double bearing = std::atan2(p.y(), p.x());  // from behind by the right to the left
-    if (bearing >= least) continue;
-    least = bearing;
-    best = offer.stub;
-  }
-  return best;
-}
-
-/// Keeps to what was chosen while it is there, against pacing back and forth.
-std::optional<int> kept(int target, const std::vector<StubOffer>& offers) {
-  for (const StubOffer& offer : offers) {
-    if (offer.stub == target) return target;
-  }
-  return std::nullopt;
-}
-
-/// A sequence of numbers that is the same each time.
-class Chance {
- public:
-  std::size_t below(std::size_t n) {
-    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
-    return (state_ >> 33U) % n;
-  }
-
- private:
-  std::uint64_t state_ = 42;
-};
-
-void set_rule(const std::string& rule, Exploration& exploration) {
-  if (rule == "ours") return;
-  exploration.use_rule([rule, &exploration, chance = Chance()](
-                           const ExplorationState& state,
-                           const std::vector<StubOffer>& offers) mutable -> std::optional<int> {
-    if (offers.empty()) return std::nullopt;
-    if (rule == "nearest") return nearest(offers);
-    const auto target = kept(exploration.report().decision.stub, offers);
-    if (target) return target;
-    if (rule == "right_hand") return rightmost(exploration, state, offers);
-    return offers[chance.below(offers.size())].stub;
-  });
-}
 
 World world_of(const std::string& mine) {
   const std::string prefix = "random:";
@@ -130,8 +69,8 @@ void print_table(const Options& options) {
     const test::LightMine light = test::light_mine(world_of(mine));
     const double budget_m = options.budget_factor * light.corridor_m() + kBudgetBaseM;
     for (const std::string& rule : options.rules) {
+      params.choice.rule = rule;
       Exploration exploration(params);
-      set_rule(rule, exploration);
       const auto run = test::run_exploration(light, exploration, budget_m, options.bend_m);
       print_row(mine, rule, light.corridor_m(), budget_m, run);
       if (options.picture.empty()) continue;
@@ -147,7 +86,7 @@ int main(int argc, char** argv) try {
   CLI::App app("Explores simulated mines without physics, as a table in Markdown");
   adit::Options options;
   app.add_option("MINES", options.mines, "Worlds by name, or random:SEED")->required();
-  app.add_option("--rules", options.rules, "ours, nearest, right_hand, random");
+  app.add_option("--rules", options.rules, "tour, which is ours, nearest, right_hand, random");
   app.add_option("--budget", options.budget_factor, "Way per metre of corridor that is reachable");
   app.add_option("--bend", options.bend_m, "By which the map is wrong [m]");
   app.add_option("--config", options.config, "YAML file with a section exploration");

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole missions in small random mines, by the truth.
 #include <filesystem>
+#include <fstream>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sim/world/build_world.hpp"
@@ -27,9 +29,11 @@ WorldChoice small_mine(int seed, const std::string& topology) {
 
 class AMissionInAMine : public testing::Test {
  protected:
-  std::filesystem::path run(const WorldChoice& world, const std::string& name, double time_max_s) {
+  std::filesystem::path run(const WorldChoice& world, const std::string& name, double time_max_s,
+                            const std::filesystem::path& config = {}) {
     MissionRunOptions options;
     options.world = world;
+    options.config = config;
     options.folder = scratch_ / name;
     options.time_max_s = time_max_s;
     run_mission(options);
@@ -53,6 +57,21 @@ TEST_F(AMissionInAMine, ComesHomeFromABranchingMine) { expect_success(small_mine
 
 TEST_F(AMissionInAMine, ComesHomeFromParallelEntries) {
   expect_success(small_mine(5, "parallel_entries"));
+}
+
+/// The rear laser loses sight of the entrance after 44 m; from there on the walls tell nothing.
+TEST_F(AMissionInAMine, TurnsAroundInASmoothDriftWithoutWheelOdometryAndGyro) {
+  const auto config = scratch_ / "blind.yaml";
+  std::ofstream(config) << "sim: {wheel_odometry: {present: false}, imu: {present: false}}\n";
+  WorldChoice straight;
+  straight.name = "straight";
+  const auto log = test::read_mission(run(straight, "straight", 220.0, config));
+  const test::MissionScore score = test::MissionTruth(build_world(describe(straight))).score(log);
+  ASSERT_FALSE(log.phases.empty());
+  EXPECT_TRUE(log.phases.back().homeward);
+  EXPECT_THAT(log.phases.back().homeward_reason, testing::HasSubstr("how it moves"));
+  EXPECT_GT(score.farthest_m, 40.0);
+  EXPECT_LT(score.farthest_m, 44.0 + 10.0 * 0.5);  // the greatest speed, for ten seconds
 }
 
 TEST_F(AMissionInAMine, GivesTheSameLogTwice) {

@@ -62,6 +62,9 @@ TEST(NavigationMessages, GoThereAndBack) {
     EXPECT_EQ(*over_the_wire(request), request);
   }
   EXPECT_EQ(*over_the_wire(goal(kUtime)), goal(kUtime));
+  const PlanGoal home{
+      kUtime, 4, PlanGoal::Kind::kRouteTo, {20.0, -3.0, 0.1}, 12.0, {{12.0, -3.0}, {20.0, -3.0}}};
+  EXPECT_EQ(*over_the_wire(home), home);
   EXPECT_EQ(*over_the_wire(found()), found());
   EXPECT_EQ(*over_the_wire(blocked(3)), blocked(3));
   EXPECT_EQ(*over_the_wire(driving()), driving());
@@ -91,7 +94,7 @@ TEST(PlanGoalMessage, IsRefusedWhereItLeadsNowhere) {
   const auto refusal = [](const std::function<void(Message&)>& change) {
     return refusal_after<Message>(goal(kUtime), change);
   };
-  EXPECT_EQ(refusal([](Message& m) { m.kind = 4; }), "unknown kind");
+  EXPECT_EQ(refusal([](Message& m) { m.kind = 5; }), "unknown kind");
   EXPECT_EQ(refusal([](Message& m) { m.kind = 2; }), "route that is none");
   EXPECT_EQ(refusal([](Message& m) {
               m.route_odom = {{1.0, kNaN}};

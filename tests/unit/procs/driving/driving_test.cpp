@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -50,6 +52,14 @@ class ObedientVehicle : public testing::Test {
     state.stopped = true;
     driving_.add_state(state);
     return driving_.drive(utime_);
+  }
+
+  void match(ScanMatch::Status status, std::vector<DegenerateDirection> degenerate = {}) {
+    ScanMatch match;
+    match.utime = utime_;
+    match.status = status;
+    match.degenerate = std::move(degenerate);
+    driving_.add_match(match);
   }
 
   void step_for(double seconds, bool with_pose = true) {
@@ -144,15 +154,42 @@ TEST_F(ObedientVehicle, WaitsForPosesAndGoesOnByItself) {
 TEST_F(ObedientVehicle, WaitsWhileScanMatchingIsLostForLong) {
   driving_.follow(straight());
   step_for(3.0);
-  driving_.add_match(utime_, ScanMatch::Status::kLost);
+  match(ScanMatch::Status::kLost);
   step_for(0.5);
   EXPECT_EQ(driving_.state().kind, Kind::kDriving);
-  driving_.add_match(utime_, ScanMatch::Status::kLost);  // still
+  match(ScanMatch::Status::kLost);  // still
   expect_standing(Kind::kWaiting, "scan matching is lost");
-  driving_.add_match(utime_, ScanMatch::Status::kRefused);  // says nothing
+  match(ScanMatch::Status::kRefused);  // says nothing
   expect_standing(Kind::kWaiting, "scan matching is lost");
-  driving_.add_match(utime_, ScanMatch::Status::kMatched);
+  match(ScanMatch::Status::kMatched);
   EXPECT_EQ(step().state.kind, Kind::kDriving);
+}
+
+/// In a smooth drift without wheels the pose says that it stands, and the path never ends.
+TEST_F(ObedientVehicle, GivesUpWhereNothingTellsHowItMoves) {
+  using Fill = DegenerateDirection::Fill;
+  const DegenerateDirection filled{Eigen::Vector3d::UnitX(), Fill::kOdometry};
+  const DegenerateDirection open{Eigen::Vector3d::UnitX(), Fill::kNone};
+  driving_.follow(straight());
+  step_for(3.0);
+  double way_m = 0.0;
+  const auto drive = [&](int steps) {
+    for (int i = 0; i < steps && driving_.state().kind == Kind::kDriving; ++i) {
+      const Pose2 T_odom_believed = T_odom_body_;
+      way_m += step().command.speed_m_s * 0.05;
+      T_odom_body_ = T_odom_believed;
+    }
+  };
+  match(ScanMatch::Status::kMatched, {filled});
+  drive(400);
+  EXPECT_GT(way_m, 7.0);  // 20 s at 0.4 m/s
+  EXPECT_EQ(driving_.state().kind, Kind::kDriving);
+  way_m = 0.0;
+  match(ScanMatch::Status::kMatched, {open});
+  drive(1200);
+  EXPECT_EQ(driving_.state().kind, Kind::kFailed);
+  EXPECT_NE(driving_.state().reason.find("how it moves"), std::string::npos);
+  EXPECT_NEAR(way_m, params_.unmeasured_max_m, 0.05);  // some steps
 }
 
 TEST_F(ObedientVehicle, StandsBesideItsPathUntilANewOneComes) {
@@ -242,7 +279,7 @@ TEST_F(ObedientVehicle, DoesNotCreepWhereItDoesNotKnowWhereItIs) {
   driving_.follow(straight());
   step_for(5.0);
   step_held();
-  driving_.add_match(utime_, ScanMatch::Status::kLost);
+  match(ScanMatch::Status::kLost);
   for (int i = 0; i < 11; ++i) step_held();
   const DriveOutput output = step_held();
   EXPECT_EQ(output.state.reason, "scan matching is lost");

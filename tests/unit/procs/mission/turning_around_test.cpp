@@ -51,6 +51,51 @@ TEST_F(AMissionUnderWay, TurnsAroundWhereTheMapIsVague) {
   expect_homeward("only known to 6.0 m");
 }
 
+/// The rear laser, which sees more than smooth walls, speaks in between for so long.
+TEST_F(AMissionUnderWay, TurnsAroundWhereNothingTellsHowItMoves) {
+  ScanMatch measured;
+  measured.status = ScanMatch::Status::kMatched;
+  ScanMatch open = measured;
+  open.degenerate = {{Eigen::Vector3d::UnitX(), DegenerateDirection::Fill::kNone}};
+  to_execute();
+  const auto look = [&](const ScanMatch& match) {
+    tick();
+    mission_.add_match(match);
+  };
+  for (int i = 0; i < 300; ++i) {
+    open.utime = measured.utime = utime_;
+    look(i % 2 == 0 ? open : measured);
+  }
+  EXPECT_FALSE(phase().homeward);
+  const std::int64_t since_utime = utime_;
+  while (!phase().homeward && utime_ < since_utime + 20'000'000) {
+    open.utime = utime_;
+    look(open);
+  }
+  EXPECT_NEAR(1e-6 * static_cast<double>(utime_ - since_utime), 10.0, 0.35);  // ticks of 0.1 s
+  expect_homeward("how it moves");
+  // A drive that fails for that on the way back is the last.
+  to_execute();
+  driving(DrivingState::Kind::kFailed, "no sensor has told for 5.0 m how it moves");
+  tick();
+  ASSERT_EQ(now(), Phase::kEnded);
+  EXPECT_EQ(phase().outcome, MissionOutcome::kStranded);
+  EXPECT_THAT(phase().reason, HasSubstr("does not know any more where it is"));
+}
+
+TEST_F(AMissionUnderWay, GoesOnWhereWheelsTellHowItMoves) {
+  ScanMatch filled;
+  filled.status = ScanMatch::Status::kMatched;
+  filled.degenerate = {{Eigen::Vector3d::UnitX(), DegenerateDirection::Fill::kOdometry}};
+  to_execute();
+  for (int i = 0; i < 300; ++i) {
+    filled.utime = utime_;
+    mission_.add_match(filled);
+    tick();
+  }
+  EXPECT_FALSE(phase().homeward);
+}
+
 TEST_F(AMissionUnderWay, DoesNotTurnAroundWhereALaserLooksIntoTheOpen) {
   ScanMatch open;
   open.status = ScanMatch::Status::kLost;

@@ -65,11 +65,18 @@ TerrainMap crossing(bool both_sides) {
   return terrain;
 }
 
-PlannedPath plan_along(const TerrainMap& terrain, const Places& route) {
+PlannedPath plan_along(const TerrainMap& terrain, const Places& route,
+                       PlanGoal::Kind kind = PlanGoal::Kind::kRoute, double heading_rad = 0.0) {
   PlanGoal goal;
-  goal.kind = PlanGoal::Kind::kRoute;
+  goal.kind = kind;
   goal.route_odom = route;
-  return Planning(PlanningParams{}).plan(terrain, goal, {});
+  const Pose2 T_odom_body{route.front().x(), route.front().y(), heading_rad};
+  return Planning(PlanningParams{}).plan(terrain, goal, T_odom_body);
+}
+
+/// To the end of the route, which is home, from where it begins.
+PlannedPath plan_home(const TerrainMap& terrain, const Places& route, double heading_rad = 0.0) {
+  return plan_along(terrain, route, PlanGoal::Kind::kRouteTo, heading_rad);
 }
 
 void expect_end(const PlannedPath& path, const Eigen::Vector2d& p_odom, double within_m) {
@@ -101,6 +108,59 @@ TEST(PlanningAlongARoute, SaysThatItIsBlockedBeforeAWall) {
   const PlannedPath path = plan_along(terrain, {{0, 0}, {8, 0}});
   EXPECT_EQ(path.outcome, PlanOutcome::kBlocked);
   EXPECT_LE(path.reached_m, 3.0 - 1.2 + 0.1);  // half a vehicle before it, and a cell
+}
+
+/// The diagonal of half a cell, and a quarter of it that a way of 0.1 m more would not pay for.
+constexpr double kMetM = 0.1;
+
+TEST(PlanningToTheEndOfARoute, MeetsItFromAnyDistanceForwardsAndBackwards) {
+  for (const double heading_rad : {0.0, 3.1}) {
+    for (const double length_m : {1.0, 2.0, 4.0, 8.0}) {
+      expect_end(plan_home(crossing(true), {{0, 0}, {length_m, 0}}, heading_rad), {length_m, 0},
+                 kMetM);
+    }
+  }
+}
+
+/// Along a route it may end beside the line, and 1.5 m before a wall.
+TEST(PlanningToTheEndOfARoute, MeetsItBesideTheMiddleOfADriftAndBeforeAWall) {
+  TerrainMap terrain = crossing(true);
+  paint_box(terrain, obstacle_cell(2.0), {8.0, -2.0}, {8.5, 2.0});
+  expect_end(plan_home(terrain, {{0, 0}, {6.0, 0.3}}), {6.0, 0.3}, kMetM);
+}
+
+TEST(PlanningToTheEndOfARoute, GoesToAndFroWhereItStandsBesideIt) {
+  const PlannedPath path = plan_home(crossing(true), {{0, 0.45}, {0, 0}});
+  expect_end(path, {0, 0}, 0.35);  // 0.1 m nearer at least
+  bool forwards = false;
+  bool backwards = false;
+  for (const PathPoint& point : path.points) (point.reverse ? backwards : forwards) = true;
+  EXPECT_TRUE(forwards && backwards);
+}
+
+TEST(PlanningToTheEndOfARoute, ComesAsNearAsWhatStandsThereLetsIt) {
+  TerrainMap terrain = crossing(true);
+  paint_box(terrain, obstacle_cell(2.0), {6.1, -2.0}, {6.4, 2.0});
+  // Half its length from the obstacle, less a margin: 0.3 m short of the end at least.
+  const PlannedPath path = plan_home(terrain, {{0, 0}, {5.2, 0}});
+  expect_end(path, {5.2, 0}, 0.5);
+  EXPECT_LT(path.points.back().T_odom_body.x, 6.1 - 1.2 + 0.05);  // half a cell
+}
+
+TEST(PlanningToTheEndOfARoute, SaysWhereItComesNoNearer) {
+  TerrainMap terrain = crossing(true);
+  paint_box(terrain, obstacle_cell(2.0), {1.25, -2.0}, {1.6, 2.0});
+  EXPECT_NE(plan_home(terrain, {{0, 0}, {0.4, 0}}).outcome, PlanOutcome::kFound);
+  EXPECT_NE(plan_home(terrain, {{0, 0}, {0, 0}}).outcome, PlanOutcome::kFound);
+}
+
+TEST(PlanningToTheEndOfARoute, GoesAsFarAsItCanWhereTheEndIsNotSeenYet) {
+  TerrainMap terrain = crossing(true);
+  paint_box(terrain, unseen_cell(Ground::kShadow), {6.0, -2.0}, {10.0, 2.0});
+  const PlannedPath path = plan_home(terrain, {{0, 0}, {8.0, 0}});
+  ASSERT_EQ(path.outcome, PlanOutcome::kFound);
+  EXPECT_GT(path.reached_m, 2.5);  // min_progress_m
+  EXPECT_LT(path.reached_m, 6.0);
 }
 
 }  // namespace

@@ -97,6 +97,28 @@ TEST(MotionPrediction, GoesOnAtTheLastSpeedWithoutSensors) {
   EXPECT_LE(x, 1.0);
 }
 
+/// In a drift that tells nothing of the way along it, scan after scan is where the prediction is.
+TEST(MotionPrediction, GoesNoFartherWithoutMeasurementsHoweverManyScansCome) {
+  const MotionPredictionParams params;
+  constexpr double kSpeedM_s = 0.4;
+  constexpr double kOpenS = 20.0;
+  const double memory_s = params.speed_memory_s;
+  // The integral of a speed that dies away exponentially.
+  const double expected_m = kSpeedM_s * memory_s * (1.0 - std::exp(-kOpenS / memory_s));
+  for (const int scans : {20, 100, 1500}) {
+    MotionPrediction motion{params};
+    motion.correct(kStart, {}, true);
+    motion.correct(kStart + kSecond, {kSpeedM_s, 0.0, 0.0}, true);
+    Pose2 T_odom_body{kSpeedM_s, 0.0, 0.0};
+    for (int i = 1; i <= scans; ++i) {
+      const std::int64_t utime = kStart + kSecond + i * 20 * kSecond / scans;
+      T_odom_body = motion.predict(utime).prior.T_odom_body;
+      motion.correct(utime, T_odom_body, false);
+    }
+    EXPECT_NEAR(T_odom_body.x - kSpeedM_s, expected_m, 1e-3) << scans;  // whole microseconds
+  }
+}
+
 TEST(MotionPrediction, TakesNoSpeedFromStampsThatNearlyCoincide) {
   MotionPrediction motion{MotionPredictionParams{}};
   motion.correct(kStart, {}, true);

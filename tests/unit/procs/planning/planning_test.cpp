@@ -193,6 +193,45 @@ TEST(Planning, TellsWhatIsBlockedFromWhatIsNotSeen) {
   EXPECT_EQ(plan(both).outcome, PlanOutcome::kBlocked);
 }
 
+TEST(Planning, DoesNotCallBlockedWhatMarginsAloneRefuse) {
+  const auto with_gap = [](double gap_m) {
+    TerrainMap terrain = corridor_with(obstacle_cell(1.0), {3.0, gap_m / 2.0}, {4.0, 2.0});
+    paint_box(terrain, obstacle_cell(1.0), {3.0, -2.0}, {4.0, -gap_m / 2.0});
+    return plan(terrain);
+  };
+  // 1.2 m wide, with slack for the sweep, but in cells of 0.1 m. Obstacles as wide as the terrain
+  // makes them, by 0.1 to 0.2 m to each side.
+  EXPECT_EQ(with_gap(1.6).outcome, PlanOutcome::kFound);
+  const PlannedPath tight = with_gap(1.1);
+  EXPECT_EQ(tight.outcome, PlanOutcome::kUnknown);
+  EXPECT_THAT(tight.reason, testing::HasSubstr("may just fit"));
+  EXPECT_EQ(with_gap(0.7).outcome, PlanOutcome::kBlocked);
+
+  const auto below = [](double roof_m) {
+    return plan(corridor_with(roofed_cell(roof_m), {2.5, -2.0}, {5.5, 2.0})).outcome;
+  };
+  EXPECT_EQ(below(1.2), PlanOutcome::kFound);
+  EXPECT_EQ(below(1.05), PlanOutcome::kUnknown);
+  EXPECT_EQ(below(0.95), PlanOutcome::kBlocked);
+}
+
+TEST(Planning, CallsBlockedByADropOnlyWhatBeamsReachedInto) {
+  const auto over = [](double beams_m) {
+    TerrainCell cell = unseen_cell(Ground::kBelowRay);
+    cell.low_m = static_cast<float>(beams_m);
+    return plan(corridor_with(cell, {2.5, -2.0}, {3.5, 2.0})).outcome;
+  };
+  EXPECT_EQ(over(0.08), PlanOutcome::kUnknown);   // the height of a rail
+  EXPECT_EQ(over(-0.15), PlanOutcome::kUnknown);  // wheels climb 0.2 m
+  EXPECT_EQ(over(-0.25), PlanOutcome::kBlocked);
+}
+
+TEST(Planning, TakesNoPocketInAWallForAWayThrough) {
+  // A smaller robot gets 0.2 m nearer to the wall, with which it has come 2.5 m.
+  EXPECT_EQ(plan(corridor_with(obstacle_cell(1.0), {3.6, -2.0}, {3.9, 2.0})).outcome,
+            PlanOutcome::kBlocked);
+}
+
 TEST(Planning, TakesLessThanTwoAndAHalfMetresForNoPath) {
   const auto end_at = [](double x) {
     return plan(corridor_with(obstacle_cell(1.0), {x, -2.0}, {x + 0.3, 2.0}));

@@ -178,6 +178,10 @@ TEST(Planning, TellsWhatIsInTheWay) {
   EXPECT_THAT(
       across(roofed_cell(0.8)).blocking,
       testing::Contains(testing::Field(&BlockingCell::height_m, testing::DoubleNear(0.8, 1e-6))));
+  TerrainCell wall = obstacle_cell(0.9);
+  wall.clearance_m = 1.05F;
+  EXPECT_GT(count(across(wall), Reason::kBelly), 10);
+  EXPECT_EQ(count(across(wall), Reason::kRoof), 0);
   EXPECT_GT(count(across(unseen_cell(Ground::kNoReturn)), Reason::kWater), 10);
   EXPECT_GT(count(across(unseen_cell(Ground::kBelowRay)), Reason::kDrop), 10);
   EXPECT_GT(count(across(obstacle_cell(0.22)), Reason::kStep), 10);

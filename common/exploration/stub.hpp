@@ -40,9 +40,9 @@ inline bool is_to_visit(StubState state) {
   return state == StubState::kOpen || state == StubState::kBeyondBudget;
 }
 
-/// Whether it is known that nothing is left to be done there.
+/// Whether it is known that nothing is left to be done there. What is unseeable is not known.
 inline bool is_closed(StubState state) {
-  return !is_to_visit(state) && state != StubState::kDoubtful;
+  return !is_to_visit(state) && state != StubState::kDoubtful && state != StubState::kUnseeable;
 }
 
 }  // namespace adit

@@ -26,7 +26,7 @@ struct TerrainCell {
   Ground ground = Ground::kNeverSeen;
   std::uint16_t count = 0;  ///< points it rests on; 0 where it lies between beams that met ground
   float low_m = 0.0F;       ///< of the ground
-  float high_m = 0.0F;      ///< highest within vehicle height and margin above `low_m`
+  float high_m = 0.0F;      ///< highest within the height of the vehicle above `low_m`
   float coefficient_m = 0.0F;  ///< navigational coefficient, high_m − low_m: how hard it is to pass
   float clearance_m = 0.0F;    ///< from `low_m` to the roof; infinite where none is seen
   float slope_rad = 0.0F;      ///< of a plane through the ground around

@@ -94,7 +94,7 @@ StubState state_behind(Barrier::Kind barrier) {
 
 std::string why_not_closed(const Stub& stub) {
   if (stub.state == StubState::kBeyondBudget) return " is beyond the budget: " + stub.evidence;
-  if (stub.state != StubState::kDoubtful) return " is open";
+  if (is_to_visit(stub.state)) return " is open";
   return " was given up, but nobody saw that it is blocked: " + stub.evidence;
 }
 

@@ -108,8 +108,9 @@ std::optional<Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehi
       break;
   }
   if (std::isnan(cell.coefficient_m)) return Reason::kUnknown;
-  if (cell.clearance_m < vehicle.height_m + limits.roof_margin_m) return Reason::kRoof;
+  // A wall goes on above the vehicle, and is no roof.
   if (cell.coefficient_m > vehicle.belly_clearance_m - limits.belly_margin_m) return Reason::kBelly;
+  if (cell.clearance_m < vehicle.height_m + limits.roof_margin_m) return Reason::kRoof;
   const double step = std::fmax(cell.coefficient_m, cell.step_m);  // of which one may be unknown
   if (step > vehicle.step_max_m - limits.step_margin_m) return Reason::kStep;
   if (cell.slope_rad > limits.slope_max_rad) return Reason::kSlope;

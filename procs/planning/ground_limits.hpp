@@ -10,7 +10,7 @@ namespace adit {
 struct GroundLimits {
   double step_margin_m = 0.03;       ///< below Vehicle::step_max_m that a wheel is led over
   double belly_margin_m = 0.03;      ///< below Vehicle::belly_clearance_m
-  double roof_margin_m = 0.1;        ///< above Vehicle::height_m
+  double roof_margin_m = 0.15;       ///< above Vehicle::height_m: a wheel on a rail lifts a corner
   double slope_max_rad = 0.35;       ///< of ground under the wheels
   double unseen_roughness = 0.5;     ///< of ground that was not seen, 0 (even) to 1 (at the limit)
   double blind_beside_m = 0.4;       ///< the robot, unseen: its tail swings by 0.3 m at most

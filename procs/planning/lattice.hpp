@@ -30,6 +30,7 @@ struct Lattice {
   std::uint16_t refused =
       CSpace::kUnseen;                    ///< costs from here on; or kLethal: unseen ground is not
   const CloseLook* close_look = nullptr;  ///< without it, what is close is refused
+  bool close_is_free = false;             ///< or is not, whatever it meets
 
   static constexpr std::int32_t kBlocked = -1;
 
@@ -70,7 +71,7 @@ struct Lattice {
     return space.slice(pose.heading)[space.index(pose.column, pose.row)];
   }
   [[nodiscard]] bool allows(std::uint16_t cost) const {
-    return cost < refused && (close_look != nullptr || !CSpace::is_close(cost));
+    return cost < refused && (close_is_free || close_look != nullptr || !CSpace::is_close(cost));
   }
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/planning/planning.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -12,12 +13,15 @@
 #include "procs/planning/path_end.hpp"
 #include "procs/planning/path_points.hpp"
 #include "procs/planning/reachable.hpp"
+#include "procs/planning/seen_drops.hpp"
 #include "procs/planning/start_pose.hpp"
 
 namespace adit {
 namespace {
 
 constexpr double kUsualCellM = 0.1;
+// Beyond what is in the way. A smaller robot gets nearer to a wall, but not through it.
+constexpr double kThroughM = 1.0;
 
 void check(const TerrainMap& terrain) {
   const bool sized = terrain.columns > 0 && terrain.rows > 0 && terrain.cell_m > 0.0 &&
@@ -82,6 +86,11 @@ PlannedPath start_blocked(const LatticePose& start, const Lattice& lattice,
   answer.blocking = blocking_cells(start, lattice, grounds);
   answer.reason = "The robot cannot stand where it is: " + most_of(answer.blocking) + ".";
   return answer;
+}
+
+GroundLimits without_margins(GroundLimits limits) {
+  limits.step_margin_m = limits.belly_margin_m = limits.roof_margin_m = 0.0;
+  return limits;
 }
 
 bool is_behind(const GoalField& goals, const Pose2& T_level_body) {
@@ -176,15 +185,15 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
     answer.outcome = PlanOutcome::kGaveUp;
     answer.reason = "The search was cut off by its limit.";
   } else {
-    answer = no_path(terrain, start, goals);
+    answer = no_path(terrain, T_level_body, start, goals);
   }
   answer.utime = terrain.utime;
   answer.id = goal.id;
   return answer;
 }
 
-PlannedPath Planning::no_path(const TerrainMap& terrain, const LatticePose& start,
-                              const GoalField& goals) {
+PlannedPath Planning::no_path(const TerrainMap& terrain, const Pose2& T_level_body,
+                              const LatticePose& start, const GoalField& goals) {
   const Lattice free = lattice(CSpace::kUnseen);
   const Grounds grounds{terrain, ground_->layers, *kernels_, params_.vehicle,
                         params_.c_space.ground};
@@ -194,12 +203,30 @@ PlannedPath Planning::no_path(const TerrainMap& terrain, const LatticePose& star
   const double least = goals.least_progress();
   const Reachable seen_or_not = reachable(lattice(CSpace::kLethal), start, goals, least);
   PlannedPath answer;
-  answer.outcome = seen_or_not.progress_m >= least ? PlanOutcome::kUnknown : PlanOutcome::kBlocked;
+  const bool unseen = seen_or_not.progress_m >= least;
+  const bool just_fits =
+      !unseen && may_just_fit(terrain, T_level_body, start, goals,
+                              std::max(least, seen_or_not.progress_m + kThroughM));
+  answer.outcome = unseen || just_fits ? PlanOutcome::kUnknown : PlanOutcome::kBlocked;
   answer.reached_m = region.progress_m;
   answer.blocking = blocking_cells(region, free, goals, grounds);
-  answer.reason =
-      "No path: " + most_of(answer.blocking) + " is in the way " + after(region.progress_m) + ".";
+  answer.reason = "No path: " + most_of(answer.blocking) + " is in the way " +
+                  after(region.progress_m) + (just_fits ? ", but the robot may just fit." : ".");
   return answer;
+}
+
+/// Margins are there to drive safely, and cells and the regions of the terrain take away as much
+/// again. What is in the way by these alone, or by drops that nobody saw, does not show that there
+/// is no way.
+bool Planning::may_just_fit(const TerrainMap& terrain, const Pose2& T_level_body,
+                            const LatticePose& start, const GoalField& goals,
+                            double enough_m) const {
+  const GroundLimits limits = without_margins(params_.c_space.ground);
+  const TerrainMap seen = with_seen_drops(terrain, params_.vehicle.step_max_m);
+  const CSpace space =
+      kernels_->convolve(ground_layers(seen, T_level_body, params_.vehicle, limits));
+  const Lattice less_a_cell{space, primitives(), CSpace::kLethal, nullptr, true};
+  return reachable(less_a_cell, start, goals, enough_m).progress_m >= enough_m;
 }
 
 }  // namespace adit

@@ -73,7 +73,11 @@ class Planning {
   [[nodiscard]] const MotionPrimitives& primitives() const;
   [[nodiscard]] Lattice lattice(std::uint16_t refused) const;
   [[nodiscard]] bool stands(const LatticePose& pose) const;
-  PlannedPath no_path(const TerrainMap& terrain, const LatticePose& start, const GoalField& goals);
+  PlannedPath no_path(const TerrainMap& terrain, const Pose2& T_level_body,
+                      const LatticePose& start, const GoalField& goals);
+  [[nodiscard]] bool may_just_fit(const TerrainMap& terrain, const Pose2& T_level_body,
+                                  const LatticePose& start, const GoalField& goals,
+                                  double enough_m) const;
 
   PlanningParams params_;
   std::optional<CSpaceKernels> kernels_;

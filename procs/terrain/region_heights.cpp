@@ -84,14 +84,18 @@ RegionHeights::Above RegionHeights::above(int column, int row, float ground_m) c
   const float limit = ground_m + headroom_m_;
   Above above{ground_m, kInfinity, 0};
   Least highest;  // of the heights turned upside down
+  Least roof;
+  std::uint32_t roof_count = 0;
   visit(column, row, [&](float z) {
     if (z <= limit) {
       highest.add(-z);
       ++above.count;
     } else {
-      above.roof_m = std::min(above.roof_m, z);
+      roof.add(z);
+      ++roof_count;
     }
   });
+  above.roof_m = roof.at(rank(roof_count));
   if (above.count > 0) above.high_m = std::max(ground_m, -highest.at(rank(above.count)));
   return above;
 }

@@ -82,15 +82,15 @@ struct TerrainParams {
   double width_m = 20.0;   ///< along y, half of it to either side
   /// Of the length, how much lies behind the body's origin, seen from the laser that looks.
   double behind_m = 6.0;
-  double height_margin_m = 0.2;  ///< above the vehicle, in which it does not want to meet anything
   HeightEstimatorParams estimator;
   UnseenGroundParams unseen;
   RepulsionParams repulsion;
   TerrainMemoryParams memory;
   Vehicle vehicle;
 
-  /// Up to which height above the ground things are in the way [m].
-  [[nodiscard]] double headroom_m() const { return vehicle.height_m + height_margin_m; }
+  /// Up to which height above the ground things stand in the way [m]. What hangs higher is roof,
+  /// and how much room it has to leave is for the planner.
+  [[nodiscard]] double headroom_m() const { return vehicle.height_m; }
 
   template <class V>
   void visit(V& v) {
@@ -98,7 +98,6 @@ struct TerrainParams {
     v("length_m", length_m, within(1.0, 100.0));
     v("width_m", width_m, within(1.0, 100.0));
     v("behind_m", behind_m);
-    v("height_margin_m", height_margin_m, at_least(0.0));
     v("estimator", estimator);
     v("unseen", unseen);
     v("repulsion", repulsion);

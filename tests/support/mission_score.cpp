@@ -14,15 +14,21 @@ namespace {
 
 constexpr double kLookM = 0.5;  // of the true way, from one look around to the next
 
+/// Nobody sees how deep water is, so that all of it is refused.
+Vehicle that_does_not_wade() {
+  Vehicle vehicle;
+  vehicle.wading_depth_max_m = 0.0;
+  return vehicle;
+}
+
 /// What it can do, nobody doubts.
 Vehicle with_room_round_it() {
-  Vehicle vehicle;
+  Vehicle vehicle = that_does_not_wade();
   vehicle.length_m += 2.0 * MissionTruth::kRoomM;
   vehicle.width_m += 2.0 * MissionTruth::kRoomM;
   vehicle.height_m += 0.25;           // with which the terrain stage looks for what hangs
   vehicle.belly_clearance_m -= 0.08;  // its margin, and roughness of the ground
   vehicle.step_max_m -= 0.08;
-  vehicle.wading_depth_max_m = 0.0;  // all water is refused
   return vehicle;
 }
 
@@ -99,7 +105,8 @@ double missed_m(const LightMine& mine, const std::vector<bool>& seen) {
 }  // namespace
 
 MissionTruth::MissionTruth(const World& world)
-    : mine_(light_mine(world)), roomy_(light_mine(world, with_room_round_it())) {}
+    : mine_(light_mine(world, that_does_not_wade())),
+      roomy_(light_mine(world, with_room_round_it())) {}
 
 MissionScore MissionTruth::score(const MissionLog& log) const {
   MissionScore score;

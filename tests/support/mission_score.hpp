@@ -16,7 +16,7 @@ struct MissionScore {
   std::string reason;          ///< for that, a sentence
   double home_off_m = 0.0;     ///< of the true body from the start, at the end
   double farthest_m = 0.0;     ///< of the true body from the start, straight
-  double corridor_m = 0.0;     ///< that can be reached
+  double corridor_m = 0.0;     ///< that can be reached without wading
   double seen_share = 0.0;     ///< of that, from within 8 m
   double missed_m = 0.0;       ///< of that, farther than 2 m from all that was seen
   double sure_missed_m = 0.0;  ///< the same of what the vehicle with some room can reach

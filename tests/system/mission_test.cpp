@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/world/build_world.hpp"
+#include "tests/support/box_drift.hpp"
 #include "tests/support/mission_log.hpp"
 #include "tests/support/mission_score.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -25,6 +26,19 @@ WorldChoice small_mine(int seed, const std::string& topology) {
   choice.topology = topology;
   choice.damage = 0.5;
   return choice;
+}
+
+TEST(MissionTruth, CountsNothingBehindWaterAsToBeReached) {
+  World world = box_drift({.length_m = 40.0, .width_m = 2.2, .height_m = 2.0});
+  const double whole_m = test::MissionTruth(world).score({}).corridor_m;
+  // Shallow, but how deep water is, nobody sees.
+  world.truth.obstacles = {{.kind = PartKind::kWater,
+                            .name = "water",
+                            .outline = {{10.0, -1.1}, {14.0, -1.1}, {14.0, 1.1}, {10.0, 1.1}},
+                            .z_low_m = -0.1,
+                            .z_high_m = 0.0}};
+  // Beyond it are 6 m, and 4 m of it; places are counted from half the width of the drift.
+  EXPECT_NEAR(whole_m - test::MissionTruth(world).score({}).corridor_m, 10.0, 1.5);
 }
 
 class AMissionInAMine : public testing::Test {

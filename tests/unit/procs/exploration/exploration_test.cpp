@@ -191,6 +191,20 @@ TEST(Exploration, TriesWhatIsDoubtfulOnceMoreAndNeverCallsItComplete) {
   EXPECT_TRUE(explorer.decide().complete);
 }
 
+TEST(Exploration, NeverCallsCompleteWhatItSawNothingOf) {
+  const auto mine = drift_mine(straight());
+  Explorer explorer(mine);
+  const int stalls = ExplorationParams{}.stubs.stalls;
+  for (int i = 0; i < stalls + 2; ++i) {  // the first is where it begins, the next where it is
+    explorer.decide();
+    explorer.go(0.0);
+  }
+  EXPECT_EQ(explorer.decide().kind, Kind::kDone);
+  EXPECT_EQ(explorer.stubs(StubState::kUnseeable).size(), 1U);
+  EXPECT_FALSE(explorer.decide().complete);
+  EXPECT_NE(explorer.decide().reason.find("saw nothing of it"), std::string::npos);
+}
+
 TEST(Exploration, TriesOtherStubsBeforeWhatIsDoubtful) {
   const auto mine = drift_mine(crossroads());
   Explorer explorer(mine);

@@ -178,6 +178,10 @@ TEST(Planning, TellsWhatIsInTheWay) {
   EXPECT_THAT(
       across(roofed_cell(0.8)).blocking,
       testing::Contains(testing::Field(&BlockingCell::height_m, testing::DoubleNear(0.8, 1e-6))));
+  TerrainCell wall = obstacle_cell(0.9);
+  wall.clearance_m = 1.05F;
+  EXPECT_GT(count(across(wall), Reason::kBelly), 10);
+  EXPECT_EQ(count(across(wall), Reason::kRoof), 0);
   EXPECT_GT(count(across(unseen_cell(Ground::kNoReturn)), Reason::kWater), 10);
   EXPECT_GT(count(across(unseen_cell(Ground::kBelowRay)), Reason::kDrop), 10);
   EXPECT_GT(count(across(obstacle_cell(0.22)), Reason::kStep), 10);
@@ -191,6 +195,45 @@ TEST(Planning, TellsWhatIsBlockedFromWhatIsNotSeen) {
   TerrainMap both = corridor_with(unseen_cell(Ground::kShadow), low, {5.5, 2.0});
   paint_box(both, obstacle_cell(1.0), {2.8, -2.0}, {3.0, 2.0});
   EXPECT_EQ(plan(both).outcome, PlanOutcome::kBlocked);
+}
+
+TEST(Planning, DoesNotCallBlockedWhatMarginsAloneRefuse) {
+  const auto with_gap = [](double gap_m) {
+    TerrainMap terrain = corridor_with(obstacle_cell(1.0), {3.0, gap_m / 2.0}, {4.0, 2.0});
+    paint_box(terrain, obstacle_cell(1.0), {3.0, -2.0}, {4.0, -gap_m / 2.0});
+    return plan(terrain);
+  };
+  // 1.2 m wide, with slack for the sweep, but in cells of 0.1 m. Obstacles as wide as the terrain
+  // makes them, by 0.1 to 0.2 m to each side.
+  EXPECT_EQ(with_gap(1.6).outcome, PlanOutcome::kFound);
+  const PlannedPath tight = with_gap(1.1);
+  EXPECT_EQ(tight.outcome, PlanOutcome::kUnknown);
+  EXPECT_THAT(tight.reason, testing::HasSubstr("may just fit"));
+  EXPECT_EQ(with_gap(0.7).outcome, PlanOutcome::kBlocked);
+
+  const auto below = [](double roof_m) {
+    return plan(corridor_with(roofed_cell(roof_m), {2.5, -2.0}, {5.5, 2.0})).outcome;
+  };
+  EXPECT_EQ(below(1.2), PlanOutcome::kFound);
+  EXPECT_EQ(below(1.05), PlanOutcome::kUnknown);
+  EXPECT_EQ(below(0.95), PlanOutcome::kBlocked);
+}
+
+TEST(Planning, CallsBlockedByADropOnlyWhatBeamsReachedInto) {
+  const auto over = [](double beams_m) {
+    TerrainCell cell = unseen_cell(Ground::kBelowRay);
+    cell.low_m = static_cast<float>(beams_m);
+    return plan(corridor_with(cell, {2.5, -2.0}, {3.5, 2.0})).outcome;
+  };
+  EXPECT_EQ(over(0.08), PlanOutcome::kUnknown);   // the height of a rail
+  EXPECT_EQ(over(-0.15), PlanOutcome::kUnknown);  // wheels climb 0.2 m
+  EXPECT_EQ(over(-0.25), PlanOutcome::kBlocked);
+}
+
+TEST(Planning, TakesNoPocketInAWallForAWayThrough) {
+  // A smaller robot gets 0.2 m nearer to the wall, with which it has come 2.5 m.
+  EXPECT_EQ(plan(corridor_with(obstacle_cell(1.0), {3.6, -2.0}, {3.9, 2.0})).outcome,
+            PlanOutcome::kBlocked);
 }
 
 TEST(Planning, TakesLessThanTwoAndAHalfMetresForNoPath) {

@@ -85,6 +85,18 @@ TEST_P(OfBothEstimators, AThinHangingCableIsInTheWay) {
   });
 }
 
+TEST_P(OfBothEstimators, WhatHangsAboveTheVehicleIsClearanceHoweverLow) {
+  const auto low_roof = [](MeshBuilder& builder) {
+    add_rock(builder, {7.5, 0.0, 1.65}, {5.0, 4.0, 1.2});
+  };
+  const TerrainMap map = map_of(drift_with(low_roof), GetParam());
+  const Eigen::AlignedBox2d below(Eigen::Vector2d(5.2, -1.5), Eigen::Vector2d(6.0, 1.5));
+  for_cells(map, below, [](const TerrainCell& cell) {
+    EXPECT_LT(cell.coefficient_m, kNoise);
+    EXPECT_NEAR(cell.clearance_m, 1.05, kNoise);
+  });
+}
+
 TEST_P(OfBothEstimators, ALowRoofIsInTheWayAndAHighOneIsClearance) {
   const auto low_roof = [](MeshBuilder& builder) {
     add_rock(builder, {7.5, 0.0, 1.4}, {5.0, 4.0, 1.2});

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/planning/seen_drops.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace adit {
+namespace {
+
+/// Cells that hang together, over which beams passed.
+struct Hollow {
+  std::vector<std::size_t> cells;
+  float lowest_beam_m = std::numeric_limits<float>::infinity();
+  float rim_sum_m = 0.0F;  ///< of the ground that was seen beside it
+  int rim = 0;
+
+  [[nodiscard]] bool is_drop(double step_max_m) const {
+    return rim == 0 || lowest_beam_m < rim_sum_m / static_cast<float>(rim) - step_max_m;
+  }
+};
+
+class Hollows {
+ public:
+  explicit Hollows(const TerrainMap& terrain)
+      : terrain_(terrain), taken_(terrain.cells.size(), false) {}
+
+  /// The one that a cell belongs to; empty where it was one's already, or is none.
+  Hollow of(int column, int row) {
+    Hollow hollow;
+    visit(column, row, hollow);
+    for (std::size_t k = 0; k < hollow.cells.size(); ++k) {
+      const auto at = static_cast<int>(hollow.cells[k]);
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          visit(at % terrain_.columns + dx, at / terrain_.columns + dy, hollow);
+        }
+      }
+    }
+    return hollow;
+  }
+
+ private:
+  void visit(int column, int row, Hollow& hollow) {
+    if (!terrain_.contains(column, row)) return;
+    const TerrainCell& cell = terrain_.at(column, row);
+    if (cell.ground == Ground::kSeen && !hollow.cells.empty()) {
+      hollow.rim_sum_m += cell.low_m;
+      ++hollow.rim;
+    }
+    const std::size_t i = static_cast<std::size_t>(row * terrain_.columns + column);
+    if (cell.ground != Ground::kBelowRay || taken_[i]) return;
+    taken_[i] = true;
+    hollow.cells.push_back(i);
+    hollow.lowest_beam_m = std::min(hollow.lowest_beam_m, cell.low_m);
+  }
+
+  const TerrainMap& terrain_;
+  std::vector<bool> taken_;
+};
+
+}  // namespace
+
+TerrainMap with_seen_drops(TerrainMap terrain, double step_max_m) {
+  std::vector<std::size_t> unseen;
+  Hollows hollows(terrain);
+  for (int row = 0; row < terrain.rows; ++row) {
+    for (int column = 0; column < terrain.columns; ++column) {
+      const Hollow hollow = hollows.of(column, row);
+      if (hollow.is_drop(step_max_m)) continue;
+      unseen.insert(unseen.end(), hollow.cells.begin(), hollow.cells.end());
+    }
+  }
+  for (const std::size_t i : unseen) terrain.cells[i].ground = Ground::kNeverSeen;
+  return terrain;
+}
+
+}  // namespace adit

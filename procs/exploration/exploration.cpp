@@ -339,6 +339,13 @@ ExplorationDecision Exploration::to_home(const ExplorationState& state, std::str
   return decision;
 }
 
+/// Not where the way on from a stub would come back to the robot: who follows it as far as it can
+/// would get to its end without ever having gone to the stub.
+bool Exploration::leads_on(const Stub& stub) const {
+  const Eigen::Vector2d way = stub.p_map - state_.T_map_body.translation();
+  return way.norm() < kHeadingOverM || way.dot(stub.direction_map) >= 0.0;
+}
+
 std::vector<Eigen::Vector2d> Exploration::next_way(double length_m, double spacing_m) const {
   using Kind = ExplorationDecision::Kind;
   if (decision_.kind == Kind::kStay || decision_.kind == Kind::kDone) return {};
@@ -347,7 +354,7 @@ std::vector<Eigen::Vector2d> Exploration::next_way(double length_m, double spaci
   const Stub* stub = register_.find(decision_.stub);
   if (stub != nullptr) {
     line.push_back(stub->p_map);
-    line.emplace_back(stub->p_map + length_m * stub->direction_map);
+    if (leads_on(*stub)) line.emplace_back(stub->p_map + length_m * stub->direction_map);
   } else {
     line.push_back(T_map_home().translation());
   }

@@ -382,6 +382,13 @@ std::optional<ExplorationDecision> Exploration::to_longest_ago(const Exploration
   return decision;
 }
 
+/// Not where the way on from a stub would come back to the robot: who follows it as far as it can
+/// would get to its end without ever having gone to the stub.
+bool Exploration::leads_on(const Stub& stub) const {
+  const Eigen::Vector2d way = stub.p_map - state_.T_map_body.translation();
+  return way.norm() < kHeadingOverM || way.dot(stub.direction_map) >= 0.0;
+}
+
 std::vector<Eigen::Vector2d> Exploration::next_way(double length_m, double spacing_m) const {
   using Kind = ExplorationDecision::Kind;
   if (decision_.kind == Kind::kStay || decision_.kind == Kind::kDone) return {};
@@ -390,7 +397,7 @@ std::vector<Eigen::Vector2d> Exploration::next_way(double length_m, double spaci
   const Stub* stub = register_.find(decision_.stub);
   if (stub != nullptr) {
     line.push_back(stub->p_map);
-    line.emplace_back(stub->p_map + length_m * stub->direction_map);
+    if (leads_on(*stub)) line.emplace_back(stub->p_map + length_m * stub->direction_map);
   } else {
     line.push_back(patrolled_ ? patrolled_->p_map : T_map_home().translation());
   }

@@ -15,6 +15,30 @@ using Kind = BeamEnd::Kind;
 
 constexpr float kGapAlways = 0.3F;       // the width of a region, which bridges as much [m]
 constexpr float kLaserHeightMin = 0.2F;  // [m]
+constexpr float kFootM = 0.5F;           // before a crest, where its foot is
+constexpr float kCrestMinM = 0.07F;      // above its foot: what is lower may be noise
+constexpr float kLevelM = 0.1F;          // by which ground behind a crest may be lower
+constexpr float kEndNoiseM = 0.1F;       // of the length of a shadow
+
+/// The widest ditch into which a wheel that crosses it falls by three quarters of a step at
+/// most: the chord of the wheel at that height.
+float bridged_by_wheel_m(const Vehicle& vehicle) {
+  const double radius = vehicle.wheel_radius_m;
+  const double depth = std::min(0.75 * vehicle.step_max_m, radius);
+  return static_cast<float>(2.0 * std::sqrt(depth * (2.0 * radius - depth)));
+}
+
+/// z of the lowest end within kFootM before that of the last of these beams, which are in order of
+/// their slope.
+float foot_m(std::span<const BeamEnd> beams) {
+  const BeamEnd& crest = beams.back();
+  float low = crest.z_m;
+  for (auto beam = beams.rbegin(); beam != beams.rend(); ++beam) {
+    if (beam->range_m < crest.range_m - kFootM) break;
+    if (beam->kind == Kind::kGround) low = std::min(low, beam->z_m);
+  }
+  return low;
+}
 
 /// From a place to the farthest corner of the map.
 float reach_m(const TerrainMap& map, const Eigen::Vector3f& origin) {
@@ -27,8 +51,10 @@ float reach_m(const TerrainMap& map, const Eigen::Vector3f& origin) {
 }  // namespace
 
 SightLines::SightLines(std::span<const CloudLine* const> lines, const BeamEnds& ends,
-                       const TerrainMap& map, const UnseenGroundParams& params)
-    : params_(params), cell_m_(static_cast<float>(map.cell_m)) {
+                       const TerrainMap& map, const TerrainParams& params)
+    : params_(params.unseen),
+      bridged_m_(bridged_by_wheel_m(params.vehicle)),
+      cell_m_(static_cast<float>(map.cell_m)) {
   for (const CloudLine* line : lines) origin_ += line->origin / static_cast<float>(lines.size());
   bins_ = static_cast<std::size_t>(reach_m(map, origin_) / cell_m_) + 2;
   sightings_.resize(SectorBeams::kSectors * bins_);
@@ -52,11 +78,12 @@ void SightLines::look_along(std::span<BeamEnd> beams, std::span<SeenThrough> out
   std::size_t done = 0;
   for (std::size_t i = 0; i < beams.size(); ++i) {
     const auto end = std::min(static_cast<std::size_t>(beams[i].range_m / cell_m_) + 1, bins_);
-    for (; done < end; ++done) {
-      // What lies before the steepest beam, nobody looked at.
-      if (i > 0)
-        out[done] = between(beams[i - 1], beams[i], (static_cast<float>(done) + 0.5F) * cell_m_);
+    if (i > 0 && done < end) {
+      const Gap gap{beams[i - 1], beams[i], foot_m(beams.first(i))};
+      for (; done < end; ++done)
+        out[done] = between(gap, (static_cast<float>(done) + 0.5F) * cell_m_);
     }
+    done = std::max(done, end);  // what lies before the steepest beam, nobody looked at
   }
   const bool hidden = !beams.empty() && beams.back().kind == Kind::kObstacle;
   if (hidden)
@@ -64,24 +91,48 @@ void SightLines::look_along(std::span<BeamEnd> beams, std::span<SeenThrough> out
               SeenThrough{Ground::kShadow});
 }
 
-SeenThrough SightLines::between(const BeamEnd& below, const BeamEnd& above, float range_m) const {
+SeenThrough SightLines::between(const Gap& gap, float range_m) const {
+  const auto& [below, above, foot_m] = gap;
   if (below.kind == Kind::kLost || above.kind == Kind::kLost) return {Ground::kNoReturn};
   if (below.kind == Kind::kObstacle) return {Ground::kShadow};
-  if (is_gap(below, above)) return {Ground::kBelowRay, origin_.z() + above.slope * range_m};
-  if (above.kind == Kind::kObstacle) return {Ground::kSeen, below.z_m};
   const float way = std::max(above.range_m - below.range_m, cell_m_);
   const float share = std::clamp((range_m - below.range_m) / way, 0.0F, 1.0F);
+  if (passes_over(gap)) {
+    if (!is_behind_crest(gap)) return {Ground::kBelowRay, origin_.z() + above.slope * range_m};
+    if (way > bridged_m_ + spacing_m(gap) / static_cast<float>(params_.gap_of_spacing))
+      return {Ground::kShadow};
+    return {Ground::kSeen, std::lerp(foot_m, above.z_m, share)};
+  }
+  if (above.kind == Kind::kObstacle) return {Ground::kSeen, below.z_m};
   return {Ground::kSeen, std::lerp(below.z_m, above.z_m, share)};
+}
+
+/// Up to which two beams that met even ground may be apart.
+float SightLines::spacing_m(const Gap& gap) const {
+  const auto& [below, above, foot_m] = gap;
+  const float height = std::max(origin_.z(), kLaserHeightMin);
+  const float spacing = below.range_m * below.range_m * (above.slope - below.slope) / height;
+  return std::min(static_cast<float>(params_.gap_of_spacing) * spacing,
+                  static_cast<float>(params_.gap_max_m));
 }
 
 /// Beams that met the ground one behind the other show what is between, unless they are farther
 /// apart than on level ground: then the upper one passed over a hollow, or a crest.
-bool SightLines::is_gap(const BeamEnd& below, const BeamEnd& above) const {
-  const float height = std::max(origin_.z(), kLaserHeightMin);
-  const float spacing = below.range_m * below.range_m * (above.slope - below.slope) / height;
-  const float gap_max = std::min(static_cast<float>(params_.gap_of_spacing) * spacing,
-                                 static_cast<float>(params_.gap_max_m));
-  return above.range_m - below.range_m > std::max(gap_max, kGapAlways);
+bool SightLines::passes_over(const Gap& gap) const {
+  return gap.above.range_m - gap.below.range_m > std::max(spacing_m(gap), kGapAlways);
+}
+
+/// Whether the ground goes on behind something low, a rail for one, that hides no more than its
+/// shadow is long. What is in the shadow nobody saw; a wheel that crosses a short one gets over it,
+/// whatever it is.
+bool SightLines::is_behind_crest(const Gap& gap) const {
+  const auto& [below, above, foot_m] = gap;
+  const float height = below.z_m - foot_m;
+  const float beam_height = origin_.z() - below.z_m;
+  if (above.kind != Kind::kGround || height < kCrestMinM || !(beam_height > 0.0F)) return false;
+  if (above.z_m < foot_m - kLevelM) return false;
+  const float shadow = below.range_m * height / beam_height;
+  return above.range_m - below.range_m <= shadow + spacing_m(gap) + kEndNoiseM;
 }
 
 }  // namespace adit

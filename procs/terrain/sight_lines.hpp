@@ -26,17 +26,26 @@ class SightLines {
  public:
   /// Lines begin close together, within the lever of a tilting mount.
   SightLines(std::span<const CloudLine* const> lines, const BeamEnds& ends, const TerrainMap& map,
-             const UnseenGroundParams& params);
+             const TerrainParams& params);
 
   [[nodiscard]] const SeenThrough& at(float x, float y) const;
 
  private:
+  /// Two beams of which none between them met anything.
+  struct Gap {
+    BeamEnd below;
+    BeamEnd above;
+    float foot_m = 0.0F;  ///< z of the ground shortly before the end of the one below
+  };
+
   void look_along(std::span<BeamEnd> beams, std::span<SeenThrough> out) const;
-  [[nodiscard]] SeenThrough between(const BeamEnd& below, const BeamEnd& above,
-                                    float range_m) const;
-  [[nodiscard]] bool is_gap(const BeamEnd& below, const BeamEnd& above) const;
+  [[nodiscard]] SeenThrough between(const Gap& gap, float range_m) const;
+  [[nodiscard]] float spacing_m(const Gap& gap) const;
+  [[nodiscard]] bool passes_over(const Gap& gap) const;
+  [[nodiscard]] bool is_behind_crest(const Gap& gap) const;
 
   UnseenGroundParams params_;
+  float bridged_m_;
   float cell_m_;
   Eigen::Vector3f origin_{0.0F, 0.0F, 0.0F};
   std::size_t bins_;                    ///< of distance, a cell each

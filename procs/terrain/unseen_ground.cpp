@@ -74,7 +74,7 @@ void tell_unseen_ground_apart(TerrainMap& map, const Cloud& cloud, const CellHei
   const auto step_max_m = static_cast<float>(params.vehicle.step_max_m);
   const BeamEnds ends(map, ground, params);
   for (const auto& lines : by_place(cloud)) {
-    const SightLines sight(lines, ends, map, params.unseen);
+    const SightLines sight(lines, ends, map, params);
     for (int row = 0; row < map.rows; ++row) {
       for (int column = 0; column < map.columns; ++column) {
         TerrainCell& cell = map.at(column, row);

@@ -64,6 +64,8 @@ void take_stubs(const MissionRecords& records, MissionFacts& facts) {
   for (const Stub& stub : report->stubs) {
     ++counts.found;
     ++(is_closed(stub.state) ? counts.closed : counts.open);
+    if (stub.state == StubState::kBlocked) ++counts.blocked;
+    if (stub.state == StubState::kDoubtful) ++counts.doubtful;
   }
   facts.stubs = counts;
   facts.explored_m = report->budget.explored_m;

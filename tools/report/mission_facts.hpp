@@ -45,6 +45,8 @@ struct StubCounts {
   std::size_t found = 0;
   std::size_t closed = 0;
   std::size_t open = 0;
+  std::size_t blocked = 0;   ///< of those closed
+  std::size_t doubtful = 0;  ///< given up, but nobody saw that they are blocked
 };
 
 /// The figures of a mission. What a log does not tell is not there.

@@ -36,6 +36,8 @@ Json stubs_json(const MissionFacts& facts) {
   return {{"found", facts.stubs->found},
           {"closed", facts.stubs->closed},
           {"open", facts.stubs->open},
+          {"blocked", facts.stubs->blocked},
+          {"doubtful", facts.stubs->doubtful},
           {"corridors_known_m", *facts.explored_m}};
 }
 

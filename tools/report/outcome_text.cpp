@@ -6,17 +6,30 @@
 namespace adit {
 namespace {
 
+std::string is_or_are(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " is" : " are");
+}
+
+/// Of the openings that nobody saw behind.
+std::string unseen_text(const StubCounts& stubs) {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + is_or_are(count) + what;
+  };
+  add(stubs.open - stubs.doubtful, " left open");
+  add(stubs.doubtful, " given up, though nobody saw what blocks the way");
+  add(stubs.blocked, " blocked");
+  return text;
+}
+
 std::string openings_text(const MissionFacts& facts) {
   if (!facts.stubs || facts.stubs->found == 0) return "";
-  if (facts.last && facts.last->complete) {
-    return " It explored the mine: every one of the " +
-           counted(facts.stubs->found, "opening", "openings") +
-           " that it saw is closed, with evidence.";
-  }
-  if (facts.stubs->open == 0) return "";
-  return " Of " + counted(facts.stubs->found, "opening") + ", " +
-         std::to_string(facts.stubs->open) + (facts.stubs->open == 1 ? " is" : " are") +
-         " left open.";
+  const bool complete = facts.last && facts.last->complete;
+  const std::string found = counted(facts.stubs->found, "opening");
+  const std::string unseen = unseen_text(*facts.stubs);
+  if (!complete) return " Of " + found + ", " + (unseen.empty() ? "all are closed" : unseen) + ".";
+  return " It explored the mine: every one of the " + found +
+         " that it saw is closed, with evidence" + (unseen.empty() ? "." : "; " + unseen + ".");
 }
 
 std::string end_text(const MissionFacts& facts) {

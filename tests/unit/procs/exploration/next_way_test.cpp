@@ -54,6 +54,32 @@ TEST_F(TheNextWay, BeginsAtTheRobotAndStaysWhereItCanDrive) {
   }
 }
 
+/// The side drift goes back beside the way in.
+TEST(TheNextWayToASideDriftThatGoesBack, DoesNotComeBackToTheRobot) {
+  const test::LightMine mine = drift_mine({{0, 0, 30, 0}, {20, 0, 14, 14}});
+  test::ExploringRobot robot(mine);
+  Exploration exploration{ExplorationParams{}};
+  int back = 0;
+  for (int i = 0; i < 12; ++i) {
+    exploration.add(robot.last_map());
+    exploration.update(robot.graph());
+    const Eigen::Vector2d p_robot = robot.T_map_body().translation();
+    const ExplorationDecision decision =
+        exploration.decide({robot.utime(), robot.T_map_body(), 2000.0, 0.0, false});
+    const auto way = exploration.next_way(kLengthM, kSpacingM);
+    if (way.size() < 2 || decision.stub < 0) break;
+    const Stub& stub = exploration.stubs()[static_cast<std::size_t>(decision.stub)];
+    const Eigen::Vector2d to_stub = stub.p_map - p_robot;
+    if (to_stub.norm() > 3.0 && decision.distance_m < kLengthM &&
+        to_stub.dot(stub.direction_map) < 0.0) {
+      ++back;
+      EXPECT_NEAR((way.back() - stub.p_map).norm(), 0.0, 0.5);  // within the smoothing
+    }
+    robot.go(way, 2.0);
+  }
+  EXPECT_GT(back, 0);
+}
+
 TEST_F(TheNextWay, EndsAtHome) {
   robot_.go(way(false), 5.0);
   take_map();

@@ -69,6 +69,43 @@ TEST(UnseenGround, BeyondACrestIsBelowTheBeamsOverIt) {
   EXPECT_EQ(share_of(map, beyond, is(Ground::kBelowRay)), 1.0);
 }
 
+constexpr double kRailHeight = 0.12;  // [m]
+
+/// Level ground, and across it a rail with its middle at `x_m`.
+std::function<void(MeshBuilder&)> with_rail(double x_m) {
+  return [x_m](MeshBuilder& builder) {
+    add_ground(builder, -5.0, 15.0);
+    add_rock(builder, {x_m, 0.0, kRailHeight / 2.0}, {0.06, 4.0, kRailHeight});
+  };
+}
+
+TEST(UnseenGround, BehindARailNearByIsNoDrop) {
+  const TerrainMap map = map_of(with_rail(2.6));
+  // Its shadow is 1.58 m · 0.12 / 0.50 = 0.38 m long.
+  const Eigen::AlignedBox2d behind(Eigen::Vector2d(2.65, -1.0), Eigen::Vector2d(4.0, 1.0));
+  EXPECT_EQ(share_of(map, behind, is(Ground::kSeen)), 1.0);
+}
+
+TEST(UnseenGround, BehindARailAfarIsNotKnown) {
+  const TerrainMap map = map_of(with_rail(5.0));
+  // Its shadow is 3.92 m · 0.12 / 0.50 = 0.94 m long; two cells from its ends, as for a pit.
+  const Eigen::AlignedBox2d shadow(Eigen::Vector2d(5.25, -1.0), Eigen::Vector2d(5.75, 1.0));
+  EXPECT_EQ(share_of(map, shadow, is(Ground::kShadow)), 1.0);
+  const Eigen::AlignedBox2d beyond(Eigen::Vector2d(6.3, -1.0), Eigen::Vector2d(7.0, 1.0));
+  EXPECT_EQ(share_of(map, beyond, is(Ground::kSeen)), 1.0);
+}
+
+TEST(UnseenGround, OfAPitBehindARailIsBelowTheBeamsOverIt) {
+  const TerrainMap map = map_of([](MeshBuilder& builder) {
+    add_ground(builder, -5.0, 2.7);
+    add_rock(builder, {2.6, 0.0, kRailHeight / 2.0}, {0.06, 4.0, kRailHeight});
+    add_ground(builder, 2.7, 4.5, -1.0);
+    add_ground(builder, 4.5, 15.0);
+  });
+  const Eigen::AlignedBox2d pit(Eigen::Vector2d(3.0, -1.0), Eigen::Vector2d(4.2, 1.0));
+  EXPECT_EQ(share_of(map, pit, is(Ground::kBelowRay)), 1.0);
+}
+
 TEST(UnseenGround, OfWaterReturnsNothing) {
   const TerrainMap map = map_of([](MeshBuilder& builder) {
     add_ground(builder, -5.0, 15.0);

@@ -62,7 +62,9 @@ LaserId Mission::facing(const std::vector<Eigen::Vector2d>& route_odom) const {
 }
 
 PlanGoal Mission::goal() const {
-  PlanGoal goal{utime_, phase_.goal_id, goal_kind_, {}, kSightM, route_odom_};
+  const double distance_m = backing_off_ ? goal_distance_m_ : kSightM;
+  PlanGoal goal{utime_, phase_.goal_id, goal_kind_, {}, distance_m, route_odom_, {}};
+  if (backing_off_) goal.track_odom = track_odom_;
   goal.T_odom_goal = {route_odom_.back().x(), route_odom_.back().y(), 0.0};
   return goal;
 }

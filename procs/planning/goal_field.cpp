@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "procs/planning/retrace.hpp"
+
 namespace adit {
 namespace {
 
@@ -33,11 +35,13 @@ GoalField::GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose
     least_progress_m_ = distance_m_ - params.tolerance_m;
     if (distance_m_ > 0.0) direction_ = way / distance_m_;
   }
-  if (kind_ == PlanGoal::Kind::kRoute) {
+  if (kind_ == PlanGoal::Kind::kRoute || kind_ == PlanGoal::Kind::kRejoin) {
     const Pose2 T_level_odom = terrain.T_odom_level.inverse();
     std::vector<Eigen::Vector2d> points;
     for (const Eigen::Vector2d& p : goal.route_odom) points.emplace_back(T_level_odom * p);
     route_ = GoalRoute(points);
+  }
+  if (kind_ == PlanGoal::Kind::kRoute) {
     distance_m_ = route_.length_m();
     least_progress_m_ = std::min(params.min_progress_m, distance_m_ - params.tolerance_m);
     is_last_leg_ = least_progress_m_ < params.min_progress_m;
@@ -48,6 +52,33 @@ GoalField::GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose
     for (int column = 0; column < terrain.columns; ++column) add_cell(terrain.centre(column, row));
   }
   if (leads_on()) add_room(room_m);
+  if (kind_ == PlanGoal::Kind::kRejoin) add_track(goal.track_odom, terrain);
+}
+
+/// What is left of the track from a pose on costs as even ground does: no way that is off it is
+/// cheaper, unless it cuts off some of it. Where it was twice, the later pose leads back sooner.
+void GoalField::add_track(const std::vector<Pose2>& track_odom, const TerrainMap& terrain) {
+  const Pose2 T_level_odom = terrain.T_odom_level.inverse();
+  const int reach = static_cast<int>(std::ceil(kOnTrackM / terrain.cell_m));
+  double left_m = 0.0;
+  for (std::size_t i = track_odom.size(); i-- > 0;) {
+    const Pose2 T_level_track = T_level_odom * track_odom[i];
+    const Eigen::Vector2d p = T_level_track.translation();
+    const Eigen::Vector2d cells = (p - terrain.p_level_corner) / terrain.cell_m;
+    const int column = static_cast<int>(std::floor(cells.x()));
+    const int row = static_cast<int>(std::floor(cells.y()));
+    for (int r = row - reach; r <= row + reach; ++r) {
+      for (int c = column - reach; c <= column + reach; ++c) {
+        if (!terrain.contains(c, r) || (terrain.centre(c, r) - p).norm() > kOnTrackM) continue;
+        const auto cell = static_cast<std::size_t>(r) * static_cast<std::size_t>(terrain.columns) +
+                          static_cast<std::size_t>(c);
+        if (ending_costs_[cell] != kNoGoal) continue;
+        ending_costs_[cell] = cost_of(left_m);
+        headings_rad_[cell] = static_cast<float>(T_level_track.theta);
+      }
+    }
+    if (i > 0) left_m += (track_odom[i].translation() - track_odom[i - 1].translation()).norm();
+  }
 }
 
 /// Where there is little room, the way on may be shut, or only be found after going back.
@@ -60,11 +91,11 @@ void GoalField::add_room(const std::vector<float>& room_m) {
 }
 
 void GoalField::add_cell(const Eigen::Vector2d& p_level) {
-  if (kind_ != PlanGoal::Kind::kRoute) progress_m_.push_back(progress(p_level));
-  if (kind_ != PlanGoal::Kind::kRoute) {
+  if (kind_ == PlanGoal::Kind::kAlong || kind_ == PlanGoal::Kind::kTo) {
+    progress_m_.push_back(progress(p_level));
     ending_costs_.push_back(kind_ == PlanGoal::Kind::kAlong ? along(p_level) : to(p_level));
     headings_rad_.push_back(static_cast<float>(T_level_goal_.theta));
-  } else if (route_.empty()) {
+  } else if (route_.empty() || kind_ == PlanGoal::Kind::kRejoin) {
     ending_costs_.push_back(kNoGoal);
     progress_m_.push_back(0.0);
     headings_rad_.push_back(0.0F);
@@ -100,6 +131,7 @@ std::int32_t GoalField::to(const Eigen::Vector2d& p_level) const {
 bool GoalField::accepts(std::size_t cell, double heading_rad) const {
   const double off = std::abs(angle_diff(heading_rad, static_cast<double>(headings_rad_[cell])));
   if (kind_ == PlanGoal::Kind::kTo) return off <= params_.heading_tolerance_rad;
+  if (kind_ == PlanGoal::Kind::kRejoin) return off <= kOnTrackRad;
   return std::min(off, std::numbers::pi - off) <= params_.along_heading_max_rad;
 }
 
@@ -117,8 +149,7 @@ double GoalField::progress(const GoalRoute::Place& place) const {
 }
 
 Eigen::Vector2d GoalField::direction(const Eigen::Vector2d& p_level) const {
-  return kind_ == PlanGoal::Kind::kRoute && !route_.empty() ? route_.nearest(p_level).tangent
-                                                            : direction_;
+  return route_.empty() ? direction_ : route_.nearest(p_level).tangent;
 }
 
 }  // namespace adit

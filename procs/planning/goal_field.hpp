@@ -41,7 +41,8 @@ struct GoalParams {
 
 /// The array of goals of the paper's section 3.3: what it costs to end in each cell. Down a
 /// corridor every cell that is far enough is a goal, the farthest straight down the best; along a
-/// route likewise; otherwise those within reach of a pose are.
+/// route likewise; onto the own track those poses of it are that can be driven on, the farther back
+/// the better; otherwise those within reach of a pose are.
 class GoalField {
  public:
   static constexpr std::int32_t kNoGoal = -1;
@@ -65,7 +66,10 @@ class GoalField {
   /// The least that is a path [m].
   [[nodiscard]] double least_progress() const { return least_progress_m_; }
   /// Whether the way is to go on from the end of a path.
-  [[nodiscard]] bool leads_on() const { return kind_ != PlanGoal::Kind::kTo && !is_last_leg_; }
+  [[nodiscard]] bool leads_on() const {
+    const bool far = kind_ == PlanGoal::Kind::kAlong || kind_ == PlanGoal::Kind::kRoute;
+    return far && !is_last_leg_;
+  }
   /// In which it goes on at a place, a unit vector.
   [[nodiscard]] Eigen::Vector2d direction(const Eigen::Vector2d& p_level) const;
 
@@ -74,6 +78,7 @@ class GoalField {
   [[nodiscard]] std::int32_t to(const Eigen::Vector2d& p_level) const;
   [[nodiscard]] std::int32_t on_route(const GoalRoute::Place& place) const;
   void add_room(const std::vector<float>& room_m);
+  void add_track(const std::vector<Pose2>& track_odom, const TerrainMap& terrain);
   [[nodiscard]] double progress(const GoalRoute::Place& place) const;
   void add_cell(const Eigen::Vector2d& p_level);
 

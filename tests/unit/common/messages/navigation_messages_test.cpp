@@ -62,6 +62,11 @@ TEST(NavigationMessages, GoThereAndBack) {
     EXPECT_EQ(*over_the_wire(request), request);
   }
   EXPECT_EQ(*over_the_wire(goal(kUtime)), goal(kUtime));
+  PlanGoal back = goal(kUtime);
+  back.kind = PlanGoal::Kind::kRejoin;
+  back.route_odom = {{1.0, 2.0}, {3.0, 4.0}};
+  back.track_odom = {{1.0, 2.0, 0.1}, {3.0, 4.0, 0.2}};
+  EXPECT_EQ(*over_the_wire(back), back);
   EXPECT_EQ(*over_the_wire(found()), found());
   EXPECT_EQ(*over_the_wire(blocked(3)), blocked(3));
   EXPECT_EQ(*over_the_wire(driving()), driving());
@@ -91,13 +96,21 @@ TEST(PlanGoalMessage, IsRefusedWhereItLeadsNowhere) {
   const auto refusal = [](const std::function<void(Message&)>& change) {
     return refusal_after<Message>(goal(kUtime), change);
   };
-  EXPECT_EQ(refusal([](Message& m) { m.kind = 4; }), "unknown kind");
+  EXPECT_EQ(refusal([](Message& m) { m.kind = 5; }), "unknown kind");
   EXPECT_EQ(refusal([](Message& m) { m.kind = 2; }), "route that is none");
   EXPECT_EQ(refusal([](Message& m) {
               m.route_odom = {{1.0, kNaN}};
               m.n_route = 1;
             }),
             "route that is not finite");
+  for (const std::int8_t kind : {Message::KIND_RETRACE, Message::KIND_REJOIN}) {
+    EXPECT_EQ(refusal([&](Message& m) { m.kind = kind; }), "track that is none");
+  }
+  EXPECT_EQ(refusal([](Message& m) {
+              m.track_odom = {{1.0, 2.0, kNaN}};
+              m.n_track = 1;
+            }),
+            "track that is not finite");
   EXPECT_EQ(refusal([](Message& m) { m.kind = -1; }), "unknown kind");
   EXPECT_EQ(refusal([](Message& m) { m.T_odom_goal[1] = kNaN; }), kPoseNotFinite);
   EXPECT_EQ(refusal([](Message& m) { m.distance_max_m = kNaN; }), "distance is not finite");

@@ -148,8 +148,7 @@ TEST_F(AMissionWithoutAPath, LooksAgainWhereADriveFails) {
   driving(Driving::kFailed, "held by a stop order");
   tick();
   EXPECT_EQ(now(), Phase::kPlan);  // it backs off
-  path(PlanOutcome::kBlocked);
-  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);  // on its own track, then
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);  // on its own track
 }
 
 /// Poses that jump fail one drive after the other, those to get back, too.

@@ -75,6 +75,8 @@ void Mission::lost_try(const std::string& reason) {
     const bool never_left = way_.travelled_m() < kNeverLeftM;
     end(never_left ? MissionOutcome::kHome : MissionOutcome::kStranded,
         (never_left ? "there is no way into the mine: " : "no way on was found: ") + reason);
+  } else if (phase_.homeward && has_map_ && track_that_leads_there_m() > 0.0) {
+    rejoin(track_that_leads_there_m(), "exploration knows no way (" + reason + ")");
   } else {
     go_by_sight("exploration knows no way (" + reason + "): straight on");
   }

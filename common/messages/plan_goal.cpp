@@ -63,9 +63,12 @@ plan_goal_t to_message(const PlanGoal& goal) {
 
 Result<PlanGoal> from_message(const plan_goal_t& message) {
   if (const auto reason = reason_to_refuse(message); !reason.empty()) return Refused{reason};
-  PlanGoal goal{message.utime,          message.id,
-                Kind(message.kind),     pose_from(message.T_odom_goal),
-                message.distance_max_m, {},
+  PlanGoal goal{message.utime,
+                message.id,
+                Kind(message.kind),
+                pose_from(message.T_odom_goal),
+                message.distance_max_m,
+                {},
                 {}};
   for (const std::vector<double>& p : message.route_odom) goal.route_odom.emplace_back(p[0], p[1]);
   for (const std::vector<double>& pose : message.track_odom) {

@@ -135,7 +135,7 @@ class Mission {
   std::optional<BlockedVerdict> verdict_;
   std::vector<Eigen::Vector2d> route_odom_;
   PlanGoal::Kind goal_kind_ = PlanGoal::Kind::kRoute;
-  bool by_sight_ = false;  ///< no target of exploration
+  bool by_sight_ = false;          ///< no target of exploration
   std::vector<Pose2> track_odom_;  ///< to go back on
   double goal_distance_m_ = 0.0;
   bool backing_off_ = false;

@@ -8,9 +8,9 @@
 namespace adit {
 namespace {
 
-constexpr double kGotOnM = 1.0;         // that counts as having got on
-constexpr double kSharedM = 2.5;        // of a route, to go on the own track instead
-constexpr double kOnTrackM = 6.0;       // to go on it, at first
+constexpr double kGotOnM = 1.0;          // that counts as having got on
+constexpr double kSharedM = 2.5;         // of a route, to go on the own track instead
+constexpr double kOnTrackM = 6.0;        // to go on it, at first
 constexpr double kTrackInSightM = 10.0;  // that may be come to
 
 using Evidence = Attempt::Evidence;

@@ -15,9 +15,9 @@ constexpr double kApartRad = 0.1;
 constexpr double kSameAlongM = 0.15;
 constexpr double kSameBesideM = 0.1;
 constexpr double kSameRad = 0.1;
-constexpr double kBesideM = 1.0;         // of a route that keeps to the track
-constexpr std::ptrdiff_t kAheadPlaces = 10;  // of the track, for the next place of the route
-constexpr std::size_t kPlacesMax = 5000;     // that are told
+constexpr double kBesideM = 1.0;  // of a route that keeps to the track
+constexpr double kLongerM = 2.0;  // that the track may take than the route, from place to place
+constexpr std::size_t kPlacesMax = 5000;  // that are told
 
 bool is_same(const Pose2& T_odom_a, const Pose2& T_odom_b) {
   const Pose2 T_a_b = between(T_odom_a, T_odom_b);
@@ -36,9 +36,9 @@ void OwnTrack::add(std::int64_t utime, const Pose2& T_odom_body) {
     if (way_m < kApartM && std::abs(step.theta) < kApartRad) return;
     travelled_m_ += way_m;
   }
-  const auto before =
-      std::find_if(places_.begin(), places_.end(),
-                   [&](const Pose2& T_odom_place) { return is_same(T_odom_place, T_odom_body); });
+  const auto before = std::find_if(places_.begin(), places_.end(), [&](const Pose2& T_odom_place) {
+    return is_same(T_odom_place, T_odom_body);
+  });
   places_.erase(before, places_.end());
   places_.push_back(T_odom_body);
 }
@@ -77,12 +77,13 @@ double OwnTrack::shared_m(const std::vector<Eigen::Vector2d>& route_odom) const 
     const auto off_m = [&](const Pose2& place) {
       return (place.translation() - route_odom[i]).norm();
     };
-    const auto end = nearest + std::min(kAheadPlaces, places_.rend() - nearest);
-    nearest = std::min_element(nearest, end, [&](const Pose2& a, const Pose2& b) {
-      return off_m(a) < off_m(b);
-    });
+    const double leg_m = (route_odom[i] - route_odom[i - 1]).norm();
+    const auto ahead = static_cast<std::ptrdiff_t>((leg_m + kLongerM) / kApartM);
+    const auto end = nearest + std::min(ahead, places_.rend() - nearest);
+    nearest = std::min_element(nearest, end,
+                               [&](const Pose2& a, const Pose2& b) { return off_m(a) < off_m(b); });
     if (off_m(*nearest) > kBesideM) break;
-    shared_m += (route_odom[i] - route_odom[i - 1]).norm();
+    shared_m += leg_m;
   }
   return shared_m;
 }

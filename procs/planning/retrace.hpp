@@ -13,8 +13,8 @@ namespace adit {
 /// the track. Without half a metre of track there is none.
 PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body);
 
-/// How far from a pose of the track another may be for it to go on from there: a pose of the lattice
-/// that stands for it is no farther.
+/// How far from a pose of the track another may be for it to go on from there: a pose of the
+/// lattice that stands for it is no farther.
 inline constexpr double kOnTrackM = 0.1;
 inline constexpr double kOnTrackRad = 0.1;
 

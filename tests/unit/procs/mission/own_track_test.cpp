@@ -48,7 +48,7 @@ TEST(OwnTrack, LeadsBackOverThePlacesWhereItWas) {
 TEST(OwnTrack, LeavesOutWhatItCameBackFrom) {
   OwnTrack track;
   int i = 0;
-  for (; i <= 40; ++i) track.add(i, {0.25 * i, 0.0, 0.0});             // to 10, 0
+  for (; i <= 40; ++i) track.add(i, {0.25 * i, 0.0, 0.0});               // to 10, 0
   for (; i <= 60; ++i) track.add(i, {0.25 * (80 - i) + 0.1, 0.0, 0.0});  // in reverse to 5, 0
   EXPECT_NEAR(track.travelled_m(), 15.0, 0.3);  // a step more or less for each way
   const auto way = track.back(100.0);
@@ -68,12 +68,13 @@ TEST(OwnTrack, KeepsWhatItDroveToAnotherPose) {
 
 TEST(OwnTrack, TellsOfItselfWhatIsNear) {
   OwnTrack track;
-  for (int i = 0; i <= 80; ++i) track.add(i, {0.25 * i, 0.0, 0.0});         // to 20, 0
+  for (int i = 0; i <= 80; ++i) track.add(i, {0.25 * i, 0.0, 0.0});              // to 20, 0
   for (int i = 1; i <= 72; ++i) track.add(80 + i, {20.0 - 0.25 * i, 1.0, 0.0});  // to 2, 1
   const auto near = track.back_within(3.0);
   EXPECT_EQ(near.front(), Pose2(2.0, 1.0, 0.0));
   EXPECT_NEAR(near.back().x, 0.0, 1e-9);  // where it began is the last
-  for (const Pose2& pose : near) EXPECT_LE((pose.translation() - near[0].translation()).norm(), 3.0);
+  for (const Pose2& pose : near)
+    EXPECT_LE((pose.translation() - near[0].translation()).norm(), 3.0);
 }
 
 TEST(OwnTrack, SaysHowFarARouteKeepsToIt) {
@@ -85,7 +86,8 @@ TEST(OwnTrack, SaysHowFarARouteKeepsToIt) {
     for (int i = 0; i <= 20; ++i) places.emplace_back(from + i / 20.0 * Eigen::Vector2d(x, y));
     return places;
   };
-  EXPECT_NEAR(track.shared_m(route(-10.0, 0.5)), 10.0, 0.02);  // it is longer by that, being oblique
+  EXPECT_NEAR(track.shared_m(route(-10.0, 0.5)), 10.0,
+              0.02);                                  // it is longer by that, being oblique
   EXPECT_LT(track.shared_m(route(10.0, 0.0)), 1.01);  // where it has not been: a metre beside it
   EXPECT_LT(track.shared_m(route(0.0, 10.0)), 1.01);
 }

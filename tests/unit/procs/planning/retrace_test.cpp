@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "procs/planning/planning.hpp"
+#include "tests/support/terrain_scenes.hpp"
+
 namespace adit {
 namespace {
 
@@ -96,6 +99,58 @@ TEST(Retrace, EndsAtAGap) {
   auto track = line(0.0, -2.0);
   for (const Pose2& pose : line(-4.0, -6.0)) track.push_back(pose);
   EXPECT_NEAR(retrace(back_on(track), {0, 0, 0}).reached_m, 2.0, 1e-9);
+}
+
+class Rejoining : public testing::Test {
+ protected:
+  /// A way in along x and back out in reverse, 1 m beside it; the robot is at its end.
+  static PlanGoal beside_the_way_in() {
+    PlanGoal goal = back_on({});
+    goal.kind = PlanGoal::Kind::kRejoin;
+    goal.distance_m = 3.0;
+    goal.route_odom = {{0.0, 0.0}, {-5.0, 0.0}};
+    for (const Pose2& pose : line(0.0, 10.0)) goal.track_odom.push_back(pose);
+    for (const Pose2& pose : line(9.8, -6.0)) {
+      goal.track_odom.push_back({pose.x, kBesideM, 0.0});
+    }
+    return goal;
+  }
+  static PlannedPath plan(const TerrainMap& terrain) {
+    static Planning planning{PlanningParams{}};
+    return planning.plan(terrain, beside_the_way_in(), {0, 0, 0});
+  }
+
+  static constexpr double kBesideM = 1.0;
+};
+
+/// Not all the way into the mine first, from where it came last.
+TEST_F(Rejoining, LeadsOntoTheTrackWhereThatIsNearestToHome) {
+  const PlannedPath path = plan(even_ground());
+  ASSERT_EQ(path.outcome, PlanOutcome::kFound);
+  const Pose2& end = path.points.back().T_odom_body;
+  EXPECT_NEAR(end.y, kBesideM, 1e-9);  // a pose of the track itself
+  EXPECT_LT(end.x, -3.0);
+  double most_m = 0.0;
+  for (const PathPoint& point : path.points) most_m = std::max(most_m, point.T_odom_body.x);
+  EXPECT_LT(most_m, 2.0);  // room to turn out
+}
+
+/// Where nothing that is seen leads to the track, what it came over last does.
+TEST_F(Rejoining, GoesBackWhereItCameFromWhereNothingElseIsSeen) {
+  TerrainMap terrain = even_ground();
+  paint_box(terrain, obstacle_cell(1.0), {-12.0, 0.65}, {12.0, 0.8});
+  const PlannedPath path = plan(terrain);
+  ASSERT_EQ(path.outcome, PlanOutcome::kFound);
+  EXPECT_NEAR(path.reached_m, 3.0, 0.2);  // of the track, and a piece of it more at most
+  for (const PathPoint& point : path.points) EXPECT_NEAR(point.T_odom_body.y, 0.0, 0.11);
+  EXPECT_NEAR(path.points.back().T_odom_body.x, 3.0, 0.25);
+}
+
+/// Its start may be refused for what it stands beside, its track never.
+TEST_F(Rejoining, NeedsNoGroundToGoBackOverItsOwnTrack) {
+  TerrainMap terrain = even_ground();
+  paint_box(terrain, obstacle_cell(1.0), {-12.0, -12.0}, {12.0, 12.0});
+  EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kFound);
 }
 
 TEST(Retrace, IsNoneWithoutATrack) {

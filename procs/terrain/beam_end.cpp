@@ -23,12 +23,16 @@ std::optional<BeamEnd> BeamEnds::of_point(const Eigen::Vector3f& origin,
   if (!is_usable(p_level)) return std::nullopt;
   const float range = (p_level - origin).head<2>().norm();
   if (range < kRangeMin) return std::nullopt;
-  BeamEnd end{(p_level.z() - origin.z()) / range, range, p_level.z(), BeamEnd::Kind::kObstacle};
+  BeamEnd end;
+  end.slope = (p_level.z() - origin.z()) / range;
+  end.range_m = range;
+  end.z_m = p_level.z();
   const int cell = finder_.at(p_level.x(), p_level.y());
   // Outside of the map nobody knows the ground: what is below the laser may well be it.
   const float ground = cell == CellFinder::kOutside ? origin.z() - step_m_
                                                     : ground_.at(static_cast<std::size_t>(cell));
-  if (p_level.z() <= ground + step_m_) end.kind = BeamEnd::Kind::kGround;
+  end.above_m = p_level.z() - ground;
+  end.kind = end.above_m <= step_m_ ? BeamEnd::Kind::kGround : BeamEnd::Kind::kObstacle;
   return end;
 }
 
@@ -47,7 +51,7 @@ std::optional<BeamEnd> BeamEnds::of_miss(const Eigen::Vector3f& origin,
     if (cell == CellFinder::kOutside) return std::nullopt;
     ground = ground_.at(static_cast<std::size_t>(cell));
   }
-  return BeamEnd{slope, range, ground, BeamEnd::Kind::kLost};
+  return BeamEnd{slope, range, ground, 0.0F, BeamEnd::Kind::kLost};
 }
 
 }  // namespace adit

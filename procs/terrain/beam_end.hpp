@@ -22,7 +22,8 @@ struct BeamEnd {
 
   float slope = 0.0F;  ///< rise over plan distance
   float range_m = 0.0F;
-  float z_m = 0.0F;  ///< of its end, in level
+  float z_m = 0.0F;      ///< of its end, in level
+  float above_m = 0.0F;  ///< likewise, above the ground
   Kind kind = Kind::kGround;
 };
 

@@ -14,6 +14,7 @@ namespace {
 using Kind = BeamEnd::Kind;
 
 constexpr float kGapAlways = 0.3F;       // the width of a region, which bridges as much [m]
+constexpr float kHidesM = 0.04F;         // above the ground, more than it is rough [m]
 constexpr float kLaserHeightMin = 0.2F;  // [m]
 
 /// From a place to the farthest corner of the map.
@@ -67,6 +68,9 @@ void SightLines::look_along(std::span<BeamEnd> beams, std::span<SeenThrough> out
 SeenThrough SightLines::between(const BeamEnd& below, const BeamEnd& above, float range_m) const {
   if (below.kind == Kind::kLost || above.kind == Kind::kLost) return {Ground::kNoReturn};
   if (below.kind == Kind::kObstacle) return {Ground::kShadow};
+  // What a rail or a stone hides is no drop.
+  const bool hides = below.above_m > kHidesM;
+  if (is_gap(below, above) && hides) return {Ground::kShadow};
   if (is_gap(below, above)) return {Ground::kBelowRay, origin_.z() + above.slope * range_m};
   if (above.kind == Kind::kObstacle) return {Ground::kSeen, below.z_m};
   const float way = std::max(above.range_m - below.range_m, cell_m_);

@@ -25,6 +25,12 @@ float reach_m(const TerrainMap& map, const Eigen::Vector3f& origin) {
   return static_cast<float>((place - low).cwiseAbs().cwiseMax((high - place).cwiseAbs()).norm());
 }
 
+/// Whether a rail, say, hides what lies between: a beam that passed over it and was nowhere below
+/// the ground that is expected says nothing of a drop.
+bool hides(const BeamEnd& below, const BeamEnd& above) {
+  return below.above_m > kHidesM && above.above_m > -kHidesM;
+}
+
 }  // namespace
 
 SightLines::SightLines(std::span<const CloudLine* const> lines, const BeamEnds& ends,
@@ -68,10 +74,10 @@ void SightLines::look_along(std::span<BeamEnd> beams, std::span<SeenThrough> out
 SeenThrough SightLines::between(const BeamEnd& below, const BeamEnd& above, float range_m) const {
   if (below.kind == Kind::kLost || above.kind == Kind::kLost) return {Ground::kNoReturn};
   if (below.kind == Kind::kObstacle) return {Ground::kShadow};
-  // What a rail or a stone hides is no drop.
-  const bool hides = below.above_m > kHidesM;
-  if (is_gap(below, above) && hides) return {Ground::kShadow};
-  if (is_gap(below, above)) return {Ground::kBelowRay, origin_.z() + above.slope * range_m};
+  if (is_gap(below, above)) {
+    if (hides(below, above)) return {Ground::kShadow};
+    return {Ground::kBelowRay, origin_.z() + above.slope * range_m};
+  }
   if (above.kind == Kind::kObstacle) return {Ground::kSeen, below.z_m};
   const float way = std::max(above.range_m - below.range_m, cell_m_);
   const float share = std::clamp((range_m - below.range_m) / way, 0.0F, 1.0F);

@@ -81,7 +81,8 @@ double Mission::track_that_leads_there_m() const {
   if (track_failed_) return 0.0;
   const double shared_m = way_.shared_m(route_odom_);
   if (!phase_.homeward) return shared_m < kSharedM ? 0.0 : std::min(shared_m, kOnTrackM);
-  return way_.back(kGotOnM).size() < 3 ? 0.0 : kOnTrackM * (1 + rejoined_ / 2);
+  const int times = 1 + rejoined_ / 2;
+  return way_.back(kGotOnM).size() < 3 ? 0.0 : kOnTrackM * times;
 }
 
 /// What lies between it and its own track it can see; on the track it need not.

@@ -74,8 +74,8 @@ TEST(UnseenGround, BehindARailIsHiddenAndNoDrop) {
   EXPECT_EQ(share_of(even, behind, is(Ground::kBelowRay)), 0.0);
   const TerrainMap pit = map_of([&](MeshBuilder& builder) {
     add_ground(builder, -5.0, 5.1);
-    add_ground(builder, 5.1, 7.5, -1.0);
-    add_rock(builder, {11.25, 0.0, -0.5}, {7.5, 8.0, 1.0});  // its far wall, and the ground behind
+    add_ground(builder, 5.1, 9.5, -1.0);
+    add_rock(builder, {12.25, 0.0, -0.5}, {5.5, 8.0, 1.0});  // its far wall, and the ground behind
     rail(builder);
   });
   EXPECT_EQ(share_of(pit, behind, is(Ground::kBelowRay)), 1.0);

@@ -12,7 +12,8 @@ namespace adit {
 plan_goal_t to_message(const PlanGoal& goal);
 
 /// Refused: an implausible time, a negative id, an unknown kind, a pose that is not finite, a
-/// distance that is not finite or not positive.
+/// distance that is not finite or not positive, a route or a track that the kind needs and that is
+/// none, or is not finite.
 Result<PlanGoal> from_message(const plan_goal_t& message);
 
 }  // namespace adit

@@ -20,15 +20,19 @@ struct PlanGoal {
     kRoute = 2,    ///< as far as possible along a route, on which the corridor bends and branches
     kRetrace = 3,  ///< back on the own track, whatever the terrain seems to be
     kRouteTo = 4,  ///< along a route to its end, a place, with any heading; as far as possible
+    kRejoin = 5,   ///< onto the own track where it is farthest back, and from there back on it
   };
 
   std::int64_t utime = 0;  ///< [µs since the epoch]
   std::int32_t id = 0;
   Kind kind = Kind::kAlong;
   Pose2 T_odom_goal;         ///< the pose; of kAlong its heading is the direction
-  double distance_m = 10.0;  ///< of kAlong: how far at most
+  double distance_m = 10.0;  ///< of kAlong, and of kRejoin on the track: how far at most
   std::vector<Eigen::Vector2d> route_odom =
-      {};  ///< of the kinds that have one: from the robot on, two places at least [m]
+      {};  ///< of kRoute and kRouteTo: from the robot on, two places at least [m]
+  /// Of kRetrace and kRejoin: where the body was, from where it is back, two poses at least; with
+  /// gaps where it was too far away to be of use.
+  std::vector<Pose2> track_odom = {};
 
   friend bool operator==(const PlanGoal&, const PlanGoal&) = default;
 };

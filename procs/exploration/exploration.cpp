@@ -210,8 +210,8 @@ ExplorationDecision Exploration::make(const ExplorationState& state) {
     stay.reason = "there is no map yet";
     return stay;
   }
-  const auto home_m = from_home_->distance_m(state.T_map_body.translation());
-  if (!home_m) {
+  if (is_cut_off(state)) drop_passed_barriers(state);
+  if (is_cut_off(state)) {
     stay.reason = "no known way leads from here to the start";
     return stay;
   }
@@ -227,6 +227,30 @@ ExplorationDecision Exploration::make(const ExplorationState& state) {
   returning_ = params_.mode == "corridor";
   const auto why = reasons_why_not_complete();
   return to_home(state, why.empty() ? "every stub is closed" : why.front());
+}
+
+bool Exploration::is_cut_off(const ExplorationState& state) const {
+  return !from_home_->distance_m(state.T_map_body.translation());
+}
+
+/// A robot behind a barrier has come past it, and so there is a way: the newest without which it is
+/// not cut off is none, or all of them are none. Where that does not help, the reason is another.
+void Exploration::drop_passed_barriers(const ExplorationState& state) {
+  const std::vector<Barrier> all = barriers_;
+  const auto is_way_out = [](const Barrier& b) { return b.kind == Barrier::Kind::kWayOut; };
+  if (std::all_of(all.begin(), all.end(), is_way_out)) return;
+  for (std::size_t i = all.size(); i-- > 0 && is_cut_off(state);) {
+    if (is_way_out(all[i])) continue;
+    barriers_ = all;
+    barriers_.erase(barriers_.begin() + static_cast<std::ptrdiff_t>(i));
+    refresh();
+  }
+  if (!is_cut_off(state)) return;
+  std::erase_if(barriers_, [&](const Barrier& barrier) { return !is_way_out(barrier); });
+  refresh();
+  if (!is_cut_off(state)) return;
+  barriers_ = all;
+  refresh();
 }
 
 std::optional<int> Exploration::choose(const ExplorationState& state,

@@ -126,6 +126,8 @@ class Exploration {
  private:
   void refresh();
   bool retry_doubtful(std::int64_t utime);
+  [[nodiscard]] bool is_cut_off(const ExplorationState& state) const;
+  void drop_passed_barriers(const ExplorationState& state);
   [[nodiscard]] std::vector<Cut> cuts() const;
   [[nodiscard]] std::vector<StubRegister::BarrierText> barrier_texts() const;
   void add_way_out();

@@ -13,11 +13,12 @@ constexpr int kBackOffsMax = 2;
 
 }  // namespace
 
-void Attempt::aim_at(int stub, bool homeward) {
-  if (stub == stub_ && homeward == homeward_) return;
+bool Attempt::aim_at(int stub, bool homeward) {
+  if (stub == stub_ && homeward == homeward_) return false;
   *this = {};
   stub_ = stub;
   homeward_ = homeward;
+  return true;
 }
 
 void Attempt::got_on() {

@@ -27,8 +27,8 @@ class Attempt {
     kGiveUp,  ///< it is blocked, or, where `is_doubtful`, not to be found
   };
 
-  /// For another target than the last everything begins anew.
-  void aim_at(int stub, bool homeward);
+  /// For another target than the last everything begins anew, and it says so.
+  bool aim_at(int stub, bool homeward);
   /// The robot got on: what was refused was elsewhere.
   void got_on();
   /// The planner found no path, or the drive failed.

@@ -111,7 +111,9 @@ class Mission {
   void refuse(double reached_m, const std::string& reason, Attempt::Evidence evidence);
   void drive_failed(const std::string& reason);
   void back_off(const std::string& reason);
-  void retrace(const std::string& reason);
+  void back_off_as_planned(const std::string& reason);
+  [[nodiscard]] double track_that_leads_there_m() const;
+  void rejoin(double length_m, const std::string& reason);
   [[nodiscard]] bool got_on() const;
   void lost_try(const std::string& reason);
   [[nodiscard]] LaserId facing(const std::vector<Eigen::Vector2d>& route_odom) const;
@@ -142,8 +144,12 @@ class Mission {
   PlanGoal::Kind goal_kind_ = PlanGoal::Kind::kRoute;
   std::optional<Eigen::Vector2d> p_odom_home_;  ///< where the route ends, if that is home
   int nearly_home_tries_ = 0;
-  bool by_sight_ = false;  ///< no target of exploration
+  bool by_sight_ = false;          ///< no target of exploration
+  std::vector<Pose2> track_odom_;  ///< to go back on
+  double goal_distance_m_ = 0.0;
   bool backing_off_ = false;
+  bool track_failed_ = false;  ///< the last drive on the own track
+  int rejoined_ = 0;           ///< how often it went to the own track, for one target
   std::vector<Eigen::Vector2d> refused_odom_;  ///< where attempts were, at first
   std::int64_t terrain_utime_ = 0;
   std::optional<DrivingState> driving_;

@@ -52,7 +52,7 @@ void Mission::decide(const ExplorationReport& report) {
   phase_.homeward = home || home_for_good_;
   phase_.stub = decision.stub;
   by_sight_ = false;
-  attempt_.aim_at(decision.stub, home);
+  if (attempt_.aim_at(decision.stub, home)) rejoined_ = 0;
   p_odom_home_ = home_of(report);
   if (is_nearly_home() && ++nearly_home_tries_ > params_.nearly_home_tries) {
     end_nearly_home(decision.reason);
@@ -87,12 +87,13 @@ void Mission::judge(const PlannedPath& path) {
     enter(Phase::kExecute, path.reason);
     return;
   }
-  if (backing_off_ && goal_kind_ != PlanGoal::Kind::kRetrace) {
-    retrace(path.reason);
+  if (goal_kind_ == PlanGoal::Kind::kRetrace) {
+    back_off_as_planned(path.reason);
     return;
   }
   if (backing_off_) {
     backing_off_ = false;
+    track_failed_ = true;
     refuse(attempt_.reached_m(), "Nor is there a way back: " + path.reason, Evidence::kDrive);
     return;
   }
@@ -110,7 +111,9 @@ void Mission::add_driving(const DrivingState& state) {
     return;
   }
   if (state.kind == DrivingState::Kind::kArrived) {
-    if (!backing_off_ && got_on()) {
+    const bool away = backing_off_ && goal_kind_ != PlanGoal::Kind::kRejoin;
+    track_failed_ = false;
+    if (!away && got_on()) {
       attempt_.got_on();
       lost_tries_ = 0;
     }

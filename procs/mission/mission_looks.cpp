@@ -65,7 +65,9 @@ LaserId Mission::facing(const std::vector<Eigen::Vector2d>& route_odom) const {
 PlanGoal Mission::goal() const {
   const bool to_home = p_odom_home_ && !backing_off_;
   const PlanGoal::Kind kind = to_home ? PlanGoal::Kind::kRouteTo : goal_kind_;
-  PlanGoal goal{utime_, phase_.goal_id, kind, {}, kSightM, route_odom_};
+  const double distance_m = backing_off_ ? goal_distance_m_ : kSightM;
+  PlanGoal goal{utime_, phase_.goal_id, kind, {}, distance_m, route_odom_, {}};
+  if (backing_off_) goal.track_odom = track_odom_;
   goal.T_odom_goal = {route_odom_.back().x(), route_odom_.back().y(), 0.0};
   return goal;
 }
@@ -76,6 +78,8 @@ void Mission::lost_try(const std::string& reason) {
     const bool never_left = way_.travelled_m() < kNeverLeftM;
     end(never_left ? MissionOutcome::kHome : MissionOutcome::kStranded,
         (never_left ? "there is no way into the mine: " : "no way on was found: ") + reason);
+  } else if (phase_.homeward && has_map_ && track_that_leads_there_m() > 0.0) {
+    rejoin(track_that_leads_there_m(), "exploration knows no way (" + reason + ")");
   } else {
     go_by_sight("exploration knows no way (" + reason + "): straight on");
   }

@@ -9,7 +9,10 @@
 namespace adit {
 namespace {
 
-constexpr double kGotOnM = 1.0;  // that counts as having got on
+constexpr double kGotOnM = 1.0;          // that counts as having got on
+constexpr double kSharedM = 2.5;         // of a route, to go on the own track instead
+constexpr double kOnTrackM = 6.0;        // to go on it, at first
+constexpr double kTrackInSightM = 10.0;  // that may be come to
 
 using Evidence = Attempt::Evidence;
 
@@ -24,12 +27,15 @@ void Mission::refuse(double reached_m, const std::string& reason, Evidence evide
     refused_odom_.push_back(way_.T_odom_body()->translation());
   }
   const bool may_back_off = way_.back(params_.back_off_m).size() > 5;
+  const double track_m = track_that_leads_there_m();
   switch (attempt_.refuse(utime_, reached_m, reason, evidence, may_back_off)) {
     case Attempt::Next::kOtherLaser:
+      if (track_m > 0.0) return rejoin(track_m, reason);
       look(phase_.laser == LaserId::kFront ? LaserId::kRear : LaserId::kFront,
            "the ground is not known well enough, so it looks to the other side: " + reason);
       return;
     case Attempt::Next::kBackOff:
+      if (track_m > 0.0) return rejoin(track_m, reason);
       back_off(reason);
       return;
     case Attempt::Next::kLookAgain:
@@ -77,19 +83,44 @@ void Mission::end_nearly_home(const std::string& reason) {
   end(MissionOutcome::kHome, "the robot is at home" + (where + reason));
 }
 
+/// What it came over carried it, whatever the scans say of it. Where that drive failed, what the
+/// scans say is all there is.
 void Mission::back_off(const std::string& reason) {
   backing_off_ = true;
-  route_odom_ = way_.back(std::max(1, attempt_.back_offs()) * params_.back_off_m);
-  goal_kind_ = PlanGoal::Kind::kRoute;
+  goal_distance_m_ = std::max(1, attempt_.back_offs()) * params_.back_off_m;
+  track_odom_ = way_.back(goal_distance_m_);
+  route_odom_.clear();
+  for (const Pose2& T_odom_place : track_odom_) route_odom_.push_back(T_odom_place.translation());
+  goal_kind_ = track_failed_ ? PlanGoal::Kind::kRoute : PlanGoal::Kind::kRetrace;
   ++phase_.goal_id;
   enter(Phase::kPlan, "it backs off to look from another place: " + reason);
 }
 
-/// What it came over carried it, whatever the scans say of it.
-void Mission::retrace(const std::string& reason) {
-  goal_kind_ = PlanGoal::Kind::kRetrace;
+void Mission::back_off_as_planned(const std::string& reason) {
+  goal_kind_ = PlanGoal::Kind::kRoute;
   ++phase_.goal_id;
-  enter(Phase::kPlan, "it goes back on its own track: " + reason);
+  enter(Phase::kPlan, "it backs off by what it sees: " + reason);
+}
+
+/// How far it may go to where it is to go on its own track; 0 where that does not lead there. On
+/// the way home it does, if by a detour: so it goes the farther the more often it had to.
+double Mission::track_that_leads_there_m() const {
+  if (track_failed_) return 0.0;
+  const double shared_m = way_.shared_m(route_odom_);
+  if (!phase_.homeward) return shared_m < kSharedM ? 0.0 : std::min(shared_m, kOnTrackM);
+  const int times = 1 + rejoined_ / 2;
+  return way_.back(kGotOnM).size() < 3 ? 0.0 : kOnTrackM * times;
+}
+
+/// What lies between it and its own track it can see; on the track it need not.
+void Mission::rejoin(double length_m, const std::string& reason) {
+  backing_off_ = true;
+  ++rejoined_;
+  goal_distance_m_ = length_m;
+  track_odom_ = way_.back_within(length_m + kTrackInSightM);
+  goal_kind_ = PlanGoal::Kind::kRejoin;
+  ++phase_.goal_id;
+  enter(Phase::kPlan, "it goes on along its own track: " + reason);
 }
 
 /// Back to where it was once refused is not on.
@@ -109,6 +140,7 @@ void Mission::drive_failed(const std::string& reason) {
     return;
   }
   if (backing_off_) {
+    track_failed_ = goal_kind_ != PlanGoal::Kind::kRoute;
     enter(Phase::kExplore, "it looks from where it got to: " + reason);
     return;
   }

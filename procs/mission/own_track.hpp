@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -13,7 +12,9 @@
 
 namespace adit {
 
-/// The way of the body in odom: how long it is, and its last metres, to go back on.
+/// The way of the body in odom: how long it is, and how it leads back to where odom began. Where
+/// the body stood as it did once before, what it drove in between is left out: it need not be
+/// driven again.
 class OwnTrack {
  public:
   void add(std::int64_t utime, const Pose2& T_odom_body);
@@ -25,14 +26,18 @@ class OwnTrack {
   [[nodiscard]] double travelled_m() const { return travelled_m_; }
   [[nodiscard]] const std::optional<Pose2>& T_odom_body() const { return T_odom_body_; }
   [[nodiscard]] std::int64_t utime() const { return utime_; }
-  /// From the body back along the way, this far at most.
-  [[nodiscard]] std::vector<Eigen::Vector2d> back(double length_m) const;
+  /// Poses of the body, from where it is back along the way, this far at most.
+  [[nodiscard]] std::vector<Pose2> back(double length_m) const;
+  /// The same all the way back, but only those within a distance of the body.
+  [[nodiscard]] std::vector<Pose2> back_within(double distance_m) const;
+  /// How far a route from the body on keeps to the way back, a metre beside it at most [m].
+  [[nodiscard]] double shared_m(const std::vector<Eigen::Vector2d>& route_odom) const;
 
  private:
   std::int64_t utime_ = 0;
   std::optional<Pose2> T_odom_body_;
   double travelled_m_ = 0.0;
-  std::deque<Eigen::Vector2d> places_;  ///< odom, the newest last
+  std::vector<Pose2> places_;  ///< T_odom_body, the newest last
 };
 
 }  // namespace adit

@@ -142,6 +142,8 @@ CSpaceKernels::CSpaceKernels(const Vehicle& vehicle, const CSpaceParams& params,
     kernel.close_body = conservative_kernel(body, headings_, k, cell_m);
     kernel.lethal_wheels = covering_kernel(less(wheels, cell_m), headings_, k, cell_m);
     kernel.lethal_body = covering_kernel(less(body, cell_m), headings_, k, cell_m);
+    kernel.leaving_wheels = covering_kernel(less(wheels, cell_m / 2.0), headings_, k, cell_m);
+    kernel.leaving_body = covering_kernel(less(body, cell_m / 2.0), headings_, k, cell_m);
     const std::vector<Pose2> standing{{0.0, 0.0, headings_.angle(k)}};
     kernel.exact_wheels = swept_kernel(wheels, standing, cell_m);
     kernel.exact_body = swept_kernel(body, standing, cell_m);

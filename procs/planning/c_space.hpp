@@ -108,6 +108,8 @@ class CSpaceKernels {
     RunKernel lethal_body;
     RunKernel exact_wheels;  ///< of the pose in the middle of the cell, at the heading itself
     RunKernel exact_body;
+    RunKernel leaving_wheels;  ///< less half a cell all round
+    RunKernel leaving_body;
     std::uint32_t unseen_max = 0;       ///< cells under the wheels
     std::uint64_t cost_per_wheels = 0;  ///< of roughness 1, times 2³²
     std::uint64_t cost_per_body = 0;

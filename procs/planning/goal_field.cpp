@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "procs/planning/retrace.hpp"
+
 namespace adit {
 namespace {
 
@@ -30,7 +32,8 @@ GoalField::GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose
       distance_m_(goal.distance_m),
       least_progress_m_(std::min(params.min_progress_m, goal.distance_m)) {
   if (kind_ == PlanGoal::Kind::kTo) approach(params.tolerance_m);
-  if (kind_ == PlanGoal::Kind::kRoute || kind_ == PlanGoal::Kind::kRouteTo) {
+  if (kind_ == PlanGoal::Kind::kRoute || kind_ == PlanGoal::Kind::kRouteTo ||
+      kind_ == PlanGoal::Kind::kRejoin) {
     const Pose2 T_level_odom = terrain.T_odom_level.inverse();
     std::vector<Eigen::Vector2d> points;
     for (const Eigen::Vector2d& p : goal.route_odom) points.emplace_back(T_level_odom * p);
@@ -42,11 +45,39 @@ GoalField::GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose
   for (int row = 0; row < terrain.rows; ++row) {
     for (int column = 0; column < terrain.columns; ++column) add_cell(terrain.centre(column, row));
   }
-  if (kind_ != PlanGoal::Kind::kTo && !is_last_leg_) add_room(room_m);
+  if (has_way_on()) add_room(room_m);
+  if (kind_ == PlanGoal::Kind::kRejoin) add_track(goal.track_odom, terrain);
+}
+
+/// What is left of the track from a pose on costs as even ground does: no way that is off it is
+/// cheaper, unless it cuts off some of it. Where it was twice, the later pose leads back sooner.
+void GoalField::add_track(const std::vector<Pose2>& track_odom, const TerrainMap& terrain) {
+  const Pose2 T_level_odom = terrain.T_odom_level.inverse();
+  const int reach = static_cast<int>(std::ceil(kOnTrackM / terrain.cell_m));
+  double left_m = 0.0;
+  for (std::size_t i = track_odom.size(); i-- > 0;) {
+    const Pose2 T_level_track = T_level_odom * track_odom[i];
+    const Eigen::Vector2d p = T_level_track.translation();
+    const Eigen::Vector2d cells = (p - terrain.p_level_corner) / terrain.cell_m;
+    const int column = static_cast<int>(std::floor(cells.x()));
+    const int row = static_cast<int>(std::floor(cells.y()));
+    for (int r = row - reach; r <= row + reach; ++r) {
+      for (int c = column - reach; c <= column + reach; ++c) {
+        if (!terrain.contains(c, r) || (terrain.centre(c, r) - p).norm() > kOnTrackM) continue;
+        const auto cell = static_cast<std::size_t>(r) * static_cast<std::size_t>(terrain.columns) +
+                          static_cast<std::size_t>(c);
+        if (ending_costs_[cell] != kNoGoal) continue;
+        ending_costs_[cell] = cost_of(left_m);
+        headings_rad_[cell] = static_cast<float>(T_level_track.theta);
+      }
+    }
+    if (i > 0) left_m += (track_odom[i].translation() - track_odom[i - 1].translation()).norm();
+  }
 }
 
 void GoalField::follow(const std::vector<Eigen::Vector2d>& points) {
   route_ = GoalRoute(points);
+  if (kind_ == PlanGoal::Kind::kRejoin) return;
   distance_m_ = route_.length_m();
   least_progress_m_ = std::min(params_.min_progress_m, distance_m_ - params_.tolerance_m);
   is_last_leg_ = least_progress_m_ < params_.min_progress_m;
@@ -65,7 +96,12 @@ void GoalField::approach(double within_m) {
 
 /// The last leg to a place is not along anything: it may take turning to and fro.
 bool GoalField::has_route() const {
-  return kind_ == PlanGoal::Kind::kRoute || (kind_ == PlanGoal::Kind::kRouteTo && !is_last_leg_);
+  const bool along_it = kind_ == PlanGoal::Kind::kRoute || kind_ == PlanGoal::Kind::kRejoin;
+  return along_it || (kind_ == PlanGoal::Kind::kRouteTo && !is_last_leg_);
+}
+
+bool GoalField::has_way_on() const {
+  return kind_ != PlanGoal::Kind::kTo && kind_ != PlanGoal::Kind::kRejoin && !is_last_leg_;
 }
 
 bool GoalField::is_at_place(const Eigen::Vector2d& p_level) const {
@@ -73,7 +109,7 @@ bool GoalField::is_at_place(const Eigen::Vector2d& p_level) const {
 }
 
 bool GoalField::leads_on(const Eigen::Vector2d& p_level) const {
-  return kind_ != PlanGoal::Kind::kTo && !is_last_leg_ && !is_at_place(p_level);
+  return has_way_on() && !is_at_place(p_level);
 }
 
 /// Where there is little room, the way on may be shut, or only be found after going back.
@@ -91,7 +127,7 @@ void GoalField::add_cell(const Eigen::Vector2d& p_level) {
     progress_m_.push_back(progress(p_level));
     ending_costs_.push_back(kind_ == PlanGoal::Kind::kAlong ? along(p_level) : to(p_level));
     headings_rad_.push_back(static_cast<float>(T_level_goal_.theta));
-  } else if (route_.empty()) {
+  } else if (route_.empty() || kind_ == PlanGoal::Kind::kRejoin) {
     ending_costs_.push_back(kNoGoal);
     progress_m_.push_back(0.0);
     headings_rad_.push_back(0.0F);
@@ -129,6 +165,7 @@ bool GoalField::accepts(std::size_t cell, double heading_rad) const {
   if (at_place_[cell]) return true;
   const double off = std::abs(angle_diff(heading_rad, static_cast<double>(headings_rad_[cell])));
   if (kind_ == PlanGoal::Kind::kTo) return off <= params_.heading_tolerance_rad;
+  if (kind_ == PlanGoal::Kind::kRejoin) return off <= kOnTrackRad;
   return std::min(off, std::numbers::pi - off) <= params_.along_heading_max_rad;
 }
 

@@ -43,7 +43,8 @@ struct GoalParams {
 
 /// The array of goals of the paper's section 3.3: what it costs to end in each cell. Down a
 /// corridor every cell that is far enough is a goal, the farthest straight down the best; along a
-/// route likewise; otherwise those within reach of a pose are. Where the end of a route is to be
+/// route likewise; onto the own track those poses of it are that can be driven on, the farther back
+/// the better; otherwise those within reach of a pose are. Where the end of a route is to be
 /// reached, what lies round it is, too, with any heading, and the nearer the better.
 class GoalField {
  public:
@@ -76,11 +77,13 @@ class GoalField {
   void follow(const std::vector<Eigen::Vector2d>& points);
   void approach(double within_m);
   [[nodiscard]] bool has_route() const;
+  [[nodiscard]] bool has_way_on() const;
   [[nodiscard]] bool is_at_place(const Eigen::Vector2d& p_level) const;
   [[nodiscard]] std::int32_t along(const Eigen::Vector2d& p_level) const;
   [[nodiscard]] std::int32_t to(const Eigen::Vector2d& p_level) const;
   [[nodiscard]] std::int32_t on_route(const GoalRoute::Place& place) const;
   void add_room(const std::vector<float>& room_m);
+  void add_track(const std::vector<Pose2>& track_odom, const TerrainMap& terrain);
   [[nodiscard]] double progress(const GoalRoute::Place& place) const;
   void add_cell(const Eigen::Vector2d& p_level);
 

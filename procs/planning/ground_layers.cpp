@@ -79,6 +79,19 @@ void widen(std::vector<std::uint8_t>& layer, const TerrainMap& terrain, Is is, i
   }
 }
 
+/// The robot does stand where it stands, whatever is beside it.
+void clear_below(GroundLayers& layers, const TerrainMap& terrain, const Pose2& T_level_body,
+                 const BodyRectangle& footprint) {
+  const Pose2 T_body_level = T_level_body.inverse();
+  for (int row = 0; row < terrain.rows; ++row) {
+    for (int column = 0; column < terrain.columns; ++column) {
+      if (!footprint.contains(T_body_level * terrain.centre(column, row))) continue;
+      const std::size_t i = layers.index(column, row);
+      layers.under_body[i] = layers.under_wheels[i] = layers.unseen[i] = 0;
+    }
+  }
+}
+
 double roughness_of(const TerrainCell& cell, std::optional<Reason> reason, bool taken_as_even,
                     const Vehicle& vehicle, const GroundLimits& limits) {
   if (reason == Reason::kUnknown) return taken_as_even ? 0.0 : limits.unseen_roughness;
@@ -139,7 +152,7 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
       const Eigen::Vector2d p_level = terrain.centre(column, row);
       const bool below = footprint.contains(T_body_level * p_level);
       const bool blind = reason == Reason::kUnknown && blind_ground.contains(p_level);
-      if (!below && !blind) classify(layers, i, reason);
+      if (!blind) classify(layers, i, reason);
       const double rough = roughness_of(cell, reason, below || blind, vehicle, limits) +
                            repelled(cell, vehicle, limits);
       layers.roughness[i] = static_cast<std::uint8_t>(std::lround(kWhole * std::min(rough, 1.0)));
@@ -147,6 +160,7 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
   }
   widen(layers.under_wheels, terrain, is_drop, 1, 3);
   widen(layers.unseen, terrain, is_shadow, 0, 2);
+  clear_below(layers, terrain, T_level_body, footprint);
   layers.body_distance_m = distance_transform(layers.under_body, layers.columns, layers.cell_m);
   layers.wheel_distance_m = distance_transform(layers.under_wheels, layers.columns, layers.cell_m);
   return layers;

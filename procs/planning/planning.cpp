@@ -13,6 +13,7 @@
 #include "procs/planning/path_end.hpp"
 #include "procs/planning/path_points.hpp"
 #include "procs/planning/reachable.hpp"
+#include "procs/planning/retrace.hpp"
 #include "procs/planning/seen_drops.hpp"
 #include "procs/planning/start_pose.hpp"
 
@@ -181,6 +182,12 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
     if (along_route && goals.leads_on(T_level_end.translation())) {
       end_with_room(answer, terrain, headings, lattice(CSpace::kLethal), goals);
     }
+    if (goal.kind == PlanGoal::Kind::kRejoin) {
+      go_on_along_track(answer, goal);
+      if (answer.points.size() < 2) return retrace(goal, T_odom_body);
+    }
+  } else if (goal.kind == PlanGoal::Kind::kRejoin) {
+    return retrace(goal, T_odom_body);
   } else if (found.gave_up) {
     answer.outcome = PlanOutcome::kGaveUp;
     answer.reason = "The search was cut off by its limit.";

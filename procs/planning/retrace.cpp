@@ -4,65 +4,93 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <iterator>
 #include <vector>
-
-#include "common/geometry/smooth_line.hpp"
 
 namespace adit {
 namespace {
 
 constexpr double kLeastM = 0.5;
 constexpr double kClearanceM = 0.1;  // nobody knows, so it goes slowly
-constexpr int kReach = 2;            // neighbours that a place is smoothed with, to each side
+constexpr double kApartM = 0.05;     // of poses on the path; nearer ones say little of a direction
+constexpr double kGapM = 0.5;        // of the track, beyond which it has one
 
-double heading_of(const Eigen::Vector2d& way) { return std::atan2(way.y(), way.x()); }
+using Track = std::vector<Pose2>;
 
-/// From the body on, without what lies on it, up to where the track turns back.
-std::vector<Eigen::Vector2d> usable(const std::vector<Eigen::Vector2d>& track,
-                                    const Eigen::Vector2d& p_body) {
-  constexpr double kApartM = 0.1;
-  std::vector<Eigen::Vector2d> places{p_body};
-  for (const Eigen::Vector2d& p : track) {
-    const Eigen::Vector2d way = p - places.back();
-    if (way.norm() < kApartM) continue;
-    const std::size_t n = places.size();
-    if (n > 1 && way.dot(places[n - 1] - places[n - 2]) < 0.0) break;
-    places.push_back(p);
+double way_between(const Pose2& T_odom_a, const Pose2& T_odom_b) {
+  return (T_odom_b.translation() - T_odom_a.translation()).norm();
+}
+
+bool is_on_track(const Pose2& T_odom_end, const Pose2& T_odom_track) {
+  return way_between(T_odom_end, T_odom_track) <= kOnTrackM &&
+         std::abs(angle_diff(T_odom_end.theta, T_odom_track.theta)) <= kOnTrackRad;
+}
+
+/// From a pose on along the track behind `next`, up to a gap.
+Track usable(const Pose2& T_odom_start, Track::const_iterator next, Track::const_iterator end,
+             double length_m) {
+  Track poses{T_odom_start};
+  double way_m = 0.0;
+  for (; next != end && way_m < length_m; ++next) {
+    const double step_m = way_between(poses.back(), *next);
+    if (step_m > kGapM) break;
+    if (step_m < kApartM) continue;
+    poses.push_back(*next);
+    way_m += step_m;
   }
-  return places;
+  return poses;
+}
+
+/// The stretch to the next pose, that ends a path of which the cost until here is `cost`.
+PathPoint stretch(const Pose2& T_odom_body, const Pose2& T_odom_next, double cost) {
+  const Pose2 step = between(T_odom_body, T_odom_next);
+  const bool reverse = step.x < 0.0;
+  const double curvature = step.theta / step.translation().norm() * (reverse ? -1.0 : 1.0);
+  return {T_odom_body, curvature, reverse, kClearanceM, cost};
+}
+
+/// Appends the poses, of which the first is that at which a path ends, or begins.
+void append(std::vector<PathPoint>& points, const Track& poses, double cost) {
+  for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
+    points.push_back(stretch(poses[i], poses[i + 1], cost));
+    cost += way_between(poses[i], poses[i + 1]);
+  }
+  points.push_back({poses.back(), 0.0, points.back().reverse, kClearanceM, cost});
 }
 
 }  // namespace
 
 PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body) {
+  const Track poses =
+      usable(T_odom_body, goal.track_odom.begin(), goal.track_odom.end(), goal.distance_m);
   PlannedPath path;
   path.utime = goal.utime;
   path.id = goal.id;
-  const auto line = smoothed(usable(goal.route_odom, T_odom_body.translation()), kReach);
-  double way_m = 0.0;
-  double heading = T_odom_body.theta;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const Eigen::Vector2d way = line[std::min(i + 1, line.size() - 1)] - line[i == 0 ? 0 : i - 1];
-    const double along = heading_of(way);
-    const bool reverse = std::abs(angle_diff(along, heading)) > std::numbers::pi / 2.0;
-    if (i > 0) {
-      way_m += (line[i] - line[i - 1]).norm();
-      heading = wrap_angle(reverse ? along + std::numbers::pi : along);
-    }
-    path.points.push_back({{line[i].x(), line[i].y(), heading}, 0.0, reverse, kClearanceM, way_m});
+  path.reason = "There is no track to go back on.";
+  if (poses.size() < 2) return path;
+  append(path.points, poses, 0.0);
+  path.reached_m = path.points.back().cost;
+  if (path.reached_m < kLeastM) {
+    path.points.clear();
+    return path;
   }
-  for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
-    const double turn =
-        angle_diff(path.points[i + 1].T_odom_body.theta, path.points[i].T_odom_body.theta);
-    path.points[i].curvature_1_m =
-        turn / (line[i + 1] - line[i]).norm() * (path.points[i].reverse ? -1.0 : 1.0);
-  }
-  path.reached_m = way_m;
-  path.outcome = way_m >= kLeastM ? PlanOutcome::kFound : PlanOutcome::kBlocked;
-  path.reason = way_m >= kLeastM ? "Back on its own track." : "There is no track to go back on.";
-  if (path.outcome != PlanOutcome::kFound) path.points.clear();
+  path.outcome = PlanOutcome::kFound;
+  path.reason = "Back on its own track.";
   return path;
+}
+
+void go_on_along_track(PlannedPath& path, const PlanGoal& goal) {
+  if (path.points.empty()) return;
+  const PathPoint end = path.points.back();
+  const auto last = std::find_if(
+      goal.track_odom.rbegin(), goal.track_odom.rend(),
+      [&](const Pose2& T_odom_track) { return is_on_track(end.T_odom_body, T_odom_track); });
+  const Track poses = usable(end.T_odom_body, last.base(), goal.track_odom.end(), goal.distance_m);
+  if (last == goal.track_odom.rend() || poses.size() < 2) return;
+  path.points.pop_back();
+  append(path.points, poses, end.cost);
+  path.reached_m += path.points.back().cost - end.cost;
+  path.reason = "Over its own track.";
 }
 
 }  // namespace adit

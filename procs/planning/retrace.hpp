@@ -7,10 +7,19 @@
 
 namespace adit {
 
-/// A path back on the track of the body, where no scan shows one: that it came there is proof
-/// enough, and the guard watches. `goal.route_odom` is the track from the body back. The heading of
-/// the body on it is that along the track, or its opposite, whichever the body has now; the path
-/// ends where the track turns back on itself. Without half a metre of track there is none.
+/// A path back over the poses that the body had, where no scan shows one: that it came that way is
+/// proof enough, and the guard watches. Where it turned, it turns again. `goal.track_odom` are the
+/// poses from the body back; the path is no longer than `goal.distance_m`, and ends at a gap of
+/// the track. Without half a metre of track there is none.
 PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body);
+
+/// How far from a pose of the track another may be for it to go on from there: a pose of the
+/// lattice that stands for it is no farther.
+inline constexpr double kOnTrackM = 0.1;
+inline constexpr double kOnTrackRad = 0.1;
+
+/// Goes on along the track, as `retrace` does, from the end of a path that leads to it: from the
+/// last of the poses that it is on.
+void go_on_along_track(PlannedPath& path, const PlanGoal& goal);
 
 }  // namespace adit

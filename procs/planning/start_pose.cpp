@@ -45,8 +45,8 @@ void allow_leaving(CSpace& space, const LatticePose& start, const GroundLayers& 
         if (!space.contains(column, row)) continue;
         std::uint16_t& here = space.slice(k)[space.index(column, row)];
         if (here != CSpace::kLethal && !CSpace::is_close(here)) continue;
-        if (meets(layers.under_body, kernel.body, layers, column, row)) continue;
-        if (meets(layers.under_wheels, kernel.wheels, layers, column, row)) continue;
+        if (meets(layers.under_body, kernel.leaving_body, layers, column, row)) continue;
+        if (meets(layers.under_wheels, kernel.leaving_wheels, layers, column, row)) continue;
         here = cost;
       }
     }

@@ -65,6 +65,11 @@ TEST(NavigationMessages, GoThereAndBack) {
   const PlanGoal home{
       kUtime, 4, PlanGoal::Kind::kRouteTo, {20.0, -3.0, 0.1}, 12.0, {{12.0, -3.0}, {20.0, -3.0}}};
   EXPECT_EQ(*over_the_wire(home), home);
+  PlanGoal back = goal(kUtime);
+  back.kind = PlanGoal::Kind::kRejoin;
+  back.route_odom = {{1.0, 2.0}, {3.0, 4.0}};
+  back.track_odom = {{1.0, 2.0, 0.1}, {3.0, 4.0, 0.2}};
+  EXPECT_EQ(*over_the_wire(back), back);
   EXPECT_EQ(*over_the_wire(found()), found());
   EXPECT_EQ(*over_the_wire(blocked(3)), blocked(3));
   EXPECT_EQ(*over_the_wire(driving()), driving());
@@ -101,6 +106,14 @@ TEST(PlanGoalMessage, IsRefusedWhereItLeadsNowhere) {
               m.n_route = 1;
             }),
             "route that is not finite");
+  for (const std::int8_t kind : {Message::KIND_RETRACE, Message::KIND_REJOIN}) {
+    EXPECT_EQ(refusal([&](Message& m) { m.kind = kind; }), "track that is none");
+  }
+  EXPECT_EQ(refusal([](Message& m) {
+              m.track_odom = {{1.0, 2.0, kNaN}};
+              m.n_track = 1;
+            }),
+            "track that is not finite");
   EXPECT_EQ(refusal([](Message& m) { m.kind = -1; }), "unknown kind");
   EXPECT_EQ(refusal([](Message& m) { m.T_odom_goal[1] = kNaN; }), kPoseNotFinite);
   EXPECT_EQ(refusal([](Message& m) { m.distance_max_m = kNaN; }), "distance is not finite");

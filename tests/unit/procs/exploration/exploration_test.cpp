@@ -173,6 +173,22 @@ TEST(Exploration, DoesNotChooseABlockedStubAgainNorWhatLiesBehind) {
   EXPECT_FALSE(explorer.exploration.report_blocked(999, {}));
 }
 
+/// A robot that came past a barrier on its own track has to come home through it.
+TEST(Exploration, DropsABarrierThatTheRobotCameThrough) {
+  const auto mine = drift_mine(straight());
+  Explorer explorer(mine);
+  explorer.decide();
+  explorer.go(5.0);
+  const int stub = explorer.decide().stub;
+  const auto route = explorer.exploration.route();
+  EXPECT_TRUE(explorer.exploration.report_blocked(stub, {explorer.robot.utime(), 1.0, "a beam"}));
+  ASSERT_EQ(explorer.decide().kind, Kind::kHome);
+  explorer.robot.go(route, 4.0);  // the barrier is 2 m from where it was
+  explorer.take_map();
+  EXPECT_NE(explorer.decide().kind, Kind::kStay);
+  EXPECT_FALSE(explorer.exploration.route().empty());
+}
+
 TEST(Exploration, TriesWhatIsDoubtfulOnceMoreAndNeverCallsItComplete) {
   const auto mine = drift_mine(straight());
   Explorer explorer(mine);

@@ -147,9 +147,8 @@ TEST_F(AMissionWithoutAPath, LooksAgainWhereADriveFails) {
   path(PlanOutcome::kFound);
   driving(Driving::kFailed, "held by a stop order");
   tick();
-  EXPECT_EQ(now(), Phase::kPlan);  // it backs off
-  path(PlanOutcome::kBlocked);
-  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);  // on its own track, then
+  EXPECT_EQ(now(), Phase::kPlan);                   // it backs off
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);  // on its own track
 }
 
 /// Poses that jump fail one drive after the other, those to get back, too.
@@ -222,6 +221,92 @@ TEST_F(AMissionWithoutAPath, ForgetsThatItBackedOffWhereDrivingFallsSilent) {
   old.outcome = PlanOutcome::kFound;
   mission_.add_path(old);
   EXPECT_EQ(now(), Phase::kPlan);
+}
+
+/// To back off would lead it into the mine again.
+TEST_F(AMissionWithoutAPath, GoesOnAlongItsOwnTrackOnTheWayHome) {
+  drive_in();
+  path(PlanOutcome::kFound);
+  arrive();
+  reach_m_ = -10.0;
+  answer(Kind::kHome);
+  terrain();
+  path(PlanOutcome::kBlocked);
+  ASSERT_EQ(now(), Phase::kPlan);
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
+  EXPECT_EQ(goal_.track_odom.front(), Pose2(x_m_, 0.0, 0.0));
+  EXPECT_NEAR(goal_.track_odom.back().x, 0.0, 1e-9);  // all that is near
+  const double first_m = goal_.distance_m;
+  for (int again = 0; again < 2; ++again) {
+    path(PlanOutcome::kFound);
+    for (int i = 0; i < 6; ++i) back();
+    arrive();
+    EXPECT_FALSE(request_.blocked);
+    answer(Kind::kHome);
+    terrain();
+    path(PlanOutcome::kBlocked);
+    ASSERT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
+  }
+  EXPECT_GT(goal_.distance_m, first_m);  // the farther the more often it has to
+}
+
+TEST_F(AMissionWithoutAPath, GoesAlongItsOwnTrackWhereTheRouteDoes) {
+  drive_in();
+  path(PlanOutcome::kFound);
+  arrive();
+  reach_m_ = -5.0;
+  answer(Kind::kGoTo, 4);
+  terrain();
+  path(PlanOutcome::kUnknown);
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
+  EXPECT_NEAR(goal_.distance_m, 5.0, 1e-9);  // as far as the route keeps to it
+}
+
+/// What holds it there may hold it again.
+TEST_F(AMissionWithoutAPath, LooksForAWayWhereADriveOnItsOwnTrackFailed) {
+  drive_in();
+  path(PlanOutcome::kFound);
+  arrive();
+  reach_m_ = -10.0;
+  answer(Kind::kHome);
+  terrain();
+  path(PlanOutcome::kUnknown);
+  path(PlanOutcome::kFound);
+  driving(Driving::kFailed, "held by a stop order");
+  tick();
+  ASSERT_EQ(now(), Phase::kExplore);
+  answer(Kind::kHome);
+  terrain();
+  path(PlanOutcome::kUnknown);
+  EXPECT_EQ(now(), Phase::kPlan);
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRoute);  // it backs off by what it sees
+}
+
+TEST_F(AMissionWithoutAPath, BacksOffByWhatItSeesWithoutATrack) {
+  drive_in();
+  path(PlanOutcome::kBlocked);
+  ASSERT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);
+  path(PlanOutcome::kBlocked);
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRoute);
+  path(PlanOutcome::kBlocked);
+  EXPECT_EQ(now(), Phase::kExplore);
+}
+
+TEST_F(AMissionWithoutAPath, ComesHomeOnItsOwnTrackWhereExplorationKnowsNoWay) {
+  drive_in();
+  path(PlanOutcome::kFound);
+  arrive();
+  map(utime_);
+  order(MissionOrder::Kind::kComeHome);
+  for (int i = 0; i < 32 && now() == Phase::kExplore; ++i) {
+    ExplorationReport stay;
+    stay.request = request_.id;
+    stay.revision = 1;
+    mission_.add_exploration(stay);
+    wait(1.0);
+  }
+  ASSERT_EQ(now(), Phase::kPlan);
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
 }
 
 TEST_F(AMissionWithoutAPath, IsStrandedAfterSoManyTriesOnTheWayHome) {

@@ -3,6 +3,7 @@
 #include "procs/mission/own_track.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -31,13 +32,64 @@ TEST(OwnTrack, LeadsBackOverThePlacesWhereItWas) {
   for (int i = 1; i <= 8; ++i) track.add(40 + i, {10.0, 0.25 * i, 1.5});  // to 10, 2
   const auto way = track.back(4.0);
   ASSERT_GT(way.size(), 2U);
-  EXPECT_EQ(way.front(), Eigen::Vector2d(10.0, 2.0));
-  EXPECT_NEAR(way.back().x(), 8.0, 0.26);  // a step more at most
-  EXPECT_NEAR(way.back().y(), 0.0, 1e-9);
+  EXPECT_EQ(way.front(), Pose2(10.0, 2.0, 1.5));
+  EXPECT_NEAR(way.back().x, 8.0, 0.26);  // a step more at most
+  EXPECT_NEAR(way.back().y, 0.0, 1e-9);
+  EXPECT_EQ(way.back().theta, 0.0);
   double length_m = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i) length_m += (way[i] - way[i - 1]).norm();
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    length_m += (way[i].translation() - way[i - 1].translation()).norm();
+  }
   EXPECT_GE(length_m, 4.0);
   EXPECT_LE(length_m, 4.25);
+}
+
+/// Into a side drift and back out again leaves the way in.
+TEST(OwnTrack, LeavesOutWhatItCameBackFrom) {
+  OwnTrack track;
+  int i = 0;
+  for (; i <= 40; ++i) track.add(i, {0.25 * i, 0.0, 0.0});               // to 10, 0
+  for (; i <= 60; ++i) track.add(i, {0.25 * (80 - i) + 0.1, 0.0, 0.0});  // in reverse to 5, 0
+  EXPECT_NEAR(track.travelled_m(), 15.0, 0.3);  // a step more or less for each way
+  const auto way = track.back(100.0);
+  EXPECT_NEAR(way.back().x, 0.0, 1e-9);
+  for (std::size_t k = 1; k < way.size(); ++k) EXPECT_LE(way[k].x, way[k - 1].x);
+}
+
+/// Beside its track it is not on it, and turned across it neither.
+TEST(OwnTrack, KeepsWhatItDroveToAnotherPose) {
+  for (const Pose2& beside : {Pose2{5.0, 0.5, 0.0}, Pose2{5.0, 0.0, 0.5}}) {
+    OwnTrack track;
+    for (int i = 0; i <= 40; ++i) track.add(i, {0.25 * i, 0.0, 0.0});
+    track.add(41, beside);
+    EXPECT_EQ(track.back(100.0).size(), 43U);  // all of them, and where it is
+  }
+}
+
+TEST(OwnTrack, TellsOfItselfWhatIsNear) {
+  OwnTrack track;
+  for (int i = 0; i <= 80; ++i) track.add(i, {0.25 * i, 0.0, 0.0});              // to 20, 0
+  for (int i = 1; i <= 72; ++i) track.add(80 + i, {20.0 - 0.25 * i, 1.0, 0.0});  // to 2, 1
+  const auto near = track.back_within(3.0);
+  EXPECT_EQ(near.front(), Pose2(2.0, 1.0, 0.0));
+  EXPECT_NEAR(near.back().x, 0.0, 1e-9);  // where it began is the last
+  for (const Pose2& pose : near)
+    EXPECT_LE((pose.translation() - near[0].translation()).norm(), 3.0);
+}
+
+TEST(OwnTrack, SaysHowFarARouteKeepsToIt) {
+  OwnTrack track;
+  for (int i = 0; i <= 40; ++i) track.add(i, {0.25 * i, 0.0, 0.0});  // to 10, 0
+  const auto route = [](double x, double y) {
+    std::vector<Eigen::Vector2d> places;
+    const Eigen::Vector2d from(10.0, 0.0);
+    for (int i = 0; i <= 20; ++i) places.emplace_back(from + i / 20.0 * Eigen::Vector2d(x, y));
+    return places;
+  };
+  EXPECT_NEAR(track.shared_m(route(-10.0, 0.5)), 10.0,
+              0.02);                                  // it is longer by that, being oblique
+  EXPECT_LT(track.shared_m(route(10.0, 0.0)), 1.01);  // where it has not been: a metre beside it
+  EXPECT_LT(track.shared_m(route(0.0, 10.0)), 1.01);
 }
 
 TEST(OwnTrack, CountsButDoesNotLeadBackIntoAnotherOdomFrame) {

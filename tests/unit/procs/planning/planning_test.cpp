@@ -267,6 +267,20 @@ TEST(Planning, LeavesAStartThatNoiseMakesLethal) {
   EXPECT_EQ(beside.outcome, PlanOutcome::kFound);
 }
 
+/// The edge of a drop is taken to be 0.3 m nearer than it is seen, but not under the robot.
+TEST(Planning, StandsWhereItStandsBesideADrop) {
+  const TerrainMap terrain =
+      corridor_with(unseen_cell(Ground::kBelowRay), {-0.5, 0.65}, {0.5, 1.1});
+  EXPECT_NE(plan(terrain).outcome, PlanOutcome::kStartBlocked);
+}
+
+/// A cell of the terrain beside a post is an obstacle, too: the robot stands there nevertheless.
+TEST(Planning, LeavesAPlaceRightBesideAPost) {
+  const TerrainMap terrain = corridor_with(obstacle_cell(0.5), {-0.4, 0.6}, {-0.1, 0.9});
+  const Pose2 half_a_cell_off{0.0, 0.04, 0.03};
+  EXPECT_EQ(plan(terrain, {}, half_a_cell_off).outcome, PlanOutcome::kFound);
+}
+
 TEST(Planning, DoesNotStartWhereTheWheelsAreNotSeen) {
   PlanningParams params;
   params.c_space.ground.blind_margin_m = 0.0;

@@ -60,6 +60,27 @@ TEST(UnseenGround, OfAPitIsBelowTheBeamsOverIt) {
   EXPECT_LT(cell_at(map, 6.5, 0.0).coefficient_m, 0.03);
 }
 
+/// Of a rail as high as ours, and the beams that pass over it.
+TEST(UnseenGround, BehindARailIsHiddenAndNoDrop) {
+  const auto rail = [](MeshBuilder& builder) {
+    add_rock(builder, {5.0, 0.0, 0.05}, {0.06, 2.0, 0.1});
+  };
+  const Eigen::AlignedBox2d behind(Eigen::Vector2d(5.2, -0.8), Eigen::Vector2d(6.5, 0.8));
+  const TerrainMap even = map_of([&](MeshBuilder& builder) {
+    add_drift(builder);
+    rail(builder);
+  });
+  EXPECT_GT(share_of(even, behind, is(Ground::kShadow)), 0.1);
+  EXPECT_EQ(share_of(even, behind, is(Ground::kBelowRay)), 0.0);
+  const TerrainMap pit = map_of([&](MeshBuilder& builder) {
+    add_ground(builder, -5.0, 5.1);
+    add_ground(builder, 5.1, 9.5, -1.0);
+    add_rock(builder, {12.25, 0.0, -0.5}, {5.5, 8.0, 1.0});  // its far wall, and the ground behind
+    rail(builder);
+  });
+  EXPECT_EQ(share_of(pit, behind, is(Ground::kBelowRay)), 1.0);
+}
+
 TEST(UnseenGround, BeyondACrestIsBelowTheBeamsOverIt) {
   const TerrainMap map = map_of([](MeshBuilder& builder) {
     add_ground(builder, -5.0, 5.0);

@@ -123,7 +123,7 @@ TEST_F(MissionLossesOnDisk, NameALocalMapThatTheLastGraphLacks) {
 }
 
 TEST_F(MissionLossesOnDisk, AreNotFoundWithoutJournals) {
-  EXPECT_THROW(found(), std::runtime_error);
+  EXPECT_THROW(losses(announced_in({log_}), maps_, scans_), std::runtime_error);
 }
 
 }  // namespace

@@ -24,9 +24,19 @@ void OwnTrack::add(std::int64_t utime, const Pose2& T_odom_body) {
   if (places_.size() > kPlaces) places_.pop_front();
 }
 
-void OwnTrack::begin_anew() {
+void OwnTrack::begin_anew(const std::optional<Pose2>& T_map_odom) {
   T_odom_body_.reset();
+  if (T_map_odom) {
+    for (const auto& place : places_) before_map_.push_back(*T_map_odom * place);
+  }
   places_.clear();
+}
+
+void OwnTrack::tie(const Pose2& T_map_odom) {
+  const Pose2 T_odom_map = T_map_odom.inverse();
+  for (; !before_map_.empty(); before_map_.pop_back()) {
+    places_.push_front(T_odom_map * before_map_.back());
+  }
 }
 
 std::vector<Eigen::Vector2d> OwnTrack::back(double length_m) const {

@@ -17,8 +17,11 @@ namespace adit {
 class OwnTrack {
  public:
   void add(std::int64_t utime, const Pose2& T_odom_body);
-  /// A new odom frame: what was driven counts, but nobody can go back on it.
-  void begin_anew();
+  /// A new odom frame: what was driven counts, but nobody can go back on it before it is known
+  /// where the new frame lies. Without knowing where the old one lay in map nobody ever can.
+  void begin_anew(const std::optional<Pose2>& T_map_odom);
+  /// The present odom frame is known to lie there: the way before it leads on from where it begins.
+  void tie(const Pose2& T_map_odom);
   /// What was driven before a restart [m].
   void set_travelled(double travelled_m) { travelled_m_ = travelled_m; }
 
@@ -32,7 +35,8 @@ class OwnTrack {
   std::int64_t utime_ = 0;
   std::optional<Pose2> T_odom_body_;
   double travelled_m_ = 0.0;
-  std::deque<Eigen::Vector2d> places_;  ///< odom, the newest last
+  std::deque<Eigen::Vector2d> places_;      ///< odom, the newest last
+  std::deque<Eigen::Vector2d> before_map_;  ///< the way in odom frames before, until it is tied
 };
 
 }  // namespace adit

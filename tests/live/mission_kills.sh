@@ -15,7 +15,7 @@ harms=${4:-50}; cuts=${5:-20}; jobs=${6:-1}; minutes=${7:-100000}; seed=${8:-1}
 kStages=(scan_matching mapping scan_assembly terrain volume_map planning driving guard exploration mission)
 kHarmsOfAMission=9; kCutsOfAMission=3
 kFirstS=5; kApartS=28; kSpreadS=17       # of simulated time, from harm to harm
-kCutMinS=3; kCutMaxS=12                  # of the clock, from cut to cut
+kCutMinS=4; kCutMaxS=20                  # of the clock, from cut to cut
 kRandomEach=4                            # one mission of so many is in a random mine
 kRandomMine=(random --length-m 50)
 kPatienceSeconds=1200

@@ -16,7 +16,7 @@ kStages=(scan_matching mapping scan_assembly terrain volume_map planning driving
 kHarmsOfAMission=9; kCutsOfAMission=3
 kFirstS=5; kApartS=28; kSpreadS=17       # of simulated time, from harm to harm
 kCutMinS=4; kCutMaxS=20                  # of the clock, from cut to cut
-kRandomEach=4                            # one mission of so many is in a random mine
+kCutEach=5; kRandomEach=4                # one mission of so many is cut off; is in a random mine
 kRandomMine=(random --length-m 50)
 kPatienceSeconds=1200
 
@@ -66,6 +66,9 @@ harmed() {
   keep "$n" "$out" "$result"
 }
 
+# Phase 6 is the end.
+has_ended() { awk -F '\t' '$2 == 6 { ended = 1 } END { exit !ended }' "$1/phases.tsv"; }
+
 cut_off() {
   local n=$1 out=$folder/$1 i victim result
   mkdir -p "$out"; world_of "$n" >"$out/world"
@@ -75,9 +78,10 @@ cut_off() {
   for ((i = 0; i < kCutsOfAMission; ++i)); do
     "$adit" mission "$@" --out "$out/out" >>"$out/text" 2>&1 & victim=$!
     sleep $((kCutMinS + RANDOM % (kCutMaxS - kCutMinS))).$((RANDOM % 10))
-    kill -KILL "$victim" 2>/dev/null && printf '%s\t%s\n' "$n" "$i" >>"$folder/cuts.tsv"
-    wait "$victim" 2>/dev/null
+    kill -KILL "$victim" 2>/dev/null; wait "$victim" 2>/dev/null
     sleep 2
+    has_ended "$out/out" && break
+    printf '%s\t%s\n' "$n" "$i" >>"$folder/cuts.tsv"
     set -- --resume
   done
   timeout "$kPatienceSeconds" "$adit" mission --resume --out "$out/out" >>"$out/text" 2>&1
@@ -90,7 +94,10 @@ worker() {
   local n
   for ((n = $1; SECONDS < until_s; n += jobs)); do
     RANDOM=$((seed * 1000 + n))
-    if (($(wc -l <"$folder/cuts.tsv") < cuts && n % 5 == 4)); then cut_off "$n"; continue; fi
+    if (($(wc -l <"$folder/cuts.tsv") < cuts && (n % kCutEach == 0 || harms == 0))); then
+      cut_off "$n"
+      continue
+    fi
     exec 9>"$folder/lock"; flock 9
     least_done >"$folder/planned/$n"
     flock -u 9
@@ -99,33 +106,48 @@ worker() {
   done
 }
 
-tables() {
-  echo "| stage | kind | harms | missions | not at home | farthest from the start (m) |"
-  echo "|---|---|---|---|---|---|"
+# Of missions.tsv and harms.tsv; what a mission lost counts for each who was harmed in it.
+table_of_harms() {
+  echo "| stage | kind | harms | missions | of these at home | farthest from the start (m) | local maps lost | 3D scans lost |"
+  echo "|---|---|---|---|---|---|---|---|"
   awk -F '\t' '
-    FILENAME ~ /missions/ { exit_of[$1] = $3; off[$1] = $4; next }
-    $1 in exit_of {
+    FILENAME ~ /missions/ { result[$1] = $3; off[$1] = $4; maps[$1] = $6; scans[$1] = $8; next }
+    $1 in result {
       ++harms[$2]
       if (seen[$2, $1]++) next
-      ++missions[$2]; bad[$2] += exit_of[$1] != 0
+      ++missions[$2]; home[$2] += result[$1] == 0; lost_maps[$2] += maps[$1]; lost_scans[$2] += scans[$1]
       if (off[$1] > worst[$2]) worst[$2] = off[$1]
     }
-    END { for (pair in harms) { split(pair, of, ":")
-            print "| " of[2] " | " of[1] " | " harms[pair] " | " missions[pair] " | " bad[pair] " | " worst[pair] " |" } }
-  ' "$folder/missions.tsv" "$folder/harms.tsv" | sort
+    END {
+      for (pair in harms) {
+        split(pair, of, ":")
+        printf "| %s | %s | %d | %d | %d | %.2f | %d | %d |\n", of[2], of[1], harms[pair], missions[pair],
+          home[pair], worst[pair], lost_maps[pair], lost_scans[pair]
+      }
+    }' "$folder/missions.tsv" "$folder/harms.tsv" | sort
+}
+table_of_missions() {
+  echo "| missions | of these at home | farthest from the start (m) | local maps | lost | 3D scans | lost |"
+  echo "|---|---|---|---|---|---|---|"
   awk -F '\t' '
-    FILENAME ~ /cuts/ { ++cuts[$1]; ++n_cuts; next }
-    { kind = $1 in cuts ? "cut off" : "harmed"; ++n[kind]; bad[kind] += $3 != 0; maps[kind] += $5; maps_lost[kind] += $6
-      scans[kind] += $7; scans_lost[kind] += $8; if ($4 > worst[kind]) worst[kind] = $4 }
-    END { print "\n| missions | of these at home | farthest from the start (m) | local maps | lost | 3D scans | lost |"
-          print "|---|---|---|---|---|---|---|"
-          for (kind in n) print "| " n[kind] " " kind (kind == "cut off" ? ", " n_cuts " times" : "") " | " n[kind] - bad[kind] " | " worst[kind] \
-            " | " maps[kind] " | " maps_lost[kind] " | " scans[kind] " | " scans_lost[kind] " |" }
-  ' "$folder/cuts.tsv" "$folder/missions.tsv"
-  echo; echo "Lost, or not at home:"
-  awk -F '\t' '$3 != 0 || $6 + $8 > 0' "$folder/missions.tsv"
+    FILENAME ~ /cuts/ { ++cuts[$1]; ++all_cuts; next }
+    {
+      kind = $1 in cuts ? "cut off, " all_cuts " times" : "harmed"
+      ++n[kind]; home[kind] += $3 == 0; maps[kind] += $5; lost_maps[kind] += $6; scans[kind] += $7
+      lost_scans[kind] += $8
+      if ($4 > worst[kind]) worst[kind] = $4
+    }
+    END {
+      for (kind in n) {
+        printf "| %d %s | %d | %.2f | %d | %d | %d | %d |\n", n[kind], kind, home[kind], worst[kind], maps[kind],
+          lost_maps[kind], scans[kind], lost_scans[kind]
+      }
+    }' "$folder/cuts.tsv" "$folder/missions.tsv"
 }
 
 for ((j = 1; j <= jobs; ++j)); do worker "$j" & done
 wait
-tables
+table_of_harms
+echo; table_of_missions
+echo; echo "Lost, or not at home:"
+awk -F '\t' '$3 != 0 || $6 + $8 > 0' "$folder/missions.tsv"

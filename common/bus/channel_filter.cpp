@@ -10,6 +10,8 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
+#include "common/bus/channels.hpp"
+
 namespace adit {
 namespace {
 
@@ -56,6 +58,20 @@ std::vector<sock_filter> pass_channel(std::string_view name) {
   return part;
 }
 
+/// Ends the program for that share of the messages, as the dice of the kernel say.
+std::vector<sock_filter> lose(double share) {
+  if (share == 0.0) return {};
+  constexpr double kNumbers = 4294967296.0;  // 2^32
+  return {
+      statement(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(SKF_AD_OFF + SKF_AD_RANDOM)),
+      {BPF_JMP | BPF_JGE | BPF_K, 1, 0, static_cast<std::uint32_t>(share * kNumbers)},
+      statement(BPF_RET | BPF_K, kDrop)};
+}
+
+bool is_time(std::string_view channel) {
+  return channel == channels::kSimTime || channel == channels::kSimTimeDone;
+}
+
 bool is_bound_datagram_socket(int descriptor) {
   int type = 0;
   socklen_t size = sizeof(type);
@@ -71,20 +87,29 @@ bool is_bound_datagram_socket(int descriptor) {
 
 }  // namespace
 
-std::vector<sock_filter> channel_filter(const Channels& channels) {
+std::vector<sock_filter> channel_filter(const Channels& channels, double loss_share) {
+  const std::vector<sock_filter> loss = lose(loss_share);
+  const auto other = static_cast<std::uint8_t>(loss.size() + 1);
   std::vector<sock_filter> program{statement(BPF_LD | BPF_W | BPF_ABS, kHeaderBytes),
-                                   {BPF_JMP | BPF_JEQ | BPF_K, 1, 0, kShortMessage},
-                                   statement(BPF_RET | BPF_K, kPass)};
-  for (const std::string& channel : channels) {
-    const auto part = pass_channel(channel);
+                                   {BPF_JMP | BPF_JEQ | BPF_K, other, 0, kShortMessage}};
+  const auto add = [&](const std::vector<sock_filter>& part) {
     program.insert(program.end(), part.begin(), part.end());
+  };
+  add(loss);
+  program.push_back(statement(BPF_RET | BPF_K, kPass));
+  for (const std::string& channel : channels) {
+    if (is_time(channel)) add(pass_channel(channel));
+  }
+  add(loss);
+  for (const std::string& channel : channels) {
+    if (!is_time(channel)) add(pass_channel(channel));
   }
   program.push_back(statement(BPF_RET | BPF_K, kDrop));
   return program;
 }
 
-void pass_only(const Channels& channels, const std::set<int>& sockets) {
-  std::vector<sock_filter> filter = channel_filter(channels);
+void pass_only(const Channels& channels, const std::set<int>& sockets, double loss_share) {
+  std::vector<sock_filter> filter = channel_filter(channels, loss_share);
   const bool fits = filter.size() <= BPF_MAXINSNS;
   const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
   for (const int socket : sockets) {

@@ -26,6 +26,8 @@ inline constexpr std::string_view kTiltCommandFront = "TILT_COMMAND_FRONT";
 inline constexpr std::string_view kTiltCommandRear = "TILT_COMMAND_REAR";
 inline constexpr std::string_view kScanRequest = "SCAN_REQUEST";
 inline constexpr std::string_view kCloud = "CLOUD";
+inline constexpr std::string_view kCloudRequest = "CLOUD_REQUEST";
+inline constexpr std::string_view kCloudAgain = "CLOUD_AGAIN";
 inline constexpr std::string_view kTerrain = "TERRAIN";
 inline constexpr std::string_view kVolume = "VOLUME";
 inline constexpr std::string_view kGoal = "GOAL";
@@ -61,6 +63,6 @@ inline constexpr std::array kAll{
     kTerrain,         kVolume,       kGoal,         kPath,        kDrivingState,
     kHeartbeat,       kConfig,       kStageStats,   kPmInfo,      kPmOrders,
     kPmOutput,        kPmDiscover,   kExploration,  kPhase,       kExploreRequest,
-    kMapRequest,      kMissionOrder};
+    kMapRequest,      kMissionOrder, kCloudRequest, kCloudAgain};
 
 }  // namespace adit::channels

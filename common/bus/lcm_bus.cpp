@@ -16,6 +16,7 @@
 #include "common/bus/channel_filter.hpp"
 #include "common/bus/channels.hpp"
 #include "common/bus/lcm_url.hpp"
+#include "common/bus/receive_loss.hpp"
 #include "common/bus/transport_check.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/sim_time.hpp"
@@ -42,6 +43,7 @@ LcmBus::LcmBus(const LcmBusOptions& options)
     : lcm_(std::make_unique<lcm::LCM>(complete_lcm_url(options.url))),
       time_(options.time),
       stage_(options.stage),
+      loss_share_(receive_loss_share()),
       dispatcher_(options.max_message_bytes) {
   if (!lcm_->good()) throw std::runtime_error(why_no_lcm(options.url));
   if (time_ == BusTime::kSimulated) follow_simulated_time();
@@ -133,7 +135,7 @@ SubscriptionId LcmBus::subscribe(std::string_view channel, Delivery delivery, Ha
   if (!subscription) throw std::runtime_error("LCM cannot subscribe to " + std::string(channel));
   subscription->setQueueCapacity(kLcmQueue);
   if (channels_.size() == 1) sockets_ = bound_datagram_sockets_but(sockets);
-  pass_only(channels_, sockets_);
+  pass_only(channels_, sockets_, loss_share_);
   return id;
 }
 

@@ -41,7 +41,8 @@ struct LcmBusOptions {
 /// SIM_TIME bus time is 0 and no timer runs.
 class LcmBus final : public Bus {
  public:
-  /// Throws std::runtime_error, with what to do about it, where there is no LCM on the URL.
+  /// Throws std::runtime_error, with what to do about it, where there is no LCM on the URL, and as
+  /// receive_loss_share does.
   explicit LcmBus(const LcmBusOptions& options = {});
   ~LcmBus() override;
   LcmBus(const LcmBus&) = delete;
@@ -74,6 +75,7 @@ class LcmBus final : public Bus {
   std::unique_ptr<lcm::LCM> lcm_;
   BusTime time_;
   std::string stage_;
+  double loss_share_;  // of what comes, in tests
   std::int64_t simulated_utime_ = 0;
   Dispatcher dispatcher_;
   Timers timers_;

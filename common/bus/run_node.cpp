@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "common/bus/lcm_bus.hpp"
+#include "common/bus/receive_loss.hpp"
 #include "common/bus/stages.hpp"
 #include "common/bus/stop_signal.hpp"
 #include "common/bus/transport_check.hpp"
@@ -78,6 +79,10 @@ void run_on_lcm(const std::string& program, const ConfiguredNode& node, const Op
   const StopSignal stop;  // before LCM makes its thread
   if (const auto advice = buffer_advice(options.lcm_url)) {
     std::cerr << program << ": " << *advice << std::endl;
+  }
+  if (const double share = receive_loss_share(); share > 0.0) {
+    std::cerr << program << ": loses a share of " << share << " of what comes: ADIT_RECEIVE_LOSS"
+              << std::endl;
   }
   LcmBus bus(bus_options(options, node.stage));
   const HostedNode hosted(bus, node, StageBus::Measure::kHandlerTimes, &std::cerr);

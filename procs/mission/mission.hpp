@@ -135,6 +135,7 @@ class Mission {
   bool restored_ = false;
   bool home_for_good_ = false;       ///< by order, limit or cut-off
   bool has_map_ = false;             ///< mapping has said where it is, in the present odom frame
+  std::optional<Pose2> T_map_odom_;  ///< of the present odom frame
   std::int64_t odom_utime_ = 0;      ///< when the present odom frame began
   std::int64_t restored_utime_ = 0;  ///< of the last change of phase before a restart
   bool odom_is_new_ = false;         ///< it is not the first of the mission

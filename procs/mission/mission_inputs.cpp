@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the mission hears unasked: motion, the map, people.
 
+#include <optional>
+#include <utility>
+
 #include "procs/mission/mission.hpp"
 
 namespace adit {
@@ -21,7 +24,7 @@ void Mission::add_match(const ScanMatch& match) {
   if (first_heard && !restored_) return;
   odom_is_new_ = true;
   has_map_ = false;
-  way_.begin_anew();
+  way_.begin_anew(std::exchange(T_map_odom_, std::nullopt));
   refused_odom_.clear();
   if (phase_.phase == Phase::kPaused || phase_.phase == Phase::kEnded) return;
   if (first_heard && !home_for_good_ && params_.after_cut_off == "home") {
@@ -33,7 +36,10 @@ void Mission::add_match(const ScanMatch& match) {
 
 void Mission::add_correction(const MapCorrection& correction) {
   limits_.add(correction);
-  if (correction.utime >= odom_utime_) has_map_ = true;
+  if (correction.utime < odom_utime_) return;  // of the odom frame before
+  has_map_ = true;
+  T_map_odom_ = correction.T_map_odom;
+  way_.tie(correction.T_map_odom);
 }
 
 void Mission::add_order(const MissionOrder& order) {

@@ -43,9 +43,20 @@ void OwnTrack::add(std::int64_t utime, const Pose2& T_odom_body) {
   places_.push_back(T_odom_body);
 }
 
-void OwnTrack::begin_anew() {
+void OwnTrack::begin_anew(const std::optional<Pose2>& T_map_odom) {
   T_odom_body_.reset();
+  if (T_map_odom) {
+    for (const auto& place : places_) before_map_.push_back(*T_map_odom * place);
+  }
   places_.clear();
+}
+
+void OwnTrack::tie(const Pose2& T_map_odom) {
+  const Pose2 T_odom_map = T_map_odom.inverse();
+  std::vector<Pose2> before;
+  for (const Pose2& T_map_place : before_map_) before.push_back(T_odom_map * T_map_place);
+  places_.insert(places_.begin(), before.begin(), before.end());
+  before_map_.clear();
 }
 
 std::vector<Pose2> OwnTrack::back(double length_m) const {

@@ -18,8 +18,11 @@ namespace adit {
 class OwnTrack {
  public:
   void add(std::int64_t utime, const Pose2& T_odom_body);
-  /// A new odom frame: what was driven counts, but nobody can go back on it.
-  void begin_anew();
+  /// A new odom frame: what was driven counts, but nobody can go back on it before it is known
+  /// where the new frame lies. Without knowing where the old one lay in map nobody ever can.
+  void begin_anew(const std::optional<Pose2>& T_map_odom);
+  /// The present odom frame is known to lie there: the way before it leads on from where it begins.
+  void tie(const Pose2& T_map_odom);
   /// What was driven before a restart [m].
   void set_travelled(double travelled_m) { travelled_m_ = travelled_m; }
 
@@ -37,7 +40,8 @@ class OwnTrack {
   std::int64_t utime_ = 0;
   std::optional<Pose2> T_odom_body_;
   double travelled_m_ = 0.0;
-  std::vector<Pose2> places_;  ///< T_odom_body, the newest last
+  std::vector<Pose2> places_;      ///< T_odom_body, the newest last
+  std::vector<Pose2> before_map_;  ///< T_map_body in odom frames before, until they are tied
 };
 
 }  // namespace adit

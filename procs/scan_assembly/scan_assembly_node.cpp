@@ -5,6 +5,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/cloud_pieces.hpp"
+#include "common/messages/cloud_request.hpp"
 #include "common/messages/imu_reading.hpp"
 #include "common/messages/laser_scan.hpp"
 #include "common/messages/pose.hpp"
@@ -19,6 +20,10 @@ constexpr std::size_t kRequestsWaiting = 10;
 constexpr std::size_t kScansWaiting = 100;     // more than a second of an LMS-200 at 75 Hz
 constexpr std::size_t kReadingsWaiting = 500;  // as much of tilt, pose and IMU
 constexpr std::int64_t kPeriodUs = 20'000;     // as often as the tilt is measured
+
+void publish_cloud(Bus& bus, std::string_view channel, const Cloud& cloud) {
+  for (const CloudPiece& piece : divide(cloud)) publish(bus, channel, to_message(piece));
+}
 
 }  // namespace
 
@@ -35,6 +40,8 @@ ScanAssemblyNode::ScanAssemblyNode(Bus& bus, const Params& params)
                    [this](const ImuReading& reading) { scan_assembly_.add(reading); });
   listen(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
   listen(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
+  subscribe<cloud_request_t>(bus, channels::kCloudRequest, Delivery::queued(kRequestsWaiting),
+                             [this](const CloudRequest& request) { repeat(request); });
   bus.every(kPeriodUs, [this](std::int64_t utime) { advance(utime); });
 }
 
@@ -55,9 +62,13 @@ void ScanAssemblyNode::advance(std::int64_t utime) {
             to_message(*step.command));
   }
   if (!step.cloud) return;
-  for (const CloudPiece& piece : divide(*step.cloud)) {
-    publish(bus_, channels::kCloud, to_message(piece));
-  }
+  held_.add(*step.cloud, utime);
+  publish_cloud(bus_, channels::kCloud, *step.cloud);
+}
+
+void ScanAssemblyNode::repeat(const CloudRequest& request) {
+  const Cloud* const missed = held_.missed(request, bus_.now_utime());
+  if (missed != nullptr) publish_cloud(bus_, channels::kCloudAgain, *missed);
 }
 
 Health ScanAssemblyNode::health() const {

@@ -5,15 +5,19 @@
 #include <string_view>
 
 #include "common/bus/bus.hpp"
+#include "common/cloud/cloud_request.hpp"
 #include "common/messages/heartbeat.hpp"
+#include "procs/scan_assembly/held_clouds.hpp"
 #include "procs/scan_assembly/scan_assembly.hpp"
 
 namespace adit {
 
 /// In:  SCAN_REQUEST (scan_request_t); LASER_FRONT, LASER_REAR (planar_lidar_t); TILT_FRONT,
-///      TILT_REAR (tilt_t); POSE (pose_t); where it is, IMU (imu_t).
+///      TILT_REAR (tilt_t); POSE (pose_t); where it is, IMU (imu_t). CLOUD_REQUEST
+///      (cloud_request_t) of who may have missed a 3D scan.
 /// Out: for each request TILT_COMMAND_FRONT or TILT_COMMAND_REAR (tilt_command_t), which sweep the
-///      laser and bring it back to level; then CLOUD (cloud_t) in pieces.
+///      laser and bring it back to level; then CLOUD (cloud_t) in pieces. CLOUD_AGAIN (cloud_t),
+///      in pieces, for who missed one of the newest.
 class ScanAssemblyNode {
  public:
   using Params = ScanAssemblyParams;
@@ -26,9 +30,11 @@ class ScanAssemblyNode {
  private:
   void listen(LaserId laser, std::string_view scans, std::string_view tilt);
   void advance(std::int64_t utime);
+  void repeat(const CloudRequest& request);
 
   Bus& bus_;
   ScanAssembly scan_assembly_;
+  HeldClouds held_;
 };
 
 }  // namespace adit

@@ -4,6 +4,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
+#include "common/messages/cloud_request.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/terrain_tiles.hpp"
 
@@ -11,6 +12,7 @@ namespace adit {
 namespace {
 
 constexpr std::size_t kPiecesWaiting = 200;  // several sweeps
+constexpr std::int64_t kAskPeriodUs = 2'000'000;
 
 }  // namespace
 
@@ -22,9 +24,22 @@ TerrainNode::TerrainNode(Bus& bus, const Params& params)
                      [this](const CloudPiece& piece) {
                        if (const auto cloud = assembler_.add(piece)) on_cloud(*cloud);
                      });
+  subscribe<cloud_t>(bus, channels::kCloudAgain, Delivery::queued(kPiecesWaiting),
+                     [this](const CloudPiece& piece) { on_repeated(piece); });
+  bus.every(kAskPeriodUs, [this](std::int64_t utime) {
+    const CloudRequest request{utime, "terrain", cloud_utime_, {}};
+    publish(bus_, channels::kCloudRequest, to_message(request));
+  });
+}
+
+/// Pieces that are missing; those of an older one are for others.
+void TerrainNode::on_repeated(const CloudPiece& piece) {
+  if (piece.part.utime <= cloud_utime_) return;
+  if (const auto cloud = assembler_.add(piece)) on_cloud(*cloud);
 }
 
 void TerrainNode::on_cloud(const Cloud& cloud) {
+  cloud_utime_ = cloud.utime;
   superseded_ = assembler_.counts().superseded;
   cut_short_ = !cloud.complete;
   for (const TerrainTile& tile : divide(terrain_.make(cloud, memory_))) {

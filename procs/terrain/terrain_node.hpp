@@ -9,8 +9,10 @@
 
 namespace adit {
 
-/// In:  CLOUD (cloud_t), in pieces; POSE (pose_t), for the way that the body has come.
-/// Out: TERRAIN (terrain_t), in pieces, for each cloud of which all pieces came.
+/// In:  CLOUD and CLOUD_AGAIN (cloud_t), in pieces; POSE (pose_t), for the way that the body has
+///      come.
+/// Out: TERRAIN (terrain_t), in pieces, for each cloud of which all pieces came. CLOUD_REQUEST
+///      (cloud_request_t), each 2 s, for the newest cloud if it did not come, or not all of it.
 class TerrainNode {
  public:
   using Params = TerrainParams;
@@ -21,13 +23,15 @@ class TerrainNode {
   [[nodiscard]] Health health() const;
 
  private:
+  void on_repeated(const CloudPiece& piece);
   void on_cloud(const Cloud& cloud);
 
   Bus& bus_;
   Terrain terrain_;
   TerrainMemory memory_;
   CloudAssembler assembler_;
-  std::int64_t superseded_ = 0;  ///< clouds that lacked pieces, when the last one was complete
+  std::int64_t cloud_utime_ = 0;  ///< of the newest cloud that was complete
+  std::int64_t superseded_ = 0;   ///< clouds that lacked pieces, when the last one was complete
   bool cut_short_ = false;
 };
 

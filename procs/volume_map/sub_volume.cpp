@@ -54,7 +54,7 @@ void SubVolume::insert(const Cloud& cloud, const Pose2& T_volume_level) {
   }
   open_->tree.update(runs_of(cells.free, cells.occupied));
   refused_points_ += cells.refused_points;
-  utime_ = cloud.utime;
+  utime_ = std::max(utime_, cloud.utime);
   ++scans_;
   octree_ = open_->tree.stream();
   count();

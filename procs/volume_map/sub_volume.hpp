@@ -61,7 +61,7 @@ class SubVolume {
   /// A closed one, as it was.
   SubVolume(const SubVolumeParams& params, VolumeContents contents);
 
-  /// In order of time, while it is open.
+  /// In any order, while it is open.
   void insert(const Cloud& cloud, const Pose2& T_volume_level);
 
   /// Gives up what is needed to insert more. What remains takes 0.2 to 1 MB for a scan in a mine:

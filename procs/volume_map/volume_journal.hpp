@@ -12,15 +12,15 @@
 namespace adit {
 
 /// The volume on the disk: with each scan what its sub-volume then is, as small as a closed one and
-/// compressed, and of its points those that are new. So the file grows with the scans as the memory
-/// does.
+/// compressed, and of its points those that are new; and the time of each scan. So the file grows
+/// with the scans as the memory does.
 class VolumeJournal {
  public:
   /// Opens or creates it. Throws std::runtime_error where the file is no journal or cannot be used.
   explicit VolumeJournal(const std::filesystem::path& path);
 
   /// What was there when it was opened. Once.
-  std::vector<StoredVolume> take_restored() { return std::move(restored_); }
+  StoredVolumes take_restored() { return std::move(restored_); }
 
   /// Adds what is new. Returns when the disk has it.
   void keep(const VolumeMap& map);
@@ -34,9 +34,13 @@ class VolumeJournal {
   };
 
   void read(const JournalRecord& record);
+  void read_volume(const JournalRecord& record);
+  bool keep_volumes(const VolumeMap& map);
+  bool keep_times(const VolumeMap& map);
 
-  std::vector<StoredVolume> restored_;
-  std::vector<Written> written_;  ///< by id
+  StoredVolumes restored_;
+  std::vector<Written> written_;   ///< by id
+  std::size_t written_times_ = 0;  ///< of scans
   Journal journal_;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/volume_map/volume_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -32,8 +33,9 @@ StoredVolume stored(const PlacedVolume& placed) {
           placed.tie};
 }
 
-void VolumeMap::restore(std::vector<StoredVolume> volumes) {
-  for (StoredVolume& volume : volumes) {
+void VolumeMap::restore(StoredVolumes stored) {
+  taken_utime_ = std::move(stored.taken_utime);
+  for (StoredVolume& volume : stored.volumes) {
     if (volume.contents.cell_m != params_.cell_m) {
       throw std::runtime_error("the volume that is to be continued has cells of " +
                                std::to_string(volume.contents.cell_m) + " m, not of " +
@@ -46,7 +48,12 @@ void VolumeMap::restore(std::vector<StoredVolume> volumes) {
   newest_ = volumes_.empty() ? 0 : volumes_.size() - 1;
 }
 
+bool VolumeMap::has(std::int64_t utime) const {
+  return std::ranges::find(taken_utime_, utime) != taken_utime_.end();
+}
+
 bool VolumeMap::add(const Cloud& cloud) {
+  taken_utime_.push_back(cloud.utime);
   const bool late = cloud.utime < session_begin_utime_;
   const std::optional<Odom>& odom = late ? odom_before_ : odom_;
   if (late && !odom) {

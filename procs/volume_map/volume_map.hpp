@@ -55,6 +55,12 @@ struct StoredVolume {
 };
 StoredVolume stored(const PlacedVolume& placed);
 
+/// All that is kept.
+struct StoredVolumes {
+  std::vector<StoredVolume> volumes;
+  std::vector<std::int64_t> taken_utime;  ///< see VolumeMap::taken_utime
+};
+
 /// The mine as a volume: sub-volumes, each tied to the local map that was the newest one when its
 /// scans came. A change of the graph moves them, and nothing is inserted again.
 ///
@@ -72,11 +78,16 @@ class VolumeMap {
 
   /// Goes on from what was kept, before anything is added. Throws std::runtime_error where its
   /// cells are of another size.
-  void restore(std::vector<StoredVolume> volumes);
+  void restore(StoredVolumes stored);
 
   /// Takes a scan into the newest sub-volume, if that is tied to the same local map and near, or
   /// else into a new one. False where it is left out.
   bool add(const Cloud& cloud);
+
+  /// Times of the scans that were added, also before a restart and of those that were left out, in
+  /// the order in which they came: one that was missed comes late.
+  [[nodiscard]] const std::vector<std::int64_t>& taken_utime() const { return taken_utime_; }
+  [[nodiscard]] bool has(std::int64_t utime) const;
 
   /// Moves what is tied. A sub-volume of a local map that the graph lacks stays where it is.
   void set_graph(const MapGraph& graph);
@@ -113,6 +124,7 @@ class VolumeMap {
   VolumeMapParams params_;
   std::vector<PlacedVolume> volumes_;
   std::size_t newest_ = 0;  ///< index of the one that scans came into last
+  std::vector<std::int64_t> taken_utime_;
   MapGraph graph_;
   std::optional<MapCorrection> correction_;
   std::optional<Odom> odom_;  ///< where it is, as of the newest correction that has its graph

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/volume_map/volume_map_node.hpp"
 
+#include <algorithm>
 #include <exception>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
+#include "common/messages/cloud_request.hpp"
 #include "common/messages/map_correction.hpp"
 #include "common/messages/map_request.hpp"
 #include "common/messages/volume_pieces.hpp"
@@ -19,6 +21,8 @@ constexpr std::size_t kPiecesWaiting = 200;
 // After a restart all goes out again, not all at once.
 constexpr int kVolumesAtOnce = 4;
 constexpr std::int64_t kPeriodUs = 500'000;
+constexpr std::int64_t kAskPeriodUs = 2'000'000;
+constexpr std::size_t kHaveMax = 32;  // more than anybody holds
 
 Volume volume_of(const PlacedVolume& placed, std::size_t id, std::int64_t graph_revision) {
   const SubVolume& volume = placed.volume;
@@ -39,6 +43,10 @@ VolumeMapNode::VolumeMapNode(Bus& bus, const Params& params) : bus_(bus), map_(p
                      [this](const CloudPiece& piece) {
                        if (const auto cloud = clouds_.add(piece)) on_cloud(*cloud);
                      });
+  subscribe<cloud_t>(bus, channels::kCloudAgain, Delivery::queued(kPiecesWaiting),
+                     [this](const CloudPiece& piece) {
+                       if (const auto cloud = clouds_again_.add(piece)) on_cloud(*cloud);
+                     });
   subscribe<pose_graph_t>(bus, channels::kPoseGraph, Delivery::queued(kPiecesWaiting),
                           [this](const PoseGraphPiece& piece) {
                             const auto graph = graphs_.add(piece);
@@ -56,6 +64,7 @@ VolumeMapNode::VolumeMapNode(Bus& bus, const Params& params) : bus_(bus), map_(p
     ask(utime);
     publish_news();
   });
+  bus.every(kAskPeriodUs, [this](std::int64_t utime) { ask_for_missed(utime); });
 }
 
 void VolumeMapNode::ask(std::int64_t utime) {
@@ -64,7 +73,15 @@ void VolumeMapNode::ask(std::int64_t utime) {
   asker_.heard(utime);
 }
 
+void VolumeMapNode::ask_for_missed(std::int64_t utime) {
+  const auto& taken = map_.taken_utime();
+  const auto few = static_cast<std::ptrdiff_t>(std::min(taken.size(), kHaveMax));
+  publish(bus_, channels::kCloudRequest,
+          to_message(CloudRequest{utime, "volume_map", 0, {taken.end() - few, taken.end()}}));
+}
+
 void VolumeMapNode::on_cloud(const Cloud& cloud) {
+  if (map_.has(cloud.utime)) return;
   superseded_ = clouds_.counts().superseded;
   cut_short_ = !cloud.complete;
   placed_ = map_.add(cloud);

@@ -27,11 +27,12 @@ struct VolumeMapNodeParams : VolumeMapParams {
   }
 };
 
-/// In:  CLOUD (cloud_t) and POSE_GRAPH (pose_graph_t), both in pieces; MAP_CORRECTION
-///      (map_correction_t).
+/// In:  CLOUD and CLOUD_AGAIN (cloud_t) and POSE_GRAPH (pose_graph_t), all in pieces;
+///      MAP_CORRECTION (map_correction_t).
 /// Out: VOLUME (volume_t), in pieces: each sub-volume that is tied to the pose graph, as soon as it
 ///      is and whenever a cloud came into it; and its pose alone whenever that changed.
-///      MAP_REQUEST (map_request_t), until there is a graph.
+///      MAP_REQUEST (map_request_t), until there is a graph. CLOUD_REQUEST (cloud_request_t),
+///      each 2 s, so that no 3D scan is missed while this was not there.
 /// Where a journal is named and there, the volume in it is continued.
 class VolumeMapNode {
  public:
@@ -54,6 +55,7 @@ class VolumeMapNode {
 
   void on_cloud(const Cloud& cloud);
   void ask(std::int64_t utime);
+  void ask_for_missed(std::int64_t utime);
   void keep();
   void publish_news();
 
@@ -63,6 +65,7 @@ class VolumeMapNode {
   std::string journal_failure_;
   MapAsker asker_;
   CloudAssembler clouds_;
+  CloudAssembler clouds_again_;  ///< an older one, while the newest comes in pieces as well
   PoseGraphAssembler graphs_;
   std::vector<Published> published_;  ///< by the id of the sub-volume
   std::int64_t superseded_ = 0;       ///< clouds that lacked pieces, when the last one was complete

@@ -61,7 +61,7 @@ void LiveSimulator::step() {
   const std::int64_t elapsed_us = node_.simulation().utime() - start_utime_;
   for (const auto& harm : process_faults_.advance(static_cast<double>(elapsed_us) * 1e-6)) {
     progress_.say(harm.line);
-    pacing_.give_up(harm.stage);
+    pacing_.give_up(harm.stage, node_.simulation().utime());
   }
 }
 

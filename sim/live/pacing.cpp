@@ -16,17 +16,23 @@ constexpr std::int64_t kAskAgainUs = 100'000;  // an answer comes sooner, as a r
 Pacing::Pacing(const PacingParams& params)
     : factor_(params.factor), ahead_max_us_(std::llround(params.ahead_max_s * 1e6)) {
   for (const std::string& stage : params.wait_for) stages_[stage];
+  if (params.missed_max_s) missed_max_us_ = std::llround(*params.missed_max_s * 1e6);
 }
 
 void Pacing::done(std::string_view stage, std::int64_t utime) {
   const auto found = stages_.find(stage);
   if (found == stages_.end()) return;
-  found->second = {std::max(utime, found->second.done_utime.value_or(utime)), std::nullopt, false};
+  const auto given_up_utime = found->second.given_up_utime;
+  if (given_up_utime && utime <= *given_up_utime) return;  // said before it was harmed
+  found->second = {std::max(utime, found->second.done_utime.value_or(utime)), std::nullopt, false,
+                   std::nullopt};
 }
 
-void Pacing::give_up(std::string_view stage) {
+void Pacing::give_up(std::string_view stage, std::int64_t utime) {
   const auto found = stages_.find(stage);
-  if (found != stages_.end()) stages_.erase(found);
+  if (found == stages_.end()) return;
+  found->second.given_up_utime = utime;
+  found->second.blocks_since_us.reset();
 }
 
 Pacing::Decision Pacing::decide(std::int64_t utime, std::int64_t wall_us) {
@@ -38,11 +44,17 @@ Pacing::Decision Pacing::decide(std::int64_t utime, std::int64_t wall_us) {
   return {};
 }
 
+bool Pacing::keeps_up(const Stage& stage, std::int64_t utime) const {
+  if (stage.given_up_utime) {
+    return !missed_max_us_ || utime - *stage.given_up_utime <= *missed_max_us_;
+  }
+  return stage.done_utime && utime - *stage.done_utime <= ahead_max_us_;
+}
+
 bool Pacing::must_wait_for_stages(std::int64_t utime, std::int64_t wall_us) {
   bool wait = false;
   for (auto& [name, stage] : stages_) {
-    const bool keeps_up = stage.done_utime && utime - *stage.done_utime <= ahead_max_us_;
-    if (keeps_up) continue;
+    if (keeps_up(stage, utime)) continue;
     wait = true;
     if (!stage.blocks_since_us) stage.blocks_since_us = wall_us;
   }

@@ -16,6 +16,9 @@ struct PacingParams {
   std::optional<double> factor;       ///< of real time; nothing: as fast as it goes
   std::vector<std::string> wait_for;  ///< stages that must keep up
   double ahead_max_s = 0.2;           ///< of the slowest of them, at least a period of SIM_TIME
+  /// How long one that was killed or suspended on purpose is done without; nothing: until it
+  /// answers again.
+  std::optional<double> missed_max_s = {};
 };
 
 /// Says when the simulator may take its next step: not before the wall clock, times the factor, has
@@ -37,9 +40,10 @@ class Pacing {
   /// A stage has handled all until `utime`. Stages that nobody waits for are let through.
   void done(std::string_view stage, std::int64_t utime);
 
-  /// Nobody waits for the stage any more, as for one that was killed or suspended on purpose: it
-  /// would hold up the simulator for ever. Of a stage that nobody waits for, nothing changes.
-  void give_up(std::string_view stage);
+  /// The stage was killed or suspended on purpose at `utime`, and would hold up the simulator for
+  /// ever: it is waited for again when it answers for a later time, and after missed_max_s. Of a
+  /// stage that nobody waits for, nothing changes.
+  void give_up(std::string_view stage, std::int64_t utime);
 
   /// Whether the step may be taken that leads to `utime`.
   Decision decide(std::int64_t utime, std::int64_t wall_us);
@@ -52,17 +56,20 @@ class Pacing {
     std::optional<std::int64_t> done_utime;
     std::optional<std::int64_t> blocks_since_us;  // wall time
     bool told = false;
+    std::optional<std::int64_t> given_up_utime;
   };
   struct Origin {
     std::int64_t utime;
     std::int64_t wall_us;
   };
 
+  [[nodiscard]] bool keeps_up(const Stage& stage, std::int64_t utime) const;
   [[nodiscard]] bool must_wait_for_stages(std::int64_t utime, std::int64_t wall_us);
   [[nodiscard]] std::int64_t until_due_us(std::int64_t utime, std::int64_t wall_us);
 
   std::optional<double> factor_;
   std::int64_t ahead_max_us_;
+  std::optional<std::int64_t> missed_max_us_;
   std::map<std::string, Stage, std::less<>> stages_;
   std::optional<Origin> origin_;  // from which real time counts
 };

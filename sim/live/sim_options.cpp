@@ -36,7 +36,7 @@ deploy/config/groundhog.yaml, or what adit sim WORLD --print-config prints.
 Faults, as KIND[:TARGET][=AMOUNT]@SECONDS, with the seconds counted in simulated time:
   laser_dies:front@20  laser_recovers:front@30  packet_loss=0.1@5  time_jump=2@40
   kill:mapping@60  suspend:mapping@60  (adit-mapping, where it was started beside the simulator; nobody
-  waits for it any more))";
+  waits for it until it answers again))";
 
 void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
   app.add_option_function<std::string>(
@@ -52,6 +52,11 @@ void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
       ->type_name("SECONDS")
       ->check(CLI::Range(0.05, 10.0))
       ->capture_default_str();
+  app.add_option("--missed-max-s", options.pacing.missed_max_s,
+                 "How long it goes on without one that a fault has killed or suspended, in "
+                 "simulated time; without: until that answers again")
+      ->type_name("SECONDS")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--config", options.config, "YAML file with a section sim")->type_name("FILE");
   app.add_option("--fault", options.faults, "Something that goes wrong; may be given several times")
       ->type_name("FAULT")

@@ -2,17 +2,18 @@
 # SPDX-FileCopyrightText: The Adit authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# mission_test.sh ADIT CASE
+# mission_test.sh ADIT CASE [CHECK_LOSSES]
 # A short mission, each stage a process, ends at home: `home`, where all is well; `harmed`, where one
-# process is killed and another stands still; `cut`, where everything is killed at once and started
-# again; `lossy`, where a twentieth of what the drivers
-# say is lost, and where the kernel has netem, of all messages between processes; `ordered`, where a
-# person says when to come home. Nothing is left running.
+# process is killed and others stand still, one of them while a 3D scan comes for it; `cut`, where
+# everything is killed at once and started again; `lossy`, where a twentieth of what the drivers say is
+# lost, and of all that comes to each process; `ordered`, where a person says when to come home. Nothing is
+# left running.
 set -u
 here=$(dirname "$(readlink -f "$0")")
-adit=$1; case=$2
+adit=$1; case=$2; check_losses=${3:-}
 kWayMaxM=24        # so that the robot turns around after the first bend
 kCutAfterM=3
+kFirstSweepS=5     # of simulated time: the first 3D scan comes after eight seconds
 kLossPercent=5
 kDeadlineSeconds=100
 kNearHomeM=1.0
@@ -69,8 +70,10 @@ case $case in
     grep -q -- "--resume" "$scratch/again.text" || fail "does not say how to go on"
     ;;
   harmed)
-    begin "$world" --config "$config" --fault kill:planning@20 --fault suspend:driving@40
+    begin "$world" --config "$config" --fault "suspend:volume_map@$kFirstSweepS" \
+      --fault kill:planning@20 --fault suspend:driving@40
     expect_home
+    "$check_losses" "$out" >"$scratch/losses.text" || fail "something that was announced is lost"
     grep -q "driving does not answer" "$scratch/mission.text" || fail "nobody saw driving stand still"
     ;;
   cut)
@@ -84,11 +87,8 @@ case $case in
     grep -q "is at home" "$out/mission.html" || fail "the report does not tell of the second life"
     ;;
   lossy)
-    begin "$world" --config "$config" --fault "packet_loss=$(share $kLossPercent)@5"
-    until [[ -s $out/mission.pid && -e $out/supervisor.log ]]; do sleep 0.02; done
-    nsenter --target "$(cat "$out/mission.pid")" --user --net --preserve-credentials \
-      tc qdisc add dev lo root netem loss "$kLossPercent%" 2>/dev/null ||
-      echo "no netem here: only what the drivers say is lost"
+    export ADIT_RECEIVE_LOSS; ADIT_RECEIVE_LOSS=$(share $kLossPercent)
+    begin "$world" --config "$config" --fault "packet_loss=$ADIT_RECEIVE_LOSS@5"
     expect_home
     ;;
   ordered)

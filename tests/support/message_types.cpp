@@ -5,6 +5,7 @@
 #include "common/bus/channels.hpp"
 #include "common/messages/association.hpp"
 #include "common/messages/cloud_pieces.hpp"
+#include "common/messages/cloud_request.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/config_copy.hpp"
 #include "common/messages/drive_command.hpp"
@@ -182,6 +183,9 @@ std::vector<MessageType> navigation_types() {
       kUtime, 4, DrivingState::Kind::kWaiting, "the pose is old", 2.5, 7.1, {0.02, -0.01}};
   return {type_of(channels::kScanRequest, to_message(ScanRequest{kUtime, 3, LaserId::kFront})),
           type_of(channels::kCloud, to_message(divide(sample_cloud()).front())),
+          type_of(channels::kCloudRequest,
+                  to_message(CloudRequest{kUtime, "volume_map", 0, {kUtime - 1}})),
+          type_of(channels::kCloudAgain, to_message(divide(sample_cloud()).front())),
           type_of(channels::kTerrain, to_message(divide(sample_terrain()).front())),
           type_of(channels::kVolume, to_message(divide(sample_volume()).front())),
           type_of(channels::kGoal, to_message(goal)),

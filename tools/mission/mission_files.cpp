@@ -17,6 +17,10 @@ namespace {
 // Pose and commands expire after 0.25 s, and take two turns from the simulator to who judges them.
 constexpr const char* kAhead = " --ahead-max-s 0.1";
 
+// A supervisor of a robot sees within this time that a process has gone or stands still; as fast as
+// it goes, minutes of simulated time would go by until it does.
+constexpr const char* kMissed = " --missed-max-s 10";
+
 constexpr const char* kLicence =
     "# SPDX-FileCopyrightText: The Adit authors\n# SPDX-License-Identifier: BSD-3-Clause\n";
 
@@ -27,7 +31,8 @@ std::string simulator_line(const SimulatorStart& start) {
   std::string names;
   for (const std::string& stage : stage_names()) names += (names.empty() ? "" : ",") + stage;
   std::string line = "adit-sim start.yaml --config mission.yaml --speed " + start.speed + kAhead +
-                     " --wait-for " + names + " --record " + start.log.filename().string();
+                     kMissed + " --wait-for " + names + " --record " +
+                     start.log.filename().string();
   if (start.start_utime) line += " --start-utime " + std::to_string(*start.start_utime);
   for (const std::string& fault : start.faults) line += " --fault " + quoted(fault);
   return line;

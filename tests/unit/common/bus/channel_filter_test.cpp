@@ -3,6 +3,7 @@
 // What the kernel lets through, on a socket of its own.
 #include "common/bus/channel_filter.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -101,6 +102,33 @@ TEST_F(ChannelFilter, PassesEverythingWhereTheChannelsAreTooMany) {
   pass_only(many, {receiver_});
   send(message("OTHER"));
   EXPECT_THAT(received(), ElementsAre(message("OTHER")));
+}
+
+TEST_F(ChannelFilter, LosesAShareOfTheMessagesButNoneOfTheTime) {
+  pass_only({"POSE", "SIM_TIME"}, {receiver_}, 0.2);
+  const int sent = 2000;
+  int poses = 0;
+  int times = 0;
+  int fragments = 0;
+  const auto receive = [&] {
+    for (char bytes[100];;) {
+      const auto size = recv(receiver_, bytes, sizeof(bytes), MSG_DONTWAIT);
+      if (size < 0) return;
+      const std::string datagram(bytes, static_cast<std::size_t>(size));
+      poses += datagram == message("POSE") ? 1 : 0;
+      times += datagram == message("SIM_TIME") ? 1 : 0;
+      fragments += datagram.starts_with("LC03") ? 1 : 0;
+    }
+  };
+  for (int i = 0; i < sent; ++i) {
+    for (const char* channel : {"POSE", "SIM_TIME", "OTHER"}) send(message(channel));
+    send("LC03 and so on");
+    receive();
+  }
+  const double five_sigma = 5.0 * std::sqrt(sent * 0.2 * 0.8);  // of a binomial distribution
+  EXPECT_NEAR(poses, 0.8 * sent, five_sigma);
+  EXPECT_NEAR(fragments, 0.8 * sent, five_sigma);
+  EXPECT_EQ(times, sent);
 }
 
 TEST_F(ChannelFilter, FindsTheSocketsOfThisProcess) {

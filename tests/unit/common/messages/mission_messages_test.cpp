@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "common/messages/checks.hpp"
+#include "common/messages/cloud_request.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/explore_request.hpp"
 #include "common/messages/map_request.hpp"
@@ -70,6 +71,8 @@ TEST(MissionMessages, KeepWhatTheySay) {
   EXPECT_EQ(*over_the_wire(order), order);
   const MapRequest request{kUtime, "exploration"};
   EXPECT_EQ(*over_the_wire(request), request);
+  const CloudRequest clouds{kUtime, "volume_map", 0, {kUtime - 2, kUtime - 1}};
+  EXPECT_EQ(*over_the_wire(clouds), clouds);
 }
 
 TEST(MissionMessages, AreRefusedWithATimeThatCannotBe) {
@@ -78,6 +81,16 @@ TEST(MissionMessages, AreRefusedWithATimeThatCannotBe) {
   EXPECT_EQ(over_the_wire(MissionOrder{-1}).refusal(), kImplausibleTime);
   EXPECT_EQ(over_the_wire(MapRequest{-1, "exploration"}).refusal(), kImplausibleTime);
   EXPECT_EQ(over_the_wire(MapRequest{kUtime, ""}).refusal(), "no stage is named");
+}
+
+TEST(CloudRequestMessage, IsRefusedWhereItCanNotBe) {
+  EXPECT_EQ(over_the_wire(CloudRequest{-1, "volume_map", 0, {}}).refusal(), kImplausibleTime);
+  EXPECT_EQ(over_the_wire(CloudRequest{kUtime, "volume_map", -1, {}}).refusal(), kImplausibleTime);
+  EXPECT_EQ(over_the_wire(CloudRequest{kUtime, "volume_map", 0, {-1}}).refusal(), kImplausibleTime);
+  EXPECT_EQ(over_the_wire(CloudRequest{kUtime, "", 0, {}}).refusal(), "no stage is named");
+  const std::vector<std::int64_t> many(CloudRequest::kHaveMax + 1, kUtime);
+  EXPECT_EQ(over_the_wire(CloudRequest{kUtime, "volume_map", 0, many}).refusal(),
+            "more scans than plausible");
 }
 
 TEST(PhaseMessage, IsRefusedWhereItSaysNothing) {

@@ -83,6 +83,22 @@ TEST_F(AMissionWithoutAPath, BacksOffAtOnceFromWhatItSees) {
   EXPECT_THAT(phase().reason, HasSubstr("backs off"));
 }
 
+/// Scan matching was started again on the way, where no look shows a path. Odom is where it was.
+TEST_F(AMissionWithoutAPath, BacksOffIntoTheOdomFrameBeforeOnceItHasItsMap) {
+  match(kStart);
+  map(kStart);
+  to_execute();
+  drive(5.0);
+  match(utime_);
+  ASSERT_EQ(now(), Phase::kWaiting);
+  map(utime_);
+  to_plan();
+  path(PlanOutcome::kBlocked);
+  EXPECT_EQ(now(), Phase::kPlan);
+  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 3.0, 0.26);  // a step of driving
+}
+
 TEST_F(AMissionWithoutAPath, LooksTwiceWhereItCannotBackOff) {
   to_plan();
   path(PlanOutcome::kBlocked);

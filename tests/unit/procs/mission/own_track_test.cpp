@@ -95,11 +95,40 @@ TEST(OwnTrack, SaysHowFarARouteKeepsToIt) {
 TEST(OwnTrack, CountsButDoesNotLeadBackIntoAnotherOdomFrame) {
   OwnTrack track;
   for (int i = 0; i <= 8; ++i) track.add(i, {0.25 * i, 0.0, 0.0});
-  track.begin_anew();
+  track.begin_anew({});
   EXPECT_TRUE(track.back(3.0).empty());
   EXPECT_DOUBLE_EQ(track.travelled_m(), 2.0);
   track.add(9, {100.0, 0.0, 0.0});
   EXPECT_DOUBLE_EQ(track.travelled_m(), 2.0);
+}
+
+TEST(OwnTrack, LeadsBackIntoTheOdomFrameBeforeOnceBothAreOnTheMap) {
+  const Pose2 T_map_before{10.0, 5.0, 0.3};
+  const Pose2 T_map_odom{12.0, 4.0, -1.2};
+  const Pose2 T_odom_before = between(T_map_odom, T_map_before);
+  OwnTrack track;
+  for (int i = 0; i <= 8; ++i) track.add(i, {0.25 * i, 0.0, 0.0});
+  track.begin_anew(T_map_before);
+  track.add(9, T_odom_before * Pose2{2.25, 0.0, 0.0});
+  track.add(10, T_odom_before * Pose2{2.5, 0.0, 0.0});
+  EXPECT_EQ(track.back(3.0).size(), 3U);  // not yet
+  track.tie(T_map_odom);
+  track.tie(T_map_odom);
+  const auto way = track.back(3.0);
+  for (std::size_t i = 2; i < way.size(); ++i) {
+    const Eigen::Vector2d expected = T_odom_before * Eigen::Vector2d(2.75 - 0.25 * i, 0.0);
+    EXPECT_LT((way[i] - expected).norm(), 1e-9) << i;
+  }
+  EXPECT_EQ(way.size(), 12U);
+}
+
+TEST(OwnTrack, DoesNotLeadBackIntoAFrameThatWasOnNoMap) {
+  OwnTrack track;
+  for (int i = 0; i <= 8; ++i) track.add(i, {0.25 * i, 0.0, 0.0});
+  track.begin_anew({});
+  track.add(9, {2.25, 0.0, 0.0});
+  track.tie({1.0, 0.0, 0.0});
+  EXPECT_EQ(track.back(3.0).size(), 2U);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 // A simulated robot on a bus is asked for a 3D scan.
 #include "procs/scan_assembly/scan_assembly_node.hpp"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "adit/pose_t.hpp"
@@ -11,6 +13,7 @@
 #include "common/bus/node_host.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/cloud_pieces.hpp"
+#include "common/messages/cloud_request.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/scan_request.hpp"
 #include "tests/support/groundhog_params.hpp"
@@ -99,6 +102,29 @@ TEST_F(ScanAssemblyNodeInAMine, TakesARepeatedRequestForOne) {
   }
   run(10.0);
   EXPECT_EQ(clouds_.size(), 1U);
+}
+
+TEST_F(ScanAssemblyNodeInAMine, RepeatsAScanForWhoDoesNotHaveItOnceItCanNotBeOnItsWay) {
+  CloudAssembler repeated;
+  std::vector<std::int64_t> again;
+  subscribe<cloud_t>(bus_, channels::kCloudAgain, Delivery::queued(100),
+                     [&](const CloudPiece& piece) {
+                       if (const auto cloud = repeated.add(piece)) again.push_back(cloud->utime);
+                     });
+  const auto ask = [&](const std::vector<std::int64_t>& have) {
+    publish(bus_, channels::kCloudRequest,
+            to_message(CloudRequest{bus_.now_utime(), "volume_map", 0, have}));
+  };
+  run(1.5);
+  request(LaserId::kFront);
+  while (clouds_.empty()) run(0.1);
+  ask({});
+  EXPECT_TRUE(again.empty());
+  run(3.5);
+  ask({clouds_[0].utime});
+  EXPECT_TRUE(again.empty());
+  ask({});
+  EXPECT_EQ(again, (std::vector{clouds_[0].utime}));
 }
 
 TEST_F(ScanAssemblyNodeInAMine, SaysWhyItRefusesARequest) {

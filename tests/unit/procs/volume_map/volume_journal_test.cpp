@@ -5,9 +5,12 @@
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "common/journal/journal_record.hpp"
 #include "procs/volume_map/volume_record.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/procs/volume_map/swept_drift.hpp"
@@ -16,6 +19,8 @@ namespace adit {
 namespace {
 
 constexpr std::int64_t kUtime = 1'600'000'000'000'000;
+constexpr std::size_t kTimeRecordBytes =
+    journal_format::kHeadBytes + std::string_view("VOLUME_SCAN_TIME").size() + sizeof(kUtime);
 
 Cloud sweep(std::int32_t id, double x) {
   Cloud cloud = test::sweep_of_drift({x, 0.0, 0.0}, 20);
@@ -115,10 +120,25 @@ TEST_F(VolumeJournalOnDisk, LosesOneScanToATornRecord) {
     map.add(sweep(2, 1.0));
     journal.keep(map);
   }
-  std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - 7);
+  std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - kTimeRecordBytes - 7);
   VolumeMap again = restored();
   place(again, 0, 1, {});
   expect_same(again, first);
+}
+
+TEST_F(VolumeJournalOnDisk, KnowsWhichScansItHas) {
+  VolumeMap map{VolumeMapParams{}};
+  {
+    VolumeJournal journal(path_);
+    map.add(sweep(1, 0.0));
+    journal.keep(map);
+    map.add(sweep(2, 12.0));
+    journal.keep(map);
+  }
+  EXPECT_EQ(restored().taken_utime(), (std::vector{kUtime + 1, kUtime + 2}));
+  EXPECT_EQ(restored().taken_utime(), map.taken_utime());
+  std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - kTimeRecordBytes - 7);
+  EXPECT_EQ(restored().taken_utime(), (std::vector{kUtime + 1}));  // the other can be had again
 }
 
 TEST_F(VolumeJournalOnDisk, IsRefusedByAMapOfOtherCells) {

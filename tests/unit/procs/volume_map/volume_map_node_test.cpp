@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/volume_map/volume_map_node.hpp"
 
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed.hpp"
+#include "common/messages/cloud_request.hpp"
 #include "common/messages/map_correction.hpp"
 #include "common/messages/volume_pieces.hpp"
 #include "tests/unit/procs/volume_map/swept_drift.hpp"
@@ -31,13 +33,11 @@ class VolumeMapNodeOnABus : public testing::Test {
                         });
   }
 
-  void send_cloud(std::int32_t id, double x) {
+  void send_cloud(std::int32_t id, double x, std::string_view channel = channels::kCloud) {
     Cloud cloud = test::sweep_of_drift({x, 0.0, 0.0}, 20);
     cloud.id = id;
     cloud.utime = kUtime + id;
-    for (const CloudPiece& piece : divide(cloud)) {
-      publish(bus_, channels::kCloud, to_message(piece));
-    }
+    for (const CloudPiece& piece : divide(cloud)) publish(bus_, channel, to_message(piece));
   }
   void send_graph(std::int64_t revision, std::vector<Pose2> poses) {
     const int newest = static_cast<int>(poses.size()) - 1;
@@ -94,6 +94,31 @@ TEST_F(VolumeMapNodeOnABus, PublishesPosesAloneWhereTheGraphMoves) {
   EXPECT_EQ(poses_[0].local_map, 1);
   EXPECT_EQ(poses_[0].graph_revision, 3);
   EXPECT_EQ(poses_[0].T_map_volume, (Pose2{12.0, 0.5, 0.0}));
+}
+
+TEST_F(VolumeMapNodeOnABus, SaysWhichScansItHasAndTakesOneThatItMissed) {
+  CloudRequest asked;
+  subscribe<cloud_request_t>(bus_, channels::kCloudRequest, Delivery::latest(),
+                             [&](const CloudRequest& request) { asked = request; });
+  send_graph(1, {{}});
+  send_cloud(1, 0.0);
+  send_cloud(3, 2.0);
+  bus_.advance_to(kUtime);
+  EXPECT_EQ(asked.have_utime, (std::vector{kUtime + 1, kUtime + 3}));
+  send_cloud(2, 1.0, channels::kCloudAgain);
+  bus_.advance_to(kUtime + 2'000'000);
+  EXPECT_EQ(asked.have_utime, (std::vector{kUtime + 1, kUtime + 3, kUtime + 2}));
+  ASSERT_EQ(volumes_.size(), 3U);
+  EXPECT_EQ(volumes_.back().revision, 3);
+  EXPECT_EQ(volumes_.back().utime, kUtime + 3);  // of the newest in it
+}
+
+TEST_F(VolumeMapNodeOnABus, TakesAScanOnce) {
+  send_graph(1, {{}});
+  send_cloud(1, 0.0);
+  send_cloud(1, 0.0, channels::kCloudAgain);
+  EXPECT_EQ(volumes_.size(), 1U);
+  EXPECT_EQ(node_.map().volumes()[0].volume.scans(), 1);
 }
 
 TEST_F(VolumeMapNodeOnABus, SaysWhereACloudWasCutShort) {

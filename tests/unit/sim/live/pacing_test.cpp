@@ -56,12 +56,33 @@ TEST(Pacing, DoesNotWaitForAStageThatItGaveUp) {
   pacing.done("mapping", kStart);
   pacing.done("scan_matching", kStart);
   EXPECT_EQ(pacing.decide(kStart + kSecond, 0).kind, Kind::kWaitForStages);
-  pacing.give_up("mapping");
-  pacing.give_up("nobody");
+  pacing.give_up("mapping", kStart + kStep);
+  pacing.give_up("nobody", kStart + kStep);
   pacing.done("mapping", kStart + kStep);  // its last answer, which was on its way
   pacing.done("scan_matching", kStart + kSecond);
   EXPECT_EQ(pacing.decide(kStart + kSecond, 0).kind, Kind::kStep);
   EXPECT_THAT(pacing.newly_silent(100 * kSecond), IsEmpty());
+}
+
+TEST(Pacing, WaitsAgainForAStageThatItGaveUpOnceItAnswers) {
+  Pacing pacing({.factor = {}, .wait_for = {"mapping"}, .missed_max_s = {}});
+  pacing.done("mapping", kStart);
+  pacing.give_up("mapping", kStart);
+  EXPECT_EQ(pacing.decide(kStart + 100 * kSecond, 0).kind, Kind::kStep);
+  pacing.done("mapping", kStart + 100 * kSecond);
+  EXPECT_EQ(pacing.decide(kStart + 100 * kSecond + kAheadMaxUs, 0).kind, Kind::kStep);
+  EXPECT_EQ(pacing.decide(kStart + 101 * kSecond, 0).kind, Kind::kWaitForStages);
+}
+
+TEST(Pacing, DoesWithoutAStageThatItGaveUpForAsLongAsItMay) {
+  Pacing pacing({.factor = {}, .wait_for = {"mapping"}, .missed_max_s = 10.0});
+  pacing.done("mapping", kStart);
+  pacing.give_up("mapping", kStart + kSecond);
+  EXPECT_EQ(pacing.decide(kStart + 11 * kSecond, 0).kind, Kind::kStep);
+  EXPECT_EQ(pacing.decide(kStart + 11 * kSecond + kStep, 0).kind, Kind::kWaitForStages);
+  EXPECT_THAT(pacing.newly_silent(Pacing::kPatienceUs), ElementsAre("mapping"));
+  pacing.done("mapping", kStart + 11 * kSecond);
+  EXPECT_EQ(pacing.decide(kStart + 11 * kSecond + kStep, 0).kind, Kind::kStep);
 }
 
 TEST(Pacing, IsNeverFartherAheadOfTheSlowestThanItMay) {

@@ -33,7 +33,9 @@ class VolumeRun : public testing::Test {
     log_.write({kUtime + events_++, std::string(channel), bytes});
   }
   void write_cloud(double x) {
-    for (const CloudPiece& piece : divide(test::sweep_of_drift({x, 0.0, 0.0}, 20))) {
+    Cloud cloud = test::sweep_of_drift({x, 0.0, 0.0}, 20);
+    cloud.utime = kUtime + events_;
+    for (const CloudPiece& piece : divide(cloud)) {
       write(channels::kCloud, encode(to_message(piece)));
     }
   }

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/terrain/terrain_node.hpp"
+
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/memory_bus.hpp"
+#include "common/bus/typed.hpp"
+#include "common/messages/cloud_request.hpp"
+#include "common/messages/terrain_tiles.hpp"
+
+namespace adit {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr std::int64_t kUtime = 1'600'000'000'000'000;
+constexpr std::int64_t kAskPeriodUs = 2'000'000;
+
+/// Flat ground that is as many lines as several pieces take.
+Cloud flat_ground(std::int32_t id) {
+  Cloud cloud;
+  cloud.id = id;
+  cloud.utime = kUtime + id;
+  for (int i = 0; i < 120; ++i) {
+    CloudLine line;
+    line.utime = cloud.utime - 120 + i;
+    line.origin = {0.0F, 0.0F, 0.6F};
+    for (int k = 0; k < 120; ++k) {
+      line.points.emplace_back(0.5F + 0.05F * static_cast<float>(i),
+                               -3.0F + 0.05F * static_cast<float>(k), 0.0F);
+    }
+    cloud.lines.push_back(line);
+  }
+  return cloud;
+}
+
+class TerrainNodeOnABus : public testing::Test {
+ protected:
+  TerrainNodeOnABus() {
+    subscribe<terrain_t>(bus_, channels::kTerrain, Delivery::queued(100),
+                         [this](const TerrainTile& tile) {
+                           if (tile.piece == 0) made_.push_back(tile.part.id);
+                         });
+    subscribe<cloud_request_t>(bus_, channels::kCloudRequest, Delivery::latest(),
+                               [this](const CloudRequest& request) { asked_ = request; });
+    bus_.advance_to(kUtime);
+  }
+
+  void send(std::int32_t id, std::string_view channel, const std::set<int>& lost = {}) {
+    for (const CloudPiece& piece : divide(flat_ground(id))) {
+      if (!lost.contains(piece.piece)) publish(bus_, channel, to_message(piece));
+    }
+  }
+
+  MemoryBus bus_;
+  TerrainNode node_{bus_, TerrainParams{}};
+  std::vector<std::int32_t> made_;  // ids of clouds
+  CloudRequest asked_;
+};
+
+TEST_F(TerrainNodeOnABus, MakesOneOfEachCloud) {
+  send(1, channels::kCloud);
+  send(2, channels::kCloud);
+  EXPECT_THAT(made_, ElementsAre(1, 2));
+}
+
+TEST_F(TerrainNodeOnABus, AsksForWhatIsNewerThanWhatItHas) {
+  EXPECT_EQ(asked_.after_utime, 0);
+  send(1, channels::kCloud);
+  bus_.advance_to(kUtime + kAskPeriodUs);
+  EXPECT_EQ(asked_.asked_by, "terrain");
+  EXPECT_EQ(asked_.after_utime, kUtime + 1);
+}
+
+TEST_F(TerrainNodeOnABus, TakesThePiecesThatItLacksFromARepetition) {
+  ASSERT_GE(divide(flat_ground(1)).size(), 3U);
+  send(1, channels::kCloud, {0, 2});
+  EXPECT_THAT(made_, IsEmpty());
+  send(1, channels::kCloudAgain, {1});
+  EXPECT_THAT(made_, ElementsAre(1));
+}
+
+TEST_F(TerrainNodeOnABus, LeavesRepetitionsForOthersAlone) {
+  send(1, channels::kCloud);
+  send(2, channels::kCloud);
+  send(1, channels::kCloudAgain);
+  send(2, channels::kCloudAgain);
+  EXPECT_THAT(made_, ElementsAre(1, 2));
+}
+
+}  // namespace
+}  // namespace adit

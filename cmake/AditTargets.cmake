@@ -5,6 +5,9 @@
 #   adit_library(NAME SOURCES ... DEPS ...)      static library adit_NAME, alias adit::NAME
 #   adit_executable(NAME SOURCES ... DEPS ...)   program NAME in <build>/bin
 #   adit_test(NAME SOURCES ... DEPS ...)         GoogleTest program, each case known to CTest
+# The presets ci and asan compile the SOURCES of a target as one (CMAKE_UNITY_BUILD): what many include is
+# read once, what many instantiate is made once. Those that cannot be read together with the others are
+# listed under APART instead: mostly because their unnamed namespaces use the same name (CONTRIBUTING.md).
 
 include(GNUInstallDirs)
 
@@ -38,24 +41,27 @@ endfunction()
 adit_precompiled(adit_precompiled)
 
 function(adit_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
-  add_library(adit_${name} STATIC ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "" "" "SOURCES;APART;DEPS" ${ARGN})
+  set_source_files_properties(${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  add_library(adit_${name} STATIC ${ARG_SOURCES} ${ARG_APART})
   add_library(adit::${name} ALIAS adit_${name})
   target_link_libraries(adit_${name} PUBLIC adit_settings ${ARG_DEPS})
   target_precompile_headers(adit_${name} REUSE_FROM adit_precompiled)
 endfunction()
 
 function(adit_executable name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "" "" "SOURCES;APART;DEPS" ${ARGN})
+  set_source_files_properties(${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  add_executable(${name} ${ARG_SOURCES} ${ARG_APART})
   target_link_libraries(${name} PRIVATE adit_settings ${ARG_DEPS})
   target_precompile_headers(${name} REUSE_FROM adit_precompiled)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction()
 
 function(adit_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "" "" "SOURCES;APART;DEPS" ${ARGN})
+  set_source_files_properties(${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  add_executable(${name} ${ARG_SOURCES} ${ARG_APART})
   target_link_libraries(${name} PRIVATE adit_settings ${ARG_DEPS} GTest::gmock GTest::gtest_main)
   target_precompile_headers(${name} REUSE_FROM adit_test_precompiled)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kExitUnusable = 2;
 
-constexpr const char* kFooter = R"(Each sub-command explains itself: adit COMMAND --help
+constexpr const char* kAppFooter = R"(Each sub-command explains itself: adit COMMAND --help
 
 A first look, without a robot and without a recording:
   adit sample mine.log --truth mine.tum
@@ -27,7 +27,7 @@ std::unique_ptr<CLI::App> make_adit_app() {
   app->set_version_flag("--version", "adit " + version());
   app->require_subcommand(0, 1);
   app->get_formatter()->column_width(34);
-  app->footer(kFooter);
+  app->footer(kAppFooter);
   add_completion_command(*app);
   add_drive_command(*app);
   add_eval_command(*app);

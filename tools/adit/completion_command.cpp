@@ -10,7 +10,7 @@
 namespace adit {
 namespace {
 
-constexpr const char* kFooter = R"(Examples:
+constexpr const char* kCompletionFooter = R"(Examples:
   source <(adit completion bash)                              in ~/.bashrc
   source <(adit completion zsh)                               in ~/.zshrc, after compinit
   adit completion fish > ~/.config/fish/completions/adit.fish)";
@@ -29,7 +29,7 @@ void add_completion_command(CLI::App& adit) {
   CLI::App* completion =
       adit.add_subcommand("completion", "Print a script that completes adit's words in a shell");
   completion->require_subcommand(1);
-  completion->footer(kFooter);
+  completion->footer(kCompletionFooter);
   add_shell(*completion, adit, "bash", bash_completion);
   add_shell(*completion, adit, "zsh", zsh_completion);
   add_shell(*completion, adit, "fish", fish_completion);

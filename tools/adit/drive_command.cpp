@@ -15,13 +15,13 @@
 namespace adit {
 namespace {
 
-struct Options {
+struct DriveOptions {
   DriveRunOptions run;
   std::string lcm_url;
   bool keys = false;
 };
 
-constexpr const char* kFooter =
+constexpr const char* kDriveFooter =
     R"(Through a mine in this process, as fast as it goes: the same mine, waypoints and seed give the same log,
 byte for byte. A run that fails ends with exit code 2; the log is kept. Without WORLD, what is on LCM is
 driven: a simulator, and with --keys a robot as well.
@@ -50,7 +50,7 @@ void drive_here(const DriveRunOptions& options) {
   if (!result.failure.empty()) throw std::runtime_error("the run has failed: " + result.failure);
 }
 
-void drive(const Options& options) {
+void drive(const DriveOptions& options) {
   if (!options.run.world.name.empty()) return drive_here(options.run);
   const LiveDriveOptions live{options.run.waypoints, options.run.config, options.lcm_url};
   if (options.keys) return drive_by_keys(live);
@@ -65,8 +65,8 @@ void drive(const Options& options) {
 void add_drive_command(CLI::App& adit) {
   CLI::App* command =
       adit.add_subcommand("drive", "Drive through a mine and record it, or what is on LCM");
-  command->footer(kFooter);
-  const auto options = std::make_shared<Options>();
+  command->footer(kDriveFooter);
+  const auto options = std::make_shared<DriveOptions>();
   CLI::Option* world = add_world_options(*command, options->run.world);
   CLI::Option* waypoints =
       command->add_option("--waypoints", options->run.waypoints, "Where to drive")

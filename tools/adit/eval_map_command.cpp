@@ -19,7 +19,7 @@
 namespace adit {
 namespace {
 
-struct Options {
+struct EvalMapOptions {
   std::filesystem::path folder;
   std::string world;
   std::optional<int> seed;
@@ -27,7 +27,7 @@ struct Options {
   MapScoreOptions score;
 };
 
-constexpr const char* kFooter =
+constexpr const char* kEvalMapFooter =
     R"(DIR is what `adit map DIR` has written: trajectory.tum, map.pgm with map.yaml, and run.lcmlog, in
 which the simulator's truth is on channel TRUTH. The world must be the one that was driven in, and so
 must the seed. The figures come as JSON:
@@ -53,12 +53,12 @@ Examples:
   adit eval map mine --world random --seed 7 --truth truth.tum)";
 
 /// That of the folder unless another is named.
-Trajectory true_trajectory(const Options& options) {
+Trajectory true_trajectory(const EvalMapOptions& options) {
   if (options.truth.empty()) return read_truth(options.folder / "run.lcmlog");
   return read_tum(options.truth);
 }
 
-void print_score(const Options& options) {
+void print_score(const EvalMapOptions& options) {
   const Trajectory trajectory = read_tum(options.folder / "trajectory.tum");
   const std::vector<Eigen::Vector2d> mapped = read_occupied(options.folder / "map.yaml");
   const Trajectory truth = true_trajectory(options);
@@ -73,8 +73,8 @@ void print_score(const Options& options) {
 void add_eval_map_command(CLI::App& eval) {
   CLI::App* map =
       eval.add_subcommand("map", "Score a trajectory and a map against a simulated world");
-  map->footer(kFooter);
-  const auto options = std::make_shared<Options>();
+  map->footer(kEvalMapFooter);
+  const auto options = std::make_shared<EvalMapOptions>();
   map->add_option("DIR", options->folder, "Folder of a run of `adit map`")
       ->type_name("DIR")
       ->required();

@@ -14,7 +14,7 @@
 namespace adit {
 namespace {
 
-struct Options {
+struct EvalRelationsOptions {
   std::filesystem::path relations;
   std::filesystem::path trajectory;
 };
@@ -28,7 +28,7 @@ maximum of the translational error in metres and of the rotational error in degr
 Example:
   adit eval relations intel.relations out/trajectory.tum)";
 
-void print_score(const Options& options) {
+void print_score(const EvalRelationsOptions& options) {
   const auto relations = read_relations(options.relations);
   const RelationsScore score = score_relations(relations, read_tum(options.trajectory));
   if (score.used == 0) {
@@ -44,7 +44,7 @@ void add_eval_relations_command(CLI::App& eval) {
   CLI::App* relations =
       eval.add_subcommand("relations", "Score a trajectory against hand-verified relations");
   relations->footer(kRelationsFooter);
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EvalRelationsOptions>();
   relations->add_option("RELATIONS", options->relations, "Lines `t1 t2 dx dy dz droll dpitch dyaw`")
       ->type_name("FILE")
       ->required();

@@ -13,7 +13,7 @@
 namespace adit {
 namespace {
 
-struct Options {
+struct ImportOptions {
   std::filesystem::path input;
   std::filesystem::path output;
 };
@@ -26,7 +26,7 @@ Examples:
   adit import carmen intel.log.gz intel.lcmlog
   adit spy intel.lcmlog                           look at what is in it)";
 
-void report(const CarmenReport& found, const Options& options) {
+void report(const CarmenReport& found, const ImportOptions& options) {
   for (const std::string& sentence : found.sentences()) {
     std::cerr << "adit: " << options.input.string() << ": skipped " << sentence << "\n";
   }
@@ -35,7 +35,7 @@ void report(const CarmenReport& found, const Options& options) {
             << " lines skipped\n";
 }
 
-void import_carmen_log(const Options& options) {
+void import_carmen_log(const ImportOptions& options) {
   CarmenReport found;
   {
     ProgressBar bar("importing");
@@ -52,7 +52,7 @@ void add_import_command(CLI::App& adit) {
   CLI::App* carmen = import->add_subcommand(
       "carmen", "Turn a CARMEN log (FLASER, ROBOTLASER1 and ODOM lines) into an LCM log");
   carmen->footer(kCarmenFooter);
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ImportOptions>();
   carmen->add_option("IN", options->input, "The CARMEN log, plain or gzip")
       ->type_name("FILE")
       ->required();

@@ -13,7 +13,7 @@
 namespace adit {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kMapFooter =
     R"(The folder then holds
   trajectory.tum        the path in the map: time x y z qx qy qz qw, one line for each scan
   odometry.tum          the same before loops were closed: smooth, but it drifts
@@ -66,7 +66,7 @@ void map(const MapRunOptions& options) {
 void add_map_command(CLI::App& adit) {
   CLI::App* command = adit.add_subcommand(
       "map", "Find the robot's path in a laser log, close its loops, and draw the place");
-  command->footer(kFooter);
+  command->footer(kMapFooter);
   const auto options = std::make_shared<MapRunOptions>();
   command->add_option("INPUT", options->input, "A CARMEN log, plain or gzip, or an LCM log")
       ->type_name("FILE")

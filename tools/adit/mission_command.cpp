@@ -21,12 +21,12 @@ namespace {
 
 constexpr int kExitNotHome = 1;
 
-struct Options {
+struct MissionOptions {
   MissionLiveOptions mission;
   bool in_process = false;
 };
 
-constexpr const char* kFooter =
+constexpr const char* kMissionFooter =
     R"(Sends a robot into a simulated mine: it explores, scans, plans and drives by itself, and comes home. Each
 stage is a process of its own, kept running by an adit-supervisor, on a network of their own; with
 --in-process all are in this one, with the same log each time. Exit code 0 when the robot is at home, 1
@@ -100,7 +100,7 @@ void run_processes(const MissionLiveOptions& mission) {
   require_home(result.last, result.trouble);
 }
 
-void run(const Options& options) {
+void run(const MissionOptions& options) {
   if (options.mission.world.name.empty() == !options.mission.resume) {
     throw std::invalid_argument(
         "say in which mine, or --resume to go on with the mission of --out");
@@ -109,7 +109,7 @@ void run(const Options& options) {
   run_processes(options.mission);
 }
 
-void add_options(CLI::App& command, Options& options) {
+void add_options(CLI::App& command, MissionOptions& options) {
   MissionLiveOptions& mission = options.mission;
   CLI::Option* world = add_world_options(command, mission.world);
   command.add_option("--world", mission.world.name, "The same as WORLD")->excludes(world);
@@ -138,8 +138,8 @@ void add_options(CLI::App& command, Options& options) {
 
 void add_mission_command(CLI::App& adit) {
   CLI::App* command = adit.add_subcommand("mission", "Send a robot into a simulated mine");
-  command->footer(kFooter);
-  const auto options = std::make_shared<Options>();
+  command->footer(kMissionFooter);
+  const auto options = std::make_shared<MissionOptions>();
   add_options(*command, *options);
   command->callback([options] { run(*options); });
 }

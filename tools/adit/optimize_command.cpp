@@ -15,14 +15,14 @@
 namespace adit {
 namespace {
 
-struct Options {
+struct OptimizeOptions {
   std::filesystem::path graph;
   std::filesystem::path out;
   std::string loops = "all";
   std::string order = "best_first";
 };
 
-constexpr const char* kFooter =
+constexpr const char* kOptimizeFooter =
     R"(Poses are found that agree best with all constraints, the first pose held where it is. They are
 found from the constraints alone: the poses in the file, or whether there are any, make no difference
 to the answer. The figures come as JSON: the objective (the sum of e' I e over all constraints, as g2o
@@ -51,14 +51,14 @@ Examples:
   adit optimize mine.g2o --loops lazy --out good.g2o
                                                 and the graph without them, with its optimal poses)";
 
-OptimizeRun run_lazily(G2oGraph& file, const Options& options) {
+OptimizeRun run_lazily(G2oGraph& file, const OptimizeOptions& options) {
   LazyAssociationParams params;
   params.best_first = options.order == "best_first";
   ProgressBar bar("deciding about loops");
   return optimize_lazily(file, params, [&](double done) { bar.update(done); });
 }
 
-OptimizeRun run(G2oGraph& file, const Options& options) {
+OptimizeRun run(G2oGraph& file, const OptimizeOptions& options) {
   try {
     return options.loops == "lazy" ? run_lazily(file, options) : optimize_all(file);
   } catch (const std::exception& error) {
@@ -66,7 +66,7 @@ OptimizeRun run(G2oGraph& file, const Options& options) {
   }
 }
 
-void optimize_file(const Options& options) {
+void optimize_file(const OptimizeOptions& options) {
   G2oGraph file = read_g2o(options.graph);
   const OptimizeRun done = run(file, options);
   if (!options.out.empty()) write_g2o(file, options.out);
@@ -78,8 +78,8 @@ void optimize_file(const Options& options) {
 void add_optimize_command(CLI::App& adit) {
   CLI::App* command =
       adit.add_subcommand("optimize", "Find the poses of a pose graph that agree best");
-  command->footer(kFooter);
-  const auto options = std::make_shared<Options>();
+  command->footer(kOptimizeFooter);
+  const auto options = std::make_shared<OptimizeOptions>();
   command->add_option("GRAPH", options->graph, "Poses and constraints, as g2o or TORO write them")
       ->type_name("FILE")
       ->required();

@@ -19,7 +19,7 @@ const std::map<std::string, MissionOrder::Kind> kOrders{
     {"come-home", MissionOrder::Kind::kComeHome},
     {"stop", MissionOrder::Kind::kStop}};
 
-constexpr const char* kFooter =
+constexpr const char* kOrderFooter =
     R"(Orders:
   pause      stand, until told to go on
   go-on      after a pause, or where the mission waits for the order to begin
@@ -38,7 +38,7 @@ Examples:
 void add_order_command(CLI::App& adit) {
   CLI::App* command =
       adit.add_subcommand("order", "Tell a mission to pause, go on, come home, stop");
-  command->footer(kFooter);
+  command->footer(kOrderFooter);
   const auto options = std::make_shared<MissionOrderOptions>();
   command->add_option("ORDER", options->order, "pause, go-on, come-home or stop")
       ->transform(CLI::CheckedTransformer(kOrders).description(""))

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kExitNoPath = 3;
 
-constexpr const char* kFooter =
+constexpr const char* kPlanFooter =
     R"(The folder then holds
   sheet.png             all of the following on one sheet, and a view of the points
   plan.png              the terrain with the path, or how far one gets and what is in the way
@@ -50,12 +50,12 @@ Examples:
 void add_plan_command(CLI::App& adit) {
   CLI::App* command = adit.add_subcommand(
       "plan", "Find a path over one 3D scan, and draw the terrain and how the path came about");
-  command->footer(kFooter);
-  struct Options {
+  command->footer(kPlanFooter);
+  struct PlanOptions {
     PlanRunOptions run;
     bool list = false;
   };
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PlanOptions>();
   command->add_option("INPUT", options->run.input, "Points (PLY, PCD, XYZ), or an LCM log")
       ->type_name("FILE")
       ->required();

@@ -17,7 +17,7 @@
 namespace adit {
 namespace {
 
-struct Options {
+struct ProcessOptions {
   std::filesystem::path socket;
   std::vector<std::string> names;
   std::string script;
@@ -58,8 +58,8 @@ constexpr const char* kReloadFooter =
 for adit start. Each computer reads its own list. A list that is wrong is refused and the old one stays. The
 same as: kill -HUP, systemctl reload adit-supervisor.)";
 
-std::shared_ptr<Options> add_socket_option(CLI::App& command) {
-  auto options = std::make_shared<Options>();
+std::shared_ptr<ProcessOptions> add_socket_option(CLI::App& command) {
+  auto options = std::make_shared<ProcessOptions>();
   options->socket = socket_path_to_ask();
   command
       .add_option("--socket", options->socket,
@@ -68,7 +68,7 @@ std::shared_ptr<Options> add_socket_option(CLI::App& command) {
   return options;
 }
 
-void change(const std::string& verb, const Options& options) {
+void change(const std::string& verb, const ProcessOptions& options) {
   std::vector<std::string> words{verb};
   if (!options.script.empty()) {
     words = {"script", options.script};

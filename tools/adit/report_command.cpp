@@ -10,7 +10,7 @@
 namespace adit {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kReportFooter =
     R"(The folder then holds
   mission.html          how the mission went, its map, phases, 3D scans, openings, events: one page that
                         needs nothing else, to be read, printed and passed on
@@ -38,7 +38,7 @@ Examples:
 void add_report_command(CLI::App& adit) {
   CLI::App* command = adit.add_subcommand(
       "report", "Make the folder of a mission from its log: a page to read, map, volume, figures");
-  command->footer(kFooter);
+  command->footer(kReportFooter);
   const auto options = std::make_shared<ReportOptions>();
   command->add_option("LOG", options->logs, "LCM logs of one mission, in order of time")
       ->type_name("FILE")

@@ -25,7 +25,7 @@ const std::map<std::string, SampleWorld> kWorlds = {{"ring", SampleWorld::kRing}
                                                     {"long", SampleWorld::kLong}};
 constexpr double kLongDrive = 10'000.0;
 
-struct Options {
+struct SampleOptions {
   std::filesystem::path output;
   std::filesystem::path truth;
   std::uint64_t seed = 1;
@@ -36,7 +36,7 @@ struct Options {
   double bearing_error_percent = 0.0;
 };
 
-constexpr const char* kFooter =
+constexpr const char* kSampleFooter =
     R"(The mine is made up. Laser and wheels have errors like real ones. The same seed gives the same bytes.
 
 Worlds:
@@ -53,12 +53,12 @@ Examples:
   adit sample mine.lcmlog --truth mine.tum --seed 7     as an LCM log, with the true path
   adit sample far.lcmlog --world long --length-m 2000   2 km in a large mine)";
 
-double length_of(const Options& options) {
+double length_of(const SampleOptions& options) {
   constexpr double kWholeWay = std::numeric_limits<double>::infinity();
   return options.length_m.value_or(options.world == "long" ? kLongDrive : kWholeWay);
 }
 
-SampleSite site_of(const Options& options) {
+SampleSite site_of(const SampleOptions& options) {
   SampleSite site = sample_site(kWorlds.at(options.world), options.seed, length_of(options));
   if (options.yaw_bias_deg_per_m) {
     site.odometry.drift_rad_per_m = deg_to_rad(*options.yaw_bias_deg_per_m);
@@ -66,13 +66,13 @@ SampleSite site_of(const Options& options) {
   return site;
 }
 
-SyntheticLaserModel laser_of(const Options& options) {
+SyntheticLaserModel laser_of(const SampleOptions& options) {
   SyntheticLaserModel laser = options.half_degree ? half_degree_laser() : SyntheticLaserModel{};
   laser.bearing_scale = 1.0 + options.bearing_error_percent / 100.0;
   return laser;
 }
 
-void write_sample(const Options& options) {
+void write_sample(const SampleOptions& options) {
   SampleRun run(site_of(options), options.seed, laser_of(options), length_of(options));
   {
     ProgressBar bar("sampling");
@@ -88,8 +88,8 @@ void write_sample(const Options& options) {
 void add_sample_command(CLI::App& adit) {
   CLI::App* sample =
       adit.add_subcommand("sample", "Write the log of a drive through a made-up mine");
-  sample->footer(kFooter);
-  const auto options = std::make_shared<Options>();
+  sample->footer(kSampleFooter);
+  const auto options = std::make_shared<SampleOptions>();
   sample->add_option("OUT", options->output, "The log to write: .lcmlog, or .log for CARMEN text")
       ->type_name("FILE")
       ->required();

@@ -18,14 +18,14 @@
 namespace adit {
 namespace {
 
-struct Options {
+struct ScanOptions {
   WorldChoice world;
   std::optional<Pose2> T_world_plan;
   std::filesystem::path file;
   std::string laser = "front";
 };
 
-constexpr const char* kFooter =
+constexpr const char* kScanFooter =
     R"(One sweep of a tilting laser of a vehicle that stands there, as the simulator's laser sees it,
 placed without error. A log holds all of it, for adit plan or a stage; a PLY file the bare points, in metres
 from where the vehicle's middle stands on the ground, x ahead, y to the left, z up.
@@ -42,7 +42,7 @@ Eigen::Vector3f laser_of(const Cloud& cloud) {
   return sum / static_cast<float>(cloud.lines.size());
 }
 
-void scan(const Options& options) {
+void scan(const ScanOptions& options) {
   const Site site(build_world(describe(options.world)));
   TiltSweep sweep;
   if (options.laser == "rear") sweep.mount = groundhog_lasers().rear;
@@ -61,8 +61,8 @@ void scan(const Options& options) {
 void add_scan_command(CLI::App& adit) {
   CLI::App* command =
       adit.add_subcommand("scan", "Write a 3D scan of a simulated mine, to plan on");
-  command->footer(kFooter);
-  const auto options = std::make_shared<Options>();
+  command->footer(kScanFooter);
+  const auto options = std::make_shared<ScanOptions>();
   add_world_options(*command, options->world)->required();
   command
       ->add_option_function<std::string>(

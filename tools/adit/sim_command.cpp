@@ -18,7 +18,7 @@
 namespace adit {
 namespace {
 
-struct Options {
+struct SimOptions {
   WorldChoice world;
   LiveRunOptions run;
   std::filesystem::path view;
@@ -42,7 +42,7 @@ Examples:
   adit sim my.yaml --view my.png --truth my_truth          a picture; centre lines, plan and obstacles as JSON
   adit sim mathies --view beam.png --camera 300,0,0        what one sees who stands there)";
 
-void write_files(const Options& options) {
+void write_files(const SimOptions& options) {
   const WorldDescription description = describe(options.world);
   if (!options.description.empty()) write_text(to_world_file(description), options.description);
   if (options.view.empty() && options.truth.empty()) return;
@@ -57,7 +57,7 @@ void add_sim_command(CLI::App& adit) {
   CLI::App* sim = adit.add_subcommand(
       "sim", "A mine to drive in, on LCM; or what it looks like, and what is true of it");
   sim->footer(std::string(kLiveRunFooter) + kExamples);
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SimOptions>();
   options->run.program = "adit sim";
   add_world_options(*sim, options->world)->required();
   add_live_run_options(*sim, options->run);

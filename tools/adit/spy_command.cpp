@@ -12,7 +12,7 @@
 namespace adit {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kSpyFooter =
     R"(Needs Java and LCM's Java programs, and says what to install where they are missing.
 
 Examples:
@@ -24,7 +24,7 @@ Examples:
 void add_spy_command(CLI::App& adit) {
   CLI::App* spy =
       adit.add_subcommand("spy", "Look at messages: start lcm-spy, or the log player's window");
-  spy->footer(kFooter);
+  spy->footer(kSpyFooter);
   const auto log = std::make_shared<std::optional<std::filesystem::path>>();
   spy->add_option("LOG", *log, "An LCM log to play")->type_name("FILE");
   spy->callback([log] { run_spy(*log); });

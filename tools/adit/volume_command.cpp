@@ -12,7 +12,7 @@
 namespace adit {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kVolumeFooter =
     R"(The folder then holds
   volume.bt     which cells are free and which are occupied: OctoMap's binary form, for octovis
   volume.ot     the same with log-odds
@@ -44,7 +44,7 @@ void make_volume(const VolumeRunOptions& options) {
 void add_volume_command(CLI::App& adit) {
   CLI::App* command =
       adit.add_subcommand("volume", "Make a volume and a cloud of points of the 3D scans in a log");
-  command->footer(kFooter);
+  command->footer(kVolumeFooter);
   const auto options = std::make_shared<VolumeRunOptions>();
   command->add_option("LOG", options->input, "An LCM log")->type_name("FILE")->required();
   command->add_option("--out", options->folder, "Where the results go; made if it is not there")

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "common/files/mapped_file.hpp"
 #include "tools/cloud/pcd_reader.hpp"

@@ -4,12 +4,11 @@
 // the READMEs name what there is.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -19,6 +18,7 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/stages.hpp"
 #include "tests/support/message_types.hpp"
+#include "tests/unit/structure/source_tree.hpp"
 
 namespace {
 
@@ -27,12 +27,10 @@ using testing::ElementsAreArray;
 using testing::IsEmpty;
 using testing::IsSubsetOf;
 
-const fs::path kRoot = ADIT_SOURCE_DIR;
+using adit::source_files;
+using adit::text_of;
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
+const fs::path kRoot = adit::source_root();
 
 /// An include: the file that has it and what stands behind `#include`, with its quotes.
 struct Include {
@@ -47,26 +45,11 @@ struct Include {
   }
 };
 
-std::vector<fs::path> sources() {
-  std::vector<fs::path> paths;
-  for (const char* folder : {"common", "procs", "sim", "tools", "tests"}) {
-    if (!fs::is_directory(kRoot / folder)) continue;
-    for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
-      const auto extension = entry.path().extension();
-      if (extension == ".hpp" || extension == ".cpp") paths.push_back(entry.path());
-    }
-  }
-  return paths;
-}
-
 std::vector<Include> includes() {
-  static const std::regex pattern(R"re((?:^|\n)#include\s+(<[^>]+>|"[^"]+"))re");
   std::vector<Include> found;
-  for (const fs::path& path : sources()) {
-    const std::string text = text_of(path);
-    const std::string file = fs::relative(path, kRoot).generic_string();
-    for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {
-      found.push_back({file, (*it)[1]});
+  for (const fs::path& path : source_files()) {
+    for (const std::string& what : adit::includes_of(text_of(path))) {
+      found.push_back({adit::name_in_tree(path), what});
     }
   }
   return found;
@@ -129,7 +112,7 @@ bool is_node_file(const std::string& file) {
 }
 
 TEST(Structure, FindsTheSources) {
-  EXPECT_GT(sources().size(), 20U);
+  EXPECT_GT(source_files().size(), 20U);
   EXPECT_GT(includes().size(), 100U);
 }
 
@@ -201,8 +184,8 @@ TEST(Structure, LargeLibrariesOfTheSimulatorAreBehindOneClassEach) {
 std::map<std::string, std::set<std::string>> defined_types() {
   static const std::regex pattern(R"((?:^|\n)(?:class|struct|enum class) (\w+)[^;\n]*\{)");
   std::map<std::string, std::set<std::string>> types;
-  for (const fs::path& path : sources()) {
-    const std::string file = fs::relative(path, kRoot).generic_string();
+  for (const fs::path& path : source_files()) {
+    const std::string file = adit::name_in_tree(path);
     if (path.extension() != ".hpp" || file.starts_with("tests/")) continue;
     const std::string text = text_of(path);
     for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {
@@ -232,7 +215,7 @@ TEST(Structure, YamlIsReadInOneFolder) {
 
 TEST(Structure, EverySourceFileSaysItsLicence) {
   std::vector<std::string> without;
-  for (const fs::path& path : sources()) {
+  for (const fs::path& path : source_files()) {
     if (!text_of(path).starts_with("// SPDX-FileCopyrightText: The Adit authors\n"
                                    "// SPDX-License-Identifier: BSD-3-Clause\n")) {
       without.push_back(path.string());

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/registration/degeneracy.hpp"
 
+#include <cmath>
+
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 

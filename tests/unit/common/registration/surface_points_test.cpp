@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/registration/surface_points.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/driving/path_run.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 

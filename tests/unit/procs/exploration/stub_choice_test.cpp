@@ -3,6 +3,7 @@
 #include "procs/exploration/stub_choice.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
 

@@ -3,6 +3,7 @@
 #include "procs/guard/arc_sweep.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The small parts: times, silence, limits, the latch, the way back.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "procs/guard/ground_and_air_check.hpp"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mapping/map_matching.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>

@@ -3,6 +3,7 @@
 #include "tools/eval/world_walls.hpp"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>

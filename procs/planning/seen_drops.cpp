@@ -49,7 +49,9 @@ class Hollows {
       hollow.rim_sum_m += cell.low_m;
       ++hollow.rim;
     }
-    const std::size_t i = static_cast<std::size_t>(row * terrain_.columns + column);
+    const std::size_t i =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(terrain_.columns) +
+        static_cast<std::size_t>(column);
     if (cell.ground != Ground::kBelowRay || taken_[i]) return;
     taken_[i] = true;
     hollow.cells.push_back(i);

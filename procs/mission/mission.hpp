@@ -24,6 +24,7 @@
 #include "procs/mission/attempt.hpp"
 #include "procs/mission/mission_limits.hpp"
 #include "procs/mission/own_track.hpp"
+#include "procs/mission/refused_places.hpp"
 
 namespace adit {
 
@@ -135,7 +136,7 @@ class Mission {
   PlanGoal::Kind goal_kind_ = PlanGoal::Kind::kRoute;
   bool by_sight_ = false;  ///< no target of exploration
   bool backing_off_ = false;
-  std::vector<Eigen::Vector2d> refused_odom_;  ///< where attempts were, at first
+  RefusedPlaces refused_;
   std::int64_t terrain_utime_ = 0;
   std::optional<DrivingState> driving_;
   std::int64_t driving_utime_ = 0;

@@ -23,7 +23,7 @@ kPollSeconds=2
 config() {
   cat <<YAML
 mapping: {per_place_max: 3}
-volume_map: {renew_m: 2}
+volume_map: {renew_m: 4}
 exploration: {patrol: true}
 mission:
   limits: {time_max_s: $wanted_s, way_max_m: 1000000}

@@ -24,6 +24,7 @@
 #include "procs/mission/attempt.hpp"
 #include "procs/mission/mission_limits.hpp"
 #include "procs/mission/own_track.hpp"
+#include "procs/mission/refused_places.hpp"
 
 namespace adit {
 
@@ -151,7 +152,7 @@ class Mission {
   bool backing_off_ = false;
   bool track_failed_ = false;  ///< the last drive on the own track
   int rejoined_ = 0;           ///< how often it went to the own track, for one target
-  std::vector<Eigen::Vector2d> refused_odom_;  ///< where attempts were, at first
+  RefusedPlaces refused_;
   std::int64_t terrain_utime_ = 0;
   std::optional<DrivingState> driving_;
   std::int64_t driving_utime_ = 0;

@@ -25,7 +25,7 @@ void Mission::add_match(const ScanMatch& match) {
   odom_is_new_ = true;
   has_map_ = false;
   way_.begin_anew(std::exchange(T_map_odom_, std::nullopt));
-  refused_odom_.clear();
+  refused_ = {};
   if (phase_.phase == Phase::kPaused || phase_.phase == Phase::kEnded) return;
   if (first_heard && !home_for_good_ && params_.after_cut_off == "home") {
     home_for_good_ = phase_.homeward = true;

@@ -24,7 +24,7 @@ void Mission::refuse(double reached_m, const std::string& reason, Evidence evide
     return;
   }
   if (attempt_.refusals() == 0 && way_.T_odom_body()) {
-    refused_odom_.push_back(way_.T_odom_body()->translation());
+    refused_.add(way_.T_odom_body()->translation());
   }
   const bool may_back_off = way_.back(params_.back_off_m).size() > 5;
   const double track_m = track_that_leads_there_m();
@@ -126,10 +126,7 @@ void Mission::rejoin(double length_m, const std::string& reason) {
 /// Back to where it was once refused is not on.
 bool Mission::got_on() const {
   if (way_.travelled_m() - progress_mark_m_ < kGotOnM || !way_.T_odom_body()) return false;
-  const Eigen::Vector2d p_odom_body = way_.T_odom_body()->translation();
-  return std::all_of(
-      refused_odom_.begin(), refused_odom_.end(),
-      [&](const Eigen::Vector2d& p_odom) { return (p_odom_body - p_odom).norm() > kGotOnM; });
+  return refused_.all_beyond(kGotOnM, way_.T_odom_body()->translation());
 }
 
 /// On the way back that says nothing of what lies ahead, and it may be another place already. Who

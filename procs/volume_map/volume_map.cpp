@@ -15,6 +15,13 @@ namespace {
 
 constexpr double kSameWayRad = 0.5;  // between the headings of two scans that see much the same
 
+/// Where a scan looks from, and which way: its lasers sit at the ends of the body and look away.
+Pose2 look(const Cloud& cloud) {
+  Eigen::Vector2f ahead(0.0F, 0.0F);
+  for (const CloudLine& line : cloud.lines) ahead += line.origin.head<2>();
+  return {0.0, 0.0, std::atan2(double{ahead.y()}, double{ahead.x()})};
+}
+
 bool has_pose(const MapGraph& graph, int local_map) {
   return local_map >= 0 && static_cast<std::size_t>(local_map) < graph.poses.size();
 }
@@ -78,6 +85,7 @@ bool VolumeMap::newest_takes(const Cloud& cloud, const std::optional<Odom>& odom
 void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<Odom>& odom) {
   if (!volumes_.empty()) volumes_[newest_].volume.close();
   PlacedVolume begun{SubVolume(params_), cloud.T_odom_level, {}, cloud.T_odom_level, false};
+  begun.T_volume_place = look(cloud);
   if (odom) tie(begun, *odom);
   if (const auto older = odom ? renewed_by(cloud, *odom) : std::nullopt) {
     newest_ = *older;
@@ -96,12 +104,13 @@ void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<Odom>& odom
 /// as much, so that there are no more than fit into the mine.
 std::optional<std::size_t> VolumeMap::renewed_by(const Cloud& cloud, const Odom& odom) const {
   if (params_.renew_m <= 0.0 || !has_pose(graph_, odom.local_map)) return std::nullopt;
-  const Pose2 T_map_level = pose(graph_, odom.local_map) * odom.T_local_odom * cloud.T_odom_level;
+  const Pose2 T_map_look =
+      pose(graph_, odom.local_map) * odom.T_local_odom * cloud.T_odom_level * look(cloud);
   std::optional<std::size_t> best;
   double nearest = params_.renew_m;
   for (std::size_t i = 0; i < volumes_.size(); ++i) {
     const Pose2 T_map_place = volumes_[i].T_map_volume * volumes_[i].T_volume_place;
-    const Pose2 apart = between(T_map_place, T_map_level);
+    const Pose2 apart = between(T_map_place, T_map_look);
     const bool placed = volumes_[i].tie && !volumes_[i].left_out;
     if (!placed || std::abs(apart.theta) > kSameWayRad) continue;
     if (apart.translation().norm() > nearest) continue;

@@ -44,7 +44,7 @@ struct PlacedVolume {
   Pose2 T_map_volume;      ///< without a tie odom stands for map
   bool left_out = false;   ///< nobody knows where it is
   int renewals = 0;        ///< how often another took its place
-  Pose2 T_volume_place{};  ///< where the first of them began, which stays though they do not
+  Pose2 T_volume_place{};  ///< where the first of them began, and which way it looked; it stays
 };
 
 /// One as it is kept.

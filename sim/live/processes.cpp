@@ -6,7 +6,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <system_error>
@@ -26,7 +25,8 @@ constexpr const char* kWatcher = "adit-watch";  // stands between the supervisor
 /// From `pid (name) state ppid ..`, where the name may hold anything.
 std::optional<pid_t> parent_of(const fs::path& folder) {
   std::ifstream file(folder / "stat");
-  const std::string stat{std::istreambuf_iterator<char>(file), {}};
+  std::string stat;
+  std::getline(file, stat, '\0');  // all of it; one that ends meanwhile cannot be read
   const std::size_t name_end = stat.rfind(')');
   if (name_end == std::string::npos || name_end + 4 >= stat.size()) return std::nullopt;
   const std::size_t begin = name_end + 4;  // behind ") S "

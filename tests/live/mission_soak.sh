@@ -10,7 +10,8 @@
 # last three quarters of the time. Exit code 1 where one has grown by more than 5 %, or where the mission did not
 # last, or a process had to be started again. OPTIONs are of `adit mission`, of its mine.
 set -u
-adit=$(readlink -f "$1"); hours=$2; world=${3:-random}
+adit=$(readlink -f "$1"); world=${3:-random}
+wanted_s=$(awk -v hours="$2" 'BEGIN { print int(3600 * hours) }')
 if (($# > 3)); then choice=("${@:4}"); else choice=(); fi
 [[ $world == random && ${#choice[@]} -eq 0 ]] && choice=(--seed 7 --length-m 60)
 kRowSeconds=1800     # of simulated time
@@ -22,10 +23,10 @@ kPollSeconds=2
 config() {
   cat <<YAML
 mapping: {per_place_max: 3}
-volume_map: {renew_m: 2}
+volume_map: {renew_m: 4}
 exploration: {patrol: true}
 mission:
-  limits: {time_max_s: $(awk -v h="$hours" 'BEGIN { print 3600 * h }'), way_max_m: 1000000}
+  limits: {time_max_s: $wanted_s, way_max_m: 1000000}
 sim: {motion: {battery_wh: 1000000}}
 YAML
 }
@@ -39,7 +40,7 @@ config >"$scratch/soak.yaml"
 megabytes() { if [[ -e $1 ]]; then stat -c %s "$1" | awk '{ printf "%.1f", $1 / 1e6 }'; else echo 0; fi; }
 # simulated seconds, metres driven, local maps, 3D scans, times real time: of the newest line of progress
 progress() {
-  tail -n 1 "$scratch/text" |
+  tail -n 1 "$scratch/text" 2>/dev/null |
     awk '/real time/ { for (i = 2; i <= NF; ++i) {
            if ($i == "driven,") way = $(i - 2); if ($i == "local") maps = $(i - 1)
            if ($i == "scans,") scans = $(i - 1); if ($i == "x") speed = $(i - 1) }
@@ -91,7 +92,7 @@ verdict() {
 }
 
 "$adit" mission "$world" "${choice[@]}" --config "$scratch/soak.yaml" --out "$out" \
-  --time-max-s "$(awk -v h="$hours" 'BEGIN { print 3600 * h + 1800 }')" >"$scratch/text" 2>&1 & mission=$!
+  --time-max-s "$((wanted_s + 1800))" >"$scratch/text" 2>&1 & mission=$!
 next=$kRowSeconds; last=0
 while kill -0 "$mission" 2>/dev/null; do
   read -r seconds way maps scans speed <<<"$(progress)"
@@ -102,12 +103,12 @@ while kill -0 "$mission" 2>/dev/null; do
     next=$((next + kRowSeconds))
   fi
   # The report of so long a log is not what is measured here.
-  ((last >= 3600 * hours - kRowSeconds / 2)) && grep -q "at home" "$scratch/text" && break
+  ((last >= wanted_s - kRowSeconds / 2)) && grep -q "at home" "$scratch/text" && break
   sleep "$kPollSeconds"
 done
 echo; grep -B 1 "from the start at the end" "$scratch/text" || tail -n 3 "$scratch/text"
 [[ -e $scratch/memory ]] || { echo "there is nothing to compare: it ended after $last s"; exit 1; }
 verdict; flat=$?
-awk -v last="$last" -v h="$hours" 'BEGIN { exit last < 0.9 * 3600 * h }' || { echo "it did not last"; exit 1; }
+((10 * last >= 9 * wanted_s)) || { echo "it did not last"; exit 1; }
 if grep "started again" "$scratch/text"; then exit 1; fi
 exit $flat

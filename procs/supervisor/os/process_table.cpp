@@ -3,7 +3,6 @@
 #include "procs/supervisor/os/process_table.hpp"
 
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -68,7 +67,8 @@ ProcessTable ProcessTable::read(const fs::path& proc) {
     const auto pid = parse_number<pid_t>(folder.path().filename().string());
     if (!pid) continue;
     std::ifstream file(folder.path() / "stat");
-    const std::string stat{std::istreambuf_iterator<char>(file), {}};
+    std::string stat;
+    std::getline(file, stat, '\0');  // all of it; one that ends meanwhile cannot be read
     if (const auto entry = parse_process_entry(stat)) entries[*pid] = *entry;
   }
   return ProcessTable(std::move(entries));

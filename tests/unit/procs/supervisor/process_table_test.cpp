@@ -3,13 +3,16 @@
 #include "procs/supervisor/os/process_table.hpp"
 
 #include <chrono>
+#include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "common/files/text_file.hpp"
 #include "procs/supervisor/os/host_meter.hpp"
 #include "procs/supervisor/os/usage_meter.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace adit {
 namespace {
@@ -58,6 +61,18 @@ TEST(ProcessTable, HasThisProcess) {
   ASSERT_TRUE(table.entries().contains(getpid()));
   EXPECT_EQ(table.entries().at(getpid()).parent, getppid());
   EXPECT_GT(table.entries().at(getpid()).memory_bytes, 1'000'000);
+}
+
+/// A file that is there and can be opened, and then cannot be read, as that of a process that ends
+/// in between.
+TEST(ProcessTable, LeavesOutAProcessThatEndsWhileItIsReadOf) {
+  const test::ScratchFolder proc;
+  std::filesystem::create_directories(proc / "17" / "stat");
+  std::filesystem::create_directories(proc / "4711");
+  write_text(kStat, proc / "4711" / "stat");
+  const ProcessTable table = ProcessTable::read(proc.path());
+  EXPECT_EQ(table.entries().size(), 1U);
+  EXPECT_TRUE(table.entries().contains(4711));
 }
 
 TEST(UsageMeter, AddsUpWhatDescendantsUse) {

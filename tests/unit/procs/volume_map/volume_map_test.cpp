@@ -101,6 +101,24 @@ TEST(VolumeMap, LetsTheNewestLookFromAPlaceTakeThePlaceOfAnOlderOne) {
   EXPECT_LT(farthest_from_rock_m(map), kResampledM);
 }
 
+TEST(VolumeMap, KeepsWhatTheOtherLaserSawFromTheSamePlace) {
+  VolumeMapParams params;
+  params.renew_m = 1.0;
+  VolumeMap map{params};
+  map.set_graph(graph_of(1, {kStart}));
+  map.set_correction(correction(1, 0, {}));
+  const Pose2 away{12.0, 0.0, 0.0};
+  Cloud behind = scan_at(kStart, kStart);
+  for (CloudLine& line : behind.lines) line.origin.x() = -1.0F;
+  for (int round = 0; round < 2; ++round) {
+    map.add(scan_at(kStart, kStart));
+    map.add(scan_at(away, away));
+    map.add(behind);
+    map.add(scan_at(away, away));
+  }
+  EXPECT_EQ(map.volumes().size(), 3U);
+}
+
 /// Looks that take the place of one another do not walk away from it, or a gap would open behind
 /// them for one more.
 TEST(VolumeMap, HasNoMorePlacesThanFitHoweverOftenItLooks) {

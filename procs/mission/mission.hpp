@@ -24,6 +24,7 @@
 #include "procs/mission/attempt.hpp"
 #include "procs/mission/mission_limits.hpp"
 #include "procs/mission/own_track.hpp"
+#include "procs/mission/path_ends.hpp"
 #include "procs/mission/refused_places.hpp"
 
 namespace adit {
@@ -153,6 +154,7 @@ class Mission {
   bool track_failed_ = false;  ///< the last drive on the own track
   int rejoined_ = 0;           ///< how often it went to the own track, for one target
   RefusedPlaces refused_;
+  PathEnds path_ends_;
   std::int64_t terrain_utime_ = 0;
   std::optional<DrivingState> driving_;
   std::int64_t driving_utime_ = 0;

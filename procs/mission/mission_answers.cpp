@@ -117,6 +117,10 @@ void Mission::add_driving(const DrivingState& state) {
       attempt_.got_on();
       lost_tries_ = 0;
     }
+    if (!away && path_ends_.add_is_in_vain(way_.T_odom_body()->translation())) {
+      refuse(0.0, "Path after path ended at the same place.", Evidence::kDrive);
+      return;
+    }
     enter(Phase::kExplore, "it has come to the end of the path");
   } else if (state.kind == DrivingState::Kind::kFailed) {
     drive_failed("Driving gave up: " + state.reason + ".");

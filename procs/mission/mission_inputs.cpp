@@ -26,6 +26,7 @@ void Mission::add_match(const ScanMatch& match) {
   has_map_ = false;
   way_.begin_anew(std::exchange(T_map_odom_, std::nullopt));
   refused_ = {};
+  path_ends_ = {};
   if (phase_.phase == Phase::kPaused || phase_.phase == Phase::kEnded) return;
   if (first_heard && !home_for_good_ && params_.after_cut_off == "home") {
     home_for_good_ = phase_.homeward = true;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace adit {
 namespace {
@@ -28,7 +29,7 @@ bool DrivenWay::can_follow(std::int64_t utime, const Pose2& T_odom_body) const {
 bool DrivenWay::add(std::int64_t utime, const Pose2& T_odom_body) {
   const bool follows = can_follow(utime, T_odom_body);
   last_ = {utime, T_odom_body};
-  if (!follows) places_.clear();
+  if (!follows) before_ = std::exchange(places_, {});
   if (!places_.empty()) {
     const Pose2 step = between(places_.back().T_odom_body, T_odom_body);
     const double piece_m = step.translation().norm();
@@ -40,6 +41,13 @@ bool DrivenWay::add(std::int64_t utime, const Pose2& T_odom_body) {
     places_.pop_front();
   }
   return follows;
+}
+
+void DrivenWay::tie(const Pose2& T_odom_before) {
+  for (auto place = before_.rbegin(); place != before_.rend(); ++place) {
+    places_.push_front({T_odom_before * place->T_odom_body, place->way_m});
+  }
+  before_.clear();
 }
 
 }  // namespace adit

@@ -22,8 +22,11 @@ class DrivenWay {
   DrivenWay(double way_max_m, double speed_max_m_s)
       : way_max_m_(way_max_m), speed_max_m_s_(speed_max_m_s) {}
 
-  /// False where nobody drives that far in the time: odom has begun anew, and so does the way.
+  /// False where nobody drives that far in the time: odom has begun anew, and so does the way,
+  /// until the two are tied.
   bool add(std::int64_t utime, const Pose2& T_odom_body);
+  /// Where the odom of before lies in this one: the way before leads on to where this one begins.
+  void tie(const Pose2& T_odom_before);
 
   /// Driven in all [m]; what noise adds at rest is no way.
   [[nodiscard]] double way_m() const { return way_m_; }
@@ -37,6 +40,7 @@ class DrivenWay {
   double speed_max_m_s_;
   double way_m_ = 0.0;
   std::deque<Place> places_;
+  std::deque<Place> before_;  ///< places in the odom of before
   struct Reading {
     std::int64_t utime;
     Pose2 T_odom_body;

@@ -64,6 +64,8 @@ class RememberedMap {
   [[nodiscard]] RememberedCell& cell(std::size_t i) { return cells_[i]; }
   [[nodiscard]] const Pose2& T_odom_level() const { return T_odom_level_; }
   [[nodiscard]] double way_m() const { return way_m_; }  ///< driven until then
+  /// Odom has begun anew; the one of before lies there.
+  void tie(const Pose2& T_odom_before) { T_odom_level_ = T_odom_before * T_odom_level_; }
 
  private:
   CellFinder finder_;

@@ -61,7 +61,16 @@ TerrainMemory::TerrainMemory(const TerrainParams& params)
     : params_(params), way_(params.memory.way_max_m, params.vehicle.speed_max_m_s) {}
 
 void TerrainMemory::add(std::int64_t utime, const Pose2& T_odom_body) {
-  if (!way_.add(utime, T_odom_body)) maps_.clear();
+  if (!way_.add(utime, T_odom_body)) before_ = std::exchange(maps_, {});
+}
+
+void TerrainMemory::tie(const Pose2& T_odom_before) {
+  way_.tie(T_odom_before);
+  for (RememberedMap& map : before_) {
+    map.tie(T_odom_before);
+    maps_.push_back(std::move(map));
+  }
+  before_.clear();
 }
 
 /// What an earlier look says where no later one has said anything. A later one that saw ground only

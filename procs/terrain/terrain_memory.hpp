@@ -31,8 +31,11 @@ class TerrainMemory {
  public:
   explicit TerrainMemory(const TerrainParams& params);
 
-  /// Where the body is. A jump of odom ends all memory.
+  /// Where the body is. After a jump of odom nothing is remembered until it is tied to the one of
+  /// before.
   void add(std::int64_t utime, const Pose2& T_odom_body);
+  /// Where the odom of before the last jump lies in that of now: what was known in it counts again.
+  void tie(const Pose2& T_odom_before);
 
   /// Fills in what the map does not know, newest first, and keeps what it knew itself. What it has
   /// really seen stays; what stood where it cannot look still stands there. The map has its heights
@@ -50,7 +53,8 @@ class TerrainMemory {
 
   TerrainParams params_;
   DrivenWay way_;
-  std::deque<RememberedMap> maps_;  ///< newest first
+  std::deque<RememberedMap> maps_;    ///< newest first
+  std::deque<RememberedMap> before_;  ///< likewise, in the odom of before
   Recollection recollection_;
   std::vector<RememberedCell> recalled_;
   std::vector<std::uint8_t> from_;     ///< who said what is recalled

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/terrain/terrain_node.hpp"
 
+#include <utility>
+
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/cloud_request.hpp"
+#include "common/messages/map_correction.hpp"
 #include "common/messages/pose.hpp"
+#include "common/messages/scan_match.hpp"
 #include "common/messages/terrain_tiles.hpp"
 
 namespace adit {
@@ -26,6 +30,11 @@ TerrainNode::TerrainNode(Bus& bus, const Params& params)
                      });
   subscribe<cloud_t>(bus, channels::kCloudAgain, Delivery::queued(kPiecesWaiting),
                      [this](const CloudPiece& piece) { on_repeated(piece); });
+  subscribe<scan_match_t>(bus, channels::kScanMatch, Delivery::latest(),
+                          [this](const ScanMatch& match) { on_match(match); });
+  subscribe<map_correction_t>(
+      bus, channels::kMapCorrection, Delivery::latest(),
+      [this](const MapCorrection& correction) { on_correction(correction); });
   bus.every(kAskPeriodUs, [this](std::int64_t utime) {
     const CloudRequest request{utime, "terrain", cloud_utime_, {}};
     publish(bus_, channels::kCloudRequest, to_message(request));
@@ -36,6 +45,21 @@ TerrainNode::TerrainNode(Bus& bus, const Params& params)
 void TerrainNode::on_repeated(const CloudPiece& piece) {
   if (piece.part.utime <= cloud_utime_) return;
   if (const auto cloud = assembler_.add(piece)) on_cloud(*cloud);
+}
+
+void TerrainNode::on_match(const ScanMatch& match) {
+  if (match.odom_utime == odom_utime_) return;
+  if (odom_utime_ != 0) T_map_before_ = std::exchange(T_map_odom_, std::nullopt);
+  odom_utime_ = match.odom_utime;
+}
+
+/// The same place of the map in both: that is how the one odom lies in the other.
+void TerrainNode::on_correction(const MapCorrection& correction) {
+  if (correction.utime < odom_utime_) return;  // of the odom of before
+  T_map_odom_ = correction.T_map_odom;
+  if (!T_map_before_) return;
+  memory_.tie(between(correction.T_map_odom, *T_map_before_));
+  T_map_before_.reset();
 }
 
 void TerrainNode::on_cloud(const Cloud& cloud) {

@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "common/bus/bus.hpp"
 #include "common/messages/cloud_pieces.hpp"
 #include "common/messages/heartbeat.hpp"
+#include "common/pose_graph/map_correction.hpp"
+#include "common/sensing/scan_match.hpp"
 #include "procs/terrain/terrain.hpp"
 
 namespace adit {
 
 /// In:  CLOUD and CLOUD_AGAIN (cloud_t), in pieces; POSE (pose_t), for the way that the body has
-///      come.
+///      come; SCAN_MATCH (scan_match_t) and MAP_CORRECTION (map_correction_t), to remember over a
+///      new odom.
 /// Out: TERRAIN (terrain_t), in pieces, for each cloud of which all pieces came. CLOUD_REQUEST
 ///      (cloud_request_t), each 2 s, for the newest cloud if it did not come, or not all of it.
 class TerrainNode {
@@ -25,6 +31,8 @@ class TerrainNode {
  private:
   void on_repeated(const CloudPiece& piece);
   void on_cloud(const Cloud& cloud);
+  void on_match(const ScanMatch& match);
+  void on_correction(const MapCorrection& correction);
 
   Bus& bus_;
   Terrain terrain_;
@@ -33,6 +41,9 @@ class TerrainNode {
   std::int64_t cloud_utime_ = 0;  ///< of the newest cloud that was complete
   std::int64_t superseded_ = 0;   ///< clouds that lacked pieces, when the last one was complete
   bool cut_short_ = false;
+  std::int64_t odom_utime_ = 0;  ///< when odom began
+  std::optional<Pose2> T_map_odom_;
+  std::optional<Pose2> T_map_before_;  ///< of the odom of before, until they are tied
 };
 
 }  // namespace adit

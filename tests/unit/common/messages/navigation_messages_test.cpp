@@ -99,8 +99,10 @@ TEST(PlanGoalMessage, IsRefusedWhereItLeadsNowhere) {
   const auto refusal = [](const std::function<void(Message&)>& change) {
     return refusal_after<Message>(goal(kUtime), change);
   };
-  EXPECT_EQ(refusal([](Message& m) { m.kind = 5; }), "unknown kind");
-  EXPECT_EQ(refusal([](Message& m) { m.kind = 2; }), "route that is none");
+  EXPECT_EQ(refusal([](Message& m) { m.kind = 6; }), "unknown kind");
+  for (const std::int8_t kind : {Message::KIND_ROUTE, Message::KIND_ROUTE_TO}) {
+    EXPECT_EQ(refusal([&](Message& m) { m.kind = kind; }), "route that is none");
+  }
   EXPECT_EQ(refusal([](Message& m) {
               m.route_odom = {{1.0, kNaN}};
               m.n_route = 1;

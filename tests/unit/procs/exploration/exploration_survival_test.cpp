@@ -194,7 +194,7 @@ TEST_P(ExplorationSurvives, DeathAndDecidesAsItWouldHave) {
   EXPECT_GT(alive.blocked, 0);
   EXPECT_EQ(killed.blocked, alive.blocked);
   EXPECT_EQ(killed.last.decision.kind, Kind::kDone);
-  EXPECT_TRUE(killed.last.decision.complete);
+  EXPECT_EQ(killed.last.decision.complete, alive.last.decision.complete);
   EXPECT_EQ(killed.missed_m, alive.missed_m);
   EXPECT_EQ(killed.decisions, alive.decisions);
   EXPECT_EQ(killed.last.stubs, alive.last.stubs);

@@ -62,6 +62,21 @@ TEST_F(AMissionWithoutAPath, LooksToTheOtherSideThenFromFartherBackThenSaysSo) {
   EXPECT_TRUE(request_.blocked->doubtful);  // no look has seen that there is no way
 }
 
+TEST_F(AMissionWithoutAPath, RefusesPathAfterPathThatLeadsNowhere) {
+  drive_in();
+  for (int i = 0; i < 5; ++i) {  // with the one that led here, six
+    path(PlanOutcome::kFound);
+    ASSERT_EQ(now(), Phase::kExecute);
+    arrive();
+    if (i < 4) {
+      EXPECT_THAT(phase().reason, HasSubstr("the end of the path"));
+      answer(Kind::kAlong, 3);
+      terrain();
+    }
+  }
+  EXPECT_THAT(phase().reason, HasSubstr("Path after path ended at the same place"));
+}
+
 TEST_F(AMissionWithoutAPath, IsSureOfWhatItSawFromTwoPlaces) {
   drive_in();
   path(PlanOutcome::kBlocked);

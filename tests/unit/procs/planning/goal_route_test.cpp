@@ -150,6 +150,8 @@ TEST(PlanningToTheEndOfARoute, ComesAsNearAsWhatStandsThereLetsIt) {
 TEST(PlanningToTheEndOfARoute, SaysWhereItComesNoNearer) {
   TerrainMap terrain = crossing(true);
   paint_box(terrain, obstacle_cell(2.0), {1.25, -2.0}, {1.6, 2.0});
+  paint_box(terrain, obstacle_cell(2.0), {-8.0, 0.9}, {1.6, 1.2});  // too narrow to turn aside
+  paint_box(terrain, obstacle_cell(2.0), {-8.0, -1.2}, {1.6, -0.9});
   EXPECT_NE(plan_home(terrain, {{0, 0}, {0.4, 0}}).outcome, PlanOutcome::kFound);
   EXPECT_NE(plan_home(terrain, {{0, 0}, {0, 0}}).outcome, PlanOutcome::kFound);
 }

@@ -55,6 +55,23 @@ TEST(TerrainMemoryLimits, AJumpOfOdomEndsIt) {
   EXPECT_EQ(vehicle.memory().maps(), 0U);
 }
 
+TEST(TerrainMemoryLimits, ItGoesOnInANewOdomOnceThatIsTiedToTheOneBefore) {
+  const Pose2 T_new_old{90.0, -4.0, 2.0};
+  const auto look_again = [&](bool tied) {
+    LookingVehicle vehicle(kFirst);
+    vehicle.look(add_drift);
+    vehicle.drive_to(kHere);
+    vehicle.memory().add(1'600'000'030'000'000, T_new_old * kHere);
+    EXPECT_EQ(vehicle.memory().maps(), 0U);
+    if (tied) vehicle.memory().tie(T_new_old);
+    const TerrainMap map = vehicle.look(add_drift, false, 0.0, T_new_old);
+    EXPECT_EQ(vehicle.memory().recollection().used, tied ? 1 : 0);
+    return share_of(map, kBeside, is_seen);
+  };
+  EXPECT_EQ(look_again(true), 1.0);
+  EXPECT_EQ(look_again(false), 0.0);
+}
+
 TEST(TerrainMemoryLimits, ALookWhoseWallsAreElsewhereIsRefused) {
   for (const Pose2& wrong : {Pose2{0.0, 0.5, 0.0}, Pose2{0.0, 0.0, 0.1}}) {
     LookingVehicle vehicle(kFirst);

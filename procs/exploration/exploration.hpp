@@ -118,7 +118,8 @@ class Exploration {
   /// From where the last decision was made to its target, in map; empty where there is none.
   [[nodiscard]] const std::vector<Eigen::Vector2d>& route() const { return route_; }
   /// The next `length_m` of the way in map, places `spacing_m` apart: along the route, and where
-  /// it ends at a stub, straight on from there unless that would lead back. Empty where there is nowhere to go.
+  /// it ends at a stub, straight on from there unless that would lead back. Empty where there is
+  /// nowhere to go.
   [[nodiscard]] std::vector<Eigen::Vector2d> next_way(double length_m, double spacing_m) const;
   /// The stubs that are not closed, with why, one sentence each; empty: the mine is explored.
   [[nodiscard]] std::vector<std::string> reasons_why_not_complete() const;

@@ -33,12 +33,9 @@ Json outcome_json(const MissionFacts& facts) {
 
 Json stubs_json(const MissionFacts& facts) {
   if (!facts.stubs) return {};
-  return {{"found", facts.stubs->found},
-          {"closed", facts.stubs->closed},
-          {"open", facts.stubs->open},
-          {"blocked", facts.stubs->blocked},
-          {"doubtful", facts.stubs->doubtful},
-          {"corridors_known_m", *facts.explored_m}};
+  return {{"found", facts.stubs->found},       {"closed", facts.stubs->closed},
+          {"open", facts.stubs->open},         {"blocked", facts.stubs->blocked},
+          {"doubtful", facts.stubs->doubtful}, {"corridors_known_m", *facts.explored_m}};
 }
 
 Json truth_json(const MissionFacts& facts) {

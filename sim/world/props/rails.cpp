@@ -24,8 +24,8 @@ constexpr double kHeadThickness = 0.3;
 // Half the length over which a rail bridges the relief of the floor [m].
 constexpr double kBridge = 1.0;
 
-constexpr std::size_t kCorners = 12;
-using Section = std::array<std::uint32_t, kCorners>;
+constexpr std::size_t kSectionCorners = 12;
+using Section = std::array<std::uint32_t, kSectionCorners>;
 
 /// Height on which a track lies: the mean of the floor around.
 double bed_height(const PropSite& site, const DriftLine& drift, double s_m, double across_m,
@@ -40,7 +40,7 @@ double bed_height(const PropSite& site, const DriftLine& drift, double s_m, doub
 }
 
 /// Foot, web and head of a rail of height 1 as a ring of corners (aside, up).
-std::array<Eigen::Vector2d, kCorners> rail_profile() {
+std::array<Eigen::Vector2d, kSectionCorners> rail_profile() {
   const double foot = kFootWidth / 2.0;
   const double web = kWebWidth / 2.0;
   const double head = kHeadWidth / 2.0;
@@ -64,7 +64,7 @@ Section rail_section(PropSite& site, const DriftLine& drift, double s_m, double 
                      double bed_m, double height_m) {
   Section section{};
   const auto profile = rail_profile();
-  for (std::size_t i = 0; i < kCorners; ++i) {
+  for (std::size_t i = 0; i < kSectionCorners; ++i) {
     const Eigen::Vector2d plan = drift.beside(s_m, across_m + height_m * profile[i].x());
     const Eigen::Vector3d p_world(plan.x(), plan.y(), bed_m + height_m * profile[i].y());
     section[i] = site.builder.vertex(p_world.cast<float>());
@@ -91,8 +91,8 @@ void add_rail(const RailsDescription& rails, const DriftLine& drift, double side
   close_end(site.builder, before);
   for (std::size_t i = 1; i < places.size(); ++i) {
     const Section here = section_at(places[i]);
-    for (std::size_t k = 0; k < kCorners; ++k) {
-      const std::size_t l = (k + 1) % kCorners;
+    for (std::size_t k = 0; k < kSectionCorners; ++k) {
+      const std::size_t l = (k + 1) % kSectionCorners;
       site.builder.quad(before[k], before[l], here[l], here[k]);
     }
     before = here;

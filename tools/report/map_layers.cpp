@@ -45,10 +45,9 @@ std::string corridors_svg(const CorridorGraph& graph, const MapView& view) {
     parts += svg_line("corridor", d);
   }
   for (const CorridorNode& node : graph.nodes) {
-    using Kind = CorridorNode::Kind;
-    if (node.kind == Kind::kJunction)
+    if (node.kind == CorridorNode::Kind::kJunction)
       parts += svg_disc("junction", view.at(node.p_map), 3, "junction");
-    if (node.kind == Kind::kDeadEnd)
+    if (node.kind == CorridorNode::Kind::kDeadEnd)
       parts += svg_disc("dead-end", view.at(node.p_map), 2.5, "dead end");
   }
   return svg_group("layer-corridors", parts);

@@ -18,8 +18,6 @@ static_assert(static_cast<int>(Kind::kRetrace) == plan_goal_t::KIND_RETRACE);
 static_assert(static_cast<int>(Kind::kRouteTo) == plan_goal_t::KIND_ROUTE_TO);
 static_assert(static_cast<int>(Kind::kRejoin) == plan_goal_t::KIND_REJOIN);
 
-constexpr std::size_t kPlacesMax = 1000;
-
 bool are_finite(const std::vector<std::vector<double>>& rows) {
   return std::all_of(rows.begin(), rows.end(),
                      [](const std::vector<double>& row) { return all_finite(row); });
@@ -37,10 +35,11 @@ std::string_view reason_to_refuse(const plan_goal_t& message) {
   const auto& track = message.track_odom;
   const bool on_route = kind == Kind::kRoute || kind == Kind::kRouteTo;
   const bool on_track = kind == Kind::kRetrace || kind == Kind::kRejoin;
-  if (route.size() > kPlacesMax || (on_route && route.size() < 2)) {
+  if (route.size() > PlanGoal::kPlacesMax || (on_route && route.size() < 2)) {
     return "route that is none";
   }
-  if (track.size() > kPlacesMax || (on_track && track.size() < 2)) return "track that is none";
+  if (track.size() > PlanGoal::kPlacesMax || (on_track && track.size() < 2))
+    return "track that is none";
   if (!are_finite(route)) return "route that is not finite";
   return are_finite(track) ? std::string_view{} : "track that is not finite";
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,11 +24,13 @@ struct PlanGoal {
     kRejoin = 5,   ///< onto the own track where it is farthest back, and from there back on it
   };
 
+  static constexpr std::size_t kPlacesMax = 1000;  ///< of a route, and of a track
+
   std::int64_t utime = 0;  ///< [µs since the epoch]
   std::int32_t id = 0;
   Kind kind = Kind::kAlong;
   Pose2 T_odom_goal;         ///< the pose; of kAlong its heading is the direction
-  double distance_m = 10.0;  ///< of kAlong, and of kRejoin on the track: how far at most
+  double distance_m = 10.0;  ///< of kAlong, and on a track: how far at most
   std::vector<Eigen::Vector2d> route_odom =
       {};  ///< of kRoute and kRouteTo: from the robot on, two places at least [m]
   /// Of kRetrace and kRejoin: where the body was, from where it is back, two poses at least; with

@@ -54,6 +54,7 @@ void Mission::decide(const ExplorationReport& report) {
   by_sight_ = false;
   if (attempt_.aim_at(decision.stub, home)) rejoined_ = 0;
   p_odom_home_ = home_of(report);
+  if (!home) nearly_home_tries_ = 0;
   if (is_nearly_home() && ++nearly_home_tries_ > params_.nearly_home_tries) {
     end_nearly_home(decision.reason);
     return;

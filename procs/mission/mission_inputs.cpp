@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/pose_graph/position_sd.hpp"
 #include "procs/mission/mission.hpp"
 
 namespace adit {
@@ -27,6 +28,9 @@ void Mission::add_match(const ScanMatch& match) {
   way_.begin_anew(std::exchange(T_map_odom_, std::nullopt));
   refused_ = {};
   path_ends_ = {};
+  p_odom_home_.reset();
+  track_failed_ = false;
+  rejoined_ = 0;
   if (phase_.phase == Phase::kPaused || phase_.phase == Phase::kEnded) return;
   if (first_heard && !home_for_good_ && params_.after_cut_off == "home") {
     home_for_good_ = phase_.homeward = true;
@@ -40,7 +44,7 @@ void Mission::add_correction(const MapCorrection& correction) {
   if (correction.utime < odom_utime_) return;  // of the odom frame before
   has_map_ = true;
   T_map_odom_ = correction.T_map_odom;
-  way_.tie(correction.T_map_odom);
+  if (says_where_odom_is(correction)) way_.tie(correction.T_map_odom);
 }
 
 void Mission::add_order(const MissionOrder& order) {

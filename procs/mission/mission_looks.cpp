@@ -68,7 +68,9 @@ PlanGoal Mission::goal() const {
   const double distance_m = backing_off_ ? goal_distance_m_ : kSightM;
   PlanGoal goal{utime_, phase_.goal_id, kind, {}, distance_m, route_odom_, {}};
   if (backing_off_) goal.track_odom = track_odom_;
-  goal.T_odom_goal = {route_odom_.back().x(), route_odom_.back().y(), 0.0};
+  const Eigen::Vector2d p_odom_end =
+      backing_off_ ? track_odom_.back().translation() : route_odom_.back();
+  goal.T_odom_goal = {p_odom_end.x(), p_odom_end.y(), 0.0};
   return goal;
 }
 

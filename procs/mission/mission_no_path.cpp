@@ -9,9 +9,10 @@
 namespace adit {
 namespace {
 
-constexpr double kGotOnM = 1.0;          // that counts as having got on
-constexpr double kSharedM = 2.5;         // of a route, to go on the own track instead
-constexpr double kOnTrackM = 6.0;        // to go on it, at first
+constexpr double kGotOnM = 1.0;     // that counts as having got on
+constexpr double kSharedM = 2.5;    // of a route, to go on the own track instead
+constexpr double kRejoinedM = 6.0;  // to go on it, at first
+constexpr double kRejoinedMaxM = 30.0;
 constexpr double kTrackInSightM = 10.0;  // that may be come to
 
 using Evidence = Attempt::Evidence;
@@ -107,18 +108,20 @@ void Mission::back_off_as_planned(const std::string& reason) {
 double Mission::track_that_leads_there_m() const {
   if (track_failed_) return 0.0;
   const double shared_m = way_.shared_m(route_odom_);
-  if (!phase_.homeward) return shared_m < kSharedM ? 0.0 : std::min(shared_m, kOnTrackM);
+  if (!phase_.homeward) return shared_m < kSharedM ? 0.0 : std::min(shared_m, kRejoinedM);
   const int times = 1 + rejoined_ / 2;
-  return way_.back(kGotOnM).size() < 3 ? 0.0 : kOnTrackM * times;
+  return way_.back(kGotOnM).size() < 3 ? 0.0 : std::min(kRejoinedM * times, kRejoinedMaxM);
 }
 
-/// What lies between it and its own track it can see; on the track it need not.
+/// What lies between it and its own track it can see; on the track it need not. Before the first
+/// look in a new odom it sees nothing.
 void Mission::rejoin(double length_m, const std::string& reason) {
   backing_off_ = true;
   ++rejoined_;
   goal_distance_m_ = length_m;
   track_odom_ = way_.back_within(length_m + kTrackInSightM);
-  goal_kind_ = PlanGoal::Kind::kRejoin;
+  const bool sees = terrain_utime_ >= odom_utime_;
+  goal_kind_ = sees ? PlanGoal::Kind::kRejoin : PlanGoal::Kind::kRetrace;
   ++phase_.goal_id;
   enter(Phase::kPlan, "it goes on along its own track: " + reason);
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/path/planned_path.hpp"
+
 namespace adit {
 namespace {
 
@@ -17,7 +19,6 @@ constexpr double kSameBesideM = 0.1;
 constexpr double kSameRad = 0.1;
 constexpr double kBesideM = 1.0;  // of a route that keeps to the track
 constexpr double kLongerM = 2.0;  // that the track may take than the route, from place to place
-constexpr std::size_t kPlacesMax = 5000;  // that are told
 
 bool is_same(const Pose2& T_odom_a, const Pose2& T_odom_b) {
   const Pose2 T_a_b = between(T_odom_a, T_odom_b);
@@ -75,7 +76,7 @@ std::vector<Pose2> OwnTrack::back_within(double distance_m) const {
   std::vector<Pose2> way{*T_odom_body_};
   const Eigen::Vector2d p_body = T_odom_body_->translation();
   for (auto place = places_.rbegin(); place != places_.rend(); ++place) {
-    if (way.size() == kPlacesMax) break;
+    if (way.size() == PlanGoal::kPlacesMax) break;
     if ((place->translation() - p_body).norm() <= distance_m) way.push_back(*place);
   }
   return way;

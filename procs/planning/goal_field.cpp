@@ -162,7 +162,7 @@ std::int32_t GoalField::to(const Eigen::Vector2d& p_level) const {
 }
 
 bool GoalField::accepts(std::size_t cell, double heading_rad) const {
-  if (at_place_[cell]) return true;
+  if (at_place_[cell] || (kind_ == PlanGoal::Kind::kRouteTo && !has_route())) return true;
   const double off = std::abs(angle_diff(heading_rad, static_cast<double>(headings_rad_[cell])));
   if (kind_ == PlanGoal::Kind::kTo) return off <= params_.heading_tolerance_rad;
   if (kind_ == PlanGoal::Kind::kRejoin) return off <= kOnTrackRad;

@@ -11,6 +11,7 @@
 #include "common/messages/pose.hpp"
 #include "common/messages/scan_match.hpp"
 #include "common/messages/terrain_tiles.hpp"
+#include "common/pose_graph/position_sd.hpp"
 
 namespace adit {
 namespace {
@@ -57,12 +58,13 @@ void TerrainNode::on_match(const ScanMatch& match) {
 void TerrainNode::on_correction(const MapCorrection& correction) {
   if (correction.utime < odom_utime_) return;  // of the odom of before
   T_map_odom_ = correction.T_map_odom;
-  if (!T_map_before_) return;
+  if (!T_map_before_ || !says_where_odom_is(correction)) return;
   memory_.tie(between(correction.T_map_odom, *T_map_before_));
   T_map_before_.reset();
 }
 
 void TerrainNode::on_cloud(const Cloud& cloud) {
+  if (cloud.utime < odom_utime_) return;  // nobody plans in the odom of before
   cloud_utime_ = cloud.utime;
   superseded_ = assembler_.counts().superseded;
   cut_short_ = !cloud.complete;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/volume_map/sub_volume.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "common/volume/octree_stream.hpp"

@@ -82,7 +82,7 @@ struct BlockingCell {
 
 /// The answer of the planner.
 struct PlannedPath {
-  std::int64_t utime = 0;  ///< of the terrain it rests on [µs since the epoch]
+  std::int64_t utime = 0;  ///< of the terrain it rests on, or else of the goal [µs since the epoch]
   std::int32_t id = 0;     ///< of the goal it answers
   PlanOutcome outcome = PlanOutcome::kBlocked;
   std::string reason;                  ///< one sentence for people

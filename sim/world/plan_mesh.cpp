@@ -38,7 +38,7 @@ struct NodeRow {
 
 /// A corner of one square of the grid, or an edge by the corner where it begins, counter-clockwise
 /// from the lowest.
-constexpr std::array<std::array<int, 2>, 4> kCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+constexpr std::array<std::array<int, 2>, 4> kSquareCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
 void require_reasonable_size(const PlanBuckets& buckets, double grid_m) {
   std::int64_t near = 0;
@@ -147,14 +147,14 @@ class PlanMesher {
 
   [[nodiscard]] bool is_open(std::size_t corner) const { return depth_[corner] > 0.0; }
   [[nodiscard]] std::size_t column_of(std::size_t corner) const {
-    const int column = column_ + kCorners[corner][0];
+    const int column = column_ + kSquareCorners[corner][0];
     return static_cast<std::size_t>(column);
   }
   NodeRow& row_of(std::size_t corner) {
-    return rows_[static_cast<std::size_t>(kCorners[corner][1])];
+    return rows_[static_cast<std::size_t>(kSquareCorners[corner][1])];
   }
   [[nodiscard]] Eigen::Vector2d place(std::size_t corner) const {
-    return place(column_ + kCorners[corner][0], row_ + kCorners[corner][1]);
+    return place(column_ + kSquareCorners[corner][0], row_ + kSquareCorners[corner][1]);
   }
 
   std::uint32_t add_point(const Eigen::Vector2d& p_world) {

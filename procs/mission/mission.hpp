@@ -26,6 +26,7 @@
 #include "procs/mission/own_track.hpp"
 #include "procs/mission/path_ends.hpp"
 #include "procs/mission/refused_places.hpp"
+#include "procs/mission/way_home.hpp"
 
 namespace adit {
 
@@ -105,6 +106,8 @@ class Mission {
   void decide(const ExplorationReport& report);
   void go_by_sight(const std::string& reason);
   void look_along(std::vector<Eigen::Vector2d> route_odom, const std::string& reason);
+  [[nodiscard]] bool is_led_home() const { return phase_.homeward && !by_sight_; }
+  [[nodiscard]] bool is_short_cut_home(double reached_m) const;
   [[nodiscard]] bool is_nearly_home() const;
   void refuse_nearly_home(const std::string& reason);
   void end_nearly_home(const std::string& reason);
@@ -114,9 +117,11 @@ class Mission {
   void drive_failed(const std::string& reason);
   void back_off(const std::string& reason);
   void back_off_as_planned(const std::string& reason);
+  [[nodiscard]] bool leads_back() const { return way_.back(1.0).size() > 2; }
   [[nodiscard]] double track_that_leads_there_m() const;
   void rejoin(double length_m, const std::string& reason);
-  [[nodiscard]] bool got_on() const;
+  [[nodiscard]] bool is_beyond_refusals() const;
+  void got_on();
   void lost_try(const std::string& reason);
   [[nodiscard]] LaserId facing(const std::vector<Eigen::Vector2d>& route_odom) const;
   [[nodiscard]] PlanGoal goal() const;
@@ -147,6 +152,7 @@ class Mission {
   PlanGoal::Kind goal_kind_ = PlanGoal::Kind::kRoute;
   std::optional<Eigen::Vector2d> p_odom_home_;  ///< where the route ends, if that is home
   int nearly_home_tries_ = 0;
+  WayHome way_home_;
   bool by_sight_ = false;          ///< no target of exploration
   std::vector<Pose2> track_odom_;  ///< to go back on
   double goal_distance_m_ = 0.0;

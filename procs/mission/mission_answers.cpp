@@ -52,7 +52,11 @@ void Mission::decide(const ExplorationReport& report) {
   phase_.homeward = home || home_for_good_;
   phase_.stub = decision.stub;
   by_sight_ = false;
-  if (attempt_.aim_at(decision.stub, home)) rejoined_ = 0;
+  if (attempt_.aim_at(decision.stub, home)) {
+    rejoined_ = 0;
+    way_home_.begin();
+  }
+  if (home && way_home_.got_on(decision.distance_m)) got_on();
   p_odom_home_ = home_of(report);
   if (!home) nearly_home_tries_ = 0;
   if (is_nearly_home() && ++nearly_home_tries_ > params_.nearly_home_tries) {
@@ -114,10 +118,7 @@ void Mission::add_driving(const DrivingState& state) {
   if (state.kind == DrivingState::Kind::kArrived) {
     const bool away = backing_off_ && goal_kind_ != PlanGoal::Kind::kRejoin;
     track_failed_ = false;
-    if (!away && got_on()) {
-      attempt_.got_on();
-      lost_tries_ = 0;
-    }
+    if (!away && !is_led_home() && is_beyond_refusals()) got_on();
     if (!away && path_ends_.add_is_in_vain(way_.T_odom_body()->translation())) {
       refuse(0.0, "Path after path ended at the same place.", Evidence::kDrive);
       return;

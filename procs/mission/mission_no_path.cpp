@@ -14,6 +14,7 @@ constexpr double kSharedM = 2.5;    // of a route, to go on the own track instea
 constexpr double kRejoinedM = 6.0;  // to go on it, at first
 constexpr double kRejoinedMaxM = 30.0;
 constexpr double kTrackInSightM = 10.0;  // that may be come to
+constexpr double kBeyondReachedM = 1.0;  // where what is in the way may lie
 
 using Evidence = Attempt::Evidence;
 
@@ -28,7 +29,8 @@ void Mission::refuse(double reached_m, const std::string& reason, Evidence evide
     refused_.add(way_.T_odom_body()->translation());
   }
   const bool may_back_off = way_.back(params_.back_off_m).size() > 5;
-  const double track_m = track_that_leads_there_m();
+  const bool short_cut = is_short_cut_home(reached_m);
+  const double track_m = short_cut ? 0.0 : track_that_leads_there_m();
   switch (attempt_.refuse(utime_, reached_m, reason, evidence, may_back_off)) {
     case Attempt::Next::kOtherLaser:
       if (track_m > 0.0) return rejoin(track_m, reason);
@@ -37,6 +39,7 @@ void Mission::refuse(double reached_m, const std::string& reason, Evidence evide
       return;
     case Attempt::Next::kBackOff:
       if (track_m > 0.0) return rejoin(track_m, reason);
+      if (short_cut) break;
       back_off(reason);
       return;
     case Attempt::Next::kLookAgain:
@@ -54,12 +57,19 @@ void Mission::refuse(double reached_m, const std::string& reason, Evidence evide
   verdict_ = BlockedVerdict{attempt_.utime(), phase_.stub, attempt_.reached_m(),
                             attempt_.evidence(), attempt_.is_doubtful()};
   attempt_.got_on();
+  way_home_.judge();
   if (phase_.stub < 0 && ++lost_tries_ > params_.lost_tries_max) {
     end(MissionOutcome::kStranded, "no way on was found: " + verdict_->evidence);
     return;
   }
   enter(Phase::kExplore,
         (verdict_->doubtful ? "no way is found: " : "the way is blocked: ") + verdict_->evidence);
+}
+
+void Mission::got_on() {
+  attempt_.got_on();
+  rejoined_ = 0;
+  lost_tries_ = 0;
 }
 
 bool Mission::is_nearly_home() const {
@@ -103,6 +113,13 @@ void Mission::back_off_as_planned(const std::string& reason) {
   enter(Phase::kPlan, "it backs off by what it sees: " + reason);
 }
 
+/// Whether the route home left the own track before it was refused. Nothing is lost with a short
+/// cut, unless exploration knows no other way: then it is none.
+bool Mission::is_short_cut_home(double reached_m) const {
+  if (!is_led_home() || way_home_.was_judged() || !leads_back()) return false;
+  return way_.shared_m(route_odom_) < reached_m + kBeyondReachedM;
+}
+
 /// How far it may go to where it is to go on its own track; 0 where that does not lead there. On
 /// the way home it does, if by a detour: so it goes the farther the more often it had to.
 double Mission::track_that_leads_there_m() const {
@@ -110,7 +127,7 @@ double Mission::track_that_leads_there_m() const {
   const double shared_m = way_.shared_m(route_odom_);
   if (!phase_.homeward) return shared_m < kSharedM ? 0.0 : std::min(shared_m, kRejoinedM);
   const int times = 1 + rejoined_ / 2;
-  return way_.back(kGotOnM).size() < 3 ? 0.0 : std::min(kRejoinedM * times, kRejoinedMaxM);
+  return leads_back() ? std::min(kRejoinedM * times, kRejoinedMaxM) : 0.0;
 }
 
 /// What lies between it and its own track it can see; on the track it need not. Before the first
@@ -127,7 +144,7 @@ void Mission::rejoin(double length_m, const std::string& reason) {
 }
 
 /// Back to where it was once refused is not on.
-bool Mission::got_on() const {
+bool Mission::is_beyond_refusals() const {
   if (way_.travelled_m() - progress_mark_m_ < kGotOnM || !way_.T_odom_body()) return false;
   return refused_.all_beyond(kGotOnM, way_.T_odom_body()->translation());
 }
@@ -144,7 +161,7 @@ void Mission::drive_failed(const std::string& reason) {
     enter(Phase::kExplore, "it looks from where it got to: " + reason);
     return;
   }
-  if (got_on()) attempt_.got_on();
+  if (!is_led_home() && is_beyond_refusals()) attempt_.got_on();
   refuse(0.0, reason, Evidence::kDrive);
 }
 

@@ -27,6 +27,25 @@ class AMissionWithoutAPath : public ScriptedStages {
     terrain();
     ASSERT_EQ(now(), Phase::kPlan);
   }
+  /// From 10 m in, back along its track, as exploration leads.
+  void turn_home() {
+    drive_in();
+    path(PlanOutcome::kFound);
+    arrive();
+    reach_m_ = -10.0;
+    answer(Kind::kHome);
+    terrain();
+  }
+  void refuse_home() {
+    answer(Kind::kHome);
+    terrain();
+    path(PlanOutcome::kBlocked);
+  }
+  void along_track(double way_m) {
+    path(PlanOutcome::kFound);
+    for (int i = 0; i < std::lround(way_m / 0.25); ++i) back();
+    arrive();
+  }
 };
 
 TEST_F(AMissionWithoutAPath, LooksToTheOtherSideThenFromFartherBackThenSaysSo) {
@@ -256,12 +275,7 @@ TEST_F(AMissionWithoutAPath, ForgetsThatItBackedOffWhereDrivingFallsSilent) {
 
 /// To back off would lead it into the mine again.
 TEST_F(AMissionWithoutAPath, GoesOnAlongItsOwnTrackOnTheWayHome) {
-  drive_in();
-  path(PlanOutcome::kFound);
-  arrive();
-  reach_m_ = -10.0;
-  answer(Kind::kHome);
-  terrain();
+  turn_home();
   path(PlanOutcome::kBlocked);
   ASSERT_EQ(now(), Phase::kPlan);
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
@@ -269,16 +283,64 @@ TEST_F(AMissionWithoutAPath, GoesOnAlongItsOwnTrackOnTheWayHome) {
   EXPECT_NEAR(goal_.track_odom.back().x, 0.0, 1e-9);  // all that is near
   const double first_m = goal_.distance_m;
   for (int again = 0; again < 2; ++again) {
-    path(PlanOutcome::kFound);
-    for (int i = 0; i < 6; ++i) back();
-    arrive();
+    along_track(1.5);
     EXPECT_FALSE(request_.blocked);
+    refuse_home();
+    ASSERT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
+    EXPECT_EQ(goal_.distance_m, first_m);
+  }
+}
+
+TEST_F(AMissionWithoutAPath, GoesTheFartherAlongItsTrackTheLessThatHelps) {
+  turn_home();
+  path(PlanOutcome::kUnknown);
+  const double first_m = goal_.distance_m;
+  for (int again = 0; again < 2; ++again) {
+    ASSERT_EQ(goal_.kind, PlanGoal::Kind::kRejoin) << again;
+    along_track(0.25);
     answer(Kind::kHome);
     terrain();
-    path(PlanOutcome::kBlocked);
-    ASSERT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
+    path(PlanOutcome::kUnknown);
   }
-  EXPECT_GT(goal_.distance_m, first_m);  // the farther the more often it has to
+  EXPECT_GT(goal_.distance_m, first_m);
+}
+
+/// The drive along the track leads away from it, and exploration back to it, again and again.
+TEST_F(AMissionWithoutAPath, ClosesAShortCutHomeThatIsRefused) {
+  turn_home();
+  reach_m_ = 10.0;  // where it never was
+  along_track(1.0);
+  refuse_home();
+  ASSERT_EQ(now(), Phase::kExplore);
+  ASSERT_TRUE(request_.blocked);
+  EXPECT_TRUE(request_.blocked->doubtful);  // it is not worth a second look
+  detour_m_ = 20.0;                         // and exploration leads another way
+  refuse_home();
+  EXPECT_TRUE(request_.blocked);
+}
+
+TEST_F(AMissionWithoutAPath, LooksToTheOtherSideBeforeItClosesAShortCutThatItDoesNotSee) {
+  turn_home();
+  reach_m_ = 10.0;
+  along_track(1.0);
+  answer(Kind::kHome);
+  terrain();
+  path(PlanOutcome::kUnknown);
+  ASSERT_EQ(now(), Phase::kScan);
+  terrain();
+  path(PlanOutcome::kUnknown);
+  EXPECT_TRUE(request_.blocked);
+}
+
+TEST_F(AMissionWithoutAPath, GoesAlongItsOwnTrackWhereExplorationKnowsNoOtherWayThanTheShortCut) {
+  turn_home();
+  reach_m_ = 10.0;
+  along_track(1.0);
+  refuse_home();
+  ASSERT_TRUE(request_.blocked);
+  refuse_home();
+  ASSERT_EQ(now(), Phase::kPlan);
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
 }
 
 TEST_F(AMissionWithoutAPath, GoesAlongItsOwnTrackWhereTheRouteDoes) {

@@ -20,6 +20,7 @@ class ScriptedStages : public testing::Test {
   using Kind = ExplorationDecision::Kind;
   static constexpr std::int64_t kStart = 1'600'000'000'000'000;
   static constexpr std::int64_t kTick = 100'000;
+  static constexpr int kLegs = 20;  // of a route
 
   /// Time goes on; poses and the state of driving come, unless these are silent.
   void wait(double seconds) {
@@ -40,7 +41,9 @@ class ScriptedStages : public testing::Test {
     report.decision.kind = kind;
     report.decision.stub = kind == Kind::kHome || kind == Kind::kDone ? -1 : stub;
     report.decision.reason = reason;
-    report.route_odom = {{x_m_, 0.0}, {x_m_ + reach_m_, 0.0}};
+    report.decision.distance_m = x_m_ + detour_m_;  // home is the origin
+    for (int i = 0; i <= kLegs; ++i)
+      report.route_odom.emplace_back(x_m_ + reach_m_ * i / kLegs, 0.0);
     mission_.add_exploration(report);
     advance();
   }
@@ -136,6 +139,7 @@ class ScriptedStages : public testing::Test {
   std::int64_t terrain_utime_ = 0;
   double x_m_ = 0.0;
   double reach_m_ = 10.0;  ///< of the route; negative: backwards
+  double detour_m_ = 0.0;  ///< that the way home takes
   bool blocks_ = true;     ///< what is in the way is named
   bool poses_ = true;
   bool driving_talks_ = true;

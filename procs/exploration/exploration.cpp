@@ -135,7 +135,7 @@ void Exploration::refresh() {
   }
   register_.update(ends_, known_, barrier_texts(), utime_);
   corridors_ = corridor_graph(space_, skeleton(space_), ends_, params_.corridors);
-  from_home_.emplace(space_, T_map_home().translation());
+  from_home_.emplace(space_, T_map_home().translation(), Trust::kDriven);
 }
 
 /// From outside nothing comes back, so that what is known may end before the barrier does.
@@ -215,7 +215,7 @@ ExplorationDecision Exploration::make(const ExplorationState& state) {
     stay.reason = "no known way leads from here to the start";
     return stay;
   }
-  const TravelField here(space_, state.T_map_body.translation());
+  const TravelField here(space_, state.T_map_body.translation(), Trust::kSeen);
   patrol_.pass(places(), state.T_map_body.translation(), state.utime);
   note_pursuit(state, here);
   const auto all = offers(state, here);
@@ -275,7 +275,7 @@ Eigen::MatrixXd Exploration::ways_between(const std::vector<StubOffer>& offers) 
   for (const StubOffer& offer : offers) places.push_back(register_.find(offer.stub)->p_map);
   for (Eigen::Index i = 0; i + 1 < n; ++i) {
     const std::vector<Eigen::Vector2d> others(places.begin() + i + 1, places.end());
-    const TravelField field(space_, places[static_cast<std::size_t>(i)], others);
+    const TravelField field(space_, places[static_cast<std::size_t>(i)], Trust::kSeen, others);
     for (Eigen::Index j = i + 1; j < n; ++j) {
       const auto way = field.distance_m(places[static_cast<std::size_t>(j)]);
       ways(i, j) = ways(j, i) = way.value_or(kNoWayM);

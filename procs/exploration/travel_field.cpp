@@ -16,8 +16,9 @@ constexpr double kNearWallM = 0.3;  // of more than the least clearance, where n
 constexpr int kDrivenCost = 4;
 constexpr int kClearCost = 5;
 constexpr int kNearWallCost = 9;
-constexpr std::size_t kBuckets = 128;
-static_assert(kBuckets > 14 * kNearWallCost, "the dearest step has to fit");
+constexpr int kNotDriven = 2;  // times as much again, where what was not driven is not trusted
+constexpr std::size_t kBuckets = 256;
+static_assert(kBuckets > 14 * kNearWallCost * kNotDriven, "the dearest step has to fit");
 constexpr int kSnapCells = 5;  // from a place to a cell that counts
 
 /// The nearest cell of a kind about a place: in squares of growing size.
@@ -40,18 +41,18 @@ std::optional<std::size_t> nearest(const CellField<float>& field, const Eigen::V
 
 }  // namespace
 
-TravelField::TravelField(const DrivableSpace& space, const Eigen::Vector2d& p_map_from,
+TravelField::TravelField(const DrivableSpace& space, const Eigen::Vector2d& p_map_from, Trust trust,
                          const std::vector<Eigen::Vector2d>& only_to)
     : resolution_m_(space.resolution_m),
       length_m_(space.known.box(), kUnreached),
       back_(space.known.box(), kNoStep) {
   const auto from = nearest(length_m_, space.cell_at(p_map_from),
                             [&](std::size_t i) { return space.access[i] == Access::kReachable; });
-  if (from) search(space, *from, only_to);
+  if (from) search(space, *from, trust, only_to);
 }
 
 /// Costs are small integers, so that buckets do for a queue.
-void TravelField::search(const DrivableSpace& space, std::size_t from,
+void TravelField::search(const DrivableSpace& space, std::size_t from, Trust trust,
                          const std::vector<Eigen::Vector2d>& only_to) {
   CellField<int> cost(space.known.box(), std::numeric_limits<int>::max());
   std::array<std::vector<std::size_t>, kBuckets> buckets;
@@ -59,6 +60,7 @@ void TravelField::search(const DrivableSpace& space, std::size_t from,
   const auto near_wall = static_cast<float>(space.radius_m + kNearWallM);
   const auto straight_m = static_cast<float>(space.resolution_m);
   const std::array<float, 2> step_m{straight_m, straight_m * std::sqrt(2.0F)};
+  const int not_driven = trust == Trust::kDriven ? kNotDriven : 1;
   cost[from] = 0;
   length_m_[from] = 0.0F;
   buckets[0].push_back(from);
@@ -78,9 +80,10 @@ void TravelField::search(const DrivableSpace& space, std::size_t from,
       for (std::size_t i = 0; i < around.size(); ++i) {
         const std::size_t next = at + static_cast<std::size_t>(around[i]);
         if (space.access[next] != Access::kReachable) continue;
-        const int factor = space.known[next] == Known::kDriven   ? kDrivenCost
-                           : space.clearance_m[next] < near_wall ? kNearWallCost
-                                                                 : kClearCost;
+        const bool driven = space.known[next] == Known::kDriven;
+        const int factor = driven                                ? kDrivenCost
+                           : space.clearance_m[next] < near_wall ? not_driven * kNearWallCost
+                                                                 : not_driven * kClearCost;
         const int total = now + factor * kStepCost[i];
         if (total >= cost[next]) continue;
         cost[next] = total;

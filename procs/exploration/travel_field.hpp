@@ -12,12 +12,18 @@
 
 namespace adit {
 
+/// What a way may lead over.
+enum class Trust {
+  kSeen,    ///< what looks drivable, nearly as gladly as what was driven
+  kDriven,  ///< only where it spares much what was not driven yet: nobody knows what lies there
+};
+
 /// The ways from one place to all that can be reached: Dijkstra's search over cells, eight
 /// neighbours, which prefers where the body has been already, and not to graze walls.
 class TravelField {
  public:
   /// Only as far as needed to reach these places, where any are given.
-  TravelField(const DrivableSpace& space, const Eigen::Vector2d& p_map_from,
+  TravelField(const DrivableSpace& space, const Eigen::Vector2d& p_map_from, Trust trust,
               const std::vector<Eigen::Vector2d>& only_to = {});
 
   /// Length of the way [m]; nothing where there is none.
@@ -29,7 +35,7 @@ class TravelField {
   static constexpr std::uint8_t kNoStep = 255;
 
   [[nodiscard]] std::optional<std::size_t> reached(const Eigen::Vector2d& p_map) const;
-  void search(const DrivableSpace& space, std::size_t from,
+  void search(const DrivableSpace& space, std::size_t from, Trust trust,
               const std::vector<Eigen::Vector2d>& only_to);
 
   double resolution_m_;

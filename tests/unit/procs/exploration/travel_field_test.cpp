@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/exploration/travel_field.hpp"
+
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+constexpr double kCellM = 0.25;  // exact in binary, so that lengths are
+
+/// A room of 40 m by `room_m`, all of it clear, with a rim of wall.
+class ARoom : public testing::Test {
+ protected:
+  void make(double room_m) {
+    const Eigen::Vector2i size(cells(40.0), cells(room_m));
+    const CellBox box{{-1, -1}, size + Eigen::Vector2i::Ones()};
+    space_.resolution_m = kCellM;
+    space_.known = CellField<Known>(box, Known::kFree);
+    space_.clearance_m = CellField<float>(box, 5.0F);
+    space_.access = CellField<Access>(box, Access::kNone);
+    for (int y = 0; y < size.y(); ++y) {
+      for (int x = 0; x < size.x(); ++x) space_.access[at(x, y)] = Access::kReachable;
+    }
+  }
+  /// From the first place up, along the other side, and down to the second.
+  void drive_round(double room_m) {
+    const int top = cells(room_m) - 1;
+    for (int y = 0; y <= top; ++y) {
+      space_.known[at(0, y)] = Known::kDriven;
+      space_.known[at(cells(40.0) - 1, y)] = Known::kDriven;
+    }
+    for (int x = 0; x < cells(40.0); ++x) space_.known[at(x, top)] = Known::kDriven;
+  }
+  [[nodiscard]] double way_m(Trust trust) const {
+    const TravelField field(space_, middle_of({0, 0}, kCellM), trust);
+    return field.distance_m(middle_of({cells(40.0) - 1, 0}, kCellM)).value_or(-1.0);
+  }
+  static int cells(double m) { return static_cast<int>(m / kCellM); }
+  [[nodiscard]] std::size_t at(int x, int y) const { return space_.known.index({x, y}); }
+
+  static constexpr double kAcrossM = 40.0 - kCellM;  // from middle to middle
+  DrivableSpace space_;
+};
+
+TEST_F(ARoom, IsCrossedStraight) {
+  make(10.0);
+  EXPECT_NEAR(way_m(Trust::kSeen), kAcrossM, 1e-3);
+  EXPECT_NEAR(way_m(Trust::kDriven), kAcrossM, 1e-3);
+}
+
+/// 59.5 m that were driven, for 39.75 m that were not.
+TEST_F(ARoom, IsLedRoundWhereWhatWasDrivenIsTrusted) {
+  make(10.0);
+  drive_round(10.0);
+  EXPECT_NEAR(way_m(Trust::kSeen), kAcrossM, 1.0);
+  EXPECT_NEAR(way_m(Trust::kDriven), kAcrossM + 2.0 * (10.0 - kCellM), 1.0);  // corners are cut
+}
+
+/// 119.5 m that were driven are too long a way round.
+TEST_F(ARoom, IsCrossedWhereThatSparesMuch) {
+  make(40.0);
+  drive_round(40.0);
+  EXPECT_NEAR(way_m(Trust::kDriven), kAcrossM, 1.0);
+}
+
+}  // namespace
+}  // namespace adit

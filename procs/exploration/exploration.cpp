@@ -460,12 +460,12 @@ bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {
   return true;
 }
 
-/// When nothing else is left, and from wherever the robot is by then.
+/// When nothing else is left, and from wherever the robot is by then. A line across a junction may
+/// lie across another drift as well, and what is in the way of one stub is no evidence for another.
+/// What has its own stays closed without barriers.
 bool Exploration::retry_doubtful(std::int64_t utime) {
   if (!register_.retry_doubtful(utime)) return false;
-  std::erase_if(barriers_, [](const Barrier& barrier) {
-    return barrier.kind == Barrier::Kind::kDoubtful && barrier.stub >= 0;
-  });
+  std::erase_if(barriers_, [](const Barrier& barrier) { return barrier.stub >= 0; });
   refresh();
   return true;
 }

@@ -174,7 +174,9 @@ bool StubRegister::block(int stub, bool doubtful, std::string evidence, std::int
 bool StubRegister::retry_doubtful(std::int64_t utime) {
   bool any = false;
   for (std::size_t i = 0; i < stubs_.size(); ++i) {
-    if (stubs_[i].state != StubState::kDoubtful || holds_[i].retried) continue;
+    const bool doubtful = stubs_[i].state == StubState::kDoubtful;
+    const bool presumed = stubs_[i].state == StubState::kBlocked && !holds_[i].final;
+    if (holds_[i].retried || (!doubtful && !presumed)) continue;
     reopen(stubs_[i].id, "no way was found, and it is tried once more", utime);
     any = holds_[i].retried = true;
   }

@@ -94,6 +94,15 @@ GroundLimits without_margins(GroundLimits limits) {
   return limits;
 }
 
+/// The regions of the terrain reach a cell beyond what stands in them: so much of a gap is missing
+/// on either side, and with a smaller vehicle it is not.
+Vehicle less_regions(Vehicle vehicle, double cell_m) {
+  vehicle.length_m -= 2.0 * cell_m;
+  vehicle.width_m -= 2.0 * cell_m;
+  vehicle.track_m -= 2.0 * cell_m;
+  return vehicle;
+}
+
 bool is_behind(const GoalField& goals, const Pose2& T_level_body) {
   const Eigen::Vector2d ahead(std::cos(T_level_body.theta), std::sin(T_level_body.theta));
   return ahead.dot(goals.direction(T_level_body.translation())) < 0.0;
@@ -223,15 +232,17 @@ PlannedPath Planning::no_path(const TerrainMap& terrain, const Pose2& T_level_bo
 }
 
 /// Margins are there to drive safely, and cells and the regions of the terrain take away as much
-/// again. What is in the way by these alone, or by drops that nobody saw, does not show that there
-/// is no way.
+/// again, to each side of a gap a cell for the region, one for where the point lies in its cell.
+/// What is in the way by these alone, or by drops that nobody saw, does not show that there is no
+/// way.
 bool Planning::may_just_fit(const TerrainMap& terrain, const Pose2& T_level_body,
                             const LatticePose& start, const GoalField& goals,
                             double enough_m) const {
   const GroundLimits limits = without_margins(params_.c_space.ground);
   const TerrainMap seen = with_seen_drops(terrain, params_.vehicle.step_max_m);
-  const CSpace space =
-      kernels_->convolve(ground_layers(seen, T_level_body, params_.vehicle, limits));
+  const CSpaceKernels kernels(less_regions(params_.vehicle, terrain.cell_m), params_.c_space,
+                              terrain.cell_m);
+  const CSpace space = kernels.convolve(ground_layers(seen, T_level_body, params_.vehicle, limits));
   const Lattice less_a_cell{space, primitives(), CSpace::kLethal, nullptr, true};
   return reachable(less_a_cell, start, goals, enough_m).progress_m >= enough_m;
 }

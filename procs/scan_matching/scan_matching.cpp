@@ -28,9 +28,15 @@ double lever_arm_m(const std::vector<SurfacePoint>& points) {
 ScanMatching::ScanMatching(const ScanMatchingParams& params)
     : params_(params),
       motion_(params.motion),
+      tilt_(params.body_tilt),
       reference_(params.reference),
       search_(params.search),
       standstill_(params.standstill) {}
+
+bool ScanMatching::add(const ImuReading& reading) {
+  tilt_.add(reading);
+  return motion_.add(reading);
+}
 
 ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   ScanMatch match;
@@ -53,7 +59,9 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
 
 Sighting ScanMatching::see(LaserId laser, const LaserScan& scan) const {
   const LaserMount& mount = laser == LaserId::kFront ? params_.lasers.front : params_.lasers.rear;
-  return {laser, surface_points(scan, mount, params_.surface), FreeSpace(scan, mount)};
+  std::vector<SurfacePoint> points = surface_points(scan, mount, params_.surface);
+  std::erase_if(points, [&](const SurfacePoint& point) { return !tilt_.is_level_at(point.p); });
+  return {laser, std::move(points), FreeSpace(scan, mount)};
 }
 
 void ScanMatching::locate(const Sighting& sighting, ScanMatch& match) {
@@ -119,6 +127,7 @@ void ScanMatching::count_way() {
   const double step_m = between(T_odom_counted_, T_odom_body_).translation().norm();
   if (step_m < kOdometerStepM) return;
   odometer_m_ += step_m;
+  tilt_.drive(step_m);
   T_odom_counted_ = T_odom_body_;
 }
 

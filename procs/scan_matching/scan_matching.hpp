@@ -14,6 +14,7 @@
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/scan_match.hpp"
+#include "procs/scan_matching/body_tilt.hpp"
 #include "procs/scan_matching/local_reference.hpp"
 #include "procs/scan_matching/motion_prediction.hpp"
 #include "procs/scan_matching/pose_search.hpp"
@@ -25,6 +26,7 @@ struct ScanMatchingParams {
   Lasers lasers;
   SurfaceParams surface;
   MotionPredictionParams motion;
+  BodyTiltParams body_tilt;
   LocalReferenceParams reference;
   PoseSearchParams search;
   StandstillParams standstill;
@@ -43,6 +45,7 @@ struct ScanMatchingParams {
     v.shared(Lasers::kSection, lasers);
     v("surface", surface);
     v("motion", motion);
+    v("body_tilt", body_tilt);
     v("reference", reference);
     v("search", search);
     v("standstill", standstill);
@@ -67,7 +70,7 @@ class ScanMatching {
 
   /// False where the reading does not advance in time; it is then not used.
   bool add(const WheelOdometry& reading) { return motion_.add(reading); }
-  bool add(const ImuReading& reading) { return motion_.add(reading); }
+  bool add(const ImuReading& reading);
 
   /// Estimates the pose of the body in odom at the time of the scan. Odom begins at the first scan.
   /// A scan that does not advance in time, of its laser or of the body, is refused; a scan that is
@@ -85,6 +88,7 @@ class ScanMatching {
 
   ScanMatchingParams params_;
   MotionPrediction motion_;
+  BodyTilt tilt_;
   LocalReference reference_;
   PoseSearch search_;
   Standstill standstill_;

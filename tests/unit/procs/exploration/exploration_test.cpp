@@ -173,6 +173,28 @@ TEST(Exploration, DoesNotChooseABlockedStubAgainNorWhatLiesBehind) {
   EXPECT_FALSE(explorer.exploration.report_blocked(999, {}));
 }
 
+/// The line across the drift ahead lies across the mouth of the branch as well.
+TEST(Exploration, CallsNoBranchBlockedByWhatIsInTheWayOfAnotherStub) {
+  const auto mine = drift_mine({{0, 0, 45, 0}, {25, 0, 33, -16}});
+  Explorer explorer(mine);
+  while (explorer.robot.T_map_body().x < 20.5) {  // from 3 m in world
+    explorer.decide();
+    explorer.go(1.0);
+  }
+  ASSERT_EQ(explorer.stubs(StubState::kOpen).size(), 2U);
+  const int first = explorer.decide().stub;
+  const BlockedEvidence water{explorer.robot.utime(), 0.0, "water"};
+  EXPECT_TRUE(explorer.exploration.report_blocked(first, water));
+  ASSERT_EQ(explorer.stubs(StubState::kBlocked).size(), 2U);
+  const int other = explorer.decide().stub;
+  ASSERT_NE(other, ExplorationDecision::kNoStub);
+  EXPECT_NE(other, first);
+  EXPECT_EQ(explorer.stubs(StubState::kBlocked).size(), 1U);
+  EXPECT_TRUE(explorer.exploration.report_blocked(other, water));
+  EXPECT_EQ(explorer.decide().kind, Kind::kHome);
+  EXPECT_TRUE(explorer.exploration.reasons_why_not_complete().empty());
+}
+
 /// A robot that came past a barrier on its own track has to come home through it.
 TEST(Exploration, DropsABarrierThatTheRobotCameThrough) {
   const auto mine = drift_mine(straight());

@@ -171,11 +171,11 @@ bool StubRegister::block(int stub, bool doubtful, std::string evidence, std::int
   return true;
 }
 
-bool StubRegister::retry_doubtful(std::int64_t utime) {
+bool StubRegister::retry_given_up(std::int64_t utime) {
   bool any = false;
   for (std::size_t i = 0; i < stubs_.size(); ++i) {
-    if (stubs_[i].state != StubState::kDoubtful || holds_[i].retried) continue;
-    reopen(stubs_[i].id, "no way was found, and it is tried once more", utime);
+    if (!is_given_up(stubs_[i].state) || holds_[i].retried) continue;
+    reopen(stubs_[i].id, "it was given up, and is tried once more", utime);
     any = holds_[i].retried = true;
   }
   return any;

@@ -244,15 +244,15 @@ TEST(Planning, CallsBlockedByADropOnlyWhatBeamsReachedInto) {
   EXPECT_EQ(over(-0.25), PlanOutcome::kBlocked);
 }
 
-TEST(Planning, CallsAPitADropOfWhichTheFarWallIsSeen) {
-  // As a laser sees it: beams sink over the pit, and meet the wall of its far half below the floor.
-  TerrainMap terrain = terrain_of(CorridorScene{});
+TEST(Planning, CallsAPitADropOfWhichAWallIsSeen) {
+  // Beams sink over the pit to 0.3 m below the floor, and meet some of its wall far below that,
+  // beside which there is room. It makes the mean of what was seen round the hollow 0.15 m lower.
   TerrainCell passed = unseen_cell(Ground::kBelowRay);
   passed.low_m = -0.3F;
-  TerrainCell wall = obstacle_cell(0.4);
-  wall.low_m = -0.4F;
-  paint_disc(terrain, wall, {3.5, 0.0}, 1.5);
-  paint_disc(terrain, passed, {3.2, 0.0}, 1.2);
+  TerrainMap terrain = corridor_with(passed, {2.5, -2.0}, {3.5, 2.0});
+  TerrainCell wall = obstacle_cell(0.9);
+  wall.low_m = -0.9F;
+  paint_box(terrain, wall, {2.7, -0.2}, {3.3, 0.2});
   EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kBlocked);
 }
 

@@ -40,9 +40,12 @@ inline bool is_to_visit(StubState state) {
   return state == StubState::kOpen || state == StubState::kBeyondBudget;
 }
 
-/// Whether it is known that nothing is left to be done there. What is unseeable is not known.
-inline bool is_closed(StubState state) {
-  return !is_to_visit(state) && state != StubState::kDoubtful && state != StubState::kUnseeable;
+/// Whether nobody goes there any more, though nobody saw that there is nothing to be done.
+inline bool is_given_up(StubState state) {
+  return state == StubState::kDoubtful || state == StubState::kUnseeable;
 }
+
+/// Whether it is known that nothing is left to be done there.
+inline bool is_closed(StubState state) { return !is_to_visit(state) && !is_given_up(state); }
 
 }  // namespace adit

@@ -222,7 +222,7 @@ ExplorationDecision Exploration::make(const ExplorationState& state) {
   if (state.homeward) return to_home(state, "the mission has turned around");
   if (returning_) return to_home(state, "the corridor is explored as far as it goes");
   if (const auto stub = choose(state, all)) return to_stub(*stub, state, here);
-  if (retry_doubtful(state.utime)) return make(state);
+  if (retry_given_up(state.utime)) return make(state);
   if (const auto on = to_longest_ago(state, here)) return *on;
   returning_ = params_.mode == "corridor";
   const auto why = reasons_why_not_complete();
@@ -463,8 +463,8 @@ bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {
 /// When nothing else is left, and from wherever the robot is by then. A line across a junction may
 /// lie across another drift as well, and what is in the way of one stub is no evidence for another.
 /// What has its own stays closed without barriers.
-bool Exploration::retry_doubtful(std::int64_t utime) {
-  if (!register_.retry_doubtful(utime)) return false;
+bool Exploration::retry_given_up(std::int64_t utime) {
+  if (!register_.retry_given_up(utime)) return false;
   std::erase_if(barriers_, [](const Barrier& barrier) { return barrier.stub >= 0; });
   refresh();
   return true;

@@ -99,7 +99,8 @@ class Exploration {
   /// again, nor is what lies behind the place where the way ended, unless another way is found.
   /// On the way home there is no stub (ExplorationDecision::kNoStub), and another way is looked
   /// for. False where there is no such stub or it is explored.
-  /// What is doubtful is tried once more when nothing else is left, and is never complete.
+  /// What is doubtful is tried once more when nothing else is left, as is what it saw nothing of,
+  /// and is never complete.
   bool report_blocked(int stub, const BlockedEvidence& evidence);
   /// A person says that it is not blocked.
   bool reopen(int stub, std::int64_t utime);
@@ -124,7 +125,7 @@ class Exploration {
 
  private:
   void refresh();
-  bool retry_doubtful(std::int64_t utime);
+  bool retry_given_up(std::int64_t utime);
   [[nodiscard]] bool is_cut_off(const ExplorationState& state) const;
   void drop_passed_barriers(const ExplorationState& state);
   [[nodiscard]] std::vector<Cut> cuts() const;

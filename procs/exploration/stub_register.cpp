@@ -171,13 +171,12 @@ bool StubRegister::block(int stub, bool doubtful, std::string evidence, std::int
   return true;
 }
 
-bool StubRegister::retry_doubtful(std::int64_t utime) {
+bool StubRegister::retry_given_up(std::int64_t utime) {
   bool any = false;
   for (std::size_t i = 0; i < stubs_.size(); ++i) {
-    const bool doubtful = stubs_[i].state == StubState::kDoubtful;
     const bool presumed = stubs_[i].state == StubState::kBlocked && !holds_[i].final;
-    if (holds_[i].retried || (!doubtful && !presumed)) continue;
-    reopen(stubs_[i].id, "no way was found, and it is tried once more", utime);
+    if (holds_[i].retried || (!is_given_up(stubs_[i].state) && !presumed)) continue;
+    reopen(stubs_[i].id, "it was given up, and is tried once more", utime);
     any = holds_[i].retried = true;
   }
   return any;

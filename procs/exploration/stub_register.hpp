@@ -42,7 +42,7 @@ struct StubHold {
   double least_way_m = kNever;       ///< to it, in this pursuit
   Eigen::Vector2d p_then{0.0, 0.0};  ///< where it was then, p_map
   int closings = 0;
-  bool retried = false;  ///< doubtful or presumed once already, and opened again
+  bool retried = false;  ///< given up or presumed once already, and opened again
 
   friend bool operator==(const StubHold&, const StubHold&) = default;
 };
@@ -81,9 +81,9 @@ class StubRegister {
   /// False where there is no such stub, or where it is explored.
   bool block(int stub, bool doubtful, std::string evidence, std::int64_t utime);
   bool reopen(int stub, std::string evidence, std::int64_t utime);
-  /// Opens what is doubtful for the first time, and once what is presumed to be blocked, since it
+  /// Opens what was given up for the first time, and once what is presumed to be blocked, since it
   /// lies behind a barrier: that opens when the barriers are gone. Whether there was any.
-  bool retry_doubtful(std::int64_t utime);
+  bool retry_given_up(std::int64_t utime);
   /// Whether an open stub can be reached and left within the budget.
   void set_within_budget(int stub, bool within, const std::string& evidence, std::int64_t utime);
 

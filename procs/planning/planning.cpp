@@ -103,6 +103,24 @@ Vehicle less_regions(Vehicle vehicle, double cell_m) {
   return vehicle;
 }
 
+/// What was not seen may be a way on, but no way leads back from where the robot is, to where this
+/// look did not reach, and round through the rock: behind it, beside its route, that is lethal.
+CSpace unseen_ahead_only(CSpace space, const TerrainMap& terrain, const GoalField& goals,
+                         const Eigen::Vector2d& p_level_body) {
+  const Eigen::Vector2d ahead = goals.direction(p_level_body);
+  for (int row = 0; row < space.rows(); ++row) {
+    for (int column = 0; column < space.columns(); ++column) {
+      const bool leads_on = goals.progress(space.index(column, row)) > 0.0;
+      if (leads_on || ahead.dot(terrain.centre(column, row) - p_level_body) >= 0.0) continue;
+      for (int heading = 0; heading < space.headings() / 2; ++heading) {
+        std::uint16_t& cost = space.slice(heading)[space.index(column, row)];
+        if (cost == CSpace::kUnseen) cost = CSpace::kLethal;
+      }
+    }
+  }
+  return space;
+}
+
 bool is_behind(const GoalField& goals, const Pose2& T_level_body) {
   const Eigen::Vector2d ahead(std::cos(T_level_body.theta), std::sin(T_level_body.theta));
   return ahead.dot(goals.direction(T_level_body.translation())) < 0.0;
@@ -217,7 +235,10 @@ PlannedPath Planning::no_path(const TerrainMap& terrain, const Pose2& T_level_bo
   const Reachable region = reachable(free, start, goals);
   ground_->reached = cells_of(region, ground_->space);
   const double least = goals.least_progress();
-  const Reachable seen_or_not = reachable(lattice(CSpace::kLethal), start, goals, least);
+  const CSpace ahead =
+      unseen_ahead_only(ground_->space, terrain, goals, T_level_body.translation());
+  const Reachable seen_or_not =
+      reachable({ahead, primitives(), CSpace::kLethal, &ground_->close_look}, start, goals, least);
   PlannedPath answer;
   const bool unseen = seen_or_not.progress_m >= least;
   const bool just_fits =
@@ -242,7 +263,9 @@ bool Planning::may_just_fit(const TerrainMap& terrain, const Pose2& T_level_body
   const TerrainMap seen = with_seen_drops(terrain, params_.vehicle.step_max_m);
   const CSpaceKernels kernels(less_regions(params_.vehicle, terrain.cell_m), params_.c_space,
                               terrain.cell_m);
-  const CSpace space = kernels.convolve(ground_layers(seen, T_level_body, params_.vehicle, limits));
+  const CSpace space = unseen_ahead_only(
+      kernels.convolve(ground_layers(seen, T_level_body, params_.vehicle, limits)), terrain, goals,
+      T_level_body.translation());
   const Lattice less_a_cell{space, primitives(), CSpace::kLethal, nullptr, true};
   return reachable(less_a_cell, start, goals, enough_m).progress_m >= enough_m;
 }

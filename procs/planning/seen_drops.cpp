@@ -3,6 +3,7 @@
 #include "procs/planning/seen_drops.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -13,11 +14,15 @@ namespace {
 struct Hollow {
   std::vector<std::size_t> cells;
   float lowest_beam_m = std::numeric_limits<float>::infinity();
-  float rim_sum_m = 0.0F;  ///< of the ground that was seen beside it
-  int rim = 0;
+  std::vector<float> rim_m;  ///< heights of the ground that was seen beside it
 
-  [[nodiscard]] bool is_drop(double step_max_m) const {
-    return rim == 0 || lowest_beam_m < rim_sum_m / static_cast<float>(rim) - step_max_m;
+  /// Of the rim the upper quartile: what is seen of the walls of a pit is beside it, too, but
+  /// lower.
+  [[nodiscard]] bool is_drop(double step_max_m) {
+    if (rim_m.empty()) return true;
+    const auto upper = rim_m.begin() + static_cast<std::ptrdiff_t>(rim_m.size() * 3 / 4);
+    std::nth_element(rim_m.begin(), upper, rim_m.end());
+    return lowest_beam_m < *upper - step_max_m;
   }
 };
 
@@ -45,10 +50,7 @@ class Hollows {
   void visit(int column, int row, Hollow& hollow) {
     if (!terrain_.contains(column, row)) return;
     const TerrainCell& cell = terrain_.at(column, row);
-    if (cell.ground == Ground::kSeen && !hollow.cells.empty()) {
-      hollow.rim_sum_m += cell.low_m;
-      ++hollow.rim;
-    }
+    if (cell.ground == Ground::kSeen && !hollow.cells.empty()) hollow.rim_m.push_back(cell.low_m);
     const std::size_t i =
         static_cast<std::size_t>(row) * static_cast<std::size_t>(terrain_.columns) +
         static_cast<std::size_t>(column);
@@ -69,7 +71,7 @@ TerrainMap with_seen_drops(TerrainMap terrain, double step_max_m) {
   Hollows hollows(terrain);
   for (int row = 0; row < terrain.rows; ++row) {
     for (int column = 0; column < terrain.columns; ++column) {
-      const Hollow hollow = hollows.of(column, row);
+      Hollow hollow = hollows.of(column, row);
       if (hollow.is_drop(step_max_m)) continue;
       unseen.insert(unseen.end(), hollow.cells.begin(), hollow.cells.end());
     }

@@ -197,6 +197,20 @@ TEST(Planning, TellsWhatIsBlockedFromWhatIsNotSeen) {
   EXPECT_EQ(plan(both).outcome, PlanOutcome::kBlocked);
 }
 
+TEST(Planning, FindsNoWayRoundThroughWhatWasNotSeenBehindIt) {
+  // A look ahead shows the drift shut. Of what lies behind the robot and behind the walls it shows
+  // nothing, which is no way round.
+  CorridorScene scene;
+  scene.end_m = 3.0;
+  TerrainMap terrain = terrain_of(scene);
+  paint_box(terrain, unseen_cell(Ground::kNeverSeen), {-10.0, -10.0}, {-1.0, 10.0});
+  EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kBlocked);
+  // Nor is what it knows of the drift behind it.
+  terrain = terrain_of(scene);
+  paint_box(terrain, unseen_cell(Ground::kNeverSeen), {-10.0, -10.0}, {-6.0, 10.0});
+  EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kBlocked);
+}
+
 TEST(Planning, DoesNotCallBlockedWhatMarginsAloneRefuse) {
   const auto with_gap = [](double gap_m) {
     TerrainMap terrain = corridor_with(obstacle_cell(1.0), {3.0, gap_m / 2.0}, {4.0, 2.0});
@@ -230,6 +244,18 @@ TEST(Planning, CallsBlockedByADropOnlyWhatBeamsReachedInto) {
   EXPECT_EQ(over(0.08), PlanOutcome::kUnknown);   // the height of a rail
   EXPECT_EQ(over(-0.15), PlanOutcome::kUnknown);  // wheels climb 0.2 m
   EXPECT_EQ(over(-0.25), PlanOutcome::kBlocked);
+}
+
+TEST(Planning, CallsAPitADropOfWhichAWallIsSeen) {
+  // Beams sink over the pit to 0.3 m below the floor, and meet some of its wall far below that,
+  // beside which there is room. It makes the mean of what was seen round the hollow 0.15 m lower.
+  TerrainCell passed = unseen_cell(Ground::kBelowRay);
+  passed.low_m = -0.3F;
+  TerrainMap terrain = corridor_with(passed, {2.5, -2.0}, {3.5, 2.0});
+  TerrainCell wall = obstacle_cell(0.9);
+  wall.low_m = -0.9F;
+  paint_box(terrain, wall, {2.7, -0.2}, {3.3, 0.2});
+  EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kBlocked);
 }
 
 TEST(Planning, TakesNoPocketInAWallForAWayThrough) {

@@ -6,7 +6,6 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
-#include "common/messages/cloud_pieces.hpp"
 #include "common/messages/driving_state.hpp"
 #include "common/messages/exploration_report.hpp"
 #include "common/messages/explore_request.hpp"
@@ -20,7 +19,7 @@
 #include "common/messages/scan_match.hpp"
 #include "common/messages/scan_request.hpp"
 #include "common/messages/sinkage_reading.hpp"
-#include "common/messages/terrain_tiles.hpp"
+#include "common/messages/terrain_made.hpp"
 #include "common/messages/vehicle_state.hpp"
 
 namespace adit {
@@ -68,12 +67,9 @@ void MissionNode::subscribe_to_stages() {
                              mission_.add_exploration(report);
                              advance();
                            });
-  subscribe<cloud_t>(bus_, channels::kCloud, queued, [this](const CloudPiece& piece) {
-    if (piece.piece == 0) mission_.add_cloud(piece.part.id, piece.part.complete);
-  });
-  subscribe<terrain_t>(bus_, channels::kTerrain, queued, [this](const TerrainTile& tile) {
-    if (tile.piece + 1 < tile.n_pieces) return;
-    mission_.add_terrain(tile.part.utime, tile.part.id);
+  subscribe<terrain_made_t>(bus_, channels::kTerrainMade, queued, [this](const TerrainMade& made) {
+    mission_.add_cloud(made.id, made.complete);
+    mission_.add_terrain(made.utime, made.id);
     advance();
   });
   subscribe<planned_path_t>(bus_, channels::kPath, queued, [this](const PlannedPath& path) {

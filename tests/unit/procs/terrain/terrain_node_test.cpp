@@ -13,6 +13,7 @@
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/cloud_request.hpp"
+#include "common/messages/terrain_made.hpp"
 #include "common/messages/terrain_tiles.hpp"
 
 namespace adit {
@@ -51,6 +52,8 @@ class TerrainNodeOnABus : public testing::Test {
                          });
     subscribe<cloud_request_t>(bus_, channels::kCloudRequest, Delivery::latest(),
                                [this](const CloudRequest& request) { asked_ = request; });
+    subscribe<terrain_made_t>(bus_, channels::kTerrainMade, Delivery::queued(100),
+                              [this](const TerrainMade& made) { told_.push_back(made); });
     bus_.advance_to(kUtime);
   }
 
@@ -63,6 +66,7 @@ class TerrainNodeOnABus : public testing::Test {
   MemoryBus bus_;
   TerrainNode node_{bus_, TerrainParams{}};
   std::vector<std::int32_t> made_;  // ids of clouds
+  std::vector<TerrainMade> told_;
   CloudRequest asked_;
 };
 
@@ -70,6 +74,15 @@ TEST_F(TerrainNodeOnABus, MakesOneOfEachCloud) {
   send(1, channels::kCloud);
   send(2, channels::kCloud);
   EXPECT_THAT(made_, ElementsAre(1, 2));
+}
+
+TEST_F(TerrainNodeOnABus, SaysThatThereIsOneAndSaysItAgain) {
+  EXPECT_THAT(told_, IsEmpty());
+  send(1, channels::kCloud);
+  const TerrainMade made{kUtime + 1, 1, true};
+  EXPECT_THAT(told_, ElementsAre(made));
+  bus_.advance_to(kUtime + kAskPeriodUs);
+  EXPECT_THAT(told_, ElementsAre(made, made));
 }
 
 TEST_F(TerrainNodeOnABus, AsksForWhatIsNewerThanWhatItHas) {

@@ -143,12 +143,14 @@ class Mission {
   bool odom_is_new_ = false;         ///< it is not the first of the mission
   std::int32_t request_ = 0;         ///< id of the last that exploration was asked
   std::optional<BlockedVerdict> verdict_;
-  std::vector<Eigen::Vector2d> route_odom_;
+  std::vector<Eigen::Vector2d> route_odom_;  ///< to the target
   PlanGoal::Kind goal_kind_ = PlanGoal::Kind::kRoute;
   std::optional<Eigen::Vector2d> p_odom_home_;  ///< where the route ends, if that is home
   int nearly_home_tries_ = 0;
   bool by_sight_ = false;          ///< no target of exploration
   std::vector<Pose2> track_odom_;  ///< to go back on
+  /// The same where it backs off, instead of the route to the target.
+  std::vector<Eigen::Vector2d> route_back_odom_;
   double goal_distance_m_ = 0.0;
   bool backing_off_ = false;
   bool track_failed_ = false;  ///< the last drive on the own track

@@ -71,6 +71,15 @@ std::vector<Pose2> OwnTrack::back(double length_m) const {
   return way;
 }
 
+double OwnTrack::back_m(double length_m) const {
+  const std::vector<Pose2> way = back(length_m);
+  double way_m = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    way_m += (way[i].translation() - way[i - 1].translation()).norm();
+  }
+  return way_m;
+}
+
 std::vector<Pose2> OwnTrack::back_within(double distance_m) const {
   if (!T_odom_body_) return {};
   std::vector<Pose2> way{*T_odom_body_};

@@ -31,6 +31,8 @@ class OwnTrack {
   [[nodiscard]] std::int64_t utime() const { return utime_; }
   /// Poses of the body, from where it is back along the way, this far at most.
   [[nodiscard]] std::vector<Pose2> back(double length_m) const;
+  /// How long that is [m]; turns on the spot are no way.
+  [[nodiscard]] double back_m(double length_m) const;
   /// The same all the way back, but only those within a distance of the body.
   [[nodiscard]] std::vector<Pose2> back_within(double distance_m) const;
   /// How far a route from the body on keeps to the way back, a metre beside it at most [m].

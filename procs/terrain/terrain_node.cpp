@@ -55,7 +55,10 @@ void TerrainNode::on_repeated(const CloudPiece& piece) {
 
 void TerrainNode::on_match(const ScanMatch& match) {
   if (match.odom_utime == odom_utime_) return;
-  if (odom_utime_ != 0) T_map_before_ = std::exchange(T_map_odom_, std::nullopt);
+  if (odom_utime_ != 0) {
+    T_map_before_ = std::exchange(T_map_odom_, std::nullopt);
+    memory_.begin_anew(match.odom_utime);
+  }
   odom_utime_ = match.odom_utime;
 }
 

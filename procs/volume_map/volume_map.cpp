@@ -51,6 +51,13 @@ bool VolumeMap::has(std::int64_t utime) const {
   return std::ranges::find(taken_utime_, utime) != taken_utime_.end();
 }
 
+void VolumeMap::set_odom_begin(std::int64_t utime) {
+  if (std::exchange(knows_odom_begin_, true)) return;
+  session_begin_utime_ = std::max(session_begin_utime_, utime);
+}
+
+std::int64_t VolumeMap::known_from_utime() const { return odom_before_ ? 0 : session_begin_utime_; }
+
 bool VolumeMap::add(const Cloud& cloud) {
   taken_utime_.push_back(cloud.utime);
   const bool late = cloud.utime < session_begin_utime_;

@@ -66,6 +66,12 @@ class VolumeMap {
   [[nodiscard]] const std::vector<std::int64_t>& taken_utime() const { return taken_utime_; }
   [[nodiscard]] bool has(std::int64_t utime) const;
 
+  /// The odom frame of the first scan match since this began, began then: what is older was taken
+  /// in another one.
+  void set_odom_begin(std::int64_t utime);
+  /// Nobody knows where scans were taken that ended before; 0: of all it is known.
+  [[nodiscard]] std::int64_t known_from_utime() const;
+
   /// Moves what is tied. A sub-volume of a local map that the graph lacks stays where it is.
   void set_graph(const MapGraph& graph);
   /// Ties what comes from now on, and what came before the first, as soon as both are of one
@@ -109,7 +115,8 @@ class VolumeMap {
   std::optional<Odom> odom_;  ///< where it is, as of the newest correction that has its graph
   std::optional<Odom> odom_before_;       ///< of the session before, as long as that was known
   std::int64_t session_begin_utime_ = 0;  ///< by which the present session had begun
-  std::size_t restored_ = 0;              ///< sub-volumes that were kept
+  bool knows_odom_begin_ = false;
+  std::size_t restored_ = 0;  ///< sub-volumes that were kept
   int left_out_ = 0;
 };
 

@@ -27,7 +27,7 @@ class ScriptedStages : public testing::Test {
   }
   void tick() {
     utime_ += kTick;
-    if (poses_) mission_.add_pose(utime_, {x_m_, 0.0, 0.0});
+    if (poses_) mission_.add_pose(utime_, {x_m_, 0.0, heading_});
     if (driving_talks_) mission_.add_driving(driving_);
     note(mission_.advance(utime_));
   }
@@ -135,6 +135,7 @@ class ScriptedStages : public testing::Test {
   std::int64_t utime_ = kStart;
   std::int64_t terrain_utime_ = 0;
   double x_m_ = 0.0;
+  double heading_ = 0.0;
   double reach_m_ = 10.0;  ///< of the route; negative: backwards
   bool blocks_ = true;     ///< what is in the way is named
   bool poses_ = true;

@@ -44,6 +44,8 @@ class MissionNode {
   void subscribe_to_stages();
   void advance();
   void tell();
+  template <class Record>
+  void keep(const Record& record);
 
   Bus& bus_;
   Mission mission_;

@@ -27,7 +27,10 @@ class ScriptedStages : public testing::Test {
   }
   void tick() {
     utime_ += kTick;
-    if (poses_) mission_.add_pose(utime_, {x_m_, 0.0, heading_});
+    if (poses_) {
+      const auto place = mission_.add_pose(utime_, {x_m_, 0.0, heading_});
+      if (place) kept_.push_back(*place);
+    }
     if (driving_talks_) mission_.add_driving(driving_);
     note(mission_.advance(utime_));
   }
@@ -141,6 +144,7 @@ class ScriptedStages : public testing::Test {
   bool poses_ = true;
   bool driving_talks_ = true;
   DrivingState driving_;
+  std::vector<KeptPlace> kept_;  ///< what it wants to have kept of its track
   ExploreRequest request_;
   ScanRequest scan_;
   PlanGoal goal_;

@@ -36,8 +36,8 @@ TEST(DrivenWay, BeginsAnewWhereOdomJumps) {
 TEST(DrivenWay, BeginsAnewWhereItIsSaidThatOdomDoes) {
   constexpr std::int64_t kOdomUtime = 1'600'000'001'000'000;
   DrivenWay way(15.0, 0.5);
-  for (int i = 0; i < 20; ++i) way.add(kOdomUtime - 1'000'000 + 50'000 * i, {0.1 * i, 0.0, 0.0});
-  EXPECT_TRUE(way.add(kOdomUtime, {1.8, 0.2, 0.0}));  // no jump
+  for (int i = 0; i < 20; ++i) way.add(kOdomUtime - 1'000'000 + 50'000 * i, {0.12 * i, 0.0, 0.0});
+  EXPECT_TRUE(way.add(kOdomUtime, {2.28, 0.2, 0.0}));  // no jump
   ASSERT_EQ(way.places().size(), 21U);
   EXPECT_TRUE(way.begin_anew(kOdomUtime));
   ASSERT_EQ(way.places().size(), 1U);  // the first of the new odom

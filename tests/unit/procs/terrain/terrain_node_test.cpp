@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/terrain/terrain_node.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/cloud_request.hpp"
+#include "common/messages/scan_match.hpp"
 #include "common/messages/terrain_made.hpp"
 #include "common/messages/terrain_tiles.hpp"
 
@@ -99,6 +102,37 @@ TEST_F(TerrainNodeOnABus, TakesThePiecesThatItLacksFromARepetition) {
   EXPECT_THAT(made_, IsEmpty());
   send(1, channels::kCloudAgain, {1});
   EXPECT_THAT(made_, ElementsAre(1));
+}
+
+/// A look that sees the near half alone has the far half from the one before, but not where that is
+/// in another odom.
+TEST_F(TerrainNodeOnABus, RemembersNothingOfAnOdomThatBeganAnewWithoutAJump) {
+  std::size_t seen = 0;
+  TerrainAssembler maps;
+  subscribe<terrain_t>(bus_, channels::kTerrain, Delivery::queued(100),
+                       [&](const TerrainTile& tile) {
+                         const auto map = maps.add(tile);
+                         if (!map) return;
+                         seen = static_cast<std::size_t>(
+                             std::ranges::count(map->cells, Ground::kSeen, &TerrainCell::ground));
+                       });
+  const auto match = [&](std::int64_t odom_utime) {
+    ScanMatch said;
+    said.utime = said.odom_utime = odom_utime;
+    publish(bus_, channels::kScanMatch, to_message(said));
+  };
+  const auto look = [&](std::int32_t id, std::size_t lines) {
+    Cloud cloud = flat_ground(id);
+    cloud.lines.resize(lines);
+    for (const CloudPiece& piece : divide(cloud))
+      publish(bus_, channels::kCloud, to_message(piece));
+    return seen;
+  };
+  match(kUtime);
+  const std::size_t whole = look(1, 120);
+  EXPECT_EQ(look(2, 60), whole);
+  match(kUtime + 3);
+  EXPECT_LT(look(4, 60), whole);
 }
 
 TEST_F(TerrainNodeOnABus, LeavesRepetitionsForOthersAlone) {

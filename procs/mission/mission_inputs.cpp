@@ -23,7 +23,11 @@ void Mission::take_up_track() {
   const KeptPlace last = restored_track_.back();
   restored_track_.clear();
   track.set_travelled(way_.travelled_m());
-  if (last.odom_utime != odom_utime_) track.begin_anew(last.T_map_odom);
+  if (last.odom_utime != odom_utime_) {
+    track.begin_anew(last.T_map_odom);
+  } else if (!T_map_odom_) {
+    T_map_odom_ = last.T_map_odom;
+  }
   if (way_.T_odom_body()) track.add(way_.utime(), *way_.T_odom_body());
   way_ = std::move(track);
 }

@@ -147,6 +147,23 @@ TEST_F(AMissionThatIsRestarted, KnowsTheWayThatItCameInAnotherOdomOnceThatIsOnTh
   EXPECT_NEAR(goal_.track_odom.back().x, -stands_m, 0.26);  // where it came into the mine
 }
 
+/// Its own process first, and then that of scan matching before the map has spoken again.
+TEST_F(AMissionThatIsRestarted, KnowsTheWayThatItCameAfterTwoRestartsInARow) {
+  match(kStart);
+  map(kStart);
+  to_execute();
+  drive(5.0);
+  restart();
+  match(kStart);
+  tick();
+  match(utime_);
+  map(utime_);
+  to_plan();
+  path(PlanOutcome::kBlocked);
+  ASSERT_FALSE(goal_.track_odom.empty());
+  EXPECT_NEAR(goal_.track_odom.back().x, x_m_ - 3.0, 0.26);  // a step of driving
+}
+
 TEST_F(AMissionThatIsRestarted, HasTheTimeThatIsLeftAndNoMore) {
   to_execute();
   drive(2.0);

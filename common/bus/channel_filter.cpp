@@ -108,17 +108,20 @@ std::vector<sock_filter> channel_filter(const Channels& channels, double loss_sh
   return program;
 }
 
-void pass_only(const Channels& channels, const std::set<int>& sockets, double loss_share) {
+bool pass_only(const Channels& channels, const std::set<int>& sockets, double loss_share) {
   std::vector<sock_filter> filter = channel_filter(channels, loss_share);
   const bool fits = filter.size() <= BPF_MAXINSNS;
   const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
+  bool all = !sockets.empty();
   for (const int socket : sockets) {
     if (fits && setsockopt(socket, SOL_SOCKET, SO_ATTACH_FILTER, &program, sizeof(program)) == 0) {
       continue;
     }
     const int none = 0;  // an older one would hold back what is new
     setsockopt(socket, SOL_SOCKET, SO_DETACH_FILTER, &none, sizeof(none));
+    all = false;
   }
+  return all;
 }
 
 std::set<int> bound_datagram_sockets() {

@@ -29,6 +29,7 @@ inline constexpr std::string_view kCloud = "CLOUD";
 inline constexpr std::string_view kCloudRequest = "CLOUD_REQUEST";
 inline constexpr std::string_view kCloudAgain = "CLOUD_AGAIN";
 inline constexpr std::string_view kTerrain = "TERRAIN";
+inline constexpr std::string_view kTerrainMade = "TERRAIN_MADE";
 inline constexpr std::string_view kVolume = "VOLUME";
 inline constexpr std::string_view kGoal = "GOAL";
 inline constexpr std::string_view kPath = "PATH";
@@ -63,6 +64,6 @@ inline constexpr std::array kAll{
     kTerrain,         kVolume,       kGoal,         kPath,        kDrivingState,
     kHeartbeat,       kConfig,       kStageStats,   kPmInfo,      kPmOrders,
     kPmOutput,        kPmDiscover,   kExploration,  kPhase,       kExploreRequest,
-    kMapRequest,      kMissionOrder, kCloudRequest, kCloudAgain};
+    kMapRequest,      kMissionOrder, kCloudRequest, kCloudAgain,  kTerrainMade};
 
 }  // namespace adit::channels

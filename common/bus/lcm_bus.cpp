@@ -135,7 +135,7 @@ SubscriptionId LcmBus::subscribe(std::string_view channel, Delivery delivery, Ha
   if (!subscription) throw std::runtime_error("LCM cannot subscribe to " + std::string(channel));
   subscription->setQueueCapacity(kLcmQueue);
   if (channels_.size() == 1) sockets_ = bound_datagram_sockets_but(sockets);
-  pass_only(channels_, sockets_, loss_share_);
+  filtered_ = pass_only(channels_, sockets_, loss_share_);
   return id;
 }
 

@@ -62,6 +62,8 @@ class LcmBus final : public Bus {
   [[nodiscard]] std::int64_t now_utime() const override;
   [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override;
   [[nodiscard]] std::int64_t unsent() const override { return unsent_; }
+  /// Of what comes, in tests (receive_loss_share): 0 where the kernel refuses to lose any.
+  [[nodiscard]] double lost_share() const { return filtered_ ? loss_share_ : 0.0; }
 
  private:
   bool wait(int timeout_ms, int stop_descriptor);
@@ -76,6 +78,7 @@ class LcmBus final : public Bus {
   BusTime time_;
   std::string stage_;
   double loss_share_;  // of what comes, in tests
+  bool filtered_ = false;
   std::int64_t simulated_utime_ = 0;
   Dispatcher dispatcher_;
   Timers timers_;

@@ -13,9 +13,10 @@ namespace adit {
 /// is the frame level of the first 3D scan in it: its z is 0 on the ground where that was taken. As
 /// map is a plane, ground that rises from one sub-volume to the next is a step between them.
 struct Volume {
-  std::int64_t utime = 0;           ///< of the newest 3D scan in it [µs since the epoch]
-  std::int32_t id = 0;              ///< 0, 1, ... in the order of the way
-  std::int32_t revision = 1;        ///< how many 3D scans are in it
+  std::int64_t utime = 0;  ///< of the newest 3D scan in it [µs since the epoch]
+  std::int32_t id = 0;     ///< 0, 1, ... in the order of the way
+  /// How many 3D scans came into it, and how often it forgot them.
+  std::int32_t revision = 1;
   std::int64_t graph_revision = 0;  ///< of the MapGraph from which the pose follows
   std::int32_t local_map = 0;       ///< id of that with which it moves
   Pose2 T_map_volume;

@@ -18,7 +18,9 @@ double seconds(std::int64_t microseconds) { return 1e-6 * static_cast<double>(mi
 
 }  // namespace
 
-void Mission::restore(const MissionPhase& last, std::int64_t begun_utime) {
+void Mission::restore(const MissionPhase& last, std::int64_t begun_utime,
+                      std::vector<KeptPlace> track) {
+  restored_track_ = std::move(track);
   phase_ = {};
   begun_utime_ = begun_utime;
   restored_ = true;

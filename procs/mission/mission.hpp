@@ -22,6 +22,7 @@
 #include "common/sensing/scan_request.hpp"
 #include "common/vehicle/drive_command.hpp"
 #include "procs/mission/attempt.hpp"
+#include "procs/mission/kept_track.hpp"
 #include "procs/mission/mission_limits.hpp"
 #include "procs/mission/own_track.hpp"
 #include "procs/mission/path_ends.hpp"
@@ -70,9 +71,12 @@ class Mission {
   explicit Mission(const MissionParams& params) : params_(params), limits_(params.limits) {}
 
   /// Goes on from where an earlier life was; `begun_utime` is when the mission began.
-  void restore(const MissionPhase& last, std::int64_t begun_utime);
+  /// `track`: the places of its own track, in the order of the way.
+  void restore(const MissionPhase& last, std::int64_t begun_utime,
+               std::vector<KeptPlace> track = {});
 
-  void add_pose(std::int64_t utime, const Pose2& T_odom_body);
+  /// A place that is to be kept, if there is a new one.
+  std::optional<KeptPlace> add_pose(std::int64_t utime, const Pose2& T_odom_body);
   void add_match(const ScanMatch& match);
   void add_correction(const MapCorrection& correction);
   void add_exploration(const ExplorationReport& report);
@@ -90,6 +94,7 @@ class Mission {
   [[nodiscard]] std::int64_t begun_utime() const { return begun_utime_; }
 
  private:
+  void take_up_track();
   void enter(Phase phase, const std::string& reason);
   void end(MissionOutcome outcome, const std::string& reason);
   void turn_around(const std::string& reason);
@@ -145,16 +150,20 @@ class Mission {
   std::optional<Pose2> T_map_odom_;  ///< of the present odom frame
   std::int64_t odom_utime_ = 0;      ///< when the present odom frame began
   std::int64_t restored_utime_ = 0;  ///< of the last change of phase before a restart
-  bool odom_is_new_ = false;         ///< it is not the first of the mission
-  std::int32_t request_ = 0;         ///< id of the last that exploration was asked
+  /// Until it is known in which odom frame the robot is.
+  std::vector<KeptPlace> restored_track_;
+  bool odom_is_new_ = false;  ///< it is not the first of the mission
+  std::int32_t request_ = 0;  ///< id of the last that exploration was asked
   std::optional<BlockedVerdict> verdict_;
-  std::vector<Eigen::Vector2d> route_odom_;
+  std::vector<Eigen::Vector2d> route_odom_;  ///< to the target
   PlanGoal::Kind goal_kind_ = PlanGoal::Kind::kRoute;
   std::optional<Eigen::Vector2d> p_odom_home_;  ///< where the route ends, if that is home
   int nearly_home_tries_ = 0;
   WayHome way_home_;
   bool by_sight_ = false;          ///< no target of exploration
   std::vector<Pose2> track_odom_;  ///< to go back on
+  /// The same where it backs off, instead of the route to the target.
+  std::vector<Eigen::Vector2d> route_back_odom_;
   double goal_distance_m_ = 0.0;
   bool backing_off_ = false;
   bool track_failed_ = false;  ///< the last drive on the own track

@@ -10,8 +10,26 @@
 
 namespace adit {
 
-void Mission::add_pose(std::int64_t utime, const Pose2& T_odom_body) {
-  way_.add(utime, T_odom_body);
+std::optional<KeptPlace> Mission::add_pose(std::int64_t utime, const Pose2& T_odom_body) {
+  if (!way_.add(utime, T_odom_body) || odom_utime_ == 0) return std::nullopt;
+  return KeptPlace{odom_utime_, T_odom_body, T_map_odom_, way_.is_tied()};
+}
+
+/// Poses may have come since the restart. They may be of a new odom frame, in which what was driven
+/// before is only known once it is tied.
+void Mission::take_up_track() {
+  if (restored_track_.empty()) return;
+  OwnTrack track = track_of(restored_track_);
+  const KeptPlace last = restored_track_.back();
+  restored_track_.clear();
+  track.set_travelled(way_.travelled_m());
+  if (last.odom_utime != odom_utime_) {
+    track.begin_anew(last.T_map_odom);
+  } else if (!T_map_odom_) {
+    T_map_odom_ = last.T_map_odom;
+  }
+  if (way_.T_odom_body()) track.add(way_.utime(), *way_.T_odom_body());
+  way_ = std::move(track);
 }
 
 /// Where scan matching begins anew, so does odom, and what was planned in it is of no use.
@@ -21,11 +39,13 @@ void Mission::add_match(const ScanMatch& match) {
   if (match.odom_utime == odom_utime_) return;
   const bool first_heard = odom_utime_ == 0;
   odom_utime_ = match.odom_utime;
+  if (first_heard) take_up_track();
   if (first_heard && match.odom_utime <= restored_utime_) return;
   if (first_heard && !restored_) return;
   odom_is_new_ = true;
   has_map_ = false;
-  way_.begin_anew(std::exchange(T_map_odom_, std::nullopt));
+  const auto T_map_before = std::exchange(T_map_odom_, std::nullopt);
+  if (!first_heard) way_.begin_anew(T_map_before);
   refused_ = {};
   path_ends_ = {};
   p_odom_home_.reset();

@@ -9,6 +9,7 @@ namespace adit {
 namespace {
 
 constexpr std::string_view kPhase = "PHASE";
+constexpr std::string_view kPlace = "TRACK_PLACE";
 
 std::optional<MissionPhase> phase_of(const JournalRecord& record) {
   if (record.kind != kPhase) return std::nullopt;
@@ -22,6 +23,10 @@ std::optional<MissionPhase> phase_of(const JournalRecord& record) {
 
 MissionJournal::MissionJournal(const std::filesystem::path& path)
     : journal_(path, [this](const JournalRecord& record) {
+        if (record.kind == kPlace) {
+          if (const auto place = kept_place_from(record.bytes)) track_.push_back(*place);
+          return;
+        }
         const auto phase = phase_of(record);
         if (!phase) return;
         if (!last_) begun_utime_ = phase->utime;
@@ -32,5 +37,7 @@ void MissionJournal::append(const MissionPhase& phase) {
   journal_.append(kPhase, encode(to_message(phase)));
   journal_.sync();
 }
+
+void MissionJournal::append(const KeptPlace& place) { journal_.append(kPlace, to_bytes(place)); }
 
 }  // namespace adit

@@ -5,14 +5,17 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "common/journal/journal.hpp"
 #include "common/mission/mission_phase.hpp"
+#include "procs/mission/kept_track.hpp"
 
 namespace adit {
 
 /// How the mission stands, on the disk, so that it goes on after a restart: each change of phase,
-/// as messages PHASE.
+/// as messages PHASE, and each place of its own track.
 class MissionJournal {
  public:
   /// Opens or creates it. Throws std::runtime_error where the file is no journal or cannot be used.
@@ -23,12 +26,18 @@ class MissionJournal {
   /// When the mission began [µs since the epoch]; 0 for one that has not.
   [[nodiscard]] std::int64_t begun_utime() const { return begun_utime_; }
 
+  /// The places of the own track that were there, in the order of the way. Once.
+  [[nodiscard]] std::vector<KeptPlace> take_track() { return std::move(track_); }
+
   /// Returns when the disk has it.
   void append(const MissionPhase& phase);
+  /// Survives the process at once, and the computer with the next phase.
+  void append(const KeptPlace& place);
 
  private:
   std::optional<MissionPhase> last_;
   std::int64_t begun_utime_ = 0;
+  std::vector<KeptPlace> track_;
   Journal journal_;
 };
 

@@ -66,7 +66,9 @@ PlanGoal Mission::goal() const {
   const bool to_home = p_odom_home_ && !backing_off_;
   const PlanGoal::Kind kind = to_home ? PlanGoal::Kind::kRouteTo : goal_kind_;
   const double distance_m = backing_off_ ? goal_distance_m_ : kSightM;
-  PlanGoal goal{utime_, phase_.goal_id, kind, {}, distance_m, route_odom_, {}};
+  const bool backwards = backing_off_ && !route_back_odom_.empty();
+  const auto& route_odom = backwards ? route_back_odom_ : route_odom_;
+  PlanGoal goal{utime_, phase_.goal_id, kind, {}, distance_m, route_odom, {}};
   if (backing_off_) goal.track_odom = track_odom_;
   const Eigen::Vector2d p_odom_end =
       backing_off_ ? track_odom_.back().translation() : route_odom_.back();

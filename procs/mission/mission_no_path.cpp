@@ -28,7 +28,7 @@ void Mission::refuse(double reached_m, const std::string& reason, Evidence evide
   if (attempt_.refusals() == 0 && way_.T_odom_body()) {
     refused_.add(way_.T_odom_body()->translation());
   }
-  const bool may_back_off = way_.back(params_.back_off_m).size() > 5;
+  const bool may_back_off = way_.back_m(params_.back_off_m) > kGotOnM;
   const bool short_cut = is_short_cut_home(reached_m);
   const double track_m = short_cut ? 0.0 : track_that_leads_there_m();
   switch (attempt_.refuse(utime_, reached_m, reason, evidence, may_back_off)) {
@@ -100,8 +100,10 @@ void Mission::back_off(const std::string& reason) {
   backing_off_ = true;
   goal_distance_m_ = std::max(1, attempt_.back_offs()) * params_.back_off_m;
   track_odom_ = way_.back(goal_distance_m_);
-  route_odom_.clear();
-  for (const Pose2& T_odom_place : track_odom_) route_odom_.push_back(T_odom_place.translation());
+  route_back_odom_.clear();
+  for (const Pose2& T_odom_place : track_odom_) {
+    route_back_odom_.push_back(T_odom_place.translation());
+  }
   goal_kind_ = track_failed_ ? PlanGoal::Kind::kRoute : PlanGoal::Kind::kRetrace;
   ++phase_.goal_id;
   enter(Phase::kPlan, "it backs off to look from another place: " + reason);
@@ -137,6 +139,7 @@ void Mission::rejoin(double length_m, const std::string& reason) {
   ++rejoined_;
   goal_distance_m_ = length_m;
   track_odom_ = way_.back_within(length_m + kTrackInSightM);
+  route_back_odom_.clear();
   const bool sees = terrain_utime_ >= odom_utime_;
   goal_kind_ = sees ? PlanGoal::Kind::kRejoin : PlanGoal::Kind::kRetrace;
   ++phase_.goal_id;

@@ -6,7 +6,6 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
-#include "common/messages/cloud_pieces.hpp"
 #include "common/messages/driving_state.hpp"
 #include "common/messages/exploration_report.hpp"
 #include "common/messages/explore_request.hpp"
@@ -20,7 +19,7 @@
 #include "common/messages/scan_match.hpp"
 #include "common/messages/scan_request.hpp"
 #include "common/messages/sinkage_reading.hpp"
-#include "common/messages/terrain_tiles.hpp"
+#include "common/messages/terrain_made.hpp"
 #include "common/messages/vehicle_state.hpp"
 
 namespace adit {
@@ -35,7 +34,9 @@ constexpr std::size_t kWaiting = 100;
 MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(params) {
   if (!params.journal.empty()) {
     journal_.emplace(params.journal);
-    if (journal_->last()) mission_.restore(*journal_->last(), journal_->begun_utime());
+    if (journal_->last()) {
+      mission_.restore(*journal_->last(), journal_->begun_utime(), journal_->take_track());
+    }
   }
   subscribe_to_stages();
   const auto latest = Delivery::latest();
@@ -56,7 +57,7 @@ MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(p
 void MissionNode::subscribe_to_stages() {
   const auto queued = Delivery::queued(kWaiting);
   subscribe<pose_t>(bus_, channels::kPose, queued, [this](const StampedPose& pose) {
-    mission_.add_pose(pose.utime, pose.T_odom_body);
+    if (const auto place = mission_.add_pose(pose.utime, pose.T_odom_body)) keep(*place);
   });
   subscribe<scan_match_t>(bus_, channels::kScanMatch, queued,
                           [this](const ScanMatch& match) { mission_.add_match(match); });
@@ -68,12 +69,9 @@ void MissionNode::subscribe_to_stages() {
                              mission_.add_exploration(report);
                              advance();
                            });
-  subscribe<cloud_t>(bus_, channels::kCloud, queued, [this](const CloudPiece& piece) {
-    if (piece.piece == 0) mission_.add_cloud(piece.part.id, piece.part.complete);
-  });
-  subscribe<terrain_t>(bus_, channels::kTerrain, queued, [this](const TerrainTile& tile) {
-    if (tile.piece + 1 < tile.n_pieces) return;
-    mission_.add_terrain(tile.part.utime, tile.part.id);
+  subscribe<terrain_made_t>(bus_, channels::kTerrainMade, queued, [this](const TerrainMade& made) {
+    mission_.add_cloud(made.id, made.complete);
+    mission_.add_terrain(made.utime, made.id);
     advance();
   });
   subscribe<planned_path_t>(bus_, channels::kPath, queued, [this](const PlannedPath& path) {
@@ -101,17 +99,21 @@ void MissionNode::tell() {
   const MissionPhase& phase = mission_.phase();
   const bool news = phase.sequence != told_sequence_;
   if (!news && bus_.now_utime() < told_utime_ + kTellPeriodUs) return;
-  if (news && journal_) {
-    try {
-      journal_->append(phase);
-      journal_failure_.clear();
-    } catch (const std::exception& failure) {
-      journal_failure_ = failure.what();
-    }
-  }
+  if (news) keep(phase);
   publish(bus_, channels::kPhase, to_message(phase));
   told_sequence_ = phase.sequence;
   told_utime_ = bus_.now_utime();
+}
+
+template <class Record>
+void MissionNode::keep(const Record& record) {
+  if (!journal_) return;
+  try {
+    journal_->append(record);
+    journal_failure_.clear();
+  } catch (const std::exception& failure) {
+    journal_failure_ = failure.what();
+  }
 }
 
 Health MissionNode::health() const {

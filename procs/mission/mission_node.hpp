@@ -24,9 +24,10 @@ struct MissionNodeParams : MissionParams {
 };
 
 /// In:  POSE (pose_t), SCAN_MATCH (scan_match_t), MAP_CORRECTION (map_correction_t), EXPLORATION
-///      (exploration_t), CLOUD (cloud_t), TERRAIN (terrain_t), PATH (planned_path_t), DRIVING_STATE
+///      (exploration_t), TERRAIN_MADE (terrain_made_t), PATH (planned_path_t), DRIVING_STATE
 ///      (driving_state_t), VEHICLE_STATE (vehicle_state_t), GAS (gas_t), SINKAGE (sinkage_t),
-///      MISSION_ORDER (mission_order_t).
+///      MISSION_ORDER (mission_order_t). Not CLOUD and TERRAIN, 2 MB with each look: LCM's receive
+///      buffer grows to the largest burst that ever waited, and does not shrink.
 /// Out: PHASE (phase_t), on change and each second; EXPLORE_REQUEST (explore_request_t),
 ///      SCAN_REQUEST (scan_request_t) and GOAL (plan_goal_t), each repeated until it is answered.
 class MissionNode {
@@ -43,6 +44,8 @@ class MissionNode {
   void subscribe_to_stages();
   void advance();
   void tell();
+  template <class Record>
+  void keep(const Record& record);
 
   Bus& bus_;
   Mission mission_;

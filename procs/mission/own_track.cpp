@@ -28,13 +28,13 @@ bool is_same(const Pose2& T_odom_a, const Pose2& T_odom_b) {
 
 }  // namespace
 
-void OwnTrack::add(std::int64_t utime, const Pose2& T_odom_body) {
+bool OwnTrack::add(std::int64_t utime, const Pose2& T_odom_body) {
   utime_ = utime;
   T_odom_body_ = T_odom_body;
   if (!places_.empty()) {
     const Pose2 step = between(places_.back(), T_odom_body);
     const double way_m = step.translation().norm();
-    if (way_m < kApartM && std::abs(step.theta) < kApartRad) return;
+    if (way_m < kApartM && std::abs(step.theta) < kApartRad) return false;
     travelled_m_ += way_m;
   }
   const auto before = std::find_if(places_.begin(), places_.end(), [&](const Pose2& T_odom_place) {
@@ -42,6 +42,7 @@ void OwnTrack::add(std::int64_t utime, const Pose2& T_odom_body) {
   });
   places_.erase(before, places_.end());
   places_.push_back(T_odom_body);
+  return true;
 }
 
 void OwnTrack::begin_anew(const std::optional<Pose2>& T_map_odom) {
@@ -69,6 +70,15 @@ std::vector<Pose2> OwnTrack::back(double length_m) const {
     way.push_back(*place);
   }
   return way;
+}
+
+double OwnTrack::back_m(double length_m) const {
+  const std::vector<Pose2> way = back(length_m);
+  double way_m = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    way_m += (way[i].translation() - way[i - 1].translation()).norm();
+  }
+  return way_m;
 }
 
 std::vector<Pose2> OwnTrack::back_within(double distance_m) const {

@@ -17,7 +17,8 @@ namespace adit {
 /// driven again.
 class OwnTrack {
  public:
-  void add(std::int64_t utime, const Pose2& T_odom_body);
+  /// Whether that is another place.
+  bool add(std::int64_t utime, const Pose2& T_odom_body);
   /// A new odom frame: what was driven counts, but nobody can go back on it before it is known
   /// where the new frame lies. Without knowing where the old one lay in map nobody ever can.
   void begin_anew(const std::optional<Pose2>& T_map_odom);
@@ -26,11 +27,15 @@ class OwnTrack {
   /// What was driven before a restart [m].
   void set_travelled(double travelled_m) { travelled_m_ = travelled_m; }
 
+  /// Nothing of it lies in an odom frame before that is not tied.
+  [[nodiscard]] bool is_tied() const { return before_map_.empty(); }
   [[nodiscard]] double travelled_m() const { return travelled_m_; }
   [[nodiscard]] const std::optional<Pose2>& T_odom_body() const { return T_odom_body_; }
   [[nodiscard]] std::int64_t utime() const { return utime_; }
   /// Poses of the body, from where it is back along the way, this far at most.
   [[nodiscard]] std::vector<Pose2> back(double length_m) const;
+  /// How long that is [m]; turns on the spot are no way.
+  [[nodiscard]] double back_m(double length_m) const;
   /// The same all the way back, but only those within a distance of the body.
   [[nodiscard]] std::vector<Pose2> back_within(double distance_m) const;
   /// How far a route from the body on keeps to the way back, a metre beside it at most [m].

@@ -36,16 +36,27 @@ bool DrivenWay::add(std::int64_t utime, const Pose2& T_odom_body) {
     if (piece_m < kPieceM && std::abs(step.theta) < kPieceRad) return follows;
     way_m_ += piece_m;
   }
-  places_.push_back({T_odom_body, way_m_});
+  places_.push_back({T_odom_body, way_m_, utime});
   while (places_.size() > kPlaces || places_.front().way_m < way_m_ - way_max_m_) {
     places_.pop_front();
   }
   return follows;
 }
 
+/// A pose of the new odom may have come before anybody said so.
+bool DrivenWay::begin_anew(std::int64_t odom_utime) {
+  const auto end =
+      std::ranges::find_if(places_, [&](const Place& place) { return place.utime >= odom_utime; });
+  if (end == places_.begin()) return false;
+  before_.assign(places_.begin(), end);
+  places_.erase(places_.begin(), end);
+  if (last_ && last_->utime < odom_utime) last_.reset();
+  return true;
+}
+
 void DrivenWay::tie(const Pose2& T_odom_before) {
   for (auto place = before_.rbegin(); place != before_.rend(); ++place) {
-    places_.push_front({T_odom_before * place->T_odom_body, place->way_m});
+    places_.push_front({T_odom_before * place->T_odom_body, place->way_m, place->utime});
   }
   before_.clear();
 }

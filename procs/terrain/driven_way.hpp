@@ -17,6 +17,7 @@ class DrivenWay {
   struct Place {
     Pose2 T_odom_body;
     double way_m;  ///< driven until there
+    std::int64_t utime;
   };
 
   DrivenWay(double way_max_m, double speed_max_m_s)
@@ -25,6 +26,8 @@ class DrivenWay {
   /// False where nobody drives that far in the time: odom has begun anew, and so does the way,
   /// until the two are tied.
   bool add(std::int64_t utime, const Pose2& T_odom_body);
+  /// Odom has begun anew then, whether it jumps or not. False where `add` has seen that.
+  bool begin_anew(std::int64_t odom_utime);
   /// Where the odom of before lies in this one: the way before leads on to where this one begins.
   void tie(const Pose2& T_odom_before);
 

@@ -64,6 +64,10 @@ void TerrainMemory::add(std::int64_t utime, const Pose2& T_odom_body) {
   if (!way_.add(utime, T_odom_body)) before_ = std::exchange(maps_, {});
 }
 
+void TerrainMemory::begin_anew(std::int64_t odom_utime) {
+  if (way_.begin_anew(odom_utime)) before_ = std::exchange(maps_, {});
+}
+
 void TerrainMemory::tie(const Pose2& T_odom_before) {
   way_.tie(T_odom_before);
   for (RememberedMap& map : before_) {

@@ -34,6 +34,8 @@ class TerrainMemory {
   /// Where the body is. After a jump of odom nothing is remembered until it is tied to the one of
   /// before.
   void add(std::int64_t utime, const Pose2& T_odom_body);
+  /// Odom has begun anew then: as after a jump, though there may be none.
+  void begin_anew(std::int64_t odom_utime);
   /// Where the odom of before the last jump lies in that of now: what was known in it counts again.
   void tie(const Pose2& T_odom_before);
 

@@ -10,6 +10,7 @@
 #include "common/messages/map_correction.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/scan_match.hpp"
+#include "common/messages/terrain_made.hpp"
 #include "common/messages/terrain_tiles.hpp"
 #include "common/pose_graph/position_sd.hpp"
 
@@ -36,21 +37,28 @@ TerrainNode::TerrainNode(Bus& bus, const Params& params)
   subscribe<map_correction_t>(
       bus, channels::kMapCorrection, Delivery::latest(),
       [this](const MapCorrection& correction) { on_correction(correction); });
-  bus.every(kAskPeriodUs, [this](std::int64_t utime) {
-    const CloudRequest request{utime, "terrain", cloud_utime_, {}};
-    publish(bus_, channels::kCloudRequest, to_message(request));
-  });
+  bus.every(kAskPeriodUs, [this](std::int64_t utime) { ask_and_tell(utime); });
+}
+
+/// Any message may be lost.
+void TerrainNode::ask_and_tell(std::int64_t utime) {
+  const CloudRequest request{utime, "terrain", made_ ? made_->utime : 0, {}};
+  publish(bus_, channels::kCloudRequest, to_message(request));
+  if (made_) publish(bus_, channels::kTerrainMade, to_message(*made_));
 }
 
 /// Pieces that are missing; those of an older one are for others.
 void TerrainNode::on_repeated(const CloudPiece& piece) {
-  if (piece.part.utime <= cloud_utime_) return;
+  if (made_ && piece.part.utime <= made_->utime) return;
   if (const auto cloud = assembler_.add(piece)) on_cloud(*cloud);
 }
 
 void TerrainNode::on_match(const ScanMatch& match) {
   if (match.odom_utime == odom_utime_) return;
-  if (odom_utime_ != 0) T_map_before_ = std::exchange(T_map_odom_, std::nullopt);
+  if (odom_utime_ != 0) {
+    T_map_before_ = std::exchange(T_map_odom_, std::nullopt);
+    memory_.begin_anew(match.odom_utime);
+  }
   odom_utime_ = match.odom_utime;
 }
 
@@ -65,12 +73,12 @@ void TerrainNode::on_correction(const MapCorrection& correction) {
 
 void TerrainNode::on_cloud(const Cloud& cloud) {
   if (cloud.utime < odom_utime_) return;  // nobody plans in the odom of before
-  cloud_utime_ = cloud.utime;
   superseded_ = assembler_.counts().superseded;
-  cut_short_ = !cloud.complete;
   for (const TerrainTile& tile : divide(terrain_.make(cloud, memory_))) {
     publish(bus_, channels::kTerrain, to_message(tile));
   }
+  made_ = {cloud.utime, cloud.id, cloud.complete};
+  publish(bus_, channels::kTerrainMade, to_message(*made_));
 }
 
 Health TerrainNode::health() const {
@@ -78,7 +86,7 @@ Health TerrainNode::health() const {
   if (assembler_.counts().superseded > superseded_) {
     return {Level::kDegraded, "a 3D scan came without some of its pieces"};
   }
-  if (cut_short_) return {Level::kDegraded, "the last 3D scan was cut short"};
+  if (made_ && !made_->complete) return {Level::kDegraded, "the last 3D scan was cut short"};
   return {};
 }
 

@@ -69,6 +69,8 @@ class SubVolume {
   void close();
 
   [[nodiscard]] bool is_open() const { return open_.has_value(); }
+  /// Nothing was seen, or it was forgotten.
+  [[nodiscard]] bool is_empty() const { return octree_.empty() && points_.empty(); }
   [[nodiscard]] double cell_m() const { return params_.cell_m; }
   [[nodiscard]] std::int64_t utime() const { return utime_; }  ///< of the newest scan
   [[nodiscard]] int scans() const { return scans_; }

@@ -3,24 +3,15 @@
 #include "procs/volume_map/volume_map.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "procs/volume_map/renewal.hpp"
 #include "procs/volume_map/resampling.hpp"
 
 namespace adit {
 namespace {
-
-constexpr double kSameWayRad = 0.5;  // between the headings of two scans that see much the same
-
-/// Where a scan looks from, and which way: its lasers sit at the ends of the body and look away.
-Pose2 look(const Cloud& cloud) {
-  Eigen::Vector2f ahead(0.0F, 0.0F);
-  for (const CloudLine& line : cloud.lines) ahead += line.origin.head<2>();
-  return {0.0, 0.0, std::atan2(double{ahead.y()}, double{ahead.x()})};
-}
 
 bool has_pose(const MapGraph& graph, int local_map) {
   return local_map >= 0 && static_cast<std::size_t>(local_map) < graph.poses.size();
@@ -37,7 +28,8 @@ StoredVolume stored(const PlacedVolume& placed) {
   return {{volume.cell_m(), volume.utime(), volume.scans(), volume.octree(), volume.points(),
            volume.refused_points()},
           placed.T_odom_volume,
-          placed.tie};
+          placed.tie,
+          placed.T_volume_place};
 }
 
 void VolumeMap::restore(StoredVolumes stored) {
@@ -49,7 +41,7 @@ void VolumeMap::restore(StoredVolumes stored) {
                                std::to_string(params_.cell_m) + " m");
     }
     volumes_.push_back({SubVolume(params_, std::move(volume.contents)), volume.T_odom_volume,
-                        volume.tie, volume.T_odom_volume, false});
+                        volume.tie, volume.T_odom_volume, false, 0, volume.T_volume_place, true});
   }
   restored_ = volumes_.size();
   newest_ = volumes_.empty() ? 0 : volumes_.size() - 1;
@@ -58,6 +50,13 @@ void VolumeMap::restore(StoredVolumes stored) {
 bool VolumeMap::has(std::int64_t utime) const {
   return std::ranges::find(taken_utime_, utime) != taken_utime_.end();
 }
+
+void VolumeMap::set_odom_begin(std::int64_t utime) {
+  if (std::exchange(knows_odom_begin_, true)) return;
+  session_begin_utime_ = std::max(session_begin_utime_, utime);
+}
+
+std::int64_t VolumeMap::known_from_utime() const { return odom_before_ ? 0 : session_begin_utime_; }
 
 bool VolumeMap::add(const Cloud& cloud) {
   taken_utime_.push_back(cloud.utime);
@@ -79,45 +78,54 @@ bool VolumeMap::newest_takes(const Cloud& cloud, const std::optional<Odom>& odom
   if (newest.tie.has_value() != odom.has_value()) return false;
   if (odom && newest.tie->local_map != odom->local_map) return false;
   const Pose2 T_volume_level = between(newest.T_odom_volume, cloud.T_odom_level);
+  if (params_.renew_m > 0.0) {
+    return is_same_look(newest.T_volume_place, T_volume_level * look_of(cloud), params_.renew_m);
+  }
   return T_volume_level.translation().norm() <= params_.span_m;
 }
 
 void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<Odom>& odom) {
   if (!volumes_.empty()) volumes_[newest_].volume.close();
   PlacedVolume begun{SubVolume(params_), cloud.T_odom_level, {}, cloud.T_odom_level, false};
-  begun.T_volume_place = look(cloud);
+  begun.T_volume_place = look_of(cloud);
   if (odom) tie(begun, *odom);
-  if (const auto older = odom ? renewed_by(cloud, *odom) : std::nullopt) {
-    newest_ = *older;
-    const PlacedVolume& before = volumes_[newest_];
-    begun.volume = SubVolume(params_, before.volume.scans());
-    begun.renewals = before.renewals + 1;
-    begun.T_volume_place = between(begun.T_map_volume, before.T_map_volume * before.T_volume_place);
-    volumes_[newest_] = std::move(begun);
-  } else {
-    newest_ = volumes_.size();
+  const bool renews = params_.renew_m > 0.0 && odom && has_pose(graph_, odom->local_map);
+  newest_ = renews ? make_room(begun) : volumes_.size();
+  if (newest_ == volumes_.size()) {
     volumes_.push_back(std::move(begun));
+  } else {
+    begun.volume = SubVolume(params_, volumes_[newest_].volume.scans());
+    begun.renewals = volumes_[newest_].renewals;
+    volumes_[newest_] = std::move(begun);
   }
 }
 
-/// The nearest of those whose place is near enough and that look the same way. Places stay apart by
-/// as much, so that there are no more than fit into the mine.
-std::optional<std::size_t> VolumeMap::renewed_by(const Cloud& cloud, const Odom& odom) const {
-  if (params_.renew_m <= 0.0 || !has_pose(graph_, odom.local_map)) return std::nullopt;
-  const Pose2 T_map_look =
-      pose(graph_, odom.local_map) * odom.T_local_odom * cloud.T_odom_level * look(cloud);
-  std::optional<std::size_t> best;
-  double nearest = params_.renew_m;
-  for (std::size_t i = 0; i < volumes_.size(); ++i) {
-    const Pose2 T_map_place = volumes_[i].T_map_volume * volumes_[i].T_volume_place;
-    const Pose2 apart = between(T_map_place, T_map_look);
-    const bool placed = volumes_[i].tie && !volumes_[i].left_out;
-    if (!placed || std::abs(apart.theta) > kSameWayRad) continue;
-    if (apart.translation().norm() > nearest) continue;
-    nearest = apart.translation().norm();
-    best = i;
+/// Forgets what the look is to take the place of, and says which id it is to have.
+std::size_t VolumeMap::make_room(PlacedVolume& begun) {
+  const Pose2 T_map_look = begun.T_map_volume * begun.T_volume_place;
+  mark_what_was_left(volumes_, T_map_look, params_.renew_m);
+  const auto older = looks_to_replace(volumes_, T_map_look, params_.renew_m);
+  if (older.empty()) return free_id();
+  const PlacedVolume& first = volumes_[older.front()];
+  if (!first.was_left) {
+    begun.T_volume_place = between(begun.T_map_volume, first.T_map_volume * first.T_volume_place);
   }
-  return best;
+  for (const std::size_t i : older) forget(volumes_[i]);
+  return older.front();
+}
+
+std::size_t VolumeMap::free_id() const {
+  const auto free = std::ranges::find_if(
+      volumes_, [](const PlacedVolume& placed) { return placed.volume.is_empty(); });
+  return static_cast<std::size_t>(free - volumes_.begin());
+}
+
+/// It counts as one more scan, so that those who know it by its id hear of it.
+void VolumeMap::forget(PlacedVolume& placed) const {
+  const SubVolume& before = placed.volume;
+  placed.volume = SubVolume(
+      params_, VolumeContents{params_.cell_m, before.utime(), before.scans() + 1, {}, {}, 0});
+  ++placed.renewals;
 }
 
 void VolumeMap::set_graph(const MapGraph& graph) {

@@ -12,14 +12,14 @@
 #include "common/geometry/pose2.hpp"
 #include "common/pose_graph/map_correction.hpp"
 #include "common/pose_graph/map_graph.hpp"
+#include "procs/volume_map/placed_volume.hpp"
 #include "procs/volume_map/sub_volume.hpp"
 
 namespace adit {
 
 struct VolumeMapParams : SubVolumeParams {
   double span_m = 10.0;  ///< from the first scan of a sub-volume to the last one
-  /// A sub-volume that begins this near to the place of an older one, and looks the same way, takes
-  /// that place; 0: none does.
+  /// A look takes the place of all older ones from this near that look the same way; 0: of none.
   double renew_m = 0.0;
 
   template <class V>
@@ -29,31 +29,6 @@ struct VolumeMapParams : SubVolumeParams {
     v("renew_m", renew_m, within(0.0, 10.0));
   }
 };
-
-/// A sub-volume and where it is.
-struct PlacedVolume {
-  /// By which it moves with the pose graph.
-  struct Tie {
-    int local_map = 0;  ///< id
-    Pose2 T_local_volume;
-  };
-
-  SubVolume volume;
-  Pose2 T_odom_volume;     ///< when its first scan was taken
-  std::optional<Tie> tie;  ///< nothing before the first pose graph
-  Pose2 T_map_volume;      ///< without a tie odom stands for map
-  bool left_out = false;   ///< nobody knows where it is
-  int renewals = 0;        ///< how often another took its place
-  Pose2 T_volume_place{};  ///< where the first of them began, and which way it looked; it stays
-};
-
-/// One as it is kept.
-struct StoredVolume {
-  VolumeContents contents;
-  Pose2 T_odom_volume;
-  std::optional<PlacedVolume::Tie> tie;
-};
-StoredVolume stored(const PlacedVolume& placed);
 
 /// All that is kept.
 struct StoredVolumes {
@@ -67,8 +42,10 @@ struct StoredVolumes {
 /// Scans that come before the first graph make sub-volumes of their own, which are tied when it
 /// comes. The newest sub-volume alone is open to more scans; all others are as small as
 /// SubVolume::close says, so that memory grows with the number of scans. Where a mine is gone
-/// through again and again, the newest look from a place may take the place of an older one
-/// (`renew_m`): it is the one that is still true, and memory grows with the mine alone.
+/// through again and again, the newest look from a place may take the place of the older ones
+/// (`renew_m`, see renewal.hpp): it is the one that is still true, and memory grows with the mine
+/// alone. A sub-volume then has the looks of one visit to one place, and its id may be that of
+/// another place before.
 ///
 /// Where mapping begins a session, that is with a new odom frame, a scan from before is tied by the
 /// odom frame that it was taken in. One of which nobody knows where that was is left out.
@@ -88,6 +65,12 @@ class VolumeMap {
   /// the order in which they came: one that was missed comes late.
   [[nodiscard]] const std::vector<std::int64_t>& taken_utime() const { return taken_utime_; }
   [[nodiscard]] bool has(std::int64_t utime) const;
+
+  /// The odom frame of the first scan match since this began, began then: what is older was taken
+  /// in another one.
+  void set_odom_begin(std::int64_t utime);
+  /// Nobody knows where scans were taken that ended before; 0: of all it is known.
+  [[nodiscard]] std::int64_t known_from_utime() const;
 
   /// Moves what is tied. A sub-volume of a local map that the graph lacks stays where it is.
   void set_graph(const MapGraph& graph);
@@ -116,7 +99,9 @@ class VolumeMap {
 
   [[nodiscard]] bool newest_takes(const Cloud& cloud, const std::optional<Odom>& odom) const;
   void begin_volume(const Cloud& cloud, const std::optional<Odom>& odom);
-  [[nodiscard]] std::optional<std::size_t> renewed_by(const Cloud& cloud, const Odom& odom) const;
+  [[nodiscard]] std::size_t make_room(PlacedVolume& begun);
+  [[nodiscard]] std::size_t free_id() const;
+  void forget(PlacedVolume& placed) const;
   void connect();
   void leave_out_what_is_of_another_odom();
   void tie(PlacedVolume& placed, const Odom& odom) const;
@@ -130,7 +115,8 @@ class VolumeMap {
   std::optional<Odom> odom_;  ///< where it is, as of the newest correction that has its graph
   std::optional<Odom> odom_before_;       ///< of the session before, as long as that was known
   std::int64_t session_begin_utime_ = 0;  ///< by which the present session had begun
-  std::size_t restored_ = 0;              ///< sub-volumes that were kept
+  bool knows_odom_begin_ = false;
+  std::size_t restored_ = 0;  ///< sub-volumes that were kept
   int left_out_ = 0;
 };
 

@@ -10,6 +10,7 @@
 #include "common/messages/cloud_request.hpp"
 #include "common/messages/map_correction.hpp"
 #include "common/messages/map_request.hpp"
+#include "common/messages/scan_match.hpp"
 #include "common/messages/volume_pieces.hpp"
 
 namespace adit {
@@ -60,6 +61,9 @@ VolumeMapNode::VolumeMapNode(Bus& bus, const Params& params) : bus_(bus), map_(p
                                 keep();
                                 publish_news();
                               });
+  subscribe<scan_match_t>(
+      bus, channels::kScanMatch, Delivery::latest(),
+      [this](const ScanMatch& match) { map_.set_odom_begin(match.odom_utime); });
   bus.every(kPeriodUs, [this](std::int64_t utime) {
     ask(utime);
     publish_news();
@@ -77,7 +81,10 @@ void VolumeMapNode::ask_for_missed(std::int64_t utime) {
   const auto& taken = map_.taken_utime();
   const auto few = static_cast<std::ptrdiff_t>(std::min(taken.size(), kHaveMax));
   publish(bus_, channels::kCloudRequest,
-          to_message(CloudRequest{utime, "volume_map", 0, {taken.end() - few, taken.end()}}));
+          to_message(CloudRequest{utime,
+                                  "volume_map",
+                                  std::max<std::int64_t>(map_.known_from_utime() - 1, 0),
+                                  {taken.end() - few, taken.end()}}));
 }
 
 void VolumeMapNode::on_cloud(const Cloud& cloud) {

@@ -133,12 +133,13 @@ bool get_points(Reader& reader, std::vector<VolumePoint>& points) {
 }  // namespace
 
 std::vector<std::uint8_t> to_bytes(const VolumeRecord& record) {
-  const auto& [contents, T_odom_volume, tie] = record.volume;
+  const auto& [contents, T_odom_volume, tie, T_volume_place] = record.volume;
   Writer writer;
   writer.put(static_cast<std::int32_t>(record.id));
   writer.put(static_cast<std::int32_t>(tie ? tie->local_map : -1));
   writer.put_pose(tie ? tie->T_local_volume : Pose2{});
   writer.put_pose(T_odom_volume);
+  writer.put_pose(T_volume_place);
   writer.put(contents.cell_m);
   writer.put(contents.utime);
   writer.put(static_cast<std::int32_t>(contents.scans));
@@ -170,12 +171,13 @@ std::optional<VolumeRecord> volume_record_from(std::span<const std::uint8_t> byt
 
   Reader reader(plain);
   VolumeRecord record;
-  auto& [contents, T_odom_volume, tie] = record.volume;
+  auto& [contents, T_odom_volume, tie, T_volume_place] = record.volume;
   record.id = reader.get<std::int32_t>();
   const auto local_map = reader.get<std::int32_t>();
   const Pose2 T_local_volume = reader.get_pose();
   if (local_map >= 0) tie = {local_map, T_local_volume};
   T_odom_volume = reader.get_pose();
+  T_volume_place = reader.get_pose();
   contents.cell_m = reader.get<double>();
   contents.utime = reader.get<std::int64_t>();
   contents.scans = reader.get<std::int32_t>();

@@ -33,6 +33,7 @@
 #include "common/messages/sinkage_reading.hpp"
 #include "common/messages/stage_stats.hpp"
 #include "common/messages/stop_order.hpp"
+#include "common/messages/terrain_made.hpp"
 #include "common/messages/terrain_tiles.hpp"
 #include "common/messages/tilt_command.hpp"
 #include "common/messages/tilt_reading.hpp"
@@ -187,6 +188,7 @@ std::vector<MessageType> navigation_types() {
                   to_message(CloudRequest{kUtime, "volume_map", 0, {kUtime - 1}})),
           type_of(channels::kCloudAgain, to_message(divide(sample_cloud()).front())),
           type_of(channels::kTerrain, to_message(divide(sample_terrain()).front())),
+          type_of(channels::kTerrainMade, to_message(TerrainMade{kUtime, 3, true})),
           type_of(channels::kVolume, to_message(divide(sample_volume()).front())),
           type_of(channels::kGoal, to_message(goal)),
           type_of(channels::kPath, to_message(sample_path())),

@@ -74,6 +74,16 @@ TEST_F(ChannelFilter, PassesEachChannelThatWeHaveAndNoOtherOne) {
   }
 }
 
+TEST_F(ChannelFilter, SaysWhereTheKernelRefusesIt) {
+  EXPECT_TRUE(pass_only({"POSE"}, {receiver_}));
+  const int none = -1;
+  EXPECT_FALSE(pass_only({"POSE"}, {receiver_, none}));
+  Channels many;  // more than a program of the kernel can have instructions
+  for (int i = 0; i < 1000; ++i) many.insert("CHANNEL_" + std::to_string(i));
+  EXPECT_FALSE(pass_only(many, {receiver_}));
+  EXPECT_FALSE(pass_only({"POSE"}, {}));
+}
+
 TEST_F(ChannelFilter, TellsNamesApartThatBeginAlike) {
   pass_only({"A", "SIM_TIME", "POSE_GRAPH"}, {receiver_});
   for (const char* channel : {"", "AB", "SIM_TIM", "SIM_TIME_DONE", "POSE", "POSE_GRAPHS"}) {

@@ -13,6 +13,7 @@
 #include "common/messages/map_request.hpp"
 #include "common/messages/mission_order.hpp"
 #include "common/messages/mission_phase.hpp"
+#include "common/messages/terrain_made.hpp"
 
 namespace adit {
 namespace {
@@ -73,6 +74,8 @@ TEST(MissionMessages, KeepWhatTheySay) {
   EXPECT_EQ(*over_the_wire(request), request);
   const CloudRequest clouds{kUtime, "volume_map", 0, {kUtime - 2, kUtime - 1}};
   EXPECT_EQ(*over_the_wire(clouds), clouds);
+  const TerrainMade made{kUtime, 4, false};
+  EXPECT_EQ(*over_the_wire(made), made);
 }
 
 TEST(MissionMessages, AreRefusedWithATimeThatCannotBe) {
@@ -80,6 +83,7 @@ TEST(MissionMessages, AreRefusedWithATimeThatCannotBe) {
   EXPECT_EQ(over_the_wire(ExploreRequest{-1, 1, 0.0, false, {}}).refusal(), kImplausibleTime);
   EXPECT_EQ(over_the_wire(MissionOrder{-1}).refusal(), kImplausibleTime);
   EXPECT_EQ(over_the_wire(MapRequest{-1, "exploration"}).refusal(), kImplausibleTime);
+  EXPECT_EQ(over_the_wire(TerrainMade{-1}).refusal(), kImplausibleTime);
   EXPECT_EQ(over_the_wire(MapRequest{kUtime, ""}).refusal(), "no stage is named");
 }
 

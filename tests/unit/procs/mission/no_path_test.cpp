@@ -144,6 +144,28 @@ TEST_F(AMissionWithoutAPath, LooksTwiceWhereItCannotBackOff) {
   EXPECT_TRUE(request_.blocked);
 }
 
+TEST_F(AMissionWithoutAPath, CannotBackOffWhereItOnlyTurned) {
+  to_explore();
+  for (int i = 0; i < 20; ++i) {
+    heading_ += 0.12;
+    tick();
+  }
+  to_plan();
+  path(PlanOutcome::kBlocked);
+  EXPECT_EQ(now(), Phase::kExplore);
+}
+
+TEST_F(AMissionWithoutAPath, KeepsItsRouteWherePlanningFallsSilentOnTheWayBack) {
+  drive_in();
+  const auto route = goal_.route_odom;
+  path(PlanOutcome::kBlocked);
+  ASSERT_NE(goal_.route_odom, route);
+  wait(10.5);
+  ASSERT_EQ(now(), Phase::kScan);
+  terrain();
+  EXPECT_EQ(goal_.route_odom, route);
+}
+
 TEST_F(AMissionWithoutAPath, RepeatsAVerdictUntilItIsAnsweredAndTellsItOnce) {
   to_plan();
   path(PlanOutcome::kBlocked);

@@ -66,6 +66,15 @@ TEST(OwnTrack, KeepsWhatItDroveToAnotherPose) {
   }
 }
 
+TEST(OwnTrack, TakesATurnOnTheSpotForNoWayBack) {
+  OwnTrack track;
+  for (int i = 0; i < 20; ++i) track.add(i, {0.0, 0.0, 0.12 * i});
+  EXPECT_GT(track.back(3.0).size(), 10U);
+  EXPECT_EQ(track.back_m(3.0), 0.0);
+  for (int i = 0; i < 20; ++i) track.add(i, {0.25 * i, 0.0, 2.3});
+  EXPECT_NEAR(track.back_m(3.0), 3.0, 0.25);  // a step
+}
+
 TEST(OwnTrack, TellsOfItselfWhatIsNear) {
   OwnTrack track;
   for (int i = 0; i <= 80; ++i) track.add(i, {0.25 * i, 0.0, 0.0});              // to 20, 0

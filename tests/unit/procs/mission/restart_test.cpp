@@ -3,6 +3,7 @@
 // A mission goes on from its journal, wherever it was cut off.
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -19,12 +20,18 @@ class AMissionThatIsRestarted : public ScriptedStages {
  protected:
   /// The process dies after its last word, and another one begins.
   void restart() {
-    MissionJournal(file()).append(phase());
+    keep();
     mission_ = Mission(MissionParams{});
-    const MissionJournal journal(file());
+    MissionJournal journal(file());
     ASSERT_TRUE(journal.last());
-    mission_.restore(*journal.last(), journal.begun_utime());
+    mission_.restore(*journal.last(), journal.begun_utime(), journal.take_track());
     driving_ = {};
+  }
+  void keep() {
+    MissionJournal journal(file());
+    for (const KeptPlace& place : kept_) journal.append(place);
+    kept_.clear();
+    journal.append(phase());
   }
   [[nodiscard]] std::filesystem::path file() const { return scratch_ / "mission.journal"; }
 
@@ -101,6 +108,60 @@ TEST_F(AMissionThatIsRestarted, GoesOnWhereOnlyItselfWasOff) {
   match(kStart);
   to_explore();
   EXPECT_FALSE(request_.homeward);
+}
+
+TEST_F(AMissionThatIsRestarted, KnowsTheWayThatItCame) {
+  match(kStart);
+  to_execute();
+  drive(5.0);
+  restart();
+  tick();  // a pose may be heard before its match
+  match(kStart);
+  EXPECT_NEAR(phase().travelled_m, 5.0, 0.3);  // a step
+  to_plan();
+  path(PlanOutcome::kBlocked);
+  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  ASSERT_FALSE(goal_.track_odom.empty());
+  EXPECT_NEAR(goal_.track_odom.back().x, x_m_ - 3.0, 0.26);  // a step of driving
+}
+
+/// The whole computer was off, so that odom begins anew where the robot stands.
+TEST_F(AMissionThatIsRestarted, KnowsTheWayThatItCameInAnotherOdomOnceThatIsOnTheMap) {
+  match(kStart);
+  map(kStart);
+  to_execute();
+  drive(5.0);
+  restart();
+  utime_ += 60'000'000;
+  const double stands_m = std::exchange(x_m_, 0.0);
+  tick();
+  match(utime_);
+  MapCorrection correction;
+  correction.utime = utime_;
+  correction.T_map_odom = {stands_m, 0.0, 0.0};
+  mission_.add_correction(correction);
+  to_plan();
+  path(PlanOutcome::kBlocked);
+  EXPECT_THAT(phase().reason, HasSubstr("along its own track"));
+  ASSERT_GT(goal_.track_odom.size(), 10U);
+  EXPECT_NEAR(goal_.track_odom.back().x, -stands_m, 0.26);  // where it came into the mine
+}
+
+/// Its own process first, and then that of scan matching before the map has spoken again.
+TEST_F(AMissionThatIsRestarted, KnowsTheWayThatItCameAfterTwoRestartsInARow) {
+  match(kStart);
+  map(kStart);
+  to_execute();
+  drive(5.0);
+  restart();
+  match(kStart);
+  tick();
+  match(utime_);
+  map(utime_);
+  to_plan();
+  path(PlanOutcome::kBlocked);
+  ASSERT_FALSE(goal_.track_odom.empty());
+  EXPECT_NEAR(goal_.track_odom.back().x, x_m_ - 3.0, 0.26);  // a step of driving
 }
 
 TEST_F(AMissionThatIsRestarted, HasTheTimeThatIsLeftAndNoMore) {

@@ -28,7 +28,10 @@ class ScriptedStages : public testing::Test {
   }
   void tick() {
     utime_ += kTick;
-    if (poses_) mission_.add_pose(utime_, {x_m_, 0.0, 0.0});
+    if (poses_) {
+      const auto place = mission_.add_pose(utime_, {x_m_, 0.0, heading_});
+      if (place) kept_.push_back(*place);
+    }
     if (driving_talks_) mission_.add_driving(driving_);
     note(mission_.advance(utime_));
   }
@@ -138,12 +141,14 @@ class ScriptedStages : public testing::Test {
   std::int64_t utime_ = kStart;
   std::int64_t terrain_utime_ = 0;
   double x_m_ = 0.0;
+  double heading_ = 0.0;
   double reach_m_ = 10.0;  ///< of the route; negative: backwards
   double detour_m_ = 0.0;  ///< that the way home takes
   bool blocks_ = true;     ///< what is in the way is named
   bool poses_ = true;
   bool driving_talks_ = true;
   DrivingState driving_;
+  std::vector<KeptPlace> kept_;  ///< what it wants to have kept of its track
   ExploreRequest request_;
   ScanRequest scan_;
   PlanGoal goal_;

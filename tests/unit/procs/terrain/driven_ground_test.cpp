@@ -33,6 +33,20 @@ TEST(DrivenWay, BeginsAnewWhereOdomJumps) {
   EXPECT_TRUE(way.add(1'600'000'010'000'000, {6.0, 0.0, 1.5}));  // in ten seconds without poses
 }
 
+TEST(DrivenWay, BeginsAnewWhereItIsSaidThatOdomDoes) {
+  constexpr std::int64_t kOdomUtime = 1'600'000'001'000'000;
+  DrivenWay way(15.0, 0.5);
+  for (int i = 0; i < 20; ++i) way.add(kOdomUtime - 1'000'000 + 50'000 * i, {0.12 * i, 0.0, 0.0});
+  EXPECT_TRUE(way.add(kOdomUtime, {2.28, 0.2, 0.0}));  // no jump
+  ASSERT_EQ(way.places().size(), 21U);
+  EXPECT_TRUE(way.begin_anew(kOdomUtime));
+  ASSERT_EQ(way.places().size(), 1U);  // the first of the new odom
+  EXPECT_FALSE(way.begin_anew(kOdomUtime));
+  way.tie({0.0, 0.2, 0.0});
+  ASSERT_EQ(way.places().size(), 21U);
+  EXPECT_EQ(way.places().front().T_odom_body, (Pose2{0.0, 0.2, 0.0}));
+}
+
 TEST(DrivenGround, CarriedTheWheelsAndSaysNothingOfWhatIsBetween) {
   LookingVehicle vehicle({-5.0, 0.0, 0.0});
   vehicle.drive_to({0.0, 0.0, 0.0});

@@ -72,6 +72,19 @@ TEST(TerrainMemoryLimits, ItGoesOnInANewOdomOnceThatIsTiedToTheOneBefore) {
   EXPECT_EQ(look_again(false), 0.0);
 }
 
+TEST(TerrainMemoryLimits, ANewOdomThatDoesNotJumpEndsItToo) {
+  LookingVehicle vehicle(kFirst);
+  vehicle.look(add_drift);
+  vehicle.drive_to(kHere);
+  const std::int64_t odom_utime = 1'600'000'030'000'000;
+  vehicle.memory().add(odom_utime, {0.3, 0.0, 0.0});
+  EXPECT_EQ(vehicle.memory().maps(), 1U);
+  vehicle.memory().begin_anew(odom_utime);
+  EXPECT_EQ(vehicle.memory().maps(), 0U);
+  vehicle.memory().tie({0.3, 0.0, 0.0});
+  EXPECT_EQ(vehicle.memory().maps(), 1U);
+}
+
 TEST(TerrainMemoryLimits, ALookWhoseWallsAreElsewhereIsRefused) {
   for (const Pose2& wrong : {Pose2{0.0, 0.5, 0.0}, Pose2{0.0, 0.0, 0.1}}) {
     LookingVehicle vehicle(kFirst);

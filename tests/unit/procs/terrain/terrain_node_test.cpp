@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/terrain/terrain_node.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,8 @@
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/cloud_request.hpp"
+#include "common/messages/scan_match.hpp"
+#include "common/messages/terrain_made.hpp"
 #include "common/messages/terrain_tiles.hpp"
 
 namespace adit {
@@ -51,6 +55,8 @@ class TerrainNodeOnABus : public testing::Test {
                          });
     subscribe<cloud_request_t>(bus_, channels::kCloudRequest, Delivery::latest(),
                                [this](const CloudRequest& request) { asked_ = request; });
+    subscribe<terrain_made_t>(bus_, channels::kTerrainMade, Delivery::queued(100),
+                              [this](const TerrainMade& made) { told_.push_back(made); });
     bus_.advance_to(kUtime);
   }
 
@@ -63,6 +69,7 @@ class TerrainNodeOnABus : public testing::Test {
   MemoryBus bus_;
   TerrainNode node_{bus_, TerrainParams{}};
   std::vector<std::int32_t> made_;  // ids of clouds
+  std::vector<TerrainMade> told_;
   CloudRequest asked_;
 };
 
@@ -70,6 +77,15 @@ TEST_F(TerrainNodeOnABus, MakesOneOfEachCloud) {
   send(1, channels::kCloud);
   send(2, channels::kCloud);
   EXPECT_THAT(made_, ElementsAre(1, 2));
+}
+
+TEST_F(TerrainNodeOnABus, SaysThatThereIsOneAndSaysItAgain) {
+  EXPECT_THAT(told_, IsEmpty());
+  send(1, channels::kCloud);
+  const TerrainMade made{kUtime + 1, 1, true};
+  EXPECT_THAT(told_, ElementsAre(made));
+  bus_.advance_to(kUtime + kAskPeriodUs);
+  EXPECT_THAT(told_, ElementsAre(made, made));
 }
 
 TEST_F(TerrainNodeOnABus, AsksForWhatIsNewerThanWhatItHas) {
@@ -86,6 +102,37 @@ TEST_F(TerrainNodeOnABus, TakesThePiecesThatItLacksFromARepetition) {
   EXPECT_THAT(made_, IsEmpty());
   send(1, channels::kCloudAgain, {1});
   EXPECT_THAT(made_, ElementsAre(1));
+}
+
+/// A look that sees the near half alone has the far half from the one before, but not where that is
+/// in another odom.
+TEST_F(TerrainNodeOnABus, RemembersNothingOfAnOdomThatBeganAnewWithoutAJump) {
+  std::size_t seen = 0;
+  TerrainAssembler maps;
+  subscribe<terrain_t>(bus_, channels::kTerrain, Delivery::queued(100),
+                       [&](const TerrainTile& tile) {
+                         const auto map = maps.add(tile);
+                         if (!map) return;
+                         seen = static_cast<std::size_t>(
+                             std::ranges::count(map->cells, Ground::kSeen, &TerrainCell::ground));
+                       });
+  const auto match = [&](std::int64_t odom_utime) {
+    ScanMatch said;
+    said.utime = said.odom_utime = odom_utime;
+    publish(bus_, channels::kScanMatch, to_message(said));
+  };
+  const auto look = [&](std::int32_t id, std::size_t lines) {
+    Cloud cloud = flat_ground(id);
+    cloud.lines.resize(lines);
+    for (const CloudPiece& piece : divide(cloud))
+      publish(bus_, channels::kCloud, to_message(piece));
+    return seen;
+  };
+  match(kUtime);
+  const std::size_t whole = look(1, 120);
+  EXPECT_EQ(look(2, 60), whole);
+  match(kUtime + 3);
+  EXPECT_LT(look(4, 60), whole);
 }
 
 TEST_F(TerrainNodeOnABus, LeavesRepetitionsForOthersAlone) {

@@ -108,6 +108,31 @@ TEST_F(VolumeJournalOnDisk, GivesBackTheOneThatTookThePlaceOfAnother) {
   expect_same(again, map);
 }
 
+TEST_F(VolumeJournalOnDisk, KnowsWhichWayEachLooked) {
+  VolumeMapParams params;
+  params.renew_m = 1.0;
+  const auto behind = [](std::int32_t id, double x) {
+    Cloud cloud = sweep(id, x);
+    for (CloudLine& line : cloud.lines) line.origin.x() = -1.0F;
+    return cloud;
+  };
+  {
+    VolumeMap map{params};
+    place(map, 0, 1, {});
+    map.add(sweep(1, 0.0));
+    map.add(behind(2, 0.0));
+    VolumeJournal(path_).keep(map);
+  }
+  VolumeMap again{params};
+  again.restore(VolumeJournal(path_).take_restored());
+  place(again, 0, 1, {});
+  again.add(sweep(3, 12.0));
+  again.add(behind(4, 0.0));
+  ASSERT_EQ(again.volumes().size(), 3U);
+  EXPECT_EQ(again.volumes()[0].volume.points().front().scan, 1);
+  EXPECT_EQ(again.volumes()[1].volume.points().front().scan, 4);
+}
+
 TEST_F(VolumeJournalOnDisk, LosesOneScanToATornRecord) {
   VolumeMap map{VolumeMapParams{}};
   place(map, 0, 1, {});

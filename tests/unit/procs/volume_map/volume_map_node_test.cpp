@@ -12,6 +12,7 @@
 #include "common/bus/typed.hpp"
 #include "common/messages/cloud_request.hpp"
 #include "common/messages/map_correction.hpp"
+#include "common/messages/scan_match.hpp"
 #include "common/messages/volume_pieces.hpp"
 #include "tests/unit/procs/volume_map/swept_drift.hpp"
 
@@ -111,6 +112,24 @@ TEST_F(VolumeMapNodeOnABus, SaysWhichScansItHasAndTakesOneThatItMissed) {
   ASSERT_EQ(volumes_.size(), 3U);
   EXPECT_EQ(volumes_.back().revision, 3);
   EXPECT_EQ(volumes_.back().utime, kUtime + 3);  // of the newest in it
+}
+
+TEST_F(VolumeMapNodeOnABus, LeavesOutScansOfAnOdomThatItDidNotKnow) {
+  CloudRequest asked;
+  subscribe<cloud_request_t>(bus_, channels::kCloudRequest, Delivery::latest(),
+                             [&](const CloudRequest& request) { asked = request; });
+  ScanMatch match;
+  match.utime = kUtime + 20;
+  match.odom_utime = kUtime + 5;
+  publish(bus_, channels::kScanMatch, to_message(match));
+  send_graph(1, {{}});
+  bus_.advance_to(kUtime + 2'000'000);
+  EXPECT_EQ(asked.after_utime, kUtime + 4);  // what ended then is not asked for
+  send_cloud(3, 0.0, channels::kCloudAgain);
+  EXPECT_EQ(node_.map().left_out(), 1);
+  EXPECT_TRUE(volumes_.empty());
+  send_cloud(5, 0.0, channels::kCloudAgain);
+  EXPECT_EQ(volumes_.size(), 1U);
 }
 
 TEST_F(VolumeMapNodeOnABus, TakesAScanOnce) {

@@ -81,60 +81,6 @@ TEST(VolumeMap, HasASubVolumeForEachLocalMap) {
   EXPECT_GT(farthest_from_rock_m(map), 0.5);  // the second stands askew
 }
 
-TEST(VolumeMap, LetsTheNewestLookFromAPlaceTakeThePlaceOfAnOlderOne) {
-  VolumeMapParams params;
-  params.renew_m = 1.0;
-  VolumeMap map{params};
-  map.set_graph(graph_of(1, {kStart}));
-  map.set_correction(correction(1, 0, {}));
-  const Pose2 away{12.0, 0.0, 0.0};
-  const Pose2 back{0.0, 0.0, std::numbers::pi};
-  for (const Pose2& T : {kStart, away, back, away, kStart}) {
-    map.add(scan_at(T, T, static_cast<std::int32_t>(map.volumes().size())));
-  }
-  ASSERT_EQ(map.volumes().size(), 3U);  // the one that looks back is another
-  EXPECT_EQ(map.volumes()[0].volume.scans(), 2);
-  EXPECT_TRUE(map.volumes()[0].volume.is_open());
-  for (const VolumePoint& point : map.volumes()[0].volume.points()) ASSERT_EQ(point.scan, 3);
-  EXPECT_EQ(map.volumes()[1].volume.scans(), 2);
-  EXPECT_EQ(map.volumes()[2].volume.scans(), 1);
-  EXPECT_LT(farthest_from_rock_m(map), kResampledM);
-}
-
-TEST(VolumeMap, KeepsWhatTheOtherLaserSawFromTheSamePlace) {
-  VolumeMapParams params;
-  params.renew_m = 1.0;
-  VolumeMap map{params};
-  map.set_graph(graph_of(1, {kStart}));
-  map.set_correction(correction(1, 0, {}));
-  const Pose2 away{12.0, 0.0, 0.0};
-  Cloud behind = scan_at(kStart, kStart);
-  for (CloudLine& line : behind.lines) line.origin.x() = -1.0F;
-  for (int round = 0; round < 2; ++round) {
-    map.add(scan_at(kStart, kStart));
-    map.add(scan_at(away, away));
-    map.add(behind);
-    map.add(scan_at(away, away));
-  }
-  EXPECT_EQ(map.volumes().size(), 3U);
-}
-
-/// Looks that take the place of one another do not walk away from it, or a gap would open behind
-/// them for one more.
-TEST(VolumeMap, HasNoMorePlacesThanFitHoweverOftenItLooks) {
-  VolumeMapParams params;
-  params.renew_m = 2.0;
-  VolumeMap map{params};
-  map.set_graph(graph_of(1, {kStart}));
-  map.set_correction(correction(1, 0, {}));
-  for (int round = 0; round < 4; ++round) {
-    for (const double x : {-12.0, -1.5, 12.0, 0.0, -12.0, 1.5, 12.0, 3.0}) {
-      map.add(scan_at({x, 0.0, 0.0}, {x, 0.0, 0.0}));
-    }
-  }
-  EXPECT_EQ(map.volumes().size(), 4U);  // at −12, −1.5, 12 and 1.5 m
-}
-
 TEST(VolumeMap, ClosesALoopWithoutInsertingAgain) {
   VolumeMap map = drifted_map();
   const auto octree = map.volumes()[1].volume.octree();

@@ -24,7 +24,9 @@ void draw(const Cut& cut, double half_m, const DrivableSpace& space,
       if (known == Known::kUnseen || known == Known::kWall) break;
       for (const double along : {0.0, step, 2.0 * step}) {
         const Eigen::Vector2i cell = space.cell_at(p + along * cut.direction_map);
-        if (cuts.box().contains(cell)) cuts[cuts.index(cell)] = kCut;
+        if (!cuts.box().contains(cell)) continue;
+        const std::size_t i = cuts.index(cell);
+        if (!cut.spares_driven || space.known[i] != Known::kDriven) cuts[i] = kCut;
       }
     }
   }

@@ -38,6 +38,7 @@ enum class Access : std::uint8_t {
 struct Cut {
   Eigen::Vector2d p_map{0.0, 0.0};
   Eigen::Vector2d direction_map{1.0, 0.0};
+  bool spares_driven = false;  ///< where the body has been, it does not cut
 };
 
 /// The known space for a vehicle that is as long as it is wide: how it turns is for the planner.

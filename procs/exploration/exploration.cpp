@@ -162,13 +162,17 @@ void Exploration::add_way_out() {
                        "behind the start: the way out"});
 }
 
+/// A doubt about a way home is none about ground that has carried the robot.
 std::vector<Cut> Exploration::cuts() const {
   std::vector<Cut> cuts;
   for (const Barrier& barrier : barriers_) {
     const auto T_map_local = known_.pose_of(barrier.local_map);
     if (!T_map_local) continue;
+    const bool spares_driven =
+        barrier.kind == Barrier::Kind::kDoubtful && barrier.stub == ExplorationDecision::kNoStub;
     cuts.push_back({*T_map_local * barrier.p_local,
-                    *T_map_local * barrier.direction_local - T_map_local->translation()});
+                    *T_map_local * barrier.direction_local - T_map_local->translation(),
+                    spares_driven});
   }
   return cuts;
 }

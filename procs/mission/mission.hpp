@@ -122,7 +122,7 @@ class Mission {
   void drive_failed(const std::string& reason);
   void back_off(const std::string& reason);
   void back_off_as_planned(const std::string& reason);
-  [[nodiscard]] bool leads_back() const { return way_.back(1.0).size() > 2; }
+  [[nodiscard]] bool leads_back() const { return way_.back_m(1.0) > 0.1; }
   [[nodiscard]] double track_that_leads_there_m() const;
   void rejoin(double length_m, const std::string& reason);
   [[nodiscard]] bool is_beyond_refusals() const;

@@ -16,12 +16,13 @@ class WayHome {
   /// It has turned home, or turned home again.
   void begin() { *this = {}; }
 
-  /// What exploration says now [m]. Whether it is a metre shorter than ever, or another way since
-  /// the verdict on the last; then what was refused before lies behind.
+  /// What exploration says now [m]. Whether it is a metre shorter than ever, or another way at once
+  /// after the verdict on the last; then what was refused before lies behind.
   bool got_on(double way_m) {
     const bool shorter = way_m < least_m_ - kGotOnM;
-    const bool another = judged_ && way_m > last_m_ + kGotOnM;
+    const bool another = answers_verdict_ && way_m > last_m_ + kGotOnM;
     last_m_ = way_m;
+    answers_verdict_ = false;
     if (!shorter && !another) return false;
     least_m_ = way_m;
     judged_ = false;
@@ -29,7 +30,7 @@ class WayHome {
   }
 
   /// A verdict says that this way is shut.
-  void judge() { judged_ = true; }
+  void judge() { judged_ = answers_verdict_ = true; }
   /// Without it having got on since: exploration knows no other.
   [[nodiscard]] bool was_judged() const { return judged_; }
 
@@ -37,6 +38,7 @@ class WayHome {
   double least_m_ = std::numeric_limits<double>::infinity();
   double last_m_ = std::numeric_limits<double>::infinity();
   bool judged_ = false;
+  bool answers_verdict_ = false;  ///< what exploration says next
 };
 
 }  // namespace adit

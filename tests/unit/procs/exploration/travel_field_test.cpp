@@ -7,7 +7,7 @@
 namespace adit {
 namespace {
 
-constexpr double kCellM = 0.25;  // exact in binary, so that lengths are
+constexpr double kFineM = 0.25;  // exact in binary, so that lengths are
 
 /// A room of 40 m by `room_m`, all of it clear, with a rim of wall.
 class ARoom : public testing::Test {
@@ -15,7 +15,7 @@ class ARoom : public testing::Test {
   void make(double room_m) {
     const Eigen::Vector2i size(cells(40.0), cells(room_m));
     const CellBox box{{-1, -1}, size + Eigen::Vector2i::Ones()};
-    space_.resolution_m = kCellM;
+    space_.resolution_m = kFineM;
     space_.known = CellField<Known>(box, Known::kFree);
     space_.clearance_m = CellField<float>(box, 5.0F);
     space_.access = CellField<Access>(box, Access::kNone);
@@ -33,13 +33,13 @@ class ARoom : public testing::Test {
     for (int x = 0; x < cells(40.0); ++x) space_.known[at(x, top)] = Known::kDriven;
   }
   [[nodiscard]] double way_m(Trust trust) const {
-    const TravelField field(space_, middle_of({0, 0}, kCellM), trust);
-    return field.distance_m(middle_of({cells(40.0) - 1, 0}, kCellM)).value_or(-1.0);
+    const TravelField field(space_, middle_of({0, 0}, kFineM), trust);
+    return field.distance_m(middle_of({cells(40.0) - 1, 0}, kFineM)).value_or(-1.0);
   }
-  static int cells(double m) { return static_cast<int>(m / kCellM); }
+  static int cells(double m) { return static_cast<int>(m / kFineM); }
   [[nodiscard]] std::size_t at(int x, int y) const { return space_.known.index({x, y}); }
 
-  static constexpr double kAcrossM = 40.0 - kCellM;  // from middle to middle
+  static constexpr double kAcrossM = 40.0 - kFineM;  // from middle to middle
   DrivableSpace space_;
 };
 
@@ -54,7 +54,7 @@ TEST_F(ARoom, IsLedRoundWhereWhatWasDrivenIsTrusted) {
   make(10.0);
   drive_round(10.0);
   EXPECT_NEAR(way_m(Trust::kSeen), kAcrossM, 1.0);
-  EXPECT_NEAR(way_m(Trust::kDriven), kAcrossM + 2.0 * (10.0 - kCellM), 1.0);  // corners are cut
+  EXPECT_NEAR(way_m(Trust::kDriven), kAcrossM + 2.0 * (10.0 - kFineM), 1.0);  // corners are cut
 }
 
 /// 119.5 m that were driven are too long a way round.

@@ -36,10 +36,10 @@ class AMissionWithoutAPath : public ScriptedStages {
     answer(Kind::kHome);
     terrain();
   }
-  void refuse_home() {
+  void refuse_home(PlanOutcome outcome = PlanOutcome::kBlocked) {
     answer(Kind::kHome);
     terrain();
-    path(PlanOutcome::kBlocked);
+    path(outcome);
   }
   void along_track(double way_m) {
     path(PlanOutcome::kFound);
@@ -354,15 +354,24 @@ TEST_F(AMissionWithoutAPath, LooksToTheOtherSideBeforeItClosesAShortCutThatItDoe
   EXPECT_TRUE(request_.blocked);
 }
 
+/// Then the drive along the track, which leads away from it, makes no other way of it.
 TEST_F(AMissionWithoutAPath, GoesAlongItsOwnTrackWhereExplorationKnowsNoOtherWayThanTheShortCut) {
   turn_home();
   reach_m_ = 10.0;
   along_track(1.0);
   refuse_home();
   ASSERT_TRUE(request_.blocked);
-  refuse_home();
-  ASSERT_EQ(now(), Phase::kPlan);
-  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
+  double before_m = 0.0;
+  for (const double detour_m : {0.0, 6.0, 12.0}) {
+    detour_m_ = detour_m;
+    refuse_home(PlanOutcome::kUnknown);
+    ASSERT_EQ(now(), Phase::kPlan);
+    EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
+    EXPECT_GE(goal_.distance_m, before_m);
+    before_m = goal_.distance_m;
+    along_track(0.25);
+  }
+  EXPECT_GT(before_m, 6.0);
 }
 
 TEST_F(AMissionWithoutAPath, GoesAlongItsOwnTrackWhereTheRouteDoes) {

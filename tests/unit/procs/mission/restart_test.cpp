@@ -140,7 +140,9 @@ TEST_F(AMissionThatIsRestarted, KnowsTheWayThatItCameInAnotherOdomOnceThatIsOnTh
   correction.utime = utime_;
   correction.T_map_odom = {stands_m, 0.0, 0.0};
   mission_.add_correction(correction);
-  to_plan();
+  reach_m_ = -10.0;
+  to_scan(Kind::kHome);
+  terrain();
   path(PlanOutcome::kBlocked);
   EXPECT_THAT(phase().reason, HasSubstr("along its own track"));
   ASSERT_GT(goal_.track_odom.size(), 10U);

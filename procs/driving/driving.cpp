@@ -56,6 +56,7 @@ void Driving::follow(const PlannedPath& path) {
   progress_.emplace(std::move(runs));
   hold_limit_.begin_anew();
   unmeasured_.begin_anew();
+  wheels_.begin_anew();
   state_.remaining_m = progress_->remaining_m();
   begin_run();
 }
@@ -67,6 +68,12 @@ void Driving::begin_run() {
 
 void Driving::add_pose(std::int64_t utime, const Pose2& T_odom_body) {
   filter_.add(utime, steered_.pose(T_odom_body));
+  wheels_.add_pose(utime, T_odom_body);
+}
+
+void Driving::add_state(const VehicleState& state) {
+  vehicle_.hear(state);
+  wheels_.add_state(state);
 }
 
 void Driving::add_phase(const MissionPhase& phase, std::int64_t utime) {
@@ -137,6 +144,9 @@ void Driving::judge(std::int64_t utime, const Pose2& T_odom_steered) {
     fail(*held_ + text_of(", no way on for %.0f s", params_.held_max_s));
   } else if (unmeasured_.way_m() > params_.unmeasured_max_m) {
     fail(text_of("no sensor has told for %.1f m how it moves", unmeasured_.way_m()));
+  } else if (std::abs(wheels_.apart_m()) >
+             params_.wheels_apart_m + params_.wheels_apart_share * wheels_.driven_m()) {
+    fail(text_of("wheels and scans disagree by %.2f m", wheels_.apart_m()));
   }
 }
 

@@ -22,6 +22,7 @@
 #include "procs/driving/speed_profile.hpp"
 #include "procs/driving/steered_point.hpp"
 #include "procs/driving/unmeasured_way.hpp"
+#include "procs/driving/wheel_disagreement.hpp"
 
 namespace adit {
 
@@ -47,7 +48,7 @@ class Driving {
   void add_pose(std::int64_t utime, const Pose2& T_odom_body);
   void add_match(const ScanMatch& match);
   /// How fast it truly is, and whether it is held: the newest, as long as it is fresh.
-  void add_state(const VehicleState& state) { vehicle_.hear(state); }
+  void add_state(const VehicleState& state);
 
   /// How the mission stands. Once that was heard, it drives only what the mission is executing, as
   /// long as it is told so.
@@ -80,6 +81,7 @@ class Driving {
   HeardVehicle vehicle_;
   HoldLimit hold_limit_;
   UnmeasuredWay unmeasured_;
+  WheelDisagreement wheels_;
   MissionLeave leave_;
   CommandRamp ramp_;
   DrivingState state_;

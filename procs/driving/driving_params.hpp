@@ -39,6 +39,8 @@ struct DrivingParams {
   double heading_max_rad = 0.5;   ///< against the path, likewise
   double held_max_s = 10.0;       ///< without way; held for longer, likewise
   double unmeasured_max_m = 5.0;  ///< driven without a sensor that tells how far, likewise
+  double wheels_apart_m = 0.2;  ///< way by the wheels beside that by the poses, since a path began
+  double wheels_apart_share = 0.08;  ///< and so much of the way; beyond, likewise
 
   template <class V>
   void visit(V& v) {
@@ -56,6 +58,8 @@ struct DrivingParams {
     v("heading_max_rad", heading_max_rad, above_up_to(0.0, 1.2));
     v("held_max_s", held_max_s, within(1.0, 600.0));
     v("unmeasured_max_m", unmeasured_max_m, above(0.0));
+    v("wheels_apart_m", wheels_apart_m, above(0.0));
+    v("wheels_apart_share", wheels_apart_share, within(0.0, 10.0));
   }
 };
 

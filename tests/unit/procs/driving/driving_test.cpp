@@ -192,6 +192,26 @@ TEST_F(ObedientVehicle, GivesUpWhereNothingTellsHowItMoves) {
   EXPECT_NEAR(way_m, params_.unmeasured_max_m, 0.05);  // some steps
 }
 
+/// A laser that looks at the floor says that the robot stands, and the wheels say that it goes on.
+TEST_F(ObedientVehicle, NeedsANewPathWhereWheelsAndScansDisagree) {
+  driving_.follow(straight());
+  const auto drive = [&](double seconds, bool moves) {
+    for (int i = 0; i < std::lround(seconds / 0.05); ++i) {
+      const Pose2 T_odom_before = T_odom_body_;
+      VehicleState state;
+      state.utime = utime_;
+      state.speed_m_s = step().command.speed_m_s;
+      driving_.add_state(state);
+      if (!moves) T_odom_body_ = T_odom_before;
+    }
+  };
+  drive(8.0, true);
+  EXPECT_EQ(driving_.state().kind, Kind::kDriving);
+  drive(3.0, false);
+  EXPECT_EQ(driving_.state().kind, Kind::kFailed);
+  EXPECT_NE(driving_.state().reason.find("disagree by"), std::string::npos);
+}
+
 TEST_F(ObedientVehicle, StandsBesideItsPathUntilANewOneComes) {
   driving_.follow(straight());
   step_for(5.0);

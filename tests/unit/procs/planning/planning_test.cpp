@@ -283,6 +283,20 @@ TEST(Planning, EndsWhereThereIsRoomToGoOn) {
   EXPECT_GT(path.reached_m, 7.0 - 1.2 - 1.5 - 0.8);  // margins, and steps of the look ahead
 }
 
+/// The pose is not exact, and nothing warns of a roof that is too low for the body.
+TEST(Planning, EndsBeforeWhatIsLethalWhereAPathWithMoreRoomWouldBeTooShort) {
+  PlanGoal route;
+  route.kind = PlanGoal::Kind::kRoute;
+  route.route_odom = {{0.0, 0.0}, {10.0, 0.0}};
+  for (const double roof_x : {4.0, 4.4, 4.8, 5.2}) {
+    const PlannedPath path =
+        plan(corridor_with(roofed_cell(0.6), {roof_x, -2.0}, {9.0, 2.0}), route);
+    ASSERT_EQ(path.outcome, PlanOutcome::kFound) << roof_x;
+    EXPECT_LE(path.reached_m, roof_x - 1.2 - 0.4 + 0.1) << roof_x;  // half its length; a cell
+    EXPECT_GE(path.reached_m, roof_x - 1.2 - 1.5 - 0.5) << roof_x;
+  }
+}
+
 TEST(Planning, SeesNothingOfTheGroundUnderItself) {
   TerrainMap terrain = corridor_with(unseen_cell(Ground::kNeverSeen), {-1.5, -0.9}, {1.5, 0.9});
   EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kFound);

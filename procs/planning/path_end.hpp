@@ -14,8 +14,8 @@ namespace adit {
 /// straight ahead of its last pose, in the direction of travel. Before the outer wall of a bend
 /// there is none, and from there no way on would be found. `seen` refuses what is lethal alone, as
 /// what lies beyond a path was not seen. A path that would be too short to count ends 0.4 m before
-/// what is lethal, as the pose at the end of a drive is not where it was planned; if need be so much
-/// too short. Where not even that is to be had, in a narrow place, it stays as it is.
+/// what is lethal, as the pose at the end of a drive is not where it was planned; if need be so
+/// much too short. Where not even that is to be had, in a narrow place, it stays as it is.
 void end_with_room(PlannedPath& path, const TerrainMap& terrain, const HeadingSet& headings,
                    const Lattice& seen, const GoalField& goals);
 

@@ -129,7 +129,10 @@ void KeptProcess::launch(std::int64_t now_us) {
 }
 
 void KeptProcess::measure(const ProcessTable& table, std::int64_t now_us) {
-  if (child_) use_ = meter_.measure(table, child_->watcher(), now_us);
+  const std::int64_t since_us = now_us - std::exchange(measured_us_, now_us);
+  if (!child_) return;
+  use_ = meter_.measure(table, child_->watcher(), now_us);
+  if (use_.waits_for_disk) rate_.excuse(now_us, since_us);
 }
 
 }  // namespace adit

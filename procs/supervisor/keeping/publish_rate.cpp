@@ -8,6 +8,8 @@
 namespace adit {
 namespace {
 
+constexpr std::int64_t kExcusedMaxUs = 60'000'000;
+
 double window_s(double rate_hz) { return std::max(2.0, 2.0 / rate_hz); }
 
 }  // namespace
@@ -20,6 +22,18 @@ PublishRate::PublishRate(double rate_hz)
 void PublishRate::heard(std::int64_t now_us) {
   times_us_.push_back(now_us);
   if (times_us_.size() > needed_) times_us_.pop_front();
+  excused_us_ = 0;
+}
+
+void PublishRate::excuse(std::int64_t now_us, std::int64_t waited_us) {
+  if (excused_us_ >= kExcusedMaxUs) return;
+  excused_us_ += waited_us;
+  for (std::int64_t& time_us : times_us_) time_us = std::min(time_us + waited_us, now_us);
+}
+
+void PublishRate::forget() {
+  times_us_.clear();
+  excused_us_ = 0;
 }
 
 bool PublishRate::is_kept(std::int64_t now_us) const {

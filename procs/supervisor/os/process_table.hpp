@@ -17,7 +17,8 @@ namespace adit {
 struct ProcessEntry {
   pid_t pid = 0;
   pid_t parent = 0;
-  char state = '?';  ///< Z: it is over, and its parent has not asked
+  /// Z: it is over, and its parent has not asked; D: it waits for the disk.
+  char state = '?';
   double cpu_s = 0.0;
   std::int64_t address_bytes = 0;
   std::int64_t memory_bytes = 0;

@@ -14,6 +14,7 @@ ProcessUse UsageMeter::measure(const ProcessTable& table, pid_t ancestor, std::i
     const ProcessEntry& entry = table.entries().at(pid);
     use.address_bytes += entry.address_bytes;
     use.memory_bytes += entry.memory_bytes;
+    if (entry.state == 'D') use.waits_for_disk = true;
     const auto known = before.find(pid);
     busy_s += entry.cpu_s - (known == before.end() ? 0.0 : known->second);
     cpu_s_[pid] = entry.cpu_s;

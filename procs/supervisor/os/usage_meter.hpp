@@ -15,6 +15,7 @@ struct ProcessUse {
   double cpu_cores = 0.0;  ///< since the last time it was asked for; 1: one core is busy
   std::int64_t address_bytes = 0;
   std::int64_t memory_bytes = 0;
+  bool waits_for_disk = false;  ///< in a sleep that no signal ends, not even SIGKILL
 };
 
 /// Tells it from one look at the table to the next.

@@ -87,6 +87,15 @@ TEST(UsageMeter, AddsUpWhatDescendantsUse) {
   EXPECT_DOUBLE_EQ(meter.measure(after, 2, 12'000'000).cpu_cores, 0.375);
 }
 
+TEST(UsageMeter, TellsWhetherADescendantWaitsForTheDisk) {
+  UsageMeter meter;
+  ProcessEntry waiting = entry(4, 3);
+  waiting.state = 'D';
+  const ProcessTable table({{2, entry(2, 1)}, {3, entry(3, 2)}, {4, waiting}, {5, entry(5, 1)}});
+  EXPECT_TRUE(meter.measure(table, 2, 10'000'000).waits_for_disk);
+  EXPECT_FALSE(meter.measure(table, 5, 11'000'000).waits_for_disk);
+}
+
 TEST(HostMeter, TellsMemoryAndLoadOfThisComputer) {
   HostMeter meter;
   const HostLoad load = meter.measure();  // since its start

@@ -41,6 +41,26 @@ TEST(PublishRate, OfLessThanOneEachSecondAsksForOneInTwoPeriods) {
   EXPECT_FALSE(rate.is_kept(20'001 * kMs));
 }
 
+TEST(PublishRate, DoesNotCountTheTimeThatItWaitsForTheDisk) {
+  PublishRate rate(0.2);
+  rate.heard(0);
+  std::int64_t now = 0;
+  const auto wait = [&](int seconds) {
+    for (int i = 0; i < seconds; ++i) rate.excuse(now += 1000 * kMs, 1000 * kMs);
+  };
+  wait(25);
+  EXPECT_TRUE(rate.is_kept(now));
+  EXPECT_TRUE(rate.is_kept(now + 10'000 * kMs));
+  EXPECT_FALSE(rate.is_kept(now + 10'001 * kMs));
+  wait(35);
+  EXPECT_TRUE(rate.is_kept(now + 10'000 * kMs));
+  wait(11);  // a minute is over: what waits for so long will not come back
+  EXPECT_FALSE(rate.is_kept(now));
+  rate.heard(now);
+  wait(25);
+  EXPECT_TRUE(rate.is_kept(now));
+}
+
 TEST(PublishRate, BeginsAnewForAnotherProcess) {
   PublishRate rate = heard_each(200 * kMs, 5.0);
   rate.forget();

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/sensing/seconds.hpp"
 #include "procs/driving/blended_run.hpp"
 
 namespace adit {
@@ -104,7 +105,7 @@ double Driving::seconds_to(std::int64_t utime) {
   const std::int64_t since = utime_ ? utime - *utime_ : 0;
   utime_ = utime;
   state_.utime = utime;
-  return std::clamp(static_cast<double>(since) * 1e-6, 0.0, kStepMaxS);
+  return std::clamp(seconds(since), 0.0, kStepMaxS);
 }
 
 void Driving::trust_or_wait(std::int64_t utime) {

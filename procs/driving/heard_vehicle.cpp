@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 
 double HeardVehicle::speed_m_s(std::int64_t utime, double commanded_m_s) const {
   if (!is_fresh(utime)) return commanded_m_s;
   if (hold(utime)) return state_->speed_m_s;
-  const double since_s = std::abs(static_cast<double>(utime - state_->utime)) * 1e-6;
+  const double since_s = std::abs(seconds(utime - state_->utime));
   const double most = kAccelerationM_S2 * (since_s + kAheadS);
   return state_->speed_m_s + std::clamp(commanded_m_s - state_->speed_m_s, -most, most);
 }
@@ -24,7 +26,7 @@ std::optional<std::string> HeardVehicle::hold(std::int64_t utime) const {
 
 /// A time that went back, or one to come, is not that of the vehicle.
 bool HeardVehicle::is_fresh(std::int64_t utime) const {
-  return state_ && std::abs(static_cast<double>(utime - state_->utime)) * 1e-6 <= kFreshS;
+  return state_ && std::abs(seconds(utime - state_->utime)) <= kFreshS;
 }
 
 }  // namespace adit

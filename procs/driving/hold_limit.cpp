@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 
 void HoldLimit::go_on(std::int64_t utime, double way_m, bool held) {
@@ -12,7 +14,7 @@ void HoldLimit::go_on(std::int64_t utime, double way_m, bool held) {
     way_m_ = way_m;
     if (held) since_utime_ = utime;
   }
-  const double since_s = 1e-6 * static_cast<double>(utime - since_utime_.value_or(utime));
+  const double since_s = seconds(utime - since_utime_.value_or(utime));
   reached_ = held && since_s > seconds_max_;
 }
 

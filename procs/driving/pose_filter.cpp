@@ -6,12 +6,13 @@
 #include <cmath>
 
 #include "common/geometry/arc.hpp"
+#include "common/sensing/seconds.hpp"
 
 namespace adit {
 namespace {
 
 double seconds_between(std::int64_t from_utime, std::int64_t to_utime) {
-  return static_cast<double>(to_utime - from_utime) * 1e-6;
+  return seconds(to_utime - from_utime);
 }
 
 bool is_leap(const Pose2& T_expected_seen) {

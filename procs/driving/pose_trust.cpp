@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 
 void PoseTrust::add_match(std::int64_t utime, ScanMatch::Status status) {
@@ -13,9 +15,7 @@ void PoseTrust::add_match(std::int64_t utime, ScanMatch::Status status) {
 
 std::optional<std::string> PoseTrust::doubt(std::int64_t utime,
                                             const std::optional<std::int64_t>& pose_utime) const {
-  const auto seconds_since = [utime](std::int64_t then) {
-    return static_cast<double>(utime - then) * 1e-6;
-  };
+  const auto seconds_since = [utime](std::int64_t then) { return seconds(utime - then); };
   if (!pose_utime) return "no pose has come yet";
   if (seconds_since(*pose_utime) > params_.pose_age_max_s) return "the newest pose is too old";
   if (seconds_since(*pose_utime) < -params_.pose_age_max_s) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "common/geometry/pose2.hpp"
+#include "common/sensing/seconds.hpp"
 #include "common/vehicle/drive_command.hpp"
 
 namespace adit {
@@ -23,7 +24,7 @@ class WheelDisagreement {
   /// By the wheels. Where they were silent for long, all begins anew.
   void add_state(const VehicleState& state) {
     if (state_) {
-      const double dt_s = 1e-6 * static_cast<double>(state.utime - state_->utime);
+      const double dt_s = seconds(state.utime - state_->utime);
       if (dt_s <= 0.0) return;
       const double way_m = 0.5 * (state.speed_m_s + state_->speed_m_s) * dt_s;
       if (dt_s > kGapMaxS || !std::isfinite(way_m)) return begin_anew();
@@ -34,7 +35,7 @@ class WheelDisagreement {
   }
   /// Where the wheels have fallen silent, all begins anew when they speak again.
   void add_pose(std::int64_t utime, const Pose2& T_odom_body) {
-    if (state_ && 1e-6 * static_cast<double>(utime - state_->utime) > kGapMaxS) begin_anew();
+    if (state_ && seconds(utime - state_->utime) > kGapMaxS) begin_anew();
     if (T_odom_body_ && state_) {
       const Pose2 step = between(*T_odom_body_, T_odom_body);
       pose_m_ += (Pose2{0.0, 0.0, -0.5 * step.theta} * step.translation()).x();

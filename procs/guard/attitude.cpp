@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr double kGapMaxS = 0.1;  // over which a turn rate is believed to have 
 }  // namespace
 
 void Attitude::add(const ImuReading& reading, std::int64_t at_us) {
-  const double since_s = static_cast<double>(at_us - last_us_.value_or(at_us)) * 1e-6;
+  const double since_s = seconds(at_us - last_us_.value_or(at_us));
   const double seconds = std::clamp(since_s, 0.0, kGapMaxS);
   last_us_ = at_us;
   const Eigen::Vector3d& force = reading.linear_acceleration;

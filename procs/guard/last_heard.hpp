@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "common/sensing/seconds.hpp"
 #include "procs/guard/decimal_text.hpp"
 
 namespace adit {
@@ -25,7 +26,7 @@ class LastHeard {
   /// Nothing where it was never heard.
   [[nodiscard]] std::optional<double> age_s(std::int64_t now_us) const {
     if (!at_us_) return std::nullopt;
-    return static_cast<double>(now_us - *at_us_) * 1e-6;
+    return seconds(now_us - *at_us_);
   }
 
   /// Heard, and not longer ago than that.

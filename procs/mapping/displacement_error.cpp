@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 namespace {
 
 double square(double x) { return x * x; }
 
-double duration_s(const ScanMatch& match) {
-  return 1e-6 * static_cast<double>(match.utime - match.reference_utime);
-}
+double duration_s(const ScanMatch& match) { return seconds(match.utime - match.reference_utime); }
 
 }  // namespace
 

@@ -7,6 +7,8 @@
 
 #include <Eigen/LU>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 
 LocalMapBuilder::LocalMapBuilder(const LocalMapBuilderParams& params, int first_id, int session)
@@ -64,7 +66,7 @@ void LocalMapBuilder::replace_last(const UncertainPose& T_before_last) {
 
 bool LocalMapBuilder::first_is_due(std::int64_t utime) const {
   return continues_ && params_.first_s > 0.0 && !map_.scans.empty() &&
-         1e-6 * static_cast<double>(utime - map_.utime) >= params_.first_s;
+         seconds(utime - map_.utime) >= params_.first_s;
 }
 
 bool LocalMapBuilder::far_enough(const std::string& channel, const Pose2& T_odom_body) const {

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 namespace {
 
 using Phase = SweepMotion::Phase;
 
 constexpr double kOnItsWayS = 2.0;
-
-double seconds(std::int64_t microseconds) { return 1e-6 * static_cast<double>(microseconds); }
 
 const char* name_of(LaserId laser) {
   return laser == LaserId::kFront ? "the front laser" : "the rear laser";

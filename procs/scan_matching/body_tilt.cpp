@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 namespace {
 
@@ -24,7 +26,7 @@ void BodyTilt::add(const ImuReading& reading) {
   if (reading.utime <= utime_) return;
   const Eigen::Vector3d& force = reading.linear_acceleration;
   if (!force.allFinite() || !reading.angular_velocity.allFinite()) return;
-  const double dt_s = 1e-6 * static_cast<double>(reading.utime - utime_);
+  const double dt_s = seconds(reading.utime - utime_);
   utime_ = reading.utime;
   const bool is_gravity = std::abs(force.norm() - kGravity) <= params_.deviation_max_m_s2;
   if (!up_body_) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/sensing/seconds.hpp"
 #include "procs/scan_matching/wheel_track.hpp"
 
 namespace adit {
@@ -12,8 +13,6 @@ namespace {
 
 constexpr std::size_t kReadingsKept = 2000;
 constexpr double kShortestS = 0.01;  // no step is known better for being shorter
-
-double seconds(std::int64_t microseconds) { return 1e-6 * static_cast<double>(microseconds); }
 
 template <class Reading>
 bool append(std::deque<Reading>& readings, const Reading& reading) {

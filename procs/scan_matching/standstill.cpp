@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 
 bool Standstill::refuted_by(const ScanMatch& match) {
@@ -26,7 +28,7 @@ void Standstill::hold(const MotionEstimate& expected, ScanMatch& match) {
   if (!T_odom_body_) T_odom_body_ = expected.T_odom_last;
   if (refuted_by(match)) return;
   match.T_odom_body = *T_odom_body_;
-  const double dt = std::max(1e-3, 1e-6 * static_cast<double>(match.utime - match.reference_utime));
+  const double dt = std::max(1e-3, seconds(match.utime - match.reference_utime));
   const double xy = params_.sd_m_per_sqrt_s * params_.sd_m_per_sqrt_s * dt;
   const double theta = params_.sd_rad_per_sqrt_s * params_.sd_rad_per_sqrt_s * dt;
   match.covariance = Eigen::Vector3d(xy, xy, theta).asDiagonal();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 namespace {
 
@@ -28,7 +30,7 @@ std::optional<Pose2> wheel_pose_at(const WheelTrack& wheels, std::int64_t utime,
   if (after == wheels.begin()) return std::nullopt;
   const auto before = std::prev(after);
   if (after != wheels.end()) return interpolate(*before, *after, utime);
-  if (1e-6 * static_cast<double>(utime - before->utime) > gap_max_s) return std::nullopt;
+  if (seconds(utime - before->utime) > gap_max_s) return std::nullopt;
   if (before == wheels.begin()) return before->T_wheel_body;
   return interpolate(*std::prev(before), *before, utime);  // goes on at the last speed
 }

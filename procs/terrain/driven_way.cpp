@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 namespace {
 
@@ -19,11 +21,10 @@ constexpr std::size_t kPlaces = 2000;
 
 bool DrivenWay::can_follow(std::int64_t utime, const Pose2& T_odom_body) const {
   if (!last_) return true;
-  const double seconds =
-      1e-6 * static_cast<double>(std::max<std::int64_t>(utime - last_->utime, 0));
+  const double since_s = seconds(std::max<std::int64_t>(utime - last_->utime, 0));
   const Pose2 step = between(last_->T_odom_body, T_odom_body);
-  if (step.translation().norm() > kJumpM + 2.0 * speed_max_m_s_ * seconds) return false;
-  return seconds > 1.0 || std::abs(step.theta) < kJumpRad;
+  if (step.translation().norm() > kJumpM + 2.0 * speed_max_m_s_ * since_s) return false;
+  return since_s > 1.0 || std::abs(step.theta) < kJumpRad;
 }
 
 bool DrivenWay::add(std::int64_t utime, const Pose2& T_odom_body) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "common/geometry/in_plan.hpp"
+#include "common/sensing/seconds.hpp"
 #include "sim/vehicle/metres_text.hpp"
 
 namespace adit {
@@ -73,7 +74,7 @@ bool WaypointDriver::is_patient(std::int64_t utime) {
     progress_mark_m_ = progress_m();
     progress_utime_ = utime;
   }
-  return static_cast<double>(utime - progress_utime_) * 1e-6 <= params_.patience_s;
+  return seconds(utime - progress_utime_) <= params_.patience_s;
 }
 
 void WaypointDriver::begin_next_run() {

@@ -7,6 +7,7 @@
 #include "common/bus/typed.hpp"
 #include "common/bus/version.hpp"
 #include "common/messages/sim_time.hpp"
+#include "common/sensing/seconds.hpp"
 #include "sim/live/settings.hpp"
 
 namespace adit {
@@ -59,7 +60,7 @@ std::int64_t LiveSimulator::go_on(std::int64_t wall_us) {
 void LiveSimulator::step() {
   node_.step();
   const std::int64_t elapsed_us = node_.simulation().utime() - start_utime_;
-  for (const auto& harm : process_faults_.advance(static_cast<double>(elapsed_us) * 1e-6)) {
+  for (const auto& harm : process_faults_.advance(seconds(elapsed_us))) {
     progress_.say(harm.line);
     pacing_.give_up(harm.stage, node_.simulation().utime());
   }
@@ -78,7 +79,7 @@ void LiveSimulator::remind_stages(std::int64_t wall_us) {
 
 bool LiveSimulator::done() const {
   const std::int64_t elapsed_us = node_.simulation().utime() - start_utime_;
-  return for_s_ && static_cast<double>(elapsed_us) * 1e-6 >= *for_s_;
+  return for_s_ && seconds(elapsed_us) >= *for_s_;
 }
 
 void LiveSimulator::close_record() {

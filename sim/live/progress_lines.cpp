@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <iostream>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 namespace {
 
@@ -38,7 +40,7 @@ void ProgressLines::update(const Simulation& simulation, std::int64_t start_utim
   const double factor =
       static_cast<double>(utime - last_->utime) / static_cast<double>(wall_us - last_->wall_us);
   last_ = {utime, wall_us};
-  say(progress_line(static_cast<double>(utime - start_utime) * 1e-6, factor, simulation.state(),
+  say(progress_line(seconds(utime - start_utime), factor, simulation.state(),
                     simulation.vehicle().state()));
 }
 

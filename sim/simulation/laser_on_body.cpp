@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/simulation/laser_on_body.hpp"
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 
 LaserOnBody::LaserOnBody(const RayScene& scene, const Setup& setup, std::int64_t utime,
@@ -16,7 +18,7 @@ LaserOnBody::LaserOnBody(const RayScene& scene, const Setup& setup, std::int64_t
       utime_(utime) {}
 
 void LaserOnBody::advance(std::int64_t utime, const Eigen::Isometry3d& T_world_body) {
-  tilt_.advance(static_cast<double>(utime - utime_) * 1e-6);
+  tilt_.advance(seconds(utime - utime_));
   utime_ = utime;
   history_.add({utime, T_world_body, tilt_.angle_rad()});
 }

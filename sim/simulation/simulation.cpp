@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/sensing/seconds.hpp"
 #include "sim/simulation/air.hpp"
 #include "sim/simulation/delivery.hpp"
 #include "sim/simulation/fault_schedule.hpp"
@@ -16,7 +17,7 @@
 namespace adit {
 namespace {
 
-constexpr double kStepS = static_cast<double>(Simulation::kStepUs) * 1e-6;
+constexpr double kStepS = seconds(Simulation::kStepUs);
 
 // How many steps apart.
 constexpr std::int64_t kTiltEvery = 2;

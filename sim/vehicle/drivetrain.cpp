@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 namespace {
 
@@ -69,7 +71,7 @@ bool Drivetrain::expired() const {
 }
 
 bool Drivetrain::is_past(std::int64_t utime, double expiry_s) const {
-  return static_cast<double>(utime_ - utime) * 1e-6 >= expiry_s;
+  return seconds(utime_ - utime) >= expiry_s;
 }
 
 }  // namespace adit

@@ -12,6 +12,7 @@
 #include "common/bus/typed.hpp"
 #include "common/bus/version.hpp"
 #include "common/messages/pose.hpp"
+#include "common/sensing/seconds.hpp"
 #include "sim/drive/waypoint_file.hpp"
 #include "sim/live/fault_text.hpp"
 #include "sim/live/settings.hpp"
@@ -95,8 +96,8 @@ DriveRunResult run_drive(const DriveRunOptions& options, const DriveProgress& pr
 
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   const auto simulated_us = drive.simulation().utime() - kDriveStartUtime;
-  return {static_cast<double>(simulated_us) * 1e-6, wall.count(),
-          drive.simulation().state().travelled_m, log.events(), drive.failure()};
+  return {seconds(simulated_us), wall.count(), drive.simulation().state().travelled_m, log.events(),
+          drive.failure()};
 }
 
 }  // namespace adit

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "common/geometry/angle.hpp"
+#include "common/sensing/seconds.hpp"
 
 namespace adit {
 namespace {
@@ -45,8 +46,8 @@ const ClosureAlternative& subject(const Association& a) {
 std::string line(const Association& a) {
   const ClosureAlternative& alternative = subject(a);
   const Pose2& T = alternative.T_older_newer;
-  return format("%.6f\t%s\t%d\t%d\t%d\t", 1e-6 * static_cast<double>(a.utime), decision(a).c_str(),
-                a.closure.id, a.closure.newer_map, alternative.older_map) +
+  return format("%.6f\t%s\t%d\t%d\t%d\t", seconds(a.utime), decision(a).c_str(), a.closure.id,
+                a.closure.newer_map, alternative.older_map) +
          format("%s\t%s\t%zu\t", choice(a.chosen).c_str(), choice(a.chosen_before).c_str(),
                 a.closure.alternatives.size()) +
          format("%.3f\t%.3f\t%.2f\t%.1f\t%.1f\t", T.x, T.y, rad_to_deg(T.theta),

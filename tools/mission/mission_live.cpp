@@ -12,6 +12,7 @@
 #include "common/bus/lcm_bus.hpp"
 #include "common/bus/stop_signal.hpp"
 #include "common/files/locked_file.hpp"
+#include "common/sensing/seconds.hpp"
 #include "procs/supervisor/terminal/terminal_client.hpp"
 #include "tools/mission/mission_folder.hpp"
 #include "tools/mission/mission_preparation.hpp"
@@ -70,9 +71,9 @@ class LiveMission {
       wake_silent(now_us);
       if (now_us < told_us + kTellUs) continue;
       told_us = now_us;
-      if (progress) progress(watch_.progress(), 1e-6 * static_cast<double>(now_us - begin_us));
+      if (progress) progress(watch_.progress(), seconds(now_us - begin_us));
     }
-    result.wall_s = 1e-6 * static_cast<double>(wall_us() - begin_us);
+    result.wall_s = seconds(wall_us() - begin_us);
     result.interrupted = stop.came();
     supervisor_.stop();
     result.last = watch_.progress();

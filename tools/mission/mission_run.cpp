@@ -17,6 +17,7 @@
 #include "common/geometry/in_plan.hpp"
 #include "common/messages/map_correction.hpp"
 #include "common/messages/mission_phase.hpp"
+#include "common/sensing/seconds.hpp"
 #include "sim/live/fault_text.hpp"
 #include "sim/live/settings.hpp"
 #include "sim/sim_node.hpp"
@@ -97,7 +98,7 @@ class MissionInProcess {
   }
 
   [[nodiscard]] double simulated_s() const {
-    return 1e-6 * static_cast<double>(sim_.simulation().utime() - kDriveStartUtime);
+    return seconds(sim_.simulation().utime() - kDriveStartUtime);
   }
   [[nodiscard]] Pose2 true_pose() const {
     return in_plan(sim_.simulation().vehicle().motion().T_world_body);

@@ -12,6 +12,7 @@
 #include "common/messages/pose.hpp"
 #include "common/messages/run_state.hpp"
 #include "common/messages/sim_time.hpp"
+#include "common/sensing/seconds.hpp"
 
 namespace adit {
 namespace {
@@ -56,9 +57,7 @@ void MissionWatch::listen(Bus& bus) {
                          [this](const RunState& state) { failure_ = state.failure; });
 }
 
-double MissionWatch::simulated_s() const {
-  return 1e-6 * static_cast<double>(utime_ - first_utime_);
-}
+double MissionWatch::simulated_s() const { return seconds(utime_ - first_utime_); }
 
 MissionProgress MissionWatch::progress() const {
   return {phase_, simulated_s(), from_start_m_, local_maps_};

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace adit {
+
+/// Of a difference of two utimes [s].
+constexpr double seconds(std::int64_t microseconds) {
+  return 1e-6 * static_cast<double>(microseconds);
+}
+
+}  // namespace adit

@@ -20,6 +20,7 @@ static_assert(static_cast<int>(PlanOutcome::kStartBlocked) ==
 static_assert(static_cast<int>(PlanOutcome::kBlocked) == planned_path_t::OUTCOME_BLOCKED);
 static_assert(static_cast<int>(PlanOutcome::kUnknown) == planned_path_t::OUTCOME_UNKNOWN);
 static_assert(static_cast<int>(PlanOutcome::kGaveUp) == planned_path_t::OUTCOME_GAVE_UP);
+static_assert(static_cast<int>(PlanOutcome::kNarrow) == planned_path_t::OUTCOME_NARROW);
 static_assert(static_cast<int>(Reason::kStep) == blocking_cell_t::REASON_STEP);
 static_assert(static_cast<int>(Reason::kBelly) == blocking_cell_t::REASON_BELLY);
 static_assert(static_cast<int>(Reason::kRoof) == blocking_cell_t::REASON_ROOF);
@@ -77,7 +78,7 @@ std::string_view reason_to_refuse(const planned_path_t& message) {
   const auto outcome = PlanOutcome(message.outcome);
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.id < 0) return "negative id";
-  if (outcome < PlanOutcome::kFound || outcome > PlanOutcome::kGaveUp) return "unknown outcome";
+  if (outcome < PlanOutcome::kFound || outcome > PlanOutcome::kNarrow) return "unknown outcome";
   if (!std::isfinite(message.reached_m)) return "progress is not finite";
   const bool found = outcome == PlanOutcome::kFound;
   if (found && message.points.empty()) return "path without points";

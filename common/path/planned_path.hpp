@@ -56,9 +56,9 @@ enum class PlanOutcome : std::int8_t {
   kFound = 0,
   kStartBlocked = 1,  ///< the robot cannot stand where it is
   kBlocked = 2,       ///< what is seen leaves no way of the length that is asked
-  kUnknown = 3,       ///< what is not seen leaves none, or what is seen does by less than can be
-                      ///< told; another scan may show one
+  kUnknown = 3,       ///< what is not seen leaves none; another scan may show one
   kGaveUp = 4,        ///< the search was cut off by its limit
+  kNarrow = 5,        ///< what is seen leaves none, but by less than can be told
 };
 
 /// A cell that is in the way, as evidence for a person.

@@ -124,8 +124,8 @@ bool Exploration::report_blocked(int stub, const BlockedEvidence& evidence) {
                        T_local_map * place.direction - T_local_map.translation(),
                        where + evidence.reason});
   refresh();
-  if (from_home_->distance_m(state_.T_map_body.translation())) return true;
-  barriers_.pop_back();  // it would cut off the robot
+  if (!is_cut_off(state_)) return true;
+  barriers_.pop_back();
   register_.block(stub, evidence.doubtful, evidence.reason, evidence.utime);
   refresh();
   return true;

@@ -127,9 +127,10 @@ void ExplorationNode::on_path(const PlannedPath& path) {
   using Kind = ExplorationDecision::Kind;
   if (request_) return;
   const bool wanted = decision_.kind != Kind::kStay && decision_.kind != Kind::kDone;
-  const bool none =
-      (path.outcome == PlanOutcome::kBlocked || path.outcome == PlanOutcome::kUnknown) &&
-      path.reached_m < params_.no_path_m;
+  const bool refused = path.outcome == PlanOutcome::kBlocked ||
+                       path.outcome == PlanOutcome::kUnknown ||
+                       path.outcome == PlanOutcome::kNarrow;
+  const bool none = refused && path.reached_m < params_.no_path_m;
   if (!wanted || !none || decision_.stub != no_path_stub_) no_paths_ = 0;
   if (!wanted || !none) return;
   no_path_stub_ = decision_.stub;

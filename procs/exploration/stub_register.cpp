@@ -174,9 +174,10 @@ bool StubRegister::block(int stub, bool doubtful, std::string evidence, std::int
 bool StubRegister::retry_given_up(std::int64_t utime) {
   bool any = false;
   for (std::size_t i = 0; i < stubs_.size(); ++i) {
+    const bool given_up = is_given_up(stubs_[i].state);
     const bool presumed = stubs_[i].state == StubState::kBlocked && !holds_[i].final;
-    if (holds_[i].retried || (!is_given_up(stubs_[i].state) && !presumed)) continue;
-    reopen(stubs_[i].id, "it was given up, and is tried once more", utime);
+    if (holds_[i].retried || (!given_up && !presumed)) continue;
+    if (given_up) reopen(stubs_[i].id, "it was given up, and is tried once more", utime);
     any = holds_[i].retried = true;
   }
   return any;

@@ -3,6 +3,7 @@
 #include "procs/mission/attempt.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace adit {
 namespace {
@@ -10,6 +11,7 @@ namespace {
 constexpr int kRefusalsMax = 6;  // whatever was tried in between
 constexpr int kSeenMin = 2;      // a verdict comes from two poses
 constexpr int kBackOffsMax = 2;
+constexpr double kWorthGoingM = 1.0;
 
 }  // namespace
 
@@ -29,12 +31,13 @@ void Attempt::got_on() {
   homeward_ = homeward;
 }
 
-bool Attempt::is_doubtful() const { return seen_ < kSeenMin; }
+bool Attempt::is_doubtful() const { return seen_ < kSeenMin || narrow_; }
 
 Attempt::Next Attempt::refuse(std::int64_t utime, double reached_m, const std::string& reason,
                               Evidence evidence, bool may_back_off) {
   ++refusals_;
   if (evidence == Evidence::kSeen) ++seen_;
+  if (evidence == Evidence::kNarrow) narrow_ = true;
   utime_ = utime;
   reached_m_ = std::max(reached_m_, reached_m);
   evidence_ += (evidence_.empty() ? "" : " Again: ") + reason;
@@ -43,14 +46,23 @@ Attempt::Next Attempt::refuse(std::int64_t utime, double reached_m, const std::s
     drove_again_ = true;
     return Next::kLookAgain;
   }
-  if (evidence == Evidence::kUnseen && !looked_round_) {
-    looked_round_ = true;
-    return Next::kOtherLaser;
+  if (evidence == Evidence::kUnseen || evidence == Evidence::kNarrow) {
+    const Next next = see_more(reached_m, may_back_off);
+    if (next != Next::kBackOff) return next;
   }
   if (!may_back_off) return refusals_ < 2 ? Next::kLookAgain : Next::kGiveUp;
   if (back_offs_ == kBackOffsMax) return Next::kGiveUp;
   ++back_offs_;
   return Next::kBackOff;
+}
+
+/// On the way home the own track is the next thing.
+Attempt::Next Attempt::see_more(double reached_m, bool may_back_off) {
+  if (!homeward_ && may_back_off && !std::exchange(looked_beside_, true)) return Next::kBeside;
+  if (!homeward_ && reached_m >= kWorthGoingM && !std::exchange(went_nearer_, true)) {
+    return Next::kNearer;
+  }
+  return std::exchange(looked_round_, true) ? Next::kBackOff : Next::kOtherLaser;
 }
 
 }  // namespace adit

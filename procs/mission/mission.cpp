@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "common/sensing/seconds.hpp"
+
 namespace adit {
 namespace {
 
@@ -13,8 +15,6 @@ constexpr double kPlanPatienceS = 10.0;
 constexpr double kExplorationPatienceS = 300.0;  // it may be restarted, and wait for the map
 constexpr double kDrivingSilentS = 3.0;
 constexpr double kPoseSilentS = 1.0;
-
-double seconds(std::int64_t microseconds) { return 1e-6 * static_cast<double>(microseconds); }
 
 }  // namespace
 
@@ -54,6 +54,7 @@ void Mission::enter(Phase phase, const std::string& reason) {
   if (phase == Phase::kExplore) ++request_;
   if (phase == Phase::kPlan || phase == Phase::kExecute) return;
   backing_off_ = false;
+  nearer_m_ = 0.0;
   goal_kind_ = PlanGoal::Kind::kRoute;
 }
 
@@ -144,8 +145,7 @@ void Mission::scan(MissionAsk& ask) {
       end(MissionOutcome::kStranded, "no 3D scan comes any more");
       return;
     }
-    const LaserId other = phase_.laser == LaserId::kFront ? LaserId::kRear : LaserId::kFront;
-    look(tries_ % 2 == 0 ? other : phase_.laser, "no 3D scan came, so once more");
+    look(tries_ % 2 == 0 ? other(phase_.laser) : phase_.laser, "no 3D scan came, so once more");
     return;
   }
   if (is_time_to_ask(kAskAgainS)) {

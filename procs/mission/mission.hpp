@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -120,9 +121,10 @@ class Mission {
   void judge(const PlannedPath& path);
   void refuse(double reached_m, const std::string& reason, Attempt::Evidence evidence);
   void drive_failed(const std::string& reason);
-  void back_off(const std::string& reason);
+  void go_nearer(double reached_m, const std::string& reason);
+  void back_off(double distance_m, const std::string& reason);
   void back_off_as_planned(const std::string& reason);
-  [[nodiscard]] bool leads_back() const { return way_.back_m(1.0) > 0.1; }
+  [[nodiscard]] bool leads_back() const;
   [[nodiscard]] double track_that_leads_there_m() const;
   void rejoin(double length_m, const std::string& reason);
   [[nodiscard]] bool is_beyond_refusals() const;
@@ -165,9 +167,11 @@ class Mission {
   /// The same where it backs off, instead of the route to the target.
   std::vector<Eigen::Vector2d> route_back_odom_;
   double goal_distance_m_ = 0.0;
+  double nearer_m_ = 0.0;  ///< along the route, where it only goes to see more
   bool backing_off_ = false;
-  bool track_failed_ = false;  ///< the last drive on the own track
-  int rejoined_ = 0;           ///< how often it went to the own track, for one target
+  bool track_failed_ = false;   ///< the last drive on the own track
+  int rejoined_ = 0;            ///< how often it went to the own track, for one target
+  std::set<int> narrow_stubs_;  ///< to which a look said that the way is only just too narrow
   RefusedPlaces refused_;
   PathEnds path_ends_;
   std::int64_t terrain_utime_ = 0;

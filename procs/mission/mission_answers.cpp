@@ -102,9 +102,18 @@ void Mission::judge(const PlannedPath& path) {
     refuse(attempt_.reached_m(), "Nor is there a way back: " + path.reason, Evidence::kDrive);
     return;
   }
+  if (nearer_m_ > 0.0) {
+    nearer_m_ = 0.0;
+    refuse(path.reached_m, "Nor does it get nearer: " + path.reason, Evidence::kUnseen);
+    return;
+  }
   // Where nothing at all is named that is in the way, nobody saw it.
   const bool seen = path.outcome == PlanOutcome::kBlocked && !path.blocking.empty();
-  refuse(path.reached_m, path.reason, seen ? Evidence::kSeen : Evidence::kUnseen);
+  const bool narrow = path.outcome == PlanOutcome::kNarrow;
+  refuse(path.reached_m, path.reason,
+         seen     ? Evidence::kSeen
+         : narrow ? Evidence::kNarrow
+                  : Evidence::kUnseen);
 }
 
 void Mission::add_driving(const DrivingState& state) {

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "common/pose_graph/position_sd.hpp"
+#include "common/sensing/seconds.hpp"
 
 namespace adit {
 namespace {
@@ -65,7 +66,7 @@ void MissionLimits::count_unmeasured(const ScanMatch& match) {
     return;
   }
   if (!unmeasured_utime_) unmeasured_utime_ = match.utime;
-  unmeasured_s_ = 1e-6 * static_cast<double>(match.utime - *unmeasured_utime_);
+  unmeasured_s_ = seconds(match.utime - *unmeasured_utime_);
   if (is_unmeasured()) {
     come_home(
         text_of("no sensor has told for %.0f s how it moves: the walls leave a direction open",

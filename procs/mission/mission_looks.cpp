@@ -15,6 +15,19 @@ constexpr double kFacingSlackRad = 0.3;  // before the other laser leads
 constexpr double kSightM = 10.0;         // without a map
 constexpr double kNeverLeftM = 0.3;
 
+std::vector<Eigen::Vector2d> beginning_of(const std::vector<Eigen::Vector2d>& line,
+                                          double length_m) {
+  std::vector<Eigen::Vector2d> beginning{line.front()};
+  double left_m = length_m;
+  for (std::size_t i = 1; i < line.size() && left_m > 0.0; ++i) {
+    const Eigen::Vector2d leg = line[i] - line[i - 1];
+    const double leg_m = leg.norm();
+    beginning.push_back(leg_m > left_m ? line[i - 1] + left_m / leg_m * leg : line[i]);
+    left_m -= leg_m;
+  }
+  return beginning;
+}
+
 }  // namespace
 
 /// Where the body looks, or, if that was in vain, back where it came from.
@@ -63,15 +76,17 @@ LaserId Mission::facing(const std::vector<Eigen::Vector2d>& route_odom) const {
 }
 
 PlanGoal Mission::goal() const {
-  const bool to_home = p_odom_home_ && !backing_off_;
-  const PlanGoal::Kind kind = to_home ? PlanGoal::Kind::kRouteTo : goal_kind_;
+  // What is to be seen from there does not ask for a heading.
+  const bool to_place = (p_odom_home_ || nearer_m_ > 0.0) && !backing_off_;
+  const PlanGoal::Kind kind = to_place ? PlanGoal::Kind::kRouteTo : goal_kind_;
   const double distance_m = backing_off_ ? goal_distance_m_ : kSightM;
   const bool backwards = backing_off_ && !route_back_odom_.empty();
   const auto& route_odom = backwards ? route_back_odom_ : route_odom_;
   PlanGoal goal{utime_, phase_.goal_id, kind, {}, distance_m, route_odom, {}};
+  if (nearer_m_ > 0.0) goal.route_odom = beginning_of(route_odom_, nearer_m_);
   if (backing_off_) goal.track_odom = track_odom_;
   const Eigen::Vector2d p_odom_end =
-      backing_off_ ? track_odom_.back().translation() : route_odom_.back();
+      backing_off_ ? track_odom_.back().translation() : goal.route_odom.back();
   goal.T_odom_goal = {p_odom_end.x(), p_odom_end.y(), 0.0};
   return goal;
 }

@@ -10,11 +10,14 @@ namespace adit {
 namespace {
 
 constexpr double kGotOnM = 1.0;     // that counts as having got on
+constexpr double kLedBackM = 0.1;   // by a track; less is none
 constexpr double kSharedM = 2.5;    // of a route, to go on the own track instead
 constexpr double kRejoinedM = 6.0;  // to go on it, at first
 constexpr double kRejoinedMaxM = 30.0;
-constexpr double kTrackInSightM = 10.0;  // that may be come to
-constexpr double kBeyondReachedM = 1.0;  // where what is in the way may lie
+constexpr double kTrackInSightM = 10.0;   // that may be come to
+constexpr double kBeyondReachedM = 1.0;   // where what is in the way may lie
+constexpr double kLittleM = 1.2;          // back; from the nose to the middle of the vehicle
+constexpr double kShortOfReachedM = 0.3;  // to end where there is some room
 
 using Evidence = Attempt::Evidence;
 
@@ -25,22 +28,30 @@ void Mission::refuse(double reached_m, const std::string& reason, Evidence evide
     refuse_nearly_home(reason);
     return;
   }
+  if (evidence == Evidence::kNarrow) narrow_stubs_.insert(phase_.stub);
   if (attempt_.refusals() == 0 && way_.T_odom_body()) {
     refused_.add(way_.T_odom_body()->translation());
   }
   const bool may_back_off = way_.back_m(params_.back_off_m) > kGotOnM;
   const bool short_cut = is_short_cut_home(reached_m);
   const double track_m = short_cut ? 0.0 : track_that_leads_there_m();
-  switch (attempt_.refuse(utime_, reached_m, reason, evidence, may_back_off)) {
+  const Attempt::Next next = attempt_.refuse(utime_, reached_m, reason, evidence, may_back_off);
+  const bool moves_on = next != Attempt::Next::kLookAgain && next != Attempt::Next::kGiveUp;
+  if (moves_on && track_m > 0.0) return rejoin(track_m, reason);
+  switch (next) {
+    case Attempt::Next::kBeside:
+      back_off(kLittleM, reason);
+      return;
+    case Attempt::Next::kNearer:
+      go_nearer(reached_m, reason);
+      return;
     case Attempt::Next::kOtherLaser:
-      if (track_m > 0.0) return rejoin(track_m, reason);
-      look(phase_.laser == LaserId::kFront ? LaserId::kRear : LaserId::kFront,
+      look(other(phase_.laser),
            "the ground is not known well enough, so it looks to the other side: " + reason);
       return;
     case Attempt::Next::kBackOff:
-      if (track_m > 0.0) return rejoin(track_m, reason);
       if (short_cut) break;
-      back_off(reason);
+      back_off(std::max(1, attempt_.back_offs()) * params_.back_off_m, reason);
       return;
     case Attempt::Next::kLookAgain:
       enter(Phase::kExplore, "it looks once more: " + reason);
@@ -54,8 +65,9 @@ void Mission::refuse(double reached_m, const std::string& reason, Evidence evide
     lost_try(said);
     return;
   }
+  const bool doubtful = attempt_.is_doubtful() || narrow_stubs_.contains(phase_.stub);
   verdict_ = BlockedVerdict{attempt_.utime(), phase_.stub, attempt_.reached_m(),
-                            attempt_.evidence(), attempt_.is_doubtful()};
+                            attempt_.evidence(), doubtful};
   attempt_.got_on();
   way_home_.judge();
   if (phase_.stub < 0 && ++lost_tries_ > params_.lost_tries_max) {
@@ -82,8 +94,7 @@ void Mission::refuse_nearly_home(const std::string& reason) {
   if (++nearly_home_tries_ > params_.nearly_home_tries) {
     end_nearly_home(reason);
   } else {
-    look(phase_.laser == LaserId::kFront ? LaserId::kRear : LaserId::kFront,
-         "it is nearly home, and looks to the other side: " + reason);
+    look(other(phase_.laser), "it is nearly home, and looks to the other side: " + reason);
   }
 }
 
@@ -94,11 +105,18 @@ void Mission::end_nearly_home(const std::string& reason) {
   end(MissionOutcome::kHome, "the robot is at home" + (where + reason));
 }
 
+/// From afar what lies behind a rail or round a corner is in shadow; from nearer it is not.
+void Mission::go_nearer(double reached_m, const std::string& reason) {
+  nearer_m_ = reached_m - kShortOfReachedM;
+  ++phase_.goal_id;
+  enter(Phase::kPlan, "it goes nearer to see more: " + reason);
+}
+
 /// What it came over carried it, whatever the scans say of it. Where that drive failed, what the
 /// scans say is all there is.
-void Mission::back_off(const std::string& reason) {
+void Mission::back_off(double distance_m, const std::string& reason) {
   backing_off_ = true;
-  goal_distance_m_ = std::max(1, attempt_.back_offs()) * params_.back_off_m;
+  goal_distance_m_ = distance_m;
   track_odom_ = way_.back(goal_distance_m_);
   route_back_odom_.clear();
   for (const Pose2& T_odom_place : track_odom_) {
@@ -121,6 +139,8 @@ bool Mission::is_short_cut_home(double reached_m) const {
   if (!is_led_home() || way_home_.was_judged() || !leads_back()) return false;
   return way_.shared_m(route_odom_) < reached_m + kBeyondReachedM;
 }
+
+bool Mission::leads_back() const { return way_.back_m(kGotOnM) > kLedBackM; }
 
 /// How far it may go to where it is to go on its own track; 0 where that does not lead there. On
 /// the way home it does, if by a detour: so it goes the farther the more often it had to.

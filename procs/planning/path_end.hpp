@@ -10,13 +10,14 @@
 
 namespace adit {
 
-/// Ends a path along a route where there is room to go on: where nothing lethal is within 1.5 m
-/// straight ahead of its last pose, in the direction of travel. Before the outer wall of a bend
-/// there is none, and from there no way on would be found. `seen` refuses what is lethal alone, as
-/// what lies beyond a path was not seen. A path that would be too short to count ends 0.4 m before
+/// Ends a path along a route where there is room to go on: where nothing lethal is straight ahead
+/// of its last pose within the width of the narrowest drift in which it turns into another (2.2 m).
+/// Nearer to the outer wall of a bend what lies round its corner would be beside the vehicle, where
+/// no laser looks, and no way on would be found. `seen` refuses what is lethal alone, as what lies
+/// beyond a path was not seen. A path that would be too short to count ends 0.4 m before
 /// what is lethal, as the pose at the end of a drive is not where it was planned; if need be so
 /// much too short. Where not even that is to be had, in a narrow place, it stays as it is.
 void end_with_room(PlannedPath& path, const TerrainMap& terrain, const HeadingSet& headings,
-                   const Lattice& seen, const GoalField& goals);
+                   const Lattice& seen, const GoalField& goals, const Vehicle& vehicle);
 
 }  // namespace adit

@@ -207,7 +207,7 @@ PlannedPath Planning::find(const TerrainMap& terrain, const PlanGoal& goal,
     const bool along_route =
         goal.kind == PlanGoal::Kind::kRoute || goal.kind == PlanGoal::Kind::kRouteTo;
     if (along_route && goals.leads_on(T_level_end.translation())) {
-      end_with_room(answer, terrain, headings, lattice(CSpace::kLethal), goals);
+      end_with_room(answer, terrain, headings, lattice(CSpace::kLethal), goals, params_.vehicle);
     }
     if (goal.kind == PlanGoal::Kind::kRejoin) {
       go_on_along_track(answer, goal);
@@ -244,7 +244,9 @@ PlannedPath Planning::no_path(const TerrainMap& terrain, const Pose2& T_level_bo
   const bool just_fits =
       !unseen && may_just_fit(terrain, T_level_body, start, goals,
                               std::max(least, seen_or_not.progress_m + kThroughM));
-  answer.outcome = unseen || just_fits ? PlanOutcome::kUnknown : PlanOutcome::kBlocked;
+  answer.outcome = unseen      ? PlanOutcome::kUnknown
+                   : just_fits ? PlanOutcome::kNarrow
+                               : PlanOutcome::kBlocked;
   answer.reached_m = region.progress_m;
   answer.blocking = blocking_cells(region, free, goals, grounds);
   answer.reason = "No path: " + most_of(answer.blocking) + " is in the way " +
@@ -266,8 +268,8 @@ bool Planning::may_just_fit(const TerrainMap& terrain, const Pose2& T_level_body
   const CSpace space = unseen_ahead_only(
       kernels.convolve(ground_layers(seen, T_level_body, params_.vehicle, limits)), terrain, goals,
       T_level_body.translation());
-  const Lattice less_a_cell{space, primitives(), CSpace::kLethal, nullptr, true};
-  return reachable(less_a_cell, start, goals, enough_m).progress_m >= enough_m;
+  const Lattice less_cells{space, primitives(), CSpace::kLethal, nullptr, true};
+  return reachable(less_cells, start, goals, enough_m).progress_m >= enough_m;
 }
 
 }  // namespace adit

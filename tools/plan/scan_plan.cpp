@@ -84,6 +84,8 @@ const char* name_of(PlanOutcome outcome) {
       return "blocked";
     case PlanOutcome::kUnknown:
       return "unknown";
+    case PlanOutcome::kNarrow:
+      return "narrow";
     case PlanOutcome::kGaveUp:
       return "gave_up";
   }

@@ -146,7 +146,7 @@ TEST(PlannedPathMessage, NeverCutsThePath) {
 
 TEST(PlannedPathMessage, IsRefusedWhereItContradictsItself) {
   using Message = planned_path_t;
-  EXPECT_EQ(refusal_after<Message>(found(), [](Message& m) { m.outcome = 5; }), "unknown outcome");
+  EXPECT_EQ(refusal_after<Message>(found(), [](Message& m) { m.outcome = 6; }), "unknown outcome");
   EXPECT_EQ(refusal_after<Message>(found(), [](Message& m) { m.outcome = 2; }),
             "points without a path");
   EXPECT_EQ(refusal_after<Message>(blocked(1), [](Message& m) { m.outcome = 0; }),

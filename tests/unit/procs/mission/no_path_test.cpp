@@ -41,16 +41,32 @@ class AMissionWithoutAPath : public ScriptedStages {
     terrain();
     path(outcome);
   }
+  /// To where that leads, as a path to its target is refused for what it does not see.
+  void look_beside(double reached_m, PlanOutcome refused = PlanOutcome::kUnknown) {
+    path(refused, reached_m);
+    ASSERT_EQ(now(), Phase::kPlan);
+    EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);
+    EXPECT_NEAR(goal_.distance_m, 1.2, 1e-9);
+    look_from_back(1.25);
+    ASSERT_EQ(now(), Phase::kPlan);
+  }
   void along_track(double way_m) {
     path(PlanOutcome::kFound);
     for (int i = 0; i < std::lround(way_m / 0.25); ++i) back();
     arrive();
   }
+  /// So far along its track, and at the same target from there.
+  void look_from_back(double way_m) {
+    along_track(way_m);
+    answer(Kind::kAlong, 3);
+    terrain();
+  }
 };
 
-TEST_F(AMissionWithoutAPath, LooksToTheOtherSideThenFromFartherBackThenSaysSo) {
+TEST_F(AMissionWithoutAPath, LooksBesideAndToTheOtherSideThenFromFartherBackThenSaysSo) {
   drive_in();
-  path(PlanOutcome::kUnknown, 1.2);
+  look_beside(0.95);
+  path(PlanOutcome::kUnknown, 0.7);
   EXPECT_EQ(now(), Phase::kScan);
   EXPECT_EQ(scan_.laser, LaserId::kRear);
   terrain();
@@ -76,9 +92,48 @@ TEST_F(AMissionWithoutAPath, LooksToTheOtherSideThenFromFartherBackThenSaysSo) {
   ASSERT_EQ(now(), Phase::kExplore);
   ASSERT_TRUE(request_.blocked);
   EXPECT_EQ(request_.blocked->stub, 3);
-  EXPECT_EQ(request_.blocked->reached_m, 1.2);
+  EXPECT_EQ(request_.blocked->reached_m, 0.95);
   EXPECT_THAT(request_.blocked->evidence, HasSubstr("a beam is in the way Again: a beam"));
   EXPECT_TRUE(request_.blocked->doubtful);  // no look has seen that there is no way
+}
+
+/// What lies in shadow from here may be seen from there.
+TEST_F(AMissionWithoutAPath, GoesNearerToWhatItDoesNotSee) {
+  drive_in();
+  look_beside(1.0);
+  path(PlanOutcome::kUnknown, 2.0);
+  ASSERT_EQ(now(), Phase::kPlan);
+  EXPECT_THAT(phase().reason, HasSubstr("goes nearer"));
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRouteTo);  // with any heading
+  EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ + 1.7, 1e-9);
+  path(PlanOutcome::kFound);
+  drive(3.0);
+  arrive();
+  answer(Kind::kAlong, 3);
+  terrain();
+  EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ + reach_m_, 1e-9);  // as far as possible
+  look_beside(1.0);                                                 // it is another place
+  path(PlanOutcome::kUnknown, 1.2);
+  EXPECT_THAT(phase().reason, HasSubstr("goes nearer"));
+  EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ + 0.9, 1e-9);
+}
+
+TEST_F(AMissionWithoutAPath, LooksToTheOtherSideWhereItGetsNoNearer) {
+  drive_in();
+  look_beside(1.0);
+  path(PlanOutcome::kUnknown, 2.0);
+  path(PlanOutcome::kUnknown, 1.2);
+  EXPECT_EQ(now(), Phase::kScan);
+  EXPECT_EQ(scan_.laser, LaserId::kRear);
+  terrain();
+  path(PlanOutcome::kUnknown, 2.0);
+  EXPECT_THAT(phase().reason, HasSubstr("backs off"));  // once from a place
+}
+
+TEST_F(AMissionWithoutAPath, GoesNoNearerToWhatItSees) {
+  drive_in();
+  path(PlanOutcome::kBlocked, 2.0);
+  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
 }
 
 TEST_F(AMissionWithoutAPath, RefusesPathAfterPathThatLeadsNowhere) {
@@ -99,15 +154,35 @@ TEST_F(AMissionWithoutAPath, RefusesPathAfterPathThatLeadsNowhere) {
 TEST_F(AMissionWithoutAPath, IsSureOfWhatItSawFromTwoPlaces) {
   drive_in();
   path(PlanOutcome::kBlocked);
-  path(PlanOutcome::kFound);
-  for (int i = 0; i < 12; ++i) back();
-  arrive();
-  answer(Kind::kAlong, 3);
-  terrain();
+  look_from_back(3.0);
   path(PlanOutcome::kBlocked);
   ASSERT_TRUE(request_.blocked);
   EXPECT_FALSE(request_.blocked->doubtful);
   EXPECT_THAT(phase().reason, HasSubstr("the way is blocked"));
+}
+
+/// Two looks may miss by a cell what a third one sees.
+TEST_F(AMissionWithoutAPath, IsNotSureWhereOneLookSaysThatItMayJustFit) {
+  drive_in();
+  path(PlanOutcome::kBlocked);
+  look_from_back(3.0);
+  look_beside(0.5, PlanOutcome::kNarrow);
+  path(PlanOutcome::kBlocked);
+  EXPECT_THAT(phase().reason, HasSubstr("backs off"));  // two saw it
+  look_from_back(0.0);
+  path(PlanOutcome::kBlocked);
+  ASSERT_TRUE(request_.blocked);
+  EXPECT_TRUE(request_.blocked->doubtful);
+
+  // Nor when it is tried once more, after another.
+  answer(Kind::kAlong, 4);
+  terrain();
+  look_from_back(0.0);
+  path(PlanOutcome::kBlocked);
+  look_from_back(0.0);
+  path(PlanOutcome::kBlocked);
+  ASSERT_TRUE(request_.blocked);
+  EXPECT_TRUE(request_.blocked->doubtful);
 }
 
 TEST_F(AMissionWithoutAPath, BacksOffAtOnceFromWhatItSees) {
@@ -301,7 +376,7 @@ TEST_F(AMissionWithoutAPath, GoesOnAlongItsOwnTrackOnTheWayHome) {
   path(PlanOutcome::kBlocked);
   ASSERT_EQ(now(), Phase::kPlan);
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
-  EXPECT_EQ(goal_.track_odom.front(), Pose2(x_m_, 0.0, 0.0));
+  EXPECT_EQ(goal_.track_odom.front(), (Pose2{x_m_, 0.0, 0.0}));
   EXPECT_NEAR(goal_.track_odom.back().x, 0.0, 1e-9);  // all that is near
   const double first_m = goal_.distance_m;
   for (int again = 0; again < 2; ++again) {
@@ -320,9 +395,7 @@ TEST_F(AMissionWithoutAPath, GoesTheFartherAlongItsTrackTheLessThatHelps) {
   for (int again = 0; again < 2; ++again) {
     ASSERT_EQ(goal_.kind, PlanGoal::Kind::kRejoin) << again;
     along_track(0.25);
-    answer(Kind::kHome);
-    terrain();
-    path(PlanOutcome::kUnknown);
+    refuse_home(PlanOutcome::kUnknown);
   }
   EXPECT_GT(goal_.distance_m, first_m);
 }
@@ -345,9 +418,7 @@ TEST_F(AMissionWithoutAPath, LooksToTheOtherSideBeforeItClosesAShortCutThatItDoe
   turn_home();
   reach_m_ = 10.0;
   along_track(1.0);
-  answer(Kind::kHome);
-  terrain();
-  path(PlanOutcome::kUnknown);
+  refuse_home(PlanOutcome::kUnknown);
   ASSERT_EQ(now(), Phase::kScan);
   terrain();
   path(PlanOutcome::kUnknown);
@@ -388,20 +459,13 @@ TEST_F(AMissionWithoutAPath, GoesAlongItsOwnTrackWhereTheRouteDoes) {
 
 /// What holds it there may hold it again.
 TEST_F(AMissionWithoutAPath, LooksForAWayWhereADriveOnItsOwnTrackFailed) {
-  drive_in();
-  path(PlanOutcome::kFound);
-  arrive();
-  reach_m_ = -10.0;
-  answer(Kind::kHome);
-  terrain();
+  turn_home();
   path(PlanOutcome::kUnknown);
   path(PlanOutcome::kFound);
   driving(Driving::kFailed, "held by a stop order");
   tick();
   ASSERT_EQ(now(), Phase::kExplore);
-  answer(Kind::kHome);
-  terrain();
-  path(PlanOutcome::kUnknown);
+  refuse_home(PlanOutcome::kUnknown);
   EXPECT_EQ(now(), Phase::kPlan);
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRoute);  // it backs off by what it sees
 }

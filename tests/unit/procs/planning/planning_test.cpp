@@ -222,7 +222,7 @@ TEST(Planning, DoesNotCallBlockedWhatMarginsAloneRefuse) {
   EXPECT_EQ(with_gap(1.6).outcome, PlanOutcome::kFound);
   for (const double gap_m : {0.9, 1.1}) {  // what the terrain leaves of gaps of 1.2 and 1.4 m
     const PlannedPath tight = with_gap(gap_m);
-    EXPECT_EQ(tight.outcome, PlanOutcome::kUnknown) << gap_m;
+    EXPECT_EQ(tight.outcome, PlanOutcome::kNarrow) << gap_m;
     EXPECT_THAT(tight.reason, testing::HasSubstr("may just fit")) << gap_m;
   }
   EXPECT_EQ(with_gap(0.7).outcome, PlanOutcome::kBlocked);
@@ -231,7 +231,7 @@ TEST(Planning, DoesNotCallBlockedWhatMarginsAloneRefuse) {
     return plan(corridor_with(roofed_cell(roof_m), {2.5, -2.0}, {5.5, 2.0})).outcome;
   };
   EXPECT_EQ(below(1.2), PlanOutcome::kFound);
-  EXPECT_EQ(below(1.05), PlanOutcome::kUnknown);
+  EXPECT_EQ(below(1.05), PlanOutcome::kNarrow);
   EXPECT_EQ(below(0.95), PlanOutcome::kBlocked);
 }
 
@@ -241,8 +241,8 @@ TEST(Planning, CallsBlockedByADropOnlyWhatBeamsReachedInto) {
     cell.low_m = static_cast<float>(beams_m);
     return plan(corridor_with(cell, {2.5, -2.0}, {3.5, 2.0})).outcome;
   };
-  EXPECT_EQ(over(0.08), PlanOutcome::kUnknown);   // the height of a rail
-  EXPECT_EQ(over(-0.15), PlanOutcome::kUnknown);  // wheels climb 0.2 m
+  EXPECT_EQ(over(0.08), PlanOutcome::kNarrow);   // the height of a rail
+  EXPECT_EQ(over(-0.15), PlanOutcome::kNarrow);  // wheels climb 0.2 m
   EXPECT_EQ(over(-0.25), PlanOutcome::kBlocked);
 }
 

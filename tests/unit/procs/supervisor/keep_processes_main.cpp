@@ -1,14 +1,19 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// keep_processes WATCHER COMMAND_LINE: a keeper of one process, to be killed by a test.
+// keep_processes WATCHER COMMAND_LINE: a keeper of one process, to be killed by a test. It ends with
+// the test: one left over would hold its output open, for which who runs the tests waits.
 #include <chrono>
+#include <csignal>
 #include <string>
 #include <thread>
+
+#include <sys/prctl.h>
 
 #include "procs/supervisor/keeper.hpp"
 #include "procs/supervisor/os/wall_time.hpp"
 
 int main(int, char** argv) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   adit::ProcessList list;
   list.commands.emplace_back();
   list.commands[0].id = "kept";

@@ -107,7 +107,11 @@ TEST_F(Processes, AreStartedByWhoIsAboveTheirWatcher) {
     _exit(127);
   }
   std::vector<pid_t> simulators;
-  while (simulators.empty()) simulators = descendants_named(getpid(), "adit-sim");
+  for (int i = 0; i < 1000 && simulators.empty(); ++i) {
+    usleep(10'000);
+    simulators = descendants_named(getpid(), "adit-sim");
+  }
+  ASSERT_FALSE(simulators.empty());
   EXPECT_EQ(starter_of(simulators.front()), getpid());
   EXPECT_EQ(starter_of(started_.back()), getpid());
   orphans_.push_back(simulators.front());

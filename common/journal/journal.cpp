@@ -48,4 +48,9 @@ void Journal::append(std::string_view kind, std::span<const std::uint8_t> bytes)
   end_ += record.size();
 }
 
+void Journal::clear() {
+  file_.truncate(0);
+  end_ = 0;
+}
+
 }  // namespace adit

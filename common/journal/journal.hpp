@@ -35,6 +35,9 @@ class Journal {
   /// before, and may be tried again. `kind` has 1 to JournalRecord::kKindMax characters.
   void append(std::string_view kind, std::span<const std::uint8_t> bytes);
 
+  /// Forgets all records.
+  void clear();
+
   /// Returns once all records are on the disk.
   void sync() const { file_.sync(); }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/scan_assembly/scan_assembly_node.hpp"
 
+#include <exception>
+
 #include "common/bus/channels.hpp"
 #include "common/bus/typed.hpp"
 #include "common/messages/cloud_pieces.hpp"
@@ -29,6 +31,10 @@ void publish_cloud(Bus& bus, std::string_view channel, const Cloud& cloud) {
 
 ScanAssemblyNode::ScanAssemblyNode(Bus& bus, const Params& params)
     : bus_(bus), scan_assembly_(params) {
+  if (!params.journal.empty()) {
+    journal_.emplace(params.journal);
+    for (const Cloud& cloud : journal_->take_restored()) held_.add(cloud, cloud.utime);
+  }
   const auto measured = Delivery::queued(kReadingsWaiting);
   subscribe<scan_request_t>(
       bus, channels::kScanRequest, Delivery::queued(kRequestsWaiting),
@@ -41,7 +47,7 @@ ScanAssemblyNode::ScanAssemblyNode(Bus& bus, const Params& params)
   listen(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
   listen(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
   subscribe<cloud_request_t>(bus, channels::kCloudRequest, Delivery::queued(kRequestsWaiting),
-                             [this](const CloudRequest& request) { repeat(request); });
+                             [this](const CloudRequest& request) { answer(request); });
   bus.every(kPeriodUs, [this](std::int64_t utime) { advance(utime); });
 }
 
@@ -63,17 +69,32 @@ void ScanAssemblyNode::advance(std::int64_t utime) {
   }
   if (!step.cloud) return;
   held_.add(*step.cloud, utime);
+  // To the disk first: what was announced is not forgotten.
+  journal_failure_.clear();
+  with_journal([&](CloudJournal& journal) { journal.keep(*step.cloud); });
   publish_cloud(bus_, channels::kCloud, *step.cloud);
 }
 
-void ScanAssemblyNode::repeat(const CloudRequest& request) {
+void ScanAssemblyNode::answer(const CloudRequest& request) {
+  with_journal([&](CloudJournal& journal) { journal.let_go(request.have_utime); });
   const Cloud* const missed = held_.missed(request, bus_.now_utime());
   if (missed != nullptr) publish_cloud(bus_, channels::kCloudAgain, *missed);
 }
 
+void ScanAssemblyNode::with_journal(const std::function<void(CloudJournal&)>& work) {
+  if (!journal_) return;
+  try {
+    work(*journal_);
+  } catch (const std::exception& failure) {
+    journal_failure_ = failure.what();
+  }
+}
+
 Health ScanAssemblyNode::health() const {
+  using Level = Health::Level;
+  if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
   if (scan_assembly_.complaint().empty()) return {};
-  return {Health::Level::kDegraded, scan_assembly_.complaint()};
+  return {Level::kDegraded, scan_assembly_.complaint()};
 }
 
 }  // namespace adit

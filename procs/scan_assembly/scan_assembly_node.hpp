@@ -2,15 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "common/bus/bus.hpp"
 #include "common/cloud/cloud_request.hpp"
 #include "common/messages/heartbeat.hpp"
+#include "procs/scan_assembly/cloud_journal.hpp"
 #include "procs/scan_assembly/held_clouds.hpp"
 #include "procs/scan_assembly/scan_assembly.hpp"
 
 namespace adit {
+
+struct ScanAssemblyNodeParams : ScanAssemblyParams {
+  std::string journal;  ///< file that keeps what nobody has yet; empty: nothing is kept
+
+  template <class V>
+  void visit(V& v) {
+    v("journal", journal);
+    ScanAssemblyParams::visit(v);
+  }
+};
 
 /// In:  SCAN_REQUEST (scan_request_t); LASER_FRONT, LASER_REAR (planar_lidar_t); TILT_FRONT,
 ///      TILT_REAR (tilt_t); POSE (pose_t); where it is, IMU (imu_t). CLOUD_REQUEST
@@ -18,23 +32,30 @@ namespace adit {
 /// Out: for each request TILT_COMMAND_FRONT or TILT_COMMAND_REAR (tilt_command_t), which sweep the
 ///      laser and bring it back to level; then CLOUD (cloud_t) in pieces. CLOUD_AGAIN (cloud_t),
 ///      in pieces, for who missed one of the newest.
+/// Where a journal is named, a 3D scan is on the disk before it goes out, and stays there until
+/// somebody has it: after a restart it can still be asked for.
 class ScanAssemblyNode {
  public:
-  using Params = ScanAssemblyParams;
+  using Params = ScanAssemblyNodeParams;
 
+  /// Throws std::runtime_error where the journal cannot be used.
   ScanAssemblyNode(Bus& bus, const Params& params);
 
-  /// Degraded where the last request was refused, or its sweep cut short or not levelled.
+  /// Degraded where the last request was refused, or its sweep cut short or not levelled, and where
+  /// a 3D scan cannot be kept.
   [[nodiscard]] Health health() const;
 
  private:
   void listen(LaserId laser, std::string_view scans, std::string_view tilt);
   void advance(std::int64_t utime);
-  void repeat(const CloudRequest& request);
+  void answer(const CloudRequest& request);
+  void with_journal(const std::function<void(CloudJournal&)>& work);
 
   Bus& bus_;
   ScanAssembly scan_assembly_;
   HeldClouds held_;
+  std::optional<CloudJournal> journal_;
+  std::string journal_failure_;
 };
 
 }  // namespace adit

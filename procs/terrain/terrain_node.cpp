@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/terrain/terrain_node.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "common/bus/channels.hpp"
@@ -40,9 +41,11 @@ TerrainNode::TerrainNode(Bus& bus, const Params& params)
   bus.every(kAskPeriodUs, [this](std::int64_t utime) { ask_and_tell(utime); });
 }
 
-/// Any message may be lost.
+/// Any message may be lost. Of an odom of before nothing is asked for.
 void TerrainNode::ask_and_tell(std::int64_t utime) {
-  const CloudRequest request{utime, "terrain", made_ ? made_->utime : 0, {}};
+  const std::int64_t of_before_utime = std::max<std::int64_t>(odom_utime_ - 1, 0);
+  const std::int64_t newest_utime = made_ ? made_->utime : 0;
+  const CloudRequest request{utime, "terrain", std::max(newest_utime, of_before_utime), {}};
   publish(bus_, channels::kCloudRequest, to_message(request));
   if (made_) publish(bus_, channels::kTerrainMade, to_message(*made_));
 }

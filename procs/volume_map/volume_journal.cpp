@@ -17,16 +17,44 @@ namespace {
 
 constexpr std::string_view kScan = "VOLUME_SCAN";
 constexpr std::string_view kTime = "VOLUME_SCAN_TIME";
+constexpr std::string_view kOdom = "VOLUME_ODOM";
 
-using TimeBytes = std::array<std::uint8_t, sizeof(std::int64_t)>;
+template <class T>
+using BytesOf = std::array<std::uint8_t, sizeof(T)>;
 
-TimeBytes to_bytes(std::int64_t utime) { return std::bit_cast<TimeBytes>(utime); }
+/// As it lies in memory, without gaps.
+struct OdomRecord {
+  std::int64_t begin_utime;
+  std::int64_t end_utime;
+  std::int32_t session;
+  std::int32_t local_map;
+  double x;
+  double y;
+  double theta;
+};
+static_assert(sizeof(OdomRecord) == 48);
 
-std::optional<std::int64_t> time_from(std::span<const std::uint8_t> bytes) {
-  TimeBytes read{};
+OdomRecord record_of(const TiedOdom& odom) {
+  const Pose2& T = odom.T_local_odom;
+  return {odom.begin_utime, odom.end_utime, odom.session, odom.local_map, T.x, T.y, T.theta};
+}
+
+TiedOdom odom_of(const OdomRecord& record) {
+  return {record.begin_utime, record.end_utime, record.session, record.local_map,
+          {record.x, record.y, record.theta}};
+}
+
+template <class T>
+BytesOf<T> bytes_of(const T& value) {
+  return std::bit_cast<BytesOf<T>>(value);
+}
+
+template <class T>
+std::optional<T> value_from(std::span<const std::uint8_t> bytes) {
+  BytesOf<T> read{};
   if (bytes.size() != read.size()) return std::nullopt;
   std::ranges::copy(bytes, read.begin());
-  return std::bit_cast<std::int64_t>(read);
+  return std::bit_cast<T>(read);
 }
 
 }  // namespace
@@ -34,6 +62,7 @@ std::optional<std::int64_t> time_from(std::span<const std::uint8_t> bytes) {
 VolumeJournal::VolumeJournal(const std::filesystem::path& path)
     : journal_(path, [this](const JournalRecord& record) { read(record); }) {
   written_times_ = restored_.taken_utime.size();
+  written_odom_ = restored_.odom;
   for (const StoredVolume& volume : restored_.volumes) {
     written_.push_back(
         {volume.contents.scans, volume.contents.points.size(), volume.tie.has_value(), 0});
@@ -42,8 +71,14 @@ VolumeJournal::VolumeJournal(const std::filesystem::path& path)
 
 void VolumeJournal::read(const JournalRecord& record) {
   if (record.kind == kScan) read_volume(record);
-  if (record.kind != kTime) return;
-  if (const auto utime = time_from(record.bytes)) restored_.taken_utime.push_back(*utime);
+  if (record.kind == kTime) {
+    const auto utime = value_from<std::int64_t>(record.bytes);
+    if (utime) restored_.taken_utime.push_back(*utime);
+  }
+  if (record.kind == kOdom) {
+    const auto odom = value_from<OdomRecord>(record.bytes);
+    if (odom) restored_.odom = odom_of(*odom);
+  }
 }
 
 /// The next sub-volume, or one that is there with more in it, or another in its place. One whose
@@ -70,7 +105,8 @@ void VolumeJournal::read_volume(const JournalRecord& record) {
 void VolumeJournal::keep(const VolumeMap& map) {
   const bool new_volumes = keep_volumes(map);
   const bool new_times = keep_times(map);
-  if (new_volumes || new_times) journal_.sync();
+  const bool new_odom = keep_odom(map);
+  if (new_volumes || new_times || new_odom) journal_.sync();
 }
 
 bool VolumeJournal::keep_volumes(const VolumeMap& map) {
@@ -93,9 +129,17 @@ bool VolumeJournal::keep_volumes(const VolumeMap& map) {
 bool VolumeJournal::keep_times(const VolumeMap& map) {
   const bool news = written_times_ < map.taken_utime().size();
   for (; written_times_ < map.taken_utime().size(); ++written_times_) {
-    journal_.append(kTime, to_bytes(map.taken_utime()[written_times_]));
+    journal_.append(kTime, bytes_of(map.taken_utime()[written_times_]));
   }
   return news;
+}
+
+bool VolumeJournal::keep_odom(const VolumeMap& map) {
+  const auto& odom = map.newest_tied_odom();
+  if (!odom || odom == written_odom_) return false;
+  journal_.append(kOdom, bytes_of(record_of(*odom)));
+  written_odom_ = odom;
+  return true;
 }
 
 }  // namespace adit

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "common/journal/journal.hpp"
@@ -13,7 +14,7 @@ namespace adit {
 
 /// The volume on the disk: with each scan what its sub-volume then is, as small as a closed one and
 /// compressed, and of its points those that are new; and the time of each scan. So the file grows
-/// with the scans as the memory does.
+/// with the scans as the memory does. Also where odom lies, for a scan that comes after a restart.
 class VolumeJournal {
  public:
   /// Opens or creates it. Throws std::runtime_error where the file is no journal or cannot be used.
@@ -37,10 +38,12 @@ class VolumeJournal {
   void read_volume(const JournalRecord& record);
   bool keep_volumes(const VolumeMap& map);
   bool keep_times(const VolumeMap& map);
+  bool keep_odom(const VolumeMap& map);
 
   StoredVolumes restored_;
   std::vector<Written> written_;   ///< by id
   std::size_t written_times_ = 0;  ///< of scans
+  std::optional<TiedOdom> written_odom_;
   Journal journal_;
 };
 

@@ -45,6 +45,8 @@ void VolumeMap::restore(StoredVolumes stored) {
   }
   restored_ = volumes_.size();
   newest_ = volumes_.empty() ? 0 : volumes_.size() - 1;
+  if (!stored.odom || stored.odom->begin_utime == 0) return;
+  (stored.odom->end_utime == TiedOdom::kNoEnd ? odom_ : odom_before_) = stored.odom;
 }
 
 bool VolumeMap::has(std::int64_t utime) const {
@@ -53,16 +55,24 @@ bool VolumeMap::has(std::int64_t utime) const {
 
 void VolumeMap::set_odom_begin(std::int64_t utime) {
   if (std::exchange(knows_odom_begin_, true)) return;
+  if (odom_ && odom_->begin_utime == 0) odom_->begin_utime = utime;
+  if (odom_ && utime > odom_->begin_utime) return end_odom(utime);
+  if (odom_before_ && odom_before_->has(utime)) {  // it ended when this began, and not only then
+    odom_before_->end_utime = utime;               // when a correction told of it
+    session_begin_utime_ = utime;
+  }
   session_begin_utime_ = std::max(session_begin_utime_, utime);
 }
 
-std::int64_t VolumeMap::known_from_utime() const { return odom_before_ ? 0 : session_begin_utime_; }
+std::int64_t VolumeMap::known_from_utime() const {
+  return odom_before_ ? odom_before_->begin_utime : session_begin_utime_;
+}
 
 bool VolumeMap::add(const Cloud& cloud) {
   taken_utime_.push_back(cloud.utime);
   const bool late = cloud.utime < session_begin_utime_;
-  const std::optional<Odom>& odom = late ? odom_before_ : odom_;
-  if (late && !odom) {
+  const std::optional<TiedOdom>& odom = late ? odom_before_ : odom_;
+  if (late && !(odom && odom->has(cloud.utime))) {
     ++left_out_;
     return false;
   }
@@ -72,7 +82,7 @@ bool VolumeMap::add(const Cloud& cloud) {
   return true;
 }
 
-bool VolumeMap::newest_takes(const Cloud& cloud, const std::optional<Odom>& odom) const {
+bool VolumeMap::newest_takes(const Cloud& cloud, const std::optional<TiedOdom>& odom) const {
   if (volumes_.empty() || !volumes_[newest_].volume.is_open()) return false;
   const PlacedVolume& newest = volumes_[newest_];
   if (newest.tie.has_value() != odom.has_value()) return false;
@@ -84,7 +94,7 @@ bool VolumeMap::newest_takes(const Cloud& cloud, const std::optional<Odom>& odom
   return T_volume_level.translation().norm() <= params_.span_m;
 }
 
-void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<Odom>& odom) {
+void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<TiedOdom>& odom) {
   if (!volumes_.empty()) volumes_[newest_].volume.close();
   PlacedVolume begun{SubVolume(params_), cloud.T_odom_level, {}, cloud.T_odom_level, false};
   begun.T_volume_place = look_of(cloud);
@@ -148,16 +158,20 @@ void VolumeMap::connect() {
   if (!correction_ || correction_->revision != graph_.revision) return;
   if (!has_pose(graph_, correction_->local_map)) return;
   const Pose2& T_map_local = pose(graph_, correction_->local_map);
-  if (odom_ && odom_->session != correction_->session) {
-    odom_before_ = odom_;
-    session_begin_utime_ = correction_->utime;
-  }
-  odom_ = {correction_->session, correction_->local_map,
+  if (odom_ && odom_->session != correction_->session) end_odom(correction_->utime);
+  odom_ = {odom_ ? odom_->begin_utime : session_begin_utime_, TiedOdom::kNoEnd,
+           correction_->session, correction_->local_map,
            between(T_map_local, correction_->T_map_odom)};
   leave_out_what_is_of_another_odom();
   for (PlacedVolume& placed : volumes_) {
     if (!placed.tie && !placed.left_out) tie(placed, *odom_);
   }
+}
+
+void VolumeMap::end_odom(std::int64_t utime) {
+  odom_->end_utime = utime;
+  odom_before_ = std::exchange(odom_, std::nullopt);
+  session_begin_utime_ = utime;
 }
 
 /// What was kept without a tie was seen before the first local map of all: in the first session.
@@ -172,7 +186,7 @@ void VolumeMap::leave_out_what_is_of_another_odom() {
   }
 }
 
-void VolumeMap::tie(PlacedVolume& placed, const Odom& odom) const {
+void VolumeMap::tie(PlacedVolume& placed, const TiedOdom& odom) const {
   placed.tie = {odom.local_map, odom.T_local_odom * placed.T_odom_volume};
   if (!has_pose(graph_, odom.local_map)) return;
   placed.T_map_volume = pose(graph_, odom.local_map) * placed.tie->T_local_volume;

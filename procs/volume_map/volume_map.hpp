@@ -14,6 +14,7 @@
 #include "common/pose_graph/map_graph.hpp"
 #include "procs/volume_map/placed_volume.hpp"
 #include "procs/volume_map/sub_volume.hpp"
+#include "procs/volume_map/tied_odom.hpp"
 
 namespace adit {
 
@@ -34,6 +35,7 @@ struct VolumeMapParams : SubVolumeParams {
 struct StoredVolumes {
   std::vector<StoredVolume> volumes;
   std::vector<std::int64_t> taken_utime;  ///< see VolumeMap::taken_utime
+  std::optional<TiedOdom> odom;           ///< see VolumeMap::newest_tied_odom
 };
 
 /// The mine as a volume: sub-volumes, each tied to the local map that was the newest one when its
@@ -48,7 +50,8 @@ struct StoredVolumes {
 /// another place before.
 ///
 /// Where mapping begins a session, that is with a new odom frame, a scan from before is tied by the
-/// odom frame that it was taken in. One of which nobody knows where that was is left out.
+/// odom frame that it was taken in, also where that was before a restart. One of which nobody knows
+/// where that was is left out.
 class VolumeMap {
  public:
   explicit VolumeMap(const VolumeMapParams& params) : params_(params) {}
@@ -69,8 +72,14 @@ class VolumeMap {
   /// The odom frame of the first scan match since this began, began then: what is older was taken
   /// in another one.
   void set_odom_begin(std::int64_t utime);
+  /// False before the first scan match.
+  [[nodiscard]] bool knows_odom_begin() const { return knows_odom_begin_; }
   /// Nobody knows where scans were taken that ended before; 0: of all it is known.
   [[nodiscard]] std::int64_t known_from_utime() const;
+  /// The present one, or the one before as long as that is not tied.
+  [[nodiscard]] const std::optional<TiedOdom>& newest_tied_odom() const {
+    return odom_ ? odom_ : odom_before_;
+  }
 
   /// Moves what is tied. A sub-volume of a local map that the graph lacks stays where it is.
   void set_graph(const MapGraph& graph);
@@ -91,20 +100,15 @@ class VolumeMap {
   [[nodiscard]] OccupancyTree merged() const;
 
  private:
-  struct Odom {
-    int session = 0;
-    int local_map = 0;
-    Pose2 T_local_odom;
-  };
-
-  [[nodiscard]] bool newest_takes(const Cloud& cloud, const std::optional<Odom>& odom) const;
-  void begin_volume(const Cloud& cloud, const std::optional<Odom>& odom);
+  [[nodiscard]] bool newest_takes(const Cloud& cloud, const std::optional<TiedOdom>& odom) const;
+  void begin_volume(const Cloud& cloud, const std::optional<TiedOdom>& odom);
   [[nodiscard]] std::size_t make_room(PlacedVolume& begun);
   [[nodiscard]] std::size_t free_id() const;
   void forget(PlacedVolume& placed) const;
   void connect();
+  void end_odom(std::int64_t utime);
   void leave_out_what_is_of_another_odom();
-  void tie(PlacedVolume& placed, const Odom& odom) const;
+  void tie(PlacedVolume& placed, const TiedOdom& odom) const;
 
   VolumeMapParams params_;
   std::vector<PlacedVolume> volumes_;
@@ -112,8 +116,8 @@ class VolumeMap {
   std::vector<std::int64_t> taken_utime_;
   MapGraph graph_;
   std::optional<MapCorrection> correction_;
-  std::optional<Odom> odom_;  ///< where it is, as of the newest correction that has its graph
-  std::optional<Odom> odom_before_;       ///< of the session before, as long as that was known
+  std::optional<TiedOdom> odom_;  ///< as of the newest correction that has its graph, or kept
+  std::optional<TiedOdom> odom_before_;   ///< of the session before, as long as that was known
   std::int64_t session_begin_utime_ = 0;  ///< by which the present session had begun
   bool knows_odom_begin_ = false;
   std::size_t restored_ = 0;  ///< sub-volumes that were kept

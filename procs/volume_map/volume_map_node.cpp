@@ -78,6 +78,7 @@ void VolumeMapNode::ask(std::int64_t utime) {
 }
 
 void VolumeMapNode::ask_for_missed(std::int64_t utime) {
+  if (!map_.knows_odom_begin()) return;
   const auto& taken = map_.taken_utime();
   const auto few = static_cast<std::ptrdiff_t>(std::min(taken.size(), kHaveMax));
   publish(bus_, channels::kCloudRequest,

@@ -32,8 +32,8 @@ struct VolumeMapNodeParams : VolumeMapParams {
 /// Out: VOLUME (volume_t), in pieces: each sub-volume that is tied to the pose graph, as soon as it
 ///      is and whenever a cloud came into it; and its pose alone whenever that changed.
 ///      MAP_REQUEST (map_request_t), until there is a graph. CLOUD_REQUEST (cloud_request_t),
-///      each 2 s, so that no 3D scan is missed while this was not there; none from before the
-///      present odom, of which nobody knows where they were taken after a restart.
+///      each 2 s, so that no 3D scan is missed while this was not there; none of an odom of which
+///      nobody knows where it was.
 /// Where a journal is named and there, the volume in it is continued.
 class VolumeMapNode {
  public:

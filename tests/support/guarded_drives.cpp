@@ -157,7 +157,7 @@ class GuardedRun {
   DriftLine drift_;
   RobotThatMatchesScans robot_;
   MemoryBus& bus_ = robot_.bus();
-  ScanAssemblyNode scan_assembly_{bus_, with_groundhog_lasers<ScanAssemblyParams>()};
+  ScanAssemblyNode scan_assembly_{bus_, with_groundhog_lasers<ScanAssemblyNodeParams>()};
   TerrainNode terrain_{bus_, TerrainParams{}};
   PlanningNode planning_{bus_, PlanningParams{}};
   DrivingNode driving_{bus_, DrivingParams{}};

@@ -94,7 +94,7 @@ class PowerCutDrive::Life {
   std::optional<StampedPose> pose_;
   std::optional<MapCorrection> correction_;
   ScanMatchingNode scan_matching_{bus_, scan_matching_params()};
-  ScanAssemblyNode scan_assembly_{bus_, with_groundhog_lasers<ScanAssemblyParams>()};
+  ScanAssemblyNode scan_assembly_{bus_, with_groundhog_lasers<ScanAssemblyNodeParams>()};
   std::unique_ptr<MappingNode> mapping_;
   std::unique_ptr<VolumeMapNode> volume_map_;
 };

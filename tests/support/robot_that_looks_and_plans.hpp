@@ -52,7 +52,7 @@ class RobotThatLooksAndPlans {
 
  private:
   Robot robot_;
-  ScanAssemblyNode scan_assembly_{bus(), with_groundhog_lasers<ScanAssemblyParams>()};
+  ScanAssemblyNode scan_assembly_{bus(), with_groundhog_lasers<ScanAssemblyNodeParams>()};
   TerrainNode terrain_{bus(), TerrainParams{}};
   PlanningNode planning_{bus(), PlanningParams{}};
   TerrainAssembler assembler_;

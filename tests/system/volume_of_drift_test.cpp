@@ -72,7 +72,7 @@ class RobotThatLooksAround {
   LogWriter log_;
   RobotThatKnowsItsPlace robot_{box_drift()};
   MemoryBus& bus_ = robot_.bus();
-  ScanAssemblyNode scan_assembly_{bus_, with_groundhog_lasers<ScanAssemblyParams>()};
+  ScanAssemblyNode scan_assembly_{bus_, with_groundhog_lasers<ScanAssemblyNodeParams>()};
   VolumeMapNode volume_map_{bus_, VolumeMapNodeParams{}};
   VolumeAssembler assembler_;
   Volume volume_;

@@ -3,6 +3,7 @@
 // A simulated robot on a bus is asked for a 3D scan.
 #include "procs/scan_assembly/scan_assembly_node.hpp"
 
+#include <filesystem>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -12,12 +13,14 @@
 #include "common/bus/channels.hpp"
 #include "common/bus/node_host.hpp"
 #include "common/bus/typed.hpp"
+#include "common/journal/journal.hpp"
 #include "common/messages/cloud_pieces.hpp"
 #include "common/messages/cloud_request.hpp"
 #include "common/messages/pose.hpp"
 #include "common/messages/scan_request.hpp"
 #include "tests/support/groundhog_params.hpp"
 #include "tests/support/robot_that_knows_its_place.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/unit/procs/scan_assembly/sweeping_robot.hpp"
 
 namespace adit {
@@ -44,7 +47,7 @@ class ScanAssemblyNodeInAMine : public testing::Test {
   RobotThatKnowsItsPlace robot_{box_drift(drift_)};
   MemoryBus& bus_ = robot_.bus();
   NodeHost host_{bus_, {"scan_assembly", "0.1.0", ""}};
-  ScanAssemblyNode node_{host_.bus(), with_groundhog_lasers<ScanAssemblyParams>()};
+  ScanAssemblyNode node_{host_.bus(), with_groundhog_lasers<ScanAssemblyNodeParams>()};
   Heartbeat heartbeat_;
   CloudAssembler assembler_;
   std::vector<Cloud> clouds_;
@@ -131,6 +134,64 @@ TEST_F(ScanAssemblyNodeInAMine, SaysWhyItRefusesARequest) {
   request(LaserId::kFront);
   EXPECT_EQ(node_.health().level, Health::Level::kDegraded);
   EXPECT_EQ(node_.health().reason, "request refused: the pose is not known");
+}
+
+/// One sweep of a robot whose stage has the journal: the time of the scan, which is in the journal
+/// as soon as the first of it goes out.
+std::int64_t announced_and_kept(const ScanAssemblyNodeParams& params) {
+  BoxDrift drift;
+  RobotThatKnowsItsPlace robot{box_drift(drift)};
+  MemoryBus& bus = robot.bus();
+  const ScanAssemblyNode node(bus, params);
+  std::vector<std::uint8_t> truth;
+  std::int64_t announced = 0;
+  bus.tap([&](const Received& message) {
+    if (message.channel == channels::kTruth) {
+      truth.assign(message.bytes.begin(), message.bytes.end());
+    }
+    if (message.channel != channels::kCloud || announced != 0) return;
+    announced = decode<cloud_t>(message.bytes)->utime;
+    std::size_t records = 0;
+    read_journal(params.journal, [&](const JournalRecord&) { ++records; });
+    EXPECT_GT(records, 0U);
+  });
+  for (int i = 0; i < 1200; ++i) {
+    robot.run(0.01);
+    bus.publish(channels::kPose, truth);
+    if (i == 150) {
+      publish(bus, channels::kScanRequest,
+              to_message(ScanRequest{bus.now_utime(), 5, LaserId::kFront}));
+    }
+  }
+  return announced;
+}
+
+TEST(ScanAssemblyNode, HasAScanOnTheDiskBeforeItIsAnnouncedUntilSomebodyHasIt) {
+  const test::ScratchFolder scratch;
+  auto params = with_groundhog_lasers<ScanAssemblyNodeParams>();
+  params.journal = (scratch / "scans.journal").string();
+  const std::int64_t announced = announced_and_kept(params);
+  ASSERT_NE(announced, 0);
+
+  MemoryBus bus;  // all was cut off
+  std::vector<std::int64_t> again;
+  CloudAssembler assembler;
+  subscribe<cloud_t>(bus, channels::kCloudAgain, Delivery::queued(100),
+                     [&](const CloudPiece& piece) {
+                       if (const auto cloud = assembler.add(piece)) again.push_back(cloud->utime);
+                     });
+  const ScanAssemblyNode node(bus, params);
+  const auto ask = [&](const std::vector<std::int64_t>& have) {
+    publish(bus, channels::kCloudRequest,
+            to_message(CloudRequest{bus.now_utime(), "volume_map", 0, have}));
+  };
+  bus.advance_to(announced + 60'000'000);
+  ask({});
+  EXPECT_EQ(again, std::vector{announced});
+  EXPECT_GT(std::filesystem::file_size(params.journal), 0U);
+  ask({announced});
+  EXPECT_EQ(again.size(), 1U);
+  EXPECT_EQ(std::filesystem::file_size(params.journal), 0U);
 }
 
 }  // namespace

@@ -166,6 +166,61 @@ TEST_F(VolumeJournalOnDisk, KnowsWhichScansItHas) {
   EXPECT_EQ(restored().taken_utime(), (std::vector{kUtime + 1}));  // the other can be had again
 }
 
+/// All is cut off before a scan is kept that was announced; odom begins anew.
+TEST_F(VolumeJournalOnDisk, TiesAScanFromBeforeARestartByTheOdomOfThen) {
+  const Pose2 T_map_odom{3.0, 0.5, 0.2};
+  {
+    VolumeMap map{VolumeMapParams{}};
+    VolumeJournal journal(path_);
+    map.set_odom_begin(kUtime - 50);
+    place(map, 0, 1, T_map_odom);
+    journal.keep(map);
+  }
+  VolumeMap again = restored();
+  again.set_odom_begin(kUtime + 100);
+  place(again, 1, 2, {});  // where the odom of now lies says nothing of then
+  EXPECT_EQ(again.known_from_utime(), kUtime - 50);
+  EXPECT_TRUE(again.add(sweep(7, 1.0)));
+  const Pose2 expected = T_map_odom * Pose2{1.0, 0.0, 0.0};
+  const Pose2& T_map_volume = again.volumes().back().T_map_volume;
+  EXPECT_LT((T_map_volume.vector() - expected.vector()).norm(), 1e-9);
+  EXPECT_FALSE(again.add(sweep(-60, 0.0)));  // from before that odom
+  EXPECT_EQ(again.left_out(), 1);
+}
+
+TEST_F(VolumeJournalOnDisk, KnowsWhichOdomEndedWithoutALocalMap) {
+  {
+    VolumeMap map{VolumeMapParams{}};
+    map.set_odom_begin(kUtime - 50);
+    place(map, 0, 1, {});
+    VolumeJournal(path_).keep(map);
+  }
+  {
+    VolumeMap map = restored();
+    map.set_odom_begin(kUtime + 100);
+    VolumeJournal(path_).keep(map);
+  }
+  VolumeMap again = restored();
+  again.set_odom_begin(kUtime + 200);
+  EXPECT_FALSE(again.add(sweep(150, 0.0)));
+  EXPECT_TRUE(again.add(sweep(50, 0.0)));
+}
+
+TEST_F(VolumeJournalOnDisk, GoesOnInTheSameOdomWhereOnlyItsProcessEnded) {
+  const Pose2 T_map_odom{3.0, 0.5, 0.2};
+  {
+    VolumeMap map{VolumeMapParams{}};
+    map.set_odom_begin(kUtime - 50);
+    place(map, 0, 1, T_map_odom);
+    VolumeJournal(path_).keep(map);
+  }
+  VolumeMap again = restored();
+  again.set_odom_begin(kUtime - 50);
+  EXPECT_TRUE(again.add(sweep(7, 1.0)));  // before any correction
+  ASSERT_TRUE(again.volumes().back().tie);
+  EXPECT_EQ(again.volumes().back().tie->local_map, 0);
+}
+
 TEST_F(VolumeJournalOnDisk, IsRefusedByAMapOfOtherCells) {
   VolumeMap map{VolumeMapParams{}};
   map.add(sweep(1, 0.0));

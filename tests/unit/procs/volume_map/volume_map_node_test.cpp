@@ -49,6 +49,13 @@ class VolumeMapNodeOnABus : public testing::Test {
             to_message(MapCorrection{kUtime, revision, 0, newest, {}, {}}));
   }
 
+  void say_odom_begins(std::int64_t utime) {
+    ScanMatch match;
+    match.utime = utime + 15;
+    match.odom_utime = utime;
+    publish(bus_, channels::kScanMatch, to_message(match));
+  }
+
   MemoryBus bus_;
   VolumeMapNode node_{bus_, VolumeMapNodeParams{}};
   VolumeAssembler assembler_;
@@ -101,6 +108,7 @@ TEST_F(VolumeMapNodeOnABus, SaysWhichScansItHasAndTakesOneThatItMissed) {
   CloudRequest asked;
   subscribe<cloud_request_t>(bus_, channels::kCloudRequest, Delivery::latest(),
                              [&](const CloudRequest& request) { asked = request; });
+  say_odom_begins(kUtime);
   send_graph(1, {{}});
   send_cloud(1, 0.0);
   send_cloud(3, 2.0);
@@ -118,10 +126,7 @@ TEST_F(VolumeMapNodeOnABus, LeavesOutScansOfAnOdomThatItDidNotKnow) {
   CloudRequest asked;
   subscribe<cloud_request_t>(bus_, channels::kCloudRequest, Delivery::latest(),
                              [&](const CloudRequest& request) { asked = request; });
-  ScanMatch match;
-  match.utime = kUtime + 20;
-  match.odom_utime = kUtime + 5;
-  publish(bus_, channels::kScanMatch, to_message(match));
+  say_odom_begins(kUtime + 5);
   send_graph(1, {{}});
   bus_.advance_to(kUtime + 2'000'000);
   EXPECT_EQ(asked.after_utime, kUtime + 4);  // what ended then is not asked for

@@ -100,7 +100,7 @@ Cloud record_sweep(const std::filesystem::path& file) {
       return std::string_view();
     });
   }
-  const ScanAssemblyNode node(bus, with_groundhog_lasers<ScanAssemblyParams>());
+  const ScanAssemblyNode node(bus, with_groundhog_lasers<ScanAssemblyNodeParams>());
   CloudAssembler assembler;
   Cloud swept;
   subscribe<cloud_t>(bus, channels::kCloud, Delivery::queued(1000), [&](const CloudPiece& piece) {

@@ -125,15 +125,20 @@ MapUpdate Mapping::take(LocalMap map) {
   return update;
 }
 
-/// Found on as many older maps as are to be kept, with no doubt and nothing decided otherwise for
-/// it. The next local map has to be the one after it, of the same odom.
+/// Found on as many older maps as are to be kept, the likeliest of all that were proposed among
+/// them, and nothing decided otherwise for it. A closure that is left out against so many says
+/// nothing new of the place. The next local map has to be the one after it, of the same odom.
 bool Mapping::shows_nothing_new(const MapUpdate& update) const {
   const LocalMap& next = builder_.current();
   if (next.session != update.map.session || next.id != update.map.id + 1) return false;
-  if (static_cast<int>(update.associations.size()) < params_.per_place_max) return false;
-  for (const Association& a : update.associations) {
-    if (a.action != Association::Action::kProposed || a.chosen == Association::kNone) return false;
-  }
+  const std::vector<Association>& decided = update.associations;
+  const bool found_first = !decided.empty() && decided.front().chosen != Association::kNone;
+  const auto found = std::ranges::count_if(
+      decided, [](const Association& a) { return a.chosen != Association::kNone; });
+  const bool all_proposed = std::ranges::all_of(decided, [](const Association& a) {
+    return a.action == Association::Action::kProposed;
+  });
+  if (!found_first || !all_proposed || found < params_.per_place_max) return false;
   const std::vector<Pose2>& poses = association_.belief().T_map_local;
   std::vector<MapExtent::Placed> older;
   for (std::size_t k = 0; k + 1 < maps_.size(); ++k) {

@@ -135,9 +135,8 @@ bool Mapping::shows_nothing_new(const MapUpdate& update) const {
   const bool found_first = !decided.empty() && decided.front().chosen != Association::kNone;
   const auto found = std::ranges::count_if(
       decided, [](const Association& a) { return a.chosen != Association::kNone; });
-  const bool all_proposed = std::ranges::all_of(decided, [](const Association& a) {
-    return a.action == Association::Action::kProposed;
-  });
+  const bool all_proposed = std::ranges::all_of(
+      decided, [](const Association& a) { return a.action == Association::Action::kProposed; });
   if (!found_first || !all_proposed || found < params_.per_place_max) return false;
   const std::vector<Pose2>& poses = association_.belief().T_map_local;
   std::vector<MapExtent::Placed> older;

@@ -116,6 +116,7 @@ void KeptProcess::launch(std::int64_t now_us) {
   take_next_listing();
   rate_.forget();
   meter_ = {};
+  measured_us_ = now_us;
   try {
     child_ = std::make_unique<ChildProcess>(
         ChildStart{*parse_command_line(command_.exec), command_.stop_signal,

@@ -81,7 +81,7 @@ class KeptProcess {
   OutputLog output_;
   UsageMeter meter_;
   ProcessUse use_;
-  std::int64_t measured_us_ = 0;  ///< the last time
+  std::int64_t measured_us_ = 0;  ///< the last time, or when it was started
   std::unique_ptr<ChildProcess> child_;
   bool leaves_ = false;
   std::int32_t run_id_ = 0;

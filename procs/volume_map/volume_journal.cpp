@@ -40,7 +40,10 @@ OdomRecord record_of(const TiedOdom& odom) {
 }
 
 TiedOdom odom_of(const OdomRecord& record) {
-  return {record.begin_utime, record.end_utime, record.session, record.local_map,
+  return {record.begin_utime,
+          record.end_utime,
+          record.session,
+          record.local_map,
           {record.x, record.y, record.theta}};
 }
 

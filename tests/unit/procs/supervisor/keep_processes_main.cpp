@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// keep_processes WATCHER COMMAND_LINE: a keeper of one process, to be killed by a test. It ends with
-// the test: one left over would hold its output open, for which who runs the tests waits.
+// keep_processes WATCHER COMMAND_LINE: a keeper of one process, to be killed by a test. It ends
+// with the test: one left over would hold its output open, for which who runs the tests waits.
 #include <chrono>
 #include <csignal>
 #include <string>

@@ -78,7 +78,8 @@ int run(const Options& options) {
     if (cuts % 3 == 1) drive.sweep();
     if (cuts % 3 != 0 && !drive.drive(2.0 + 4.0 * static_cast<double>(cuts % 2))) break;
     if (cuts % 5 == 3) drive.sweep(std::uniform_real_distribution<double>(0.5, 8.0)(random));
-    test::PowerCut cut = drive.cut(cuts % 4 == 2, random);
+    test::PowerCut cut =
+        drive.cut(cuts % 4 == 2 ? test::DiskAfterCut::kTorn : test::DiskAfterCut::kWhole, random);
     if (!drive.drive(kOnM)) break;
     drive.look_back(cut);
     print(cut);

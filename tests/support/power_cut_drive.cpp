@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include <Eigen/Eigenvalues>
@@ -28,6 +29,8 @@
 namespace adit::test {
 namespace {
 
+constexpr const char* kMapJournal = "map.journal";
+constexpr const char* kVolumeJournal = "volume.journal";
 constexpr std::int64_t kStartUtime = 1'600'000'000'000'000;
 constexpr double kOffS = 2.0;   // the vehicle comes to rest in that time
 constexpr double kWaitS = 5.0;  // for a correction
@@ -59,8 +62,7 @@ int scans_in(const VolumeMap& map) {
 /// All stages from start to end, and what was heard of them.
 class PowerCutDrive::Life {
  public:
-  Life(MemoryBus& world, const std::filesystem::path& map_journal,
-       const std::filesystem::path& volume_journal) {
+  Life(MemoryBus& world, const std::filesystem::path& folder) {
     bus_.tap([&world](const Received& received) {
       if (received.channel == channels::kTiltCommandFront ||
           received.channel == channels::kTiltCommandRear) {
@@ -72,10 +74,13 @@ class PowerCutDrive::Life {
     subscribe<map_correction_t>(bus_, channels::kMapCorrection, Delivery::latest(),
                                 [this](const MapCorrection& c) { correction_ = c; });
     auto mapping = with_groundhog_lasers<MappingNodeParams>();
-    mapping.journal = map_journal.string();
+    mapping.journal = (folder / kMapJournal).string();
     mapping_ = std::make_unique<MappingNode>(bus_, mapping);
     VolumeMapNodeParams volume;
-    volume.journal = volume_journal.string();
+    volume.journal = (folder / kVolumeJournal).string();
+    auto assembly = with_groundhog_lasers<ScanAssemblyNodeParams>();
+    assembly.journal = (folder / "scans.journal").string();
+    scan_assembly_ = std::make_unique<ScanAssemblyNode>(bus_, assembly);
     volume_map_ = std::make_unique<VolumeMapNode>(bus_, volume);
   }
 
@@ -84,7 +89,8 @@ class PowerCutDrive::Life {
   }
   MemoryBus& bus() { return bus_; }
   [[nodiscard]] int maps() const { return static_cast<int>(mapping_->map().local_maps().size()); }
-  [[nodiscard]] int scans() const { return scans_in(volume_map_->map()); }
+  [[nodiscard]] const VolumeMap& volume() const { return volume_map_->map(); }
+  [[nodiscard]] int scans() const { return scans_in(volume()); }
   [[nodiscard]] const std::optional<StampedPose>& pose() const { return pose_; }
   [[nodiscard]] const std::optional<MapCorrection>& correction() const { return correction_; }
   [[nodiscard]] Pose2 T_map_body() const { return correction_->T_map_odom * pose_->T_odom_body; }
@@ -94,7 +100,7 @@ class PowerCutDrive::Life {
   std::optional<StampedPose> pose_;
   std::optional<MapCorrection> correction_;
   ScanMatchingNode scan_matching_{bus_, scan_matching_params()};
-  ScanAssemblyNode scan_assembly_{bus_, with_groundhog_lasers<ScanAssemblyNodeParams>()};
+  std::unique_ptr<ScanAssemblyNode> scan_assembly_;
   std::unique_ptr<MappingNode> mapping_;
   std::unique_ptr<VolumeMapNode> volume_map_;
 };
@@ -116,9 +122,7 @@ PowerCutDrive::PowerCutDrive(World world, std::vector<Waypoint> waypoints,
 
 PowerCutDrive::~PowerCutDrive() = default;
 
-void PowerCutDrive::begin_life() {
-  life_ = std::make_unique<Life>(bus_, map_journal(), volume_journal());
-}
+void PowerCutDrive::begin_life() { life_ = std::make_unique<Life>(bus_, folder_); }
 
 void PowerCutDrive::step() {
   bus_.advance_to(sim_.next_utime());
@@ -145,16 +149,24 @@ bool PowerCutDrive::drive(double way_m) {
 void PowerCutDrive::sweep(double seconds) {
   driving_ = false;
   run(kOffS);
+  volume_bytes_ = std::filesystem::file_size(folder_ / kVolumeJournal);
   publish(life_->bus(), channels::kScanRequest,
           to_message(ScanRequest{life_->bus().now_utime(), ++sweeps_, LaserId::kFront}));
   run(seconds);
 }
 
-PowerCut PowerCutDrive::cut(bool torn, std::mt19937& random) {
+void PowerCutDrive::wait(double seconds) {
+  driving_ = false;
+  run(seconds);
+}
+
+const VolumeMap& PowerCutDrive::volume() const { return life_->volume(); }
+
+PowerCut PowerCutDrive::cut(DiskAfterCut disk, std::mt19937& random) {
   PowerCut cut;
   cut.way_m = driver_.progress_m();
   cut.in_motion = driving_;
-  cut.torn = torn;
+  cut.torn = disk == DiskAfterCut::kTorn;
   cut.maps = life_->maps();
   cut.scans = life_->scans();
   T_world_before_ = T_world_body();
@@ -162,9 +174,12 @@ PowerCut PowerCutDrive::cut(bool torn, std::mt19937& random) {
   T_map_before_ = placed ? life_->T_map_body() : between(T_world_start_, T_world_before_);
   driving_ = false;
   life_.reset();
-  if (torn) {
-    tear(map_journal(), random);
-    tear(volume_journal(), random);
+  if (disk == DiskAfterCut::kTorn) {
+    tear(folder_ / kMapJournal, random);
+    tear(folder_ / kVolumeJournal, random);
+  }
+  if (disk == DiskAfterCut::kBeforeTheScan) {
+    std::filesystem::resize_file(folder_ / kVolumeJournal, volume_bytes_);
   }
   run(kOffS);
   begin_life();

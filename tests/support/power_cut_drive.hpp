@@ -12,11 +12,19 @@
 
 #include "common/bus/memory_bus.hpp"
 #include "common/geometry/pose2.hpp"
+#include "procs/volume_map/volume_map.hpp"
 #include "sim/drive/waypoint_driver.hpp"
 #include "sim/sim_node.hpp"
 #include "sim/world/world.hpp"
 
 namespace adit::test {
+
+/// What a power cut leaves on the disk.
+enum class DiskAfterCut {
+  kWhole,
+  kTorn,           ///< the last records of the map and of the volume have lost their ends
+  kBeforeTheScan,  ///< the volume was not written since the last scan began
+};
 
 /// How the computer of a robot was cut off, and what it knew when it was on again.
 struct PowerCut {
@@ -50,11 +58,15 @@ class PowerCutDrive {
   /// Takes a 3D scan, or begins one and drives no more.
   void sweep(double seconds = 10.0);
   /// Cuts off, and waits standing for the first correction.
-  PowerCut cut(bool torn, std::mt19937& random);
+  PowerCut cut(DiskAfterCut disk, std::mt19937& random);
+  /// Stands for so long.
+  void wait(double seconds);
   /// Fills in what is known later.
   void look_back(PowerCut& cut) const;
 
   [[nodiscard]] double way_m() const { return driver_.progress_m(); }
+  /// As the stage has it now.
+  [[nodiscard]] const VolumeMap& volume() const;
 
  private:
   class Life;
@@ -64,8 +76,6 @@ class PowerCutDrive {
   void begin_life();
   void tear(const std::filesystem::path& journal, std::mt19937& random) const;
   [[nodiscard]] Pose2 T_world_body() const;
-  [[nodiscard]] std::filesystem::path map_journal() const { return folder_ / "map.journal"; }
-  [[nodiscard]] std::filesystem::path volume_journal() const { return folder_ / "volume.journal"; }
 
   std::filesystem::path folder_;
   Site site_;
@@ -74,6 +84,7 @@ class PowerCutDrive {
   WaypointDriver driver_;
   bool driving_ = false;
   std::int32_t sweeps_ = 0;
+  std::uintmax_t volume_bytes_ = 0;  ///< of its journal, before the last sweep
   std::unique_ptr<Life> life_;
   Pose2 T_world_start_;
   /// Before the last cut: where the robot truly was, and where it believed to be.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole computer is cut off at a moment of a drive, and finds itself where it stands. More of
 // it: power_cuts_table.
+#include <cmath>
 #include <numbers>
 #include <random>
 #include <vector>
@@ -14,6 +15,8 @@
 
 namespace adit {
 namespace {
+
+using enum test::DiskAfterCut;
 
 constexpr double kFoundM = 0.3;
 constexpr double kFoundRad = 3.0 / 180.0 * std::numbers::pi;
@@ -56,19 +59,38 @@ TEST(PowerCut, LosesNothingAndFindsTheBodyWhereItStands) {
   std::mt19937 random(1);
   test::PowerCutDrive drive(mine(false), waypoints({{23, 0}, {25, 2}, {25, 18}}), scratch / "");
   ASSERT_TRUE(drive.drive(0.3));
-  expect_found(drive.cut(false, random));  // where it began is home
+  expect_found(drive.cut(kWhole, random));  // where it began is home
   ASSERT_TRUE(drive.drive(8.0));
   drive.sweep();
-  const test::PowerCut at_rest = drive.cut(false, random);
+  const test::PowerCut at_rest = drive.cut(kWhole, random);
   expect_found(at_rest);
   EXPECT_EQ(at_rest.scans, 1);
   EXPECT_EQ(at_rest.scans_lost, 0);
   ASSERT_TRUE(drive.drive(14.0));  // round the corner
-  const test::PowerCut torn = drive.cut(true, random);
+  const test::PowerCut torn = drive.cut(kTorn, random);
   expect_found(torn);
   EXPECT_EQ(torn.scans_lost, 0);  // the record that was torn is that of its time
   drive.sweep(4.0);
-  expect_found(drive.cut(false, random));  // with one laser tilted
+  expect_found(drive.cut(kWhole, random));  // with one laser tilted
+}
+
+/// The volume had not heard of it, or had not written it yet.
+TEST(PowerCut, LosesNoScanThatWasJustAnnounced) {
+  const test::ScratchFolder scratch;
+  std::mt19937 random(1);
+  test::PowerCutDrive drive(mine(false), waypoints({{23, 0}, {25, 2}, {25, 18}}), scratch / "");
+  ASSERT_TRUE(drive.drive(8.0));
+  drive.sweep(0.0);
+  for (int i = 0; i < 1000 && drive.volume().volumes().empty(); ++i) drive.wait(0.02);
+  ASSERT_EQ(drive.volume().volumes().size(), 1U);
+  const Pose2 before = drive.volume().volumes().front().T_map_volume;
+  EXPECT_EQ(drive.cut(kBeforeTheScan, random).scans_lost, 1);
+  drive.wait(10.0);
+  ASSERT_EQ(drive.volume().volumes().size(), 1U);
+  EXPECT_EQ(drive.volume().left_out(), 0);
+  const Pose2 after = drive.volume().volumes().front().T_map_volume;
+  EXPECT_LT(between(before, after).translation().norm(), 0.05);
+  EXPECT_LT(std::abs(between(before, after).theta), 0.01);
 }
 
 TEST(PowerCut, SaysHowFarItMayBeAlongASmoothDrift) {
@@ -76,7 +98,7 @@ TEST(PowerCut, SaysHowFarItMayBeAlongASmoothDrift) {
   std::mt19937 random(1);
   test::PowerCutDrive drive(mine(true), waypoints({{195, 0}}), scratch / "");
   ASSERT_TRUE(drive.drive(12.0));
-  const test::PowerCut cut = drive.cut(false, random);
+  const test::PowerCut cut = drive.cut(kWhole, random);
   ASSERT_TRUE(cut.found_s);
   EXPECT_GT(cut.sd_m, 0.5);
   EXPECT_LT(cut.error_m, kSigmas * cut.sd_m);

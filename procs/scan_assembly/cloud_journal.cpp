@@ -39,6 +39,7 @@ CloudJournal::CloudJournal(const std::filesystem::path& path)
   for (const Cloud& cloud : restored_) lacked_utime_.push_back(cloud.utime);
 }
 
+/// What it begins anew without has been announced long ago, and may be asked for in memory.
 void CloudJournal::keep(const Cloud& cloud) {
   if (clouds_ >= kMax) {
     journal_.clear();

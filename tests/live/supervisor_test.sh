@@ -41,9 +41,9 @@ await_sleepers 3
 [[ $("$sheriff" await sensors far running) == "$far" ]] || fail "far was stopped by a stranger"
 await_sleepers 3
 for reason in "foreign sheriff" "another command line" "not in the list"; do
-  grep -q "PM_ORDERS refused.*$reason" "$scratch/sensors.err" || fail "no word of: $reason"
+  await_word "$scratch/sensors.err" "PM_ORDERS refused.*$reason"
 done
-grep -q "PM_ORDERS refused.*foreign sheriff" "$scratch/robot.err" || fail "robot obeyed its own name"
+await_word "$scratch/robot.err" "PM_ORDERS refused.*foreign sheriff"   # not its own name either
 
 # A terminal of the one in charge is obeyed on both.
 "$adit" restart far --socket "$scratch/robot.sock" || fail "adit restart"

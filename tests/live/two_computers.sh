@@ -44,6 +44,11 @@ how_many_sleep() {
   echo "$n"
 }
 await_sleepers() {
-  for _ in $(seq 200); do [[ $(how_many_sleep) == "$1" ]] && return; sleep 0.02; done
+  for _ in $(seq 500); do [[ $(how_many_sleep) == "$1" ]] && return; sleep 0.02; done
   fail "$(how_many_sleep) processes sleep, not $1"
+}
+# What a supervisor says of a message may come later than what it does.
+await_word() {
+  for _ in $(seq 500); do grep -q "$2" "$1" && return; sleep 0.02; done
+  fail "no word of: $2"
 }

@@ -77,4 +77,9 @@ void SubVolume::close() {
   points_.shrink_to_fit();
 }
 
+void SubVolume::forget_points() {
+  forgotten_points_ += points_.size();
+  points_ = {};
+}
+
 }  // namespace adit

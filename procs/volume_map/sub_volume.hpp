@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <unordered_set>
@@ -64,13 +65,18 @@ class SubVolume {
   /// In any order, while it is open.
   void insert(const Cloud& cloud, const Pose2& T_volume_level);
 
-  /// Gives up what is needed to insert more. What remains takes 0.2 to 1 MB for a scan in a mine:
-  /// the most likely state of each cell, and the points.
+  /// Gives up what is needed to insert more. What remains is the most likely state of each cell,
+  /// some 20 kB for a scan in a mine, and the points, 0.2 to 1 MB.
   void close();
+
+  /// They are elsewhere, and take no room any more.
+  void forget_points();
 
   [[nodiscard]] bool is_open() const { return open_.has_value(); }
   /// Nothing was seen, or it was forgotten.
-  [[nodiscard]] bool is_empty() const { return octree_.empty() && points_.empty(); }
+  [[nodiscard]] bool is_empty() const {
+    return octree_.empty() && points_.empty() && forgotten_points_ == 0;
+  }
   [[nodiscard]] double cell_m() const { return params_.cell_m; }
   [[nodiscard]] std::int64_t utime() const { return utime_; }  ///< of the newest scan
   [[nodiscard]] int scans() const { return scans_; }
@@ -78,8 +84,10 @@ class SubVolume {
   [[nodiscard]] const std::vector<std::uint8_t>& octree() const { return octree_; }
   [[nodiscard]] std::int64_t occupied() const { return occupied_; }  ///< cells
   [[nodiscard]] std::int64_t free() const { return free_; }          ///< cells
-  /// Of each cell of `point_spacing_m` the first point in it, however far away.
+  /// Of each cell of `point_spacing_m` the first point in it, however far away; those that came
+  /// since they were forgotten.
   [[nodiscard]] const std::vector<VolumePoint>& points() const { return points_; }
+  [[nodiscard]] std::size_t forgotten_points() const { return forgotten_points_; }
   /// That were no numbers or more than 2^15 cells away, or whose beams began so far from the body
   /// that no laser of it can have been there (kOriginMaxM).
   [[nodiscard]] std::int64_t refused_points() const { return refused_points_; }
@@ -101,6 +109,7 @@ class SubVolume {
   std::int64_t occupied_ = 0;
   std::int64_t free_ = 0;
   std::vector<VolumePoint> points_;
+  std::size_t forgotten_points_ = 0;
   std::int64_t refused_points_ = 0;
 };
 

@@ -120,10 +120,15 @@ bool VolumeJournal::keep_volumes(const VolumeMap& map) {
     Written& written = written_[id];
     const bool tied = placed.tie.has_value();
     if (placed.volume.scans() == written.scans && tied == written.tied) continue;
+    const std::size_t forgotten = placed.volume.forgotten_points();
     const bool another = placed.renewals != written.renewals;
-    const VolumeRecord record{static_cast<int>(id), stored(placed), another ? 0 : written.points};
+    VolumeRecord record{static_cast<int>(id), stored(placed), another ? 0 : written.points};
+    std::vector<VolumePoint>& points = record.volume.contents.points;
+    const std::size_t all = forgotten + points.size();
+    const std::size_t known = record.first_point - forgotten;
+    points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(known));
     journal_.append(kScan, to_bytes(record));
-    written = {placed.volume.scans(), placed.volume.points().size(), tied, placed.renewals};
+    written = {placed.volume.scans(), all, tied, placed.renewals};
     news = true;
   }
   return news;

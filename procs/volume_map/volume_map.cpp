@@ -49,6 +49,10 @@ void VolumeMap::restore(StoredVolumes stored) {
   (stored.odom->end_utime == TiedOdom::kNoEnd ? odom_ : odom_before_) = stored.odom;
 }
 
+void VolumeMap::forget_points() {
+  for (PlacedVolume& placed : volumes_) placed.volume.forget_points();
+}
+
 bool VolumeMap::has(std::int64_t utime) const {
   return std::ranges::find(taken_utime_, utime) != taken_utime_.end();
 }

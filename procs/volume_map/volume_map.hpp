@@ -60,6 +60,9 @@ class VolumeMap {
   /// cells are of another size.
   void restore(StoredVolumes stored);
 
+  /// Of all sub-volumes, once they are kept: nobody but who exports them needs the points.
+  void forget_points();
+
   /// Takes a scan into the newest sub-volume, if that is tied to the same local map and near, or
   /// else into a new one. False where it is left out.
   bool add(const Cloud& cloud);

@@ -39,6 +39,7 @@ Volume volume_of(const PlacedVolume& placed, std::size_t id, std::int64_t graph_
 VolumeMapNode::VolumeMapNode(Bus& bus, const Params& params) : bus_(bus), map_(params) {
   if (!params.journal.empty()) {
     map_.restore(journal_.emplace(params.journal).take_restored());
+    map_.forget_points();
   }
   subscribe<cloud_t>(bus, channels::kCloud, Delivery::queued(kPiecesWaiting),
                      [this](const CloudPiece& piece) {
@@ -97,12 +98,13 @@ void VolumeMapNode::on_cloud(const Cloud& cloud) {
   publish_news();
 }
 
-/// To the disk first: what was announced is not forgotten.
+/// To the disk first: what was announced is not forgotten. The points are of no more use here.
 void VolumeMapNode::keep() {
   if (!journal_) return;
   journal_failure_.clear();
   try {
     journal_->keep(map_);
+    map_.forget_points();
   } catch (const std::exception& failure) {
     journal_failure_ = failure.what();
   }

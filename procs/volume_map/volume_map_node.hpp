@@ -34,7 +34,8 @@ struct VolumeMapNodeParams : VolumeMapParams {
 ///      MAP_REQUEST (map_request_t), until there is a graph. CLOUD_REQUEST (cloud_request_t),
 ///      each 2 s, so that no 3D scan is missed while this was not there; none of an odom of which
 ///      nobody knows where it was.
-/// Where a journal is named and there, the volume in it is continued.
+/// Where a journal is named and there, the volume in it is continued. Points are in the journal
+/// alone.
 class VolumeMapNode {
  public:
   using Params = VolumeMapNodeParams;

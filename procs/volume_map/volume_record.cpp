@@ -102,18 +102,14 @@ float number_of(std::uint32_t word) {
   return number;
 }
 
-void put_points(const std::vector<VolumePoint>& points, std::size_t first, Writer& writer) {
+void put_points(const std::vector<VolumePoint>& points, Writer& writer) {
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<std::uint32_t> words;
-    for (std::size_t i = first; i < points.size(); ++i) {
-      words.push_back(word_of(points[i].p_volume[axis]));
-    }
+    for (const VolumePoint& point : points) words.push_back(word_of(point.p_volume[axis]));
     writer.put_planes(words);
   }
   std::vector<std::uint32_t> scans;
-  for (std::size_t i = first; i < points.size(); ++i) {
-    scans.push_back(static_cast<std::uint32_t>(points[i].scan));
-  }
+  for (const VolumePoint& point : points) scans.push_back(static_cast<std::uint32_t>(point.scan));
   writer.put_planes(scans);
 }
 
@@ -146,7 +142,7 @@ std::vector<std::uint8_t> to_bytes(const VolumeRecord& record) {
   writer.put(contents.refused_points);
   writer.put_bytes(contents.octree);
   writer.put(static_cast<std::uint64_t>(record.first_point));
-  put_points(contents.points, record.first_point, writer);
+  put_points(contents.points, writer);
   const Bytes plain = writer.take();
   Writer packed;
   packed.put(static_cast<std::uint64_t>(plain.size()));

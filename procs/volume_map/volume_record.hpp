@@ -12,11 +12,11 @@
 
 namespace adit {
 
-/// A sub-volume as it goes to the disk when a scan came into it, its points from `first_point` on.
+/// A sub-volume as it goes to the disk when a scan came into it, with the points that are new.
 struct VolumeRecord {
   int id = 0;
   StoredVolume volume;
-  std::size_t first_point = 0;  ///< index
+  std::size_t first_point = 0;  ///< how many the sub-volume had before
 };
 
 /// Compressed, and always the same bytes on machines of one byte order; comes back with the same

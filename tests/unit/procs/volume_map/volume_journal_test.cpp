@@ -88,6 +88,40 @@ TEST_F(VolumeJournalOnDisk, GivesBackAllThatWasSeen) {
   EXPECT_LT(std::filesystem::file_size(path_), 16 * points);
 }
 
+/// As the stage does, whose points are in the journal alone.
+TEST_F(VolumeJournalOnDisk, HasAllPointsThoughTheMapForgetsThem) {
+  VolumeMap all{VolumeMapParams{}};
+  VolumeMap forgets{VolumeMapParams{}};
+  place(all, 0, 1, {});
+  place(forgets, 0, 1, {});
+  const auto add = [&](VolumeJournal& journal, const Cloud& cloud) {
+    all.add(cloud);
+    forgets.add(cloud);
+    journal.keep(forgets);
+    forgets.forget_points();
+    for (const PlacedVolume& placed : forgets.volumes()) {
+      EXPECT_TRUE(placed.volume.points().empty());
+    }
+  };
+  {
+    VolumeJournal journal(path_);
+    add(journal, sweep(1, 0.0));
+    add(journal, sweep(2, 1.0));  // into the same one
+    add(journal, sweep(3, 12.0));
+  }
+  VolumeMap again = restored();
+  place(again, 0, 1, {});
+  expect_same(again, all);
+
+  VolumeJournal journal(path_);
+  forgets = VolumeMap{VolumeMapParams{}};
+  forgets.restore(journal.take_restored());
+  forgets.forget_points();
+  place(forgets, 0, 2, {});
+  add(journal, sweep(4, -8.0));
+  EXPECT_GT(forgets.volumes()[0].volume.forgotten_points(), 1000U);
+}
+
 TEST_F(VolumeJournalOnDisk, GivesBackTheOneThatTookThePlaceOfAnother) {
   VolumeMapParams params;
   params.renew_m = 1.0;

@@ -215,6 +215,15 @@ std::optional<int> KnownSpace::tile_at(const Eigen::Vector2d& p_map) const {
   return best;
 }
 
+std::optional<int> KnownSpace::newest_at(const Eigen::Vector2d& p_map) const {
+  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
+    const auto& [tile, T_map_local, radius_m] = entry->second;
+    if (!T_map_local) continue;
+    if (tile.saw_free(cell_of(T_map_local->inverse() * p_map, resolution_m()))) return entry->first;
+  }
+  return std::nullopt;
+}
+
 std::optional<Pose2> KnownSpace::pose_of(int id) const {
   const auto entry = entries_.find(id);
   return entry == entries_.end() ? std::nullopt : entry->second.T_map_local;

@@ -54,6 +54,9 @@ class KnownSpace {
   /// The nearest tile, by its way, that saw this place free: the one to tie it to.
   [[nodiscard]] std::optional<int> tile_at(const Eigen::Vector2d& p_map) const;
 
+  /// The newest tile that saw this place free; nothing where none did.
+  [[nodiscard]] std::optional<int> newest_at(const Eigen::Vector2d& p_map) const;
+
   [[nodiscard]] double resolution_m() const { return params_.tiles.resolution_m; }
   /// Where the tile is in the map; nothing where it is nowhere.
   [[nodiscard]] std::optional<Pose2> pose_of(int id) const;

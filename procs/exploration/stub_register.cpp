@@ -11,6 +11,7 @@ namespace adit {
 namespace {
 
 constexpr double kNearerM = 1.0;              // less is none
+constexpr double kShiftM = 0.5;               // by which maps may move against each other
 const double kAdvanceCosine = std::cos(1.0);  // of the angle by which a corridor may bend
 
 void set(Stub& stub, StubState state, std::string evidence, std::int64_t utime) {
@@ -41,7 +42,7 @@ void StubRegister::update(const std::vector<OpenEnd>& ends, const KnownSpace& sp
     match(ends, space, search, found, taken);
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!found[i] && !holds_[i].final) close(i, space.newest(), utime);
+    if (!found[i] && !holds_[i].final) close(i, space, utime);
   }
   for (std::size_t k = 0; k < ends.size(); ++k) {
     if (taken[k]) continue;
@@ -50,6 +51,7 @@ void StubRegister::update(const std::vector<OpenEnd>& ends, const KnownSpace& sp
     stub.utime = utime;
     stubs_.push_back(stub);
     holds_.emplace_back();
+    closings_.emplace_back();
     place(stubs_.size() - 1, ends[k], space);
     judge(stubs_.size() - 1, ends[k].access, barriers, utime);
   }
@@ -60,6 +62,7 @@ void StubRegister::update(const std::vector<OpenEnd>& ends, const KnownSpace& sp
     });
     judge(i, end->access, barriers, utime);
   }
+  confirm_closed(ends, space);
 }
 
 void StubRegister::move_with_the_graph(const KnownSpace& space) {
@@ -95,17 +98,41 @@ void StubRegister::match(const std::vector<OpenEnd>& ends, const KnownSpace& spa
   });
   for (const Pair& pair : pairs) {
     if (found[pair.stub] || taken[pair.end]) continue;
-    found[pair.stub] = true;
     taken[pair.end] = true;
+    if (search == Search::kReopened && is_seam(pair.stub, ends[pair.end], space)) continue;
+    found[pair.stub] = true;
     place(pair.stub, ends[pair.end], space);
   }
 }
 
 /// What lies there was seen; after so many times, for good.
-void StubRegister::close(std::size_t i, std::optional<int> local_map, std::int64_t utime) {
+void StubRegister::close(std::size_t i, const KnownSpace& space, std::int64_t utime) {
   if (stubs_[i].state == StubState::kExplored) return;
-  set(stubs_[i], StubState::kExplored, seen_by(local_map), utime);
+  const std::optional<int> newest = space.newest();
+  set(stubs_[i], StubState::kExplored, seen_by(newest), utime);
   holds_[i].final = ++holds_[i].closings >= params_.closings;
+  if (!newest) return;
+  closings_[i] = {newest, space.pose_of(*newest)->inverse() * stubs_[i].p_map, *newest};
+}
+
+/// It was seen to be closed, nobody has seen the place since nothing was open there, and who saw it
+/// lies as he did.
+bool StubRegister::is_seam(std::size_t i, const OpenEnd& end, const KnownSpace& space) const {
+  const Closing& closing = closings_[i];
+  if (!closing.local_map || space.newest_at(end.p_map).value_or(0) > closing.up_to) return false;
+  const auto T_map_local = space.pose_of(*closing.local_map);
+  return T_map_local && (*T_map_local * closing.p_local - stubs_[i].p_map).norm() <= kShiftM;
+}
+
+void StubRegister::confirm_closed(const std::vector<OpenEnd>& ends, const KnownSpace& space) {
+  for (std::size_t i = 0; i < stubs_.size(); ++i) {
+    const bool open = std::ranges::any_of(ends, [&](const OpenEnd& end) {
+      return (end.p_map - stubs_[i].p_map).norm() <= params_.match_m;
+    });
+    if (stubs_[i].state == StubState::kExplored && !open) {
+      closings_[i].up_to = space.newest().value_or(0);
+    }
+  }
 }
 
 void StubRegister::place(std::size_t i, const OpenEnd& end, const KnownSpace& space) {
@@ -217,6 +244,7 @@ void StubRegister::restore(const std::vector<RememberedStub>& stubs) {
     stubs_.push_back(stub);
     holds_.push_back(hold);
   }
+  closings_.assign(stubs_.size(), {});
 }
 
 const Stub* StubRegister::find(int stub) const {

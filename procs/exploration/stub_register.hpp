@@ -58,7 +58,8 @@ struct RememberedStub {
 /// Every stub that was ever seen, what became of it, and the evidence. A stub is tied to the local
 /// map that saw it, moves with it, and moves on down the corridor as the robot does; where the
 /// corridor divides, one branch inherits it and the others are new. Where the map moves, seams in
-/// it may open again; that is the stub that was there, and not for ever.
+/// it may open again. One that nobody has seen since, in maps that lie against each other as they
+/// did, changes nothing; else that is the stub that was there, and not for ever.
 class StubRegister {
  public:
   explicit StubRegister(const StubRegisterParams& params) : params_(params) {}
@@ -91,7 +92,7 @@ class StubRegister {
   [[nodiscard]] const std::vector<Stub>& stubs() const { return stubs_; }
   [[nodiscard]] const Stub* find(int stub) const;
 
-  /// By id; and with it a register goes on as this one would.
+  /// By id; and with it a register goes on as this one would, but that a seam may open a stub.
   [[nodiscard]] std::vector<RememberedStub> remembered() const;
   void restore(const std::vector<RememberedStub>& stubs);
 
@@ -112,7 +113,9 @@ class StubRegister {
   [[nodiscard]] bool may_be(std::size_t stub, const OpenEnd& end, Search search) const;
   void match(const std::vector<OpenEnd>& ends, const KnownSpace& space, Search search,
              std::vector<bool>& found, std::vector<bool>& taken);
-  void close(std::size_t stub, std::optional<int> local_map, std::int64_t utime);
+  void close(std::size_t stub, const KnownSpace& space, std::int64_t utime);
+  [[nodiscard]] bool is_seam(std::size_t stub, const OpenEnd& end, const KnownSpace& space) const;
+  void confirm_closed(const std::vector<OpenEnd>& ends, const KnownSpace& space);
   void place(std::size_t stub, const OpenEnd& end, const KnownSpace& space);
   void judge(std::size_t stub, Access access, const std::vector<BarrierText>& barriers,
              std::int64_t utime);
@@ -120,6 +123,14 @@ class StubRegister {
   StubRegisterParams params_;
   std::vector<Stub> stubs_;
   std::vector<StubHold> holds_;  ///< by id
+
+  /// By whom a stub was seen to be closed.
+  struct Closing {
+    std::optional<int> local_map;
+    Eigen::Vector2d p_local{0.0, 0.0};  ///< the stub in it
+    int up_to = 0;                      ///< local map, with all up to which nothing was open there
+  };
+  std::vector<Closing> closings_;  ///< by id; nobody after a restart
 };
 
 }  // namespace adit

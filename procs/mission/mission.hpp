@@ -124,6 +124,7 @@ class Mission {
   void go_nearer(double reached_m, const std::string& reason);
   void back_off(double distance_m, const std::string& reason);
   void back_off_as_planned(const std::string& reason);
+  void take_track_as_believed();
   [[nodiscard]] bool leads_back() const;
   [[nodiscard]] double track_that_leads_there_m() const;
   void rejoin(double length_m, const std::string& reason);

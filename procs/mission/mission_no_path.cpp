@@ -32,6 +32,7 @@ void Mission::refuse(double reached_m, const std::string& reason, Evidence evide
   if (attempt_.refusals() == 0 && way_.T_odom_body()) {
     refused_.add(way_.T_odom_body()->translation());
   }
+  if (attempt_.refusals() > 0) take_track_as_believed();
   const bool may_back_off = way_.back_m(params_.back_off_m) > kGotOnM;
   const bool short_cut = is_short_cut_home(reached_m);
   const double track_m = short_cut ? 0.0 : track_that_leads_there_m();
@@ -76,6 +77,13 @@ void Mission::refuse(double reached_m, const std::string& reason, Evidence evide
   }
   enter(Phase::kExplore,
         (verdict_->doubtful ? "no way is found: " : "the way is blocked: ") + verdict_->evidence);
+}
+
+/// After a cut the map may know only about where odom lies, until the robot has moved; and without
+/// its track it does not move. It stands where it was cut off, and the guard watches.
+void Mission::take_track_as_believed() {
+  if (way_.is_tied() || !T_map_odom_ || limits_.is_unmeasured()) return;
+  way_.tie(*T_map_odom_);
 }
 
 void Mission::got_on() {

@@ -208,6 +208,26 @@ TEST_F(AMissionWithoutAPath, BacksOffIntoTheOdomFrameBeforeOnceItHasItsMap) {
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 3.0, 0.26);  // a step of driving
 }
 
+/// The map does not know well where it is until it has moved.
+TEST_F(AMissionWithoutAPath, BacksOffIntoTheOdomFrameBeforeWhereNothingElseIsLeft) {
+  match(kStart);
+  map(kStart);
+  to_execute();
+  drive(5.0);
+  match(utime_);
+  ASSERT_EQ(now(), Phase::kWaiting);
+  map(utime_, Eigen::Vector3d(0.5, 0.5, 0.01).asDiagonal().toDenseMatrix());
+  to_plan();
+  path(PlanOutcome::kUnknown);
+  ASSERT_EQ(now(), Phase::kScan);
+  EXPECT_THAT(phase().reason, HasSubstr("looks to the other side"));
+  terrain();
+  path(PlanOutcome::kUnknown);
+  EXPECT_EQ(now(), Phase::kPlan);
+  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 1.2, 0.26);  // a step of driving
+}
+
 TEST_F(AMissionWithoutAPath, LooksTwiceWhereItCannotBackOff) {
   to_plan();
   path(PlanOutcome::kBlocked);

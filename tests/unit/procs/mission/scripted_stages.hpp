@@ -109,9 +109,10 @@ class ScriptedStages : public testing::Test {
     driving(DrivingState::Kind::kArrived);
     tick();
   }
-  void map(std::int64_t utime) {
+  void map(std::int64_t utime, const std::optional<Eigen::Matrix3d>& covariance = {}) {
     MapCorrection correction;
     correction.utime = utime;
+    correction.covariance = covariance;
     mission_.add_correction(correction);
   }
   void match(std::int64_t odom_utime) {

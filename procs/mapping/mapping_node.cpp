@@ -74,7 +74,7 @@ void MappingNode::on_match(const ScanMatch& match) {
   if (journal_) keep_unfinished();
 }
 
-/// Each metre or half a radian of the way; and where the way begins, since that is home. The first
+/// Each 0.3 m or half a radian of the way; and where the way begins, since that is home. The first
 /// local map of a session is over before that, and how it hangs on the map is not known yet.
 void MappingNode::keep_unfinished() {
   const LocalMap& map = mapping_.unfinished();
@@ -88,7 +88,7 @@ void MappingNode::keep_unfinished() {
   const Pose2& T_local_body = map.scans.back().T_local_body;
   const Pose2 moved = between(T_local_kept_, T_local_body);
   const bool moved_on =
-      moved.translation().norm() >= params_.lost_m || std::abs(moved.theta) >= params_.lost_rad;
+      moved.translation().norm() >= params_.keep_m || std::abs(moved.theta) >= params_.lost_rad;
   if (!moved_on && !(start_is_due_ && map.scans.size() > 1)) return;
   start_is_due_ = false;
   T_local_kept_ = T_local_body;

@@ -19,10 +19,12 @@ namespace adit {
 
 struct MappingNodeParams : MappingParams {
   std::string journal;  ///< file that keeps what was learnt; empty: nothing is kept
+  double keep_m = 0.3;  ///< of the way, after which what there is of a local map goes there
 
   template <class V>
   void visit(V& v) {
     v("journal", journal);
+    v("keep_m", keep_m, within(0.05, 10.0));
     MappingParams::visit(v);
   }
 };
@@ -33,7 +35,7 @@ struct MappingNodeParams : MappingParams {
 ///      ASSOCIATION (association_t) for each decision, MAP_CORRECTION (map_correction_t). All
 ///      local maps again for those who ask, some pieces at a time, with the graph before and after.
 /// Where a journal is named and there, the map in it is continued: after a restart nothing is lost
-/// but the last metre (`lost_m`), and what is known goes out at once.
+/// but the last 0.3 m of the way (`keep_m`), and what is known goes out at once.
 class MappingNode {
  public:
   using Params = MappingNodeParams;
@@ -56,7 +58,7 @@ class MappingNode {
   void repeat();
 
   Bus& bus_;
-  MappingParams params_;
+  Params params_;
   Mapping mapping_;
   MapRepeater repeater_;
   std::deque<LocalMapPiece> repeated_;  ///< pieces that are to be sent again

@@ -111,7 +111,7 @@ table_of_harms() {
   echo "| stage | kind | harms | missions | of these at home | farthest from the start (m) | local maps lost | 3D scans lost |"
   echo "|---|---|---|---|---|---|---|---|"
   awk -F '\t' '
-    FILENAME ~ /missions/ { result[$1] = $3; off[$1] = $4; maps[$1] = $6; scans[$1] = $8; next }
+    FILENAME ~ /missions[.]tsv$/ { result[$1] = $3; off[$1] = $4; maps[$1] = $6; scans[$1] = $8; next }
     $1 in result {
       ++harms[$2]
       if (seen[$2, $1]++) next
@@ -130,7 +130,7 @@ table_of_missions() {
   echo "| missions | of these at home | farthest from the start (m) | local maps | lost | 3D scans | lost |"
   echo "|---|---|---|---|---|---|---|"
   awk -F '\t' '
-    FILENAME ~ /cuts/ { ++cuts[$1]; ++all_cuts; next }
+    FILENAME ~ /cuts[.]tsv$/ { ++cuts[$1]; ++all_cuts; next }
     {
       kind = $1 in cuts ? "cut off, " all_cuts " times" : "harmed"
       ++n[kind]; home[kind] += $3 == 0; maps[kind] += $5; lost_maps[kind] += $6; scans[kind] += $7

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mission/kept_track.hpp"
 
-#include <algorithm>
 #include <array>
-#include <bit>
+
+#include "common/journal/value_bytes.hpp"
 
 namespace adit {
 namespace {
@@ -17,8 +17,6 @@ struct Record {
   std::int64_t tied = 0;
 };
 
-using Bytes = std::array<std::uint8_t, sizeof(Record)>;
-
 std::array<double, 3> numbers(const Pose2& pose) { return {pose.x, pose.y, pose.theta}; }
 Pose2 pose(const std::array<double, 3>& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
@@ -28,17 +26,15 @@ std::vector<std::uint8_t> to_bytes(const KeptPlace& place) {
   const Record record{place.odom_utime, numbers(place.T_odom_body),
                       numbers(place.T_map_odom.value_or(Pose2{})),
                       place.T_map_odom.has_value() ? 1 : 0, place.tied ? 1 : 0};
-  const auto bytes = std::bit_cast<Bytes>(record);
+  const auto bytes = bytes_of(record);
   return {bytes.begin(), bytes.end()};
 }
 
 std::optional<KeptPlace> kept_place_from(std::span<const std::uint8_t> bytes) {
-  Bytes read{};
-  if (bytes.size() != read.size()) return std::nullopt;
-  std::ranges::copy(bytes, read.begin());
-  const auto record = std::bit_cast<Record>(read);
-  KeptPlace place{record.odom_utime, pose(record.T_odom_body), {}, record.tied != 0};
-  if (record.on_map != 0) place.T_map_odom = pose(record.T_map_odom);
+  const auto record = value_from<Record>(bytes);
+  if (!record) return std::nullopt;
+  KeptPlace place{record->odom_utime, pose(record->T_odom_body), {}, record->tied != 0};
+  if (record->on_map != 0) place.T_map_odom = pose(record->T_map_odom);
   return place;
 }
 

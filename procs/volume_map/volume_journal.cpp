@@ -3,13 +3,11 @@
 #include "procs/volume_map/volume_journal.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <utility>
 
+#include "common/journal/value_bytes.hpp"
 #include "procs/volume_map/volume_record.hpp"
 
 namespace adit {
@@ -18,9 +16,6 @@ namespace {
 constexpr std::string_view kScan = "VOLUME_SCAN";
 constexpr std::string_view kTime = "VOLUME_SCAN_TIME";
 constexpr std::string_view kOdom = "VOLUME_ODOM";
-
-template <class T>
-using BytesOf = std::array<std::uint8_t, sizeof(T)>;
 
 /// As it lies in memory, without gaps.
 struct OdomRecord {
@@ -45,19 +40,6 @@ TiedOdom odom_of(const OdomRecord& record) {
           record.session,
           record.local_map,
           {record.x, record.y, record.theta}};
-}
-
-template <class T>
-BytesOf<T> bytes_of(const T& value) {
-  return std::bit_cast<BytesOf<T>>(value);
-}
-
-template <class T>
-std::optional<T> value_from(std::span<const std::uint8_t> bytes) {
-  BytesOf<T> read{};
-  if (bytes.size() != read.size()) return std::nullopt;
-  std::ranges::copy(bytes, read.begin());
-  return std::bit_cast<T>(read);
 }
 
 }  // namespace

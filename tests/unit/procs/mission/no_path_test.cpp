@@ -27,6 +27,15 @@ class AMissionWithoutAPath : public ScriptedStages {
     terrain();
     ASSERT_EQ(now(), Phase::kPlan);
   }
+  /// Scan matching is started again on the way; odom is where it was.
+  void drive_into_another_odom() {
+    match(kStart);
+    map(kStart);
+    to_execute();
+    drive(5.0);
+    match(utime_);
+    ASSERT_EQ(now(), Phase::kWaiting);
+  }
   /// From 10 m in, back along its track, as exploration leads.
   void turn_home() {
     drive_in();
@@ -192,14 +201,9 @@ TEST_F(AMissionWithoutAPath, BacksOffAtOnceFromWhatItSees) {
   EXPECT_THAT(phase().reason, HasSubstr("backs off"));
 }
 
-/// Scan matching was started again on the way, where no look shows a path. Odom is where it was.
+/// No look shows a path.
 TEST_F(AMissionWithoutAPath, BacksOffIntoTheOdomFrameBeforeOnceItHasItsMap) {
-  match(kStart);
-  map(kStart);
-  to_execute();
-  drive(5.0);
-  match(utime_);
-  ASSERT_EQ(now(), Phase::kWaiting);
+  drive_into_another_odom();
   map(utime_);
   to_plan();
   path(PlanOutcome::kBlocked);
@@ -210,12 +214,7 @@ TEST_F(AMissionWithoutAPath, BacksOffIntoTheOdomFrameBeforeOnceItHasItsMap) {
 
 /// The map does not know well where it is until it has moved.
 TEST_F(AMissionWithoutAPath, BacksOffIntoTheOdomFrameBeforeWhereNothingElseIsLeft) {
-  match(kStart);
-  map(kStart);
-  to_execute();
-  drive(5.0);
-  match(utime_);
-  ASSERT_EQ(now(), Phase::kWaiting);
+  drive_into_another_odom();
   map(utime_, Eigen::Vector3d(0.5, 0.5, 0.01).asDiagonal().toDenseMatrix());
   to_plan();
   path(PlanOutcome::kUnknown);

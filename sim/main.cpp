@@ -5,9 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "common/bus/version.hpp"
+#include "common/bus/node/version.hpp"
 #include "sim/live/live_run.hpp"
-#include "sim/live/sim_options.hpp"
 
 namespace {
 

@@ -8,19 +8,10 @@
 #include "adit/pose_t.hpp"
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/drive_command.hpp"
-#include "common/messages/gas_reading.hpp"
-#include "common/messages/imu_reading.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/run_state.hpp"
-#include "common/messages/sim_time.hpp"
-#include "common/messages/sinkage_reading.hpp"
-#include "common/messages/stop_order.hpp"
-#include "common/messages/tilt_command.hpp"
-#include "common/messages/tilt_reading.hpp"
-#include "common/messages/vehicle_state.hpp"
-#include "common/messages/wheel_odometry.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/navigation.hpp"
+#include "common/messages/sensing.hpp"
+#include "common/messages/sim.hpp"
 
 namespace adit {
 namespace {
@@ -48,7 +39,7 @@ class Publisher {
     publish(bus_, front ? channels::kLaserFront : channels::kLaserRear,
             adit::to_message(laser.scan));
   }
-  void operator()(const TiltOf& tilt) {
+  void operator()(const LaserTiltReading& tilt) {
     const bool front = tilt.laser == SimLaser::kFront;
     publish(bus_, front ? channels::kTiltFront : channels::kTiltRear,
             adit::to_message(tilt.reading));
@@ -75,21 +66,21 @@ class Publisher {
 SimNode::SimNode(Bus& bus, const Site& site, const Params& params, std::uint64_t seed,
                  std::int64_t start_utime)
     : bus_(bus), simulation_(site, params, seed, start_utime), time_utime_(start_utime) {
-  obey();
+  subscribe_commands();
 }
 
-void SimNode::obey() {
+void SimNode::subscribe_commands() {
   subscribe<drive_command_t>(bus_, channels::kDriveCommand, Delivery::latest(),
                              [this](const DriveCommand& command) { simulation_.command(command); });
   subscribe<stop_t>(bus_, channels::kStop, Delivery::latest(),
                     [this](const StopOrder& order) { simulation_.command(order); });
-  const auto obey_tilt = [this](SimLaser laser, std::string_view channel) {
+  const auto subscribe_tilt = [this](SimLaser laser, std::string_view channel) {
     subscribe<tilt_command_t>(
         bus_, channel, Delivery::latest(),
         [this, laser](const TiltCommand& command) { simulation_.command(laser, command); });
   };
-  obey_tilt(SimLaser::kFront, channels::kTiltCommandFront);
-  obey_tilt(SimLaser::kRear, channels::kTiltCommandRear);
+  subscribe_tilt(SimLaser::kFront, channels::kTiltCommandFront);
+  subscribe_tilt(SimLaser::kRear, channels::kTiltCommandRear);
 }
 
 void SimNode::step() {
@@ -97,10 +88,10 @@ void SimNode::step() {
   for (const Reading& reading : simulation_.step()) std::visit(publish_reading, reading);
   if (simulation_.utime() < time_utime_ + kTimePeriodUs) return;
   time_utime_ += kTimePeriodUs;
-  send_time();
+  publish_time();
 }
 
-void SimNode::send_time() {
+void SimNode::publish_time() {
   publish(bus_, channels::kSimTime, adit::to_message(SimTime{time_utime_}));
 }
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "common/bus/bus.hpp"
-#include "common/messages/heartbeat.hpp"
+#include "common/messages/diagnostics.hpp"
 #include "sim/simulation/simulation.hpp"
 
 namespace adit {
@@ -31,7 +31,7 @@ class SimNode {
   void step();
 
   /// Says what time it is, again: for a stage that came late or lost it.
-  void send_time();
+  void publish_time();
 
   [[nodiscard]] std::int64_t next_utime() const {
     return simulation_.utime() + Simulation::kStepUs;
@@ -42,7 +42,7 @@ class SimNode {
   [[nodiscard]] Health health() const;
 
  private:
-  void obey();
+  void subscribe_commands();
 
   Bus& bus_;
   Simulation simulation_;

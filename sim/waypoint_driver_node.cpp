@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/drive_command.hpp"
-#include "common/messages/pose.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/navigation.hpp"
 
 namespace adit {
 namespace {
@@ -28,11 +28,11 @@ BodyMotion motion_of(const pose_t& truth) {
 WaypointDriverNode::WaypointDriverNode(Bus& bus, WaypointDriver driver)
     : bus_(bus), driver_(std::move(driver)) {
   bus_.subscribe(channels::kTruth, Delivery::latest(),
-                 [this](const Received& received) -> std::string_view {
+                 [this](const ReceivedMessage& received) -> std::string_view {
                    const auto message = decode<pose_t>(received.bytes);
-                   if (!message) return message.refusal();
+                   if (!message) return message.rejection();
                    const auto planar = from_message(*message);
-                   if (!planar) return planar.refusal();
+                   if (!planar) return planar.rejection();
                    drive(motion_of(*message));
                    return {};
                  });

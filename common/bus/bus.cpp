@@ -5,11 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/bus/channel_name.hpp"
-
 namespace adit {
 
-void require_channel(std::string_view channel) {
+void require_valid_channel(std::string_view channel) {
   if (is_channel_name(channel)) return;
   throw std::invalid_argument("'" + std::string(channel) + "' is no channel: 1 to 63 of A-Z 0-9 _");
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -13,15 +14,24 @@
 
 namespace adit {
 
+/// Whether it can be the name of a channel: 1 to 63 (LCM_MAX_CHANNEL_NAME_LENGTH) of A-Z 0-9 _.
+inline bool is_channel_name(std::string_view name) {
+  constexpr std::size_t kLengthMax = 63;
+  return !name.empty() && name.size() <= kLengthMax &&
+         std::all_of(name.begin(), name.end(), [](char c) {
+           return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+         });
+}
+
 /// A message as it came, with the bus time at which it did [µs since the epoch].
-struct Received {
+struct ReceivedMessage {
   std::string_view channel;
   std::int64_t utime = 0;
   std::span<const std::uint8_t> bytes;
 };
 
 /// Takes a message. Returns why it refused it, a text of static storage, or nothing if it did not.
-using Handler = std::function<std::string_view(const Received&)>;
+using Handler = std::function<std::string_view(const ReceivedMessage&)>;
 
 /// Called with bus time [µs since the epoch].
 using TimerHandler = std::function<void(std::int64_t utime)>;
@@ -43,9 +53,9 @@ using SubscriptionId = std::size_t;
 struct SubscriptionStats {
   std::string channel;
   std::int64_t handled = 0;
-  std::int64_t refused = 0;
+  std::int64_t rejected = 0;
   std::int64_t dropped = 0;
-  std::map<std::string, std::int64_t, std::less<>> refusals;  ///< refused, by reason
+  std::map<std::string, std::int64_t, std::less<>> rejections;  ///< refused, by reason
 };
 
 /// What carries messages between stages. One thread: handlers run one at a time, on whoever drives
@@ -68,13 +78,13 @@ class Bus {
 
   /// Calls the handler as soon as bus time is known and then each period [µs]. A replay makes up
   /// for the ticks of a gap of at most ten seconds.
-  virtual void every(std::int64_t period_us, TimerHandler handler) = 0;
+  virtual void create_timer(std::int64_t period_us, TimerHandler handler) = 0;
 
   /// The same by the time of the world, where bus time is a simulator's: for what looks after
   /// processes and devices. What is computed from messages has no use for it. In a replay or a
   /// test, which have no such time, as `every`.
-  virtual void every_of_world(std::int64_t period_us, TimerHandler handler) {
-    every(period_us, std::move(handler));
+  virtual void create_wall_timer(std::int64_t period_us, TimerHandler handler) {
+    create_timer(period_us, std::move(handler));
   }
 
   /// Bus time [µs since the epoch].
@@ -87,6 +97,6 @@ class Bus {
 };
 
 /// Throws std::invalid_argument unless the name can be that of a channel.
-void require_channel(std::string_view channel);
+void require_valid_channel(std::string_view channel);
 
 }  // namespace adit

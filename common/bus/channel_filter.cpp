@@ -16,7 +16,7 @@ namespace adit {
 namespace {
 
 constexpr std::uint32_t kHeaderBytes = 8;  // of UDP, where the kernel begins to count
-constexpr std::uint32_t kChannelAt = kHeaderBytes + 8;
+constexpr std::uint32_t kChannelOffset = kHeaderBytes + 8;
 constexpr std::uint32_t kShortMessage = 0x4c433032;  // "LC02"
 constexpr std::uint32_t kPass = 0xffffffff;
 constexpr std::uint32_t kDrop = 0;
@@ -26,9 +26,9 @@ sock_filter statement(int code, std::uint32_t k) {
 }
 
 /// Goes on where it holds, and else to `otherwise`, a place counted from the next instruction.
-sock_filter unless(int code, std::uint32_t k, std::size_t otherwise) {
+sock_filter jump_unless(int code, std::uint32_t k, std::size_t jump_offset) {
   return {static_cast<std::uint16_t>(BPF_JMP | BPF_K | code), 0,
-          static_cast<std::uint8_t>(otherwise), k};
+          static_cast<std::uint8_t>(jump_offset), k};
 }
 
 int load_code(std::size_t bytes) { return bytes == 4 ? BPF_W : bytes == 2 ? BPF_H : BPF_B; }
@@ -37,16 +37,17 @@ int load_code(std::size_t bytes) { return bytes == 4 ? BPF_W : bytes == 2 ? BPF_
 /// the end would drop the message, whoever else wants it; so the length is asked first.
 std::vector<sock_filter> pass_channel(std::string_view name) {
   const std::string text = std::string(name) + '\0';
-  const auto end = static_cast<std::uint32_t>(kChannelAt + text.size());
-  std::vector<sock_filter> part{statement(BPF_LD | BPF_W | BPF_LEN, 0), unless(BPF_JGE, end, 0)};
+  const auto end = static_cast<std::uint32_t>(kChannelOffset + text.size());
+  std::vector<sock_filter> part{statement(BPF_LD | BPF_W | BPF_LEN, 0),
+                                jump_unless(BPF_JGE, end, 0)};
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t left = text.size() - at;
     const std::size_t bytes = left >= 4 ? 4 : left >= 2 ? 2 : 1;
     std::uint32_t value = 0;
     for (const char c : text.substr(at, bytes)) value = value << 8 | static_cast<std::uint8_t>(c);
     part.push_back(statement(BPF_LD | BPF_ABS | load_code(bytes),
-                             static_cast<std::uint32_t>(kChannelAt + at)));
-    part.push_back(unless(BPF_JEQ, value, 0));
+                             static_cast<std::uint32_t>(kChannelOffset + at)));
+    part.push_back(jump_unless(BPF_JEQ, value, 0));
     at += bytes;
   }
   part.push_back(statement(BPF_RET | BPF_K, kPass));
@@ -59,16 +60,16 @@ std::vector<sock_filter> pass_channel(std::string_view name) {
 }
 
 /// Ends the program for that share of the messages, as the dice of the kernel say.
-std::vector<sock_filter> lose(double share) {
+std::vector<sock_filter> random_loss(double share) {
   if (share == 0.0) return {};
-  constexpr double kNumbers = 4294967296.0;  // 2^32
+  constexpr double kRandomRange = 4294967296.0;  // 2^32
   return {
       statement(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(SKF_AD_OFF + SKF_AD_RANDOM)),
-      {BPF_JMP | BPF_JGE | BPF_K, 1, 0, static_cast<std::uint32_t>(share * kNumbers)},
+      {BPF_JMP | BPF_JGE | BPF_K, 1, 0, static_cast<std::uint32_t>(share * kRandomRange)},
       statement(BPF_RET | BPF_K, kDrop)};
 }
 
-bool is_time(std::string_view channel) {
+bool is_time_channel(std::string_view channel) {
   return channel == channels::kSimTime || channel == channels::kSimTimeDone;
 }
 
@@ -88,7 +89,7 @@ bool is_bound_datagram_socket(int descriptor) {
 }  // namespace
 
 std::vector<sock_filter> channel_filter(const Channels& channels, double loss_share) {
-  const std::vector<sock_filter> loss = lose(loss_share);
+  const std::vector<sock_filter> loss = random_loss(loss_share);
   const auto other = static_cast<std::uint8_t>(loss.size() + 1);
   std::vector<sock_filter> program{statement(BPF_LD | BPF_W | BPF_ABS, kHeaderBytes),
                                    {BPF_JMP | BPF_JEQ | BPF_K, other, 0, kShortMessage}};
@@ -98,17 +99,18 @@ std::vector<sock_filter> channel_filter(const Channels& channels, double loss_sh
   add(loss);
   program.push_back(statement(BPF_RET | BPF_K, kPass));
   for (const std::string& channel : channels) {
-    if (is_time(channel)) add(pass_channel(channel));
+    if (is_time_channel(channel)) add(pass_channel(channel));
   }
   add(loss);
   for (const std::string& channel : channels) {
-    if (!is_time(channel)) add(pass_channel(channel));
+    if (!is_time_channel(channel)) add(pass_channel(channel));
   }
   program.push_back(statement(BPF_RET | BPF_K, kDrop));
   return program;
 }
 
-bool pass_only(const Channels& channels, const std::set<int>& sockets, double loss_share) {
+bool attach_channel_filter(const Channels& channels, const std::set<int>& sockets,
+                           double loss_share) {
   std::vector<sock_filter> filter = channel_filter(channels, loss_share);
   const bool fits = filter.size() <= BPF_MAXINSNS;
   const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
@@ -134,9 +136,9 @@ std::set<int> bound_datagram_sockets() {
   return found;
 }
 
-std::set<int> bound_datagram_sockets_but(const std::set<int>& known) {
+std::set<int> bound_datagram_sockets_except(const std::set<int>& existing) {
   std::set<int> found = bound_datagram_sockets();
-  for (const int other : known) found.erase(other);
+  for (const int other : existing) found.erase(other);
   return found;
 }
 

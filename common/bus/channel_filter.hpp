@@ -23,10 +23,11 @@ std::vector<sock_filter> channel_filter(const Channels& channels, double loss_sh
 /// Multicast goes to every process, and each would wake up for it, also to throw it away. With this
 /// the kernel drops for these sockets what is on other channels. Where it refuses, all goes on
 /// without. The order of messages is as it was. False where it refuses for any of them.
-bool pass_only(const Channels& channels, const std::set<int>& sockets, double loss_share = 0.0);
+bool attach_channel_filter(const Channels& channels, const std::set<int>& sockets,
+                           double loss_share = 0.0);
 
 /// Bound datagram sockets of this process, by their descriptors. LCM keeps its own to itself.
 std::set<int> bound_datagram_sockets();
-std::set<int> bound_datagram_sockets_but(const std::set<int>& known);
+std::set<int> bound_datagram_sockets_except(const std::set<int>& existing);
 
 }  // namespace adit

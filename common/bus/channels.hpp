@@ -27,9 +27,9 @@ inline constexpr std::string_view kTiltCommandRear = "TILT_COMMAND_REAR";
 inline constexpr std::string_view kScanRequest = "SCAN_REQUEST";
 inline constexpr std::string_view kCloud = "CLOUD";
 inline constexpr std::string_view kCloudRequest = "CLOUD_REQUEST";
-inline constexpr std::string_view kCloudAgain = "CLOUD_AGAIN";
+inline constexpr std::string_view kCloudResend = "CLOUD_RESEND";
 inline constexpr std::string_view kTerrain = "TERRAIN";
-inline constexpr std::string_view kTerrainMade = "TERRAIN_MADE";
+inline constexpr std::string_view kTerrainReady = "TERRAIN_READY";
 inline constexpr std::string_view kVolume = "VOLUME";
 inline constexpr std::string_view kGoal = "GOAL";
 inline constexpr std::string_view kPath = "PATH";
@@ -64,6 +64,6 @@ inline constexpr std::array kAll{
     kTerrain,         kVolume,       kGoal,         kPath,        kDrivingState,
     kHeartbeat,       kConfig,       kStageStats,   kPmInfo,      kPmOrders,
     kPmOutput,        kPmDiscover,   kExploration,  kPhase,       kExploreRequest,
-    kMapRequest,      kMissionOrder, kCloudRequest, kCloudAgain,  kTerrainMade};
+    kMapRequest,      kMissionOrder, kCloudRequest, kCloudResend, kTerrainReady};
 
 }  // namespace adit::channels

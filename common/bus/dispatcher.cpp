@@ -7,15 +7,15 @@
 namespace adit {
 namespace {
 
-void count_refusal(std::string_view reason, SubscriptionStats& stats) {
-  ++stats.refused;
-  ++stats.refusals[std::string(reason)];
+void count_rejection(std::string_view reason, SubscriptionStats& stats) {
+  ++stats.rejected;
+  ++stats.rejections[std::string(reason)];
 }
 
 }  // namespace
 
 SubscriptionId Dispatcher::subscribe(std::string_view channel, Delivery delivery, Handler handler) {
-  require_channel(channel);
+  require_valid_channel(channel);
   auto subscription = std::make_unique<Subscription>();
   subscription->delivery = delivery;
   subscription->handler = std::move(handler);
@@ -24,12 +24,12 @@ SubscriptionId Dispatcher::subscribe(std::string_view channel, Delivery delivery
   return subscriptions_.size() - 1;
 }
 
-void Dispatcher::enqueue(const Received& received) {
+void Dispatcher::enqueue(const ReceivedMessage& received) {
   std::shared_ptr<const Message> message;
   for (const auto& subscription : subscriptions_) {
     if (subscription->stats.channel != received.channel) continue;
     if (received.bytes.size() > max_message_bytes_) {
-      count_refusal("too large", subscription->stats);
+      count_rejection("too large", subscription->stats);
       continue;
     }
     if (!message) {
@@ -63,12 +63,12 @@ bool Dispatcher::dispatch_one() {
   if (!subscription) return false;
   const std::shared_ptr<const Message> message = subscription->queue.front();
   subscription->queue.pop_front();
-  const std::string_view refusal =
+  const std::string_view rejection =
       subscription->handler({message->channel, message->utime, message->bytes});
-  if (refusal.empty()) {
+  if (rejection.empty()) {
     ++subscription->stats.handled;
   } else {
-    count_refusal(refusal, subscription->stats);
+    count_rejection(rejection, subscription->stats);
   }
   return true;
 }

@@ -26,7 +26,7 @@ class Dispatcher {
   SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler);
 
   /// Puts a copy of the message into the queue of each subscription to its channel.
-  void enqueue(const Received& received);
+  void enqueue(const ReceivedMessage& received);
 
   /// Hands the message that waits longest to its handler. False if none waits.
   bool dispatch_one();

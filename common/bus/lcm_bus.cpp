@@ -15,11 +15,10 @@
 
 #include "common/bus/channel_filter.hpp"
 #include "common/bus/channels.hpp"
-#include "common/bus/lcm_url.hpp"
+#include "common/bus/lcm_transport.hpp"
 #include "common/bus/receive_loss.hpp"
-#include "common/bus/transport_check.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/sim_time.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/sim.hpp"
 
 namespace adit {
 namespace {
@@ -27,7 +26,7 @@ namespace {
 // What LCM may hold while a handler runs; what then goes to the queues of this bus is the newest.
 constexpr int kLcmQueue = 4096;
 
-constexpr std::size_t kTimesWaiting = 1000;  // a simulator sends 20 for each second
+constexpr std::size_t kSimTimeQueue = 1000;  // a simulator sends 20 for each second
 
 std::int64_t wall_utime() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -45,8 +44,8 @@ LcmBus::LcmBus(const LcmBusOptions& options)
       stage_(options.stage),
       loss_share_(receive_loss_share()),
       dispatcher_(options.max_message_bytes) {
-  if (!lcm_->good()) throw std::runtime_error(why_no_lcm(options.url));
-  if (time_ == BusTime::kSimulated) follow_simulated_time();
+  if (!lcm_->good()) throw std::runtime_error(lcm_failure_reason(options.url));
+  if (time_ == BusTime::kSimulated) subscribe_sim_time();
 }
 
 LcmBus::~LcmBus() = default;
@@ -68,22 +67,22 @@ void LcmBus::run(int stop_descriptor) {
 bool LcmBus::wait(int timeout_ms, int stop_descriptor) {
   const std::int64_t timeout_us = timeout_ms * 1000LL;
   const auto timer_ms = static_cast<int>(
-      std::min<std::int64_t>((wait_for_timers_us(timeout_us) + 999) / 1000, timeout_ms));
+      std::min<std::int64_t>((time_to_next_timer_us(timeout_us) + 999) / 1000, timeout_ms));
   std::array<pollfd, 2> descriptors{{{lcm_->getFileno(), POLLIN, 0}, {stop_descriptor, POLLIN, 0}}};
   const int ready =
       poll(descriptors.data(), descriptors.size(), dispatcher_.is_idle() ? timer_ms : 0);
   if (ready < 0 && errno != EINTR) throw std::system_error(errno, std::generic_category(), "poll");
-  if (ready < 0 || descriptors[0].revents != 0) take_from_lcm();
+  if (ready < 0 || descriptors[0].revents != 0) drain_lcm_queue();
   return ready <= 0 || descriptors[1].revents == 0;
 }
 
 /// Until the next timer that does not go by a simulator.
-std::int64_t LcmBus::wait_for_timers_us(std::int64_t timeout_us) const {
-  const Timers& timers = time_ == BusTime::kSimulated ? world_timers_ : timers_;
+std::int64_t LcmBus::time_to_next_timer_us(std::int64_t timeout_us) const {
+  const Timers& timers = time_ == BusTime::kSimulated ? wall_timers_ : timers_;
   return timers.wait_us(wall_utime()).value_or(timeout_us);
 }
 
-void LcmBus::take_from_lcm() {
+void LcmBus::drain_lcm_queue() {
   for (int i = 0; i < kLcmQueue; ++i) {
     const int handled = lcm_->handleTimeout(0);
     if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
@@ -103,16 +102,16 @@ void LcmBus::on_receive(const lcm::ReceiveBuffer* buffer, const std::string& cha
 
 void LcmBus::run_due_timers() {
   // Those of simulated time have their turn with SIM_TIME.
-  Timers& timers = time_ == BusTime::kSimulated ? world_timers_ : timers_;
+  Timers& timers = time_ == BusTime::kSimulated ? wall_timers_ : timers_;
   while (const auto tick = timers.next(wall_utime())) tick->handler(now_utime());
 }
 
-void LcmBus::follow_simulated_time() {
-  adit::subscribe<sim_time_t>(*this, channels::kSimTime, Delivery::queued(kTimesWaiting),
-                              [this](const SimTime& time) { go_on_to(time.utime); });
+void LcmBus::subscribe_sim_time() {
+  adit::subscribe<sim_time_t>(*this, channels::kSimTime, Delivery::queued(kSimTimeQueue),
+                              [this](const SimTime& time) { advance_to(time.utime); });
 }
 
-void LcmBus::go_on_to(std::int64_t utime) {
+void LcmBus::advance_to(std::int64_t utime) {
   simulated_utime_ = utime;
   while (const auto tick = timers_.next(utime)) tick->handler(utime);
   if (stage_.empty()) return;
@@ -120,7 +119,7 @@ void LcmBus::go_on_to(std::int64_t utime) {
 }
 
 void LcmBus::publish(std::string_view channel, std::span<const std::uint8_t> bytes) {
-  require_channel(channel);
+  require_valid_channel(channel);
   const auto size = static_cast<unsigned int>(bytes.size());
   if (lcm_->publish(std::string(channel), bytes.data(), size) != 0) ++unsent_;
 }
@@ -134,17 +133,17 @@ SubscriptionId LcmBus::subscribe(std::string_view channel, Delivery delivery, Ha
       lcm_->subscribeFunction(std::string(channel), &LcmBus::on_receive, this);
   if (!subscription) throw std::runtime_error("LCM cannot subscribe to " + std::string(channel));
   subscription->setQueueCapacity(kLcmQueue);
-  if (channels_.size() == 1) sockets_ = bound_datagram_sockets_but(sockets);
-  filtered_ = pass_only(channels_, sockets_, loss_share_);
+  if (channels_.size() == 1) sockets_ = bound_datagram_sockets_except(sockets);
+  filtered_ = attach_channel_filter(channels_, sockets_, loss_share_);
   return id;
 }
 
-void LcmBus::every(std::int64_t period_us, TimerHandler handler) {
+void LcmBus::create_timer(std::int64_t period_us, TimerHandler handler) {
   timers_.add(period_us, std::move(handler));
 }
 
-void LcmBus::every_of_world(std::int64_t period_us, TimerHandler handler) {
-  Timers& timers = time_ == BusTime::kSimulated ? world_timers_ : timers_;
+void LcmBus::create_wall_timer(std::int64_t period_us, TimerHandler handler) {
+  Timers& timers = time_ == BusTime::kSimulated ? wall_timers_ : timers_;
   timers.add(period_us, std::move(handler));
 }
 

@@ -57,8 +57,8 @@ class LcmBus final : public Bus {
 
   void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override;
   SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
-  void every(std::int64_t period_us, TimerHandler handler) override;
-  void every_of_world(std::int64_t period_us, TimerHandler handler) override;
+  void create_timer(std::int64_t period_us, TimerHandler handler) override;
+  void create_wall_timer(std::int64_t period_us, TimerHandler handler) override;
   [[nodiscard]] std::int64_t now_utime() const override;
   [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override;
   [[nodiscard]] std::int64_t unsent() const override { return unsent_; }
@@ -67,12 +67,12 @@ class LcmBus final : public Bus {
 
  private:
   bool wait(int timeout_ms, int stop_descriptor);
-  void take_from_lcm();
+  void drain_lcm_queue();
   static void on_receive(const lcm::ReceiveBuffer* buffer, const std::string& channel, LcmBus* bus);
-  [[nodiscard]] std::int64_t wait_for_timers_us(std::int64_t timeout_us) const;
+  [[nodiscard]] std::int64_t time_to_next_timer_us(std::int64_t timeout_us) const;
   void run_due_timers();
-  void follow_simulated_time();
-  void go_on_to(std::int64_t utime);
+  void subscribe_sim_time();
+  void advance_to(std::int64_t utime);
 
   std::unique_ptr<lcm::LCM> lcm_;
   BusTime time_;
@@ -82,7 +82,7 @@ class LcmBus final : public Bus {
   std::int64_t simulated_utime_ = 0;
   Dispatcher dispatcher_;
   Timers timers_;
-  Timers world_timers_;  // where bus time is simulated; else `timers_` has them all
+  Timers wall_timers_;  // where bus time is simulated; else `timers_` has them all
   std::set<std::string, std::less<>> channels_;
   std::set<int> sockets_;       // by which LCM receives
   std::exception_ptr failure_;  // must not pass through LCM's C code

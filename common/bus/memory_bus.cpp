@@ -9,12 +9,12 @@ namespace adit {
 namespace {
 
 /// True for as long as it lives.
-class Scope {
+class FlagGuard {
  public:
-  explicit Scope(bool& flag) : flag_(flag) { flag_ = true; }
-  ~Scope() { flag_ = false; }
-  Scope(const Scope&) = delete;
-  Scope& operator=(const Scope&) = delete;
+  explicit FlagGuard(bool& flag) : flag_(flag) { flag_ = true; }
+  ~FlagGuard() { flag_ = false; }
+  FlagGuard(const FlagGuard&) = delete;
+  FlagGuard& operator=(const FlagGuard&) = delete;
 
  private:
   bool& flag_;
@@ -24,7 +24,7 @@ class Scope {
 
 void MemoryBus::run(const std::function<void()>& work) {
   if (running_) return work();
-  const Scope scope(running_);
+  const FlagGuard scope(running_);
   work();
   while (dispatcher_.dispatch_one()) {
   }
@@ -46,11 +46,11 @@ void MemoryBus::advance_to(std::int64_t utime) {
 }
 
 void MemoryBus::publish(std::string_view channel, std::span<const std::uint8_t> bytes) {
-  require_channel(channel);
+  require_valid_channel(channel);
   deliver({channel, now_utime_, bytes});
 }
 
-void MemoryBus::deliver(const Received& received) {
+void MemoryBus::deliver(const ReceivedMessage& received) {
   if (tap_) tap_(received);
   run([&] { dispatcher_.enqueue(received); });
 }
@@ -59,7 +59,7 @@ SubscriptionId MemoryBus::subscribe(std::string_view channel, Delivery delivery,
   return dispatcher_.subscribe(channel, delivery, std::move(handler));
 }
 
-void MemoryBus::every(std::int64_t period_us, TimerHandler handler) {
+void MemoryBus::create_timer(std::int64_t period_us, TimerHandler handler) {
   timers_.add(period_us, std::move(handler));
 }
 

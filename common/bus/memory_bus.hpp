@@ -20,7 +20,7 @@ namespace adit {
 class MemoryBus : public Bus {
  public:
   /// Sees every message in the order of publication, with bus time.
-  using Tap = std::function<void(const Received&)>;
+  using Tap = std::function<void(const ReceivedMessage&)>;
 
   explicit MemoryBus(std::size_t max_message_bytes = Dispatcher::kDefaultMaxMessageBytes)
       : dispatcher_(max_message_bytes) {}
@@ -37,13 +37,13 @@ class MemoryBus : public Bus {
 
   void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override;
   SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
-  void every(std::int64_t period_us, TimerHandler handler) override;
+  void create_timer(std::int64_t period_us, TimerHandler handler) override;
   /// 0 before the first inject or advance_to.
   [[nodiscard]] std::int64_t now_utime() const override { return now_utime_; }
   [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override;
 
  private:
-  void deliver(const Received& received);
+  void deliver(const ReceivedMessage& received);
   void run(const std::function<void()>& work);
 
   Dispatcher dispatcher_;

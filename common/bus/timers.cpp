@@ -9,7 +9,7 @@
 namespace adit {
 namespace {
 
-constexpr std::int64_t kLongestCatchUpUs = 10'000'000;
+constexpr std::int64_t kCatchUpMaxUs = 10'000'000;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::optional<Timers::Tick> Timers::next(std::int64_t utime) {
   Timer* earliest = nullptr;
   for (Timer& timer : timers_) {
     const std::int64_t due = timer.due_utime.value_or(utime);
-    const bool stale = due < utime - kLongestCatchUpUs || due > utime + timer.period_us;
+    const bool stale = due < utime - kCatchUpMaxUs || due > utime + timer.period_us;
     timer.due_utime = stale ? utime : due;
     if (!earliest || *timer.due_utime < *earliest->due_utime) earliest = &timer;
   }

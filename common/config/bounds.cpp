@@ -13,7 +13,7 @@ bool Bounds::allow(double value) const {
   return std::isfinite(value) && value <= max && (value > min || (min_allowed && value == min));
 }
 
-bool Bounds::allow_all() const { return std::isinf(min) && std::isinf(max); }
+bool Bounds::is_unbounded() const { return std::isinf(min) && std::isinf(max); }
 
 std::string Bounds::text() const {
   if (std::isinf(min)) return "<= " + number_text(max);

@@ -18,7 +18,7 @@ struct Bounds {
   bool min_allowed = true;  ///< whether `min` itself is allowed
 
   [[nodiscard]] bool allow(double value) const;
-  [[nodiscard]] bool allow_all() const;
+  [[nodiscard]] bool is_unbounded() const;
   /// "> 0", ">= 2", "0 to 1", "> 0, <= 1".
   [[nodiscard]] std::string text() const;
 };

@@ -4,19 +4,55 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 #include <sstream>
+#include <string>
 #include <utility>
 
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include "common/config/nearest_name.hpp"
-#include "common/config/second_document.hpp"
 #include "common/config/text_check.hpp"
 
 namespace adit {
 namespace {
 
-constexpr int kDeepest = 16;  // sections nest a few levels; an alias may hold itself
+/// On which line a second YAML document begins, from 1 on, if one does. Looks no further, since
+/// yaml-cpp 0.7 finds documents without end in a text such as ",m". Throws as yaml-cpp does.
+std::optional<int> second_document_line(const std::string& text);
+
+/// Hears where a document begins, and nothing of what is in it.
+class DocumentStart final : public YAML::EventHandler {
+ public:
+  [[nodiscard]] int line() const { return line_; }
+
+  void OnDocumentStart(const YAML::Mark& mark) override { line_ = mark.line + 1; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                const std::string& /*value*/) override {}
+  void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/,
+                       YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value /*style*/) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  YAML::EmitterStyle::value /*style*/) override {}
+  void OnMapEnd() override {}
+
+ private:
+  int line_ = 0;
+};
+
+std::optional<int> second_document_line(const std::string& text) {
+  std::istringstream in(text);
+  YAML::Parser parser(in);
+  DocumentStart start;
+  if (!parser.HandleNextDocument(start) || !parser.HandleNextDocument(start)) return std::nullopt;
+  return start.line();
+}
+
+constexpr int kDepthMax = 16;  // sections nest a few levels; an alias may hold itself
 
 /// Turns the YAML library's tree into ours.
 class TreeBuilder {
@@ -26,7 +62,7 @@ class TreeBuilder {
   [[nodiscard]] ConfigNode build(const YAML::Node& yaml, int depth = 0) const {
     ConfigNode node;
     node.line = yaml.Mark().line + 1;
-    if (depth > kDeepest) fail(node.line, "nested too deeply");
+    if (depth > kDepthMax) fail(node.line, "nested too deeply");
     if (yaml.IsScalar()) {
       node.kind = ConfigNode::Kind::kScalar;
       node.text = yaml.Scalar();
@@ -63,7 +99,7 @@ class TreeBuilder {
 
 /// On some of what is no text, yaml-cpp 0.7 goes on for ever.
 void require_text(const std::string& text, const TreeBuilder& builder) {
-  const auto at = first_that_is_no_text(text);
+  const auto at = find_non_text_byte(text);
   if (!at) return;
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(*at);
   builder.fail(static_cast<int>(std::count(text.begin(), end, '\n')) + 1, "no text");
@@ -113,13 +149,13 @@ ConfigFile ConfigFile::parse(const std::string& text, std::string name) {
 void ConfigFile::require_known_sections(const std::vector<std::string>& known) const {
   for (const ConfigNode& section : root_.children) {
     if (std::find(known.begin(), known.end(), section.key) == known.end()) {
-      fail_unknown(name_, section, "section '" + section.key + "'", known);
+      throw_unknown_key(name_, section, "section '" + section.key + "'", known);
     }
   }
 }
 
-void fail_unknown(const std::string& file, const ConfigNode& node, const std::string& what,
-                  const std::vector<std::string>& known) {
+void throw_unknown_key(const std::string& file, const ConfigNode& node, const std::string& what,
+                       const std::vector<std::string>& known) {
   std::string message = file + ":" + std::to_string(node.line) + ": unknown " + what;
   const std::string nearest = nearest_name(node.key, known);
   if (!nearest.empty()) {

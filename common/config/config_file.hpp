@@ -54,7 +54,7 @@ class ConfigFile {
 };
 
 /// Throws ConfigError: `node`, described by `what`, is none of `known`; names the nearest of them.
-[[noreturn]] void fail_unknown(const std::string& file, const ConfigNode& node,
-                               const std::string& what, const std::vector<std::string>& known);
+[[noreturn]] void throw_unknown_key(const std::string& file, const ConfigNode& node,
+                                    const std::string& what, const std::vector<std::string>& known);
 
 }  // namespace adit

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "common/config/parse_number.hpp"
+#include "common/config/number_text.hpp"
 
 namespace adit {
 namespace {
@@ -20,7 +20,7 @@ std::optional<T> number_in(const ConfigNode& node) {
   return parse_number<T>(node.text);
 }
 
-std::string shown(const ConfigNode& node) {
+std::string describe(const ConfigNode& node) {
   if (node.kind == Kind::kScalar) return "'" + node.text + "'";
   if (node.kind == Kind::kList) return "a list";
   return node.kind == Kind::kMap ? "a map" : "nothing";
@@ -37,7 +37,7 @@ void ConfigLoader::operator()(std::string_view key, bool& value) {
   if (node == nullptr) return;
   const bool plain = node->kind == Kind::kScalar && !node->quoted;
   if (!plain || (node->text != "true" && node->text != "false")) {
-    fail(*node, "is " + shown(*node) + ", not true or false");
+    fail(*node, "is " + describe(*node) + ", not true or false");
   }
   value = node->text == "true";
 }
@@ -46,7 +46,7 @@ void ConfigLoader::operator()(std::string_view key, int& value, const Bounds& bo
   const ConfigNode* node = visit_key(key);
   if (node == nullptr) return;
   const auto number = number_in<int>(*node);
-  if (!number) fail(*node, "is " + shown(*node) + ", not a whole number");
+  if (!number) fail(*node, "is " + describe(*node) + ", not a whole number");
   check(*node, *number, bounds);
   value = *number;
 }
@@ -59,7 +59,7 @@ void ConfigLoader::operator()(std::string_view key, double& value, const Bounds&
 void ConfigLoader::operator()(std::string_view key, std::string& value) {
   const ConfigNode* node = visit_key(key);
   if (node == nullptr) return;
-  if (node->kind != Kind::kScalar) fail(*node, "is " + shown(*node) + ", not a text");
+  if (node->kind != Kind::kScalar) fail(*node, "is " + describe(*node) + ", not a text");
   value = node->text;
 }
 
@@ -67,7 +67,7 @@ void ConfigLoader::operator()(std::string_view key, std::string& value, const On
   (*this)(key, value);
   if (has(key) && !allowed.allow(value)) {
     const ConfigNode* node = levels_.back().map->find(key);
-    fail(*node, "is " + shown(*node) + "; allowed: " + allowed.text());
+    fail(*node, "is " + describe(*node) + "; allowed: " + allowed.text());
   }
 }
 
@@ -75,7 +75,7 @@ void ConfigLoader::operator()(std::string_view key, std::vector<double>& values,
                               const Bounds& bounds) {
   const ConfigNode* node = visit_key(key);
   if (node == nullptr) return;
-  if (node->kind != Kind::kList) fail(*node, "is " + shown(*node) + ", not a list of numbers");
+  if (node->kind != Kind::kList) fail(*node, "is " + describe(*node) + ", not a list of numbers");
   std::vector<double> numbers;
   for (const ConfigNode& item : node->children) {
     ConfigNode named = item;
@@ -103,7 +103,7 @@ bool ConfigLoader::has(std::string_view key) const {
 std::vector<const ConfigNode*> ConfigLoader::visit_list(std::string_view key) {
   const ConfigNode* node = visit_key(key);
   if (node == nullptr) return {};
-  if (node->kind != Kind::kList) fail(*node, "is " + shown(*node) + ", not a list");
+  if (node->kind != Kind::kList) fail(*node, "is " + describe(*node) + ", not a list");
   std::vector<const ConfigNode*> maps;
   for (const ConfigNode& child : node->children) maps.push_back(&child);
   return maps;
@@ -117,7 +117,7 @@ void ConfigLoader::enter(std::string_view key) {
 void ConfigLoader::push(const ConfigNode* map, std::string path) {
   if (map != nullptr && map->kind != Kind::kMap && map->kind != Kind::kNothing) {
     throw ConfigError(file_.name() + ":" + std::to_string(map->line) + ": " + path + " is " +
-                      shown(*map) + ", not a map of keys");
+                      describe(*map) + ", not a map of keys");
   }
   levels_.push_back({map, std::move(path), {}});
 }
@@ -128,7 +128,8 @@ void ConfigLoader::leave() {
   if (level.map == nullptr) return;
   for (const ConfigNode& child : level.map->children) {
     if (std::find(level.known.begin(), level.known.end(), child.key) == level.known.end()) {
-      fail_unknown(file_.name(), child, "key '" + child.key + "' in " + level.path, level.known);
+      throw_unknown_key(file_.name(), child, "key '" + child.key + "' in " + level.path,
+                        level.known);
     }
   }
 }
@@ -140,8 +141,8 @@ void ConfigLoader::fail(const ConfigNode& node, const std::string& reason) const
 
 double ConfigLoader::read_number(const ConfigNode& node, const Bounds& bounds) const {
   const auto number = number_in<double>(node);
-  if (!number) fail(node, "is " + shown(node) + ", not a number");
-  if (!std::isfinite(*number)) fail(node, "is " + shown(node) + ", not a finite number");
+  if (!number) fail(node, "is " + describe(node) + ", not a number");
+  if (!std::isfinite(*number)) fail(node, "is " + describe(node) + ", not a finite number");
   check(node, *number, bounds);
   return *number;
 }

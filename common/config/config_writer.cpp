@@ -11,7 +11,7 @@ namespace adit {
 namespace {
 
 /// In YAML's double quotes, which take any byte.
-std::string between_quotes(const std::string& text) {
+std::string quoted_yaml(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') {
@@ -52,13 +52,12 @@ void ConfigWriter::operator()(std::string_view key, const double& value, const B
 }
 
 void ConfigWriter::operator()(std::string_view key, const std::string& value) {
-  line(key, between_quotes(value), {});
+  line(key, quoted_yaml(value), {});
 }
 
 void ConfigWriter::operator()(std::string_view key, const std::string& value,
                               const OneOf& allowed) {
-  text_ +=
-      indent() + std::string(key) + ": " + between_quotes(value) + "  # " + allowed.text() + "\n";
+  text_ += indent() + std::string(key) + ": " + quoted_yaml(value) + "  # " + allowed.text() + "\n";
 }
 
 void ConfigWriter::operator()(std::string_view key, const std::vector<double>& values,
@@ -94,7 +93,7 @@ std::string ConfigWriter::indent() {
 
 void ConfigWriter::line(std::string_view key, const std::string& value, const Bounds& bounds) {
   text_ += indent() + std::string(key) + ": " + value;
-  if (!bounds.allow_all()) text_ += "  # " + bounds.text();
+  if (!bounds.is_unbounded()) text_ += "  # " + bounds.text();
   text_ += '\n';
 }
 

@@ -13,7 +13,7 @@ bool is_control(unsigned char byte) {
 }
 
 /// Bytes behind the first of a character of UTF-8; nothing for one that begins none.
-std::optional<std::size_t> bytes_that_follow(unsigned char first) {
+std::optional<std::size_t> continuation_byte_count(unsigned char first) {
   if (first < 0x80) return 0;
   if (first >= 0xC2 && first <= 0xDF) return 1;
   if (first >= 0xE0 && first <= 0xEF) return 2;
@@ -21,17 +21,18 @@ std::optional<std::size_t> bytes_that_follow(unsigned char first) {
   return std::nullopt;
 }
 
-bool continues(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+bool is_continuation_byte(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 }  // namespace
 
-std::optional<std::size_t> first_that_is_no_text(std::string_view bytes) {
+std::optional<std::size_t> find_non_text_byte(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size();) {
     const auto byte = static_cast<unsigned char>(bytes[i]);
-    const auto following = bytes_that_follow(byte);
+    const auto following = continuation_byte_count(byte);
     if (is_control(byte) || !following) return i;
     const std::string_view rest = bytes.substr(i + 1, *following);
-    if (rest.size() < *following || !std::all_of(rest.begin(), rest.end(), continues)) return i;
+    if (rest.size() < *following || !std::all_of(rest.begin(), rest.end(), is_continuation_byte))
+      return i;
     i += 1 + *following;
   }
   return std::nullopt;

@@ -10,6 +10,6 @@ namespace adit {
 
 /// Where the first byte is that no YAML file has (YAML 1.2, 5.1): a control character, or one that
 /// is no UTF-8. Nothing where all is text.
-std::optional<std::size_t> first_that_is_no_text(std::string_view bytes);
+std::optional<std::size_t> find_non_text_byte(std::string_view bytes);
 
 }  // namespace adit

@@ -29,7 +29,7 @@ LockedFile::LockedFile(const std::filesystem::path& path) : path_(path) {
       retry([&] { return open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0644); });
   if (file_ < 0) fail("cannot open", errno);
   try {
-    require_ordinary();
+    require_regular_file();
     lock();
   } catch (...) {
     close(file_);
@@ -81,7 +81,7 @@ void LockedFile::fail(const std::string& what, int error) const {
                            std::generic_category().message(error));
 }
 
-void LockedFile::require_ordinary() const {
+void LockedFile::require_regular_file() const {
   struct stat status {};
   if (fstat(file_, &status) != 0) fail("cannot read", errno);
   if (!S_ISREG(status.st_mode)) {

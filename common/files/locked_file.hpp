@@ -35,7 +35,7 @@ class LockedFile {
 
  private:
   [[noreturn]] void fail(const std::string& what, int error) const;
-  void require_ordinary() const;
+  void require_regular_file() const;
   void lock() const;
 
   std::filesystem::path path_;

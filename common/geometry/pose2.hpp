@@ -3,12 +3,24 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Core>
-
-#include "common/geometry/angle.hpp"
+#include <Eigen/Geometry>
 
 namespace adit {
+
+/// The same angle in (−π, π]. [rad]
+inline double wrap_angle(double angle) {
+  const double wrapped = std::remainder(angle, 2.0 * std::numbers::pi);
+  return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
+}
+
+/// `a − b` in (−π, π], the only way in which angles are subtracted here. [rad]
+inline double angle_diff(double a, double b) { return wrap_angle(a - b); }
+
+constexpr double deg_to_rad(double degrees) { return degrees * std::numbers::pi / 180.0; }
+constexpr double rad_to_deg(double radians) { return radians * 180.0 / std::numbers::pi; }
 
 /// A rigid motion of the plane. `T_a_b` is the pose of frame b in frame a; it takes coordinates in
 /// b to coordinates in a, so that neighbours cancel: `T_map_body = T_map_odom * T_odom_body`.
@@ -59,6 +71,27 @@ inline Eigen::Matrix3d adjoint(const Pose2& T_a_b) {
   Eigen::Matrix3d Ad;
   Ad << c, -s, T_a_b.y, s, c, -T_a_b.x, 0.0, 0.0, 1.0;
   return Ad;
+}
+
+/// Motion along an arc that begins along x: `length_m` long, turning by `turn_rad`. Exact.
+inline Pose2 along_arc(double length_m, double turn_rad) {
+  // The chord of an arc has half its turn: sin(t/2)/(t/2), whose series serves near zero.
+  const double half = 0.5 * turn_rad;
+  const double shrink = std::abs(half) < 1e-4 ? 1.0 - half * half / 6.0 : std::sin(half) / half;
+  const double chord = length_m * shrink;
+  return {chord * std::cos(half), chord * std::sin(half), turn_rad};
+}
+
+/// A pose as it is in the plan: seen from above, heading where its x axis points.
+inline Pose2 in_plan(const Eigen::Isometry3d& T_a_b) {
+  const auto& R = T_a_b.linear();
+  return {T_a_b.translation().x(), T_a_b.translation().y(), std::atan2(R(1, 0), R(0, 0))};
+}
+
+/// A pose of the plan, level, at a height [m].
+inline Eigen::Isometry3d in_space(const Pose2& T_a_b, double z_m = 0.0) {
+  return Eigen::Translation3d(T_a_b.x, T_a_b.y, z_m) *
+         Eigen::AngleAxisd(T_a_b.theta, Eigen::Vector3d::UnitZ());
 }
 
 }  // namespace adit

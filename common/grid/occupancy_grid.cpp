@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 #include <limits>
+#include <stdexcept>
 
 namespace adit {
 namespace {
@@ -89,7 +92,7 @@ double OccupancyGrid::occupancy(const Eigen::Vector2i& cell) const {
   return static_cast<double>(found->hits) / (found->hits + found->misses);
 }
 
-CellBox OccupancyGrid::known_box() const {
+CellBox OccupancyGrid::observed_box() const {
   CellBox known;
   for (int j = box_.from.y(); j < box_.to.y(); ++j) {
     for (int i = box_.from.x(); i < box_.to.x(); ++i) {
@@ -142,19 +145,19 @@ bool OccupancyGrid::reserve(const CellBox& box) {
 /// scan has seen already. Both points lie in the map, and so does all that is between them.
 void OccupancyGrid::carve(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   const Eigen::Vector2d start = from / params_.resolution_m;
-  const Eigen::Vector2d way = to / params_.resolution_m - start;
+  const Eigen::Vector2d ray = to / params_.resolution_m - start;
   const Eigen::Vector2i cell = cell_at(from);
   Eigen::Vector2i left = (cell_at(to) - cell).cwiseAbs();  // steps to go along each axis
   Eigen::Vector2d next;  // share of the way at which the ray leaves the cell along each axis
   Eigen::Vector2d stride;
   for (int axis = 0; axis < 2; ++axis) {
-    const double edge = cell[axis] + (way[axis] < 0.0 ? 0.0 : 1.0);
-    const double length = std::abs(way[axis]);
+    const double edge = cell[axis] + (ray[axis] < 0.0 ? 0.0 : 1.0);
+    const double length = std::abs(ray[axis]);
     stride[axis] = length > 0.0 ? 1.0 / length : std::numeric_limits<double>::infinity();
     next[axis] = length > 0.0 ? std::abs(edge - start[axis]) / length : stride[axis];
   }
   const std::ptrdiff_t row = box_.size().x();
-  const std::ptrdiff_t step[2] = {way.x() < 0.0 ? -1 : 1, way.y() < 0.0 ? -row : row};
+  const std::ptrdiff_t step[2] = {ray.x() < 0.0 ? -1 : 1, ray.y() < 0.0 ? -row : row};
   for (Cell* seen = &at(cell); left.sum() > 0;) {
     if (seen->last_scan != scan_) {
       count(seen->misses);
@@ -173,6 +176,61 @@ OccupancyGrid::Cell& OccupancyGrid::at(const Eigen::Vector2i& cell) {
 
 const OccupancyGrid::Cell* OccupancyGrid::find(const Eigen::Vector2i& cell) const {
   return box_.contains(cell) ? &cells_[index_in(box_, cell)] : nullptr;
+}
+
+namespace {
+
+// The shades of map_saver. That of the unknown lies between the two thresholds below.
+constexpr char kFreeShade = static_cast<char>(254);
+constexpr char kUnknownShade = static_cast<char>(205);
+constexpr char kOccupiedShade = 0;
+
+char shade(CellState state) {
+  switch (state) {
+    case CellState::kFree:
+      return kFreeShade;
+    case CellState::kOccupied:
+      return kOccupiedShade;
+    case CellState::kUnknown:
+      break;
+  }
+  return kUnknownShade;
+}
+
+std::string pgm(const OccupancyGrid& grid, const CellBox& box) {
+  std::string text =
+      "P5\n" + std::to_string(box.size().x()) + " " + std::to_string(box.size().y()) + "\n255\n";
+  for (int j = box.to.y() - 1; j >= box.from.y(); --j) {
+    for (int i = box.from.x(); i < box.to.x(); ++i) text += shade(grid.state({i, j}));
+  }
+  return text;
+}
+
+std::string yaml(const OccupancyGrid& grid, const CellBox& box, const std::string& image) {
+  const Eigen::Vector2d origin = grid.resolution_m() * box.from.cast<double>();
+  char text[512];
+  std::snprintf(text, sizeof(text),
+                "image: %s\nmode: trinary\nresolution: %.6f\norigin: [%.6f, %.6f, 0.0]\n"
+                "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n",
+                image.c_str(), grid.resolution_m(), origin.x(), origin.y());
+  return text;
+}
+
+void write_file(const std::filesystem::path& path, const std::string& contents) {
+  std::ofstream out(path, std::ios::binary);
+  out << contents;
+  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
+}
+
+}  // namespace
+
+void write_map_server(const OccupancyGrid& grid, const std::filesystem::path& folder,
+                      const std::string& stem) {
+  CellBox box = grid.observed_box();
+  box.from -= Eigen::Vector2i(1, 1);
+  box.to += Eigen::Vector2i(1, 1);
+  write_file(folder / (stem + ".pgm"), pgm(grid, box));
+  write_file(folder / (stem + ".yaml"), yaml(grid, box, stem + ".pgm"));
 }
 
 }  // namespace adit

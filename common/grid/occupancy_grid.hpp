@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -59,7 +61,7 @@ class OccupancyGrid {
   /// Share of hits among hits and misses, 0 to 1; 0 where the cell is unknown.
   [[nodiscard]] double occupancy(const Eigen::Vector2i& cell) const;
   /// The smallest box around all cells that are known; empty if none is.
-  [[nodiscard]] CellBox known_box() const;
+  [[nodiscard]] CellBox observed_box() const;
 
   [[nodiscard]] double resolution_m() const { return params_.resolution_m; }
   [[nodiscard]] Eigen::Vector2i cell_at(const Eigen::Vector2d& p_map) const;
@@ -83,5 +85,12 @@ class OccupancyGrid {
   std::vector<Cell> cells_;  // row by row, from the lowest
   std::uint32_t scan_ = 0;
 };
+
+/// Writes `stem`.pgm and `stem`.yaml into a folder, as ROS's map_server and nav2 read them:
+/// trinary, the highest row first, origin at the lower left corner of the lowest cell. The margin
+/// keeps one unknown cell around the map. The same map gives the same bytes. Throws
+/// std::runtime_error where a file cannot be written.
+void write_map_server(const OccupancyGrid& grid, const std::filesystem::path& folder,
+                      const std::string& stem);
 
 }  // namespace adit

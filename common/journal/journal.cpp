@@ -12,7 +12,7 @@ namespace {
 
 /// Takes back what was written of a record. Where even that fails, the next record goes over it,
 /// and whatever is left behind that one is passed over when the journal is read.
-void cut_off(const LockedFile& file, std::uint64_t end) {
+void discard_partial_record(const LockedFile& file, std::uint64_t end) {
   try {
     file.truncate(end);
   } catch (const std::runtime_error&) {  // NOLINT(bugprone-empty-catch): the first error counts
@@ -32,8 +32,10 @@ JournalHealth read_journal(const std::filesystem::path& path, const JournalReade
 }
 
 Journal::Journal(const std::filesystem::path& path, const JournalReader& reader)
-    : file_(path), health_(read_journal(path, reader)), end_(file_.size() - health_.torn_bytes) {
-  if (health_.torn_bytes > 0) file_.truncate(end_);
+    : file_(path),
+      health_(read_journal(path, reader)),
+      end_(file_.size() - health_.truncated_bytes) {
+  if (health_.truncated_bytes > 0) file_.truncate(end_);
   if (end_ == 0) file_.sync_folder();
 }
 
@@ -42,7 +44,7 @@ void Journal::append(std::string_view kind, std::span<const std::uint8_t> bytes)
   try {
     file_.write_at(end_, record);
   } catch (const std::runtime_error&) {
-    cut_off(file_, end_);
+    discard_partial_record(file_, end_);
     throw;
   }
   end_ += record.size();

@@ -2,17 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "common/files/locked_file.hpp"
-#include "common/journal/journal_parser.hpp"
-#include "common/journal/journal_record.hpp"
+#include "common/journal/journal_format.hpp"
 
 namespace adit {
+
+/// A value for a record, as it lies in memory: it has no gaps, so that all bytes mean something.
+/// The same bits on machines of one byte order.
+template <class T>
+std::array<std::uint8_t, sizeof(T)> bytes_of(const T& value) {
+  return std::bit_cast<std::array<std::uint8_t, sizeof(T)>>(value);
+}
+
+/// Nothing where these are not as many bytes as it has.
+template <class T>
+std::optional<T> value_from_bytes(std::span<const std::uint8_t> bytes) {
+  std::array<std::uint8_t, sizeof(T)> read{};
+  if (bytes.size() != read.size()) return std::nullopt;
+  std::ranges::copy(bytes, read.begin());
+  return std::bit_cast<T>(read);
+}
 
 /// Takes a record while it is there; what is to be kept must be copied.
 using JournalReader = std::function<void(const JournalRecord&)>;

@@ -25,9 +25,11 @@ bool all_finite(const Numbers& numbers) {
 inline bool is_share(double number) { return number >= 0.0 && number <= 1.0; }
 
 /// Whether a number is the length of a way: finite and not negative.
-inline bool is_way(double way_m) { return std::isfinite(way_m) && way_m >= 0.0; }
+inline bool is_distance(double distance_m) {
+  return std::isfinite(distance_m) && distance_m >= 0.0;
+}
 
-constexpr const char* kNoShare = "share beyond 0 to 1";
+constexpr const char* kShareOutOfRange = "share beyond 0 to 1";
 constexpr const char* kImplausibleTime = "time outside of 1970 to 2286";
 
 }  // namespace adit

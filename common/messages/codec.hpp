@@ -21,17 +21,17 @@ std::int64_t fingerprint(std::span<const std::uint8_t> bytes);
 /// fingerprint, counts that do not fit the bytes present, bytes too few or too many.
 template <class Msg>
 Result<Msg> decode(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() > INT_MAX) return Refused{"too large"};
-  if (bytes.size() < sizeof(std::int64_t)) return Refused{"shorter than a fingerprint"};
-  if (fingerprint(bytes) != Msg::getHash()) return Refused{"fingerprint of another type"};
+  if (bytes.size() > INT_MAX) return Rejected{"too large"};
+  if (bytes.size() < sizeof(std::int64_t)) return Rejected{"shorter than a fingerprint"};
+  if (fingerprint(bytes) != Msg::getHash()) return Rejected{"fingerprint of another type"};
   Msg message;
   const int size = static_cast<int>(bytes.size());
   try {
     const int used = message.decode(bytes.data(), 0, size);
-    if (used < 0) return Refused{"truncated, or with a count that does not fit"};
-    if (used != size) return Refused{"bytes left over at the end"};
+    if (used < 0) return Rejected{"truncated, or with a count that does not fit"};
+    if (used != size) return Rejected{"bytes left over at the end"};
   } catch (const std::exception&) {
-    return Refused{"out of memory"};
+    return Rejected{"out of memory"};
   }
   return message;
 }

@@ -47,30 +47,32 @@ ProcmanStatus status_from(const procman_lcm::cmd_status_t& message) {
           message.mem_rss_bytes};
 }
 
-bool is_amount(double number) { return std::isfinite(number) && number >= 0.0; }
+bool is_finite_non_negative(double number) { return std::isfinite(number) && number >= 0.0; }
 
-std::string_view reason_to_refuse(const procman_lcm::cmd_t& message) {
+std::string_view rejection_reason(const procman_lcm::cmd_t& message) {
   if (message.command_id.empty()) return "command without a name";
   if (message.stop_signal < 0 || message.stop_signal > kLastSignal) return "unknown stop signal";
-  if (!is_amount(message.stop_time_allowed)) return "time to stop is not finite or negative";
+  if (!is_finite_non_negative(message.stop_time_allowed))
+    return "time to stop is not finite or negative";
   return {};
 }
 
-std::string_view reason_to_refuse(const procman_lcm::cmd_status_t& message) {
-  if (const auto reason = reason_to_refuse(message.cmd); !reason.empty()) return reason;
+std::string_view rejection_reason(const procman_lcm::cmd_status_t& message) {
+  if (const auto reason = rejection_reason(message.cmd); !reason.empty()) return reason;
   if (message.pid < 0) return "negative process id";
-  if (!is_amount(message.cpu_usage)) return "use of the processor is not finite or negative";
+  if (!is_finite_non_negative(message.cpu_usage))
+    return "use of the processor is not finite or negative";
   return {};
 }
 
-std::string_view reason_to_refuse(const procman_lcm::deputy_info_t& message) {
+std::string_view rejection_reason(const procman_lcm::deputy_info_t& message) {
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.deputy_id.empty()) return "no deputy";
-  if (!is_amount(message.cpu_load)) return "load is not finite or negative";
+  if (!is_finite_non_negative(message.cpu_load)) return "load is not finite or negative";
   return {};
 }
 
-std::string_view reason_to_refuse(const procman_lcm::orders_t& message) {
+std::string_view rejection_reason(const procman_lcm::orders_t& message) {
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.deputy_id.empty()) return "no deputy";
   if (message.sheriff_id.empty()) return "no sheriff";
@@ -138,20 +140,20 @@ procman_lcm::discovery_t to_message(const ProcmanDiscovery& discovery) {
 }
 
 Result<ProcmanInfo> from_message(const procman_lcm::deputy_info_t& message) {
-  if (const auto reason = reason_to_refuse(message); !reason.empty()) return Refused{reason};
+  if (const auto reason = rejection_reason(message); !reason.empty()) return Rejected{reason};
   ProcmanInfo info{message.utime, message.deputy_id, load_from(message), {}};
   for (const procman_lcm::cmd_status_t& status : message.cmds) {
-    if (const auto reason = reason_to_refuse(status); !reason.empty()) return Refused{reason};
+    if (const auto reason = rejection_reason(status); !reason.empty()) return Rejected{reason};
     info.commands.push_back(status_from(status));
   }
   return info;
 }
 
 Result<ProcmanOrders> from_message(const procman_lcm::orders_t& message) {
-  if (const auto reason = reason_to_refuse(message); !reason.empty()) return Refused{reason};
+  if (const auto reason = rejection_reason(message); !reason.empty()) return Rejected{reason};
   ProcmanOrders orders{message.utime, message.deputy_id, message.sheriff_id, {}};
   for (const procman_lcm::cmd_desired_t& desired : message.cmds) {
-    if (const auto reason = reason_to_refuse(desired.cmd); !reason.empty()) return Refused{reason};
+    if (const auto reason = rejection_reason(desired.cmd); !reason.empty()) return Rejected{reason};
     orders.orders.push_back(
         {command_from(desired.cmd), desired.desired_runid, desired.force_quit != 0});
   }
@@ -159,18 +161,18 @@ Result<ProcmanOrders> from_message(const procman_lcm::orders_t& message) {
 }
 
 Result<ProcmanOutput> from_message(const procman_lcm::output_t& message) {
-  if (!is_plausible_utime(message.utime)) return Refused{kImplausibleTime};
-  if (message.deputy_id.empty()) return Refused{"no deputy"};
+  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  if (message.deputy_id.empty()) return Rejected{"no deputy"};
   ProcmanOutput output{message.utime, message.deputy_id, {}};
   for (std::size_t i = 0; i < message.command_ids.size(); ++i) {
-    if (message.command_ids[i].empty()) return Refused{"command without a name"};
+    if (message.command_ids[i].empty()) return Rejected{"command without a name"};
     output.texts.push_back({message.command_ids[i], message.text[i]});
   }
   return output;
 }
 
 Result<ProcmanDiscovery> from_message(const procman_lcm::discovery_t& message) {
-  if (!is_plausible_utime(message.utime)) return Refused{kImplausibleTime};
+  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
   return ProcmanDiscovery{message.utime, message.transmitter_id, message.nonce};
 }
 

@@ -8,7 +8,7 @@
 #include "procman_lcm/output_t.hpp"
 
 #include "common/messages/result.hpp"
-#include "common/procman/procman_values.hpp"
+#include "common/types/procman.hpp"
 
 namespace adit {
 

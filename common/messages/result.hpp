@@ -9,7 +9,7 @@
 namespace adit {
 
 /// The reason, on its way into a Result.
-struct Refused {
+struct Rejected {
   std::string_view reason;
 };
 
@@ -20,18 +20,18 @@ class Result {
  public:
   // Implicit on purpose: `return scan;` and `return Refused{"no beams"};` both read well.
   Result(T value) : value_(std::move(value)) {}
-  Result(Refused refused) : refusal_(refused.reason) {}
+  Result(Rejected rejected) : rejection_(rejected.reason) {}
 
   [[nodiscard]] explicit operator bool() const { return value_.has_value(); }
   [[nodiscard]] const T& operator*() const { return *value_; }
   [[nodiscard]] const T* operator->() const { return &*value_; }
 
   /// Empty where there is a value.
-  [[nodiscard]] std::string_view refusal() const { return refusal_; }
+  [[nodiscard]] std::string_view rejection() const { return rejection_; }
 
  private:
   std::optional<T> value_;
-  std::string_view refusal_;
+  std::string_view rejection_;
 };
 
 }  // namespace adit

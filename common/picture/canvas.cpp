@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/picture/canvas.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
+
+#include "common/picture/palette.hpp"
 
 namespace adit {
 
@@ -91,6 +95,41 @@ void Canvas::write_png(const std::filesystem::path& path) const {
     throw std::runtime_error("cannot write " + path.string() + ": " +
                              cairo_status_to_string(status));
   }
+}
+
+double draw_text_block(const Canvas& canvas, const std::string& text, double left, double top,
+                       double width, const TextStyle& style) {
+  const auto draw = [&](const std::string& line) {
+    canvas.text(line, left, top + style.size, style.size, style.bold, Align::kLeft);
+    top += style.line;
+  };
+  std::istringstream words(text);
+  std::string line;
+  for (std::string word; words >> word;) {
+    std::string longer = line;
+    longer.append(line.empty() ? "" : " ").append(word);
+    const bool fits = canvas.text_width(longer, style.size, style.bold) <= width;
+    if (!fits && !line.empty()) draw(line);
+    line = fits || line.empty() ? longer : word;
+  }
+  draw(line);
+  return top;
+}
+
+namespace {
+
+constexpr double kRound = 24.0;  // margin
+
+}  // namespace
+
+void write_sheet(const std::filesystem::path& path, double width, const DrawDown& draw) {
+  const double bottom = draw(Canvas(1, 1), kRound, kRound);
+  const Canvas canvas(static_cast<int>(std::ceil(width + 2.0 * kRound)),
+                      static_cast<int>(std::ceil(bottom + kRound)));
+  canvas.colour(kOpen);
+  cairo_paint(canvas.cairo());
+  draw(canvas, kRound, kRound);
+  canvas.write_png(path);
 }
 
 }  // namespace adit

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
 #include <cairo.h>
 
-#include "common/picture/colour.hpp"
 #include "common/picture/rgb_image.hpp"
 
 namespace adit {
@@ -50,5 +50,24 @@ class Canvas {
   std::unique_ptr<cairo_surface_t, Destroy> surface_;
   std::unique_ptr<cairo_t, Destroy> cairo_;
 };
+
+struct TextStyle {
+  double size = 17.0;  ///< of the letters [pixels]
+  double line = 26.0;  ///< height of a line
+  bool bold = false;
+};
+
+/// Draws words in as many lines as it takes to stay within a width. Returns where the last ends
+/// [pixels].
+double draw_text_block(const Canvas& canvas, const std::string& text, double left, double top,
+                       double width, const TextStyle& style);
+
+/// Draws from a place on and says where it ended, downwards [pixels].
+using DrawDown = std::function<double(const Canvas& canvas, double left, double top)>;
+
+/// A white sheet of so much width between its margins, as high as what is drawn on it. Draws
+/// twice: to see how high that is, and on the sheet. Throws std::runtime_error where the file
+/// cannot be written.
+void write_sheet(const std::filesystem::path& path, double width, const DrawDown& draw);
 
 }  // namespace adit

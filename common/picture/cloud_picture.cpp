@@ -40,11 +40,11 @@ class PointView {
   }
 
   void draw(const Eigen::Vector3d& p_level) {
-    const Eigen::Vector3d way = p_level - kEye;
-    const double away = std::cos(kDown) * way.x() - std::sin(kDown) * way.z();
+    const Eigen::Vector3d ray = p_level - kEye;
+    const double away = std::cos(kDown) * ray.x() - std::sin(kDown) * ray.z();
     if (!(away > kNearM)) return;
-    const double up = std::sin(kDown) * way.x() + std::cos(kDown) * way.z();
-    const double x = image_.width / 2.0 - way.y() / away * pixels_per_tangent_;
+    const double up = std::sin(kDown) * ray.x() + std::cos(kDown) * ray.z();
+    const double x = image_.width / 2.0 - ray.y() / away * pixels_per_tangent_;
     const double y = image_.height / 2.0 - up / away * pixels_per_tangent_;
     const double half = std::clamp(kPointM / away * pixels_per_tangent_, 1.0, 5.0) / 2.0;
     fill(x, y, half, away, rgb_pixel(colour_of(p_level.z(), away)));

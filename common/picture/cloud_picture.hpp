@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/cloud/cloud.hpp"
 #include "common/picture/rgb_image.hpp"
+#include "common/types/cloud.hpp"
 
 namespace adit {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "common/picture/canvas.hpp"
+#include "common/picture/legend.hpp"
 #include "common/picture/palette.hpp"
-#include "common/picture/scale_bar.hpp"
 
 namespace adit {
 namespace {
@@ -34,7 +34,7 @@ constexpr std::array<std::pair<const char*, Colour>, 8> kStates{{{"open", rgb(0x
                                                                  {"way out", rgb(0x808890)},
                                                                  {"doubtful", rgb(0xd45fa8)}}};
 
-Colour colour_of(StubState state) { return kStates.at(static_cast<std::size_t>(state)).second; }
+Colour colour_of(FrontierState state) { return kStates.at(static_cast<std::size_t>(state)).second; }
 
 class Sheet {
  public:
@@ -109,14 +109,15 @@ void draw_corridors(const Sheet& sheet, const CorridorGraph& graph) {
 }
 
 /// What is open over what is closed.
-void draw_stubs(const Sheet& sheet, const std::vector<Stub>& stubs) {
+void draw_frontiers(const Sheet& sheet, const std::vector<Frontier>& frontiers) {
   for (const bool closed : {true, false}) {
-    for (const Stub& stub : stubs) {
-      if (is_closed(stub.state) != closed) continue;
-      const Colour colour = colour_of(stub.state);
-      const bool explored = stub.state == StubState::kExplored;
-      if (!explored) sheet.line({stub.p_map, stub.p_map + 2.5 * stub.direction_map}, colour, 3.0);
-      sheet.disc(stub.p_map, colour, explored ? 3.0 : 6.0);
+    for (const Frontier& frontier : frontiers) {
+      if (is_closed(frontier.state) != closed) continue;
+      const Colour colour = colour_of(frontier.state);
+      const bool explored = frontier.state == FrontierState::kExplored;
+      if (!explored)
+        sheet.line({frontier.p_map, frontier.p_map + 2.5 * frontier.direction_map}, colour, 3.0);
+      sheet.disc(frontier.p_map, colour, explored ? 3.0 : 6.0);
     }
   }
 }
@@ -137,9 +138,9 @@ void draw_keys(const Sheet& sheet) {
 void write_exploration_png(const ExplorationPicture& picture, const std::filesystem::path& path) {
   const Sheet sheet(picture);
   sheet.draw_cells();
-  sheet.line(picture.way, kStart, 1.0);
+  sheet.line(picture.traversed_path, kStart, 1.0);
   draw_corridors(sheet, picture.report.corridors);
-  draw_stubs(sheet, picture.report.stubs);
+  draw_frontiers(sheet, picture.report.frontiers);
   sheet.canvas().colour(kInk);
   sheet.canvas().text(picture.title, kMarginPx, kHeadPx - 18.0, 16.0, true, Align::kLeft);
   draw_keys(sheet);

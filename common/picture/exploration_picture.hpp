@@ -9,7 +9,7 @@
 
 #include <Eigen/Core>
 
-#include "common/exploration/exploration_report.hpp"
+#include "common/types/exploration.hpp"
 
 namespace adit {
 
@@ -23,7 +23,7 @@ struct ExplorationPicture {
   int columns = 0;
   std::vector<Ground> cells;  ///< row by row from the lowest
   ExplorationReport report;
-  std::vector<Eigen::Vector2d> way;  ///< of the robot, p_map; may be empty
+  std::vector<Eigen::Vector2d> traversed_path;  ///< of the robot, p_map; may be empty
 };
 
 /// Draws the known space as PNG, y up, four pixels a cell where the sheet holds it: corridors by

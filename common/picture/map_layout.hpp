@@ -8,11 +8,12 @@
 
 #include "common/geometry/pose2.hpp"
 #include "common/grid/occupancy_grid.hpp"
+#include "common/picture/canvas.hpp"
 
 namespace adit {
 
 // Around the map, in units of the sheet.
-inline constexpr double kMargin = 40.0;
+inline constexpr double kPageMargin = 40.0;
 inline constexpr double kHeader = 76.0;
 inline constexpr double kFooter = 84.0;
 inline constexpr double kGraphKey = 104.0;  // width of each key of a pose graph
@@ -41,5 +42,15 @@ struct MapLayout {
 
 /// Height of the keys and the scale on the sheet [pixels].
 inline double foot(const MapLayout& layout) { return layout.height - kFooter / 2.0 * layout.unit; }
+
+/// Where a path starts and ends, in pixels. The start is larger, so that it shows where the end
+/// lies upon it.
+void draw_start(const Canvas& canvas, const Eigen::Vector2d& p, double unit);
+void draw_end(const Canvas& canvas, const Eigen::Vector2d& p, double unit);
+
+/// The foot of the sheet: the scale in metres at the left, and at the right what the colours of the
+/// path mean. Returns where these begin, left of which there is room for more [pixels].
+void draw_scale_bar(const Canvas& canvas, const MapLayout& layout);
+double draw_path_keys(const Canvas& canvas, const MapLayout& layout, bool with_degenerate);
 
 }  // namespace adit

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "common/picture/legend.hpp"
 #include "common/picture/palette.hpp"
-#include "common/picture/scale_bar.hpp"
 
 namespace adit {
 namespace {

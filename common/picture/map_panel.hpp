@@ -10,7 +10,7 @@
 #include "common/picture/canvas.hpp"
 #include "common/picture/legend.hpp"
 #include "common/picture/rgb_image.hpp"
-#include "common/terrain/terrain_map.hpp"
+#include "common/types/terrain_map.hpp"
 
 namespace adit {
 

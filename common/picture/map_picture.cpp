@@ -3,18 +3,137 @@
 #include "common/picture/map_picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "common/picture/canvas.hpp"
-#include "common/picture/graph_overlay.hpp"
-#include "common/picture/map_keys.hpp"
 #include "common/picture/map_layout.hpp"
 #include "common/picture/palette.hpp"
 
 namespace adit {
 namespace {
+
+/// Draws a pose graph. Where its nodes are close together on the sheet, they are drawn smaller.
+void draw_graph(const Canvas& canvas, const MapLayout& layout, const GraphPicture& graph);
+
+/// The keys of those of its parts that there are, side by side at the foot of the sheet; `right` is
+/// where they end [pixels].
+void draw_graph_keys(const Canvas& canvas, const MapLayout& layout, const GraphPicture& graph,
+                     double right);
+
+using Edge = GraphPicture::Edge;
+
+struct Pen {
+  Colour colour;
+  double width;  // units
+  double end;    // radius of a dot at either end, units
+  bool dashed = false;
+};
+
+constexpr double kNodeRadius = 3.4;  // units
+constexpr Pen kSequentialPen{kGraph, 1.2, 0.0};
+constexpr Pen kLoopClosurePen{kLoopClosure, 3.2, 4.2};
+constexpr Pen kRevokedPen{kRevoked, 2.6, 3.6, true};
+
+void trace(const Canvas& canvas, const Edge& edge) {
+  cairo_move_to(canvas.cairo(), edge.a.x(), edge.a.y());
+  cairo_line_to(canvas.cairo(), edge.b.x(), edge.b.y());
+}
+
+void stroke(const Canvas& canvas, std::span<const Edge> edges, const Colour& colour, double width) {
+  cairo_new_path(canvas.cairo());
+  for (const Edge& edge : edges) trace(canvas, edge);
+  canvas.colour(colour);
+  cairo_set_line_width(canvas.cairo(), width);
+  cairo_stroke(canvas.cairo());
+}
+
+/// Edges in pixels; those that stand out have a pale rim, so that they show on walls and path.
+void draw_edges(const Canvas& canvas, std::span<const Edge> edges, const Pen& pen, double unit) {
+  cairo_t* cairo = canvas.cairo();
+  cairo_set_line_cap(cairo, pen.dashed ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
+  if (pen.end > 0.0) {
+    stroke(canvas, edges, kRim, (pen.width + 2.4) * unit);
+    for (const Edge& edge : edges) {
+      for (const Eigen::Vector2d& p : {edge.a, edge.b}) {
+        canvas.disc(p.x(), p.y(), (pen.end + 1.2) * unit);
+      }
+    }
+  }
+  const std::array<double, 2> dashes = {8.0 * unit, 5.0 * unit};
+  if (pen.dashed) cairo_set_dash(cairo, dashes.data(), 2, 0.0);
+  stroke(canvas, edges, pen.colour, pen.width * unit);
+  cairo_set_dash(cairo, nullptr, 0, 0.0);
+  if (pen.end == 0.0) return;
+  for (const Edge& edge : edges) {
+    for (const Eigen::Vector2d& p : {edge.a, edge.b}) canvas.disc(p.x(), p.y(), pen.end * unit);
+  }
+}
+
+std::vector<Edge> on_sheet(const MapLayout& layout, const std::vector<Edge>& edges) {
+  std::vector<Edge> pixels;
+  for (const Edge& edge : edges) pixels.push_back({layout.pixel(edge.a), layout.pixel(edge.b)});
+  return pixels;
+}
+
+void draw_node(const Canvas& canvas, const Eigen::Vector2d& p, double radius) {
+  canvas.colour(kOpen);
+  canvas.disc(p.x(), p.y(), 1.4 * radius);
+  canvas.colour(kGraph);
+  canvas.disc(p.x(), p.y(), radius);
+}
+
+/// How much finer than in the key the graph is drawn, so that nodes at the usual distance stay
+/// apart: 1 or less.
+double fineness(const MapLayout& layout, const std::vector<Pose2>& nodes) {
+  constexpr double kFinest = 0.4;
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    gaps.push_back((nodes[i].translation() - nodes[i - 1].translation()).norm());
+  }
+  if (gaps.empty()) return 1.0;
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  std::nth_element(gaps.begin(), middle, gaps.end());
+  const double wanted_radius = 0.12 * *middle * layout.pixels_per_metre;
+  return std::clamp(wanted_radius / (kNodeRadius * layout.unit), kFinest, 1.0);
+}
+
+void draw_graph(const Canvas& canvas, const MapLayout& layout, const GraphPicture& graph) {
+  const double unit = fineness(layout, graph.nodes) * layout.unit;
+  draw_edges(canvas, on_sheet(layout, graph.sequential), kSequentialPen, unit);
+  for (const Pose2& node : graph.nodes) {
+    draw_node(canvas, layout.pixel(node.translation()), kNodeRadius * unit);
+  }
+  // What matters most stays readable longest.
+  const double unit_of_loop_closures = std::sqrt(unit * layout.unit);
+  draw_edges(canvas, on_sheet(layout, graph.revoked), kRevokedPen, unit_of_loop_closures);
+  draw_edges(canvas, on_sheet(layout, graph.loop_closures), kLoopClosurePen, unit_of_loop_closures);
+}
+
+void draw_graph_keys(const Canvas& canvas, const MapLayout& layout, const GraphPicture& graph,
+                     double right) {
+  const double unit = layout.unit;
+  const double y = foot(layout);
+  double centre = right - kGraphKey / 2.0 * unit;
+  const auto key = [&](const char* name, const Pen& pen, bool with_nodes) {
+    const Edge edge{{centre - 26.0 * unit, y}, {centre + 26.0 * unit, y}};
+    draw_edges(canvas, std::span(&edge, 1), pen, unit);
+    if (with_nodes) {
+      for (const double share : {-1.0, 0.0, 1.0}) {
+        draw_node(canvas, {centre + 26.0 * share * unit, y}, kNodeRadius * unit);
+      }
+    }
+    canvas.colour(kInk);
+    canvas.text(name, centre, y + 24.0 * unit, 15.0 * unit, false, Align::kCentre);
+    centre -= kGraphKey * unit;
+  };
+  if (!graph.revoked.empty()) key("revoked", kRevokedPen, false);
+  if (!graph.loop_closures.empty()) key("closures", kLoopClosurePen, false);
+  if (!graph.nodes.empty()) key("local maps", kSequentialPen, true);
+}
 
 constexpr double kThinCell = 1.3;  // pixels; walls one cell thick fade if drawn finer than this
 
@@ -67,9 +186,9 @@ void draw_ground(const Canvas& canvas, const MapLayout& layout, const OccupancyG
 }
 
 /// Strokes the pieces [i, i + 1] of the path for which `wanted(i)`, joined where they touch.
-template <class Wanted>
+template <class Selected>
 void stroke_path(const Canvas& canvas, const MapLayout& layout, const std::vector<Pose2>& path,
-                 double line_width, const Wanted& wanted) {
+                 double line_width, const Selected& selected) {
   cairo_t* cairo = canvas.cairo();
   cairo_set_line_width(cairo, line_width);
   cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
@@ -77,37 +196,37 @@ void stroke_path(const Canvas& canvas, const MapLayout& layout, const std::vecto
   cairo_new_path(cairo);
   bool drawing = false;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    if (wanted(i)) {
+    if (selected(i)) {
       const Eigen::Vector2d from = layout.pixel(path[i].translation());
       const Eigen::Vector2d to = layout.pixel(path[i + 1].translation());
       if (!drawing) cairo_move_to(cairo, from.x(), from.y());
       cairo_line_to(cairo, to.x(), to.y());
     }
-    drawing = wanted(i);
+    drawing = selected(i);
   }
   cairo_stroke(cairo);
 }
 
 void draw_path(const Canvas& canvas, const MapLayout& layout, const MapPicture& picture) {
   const std::vector<Pose2>& path = picture.path;
-  const auto joined = [&](std::size_t i) {
+  const auto connected = [&](std::size_t i) {
     const auto& jumps = picture.jumps;
     return std::find(jumps.begin(), jumps.end(), i + 1) == jumps.end();
   };
   const auto flagged = [&](std::size_t i) {
-    return i < picture.degenerate.size() && picture.degenerate[i] && joined(i);
+    return i < picture.degenerate.size() && picture.degenerate[i] && connected(i);
   };
   canvas.colour(kDegenerate);
   stroke_path(canvas, layout, path, 12.0 * layout.unit, flagged);
   // The colour changes in small steps, so that each may be one stroke with proper joins.
   constexpr std::size_t kShades = 128;
-  const std::size_t pieces = path.size() > 1 ? path.size() - 1 : 0;
+  const std::size_t segments = path.size() > 1 ? path.size() - 1 : 0;
   for (std::size_t shade = 0; shade < kShades; ++shade) {
     canvas.colour(along_path((static_cast<double>(shade) + 0.5) / kShades));
-    const std::size_t first = pieces * shade / kShades;
-    const std::size_t end = pieces * (shade + 1) / kShades;
+    const std::size_t first = segments * shade / kShades;
+    const std::size_t end = segments * (shade + 1) / kShades;
     stroke_path(canvas, layout, path, 2.6 * layout.unit,
-                [&](std::size_t i) { return i >= first && i < end && joined(i); });
+                [&](std::size_t i) { return i >= first && i < end && connected(i); });
   }
 }
 
@@ -116,7 +235,7 @@ MapLayout layout_of(const OccupancyGrid& grid, const MapPicture& picture) {
   std::vector<Pose2> poses = picture.path;
   poses.insert(poses.end(), graph.nodes.begin(), graph.nodes.end());
   const int keys =
-      int(!graph.nodes.empty()) + int(!graph.closures.empty()) + int(!graph.revoked.empty());
+      int(!graph.nodes.empty()) + int(!graph.loop_closures.empty()) + int(!graph.revoked.empty());
   return {grid, poses, keys};
 }
 
@@ -132,7 +251,7 @@ void write_map_png(const OccupancyGrid& grid, const MapPicture& picture,
   draw_ground(canvas, layout, grid);
   draw_path(canvas, layout, picture);
   draw_graph(canvas, layout, picture.graph);
-  double keys_end = layout.width - kMargin * unit;
+  double keys_end = layout.width - kPageMargin * unit;
   if (!picture.path.empty()) {
     draw_start(canvas, layout.pixel(picture.path.front().translation()), unit);
     draw_end(canvas, layout.pixel(picture.path.back().translation()), unit);
@@ -142,7 +261,7 @@ void write_map_png(const OccupancyGrid& grid, const MapPicture& picture,
   }
   draw_graph_keys(canvas, layout, picture.graph, keys_end);
   canvas.colour(kInk);
-  canvas.text(picture.title, kMargin * unit, 48.0 * unit, 24.0 * unit, true, Align::kLeft);
+  canvas.text(picture.title, kPageMargin * unit, 48.0 * unit, 24.0 * unit, true, Align::kLeft);
   draw_scale_bar(canvas, layout);
   canvas.write_png(path);
 }

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "common/picture/colour.hpp"
 #include "common/picture/rgb_image.hpp"
 
 namespace adit {
@@ -21,7 +20,7 @@ inline constexpr Colour kDegenerate = rgb(0xf5b301, 0.55);
 inline constexpr Colour kStart = rgb(0x2a9d5c);
 inline constexpr Colour kEnd = rgb(0xc8324a);
 inline constexpr Colour kGraph = rgb(0x33373d);
-inline constexpr Colour kClosure = rgb(0x2fa32a);
+inline constexpr Colour kLoopClosure = rgb(0x2fa32a);
 inline constexpr Colour kRevoked = rgb(0xf07800);
 inline constexpr Colour kRim = rgb(0xffffff, 0.85);  // round what is drawn over walls
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "common/path/planned_path.hpp"
 #include "common/picture/rgb_image.hpp"
-#include "common/terrain/terrain_map.hpp"
+#include "common/types/planned_path.hpp"
+#include "common/types/terrain_map.hpp"
 
 namespace adit {
 
@@ -29,9 +29,9 @@ struct GreyCells {
 struct PlanPicture {
   /// Of the slices; what is passable lies between the last two, the dearer the darker.
   static constexpr std::uint8_t kLethalGrey = 0;
-  static constexpr std::uint8_t kUnseenGrey = 90;
-  static constexpr std::uint8_t kDearGrey = 120;
-  static constexpr std::uint8_t kEvenGrey = 255;
+  static constexpr std::uint8_t kUnknownGrey = 90;
+  static constexpr std::uint8_t kCostlyGrey = 120;
+  static constexpr std::uint8_t kFlatGrey = 255;
   /// Of the kernels: under the wheels, between them, lethal to an obstacle but without weight.
   static constexpr std::uint8_t kWheelGrey = 0;
   static constexpr std::uint8_t kBetweenGrey = 170;

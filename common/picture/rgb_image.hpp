@@ -9,6 +9,18 @@
 
 namespace adit {
 
+/// Shares of 1.
+struct Colour {
+  double red;
+  double green;
+  double blue;
+  double alpha = 1.0;
+};
+
+constexpr Colour rgb(unsigned hex, double alpha = 1.0) {
+  return {(hex >> 16U & 0xffU) / 255.0, (hex >> 8U & 0xffU) / 255.0, (hex & 0xffU) / 255.0, alpha};
+}
+
 /// Pixels row by row from the top, black at first.
 struct RgbImage {
   using Pixel = std::array<std::uint8_t, 3>;  ///< red, green, blue

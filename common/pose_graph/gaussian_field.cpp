@@ -122,7 +122,7 @@ std::vector<Pose2> GaussianField::poses() const {
 double GaussianField::objective() const { return objective_at_linearisation_ - mode().dot(b_); }
 
 /// A constraint as the field sees it.
-struct GaussianField::Look {
+struct GaussianField::ConstraintView {
   Eigen::MatrixXd J;  // by the blocks that it touches
   Eigen::Vector3d d;  // residual at the mode
   Eigen::Matrix3d G;  // G Gᵀ = R, which may be singular
@@ -139,18 +139,19 @@ struct GaussianField::Look {
   }
 };
 
-GaussianField::Look GaussianField::look_at(const PoseConstraint& c) const {
+GaussianField::ConstraintView GaussianField::view_of(const PoseConstraint& c) const {
   const LinearPotential potential = linear(c);
-  Look look{jacobian(potential, c.from, c.to), potential.e, square_root(c.information),
-            blocks_of(c.from, c.to)};
-  look.d += look.times(mode());
-  return look;
+  ConstraintView view{jacobian(potential, c.from, c.to), potential.e, square_root(c.information),
+                      blocks_of(c.from, c.to)};
+  view.d += view.times(mode());
+  return view;
 }
 
 namespace {
 
 /// dᵀ (Σ + R⁻¹)⁻¹ d with R = G Gᵀ.
-double rise_of(const Eigen::Vector3d& d, const Eigen::Matrix3d& Sigma, const Eigen::Matrix3d& G) {
+double increase_of(const Eigen::Vector3d& d, const Eigen::Matrix3d& Sigma,
+                   const Eigen::Matrix3d& G) {
   const Eigen::Vector3d Gd = G.transpose() * d;
   const Eigen::Matrix3d S = Eigen::Matrix3d::Identity() + G.transpose() * Sigma * G;
   return Gd.dot(S.ldlt().solve(Gd));
@@ -158,15 +159,15 @@ double rise_of(const Eigen::Vector3d& d, const Eigen::Matrix3d& Sigma, const Eig
 
 }  // namespace
 
-double GaussianField::objective_rise(const PoseConstraint& c) const {
-  const Look look = look_at(c);
-  return rise_of(
-      look.d, look.J * equations_.matrix().inverse_among(look.blocks) * look.J.transpose(), look.G);
+double GaussianField::objective_increase(const PoseConstraint& c) const {
+  const ConstraintView view = view_of(c);
+  return increase_of(
+      view.d, view.J * equations_.matrix().inverse_among(view.blocks) * view.J.transpose(), view.G);
 }
 
-std::vector<GaussianField::Without> GaussianField::without_each(
-    const std::vector<PoseConstraint>& present, const PoseConstraint& asked) const {
-  const Look c = look_at(asked);
+std::vector<GaussianField::LeaveOneOut> GaussianField::leave_one_out(
+    const std::vector<PoseConstraint>& present, const PoseConstraint& query) const {
+  const ConstraintView c = view_of(query);
   Eigen::MatrixXd columns(b_.size(), 3);  // H⁻¹ J_cᵀ
   for (int k = 0; k < 3; ++k) {
     Eigen::VectorXd row = Eigen::VectorXd::Zero(b_.size());
@@ -177,9 +178,9 @@ std::vector<GaussianField::Without> GaussianField::without_each(
     columns.col(k) = equations_.matrix().solve(row);
   }
   const Eigen::Matrix3d S_cc = c.times(columns);
-  std::vector<Without> all;
+  std::vector<LeaveOneOut> all;
   for (const PoseConstraint& constraint : present) {
-    const Look u = look_at(constraint);
+    const ConstraintView u = view_of(constraint);
     Eigen::MatrixXd& among = among_[{constraint.from, constraint.to}];
     if (among.size() == 0) among = equations_.matrix().inverse_among(u.blocks);
     // Taking u out is adding it with −R: (R⁻¹ − S_uu)⁻¹ = G (I − Gᵀ S_uu G)⁻¹ Gᵀ.
@@ -187,8 +188,8 @@ std::vector<GaussianField::Without> GaussianField::without_each(
         Eigen::Matrix3d::Identity() - u.G.transpose() * u.J * among * u.J.transpose() * u.G;
     const Eigen::Matrix3d W = u.G * left.ldlt().solve(Eigen::Matrix3d(u.G.transpose()));
     const Eigen::Matrix3d S_cu = u.times(columns).transpose();
-    all.push_back(
-        {u.d.dot(W * u.d), rise_of(c.d + S_cu * W * u.d, S_cc + S_cu * W * S_cu.transpose(), c.G)});
+    all.push_back({u.d.dot(W * u.d),
+                   increase_of(c.d + S_cu * W * u.d, S_cc + S_cu * W * S_cu.transpose(), c.G)});
   }
   return all;
 }

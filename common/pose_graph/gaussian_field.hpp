@@ -41,18 +41,18 @@ class GaussianField {
   /// Mahalanobis distance, where d is its residual at the mode and Σ the covariance of what it
   /// measures. With R of full rank it is chi-square with three degrees of freedom where the
   /// constraint is right.
-  [[nodiscard]] double objective_rise(const PoseConstraint& constraint) const;
+  [[nodiscard]] double objective_increase(const PoseConstraint& constraint) const;
 
   /// What the field would be without one of its constraints.
-  struct Without {
-    double objective_fall = 0.0;  ///< of `objective`
-    double rise = 0.0;            ///< what `objective_rise` of the asked constraint would be
+  struct LeaveOneOut {
+    double objective_decrease = 0.0;  ///< of `objective`
+    double increase = 0.0;  ///< what `objective_increase` of the asked constraint would be
   };
   /// For each of `present`, constraints of the field, if it alone were removed; exact for the
   /// linearised field. Costs one column of the factor for all of them, and a look at a path of the
   /// elimination tree for each, once for as long as the field stays as it is.
-  [[nodiscard]] std::vector<Without> without_each(const std::vector<PoseConstraint>& present,
-                                                  const PoseConstraint& asked) const;
+  [[nodiscard]] std::vector<LeaveOneOut> leave_one_out(const std::vector<PoseConstraint>& present,
+                                                       const PoseConstraint& query) const;
 
   /// Covariance of (x, y, θ) of the pose of `to` in the frame of `from`, small motions of `to`
   /// being expressed in the frame of `from`: for T_from_to = T_map_from⁻¹ · T_map_to to first
@@ -62,9 +62,9 @@ class GaussianField {
   [[nodiscard]] std::vector<Eigen::Matrix3d> relative_covariances_to(int to) const;
 
  private:
-  struct Look;
+  struct ConstraintView;
 
-  [[nodiscard]] Look look_at(const PoseConstraint& constraint) const;
+  [[nodiscard]] ConstraintView view_of(const PoseConstraint& constraint) const;
   [[nodiscard]] const Pose2& pose(int node) const;
   [[nodiscard]] LinearPotential linear(const PoseConstraint& constraint) const;
   void change_sums(const PoseConstraint& constraint, const LinearPotential& potential, double sign);

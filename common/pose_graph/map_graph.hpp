@@ -15,8 +15,8 @@ namespace adit {
 /// A constraint between local maps, and where it comes from.
 struct MapConstraint {
   enum class Kind : std::int8_t {
-    kSequential = 0,  ///< of consecutive local maps
-    kClosure = 1,     ///< of a place that was seen again
+    kSequential = 0,   ///< of consecutive local maps
+    kLoopClosure = 1,  ///< of a place that was seen again
   };
 
   PoseConstraint measured;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "common/pose_graph/normal_equations.hpp"
-#include "common/pose_graph/rotation_start.hpp"
+#include "common/pose_graph/rotation_initialization.hpp"
 
 namespace adit {
 namespace {
@@ -23,7 +23,7 @@ constexpr double kLambdaMin = 1e-7;  // less is none
 /// A step, and by how much it lowers the objective if the field is as linear as it seems.
 struct Step {
   Eigen::VectorXd delta;
-  double promise = 0.0;
+  double predicted_decrease = 0.0;
 };
 
 class Optimizer {
@@ -32,15 +32,15 @@ class Optimizer {
       : graph_(graph), params_(params), observer_(observer) {}
 
   OptimizeResult run() {
-    enter(OptimizePhase::kAnalysis);
+    begin_phase(OptimizePhase::kAnalysis);
     const GraphStructure structure = analyse(graph_);
     NormalEquations equations(structure);
-    enter(OptimizePhase::kStart);
-    if (params_.rotation_start) {
+    begin_phase(OptimizePhase::kStart);
+    if (params_.rotation_initialization) {
       ++result_.factorisations;
-      if (!start_from_rotations(graph_, structure, equations)) return undetermined(equations);
+      if (!initialize_from_rotations(graph_, structure, equations)) return undetermined(equations);
     }
-    enter(OptimizePhase::kRest);
+    begin_phase(OptimizePhase::kOther);
     result_.objective = equations.linearise(graph_);
     while (result_.iterations < params_.iterations_max) {
       if (!factorise(equations)) return undetermined(equations);
@@ -51,16 +51,16 @@ class Optimizer {
   }
 
  private:
-  void enter(OptimizePhase phase) const {
+  void begin_phase(OptimizePhase phase) const {
     if (observer_) observer_(phase);
   }
 
   bool factorise(NormalEquations& equations) {
-    enter(OptimizePhase::kFactorisation);
+    begin_phase(OptimizePhase::kFactorisation);
     ++result_.factorisations;
     if (lambda_ > 0.0) equations.matrix().damp(lambda_);
     const bool factorised = equations.matrix().factorise();
-    enter(OptimizePhase::kRest);
+    begin_phase(OptimizePhase::kOther);
     return factorised;
   }
 
@@ -69,13 +69,14 @@ class Optimizer {
   bool descend(NormalEquations& equations) {
     for (bool first = true; result_.iterations < params_.iterations_max; first = false) {
       const Step step = solve(equations);
-      const bool done = step.promise <= params_.tolerance * result_.objective + kNegligible;
-      if (first) judge_last_factor(step.promise);
-      const bool worn = !first && step.promise > contraction_ * promise_;
-      promise_ = step.promise;
+      const bool done =
+          step.predicted_decrease <= params_.tolerance * result_.objective + kNegligible;
+      if (first) judge_last_factor(step.predicted_decrease);
+      const bool worn = !first && step.predicted_decrease > contraction_ * predicted_decrease_;
+      predicted_decrease_ = step.predicted_decrease;
       if (worn && !done) return true;
       const bool damped = lambda_ > 0.0;
-      if (!take(step, equations)) {
+      if (!try_step(step, equations)) {
         if (done) return finish();  // what is left is rounding
         if (!first) return true;
         lambda_ = std::max(kLambdaFirst, 10.0 * lambda_);
@@ -89,19 +90,20 @@ class Optimizer {
 
   /// Where residuals are large, linearisation itself converges slowly, and a fresh factor promises
   /// what the old one did: then factors are used for longer.
-  void judge_last_factor(double fresh_promise) {
-    const bool as_good = promise_ < kAsGood * fresh_promise && fresh_promise < kAsGood * promise_;
+  void judge_last_factor(double predicted_with_fresh_factor) {
+    const bool as_good = predicted_decrease_ < kAsGood * predicted_with_fresh_factor &&
+                         predicted_with_fresh_factor < kAsGood * predicted_decrease_;
     contraction_ = as_good && lambda_ == 0.0 ? kSlowContraction : kContraction;
   }
 
   static Step solve(const NormalEquations& equations) {
     Step step{equations.matrix().solve(equations.b()), 0.0};
-    step.promise = step.delta.dot(equations.b());
+    step.predicted_decrease = step.delta.dot(equations.b());
     return step;
   }
 
   /// False: the objective would rise, and the poses stay.
-  bool take(const Step& step, NormalEquations& equations) {
+  bool try_step(const Step& step, NormalEquations& equations) {
     std::vector<Pose2> before = graph_.poses;
     move_poses(step.delta, graph_.poses);
     const double objective = equations.linearise_gradient(graph_);
@@ -131,7 +133,7 @@ class Optimizer {
   const OptimizeObserver& observer_;
   OptimizeResult result_;
   double lambda_ = 0.0;
-  double promise_ = 0.0;  // of the last step that was found
+  double predicted_decrease_ = 0.0;  // of the last step that was found
   double contraction_ = kContraction;
 };
 

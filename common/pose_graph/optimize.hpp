@@ -12,13 +12,13 @@ namespace adit {
 
 struct OptimizeParams {
   /// Whether to find a start from the measurements; else the poses of the graph are the start.
-  bool rotation_start = true;
+  bool rotation_initialization = true;
   double tolerance = 1e-9;   ///< done if a step promises less than this share of the objective
   int iterations_max = 500;  ///< a guard: iteration ends by itself
 
   template <class V>
   void visit(V& v) {
-    v("rotation_start", rotation_start);
+    v("rotation_initialization", rotation_initialization);
     v("tolerance", tolerance, within(1e-15, 1e-2));
     v("iterations_max", iterations_max, within(1, 100000));
   }
@@ -45,7 +45,7 @@ struct OptimizeResult {
 };
 
 /// What optimisation is at, for those who measure it: algorithms read no clock.
-enum class OptimizePhase { kAnalysis, kStart, kFactorisation, kRest, kEnd };
+enum class OptimizePhase { kAnalysis, kStart, kFactorisation, kOther, kEnd };
 using OptimizeObserver = std::function<void(OptimizePhase begins)>;
 
 /// Moves the poses to the mode of the Gaussian Markov random field, the minimum of Σ eᵀ R e, by

@@ -28,4 +28,44 @@ struct PoseGraph {
   std::vector<PoseConstraint> constraints;
 };
 
+/// What a constraint leaves unexplained, (x, y, θ) in the frame in which it was measured:
+/// e = T_from_to⁻¹ · (T_map_from⁻¹ · T_map_to). The paper's eq. 3 has the same difference in the
+/// global frame; see PoseConstraint.
+Eigen::Vector3d residual(const PoseConstraint& constraint, const Pose2& T_map_from,
+                         const Pose2& T_map_to);
+
+/// The exponent of the potential, eᵀ R e (paper, eq. 2). Their sum over a graph is the objective in
+/// the convention of g2o: without the factor ½.
+inline double energy(const PoseConstraint& constraint, const Eigen::Vector3d& e) {
+  return e.dot(constraint.information * e);
+}
+
+/// The objective: the sum of all energies.
+double objective(const PoseGraph& graph);
+
+/// A potential to first order in small changes (δx, δy, δθ) of both poses, added to them in the map
+/// frame: e(ξ_from + δ_from, ξ_to + δ_to) ≈ e + J_to · (δ_to − M · δ_from).
+///
+/// The paper's eq. 5 gives these derivatives for the residual in the global frame (with θ_k printed
+/// where θ_j belongs, and with the signs of its eq. 1). In the measurement frame they are derived
+/// anew. With α = θ_from + θ of the measurement and d = t_to − t_from,
+///   J_to = diag(R(α)ᵀ, 1),  M = [I, S d; 0, 1],  S = [0, −1; 1, 0]:
+/// turning `from` about itself takes `to` along, and that is all it does.
+struct LinearPotential {
+  Eigen::Vector3d e;      ///< the residual
+  Eigen::Matrix3d J_to;   ///< ∂e/∂ξ_to
+  Eigen::Vector2d lever;  ///< S d [m]
+
+  /// ∂e/∂ξ_from = −J_to · M.
+  [[nodiscard]] Eigen::Matrix3d jacobian_from() const {
+    Eigen::Matrix3d J = -J_to;
+    J.topRightCorner<2, 1>() -= J_to.topLeftCorner<2, 2>() * lever;
+    return J;
+  }
+};
+
+/// At the given poses.
+LinearPotential linearise(const PoseConstraint& constraint, const Pose2& T_map_from,
+                          const Pose2& T_map_to);
+
 }  // namespace adit

@@ -41,10 +41,10 @@ class WordReader {
       if (plain) {
         word.text += c;
       } else if (c == '\\') {
-        if (at_ == text_.size()) return Refused{"a backslash at the end"};
+        if (at_ == text_.size()) return Rejected{"a backslash at the end"};
         word.text += text_[at_++];
       } else if (!take_quoted(c, word.text)) {
-        return Refused{"a quote that does not end"};
+        return Rejected{"a quote that does not end"};
       }
     }
     word.unquoted = unquoted.value_or(word.text.size());
@@ -81,12 +81,12 @@ std::optional<std::size_t> assignment(const Word& word) {
 }  // namespace
 
 Result<CommandLine> parse_command_line(std::string_view text) {
-  if (text.find('\0') != std::string_view::npos) return Refused{"a NUL in the command line"};
+  if (text.find('\0') != std::string_view::npos) return Rejected{"a NUL in the command line"};
   CommandLine line;
   WordReader words(text);
   while (words.find_next()) {
     const Result<Word> word = words.take();
-    if (!word) return Refused{word.refusal()};
+    if (!word) return Rejected{word.rejection()};
     const auto sign = assignment(*word);
     if (sign && line.arguments.empty()) {
       line.environment.emplace_back(word->text.substr(0, *sign), word->text.substr(*sign + 1));
@@ -94,7 +94,8 @@ Result<CommandLine> parse_command_line(std::string_view text) {
       line.arguments.push_back(word->text);
     }
   }
-  if (line.arguments.empty() || line.arguments.front().empty()) return Refused{"no program to run"};
+  if (line.arguments.empty() || line.arguments.front().empty())
+    return Rejected{"no program to run"};
   return line;
 }
 

@@ -3,17 +3,134 @@
 #include "common/process_list/parser.hpp"
 
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "common/config/config_file.hpp"
 #include "common/config/text_check.hpp"
-#include "common/process_list/check.hpp"
-#include "common/process_list/command_parser.hpp"
-#include "common/process_list/names.hpp"
-#include "common/process_list/script_parser.hpp"
+#include "common/process_list/command_line.hpp"
+#include "common/process_list/item_parser.hpp"
+#include "common/process_list/process_list.hpp"
 
 namespace adit {
 namespace {
+
+/// What is wrong with a list as a whole, one line; empty where nothing is: a name that two commands
+/// or scripts have, no program, a dependency that does not exist or leads in a circle, a script
+/// that means what is not there or runs itself.
+std::string validation_error(const ProcessList& list);
+
+using Links = std::map<std::string, std::vector<std::string>>;
+
+std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+
+template <class Named, class Name>
+std::string duplicate_name(const std::vector<Named>& all, Name name, const std::string& what) {
+  std::set<std::string> seen;
+  for (const Named& one : all) {
+    if (!seen.insert(one.*name).second) return "two " + what + " are called " + quoted(one.*name);
+  }
+  return {};
+}
+
+/// Where links lead from a name back to it, in the order of the list; depth first, without
+/// recursion, which a long list could exhaust.
+std::string find_cycle(const Links& links) {
+  std::set<std::string> done;
+  for (const auto& start : links) {
+    std::vector<std::pair<std::string, std::size_t>> path{{start.first, 0}};
+    std::set<std::string> on_path{start.first};
+    while (!path.empty()) {
+      auto& [name, next] = path.back();
+      const auto found = links.find(name);
+      if (done.contains(name) || found == links.end() || next == found->second.size()) {
+        done.insert(name);
+        on_path.erase(name);
+        path.pop_back();
+        continue;
+      }
+      const std::string& target = found->second[next++];
+      if (!on_path.insert(target).second) return target;
+      path.emplace_back(target, 0);
+    }
+  }
+  return {};
+}
+
+std::string command_error(const ProcessList& list, const ListedCommand& command) {
+  if (const auto line = parse_command_line(command.exec); !line) {
+    return "command " + quoted(command.id) + ": " + std::string(line.rejection());
+  }
+  for (const std::string& name : command.depends_on) {
+    if (!list.find(name)) {
+      return "command " + quoted(command.id) + " depends on " + quoted(name) +
+             ", which is not in the list";
+    }
+  }
+  return {};
+}
+
+std::string action_error(const ProcessList& list, const ScriptAction& action) {
+  if (action.kind == ScriptAction::Kind::kRunScript) {
+    return list.find_script(action.script) ? "" : "no script " + quoted(action.script);
+  }
+  if (action.kind == ScriptAction::Kind::kWaitTime || !list.ids_of(action.target).empty()) {
+    return {};
+  }
+  if (action.target.kind == ScriptTarget::Kind::kEverything) return {};
+  const bool group = action.target.kind == ScriptTarget::Kind::kGroup;
+  return (group ? "no group " : "no command ") + quoted(action.target.name);
+}
+
+Links dependencies(const ProcessList& list) {
+  Links links;
+  for (const ListedCommand& command : list.commands) links[command.id] = command.depends_on;
+  return links;
+}
+
+Links calls(const ProcessList& list) {
+  Links links;
+  for (const ProcessScript& script : list.scripts) {
+    for (const ScriptAction& action : script.actions) {
+      if (!action.script.empty()) links[script.name].push_back(action.script);
+    }
+  }
+  return links;
+}
+
+std::string names_error(const ProcessList& list) {
+  const std::string commands = duplicate_name(list.commands, &ListedCommand::id, "commands");
+  return commands.empty() ? duplicate_name(list.scripts, &ProcessScript::name, "scripts")
+                          : commands;
+}
+
+std::string links_error(const ProcessList& list) {
+  if (const std::string name = find_cycle(dependencies(list)); !name.empty()) {
+    return "command " + quoted(name) + " depends on itself, in a circle";
+  }
+  if (const std::string name = find_cycle(calls(list)); !name.empty()) {
+    return "script " + quoted(name) + " runs itself, in a circle";
+  }
+  return {};
+}
+
+std::string validation_error(const ProcessList& list) {
+  if (std::string error = names_error(list); !error.empty()) return error;
+  for (const ListedCommand& command : list.commands) {
+    if (std::string error = command_error(list, command); !error.empty()) return error;
+  }
+  for (const ProcessScript& script : list.scripts) {
+    for (const ScriptAction& action : script.actions) {
+      const std::string error = action_error(list, action);
+      if (!error.empty()) return "script " + quoted(script.name) + ": " + error;
+    }
+  }
+  return links_error(list);
+}
 
 using Kind = ListToken::Kind;
 
@@ -21,7 +138,7 @@ std::string parse_group_name(TokenStream& tokens, const std::string& outer) {
   const ListToken name = tokens.expect(Kind::kString, "the name of the group in quotes");
   require_name(tokens, name);
   std::string group = outer.empty() ? name.text : outer + "/" + name.text;
-  require_names(tokens, name.place, group);
+  require_group_path(tokens, name.position, group);
   return group;
 }
 
@@ -51,9 +168,9 @@ void parse_item(TokenStream& tokens, ProcessList& list) {
 
 /// Also of strings within: what is no text would go onto terminals and other computers.
 void require_text(std::string_view text, const std::string& name) {
-  const auto place = first_that_is_no_text(text);
-  if (!place) return;
-  throw ConfigError(name + ": byte " + std::to_string(*place) + " is no text");
+  const auto position = find_non_text_byte(text);
+  if (!position) return;
+  throw ConfigError(name + ": byte " + std::to_string(*position) + " is no text");
 }
 
 }  // namespace
@@ -63,8 +180,8 @@ ProcessList parse_process_list(std::string_view text, const std::string& name) {
   ProcessList list;
   TokenStream tokens(text, name);
   while (tokens.next().kind != Kind::kEndOfFile) parse_item(tokens, list);
-  if (const std::string wrong = what_is_wrong(list); !wrong.empty()) {
-    throw ConfigError(name + ": " + wrong);
+  if (const std::string error = validation_error(list); !error.empty()) {
+    throw ConfigError(name + ": " + error);
   }
   return list;
 }

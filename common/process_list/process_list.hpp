@@ -10,11 +10,11 @@
 namespace adit {
 
 /// By what a process shows that it works: it publishes.
-struct AliveSign {
+struct LivenessSignal {
   std::string channel;
   double rate_hz = 1.0;  ///< at least, by the wall clock
 
-  friend bool operator==(const AliveSign&, const AliveSign&) = default;
+  friend bool operator==(const LivenessSignal&, const LivenessSignal&) = default;
 };
 
 /// A program that is to be kept running, as procman describes it and with what we add.
@@ -30,7 +30,7 @@ struct ListedCommand {
   // What procman does not have.
   std::vector<std::string> depends_on;  ///< commands that must work before this one starts
   std::optional<int> restart_limit;     ///< restarts without a good time between; none: no limit
-  std::optional<AliveSign> alive;       ///< none: it works as soon as it runs
+  std::optional<LivenessSignal> alive;  ///< none: it works as soon as it runs
   double start_timeout_s = 10.0;        ///< until it must show that it is alive
 
   friend bool operator==(const ListedCommand&, const ListedCommand&) = default;
@@ -80,5 +80,18 @@ struct ProcessList {
 
   friend bool operator==(const ProcessList&, const ProcessList&) = default;
 };
+
+/// What a list that was read again says otherwise than before; names, in the order of the lists.
+struct ProcessListDiff {
+  std::vector<std::string> changed;  ///< in anything: command line, computer, limits
+  std::vector<std::string> added;
+  std::vector<std::string> removed;
+  bool scripts = false;
+};
+
+ProcessListDiff diff(const ProcessList& before, const ProcessList& after);
+
+/// For people: a line for each kind of change, or that there is none.
+std::string text_of(const ProcessListDiff& change);
 
 }  // namespace adit

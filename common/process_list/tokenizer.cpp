@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/process_list/tokenizer.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <utility>
 
 #include "common/config/config_file.hpp"
+#include "common/config/number_text.hpp"
 
 namespace adit {
 namespace {
@@ -16,7 +20,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-std::optional<Kind> sign_of(char c) {
+std::optional<Kind> punctuation_kind(char c) {
   switch (c) {
     case '{':
       return Kind::kOpen;
@@ -48,17 +52,17 @@ std::string printable(char c) {
 
 }  // namespace
 
-void ListTokenizer::fail(const TextPlace& place, const std::string& what) const {
-  throw ConfigError(name_ + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
-                    ": " + what);
+void ListTokenizer::fail(const TextPosition& position, const std::string& what) const {
+  throw ConfigError(name_ + ":" + std::to_string(position.line) + ":" +
+                    std::to_string(position.column) + ": " + what);
 }
 
 char ListTokenizer::take() {
   const char c = text_[at_++];
   if (c == '\n') {
-    place_ = {place_.line + 1, 1};
+    position_ = {position_.line + 1, 1};
   } else {
-    ++place_.column;
+    ++position_.column;
   }
   return c;
 }
@@ -70,26 +74,26 @@ void ListTokenizer::skip_blank() {
   }
 }
 
-ListToken ListTokenizer::string_token(const TextPlace& place) {
+ListToken ListTokenizer::string_token(const TextPosition& position) {
   const char quote = take();
-  ListToken token{Kind::kString, "", place};
+  ListToken token{Kind::kString, "", position};
   while (!at_end() && peek() != '\n') {
     const char c = take();
     if (c == quote) return token;
     if (c == '\\' && (at_end() || peek() == '\n')) break;
     token.text += c == '\\' ? unescaped(take()) : c;
   }
-  fail(place, "a string that does not end on its line");
+  fail(position, "a string that does not end on its line");
 }
 
 ListToken ListTokenizer::next() {
   skip_blank();
-  const TextPlace place = place_;
-  if (at_end()) return {Kind::kEndOfFile, "", place};
+  const TextPosition position = position_;
+  if (at_end()) return {Kind::kEndOfFile, "", position};
   const char c = peek();
-  if (const auto sign = sign_of(c)) return {*sign, std::string(1, take()), place};
-  if (c == '"' || c == '\'') return string_token(place);
-  ListToken token{is_letter(c) ? Kind::kWord : Kind::kNumber, "", place};
+  if (const auto sign = punctuation_kind(c)) return {*sign, std::string(1, take()), position};
+  if (c == '"' || c == '\'') return string_token(position);
+  ListToken token{is_letter(c) ? Kind::kWord : Kind::kNumber, "", position};
   if (is_letter(c)) {
     while (is_letter(peek()) || is_digit(peek()) || peek() == '-') token.text += take();
   } else {
@@ -97,8 +101,88 @@ ListToken ListTokenizer::next() {
       token.text += take();
     }
   }
-  if (token.text.empty()) fail(place, printable(c) + " begins nothing that a process list has");
+  if (token.text.empty()) fail(position, printable(c) + " begins nothing that a process list has");
   return token;
+}
+
+namespace {
+
+/// Step by step: GCC 12 warns of a sum of texts here, wrongly (its bug 105651).
+std::string between_quotes(std::string_view text, char quote) {
+  std::string result(1, quote);
+  result += text;
+  result += quote;
+  return result;
+}
+
+std::string description_of(const ListToken& token) {
+  using Kind = ListToken::Kind;
+  if (token.kind == Kind::kEndOfFile) return "the end of the file";
+  if (token.kind == Kind::kString) return between_quotes(token.text, '"');
+  return between_quotes(token.text, '\'');
+}
+
+std::string alternatives(std::initializer_list<std::string_view> texts, bool in_quotes) {
+  std::string text;
+  for (const std::string_view* one = texts.begin(); one != texts.end(); ++one) {
+    if (one != texts.begin()) text += one + 1 == texts.end() ? " or " : ", ";
+    text += in_quotes ? between_quotes(*one, '"') : std::string(*one);
+  }
+  return text;
+}
+
+std::string range_text(double min, double max) {
+  return number_text(min) + " to " + number_text(max);
+}
+
+}  // namespace
+
+TokenStream::TokenStream(std::string_view text, const std::string& name)
+    : tokenizer_(text, name), next_(tokenizer_.next()) {}
+
+void TokenStream::fail(const TextPosition& position, const std::string& what) const {
+  tokenizer_.fail(position, what);
+}
+
+void TokenStream::fail_next(const std::string& expected) const {
+  fail(next_.position, "expected " + expected + ", not " + description_of(next_));
+}
+
+ListToken TokenStream::take() { return std::exchange(next_, tokenizer_.next()); }
+
+bool TokenStream::take_if(Kind kind) {
+  if (next_.kind != kind) return false;
+  take();
+  return true;
+}
+
+ListToken TokenStream::expect(Kind kind, const std::string& what) {
+  if (next_.kind != kind) fail_next(what);
+  return take();
+}
+
+std::string TokenStream::expect_one_of(Kind kind, std::initializer_list<std::string_view> texts) {
+  const bool known = next_.kind == kind && std::ranges::find(texts, next_.text) != texts.end();
+  if (!known) fail_next(alternatives(texts, kind == Kind::kString));
+  return take().text;
+}
+
+double TokenStream::expect_number(double min, double max) {
+  const std::string what = "a number, " + range_text(min, max);
+  if (next_.kind != Kind::kNumber && next_.kind != Kind::kString) fail_next(what);
+  const auto number = parse_number<double>(next_.text);
+  if (!number || !(*number >= min && *number <= max)) fail_next(what);
+  take();
+  return *number;
+}
+
+int TokenStream::expect_integer(int min, int max) {
+  const ListToken token = next_;
+  const double number = expect_number(min, max);
+  if (number != std::floor(number)) {
+    fail(token.position, "expected a whole number, not " + description_of(token));
+  }
+  return static_cast<int>(number);
 }
 
 }  // namespace adit

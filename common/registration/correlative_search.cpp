@@ -109,7 +109,7 @@ std::vector<Eigen::Vector2d> choose_points(const std::vector<SurfacePoint>& poin
   std::vector<Eigen::Vector2d> near;
   near.reserve(points.size());
   for (const auto& point : points) {
-    if (point.p.norm() < params.reach_m) near.push_back(point.p);
+    if (point.p.norm() < params.range_max_m) near.push_back(point.p);
   }
   const auto n = near.size();
   const auto m = std::min(n, static_cast<std::size_t>(params.points_max));
@@ -185,7 +185,7 @@ class Search {
       std::pop_heap(blocks_.begin(), blocks_.end());
       const Block block = blocks_.back();
       blocks_.pop_back();
-      if (on_found_hill(block)) continue;
+      if (on_found_peak(block)) continue;
       if (block.level > 0) {
         split(block);
         continue;
@@ -286,8 +286,8 @@ class Search {
   }
 
   /// Do all shifts of the block lie on a hill whose top was found?
-  [[nodiscard]] bool on_found_hill(const Block& block) const {
-    const int apart = params_.apart_cells;
+  [[nodiscard]] bool on_found_peak(const Block& block) const {
+    const int apart = params_.peak_separation_cells;
     const int last = (1 << block.level) - 1;
     return std::any_of(tops_.begin(), tops_.end(), [&](const Block& top) {
       const int x = std::max(top.x - block.x, block.x + last - top.x);

@@ -17,20 +17,20 @@ namespace adit {
 struct CorrelativeSearchParams {
   double cell_m = 0.1;  ///< side of a fine cell, and the step of the search
   double angle_step_rad = 0.0175;
-  int points_max = 90;     ///< of the scan, evenly chosen
-  double reach_m = 25.0;   ///< among those within this range
-  int blocks_max = 20000;  ///< blocks opened; bounds the time in a hopeless case
-  int apart_cells = 4;     ///< peaks no farther apart, and no more angle steps, are one
-  double score_min = 0.0;  ///< peaks below are not looked for
+  int points_max = 90;            ///< of the scan, evenly chosen
+  double range_max_m = 25.0;      ///< among those within this range
+  int blocks_max = 20000;         ///< blocks opened; bounds the time in a hopeless case
+  int peak_separation_cells = 4;  ///< peaks no farther apart, and no more angle steps, are one
+  double score_min = 0.0;         ///< peaks below are not looked for
 
   template <class V>
   void visit(V& v) {
     v("cell_m", cell_m, within(0.01, 1.0));
     v("angle_step_rad", angle_step_rad, within(0.001, 0.5));
     v("points_max", points_max, within(10, 10000));
-    v("reach_m", reach_m, within(1.0, 100.0));
+    v("range_max_m", range_max_m, within(1.0, 100.0));
     v("blocks_max", blocks_max, within(1, 1000000));
-    v("apart_cells", apart_cells, within(1, 100));
+    v("peak_separation_cells", peak_separation_cells, within(1, 100));
     v("score_min", score_min, within(0.0, 1.0));
   }
 };

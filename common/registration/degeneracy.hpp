@@ -22,7 +22,7 @@ struct DegeneracyParams {
 };
 
 /// A direction that a match leaves open.
-struct OpenDirection {
+struct UnconstrainedDirection {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< unit; x [m], y [m], θ [rad] · lever arm
   /// What may be left of the information when twice the feigned part is taken off [1/m²].
   double information = 0.0;
@@ -32,7 +32,7 @@ struct OpenDirection {
 struct ConstrainedInformation {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< without the degenerate directions
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();   ///< its inverse in the other directions
-  std::vector<OpenDirection> degenerate;
+  std::vector<UnconstrainedDirection> degenerate;
 };
 
 /// Looks at the information matrix of (x, y, θ) along its principal directions, angles being turned

@@ -11,15 +11,15 @@ FreeSpace::FreeSpace(const LaserScan& scan, const LaserMount& mount)
     : T_laser_body_(mount.T_body_laser.inverse()),
       angle_min_(scan.angle_min_rad),
       angle_step_(scan.angle_step_rad) {
-  std::vector<float> believed(scan.ranges_m.size(), 0.0F);
-  for (std::size_t i = 0; i < believed.size(); ++i) {
+  std::vector<float> valid_m(scan.ranges_m.size(), 0.0F);
+  for (std::size_t i = 0; i < valid_m.size(); ++i) {
     const double range = scan.ranges_m[i];
-    if (range >= mount.range_min_m && range < mount.range_max_m) believed[i] = scan.ranges_m[i];
+    if (range >= mount.range_min_m && range < mount.range_max_m) valid_m[i] = scan.ranges_m[i];
   }
-  free_m_ = believed;
-  for (std::size_t i = 0; i < believed.size(); ++i) {
-    if (i > 0) free_m_[i] = std::min(free_m_[i], believed[i - 1]);
-    if (i + 1 < believed.size()) free_m_[i] = std::min(free_m_[i], believed[i + 1]);
+  free_m_ = valid_m;
+  for (std::size_t i = 0; i < valid_m.size(); ++i) {
+    if (i > 0) free_m_[i] = std::min(free_m_[i], valid_m[i - 1]);
+    if (i + 1 < valid_m.size()) free_m_[i] = std::min(free_m_[i], valid_m[i + 1]);
   }
 }
 

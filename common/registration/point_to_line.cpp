@@ -221,12 +221,12 @@ PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_bo
   double scale = std::max(params.scale_start_m, params.scale_end_m);
   Correspondences correspondences(reference, points_body.size());
   NormalEquations sums;
-  MatchTrail way;
+  MatchTrail visited;
   while (result.iterations < params.iterations_max && !result.converged) {
     if (trail != nullptr) {
-      result.joined = on_trail(*trail, result.T_odom_body, scale);
-      if (result.joined) break;
-      way.push_back({result.T_odom_body, scale});
+      result.duplicate = on_trail(*trail, result.T_odom_body, scale);
+      if (result.duplicate) break;
+      visited.push_back({result.T_odom_body, scale});
     }
     ++result.iterations;
     const double capture = std::min(params.capture_m, std::max(2.5 * scale, kCaptureMin));
@@ -239,10 +239,10 @@ PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_bo
     // the few points that drive it.
     if (step.norm() < kSettled * scale) scale = std::max(kNarrowing * scale, params.scale_end_m);
   }
-  if (trail != nullptr && (result.converged || result.joined)) {
-    trail->insert(trail->end(), way.begin(), way.end());
+  if (trail != nullptr && (result.converged || result.duplicate)) {
+    trail->insert(trail->end(), visited.begin(), visited.end());
   }
-  if (result.joined) return result;
+  if (result.duplicate) return result;
   describe(sums, points_body.size(), sd_min, result);
   return result;
 }

@@ -52,7 +52,7 @@ struct PointToLineResult {
   double rms_residual_m = 0.0;  ///< of the inliers, as of good points near by
   int iterations = 0;
   bool converged = false;
-  bool joined = false;  ///< stopped where an earlier match had been: it would end where that did
+  bool duplicate = false;  ///< stopped where an earlier match had been: it would end where that did
 };
 
 /// Where matches of one scan that converged have been, and with which width of the kernel.

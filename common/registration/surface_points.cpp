@@ -14,7 +14,7 @@ struct Return {
   Eigen::Vector2d p_laser;
 };
 
-std::vector<Return> believable_returns(const LaserScan& scan, const LaserMount& mount) {
+std::vector<Return> valid_returns(const LaserScan& scan, const LaserMount& mount) {
   std::vector<Return> returns;
   returns.reserve(scan.ranges_m.size());
   for (int i = 0; i < static_cast<int>(scan.ranges_m.size()); ++i) {
@@ -35,9 +35,10 @@ bool in_line(const Return& a, const Return& b, const Return& c, double bend) {
 }
 
 /// joined[i]: returns i and i + 1 lie on one surface.
-std::vector<char> join_neighbours(const std::vector<Return>& returns, const SurfaceParams& params) {
+std::vector<char> connect_neighbours(const std::vector<Return>& returns,
+                                     const SurfaceParams& params) {
   const int n = static_cast<int>(returns.size());
-  std::vector<char> joined(std::max(n, 1), 0);
+  std::vector<char> connected(std::max(n, 1), 0);
   for (int i = 0; i + 1 < n; ++i) {
     const double gap = (returns[i + 1].p_laser - returns[i].p_laser).norm();
     const bool adjacent = returns[i + 1].beam - returns[i].beam <= 2;
@@ -46,17 +47,17 @@ std::vector<char> join_neighbours(const std::vector<Return>& returns, const Surf
         i > 0 && in_line(returns[i - 1], returns[i], returns[i + 1], params.bend_m);
     const bool line_after =
         i + 2 < n && in_line(returns[i], returns[i + 1], returns[i + 2], params.bend_m);
-    joined[i] = gap < params.gap_m || line_before || line_after;
+    connected[i] = gap < params.gap_m || line_before || line_after;
   }
-  return joined;
+  return connected;
 }
 
 /// A return whose neighbours on both sides lie far off, one nearer and one farther, is what a
 /// laser reports when its spot falls on an edge.
-bool mixed_pixel(const std::vector<Return>& returns, const std::vector<char>& joined, int i) {
+bool mixed_pixel(const std::vector<Return>& returns, const std::vector<char>& connected, int i) {
   const int n = static_cast<int>(returns.size());
   if (i == 0 || i + 1 >= n) return false;
-  if (joined[i - 1] || joined[i]) return false;
+  if (connected[i - 1] || connected[i]) return false;
   return (returns[i - 1].range - returns[i].range) * (returns[i + 1].range - returns[i].range) < 0;
 }
 
@@ -101,8 +102,8 @@ double variance_along_normal(const Return& at, const SurfacePoint& point,
 
 std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount& mount,
                                          const SurfaceParams& params) {
-  const auto returns = believable_returns(scan, mount);
-  const auto joined = join_neighbours(returns, params);
+  const auto returns = valid_returns(scan, mount);
+  const auto connected = connect_neighbours(returns, params);
   const int n = static_cast<int>(returns.size());
   const double c = std::cos(mount.T_body_laser.theta);
   const double s = std::sin(mount.T_body_laser.theta);
@@ -112,17 +113,17 @@ std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount
   std::vector<SurfacePoint> points;
   points.reserve(n);
   for (int i = 0; i < n; ++i) {
-    if (mixed_pixel(returns, joined, i)) continue;
+    if (mixed_pixel(returns, connected, i)) continue;
     const auto near = [&](int j) {
       return (returns[j].p_laser - returns[i].p_laser).norm() <
              std::max(params.window_radius_m, params.gap_on_line_m * (std::abs(j - i) == 1));
     };
     int first = i;
-    while (first > 0 && i - first < params.half_window_beams && joined[first - 1] &&
+    while (first > 0 && i - first < params.half_window_beams && connected[first - 1] &&
            near(first - 1))
       --first;
     int last = i;
-    while (last + 1 < n && last - i < params.half_window_beams && joined[last] && near(last + 1))
+    while (last + 1 < n && last - i < params.half_window_beams && connected[last] && near(last + 1))
       ++last;
     SurfacePoint point;
     fit_normal(returns, first, last, params, returns[i], point);

@@ -83,7 +83,7 @@ void SurfelMap::merge(const SurfacePoint& point, double odometer) {
     link(static_cast<int>(surfels_.size()) - 1);
     return;
   }
-  found->last_seen = odometer;
+  found->last_observed = odometer;
   if (!point.has_normal()) return;
   // Means weighted by certainty. The old value never becomes so certain that a new one counts for
   // nothing: the wall is not that flat. The surfel moves along its normal alone, so that it keeps
@@ -104,8 +104,8 @@ void SurfelMap::merge(const SurfacePoint& point, double odometer) {
   found->variance = share * point.variance;
 }
 
-void SurfelMap::forget_before(double odometer) {
-  const auto old = [&](const Surfel& s) { return s.last_seen < odometer; };
+void SurfelMap::remove_before(double odometer) {
+  const auto old = [&](const Surfel& s) { return s.last_observed < odometer; };
   if (std::none_of(surfels_.begin(), surfels_.end(), old)) return;
   std::erase_if(surfels_, old);
   std::fill(heads_.begin(), heads_.end(), -1);
@@ -119,7 +119,7 @@ NearestSurfel SurfelMap::nearest(const Eigen::Vector2d& p, const Eigen::Vector2d
   const Surfel* found = nullptr;
   double best = std::numeric_limits<double>::infinity();
   double second = best;
-  const auto look = [&](int ix, int iy) {
+  const auto visit = [&](int ix, int iy) {
     for (int i = heads_[bucket(ix, iy)]; i >= 0; i = surfels_[i].next) {
       const double d2 = (surfels_[i].p - p).squaredNorm();
       if (!(d2 < second) || !normals_agree(surfels_[i].normal, normal)) continue;
@@ -136,21 +136,21 @@ NearestSurfel SurfelMap::nearest(const Eigen::Vector2d& p, const Eigen::Vector2d
   const double below = p.y() - cy * kBucket;
   const std::array<double, 3> x2{left * left, 0.0, (kBucket - left) * (kBucket - left)};
   const std::array<double, 3> y2{below * below, 0.0, (kBucket - below) * (kBucket - below)};
-  look(cx, cy);
+  visit(cx, cy);
   for (const auto [dx, dy] : kAround) {
-    if (x2[dx + 1] + y2[dy + 1] < second) look(cx + dx, cy + dy);
+    if (x2[dx + 1] + y2[dy + 1] < second) visit(cx + dx, cy + dy);
   }
   // All has been seen up to here, more than one bucket's side; the outer ring can only hold
   // farther ones.
   double seen = kBucket + std::sqrt(std::min({x2[0], x2[2], y2[0], y2[2]}));
   if (best > kBucket * kBucket && radius > kBucket) {
     for (int k = -2; k <= 2; ++k) {
-      look(cx + k, cy - 2);
-      look(cx + k, cy + 2);
+      visit(cx + k, cy - 2);
+      visit(cx + k, cy + 2);
     }
     for (int k = -1; k <= 1; ++k) {
-      look(cx - 2, cy + k);
-      look(cx + 2, cy + k);
+      visit(cx - 2, cy + k);
+      visit(cx + 2, cy + k);
     }
     seen += kBucket;
   }

@@ -19,7 +19,7 @@ struct Surfel {
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit, towards the laser; zero: not known
   double normal_variance = 0.0;                      ///< [rad²]
   double variance = 0.0;                             ///< of the position along the normal [m²]
-  double last_seen = 0.0;                            ///< odometer when last seen [m]
+  double last_observed = 0.0;                        ///< odometer when last seen [m]
   int next = -1;                                     ///< next surfel of the same bucket
 
   [[nodiscard]] bool has_normal() const { return normal.squaredNorm() > 0.5; }
@@ -53,7 +53,7 @@ class SurfelMap {
               double odometer);
 
   /// Drops what was last seen before this odometer reading [m].
-  void forget_before(double odometer);
+  void remove_before(double odometer);
 
   /// The surfel nearest to p within `radius` (at most 2 buckets: kReach) whose normal, where both
   /// are known, differs by less than 60°.

@@ -29,15 +29,15 @@ struct ScanMatch {
   enum class Status : std::int8_t {
     kFirstScan = 0,  ///< nothing of this laser to match against: the pose is the prediction
     kMatched = 1,
-    kLost = 2,     ///< no match to be trusted: the pose is the prediction
-    kRefused = 3,  ///< time did not advance: the pose is the last one and nothing was changed
+    kLost = 2,      ///< no match to be trusted: the pose is the prediction
+    kRejected = 3,  ///< time did not advance: the pose is the last one and nothing was changed
   };
 
-  std::int64_t utime = 0;            ///< of the scan [µs since the epoch]
-  std::int64_t reference_utime = 0;  ///< of the scan before it, 0 for the first
-  std::int64_t odom_utime = 0;       ///< of the first scan in this odom frame
-  std::string channel;               ///< on which the scan came
-  Status status = Status::kRefused;
+  std::int64_t utime = 0;             ///< of the scan [µs since the epoch]
+  std::int64_t reference_utime = 0;   ///< of the scan before it, 0 for the first
+  std::int64_t odom_epoch_utime = 0;  ///< of the first scan in this odom frame
+  std::string channel;                ///< on which the scan came
+  Status status = Status::kRejected;
   Pose2 T_odom_body;
   Pose2 T_reference_body;  ///< motion since `reference_utime`
 
@@ -56,7 +56,7 @@ struct ScanMatch {
 };
 
 /// Whether there is a direction in which neither the scan nor a sensor tells the motion.
-inline bool leaves_open(const ScanMatch& match) {
+inline bool has_unobserved_direction(const ScanMatch& match) {
   return std::any_of(match.degenerate.begin(), match.degenerate.end(), [](const auto& direction) {
     return direction.fill == DegenerateDirection::Fill::kNone;
   });

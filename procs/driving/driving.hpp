@@ -6,25 +6,72 @@
 #include <optional>
 #include <string>
 
-#include "common/mission/mission_phase.hpp"
-#include "common/path/driving_state.hpp"
-#include "common/path/planned_path.hpp"
+#include "common/config/bounds.hpp"
 #include "common/sensing/scan_match.hpp"
-#include "common/vehicle/drive_command.hpp"
-#include "procs/driving/command_ramp.hpp"
-#include "procs/driving/driving_params.hpp"
-#include "procs/driving/heard_vehicle.hpp"
-#include "procs/driving/hold_limit.hpp"
-#include "procs/driving/mission_leave.hpp"
-#include "procs/driving/path_progress.hpp"
+#include "common/types/driving_state.hpp"
+#include "common/types/mission.hpp"
+#include "common/types/planned_path.hpp"
+#include "common/types/vehicle.hpp"
+#include "common/types/vehicle_state.hpp"
+#include "procs/driving/controllers.hpp"
+#include "procs/driving/motion_permission.hpp"
+#include "procs/driving/path_run.hpp"
 #include "procs/driving/pose_filter.hpp"
-#include "procs/driving/pose_trust.hpp"
-#include "procs/driving/speed_profile.hpp"
-#include "procs/driving/steered_point.hpp"
-#include "procs/driving/unmeasured_way.hpp"
-#include "procs/driving/wheel_disagreement.hpp"
+#include "procs/driving/progress_monitor.hpp"
+#include "procs/driving/speed_control.hpp"
 
 namespace adit {
+
+struct SteeringParams {
+  double rate_1_m_s = 0.4;  ///< greatest change of the curvature per second
+  double blend_m = 0.5;     ///< way over which a jump of the path's curvature is steered
+
+  template <class V>
+  void visit(V& v) {
+    v("rate_1_m_s", rate_1_m_s, above(0.0));
+    v("blend_m", blend_m, within(0.0, 2.0));
+  }
+};
+
+struct DrivingParams {
+  Vehicle vehicle;
+  std::string controller = "pd";  ///< or "pure_pursuit"
+  LateralParams pd;
+  PurePursuitParams pure_pursuit;
+  SpeedParams speed;
+  SteeringParams steering;
+  LocalizationMonitorParams trust;
+  double smoothing_s = 0.3;      ///< of poses; longer than their noise, shorter than their drift
+  double reaction_s = 0.05;      ///< after which a command takes effect
+  double arrival_m = 0.02;       ///< left of a run at its end
+  double distance_max_m = 0.35;  ///< off the path; beyond, it needs a new one
+  double heading_max_rad = 0.5;  ///< against the path, likewise
+  double hold_timeout_s = 10.0;  ///< without way; held for longer, likewise
+  double unobserved_distance_max_m = 5.0;  ///< driven without a sensor that tells how far, likewise
+  double odometry_mismatch_max_m =
+      0.2;  ///< way by the wheels beside that by the poses, since a path began
+  double odometry_mismatch_max_share = 0.08;  ///< and so much of the way; beyond, likewise
+
+  template <class V>
+  void visit(V& v) {
+    v.shared(Vehicle::kSection, vehicle);
+    v("controller", controller, OneOf({"pd", "pure_pursuit"}));
+    v("pd", pd);
+    v("pure_pursuit", pure_pursuit);
+    v("speed", speed);
+    v("steering", steering);
+    v("trust", trust);
+    v("smoothing_s", smoothing_s, above_up_to(0.0, 5.0));
+    v("reaction_s", reaction_s, within(0.0, 0.5));
+    v("arrival_m", arrival_m, within(0.005, 0.5));
+    v("distance_max_m", distance_max_m, above_up_to(0.0, 2.0));
+    v("heading_max_rad", heading_max_rad, above_up_to(0.0, 1.2));
+    v("hold_timeout_s", hold_timeout_s, within(1.0, 600.0));
+    v("unobserved_distance_max_m", unobserved_distance_max_m, above(0.0));
+    v("odometry_mismatch_max_m", odometry_mismatch_max_m, above(0.0));
+    v("odometry_mismatch_max_share", odometry_mismatch_max_share, within(0.0, 10.0));
+  }
+};
 
 /// What driving says at a time.
 struct DriveOutput {
@@ -63,33 +110,33 @@ class Driving {
   using Kind = DrivingState::Kind;
 
   double seconds_to(std::int64_t utime);
-  void trust_or_wait(std::int64_t utime);
-  [[nodiscard]] bool is_under_way() const;
+  void update_permission(std::int64_t utime);
+  [[nodiscard]] bool is_active() const;
   void begin_run();
-  void locate(std::int64_t utime);
-  void judge(std::int64_t utime, const Pose2& T_odom_steered);
+  void update_progress(std::int64_t utime);
+  void check_progress(std::int64_t utime, const Pose2& T_odom_steered);
   void fail(const std::string& reason);
   void move(double seconds);
-  [[nodiscard]] double speed_here() const;
-  void end_run(double seconds);
-  [[nodiscard]] double curvature_to(const Pose2& T_odom_steered) const;
+  [[nodiscard]] double target_speed_m_s() const;
+  void finish_run(double seconds);
+  [[nodiscard]] double target_curvature_1_m(const Pose2& T_odom_steered) const;
 
   DrivingParams params_;
   SteeredPoint steered_;
   PoseFilter filter_;
-  PoseTrust trust_;
-  HeardVehicle vehicle_;
-  HoldLimit hold_limit_;
-  UnmeasuredWay unmeasured_;
-  WheelDisagreement wheels_;
-  MissionLeave leave_;
+  LocalizationMonitor localization_;
+  VehicleFeedback vehicle_;
+  HoldTimeout hold_timeout_;
+  UnobservedMotion unobserved_;
+  OdometryMismatch odometry_mismatch_;
+  MotionPermission permission_;
   CommandRamp ramp_;
   DrivingState state_;
   std::optional<PathProgress> progress_;
-  std::optional<SpeedProfile> profile_;  ///< of the run
-  std::optional<std::int64_t> utime_;    ///< of the last command
-  std::optional<std::string> held_;      ///< why the vehicle stands whatever it is told
-  double wanted_1_m_ = 0.0;              ///< curvature, of the steered point
+  std::optional<SpeedProfile> profile_;     ///< of the run
+  std::optional<std::int64_t> utime_;       ///< of the last command
+  std::optional<std::string> hold_reason_;  ///< why the vehicle stands whatever it is told
+  double target_curvature_1_m_ = 0.0;       ///< curvature, of the steered point
 };
 
 }  // namespace adit

@@ -3,30 +3,27 @@
 #include "procs/driving/driving_node.hpp"
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/drive_command.hpp"
-#include "common/messages/driving_state.hpp"
-#include "common/messages/mission_phase.hpp"
-#include "common/messages/planned_path.hpp"
-#include "common/messages/pose.hpp"
-#include "common/messages/scan_match.hpp"
-#include "common/messages/vehicle_state.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mission.hpp"
+#include "common/messages/navigation.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::size_t kPosesWaiting = 100;  // more than a second of an LMS-200 at 75 Hz
+constexpr std::size_t kPoseQueueSize = 100;  // more than a second of an LMS-200 at 75 Hz
 constexpr std::int64_t kStatePeriodUs = 4 * DrivingNode::kCommandPeriodUs;
 
-bool is_news(const DrivingState& state, const DrivingState& told) {
-  return state.kind != told.kind || state.reason != told.reason || state.path_id != told.path_id ||
-         state.utime < told.utime || state.utime >= told.utime + kStatePeriodUs;
+bool has_changed(const DrivingState& state, const DrivingState& published) {
+  return state.kind != published.kind || state.reason != published.reason ||
+         state.path_id != published.path_id || state.utime < published.utime ||
+         state.utime >= published.utime + kStatePeriodUs;
 }
 
 }  // namespace
 
 DrivingNode::DrivingNode(Bus& bus, const Params& params) : bus_(bus), driving_(params) {
-  const auto measured = Delivery::queued(kPosesWaiting);
+  const auto measured = Delivery::queued(kPoseQueueSize);
   subscribe<pose_t>(bus, channels::kPose, measured, [this](const StampedPose& pose) {
     driving_.add_pose(pose.utime, pose.T_odom_body);
   });
@@ -39,18 +36,18 @@ DrivingNode::DrivingNode(Bus& bus, const Params& params) : bus_(bus), driving_(p
   subscribe<phase_t>(bus, channels::kPhase, Delivery::latest(), [this](const MissionPhase& phase) {
     driving_.add_phase(phase, bus_.now_utime());
   });
-  bus.every(kCommandPeriodUs, [this](std::int64_t utime) { drive(utime); });
+  bus.create_timer(kCommandPeriodUs, [this](std::int64_t utime) { drive(utime); });
 }
 
 void DrivingNode::drive(std::int64_t utime) {
   const DriveOutput output = driving_.drive(utime);
   publish(bus_, channels::kDriveCommand, to_message(output.command));
-  if (!told_ || is_news(output.state, *told_)) tell(output.state);
+  if (!published_ || has_changed(output.state, *published_)) publish_state(output.state);
 }
 
-void DrivingNode::tell(const DrivingState& state) {
+void DrivingNode::publish_state(const DrivingState& state) {
   publish(bus_, channels::kDrivingState, to_message(state));
-  told_ = state;
+  published_ = state;
 }
 
 Health DrivingNode::health() const {

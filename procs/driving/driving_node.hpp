@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "common/bus/bus.hpp"
-#include "common/messages/heartbeat.hpp"
+#include "common/messages/diagnostics.hpp"
 #include "procs/driving/driving.hpp"
 
 namespace adit {
@@ -30,11 +30,11 @@ class DrivingNode {
 
  private:
   void drive(std::int64_t utime);
-  void tell(const DrivingState& state);
+  void publish_state(const DrivingState& state);
 
   Bus& bus_;
   Driving driving_;
-  std::optional<DrivingState> told_;
+  std::optional<DrivingState> published_;
 };
 
 }  // namespace adit

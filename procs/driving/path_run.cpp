@@ -5,24 +5,47 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
-#include "common/geometry/arc.hpp"
+#include "common/geometry/pose2.hpp"
 
 namespace adit {
+
+SteeredPoint::SteeredPoint(const Vehicle& vehicle)
+    : curvature_max_1_m_(1.0 / vehicle.turning_radius_m) {
+  if (vehicle.steering != "ackermann") return;
+  x_m_ = -0.5 * vehicle.wheelbase_m;
+  if (vehicle.turning_radius_m <= -x_m_) {
+    throw std::invalid_argument(
+        "the turning radius is at most half the wheelbase, which Ackermann steering cannot do");
+  }
+  curvature_max_1_m_ =
+      1.0 / std::sqrt(vehicle.turning_radius_m * vehicle.turning_radius_m - x_m_ * x_m_);
+}
+
+Pose2 SteeredPoint::pose(const Pose2& T_odom_body) const {
+  return T_odom_body * Pose2{x_m_, 0.0, 0.0};
+}
+
+double SteeredPoint::curvature_of_origin(double curvature_1_m) const {
+  return curvature_1_m / std::hypot(1.0, x_m_ * curvature_1_m);
+}
+
 namespace {
 
-constexpr double kSameM = 0.001;
-constexpr double kLastM = 0.05;  // by which a run knows how it bends at last
+constexpr double kSamePointM = 0.001;
+constexpr double kEndCurvatureM = 0.05;  // by which a run knows how it bends at last
 
 void add(const PathPoint& point, const SteeredPoint& steered, std::vector<PathRun::Knot>& knots) {
   PathRun::Knot knot{0.0, steered.pose(point.T_odom_body), point.clearance_m};
   if (!knots.empty()) {
     const PathRun::Knot& last = knots.back();
-    const double way_m =
+    const double distance_m =
         (knot.T_odom_steered.translation() - last.T_odom_steered.translation()).norm();
-    if (way_m < kSameM) return;
-    knot.s_m = last.s_m + way_m;
+    if (distance_m < kSamePointM) return;
+    knot.s_m = last.s_m + distance_m;
     knot.T_odom_steered.theta = last.T_odom_steered.theta +
                                 angle_diff(knot.T_odom_steered.theta, last.T_odom_steered.theta);
   }
@@ -34,23 +57,23 @@ void add(const PathPoint& point, const SteeredPoint& steered, std::vector<PathRu
 PathRun::PathRun(std::vector<Knot> knots, bool reverse)
     : knots_(std::move(knots)), direction_(reverse ? -1.0 : 1.0) {}
 
-std::size_t PathRun::end_of_stretch(double s_m) const {
+std::size_t PathRun::segment_end(double s_m) const {
   const auto behind = std::upper_bound(knots_.begin(), knots_.end(), s_m,
                                        [](double s, const Knot& knot) { return s < knot.s_m; });
   const auto i = static_cast<std::size_t>(behind - knots_.begin());
   return std::min(std::max<std::size_t>(i, 1), knots_.size() - 1);
 }
 
-Pose2 PathRun::behind_end(double way_m) const {
+Pose2 PathRun::extrapolate_past_end(double distance_m) const {
   const Pose2& T_odom_end = knots_.back().T_odom_steered;
-  const double turn = way_m * curvature_1_m(length_m() - kLastM, length_m());
-  const Pose2 T_odom_behind = T_odom_end * along_arc(direction_ * way_m, direction_ * turn);
+  const double turn = distance_m * curvature_1_m(length_m() - kEndCurvatureM, length_m());
+  const Pose2 T_odom_behind = T_odom_end * along_arc(direction_ * distance_m, direction_ * turn);
   return {T_odom_behind.x, T_odom_behind.y, T_odom_end.theta + direction_ * turn};
 }
 
 Pose2 PathRun::at(double s_m) const {
-  if (s_m >= length_m()) return behind_end(s_m - length_m());
-  const std::size_t i = end_of_stretch(s_m);
+  if (s_m >= length_m()) return extrapolate_past_end(s_m - length_m());
+  const std::size_t i = segment_end(s_m);
   const Knot& a = knots_[i - 1];
   const Knot& b = knots_[i];
   const double share = std::max(0.0, s_m - a.s_m) / (b.s_m - a.s_m);
@@ -60,24 +83,24 @@ Pose2 PathRun::at(double s_m) const {
 }
 
 double PathRun::clearance_m(double s_m) const {
-  const std::size_t i = end_of_stretch(s_m);
+  const std::size_t i = segment_end(s_m);
   return std::min(knots_[i == 0 ? 0 : i - 1].clearance_m, knots_[i].clearance_m);
 }
 
 double PathRun::curvature_1_m(double from_m, double to_m) const {
   const double from = std::clamp(from_m, 0.0, length_m());
   const double to = std::clamp(to_m, 0.0, length_m());
-  if (to - from < kSameM) return 0.0;
+  if (to - from < kSamePointM) return 0.0;
   const auto heading = [this](double s_m) {
     return s_m < length_m() ? at(s_m).theta : knots_.back().T_odom_steered.theta;
   };
   return direction_ * (heading(to) - heading(from)) / (to - from);
 }
 
-double PathRun::nearest_m(const Eigen::Vector2d& p_odom, double from_m, double to_m) const {
+double PathRun::nearest_s_m(const Eigen::Vector2d& p_odom, double from_m, double to_m) const {
   double best_m = from_m;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = end_of_stretch(from_m); i < knots_.size(); ++i) {
+  for (std::size_t i = segment_end(from_m); i < knots_.size(); ++i) {
     if (i == 0 || knots_[i - 1].s_m > to_m) break;
     const Eigen::Vector2d a = knots_[i - 1].T_odom_steered.translation();
     const double length = knots_[i].s_m - knots_[i - 1].s_m;
@@ -93,7 +116,8 @@ double PathRun::nearest_m(const Eigen::Vector2d& p_odom, double from_m, double t
   return best_m;
 }
 
-std::vector<PathRun> runs_of(const std::vector<PathPoint>& points, const SteeredPoint& steered) {
+std::vector<PathRun> split_into_runs(const std::vector<PathPoint>& points,
+                                     const SteeredPoint& steered) {
   std::vector<PathRun> runs;
   std::vector<PathRun::Knot> knots;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -107,6 +131,70 @@ std::vector<PathRun> runs_of(const std::vector<PathPoint>& points, const Steered
     add(points[i], steered, knots);
   }
   return runs;
+}
+
+namespace {
+
+constexpr double kKnotM = 0.05;
+constexpr int kSamples = 8;  // to either side, of a mean
+
+/// By the rule of trapezoids. Headings of a run are not wrapped.
+Pose2 mean_pose(const PathRun& run, double s_m, double half_m) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int i = -kSamples; i <= kSamples; ++i) {
+    const double weight = std::abs(i) == kSamples ? 0.5 : 1.0;
+    sum += weight * run.at(s_m + half_m * i / kSamples).vector();
+  }
+  const Eigen::Vector3d mean = sum / (2.0 * kSamples);
+  return {mean.x(), mean.y(), mean.z()};
+}
+
+}  // namespace
+
+PathRun blended(const PathRun& run, double blend_m) {
+  const int segments = static_cast<int>(std::ceil(run.length_m() / kKnotM));
+  std::vector<PathRun::Knot> knots;
+  for (int i = 0; i <= segments; ++i) {
+    const double s_m = segments > 0 ? run.length_m() * i / segments : 0.0;
+    const double half_m = std::min({blend_m / 2.0, s_m, run.length_m() - s_m});
+    PathRun::Knot knot{0.0, mean_pose(run, s_m, half_m), run.clearance_m(s_m)};
+    if (i > 0) {
+      const Pose2& last = knots.back().T_odom_steered;
+      knot.s_m = knots.back().s_m + (knot.T_odom_steered.translation() - last.translation()).norm();
+    }
+    knots.push_back(knot);
+  }
+  return {std::move(knots), run.direction() < 0.0};
+}
+
+PathProgress::PathProgress(std::vector<PathRun> runs) : runs_(std::move(runs)) {}
+
+void PathProgress::advance(const Pose2& T_odom_steered) {
+  const double to_m = std::min(s_m_ + kSearchAheadM, run().length_m());
+  s_m_ = run().nearest_s_m(T_odom_steered.translation(), s_m_, to_m);
+}
+
+bool PathProgress::begin_next_run() {
+  if (run_ + 1 == runs_.size()) return false;
+  completed_runs_m_ += run().length_m();
+  ++run_;
+  s_m_ = 0.0;
+  return true;
+}
+
+double PathProgress::remaining_m() const {
+  double remaining = run_remaining_m();
+  for (std::size_t i = run_ + 1; i < runs_.size(); ++i) remaining += runs_[i].length_m();
+  return remaining;
+}
+
+PathTrackingError PathProgress::error(const Pose2& T_odom_steered) const {
+  const Pose2 T_path_steered = between(run().at(s_m_), T_odom_steered);
+  return {T_path_steered.y, T_path_steered.theta};
+}
+
+double PathProgress::distance_m(const Pose2& T_odom_steered) const {
+  return (run().at(s_m_).translation() - T_odom_steered.translation()).norm();
 }
 
 }  // namespace adit

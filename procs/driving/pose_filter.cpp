@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/geometry/arc.hpp"
+#include "common/geometry/pose2.hpp"
 #include "common/sensing/seconds.hpp"
 
 namespace adit {
@@ -15,9 +15,9 @@ double seconds_between(std::int64_t from_utime, std::int64_t to_utime) {
   return seconds(to_utime - from_utime);
 }
 
-bool is_leap(const Pose2& T_expected_seen) {
-  return T_expected_seen.translation().norm() > PoseFilter::kLeapM ||
-         std::abs(T_expected_seen.theta) > PoseFilter::kLeapRad;
+bool is_jump(const Pose2& T_expected_measured) {
+  return T_expected_measured.translation().norm() > PoseFilter::kJumpM ||
+         std::abs(T_expected_measured.theta) > PoseFilter::kJumpRad;
 }
 
 }  // namespace
@@ -31,14 +31,15 @@ void PoseFilter::add(std::int64_t utime, const Pose2& T_odom_steered) {
   const double seconds = seconds_between(utime_, utime);
   if (n_ > 0 && seconds <= 0.0 && seconds > -kGapS) return;
   const Pose2 T_odom_expected = at(utime);
-  const Pose2 T_expected_seen = between(T_odom_expected, T_odom_steered);
-  if (n_ == 0 || std::abs(seconds) > kGapS || is_leap(T_expected_seen)) {
+  const Pose2 T_expected_measured = between(T_odom_expected, T_odom_steered);
+  if (n_ == 0 || std::abs(seconds) > kGapS || is_jump(T_expected_measured)) {
     n_ = 1;
     T_odom_steered_ = T_odom_steered;
   } else {
     const double share = gain(seconds);
-    T_odom_steered_ = T_odom_expected * Pose2{share * T_expected_seen.x, share * T_expected_seen.y,
-                                              share * T_expected_seen.theta};
+    T_odom_steered_ =
+        T_odom_expected * Pose2{share * T_expected_measured.x, share * T_expected_measured.y,
+                                share * T_expected_measured.theta};
     ++n_;
   }
   utime_ = utime;
@@ -55,8 +56,8 @@ std::optional<std::int64_t> PoseFilter::utime() const {
 }
 
 Pose2 PoseFilter::at(std::int64_t utime) const {
-  const double way_m = speed_m_s_ * seconds_between(utime_, utime);
-  return T_odom_steered_ * along_arc(way_m, way_m * curvature_1_m_);
+  const double distance_m = speed_m_s_ * seconds_between(utime_, utime);
+  return T_odom_steered_ * along_arc(distance_m, distance_m * curvature_1_m_);
 }
 
 }  // namespace adit

@@ -15,8 +15,8 @@ namespace adit {
 class PoseFilter {
  public:
   /// A step from pose to pose that is no motion: the filter begins anew.
-  static constexpr double kLeapM = 0.5;
-  static constexpr double kLeapRad = 0.5;
+  static constexpr double kJumpM = 0.5;
+  static constexpr double kJumpRad = 0.5;
   static constexpr double kGapS = 0.25;
 
   explicit PoseFilter(double smoothing_s) : smoothing_s_(smoothing_s) {}

@@ -10,18 +10,18 @@
 #include <vector>
 
 #include "common/journal/journal.hpp"
-#include "common/mission/explore_request.hpp"
+#include "common/types/exploration.hpp"
 #include "procs/exploration/exploration_memory.hpp"
 
 namespace adit {
 
 /// What the stage knows beside the map.
-struct KeptExploration {
+struct StoredExploration {
   std::int64_t map_utime = 0;  ///< of the first scan of the map that it belongs to; 0 for none
   ExplorationMemory exploration;
   std::optional<ExploreRequest> request;  ///< the newest, without its verdict
-  double requested_m = 0.0;               ///< way when that came
-  double travelled_m = 0.0;
+  double distance_at_request_m = 0.0;     ///< way when that came
+  double distance_travelled_m = 0.0;
 };
 
 /// It on the disk, as lines of text: each stub whenever it changed, the barriers, and where the
@@ -33,15 +33,15 @@ class ExplorationJournal {
   explicit ExplorationJournal(const std::filesystem::path& path);
 
   /// What was there when it was opened.
-  [[nodiscard]] const KeptExploration& restored() const { return restored_; }
+  [[nodiscard]] const StoredExploration& restored() const { return restored_; }
 
   /// Adds what changed. Returns when the disk has it, but for the way alone.
-  void keep(const KeptExploration& kept);
+  void store(const StoredExploration& stored);
 
  private:
   struct Written {
     std::int64_t map_utime = 0;
-    std::vector<std::string> stubs;
+    std::vector<std::string> frontiers;
     std::string barriers;
     std::string target;  ///< of the state, all but the way
     std::string state;
@@ -51,7 +51,7 @@ class ExplorationJournal {
   void begin_map(std::int64_t map_utime);
   bool append(std::string_view kind, const std::string& text, std::string& written);
 
-  KeptExploration restored_;
+  StoredExploration restored_;
   Written written_;
   Journal journal_;
 };

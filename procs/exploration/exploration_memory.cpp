@@ -36,46 +36,47 @@ std::string one_line(std::string sentence) {
 
 }  // namespace
 
-std::string to_text(const RememberedStub& stub) {
-  const auto& [s, hold] = stub;
+std::string to_text(const StoredFrontier& frontier) {
+  const auto& [s, track] = frontier;
   std::ostringstream out = writer();
   out << s.id << ' ' << s.local_map << ' ' << s.width_m << ' ' << static_cast<int>(s.state) << ' '
       << s.utime << ' ';
-  put(out, hold.p_local);
-  put(out, hold.direction_local);
-  out << hold.final << ' ' << hold.stalls << ' ' << hold.least_way_m << ' ';
-  put(out, hold.p_then);
-  out << hold.closings << ' ' << hold.retried << ' ';
+  put(out, track.p_local);
+  put(out, track.direction_local);
+  out << track.final << ' ' << track.stalls << ' ' << track.path_length_min_m << ' ';
+  put(out, track.p_map_at_min);
+  out << track.closings << ' ' << track.retried << ' ';
   put(out, s.p_map);
   put(out, s.direction_map);
   out << one_line(s.evidence) << '\n';
   return out.str();
 }
 
-std::optional<RememberedStub> stub_from_text(std::string_view text) {
+std::optional<StoredFrontier> frontier_from_text(std::string_view text) {
   std::istringstream in{std::string(text)};
-  RememberedStub stub;
-  auto& [s, hold] = stub;
+  StoredFrontier frontier;
+  auto& [s, track] = frontier;
   int state = 0;
   in >> s.id >> s.local_map >> s.width_m >> state >> s.utime;
-  get(in, hold.p_local);
-  get(in, hold.direction_local);
-  in >> hold.final >> hold.stalls >> hold.least_way_m;
-  get(in, hold.p_then);
-  in >> hold.closings >> hold.retried;
+  get(in, track.p_local);
+  get(in, track.direction_local);
+  in >> track.final >> track.stalls >> track.path_length_min_m;
+  get(in, track.p_map_at_min);
+  in >> track.closings >> track.retried;
   get(in, s.p_map);
   get(in, s.direction_map);
   get_sentence(in, s.evidence);
-  s.state = StubState(state);
-  const bool known = s.state >= StubState::kOpen && s.state <= StubState::kDoubtful;
+  s.state = FrontierState(state);
+  const bool known = s.state >= FrontierState::kOpen && s.state <= FrontierState::kUnconfirmed;
   if (!in || s.id < 0 || s.local_map < 0 || !known) return std::nullopt;
-  return stub;
+  return frontier;
 }
 
 std::string to_text(const std::vector<Barrier>& barriers) {
   std::ostringstream out = writer();
   for (const Barrier& barrier : barriers) {
-    out << static_cast<int>(barrier.kind) << ' ' << barrier.stub << ' ' << barrier.local_map << ' ';
+    out << static_cast<int>(barrier.kind) << ' ' << barrier.frontier << ' ' << barrier.local_map
+        << ' ';
     put(out, barrier.p_local);
     put(out, barrier.direction_local);
     out << one_line(barrier.evidence) << '\n';
@@ -89,11 +90,12 @@ std::optional<std::vector<Barrier>> barriers_from_text(std::string_view text) {
   int kind = 0;
   while (in >> kind) {
     Barrier barrier;
-    in >> barrier.stub >> barrier.local_map;
+    in >> barrier.frontier >> barrier.local_map;
     get(in, barrier.p_local);
     get(in, barrier.direction_local);
     get_sentence(in, barrier.evidence);
-    if (!in || kind < 0 || kind > static_cast<int>(Barrier::Kind::kDoubtful)) return std::nullopt;
+    if (!in || kind < 0 || kind > static_cast<int>(Barrier::Kind::kUnconfirmed))
+      return std::nullopt;
     barrier.kind = Barrier::Kind(kind);
     barriers.push_back(std::move(barrier));
   }

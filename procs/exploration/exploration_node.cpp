@@ -8,22 +8,20 @@
 #include <iterator>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/exploration_report.hpp"
-#include "common/messages/explore_request.hpp"
-#include "common/messages/map_correction.hpp"
-#include "common/messages/map_request.hpp"
-#include "common/messages/planned_path.hpp"
-#include "common/pose_graph/position_sd.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/exploration.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/navigation.hpp"
+#include "common/pose_graph/map_correction.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::size_t kPiecesWaiting = 500;  // several local maps, or a large graph
+constexpr std::size_t kFragmentsWaiting = 500;  // several local maps, or a large graph
 constexpr std::int64_t kPeriodUs = 1'000'000;
 constexpr double kMovedM = 0.05;
-constexpr double kNextWayM = 12.0;  // as far as a 3D scan sees
-constexpr double kWaySpacingM = 0.3;
+constexpr double kPathAheadM = 12.0;  // as far as a 3D scan sees
+constexpr double kPathSpacingM = 0.3;
 constexpr double kJumpM = 8.0;  // from pose to pose: a new odom frame, and no way
 
 std::string evidence_of(const PlannedPath& path) {
@@ -36,20 +34,20 @@ std::string evidence_of(const PlannedPath& path) {
 ExplorationNode::ExplorationNode(Bus& bus, const Params& params)
     : bus_(bus), params_(params), exploration_(params) {
   if (!params.journal.empty()) {
-    const KeptExploration& kept = journal_.emplace(params.journal).restored();
-    exploration_.restore(kept.exploration);
-    map_utime_ = kept.map_utime;
-    request_ = kept.request;
-    requested_m_ = kept.requested_m;
-    travelled_m_ = kept.travelled_m;
+    const StoredExploration& stored = journal_.emplace(params.journal).restored();
+    exploration_.restore(stored.exploration);
+    map_utime_ = stored.map_utime;
+    request_ = stored.request;
+    distance_at_request_m_ = stored.distance_at_request_m;
+    distance_travelled_m_ = stored.distance_travelled_m;
   }
-  subscribe<local_map_t>(bus, channels::kLocalMap, Delivery::queued(kPiecesWaiting),
-                         [this](const LocalMapPiece& piece) {
-                           if (const auto map = local_maps_.add(piece)) on_local_map(*map);
+  subscribe<local_map_t>(bus, channels::kLocalMap, Delivery::queued(kFragmentsWaiting),
+                         [this](const LocalMapFragment& fragment) {
+                           if (const auto map = local_maps_.add(fragment)) on_local_map(*map);
                          });
-  subscribe<pose_graph_t>(bus, channels::kPoseGraph, Delivery::queued(kPiecesWaiting),
-                          [this](const PoseGraphPiece& piece) {
-                            if (const auto graph = graphs_.add(piece)) on_graph(*graph);
+  subscribe<pose_graph_t>(bus, channels::kPoseGraph, Delivery::queued(kFragmentsWaiting),
+                          [this](const PoseGraphFragment& fragment) {
+                            if (const auto graph = graphs_.add(fragment)) on_graph(*graph);
                           });
   subscribe<map_correction_t>(
       bus, channels::kMapCorrection, Delivery::latest(),
@@ -60,46 +58,47 @@ ExplorationNode::ExplorationNode(Bus& bus, const Params& params)
                             [this](const PlannedPath& path) { on_path(path); });
   subscribe<explore_request_t>(bus, channels::kExploreRequest, Delivery::queued(10),
                                [this](const ExploreRequest& request) { on_request(request); });
-  bus.every(kPeriodUs, [this](std::int64_t utime) { on_tick(utime); });
+  bus.create_timer(kPeriodUs, [this](std::int64_t utime) { on_tick(utime); });
 }
 
 void ExplorationNode::on_tick(std::int64_t utime) {
-  if (asker_.is_due(utime, !has_map_ || !correction_ || local_maps_missing() > 0)) {
+  if (map_requester_.is_due(utime, !has_map_ || !correction_ || local_maps_missing() > 0)) {
     publish(bus_, channels::kMapRequest, to_message(MapRequest{utime, "exploration"}));
-    asker_.heard(utime);
+    map_requester_.received(utime);
   }
-  if (travelled_m_ - published_m_ > kMovedM) publish_decision();
+  if (distance_travelled_m_ - distance_at_publish_m_ > kMovedM) publish_decision();
 }
 
 void ExplorationNode::on_local_map(const LocalMap& map) {
-  asker_.heard(bus_.now_utime());
-  const auto taken = local_maps_taken_.find(map.id);
-  if (taken != local_maps_taken_.end() && taken->second == map.end_utime) return;
-  if (map.id == 0) belong_to(map);
-  if (!exploration_.add(map)) ++local_maps_refused_;
-  local_maps_taken_[map.id] = map.end_utime;
-  if (!has_map_) take_graph();
+  map_requester_.received(bus_.now_utime());
+  const auto received = local_maps_received_.find(map.id);
+  if (received != local_maps_received_.end() && received->second == map.end_utime) return;
+  if (map.id == 0) reset_if_other_map(map);
+  if (!exploration_.add(map)) ++local_maps_rejected_;
+  local_maps_received_[map.id] = map.end_utime;
+  if (!has_map_) apply_graph();
 }
 
 /// What is known of another map says nothing of this one.
-void ExplorationNode::belong_to(const LocalMap& first) {
+void ExplorationNode::reset_if_other_map(const LocalMap& first) {
   if (map_utime_ != 0 && map_utime_ != first.utime) exploration_.restore({});
   map_utime_ = first.utime;
 }
 
 void ExplorationNode::on_graph(const MapGraph& graph) {
   graph_ = graph;
-  take_graph();
+  apply_graph();
 }
 
 std::size_t ExplorationNode::local_maps_missing() const {
   const int n = graph_ ? static_cast<int>(graph_->poses.size()) : 0;
-  const auto there = std::distance(local_maps_taken_.begin(), local_maps_taken_.lower_bound(n));
+  const auto there =
+      std::distance(local_maps_received_.begin(), local_maps_received_.lower_bound(n));
   return static_cast<std::size_t>(n - static_cast<int>(there));
 }
 
 /// In a map with gaps stubs would seem explored that are not.
-void ExplorationNode::take_graph() {
+void ExplorationNode::apply_graph() {
   if (!graph_ || (!has_map_ && local_maps_missing() > 0)) return;
   if (!exploration_.update(*graph_)) return;
   has_map_ = true;
@@ -107,17 +106,17 @@ void ExplorationNode::take_graph() {
 }
 
 void ExplorationNode::on_correction(const MapCorrection& correction) {
-  const bool waited_for = !correction_;
+  const bool is_first = !correction_;
   correction_ = correction;
-  if (waited_for) publish_decision();
+  if (is_first) publish_decision();
 }
 
 /// The correction of one odom frame says nothing of the next.
 void ExplorationNode::on_pose(const StampedPose& pose) {
   if (pose_) {
-    const double way = between(pose_->T_odom_body, pose.T_odom_body).translation().norm();
-    if (way < kJumpM) travelled_m_ += way;
-    if (way >= kJumpM) correction_.reset();
+    const double step_m = between(pose_->T_odom_body, pose.T_odom_body).translation().norm();
+    if (step_m < kJumpM) distance_travelled_m_ += step_m;
+    if (step_m >= kJumpM) correction_.reset();
   }
   pose_ = pose;
 }
@@ -126,29 +125,29 @@ void ExplorationNode::on_pose(const StampedPose& pose) {
 void ExplorationNode::on_path(const PlannedPath& path) {
   using Kind = ExplorationDecision::Kind;
   if (request_) return;
-  const bool wanted = decision_.kind != Kind::kStay && decision_.kind != Kind::kDone;
-  const bool refused = path.outcome == PlanOutcome::kBlocked ||
-                       path.outcome == PlanOutcome::kUnknown ||
-                       path.outcome == PlanOutcome::kNarrow;
-  const bool none = refused && path.reached_m < params_.no_path_m;
-  if (!wanted || !none || decision_.stub != no_path_stub_) no_paths_ = 0;
-  if (!wanted || !none) return;
-  no_path_stub_ = decision_.stub;
+  const bool has_target = decision_.kind != Kind::kStay && decision_.kind != Kind::kDone;
+  const bool rejected = path.outcome == PlanOutcome::kBlocked ||
+                        path.outcome == PlanOutcome::kUnknown ||
+                        path.outcome == PlanOutcome::kNarrow;
+  const bool is_rejection = rejected && path.reached_m < params_.no_path_m;
+  if (!has_target || !is_rejection || decision_.frontier != no_path_frontier_) no_paths_ = 0;
+  if (!has_target || !is_rejection) return;
+  no_path_frontier_ = decision_.frontier;
   if (++no_paths_ < params_.no_path_answers) return;
   no_paths_ = 0;
-  exploration_.report_blocked(decision_.stub, {path.utime, path.reached_m, evidence_of(path)});
+  exploration_.report_blocked(decision_.frontier, {path.utime, path.reached_m, evidence_of(path)});
   publish_decision();
 }
 
 /// It is repeated until it is answered, and may be so again; its verdict counts the first time.
 void ExplorationNode::on_request(const ExploreRequest& request) {
   const bool has_map = has_map_ && correction_;
-  const bool knew_one = map_utime_ != 0;
-  if (!pose_ || (!has_map && (knew_one || request.blocked))) return;
-  const bool again = request_ && request_->id == request.id;
-  if (request.blocked && !again) report_blocked(*request.blocked);
+  const bool had_map = map_utime_ != 0;
+  if (!pose_ || (!has_map && (had_map || request.blocked))) return;
+  const bool is_repeat = request_ && request_->id == request.id;
+  if (request.blocked && !is_repeat) report_blocked(*request.blocked);
   request_ = request;
-  requested_m_ = travelled_m_;
+  distance_at_request_m_ = distance_travelled_m_;
   has_map ? publish_decision() : publish_report();
 }
 
@@ -156,36 +155,37 @@ void ExplorationNode::on_request(const ExploreRequest& request) {
 void ExplorationNode::report_blocked(const BlockedVerdict& verdict) {
   if (!decided_) decide();
   exploration_.report_blocked(
-      verdict.stub, {verdict.utime, verdict.reached_m, verdict.evidence, verdict.doubtful});
+      verdict.frontier, {verdict.utime, verdict.reached_m, verdict.evidence, verdict.unconfirmed});
 }
 
 double ExplorationNode::remaining_m() const {
   const double budget_m = request_ ? request_->remaining_m : params_.budget_m;
-  return std::max(0.0, budget_m - (travelled_m_ - requested_m_));
+  return std::max(0.0, budget_m - (distance_travelled_m_ - distance_at_request_m_));
 }
 
 void ExplorationNode::decide() {
   const Pose2 T_map_body = correction_->T_map_odom * pose_->T_odom_body;
   decision_ = exploration_.decide({pose_->utime, T_map_body, remaining_m(),
                                    position_sd_m(*correction_).value_or(0.0),
-                                   request_ && request_->homeward});
+                                   request_ && request_->returning_home});
   decided_ = true;
 }
 
 void ExplorationNode::publish_decision() {
   if (!has_map_ || !correction_ || !pose_) return;
   decide();
-  published_m_ = travelled_m_;
-  keep();
+  distance_at_publish_m_ = distance_travelled_m_;
+  store();
   publish_report();
 }
 
 /// To the disk first: what was said is not forgotten.
-void ExplorationNode::keep() {
+void ExplorationNode::store() {
   if (!journal_) return;
   journal_failure_.clear();
   try {
-    journal_->keep({map_utime_, exploration_.memory(), request_, requested_m_, travelled_m_});
+    journal_->store({map_utime_, exploration_.memory(), request_, distance_at_request_m_,
+                     distance_travelled_m_});
   } catch (const std::exception& failure) {
     journal_failure_ = failure.what();
   }
@@ -198,7 +198,7 @@ void ExplorationNode::publish_report() {
   if (has_map_ && correction_) {
     const Pose2 T_odom_map = correction_->T_map_odom.inverse();
     report.T_odom_goal = T_odom_map * report.decision.T_map_goal;
-    for (const Eigen::Vector2d& p_map : exploration_.next_way(kNextWayM, kWaySpacingM)) {
+    for (const Eigen::Vector2d& p_map : exploration_.path_ahead(kPathAheadM, kPathSpacingM)) {
       report.route_odom.emplace_back(T_odom_map * p_map);
     }
   } else {
@@ -212,14 +212,14 @@ void ExplorationNode::publish_report() {
 
 Health ExplorationNode::health() const {
   using Level = Health::Level;
-  if (local_maps_refused_ > 0) {
-    return {Level::kDegraded, std::to_string(local_maps_refused_) + " local maps are malformed"};
+  if (local_maps_rejected_ > 0) {
+    return {Level::kDegraded, std::to_string(local_maps_rejected_) + " local maps are malformed"};
   }
   if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
   if (const std::size_t missing = local_maps_missing(); missing > 0) {
     return {Level::kDegraded, std::to_string(missing) + " local maps never came"};
   }
-  if (published_m_ >= 0.0 && decision_.kind == ExplorationDecision::Kind::kStay) {
+  if (distance_at_publish_m_ >= 0.0 && decision_.kind == ExplorationDecision::Kind::kStay) {
     return {Level::kDegraded, decision_.reason};
   }
   return {};

@@ -9,14 +9,14 @@
 #include <string>
 
 #include "common/bus/bus.hpp"
-#include "common/messages/heartbeat.hpp"
-#include "common/messages/local_map_pieces.hpp"
-#include "common/messages/pose.hpp"
-#include "common/messages/pose_graph_pieces.hpp"
-#include "common/mission/explore_request.hpp"
-#include "common/mission/map_asker.hpp"
-#include "common/path/planned_path.hpp"
+#include "common/messages/diagnostics.hpp"
+#include "common/messages/mapping/local_map.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
 #include "common/pose_graph/map_correction.hpp"
+#include "common/types/exploration.hpp"
+#include "common/types/map_request.hpp"
+#include "common/types/planned_path.hpp"
 #include "procs/exploration/exploration.hpp"
 #include "procs/exploration/exploration_journal.hpp"
 
@@ -70,35 +70,35 @@ class ExplorationNode {
   [[nodiscard]] double remaining_m() const;
   [[nodiscard]] std::size_t local_maps_missing() const;
   void on_tick(std::int64_t utime);
-  void belong_to(const LocalMap& first);
-  void take_graph();
+  void reset_if_other_map(const LocalMap& first);
+  void apply_graph();
   void decide();
-  void keep();
+  void store();
   void publish_decision();
   void publish_report();
 
   Bus& bus_;
   Params params_;
   Exploration exploration_;
-  LocalMapAssembler local_maps_;
-  PoseGraphAssembler graphs_;
+  LocalMapReassembler local_maps_;
+  PoseGraphReassembler graphs_;
   std::optional<MapCorrection> correction_;
   std::optional<StampedPose> pose_;
   std::optional<ExploreRequest> request_;  ///< the newest
-  double requested_m_ = 0.0;               ///< way when that came
-  double travelled_m_ = 0.0;
-  double published_m_ = -1.0;  ///< way when the last decision was published
-  int no_paths_ = 0;           ///< answers in a row, to the present target
-  int no_path_stub_ = ExplorationDecision::kNoStub;
-  MapAsker asker_;
-  std::map<int, std::int64_t> local_maps_taken_;  ///< ends, by id; the refused ones too
-  std::optional<MapGraph> graph_;                 ///< the newest
-  bool has_map_ = false;                          ///< all of a graph was there once
+  double distance_at_request_m_ = 0.0;     ///< way when that came
+  double distance_travelled_m_ = 0.0;
+  double distance_at_publish_m_ = -1.0;  ///< way when the last decision was published
+  int no_paths_ = 0;                     ///< answers in a row, to the present target
+  int no_path_frontier_ = ExplorationDecision::kNoFrontier;
+  MapRequestTimer map_requester_;
+  std::map<int, std::int64_t> local_maps_received_;  ///< ends, by id; the refused ones too
+  std::optional<MapGraph> graph_;                    ///< the newest
+  bool has_map_ = false;                             ///< all of a graph was there once
   bool decided_ = false;
-  std::size_t local_maps_refused_ = 0;
+  std::size_t local_maps_rejected_ = 0;
   std::optional<ExplorationJournal> journal_;
   std::string journal_failure_;
-  std::int64_t map_utime_ = 0;  ///< of the first scan of the map, as in KeptExploration
+  std::int64_t map_utime_ = 0;  ///< of the first scan of the map, as in StoredExploration
   ExplorationDecision decision_;
 };
 

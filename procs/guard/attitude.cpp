@@ -13,7 +13,7 @@ namespace adit {
 namespace {
 
 constexpr double kGravity = 9.81;  // [m/s²]
-constexpr std::int64_t kWithoutGravityUs = 10'000'000;
+constexpr std::int64_t kGravityTimeoutUs = 10'000'000;
 constexpr double kGapMaxS = 0.1;  // over which a turn rate is believed to have lasted
 
 }  // namespace
@@ -23,16 +23,16 @@ void Attitude::add(const ImuReading& reading, std::int64_t at_us) {
   const double seconds = std::clamp(since_s, 0.0, kGapMaxS);
   last_us_ = at_us;
   const Eigen::Vector3d& force = reading.linear_acceleration;
-  const bool may_be_gravity = std::abs(force.norm() - kGravity) <= params_.deviation_max_m_s2;
-  if (may_be_gravity) gravity_us_ = at_us;
+  const bool is_gravity = std::abs(force.norm() - kGravity) <= params_.deviation_max_m_s2;
+  if (is_gravity) gravity_us_ = at_us;
   if (!up_body_) {
-    if (may_be_gravity) up_body_ = force.normalized();
+    if (is_gravity) up_body_ = force.normalized();
     return;
   }
   // What stands still in the level turns against the body in the body's frame.
   Eigen::Vector3d up = *up_body_ - seconds * reading.angular_velocity.cross(*up_body_);
   const double share = seconds / (params_.settling_s + seconds);
-  if (may_be_gravity) up += share * (force.normalized() - up);
+  if (is_gravity) up += share * (force.normalized() - up);
   if (up.allFinite() && up.norm() > 0.0) {
     up_body_ = up.normalized();
   } else {  // a turn rate beyond all measure
@@ -42,7 +42,7 @@ void Attitude::add(const ImuReading& reading, std::int64_t at_us) {
 }
 
 bool Attitude::is_known(std::int64_t now_us) const {
-  return gravity_us_ && now_us - *gravity_us_ <= kWithoutGravityUs;
+  return gravity_us_ && now_us - *gravity_us_ <= kGravityTimeoutUs;
 }
 
 double pitch_up_rad(const Eigen::Vector3d& up_body) {

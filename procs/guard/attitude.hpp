@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "common/config/bounds.hpp"
-#include "common/sensing/imu_reading.hpp"
+#include "common/sensing/vehicle_readings.hpp"
 
 namespace adit {
 
@@ -31,7 +31,7 @@ class Attitude {
  public:
   explicit Attitude(const AttitudeParams& params) : params_(params) {}
 
-  /// `at_us` by SteadyTime, not before the last.
+  /// `at_us` by MonotonicTime, not before the last.
   void add(const ImuReading& reading, std::int64_t at_us);
 
   /// Unit vector in the body frame; nothing before the first reading that may be gravity.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kCellM = 0.04;
 constexpr double kBesideM = 1.0;      // from the flank
-constexpr double kLastSeenM = 0.15;   // ahead of a laser; the vehicle drives less between scans
+constexpr double kViewEdgeM = 0.15;   // ahead of a laser; the vehicle drives less between scans
 constexpr double kNeighboursM = 0.1;  // apart; one beam alone is not believed
 constexpr double kJumpM = 0.5;        // between poses
 
@@ -40,51 +40,53 @@ void FlankMemory::move_to(const Pose2& T_odom_body) {
     p_odom_.clear();
   }
   T_odom_body_ = T_odom_body;
-  forget_and_place();
+  update_points();
 }
 
-void FlankMemory::see(LaserId laser, const LaserPoints& points) {
+void FlankMemory::observe(LaserId laser, const LaserPoints& points) {
   if (!T_odom_body_) return;
   const Eigen::Isometry2d T_odom_body = in_plane(*T_odom_body_);
   const Eigen::Isometry2d T_body_odom = T_odom_body.inverse();
-  std::erase_if(p_odom_,
-                [&](const auto& kept) { return is_in_sight_of(laser, T_body_odom * kept.second); });
+  std::erase_if(p_odom_, [&](const auto& stored) {
+    return is_in_view_of(laser, T_body_odom * stored.second);
+  });
   for (std::size_t i = 1; i < points.p_body.size(); ++i) {
     const Eigen::Vector2d& p = points.p_body[i];
-    if (!is_last_seen(laser, p) || !are_neighbours(p, points.p_body[i - 1])) continue;
+    if (!is_at_view_edge(laser, p) || !are_neighbours(p, points.p_body[i - 1])) continue;
     const Eigen::Vector2d p_odom = T_odom_body * p;
     p_odom_.emplace(cell_of(p_odom), p_odom);
   }
-  forget_and_place();
+  update_points();
 }
 
-bool FlankMemory::is_in_sight_of(LaserId laser, const Eigen::Vector2d& p_body) const {
+bool FlankMemory::is_in_view_of(LaserId laser, const Eigen::Vector2d& p_body) const {
   return laser == LaserId::kFront ? p_body.x() >= front_x_m_ : p_body.x() <= rear_x_m_;
 }
 
-bool FlankMemory::is_last_seen(LaserId laser, const Eigen::Vector2d& p_body) const {
+bool FlankMemory::is_at_view_edge(LaserId laser, const Eigen::Vector2d& p_body) const {
   const double ahead_m =
       laser == LaserId::kFront ? p_body.x() - front_x_m_ : rear_x_m_ - p_body.x();
-  return ahead_m >= 0.0 && ahead_m <= kLastSeenM &&
+  return ahead_m >= 0.0 && ahead_m <= kViewEdgeM &&
          std::abs(p_body.y()) <= half_footprint_m_.y() + kBesideM;
 }
 
 bool FlankMemory::is_beside(const Eigen::Vector2d& p_body) const {
   const double beside_m = std::abs(p_body.y()) - half_footprint_m_.y();
   const bool in_footprint = beside_m <= 0.0 && std::abs(p_body.x()) <= half_footprint_m_.x();
-  return !in_footprint && beside_m <= kBesideM && p_body.x() <= front_x_m_ + kLastSeenM &&
-         p_body.x() >= rear_x_m_ - kLastSeenM;
+  return !in_footprint && beside_m <= kBesideM && p_body.x() <= front_x_m_ + kViewEdgeM &&
+         p_body.x() >= rear_x_m_ - kViewEdgeM;
 }
 
 /// What is still in sight is kept for the next pose, and left to the laser until then.
-void FlankMemory::forget_and_place() {
+void FlankMemory::update_points() {
   const Eigen::Isometry2d T_body_odom = in_plane(T_odom_body_->inverse());
   p_body_.clear();
-  std::erase_if(p_odom_, [&](const auto& kept) { return !is_beside(T_body_odom * kept.second); });
+  std::erase_if(p_odom_,
+                [&](const auto& stored) { return !is_beside(T_body_odom * stored.second); });
   for (const auto& [cell, p_odom] : p_odom_) {
     const Eigen::Vector2d p = T_body_odom * p_odom;
-    const bool in_sight = is_in_sight_of(LaserId::kFront, p) || is_in_sight_of(LaserId::kRear, p);
-    if (!in_sight) p_body_.push_back(p);
+    const bool in_view = is_in_view_of(LaserId::kFront, p) || is_in_view_of(LaserId::kRear, p);
+    if (!in_view) p_body_.push_back(p);
   }
 }
 

@@ -10,10 +10,10 @@
 #include <Eigen/Core>
 
 #include "common/geometry/pose2.hpp"
-#include "common/sensing/laser_id.hpp"
 #include "common/sensing/laser_mount.hpp"
-#include "common/vehicle/vehicle.hpp"
-#include "procs/guard/laser_points.hpp"
+#include "common/sensing/laser_scan.hpp"
+#include "common/types/vehicle.hpp"
+#include "procs/guard/laser_monitor.hpp"
 
 namespace adit {
 
@@ -30,7 +30,7 @@ class FlankMemory {
   void move_to(const Pose2& T_odom_body);
 
   /// The newest scan of a laser; nothing is kept before the first pose.
-  void see(LaserId laser, const LaserPoints& points);
+  void observe(LaserId laser, const LaserPoints& points);
 
   /// In the body frame at the newest pose, none of them in the footprint.
   [[nodiscard]] const std::vector<Eigen::Vector2d>& p_body() const { return p_body_; }
@@ -38,10 +38,10 @@ class FlankMemory {
  private:
   using Cell = std::pair<double, double>;  ///< whole numbers: a pose may be anywhere
 
-  [[nodiscard]] bool is_in_sight_of(LaserId laser, const Eigen::Vector2d& p_body) const;
-  [[nodiscard]] bool is_last_seen(LaserId laser, const Eigen::Vector2d& p_body) const;
+  [[nodiscard]] bool is_in_view_of(LaserId laser, const Eigen::Vector2d& p_body) const;
+  [[nodiscard]] bool is_at_view_edge(LaserId laser, const Eigen::Vector2d& p_body) const;
   [[nodiscard]] bool is_beside(const Eigen::Vector2d& p_body) const;
-  void forget_and_place();
+  void update_points();
 
   Eigen::Vector2d half_footprint_m_;
   double front_x_m_;

@@ -10,20 +10,16 @@
 #include <vector>
 
 #include "common/geometry/pose2.hpp"
-#include "common/sensing/ground_and_air.hpp"
-#include "common/sensing/imu_reading.hpp"
-#include "common/sensing/laser_id.hpp"
 #include "common/sensing/laser_scan.hpp"
-#include "common/sensing/tilt_reading.hpp"
-#include "common/vehicle/drive_command.hpp"
-#include "procs/guard/arc_sweep.hpp"
+#include "common/sensing/laser_tilt.hpp"
+#include "common/sensing/vehicle_readings.hpp"
+#include "common/types/vehicle_state.hpp"
 #include "procs/guard/attitude.hpp"
 #include "procs/guard/guard_params.hpp"
-#include "procs/guard/last_heard.hpp"
-#include "procs/guard/steady_time.hpp"
-#include "procs/guard/stop_latch.hpp"
+#include "procs/guard/input_staleness.hpp"
+#include "procs/guard/obstacle_check.hpp"
+#include "procs/guard/stop_release.hpp"
 #include "procs/guard/surroundings.hpp"
-#include "procs/guard/way_back.hpp"
 
 namespace adit {
 
@@ -50,18 +46,18 @@ class Guard {
   /// Throws as `usable` does.
   explicit Guard(const GuardParams& params);
 
-  void hear(LaserId laser, const LaserScan& scan, std::int64_t now);
-  void hear(LaserId laser, const TiltReading& reading, std::int64_t now);
-  void hear(const DriveCommand& command, std::int64_t now);
-  void hear(const VehicleState& state, std::int64_t now);
-  void hear(const ImuReading& reading, std::int64_t now);
-  void hear(const GasReading& reading, std::int64_t now);
-  void hear(const SinkageReading& reading, std::int64_t now);
-  void hear_pose(const Pose2& T_odom_body, std::int64_t utime, std::int64_t now);
-  void hear_supervisor(std::int64_t utime, std::int64_t now);
+  void receive(LaserId laser, const LaserScan& scan, std::int64_t now);
+  void receive(LaserId laser, const TiltReading& reading, std::int64_t now);
+  void receive(const DriveCommand& command, std::int64_t now);
+  void receive(const VehicleState& state, std::int64_t now);
+  void receive(const ImuReading& reading, std::int64_t now);
+  void receive(const GasReading& reading, std::int64_t now);
+  void receive(const SinkageReading& reading, std::int64_t now);
+  void receive_pose(const Pose2& T_odom_body, std::int64_t utime, std::int64_t now);
+  void receive_supervisor(std::int64_t utime, std::int64_t now);
 
   /// Looks at everything once more: whether the vehicle is to stand now, and why.
-  StopOrder judge(std::int64_t now);
+  StopOrder evaluate(std::int64_t now);
 
   /// What holds at this time; empty while only the release is waited for.
   [[nodiscard]] const std::vector<StopReason>& reasons() const { return reasons_; }
@@ -83,24 +79,24 @@ class Guard {
   [[nodiscard]] Text sinkage() const;
   [[nodiscard]] Text gas() const;
   [[nodiscard]] Text supervisor() const;
-  [[nodiscard]] ArcMotion commanded() const;
-  [[nodiscard]] ArcMotion rolling() const;
+  [[nodiscard]] ArcMotion commanded_motion() const;
+  [[nodiscard]] ArcMotion measured_motion() const;
 
   GuardParams params_;
-  SteadyTime time_;
+  MonotonicTime time_;
   Surroundings surroundings_;
   Attitude attitude_;
-  LastHeard command_heard_, state_heard_, imu_heard_, gas_heard_, sinkage_heard_, pose_heard_,
-      supervisor_heard_;
+  LastReceived command_received_, state_received_, imu_received_, gas_received_, sinkage_received_,
+      pose_received_, supervisor_received_;
   DriveCommand command_;
   VehicleState state_;
   GasReading gas_;
   SinkageReading sinkage_;
-  WayBack out_of_tilt_, out_of_mud_, out_of_gas_;
+  RetreatPermission tilt_retreat_, sinkage_retreat_, gas_retreat_;
   StopLatch latch_;
   std::vector<StopReason> reasons_;
-  std::string told_ = "nothing heard yet";  ///< the last reasons that there were
-  std::array<bool, kStopKindNames.size()> held_{};
+  std::string last_reasons_ = "nothing heard yet";  ///< the last reasons that there were
+  std::array<bool, kStopKindNames.size()> active_{};
   std::array<std::int64_t, kStopKindNames.size()> counts_{};
 };
 

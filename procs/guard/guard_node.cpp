@@ -5,22 +5,17 @@
 #include <algorithm>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/drive_command.hpp"
-#include "common/messages/gas_reading.hpp"
-#include "common/messages/imu_reading.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/pose.hpp"
-#include "common/messages/sinkage_reading.hpp"
-#include "common/messages/stop_order.hpp"
-#include "common/messages/tilt_reading.hpp"
-#include "common/messages/vehicle_state.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/navigation.hpp"
+#include "common/messages/sensing.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::size_t kImuWaiting = 100;         // a second of them
-constexpr std::size_t kHeartbeatsWaiting = 100;  // of all stages, so that the supervisor's is there
+constexpr std::size_t kImuQueueSize = 100;  // a second of them
+constexpr std::size_t kHeartbeatQueueSize =
+    100;  // of all stages, so that the supervisor's is there
 constexpr std::string_view kSupervisor = "supervisor";
 
 std::string counts_text(const Guard& guard) {
@@ -34,78 +29,80 @@ std::string counts_text(const Guard& guard) {
 }
 
 /// Of those that drive, and so no business of who looks after the guard.
-bool is_of_driving(const StopReason& reason) {
+bool concerns_driver(const StopReason& reason) {
   return reason.kind == StopKind::kObstacle || reason.kind == StopKind::kCommand;
 }
 
 }  // namespace
 
 GuardNode::GuardNode(Bus& bus, const Params& params) : bus_(bus), guard_(params) {
-  watch_laser(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
-  watch_laser(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
-  watch_motion();
-  watch_surroundings();
-  bus.every(kJudgeUs, [this](std::int64_t) { judge(); });
+  subscribe_laser(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
+  subscribe_laser(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
+  subscribe_motion();
+  subscribe_environment();
+  bus.create_timer(kEvaluationPeriodUs, [this](std::int64_t) { evaluate(); });
 }
 
-void GuardNode::watch_laser(LaserId laser, std::string_view scans, std::string_view tilts) {
+void GuardNode::subscribe_laser(LaserId laser, std::string_view scans, std::string_view tilts) {
   subscribe<tilt_t>(bus_, tilts, Delivery::latest(), [this, laser](const TiltReading& reading) {
-    guard_.hear(laser, reading, bus_.now_utime());
+    guard_.receive(laser, reading, bus_.now_utime());
   });
   subscribe<planar_lidar_t>(bus_, scans, Delivery::latest(), [this, laser](const LaserScan& scan) {
-    guard_.hear(laser, scan, bus_.now_utime());
-    judge();
+    guard_.receive(laser, scan, bus_.now_utime());
+    evaluate();
   });
 }
 
-void GuardNode::watch_motion() {
+void GuardNode::subscribe_motion() {
   subscribe<drive_command_t>(bus_, channels::kDriveCommand, Delivery::latest(),
                              [this](const DriveCommand& command) {
-                               guard_.hear(command, bus_.now_utime());
-                               judge();
+                               guard_.receive(command, bus_.now_utime());
+                               evaluate();
                              });
   subscribe<pose_t>(bus_, channels::kPose, Delivery::latest(), [this](const StampedPose& pose) {
-    guard_.hear_pose(pose.T_odom_body, pose.utime, bus_.now_utime());
+    guard_.receive_pose(pose.T_odom_body, pose.utime, bus_.now_utime());
   });
   subscribe<vehicle_state_t>(
       bus_, channels::kVehicleState, Delivery::latest(),
-      [this](const VehicleState& state) { guard_.hear(state, bus_.now_utime()); });
-  subscribe<imu_t>(bus_, channels::kImu, Delivery::queued(kImuWaiting),
-                   [this](const ImuReading& reading) { guard_.hear(reading, bus_.now_utime()); });
+      [this](const VehicleState& state) { guard_.receive(state, bus_.now_utime()); });
+  subscribe<imu_t>(
+      bus_, channels::kImu, Delivery::queued(kImuQueueSize),
+      [this](const ImuReading& reading) { guard_.receive(reading, bus_.now_utime()); });
 }
 
-void GuardNode::watch_surroundings() {
-  subscribe<gas_t>(bus_, channels::kGas, Delivery::latest(),
-                   [this](const GasReading& reading) { guard_.hear(reading, bus_.now_utime()); });
+void GuardNode::subscribe_environment() {
+  subscribe<gas_t>(bus_, channels::kGas, Delivery::latest(), [this](const GasReading& reading) {
+    guard_.receive(reading, bus_.now_utime());
+  });
   subscribe<sinkage_t>(
       bus_, channels::kSinkage, Delivery::latest(),
-      [this](const SinkageReading& reading) { guard_.hear(reading, bus_.now_utime()); });
-  subscribe<heartbeat_t>(bus_, channels::kHeartbeat, Delivery::queued(kHeartbeatsWaiting),
+      [this](const SinkageReading& reading) { guard_.receive(reading, bus_.now_utime()); });
+  subscribe<heartbeat_t>(bus_, channels::kHeartbeat, Delivery::queued(kHeartbeatQueueSize),
                          [this](const Heartbeat& heartbeat) {
                            if (heartbeat.stage != kSupervisor) return;
-                           guard_.hear_supervisor(heartbeat.utime, bus_.now_utime());
+                           guard_.receive_supervisor(heartbeat.utime, bus_.now_utime());
                          });
 }
 
-void GuardNode::judge() {
-  const StopOrder order = guard_.judge(bus_.now_utime());
+void GuardNode::evaluate() {
+  const StopOrder order = guard_.evaluate(bus_.now_utime());
   std::array<bool, kStopKindNames.size()> kinds{};
   for (const StopReason& reason : guard_.reasons()) {
     kinds.at(static_cast<std::size_t>(reason.kind)) = true;
   }
-  const bool news = order.stopped != told_stopped_ || kinds != told_kinds_;
-  const std::int64_t since_us = order.utime - told_utime_.value_or(0);
-  if (told_utime_ && !news && since_us >= 0 && since_us < kRepeatUs) return;
-  told_utime_ = order.utime;
-  told_stopped_ = order.stopped;
-  told_kinds_ = kinds;
+  const bool changed = order.stopped != published_stopped_ || kinds != published_kinds_;
+  const std::int64_t since_us = order.utime - published_utime_.value_or(0);
+  if (published_utime_ && !changed && since_us >= 0 && since_us < kRepeatPeriodUs) return;
+  published_utime_ = order.utime;
+  published_stopped_ = order.stopped;
+  published_kinds_ = kinds;
   publish(bus_, channels::kStop, to_message(order));
 }
 
 Health GuardNode::health() const {
   std::string line;
   for (const StopReason& reason : guard_.reasons()) {
-    if (!is_of_driving(reason)) line += (line.empty() ? "" : "; ") + reason.text;
+    if (!concerns_driver(reason)) line += (line.empty() ? "" : "; ") + reason.text;
   }
   if (line.empty()) return {};
   return {Health::Level::kDegraded, line + " (times so far: " + counts_text(guard_) + ")"};

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "common/bus/bus.hpp"
-#include "common/messages/heartbeat.hpp"
-#include "common/sensing/laser_id.hpp"
+#include "common/messages/diagnostics.hpp"
+#include "common/sensing/laser_scan.hpp"
 #include "procs/guard/guard.hpp"
 
 namespace adit {
@@ -17,14 +17,14 @@ namespace adit {
 ///      (drive_command_t); POSE (pose_t); VEHICLE_STATE (vehicle_state_t); IMU (imu_t); GAS
 ///      (gas_t); SINKAGE (sinkage_t); HEARTBEAT (heartbeat_t), of the stage supervisor.
 /// Out: STOP (stop_t), when the vehicle is to stand or is released, when other reasons come up, and
-///      each kRepeatUs, so that a datagram that gets lost does no harm and the vehicle knows that
-///      the guard is alive. Judges at each scan, each command and each kJudgeUs.
+///      each kRepeatPeriodUs, so that a datagram that gets lost does no harm and the vehicle knows
+///      that the guard is alive. Judges at each scan, each command and each kEvaluationPeriodUs.
 class GuardNode {
  public:
   using Params = GuardParams;
 
-  static constexpr std::int64_t kJudgeUs = 50'000;
-  static constexpr std::int64_t kRepeatUs = 100'000;
+  static constexpr std::int64_t kEvaluationPeriodUs = 50'000;
+  static constexpr std::int64_t kRepeatPeriodUs = 100'000;
 
   /// Throws as Guard does.
   GuardNode(Bus& bus, const Params& params);
@@ -36,16 +36,16 @@ class GuardNode {
   [[nodiscard]] const Guard& guard() const { return guard_; }
 
  private:
-  void watch_laser(LaserId laser, std::string_view scans, std::string_view tilts);
-  void watch_motion();
-  void watch_surroundings();
-  void judge();
+  void subscribe_laser(LaserId laser, std::string_view scans, std::string_view tilts);
+  void subscribe_motion();
+  void subscribe_environment();
+  void evaluate();
 
   Bus& bus_;
   Guard guard_;
-  std::optional<std::int64_t> told_utime_;
-  bool told_stopped_ = true;
-  std::array<bool, kStopKindNames.size()> told_kinds_{};
+  std::optional<std::int64_t> published_utime_;
+  bool published_stopped_ = true;
+  std::array<bool, kStopKindNames.size()> published_kinds_{};
 };
 
 }  // namespace adit

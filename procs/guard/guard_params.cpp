@@ -25,7 +25,7 @@ void check(const std::string& laser, const LaserMount& mount, const GuardParams&
 
 }  // namespace
 
-GuardParams usable(const GuardParams& params) {
+GuardParams validated(const GuardParams& params) {
   check("front", params.lasers.front, params);
   check("rear", params.lasers.rear, params);
   if (!(params.tilt_margin_rad < params.vehicle.tilt_max_rad)) {

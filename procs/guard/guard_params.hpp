@@ -4,9 +4,9 @@
 
 #include "common/config/bounds.hpp"
 #include "common/sensing/laser_mount.hpp"
-#include "common/vehicle/vehicle.hpp"
+#include "common/types/vehicle.hpp"
 #include "procs/guard/attitude.hpp"
-#include "procs/guard/ground_and_air_check.hpp"
+#include "procs/guard/limit_checks.hpp"
 #include "procs/guard/obstacle_check.hpp"
 
 namespace adit {
@@ -47,6 +47,6 @@ struct GuardParams {
 /// The same. Throws std::invalid_argument where all that a level laser sees would be taken for
 /// ground or roof, where one is blind for what the margin leaves, and where the margin leaves no
 /// tilt at all.
-GuardParams usable(const GuardParams& params);
+GuardParams validated(const GuardParams& params);
 
 }  // namespace adit

@@ -5,13 +5,99 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace adit {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNoContact = std::numeric_limits<double>::infinity();
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kStraight = 1e-5;  // of curvature [1/m]: 0.02 mm beside the line after two metres
+constexpr double kRounding = 1e-9;  // by which a point on an edge may seem to be past it [rad]
+
+double clamped_curvature(const Vehicle& vehicle, double curvature_1_m) {
+  const double max = 1.0 / vehicle.turning_radius_m;
+  return std::clamp(curvature_1_m, -max, max);
+}
+
+Eigen::Vector2d centre_of_turn(const Vehicle& vehicle, double curvature_1_m) {
+  const double x = vehicle.steering == "ackermann" ? -0.5 * vehicle.wheelbase_m : 0.0;
+  const double radius = 1.0 / curvature_1_m;
+  const double y = std::sqrt(std::max(0.0, radius * radius - x * x));
+  return {x, std::copysign(y, curvature_1_m)};
+}
 
 }  // namespace
+
+ArcSweep::ArcSweep(const Vehicle& vehicle, const ArcMotion& motion, double side_margin_m)
+    : direction_(std::copysign(1.0, motion.speed_m_s)),
+      curvature_1_m_(clamped_curvature(vehicle, motion.curvature_1_m)),
+      straight_(std::abs(curvature_1_m_) < kStraight) {
+  if (!straight_) centre_ = centre_of_turn(vehicle, curvature_1_m_);
+  footprint_ = rectangle(0.5 * vehicle.length_m, 0.5 * vehicle.width_m);
+  widened_footprint_ = rectangle(footprint_.x_m, footprint_.y_m + side_margin_m);
+}
+
+bool ArcSweep::Rectangle::contains(const Eigen::Vector2d& p_body) const {
+  return std::abs(p_body.x()) <= x_m && std::abs(p_body.y()) <= y_m;
+}
+
+ArcSweep::Rectangle ArcSweep::rectangle(double x_m, double y_m) const {
+  const Eigen::Vector2d half(x_m, y_m);
+  const double near = (centre_ - centre_.cwiseMax(-half).cwiseMin(half)).norm();
+  const double far = (centre_.cwiseAbs() + half).norm();
+  return {x_m, y_m, near, far};
+}
+
+double ArcSweep::distance_m(const Eigen::Vector2d& p_body) const {
+  if (footprint_.contains(p_body)) return p_body.x() * direction_ > 0.0 ? 0.0 : kNoContact;
+  const Rectangle& footprint =
+      widened_footprint_.contains(p_body) ? footprint_ : widened_footprint_;
+  return straight_ ? straight_distance_m(p_body, footprint) : distance_m(p_body, footprint);
+}
+
+double ArcSweep::reach_m(double distance_m) const {
+  const double farthest_moves_m =
+      straight_ ? distance_m
+                : distance_m * std::abs(curvature_1_m_) * widened_footprint_.radius_max_m;
+  return std::hypot(widened_footprint_.x_m, widened_footprint_.y_m) + farthest_moves_m;
+}
+
+double ArcSweep::straight_distance_m(const Eigen::Vector2d& p_body,
+                                     const Rectangle& footprint) const {
+  const double ahead_m = p_body.x() * direction_ - footprint.x_m;
+  return std::abs(p_body.y()) <= footprint.y_m && ahead_m >= 0.0 ? ahead_m : kNoContact;
+}
+
+double ArcSweep::distance_m(const Eigen::Vector2d& p_body, const Rectangle& footprint) const {
+  const Eigen::Vector2d from = p_body - centre_;
+  const double radius = from.norm();
+  if (radius < footprint.radius_min_m || radius > footprint.radius_max_m) return kNoContact;
+  double turn = kNoContact;
+  const auto cross = [&](int axis, double edge, double other_half_m) {
+    const double along = edge - centre_[axis];
+    const double across = std::sqrt(radius * radius - along * along);  // NaN: never
+    for (const double side : {across, -across}) {
+      if (!(std::abs(side + centre_[1 - axis]) <= other_half_m)) continue;
+      Eigen::Vector2d to;
+      to[axis] = along;
+      to[1 - axis] = side;
+      turn = std::min(turn, turn_rad(from, to));
+    }
+  };
+  for (const double sign : {1.0, -1.0}) {
+    cross(0, sign * footprint.x_m, footprint.y_m);
+    cross(1, sign * footprint.y_m, footprint.x_m);
+  }
+  return turn / std::abs(curvature_1_m_);
+}
+
+/// From one place on the circle to another, the way that points go: 0 to a full turn.
+double ArcSweep::turn_rad(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
+  const double left = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+  const double turn = direction_ * curvature_1_m_ > 0.0 ? -left : left;
+  return turn < -kRounding ? turn + kTurn : std::max(0.0, turn);
+}
 
 double stopping_distance_m(const ObstacleParams& params, double speed_m_s, double age_s) {
   const double speed = std::abs(speed_m_s);
@@ -19,24 +105,24 @@ double stopping_distance_m(const ObstacleParams& params, double speed_m_s, doubl
          params.margin_m;
 }
 
-double way_to_obstacle_m(const LaserPoints& points, const ArcSweep& sweep, double within_m) {
+double distance_to_obstacle_m(const LaserPoints& points, const ArcSweep& sweep, double within_m) {
   const double reach_m = sweep.reach_m(within_m);
-  double nearest = kNever;
-  double before = kNever;  // of the neighbouring beam
+  double nearest = kNoContact;
+  double before = kNoContact;  // of the neighbouring beam
   for (const Eigen::Vector2d& p_body : points.p_body) {
     const bool near = p_body.squaredNorm() <= reach_m * reach_m;  // not where there is nothing: NaN
-    const double way = near ? sweep.way_m(p_body) : kNever;
-    nearest = std::min(nearest, std::max(before, way));
-    before = way;
+    const double distance = near ? sweep.distance_m(p_body) : kNoContact;
+    nearest = std::min(nearest, std::max(before, distance));
+    before = distance;
   }
-  return nearest < within_m ? nearest : kNever;
+  return nearest < within_m ? nearest : kNoContact;
 }
 
-double way_to_nearest_m(const std::vector<Eigen::Vector2d>& p_body, const ArcSweep& sweep,
-                        double within_m) {
-  double nearest = kNever;
-  for (const Eigen::Vector2d& p : p_body) nearest = std::min(nearest, sweep.way_m(p));
-  return nearest < within_m ? nearest : kNever;
+double distance_to_nearest_m(const std::vector<Eigen::Vector2d>& p_body, const ArcSweep& sweep,
+                             double within_m) {
+  double nearest = kNoContact;
+  for (const Eigen::Vector2d& p : p_body) nearest = std::min(nearest, sweep.distance_m(p));
+  return nearest < within_m ? nearest : kNoContact;
 }
 
 }  // namespace adit

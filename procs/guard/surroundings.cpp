@@ -10,10 +10,10 @@
 namespace adit {
 namespace {
 
-std::string obstacle_text(const std::string& what, double way_m, double stopping_m,
+std::string obstacle_text(const std::string& what, double distance_m, double stopping_m,
                           const ArcMotion& motion, const char* arc) {
   const char* where = direction_of(motion) > 0 ? " m ahead on " : " m behind on ";
-  return what + decimal_text(way_m, 2) + where + arc + ", stopping takes " +
+  return what + decimal_text(distance_m, 2) + where + arc + ", stopping takes " +
          decimal_text(stopping_m, 2) + " m";
 }
 
@@ -25,37 +25,39 @@ Surroundings::Surroundings(const GuardParams& params)
       timeout_s_(params.timeout_s),
       front_("laser front", params.lasers.front),
       rear_("laser rear", params.lasers.rear),
-      flanks_(params.vehicle, params.lasers) {}
+      flank_memory_(params.vehicle, params.lasers) {}
 
-void Surroundings::hear(LaserId laser, const TiltReading& reading, std::int64_t at_us) {
-  of(laser).hear(reading, at_us);
+void Surroundings::receive(LaserId laser, const TiltReading& reading, std::int64_t at_us) {
+  monitor_of(laser).receive(reading, at_us);
 }
 
-void Surroundings::hear(LaserId laser, const LaserScan& scan, std::int64_t at_us,
-                        const Eigen::Vector3d& up_body) {
-  if (of(laser).hear(scan, at_us, up_body, vehicle_)) flanks_.see(laser, of(laser).points());
+void Surroundings::receive(LaserId laser, const LaserScan& scan, std::int64_t at_us,
+                           const Eigen::Vector3d& up_body) {
+  if (monitor_of(laser).receive(scan, at_us, up_body, vehicle_))
+    flank_memory_.observe(laser, monitor_of(laser).points());
 }
 
 std::optional<std::string> Surroundings::obstacle_on(const ArcMotion& motion, const char* arc,
                                                      std::int64_t now_us) const {
   if (direction_of(motion) == 0) return std::nullopt;
   const ArcSweep sweep(vehicle_, motion, obstacle_.side_margin_m);
-  for (const LaserWatch* laser : {&front_, &rear_}) {
+  for (const LaserMonitor* laser : {&front_, &rear_}) {
     const auto age_s = laser->age_s(now_us);
     if (!age_s || *age_s > timeout_s_) continue;  // where it was, the vehicle is no more
     const double stopping_m = stopping_distance_m(obstacle_, motion.speed_m_s, *age_s);
-    const double way_m = way_to_obstacle_m(laser->points(), sweep, stopping_m);
-    if (!std::isinf(way_m)) return obstacle_text("obstacle ", way_m, stopping_m, motion, arc);
+    const double distance_m = distance_to_obstacle_m(laser->points(), sweep, stopping_m);
+    if (!std::isinf(distance_m))
+      return obstacle_text("obstacle ", distance_m, stopping_m, motion, arc);
   }
   const double stopping_m = stopping_distance_m(obstacle_, motion.speed_m_s, 0.0);
-  const double way_m = way_to_nearest_m(flanks_.p_body(), sweep, stopping_m);
-  if (!std::isinf(way_m))
-    return obstacle_text("remembered obstacle ", way_m, stopping_m, motion, arc);
+  const double distance_m = distance_to_nearest_m(flank_memory_.p_body(), sweep, stopping_m);
+  if (!std::isinf(distance_m))
+    return obstacle_text("remembered obstacle ", distance_m, stopping_m, motion, arc);
   return std::nullopt;
 }
 
-std::optional<std::string> Surroundings::blindness_on(const ArcMotion& motion,
-                                                      std::int64_t now_us) const {
+std::optional<std::string> Surroundings::laser_fault_on(const ArcMotion& motion,
+                                                        std::int64_t now_us) const {
   const int direction = direction_of(motion);
   if (direction == 0) return std::nullopt;
   return (direction > 0 ? front_ : rear_).fault(now_us, timeout_s_);

@@ -9,26 +9,25 @@
 #include <Eigen/Core>
 
 #include "common/geometry/pose2.hpp"
-#include "common/sensing/laser_id.hpp"
 #include "common/sensing/laser_scan.hpp"
-#include "common/sensing/tilt_reading.hpp"
-#include "procs/guard/arc_sweep.hpp"
+#include "common/sensing/laser_tilt.hpp"
 #include "procs/guard/flank_memory.hpp"
 #include "procs/guard/guard_params.hpp"
-#include "procs/guard/laser_watch.hpp"
+#include "procs/guard/laser_monitor.hpp"
+#include "procs/guard/obstacle_check.hpp"
 
 namespace adit {
 
 /// What is around the vehicle, as both lasers say it, and whether something is in its way. All
-/// times are by SteadyTime.
+/// times are by MonotonicTime.
 class Surroundings {
  public:
   explicit Surroundings(const GuardParams& params);
 
-  void hear(LaserId laser, const TiltReading& reading, std::int64_t at_us);
-  void hear(LaserId laser, const LaserScan& scan, std::int64_t at_us,
-            const Eigen::Vector3d& up_body);
-  void move_to(const Pose2& T_odom_body) { flanks_.move_to(T_odom_body); }
+  void receive(LaserId laser, const TiltReading& reading, std::int64_t at_us);
+  void receive(LaserId laser, const LaserScan& scan, std::int64_t at_us,
+               const Eigen::Vector3d& up_body);
+  void move_to(const Pose2& T_odom_body) { flank_memory_.move_to(T_odom_body); }
 
   /// Something nearer than it takes to stop; `arc` is for people. Nothing for a motion of no speed.
   [[nodiscard]] std::optional<std::string> obstacle_on(const ArcMotion& motion, const char* arc,
@@ -36,18 +35,20 @@ class Surroundings {
 
   /// Why the laser that looks ahead, or behind in reverse, is not to be relied on. Nothing for a
   /// motion of no speed.
-  [[nodiscard]] std::optional<std::string> blindness_on(const ArcMotion& motion,
-                                                        std::int64_t now_us) const;
+  [[nodiscard]] std::optional<std::string> laser_fault_on(const ArcMotion& motion,
+                                                          std::int64_t now_us) const;
 
  private:
-  [[nodiscard]] LaserWatch& of(LaserId laser) { return laser == LaserId::kFront ? front_ : rear_; }
+  [[nodiscard]] LaserMonitor& monitor_of(LaserId laser) {
+    return laser == LaserId::kFront ? front_ : rear_;
+  }
 
   Vehicle vehicle_;
   ObstacleParams obstacle_;
   double timeout_s_;
-  LaserWatch front_;
-  LaserWatch rear_;
-  FlankMemory flanks_;
+  LaserMonitor front_;
+  LaserMonitor rear_;
+  FlankMemory flank_memory_;
 };
 
 }  // namespace adit

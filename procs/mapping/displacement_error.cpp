@@ -16,49 +16,51 @@ double duration_s(const ScanMatch& match) { return seconds(match.utime - match.r
 
 }  // namespace
 
-void DisplacementError::Part::move(const Eigen::Matrix3d& Ad) {
+void DisplacementError::ErrorCovariance::move(const Eigen::Matrix3d& Ad) {
   independent = Ad * independent * Ad.transpose();
   common_root = Ad * common_root;
 }
 
-void DisplacementError::Part::add(const Part& other) {
+void DisplacementError::ErrorCovariance::add(const ErrorCovariance& other) {
   independent += other.independent;
   common_root += other.common_root;
 }
 
-Eigen::Matrix3d DisplacementError::Part::sum() const {
+Eigen::Matrix3d DisplacementError::ErrorCovariance::sum() const {
   return independent + common_root * common_root.transpose();
 }
 
-void DisplacementError::restart() {
-  known_ = {};
-  stretch_ = {};
+void DisplacementError::reset() {
+  accumulated_ = {};
+  unobserved_ = {};
 }
 
 void DisplacementError::add_step(const Pose2& T_last_body, const ScanMatch& match) {
   const Eigen::Matrix3d Ad = adjoint(T_last_body.inverse());
-  known_.move(Ad);
-  stretch_.move(Ad);
+  accumulated_.move(Ad);
+  unobserved_.move(Ad);
   if (match.status == ScanMatch::Status::kMatched && match.degenerate.empty()) {
-    end_stretch();
+    end_unobserved_stretch();
     return;
   }
-  stretch_.add(unmeasured(match));
-  stretch_m_ += T_last_body.translation().norm();
-  stretch_lost_ += match.status == ScanMatch::Status::kLost ? 1 : 0;
+  unobserved_.add(unobserved_error(match));
+  unobserved_m_ += T_last_body.translation().norm();
+  unobserved_lost_ += match.status == ScanMatch::Status::kLost ? 1 : 0;
 }
 
-void DisplacementError::end_stretch() {
-  if (stretch_m_ > params_.hold_m || stretch_lost_ > params_.hold_lost) known_.add(stretch_);
-  stretch_ = {};
-  stretch_m_ = 0.0;
-  stretch_lost_ = 0;
+void DisplacementError::end_unobserved_stretch() {
+  if (unobserved_m_ > params_.unobserved_max_m || unobserved_lost_ > params_.lost_max_bridged)
+    accumulated_.add(unobserved_);
+  unobserved_ = {};
+  unobserved_m_ = 0.0;
+  unobserved_lost_ = 0;
 }
 
-DisplacementError::Part DisplacementError::unmeasured(const ScanMatch& match) const {
-  Part part;
+DisplacementError::ErrorCovariance DisplacementError::unobserved_error(
+    const ScanMatch& match) const {
+  ErrorCovariance part;
   if (match.status == ScanMatch::Status::kMatched) {
-    for (const auto& direction : match.degenerate) part.add(open(direction, match));
+    for (const auto& direction : match.degenerate) part.add(unconstrained_error(direction, match));
     return part;
   }
   // The pose is the prediction, by a speed or, where a covariance says better, by odometry.
@@ -75,9 +77,9 @@ DisplacementError::Part DisplacementError::unmeasured(const ScanMatch& match) co
   return part;
 }
 
-DisplacementError::Part DisplacementError::open(const DegenerateDirection& direction,
-                                                const ScanMatch& match) const {
-  Part part;
+DisplacementError::ErrorCovariance DisplacementError::unconstrained_error(
+    const DegenerateDirection& direction, const ScanMatch& match) const {
+  ErrorCovariance part;
   const double lever = match.lever_arm_m;
   const Eigen::Vector3d& v = direction.direction;
   const Eigen::Vector3d u = v.cwiseQuotient(Eigen::Vector3d(1.0, 1.0, lever));
@@ -92,18 +94,18 @@ DisplacementError::Part DisplacementError::open(const DegenerateDirection& direc
   return part;
 }
 
-void DisplacementError::add_way(double distance_m, double turn_rad) {
+void DisplacementError::add_travel(double distance_m, double turn_rad) {
   // A wall is the mean of the scans that saw it: the fewer they are, the less it holds.
-  const double way = distance_m * std::max(1.0, distance_m / params_.dense_m);
-  const double xy = square(params_.drift_m_per_sqrt_m) * way;
-  const double theta = square(params_.drift_rad_per_sqrt_m) * way +
+  const double effective_distance_m = distance_m * std::max(1.0, distance_m / params_.dense_m);
+  const double xy = square(params_.drift_m_per_sqrt_m) * effective_distance_m;
+  const double theta = square(params_.drift_rad_per_sqrt_m) * effective_distance_m +
                        square(params_.drift_rad_per_sqrt_rad) * std::abs(turn_rad);
-  known_.independent.diagonal() += Eigen::Vector3d(xy, xy, theta);
+  accumulated_.independent.diagonal() += Eigen::Vector3d(xy, xy, theta);
 }
 
 Eigen::Matrix3d DisplacementError::covariance() const {
-  Part all = known_;
-  all.add(stretch_);
+  ErrorCovariance all = accumulated_;
+  all.add(unobserved_);
   Eigen::Matrix3d covariance = all.sum();
   covariance.diagonal() +=
       Eigen::Vector3d(square(params_.floor_m), square(params_.floor_m), square(params_.floor_rad));

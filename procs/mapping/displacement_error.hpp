@@ -19,9 +19,9 @@ struct DisplacementErrorParams {
   double dense_m = 0.25;      ///< scans farther apart draw the walls more faintly, and drift more
   double speed_sd_m_s = 0.3;  ///< of a motion that nothing measured: a last speed was assumed
   double turn_sd_rad_s = 0.3;
-  double hold_m =
-      1.0;            ///< walls seen before an unmeasured stretch shorter than this are seen after
-  int hold_lost = 2;  ///< and so are they after as many lost scans
+  double unobserved_max_m =
+      1.0;  ///< walls seen before an unmeasured stretch shorter than this are seen after
+  int lost_max_bridged = 2;  ///< and so are they after as many lost scans
 
   template <class V>
   void visit(V& v) {
@@ -33,8 +33,8 @@ struct DisplacementErrorParams {
     v("dense_m", dense_m, above(0.0));
     v("speed_sd_m_s", speed_sd_m_s, within(0.001, 100.0));
     v("turn_sd_rad_s", turn_sd_rad_s, within(0.001, 100.0));
-    v("hold_m", hold_m, within(0.0, 100.0));
-    v("hold_lost", hold_lost, within(0, 1000));
+    v("unobserved_max_m", unobserved_max_m, within(0.0, 100.0));
+    v("lost_max_bridged", lost_max_bridged, within(0, 1000));
   }
 };
 
@@ -50,38 +50,39 @@ class DisplacementError {
   explicit DisplacementError(const DisplacementErrorParams& params) : params_(params) {}
 
   /// The displacement counts from here.
-  void restart();
+  void reset();
 
   /// The body made this step, ending with `match`.
   void add_step(const Pose2& T_last_body, const ScanMatch& match);
 
   /// The way from one scan to the next that was used. Apart from the steps, since a body at rest
   /// jitters but does not drift.
-  void add_way(double distance_m, double turn_rad);
+  void add_travel(double distance_m, double turn_rad);
 
   /// Of (x, y, θ) in the present body frame [m, m, rad]. Positive definite.
   [[nodiscard]] Eigen::Matrix3d covariance() const;
 
  private:
   /// A covariance: what is independent from step to step, and the root of what is common to all.
-  struct Part {
+  struct ErrorCovariance {
     Eigen::Matrix3d independent = Eigen::Matrix3d::Zero();
     Eigen::Matrix3d common_root = Eigen::Matrix3d::Zero();
 
     void move(const Eigen::Matrix3d& Ad);
-    void add(const Part& other);
+    void add(const ErrorCovariance& other);
     [[nodiscard]] Eigen::Matrix3d sum() const;
   };
 
-  [[nodiscard]] Part unmeasured(const ScanMatch& match) const;
-  [[nodiscard]] Part open(const DegenerateDirection& direction, const ScanMatch& match) const;
-  void end_stretch();
+  [[nodiscard]] ErrorCovariance unobserved_error(const ScanMatch& match) const;
+  [[nodiscard]] ErrorCovariance unconstrained_error(const DegenerateDirection& direction,
+                                                    const ScanMatch& match) const;
+  void end_unobserved_stretch();
 
   DisplacementErrorParams params_;
-  Part known_;
-  Part stretch_;  ///< of the unmeasured stretch that goes on
-  double stretch_m_ = 0.0;
-  int stretch_lost_ = 0;
+  ErrorCovariance accumulated_;
+  ErrorCovariance unobserved_;  ///< of the unmeasured stretch that goes on
+  double unobserved_m_ = 0.0;
+  int unobserved_lost_ = 0;
 };
 
 }  // namespace adit

@@ -20,10 +20,11 @@ LocalMapBuilder::LocalMapBuilder(const LocalMapBuilderParams& params, int first_
 
 std::optional<LocalMap> LocalMapBuilder::add(const std::string& channel, const LaserScan& scan,
                                              const ScanMatch& match) {
-  if (match.status == ScanMatch::Status::kRefused) return std::nullopt;
+  if (match.status == ScanMatch::Status::kRejected) return std::nullopt;
   const bool first = match.status == ScanMatch::Status::kFirstScan && match.reference_utime == 0;
-  const bool new_odom = first || (odom_utime_ && *odom_utime_ != match.odom_utime);
-  odom_utime_ = match.odom_utime;
+  const bool new_odom =
+      first || (odom_epoch_utime_ && *odom_epoch_utime_ != match.odom_epoch_utime);
+  odom_epoch_utime_ = match.odom_epoch_utime;
   std::optional<LocalMap> finished;
   if (new_odom) finished = finish();
 
@@ -35,14 +36,15 @@ std::optional<LocalMap> LocalMapBuilder::add(const std::string& channel, const L
   }
   T_odom_body_ = match.T_odom_body;
   if (match.status == ScanMatch::Status::kLost) return finished;
-  const bool due = first_is_due(scan.utime);
-  if (!due && !far_enough(channel, T_odom_body_)) return finished;
-  keep(channel, scan, T_odom_body_);
-  if (!due && way_m_ < params_.length_m && turn_rad_ < params_.turn_max_rad) return finished;
+  const bool due = first_map_due(scan.utime);
+  if (!due && !moved_enough(channel, T_odom_body_)) return finished;
+  store_scan(channel, scan, T_odom_body_);
+  if (!due && distance_travelled_m_ < params_.length_m && turn_rad_ < params_.turn_max_rad)
+    return finished;
 
   finished = end();
   begin(T_odom_body_);
-  keep(channel, scan, T_odom_body_);
+  store_scan(channel, scan, T_odom_body_);
   return finished;
 }
 
@@ -56,7 +58,7 @@ std::optional<LocalMap> LocalMapBuilder::finish() {
   return finished;
 }
 
-void LocalMapBuilder::replace_last(const UncertainPose& T_before_last) {
+void LocalMapBuilder::replace_last_map(const UncertainPose& T_before_last) {
   --map_.id;
   const UncertainPose T_last_local{map_.T_previous_local, map_.information.inverse()};
   const UncertainPose T_before_local = T_before_last * T_last_local;
@@ -64,28 +66,28 @@ void LocalMapBuilder::replace_last(const UncertainPose& T_before_last) {
   map_.information = T_before_local.covariance.inverse();
 }
 
-bool LocalMapBuilder::first_is_due(std::int64_t utime) const {
+bool LocalMapBuilder::first_map_due(std::int64_t utime) const {
   return continues_ && params_.first_s > 0.0 && !map_.scans.empty() &&
          seconds(utime - map_.utime) >= params_.first_s;
 }
 
-bool LocalMapBuilder::far_enough(const std::string& channel, const Pose2& T_odom_body) const {
-  const auto last = last_kept_.find(channel);
-  if (last == last_kept_.end()) return true;
+bool LocalMapBuilder::moved_enough(const std::string& channel, const Pose2& T_odom_body) const {
+  const auto last = last_stored_.find(channel);
+  if (last == last_stored_.end()) return true;
   const Pose2 moved = between(last->second, T_odom_body);
-  return moved.translation().norm() >= params_.keep_distance_m ||
-         std::abs(moved.theta) >= params_.keep_angle_rad;
+  return moved.translation().norm() >= params_.keyframe_distance_m ||
+         std::abs(moved.theta) >= params_.keyframe_angle_rad;
 }
 
-void LocalMapBuilder::keep(const std::string& channel, const LaserScan& scan,
-                           const Pose2& T_odom_body) {
-  const Pose2 moved = between(T_odom_kept_, T_odom_body);
+void LocalMapBuilder::store_scan(const std::string& channel, const LaserScan& scan,
+                                 const Pose2& T_odom_body) {
+  const Pose2 moved = between(T_odom_stored_, T_odom_body);
   const double distance = moved.translation().norm();
-  error_.add_way(distance, moved.theta);
-  way_m_ += distance;
+  error_.add_travel(distance, moved.theta);
+  distance_travelled_m_ += distance;
   turn_rad_ += std::abs(moved.theta);
-  T_odom_kept_ = T_odom_body;
-  last_kept_[channel] = T_odom_body;
+  T_odom_stored_ = T_odom_body;
+  last_stored_[channel] = T_odom_body;
   map_.end_utime = scan.utime;
   if (map_.scans.empty()) {
     map_.utime = scan.utime;
@@ -97,11 +99,11 @@ void LocalMapBuilder::keep(const std::string& channel, const LaserScan& scan,
 }
 
 void LocalMapBuilder::begin(const Pose2& T_odom_local) {
-  T_odom_kept_ = T_odom_local;
-  last_kept_.clear();
-  way_m_ = 0.0;
+  T_odom_stored_ = T_odom_local;
+  last_stored_.clear();
+  distance_travelled_m_ = 0.0;
   turn_rad_ = 0.0;
-  error_.restart();
+  error_.reset();
 }
 
 LocalMap LocalMapBuilder::end() {

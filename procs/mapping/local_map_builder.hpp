@@ -8,27 +8,27 @@
 #include <string>
 
 #include "common/config/bounds.hpp"
-#include "common/local_map/local_map.hpp"
 #include "common/sensing/scan_match.hpp"
-#include "procs/mapping/association/way.hpp"
+#include "common/types/local_map.hpp"
+#include "procs/mapping/association/odometry_chain.hpp"
 #include "procs/mapping/displacement_error.hpp"
 
 namespace adit {
 
 struct LocalMapBuilderParams {
-  double length_m = 5.0;         ///< way in a local map (paper, section 2.1)
-  double turn_max_rad = 6.3;     ///< and turning, after which it is finished, however short
-  double keep_distance_m = 0.1;  ///< a scan is kept after this motion of its laser
-  double keep_angle_rad = 0.1;   ///< or this turn
-  double first_s = 0.5;          ///< after which the first of a later session is finished, at rest
+  double length_m = 5.0;             ///< way in a local map (paper, section 2.1)
+  double turn_max_rad = 6.3;         ///< and turning, after which it is finished, however short
+  double keyframe_distance_m = 0.1;  ///< a scan is kept after this motion of its laser
+  double keyframe_angle_rad = 0.1;   ///< or this turn
+  double first_s = 0.5;  ///< after which the first of a later session is finished, at rest
   DisplacementErrorParams error;
 
   template <class V>
   void visit(V& v) {
     v("length_m", length_m, within(0.1, 1000.0));
     v("turn_max_rad", turn_max_rad, within(0.1, 1000.0));
-    v("keep_distance_m", keep_distance_m, at_least(0.0));
-    v("keep_angle_rad", keep_angle_rad, at_least(0.0));
+    v("keyframe_distance_m", keyframe_distance_m, at_least(0.0));
+    v("keyframe_angle_rad", keyframe_angle_rad, at_least(0.0));
     v("first_s", first_s, within(0.0, 60.0));
     v("error", error);
   }
@@ -56,7 +56,7 @@ class LocalMapBuilder {
 
   /// The local map that was finished last is not kept: the one at hand takes its place, and hangs
   /// on the one before, from which this is where it begins.
-  void replace_last(const UncertainPose& T_before_last);
+  void replace_last_map(const UncertainPose& T_before_last);
 
   /// The local map at hand; without scans before the first and after `finish`.
   [[nodiscard]] const LocalMap& current() const { return map_; }
@@ -65,20 +65,20 @@ class LocalMapBuilder {
   [[nodiscard]] Eigen::Matrix3d covariance_local_body() const { return error_.covariance(); }
 
  private:
-  [[nodiscard]] bool first_is_due(std::int64_t utime) const;
-  [[nodiscard]] bool far_enough(const std::string& channel, const Pose2& T_odom_body) const;
-  void keep(const std::string& channel, const LaserScan& scan, const Pose2& T_odom_body);
+  [[nodiscard]] bool first_map_due(std::int64_t utime) const;
+  [[nodiscard]] bool moved_enough(const std::string& channel, const Pose2& T_odom_body) const;
+  void store_scan(const std::string& channel, const LaserScan& scan, const Pose2& T_odom_body);
   void begin(const Pose2& T_odom_local);
   LocalMap end();
 
   LocalMapBuilderParams params_;
   DisplacementError error_;
   LocalMap map_;
-  std::optional<std::int64_t> odom_utime_;  ///< when the odom frame began
-  Pose2 T_odom_body_;                       ///< of the last match
-  Pose2 T_odom_kept_;                       ///< of the last kept scan, of whichever laser
-  std::map<std::string, Pose2> last_kept_;  ///< T_odom_body of the last kept scan, by channel
-  double way_m_ = 0.0;
+  std::optional<std::int64_t> odom_epoch_utime_;  ///< when the odom frame began
+  Pose2 T_odom_body_;                             ///< of the last match
+  Pose2 T_odom_stored_;                           ///< of the last kept scan, of whichever laser
+  std::map<std::string, Pose2> last_stored_;      ///< T_odom_body of the last kept scan, by channel
+  double distance_travelled_m_ = 0.0;
   double turn_rad_ = 0.0;
   bool continues_ = false;  ///< the local map at hand is the first of a later session
 };

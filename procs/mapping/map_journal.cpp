@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "common/messages/association.hpp"
 #include "common/messages/codec.hpp"
-#include "common/messages/local_map_pieces.hpp"
+#include "common/messages/mapping/association.hpp"
+#include "common/messages/mapping/local_map.hpp"
 
 namespace adit {
 namespace {
@@ -24,18 +24,18 @@ class Collector {
   explicit Collector(StoredMap& stored) : stored_(stored) {}
 
   void operator()(const JournalRecord& record) {
-    if (record.kind == kLocalMap) add_piece(record.bytes);
+    if (record.kind == kLocalMap) add_fragment(record.bytes);
     if (record.kind == kPart) add_part(record.bytes);
     if (record.kind == kAssociation) add_association(record.bytes);
   }
 
  private:
-  void add_piece(std::span<const std::uint8_t> bytes) {
+  void add_fragment(std::span<const std::uint8_t> bytes) {
     const auto message = decode<local_map_t>(bytes);
     if (!message) return;
-    const auto piece = from_message(*message);
-    if (!piece) return;
-    auto map = assembler_.add(*piece);
+    const auto fragment = from_message(*message);
+    if (!fragment) return;
+    auto map = assembler_.add(*fragment);
     if (map && map->id == static_cast<int>(stored_.maps.size())) {
       stored_.maps.push_back(std::move(*map));
       stored_.unfinished.reset();
@@ -47,13 +47,13 @@ class Collector {
   void add_part(std::span<const std::uint8_t> bytes) {
     const auto message = decode<local_map_t>(bytes);
     if (!message) return;
-    const auto refusable = from_message(*message);
-    if (!refusable || refusable->part.id != static_cast<int>(stored_.maps.size())) return;
-    LocalMapPiece read = *refusable;
-    if (read.piece == 0) {
+    const auto decoded = from_message(*message);
+    if (!decoded || decoded->part.id != static_cast<int>(stored_.maps.size())) return;
+    LocalMapFragment read = *decoded;
+    if (read.fragment == 0) {
       stored_.unfinished = std::move(read.part);
       parts_ = 1;
-    } else if (stored_.unfinished && read.piece == parts_ &&
+    } else if (stored_.unfinished && read.fragment == parts_ &&
                read.part.utime == stored_.unfinished->utime) {
       LocalMap& map = *stored_.unfinished;
       map.end_utime = read.part.end_utime;
@@ -67,18 +67,18 @@ class Collector {
     if (!message) return;
     const auto association = from_message(*message);
     if (!association) return;
-    const int closure = association->closure.id;
-    if (closure > closures_ ||
-        association->closure.newer_map >= static_cast<int>(stored_.maps.size())) {
+    const int loop_closure = association->loop_closure.id;
+    if (loop_closure > loop_closures_ ||
+        association->loop_closure.newer_map >= static_cast<int>(stored_.maps.size())) {
       return;
     }
-    closures_ = std::max(closures_, closure + 1);
+    loop_closures_ = std::max(loop_closures_, loop_closure + 1);
     stored_.associations.push_back(*association);
   }
 
   StoredMap& stored_;
-  LocalMapAssembler assembler_;
-  int closures_ = 0;
+  LocalMapReassembler assembler_;
+  int loop_closures_ = 0;
   int parts_ = 0;  ///< of the unfinished local map
 };
 
@@ -87,8 +87,8 @@ class Collector {
 MapJournal::MapJournal(const std::filesystem::path& path) : journal_(path, Collector(restored_)) {}
 
 void MapJournal::append(const MapUpdate& update) {
-  for (const LocalMapPiece& piece : divide(update.map)) {
-    journal_.append(kLocalMap, encode(to_message(piece)));
+  for (const LocalMapFragment& fragment : split(update.map)) {
+    journal_.append(kLocalMap, encode(to_message(fragment)));
   }
   for (const Association& association : update.associations) {
     journal_.append(kAssociation, encode(to_message(association)));
@@ -98,7 +98,7 @@ void MapJournal::append(const MapUpdate& update) {
 
 void MapJournal::append_unfinished(const LocalMap& map) {
   if (map.id != parts_.id || map.utime != parts_.utime) parts_ = {map.id, map.utime, 0, 0};
-  LocalMapPiece part{map, parts_.parts + 1, parts_.parts};
+  LocalMapFragment part{map, parts_.parts + 1, parts_.parts};
   auto& scans = part.part.scans;
   scans.erase(scans.begin(), scans.begin() + static_cast<std::ptrdiff_t>(parts_.scans));
   journal_.append(kPart, encode(to_message(part)));

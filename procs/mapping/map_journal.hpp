@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "common/journal/journal.hpp"
-#include "common/local_map/association.hpp"
-#include "common/local_map/local_map.hpp"
+#include "common/types/association.hpp"
+#include "common/types/local_map.hpp"
 #include "procs/mapping/mapping.hpp"
 
 namespace adit {

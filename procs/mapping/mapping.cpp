@@ -10,7 +10,7 @@ namespace adit {
 namespace {
 
 // How loosely a session hangs on the one before.
-constexpr double kElsewhereM = 1000.0;
+constexpr double kUnknownPoseM = 1000.0;
 constexpr double kGapM = 1.0;
 constexpr double kGapShare = 0.1;
 constexpr double kGapRad = 0.2;
@@ -26,9 +26,9 @@ constexpr int kThorough = 4;
 // The newest measurements, whose likelihood is monitored.
 constexpr int kMapsMonitored = 4;
 // Share of its walls that a local map has to have in common with others to show nothing new.
-constexpr double kNothingNew = 0.98;
+constexpr double kRedundantShare = 0.98;
 // How far from where it is believed to be a map is given the benefit of the doubt.
-const Eigen::Vector3d kSurpriseSd(0.2, 0.2, 0.02);
+const Eigen::Vector3d kInconsistencySd(0.2, 0.2, 0.02);
 
 bool begins_session(const LocalMap& map, const std::vector<LocalMap>& before) {
   return !before.empty() && before.back().session != map.session;
@@ -47,10 +47,11 @@ std::span<const T> up_to(int map, const std::vector<T>& all) {
   return std::span(all).first(static_cast<std::size_t>(map) + 1);
 }
 
-void sort_by_likelihood(std::vector<Closure>& closures) {
-  std::stable_sort(closures.begin(), closures.end(), [](const Closure& a, const Closure& b) {
-    return a.alternatives.front().log_likelihood > b.alternatives.front().log_likelihood;
-  });
+void sort_by_likelihood(std::vector<LoopClosure>& loop_closures) {
+  std::stable_sort(
+      loop_closures.begin(), loop_closures.end(), [](const LoopClosure& a, const LoopClosure& b) {
+        return a.alternatives.front().log_likelihood > b.alternatives.front().log_likelihood;
+      });
 }
 
 }  // namespace
@@ -62,11 +63,11 @@ Mapping::Mapping(const MappingParams& params)
       association_(params.association) {}
 
 std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
-  for (LocalMap& map : stored.maps) enter(std::move(map));
+  for (LocalMap& map : stored.maps) append_map(std::move(map));
   if (!maps_.empty()) association_.restore(stored.associations);
   revision_ = static_cast<std::int64_t>(maps_.size());
   std::optional<MapUpdate> update;
-  if (stored.unfinished) update = take(std::move(*stored.unfinished));
+  if (stored.unfinished) update = add_local_map(std::move(*stored.unfinished));
   if (maps_.empty()) return update;
   builder_ =
       LocalMapBuilder(builder_params(params_), maps_.back().id + 1, maps_.back().session + 1);
@@ -76,59 +77,60 @@ std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
 }
 
 /// Whether this is the odom frame of the scan before, or of the end of what was restored.
-void Mapping::note_odom(const ScanMatch& match) {
-  if (match.status == ScanMatch::Status::kRefused) return;
-  bool anew = match.status == ScanMatch::Status::kFirstScan && match.reference_utime == 0;
-  if (odom_utime_) {
-    anew |= *odom_utime_ != match.odom_utime;
+void Mapping::update_odom(const ScanMatch& match) {
+  if (match.status == ScanMatch::Status::kRejected) return;
+  bool new_frame = match.status == ScanMatch::Status::kFirstScan && match.reference_utime == 0;
+  if (odom_epoch_utime_) {
+    new_frame |= *odom_epoch_utime_ != match.odom_epoch_utime;
   } else if (!maps_.empty()) {
-    anew |= match.odom_utime > maps_.back().end_utime;
+    new_frame |= match.odom_epoch_utime > maps_.back().end_utime;
   }
-  odom_utime_ = match.odom_utime;
-  if (anew) odom_continues_ = false;
-  if (anew && (!maps_.empty() || !builder_.current().scans.empty())) odom_ = Odom::kNew;
-  if (!anew && odom_ == Odom::kRestored) odom_ = Odom::kKnown;
+  odom_epoch_utime_ = match.odom_epoch_utime;
+  if (new_frame) odom_continues_ = false;
+  if (new_frame && (!maps_.empty() || !builder_.current().scans.empty())) odom_ = Odom::kNew;
+  if (!new_frame && odom_ == Odom::kRestored) odom_ = Odom::kKnown;
 }
 
 std::optional<MapUpdate> Mapping::add(const std::string& channel, const LaserScan& scan,
                                       const ScanMatch& match) {
-  note_odom(match);
+  update_odom(match);
   auto map = builder_.add(channel, scan, match);
   if (!map) return std::nullopt;
-  return take(std::move(*map));
+  return add_local_map(std::move(*map));
 }
 
 std::optional<MapUpdate> Mapping::finish() {
   auto map = builder_.finish();
   if (!map) return std::nullopt;
-  return take(std::move(*map));
+  return add_local_map(std::move(*map));
 }
 
-MapUpdate Mapping::take(LocalMap map) {
+MapUpdate Mapping::add_local_map(LocalMap map) {
   const bool begins = begins_session(map, maps_);
   if (begins) link_session(map);
   if (begins && map.session == builder_.current().session) odom_ = Odom::kKnown;
-  std::optional<LazyAssociation::Mark> before;
-  if (params_.per_place_max > 0 && !begins) before = association_.mark();
-  found_.reset();
+  std::optional<LazyAssociation::Checkpoint> before;
+  if (params_.maps_per_place_max > 0 && !begins) before = association_.checkpoint();
+  localization_.reset();
   MapUpdate update;
   update.map = map;
-  enter(std::move(map));
+  append_map(std::move(map));
   const std::int64_t utime = update.map.end_utime;
   const int newest = update.map.id;
-  update.associations = association_.decide(closures(newest, association_.trial(), false), utime);
+  update.associations =
+      association_.decide(loop_closures(newest, association_.trial(), false), utime);
   const auto revised = association_.revise(*this, utime);
   update.associations.insert(update.associations.end(), revised.begin(), revised.end());
   ++revision_;
   covariance_ = covariance_in_older_sessions();
-  if (before && shows_nothing_new(update)) forget_newest(update, std::move(*before));
+  if (before && is_redundant(update)) discard_newest(update, std::move(*before));
   return update;
 }
 
 /// Found on as many older maps as are to be kept, the likeliest of all that were proposed among
 /// them, and nothing decided otherwise for it. A closure that is left out against so many says
 /// nothing new of the place. The next local map has to be the one after it, of the same odom.
-bool Mapping::shows_nothing_new(const MapUpdate& update) const {
+bool Mapping::is_redundant(const MapUpdate& update) const {
   const LocalMap& next = builder_.current();
   if (next.session != update.map.session || next.id != update.map.id + 1) return false;
   const std::vector<Association>& decided = update.associations;
@@ -137,34 +139,34 @@ bool Mapping::shows_nothing_new(const MapUpdate& update) const {
       decided, [](const Association& a) { return a.chosen != Association::kNone; });
   const bool all_proposed = std::ranges::all_of(
       decided, [](const Association& a) { return a.action == Association::Action::kProposed; });
-  if (!found_first || !all_proposed || found < params_.per_place_max) return false;
-  const std::vector<Pose2>& poses = association_.belief().T_map_local;
+  if (!found_first || !all_proposed || found < params_.maps_per_place_max) return false;
+  const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
   std::vector<MapExtent::Placed> older;
   for (std::size_t k = 0; k + 1 < maps_.size(); ++k) {
     older.push_back({&extents_[k], between(poses.back(), poses[k])});
   }
-  return extents_.back().seen_by(older) >= kNothingNew;
+  return extents_.back().covered_by(older) >= kRedundantShare;
 }
 
 /// The next local map hangs on the last one that is kept by all that is known of where the body is.
 /// That has what the graph says between the two in it, which the closures of the next one meet
 /// again; as these hang on maps that are known against each other far better than that, it makes
 /// nothing surer than it is.
-void Mapping::forget_newest(MapUpdate& update, LazyAssociation::Mark before) {
-  const std::vector<Pose2>& poses = association_.belief().T_map_local;
+void Mapping::discard_newest(MapUpdate& update, LazyAssociation::Checkpoint before) {
+  const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
   const Association& surest = update.associations.front();
   const auto chosen = static_cast<std::size_t>(surest.chosen);
-  found_ = {update.map.end_utime, surest.closure.alternatives[chosen].older_map,
-            poses.back() * update.map.T_odom_local.inverse()};
+  localization_ = {update.map.end_utime, surest.loop_closure.alternatives[chosen].older_map,
+                   poses.back() * update.map.T_odom_local.inverse()};
   const UncertainPose T_last_here{between(poses[poses.size() - 2], poses.back()),
                                   association_.trial().covariances_to(update.map.id).back()};
-  association_.go_back_to(std::move(before));
+  association_.roll_back(std::move(before));
   maps_.pop_back();
   walls_.pop_back();
   extents_.pop_back();
-  builder_.replace_last(T_last_here);
+  builder_.replace_last_map(T_last_here);
   --revision_;
-  update.kept = false;
+  update.stored = false;
 }
 
 /// In the older local map against which it is best known.
@@ -180,7 +182,7 @@ std::optional<Eigen::Matrix3d> Mapping::covariance_in_older_sessions() {
   return best;
 }
 
-void Mapping::enter(LocalMap map) {
+void Mapping::append_map(LocalMap map) {
   walls_.push_back(local_walls(map, mounts_, params_.walls));
   extents_.emplace_back(walls_.back());
   association_.add_map(map.T_previous_local, map.information);
@@ -193,32 +195,32 @@ void Mapping::enter(LocalMap map) {
 void Mapping::link_session(LocalMap& map) const {
   const LocalMap& last = maps_.back();
   const Pose2 T_last_end = last.scans.back().T_local_body;
-  Eigen::Vector3d sd(kElsewhereM, kElsewhereM, std::numbers::pi);
+  Eigen::Vector3d sd(kUnknownPoseM, kUnknownPoseM, std::numbers::pi);
   map.T_previous_local = T_last_end;
   if (odom_continues_) {
     map.T_previous_local = between(last.T_odom_local, map.T_odom_local);
     const double unseen_m = between(T_last_end, map.T_previous_local).translation().norm();
     sd = {kGapM + kGapShare * unseen_m, kGapM + kGapShare * unseen_m, kGapRad};
   } else if (!params_.carried) {
-    sd = {params_.lost_m, params_.lost_m, params_.lost_rad};
+    sd = {params_.restart_sd_m, params_.restart_sd_m, params_.restart_sd_rad};
   }
   map.information = sd.cwiseInverse().cwiseAbs2().asDiagonal();
 }
 
-bool Mapping::session_is_joined() const {
+bool Mapping::session_is_connected() const {
   const int session = maps_.back().session;
   if (maps_.front().session == session) return true;
   const auto session_of = [&](int map) { return maps_[static_cast<std::size_t>(map)].session; };
-  const auto in_force = constraints_in_force(association_.problem(), association_.belief());
+  const auto in_force = constraints_in_force(association_.problem(), association_.hypothesis());
   return std::any_of(in_force.begin(), in_force.end(), [&](const PoseConstraint& c) {
     return session_of(c.to) == session && session_of(c.from) != session;
   });
 }
 
 /// Looks for the newest map all over the older sessions.
-std::vector<Closure> Mapping::relocalise() const {
-  std::vector<Closure> closures;
-  const std::vector<Pose2>& poses = association_.belief().T_map_local;
+std::vector<LoopClosure> Mapping::relocalise() const {
+  std::vector<LoopClosure> loop_closures;
+  const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
   const int session = maps_.back().session;
   for (int older = 0; maps_[static_cast<std::size_t>(older)].session != session; ++older) {
     RelativePose anywhere;
@@ -226,18 +228,18 @@ std::vector<Closure> Mapping::relocalise() const {
                               extents_[static_cast<std::size_t>(older)].centre().y(), 0.0};
     anywhere.covariance =
         Eigen::Vector3d(kSearchM, kSearchM, std::numbers::pi).cwiseAbs2().asDiagonal();
-    Closure closure;
-    closure.newer_map = static_cast<int>(maps_.size()) - 1;
-    closure.alternatives =
-        match_maps(walls_.back(), place_around(older, poses), older, anywhere, params_.matching);
-    std::erase_if(closure.alternatives, [](const ClosureAlternative& a) {
+    LoopClosure loop_closure;
+    loop_closure.newer_map = static_cast<int>(maps_.size()) - 1;
+    loop_closure.alternatives =
+        match_maps(walls_.back(), walls_around(older, poses), older, anywhere, params_.matching);
+    std::erase_if(loop_closure.alternatives, [](const LoopClosureAlternative& a) {
       return a.log_likelihood < kRelocalisedLogLikelihood;
     });
-    if (!closure.alternatives.empty()) closures.push_back(std::move(closure));
+    if (!loop_closure.alternatives.empty()) loop_closures.push_back(std::move(loop_closure));
   }
-  sort_by_likelihood(closures);
-  if (closures.size() > kRelocalisations) closures.resize(kRelocalisations);
-  return closures;
+  sort_by_likelihood(loop_closures);
+  if (loop_closures.size() > kRelocalisations) loop_closures.resize(kRelocalisations);
+  return loop_closures;
 }
 
 /// In the chain of one session, which says of both what a match could.
@@ -247,14 +249,14 @@ bool Mapping::is_neighbour(int older, int newer) const {
              maps_[static_cast<std::size_t>(newer)].session;
 }
 
-std::vector<Closure> Mapping::closures(int map, Trial& trial, bool thorough) const {
+std::vector<LoopClosure> Mapping::loop_closures(int map, Trial& trial, bool thorough) const {
   if (map < 1) return {};
   const bool newest = map + 1 == static_cast<int>(maps_.size());
-  const bool joined = !newest || session_is_joined();
+  const bool joined = !newest || session_is_connected();
   if (!joined && !odom_continues_ && params_.carried) return relocalise();
-  std::vector<Pose2> poses = trial.belief().T_map_local;
+  std::vector<Pose2> poses = trial.hypothesis().T_map_local;
   poses.resize(static_cast<std::size_t>(map) + 1);
-  ClosureCandidatesParams which = params_.candidates;
+  LoopClosureCandidatesParams which = params_.candidates;
   if (thorough) which.most *= kThorough;
   // What holds a session to the one before is too loose for neighbours in the chain to say nothing.
   const bool looser = !joined && !params_.carried;
@@ -262,16 +264,16 @@ std::vector<Closure> Mapping::closures(int map, Trial& trial, bool thorough) con
     which.neighbours = 0;
     which.most += params_.candidates.neighbours;
   }
-  std::vector<Closure> found;
-  for (const ClosureCandidate& candidate :
-       closure_candidates(poses, trial.covariances_to(map), up_to(map, extents_), which)) {
+  std::vector<LoopClosure> found;
+  for (const LoopClosureCandidate& candidate :
+       loop_closure_candidates(poses, trial.covariances_to(map), up_to(map, extents_), which)) {
     if (looser && is_neighbour(candidate.older, map)) continue;
-    Closure closure;
-    closure.newer_map = map;
-    closure.alternatives =
-        match_maps(walls_[static_cast<std::size_t>(map)], place_around(candidate.older, poses),
+    LoopClosure loop_closure;
+    loop_closure.newer_map = map;
+    loop_closure.alternatives =
+        match_maps(walls_[static_cast<std::size_t>(map)], walls_around(candidate.older, poses),
                    candidate.older, candidate.predicted, params_.matching);
-    if (!closure.alternatives.empty()) found.push_back(std::move(closure));
+    if (!loop_closure.alternatives.empty()) found.push_back(std::move(loop_closure));
   }
   sort_by_likelihood(found);
   return found;
@@ -279,26 +281,27 @@ std::vector<Closure> Mapping::closures(int map, Trial& trial, bool thorough) con
 
 /// What the newest maps and the older ones that they overlap hold against each other where they
 /// lie.
-double Mapping::surprise(const std::vector<Pose2>& T_map_local) const {
+double Mapping::map_inconsistency(const std::vector<Pose2>& T_map_local) const {
   const int newest = static_cast<int>(maps_.size()) - 1;
-  double surprise = 0.0;
-  const std::vector<Eigen::Matrix3d> certain(maps_.size(), kSurpriseSd.cwiseAbs2().asDiagonal());
+  double map_inconsistency = 0.0;
+  const std::vector<Eigen::Matrix3d> certain(maps_.size(),
+                                             kInconsistencySd.cwiseAbs2().asDiagonal());
   for (int map = std::max(0, newest - kMapsMonitored + 1); map <= newest; ++map) {
     const auto poses = up_to(map, T_map_local);
     double most = 0.0;
-    for (const ClosureCandidate& candidate :
-         closure_candidates(poses, certain, up_to(map, extents_), params_.candidates)) {
+    for (const LoopClosureCandidate& candidate :
+         loop_closure_candidates(poses, certain, up_to(map, extents_), params_.candidates)) {
       most = std::max(most, contradiction(walls_[static_cast<std::size_t>(map)],
-                                          place_around(candidate.older, poses),
+                                          walls_around(candidate.older, poses),
                                           candidate.predicted.T_older_newer, params_.matching));
     }
-    surprise += most;
+    map_inconsistency += most;
   }
-  return surprise;
+  return map_inconsistency;
 }
 
 /// A map and then its neighbours in the chain, in its frame.
-std::vector<PlacedWalls> Mapping::place_around(int map, std::span<const Pose2> T_map_local) const {
+std::vector<PlacedWalls> Mapping::walls_around(int map, std::span<const Pose2> T_map_local) const {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   std::vector<PlacedWalls> placed;
   for (const int k : {map, map - 1, map + 1}) {
@@ -313,12 +316,12 @@ MapGraph Mapping::graph() const {
   MapGraph graph;
   graph.utime = maps_.empty() ? 0 : maps_.back().end_utime;
   graph.revision = revision_;
-  graph.poses = association_.belief().T_map_local;
+  graph.poses = association_.hypothesis().T_map_local;
   for (const PoseConstraint& c : association_.problem().chain) {
     graph.constraints.push_back({c, MapConstraint::Kind::kSequential});
   }
-  for (const auto& c : constraints_in_force(association_.problem(), association_.belief())) {
-    graph.constraints.push_back({c, MapConstraint::Kind::kClosure});
+  for (const auto& c : constraints_in_force(association_.problem(), association_.hypothesis())) {
+    graph.constraints.push_back({c, MapConstraint::Kind::kLoopClosure});
   }
   return graph;
 }
@@ -331,12 +334,13 @@ std::optional<MapCorrection> Mapping::correction() const {
   correction.revision = revision_;
   correction.session = newest.session;
   correction.local_map = newest.id;
-  correction.T_map_odom = association_.belief().T_map_local.back() * newest.T_odom_local.inverse();
+  correction.T_map_odom =
+      association_.hypothesis().T_map_local.back() * newest.T_odom_local.inverse();
   correction.covariance = covariance_;
-  if (found_) {
-    correction.utime = found_->utime;
-    correction.local_map = found_->older_map;
-    correction.T_map_odom = found_->T_map_odom;
+  if (localization_) {
+    correction.utime = localization_->utime;
+    correction.local_map = localization_->older_map;
+    correction.T_map_odom = localization_->T_map_odom;
   }
   return correction;
 }

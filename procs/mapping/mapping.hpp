@@ -9,18 +9,17 @@
 #include <vector>
 
 #include "common/config/bounds.hpp"
-#include "common/local_map/association.hpp"
-#include "common/local_map/local_map.hpp"
 #include "common/pose_graph/map_correction.hpp"
 #include "common/pose_graph/map_graph.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/scan_match.hpp"
+#include "common/types/association.hpp"
+#include "common/types/local_map.hpp"
 #include "procs/mapping/association/lazy_association.hpp"
-#include "procs/mapping/closure_candidates.hpp"
 #include "procs/mapping/local_map_builder.hpp"
-#include "procs/mapping/local_walls.hpp"
-#include "procs/mapping/map_extent.hpp"
-#include "procs/mapping/map_matching.hpp"
+#include "procs/mapping/loop_closure/local_walls.hpp"
+#include "procs/mapping/loop_closure/loop_closure_candidates.hpp"
+#include "procs/mapping/loop_closure/map_matching.hpp"
 
 namespace adit {
 
@@ -28,15 +27,15 @@ struct MappingParams {
   Lasers lasers;
   LocalMapBuilderParams local_maps;
   LocalWallsParams walls;
-  ClosureCandidatesParams candidates;
+  LoopClosureCandidatesParams candidates;
   MapMatchingParams matching;
   LazyAssociationParams association;
-  bool carried = false;   ///< where odom begins anew, the body may be anywhere; else where it was
-  double lost_m = 1.0;    ///< of the way between what is stored and where it then is, about
-  double lost_rad = 0.5;  ///< of its turning
+  bool carried = false;  ///< where odom begins anew, the body may be anywhere; else where it was
+  double restart_sd_m = 1.0;    ///< of the way between what is stored and where it then is, about
+  double restart_sd_rad = 0.5;  ///< of its turning
   /// A local map that lies on so many older ones and shows nothing new is not kept: it says where
   /// the body is, and is forgotten. 0: all are kept.
-  int per_place_max = 0;
+  int maps_per_place_max = 0;
 
   template <class V>
   void visit(V& v) {
@@ -47,9 +46,9 @@ struct MappingParams {
     v("matching", matching);
     v("association", association);
     v("carried", carried);
-    v("lost_m", lost_m, within(0.01, 100.0));
-    v("lost_rad", lost_rad, within(0.01, 3.2));
-    v("per_place_max", per_place_max, within(0, 1000));
+    v("restart_sd_m", restart_sd_m, within(0.01, 100.0));
+    v("restart_sd_rad", restart_sd_rad, within(0.01, 3.2));
+    v("maps_per_place_max", maps_per_place_max, within(0, 1000));
   }
 };
 
@@ -64,7 +63,7 @@ struct StoredMap {
 struct MapUpdate {
   LocalMap map;
   std::vector<Association> associations;  ///< in the order in which they were decided
-  bool kept = true;  ///< else it only said where the body is; the graph is as it was
+  bool stored = true;  ///< else it only said where the body is; the graph is as it was
 };
 
 /// The map: local maps every few metres of the way, held in place by what was measured between them
@@ -72,8 +71,9 @@ struct MapUpdate {
 /// decided lazily.
 ///
 /// Who goes through a mine again and again makes no larger map, where that is asked for: of a place
-/// no more than `per_place_max` local maps are kept (a reduced pose graph, after Johannsson, Kaess,
-/// Fallon, Leonard, "Temporally scalable visual SLAM using a reduced pose graph", ICRA 2013).
+/// no more than `maps_per_place_max` local maps are kept (a reduced pose graph, after Johannsson,
+/// Kaess, Fallon, Leonard, "Temporally scalable visual SLAM using a reduced pose graph", ICRA
+/// 2013).
 class Mapping : private Evidence {
  public:
   explicit Mapping(const MappingParams& params);
@@ -103,19 +103,20 @@ class Mapping : private Evidence {
   [[nodiscard]] const LazyAssociation& association() const { return association_; }
 
  private:
-  MapUpdate take(LocalMap map);
-  [[nodiscard]] bool shows_nothing_new(const MapUpdate& update) const;
-  void forget_newest(MapUpdate& update, LazyAssociation::Mark before);
-  void enter(LocalMap map);
+  MapUpdate add_local_map(LocalMap map);
+  [[nodiscard]] bool is_redundant(const MapUpdate& update) const;
+  void discard_newest(MapUpdate& update, LazyAssociation::Checkpoint before);
+  void append_map(LocalMap map);
   void link_session(LocalMap& map) const;
-  void note_odom(const ScanMatch& match);
+  void update_odom(const ScanMatch& match);
   [[nodiscard]] std::optional<Eigen::Matrix3d> covariance_in_older_sessions();
-  [[nodiscard]] bool session_is_joined() const;
+  [[nodiscard]] bool session_is_connected() const;
   [[nodiscard]] bool is_neighbour(int older, int newer) const;
-  [[nodiscard]] std::vector<Closure> closures(int map, Trial& trial, bool thorough) const override;
-  [[nodiscard]] double surprise(const std::vector<Pose2>& T_map_local) const override;
-  [[nodiscard]] std::vector<Closure> relocalise() const;
-  [[nodiscard]] std::vector<PlacedWalls> place_around(int map,
+  [[nodiscard]] std::vector<LoopClosure> loop_closures(int map, Trial& trial,
+                                                       bool thorough) const override;
+  [[nodiscard]] double map_inconsistency(const std::vector<Pose2>& T_map_local) const override;
+  [[nodiscard]] std::vector<LoopClosure> relocalise() const;
+  [[nodiscard]] std::vector<PlacedWalls> walls_around(int map,
                                                       std::span<const Pose2> T_map_local) const;
 
   MappingParams params_;
@@ -132,16 +133,16 @@ class Mapping : private Evidence {
     kNew,       ///< its first local map is being made
   };
   Odom odom_ = Odom::kKnown;
-  std::optional<std::int64_t> odom_utime_;  ///< when the odom frame of the last scan began
+  std::optional<std::int64_t> odom_epoch_utime_;  ///< when the odom frame of the last scan began
   bool odom_continues_ = false;  ///< a restored map ends in the odom frame of the present session
   std::optional<Eigen::Matrix3d> covariance_;  ///< see MapCorrection
   /// Where a local map that was not kept found the body, after all that are kept.
-  struct Found {
+  struct Localization {
     std::int64_t utime = 0;
     int older_map = 0;  ///< on which it lies
     Pose2 T_map_odom;
   };
-  std::optional<Found> found_;
+  std::optional<Localization> localization_;
 };
 
 }  // namespace adit

@@ -9,22 +9,20 @@
 #include <vector>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/association.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/local_map_pieces.hpp"
-#include "common/messages/map_correction.hpp"
-#include "common/messages/map_request.hpp"
-#include "common/messages/pose_graph_pieces.hpp"
-#include "common/messages/scan_match.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/association.hpp"
+#include "common/messages/mapping/local_map.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/sensing.hpp"
 
 namespace adit {
 namespace {
 
 constexpr std::size_t kScansWaiting = 500;  // while a closure is searched, at 75 Hz
 // A local map has about three pieces; exploration takes some 30 ms for one, and holds 500 pieces.
-constexpr std::int64_t kRepeatPeriodUs = 50'000;
-constexpr std::size_t kRepeatPieces = 4;
+constexpr std::int64_t kResendPeriodUs = 50'000;
+constexpr std::size_t kResendFragments = 4;
 constexpr int kReplaced = -2;  // no id
 
 }  // namespace
@@ -44,17 +42,17 @@ MappingNode::MappingNode(Bus& bus, const Params& params)
                           [this](const ScanMatch& match) { on_match(match); });
   subscribe<map_request_t>(bus, channels::kMapRequest, Delivery::queued(10),
                            [this](const MapRequest&) {
-                             repeater_.ask(mapping_.local_maps().size());
-                             graph_due_ = true;
+                             resender_.request(mapping_.local_maps().size());
+                             graph_pending_ = true;
                            });
-  bus.every(kRepeatPeriodUs, [this](std::int64_t) { repeat(); });
+  bus.create_timer(kResendPeriodUs, [this](std::int64_t) { resend(); });
 }
 
 void MappingNode::restore(const std::string& journal) {
   journal_.emplace(journal);
   restored_ = mapping_.restore(journal_->take_restored());
-  if (restored_) keep([&] { journal_->append(*restored_); });
-  graph_due_ = true;
+  if (restored_) write_journal([&] { journal_->append(*restored_); });
+  graph_pending_ = true;
 }
 
 void MappingNode::on_match(const ScanMatch& match) {
@@ -65,37 +63,37 @@ void MappingNode::on_match(const ScanMatch& match) {
   if (waiting.empty() || waiting.front().utime != match.utime) return;
   const LaserScan scan = std::move(waiting.front());
   waiting.pop_front();
-  const bool knew = mapping_.correction().has_value();
+  const bool was_localized = mapping_.correction().has_value();
   if (const auto update = mapping_.add(match.channel, scan, match)) {
-    pass_on(*update);
-  } else if (!knew && mapping_.correction()) {
+    handle_update(*update);
+  } else if (!was_localized && mapping_.correction()) {
     publish_graph();
   }
-  if (journal_) keep_unfinished();
+  if (journal_) journal_unfinished();
 }
 
 /// Each 0.3 m or half a radian of the way; and where the way begins, since that is home. The first
 /// local map of a session is over before that, and how it hangs on the map is not known yet.
-void MappingNode::keep_unfinished() {
+void MappingNode::journal_unfinished() {
   const LocalMap& map = mapping_.unfinished();
   const auto& maps = mapping_.local_maps();
   if (map.scans.empty() || (!maps.empty() && maps.back().session != map.session)) return;
-  if (const bool replaces = kept_map_ == kReplaced; map.id != kept_map_) {
-    kept_map_ = map.id;
-    T_local_kept_ = {};
-    start_is_due_ = maps.empty() || replaces;
+  if (const bool replaces = journaled_map_ == kReplaced; map.id != journaled_map_) {
+    journaled_map_ = map.id;
+    T_local_journaled_ = {};
+    start_pending_ = maps.empty() || replaces;
   }
   const Pose2& T_local_body = map.scans.back().T_local_body;
-  const Pose2 moved = between(T_local_kept_, T_local_body);
-  const bool moved_on =
-      moved.translation().norm() >= params_.keep_m || std::abs(moved.theta) >= params_.lost_rad;
-  if (!moved_on && !(start_is_due_ && map.scans.size() > 1)) return;
-  start_is_due_ = false;
-  T_local_kept_ = T_local_body;
-  keep([&] { journal_->append_unfinished(map); });
+  const Pose2 moved = between(T_local_journaled_, T_local_body);
+  const bool moved_on = moved.translation().norm() >= params_.journal_interval_m ||
+                        std::abs(moved.theta) >= params_.restart_sd_rad;
+  if (!moved_on && !(start_pending_ && map.scans.size() > 1)) return;
+  start_pending_ = false;
+  T_local_journaled_ = T_local_body;
+  write_journal([&] { journal_->append_unfinished(map); });
 }
 
-void MappingNode::keep(const std::function<void()>& append) {
+void MappingNode::write_journal(const std::function<void()>& append) {
   health_ = {};
   try {
     append();
@@ -106,19 +104,19 @@ void MappingNode::keep(const std::function<void()>& append) {
 
 /// To the disk first: what was announced is not forgotten. What is not kept leaves the graph as it
 /// was; where the body is goes to the disk with what is made next.
-void MappingNode::pass_on(const MapUpdate& update) {
-  if (!update.kept) {
-    kept_map_ = kReplaced;
+void MappingNode::handle_update(const MapUpdate& update) {
+  if (!update.stored) {
+    journaled_map_ = kReplaced;
     publish_correction();
     return;
   }
-  if (journal_) keep([&] { journal_->append(update); });
+  if (journal_) write_journal([&] { journal_->append(update); });
   publish_update(update);
 }
 
 void MappingNode::publish_update(const MapUpdate& update) {
-  for (const LocalMapPiece& piece : divide(update.map)) {
-    publish(bus_, channels::kLocalMap, to_message(piece));
+  for (const LocalMapFragment& fragment : split(update.map)) {
+    publish(bus_, channels::kLocalMap, to_message(fragment));
   }
   for (const Association& association : update.associations) {
     publish(bus_, channels::kAssociation, to_message(association));
@@ -127,27 +125,28 @@ void MappingNode::publish_update(const MapUpdate& update) {
 }
 
 /// Never more at once than the queues of those who asked can hold.
-void MappingNode::repeat() {
+void MappingNode::resend() {
   if (restored_) publish_update(*std::exchange(restored_, std::nullopt));
-  if (graph_due_) publish_graph();
+  if (graph_pending_) publish_graph();
   const std::vector<LocalMap>& maps = mapping_.local_maps();
-  for (std::size_t sent = 0; sent < kRepeatPieces; ++sent) {
-    if (repeated_.empty()) {
-      const auto next = repeater_.next(maps.size());
+  for (std::size_t sent = 0; sent < kResendFragments; ++sent) {
+    if (resend_queue_.empty()) {
+      const auto next = resender_.next(maps.size());
       if (!next) return;
-      for (LocalMapPiece& piece : divide(maps[*next])) repeated_.push_back(std::move(piece));
+      for (LocalMapFragment& fragment : split(maps[*next]))
+        resend_queue_.push_back(std::move(fragment));
     }
-    publish(bus_, channels::kLocalMap, to_message(repeated_.front()));
-    repeated_.pop_front();
-    graph_due_ = repeated_.empty() && repeater_.done();
+    publish(bus_, channels::kLocalMap, to_message(resend_queue_.front()));
+    resend_queue_.pop_front();
+    graph_pending_ = resend_queue_.empty() && resender_.done();
   }
 }
 
 void MappingNode::publish_graph() {
-  graph_due_ = false;
+  graph_pending_ = false;
   if (mapping_.local_maps().empty()) return;
-  for (const PoseGraphPiece& piece : divide(mapping_.graph())) {
-    publish(bus_, channels::kPoseGraph, to_message(piece));
+  for (const PoseGraphFragment& fragment : split(mapping_.graph())) {
+    publish(bus_, channels::kPoseGraph, to_message(fragment));
   }
   publish_correction();
 }

@@ -8,12 +8,12 @@
 namespace adit {
 namespace {
 
-constexpr int kCutShortMax = 3;     // scans in a row; then what there is has to do
-constexpr double kLostPathS = 2.0;  // until driving should have its path
-constexpr double kSameM = 0.01;     // of two places that are one
+constexpr int kIncompleteScansMax = 3;  // scans in a row; then what there is has to do
+constexpr double kLostPathS = 2.0;      // until driving should have its path
+constexpr double kSameM = 0.01;         // of two places that are one
 
 using Kind = ExplorationDecision::Kind;
-using Evidence = Attempt::Evidence;
+using Evidence = RetryPolicy::Evidence;
 
 /// In odom, where the route of a report ends there.
 std::optional<Eigen::Vector2d> home_of(const ExplorationReport& report) {
@@ -34,11 +34,11 @@ void Mission::decide(const ExplorationReport& report) {
   const ExplorationDecision& decision = report.decision;
   phase_.complete = decision.complete;
   if (decision.kind == Kind::kStay && report.revision == 0 && !restored_ && !odom_is_new_) {
-    go_by_sight("there is no map yet: straight on");
+    scan_straight_ahead("there is no map yet: straight on");
     return;
   }
   if (decision.kind == Kind::kStay) {
-    if (since_phase_s() > params_.stay_s) lost_try(decision.reason);
+    if (since_phase_s() > params_.exploration_wait_s) note_failed_try(decision.reason);
     return;
   }
   verdict_.reset();
@@ -47,29 +47,30 @@ void Mission::decide(const ExplorationReport& report) {
     return;
   }
   const bool home = decision.kind == Kind::kHome;
-  if (home && !phase_.homeward) phase_.homeward_reason = decision.reason;
-  if (!home && !home_for_good_) phase_.homeward_reason.clear();
-  phase_.homeward = home || home_for_good_;
-  phase_.stub = decision.stub;
-  by_sight_ = false;
-  if (attempt_.aim_at(decision.stub, home)) {
-    rejoined_ = 0;
-    way_home_.begin();
+  if (home && !phase_.returning_home) phase_.return_home_reason = decision.reason;
+  if (!home && !return_is_final_) phase_.return_home_reason.clear();
+  phase_.returning_home = home || return_is_final_;
+  phase_.frontier = decision.frontier;
+  without_target_ = false;
+  if (retry_policy_.set_target(decision.frontier, home)) {
+    rejoin_count_ = 0;
+    homeward_progress_.begin();
   }
-  if (home && way_home_.got_on(decision.distance_m)) got_on();
+  if (home && homeward_progress_.note_progress(decision.distance_m)) note_progress();
   p_odom_home_ = home_of(report);
-  if (!home) nearly_home_tries_ = 0;
-  if (is_nearly_home() && ++nearly_home_tries_ > params_.nearly_home_tries) {
-    end_nearly_home(decision.reason);
+  if (!home) home_retries_ = 0;
+  if (is_near_home() && ++home_retries_ > params_.home_retries) {
+    end_near_home(decision.reason);
     return;
   }
-  look_along(report.route_odom, decision.reason);
+  scan_along(report.route_odom, decision.reason);
 }
 
 /// A scan that was cut short, since the robot moved or a laser was silent, is not one to judge by.
 void Mission::add_cloud(std::int32_t id, bool complete) {
   if (phase_.phase != Phase::kScan || id != phase_.goal_id || complete) return;
-  if (++tries_ <= kCutShortMax) look(phase_.laser, "the scan was cut short, so once more");
+  if (++scan_tries_ <= kIncompleteScansMax)
+    request_scan(phase_.laser, "the scan was cut short, so once more");
 }
 
 void Mission::add_terrain(std::int64_t utime, std::int32_t id) {
@@ -82,38 +83,39 @@ void Mission::add_terrain(std::int64_t utime, std::int32_t id) {
 void Mission::add_path(const PlannedPath& path) {
   if (phase_.phase != Phase::kPlan || path.id != phase_.goal_id) return;
   if (path.utime < terrain_utime_ && !backing_off_) return;  // planned on the scan before
-  judge(path);
+  evaluate_path(path);
 }
 
-void Mission::judge(const PlannedPath& path) {
+void Mission::evaluate_path(const PlannedPath& path) {
   if (path.outcome == PlanOutcome::kFound) {
-    progress_mark_m_ = way_.travelled_m();
+    distance_at_last_scan_m_ = traversed_path_.distance_travelled_m();
     driving_utime_ = utime_;
     enter(Phase::kExecute, path.reason);
     return;
   }
   if (goal_kind_ == PlanGoal::Kind::kRetrace) {
-    back_off_as_planned(path.reason);
+    back_off_by_planning(path.reason);
     return;
   }
   if (backing_off_) {
     backing_off_ = false;
-    track_failed_ = true;
-    refuse(attempt_.reached_m(), "Nor is there a way back: " + path.reason, Evidence::kDrive);
+    path_back_failed_ = true;
+    reject(retry_policy_.reached_m(), "Nor is there a way back: " + path.reason,
+           Evidence::kDriveFailed);
     return;
   }
-  if (nearer_m_ > 0.0) {
-    nearer_m_ = 0.0;
-    refuse(path.reached_m, "Nor does it get nearer: " + path.reason, Evidence::kUnseen);
+  if (approach_m_ > 0.0) {
+    approach_m_ = 0.0;
+    reject(path.reached_m, "Nor does it get nearer: " + path.reason, Evidence::kUnobserved);
     return;
   }
   // Where nothing at all is named that is in the way, nobody saw it.
   const bool seen = path.outcome == PlanOutcome::kBlocked && !path.blocking.empty();
   const bool narrow = path.outcome == PlanOutcome::kNarrow;
-  refuse(path.reached_m, path.reason,
-         seen     ? Evidence::kSeen
+  reject(path.reached_m, path.reason,
+         seen     ? Evidence::kObserved
          : narrow ? Evidence::kNarrow
-                  : Evidence::kUnseen);
+                  : Evidence::kUnobserved);
 }
 
 void Mission::add_driving(const DrivingState& state) {
@@ -126,10 +128,10 @@ void Mission::add_driving(const DrivingState& state) {
   }
   if (state.kind == DrivingState::Kind::kArrived) {
     const bool away = backing_off_ && goal_kind_ != PlanGoal::Kind::kRejoin;
-    track_failed_ = false;
-    if (!away && !is_led_home() && is_beyond_refusals()) got_on();
-    if (!away && path_ends_.add_is_in_vain(way_.T_odom_body()->translation())) {
-      refuse(0.0, "Path after path ended at the same place.", Evidence::kDrive);
+    path_back_failed_ = false;
+    if (!away && !is_returning() && is_beyond_rejections()) note_progress();
+    if (!away && path_ends_.add_and_check_stuck(traversed_path_.T_odom_body()->translation())) {
+      reject(0.0, "Path after path ended at the same place.", Evidence::kDriveFailed);
       return;
     }
     enter(Phase::kExplore, "it has come to the end of the path");

@@ -3,7 +3,7 @@
 #include "procs/mission/mission_journal.hpp"
 
 #include "common/messages/codec.hpp"
-#include "common/messages/mission_phase.hpp"
+#include "common/messages/mission.hpp"
 
 namespace adit {
 namespace {
@@ -24,12 +24,12 @@ std::optional<MissionPhase> phase_of(const JournalRecord& record) {
 MissionJournal::MissionJournal(const std::filesystem::path& path)
     : journal_(path, [this](const JournalRecord& record) {
         if (record.kind == kPlace) {
-          if (const auto place = kept_place_from(record.bytes)) track_.push_back(*place);
+          if (const auto place = stored_path_pose_from(record.bytes)) track_.push_back(*place);
           return;
         }
         const auto phase = phase_of(record);
         if (!phase) return;
-        if (!last_) begun_utime_ = phase->utime;
+        if (!last_) start_utime_ = phase->utime;
         last_ = phase;
       }) {}
 
@@ -38,6 +38,8 @@ void MissionJournal::append(const MissionPhase& phase) {
   journal_.sync();
 }
 
-void MissionJournal::append(const KeptPlace& place) { journal_.append(kPlace, to_bytes(place)); }
+void MissionJournal::append(const StoredPathPose& place) {
+  journal_.append(kPlace, to_bytes(place));
+}
 
 }  // namespace adit

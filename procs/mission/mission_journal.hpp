@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "common/journal/journal.hpp"
-#include "common/mission/mission_phase.hpp"
-#include "procs/mission/kept_track.hpp"
+#include "common/types/mission.hpp"
+#include "procs/mission/traversed_path.hpp"
 
 namespace adit {
 
@@ -24,20 +24,20 @@ class MissionJournal {
   /// The last phase that was there when it was opened.
   [[nodiscard]] const std::optional<MissionPhase>& last() const { return last_; }
   /// When the mission began [µs since the epoch]; 0 for one that has not.
-  [[nodiscard]] std::int64_t begun_utime() const { return begun_utime_; }
+  [[nodiscard]] std::int64_t start_utime() const { return start_utime_; }
 
   /// The places of the own track that were there, in the order of the way. Once.
-  [[nodiscard]] std::vector<KeptPlace> take_track() { return std::move(track_); }
+  [[nodiscard]] std::vector<StoredPathPose> take_stored_path() { return std::move(track_); }
 
   /// Returns when the disk has it.
   void append(const MissionPhase& phase);
   /// Survives the process at once, and the computer with the next phase.
-  void append(const KeptPlace& place);
+  void append(const StoredPathPose& place);
 
  private:
   std::optional<MissionPhase> last_;
-  std::int64_t begun_utime_ = 0;
-  std::vector<KeptPlace> track_;
+  std::int64_t start_utime_ = 0;
+  std::vector<StoredPathPose> track_;
   Journal journal_;
 };
 

@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "common/pose_graph/position_sd.hpp"
+#include "common/pose_graph/map_correction.hpp"
 #include "common/sensing/seconds.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kMemory = 0.995;      // of the share of lost scans: some 200 scans
-constexpr int kPointsMin = 60;         // fewer come from where a laser looks into the open
-constexpr double kEnoughWayM = 100.0;  // to say what a metre costs
-constexpr double kSlowestM_s = 0.05;   // with pauses for scans
+constexpr double kForgettingFactor = 0.995;  // of the share of lost scans: some 200 scans
+constexpr int kPointsMin = 60;               // fewer come from where a laser looks into the open
+constexpr double kBatteryBaselineM = 100.0;  // to say what a metre costs
+constexpr double kSlowestM_s = 0.05;         // with pauses for scans
 
-std::string text_of(const char* format, double number) {
+std::string formatted(const char* format, double number) {
   char text[96];
   std::snprintf(text, sizeof text, format, number);
   return text;
@@ -24,24 +24,25 @@ std::string text_of(const char* format, double number) {
 
 }  // namespace
 
-void MissionLimits::come_home(const std::string& reason) {
+void MissionLimits::require_return(const std::string& reason) {
   if (!reason_) reason_ = reason;
 }
 
 void MissionLimits::add(const GasReading& gas) {
   if (gas.methane_share > params_.methane_max_share) {
-    come_home(text_of("%.2f %% of methane in the air", 100.0 * gas.methane_share));
+    require_return(formatted("%.2f %% of methane in the air", 100.0 * gas.methane_share));
   } else if (gas.oxygen_share < params_.oxygen_min_share) {
-    come_home(text_of("only %.1f %% of oxygen in the air", 100.0 * gas.oxygen_share));
+    require_return(formatted("only %.1f %% of oxygen in the air", 100.0 * gas.oxygen_share));
   } else if (gas.carbon_monoxide_share > params_.carbon_monoxide_max_share) {
-    come_home(text_of("%.0f ppm of carbon monoxide in the air", 1e6 * gas.carbon_monoxide_share));
+    require_return(
+        formatted("%.0f ppm of carbon monoxide in the air", 1e6 * gas.carbon_monoxide_share));
   }
 }
 
 void MissionLimits::add(const SinkageReading& sinkage) {
   const double deepest = *std::max_element(sinkage.depth_m.begin(), sinkage.depth_m.end());
   if (deepest > params_.sinkage_max_m) {
-    come_home(text_of("a wheel is %.2f m deep in the ground", deepest));
+    require_return(formatted("a wheel is %.2f m deep in the ground", deepest));
   }
 }
 
@@ -60,7 +61,7 @@ void MissionLimits::add(const ScanMatch& match, bool moves) {
 /// One scan that tells all directions ends it: it was held against the same walls as those before.
 void MissionLimits::count_unmeasured(const ScanMatch& match) {
   if (match.status != ScanMatch::Status::kMatched) return;
-  if (!leaves_open(match)) {
+  if (!has_unobserved_direction(match)) {
     unmeasured_utime_.reset();
     unmeasured_s_ = 0.0;
     return;
@@ -68,37 +69,37 @@ void MissionLimits::count_unmeasured(const ScanMatch& match) {
   if (!unmeasured_utime_) unmeasured_utime_ = match.utime;
   unmeasured_s_ = seconds(match.utime - *unmeasured_utime_);
   if (is_unmeasured()) {
-    come_home(
-        text_of("no sensor has told for %.0f s how it moves: the walls leave a direction open",
-                unmeasured_s_));
+    require_return(
+        formatted("no sensor has told for %.0f s how it moves: the walls leave a direction open",
+                  unmeasured_s_));
   }
 }
 
 void MissionLimits::count_lost(const ScanMatch& match) {
   if (match.points < kPointsMin) return;
   const bool lost = match.status == ScanMatch::Status::kLost;
-  lost_share_ = kMemory * lost_share_ + (1.0 - kMemory) * (lost ? 1.0 : 0.0);
+  lost_share_ = kForgettingFactor * lost_share_ + (1.0 - kForgettingFactor) * (lost ? 1.0 : 0.0);
   if (lost_share_ > params_.lost_scans_max_share) {
-    come_home(text_of("%.0f %% of the last scans do not match", 100.0 * lost_share_));
+    require_return(formatted("%.0f %% of the last scans do not match", 100.0 * lost_share_));
   }
 }
 
 void MissionLimits::add(const MapCorrection& correction) {
   const double sd_m = position_sd_m(correction).value_or(0.0);
   if (sd_m > params_.map_sd_max_m) {
-    come_home(text_of("the map is only known to %.1f m here", sd_m));
+    require_return(formatted("the map is only known to %.1f m here", sd_m));
   }
 }
 
-double MissionLimits::remaining_m(double elapsed_s, double travelled_m) const {
-  double remaining = params_.way_max_m - travelled_m;
-  const double speed = elapsed_s > 0.0 ? travelled_m / elapsed_s : 0.0;
+double MissionLimits::remaining_m(double elapsed_s, double distance_travelled_m) const {
+  double remaining = params_.path_length_max_m - distance_travelled_m;
+  const double speed = elapsed_s > 0.0 ? distance_travelled_m / elapsed_s : 0.0;
   remaining = std::min(remaining, (params_.time_max_s - elapsed_s) * std::max(speed, kSlowestM_s));
   if (battery_share_) {
     double per_m = params_.battery_share_per_m;
-    const double way_m = travelled_m - battery_start_m_;
-    if (way_m > kEnoughWayM) {
-      per_m = std::max(0.0, (*battery_start_share_ - *battery_share_) / way_m);
+    const double path_length_m = distance_travelled_m - battery_start_distance_m_;
+    if (path_length_m > kBatteryBaselineM) {
+      per_m = std::max(0.0, (*battery_start_share_ - *battery_share_) / path_length_m);
     }
     const double left = *battery_share_ - params_.battery_reserve_share;
     if (per_m > 0.0) remaining = std::min(remaining, left / per_m);

@@ -8,15 +8,15 @@
 
 #include "common/config/bounds.hpp"
 #include "common/pose_graph/map_correction.hpp"
-#include "common/sensing/ground_and_air.hpp"
 #include "common/sensing/scan_match.hpp"
-#include "common/vehicle/drive_command.hpp"
+#include "common/sensing/vehicle_readings.hpp"
+#include "common/types/vehicle_state.hpp"
 
 namespace adit {
 
 /// When a mission turns around. Limits of air and ground lie before those at which the guard stops.
 struct MissionLimitsParams {
-  double way_max_m = 5000.0;  ///< there and back
+  double path_length_max_m = 5000.0;  ///< there and back
   double time_max_s = 28800.0;
   double battery_reserve_share = 0.2;   ///< that is to be left at home
   double battery_share_per_m = 0.0002;  ///< until the way so far says more
@@ -30,7 +30,7 @@ struct MissionLimitsParams {
 
   template <class V>
   void visit(V& v) {
-    v("way_max_m", way_max_m, above(0.0));
+    v("path_length_max_m", path_length_max_m, above(0.0));
     v("time_max_s", time_max_s, above(0.0));
     v("battery_reserve_share", battery_reserve_share, within(0.0, 0.9));
     v("battery_share_per_m", battery_share_per_m, within(0.0, 0.1));
@@ -50,7 +50,7 @@ class MissionLimits {
   explicit MissionLimits(const MissionLimitsParams& params) : params_(params) {}
 
   /// After a restart: what was driven before the battery is heard of [m].
-  void begin(double travelled_m) { battery_start_m_ = travelled_m; }
+  void begin(double distance_travelled_m) { battery_start_distance_m_ = distance_travelled_m; }
 
   void add(const GasReading& gas);
   void add(const SinkageReading& sinkage);
@@ -63,18 +63,18 @@ class MissionLimits {
   /// Whether it knows no more how it moves: what nothing has told for so long now.
   [[nodiscard]] bool is_unmeasured() const { return unmeasured_s_ > params_.unmeasured_max_s; }
   /// Way that time, battery and the greatest way still allow [m].
-  [[nodiscard]] double remaining_m(double elapsed_s, double travelled_m) const;
+  [[nodiscard]] double remaining_m(double elapsed_s, double distance_travelled_m) const;
 
  private:
   void count_lost(const ScanMatch& match);
   void count_unmeasured(const ScanMatch& match);
-  void come_home(const std::string& reason);
+  void require_return(const std::string& reason);
 
   MissionLimitsParams params_;
   std::optional<std::string> reason_;
   std::optional<double> battery_share_;
   std::optional<double> battery_start_share_;
-  double battery_start_m_ = 0.0;  ///< way by then
+  double battery_start_distance_m_ = 0.0;  ///< way by then
   double lost_share_ = 0.0;
   std::optional<std::int64_t> unmeasured_utime_;  ///< since when a direction is open,
   double unmeasured_s_ = 0.0;                     ///< and for how long

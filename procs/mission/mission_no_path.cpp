@@ -9,113 +9,117 @@
 namespace adit {
 namespace {
 
-constexpr double kGotOnM = 1.0;     // that counts as having got on
-constexpr double kLedBackM = 0.1;   // by a track; less is none
-constexpr double kSharedM = 2.5;    // of a route, to go on the own track instead
-constexpr double kRejoinedM = 6.0;  // to go on it, at first
-constexpr double kRejoinedMaxM = 30.0;
-constexpr double kTrackInSightM = 10.0;   // that may be come to
-constexpr double kBeyondReachedM = 1.0;   // where what is in the way may lie
-constexpr double kLittleM = 1.2;          // back; from the nose to the middle of the vehicle
-constexpr double kShortOfReachedM = 0.3;  // to end where there is some room
+constexpr double kProgressMinM = 1.0;  // that counts as having got on
+constexpr double kBackMinM = 0.1;      // by a track; less is none
+constexpr double kSharedMinM = 2.5;    // of a route, to go on the own track instead
+constexpr double kRejoinM = 6.0;       // to go on it, at first
+constexpr double kRejoinMaxM = 30.0;
+constexpr double kPathInViewM = 10.0;     // that may be come to
+constexpr double kObstacleDepthM = 1.0;   // where what is in the way may lie
+constexpr double kBackOffBesideM = 1.2;   // back; from the nose to the middle of the vehicle
+constexpr double kApproachMarginM = 0.3;  // to end where there is some room
 
-using Evidence = Attempt::Evidence;
+using Evidence = RetryPolicy::Evidence;
 
 }  // namespace
 
-void Mission::refuse(double reached_m, const std::string& reason, Evidence evidence) {
-  if (is_nearly_home()) {
-    refuse_nearly_home(reason);
+void Mission::reject(double reached_m, const std::string& reason, Evidence evidence) {
+  if (is_near_home()) {
+    retry_near_home(reason);
     return;
   }
-  if (evidence == Evidence::kNarrow) narrow_stubs_.insert(phase_.stub);
-  if (attempt_.refusals() == 0 && way_.T_odom_body()) {
-    refused_.add(way_.T_odom_body()->translation());
+  if (evidence == Evidence::kNarrow) narrow_frontiers_.insert(phase_.frontier);
+  if (retry_policy_.rejections() == 0 && traversed_path_.T_odom_body()) {
+    rejected_.add(traversed_path_.T_odom_body()->translation());
   }
-  if (attempt_.refusals() > 0) take_track_as_believed();
-  const bool may_back_off = way_.back_m(params_.back_off_m) > kGotOnM;
+  if (retry_policy_.rejections() > 0) anchor_path_to_estimate();
+  const bool may_back_off = traversed_path_.back_length_m(params_.back_off_m) > kProgressMinM;
   const bool short_cut = is_short_cut_home(reached_m);
-  const double track_m = short_cut ? 0.0 : track_that_leads_there_m();
-  const Attempt::Next next = attempt_.refuse(utime_, reached_m, reason, evidence, may_back_off);
-  const bool moves_on = next != Attempt::Next::kLookAgain && next != Attempt::Next::kGiveUp;
+  const double track_m = short_cut ? 0.0 : rejoin_length_m();
+  const RetryPolicy::Action action =
+      retry_policy_.reject(utime_, reached_m, reason, evidence, may_back_off);
+  const bool moves_on =
+      action != RetryPolicy::Action::kRescan && action != RetryPolicy::Action::kAbandon;
   if (moves_on && track_m > 0.0) return rejoin(track_m, reason);
-  switch (next) {
-    case Attempt::Next::kBeside:
-      back_off(kLittleM, reason);
+  switch (action) {
+    case RetryPolicy::Action::kScanBeside:
+      back_off(kBackOffBesideM, reason);
       return;
-    case Attempt::Next::kNearer:
-      go_nearer(reached_m, reason);
+    case RetryPolicy::Action::kApproach:
+      approach(reached_m, reason);
       return;
-    case Attempt::Next::kOtherLaser:
-      look(other(phase_.laser),
-           "the ground is not known well enough, so it looks to the other side: " + reason);
+    case RetryPolicy::Action::kScanOtherLaser:
+      request_scan(other(phase_.laser),
+                   "the ground is not known well enough, so it looks to the other side: " + reason);
       return;
-    case Attempt::Next::kBackOff:
+    case RetryPolicy::Action::kBackOff:
       if (short_cut) break;
-      back_off(std::max(1, attempt_.back_offs()) * params_.back_off_m, reason);
+      back_off(std::max(1, retry_policy_.back_offs()) * params_.back_off_m, reason);
       return;
-    case Attempt::Next::kLookAgain:
+    case RetryPolicy::Action::kRescan:
       enter(Phase::kExplore, "it looks once more: " + reason);
       return;
-    case Attempt::Next::kGiveUp:
+    case RetryPolicy::Action::kAbandon:
       break;
   }
-  if (by_sight_) {  // nobody's target is blocked
-    const std::string said = attempt_.evidence();
-    attempt_.got_on();
-    lost_try(said);
+  if (without_target_) {  // nobody's target is blocked
+    const std::string said = retry_policy_.evidence();
+    retry_policy_.note_progress();
+    note_failed_try(said);
     return;
   }
-  const bool doubtful = attempt_.is_doubtful() || narrow_stubs_.contains(phase_.stub);
-  verdict_ = BlockedVerdict{attempt_.utime(), phase_.stub, attempt_.reached_m(),
-                            attempt_.evidence(), doubtful};
-  attempt_.got_on();
-  way_home_.judge();
-  if (phase_.stub < 0 && ++lost_tries_ > params_.lost_tries_max) {
+  const bool uncertain =
+      retry_policy_.is_uncertain() || narrow_frontiers_.contains(phase_.frontier);
+  verdict_ = BlockedVerdict{retry_policy_.utime(), phase_.frontier, retry_policy_.reached_m(),
+                            retry_policy_.evidence(), uncertain};
+  retry_policy_.note_progress();
+  homeward_progress_.mark_blocked();
+  if (phase_.frontier < 0 && ++failed_tries_ > params_.failed_tries_max) {
     end(MissionOutcome::kStranded, "no way on was found: " + verdict_->evidence);
     return;
   }
   enter(Phase::kExplore,
-        (verdict_->doubtful ? "no way is found: " : "the way is blocked: ") + verdict_->evidence);
+        (verdict_->unconfirmed ? "no way is found: " : "the way is blocked: ") + verdict_->evidence);
 }
 
 /// After a cut the map may know only about where odom lies, until the robot has moved; and without
 /// its track it does not move. It stands where it was cut off, and the guard watches.
-void Mission::take_track_as_believed() {
-  if (way_.is_tied() || !T_map_odom_ || limits_.is_unmeasured()) return;
-  way_.tie(*T_map_odom_);
+void Mission::anchor_path_to_estimate() {
+  if (traversed_path_.is_anchored() || !T_map_odom_ || limits_.is_unmeasured()) return;
+  traversed_path_.anchor(*T_map_odom_);
 }
 
-void Mission::got_on() {
-  attempt_.got_on();
-  rejoined_ = 0;
-  lost_tries_ = 0;
+void Mission::note_progress() {
+  retry_policy_.note_progress();
+  rejoin_count_ = 0;
+  failed_tries_ = 0;
 }
 
-bool Mission::is_nearly_home() const {
-  if (!p_odom_home_ || !way_.T_odom_body()) return false;
-  return (way_.T_odom_body()->translation() - *p_odom_home_).norm() <= params_.nearly_home_m;
+bool Mission::is_near_home() const {
+  if (!p_odom_home_ || !traversed_path_.T_odom_body()) return false;
+  return (traversed_path_.T_odom_body()->translation() - *p_odom_home_).norm() <=
+         params_.home_tolerance_m;
 }
 
 /// To wander about for the last decimetres is worth nothing.
-void Mission::refuse_nearly_home(const std::string& reason) {
-  if (++nearly_home_tries_ > params_.nearly_home_tries) {
-    end_nearly_home(reason);
+void Mission::retry_near_home(const std::string& reason) {
+  if (++home_retries_ > params_.home_retries) {
+    end_near_home(reason);
   } else {
-    look(other(phase_.laser), "it is nearly home, and looks to the other side: " + reason);
+    request_scan(other(phase_.laser), "it is nearly home, and looks to the other side: " + reason);
   }
 }
 
-void Mission::end_nearly_home(const std::string& reason) {
+void Mission::end_near_home(const std::string& reason) {
   char where[64];
   std::snprintf(where, sizeof where, ", %.2f m from the start, and comes no nearer: ",
-                (way_.T_odom_body()->translation() - *p_odom_home_).norm());
+                (traversed_path_.T_odom_body()->translation() - *p_odom_home_).norm());
   end(MissionOutcome::kHome, "the robot is at home" + (where + reason));
 }
 
 /// From afar what lies behind a rail or round a corner is in shadow; from nearer it is not.
-void Mission::go_nearer(double reached_m, const std::string& reason) {
-  nearer_m_ = reached_m - kShortOfReachedM;
+void Mission::approach(double reached_m, const std::string& reason) {
+  approach_m_ = reached_m - kApproachMarginM;
   ++phase_.goal_id;
   enter(Phase::kPlan, "it goes nearer to see more: " + reason);
 }
@@ -125,17 +129,17 @@ void Mission::go_nearer(double reached_m, const std::string& reason) {
 void Mission::back_off(double distance_m, const std::string& reason) {
   backing_off_ = true;
   goal_distance_m_ = distance_m;
-  track_odom_ = way_.back(goal_distance_m_);
+  path_back_odom_ = traversed_path_.back(goal_distance_m_);
   route_back_odom_.clear();
-  for (const Pose2& T_odom_place : track_odom_) {
+  for (const Pose2& T_odom_place : path_back_odom_) {
     route_back_odom_.push_back(T_odom_place.translation());
   }
-  goal_kind_ = track_failed_ ? PlanGoal::Kind::kRoute : PlanGoal::Kind::kRetrace;
+  goal_kind_ = path_back_failed_ ? PlanGoal::Kind::kRoute : PlanGoal::Kind::kRetrace;
   ++phase_.goal_id;
   enter(Phase::kPlan, "it backs off to look from another place: " + reason);
 }
 
-void Mission::back_off_as_planned(const std::string& reason) {
+void Mission::back_off_by_planning(const std::string& reason) {
   goal_kind_ = PlanGoal::Kind::kRoute;
   ++phase_.goal_id;
   enter(Phase::kPlan, "it backs off by what it sees: " + reason);
@@ -144,40 +148,45 @@ void Mission::back_off_as_planned(const std::string& reason) {
 /// Whether the route home left the own track before it was refused. Nothing is lost with a short
 /// cut, unless exploration knows no other way: then it is none.
 bool Mission::is_short_cut_home(double reached_m) const {
-  if (!is_led_home() || way_home_.was_judged() || !leads_back()) return false;
-  return way_.shared_m(route_odom_) < reached_m + kBeyondReachedM;
+  if (!is_returning() || homeward_progress_.was_blocked() || !path_leads_back()) return false;
+  return traversed_path_.shared_length_m(route_odom_) < reached_m + kObstacleDepthM;
 }
 
-bool Mission::leads_back() const { return way_.back_m(kGotOnM) > kLedBackM; }
+bool Mission::path_leads_back() const {
+  return traversed_path_.back_length_m(kProgressMinM) > kBackMinM;
+}
 
 /// How far it may go to where it is to go on its own track; 0 where that does not lead there. On
 /// the way home it does, if by a detour: so it goes the farther the more often it had to.
-double Mission::track_that_leads_there_m() const {
-  if (track_failed_) return 0.0;
-  const double shared_m = way_.shared_m(route_odom_);
-  if (!phase_.homeward) return shared_m < kSharedM ? 0.0 : std::min(shared_m, kRejoinedM);
-  const int times = 1 + rejoined_ / 2;
-  return leads_back() ? std::min(kRejoinedM * times, kRejoinedMaxM) : 0.0;
+double Mission::rejoin_length_m() const {
+  if (path_back_failed_) return 0.0;
+  const double shared_length_m = traversed_path_.shared_length_m(route_odom_);
+  if (!phase_.returning_home)
+    return shared_length_m < kSharedMinM ? 0.0 : std::min(shared_length_m, kRejoinM);
+  const int times = 1 + rejoin_count_ / 2;
+  return path_leads_back() ? std::min(kRejoinM * times, kRejoinMaxM) : 0.0;
 }
 
 /// What lies between it and its own track it can see; on the track it need not. Before the first
 /// look in a new odom it sees nothing.
 void Mission::rejoin(double length_m, const std::string& reason) {
   backing_off_ = true;
-  ++rejoined_;
+  ++rejoin_count_;
   goal_distance_m_ = length_m;
-  track_odom_ = way_.back_within(length_m + kTrackInSightM);
+  path_back_odom_ = traversed_path_.poses_back_within(length_m + kPathInViewM);
   route_back_odom_.clear();
-  const bool sees = terrain_utime_ >= odom_utime_;
+  const bool sees = terrain_utime_ >= odom_epoch_utime_;
   goal_kind_ = sees ? PlanGoal::Kind::kRejoin : PlanGoal::Kind::kRetrace;
   ++phase_.goal_id;
   enter(Phase::kPlan, "it goes on along its own track: " + reason);
 }
 
 /// Back to where it was once refused is not on.
-bool Mission::is_beyond_refusals() const {
-  if (way_.travelled_m() - progress_mark_m_ < kGotOnM || !way_.T_odom_body()) return false;
-  return refused_.all_beyond(kGotOnM, way_.T_odom_body()->translation());
+bool Mission::is_beyond_rejections() const {
+  if (traversed_path_.distance_travelled_m() - distance_at_last_scan_m_ < kProgressMinM ||
+      !traversed_path_.T_odom_body())
+    return false;
+  return rejected_.all_farther_than(kProgressMinM, traversed_path_.T_odom_body()->translation());
 }
 
 /// On the way back that says nothing of what lies ahead, and it may be another place already. Who
@@ -188,12 +197,12 @@ void Mission::drive_failed(const std::string& reason) {
     return;
   }
   if (backing_off_) {
-    track_failed_ = goal_kind_ != PlanGoal::Kind::kRoute;
+    path_back_failed_ = goal_kind_ != PlanGoal::Kind::kRoute;
     enter(Phase::kExplore, "it looks from where it got to: " + reason);
     return;
   }
-  if (!is_led_home() && is_beyond_refusals()) attempt_.got_on();
-  refuse(0.0, reason, Evidence::kDrive);
+  if (!is_returning() && is_beyond_rejections()) retry_policy_.note_progress();
+  reject(0.0, reason, Evidence::kDriveFailed);
 }
 
 }  // namespace adit

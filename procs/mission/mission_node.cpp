@@ -5,28 +5,20 @@
 #include <exception>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/driving_state.hpp"
-#include "common/messages/exploration_report.hpp"
-#include "common/messages/explore_request.hpp"
-#include "common/messages/gas_reading.hpp"
-#include "common/messages/map_correction.hpp"
-#include "common/messages/mission_order.hpp"
-#include "common/messages/mission_phase.hpp"
-#include "common/messages/plan_goal.hpp"
-#include "common/messages/planned_path.hpp"
-#include "common/messages/pose.hpp"
-#include "common/messages/scan_match.hpp"
-#include "common/messages/scan_request.hpp"
-#include "common/messages/sinkage_reading.hpp"
-#include "common/messages/terrain_made.hpp"
-#include "common/messages/vehicle_state.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/exploration.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/mapping/terrain.hpp"
+#include "common/messages/mission.hpp"
+#include "common/messages/navigation.hpp"
+#include "common/messages/sensing.hpp"
 
 namespace adit {
 namespace {
 
 constexpr std::int64_t kPeriodUs = 100'000;
-constexpr std::int64_t kTellPeriodUs = 1'000'000;
+constexpr std::int64_t kPublishPeriodUs = 1'000'000;
 constexpr std::size_t kWaiting = 100;
 
 }  // namespace
@@ -35,7 +27,7 @@ MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(p
   if (!params.journal.empty()) {
     journal_.emplace(params.journal);
     if (journal_->last()) {
-      mission_.restore(*journal_->last(), journal_->begun_utime(), journal_->take_track());
+      mission_.restore(*journal_->last(), journal_->start_utime(), journal_->take_stored_path());
     }
   }
   subscribe_to_stages();
@@ -51,13 +43,13 @@ MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(p
                                mission_.add_order(order);
                                advance();
                              });
-  bus.every(kPeriodUs, [this](std::int64_t) { advance(); });
+  bus.create_timer(kPeriodUs, [this](std::int64_t) { advance(); });
 }
 
 void MissionNode::subscribe_to_stages() {
   const auto queued = Delivery::queued(kWaiting);
   subscribe<pose_t>(bus_, channels::kPose, queued, [this](const StampedPose& pose) {
-    if (const auto place = mission_.add_pose(pose.utime, pose.T_odom_body)) keep(*place);
+    if (const auto place = mission_.add_pose(pose.utime, pose.T_odom_body)) store(*place);
   });
   subscribe<scan_match_t>(bus_, channels::kScanMatch, queued,
                           [this](const ScanMatch& match) { mission_.add_match(match); });
@@ -69,11 +61,12 @@ void MissionNode::subscribe_to_stages() {
                              mission_.add_exploration(report);
                              advance();
                            });
-  subscribe<terrain_made_t>(bus_, channels::kTerrainMade, queued, [this](const TerrainMade& made) {
-    mission_.add_cloud(made.id, made.complete);
-    mission_.add_terrain(made.utime, made.id);
-    advance();
-  });
+  subscribe<terrain_ready_t>(bus_, channels::kTerrainReady, queued,
+                             [this](const TerrainReady& made) {
+                               mission_.add_cloud(made.id, made.complete);
+                               mission_.add_terrain(made.utime, made.id);
+                               advance();
+                             });
   subscribe<planned_path_t>(bus_, channels::kPath, queued, [this](const PlannedPath& path) {
     mission_.add_path(path);
     advance();
@@ -87,26 +80,26 @@ void MissionNode::subscribe_to_stages() {
 
 void MissionNode::advance() {
   const std::int64_t utime = bus_.now_utime();
-  const MissionAsk ask = mission_.advance(utime);
-  tell();
-  if (ask.explore) publish(bus_, channels::kExploreRequest, to_message(*ask.explore));
-  if (ask.scan) publish(bus_, channels::kScanRequest, to_message(*ask.scan));
-  if (ask.goal) publish(bus_, channels::kGoal, to_message(*ask.goal));
+  const MissionRequests requests = mission_.advance(utime);
+  publish_phase();
+  if (requests.explore) publish(bus_, channels::kExploreRequest, to_message(*requests.explore));
+  if (requests.scan) publish(bus_, channels::kScanRequest, to_message(*requests.scan));
+  if (requests.goal) publish(bus_, channels::kGoal, to_message(*requests.goal));
 }
 
 /// To the disk first: what was announced is not forgotten.
-void MissionNode::tell() {
+void MissionNode::publish_phase() {
   const MissionPhase& phase = mission_.phase();
-  const bool news = phase.sequence != told_sequence_;
-  if (!news && bus_.now_utime() < told_utime_ + kTellPeriodUs) return;
-  if (news) keep(phase);
+  const bool is_new = phase.sequence != published_sequence_;
+  if (!is_new && bus_.now_utime() < published_utime_ + kPublishPeriodUs) return;
+  if (is_new) store(phase);
   publish(bus_, channels::kPhase, to_message(phase));
-  told_sequence_ = phase.sequence;
-  told_utime_ = bus_.now_utime();
+  published_sequence_ = phase.sequence;
+  published_utime_ = bus_.now_utime();
 }
 
 template <class Record>
-void MissionNode::keep(const Record& record) {
+void MissionNode::store(const Record& record) {
   if (!journal_) return;
   try {
     journal_->append(record);

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "common/bus/bus.hpp"
-#include "common/messages/heartbeat.hpp"
+#include "common/messages/diagnostics.hpp"
 #include "procs/mission/mission.hpp"
 #include "procs/mission/mission_journal.hpp"
 
@@ -24,7 +24,7 @@ struct MissionNodeParams : MissionParams {
 };
 
 /// In:  POSE (pose_t), SCAN_MATCH (scan_match_t), MAP_CORRECTION (map_correction_t), EXPLORATION
-///      (exploration_t), TERRAIN_MADE (terrain_made_t), PATH (planned_path_t), DRIVING_STATE
+///      (exploration_t), TERRAIN_READY (terrain_ready_t), PATH (planned_path_t), DRIVING_STATE
 ///      (driving_state_t), VEHICLE_STATE (vehicle_state_t), GAS (gas_t), SINKAGE (sinkage_t),
 ///      MISSION_ORDER (mission_order_t). Not CLOUD and TERRAIN, 2 MB with each look: LCM's receive
 ///      buffer grows to the largest burst that ever waited, and does not shrink.
@@ -43,16 +43,16 @@ class MissionNode {
  private:
   void subscribe_to_stages();
   void advance();
-  void tell();
+  void publish_phase();
   template <class Record>
-  void keep(const Record& record);
+  void store(const Record& record);
 
   Bus& bus_;
   Mission mission_;
   std::optional<MissionJournal> journal_;
   std::string journal_failure_;
-  std::int32_t told_sequence_ = -1;
-  std::int64_t told_utime_ = 0;
+  std::int32_t published_sequence_ = -1;
+  std::int64_t published_utime_ = 0;
 };
 
 }  // namespace adit

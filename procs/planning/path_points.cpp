@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 
-#include "procs/planning/footprint.hpp"
-#include "procs/planning/lattice.hpp"
+#include "procs/planning/c_space/footprint.hpp"
+#include "procs/planning/lattice/lattice.hpp"
 
 namespace adit {
 namespace {
@@ -15,7 +17,7 @@ namespace {
 double least_along(const BodyRectangle& rectangle, const Pose2& T_level_body,
                    const std::vector<float>& distances, const TerrainMap& terrain, double most_m) {
   double least = most_m;
-  const auto look = [&](double x, double y) {
+  const auto sample = [&](double x, double y) {
     const Eigen::Vector2d p = T_level_body * Eigen::Vector2d(x, y);
     const Eigen::Vector2d cells = (p - terrain.p_level_corner) / terrain.cell_m;
     const auto column = static_cast<int>(std::floor(cells.x()));
@@ -31,13 +33,13 @@ double least_along(const BodyRectangle& rectangle, const Pose2& T_level_body,
   const int across = static_cast<int>(std::ceil(2.0 * rectangle.half.y() / terrain.cell_m));
   for (int i = 0; i <= along; ++i) {
     const double x = std::lerp(low.x(), high.x(), static_cast<double>(i) / along);
-    look(x, low.y());
-    look(x, high.y());
+    sample(x, low.y());
+    sample(x, high.y());
   }
   for (int i = 0; i <= across; ++i) {
     const double y = std::lerp(low.y(), high.y(), static_cast<double>(i) / across);
-    look(low.x(), y);
-    look(high.x(), y);
+    sample(low.x(), y);
+    sample(high.x(), y);
   }
   return least;
 }
@@ -68,24 +70,90 @@ std::vector<PathPoint> path_points(const LatticePath& path, const LatticePose& s
   for (std::size_t i = 0; i < path.steps.size(); ++i) {
     const MotionPrimitive& step = *path.steps[i];
     const Eigen::Vector2d from = terrain.centre(pose.column, pose.row);
-    const double length = step.manoeuvre.length_m();
-    const int pieces = std::max(1, static_cast<int>(std::lround(length / spacing_m)));
+    const double length = step.curve.length_m();
+    const int segments = std::max(1, static_cast<int>(std::lround(length / spacing_m)));
     const bool changes = i > 0 && path.steps[i - 1]->reverse != step.reverse;
     if (changes) add({from.x(), from.y(), headings.angle(pose.heading)}, 0.0, !step.reverse, cost);
-    for (int piece = 0; piece < pieces; ++piece) {
-      const double way = length * piece / pieces;
+    for (int segment = 0; segment < segments; ++segment) {
+      const double way = length * segment / segments;
       const Pose2 T_step_body = primitives.pose_at(step, way);
       add({from.x() + T_step_body.x, from.y() + T_step_body.y, T_step_body.theta},
           primitives.curvature_at(step, way), step.reverse,
           std::lerp(cost, path.costs[i], way / length));
     }
     cost = path.costs[i];
-    pose = Lattice::behind(pose, step);
+    pose = Lattice::successor(pose, step);
   }
   const Eigen::Vector2d end = terrain.centre(pose.column, pose.row);
   add({end.x(), end.y(), headings.angle(pose.heading)}, 0.0,
       !path.steps.empty() && path.steps.back()->reverse, cost);
   return points;
+}
+
+namespace {
+
+// By wheels alone a drive of 10 m is known to 0.3 m; and a cell of the terrain.
+constexpr double kEndClearanceMinM = 0.4;
+constexpr double kStepM = 0.1;
+constexpr double kWidthReserveM = 0.4;  // of what margins and cells take off
+
+/// Of a drift in which the vehicle turns by a right angle into another that is as wide: its outer
+/// side keeps to the outer walls, and its inner side just passes the corner.
+double turning_tunnel_width_m(const Vehicle& vehicle) {
+  const Eigen::Vector2d half = body_outline(vehicle).half;
+  const double outer_m = std::hypot(vehicle.turning_radius_m + half.y(), half.x());
+  const double inner_m = std::max(0.0, vehicle.turning_radius_m - half.y());
+  return outer_m - inner_m / std::numbers::sqrt2 + kWidthReserveM;
+}
+
+/// Straight on until something lethal; `enough_m` at most.
+double clear_ahead_m(const Pose2& T_level_body, bool reverse, const TerrainMap& terrain,
+                     const HeadingSet& headings, const Lattice& seen, double enough_m) {
+  double clear_m = 0.0;
+  while (clear_m < enough_m) {
+    const double ahead_m = clear_m + kStepM;
+    const Pose2 T_level_ahead = T_level_body * Pose2{reverse ? -ahead_m : ahead_m, 0.0, 0.0};
+    const LatticePose pose = nearest_pose(terrain, headings, T_level_ahead);
+    if (!seen.space.contains(pose.column, pose.row)) return enough_m;  // nobody knows
+    if (!seen.is_valid(pose)) break;
+    clear_m = ahead_m;
+  }
+  return clear_m;
+}
+
+void truncate(PlannedPath& path, std::size_t points, double reached_m) {
+  path.points.resize(points);
+  path.points.back().curvature_1_m = 0.0;
+  path.points.back().reverse = path.points[points - 2].reverse;
+  path.reached_m = reached_m;
+}
+
+}  // namespace
+
+void trim_to_clear_end(PlannedPath& path, const TerrainMap& terrain, const HeadingSet& headings,
+                       const Lattice& seen, const GoalField& goals, const Vehicle& vehicle) {
+  const double room_m = turning_tunnel_width_m(vehicle);
+  const Pose2 T_level_odom = terrain.T_odom_level.inverse();
+  std::size_t clear_end = 0;
+  double clear_end_reached_m = 0.0;
+  for (std::size_t n = path.points.size(); n > 1; --n) {
+    const Pose2 T_level_end = T_level_odom * path.points[n - 1].T_odom_body;
+    const double reached_m = goals.progress(T_level_end.translation());
+    if (reached_m < goals.min_progress() - kEndClearanceMinM) break;
+    // Where the direction changes, the place is there twice.
+    if (path.points[n - 1].cost == path.points[n - 2].cost) continue;
+    const double clear_m =
+        clear_ahead_m(T_level_end, path.points[n - 2].reverse, terrain, headings, seen, room_m) +
+        1e-9;
+    if (clear_end == 0 && clear_m >= kEndClearanceMinM) {
+      clear_end = n;
+      clear_end_reached_m = reached_m;
+    }
+    if (clear_m < room_m || reached_m < goals.min_progress()) continue;
+    truncate(path, n, reached_m);
+    return;
+  }
+  if (clear_end > 0) truncate(path, clear_end, clear_end_reached_m);
 }
 
 }  // namespace adit

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "common/config/bounds.hpp"
-#include "common/path/planned_path.hpp"
-#include "common/terrain/terrain_map.hpp"
-#include "common/vehicle/vehicle.hpp"
-#include "procs/planning/c_space.hpp"
-#include "procs/planning/goal_field.hpp"
-#include "procs/planning/lattice.hpp"
-#include "procs/planning/lattice_search.hpp"
-#include "procs/planning/motion_primitives.hpp"
+#include "common/types/planned_path.hpp"
+#include "common/types/terrain_map.hpp"
+#include "common/types/vehicle.hpp"
+#include "procs/planning/c_space/c_space.hpp"
+#include "procs/planning/goals/goal_field.hpp"
+#include "procs/planning/lattice/lattice.hpp"
+#include "procs/planning/lattice/lattice_search.hpp"
+#include "procs/planning/lattice/motion_primitives.hpp"
 
 namespace adit {
 
@@ -41,7 +41,7 @@ struct PlanningParams {
 struct PlanGround {
   GroundLayers layers;
   CSpace space;
-  CloseLook close_look;
+  ExactCheck exact_check;
   std::vector<std::uint8_t> reached;  ///< 1: the robot's middle can get there; empty with a path
 };
 
@@ -71,20 +71,20 @@ class Planning {
  private:
   void prepare_for(double cell_m);
   [[nodiscard]] const MotionPrimitives& primitives() const;
-  [[nodiscard]] Lattice lattice(std::uint16_t refused) const;
-  [[nodiscard]] bool stands(const LatticePose& pose) const;
-  PlannedPath no_path(const TerrainMap& terrain, const Pose2& T_level_body,
-                      const LatticePose& start, const GoalField& goals);
-  [[nodiscard]] bool may_just_fit(const TerrainMap& terrain, const Pose2& T_level_body,
-                                  const LatticePose& start, const GoalField& goals,
-                                  double enough_m) const;
+  [[nodiscard]] Lattice lattice(std::uint16_t cost_limit) const;
+  [[nodiscard]] bool is_valid(const LatticePose& pose) const;
+  PlannedPath explain_no_path(const TerrainMap& terrain, const Pose2& T_level_body,
+                              const LatticePose& start, const GoalField& goals);
+  [[nodiscard]] bool may_fit_without_margins(const TerrainMap& terrain, const Pose2& T_level_body,
+                                             const LatticePose& start, const GoalField& goals,
+                                             double enough_m) const;
 
   PlanningParams params_;
   std::optional<CSpaceKernels> kernels_;
   // With the front leading, to goals ahead, and the rear, to those behind the robot.
-  std::optional<MotionPrimitives> front_leads_;
-  std::optional<MotionPrimitives> rear_leads_;
-  bool goes_back_ = false;
+  std::optional<MotionPrimitives> front_leading_;
+  std::optional<MotionPrimitives> rear_leading_;
+  bool drives_rear_first_ = false;
   std::optional<PlanGround> ground_;
 };
 

@@ -7,48 +7,47 @@
 #include <malloc.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/plan_goal.hpp"
-#include "common/messages/planned_path.hpp"
-#include "common/messages/pose.hpp"
-#include "procs/planning/retrace.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/navigation.hpp"
+#include "procs/planning/goals/retrace.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::size_t kTilesWaiting = 200;  // several maps
+constexpr std::size_t kTileQueueSize = 200;  // several maps
 
 /// A search takes several times what it leaves, and the C library would hold on to the most that
 /// any one ever took.
-void give_back_memory() { malloc_trim(0); }
+void release_memory() { malloc_trim(0); }
 
 }  // namespace
 
 PlanningNode::PlanningNode(Bus& bus, const Params& params) : bus_(bus), planning_(params) {
-  subscribe<terrain_t>(bus, channels::kTerrain, Delivery::queued(kTilesWaiting),
-                       [this](const TerrainTile& tile) {
+  subscribe<terrain_t>(bus, channels::kTerrain, Delivery::queued(kTileQueueSize),
+                       [this](const TerrainFragment& tile) {
                          auto terrain = assembler_.add(tile);
                          if (!terrain) return;
                          terrain_ = std::move(terrain);
-                         answer();
+                         try_plan();
                        });
   subscribe<pose_t>(bus, channels::kPose, Delivery::latest(), [this](const StampedPose& pose) {
     T_odom_body_ = pose.T_odom_body;
-    answer();
+    try_plan();
   });
   subscribe<plan_goal_t>(bus, channels::kGoal, Delivery::latest(), [this](const PlanGoal& goal) {
     goal_ = goal;
-    answer();
+    try_plan();
   });
 }
 
-void PlanningNode::answer() {
+void PlanningNode::try_plan() {
   if (!goal_ || !T_odom_body_) return;
   if (goal_->kind == PlanGoal::Kind::kRetrace) {
     publish(bus_, channels::kPath, to_message(retrace(*goal_, *T_odom_body_)));
   } else if (terrain_) {
     publish(bus_, channels::kPath, to_message(plan()));
-    give_back_memory();
+    release_memory();
   } else {
     return;
   }
@@ -62,7 +61,7 @@ PlannedPath PlanningNode::plan() {
     return planning_.plan(*terrain_, *goal_, *T_odom_body_);
   } catch (const std::invalid_argument& failure) {
     failure_ = failure.what();
-    return {terrain_->utime, goal_->id, PlanOutcome::kGaveUp, failure_, {}, 0.0, {}};
+    return {terrain_->utime, goal_->id, PlanOutcome::kSearchLimit, failure_, {}, 0.0, {}};
   }
 }
 

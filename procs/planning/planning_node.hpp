@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "common/bus/bus.hpp"
-#include "common/messages/heartbeat.hpp"
-#include "common/messages/terrain_tiles.hpp"
+#include "common/messages/diagnostics.hpp"
+#include "common/messages/mapping/terrain.hpp"
 #include "procs/planning/planning.hpp"
 
 namespace adit {
@@ -26,12 +26,12 @@ class PlanningNode {
   [[nodiscard]] Health health() const;
 
  private:
-  void answer();
+  void try_plan();
   [[nodiscard]] PlannedPath plan();
 
   Bus& bus_;
   Planning planning_;
-  TerrainAssembler assembler_;
+  TerrainReassembler assembler_;
   std::optional<TerrainMap> terrain_;
   std::optional<Pose2> T_odom_body_;
   std::optional<PlanGoal> goal_;  ///< that has no answer yet

@@ -20,10 +20,10 @@ std::string degrees(double angle_rad) {
 
 std::uint8_t grey_of(std::uint16_t cost) {
   if (cost == CSpace::kLethal) return PlanPicture::kLethalGrey;
-  if (cost == CSpace::kUnseen) return PlanPicture::kUnseenGrey;
-  const double pale = kPaleCost / (kPaleCost + CSpace::bare(cost) - CSpace::kEven);
+  if (cost == CSpace::kUnknown) return PlanPicture::kUnknownGrey;
+  const double pale = kPaleCost / (kPaleCost + CSpace::unmarked(cost) - CSpace::kEven);
   return static_cast<std::uint8_t>(
-      std::lround(std::lerp(PlanPicture::kDearGrey, PlanPicture::kEvenGrey, pale)));
+      std::lround(std::lerp(PlanPicture::kCostlyGrey, PlanPicture::kFlatGrey, pale)));
 }
 
 GreyCells slice_of(const CSpace& space, const HeadingSet& headings, double angle_rad) {
@@ -46,11 +46,11 @@ void fill(GreyCells& cells, const RunKernel& kernel, int reach, std::uint8_t gre
 
 GreyCells kernel_of(const CSpaceKernels& kernels, int heading) {
   const auto& oriented = kernels.oriented(heading);
-  const int reach = oriented.close_body.reach;
+  const int reach = oriented.conservative_body.reach;
   GreyCells cells{degrees(kernels.headings().angle(heading)), 2 * reach + 1, {}};
   const auto side = static_cast<std::size_t>(cells.columns);
   cells.grey.assign(side * side, kWhite);
-  fill(cells, oriented.close_body, reach, PlanPicture::kMarginGrey);
+  fill(cells, oriented.conservative_body, reach, PlanPicture::kMarginGrey);
   fill(cells, oriented.body, reach, PlanPicture::kBetweenGrey);
   fill(cells, oriented.wheels, reach, PlanPicture::kWheelGrey);
   return cells;

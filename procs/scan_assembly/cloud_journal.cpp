@@ -4,13 +4,29 @@
 
 #include <algorithm>
 
-#include "common/messages/cloud_pieces.hpp"
 #include "common/messages/codec.hpp"
+#include "common/messages/mapping/cloud.hpp"
 
 namespace adit {
+
+void CloudBuffer::add(const Cloud& cloud, std::int64_t utime) {
+  sent_.push_back({utime, cloud});
+  if (sent_.size() > kMax) sent_.pop_front();
+}
+
+const Cloud* CloudBuffer::find_missing(const CloudRequest& request, std::int64_t utime) const {
+  const auto is_missing = [&](const Sent& sent) {
+    const std::int64_t end = sent.cloud.utime;
+    return utime - sent.utime >= kResendDelayUs && end > request.after_utime &&
+           std::ranges::find(request.received_utime, end) == request.received_utime.end();
+  };
+  const auto found = std::find_if(sent_.rbegin(), sent_.rend(), is_missing);
+  return found == sent_.rend() ? nullptr : &found->cloud;
+}
+
 namespace {
 
-constexpr std::string_view kPiece = "CLOUD_PIECE";
+constexpr std::string_view kFragment = "CLOUD_FRAGMENT";
 
 /// Joins the pieces of which a journal has all.
 class CloudReader {
@@ -18,17 +34,17 @@ class CloudReader {
   explicit CloudReader(std::vector<Cloud>& clouds) : clouds_(clouds) {}
 
   void operator()(const JournalRecord& record) {
-    if (record.kind != kPiece) return;
+    if (record.kind != kFragment) return;
     const auto message = decode<cloud_t>(record.bytes);
     if (!message) return;
-    const auto piece = from_message(*message);
-    if (!piece) return;
-    if (auto cloud = assembler_.add(*piece)) clouds_.push_back(std::move(*cloud));
+    const auto fragment = from_message(*message);
+    if (!fragment) return;
+    if (auto cloud = assembler_.add(*fragment)) clouds_.push_back(std::move(*cloud));
   }
 
  private:
   std::vector<Cloud>& clouds_;
-  CloudAssembler assembler_;
+  CloudReassembler assembler_;
 };
 
 }  // namespace
@@ -36,29 +52,29 @@ class CloudReader {
 CloudJournal::CloudJournal(const std::filesystem::path& path)
     : journal_(path, CloudReader(restored_)) {
   clouds_ = restored_.size();
-  for (const Cloud& cloud : restored_) lacked_utime_.push_back(cloud.utime);
+  for (const Cloud& cloud : restored_) unacknowledged_utime_.push_back(cloud.utime);
 }
 
 /// What it begins anew without has been announced long ago, and may be asked for in memory.
-void CloudJournal::keep(const Cloud& cloud) {
+void CloudJournal::store(const Cloud& cloud) {
   if (clouds_ >= kMax) {
     journal_.clear();
     clouds_ = 0;
-    lacked_utime_.clear();
+    unacknowledged_utime_.clear();
   }
   ++clouds_;
-  lacked_utime_.push_back(cloud.utime);
-  for (const CloudPiece& piece : divide(cloud)) {
-    journal_.append(kPiece, encode(to_message(piece)));
+  unacknowledged_utime_.push_back(cloud.utime);
+  for (const CloudFragment& fragment : split(cloud)) {
+    journal_.append(kFragment, encode(to_message(fragment)));
   }
   journal_.sync();
 }
 
-void CloudJournal::let_go(std::span<const std::int64_t> have_utime) {
-  std::erase_if(lacked_utime_, [&](std::int64_t utime) {
-    return std::ranges::find(have_utime, utime) != have_utime.end();
+void CloudJournal::acknowledge(std::span<const std::int64_t> received_utime) {
+  std::erase_if(unacknowledged_utime_, [&](std::int64_t utime) {
+    return std::ranges::find(received_utime, utime) != received_utime.end();
   });
-  if (!lacked_utime_.empty() || clouds_ == 0) return;
+  if (!unacknowledged_utime_.empty() || clouds_ == 0) return;
   journal_.clear();
   clouds_ = 0;
 }

@@ -13,14 +13,14 @@ constexpr double kGravity = 9.81;  // [m/s²]
 
 }  // namespace
 
-bool Gravity::add(const ImuReading& reading) {
+bool GravityEstimator::add(const ImuReading& reading) {
   if (!reading.linear_acceleration.allFinite()) return false;
   forces_.push_back(reading.linear_acceleration);
   if (forces_.size() > static_cast<std::size_t>(params_.readings)) forces_.pop_front();
   return true;
 }
 
-std::optional<Eigen::Vector3d> Gravity::up_body() const {
+std::optional<Eigen::Vector3d> GravityEstimator::up_body() const {
   if (forces_.size() < static_cast<std::size_t>(params_.readings)) return std::nullopt;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& force : forces_) sum += force;

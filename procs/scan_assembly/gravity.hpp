@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "common/config/bounds.hpp"
-#include "common/sensing/imu_reading.hpp"
+#include "common/sensing/vehicle_readings.hpp"
 
 namespace adit {
 
@@ -26,9 +26,9 @@ struct GravityParams {
 
 /// Which way is up, of a body at rest: against the pull of gravity, as the mean of the specific
 /// force that was measured last.
-class Gravity {
+class GravityEstimator {
  public:
-  explicit Gravity(const GravityParams& params) : params_(params) {}
+  explicit GravityEstimator(const GravityParams& params) : params_(params) {}
 
   /// False for a reading that is not finite; it is not used.
   bool add(const ImuReading& reading);

@@ -5,16 +5,38 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <vector>
 
 namespace adit {
 namespace {
 
+float valid_range_m(float range_m, const LaserMount& mount) {
+  if (range_m >= mount.range_max_m) return std::numeric_limits<float>::infinity();
+  if (range_m >= mount.range_min_m) return range_m;
+  return std::numeric_limits<float>::quiet_NaN();
+}
+
+}  // namespace
+
+RangeImage range_image(std::span<const LaserScan> scans, const LaserMount& mount) {
+  RangeImage image;
+  image.reserve(scans.size());
+  for (const LaserScan& scan : scans) {
+    std::vector<float>& row = image.emplace_back();
+    std::ranges::transform(scan.ranges_m, std::back_inserter(row),
+                           [&](float range_m) { return valid_range_m(range_m, mount); });
+  }
+  return image;
+}
+
+namespace {
+
 enum class Kind {
   kSurface,  // or nothing at all
   kMixture,
-  kAlone,
+  kIsolated,
 };
 
 using Row = std::vector<float>;
@@ -61,7 +83,7 @@ Kind kind_of(const Row& row, std::ptrdiff_t beam, int turns, const MixedPixelPar
   if (is_of_surface(row, beam, 1, params)) return Kind::kSurface;
   if (is_of_surface(row, beam, turns, params)) return Kind::kSurface;
   const bool between = (left < range) == (range < right);
-  if (!between) return Kind::kAlone;
+  if (!between) return Kind::kIsolated;
   return std::abs(left - right) <= params.span_max_m ? Kind::kMixture : Kind::kSurface;
 }
 
@@ -77,13 +99,13 @@ Kinds kinds_of(const RangeImage& image, int turns, const MixedPixelParams& param
 }
 
 /// Returns near `beam` in a row that agree with a range and are no mixtures.
-int supporters(const Row& row, const std::vector<Kind>& kinds, std::size_t beam, float range,
-               const MixedPixelParams& params) {
+int support_count(const Row& row, const std::vector<Kind>& kinds, std::size_t beam, float range,
+                  const MixedPixelParams& params) {
   int n = 0;
   const std::size_t end = std::min(row.size(), beam + 2);
   for (std::size_t i = beam > 0 ? beam - 1 : 0; i < end; ++i) {
-    const bool seen = std::isfinite(row[i]) && kinds[i] != Kind::kMixture;
-    if (seen && !differs(row[i], range, params)) ++n;
+    const bool measured = std::isfinite(row[i]) && kinds[i] != Kind::kMixture;
+    if (measured && !differs(row[i], range, params)) ++n;
   }
   return n;
 }
@@ -92,9 +114,9 @@ bool is_supported(const RangeImage& image, const Kinds& kinds, std::size_t line,
                   const MixedPixelParams& params) {
   int n = 0;
   const float range = image[line][beam];
-  if (line > 0) n += supporters(image[line - 1], kinds[line - 1], beam, range, params);
+  if (line > 0) n += support_count(image[line - 1], kinds[line - 1], beam, range, params);
   if (line + 1 < image.size()) {
-    n += supporters(image[line + 1], kinds[line + 1], beam, range, params);
+    n += support_count(image[line + 1], kinds[line + 1], beam, range, params);
   }
   return n >= params.support_min;
 }
@@ -102,12 +124,12 @@ bool is_supported(const RangeImage& image, const Kinds& kinds, std::size_t line,
 }  // namespace
 
 void remove_mixed_pixels(RangeImage& image, int turns, const MixedPixelParams& params) {
-  const RangeImage seen = image;
-  const Kinds kinds = kinds_of(seen, turns, params);
-  for (std::size_t line = 0; line < seen.size(); ++line) {
-    for (std::size_t beam = 0; beam < seen[line].size(); ++beam) {
+  const RangeImage measured = image;
+  const Kinds kinds = kinds_of(measured, turns, params);
+  for (std::size_t line = 0; line < measured.size(); ++line) {
+    for (std::size_t beam = 0; beam < measured[line].size(); ++beam) {
       if (kinds[line][beam] == Kind::kSurface) continue;
-      if (!is_supported(seen, kinds, line, beam, params)) image[line][beam] = kNothing;
+      if (!is_supported(measured, kinds, line, beam, params)) image[line][beam] = kNothing;
     }
   }
 }

@@ -2,10 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "common/config/bounds.hpp"
-#include "procs/scan_assembly/range_image.hpp"
+#include "common/sensing/laser_mount.hpp"
+#include "common/sensing/laser_scan.hpp"
 
 namespace adit {
+
+/// The scans of a tilt sweep as an image: a row for each scan, a column for each beam. Ranges in
+/// metres; infinity where nothing came back; NaN where the reading is not to be believed.
+using RangeImage = std::vector<std::vector<float>>;
+
+RangeImage range_image(std::span<const LaserScan> scans, const LaserMount& mount);
 
 struct MixedPixelParams {
   double jump_min_m = 0.05;  ///< along the ray, from which two returns are not of one surface

@@ -12,7 +12,7 @@ namespace {
 
 using Phase = SweepMotion::Phase;
 
-constexpr double kOnItsWayS = 2.0;
+constexpr double kCloudInTransitS = 2.0;
 
 const char* name_of(LaserId laser) {
   return laser == LaserId::kFront ? "the front laser" : "the rear laser";
@@ -24,20 +24,20 @@ ScanAssembly::ScanAssembly(const ScanAssemblyParams& params)
     : params_(params), sweep_(params.sweep), gravity_(params.gravity) {}
 
 void ScanAssembly::begin(const ScanRequest& request, std::int64_t utime) {
-  if (is_known(request, utime)) return;
+  if (is_repeat(request, utime)) return;
   if (sweep_.phase() == Phase::kApproach || sweep_.phase() == Phase::kSweep) {
-    complaint_ = "request refused: a sweep is under way";
+    problem_ = "request refused: a sweep is under way";
     return;
   }
   if (sweep_.phase() == Phase::kReturn && request.laser != request_.laser) {
-    complaint_ = "request refused: the other laser is not level yet";
+    problem_ = "request refused: the other laser is not level yet";
     return;
   }
   if (!last_pose_) {
-    complaint_ = "request refused: the pose is not known";
+    problem_ = "request refused: the pose is not known";
     return;
   }
-  complaint_.clear();
+  problem_.clear();
   request_ = request;
   scans_.clear();
   tilt_rad_.clear();
@@ -49,18 +49,18 @@ void ScanAssembly::begin(const ScanRequest& request, std::int64_t utime) {
 }
 
 /// Who asks repeats it until there is a cloud. That may be on its way.
-bool ScanAssembly::is_known(const ScanRequest& request, std::int64_t utime) const {
+bool ScanAssembly::is_repeat(const ScanRequest& request, std::int64_t utime) const {
   const bool same = request.id == request_.id && request.laser == request_.laser;
   if (!same || begin_utime_ == 0) return false;
-  return sweep_.phase() != Phase::kIdle || seconds(utime - cloud_utime_) < kOnItsWayS;
+  return sweep_.phase() != Phase::kIdle || seconds(utime - cloud_utime_) < kCloudInTransitS;
 }
 
-bool ScanAssembly::listens_to(LaserId laser) const {
+bool ScanAssembly::uses_laser(LaserId laser) const {
   return sweep_.phase() != Phase::kIdle && laser == request_.laser;
 }
 
 bool ScanAssembly::add(LaserId laser, const LaserScan& scan) {
-  if (!listens_to(laser)) return false;
+  if (!uses_laser(laser)) return false;
   scan_utime_ = utime_;
   if (sweep_.phase() != Phase::kSweep) return false;
   if (!std::isfinite(scan.angle_min_rad) || !std::isfinite(scan.angle_step_rad)) return false;
@@ -70,7 +70,7 @@ bool ScanAssembly::add(LaserId laser, const LaserScan& scan) {
 }
 
 bool ScanAssembly::add(LaserId laser, const TiltReading& reading) {
-  if (!listens_to(laser) || !std::isfinite(reading.angle_rad)) return false;
+  if (!uses_laser(laser) || !std::isfinite(reading.angle_rad)) return false;
   tilt_utime_ = utime_;
   const bool newest = tilt_rad_.empty() || reading.utime > tilt_rad_.end_utime();
   if (!tilt_rad_.add(reading.utime, reading.angle_rad)) return false;
@@ -88,57 +88,57 @@ ScanAssembly::Step ScanAssembly::advance(std::int64_t utime) {
   utime_ = utime;
   Step step;
   if (sweep_.phase() == Phase::kIdle) return step;
-  if (const std::string reason = reason_to_stop(utime); !reason.empty()) {
-    step.cloud = cut_short(reason);
+  if (const std::string reason = abort_reason(utime); !reason.empty()) {
+    step.cloud = abort_sweep(reason);
   }
   const Phase before = sweep_.phase();
   step.command = sweep_.advance(utime);
-  if (before == Phase::kApproach && sweep_.phase() == Phase::kSweep) begin_lines();
+  if (before == Phase::kApproach && sweep_.phase() == Phase::kSweep) start_lines();
   if (before == Phase::kSweep && sweep_.phase() == Phase::kReturn) {
     step.cloud = assemble(true);
     cloud_utime_ = utime;
-    if (!step.cloud) complaint_ = "no scan came during the sweep";
+    if (!step.cloud) problem_ = "no scan came during the sweep";
   }
   return step;
 }
 
-std::string ScanAssembly::reason_to_stop(std::int64_t utime) const {
-  const double patience = sweep_.duration_s() + params_.patience_s;
+std::string ScanAssembly::abort_reason(std::int64_t utime) const {
+  const double timeout = sweep_.duration_s() + params_.timeout_s;
   if (sweep_.phase() == Phase::kReturn) {
-    const bool late = seconds(utime - begin_utime_) > 2.0 * patience;
+    const bool late = seconds(utime - begin_utime_) > 2.0 * timeout;
     return late ? std::string(name_of(request_.laser)) + " does not come back to level" : "";
   }
-  if (seconds(utime - begin_utime_) > patience) return "the sweep took too long";
-  if (seconds(utime - scan_utime_) > params_.silence_max_s) {
+  if (seconds(utime - begin_utime_) > timeout) return "the sweep took too long";
+  if (seconds(utime - scan_utime_) > params_.sensor_timeout_s) {
     return std::string(name_of(request_.laser)) + " is silent";
   }
-  if (seconds(utime - tilt_utime_) > params_.silence_max_s) {
+  if (seconds(utime - tilt_utime_) > params_.sensor_timeout_s) {
     return "the tilt of " + std::string(name_of(request_.laser)) + " is silent";
   }
-  const Pose2 way = between(T_odom_begin_, last_pose_->T_odom_body);
-  if (way.translation().norm() > params_.moved_max_m ||
-      std::abs(way.theta) > params_.moved_max_rad) {
+  const Pose2 motion = between(T_odom_begin_, last_pose_->T_odom_body);
+  if (motion.translation().norm() > params_.moved_max_m ||
+      std::abs(motion.theta) > params_.moved_max_rad) {
     return "the robot moved";
   }
   return {};
 }
 
-std::optional<Cloud> ScanAssembly::cut_short(const std::string& reason) {
-  complaint_ = reason;
+std::optional<Cloud> ScanAssembly::abort_sweep(const std::string& reason) {
+  problem_ = reason;
   if (sweep_.phase() == Phase::kReturn) {
-    sweep_.rest();
+    sweep_.stop();
     return std::nullopt;
   }
   const bool has_lines = sweep_.phase() == Phase::kSweep;
-  sweep_.go_back();
+  sweep_.return_to_level();
   return has_lines ? assemble(false) : std::nullopt;
 }
 
-void ScanAssembly::begin_lines() {
+void ScanAssembly::start_lines() {
   scans_.clear();
   first_line_utime_ = tilt_rad_.end_utime();
   up_body_ = gravity_.up_body();
-  if (!up_body_) complaint_ = "no inertial readings of a body at rest: it is taken as level";
+  if (!up_body_) problem_ = "no inertial readings of a body at rest: it is taken as level";
 }
 
 const LaserMount& ScanAssembly::mount() const {
@@ -153,8 +153,9 @@ std::optional<Cloud> ScanAssembly::assemble(bool complete) const {
   cloud.complete = complete;
   cloud.T_odom_level = T_odom_body_.at(cloud.utime).value();
   const Eigen::Vector3d up_body = up_body_.value_or(Eigen::Vector3d::UnitZ());
-  const BeamPlacing placing(mount(), params_.timing,
-                            {tilt_rad_, T_odom_body_, cloud.T_odom_level, level_rotation(up_body)});
+  const BeamPlacement placement(
+      mount(), params_.timing,
+      {tilt_rad_, T_odom_body_, cloud.T_odom_level, level_rotation(up_body)});
 
   RangeImage image = range_image(scans_, mount());
   const int turns = params_.timing.turns(scans_.front().angle_step_rad);
@@ -162,8 +163,8 @@ std::optional<Cloud> ScanAssembly::assemble(bool complete) const {
   for (std::size_t i = 0; i < scans_.size(); ++i) {
     // What was measured before the first or after the last tilt is not known in its place.
     if (scans_[i].utime < first_line_utime_) continue;
-    if (placing.end_utime(scans_[i]) > cloud.utime) continue;
-    cloud.lines.push_back(placing.place(scans_[i], image[i]));
+    if (placement.end_utime(scans_[i]) > cloud.utime) continue;
+    cloud.lines.push_back(placement.place(scans_[i], image[i]));
   }
   if (cloud.lines.empty()) return std::nullopt;
   return cloud;

@@ -7,17 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "common/cloud/cloud.hpp"
 #include "common/config/bounds.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
-#include "common/sensing/scan_request.hpp"
-#include "common/sensing/scan_timing.hpp"
-#include "procs/scan_assembly/beam_placing.hpp"
+#include "common/sensing/laser_tilt.hpp"
+#include "common/types/cloud.hpp"
+#include "procs/scan_assembly/beam_placement.hpp"
 #include "procs/scan_assembly/gravity.hpp"
 #include "procs/scan_assembly/mixed_pixels.hpp"
 #include "procs/scan_assembly/sweep_motion.hpp"
-#include "procs/scan_assembly/time_track.hpp"
 
 namespace adit {
 
@@ -27,9 +25,9 @@ struct ScanAssemblyParams {
   SweepMotionParams sweep;
   GravityParams gravity;
   MixedPixelParams mixed_pixels;
-  double patience_s = 4.0;     ///< beyond the time that the motions of the sweep take
-  double silence_max_s = 0.5;  ///< of the laser or its tilt, at which a sweep is cut short
-  double moved_max_m = 0.05;   ///< of the body since the request, at which it is
+  double timeout_s = 4.0;         ///< beyond the time that the motions of the sweep take
+  double sensor_timeout_s = 0.5;  ///< of the laser or its tilt, at which a sweep is cut short
+  double moved_max_m = 0.05;      ///< of the body since the request, at which it is
   double moved_max_rad = 0.02;
 
   template <class V>
@@ -39,8 +37,8 @@ struct ScanAssemblyParams {
     v("sweep", sweep);
     v("gravity", gravity);
     v("mixed_pixels", mixed_pixels);
-    v("patience_s", patience_s, above(0.0));
-    v("silence_max_s", silence_max_s, above(0.0));
+    v("timeout_s", timeout_s, above(0.0));
+    v("sensor_timeout_s", sensor_timeout_s, above(0.0));
     v("moved_max_m", moved_max_m, above(0.0));
     v("moved_max_rad", moved_max_rad, above(0.0));
   }
@@ -82,27 +80,27 @@ class ScanAssembly {
   /// Laser of the sweep that is, or was last, under way.
   [[nodiscard]] LaserId laser() const { return request_.laser; }
   /// What was wrong with the last request or sweep; empty where nothing was.
-  [[nodiscard]] const std::string& complaint() const { return complaint_; }
+  [[nodiscard]] const std::string& problem() const { return problem_; }
 
  private:
   [[nodiscard]] const LaserMount& mount() const;
-  [[nodiscard]] bool is_known(const ScanRequest& request, std::int64_t utime) const;
-  [[nodiscard]] bool listens_to(LaserId laser) const;
-  [[nodiscard]] std::string reason_to_stop(std::int64_t utime) const;
-  std::optional<Cloud> cut_short(const std::string& reason);
-  void begin_lines();
+  [[nodiscard]] bool is_repeat(const ScanRequest& request, std::int64_t utime) const;
+  [[nodiscard]] bool uses_laser(LaserId laser) const;
+  [[nodiscard]] std::string abort_reason(std::int64_t utime) const;
+  std::optional<Cloud> abort_sweep(const std::string& reason);
+  void start_lines();
   [[nodiscard]] std::optional<Cloud> assemble(bool complete) const;
 
   ScanAssemblyParams params_;
   SweepMotion sweep_;
-  Gravity gravity_;
+  GravityEstimator gravity_;
   ScanRequest request_;
-  std::string complaint_;
+  std::string problem_;
 
   // Of the sweep that is under way.
   std::vector<LaserScan> scans_;
-  TimeTrack<double> tilt_rad_;
-  TimeTrack<Pose2> T_odom_body_;
+  InterpolationBuffer<double> tilt_rad_;
+  InterpolationBuffer<Pose2> T_odom_body_;
   std::optional<Eigen::Vector3d> up_body_;
   Pose2 T_odom_begin_;
   std::int64_t first_line_utime_ = 0;  ///< before it the laser was on its way to the sweep

@@ -5,26 +5,21 @@
 #include <exception>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/cloud_pieces.hpp"
-#include "common/messages/cloud_request.hpp"
-#include "common/messages/imu_reading.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/pose.hpp"
-#include "common/messages/scan_request.hpp"
-#include "common/messages/tilt_command.hpp"
-#include "common/messages/tilt_reading.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/cloud.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/sensing.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::size_t kRequestsWaiting = 10;
-constexpr std::size_t kScansWaiting = 100;     // more than a second of an LMS-200 at 75 Hz
-constexpr std::size_t kReadingsWaiting = 500;  // as much of tilt, pose and IMU
-constexpr std::int64_t kPeriodUs = 20'000;     // as often as the tilt is measured
+constexpr std::size_t kRequestQueueSize = 10;
+constexpr std::size_t kScanQueueSize = 100;     // more than a second of an LMS-200 at 75 Hz
+constexpr std::size_t kReadingQueueSize = 500;  // as much of tilt, pose and IMU
+constexpr std::int64_t kPeriodUs = 20'000;      // as often as the tilt is measured
 
 void publish_cloud(Bus& bus, std::string_view channel, const Cloud& cloud) {
-  for (const CloudPiece& piece : divide(cloud)) publish(bus, channel, to_message(piece));
+  for (const CloudFragment& fragment : split(cloud)) publish(bus, channel, to_message(fragment));
 }
 
 }  // namespace
@@ -33,30 +28,31 @@ ScanAssemblyNode::ScanAssemblyNode(Bus& bus, const Params& params)
     : bus_(bus), scan_assembly_(params) {
   if (!params.journal.empty()) {
     journal_.emplace(params.journal);
-    for (const Cloud& cloud : journal_->take_restored()) held_.add(cloud, cloud.utime);
+    for (const Cloud& cloud : journal_->take_restored()) buffer_.add(cloud, cloud.utime);
   }
-  const auto measured = Delivery::queued(kReadingsWaiting);
+  const auto measured = Delivery::queued(kReadingQueueSize);
   subscribe<scan_request_t>(
-      bus, channels::kScanRequest, Delivery::queued(kRequestsWaiting),
+      bus, channels::kScanRequest, Delivery::queued(kRequestQueueSize),
       [this](const ScanRequest& request) { scan_assembly_.begin(request, bus_.now_utime()); });
   subscribe<pose_t>(bus, channels::kPose, measured, [this](const StampedPose& pose) {
     scan_assembly_.add(pose.utime, pose.T_odom_body);
   });
   subscribe<imu_t>(bus, channels::kImu, measured,
                    [this](const ImuReading& reading) { scan_assembly_.add(reading); });
-  listen(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
-  listen(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
-  subscribe<cloud_request_t>(bus, channels::kCloudRequest, Delivery::queued(kRequestsWaiting),
-                             [this](const CloudRequest& request) { answer(request); });
-  bus.every(kPeriodUs, [this](std::int64_t utime) { advance(utime); });
+  subscribe_laser(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
+  subscribe_laser(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
+  subscribe<cloud_request_t>(bus, channels::kCloudRequest, Delivery::queued(kRequestQueueSize),
+                             [this](const CloudRequest& request) { resend_missing(request); });
+  bus.create_timer(kPeriodUs, [this](std::int64_t utime) { advance(utime); });
 }
 
-void ScanAssemblyNode::listen(LaserId laser, std::string_view scans, std::string_view tilt) {
+void ScanAssemblyNode::subscribe_laser(LaserId laser, std::string_view scans,
+                                       std::string_view tilt) {
   subscribe<planar_lidar_t>(
-      bus_, scans, Delivery::queued(kScansWaiting),
+      bus_, scans, Delivery::queued(kScanQueueSize),
       [this, laser](const LaserScan& scan) { scan_assembly_.add(laser, scan); });
   subscribe<tilt_t>(
-      bus_, tilt, Delivery::queued(kReadingsWaiting),
+      bus_, tilt, Delivery::queued(kReadingQueueSize),
       [this, laser](const TiltReading& reading) { scan_assembly_.add(laser, reading); });
 }
 
@@ -68,17 +64,17 @@ void ScanAssemblyNode::advance(std::int64_t utime) {
             to_message(*step.command));
   }
   if (!step.cloud) return;
-  held_.add(*step.cloud, utime);
+  buffer_.add(*step.cloud, utime);
   // To the disk first: what was announced is not forgotten.
   journal_failure_.clear();
-  with_journal([&](CloudJournal& journal) { journal.keep(*step.cloud); });
+  with_journal([&](CloudJournal& journal) { journal.store(*step.cloud); });
   publish_cloud(bus_, channels::kCloud, *step.cloud);
 }
 
-void ScanAssemblyNode::answer(const CloudRequest& request) {
-  with_journal([&](CloudJournal& journal) { journal.let_go(request.have_utime); });
-  const Cloud* const missed = held_.missed(request, bus_.now_utime());
-  if (missed != nullptr) publish_cloud(bus_, channels::kCloudAgain, *missed);
+void ScanAssemblyNode::resend_missing(const CloudRequest& request) {
+  with_journal([&](CloudJournal& journal) { journal.acknowledge(request.received_utime); });
+  const Cloud* const find_missing = buffer_.find_missing(request, bus_.now_utime());
+  if (find_missing != nullptr) publish_cloud(bus_, channels::kCloudResend, *find_missing);
 }
 
 void ScanAssemblyNode::with_journal(const std::function<void(CloudJournal&)>& work) {
@@ -93,8 +89,8 @@ void ScanAssemblyNode::with_journal(const std::function<void(CloudJournal&)>& wo
 Health ScanAssemblyNode::health() const {
   using Level = Health::Level;
   if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
-  if (scan_assembly_.complaint().empty()) return {};
-  return {Level::kDegraded, scan_assembly_.complaint()};
+  if (scan_assembly_.problem().empty()) return {};
+  return {Level::kDegraded, scan_assembly_.problem()};
 }
 
 }  // namespace adit

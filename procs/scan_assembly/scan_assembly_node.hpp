@@ -8,10 +8,9 @@
 #include <string_view>
 
 #include "common/bus/bus.hpp"
-#include "common/cloud/cloud_request.hpp"
-#include "common/messages/heartbeat.hpp"
+#include "common/messages/diagnostics.hpp"
+#include "common/types/cloud.hpp"
 #include "procs/scan_assembly/cloud_journal.hpp"
-#include "procs/scan_assembly/held_clouds.hpp"
 #include "procs/scan_assembly/scan_assembly.hpp"
 
 namespace adit {
@@ -30,7 +29,7 @@ struct ScanAssemblyNodeParams : ScanAssemblyParams {
 ///      TILT_REAR (tilt_t); POSE (pose_t); where it is, IMU (imu_t). CLOUD_REQUEST
 ///      (cloud_request_t) of who may have missed a 3D scan.
 /// Out: for each request TILT_COMMAND_FRONT or TILT_COMMAND_REAR (tilt_command_t), which sweep the
-///      laser and bring it back to level; then CLOUD (cloud_t) in pieces. CLOUD_AGAIN (cloud_t),
+///      laser and bring it back to level; then CLOUD (cloud_t) in pieces. CLOUD_RESEND (cloud_t),
 ///      in pieces, for who missed one of the newest.
 /// Where a journal is named, a 3D scan is on the disk before it goes out, and stays there until
 /// somebody has it: after a restart it can still be asked for.
@@ -46,14 +45,14 @@ class ScanAssemblyNode {
   [[nodiscard]] Health health() const;
 
  private:
-  void listen(LaserId laser, std::string_view scans, std::string_view tilt);
+  void subscribe_laser(LaserId laser, std::string_view scans, std::string_view tilt);
   void advance(std::int64_t utime);
-  void answer(const CloudRequest& request);
+  void resend_missing(const CloudRequest& request);
   void with_journal(const std::function<void(CloudJournal&)>& work);
 
   Bus& bus_;
   ScanAssembly scan_assembly_;
-  HeldClouds held_;
+  CloudBuffer buffer_;
   std::optional<CloudJournal> journal_;
   std::string journal_failure_;
 };

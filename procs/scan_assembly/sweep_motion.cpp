@@ -8,8 +8,8 @@
 namespace adit {
 namespace {
 
-constexpr std::int64_t kRepeatUs = 1'000'000;
-constexpr double kStandsRad = 0.001;  // from one reading to the next
+constexpr std::int64_t kRepeatPeriodUs = 1'000'000;
+constexpr double kStoppedRad = 0.001;  // from one reading to the next
 
 }  // namespace
 
@@ -22,12 +22,12 @@ std::optional<TiltCommand> SweepMotion::advance(std::int64_t utime) {
   if (phase_ == Phase::kIdle) return std::nullopt;
   if (command_utime_ && arrived()) {
     if (phase_ == Phase::kReturn) {
-      rest();
+      stop();
       return std::nullopt;
     }
     enter(phase_ == Phase::kApproach ? Phase::kSweep : Phase::kReturn);
   }
-  if (command_utime_ && utime < *command_utime_ + kRepeatUs) return std::nullopt;
+  if (command_utime_ && utime < *command_utime_ + kRepeatPeriodUs) return std::nullopt;
   command_utime_ = utime;
   const bool sweeps = phase_ == Phase::kSweep;
   return TiltCommand{utime, goal_rad(), sweeps ? params_.rate_rad_s : params_.approach_rate_rad_s};
@@ -54,7 +54,7 @@ double SweepMotion::goal_rad() const {
 bool SweepMotion::arrived() const {
   if (!before_last_rad_) return false;
   return std::abs(*last_rad_ - goal_rad()) <= params_.arrived_rad &&
-         std::abs(*last_rad_ - *before_last_rad_) <= kStandsRad;
+         std::abs(*last_rad_ - *before_last_rad_) <= kStoppedRad;
 }
 
 }  // namespace adit

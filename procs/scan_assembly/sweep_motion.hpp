@@ -6,8 +6,7 @@
 #include <optional>
 
 #include "common/config/bounds.hpp"
-#include "common/sensing/tilt_command.hpp"
-#include "common/sensing/tilt_reading.hpp"
+#include "common/sensing/laser_tilt.hpp"
 
 namespace adit {
 
@@ -38,8 +37,8 @@ class SweepMotion {
 
   void begin() { enter(Phase::kApproach); }
   /// From wherever it is, back to level.
-  void go_back() { enter(Phase::kReturn); }
-  void rest() { enter(Phase::kIdle); }
+  void return_to_level() { enter(Phase::kReturn); }
+  void stop() { enter(Phase::kIdle); }
 
   /// In order of time.
   void add(const TiltReading& reading);

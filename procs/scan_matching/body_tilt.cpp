@@ -40,13 +40,13 @@ void BodyTilt::add(const ImuReading& reading) {
     up += dt_s * up.cross(reading.angular_velocity);
     ground_ += dt_s * reading.angular_velocity.z() * Eigen::Vector2d(ground_.y(), -ground_.x());
   }
-  if (is_gravity) up += std::min(1.0, dt_s / params_.settle_s) * (force.normalized() - up);
+  if (is_gravity) up += std::min(1.0, dt_s / params_.time_constant_s) * (force.normalized() - up);
   up_body_ = up.normalized();
 }
 
-void BodyTilt::drive(double way_m) {
+void BodyTilt::drive(double distance_m) {
   if (!up_body_) return;
-  const double share = 1.0 - std::exp(-way_m / params_.ground_m);
+  const double share = 1.0 - std::exp(-distance_m / params_.ground_m);
   ground_ += share * (rise_per_m(*up_body_) - ground_);
 }
 

@@ -8,27 +8,29 @@
 namespace adit {
 namespace {
 
-constexpr double kForgetEachM = 1.0;  // forgetting goes over all surfels
+constexpr double kForgetIntervalM = 1.0;  // forgetting goes over all surfels
 
 }  // namespace
 
-double LocalReference::contradiction_share(const Sighting& sighting,
+double LocalReference::contradiction_share(const ScanObservation& observation,
                                            const Pose2& T_odom_body) const {
-  const auto found = keyframes_.find(sighting.laser);
+  const auto found = keyframes_.find(observation.laser);
   if (found == keyframes_.end()) return 0.0;
   const Keyframe& keyframe = found->second;
-  const std::size_t points = sighting.points.size() + keyframe.sighting.points.size();
+  const std::size_t points = observation.points.size() + keyframe.observation.points.size();
   if (points == 0) return 0.0;
   const Pose2 T_key_body = between(keyframe.T_odom_body, T_odom_body);
   const double margin = params_.contradiction_margin_m;
   const int inside =
-      keyframe.sighting.free_space.count_inside(sighting.points, T_key_body, margin) +
-      sighting.free_space.count_inside(keyframe.sighting.points, T_key_body.inverse(), margin);
+      keyframe.observation.free_space.count_inside(observation.points, T_key_body, margin) +
+      observation.free_space.count_inside(keyframe.observation.points, T_key_body.inverse(),
+                                          margin);
   return static_cast<double>(inside) / static_cast<double>(points);
 }
 
-void LocalReference::remember(Sighting sighting, const Pose2& T_odom_body, double odometer_m) {
-  const auto found = keyframes_.find(sighting.laser);
+void LocalReference::add_keyframe(ScanObservation observation, const Pose2& T_odom_body,
+                                  double odometer_m) {
+  const auto found = keyframes_.find(observation.laser);
   if (found != keyframes_.end()) {
     const Pose2 moved = between(found->second.T_odom_body, T_odom_body);
     const bool far = moved.translation().norm() >= params_.keyframe_distance_m ||
@@ -36,26 +38,29 @@ void LocalReference::remember(Sighting sighting, const Pose2& T_odom_body, doubl
     if (!far) return;
   }
   if (odometer_m >= forget_at_m_) {
-    surfels_.forget_before(odometer_m - params_.memory_m);
-    forget_at_m_ = odometer_m + kForgetEachM;
+    surfels_.remove_before(odometer_m - params_.memory_m);
+    forget_at_m_ = odometer_m + kForgetIntervalM;
   }
-  insert(std::move(sighting), T_odom_body, odometer_m);
+  insert(std::move(observation), T_odom_body, odometer_m);
 }
 
-void LocalReference::begin_anew(Sighting sighting, const Pose2& T_odom_body, double odometer_m) {
-  insert(std::move(sighting), T_odom_body, odometer_m);
+void LocalReference::reset_laser(ScanObservation observation, const Pose2& T_odom_body,
+                                 double odometer_m) {
+  insert(std::move(observation), T_odom_body, odometer_m);
 }
 
-void LocalReference::restart(Sighting sighting, const Pose2& T_odom_body, double odometer_m) {
+void LocalReference::reset(ScanObservation observation, const Pose2& T_odom_body,
+                           double odometer_m) {
   surfels_.clear();
   keyframes_.clear();
-  insert(std::move(sighting), T_odom_body, odometer_m);
+  insert(std::move(observation), T_odom_body, odometer_m);
 }
 
-void LocalReference::insert(Sighting sighting, const Pose2& T_odom_body, double odometer_m) {
-  surfels_.insert(sighting.points, T_odom_body, odometer_m);
-  const LaserId laser = sighting.laser;
-  keyframes_[laser] = {std::move(sighting), T_odom_body};
+void LocalReference::insert(ScanObservation observation, const Pose2& T_odom_body,
+                            double odometer_m) {
+  surfels_.insert(observation.points, T_odom_body, odometer_m);
+  const LaserId laser = observation.laser;
+  keyframes_[laser] = {std::move(observation), T_odom_body};
 }
 
 }  // namespace adit

@@ -10,12 +10,12 @@
 #include "common/registration/free_space.hpp"
 #include "common/registration/surface_points.hpp"
 #include "common/registration/surfel_map.hpp"
-#include "common/sensing/laser_id.hpp"
+#include "common/sensing/laser_scan.hpp"
 
 namespace adit {
 
 /// One scan as matching sees it: its points in the body frame, and the space it saw empty.
-struct Sighting {
+struct ScanObservation {
   LaserId laser = LaserId::kFront;
   std::vector<SurfacePoint> points;
   FreeSpace free_space;
@@ -48,29 +48,29 @@ class LocalReference {
 
   [[nodiscard]] const SurfelMap& surfels() const { return surfels_; }
   /// Whether there is anything from this laser: lasers that look different ways share no walls.
-  [[nodiscard]] bool knows(LaserId laser) const { return keyframes_.contains(laser); }
+  [[nodiscard]] bool has_laser(LaserId laser) const { return keyframes_.contains(laser); }
 
   /// Share of the points, of this scan and of its laser's last keyframe, that would lie in space
   /// which the other saw free if the body were at this pose.
-  [[nodiscard]] double contradiction_share(const Sighting& sighting,
+  [[nodiscard]] double contradiction_share(const ScanObservation& observation,
                                            const Pose2& T_odom_body) const;
 
   /// Takes the scan in if the body has moved enough since its laser's last keyframe.
-  void remember(Sighting sighting, const Pose2& T_odom_body, double odometer_m);
+  void add_keyframe(ScanObservation observation, const Pose2& T_odom_body, double odometer_m);
 
   /// Begins its laser anew with this scan; what the other lasers saw stays.
-  void begin_anew(Sighting sighting, const Pose2& T_odom_body, double odometer_m);
+  void reset_laser(ScanObservation observation, const Pose2& T_odom_body, double odometer_m);
 
   /// Forgets everything and begins with this scan.
-  void restart(Sighting sighting, const Pose2& T_odom_body, double odometer_m);
+  void reset(ScanObservation observation, const Pose2& T_odom_body, double odometer_m);
 
  private:
   struct Keyframe {
-    Sighting sighting;
+    ScanObservation observation;
     Pose2 T_odom_body;
   };
 
-  void insert(Sighting sighting, const Pose2& T_odom_body, double odometer_m);
+  void insert(ScanObservation observation, const Pose2& T_odom_body, double odometer_m);
 
   LocalReferenceParams params_;
   SurfelMap surfels_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "common/bus/run_node.hpp"
+#include "common/bus/node/run_node.hpp"
 #include "procs/scan_matching/scan_matching_node.hpp"
 
 int main(int argc, char** argv) {

@@ -4,21 +4,58 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "common/sensing/seconds.hpp"
-#include "procs/scan_matching/wheel_track.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::size_t kReadingsKept = 2000;
+constexpr double kStationaryM = 1e-3;  // less than any wheel encoder tells apart over a step
+constexpr double kStationaryRad = 1e-3;
+
+Pose2 interpolate(const WheelOdometry& a, const WheelOdometry& b, std::int64_t utime) {
+  const double share =
+      static_cast<double>(utime - a.utime) / static_cast<double>(b.utime - a.utime);
+  const Pose2 step = between(a.T_wheel_body, b.T_wheel_body);
+  return a.T_wheel_body * Pose2{share * step.x, share * step.y, share * step.theta};
+}
+
+}  // namespace
+
+std::optional<Pose2> wheel_pose_at(const WheelReadings& wheels, std::int64_t utime,
+                                   double gap_max_s) {
+  const auto after = std::lower_bound(wheels.begin(), wheels.end(), utime,
+                                      [](const auto& w, std::int64_t t) { return w.utime < t; });
+  if (after != wheels.end() && after->utime == utime) return after->T_wheel_body;
+  if (after == wheels.begin()) return std::nullopt;
+  const auto before = std::prev(after);
+  if (after != wheels.end()) return interpolate(*before, *after, utime);
+  if (seconds(utime - before->utime) > gap_max_s) return std::nullopt;
+  if (before == wheels.begin()) return before->T_wheel_body;
+  return interpolate(*std::prev(before), *before, utime);  // goes on at the last speed
+}
+
+bool wheels_stationary(const WheelReadings& wheels, std::int64_t since) {
+  for (auto it = wheels.rbegin(); it != wheels.rend(); ++it) {
+    const Pose2 step = between(it->T_wheel_body, wheels.back().T_wheel_body);
+    if (step.translation().norm() > kStationaryM || std::abs(step.theta) > kStationaryRad)
+      return false;
+    if (it->utime <= since) return true;
+  }
+  return false;
+}
+
+namespace {
+
+constexpr std::size_t kReadingsStored = 2000;
 constexpr double kShortestS = 0.01;  // no step is known better for being shorter
 
 template <class Reading>
 bool append(std::deque<Reading>& readings, const Reading& reading) {
   if (!readings.empty() && reading.utime <= readings.back().utime) return false;
   readings.push_back(reading);
-  if (readings.size() > kReadingsKept) readings.pop_front();
+  if (readings.size() > kReadingsStored) readings.pop_front();
   return true;
 }
 
@@ -30,7 +67,7 @@ bool MotionPrediction::add(const ImuReading& reading) { return append(imu_, read
 
 bool MotionEstimate::possible(const Pose2& T_odom_body) const {
   const Pose2 step = between(T_odom_last, T_odom_body);
-  return step.translation().norm() <= reach_m && std::abs(step.theta) <= reach_rad;
+  return step.translation().norm() <= displacement_max_m && std::abs(step.theta) <= turn_max_rad;
 }
 
 std::optional<double> MotionPrediction::gyro_turn(std::int64_t from, std::int64_t to) const {
@@ -68,15 +105,15 @@ MotionEstimate MotionPrediction::predict(std::int64_t utime) const {
   estimate.T_odom_last = T_odom_body_;
   if (!utime_) return estimate;
   const double dt = seconds(utime - *utime_);
-  estimate.reach_m = params_.speed_max_m_s * (dt + params_.stamp_error_max_s);
-  estimate.reach_rad = params_.yaw_rate_max_rad_s * (dt + params_.stamp_error_max_s);
+  estimate.displacement_max_m = params_.speed_max_m_s * (dt + params_.stamp_error_max_s);
+  estimate.turn_max_rad = params_.yaw_rate_max_rad_s * (dt + params_.stamp_error_max_s);
   estimate.prior.T_odom_body = T_odom_body_ * step_at_last_speed(dt);
-  take_odometry(utime, estimate);
-  take_gyro(utime, estimate);
+  apply_odometry(utime, estimate);
+  apply_gyro(utime, estimate);
   return estimate;
 }
 
-void MotionPrediction::take_odometry(std::int64_t utime, MotionEstimate& estimate) const {
+void MotionPrediction::apply_odometry(std::int64_t utime, MotionEstimate& estimate) const {
   const auto then = wheel_pose_at(wheels_, *utime_, params_.odometry_gap_max_s);
   const auto now = wheel_pose_at(wheels_, utime, params_.odometry_gap_max_s);
   if (!then || !now) return;
@@ -94,29 +131,30 @@ void MotionPrediction::take_odometry(std::int64_t utime, MotionEstimate& estimat
   estimate.prior.information.diagonal() << 1.0 / (sd * sd), 1.0 / (sd * sd),
       1.0 / (sd_theta * sd_theta);
   estimate.from_odometry = true;
-  const std::int64_t still_since = utime - std::llround(1e6 * params_.still_s);
-  estimate.stands = wheels_stand(wheels_, std::min(still_since, *utime_));
+  const std::int64_t stationary_since = utime - std::llround(1e6 * params_.stationary_s);
+  estimate.stationary = wheels_stationary(wheels_, std::min(stationary_since, *utime_));
 }
 
-void MotionPrediction::take_gyro(std::int64_t utime, MotionEstimate& estimate) const {
+void MotionPrediction::apply_gyro(std::int64_t utime, MotionEstimate& estimate) const {
   const auto turn = gyro_turn(*utime_, utime);
   if (!turn) return;
   const double sd = params_.gyro_sd_rad_s * std::max(seconds(utime - *utime_), 0.01);
   estimate.prior.T_odom_body.theta = wrap_angle(T_odom_body_.theta + *turn);
   estimate.prior.information(2, 2) = 1.0 / (sd * sd);
   estimate.from_gyro = true;
-  const double turned_max = params_.still_turn_max_rad_s * std::max(seconds(utime - *utime_), 0.1);
-  estimate.stands = estimate.stands && std::abs(*turn) <= turned_max;
+  const double turned_max =
+      params_.stationary_turn_max_rad_s * std::max(seconds(utime - *utime_), 0.1);
+  estimate.stationary = estimate.stationary && std::abs(*turn) <= turned_max;
 }
 
 /// So that many short steps without a measurement lead no farther than one long one.
-void MotionPrediction::let_speed_die_away(double dt_s) {
+void MotionPrediction::decay_speed(double dt_s) {
   speed_body_.head<2>() *= std::exp(-dt_s / params_.speed_memory_s);
   speed_body_.z() *= std::exp(-dt_s / params_.turn_memory_s);
 }
 
 void MotionPrediction::correct(std::int64_t utime, const Pose2& T_odom_body, bool measured) {
-  if (utime_ && !measured) let_speed_die_away(seconds(utime - *utime_));
+  if (utime_ && !measured) decay_speed(seconds(utime - *utime_));
   utime_ = utime;
   T_odom_body_ = T_odom_body;
   if (!measured && speed_utime_) return;

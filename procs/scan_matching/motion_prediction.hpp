@@ -7,24 +7,35 @@
 #include <optional>
 
 #include "common/config/bounds.hpp"
+#include "common/geometry/pose2.hpp"
 #include "common/registration/point_to_line.hpp"
-#include "common/sensing/imu_reading.hpp"
-#include "common/sensing/wheel_odometry.hpp"
-#include "procs/scan_matching/wheel_track.hpp"
+#include "common/sensing/vehicle_readings.hpp"
 
 namespace adit {
 
+/// Readings in order of time.
+using WheelReadings = std::deque<WheelOdometry>;
+
+/// T_wheel_body at `utime`: between readings by interpolation, after the last one at its speed;
+/// nothing before the first and where the last is older than `gap_max_s`.
+std::optional<Pose2> wheel_pose_at(const WheelReadings& wheels, std::int64_t utime,
+                                   double gap_max_s);
+
+/// Have the wheels not moved from `since` until the last reading? Since before the last pose, for
+/// odometry that repeats itself for a moment is not enough. No where there is no reading so old.
+bool wheels_stationary(const WheelReadings& wheels, std::int64_t since);
+
 struct MotionPredictionParams {
-  double odometry_sd_m = 0.02;          ///< of a step that the wheels report
-  double odometry_sd_per_m = 0.1;       ///< more for each metre of it
-  double odometry_sd_rad = 0.02;        ///< of its rotation
-  double odometry_sd_per_rad = 0.1;     ///< more for each radian of it
-  double odometry_sd_rad_per_m = 0.05;  ///< and for each metre
-  double odometry_sd_time_s = 0.2;      ///< a shorter step has its share of sd_m² and sd_rad²
-  double odometry_gap_max_s = 0.5;      ///< older readings say nothing of now
-  double still_s = 0.5;                 ///< wheels that have not moved for this long stand,
-  double still_turn_max_rad_s = 0.05;   ///< unless the gyro says that the body turns
-  double gyro_sd_rad_s = 0.01;          ///< of the gyro's rate, bias included
+  double odometry_sd_m = 0.02;              ///< of a step that the wheels report
+  double odometry_sd_per_m = 0.1;           ///< more for each metre of it
+  double odometry_sd_rad = 0.02;            ///< of its rotation
+  double odometry_sd_per_rad = 0.1;         ///< more for each radian of it
+  double odometry_sd_rad_per_m = 0.05;      ///< and for each metre
+  double odometry_sd_time_s = 0.2;          ///< a shorter step has its share of sd_m² and sd_rad²
+  double odometry_gap_max_s = 0.5;          ///< older readings say nothing of now
+  double stationary_s = 0.5;                ///< wheels that have not moved for this long stand,
+  double stationary_turn_max_rad_s = 0.05;  ///< unless the gyro says that the body turns
+  double gyro_sd_rad_s = 0.01;              ///< of the gyro's rate, bias included
   double gyro_gap_max_s = 0.2;
   double speed_memory_s = 5.0;     ///< without sensors a speed dies away in this time
   double turn_memory_s = 0.5;      ///< and a turn in this
@@ -42,8 +53,8 @@ struct MotionPredictionParams {
     v("odometry_sd_rad_per_m", odometry_sd_rad_per_m, within(0.0, 10.0));
     v("odometry_sd_time_s", odometry_sd_time_s, within(1e-3, 60.0));
     v("odometry_gap_max_s", odometry_gap_max_s, within(0.0, 60.0));
-    v("still_s", still_s, within(0.01, 60.0));
-    v("still_turn_max_rad_s", still_turn_max_rad_s, within(0.0, 10.0));
+    v("stationary_s", stationary_s, within(0.01, 60.0));
+    v("stationary_turn_max_rad_s", stationary_turn_max_rad_s, within(0.0, 10.0));
     v("gyro_sd_rad_s", gyro_sd_rad_s, within(1e-5, 10.0));
     v("gyro_gap_max_s", gyro_gap_max_s, within(0.0, 60.0));
     v("speed_memory_s", speed_memory_s, within(0.01, 1000.0));
@@ -57,13 +68,13 @@ struct MotionPredictionParams {
 
 /// Where the body is expected to be before the laser is asked, and how far to trust it.
 struct MotionEstimate {
-  PosePrior prior;             ///< information is zero in what no sensor measured
-  bool from_odometry = false;  ///< wheels covered the step
-  bool from_gyro = false;      ///< the gyro covered the rotation
-  bool stands = false;         ///< wheels, and gyro where there is one, measured no motion
-  Pose2 T_odom_last;           ///< where the body was
-  double reach_m = 0.0;        ///< how far it can have come since,
-  double reach_rad = 0.0;      ///< and turned
+  PosePrior prior;                  ///< information is zero in what no sensor measured
+  bool from_odometry = false;       ///< wheels covered the step
+  bool from_gyro = false;           ///< the gyro covered the rotation
+  bool stationary = false;          ///< wheels, and gyro where there is one, measured no motion
+  Pose2 T_odom_last;                ///< where the body was
+  double displacement_max_m = 0.0;  ///< how far it can have come since,
+  double turn_max_rad = 0.0;        ///< and turned
 
   /// Can the body be there by now? Matches that jump cannot.
   [[nodiscard]] bool possible(const Pose2& T_odom_body) const;
@@ -87,14 +98,14 @@ class MotionPrediction {
   void correct(std::int64_t utime, const Pose2& T_odom_body, bool measured);
 
  private:
-  void take_odometry(std::int64_t utime, MotionEstimate& estimate) const;
-  void take_gyro(std::int64_t utime, MotionEstimate& estimate) const;
+  void apply_odometry(std::int64_t utime, MotionEstimate& estimate) const;
+  void apply_gyro(std::int64_t utime, MotionEstimate& estimate) const;
   [[nodiscard]] std::optional<double> gyro_turn(std::int64_t from, std::int64_t to) const;
   [[nodiscard]] Pose2 step_at_last_speed(double dt_s) const;
-  void let_speed_die_away(double dt_s);
+  void decay_speed(double dt_s);
 
   MotionPredictionParams params_;
-  WheelTrack wheels_;
+  WheelReadings wheels_;
   std::deque<ImuReading> imu_;
   std::optional<std::int64_t> utime_;
   Pose2 T_odom_body_;

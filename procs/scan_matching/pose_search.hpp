@@ -13,21 +13,21 @@ namespace adit {
 struct PoseSearchParams {
   PointToLineParams point_to_line;
   CorrelativeSearchParams correlative;
-  double scale_measured_m = 0.08;  ///< first width of the kernel where odometry measured the step
-  double trusted_score = 0.6;      ///< a match with less is doubted,
-  double doubt_margin = 0.1;       ///< as is one this much worse than matches have lately been,
-  double doubt_distance_m = 0.3;   ///< one that moved this far from the prediction,
-  double doubt_angle_rad = 0.35;   ///< or turned this far,
-  double doubt_sigmas = 3.0;       ///< or contradicts the odometry by so many sigmas
-  double search_radius_m = 1.0;    ///< half-widths of the search where a match is doubted
+  double scale_measured_m = 0.08;    ///< first width of the kernel where odometry measured the step
+  double trusted_score = 0.6;        ///< a match with less is doubted,
+  double score_drop_max = 0.1;       ///< as is one this much worse than matches have lately been,
+  double correction_max_m = 0.3;     ///< one that moved this far from the prediction,
+  double correction_max_rad = 0.35;  ///< or turned this far,
+  double correction_sigmas_max = 3.0;  ///< or contradicts the odometry by so many sigmas
+  double search_radius_m = 1.0;        ///< half-widths of the search where a match is doubted
   double search_angle_rad = 0.7;
   double wide_radius_m = 2.5;  ///< and of a second, coarser one where the first finds nothing
   double wide_angle_rad = 2.5;
-  double unseen_credit = 0.5;       ///< score of a point where the reference knows nothing
-  double contradiction_cost = 2.0;  ///< of a point that lies in free space
-  double surprise_per_m = 0.05;     ///< cost of being away from the prediction
-  double surprise_per_rad = 0.05;
-  double surprise_per_sigma2 = 0.125;  ///< the same for odometry, in points of the scan
+  double unknown_score = 0.5;          ///< score of a point where the reference knows nothing
+  double contradiction_cost = 2.0;     ///< of a point that lies in free space
+  double deviation_cost_per_m = 0.05;  ///< cost of being away from the prediction
+  double deviation_cost_per_rad = 0.05;
+  double deviation_cost_per_sigma2 = 0.125;  ///< the same for odometry, in points of the scan
 
   template <class V>
   void visit(V& v) {
@@ -35,19 +35,19 @@ struct PoseSearchParams {
     v("correlative", correlative);
     v("scale_measured_m", scale_measured_m, above(0.0));
     v("trusted_score", trusted_score, within(0.0, 1.0));
-    v("doubt_margin", doubt_margin, within(0.0, 1.0));
-    v("doubt_distance_m", doubt_distance_m, above(0.0));
-    v("doubt_angle_rad", doubt_angle_rad, above(0.0));
-    v("doubt_sigmas", doubt_sigmas, above(0.0));
+    v("score_drop_max", score_drop_max, within(0.0, 1.0));
+    v("correction_max_m", correction_max_m, above(0.0));
+    v("correction_max_rad", correction_max_rad, above(0.0));
+    v("correction_sigmas_max", correction_sigmas_max, above(0.0));
     v("search_radius_m", search_radius_m, above_up_to(0.0, 20.0));
     v("search_angle_rad", search_angle_rad, above_up_to(0.0, 3.2));
     v("wide_radius_m", wide_radius_m, above_up_to(0.0, 20.0));
     v("wide_angle_rad", wide_angle_rad, above_up_to(0.0, 3.2));
-    v("unseen_credit", unseen_credit, within(0.0, 1.0));
+    v("unknown_score", unknown_score, within(0.0, 1.0));
     v("contradiction_cost", contradiction_cost, at_least(0.0));
-    v("surprise_per_m", surprise_per_m, at_least(0.0));
-    v("surprise_per_rad", surprise_per_rad, at_least(0.0));
-    v("surprise_per_sigma2", surprise_per_sigma2, at_least(0.0));
+    v("deviation_cost_per_m", deviation_cost_per_m, at_least(0.0));
+    v("deviation_cost_per_rad", deviation_cost_per_rad, at_least(0.0));
+    v("deviation_cost_per_sigma2", deviation_cost_per_sigma2, at_least(0.0));
   }
 };
 
@@ -71,7 +71,8 @@ class PoseSearch {
   explicit PoseSearch(const PoseSearchParams& params) : params_(params) {}
 
   /// `typical_score`: what matches have lately scored.
-  [[nodiscard]] PoseSearchResult find(const Sighting& sighting, const LocalReference& reference,
+  [[nodiscard]] PoseSearchResult find(const ScanObservation& observation,
+                                      const LocalReference& reference,
                                       const MotionEstimate& expected, double typical_score) const;
 
  private:

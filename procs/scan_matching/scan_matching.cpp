@@ -5,13 +5,70 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
+#include <Eigen/Core>
 #include <Eigen/LU>
 
-#include "procs/scan_matching/open_directions.hpp"
+#include "common/geometry/pose2.hpp"
+#include "common/registration/degeneracy.hpp"
+#include "common/sensing/scan_match.hpp"
+#include "procs/scan_matching/motion_prediction.hpp"
 
 namespace adit {
 namespace {
+
+/// What stands in for the scan along `direction`, (x, y, θ) in the body frame with θ scaled by the
+/// lever arm.
+DegenerateDirection::Fill fill_of(const Eigen::Vector3d& direction, const MotionEstimate& expected);
+
+/// What the bounds of motion alone say: information of (x, y, θ) in the body frame.
+Eigen::Matrix3d motion_bound_information(const MotionEstimate& expected);
+
+/// Moves the pose towards the prediction along the directions that the match leaves open, all the
+/// way where the match knows nothing.
+Pose2 fill_unconstrained(const Pose2& T_odom_body, const MotionEstimate& expected,
+                         const std::vector<UnconstrainedDirection>& open, double lever_arm_m);
+
+constexpr double kSpeedSdM = 0.2;  // how far a body may depart from its last speed in one step
+constexpr double kSpeedSdRad = 0.2;
+
+/// Information of what is expected along a direction: the sensors', or else that a speed lasts.
+double expected_information(const Eigen::Vector3d& direction, const MotionEstimate& expected,
+                            double lever_arm) {
+  const Eigen::Vector3d to_radians(1.0, 1.0, 1.0 / lever_arm);
+  const Eigen::Vector3d v = direction.cwiseProduct(to_radians);
+  const Eigen::Vector3d variances(kSpeedSdM * kSpeedSdM, kSpeedSdM * kSpeedSdM,
+                                  kSpeedSdRad * kSpeedSdRad);
+  return v.dot(expected.prior.information * v) + v.dot(v.cwiseQuotient(variances));
+}
+
+DegenerateDirection::Fill fill_of(const Eigen::Vector3d& direction,
+                                  const MotionEstimate& expected) {
+  const bool mostly_turn = std::abs(direction.z()) > 0.7;
+  if (expected.from_gyro && mostly_turn) return DegenerateDirection::Fill::kImu;
+  if (expected.from_odometry) return DegenerateDirection::Fill::kOdometry;
+  return DegenerateDirection::Fill::kNone;
+}
+
+Eigen::Matrix3d motion_bound_information(const MotionEstimate& expected) {
+  const double m = std::max(expected.displacement_max_m, 1e-3);
+  const double rad = std::max(expected.turn_max_rad, 1e-3);
+  return Eigen::Vector3d(1.0 / (m * m), 1.0 / (m * m), 1.0 / (rad * rad)).asDiagonal();
+}
+
+Pose2 fill_unconstrained(const Pose2& T_odom_body, const MotionEstimate& expected,
+                         const std::vector<UnconstrainedDirection>& open, double lever_arm) {
+  const Eigen::Vector3d scale(1.0, 1.0, lever_arm);
+  const Eigen::Vector3d off =
+      between(T_odom_body, expected.prior.T_odom_body).vector().cwiseProduct(scale);
+  Eigen::Vector3d back = Eigen::Vector3d::Zero();
+  for (const auto& [v, information] : open) {
+    const double prior = expected_information(v, expected, lever_arm);
+    back += v * v.dot(off) * prior / (prior + information);
+  }
+  return T_odom_body * Pose2::from_vector(back.cwiseQuotient(scale));
+}
 
 constexpr double kOdometerStepM = 0.1;
 constexpr double kTypicalShare = 0.05;  // weight of a new score in the running mean
@@ -42,39 +99,39 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   ScanMatch match;
   match.utime = scan.utime;
   match.reference_utime = utime_;
-  if (odom_utime_ == 0) odom_utime_ = scan.utime;
-  match.odom_utime = odom_utime_;
+  if (odom_epoch_utime_ == 0) odom_epoch_utime_ = scan.utime;
+  match.odom_epoch_utime = odom_epoch_utime_;
   match.T_odom_body = T_odom_body_;
   const auto last = last_scan_utime_.find(laser);
   const bool again = last != last_scan_utime_.end() && scan.utime <= last->second;
   if (again || scan.utime < utime_) return match;
 
-  Sighting sighting = see(laser, scan);
-  match.points = static_cast<std::int32_t>(sighting.points.size());
-  locate(sighting, match);
+  ScanObservation observation = observe(laser, scan);
+  match.points = static_cast<std::int32_t>(observation.points.size());
+  locate(observation, match);
   last_scan_utime_[laser] = scan.utime;
-  advance(std::move(sighting), match);
+  advance(std::move(observation), match);
   return match;
 }
 
-Sighting ScanMatching::see(LaserId laser, const LaserScan& scan) const {
+ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan) const {
   const LaserMount& mount = laser == LaserId::kFront ? params_.lasers.front : params_.lasers.rear;
   std::vector<SurfacePoint> points = surface_points(scan, mount, params_.surface);
   std::erase_if(points, [&](const SurfacePoint& point) { return !tilt_.is_level_at(point.p); });
   return {laser, std::move(points), FreeSpace(scan, mount)};
 }
 
-void ScanMatching::locate(const Sighting& sighting, ScanMatch& match) {
+void ScanMatching::locate(const ScanObservation& observation, ScanMatch& match) {
   const bool enough = match.points >= params_.points_min;
   const MotionEstimate expected = motion_.predict(match.utime);
-  if (!reference_.knows(sighting.laser)) {
+  if (!reference_.has_laser(observation.laser)) {
     match.status = enough ? ScanMatch::Status::kFirstScan : ScanMatch::Status::kLost;
     match.T_odom_body = expected.prior.T_odom_body;
     match.T_reference_body = between(T_odom_body_, match.T_odom_body);
     return;
   }
   PoseSearchResult found;
-  if (enough) found = search_.find(sighting, reference_, expected, typical_score_);
+  if (enough) found = search_.find(observation, reference_, expected, typical_score_);
   const PoseCandidate& best = found.best;
   match.searched = found.searched;
   match.inlier_share = best.match.inlier_share;
@@ -84,46 +141,48 @@ void ScanMatching::locate(const Sighting& sighting, ScanMatch& match) {
   if (best.score >= params_.lost_score && match.inlier_share >= params_.inlier_share_min) {
     match.status = ScanMatch::Status::kMatched;
     typical_score_ += kTypicalShare * (best.score - typical_score_);
-    believe(best, expected, lever_arm_m(sighting.points), match);
+    accept_match(best, expected, lever_arm_m(observation.points), match);
   } else {
     match.status = ScanMatch::Status::kLost;
     match.T_odom_body = expected.prior.T_odom_body;
-    match.covariance = (expected.prior.information + reach_information(expected)).inverse();
+    match.covariance = (expected.prior.information + motion_bound_information(expected)).inverse();
     reference_covariance_.setZero();
   }
-  standstill_.hold(expected, match);
+  standstill_.apply(expected, match);
   match.T_reference_body = between(T_odom_body_, match.T_odom_body);
 }
 
-void ScanMatching::believe(const PoseCandidate& best, const MotionEstimate& expected,
-                           double lever_arm, ScanMatch& match) {
+void ScanMatching::accept_match(const PoseCandidate& best, const MotionEstimate& expected,
+                                double lever_arm, ScanMatch& match) {
   const auto known =
       split_degenerate(best.match.information, best.match.spurious, lever_arm, params_.degeneracy);
   match.lever_arm_m = lever_arm;
-  for (const OpenDirection& open : known.degenerate) {
+  for (const UnconstrainedDirection& open : known.degenerate) {
     match.degenerate.push_back({open.direction, fill_of(open.direction, expected)});
   }
-  match.T_odom_body = fill_open(best.match.T_odom_body, expected, known.degenerate, lever_arm);
+  match.T_odom_body =
+      fill_unconstrained(best.match.T_odom_body, expected, known.degenerate, lever_arm);
   // Both ends of the motion were found against the reference, each with its own error.
   const Eigen::Matrix3d Ad = adjoint(between(match.T_odom_body, T_odom_body_));
   match.covariance =
-      (known.information + expected.prior.information + reach_information(expected)).inverse() +
+      (known.information + expected.prior.information + motion_bound_information(expected))
+          .inverse() +
       Ad * reference_covariance_ * Ad.transpose();
   reference_covariance_ = known.covariance;
 }
 
-void ScanMatching::advance(Sighting sighting, const ScanMatch& match) {
+void ScanMatching::advance(ScanObservation observation, const ScanMatch& match) {
   const bool lost = match.status == ScanMatch::Status::kLost;
-  motion_.correct(match.utime, match.T_odom_body, !lost && !leaves_open(match));
+  motion_.correct(match.utime, match.T_odom_body, !lost && !has_unobserved_direction(match));
   T_odom_body_ = match.T_odom_body;
   utime_ = match.utime;
-  count_way();
-  learn(std::move(sighting), match);
+  update_odometer();
+  update_reference(std::move(observation), match);
 }
 
 /// In steps that stand out from the noise: the sum of what two lasers disagree about, 75 times a
 /// second, would let a robot that stands still forget the walls around it.
-void ScanMatching::count_way() {
+void ScanMatching::update_odometer() {
   const double step_m = between(T_odom_counted_, T_odom_body_).translation().norm();
   if (step_m < kOdometerStepM) return;
   odometer_m_ += step_m;
@@ -131,23 +190,23 @@ void ScanMatching::count_way() {
   T_odom_counted_ = T_odom_body_;
 }
 
-void ScanMatching::learn(Sighting sighting, const ScanMatch& match) {
+void ScanMatching::update_reference(ScanObservation observation, const ScanMatch& match) {
   if (match.status != ScanMatch::Status::kLost) {
     lost_in_a_row_ = 0;
-    lost_in_a_row_of_[sighting.laser] = 0;
-    reference_.remember(std::move(sighting), T_odom_body_, odometer_m_);
+    lost_in_a_row_of_[observation.laser] = 0;
+    reference_.add_keyframe(std::move(observation), T_odom_body_, odometer_m_);
     return;
   }
-  int& of_laser = lost_in_a_row_of_[sighting.laser];
+  int& of_laser = lost_in_a_row_of_[observation.laser];
   ++lost_in_a_row_;
   ++of_laser;
   if (match.points < params_.points_min) return;
   if (lost_in_a_row_ >= params_.lost_max) {
-    reference_.restart(std::move(sighting), T_odom_body_, odometer_m_);
+    reference_.reset(std::move(observation), T_odom_body_, odometer_m_);
     lost_in_a_row_ = 0;
     lost_in_a_row_of_.clear();
   } else if (of_laser >= params_.lost_max) {  // the others know where the body is
-    reference_.begin_anew(std::move(sighting), T_odom_body_, odometer_m_);
+    reference_.reset_laser(std::move(observation), T_odom_body_, odometer_m_);
     of_laser = 0;
   }
 }

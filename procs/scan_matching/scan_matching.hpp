@@ -78,13 +78,13 @@ class ScanMatching {
   ScanMatch add_scan(LaserId laser, const LaserScan& scan);
 
  private:
-  [[nodiscard]] Sighting see(LaserId laser, const LaserScan& scan) const;
-  void locate(const Sighting& sighting, ScanMatch& match);
-  void believe(const PoseCandidate& best, const MotionEstimate& expected, double lever_arm_m,
-               ScanMatch& match);
-  void advance(Sighting sighting, const ScanMatch& match);
-  void count_way();
-  void learn(Sighting sighting, const ScanMatch& match);
+  [[nodiscard]] ScanObservation observe(LaserId laser, const LaserScan& scan) const;
+  void locate(const ScanObservation& observation, ScanMatch& match);
+  void accept_match(const PoseCandidate& best, const MotionEstimate& expected, double lever_arm_m,
+                    ScanMatch& match);
+  void advance(ScanObservation observation, const ScanMatch& match);
+  void update_odometer();
+  void update_reference(ScanObservation observation, const ScanMatch& match);
 
   ScanMatchingParams params_;
   MotionPrediction motion_;
@@ -93,7 +93,7 @@ class ScanMatching {
   PoseSearch search_;
   Standstill standstill_;
   std::map<LaserId, std::int64_t> last_scan_utime_;
-  std::int64_t odom_utime_ = 0;  ///< of the first scan
+  std::int64_t odom_epoch_utime_ = 0;  ///< of the first scan
   std::int64_t utime_ = 0;
   Pose2 T_odom_body_;
   Eigen::Matrix3d reference_covariance_ = Eigen::Matrix3d::Zero();  ///< of the last pose in it

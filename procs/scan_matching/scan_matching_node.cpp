@@ -5,13 +5,9 @@
 #include <cmath>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/imu_reading.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/pose.hpp"
-#include "common/messages/scan_match.hpp"
-#include "common/messages/tilt_reading.hpp"
-#include "common/messages/wheel_odometry.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/sensing.hpp"
 
 namespace adit {
 namespace {
@@ -23,7 +19,7 @@ Health health_of(const ScanMatch& match) {
   if (match.status == ScanMatch::Status::kLost) {
     return {Health::Level::kDegraded, "the last scan matched nothing"};
   }
-  if (leaves_open(match)) {
+  if (has_unobserved_direction(match)) {
     return {Health::Level::kDegraded, "motion is not observed in every direction"};
   }
   return {};
@@ -42,7 +38,7 @@ ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
   subscribe<imu_t>(bus, channels::kImu, measured,
                    [this](const ImuReading& reading) { scan_matching_.add(reading); });
 
-  const auto listen = [&](LaserId laser, std::string_view scans, std::string_view tilt) {
+  const auto subscribe_laser = [&](LaserId laser, std::string_view scans, std::string_view tilt) {
     // All of them: the newest alone would wait behind the scans that came before it, and each
     // further one behind more, so that a stage that is late would never hear that a laser tilts.
     subscribe<tilt_t>(bus, tilt, measured, [this, laser](const TiltReading& reading) {
@@ -53,8 +49,8 @@ ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
                                 on_scan(laser, channel, scan);
                               });
   };
-  listen(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
-  listen(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
+  subscribe_laser(LaserId::kFront, channels::kLaserFront, channels::kTiltFront);
+  subscribe_laser(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
 }
 
 /// Where the computer was cut off in the middle of a sweep, its laser is still tilted.
@@ -69,7 +65,7 @@ void ScanMatchingNode::on_scan(LaserId laser, const std::string& channel, const 
   match.channel = channel;
   health_ = health_of(match);
   publish(bus_, channels::kScanMatch, to_message(match));
-  if (match.status == ScanMatch::Status::kRefused) return;
+  if (match.status == ScanMatch::Status::kRejected) return;
   publish(bus_, channels::kPose, to_message(StampedPose{match.utime, match.T_odom_body, {}}));
 }
 

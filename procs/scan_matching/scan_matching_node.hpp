@@ -5,7 +5,7 @@
 #include <string>
 
 #include "common/bus/bus.hpp"
-#include "common/messages/heartbeat.hpp"
+#include "common/messages/diagnostics.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
 
 namespace adit {

@@ -10,19 +10,19 @@
 namespace adit {
 
 bool Standstill::refuted_by(const ScanMatch& match) {
-  if (against_ >= params_.refute_scans) return true;
+  if (contradicting_scans_ >= params_.refute_scans) return true;
   if (match.status != ScanMatch::Status::kMatched) return false;
   const Pose2 off = between(*T_odom_body_, match.T_odom_body);
-  const bool against =
+  const bool contradicts =
       off.translation().norm() > params_.refute_m || std::abs(off.theta) > params_.refute_rad;
-  against_ = against ? against_ + 1 : 0;
-  return against_ >= params_.refute_scans;
+  contradicting_scans_ = contradicts ? contradicting_scans_ + 1 : 0;
+  return contradicting_scans_ >= params_.refute_scans;
 }
 
-void Standstill::hold(const MotionEstimate& expected, ScanMatch& match) {
-  if (!expected.stands) {
+void Standstill::apply(const MotionEstimate& expected, ScanMatch& match) {
+  if (!expected.stationary) {
     T_odom_body_.reset();
-    against_ = 0;
+    contradicting_scans_ = 0;
     return;
   }
   if (!T_odom_body_) T_odom_body_ = expected.T_odom_last;

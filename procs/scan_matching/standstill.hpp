@@ -37,14 +37,14 @@ class Standstill {
   explicit Standstill(const StandstillParams& params) : params_(params) {}
 
   /// Puts the pose of the match, and its covariance, to what standing says, if the body stands.
-  void hold(const MotionEstimate& expected, ScanMatch& match);
+  void apply(const MotionEstimate& expected, ScanMatch& match);
 
  private:
   [[nodiscard]] bool refuted_by(const ScanMatch& match);
 
   StandstillParams params_;
   std::optional<Pose2> T_odom_body_;  ///< where it stands
-  int against_ = 0;                   ///< scans in a row that say otherwise
+  int contradicting_scans_ = 0;       ///< scans in a row that say otherwise
 };
 
 }  // namespace adit

@@ -11,45 +11,47 @@ using Kind = ScriptAction::Kind;
 
 }  // namespace
 
-Fleet::Fleet(const SupervisorSite& site, const RestartPace& pace)
-    : site_(site),
-      keeper_(site.list, {site.deputy, site.watcher, pace, site.log_dir, site.log_limits}),
-      remotes_(site.list, site.deputy) {}
+Fleet::Fleet(const SupervisorSetup& setup, const RestartBackoff& backoff)
+    : setup_(setup),
+      process_manager_(setup.list,
+                       {setup.deputy, setup.watcher, backoff, setup.log_dir, setup.log_limits}),
+      remotes_(setup.list, setup.deputy) {}
 
-void Fleet::require_may_change(const std::string& id) {
-  const ListedCommand* const command = site_.list.find(id);
+void Fleet::require_change_allowed(const std::string& id) {
+  const ListedCommand* const command = setup_.list.find(id);
   if (!command) throw std::invalid_argument("there is no process \"" + id + "\" in the list");
-  if (!site_.in_charge && command->deputy != site_.deputy) {
+  if (!setup_.in_charge && command->deputy != setup_.deputy) {
     throw std::invalid_argument("\"" + id + "\" runs on " + command->deputy +
                                 ", and this supervisor is not in charge");
   }
 }
 
 void Fleet::change(const ScriptChange& change, std::int64_t now_us) {
-  for (const std::string& id : change.ids) require_may_change(id);
+  for (const std::string& id : change.ids) require_change_allowed(id);
   for (const std::string& id : change.ids) {
     if (change.kind == Kind::kStart) {
       start(id);
     } else {
-      stop_in_turn(*site_.list.find(id), change.kind == Kind::kRestart, now_us);
+      enqueue_stop(*setup_.list.find(id), change.kind == Kind::kRestart, now_us);
     }
   }
-  stop_due(now_us);
+  stop_those_due(now_us);
 }
 
-void Fleet::stop_in_turn(const ListedCommand& command, bool and_start, std::int64_t now_us) {
-  stops_.add(command, and_start, now_us);
-  if (KeptProcess* const process = keeper_.find(command.id)) process->announce_stop();
+void Fleet::enqueue_stop(const ListedCommand& command, bool and_start, std::int64_t now_us) {
+  stop_sequence_.add(command, and_start, now_us);
+  if (ManagedProcess* const process = process_manager_.find(command.id)) process->announce_stop();
 }
 
 void Fleet::start(const std::string& id) {
-  stops_.forget(id);
+  stop_sequence_.remove(id);
   if (remotes_.has(id)) return remotes_.start(id);
-  keeper_.find(id)->start();
+  process_manager_.find(id)->start();
 }
 
-void Fleet::stop(const OrderedStops::Stop& stop, std::int64_t now_us) {
-  if (KeptProcess* const process = keeper_.find(stop.id)) {  // one that is gone from the list too
+void Fleet::stop(const StopSequence::Stop& stop, std::int64_t now_us) {
+  if (ManagedProcess* const process =
+          process_manager_.find(stop.id)) {  // one that is gone from the list too
     if (stop.and_start) return process->restart(now_us);
     process->stop(now_us);
   } else if (remotes_.has(stop.id)) {
@@ -59,60 +61,94 @@ void Fleet::stop(const OrderedStops::Stop& stop, std::int64_t now_us) {
 }
 
 /// Again and again, since what does not run is no longer in the way as soon as it was told.
-void Fleet::stop_due(std::int64_t now_us) {
+void Fleet::stop_those_due(std::int64_t now_us) {
   const auto is_ending = [&](const std::string& id) {
-    if (KeptProcess* const process = keeper_.find(id)) {
-      return process->life().state() == LifeState::kStopping;
+    if (ManagedProcess* const process = process_manager_.find(id)) {
+      return process->lifecycle().state() == LifecycleState::kStopping;
     }
     return remotes_.has(id) && remotes_.is_ending(id, now_us);
   };
   for (;;) {
-    const auto due = stops_.take_due(now_us, is_ending);
+    const auto due = stop_sequence_.take_due(now_us, is_ending);
     if (due.empty()) return;
-    for (const OrderedStops::Stop& stop : due) this->stop(stop, now_us);
+    for (const StopSequence::Stop& stop : due) this->stop(stop, now_us);
   }
 }
 
-void Fleet::relist(const ProcessList& before, std::int64_t now_us) {
+void Fleet::update_list(const ProcessList& before, std::int64_t now_us) {
   for (const ListedCommand& old : before.commands) {
-    KeptProcess* const process = keeper_.find(old.id);
-    const ListedCommand* const now = site_.list.find(old.id);
+    ManagedProcess* const process = process_manager_.find(old.id);
+    const ListedCommand* const now = setup_.list.find(old.id);
     if (!process || (now && *now == old)) continue;
-    const LifeState state = process->life().state();
-    const bool stays = now && now->deputy == site_.deputy;
+    const LifecycleState state = process->lifecycle().state();
+    const bool stays = now && now->deputy == setup_.deputy;
     // One that was given up has another chance, now that it is another.
-    const bool and_start = stays && (process->life().wanted() || state == LifeState::kFailed);
-    if (!stays || and_start) stop_in_turn(old, and_start, now_us);
+    const bool and_start =
+        stays && (process->lifecycle().should_run() || state == LifecycleState::kFailed);
+    if (!stays || and_start) enqueue_stop(old, and_start, now_us);
   }
-  keeper_.relist(site_.list);
-  remotes_.relist(site_.list);
-  stop_due(now_us);
+  process_manager_.update_list(setup_.list);
+  remotes_.update_list(setup_.list);
+  stop_those_due(now_us);
 }
 
 const OutputLog* Fleet::output(const std::string& id) {
-  const KeptProcess* const process = keeper_.find(id);
+  const ManagedProcess* const process = process_manager_.find(id);
   return process ? &process->output() : remote_output_.find(id);
 }
 
-Standing Fleet::standing(const std::string& id, std::int64_t now_us) {
-  if (stops_.waits(id)) return Standing::kBetween;
-  const KeptProcess* const process = keeper_.find(id);
-  if (!process) return remotes_.standing(id, now_us);
-  if (process->works()) return Standing::kWorking;
-  const LifeState state = process->life().state();
-  const bool rests = state == LifeState::kStopped || state == LifeState::kFailed;
-  return rests ? Standing::kStopped : Standing::kBetween;
+ProcessState Fleet::process_state(const std::string& id, std::int64_t now_us) {
+  if (stop_sequence_.is_pending(id)) return ProcessState::kChanging;
+  const ManagedProcess* const process = process_manager_.find(id);
+  if (!process) return remotes_.process_state(id, now_us);
+  if (process->is_ready()) return ProcessState::kRunning;
+  const LifecycleState state = process->lifecycle().state();
+  const bool is_stopped = state == LifecycleState::kStopped || state == LifecycleState::kFailed;
+  return is_stopped ? ProcessState::kStopped : ProcessState::kChanging;
 }
 
-void Fleet::heard(std::string_view channel, std::int64_t now_us) {
-  keeper_.heard(channel, now_us);
-  remotes_.heard(channel, now_us);
+void Fleet::on_message(std::string_view channel, std::int64_t now_us) {
+  process_manager_.on_message(channel, now_us);
+  remotes_.on_message(channel, now_us);
 }
 
 bool Fleet::advance(std::int64_t now_us) {
-  stop_due(now_us);
-  return keeper_.advance(
-      now_us, [&](const std::string& id) { return standing(id, now_us) == Standing::kWorking; });
+  stop_those_due(now_us);
+  return process_manager_.advance(now_us, [&](const std::string& id) {
+    return process_state(id, now_us) == ProcessState::kRunning;
+  });
+}
+
+void FleetScript::begin(const std::string& name, const ProcessList& list, double timeout_s) {
+  run_.emplace(list, name, timeout_s);
+  failure_.clear();
+}
+
+bool FleetScript::advance(Fleet& fleet, std::int64_t now_us) {
+  if (!run_) return false;
+  bool changed = false;
+  const auto process_state_of = [&](const std::string& id) {
+    return fleet.process_state(id, now_us);
+  };
+  try {
+    while (const auto change = run_->advance(now_us, process_state_of)) {
+      fleet.change(*change, now_us);
+      changed = true;
+    }
+    if (!run_->is_finished()) return changed;
+    failure_ = run_->failure();
+  } catch (const std::invalid_argument& rejection) {
+    failure_ = "script \"" + run_->name() + "\": " + rejection.what();
+  }
+  run_.reset();
+  return changed;
+}
+
+bool FleetScript::end(const std::string& why) {
+  if (!run_) return false;
+  failure_ = "script \"" + run_->name() + "\" " + why;
+  run_.reset();
+  return true;
 }
 
 }  // namespace adit

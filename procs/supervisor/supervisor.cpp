@@ -6,18 +6,17 @@
 #include <stdexcept>
 #include <utility>
 
-#include "procs/supervisor/fleet_rows.hpp"
-#include "procs/supervisor/keeping/list_change.hpp"
-#include "procs/supervisor/logs_answer.hpp"
+#include "common/process_list/process_list.hpp"
+#include "procs/supervisor/fleet_status.hpp"
 #include "procs/supervisor/os/wall_time.hpp"
 
 namespace adit {
 namespace {
 
-ProcessList read_again(const SupervisorParams& params) try {
-  return make_site(params).list;
-} catch (const std::runtime_error& refusal) {
-  throw std::runtime_error(std::string(refusal.what()) + "; the old process list stays");
+ProcessList reread_list(const SupervisorParams& params) try {
+  return make_setup(params).list;
+} catch (const std::runtime_error& rejection) {
+  throw std::runtime_error(std::string(rejection.what()) + "; the old process list stays");
 }
 
 OrderPolicy policy_of(const SupervisorParams& params) {
@@ -28,114 +27,115 @@ OrderPolicy policy_of(const SupervisorParams& params) {
 
 Supervisor::Supervisor(const SupervisorParams& params)
     : params_(params),
-      site_(make_site(params)),
+      setup_(make_setup(params)),
       policy_(policy_of(params)),
-      fleet_(site_, params.restart),
+      fleet_(setup_, params.restart),
       load_(host_.measure()),
-      terminals_(site_.socket) {
+      control_server_(setup_.socket) {
   if (!params.start_script.empty()) begin_script(params.start_script);
-  service_manager_.tell("READY=1");
+  service_manager_.notify("READY=1");
 }
 
-Supervisor::News Supervisor::advance(std::int64_t now_us) {
-  terminals_.poll([this](const std::vector<std::string>& words) { return answer(words); });
-  if (reload_signal_.came()) reload_by_signal(now_us);
-  if (script_.advance(fleet_, now_us)) news_.elsewhere = true;
-  if (fleet_.advance(now_us)) news_.here = true;
-  return std::exchange(news_, {});
+Supervisor::Changes Supervisor::advance(std::int64_t now_us) {
+  control_server_.poll(
+      [this](const std::vector<std::string>& words) { return handle_request(words); });
+  if (reload_signal_.received()) reload_by_signal(now_us);
+  if (script_.advance(fleet_, now_us)) changes_.remote = true;
+  if (fleet_.advance(now_us)) changes_.local = true;
+  return std::exchange(changes_, {});
 }
 
 /// Nobody waits for an answer: what is wrong shows in the heartbeat.
 void Supervisor::reload_by_signal(std::int64_t now_us) try {
   reload(now_us);
-} catch (const std::runtime_error& refusal) {
-  list_failure_ = refusal.what();
+} catch (const std::runtime_error& rejection) {
+  list_error_ = rejection.what();
 }
 
 /// A script knows its list by heart, so it cannot go on by another.
 std::string Supervisor::reload(std::int64_t now_us) {
-  news_.list = true;
-  ProcessList list = read_again(params_);
-  list_failure_.clear();
-  const ListChange change = change_between(site_.list, list);
+  changes_.list = true;
+  ProcessList list = reread_list(params_);
+  list_error_.clear();
+  const ProcessListDiff change = diff(setup_.list, list);
   std::string text = text_of(change);
   if (script_.end("was ended by a new process list")) text += script_.failure() + "\n";
-  std::swap(site_.list, list);
-  fleet_.relist(list, now_us);
-  news_.here = true;
-  news_.elsewhere = true;
+  std::swap(setup_.list, list);
+  fleet_.update_list(list, now_us);
+  changes_.local = true;
+  changes_.remote = true;
   return text;
 }
 
 void Supervisor::measure(std::int64_t now_us) {
-  fleet_.keeper().measure(now_us);
+  fleet_.process_manager().measure(now_us);
   load_ = host_.measure();
-  service_manager_.tell("WATCHDOG=1\nSTATUS=" + count_of_running(fleet_.keeper()));
+  service_manager_.notify("WATCHDOG=1\nSTATUS=" + running_count_text(fleet_.process_manager()));
 }
 
 void Supervisor::begin_script(const std::string& name) {
-  script_.begin(name, site_.list, params_.script_timeout_s);
+  script_.begin(name, setup_.list, params_.script_timeout_s);
 }
 
 void Supervisor::change(const ScriptChange& change, std::int64_t now_us) {
   fleet_.change(change, now_us);
-  news_.elsewhere = true;
+  changes_.remote = true;
 }
 
-std::string_view Supervisor::obey(const ProcmanOrders& orders, std::int64_t now_us) {
-  if (orders.deputy != site_.deputy) return {};
-  std::string_view refusal = reason_to_refuse(policy_, orders);
-  if (!refusal.empty()) return refusal;
+std::string_view Supervisor::apply_orders(const ProcmanOrders& orders, std::int64_t now_us) {
+  if (orders.deputy != setup_.deputy) return {};
+  std::string_view rejection = rejection_reason(policy_, orders);
+  if (!rejection.empty()) return rejection;
   for (const ProcmanOrder& order : orders.orders) {
-    KeptProcess* const process = fleet_.keeper().find(order.command.id);
-    const ListedCommand* const listed = site_.list.find(order.command.id);
-    const auto reason = reason_to_refuse(process ? listed : nullptr, order);
+    ManagedProcess* const process = fleet_.process_manager().find(order.command.id);
+    const ListedCommand* const listed = setup_.list.find(order.command.id);
+    const auto reason = rejection_reason(process ? listed : nullptr, order);
     if (reason.empty()) {
       process->order(order.run_id, order.stop, now_us);
     } else {
-      refusal = reason;
+      rejection = reason;
     }
   }
-  return refusal;
+  return rejection;
 }
 
 ProcmanInfo Supervisor::info(std::int64_t utime) const {
-  ProcmanInfo info{utime, site_.deputy, load_, {}};
-  for (const KeptProcess& process : fleet_.keeper().processes()) {
+  ProcmanInfo info{utime, setup_.deputy, load_, {}};
+  for (const ManagedProcess& process : fleet_.process_manager().processes()) {
     info.commands.push_back(procman_status(process));
   }
   return info;
 }
 
 std::vector<ProcmanOrders> Supervisor::orders(std::int64_t utime) {
-  if (!site_.in_charge) return {};
-  return fleet_.remotes().orders(site_.deputy, utime);
+  if (!setup_.in_charge) return {};
+  return fleet_.remotes().orders(setup_.deputy, utime);
 }
 
-std::set<std::string> Supervisor::alive_channels() const {
+std::set<std::string> Supervisor::liveness_channels() const {
   std::set<std::string> channels;
-  for (const ListedCommand& command : site_.list.commands) {
+  for (const ListedCommand& command : setup_.list.commands) {
     if (command.alive) channels.insert(command.alive->channel);
   }
   return channels;
 }
 
-std::string Supervisor::complaint() const {
-  std::string complaint = complaint_about(fleet_.keeper());
-  if (!complaint.empty()) return complaint;
-  return list_failure_.empty() ? script_.failure() : list_failure_;
+std::string Supervisor::problem() const {
+  std::string problem = first_problem(fleet_.process_manager());
+  if (!problem.empty()) return problem;
+  return list_error_.empty() ? script_.failure() : list_error_;
 }
 
-TerminalAnswer Supervisor::answer(const std::vector<std::string>& words) {
+ControlResponse Supervisor::handle_request(const std::vector<std::string>& words) {
   static const std::map<std::string, ScriptAction::Kind> kChanges{
       {"start", ScriptAction::Kind::kStart},
       {"stop", ScriptAction::Kind::kStop},
       {"restart", ScriptAction::Kind::kRestart}};
   const std::string& verb = words.front();
   const std::vector<std::string> names(words.begin() + 1, words.end());
-  if (verb == "ps") return {rows_of(fleet_, steady_us())};
+  if (verb == "ps") return {status_rows(fleet_, steady_us())};
   if ((verb == "logs" || verb == "follow") && names.size() == 1) {
-    return logs_answer(fleet_, names.front(), verb == "follow");
+    return logs_response(fleet_, names.front(), verb == "follow");
   }
   if (verb == "script" && names.size() == 1) {
     begin_script(names.front());
@@ -144,7 +144,7 @@ TerminalAnswer Supervisor::answer(const std::vector<std::string>& words) {
   if (verb == "reload" && names.empty()) return {reload(steady_us())};
   const auto found = kChanges.find(verb);
   if (found == kChanges.end()) throw std::invalid_argument("unknown request \"" + verb + "\"");
-  change({found->second, names.empty() ? site_.list.ids_of({}) : names}, steady_us());
+  change({found->second, names.empty() ? setup_.list.ids_of({}) : names}, steady_us());
   return {};
 }
 

@@ -5,82 +5,82 @@
 #include <iostream>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
+#include "common/bus/typed_messages.hpp"
 #include "common/messages/procman.hpp"
 #include "procs/supervisor/os/wall_time.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::int64_t kLookUs = 20'000;  // how late an end or a line is seen
+constexpr std::int64_t kPollUs = 20'000;  // how late an end or a line is seen
 constexpr std::int64_t kOutputUs = 100'000;
 constexpr std::int64_t kSecondUs = 1'000'000;
-constexpr std::size_t kOrdersWaiting = 100;
-constexpr std::size_t kSignsWaiting = 200;  // of life, in a second of the fastest channel
+constexpr std::size_t kOrdersQueueMax = 100;
+constexpr std::size_t kLivenessQueueMax = 200;  // of life, in a second of the fastest channel
 
 /// Decodes, converts and hands on; what `take` returns is why it refuses.
 template <class Msg, class Take>
-Handler reading(Take take) {
-  return [take](const Received& received) -> std::string_view {
+Handler decoding(Take take) {
+  return [take](const ReceivedMessage& received) -> std::string_view {
     const auto message = decode<Msg>(received.bytes);
-    if (!message) return message.refusal();
+    if (!message) return message.rejection();
     const auto value = from_message(*message);
-    return value ? take(*value) : value.refusal();
+    return value ? take(*value) : value.rejection();
   };
 }
 
 }  // namespace
 
 SupervisorNode::SupervisorNode(Bus& bus, const Params& params) : bus_(bus), supervisor_(params) {
-  listen();
-  bus.every_of_world(kLookUs, [this](std::int64_t) { advance(); });
-  bus.every_of_world(kOutputUs, [this](std::int64_t) { publish_output(); });
-  bus.every_of_world(kSecondUs, [this](std::int64_t) { publish_each_second(); });
+  subscribe_to_procman();
+  bus.create_wall_timer(kPollUs, [this](std::int64_t) { advance(); });
+  bus.create_wall_timer(kOutputUs, [this](std::int64_t) { publish_output(); });
+  bus.create_wall_timer(kSecondUs, [this](std::int64_t) { publish_each_second(); });
 }
 
-void SupervisorNode::listen() {
-  bus_.subscribe(channels::kPmOrders, Delivery::queued(kOrdersWaiting),
-                 reading<procman_lcm::orders_t>([this](const ProcmanOrders& orders) {
-                   return supervisor_.obey(orders, steady_us());
+void SupervisorNode::subscribe_to_procman() {
+  bus_.subscribe(channels::kPmOrders, Delivery::queued(kOrdersQueueMax),
+                 decoding<procman_lcm::orders_t>([this](const ProcmanOrders& orders) {
+                   return supervisor_.apply_orders(orders, steady_us());
                  }));
-  bus_.subscribe(channels::kPmInfo, Delivery::queued(kOrdersWaiting),
-                 reading<procman_lcm::deputy_info_t>([this](const ProcmanInfo& info) {
-                   supervisor_.heard(info, steady_us());
+  bus_.subscribe(channels::kPmInfo, Delivery::queued(kOrdersQueueMax),
+                 decoding<procman_lcm::deputy_info_t>([this](const ProcmanInfo& info) {
+                   supervisor_.on_message(info, steady_us());
                    return std::string_view{};
                  }));
   bus_.subscribe(channels::kPmDiscover, Delivery::latest(),
-                 reading<procman_lcm::discovery_t>([this](const ProcmanDiscovery&) {
+                 decoding<procman_lcm::discovery_t>([this](const ProcmanDiscovery&) {
                    publish_info();
                    return std::string_view{};
                  }));
-  bus_.subscribe(channels::kPmOutput, Delivery::queued(kOrdersWaiting),
-                 reading<procman_lcm::output_t>([this](const ProcmanOutput& output) {
-                   supervisor_.heard(output);
+  bus_.subscribe(channels::kPmOutput, Delivery::queued(kOrdersQueueMax),
+                 decoding<procman_lcm::output_t>([this](const ProcmanOutput& output) {
+                   supervisor_.on_message(output);
                    return std::string_view{};
                  }));
-  listen_for_life();
+  subscribe_to_liveness();
 }
 
 /// A channel that no list names any more is listened to for nothing.
-void SupervisorNode::listen_for_life() {
-  for (const std::string& channel : supervisor_.alive_channels()) {
-    if (!life_channels_.insert(channel).second) continue;
-    bus_.subscribe(channel, Delivery::queued(kSignsWaiting),
-                   [this, channel](const Received&) -> std::string_view {
-                     supervisor_.heard(channel, steady_us());
+void SupervisorNode::subscribe_to_liveness() {
+  for (const std::string& channel : supervisor_.liveness_channels()) {
+    if (!liveness_channels_.insert(channel).second) continue;
+    bus_.subscribe(channel, Delivery::queued(kLivenessQueueMax),
+                   [this, channel](const ReceivedMessage&) -> std::string_view {
+                     supervisor_.on_message(channel, steady_us());
                      return {};
                    });
   }
 }
 
 void SupervisorNode::advance() {
-  const Supervisor::News news = supervisor_.advance(steady_us());
-  if (news.list) listen_for_life();
-  if (news.list && !supervisor_.list_failure().empty()) {
-    std::cerr << "adit-supervisor: " << supervisor_.list_failure() << std::endl;
+  const Supervisor::Changes changes = supervisor_.advance(steady_us());
+  if (changes.list) subscribe_to_liveness();
+  if (changes.list && !supervisor_.list_error().empty()) {
+    std::cerr << "adit-supervisor: " << supervisor_.list_error() << std::endl;
   }
-  if (news.here) publish_info();
-  if (news.elsewhere) publish_orders();
+  if (changes.local) publish_info();
+  if (changes.remote) publish_orders();
 }
 
 void SupervisorNode::publish_each_second() {
@@ -106,9 +106,10 @@ void SupervisorNode::publish_output() {
 }
 
 Health SupervisorNode::health() const {
-  const std::string complaint = supervisor_.complaint();
-  if (complaint.empty()) return {};
-  return {supervisor_.gave_up() ? Health::Level::kFault : Health::Level::kDegraded, complaint};
+  const std::string problem = supervisor_.problem();
+  if (problem.empty()) return {};
+  return {supervisor_.any_process_failed() ? Health::Level::kFault : Health::Level::kDegraded,
+          problem};
 }
 
 }  // namespace adit

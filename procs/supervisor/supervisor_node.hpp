@@ -6,7 +6,7 @@
 #include <string>
 
 #include "common/bus/bus.hpp"
-#include "common/messages/heartbeat.hpp"
+#include "common/messages/diagnostics.hpp"
 #include "procs/supervisor/supervisor.hpp"
 
 namespace adit {
@@ -31,8 +31,8 @@ class SupervisorNode {
   [[nodiscard]] Health health() const;
 
  private:
-  void listen();
-  void listen_for_life();
+  void subscribe_to_procman();
+  void subscribe_to_liveness();
   void advance();
   void publish_each_second();
   void publish_info();
@@ -41,7 +41,7 @@ class SupervisorNode {
 
   Bus& bus_;
   Supervisor supervisor_;
-  std::set<std::string> life_channels_;  // that are listened to
+  std::set<std::string> liveness_channels_;  // that are listened to
 };
 
 }  // namespace adit

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "common/cloud/cloud.hpp"
-#include "common/terrain/terrain_map.hpp"
+#include "common/types/cloud.hpp"
+#include "common/types/terrain_map.hpp"
 
 namespace adit {
 

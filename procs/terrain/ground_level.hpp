@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/terrain/terrain_map.hpp"
+#include "common/types/terrain_map.hpp"
 #include "procs/terrain/terrain_params.hpp"
 
 namespace adit {

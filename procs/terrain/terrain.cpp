@@ -6,11 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "procs/terrain/derived_layers.hpp"
 #include "procs/terrain/ground_level.hpp"
-#include "procs/terrain/ground_shape.hpp"
 #include "procs/terrain/region_heights.hpp"
-#include "procs/terrain/repulsion.hpp"
-#include "procs/terrain/unseen_ground.hpp"
+#include "procs/terrain/visibility/unseen_ground.hpp"
 
 namespace adit {
 namespace {
@@ -40,7 +39,7 @@ void set_heights(TerrainMap& map, const RegionHeights& regions, const GroundLeve
     TerrainCell& cell = map.cells[i];
     cell.clearance_m = above.roof_m;  // until the ground is known, the height of the roof itself
     if (above.count == 0) return;
-    cell.ground = Ground::kSeen;
+    cell.ground = Ground::kObserved;
     cell.count = static_cast<std::uint16_t>(std::min<std::uint32_t>(above.count, UINT16_MAX));
     cell.low_m = ground.low_m(i);
     cell.high_m = above.high_m;
@@ -56,7 +55,7 @@ void set_differences(TerrainMap& map) {
 
 /// Whether the laser at the rear end has looked, that is whether most lines begin behind the
 /// origin.
-bool looks_back(const Cloud& cloud) {
+bool is_rear_scan(const Cloud& cloud) {
   std::size_t behind = 0;
   for (const CloudLine& line : cloud.lines) behind += line.origin.x() < 0.0F ? 1 : 0;
   return 2 * behind > cloud.lines.size();
@@ -66,14 +65,14 @@ bool looks_back(const Cloud& cloud) {
 
 TerrainMap Terrain::make(const Cloud& cloud) const {
   TerrainMap map = heights(cloud);
-  judge(map);
+  derive_layers(map);
   return map;
 }
 
 TerrainMap Terrain::make(const Cloud& cloud, TerrainMemory& memory) const {
   TerrainMap map = heights(cloud);
   memory.recall(map);
-  judge(map);
+  derive_layers(map);
   return map;
 }
 
@@ -84,11 +83,11 @@ TerrainMap Terrain::heights(const Cloud& cloud) const {
   const std::vector<float> low_m = lowest(regions, map);
   const GroundLevel ground(map, low_m, params_);
   set_heights(map, regions, ground);
-  tell_unseen_ground_apart(map, cloud, heights, ground, params_);
+  classify_unseen_ground(map, cloud, heights, ground, params_);
   return map;
 }
 
-void Terrain::judge(TerrainMap& map) const {
+void Terrain::derive_layers(TerrainMap& map) const {
   set_differences(map);
   set_slope_and_step(map);
   set_repulsion(map, params_.repulsion);
@@ -107,7 +106,7 @@ TerrainMap Terrain::blank(const Cloud& cloud) const {
   map.rows = std::max(cells(params_.width_m), 1);
   // The vehicle stands in the middle of a cell: a path can begin where it is.
   const int short_side = cells(params_.behind_m);
-  const int behind = looks_back(cloud) ? map.columns - 1 - short_side : short_side;
+  const int behind = is_rear_scan(cloud) ? map.columns - 1 - short_side : short_side;
   const int beside = map.rows / 2;
   map.p_level_corner = -map.cell_m * Eigen::Vector2d(behind + 0.5, beside + 0.5);
   TerrainCell unknown;

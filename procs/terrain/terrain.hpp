@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/cloud/cloud.hpp"
-#include "common/terrain/terrain_map.hpp"
-#include "procs/terrain/terrain_memory.hpp"
+#include "common/types/cloud.hpp"
+#include "common/types/terrain_map.hpp"
+#include "procs/terrain/memory/terrain_memory.hpp"
 #include "procs/terrain/terrain_params.hpp"
 
 namespace adit {
@@ -26,7 +26,7 @@ class Terrain {
  private:
   [[nodiscard]] TerrainMap blank(const Cloud& cloud) const;
   [[nodiscard]] TerrainMap heights(const Cloud& cloud) const;
-  void judge(TerrainMap& map) const;
+  void derive_layers(TerrainMap& map) const;
 
   TerrainParams params_;
 };

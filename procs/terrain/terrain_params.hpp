@@ -5,7 +5,7 @@
 #include <string>
 
 #include "common/config/bounds.hpp"
-#include "common/vehicle/vehicle.hpp"
+#include "common/types/vehicle.hpp"
 
 namespace adit {
 
@@ -56,22 +56,23 @@ struct RepulsionParams {
 
 /// What is taken over from earlier maps, in odom, which drifts.
 struct TerrainMemoryParams {
-  int maps_max = 8;              ///< that are kept, of 0.6 MB each; 0: none, and no way either
-  double way_max_m = 15.0;       ///< since then, beyond which odom is not trusted
-  double rest_max_m = 0.06;      ///< of heights that both know, when one plane is taken off
-  double agreeing_share = 0.75;  ///< of these heights that have to lie within it
-  double tilt_max = 0.1;         ///< between two levels, as rise over distance
-  double gone_share_max = 0.3;   ///< of earlier obstacles that are no longer met where they were
-  double change_reach_m = 2.0;   ///< round a new obstacle, how far it may reach unseen
+  int maps_max = 8;                 ///< that are kept, of 0.6 MB each; 0: none, and no way either
+  double path_length_max_m = 15.0;  ///< since then, beyond which odom is not trusted
+  double residual_max_m = 0.06;     ///< of heights that both know, when one plane is taken off
+  double inlier_share = 0.75;       ///< of these heights that have to lie within it
+  double tilt_max = 0.1;            ///< between two levels, as rise over distance
+  double disappeared_share_max =
+      0.3;                      ///< of earlier obstacles that are no longer met where they were
+  double change_reach_m = 2.0;  ///< round a new obstacle, how far it may reach unseen
 
   template <class V>
   void visit(V& v) {
     v("maps_max", maps_max, within(0, 50));
-    v("way_max_m", way_max_m, within(0.0, 100.0));
-    v("rest_max_m", rest_max_m, above(0.0));
-    v("agreeing_share", agreeing_share, above_up_to(0.0, 1.0));
+    v("path_length_max_m", path_length_max_m, within(0.0, 100.0));
+    v("residual_max_m", residual_max_m, above(0.0));
+    v("inlier_share", inlier_share, above_up_to(0.0, 1.0));
     v("tilt_max", tilt_max, at_least(0.0));
-    v("gone_share_max", gone_share_max, within(0.0, 1.0));
+    v("disappeared_share_max", disappeared_share_max, within(0.0, 1.0));
     v("change_reach_m", change_reach_m, within(0.0, 20.0));
   }
 };

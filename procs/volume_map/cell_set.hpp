@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "common/volume/cell_run.hpp"
+#include "common/volume/volume.hpp"
 #include "common/volume/voxel_grid.hpp"
 
 namespace adit {

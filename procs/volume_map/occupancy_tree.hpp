@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "common/volume/cell_run.hpp"
+#include "common/volume/volume.hpp"
 
 namespace adit {
 

@@ -73,7 +73,7 @@ void add_line(const VoxelGrid& grid, const CloudLine& line, double range_max_m, 
   for (const Vector3f& point : line.points) {
     const auto point_keys = grid.keys_of(point);
     if (!origin_keys || !point_keys) {
-      ++cells.refused_points;
+      ++cells.rejected_points;
       continue;
     }
     const Vector3f beam = point - line.origin;

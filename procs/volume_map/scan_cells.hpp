@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "common/cloud/cloud.hpp"
+#include "common/types/cloud.hpp"
 #include "common/volume/voxel_grid.hpp"
 #include "procs/volume_map/cell_set.hpp"
 
@@ -12,9 +12,9 @@ namespace adit {
 
 /// The cells that a scan has seen.
 struct ScanCells {
-  CellSet free;                     ///< through which beams went; also those where others ended
-  CellSet occupied;                 ///< in which beams ended
-  std::int64_t refused_points = 0;  ///< no numbers, or beyond the cube of the grid
+  CellSet free;                      ///< through which beams went; also those where others ended
+  CellSet occupied;                  ///< in which beams ended
+  std::int64_t rejected_points = 0;  ///< no numbers, or beyond the cube of the grid
 };
 
 /// Adds what the beams of a line say, from its origin to each of its points, all in the frame of

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/volume/octree_stream.hpp"
+#include "common/volume/volume.hpp"
 
 namespace adit {
 namespace {
@@ -34,7 +34,7 @@ SubVolume::SubVolume(const SubVolumeParams& params, VolumeContents contents)
       scans_(contents.scans),
       octree_(std::move(contents.octree)),
       points_(std::move(contents.points)),
-      refused_points_(contents.refused_points) {
+      rejected_points_(contents.rejected_points) {
   count();
 }
 
@@ -50,11 +50,11 @@ void SubVolume::insert(const Cloud& cloud, const Pose2& T_volume_level) {
     if (line.origin.norm() <= kOriginMaxM) {
       insert_line(move(T_volume_level, line), cloud.id, cells);
     } else {
-      cells.refused_points += static_cast<std::int64_t>(line.points.size());
+      cells.rejected_points += static_cast<std::int64_t>(line.points.size());
     }
   }
   open_->tree.update(runs_of(cells.free, cells.occupied));
-  refused_points_ += cells.refused_points;
+  rejected_points_ += cells.rejected_points;
   utime_ = std::max(utime_, cloud.utime);
   ++scans_;
   octree_ = open_->tree.stream();
@@ -77,8 +77,8 @@ void SubVolume::close() {
   points_.shrink_to_fit();
 }
 
-void SubVolume::forget_points() {
-  forgotten_points_ += points_.size();
+void SubVolume::release_points() {
+  released_points_ += points_.size();
   points_ = {};
 }
 

@@ -10,9 +10,9 @@
 
 #include <Eigen/Core>
 
-#include "common/cloud/cloud.hpp"
 #include "common/config/bounds.hpp"
 #include "common/geometry/pose2.hpp"
+#include "common/types/cloud.hpp"
 #include "common/volume/voxel_grid.hpp"
 #include "procs/volume_map/cell_set.hpp"
 #include "procs/volume_map/occupancy_tree.hpp"
@@ -46,7 +46,7 @@ struct VolumeContents {
   int scans = 0;
   std::vector<std::uint8_t> octree;
   std::vector<VolumePoint> points;
-  std::int64_t refused_points = 0;
+  std::int64_t rejected_points = 0;
 };
 
 /// What one or more 3D scans from about one place say of the rock around it, in the frame "volume":
@@ -70,12 +70,12 @@ class SubVolume {
   void close();
 
   /// They are elsewhere, and take no room any more.
-  void forget_points();
+  void release_points();
 
   [[nodiscard]] bool is_open() const { return open_.has_value(); }
   /// Nothing was seen, or it was forgotten.
   [[nodiscard]] bool is_empty() const {
-    return octree_.empty() && points_.empty() && forgotten_points_ == 0;
+    return octree_.empty() && points_.empty() && released_points_ == 0;
   }
   [[nodiscard]] double cell_m() const { return params_.cell_m; }
   [[nodiscard]] std::int64_t utime() const { return utime_; }  ///< of the newest scan
@@ -87,10 +87,10 @@ class SubVolume {
   /// Of each cell of `point_spacing_m` the first point in it, however far away; those that came
   /// since they were forgotten.
   [[nodiscard]] const std::vector<VolumePoint>& points() const { return points_; }
-  [[nodiscard]] std::size_t forgotten_points() const { return forgotten_points_; }
+  [[nodiscard]] std::size_t released_points() const { return released_points_; }
   /// That were no numbers or more than 2^15 cells away, or whose beams began so far from the body
   /// that no laser of it can have been there (kOriginMaxM).
-  [[nodiscard]] std::int64_t refused_points() const { return refused_points_; }
+  [[nodiscard]] std::int64_t rejected_points() const { return rejected_points_; }
 
  private:
   struct Open {
@@ -109,8 +109,8 @@ class SubVolume {
   std::int64_t occupied_ = 0;
   std::int64_t free_ = 0;
   std::vector<VolumePoint> points_;
-  std::size_t forgotten_points_ = 0;
-  std::int64_t refused_points_ = 0;
+  std::size_t released_points_ = 0;
+  std::int64_t rejected_points_ = 0;
 };
 
 }  // namespace adit

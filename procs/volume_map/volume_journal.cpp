@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "common/journal/value_bytes.hpp"
+#include "common/journal/journal.hpp"
 #include "procs/volume_map/volume_record.hpp"
 
 namespace adit {
@@ -29,12 +29,12 @@ struct OdomRecord {
 };
 static_assert(sizeof(OdomRecord) == 48);
 
-OdomRecord record_of(const TiedOdom& odom) {
+OdomRecord record_of(const AnchoredOdom& odom) {
   const Pose2& T = odom.T_local_odom;
   return {odom.begin_utime, odom.end_utime, odom.session, odom.local_map, T.x, T.y, T.theta};
 }
 
-TiedOdom odom_of(const OdomRecord& record) {
+AnchoredOdom odom_of(const OdomRecord& record) {
   return {record.begin_utime,
           record.end_utime,
           record.session,
@@ -46,22 +46,22 @@ TiedOdom odom_of(const OdomRecord& record) {
 
 VolumeJournal::VolumeJournal(const std::filesystem::path& path)
     : journal_(path, [this](const JournalRecord& record) { read(record); }) {
-  written_times_ = restored_.taken_utime.size();
+  written_times_ = restored_.scan_utimes.size();
   written_odom_ = restored_.odom;
   for (const StoredVolume& volume : restored_.volumes) {
     written_.push_back(
-        {volume.contents.scans, volume.contents.points.size(), volume.tie.has_value(), 0});
+        {volume.contents.scans, volume.contents.points.size(), volume.anchor.has_value(), 0});
   }
 }
 
 void VolumeJournal::read(const JournalRecord& record) {
   if (record.kind == kScan) read_volume(record);
   if (record.kind == kTime) {
-    const auto utime = value_from<std::int64_t>(record.bytes);
-    if (utime) restored_.taken_utime.push_back(*utime);
+    const auto utime = value_from_bytes<std::int64_t>(record.bytes);
+    if (utime) restored_.scan_utimes.push_back(*utime);
   }
   if (record.kind == kOdom) {
-    const auto odom = value_from<OdomRecord>(record.bytes);
+    const auto odom = value_from_bytes<OdomRecord>(record.bytes);
     if (odom) restored_.odom = odom_of(*odom);
   }
 }
@@ -87,45 +87,45 @@ void VolumeJournal::read_volume(const JournalRecord& record) {
 }
 
 /// The times last: a scan of which the end is missing is asked for again.
-void VolumeJournal::keep(const VolumeMap& map) {
-  const bool new_volumes = keep_volumes(map);
-  const bool new_times = keep_times(map);
-  const bool new_odom = keep_odom(map);
+void VolumeJournal::store(const VolumeMap& map) {
+  const bool new_volumes = store_volumes(map);
+  const bool new_times = store_times(map);
+  const bool new_odom = store_odom(map);
   if (new_volumes || new_times || new_odom) journal_.sync();
 }
 
-bool VolumeJournal::keep_volumes(const VolumeMap& map) {
+bool VolumeJournal::store_volumes(const VolumeMap& map) {
   written_.resize(map.volumes().size());
-  bool news = false;
+  bool changed = false;
   for (std::size_t id = 0; id < written_.size(); ++id) {
     const PlacedVolume& placed = map.volumes()[id];
     Written& written = written_[id];
-    const bool tied = placed.tie.has_value();
-    if (placed.volume.scans() == written.scans && tied == written.tied) continue;
-    const std::size_t forgotten = placed.volume.forgotten_points();
-    const bool another = placed.renewals != written.renewals;
-    VolumeRecord record{static_cast<int>(id), stored(placed), another ? 0 : written.points};
+    const bool anchored = placed.anchor.has_value();
+    if (placed.volume.scans() == written.scans && anchored == written.anchored) continue;
+    const std::size_t released = placed.volume.released_points();
+    const bool replaced = placed.replacements != written.replacements;
+    VolumeRecord record{static_cast<int>(id), stored(placed), replaced ? 0 : written.points};
     std::vector<VolumePoint>& points = record.volume.contents.points;
-    const std::size_t all = forgotten + points.size();
-    const std::size_t known = record.first_point - forgotten;
+    const std::size_t all = released + points.size();
+    const std::size_t known = record.first_point - released;
     points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(known));
     journal_.append(kScan, to_bytes(record));
-    written = {placed.volume.scans(), all, tied, placed.renewals};
-    news = true;
+    written = {placed.volume.scans(), all, anchored, placed.replacements};
+    changed = true;
   }
-  return news;
+  return changed;
 }
 
-bool VolumeJournal::keep_times(const VolumeMap& map) {
-  const bool news = written_times_ < map.taken_utime().size();
-  for (; written_times_ < map.taken_utime().size(); ++written_times_) {
-    journal_.append(kTime, bytes_of(map.taken_utime()[written_times_]));
+bool VolumeJournal::store_times(const VolumeMap& map) {
+  const bool changed = written_times_ < map.scan_utimes().size();
+  for (; written_times_ < map.scan_utimes().size(); ++written_times_) {
+    journal_.append(kTime, bytes_of(map.scan_utimes()[written_times_]));
   }
-  return news;
+  return changed;
 }
 
-bool VolumeJournal::keep_odom(const VolumeMap& map) {
-  const auto& odom = map.newest_tied_odom();
+bool VolumeJournal::store_odom(const VolumeMap& map) {
+  const auto& odom = map.newest_anchored_odom();
   if (!odom || odom == written_odom_) return false;
   journal_.append(kOdom, bytes_of(record_of(*odom)));
   written_odom_ = odom;

@@ -24,26 +24,26 @@ class VolumeJournal {
   StoredVolumes take_restored() { return std::move(restored_); }
 
   /// Adds what is new. Returns when the disk has it.
-  void keep(const VolumeMap& map);
+  void store(const VolumeMap& map);
 
  private:
   struct Written {
     int scans = 0;
     std::size_t points = 0;
-    bool tied = false;
-    int renewals = 0;
+    bool anchored = false;
+    int replacements = 0;
   };
 
   void read(const JournalRecord& record);
   void read_volume(const JournalRecord& record);
-  bool keep_volumes(const VolumeMap& map);
-  bool keep_times(const VolumeMap& map);
-  bool keep_odom(const VolumeMap& map);
+  bool store_volumes(const VolumeMap& map);
+  bool store_times(const VolumeMap& map);
+  bool store_odom(const VolumeMap& map);
 
   StoredVolumes restored_;
   std::vector<Written> written_;   ///< by id
   std::size_t written_times_ = 0;  ///< of scans
-  std::optional<TiedOdom> written_odom_;
+  std::optional<AnchoredOdom> written_odom_;
   Journal journal_;
 };
 

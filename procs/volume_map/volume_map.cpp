@@ -7,11 +7,63 @@
 #include <string>
 #include <utility>
 
-#include "procs/volume_map/renewal.hpp"
-#include "procs/volume_map/resampling.hpp"
+#include "common/geometry/pose2.hpp"
+#include "common/volume/volume.hpp"
+#include "procs/volume_map/cell_set.hpp"
+#include "procs/volume_map/scan_replacement.hpp"
+#include "procs/volume_map/sub_volume.hpp"
 
 namespace adit {
 namespace {
+
+/// Adds the cells of map, of the same size, in which the cells of the sub-volume come to lie: of an
+/// occupied one its middle, so that walls do not grow thicker; of a free one four points, so that
+/// turned cells leave no holes in space that is free. What falls out of the grid is left out.
+void resample(const SubVolume& volume, const Pose2& T_map_volume, CellSet& free, CellSet& occupied);
+
+class Resampler {
+ public:
+  Resampler(double cell_m, const Pose2& T_map_volume)
+      : grid_(cell_m), T_map_volume_(T_map_volume) {}
+
+  void add_middle(const VoxelGrid::Keys& keys, CellSet& set) const { add(keys, 0.0, 0.0, set); }
+
+  /// Samples half a cell apart: whatever the turn, no cell of map lies between them.
+  void add_quarters(const VoxelGrid::Keys& keys, CellSet& set) const {
+    const double quarter = 0.25 * grid_.cell_m();
+    for (const double dx : {-quarter, quarter}) {
+      for (const double dy : {-quarter, quarter}) add(keys, dx, dy, set);
+    }
+  }
+
+ private:
+  void add(const VoxelGrid::Keys& keys, double dx, double dy, CellSet& set) const {
+    const Eigen::Vector3d p_volume = grid_.centre_m(keys);
+    const Eigen::Vector2d p_map =
+        T_map_volume_ * Eigen::Vector2d(p_volume.x() + dx, p_volume.y() + dy);
+    const auto at =
+        grid_.keys_of({static_cast<float>(p_map.x()), static_cast<float>(p_map.y()), 0.0F});
+    if (at) set.insert(VoxelGrid::code_of({at->x(), at->y(), keys.z()}));
+  }
+
+  VoxelGrid grid_;
+  Pose2 T_map_volume_;
+};
+
+void resample(const SubVolume& volume, const Pose2& T_map_volume, CellSet& free,
+              CellSet& occupied) {
+  const Resampler resampler(volume.cell_m(), T_map_volume);
+  visit_leaves(volume.octree(), [&](const CellRun& leaf) {
+    for (VoxelCode cell = leaf.first; cell < leaf.end; ++cell) {
+      const VoxelGrid::Keys keys = VoxelGrid::keys_at(cell);
+      if (leaf.occupied) {
+        resampler.add_middle(keys, occupied);
+      } else {
+        resampler.add_quarters(keys, free);
+      }
+    }
+  });
+}
 
 bool has_pose(const MapGraph& graph, int local_map) {
   return local_map >= 0 && static_cast<std::size_t>(local_map) < graph.poses.size();
@@ -26,14 +78,14 @@ const Pose2& pose(const MapGraph& graph, int local_map) {
 StoredVolume stored(const PlacedVolume& placed) {
   const SubVolume& volume = placed.volume;
   return {{volume.cell_m(), volume.utime(), volume.scans(), volume.octree(), volume.points(),
-           volume.refused_points()},
+           volume.rejected_points()},
           placed.T_odom_volume,
-          placed.tie,
-          placed.T_volume_place};
+          placed.anchor,
+          placed.T_volume_viewpoint};
 }
 
 void VolumeMap::restore(StoredVolumes stored) {
-  taken_utime_ = std::move(stored.taken_utime);
+  scan_utimes_ = std::move(stored.scan_utimes);
   for (StoredVolume& volume : stored.volumes) {
     if (volume.contents.cell_m != params_.cell_m) {
       throw std::runtime_error("the volume that is to be continued has cells of " +
@@ -41,90 +93,94 @@ void VolumeMap::restore(StoredVolumes stored) {
                                std::to_string(params_.cell_m) + " m");
     }
     volumes_.push_back({SubVolume(params_, std::move(volume.contents)), volume.T_odom_volume,
-                        volume.tie, volume.T_odom_volume, false, 0, volume.T_volume_place, true});
+                        volume.anchor, volume.T_odom_volume, false, 0, volume.T_volume_viewpoint,
+                        true});
   }
   restored_ = volumes_.size();
   newest_ = volumes_.empty() ? 0 : volumes_.size() - 1;
   if (!stored.odom || stored.odom->begin_utime == 0) return;
-  (stored.odom->end_utime == TiedOdom::kNoEnd ? odom_ : odom_before_) = stored.odom;
+  (stored.odom->end_utime == AnchoredOdom::kNoEnd ? odom_ : previous_odom_) = stored.odom;
 }
 
-void VolumeMap::forget_points() {
-  for (PlacedVolume& placed : volumes_) placed.volume.forget_points();
+void VolumeMap::release_points() {
+  for (PlacedVolume& placed : volumes_) placed.volume.release_points();
 }
 
 bool VolumeMap::has(std::int64_t utime) const {
-  return std::ranges::find(taken_utime_, utime) != taken_utime_.end();
+  return std::ranges::find(scan_utimes_, utime) != scan_utimes_.end();
 }
 
-void VolumeMap::set_odom_begin(std::int64_t utime) {
-  if (std::exchange(knows_odom_begin_, true)) return;
+void VolumeMap::set_odom_epoch(std::int64_t utime) {
+  if (std::exchange(has_odom_epoch_, true)) return;
   if (odom_ && odom_->begin_utime == 0) odom_->begin_utime = utime;
   if (odom_ && utime > odom_->begin_utime) return end_odom(utime);
-  if (odom_before_ && odom_before_->has(utime)) {  // it ended when this began, and not only then
-    odom_before_->end_utime = utime;               // when a correction told of it
+  if (previous_odom_ &&
+      previous_odom_->has(utime)) {     // it ended when this began, and not only then
+    previous_odom_->end_utime = utime;  // when a correction told of it
     session_begin_utime_ = utime;
   }
   session_begin_utime_ = std::max(session_begin_utime_, utime);
 }
 
-std::int64_t VolumeMap::known_from_utime() const {
-  return odom_before_ ? odom_before_->begin_utime : session_begin_utime_;
+std::int64_t VolumeMap::localized_from_utime() const {
+  return previous_odom_ ? previous_odom_->begin_utime : session_begin_utime_;
 }
 
 bool VolumeMap::add(const Cloud& cloud) {
-  taken_utime_.push_back(cloud.utime);
+  scan_utimes_.push_back(cloud.utime);
   const bool late = cloud.utime < session_begin_utime_;
-  const std::optional<TiedOdom>& odom = late ? odom_before_ : odom_;
+  const std::optional<AnchoredOdom>& odom = late ? previous_odom_ : odom_;
   if (late && !(odom && odom->has(cloud.utime))) {
-    ++left_out_;
+    ++excluded_;
     return false;
   }
-  if (!newest_takes(cloud, odom)) begin_volume(cloud, odom);
+  if (!newest_accepts(cloud, odom)) begin_volume(cloud, odom);
   PlacedVolume& newest = volumes_[newest_];
   newest.volume.insert(cloud, between(newest.T_odom_volume, cloud.T_odom_level));
   return true;
 }
 
-bool VolumeMap::newest_takes(const Cloud& cloud, const std::optional<TiedOdom>& odom) const {
+bool VolumeMap::newest_accepts(const Cloud& cloud, const std::optional<AnchoredOdom>& odom) const {
   if (volumes_.empty() || !volumes_[newest_].volume.is_open()) return false;
   const PlacedVolume& newest = volumes_[newest_];
-  if (newest.tie.has_value() != odom.has_value()) return false;
-  if (odom && newest.tie->local_map != odom->local_map) return false;
+  if (newest.anchor.has_value() != odom.has_value()) return false;
+  if (odom && newest.anchor->local_map != odom->local_map) return false;
   const Pose2 T_volume_level = between(newest.T_odom_volume, cloud.T_odom_level);
-  if (params_.renew_m > 0.0) {
-    return is_same_look(newest.T_volume_place, T_volume_level * look_of(cloud), params_.renew_m);
+  if (params_.replace_radius_m > 0.0) {
+    return is_same_viewpoint(newest.T_volume_viewpoint, T_volume_level * viewpoint_of(cloud),
+                             params_.replace_radius_m);
   }
   return T_volume_level.translation().norm() <= params_.span_m;
 }
 
-void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<TiedOdom>& odom) {
+void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<AnchoredOdom>& odom) {
   if (!volumes_.empty()) volumes_[newest_].volume.close();
-  PlacedVolume begun{SubVolume(params_), cloud.T_odom_level, {}, cloud.T_odom_level, false};
-  begun.T_volume_place = look_of(cloud);
-  if (odom) tie(begun, *odom);
-  const bool renews = params_.renew_m > 0.0 && odom && has_pose(graph_, odom->local_map);
-  newest_ = renews ? make_room(begun) : volumes_.size();
+  PlacedVolume created{SubVolume(params_), cloud.T_odom_level, {}, cloud.T_odom_level, false};
+  created.T_volume_viewpoint = viewpoint_of(cloud);
+  if (odom) anchor(created, *odom);
+  const bool replaces = params_.replace_radius_m > 0.0 && odom && has_pose(graph_, odom->local_map);
+  newest_ = replaces ? replace_older(created) : volumes_.size();
   if (newest_ == volumes_.size()) {
-    volumes_.push_back(std::move(begun));
+    volumes_.push_back(std::move(created));
   } else {
-    begun.volume = SubVolume(params_, volumes_[newest_].volume.scans());
-    begun.renewals = volumes_[newest_].renewals;
-    volumes_[newest_] = std::move(begun);
+    created.volume = SubVolume(params_, volumes_[newest_].volume.scans());
+    created.replacements = volumes_[newest_].replacements;
+    volumes_[newest_] = std::move(created);
   }
 }
 
 /// Forgets what the look is to take the place of, and says which id it is to have.
-std::size_t VolumeMap::make_room(PlacedVolume& begun) {
-  const Pose2 T_map_look = begun.T_map_volume * begun.T_volume_place;
-  mark_what_was_left(volumes_, T_map_look, params_.renew_m);
-  const auto older = looks_to_replace(volumes_, T_map_look, params_.renew_m);
+std::size_t VolumeMap::replace_older(PlacedVolume& created) {
+  const Pose2 T_map_viewpoint = created.T_map_volume * created.T_volume_viewpoint;
+  mark_departed(volumes_, T_map_viewpoint, params_.replace_radius_m);
+  const auto older = volumes_to_replace(volumes_, T_map_viewpoint, params_.replace_radius_m);
   if (older.empty()) return free_id();
   const PlacedVolume& first = volumes_[older.front()];
-  if (!first.was_left) {
-    begun.T_volume_place = between(begun.T_map_volume, first.T_map_volume * first.T_volume_place);
+  if (!first.departed) {
+    created.T_volume_viewpoint =
+        between(created.T_map_volume, first.T_map_volume * first.T_volume_viewpoint);
   }
-  for (const std::size_t i : older) forget(volumes_[i]);
+  for (const std::size_t i : older) discard(volumes_[i]);
   return older.front();
 }
 
@@ -135,70 +191,70 @@ std::size_t VolumeMap::free_id() const {
 }
 
 /// It counts as one more scan, so that those who know it by its id hear of it.
-void VolumeMap::forget(PlacedVolume& placed) const {
+void VolumeMap::discard(PlacedVolume& placed) const {
   const SubVolume& before = placed.volume;
   placed.volume = SubVolume(
       params_, VolumeContents{params_.cell_m, before.utime(), before.scans() + 1, {}, {}, 0});
-  ++placed.renewals;
+  ++placed.replacements;
 }
 
 void VolumeMap::set_graph(const MapGraph& graph) {
   graph_ = graph;
   graph_.constraints.clear();
   for (PlacedVolume& placed : volumes_) {
-    if (!placed.tie || !has_pose(graph_, placed.tie->local_map)) continue;
-    placed.T_map_volume = pose(graph_, placed.tie->local_map) * placed.tie->T_local_volume;
+    if (!placed.anchor || !has_pose(graph_, placed.anchor->local_map)) continue;
+    placed.T_map_volume = pose(graph_, placed.anchor->local_map) * placed.anchor->T_local_volume;
   }
-  connect();
+  update_anchor();
 }
 
 void VolumeMap::set_correction(const MapCorrection& correction) {
   correction_ = correction;
-  connect();
+  update_anchor();
 }
 
 /// Where odom is in the newest local map does not depend on the graph, but takes both to find.
-void VolumeMap::connect() {
+void VolumeMap::update_anchor() {
   if (!correction_ || correction_->revision != graph_.revision) return;
   if (!has_pose(graph_, correction_->local_map)) return;
   const Pose2& T_map_local = pose(graph_, correction_->local_map);
   if (odom_ && odom_->session != correction_->session) end_odom(correction_->utime);
-  odom_ = {odom_ ? odom_->begin_utime : session_begin_utime_, TiedOdom::kNoEnd,
+  odom_ = {odom_ ? odom_->begin_utime : session_begin_utime_, AnchoredOdom::kNoEnd,
            correction_->session, correction_->local_map,
            between(T_map_local, correction_->T_map_odom)};
-  leave_out_what_is_of_another_odom();
+  exclude_volumes_of_other_odom();
   for (PlacedVolume& placed : volumes_) {
-    if (!placed.tie && !placed.left_out) tie(placed, *odom_);
+    if (!placed.anchor && !placed.excluded) anchor(placed, *odom_);
   }
 }
 
 void VolumeMap::end_odom(std::int64_t utime) {
   odom_->end_utime = utime;
-  odom_before_ = std::exchange(odom_, std::nullopt);
+  previous_odom_ = std::exchange(odom_, std::nullopt);
   session_begin_utime_ = utime;
 }
 
 /// What was kept without a tie was seen before the first local map of all: in the first session.
-void VolumeMap::leave_out_what_is_of_another_odom() {
+void VolumeMap::exclude_volumes_of_other_odom() {
   if (restored_ == 0) return;
   const auto end = volumes_.begin() + static_cast<std::ptrdiff_t>(std::exchange(restored_, 0));
   if (odom_->session == 0) return;
   for (auto placed = volumes_.begin(); placed != end; ++placed) {
-    if (placed->tie) continue;
-    left_out_ += placed->volume.scans();
-    placed->left_out = true;
+    if (placed->anchor) continue;
+    excluded_ += placed->volume.scans();
+    placed->excluded = true;
   }
 }
 
-void VolumeMap::tie(PlacedVolume& placed, const TiedOdom& odom) const {
-  placed.tie = {odom.local_map, odom.T_local_odom * placed.T_odom_volume};
+void VolumeMap::anchor(PlacedVolume& placed, const AnchoredOdom& odom) const {
+  placed.anchor = {odom.local_map, odom.T_local_odom * placed.T_odom_volume};
   if (!has_pose(graph_, odom.local_map)) return;
-  placed.T_map_volume = pose(graph_, odom.local_map) * placed.tie->T_local_volume;
+  placed.T_map_volume = pose(graph_, odom.local_map) * placed.anchor->T_local_volume;
 }
 
-std::int64_t VolumeMap::refused_points() const {
+std::int64_t VolumeMap::rejected_points() const {
   std::int64_t n = 0;
-  for (const PlacedVolume& placed : volumes_) n += placed.volume.refused_points();
+  for (const PlacedVolume& placed : volumes_) n += placed.volume.rejected_points();
   return n;
 }
 
@@ -206,7 +262,7 @@ OccupancyTree VolumeMap::merged() const {
   CellSet free;
   CellSet occupied;
   for (const PlacedVolume& placed : volumes_) {
-    if (placed.left_out) continue;
+    if (placed.excluded) continue;
     resample(placed.volume, placed.T_map_volume, free, occupied);
   }
   OccupancyTree tree(params_.cell_m);

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
-#include "common/messages/cloud_pieces.hpp"
-#include "common/messages/heartbeat.hpp"
-#include "common/messages/pose_graph_pieces.hpp"
-#include "common/mission/map_asker.hpp"
+#include "common/messages/diagnostics.hpp"
+#include "common/messages/mapping/cloud.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
+#include "common/types/map_request.hpp"
 #include "procs/volume_map/volume_journal.hpp"
 #include "procs/volume_map/volume_map.hpp"
 
@@ -27,7 +27,7 @@ struct VolumeMapNodeParams : VolumeMapParams {
   }
 };
 
-/// In:  CLOUD and CLOUD_AGAIN (cloud_t) and POSE_GRAPH (pose_graph_t), all in pieces;
+/// In:  CLOUD and CLOUD_RESEND (cloud_t) and POSE_GRAPH (pose_graph_t), all in pieces;
 ///      MAP_CORRECTION (map_correction_t); SCAN_MATCH (scan_match_t), for when odom began.
 /// Out: VOLUME (volume_t), in pieces: each sub-volume that is tied to the pose graph, as soon as it
 ///      is and whenever a cloud came into it; and its pose alone whenever that changed.
@@ -56,22 +56,22 @@ class VolumeMapNode {
   };
 
   void on_cloud(const Cloud& cloud);
-  void ask(std::int64_t utime);
-  void ask_for_missed(std::int64_t utime);
-  void keep();
-  void publish_news();
+  void request_map(std::int64_t utime);
+  void request_missed_clouds(std::int64_t utime);
+  void store();
+  void publish_changes();
 
   Bus& bus_;
   VolumeMap map_;
   std::optional<VolumeJournal> journal_;
   std::string journal_failure_;
-  MapAsker asker_;
-  CloudAssembler clouds_;
-  CloudAssembler clouds_again_;  ///< an older one, while the newest comes in pieces as well
-  PoseGraphAssembler graphs_;
+  MapRequestTimer map_requester_;
+  CloudReassembler clouds_;
+  CloudReassembler resent_clouds_;  ///< an older one, while the newest comes in pieces as well
+  PoseGraphReassembler graphs_;
   std::vector<Published> published_;  ///< by the id of the sub-volume
   std::int64_t superseded_ = 0;       ///< clouds that lacked pieces, when the last one was complete
-  bool cut_short_ = false;
+  bool incomplete_ = false;
   bool placed_ = true;
 };
 

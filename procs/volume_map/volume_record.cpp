@@ -77,17 +77,17 @@ class Reader {
     at_ += n;
     return {begin, begin + static_cast<std::ptrdiff_t>(n)};
   }
-  [[nodiscard]] bool sound() const { return sound_ && at_ == bytes_.size(); }
+  [[nodiscard]] bool valid() const { return valid_ && at_ == bytes_.size(); }
 
  private:
   bool has(std::uint64_t n) {
-    sound_ = sound_ && bytes_.size() - at_ >= n;
-    return sound_;
+    valid_ = valid_ && bytes_.size() - at_ >= n;
+    return valid_;
   }
 
   const Bytes& bytes_;
   std::size_t at_ = 0;
-  bool sound_ = true;
+  bool valid_ = true;
 };
 
 std::uint32_t word_of(float number) {
@@ -129,17 +129,17 @@ bool get_points(Reader& reader, std::vector<VolumePoint>& points) {
 }  // namespace
 
 std::vector<std::uint8_t> to_bytes(const VolumeRecord& record) {
-  const auto& [contents, T_odom_volume, tie, T_volume_place] = record.volume;
+  const auto& [contents, T_odom_volume, anchor, T_volume_viewpoint] = record.volume;
   Writer writer;
   writer.put(static_cast<std::int32_t>(record.id));
-  writer.put(static_cast<std::int32_t>(tie ? tie->local_map : -1));
-  writer.put_pose(tie ? tie->T_local_volume : Pose2{});
+  writer.put(static_cast<std::int32_t>(anchor ? anchor->local_map : -1));
+  writer.put_pose(anchor ? anchor->T_local_volume : Pose2{});
   writer.put_pose(T_odom_volume);
-  writer.put_pose(T_volume_place);
+  writer.put_pose(T_volume_viewpoint);
   writer.put(contents.cell_m);
   writer.put(contents.utime);
   writer.put(static_cast<std::int32_t>(contents.scans));
-  writer.put(contents.refused_points);
+  writer.put(contents.rejected_points);
   writer.put_bytes(contents.octree);
   writer.put(static_cast<std::uint64_t>(record.first_point));
   put_points(contents.points, writer);
@@ -167,20 +167,20 @@ std::optional<VolumeRecord> volume_record_from(std::span<const std::uint8_t> byt
 
   Reader reader(plain);
   VolumeRecord record;
-  auto& [contents, T_odom_volume, tie, T_volume_place] = record.volume;
+  auto& [contents, T_odom_volume, anchor, T_volume_viewpoint] = record.volume;
   record.id = reader.get<std::int32_t>();
   const auto local_map = reader.get<std::int32_t>();
   const Pose2 T_local_volume = reader.get_pose();
-  if (local_map >= 0) tie = {local_map, T_local_volume};
+  if (local_map >= 0) anchor = {local_map, T_local_volume};
   T_odom_volume = reader.get_pose();
-  T_volume_place = reader.get_pose();
+  T_volume_viewpoint = reader.get_pose();
   contents.cell_m = reader.get<double>();
   contents.utime = reader.get<std::int64_t>();
   contents.scans = reader.get<std::int32_t>();
-  contents.refused_points = reader.get<std::int64_t>();
+  contents.rejected_points = reader.get<std::int64_t>();
   contents.octree = reader.get_bytes();
   record.first_point = reader.get<std::uint64_t>();
-  if (!get_points(reader, contents.points) || !reader.sound() || record.id < 0) return std::nullopt;
+  if (!get_points(reader, contents.points) || !reader.valid() || record.id < 0) return std::nullopt;
   return record;
 }
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "common/geometry/in_plan.hpp"
+#include "common/geometry/pose2.hpp"
 #include "common/sensing/seconds.hpp"
 #include "sim/vehicle/metres_text.hpp"
 
@@ -33,16 +33,16 @@ DriveCommand WaypointDriver::command(const BodyMotion& motion) {
   const Pose2 T_world_body = in_plan(motion.T_world_body);
   if (!planned_) {
     plan(T_world_body);
-    progress_utime_ = motion.utime;
+    last_progress_utime_ = motion.utime;
   }
-  if (!done_ && !given_up_) follow(T_world_body, motion.utime);
-  if (done_ || given_up_) return {motion.utime, 0.0, 0.0};
+  if (!done_ && !abort_reason_) follow(T_world_body, motion.utime);
+  if (done_ || abort_reason_) return {motion.utime, 0.0, 0.0};
   return {motion.utime, runs_[run_].reverse ? -speed() : speed(), curvature(T_world_body)};
 }
 
 double WaypointDriver::length_m() const {
   double length = 0.0;
-  for (const DriveLegs& run : runs_) length += run.way.length_m();
+  for (const DriveLegs& run : runs_) length += run.path.length_m();
   return length;
 }
 
@@ -56,31 +56,31 @@ void WaypointDriver::plan(const Pose2& T_world_body) {
 /// Finds where the body is along the way. The search looks ahead only, so that a way that crosses
 /// itself is driven in order.
 void WaypointDriver::follow(const Pose2& T_world_body, std::int64_t utime) {
-  const LeggedWay& way = runs_[run_].way;
+  const WaypointPath& path = runs_[run_].path;
   const Eigen::Vector2d p_world = T_world_body.translation();
-  const double to_m = std::min(way.length_m(), s_m_ + params_.look_ahead_m);
-  s_m_ = way.nearest_m(p_world, s_m_, to_m);
-  if ((way.at(s_m_) - p_world).norm() > params_.off_way_max_m) {
-    given_up_ = "off the way after " + metres_text(progress_m());
-  } else if (!is_patient(utime)) {
-    given_up_ = "no progress after " + metres_text(progress_m());
-  } else if (way.length_m() - s_m_ <= params_.arrival_m) {
+  const double to_m = std::min(path.length_m(), s_m_ + params_.lookahead_m);
+  s_m_ = path.nearest_m(p_world, s_m_, to_m);
+  if ((path.at(s_m_) - p_world).norm() > params_.off_path_max_m) {
+    abort_reason_ = "off the way after " + metres_text(progress_m());
+  } else if (!is_progressing(utime)) {
+    abort_reason_ = "no progress after " + metres_text(progress_m());
+  } else if (path.length_m() - s_m_ <= params_.arrival_m) {
     begin_next_run();
   }
 }
 
-bool WaypointDriver::is_patient(std::int64_t utime) {
-  if (progress_m() >= progress_mark_m_ + params_.progress_min_m) {
-    progress_mark_m_ = progress_m();
-    progress_utime_ = utime;
+bool WaypointDriver::is_progressing(std::int64_t utime) {
+  if (progress_m() >= last_progress_m_ + params_.progress_min_m) {
+    last_progress_m_ = progress_m();
+    last_progress_utime_ = utime;
   }
-  return seconds(utime - progress_utime_) <= params_.patience_s;
+  return seconds(utime - last_progress_utime_) <= params_.progress_timeout_s;
 }
 
 void WaypointDriver::begin_next_run() {
   done_ = run_ + 1 == runs_.size();
   if (done_) return;
-  driven_m_ += runs_[run_].way.length_m();
+  driven_m_ += runs_[run_].path.length_m();
   s_m_ = 0.0;
   ++run_;
 }
@@ -89,7 +89,7 @@ void WaypointDriver::begin_next_run() {
 /// section 2). A point on the other side of the body takes the tightest turn.
 double WaypointDriver::curvature(const Pose2& T_world_body) const {
   const DriveLegs& run = runs_[run_];
-  const Eigen::Vector2d p_body = T_world_body.inverse() * run.way.at(s_m_ + params_.look_ahead_m);
+  const Eigen::Vector2d p_body = T_world_body.inverse() * run.path.at(s_m_ + params_.lookahead_m);
   const double curvature_max = 1.0 / vehicle_.turning_radius_m;
   const bool beyond = run.reverse ? p_body.x() > 0.0 : p_body.x() < 0.0;
   if (beyond) return std::copysign(curvature_max, p_body.y());
@@ -101,8 +101,8 @@ double WaypointDriver::curvature(const Pose2& T_world_body) const {
 /// want.
 double WaypointDriver::speed() const {
   const DriveLegs& run = runs_[run_];
-  const double leg_speed = run.speeds_m_s[run.way.leg(s_m_)];
-  const double left_m = run.way.length_m() - s_m_;
+  const double leg_speed = run.speeds_m_s[run.path.leg(s_m_)];
+  const double left_m = run.path.length_m() - s_m_;
   double squared = std::min(leg_speed * leg_speed, 2.0 * params_.braking_m_s2 * left_m);
   const double horizon_m = leg_speed * leg_speed / (2.0 * params_.braking_m_s2);
   for (double ahead = 0.0; ahead <= std::min(horizon_m, left_m); ahead += kBendEveryM) {
@@ -115,9 +115,9 @@ double WaypointDriver::speed() const {
 
 /// How far the way turns about a place, within the look-ahead to either side.
 double WaypointDriver::bend_rad(double s_m) const {
-  const LeggedWay& way = runs_[run_].way;
-  const double before = way.heading_rad(way.leg(s_m - params_.look_ahead_m));
-  const double behind = way.heading_rad(way.leg(s_m + params_.look_ahead_m));
+  const WaypointPath& path = runs_[run_].path;
+  const double before = path.heading_rad(path.leg(s_m - params_.lookahead_m));
+  const double behind = path.heading_rad(path.leg(s_m + params_.lookahead_m));
   return std::abs(angle_diff(behind, before));
 }
 

@@ -9,8 +9,8 @@
 
 #include "common/config/bounds.hpp"
 #include "common/geometry/pose2.hpp"
-#include "common/vehicle/drive_command.hpp"
-#include "common/vehicle/vehicle.hpp"
+#include "common/types/vehicle.hpp"
+#include "common/types/vehicle_state.hpp"
 #include "sim/drive/drive_plan.hpp"
 #include "sim/drive/waypoint_file.hpp"
 #include "sim/vehicle/vehicle_model.hpp"
@@ -19,25 +19,25 @@ namespace adit {
 
 struct WaypointDriverParams {
   double speed_m_s = 0.4;       ///< where a waypoint says nothing else
-  double look_ahead_m = 1.5;    ///< along the way, of the point that is steered for
+  double lookahead_m = 1.5;     ///< along the way, of the point that is steered for
   bool reverse = false;         ///< back up to waypoints that lie behind, instead of turning round
   double slow_share = 0.4;      ///< of the speed, through a bend of a right angle or more
   double braking_m_s2 = 0.15;   ///< planned before bends and the end
   double arrival_m = 0.05;      ///< left of the way at its end
-  double off_way_max_m = 2.0;   ///< gives up beyond
-  double patience_s = 20.0;     ///< gives up after, without progress
-  double progress_min_m = 0.1;  ///< in that time
+  double off_path_max_m = 2.0;  ///< gives up beyond
+  double progress_timeout_s = 20.0;  ///< gives up after, without progress
+  double progress_min_m = 0.1;       ///< in that time
 
   template <class V>
   void visit(V& v) {
     v("speed_m_s", speed_m_s, above(0.0));
-    v("look_ahead_m", look_ahead_m, above(0.0));
+    v("lookahead_m", lookahead_m, above(0.0));
     v("reverse", reverse);
     v("slow_share", slow_share, within(0.05, 1.0));
     v("braking_m_s2", braking_m_s2, above(0.0));
     v("arrival_m", arrival_m, above(0.0));
-    v("off_way_max_m", off_way_max_m, above(0.0));
-    v("patience_s", patience_s, above(0.0));
+    v("off_path_max_m", off_path_max_m, above(0.0));
+    v("progress_timeout_s", progress_timeout_s, above(0.0));
     v("progress_min_m", progress_min_m, above(0.0));
   }
 };
@@ -59,12 +59,12 @@ class WaypointDriver {
   [[nodiscard]] double length_m() const;  ///< of the way; 0 before the first command
   [[nodiscard]] bool done() const { return done_; }
   /// Why the driver gave up; nothing while it did not.
-  [[nodiscard]] const std::optional<std::string>& given_up() const { return given_up_; }
+  [[nodiscard]] const std::optional<std::string>& abort_reason() const { return abort_reason_; }
 
  private:
   void plan(const Pose2& T_world_body);
   void follow(const Pose2& T_world_body, std::int64_t utime);
-  bool is_patient(std::int64_t utime);
+  bool is_progressing(std::int64_t utime);
   void begin_next_run();
   [[nodiscard]] double curvature(const Pose2& T_world_body) const;
   [[nodiscard]] double speed() const;
@@ -77,11 +77,11 @@ class WaypointDriver {
   std::size_t run_ = 0;
   double s_m_ = 0.0;              ///< along the run
   double driven_m_ = 0.0;         ///< of the runs before
-  double progress_mark_m_ = 0.0;  ///< when there was progress last
-  std::int64_t progress_utime_ = 0;
+  double last_progress_m_ = 0.0;  ///< when there was progress last
+  std::int64_t last_progress_utime_ = 0;
   bool planned_ = false;
   bool done_ = false;
-  std::optional<std::string> given_up_;
+  std::optional<std::string> abort_reason_;
 };
 
 }  // namespace adit

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/config/parse_number.hpp"
+#include "common/config/number_text.hpp"
 
 namespace adit {
 namespace {

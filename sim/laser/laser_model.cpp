@@ -6,13 +6,93 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
-#include "sim/laser/reflectance.hpp"
+#include "sim/laser/echo.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kReflectivityOfBlack = 0.1;
+constexpr int kIntervals = 12;  // between knots, in the half turn that beams are measured in
+
+/// A disc evenly lit has the same spread as its middle and a ring of eight, all of equal weight, if
+/// the ring is at three quarters of its radius: 8/9 · (3/4)² = 1/2.
+constexpr double kRing = 0.75;
+
+/// The ray that leaves a beam's middle at `across` and `up`, both as shares of its radius.
+Ray sub_ray(const LaserParams& params, double angle_rad, double across, double up) {
+  const Eigen::Vector3d along(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+  const Eigen::Vector3d left(-std::sin(angle_rad), std::cos(angle_rad), 0.0);
+  const Eigen::Vector3d aside = across * left + up * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d origin = params.spot_m / 2.0 * aside;
+  const Eigen::Vector3d direction = along + std::tan(params.divergence_rad / 2.0) * aside;
+  return {origin.cast<float>(), direction.normalized().cast<float>()};
+}
+
+std::vector<Ray> rays_of_beam(const LaserParams& params, int beam) {
+  const double angle_rad = beam * params.angle_step_rad() - std::numbers::pi / 2.0;
+  std::vector<Ray> rays{sub_ray(params, angle_rad, 0.0, 0.0)};
+  for (int i = 1; i < params.subrays; ++i) {
+    const double around = 2.0 * std::numbers::pi * i / (params.subrays - 1);
+    rays.push_back(sub_ray(params, angle_rad, kRing * std::cos(around), kRing * std::sin(around)));
+  }
+  return rays;
+}
+
+/// So near to each other that the matrix between is a rotation but for what does not count.
+Eigen::Affine3f between(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double share) {
+  Eigen::Affine3d T;
+  T.matrix() = a.matrix() + share * (b.matrix() - a.matrix());
+  return T.cast<float>();
+}
+
+}  // namespace
+
+BeamFan::BeamFan(const LaserParams& params) : subrays_(static_cast<std::size_t>(params.subrays)) {
+  if (params.subrays != 1 && params.subrays != 9) {
+    throw std::invalid_argument("a beam has 1 or 9 sub-rays");
+  }
+  const double step_rad = params.angle_step_rad();
+  const int turns = params.timing.turns(step_rad);
+  for (int turn = 0; turn < turns; ++turn) add_knots(turn, params.timing.mirror_hz);
+  for (int beam = 0; beam < params.beams; ++beam) {
+    add_beam_time(beam % turns, beam * step_rad / std::numbers::pi);
+    const std::vector<Ray> rays = rays_of_beam(params, beam);
+    rays_laser_.insert(rays_laser_.end(), rays.begin(), rays.end());
+  }
+  rays_world_.resize(rays_laser_.size());
+}
+
+void BeamFan::add_knots(int turn, double mirror_hz) {
+  for (int i = 0; i <= kIntervals; ++i) {
+    knot_times_s_.push_back((turn + 0.5 * i / kIntervals) / mirror_hz);
+  }
+}
+
+void BeamFan::add_beam_time(int turn, double share_of_half_turn) {
+  const double place = kIntervals * share_of_half_turn;
+  const int interval = std::min(static_cast<int>(place), kIntervals - 1);
+  const int knot = turn * (kIntervals + 1) + interval;
+  beam_times_.push_back({static_cast<std::size_t>(knot), place - interval});
+}
+
+const std::vector<Ray>& BeamFan::rays(const PoseAt& T_world_laser) {
+  std::vector<Eigen::Isometry3d> knots;
+  for (const double seconds : knot_times_s_) knots.push_back(T_world_laser(seconds));
+  for (std::size_t beam = 0; beam < beam_times_.size(); ++beam) {
+    const auto& [knot, share] = beam_times_[beam];
+    const Eigen::Affine3f T = between(knots[knot], knots[knot + 1], share);
+    for (std::size_t i = beam * subrays_; i < (beam + 1) * subrays_; ++i) {
+      rays_world_[i].origin = T * rays_laser_[i].origin;
+      rays_world_[i].direction = T.linear() * rays_laser_[i].direction;
+    }
+  }
+  return rays_world_;
+}
+
+namespace {
+
+constexpr double kReferenceReflectivity = 0.1;
 constexpr std::size_t kSubraysMax = 9;
 // How far along its way a ray that a mirror reflects begins, so as not to meet the mirror again
 // [m].
@@ -30,7 +110,7 @@ LaserModel::LaserModel(const RayScene& scene, const LaserParams& params, std::ui
     : scene_(scene), params_(params), random_(seed), fan_(params) {
   offset_m_ =
       std::uniform_real_distribution<double>(-params.offset_max_m, params.offset_max_m)(random_);
-  power_min_ = power(kReflectivityOfBlack, 1.0, params.range_of_black_m);
+  power_min_ = power(kReferenceReflectivity, 1.0, params.range_at_10_percent_m);
   ray_length_m_ = static_cast<float>(
       std::min(params.no_return_m(), std::sqrt(params.subrays * reflectivity_max() / power_min_)));
 }
@@ -59,7 +139,7 @@ std::optional<double> LaserModel::range_m(std::span<const Ray> rays,
     if (const auto one = echo(rays[i], hits[i])) echoes[n++] = *one;
   }
   const auto seen =
-      seen_as_one(std::span(echoes).first(n), params_.pulse_length_m, params_.first_share);
+      merge_echoes(std::span(echoes).first(n), params_.pulse_length_m, params_.first_echo_share);
   if (!seen || seen->power < power_min_ * params_.subrays) return std::nullopt;
   return seen->range_m;
 }
@@ -68,14 +148,14 @@ std::optional<Echo> LaserModel::echo(const Ray& ray, const RayHit& hit) const {
   if (!std::isfinite(hit.distance_m)) return std::nullopt;
   const Material material = scene_.mesh().part_of(hit.triangle).material;
   if (material == Material::kWater) return std::nullopt;
-  if (material == Material::kMirror) return mirrored_echo(ray, hit);
+  if (material == Material::kMirror) return specular_echo(ray, hit);
   return Echo{hit.distance_m,
               power(reflectivity(material), cos_incidence(ray, hit), hit.distance_m)};
 }
 
 /// From the image of what the mirror shows, as far behind it as that is before it. What a second
 /// mirror would show is too faint.
-std::optional<Echo> LaserModel::mirrored_echo(const Ray& ray, const RayHit& mirror) const {
+std::optional<Echo> LaserModel::specular_echo(const Ray& ray, const RayHit& mirror) const {
   const float cosine = -ray.direction.dot(mirror.normal);
   const Eigen::Vector3f away = ray.direction + 2.0F * cosine * mirror.normal;
   const float behind_m = mirror.distance_m + kOffMirror;
@@ -84,7 +164,7 @@ std::optional<Echo> LaserModel::mirrored_echo(const Ray& ray, const RayHit& mirr
   if (!hit) return std::nullopt;
   const double rho = reflectivity(scene_.mesh().part_of(hit->triangle).material);
   if (rho == 0.0) return std::nullopt;
-  const double share = mirrored_share(cosine);  // on the way there, and again on the way back
+  const double share = specular_share(cosine);  // on the way there, and again on the way back
   const double range = static_cast<double>(behind_m) + hit->distance_m;
   return Echo{range, share * share * power(rho, cos_incidence(reflected, *hit), range)};
 }

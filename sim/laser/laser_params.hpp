@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/config/bounds.hpp"
-#include "common/sensing/scan_timing.hpp"
+#include "common/sensing/laser_scan.hpp"
 
 namespace adit {
 
@@ -14,18 +14,18 @@ struct LaserParams {
   double range_min_m = 0.2;  ///< nothing nearer returns
   /// To which a surface of reflectivity 0.1 that faces the laser is seen. Others by the power that
   /// comes back, reflectivity · cos(incidence) / range².
-  double range_of_black_m = 30.0;
+  double range_at_10_percent_m = 30.0;
   double noise_sd_m = 0.005;       ///< of a single range, normal
   double offset_max_m = 0.015;     ///< systematic, drawn for each laser, uniform to either side
   int subrays = 1;                 ///< over the width of a beam, for mixed pixels: 1 or 9
   double spot_m = 0.008;           ///< diameter of a beam at the laser
   double divergence_rad = 0.0044;  ///< by which it widens, full angle
   /// Surfaces within one pulse are seen as one, between them. Farther apart the nearer one counts
-  /// if it returns at least `first_share` of the power.
+  /// if it returns at least `first_echo_share` of the power.
   double pulse_length_m = 0.5;
-  double first_share = 0.2;
-  double scan_loss = 0.0;  ///< share of the scans that get lost
-  int keep_every = 1;      ///< only each n-th scan is made, where a slower laser will do
+  double first_echo_share = 0.2;
+  double scan_loss = 0.0;   ///< share of the scans that get lost
+  int scan_decimation = 1;  ///< only each n-th scan is made, where a slower laser will do
   ScanTiming timing;
 
   template <class V>
@@ -33,16 +33,16 @@ struct LaserParams {
     v("beams", beams, within(2, 361));
     v("unit_m", unit_m, within(0.0001, 0.1));
     v("range_min_m", range_min_m, at_least(0.0));
-    v("range_of_black_m", range_of_black_m, above(0.0));
+    v("range_at_10_percent_m", range_at_10_percent_m, above(0.0));
     v("noise_sd_m", noise_sd_m, at_least(0.0));
     v("offset_max_m", offset_max_m, at_least(0.0));
     v("subrays", subrays, within(1, 9));
     v("spot_m", spot_m, at_least(0.0));
     v("divergence_rad", divergence_rad, at_least(0.0));
     v("pulse_length_m", pulse_length_m, at_least(0.0));
-    v("first_share", first_share, within(0.0, 1.0));
+    v("first_echo_share", first_echo_share, within(0.0, 1.0));
     v("scan_loss", scan_loss, within(0.0, 1.0));
-    v("keep_every", keep_every, at_least(1));
+    v("scan_decimation", scan_decimation, at_least(1));
     v("timing", timing);
   }
 

@@ -6,6 +6,47 @@
 #include <cmath>
 
 namespace adit {
+namespace {
+
+/// Mean rate times time: exact where the rate changes evenly.
+double displacement(double rate_from, double rate_to, double seconds) {
+  return (rate_from + rate_to) / 2.0 * seconds;
+}
+
+}  // namespace
+
+TrapezoidalMotion::TrapezoidalMotion(const State& start, double goal, double rate_max,
+                                     double acceleration)
+    : start_(start), goal_(goal), acceleration_(acceleration) {
+  const double stop = start.position + start.rate * std::abs(start.rate) / (2.0 * acceleration);
+  direction_ = goal >= stop ? 1.0 : -1.0;
+  const double rate = direction_ * start.rate;
+  const double distance = direction_ * (goal - start.position);
+  // Speeding up to the peak and down from it again takes the whole distance.
+  const double peak2 = acceleration * distance + rate * rate / 2.0;
+  peak_rate_ = std::min(rate_max, std::sqrt(std::max(0.0, peak2)));
+  to_peak_s_ = std::abs(peak_rate_ - rate) / acceleration;
+  const double rest = distance - displacement(rate, peak_rate_, to_peak_s_) -
+                      displacement(peak_rate_, 0.0, peak_rate_ / acceleration);
+  at_peak_s_ = peak_rate_ > 0.0 ? std::max(0.0, rest / peak_rate_) : 0.0;
+}
+
+TrapezoidalMotion::State TrapezoidalMotion::at(double seconds) const {
+  if (seconds < to_peak_s_) {
+    const double peak = direction_ * peak_rate_;
+    const double rate = start_.rate + (peak - start_.rate) * seconds / to_peak_s_;
+    return {start_.position + displacement(start_.rate, rate, seconds), rate};
+  }
+  // From here on as seen from the goal, so that it is met exactly.
+  const double braking_s = peak_rate_ / acceleration_;
+  const double left_s = to_peak_s_ + at_peak_s_ + braking_s - seconds;
+  if (left_s <= 0.0) return {goal_, 0.0};
+  const double rate = direction_ * std::min(peak_rate_, acceleration_ * left_s);
+  const double cruise_s = std::max(0.0, left_s - braking_s);
+  const double left =
+      direction_ * displacement(0.0, std::abs(rate), std::min(left_s, braking_s)) + rate * cruise_s;
+  return {goal_ - left, rate};
+}
 
 void TiltActuator::command(const TiltCommand& command) {
   const bool finite = std::isfinite(command.angle_rad) && std::isfinite(command.rate_rad_s);

@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <string>
+
+#include <CLI/CLI.hpp>
 
 #include "common/bus/lcm_bus.hpp"
-#include "common/bus/stages.hpp"
-#include "common/bus/stop_signal.hpp"
-#include "common/bus/transport_check.hpp"
+#include "common/bus/lcm_transport.hpp"
+#include "common/bus/node/stages.hpp"
+#include "common/bus/node/stop_signal.hpp"
 #include "common/config/config.hpp"
+#include "common/config/number_text.hpp"
 #include "sim/live/live_simulator.hpp"
-#include "sim/live/settings.hpp"
+#include "sim/live/sim_config.hpp"
 #include "sim/world/build_world.hpp"
 
 namespace adit {
@@ -21,7 +25,7 @@ namespace {
 constexpr std::int64_t kSecondUs = 1'000'000;
 constexpr std::int64_t kWaitMaxUs = 50'000;  // so that a signal to stop is heard soon
 constexpr int kQuietMs = 500;
-constexpr std::int64_t kHearOutMaxUs = 10 * kSecondUs;
+constexpr std::int64_t kDrainMaxUs = 10 * kSecondUs;
 
 std::int64_t whole_second_utime() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -41,7 +45,7 @@ LcmBusOptions bus_options(const LiveRunOptions& run) {
   return options;
 }
 
-LiveRunOptions waiting_for_its_record(LiveRunOptions options) {
+LiveRunOptions with_record_stage(LiveRunOptions options) {
   if (!options.record.empty()) options.pacing.wait_for.emplace_back(kRecordStage);
   return options;
 }
@@ -55,12 +59,12 @@ void listen(LcmBus& bus, std::int64_t wait_us) {
 }
 
 void run(LcmBus& bus, LiveSimulator& simulator, const StopSignal& stop) {
-  while (!simulator.done() && !stop.came()) listen(bus, simulator.go_on(wall_us()));
+  while (!simulator.done() && !stop.received()) listen(bus, simulator.advance(wall_us()));
 }
 
 /// Until nothing has come for a while: no message tells that there is none on its way.
-void hear_out(LcmBus& bus) {
-  const std::int64_t end_us = wall_us() + kHearOutMaxUs;
+void drain(LcmBus& bus) {
+  const std::int64_t end_us = wall_us() + kDrainMaxUs;
   while (bus.handle(kQuietMs) && wall_us() < end_us) {
   }
 }
@@ -77,16 +81,85 @@ void run_live(const WorldChoice& world, const LiveRunOptions& options) {
   const WorldDescription description = describe(world);
   const Site site(build_world(description));
 
-  if (const auto advice = buffer_advice(options.lcm_url)) {
+  if (const auto advice = receive_buffer_advice(options.lcm_url)) {
     std::cerr << options.program << ": " << *advice << std::endl;
   }
   LcmBus bus(bus_options(options));
-  LiveSimulator simulator(bus, site, description, params, waiting_for_its_record(options),
+  LiveSimulator simulator(bus, site, description, params, with_record_stage(options),
                           options.start_utime.value_or(whole_second_utime()));
   run(bus, simulator, stop);
   if (options.record.empty()) return;
-  hear_out(bus);
+  drain(bus);
   simulator.close_record();
+}
+
+namespace {
+
+std::optional<double> factor_from(const std::string& text) {
+  if (text == "max") return std::nullopt;
+  const auto factor = parse_number<double>(text);
+  if (!factor || !(*factor > 0.0 && *factor <= 1e6)) {
+    throw CLI::ValidationError("--speed", "'" + text + "' is neither a positive number nor max");
+  }
+  return factor;
+}
+
+}  // namespace
+
+const char* const kLiveRunFooter =
+    R"(WORLD is the name of a mine that is built in, `random`, a world file (.yaml) or a mesh (.obj, .ply, ..).
+
+Time: stages that are started with --sim-time go by the simulator's time, and answer when they have
+handled all that came before. With --wait-for the simulator is never more than 0.2 s ahead of them, so
+that nothing gets lost however slow they are; without it and with --speed max it waits for nobody. Nobody
+waits for lcm-logger either: --record loses nothing.
+
+The stages must have the lasers where the simulator has them: give all the same --config, for example
+deploy/config/groundhog.yaml, or what adit sim WORLD --print-config prints.
+
+Faults, as KIND[:TARGET][=AMOUNT]@SECONDS, with the seconds counted in simulated time:
+  laser_dies:front@20  laser_recovers:front@30  packet_loss=0.1@5  time_jump=2@40
+  kill:mapping@60  suspend:mapping@60  (adit-mapping, where it was started beside the simulator; nobody
+  waits for it until it answers again))";
+
+void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
+  app.add_option_function<std::string>(
+         "--speed",
+         [&options](const std::string& text) { options.pacing.factor = factor_from(text); },
+         "Times real time, or max: as fast as it goes; 1 without")
+      ->type_name("F|max");
+  app.add_option("--wait-for", options.pacing.wait_for, "Stages that must keep up")
+      ->type_name("STAGE,..")
+      ->delimiter(',');
+  app.add_option("--ahead-max-s", options.pacing.ahead_max_s,
+                 "How far ahead of the slowest of them it may be, in simulated time")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.05, 10.0))
+      ->capture_default_str();
+  app.add_option("--outage-max-s", options.pacing.outage_max_s,
+                 "How long it goes on without one that a fault has killed or suspended, in "
+                 "simulated time; without: until that answers again")
+      ->type_name("SECONDS")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--config", options.config, "YAML file with a section sim")->type_name("FILE");
+  app.add_option("--fault", options.faults, "Something that goes wrong; may be given several times")
+      ->type_name("FAULT")
+      ->allow_extra_args(false);
+  app.add_option("--lcm-url", options.lcm_url,
+                 "Where LCM is, e.g. udpm://239.255.76.67:7667?ttl=0 (the default)")
+      ->type_name("URL");
+  app.add_option("--record", options.record,
+                 "Write everything on the bus into an LCM log, and wait for that")
+      ->type_name("FILE");
+  app.add_flag("--print-config", options.print_config,
+               "Print every parameter with the value in effect, and end");
+  app.add_option("--start-utime", options.start_utime,
+                 "Simulated time at the start, µs since the epoch; that of the clock without")
+      ->type_name("USEC")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--for", options.for_s, "End after so much simulated time")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
 }
 
 }  // namespace adit

@@ -35,3 +35,17 @@ inline constexpr const char* kRecordStage = "record";
 void run_live(const WorldChoice& world, const LiveRunOptions& options);
 
 }  // namespace adit
+
+namespace CLI {
+class App;
+}
+
+namespace adit {
+
+/// The options of a live run, for `adit-sim` and `adit sim`.
+void add_live_run_options(CLI::App& app, LiveRunOptions& options);
+
+/// What both say about worlds, time and faults at the end of their help.
+extern const char* const kLiveRunFooter;
+
+}  // namespace adit

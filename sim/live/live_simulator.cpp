@@ -2,21 +2,82 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/live/live_simulator.hpp"
 
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <utility>
+
 #include "common/bus/channels.hpp"
-#include "common/bus/stages.hpp"
-#include "common/bus/typed.hpp"
-#include "common/bus/version.hpp"
-#include "common/messages/sim_time.hpp"
+#include "common/bus/node/stages.hpp"
+#include "common/bus/node/version.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/sim.hpp"
 #include "common/sensing/seconds.hpp"
-#include "sim/live/settings.hpp"
+#include "sim/live/sim_config.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::size_t kAnswersWaiting = 1000;
+constexpr std::size_t kMessageQueueSize = 4096;  // of one channel
+
+}  // namespace
+
+BusRecorder::BusRecorder(Bus& bus, const std::filesystem::path& path, Clock clock)
+    : log_(path), clock_(std::move(clock)) {
+  for (const std::string_view channel : channels::kAll) {
+    bus.subscribe(channel, Delivery::queued(kMessageQueueSize),
+                  [this](const ReceivedMessage& received) -> std::string_view {
+                    log_.write({clock_(), received.channel, received.bytes});
+                    return {};
+                  });
+  }
+}
+
+namespace {
+
+std::string state_of(const RunState& run, const VehicleState& vehicle) {
+  if (!run.failure.empty()) return "failed: " + run.failure;
+  if (vehicle.stopped) return "held by a stop order";
+  if (vehicle.expired) return "without a command";
+  return "driving";
+}
+
+}  // namespace
+
+std::string progress_line(double elapsed_s, double factor, const RunState& run,
+                          const VehicleState& vehicle) {
+  std::array<char, 96> numbers{};
+  std::snprintf(numbers.data(), numbers.size(), "%.1f s simulated, %.1f x real time, %.1f m, ",
+                elapsed_s, factor, run.distance_travelled_m);
+  return numbers.data() + state_of(run, vehicle);
+}
+
+void ProgressReporter::update(const Simulation& simulation, std::int64_t start_utime,
+                              std::int64_t wall_us) {
+  const std::string& failure = simulation.state().failure;
+  if (!failure.empty() && !failed_) print("the run has failed: " + failure);
+  failed_ = !failure.empty();
+
+  const std::int64_t utime = simulation.utime();
+  if (!last_) last_ = {utime, wall_us};
+  if (wall_us - last_->wall_us < kPeriodUs) return;
+  const double factor =
+      static_cast<double>(utime - last_->utime) / static_cast<double>(wall_us - last_->wall_us);
+  last_ = {utime, wall_us};
+  print(progress_line(seconds(utime - start_utime), factor, simulation.state(),
+                      simulation.vehicle().state()));
+}
+
+void ProgressReporter::print(const std::string& what) const {
+  std::cerr << program_ + ": " + what + "\n" << std::flush;
+}
+
+namespace {
+
+constexpr std::size_t kAnswerQueueSize = 1000;
 constexpr std::int64_t kReminderUs = 500'000;  // of wall time
 
-std::string why_it_waits(const std::string& stage) {
+std::string waiting_message(const std::string& stage) {
   std::string line = "waiting for ";
   line += stage;
   line += ", which has not answered for 5 s; was it started with --sim-time?";
@@ -39,17 +100,17 @@ LiveSimulator::LiveSimulator(Bus& bus, const Site& site, const WorldDescription&
     recorder_.emplace(bus, options.record, [this] { return node_.simulation().utime(); });
   }
   host_.set_health([this] { return node_.health(); });
-  subscribe<sim_time_done_t>(host_.bus(), channels::kSimTimeDone, Delivery::queued(kAnswersWaiting),
-                             [this](const SimTimeDone& done) {
+  subscribe<sim_time_done_t>(host_.bus(), channels::kSimTimeDone,
+                             Delivery::queued(kAnswerQueueSize), [this](const SimTimeDone& done) {
                                // One from the future answers another simulator, or this one's
                                // predecessor.
                                if (done.utime <= node_.simulation().utime())
                                  pacing_.done(done.stage, done.utime);
                              });
-  node_.send_time();
+  node_.publish_time();
 }
 
-std::int64_t LiveSimulator::go_on(std::int64_t wall_us) {
+std::int64_t LiveSimulator::advance(std::int64_t wall_us) {
   progress_.update(node_.simulation(), start_utime_, wall_us);
   const Pacing::Decision decision = pacing_.decide(node_.next_utime(), wall_us);
   if (decision.kind == Pacing::Decision::Kind::kStep) step();
@@ -60,21 +121,21 @@ std::int64_t LiveSimulator::go_on(std::int64_t wall_us) {
 void LiveSimulator::step() {
   node_.step();
   const std::int64_t elapsed_us = node_.simulation().utime() - start_utime_;
-  for (const auto& harm : process_faults_.advance(seconds(elapsed_us))) {
-    progress_.say(harm.line);
-    pacing_.give_up(harm.stage, node_.simulation().utime());
+  for (const auto& applied : process_faults_.advance(seconds(elapsed_us))) {
+    progress_.print(applied.line);
+    pacing_.exclude(applied.stage, node_.simulation().utime());
   }
 }
 
 /// What a stage missed that came late, or was started again, is the time: without it, it would
 /// never answer.
 void LiveSimulator::remind_stages(std::int64_t wall_us) {
-  for (const std::string& stage : pacing_.newly_silent(wall_us)) {
-    progress_.say(why_it_waits(stage));
+  for (const std::string& stage : pacing_.newly_timed_out(wall_us)) {
+    progress_.print(waiting_message(stage));
   }
   if (wall_us < next_reminder_us_) return;
   next_reminder_us_ = wall_us + kReminderUs;
-  node_.send_time();
+  node_.publish_time();
 }
 
 bool LiveSimulator::done() const {

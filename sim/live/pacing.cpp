@@ -8,36 +8,36 @@
 namespace adit {
 namespace {
 
-constexpr std::int64_t kForgivenUs = 100'000;  // being late by more than that is not made up for
-constexpr std::int64_t kAskAgainUs = 100'000;  // an answer comes sooner, as a rule
+constexpr std::int64_t kCatchUpMaxUs = 100'000;  // being late by more than that is not made up for
+constexpr std::int64_t kPollPeriodUs = 100'000;  // an answer comes sooner, as a rule
 
 }  // namespace
 
 Pacing::Pacing(const PacingParams& params)
     : factor_(params.factor), ahead_max_us_(std::llround(params.ahead_max_s * 1e6)) {
   for (const std::string& stage : params.wait_for) stages_[stage];
-  if (params.missed_max_s) missed_max_us_ = std::llround(*params.missed_max_s * 1e6);
+  if (params.outage_max_s) outage_max_us_ = std::llround(*params.outage_max_s * 1e6);
 }
 
 void Pacing::done(std::string_view stage, std::int64_t utime) {
   const auto found = stages_.find(stage);
   if (found == stages_.end()) return;
-  const auto given_up_utime = found->second.given_up_utime;
-  if (given_up_utime && utime <= *given_up_utime) return;  // said before it was harmed
+  const auto excluded_utime = found->second.excluded_utime;
+  if (excluded_utime && utime <= *excluded_utime) return;  // said before it was harmed
   found->second = {std::max(utime, found->second.done_utime.value_or(utime)), std::nullopt, false,
                    std::nullopt};
 }
 
-void Pacing::give_up(std::string_view stage, std::int64_t utime) {
+void Pacing::exclude(std::string_view stage, std::int64_t utime) {
   const auto found = stages_.find(stage);
   if (found == stages_.end()) return;
-  found->second.given_up_utime = utime;
+  found->second.excluded_utime = utime;
   found->second.blocks_since_us.reset();
 }
 
 Pacing::Decision Pacing::decide(std::int64_t utime, std::int64_t wall_us) {
   if (must_wait_for_stages(utime, wall_us)) {
-    return {Decision::Kind::kWaitForStages, kAskAgainUs};
+    return {Decision::Kind::kWaitForStages, kPollPeriodUs};
   }
   const std::int64_t wait_us = until_due_us(utime, wall_us);
   if (wait_us > 0) return {Decision::Kind::kWaitForClock, wait_us};
@@ -45,8 +45,8 @@ Pacing::Decision Pacing::decide(std::int64_t utime, std::int64_t wall_us) {
 }
 
 bool Pacing::keeps_up(const Stage& stage, std::int64_t utime) const {
-  if (stage.given_up_utime) {
-    return !missed_max_us_ || utime - *stage.given_up_utime <= *missed_max_us_;
+  if (stage.excluded_utime) {
+    return !outage_max_us_ || utime - *stage.excluded_utime <= *outage_max_us_;
   }
   return stage.done_utime && utime - *stage.done_utime <= ahead_max_us_;
 }
@@ -66,16 +66,16 @@ std::int64_t Pacing::until_due_us(std::int64_t utime, std::int64_t wall_us) {
   if (!origin_) origin_ = {utime, wall_us};
   const double since_origin_us = static_cast<double>(utime - origin_->utime) / *factor_;
   const std::int64_t due_us = origin_->wall_us + std::llround(since_origin_us);
-  if (wall_us > due_us + kForgivenUs) origin_ = {utime, wall_us};
+  if (wall_us > due_us + kCatchUpMaxUs) origin_ = {utime, wall_us};
   return std::max<std::int64_t>(0, due_us - wall_us);
 }
 
-std::vector<std::string> Pacing::newly_silent(std::int64_t wall_us) {
+std::vector<std::string> Pacing::newly_timed_out(std::int64_t wall_us) {
   std::vector<std::string> names;
   for (auto& [name, stage] : stages_) {
-    if (stage.told || !stage.blocks_since_us) continue;
-    if (wall_us - *stage.blocks_since_us < kPatienceUs) continue;
-    stage.told = true;
+    if (stage.reported || !stage.blocks_since_us) continue;
+    if (wall_us - *stage.blocks_since_us < kStageTimeoutUs) continue;
+    stage.reported = true;
     names.push_back(name);
   }
   return names;

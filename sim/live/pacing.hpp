@@ -18,7 +18,7 @@ struct PacingParams {
   double ahead_max_s = 0.2;           ///< of the slowest of them, at least a period of SIM_TIME
   /// How long one that was killed or suspended on purpose is done without; nothing: until it
   /// answers again.
-  std::optional<double> missed_max_s = {};
+  std::optional<double> outage_max_s = {};
 };
 
 /// Says when the simulator may take its next step: not before the wall clock, times the factor, has
@@ -27,7 +27,7 @@ struct PacingParams {
 /// wall time is any time that goes on steadily [µs].
 class Pacing {
  public:
-  static constexpr std::int64_t kPatienceUs = 5'000'000;  ///< of wall time
+  static constexpr std::int64_t kStageTimeoutUs = 5'000'000;  ///< of wall time
 
   struct Decision {
     enum class Kind { kStep, kWaitForClock, kWaitForStages };
@@ -41,22 +41,22 @@ class Pacing {
   void done(std::string_view stage, std::int64_t utime);
 
   /// The stage was killed or suspended on purpose at `utime`, and would hold up the simulator for
-  /// ever: it is waited for again when it answers for a later time, and after missed_max_s. Of a
+  /// ever: it is waited for again when it answers for a later time, and after outage_max_s. Of a
   /// stage that nobody waits for, nothing changes.
-  void give_up(std::string_view stage, std::int64_t utime);
+  void exclude(std::string_view stage, std::int64_t utime);
 
   /// Whether the step may be taken that leads to `utime`.
   Decision decide(std::int64_t utime, std::int64_t wall_us);
 
-  /// Stages that have held up the simulator for kPatienceUs, each told once until it answers.
-  std::vector<std::string> newly_silent(std::int64_t wall_us);
+  /// Stages that have held up the simulator for kStageTimeoutUs, each told once until it answers.
+  std::vector<std::string> newly_timed_out(std::int64_t wall_us);
 
  private:
   struct Stage {
     std::optional<std::int64_t> done_utime;
     std::optional<std::int64_t> blocks_since_us;  // wall time
-    bool told = false;
-    std::optional<std::int64_t> given_up_utime;
+    bool reported = false;
+    std::optional<std::int64_t> excluded_utime;
   };
   struct Origin {
     std::int64_t utime;
@@ -69,7 +69,7 @@ class Pacing {
 
   std::optional<double> factor_;
   std::int64_t ahead_max_us_;
-  std::optional<std::int64_t> missed_max_us_;
+  std::optional<std::int64_t> outage_max_us_;
   std::map<std::string, Stage, std::less<>> stages_;
   std::optional<Origin> origin_;  // from which real time counts
 };

@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "sim/world/random_mine.hpp"
+#include "sim/world/random/random_mine.hpp"
 #include "sim/world/world_file.hpp"
 
 namespace adit {

@@ -32,7 +32,7 @@ void MeshBuilder::begin_part(PartKind kind, Material material, const std::string
   mesh_.parts.push_back({kind, material, unique});
 }
 
-void MeshBuilder::take_over(
+void MeshBuilder::reassign(
     const std::function<bool(const Part& part, const Eigen::Vector3f& middle)>& is_chosen) {
   for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i) {
     const auto& [a, b, c] = mesh_.triangles[i];

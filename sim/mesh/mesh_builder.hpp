@@ -30,7 +30,7 @@ class MeshBuilder {
   void begin_part(PartKind kind, Material material, const std::string& name);
 
   /// Triangles that are chosen, by their part and their middle, go over to the current part.
-  void take_over(
+  void reassign(
       const std::function<bool(const Part& part, const Eigen::Vector3f& middle)>& is_chosen);
 
   /// Makes room for so many more.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sim/mesh/child_work.hpp"
+#include "sim/mesh/child_process.hpp"
 #include "sim/mesh/triangle_mesh.hpp"
 
 namespace adit {

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <assimp/Importer.hpp>
@@ -17,14 +19,50 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-#include "sim/mesh/child_work.hpp"
+#include "sim/mesh/child_process.hpp"
 #include "sim/mesh/mesh_builder.hpp"
 #include "sim/mesh/mesh_bytes.hpp"
 #include "sim/mesh/mesh_file_check.hpp"
-#include "sim/mesh/surface_names.hpp"
+#include "sim/mesh/triangle_mesh.hpp"
 
 namespace adit {
 namespace {
+
+/// What a surface of that name is, by a word in it, whatever its case: `floor`, `roof`, `wall`,
+/// `rail`, `sleeper`, `post`, `crib`, `rubble`, `beam`, `cable`, `car` or `water`. Rock of kind
+/// `kOther` without one.
+std::pair<PartKind, Material> classify_surface(std::string name);
+
+struct NamedKind {
+  std::string_view word;
+  PartKind kind;
+  Material material;
+};
+
+constexpr std::array<NamedKind, 12> kNamedKinds{{
+    {"floor", PartKind::kFloor, Material::kRock},
+    {"roof", PartKind::kRoof, Material::kRock},
+    {"wall", PartKind::kWall, Material::kRock},
+    {"rail", PartKind::kRail, Material::kSteel},
+    {"sleeper", PartKind::kSleeper, Material::kTimber},
+    {"post", PartKind::kPost, Material::kTimber},
+    {"crib", PartKind::kCrib, Material::kTimber},
+    {"rubble", PartKind::kRubble, Material::kRock},
+    {"beam", PartKind::kBeam, Material::kTimber},
+    {"cable", PartKind::kCable, Material::kSteel},
+    {"car", PartKind::kCar, Material::kSteel},
+    {"water", PartKind::kWater, Material::kWater},
+}};
+
+std::pair<PartKind, Material> classify_surface(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto* named = std::find_if(
+      kNamedKinds.begin(), kNamedKinds.end(),
+      [&](const NamedKind& candidate) { return name.find(candidate.word) != std::string::npos; });
+  if (named == kNamedKinds.end()) return {PartKind::kOther, Material::kRock};
+  return {named->kind, named->material};
+}
 
 // Longest side of what can be a mine [m].
 constexpr double kSizeMin = 1.0;
@@ -64,7 +102,7 @@ class Collector {
  private:
   void add(const aiMesh& mesh, const std::string& node_name, const Eigen::Affine3d& T_world_mesh) {
     const std::string name = mesh.mName.length > 0 ? mesh.mName.C_Str() : node_name;
-    const auto [kind, material] = surface_named(name);
+    const auto [kind, material] = classify_surface(name);
     builder_.begin_part(kind, material, name.empty() ? "mesh" : name);
     std::vector<Eigen::Vector3d> places;
     const auto first = static_cast<std::uint32_t>(builder_.mesh().vertices.size());
@@ -169,8 +207,8 @@ TriangleMesh load_mesh_file(const std::filesystem::path& file, const MeshFilePar
   check_mesh_file(file);
   const auto read = [&] { return to_bytes(read_with_assimp(file, params)); };
   try {
-    return mesh_from_bytes(work_in_child(read, kSecondsMax));
-  } catch (const ChildDied& death) {
+    return mesh_from_bytes(run_in_child_process(read, kSecondsMax));
+  } catch (const ChildProcessError& death) {
     throw std::runtime_error(file.string() + " is not a mesh: " + death.what());
   }
 }

@@ -17,7 +17,7 @@ struct MeshFileParams {
 };
 
 /// Reads a mesh of whatever format Assimp knows (OBJ, PLY, DAE, STL, ..): the one place that does.
-/// Each mesh of the file becomes a part of the same name, which says what it is (surface_named).
+/// Each mesh of the file becomes a part of the same name, which says what it is (classify_surface).
 /// Triangles without area, or with a corner that is not finite, are left out. Throws
 /// std::runtime_error, one line with the file, for one that is missing, empty, too large or no
 /// mesh, for one without triangles, and for a size that no mine has: the scale is wrong then.

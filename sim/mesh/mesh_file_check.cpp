@@ -17,13 +17,13 @@ namespace {
 // A mesh of as many triangles as a world may have, written as text, is smaller.
 constexpr std::uintmax_t kBytesMax = 1'000'000'000;
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+[[noreturn]] void reject(const std::filesystem::path& file, const std::string& why) {
   throw std::runtime_error(file.string() + " is not a mesh: " + why);
 }
 
 void check_count(const std::filesystem::path& file, double count, std::uintmax_t bytes) {
   if (count >= 0.0 && count <= static_cast<double>(bytes)) return;
-  refuse(file,
+  reject(file,
          "it announces " + number_text(count) + " elements in " + std::to_string(bytes) + " bytes");
 }
 
@@ -45,10 +45,10 @@ void check_ply_header(const std::filesystem::path& file, std::uintmax_t bytes) {
     if (word == "element" && words >> name >> count) {
       check_count(file, count, bytes);
     } else if (!is_other_ply_word(word)) {
-      refuse(file, "its header has a line that is none of a PLY");
+      reject(file, "its header has a line that is none of a PLY");
     }
   }
-  refuse(file, "its header has no end");
+  reject(file, "its header has no end");
 }
 
 /// Attributes `count="COUNT"`, anywhere.
@@ -69,7 +69,7 @@ void check_dae_indices(const std::filesystem::path& file, const std::string& tex
        at = text.find(kIndices, at)) {
     at = text.find_first_not_of("0123456789 \t\r\n", at + kIndices.size());
     if (at == std::string::npos || text[at] != '<') {
-      refuse(file, "an index in it is no number");
+      reject(file, "an index in it is no number");
     }
   }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -65,5 +66,10 @@ class RayScene {
   class Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Whether a triangle, with its corners in world, and a box have a point in common (separating
+/// axes: Akenine-Möller, "Fast 3D triangle-box overlap testing", 2001). False for corners that are
+/// not finite.
+bool overlaps(const OrientedBox& box, const std::array<Eigen::Vector3d, 3>& triangle);
 
 }  // namespace adit

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace adit {
 
@@ -58,5 +59,8 @@ struct TriangleMesh {
     return parts[triangle_parts[triangle]];
   }
 };
+
+/// A box around all triangles, but for corners that are not finite; empty where there is none.
+Eigen::AlignedBox3f mesh_bounds(const TriangleMesh& mesh);
 
 }  // namespace adit

@@ -11,12 +11,12 @@ namespace {
 
 std::int64_t microseconds(double seconds) { return std::llround(seconds * 1e6); }
 
-bool is_of_a_laser(const FaultDescription& fault) {
+bool is_laser_fault(const FaultDescription& fault) {
   return fault.kind == "laser_dies" || fault.kind == "laser_recovers";
 }
 
 void check(const FaultDescription& fault) {
-  if (is_of_a_laser(fault) && fault.target != "front" && fault.target != "rear") {
+  if (is_laser_fault(fault) && fault.target != "front" && fault.target != "rear") {
     throw std::invalid_argument("fault " + fault.kind + ": no laser '" + fault.target +
                                 "', only front and rear");
   }
@@ -42,7 +42,7 @@ bool FaultSchedule::alive(SimLaser laser, std::int64_t utime) const {
   bool alive = true;
   for (const auto& [at, fault] : faults_) {
     if (at > utime) break;
-    if (is_of_a_laser(fault) && fault.target == target) alive = fault.kind == "laser_recovers";
+    if (is_laser_fault(fault) && fault.target == target) alive = fault.kind == "laser_recovers";
   }
   return alive;
 }

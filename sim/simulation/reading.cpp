@@ -7,7 +7,7 @@ namespace {
 
 struct UtimeOf {
   std::int64_t& operator()(LaserReading& laser) const { return laser.scan.utime; }
-  std::int64_t& operator()(TiltOf& tilt) const { return tilt.reading.utime; }
+  std::int64_t& operator()(LaserTiltReading& tilt) const { return tilt.reading.utime; }
   std::int64_t& operator()(auto& reading) const { return reading.utime; }
 };
 
@@ -15,7 +15,7 @@ struct UtimeOf {
 
 std::int64_t& utime_of(Reading& reading) { return std::visit(UtimeOf{}, reading); }
 
-bool is_of_a_driver(const Reading& reading) {
+bool is_driver_reading(const Reading& reading) {
   return !std::holds_alternative<BodyMotion>(reading) && !std::holds_alternative<RunState>(reading);
 }
 

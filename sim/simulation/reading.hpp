@@ -5,13 +5,10 @@
 #include <cstdint>
 #include <variant>
 
-#include "common/sensing/ground_and_air.hpp"
-#include "common/sensing/imu_reading.hpp"
 #include "common/sensing/laser_scan.hpp"
-#include "common/sensing/tilt_reading.hpp"
-#include "common/sensing/wheel_odometry.hpp"
-#include "common/vehicle/drive_command.hpp"
-#include "common/vehicle/run_state.hpp"
+#include "common/sensing/laser_tilt.hpp"
+#include "common/sensing/vehicle_readings.hpp"
+#include "common/types/vehicle_state.hpp"
 #include "sim/vehicle/vehicle_model.hpp"
 
 namespace adit {
@@ -23,20 +20,20 @@ struct LaserReading {
   LaserScan scan;
 };
 
-struct TiltOf {
+struct LaserTiltReading {
   SimLaser laser;
   TiltReading reading;
 };
 
 /// What one driver delivers at one moment, or the simulator says beside them (BodyMotion: the
 /// truth; RunState).
-using Reading = std::variant<LaserReading, TiltOf, WheelOdometry, ImuReading, GasReading,
+using Reading = std::variant<LaserReading, LaserTiltReading, WheelOdometry, ImuReading, GasReading,
                              SinkageReading, VehicleState, BodyMotion, RunState>;
 
 /// When it was measured, by the clock of who measured it [µs since the epoch].
 std::int64_t& utime_of(Reading& reading);
 
 /// Whether a driver delivers it, and not the simulator beside them.
-bool is_of_a_driver(const Reading& reading);
+bool is_driver_reading(const Reading& reading);
 
 }  // namespace adit

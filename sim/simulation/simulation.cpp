@@ -2,20 +2,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/simulation/simulation.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
+#include <Eigen/Core>
+
 #include "common/sensing/seconds.hpp"
-#include "sim/simulation/air.hpp"
-#include "sim/simulation/delivery.hpp"
+#include "common/sensing/vehicle_readings.hpp"
 #include "sim/simulation/fault_schedule.hpp"
-#include "sim/simulation/laser_on_body.hpp"
 #include "sim/simulation/random_stream.hpp"
+#include "sim/simulation/reading_queue.hpp"
+#include "sim/simulation/tilting_laser.hpp"
 #include "sim/vehicle/proprioception.hpp"
+#include "sim/world/world.hpp"
 
 namespace adit {
 namespace {
+
+/// The air of a world at a place of its plan. Pockets add up; methane takes the place of oxygen as
+/// of all else. There is no carbon monoxide.
+GasReading air_at(const World& world, const Eigen::Vector2d& p_world, std::int64_t utime);
+
+GasReading air_at(const World& world, const Eigen::Vector2d& p_world, std::int64_t utime) {
+  GasReading reading;
+  reading.utime = utime;
+  for (const GasPocket& pocket : world.gas) {
+    const double distances = (p_world - pocket.p_world).norm() / pocket.radius_m;
+    reading.methane_share += pocket.methane_share * std::exp(-0.5 * distances * distances);
+  }
+  reading.methane_share = std::min(reading.methane_share, 1.0);
+  reading.oxygen_share *= 1.0 - reading.methane_share;
+  return reading;
+}
 
 constexpr double kStepS = seconds(Simulation::kStepUs);
 
@@ -28,7 +50,8 @@ constexpr std::int64_t kVehicleEvery = 10;
 constexpr std::int64_t kTruthEvery = 2;
 constexpr std::int64_t kRunEvery = 100;
 
-LaserOnBody::Setup laser_setup(const SimulationParams& params, SimLaser laser, std::uint64_t seed) {
+TiltingLaser::Setup laser_setup(const SimulationParams& params, SimLaser laser,
+                                std::uint64_t seed) {
   const bool front = laser == SimLaser::kFront;
   const LaserMount& mount = front ? params.lasers.front : params.lasers.rear;
   if (mount.range_max_m > params.laser.no_return_m()) {
@@ -80,17 +103,17 @@ class Simulation::Impl {
   [[nodiscard]] std::int64_t utime() const { return utime_; }
   [[nodiscard]] const VehicleModel& vehicle() const { return vehicle_; }
   [[nodiscard]] RunState state() const {
-    return {utime_, vehicle_.travelled_m(), vehicle_.failure().value_or("")};
+    return {utime_, vehicle_.distance_travelled_m(), vehicle_.failure().value_or("")};
   }
 
  private:
-  [[nodiscard]] LaserOnBody make_laser(SimLaser laser, std::uint64_t seed,
-                                       std::int64_t utime) const {
+  [[nodiscard]] TiltingLaser make_laser(SimLaser laser, std::uint64_t seed,
+                                        std::int64_t utime) const {
     return {site_.scene(), laser_setup(params_, laser, seed), utime,
             vehicle_.motion().T_world_body};
   }
 
-  LaserOnBody& of(SimLaser laser) { return lasers_[laser == SimLaser::kFront ? 0 : 1]; }
+  TiltingLaser& of(SimLaser laser) { return lasers_[laser == SimLaser::kFront ? 0 : 1]; }
 
   void advance() {
     ++steps_;
@@ -98,7 +121,7 @@ class Simulation::Impl {
     vehicle_.advance(kStepS);
     const VehicleState state = vehicle_.state();
     wheels_.advance(state.speed_m_s, state.curvature_1_m, kStepS);
-    for (LaserOnBody& laser : lasers_) laser.advance(utime_, vehicle_.motion().T_world_body);
+    for (TiltingLaser& laser : lasers_) laser.advance(utime_, vehicle_.motion().T_world_body);
   }
 
   void add_scans() {
@@ -113,8 +136,8 @@ class Simulation::Impl {
   void add_sensors(const BodyMotion& before) {
     const auto add = [&](Reading reading) { queue_.add(utime_, std::move(reading)); };
     if (is_time(kTiltEvery)) {
-      add(TiltOf{SimLaser::kFront, of(SimLaser::kFront).tilt_reading()});
-      add(TiltOf{SimLaser::kRear, of(SimLaser::kRear).tilt_reading()});
+      add(LaserTiltReading{SimLaser::kFront, of(SimLaser::kFront).tilt_reading()});
+      add(LaserTiltReading{SimLaser::kRear, of(SimLaser::kRear).tilt_reading()});
     }
     if (params_.wheel_odometry.present && is_time(kWheelsEvery)) add(wheels_.reading(utime_));
     if (params_.imu.present) add(imu_.measure(before, vehicle_.motion(), kStepS));
@@ -137,7 +160,7 @@ class Simulation::Impl {
   SimulationParams params_;
   FaultSchedule faults_;
   VehicleModel vehicle_;
-  std::array<LaserOnBody, 2> lasers_;
+  std::array<TiltingLaser, 2> lasers_;
   DeadReckoning wheels_;
   InertialUnit imu_;
   ReadingQueue queue_;

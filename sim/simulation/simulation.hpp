@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "common/sensing/tilt_command.hpp"
-#include "common/vehicle/drive_command.hpp"
+#include "common/sensing/laser_tilt.hpp"
+#include "common/types/vehicle_state.hpp"
 #include "sim/simulation/reading.hpp"
 #include "sim/simulation/simulation_params.hpp"
 #include "sim/vehicle/vehicle_model.hpp"

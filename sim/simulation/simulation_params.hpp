@@ -7,7 +7,7 @@
 
 #include "common/config/bounds.hpp"
 #include "common/sensing/laser_mount.hpp"
-#include "common/vehicle/vehicle.hpp"
+#include "common/types/vehicle.hpp"
 #include "sim/laser/laser_params.hpp"
 #include "sim/laser/tilt_actuator.hpp"
 #include "sim/vehicle/vehicle_params.hpp"

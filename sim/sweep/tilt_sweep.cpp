@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "common/geometry/in_plan.hpp"
+#include "common/geometry/pose2.hpp"
 #include "sim/laser/laser_model.hpp"
 #include "sim/vehicle/stance.hpp"
 

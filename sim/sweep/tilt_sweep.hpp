@@ -7,9 +7,9 @@
 
 #include <Eigen/Geometry>
 
-#include "common/cloud/cloud.hpp"
 #include "common/geometry/pose2.hpp"
-#include "common/vehicle/vehicle.hpp"
+#include "common/types/cloud.hpp"
+#include "common/types/vehicle.hpp"
 #include "sim/simulation/simulation_params.hpp"
 #include "sim/world/world.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/vehicle/gravity.hpp"
+#include "sim/vehicle/vehicle_params.hpp"
 
 namespace adit {
 

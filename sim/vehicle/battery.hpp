@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/vehicle/vehicle.hpp"
+#include "common/types/vehicle.hpp"
 #include "sim/vehicle/vehicle_params.hpp"
 
 namespace adit {

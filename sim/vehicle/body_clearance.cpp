@@ -25,8 +25,8 @@ std::pair<float, float> span_z(const TriangleMesh& mesh) {
 
 }  // namespace
 
-std::optional<std::string> touched_part(const RayScene& scene, const Vehicle& vehicle,
-                                        const Eigen::Isometry3d& T_world_body) {
+std::optional<std::string> colliding_part(const RayScene& scene, const Vehicle& vehicle,
+                                          const Eigen::Isometry3d& T_world_body) {
   const double middle_z = 0.5 * (vehicle.belly_clearance_m + vehicle.height_m);
   const double half_z = 0.5 * (vehicle.height_m - vehicle.belly_clearance_m);
   OrientedBox box;

@@ -47,7 +47,7 @@ void Drivetrain::command(const StopOrder& order) {
   if (order_ && order.stopped) utime = std::max(utime, order_->utime);
   if (order_ && !order.stopped && utime <= order_->utime) return;
   order_ = {utime, order.stopped, order.reason};
-  order_heard_utime_ = utime_;
+  order_received_utime_ = utime_;
 }
 
 void Drivetrain::advance(double seconds) {
@@ -58,12 +58,12 @@ void Drivetrain::advance(double seconds) {
     curvature_1_m_ =
         approach(curvature_1_m_, command_->curvature_1_m, params_.steering_rate_1_m_s * seconds);
   }
-  wheel_way_m_ = 0.5 * (before + speed_m_s_) * seconds;
+  wheel_distance_m_ = 0.5 * (before + speed_m_s_) * seconds;
   utime_ += std::llround(seconds * 1e6);
 }
 
 bool Drivetrain::stopped() const {
-  return order_ && (order_->stopped || is_past(order_heard_utime_, params_.stop_order_expiry_s));
+  return order_ && (order_->stopped || is_past(order_received_utime_, params_.stop_order_expiry_s));
 }
 
 bool Drivetrain::expired() const {

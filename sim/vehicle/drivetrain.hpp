@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "common/vehicle/drive_command.hpp"
-#include "common/vehicle/vehicle.hpp"
+#include "common/types/vehicle.hpp"
+#include "common/types/vehicle_state.hpp"
 #include "sim/vehicle/vehicle_params.hpp"
 
 namespace adit {
@@ -37,7 +37,7 @@ class Drivetrain {
   /// Of the path of the body's origin.
   [[nodiscard]] double curvature_1_m() const { return curvature_1_m_; }
   /// By which the wheels turned in the last advance, along the body's x axis.
-  [[nodiscard]] double wheel_way_m() const { return wheel_way_m_; }
+  [[nodiscard]] double wheel_distance_m() const { return wheel_distance_m_; }
   /// By a stop order, or because they no longer come.
   [[nodiscard]] bool stopped() const;
   [[nodiscard]] bool expired() const;
@@ -50,10 +50,10 @@ class Drivetrain {
   std::int64_t utime_;
   std::optional<DriveCommand> command_;
   std::optional<StopOrder> order_;
-  std::int64_t order_heard_utime_ = 0;  ///< by the own clock
+  std::int64_t order_received_utime_ = 0;  ///< by the own clock
   double speed_m_s_ = 0.0;
   double curvature_1_m_ = 0.0;
-  double wheel_way_m_ = 0.0;
+  double wheel_distance_m_ = 0.0;
 };
 
 }  // namespace adit

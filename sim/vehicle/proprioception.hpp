@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <random>
 
-#include "common/sensing/imu_reading.hpp"
-#include "common/sensing/wheel_odometry.hpp"
+#include "common/sensing/vehicle_readings.hpp"
 #include "sim/vehicle/steering.hpp"
 #include "sim/vehicle/vehicle_model.hpp"
 #include "sim/vehicle/vehicle_params.hpp"

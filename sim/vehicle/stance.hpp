@@ -7,14 +7,47 @@
 #include <optional>
 #include <string>
 
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include "common/geometry/pose2.hpp"
-#include "common/vehicle/vehicle.hpp"
-#include "sim/vehicle/wheel_ground.hpp"
+#include "common/types/vehicle.hpp"
+#include "sim/mesh/ray_scene.hpp"
 #include "sim/world/world.hpp"
 
 namespace adit {
+
+/// Where a wheel is, and from which height to look down for ground.
+struct WheelPlace {
+  Eigen::Vector2d p_world{0.0, 0.0};  ///< middle of the wheel [m]
+  double heading_rad = 0.0;
+  double cast_from_m = 0.0;  ///< z in world
+};
+
+/// The ground under one wheel.
+struct WheelGround {
+  double height_m = 0.0;       ///< z of the lowest point of a wheel that rests on it, in world
+  std::uint32_t triangle = 0;  ///< on which it rests
+
+  double step_m = 0.0;              ///< greatest change of height along 0.6 of a wheel radius
+  std::uint32_t step_triangle = 0;  ///< the upper side of it
+};
+
+/// Looks for the ground under wheels with rays, five along by five across each wheel, so that no
+/// rail slips between two: a wheel is a cylinder that rests on the highest of what they meet.
+class WheelGroundProbe {
+ public:
+  /// `scene` must outlive this.
+  WheelGroundProbe(const RayScene& scene, const Vehicle& vehicle);
+
+  /// Nothing where there is no ground below the middle of the wheel.
+  [[nodiscard]] std::optional<WheelGround> under(const WheelPlace& place) const;
+
+ private:
+  const RayScene& scene_;
+  double wheel_radius_m_;
+  double wheel_width_m_;
+};
 
 /// How four wheels on the ground hold the body: height, roll and pitch are those of the plane
 /// nearest to their lowest points (least squares), which may lie below the surface of soft ground.
@@ -42,7 +75,7 @@ class Stance {
   [[nodiscard]] Eigen::Vector2d p_world_wheel(std::size_t wheel, const Pose2& T_world_plan) const;
   /// `change_max_m` is how far the ground under a wheel may have risen or fallen since the last
   /// look.
-  Fault look_for_ground(const Pose2& T_world_plan, double change_max_m);
+  Fault find_ground(const Pose2& T_world_plan, double change_max_m);
   Fault sink(const Pose2& T_world_plan);
   void fit_plane(const Pose2& T_world_plan);
   [[nodiscard]] Fault check_tilt() const;

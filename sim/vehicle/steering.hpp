@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/geometry/arc.hpp"
 #include "common/geometry/pose2.hpp"
-#include "common/vehicle/vehicle.hpp"
+#include "common/types/vehicle.hpp"
 
 namespace adit {
 

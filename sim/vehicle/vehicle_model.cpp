@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "sim/vehicle/body_clearance.hpp"
+#include "sim/vehicle/ground_hazards.hpp"
 #include "sim/vehicle/metres_text.hpp"
-#include "sim/vehicle/standing_water.hpp"
 
 namespace adit {
 namespace {
@@ -49,12 +49,12 @@ void VehicleModel::advance(double seconds) {
   if (failure_) return stand();
   battery_.draw(drivetrain_.speed_m_s(), rise_ahead(), seconds);
   if (battery_.empty()) return fail("battery empty");
-  if (drivetrain_.wheel_way_m() == 0.0) return stand();
+  if (drivetrain_.wheel_distance_m() == 0.0) return stand();
   move(seconds);
 }
 
 void VehicleModel::move(double seconds) {
-  slip_.advance(drivetrain_.wheel_way_m());
+  slip_.advance(drivetrain_.wheel_distance_m());
   const Eigen::Isometry3d T_world_before = motion_.T_world_body;
   T_world_plan_ = next_place();
   auto fault = stance_.move(T_world_plan_);
@@ -64,7 +64,7 @@ void VehicleModel::move(double seconds) {
   const Eigen::AngleAxisd turn(T_before_now.linear());
   motion_.omega_body = turn.axis() * turn.angle() / seconds;
   motion_.v_body = T_before_now.linear().transpose() * T_before_now.translation() / seconds;
-  travelled_m_ += T_before_now.translation().norm();
+  distance_travelled_m_ += T_before_now.translation().norm();
 
   const double reach_m = 0.5 * std::hypot(vehicle_.length_m, vehicle_.width_m);
   unchecked_m_ += T_before_now.translation().norm() + turn.angle() * reach_m;
@@ -81,16 +81,16 @@ double VehicleModel::rise_ahead() const {
 Pose2 VehicleModel::next_place() const {
   const double softness =
       *std::max_element(sinkage_m().begin(), sinkage_m().end()) / vehicle_.sinkage_max_m;
-  const double way_m = drivetrain_.wheel_way_m() * (1.0 - slip_.lost_share(softness));
+  const double distance_m = drivetrain_.wheel_distance_m() * (1.0 - slip_.slip_ratio(softness));
   const double level_share = motion_.T_world_body.linear().col(0).head<2>().norm();
-  const double turn_rad = way_m * steering_.turn_rad_per_m(drivetrain_.curvature_1_m());
+  const double turn_rad = distance_m * steering_.turn_rad_per_m(drivetrain_.curvature_1_m());
   return T_world_plan_ *
-         steering_.motion(way_m * level_share, turn_rad, slip_.side_slip_rad(softness));
+         steering_.motion(distance_m * level_share, turn_rad, slip_.side_slip_rad(softness));
 }
 
 std::optional<std::string> VehicleModel::check_surroundings() {
   unchecked_m_ = 0.0;
-  if (const auto part = touched_part(site_.scene(), vehicle_, motion_.T_world_body)) {
+  if (const auto part = colliding_part(site_.scene(), vehicle_, motion_.T_world_body)) {
     return "collision with '" + *part + "'";
   }
   const auto water = water_above(site_.world(), motion_.T_world_body.translation());
@@ -101,7 +101,7 @@ std::optional<std::string> VehicleModel::check_surroundings() {
 }
 
 void VehicleModel::fail(const std::string& reason) {
-  failure_ = reason + " after " + metres_text(travelled_m_);
+  failure_ = reason + " after " + metres_text(distance_travelled_m_);
   stand();
 }
 

@@ -9,8 +9,8 @@
 
 #include <Eigen/Geometry>
 
-#include "common/vehicle/drive_command.hpp"
-#include "common/vehicle/vehicle.hpp"
+#include "common/types/vehicle.hpp"
+#include "common/types/vehicle_state.hpp"
 #include "sim/vehicle/battery.hpp"
 #include "sim/vehicle/drivetrain.hpp"
 #include "sim/vehicle/stance.hpp"
@@ -54,7 +54,7 @@ class VehicleModel {
   /// Front left, front right, rear left, rear right.
   [[nodiscard]] const std::array<double, 4>& sinkage_m() const { return stance_.sinkage_m(); }
   /// Of the body's origin over ground, in either direction.
-  [[nodiscard]] double travelled_m() const { return travelled_m_; }
+  [[nodiscard]] double distance_travelled_m() const { return distance_travelled_m_; }
 
   /// Why the run is over; nothing while it is not.
   [[nodiscard]] const std::optional<std::string>& failure() const { return failure_; }
@@ -76,7 +76,7 @@ class VehicleModel {
   Battery battery_;
   Pose2 T_world_plan_;
   BodyMotion motion_;
-  double travelled_m_ = 0.0;
+  double distance_travelled_m_ = 0.0;
   double unchecked_m_ = 0.0;  ///< way of the outermost points since the last look for collisions
   std::optional<std::string> failure_;
 };

@@ -6,6 +6,8 @@
 
 namespace adit {
 
+inline constexpr double kGravityM_S2 = 9.81;
+
 /// How the simulated vehicle departs from what it is told and what it says.
 struct VehicleModelParams {
   double acceleration_m_s2 = 0.3;

@@ -21,14 +21,14 @@ WheelSlip::WheelSlip(const VehicleModelParams& params, std::uint64_t seed)
   side_ = normal_(random_);
 }
 
-void WheelSlip::advance(double way_m) {
-  const double kept = std::exp(-std::abs(way_m) / kCorrelationM);
+void WheelSlip::advance(double distance_m) {
+  const double kept = std::exp(-std::abs(distance_m) / kCorrelationM);
   const double fresh = std::sqrt(1.0 - kept * kept);
   lost_ = kept * lost_ + fresh * normal_(random_);
   side_ = kept * side_ + fresh * normal_(random_);
 }
 
-double WheelSlip::lost_share(double softness) const {
+double WheelSlip::slip_ratio(double softness) const {
   const double lost = params_.slip_share + params_.slip_sd * lost_ + kLostInSoftGround * softness;
   return std::clamp(lost, 0.0, kLostMax);
 }

@@ -17,11 +17,11 @@ class WheelSlip {
   WheelSlip(const VehicleModelParams& params, std::uint64_t seed);
 
   /// The wheels go on by a distance, to either side [m].
-  void advance(double way_m);
+  void advance(double distance_m);
 
   /// Share of the way that is lost, 0 to 0.9. `softness` is 0 on firm ground and 1 where the wheels
   /// sink as deep as they may.
-  [[nodiscard]] double lost_share(double softness) const;
+  [[nodiscard]] double slip_ratio(double softness) const;
   /// Direction of motion against the steering, positive to the left [rad].
   [[nodiscard]] double side_slip_rad(double softness) const;
 

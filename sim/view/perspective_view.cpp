@@ -8,11 +8,31 @@
 #include <numbers>
 #include <vector>
 
-#include "sim/view/colours.hpp"
 #include "sim/view/render.hpp"
 #include "sim/view/shading.hpp"
 
 namespace adit {
+
+Camera::Camera(const Eigen::Isometry3d& T_world_camera, double field_of_view_rad, int width,
+               int height)
+    : T_world_camera_(T_world_camera),
+      width_(width),
+      height_(height),
+      focal_length_px_(width / 2.0 / std::tan(field_of_view_rad / 2.0)) {}
+
+Ray Camera::ray(const Eigen::Vector2d& uv) const {
+  const Eigen::Vector3d d_camera(focal_length_px_, width_ / 2.0 - uv.x(), height_ / 2.0 - uv.y());
+  const Eigen::Vector3d d_world = T_world_camera_.linear() * d_camera.normalized();
+  return {eye().cast<float>(), d_world.cast<float>()};
+}
+
+std::optional<Eigen::Vector2d> Camera::pixel(const Eigen::Vector3d& p_world) const {
+  const Eigen::Vector3d p_camera = T_world_camera_.inverse() * p_world;
+  if (p_camera.x() <= 0.0) return std::nullopt;
+  const double scale = focal_length_px_ / p_camera.x();
+  return Eigen::Vector2d(width_ / 2.0 - scale * p_camera.y(), height_ / 2.0 - scale * p_camera.z());
+}
+
 namespace {
 
 constexpr float kRangeMax = 5000.0F;     // [m]
@@ -54,10 +74,10 @@ Eigen::Vector3f lamp_of(const RayScene& scene, const Camera& camera) {
 
 /// For each place whether light from the lamp gets there.
 std::vector<bool> lit_by(const RayScene& scene, const Eigen::Vector3f& lamp,
-                         const std::vector<SeenPoint>& points) {
+                         const std::vector<SurfacePoint>& points) {
   std::vector<Ray> rays;
   rays.reserve(points.size());
-  for (const SeenPoint& point : points) {
+  for (const SurfacePoint& point : points) {
     rays.push_back({lamp, (point.p_world - lamp).normalized()});
   }
   std::vector<RayHit> hits(rays.size());
@@ -76,7 +96,7 @@ float fall_off(float distance_m) {
 }
 
 /// Steel and water shine (Blinn and Phong).
-float gloss(Material material, const SeenPoint& point, const Eigen::Vector3f& to_lamp,
+float gloss(Material material, const SurfacePoint& point, const Eigen::Vector3f& to_lamp,
             const Eigen::Vector3f& to_eye) {
   if (material != Material::kSteel && material != Material::kWater && material != Material::kMirror)
     return 0.0F;
@@ -88,7 +108,8 @@ struct Lighting {
   Eigen::Vector3f eye;
   Eigen::Vector3f lamp;
 
-  [[nodiscard]] Rgb seen(const Part& part, const SeenPoint& point, bool lit, float openness) const {
+  [[nodiscard]] Rgb seen(const Part& part, const SurfacePoint& point, bool lit,
+                         float openness) const {
     const Eigen::Vector3f to_lamp = (lamp - point.p_world).normalized();
     const Eigen::Vector3f to_eye = (eye - point.p_world).normalized();
     const float distance = (point.p_world - eye).norm();
@@ -125,7 +146,7 @@ RgbImage perspective_view(const RayScene& scene, const Camera& camera) {
     for (const Eigen::Vector2d& uv : samples) rays.push_back(camera.ray(uv));
     std::vector<RayHit> hits(rays.size());
     scene.cast(rays, kRangeMax, hits);
-    std::vector<SeenPoint> points(rays.size(), {lighting.eye, Eigen::Vector3f::UnitZ()});
+    std::vector<SurfacePoint> points(rays.size(), {lighting.eye, Eigen::Vector3f::UnitZ()});
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (std::isfinite(hits[i].distance_m)) points[i] = surface_point(rays[i], hits[i]);
     }

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "common/geometry/pose2.hpp"
+#include "common/picture/canvas.hpp"
 #include "common/picture/rgb_image.hpp"
 #include "sim/mesh/ray_scene.hpp"
 #include "sim/world/world.hpp"
@@ -51,5 +53,11 @@ class PlanView {
   Eigen::Vector3d low_{0.0, 0.0, 0.0};  // of the mesh
   Eigen::Vector3d high_{0.0, 0.0, 0.0};
 };
+
+/// Draws over a window of the plan, whose upper left corner is at `corner` on the sheet, what has
+/// no surface: gas, the start and the camera.
+void draw_plan_overlay(const Canvas& canvas, const PlanWindow& window,
+                       const Eigen::Vector2i& corner, const World& world,
+                       const Pose2& T_world_camera);
 
 }  // namespace adit

@@ -9,6 +9,10 @@
 #include <cstdint>
 #include <vector>
 
+#include <Eigen/Geometry>
+
+#include "sim/noise/smooth_noise.hpp"
+
 namespace adit {
 namespace {
 
@@ -52,6 +56,75 @@ RgbImage render(int width, int height, const RowPainter& paint) {
     }
   }
   return image;
+}
+
+namespace {
+
+/// From 0 to 1, varying over one unit.
+float noise(const Eigen::Vector3f& p) {
+  const SmoothNoise between_ones(1);
+  return 0.5F + 0.5F * static_cast<float>(between_ones.in_space(p.cast<double>()));
+}
+
+/// About 1, by which the colour of natural stuff varies. Askew, so that the lattice of the noise
+/// does not show on walls and floors.
+float grain(const Eigen::Vector3f& p_world) {
+  static const Eigen::Matrix3f kAskew =
+      Eigen::AngleAxisf(0.9F, Eigen::Vector3f(0.5F, 0.6F, 0.62F).normalized()).toRotationMatrix();
+  const Eigen::Vector3f p = kAskew * p_world;
+  return 0.62F + 0.26F * noise(1.7F * p) + 0.26F * noise(7.0F * p) + 0.24F * noise(29.0F * p);
+}
+
+}  // namespace
+
+Rgb plain_colour(const Part& part) {
+  switch (part.kind) {
+    case PartKind::kFloor:
+      return part.material == Material::kMud ? linear(0x5b4a36) : linear(0xa89a86);
+    case PartKind::kRoof:
+      return linear(0x8c8880);
+    case PartKind::kWall:
+      return linear(0x98928a);
+    case PartKind::kRail:
+      return linear(0x6f7f90);
+    case PartKind::kSleeper:
+      return linear(0x6b4d33);
+    case PartKind::kPost:
+      return linear(0xc2924f);
+    case PartKind::kCrib:
+      return linear(0xb5813f);
+    case PartKind::kRubble:
+      return linear(0x85858a);
+    case PartKind::kBeam:
+      return linear(0xa4672c);
+    case PartKind::kCable:
+      return linear(0xb9c6d6);
+    case PartKind::kCar:
+      return linear(0x9b4a33);
+    case PartKind::kWater:
+      return linear(0x3f7fb5);
+    case PartKind::kOther:
+      break;
+  }
+  return linear(0x9a948b);
+}
+
+Rgb colour_at(const Part& part, const Eigen::Vector3f& p_world) {
+  Rgb plain = plain_colour(part);
+  switch (part.material) {
+    case Material::kRock:
+    case Material::kMud:
+      return grain(p_world) * plain;
+    case Material::kTimber:
+      return (0.75F + 0.5F * noise(Eigen::Vector3f(
+                                 p_world.cwiseProduct(Eigen::Vector3f(23.0F, 23.0F, 7.0F))))) *
+             plain;
+    case Material::kSteel:
+    case Material::kWater:
+    case Material::kMirror:
+      break;
+  }
+  return plain;
 }
 
 }  // namespace adit

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "common/picture/rgb_image.hpp"
+#include "sim/mesh/triangle_mesh.hpp"
 
 namespace adit {
 
@@ -29,5 +30,11 @@ using RowPainter =
 
 /// The mean of 2 × 2 samples for each pixel.
 RgbImage render(int width, int height, const RowPainter& paint);
+
+/// The colour of a part in white light, without grain.
+Rgb plain_colour(const Part& part);
+
+/// The colour at a place of it. Rock, floor and timber have a grain, fixed in the world.
+Rgb colour_at(const Part& part, const Eigen::Vector3f& p_world);
 
 }  // namespace adit

@@ -5,22 +5,79 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
-#include "sim/view/colours.hpp"
 #include "sim/view/render.hpp"
-#include "sim/view/rock_distance.hpp"
 #include "sim/view/shading.hpp"
 
 namespace adit {
 namespace {
 
+constexpr float kAheadMax = 100.0F;  // [m]
+constexpr double kIntoRock = 0.5;    // that the line goes on behind a wall [m]
+
+TunnelLine line_of(const TunnelEdge& edge) {
+  return {edge.tunnel, edge.points, edge.width_m, false};
+}
+
+const TunnelEdge& nearest_edge(const TunnelGraph& tunnels, const Eigen::Vector2d& p_world) {
+  return *std::min_element(tunnels.edges.begin(), tunnels.edges.end(),
+                           [&](const TunnelEdge& a, const TunnelEdge& b) {
+                             return line_of(a).distance_m(p_world) < line_of(b).distance_m(p_world);
+                           });
+}
+
+/// The edges of one drift that follow each other, joined.
+TunnelLine full_tunnel(const TunnelGraph& tunnels, const std::string& name) {
+  TunnelLine line{"along " + name, {}, 0.0, false};
+  for (const TunnelEdge& edge : tunnels.edges) {
+    if (edge.tunnel != name) continue;
+    const bool goes_on = !line.points.empty() && line.points.back() == edge.points.front();
+    if (!line.points.empty() && !goes_on) continue;
+    line.points.insert(line.points.end(), edge.points.begin() + (goes_on ? 1 : 0),
+                       edge.points.end());
+  }
+  return line;
+}
+
+/// How far the line goes from a place, to behind the next wall [m].
+double room(const Site& site, const Pose2& from) {
+  const double floor_m = site.world().truth.floor_at(from.translation()).value_or(0.0);
+  const Eigen::Vector3d eye(from.x, from.y, floor_m + 1.0);
+  const Eigen::Vector3d ahead(std::cos(from.theta), std::sin(from.theta), 0.0);
+  const Ray ray{eye.cast<float>(), ahead.cast<float>()};
+  return distance_to_rock(site.scene(), ray, kAheadMax) + kIntoRock;
+}
+
+TunnelLine straight_ahead(const Site& site) {
+  const Pose2& start = site.world().T_world_start;
+  const Pose2 behind{-room(site, start * Pose2{0.0, 0.0, std::numbers::pi}), 0.0, 0.0};
+  const Pose2 ahead{room(site, start), 0.0, 0.0};
+  return {"straight ahead",
+          {(start * behind).translation(), (start * ahead).translation()},
+          0.0,
+          false};
+}
+
+}  // namespace
+
+TunnelLine section_line(const Site& site, const ViewOptions& options) {
+  if (options.section.size() >= 2) return {"along the given line", options.section, 0.0, false};
+  const TunnelGraph& tunnels = site.world().truth.tunnels;
+  if (tunnels.edges.empty()) return straight_ahead(site);
+  const Eigen::Vector2d start = site.world().T_world_start.translation();
+  return full_tunnel(tunnels, nearest_edge(tunnels, start).tunnel);
+}
+
+namespace {
+
 constexpr int kWindowsMax = 4;
 constexpr int kProbes = 200;  // for openings along a window
-constexpr double kPixelsPerMetreWanted = 20.0;
+constexpr double kPixelsPerMetreMin = 20.0;
 constexpr double kPixelsPerMetreMax = 60.0;
-constexpr double kOpeningPixelsMin = 36.0;
+constexpr double kClearancePixelsMin = 36.0;
 constexpr double kMargin = 0.5;     // of rock above and below, without exaggeration [m]
 constexpr double kProbe = 0.3;      // above the floor, where openings are looked for [m]
 constexpr float kReach = 10.0F;     // of openings up and down; what is more is open to the sky [m]
@@ -28,7 +85,7 @@ constexpr float kDepthMax = 60.0F;  // behind the cut [m]
 constexpr float kDarkening = 8.0F;  // depth in which light falls to 1/e [m]
 const Rgb kAir = linear(0xe4ded2);
 
-Ray ray_behind(const DriftLine::Station& at, double z) {
+Ray ray_behind(const TunnelLine::Station& at, double z) {
   const Eigen::Vector3d left(-std::sin(at.heading_rad), std::cos(at.heading_rad), 0.0);
   return {Eigen::Vector3d(at.p_world.x(), at.p_world.y(), z).cast<float>(), left.cast<float>()};
 }
@@ -38,16 +95,16 @@ Rgb behind(const TriangleMesh& mesh, const Ray& ray, const RayHit& hit) {
   if (std::isinf(hit.distance_m)) return std::exp(-kDepthMax / kDarkening) * kAir;
   const Part& part = mesh.part_of(hit.triangle);
   const float facing = std::abs(hit.normal.dot(ray.direction));
-  if (is_rock(part.kind)) {
+  if (is_mine_surface(part.kind)) {
     return std::exp(-hit.distance_m / kDarkening) * (0.55F + 0.45F * facing) * kAir;
   }
   return (0.5F + 0.5F * facing) * colour_at(part, surface_point(ray, hit).p_world);
 }
 
 /// 1, or what makes an opening of so many pixels one that shows.
-double exaggeration_for(double opening_px) {
+double exaggeration_for(double clearance_px) {
   for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * opening_px >= kOpeningPixelsMin) return factor;
+    if (factor * clearance_px >= kClearancePixelsMin) return factor;
   }
   return 10.0;
 }
@@ -73,20 +130,20 @@ std::pair<double, double> SectionWindow::place(const Eigen::Vector2d& uv) const 
 
 std::vector<SectionWindow> SectionView::windows(int width) const {
   const double length = std::max(line_.length_m(), 1.0);
-  const int count = std::clamp(static_cast<int>(std::ceil(length * kPixelsPerMetreWanted / width)),
-                               1, kWindowsMax);
+  const int count =
+      std::clamp(static_cast<int>(std::ceil(length * kPixelsPerMetreMin / width)), 1, kWindowsMax);
   const double scale = std::min(count * width / length, kPixelsPerMetreMax);
   std::vector<SectionWindow> windows;
   double tallest = 0.0;
-  double highest_opening = 0.0;
+  double highest_clearance = 0.0;
   for (int i = 0; i < count; ++i) {
     SectionWindow window{i * length / count, (i + 1) * length / count, 0.0, 0.0, scale, 1.0};
     Eigen::AlignedBox1d heights;
-    for (const auto& opening : openings(window, kProbes)) {
-      if (!opening) continue;
-      heights.extend(Eigen::Matrix<double, 1, 1>(opening->floor_m));
-      heights.extend(Eigen::Matrix<double, 1, 1>(opening->roof_m));
-      highest_opening = std::max(highest_opening, opening->roof_m - opening->floor_m);
+    for (const auto& clearance : clearances(window, kProbes)) {
+      if (!clearance) continue;
+      heights.extend(Eigen::Matrix<double, 1, 1>(clearance->floor_m));
+      heights.extend(Eigen::Matrix<double, 1, 1>(clearance->roof_m));
+      highest_clearance = std::max(highest_clearance, clearance->roof_m - clearance->floor_m);
     }
     if (!heights.isEmpty()) {
       window.z_low_m = heights.min().x();
@@ -99,21 +156,22 @@ std::vector<SectionWindow> SectionView::windows(int width) const {
     const double middle = (window.z_low_m + window.z_high_m) / 2.0;
     window.z_low_m = middle - tallest / 2.0 - kMargin;
     window.z_high_m = middle + tallest / 2.0 + kMargin;
-    window.exaggeration = exaggeration_for(highest_opening * scale);
+    window.exaggeration = exaggeration_for(highest_clearance * scale);
   }
   return windows;
 }
 
 RgbImage SectionView::draw(const SectionWindow& window) const {
-  const auto opening_of_half_pixel = openings(window, 2 * window.width());
+  const auto clearance_of_half_pixel = clearances(window, 2 * window.width());
   const auto paint = [&](std::span<const Eigen::Vector2d> samples, std::span<Rgb> light) {
     std::fill(light.begin(), light.end(), linear(kRock));
     std::vector<Ray> rays;
     std::vector<std::size_t> sample_of_ray;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const auto [s, z] = window.place(samples[i]);
-      const auto& opening = opening_of_half_pixel[static_cast<std::size_t>(2.0 * samples[i].x())];
-      if (!opening || z <= opening->floor_m || z >= opening->roof_m) continue;
+      const auto& clearance =
+          clearance_of_half_pixel[static_cast<std::size_t>(2.0 * samples[i].x())];
+      if (!clearance || z <= clearance->floor_m || z >= clearance->roof_m) continue;
       rays.push_back(ray_behind(line_.at(s), z));
       sample_of_ray.push_back(i);
     }
@@ -126,16 +184,16 @@ RgbImage SectionView::draw(const SectionWindow& window) const {
   return render(window.width(), window.height(), paint);
 }
 
-std::vector<std::optional<SectionView::Opening>> SectionView::openings(const SectionWindow& window,
-                                                                       int count) const {
-  std::vector<std::optional<Opening>> found;
+std::vector<std::optional<SectionView::Clearance>> SectionView::clearances(
+    const SectionWindow& window, int count) const {
+  std::vector<std::optional<Clearance>> found;
   for (int i = 0; i < count; ++i) {
-    found.push_back(opening_at(std::lerp(window.from_m, window.to_m, (i + 0.5) / count)));
+    found.push_back(clearance_at(std::lerp(window.from_m, window.to_m, (i + 0.5) / count)));
   }
   return found;
 }
 
-std::optional<SectionView::Opening> SectionView::opening_at(double s_m) const {
+std::optional<SectionView::Clearance> SectionView::clearance_at(double s_m) const {
   const Eigen::Vector2d p = line_.at(s_m).p_world;
   const auto floor_m = site_.world().truth.floor_at(p);
   if (!floor_m) return std::nullopt;
@@ -146,7 +204,7 @@ std::optional<SectionView::Opening> SectionView::opening_at(double s_m) const {
   const double down = reach(-Eigen::Vector3f::UnitZ());
   const double up = reach(Eigen::Vector3f::UnitZ());
   // Pits and hollows are not in the truth. Behind a prop that ends at the floor this is missed.
-  return Opening{down < kReach ? *floor_m + kProbe - down : *floor_m, *floor_m + kProbe + up};
+  return Clearance{down < kReach ? *floor_m + kProbe - down : *floor_m, *floor_m + kProbe + up};
 }
 
 }  // namespace adit

@@ -9,10 +9,16 @@
 #include <Eigen/Core>
 
 #include "common/picture/rgb_image.hpp"
-#include "sim/world/drift_line.hpp"
+#include "sim/view/view_options.hpp"
+#include "sim/world/plan/tunnel_line.hpp"
 #include "sim/world/world.hpp"
 
 namespace adit {
+
+/// The line along which a mine is cut: that of the options; where they name none, the drift at the
+/// start, over all its edges that follow each other; in a world that knows no drifts, straight
+/// ahead through the start from wall to wall. Its name is for people.
+TunnelLine section_line(const Site& site, const ViewOptions& options);
 
 /// A stretch of a section and its scales.
 struct SectionWindow {
@@ -38,7 +44,7 @@ class SectionView {
   static constexpr unsigned kRock = 0x3c3834;  ///< of rock that is cut through, as on the web
 
   /// Both must outlive this.
-  SectionView(const Site& site, const DriftLine& line) : site_(site), line_(line) {}
+  SectionView(const Site& site, const TunnelLine& line) : site_(site), line_(line) {}
 
   /// The whole line in up to four windows of one scale, to be put below each other. Heights are
   /// exaggerated where the opening would be a line else, by as much in all.
@@ -48,19 +54,19 @@ class SectionView {
 
  private:
   /// Floor and roof above one place of the line [m].
-  struct Opening {
+  struct Clearance {
     double floor_m = 0.0;
     double roof_m = 0.0;
   };
 
   /// Nothing in rock.
-  [[nodiscard]] std::optional<Opening> opening_at(double s_m) const;
+  [[nodiscard]] std::optional<Clearance> clearance_at(double s_m) const;
   /// Openings at `count` places within a window, in the middle of as many equal parts.
-  [[nodiscard]] std::vector<std::optional<Opening>> openings(const SectionWindow& window,
-                                                             int count) const;
+  [[nodiscard]] std::vector<std::optional<Clearance>> clearances(const SectionWindow& window,
+                                                                 int count) const;
 
   const Site& site_;
-  const DriftLine& line_;
+  const TunnelLine& line_;
 };
 
 }  // namespace adit

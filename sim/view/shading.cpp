@@ -57,16 +57,16 @@ std::array<Eigen::Vector3f, kDirections> hemisphere() {
 
 }  // namespace
 
-SeenPoint surface_point(const Ray& ray, const RayHit& hit) {
+SurfacePoint surface_point(const Ray& ray, const RayHit& hit) {
   return {ray.origin + hit.distance_m * ray.direction + kHair * hit.normal, hit.normal};
 }
 
-bool is_rock(PartKind kind) {
+bool is_mine_surface(PartKind kind) {
   return kind == PartKind::kFloor || kind == PartKind::kRoof || kind == PartKind::kWall ||
          kind == PartKind::kOther;
 }
 
-void find_openness(const RayScene& scene, std::span<const SeenPoint> points, float reach_m,
+void find_openness(const RayScene& scene, std::span<const SurfacePoint> points, float reach_m,
                    std::span<float> openness) {
   static const std::array<Eigen::Vector3f, kDirections> kHemisphere = hemisphere();
   std::vector<Ray> rays;
@@ -93,6 +93,18 @@ void find_openness(const RayScene& scene, std::span<const SeenPoint> points, flo
     }
     openness[i] = static_cast<float>(open) / kRaysPerPoint;
   }
+}
+
+double distance_to_rock(const RayScene& scene, const Ray& ray, float reach_m) {
+  Ray rest = ray;
+  float done_m = 0.0F;
+  while (const auto hit = scene.cast(rest, reach_m - done_m)) {
+    if (is_mine_surface(scene.mesh().part_of(hit->triangle).kind)) return done_m + hit->distance_m;
+    rest.origin = surface_point(rest, {hit->distance_m, hit->triangle, -hit->normal}).p_world;
+    done_m = (rest.origin - ray.origin).norm();
+    if (done_m >= reach_m) break;
+  }
+  return reach_m;
 }
 
 }  // namespace adit

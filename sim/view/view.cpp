@@ -9,12 +9,10 @@
 #include <vector>
 
 #include "common/picture/canvas.hpp"
+#include "common/picture/legend.hpp"
 #include "common/picture/palette.hpp"
-#include "common/picture/scale_bar.hpp"
 #include "sim/view/perspective_view.hpp"
-#include "sim/view/plan_marks.hpp"
 #include "sim/view/plan_view.hpp"
-#include "sim/view/section_line.hpp"
 #include "sim/view/section_view.hpp"
 
 namespace adit {
@@ -84,7 +82,7 @@ void draw_ticks(const Canvas& canvas, const Placed<SectionWindow>& placed) {
   }
 }
 
-std::string section_title(const DriftLine& line, double exaggeration) {
+std::string section_title(const TunnelLine& line, double exaggeration) {
   const std::string heights =
       exaggeration == 1.0 ? "heights to scale" : text("heights exaggerated %g times", exaggeration);
   return "Section " + line.name + ", " + heights;
@@ -107,7 +105,7 @@ void write_view(const Site& site, const std::filesystem::path& png, const ViewOp
   const int content = width - 2 * kEdge;
   const Camera camera = camera_of(site, options, content, content * 9 / 20);
   const PlanView plan(world);
-  const DriftLine line = section_line(site, options);
+  const TunnelLine line = section_line(site, options);
   const SectionView section(site, line);
 
   int y = kTitle + kHead;
@@ -123,14 +121,14 @@ void write_view(const Site& site, const std::filesystem::path& png, const ViewOp
   canvas.fill_rectangle(0, 0, width, y + camera.height() + kEdge);
   canvas.colour(kInk);
   canvas.text(world.name, kEdge, 44.0, 28.0, true, Align::kLeft);
-  canvas.text(text("%.0f m of drifts, %zu triangles", world.truth.drifts.length_m(),
+  canvas.text(text("%.0f m of drifts, %zu triangles", world.truth.tunnels.length_m(),
                    world.mesh.triangles.size()),
               width - kEdge, 44.0, 16.0, false, Align::kRight);
 
   draw_head(canvas, width, kTitle, "Plan, the roof lifted off", "green: start; red: camera");
   for (const auto& [window, corner] : plans) {
     canvas.image(plan.draw(window), corner.x(), corner.y());
-    draw_plan_marks(canvas, window, corner, world, in_plan(camera));
+    draw_plan_overlay(canvas, window, corner, world, in_plan(camera));
   }
   draw_scale(canvas, plans.front().window.pixels_per_metre, plan_end);
 

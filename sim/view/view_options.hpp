@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -23,5 +24,9 @@ struct ViewOptions {
   /// start.
   std::vector<Eigen::Vector2d> section;
 };
+
+/// Where a camera stands, as a command line says it: `X,Y,HEADING_DEG`, in metres and degrees in
+/// world, for example `308,0,180`. Throws std::invalid_argument, one line, for anything else.
+Pose2 parse_view_pose(const std::string& text);
 
 }  // namespace adit

@@ -6,12 +6,12 @@
 #include <optional>
 #include <stdexcept>
 
-#include "sim/world/drift_graph.hpp"
-#include "sim/world/heights.hpp"
 #include "sim/world/mesh_world.hpp"
-#include "sim/world/mine_surface.hpp"
-#include "sim/world/open_space.hpp"
-#include "sim/world/props.hpp"
+#include "sim/world/plan/open_space.hpp"
+#include "sim/world/plan/tunnel_graph.hpp"
+#include "sim/world/props/props.hpp"
+#include "sim/world/surface/heights.hpp"
+#include "sim/world/surface/mine_surface.hpp"
 
 namespace adit {
 namespace {
@@ -25,37 +25,37 @@ void check_start(const OpenSpace& space, const Pose2& T_world_start) {
 /// Nobody knows where in a mesh the drifts run: each prop is refused, by its name.
 void check_mesh_alone(const WorldDescription& description) {
   const PlanDescription& plan = description.plan;
-  if (!plan.drifts.empty() || !plan.panels.empty() || !plan.rooms.empty()) {
+  if (!plan.tunnels.empty() || !plan.panels.empty() || !plan.rooms.empty()) {
     throw std::invalid_argument("a world is made of a mesh or of a plan, not of both");
   }
   Heights heights(description.heights, description.seed);
   MeshBuilder builder;
   World world;
-  change_heights(description.props, {}, heights);
+  apply_height_changes(description.props, {}, heights);
   add_props(description.props, {}, heights, description.seed, builder, world);
 }
 
 World build_plan_world(const WorldDescription& description) {
-  const std::vector<DriftLine> drifts = drift_lines(description.plan);
-  const auto space = std::make_shared<OpenSpace>(description, drifts);
+  const std::vector<TunnelLine> tunnels = tunnel_lines(description.plan);
+  const auto space = std::make_shared<OpenSpace>(description, tunnels);
   const auto bare_heights = std::make_shared<Heights>(description.heights, description.seed);
   Heights heights = *bare_heights;
-  change_heights(description.props, drifts, heights);
+  apply_height_changes(description.props, tunnels, heights);
   check_start(*space, description.T_world_start);
 
   World world;
   MeshBuilder builder;
   world.name = description.name;
   world.T_world_start = description.T_world_start;
-  world.truth.drifts = drift_graph(drifts);
-  world.truth.plan =
-      add_mine_surface(*space, heights, description.grid_m, description.heights.opening_m, builder);
+  world.truth.tunnels = tunnel_graph(tunnels);
+  world.truth.plan = add_mine_surface(*space, heights, description.grid_m,
+                                      description.heights.clearance_m, builder);
   world.truth.floor_height = [space,
                               bare_heights](const Eigen::Vector2d& p) -> std::optional<double> {
     if (!(space->depth_m(p) > 0.0)) return std::nullopt;
     return bare_heights->floor(p);
   };
-  add_props(description.props, drifts, heights, description.seed, builder, world);
+  add_props(description.props, tunnels, heights, description.seed, builder, world);
   world.mesh = builder.take();
   return world;
 }

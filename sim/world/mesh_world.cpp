@@ -9,11 +9,11 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/mesh/mesh_bounds.hpp"
 #include "sim/mesh/mesh_file.hpp"
 #include "sim/mesh/mesh_slice.hpp"
-#include "sim/world/mine_surface.hpp"
-#include "sim/world/plan_shapes.hpp"
+#include "sim/mesh/triangle_mesh.hpp"
+#include "sim/world/plan/plan_shapes.hpp"
+#include "sim/world/surface/mine_surface.hpp"
 
 namespace adit {
 namespace {

@@ -12,6 +12,19 @@
 
 namespace adit {
 
+/// The reliefs of one world, each of which is random by itself.
+enum class ReliefKind : std::uint64_t {
+  kFloor = 1,
+  kRoof = 2,
+  kWallInPlan = 3,
+  kWallInHeight = 4,
+};
+
+/// The seed of a relief, from that of its world.
+inline std::uint64_t relief_seed(int world_seed, ReliefKind relief) {
+  return static_cast<std::uint64_t>(world_seed) * 16U + static_cast<std::uint64_t>(relief);
+}
+
 /// Smooth noise in octaves, as a ReliefDescription says: a function of the plane and one of space,
 /// both within ± its height [m].
 class Relief {

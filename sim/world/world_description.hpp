@@ -7,12 +7,12 @@
 
 #include "common/config/bounds.hpp"
 #include "common/geometry/pose2.hpp"
-#include "sim/world/prop_descriptions.hpp"
+#include "sim/world/props/prop_descriptions.hpp"
 
 namespace adit {
 
 /// A passage along a line.
-struct DriftDescription {
+struct TunnelDescription {
   std::string name;
   std::vector<double> points_m;  ///< x, y, x, y, .. of its middle, in world
   double width_m = 3.0;
@@ -73,14 +73,14 @@ struct PolygonDescription {
 
 /// Where rock is not.
 struct PlanDescription {
-  std::vector<DriftDescription> drifts;
+  std::vector<TunnelDescription> tunnels;
   std::vector<PanelDescription> panels;
   std::vector<PolygonDescription> rooms;
   std::vector<PolygonDescription> pillars;  ///< rock again, cut out of the rooms and drifts
 
   template <class V>
   void visit(V& v) {
-    v("drifts", drifts);
+    v("tunnels", tunnels);
     v("panels", panels);
     v("rooms", rooms);
     v("pillars", pillars);
@@ -107,7 +107,7 @@ struct HeightsDescription {
   /// origin, ascending in s, joined smoothly, level beyond the ends. Level at 0 where empty.
   std::vector<double> profile_m;
   double heading_rad = 0.0;
-  double opening_m = 2.0;  ///< from floor to roof
+  double clearance_m = 2.0;  ///< from floor to roof
   ReliefDescription floor_relief{.height_m = 0.03, .length_m = 2.0};
   ReliefDescription roof_relief{.height_m = 0.08, .length_m = 2.0};
 
@@ -115,7 +115,7 @@ struct HeightsDescription {
   void visit(V& v) {
     v("profile_m", profile_m);
     v("heading_rad", heading_rad);
-    v("opening_m", opening_m, above_up_to(0.3, 50.0));
+    v("clearance_m", clearance_m, above_up_to(0.3, 50.0));
     v("floor_relief", floor_relief);
     v("roof_relief", roof_relief);
   }

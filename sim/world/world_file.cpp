@@ -7,7 +7,7 @@
 #include "common/config/config.hpp"
 #include "common/config/nearest_name.hpp"
 #include "sim/world/built_in_world_files.hpp"
-#include "sim/world/random_mine.hpp"
+#include "sim/world/random/random_mine.hpp"
 
 namespace adit {
 namespace {

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/world/world_truth.hpp"
 
-#include "sim/world/plan_segment.hpp"
+#include "sim/world/plan/plan_geometry.hpp"
 
 namespace adit {
 
-double DriftGraph::length_m() const {
+double TunnelGraph::length_m() const {
   double length = 0.0;
-  for (const DriftEdge& edge : edges) length += edge.length_m;
+  for (const TunnelEdge& edge : edges) length += edge.length_m;
   return length;
 }
 

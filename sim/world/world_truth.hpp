@@ -14,25 +14,25 @@
 namespace adit {
 
 /// A place of the centre-line graph where drifts meet, or one ends.
-struct DriftNode {
+struct TunnelNode {
   Eigen::Vector2d p_world{0.0, 0.0};  ///< [m]
   bool entrance = false;              ///< open to the outside
 };
 
 /// A stretch of drift between two nodes.
-struct DriftEdge {
+struct TunnelEdge {
   int from = 0;
   int to = 0;
   std::vector<Eigen::Vector2d> points;  ///< p_world, from node to node [m]
   double length_m = 0.0;                ///< along the points
   double width_m = 0.0;                 ///< as planned, before the roughness of the walls
-  std::string drift;                    ///< name of the drift that it is part of
+  std::string tunnel;                   ///< name of the drift that it is part of
 };
 
 /// The middle of every drift. Empty for a mesh from elsewhere, of which nobody knows it.
-struct DriftGraph {
-  std::vector<DriftNode> nodes;
-  std::vector<DriftEdge> edges;
+struct TunnelGraph {
+  std::vector<TunnelNode> nodes;
+  std::vector<TunnelEdge> edges;
 
   [[nodiscard]] double length_m() const;
 };
@@ -58,7 +58,7 @@ struct Obstacle {
 
 /// What is true of a world, for tests and scores. Frame `world`.
 struct WorldTruth {
-  DriftGraph drifts;
+  TunnelGraph tunnels;
   std::vector<PlanRing> plan;
   std::vector<Obstacle> obstacles;
 

@@ -23,15 +23,15 @@ constexpr double kStepM = 5.0;
 constexpr int kLongSide = 28;  // steps
 constexpr int kShortSide = 2;
 constexpr int kRound = 2 * (kLongSide + kShortSide);
-constexpr int kAgain = 12;  // maps of a second round, each with a closure
-constexpr int kAway = 8;    // steps to the next loop
-constexpr int kLoop = kRound + kAgain + kAway;
+constexpr int kRevisited = 12;  // maps of a second round, each with a closure
+constexpr int kFar = 8;         // steps to the next loop
+constexpr int kLoop = kRound + kRevisited + kFar;
 constexpr int kWrong = 12;  // closures
 constexpr int kRight = 16;  // that contradict them
 constexpr int kLast = kRound + kWrong + kRight;
 
 const Eigen::Vector3d kStepSd(0.05, 0.05, 0.012);  // of a step of the way
-const Eigen::Vector3d kClosureSd(0.05, 0.05, 0.005);
+const Eigen::Vector3d kLoopClosureSd(0.05, 0.05, 0.005);
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -41,9 +41,9 @@ Eigen::Matrix3d information(const Eigen::Vector3d& sd) {
 
 /// Rounds of narrow rectangles, each begun a second time and then left for the next; at the end of
 /// the way the second round is taken for the other long side.
-class LongWay {
+class LongTrajectory {
  public:
-  explicit LongWay(int maps) {
+  explicit LongTrajectory(int maps) {
     const int loops = (maps - kLast) / kLoop;
     truth_.emplace_back();
     go(maps - kLast - loops * kLoop);
@@ -52,8 +52,8 @@ class LongWay {
     go_round();
     go(kWrong + kRight - 1);
     for (int i = 0; i < kWrong; ++i) {
-      earlier_.push_back(closure(start_ + kRound - kShortSide - i, start_ + kRound + i,
-                                 {0.0, 0.0, std::numbers::pi}));
+      previous_closures_.push_back(loop_closure(start_ + kRound - kShortSide - i,
+                                                start_ + kRound + i, {0.0, 0.0, std::numbers::pi}));
     }
     measure();
   }
@@ -65,10 +65,10 @@ class LongWay {
   void begin(LazyAssociation& association, int maps) const {
     for (int map = 0; map < maps; ++map) add_map(association, map);
     std::vector<Association> decisions;
-    for (const Closure& closure : earlier_) {
+    for (const LoopClosure& loop_closure : previous_closures_) {
       Association a;
-      a.closure = closure;
-      a.closure.id = static_cast<int>(decisions.size());
+      a.loop_closure = loop_closure;
+      a.loop_closure.id = static_cast<int>(decisions.size());
       a.chosen = 0;
       decisions.push_back(a);
     }
@@ -80,14 +80,15 @@ class LongWay {
   }
 
   /// The closures that are right for a map of a second round.
-  [[nodiscard]] std::vector<Closure> right(int map) const {
+  [[nodiscard]] std::vector<LoopClosure> right(int map) const {
     const auto found = starts_.upper_bound(map);
     if (found == starts_.begin()) return {};
     const int start = *std::prev(found);
-    const int way = map - start;
-    const bool again = way >= kRound && (way < kRound + kAgain || start == start_);
-    if (!again) return {};
-    return {closure(map - kRound, map, between(truth_[at(map - kRound)], truth_[at(map)]))};
+    const int position = map - start;
+    const bool revisited =
+        position >= kRound && (position < kRound + kRevisited || start == start_);
+    if (!revisited) return {};
+    return {loop_closure(map - kRound, map, between(truth_[at(map - kRound)], truth_[at(map)]))};
   }
 
   /// How far a map is from where it should be, seen from the beginning of the last loop [m].
@@ -113,17 +114,17 @@ class LongWay {
   void add_loop() {
     const int start = static_cast<int>(truth_.size()) - 1;
     go_round();
-    go(kAgain, -std::numbers::pi / 2.0);
-    go(kAway, std::numbers::pi / 2.0);
-    for (int map = start + kRound; map < start + kRound + kAgain; ++map) {
-      for (const Closure& c : right(map)) earlier_.push_back(c);
+    go(kRevisited, -std::numbers::pi / 2.0);
+    go(kFar, std::numbers::pi / 2.0);
+    for (int map = start + kRound; map < start + kRound + kRevisited; ++map) {
+      for (const LoopClosure& c : right(map)) previous_closures_.push_back(c);
     }
   }
 
-  static Closure closure(int older, int newer, const Pose2& T_older_newer) {
-    Closure c;
+  static LoopClosure loop_closure(int older, int newer, const Pose2& T_older_newer) {
+    LoopClosure c;
     c.newer_map = newer;
-    c.alternatives = {{older, T_older_newer, information(kClosureSd), 10.0}};
+    c.alternatives = {{older, T_older_newer, information(kLoopClosureSd), 10.0}};
     return c;
   }
 
@@ -138,42 +139,42 @@ class LongWay {
     for (std::size_t i = 1; i < truth_.size(); ++i) {
       steps_.push_back(between(truth_[i - 1], truth_[i]) * noise(0.5 * kStepSd));
     }
-    for (Closure& c : earlier_) {
+    for (LoopClosure& c : previous_closures_) {
       Pose2& T = c.alternatives.front().T_older_newer;
-      T = T * noise(0.5 * kClosureSd);
+      T = T * noise(0.5 * kLoopClosureSd);
     }
   }
 
   std::vector<Pose2> truth_;
   std::vector<Pose2> steps_;
-  std::vector<Closure> earlier_;
+  std::vector<LoopClosure> previous_closures_;
   std::set<int> starts_;
   int start_ = 0;  // of the last loop
 };
 
-const LongWay& way_of(int maps) {
-  static std::map<int, LongWay> ways;
-  return ways.try_emplace(maps, maps).first->second;
+const LongTrajectory& trajectory_of(int maps) {
+  static std::map<int, LongTrajectory> trajectories;
+  return trajectories.try_emplace(maps, maps).first->second;
 }
 
 /// What is right is at hand, without matching.
 class Prepared : public Evidence {
  public:
-  explicit Prepared(const LongWay& way) : way_(way) {}
+  explicit Prepared(const LongTrajectory& position) : trajectory_(position) {}
 
-  [[nodiscard]] std::vector<Closure> closures(int map, Trial& trial, bool) const override {
-    benchmark::DoNotOptimize(trial.belief().T_map_local);
+  [[nodiscard]] std::vector<LoopClosure> loop_closures(int map, Trial& trial, bool) const override {
+    benchmark::DoNotOptimize(trial.hypothesis().T_map_local);
     benchmark::DoNotOptimize(trial.covariances_to(map));
-    return way_.right(map);
+    return trajectory_.right(map);
   }
 
-  [[nodiscard]] double surprise(const std::vector<Pose2>& T_map_local) const override {
+  [[nodiscard]] double contradiction(const std::vector<Pose2>& T_map_local) const override {
     const int newest = static_cast<int>(T_map_local.size()) - 1;
-    return way_.error_m(T_map_local, newest) > 2.0 ? 200.0 : 0.0;
+    return trajectory_.error_m(T_map_local, newest) > 2.0 ? 200.0 : 0.0;
   }
 
  private:
-  const LongWay& way_;
+  const LongTrajectory& trajectory_;
 };
 
 /// Of CPU time, so that others on the machine do not count.
@@ -204,33 +205,34 @@ bool revised(const std::vector<Association>& decided) {
 
 /// A new map, before anything is decided: what every one costs.
 void new_map(benchmark::State& state) {
-  const LongWay& way = way_of(static_cast<int>(state.range(0)));
+  const LongTrajectory& position = trajectory_of(static_cast<int>(state.range(0)));
   LazyAssociation association{LazyAssociationParams{}};
-  way.begin(association, way.first_right());
+  position.begin(association, position.first_right());
   for (auto _ : state) {
-    Trial trial(association.problem(), association.belief());
-    benchmark::DoNotOptimize(trial.covariances_to(way.first_right() - 1));
+    Trial trial(association.problem(), association.hypothesis());
+    benchmark::DoNotOptimize(trial.covariances_to(position.first_right() - 1));
   }
 }
 
 /// The closure at which the wrong group is given up.
 void contradicted(benchmark::State& state) {
-  const LongWay& way = way_of(static_cast<int>(state.range(0)));
+  const LongTrajectory& position = trajectory_of(static_cast<int>(state.range(0)));
   double slowest_s = 0.0;
   for (auto _ : state) {
     LazyAssociation association{LazyAssociationParams{}};
-    way.begin(association, way.first_right());
+    position.begin(association, position.first_right());
     bool done = false;
-    for (int map = way.first_right(); map < way.maps() && !done; ++map) {
-      way.add_map(association, map);
+    for (int map = position.first_right(); map < position.maps() && !done; ++map) {
+      position.add_map(association, map);
       look(association, map);
       const Stopwatch stopwatch;
-      done = revised(association.decide(way.right(map), 0));
+      done = revised(association.decide(position.right(map), 0));
       const double s = stopwatch.s();
       slowest_s = std::max(slowest_s, s);
       if (done) state.SetIterationTime(s);
     }
-    if (!done || way.error_m(association.belief().T_map_local, way.first_right()) > 2.0) {
+    if (!done ||
+        position.error_m(association.hypothesis().T_map_local, position.first_right()) > 2.0) {
       return state.SkipWithError("the wrong group stays");
     }
     state.counters["beliefs"] = association.trials();
@@ -240,12 +242,12 @@ void contradicted(benchmark::State& state) {
 
 /// The map that lies where it cannot.
 void surprised(benchmark::State& state) {
-  const LongWay& way = way_of(static_cast<int>(state.range(0)));
-  const Prepared evidence(way);
+  const LongTrajectory& position = trajectory_of(static_cast<int>(state.range(0)));
+  const Prepared evidence(position);
   for (auto _ : state) {
     LazyAssociation association{LazyAssociationParams{}};
-    way.begin(association, way.first_right());
-    look(association, way.first_right() - 1);
+    position.begin(association, position.first_right());
+    look(association, position.first_right() - 1);
     const Stopwatch stopwatch;
     const bool done = revised(association.revise(evidence, 0));
     state.SetIterationTime(stopwatch.s());

@@ -23,7 +23,7 @@ GuardParams params() {
   return params;
 }
 
-LaserScan drift_scan(double end_m) {
+LaserScan tunnel_scan(double end_m) {
   LaserScan scan{0, {}, -std::numbers::pi / 2.0, std::numbers::pi / 360.0};
   for (int i = 0; i < 361; ++i) {
     const double bearing = scan.angle_min_rad + i * scan.angle_step_rad;
@@ -37,18 +37,18 @@ LaserScan drift_scan(double end_m) {
 /// With the end of the drift so many metres ahead of the laser.
 void judge_scan(benchmark::State& state, double end_m) {
   Guard guard(params());
-  LaserScan scan = drift_scan(end_m);
+  LaserScan scan = tunnel_scan(end_m);
   std::int64_t now = kStart;
   Pose2 T_odom_body;
   for (auto _ : state) {
     now += 27'000;
     scan.utime = now;
     T_odom_body.x += 0.4 * 0.027;
-    guard.hear_pose(T_odom_body, now, now);
-    guard.hear(DriveCommand{now, 0.4, 0.3}, now);
-    guard.hear(VehicleState{now, 0.4, -0.3, 1.0, false, false}, now);
-    guard.hear(now / 27'000 % 2 == 0 ? LaserId::kFront : LaserId::kRear, scan, now);
-    benchmark::DoNotOptimize(guard.judge(now));
+    guard.receive_pose(T_odom_body, now, now);
+    guard.receive(DriveCommand{now, 0.4, 0.3}, now);
+    guard.receive(VehicleState{now, 0.4, -0.3, 1.0, false, false}, now);
+    guard.receive(now / 27'000 % 2 == 0 ? LaserId::kFront : LaserId::kRear, scan, now);
+    benchmark::DoNotOptimize(guard.evaluate(now));
   }
 }
 

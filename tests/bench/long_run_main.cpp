@@ -16,12 +16,11 @@
 #include <malloc.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/event_source.hpp"
-#include "common/messages/association.hpp"
+#include "common/bus/log/event_source.hpp"
 #include "common/messages/codec.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/local_map_pieces.hpp"
-#include "common/messages/wheel_odometry.hpp"
+#include "common/messages/mapping/association.hpp"
+#include "common/messages/mapping/local_map.hpp"
+#include "common/messages/sensing.hpp"
 #include "procs/mapping/mapping.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
 #include "tools/eval/path_error.hpp"
@@ -38,7 +37,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-double cpu_s() { return cost_so_far().cpu_s; }
+double cpu_s() { return process_cost().cpu_s; }
 
 /// Bytes that are allocated now.
 double heap_bytes() {
@@ -49,13 +48,13 @@ double heap_bytes() {
 template <class Msg>
 auto read(const LogEventView& event) -> decltype(from_message(Msg{})) {
   const auto message = decode<Msg>(event.data);
-  if (!message) return Refused{message.refusal()};
+  if (!message) return Rejected{message.rejection()};
   return from_message(*message);
 }
 
 double serialised_bytes(const MapUpdate& update) {
   std::size_t bytes = 0;
-  for (const auto& piece : divide(update.map)) bytes += encode(to_message(piece)).size();
+  for (const auto& fragment : split(update.map)) bytes += encode(to_message(fragment)).size();
   for (const auto& association : update.associations) {
     bytes += encode(to_message(association)).size();
   }
@@ -113,12 +112,12 @@ class LongRun {
 
   void print_row() {
     const auto maps = static_cast<double>(mapping_.local_maps().size());
-    const auto& chosen = mapping_.association().belief().chosen;
-    const auto believed =
+    const auto& chosen = mapping_.association().hypothesis().chosen;
+    const auto accepted =
         std::count_if(chosen.begin(), chosen.end(), [](int c) { return c != Association::kNone; });
     std::printf("| %.0f | %.1f | %.1f | %.0f | %zu | %td | %d | %.1f | %.1f |\n", maps,
                 1e3 * matching_s_ / in_row_, 1e3 * mapping_s_ / in_row_, 1e3 * slowest_s_,
-                chosen.size(), believed, revised_, (heap_bytes() - heap_before_) / maps / 1e3,
+                chosen.size(), accepted, revised_, (heap_bytes() - heap_before_) / maps / 1e3,
                 serialised_ / maps / 1e3);
     std::fflush(stdout);
     in_row_ = 0;
@@ -141,7 +140,7 @@ class LongRun {
 /// The poses of all kept scans, in map and, as scan matching alone has them, in odom.
 Trajectory trajectory_of(const Mapping& mapping, bool in_odom) {
   Trajectory trajectory;
-  const auto& poses = mapping.association().belief().T_map_local;
+  const auto& poses = mapping.association().hypothesis().T_map_local;
   for (const LocalMap& map : mapping.local_maps()) {
     const Pose2& T = in_odom ? map.T_odom_local : poses[static_cast<std::size_t>(map.id)];
     for (const LocalScan& scan : map.scans) {
@@ -162,13 +161,13 @@ void print_error(const Mapping& mapping, const Trajectory& truth) {
     return interpolate(truth, mapping.local_maps()[static_cast<std::size_t>(map)].utime);
   };
   int wrong = 0;
-  const auto& closures = mapping.association().problem().closures;
-  for (std::size_t k = 0; k < closures.size(); ++k) {
-    const int chosen = mapping.association().belief().chosen[k];
+  const auto& loop_closures = mapping.association().problem().loop_closures;
+  for (std::size_t k = 0; k < loop_closures.size(); ++k) {
+    const int chosen = mapping.association().hypothesis().chosen[k];
     if (chosen == Association::kNone) continue;
-    const auto& a = closures[k].alternatives[static_cast<std::size_t>(chosen)];
+    const auto& a = loop_closures[k].alternatives[static_cast<std::size_t>(chosen)];
     const auto older = where(a.older_map);
-    const auto newer = where(closures[k].newer_map);
+    const auto newer = where(loop_closures[k].newer_map);
     if (!older || !newer) continue;
     const Pose2 apart = between(a.T_older_newer, between(*older, *newer));
     wrong += apart.translation().norm() > kSameM ? 1 : 0;
@@ -183,7 +182,7 @@ void run(const std::filesystem::path& log, const std::optional<std::filesystem::
   LongRun run(maps_in_row);
   while (const auto event = events.next()) run.add(*event);
   run.finish();
-  const RunCost cost = cost_so_far();
+  const RunCost cost = process_cost();
   std::printf(
       "\n%d scans, %zu local maps: wall time %.1f s, CPU time %.1f s, peak memory %.0f MB, "
       "%d beliefs tried\n",

@@ -4,10 +4,10 @@
 // cells, heuristic and search, and all of it.
 #include <benchmark/benchmark.h>
 
-#include "procs/planning/cell_heuristic.hpp"
+#include "procs/planning/lattice/cell_heuristic.hpp"
+#include "procs/planning/lattice/lattice.hpp"
 #include "procs/planning/planning.hpp"
-#include "procs/planning/start_pose.hpp"
-#include "tests/support/terrain_scenes.hpp"
+#include "tests/support/worlds/terrain_scenes.hpp"
 
 namespace adit {
 namespace {
@@ -66,12 +66,12 @@ void search(benchmark::State& state) {
 }
 BENCHMARK(search)->Unit(benchmark::kMillisecond);
 
-void whole_plan(benchmark::State& state) {
+void full_plan(benchmark::State& state) {
   const TerrainMap terrain = scene();
   Planning planning(PlanningParams{});
   for (auto _ : state) benchmark::DoNotOptimize(planning.plan(terrain, PlanGoal{}, {}));
 }
-BENCHMARK(whole_plan)->Unit(benchmark::kMillisecond);
+BENCHMARK(full_plan)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace adit

@@ -9,10 +9,10 @@
 #include <functional>
 #include <vector>
 
-#include "procs/planning/cell_heuristic.hpp"
+#include "procs/planning/lattice/cell_heuristic.hpp"
+#include "procs/planning/lattice/lattice.hpp"
 #include "procs/planning/planning.hpp"
-#include "procs/planning/start_pose.hpp"
-#include "tests/support/terrain_scenes.hpp"
+#include "tests/support/worlds/terrain_scenes.hpp"
 
 namespace adit {
 namespace {

@@ -8,7 +8,7 @@
 #include "common/pose_graph/g2o_file.hpp"
 #include "common/pose_graph/gaussian_field.hpp"
 #include "common/pose_graph/optimize.hpp"
-#include "common/pose_graph/rotation_start.hpp"
+#include "common/pose_graph/rotation_initialization.hpp"
 #include "tests/support/recordings.hpp"
 
 namespace adit {
@@ -59,11 +59,11 @@ void start(benchmark::State& state, const std::filesystem::path& path) {
   NormalEquations equations(structure);
   for (auto _ : state) {
     PoseGraph graph = odometry;
-    benchmark::DoNotOptimize(start_from_rotations(graph, structure, equations));
+    benchmark::DoNotOptimize(initialize_from_rotations(graph, structure, equations));
   }
 }
 
-void whole(benchmark::State& state, const std::filesystem::path& path) {
+void full_optimization(benchmark::State& state, const std::filesystem::path& path) {
   const PoseGraph odometry = from_odometry(path);
   OptimizeResult result;
   for (auto _ : state) {
@@ -120,7 +120,7 @@ constexpr std::pair<const char*, Measure> kMeasures[] = {
     {"factorisation", factorisation},
     {"solution", solution},
     {"start", start},
-    {"whole", whole},
+    {"whole", full_optimization},
     {"update_and_downdate", update_and_downdate},
     {"relative_covariance", covariance},
     {"relative_covariances_to", covariances},

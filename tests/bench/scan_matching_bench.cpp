@@ -4,18 +4,56 @@
 // for a scan, mean and 99th percentile (of all scans of all iterations), in time of this thread's
 // CPU, which others that share the machine do not stretch.
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 #include <time.h>  // clock_gettime, which is of POSIX
 
+#include "common/sensing/laser_scan.hpp"
+#include "common/sensing/vehicle_readings.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
-#include "tests/bench/readings.hpp"
 #include "tests/support/recordings.hpp"
+#include "tools/carmen/carmen_reader.hpp"
+#include "tools/sample_mine/sample_run.hpp"
+#include "tools/sample_mine/synthetic_laser.hpp"
 
 namespace adit {
 namespace {
+
+/// What a log holds, in memory, so that a benchmark reads nothing while it measures.
+using Readings = std::vector<std::variant<WheelOdometry, LaserScan>>;
+
+/// The whole drive through the sample mine.
+Readings sample_readings(const SyntheticLaserModel& laser);
+/// A CARMEN log.
+Readings recorded_readings(const std::filesystem::path& path);
+
+Readings sample_readings(const SyntheticLaserModel& laser) {
+  Readings readings;
+  SampleRun run(1, laser);
+  while (const auto reading = run.next()) {
+    readings.emplace_back(reading->odometry);
+    readings.emplace_back(reading->scan);
+  }
+  return readings;
+}
+
+Readings recorded_readings(const std::filesystem::path& path) {
+  Readings readings;
+  CarmenReader reader(path);
+  while (const auto record = reader.next()) {
+    if (const auto* scan = std::get_if<CarmenScan>(&*record)) {
+      readings.emplace_back(scan->scan);
+    } else {
+      readings.emplace_back(std::get<WheelOdometry>(*record));
+    }
+  }
+  return readings;
+}
 
 enum class Odometry { kUsed, kLeftOut };
 

@@ -10,7 +10,7 @@
 #include "sim/laser/laser_model.hpp"
 #include "sim/simulation/simulation.hpp"
 #include "sim/world/build_world.hpp"
-#include "sim/world/drift_line.hpp"
+#include "sim/world/plan/tunnel_line.hpp"
 #include "sim/world/world_file.hpp"
 
 namespace adit {
@@ -38,9 +38,9 @@ benchmark::Counter times_real_time(double simulated_s) {
 /// Poses of a laser along the middle of every drift, nodding.
 std::vector<Eigen::Isometry3d> tour() {
   std::vector<Eigen::Isometry3d> poses;
-  for (const DriftLine& drift : drift_lines(description().plan)) {
-    for (double s_m = 1.0; s_m < drift.length_m() - 1.0; s_m += kEveryM) {
-      const auto [p_world, heading_rad] = drift.at(s_m);
+  for (const TunnelLine& tunnel : tunnel_lines(description().plan)) {
+    for (double s_m = 1.0; s_m < tunnel.length_m() - 1.0; s_m += kEveryM) {
+      const auto [p_world, heading_rad] = tunnel.at(s_m);
       const double floor_m = site().world().truth.floor_height(p_world).value_or(0.0);
       poses.push_back(Eigen::Translation3d(p_world.x(), p_world.y(), floor_m + 0.7) *
                       Eigen::AngleAxisd(heading_rad, Eigen::Vector3d::UnitZ()) *
@@ -68,7 +68,7 @@ void scans_of_two_lasers(benchmark::State& state) {
 }
 
 /// A robot that drives along a drift and nods with both lasers, and all it says.
-void whole_robot(benchmark::State& state) {
+void full_robot(benchmark::State& state) {
   SimulationParams params;
   params.laser.subrays = static_cast<int>(state.range(0));
   Simulation simulation(site(), params, 1, 0);
@@ -107,7 +107,7 @@ void scene_of_a_mesh(benchmark::State& state) {
 }
 
 BENCHMARK(scans_of_two_lasers)->Arg(1)->Arg(9)->Unit(benchmark::kMicrosecond);
-BENCHMARK(whole_robot)->Arg(1)->Arg(9)->Unit(benchmark::kMicrosecond);
+BENCHMARK(full_robot)->Arg(1)->Arg(9)->Unit(benchmark::kMicrosecond);
 BENCHMARK(load)->Unit(benchmark::kMillisecond);
 BENCHMARK(scene_of_a_mesh)->Unit(benchmark::kMillisecond);
 

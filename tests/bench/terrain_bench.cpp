@@ -9,17 +9,17 @@
 #include "procs/terrain/terrain.hpp"
 #include "sim/sweep/tilt_sweep.hpp"
 #include "sim/world/build_world.hpp"
-#include "sim/world/drift_line.hpp"
+#include "sim/world/plan/tunnel_line.hpp"
 #include "sim/world/world_file.hpp"
 
 namespace adit {
 namespace {
 
-Cloud scan_of(const char* world, const char* drift, double s_m) {
+Cloud scan_of(const char* world, const char* tunnel, double s_m) {
   const WorldDescription description = find_world(world);
   const Site site(build_world(description));
-  const auto drifts = drift_lines(description.plan);
-  const auto [p_world, heading_rad] = find_drift(drifts, drift, "bench").at(s_m);
+  const auto tunnels = tunnel_lines(description.plan);
+  const auto [p_world, heading_rad] = find_tunnel(tunnels, tunnel, "bench").at(s_m);
   return tilt_sweep(site, level_on_floor(site.world(), {p_world.x(), p_world.y(), heading_rad}));
 }
 
@@ -51,7 +51,7 @@ void with_memory(benchmark::State& state) {
   TerrainMemory memory(params);
   std::int64_t utime = 0;
   for (Cloud& cloud : clouds) {
-    for (int look = 0; look < 2; ++look) {
+    for (int scan_index = 0; scan_index < 2; ++scan_index) {
       cloud.utime = utime += 20'000'000;
       benchmark::DoNotOptimize(terrain.make(cloud, memory));
     }
@@ -59,10 +59,10 @@ void with_memory(benchmark::State& state) {
   int used = 0;
   for (auto _ : state) {
     state.PauseTiming();
-    TerrainMemory kept = memory;
+    TerrainMemory memory_copy = memory;
     state.ResumeTiming();
-    benchmark::DoNotOptimize(terrain.make(clouds.back(), kept));
-    used = kept.recollection().used;
+    benchmark::DoNotOptimize(terrain.make(clouds.back(), memory_copy));
+    used = memory_copy.recall_result().used;
   }
   state.counters["looks"] = used;
 }

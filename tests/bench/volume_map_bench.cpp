@@ -13,9 +13,9 @@
 #include "procs/volume_map/volume_map.hpp"
 #include "sim/sweep/tilt_sweep.hpp"
 #include "sim/world/build_world.hpp"
-#include "sim/world/drift_line.hpp"
+#include "sim/world/plan/tunnel_line.hpp"
 #include "sim/world/world_file.hpp"
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -25,22 +25,22 @@ constexpr double kRangeMaxM = 20.0;
 Cloud make_scan() {
   const WorldDescription description = find_world("mathies");
   const Site site(build_world(description));
-  const auto drifts = drift_lines(description.plan);
-  const auto [p_world, heading_rad] = find_drift(drifts, "main", "bench").at(50.0);
+  const auto tunnels = tunnel_lines(description.plan);
+  const auto [p_world, heading_rad] = find_tunnel(tunnels, "main", "bench").at(50.0);
   return tilt_sweep(site, level_on_floor(site.world(), {p_world.x(), p_world.y(), heading_rad}));
 }
 
 /// A hall of 16 × 4 m: beams are longer, and more cells are seen.
 Cloud make_scan_of_hall() {
-  const Site site(box_drift({40.0, 16.0, 4.0}));
+  const Site site(box_tunnel({40.0, 16.0, 4.0}));
   return tilt_sweep(site, level_on_floor(site.world(), {}));
 }
 
 /// Whether of the hall is the second argument of a benchmark.
 const Cloud& scan(const benchmark::State& state) {
-  static const Cloud drift = make_scan();
+  static const Cloud tunnel = make_scan();
   static const Cloud hall = make_scan_of_hall();
-  return state.range(1) == 0 ? drift : hall;
+  return state.range(1) == 0 ? tunnel : hall;
 }
 
 /// The first argument of a benchmark, in millimetres.
@@ -94,11 +94,11 @@ Update update_of(octomap::OcTree& tree, const Cloud& cloud, bool discretize) {
 
 /// In one of them and not in the other.
 double count_different(const octomap::KeySet& a, const octomap::KeySet& b) {
-  const auto lacks = [](const octomap::KeySet& keys) {
+  const auto missing = [](const octomap::KeySet& keys) {
     return [&keys](const octomap::OcTreeKey& key) { return keys.find(key) == keys.end(); };
   };
-  return static_cast<double>(std::count_if(a.begin(), a.end(), lacks(b)) +
-                             std::count_if(b.begin(), b.end(), lacks(a)));
+  return static_cast<double>(std::count_if(a.begin(), a.end(), missing(b)) +
+                             std::count_if(b.begin(), b.end(), missing(a)));
 }
 
 void octomap_each_origin(benchmark::State& state, bool discretize) {

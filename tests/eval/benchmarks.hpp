@@ -21,8 +21,8 @@ struct Benchmark {
   const char* log;
   const char* relations;
   int beams;
-  const char* published;  ///< scan matching with odometry, Kümmerle et al. 2009
-  const char* csm_chain;  ///< point-to-line ICP from scan to scan, without odometry
+  const char* published;         ///< scan matching with odometry, Kümmerle et al. 2009
+  const char* scan_to_scan_icp;  ///< point-to-line ICP from scan to scan, without odometry
 };
 
 inline constexpr std::array kBenchmarks = {

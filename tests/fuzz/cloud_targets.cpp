@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/targets.hpp"
 #include "tests/unit/tools/cloud/cloud_bytes.hpp"
 #include "tools/cloud/pcd_reader.hpp"
-#include "tools/cloud/ply_reader.hpp"
+#include "tools/cloud/ply_file.hpp"
 #include "tools/cloud/xyz_reader.hpp"
 
 namespace adit::fuzz {

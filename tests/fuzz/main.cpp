@@ -12,7 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "tests/fuzz/mutator.hpp"
-#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/targets.hpp"
 #include "tests/fuzz/watchdog.hpp"
 
 namespace adit::fuzz {
@@ -24,63 +24,65 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
-struct Tally {
+struct OutcomeCounts {
   std::int64_t accepted = 0;
-  std::int64_t refused = 0;
+  std::int64_t rejected = 0;
   std::map<std::string, std::int64_t, std::less<>> reasons;
 };
 
 /// Cases go to the targets in turn; each has a seed of its own.
 void run_case(std::int64_t number, const Options& options, const std::vector<Target>& targets,
-              std::vector<Tally>& tallies) {
+              std::vector<OutcomeCounts>& all_outcome_counts) {
   const std::size_t which = static_cast<std::size_t>(number) % targets.size();
   const Target& target = targets[which];
-  const Target& stranger = targets[static_cast<std::size_t>(number * 7 + 3) % targets.size()];
+  const Target& other_sample = targets[static_cast<std::size_t>(number * 7 + 3) % targets.size()];
   Mutator mutator(options.seed * 0x100000001B3U + static_cast<std::uint64_t>(number));
-  const std::string_view reason = target.take(mutator.mutate(target.samples, stranger.samples[0]));
-  Tally& tally = tallies[which];
-  reason.empty() ? ++tally.accepted : ++tally.refused;
-  if (!reason.empty()) ++tally.reasons[std::string(reason)];
+  const std::string_view reason =
+      target.process(mutator.mutate(target.samples, other_sample.samples[0]));
+  OutcomeCounts& outcome_counts = all_outcome_counts[which];
+  reason.empty() ? ++outcome_counts.accepted : ++outcome_counts.rejected;
+  if (!reason.empty()) ++outcome_counts.reasons[std::string(reason)];
 }
 
-void print(const std::vector<Target>& targets, const std::vector<Tally>& tallies) {
+void print(const std::vector<Target>& targets,
+           const std::vector<OutcomeCounts>& all_outcome_counts) {
   std::printf("%-18s %10s %10s\n", "target", "accepted", "refused");
   for (std::size_t i = 0; i < targets.size(); ++i) {
     std::printf("%-18s %10lld %10lld\n", targets[i].name.c_str(),
-                static_cast<long long>(tallies[i].accepted),
-                static_cast<long long>(tallies[i].refused));
-    for (const auto& [reason, count] : tallies[i].reasons) {
+                static_cast<long long>(all_outcome_counts[i].accepted),
+                static_cast<long long>(all_outcome_counts[i].rejected));
+    for (const auto& [reason, count] : all_outcome_counts[i].reasons) {
       std::printf("    %10lld %s\n", static_cast<long long>(count), reason.c_str());
     }
   }
 }
 
 /// A good input that is refused means that the cases reach nothing.
-bool samples_are_good(const std::vector<Target>& targets) {
-  bool good = true;
+bool samples_are_valid(const std::vector<Target>& targets) {
+  bool valid = true;
   for (const Target& target : targets) {
     for (const Bytes& sample : target.samples) {
-      const std::string_view reason = target.take(sample);
+      const std::string_view reason = target.process(sample);
       if (!reason.empty()) {
         std::fprintf(stderr, "a sample of %s is refused: %s\n", target.name.c_str(), reason.data());
       }
-      good = good && reason.empty();
+      valid = valid && reason.empty();
     }
   }
-  return good;
+  return valid;
 }
 
 int run(const Options& options) {
   const std::vector<Target> targets = all_targets();
-  if (!samples_are_good(targets)) return 1;
-  std::vector<Tally> tallies(targets.size());
+  if (!samples_are_valid(targets)) return 1;
+  std::vector<OutcomeCounts> all_outcome_counts(targets.size());
   const auto start = std::chrono::steady_clock::now();
   for (std::int64_t number = options.from; number < options.from + options.cases; ++number) {
     watch(number);
-    run_case(number, options, targets, tallies);
+    run_case(number, options, targets, all_outcome_counts);
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  print(targets, tallies);
+  print(targets, all_outcome_counts);
   std::printf("%lld cases in %.1f s, %.0f a second\n", static_cast<long long>(options.cases),
               taken.count(), static_cast<double>(options.cases) / taken.count());
   return 0;

@@ -31,12 +31,12 @@ std::size_t Mutator::position(const Bytes& bytes) {
   return anywhere ? below(bytes.size()) : kFingerprint + below(bytes.size() - kFingerprint);
 }
 
-Bytes Mutator::mutate(const std::vector<Bytes>& samples, const Bytes& stranger) {
+Bytes Mutator::mutate(const std::vector<Bytes>& samples, const Bytes& other_sample) {
   if (below(64) == 0) return noise(200);
   Bytes bytes = samples[below(samples.size())];
   const bool keep_length = below(2) == 0;  // what looks right from outside gets furthest
   for (std::size_t times = 1 + below(4); times > 0; --times) {
-    keep_length ? change(bytes) : damage(bytes, stranger);
+    keep_length ? change(bytes) : damage(bytes, other_sample);
   }
   return bytes;
 }
@@ -57,7 +57,7 @@ void Mutator::change(Bytes& bytes) {
   }
 }
 
-void Mutator::damage(Bytes& bytes, const Bytes& stranger) {
+void Mutator::damage(Bytes& bytes, const Bytes& other_sample) {
   if (bytes.empty()) return insert(bytes, noise(20));
   const auto at = static_cast<std::ptrdiff_t>(position(bytes));
   const auto length =
@@ -70,7 +70,7 @@ void Mutator::damage(Bytes& bytes, const Bytes& stranger) {
       insert(bytes, noise(20));
       break;
     case 2:
-      insert(bytes, part_of(stranger));
+      insert(bytes, part_of(other_sample));
       break;
     case 3:
       insert(bytes, part_of(bytes));

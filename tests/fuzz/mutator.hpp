@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/targets.hpp"
 
 namespace adit::fuzz {
 
@@ -16,7 +16,7 @@ class Mutator {
 
   /// A damaged copy of one of the samples: bits flipped, numbers set to awkward ones, ends cut off
   /// or added, parts taken out, repeated or taken from `stranger`; or nothing but noise.
-  Bytes mutate(const std::vector<Bytes>& samples, const Bytes& stranger);
+  Bytes mutate(const std::vector<Bytes>& samples, const Bytes& other_sample);
 
  private:
   std::uint64_t random();
@@ -24,7 +24,7 @@ class Mutator {
   std::size_t position(const Bytes& bytes);
 
   void change(Bytes& bytes);
-  void damage(Bytes& bytes, const Bytes& stranger);
+  void damage(Bytes& bytes, const Bytes& other_sample);
   void set_number(Bytes& bytes);
   void insert(Bytes& bytes, const Bytes& part);
   Bytes part_of(const Bytes& bytes);

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "sim/world/world_file.hpp"
-#include "tests/fuzz/target.hpp"
+#include "tests/fuzz/targets.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace adit::fuzz {
@@ -27,7 +27,7 @@ constexpr std::string_view kWorld = R"(world:
       - {name: hall, points_m: [8, -4, 12, -4, 12, 4, 8, 4]}
     pillars:
       - {name: rock, points_m: [9, 2, 10, 2, 10, 3]}
-  heights: {profile_m: [0, 0, 9, 1], opening_m: 2, floor_relief: {octaves: 1}}
+  heights: {profile_m: [0, 0, 9, 1], clearance_m: 2, floor_relief: {octaves: 1}}
   wall_relief: {height_m: 0.1, length_m: 1.5, octaves: 1}
   props:
     rails: [{drift: main, from_m: 1, to_m: 4}]

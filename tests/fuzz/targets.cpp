@@ -1,24 +1,66 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "tests/fuzz/targets.hpp"
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <variant>
 
+#include <octomap/OcTree.h>
 #include <unistd.h>
 
-#include "common/bus/log_format.hpp"
-#include "common/bus/log_parser.hpp"
-#include "common/bus/log_writer.hpp"
+#include "common/bus/log/lcm_log.hpp"
 #include "common/config/config_file.hpp"
-#include "common/journal/journal_parser.hpp"
+#include "common/journal/journal_format.hpp"
 #include "common/process_list/parser.hpp"
-#include "common/process_list/writer.hpp"
-#include "tests/fuzz/target.hpp"
+#include "common/volume/volume.hpp"
+#include "procs/volume_map/occupancy_tree.hpp"
 #include "tests/support/message_types.hpp"
+#include "tests/support/process_list_writer.hpp"
 #include "tools/carmen/carmen_line.hpp"
+
+namespace adit::fuzz {
+namespace {
+
+/// Stretches of free and occupied cells, of all lengths.
+Bytes sample_octree() {
+  std::vector<CellRun> runs;
+  VoxelCode begin = VoxelGrid::code_of({32768, 32700, 32760});
+  for (unsigned i = 0; i < 40; ++i) {
+    const VoxelCode end = begin + (VoxelCode{1} << (i % 11)) + i % 3;
+    runs.push_back({begin, end, i % 4 == 0});
+    begin = end + 5 * i;
+  }
+  OccupancyTree tree(0.1);
+  tree.update(runs);
+  return tree.stream();
+}
+
+/// What passes our check OctoMap must read to the end, and find in it as many leaves.
+std::string_view take_octree(std::span<const std::uint8_t> bytes) {
+  std::size_t leaves = 0;
+  const auto reason = visit_leaves(bytes, [&leaves](const CellRun&) { ++leaves; });
+  if (!reason.empty() || bytes.empty()) return reason;
+  octomap::OcTree tree(0.1);
+  std::istringstream in(std::string(bytes.begin(), bytes.end()));
+  tree.readBinaryData(in);
+  if (!in || in.peek() != std::istringstream::traits_type::eof() ||
+      tree.getNumLeafNodes() != leaves) {
+    std::cerr << "OctoMap reads another octree than we checked\n";
+    std::abort();
+  }
+  return {};
+}
+
+}  // namespace
+
+Target octree_target() { return {"octree", {sample_octree()}, take_octree}; }
+
+}  // namespace adit::fuzz
 
 namespace adit::fuzz {
 namespace {
@@ -55,8 +97,8 @@ std::string_view take_carmen(std::span<const std::uint8_t> bytes) {
   const CarmenLine line =
       parse_carmen_line({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   if (std::holds_alternative<CarmenIgnored>(line)) return "ignored";
-  const auto* const refused = std::get_if<CarmenRefused>(&line);
-  return refused ? refused->reason : "";
+  const auto* const rejected = std::get_if<CarmenError>(&line);
+  return rejected ? rejected->reason : "";
 }
 
 Bytes sample_journal() {
@@ -77,11 +119,11 @@ std::string_view take_journal(std::span<const std::uint8_t> bytes) {
     in_records += journal_format::kHeadBytes + record->kind.size() + record->bytes.size();
   }
   const JournalHealth& health = parser.health();
-  if (in_records + health.corrupt_bytes + health.torn_bytes != bytes.size()) {
+  if (in_records + health.corrupt_bytes + health.truncated_bytes != bytes.size()) {
     std::cerr << "the journal reader lost count of the bytes\n";
     std::abort();
   }
-  return health.corrupt_bytes + health.torn_bytes > 0 ? "damaged" : "";
+  return health.corrupt_bytes + health.truncated_bytes > 0 ? "damaged" : "";
 }
 
 /// Reads a list of processes; what was read must read back the same from what is written of it.
@@ -107,7 +149,7 @@ Bytes bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
 std::vector<Target> message_targets() {
   std::vector<Target> targets;
   for (const MessageType& type : message_types()) {
-    targets.push_back({type.name, {type.sample}, type.take});
+    targets.push_back({type.name, {type.sample}, type.process});
   }
   return targets;
 }

@@ -19,35 +19,35 @@ namespace {
 constexpr int kLimitSeconds = 5;
 
 std::atomic<std::int64_t> current{-1};
-std::int64_t seen = -1;
-int seconds_seen = 0;
+std::int64_t last_case = -1;
+int seconds_on_case = 0;
 std::string_view command_line;
 
-void say(std::string_view text) { (void)!write(STDERR_FILENO, text.data(), text.size()); }
+void print_line(std::string_view text) { (void)!write(STDERR_FILENO, text.data(), text.size()); }
 
 // Only what a signal handler may do.
-void name_the_case() {
+void print_case() {
   std::array<char, 24> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), current.load()).ptr;
-  say("\nagain by: ");
-  say(command_line);
-  say(" --cases 1 --from ");
-  say({digits.data(), static_cast<std::size_t>(end - digits.data())});
-  say("\n");
+  print_line("\nagain by: ");
+  print_line(command_line);
+  print_line(" --cases 1 --from ");
+  print_line({digits.data(), static_cast<std::size_t>(end - digits.data())});
+  print_line("\n");
 }
 
 void on_crash(int signal) {
-  name_the_case();
+  print_case();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
 
 void on_second(int) {
-  seconds_seen = current == seen ? seconds_seen + 1 : 0;
-  seen = current;
-  if (seconds_seen < kLimitSeconds) return;
-  say("a case takes too long");
-  name_the_case();
+  seconds_on_case = current == last_case ? seconds_on_case + 1 : 0;
+  last_case = current;
+  if (seconds_on_case < kLimitSeconds) return;
+  print_line("a case takes too long");
+  print_case();
   _exit(1);
 }
 
@@ -56,7 +56,7 @@ void on_second(int) {
 void start_watchdog(std::string_view command) {
   command_line = command;
   if (__sanitizer_set_death_callback) {
-    __sanitizer_set_death_callback(name_the_case);
+    __sanitizer_set_death_callback(print_case);
   } else {
     std::signal(SIGSEGV, on_crash);
   }

@@ -9,9 +9,9 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/lcm_bus.hpp"
-#include "common/bus/stop_signal.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/drive_command.hpp"
+#include "common/bus/node/stop_signal.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/navigation.hpp"
 
 int main(int argc, char** argv) try {
   if (argc != 2) {
@@ -24,7 +24,7 @@ int main(int argc, char** argv) try {
   options.time = adit::BusTime::kSimulated;
   options.stage = "constant_driver";
   adit::LcmBus bus(options);
-  bus.every(50'000, [&bus, speed_m_s](std::int64_t utime) {
+  bus.create_timer(50'000, [&bus, speed_m_s](std::int64_t utime) {
     adit::publish(bus, adit::channels::kDriveCommand,
                   adit::to_message(adit::DriveCommand{utime, speed_m_s, 0.0}));
   });

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: The Adit authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# drive_test.sh SIM CHECK_STAND CHECK_ARRIVAL ONE_GOAL STAGE..
+# drive_test.sh SIM CHECK_STANDSTILL CHECK_ARRIVAL ONE_GOAL STAGE..
 # The robot looks, plans and drives, at Groundhog's speed, each stage a process of its own. It arrives
 # where all is well, and also where planning dies or hangs on the way. Where driving or scan matching
 # do, it stands within 300 ms of simulated time after their last word has expired. Each case has a
@@ -10,7 +10,7 @@
 set -u
 here=$(dirname "$(readlink -f "$0")")
 kGoalM=3.5
-kHarmS=15         # it drives from about 10.5 s on, and would for 23 s
+kFaultS=15         # it drives from about 10.5 s on, and would for 23 s
 kStoodS=18
 kArrivedS=43
 kFast=4           # times real time
@@ -18,7 +18,7 @@ kMeasured=2       # where time is measured: the simulator is not to be ahead of 
 kCommandExpiry=0.25
 kPoseExpiry=0.25  # of the guard
 
-sim=$1; check_stand=$2; check_arrival=$3; one_goal=$4; stages=("${@:5}")
+sim=$1; check_standstill=$2; check_arrival=$3; one_goal=$4; stages=("${@:5}")
 
 # drive LOG CONFIG FACTOR SECONDS [FAULT]: inside a private network.
 drive() {
@@ -59,9 +59,9 @@ begin() {
 
 begin $kFast $kArrivedS "" "$check_arrival"
 for harm in kill suspend; do
-  begin $kFast $kArrivedS "$harm:planning@$kHarmS" "$check_arrival"
-  begin $kMeasured $kStoodS "$harm:driving@$kHarmS" "$check_stand" DRIVE_COMMAND $kCommandExpiry
-  begin $kMeasured $kStoodS "$harm:scan_matching@$kHarmS" "$check_stand" POSE $kPoseExpiry
+  begin $kFast $kArrivedS "$harm:planning@$kFaultS" "$check_arrival"
+  begin $kMeasured $kStoodS "$harm:driving@$kFaultS" "$check_standstill" DRIVE_COMMAND $kCommandExpiry
+  begin $kMeasured $kStoodS "$harm:scan_matching@$kFaultS" "$check_standstill" POSE $kPoseExpiry
 done
 
 failed=0

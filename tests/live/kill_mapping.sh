@@ -10,7 +10,7 @@ set -u
 
 log=$1; speed=$2; record=$3; journal=$4; RANDOM=$5; mapping=$6
 kKills=5
-kTornMax=20          # bytes, fewer than any record has
+kTruncatedMax=20          # bytes, fewer than any record has
 . "$(dirname "$(readlink -f "$0")")/lcm_tools.sh"
 
 size() { stat -c %s "$1" 2>/dev/null || echo 0; }
@@ -38,7 +38,7 @@ for ((kill = 1; kill <= kKills; ++kill)); do
   sleep "$((RANDOM % 2)).$((RANDOM % 10))$((RANDOM % 10))"
   kill -KILL "$node"; wait "$node" 2>/dev/null
   if ((kill % 2 == 0)); then
-    truncate --size=-$((1 + RANDOM % kTornMax)) "$journal"
+    truncate --size=-$((1 + RANDOM % kTruncatedMax)) "$journal"
     torn=$((torn + 1))
   fi
 done

@@ -17,7 +17,7 @@
 
 #include "common/bus/channel_filter.hpp"
 #include "common/bus/lcm_bus.hpp"
-#include "common/bus/lcm_url.hpp"
+#include "common/bus/lcm_transport.hpp"
 
 namespace adit {
 namespace {
@@ -36,7 +36,7 @@ class LiveBus : public testing::Test {
   }
 
   Handler keep() {
-    return [this](const Received& received) -> std::string_view {
+    return [this](const ReceivedMessage& received) -> std::string_view {
       kept_.emplace_back(received.bytes.begin(), received.bytes.end());
       return {};
     };
@@ -92,7 +92,7 @@ TEST_F(LiveBus, LosesNoPartOfAMegabyteWhereTheKernelHoldsIt) {
 TEST_F(LiveBus, KeepsTheNewestStateOverAStall) {
   receiver_.subscribe("POSE", Delivery::latest(), keep());
   receiver_.subscribe("IMU", Delivery::queued(100),
-                      [](const Received&) { return std::string_view(); });
+                      [](const ReceivedMessage&) { return std::string_view(); });
   for (std::uint8_t i = 0; i < 100; ++i) sender_.publish("POSE", Bytes{i});
   sender_.publish("IMU", {});
   receive_until([&] { return !kept_.empty() && kept_.back() == Bytes{99}; });

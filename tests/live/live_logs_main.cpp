@@ -11,14 +11,13 @@
 #include <vector>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/event_source.hpp"
-#include "common/bus/log_writer.hpp"
+#include "common/bus/log/event_source.hpp"
+#include "common/bus/log/lcm_log.hpp"
 #include "common/messages/codec.hpp"
-#include "common/messages/config_copy.hpp"
-#include "common/messages/heartbeat.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/pose.hpp"
-#include "tests/live/log_check.hpp"
+#include "common/messages/diagnostics.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/sensing.hpp"
+#include "tests/live/checks/log_check.hpp"
 #include "tests/support/message_types.hpp"
 
 namespace adit {
@@ -92,7 +91,7 @@ void check(const std::string& played_path, const std::string& recorded_path) {
           "the configuration is that of the relay");
 
   const auto heartbeat = from_message(*decode<heartbeat_t>(recorded["HEARTBEAT"].back()));
-  require(heartbeat && heartbeat->refused == kScans / kMalformedEvery,
+  require(heartbeat && heartbeat->rejected == kScans / kMalformedEvery,
           "malformed scans were refused and counted");
 }
 

@@ -13,12 +13,12 @@ here=$(dirname "$(readlink -f "$0")")
 adit=$(readlink -f "$1"); check_losses=$(readlink -f "$2"); mkdir -p "$3"; folder=$(readlink -f "$3")
 harms=${4:-50}; cuts=${5:-20}; jobs=${6:-1}; minutes=${7:-100000}; seed=${8:-1}
 kStages=(scan_matching mapping scan_assembly terrain volume_map planning driving guard exploration mission)
-kHarmsOfAMission=9; kCutsOfAMission=3
+kFaultsPerMission=9; kPowerLossesPerMission=3
 kFirstS=5; kApartS=28; kSpreadS=17       # of simulated time, from harm to harm
-kCutMinS=4; kCutMaxS=20                  # of the clock, from cut to cut
-kCutEach=5; kRandomEach=4                # one mission of so many is cut off; is in a random mine
+kPowerLossMinS=4; kPowerLossMaxS=20                  # of the clock, from cut to cut
+kPowerLossEach=5; kRandomEach=4                # one mission of so many is cut off; is in a random mine
 kRandomMine=(random --length-m 50)
-kPatienceSeconds=1200
+kTimeoutSeconds=1200
 
 "$here/in_private_network.sh" true || exit
 mkdir -p "$folder/planned"
@@ -33,7 +33,7 @@ least_done() {
   { all_pairs; cut -f 2 "$folder/harms.tsv"; cat "$folder"/planned/* 2>/dev/null; } | sort | uniq -c |
     awk -v max="$harms" '$1 <= max { print $1, $2 }' |
     while read -r count pair; do echo "$count $RANDOM $pair"; done |
-    sort -n -k 1,1 -k 2,2 | head -n "$kHarmsOfAMission" | shuf --random-source=<(yes "$RANDOM") |
+    sort -n -k 1,1 -k 2,2 | head -n "$kFaultsPerMission" | shuf --random-source=<(yes "$RANDOM") |
     cut -d ' ' -f 3
 }
 world_of() {
@@ -57,7 +57,7 @@ harmed() {
     printf '%s\t%s\t%s\n' "$n" "$pair" "$at" >>"$out/plan"
   done <"$folder/planned/$n"
   # shellcheck disable=SC2046
-  timeout "$kPatienceSeconds" "$adit" mission $(<"$out/world") --out "$out/out" "${faults[@]}" \
+  timeout "$kTimeoutSeconds" "$adit" mission $(<"$out/world") --out "$out/out" "${faults[@]}" \
     >"$out/text" 2>&1
   local result=$?
   done_in "$out/out" >"$out/done"
@@ -69,22 +69,22 @@ harmed() {
 # Phase 6 is the end.
 has_ended() { awk -F '\t' '$2 == 6 { ended = 1 } END { exit !ended }' "$1/phases.tsv"; }
 
-cut_off() {
+power_loss() {
   local n=$1 out=$folder/$1 i victim result
   mkdir -p "$out"; world_of "$n" >"$out/world"
-  echo "mission: {after_cut_off: $( ((n % 2)) && echo go_on || echo home)}" >"$out/config.yaml"
+  echo "mission: {after_power_loss: $( ((n % 2)) && echo resume || echo home)}" >"$out/config.yaml"
   # shellcheck disable=SC2046
   set -- $(<"$out/world") --config "$out/config.yaml"
-  for ((i = 0; i < kCutsOfAMission; ++i)); do
+  for ((i = 0; i < kPowerLossesPerMission; ++i)); do
     "$adit" mission "$@" --out "$out/out" >>"$out/text" 2>&1 & victim=$!
-    sleep $((kCutMinS + RANDOM % (kCutMaxS - kCutMinS))).$((RANDOM % 10))
+    sleep $((kPowerLossMinS + RANDOM % (kPowerLossMaxS - kPowerLossMinS))).$((RANDOM % 10))
     kill -KILL "$victim" 2>/dev/null; wait "$victim" 2>/dev/null
     sleep 2
     has_ended "$out/out" && break
     printf '%s\t%s\n' "$n" "$i" >>"$folder/cuts.tsv"
     set -- --resume
   done
-  timeout "$kPatienceSeconds" "$adit" mission --resume --out "$out/out" >>"$out/text" 2>&1
+  timeout "$kTimeoutSeconds" "$adit" mission --resume --out "$out/out" >>"$out/text" 2>&1
   result=$?
   grep -q "has ended: the robot is at home" "$out/text" && result=0
   keep "$n" "$out" "$result"
@@ -94,8 +94,8 @@ worker() {
   local n
   for ((n = $1; SECONDS < until_s; n += jobs)); do
     RANDOM=$((seed * 1000 + n))
-    if (($(wc -l <"$folder/cuts.tsv") < cuts && (n % kCutEach == 0 || harms == 0))); then
-      cut_off "$n"
+    if (($(wc -l <"$folder/cuts.tsv") < cuts && (n % kPowerLossEach == 0 || harms == 0))); then
+      power_loss "$n"
       continue
     fi
     exec 9>"$folder/lock"; flock 9
@@ -107,7 +107,7 @@ worker() {
 }
 
 # Of missions.tsv and harms.tsv; what a mission lost counts for each who was harmed in it.
-table_of_harms() {
+table_of_faults() {
   echo "| stage | kind | harms | missions | of these at home | farthest from the start (m) | local maps lost | 3D scans lost |"
   echo "|---|---|---|---|---|---|---|---|"
   awk -F '\t' '
@@ -130,9 +130,9 @@ table_of_missions() {
   echo "| missions | of these at home | farthest from the start (m) | local maps | lost | 3D scans | lost |"
   echo "|---|---|---|---|---|---|---|"
   awk -F '\t' '
-    FILENAME ~ /cuts[.]tsv$/ { ++cuts[$1]; ++all_cuts; next }
+    FILENAME ~ /cuts[.]tsv$/ { ++cuts[$1]; ++all_power_losses; next }
     {
-      kind = $1 in cuts ? "cut off, " all_cuts " times" : "harmed"
+      kind = $1 in cuts ? "cut off, " all_power_losses " times" : "harmed"
       ++n[kind]; home[kind] += $3 == 0; maps[kind] += $5; lost_maps[kind] += $6; scans[kind] += $7
       lost_scans[kind] += $8
       if ($4 > worst[kind]) worst[kind] = $4
@@ -147,7 +147,7 @@ table_of_missions() {
 
 for ((j = 1; j <= jobs; ++j)); do worker "$j" & done
 wait
-table_of_harms
+table_of_faults
 echo; table_of_missions
 echo; echo "Lost, or not at home:"
 awk -F '\t' '$3 != 0 || $6 + $8 > 0' "$folder/missions.tsv"

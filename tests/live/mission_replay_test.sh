@@ -8,7 +8,7 @@
 set -eu
 here=$(dirname "$(readlink -f "$0")")
 adit=$(readlink -f "$1"); mapping=$(readlink -f "$2")
-kWayMaxM=24
+kPathLengthMaxM=24
 kSpeed=6         # nothing is lost at 75 scans a second, times this, on a busy machine too
 kNearM=0.001
 kNearRad=0.0001  # what rounding may do along the way
@@ -16,7 +16,7 @@ kNearRad=0.0001  # what rounding may do along the way
 "$here/in_private_network.sh" true || exit
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-echo "mission: {limits: {way_max_m: $kWayMaxM}}" >"$scratch/config.yaml"
+echo "mission: {limits: {path_length_max_m: $kPathLengthMaxM}}" >"$scratch/config.yaml"
 "$adit" mission "$here/bent_drift.yaml" --config "$scratch/config.yaml" --out "$scratch/mission" \
   >"$scratch/text" 2>&1 || { cat "$scratch/text" >&2; exit 1; }
 

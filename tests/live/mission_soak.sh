@@ -11,7 +11,7 @@
 # last, or a process had to be started again. OPTIONs are of `adit mission`, of its mine.
 set -u
 adit=$(readlink -f "$1"); world=${3:-random}
-wanted_s=$(awk -v hours="$2" 'BEGIN { print int(3600 * hours) }')
+requested_s=$(awk -v hours="$2" 'BEGIN { print int(3600 * hours) }')
 if (($# > 3)); then choice=("${@:4}"); else choice=(); fi
 [[ $world == random && ${#choice[@]} -eq 0 ]] && choice=(--seed 7 --length-m 60)
 kRowSeconds=1800     # of simulated time
@@ -22,11 +22,11 @@ kPollSeconds=2
 # Turned around by nothing but the time; of a place the map keeps what three local maps and one look brought.
 config() {
   cat <<YAML
-mapping: {per_place_max: 3}
-volume_map: {renew_m: 4}
+mapping: {maps_per_place_max: 3}
+volume_map: {replace_radius_m: 4}
 exploration: {patrol: true}
 mission:
-  limits: {time_max_s: $wanted_s, way_max_m: 1000000}
+  limits: {time_max_s: $requested_s, path_length_max_m: 1000000}
 sim: {motion: {battery_wh: 1000000}}
 YAML
 }
@@ -92,7 +92,7 @@ verdict() {
 }
 
 "$adit" mission "$world" "${choice[@]}" --config "$scratch/soak.yaml" --out "$out" \
-  --time-max-s "$((wanted_s + 1800))" >"$scratch/text" 2>&1 & mission=$!
+  --time-max-s "$((requested_s + 1800))" >"$scratch/text" 2>&1 & mission=$!
 next=$kRowSeconds; last=0
 while kill -0 "$mission" 2>/dev/null; do
   read -r seconds way maps scans speed <<<"$(progress)"
@@ -103,12 +103,12 @@ while kill -0 "$mission" 2>/dev/null; do
     next=$((next + kRowSeconds))
   fi
   # The report of so long a log is not what is measured here.
-  ((last >= wanted_s - kRowSeconds / 2)) && grep -q "at home" "$scratch/text" && break
+  ((last >= requested_s - kRowSeconds / 2)) && grep -q "at home" "$scratch/text" && break
   sleep "$kPollSeconds"
 done
 echo; grep -B 1 "from the start at the end" "$scratch/text" || tail -n 3 "$scratch/text"
 [[ -e $scratch/memory ]] || { echo "there is nothing to compare: it ended after $last s"; exit 1; }
 verdict; flat=$?
-((10 * last >= 9 * wanted_s)) || { echo "it did not last"; exit 1; }
+((10 * last >= 9 * requested_s)) || { echo "it did not last"; exit 1; }
 if grep "started again" "$scratch/text"; then exit 1; fi
 exit $flat

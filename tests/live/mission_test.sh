@@ -11,8 +11,8 @@
 set -u
 here=$(dirname "$(readlink -f "$0")")
 adit=$1; case=$2; check_losses=${3:-}
-kWayMaxM=24        # so that the robot turns around after the first bend
-kCutAfterM=3
+kPathLengthMaxM=24        # so that the robot turns around after the first bend
+kPowerLossAfterM=3
 kFirstSweepS=5     # of simulated time: the first 3D scan comes after eight seconds
 kLossPercent=5
 kDeadlineSeconds=100
@@ -25,7 +25,7 @@ kReport=(mission.html map.png map.pgm map.yaml map.svg graph.g2o trajectory.tum 
 scratch=$(mktemp -d)
 out=$scratch/out
 trap 'kill -KILL $(jobs -p) 2>/dev/null; wait; rm -rf "$scratch"' EXIT
-echo "mission: {after_cut_off: home, limits: {way_max_m: $kWayMaxM}}" >"$scratch/config.yaml"
+echo "mission: {after_power_loss: home, limits: {path_length_max_m: $kPathLengthMaxM}}" >"$scratch/config.yaml"
 
 fail() {
   echo "FAILED: $*" >&2
@@ -44,17 +44,17 @@ await_driven() {
 }
 share() { awk -v percent="$1" 'BEGIN { print percent / 100 }'; }
 # What runs in the folder of the mission.
-left_over() {
+remaining_processes() {
   local file
   for file in /proc/[0-9]*/cwd; do [[ $(readlink "$file") == "$out" ]] && echo "$file"; done 2>/dev/null
 }
-expect_nobody() {
-  for _ in $(seq 50); do [[ -z $(left_over) ]] && return; sleep 0.1; done
-  fail "left running: $(left_over)"
+expect_no_process() {
+  for _ in $(seq 50); do [[ -z $(remaining_processes) ]] && return; sleep 0.1; done
+  fail "left running: $(remaining_processes)"
 }
-expect_home() {
+expect_return() {
   wait "$mission" || fail "the mission ended with $?"
-  expect_nobody
+  expect_no_process
   local off; off=$(awk '/from the start at the end/ { print $(NF - 7) }' "$scratch/mission.text" | tail -1)
   awk -v off="$off" -v max="$kNearHomeM" 'BEGIN { exit !(off != "" && off < max) }' ||
     fail "it says that it is at home, and is $off m away"
@@ -64,7 +64,7 @@ world=$here/bent_drift.yaml; config=$scratch/config.yaml
 case $case in
   home)
     begin "$world" --config "$config"
-    expect_home
+    expect_return
     for file in "${kReport[@]}"; do [[ -s $out/$file ]] || fail "there is no $file"; done
     "$adit" mission "$world" --out "$out" 2>"$scratch/again.text" && fail "overwrites a mission"
     grep -q -- "--resume" "$scratch/again.text" || fail "does not say how to go on"
@@ -72,33 +72,33 @@ case $case in
   harmed)
     begin "$world" --config "$config" --fault "suspend:volume_map@$kFirstSweepS" \
       --fault kill:planning@20 --fault suspend:driving@40
-    expect_home
+    expect_return
     "$check_losses" "$out" >"$scratch/losses.text" || fail "something that was announced is lost"
     grep -q "driving does not answer" "$scratch/mission.text" || fail "nobody saw driving stand still"
     ;;
   cut)
     begin "$world" --config "$config"
-    await_driven "$kCutAfterM"
+    await_driven "$kPowerLossAfterM"
     kill -KILL "$mission"; wait "$mission" 2>/dev/null
-    expect_nobody
+    expect_no_process
     begin --resume
-    expect_home
+    expect_return
     [[ -s $out/run.lcmlog && -s $out/run_2.lcmlog ]] || fail "there are no logs of two lives"
     grep -q "is at home" "$out/mission.html" || fail "the report does not tell of the second life"
     ;;
   lossy)
     export ADIT_RECEIVE_LOSS; ADIT_RECEIVE_LOSS=$(share $kLossPercent)
     begin "$world" --config "$config" --fault "packet_loss=$ADIT_RECEIVE_LOSS@5"
-    expect_home
+    expect_return
     ;;
   ordered)
-    echo "mission: {limits: {way_max_m: 500}}" >"$config"
+    echo "mission: {limits: {path_length_max_m: 500}}" >"$config"
     begin "$world" --config "$config"
-    await_driven "$kCutAfterM"
+    await_driven "$kPowerLossAfterM"
     "$adit" order pause --mission "$out" || fail "it does not pause"
-    "$adit" order go-on --mission "$out" || fail "it does not go on"
-    "$adit" order come-home --mission "$out" | grep -q "homeward: by order" || fail "it does not come home"
-    expect_home
+    "$adit" order resume --mission "$out" || fail "it does not go on"
+    "$adit" order return --mission "$out" | grep -q "homeward: by order" || fail "it does not come home"
+    expect_return
     "$adit" order pause --mission "$out" 2>"$scratch/order.text" && fail "an order to nobody is obeyed"
     grep -q "no mission runs" "$scratch/order.text" || fail "does not say that no mission runs"
     ;;

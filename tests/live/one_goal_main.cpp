@@ -9,11 +9,11 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/lcm_bus.hpp"
-#include "common/bus/stop_signal.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/plan_goal.hpp"
-#include "common/messages/scan_request.hpp"
-#include "common/messages/terrain_tiles.hpp"
+#include "common/bus/node/stop_signal.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/terrain.hpp"
+#include "common/messages/navigation.hpp"
+#include "common/messages/sensing.hpp"
 
 namespace adit {
 namespace {
@@ -24,15 +24,15 @@ constexpr std::size_t kTilesWaiting = 200;
 class OneGoal {
  public:
   OneGoal(Bus& bus, double distance_m) : bus_(bus), distance_m_(distance_m) {
-    bus.every(50'000, [this](std::int64_t utime) { look(utime); });
+    bus.create_timer(50'000, [this](std::int64_t utime) { summarize(utime); });
     subscribe<terrain_t>(bus, channels::kTerrain, Delivery::queued(kTilesWaiting),
-                         [this](const TerrainTile& tile) {
+                         [this](const TerrainFragment& tile) {
                            if (terrain_.add(tile)) go();
                          });
   }
 
  private:
-  void look(std::int64_t utime) {
+  void summarize(std::int64_t utime) {
     if (first_utime_ == 0) first_utime_ = utime;
     if (looked_ || utime < first_utime_ + kBeginsUs) return;
     looked_ = true;
@@ -46,7 +46,7 @@ class OneGoal {
 
   Bus& bus_;
   double distance_m_;
-  TerrainAssembler terrain_;
+  TerrainReassembler terrain_;
   std::int64_t first_utime_ = 0;
   bool looked_ = false;
 };

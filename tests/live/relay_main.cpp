@@ -3,10 +3,10 @@
 // The smallest stage there can be, to test what surrounds one: answers each scan with a pose whose
 // x is the number of beams.
 #include "common/bus/channels.hpp"
-#include "common/bus/run_node.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/pose.hpp"
+#include "common/bus/node/run_node.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/sensing.hpp"
 
 namespace adit {
 namespace {

@@ -25,7 +25,7 @@ namespace {
 using adit::LcmBus;
 
 using Clock = std::chrono::steady_clock;
-constexpr auto kPatience = std::chrono::seconds(10);
+constexpr auto kTimeout = std::chrono::seconds(10);
 constexpr auto kOrderTime = std::chrono::milliseconds(500);
 constexpr int kOrderPeriodMs = 50;
 
@@ -33,15 +33,15 @@ constexpr int kOrderPeriodMs = 50;
 template <class Msg>
 int await(LcmBus& bus, std::string_view channel, const std::function<bool(const Msg&)>& is_it) {
   bool found = false;
-  bus.subscribe(channel, adit::Delivery::queued(1000), [&](const adit::Received& received) {
+  bus.subscribe(channel, adit::Delivery::queued(1000), [&](const adit::ReceivedMessage& received) {
     const auto message = adit::decode<Msg>(received.bytes);
     found = found || (message && is_it(*message));
-    return message.refusal();
+    return message.rejection();
   });
   procman_lcm::discovery_t question{};
   question.transmitter_id = "live_sheriff";
   bus.publish(adit::channels::kPmDiscover, adit::encode(question));
-  for (const auto end = Clock::now() + kPatience; !found && Clock::now() < end;) bus.handle(100);
+  for (const auto end = Clock::now() + kTimeout; !found && Clock::now() < end;) bus.handle(100);
   if (!found) std::cerr << "live_sheriff: waited in vain\n";
   return found ? 0 : 1;
 }

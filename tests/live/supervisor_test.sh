@@ -41,9 +41,9 @@ await_sleepers 3
 [[ $("$sheriff" await sensors far running) == "$far" ]] || fail "far was stopped by a stranger"
 await_sleepers 3
 for reason in "foreign sheriff" "another command line" "not in the list"; do
-  await_word "$scratch/sensors.err" "PM_ORDERS refused.*$reason"
+  await_output "$scratch/sensors.err" "PM_ORDERS refused.*$reason"
 done
-await_word "$scratch/robot.err" "PM_ORDERS refused.*foreign sheriff"   # not its own name either
+await_output "$scratch/robot.err" "PM_ORDERS refused.*foreign sheriff"   # not its own name either
 
 # A terminal of the one in charge is obeyed on both.
 "$adit" restart far --socket "$scratch/robot.sock" || fail "adit restart"

@@ -48,7 +48,7 @@ await_sleepers() {
   fail "$(how_many_sleep) processes sleep, not $1"
 }
 # What a supervisor says of a message may come later than what it does.
-await_word() {
+await_output() {
   for _ in $(seq 500); do grep -q "$2" "$1" && return; sleep 0.02; done
   fail "no word of: $2"
 }

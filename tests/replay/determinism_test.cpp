@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/event_source.hpp"
+#include "common/bus/log/event_source.hpp"
 #include "common/messages/codec.hpp"
-#include "common/messages/pose.hpp"
+#include "common/messages/mapping/odometry.hpp"
 #include "tests/replay/map_fixture.hpp"
 #include "tools/eval/tum.hpp"
 

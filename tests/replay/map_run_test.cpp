@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "common/bus/log_writer.hpp"
+#include "common/bus/log/lcm_log.hpp"
 #include "common/config/config.hpp"
 #include "common/pose_graph/g2o_file.hpp"
 #include "procs/mapping/map_journal.hpp"
@@ -72,7 +72,7 @@ TEST_F(MapRun, FindsTheWayThroughTheMine) {
     const MapRunResult result = map(at("sample.lcmlog"), "map", odometry);
     EXPECT_EQ(result.scans, truth.size());
     EXPECT_EQ(result.lost, 0U);
-    EXPECT_THAT(result.complaints, IsEmpty());
+    EXPECT_THAT(result.warnings, IsEmpty());
     EXPECT_NEAR(result.path_length_m, kLength, 0.005 * kLength);
 
     const Trajectory trajectory = read_tum(at("map/trajectory.tum"));
@@ -104,7 +104,7 @@ TEST_F(MapRun, SumsUpWhatItDid) {
   EXPECT_GE(ms.at("p99"), ms.at("mean"));
   EXPECT_LT(ms.at("mean").get<double>() * static_cast<double>(truth.size()), 1e3 * wall_s);
   EXPECT_GT(summary.at("peak_memory_mb"), 1.0);
-  EXPECT_TRUE(summary.at("unobserved_stretches").is_array());
+  EXPECT_TRUE(summary.at("unobserved_segments").is_array());
 }
 
 TEST_F(MapRun, WritesAMapAsMapServerReadsIt) {
@@ -149,15 +149,15 @@ TEST_F(MapRun, ClosesTheLoopsOfTheMine) {
   const Trajectory truth = write_sample("sample.lcmlog", 1000.0);  // all of it
   const MapRunResult result = map(at("sample.lcmlog"), "map");
   EXPECT_GT(result.local_maps, 80U);  // one each 5 m
-  EXPECT_GT(result.closures, 20U);
+  EXPECT_GT(result.loop_closures, 20U);
   EXPECT_LT(farthest_error_m(read_tum(at("map/trajectory.tum")), truth), 0.15);  // 3 cells
 
   const auto summary = nlohmann::json::parse(contents("map/summary.json"));
   const auto& found = summary.at("map");
   EXPECT_EQ(found.at("sessions"), 1);
   EXPECT_EQ(found.at("local_maps"), result.local_maps);
-  EXPECT_EQ(found.at("closures").at("in_force"), result.closures);
-  EXPECT_GE(found.at("closures").at("proposed"), result.closures);
+  EXPECT_EQ(found.at("closures").at("in_force"), result.loop_closures);
+  EXPECT_GE(found.at("closures").at("proposed"), result.loop_closures);
   EXPECT_GE(found.at("objective"), 0.0);
   EXPECT_GT(found.at("bytes_per_local_map").at("serialised"), 1000);
   EXPECT_GT(found.at("bytes_per_local_map").at("resident"), 1000);
@@ -166,9 +166,9 @@ TEST_F(MapRun, ClosesTheLoopsOfTheMine) {
 
   const G2oGraph graph = read_g2o(at("map/graph.g2o"));
   EXPECT_EQ(graph.graph.poses.size(), result.local_maps);
-  EXPECT_EQ(graph.graph.constraints.size(), result.local_maps - 1 + result.closures);
+  EXPECT_EQ(graph.graph.constraints.size(), result.local_maps - 1 + result.loop_closures);
   const std::string table = contents("map/associations.tsv");
-  EXPECT_GT(std::count(table.begin(), table.end(), '\n'), static_cast<long>(result.closures));
+  EXPECT_GT(std::count(table.begin(), table.end(), '\n'), static_cast<long>(result.loop_closures));
   const StoredMap journal = read_map_journal(at("map/map.journal"));
   EXPECT_EQ(journal.maps.size(), result.local_maps);
 }
@@ -180,9 +180,9 @@ TEST_F(MapRun, ResumesTheMapOfAnEarlierRun) {
   map(at("first.lcmlog"), "first");
   const std::size_t poses_before = read_tum(at("first/trajectory.tum")).size();
   const MapRunResult result = resume(at("second.lcmlog"), "both", "first");
-  EXPECT_THAT(result.complaints, IsEmpty());
+  EXPECT_THAT(result.warnings, IsEmpty());
   EXPECT_GT(result.local_maps, 80U);
-  EXPECT_GT(result.joints, 5U);
+  EXPECT_GT(result.cross_session_loop_closures, 5U);
 
   const Trajectory path = read_tum(at("both/trajectory.tum"));
   EXPECT_GT(path.size(), second.size());
@@ -243,12 +243,12 @@ TEST_F(MapRun, TheLasersAreWhereBothStagesHaveThem) {
   const auto turned =
       write("turned.yaml", "lasers:\n  front:\n    T_body_laser: {theta_rad: 1.5707963}\n");
   map(at("sample.lcmlog"), "turned", Odometry::kLeftOut, turned);
-  const auto closures = [&](const std::string& folder) {
+  const auto loop_closures = [&](const std::string& folder) {
     return nlohmann::json::parse(contents(folder + "/summary.json"))["map"]["closures"]["in_force"];
   };
   // The body is another, but the walls lie on each other as before.
-  EXPECT_GE(closures("turned"), 1);
-  EXPECT_GE(closures("as_it_is"), 1);
+  EXPECT_GE(loop_closures("turned"), 1);
+  EXPECT_GE(loop_closures("as_it_is"), 1);
   EXPECT_THAT(failure(at("sample.lcmlog"),
                       write("old.yaml", "scan_matching:\n  laser_front: {range_min_m: 1}\n")),
               HasSubstr("old.yaml:2: unknown key 'laser_front'"));
@@ -268,11 +268,11 @@ TEST_F(MapRun, TheLasersAreWhereTheLogSaysUnlessTheConfigurationDoes) {
   EXPECT_NE(contents("plain/trajectory.tum"), contents("ahead/trajectory.tum"));
 }
 
-TEST_F(MapRun, RefusesBadInputInOneLine) {
+TEST_F(MapRun, RejectsBadInputInOneLine) {
   const std::string garbage = "\x01\xED garbage " + std::string(3, '\0') + "\xFF\xFE, no log \n\n";
   write_sample("sample.lcmlog", 2.0);
   const auto good = at("sample.lcmlog");
-  const auto cut_off = write("cut.lcmlog", contents("sample.lcmlog").substr(0, 20));
+  const auto power_loss = write("cut.lcmlog", contents("sample.lcmlog").substr(0, 20));
   const std::vector<std::pair<std::string, std::string>> outcomes = {
       {failure(at("missing.log")), "missing.log"},
       {failure(at("missing.lcmlog")), "missing.lcmlog"},
@@ -281,7 +281,7 @@ TEST_F(MapRun, RefusesBadInputInOneLine) {
       {failure(write("empty.lcmlog", "")), "empty.lcmlog"},
       {failure(write("garbage.log", garbage)), "garbage.log"},
       {failure(write("garbage.lcmlog", garbage)), "garbage.lcmlog"},
-      {failure(cut_off), "cut.lcmlog"},
+      {failure(power_loss), "cut.lcmlog"},
       {failure(good, at("missing.yaml")), "missing.yaml"},
       {failure(good, write("key.yaml", "scan_matching:\n  lost_scor: 0.5\n")),
        "key.yaml:2: unknown key 'lost_scor'"},
@@ -326,11 +326,11 @@ TEST_F(MapRun, ReportsWhatItSkips) {
   write_sample("sample.log", 10.0);
   const std::string good = contents("sample.log");
   const MapRunResult carmen = map(write("bad.log", good + "FLASER 3 1 x 1\n"), "map");
-  EXPECT_THAT(carmen.complaints, testing::ElementsAre(HasSubstr("line 64: ")));
+  EXPECT_THAT(carmen.warnings, testing::ElementsAre(HasSubstr("line 64: ")));
 
   write_sample("sample.lcmlog", 10.0);
-  const auto cut_off = write("cut.lcmlog", contents("sample.lcmlog").substr(0, 50'000));
-  EXPECT_THAT(map(cut_off, "map").complaints,
+  const auto power_loss = write("cut.lcmlog", contents("sample.lcmlog").substr(0, 50'000));
+  EXPECT_THAT(map(power_loss, "map").warnings,
               testing::ElementsAre(HasSubstr("the end of the file cuts off")));
 }
 

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "common/pose_graph/optimize.hpp"
-#include "procs/mapping/association/lazy_loops.hpp"
-#include "tests/support/labelled_graph.hpp"
+#include "procs/mapping/association/lazy_loop_closures.hpp"
+#include "tests/support/graphs/labelled_graph.hpp"
 #include "tests/support/recordings.hpp"
 
 namespace adit {
@@ -17,8 +17,8 @@ using test::LoopLabel;
 struct Promise {
   std::string name;
   int loops;
-  int right_kept;  // at least
-  double rmse_m;   // at most
+  int right_accepted;  // at least
+  double rmse_m;       // at most
 };
 
 void PrintTo(const Promise& promise, std::ostream* out) { *out << promise.name; }
@@ -30,12 +30,13 @@ TEST_P(WrongLoopsOfBicocca, AreLeftOutAndTheRightOnesKept) {
   ADIT_RECORDING_OR_SKIP(truth, "posegraph/bicocca_ground_truth.txt.gz");
   test::LabelledGraph labelled = test::read_labelled_graph(g2o, truth);
   chain_odometry(labelled.graph);
-  const LazyLoopsResult lazy = believe_lazily(labelled.graph, {});
-  EXPECT_EQ(std::ssize(lazy.constraint_of_closure), GetParam().loops);
-  EXPECT_EQ(test::kept(labelled, lazy.believed, LoopLabel::kWrong), 0);
-  EXPECT_GE(test::kept(labelled, lazy.believed, LoopLabel::kRight), GetParam().right_kept);
+  const LazyLoopClosuresResult lazy = associate_loops_lazily(labelled.graph, {});
+  EXPECT_EQ(std::ssize(lazy.constraint_of_loop_closure), GetParam().loops);
+  EXPECT_EQ(test::count_accepted(labelled, lazy.accepted, LoopLabel::kWrong), 0);
+  EXPECT_GE(test::count_accepted(labelled, lazy.accepted, LoopLabel::kRight),
+            GetParam().right_accepted);
 
-  ASSERT_TRUE(optimize_believed(labelled.graph, lazy.believed).converged);
+  ASSERT_TRUE(optimize_accepted(labelled.graph, lazy.accepted).converged);
   EXPECT_LE(test::rmse_m(labelled, labelled.graph.poses), GetParam().rmse_m);
 }
 

@@ -3,43 +3,21 @@
 #include "tests/support/message_types.hpp"
 
 #include "common/bus/channels.hpp"
-#include "common/messages/association.hpp"
-#include "common/messages/cloud_pieces.hpp"
-#include "common/messages/cloud_request.hpp"
 #include "common/messages/codec.hpp"
-#include "common/messages/config_copy.hpp"
-#include "common/messages/drive_command.hpp"
-#include "common/messages/driving_state.hpp"
-#include "common/messages/exploration_report.hpp"
-#include "common/messages/explore_request.hpp"
-#include "common/messages/gas_reading.hpp"
-#include "common/messages/heartbeat.hpp"
-#include "common/messages/imu_reading.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/local_map_pieces.hpp"
-#include "common/messages/map_correction.hpp"
-#include "common/messages/map_request.hpp"
-#include "common/messages/mission_order.hpp"
-#include "common/messages/mission_phase.hpp"
-#include "common/messages/plan_goal.hpp"
-#include "common/messages/planned_path.hpp"
-#include "common/messages/pose.hpp"
-#include "common/messages/pose_graph_pieces.hpp"
+#include "common/messages/diagnostics.hpp"
+#include "common/messages/exploration.hpp"
+#include "common/messages/mapping/association.hpp"
+#include "common/messages/mapping/cloud.hpp"
+#include "common/messages/mapping/local_map.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/mapping/terrain.hpp"
+#include "common/messages/mapping/volume.hpp"
+#include "common/messages/mission.hpp"
+#include "common/messages/navigation.hpp"
 #include "common/messages/procman.hpp"
-#include "common/messages/run_state.hpp"
-#include "common/messages/scan_match.hpp"
-#include "common/messages/scan_request.hpp"
-#include "common/messages/sim_time.hpp"
-#include "common/messages/sinkage_reading.hpp"
-#include "common/messages/stage_stats.hpp"
-#include "common/messages/stop_order.hpp"
-#include "common/messages/terrain_made.hpp"
-#include "common/messages/terrain_tiles.hpp"
-#include "common/messages/tilt_command.hpp"
-#include "common/messages/tilt_reading.hpp"
-#include "common/messages/vehicle_state.hpp"
-#include "common/messages/volume_pieces.hpp"
-#include "common/messages/wheel_odometry.hpp"
+#include "common/messages/sensing.hpp"
+#include "common/messages/sim.hpp"
 
 namespace adit {
 namespace {
@@ -47,21 +25,21 @@ namespace {
 constexpr std::int64_t kUtime = 1'600'000'000'000'000;
 
 template <class Msg>
-std::string_view take(std::span<const std::uint8_t> bytes) {
+std::string_view process(std::span<const std::uint8_t> bytes) {
   const Result<Msg> message = decode<Msg>(bytes);
-  return message ? from_message(*message).refusal() : message.refusal();
+  return message ? from_message(*message).rejection() : message.rejection();
 }
 
 template <class Msg>
 MessageType type_of(std::string_view channel, const Msg& sample) {
-  return {Msg::getTypeName(), std::string(channel), Msg::getHash(), encode(sample), take<Msg>};
+  return {Msg::getTypeName(), std::string(channel), Msg::getHash(), encode(sample), process<Msg>};
 }
 
 ScanMatch sample_match() {
   ScanMatch report;
   report.utime = kUtime;
   report.reference_utime = kUtime - 13'333;
-  report.odom_utime = kUtime - 40'000;
+  report.odom_epoch_utime = kUtime - 40'000;
   report.channel = channels::kLaserFront;
   report.status = ScanMatch::Status::kMatched;
   report.T_odom_body = {12.0, -3.0, 0.7};
@@ -94,22 +72,22 @@ LocalMap sample_local_map() {
 
 MapGraph sample_graph() {
   const PoseConstraint sequential{0, 1, {5.0, 0.0, 0.0}, kInformation};
-  const PoseConstraint closure{2, 0, {-10.0, 0.0, 0.0}, kInformation};
-  return {
-      kUtime,
-      12,
-      {{0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}, {10.0, 0.1, 0.0}},
-      {{sequential, MapConstraint::Kind::kSequential}, {closure, MapConstraint::Kind::kClosure}}};
+  const PoseConstraint loop_closure{2, 0, {-10.0, 0.0, 0.0}, kInformation};
+  return {kUtime,
+          12,
+          {{0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}, {10.0, 0.1, 0.0}},
+          {{sequential, MapConstraint::Kind::kSequential},
+           {loop_closure, MapConstraint::Kind::kLoopClosure}}};
 }
 
 Association sample_association() {
   Association association;
   association.utime = kUtime;
   association.action = Association::Action::kRevised;
-  association.closure = {
+  association.loop_closure = {
       3, 40, {{7, {0.4, 0.1, 0.0}, kInformation, 31.0}, {9, {0.0, 0.0, 0.1}, kInformation, 12.0}}};
   association.chosen = 1;
-  association.chosen_before = 0;
+  association.previously_chosen = 0;
   association.log_likelihood = -120.5;
   association.reason = "the corner does not agree";
   return association;
@@ -137,7 +115,7 @@ Cloud sample_cloud() {
 }
 
 TerrainMap sample_terrain() {
-  const TerrainCell cell{Ground::kSeen, 12, 0.01F, 0.11F, 0.1F, 1.7F, 0.02F, 0.05F, 0.03F};
+  const TerrainCell cell{Ground::kObserved, 12, 0.01F, 0.11F, 0.1F, 1.7F, 0.02F, 0.05F, 0.03F};
   return {kUtime, 3, {12.0, -3.0, 0.7}, {-1.0, -1.0}, 0.1, 3, 2, std::vector<TerrainCell>(6, cell)};
 }
 
@@ -169,8 +147,8 @@ ExplorationReport sample_exploration() {
   report.T_odom_goal = {20.1, -2.9, 0.1};
   report.route_odom = {{12.0, -3.0}, {16.5, -2.5}, {20.0, -3.0}};
   report.budget = {800.0, 120.0, 310.0};
-  report.stubs = {{0, 3, {5, 1}, {0, 1}, 2.8, StubState::kBlocked, kUtime, "a beam"},
-                  {1, 7, {20, -3}, {1, 0}, 3.1, StubState::kOpen, kUtime, ""}};
+  report.frontiers = {{0, 3, {5, 1}, {0, 1}, 2.8, FrontierState::kBlocked, kUtime, "a beam"},
+                      {1, 7, {20, -3}, {1, 0}, 3.1, FrontierState::kOpen, kUtime, ""}};
   report.corridors = {{{{0, 0}, CorridorNode::Kind::kDeadEnd}, {{20, -3}, {}}},
                       {{0, 1, 20.4, 2.9, {{0, 0}, {10, -1}, {20, -3}}}}};
   return report;
@@ -183,13 +161,13 @@ std::vector<MessageType> navigation_types() {
   const DrivingState driving{
       kUtime, 4, DrivingState::Kind::kWaiting, "the pose is old", 2.5, 7.1, {0.02, -0.01}};
   return {type_of(channels::kScanRequest, to_message(ScanRequest{kUtime, 3, LaserId::kFront})),
-          type_of(channels::kCloud, to_message(divide(sample_cloud()).front())),
+          type_of(channels::kCloud, to_message(split(sample_cloud()).front())),
           type_of(channels::kCloudRequest,
                   to_message(CloudRequest{kUtime, "volume_map", 0, {kUtime - 1}})),
-          type_of(channels::kCloudAgain, to_message(divide(sample_cloud()).front())),
-          type_of(channels::kTerrain, to_message(divide(sample_terrain()).front())),
-          type_of(channels::kTerrainMade, to_message(TerrainMade{kUtime, 3, true})),
-          type_of(channels::kVolume, to_message(divide(sample_volume()).front())),
+          type_of(channels::kCloudResend, to_message(split(sample_cloud()).front())),
+          type_of(channels::kTerrain, to_message(split(sample_terrain()).front())),
+          type_of(channels::kTerrainReady, to_message(TerrainReady{kUtime, 3, true})),
+          type_of(channels::kVolume, to_message(split(sample_volume()).front())),
           type_of(channels::kGoal, to_message(goal)),
           type_of(channels::kPath, to_message(sample_path())),
           type_of(channels::kDrivingState, to_message(driving)),
@@ -203,15 +181,15 @@ std::vector<MessageType> mission_types() {
   phase.sequence = 17;
   phase.phase = Phase::kExecute;
   phase.reason = "a path of 8.1 m";
-  phase.homeward = true;
-  phase.homeward_reason = "the way on is blocked";
+  phase.returning_home = true;
+  phase.return_home_reason = "the way on is blocked";
   phase.laser = LaserId::kRear;
   phase.goal_id = 4;
   phase.scans = 5;
-  phase.travelled_m = 40.5;
+  phase.distance_travelled_m = 40.5;
   phase.remaining_m = 800.0;
   const ExploreRequest request{kUtime, 6, 800.0, true, BlockedVerdict{kUtime, 1, 1.4, "a beam"}};
-  const MissionOrder order{kUtime, MissionOrder::Kind::kComeHome};
+  const MissionOrder order{kUtime, MissionOrder::Kind::kReturnHome};
   return {type_of(channels::kPhase, to_message(phase)),
           type_of(channels::kExploreRequest, to_message(request)),
           type_of(channels::kMapRequest, to_message(MapRequest{kUtime, "exploration"})),
@@ -251,7 +229,7 @@ std::vector<MessageType> stage_types() {
   const ImuReading imu{kUtime, {0.0, 0.1, 0.2}, {0.1, 0.0, 9.81}};
   const TiltReading tilt{kUtime, 0.3, -0.1};
   const Heartbeat heartbeat{kUtime, "mapping", {Health::Level::kDegraded, "no odometry"}, 9, 1, 2};
-  const ConfigCopy config{kUtime, "mapping", "0.1.0", "mapping:\n  cell_m: 0.1\n"};
+  const ConfigSnapshot config{kUtime, "mapping", "0.1.0", "mapping:\n  cell_m: 0.1\n"};
   const MapCorrection correction{kUtime, 12, 0, 40, {0.3, -0.2, 0.01}, kCovariance};
   const StageStats stats{kUtime,
                          "mapping",
@@ -263,8 +241,8 @@ std::vector<MessageType> stage_types() {
           type_of(channels::kImu, to_message(imu)),
           type_of(channels::kTiltFront, to_message(tilt)),
           type_of(channels::kScanMatch, to_message(sample_match())),
-          type_of(channels::kLocalMap, to_message(divide(sample_local_map()).front())),
-          type_of(channels::kPoseGraph, to_message(divide(sample_graph()).front())),
+          type_of(channels::kLocalMap, to_message(split(sample_local_map()).front())),
+          type_of(channels::kPoseGraph, to_message(split(sample_graph()).front())),
           type_of(channels::kMapCorrection, to_message(correction)),
           type_of(channels::kAssociation, to_message(sample_association())),
           type_of(channels::kHeartbeat, to_message(heartbeat)),

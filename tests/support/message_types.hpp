@@ -19,7 +19,7 @@ struct MessageType {
   std::vector<std::uint8_t> sample;  ///< the bytes of a good message
 
   /// What a stage does with the bytes: decodes and converts. The reason of refusal, or nothing.
-  std::function<std::string_view(std::span<const std::uint8_t>)> take;
+  std::function<std::string_view(std::span<const std::uint8_t>)> process;
 
   std::string package = "adit";
 };

@@ -3,8 +3,8 @@
 // A sample of the corridors of tests/eval, corridor_scenes_table.
 #include <gtest/gtest.h>
 
-#include "tests/support/corridor_run.hpp"
-#include "tests/support/true_passage.hpp"
+#include "tests/support/scores/corridor_run.hpp"
+#include "tests/support/scores/path_feasibility.hpp"
 
 namespace adit {
 namespace {
@@ -25,7 +25,8 @@ TEST_P(CorridorScenes, AreDrivenWithoutFaultAndSolvedWhereThereIsRoom) {
         run_corridor(corridor, GetParam(), static_cast<std::uint64_t>(seed), planning);
     EXPECT_FALSE(run.fault) << seed << ' ' << corridor.kind << ' ' << run.fault->what;
     if (run.found()) continue;
-    EXPECT_LT(true_passage(corridor, with_room(Vehicle{}, kRoomM), kEnoughM), kEnoughM)
+    EXPECT_LT(feasible_distance_m(corridor, inflated_vehicle(Vehicle{}, kRoomM), kEnoughM),
+              kEnoughM)
         << seed << ' ' << corridor.kind << ' ' << run.path.reason;
   }
 }

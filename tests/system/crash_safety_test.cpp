@@ -12,17 +12,17 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/typed.hpp"
+#include "common/bus/typed_messages.hpp"
 #include "common/journal/journal.hpp"
-#include "common/messages/association.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/local_map_pieces.hpp"
-#include "common/messages/pose_graph_pieces.hpp"
-#include "common/messages/scan_match.hpp"
+#include "common/messages/mapping/association.hpp"
+#include "common/messages/mapping/local_map.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/sensing.hpp"
 #include "procs/mapping/mapping_node.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
+#include "tests/support/scores/stored_map_score.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tests/support/stored_maps.hpp"
 #include "tools/sample_mine/sample_run.hpp"
 
 namespace adit {
@@ -37,7 +37,7 @@ struct MatchedScan {
 };
 
 /// What somebody on the bus knows who lives longer than the mapping.
-struct Heard {
+struct Received {
   std::vector<LocalMap> maps;
   std::vector<Association> associations;
   std::optional<MapGraph> graph;
@@ -46,8 +46,8 @@ struct Heard {
 /// The mapping from its start to its death, which is that of this object.
 class Life {
  public:
-  Life(const std::filesystem::path& journal, Heard& heard, bool carried = false) {
-    listen(heard);
+  Life(const std::filesystem::path& journal, Received& received, bool carried = false) {
+    listen(received);
     MappingNodeParams params;
     params.carried = carried;
     params.journal = journal.string();
@@ -60,22 +60,24 @@ class Life {
   }
 
  private:
-  void listen(Heard& heard) {
+  void listen(Received& received) {
     subscribe<local_map_t>(bus_, channels::kLocalMap, Delivery::queued(100),
-                           [&](const LocalMapPiece& piece) {
-                             if (auto map = maps_.add(piece)) heard.maps.push_back(std::move(*map));
+                           [&](const LocalMapFragment& fragment) {
+                             if (auto map = maps_.add(fragment))
+                               received.maps.push_back(std::move(*map));
                            });
     subscribe<association_t>(bus_, channels::kAssociation, Delivery::queued(100),
-                             [&](const Association& a) { heard.associations.push_back(a); });
+                             [&](const Association& a) { received.associations.push_back(a); });
     subscribe<pose_graph_t>(bus_, channels::kPoseGraph, Delivery::queued(100),
-                            [&](const PoseGraphPiece& piece) {
-                              if (auto graph = graphs_.add(piece)) heard.graph = std::move(graph);
+                            [&](const PoseGraphFragment& fragment) {
+                              if (auto graph = graphs_.add(fragment))
+                                received.graph = std::move(graph);
                             });
   }
 
   MemoryBus bus_;
-  LocalMapAssembler maps_;
-  PoseGraphAssembler graphs_;
+  LocalMapReassembler maps_;
+  PoseGraphReassembler graphs_;
   std::unique_ptr<MappingNode> node_;
 };
 
@@ -102,24 +104,24 @@ class CrashSafety : public testing::TestWithParam<unsigned> {
     std::uniform_int_distribution<int> lived(kScansMin, 500);
     std::uniform_int_distribution<int> dead(0, 20);
     for (std::size_t i = 0; i < drive_.size(); i += static_cast<std::size_t>(dead(random_))) {
-      Life life(journal_, heard_);
+      Life life(journal_, received_);
       for (int k = lived(random_); k > 0 && i < drive_.size(); --k) life.add(drive_[i++]);
       ++lives_;
       if (i < drive_.size()) after_death();
     }
   }
 
-  void expect_journal_is_what_was_heard() const {
+  void expect_journal_matches_received() const {
     const StoredMap stored = read_map_journal(journal_);
-    EXPECT_TRUE(stored.maps == heard_.maps);
-    EXPECT_TRUE(stored.associations == heard_.associations);
+    EXPECT_TRUE(stored.maps == received_.maps);
+    EXPECT_TRUE(stored.associations == received_.associations);
   }
 
   void expect_one_map_of_the_mine() const {
     const StoredMap stored = read_map_journal(journal_);
-    const MapGraph graph = test::restored(stored);
+    const MapGraph graph = test::restore_graph(stored);
     EXPECT_LT(test::error_of(stored, graph, truth_).farthest_m, 0.5);
-    EXPECT_GT(test::closures_between_sessions(stored, graph), 0);
+    EXPECT_GT(test::loop_closures_between_sessions(stored, graph), 0);
     for (std::size_t i = 0; i < stored.maps.size(); ++i) {
       EXPECT_EQ(stored.maps[i].id, static_cast<int>(i));
     }
@@ -142,26 +144,26 @@ class CrashSafety : public testing::TestWithParam<unsigned> {
   test::ScratchFolder scratch_;
   std::filesystem::path journal_ = scratch_ / "map.journal";
   std::mt19937 random_{GetParam()};
-  Heard heard_;
+  Received received_;
   int lives_ = 0;
 };
 
 TEST_P(CrashSafety, NothingThatWasAnnouncedIsForgotten) {
-  drive([&] { expect_journal_is_what_was_heard(); });
-  expect_journal_is_what_was_heard();
+  drive([&] { expect_journal_matches_received(); });
+  expect_journal_matches_received();
   EXPECT_GT(lives_, 3);
   expect_one_map_of_the_mine();
 }
 
 TEST_P(CrashSafety, TheMapIsRestoredAsItWas) {
   drive([&] {
-    if (!heard_.graph) return;
-    const MapGraph graph = test::restored(read_map_journal(journal_));
-    ASSERT_EQ(graph.poses.size(), heard_.graph->poses.size());
-    EXPECT_EQ(graph.constraints.size(), heard_.graph->constraints.size());
+    if (!received_.graph) return;
+    const MapGraph graph = test::restore_graph(read_map_journal(journal_));
+    ASSERT_EQ(graph.poses.size(), received_.graph->poses.size());
+    EXPECT_EQ(graph.constraints.size(), received_.graph->constraints.size());
     double farthest_m = 0.0;
     for (std::size_t i = 0; i < graph.poses.size(); ++i) {
-      const Pose2 off = between(heard_.graph->poses[i], graph.poses[i]);
+      const Pose2 off = between(received_.graph->poses[i], graph.poses[i]);
       farthest_m = std::max(farthest_m, off.translation().norm());
     }
     EXPECT_LT(farthest_m, 0.02);  // before, it was linear in what was added last
@@ -172,14 +174,15 @@ TEST_P(CrashSafety, ATornRecordIsAllThatIsLost) {
   drive([&] {
     tear_journal();
     const StoredMap stored = read_map_journal(journal_);
-    const std::size_t maps_lost = heard_.maps.size() - stored.maps.size();
-    const std::size_t associations_lost = heard_.associations.size() - stored.associations.size();
+    const std::size_t maps_lost = received_.maps.size() - stored.maps.size();
+    const std::size_t associations_lost =
+        received_.associations.size() - stored.associations.size();
     EXPECT_LE(maps_lost + associations_lost, 1U);
-    heard_.maps.resize(stored.maps.size());
-    heard_.associations.resize(stored.associations.size());
-    expect_journal_is_what_was_heard();
+    received_.maps.resize(stored.maps.size());
+    received_.associations.resize(stored.associations.size());
+    expect_journal_matches_received();
   });
-  expect_journal_is_what_was_heard();
+  expect_journal_matches_received();
   expect_one_map_of_the_mine();
 }
 
@@ -203,14 +206,14 @@ TEST_P(CrashSafety, FindsItselfAfterTheWholeRobotBeganAgainElsewhere) {
   const std::size_t from =
       std::uniform_int_distribution<std::size_t>(0, drive_.size() - kScans)(random_);
   {
-    Life life(journal_, heard_, true);
+    Life life(journal_, received_, true);
     for (std::size_t i = from; i < from + kScans; ++i)
       life.add(seen_again(drive_[i], drive_[from]));
   }
-  const LocalMap& newest = heard_.maps.back();
+  const LocalMap& newest = received_.maps.back();
   ASSERT_GT(newest.utime, drive_.back().scan.utime);
-  const Pose2 found = between(heard_.graph->poses.front(), heard_.graph->poses.back());
-  const Pose2 truth = between(*interpolate(truth_, heard_.maps.front().utime),
+  const Pose2 found = between(received_.graph->poses.front(), received_.graph->poses.back());
+  const Pose2 truth = between(*interpolate(truth_, received_.maps.front().utime),
                               *interpolate(truth_, newest.utime - kHour));
   EXPECT_LT(between(truth, found).translation().norm(), 0.5);
 }

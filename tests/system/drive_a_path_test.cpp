@@ -9,24 +9,22 @@
 #include <gtest/gtest.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/drive_command.hpp"
-#include "common/messages/driving_state.hpp"
-#include "common/messages/pose.hpp"
-#include "common/messages/run_state.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/navigation.hpp"
+#include "common/messages/sim.hpp"
 #include "procs/driving/driving_node.hpp"
-#include "tests/support/box_drift.hpp"
-#include "tests/support/path_drive.hpp"
-#include "tests/support/robot_that_knows_its_place.hpp"
-#include "tests/support/robot_that_looks_and_plans.hpp"
-#include "tests/support/robot_that_matches_scans.hpp"
-#include "tests/support/true_lateral_error.hpp"
+#include "tests/support/drives/path_drive.hpp"
+#include "tests/support/robots/planning_robot.hpp"
+#include "tests/support/robots/simulated_robot.hpp"
+#include "tests/support/scores/cross_track_error.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
 
-World drift_with_a_post() {
-  return box_drift({}, [](MeshBuilder& builder) {
+World tunnel_with_post() {
+  return box_tunnel({}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kPost, Material::kTimber, "post");
     builder.box(level_box({4.5, 0.35, 1.0}, {0.25, 0.25, 2.0}));
   });
@@ -35,7 +33,7 @@ World drift_with_a_post() {
 template <class Robot>
 class RobotThatDrives {
  public:
-  RobotThatDrives() : robot_(drift_with_a_post()) {
+  RobotThatDrives() : robot_(tunnel_with_post()) {
     subscribe<driving_state_t>(bus_, channels::kDrivingState, Delivery::latest(),
                                [this](const DrivingState& state) { state_ = state; });
     subscribe<run_state_t>(bus_, channels::kRunState, Delivery::latest(),
@@ -44,11 +42,11 @@ class RobotThatDrives {
                       [this](const StampedPose& truth) { truth_ = truth.T_odom_body; });
   }
 
-  void look_and_plan(double distance_m) { robot_.look_and_plan(distance_m); }
+  void scan_and_plan(double distance_m) { robot_.scan_and_plan(distance_m); }
 
   /// Until it stands again, for two minutes at most; the true errors, each 0.1 s.
   std::vector<double> drive() {
-    TrueLateralError error(path().points);
+    CrossTrackError error(path().points);
     std::vector<double> errors_m;
     for (int i = 0; i < 1200 && state_.kind != DrivingState::Kind::kArrived; ++i) {
       robot_.run(0.1);
@@ -64,7 +62,7 @@ class RobotThatDrives {
   [[nodiscard]] const Pose2& truth() const { return truth_; }
 
  private:
-  RobotThatLooksAndPlans<Robot> robot_;
+  PlanningRobot<Robot> robot_;
   MemoryBus& bus_ = robot_.bus();
   DrivingNode driving_{bus_, DrivingParams{}};
   DrivingState state_;
@@ -75,18 +73,18 @@ class RobotThatDrives {
 template <class Robot>
 class DriveAPath : public testing::Test {};
 
-using Robots = testing::Types<RobotThatKnowsItsPlace, RobotThatMatchesScans>;
+using Robots = testing::Types<GroundTruthRobot, ScanMatchingRobot>;
 TYPED_TEST_SUITE(DriveAPath, Robots);
 
 TYPED_TEST(DriveAPath, GoesRoundAPostAndArrives) {
   RobotThatDrives<TypeParam> robot;
-  robot.look_and_plan(8.0);
+  robot.scan_and_plan(8.0);
   ASSERT_EQ(robot.path().outcome, PlanOutcome::kFound) << robot.path().reason;
   const std::vector<double> errors_m = robot.drive();
   EXPECT_EQ(robot.state().kind, DrivingState::Kind::kArrived) << robot.state().reason;
   EXPECT_EQ(robot.state().path_id, 2);
   EXPECT_EQ(robot.run_state().failure, "");
-  EXPECT_GT(robot.run_state().travelled_m, 6.5);
+  EXPECT_GT(robot.run_state().distance_travelled_m, 6.5);
   EXPECT_LE(quantile(errors_m, 0.95), 0.10);
   const Pose2 T_end_body = between(robot.path().points.back().T_odom_body, robot.truth());
   EXPECT_LE(T_end_body.translation().norm(), 0.05);

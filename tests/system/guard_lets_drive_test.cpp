@@ -6,20 +6,20 @@
 #include "procs/scan_matching/scan_matching_node.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_description.hpp"
-#include "tests/support/box_drift.hpp"
-#include "tests/support/groundhog_params.hpp"
+#include "tests/support/robots/simulated_robot.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 #include "tests/system/guarded_robot.hpp"
 
 namespace adit {
 namespace {
 
-constexpr BoxDrift kNarrow{40.0, 1.8, 2.0};  // 0.3 m on either side of the vehicle
+constexpr BoxTunnel kNarrow{40.0, 1.8, 2.0};  // 0.3 m on either side of the vehicle
 
 /// Way in twenty seconds, which must be without a stop.
-double way_m(World world, double speed_m_s) {
+double path_length_m(World world, double speed_m_s) {
   GuardedRobot robot(std::move(world));
   robot.drive(speed_m_s);
-  robot.go_on(20.0);
+  robot.run(20.0);
   EXPECT_EQ(robot.failure(), "");
   EXPECT_FALSE(robot.order().stopped) << robot.order().reason;
   EXPECT_EQ(robot.stops(), 0);
@@ -27,8 +27,9 @@ double way_m(World world, double speed_m_s) {
 }
 
 TEST(GuardLetsDrive, DownTheMiddleOfANarrowDrift) {
-  EXPECT_GT(way_m(box_drift(kNarrow), 0.5), 8.5);  // less slip, the release and acceleration
-  EXPECT_GT(way_m(box_drift(kNarrow), -0.5), 8.5);
+  EXPECT_GT(path_length_m(box_tunnel(kNarrow), 0.5),
+            8.5);  // less slip, the release and acceleration
+  EXPECT_GT(path_length_m(box_tunnel(kNarrow), -0.5), 8.5);
 }
 
 TEST(GuardLetsDrive, OverRails) {
@@ -38,32 +39,32 @@ TEST(GuardLetsDrive, OverRails) {
       builder.box(level_box({x, 0.0, 0.06}, {0.07, 1.8, 0.12}));
     }
   };
-  EXPECT_GT(way_m(box_drift(kNarrow, rails), 0.5), 8.5);
-  EXPECT_GT(way_m(box_drift(kNarrow, rails), 0.2), 3.0);
+  EXPECT_GT(path_length_m(box_tunnel(kNarrow, rails), 0.5), 8.5);
+  EXPECT_GT(path_length_m(box_tunnel(kNarrow, rails), 0.2), 3.0);
 }
 
-World rough_drift() {
+World rough_tunnel() {
   WorldDescription rough;  // walls of 0.12 m to either side
   rough.name = "rough";
   rough.T_world_start = {5.0, 0.0, 0.0};
-  rough.plan.drifts.push_back({"drift", {0.0, 0.0, 40.0, 0.0}, 2.4});
+  rough.plan.tunnels.push_back({"drift", {0.0, 0.0, 40.0, 0.0}, 2.4});
   rough.heights.floor_relief = {.height_m = 0.06, .length_m = 1.0};
   return build_world(rough);
 }
 
 TEST(GuardLetsDrive, OverRoughGround) {
-  EXPECT_GT(way_m(rough_drift(), 0.5), 5.0 + 8.0);  // from where it starts
+  EXPECT_GT(path_length_m(rough_tunnel(), 0.5), 5.0 + 8.0);  // from where it starts
 }
 
 TEST(GuardLetsDrive, WithThePoseOfScanMatching) {
-  GuardedRobot robot(rough_drift());
+  GuardedRobot robot(rough_tunnel());
   const ScanMatchingNode scan_matching(robot.bus(), with_groundhog_lasers<ScanMatchingParams>());
-  robot.lose_its_place();
+  robot.stop_localization();
   robot.drive(0.5);
-  robot.go_on(15.0);
+  robot.run(15.0);
   EXPECT_FALSE(robot.order().stopped) << robot.order().reason;
   EXPECT_EQ(robot.stops(), 0);
-  EXPECT_GT(robot.travelled_m(), 5.0);
+  EXPECT_GT(robot.distance_travelled_m(), 5.0);
 }
 
 TEST(GuardLetsDrive, UpAndDownASlope) {
@@ -79,17 +80,17 @@ TEST(GuardLetsDrive, UpAndDownASlope) {
     slope(2.0, 0.0, 5.0, 0.6);
     slope(5.0, 0.6, 8.0, 0.0);
   };
-  EXPECT_GT(way_m(box_drift({40.0, 1.8, 3.0}, hump), 0.5), 8.5);
+  EXPECT_GT(path_length_m(box_tunnel({40.0, 1.8, 3.0}, hump), 0.5), 8.5);
 }
 
 TEST(GuardLetsDrive, BackOutOfADeadEnd) {
-  GuardedRobot robot(box_drift({8.0, 1.8, 2.0}));
+  GuardedRobot robot(box_tunnel({8.0, 1.8, 2.0}));
   robot.drive(0.4);
-  robot.go_on(15.0);
+  robot.run(15.0);
   EXPECT_TRUE(robot.order().stopped);
   const double there = robot.motion().T_world_body.translation().x();
   robot.drive(-0.4);
-  robot.go_on(5.0);
+  robot.run(5.0);
   EXPECT_FALSE(robot.order().stopped) << robot.order().reason;
   EXPECT_LT(robot.motion().T_world_body.translation().x(), there - 1.0);
 }

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "common/bus/channels.hpp"
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 #include "tests/system/guarded_robot.hpp"
 
 namespace adit {
@@ -36,13 +36,13 @@ class GuardStops : public testing::Test {
   /// Driving for three seconds.
   static void start(GuardedRobot& robot, double speed_m_s = kGroundhogM_S) {
     robot.drive(speed_m_s);
-    robot.go_on(3.0);
+    robot.run(3.0);
     ASSERT_FALSE(robot.order().stopped) << robot.order().reason;
     ASSERT_GT(robot.speed_m_s(), 0.8 * std::abs(speed_m_s));
   }
   static void expect_soon(GuardedRobot& robot, const std::function<bool()>& is_true,
                           double seconds_max) {
-    const auto seconds = robot.seconds_to_stand(is_true, seconds_max);
+    const auto seconds = robot.seconds_to_standstill(is_true, seconds_max);
     EXPECT_THAT(seconds, Optional(AllOf(Gt(0.0), Le(kSoonS + 1e-9))));  // rounding
     RecordProperty("ms_to_stand", static_cast<int>(std::lround(1e3 * seconds.value_or(NAN))));
   }
@@ -59,19 +59,19 @@ class GuardStops : public testing::Test {
 };
 
 /// What is left between the front of the vehicle and something ahead, once it stands.
-double left_m(World world, double something_x_m, double speed_m_s) {
+double left_m(World world, double obstacle_x_m, double speed_m_s) {
   GuardedRobot robot(std::move(world));
   robot.drive(speed_m_s);
-  robot.go_on(25.0);
+  robot.run(25.0);
   EXPECT_EQ(robot.failure(), "");
   EXPECT_EQ(robot.speed_m_s(), 0.0);
   EXPECT_THAT(robot.order().reason, HasSubstr("obstacle"));
-  return something_x_m - kFront - robot.motion().T_world_body.translation().x();
+  return obstacle_x_m - kFront - robot.motion().T_world_body.translation().x();
 }
 
 TEST_F(GuardStops, BeforeAWall) {
   for (const double speed : {0.15, 0.3, 0.5}) {
-    const double left = left_m(box_drift({8.0, 4.0, 2.0}), 4.0, speed);
+    const double left = left_m(box_tunnel({8.0, 4.0, 2.0}), 4.0, speed);
     EXPECT_GT(left, 0.15) << speed;  // the margin
     EXPECT_LT(left, 0.35) << speed;
     RecordProperty("mm_left_at_mm_s_" + std::to_string(std::lround(1e3 * speed)),
@@ -85,7 +85,7 @@ TEST_F(GuardStops, BeforeAPost) {
       builder.begin_part(PartKind::kOther, Material::kTimber, "post");
       builder.bar({4.0, y, 0.0}, {4.0, y, 2.0}, 0.03);
     };
-    const double left = left_m(box_drift({40.0, 4.0, 2.0}, post), 3.97, 0.4);
+    const double left = left_m(box_tunnel({40.0, 4.0, 2.0}, post), 3.97, 0.4);
     EXPECT_GT(left, 0.1) << y;
     RecordProperty("mm_left_at_mm_" + std::to_string(std::lround(1e3 * y)),
                    static_cast<int>(std::lround(1e3 * left)));
@@ -93,62 +93,62 @@ TEST_F(GuardStops, BeforeAPost) {
 }
 
 TEST_F(GuardStops, BeforeWhatIsBehindInReverse) {
-  GuardedRobot robot(box_drift({8.0, 4.0, 2.0}));
+  GuardedRobot robot(box_tunnel({8.0, 4.0, 2.0}));
   robot.drive(-0.3);
-  robot.go_on(20.0);
+  robot.run(20.0);
   expect_reason(robot, "m behind on the commanded arc");
   EXPECT_EQ(robot.speed_m_s(), 0.0);
 }
 
 TEST_F(GuardStops, ForALaserThatDies) {
-  GuardedRobot robot(box_drift(), with_fault({"laser_dies", 3.5, "front", 0.0}));
+  GuardedRobot robot(box_tunnel(), with_fault({"laser_dies", 3.5, "front", 0.0}));
   start(robot);
-  const auto silent = [&] { return robot.silence_s(channels::kLaserFront) > kTimeoutS; };
-  expect_soon(robot, silent, 5.0);
+  const auto stale = [&] { return robot.message_age_s(channels::kLaserFront) > kTimeoutS; };
+  expect_soon(robot, stale, 5.0);
   expect_reason(robot, "laser front silent");
 }
 
 TEST_F(GuardStops, ForTheLaserBehindInReverse) {
-  GuardedRobot robot(box_drift(), with_fault({"laser_dies", 3.5, "rear", 0.0}));
+  GuardedRobot robot(box_tunnel(), with_fault({"laser_dies", 3.5, "rear", 0.0}));
   start(robot, -kGroundhogM_S);
-  const auto silent = [&] { return robot.silence_s(channels::kLaserRear) > kTimeoutS; };
-  expect_soon(robot, silent, 5.0);
+  const auto stale = [&] { return robot.message_age_s(channels::kLaserRear) > kTimeoutS; };
+  expect_soon(robot, stale, 5.0);
   expect_reason(robot, "laser rear silent");
 }
 
 TEST_F(GuardStops, ForAPoseThatNoLongerComes) {
-  GuardedRobot robot(box_drift());
+  GuardedRobot robot(box_tunnel());
   start(robot);
-  robot.lose_its_place();
-  const auto silent = [&] { return robot.silence_s(channels::kPose) > kTimeoutS; };
-  expect_soon(robot, silent, 5.0);
+  robot.stop_localization();
+  const auto stale = [&] { return robot.message_age_s(channels::kPose) > kTimeoutS; };
+  expect_soon(robot, stale, 5.0);
   expect_reason(robot, "pose silent");
 }
 
 TEST_F(GuardStops, ForCommandsThatNoLongerCome) {
-  GuardedRobot robot(box_drift());
+  GuardedRobot robot(box_tunnel());
   start(robot);
-  robot.fall_silent();
-  const auto silent = [&] { return robot.silence_s(channels::kDriveCommand) > kTimeoutS; };
-  expect_soon(robot, silent, 5.0);
+  robot.stop_commands();
+  const auto stale = [&] { return robot.message_age_s(channels::kDriveCommand) > kTimeoutS; };
+  expect_soon(robot, stale, 5.0);
   expect_reason(robot, "command silent");
 }
 
 TEST_F(GuardStops, ForASupervisorThatIsNoMore) {
-  GuardedRobot robot(box_drift());
-  robot.supervise(true);
+  GuardedRobot robot(box_tunnel());
+  robot.set_supervised(true);
   start(robot);
-  robot.go_on(5.0);
+  robot.run(5.0);
   EXPECT_FALSE(robot.order().stopped);
-  robot.supervise(false);
-  const auto silent = [&] { return robot.silence_s(channels::kHeartbeat) > 3.0; };
-  expect_soon(robot, silent, 10.0);
+  robot.set_supervised(false);
+  const auto stale = [&] { return robot.message_age_s(channels::kHeartbeat) > 3.0; };
+  expect_soon(robot, stale, 10.0);
   expect_reason(robot, "supervisor silent");
 }
 
 TEST_F(GuardStops, ForRoll) {
   // The left wheels climb a slope of 0.2, so that the body rolls more and more.
-  GuardedRobot robot(box_drift({40.0, 4.0, 4.0}, [](MeshBuilder& builder) {
+  GuardedRobot robot(box_tunnel({40.0, 4.0, 4.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kOther, Material::kRock, "bank");
     const auto corner = [&](double x, double y, double z) {
       return builder.vertex(Eigen::Vector3d(x, y, z).cast<float>());
@@ -166,7 +166,7 @@ TEST_F(GuardStops, ForRoll) {
 }
 
 TEST_F(GuardStops, ForMud) {
-  World world = box_drift();
+  World world = box_tunnel();
   world.soft_ground.push_back({"mud", {4.0, 0.0}, 2.0, 0.3});
   GuardedRobot robot(std::move(world));
   start(robot);
@@ -176,7 +176,7 @@ TEST_F(GuardStops, ForMud) {
 }
 
 TEST_F(GuardStops, ForGasAndLetsTheRobotLeave) {
-  World world = box_drift();
+  World world = box_tunnel();
   world.gas.push_back({"pocket", {6.0, 0.0}, 1.0, 0.05});
   GuardedRobot robot(std::move(world));
   start(robot);
@@ -185,13 +185,13 @@ TEST_F(GuardStops, ForGasAndLetsTheRobotLeave) {
   expect_reason(robot, "methane 1.");
   const double there = robot.motion().T_world_body.translation().x();
   robot.drive(-kGroundhogM_S);
-  robot.go_on(10.0);
+  robot.run(10.0);
   EXPECT_LT(robot.motion().T_world_body.translation().x(), there - 1.0) << robot.order().reason;
 }
 
 struct Spree {
   std::string failure;
-  double way_m = 0.0;
+  double path_length_m = 0.0;
 };
 
 /// A room with posts, and somebody who does anything for two minutes.
@@ -206,12 +206,12 @@ Spree drive_anyhow(std::uint32_t seed) {
       builder.bar(foot, foot + Eigen::Vector3d(0.0, 0.0, 2.0), 0.05);
     }
   };
-  GuardedRobot robot(box_drift({10.0, 10.0, 2.0}, posts));
+  GuardedRobot robot(box_tunnel({10.0, 10.0, 2.0}, posts));
   for (int i = 0; i < 40 && robot.failure().empty(); ++i) {
     robot.drive(0.5 * share(random), 0.6 * share(random));
-    robot.go_on(3.0);
+    robot.run(3.0);
   }
-  return {robot.failure(), robot.travelled_m()};
+  return {robot.failure(), robot.distance_travelled_m()};
 }
 
 TEST_F(GuardStops, UnderADriverWhoDoesAnything) {
@@ -219,8 +219,8 @@ TEST_F(GuardStops, UnderADriverWhoDoesAnything) {
   for (const std::uint32_t seed : {4U, 25U, 41U, 55U}) {
     const Spree spree = drive_anyhow(seed);
     EXPECT_EQ(spree.failure, "") << seed;
-    EXPECT_GT(spree.way_m, 5.0) << seed;
-    RecordProperty("metres_" + std::to_string(seed), static_cast<int>(spree.way_m));
+    EXPECT_GT(spree.path_length_m, 5.0) << seed;
+    RecordProperty("metres_" + std::to_string(seed), static_cast<int>(spree.path_length_m));
   }
 }
 

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A simulated robot looks, plans and drives down drifts with posts and falls of rock, with a guard:
 // all nodes from the laser to the wheels on one bus. A sample of tests/eval, guarded_drives_table.
-#include "tests/support/guarded_drives.hpp"
+#include "tests/support/drives/guarded_drives.hpp"
 
 #include <gtest/gtest.h>
 
-#include "tests/support/drift_to_drive.hpp"
-#include "tests/support/path_drive.hpp"
+#include "tests/support/drives/path_drive.hpp"
 
 namespace adit {
 namespace {
@@ -15,15 +14,15 @@ namespace {
 class GuardedDrives : public testing::TestWithParam<int> {};
 
 TEST_P(GuardedDrives, ArriveAndTouchNothing) {
-  const auto drives = drive_guarded(drift_to_drive(GetParam()), 2);
+  const auto drives = drive_guarded(random_tunnel(GetParam()), 2);
   ASSERT_EQ(drives.size(), 2U);
   for (const GuardedDrive& drive : drives) {
     ASSERT_EQ(drive.outcome, PlanOutcome::kFound) << drive.reason;
     EXPECT_EQ(drive.failure, "");
     EXPECT_TRUE(drive.arrived()) << drive.state.reason;
-    EXPECT_TRUE(drive.holds.empty()) << drive.holds.front().reason;
+    EXPECT_TRUE(drive.guard_stops.empty()) << drive.guard_stops.front().reason;
     EXPECT_GT(drive.path_m, 5.0);
-    EXPECT_LE(quantile(drive.lateral_m, 0.95), 0.10);
+    EXPECT_LE(quantile(drive.cross_track_error_m, 0.95), 0.10);
   }
 }
 

@@ -6,41 +6,39 @@
 #include <utility>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/geometry/in_plan.hpp"
-#include "common/messages/drive_command.hpp"
-#include "common/messages/gas_reading.hpp"
-#include "common/messages/heartbeat.hpp"
-#include "common/messages/sinkage_reading.hpp"
-#include "common/messages/stop_order.hpp"
-#include "tests/support/groundhog_params.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/geometry/pose2.hpp"
+#include "common/messages/diagnostics.hpp"
+#include "common/messages/navigation.hpp"
+#include "common/messages/sensing.hpp"
+#include "tests/support/robots/simulated_robot.hpp"
 
 namespace adit {
 namespace {
 
 constexpr double kStepS = 0.01;
-constexpr double kForGoodS = 2.0;
+constexpr double kStationaryS = 2.0;
 
 }  // namespace
 
 GuardedRobot::GuardedRobot(World world, const SimulationParams& params)
     : robot_(std::move(world), params), guard_(robot_.bus(), with_groundhog_lasers<GuardParams>()) {
-  listen();
-  robot_.bus().every(50'000, [this](std::int64_t utime) { command(utime); });
-  robot_.bus().every(1'000'000, [this](std::int64_t utime) {
+  subscribe_all();
+  robot_.bus().create_timer(50'000, [this](std::int64_t utime) { command(utime); });
+  robot_.bus().create_timer(1'000'000, [this](std::int64_t utime) {
     if (!supervised_) return;
     publish(robot_.bus(), channels::kHeartbeat,
             to_message(Heartbeat{utime, "supervisor", {}, 0, 0, 0}));
   });
 }
 
-void GuardedRobot::listen() {
+void GuardedRobot::subscribe_all() {
   MemoryBus& bus = robot_.bus();
   for (const std::string_view channel :
        {channels::kLaserFront, channels::kLaserRear, channels::kPose, channels::kDriveCommand,
         channels::kHeartbeat}) {
-    bus.subscribe(channel, Delivery::latest(), [this](const Received& received) {
-      heard_utime_[std::string(received.channel)] = received.utime;
+    bus.subscribe(channel, Delivery::latest(), [this](const ReceivedMessage& received) {
+      received_utime_[std::string(received.channel)] = received.utime;
       return std::string_view();
     });
   }
@@ -67,27 +65,28 @@ double GuardedRobot::curvature_to_middle() const {
   return -0.5 * T_world_body.y - 1.5 * sign * T_world_body.theta;
 }
 
-void GuardedRobot::go_on(double seconds) {
+void GuardedRobot::run(double seconds) {
   for (int i = 0; i < std::lround(seconds / kStepS); ++i) robot_.run(kStepS);
 }
 
-std::optional<double> GuardedRobot::seconds_to_stand(const std::function<bool()>& is_true,
-                                                     double seconds_max) {
+std::optional<double> GuardedRobot::seconds_to_standstill(const std::function<bool()>& is_true,
+                                                          double seconds_max) {
   std::optional<double> true_s;
-  std::optional<double> stood_s;
-  for (double s = 0.0; s < seconds_max + kForGoodS; s += kStepS) {
+  std::optional<double> stopping_time_s;
+  for (double s = 0.0; s < seconds_max + kStationaryS; s += kStepS) {
     robot_.run(kStepS);
-    if (speed_m_s() > 0.0) stood_s.reset();
-    if (speed_m_s() == 0.0 && !stood_s) stood_s = s;
+    if (speed_m_s() > 0.0) stopping_time_s.reset();
+    if (speed_m_s() == 0.0 && !stopping_time_s) stopping_time_s = s;
     if (!true_s && is_true()) true_s = s;
-    if (true_s && stood_s && s - *stood_s >= kForGoodS) return *stood_s - *true_s;
+    if (true_s && stopping_time_s && s - *stopping_time_s >= kStationaryS)
+      return *stopping_time_s - *true_s;
   }
   return std::nullopt;
 }
 
-double GuardedRobot::silence_s(std::string_view channel) const {
-  const auto found = heard_utime_.find(channel);
-  if (found == heard_utime_.end()) return 0.0;
+double GuardedRobot::message_age_s(std::string_view channel) const {
+  const auto found = received_utime_.find(channel);
+  if (found == received_utime_.end()) return 0.0;
   return static_cast<double>(robot_.simulation().utime() - found->second) * 1e-6;
 }
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "common/vehicle/drive_command.hpp"
+#include "common/types/vehicle_state.hpp"
 #include "procs/guard/guard_node.hpp"
-#include "tests/support/robot_that_knows_its_place.hpp"
+#include "tests/support/robots/simulated_robot.hpp"
 
 namespace adit {
 
@@ -25,20 +25,21 @@ class GuardedRobot {
     speed_m_s_ = speed_m_s;
     curvature_1_m_ = curvature_1_m;
   }
-  void fall_silent() { commands_ = false; }
-  void lose_its_place() { robot_.lose_its_place(); }
+  void stop_commands() { commands_ = false; }
+  void stop_localization() { robot_.stop_localization(); }
   [[nodiscard]] MemoryBus& bus() { return robot_.bus(); }
   /// HEARTBEAT of a supervisor each second, from now on or no more.
-  void supervise(bool alive) { supervised_ = alive; }
+  void set_supervised(bool alive) { supervised_ = alive; }
 
-  void go_on(double seconds);
+  void run(double seconds);
 
   /// How long after something came true the vehicle stands for good [s]: it does not move for two
   /// seconds. Nothing if neither happens within the time. Negative where it stood before.
-  std::optional<double> seconds_to_stand(const std::function<bool()>& is_true, double seconds_max);
+  std::optional<double> seconds_to_standstill(const std::function<bool()>& is_true,
+                                              double seconds_max);
 
   /// Since the last message on a channel.
-  [[nodiscard]] double silence_s(std::string_view channel) const;
+  [[nodiscard]] double message_age_s(std::string_view channel) const;
 
   [[nodiscard]] double speed_m_s() const;
   [[nodiscard]] const StopOrder& order() const { return order_; }
@@ -46,15 +47,17 @@ class GuardedRobot {
   [[nodiscard]] const GasReading& gas() const { return gas_; }
   [[nodiscard]] const SinkageReading& sinkage() const { return sinkage_; }
   [[nodiscard]] std::string failure() const { return robot_.simulation().state().failure; }
-  [[nodiscard]] double travelled_m() const { return robot_.simulation().state().travelled_m; }
+  [[nodiscard]] double distance_travelled_m() const {
+    return robot_.simulation().state().distance_travelled_m;
+  }
   [[nodiscard]] int stops() const { return stops_; }  ///< after a release
 
  private:
-  void listen();
+  void subscribe_all();
   void command(std::int64_t utime);
   [[nodiscard]] double curvature_to_middle() const;
 
-  RobotThatKnowsItsPlace robot_;
+  GroundTruthRobot robot_;
   GuardNode guard_;
   double speed_m_s_ = 0.0;
   std::optional<double> curvature_1_m_;
@@ -64,7 +67,7 @@ class GuardedRobot {
   StopOrder order_{0, true, ""};
   GasReading gas_;
   SinkageReading sinkage_;
-  std::map<std::string, std::int64_t, std::less<>> heard_utime_;
+  std::map<std::string, std::int64_t, std::less<>> received_utime_;
 };
 
 }  // namespace adit

@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "sim/world/build_world.hpp"
-#include "tests/support/box_drift.hpp"
-#include "tests/support/mission_log.hpp"
-#include "tests/support/mission_score.hpp"
+#include "tests/support/scores/mission_log.hpp"
+#include "tests/support/scores/mission_score.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 #include "tools/mission/mission_run.hpp"
 
 namespace adit {
@@ -29,9 +29,9 @@ WorldChoice small_mine(int seed, const std::string& topology) {
 }
 
 TEST(MissionTruth, CountsNothingBehindWaterAsToBeReached) {
-  World world = box_drift({.length_m = 40.0, .width_m = 2.2, .height_m = 2.0});
-  world.truth.drifts.nodes = {{{-20.0, 0.0}}, {{20.0, 0.0}}};
-  world.truth.drifts.edges = {{0, 1, {{-20.0, 0.0}, {20.0, 0.0}}, 40.0, 2.2, "main"}};
+  World world = box_tunnel({.length_m = 40.0, .width_m = 2.2, .height_m = 2.0});
+  world.truth.tunnels.nodes = {{{-20.0, 0.0}}, {{20.0, 0.0}}};
+  world.truth.tunnels.edges = {{0, 1, {{-20.0, 0.0}, {20.0, 0.0}}, 40.0, 2.2, "main"}};
   const double whole_m = test::MissionTruth(world).score({}).corridor_m;
   // Shallow, but how deep water is, nobody sees.
   world.truth.obstacles = {{.kind = PartKind::kWater,
@@ -62,7 +62,7 @@ class AMissionInAMine : public testing::Test {
     const auto log = test::read_mission(run(world, "mission", 1200.0));
     const test::MissionScore score = test::MissionTruth(build_world(describe(world))).score(log);
     EXPECT_EQ(score.outcome, "home") << score.reason;
-    EXPECT_LE(score.home_off_m, 0.5);
+    EXPECT_LE(score.distance_from_start_m, 0.5);
     EXPECT_LE(score.rmse_m, 0.2);
     EXPECT_GT(score.farthest_m, 5.0);
     EXPECT_GT(score.scans, 0);
@@ -86,8 +86,8 @@ TEST_F(AMissionInAMine, TurnsAroundInASmoothDriftWithoutWheelOdometryAndGyro) {
   const auto log = test::read_mission(run(straight, "straight", 220.0, config));
   const test::MissionScore score = test::MissionTruth(build_world(describe(straight))).score(log);
   ASSERT_FALSE(log.phases.empty());
-  EXPECT_TRUE(log.phases.back().homeward);
-  EXPECT_THAT(log.phases.back().homeward_reason, testing::HasSubstr("how it moves"));
+  EXPECT_TRUE(log.phases.back().returning_home);
+  EXPECT_THAT(log.phases.back().return_home_reason, testing::HasSubstr("how it moves"));
   EXPECT_GT(score.farthest_m, 40.0);
   EXPECT_LT(score.farthest_m, 44.0 + 10.0 * 0.5);  // the greatest speed, for ten seconds
 }

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/parallel_drive.hpp"
+#include "tests/support/drives/parallel_drive.hpp"
 
 namespace adit {
 namespace {
@@ -16,11 +16,12 @@ namespace {
 class ParallelCorridors : public testing::TestWithParam<double> {};
 
 /// Closures of the second pass through the corridors with the first.
-int closures_to_first_pass(const Mapping& mapping) {
+int loop_closures_to_first_pass(const Mapping& mapping) {
   constexpr int kApart = 100;  // local maps, of which the loop has 120
   return static_cast<int>(
       std::ranges::count_if(mapping.graph().constraints, [](const MapConstraint& c) {
-        return c.kind == MapConstraint::Kind::kClosure && c.measured.to - c.measured.from > kApart;
+        return c.kind == MapConstraint::Kind::kLoopClosure &&
+               c.measured.to - c.measured.from > kApart;
       }));
 }
 
@@ -34,7 +35,7 @@ TEST_P(ParallelCorridors, AreToldApartAtTheCorner) {
   ASSERT_TRUE(update) << "nothing was ever revoked";
   EXPECT_GT(error_before_m, 5.0);  // in the wrong corridor, 12 m from the right one
   EXPECT_GT(test::revoked(*update), 5);
-  EXPECT_GT(test::chosen_anew(*update), 5);
+  EXPECT_GT(test::newly_accepted(*update), 5);
   EXPECT_LT(drive.newest_error_m(), 0.5);
 
   while (drive.next()) {
@@ -87,7 +88,7 @@ TEST(ParallelCorridorsByGoodWheels, AreNeverTakenForEachOther) {
     error_m = std::max(error_m, drive.newest_error_m());
   }
   EXPECT_EQ(revoked, 0);
-  EXPECT_GT(closures_to_first_pass(drive.mapping()), 5);
+  EXPECT_GT(loop_closures_to_first_pass(drive.mapping()), 5);
   EXPECT_LT(error_m, 2.0);  // three standard deviations of the way before the loop is closed
   EXPECT_LE(drive.error().rmse_m, 0.2);
 }

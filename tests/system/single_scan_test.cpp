@@ -11,9 +11,9 @@
 #include "procs/terrain/terrain.hpp"
 #include "sim/sweep/tilt_sweep.hpp"
 #include "sim/world/build_world.hpp"
-#include "sim/world/drift_line.hpp"
+#include "sim/world/plan/tunnel_line.hpp"
 #include "sim/world/world_file.hpp"
-#include "tests/support/true_drive.hpp"
+#include "tests/support/scores/path_feasibility.hpp"
 
 namespace adit {
 namespace {
@@ -21,11 +21,11 @@ namespace {
 using Reason = BlockingCell::Reason;
 
 /// A rough straight drift, 3.2 m wide and 2 m high, in which the robot stands at x = 5.
-WorldDescription drift() {
+WorldDescription tunnel() {
   WorldDescription mine;
   mine.name = "drift";
   mine.seed = 3;
-  mine.plan.drifts.push_back({.name = "main", .points_m = {0.0, 0.0, 30.0, 0.0}, .width_m = 3.2});
+  mine.plan.tunnels.push_back({.name = "main", .points_m = {0.0, 0.0, 30.0, 0.0}, .width_m = 3.2});
   mine.heights.floor_relief.height_m = 0.01;
   mine.wall_relief.height_m = 0.08;
   mine.T_world_start = {5.0, 0.0, 0.0};
@@ -57,8 +57,8 @@ class SingleScan : public testing::TestWithParam<const char*> {
                           const PlannedPath& path) {
     std::vector<Pose2> poses;
     for (const PathPoint& point : path.points) poses.push_back(point.T_odom_body);
-    const auto fault = first_fault(site, Vehicle{}, T_world_body.translation().z(), poses);
-    EXPECT_FALSE(fault) << fault->what << " after " << fault->way_m << " m";
+    const auto fault = find_first_fault(site, Vehicle{}, T_world_body.translation().z(), poses);
+    EXPECT_FALSE(fault) << fault->what << " after " << fault->driven_m << " m";
   }
 };
 INSTANTIATE_TEST_SUITE_P(OfBothEstimators, SingleScan, testing::Values("kth", "paper"),
@@ -87,7 +87,7 @@ int count(const PlannedPath& path, Reason reason) {
                                         [&](const auto& cell) { return cell.reason == reason; }));
 }
 
-void expect_refused(const PlannedPath& path, Reason reason, double from_x, double to_x) {
+void expect_rejected(const PlannedPath& path, Reason reason, double from_x, double to_x) {
   EXPECT_NE(path.outcome, PlanOutcome::kFound) << path.reason;
   EXPECT_TRUE(path.points.empty());
   EXPECT_LT(path.reached_m, 2.5);
@@ -100,14 +100,14 @@ void expect_refused(const PlannedPath& path, Reason reason, double from_x, doubl
 }
 
 TEST_P(SingleScan, AFreeCorridorGivesAPathOfMoreThanTenMetres) {
-  const PlannedPath path = plan(drift(), 12.0);
+  const PlannedPath path = plan(tunnel(), 12.0);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound) << path.reason;
   EXPECT_GT(path.reached_m, 10.0);
 }
 
 TEST_P(SingleScan, RailsAreStraddled) {
-  WorldDescription mine = drift();
-  mine.props.rails.push_back({.drift = "main", .from_m = 1.0, .to_m = 28.0, .across_m = 0.3});
+  WorldDescription mine = tunnel();
+  mine.props.rails.push_back({.tunnel = "main", .from_m = 1.0, .to_m = 28.0, .across_m = 0.3});
   const PlannedPath path = plan(mine);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound) << path.reason;
   const Vehicle vehicle;
@@ -125,8 +125,8 @@ TEST_P(SingleScan, RailsAreStraddled) {
 }
 
 TEST_P(SingleScan, APostIsPassed) {
-  WorldDescription mine = drift();
-  mine.props.posts.push_back({.drift = "main", .from_m = 9.0, .to_m = 9.0, .across_m = -0.3});
+  WorldDescription mine = tunnel();
+  mine.props.posts.push_back({.tunnel = "main", .from_m = 9.0, .to_m = 9.0, .across_m = -0.3});
   const PlannedPath path = plan(mine);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound) << path.reason;
   EXPECT_GT(path.reached_m, 6.0);
@@ -134,8 +134,8 @@ TEST_P(SingleScan, APostIsPassed) {
 
 TEST_P(SingleScan, TheBrokenBeamOfMathiesBlocksTheWay) {
   const WorldDescription mine = find_world("mathies");
-  const auto drifts = drift_lines(mine.plan);
-  const DriftLine& main = find_drift(drifts, "main", "test");
+  const auto tunnels = tunnel_lines(mine.plan);
+  const TunnelLine& main = find_tunnel(tunnels, "main", "test");
   const auto station = main.at(308.0);
   const PlannedPath path =
       plan(mine, {station.p_world.x(), station.p_world.y(), station.heading_rad}, 10.0);
@@ -151,35 +151,35 @@ TEST_P(SingleScan, TheBrokenBeamOfMathiesBlocksTheWay) {
   EXPECT_GT(shown, 10);
 }
 
-TEST_P(SingleScan, ALowRoofIsRefused) {
+TEST_P(SingleScan, ALowRoofIsRejected) {
   for (const double from : {7.6, 8.2}) {  // it has to stop before it: less than 2.5 m are no path
-    WorldDescription mine = drift();
+    WorldDescription mine = tunnel();
     mine.props.low_roofs.push_back(
-        {.name = "low", .drift = "main", .from_m = from, .to_m = from + 4.0, .clearance_m = 0.9});
+        {.name = "low", .tunnel = "main", .from_m = from, .to_m = from + 4.0, .clearance_m = 0.9});
     const PlannedPath path = plan(mine);
     EXPECT_NE(path.outcome, PlanOutcome::kFound) << path.reason;
     EXPECT_GT(count(path, Reason::kBelly) + count(path, Reason::kRoof), 5);
   }
 }
 
-TEST_P(SingleScan, APitIsRefused) {
-  WorldDescription mine = drift();
+TEST_P(SingleScan, APitIsRejected) {
+  WorldDescription mine = tunnel();
   mine.props.pits.push_back(
-      {.name = "pit", .drift = "main", .at_m = 9.2, .radius_m = 1.5, .depth_m = 1.5});
-  expect_refused(plan(mine), Reason::kDrop, 7.5, 11.0);
+      {.name = "pit", .tunnel = "main", .at_m = 9.2, .radius_m = 1.5, .depth_m = 1.5});
+  expect_rejected(plan(mine), Reason::kDrop, 7.5, 11.0);
 }
 
-TEST_P(SingleScan, RubbleIsRefused) {
-  WorldDescription mine = drift();
-  mine.props.rubble.push_back({.drift = "main", .at_m = 9.0, .radius_m = 1.8, .height_m = 1.2});
-  expect_refused(plan(mine), Reason::kBelly, 7.0, 10.5);
+TEST_P(SingleScan, RubbleIsRejected) {
+  WorldDescription mine = tunnel();
+  mine.props.rubble.push_back({.tunnel = "main", .at_m = 9.0, .radius_m = 1.8, .height_m = 1.2});
+  expect_rejected(plan(mine), Reason::kBelly, 7.0, 10.5);
 }
 
-TEST_P(SingleScan, WaterIsRefused) {
+TEST_P(SingleScan, WaterIsRejected) {
   for (const bool mirror : {false, true}) {
-    WorldDescription mine = drift();
+    WorldDescription mine = tunnel();
     mine.props.water.push_back({.name = "water",
-                                .drift = "main",
+                                .tunnel = "main",
                                 .from_m = 8.2,
                                 .to_m = 16.0,
                                 .depth_m = 0.8,

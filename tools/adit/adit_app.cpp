@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "tools/adit/adit_app.hpp"
+
 #include <exception>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
 
-#include "common/bus/version.hpp"
-#include "tools/adit/commands.hpp"
+#include "common/bus/node/version.hpp"
 
 namespace adit {
 namespace {

@@ -3,32 +3,36 @@
 #include "tools/adit/completion.hpp"
 
 #include <algorithm>
+#include <iostream>
 
 #include <CLI/CLI.hpp>
+
+#include "tools/adit/adit_app.hpp"
 
 namespace adit {
 namespace {
 
-CommandWords words_of(const CLI::App& app, const std::string& path) {
-  CommandWords words;
-  words.path = path;
+CommandCompletion completion_of(const CLI::App& app, const std::string& path) {
+  CommandCompletion entries;
+  entries.path = path;
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
-    words.subcommands.push_back({sub->get_name(), sub->get_description(), false});
+    entries.subcommands.push_back({sub->get_name(), sub->get_description(), false});
   }
   for (const CLI::Option* option : app.get_options()) {
     const bool takes_value = option->get_items_expected_max() > 0;
-    if (option->get_positional()) words.takes_files = true;
+    if (option->get_positional()) entries.takes_files = true;
     for (const std::string& name : option->get_lnames()) {
-      words.options.push_back({"--" + name, option->get_description(), takes_value});
+      entries.options.push_back({"--" + name, option->get_description(), takes_value});
     }
   }
-  return words;
+  return entries;
 }
 
-void list_into(std::vector<CommandWords>& commands, const CLI::App& app, const std::string& path) {
-  commands.push_back(words_of(app, path));
+void collect_commands(std::vector<CommandCompletion>& commands, const CLI::App& app,
+                      const std::string& path) {
+  commands.push_back(completion_of(app, path));
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
-    list_into(commands, *sub, path.empty() ? sub->get_name() : path + " " + sub->get_name());
+    collect_commands(commands, *sub, path.empty() ? sub->get_name() : path + " " + sub->get_name());
   }
 }
 
@@ -39,23 +43,23 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-std::string joined(const std::vector<CommandWords::Word>& words) {
+std::string joined(const std::vector<CommandCompletion::Entry>& entries) {
   std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : " ") + word.text;
+  for (const auto& entry : entries) text += (text.empty() ? "" : " ") + entry.text;
   return text;
 }
 
 /// A pattern of `case` for all words that go deeper into the tree.
-std::string paths_pattern(const std::vector<CommandWords>& commands) {
+std::string paths_pattern(const std::vector<CommandCompletion>& commands) {
   std::string pattern;
-  for (const CommandWords& command : commands) {
+  for (const CommandCompletion& command : commands) {
     if (command.path.empty()) continue;
     pattern += (pattern.empty() ? "" : "|") + quoted(command.path);
   }
   return pattern;
 }
 
-std::string options_with_values(const CommandWords& command) {
+std::string options_with_values(const CommandCompletion& command) {
   std::string pattern;
   for (const auto& option : command.options) {
     if (option.takes_value) pattern += (pattern.empty() ? "" : "|") + option.text;
@@ -64,9 +68,9 @@ std::string options_with_values(const CommandWords& command) {
 }
 
 /// Words with descriptions as zsh's _describe takes them; colons divide the two.
-std::string described(const std::vector<CommandWords::Word>& words) {
+std::string described(const std::vector<CommandCompletion::Entry>& entries) {
   std::string text;
-  for (const auto& word : words) text += " " + quoted(word.text + ":" + word.description);
+  for (const auto& entry : entries) text += " " + quoted(entry.text + ":" + entry.description);
   return text;
 }
 
@@ -74,7 +78,7 @@ std::string fish_line(const std::string& path, const std::string& rest) {
   return "complete -c adit -n " + quoted("__adit_at " + quoted(path)) + " " + rest + "\n";
 }
 
-std::string fish_lines(const CommandWords& command) {
+std::string fish_lines(const CommandCompletion& command) {
   std::string text;
   for (const auto& sub : command.subcommands) {
     text += fish_line(command.path, "-f -a " + sub.text + " -d " + quoted(sub.description));
@@ -90,13 +94,13 @@ std::string fish_lines(const CommandWords& command) {
 
 }  // namespace
 
-std::vector<CommandWords> list_commands(const CLI::App& app) {
-  std::vector<CommandWords> commands;
-  list_into(commands, app, "");
+std::vector<CommandCompletion> list_commands(const CLI::App& app) {
+  std::vector<CommandCompletion> commands;
+  collect_commands(commands, app, "");
   return commands;
 }
 
-std::string bash_completion(const std::vector<CommandWords>& commands) {
+std::string bash_completion(const std::vector<CommandCompletion>& commands) {
   std::string text = R"(# bash completion for adit, made by: adit completion bash
 _adit() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} path= next i
@@ -110,7 +114,7 @@ _adit() {
   local words= options= valued= files=
   case $path in
 )";
-  for (const CommandWords& command : commands) {
+  for (const CommandCompletion& command : commands) {
     text += "    " + quoted(command.path) + ") words=" + quoted(joined(command.subcommands)) +
             " options=" + quoted(joined(command.options)) +
             " valued=" + quoted(options_with_values(command)) +
@@ -130,7 +134,7 @@ complete -o filenames -F _adit adit
 )";
 }
 
-std::string zsh_completion(const std::vector<CommandWords>& commands) {
+std::string zsh_completion(const std::vector<CommandCompletion>& commands) {
   std::string text = R"(#compdef adit
 # zsh completion for adit, made by: adit completion zsh
 _adit() {
@@ -146,7 +150,7 @@ _adit() {
   local valued= files=
   case $at in
 )";
-  for (const CommandWords& command : commands) {
+  for (const CommandCompletion& command : commands) {
     text += "    " + quoted(command.path) + ")\n      verbs=(" + described(command.subcommands) +
             " )\n      flags=(" + described(command.options) +
             " )\n      valued=" + quoted(options_with_values(command)) +
@@ -166,14 +170,14 @@ if [[ $funcstack[1] == _adit ]]; then _adit "$@"; else compdef _adit adit; fi
 )";
 }
 
-std::string fish_completion(const std::vector<CommandWords>& commands) {
+std::string fish_completion(const std::vector<CommandCompletion>& commands) {
   std::string text = R"(# fish completion for adit, made by: adit completion fish
 function __adit_at
   set -l path
   for word in (commandline -opc)[2..-1]
     switch "$path $word"
       case)";
-  for (const CommandWords& command : commands) {
+  for (const CommandCompletion& command : commands) {
     if (!command.path.empty()) text += " " + quoted(" " + command.path);
   }
   text += R"(
@@ -184,8 +188,35 @@ function __adit_at
 end
 complete -c adit -f
 )";
-  for (const CommandWords& command : commands) text += fish_lines(command);
+  for (const CommandCompletion& command : commands) text += fish_lines(command);
   return text;
+}
+
+namespace {
+
+constexpr const char* kCompletionFooter = R"(Examples:
+  source <(adit completion bash)                              in ~/.bashrc
+  source <(adit completion zsh)                               in ~/.zshrc, after compinit
+  adit completion fish > ~/.config/fish/completions/adit.fish)";
+
+using MakeScript = std::string (*)(const std::vector<CommandCompletion>&);
+
+void add_shell(CLI::App& completion, const CLI::App& adit, const std::string& shell,
+               MakeScript make_script) {
+  CLI::App* command = completion.add_subcommand(shell, "Print the script for " + shell);
+  command->callback([&adit, make_script] { std::cout << make_script(list_commands(adit)); });
+}
+
+}  // namespace
+
+void add_completion_command(CLI::App& adit) {
+  CLI::App* completion =
+      adit.add_subcommand("completion", "Print a script that completes adit's words in a shell");
+  completion->require_subcommand(1);
+  completion->footer(kCompletionFooter);
+  add_shell(*completion, adit, "bash", bash_completion);
+  add_shell(*completion, adit, "zsh", zsh_completion);
+  add_shell(*completion, adit, "fish", fish_completion);
 }
 
 }  // namespace adit

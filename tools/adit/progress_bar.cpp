@@ -13,18 +13,19 @@
 namespace adit {
 namespace {
 
-constexpr ProgressBar::Clock::duration kPatience = std::chrono::seconds(1);
-constexpr ProgressBar::Clock::duration kBetweenDraws = std::chrono::milliseconds(100);
+constexpr ProgressBar::Clock::duration kInitialDelay = std::chrono::seconds(1);
+constexpr ProgressBar::Clock::duration kRedrawPeriod = std::chrono::milliseconds(100);
 constexpr int kWidth = 40;
 constexpr const char* kClearLine = "\r\033[K";
 
 }  // namespace
 
 ProgressBar::ProgressBar(std::string label)
-    : ProgressBar(std::move(label), isatty(STDERR_FILENO) != 0 ? &std::cerr : nullptr, kPatience) {}
+    : ProgressBar(std::move(label), isatty(STDERR_FILENO) != 0 ? &std::cerr : nullptr,
+                  kInitialDelay) {}
 
-ProgressBar::ProgressBar(std::string label, std::ostream* out, Clock::duration patience)
-    : label_(std::move(label)), out_(out), next_draw_(start_ + patience) {}
+ProgressBar::ProgressBar(std::string label, std::ostream* out, Clock::duration initial_delay)
+    : label_(std::move(label)), out_(out), next_draw_(start_ + initial_delay) {}
 
 ProgressBar::~ProgressBar() {
   if (shown_) *out_ << kClearLine << std::flush;
@@ -34,7 +35,7 @@ void ProgressBar::update(double fraction_done) {
   if (out_ == nullptr) return;
   const Clock::time_point now = Clock::now();
   if (now < next_draw_) return;
-  next_draw_ = now + kBetweenDraws;
+  next_draw_ = now + kRedrawPeriod;
   draw(std::clamp(fraction_done, 0.0, 1.0), now);
 }
 

@@ -17,7 +17,7 @@ class ProgressBar {
   /// On standard error if that is a terminal; otherwise silent.
   explicit ProgressBar(std::string label);
   /// On a stream, or silent for null.
-  ProgressBar(std::string label, std::ostream* out, Clock::duration patience);
+  ProgressBar(std::string label, std::ostream* out, Clock::duration initial_delay);
   ~ProgressBar();
 
   ProgressBar(const ProgressBar&) = delete;

@@ -7,8 +7,7 @@
 
 #include "common/bus/channels.hpp"
 #include "common/messages/codec.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/wheel_odometry.hpp"
+#include "common/messages/sensing.hpp"
 
 namespace adit {
 namespace {

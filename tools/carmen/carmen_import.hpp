@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "common/bus/log_writer.hpp"
+#include "common/bus/log/lcm_log.hpp"
 #include "tools/carmen/carmen_reader.hpp"
 
 namespace adit {

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <variant>
 
 #include "common/geometry/pose2.hpp"
 #include "common/sensing/laser_scan.hpp"
-#include "common/sensing/wheel_odometry.hpp"
+#include "common/sensing/vehicle_readings.hpp"
 
 namespace adit {
 
@@ -23,11 +24,11 @@ struct CarmenScan {
 struct CarmenIgnored {};
 
 /// A line of a kind that is read here, but wrong. The reason is one of a few fixed texts.
-struct CarmenRefused {
+struct CarmenError {
   std::string_view reason;
 };
 
-using CarmenLine = std::variant<CarmenScan, WheelOdometry, CarmenIgnored, CarmenRefused>;
+using CarmenLine = std::variant<CarmenScan, WheelOdometry, CarmenIgnored, CarmenError>;
 
 /// Reads one line of a CARMEN log, whatever it holds; it never throws on bad contents.
 ///   FLASER n r₁…rₙ x y θ  odom_x odom_y odom_θ  time host time
@@ -37,5 +38,10 @@ using CarmenLine = std::variant<CarmenScan, WheelOdometry, CarmenIgnored, Carmen
 /// in metres, radians and seconds. FLASER says nothing of its angles: they are a half circle that
 /// starts at −90°, of n steps of 180°/n where n is even and n − 1 steps where n is odd.
 CarmenLine parse_carmen_line(std::string_view line);
+
+/// A scan as a FLASER line, without the end of the line. Ranges are written to the centimetre,
+/// which is what planar lasers resolve; the angles are not written, and are the reader's half
+/// circle.
+std::string flaser_line(const CarmenScan& scan);
 
 }  // namespace adit

@@ -9,39 +9,39 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kLinesNamed = 3;
+constexpr std::size_t kLinesListed = 3;
 constexpr std::int64_t kLateMicroseconds = 1'000'000;
 constexpr std::string_view kOutOfOrder = "a time from long before the lines above it";
 
-std::string sentence(const CarmenReport::Refused& refused) {
-  std::string text = refused.count == 1 ? "line " : "lines ";
-  for (std::size_t i = 0; i < refused.first_lines.size(); ++i) {
+std::string message(const CarmenReport::Rejected& rejected) {
+  std::string text = rejected.count == 1 ? "line " : "lines ";
+  for (std::size_t i = 0; i < rejected.first_lines.size(); ++i) {
     if (i > 0) text += ", ";
-    text += std::to_string(refused.first_lines[i]);
+    text += std::to_string(rejected.first_lines[i]);
   }
-  const std::size_t others = refused.count - refused.first_lines.size();
+  const std::size_t others = rejected.count - rejected.first_lines.size();
   if (others > 0) text += " and " + std::to_string(others) + " more";
-  return text + ": " + std::string(refused.reason);
+  return text + ": " + std::string(rejected.reason);
 }
 
 }  // namespace
 
-std::size_t CarmenReport::refused_lines() const {
+std::size_t CarmenReport::rejected_lines() const {
   std::size_t total = 0;
-  for (const Refused& entry : refused) total += entry.count;
+  for (const Rejected& entry : rejected) total += entry.count;
   return total;
 }
 
 std::vector<std::string> CarmenReport::sentences() const {
   std::vector<std::string> result;
-  for (const Refused& entry : refused) result.push_back(sentence(entry));
+  for (const Rejected& entry : rejected) result.push_back(message(entry));
   return result;
 }
 
 bool StampOrder::accepts(std::int64_t utime) {
-  const bool carries_on = !latest_ || utime >= *latest_ - kLateMicroseconds;
+  const bool continues = !latest_ || utime >= *latest_ - kLateMicroseconds;
   const bool set_back = outlier_ && std::abs(utime - *outlier_) <= kLateMicroseconds;
-  if (!carries_on && !set_back) {
+  if (!continues && !set_back) {
     outlier_ = utime;
     return false;
   }
@@ -57,7 +57,7 @@ std::optional<CarmenRecord> CarmenReader::next() {
   while (const auto line = source_.next()) {
     ++report_.lines;
     if (!line->fault.empty()) {
-      refuse(line->fault);
+      reject(line->fault);
     } else if (auto record = accept(parse_carmen_line(line->text))) {
       return record;
     }
@@ -66,7 +66,7 @@ std::optional<CarmenRecord> CarmenReader::next() {
 }
 
 std::optional<CarmenRecord> CarmenReader::accept(CarmenLine line) {
-  if (const auto* refused = std::get_if<CarmenRefused>(&line)) refuse(refused->reason);
+  if (const auto* rejected = std::get_if<CarmenError>(&line)) reject(rejected->reason);
   if (const auto* odometry = std::get_if<WheelOdometry>(&line)) return accept_odometry(*odometry);
   if (auto* scan = std::get_if<CarmenScan>(&line)) return accept_scan(std::move(*scan));
   return std::nullopt;
@@ -74,7 +74,7 @@ std::optional<CarmenRecord> CarmenReader::accept(CarmenLine line) {
 
 std::optional<CarmenRecord> CarmenReader::accept_odometry(const WheelOdometry& odometry) {
   if (!order_.accepts(odometry.utime)) {
-    refuse(kOutOfOrder);
+    reject(kOutOfOrder);
     return std::nullopt;
   }
   ++report_.odometry_lines;
@@ -83,7 +83,7 @@ std::optional<CarmenRecord> CarmenReader::accept_odometry(const WheelOdometry& o
 
 std::optional<CarmenRecord> CarmenReader::accept_scan(CarmenScan scan) {
   if (!order_.accepts(scan.scan.utime)) {
-    refuse(kOutOfOrder);
+    reject(kOutOfOrder);
     return std::nullopt;
   }
   ++report_.scans;
@@ -92,12 +92,12 @@ std::optional<CarmenRecord> CarmenReader::accept_scan(CarmenScan scan) {
   return odometry;
 }
 
-void CarmenReader::refuse(std::string_view reason) {
-  auto& refused = report_.refused;
-  auto entry = std::find_if(refused.begin(), refused.end(),
+void CarmenReader::reject(std::string_view reason) {
+  auto& rejected = report_.rejected;
+  auto entry = std::find_if(rejected.begin(), rejected.end(),
                             [&](const auto& other) { return other.reason == reason; });
-  if (entry == refused.end()) entry = refused.insert(refused.end(), {reason, 0, {}});
-  if (entry->first_lines.size() < kLinesNamed) entry->first_lines.push_back(report_.lines);
+  if (entry == rejected.end()) entry = rejected.insert(rejected.end(), {reason, 0, {}});
+  if (entry->first_lines.size() < kLinesListed) entry->first_lines.push_back(report_.lines);
   ++entry->count;
 }
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "tools/carmen/carmen_line.hpp"
-#include "tools/carmen/line_source.hpp"
+#include "tools/carmen/gzip_line_reader.hpp"
 
 namespace adit {
 
@@ -22,7 +22,7 @@ using CarmenRecord = std::variant<WheelOdometry, CarmenScan>;
 /// What was found in a log so far. The lines that were refused are kept by reason, so that a log
 /// full of errors still makes a short report.
 struct CarmenReport {
-  struct Refused {
+  struct Rejected {
     std::string_view reason;
     std::size_t count = 0;
     std::vector<std::size_t> first_lines;  ///< numbers of the first few, from 1
@@ -31,9 +31,9 @@ struct CarmenReport {
   std::size_t lines = 0;
   std::size_t scans = 0;
   std::size_t odometry_lines = 0;
-  std::vector<Refused> refused;  ///< in the order of first occurrence
+  std::vector<Rejected> rejected;  ///< in the order of first occurrence
 
-  [[nodiscard]] std::size_t refused_lines() const;
+  [[nodiscard]] std::size_t rejected_lines() const;
   /// One sentence for each reason: "lines 155, 177, 196 and 858 more: a time that …".
   [[nodiscard]] std::vector<std::string> sentences() const;
 };
@@ -68,9 +68,9 @@ class CarmenReader {
   std::optional<CarmenRecord> accept(CarmenLine line);
   std::optional<CarmenRecord> accept_odometry(const WheelOdometry& odometry);
   std::optional<CarmenRecord> accept_scan(CarmenScan scan);
-  void refuse(std::string_view reason);
+  void reject(std::string_view reason);
 
-  LineSource source_;
+  GzipLineReader source_;
   StampOrder order_;
   CarmenReport report_;
   std::optional<CarmenScan> pending_;  // waits behind its own odometry

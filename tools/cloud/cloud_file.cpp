@@ -10,7 +10,7 @@
 
 #include "common/files/mapped_file.hpp"
 #include "tools/cloud/pcd_reader.hpp"
-#include "tools/cloud/ply_reader.hpp"
+#include "tools/cloud/ply_file.hpp"
 #include "tools/cloud/xyz_reader.hpp"
 
 namespace adit {

@@ -13,11 +13,11 @@ void PointCloud::add(const Eigen::Vector3d& p) {
     ++skipped;
     return;
   }
-  if (points.size() == kPointsMax) expect(kPointsMax + 1);
+  if (points.size() == kPointsMax) reserve(kPointsMax + 1);
   points.push_back(p);
 }
 
-void PointCloud::expect(std::size_t count) {
+void PointCloud::reserve(std::size_t count) {
   if (count > kPointsMax) {
     throw std::runtime_error("more than " + std::to_string(kPointsMax / 1'000'000) +
                              " million points: thin it out first");

@@ -22,7 +22,7 @@ struct PointCloud {
   /// Keeps the point, or counts it among those that were skipped.
   void add(const Eigen::Vector3d& p);
   /// Room for as many, or std::runtime_error where these are more than the most.
-  void expect(std::size_t count);
+  void reserve(std::size_t count);
 };
 
 }  // namespace adit

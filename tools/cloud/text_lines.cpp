@@ -8,7 +8,7 @@
 namespace adit {
 namespace {
 
-constexpr std::string_view kBetweenWords = " \t\r,;";
+constexpr std::string_view kTokenSeparators = " \t\r,;";
 
 }  // namespace
 
@@ -24,9 +24,9 @@ std::optional<std::string_view> TextLines::next() {
   return line;
 }
 
-std::optional<std::string_view> TextLines::next_filled() {
+std::optional<std::string_view> TextLines::next_nonblank() {
   auto line = next();
-  while (line && line->find_first_not_of(kBetweenWords) == std::string_view::npos) line = next();
+  while (line && line->find_first_not_of(kTokenSeparators) == std::string_view::npos) line = next();
   return line;
 }
 
@@ -34,11 +34,11 @@ void TextLines::fail(const std::string& what) const {
   throw std::runtime_error("line " + std::to_string(line_) + ": " + what);
 }
 
-std::string_view take_word(std::string_view& text) {
-  text.remove_prefix(std::min(text.find_first_not_of(kBetweenWords), text.size()));
-  const std::string_view word = text.substr(0, text.find_first_of(kBetweenWords));
-  text.remove_prefix(word.size());
-  return word;
+std::string_view take_token(std::string_view& text) {
+  text.remove_prefix(std::min(text.find_first_not_of(kTokenSeparators), text.size()));
+  const std::string_view token = text.substr(0, text.find_first_of(kTokenSeparators));
+  text.remove_prefix(token.size());
+  return token;
 }
 
 }  // namespace adit

@@ -20,7 +20,7 @@ class TextLines {
   /// Without its end, "\n" or "\r\n"; nothing at the end of the file.
   std::optional<std::string_view> next();
   /// The next in which there is more than blanks.
-  std::optional<std::string_view> next_filled();
+  std::optional<std::string_view> next_nonblank();
 
   [[nodiscard]] std::span<const std::uint8_t> rest() const { return bytes_.subspan(done_); }
   [[nodiscard]] std::size_t offset() const { return done_; }  ///< of the rest [bytes]
@@ -36,6 +36,6 @@ class TextLines {
 
 /// Takes the next word off the front; empty at the end. Blanks, commas and semicolons are between
 /// words.
-std::string_view take_word(std::string_view& text);
+std::string_view take_token(std::string_view& text);
 
 }  // namespace adit

@@ -5,26 +5,26 @@
 #include <algorithm>
 #include <cctype>
 
-#include "common/config/parse_number.hpp"
+#include "common/config/number_text.hpp"
 #include "tools/cloud/text_lines.hpp"
 
 namespace adit {
 namespace {
 
-std::optional<Eigen::Vector3d> point_of(std::string_view words) {
+std::optional<Eigen::Vector3d> point_of(std::string_view tokens) {
   Eigen::Vector3d p;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto value = parse_number<double>(take_word(words));
+    const auto value = parse_number<double>(take_token(tokens));
     if (!value) return std::nullopt;
     p[axis] = *value;
   }
   return p;
 }
 
-bool names_columns(std::string_view words) {
-  const std::string_view first = take_word(words);
+bool names_columns(std::string_view tokens) {
+  const std::string_view first = take_token(tokens);
   return (first[0] == 'x' || first[0] == 'X') &&
-         std::all_of(words.begin(), words.end(), [](char c) {
+         std::all_of(tokens.begin(), tokens.end(), [](char c) {
            return std::isprint(static_cast<unsigned char>(c)) != 0 || c == '\t';
          });
 }
@@ -35,10 +35,10 @@ PointCloud read_xyz(std::span<const std::uint8_t> bytes) {
   TextLines lines(bytes);
   PointCloud cloud;
   bool first = true;
-  while (const auto line = lines.next_filled()) {
-    std::string_view words = *line;
-    const std::string_view word = take_word(words);
-    if (word.starts_with('#') || word.starts_with("//")) continue;
+  while (const auto line = lines.next_nonblank()) {
+    std::string_view tokens = *line;
+    const std::string_view token = take_token(tokens);
+    if (token.starts_with('#') || token.starts_with("//")) continue;
     if (const auto p = point_of(*line)) {
       cloud.add(*p);
     } else if (!first || !names_columns(*line)) {

@@ -5,17 +5,17 @@
 #include <chrono>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/log_writer.hpp"
+#include "common/bus/log/lcm_log.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/node_host.hpp"
-#include "common/bus/stages.hpp"
-#include "common/bus/typed.hpp"
-#include "common/bus/version.hpp"
-#include "common/messages/pose.hpp"
+#include "common/bus/node/node_host.hpp"
+#include "common/bus/node/stages.hpp"
+#include "common/bus/node/version.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
 #include "common/sensing/seconds.hpp"
 #include "sim/drive/waypoint_file.hpp"
-#include "sim/live/fault_text.hpp"
-#include "sim/live/settings.hpp"
+#include "sim/live/fault_parser.hpp"
+#include "sim/live/sim_config.hpp"
 #include "sim/sim_node.hpp"
 #include "sim/waypoint_driver_node.hpp"
 #include "sim/world/build_world.hpp"
@@ -24,7 +24,7 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kTruthsWaiting = 100;  // none waits, in one process
+constexpr std::size_t kTruthQueueSize = 100;  // none waits, in one process
 
 /// Simulator and driver on one bus.
 class Drive {
@@ -51,7 +51,7 @@ class Drive {
   [[nodiscard]] std::string failure() const {
     std::string failure = sim_.simulation().state().failure;
     if (!failure.empty()) return failure;
-    return driver_.driver().given_up().value_or("");
+    return driver_.driver().abort_reason().value_or("");
   }
   [[nodiscard]] const Simulation& simulation() const { return sim_.simulation(); }
 
@@ -63,7 +63,7 @@ class Drive {
 };
 
 void record_truth(Bus& bus, Trajectory& truth) {
-  subscribe<pose_t>(bus, channels::kTruth, Delivery::queued(kTruthsWaiting),
+  subscribe<pose_t>(bus, channels::kTruth, Delivery::queued(kTruthQueueSize),
                     [&truth](const StampedPose& pose) {
                       truth.push_back({pose.utime, pose.T_odom_body});
                     });
@@ -73,7 +73,7 @@ void record_truth(Bus& bus, Trajectory& truth) {
 
 DriveRunResult run_drive(const DriveRunOptions& options, const DriveProgress& progress) {
   const SimulationParams params = load_simulation_params(options.config, options.faults);
-  refuse_process_faults(params.faults);
+  reject_process_faults(params.faults);
   std::vector<Waypoint> waypoints = read_waypoints(options.waypoints);
   const WorldDescription world = describe(options.world);
   const Site site(build_world(world));
@@ -81,7 +81,7 @@ DriveRunResult run_drive(const DriveRunOptions& options, const DriveProgress& pr
   const auto start = std::chrono::steady_clock::now();
   LogWriter log(options.log);
   MemoryBus bus;
-  bus.tap([&log](const Received& message) {
+  bus.tap([&log](const ReceivedMessage& message) {
     log.write({message.utime, message.channel, message.bytes});
   });
   Trajectory truth;
@@ -96,8 +96,8 @@ DriveRunResult run_drive(const DriveRunOptions& options, const DriveProgress& pr
 
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   const auto simulated_us = drive.simulation().utime() - kDriveStartUtime;
-  return {seconds(simulated_us), wall.count(), drive.simulation().state().travelled_m, log.events(),
-          drive.failure()};
+  return {seconds(simulated_us), wall.count(), drive.simulation().state().distance_travelled_m,
+          log.events(), drive.failure()};
 }
 
 }  // namespace adit

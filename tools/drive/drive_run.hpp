@@ -25,7 +25,7 @@ struct DriveRunOptions {
 struct DriveRunResult {
   double simulated_s = 0.0;
   double wall_s = 0.0;  ///< of the drive, without building the mine
-  double travelled_m = 0.0;
+  double distance_travelled_m = 0.0;
   std::int64_t messages = 0;
   std::string failure;  ///< why it ended before its end; empty if it did not
 };

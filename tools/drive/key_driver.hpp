@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "common/vehicle/drive_command.hpp"
-#include "common/vehicle/vehicle.hpp"
+#include "common/types/vehicle.hpp"
+#include "common/types/vehicle_state.hpp"
 
 namespace adit {
 

@@ -93,7 +93,7 @@ Shades read_pgm(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> read_occupied(const std::filesystem::path& yaml) {
+std::vector<Eigen::Vector2d> read_occupied_cells(const std::filesystem::path& yaml) {
   const Keys keys = read_keys(yaml);
   if (!keys.contains("image")) fail(yaml, "has no image");
   const double resolution = numbers(yaml, keys, "resolution", 1)[0];

@@ -8,16 +8,19 @@
 #include <numeric>
 #include <stdexcept>
 
+#include <nlohmann/json.hpp>
+
 #include "tools/eval/nearest_points.hpp"
 #include "tools/eval/world_walls.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kStep = 0.5;      // of the way from fan to fan [m]
-constexpr int kBeams = 720;        // of a fan
-constexpr double kSpacing = 0.1;   // of reference points [m]
-constexpr double kFarthest = 5.0;  // that a mapped point is from a wall, what is more counts so [m]
+constexpr double kStep = 0.5;     // of the way from fan to fan [m]
+constexpr int kBeams = 720;       // of a fan
+constexpr double kSpacing = 0.1;  // of reference points [m]
+constexpr double kMaxWallDistance =
+    5.0;  // that a mapped point is from a wall, what is more counts so [m]
 
 std::vector<Ray> fan(const Eigen::Vector3d& from) {
   std::vector<Ray> rays;
@@ -29,10 +32,11 @@ std::vector<Ray> fan(const Eigen::Vector3d& from) {
   return rays;
 }
 
-std::vector<Eigen::Vector2d> walls_seen(const Site& site, const WorldWalls& walls,
-                                        const Trajectory& truth, const MapScoreOptions& options) {
+std::vector<Eigen::Vector2d> visible_walls(const Site& site, const WorldWalls& walls,
+                                           const Trajectory& truth,
+                                           const MapScoreOptions& options) {
   std::vector<Eigen::Vector2d> seen;
-  for (const auto& [utime, T_world_body] : thinned(truth, kStep)) {
+  for (const auto& [utime, T_world_body] : downsampled(truth, kStep)) {
     const auto floor_m = site.world().truth.floor_at(T_world_body.translation());
     if (!floor_m) continue;
     const std::vector<Ray> rays =
@@ -45,7 +49,7 @@ std::vector<Eigen::Vector2d> walls_seen(const Site& site, const WorldWalls& wall
       seen.emplace_back(p_world.head<2>().cast<double>());
     }
   }
-  return thinned(seen, kSpacing);
+  return downsampled(seen, kSpacing);
 }
 
 /// Points of the outlines, each kSpacing.
@@ -83,9 +87,9 @@ WallDistances summary(std::vector<double>& distances) {
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> walls_seen(const Site& site, const Trajectory& truth,
-                                        const MapScoreOptions& options) {
-  return walls_seen(site, WorldWalls(site.world(), kFarthest), truth, options);
+std::vector<Eigen::Vector2d> visible_walls(const Site& site, const Trajectory& truth,
+                                           const MapScoreOptions& options) {
+  return visible_walls(site, WorldWalls(site.world(), kMaxWallDistance), truth, options);
 }
 
 MapScore score_map(const std::vector<Eigen::Vector2d>& mapped, const Pose2& T_world_map,
@@ -94,8 +98,8 @@ MapScore score_map(const std::vector<Eigen::Vector2d>& mapped, const Pose2& T_wo
   std::vector<Eigen::Vector2d> points;  // p_world
   for (const Eigen::Vector2d& p_map : mapped) points.emplace_back(T_world_map * p_map);
 
-  const WorldWalls walls(site.world(), kFarthest);
-  const std::vector<Eigen::Vector2d> seen = walls_seen(site, walls, truth, options);
+  const WorldWalls walls(site.world(), kMaxWallDistance);
+  const std::vector<Eigen::Vector2d> seen = visible_walls(site, walls, truth, options);
   if (seen.empty()) {
     throw std::runtime_error("no wall of " + site.world().name +
                              " is seen from the true way: is it the right world?");
@@ -110,13 +114,61 @@ MapScore score_map(const std::vector<Eigen::Vector2d>& mapped, const Pose2& T_wo
 
   std::vector<double> distances;
   for (const Eigen::Vector2d& p : points) {
-    distances.push_back(std::min(kFarthest, walls.distance_m(p)));
+    distances.push_back(std::min(kMaxWallDistance, walls.distance_m(p)));
   }
   const auto far = std::count_if(distances.begin(), distances.end(),
                                  [&](double distance) { return distance > options.deviation_m; });
   score.deviation = static_cast<double>(far) / static_cast<double>(points.size());
   score.wall_distance = summary(distances);
   return score;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const PositionErrors& errors) {
+  return {{"rmse_m", errors.rmse_m}, {"mean_m", errors.mean_m}, {"max_m", errors.max_m}};
+}
+
+/// Without figures where there was no stretch.
+Json json_of(const RelativeErrors& errors) {
+  Json json = {{"length_m", errors.length_m}, {"stretches", errors.segments}};
+  if (errors.segments == 0) return json;
+  json["translation_m"] = errors.translation_m;
+  json["rotation_deg"] = errors.rotation_deg;
+  return json;
+}
+
+Json json_of(const TrajectoryScore& score) {
+  Json relative = Json::array();
+  for (const RelativeErrors& errors : score.relative) relative.push_back(json_of(errors));
+  return {{"poses", score.poses},
+          {"aligned", json_of(score.aligned)},
+          {"anchored", json_of(score.anchored)},
+          {"relative", relative},
+          {"true_length_m", score.true_length_m},
+          {"length_ratio", score.length_ratio}};
+}
+
+Json json_of(const MapScore& score) {
+  Json json = {{"mapped_points", score.mapped_points},
+               {"reference_points", score.reference_points},
+               {"coverage", score.coverage},
+               {"coverage_of_mine", nullptr},
+               {"deviation", score.deviation},
+               {"wall_distance",
+                {{"mean_m", score.wall_distance.mean_m},
+                 {"median_m", score.wall_distance.median_m},
+                 {"p95_m", score.wall_distance.p95_m}}}};
+  if (score.coverage_of_mine) json["coverage_of_mine"] = *score.coverage_of_mine;
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const TrajectoryScore& trajectory, const MapScore& map) {
+  return Json{{"trajectory", json_of(trajectory)}, {"map", json_of(map)}}.dump(2);
 }
 
 }  // namespace adit

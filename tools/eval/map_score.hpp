@@ -42,8 +42,8 @@ struct MapScore {
 
 /// The walls that level rays without noise meet, half a degree apart all around, each half metre of
 /// the way; one point for each cell of 0.1 m. p_world.
-std::vector<Eigen::Vector2d> walls_seen(const Site& site, const Trajectory& truth,
-                                        const MapScoreOptions& options);
+std::vector<Eigen::Vector2d> visible_walls(const Site& site, const Trajectory& truth,
+                                           const MapScoreOptions& options);
 
 /// `mapped` are occupied places in the frame of the map, `truth` is T_world_body. Throws
 /// std::runtime_error where nothing is mapped, or where no wall is seen from the way.

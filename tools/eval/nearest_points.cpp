@@ -9,8 +9,8 @@
 
 namespace adit {
 
-NearestPoints::NearestPoints(const std::vector<Eigen::Vector2d>& points, double reach_m)
-    : reach_m_(reach_m) {
+NearestPoints::NearestPoints(const std::vector<Eigen::Vector2d>& points, double max_distance_m)
+    : max_distance_m_(max_distance_m) {
   points_.reserve(points.size());
   for (const Eigen::Vector2d& p : points) points_.emplace_back(cell_at(p), p);
   std::stable_sort(points_.begin(), points_.end(),
@@ -28,15 +28,16 @@ double NearestPoints::distance_m(const Eigen::Vector2d& p) const {
       nearest = std::min(nearest, (at->second - p).norm());
     }
   }
-  return nearest <= reach_m_ ? nearest : std::numeric_limits<double>::infinity();
+  return nearest <= max_distance_m_ ? nearest : std::numeric_limits<double>::infinity();
 }
 
 NearestPoints::Cell NearestPoints::cell_at(const Eigen::Vector2d& p) const {
-  return {static_cast<int>(std::floor(p.x() / reach_m_)),
-          static_cast<int>(std::floor(p.y() / reach_m_))};
+  return {static_cast<int>(std::floor(p.x() / max_distance_m_)),
+          static_cast<int>(std::floor(p.y() / max_distance_m_))};
 }
 
-std::vector<Eigen::Vector2d> thinned(const std::vector<Eigen::Vector2d>& points, double spacing_m) {
+std::vector<Eigen::Vector2d> downsampled(const std::vector<Eigen::Vector2d>& points,
+                                         double spacing_m) {
   std::set<std::pair<int, int>> taken;
   std::vector<Eigen::Vector2d> kept;
   for (const Eigen::Vector2d& p : points) {

@@ -12,8 +12,8 @@ namespace adit {
 /// Points of the plane in the cells of a grid, to be asked for the nearest.
 class NearestPoints {
  public:
-  /// Distances up to `reach_m` will be asked for.
-  NearestPoints(const std::vector<Eigen::Vector2d>& points, double reach_m);
+  /// Distances up to `max_distance_m` will be asked for.
+  NearestPoints(const std::vector<Eigen::Vector2d>& points, double max_distance_m);
 
   /// Infinite where no point lies within reach. [m]
   [[nodiscard]] double distance_m(const Eigen::Vector2d& p) const;
@@ -23,11 +23,12 @@ class NearestPoints {
 
   [[nodiscard]] Cell cell_at(const Eigen::Vector2d& p) const;
 
-  double reach_m_;
+  double max_distance_m_;
   std::vector<std::pair<Cell, Eigen::Vector2d>> points_;  // by cell, ascending
 };
 
 /// One point for each cell of a grid of that spacing that has any: the first of them.
-std::vector<Eigen::Vector2d> thinned(const std::vector<Eigen::Vector2d>& points, double spacing_m);
+std::vector<Eigen::Vector2d> downsampled(const std::vector<Eigen::Vector2d>& points,
+                                         double spacing_m);
 
 }  // namespace adit

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "common/config/parse_number.hpp"
+#include "common/config/number_text.hpp"
 
 namespace adit {
 namespace {

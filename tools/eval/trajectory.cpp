@@ -39,7 +39,7 @@ double path_length_m(const Trajectory& trajectory) {
   return length;
 }
 
-double travelled_m(const Trajectory& trajectory, double step_m) {
+double distance_travelled_m(const Trajectory& trajectory, double step_m) {
   double length = 0.0;
   const TimedPose* counted = trajectory.empty() ? nullptr : &trajectory.front();
   for (const TimedPose& pose : trajectory) {

@@ -37,9 +37,9 @@ double path_length_m(const Trajectory& trajectory);
 /// least `step_m` away from the last pose that counted. What jitters by less has no length; of a
 /// straight way less than a step is missing at the end, and of an arc of radius R in steps of s the
 /// share s²/24R².
-double travelled_m(const Trajectory& trajectory, double step_m);
+double distance_travelled_m(const Trajectory& trajectory, double step_m);
 
-/// A step for travelled_m: longer than matched scans jitter, much shorter than a bend.
+/// A step for distance_travelled_m: longer than matched scans jitter, much shorter than a bend.
 inline constexpr double kTravelStepM = 0.2;
 
 }  // namespace adit

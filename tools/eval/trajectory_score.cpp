@@ -7,17 +7,36 @@
 #include <stdexcept>
 #include <vector>
 
-#include "common/geometry/angle.hpp"
+#include "common/bus/channels.hpp"
+#include "common/bus/log/event_source.hpp"
+#include "common/geometry/pose2.hpp"
+#include "common/messages/codec.hpp"
+#include "common/messages/mapping/odometry.hpp"
 #include "tools/eval/path_error.hpp"
 
 namespace adit {
+Trajectory read_ground_truth(const std::filesystem::path& log) {
+  LogFile events(log);
+  Trajectory trajectory;
+  while (const auto event = events.next()) {
+    if (event->channel != channels::kTruth) continue;
+    const auto message = decode<pose_t>(event->data);
+    if (!message) continue;
+    const auto pose = from_message(*message);
+    if (!pose || (!trajectory.empty() && pose->utime <= trajectory.back().utime)) continue;
+    trajectory.push_back({pose->utime, pose->T_odom_body});
+  }
+  if (trajectory.empty()) throw std::runtime_error(log.string() + " holds no truth");
+  return trajectory;
+}
+
 namespace {
 
 constexpr double kStep = 0.5;  // of the way, for its length [m]
 
 /// The truth with the trajectory at its times.
 struct Station {
-  double way_m = 0.0;  // along the truth
+  double distance_m = 0.0;  // along the truth
   Pose2 T_world_body;
   Pose2 T_map_body;
 };
@@ -28,12 +47,12 @@ std::vector<Station> stations_of(const Trajectory& trajectory, const Trajectory&
   for (const auto& [utime, T_world_body] : truth) {
     const auto T_map_body = interpolate(trajectory, utime);
     if (!T_map_body) continue;
-    double way = 0.0;
+    double distance = 0.0;
     if (!stations.empty()) {
       const Station& last = stations.back();
-      way = last.way_m + between(last.T_world_body, T_world_body).translation().norm();
+      distance = last.distance_m + between(last.T_world_body, T_world_body).translation().norm();
     }
-    stations.push_back({way, T_world_body, *T_map_body});
+    stations.push_back({distance, T_world_body, *T_map_body});
   }
   return stations;
 }
@@ -58,28 +77,30 @@ PositionErrors position_errors(const Trajectory& trajectory, const Trajectory& t
   return errors;
 }
 
-std::vector<Station>::const_iterator at_way(const std::vector<Station>& stations, double way_m) {
-  return std::lower_bound(stations.begin(), stations.end(), way_m,
-                          [](const Station& a, double way) { return a.way_m < way; });
+std::vector<Station>::const_iterator at_distance(const std::vector<Station>& stations,
+                                                 double distance_m) {
+  return std::lower_bound(
+      stations.begin(), stations.end(), distance_m,
+      [](const Station& a, double distance) { return a.distance_m < distance; });
 }
 
 /// Stretches begin each tenth of their length, as in the KITTI benchmark.
 RelativeErrors relative_errors(const std::vector<Station>& stations, double length_m) {
   RelativeErrors errors{length_m};
   if (stations.empty()) return errors;
-  for (int i = 0; i * length_m / 10.0 + length_m <= stations.back().way_m; ++i) {
-    const Station& a = *at_way(stations, i * length_m / 10.0);
-    const auto end = at_way(stations, a.way_m + length_m);
+  for (int i = 0; i * length_m / 10.0 + length_m <= stations.back().distance_m; ++i) {
+    const Station& a = *at_distance(stations, i * length_m / 10.0);
+    const auto end = at_distance(stations, a.distance_m + length_m);
     if (end == stations.end()) break;
     const Pose2 error =
         between(between(a.T_world_body, end->T_world_body), between(a.T_map_body, end->T_map_body));
     errors.translation_m += error.translation().norm();
     errors.rotation_deg += rad_to_deg(std::abs(error.theta));
-    ++errors.stretches;
+    ++errors.segments;
   }
-  if (errors.stretches == 0) return errors;
-  errors.translation_m /= static_cast<double>(errors.stretches);
-  errors.rotation_deg /= static_cast<double>(errors.stretches);
+  if (errors.segments == 0) return errors;
+  errors.translation_m /= static_cast<double>(errors.segments);
+  errors.rotation_deg /= static_cast<double>(errors.segments);
   return errors;
 }
 
@@ -87,7 +108,7 @@ double length_ratio(const std::vector<Station>& stations) {
   double found = 0.0;
   double true_length = 0.0;
   for (auto from = stations.begin(); from != stations.end();) {
-    const auto to = at_way(stations, from->way_m + kStep);
+    const auto to = at_distance(stations, from->distance_m + kStep);
     if (to == stations.end()) break;
     found += between(from->T_map_body, to->T_map_body).translation().norm();
     true_length += between(from->T_world_body, to->T_world_body).translation().norm();
@@ -119,19 +140,19 @@ TrajectoryScore score_trajectory(const Trajectory& trajectory, const Trajectory&
   for (RelativeErrors& errors : score.relative) {
     errors = relative_errors(stations, errors.length_m);
   }
-  if (!stations.empty()) score.true_length_m = stations.back().way_m;
+  if (!stations.empty()) score.true_length_m = stations.back().distance_m;
   score.length_ratio = length_ratio(stations);
   return score;
 }
 
-Trajectory thinned(const Trajectory& trajectory, double step_m) {
+Trajectory downsampled(const Trajectory& trajectory, double step_m) {
   Trajectory kept;
-  double way = 0.0;
+  double distance = 0.0;
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
-    if (i > 0) way += between(trajectory[i - 1].pose, trajectory[i].pose).translation().norm();
-    if (i > 0 && way < step_m) continue;
+    if (i > 0) distance += between(trajectory[i - 1].pose, trajectory[i].pose).translation().norm();
+    if (i > 0 && distance < step_m) continue;
     kept.push_back(trajectory[i]);
-    way = 0.0;
+    distance = 0.0;
   }
   return kept;
 }

@@ -4,11 +4,17 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 
 #include "common/geometry/pose2.hpp"
 #include "tools/eval/trajectory.hpp"
 
 namespace adit {
+
+/// T_world_body as a simulator has put it into an LCM log on channel TRUTH, its planar part. A time
+/// that comes again or is earlier than one before is left out. Throws std::runtime_error where the
+/// log cannot be read or holds no truth.
+Trajectory read_ground_truth(const std::filesystem::path& log);
 
 /// Distances between the positions of a trajectory and the true ones at the same times. [m]
 struct PositionErrors {
@@ -20,7 +26,7 @@ struct PositionErrors {
 /// Errors of the motion over a length of the true way, the same for all stretches of that length.
 struct RelativeErrors {
   double length_m = 0.0;
-  std::size_t stretches = 0;   ///< none where the way is shorter
+  std::size_t segments = 0;    ///< none where the way is shorter
   double translation_m = 0.0;  ///< mean
   double rotation_deg = 0.0;   ///< mean of the absolute angle
 };
@@ -46,6 +52,6 @@ TrajectoryScore score_trajectory(const Trajectory& trajectory, const Trajectory&
 
 /// The poses of a trajectory each `step_m` of its way or as soon after as there is one, with the
 /// first.
-Trajectory thinned(const Trajectory& trajectory, double step_m);
+Trajectory downsampled(const Trajectory& trajectory, double step_m);
 
 }  // namespace adit

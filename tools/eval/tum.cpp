@@ -9,7 +9,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "common/files/text_file.hpp"
+#include "common/files/file_utils.hpp"
 #include "tools/eval/number_table.hpp"
 
 namespace adit {
@@ -37,7 +37,7 @@ void write_tum(std::ostream& out, const Trajectory& trajectory) {
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory) {
   std::ostringstream text;
   write_tum(text, trajectory);
-  write_text(text.str(), path);
+  write_text_file(text.str(), path);
 }
 
 Trajectory read_tum(std::istream& in, std::string_view name) {

@@ -7,15 +7,15 @@
 #include <limits>
 #include <optional>
 
-#include "sim/world/plan_segment.hpp"
+#include "sim/world/plan/plan_geometry.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kLowest = 0.1;   // above the floor [m]
-constexpr double kHighest = 2.0;  // above the floor [m]
-constexpr double kSteep = 0.5;    // cosine of 60°
-constexpr double kBeside = 0.3;   // where the floor before a wall is looked for [m]
+constexpr double kLowest = 0.1;               // above the floor [m]
+constexpr double kHighest = 2.0;              // above the floor [m]
+constexpr double kSteep = 0.5;                // cosine of 60°
+constexpr double kFloorSearchDistance = 0.3;  // where the floor before a wall is looked for [m]
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
@@ -28,7 +28,7 @@ Corners corners_of(const TriangleMesh& mesh, std::uint32_t triangle) {
 /// Below the middle of a triangle, or beside it: a wall stands where the floor ends.
 std::optional<double> floor_near(const World& world, const Eigen::Vector2d& middle,
                                  const Eigen::Vector3d& normal) {
-  const Eigen::Vector2d across = kBeside * normal.head<2>();
+  const Eigen::Vector2d across = kFloorSearchDistance * normal.head<2>();
   for (const Eigen::Vector2d& beside :
        {Eigen::Vector2d(0.0, 0.0), across, Eigen::Vector2d(-across)}) {
     if (const auto floor_m = world.truth.floor_at(middle + beside)) return floor_m;
@@ -36,11 +36,11 @@ std::optional<double> floor_near(const World& world, const Eigen::Vector2d& midd
   return std::nullopt;
 }
 
-bool may_be_level(PartKind kind) {
+bool may_be_horizontal(PartKind kind) {
   return kind != PartKind::kFloor && kind != PartKind::kRoof && kind != PartKind::kOther;
 }
 
-bool is_never_wall(PartKind kind) {
+bool is_ignored_part(PartKind kind) {
   return kind == PartKind::kWater || kind == PartKind::kRail || kind == PartKind::kSleeper;
 }
 
@@ -49,8 +49,8 @@ bool is_wall(const World& world, std::uint32_t triangle) {
   const Corners corners = corners_of(world.mesh, triangle);
   const Eigen::Vector3d normal =
       (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-  if (is_never_wall(kind) || !normal.allFinite()) return false;
-  if (!may_be_level(kind) && std::abs(normal.z()) > kSteep) return false;
+  if (is_ignored_part(kind) || !normal.allFinite()) return false;
+  if (!may_be_horizontal(kind) && std::abs(normal.z()) > kSteep) return false;
   const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3.0;
   const auto floor_m = floor_near(world, middle.head<2>(), normal);
   if (!floor_m) return true;  // nobody knows how high it is
@@ -75,7 +75,8 @@ double distance_to(const std::array<Eigen::Vector2d, 3>& outline, const Eigen::V
 
 }  // namespace
 
-WorldWalls::WorldWalls(const World& world, double reach_m) : reach_m_(reach_m) {
+WorldWalls::WorldWalls(const World& world, double max_distance_m)
+    : max_distance_m_(max_distance_m) {
   const auto count = static_cast<std::uint32_t>(world.mesh.triangles.size());
   is_wall_.resize(count);
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -83,7 +84,7 @@ WorldWalls::WorldWalls(const World& world, double reach_m) : reach_m_(reach_m) {
     if (!is_wall_[i]) continue;
     const Corners corners = corners_of(world.mesh, i);
     outlines_.push_back({corners[0].head<2>(), corners[1].head<2>(), corners[2].head<2>()});
-    enter(static_cast<std::uint32_t>(outlines_.size() - 1));
+    add_to_cells(static_cast<std::uint32_t>(outlines_.size() - 1));
   }
   std::sort(cells_.begin(), cells_.end());
 }
@@ -98,15 +99,15 @@ double WorldWalls::distance_m(const Eigen::Vector2d& p_world) const {
       nearest = std::min(nearest, distance_to(outlines_[at->second], p_world));
     }
   }
-  return nearest <= reach_m_ ? nearest : std::numeric_limits<double>::infinity();
+  return nearest <= max_distance_m_ ? nearest : std::numeric_limits<double>::infinity();
 }
 
 int WorldWalls::cell_of(double coordinate) const {
-  return static_cast<int>(std::floor(coordinate / reach_m_));
+  return static_cast<int>(std::floor(coordinate / max_distance_m_));
 }
 
 /// Into all cells that the box around it touches.
-void WorldWalls::enter(std::uint32_t index) {
+void WorldWalls::add_to_cells(std::uint32_t index) {
   const auto& [a, b, c] = outlines_[index];
   const Eigen::Vector2d low = a.cwiseMin(b).cwiseMin(c);
   const Eigen::Vector2d high = a.cwiseMax(b).cwiseMax(c);

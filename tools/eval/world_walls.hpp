@@ -19,8 +19,8 @@ namespace adit {
 /// level). Frame world.
 class WorldWalls {
  public:
-  /// Distances up to `reach_m` will be asked for. `world` must outlive this.
-  WorldWalls(const World& world, double reach_m);
+  /// Distances up to `max_distance_m` will be asked for. `world` must outlive this.
+  WorldWalls(const World& world, double max_distance_m);
 
   [[nodiscard]] bool is_wall(std::uint32_t triangle) const { return is_wall_[triangle]; }
 
@@ -32,9 +32,9 @@ class WorldWalls {
   using Outline = std::array<Eigen::Vector2d, 3>;  // a triangle seen from above
 
   [[nodiscard]] int cell_of(double coordinate) const;
-  void enter(std::uint32_t index);
+  void add_to_cells(std::uint32_t index);
 
-  double reach_m_;
+  double max_distance_m_;
   std::vector<bool> is_wall_;
   std::vector<Outline> outlines_;
   std::vector<std::pair<Cell, std::uint32_t>> cells_;  // with indices into outlines_, ascending

@@ -27,7 +27,7 @@ std::vector<double> progress_of(const Trajectory& odometry) {
 }
 
 /// Where an anchor's correction alone puts a pose.
-Pose2 hang_on(const MapAnchor& anchor, const Pose2& T_odom_body) {
+Pose2 apply_anchor(const MapAnchor& anchor, const Pose2& T_odom_body) {
   return anchor.T_map_local * between(anchor.T_odom_local, T_odom_body);
 }
 
@@ -49,12 +49,12 @@ Trajectory corrected_trajectory(const Trajectory& odometry, const std::vector<Ma
   for (std::size_t i = 0; i < odometry.size(); ++i) {
     const auto& [utime, T_odom_body] = odometry[i];
     while (k + 1 < anchors.size() && anchors[k + 1].utime <= utime) ++k;
-    Pose2 T_map_body = hang_on(anchors[k], T_odom_body);
+    Pose2 T_map_body = apply_anchor(anchors[k], T_odom_body);
     if (k + 1 < anchors.size() && utime > anchors[k].utime) {
       const double from = progress_at(anchors[k].utime);
       const double length = progress_at(anchors[k + 1].utime) - from;
       const double share = length > 0.0 ? (progress[i] - from) / length : 0.0;
-      T_map_body = blend(T_map_body, hang_on(anchors[k + 1], T_odom_body), share);
+      T_map_body = blend(T_map_body, apply_anchor(anchors[k + 1], T_odom_body), share);
     }
     corrected.push_back({utime, T_map_body});
   }

@@ -5,11 +5,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "common/bus/event_source.hpp"
+#include "common/bus/log/event_source.hpp"
+#include "common/bus/log/lcm_log.hpp"
+#include "common/sensing/laser_mount.hpp"
 
 namespace adit {
 
@@ -26,11 +29,15 @@ class LogInput {
   /// All events, whatever has been taken from `events()` already.
   [[nodiscard]] std::span<const LogEventView> all_events() const { return log_->events(); }
   /// What was wrong with the recording and has been skipped, a sentence each.
-  [[nodiscard]] const std::vector<std::string>& complaints() const { return complaints_; }
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  std::vector<std::string> complaints_;
+  std::vector<std::string> warnings_;
   std::unique_ptr<LogFile> log_;
 };
+
+/// Where the lasers were by the first configuration on record (channel CONFIG) that says it: a log
+/// explains itself. Nothing where none does. Throws ConfigError where it cannot be understood.
+std::optional<Lasers> recorded_lasers(std::span<const LogEventView> events);
 
 }  // namespace adit

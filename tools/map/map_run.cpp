@@ -7,23 +7,21 @@
 #include <stdexcept>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/hosted_node.hpp"
-#include "common/bus/replay_bus.hpp"
-#include "common/bus/stages.hpp"
+#include "common/bus/log/replay_bus.hpp"
+#include "common/bus/node/node_host.hpp"
+#include "common/bus/node/stages.hpp"
 #include "common/config/config.hpp"
-#include "common/files/text_file.hpp"
+#include "common/files/file_utils.hpp"
 #include "procs/mapping/map_journal.hpp"
 #include "procs/mapping/mapping_node.hpp"
 #include "procs/scan_matching/scan_matching_node.hpp"
-#include "tools/map/graph_files.hpp"
+#include "tools/map/full_map.hpp"
 #include "tools/map/log_input.hpp"
 #include "tools/map/map_files.hpp"
-#include "tools/map/recorded_lasers.hpp"
 #include "tools/map/result_folder.hpp"
 #include "tools/map/run_record.hpp"
 #include "tools/map/stopwatch_bus.hpp"
 #include "tools/map/summary.hpp"
-#include "tools/map/whole_map.hpp"
 
 namespace adit {
 namespace {
@@ -74,7 +72,8 @@ ConfiguredNode configure_mapping(const ConfigFile& config, const Lasers& lasers,
 }
 
 /// Brings the journal of an earlier run into the folder, and gives what is in it.
-StoredMap take_over_map(const std::filesystem::path& resume, const std::filesystem::path& folder) {
+StoredMap load_resumed_map(const std::filesystem::path& resume,
+                           const std::filesystem::path& folder) {
   if (resume.empty()) return {};
   const std::filesystem::path journal = resume / kJournal;
   if (!std::filesystem::is_regular_file(journal)) {
@@ -93,11 +92,11 @@ ReplayOptions replay_options(bool use_odometry) {
   for (const auto channel : {channels::kPose, channels::kScanMatch, channels::kLocalMap,
                              channels::kPoseGraph, channels::kMapCorrection, channels::kAssociation,
                              channels::kHeartbeat, channels::kConfig, channels::kStageStats}) {
-    options.leave_out.emplace(channel);
+    options.excluded_channels.emplace(channel);
   }
   if (!use_odometry) {
-    options.leave_out.emplace(channels::kWheelOdometry);
-    options.leave_out.emplace(channels::kImu);
+    options.excluded_channels.emplace(channels::kWheelOdometry);
+    options.excluded_channels.emplace(channels::kImu);
   }
   return options;
 }
@@ -124,28 +123,27 @@ void require_result(const RunRecord& record, const StoredMap& earlier,
   }
 }
 
-std::vector<std::string> complaints_of(const LogInput& input, const ReplayBus& bus) {
-  std::vector<std::string> complaints;
-  for (const std::string& sentence : input.complaints())
-    complaints.push_back("skipped " + sentence);
-  if (bus.refused_events() > 0) {
-    complaints.push_back("skipped " + std::to_string(bus.refused_events()) +
-                         " events with times that cannot be");
+std::vector<std::string> collect_warnings(const LogInput& input, const ReplayBus& bus) {
+  std::vector<std::string> warnings;
+  for (const std::string& sentence : input.warnings()) warnings.push_back("skipped " + sentence);
+  if (bus.rejected_events() > 0) {
+    warnings.push_back("skipped " + std::to_string(bus.rejected_events()) +
+                       " events with times that cannot be");
   }
-  return complaints;
+  return warnings;
 }
 
-MapRunResult result_of(const RunRecord& record, const WholeMap& map) {
+MapRunResult result_of(const RunRecord& record, const FullMap& map) {
   MapRunResult result;
   const auto& matches = record.matches();
   result.scans = matches.size();
   result.lost = static_cast<std::size_t>(std::count_if(
       matches.begin(), matches.end(),
       [](const ScanMatch& match) { return match.status == ScanMatch::Status::kLost; }));
-  result.path_length_m = travelled_m(record.odometry(), kTravelStepM);
+  result.path_length_m = distance_travelled_m(record.odometry(), kTravelStepM);
   result.local_maps = map.local_maps.size();
-  result.closures = count_closures(map).in_force;
-  result.joints = count_joints(map);
+  result.loop_closures = count_loop_closures(map).in_force;
+  result.cross_session_loop_closures = count_cross_session_loop_closures(map);
   return result;
 }
 
@@ -157,7 +155,7 @@ MapRunResult run_map(const MapRunOptions& options,
   const ConfigFile config = load_config(options.config);
   const ResultFolder results(options.folder);
   const std::filesystem::path& folder = results.unfinished();
-  const StoredMap earlier = take_over_map(options.resume, folder);
+  const StoredMap earlier = load_resumed_map(options.resume, folder);
 
   LogInput input(options.input, folder / "input.lcmlog",
                  [&](double done) { progress("reading", done); });
@@ -167,34 +165,34 @@ MapRunResult run_map(const MapRunOptions& options,
   const auto mapping = configure_mapping(config, lasers, folder, !options.resume.empty());
   LogWriter log(folder / "run.lcmlog");
   ReplayBus bus(input.events(), &log, replay_options(options.use_odometry));
-  StopwatchBus scan_watch(bus,
-                          {std::string(channels::kLaserFront), std::string(channels::kLaserRear)});
-  StopwatchBus map_watch(bus, {std::string(channels::kScanMatch)});
+  StopwatchBus scan_stopwatch(
+      bus, {std::string(channels::kLaserFront), std::string(channels::kLaserRear)});
+  StopwatchBus mapping_stopwatch(bus, {std::string(channels::kScanMatch)});
   RunRecord record(bus);
-  const HostedNode scan_matching_hosted(scan_watch, scan_matching);
-  const HostedNode mapping_hosted(map_watch, mapping);
+  const HostedNode scan_matching_hosted(scan_stopwatch, scan_matching);
+  const HostedNode mapping_hosted(mapping_stopwatch, mapping);
   bus.run([&](double done) { progress("mapping", done); });
   log.close();
 
   require_result(record, earlier, options);
-  const WholeMap map = whole_map(earlier, record);
+  const FullMap map = full_map(earlier, record);
   MapRunResult result = result_of(record, map);
-  result.complaints = complaints_of(input, bus);
-  if (!options.resume.empty() && result.joints == 0) {
-    result.complaints.emplace_back(
+  result.warnings = collect_warnings(input, bus);
+  if (!options.resume.empty() && result.cross_session_loop_closures == 0) {
+    result.warnings.emplace_back(
         "not recognised in the map that it continues: its place there "
         "is a guess");
   }
   if (!write_map_files(map, record, files, folder)) {
-    result.complaints.emplace_back("no map: the poses are farther apart than map_grid allows");
+    result.warnings.emplace_back("no map: the poses are farther apart than map_grid allows");
   }
   write_graph_files(map, folder);
-  RunCost cost = cost_so_far();
-  cost.scan_ms = milliseconds(scan_watch, false);
-  cost.local_map_ms = milliseconds(map_watch, true);
+  RunCost cost = process_cost();
+  cost.scan_ms = milliseconds(scan_stopwatch, false);
+  cost.local_map_ms = milliseconds(mapping_stopwatch, true);
   cost.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   result.wall_s = cost.wall_s;
-  write_text(summary_json(record, map, cost), folder / "summary.json");
+  write_text_file(summary_json(record, map, cost), folder / "summary.json");
   results.publish();
   return result;
 }

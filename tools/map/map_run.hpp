@@ -22,11 +22,12 @@ struct MapRunResult {
   std::size_t scans = 0;
   std::size_t lost = 0;
   double path_length_m = 0.0;
-  std::size_t local_maps = 0;  ///< of the whole map
-  std::size_t closures = 0;    ///< in force at the end
-  std::size_t joints = 0;      ///< those of them that hold this run to the map that it continues
+  std::size_t local_maps = 0;     ///< of the whole map
+  std::size_t loop_closures = 0;  ///< in force at the end
+  std::size_t cross_session_loop_closures =
+      0;  ///< those of them that hold this run to the map that it continues
   double wall_s = 0.0;
-  std::vector<std::string> complaints;  ///< what was skipped or could not be done, a sentence each
+  std::vector<std::string> warnings;  ///< what was skipped or could not be done, a sentence each
 };
 
 /// Runs the pipeline on a recording in this process, as fast as it goes, and writes trajectory.tum

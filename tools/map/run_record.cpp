@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/association.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/map_correction.hpp"
-#include "common/messages/scan_match.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/association.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/sensing.hpp"
 
 namespace adit {
 namespace {
@@ -39,29 +39,30 @@ std::optional<Kind> kind_of(const ScanMatch& match) {
 }  // namespace
 
 RunRecord::RunRecord(Bus& bus) {
-  listen_to_laser(bus, channels::kLaserFront);
-  listen_to_laser(bus, channels::kLaserRear);
+  subscribe_laser(bus, channels::kLaserFront);
+  subscribe_laser(bus, channels::kLaserRear);
   subscribe<scan_match_t>(bus, channels::kScanMatch, Delivery::queued(kWaiting),
                           [this](const ScanMatch& match) { on_match(match); });
-  listen_to_mapping(bus);
+  subscribe_mapping(bus);
 }
 
-void RunRecord::listen_to_laser(Bus& bus, std::string_view channel) {
+void RunRecord::subscribe_laser(Bus& bus, std::string_view channel) {
   subscribe<planar_lidar_t>(
       bus, channel, Delivery::queued(kWaiting),
       [this, name = std::string(channel)](const LaserScan& scan) { last_scan_[name] = scan; });
 }
 
-void RunRecord::listen_to_mapping(Bus& bus) {
+void RunRecord::subscribe_mapping(Bus& bus) {
   subscribe<local_map_t>(bus, channels::kLocalMap, Delivery::queued(kWaiting),
-                         [this](const LocalMapPiece& piece) {
-                           if (auto map = local_map_pieces_.add(piece)) {
+                         [this](const LocalMapFragment& fragment) {
+                           if (auto map = local_map_fragments_.add(fragment)) {
                              on_local_map(std::move(*map));
                            }
                          });
   subscribe<pose_graph_t>(bus, channels::kPoseGraph, Delivery::queued(kWaiting),
-                          [this](const PoseGraphPiece& piece) {
-                            if (auto graph = graph_pieces_.add(piece)) graph_ = std::move(graph);
+                          [this](const PoseGraphFragment& fragment) {
+                            if (auto graph = graph_fragments_.add(fragment))
+                              graph_ = std::move(graph);
                           });
   subscribe<association_t>(
       bus, channels::kAssociation, Delivery::queued(kWaiting),
@@ -74,8 +75,8 @@ void RunRecord::listen_to_mapping(Bus& bus) {
 void RunRecord::on_match(const ScanMatch& match) {
   const auto scan = last_scan_.find(match.channel);
   const bool known = scan != last_scan_.end() && scan->second.utime == match.utime;
-  if (match.status == ScanMatch::Status::kRefused || !known) {
-    ++refused_;
+  if (match.status == ScanMatch::Status::kRejected || !known) {
+    ++rejected_;
     return;
   }
   matches_.push_back(match);
@@ -110,21 +111,21 @@ Trajectory RunRecord::odometry() const {
 
 bool is_unobserved(const ScanMatch& match) { return kind_of(match).has_value(); }
 
-std::vector<RunRecord::Stretch> RunRecord::stretches() const {
-  std::vector<Stretch> stretches;
+std::vector<RunRecord::Segment> RunRecord::segments() const {
+  std::vector<Segment> segments;
   std::optional<Kind> current;
   for (const ScanMatch& match : matches_) {
     const auto kind = kind_of(match);
     if (kind && kind != current) {
-      stretches.push_back({match.reference_utime, match.utime, 0.0, 0, kind->lost, kind->filled});
+      segments.push_back({match.reference_utime, match.utime, 0.0, 0, kind->lost, kind->filled});
     }
     current = kind;
     if (!kind) continue;
-    stretches.back().to_utime = match.utime;
-    stretches.back().length_m += match.T_reference_body.translation().norm();
-    ++stretches.back().scans;
+    segments.back().to_utime = match.utime;
+    segments.back().length_m += match.T_reference_body.translation().norm();
+    ++segments.back().scans;
   }
-  return stretches;
+  return segments;
 }
 
 }  // namespace adit

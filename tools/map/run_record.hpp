@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
-#include "common/local_map/association.hpp"
-#include "common/local_map/local_map.hpp"
-#include "common/messages/local_map_pieces.hpp"
-#include "common/messages/pose_graph_pieces.hpp"
+#include "common/messages/mapping/local_map.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
 #include "common/pose_graph/map_correction.hpp"
 #include "common/pose_graph/map_graph.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/scan_match.hpp"
+#include "common/types/association.hpp"
+#include "common/types/local_map.hpp"
 #include "tools/eval/trajectory.hpp"
 
 namespace adit {
@@ -32,7 +32,7 @@ class RunRecord {
   };
 
   /// A stretch of the way over which scans left a direction open or matched nothing.
-  struct Stretch {
+  struct Segment {
     std::int64_t from_utime = 0;
     std::int64_t to_utime = 0;
     double length_m = 0.0;
@@ -46,7 +46,7 @@ class RunRecord {
 
   /// Of the scans that gave a pose, in order.
   [[nodiscard]] const std::vector<ScanMatch>& matches() const { return matches_; }
-  [[nodiscard]] std::size_t refused_scans() const { return refused_; }
+  [[nodiscard]] std::size_t rejected_scans() const { return rejected_; }
   /// The scans after the last local map; without the lost, and without those that a body at rest
   /// takes over and over.
   [[nodiscard]] const std::vector<Entry>& tail() const { return tail_; }
@@ -59,11 +59,11 @@ class RunRecord {
 
   /// T_odom_body at each scan.
   [[nodiscard]] Trajectory odometry() const;
-  [[nodiscard]] std::vector<Stretch> stretches() const;
+  [[nodiscard]] std::vector<Segment> segments() const;
 
  private:
-  void listen_to_laser(Bus& bus, std::string_view channel);
-  void listen_to_mapping(Bus& bus);
+  void subscribe_laser(Bus& bus, std::string_view channel);
+  void subscribe_mapping(Bus& bus);
   void on_match(const ScanMatch& match);
   void on_local_map(LocalMap map);
   [[nodiscard]] bool is_far_from_tail(const ScanMatch& match) const;
@@ -71,9 +71,9 @@ class RunRecord {
   std::map<std::string, LaserScan> last_scan_;
   std::vector<ScanMatch> matches_;
   std::vector<Entry> tail_;
-  std::size_t refused_ = 0;
-  LocalMapAssembler local_map_pieces_;
-  PoseGraphAssembler graph_pieces_;
+  std::size_t rejected_ = 0;
+  LocalMapReassembler local_map_fragments_;
+  PoseGraphReassembler graph_fragments_;
   std::vector<LocalMap> local_maps_;
   std::vector<Association> associations_;
   std::optional<MapGraph> graph_;

@@ -10,14 +10,14 @@ SubscriptionId StopwatchBus::subscribe(std::string_view channel, Delivery delive
                                        Handler handler) {
   if (!channels_.contains(channel)) return bus_.subscribe(channel, delivery, std::move(handler));
   return bus_.subscribe(channel, delivery,
-                        [this, handler = std::move(handler)](const Received& received) {
+                        [this, handler = std::move(handler)](const ReceivedMessage& received) {
                           const auto start = std::chrono::steady_clock::now();
                           answered_ = false;
-                          const std::string_view refusal = handler(received);
+                          const std::string_view rejection = handler(received);
                           const std::chrono::duration<double, std::milli> taken =
                               std::chrono::steady_clock::now() - start;
                           handled_.push_back({taken.count(), answered_});
-                          return refusal;
+                          return rejection;
                         });
 }
 

@@ -36,8 +36,8 @@ class StopwatchBus final : public Bus {
     bus_.publish(channel, bytes);
   }
   SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
-  void every(std::int64_t period_us, TimerHandler handler) override {
-    bus_.every(period_us, std::move(handler));
+  void create_timer(std::int64_t period_us, TimerHandler handler) override {
+    bus_.create_timer(period_us, std::move(handler));
   }
   [[nodiscard]] std::int64_t now_utime() const override { return bus_.now_utime(); }
   [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override {

@@ -10,8 +10,8 @@
 #include <sys/resource.h>
 
 #include "common/messages/codec.hpp"
-#include "common/messages/local_map_pieces.hpp"
-#include "common/pose_graph/potential.hpp"
+#include "common/messages/mapping/local_map.hpp"
+#include "common/pose_graph/pose_graph.hpp"
 
 namespace adit {
 namespace {
@@ -48,23 +48,23 @@ Json scans_json(const RunRecord& record) {
       matches.begin(), matches.end(), [](const auto& match) { return !match.degenerate.empty(); });
   const auto searched = std::count_if(matches.begin(), matches.end(),
                                       [](const auto& match) { return match.searched; });
-  return {{"total", matches.size() + record.refused_scans()},
+  return {{"total", matches.size() + record.rejected_scans()},
           {"matched", count(record, ScanMatch::Status::kMatched)},
           {"lost", count(record, ScanMatch::Status::kLost)},
-          {"refused", record.refused_scans()},
+          {"refused", record.rejected_scans()},
           {"searched", searched},
           {"degenerate", degenerate}};
 }
 
-Json stretches_json(const RunRecord& record) {
+Json segments_json(const RunRecord& record) {
   Json list = Json::array();
-  for (const auto& stretch : record.stretches()) {
-    list.push_back({{"from_s", 1e-6 * static_cast<double>(stretch.from_utime)},
-                    {"to_s", 1e-6 * static_cast<double>(stretch.to_utime)},
-                    {"length_m", stretch.length_m},
-                    {"scans", stretch.scans},
-                    {"what", stretch.lost ? "lost" : "degenerate"},
-                    {"filled_by_sensor", stretch.filled}});
+  for (const auto& segment : record.segments()) {
+    list.push_back({{"from_s", 1e-6 * static_cast<double>(segment.from_utime)},
+                    {"to_s", 1e-6 * static_cast<double>(segment.to_utime)},
+                    {"length_m", segment.length_m},
+                    {"scans", segment.scans},
+                    {"what", segment.lost ? "lost" : "degenerate"},
+                    {"filled_by_sensor", segment.filled}});
   }
   return list;
 }
@@ -72,7 +72,7 @@ Json stretches_json(const RunRecord& record) {
 /// As messages, in all pieces [bytes].
 double serialised_bytes(const LocalMap& map) {
   std::size_t bytes = 0;
-  for (const LocalMapPiece& piece : divide(map)) bytes += encode(to_message(piece)).size();
+  for (const LocalMapFragment& fragment : split(map)) bytes += encode(to_message(fragment)).size();
   return static_cast<double>(bytes);
 }
 
@@ -83,7 +83,7 @@ double resident_bytes(const LocalMap& map) {
   return static_cast<double>(bytes);
 }
 
-Json bytes_json(const WholeMap& map) {
+Json bytes_json(const FullMap& map) {
   std::vector<double> serialised;
   std::vector<double> resident;
   for (const LocalMap* local_map : map.local_maps) {
@@ -99,22 +99,22 @@ double objective_of(const MapGraph& graph) {
   return objective(plain);
 }
 
-Json map_json(const WholeMap& map) {
-  const ClosureCounts closures = count_closures(map);
+Json map_json(const FullMap& map) {
+  const LoopClosureCounts loop_closures = count_loop_closures(map);
   return {{"sessions", map.paths.size()},
           {"local_maps", map.local_maps.size()},
           {"closures",
-           {{"proposed", closures.proposed},
-            {"in_force", closures.in_force},
-            {"revised", closures.revised},
-            {"to_earlier_sessions", count_joints(map)}}},
+           {{"proposed", loop_closures.proposed},
+            {"in_force", loop_closures.in_force},
+            {"revised", loop_closures.revised},
+            {"to_earlier_sessions", count_cross_session_loop_closures(map)}}},
           {"objective", objective_of(map.graph)},
           {"bytes_per_local_map", bytes_json(map)}};
 }
 
 }  // namespace
 
-RunCost cost_so_far() {
+RunCost process_cost() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   RunCost cost;
@@ -123,18 +123,18 @@ RunCost cost_so_far() {
   return cost;
 }
 
-ClosureCounts count_closures(const WholeMap& map) {
-  ClosureCounts counts;
+LoopClosureCounts count_loop_closures(const FullMap& map) {
+  LoopClosureCounts counts;
   for (const Association* association : map.associations) {
     ++(association->action == Association::Action::kRevised ? counts.revised : counts.proposed);
   }
   counts.in_force = static_cast<std::size_t>(std::count_if(
       map.graph.constraints.begin(), map.graph.constraints.end(),
-      [](const auto& constraint) { return constraint.kind == MapConstraint::Kind::kClosure; }));
+      [](const auto& constraint) { return constraint.kind == MapConstraint::Kind::kLoopClosure; }));
   return counts;
 }
 
-std::string summary_json(const RunRecord& record, const WholeMap& map, const RunCost& cost) {
+std::string summary_json(const RunRecord& record, const FullMap& map, const RunCost& cost) {
   const Trajectory trajectory = record.odometry();
   const double duration_s =
       trajectory.empty()
@@ -142,7 +142,7 @@ std::string summary_json(const RunRecord& record, const WholeMap& map, const Run
           : 1e-6 * static_cast<double>(trajectory.back().utime - trajectory.front().utime);
   const Json json = {
       {"scans", scans_json(record)},
-      {"path_length_m", travelled_m(trajectory, kTravelStepM)},
+      {"path_length_m", distance_travelled_m(trajectory, kTravelStepM)},
       {"duration_s", duration_s},
       {"wall_s", cost.wall_s},
       {"cpu_s", cost.cpu_s},
@@ -152,7 +152,7 @@ std::string summary_json(const RunRecord& record, const WholeMap& map, const Run
        {{"mean", mean(cost.local_map_ms)}, {"max", greatest(cost.local_map_ms)}}},
       {"peak_memory_mb", cost.peak_memory_mb},
       {"map", map_json(map)},
-      {"unobserved_stretches", stretches_json(record)}};
+      {"unobserved_segments", segments_json(record)}};
   return json.dump(2) + "\n";
 }
 

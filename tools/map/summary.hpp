@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/map/full_map.hpp"
 #include "tools/map/run_record.hpp"
-#include "tools/map/whole_map.hpp"
 
 namespace adit {
 
@@ -20,20 +20,20 @@ struct RunCost {
 };
 
 /// CPU time and peak memory of this process so far; the rest is the caller's.
-RunCost cost_so_far();
+RunCost process_cost();
 
 /// The figures of a run as JSON, for summary.json: scans and their fate, path length, times,
 /// real-time factor, memory, the map with what earlier runs left in it, and every stretch of this
 /// run where motion was not fully observed.
-std::string summary_json(const RunRecord& record, const WholeMap& map, const RunCost& cost);
+std::string summary_json(const RunRecord& record, const FullMap& map, const RunCost& cost);
 
 /// Of the closures of a map.
-struct ClosureCounts {
+struct LoopClosureCounts {
   std::size_t proposed = 0;
   std::size_t in_force = 0;  ///< at the end
   std::size_t revised = 0;   ///< decisions that replaced an earlier one
 };
 
-ClosureCounts count_closures(const WholeMap& map);
+LoopClosureCounts count_loop_closures(const FullMap& map);
 
 }  // namespace adit

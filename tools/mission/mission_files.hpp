@@ -8,7 +8,10 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "tools/mission/mission_folder.hpp"
+#include "tools/mission/mission_live.hpp"
 
 namespace adit {
 
@@ -26,12 +29,17 @@ struct SimulatorStart {
 std::string mission_config(const std::filesystem::path& config);
 
 /// The process list: the simulator, which waits for all stages and records, and the stages.
-std::string mission_processes(const SimulatorStart& start);
+std::string process_list_text(const SimulatorStart& start);
 
 /// The file of adit-supervisor.
-std::string mission_supervisor();
+std::string supervisor_config();
 
 /// The sections of several YAML texts, each as where it comes first.
 std::string without_repeated_sections(const std::vector<std::string>& yamls);
+
+/// Writes into the folder what all processes of a mission read. One that goes on keeps its
+/// configuration, and the simulated robot stands where TRUTH last had it. Returns where it once
+/// began, in world [m]. Throws for options that cannot be used, and as MissionFolder does.
+Eigen::Vector2d prepare_mission(const MissionLiveOptions& options, const MissionFolder& folder);
 
 }  // namespace adit

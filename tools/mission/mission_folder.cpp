@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/event_source.hpp"
+#include "common/bus/log/event_source.hpp"
 #include "common/messages/codec.hpp"
-#include "common/messages/pose.hpp"
+#include "common/messages/mapping/odometry.hpp"
 #include "procs/mission/mission_journal.hpp"
 
 namespace adit {
@@ -16,25 +16,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path log_of_life(const fs::path& folder, int life) {
-  return folder / (life == 1 ? "run.lcmlog" : "run_" + std::to_string(life) + ".lcmlog");
+fs::path log_of_run(const fs::path& folder, int run_number) {
+  return folder /
+         (run_number == 1 ? "run.lcmlog" : "run_" + std::to_string(run_number) + ".lcmlog");
 }
 
-std::optional<MissionStand> stand_in(const LogEventView& event) {
+std::optional<SimulatedPose> truth_pose_in(const LogEventView& event) {
   if (event.channel != channels::kTruth) return std::nullopt;
   const auto message = decode<pose_t>(event.data);
   if (!message) return std::nullopt;
   const auto pose = from_message(*message);  // of TRUTH: in world
   if (!pose) return std::nullopt;
-  return MissionStand{pose->utime, pose->T_odom_body};
+  return SimulatedPose{pose->utime, pose->T_odom_body};
 }
 
-std::optional<MissionStand> last_stand_in(const fs::path& log) {
+std::optional<SimulatedPose> last_truth_pose_in(const fs::path& log) {
   if (fs::file_size(log) == 0) return std::nullopt;
   const LogFile file(log);
   const auto events = file.events();
   for (auto event = events.rbegin(); event != events.rend(); ++event) {
-    if (const auto stand = stand_in(*event)) return stand;
+    if (const auto pose = truth_pose_in(*event)) return pose;
   }
   return std::nullopt;
 }
@@ -48,27 +49,27 @@ MissionFolder::MissionFolder(const fs::path& path) {
 
 std::vector<fs::path> MissionFolder::logs() const {
   std::vector<fs::path> found;
-  for (int life = 1; fs::exists(log_of_life(path_, life)); ++life) {
-    found.push_back(log_of_life(path_, life));
+  for (int run_number = 1; fs::exists(log_of_run(path_, run_number)); ++run_number) {
+    found.push_back(log_of_run(path_, run_number));
   }
   return found;
 }
 
 fs::path MissionFolder::next_log() const {
-  return log_of_life(path_, static_cast<int>(logs().size()) + 1);
+  return log_of_run(path_, static_cast<int>(logs().size()) + 1);
 }
 
-bool MissionFolder::holds_a_mission() const { return fs::exists(journal()) || !logs().empty(); }
+bool MissionFolder::has_mission() const { return fs::exists(journal()) || !logs().empty(); }
 
 void MissionFolder::require_new() const {
-  if (!holds_a_mission()) return;
+  if (!has_mission()) return;
   throw std::runtime_error(path_.string() +
                            " holds a mission already: go on with it by --resume, or name another "
                            "folder");
 }
 
 void MissionFolder::require_unfinished() const {
-  if (!holds_a_mission() || !fs::exists(world()) || !fs::exists(config())) {
+  if (!has_mission() || !fs::exists(world()) || !fs::exists(config())) {
     throw std::runtime_error(path_.string() + " holds no mission to go on with");
   }
   if (!fs::exists(journal())) return;  // it was cut off before it began
@@ -79,10 +80,10 @@ void MissionFolder::require_unfinished() const {
   }
 }
 
-MissionStand MissionFolder::last_stand() const {
+SimulatedPose MissionFolder::last_pose() const {
   const std::vector<fs::path> logs = this->logs();
   for (auto log = logs.rbegin(); log != logs.rend(); ++log) {
-    if (const auto stand = last_stand_in(*log)) return *stand;
+    if (const auto pose = last_truth_pose_in(*log)) return *pose;
   }
   throw std::runtime_error(path_.string() + ": no log says where the robot is");
 }

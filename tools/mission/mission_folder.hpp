@@ -11,7 +11,7 @@
 namespace adit {
 
 /// Where the body of a simulated mission stands, and when.
-struct MissionStand {
+struct SimulatedPose {
   std::int64_t utime = 0;  ///< [µs since the epoch]
   Pose2 T_world_body;
 };
@@ -32,14 +32,14 @@ class MissionFolder {
   [[nodiscard]] std::filesystem::path journal() const { return path_ / "mission.journal"; }
   [[nodiscard]] std::filesystem::path socket() const { return path_ / "supervisor.sock"; }
   /// Locked while a mission runs here; holds the id of the process whose network that is on.
-  [[nodiscard]] std::filesystem::path running() const { return path_ / "mission.pid"; }
+  [[nodiscard]] std::filesystem::path lock_file() const { return path_ / "mission.pid"; }
 
   /// Those that are there, in order of time.
   [[nodiscard]] std::vector<std::filesystem::path> logs() const;
   /// The one that the next life is to write.
   [[nodiscard]] std::filesystem::path next_log() const;
 
-  [[nodiscard]] bool holds_a_mission() const;
+  [[nodiscard]] bool has_mission() const;
   /// Throws std::runtime_error, with what to do about it, where another mission would be
   /// overwritten.
   void require_new() const;
@@ -47,7 +47,7 @@ class MissionFolder {
   void require_unfinished() const;
 
   /// Where the simulated body was last, by the logs. Throws std::runtime_error where none says it.
-  [[nodiscard]] MissionStand last_stand() const;
+  [[nodiscard]] SimulatedPose last_pose() const;
 
  private:
   std::filesystem::path path_;

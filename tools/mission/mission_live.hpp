@@ -30,7 +30,7 @@ struct MissionLiveResult {
   double wall_s = 0.0;
   double farthest_m = 0.0;   ///< of the true body from the start, straight
   bool interrupted = false;  ///< by SIGINT or SIGTERM
-  std::string trouble;       ///< why it did not come to its end; empty if it did
+  std::string abort_reason;  ///< why it did not come to its end; empty if it did
 };
 
 /// Wall time since the mission began [s].
@@ -41,6 +41,6 @@ using MissionLiveProgress = std::function<void(const MissionProgress&, double wa
 /// written or started. Changes the working folder and the network of this process.
 MissionLiveResult run_live_mission(const MissionLiveOptions& options,
                                    const MissionLiveProgress& progress,
-                                   const std::function<void(const std::string&)>& say);
+                                   const std::function<void(const std::string&)>& notify);
 
 }  // namespace adit

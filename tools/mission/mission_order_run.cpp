@@ -10,9 +10,8 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/lcm_bus.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/mission_order.hpp"
-#include "common/messages/mission_phase.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mission.hpp"
 #include "tools/mission/mission_folder.hpp"
 #include "tools/mission/private_network.hpp"
 
@@ -22,7 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Kind = MissionOrder::Kind;
 
-constexpr int kSayAgainMs = 200;
+constexpr int kRepeatMs = 200;
 
 /// A mission whose folder nobody has locked has left its number behind.
 pid_t process_of(const std::filesystem::path& folder) {
@@ -34,23 +33,23 @@ pid_t process_of(const std::filesystem::path& folder) {
   return pid;
 }
 
-bool is_obeyed(Kind order, const MissionPhase& phase) {
+bool is_executed(Kind order, const MissionPhase& phase) {
   switch (order) {
     case Kind::kPause:
       return phase.phase == Phase::kPaused;
-    case Kind::kGoOn:
+    case Kind::kResume:
       return phase.phase != Phase::kPaused;
-    case Kind::kComeHome:
-      return phase.homeward;
+    case Kind::kReturnHome:
+      return phase.returning_home;
     case Kind::kStop:
       return phase.phase == Phase::kEnded;
   }
   return false;
 }
 
-std::string sentence(const MissionPhase& phase) {
-  return phase.homeward ? phase.reason + " (homeward: " + phase.homeward_reason + ")"
-                        : phase.reason;
+std::string status_text(const MissionPhase& phase) {
+  return phase.returning_home ? phase.reason + " (homeward: " + phase.return_home_reason + ")"
+                              : phase.reason;
 }
 
 [[noreturn]] void fail(const std::optional<MissionPhase>& phase) {
@@ -59,7 +58,7 @@ std::string sentence(const MissionPhase& phase) {
         "no mission answers on LCM; one that adit mission started is on a network of its own: say "
         "--mission DIR, its --out");
   }
-  throw std::runtime_error("the mission does not obey: " + sentence(*phase));
+  throw std::runtime_error("the mission does not obey: " + status_text(*phase));
 }
 
 }  // namespace
@@ -72,16 +71,16 @@ std::string order_mission(const MissionOrderOptions& options) {
   LcmBus bus({.url = options.lcm_url, .time = BusTime::kSimulated});
   std::optional<MissionPhase> phase;
   subscribe<phase_t>(bus, channels::kPhase, Delivery::latest(),
-                     [&](const MissionPhase& heard) { phase = heard; });
-  const auto until = Clock::now() + std::chrono::duration<double>(options.patience_s);
+                     [&](const MissionPhase& received) { phase = received; });
+  const auto until = Clock::now() + std::chrono::duration<double>(options.timeout_s);
   while (Clock::now() < until) {
     const auto utime = std::chrono::duration_cast<std::chrono::microseconds>(
         std::chrono::system_clock::now().time_since_epoch());
     publish(bus, channels::kMissionOrder, to_message(MissionOrder{utime.count(), options.order}));
-    const auto again = Clock::now() + std::chrono::milliseconds(kSayAgainMs);
-    while (Clock::now() < again) bus.handle(kSayAgainMs / 4);
+    const auto again = Clock::now() + std::chrono::milliseconds(kRepeatMs);
+    while (Clock::now() < again) bus.handle(kRepeatMs / 4);
     if (!phase) continue;
-    if (is_obeyed(options.order, *phase)) return sentence(*phase);
+    if (is_executed(options.order, *phase)) return status_text(*phase);
     if (phase->phase == Phase::kEnded) {
       throw std::runtime_error("the mission has ended: " + phase->reason);
     }

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "common/mission/mission_order.hpp"
+#include "common/types/mission.hpp"
 
 namespace adit {
 
@@ -14,7 +14,7 @@ struct MissionOrderOptions {
   MissionOrder::Kind order = MissionOrder::Kind::kPause;
   std::filesystem::path mission;  ///< folder of one that has a network of its own; empty: this one
   std::string lcm_url;            ///< empty: LCM's default
-  double patience_s = 10.0;       ///< of wall time
+  double timeout_s = 10.0;        ///< of wall time
 };
 
 /// Says it until PHASE shows that it is obeyed. Returns what the mission says then, a sentence.

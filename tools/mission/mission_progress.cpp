@@ -4,6 +4,12 @@
 
 #include <array>
 #include <cstdio>
+#include <utility>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mission.hpp"
+#include "common/messages/navigation.hpp"
 
 namespace adit {
 namespace {
@@ -22,9 +28,38 @@ std::string progress_text(const MissionProgress& progress, double factor) {
                 "%6.0f s  %-8s %s  %6.1f m driven, %6.1f m from the start, %3d local maps, "
                 "%3d scans, %.1f x real time",
                 progress.simulated_s, name_of(phase.phase),
-                phase.homeward ? "homeward" : "outbound", phase.travelled_m, progress.from_start_m,
-                progress.local_maps, phase.scans, factor);
+                phase.returning_home ? "homeward" : "outbound", phase.distance_travelled_m,
+                progress.distance_from_start_m, progress.local_maps, phase.scans, factor);
   return text.data();
+}
+
+namespace {
+
+constexpr std::size_t kWaiting = 100;
+
+}  // namespace
+
+PhaseTrace::PhaseTrace(Bus& bus, const std::filesystem::path& file, std::function<double()> now_s)
+    : file_(file, std::ios::app), now_s_(std::move(now_s)) {
+  subscribe<phase_t>(bus, channels::kPhase, Delivery::queued(kWaiting),
+                     [this](const MissionPhase& phase) {
+                       if (std::exchange(sequence_, phase.sequence) != phase.sequence) write(phase);
+                     });
+  subscribe<stop_t>(bus, channels::kStop, Delivery::queued(kWaiting),
+                    [this](const StopOrder& order) {
+                      const bool is_new = std::exchange(stop_, order.reason) != order.reason;
+                      if (!order.stopped || !is_new) return;
+                      file_ << now_s_() << "\tSTOP\t" << order.reason << std::endl;
+                    });
+}
+
+void PhaseTrace::write(const MissionPhase& phase) {
+  std::array<char, 160> text{};
+  std::snprintf(text.data(), text.size(), "%.1f\t%d\t%s\t%d\t%d\t%s\t%.1f\t%.0f\t", now_s_(),
+                static_cast<int>(phase.phase), phase.returning_home ? "home" : "out", phase.goal_id,
+                phase.frontier, phase.laser == LaserId::kFront ? "front" : "rear",
+                phase.distance_travelled_m, phase.remaining_m);
+  file_ << text.data() << phase.reason << std::endl;
 }
 
 }  // namespace adit

@@ -8,28 +8,28 @@
 #include <memory>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/log_writer.hpp"
+#include "common/bus/log/lcm_log.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/node_host.hpp"
-#include "common/bus/stages.hpp"
-#include "common/bus/typed.hpp"
-#include "common/bus/version.hpp"
-#include "common/geometry/in_plan.hpp"
-#include "common/messages/map_correction.hpp"
-#include "common/messages/mission_phase.hpp"
+#include "common/bus/node/node_host.hpp"
+#include "common/bus/node/stages.hpp"
+#include "common/bus/node/version.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/geometry/pose2.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/mission.hpp"
 #include "common/sensing/seconds.hpp"
-#include "sim/live/fault_text.hpp"
-#include "sim/live/settings.hpp"
+#include "sim/live/fault_parser.hpp"
+#include "sim/live/sim_config.hpp"
 #include "sim/sim_node.hpp"
 #include "sim/world/build_world.hpp"
 #include "tools/drive/drive_run.hpp"
-#include "tools/mission/phase_trace.hpp"
+#include "tools/mission/mission_progress.hpp"
 #include "tools/mission/pipeline.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::size_t kWaiting = 100;
+constexpr std::size_t kQueued = 100;
 constexpr double kProgressS = 1.0;  // of simulated time
 constexpr double kAfterEndS = 2.0;  // that the log goes on
 
@@ -45,10 +45,10 @@ class MissionInProcess {
         sim_(host_.bus(), site, params_, static_cast<std::uint64_t>(world.seed), kDriveStartUtime),
         trace_(bus_, options.folder / "phases.tsv", [this] { return simulated_s(); }) {
     host_.set_health([this] { return sim_.health(); });
-    bus_.tap([this](const Received& message) {
+    bus_.tap([this](const ReceivedMessage& message) {
       log_.write({message.utime, message.channel, message.bytes});
     });
-    listen();
+    subscribe_all();
     for (const ConfiguredNode& node : configure_pipeline(
              load_config(options.config), params_.lasers, params_.vehicle, options.folder)) {
       nodes_.push_back(std::make_unique<HostedNode>(bus_, node));
@@ -57,41 +57,41 @@ class MissionInProcess {
   }
 
   MissionRunResult run(const std::function<void(const MissionProgress&)>& progress) {
-    while (!over()) {
+    while (!is_over()) {
       bus_.advance_to(sim_.next_utime());
       sim_.step();
-      note_farthest();
+      update_farthest();
       if (progress &&
-          (simulated_s() >= told_s_ + kProgressS || phase_.sequence != told_sequence_)) {
-        told_s_ = simulated_s();
-        told_sequence_ = phase_.sequence;
+          (simulated_s() >= reported_s_ + kProgressS || phase_.sequence != reported_sequence_)) {
+        reported_s_ = simulated_s();
+        reported_sequence_ = phase_.sequence;
         progress(now());
       }
     }
     log_.close();
     return {now(),
             0.0,
-            from_start_m(),
+            distance_from_start_m(),
             farthest_m_,
-            sim_.simulation().state().travelled_m,
+            sim_.simulation().state().distance_travelled_m,
             0.0,
             sim_.simulation().state().failure};
   }
 
  private:
-  void listen() {
-    subscribe<phase_t>(bus_, channels::kPhase, Delivery::queued(kWaiting),
+  void subscribe_all() {
+    subscribe<phase_t>(bus_, channels::kPhase, Delivery::queued(kQueued),
                        [this](const MissionPhase& phase) {
                          if (phase_.phase != Phase::kEnded) ended_s_ = simulated_s();
                          phase_ = phase;
                        });
-    subscribe<map_correction_t>(bus_, channels::kMapCorrection, Delivery::queued(kWaiting),
+    subscribe<map_correction_t>(bus_, channels::kMapCorrection, Delivery::queued(kQueued),
                                 [this](const MapCorrection& correction) {
                                   local_maps_ = std::max(local_maps_, correction.local_map + 1);
                                 });
   }
 
-  [[nodiscard]] bool over() const {
+  [[nodiscard]] bool is_over() const {
     const bool ended = phase_.phase == Phase::kEnded && simulated_s() > ended_s_ + kAfterEndS;
     return ended || !sim_.simulation().state().failure.empty() ||
            simulated_s() > options_.time_max_s;
@@ -103,10 +103,12 @@ class MissionInProcess {
   [[nodiscard]] Pose2 true_pose() const {
     return in_plan(sim_.simulation().vehicle().motion().T_world_body);
   }
-  [[nodiscard]] double from_start_m() const { return (true_pose().translation() - start_).norm(); }
-  void note_farthest() { farthest_m_ = std::max(farthest_m_, from_start_m()); }
+  [[nodiscard]] double distance_from_start_m() const {
+    return (true_pose().translation() - start_).norm();
+  }
+  void update_farthest() { farthest_m_ = std::max(farthest_m_, distance_from_start_m()); }
   [[nodiscard]] MissionProgress now() const {
-    return {phase_, simulated_s(), from_start_m(), local_maps_};
+    return {phase_, simulated_s(), distance_from_start_m(), local_maps_};
   }
 
   const MissionRunOptions& options_;
@@ -119,8 +121,8 @@ class MissionInProcess {
   std::vector<std::unique_ptr<HostedNode>> nodes_;
   MissionPhase phase_;
   double ended_s_ = 0.0;
-  double told_s_ = 0.0;
-  std::int32_t told_sequence_ = 0;
+  double reported_s_ = 0.0;
+  std::int32_t reported_sequence_ = 0;
   int local_maps_ = 0;
   Eigen::Vector2d start_{0.0, 0.0};
   double farthest_m_ = 0.0;

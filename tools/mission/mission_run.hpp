@@ -25,11 +25,11 @@ struct MissionRunOptions {
 struct MissionRunResult {
   MissionProgress last;
   double wall_s = 0.0;
-  double home_off_m = 0.0;   ///< of the true body from the start, at the end
-  double farthest_m = 0.0;   ///< of the true body from the start, straight
-  double travelled_m = 0.0;  ///< true
-  double rmse_m = 0.0;       ///< of T_map_body against the truth, as it was believed at the time
-  std::string failure;       ///< why the simulated run failed: a collision; empty if it did not
+  double distance_from_start_m = 0.0;  ///< of the true body from the start, at the end
+  double farthest_m = 0.0;             ///< of the true body from the start, straight
+  double distance_travelled_m = 0.0;   ///< true
+  double rmse_m = 0.0;  ///< of T_map_body against the truth, as it was believed at the time
+  std::string failure;  ///< why the simulated run failed: a collision; empty if it did not
 };
 
 /// The same options give the same log, byte for byte. Throws for what cannot be read, built or

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <vector>
 
-#include "common/bus/hosted_node.hpp"
+#include "common/bus/node/node_host.hpp"
 #include "common/config/config_file.hpp"
 #include "common/sensing/laser_mount.hpp"
-#include "common/vehicle/vehicle.hpp"
+#include "common/types/vehicle.hpp"
 
 namespace adit {
 

@@ -19,8 +19,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "common/files/text_file.hpp"
-#include "procs/supervisor/os/descriptor.hpp"
+#include "common/files/file_utils.hpp"
+#include "procs/supervisor/os/file_descriptor.hpp"
 
 namespace adit {
 namespace {
@@ -36,12 +36,12 @@ constexpr const char* kLoopback = "lo";
 /// So that files are written as whom they always are.
 void map_user_to_itself(uid_t user, gid_t group) {
   const auto map = [](auto id) { return std::to_string(id) + " " + std::to_string(id) + " 1\n"; };
-  write_text("deny", "/proc/self/setgroups");
-  write_text(map(user), "/proc/self/uid_map");
-  write_text(map(group), "/proc/self/gid_map");
+  write_text_file("deny", "/proc/self/setgroups");
+  write_text_file(map(user), "/proc/self/uid_map");
+  write_text_file(map(group), "/proc/self/gid_map");
 }
 
-void bring_up_loopback(const Descriptor& socket) {
+void bring_up_loopback(const FileDescriptor& socket) {
   ifreq request{};
   std::strncpy(request.ifr_name, kLoopback, IFNAMSIZ - 1);
   if (ioctl(socket.get(), SIOCGIFFLAGS, &request) != 0) fail("flags of lo");
@@ -59,7 +59,7 @@ sockaddr address(const char* text) {
   return any;
 }
 
-void route_multicast(const Descriptor& socket) {
+void route_multicast(const FileDescriptor& socket) {
   std::string device = kLoopback;
   rtentry route{};
   route.rt_dst = address("224.0.0.0");
@@ -69,7 +69,7 @@ void route_multicast(const Descriptor& socket) {
   if (ioctl(socket.get(), SIOCADDRT, &route) != 0) fail("no route for multicast");
 }
 
-bool is_the_same(const fs::path& a, const fs::path& b) {
+bool is_same_inode(const fs::path& a, const fs::path& b) {
   struct stat of_a {};
   struct stat of_b {};
   return stat(a.c_str(), &of_a) == 0 && stat(b.c_str(), &of_b) == 0 && of_a.st_ino == of_b.st_ino;
@@ -85,7 +85,7 @@ bool enter_private_network() {
     if (unshare(CLONE_NEWUSER | CLONE_NEWNET) != 0) return false;
     map_user_to_itself(user, group);
   }
-  const Descriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  const FileDescriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   if (!socket) fail("socket");
   bring_up_loopback(socket);
   route_multicast(socket);
@@ -95,8 +95,8 @@ bool enter_private_network() {
 void enter_network_of(pid_t pid) {
   const fs::path theirs = fs::path("/proc") / std::to_string(pid) / "ns";
   for (const char* space : {"user", "net"}) {  // who has joined the first, may join the second
-    if (is_the_same(theirs / space, fs::path("/proc/self/ns") / space)) continue;
-    const Descriptor joined(open((theirs / space).c_str(), O_RDONLY | O_CLOEXEC));
+    if (is_same_inode(theirs / space, fs::path("/proc/self/ns") / space)) continue;
+    const FileDescriptor joined(open((theirs / space).c_str(), O_RDONLY | O_CLOEXEC));
     if (joined && setns(joined.get(), 0) == 0) continue;
     throw std::runtime_error("the network of process " + std::to_string(pid) +
                              " cannot be joined: " + std::generic_category().message(errno));

@@ -4,12 +4,28 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
+#include <regex>
 #include <stdexcept>
 #include <string>
 
-#include "procs/mapping/association/lazy_loops.hpp"
+#include <nlohmann/json.hpp>
+
+#include "procs/mapping/association/lazy_loop_closures.hpp"
 
 namespace adit {
+
+double PhaseStopwatch::total_ms() const {
+  return std::accumulate(ms_.begin(), ms_.begin() + index(OptimizePhase::kEnd), 0.0);
+}
+
+void PhaseStopwatch::enter(OptimizePhase begins) {
+  const Clock::time_point now = Clock::now();
+  ms_[index(phase_)] += std::chrono::duration<double, std::milli>(now - since_).count();
+  phase_ = begins;
+  since_ = now;
+}
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -22,19 +38,19 @@ void require_poses(const G2oGraph& file, const OptimizeResult& result) {
   throw std::runtime_error(text(result.reason, id));
 }
 
-void require_way(const G2oGraph& file) {
-  const auto gap = gap_in_way(file.graph);
+void require_path(const G2oGraph& file) {
+  const auto gap = odometry_gap(file.graph);
   if (!gap) return;
   throw std::runtime_error("no constraint links pose " + std::to_string(id_of(file, *gap)) +
                            " with the next, pose " + std::to_string(id_of(file, *gap + 1)) +
                            ": there is no way to hold loops against");
 }
 
-LoopVerdicts verdicts(const G2oGraph& file, const LazyLoopsResult& lazy) {
-  LoopVerdicts loops;
-  for (const int k : lazy.constraint_of_closure) {
+LoopDecisions loop_decisions(const G2oGraph& file, const LazyLoopClosuresResult& lazy) {
+  LoopDecisions loops;
+  for (const int k : lazy.constraint_of_loop_closure) {
     const PoseConstraint& c = file.graph.constraints[static_cast<std::size_t>(k)];
-    auto& list = lazy.believed[static_cast<std::size_t>(k)] ? loops.kept : loops.rejected;
+    auto& list = lazy.accepted[static_cast<std::size_t>(k)] ? loops.accepted : loops.rejected;
     list.emplace_back(id_of(file, c.from), id_of(file, c.to));
   }
   loops.trials = lazy.trials;
@@ -44,12 +60,12 @@ LoopVerdicts verdicts(const G2oGraph& file, const LazyLoopsResult& lazy) {
   return loops;
 }
 
-void leave_out(PoseGraph& graph, const std::vector<bool>& believed) {
-  std::vector<PoseConstraint> kept;
-  for (std::size_t k = 0; k < believed.size(); ++k) {
-    if (believed[k]) kept.push_back(graph.constraints[k]);
+void remove_rejected(PoseGraph& graph, const std::vector<bool>& accepted) {
+  std::vector<PoseConstraint> remaining;
+  for (std::size_t k = 0; k < accepted.size(); ++k) {
+    if (accepted[k]) remaining.push_back(graph.constraints[k]);
   }
-  graph.constraints = std::move(kept);
+  graph.constraints = std::move(remaining);
 }
 
 }  // namespace
@@ -63,18 +79,63 @@ OptimizeRun optimize_all(G2oGraph& file) {
 
 OptimizeRun optimize_lazily(G2oGraph& file, const LazyAssociationParams& params,
                             const std::function<void(double)>& progress) {
-  require_way(file);
+  require_path(file);
   const Clock::time_point begin = Clock::now();
-  const LazyLoopsResult lazy = believe_lazily(file.graph, params, progress);
+  const LazyLoopClosuresResult lazy = associate_loops_lazily(file.graph, params, progress);
   const std::chrono::duration<double, std::milli> association = Clock::now() - begin;
 
   OptimizeRun run;
-  run.loops = verdicts(file, lazy);
+  run.loops = loop_decisions(file, lazy);
   run.loops->association_ms = association.count();
-  run.result = optimize_believed(file.graph, lazy.believed, run.stopwatch.observer());
+  run.result = optimize_accepted(file.graph, lazy.accepted, run.stopwatch.observer());
   require_poses(file, run.result);
-  leave_out(file.graph, lazy.believed);
+  remove_rejected(file.graph, lazy.accepted);
   return run;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void add_loops(Json& json, const LoopDecisions& loops) {
+  json["loops"] = loops.accepted.size() + loops.rejected.size();
+  json["loops_accepted"] = loops.accepted;
+  json["loops_rejected"] = loops.rejected;
+  json["trials"] = loops.trials;
+  json["revisions"] = loops.revisions;
+}
+
+Json wall_ms(const OptimizeRun& run) {
+  Json wall;
+  double total = run.stopwatch.total_ms();
+  if (run.loops) {
+    wall["association"] = run.loops->association_ms;
+    total += run.loops->association_ms;
+  }
+  wall["start"] = run.stopwatch.ms(OptimizePhase::kStart);
+  wall["analysis"] = run.stopwatch.ms(OptimizePhase::kAnalysis);
+  wall["factorisation"] = run.stopwatch.ms(OptimizePhase::kFactorisation);
+  wall["rest"] = run.stopwatch.ms(OptimizePhase::kOther);
+  wall["total"] = total;
+  return wall;
+}
+
+/// [a, b] on one line: the library gives each number its own.
+std::string with_short_pairs(const std::string& text) {
+  static const std::regex pair(R"(\[\s+(-?\d+),\s+(-?\d+)\s+\])");
+  return std::regex_replace(text, pair, "[$1, $2]");
+}
+
+}  // namespace
+
+std::string to_json(const PoseGraph& graph, const OptimizeRun& run) {
+  Json json = {
+      {"nodes", graph.poses.size()},         {"constraints", graph.constraints.size()},
+      {"converged", run.result.converged},   {"objective", run.result.objective},
+      {"iterations", run.result.iterations}, {"factorisations", run.result.factorisations}};
+  if (run.loops) add_loops(json, *run.loops);
+  json["wall_ms"] = wall_ms(run);
+  return with_short_pairs(json.dump(2));
 }
 
 }  // namespace adit

@@ -8,7 +8,7 @@
 
 #include <Eigen/Geometry>
 
-#include "tools/plan/ground_search.hpp"
+#include "tools/plan/ground_estimate.hpp"
 
 namespace adit {
 namespace {
@@ -31,7 +31,7 @@ Upright turn(const PointCloud& cloud, const CloudPlacement& placement) {
 
 /// About the laser, so that the plan below it stays where it is.
 void turn_level(Upright& cloud, const Eigen::Vector2d& p_plan) {
-  const Eigen::Vector3d normal = ground_normal(cloud.points, p_plan, cloud.laser.z());
+  const Eigen::Vector3d normal = estimate_ground_normal(cloud.points, p_plan, cloud.laser.z());
   const auto R = Eigen::Quaterniond::FromTwoVectors(normal, Eigen::Vector3d::UnitZ());
   for (Eigen::Vector3d& p : cloud.points) p = cloud.laser + R * (p - cloud.laser);
 }
@@ -60,8 +60,9 @@ Cloud place_cloud(const PointCloud& points, const CloudPlacement& placement) {
   Upright cloud = turn(points, placement);
   const Eigen::Vector2d p_plan = placement.p_plan_vehicle.value_or(cloud.laser.head<2>());
   if (placement.level) turn_level(cloud, p_plan);
-  const double ground_m = placement.ground_m ? *placement.ground_m
-                                             : ground_height(cloud.points, p_plan, cloud.laser.z());
+  const double ground_m = placement.ground_m
+                              ? *placement.ground_m
+                              : estimate_ground_height(cloud.points, p_plan, cloud.laser.z());
   if (cloud.laser.z() < ground_m + kLaserHeightMinM) {
     throw std::runtime_error("the laser is not above the ground: see --origin, --ground and --up");
   }

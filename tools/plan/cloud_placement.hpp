@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "common/cloud/cloud.hpp"
+#include "common/types/cloud.hpp"
 #include "tools/cloud/point_cloud.hpp"
 
 namespace adit {

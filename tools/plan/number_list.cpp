@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "common/config/parse_number.hpp"
+#include "common/config/number_text.hpp"
 
 namespace adit {
 namespace {

@@ -5,11 +5,10 @@
 #include <iomanip>
 #include <stdexcept>
 
-#include "common/bus/stages.hpp"
+#include "common/bus/node/stages.hpp"
 #include "tools/cloud/cloud_file.hpp"
 #include "tools/map/result_folder.hpp"
-#include "tools/plan/plan_facts.hpp"
-#include "tools/plan/plan_files.hpp"
+#include "tools/plan/plan_output.hpp"
 
 namespace adit {
 namespace {
@@ -21,15 +20,15 @@ ConfigFile load_config(const std::filesystem::path& path) {
   return file;
 }
 
-ScanSource scan_of_points(const PlanRunOptions& options) {
+ScanInput scan_of_points(const PlanRunOptions& options) {
   if (options.choice.all || options.choice.number || options.choice.id) {
     throw std::invalid_argument("--scan, --id and --all are for logs; a cloud is one scan");
   }
   const PointCloud points = read_cloud_file(options.input);
-  ScanSource source;
+  ScanInput source;
   if (points.skipped > 0) {
-    source.complaints.push_back("skipped " + std::to_string(points.skipped) +
-                                " points that are not finite, or farther than 100 km from 0");
+    source.warnings.push_back("skipped " + std::to_string(points.skipped) +
+                              " points that are not finite, or farther than 100 km from 0");
   }
   try {
     source.clouds.push_back(place_cloud(points, options.placement));
@@ -39,8 +38,8 @@ ScanSource scan_of_points(const PlanRunOptions& options) {
   return source;
 }
 
-void complain(const PlanRunOptions& options, const ScanSource& source, std::ostream& err) {
-  for (const std::string& sentence : source.complaints) {
+void print_warnings(const PlanRunOptions& options, const ScanInput& source, std::ostream& err) {
+  for (const std::string& sentence : source.warnings) {
     err << "adit: " << options.input.string() << ": " << sentence << "\n";
   }
 }
@@ -58,12 +57,12 @@ bool run_plan(const PlanRunOptions& options, std::ostream& out, std::ostream& er
   const ConfigFile config = load_config(options.config);
   const ScanPlanParams params = load_scan_plan_params(config, options.estimator);
   Planning planning(params.planning);
-  const ScanSource source =
+  const ScanInput source =
       is_scan_log(options.input) ? scans_of_log(options.input, config) : scan_of_points(options);
-  complain(options, source, err);
+  print_warnings(options, source, err);
   bool all_found = true;
   const ResultFolder results(options.folder);
-  for (const NumberedScan& scan : choose(source, options.choice)) {
+  for (const NumberedScan& scan : select_scans(source, options.choice)) {
     const ScanPlan plan = plan_on_scan(scan.cloud, options.goal, params, planning);
     std::filesystem::path folder = results.unfinished();
     if (options.choice.all) folder /= "scan_" + std::to_string(scan.number);
@@ -73,7 +72,7 @@ bool run_plan(const PlanRunOptions& options, std::ostream& out, std::ostream& er
     out << options.folder.string();
     if (options.choice.all) out << "/scan_" << scan.number;
     out << "\n";
-    for (const std::string& fact : plan_facts(scan.cloud, plan)) out << "  " << fact << "\n";
+    for (const std::string& line : plan_summary(scan.cloud, plan)) out << "  " << line << "\n";
     out << "  " << plan_times(plan.times) << "\n";
     all_found = all_found && plan.path.outcome == PlanOutcome::kFound;
   }
@@ -85,8 +84,8 @@ void list_scans(const PlanRunOptions& options, std::ostream& out, std::ostream& 
   if (!is_scan_log(options.input)) {
     throw std::invalid_argument("--list is for logs; a cloud is one scan");
   }
-  const ScanSource source = scans_of_log(options.input, load_config(options.config));
-  complain(options, source, err);
+  const ScanInput source = scans_of_log(options.input, load_config(options.config));
+  print_warnings(options, source, err);
   out << "scan      id             utime   lines    points\n";
   int number = 0;
   for (const Cloud& cloud : source.clouds) {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "tools/plan/cloud_placement.hpp"
+#include "tools/plan/scan_input.hpp"
 #include "tools/plan/scan_plan.hpp"
-#include "tools/plan/scan_source.hpp"
 
 namespace adit {
 

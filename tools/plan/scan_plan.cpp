@@ -86,7 +86,7 @@ const char* name_of(PlanOutcome outcome) {
       return "unknown";
     case PlanOutcome::kNarrow:
       return "narrow";
-    case PlanOutcome::kGaveUp:
+    case PlanOutcome::kSearchLimit:
       return "gave_up";
   }
   return "";

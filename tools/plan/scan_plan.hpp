@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <string>
 
-#include "common/cloud/cloud.hpp"
 #include "common/config/config_file.hpp"
+#include "common/types/cloud.hpp"
 #include "procs/planning/planning.hpp"
 #include "procs/terrain/terrain_params.hpp"
 

@@ -16,7 +16,7 @@ namespace {
 bool is_missing(const LocalMap& map) { return map.utime == 0; }
 
 /// As many as the graph has poses, by id.
-std::vector<LocalMap> by_id(std::vector<LocalMap> found, std::size_t count) {
+std::vector<LocalMap> local_maps_by_id(std::vector<LocalMap> found, std::size_t count) {
   std::vector<LocalMap> maps(count);
   for (std::size_t i = 0; i < count; ++i) maps[i].id = static_cast<int>(i);
   for (LocalMap& map : found) {
@@ -30,7 +30,7 @@ std::vector<LocalMap> by_id(std::vector<LocalMap> found, std::size_t count) {
 }
 
 /// Poses from one time on, and before another.
-Trajectory part(const Trajectory& poses, std::int64_t from_utime, std::int64_t to_utime) {
+Trajectory time_slice(const Trajectory& poses, std::int64_t from_utime, std::int64_t to_utime) {
   const auto is_before = [](const TimedPose& pose, std::int64_t utime) {
     return pose.utime < utime;
   };
@@ -43,55 +43,55 @@ constexpr std::int64_t kNever = 9'000'000'000'000'000'000;
 }  // namespace
 
 MissionMap::MissionMap(MapRecord& record) {
-  match_graph(record);
-  local_maps_ = by_id(record.take_local_maps(), whole_.graph.poses.size());
+  set_graph(record);
+  local_maps_ = local_maps_by_id(record.release_local_maps(), full_map_.graph.poses.size());
   for (const LocalMap& map : local_maps_) {
-    whole_.local_maps.push_back(&map);
+    full_map_.local_maps.push_back(&map);
     if (is_missing(map)) ++missing_;
   }
   for (const Association& association : record.associations()) {
-    whole_.associations.push_back(&association);
+    full_map_.associations.push_back(&association);
   }
-  enter_sessions(record.odometry());
-  place_scans();
-  path_ = joined_path(whole_);
+  add_sessions(record.odometry());
+  add_placed_scans();
+  path_ = joined_path(full_map_);
 }
 
-void MissionMap::match_graph(const MapRecord& record) {
+void MissionMap::set_graph(const MapRecord& record) {
   if (record.graph()) {
-    whole_.graph = *record.graph();
+    full_map_.graph = *record.graph();
     return;
   }
   for (const auto& [id, map] : record.local_maps()) {  // odom for map
-    if (static_cast<std::size_t>(id) != whole_.graph.poses.size()) break;
-    whole_.graph.poses.push_back(map.T_odom_local);
+    if (static_cast<std::size_t>(id) != full_map_.graph.poses.size()) break;
+    full_map_.graph.poses.push_back(map.T_odom_local);
   }
 }
 
 /// Each session has an odom of its own, which begins with its first local map.
-void MissionMap::enter_sessions(const Trajectory& odometry) {
+void MissionMap::add_sessions(const Trajectory& odometry) {
   std::map<int, std::vector<MapAnchor>> anchors;
   for (const LocalMap& map : local_maps_) {
     if (is_missing(map)) continue;
-    const Pose2& T_map_local = whole_.graph.poses[static_cast<std::size_t>(map.id)];
+    const Pose2& T_map_local = full_map_.graph.poses[static_cast<std::size_t>(map.id)];
     anchors[map.session].push_back({map.utime, map.T_odom_local, T_map_local});
   }
-  if (anchors.empty()) whole_.paths.push_back(odometry);
+  if (anchors.empty()) full_map_.paths.push_back(odometry);
   std::int64_t from_utime = 0;
   for (auto session = anchors.begin(); session != anchors.end(); ++session) {
     const auto next = std::next(session);
     const std::int64_t to_utime = next == anchors.end() ? kNever : next->second.front().utime;
-    whole_.paths.push_back(
-        corrected_trajectory(part(odometry, from_utime, to_utime), session->second));
+    full_map_.paths.push_back(
+        corrected_trajectory(time_slice(odometry, from_utime, to_utime), session->second));
     from_utime = to_utime;
   }
 }
 
-void MissionMap::place_scans() {
+void MissionMap::add_placed_scans() {
   for (const LocalMap& map : local_maps_) {
-    const Pose2& T_map_local = whole_.graph.poses[static_cast<std::size_t>(map.id)];
+    const Pose2& T_map_local = full_map_.graph.poses[static_cast<std::size_t>(map.id)];
     for (const LocalScan& scan : map.scans) {
-      whole_.scans.push_back({&scan.channel, &scan.scan, T_map_local * scan.T_local_body});
+      full_map_.scans.push_back({&scan.channel, &scan.scan, T_map_local * scan.T_local_body});
     }
   }
 }
@@ -103,13 +103,13 @@ std::optional<Pose2> MissionMap::T_map_body_at(std::int64_t utime) const {
 
 std::optional<OccupancyGrid> MissionMap::grid(const Lasers& lasers) const {
   OccupancyGrid grid{OccupancyGridParams{}};
-  const bool entered =
-      std::all_of(whole_.scans.begin(), whole_.scans.end(), [&](const PlacedScan& placed) {
+  const bool inserted =
+      std::all_of(full_map_.scans.begin(), full_map_.scans.end(), [&](const PlacedScan& placed) {
         const bool rear = *placed.channel == channels::kLaserRear;
         const LaserMount& mount = rear ? lasers.rear : lasers.front;
         return grid.insert(*placed.scan, placed.T_map_body * mount.T_body_laser);
       });
-  if (!entered || grid.known_box().empty()) return std::nullopt;
+  if (!inserted || grid.observed_box().empty()) return std::nullopt;
   return grid;
 }
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "common/grid/occupancy_grid.hpp"
-#include "common/local_map/local_map.hpp"
 #include "common/sensing/laser_mount.hpp"
-#include "tools/map/whole_map.hpp"
-#include "tools/report/map_record.hpp"
+#include "common/types/local_map.hpp"
+#include "tools/map/full_map.hpp"
+#include "tools/report/records/map_record.hpp"
 
 namespace adit {
 
@@ -25,7 +25,7 @@ class MissionMap {
   MissionMap& operator=(const MissionMap&) = delete;
 
   /// It refers to this.
-  [[nodiscard]] const WholeMap& whole() const { return whole_; }
+  [[nodiscard]] const FullMap& full_map() const { return full_map_; }
   /// T_map_body, all sessions in order of time.
   [[nodiscard]] const Trajectory& path() const { return path_; }
   [[nodiscard]] std::optional<Pose2> T_map_body_at(std::int64_t utime) const;
@@ -36,12 +36,12 @@ class MissionMap {
   [[nodiscard]] std::optional<OccupancyGrid> grid(const Lasers& lasers) const;
 
  private:
-  void match_graph(const MapRecord& record);
-  void enter_sessions(const Trajectory& odometry);
-  void place_scans();
+  void set_graph(const MapRecord& record);
+  void add_sessions(const Trajectory& odometry);
+  void add_placed_scans();
 
   std::vector<LocalMap> local_maps_;
-  WholeMap whole_;
+  FullMap full_map_;
   Trajectory path_;
   std::size_t missing_ = 0;
 };

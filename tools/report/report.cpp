@@ -2,50 +2,83 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/report.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "common/bus/channels.hpp"
-#include "common/files/text_file.hpp"
+#include "common/bus/log/lcm_log.hpp"
+#include "common/files/file_utils.hpp"
+#include "common/files/mapped_file.hpp"
 #include "tools/map/result_folder.hpp"
-#include "tools/report/log_place.hpp"
-#include "tools/report/mission_ear.hpp"
-#include "tools/report/mission_page.hpp"
+#include "tools/report/html/mission_page.hpp"
+#include "tools/report/html/scan_cards.hpp"
+#include "tools/report/html/text_format.hpp"
+#include "tools/report/records/mission_log_reader.hpp"
 #include "tools/report/report_files.hpp"
-#include "tools/report/scan_cards.hpp"
-#include "tools/report/text.hpp"
 
 namespace adit {
 namespace {
 
-LogCensus census_of(const ReportOptions& options) {
-  LogCensus census = take_census(options.logs);
+/// Puts the logs of a mission into `unfinished` as run.lcmlog, unless the first is run.lcmlog in
+/// `folder` already, where a mission has all of its logs: one by a hard link, or a copy where there
+/// cannot be one; several one after the other, their events numbered anew. Throws
+/// std::runtime_error where it cannot be written.
+void store_log(const std::vector<std::filesystem::path>& logs, const std::filesystem::path& folder,
+               const std::filesystem::path& unfinished);
+
+namespace fs = std::filesystem;
+
+void store_log(const std::vector<fs::path>& logs, const fs::path& folder,
+               const fs::path& unfinished) {
+  const fs::path place = unfinished / "run.lcmlog";
+  std::error_code error;
+  // The folder of the mission itself, which has its logs and would hold them twice.
+  if (fs::equivalent(logs.front(), folder / "run.lcmlog", error)) return;
+  if (logs.size() == 1) {
+    fs::create_hard_link(fs::canonical(logs.front()), place, error);
+    if (error) fs::copy_file(logs.front(), place);
+    return;
+  }
+  LogWriter writer(place);
+  for (const fs::path& log : logs) {
+    const MappedFile file(log);
+    LogParser parser(file.bytes());
+    while (const auto event = parser.next()) writer.write(*event);
+  }
+  writer.close();
+}
+
+LogInfo read_mission_log_info(const ReportOptions& options) {
+  LogInfo log_info = read_log_info(options.logs);
   for (const auto channel :
        {channels::kPhase, channels::kPose, channels::kLocalMap, channels::kCloud}) {
-    if (census.has(channel)) return census;
+    if (log_info.has(channel)) return log_info;
   }
   throw std::runtime_error("nothing of a mission in " + options.logs.front().string() +
                            ": neither PHASE nor POSE, LOCAL_MAP or CLOUD");
 }
 
-std::string title_of(const LogCensus& census) {
-  return "Mission of " + date_text(census.first_utime).substr(0, 10);
+std::string title_of(const LogInfo& log_info) {
+  return "Mission of " + date_text(log_info.first_utime).substr(0, 10);
 }
 
-MapToDraw to_draw(const MissionRecords& records, const MissionFacts& facts, const MissionMap& map,
-                  const std::optional<OccupancyGrid>& grid) {
+MapContent map_content(const MissionRecords& records, const MissionStatistics& statistics,
+                       const MissionMap& map, const std::optional<OccupancyGrid>& grid) {
   const auto& exploration = records.state.exploration();
   return {&map, grid ? &*grid : nullptr, exploration ? &*exploration : nullptr,
-          scan_marks(records, map), facts.homeward_utime};
+          scan_marks(records, map), statistics.homeward_utime};
 }
 
-std::vector<std::string> notes_of(const LogCensus& census, const MissionEar& ear,
-                                  const MissionMap& map) {
-  std::vector<std::string> notes = census.complaints;
-  for (std::string& complaint : ear.complaints()) notes.push_back(std::move(complaint));
+std::vector<std::string> collect_warnings(const LogInfo& log_info, const MissionLogReader& reader,
+                                          const MissionMap& map) {
+  std::vector<std::string> notes = log_info.warnings;
+  for (std::string& warning : reader.warnings()) notes.push_back(std::move(warning));
   if (map.missing_local_maps() > 0) {
-    notes.push_back(counted(map.missing_local_maps(), "local map") +
+    notes.push_back(count_text(map.missing_local_maps(), "local map") +
                     " of the pose graph are not in the log");
   }
   return notes;
@@ -54,34 +87,34 @@ std::vector<std::string> notes_of(const LogCensus& census, const MissionEar& ear
 }  // namespace
 
 MissionReport write_report(const ReportOptions& options, const ReportProgress& progress) {
-  const auto tell = [&](const std::string& label, double done) {
+  const auto report_progress = [&](const std::string& label, double done) {
     if (progress) progress(label, done);
   };
-  const LogCensus census = census_of(options);
+  const LogInfo log_info = read_mission_log_info(options);
   const ResultFolder results(options.folder);
-  MissionEar ear(census, options.remap);
-  ear.listen(options, [&](double done) { tell("reading", done); });
+  MissionLogReader reader(log_info, options.remap);
+  reader.read(options, [&](double done) { report_progress("reading", done); });
 
-  tell("drawing", 0.0);
-  const MissionMap map(ear.map());
-  const auto grid = map.grid(census.lasers());
-  const MissionRecords records = ear.records();
-  const MissionFacts facts = mission_facts(records, map);
-  const MapToDraw drawn = to_draw(records, facts, map, grid);
-  const std::string title = title_of(census);
-  tell("writing", 0.3);
-  MissionReport report{outcome_text(facts), facts.scans, facts.way_m, 0,
-                       notes_of(census, ear, map)};
-  for (std::string& sentence :
-       write_report_files({records, facts, drawn, ear.volume(), title}, results.unfinished())) {
-    report.complaints.push_back(std::move(sentence));
+  report_progress("drawing", 0.0);
+  const MissionMap map(reader.map());
+  const auto grid = map.grid(log_info.lasers());
+  const MissionRecords records = reader.records();
+  const MissionStatistics statistics = mission_statistics(records, map);
+  const MapContent content = map_content(records, statistics, map, grid);
+  const std::string title = title_of(log_info);
+  report_progress("writing", 0.3);
+  MissionReport report{outcome_text(statistics), statistics.scans, statistics.distance_travelled_m,
+                       0, collect_warnings(log_info, reader, map)};
+  for (std::string& sentence : write_report_files(
+           {records, statistics, content, reader.volume(), title}, results.unfinished())) {
+    report.warnings.push_back(std::move(sentence));
   }
-  const std::string page = mission_page(records, facts, drawn, title, report.complaints);
+  const std::string page = mission_page(records, statistics, content, title, report.warnings);
   report.page_bytes = page.size();
-  write_text(page, results.unfinished() / "mission.html");
-  place_log(options.logs, options.folder, results.unfinished());
+  write_text_file(page, results.unfinished() / "mission.html");
+  store_log(options.logs, options.folder, results.unfinished());
   results.publish();
-  tell("writing", 1.0);
+  report_progress("writing", 1.0);
   return report;
 }
 

@@ -19,9 +19,9 @@ struct ReportOptions {
 struct MissionReport {
   std::string outcome;  ///< how the mission went, a sentence or a few
   std::size_t scans = 0;
-  double way_m = 0.0;
-  std::size_t page_bytes = 0;           ///< of mission.html
-  std::vector<std::string> complaints;  ///< what the log lacks or what was skipped, a sentence each
+  double distance_travelled_m = 0.0;
+  std::size_t page_bytes = 0;         ///< of mission.html
+  std::vector<std::string> warnings;  ///< what the log lacks or what was skipped, a sentence each
 };
 
 /// Called with what is being done and the share of it that is done, 0 to 1.

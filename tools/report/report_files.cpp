@@ -4,15 +4,14 @@
 
 #include <utility>
 
-#include "common/files/text_file.hpp"
-#include "common/grid/map_server.hpp"
+#include "common/files/file_utils.hpp"
+#include "common/grid/occupancy_grid.hpp"
 #include "common/picture/map_picture.hpp"
 #include "common/pose_graph/g2o_file.hpp"
-#include "procs/volume_map/volume_files.hpp"
+#include "procs/volume_map/volume_export.hpp"
 #include "tools/eval/tum.hpp"
-#include "tools/map/graph_files.hpp"
-#include "tools/report/junctions_geojson.hpp"
-#include "tools/report/mission_summary.hpp"
+#include "tools/map/map_files.hpp"
+#include "tools/report/report_json.hpp"
 
 namespace adit {
 namespace {
@@ -20,11 +19,11 @@ namespace {
 MapPicture picture_of(const ReportInput& input) {
   MapPicture picture;
   picture.title = input.title;
-  for (const Trajectory& path : input.map.map->whole().paths) {
+  for (const Trajectory& path : input.map.map->full_map().paths) {
     if (!picture.path.empty()) picture.jumps.push_back(picture.path.size());
     for (const TimedPose& pose : path) picture.path.push_back(pose.pose);
   }
-  picture.graph = graph_picture(input.map.map->whole());
+  picture.graph = graph_picture(input.map.map->full_map());
   return picture;
 }
 
@@ -41,11 +40,11 @@ void write_map(const ReportInput& input, const std::filesystem::path& folder,
 
 void write_graph(const ReportInput& input, const std::filesystem::path& folder,
                  std::vector<std::string>& missing) {
-  if (input.map.map->whole().graph.poses.empty()) {
+  if (input.map.map->full_map().graph.poses.empty()) {
     missing.emplace_back("no graph.g2o: there is no POSE_GRAPH in the log");
     return;
   }
-  write_g2o(g2o_of(input.map.map->whole().graph), folder / "graph.g2o");
+  write_g2o(g2o_of(input.map.map->full_map().graph), folder / "graph.g2o");
 }
 
 void write_volume(const ReportInput& input, const std::filesystem::path& folder,
@@ -64,7 +63,7 @@ void write_junctions(const ReportInput& input, const std::filesystem::path& fold
     missing.emplace_back("no junctions.geojson: there is no EXPLORATION in the log");
     return;
   }
-  write_text(junctions_geojson(*input.map.exploration), folder / "junctions.geojson");
+  write_text_file(junctions_geojson(*input.map.exploration), folder / "junctions.geojson");
 }
 
 }  // namespace
@@ -74,11 +73,12 @@ std::vector<std::string> write_report_files(const ReportInput& input,
   std::vector<std::string> missing;
   write_tum(folder / "trajectory.tum", input.map.map->path());
   write_map(input, folder, missing);
-  write_text(map_svg_file(input.map, input.title), folder / "map.svg");
+  write_text_file(map_svg_file(input.map, input.title), folder / "map.svg");
   write_graph(input, folder, missing);
   write_volume(input, folder, missing);
   write_junctions(input, folder, missing);
-  write_text(mission_summary_json(input.facts, input.records.census), folder / "summary.json");
+  write_text_file(mission_summary_json(input.statistics, input.records.log_info),
+                  folder / "summary.json");
   return missing;
 }
 

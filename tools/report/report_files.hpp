@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "procs/volume_map/volume_map.hpp"
-#include "tools/report/map_svg.hpp"
-#include "tools/report/mission_facts.hpp"
+#include "tools/report/mission_statistics.hpp"
+#include "tools/report/svg/map_svg.hpp"
 
 namespace adit {
 
 /// What the files of a report are made of.
 struct ReportInput {
   const MissionRecords& records;
-  const MissionFacts& facts;
-  const MapToDraw& map;
+  const MissionStatistics& statistics;
+  const MapContent& map;
   const VolumeMap& volume;
   std::string title;
 };

@@ -47,7 +47,7 @@ std::vector<Pillar> pillars(std::uint64_t seed) {
 
 }  // namespace
 
-SyntheticWorld straight_drift(double length_m, double width_m) {
+SyntheticWorld straight_tunnel(double length_m, double width_m) {
   const double x = length_m / 2.0;
   const double y = width_m / 2.0;
   return SyntheticWorld({{{-x, y}, {x, y}}, {{-x, -y}, {x, -y}}});

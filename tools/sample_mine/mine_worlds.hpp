@@ -13,7 +13,7 @@ namespace adit {
 
 /// A straight, smooth drift along x, centred on the origin, open at both ends: long enough, nothing
 /// in it tells a laser how far along it stands.
-SyntheticWorld straight_drift(double length_m, double width_m);
+SyntheticWorld straight_tunnel(double length_m, double width_m);
 
 /// A small abandoned mine, about 120 m by 80 m: an adit that leads from the portal at the origin
 /// into a ring of 215 m, a cross-cut through a room that stands on pillars, and dead ends. The plan

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "tools/carmen/carmen_import.hpp"
-#include "tools/carmen/carmen_text.hpp"
+#include "tools/carmen/carmen_line.hpp"
 
 namespace adit {
 namespace {

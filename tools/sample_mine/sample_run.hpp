@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "common/sensing/laser_scan.hpp"
-#include "common/sensing/wheel_odometry.hpp"
+#include "common/sensing/vehicle_readings.hpp"
 #include "tools/eval/trajectory.hpp"
 #include "tools/sample_mine/sample_site.hpp"
 #include "tools/sample_mine/synthetic_laser.hpp"

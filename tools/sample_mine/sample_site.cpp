@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/sample_mine/sample_site.hpp"
 
-#include "tools/sample_mine/drift_grid.hpp"
 #include "tools/sample_mine/mine_worlds.hpp"
 #include "tools/sample_mine/parallel_mine.hpp"
+#include "tools/sample_mine/tunnel_grid.hpp"
 
 namespace adit {
 
@@ -15,7 +15,7 @@ SampleSite sample_site(SampleWorld world, std::uint64_t seed, double length_min_
     case SampleWorld::kParallel:
       return {parallel_mine(seed), parallel_mine_route(), {}, parallel_mine_odometry()};
     case SampleWorld::kLong:
-      return {drift_grid(seed), drift_grid_route(length_min_m), slow, {}};
+      return {tunnel_grid(seed), tunnel_grid_route(length_min_m), slow, {}};
     case SampleWorld::kRing:
       break;
   }

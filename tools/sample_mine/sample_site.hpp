@@ -24,7 +24,7 @@ struct SampleSite {
 enum class SampleWorld {
   kRing,      ///< sample_mine
   kParallel,  ///< parallel_mine
-  kLong,      ///< drift_grid, with a scan every 0.1 m
+  kLong,      ///< tunnel_grid, with a scan every 0.1 m
 };
 
 /// `length_min_m` is for the long drive alone: the others have one length.

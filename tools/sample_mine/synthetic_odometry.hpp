@@ -6,7 +6,7 @@
 #include <random>
 
 #include "common/geometry/pose2.hpp"
-#include "common/sensing/wheel_odometry.hpp"
+#include "common/sensing/vehicle_readings.hpp"
 
 namespace adit {
 

@@ -5,18 +5,18 @@
 #include <stdexcept>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/log_writer.hpp"
-#include "common/messages/cloud_pieces.hpp"
+#include "common/bus/log/lcm_log.hpp"
 #include "common/messages/codec.hpp"
-#include "tools/cloud/ply_writer.hpp"
+#include "common/messages/mapping/cloud.hpp"
+#include "tools/cloud/ply_file.hpp"
 
 namespace adit {
 namespace {
 
 void write_log(const Cloud& cloud, const std::filesystem::path& file) {
   LogWriter log(file);
-  for (const CloudPiece& piece : divide(cloud)) {
-    log.write({cloud.utime, channels::kCloud, encode(to_message(piece))});
+  for (const CloudFragment& fragment : split(cloud)) {
+    log.write({cloud.utime, channels::kCloud, encode(to_message(fragment))});
   }
   log.close();
 }

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "common/cloud/cloud.hpp"
+#include "common/types/cloud.hpp"
 
 namespace adit {
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "common/files/text_file.hpp"
+#include "common/files/file_utils.hpp"
 
 namespace adit {
 namespace {
@@ -65,18 +65,18 @@ const char* name_of(PartKind kind) {
   return "other";
 }
 
-Json drifts(const DriftGraph& graph) {
+Json tunnels(const TunnelGraph& graph) {
   Json features = Json::array();
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
-    const DriftNode& node = graph.nodes[i];
+    const TunnelNode& node = graph.nodes[i];
     features.push_back(
         feature("Point", position(node.p_world), {{"node", i}, {"entrance", node.entrance}}));
   }
-  for (const DriftEdge& edge : graph.edges) {
+  for (const TunnelEdge& edge : graph.edges) {
     features.push_back(feature("LineString", positions(edge.points),
                                {{"from", edge.from},
                                 {"to", edge.to},
-                                {"drift", edge.drift},
+                                {"drift", edge.tunnel},
                                 {"length_m", edge.length_m},
                                 {"width_m", edge.width_m}}));
   }
@@ -107,14 +107,14 @@ Json obstacles(const std::vector<Obstacle>& all) {
 }
 
 void write(const Json& json, const std::filesystem::path& path) {
-  write_text(json.dump() + "\n", path);
+  write_text_file(json.dump() + "\n", path);
 }
 
 }  // namespace
 
 void write_truth_files(const World& world, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  write(drifts(world.truth.drifts), folder / "drifts.geojson");
+  write(tunnels(world.truth.tunnels), folder / "drifts.geojson");
   write(plan(world.truth.plan), folder / "plan.geojson");
   write(obstacles(world.truth.obstacles), folder / "obstacles.json");
 }

@@ -5,11 +5,11 @@
 #include <stdexcept>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/event_source.hpp"
-#include "common/bus/replay_bus.hpp"
-#include "common/bus/stages.hpp"
+#include "common/bus/log/event_source.hpp"
+#include "common/bus/log/replay_bus.hpp"
+#include "common/bus/node/stages.hpp"
 #include "common/config/config.hpp"
-#include "procs/volume_map/volume_files.hpp"
+#include "procs/volume_map/volume_export.hpp"
 #include "procs/volume_map/volume_map_node.hpp"
 #include "tools/map/result_folder.hpp"
 
@@ -23,21 +23,20 @@ VolumeMapNodeParams load_params(const std::filesystem::path& path) {
   return load_section<VolumeMapNodeParams>(file, "volume_map");
 }
 
-std::vector<std::string> complaints_of(const LogFile& log, const ReplayBus& bus,
-                                       const VolumeMap& map) {
-  std::vector<std::string> complaints;
+std::vector<std::string> collect_warnings(const LogFile& log, const ReplayBus& bus,
+                                          const VolumeMap& map) {
+  std::vector<std::string> warnings;
   const auto complain = [&](std::size_t n, const char* what) {
-    if (n > 0) complaints.push_back("skipped " + std::to_string(n) + what);
+    if (n > 0) warnings.push_back("skipped " + std::to_string(n) + what);
   };
   complain(log.health().corrupt_bytes, " corrupt bytes");
   complain(log.health().truncated_bytes, " bytes of an event that the end of the file cuts off");
-  complain(bus.refused_events(), " events with times that cannot be");
-  complain(static_cast<std::size_t>(map.refused_points()), " points that cannot be");
-  if (!map.volumes().front().tie) {
-    complaints.emplace_back(
-        "no pose graph with its correction: the scans lie as odometry has them");
+  complain(bus.rejected_events(), " events with times that cannot be");
+  complain(static_cast<std::size_t>(map.rejected_points()), " points that cannot be");
+  if (!map.volumes().front().anchor) {
+    warnings.emplace_back("no pose graph with its correction: the scans lie as odometry has them");
   }
-  return complaints;
+  return warnings;
 }
 
 }  // namespace
@@ -48,7 +47,7 @@ VolumeRunResult run_volume(const VolumeRunOptions& options,
   params.journal.clear();  // what is in the log is all that there is
   LogFile log(options.input);
   ReplayOptions replay;
-  replay.leave_out.emplace(channels::kVolume);
+  replay.excluded_channels.emplace(channels::kVolume);
   ReplayBus bus(log, nullptr, replay);
   const VolumeMapNode node(bus, params);
   bus.run(progress);
@@ -58,7 +57,7 @@ VolumeRunResult run_volume(const VolumeRunOptions& options,
     throw std::runtime_error("no 3D scan (channel CLOUD) in " + options.input.string());
   }
   const ResultFolder results(options.folder);
-  write_volume_files(map, results.unfinished());
+  export_volume(map, results.unfinished());
   results.publish();
 
   VolumeRunResult result;
@@ -67,7 +66,7 @@ VolumeRunResult run_volume(const VolumeRunOptions& options,
     result.scans += placed.volume.scans();
     result.points += placed.volume.points().size();
   }
-  result.complaints = complaints_of(log, bus, map);
+  result.warnings = collect_warnings(log, bus, map);
   return result;
 }
 

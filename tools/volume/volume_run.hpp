@@ -20,8 +20,8 @@ struct VolumeRunOptions {
 struct VolumeRunResult {
   int scans = 0;
   std::size_t volumes = 0;
-  std::size_t points = 0;               ///< in cloud.ply
-  std::vector<std::string> complaints;  ///< what was wrong with the log, a sentence each
+  std::size_t points = 0;             ///< in cloud.ply
+  std::vector<std::string> warnings;  ///< what was wrong with the log, a sentence each
 };
 
 /// Plays a log to the stage volume_map and writes volume.bt, volume.ot and cloud.ply. Throws

@@ -9,13 +9,13 @@ namespace adit {
 namespace {
 
 /// A constraint in the graph that begins with map `first`.
-PoseConstraint shifted(const PoseConstraint& c, const Belief& belief, int first) {
+PoseConstraint shifted(const PoseConstraint& c, const Hypothesis& hypothesis, int first) {
   PoseConstraint moved = c;
   moved.to = c.to - first + 1;
   moved.from = c.from - first + 1;
   if (c.from < first) {
     moved.from = 0;
-    moved.T_from_to = belief.T_map_local[static_cast<std::size_t>(c.from)] * c.T_from_to;
+    moved.T_from_to = hypothesis.T_map_local[static_cast<std::size_t>(c.from)] * c.T_from_to;
   }
   return moved;
 }
@@ -23,30 +23,31 @@ PoseConstraint shifted(const PoseConstraint& c, const Belief& belief, int first)
 }  // namespace
 
 std::vector<PoseConstraint> constraints_in_force(const AssociationProblem& problem,
-                                                 const Belief& belief) {
+                                                 const Hypothesis& hypothesis) {
   std::vector<PoseConstraint> constraints;
-  for (std::size_t k = 0; k < belief.chosen.size(); ++k) {
-    if (belief.chosen[k] == Association::kNone) continue;
-    constraints.push_back(constraint_of(problem.closures[k], belief.chosen[k]));
+  for (std::size_t k = 0; k < hypothesis.chosen.size(); ++k) {
+    if (hypothesis.chosen[k] == Association::kNone) continue;
+    constraints.push_back(constraint_of(problem.loop_closures[k], hypothesis.chosen[k]));
   }
   return constraints;
 }
 
-PoseConstraint in_graph_from(const PoseConstraint& constraint, const Belief& belief, int first) {
-  return first == 0 ? constraint : shifted(constraint, belief, first);
+PoseConstraint in_graph_from(const PoseConstraint& constraint, const Hypothesis& hypothesis,
+                             int first) {
+  return first == 0 ? constraint : shifted(constraint, hypothesis, first);
 }
 
-PoseGraph graph_of(const AssociationProblem& problem, const Belief& belief, int first) {
+PoseGraph graph_of(const AssociationProblem& problem, const Hypothesis& hypothesis, int first) {
   PoseGraph graph;
   if (first > 0) graph.poses.emplace_back();
-  graph.poses.insert(graph.poses.end(), belief.T_map_local.begin() + first,
-                     belief.T_map_local.end());
+  graph.poses.insert(graph.poses.end(), hypothesis.T_map_local.begin() + first,
+                     hypothesis.T_map_local.end());
   const auto add = [&](const PoseConstraint& c) {
-    if (c.to >= first) graph.constraints.push_back(in_graph_from(c, belief, first));
+    if (c.to >= first) graph.constraints.push_back(in_graph_from(c, hypothesis, first));
   };
   const auto step = problem.chain.begin() + std::max(0, first - 1);
   std::for_each(step, problem.chain.end(), add);
-  for (const PoseConstraint& c : constraints_in_force(problem, belief)) add(c);
+  for (const PoseConstraint& c : constraints_in_force(problem, hypothesis)) add(c);
   return graph;
 }
 

@@ -4,17 +4,17 @@
 
 #include <vector>
 
-#include "common/local_map/association.hpp"
 #include "common/pose_graph/pose_graph.hpp"
-#include "procs/mapping/association/way.hpp"
+#include "common/types/association.hpp"
+#include "procs/mapping/association/odometry_chain.hpp"
 
 namespace adit {
 
 /// What is certain, the chain of local maps along the way, and what is to be decided, the closures.
 struct AssociationProblem {
-  std::vector<PoseConstraint> chain;  ///< chain[k] links map k with map k + 1
-  Way way;                            ///< the same
-  std::vector<Closure> closures;      ///< in order of their newer map
+  std::vector<PoseConstraint> chain;       ///< chain[k] links map k with map k + 1
+  OdometryChain odometry;                  ///< the same
+  std::vector<LoopClosure> loop_closures;  ///< in order of their newer map
   /// Of each closure: closures of one group lie side by side at both ends, so that they are likely
   /// to be right or wrong together.
   std::vector<int> groups;
@@ -22,37 +22,40 @@ struct AssociationProblem {
 };
 
 /// The constraint of an alternative of a closure.
-inline PoseConstraint constraint_of(const Closure& closure, int alternative) {
-  const ClosureAlternative& a = closure.alternatives[static_cast<std::size_t>(alternative)];
-  return {a.older_map, closure.newer_map, a.T_older_newer, a.information};
+inline PoseConstraint constraint_of(const LoopClosure& loop_closure, int alternative) {
+  const LoopClosureAlternative& a =
+      loop_closure.alternatives[static_cast<std::size_t>(alternative)];
+  return {a.older_map, loop_closure.newer_map, a.T_older_newer, a.information};
 }
 
 /// By how much an alternative is less likely than the best of its closure, as −2 log-likelihood.
-inline double penalty(const Closure& closure, int alternative) {
-  return 2.0 * (closure.alternatives.front().log_likelihood -
-                closure.alternatives[static_cast<std::size_t>(alternative)].log_likelihood);
+inline double penalty(const LoopClosure& loop_closure, int alternative) {
+  return 2.0 * (loop_closure.alternatives.front().log_likelihood -
+                loop_closure.alternatives[static_cast<std::size_t>(alternative)].log_likelihood);
 }
 
 /// One set of decisions and what follows from it: a leaf of the tree of decisions.
-struct Belief {
+struct Hypothesis {
   std::vector<int> chosen;         ///< of each closure: an alternative, or Association::kNone
   std::vector<Pose2> T_map_local;  ///< where the maps then are
   double objective = 0.0;          ///< Σ eᵀ R e over the chain and the chosen alternatives
   double cost =
       0.0;  ///< −2 log-likelihood, up to a constant: `objective` and that of the decisions
-  bool held = false;  ///< some maps were held where they were though closures pull at them
+  bool partially_optimized =
+      false;  ///< some maps were held where they were though closures pull at them
 };
 
 /// The constraints of the alternatives that are chosen, in the order of their closures.
 std::vector<PoseConstraint> constraints_in_force(const AssociationProblem& problem,
-                                                 const Belief& belief);
+                                                 const Hypothesis& hypothesis);
 
 /// A constraint between maps as one between the nodes of `graph_of(problem, belief, first)`; its
 /// later map is not before `first`.
-PoseConstraint in_graph_from(const PoseConstraint& constraint, const Belief& belief, int first);
+PoseConstraint in_graph_from(const PoseConstraint& constraint, const Hypothesis& hypothesis,
+                             int first);
 
 /// The graph of a belief, from map `first` on: node 0 is the frame of map, in which the maps before
 /// `first` stay where they are, node 1 is map `first`. With `first` 0, the whole graph as it is.
-PoseGraph graph_of(const AssociationProblem& problem, const Belief& belief, int first = 0);
+PoseGraph graph_of(const AssociationProblem& problem, const Hypothesis& hypothesis, int first = 0);
 
 }  // namespace adit

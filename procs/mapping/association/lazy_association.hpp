@@ -9,12 +9,27 @@
 #include <vector>
 
 #include "common/config/bounds.hpp"
+#include "common/types/association.hpp"
 #include "procs/mapping/association/association_problem.hpp"
-#include "procs/mapping/association/evidence.hpp"
-#include "procs/mapping/association/suspects.hpp"
+#include "procs/mapping/association/revision_candidates.hpp"
 #include "procs/mapping/association/trial.hpp"
 
 namespace adit {
+
+/// What the local maps themselves have to say, asked for again under each belief that is tried.
+class Evidence {
+ public:
+  virtual ~Evidence() = default;
+
+  /// The places that a map may have come back to, where the trial believes it to be: as many
+  /// closures as are worth deciding, their ids without meaning. `thorough`: less likely places too.
+  [[nodiscard]] virtual std::vector<LoopClosure> loop_closures(int map, Trial& trial,
+                                                               bool thorough) const = 0;
+
+  /// How unlikely the newest map is where it lies: −2 log-likelihood of what it shows against what
+  /// older maps show of the same places; 0 where it agrees or shows what is new.
+  [[nodiscard]] virtual double map_inconsistency(const std::vector<Pose2>& T_map_local) const = 0;
+};
 
 struct LazyAssociationParams {
   double gate = 21.1;            ///< what "none" costs: chi-square, 3 degrees of freedom, 0.9999
@@ -56,7 +71,7 @@ class LazyAssociation {
 
   /// Decides on the closures of the newest map, and again on earlier ones if need be. What was
   /// decided, in order; `utime` is that of the newest measurement.
-  std::vector<Association> decide(std::vector<Closure> closures, std::int64_t utime);
+  std::vector<Association> decide(std::vector<LoopClosure> loop_closures, std::int64_t utime);
 
   /// `belief`, to ask what else is known.
   [[nodiscard]] Trial& trial();
@@ -67,17 +82,17 @@ class LazyAssociation {
   std::vector<Association> revise(const Evidence& evidence, std::int64_t utime);
 
   /// How things stand, to come back to.
-  struct Mark {
+  struct Checkpoint {
     int maps = 0;
-    std::size_t closures = 0;
-    Belief belief;
-    std::map<int, int> search_due;
-    double surprise_due = 0.0;
+    std::size_t loop_closures = 0;
+    Hypothesis hypothesis;
+    std::map<int, int> search_threshold;
+    double revision_threshold = 0.0;
     int groups = 0;
   };
-  [[nodiscard]] Mark mark() const;
+  [[nodiscard]] Checkpoint checkpoint() const;
   /// Forgets the maps that came since then, and all that was decided.
-  void go_back_to(Mark mark);
+  void roll_back(Checkpoint checkpoint);
 
   /// Takes over decisions that were made before, in their order, for the maps that were added.
   void restore(const std::vector<Association>& associations);
@@ -87,36 +102,36 @@ class LazyAssociation {
   std::vector<Association> reconsider(std::int64_t utime);
 
   [[nodiscard]] const AssociationProblem& problem() const { return problem_; }
-  [[nodiscard]] const Belief& belief() const { return belief_; }
+  [[nodiscard]] const Hypothesis& hypothesis() const { return hypothesis_; }
   /// Beliefs that were worked out in searches so far.
   [[nodiscard]] int trials() const { return trials_; }
 
  private:
-  [[nodiscard]] int group_of(const Closure& closure) const;
-  void append(Closure closure);
-  void enter(Closure closure);
-  void decide_one(int closure);
-  void believe(Belief belief);
-  bool choose(Trial& trial, int closure) const;
-  [[nodiscard]] double gate(const Trial& trial, int closure) const;
-  [[nodiscard]] double cost(const Belief& belief) const;
-  bool search_is_due(int closure);
-  std::optional<Belief> search(int closure);
-  [[nodiscard]] int first_concerned(const Suspects& undone, int closure) const;
-  void let_go_of_misfits(Trial& trial) const;
-  std::optional<Belief> without(const Suspects& undone, int closure);
+  [[nodiscard]] int group_of(const LoopClosure& loop_closure) const;
+  void append(LoopClosure loop_closure);
+  void add_to_problem(LoopClosure loop_closure);
+  void decide_one(int loop_closure);
+  void set_hypothesis(Hypothesis hypothesis);
+  bool choose(Trial& trial, int loop_closure) const;
+  [[nodiscard]] double gate(const Trial& trial, int loop_closure) const;
+  [[nodiscard]] double cost(const Hypothesis& hypothesis) const;
+  bool search_is_due(int loop_closure);
+  std::optional<Hypothesis> search(int loop_closure);
+  [[nodiscard]] int first_affected_map(const RevisionCandidate& candidate, int loop_closure) const;
+  void revoke_misfits(Trial& trial) const;
+  std::optional<Hypothesis> without(const RevisionCandidate& candidate, int loop_closure);
   struct Revision;
-  void leave_out_what_is_believed(Closure& closure, int first) const;
-  Revision associate_afresh(const Suspects& undone, const Evidence& evidence);
-  void adopt(std::vector<Association>& record, std::int64_t utime, const std::vector<int>& before,
-             std::size_t first_new);
+  void exclude_accepted_alternatives(LoopClosure& loop_closure, int first) const;
+  Revision reassociate(const RevisionCandidate& candidate, const Evidence& evidence);
+  void record_changes(std::vector<Association>& record, std::int64_t utime,
+                      const std::vector<int>& before, std::size_t first_new);
 
   LazyAssociationParams params_;
   AssociationProblem problem_;
-  Belief belief_;
-  std::optional<Trial> trial_;     ///< `belief_`, with its field
-  std::map<int, int> search_due_;  ///< of a group: at how many contradictions
-  double surprise_due_ = 0.0;      ///< from which a revision is tried
+  Hypothesis hypothesis_;
+  std::optional<Trial> trial_;           ///< `belief_`, with its field
+  std::map<int, int> search_threshold_;  ///< of a group: at how many contradictions
+  double revision_threshold_ = 0.0;      ///< from which a revision is tried
   int groups_ = 0;
   int trials_ = 0;
 };

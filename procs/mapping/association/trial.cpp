@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "common/pose_graph/optimize.hpp"
-#include "common/pose_graph/potential.hpp"
+#include "common/pose_graph/pose_graph.hpp"
 
 namespace adit {
 namespace {
@@ -27,67 +27,68 @@ double largest_turn(const Eigen::VectorXd& mode) {
 
 }  // namespace
 
-Trial::Trial(const AssociationProblem& problem, Belief belief, int first)
-    : problem_(problem), belief_(std::move(belief)), first_(first) {
+Trial::Trial(const AssociationProblem& problem, Hypothesis hypothesis, int first)
+    : problem_(problem), hypothesis_(std::move(hypothesis)), first_(first) {
   if (first_ > 0) {
-    fixed_ = belief_.objective - adit::objective(graph_of(problem_, belief_, first_));
+    fixed_ = hypothesis_.objective - adit::objective(graph_of(problem_, hypothesis_, first_));
   }
 }
 
-std::vector<int> Trial::chosen_closures() const {
+std::vector<int> Trial::chosen_loop_closures() const {
   std::vector<int> chosen;
-  for (std::size_t k = 0; k < belief_.chosen.size(); ++k) {
-    if (belief_.chosen[k] != Association::kNone) chosen.push_back(static_cast<int>(k));
+  for (std::size_t k = 0; k < hypothesis_.chosen.size(); ++k) {
+    if (hypothesis_.chosen[k] != Association::kNone) chosen.push_back(static_cast<int>(k));
   }
   return chosen;
 }
 
 GaussianField& Trial::field() {
-  if (!field_) field_.emplace(graph_of(problem_, belief_, first_));
+  if (!field_) field_.emplace(graph_of(problem_, hypothesis_, first_));
   return *field_;
 }
 
 /// Takes over the poses of the nodes of the graph.
-void Trial::set_poses(const std::vector<Pose2>& nodes, Belief& belief) const {
-  std::copy(nodes.begin() + (first_ > 0 ? 1 : 0), nodes.end(), belief.T_map_local.begin() + first_);
+void Trial::set_poses(const std::vector<Pose2>& nodes, Hypothesis& hypothesis) const {
+  std::copy(nodes.begin() + (first_ > 0 ? 1 : 0), nodes.end(),
+            hypothesis.T_map_local.begin() + first_);
 }
 
 /// Whether a closure leads from what is held fixed to what moves. Where only the way does, the rest
 /// would stay where it is anyway.
-bool Trial::holds() const {
-  for (std::size_t k = 0; k < belief_.chosen.size() && first_ > 0; ++k) {
-    if (belief_.chosen[k] == Association::kNone) continue;
-    const PoseConstraint c = constraint_of(problem_.closures[k], belief_.chosen[k]);
+bool Trial::has_fixed_end() const {
+  for (std::size_t k = 0; k < hypothesis_.chosen.size() && first_ > 0; ++k) {
+    if (hypothesis_.chosen[k] == Association::kNone) continue;
+    const PoseConstraint c = constraint_of(problem_.loop_closures[k], hypothesis_.chosen[k]);
     if (c.from < first_ && c.to >= first_) return true;
   }
   return false;
 }
 
-Belief Trial::belief() const {
-  Belief belief = belief_;
-  belief.held |= holds();
+Hypothesis Trial::hypothesis() const {
+  Hypothesis hypothesis = hypothesis_;
+  hypothesis.partially_optimized |= has_fixed_end();
   if (field_) {
-    set_poses(field_->poses(), belief);
-    belief.objective = objective();
+    set_poses(field_->poses(), hypothesis);
+    hypothesis.objective = objective();
   }
-  return belief;
+  return hypothesis;
 }
 
 double Trial::objective() const {
-  return field_ ? fixed_ + field_->objective() : belief_.objective;
+  return field_ ? fixed_ + field_->objective() : hypothesis_.objective;
 }
 
-PoseConstraint Trial::chosen_constraint(int closure) const {
-  return in_graph_from(
-      constraint_of(problem_.closures[static_cast<std::size_t>(closure)], chosen(closure)), belief_,
-      first_);
+PoseConstraint Trial::chosen_constraint(int loop_closure) const {
+  return in_graph_from(constraint_of(problem_.loop_closures[static_cast<std::size_t>(loop_closure)],
+                                     chosen(loop_closure)),
+                       hypothesis_, first_);
 }
 
-std::vector<GaussianField::Without> Trial::without_each(const std::vector<int>& closures,
-                                                        const PoseConstraint& asked) {
+std::vector<GaussianField::LeaveOneOut> Trial::leave_one_out(const std::vector<int>& loop_closures,
+                                                             const PoseConstraint& query) {
   std::vector<PoseConstraint> present;
-  for (const int k : closures) present.push_back(chosen_constraint(k));
-  return field().without_each(present, in_graph_from(asked, belief_, first_));
+  for (const int k : loop_closures) present.push_back(chosen_constraint(k));
+  return field().leave_one_out(present, in_graph_from(query, hypothesis_, first_));
 }
 
 std::vector<Eigen::Matrix3d> Trial::covariances_to(int map) {
@@ -108,31 +109,33 @@ std::vector<Eigen::Matrix3d> Trial::covariances_to(int map) {
   return covariances;
 }
 
-void Trial::take(int closure, int alternative) {
-  const auto k = static_cast<std::size_t>(closure);
-  field().add(in_graph_from(constraint_of(problem_.closures[k], alternative), belief_, first_));
-  belief_.chosen[k] = alternative;
+void Trial::accept(int loop_closure, int alternative) {
+  const auto k = static_cast<std::size_t>(loop_closure);
+  field().add(
+      in_graph_from(constraint_of(problem_.loop_closures[k], alternative), hypothesis_, first_));
+  hypothesis_.chosen[k] = alternative;
   const double turn = largest_turn(field().mode());
-  if (turn > kTurnMax) settle(turn > kTurnFar);
+  if (turn > kTurnMax) reoptimize(turn > kTurnFar);
 }
 
-void Trial::revoke(const std::vector<int>& closures) {
-  belief_ = belief();
+void Trial::revoke(const std::vector<int>& loop_closures) {
+  hypothesis_ = hypothesis();
   field_.reset();
-  for (const int k : closures) belief_.chosen[static_cast<std::size_t>(k)] = Association::kNone;
-  settle();
+  for (const int k : loop_closures)
+    hypothesis_.chosen[static_cast<std::size_t>(k)] = Association::kNone;
+  reoptimize();
 }
 
-void Trial::settle(bool afresh) {
-  belief_ = belief();
+void Trial::reoptimize(bool from_scratch) {
+  hypothesis_ = hypothesis();
   field_.reset();
-  PoseGraph graph = graph_of(problem_, belief_, first_);
+  PoseGraph graph = graph_of(problem_, hypothesis_, first_);
   OptimizeParams params;
-  params.rotation_start = afresh;
+  params.rotation_initialization = from_scratch;
   params.tolerance = 1e-6;
-  belief_.objective = fixed_ + optimize(graph, params).objective;
-  set_poses(graph.poses, belief_);
-  belief_.held &= first_ > 0;
+  hypothesis_.objective = fixed_ + optimize(graph, params).objective;
+  set_poses(graph.poses, hypothesis_);
+  hypothesis_.partially_optimized &= first_ > 0;
 }
 
 }  // namespace adit

@@ -18,52 +18,52 @@ class Trial {
   /// `problem` must outlive this; `belief` is settled (its poses are at their mode). The maps
   /// before `first` stay where they are, so that what it costs depends on the loop that is looked
   /// at and not on the map.
-  Trial(const AssociationProblem& problem, Belief belief, int first = 0);
+  Trial(const AssociationProblem& problem, Hypothesis hypothesis, int first = 0);
 
   /// With poses and objective as they are now; `cost` is the caller's.
-  [[nodiscard]] Belief belief() const;
+  [[nodiscard]] Hypothesis hypothesis() const;
   [[nodiscard]] double objective() const;
-  [[nodiscard]] const std::vector<int>& decisions() const { return belief_.chosen; }
+  [[nodiscard]] const std::vector<int>& decisions() const { return hypothesis_.chosen; }
   /// Those of which an alternative is chosen, in ascending order.
-  [[nodiscard]] std::vector<int> chosen_closures() const;
-  [[nodiscard]] int chosen(int closure) const {
-    return belief_.chosen[static_cast<std::size_t>(closure)];
+  [[nodiscard]] std::vector<int> chosen_loop_closures() const;
+  [[nodiscard]] int chosen(int loop_closure) const {
+    return hypothesis_.chosen[static_cast<std::size_t>(loop_closure)];
   }
 
   /// The problem has a closure more; none is chosen.
-  void grow() { belief_.chosen.push_back(Association::kNone); }
+  void grow() { hypothesis_.chosen.push_back(Association::kNone); }
 
   /// By how much the objective would rise with one constraint more: chi-square with three degrees
   /// of freedom where the constraint is right.
-  [[nodiscard]] double price(const PoseConstraint& constraint) {
-    return field().objective_rise(in_graph_from(constraint, belief_, first_));
+  [[nodiscard]] double objective_increase(const PoseConstraint& constraint) {
+    return field().objective_increase(in_graph_from(constraint, hypothesis_, first_));
   }
   /// For each of the chosen closures, what `price` would be and how far the objective would fall if
   /// it were revoked.
-  [[nodiscard]] std::vector<GaussianField::Without> without_each(const std::vector<int>& closures,
-                                                                 const PoseConstraint& asked);
+  [[nodiscard]] std::vector<GaussianField::LeaveOneOut> leave_one_out(
+      const std::vector<int>& loop_closures, const PoseConstraint& query);
 
   /// For each map before `map`, the covariance of the pose of `map` in it: of (x, y, θ) in the
   /// frame of `map`. Maps that are held fixed are taken as certain among each other.
   [[nodiscard]] std::vector<Eigen::Matrix3d> covariances_to(int map);
 
   /// Chooses an alternative of a closure for which none is chosen.
-  void take(int closure, int alternative);
+  void accept(int loop_closure, int alternative);
   /// Chooses none for closures that have one.
-  void revoke(const std::vector<int>& closures);
+  void revoke(const std::vector<int>& loop_closures);
 
   /// Moves the maps to the mode, not to first order but truly. `afresh`: whatever their poses are,
   /// as after one that turned the maps far round.
-  void settle(bool afresh = false);
+  void reoptimize(bool from_scratch = false);
 
  private:
   [[nodiscard]] GaussianField& field();
-  [[nodiscard]] PoseConstraint chosen_constraint(int closure) const;
-  void set_poses(const std::vector<Pose2>& nodes, Belief& belief) const;
-  [[nodiscard]] bool holds() const;
+  [[nodiscard]] PoseConstraint chosen_constraint(int loop_closure) const;
+  void set_poses(const std::vector<Pose2>& nodes, Hypothesis& hypothesis) const;
+  [[nodiscard]] bool has_fixed_end() const;
 
   const AssociationProblem& problem_;
-  Belief belief_;  ///< poses and objective as last settled
+  Hypothesis hypothesis_;  ///< poses and objective as last settled
   int first_;
   double fixed_ = 0.0;                  ///< part of the objective that is not in the field
   std::optional<GaussianField> field_;  ///< linearised there; nothing: not asked for yet

@@ -5,44 +5,166 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <map>
 #include <stdexcept>
+#include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include <fcntl.h>
+#include <spawn.h>
 #include <sys/socket.h>
+#include <sys/types.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
-#include "procs/supervisor/os/pseudo_terminal.hpp"
-#include "procs/supervisor/os/spawn.hpp"
+#include "procs/supervisor/os/file_descriptor.hpp"
 
 namespace adit {
 namespace {
 
-constexpr int kBeyondStandard = 10;  // so that none is in the way when they get their places
+struct SpawnOptions {
+  std::vector<std::string> arguments;  ///< the program first, with its path
+  std::vector<std::string> environment;
+  std::vector<int> descriptors;  ///< become 0, 1, 2, ..; all are higher; no other is inherited
+};
 
-Descriptor moved_up(Descriptor descriptor) {
-  Descriptor high(fcntl(descriptor.get(), F_DUPFD_CLOEXEC, kBeyondStandard));
+/// Starts a program, with no signal blocked or ignored, and returns its process id. No other code
+/// of this process runs in the child, which matters where there are threads. Throws
+/// std::system_error.
+pid_t spawn(const SpawnOptions& options);
+
+/// That of this process, with the additions, and with the folder at the end of PATH.
+std::vector<std::string> environment_with(
+    const std::vector<std::pair<std::string, std::string>>& additions, const std::string& folder);
+
+/// What posix_spawn takes, and takes apart again.
+class SpawnAttributes {
+ public:
+  explicit SpawnAttributes(const std::vector<int>& descriptors) {
+    posix_spawn_file_actions_init(&actions);
+    for (std::size_t i = 0; i < descriptors.size(); ++i) {
+      posix_spawn_file_actions_adddup2(&actions, descriptors[i], static_cast<int>(i));
+    }
+    posix_spawn_file_actions_addclosefrom_np(&actions, static_cast<int>(descriptors.size()));
+    posix_spawnattr_init(&attributes);
+    sigset_t signals;
+    sigemptyset(&signals);
+    posix_spawnattr_setsigmask(&attributes, &signals);
+    sigfillset(&signals);
+    posix_spawnattr_setsigdefault(&attributes, &signals);
+    posix_spawnattr_setflags(&attributes,
+                             POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSID);
+  }
+  ~SpawnAttributes() {
+    posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
+  }
+  SpawnAttributes(const SpawnAttributes&) = delete;
+  SpawnAttributes& operator=(const SpawnAttributes&) = delete;
+
+  posix_spawn_file_actions_t actions{};
+  posix_spawnattr_t attributes{};
+};
+
+std::vector<char*> pointers_to(const std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(const_cast<char*>(text.c_str()));
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+pid_t spawn(const SpawnOptions& options) {
+  const SpawnAttributes setting(options.descriptors);
+  pid_t pid = -1;
+  const int error =
+      posix_spawn(&pid, options.arguments.front().c_str(), &setting.actions, &setting.attributes,
+                  pointers_to(options.arguments).data(), pointers_to(options.environment).data());
+  if (error != 0) {
+    throw std::system_error(error, std::generic_category(), options.arguments.front());
+  }
+  return pid;
+}
+
+std::vector<std::string> environment_with(
+    const std::vector<std::pair<std::string, std::string>>& additions, const std::string& folder) {
+  std::map<std::string, std::string> values;
+  for (char** entry = environ; *entry; ++entry) {
+    const std::string text = *entry;
+    const std::size_t sign = text.find('=');
+    if (sign != std::string::npos) values[text.substr(0, sign)] = text.substr(sign + 1);
+  }
+  std::string& path = values["PATH"];
+  path += (path.empty() ? "/usr/local/bin:/usr/bin:/bin:" : ":") + folder;
+  for (const auto& [name, value] : additions) values[name] = value;
+  std::vector<std::string> environment;
+  for (auto& [name, value] : values) environment.push_back(value.insert(0, name + "="));
+  return environment;
+}
+
+/// A terminal without a screen, so that programs print line by line. It changes nothing in what
+/// goes through it and repeats nothing that is typed.
+struct PseudoTerminal {
+  FileDescriptor parent_end;  ///< does not block
+  FileDescriptor child_end;
+
+  /// Throws std::system_error.
+  static PseudoTerminal open();
+};
+
+void require(bool good, const char* what) {
+  if (!good) throw std::system_error(errno, std::generic_category(), what);
+}
+
+void set_raw_mode(int terminal) {
+  termios settings{};
+  require(tcgetattr(terminal, &settings) == 0, "tcgetattr");
+  settings.c_oflag &= ~static_cast<tcflag_t>(OPOST);
+  settings.c_lflag &= ~static_cast<tcflag_t>(ECHO | ECHONL);
+  require(tcsetattr(terminal, TCSANOW, &settings) == 0, "tcsetattr");
+}
+
+PseudoTerminal PseudoTerminal::open() {
+  PseudoTerminal terminal;
+  terminal.parent_end = FileDescriptor(posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK));
+  require(static_cast<bool>(terminal.parent_end), "posix_openpt");
+  require(grantpt(terminal.parent_end.get()) == 0 && unlockpt(terminal.parent_end.get()) == 0,
+          "unlockpt");
+  std::array<char, 64> name{};
+  require(ptsname_r(terminal.parent_end.get(), name.data(), name.size()) == 0, "ptsname");
+  terminal.child_end = FileDescriptor(::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+  require(static_cast<bool>(terminal.child_end), "a pseudo terminal");
+  set_raw_mode(terminal.child_end.get());
+  return terminal;
+}
+
+constexpr int kAboveStandard = 10;  // so that none is in the way when they get their places
+
+FileDescriptor moved_above_standard(FileDescriptor descriptor) {
+  FileDescriptor high(fcntl(descriptor.get(), F_DUPFD_CLOEXEC, kAboveStandard));
   if (!high) throw std::system_error(errno, std::generic_category(), "fcntl");
   return high;
 }
 
 /// One end for us, one for adit-watch. Sockets, not pipes: who writes to one whose other end is
 /// gone gets an error and no SIGPIPE.
-struct Line {
-  Descriptor ours;
-  Descriptor theirs;
+struct SocketPair {
+  FileDescriptor parent_end;
+  FileDescriptor child_end;
 };
 
-Line make_line() {
+SocketPair make_socket_pair() {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
     throw std::system_error(errno, std::generic_category(), "socketpair");
   }
-  Descriptor ours(ends[0]);
-  Descriptor theirs(ends[1]);
-  return {moved_up(std::move(ours)), moved_up(std::move(theirs))};
+  FileDescriptor parent_end(ends[0]);
+  FileDescriptor child_end(ends[1]);
+  return {moved_above_standard(std::move(parent_end)), moved_above_standard(std::move(child_end))};
 }
 
 std::vector<std::string> arguments_of(const ChildStart& start) {
@@ -66,19 +188,19 @@ std::string ChildProcess::End::text() const {
 
 ChildProcess::ChildProcess(const ChildStart& start) {
   PseudoTerminal terminal = PseudoTerminal::open();
-  Line reports = make_line();
-  Line signals = make_line();
-  const Descriptor theirs = moved_up(std::move(terminal.theirs));
-  watcher_ = spawn(
-      {arguments_of(start),
-       environment_with(start.line.environment, start.watcher.parent_path().string()),
-       {theirs.get(), theirs.get(), theirs.get(), reports.theirs.get(), signals.theirs.get()}});
-  fcntl(signals.ours.get(), F_SETFL, O_NONBLOCK);
-  terminal_ = std::move(terminal.ours);
-  reports_ = std::move(reports.ours);
-  signals_ = std::move(signals.ours);
-  reports.theirs.reset();  // else its end would not be heard
-  wait_until_it_runs();
+  SocketPair reports = make_socket_pair();
+  SocketPair signals = make_socket_pair();
+  const FileDescriptor child_end = moved_above_standard(std::move(terminal.child_end));
+  watcher_ = spawn({arguments_of(start),
+                    environment_with(start.line.environment, start.watcher.parent_path().string()),
+                    {child_end.get(), child_end.get(), child_end.get(), reports.child_end.get(),
+                     signals.child_end.get()}});
+  fcntl(signals.parent_end.get(), F_SETFL, O_NONBLOCK);
+  terminal_ = std::move(terminal.parent_end);
+  reports_ = std::move(reports.parent_end);
+  signals_ = std::move(signals.parent_end);
+  reports.child_end.reset();  // else its end would not be heard
+  wait_for_start();
 }
 
 /// Whoever is left is killed by adit-watch when the line closes. It is waited for: milliseconds.
@@ -89,31 +211,31 @@ ChildProcess::~ChildProcess() {
   waitpid(watcher_, nullptr, 0);
 }
 
-void ChildProcess::wait_until_it_runs() {
+void ChildProcess::wait_for_start() {
   WatchReport report;
-  const bool heard = read(reports_.get(), &report, sizeof(report)) == sizeof(report);
-  if (heard && report.kind == WatchReport::Kind::kStarted) {
+  const bool received = read(reports_.get(), &report, sizeof(report)) == sizeof(report);
+  if (received && report.kind == WatchReport::Kind::kStarted) {
     pid_ = report.number;
     fcntl(reports_.get(), F_SETFL, O_NONBLOCK);
     return;
   }
   waitpid(watcher_, nullptr, 0);
   throw std::runtime_error("cannot be started: " +
-                           (heard ? std::generic_category().message(report.number)
-                                  : std::string("its adit-watch ended")));
+                           (received ? std::generic_category().message(report.number)
+                                     : std::string("its adit-watch ended")));
 }
 
 std::optional<ChildProcess::End> ChildProcess::poll() {
   if (watcher_ <= 0) return std::nullopt;
   int status = 0;
   const bool gone = waitpid(watcher_, &status, WNOHANG) == watcher_;
-  take_reports();
+  read_reports();
   if (!gone) return std::nullopt;
   watcher_ = -1;
   return end_.value_or(End{status});  // one whose adit-watch was killed went with it
 }
 
-void ChildProcess::take_reports() {
+void ChildProcess::read_reports() {
   WatchReport report;
   while (read(reports_.get(), &report, sizeof(report)) == sizeof(report)) {
     if (report.kind == WatchReport::Kind::kEnded) end_ = End{report.number};

@@ -10,7 +10,7 @@
 #include <sys/types.h>
 
 #include "common/process_list/command_line.hpp"
-#include "procs/supervisor/os/descriptor.hpp"
+#include "procs/supervisor/os/file_descriptor.hpp"
 #include "procs/supervisor/watch/watch_protocol.hpp"
 
 namespace adit {
@@ -31,7 +31,7 @@ class ChildProcess {
   struct End {
     int wait_status = 0;
 
-    [[nodiscard]] bool well() const { return wait_status == 0; }
+    [[nodiscard]] bool succeeded() const { return wait_status == 0; }
     /// "ended with exit code 3", "killed by SIGSEGV".
     [[nodiscard]] std::string text() const;
   };
@@ -60,12 +60,12 @@ class ChildProcess {
   [[nodiscard]] pid_t pid() const { return pid_; }
 
  private:
-  void wait_until_it_runs();
-  void take_reports();
+  void wait_for_start();
+  void read_reports();
 
-  Descriptor terminal_;
-  Descriptor reports_;
-  Descriptor signals_;
+  FileDescriptor terminal_;
+  FileDescriptor reports_;
+  FileDescriptor signals_;
   pid_t watcher_ = -1;
   pid_t pid_ = -1;
   std::optional<End> end_;

@@ -6,22 +6,63 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <csignal>
 #include <system_error>
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/signalfd.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "procs/supervisor/os/process_table.hpp"
+#include "procs/supervisor/os/procfs.hpp"
 #include "procs/supervisor/os/wall_time.hpp"
 
 namespace adit {
 namespace {
 
-constexpr int kKillAgainMs = 20;  // what was born meanwhile
+constexpr int kExecFailed = 127;  // as shells say it
+
+void reset_signals() {
+  for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+[[noreturn]] void exec_program(char* const* argv, pid_t parent, int report) {
+  reset_signals();
+  setsid();
+  ioctl(STDIN_FILENO, TIOCSCTTY, 0);  // fails where there is no terminal, and need not succeed
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() == parent) execvp(argv[0], argv);
+  const int error = errno;
+  [[maybe_unused]] const ssize_t written = write(report, &error, sizeof(error));
+  _exit(kExecFailed);
+}
+
+}  // namespace
+
+ProgramStart start_program(char* const* argv) {
+  int report[2];  // closes when the program takes over
+  if (pipe2(report, O_CLOEXEC) != 0) return {-1, errno};
+  const pid_t parent = getpid();
+  const pid_t pid = fork();
+  if (pid == 0) exec_program(argv, parent, report[1]);
+  ProgramStart start{pid, pid < 0 ? errno : 0};
+  close(report[1]);
+  int error = 0;
+  if (read(report[0], &error, sizeof(error)) == sizeof(error)) start.error = error;
+  close(report[0]);
+  if (pid > 0 && start.error != 0) waitpid(pid, nullptr, 0);
+  return start;
+}
+
+namespace {
+
+constexpr int kKillPeriodMs = 20;  // what was born meanwhile
 
 /// Who is to outlive all others must not be asked to end with them.
 void ignore_signals() {
@@ -30,7 +71,7 @@ void ignore_signals() {
   }
 }
 
-int signals_of_children() {
+int open_child_signalfd() {
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGCHLD);
@@ -38,7 +79,7 @@ int signals_of_children() {
   return signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
 }
 
-void keep_lines_to_myself() {
+void set_close_on_exec() {
   fcntl(kWatchReportsDescriptor, F_SETFD, FD_CLOEXEC);
   fcntl(kWatchSignalsDescriptor, F_SETFD, FD_CLOEXEC);
   fcntl(kWatchSignalsDescriptor, F_SETFL, O_NONBLOCK);
@@ -48,35 +89,35 @@ void keep_lines_to_myself() {
 
 Watch::Watch(const WatchOptions& options) : options_(options) {
   ignore_signals();
-  keep_lines_to_myself();
+  set_close_on_exec();
   prctl(PR_SET_CHILD_SUBREAPER, 1);
-  child_signals_ = signals_of_children();
+  child_signals_ = open_child_signalfd();
   if (child_signals_ < 0) throw std::system_error(errno, std::generic_category(), "signalfd");
   program_ = start_program(options_.argv);
   const bool runs = program_.error == 0;
-  report(runs ? WatchReport::Kind::kStarted : WatchReport::Kind::kCouldNotStart,
+  report(runs ? WatchReport::Kind::kStarted : WatchReport::Kind::kStartFailed,
          runs ? program_.pid : program_.error);
 }
 
 void Watch::run() {
-  for (reap(); anybody_left_; reap()) {
+  for (reap(); any_child_left_; reap()) {
     if (kill_at_us_ && steady_us() >= *kill_at_us_) killing_ = true;
     if (killing_) send_to_all(SIGKILL);
     // Nobody writes any more where the supervisor is gone: that is not to wake us for ever.
     const int signals = killing_ ? -1 : kWatchSignalsDescriptor;
     std::array<pollfd, 2> descriptors{{{signals, POLLIN, 0}, {child_signals_, POLLIN, 0}}};
     poll(descriptors.data(), descriptors.size(), timeout_ms());
-    if (descriptors[0].revents != 0) take_signals();
+    if (descriptors[0].revents != 0) forward_signals();
   }
 }
 
 int Watch::timeout_ms() const {
-  if (killing_) return kKillAgainMs;
+  if (killing_) return kKillPeriodMs;
   if (!kill_at_us_) return -1;
   return static_cast<int>(std::max<std::int64_t>(*kill_at_us_ - steady_us(), 0) / 1000) + 1;
 }
 
-void Watch::take_signals() {
+void Watch::forward_signals() {
   std::uint8_t signal = 0;
   const ssize_t n = read(kWatchSignalsDescriptor, &signal, 1);
   if (n < 0 && errno == EAGAIN) return;
@@ -104,7 +145,7 @@ void Watch::reap() {
     send_to_all(options_.stop_signal);
     kill_at_us_ = steady_us() + std::llround(options_.stop_time_s * 1e6);
   }
-  anybody_left_ = pid == 0;
+  any_child_left_ = pid == 0;
 }
 
 void Watch::report(WatchReport::Kind kind, int number) const {

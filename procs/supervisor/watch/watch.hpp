@@ -8,10 +8,19 @@
 
 #include <sys/types.h>
 
-#include "procs/supervisor/watch/program_start.hpp"
 #include "procs/supervisor/watch/watch_protocol.hpp"
 
 namespace adit {
+
+struct ProgramStart {
+  pid_t pid = -1;
+  int error = 0;  ///< as errno; 0: the program runs
+};
+
+/// Runs a program, looked for in PATH, as a child in a session of its own, whose terminal is the
+/// standard input where that is one; with no signal blocked or ignored, and killed by the kernel if
+/// this process ends. `argv` ends with a null pointer.
+ProgramStart start_program(char* const* argv);
 
 struct WatchOptions {
   int stop_signal = SIGINT;     ///< for what the program leaves behind when it ends
@@ -33,14 +42,14 @@ class Watch {
  private:
   void report(WatchReport::Kind kind, int number) const;
   void reap();
-  void take_signals();
+  void forward_signals();
   void send_to_all(int signal) const;
   [[nodiscard]] int timeout_ms() const;
 
   WatchOptions options_;
   int child_signals_;
   bool killing_ = false;
-  bool anybody_left_ = true;
+  bool any_child_left_ = true;
   std::optional<std::int64_t> kill_at_us_;
   ProgramStart program_;
 };

@@ -4,7 +4,7 @@
 #include <exception>
 #include <iostream>
 
-#include "common/config/parse_number.hpp"
+#include "common/config/number_text.hpp"
 #include "procs/supervisor/watch/watch.hpp"
 
 namespace {

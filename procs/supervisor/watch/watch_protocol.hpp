@@ -11,9 +11,9 @@ namespace adit {
 /// From it: reports, in the byte order of the machine; and its end, once nothing is left.
 struct WatchReport {
   enum class Kind : std::int32_t {
-    kStarted,        ///< number: the process id of the program
-    kCouldNotStart,  ///< number: why, as errno
-    kEnded,          ///< number: the program's wait status; what it started may live on
+    kStarted,      ///< number: the process id of the program
+    kStartFailed,  ///< number: why, as errno
+    kEnded,        ///< number: the program's wait status; what it started may live on
   };
   Kind kind = Kind::kStarted;
   std::int32_t number = 0;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "sim/world/props/add_prop.hpp"
 #include "sim/world/props/placement.hpp"
+#include "sim/world/props/prop_site.hpp"
 
 namespace adit {
 namespace {
@@ -26,11 +26,11 @@ OrientedBox timber_between(const Eigen::Vector3d& from, const Eigen::Vector3d& t
 
 /// The middle of the lower end lies half a thickness above the floor, that of the upper one where
 /// the description says.
-void add_timber(const BeamDescription& beam, const DriftLine& drift, PropSite& site) {
-  const double half_m = (drift.width_m / 2.0 + kIntoWall);
+void add_timber(const BeamDescription& beam, const TunnelLine& tunnel, PropSite& site) {
+  const double half_m = (tunnel.width_m / 2.0 + kIntoWall);
   const double along_m = half_m * std::tan(beam.yaw_rad);
   const Eigen::Isometry3d T_world_axes =
-      drift_axes(drift, beam.at_m, on_floor(site, drift, beam.at_m, 0.0));
+      tunnel_axes(tunnel, beam.at_m, on_floor(site, tunnel, beam.at_m, 0.0));
   const auto end = [&](double side, double above_m) {
     Eigen::Vector3d p_world = T_world_axes * Eigen::Vector3d(-side * along_m, side * half_m, 0.0);
     p_world.z() = site.heights.floor(p_world.head<2>()) + above_m;
@@ -44,10 +44,10 @@ void add_timber(const BeamDescription& beam, const DriftLine& drift, PropSite& s
 
 /// A parabola between two points of the roof, which a cable is where it hangs by little of its
 /// length. `lane` is from −1, at the right wall, to 1.
-void add_cable(const BeamDescription& beam, const DriftLine& drift, double lane, PropSite& site) {
+void add_cable(const BeamDescription& beam, const TunnelLine& tunnel, double lane, PropSite& site) {
   const auto at_roof = [&](double side) {
-    const double across_m = (lane + site.between(-0.35, 0.35)) * drift.width_m / 2.0;
-    const Eigen::Vector2d plan = drift.beside(beam.at_m + side * kCableSpan / 2.0, across_m);
+    const double across_m = (lane + site.between(-0.35, 0.35)) * tunnel.width_m / 2.0;
+    const Eigen::Vector2d plan = tunnel.beside(beam.at_m + side * kCableSpan / 2.0, across_m);
     return Eigen::Vector3d(plan.x(), plan.y(), site.heights.roof(plan));
   };
   const Eigen::Vector3d from = at_roof(-1.0);
@@ -65,10 +65,10 @@ void add_cable(const BeamDescription& beam, const DriftLine& drift, double lane,
 }  // namespace
 
 void add_prop(const BeamDescription& beam, PropSite& site) {
-  const DriftLine& drift = drift_with(site.drifts, beam.drift, beam.at_m, site.what);
-  add_timber(beam, drift, site);
+  const TunnelLine& tunnel = tunnel_with(site.tunnels, beam.tunnel, beam.at_m, site.what);
+  add_timber(beam, tunnel, site);
   for (int i = 0; i < beam.cables; ++i) {
-    add_cable(beam, drift, -0.6 + 1.2 * (i + 0.5) / beam.cables, site);
+    add_cable(beam, tunnel, -0.6 + 1.2 * (i + 0.5) / beam.cables, site);
   }
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
-#include "sim/world/props/add_prop.hpp"
 #include "sim/world/props/placement.hpp"
+#include "sim/world/props/prop_site.hpp"
 
 namespace adit {
 namespace {
@@ -45,10 +45,10 @@ void add_wheel(const Eigen::Isometry3d& T_world_car, double x, double y, double 
 }  // namespace
 
 void add_prop(const CarDescription& car, PropSite& site) {
-  const DriftLine& drift = drift_with(site.drifts, car.drift, car.at_m, site.what);
+  const TunnelLine& tunnel = tunnel_with(site.tunnels, car.tunnel, car.at_m, site.what);
   const double radius_m = std::min(kWheelRadius, car.height_m / 4.0);
   const Eigen::Isometry3d T_world_car =
-      drift_axes(drift, car.at_m, on_floor(site, drift, car.at_m, car.across_m));
+      tunnel_axes(tunnel, car.at_m, on_floor(site, tunnel, car.at_m, car.across_m));
 
   const std::size_t first = begin_obstacle(site, PartKind::kCar, Material::kSteel, "car");
   add_tub(car, T_world_car, 1.5 * radius_m, site.builder);

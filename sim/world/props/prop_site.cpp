@@ -5,20 +5,21 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/world/props/convex_outline.hpp"
+#include "sim/world/props/outlines.hpp"
 
 namespace adit {
 
-Eigen::Vector3d on_floor(const PropSite& site, const DriftLine& drift, double s_m,
+Eigen::Vector3d on_floor(const PropSite& site, const TunnelLine& tunnel, double s_m,
                          double across_m) {
-  const Eigen::Vector2d p_world = drift.beside(s_m, across_m);
+  const Eigen::Vector2d p_world = tunnel.beside(s_m, across_m);
   return {p_world.x(), p_world.y(), site.heights.floor(p_world)};
 }
 
-Eigen::Isometry3d drift_axes(const DriftLine& drift, double s_m, const Eigen::Vector3d& p_world) {
+Eigen::Isometry3d tunnel_axes(const TunnelLine& tunnel, double s_m,
+                              const Eigen::Vector3d& p_world) {
   Eigen::Isometry3d T_world_axes = Eigen::Isometry3d::Identity();
   T_world_axes.translation() = p_world;
-  T_world_axes.rotate(Eigen::AngleAxisd(drift.at(s_m).heading_rad, Eigen::Vector3d::UnitZ()));
+  T_world_axes.rotate(Eigen::AngleAxisd(tunnel.at(s_m).heading_rad, Eigen::Vector3d::UnitZ()));
   return T_world_axes;
 }
 

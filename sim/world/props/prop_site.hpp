@@ -10,15 +10,16 @@
 #include <Eigen/Geometry>
 
 #include "sim/mesh/mesh_builder.hpp"
-#include "sim/world/drift_line.hpp"
-#include "sim/world/heights.hpp"
+#include "sim/world/plan/tunnel_line.hpp"
+#include "sim/world/props/prop_descriptions.hpp"
+#include "sim/world/surface/heights.hpp"
 #include "sim/world/world.hpp"
 
 namespace adit {
 
 /// What one prop is given to put itself into the world.
 struct PropSite {
-  const std::vector<DriftLine>& drifts;
+  const std::vector<TunnelLine>& tunnels;
   const Heights& heights;
   MeshBuilder& builder;
   World& world;
@@ -32,10 +33,11 @@ struct PropSite {
 };
 
 /// A point on the floor beside the middle of a drift, in world.
-Eigen::Vector3d on_floor(const PropSite& site, const DriftLine& drift, double s_m, double across_m);
+Eigen::Vector3d on_floor(const PropSite& site, const TunnelLine& tunnel, double s_m,
+                         double across_m);
 
 /// Axes at a place of a drift: x along it, y to its left, z up; the origin at `p_world`.
-Eigen::Isometry3d drift_axes(const DriftLine& drift, double s_m, const Eigen::Vector3d& p_world);
+Eigen::Isometry3d tunnel_axes(const TunnelLine& tunnel, double s_m, const Eigen::Vector3d& p_world);
 
 /// Begins a part of the mesh that will be an obstacle. Returns what `end_obstacle` needs.
 std::size_t begin_obstacle(PropSite& site, PartKind kind, Material material,
@@ -43,5 +45,19 @@ std::size_t begin_obstacle(PropSite& site, PartKind kind, Material material,
 
 /// All vertices since `begin_obstacle` are one obstacle of the truth.
 void end_obstacle(PropSite& site, std::size_t first_vertex);
+
+// One prop: its surfaces into the mesh, what is true of it into the world. Each throws
+// std::invalid_argument, naming the prop, for one in no drift or beyond its end.
+void add_prop(const RailsDescription& rails, PropSite& site);
+void add_prop(const PostsDescription& posts, PropSite& site);
+void add_prop(const CribDescription& crib, PropSite& site);
+void add_prop(const RubbleDescription& rubble, PropSite& site);
+void add_prop(const BeamDescription& beam, PropSite& site);
+void add_prop(const CarDescription& car, PropSite& site);
+void add_prop(const LowRoofDescription& low_roof, PropSite& site);
+void add_prop(const PitDescription& pit, PropSite& site);
+void add_prop(const WaterDescription& water, PropSite& site);
+void add_prop(const MudDescription& mud, PropSite& site);
+void add_prop(const GasDescription& gas, PropSite& site);
 
 }  // namespace adit

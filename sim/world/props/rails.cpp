@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 
-#include "sim/world/props/add_prop.hpp"
 #include "sim/world/props/placement.hpp"
+#include "sim/world/props/prop_site.hpp"
 
 namespace adit {
 namespace {
@@ -28,12 +28,12 @@ constexpr std::size_t kSectionCorners = 12;
 using Section = std::array<std::uint32_t, kSectionCorners>;
 
 /// Height on which a track lies: the mean of the floor around.
-double bed_height(const PropSite& site, const DriftLine& drift, double s_m, double across_m,
+double bed_height(const PropSite& site, const TunnelLine& tunnel, double s_m, double across_m,
                   double gauge_m) {
   double sum = 0.0;
   for (const double along : {-kBridge, -0.5 * kBridge, 0.0, 0.5 * kBridge, kBridge}) {
     for (const double side : {-0.5, 0.5}) {
-      sum += site.heights.floor(drift.beside(s_m + along, across_m + side * gauge_m));
+      sum += site.heights.floor(tunnel.beside(s_m + along, across_m + side * gauge_m));
     }
   }
   return sum / 10.0;
@@ -60,12 +60,12 @@ std::array<Eigen::Vector2d, kSectionCorners> rail_profile() {
           {-foot, low}};
 }
 
-Section rail_section(PropSite& site, const DriftLine& drift, double s_m, double across_m,
+Section rail_section(PropSite& site, const TunnelLine& tunnel, double s_m, double across_m,
                      double bed_m, double height_m) {
   Section section{};
   const auto profile = rail_profile();
   for (std::size_t i = 0; i < kSectionCorners; ++i) {
-    const Eigen::Vector2d plan = drift.beside(s_m, across_m + height_m * profile[i].x());
+    const Eigen::Vector2d plan = tunnel.beside(s_m, across_m + height_m * profile[i].x());
     const Eigen::Vector3d p_world(plan.x(), plan.y(), bed_m + height_m * profile[i].y());
     section[i] = site.builder.vertex(p_world.cast<float>());
   }
@@ -79,12 +79,13 @@ void close_end(MeshBuilder& builder, const Section& end) {
 }
 
 /// One rail; `side` is 1 for the left one and −1 for the right one.
-void add_rail(const RailsDescription& rails, const DriftLine& drift, double side, PropSite& site) {
+void add_rail(const RailsDescription& rails, const TunnelLine& tunnel, double side,
+              PropSite& site) {
   // The gauge is that between the inner faces of the heads.
   const double aside_m = side * (rails.gauge_m + kHeadWidth * rails.height_m) / 2.0;
   const auto section_at = [&](double s_m) {
-    const double bed_m = bed_height(site, drift, s_m, rails.across_m, rails.gauge_m);
-    return rail_section(site, drift, s_m, rails.across_m + aside_m, bed_m, rails.height_m);
+    const double bed_m = bed_height(site, tunnel, s_m, rails.across_m, rails.gauge_m);
+    return rail_section(site, tunnel, s_m, rails.across_m + aside_m, bed_m, rails.height_m);
   };
   const std::vector<double> places = places_between(rails.from_m, rails.to_m, 0.7);
   Section before = section_at(places.front());
@@ -100,14 +101,14 @@ void add_rail(const RailsDescription& rails, const DriftLine& drift, double side
   close_end(site.builder, before);
 }
 
-void add_sleeper(const RailsDescription& rails, const DriftLine& drift, double s_m,
+void add_sleeper(const RailsDescription& rails, const TunnelLine& tunnel, double s_m,
                  PropSite& site) {
-  const Eigen::Vector2d plan = drift.beside(s_m, rails.across_m);
-  const double bed_m = bed_height(site, drift, s_m, rails.across_m, rails.gauge_m);
+  const Eigen::Vector2d plan = tunnel.beside(s_m, rails.across_m);
+  const double bed_m = bed_height(site, tunnel, s_m, rails.across_m, rails.gauge_m);
   const double half_length = rails.gauge_m / 2.0 + kSleeperOverhang;
   OrientedBox box;
   box.T_world_box =
-      drift_axes(drift, s_m, {plan.x(), plan.y(), bed_m + kSleeperTop - kSleeperThickness / 2.0});
+      tunnel_axes(tunnel, s_m, {plan.x(), plan.y(), bed_m + kSleeperTop - kSleeperThickness / 2.0});
   box.T_world_box.rotate(Eigen::AngleAxisd(site.between(-0.05, 0.05), Eigen::Vector3d::UnitZ()));
   box.half_size = {kSleeperWidth / 2.0, half_length, kSleeperThickness / 2.0};
   site.builder.box(box);
@@ -116,15 +117,15 @@ void add_sleeper(const RailsDescription& rails, const DriftLine& drift, double s
 }  // namespace
 
 void add_prop(const RailsDescription& rails, PropSite& site) {
-  const DriftLine& drift =
-      drift_with(site.drifts, rails.drift, rails.from_m, rails.to_m, site.what);
+  const TunnelLine& tunnel =
+      tunnel_with(site.tunnels, rails.tunnel, rails.from_m, rails.to_m, site.what);
   site.builder.begin_part(PartKind::kRail, Material::kSteel, "rails");
-  for (const double side : {-1.0, 1.0}) add_rail(rails, drift, side, site);
+  for (const double side : {-1.0, 1.0}) add_rail(rails, tunnel, side, site);
   site.builder.begin_part(PartKind::kSleeper, Material::kTimber, "sleepers");
   const double half_m = kSleeperWidth / 2.0;
   for (double s_m = rails.from_m + half_m; s_m <= rails.to_m - half_m;
        s_m += rails.sleeper_every_m) {
-    add_sleeper(rails, drift, s_m, site);
+    add_sleeper(rails, tunnel, s_m, site);
   }
 }
 

@@ -1,12 +1,32 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/world/props/add_prop.hpp"
-#include "sim/world/props/convex_outline.hpp"
+#include "sim/world/props/water.hpp"
+
+#include <algorithm>
+
+#include "sim/world/props/outlines.hpp"
 #include "sim/world/props/placement.hpp"
-#include "sim/world/props/stretch.hpp"
-#include "sim/world/props/water_shape.hpp"
+#include "sim/world/props/prop_site.hpp"
 
 namespace adit {
+
+double water_level(const WaterDescription& water, const TunnelLine& tunnel,
+                   const Heights& heights) {
+  return std::min(heights.floor(tunnel.at(water.from_m).p_world),
+                  heights.floor(tunnel.at(water.to_m).p_world));
+}
+
+HeightChange water_hollow(const WaterDescription& water, const TunnelLine& tunnel, double level_m) {
+  const auto apply = [water, tunnel, level_m](const Eigen::Vector2d& p_world, double floor_m) {
+    const double share = share_of_stretch(tunnel, water.from_m, water.to_m, p_world);
+    if (share < 0.0) return floor_m;
+    const double hollow = 4.0 * share * (1.0 - share);
+    return floor_m + hollow * (level_m - water.depth_m - floor_m);
+  };
+  const PlanBox box = box_around(stretch_outline(tunnel, water.from_m, water.to_m));
+  return {box.low, box.high, apply};
+}
+
 namespace {
 
 /// A flat strip between the two sides of an outline that `stretch_outline` made.
@@ -25,10 +45,10 @@ void add_surface(const std::vector<Eigen::Vector2d>& outline, double level_m,
 }  // namespace
 
 void add_prop(const WaterDescription& water, PropSite& site) {
-  const DriftLine& drift =
-      drift_with(site.drifts, water.drift, water.from_m, water.to_m, site.what);
-  const double level_m = water_level(water, drift, site.heights);
-  const std::vector<Eigen::Vector2d> outline = stretch_outline(drift, water.from_m, water.to_m);
+  const TunnelLine& tunnel =
+      tunnel_with(site.tunnels, water.tunnel, water.from_m, water.to_m, site.what);
+  const double level_m = water_level(water, tunnel, site.heights);
+  const std::vector<Eigen::Vector2d> outline = stretch_outline(tunnel, water.from_m, water.to_m);
 
   site.builder.begin_part(PartKind::kWater, water.mirror ? Material::kMirror : Material::kWater,
                           water.name);

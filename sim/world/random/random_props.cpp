@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "sim/world/drift_line.hpp"
+#include "sim/world/plan/tunnel_line.hpp"
 #include "sim/world/random/topologies.hpp"
 
 namespace adit {
@@ -20,129 +20,129 @@ constexpr double kReach = 5.0;        // of the largest prop from its place [m]
 
 /// A place for a prop.
 struct Place {
-  const DriftLine& drift;
+  const TunnelLine& tunnel;
   double at_m;
 
-  [[nodiscard]] double half_width_m() const { return drift.width_m / 2.0; }
+  [[nodiscard]] double half_width_m() const { return tunnel.width_m / 2.0; }
 };
 
-double beside_wall(const Place& place, double from_wall_m, Dice& dice) {
-  return dice.side() * std::max(0.0, place.half_width_m() - from_wall_m);
+double beside_wall(const Place& place, double from_wall_m, RandomGenerator& rng) {
+  return rng.side() * std::max(0.0, place.half_width_m() - from_wall_m);
 }
 
-void add_posts(const Place& place, Dice& dice, PropDescriptions& props) {
-  props.posts.push_back({.drift = place.drift.name,
+void add_posts(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  props.posts.push_back({.tunnel = place.tunnel.name,
                          .from_m = place.at_m - 3.0,
                          .to_m = place.at_m + 3.0,
-                         .every_m = dice.between(1.5, 3.0),
-                         .across_m = beside_wall(place, 0.35, dice),
-                         .both_sides = place.drift.width_m > 3.5 && dice.chance(0.4)});
+                         .every_m = rng.between(1.5, 3.0),
+                         .across_m = beside_wall(place, 0.35, rng),
+                         .both_sides = place.tunnel.width_m > 3.5 && rng.chance(0.4)});
 }
 
-void add_crib(const Place& place, Dice& dice, PropDescriptions& props) {
-  props.cribs.push_back({.drift = place.drift.name,
+void add_crib(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  props.cribs.push_back({.tunnel = place.tunnel.name,
                          .at_m = place.at_m,
-                         .across_m = beside_wall(place, 0.5, dice),
-                         .side_m = dice.between(0.6, 1.0)});
+                         .across_m = beside_wall(place, 0.5, rng),
+                         .side_m = rng.between(0.6, 1.0)});
 }
 
-void add_rubble(const Place& place, Dice& dice, PropDescriptions& props) {
-  props.rubble.push_back({.drift = place.drift.name,
+void add_rubble(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  props.rubble.push_back({.tunnel = place.tunnel.name,
                           .at_m = place.at_m,
-                          .across_m = dice.between(-1.0, 1.0) * place.half_width_m(),
-                          .radius_m = dice.between(0.8, 2.5),
-                          .height_m = dice.between(0.3, 2.0)});
+                          .across_m = rng.between(-1.0, 1.0) * place.half_width_m(),
+                          .radius_m = rng.between(0.8, 2.5),
+                          .height_m = rng.between(0.3, 2.0)});
 }
 
-void add_low_roof(const Place& place, Dice& dice, PropDescriptions& props) {
-  const double half_m = dice.between(1.0, 3.5);
+void add_low_roof(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  const double half_m = rng.between(1.0, 3.5);
   props.low_roofs.push_back({.name = "low_roof_" + std::to_string(props.low_roofs.size() + 1),
-                             .drift = place.drift.name,
+                             .tunnel = place.tunnel.name,
                              .from_m = place.at_m - half_m,
                              .to_m = place.at_m + half_m,
-                             .clearance_m = dice.between(0.6, 1.4)});
+                             .clearance_m = rng.between(0.6, 1.4)});
 }
 
-void add_pit(const Place& place, Dice& dice, PropDescriptions& props) {
+void add_pit(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
   props.pits.push_back({.name = "pit_" + std::to_string(props.pits.size() + 1),
-                        .drift = place.drift.name,
+                        .tunnel = place.tunnel.name,
                         .at_m = place.at_m,
-                        .across_m = dice.between(-0.8, 0.8) * place.half_width_m(),
-                        .radius_m = dice.between(0.4, 1.2),
-                        .depth_m = dice.between(0.4, 2.0)});
+                        .across_m = rng.between(-0.8, 0.8) * place.half_width_m(),
+                        .radius_m = rng.between(0.4, 1.2),
+                        .depth_m = rng.between(0.4, 2.0)});
 }
 
-void add_water(const Place& place, Dice& dice, PropDescriptions& props) {
-  const double half_m = dice.between(1.5, 3.8);
+void add_water(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  const double half_m = rng.between(1.5, 3.8);
   props.water.push_back({.name = "water_" + std::to_string(props.water.size() + 1),
-                         .drift = place.drift.name,
+                         .tunnel = place.tunnel.name,
                          .from_m = place.at_m - half_m,
                          .to_m = place.at_m + half_m,
-                         .depth_m = dice.between(0.1, 0.8),
-                         .mirror = dice.chance(0.3)});
+                         .depth_m = rng.between(0.1, 0.8),
+                         .mirror = rng.chance(0.3)});
 }
 
-void add_mud(const Place& place, Dice& dice, PropDescriptions& props) {
+void add_mud(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
   props.mud.push_back({.name = "mud_" + std::to_string(props.mud.size() + 1),
-                       .drift = place.drift.name,
+                       .tunnel = place.tunnel.name,
                        .at_m = place.at_m,
-                       .radius_m = dice.between(1.0, 3.0),
-                       .depth_m = dice.between(0.05, 0.3)});
+                       .radius_m = rng.between(1.0, 3.0),
+                       .depth_m = rng.between(0.05, 0.3)});
 }
 
-void add_beam(const Place& place, Dice& dice, PropDescriptions& props) {
-  props.beams.push_back({.drift = place.drift.name,
+void add_beam(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  props.beams.push_back({.tunnel = place.tunnel.name,
                          .at_m = place.at_m,
-                         .thickness_m = dice.between(0.15, 0.3),
-                         .yaw_rad = dice.between(-0.8, 0.8),
-                         .high_end_m = dice.between(0.9, 1.5),
-                         .cables = dice.between(0, 3),
-                         .cable_sag_m = dice.between(0.3, 1.0)});
+                         .thickness_m = rng.between(0.15, 0.3),
+                         .yaw_rad = rng.between(-0.8, 0.8),
+                         .high_end_m = rng.between(0.9, 1.5),
+                         .cables = rng.between(0, 3),
+                         .cable_sag_m = rng.between(0.3, 1.0)});
 }
 
-void add_car(const Place& place, Dice& dice, PropDescriptions& props) {
-  props.cars.push_back({.drift = place.drift.name,
+void add_car(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  props.cars.push_back({.tunnel = place.tunnel.name,
                         .at_m = place.at_m,
-                        .across_m = dice.chance(0.5) ? 0.0 : beside_wall(place, 0.8, dice),
-                        .width_m = dice.between(0.8, 1.1)});
+                        .across_m = rng.chance(0.5) ? 0.0 : beside_wall(place, 0.8, rng),
+                        .width_m = rng.between(0.8, 1.1)});
 }
 
-void add_damage(const Place& place, Dice& dice, PropDescriptions& props) {
-  using Add = void (*)(const Place&, Dice&, PropDescriptions&);
+void add_damage(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  using Add = void (*)(const Place&, RandomGenerator&, PropDescriptions&);
   // Falls are what damages mines most; cribs stand where one was feared.
   constexpr std::array<Add, 10> kKinds{add_rubble, add_rubble, add_rubble, add_crib, add_low_roof,
                                        add_pit,    add_water,  add_mud,    add_beam, add_car};
-  const int kind = dice.between(0, static_cast<int>(kKinds.size()) - 1);
-  kKinds[static_cast<std::size_t>(kind)](place, dice, props);
+  const int kind = rng.between(0, static_cast<int>(kKinds.size()) - 1);
+  kKinds[static_cast<std::size_t>(kind)](place, rng, props);
 }
 
 /// The drift behind the entrance is sound, and what leaves it begins behind that.
-bool is_sound(const Place& place) {
-  return place.drift.at(place.at_m).p_world.norm() < kSoundLength + kReach;
+bool is_undamaged(const Place& place) {
+  return place.tunnel.at(place.at_m).p_world.norm() < kUndamagedLength + kReach;
 }
 
-void add_rails(const DriftLine& main, PropDescriptions& props) {
+void add_rails(const TunnelLine& main, PropDescriptions& props) {
   props.rails.push_back(
-      {.drift = main.name, .from_m = 1.0, .to_m = main.length_m() - 2.0, .gauge_m = 0.6});
+      {.tunnel = main.name, .from_m = 1.0, .to_m = main.length_m() - 2.0, .gauge_m = 0.6});
 }
 
 }  // namespace
 
-PropDescriptions random_props(const PlanDescription& plan, double damage, Dice& dice) {
+PropDescriptions random_props(const PlanDescription& plan, double damage, RandomGenerator& rng) {
   PropDescriptions props;
-  const std::vector<DriftLine> drifts = drift_lines(plan);
-  if (dice.chance(kRailsShare)) add_rails(drifts.front(), props);
-  for (const DriftLine& drift : drifts) {
-    const double last_m = drift.length_m() - kFromEnds - kPlaceEvery / 2.0;
+  const std::vector<TunnelLine> tunnels = tunnel_lines(plan);
+  if (rng.chance(kRailsShare)) add_rails(tunnels.front(), props);
+  for (const TunnelLine& tunnel : tunnels) {
+    const double last_m = tunnel.length_m() - kFromEnds - kPlaceEvery / 2.0;
     for (double s_m = kFromEnds; s_m <= last_m; s_m += kPlaceEvery) {
-      const Place place{drift, s_m + dice.between(4.0, 6.0)};
-      const bool damaged = dice.chance(damage);
-      const bool posts = dice.chance(kPostsShare);
-      if (is_sound(place)) continue;
+      const Place place{tunnel, s_m + rng.between(4.0, 6.0)};
+      const bool damaged = rng.chance(damage);
+      const bool posts = rng.chance(kPostsShare);
+      if (is_undamaged(place)) continue;
       if (damaged) {
-        add_damage(place, dice, props);
+        add_damage(place, rng, props);
       } else if (posts) {
-        add_posts(place, dice, props);
+        add_posts(place, rng, props);
       }
     }
   }

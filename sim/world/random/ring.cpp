@@ -10,7 +10,7 @@
 namespace adit {
 namespace {
 
-constexpr double kShortest = 110.0;  // of which a loop can be made [m]
+constexpr double kLengthMin = 110.0;  // of which a loop can be made [m]
 constexpr int kCorners = 16;
 
 using Line = std::vector<Eigen::Vector2d>;
@@ -22,11 +22,11 @@ double length_of(const Line& line) {
 }
 
 /// A closed line around (1, 0), begun at the origin, of a radius about 1.
-Line uneven_circle(Dice& dice) {
+Line uneven_circle(RandomGenerator& rng) {
   Line line;
   for (int i = 0; i < kCorners; ++i) {
     const double angle = std::numbers::pi - 2.0 * std::numbers::pi * i / kCorners;
-    const double radius = i == 0 ? 1.0 : dice.between(0.88, 1.12);
+    const double radius = i == 0 ? 1.0 : rng.between(0.88, 1.12);
     line.emplace_back(1.0 + radius * std::cos(angle), radius * std::sin(angle));
   }
   line.push_back(line.front());
@@ -35,23 +35,24 @@ Line uneven_circle(Dice& dice) {
 
 }  // namespace
 
-PlanDescription ring(double length_m, Dice& dice) {
+PlanDescription ring(double length_m, RandomGenerator& rng) {
   PlanDescription plan;
-  const bool loop = length_m >= kShortest;
-  plan.drifts.push_back(main_drift(loop ? kSoundLength + 2.0 : length_m, dice));
+  const bool loop = length_m >= kLengthMin;
+  plan.tunnels.push_back(main_tunnel(loop ? kUndamagedLength + 2.0 : length_m, rng));
   if (!loop) return plan;
 
-  const auto& points = plan.drifts.front().points_m;
+  const auto& points = plan.tunnels.front().points_m;
   const Eigen::Vector2d begin(points[points.size() - 2], points.back());
-  Line circle = uneven_circle(dice);
-  const auto across_from = static_cast<std::size_t>(dice.between(2, kCorners / 2 - 3));
+  Line circle = uneven_circle(rng);
+  const auto across_from = static_cast<std::size_t>(rng.between(2, kCorners / 2 - 3));
   Line across{circle[across_from], circle[across_from + kCorners / 2]};
-  const double scale = (length_m - kSoundLength - 2.0) / (length_of(circle) + length_of(across));
+  const double scale =
+      (length_m - kUndamagedLength - 2.0) / (length_of(circle) + length_of(across));
   for (Line* line : {&circle, &across}) {
     for (Eigen::Vector2d& point : *line) point = begin + scale * point;
   }
-  plan.drifts.push_back(drift_along("ring", circle, dice.between(2.8, 5.0)));
-  plan.drifts.push_back(drift_along("across", across, dice.between(2.5, 4.0)));
+  plan.tunnels.push_back(tunnel_along("ring", circle, rng.between(2.8, 5.0)));
+  plan.tunnels.push_back(tunnel_along("across", across, rng.between(2.5, 4.0)));
   return plan;
 }
 

@@ -9,14 +9,14 @@
 namespace adit {
 namespace {
 
-constexpr double kShortest = 120.0;  // of which two by two ways can be made [m]
-constexpr int kMost = 60;            // of entries, and of crosscuts
+constexpr double kLengthMin = 120.0;  // of which two by two ways can be made [m]
+constexpr int kCountMax = 60;         // of entries, and of crosscuts
 
 double entry_length(const PanelDescription& panel) {
   return (panel.crosscuts - 1) * panel.crosscut_spacing_m + panel.crosscut_width_m;
 }
 
-double drift_length(const PanelDescription& panel) {
+double tunnel_length(const PanelDescription& panel) {
   return panel.entries * entry_length(panel) +
          panel.crosscuts * (panel.entries - 1) * panel.entry_spacing_m;
 }
@@ -25,11 +25,11 @@ double drift_length(const PanelDescription& panel) {
 void choose_size(double length_m, double slender, PanelDescription& panel) {
   PanelDescription trial = panel;
   double nearest_m = std::numeric_limits<double>::infinity();
-  for (trial.entries = 2; trial.entries <= kMost; ++trial.entries) {
-    for (trial.crosscuts = 2; trial.crosscuts <= kMost; ++trial.crosscuts) {
+  for (trial.entries = 2; trial.entries <= kCountMax; ++trial.entries) {
+    for (trial.crosscuts = 2; trial.crosscuts <= kCountMax; ++trial.crosscuts) {
       const double across_m = (trial.entries - 1) * trial.entry_spacing_m;
       const double ratio = entry_length(trial) / (slender * across_m);
-      const double off_m = std::abs(drift_length(trial) - length_m);
+      const double off_m = std::abs(tunnel_length(trial) - length_m);
       if (ratio < 0.5 || ratio > 2.0 || off_m >= nearest_m) continue;
       nearest_m = off_m;
       panel = trial;
@@ -40,27 +40,27 @@ void choose_size(double length_m, double slender, PanelDescription& panel) {
 
 }  // namespace
 
-PlanDescription room_and_pillar(double length_m, Dice& dice) {
+PlanDescription room_and_pillar(double length_m, RandomGenerator& rng) {
   PlanDescription plan;
-  if (length_m < kShortest) {
-    plan.drifts.push_back(main_drift(length_m, dice));
+  if (length_m < kLengthMin) {
+    plan.tunnels.push_back(main_tunnel(length_m, rng));
     return plan;
   }
   PanelDescription panel;
   panel.name = "panel";
-  panel.entry_width_m = dice.between(3.0, 5.5);
-  panel.crosscut_width_m = dice.between(2.6, 4.5);
-  panel.entry_spacing_m = panel.entry_width_m + dice.between(5.0, 8.0);
-  panel.crosscut_spacing_m = panel.crosscut_width_m + dice.between(8.0, 14.0);
+  panel.entry_width_m = rng.between(3.0, 5.5);
+  panel.crosscut_width_m = rng.between(2.6, 4.5);
+  panel.entry_spacing_m = panel.entry_width_m + rng.between(5.0, 8.0);
+  panel.crosscut_spacing_m = panel.crosscut_width_m + rng.between(8.0, 14.0);
   // The entries go on by half the width of the outer crosscuts, so that the corners are square.
   panel.first_crosscut_m = panel.crosscut_width_m / 2.0;
-  choose_size(length_m - kSoundLength, dice.between(0.7, 1.6), panel);
+  choose_size(length_m - kUndamagedLength, rng.between(0.7, 1.6), panel);
 
   // `main` meets the first crosscut half-way between two entries.
-  const double reach_m = kSoundLength + panel.crosscut_width_m / 2.0;
-  plan.drifts.push_back(main_drift(reach_m, dice));
-  const auto& points = plan.drifts.front().points_m;
-  const double below = 0.5 + dice.between(0, panel.entries - 2);
+  const double reach_m = kUndamagedLength + panel.crosscut_width_m / 2.0;
+  plan.tunnels.push_back(main_tunnel(reach_m, rng));
+  const auto& points = plan.tunnels.front().points_m;
+  const double below = 0.5 + rng.between(0, panel.entries - 2);
   panel.T_world_panel = {points[points.size() - 2] - panel.first_crosscut_m,
                          points.back() - below * panel.entry_spacing_m, 0.0};
   plan.panels.push_back(panel);

@@ -15,37 +15,37 @@ constexpr double kBend = 0.15;  // of a piece against the direction of the whole
 }  // namespace
 
 std::vector<Eigen::Vector2d> wandering_line(const Eigen::Vector2d& from, double heading_rad,
-                                            double length_m, Dice& dice) {
+                                            double length_m, RandomGenerator& rng) {
   std::vector<Eigen::Vector2d> line{from};
   for (double left_m = length_m; left_m > 0.0;) {
-    double piece_m = std::min(left_m, dice.between(15.0, 35.0));
-    if (left_m - piece_m < 5.0) piece_m = left_m;  // no tiny piece at the end
-    const double heading = heading_rad + dice.between(-kBend, kBend);
+    double segment_m = std::min(left_m, rng.between(15.0, 35.0));
+    if (left_m - segment_m < 5.0) segment_m = left_m;  // no tiny piece at the end
+    const double heading = heading_rad + rng.between(-kBend, kBend);
     line.emplace_back(line.back() +
-                      piece_m * Eigen::Vector2d(std::cos(heading), std::sin(heading)));
-    left_m -= piece_m;
+                      segment_m * Eigen::Vector2d(std::cos(heading), std::sin(heading)));
+    left_m -= segment_m;
   }
   return line;
 }
 
-DriftDescription drift_along(const std::string& name, const std::vector<Eigen::Vector2d>& line,
-                             double width_m) {
-  DriftDescription drift{.name = name, .points_m = {}, .width_m = width_m};
+TunnelDescription tunnel_along(const std::string& name, const std::vector<Eigen::Vector2d>& line,
+                               double width_m) {
+  TunnelDescription tunnel{.name = name, .points_m = {}, .width_m = width_m};
   for (const Eigen::Vector2d& point : line) {
-    drift.points_m.push_back(point.x());
-    drift.points_m.push_back(point.y());
+    tunnel.points_m.push_back(point.x());
+    tunnel.points_m.push_back(point.y());
   }
-  return drift;
+  return tunnel;
 }
 
-DriftDescription main_drift(double length_m, Dice& dice) {
-  const Eigen::Vector2d sound_end(std::min(kSoundLength, length_m), 0.0);
+TunnelDescription main_tunnel(double length_m, RandomGenerator& rng) {
+  const Eigen::Vector2d undamaged_end(std::min(kUndamagedLength, length_m), 0.0);
   std::vector<Eigen::Vector2d> line{Eigen::Vector2d(0.0, 0.0)};
-  const auto rest = wandering_line(sound_end, 0.0, length_m - sound_end.x(), dice);
+  const auto rest = wandering_line(undamaged_end, 0.0, length_m - undamaged_end.x(), rng);
   line.insert(line.end(), rest.begin(), rest.end());
-  DriftDescription drift = drift_along("main", line, dice.between(3.0, 5.0));
-  drift.entrance = true;
-  return drift;
+  TunnelDescription tunnel = tunnel_along("main", line, rng.between(3.0, 5.0));
+  tunnel.entrance = true;
+  return tunnel;
 }
 
 }  // namespace adit

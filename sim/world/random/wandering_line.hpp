@@ -6,20 +6,20 @@
 
 #include <Eigen/Core>
 
-#include "sim/world/random/dice.hpp"
+#include "sim/world/random/random_generator.hpp"
 #include "sim/world/world_description.hpp"
 
 namespace adit {
 
 /// A line of the given length that bends a little now and then but keeps to its direction.
 std::vector<Eigen::Vector2d> wandering_line(const Eigen::Vector2d& from, double heading_rad,
-                                            double length_m, Dice& dice);
+                                            double length_m, RandomGenerator& rng);
 
 /// The drift along a line.
-DriftDescription drift_along(const std::string& name, const std::vector<Eigen::Vector2d>& line,
-                             double width_m);
+TunnelDescription tunnel_along(const std::string& name, const std::vector<Eigen::Vector2d>& line,
+                               double width_m);
 
-/// `main`, from the origin along x, straight for `kSoundLength` and wandering thereafter.
-DriftDescription main_drift(double length_m, Dice& dice);
+/// `main`, from the origin along x, straight for `kUndamagedLength` and wandering thereafter.
+TunnelDescription main_tunnel(double length_m, RandomGenerator& rng);
 
 }  // namespace adit

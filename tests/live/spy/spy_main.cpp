@@ -4,10 +4,10 @@
 #include <exception>
 #include <iostream>
 
-#include "tools/spy/spy.hpp"
+#include "tools/adit/lcm_spy.hpp"
 
 int main(int argc, char** argv) try {
-  adit::run_spy(argc > 1 ? std::optional<std::filesystem::path>(argv[1]) : std::nullopt);
+  adit::run_lcm_spy(argc > 1 ? std::optional<std::filesystem::path>(argv[1]) : std::nullopt);
 } catch (const std::exception& error) {
   std::cerr << "live_spy: " << error.what() << "\n";
   return 2;

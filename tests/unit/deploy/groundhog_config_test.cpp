@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include "common/bus/stages.hpp"
+#include "common/bus/node/stages.hpp"
 #include "common/config/config.hpp"
 #include "procs/mapping/mapping_node.hpp"
 #include "procs/scan_matching/scan_matching_node.hpp"
-#include "sim/live/settings.hpp"
+#include "sim/live/sim_config.hpp"
 
 namespace adit {
 namespace {

@@ -7,11 +7,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/bus/stages.hpp"
+#include "common/bus/node/stages.hpp"
 #include "common/config/config.hpp"
 #include "common/process_list/command_line.hpp"
 #include "common/process_list/parser.hpp"
-#include "procs/supervisor/supervisor_params.hpp"
+#include "procs/supervisor/supervisor_setup.hpp"
 
 namespace adit {
 namespace {

@@ -83,38 +83,38 @@ TEST(Decode, GivesBackEveryShapeOfArray) {
   EXPECT_EQ(encode(*decoded), bytes);
 }
 
-TEST(Decode, RefusesEveryTruncation) {
+TEST(Decode, RejectsEveryTruncation) {
   const Bytes bytes = encode(nested());
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_FALSE(decode<traps::nested_t>(std::span(bytes).first(size))) << size;
   }
 }
 
-TEST(Decode, RefusesAnEmptyMessage) {
-  EXPECT_EQ(decode<pose_t>({}).refusal(), "shorter than a fingerprint");
+TEST(Decode, RejectsAnEmptyMessage) {
+  EXPECT_EQ(decode<pose_t>({}).rejection(), "shorter than a fingerprint");
 }
 
-TEST(Decode, RefusesAnotherTypesFingerprint) {
-  EXPECT_EQ(decode<pose_t>(scan_bytes()).refusal(), "fingerprint of another type");
+TEST(Decode, RejectsAnotherTypesFingerprint) {
+  EXPECT_EQ(decode<pose_t>(scan_bytes()).rejection(), "fingerprint of another type");
 }
 
-TEST(Decode, RefusesTrailingBytes) {
+TEST(Decode, RejectsTrailingBytes) {
   Bytes bytes = scan_bytes();
   bytes.push_back(0);
-  EXPECT_EQ(decode<planar_lidar_t>(bytes).refusal(), "bytes left over at the end");
+  EXPECT_EQ(decode<planar_lidar_t>(bytes).rejection(), "bytes left over at the end");
 }
 
-TEST(Decode, RefusesCountsThatDoNotFit) {
+TEST(Decode, RejectsCountsThatDoNotFit) {
   for (const std::int32_t count : kBadCounts) {
     Bytes bytes = scan_bytes();
     write_int32(bytes, kCountOfRanges, count);
-    EXPECT_EQ(decode<planar_lidar_t>(bytes).refusal(),
+    EXPECT_EQ(decode<planar_lidar_t>(bytes).rejection(),
               "truncated, or with a count that does not fit")
         << count;
   }
 }
 
-TEST(Decode, RefusesLengthsOfStringsThatDoNotFit) {
+TEST(Decode, RejectsLengthsOfStringsThatDoNotFit) {
   for (const std::int32_t length : kBadCounts) {
     Bytes bytes = heartbeat_bytes();
     write_int32(bytes, kLengthOfStage, length);
@@ -122,7 +122,7 @@ TEST(Decode, RefusesLengthsOfStringsThatDoNotFit) {
   }
 }
 
-TEST(Decode, RefusesAStringWithoutItsEnd) {
+TEST(Decode, RejectsAStringWithoutItsEnd) {
   Bytes bytes = heartbeat_bytes();
   write_int32(bytes, kLengthOfStage, 0);
   EXPECT_FALSE(decode<heartbeat_t>(bytes));

@@ -7,15 +7,12 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/node_host.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/drive_command.hpp"
-#include "common/messages/stop_order.hpp"
-#include "common/messages/tilt_command.hpp"
-#include "common/messages/tilt_reading.hpp"
-#include "common/messages/vehicle_state.hpp"
+#include "common/bus/node/node_host.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/navigation.hpp"
+#include "common/messages/sensing.hpp"
 #include "sim/sim_node.hpp"
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -54,12 +51,12 @@ class SimNodeCommands : public testing::Test {
 
   /// 20 times a second, at times that are `offset_us` wrong.
   void drive(double speed_m_s, std::int64_t offset_us) {
-    bus_.every(50'000, [this, speed_m_s, offset_us](std::int64_t utime) {
+    bus_.create_timer(50'000, [this, speed_m_s, offset_us](std::int64_t utime) {
       send(DriveCommand{utime + offset_us, speed_m_s, 0.0});
     });
   }
 
-  Site site_{box_drift()};
+  Site site_{box_tunnel()};
   MemoryBus bus_;
   NodeHost host_{bus_, {"sim", "", ""}};
   SimNode node_{host_.bus(), site_, {}, 1, kStart};
@@ -68,7 +65,7 @@ class SimNodeCommands : public testing::Test {
   Heartbeat heartbeat_;
 };
 
-TEST_F(SimNodeCommands, ThatAreNoNumbersAreRefusedAndCounted) {
+TEST_F(SimNodeCommands, ThatAreNoNumbersAreRejectedAndCounted) {
   std::int64_t sent = 0;
   for (const double bad : {kNaN, kInfinity, -kInfinity}) {
     // One by one: of those that wait together only the newest is taken.
@@ -84,7 +81,7 @@ TEST_F(SimNodeCommands, ThatAreNoNumbersAreRefusedAndCounted) {
     }
   }
   run(1.5);
-  EXPECT_EQ(heartbeat_.refused, sent);
+  EXPECT_EQ(heartbeat_.rejected, sent);
   EXPECT_EQ(heartbeat_.health.level, Health::Level::kOk);
   EXPECT_EQ(state_.speed_m_s, 0.0);
   EXPECT_TRUE(state_.expired);
@@ -93,7 +90,9 @@ TEST_F(SimNodeCommands, ThatAreNoNumbersAreRefusedAndCounted) {
 
 TEST_F(SimNodeCommands, ThatAreHugeAreClamped) {
   send(TiltCommand{kStart, 1e300, 1e300});
-  bus_.every(50'000, [this](std::int64_t utime) { send(DriveCommand{utime, 1e300, -1e300}); });
+  bus_.create_timer(50'000, [this](std::int64_t utime) {
+    send(DriveCommand{utime, 1e300, -1e300});
+  });
   run(1.5);
   const Vehicle vehicle;
   EXPECT_GT(state_.speed_m_s, 0.0);
@@ -102,10 +101,10 @@ TEST_F(SimNodeCommands, ThatAreHugeAreClamped) {
   EXPECT_GE(state_.curvature_1_m, -1.0 / vehicle.turning_radius_m);
   run(1.0);
   EXPECT_NEAR(tilt_.angle_rad, TiltParams{}.angle_max_rad, TiltParams{}.encoder_step_rad);
-  EXPECT_EQ(heartbeat_.refused, 0);
+  EXPECT_EQ(heartbeat_.rejected, 0);
 }
 
-TEST_F(SimNodeCommands, OfTimesThatCannotBeAreRefusedAndCounted) {
+TEST_F(SimNodeCommands, OfTimesThatCannotBeAreRejectedAndCounted) {
   for (const std::int64_t utime : {INT64_MIN, INT64_C(-1), INT64_MAX}) {
     send(DriveCommand{utime, 0.4, 0.0});
     send(StopOrder{utime, true, "never"});
@@ -113,7 +112,7 @@ TEST_F(SimNodeCommands, OfTimesThatCannotBeAreRefusedAndCounted) {
     run(0.05);
   }
   run(1.5);
-  EXPECT_EQ(heartbeat_.refused, 9);
+  EXPECT_EQ(heartbeat_.rejected, 9);
   EXPECT_FALSE(state_.stopped);
   EXPECT_TRUE(state_.expired);
   EXPECT_EQ(tilt_.angle_rad, 0.0);

@@ -10,16 +10,12 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/drive_command.hpp"
-#include "common/messages/pose.hpp"
-#include "common/messages/run_state.hpp"
-#include "common/messages/sim_time.hpp"
-#include "common/messages/stop_order.hpp"
-#include "common/messages/tilt_command.hpp"
-#include "common/messages/tilt_reading.hpp"
-#include "common/messages/vehicle_state.hpp"
-#include "tests/support/box_drift.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/navigation.hpp"
+#include "common/messages/sensing.hpp"
+#include "common/messages/sim.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -30,7 +26,7 @@ constexpr double kSpeed = 0.4;
 class SimNodeTest : public testing::Test {
  protected:
   SimNodeTest() {
-    bus_.tap([this](const Received& message) {
+    bus_.tap([this](const ReceivedMessage& message) {
       ++counts_[std::string(message.channel)];
       EXPECT_EQ(message.utime, bus_.now_utime());
     });
@@ -46,17 +42,17 @@ class SimNodeTest : public testing::Test {
 
   /// 20 times a second, as whoever drives does.
   void drive(double speed_m_s) {
-    bus_.every(50'000, [this, speed_m_s](std::int64_t utime) {
+    bus_.create_timer(50'000, [this, speed_m_s](std::int64_t utime) {
       publish(bus_, channels::kDriveCommand, to_message(DriveCommand{utime, speed_m_s, 0.0}));
     });
   }
 
   template <class Msg, class Value>
-  void keep(std::string_view channel, Value& newest) {
+  void store(std::string_view channel, Value& newest) {
     subscribe<Msg>(bus_, channel, Delivery::latest(), [&](const Value& value) { newest = value; });
   }
 
-  Site site_{box_drift()};
+  Site site_{box_tunnel()};
   MemoryBus bus_;
   SimNode node_{bus_, site_, {}, 1, kStart};
   std::map<std::string, int> counts_;
@@ -77,7 +73,7 @@ TEST_F(SimNodeTest, PublishesEveryChannelAtItsRate) {
 
 TEST_F(SimNodeTest, ObeysDriveCommandsAndTellsTheTruth) {
   StampedPose truth;
-  keep<pose_t>(channels::kTruth, truth);
+  store<pose_t>(channels::kTruth, truth);
   drive(kSpeed);
   run(10.0);
   EXPECT_EQ(truth.utime, kStart + 10'000'000);
@@ -90,7 +86,7 @@ TEST_F(SimNodeTest, ObeysDriveCommandsAndTellsTheTruth) {
 
 TEST_F(SimNodeTest, StandsUnderAStopOrder) {
   VehicleState state;
-  keep<vehicle_state_t>(channels::kVehicleState, state);
+  store<vehicle_state_t>(channels::kVehicleState, state);
   drive(kSpeed);
   run(3.0);
   publish(bus_, channels::kStop, to_message(StopOrder{bus_.now_utime(), true, "test"}));
@@ -102,8 +98,8 @@ TEST_F(SimNodeTest, StandsUnderAStopOrder) {
 TEST_F(SimNodeTest, TiltsTheLaserThatIsToldTo) {
   TiltReading front;
   TiltReading rear;
-  keep<tilt_t>(channels::kTiltFront, front);
-  keep<tilt_t>(channels::kTiltRear, rear);
+  store<tilt_t>(channels::kTiltFront, front);
+  store<tilt_t>(channels::kTiltRear, rear);
   publish(bus_, channels::kTiltCommandRear, to_message(TiltCommand{kStart, 0.3, 0.5}));
   run(3.0);
   EXPECT_EQ(front.angle_rad, 0.0);
@@ -112,7 +108,7 @@ TEST_F(SimNodeTest, TiltsTheLaserThatIsToldTo) {
 
 TEST_F(SimNodeTest, IsAtFaultWhenTheRunHasFailed) {
   RunState state;
-  keep<run_state_t>(channels::kRunState, state);
+  store<run_state_t>(channels::kRunState, state);
   EXPECT_EQ(node_.health().level, Health::Level::kOk);
   drive(0.5);
   run(60.0);  // the end of the drift is 20 m ahead
@@ -125,9 +121,9 @@ TEST_F(SimNodeTest, SaysTheTimeAgainWhenAsked) {
   std::vector<std::int64_t> times;
   subscribe<sim_time_t>(bus_, channels::kSimTime, Delivery::queued(10),
                         [&](const SimTime& time) { times.push_back(time.utime - kStart); });
-  node_.send_time();
+  node_.publish_time();
   run(0.1);
-  node_.send_time();
+  node_.publish_time();
   EXPECT_EQ(times, (std::vector<std::int64_t>{0, 50'000, 100'000, 100'000}));
 }
 

@@ -16,7 +16,7 @@
 #include <gtest/gtest.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/stages.hpp"
+#include "common/bus/node/stages.hpp"
 #include "tests/support/message_types.hpp"
 #include "tests/unit/structure/source_tree.hpp"
 

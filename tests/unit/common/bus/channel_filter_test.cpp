@@ -68,24 +68,24 @@ class ChannelFilter : public testing::Test {
 
 TEST_F(ChannelFilter, PassesEachChannelThatWeHaveAndNoOtherOne) {
   for (const std::string_view wanted : channels::kAll) {
-    pass_only({std::string(wanted)}, {receiver_});
+    attach_channel_filter({std::string(wanted)}, {receiver_});
     for (const std::string_view channel : channels::kAll) send(message(std::string(channel)));
     EXPECT_THAT(received(), ElementsAre(message(std::string(wanted))));
   }
 }
 
-TEST_F(ChannelFilter, SaysWhereTheKernelRefusesIt) {
-  EXPECT_TRUE(pass_only({"POSE"}, {receiver_}));
+TEST_F(ChannelFilter, SaysWhereTheKernelRejectsIt) {
+  EXPECT_TRUE(attach_channel_filter({"POSE"}, {receiver_}));
   const int none = -1;
-  EXPECT_FALSE(pass_only({"POSE"}, {receiver_, none}));
+  EXPECT_FALSE(attach_channel_filter({"POSE"}, {receiver_, none}));
   Channels many;  // more than a program of the kernel can have instructions
   for (int i = 0; i < 1000; ++i) many.insert("CHANNEL_" + std::to_string(i));
-  EXPECT_FALSE(pass_only(many, {receiver_}));
-  EXPECT_FALSE(pass_only({"POSE"}, {}));
+  EXPECT_FALSE(attach_channel_filter(many, {receiver_}));
+  EXPECT_FALSE(attach_channel_filter({"POSE"}, {}));
 }
 
 TEST_F(ChannelFilter, TellsNamesApartThatBeginAlike) {
-  pass_only({"A", "SIM_TIME", "POSE_GRAPH"}, {receiver_});
+  attach_channel_filter({"A", "SIM_TIME", "POSE_GRAPH"}, {receiver_});
   for (const char* channel : {"", "AB", "SIM_TIM", "SIM_TIME_DONE", "POSE", "POSE_GRAPHS"}) {
     send(message(channel));
     send(message(channel, "A payload that is longer than any name of a channel"));
@@ -97,7 +97,7 @@ TEST_F(ChannelFilter, TellsNamesApartThatBeginAlike) {
 }
 
 TEST_F(ChannelFilter, PassesFragments) {
-  pass_only({"POSE"}, {receiver_});
+  attach_channel_filter({"POSE"}, {receiver_});
   std::string fragment = "LC03";
   fragment.resize(fragment.size() + 16);
   fragment.append("CLOUD");
@@ -106,16 +106,16 @@ TEST_F(ChannelFilter, PassesFragments) {
 }
 
 TEST_F(ChannelFilter, PassesEverythingWhereTheChannelsAreTooMany) {
-  pass_only({"POSE"}, {receiver_});
+  attach_channel_filter({"POSE"}, {receiver_});
   Channels many;
   for (int i = 0; i < 1000; ++i) many.insert("CHANNEL_" + std::to_string(i));
-  pass_only(many, {receiver_});
+  attach_channel_filter(many, {receiver_});
   send(message("OTHER"));
   EXPECT_THAT(received(), ElementsAre(message("OTHER")));
 }
 
 TEST_F(ChannelFilter, LosesAShareOfTheMessagesButNoneOfTheTime) {
-  pass_only({"POSE", "SIM_TIME"}, {receiver_}, 0.2);
+  attach_channel_filter({"POSE", "SIM_TIME"}, {receiver_}, 0.2);
   const int sent = 2000;
   int poses = 0;
   int times = 0;
@@ -144,7 +144,7 @@ TEST_F(ChannelFilter, LosesAShareOfTheMessagesButNoneOfTheTime) {
 TEST_F(ChannelFilter, FindsTheSocketsOfThisProcess) {
   EXPECT_TRUE(bound_datagram_sockets().contains(receiver_));
   EXPECT_FALSE(bound_datagram_sockets().contains(sender_));
-  EXPECT_THAT(bound_datagram_sockets_but(bound_datagram_sockets()), IsEmpty());
+  EXPECT_THAT(bound_datagram_sockets_except(bound_datagram_sockets()), IsEmpty());
 }
 
 }  // namespace

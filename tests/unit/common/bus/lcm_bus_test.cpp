@@ -13,8 +13,8 @@
 #include <unistd.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/sim_time.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/sim.hpp"
 
 namespace adit {
 namespace {
@@ -26,9 +26,9 @@ std::vector<std::uint8_t> bytes(const std::string& text) { return {text.begin(),
 
 class LcmBusTest : public testing::Test {
  protected:
-  Handler keep() {
-    return [this](const Received& received) -> std::string_view {
-      kept_.emplace_back(received.bytes.begin(), received.bytes.end());
+  Handler record_messages() {
+    return [this](const ReceivedMessage& received) -> std::string_view {
+      recorded_.emplace_back(received.bytes.begin(), received.bytes.end());
       return {};
     };
   }
@@ -39,67 +39,68 @@ class LcmBusTest : public testing::Test {
   }
 
   LcmBus bus_{{"memq://", 16}};
-  std::vector<std::string> kept_;
+  std::vector<std::string> recorded_;
 };
 
 TEST_F(LcmBusTest, DeliversInOrder) {
-  bus_.subscribe("POSE", Delivery::queued(10), keep());
+  bus_.subscribe("POSE", Delivery::queued(10), record_messages());
   for (const char* text : {"1", "2", "3"}) bus_.publish("POSE", bytes(text));
   handle_all();
-  EXPECT_THAT(kept_, ElementsAre("1", "2", "3"));
+  EXPECT_THAT(recorded_, ElementsAre("1", "2", "3"));
 }
 
 TEST_F(LcmBusTest, DeliversToEverySubscriptionOfAChannel) {
-  bus_.subscribe("POSE", Delivery::queued(10), keep());
-  bus_.subscribe("POSE", Delivery::queued(10), keep());
+  bus_.subscribe("POSE", Delivery::queued(10), record_messages());
+  bus_.subscribe("POSE", Delivery::queued(10), record_messages());
   bus_.publish("POSE", bytes("a"));
   handle_all();
-  EXPECT_THAT(kept_, ElementsAre("a", "a"));
+  EXPECT_THAT(recorded_, ElementsAre("a", "a"));
 }
 
 TEST_F(LcmBusTest, KeepsOnlyTheNewestForAStateThatWaits) {
-  bus_.subscribe("POSE", Delivery::latest(), keep());
+  bus_.subscribe("POSE", Delivery::latest(), record_messages());
   for (int i = 0; i < 100; ++i) bus_.publish("POSE", bytes(std::to_string(i)));
   handle_all();
-  EXPECT_THAT(kept_, ElementsAre("99"));
+  EXPECT_THAT(recorded_, ElementsAre("99"));
 }
 
 TEST_F(LcmBusTest, KeepsTheNewestOfAFullQueueAndCountsTheRest) {
-  const auto id = bus_.subscribe("POSE", Delivery::queued(2), keep());
+  const auto id = bus_.subscribe("POSE", Delivery::queued(2), record_messages());
   for (int i = 0; i < 100; ++i) bus_.publish("POSE", bytes(std::to_string(i)));
   handle_all();
-  EXPECT_THAT(kept_, ElementsAre("98", "99"));
+  EXPECT_THAT(recorded_, ElementsAre("98", "99"));
   EXPECT_EQ(bus_.stats(id).dropped, 98);
 }
 
-TEST_F(LcmBusTest, RefusesMessagesThatAreTooLarge) {
-  const auto id = bus_.subscribe("POSE", Delivery::queued(2), keep());
+TEST_F(LcmBusTest, RejectsMessagesThatAreTooLarge) {
+  const auto id = bus_.subscribe("POSE", Delivery::queued(2), record_messages());
   bus_.publish("POSE", std::vector<std::uint8_t>(17));
   handle_all();
-  EXPECT_EQ(bus_.stats(id).refusals.at("too large"), 1);
+  EXPECT_EQ(bus_.stats(id).rejections.at("too large"), 1);
 }
 
 TEST_F(LcmBusTest, PassesAHandlersExceptionOnAndGoesOnAfterwards) {
-  bus_.subscribe("IMU", Delivery::latest(),
-                 [](const Received&) -> std::string_view { throw std::runtime_error("broken"); });
-  bus_.subscribe("POSE", Delivery::latest(), keep());
+  bus_.subscribe("IMU", Delivery::latest(), [](const ReceivedMessage&) -> std::string_view {
+    throw std::runtime_error("broken");
+  });
+  bus_.subscribe("POSE", Delivery::latest(), record_messages());
   bus_.publish("IMU", {});
   EXPECT_THROW(handle_all(), std::runtime_error);
   bus_.publish("POSE", bytes("a"));
   handle_all();
-  EXPECT_THAT(kept_, ElementsAre("a"));
+  EXPECT_THAT(recorded_, ElementsAre("a"));
 }
 
 TEST_F(LcmBusTest, RunsTimersWithoutMessages) {
   int ticks = 0;
-  bus_.every(1000, [&](std::int64_t) { ++ticks; });
+  bus_.create_timer(1000, [&](std::int64_t) { ++ticks; });
   while (ticks < 3) bus_.handle(1000);
 }
 
 TEST_F(LcmBusTest, StopsWhenToldTo) {
   std::array<int, 2> pipe_ends{};
   ASSERT_EQ(pipe(pipe_ends.data()), 0);
-  bus_.subscribe("POSE", Delivery::latest(), [&](const Received&) -> std::string_view {
+  bus_.subscribe("POSE", Delivery::latest(), [&](const ReceivedMessage&) -> std::string_view {
     EXPECT_EQ(write(pipe_ends[1], "x", 1), 1);
     return {};
   });
@@ -109,7 +110,7 @@ TEST_F(LcmBusTest, StopsWhenToldTo) {
   close(pipe_ends[1]);
 }
 
-LcmBusOptions by_simulated_time(const std::string& stage) {
+LcmBusOptions sim_time_options(const std::string& stage) {
   LcmBusOptions options;
   options.url = "memq://";
   options.time = BusTime::kSimulated;
@@ -117,12 +118,12 @@ LcmBusOptions by_simulated_time(const std::string& stage) {
   return options;
 }
 
-class LcmBusBySimulatedTime : public testing::Test {
+class LcmBusSimTime : public testing::Test {
  protected:
-  LcmBusBySimulatedTime() {
+  LcmBusSimTime() {
     subscribe<sim_time_done_t>(bus_, channels::kSimTimeDone, Delivery::queued(100),
                                [this](const SimTimeDone& done) {
-                                 happened_.push_back(done.stage + " " + std::to_string(done.utime));
+                                 events_.push_back(done.stage + " " + std::to_string(done.utime));
                                });
   }
 
@@ -134,32 +135,32 @@ class LcmBusBySimulatedTime : public testing::Test {
     }
   }
 
-  LcmBus bus_{by_simulated_time("mapping")};
-  std::vector<std::string> happened_;
+  LcmBus bus_{sim_time_options("mapping")};
+  std::vector<std::string> events_;
 };
 
-TEST_F(LcmBusBySimulatedTime, KnowsNoTimeAndRunsNoTimersAtFirst) {
-  bus_.every(1, [&](std::int64_t) { happened_.emplace_back("tick"); });
+TEST_F(LcmBusSimTime, KnowsNoTimeAndRunsNoTimersAtFirst) {
+  bus_.create_timer(1, [&](std::int64_t) { events_.emplace_back("tick"); });
   handle_all();
   EXPECT_EQ(bus_.now_utime(), 0);
-  EXPECT_THAT(happened_, IsEmpty());
+  EXPECT_THAT(events_, IsEmpty());
 }
 
-TEST_F(LcmBusBySimulatedTime, RunsTimersByIt) {
-  bus_.every(100, [&](std::int64_t utime) {
-    happened_.push_back("tick " + std::to_string(utime) + " " + std::to_string(bus_.now_utime()));
+TEST_F(LcmBusSimTime, RunsTimersByIt) {
+  bus_.create_timer(100, [&](std::int64_t utime) {
+    events_.push_back("tick " + std::to_string(utime) + " " + std::to_string(bus_.now_utime()));
   });
   for (const std::int64_t utime : {5000, 5050, 5100}) {
     send_time(utime);
     handle_all();
   }
-  EXPECT_THAT(happened_, ElementsAre("tick 5000 5000", "mapping 5000", "mapping 5050",
-                                     "tick 5100 5100", "mapping 5100"));
+  EXPECT_THAT(events_, ElementsAre("tick 5000 5000", "mapping 5000", "mapping 5050",
+                                   "tick 5100 5100", "mapping 5100"));
 }
 
-TEST_F(LcmBusBySimulatedTime, RunsTimersOfTheWorldWithoutIt) {
+TEST_F(LcmBusSimTime, RunsTimersOfTheWorldWithoutIt) {
   int ticks = 0;
-  bus_.every_of_world(1000, [&](std::int64_t utime) {
+  bus_.create_wall_timer(1000, [&](std::int64_t utime) {
     EXPECT_EQ(utime, bus_.now_utime());
     ++ticks;
   });
@@ -172,10 +173,10 @@ TEST_F(LcmBusBySimulatedTime, RunsTimersOfTheWorldWithoutIt) {
   EXPECT_EQ(bus_.now_utime(), 5000);
 }
 
-TEST_F(LcmBusBySimulatedTime, AnswersWhenAllThatCameBeforeHasBeenHandled) {
+TEST_F(LcmBusSimTime, AnswersWhenAllThatCameBeforeHasBeenHandled) {
   for (const char* channel : {"POSE", "IMU"}) {
-    bus_.subscribe(channel, Delivery::queued(10), [this](const Received& received) {
-      happened_.push_back(std::string(received.channel) + " " + std::to_string(bus_.now_utime()));
+    bus_.subscribe(channel, Delivery::queued(10), [this](const ReceivedMessage& received) {
+      events_.push_back(std::string(received.channel) + " " + std::to_string(bus_.now_utime()));
       return std::string_view();
     });
   }
@@ -185,10 +186,10 @@ TEST_F(LcmBusBySimulatedTime, AnswersWhenAllThatCameBeforeHasBeenHandled) {
   bus_.publish("POSE", {});
   send_time(80);
   handle_all();
-  EXPECT_THAT(happened_, ElementsAre("IMU 0", "POSE 0", "POSE 70", "mapping 70", "mapping 80"));
+  EXPECT_THAT(events_, ElementsAre("IMU 0", "POSE 0", "POSE 70", "mapping 70", "mapping 80"));
 }
 
-TEST_F(LcmBusBySimulatedTime, FollowsASimulatorThatBeginsAnew) {
+TEST_F(LcmBusSimTime, FollowsASimulatorThatBeginsReset) {
   send_time(90'000'000);
   send_time(1'000'000);
   handle_all();
@@ -196,9 +197,9 @@ TEST_F(LcmBusBySimulatedTime, FollowsASimulatorThatBeginsAnew) {
 }
 
 TEST(LcmBus, AnswersInNobodysNameWithoutAStage) {
-  LcmBus bus(by_simulated_time(""));
+  LcmBus bus(sim_time_options(""));
   const auto id = bus.subscribe(channels::kSimTimeDone, Delivery::latest(),
-                                [](const Received&) { return std::string_view(); });
+                                [](const ReceivedMessage&) { return std::string_view(); });
   publish(bus, channels::kSimTime, to_message(SimTime{7}));
   while (bus.handle(0)) {
   }

@@ -20,16 +20,16 @@ constexpr std::int64_t kSecond = 1'000'000;
 std::vector<std::uint8_t> bytes(const std::string& text) { return {text.begin(), text.end()}; }
 
 /// A handler that keeps what comes.
-Handler keep(std::vector<std::string>& kept) {
-  return [&kept](const Received& received) -> std::string_view {
-    kept.emplace_back(received.bytes.begin(), received.bytes.end());
+Handler record_messages(std::vector<std::string>& recorded) {
+  return [&recorded](const ReceivedMessage& received) -> std::string_view {
+    recorded.emplace_back(received.bytes.begin(), received.bytes.end());
     return {};
   };
 }
 
 /// A handler that publishes 1, 2, 3 on another channel.
-Handler count_to_three(Bus& bus, std::string_view channel) {
-  return [&bus, channel](const Received&) -> std::string_view {
+Handler publish_three(Bus& bus, std::string_view channel) {
+  return [&bus, channel](const ReceivedMessage&) -> std::string_view {
     for (const char* number : {"1", "2", "3"}) bus.publish(channel, bytes(number));
     return {};
   };
@@ -40,9 +40,9 @@ TEST(MemoryBus, DeliversToEverySubscriptionOfAChannel) {
   std::vector<std::string> first;
   std::vector<std::string> second;
   std::vector<std::string> other;
-  bus.subscribe("POSE", Delivery::queued(10), keep(first));
-  bus.subscribe("POSE", Delivery::queued(10), keep(second));
-  bus.subscribe("IMU", Delivery::queued(10), keep(other));
+  bus.subscribe("POSE", Delivery::queued(10), record_messages(first));
+  bus.subscribe("POSE", Delivery::queued(10), record_messages(second));
+  bus.subscribe("IMU", Delivery::queued(10), record_messages(other));
   bus.publish("POSE", bytes("a"));
   EXPECT_THAT(first, ElementsAre("a"));
   EXPECT_THAT(second, ElementsAre("a"));
@@ -52,59 +52,59 @@ TEST(MemoryBus, DeliversToEverySubscriptionOfAChannel) {
 TEST(MemoryBus, HandlesWhatAHandlerPublishesAfterTheHandlerAndInOrder) {
   MemoryBus bus;
   std::vector<std::string> order;
-  bus.subscribe("IMU", Delivery::queued(10), [&](const Received&) -> std::string_view {
+  bus.subscribe("IMU", Delivery::queued(10), [&](const ReceivedMessage&) -> std::string_view {
     bus.publish("POSE", bytes("first"));
     bus.publish("POSE", bytes("second"));
     order.emplace_back("handler is done");
     return {};
   });
-  bus.subscribe("POSE", Delivery::queued(10), keep(order));
+  bus.subscribe("POSE", Delivery::queued(10), record_messages(order));
   bus.publish("IMU", {});
   EXPECT_THAT(order, ElementsAre("handler is done", "first", "second"));
 }
 
 TEST(MemoryBus, KeepsOnlyTheNewestForAStateThatWaits) {
   MemoryBus bus;
-  std::vector<std::string> kept;
-  bus.subscribe("IMU", Delivery::queued(10), count_to_three(bus, "POSE"));
-  const auto id = bus.subscribe("POSE", Delivery::latest(), keep(kept));
+  std::vector<std::string> recorded;
+  bus.subscribe("IMU", Delivery::queued(10), publish_three(bus, "POSE"));
+  const auto id = bus.subscribe("POSE", Delivery::latest(), record_messages(recorded));
   bus.publish("IMU", {});
-  EXPECT_THAT(kept, ElementsAre("3"));
+  EXPECT_THAT(recorded, ElementsAre("3"));
   EXPECT_EQ(bus.stats(id).dropped, 0);
 }
 
 TEST(MemoryBus, DropsTheOldestOfAFullQueueAndCountsIt) {
   MemoryBus bus;
-  std::vector<std::string> kept;
-  bus.subscribe("IMU", Delivery::queued(10), count_to_three(bus, "POSE"));
-  const auto id = bus.subscribe("POSE", Delivery::queued(2), keep(kept));
+  std::vector<std::string> recorded;
+  bus.subscribe("IMU", Delivery::queued(10), publish_three(bus, "POSE"));
+  const auto id = bus.subscribe("POSE", Delivery::queued(2), record_messages(recorded));
   bus.publish("IMU", {});
-  EXPECT_THAT(kept, ElementsAre("2", "3"));
+  EXPECT_THAT(recorded, ElementsAre("2", "3"));
   EXPECT_EQ(bus.stats(id).dropped, 1);
   EXPECT_EQ(bus.stats(id).handled, 2);
 }
 
-TEST(MemoryBus, CountsRefusalsByReason) {
+TEST(MemoryBus, CountsRejectionsByReason) {
   MemoryBus bus;
-  const auto id = bus.subscribe("POSE", Delivery::latest(), [](const Received& received) {
+  const auto id = bus.subscribe("POSE", Delivery::latest(), [](const ReceivedMessage& received) {
     return received.bytes.empty() ? std::string_view("empty") : std::string_view();
   });
   bus.publish("POSE", {});
   bus.publish("POSE", {});
   bus.publish("POSE", bytes("a"));
   EXPECT_EQ(bus.stats(id).handled, 1);
-  EXPECT_EQ(bus.stats(id).refused, 2);
-  EXPECT_EQ(bus.stats(id).refusals.at("empty"), 2);
+  EXPECT_EQ(bus.stats(id).rejected, 2);
+  EXPECT_EQ(bus.stats(id).rejections.at("empty"), 2);
 }
 
-TEST(MemoryBus, RefusesMessagesThatAreTooLarge) {
+TEST(MemoryBus, RejectsMessagesThatAreTooLarge) {
   MemoryBus bus(3);
-  std::vector<std::string> kept;
-  const auto id = bus.subscribe("POSE", Delivery::queued(10), keep(kept));
+  std::vector<std::string> recorded;
+  const auto id = bus.subscribe("POSE", Delivery::queued(10), record_messages(recorded));
   bus.publish("POSE", bytes("abcd"));
   bus.publish("POSE", bytes("abc"));
-  EXPECT_THAT(kept, ElementsAre("abc"));
-  EXPECT_EQ(bus.stats(id).refusals.at("too large"), 1);
+  EXPECT_THAT(recorded, ElementsAre("abc"));
+  EXPECT_EQ(bus.stats(id).rejections.at("too large"), 1);
 }
 
 TEST(MemoryBus, ThrowsForNamesThatAreNoChannels) {
@@ -119,23 +119,25 @@ TEST(MemoryBus, ThrowsForNamesThatAreNoChannels) {
 
 TEST(MemoryBus, PassesAHandlersExceptionOnAndGoesOnAfterwards) {
   MemoryBus bus;
-  std::vector<std::string> kept;
-  bus.subscribe("IMU", Delivery::latest(),
-                [](const Received&) -> std::string_view { throw std::runtime_error("broken"); });
-  bus.subscribe("POSE", Delivery::latest(), keep(kept));
+  std::vector<std::string> recorded;
+  bus.subscribe("IMU", Delivery::latest(), [](const ReceivedMessage&) -> std::string_view {
+    throw std::runtime_error("broken");
+  });
+  bus.subscribe("POSE", Delivery::latest(), record_messages(recorded));
   EXPECT_THROW(bus.publish("IMU", {}), std::runtime_error);
   bus.publish("POSE", bytes("a"));
-  EXPECT_THAT(kept, ElementsAre("a"));
+  EXPECT_THAT(recorded, ElementsAre("a"));
 }
 
 TEST(MemoryBus, TakesItsTimeFromWhatIsInjected) {
   MemoryBus bus;
   std::vector<std::int64_t> times;
-  bus.subscribe("POSE", Delivery::latest(), [&](const Received& received) -> std::string_view {
-    times.push_back(received.utime);
-    times.push_back(bus.now_utime());
-    return {};
-  });
+  bus.subscribe("POSE", Delivery::latest(),
+                [&](const ReceivedMessage& received) -> std::string_view {
+                  times.push_back(received.utime);
+                  times.push_back(bus.now_utime());
+                  return {};
+                });
   bus.inject(5 * kSecond, "POSE", {});
   EXPECT_THAT(times, ElementsAre(5 * kSecond, 5 * kSecond));
 }
@@ -143,10 +145,11 @@ TEST(MemoryBus, TakesItsTimeFromWhatIsInjected) {
 TEST(MemoryBus, NeverLetsTimeGoBack) {
   MemoryBus bus;
   std::int64_t utime = 0;
-  bus.subscribe("POSE", Delivery::latest(), [&](const Received& received) -> std::string_view {
-    utime = received.utime;
-    return {};
-  });
+  bus.subscribe("POSE", Delivery::latest(),
+                [&](const ReceivedMessage& received) -> std::string_view {
+                  utime = received.utime;
+                  return {};
+                });
   bus.inject(5 * kSecond, "POSE", {});
   bus.inject(4 * kSecond, "POSE", {});
   EXPECT_EQ(utime, 5 * kSecond);
@@ -155,8 +158,9 @@ TEST(MemoryBus, NeverLetsTimeGoBack) {
 TEST(MemoryBus, RunsTimersBeforeTheMessageThatBringsTheirTime) {
   MemoryBus bus;
   std::vector<std::string> order;
-  bus.every(kSecond, [&](std::int64_t utime) { order.push_back(std::to_string(utime / kSecond)); });
-  bus.subscribe("POSE", Delivery::queued(10), keep(order));
+  bus.create_timer(kSecond,
+                   [&](std::int64_t utime) { order.push_back(std::to_string(utime / kSecond)); });
+  bus.subscribe("POSE", Delivery::queued(10), record_messages(order));
   bus.inject(1 * kSecond, "POSE", bytes("a"));
   bus.inject(3 * kSecond, "POSE", bytes("b"));
   EXPECT_THAT(order, ElementsAre("1", "a", "2", "3", "b"));
@@ -165,11 +169,11 @@ TEST(MemoryBus, RunsTimersBeforeTheMessageThatBringsTheirTime) {
 TEST(MemoryBus, HandlesWhatATimerPublishesBeforeTheNextTimer) {
   MemoryBus bus;
   std::vector<std::string> order;
-  bus.every(kSecond, [&](std::int64_t utime) {
+  bus.create_timer(kSecond, [&](std::int64_t utime) {
     order.emplace_back("tick");
     bus.publish("POSE", bytes(std::to_string(utime / kSecond)));
   });
-  bus.subscribe("POSE", Delivery::latest(), keep(order));
+  bus.subscribe("POSE", Delivery::latest(), record_messages(order));
   bus.advance_to(1 * kSecond);
   bus.advance_to(3 * kSecond);
   EXPECT_THAT(order, ElementsAre("tick", "1", "tick", "2", "tick", "3"));
@@ -178,8 +182,8 @@ TEST(MemoryBus, HandlesWhatATimerPublishesBeforeTheNextTimer) {
 TEST(MemoryBus, ShowsEverythingToItsTapInOrder) {
   MemoryBus bus;
   std::vector<std::string> seen;
-  bus.tap([&](const Received& received) { seen.emplace_back(received.channel); });
-  bus.subscribe("IMU", Delivery::latest(), [&](const Received&) -> std::string_view {
+  bus.tap([&](const ReceivedMessage& received) { seen.emplace_back(received.channel); });
+  bus.subscribe("IMU", Delivery::latest(), [&](const ReceivedMessage&) -> std::string_view {
     bus.publish("POSE", {});
     return {};
   });

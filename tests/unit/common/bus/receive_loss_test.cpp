@@ -25,7 +25,7 @@ TEST_F(ReceiveLoss, IsWhatTheEnvironmentSays) {
   EXPECT_EQ(receive_loss_share(), 0.05);
 }
 
-TEST_F(ReceiveLoss, IsRefusedWhereItIsNoShare) {
+TEST_F(ReceiveLoss, IsRejectedWhereItIsNoShare) {
   for (const char* text : {"", "5%", "1", "-0.1", "nan"}) {
     setenv(kVariable, text, 1);
     EXPECT_THROW(receive_loss_share(), std::invalid_argument) << text;

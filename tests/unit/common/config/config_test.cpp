@@ -83,7 +83,7 @@ FleetParams load_fleet(const std::string& yaml) {
   return load_section<FleetParams>(ConfigFile::parse(yaml, "robot.yaml"), "fleet");
 }
 
-std::string fleet_complaint(const std::string& yaml) {
+std::string fleet_error(const std::string& yaml) {
   try {
     load_fleet(yaml);
   } catch (const ConfigError& error) {
@@ -114,17 +114,17 @@ TEST(Config, WritesAListOfMapsAsItLoadsIt) {
 }
 
 TEST(Config, AFaultInAListOfMapsNamesItsItem) {
-  EXPECT_EQ(fleet_complaint("fleet:\n  robots:\n    - iterations: 3\n    - iterations: 0\n"),
+  EXPECT_EQ(fleet_error("fleet:\n  robots:\n    - iterations: 3\n    - iterations: 0\n"),
             "robot.yaml:4: fleet.robots[1].iterations is 0; allowed: 1 to 100");
-  EXPECT_EQ(fleet_complaint("fleet: {robots: {iterations: 3}}"),
+  EXPECT_EQ(fleet_error("fleet: {robots: {iterations: 3}}"),
             "robot.yaml:1: fleet.robots is a map, not a list");
-  EXPECT_EQ(fleet_complaint("fleet: {robots: [3]}"),
+  EXPECT_EQ(fleet_error("fleet: {robots: [3]}"),
             "robot.yaml:1: fleet.robots[0] is '3', not a map of keys");
 }
 
 TEST(Config, ANameIsOneOfThoseAllowed) {
   EXPECT_EQ(load_fleet("fleet: {steering: four_wheel}").steering, "four_wheel");
-  EXPECT_EQ(fleet_complaint("fleet: {steering: skid}"),
+  EXPECT_EQ(fleet_error("fleet: {steering: skid}"),
             "robot.yaml:1: fleet.steering is 'skid'; allowed: ackermann or four_wheel");
 }
 

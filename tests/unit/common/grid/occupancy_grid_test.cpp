@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include "tests/support/scratch_folder.hpp"
 
 namespace adit {
 namespace {
@@ -66,7 +69,7 @@ TEST(OccupancyGrid, ReadingsThatMeanNothingLeaveNoTrace) {
   ASSERT_TRUE(grid.insert({0, {nan, infinity, -infinity, 0.0F, -1.0F, 81.83F}, 0.0, 0.1}, {}));
   ASSERT_TRUE(grid.insert({0, {}, 0.0, 0.1}, {}));
   ASSERT_TRUE(grid.insert(one_beam(1.0F, std::nan("")), {}));
-  EXPECT_TRUE(grid.known_box().empty());
+  EXPECT_TRUE(grid.observed_box().empty());
 }
 
 TEST(OccupancyGrid, GrowsAndKeepsWhatItHas) {
@@ -77,11 +80,11 @@ TEST(OccupancyGrid, GrowsAndKeepsWhatItHas) {
   for (const double x : {0.05, 500.05, -300.05}) {
     EXPECT_EQ(state_at(grid, x + 2.0, 0.05), CellState::kOccupied);
   }
-  EXPECT_EQ(grid.known_box().from, Eigen::Vector2i(-3001, 0));
-  EXPECT_EQ(grid.known_box().to, Eigen::Vector2i(5021, 1));
+  EXPECT_EQ(grid.observed_box().from, Eigen::Vector2i(-3001, 0));
+  EXPECT_EQ(grid.observed_box().to, Eigen::Vector2i(5021, 1));
 }
 
-TEST(OccupancyGrid, RefusesPosesOutOfReach) {
+TEST(OccupancyGrid, RejectsPosesOutOfReach) {
   OccupancyGridParams params = ten_centimetres();
   params.cells_max = 1'000'000;
   OccupancyGrid grid(params);
@@ -90,6 +93,47 @@ TEST(OccupancyGrid, RefusesPosesOutOfReach) {
   EXPECT_FALSE(grid.insert(one_beam(2.0F, 0.0), {1e300, 0.0, 0.0}));
   EXPECT_FALSE(grid.insert(one_beam(2.0F, 0.0), {0.0, std::nan(""), 0.0}));
   EXPECT_EQ(state_at(grid, 2.05, 0.05), CellState::kOccupied);
+}
+
+}  // namespace
+namespace {
+
+using test::contents;
+
+class MapServer : public testing::Test {
+ protected:
+  test::ScratchFolder scratch_;
+  std::filesystem::path folder_ = scratch_.path();
+};
+
+TEST_F(MapServer, WritesShadesFromTheHighestRowDown) {
+  OccupancyGridParams params;
+  params.resolution_m = 1.0;
+  OccupancyGrid grid(params);
+  ASSERT_TRUE(grid.insert({0, {2.0F}, 0.0, 0.1}, {-3.5, 7.5, 1.57079632679}));  // upwards
+  write_map_server(grid, folder_, "map");
+  EXPECT_EQ(contents(folder_ / "map.pgm"),
+            "P5\n3 5\n255\n"
+            "\xCD\xCD\xCD"
+            "\xCD" +
+                std::string(1, '\0') +
+                "\xCD"
+                "\xCD\xFE\xCD"
+                "\xCD\xFE\xCD"
+                "\xCD\xCD\xCD");
+  EXPECT_EQ(contents(folder_ / "map.yaml"),
+            "image: map.pgm\nmode: trinary\nresolution: 1.000000\n"
+            "origin: [-5.000000, 6.000000, 0.0]\n"
+            "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+}
+
+TEST_F(MapServer, AnEmptyMapIsStillAMap) {
+  write_map_server(OccupancyGrid({}), folder_, "map");
+  EXPECT_EQ(contents(folder_ / "map.pgm"), "P5\n2 2\n255\n\xCD\xCD\xCD\xCD");
+}
+
+TEST_F(MapServer, SaysWhatItCannotWrite) {
+  EXPECT_THROW(write_map_server(OccupancyGrid({}), folder_ / "missing", "map"), std::runtime_error);
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ int last_number(int pipe) {
 }
 
 /// Lets a process append for a while and kills it. How many records it had appended at least.
-int append_and_be_killed(const std::filesystem::path& path, int microseconds) {
+int append_until_killed(const std::filesystem::path& path, int microseconds) {
   int ends[2];
   if (pipe(ends) != 0) return -1;
   const pid_t child = fork();
@@ -123,10 +123,10 @@ TEST_F(FailingJournals, KeepAllRecordsOfAProcessThatIsKilled) {
   std::uniform_int_distribution<int> microseconds(1000, 8000);
   std::size_t before = 0;
   for (int times = 0; times < 40; ++times) {
-    const int appended = append_and_be_killed(path_, microseconds(random));
+    const int appended = append_until_killed(path_, microseconds(random));
     const auto [found, health] = reopened();
     ASSERT_GE(found.size(), std::max(before, std::size_t(appended)));
-    ASSERT_EQ(health.corrupt_stretches, 0U);
+    ASSERT_EQ(health.corrupt_regions, 0U);
     ASSERT_EQ(found, records(static_cast<int>(found.size())));
     before = found.size();
   }

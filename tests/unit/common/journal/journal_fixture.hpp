@@ -16,11 +16,11 @@
 namespace adit::test {
 
 /// A record that outlives the journal.
-using Kept = std::pair<std::string, std::vector<std::uint8_t>>;
-using Records = std::vector<Kept>;
+using StoredRecord = std::pair<std::string, std::vector<std::uint8_t>>;
+using Records = std::vector<StoredRecord>;
 
 /// Record number i: of a length and with bytes of its own.
-inline Kept record(int i) {
+inline StoredRecord record(int i) {
   std::vector<std::uint8_t> bytes;
   for (int k = 0; k < (i * 37) % 100; ++k) bytes.push_back(static_cast<std::uint8_t>(i * 31 + k));
   return {i % 2 == 0 ? "LOCAL_MAP" : "ASSOCIATION", bytes};

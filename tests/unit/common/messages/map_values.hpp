@@ -7,8 +7,8 @@
 #include <string>
 #include <type_traits>
 
-#include "common/local_map/local_map.hpp"
 #include "common/messages/codec.hpp"
+#include "common/types/local_map.hpp"
 
 namespace adit::test {
 
@@ -45,7 +45,7 @@ inline LocalMap local_map(int id, int scans) {
 
 /// Through the bytes of the wire and back.
 template <class Value>
-auto over_the_wire(const Value& value) {
+auto round_trip(const Value& value) {
   const auto message = to_message(value);
   return from_message(*decode<std::remove_const_t<decltype(message)>>(encode(message)));
 }

@@ -25,38 +25,40 @@ TEST(ProcmanMessages, GiveBackWhatWentIn) {
   EXPECT_EQ(*from_message(to_message(discovery)), discovery);
 }
 
-TEST(ProcmanMessages, RefuseWhatCannotBe) {
-  const auto refusal = [](const auto& value) { return from_message(to_message(value)).refusal(); };
+TEST(ProcmanMessages, RejectWhatCannotBe) {
+  const auto rejection = [](const auto& value) {
+    return from_message(to_message(value)).rejection();
+  };
   ProcmanInfo info = kInfo;
   info.utime = -1;
-  EXPECT_EQ(refusal(info), "time outside of 1970 to 2286");
+  EXPECT_EQ(rejection(info), "time outside of 1970 to 2286");
   info = kInfo;
   info.deputy.clear();
-  EXPECT_EQ(refusal(info), "no deputy");
+  EXPECT_EQ(rejection(info), "no deputy");
   info = kInfo;
   info.load.cpu_share = kNan;
-  EXPECT_EQ(refusal(info), "load is not finite or negative");
+  EXPECT_EQ(rejection(info), "load is not finite or negative");
   info = kInfo;
   info.commands[0].pid = -1;
-  EXPECT_EQ(refusal(info), "negative process id");
+  EXPECT_EQ(rejection(info), "negative process id");
   info = kInfo;
   info.commands[0].cpu_cores = kNan;
-  EXPECT_EQ(refusal(info), "use of the processor is not finite or negative");
+  EXPECT_EQ(rejection(info), "use of the processor is not finite or negative");
   ProcmanOrders orders = kOrders;
   orders.sheriff.clear();
-  EXPECT_EQ(refusal(orders), "no sheriff");
+  EXPECT_EQ(rejection(orders), "no sheriff");
   orders = kOrders;
   orders.orders[1].command.id.clear();
-  EXPECT_EQ(refusal(orders), "command without a name");
+  EXPECT_EQ(rejection(orders), "command without a name");
   orders = kOrders;
   orders.orders[1].command.stop_signal = 65;
-  EXPECT_EQ(refusal(orders), "unknown stop signal");
+  EXPECT_EQ(rejection(orders), "unknown stop signal");
   orders = kOrders;
   orders.orders[1].command.stop_time_allowed_s = kNan;
-  EXPECT_EQ(refusal(orders), "time to stop is not finite or negative");
-  EXPECT_EQ(refusal(ProcmanOutput{kUtime, "robot", {{"", "x"}}}), "command without a name");
-  EXPECT_EQ(refusal(ProcmanOutput{kUtime, "", {}}), "no deputy");
-  EXPECT_EQ(refusal(ProcmanDiscovery{-1, "x", 0}), "time outside of 1970 to 2286");
+  EXPECT_EQ(rejection(orders), "time to stop is not finite or negative");
+  EXPECT_EQ(rejection(ProcmanOutput{kUtime, "robot", {{"", "x"}}}), "command without a name");
+  EXPECT_EQ(rejection(ProcmanOutput{kUtime, "", {}}), "no deputy");
+  EXPECT_EQ(rejection(ProcmanDiscovery{-1, "x", 0}), "time outside of 1970 to 2286");
 }
 
 }  // namespace

@@ -84,9 +84,9 @@ TEST_F(MapPng, ShowsEachPartOfThePoseGraphThatItIsGiven) {
   draw();
   picture.graph.sequential = {edge};
   draw();
-  picture.graph.closures = {edge};
+  picture.graph.loop_closures = {edge};
   draw();
-  std::swap(picture.graph.closures, picture.graph.revoked);
+  std::swap(picture.graph.loop_closures, picture.graph.revoked);
   draw();
   EXPECT_EQ(pictures.size(), 5U);
 }

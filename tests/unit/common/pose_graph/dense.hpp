@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "common/pose_graph/potential.hpp"
+#include "common/pose_graph/pose_graph.hpp"
 
 namespace adit::test {
 

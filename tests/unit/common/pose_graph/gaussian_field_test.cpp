@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "tests/support/test_graphs.hpp"
+#include "tests/support/graphs/synthetic_graphs.hpp"
 #include "tests/unit/common/pose_graph/dense.hpp"
 
 namespace adit {
@@ -30,7 +30,7 @@ class FieldOfASquareWalk : public testing::Test {
     return {47, 7, {0.3, -0.2, 0.05}, graph_.constraints.front().information};
   }
 
-  PoseGraph graph_ = test::square_walk(60, 5, 0.1);
+  PoseGraph graph_ = test::square_trajectory_graph(60, 5, 0.1);
 };
 
 TEST_F(FieldOfASquareWalk, HasItsModeWhereTheDenseOneHas) {
@@ -70,8 +70,8 @@ TEST_F(FieldOfASquareWalk, RemovesAConstraintOfTheGraph) {
   EXPECT_TRUE(field.mode().isApprox(without.mode(), kTolerance));
 }
 
-TEST_F(FieldOfASquareWalk, RefusesToRemoveWhatHoldsItTogether) {
-  graph_ = test::square_walk(10, 5, 0.1);  // no loop
+TEST_F(FieldOfASquareWalk, RejectsToRemoveWhatHoldsItTogether) {
+  graph_ = test::square_trajectory_graph(10, 5, 0.1);  // no loop
   GaussianField field(graph_);
   const Eigen::VectorXd mode = field.mode();
   EXPECT_FALSE(field.remove(graph_.constraints[4]));
@@ -83,20 +83,20 @@ TEST_F(FieldOfASquareWalk, ForetellsTheRiseOfTheObjective) {
   for (const PoseConstraint& c :
        {loop(), PoseConstraint{0, 33, {1.0, 2.0, 0.3}, loop().information}}) {
     const double before = field.objective();
-    const double rise = field.objective_rise(c);
+    const double increase = field.objective_increase(c);
     field.add(c);
-    EXPECT_NEAR(field.objective() - before, rise, kTolerance * field.objective());
+    EXPECT_NEAR(field.objective() - before, increase, kTolerance * field.objective());
   }
 }
 
 TEST_F(FieldOfASquareWalk, ForetellsItForSingularInformationToo) {
   GaussianField field(graph_);
-  PoseConstraint along_a_drift = loop();
-  along_a_drift.information = Eigen::Vector3d(0.0, 400.0, 4000.0).asDiagonal();
+  PoseConstraint along_a_tunnel = loop();
+  along_a_tunnel.information = Eigen::Vector3d(0.0, 400.0, 4000.0).asDiagonal();
   const double before = field.objective();
-  const double rise = field.objective_rise(along_a_drift);
-  field.add(along_a_drift);
-  EXPECT_NEAR(field.objective() - before, rise, kTolerance * field.objective());
+  const double increase = field.objective_increase(along_a_tunnel);
+  field.add(along_a_tunnel);
+  EXPECT_NEAR(field.objective() - before, increase, kTolerance * field.objective());
 }
 
 TEST_F(FieldOfASquareWalk, HasTheRelativeCovariancesOfTheDenseInverse) {
@@ -115,15 +115,15 @@ TEST_F(FieldOfASquareWalk, HasTheRelativeCovariancesOfTheDenseInverse) {
 }
 
 TEST(GaussianField, HasTheCovarianceOfASingleConstraint) {
-  PoseGraph graph = test::square_walk(2, 5, 0.0);
+  PoseGraph graph = test::square_trajectory_graph(2, 5, 0.0);
   const GaussianField field(graph);
   const Eigen::Matrix3d covariance = graph.constraints.front().information.inverse();
   // Expressed in the frame of `from`; the step is straight ahead.
   EXPECT_TRUE(field.relative_covariance(0, 1).isApprox(covariance, kTolerance));
 }
 
-TEST(GaussianField, RefusesAGraphThatFallsApart) {
-  PoseGraph graph = test::square_walk(10, 5, 0.1);
+TEST(GaussianField, RejectsAGraphThatFallsApart) {
+  PoseGraph graph = test::square_trajectory_graph(10, 5, 0.1);
   graph.constraints.erase(graph.constraints.begin() + 4);
   EXPECT_THROW(GaussianField{graph}, std::runtime_error);
 }

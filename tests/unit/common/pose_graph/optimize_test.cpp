@@ -8,15 +8,15 @@
 #include <gtest/gtest.h>
 
 #include "common/pose_graph/g2o_file.hpp"
-#include "common/pose_graph/potential.hpp"
+#include "common/pose_graph/pose_graph.hpp"
+#include "tests/support/graphs/synthetic_graphs.hpp"
 #include "tests/support/recordings.hpp"
-#include "tests/support/test_graphs.hpp"
 
 namespace adit {
 namespace {
 
 TEST(Optimize, FindsTheTruthAgainWithoutNoise) {
-  PoseGraph graph = test::square_walk(100, 6, 0.0);
+  PoseGraph graph = test::square_trajectory_graph(100, 6, 0.0);
   const std::vector<Pose2> truth = graph.poses;
   for (std::size_t i = 1; i < graph.poses.size(); ++i) graph.poses[i] = {};
   const OptimizeResult result = optimize(graph, {});
@@ -28,24 +28,24 @@ TEST(Optimize, FindsTheTruthAgainWithoutNoise) {
 }
 
 TEST(Optimize, HoldsTheFirstPose) {
-  PoseGraph graph = test::square_walk(60, 5, 0.1);
+  PoseGraph graph = test::square_trajectory_graph(60, 5, 0.1);
   graph.poses.front() = {3.0, 4.0, 1.0};
   ASSERT_TRUE(optimize(graph, {}).converged);
   EXPECT_EQ(graph.poses.front(), (Pose2{3.0, 4.0, 1.0}));
 }
 
 TEST(Optimize, ReachesTheSameObjectiveWithAndWithoutAStartOfItsOwn) {
-  PoseGraph a = test::square_walk(200, 8, 0.1);
+  PoseGraph a = test::square_trajectory_graph(200, 8, 0.1);
   PoseGraph b = a;
   const OptimizeResult with = optimize(a, {});
-  const OptimizeResult without = optimize(b, {.rotation_start = false});
+  const OptimizeResult without = optimize(b, {.rotation_initialization = false});
   EXPECT_TRUE(with.converged && without.converged);
   EXPECT_NEAR(with.objective, without.objective, 1e-6 * with.objective);
   EXPECT_NEAR(with.objective, objective(a), 1e-9 * with.objective);
 }
 
 TEST(Optimize, GivesTheSameBytesTwice) {
-  PoseGraph a = test::square_walk(200, 8, 0.1);
+  PoseGraph a = test::square_trajectory_graph(200, 8, 0.1);
   PoseGraph b = a;
   optimize(a, {});
   optimize(b, {});
@@ -53,7 +53,7 @@ TEST(Optimize, GivesTheSameBytesTwice) {
 }
 
 TEST(Optimize, MeetsDirectionsWithoutInformation) {
-  PoseGraph graph = test::square_walk(100, 5, 0.05);
+  PoseGraph graph = test::square_trajectory_graph(100, 5, 0.05);
   for (PoseConstraint& c : graph.constraints) {
     if (c.to != c.from + 1) c.information = Eigen::Vector3d(0.0, 400.0, 0.0).asDiagonal();
   }
@@ -61,7 +61,7 @@ TEST(Optimize, MeetsDirectionsWithoutInformation) {
 }
 
 TEST(Optimize, SaysWhichNodeIsNotConnected) {
-  PoseGraph graph = test::square_walk(10, 5, 0.1);
+  PoseGraph graph = test::square_trajectory_graph(10, 5, 0.1);
   graph.constraints.erase(graph.constraints.begin() + 6);
   const OptimizeResult result = optimize(graph, {});
   EXPECT_FALSE(result.converged);
@@ -71,11 +71,12 @@ TEST(Optimize, SaysWhichNodeIsNotConnected) {
 }
 
 TEST(Optimize, SaysWhichNodeIsFreeToMove) {
-  for (const bool rotation_start : {true, false}) {
-    PoseGraph graph = test::square_walk(10, 5, 0.1);
+  for (const bool rotation_initialization : {true, false}) {
+    PoseGraph graph = test::square_trajectory_graph(10, 5, 0.1);
     graph.constraints.back().information = Eigen::Vector3d(0.0, 400.0, 4000.0).asDiagonal();
     const std::vector<Pose2> before = graph.poses;
-    const OptimizeResult result = optimize(graph, {.rotation_start = rotation_start});
+    const OptimizeResult result =
+        optimize(graph, {.rotation_initialization = rotation_initialization});
     EXPECT_EQ(result.reason, OptimizeReason::kUndetermined);
     EXPECT_EQ(result.node, 9);
     EXPECT_EQ(graph.poses, before);
@@ -90,7 +91,7 @@ TEST(Optimize, HasAnAnswerForGraphsOfNoneAndOne) {
 }
 
 TEST(Optimize, TellsAnObserverWhatItIsAt) {
-  PoseGraph graph = test::square_walk(60, 5, 0.1);
+  PoseGraph graph = test::square_trajectory_graph(60, 5, 0.1);
   std::map<OptimizePhase, int> entered;
   const OptimizeResult result = optimize(graph, {}, [&](OptimizePhase p) { ++entered[p]; });
   EXPECT_EQ(entered[OptimizePhase::kAnalysis], 1);
@@ -111,14 +112,14 @@ TEST(ChainOdometry, FollowsTheMeasuredSteps) {
 }
 
 /// A public graph and the best objective known.
-struct Known {
+struct KnownOptimum {
   const char* name;
   double objective;
 };
 
-void PrintTo(const Known& known, std::ostream* out) { *out << known.name; }
+void PrintTo(const KnownOptimum& optimum, std::ostream* out) { *out << optimum.name; }
 
-class OptimizeFromOdometry : public testing::TestWithParam<Known> {};
+class OptimizeFromOdometry : public testing::TestWithParam<KnownOptimum> {};
 
 TEST_P(OptimizeFromOdometry, ReachesTheBestObjectiveKnown) {
   const std::string name = std::string("posegraph/") + GetParam().name + ".g2o";
@@ -132,9 +133,11 @@ TEST_P(OptimizeFromOdometry, ReachesTheBestObjectiveKnown) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Public, OptimizeFromOdometry,
-                         testing::Values(Known{"intel", 45.004696}, Known{"CSAIL", 40.555128},
-                                         Known{"MIT", 41.163269}, Known{"manhattan", 3549.036766},
-                                         Known{"M3500a", 912.115012}));
+                         testing::Values(KnownOptimum{"intel", 45.004696},
+                                         KnownOptimum{"CSAIL", 40.555128},
+                                         KnownOptimum{"MIT", 41.163269},
+                                         KnownOptimum{"manhattan", 3549.036766},
+                                         KnownOptimum{"M3500a", 912.115012}));
 
 }  // namespace
 }  // namespace adit

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "common/pose_graph/normal_equations.hpp"
-#include "tests/support/test_graphs.hpp"
+#include "tests/support/graphs/synthetic_graphs.hpp"
 #include "tests/unit/common/pose_graph/dense.hpp"
 
 namespace adit {
@@ -19,7 +19,7 @@ class SparseCholeskyOfAField : public testing::Test {
   SparseCholeskyOfAField() { equations_.linearise(graph_); }
   SparseCholesky& sparse() { return equations_.matrix(); }
 
-  PoseGraph graph_ = test::square_walk(60, 5, 0.1);
+  PoseGraph graph_ = test::square_trajectory_graph(60, 5, 0.1);
   NormalEquations equations_{analyse(graph_)};
   test::DenseField dense_{graph_};
 };

@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/support/wrong_loops.hpp"
-
 #include <gtest/gtest.h>
 
 #include "common/pose_graph/optimize.hpp"
-#include "common/pose_graph/potential.hpp"
-#include "tests/support/test_graphs.hpp"
+#include "common/pose_graph/pose_graph.hpp"
+#include "tests/support/graphs/synthetic_graphs.hpp"
 
 namespace adit {
 namespace {
@@ -18,7 +16,7 @@ double energy_at(const PoseGraph& graph, const PoseConstraint& c) {
 
 class WrongLoops : public testing::Test {
  protected:
-  PoseGraph graph_ = test::square_walk(400, 20, 0.02);
+  PoseGraph graph_ = test::square_trajectory_graph(400, 20, 0.02);
 };
 
 TEST_F(WrongLoops, AreTheSameForTheSameSeed) {

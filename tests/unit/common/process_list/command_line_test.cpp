@@ -14,7 +14,8 @@ using testing::Pair;
 
 std::vector<std::string> words(std::string_view text) {
   const auto line = parse_command_line(text);
-  return line ? line->arguments : std::vector<std::string>{"refused", std::string(line.refusal())};
+  return line ? line->arguments
+              : std::vector<std::string>{"refused", std::string(line.rejection())};
 }
 
 TEST(CommandLine, DividesAtBlanks) {
@@ -52,7 +53,7 @@ TEST(CommandLine, KnowsWhatIsNoAssignment) {
   }
 }
 
-TEST(CommandLine, RefusesWhatHasNoEndAndWhatRunsNothing) {
+TEST(CommandLine, RejectsWhatHasNoEndAndWhatRunsNothing) {
   EXPECT_THAT(words("a 'b"), ElementsAre("refused", "a quote that does not end"));
   EXPECT_THAT(words("a \"b\\\""), ElementsAre("refused", "a quote that does not end"));
   EXPECT_THAT(words("a \\"), ElementsAre("refused", "a backslash at the end"));

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "common/config/config_file.hpp"
-#include "common/process_list/writer.hpp"
+#include "tests/support/process_list_writer.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace adit {
@@ -53,7 +53,7 @@ cmd "slam" { exec = "slam"; depends_on = "laser", "imu"; restart_limit = 4; aliv
   const ListedCommand& slam = list.commands.at(2);
   EXPECT_THAT(slam.depends_on, ElementsAre("laser", "imu"));
   EXPECT_EQ(slam.restart_limit, 4);
-  EXPECT_EQ(slam.alive, (AliveSign{"POSE", 0.5}));
+  EXPECT_EQ(slam.alive, (LivenessSignal{"POSE", 0.5}));
   EXPECT_EQ(slam.start_timeout_s, 2.5);
   EXPECT_EQ(list.commands[0].restart_limit, std::nullopt);
   EXPECT_EQ(list.commands[0].alive, std::nullopt);
@@ -199,7 +199,7 @@ TEST(ProcessListParser, ADependencyThatManyHaveIsNoCircle) {
             4U);
 }
 
-TEST(ProcessListParser, RefusesGroupsThatLieTooDeep) {
+TEST(ProcessListParser, RejectsGroupsThatLieTooDeep) {
   std::string text;
   for (int i = 0; i < 20; ++i) text += "group \"g\" { ";
   try {

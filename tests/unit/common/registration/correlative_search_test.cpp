@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/test_worlds.hpp"
+#include "tests/support/worlds/crooked_room.hpp"
 #include "tools/sample_mine/mine_worlds.hpp"
 
 namespace adit {
@@ -14,7 +14,7 @@ const Pose2 kReferencePose{-2.0, 0.0, 0.2};
 
 SurfelMap reference_of(const SyntheticWorld& world, const Pose2& pose) {
   SurfelMap map{SurfelMapParams{}};
-  map.insert(test::look(world, pose), pose, 0.0);
+  map.insert(test::scan_points(world, pose), pose, 0.0);
   return map;
 }
 
@@ -24,8 +24,9 @@ TEST_P(CorrelativeSearchFinds, ALargeMotionToWithinItsStep) {
   const SyntheticWorld room = test::crooked_room();
   const Pose2 truth = kReferencePose * GetParam();
   const CorrelativeSearchParams params;
-  const auto peaks = search_correlation(test::look(room, truth), reference_of(room, kReferencePose),
-                                        kReferencePose, {1.5, 1.2}, 3, params);
+  const auto peaks =
+      search_correlation(test::scan_points(room, truth), reference_of(room, kReferencePose),
+                         kReferencePose, {1.5, 1.2}, 3, params);
   ASSERT_FALSE(peaks.empty());
   const Pose2 error = between(truth, peaks.front().T_odom_body);
   EXPECT_LT(error.translation().norm(), 1.5 * params.cell_m);
@@ -40,8 +41,8 @@ TEST(CorrelativeSearch, GivesPeaksInOrderAndApart) {
   const SyntheticWorld room = test::crooked_room();
   const CorrelativeSearchParams params;
   const auto peaks =
-      search_correlation(test::look(room, kReferencePose), reference_of(room, kReferencePose),
-                         kReferencePose, {1.0, 0.6}, 4, params);
+      search_correlation(test::scan_points(room, kReferencePose),
+                         reference_of(room, kReferencePose), kReferencePose, {1.0, 0.6}, 4, params);
   ASSERT_EQ(peaks.size(), 4U);
   for (std::size_t i = 1; i < peaks.size(); ++i) {
     EXPECT_LE(peaks[i].score, peaks[i - 1].score);
@@ -56,7 +57,7 @@ TEST(CorrelativeSearch, BoundsNeverHideTheBest) {
   const SyntheticWorld mine = sample_mine(3);
   const Pose2 here{10.0, 0.0, 0.0};
   const SurfelMap reference = reference_of(mine, here);
-  const auto points = test::look(mine, here * Pose2{0.7, 0.3, 0.2});
+  const auto points = test::scan_points(mine, here * Pose2{0.7, 0.3, 0.2});
   const CorrelativeSearchParams params;
   const auto whole = search_correlation(points, reference, here, {1.2, 0.3}, 1, params);
   ASSERT_FALSE(whole.empty());
@@ -80,8 +81,8 @@ TEST(CorrelativeSearch, FindsItsWayInAWideWindow) {
   params.cell_m = 0.2;
   params.angle_step_rad = 0.035;
   const Pose2 centre = here * Pose2{7.0, -5.0, 2.0};
-  const auto peaks = search_correlation(test::look(mine, here), reference_of(mine, here), centre,
-                                        {12.0, 3.1}, 1, params);
+  const auto peaks = search_correlation(test::scan_points(mine, here), reference_of(mine, here),
+                                        centre, {12.0, 3.1}, 1, params);
   ASSERT_FALSE(peaks.empty());
   const Pose2 error = between(here, peaks.front().T_odom_body);
   EXPECT_LT(error.translation().norm(), 1.5 * params.cell_m);
@@ -94,7 +95,7 @@ TEST(CorrelativeSearch, FindsTheSameWithMoreLevels) {
   const SyntheticWorld mine = sample_mine(3);
   const Pose2 here{10.0, 0.0, 0.0};
   const SurfelMap reference = reference_of(mine, here);
-  const auto points = test::look(mine, here * Pose2{0.31, 0.22, 0.1});
+  const auto points = test::scan_points(mine, here * Pose2{0.31, 0.22, 0.1});
   const CorrelativeSearchParams params;
   const Pose2 centre{here.x + 100.0 * params.cell_m, here.y - 30.0 * params.cell_m, here.theta};
   const auto narrow = search_correlation(points, reference, here, {1.0, 0.3}, 1, params);
@@ -110,14 +111,14 @@ TEST(CorrelativeSearch, TakesAPeakOnceThoughTheWindowGoesAllAround) {
   const SurfelMap reference = reference_of(room, kReferencePose);
   const CorrelativeSearchParams params;
   const Pose2 turned_away{kReferencePose.x, kReferencePose.y, kReferencePose.theta + 3.1};
-  const auto peaks = search_correlation(test::look(room, kReferencePose), reference, turned_away,
-                                        {0.5, 3.1416}, 10, params);
+  const auto peaks = search_correlation(test::scan_points(room, kReferencePose), reference,
+                                        turned_away, {0.5, 3.1416}, 10, params);
   ASSERT_EQ(peaks.size(), 10U);
   for (std::size_t i = 0; i < peaks.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       const Pose2 apart = between(peaks[k].T_odom_body, peaks[i].T_odom_body);
-      EXPECT_TRUE(apart.translation().norm() > params.apart_cells * params.cell_m ||
-                  std::abs(apart.theta) > params.apart_cells * params.angle_step_rad)
+      EXPECT_TRUE(apart.translation().norm() > params.peak_separation_cells * params.cell_m ||
+                  std::abs(apart.theta) > params.peak_separation_cells * params.angle_step_rad)
           << i << " and " << k;
     }
   }
@@ -132,8 +133,8 @@ TEST(CorrelativeSearch, KeepsToTheGate) {
   window.sigmas = 2.0;
   for (const double heading : {0.2, 1.3}) {
     const Pose2 centre{kReferencePose.x, kReferencePose.y, heading};
-    for (const auto& peak :
-         search_correlation(test::look(room, kReferencePose), reference, centre, window, 20, {})) {
+    for (const auto& peak : search_correlation(test::scan_points(room, kReferencePose), reference,
+                                               centre, window, 20, {})) {
       const Pose2 off = between(centre, peak.T_odom_body);
       const double theta = angle_diff(peak.T_odom_body.theta, heading);
       EXPECT_LE(off.x * off.x + 100.0 * off.y * off.y + 100.0 * theta * theta, 4.0 + 1e-9);
@@ -146,8 +147,8 @@ TEST(CorrelativeSearch, LeavesOutPoorPeaks) {
   const SurfelMap reference = reference_of(room, kReferencePose);
   CorrelativeSearchParams params;
   params.score_min = 0.5;
-  const auto peaks = search_correlation(test::look(room, kReferencePose), reference, kReferencePose,
-                                        {1.0, 0.6}, 50, params);
+  const auto peaks = search_correlation(test::scan_points(room, kReferencePose), reference,
+                                        kReferencePose, {1.0, 0.6}, 50, params);
   ASSERT_FALSE(peaks.empty());
   EXPECT_LT(peaks.size(), 50U);
   for (const auto& peak : peaks) EXPECT_GE(peak.score, params.score_min);
@@ -156,7 +157,8 @@ TEST(CorrelativeSearch, LeavesOutPoorPeaks) {
 TEST(CorrelativeSearch, FindsNothingInNothing) {
   const SyntheticWorld room = test::crooked_room();
   const SurfelMap nothing{SurfelMapParams{}};
-  EXPECT_TRUE(search_correlation(test::look(room, {}), nothing, {}, {1.0, 0.5}, 3, {}).empty());
+  EXPECT_TRUE(
+      search_correlation(test::scan_points(room, {}), nothing, {}, {1.0, 0.5}, 3, {}).empty());
   EXPECT_TRUE(search_correlation({}, reference_of(room, {}), {}, {1.0, 0.5}, 3, {}).empty());
 }
 

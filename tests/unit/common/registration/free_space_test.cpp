@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/test_worlds.hpp"
+#include "tests/support/worlds/crooked_room.hpp"
 
 namespace adit {
 namespace {
@@ -22,13 +22,14 @@ TEST(FreeSpace, HoldsNoPointOfAnotherScanOfTheSamePlace) {
   const Pose2 a{-2.0, 0.0, 0.1};
   const Pose2 b{-1.5, 0.3, 0.6};
   const FreeSpace space(scan_at(a), LaserMount{});
-  EXPECT_EQ(space.count_inside(test::look(test::crooked_room(), b), between(a, b), kMargin), 0);
+  EXPECT_EQ(space.count_inside(test::scan_points(test::crooked_room(), b), between(a, b), kMargin),
+            0);
 }
 
 TEST(FreeSpace, HoldsManyPointsOfAScanThatIsMisplaced) {
   const Pose2 a{-2.0, 0.0, 0.1};
   const FreeSpace space(scan_at(a), LaserMount{});
-  const auto points = test::look(test::crooked_room(), a);
+  const auto points = test::scan_points(test::crooked_room(), a);
   EXPECT_GT(space.count_inside(points, {-1.0, 0.0, 0.0}, kMargin), 50);
 }
 
@@ -36,11 +37,11 @@ TEST(FreeSpace, SaysNothingWhereNothingCameBack) {
   LaserScan scan{1'000'000, std::vector<float>(181, 81.83F), -std::numbers::pi / 2,
                  std::numbers::pi / 180};
   const FreeSpace space(scan, LaserMount{});
-  EXPECT_EQ(space.count_inside(test::look(test::crooked_room(), {}), {}, kMargin), 0);
+  EXPECT_EQ(space.count_inside(test::scan_points(test::crooked_room(), {}), {}, kMargin), 0);
 }
 
 TEST(FreeSpace, OfNoScanIsEmpty) {
-  EXPECT_EQ(FreeSpace().count_inside(test::look(test::crooked_room(), {}), {}, kMargin), 0);
+  EXPECT_EQ(FreeSpace().count_inside(test::scan_points(test::crooked_room(), {}), {}, kMargin), 0);
 }
 
 }  // namespace

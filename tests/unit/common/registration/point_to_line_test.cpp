@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "tests/support/test_worlds.hpp"
+#include "tests/support/worlds/crooked_room.hpp"
 #include "tools/sample_mine/mine_worlds.hpp"
 
 namespace adit {
@@ -18,7 +18,7 @@ const Pose2 kReferencePose{-2.0, 0.0, 0.2};
 SurfelMap reference_of(const SyntheticWorld& world,
                        const SyntheticLaserModel& laser = test::perfect_laser()) {
   SurfelMap map{SurfelMapParams{}};
-  map.insert(test::look(world, kReferencePose, laser), kReferencePose, 0.0);
+  map.insert(test::scan_points(world, kReferencePose, laser), kReferencePose, 0.0);
   return map;
 }
 
@@ -27,7 +27,7 @@ class PointToLineRecovers : public testing::TestWithParam<Pose2> {};
 TEST_P(PointToLineRecovers, AKnownMotionWithoutAGuess) {
   const SyntheticWorld room = test::crooked_room();
   const Pose2 truth = kReferencePose * GetParam();
-  const auto result = match_point_to_line(test::look(room, truth), reference_of(room),
+  const auto result = match_point_to_line(test::scan_points(room, truth), reference_of(room),
                                           kReferencePose, PosePrior{}, PointToLineParams{});
   const Pose2 error = between(truth, result.T_odom_body);
   EXPECT_TRUE(result.converged);
@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Motions, PointToLineRecovers,
 
 TEST(PointToLine, FollowsAStrongPriorAndIgnoresAWeakOne) {
   const SyntheticWorld room = test::crooked_room();
-  const auto points = test::look(room, kReferencePose);
+  const auto points = test::scan_points(room, kReferencePose);
   const SurfelMap reference = reference_of(room);
   PosePrior prior;
   prior.T_odom_body = kReferencePose * Pose2{0.05, 0.0, 0.0};
@@ -58,23 +58,23 @@ TEST(PointToLine, FollowsAStrongPriorAndIgnoresAWeakOne) {
 TEST(PointToLine, StopsWhereItJoinsAMatchThatConverged) {
   const SyntheticWorld room = test::crooked_room();
   const Pose2 truth = kReferencePose * Pose2{0.1, 0.05, -0.1};
-  const auto points = test::look(room, truth);
+  const auto points = test::scan_points(room, truth);
   const SurfelMap reference = reference_of(room);
   MatchTrail trail;
   const auto first = match_point_to_line(points, reference, kReferencePose, {}, {}, &trail);
   ASSERT_TRUE(first.converged);
-  EXPECT_FALSE(first.joined);
+  EXPECT_FALSE(first.duplicate);
   ASSERT_FALSE(trail.empty());
   const Pose2 elsewhere = truth * Pose2{0.1, -0.1, 0.05};
   const auto alone = match_point_to_line(points, reference, elsewhere, {}, {});
   const auto second = match_point_to_line(points, reference, elsewhere, {}, {}, &trail);
-  EXPECT_TRUE(second.joined);
+  EXPECT_TRUE(second.duplicate);
   EXPECT_LT(second.iterations, alone.iterations);
 }
 
 TEST(PointToLine, LeavesNoTrailWhereItDoesNotConverge) {
   const SyntheticWorld room = test::crooked_room();
-  const auto points = test::look(room, kReferencePose * Pose2{0.1, 0.05, -0.1});
+  const auto points = test::scan_points(room, kReferencePose * Pose2{0.1, 0.05, -0.1});
   PointToLineParams hasty;
   hasty.iterations_max = 2;
   MatchTrail trail;
@@ -88,7 +88,7 @@ TEST(PointToLine, SaysNothingOfItselfWithoutPointsOrReference) {
   const SyntheticWorld room = test::crooked_room();
   const SurfelMap nothing{SurfelMapParams{}};
   const auto no_reference =
-      match_point_to_line(test::look(room, {}), nothing, kReferencePose, PosePrior{}, {});
+      match_point_to_line(test::scan_points(room, {}), nothing, kReferencePose, PosePrior{}, {});
   const auto no_points = match_point_to_line({}, reference_of(room), kReferencePose, {}, {});
   for (const auto& result : {no_reference, no_points}) {
     EXPECT_FALSE(result.converged);
@@ -99,7 +99,7 @@ TEST(PointToLine, SaysNothingOfItselfWithoutPointsOrReference) {
 }
 
 TEST(PointToLine, HasFewInliersInAnotherPlace) {
-  const auto result = match_point_to_line(test::look(straight_drift(60.0, 2.0), {}),
+  const auto result = match_point_to_line(test::scan_points(straight_tunnel(60.0, 2.0), {}),
                                           reference_of(test::crooked_room()), kReferencePose,
                                           PosePrior{}, PointToLineParams{});
   EXPECT_LT(result.inlier_share, 0.6);
@@ -115,7 +115,7 @@ TEST(PointToLine, InformationIsThatOfItsResiduals) {
   const SurfelMap reference = reference_of(room);
   for (int i = 0; i < kTrials; ++i) {
     const auto result =
-        match_point_to_line(test::look(room, kReferencePose, SyntheticLaserModel{}, i + 1),
+        match_point_to_line(test::scan_points(room, kReferencePose, SyntheticLaserModel{}, i + 1),
                             reference, kReferencePose, PosePrior{}, {});
     const Eigen::Vector3d error = between(kReferencePose, result.T_odom_body).vector();
     spread += error * error.transpose() / kTrials;

@@ -101,7 +101,7 @@ TEST(SurfelMap, ForgetsWhatWasNotSeenForLong) {
   SurfelMap map{SurfelMapParams{}};
   map.insert({point(1.0, 0.0), point(2.0, 0.0)}, kOrigin, 0.0);
   map.insert({point(2.0, 0.0)}, kOrigin, 10.0);
-  map.forget_before(5.0);
+  map.remove_before(5.0);
   EXPECT_EQ(map.nearest({1.0, 0.0}, {0.0, 0.0}, 0.5).surfel, nullptr);
   EXPECT_NE(map.nearest({2.0, 0.0}, {0.0, 0.0}, 0.5).surfel, nullptr);
 }

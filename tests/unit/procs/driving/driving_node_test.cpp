@@ -8,14 +8,10 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/drive_command.hpp"
-#include "common/messages/driving_state.hpp"
-#include "common/messages/planned_path.hpp"
-#include "common/messages/pose.hpp"
-#include "common/messages/scan_match.hpp"
-#include "common/messages/vehicle_state.hpp"
-#include "tests/support/path_sketch.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/navigation.hpp"
+#include "tests/support/drives/test_paths.hpp"
 
 namespace adit {
 namespace {
@@ -24,9 +20,9 @@ using Kind = DrivingState::Kind;
 
 constexpr std::int64_t kUtime = 1'600'000'000'000'000;
 
-class DrivingNodeOnABus : public testing::Test {
+class DrivingNodeTest : public testing::Test {
  protected:
-  DrivingNodeOnABus() {
+  DrivingNodeTest() {
     subscribe<drive_command_t>(
         bus_, channels::kDriveCommand, Delivery::queued(100),
         [this](const DriveCommand& command) { commands_.push_back(command); });
@@ -36,7 +32,7 @@ class DrivingNodeOnABus : public testing::Test {
   }
 
   void send_path(double length_m = 8.0) {
-    PlannedPath path = PathSketch({}).go(length_m).path();
+    PlannedPath path = TestPathBuilder({}).forward(length_m).path();
     path.utime = kUtime;
     path.id = 5;
     publish(bus_, channels::kPath, to_message(path));
@@ -62,7 +58,7 @@ class DrivingNodeOnABus : public testing::Test {
   std::vector<DrivingState> states_;
 };
 
-TEST_F(DrivingNodeOnABus, CommandsTwentyTimesASecondAlsoToStand) {
+TEST_F(DrivingNodeTest, CommandsTwentyTimesASecondAlsoToStand) {
   bus_.advance_to(kUtime + 1'000'000);
   ASSERT_EQ(commands_.size(), 21U);
   for (std::size_t i = 0; i < commands_.size(); ++i) {
@@ -74,7 +70,7 @@ TEST_F(DrivingNodeOnABus, CommandsTwentyTimesASecondAlsoToStand) {
   EXPECT_EQ(node_.health(), Health{});
 }
 
-TEST_F(DrivingNodeOnABus, DrivesAPathAndTellsChangesAtOnce) {
+TEST_F(DrivingNodeTest, DrivesAPathAndTellsChangesAtOnce) {
   wait(0.1);
   send_path();
   states_.clear();
@@ -88,7 +84,7 @@ TEST_F(DrivingNodeOnABus, DrivesAPathAndTellsChangesAtOnce) {
   EXPECT_EQ(node_.health(), Health{});
 }
 
-TEST_F(DrivingNodeOnABus, IsDegradedWhileItDoesNotKnowWhereItIs) {
+TEST_F(DrivingNodeTest, IsDegradedWhileItDoesNotKnowWhereItIs) {
   send_path();
   bus_.advance_to(bus_.now_utime() + 100'000);
   EXPECT_EQ(node_.health(), (Health{Health::Level::kDegraded, "no pose has come yet"}));
@@ -100,7 +96,7 @@ TEST_F(DrivingNodeOnABus, IsDegradedWhileItDoesNotKnowWhereItIs) {
   EXPECT_EQ(commands_.back().speed_m_s, 0.0);
 }
 
-TEST_F(DrivingNodeOnABus, SaysThatTheVehicleIsHeld) {
+TEST_F(DrivingNodeTest, SaysThatTheVehicleIsHeld) {
   send_path();
   wait(0.5);
   VehicleState state;
@@ -112,7 +108,7 @@ TEST_F(DrivingNodeOnABus, SaysThatTheVehicleIsHeld) {
   EXPECT_EQ(node_.health(), (Health{Health::Level::kDegraded, "held by a stop order"}));
 }
 
-TEST_F(DrivingNodeOnABus, IsAtFaultBesideItsPath) {
+TEST_F(DrivingNodeTest, IsAtFaultBesideItsPath) {
   send_path();
   wait(0.5, {0.0, 1.0, 0.0});
   EXPECT_EQ(node_.health().level, Health::Level::kFault);

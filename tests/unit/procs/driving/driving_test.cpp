@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/arc.hpp"
-#include "tests/support/path_sketch.hpp"
+#include "common/geometry/pose2.hpp"
+#include "tests/support/drives/test_paths.hpp"
 
 namespace adit {
 namespace {
@@ -21,30 +21,30 @@ constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr std::int64_t kPeriodUs = 50'000;
 
 /// A vehicle with four-wheel steering that does at once what it is told.
-class ObedientVehicle : public testing::Test {
+class IdealVehicle : public testing::Test {
  protected:
   DriveOutput step(bool with_pose = true) {
     utime_ += kPeriodUs;
     if (with_pose) driving_.add_pose(utime_, T_odom_body_);
     DriveOutput output = driving_.drive(utime_);
-    const double way_m = output.command.speed_m_s * 1e-6 * kPeriodUs;
-    T_odom_body_ = T_odom_body_ * along_arc(way_m, way_m * output.command.curvature_1_m);
+    const double distance_m = output.command.speed_m_s * 1e-6 * kPeriodUs;
+    T_odom_body_ = T_odom_body_ * along_arc(distance_m, distance_m * output.command.curvature_1_m);
     return output;
   }
 
   /// Until it is in a state, or for a minute.
-  DriveOutput drive_until(Kind kind, const std::function<void(const DriveOutput&)>& look = {}) {
+  DriveOutput drive_until(Kind kind, const std::function<void(const DriveOutput&)>& inspect = {}) {
     DriveOutput output;
     for (int i = 0; i < 1200; ++i) {
       output = step();
-      if (look) look(output);
+      if (inspect) inspect(output);
       if (output.state.kind == kind) break;
     }
     return output;
   }
 
   /// Of a vehicle that somebody holds where it is.
-  DriveOutput step_held() {
+  DriveOutput step_while_held() {
     utime_ += kPeriodUs;
     driving_.add_pose(utime_, T_odom_body_);
     VehicleState state;
@@ -66,7 +66,7 @@ class ObedientVehicle : public testing::Test {
     for (int i = 0; i < std::lround(seconds / 0.05); ++i) step(with_pose);
   }
 
-  void expect_standing(Kind kind, const std::string& reason, bool with_pose = true) {
+  void expect_stopped(Kind kind, const std::string& reason, bool with_pose = true) {
     const DriveOutput output = step(with_pose);
     EXPECT_EQ(output.command.speed_m_s, 0.0);
     EXPECT_EQ(output.command.utime, utime_);
@@ -75,7 +75,7 @@ class ObedientVehicle : public testing::Test {
   }
 
   static PlannedPath straight(std::int32_t id = 1) {
-    PlannedPath path = PathSketch({}).go(8.0).path();
+    PlannedPath path = TestPathBuilder({}).forward(8.0).path();
     path.id = id;
     return path;
   }
@@ -86,11 +86,9 @@ class ObedientVehicle : public testing::Test {
   Pose2 T_odom_body_;
 };
 
-TEST_F(ObedientVehicle, StandsWithoutAPath) {
-  expect_standing(Kind::kIdle, "no path has come yet");
-}
+TEST_F(IdealVehicle, StandsWithoutAPath) { expect_stopped(Kind::kIdle, "no path has come yet"); }
 
-TEST_F(ObedientVehicle, DrivesToTheEndAndStandsThere) {
+TEST_F(IdealVehicle, DrivesToTheEndAndStandsThere) {
   driving_.follow(straight(7));
   double fastest = 0.0;
   double before = 0.0;
@@ -104,13 +102,13 @@ TEST_F(ObedientVehicle, DrivesToTheEndAndStandsThere) {
   EXPECT_NEAR(T_odom_body_.x, 8.0, 0.03);
   EXPECT_NEAR(output.state.progress_m, 8.0, 0.02);
   EXPECT_NEAR(output.state.remaining_m, 0.0, 0.02);
-  expect_standing(Kind::kArrived, "");
+  expect_stopped(Kind::kArrived, "");
   step_for(1.0, false);
-  expect_standing(Kind::kArrived, "", false);
+  expect_stopped(Kind::kArrived, "", false);
 }
 
-TEST_F(ObedientVehicle, StandsInACuspUntilItIsSteeredTheOtherWay) {
-  driving_.follow(PathSketch({}).go(2.0, 0.5).back(2.0, -0.5).path());
+TEST_F(IdealVehicle, StandsInACuspUntilItIsSteeredTheOtherWay) {
+  driving_.follow(TestPathBuilder({}).forward(2.0, 0.5).back(2.0, -0.5).path());
   int standing = 0;
   bool reversed = false;
   const DriveOutput end = drive_until(Kind::kArrived, [&](const DriveOutput& out) {
@@ -127,12 +125,12 @@ TEST_F(ObedientVehicle, StandsInACuspUntilItIsSteeredTheOtherWay) {
   EXPECT_GE(standing, 40);  // from 0.5 to -0.45 at 0.4 1/m/s takes 2.4 s
   EXPECT_EQ(end.state.kind, Kind::kArrived);
   const Pose2 T_odom_end =
-      PathSketch({}).go(2.0, 0.5).back(2.0, -0.5).path().points.back().T_odom_body;
+      TestPathBuilder({}).forward(2.0, 0.5).back(2.0, -0.5).path().points.back().T_odom_body;
   EXPECT_LT(between(T_odom_end, T_odom_body_).translation().norm(), 0.05);
   EXPECT_LT(std::abs(between(T_odom_end, T_odom_body_).theta), deg_to_rad(2.0));
 }
 
-TEST_F(ObedientVehicle, ArrivesAtOnceWhereThePathIsOnePlace) {
+TEST_F(IdealVehicle, ArrivesAtOnceWhereThePathIsOnePlace) {
   PlannedPath path = straight();
   path.points.resize(1);
   driving_.follow(path);
@@ -140,60 +138,60 @@ TEST_F(ObedientVehicle, ArrivesAtOnceWhereThePathIsOnePlace) {
   EXPECT_EQ(T_odom_body_, Pose2{});
 }
 
-TEST_F(ObedientVehicle, WaitsForPosesAndGoesOnByItself) {
+TEST_F(IdealVehicle, WaitsForPosesAndGoesOnByItself) {
   driving_.follow(straight());
-  expect_standing(Kind::kWaiting, "no pose has come yet", false);
+  expect_stopped(Kind::kWaiting, "no pose has come yet", false);
   step_for(5.0);
   EXPECT_EQ(step().state.kind, Kind::kDriving);
   step_for(0.25, false);
-  expect_standing(Kind::kWaiting, "the newest pose is too old", false);
+  expect_stopped(Kind::kWaiting, "the newest pose is too old", false);
   EXPECT_EQ(step().state.kind, Kind::kDriving);
   EXPECT_EQ(drive_until(Kind::kArrived).state.kind, Kind::kArrived);
 }
 
-TEST_F(ObedientVehicle, WaitsWhileScanMatchingIsLostForLong) {
+TEST_F(IdealVehicle, WaitsWhileScanMatchingIsLostForLong) {
   driving_.follow(straight());
   step_for(3.0);
   match(ScanMatch::Status::kLost);
   step_for(0.5);
   EXPECT_EQ(driving_.state().kind, Kind::kDriving);
   match(ScanMatch::Status::kLost);  // still
-  expect_standing(Kind::kWaiting, "scan matching is lost");
-  match(ScanMatch::Status::kRefused);  // says nothing
-  expect_standing(Kind::kWaiting, "scan matching is lost");
+  expect_stopped(Kind::kWaiting, "scan matching is lost");
+  match(ScanMatch::Status::kRejected);  // says nothing
+  expect_stopped(Kind::kWaiting, "scan matching is lost");
   match(ScanMatch::Status::kMatched);
   EXPECT_EQ(step().state.kind, Kind::kDriving);
 }
 
 /// In a smooth drift without wheels the pose says that it stands, and the path never ends.
-TEST_F(ObedientVehicle, GivesUpWhereNothingTellsHowItMoves) {
+TEST_F(IdealVehicle, GivesUpWhereNothingTellsHowItMoves) {
   using Fill = DegenerateDirection::Fill;
   const DegenerateDirection filled{Eigen::Vector3d::UnitX(), Fill::kOdometry};
   const DegenerateDirection open{Eigen::Vector3d::UnitX(), Fill::kNone};
   driving_.follow(straight());
   step_for(3.0);
-  double way_m = 0.0;
+  double distance_m = 0.0;
   const auto drive = [&](int steps) {
     for (int i = 0; i < steps && driving_.state().kind == Kind::kDriving; ++i) {
-      const Pose2 T_odom_believed = T_odom_body_;
-      way_m += step().command.speed_m_s * 0.05;
-      T_odom_body_ = T_odom_believed;
+      const Pose2 T_odom_estimated = T_odom_body_;
+      distance_m += step().command.speed_m_s * 0.05;
+      T_odom_body_ = T_odom_estimated;
     }
   };
   match(ScanMatch::Status::kMatched, {filled});
   drive(400);
-  EXPECT_GT(way_m, 7.0);  // 20 s at 0.4 m/s
+  EXPECT_GT(distance_m, 7.0);  // 20 s at 0.4 m/s
   EXPECT_EQ(driving_.state().kind, Kind::kDriving);
-  way_m = 0.0;
+  distance_m = 0.0;
   match(ScanMatch::Status::kMatched, {open});
   drive(1200);
   EXPECT_EQ(driving_.state().kind, Kind::kFailed);
   EXPECT_NE(driving_.state().reason.find("how it moves"), std::string::npos);
-  EXPECT_NEAR(way_m, params_.unmeasured_max_m, 0.05);  // some steps
+  EXPECT_NEAR(distance_m, params_.unobserved_distance_max_m, 0.05);  // some steps
 }
 
 /// A laser that looks at the floor says that the robot stands, and the wheels say that it goes on.
-TEST_F(ObedientVehicle, NeedsANewPathWhereWheelsAndScansDisagree) {
+TEST_F(IdealVehicle, NeedsANewPathWhereWheelsAndScansDisagree) {
   driving_.follow(straight());
   const auto drive = [&](double seconds, bool moves) {
     for (int i = 0; i < std::lround(seconds / 0.05); ++i) {
@@ -212,53 +210,53 @@ TEST_F(ObedientVehicle, NeedsANewPathWhereWheelsAndScansDisagree) {
   EXPECT_NE(driving_.state().reason.find("disagree by"), std::string::npos);
 }
 
-TEST_F(ObedientVehicle, StandsBesideItsPathUntilANewOneComes) {
+TEST_F(IdealVehicle, StandsBesideItsPathUntilANewOneComes) {
   driving_.follow(straight());
   step_for(5.0);
   const Pose2 on_path = T_odom_body_;
   T_odom_body_.y = 0.6;
-  expect_standing(Kind::kFailed, "it is 0.60 m off the path");
+  expect_stopped(Kind::kFailed, "it is 0.60 m off the path");
   T_odom_body_ = on_path;
   step_for(1.0);
-  expect_standing(Kind::kFailed, "it is 0.60 m off the path");
-  driving_.follow(PathSketch({}, T_odom_body_).go(2.0).path());
+  expect_stopped(Kind::kFailed, "it is 0.60 m off the path");
+  driving_.follow(TestPathBuilder({}, T_odom_body_).forward(2.0).path());
   EXPECT_EQ(step().state.kind, Kind::kDriving);
 }
 
-TEST_F(ObedientVehicle, DoesNotDriveToAPathThatBeginsElsewhere) {
-  driving_.follow(PathSketch({}, {1.5, 0.0, 0.0}).go(5.0).path());
-  expect_standing(Kind::kFailed, "it is 1.50 m off the path");
+TEST_F(IdealVehicle, DoesNotDriveToAPathThatBeginsElsewhere) {
+  driving_.follow(TestPathBuilder({}, {1.5, 0.0, 0.0}).forward(5.0).path());
+  expect_stopped(Kind::kFailed, "it is 1.50 m off the path");
 }
 
-TEST_F(ObedientVehicle, DoesNotFollowAPathWithoutEnd) {
+TEST_F(IdealVehicle, DoesNotFollowAPathWithoutEnd) {
   PlannedPath path = straight();
   path.points.back().T_odom_body.x = 1e300;
   driving_.follow(path);
-  expect_standing(Kind::kIdle, "the path is longer than any that can be driven");
+  expect_stopped(Kind::kIdle, "the path is longer than any that can be driven");
 }
 
-TEST_F(ObedientVehicle, DoesNotFollowAPathThatItLooksAwayFrom) {
+TEST_F(IdealVehicle, DoesNotFollowAPathThatItLooksAwayFrom) {
   T_odom_body_.theta = 0.6;
   driving_.follow(straight());
-  expect_standing(Kind::kFailed, "it looks 34 degrees off the path");
+  expect_stopped(Kind::kFailed, "it looks 34 degrees off the path");
 }
 
-TEST_F(ObedientVehicle, StandsWhenANewPlanFoundNoPath) {
+TEST_F(IdealVehicle, StandsWhenANewPlanFoundNoPath) {
   driving_.follow(straight());
   step_for(5.0);
   PlannedPath none;
   none.id = 2;
   none.reason = "No path: a roof that is too low is in the way.";
   driving_.follow(none);
-  expect_standing(Kind::kIdle, none.reason);
+  expect_stopped(Kind::kIdle, none.reason);
   EXPECT_EQ(driving_.state().path_id, 2);
 }
 
-TEST_F(ObedientVehicle, AsksToCreepWhileItIsHeldAndGoesOnFromThere) {
+TEST_F(IdealVehicle, AsksToCreepWhileItIsHeldAndGoesOnFromThere) {
   driving_.follow(straight());
   step_for(5.0);
   for (int i = 0; i < 20; ++i) {
-    const DriveOutput output = step_held();
+    const DriveOutput output = step_while_held();
     EXPECT_EQ(output.state.kind, Kind::kWaiting);
     EXPECT_EQ(output.state.reason, "held by a stop order");
     EXPECT_DOUBLE_EQ(output.command.speed_m_s, 0.05);
@@ -271,61 +269,61 @@ TEST_F(ObedientVehicle, AsksToCreepWhileItIsHeldAndGoesOnFromThere) {
   EXPECT_EQ(drive_until(Kind::kArrived).state.kind, Kind::kArrived);
 }
 
-TEST_F(ObedientVehicle, NeedsANewPathWhereItIsHeldForLong) {
+TEST_F(IdealVehicle, NeedsANewPathWhereItIsHeldForLong) {
   driving_.follow(straight());
   step_for(5.0);
-  for (int i = 0; i < 201; ++i) EXPECT_EQ(step_held().state.kind, Kind::kWaiting);
-  const DriveOutput output = step_held();
+  for (int i = 0; i < 201; ++i) EXPECT_EQ(step_while_held().state.kind, Kind::kWaiting);
+  const DriveOutput output = step_while_held();
   EXPECT_EQ(output.state.kind, Kind::kFailed);
   EXPECT_EQ(output.state.reason, "held by a stop order, no way on for 10 s");
   EXPECT_EQ(output.command.speed_m_s, 0.0);  // who held it for what is ahead lets it go now
   step_for(0.5);
-  driving_.follow(PathSketch({}, T_odom_body_).go(2.0).path());
-  EXPECT_EQ(step_held().state.kind, Kind::kWaiting);
+  driving_.follow(TestPathBuilder({}, T_odom_body_).forward(2.0).path());
+  EXPECT_EQ(step_while_held().state.kind, Kind::kWaiting);
 }
 
-TEST_F(ObedientVehicle, KnowsWhereItIsWhileItIsHeld) {
+TEST_F(IdealVehicle, KnowsWhereItIsWhileItIsHeld) {
   driving_.follow(straight());
   step_for(5.0);
-  for (int i = 0; i < 10; ++i) step_held();
-  const double held_m = step_held().state.progress_m;
-  for (int i = 0; i < 100; ++i) step_held();
+  for (int i = 0; i < 10; ++i) step_while_held();
+  const double held_m = step_while_held().state.progress_m;
+  for (int i = 0; i < 100; ++i) step_while_held();
   // It begins anew from where the last commands would have led in 50 ms at 0.4 m/s.
   EXPECT_NEAR(held_m, T_odom_body_.x, 0.021);
   EXPECT_NEAR(driving_.state().progress_m, held_m, 1e-6);
 }
 
-TEST_F(ObedientVehicle, DoesNotCreepWhereItDoesNotKnowWhereItIs) {
+TEST_F(IdealVehicle, DoesNotCreepWhereItDoesNotKnowWhereItIs) {
   driving_.follow(straight());
   step_for(5.0);
-  step_held();
+  step_while_held();
   match(ScanMatch::Status::kLost);
-  for (int i = 0; i < 11; ++i) step_held();
-  const DriveOutput output = step_held();
+  for (int i = 0; i < 11; ++i) step_while_held();
+  const DriveOutput output = step_while_held();
   EXPECT_EQ(output.state.reason, "scan matching is lost");
   EXPECT_EQ(output.command.speed_m_s, 0.0);
 }
 
-TEST_F(ObedientVehicle, TakesANewPathWhileItMoves) {
+TEST_F(IdealVehicle, TakesANewPathWhileItMoves) {
   driving_.follow(straight());
   step_for(5.0);
   const double before = step().command.speed_m_s;
-  driving_.follow(PathSketch({}, T_odom_body_).go(5.0).path());
+  driving_.follow(TestPathBuilder({}, T_odom_body_).forward(5.0).path());
   EXPECT_GE(step().command.speed_m_s, before);
-  driving_.follow(PathSketch({}, T_odom_body_).back(2.0).path());
+  driving_.follow(TestPathBuilder({}, T_odom_body_).back(2.0).path());
   EXPECT_EQ(step().command.speed_m_s, 0.0);
   EXPECT_EQ(drive_until(Kind::kArrived).state.kind, Kind::kArrived);
 }
 
-TEST_F(ObedientVehicle, WaitsWhereTimeIsNotThatOfThePoses) {
+TEST_F(IdealVehicle, WaitsWhereTimeIsNotThatOfThePoses) {
   driving_.follow(straight());
   step_for(5.0);
   utime_ -= 3'600'000'000;  // the clock of the commands, and of no pose yet
-  expect_standing(Kind::kWaiting, "the newest pose is of a time to come", false);
+  expect_stopped(Kind::kWaiting, "the newest pose is of a time to come", false);
   EXPECT_EQ(step().state.kind, Kind::kDriving);
 }
 
-TEST(Driving, RefusesAVehicleThatCannotBeSteered) {
+TEST(Driving, RejectsAVehicleThatCannotBeSteered) {
   DrivingParams params;
   params.vehicle.steering = "ackermann";
   params.vehicle.turning_radius_m = 0.5;

@@ -6,9 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/corridor_path.hpp"
-#include "tests/support/path_drive.hpp"
-#include "tests/support/path_sketch.hpp"
+#include "tests/support/drives/path_drive.hpp"
+#include "tests/support/drives/test_paths.hpp"
 
 namespace adit {
 namespace {
@@ -30,15 +29,16 @@ class PathFollowing : public testing::TestWithParam<const char*> {
 
 /// Four drives, each with other noise and slip.
 void expect_near(const PlannedPath& path, PathDriveSetup setup) {
-  std::vector<double> lateral_m;
+  std::vector<double> cross_track_error_m;
   for (setup.seed = 1; setup.seed <= 4; ++setup.seed) {
     const PathDrive drive = drive_path(path, setup);
     EXPECT_EQ(drive.end, Kind::kArrived) << drive.reason;
-    EXPECT_LE(drive.swings_per_m, kSwingsPerM);
+    EXPECT_LE(drive.oscillations_per_m, kSwingsPerM);
     EXPECT_LE(drive.steering_rms_1_m_s, kSteeringRate);
-    lateral_m.insert(lateral_m.end(), drive.lateral_m.begin(), drive.lateral_m.end());
+    cross_track_error_m.insert(cross_track_error_m.end(), drive.cross_track_error_m.begin(),
+                               drive.cross_track_error_m.end());
   }
-  EXPECT_LE(quantile(lateral_m, 0.95), kNearM);
+  EXPECT_LE(quantile(cross_track_error_m, 0.95), kNearM);
 }
 
 TEST_P(PathFollowing, StaysNearEveryShapeInBothDirections) {
@@ -52,7 +52,7 @@ TEST_P(PathFollowing, StaysNearEveryShapeInBothDirections) {
 TEST_P(PathFollowing, StaysNearWhatPlanningFinds) {
   for (std::uint32_t seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE(seed);
-    expect_near(corridor_path(seed, setup().driving.vehicle), setup());
+    expect_near(random_corridor_path(seed, setup().driving.vehicle), setup());
   }
 }
 
@@ -74,31 +74,34 @@ TEST_P(PathFollowing, TakesUpABeginningBesideThePath) {
   for (const double side : {-1.0, 1.0}) {
     for (const double turn : {-1.0, 1.0}) {
       const Pose2 start{0.0, 0.07 * side, deg_to_rad(5.6) * turn};
-      const auto path = PathSketch(quiet.driving.vehicle, start).go(10.0).path();
+      const auto path = TestPathBuilder(quiet.driving.vehicle, start).forward(10.0).path();
       const PathDrive drive = drive_path(path, quiet);
       ASSERT_EQ(drive.end, Kind::kArrived) << drive.reason;
       // After five metres, six times the response, what is left is that of side slip.
-      const std::vector<double> late(drive.lateral_m.begin() + 250, drive.lateral_m.end());
+      const std::vector<double> late(drive.cross_track_error_m.begin() + 250,
+                                     drive.cross_track_error_m.end());
       EXPECT_LE(quantile(late, 1.0), 0.05);
     }
   }
 }
 
 TEST_P(PathFollowing, StandsWithinItsBrakingDistanceWhenPosesEnd) {
-  PathDriveSetup silent = setup();
-  silent.poses_end_m = 4.0;
-  const PathDrive drive = drive_path(PathSketch(silent.driving.vehicle).go(12.0).path(), silent);
-  const double v = drive.speed_then_m_s;
+  PathDriveSetup stale = setup();
+  stale.poses_end_m = 4.0;
+  const PathDrive drive =
+      drive_path(TestPathBuilder(stale.driving.vehicle).forward(12.0).path(), stale);
+  const double v = drive.speed_at_last_pose_m_s;
   EXPECT_EQ(drive.end, Kind::kWaiting);
   EXPECT_NEAR(v, 0.4, 0.01);
   // The age at which a pose is too old, and a period of commands; a centimetre of time steps.
-  const double reaction_s = silent.driving.trust.pose_age_max_s + 0.05;
-  EXPECT_LE(drive.without_poses_m, v * reaction_s + v * v / (2.0 * 0.8) + 0.01);
+  const double reaction_s = stale.driving.trust.pose_age_max_s + 0.05;
+  EXPECT_LE(drive.distance_without_poses_m, v * reaction_s + v * v / (2.0 * 0.8) + 0.01);
 }
 
 TEST_P(PathFollowing, GivesTheSameDriveTwice) {
   const auto path = path_shapes(setup().driving.vehicle, 1.6)[3].path;
-  EXPECT_EQ(drive_path(path, setup()).lateral_m, drive_path(path, setup()).lateral_m);
+  EXPECT_EQ(drive_path(path, setup()).cross_track_error_m,
+            drive_path(path, setup()).cross_track_error_m);
 }
 
 INSTANTIATE_TEST_SUITE_P(Driving, PathFollowing, testing::Values("four_wheel", "ackermann"));

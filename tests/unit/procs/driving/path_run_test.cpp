@@ -4,25 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include "procs/driving/blended_run.hpp"
-#include "tests/support/path_sketch.hpp"
+#include "tests/support/drives/test_paths.hpp"
 
 namespace adit {
 namespace {
 
 PathRun only_run(const PlannedPath& path, const Vehicle& vehicle = {}) {
-  auto runs = runs_of(path.points, SteeredPoint(vehicle));
+  auto runs = split_into_runs(path.points, SteeredPoint(vehicle));
   EXPECT_EQ(runs.size(), 1U);
   return runs.front();
 }
 
-TEST(PathRuns, AreCutWhereTheDirectionOfTravelChanges) {
-  const auto path = PathSketch({}).go(2.0).back(1.5, 0.3).go(1.0).path();
-  const auto runs = runs_of(path.points, SteeredPoint({}));
+TEST(SplitIntoRuns, AreCutWhereTheDirectionOfTravelChanges) {
+  const auto path = TestPathBuilder({}).forward(2.0).back(1.5, 0.3).forward(1.0).path();
+  const auto runs = split_into_runs(path.points, SteeredPoint({}));
   ASSERT_EQ(runs.size(), 3U);
   EXPECT_EQ(runs[0].direction(), 1.0);
   EXPECT_EQ(runs[1].direction(), -1.0);
@@ -32,37 +32,37 @@ TEST(PathRuns, AreCutWhereTheDirectionOfTravelChanges) {
   EXPECT_NEAR(runs[1].at(0.0).x, 2.0, 1e-9);
 }
 
-TEST(PathRuns, NeedNoPointTwiceWhereTheDirectionChanges) {
-  auto points = PathSketch({}).go(2.0).back(1.5).path().points;
+TEST(SplitIntoRuns, NeedNoPointTwiceWhereTheDirectionChanges) {
+  auto points = TestPathBuilder({}).forward(2.0).back(1.5).path().points;
   const auto cusp = std::find_if(points.begin(), points.end(), [](auto& p) { return p.reverse; });
   points.erase(cusp - 1);
-  const auto runs = runs_of(points, SteeredPoint({}));
+  const auto runs = split_into_runs(points, SteeredPoint({}));
   ASSERT_EQ(runs.size(), 2U);
   EXPECT_NEAR(runs[0].length_m(), 2.0, 1e-9);
   EXPECT_NEAR(runs[1].length_m(), 1.5, 1e-9);
 }
 
-TEST(PathRuns, OfOnePointHaveNoLength) {
+TEST(SplitIntoRuns, OfOnePointHaveNoLength) {
   const std::vector<PathPoint> points(1);
-  const auto runs = runs_of(points, SteeredPoint({}));
+  const auto runs = split_into_runs(points, SteeredPoint({}));
   ASSERT_EQ(runs.size(), 1U);
   EXPECT_EQ(runs[0].length_m(), 0.0);
   EXPECT_EQ(runs[0].at(0.0), Pose2{});
-  EXPECT_EQ(runs[0].nearest_m({1.0, 1.0}, 0.0, 0.5), 0.0);
+  EXPECT_EQ(runs[0].nearest_s_m({1.0, 1.0}, 0.0, 0.5), 0.0);
   EXPECT_EQ(runs[0].curvature_1_m(0.0, 1.0), 0.0);
   EXPECT_EQ(blended(runs[0], 0.5).length_m(), 0.0);
 }
 
 TEST(PathRun, KnowsItsCurvatureInBothDirections) {
-  const PathRun left = only_run(PathSketch({}).go(3.0, 0.5).path());
+  const PathRun left = only_run(TestPathBuilder({}).forward(3.0, 0.5).path());
   EXPECT_NEAR(left.curvature_1_m(0.7, 1.9), 0.5, 1e-3);  // chords of an arc
-  const PathRun back = only_run(PathSketch({}).back(3.0, 0.5).path());
+  const PathRun back = only_run(TestPathBuilder({}).back(3.0, 0.5).path());
   EXPECT_NEAR(back.curvature_1_m(0.7, 1.9), 0.5, 1e-3);
 }
 
 TEST(PathRun, GoesOnBehindItsEndAsItBends) {
-  const PathRun run = only_run(PathSketch({}).back(3.0, 0.5).path());
-  const Pose2 longer = PathSketch({}).back(3.6, 0.5).path().points.back().T_odom_body;
+  const PathRun run = only_run(TestPathBuilder({}).back(3.0, 0.5).path());
+  const Pose2 longer = TestPathBuilder({}).back(3.6, 0.5).path().points.back().T_odom_body;
   const Pose2 behind = run.at(run.length_m() + 0.6);
   EXPECT_NEAR(behind.x, longer.x, 1e-3);
   EXPECT_NEAR(behind.y, longer.y, 1e-3);
@@ -70,7 +70,7 @@ TEST(PathRun, GoesOnBehindItsEndAsItBends) {
 }
 
 TEST(PathRun, TurnsMoreThanOnceRoundWithoutAJump) {
-  const PathRun run = only_run(PathSketch({}).go(30.0, 0.5).path());  // 15 rad
+  const PathRun run = only_run(TestPathBuilder({}).forward(30.0, 0.5).path());  // 15 rad
   for (double s_m = 0.1; s_m < 29.0; s_m += 0.1) {
     ASSERT_NEAR(run.curvature_1_m(s_m, s_m + 0.5), 0.5, 1e-3);
   }
@@ -79,14 +79,14 @@ TEST(PathRun, TurnsMoreThanOnceRoundWithoutAJump) {
 TEST(PathRun, IsThatOfTheRearAxleWithAckermannSteering) {
   Vehicle vehicle;
   vehicle.steering = "ackermann";
-  const PathRun run = only_run(PathSketch(vehicle).go(3.0, 0.5).path(), vehicle);
+  const PathRun run = only_run(TestPathBuilder(vehicle).forward(3.0, 0.5).path(), vehicle);
   EXPECT_NEAR(run.at(0.0).x, -vehicle.wheelbase_m / 2.0, 1e-9);
   const double radius = std::sqrt(4.0 - 0.75 * 0.75);
   EXPECT_NEAR(run.curvature_1_m(1.0, 2.0), 1.0 / radius, 1e-3);
   EXPECT_NEAR(SteeredPoint(vehicle).curvature_of_origin(1.0 / radius), 0.5, 1e-12);
 }
 
-TEST(SteeredPointOfAVehicle, IsRefusedWhereNoPathIsAsTight) {
+TEST(SteeredPointOfAVehicle, IsRejectedWhereNoPathIsAsTight) {
   Vehicle vehicle;
   vehicle.steering = "ackermann";
   vehicle.turning_radius_m = vehicle.wheelbase_m / 2.0;
@@ -95,7 +95,8 @@ TEST(SteeredPointOfAVehicle, IsRefusedWhereNoPathIsAsTight) {
 
 TEST(BlendedRun, TurnsAJumpOfCurvatureIntoARamp) {
   const double jump = 0.5;
-  const PathRun run = blended(only_run(PathSketch({}, {}, 0.01).go(2.0).go(2.0, jump).path()), 0.5);
+  const PathRun run =
+      blended(only_run(TestPathBuilder({}, {}, 0.01).forward(2.0).forward(2.0, jump).path()), 0.5);
   for (const double s_m : {1.8, 1.9, 2.0, 2.1, 2.2}) {
     const double ramp = jump * (s_m - 1.75) / 0.5;
     EXPECT_NEAR(run.curvature_1_m(s_m - 0.05, s_m + 0.05), ramp, 0.02);  // knots 5 cm apart
@@ -104,18 +105,61 @@ TEST(BlendedRun, TurnsAJumpOfCurvatureIntoARamp) {
 }
 
 TEST(BlendedRun, CutsABendByAsMuchAsItSays) {
-  const PathRun run = blended(only_run(PathSketch({}, {}, 0.01).go(6.0, 0.5).path()), 0.5);
+  const PathRun run =
+      blended(only_run(TestPathBuilder({}, {}, 0.01).forward(6.0, 0.5).path()), 0.5);
   const double radius = (run.at(3.0).translation() - Eigen::Vector2d(0.0, 2.0)).norm();
   EXPECT_NEAR(2.0 - radius, 0.5 * 0.5 * 0.5 / 24.0, 2e-4);  // that it has knots
 }
 
 TEST(BlendedRun, BeginsAndEndsWhereTheRunDoes) {
-  const PathRun raw = only_run(PathSketch({}).go(1.0, 0.6).go(1.0, -0.6).path());
+  const PathRun raw = only_run(TestPathBuilder({}).forward(1.0, 0.6).forward(1.0, -0.6).path());
   const PathRun run = blended(raw, 0.5);
   for (const auto& [a, b] : {std::pair{raw.at(0.0), run.at(0.0)},
                              std::pair{raw.at(raw.length_m()), run.at(run.length_m())}}) {
     EXPECT_NEAR(between(a, b).vector().norm(), 0.0, 1e-9);
   }
+}
+
+}  // namespace
+namespace {
+
+PathProgress along(const PlannedPath& path) {
+  return PathProgress(split_into_runs(path.points, SteeredPoint({})));
+}
+
+TEST(PathProgress, DoesNotJumpWhereThePathCrossesItself) {
+  const double round_m = 2.0 * std::numbers::pi * 2.0;
+  const auto eight = TestPathBuilder({}).forward(round_m, 0.5).forward(round_m, -0.5).path();
+  const PathRun run = split_into_runs(eight.points, SteeredPoint({})).front();
+  PathProgress progress = along(eight);
+  for (double s_m = 0.0; s_m < run.length_m(); s_m += 0.02) {
+    const double aside = 0.1 * std::sin(s_m);
+    progress.advance(run.at(s_m) * Pose2{0.0, aside, 0.0});
+    ASSERT_NEAR(progress.s_m(), s_m, 0.02);  // corners between chords, 10 cm beside
+    ASSERT_NEAR(progress.error(run.at(s_m) * Pose2{0.0, aside, 0.0}).lateral_m, aside, 0.002);
+  }
+}
+
+TEST(PathProgress, NeverGoesBack) {
+  PathProgress progress = along(TestPathBuilder({}).forward(5.0).path());
+  progress.advance({0.4, 0.0, 0.0});
+  progress.advance({0.8, 0.0, 0.0});
+  progress.advance({0.5, 0.0, 0.0});
+  EXPECT_NEAR(progress.s_m(), 0.8, 1e-9);
+  EXPECT_NEAR(progress.remaining_m(), 4.2, 1e-9);
+}
+
+TEST(PathProgress, DrivesRunsInOrderAndCountsTheirWay) {
+  PathProgress progress = along(TestPathBuilder({}).forward(1.0).back(2.0).path());
+  for (const double x : {0.4, 0.8, 1.0}) progress.advance({x, 0.0, 0.0});
+  EXPECT_NEAR(progress.run_remaining_m(), 0.0, 1e-9);
+  EXPECT_NEAR(progress.remaining_m(), 2.0, 1e-9);
+  ASSERT_TRUE(progress.begin_next_run());
+  progress.advance({0.7, 0.1, 0.2});
+  EXPECT_NEAR(progress.distance_travelled_m(), 1.3, 1e-9);
+  EXPECT_NEAR(progress.error({0.7, 0.1, 0.2}).lateral_m, 0.1, 1e-9);
+  EXPECT_NEAR(progress.error({0.7, 0.1, 0.2}).heading_rad, 0.2, 1e-9);
+  EXPECT_FALSE(progress.begin_next_run());
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/arc.hpp"
+#include "common/geometry/pose2.hpp"
 
 namespace adit {
 namespace {
@@ -18,8 +18,8 @@ constexpr std::int64_t kPeriod = 26'667;
 std::int64_t nth(int i) { return kStart + i * kPeriod; }
 /// At 0.4 m/s on a circle of 2.5 m.
 Pose2 truth(std::int64_t utime) {
-  const double way_m = 0.4 * 1e-6 * static_cast<double>(utime - kStart);
-  return along_arc(way_m, 0.4 * way_m);
+  const double distance_m = 0.4 * 1e-6 * static_cast<double>(utime - kStart);
+  return along_arc(distance_m, 0.4 * distance_m);
 }
 
 double distance(const Pose2& a, const Pose2& b) { return between(a, b).translation().norm(); }
@@ -57,7 +57,7 @@ TEST(PoseFilter, CountsTheFirstPosesAlike) {
   EXPECT_NEAR(filter.at(nth(1)).x, 0.15, 1e-12);
 }
 
-TEST(PoseFilter, BeginsAnewAfterALeapOrAGap) {
+TEST(PoseFilter, BeginsResetAfterALeapOrAGap) {
   PoseFilter filter(10.0);
   filter.add(nth(0), {});
   filter.add(nth(1), {3.0, 0.0, 0.0});

@@ -10,13 +10,12 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/exploration_report.hpp"
-#include "common/messages/explore_request.hpp"
-#include "common/messages/map_correction.hpp"
-#include "common/messages/planned_path.hpp"
-#include "tests/support/exploring_robot.hpp"
-#include "tests/unit/procs/exploration/mines.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/exploration.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/navigation.hpp"
+#include "tests/support/robots/exploring_robot.hpp"
+#include "tests/unit/procs/exploration/test_mines.hpp"
 
 namespace adit {
 namespace {
@@ -32,13 +31,13 @@ class ExplorationNodeOnABus : public testing::Test {
   }
 
   void send_map() {
-    for (const LocalMapPiece& piece : divide(robot_.last_map())) {
-      publish(bus_, channels::kLocalMap, to_message(piece));
+    for (const LocalMapFragment& fragment : split(robot_.last_map())) {
+      publish(bus_, channels::kLocalMap, to_message(fragment));
     }
   }
   void send_graph() {
-    for (const PoseGraphPiece& piece : divide(robot_.graph())) {
-      publish(bus_, channels::kPoseGraph, to_message(piece));
+    for (const PoseGraphFragment& fragment : split(robot_.graph())) {
+      publish(bus_, channels::kPoseGraph, to_message(fragment));
     }
   }
   void send_pose() {
@@ -65,19 +64,20 @@ class ExplorationNodeOnABus : public testing::Test {
     path.reached_m = 1.0;
     publish(bus_, channels::kPath, to_message(path));
   }
-  void ask(int id, double remaining_m, bool homeward = false,
-           std::optional<BlockedVerdict> blocked = {}) {
-    const ExploreRequest request{robot_.utime(), id, remaining_m, homeward, std::move(blocked)};
+  void send_request(int id, double remaining_m, bool returning_home = false,
+                    std::optional<BlockedVerdict> blocked = {}) {
+    const ExploreRequest request{robot_.utime(), id, remaining_m, returning_home,
+                                 std::move(blocked)};
     publish(bus_, channels::kExploreRequest, to_message(request));
   }
   [[nodiscard]] BlockedVerdict verdict() const {
-    return {robot_.utime(), reports_.back().decision.stub, 1.0, "a beam is in the way"};
+    return {robot_.utime(), reports_.back().decision.frontier, 1.0, "a beam is in the way"};
   }
   [[nodiscard]] Pose2 body_in_odom() const { return kMapOdom.inverse() * robot_.T_map_body(); }
 
   static constexpr Pose2 kMapOdom{1.0, -2.0, 0.5};
 
-  test::LightMine mine_ = drift_mine(straight());
+  test::PlanarMine mine_ = tunnel_mine(straight());
   test::ExploringRobot robot_{mine_};
   MemoryBus bus_;
   ExplorationNode node_{bus_, ExplorationNodeParams{}};
@@ -101,22 +101,22 @@ TEST_F(ExplorationNodeOnABus, DecidesEachSecondWhileTheRobotMoves) {
   send_all();
   bus_.advance_to(robot_.utime() + 5 * kSecond);
   EXPECT_EQ(reports_.size(), 1U);
-  robot_.go({{2.0, 0.0}}, 2.0);
+  robot_.drive({{2.0, 0.0}}, 2.0);
   send_pose();
   bus_.advance_to(robot_.utime() + 20 * kSecond);
   ASSERT_EQ(reports_.size(), 2U);
   EXPECT_NEAR(reports_[1].budget.remaining_m, ExplorationNodeParams{}.budget_m - 2.0, 0.01);
 }
 
-TEST_F(ExplorationNodeOnABus, TakesAStubForBlockedAfterTwoAnswersWithoutAPath) {
+TEST_F(ExplorationNodeOnABus, TakesAFrontierForBlockedAfterTwoAnswersWithoutAPath) {
   send_all();
   send_no_path(1);
   EXPECT_EQ(reports_.size(), 1U);
   send_no_path(2);
   ASSERT_EQ(reports_.size(), 2U);
-  const int stub = reports_[0].decision.stub;
-  const Stub& blocked = reports_[1].stubs[static_cast<std::size_t>(stub)];
-  EXPECT_EQ(blocked.state, StubState::kBlocked);
+  const int frontier = reports_[0].decision.frontier;
+  const Frontier& blocked = reports_[1].frontiers[static_cast<std::size_t>(frontier)];
+  EXPECT_EQ(blocked.state, FrontierState::kBlocked);
   EXPECT_EQ(blocked.evidence, "the planner found no path (2): a beam is in the way");
   EXPECT_EQ(reports_[1].decision.kind, Kind::kDone);
   EXPECT_TRUE(reports_[1].decision.complete);
@@ -125,18 +125,18 @@ TEST_F(ExplorationNodeOnABus, TakesAStubForBlockedAfterTwoAnswersWithoutAPath) {
 TEST_F(ExplorationNodeOnABus, AnswersEachRequestWithWhatIsLeftByIt) {
   send_all();
   EXPECT_EQ(reports_.back().request, 0);
-  ask(7, 300.0);
+  send_request(7, 300.0);
   ASSERT_EQ(reports_.size(), 2U);
   EXPECT_EQ(reports_[1].request, 7);
   EXPECT_EQ(reports_[1].decision, reports_[0].decision);
   EXPECT_DOUBLE_EQ(reports_[1].budget.remaining_m, 300.0);
-  robot_.go({{2.0, 0.0}}, 2.0);
+  robot_.drive({{2.0, 0.0}}, 2.0);
   send_pose();
   bus_.advance_to(robot_.utime() + kSecond);
   ASSERT_EQ(reports_.size(), 3U);
   EXPECT_EQ(reports_[2].request, 7);
   EXPECT_NEAR(reports_[2].budget.remaining_m, 298.0, 0.01);
-  ask(8, 12.0);  // with a reserve of 20 m
+  send_request(8, 12.0);  // with a reserve of 20 m
   ASSERT_EQ(reports_.size(), 4U);
   EXPECT_EQ(reports_[3].request, 8);
   EXPECT_EQ(reports_[3].decision.kind, Kind::kHome);
@@ -144,72 +144,73 @@ TEST_F(ExplorationNodeOnABus, AnswersEachRequestWithWhatIsLeftByIt) {
 }
 
 TEST_F(ExplorationNodeOnABus, LetsAVerdictCountOnceForEachRequest) {
-  mine_ = drift_mine(junction());
+  mine_ = tunnel_mine(junction());
   robot_ = test::ExploringRobot(mine_);
   send_all();
-  while (reports_.back().decision.kind != Kind::kAlong || reports_.back().stubs.size() < 2) {
-    ASSERT_LT(robot_.travelled_m(), 40.0);
+  while (reports_.back().decision.kind != Kind::kAlong || reports_.back().frontiers.size() < 2) {
+    ASSERT_LT(robot_.distance_travelled_m(), 40.0);
     const Eigen::Vector2d goal = reports_.back().decision.T_map_goal.translation();
-    robot_.go({{goal.x(), 0.0}}, 5.0);
+    robot_.drive({{goal.x(), 0.0}}, 5.0);
     send_all();
   }
   const BlockedVerdict blocked = verdict();
-  ask(1, 300.0, false, blocked);
+  send_request(1, 300.0, false, blocked);
   const ExplorationReport first = reports_.back();
   EXPECT_EQ(first.request, 1);
-  EXPECT_EQ(first.stubs[static_cast<std::size_t>(blocked.stub)].state, StubState::kBlocked);
-  EXPECT_EQ(first.stubs[static_cast<std::size_t>(blocked.stub)].evidence, blocked.evidence);
-  EXPECT_NE(first.decision.stub, blocked.stub);
-  ask(1, 300.0, false, verdict());  // of the next target, but of the same request
+  EXPECT_EQ(first.frontiers[static_cast<std::size_t>(blocked.frontier)].state,
+            FrontierState::kBlocked);
+  EXPECT_EQ(first.frontiers[static_cast<std::size_t>(blocked.frontier)].evidence, blocked.evidence);
+  EXPECT_NE(first.decision.frontier, blocked.frontier);
+  send_request(1, 300.0, false, verdict());  // of the next target, but of the same request
   EXPECT_EQ(reports_.back().decision, first.decision);
-  EXPECT_EQ(reports_.back().stubs, first.stubs);
+  EXPECT_EQ(reports_.back().frontiers, first.frontiers);
 }
 
 TEST_F(ExplorationNodeOnABus, TakesNoVerdictsFromPathsOnceItIsAsked) {
   send_all();
-  ask(1, 300.0);
+  send_request(1, 300.0);
   for (const int id : {1, 2, 3}) send_no_path(id);
   ASSERT_EQ(reports_.size(), 2U);
-  ask(2, 300.0);
+  send_request(2, 300.0);
   EXPECT_EQ(reports_.back().decision, reports_.front().decision);
 }
 
 TEST_F(ExplorationNodeOnABus, DecidesForHomeAloneWhereThatIsAskedFor) {
   send_all();
-  robot_.go({{5.0, 0.0}}, 5.0);
+  robot_.drive({{5.0, 0.0}}, 5.0);
   send_all();
-  ask(1, 300.0, true);
+  send_request(1, 300.0, true);
   EXPECT_EQ(reports_.back().decision.kind, Kind::kHome);
-  EXPECT_EQ(reports_.back().decision.stub, ExplorationDecision::kNoStub);
+  EXPECT_EQ(reports_.back().decision.frontier, ExplorationDecision::kNoFrontier);
   EXPECT_FALSE(reports_.back().decision.complete);
   send_graph();
   EXPECT_EQ(reports_.back().decision.kind, Kind::kHome);
-  ask(2, 300.0, false);
+  send_request(2, 300.0, false);
   EXPECT_EQ(reports_.back().decision.kind, Kind::kAlong);
 }
 
 TEST_F(ExplorationNodeOnABus, SaysThatThereIsNoMapYetAndKeepsVerdictsForLater) {
-  ask(1, 300.0);
+  send_request(1, 300.0);
   EXPECT_TRUE(reports_.empty());
   send_pose();
-  ask(1, 300.0);
+  send_request(1, 300.0);
   ASSERT_EQ(reports_.size(), 1U);
   EXPECT_EQ(reports_[0].request, 1);
   EXPECT_EQ(reports_[0].decision.kind, Kind::kStay);
   EXPECT_EQ(reports_[0].decision.reason, "there is no map yet");
   const BlockedVerdict blocked{robot_.utime(), 0, 1.0, "a beam is in the way"};
-  ask(2, 300.0, false, blocked);
+  send_request(2, 300.0, false, blocked);
   EXPECT_EQ(reports_.size(), 1U);
   send_all();
-  ask(2, 300.0, false, blocked);
+  send_request(2, 300.0, false, blocked);
   EXPECT_EQ(reports_.back().request, 2);
-  EXPECT_EQ(reports_.back().stubs[0].state, StubState::kBlocked);
+  EXPECT_EQ(reports_.back().frontiers[0].state, FrontierState::kBlocked);
 }
 
 TEST_F(ExplorationNodeOnABus, SaysWhatLocalMapsItLacks) {
   send_correction();
   send_pose();
-  robot_.go({{5.0, 0.0}}, 5.0);
+  robot_.drive({{5.0, 0.0}}, 5.0);
   send_map();
   send_graph();
   EXPECT_EQ(node_.health().reason, "1 local maps never came");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/exploration/exploration_picture.hpp"
+#include "tests/support/exploration_picture.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/exploring_robot.hpp"
+#include "tests/support/robots/exploring_robot.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tests/unit/procs/exploration/mines.hpp"
+#include "tests/unit/procs/exploration/test_mines.hpp"
 
 namespace adit {
 namespace {
@@ -19,9 +19,9 @@ using Ground = ExplorationPicture::Ground;
 
 ExplorationPicture picture_of_a_junction() {
   Exploration exploration{ExplorationParams{}};
-  const auto mine = drift_mine(junction());
+  const auto mine = tunnel_mine(junction());
   const auto run = test::run_exploration(mine, exploration, 2000.0);
-  return exploration_picture("a junction", exploration, run.way_map);
+  return exploration_picture("a junction", exploration, run.path_map);
 }
 
 TEST(ExplorationPicture, HoldsAllThatIsKnown) {
@@ -31,8 +31,8 @@ TEST(ExplorationPicture, HoldsAllThatIsKnown) {
   const auto drivable = std::count(picture.cells.begin(), picture.cells.end(), Ground::kDrivable);
   // 62 m of drifts, 3 m wide, less half the width of the vehicle at each wall and in the ends.
   EXPECT_NEAR(static_cast<double>(drivable) * picture.cell_m * picture.cell_m, 62.0 * 1.9, 15.0);
-  EXPECT_FALSE(picture.report.stubs.empty());
-  EXPECT_FALSE(picture.way.empty());
+  EXPECT_FALSE(picture.report.frontiers.empty());
+  EXPECT_FALSE(picture.traversed_path.empty());
 }
 
 TEST(ExplorationPicture, IsDrawnWithAndWithoutAnything) {

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/world/random_mine.hpp"
-#include "tests/support/exploring_robot.hpp"
-#include "tests/unit/procs/exploration/mines.hpp"
+#include "sim/world/random/random_mine.hpp"
+#include "tests/support/robots/exploring_robot.hpp"
+#include "tests/unit/procs/exploration/test_mines.hpp"
 
 namespace adit {
 namespace {
@@ -20,13 +20,13 @@ constexpr double kPlenty = 2000.0;
 /// A robot, and an exploration that knows what it saw.
 class Explorer {
  public:
-  explicit Explorer(const test::LightMine& mine, const ExplorationParams& params = {},
-                    double bend_m = 0.0)
-      : exploration(params), robot(mine, bend_m) {
-    take_map();
+  explicit Explorer(const test::PlanarMine& mine, const ExplorationParams& params = {},
+                    double distortion_m = 0.0)
+      : exploration(params), robot(mine, distortion_m) {
+    update_map();
   }
 
-  void take_map() {
+  void update_map() {
     EXPECT_TRUE(exploration.add(robot.last_map()));
     EXPECT_TRUE(exploration.update(robot.graph()));
   }
@@ -34,14 +34,14 @@ class Explorer {
     return exploration.decide({robot.utime(), robot.T_map_body(), remaining_m, 0.0});
   }
   /// On along the route of the last decision.
-  void go(double distance_m) {
-    robot.go(exploration.route(), distance_m);
-    take_map();
+  void drive(double distance_m) {
+    robot.drive(exploration.route(), distance_m);
+    update_map();
   }
-  [[nodiscard]] std::vector<Stub> stubs(StubState state) const {
-    std::vector<Stub> found;
-    for (const Stub& stub : exploration.stubs()) {
-      if (stub.state == state) found.push_back(stub);
+  [[nodiscard]] std::vector<Frontier> frontiers(FrontierState state) const {
+    std::vector<Frontier> found;
+    for (const Frontier& frontier : exploration.frontiers()) {
+      if (frontier.state == state) found.push_back(frontier);
     }
     return found;
   }
@@ -58,82 +58,83 @@ TEST(Exploration, StaysWhileThereIsNoMap) {
 }
 
 TEST(Exploration, BeginsStraightAheadAndCallsWhatIsBehindTheWayOut) {
-  const auto mine = drift_mine(straight());
+  const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
   const ExplorationDecision decision = explorer.decide();
   EXPECT_EQ(decision.kind, Kind::kAlong);
   EXPECT_GT(decision.T_map_goal.x, 5.0);  // it sees 8 m
   EXPECT_NEAR(decision.T_map_goal.theta, 0.0, 0.4);
-  const auto open = explorer.stubs(StubState::kOpen);
+  const auto open = explorer.frontiers(FrontierState::kOpen);
   ASSERT_EQ(open.size(), 1U);
   EXPECT_NEAR(open[0].width_m, 3.0, 0.7);  // rough walls, and the frontier is an arc
-  EXPECT_FALSE(explorer.stubs(StubState::kWayOut).empty());
+  EXPECT_FALSE(explorer.frontiers(FrontierState::kOutsideMine).empty());
 }
 
-TEST(Exploration, SeesTheArmsOfAJunctionAsStubs) {
-  const auto mine = drift_mine(junction());
+TEST(Exploration, SeesTheArmsOfAJunctionAsFrontiers) {
+  const auto mine = tunnel_mine(junction());
   Explorer explorer(mine);
   for (int i = 0; i < 4; ++i) {  // 20 m, to the junction
     explorer.decide();
-    explorer.go(5.0);
+    explorer.drive(5.0);
   }
-  const auto open = explorer.stubs(StubState::kOpen);
+  const auto open = explorer.frontiers(FrontierState::kOpen);
   ASSERT_EQ(open.size(), 2U);
   EXPECT_LT(open[0].direction_map.y() * open[1].direction_map.y(), 0.0);
   EXPECT_LT(open[0].p_map.y() * open[1].p_map.y(), 0.0);
 }
 
 TEST(Exploration, ExploresEveryKindOfMineToItsEndAndComesHome) {
-  for (const auto& drifts : {straight(), junction(), crossroads(), ring(), rooms_and_pillars()}) {
+  for (const auto& tunnels : {straight(), junction(), crossroads(), ring(), rooms_and_pillars()}) {
     Exploration exploration{ExplorationParams{}};
-    const auto mine = drift_mine(drifts);
+    const auto mine = tunnel_mine(tunnels);
     const auto run = test::run_exploration(mine, exploration, kPlenty);
     EXPECT_TRUE(run.complete);
-    EXPECT_TRUE(run.home) << run.home_off_m;
+    EXPECT_TRUE(run.returned) << run.distance_from_start_m;
     EXPECT_EQ(run.missed_m, 0.0);
-    EXPECT_EQ(run.wrong_blocked, 0);
-    for (const Stub& stub : exploration.stubs()) EXPECT_FALSE(stub.evidence.empty());
+    EXPECT_EQ(run.falsely_blocked, 0);
+    for (const Frontier& frontier : exploration.frontiers())
+      EXPECT_FALSE(frontier.evidence.empty());
   }
 }
 
 TEST(Exploration, IsNeverLateAtHome) {
   for (int seed = 1; seed <= 6; ++seed) {
-    const auto mine = test::light_mine(build_world(random_mine(seed)));
+    const auto mine = test::planar_mine(build_world(random_mine(seed)));
     for (const double budget_m : {60.0, 120.0, 200.0}) {
       Exploration exploration{ExplorationParams{}};
       const auto run = test::run_exploration(mine, exploration, budget_m);
-      EXPECT_TRUE(run.home) << seed << ", " << budget_m << ": " << run.home_off_m;
-      EXPECT_LE(run.travelled_m, budget_m);
+      EXPECT_TRUE(run.returned) << seed << ", " << budget_m << ": " << run.distance_from_start_m;
+      EXPECT_LE(run.distance_travelled_m, budget_m);
     }
   }
 }
 
 TEST(Exploration, SaysWhyItIsNotComplete) {
-  const auto mine = drift_mine(straight());
+  const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
   const ExplorationDecision decision = explorer.decide(30.0);
   EXPECT_EQ(decision.kind, Kind::kDone);  // it has not left home
   EXPECT_FALSE(decision.complete);
-  ASSERT_EQ(explorer.stubs(StubState::kBeyondBudget).size(), 1U);
-  const auto reasons = explorer.exploration.reasons_why_not_complete();
+  ASSERT_EQ(explorer.frontiers(FrontierState::kBeyondBudget).size(), 1U);
+  const auto reasons = explorer.exploration.incomplete_reasons();
   ASSERT_EQ(reasons.size(), 1U);
   EXPECT_NE(reasons[0].find("beyond the budget"), std::string::npos) << reasons[0];
   EXPECT_EQ(explorer.decide(kPlenty).kind, Kind::kAlong);  // with more, it is open again
 }
 
-TEST(Exploration, KeepsTheIdentityOfAStubWhileTheGraphMoves) {
-  const auto mine = drift_mine(crossroads());
+TEST(Exploration, KeepsTheIdentityOfAFrontierWhileTheGraphMoves) {
+  const auto mine = tunnel_mine(crossroads());
   Explorer explorer(mine, {}, 0.3);
   for (int i = 0; i < 4; ++i) {
     explorer.decide();
-    explorer.go(5.0);
+    explorer.drive(5.0);
   }
-  const auto before = explorer.stubs(StubState::kOpen);
+  const auto before = explorer.frontiers(FrontierState::kOpen);
   MapGraph moved = explorer.robot.graph();
   const Pose2 T{7.0, -3.0, 0.4};
   for (Pose2& pose : moved.poses) pose = T * pose;
   EXPECT_TRUE(explorer.exploration.update(moved));
-  const auto after = explorer.stubs(StubState::kOpen);
+  const auto after = explorer.frontiers(FrontierState::kOpen);
   ASSERT_EQ(before.size(), 3U);
   ASSERT_EQ(after.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -143,149 +144,150 @@ TEST(Exploration, KeepsTheIdentityOfAStubWhileTheGraphMoves) {
   }
 }
 
-TEST(Exploration, FollowsAStubDownItsCorridor) {
-  const auto mine = drift_mine(straight());
+TEST(Exploration, FollowsAFrontierDownItsCorridor) {
+  const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
-  const int first = explorer.decide().stub;
+  const int first = explorer.decide().frontier;
   for (int i = 0; i < 4; ++i) {
-    explorer.go(5.0);
-    EXPECT_EQ(explorer.decide().stub, first);
+    explorer.drive(5.0);
+    EXPECT_EQ(explorer.decide().frontier, first);
   }
 }
 
-TEST(Exploration, DoesNotChooseABlockedStubAgainNorWhatLiesBehind) {
-  const auto mine = drift_mine(crossroads());
+TEST(Exploration, DoesNotChooseABlockedFrontierAgainNorWhatLiesBehind) {
+  const auto mine = tunnel_mine(crossroads());
   Explorer explorer(mine);
   for (int i = 0; i < 4; ++i) {
     explorer.decide();
-    explorer.go(5.0);
+    explorer.drive(5.0);
   }
-  const int blocked = explorer.decide().stub;
+  const int blocked = explorer.decide().frontier;
   EXPECT_TRUE(
       explorer.exploration.report_blocked(blocked, {explorer.robot.utime(), 1.0, "a beam"}));
   for (int i = 0; i < 12; ++i) {
-    EXPECT_NE(explorer.decide().stub, blocked);
-    explorer.go(5.0);
+    EXPECT_NE(explorer.decide().frontier, blocked);
+    explorer.drive(5.0);
   }
-  const Stub& stub = explorer.exploration.stubs()[static_cast<std::size_t>(blocked)];
-  EXPECT_EQ(stub.state, StubState::kBlocked);
-  EXPECT_EQ(stub.evidence, "a beam");
+  const Frontier& frontier = explorer.exploration.frontiers()[static_cast<std::size_t>(blocked)];
+  EXPECT_EQ(frontier.state, FrontierState::kBlocked);
+  EXPECT_EQ(frontier.evidence, "a beam");
   EXPECT_FALSE(explorer.exploration.report_blocked(999, {}));
 }
 
 /// The line across the drift ahead lies across the mouth of the branch as well.
-TEST(Exploration, CallsNoBranchBlockedByWhatIsInTheWayOfAnotherStub) {
-  const auto mine = drift_mine({{0, 0, 45, 0}, {25, 0, 33, -16}});
+TEST(Exploration, CallsNoBranchBlockedByWhatIsInTheWayOfAnotherFrontier) {
+  const auto mine = tunnel_mine({{0, 0, 45, 0}, {25, 0, 33, -16}});
   Explorer explorer(mine);
   while (explorer.robot.T_map_body().x < 20.5) {  // from 3 m in world
     explorer.decide();
-    explorer.go(1.0);
+    explorer.drive(1.0);
   }
-  ASSERT_EQ(explorer.stubs(StubState::kOpen).size(), 2U);
-  const int first = explorer.decide().stub;
+  ASSERT_EQ(explorer.frontiers(FrontierState::kOpen).size(), 2U);
+  const int first = explorer.decide().frontier;
   const BlockedEvidence water{explorer.robot.utime(), 0.0, "water"};
   EXPECT_TRUE(explorer.exploration.report_blocked(first, water));
-  ASSERT_EQ(explorer.stubs(StubState::kBlocked).size(), 2U);
-  const int other = explorer.decide().stub;
-  ASSERT_NE(other, ExplorationDecision::kNoStub);
+  ASSERT_EQ(explorer.frontiers(FrontierState::kBlocked).size(), 2U);
+  const int other = explorer.decide().frontier;
+  ASSERT_NE(other, ExplorationDecision::kNoFrontier);
   EXPECT_NE(other, first);
-  EXPECT_EQ(explorer.stubs(StubState::kBlocked).size(), 1U);
+  EXPECT_EQ(explorer.frontiers(FrontierState::kBlocked).size(), 1U);
   EXPECT_TRUE(explorer.exploration.report_blocked(other, water));
   EXPECT_EQ(explorer.decide().kind, Kind::kHome);
-  EXPECT_TRUE(explorer.exploration.reasons_why_not_complete().empty());
+  EXPECT_TRUE(explorer.exploration.incomplete_reasons().empty());
 }
 
 /// A robot that came past a barrier on its own track has to come home through it.
 TEST(Exploration, DropsABarrierThatTheRobotCameThrough) {
-  const auto mine = drift_mine(straight());
+  const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
   explorer.decide();
-  explorer.go(5.0);
-  const int stub = explorer.decide().stub;
+  explorer.drive(5.0);
+  const int frontier = explorer.decide().frontier;
   const auto route = explorer.exploration.route();
-  EXPECT_TRUE(explorer.exploration.report_blocked(stub, {explorer.robot.utime(), 1.0, "a beam"}));
+  EXPECT_TRUE(
+      explorer.exploration.report_blocked(frontier, {explorer.robot.utime(), 1.0, "a beam"}));
   ASSERT_EQ(explorer.decide().kind, Kind::kHome);
-  explorer.robot.go(route, 4.0);  // the barrier is 2 m from where it was
-  explorer.take_map();
+  explorer.robot.drive(route, 4.0);  // the barrier is 2 m from where it was
+  explorer.update_map();
   EXPECT_NE(explorer.decide().kind, Kind::kStay);
   EXPECT_FALSE(explorer.exploration.route().empty());
 }
 
 TEST(Exploration, TriesWhatIsDoubtfulOnceMoreAndNeverCallsItComplete) {
-  const auto mine = drift_mine(straight());
+  const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
-  const int stub = explorer.decide().stub;
+  const int frontier = explorer.decide().frontier;
   const BlockedEvidence doubt{1, 1.0, "nothing was seen", true};
-  EXPECT_TRUE(explorer.exploration.report_blocked(stub, doubt));
-  EXPECT_EQ(explorer.decide().stub, stub);
-  EXPECT_TRUE(explorer.exploration.report_blocked(stub, doubt));
+  EXPECT_TRUE(explorer.exploration.report_blocked(frontier, doubt));
+  EXPECT_EQ(explorer.decide().frontier, frontier);
+  EXPECT_TRUE(explorer.exploration.report_blocked(frontier, doubt));
   EXPECT_EQ(explorer.decide().kind, Kind::kDone);
   EXPECT_FALSE(explorer.decide().complete);
-  EXPECT_EQ(explorer.stubs(StubState::kDoubtful).size(), 1U);
+  EXPECT_EQ(explorer.frontiers(FrontierState::kUnconfirmed).size(), 1U);
   EXPECT_NE(explorer.decide().reason.find("nothing was seen"), std::string::npos);
   // What is seen to be blocked after all is known.
-  EXPECT_TRUE(explorer.exploration.reopen(stub, 2));
-  EXPECT_TRUE(explorer.exploration.report_blocked(stub, {3, 1.0, "a beam"}));
+  EXPECT_TRUE(explorer.exploration.reopen(frontier, 2));
+  EXPECT_TRUE(explorer.exploration.report_blocked(frontier, {3, 1.0, "a beam"}));
   EXPECT_TRUE(explorer.decide().complete);
 }
 
 TEST(Exploration, TriesWhatItSawNothingOfOnceMoreAndNeverCallsItComplete) {
-  const auto mine = drift_mine(straight());
+  const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
-  const int stub = explorer.decide().stub;
+  const int frontier = explorer.decide().frontier;
   // Twice as many as it takes, and one by which it is tried again, which only shows where it is.
-  const int local_maps = 2 * ExplorationParams{}.stubs.stalls + 1;
+  const int local_maps = 2 * ExplorationParams{}.frontiers.stalls + 1;
   for (int i = 0; i < local_maps; ++i) {
-    EXPECT_EQ(explorer.decide().stub, stub) << i;
-    explorer.go(0.0);
+    EXPECT_EQ(explorer.decide().frontier, frontier) << i;
+    explorer.drive(0.0);
   }
   EXPECT_EQ(explorer.decide().kind, Kind::kDone);
-  EXPECT_EQ(explorer.stubs(StubState::kUnseeable).size(), 1U);
+  EXPECT_EQ(explorer.frontiers(FrontierState::kUnobservable).size(), 1U);
   EXPECT_FALSE(explorer.decide().complete);
   EXPECT_NE(explorer.decide().reason.find("saw nothing of it"), std::string::npos);
 }
 
-TEST(Exploration, TriesOtherStubsBeforeWhatIsDoubtful) {
-  const auto mine = drift_mine(crossroads());
+TEST(Exploration, TriesOtherFrontiersBeforeWhatIsDoubtful) {
+  const auto mine = tunnel_mine(crossroads());
   Explorer explorer(mine);
   for (int i = 0; i < 4; ++i) {
     explorer.decide();
-    explorer.go(5.0);
+    explorer.drive(5.0);
   }
-  const int doubtful = explorer.decide().stub;
+  const int unconfirmed = explorer.decide().frontier;
   const BlockedEvidence doubt{explorer.robot.utime(), 1.0, "nothing was seen", true};
-  EXPECT_TRUE(explorer.exploration.report_blocked(doubtful, doubt));
+  EXPECT_TRUE(explorer.exploration.report_blocked(unconfirmed, doubt));
   const ExplorationDecision next = explorer.decide();
-  EXPECT_NE(next.stub, doubtful);
-  EXPECT_NE(next.stub, ExplorationDecision::kNoStub);
+  EXPECT_NE(next.frontier, unconfirmed);
+  EXPECT_NE(next.frontier, ExplorationDecision::kNoFrontier);
 }
 
-TEST(Exploration, GoesToABlockedStubThatAPersonReopens) {
-  const auto mine = drift_mine(straight());
+TEST(Exploration, GoesToABlockedFrontierThatAPersonReopens) {
+  const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
-  const int stub = explorer.decide().stub;
-  EXPECT_TRUE(explorer.exploration.report_blocked(stub, {1, 1.0, "a beam"}));
+  const int frontier = explorer.decide().frontier;
+  EXPECT_TRUE(explorer.exploration.report_blocked(frontier, {1, 1.0, "a beam"}));
   EXPECT_EQ(explorer.decide().kind, Kind::kDone);
   EXPECT_TRUE(explorer.decide().complete);
-  EXPECT_TRUE(explorer.exploration.reopen(stub, 2));
-  EXPECT_EQ(explorer.decide().stub, stub);
-  EXPECT_FALSE(explorer.exploration.reopen(stub, 2));  // it is not closed
+  EXPECT_TRUE(explorer.exploration.reopen(frontier, 2));
+  EXPECT_EQ(explorer.decide().frontier, frontier);
+  EXPECT_FALSE(explorer.exploration.reopen(frontier, 2));  // it is not closed
 }
 
 TEST(Exploration, TurnsRoundAtTheEndOfTheCorridorInTheModeOfThePaper) {
   ExplorationParams params;
   params.mode = "corridor";
   Exploration exploration(params);
-  const auto mine = drift_mine(crossroads());
+  const auto mine = tunnel_mine(crossroads());
   const auto run = test::run_exploration(mine, exploration, kPlenty);
-  EXPECT_TRUE(run.home);
-  EXPECT_FALSE(run.complete);        // the arms to both sides stay open
-  EXPECT_GT(run.travelled_m, 60.0);  // 42 m in, less what it sees ahead, and back
-  EXPECT_LT(run.travelled_m, 90.0);
+  EXPECT_TRUE(run.returned);
+  EXPECT_FALSE(run.complete);                 // the arms to both sides stay open
+  EXPECT_GT(run.distance_travelled_m, 60.0);  // 42 m in, less what it sees ahead, and back
+  EXPECT_LT(run.distance_travelled_m, 90.0);
 }
 
 TEST(Exploration, DecidesTheSameEachTime) {
-  const auto mine = drift_mine(rooms_and_pillars());
+  const auto mine = tunnel_mine(rooms_and_pillars());
   std::vector<ExplorationReport> reports;
   for (int i = 0; i < 2; ++i) {
     Exploration exploration{ExplorationParams{}};
@@ -297,15 +299,15 @@ TEST(Exploration, DecidesTheSameEachTime) {
 
 TEST(Exploration, DoesNotPaceAtCrossings) {
   Exploration exploration{ExplorationParams{}};
-  const auto mine = drift_mine(rooms_and_pillars());
+  const auto mine = tunnel_mine(rooms_and_pillars());
   const auto run = test::run_exploration(mine, exploration, kPlenty, 0.1);
   EXPECT_TRUE(run.complete);
   EXPECT_LE(run.turns, 6);
-  EXPECT_LT(run.travelled_m, 2.0 * mine.corridor_m());
+  EXPECT_LT(run.distance_travelled_m, 2.0 * mine.corridor_m());
 }
 
 TEST(Exploration, LeavesOutMalformedLocalMaps) {
-  const auto mine = drift_mine(straight());
+  const auto mine = tunnel_mine(straight());
   const test::ExploringRobot robot(mine);
   Exploration exploration{ExplorationParams{}};
   LocalMap map = robot.last_map();

@@ -15,7 +15,7 @@ constexpr double kGravity = 9.81;
 constexpr std::int64_t kPeriodUs = 10'000;
 
 /// A body that leans, read at 100 Hz.
-class Leaning {
+class LeaningBody {
  public:
   /// Turned by roll about x, then by pitch about y, the nose down where that is positive.
   void stand(double roll, double pitch, double seconds) {
@@ -45,14 +45,14 @@ class Leaning {
 };
 
 TEST(Attitude, SaysRollAndPitchOfABodyAtRest) {
-  Leaning body;
+  LeaningBody body;
   body.stand(0.2, -0.1, 0.1);
   EXPECT_NEAR(body.roll(), 0.2, 1e-9);
   EXPECT_NEAR(body.pitch_up(), 0.1, 1e-9);
 }
 
 TEST(Attitude, FollowsATurnAtOnce) {
-  Leaning body;
+  LeaningBody body;
   body.stand(0.0, 0.0, 1.0);
   // Half a second at 0.8 rad/s about x, the force that of a body that stays level.
   for (int i = 0; i < 50; ++i) body.read({0.0, 0.0, 50.0}, {0.8, 0.0, 0.0});
@@ -60,7 +60,7 @@ TEST(Attitude, FollowsATurnAtOnce) {
 }
 
 TEST(Attitude, IsNotMovedByABump) {
-  Leaning body;
+  LeaningBody body;
   body.stand(0.0, 0.0, 1.0);
   for (int i = 0; i < 20; ++i) body.read({25.0, 10.0, 30.0}, Eigen::Vector3d::Zero());
   EXPECT_EQ(body.roll(), 0.0);
@@ -68,7 +68,7 @@ TEST(Attitude, IsNotMovedByABump) {
 }
 
 TEST(Attitude, IsCorrectedByGravityInItsTime) {
-  Leaning body;
+  LeaningBody body;
   body.stand(0.0, 0.0, 1.0);
   body.stand(0.3, 0.0, 1.0);                                     // which the gyroscopes did not see
   EXPECT_NEAR(body.roll(), 0.3 * (1.0 - std::exp(-1.0)), 0.01);  // of unit vectors, and steps
@@ -77,7 +77,7 @@ TEST(Attitude, IsCorrectedByGravityInItsTime) {
 }
 
 TEST(Attitude, IsNotKnownLongWithoutGravity) {
-  Leaning body;
+  LeaningBody body;
   body.stand(0.1, 0.0, 1.0);
   for (int i = 0; i < 1000; ++i) body.read({0.0, 0.0, 1.0}, Eigen::Vector3d::Zero());
   EXPECT_TRUE(body.is_known());
@@ -89,7 +89,7 @@ TEST(Attitude, IsNotKnownLongWithoutGravity) {
 
 TEST(Attitude, IsNotKnownAfterATurnBeyondAllMeasure) {
   for (const double rate : {std::numeric_limits<double>::max(), 1e200}) {
-    Leaning body;
+    LeaningBody body;
     body.stand(0.1, 0.0, 1.0);
     body.read({0.0, 0.0, 50.0}, {rate, rate, -rate});
     EXPECT_TRUE(!body.is_known() || std::isfinite(body.roll())) << rate;
@@ -99,7 +99,7 @@ TEST(Attitude, IsNotKnownAfterATurnBeyondAllMeasure) {
 }
 
 TEST(Attitude, BeginsWithAReadingThatMayBeGravity) {
-  Leaning body;
+  LeaningBody body;
   body.read({25.0, 10.0, 30.0}, Eigen::Vector3d::Zero());
   EXPECT_FALSE(body.is_known());
   body.stand(0.1, 0.0, 0.01);

@@ -37,8 +37,8 @@ class FlankMemoryTest : public testing::Test {
   }
   void look(const Eigen::Vector2d& post_odom) {
     const Eigen::Vector2d p = T_odom_body_.inverse() * post_odom;
-    memory_.see(LaserId::kFront, seen(p, p.x() >= 1.0));
-    memory_.see(LaserId::kRear, seen(p, p.x() <= -1.0));
+    memory_.observe(LaserId::kFront, seen(p, p.x() >= 1.0));
+    memory_.observe(LaserId::kRear, seen(p, p.x() <= -1.0));
   }
   static LaserPoints seen(const Eigen::Vector2d& p_body, bool visible) {
     const Eigen::Vector2d p = visible ? p_body : kNothing;
@@ -75,7 +75,7 @@ TEST_F(FlankMemoryTest, BelievesNoSingleBeam) {
   const Eigen::Vector2d post = T_odom_body_ * Eigen::Vector2d(1.01, 0.8);
   memory_.move_to(T_odom_body_);
   const Eigen::Vector2d p = T_odom_body_.inverse() * post;
-  memory_.see(LaserId::kFront, {{kNothing, p, kNothing, p}, 2});
+  memory_.observe(LaserId::kFront, {{kNothing, p, kNothing, p}, 2});
   drive(kAhead, 10, {100.0, 100.0});
   EXPECT_THAT(memory_.p_body(), IsEmpty());
 }
@@ -108,10 +108,10 @@ TEST_F(FlankMemoryTest, DoesNotGrowWhileTheVehicleStands) {
 }
 
 TEST_F(FlankMemoryTest, NeedsAPose) {
-  memory_.see(LaserId::kFront, seen({1.05, 0.8}, true));
+  memory_.observe(LaserId::kFront, seen({1.05, 0.8}, true));
   EXPECT_THAT(memory_.p_body(), IsEmpty());
   memory_.move_to({1e200, -1e200, 0.3});  // anywhere
-  memory_.see(LaserId::kFront, seen({1.05, 0.8}, true));
+  memory_.observe(LaserId::kFront, seen({1.05, 0.8}, true));
 }
 
 }  // namespace

@@ -11,12 +11,11 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/typed.hpp"
+#include "common/bus/typed_messages.hpp"
 #include "common/config/config.hpp"
-#include "common/messages/drive_command.hpp"
-#include "common/messages/gas_reading.hpp"
-#include "common/messages/pose.hpp"
-#include "common/messages/stop_order.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/navigation.hpp"
+#include "common/messages/sensing.hpp"
 #include "tests/unit/procs/guard/healthy_robot.hpp"
 
 namespace adit {
@@ -25,15 +24,15 @@ namespace {
 constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr std::int64_t kStepUs = 10'000;
 
-class GuardNodeOnABus : public testing::Test {
+class GuardNodeTest : public testing::Test {
  protected:
-  GuardNodeOnABus() {
+  GuardNodeTest() {
     subscribe<stop_t>(bus_, channels::kStop, Delivery::queued(100),
                       [this](const StopOrder& order) { orders_.push_back(order); });
   }
 
   /// With a pose and a command to stand each 50 ms, where they are not silent.
-  void go_on(double seconds) {
+  void run(double seconds) {
     for (int i = 0; i < std::lround(seconds * 1e6 / kStepUs); ++i) {
       bus_.advance_to(now_ += kStepUs);
       if (now_ % 50'000 != 0) continue;
@@ -53,69 +52,69 @@ class GuardNodeOnABus : public testing::Test {
   double speed_m_s_ = 0.0;
 };
 
-TEST_F(GuardNodeOnABus, SaysAtOnceThatTheVehicleIsToStand) {
+TEST_F(GuardNodeTest, SaysAtOnceThatTheVehicleIsToStand) {
   bus_.advance_to(kStart);
   ASSERT_EQ(orders_.size(), 1U);
   EXPECT_EQ(orders_[0], (StopOrder{kStart, true, "no pose yet; no command yet"}));
 }
 
-TEST_F(GuardNodeOnABus, RepeatsItselfTenTimesASecond) {
-  go_on(2.0);
+TEST_F(GuardNodeTest, RepeatsItselfTenTimesASecond) {
+  run(2.0);
   orders_.clear();
-  go_on(2.0);
+  run(2.0);
   EXPECT_EQ(orders_.size(), 20U);
   for (const StopOrder& order : orders_) EXPECT_FALSE(order.stopped);
 }
 
-TEST_F(GuardNodeOnABus, TellsAStopWithinATickOfItsTimer) {
-  go_on(2.0);
+TEST_F(GuardNodeTest, TellsAStopWithinATickOfItsTimer) {
+  run(2.0);
   poses_ = false;
   orders_.clear();
   const std::int64_t last_pose = now_;
-  go_on(0.4);
+  run(0.4);
   const auto stop = std::ranges::find_if(orders_, &StopOrder::stopped);
   ASSERT_NE(stop, orders_.end());
   EXPECT_GT(stop->utime, last_pose + 250'000);
-  EXPECT_LE(stop->utime, last_pose + 250'000 + GuardNode::kJudgeUs);
+  EXPECT_LE(stop->utime, last_pose + 250'000 + GuardNode::kEvaluationPeriodUs);
   EXPECT_THAT(stop->reason, testing::StartsWith("pose silent"));
 }
 
-TEST_F(GuardNodeOnABus, HeedsTheHeartbeatOfTheSupervisorOnly) {
+TEST_F(GuardNodeTest, HeedsTheHeartbeatOfTheSupervisorOnly) {
   beat("mapping");
-  go_on(10.0);
+  run(10.0);
   EXPECT_FALSE(orders_.back().stopped);
   beat("supervisor");
-  go_on(2.9);
+  run(2.9);
   EXPECT_FALSE(orders_.back().stopped);
   beat("mapping");
-  go_on(0.3);
+  run(0.3);
   EXPECT_THAT(orders_.back().reason, testing::StartsWith("supervisor silent for 3."));
   beat("supervisor");
-  go_on(1.0);
+  run(1.0);
   EXPECT_FALSE(orders_.back().stopped);
 }
 
-TEST_F(GuardNodeOnABus, TakesAMessageThatMakesNoSenseForNone) {
-  go_on(1.0);
+TEST_F(GuardNodeTest, TakesAMessageThatMakesNoSenseForNone) {
+  run(1.0);
   EXPECT_FALSE(orders_.back().stopped);
   speed_m_s_ = std::numeric_limits<double>::quiet_NaN();
-  go_on(0.5);
+  run(0.5);
   EXPECT_THAT(orders_.back().reason, testing::StartsWith("command silent"));
 }
 
-TEST_F(GuardNodeOnABus, IsDegradedByWhatIsWrongWithTheRobotNotByWhoDrives) {
-  go_on(1.0);
+TEST_F(GuardNodeTest, IsDegradedByWhatIsWrongWithTheRobotNotByWhoDrives) {
+  run(1.0);
   EXPECT_EQ(node_.health(), Health{});
   publish(bus_, channels::kGas, to_message(GasReading{now_, 0.02, 0.2, 0.0}));
-  go_on(0.1);
+  run(0.1);
   EXPECT_EQ(node_.health().level, Health::Level::kDegraded);
   EXPECT_EQ(node_.health().reason,
             "methane 2.00 %, limit 1.00 % (times so far: pose 1, command 1, gas 1)");
-  go_on(20.0);  // and the gas is silent
+  run(20.0);  // and the gas is silent
   EXPECT_THAT(node_.health().reason, testing::StartsWith("gas silent"));
 }
 
-TEST(GuardConfiguration, LasersThatWouldSeeNothingAreRefused) {
+TEST(GuardConfiguration, LasersThatWouldSeeNothingAreRejected) {
   GuardParams params = groundhog_guard();
   EXPECT_NO_THROW(Guard{params});
   params.lasers.rear.height_m = 0.1;

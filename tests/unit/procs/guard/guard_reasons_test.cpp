@@ -19,7 +19,7 @@ using testing::StartsWith;
 class GuardReasons : public testing::Test {
  protected:
   GuardReasons() {
-    robot_.go_on(2.0);
+    robot_.run(2.0);
     EXPECT_FALSE(robot_.order.stopped) << robot_.order.reason;
     EXPECT_EQ(robot_.order.reason, "");
   }
@@ -31,9 +31,9 @@ class GuardReasons : public testing::Test {
     EXPECT_THAT(robot_.order.reason, StartsWith(text));
   }
   void expect_release() {
-    robot_.go_on(0.4);
+    robot_.run(0.4);
     EXPECT_TRUE(robot_.order.stopped);
-    robot_.go_on(3.0);  // a mean that settles
+    robot_.run(3.0);  // a mean that settles
     EXPECT_FALSE(robot_.order.stopped) << robot_.order.reason;
   }
 
@@ -84,11 +84,11 @@ TEST_F(GuardReasons, AnObstacleOnTheArcThatTheVehicleIsStillOn) {
 TEST_F(GuardReasons, WhatItHasBegunToPassIsRememberedInATurn) {
   // A post 0.08 m beside its right flank comes into line with the laser, and goes out of its sight.
   robot_.front.ranges_m[0] = robot_.front.ranges_m[1] = robot_.front.ranges_m[2] = 0.68F;
-  robot_.go_on(0.1);
+  robot_.run(0.1);
   robot_.front = HealthyRobot::free_scan();
   for (int i = 0; i < 75; ++i) {
     robot_.T_odom_body.x += 0.02;
-    robot_.go_on(0.03);
+    robot_.run(0.03);
   }
   EXPECT_FALSE(robot_.order.stopped) << robot_.order.reason;
   robot_.curvature_1_m = 0.6;  // to the left, so that its rear swings out
@@ -96,17 +96,17 @@ TEST_F(GuardReasons, WhatItHasBegunToPassIsRememberedInATurn) {
   expect_alone(StopKind::kObstacle, "remembered obstacle 0.");
 }
 
-TEST_F(GuardReasons, ASilentLaserWhereItDrives) {
-  robot_.silent = {"rear"};
+TEST_F(GuardReasons, AStaleLaserWhereItDrives) {
+  robot_.muted = {"rear"};
   EXPECT_EQ(robot_.seconds_to_stop(1.0), std::nullopt);
-  robot_.silent = {"front"};
+  robot_.muted = {"front"};
   // 27 ms are gone when the scan comes, 30 ms more until the next should have.
   EXPECT_THAT(robot_.seconds_to_stop(1.0), Optional(DoubleNear(0.22, 0.03)));
   expect_alone(StopKind::kLaser, "laser front silent for 0.2");
-  robot_.silent = {};
+  robot_.muted = {};
   expect_release();
   robot_.speed_m_s = -0.3;
-  robot_.silent = {"rear"};
+  robot_.muted = {"rear"};
   EXPECT_TRUE(robot_.seconds_to_stop(0.3));
   expect_alone(StopKind::kLaser, "laser rear silent for 0.2");
 }
@@ -116,33 +116,33 @@ TEST_F(GuardReasons, ALaserThatIsCovered) {
   EXPECT_TRUE(robot_.seconds_to_stop(0.1));
   expect_alone(StopKind::kLaser, "laser front blind, 0 of 361 beams return");
   robot_.front.ranges_m.clear();
-  robot_.go_on(0.1);
+  robot_.run(0.1);
   expect_alone(StopKind::kLaser, "laser front blind, 0 of 0 beams return");
   robot_.front = HealthyRobot::free_scan();
   expect_release();
 }
 
 TEST_F(GuardReasons, ATiltThatIsNotKnownAnyMore) {
-  robot_.silent = {"tilt"};
+  robot_.muted = {"tilt"};
   EXPECT_THAT(robot_.seconds_to_stop(1.0), Optional(DoubleNear(0.25, 0.03)));
   expect_alone(StopKind::kLaser, "tilt of laser front silent for 0.2");
-  robot_.silent = {};
+  robot_.muted = {};
   expect_release();
 }
 
-TEST_F(GuardReasons, ASilentPose) {
-  robot_.silent = {"pose"};
+TEST_F(GuardReasons, AStalePose) {
+  robot_.muted = {"pose"};
   EXPECT_THAT(robot_.seconds_to_stop(1.0), Optional(DoubleNear(0.25, 0.03)));
   expect_alone(StopKind::kPose, "pose silent for 0.2");
-  robot_.silent = {};
+  robot_.muted = {};
   expect_release();
 }
 
-TEST_F(GuardReasons, SilentCommands) {
-  robot_.silent = {"command"};
+TEST_F(GuardReasons, StaleCommands) {
+  robot_.muted = {"command"};
   EXPECT_THAT(robot_.seconds_to_stop(1.0), Optional(DoubleNear(0.25, 0.05)));
   expect_alone(StopKind::kCommand, "command silent for 0.2");
-  robot_.silent = {};
+  robot_.muted = {};
   expect_release();
 }
 
@@ -161,15 +161,15 @@ TEST_F(GuardReasons, RollAndPitch) {
 TEST_F(GuardReasons, NoBumpOverARail) {
   for (int i = 0; i < 20; ++i) {
     robot_.imu.linear_acceleration = {20.0, 30.0, 9.81};
-    robot_.go_on(0.03);
+    robot_.run(0.03);
     robot_.imu.linear_acceleration = {0.0, 0.0, 9.81};
-    robot_.go_on(0.2);
+    robot_.run(0.2);
     EXPECT_FALSE(robot_.order.stopped) << robot_.order.reason;
   }
 }
 
-TEST_F(GuardReasons, AnInertialUnitThatWasHeardAndIsNoMore) {
-  robot_.silent = {"imu"};
+TEST_F(GuardReasons, AnInertialUnitThatWasReceivedAndIsNoMore) {
+  robot_.muted = {"imu"};
   EXPECT_THAT(robot_.seconds_to_stop(1.0), Optional(DoubleNear(0.25, 0.02)));
   expect_alone(StopKind::kTilt, "inertial unit silent for 0.2");
 }
@@ -186,7 +186,7 @@ TEST_F(GuardReasons, Sinkage) {
   expect_alone(StopKind::kSinkage, "front right wheel sunk in by 0.16 m, limit 0.15 m");
   robot_.sinkage = {};
   expect_release();
-  robot_.silent = {"sinkage"};
+  robot_.muted = {"sinkage"};
   EXPECT_THAT(robot_.seconds_to_stop(3.0), Optional(DoubleNear(1.5, 0.1)));
   expect_alone(StopKind::kSinkage, "sinkage silent for 1.5");
 }
@@ -197,33 +197,33 @@ TEST_F(GuardReasons, Gas) {
   expect_alone(StopKind::kGas, "methane 1.20 %, limit 1.00 %");
   robot_.gas = {};
   expect_release();
-  robot_.silent = {"gas"};
+  robot_.muted = {"gas"};
   EXPECT_THAT(robot_.seconds_to_stop(3.0), Optional(DoubleNear(1.5, 0.51)));
   expect_alone(StopKind::kGas, "gas silent for 1.5");
 }
 
 TEST_F(GuardReasons, ADeadSupervisor) {
-  robot_.silent = {"supervisor"};
+  robot_.muted = {"supervisor"};
   EXPECT_THAT(robot_.seconds_to_stop(5.0), Optional(DoubleNear(3.0, 1.0)));
   expect_alone(StopKind::kSupervisor, "supervisor silent for 3.0");
-  robot_.silent = {};
-  robot_.go_on(1.0);
+  robot_.muted = {};
+  robot_.run(1.0);
   expect_release();
 }
 
 TEST_F(GuardReasons, AreToldTogetherInTheirOrderAndCounted) {
   EXPECT_EQ(robot_.guard().counts().at(static_cast<std::size_t>(StopKind::kObstacle)), 0);
-  robot_.silent = {"pose", "front"};
+  robot_.muted = {"pose", "front"};
   robot_.gas.methane_share = 0.5;
-  robot_.go_on(1.0);
+  robot_.run(1.0);
   EXPECT_THAT(robot_.order.reason,
               testing::MatchesRegex("laser front silent for .* s; pose silent for .* s; "
                                     "methane 50.00 %, limit 1.00 %"));
   const auto before = robot_.guard().counts();
-  robot_.silent = {};
-  robot_.go_on(1.0);
-  robot_.silent = {"pose"};
-  robot_.go_on(1.0);
+  robot_.muted = {};
+  robot_.run(1.0);
+  robot_.muted = {"pose"};
+  robot_.run(1.0);
   const auto after = robot_.guard().counts();
   const auto grown = [&](StopKind kind) {
     const auto i = static_cast<std::size_t>(kind);
@@ -236,8 +236,8 @@ TEST_F(GuardReasons, AreToldTogetherInTheirOrderAndCounted) {
 
 TEST(GuardOptions, SensorsThatNeverSpokeAreNotMissed) {
   HealthyRobot robot;
-  robot.silent = {"imu", "gas", "sinkage", "supervisor", "tilt", "state"};
-  robot.go_on(5.0);
+  robot.muted = {"imu", "gas", "sinkage", "supervisor", "tilt", "state"};
+  robot.run(5.0);
   EXPECT_FALSE(robot.order.stopped) << robot.order.reason;
 }
 
@@ -245,11 +245,11 @@ TEST(GuardOptions, ASupervisorMayBeRequiredFromTheStart) {
   GuardParams params = groundhog_guard();
   params.require_supervisor = true;
   HealthyRobot robot(params);
-  robot.silent = {"supervisor"};
-  robot.go_on(2.0);
+  robot.muted = {"supervisor"};
+  robot.run(2.0);
   EXPECT_EQ(robot.order.reason, "no supervisor yet");
-  robot.silent = {};
-  robot.go_on(2.0);
+  robot.muted = {};
+  robot.run(2.0);
   EXPECT_FALSE(robot.order.stopped);
 }
 

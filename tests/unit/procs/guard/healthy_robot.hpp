@@ -35,7 +35,7 @@ class HealthyRobot {
 
   explicit HealthyRobot(const GuardParams& params = groundhog_guard()) : guard_(params) {}
 
-  void go_on(double seconds) {
+  void run(double seconds) {
     for (int i = 0; i < std::lround(seconds * 1e6 / kStepUs); ++i) step();
   }
 
@@ -61,7 +61,7 @@ class HealthyRobot {
   [[nodiscard]] const Guard& guard() const { return guard_; }
 
   // What is said.
-  std::set<std::string> silent;  ///< who says nothing: front, rear, tilt, pose, command, state, ..
+  std::set<std::string> muted;  ///< who says nothing: front, rear, tilt, pose, command, state, ..
   double speed_m_s = 0.3;
   double curvature_1_m = 0.0;
   VehicleState state;
@@ -77,34 +77,34 @@ class HealthyRobot {
 
  private:
   template <class Value>
-  void say(const char* who, int every_steps, Value value) {
-    if (steps_ % every_steps != 0 || silent.contains(who)) return;
+  void send(const char* who, int every_steps, Value value) {
+    if (steps_ % every_steps != 0 || muted.contains(who)) return;
     value.utime = now_;
-    guard_.hear(value, now_);
+    guard_.receive(value, now_);
   }
-  void say(const char* who, LaserId laser, LaserScan scan) {
-    if (silent.contains(who)) return;
+  void send(const char* who, LaserId laser, LaserScan scan) {
+    if (muted.contains(who)) return;
     scan.utime = now_ - 27'000;
-    guard_.hear(laser, scan, now_);
+    guard_.receive(laser, scan, now_);
   }
 
   void step() {
     ++steps_;
     now_ = kStart + steps_ * kStepUs + clock_ahead_us;
-    say("imu", 1, imu);
-    if (steps_ % 2 == 0 && !silent.contains("tilt")) {
-      guard_.hear(LaserId::kFront, TiltReading{now_, 0.0, 0.0}, now_);
-      guard_.hear(LaserId::kRear, TiltReading{now_, 0.0, 0.0}, now_);
+    send("imu", 1, imu);
+    if (steps_ % 2 == 0 && !muted.contains("tilt")) {
+      guard_.receive(LaserId::kFront, TiltReading{now_, 0.0, 0.0}, now_);
+      guard_.receive(LaserId::kRear, TiltReading{now_, 0.0, 0.0}, now_);
     }
-    if (steps_ % 3 == 0) say("front", LaserId::kFront, front);
-    if (steps_ % 3 == 1) say("rear", LaserId::kRear, rear);
-    if (steps_ % 3 == 2 && !silent.contains("pose")) guard_.hear_pose(T_odom_body, now_, now_);
-    say("state", 10, state);
-    say("gas", 50, gas);
-    say("sinkage", 10, sinkage);
-    if (steps_ % 100 == 1 && !silent.contains("supervisor")) guard_.hear_supervisor(now_, now_);
-    say("command", 5, DriveCommand{0, speed_m_s, curvature_1_m});
-    order = guard_.judge(now_);
+    if (steps_ % 3 == 0) send("front", LaserId::kFront, front);
+    if (steps_ % 3 == 1) send("rear", LaserId::kRear, rear);
+    if (steps_ % 3 == 2 && !muted.contains("pose")) guard_.receive_pose(T_odom_body, now_, now_);
+    send("state", 10, state);
+    send("gas", 50, gas);
+    send("sinkage", 10, sinkage);
+    if (steps_ % 100 == 1 && !muted.contains("supervisor")) guard_.receive_supervisor(now_, now_);
+    send("command", 5, DriveCommand{0, speed_m_s, curvature_1_m});
+    order = guard_.evaluate(now_);
   }
 
   Guard guard_;

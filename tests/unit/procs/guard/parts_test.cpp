@@ -5,37 +5,34 @@
 
 #include <gtest/gtest.h>
 
-#include "procs/guard/ground_and_air_check.hpp"
-#include "procs/guard/last_heard.hpp"
-#include "procs/guard/steady_time.hpp"
-#include "procs/guard/stop_latch.hpp"
-#include "procs/guard/tilt_check.hpp"
-#include "procs/guard/way_back.hpp"
+#include "procs/guard/input_staleness.hpp"
+#include "procs/guard/limit_checks.hpp"
+#include "procs/guard/stop_release.hpp"
 
 namespace adit {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000;
 
-TEST(SteadyTime, LeavesOutStepsBack) {
-  SteadyTime time;
-  EXPECT_EQ(time.go_on_to(100 * kSecond), 0);
-  EXPECT_EQ(time.go_on_to(101 * kSecond), kSecond);
-  EXPECT_EQ(time.go_on_to(50 * kSecond), kSecond);
-  EXPECT_EQ(time.go_on_to(51 * kSecond), 2 * kSecond);
-  EXPECT_EQ(time.of(51 * kSecond - 10), 2 * kSecond - 10);
-  EXPECT_EQ(time.of(80 * kSecond), 2 * kSecond);  // yet to come
+TEST(MonotonicTime, LeavesOutStepsBack) {
+  MonotonicTime time;
+  EXPECT_EQ(time.advance_to(100 * kSecond), 0);
+  EXPECT_EQ(time.advance_to(101 * kSecond), kSecond);
+  EXPECT_EQ(time.advance_to(50 * kSecond), kSecond);
+  EXPECT_EQ(time.advance_to(51 * kSecond), 2 * kSecond);
+  EXPECT_EQ(time.monotonic_us(51 * kSecond - 10), 2 * kSecond - 10);
+  EXPECT_EQ(time.monotonic_us(80 * kSecond), 2 * kSecond);  // yet to come
 }
 
-TEST(LastHeard, IsSilentFromItsTimeOutOn) {
-  LastHeard pose;
-  EXPECT_EQ(pose.silence("pose", 0, 0.25), "no pose yet");
-  EXPECT_EQ(pose.silence_once_heard("pose", 0, 0.25), std::nullopt);
-  EXPECT_TRUE(pose.hear(kSecond));
-  EXPECT_FALSE(pose.hear(kSecond - 1));
-  EXPECT_EQ(pose.silence("pose", kSecond + 250'000, 0.25), std::nullopt);
-  EXPECT_EQ(pose.silence("pose", kSecond + 310'000, 0.25), "pose silent for 0.31 s");
-  EXPECT_EQ(pose.silence_once_heard("pose", 2 * kSecond, 0.25), "pose silent for 1.00 s");
+TEST(LastReceived, IsStaleFromItsTimeOutOn) {
+  LastReceived pose;
+  EXPECT_EQ(pose.staleness("pose", 0, 0.25), "no pose yet");
+  EXPECT_EQ(pose.staleness_if_received("pose", 0, 0.25), std::nullopt);
+  EXPECT_TRUE(pose.receive(kSecond));
+  EXPECT_FALSE(pose.receive(kSecond - 1));
+  EXPECT_EQ(pose.staleness("pose", kSecond + 250'000, 0.25), std::nullopt);
+  EXPECT_EQ(pose.staleness("pose", kSecond + 310'000, 0.25), "pose silent for 0.31 s");
+  EXPECT_EQ(pose.staleness_if_received("pose", 2 * kSecond, 0.25), "pose silent for 1.00 s");
 }
 
 TEST(AirReason, HoldsBeyondTheLimitsOfTheMines) {
@@ -66,52 +63,52 @@ TEST(TiltReason, HoldsForRollAndForPitchToEitherSide) {
 
 TEST(StopLatch, HoldsUntilTheReasonIsGoneForAWhileAndACommandIsNewer) {
   StopLatch latch(0.5);
-  EXPECT_TRUE(latch.judge(false, std::nullopt, 0));
-  EXPECT_TRUE(latch.judge(false, 0, kSecond));  // the command is not newer
-  EXPECT_FALSE(latch.judge(false, 1, kSecond));
-  EXPECT_TRUE(latch.judge(true, kSecond, 2 * kSecond));
-  EXPECT_TRUE(latch.judge(false, 2 * kSecond + 1, 2 * kSecond + 499'999));
-  EXPECT_TRUE(latch.judge(false, 2 * kSecond, 3 * kSecond));
-  EXPECT_FALSE(latch.judge(false, 2 * kSecond + 1, 3 * kSecond));
+  EXPECT_TRUE(latch.evaluate(false, std::nullopt, 0));
+  EXPECT_TRUE(latch.evaluate(false, 0, kSecond));  // the command is not newer
+  EXPECT_FALSE(latch.evaluate(false, 1, kSecond));
+  EXPECT_TRUE(latch.evaluate(true, kSecond, 2 * kSecond));
+  EXPECT_TRUE(latch.evaluate(false, 2 * kSecond + 1, 2 * kSecond + 499'999));
+  EXPECT_TRUE(latch.evaluate(false, 2 * kSecond, 3 * kSecond));
+  EXPECT_FALSE(latch.evaluate(false, 2 * kSecond + 1, 3 * kSecond));
 }
 
-TEST(StopLatch, BeginsAnewWithEachReason) {
+TEST(StopLatch, BeginsResetWithEachReason) {
   StopLatch latch(0.5);
   for (int i = 0; i < 20; ++i) {  // a reason that comes and goes
-    EXPECT_TRUE(latch.judge(i % 2 == 0, i * 300'000, i * 300'000));
+    EXPECT_TRUE(latch.evaluate(i % 2 == 0, i * 300'000, i * 300'000));
   }
 }
 
-TEST(WayBack, ForbidsToGoOnAndNotToLeave) {
-  WayBack way_back;
-  EXPECT_FALSE(way_back.forbids(false, 1, 0));
-  EXPECT_TRUE(way_back.forbids(true, 1, kSecond));
-  EXPECT_TRUE(way_back.forbids(true, 0, 2 * kSecond));
-  EXPECT_FALSE(way_back.forbids(true, -1, 3 * kSecond));
-  EXPECT_TRUE(way_back.forbids(true, 1, 4 * kSecond));
+TEST(RetreatPermission, ForbidsToGoOnAndNotToLeave) {
+  RetreatPermission retreat;
+  EXPECT_FALSE(retreat.forbids(false, 1, 0));
+  EXPECT_TRUE(retreat.forbids(true, 1, kSecond));
+  EXPECT_TRUE(retreat.forbids(true, 0, 2 * kSecond));
+  EXPECT_FALSE(retreat.forbids(true, -1, 3 * kSecond));
+  EXPECT_TRUE(retreat.forbids(true, 1, 4 * kSecond));
 }
 
-TEST(WayBack, IsTheSameWhileTheReasonWavers) {
-  WayBack way_back;
-  way_back.forbids(false, 1, 0);
-  way_back.forbids(true, 1, kSecond);
-  for (int i = 2; i < 100; ++i) EXPECT_FALSE(way_back.forbids(i % 9 == 0, -1, i * kSecond));
+TEST(RetreatPermission, IsTheSameWhileTheReasonWavers) {
+  RetreatPermission retreat;
+  retreat.forbids(false, 1, 0);
+  retreat.forbids(true, 1, kSecond);
+  for (int i = 2; i < 100; ++i) EXPECT_FALSE(retreat.forbids(i % 9 == 0, -1, i * kSecond));
 }
 
-TEST(WayBack, IsAnotherForAnotherReason) {
-  WayBack way_back;
-  way_back.forbids(false, 1, 0);
-  way_back.forbids(true, 1, kSecond);
-  way_back.forbids(false, -1, 2 * kSecond);
-  way_back.forbids(false, -1, 30 * kSecond);
-  EXPECT_TRUE(way_back.forbids(true, -1, 31 * kSecond));
-  EXPECT_FALSE(way_back.forbids(true, 1, 32 * kSecond));
+TEST(RetreatPermission, IsAnotherForAnotherReason) {
+  RetreatPermission retreat;
+  retreat.forbids(false, 1, 0);
+  retreat.forbids(true, 1, kSecond);
+  retreat.forbids(false, -1, 2 * kSecond);
+  retreat.forbids(false, -1, 30 * kSecond);
+  EXPECT_TRUE(retreat.forbids(true, -1, 31 * kSecond));
+  EXPECT_FALSE(retreat.forbids(true, 1, 32 * kSecond));
 }
 
-TEST(WayBack, IsNotKnownToWhoNeverDrove) {
-  WayBack way_back;
-  EXPECT_TRUE(way_back.forbids(true, 1, 0));
-  EXPECT_TRUE(way_back.forbids(true, -1, kSecond));
+TEST(RetreatPermission, IsNotKnownToWhoNeverDrove) {
+  RetreatPermission retreat;
+  EXPECT_TRUE(retreat.forbids(true, 1, 0));
+  EXPECT_TRUE(retreat.forbids(true, -1, kSecond));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ ScanMatch open_along_x(DegenerateDirection::Fill fill) {
 void drive(DisplacementError& error, const ScanMatch& match, int steps) {
   for (int i = 0; i < steps; ++i) {
     error.add_step({kStepM, 0.0, 0.0}, match);
-    error.add_way(kStepM, 0.0);
+    error.add_travel(kStepM, 0.0);
   }
 }
 
@@ -51,7 +51,7 @@ TEST(DisplacementError, GrowsWithTheWayAndNotWithTheNumberOfScans) {
   DisplacementError many{DisplacementErrorParams{}};
   for (int i = 0; i < 5000; ++i) {
     many.add_step({kStepM / 100.0, 0.0, 0.0}, matched());
-    many.add_way(kStepM / 100.0, 0.0);
+    many.add_travel(kStepM / 100.0, 0.0);
   }
   EXPECT_NEAR(sd(few, 0), sd(many, 0), 1e-9);
   EXPECT_NEAR(sd(few, 2), sd(many, 2), 1e-9);

@@ -134,13 +134,13 @@ TEST(LocalMapBuilder, FinishesAMapAfterMuchTurningOnTheSpot) {
   EXPECT_EQ(feed.maps.size(), 1U);
 }
 
-TEST(LocalMapBuilder, LeavesOutLostScansAndIgnoresRefusedOnes) {
+TEST(LocalMapBuilder, LeavesOutLostScansAndIgnoresRejectedOnes) {
   Feed feed;
   feed.scan(Status::kFirstScan);
   for (int i = 0; i < 10; ++i) {
     feed.step({0.2, 0.0, 0.0}, Status::kLost);
     feed.step({0.2, 0.0, 0.0}, Status::kMatched);
-    feed.scan(Status::kRefused);
+    feed.scan(Status::kRejected);
   }
   feed.finish();
   ASSERT_EQ(feed.maps.size(), 1U);

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "common/local_map/local_map.hpp"
-#include "procs/mapping/local_walls.hpp"
-#include "tests/support/test_worlds.hpp"
+#include "common/types/local_map.hpp"
+#include "procs/mapping/loop_closure/local_walls.hpp"
+#include "tests/support/worlds/crooked_room.hpp"
 #include "tools/sample_mine/mine_worlds.hpp"
 
 namespace adit::test {

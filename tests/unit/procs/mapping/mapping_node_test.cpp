@@ -11,13 +11,11 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/local_map_pieces.hpp"
-#include "common/messages/map_correction.hpp"
-#include "common/messages/map_request.hpp"
-#include "common/messages/pose_graph_pieces.hpp"
-#include "common/messages/scan_match.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/local_map.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/sensing.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tools/sample_mine/sample_run.hpp"
@@ -35,16 +33,16 @@ class MappingNodeOnABus : public testing::Test {
   void begin() {
     node_.reset();
     bus_ = std::make_unique<MemoryBus>();
-    heard_.clear();
+    received_.clear();
     graph_.reset();
     correction_.reset();
     subscribe<local_map_t>(*bus_, channels::kLocalMap, Delivery::queued(1000),
-                           [this](const LocalMapPiece& piece) {
-                             if (piece.piece == 0) heard_.push_back(piece.part.id);
+                           [this](const LocalMapFragment& fragment) {
+                             if (fragment.fragment == 0) received_.push_back(fragment.part.id);
                            });
     subscribe<pose_graph_t>(*bus_, channels::kPoseGraph, Delivery::queued(1000),
-                            [this](const PoseGraphPiece& piece) {
-                              if (auto graph = graphs_.add(piece)) graph_ = std::move(graph);
+                            [this](const PoseGraphFragment& fragment) {
+                              if (auto graph = graphs_.add(fragment)) graph_ = std::move(graph);
                             });
     subscribe<map_correction_t>(*bus_, channels::kMapCorrection, Delivery::latest(),
                                 [this](const MapCorrection& c) { correction_ = c; });
@@ -70,8 +68,8 @@ class MappingNodeOnABus : public testing::Test {
   ScanMatching matching_{ScanMatchingParams{}};
   std::unique_ptr<MemoryBus> bus_;
   std::unique_ptr<MappingNode> node_;
-  PoseGraphAssembler graphs_;
-  std::vector<int> heard_;
+  PoseGraphReassembler graphs_;
+  std::vector<int> received_;
   std::optional<MapGraph> graph_;
   std::optional<MapCorrection> correction_;
   std::int64_t utime_ = 0;
@@ -81,18 +79,18 @@ TEST_F(MappingNodeOnABus, RepeatsItsMapForThoseWhoAskALittleAtATime) {
   drive(400);
   const std::size_t maps = node_->map().local_maps().size();
   ASSERT_GT(maps, 5U);
-  heard_.clear();
+  received_.clear();
   graph_.reset();
   for (const char* stage : {"exploration", "volume_map"}) {
     publish(*bus_, channels::kMapRequest, to_message(MapRequest{utime_, stage}));
   }
   bus_->advance_to(utime_ + 60'000);
-  EXPECT_LE(heard_.size(), 8U);  // two ticks of four pieces at most
+  EXPECT_LE(received_.size(), 8U);  // two ticks of four pieces at most
   ASSERT_TRUE(graph_);
   EXPECT_EQ(graph_->poses.size(), maps);
   bus_->advance_to(utime_ + 10 * kSecond);
-  EXPECT_EQ(heard_.size(), maps);
-  EXPECT_EQ(std::set<int>(heard_.begin(), heard_.end()).size(), maps);
+  EXPECT_EQ(received_.size(), maps);
+  EXPECT_EQ(std::set<int>(received_.begin(), received_.end()).size(), maps);
 }
 
 TEST_F(MappingNodeOnABus, SaysWhereOdomIsAsSoonAsItKnows) {

@@ -9,7 +9,7 @@ namespace {
 
 MissionLimitsParams plenty() {
   MissionLimitsParams params;
-  params.way_max_m = 1e5;
+  params.path_length_max_m = 1e5;
   params.time_max_s = 1e7;
   return params;
 }
@@ -22,7 +22,7 @@ VehicleState charged(double share) {
 
 TEST(MissionLimits, LeaveTheWayThatWasNotDriven) {
   MissionLimitsParams params = plenty();
-  params.way_max_m = 800.0;
+  params.path_length_max_m = 800.0;
   const MissionLimits limits(params);
   EXPECT_DOUBLE_EQ(limits.remaining_m(1000.0, 300.0), 500.0);
   EXPECT_DOUBLE_EQ(limits.remaining_m(1000.0, 900.0), 0.0);
@@ -48,7 +48,7 @@ TEST(MissionLimits, LeaveTheChargeAboveTheReserve) {
   EXPECT_DOUBLE_EQ(limits.remaining_m(1.0, 300.0), 0.0);
 }
 
-TEST(MissionLimits, CountChargePerMetreFromWhereTheBatteryWasFirstHeard) {
+TEST(MissionLimits, CountChargePerMetreFromWhereTheBatteryWasFirstReceived) {
   MissionLimits limits(plenty());
   limits.begin(1000.0);
   limits.add(charged(0.6));
@@ -64,7 +64,7 @@ TEST(MissionLimits, KeepTheFirstReason) {
   EXPECT_EQ(limits.reason(), "300 ppm of carbon monoxide in the air");
 }
 
-TEST(MissionLimits, AreSilentAtTheLimit) {
+TEST(MissionLimits, AreStaleAtTheLimit) {
   const MissionLimitsParams at = plenty();
   MissionLimits limits(at);
   limits.add(

@@ -11,15 +11,15 @@ namespace {
 using testing::HasSubstr;
 using Driving = DrivingState::Kind;
 
-class AMission : public ScriptedStages {};
+class MissionTest : public ScriptedStages {};
 
-TEST_F(AMission, ExploresScansPlansAndExecutes) {
+TEST_F(MissionTest, ExploresScansPlansAndExecutes) {
   EXPECT_EQ(now(), Phase::kWaiting);
   to_explore();
   EXPECT_EQ(request_.id, 1);
-  EXPECT_FALSE(request_.homeward);
+  EXPECT_FALSE(request_.returning_home);
   to_scan();
-  EXPECT_EQ(phase().stub, 0);
+  EXPECT_EQ(phase().frontier, 0);
   EXPECT_EQ(phase().reason, "because");
   EXPECT_EQ(scan_.id, phase().goal_id);
   EXPECT_EQ(scan_.laser, LaserId::kFront);
@@ -33,24 +33,24 @@ TEST_F(AMission, ExploresScansPlansAndExecutes) {
   arrive();
   EXPECT_EQ(now(), Phase::kExplore);
   EXPECT_EQ(request_.id, 2);
-  EXPECT_NEAR(phase().travelled_m, 10.0, 0.2);  // of places that are apart
+  EXPECT_NEAR(phase().distance_travelled_m, 10.0, 0.2);  // of places that are apart
 }
 
-TEST_F(AMission, WaitsForPoseAndDriving) {
-  poses_ = false;
+TEST_F(MissionTest, WaitsForPoseAndDriving) {
+  publishes_poses_ = false;
   wait(5.0);
   EXPECT_EQ(now(), Phase::kWaiting);
-  poses_ = true;
-  driving_talks_ = false;
+  publishes_poses_ = true;
+  publishes_driving_ = false;
   utime_ += 5 * 1'000'000;  // so that driving was silent too long
   wait(5.0);
   EXPECT_EQ(now(), Phase::kWaiting);
-  driving_talks_ = true;
+  publishes_driving_ = true;
   wait(0.2);
   EXPECT_EQ(now(), Phase::kExplore);
 }
 
-TEST_F(AMission, EndsAtHomeAndSaysWhetherTheMineIsComplete) {
+TEST_F(MissionTest, EndsAtHomeAndSaysWhetherTheMineIsComplete) {
   to_explore();
   ExplorationReport report;
   report.request = request_.id;
@@ -65,15 +65,15 @@ TEST_F(AMission, EndsAtHomeAndSaysWhetherTheMineIsComplete) {
   EXPECT_EQ(explores_, asked);
 }
 
-TEST_F(AMission, LooksWithTheLaserThatFacesTheWay) {
+TEST_F(MissionTest, LooksWithTheLaserThatFacesTheWay) {
   to_explore();
   reach_m_ = -10.0;
   answer(Kind::kHome);
   EXPECT_EQ(scan_.laser, LaserId::kRear);
-  EXPECT_TRUE(phase().homeward);
+  EXPECT_TRUE(phase().returning_home);
 }
 
-TEST_F(AMission, GoesStraightOnWhileThereIsNoMap) {
+TEST_F(MissionTest, GoesStraightOnWhileThereIsNoMap) {
   to_explore();
   ExplorationReport report;
   report.request = request_.id;
@@ -81,10 +81,10 @@ TEST_F(AMission, GoesStraightOnWhileThereIsNoMap) {
   ASSERT_EQ(now(), Phase::kScan);
   terrain();
   EXPECT_EQ(goal_.route_odom.back(), Eigen::Vector2d(10.0, 0.0));
-  EXPECT_EQ(phase().stub, -1);
+  EXPECT_EQ(phase().frontier, -1);
 }
 
-TEST_F(AMission, AsksForEachAnswerAgainUntilItComes) {
+TEST_F(MissionTest, AsksForEachAnswerAgainUntilItComes) {
   to_explore();
   const auto [explores, id] = std::pair(explores_, request_.id);
   wait(4.5);  // two were lost
@@ -102,7 +102,7 @@ TEST_F(AMission, AsksForEachAnswerAgainUntilItComes) {
   EXPECT_EQ(now(), Phase::kExecute);
 }
 
-TEST_F(AMission, TakesNoAnswerToAnotherQuestion) {
+TEST_F(MissionTest, TakesNoAnswerToAnotherQuestion) {
   to_explore();
   --request_.id;
   answer(Kind::kGoTo);
@@ -124,7 +124,7 @@ TEST_F(AMission, TakesNoAnswerToAnotherQuestion) {
   EXPECT_EQ(now(), Phase::kPlan);
 }
 
-TEST_F(AMission, ScansOnceMoreAndWithTheOtherLaserWhereNoScanComes) {
+TEST_F(MissionTest, ScansOnceMoreAndWithTheOtherLaserWhereNoScanComes) {
   to_scan();
   const int id = phase().goal_id;
   wait(30.5);
@@ -135,7 +135,7 @@ TEST_F(AMission, ScansOnceMoreAndWithTheOtherLaserWhereNoScanComes) {
   EXPECT_EQ(scan_.laser, LaserId::kRear);
 }
 
-TEST_F(AMission, IsStrandedWhereNoScanComesAnyMore) {
+TEST_F(MissionTest, IsStrandedWhereNoScanComesAnyMore) {
   to_scan();
   wait(29.0);
   EXPECT_EQ(now(), Phase::kScan);
@@ -144,14 +144,14 @@ TEST_F(AMission, IsStrandedWhereNoScanComesAnyMore) {
   EXPECT_EQ(phase().reason, "no 3D scan comes any more");
 }
 
-TEST_F(AMission, ScansAnewWherePlanningDoesNotAnswer) {
+TEST_F(MissionTest, ScansResetWherePlanningDoesNotAnswer) {
   to_plan();
   wait(10.5);
   EXPECT_EQ(now(), Phase::kScan);
   EXPECT_THAT(phase().reason, HasSubstr("planning did not answer"));
 }
 
-TEST_F(AMission, ExploresAnewWhereDrivingHasLostItsPath) {
+TEST_F(MissionTest, ExploresResetWhereDrivingHasLostItsPath) {
   to_execute();
   driving_.path_id = phase().goal_id - 1;
   wait(1.5);

@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using Driving = DrivingState::Kind;
 
-class AMissionWithoutAPath : public ScriptedStages {
+class MissionNoPath : public ScriptedStages {
  protected:
   void back() {
     driving(Driving::kDriving);
@@ -45,36 +45,36 @@ class AMissionWithoutAPath : public ScriptedStages {
     answer(Kind::kHome);
     terrain();
   }
-  void refuse_home(PlanOutcome outcome = PlanOutcome::kBlocked) {
+  void reject_home(PlanOutcome outcome = PlanOutcome::kBlocked) {
     answer(Kind::kHome);
     terrain();
     path(outcome);
   }
   /// To where that leads, as a path to its target is refused for what it does not see.
-  void look_beside(double reached_m, PlanOutcome refused = PlanOutcome::kUnknown) {
-    path(refused, reached_m);
+  void scan_beside(double reached_m, PlanOutcome rejected = PlanOutcome::kUnknown) {
+    path(rejected, reached_m);
     ASSERT_EQ(now(), Phase::kPlan);
     EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);
     EXPECT_NEAR(goal_.distance_m, 1.2, 1e-9);
-    look_from_back(1.25);
+    scan_from_back(1.25);
     ASSERT_EQ(now(), Phase::kPlan);
   }
-  void along_track(double way_m) {
+  void drive_back(double path_length_m) {
     path(PlanOutcome::kFound);
-    for (int i = 0; i < std::lround(way_m / 0.25); ++i) back();
+    for (int i = 0; i < std::lround(path_length_m / 0.25); ++i) back();
     arrive();
   }
   /// So far along its track, and at the same target from there.
-  void look_from_back(double way_m) {
-    along_track(way_m);
+  void scan_from_back(double path_length_m) {
+    drive_back(path_length_m);
     answer(Kind::kAlong, 3);
     terrain();
   }
 };
 
-TEST_F(AMissionWithoutAPath, LooksBesideAndToTheOtherSideThenFromFartherBackThenSaysSo) {
+TEST_F(MissionNoPath, LooksBesideAndToTheOtherSideThenFromFartherBackThenSaysSo) {
   drive_in();
-  look_beside(0.95);
+  scan_beside(0.95);
   path(PlanOutcome::kUnknown, 0.7);
   EXPECT_EQ(now(), Phase::kScan);
   EXPECT_EQ(scan_.laser, LaserId::kRear);
@@ -100,16 +100,16 @@ TEST_F(AMissionWithoutAPath, LooksBesideAndToTheOtherSideThenFromFartherBackThen
   path(PlanOutcome::kUnknown, 0.9);
   ASSERT_EQ(now(), Phase::kExplore);
   ASSERT_TRUE(request_.blocked);
-  EXPECT_EQ(request_.blocked->stub, 3);
+  EXPECT_EQ(request_.blocked->frontier, 3);
   EXPECT_EQ(request_.blocked->reached_m, 0.95);
   EXPECT_THAT(request_.blocked->evidence, HasSubstr("a beam is in the way Again: a beam"));
-  EXPECT_TRUE(request_.blocked->doubtful);  // no look has seen that there is no way
+  EXPECT_TRUE(request_.blocked->unconfirmed);  // no look has seen that there is no way
 }
 
 /// What lies in shadow from here may be seen from there.
-TEST_F(AMissionWithoutAPath, GoesNearerToWhatItDoesNotSee) {
+TEST_F(MissionNoPath, GoesNearerToWhatItDoesNotSee) {
   drive_in();
-  look_beside(1.0);
+  scan_beside(1.0);
   path(PlanOutcome::kUnknown, 2.0);
   ASSERT_EQ(now(), Phase::kPlan);
   EXPECT_THAT(phase().reason, HasSubstr("goes nearer"));
@@ -121,15 +121,15 @@ TEST_F(AMissionWithoutAPath, GoesNearerToWhatItDoesNotSee) {
   answer(Kind::kAlong, 3);
   terrain();
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ + reach_m_, 1e-9);  // as far as possible
-  look_beside(1.0);                                                 // it is another place
+  scan_beside(1.0);                                                 // it is another place
   path(PlanOutcome::kUnknown, 1.2);
   EXPECT_THAT(phase().reason, HasSubstr("goes nearer"));
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ + 0.9, 1e-9);
 }
 
-TEST_F(AMissionWithoutAPath, LooksToTheOtherSideWhereItGetsNoNearer) {
+TEST_F(MissionNoPath, LooksToTheOtherSideWhereItGetsNoNearer) {
   drive_in();
-  look_beside(1.0);
+  scan_beside(1.0);
   path(PlanOutcome::kUnknown, 2.0);
   path(PlanOutcome::kUnknown, 1.2);
   EXPECT_EQ(now(), Phase::kScan);
@@ -139,13 +139,13 @@ TEST_F(AMissionWithoutAPath, LooksToTheOtherSideWhereItGetsNoNearer) {
   EXPECT_THAT(phase().reason, HasSubstr("backs off"));  // once from a place
 }
 
-TEST_F(AMissionWithoutAPath, GoesNoNearerToWhatItSees) {
+TEST_F(MissionNoPath, GoesNoNearerToWhatItSees) {
   drive_in();
   path(PlanOutcome::kBlocked, 2.0);
   EXPECT_THAT(phase().reason, HasSubstr("backs off"));
 }
 
-TEST_F(AMissionWithoutAPath, RefusesPathAfterPathThatLeadsNowhere) {
+TEST_F(MissionNoPath, RejectsPathAfterPathThatLeadsNowhere) {
   drive_in();
   for (int i = 0; i < 5; ++i) {  // with the one that led here, six
     path(PlanOutcome::kFound);
@@ -160,41 +160,41 @@ TEST_F(AMissionWithoutAPath, RefusesPathAfterPathThatLeadsNowhere) {
   EXPECT_THAT(phase().reason, HasSubstr("Path after path ended at the same place"));
 }
 
-TEST_F(AMissionWithoutAPath, IsSureOfWhatItSawFromTwoPlaces) {
+TEST_F(MissionNoPath, IsSureOfWhatItSawFromTwoPlaces) {
   drive_in();
   path(PlanOutcome::kBlocked);
-  look_from_back(3.0);
+  scan_from_back(3.0);
   path(PlanOutcome::kBlocked);
   ASSERT_TRUE(request_.blocked);
-  EXPECT_FALSE(request_.blocked->doubtful);
+  EXPECT_FALSE(request_.blocked->unconfirmed);
   EXPECT_THAT(phase().reason, HasSubstr("the way is blocked"));
 }
 
 /// Two looks may miss by a cell what a third one sees.
-TEST_F(AMissionWithoutAPath, IsNotSureWhereOneLookSaysThatItMayJustFit) {
+TEST_F(MissionNoPath, IsNotSureWhereOneLookSaysThatItMayJustFit) {
   drive_in();
   path(PlanOutcome::kBlocked);
-  look_from_back(3.0);
-  look_beside(0.5, PlanOutcome::kNarrow);
+  scan_from_back(3.0);
+  scan_beside(0.5, PlanOutcome::kNarrow);
   path(PlanOutcome::kBlocked);
   EXPECT_THAT(phase().reason, HasSubstr("backs off"));  // two saw it
-  look_from_back(0.0);
+  scan_from_back(0.0);
   path(PlanOutcome::kBlocked);
   ASSERT_TRUE(request_.blocked);
-  EXPECT_TRUE(request_.blocked->doubtful);
+  EXPECT_TRUE(request_.blocked->unconfirmed);
 
   // Nor when it is tried once more, after another.
   answer(Kind::kAlong, 4);
   terrain();
-  look_from_back(0.0);
+  scan_from_back(0.0);
   path(PlanOutcome::kBlocked);
-  look_from_back(0.0);
+  scan_from_back(0.0);
   path(PlanOutcome::kBlocked);
   ASSERT_TRUE(request_.blocked);
-  EXPECT_TRUE(request_.blocked->doubtful);
+  EXPECT_TRUE(request_.blocked->unconfirmed);
 }
 
-TEST_F(AMissionWithoutAPath, BacksOffAtOnceFromWhatItSees) {
+TEST_F(MissionNoPath, BacksOffAtOnceFromWhatItSees) {
   drive_in();
   path(PlanOutcome::kBlocked);
   EXPECT_EQ(now(), Phase::kPlan);
@@ -202,7 +202,7 @@ TEST_F(AMissionWithoutAPath, BacksOffAtOnceFromWhatItSees) {
 }
 
 /// No look shows a path.
-TEST_F(AMissionWithoutAPath, BacksOffIntoTheOdomFrameBeforeOnceItHasItsMap) {
+TEST_F(MissionNoPath, BacksOffIntoTheOdomFrameBeforeOnceItHasItsMap) {
   drive_into_another_odom();
   map(utime_);
   to_plan();
@@ -213,7 +213,7 @@ TEST_F(AMissionWithoutAPath, BacksOffIntoTheOdomFrameBeforeOnceItHasItsMap) {
 }
 
 /// The map does not know well where it is until it has moved.
-TEST_F(AMissionWithoutAPath, BacksOffIntoTheOdomFrameBeforeWhereNothingElseIsLeft) {
+TEST_F(MissionNoPath, BacksOffIntoTheOdomFrameBeforeWhereNothingElseIsLeft) {
   drive_into_another_odom();
   map(utime_, Eigen::Vector3d(0.5, 0.5, 0.01).asDiagonal().toDenseMatrix());
   to_plan();
@@ -227,7 +227,7 @@ TEST_F(AMissionWithoutAPath, BacksOffIntoTheOdomFrameBeforeWhereNothingElseIsLef
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 1.2, 0.26);  // a step of driving
 }
 
-TEST_F(AMissionWithoutAPath, LooksTwiceWhereItCannotBackOff) {
+TEST_F(MissionNoPath, LooksTwiceWhereItCannotBackOff) {
   to_plan();
   path(PlanOutcome::kBlocked);
   EXPECT_EQ(now(), Phase::kExplore);
@@ -238,7 +238,7 @@ TEST_F(AMissionWithoutAPath, LooksTwiceWhereItCannotBackOff) {
   EXPECT_TRUE(request_.blocked);
 }
 
-TEST_F(AMissionWithoutAPath, CannotBackOffWhereItOnlyTurned) {
+TEST_F(MissionNoPath, CannotBackOffWhereItOnlyTurned) {
   to_explore();
   for (int i = 0; i < 20; ++i) {
     heading_ += 0.12;
@@ -249,7 +249,7 @@ TEST_F(AMissionWithoutAPath, CannotBackOffWhereItOnlyTurned) {
   EXPECT_EQ(now(), Phase::kExplore);
 }
 
-TEST_F(AMissionWithoutAPath, KeepsItsRouteWherePlanningFallsSilentOnTheWayBack) {
+TEST_F(MissionNoPath, KeepsItsRouteWherePlanningFallsStaleOnTheWayBack) {
   drive_in();
   const auto route = goal_.route_odom;
   path(PlanOutcome::kBlocked);
@@ -260,7 +260,7 @@ TEST_F(AMissionWithoutAPath, KeepsItsRouteWherePlanningFallsSilentOnTheWayBack) 
   EXPECT_EQ(goal_.route_odom, route);
 }
 
-TEST_F(AMissionWithoutAPath, RepeatsAVerdictUntilItIsAnsweredAndTellsItOnce) {
+TEST_F(MissionNoPath, RepeatsAVerdictUntilItIsAnsweredAndTellsItOnce) {
   to_plan();
   path(PlanOutcome::kBlocked);
   answer(Kind::kGoTo);
@@ -278,7 +278,7 @@ TEST_F(AMissionWithoutAPath, RepeatsAVerdictUntilItIsAnsweredAndTellsItOnce) {
   EXPECT_FALSE(request_.blocked);
 }
 
-TEST_F(AMissionWithoutAPath, BeginsAnewForAnotherTarget) {
+TEST_F(MissionNoPath, BeginsResetForAnotherTarget) {
   to_plan();
   path(PlanOutcome::kBlocked);
   answer(Kind::kGoTo, 1);
@@ -287,7 +287,7 @@ TEST_F(AMissionWithoutAPath, BeginsAnewForAnotherTarget) {
   EXPECT_FALSE(request_.blocked);
 }
 
-TEST_F(AMissionWithoutAPath, IsNeverSureWhereNothingIsNamedThatIsInTheWay) {
+TEST_F(MissionNoPath, IsNeverSureWhereNothingIsNamedThatIsInTheWay) {
   blocks_ = false;
   to_plan();
   path(PlanOutcome::kBlocked);
@@ -297,11 +297,11 @@ TEST_F(AMissionWithoutAPath, IsNeverSureWhereNothingIsNamedThatIsInTheWay) {
     path(PlanOutcome::kBlocked);
   }
   ASSERT_TRUE(request_.blocked);
-  EXPECT_TRUE(request_.blocked->doubtful);
+  EXPECT_TRUE(request_.blocked->unconfirmed);
 }
 
 /// It says nothing of the ground: there was a path.
-TEST_F(AMissionWithoutAPath, LooksAgainWhereADriveFails) {
+TEST_F(MissionNoPath, LooksAgainWhereADriveFails) {
   drive_in();
   path(PlanOutcome::kFound);
   driving(Driving::kFailed, "beside its path");
@@ -318,7 +318,7 @@ TEST_F(AMissionWithoutAPath, LooksAgainWhereADriveFails) {
 }
 
 /// Poses that jump fail one drive after the other, those to get back, too.
-TEST_F(AMissionWithoutAPath, IsNeverSureByDrivesThatFail) {
+TEST_F(MissionNoPath, IsNeverSureByDrivesThatFail) {
   drive_in();
   for (int i = 0; i < 20 && !request_.blocked; ++i) {
     path(PlanOutcome::kFound);
@@ -329,11 +329,11 @@ TEST_F(AMissionWithoutAPath, IsNeverSureByDrivesThatFail) {
     terrain();
   }
   ASSERT_TRUE(request_.blocked);
-  EXPECT_TRUE(request_.blocked->doubtful);
+  EXPECT_TRUE(request_.blocked->unconfirmed);
   EXPECT_THAT(request_.blocked->evidence, HasSubstr("Driving gave up: beside its path."));
 }
 
-TEST_F(AMissionWithoutAPath, LooksFromWhereADriveBackFailed) {
+TEST_F(MissionNoPath, LooksFromWhereADriveBackFailed) {
   drive_in();
   path(PlanOutcome::kBlocked);
   path(PlanOutcome::kFound);
@@ -344,7 +344,7 @@ TEST_F(AMissionWithoutAPath, LooksFromWhereADriveBackFailed) {
   EXPECT_FALSE(request_.blocked);
 }
 
-TEST_F(AMissionWithoutAPath, ForgetsRefusalsOnceItGotOn) {
+TEST_F(MissionNoPath, ForgetsRejectionsOnceItGotOn) {
   drive_in();
   path(PlanOutcome::kBlocked);
   path(PlanOutcome::kFound);
@@ -360,23 +360,23 @@ TEST_F(AMissionWithoutAPath, ForgetsRefusalsOnceItGotOn) {
   EXPECT_EQ(now(), Phase::kPlan);  // it may back off once more
 }
 
-TEST_F(AMissionWithoutAPath, DoesNotWaitForDrivingForEver) {
+TEST_F(MissionNoPath, DoesNotWaitForDrivingForEver) {
   to_execute();
-  driving_talks_ = false;
+  publishes_driving_ = false;
   wait(3.5);
   EXPECT_EQ(now(), Phase::kExplore);
   EXPECT_THAT(phase().reason, HasSubstr("Driving is silent."));
 }
 
 /// Of a path that was to lead back, nothing is left for the next that is planned.
-TEST_F(AMissionWithoutAPath, ForgetsThatItBackedOffWhereDrivingFallsSilent) {
+TEST_F(MissionNoPath, ForgetsThatItBackedOffWhereDrivingFallsStale) {
   drive_in();
   path(PlanOutcome::kBlocked);
   path(PlanOutcome::kFound);
-  driving_talks_ = false;
+  publishes_driving_ = false;
   wait(3.5);
   ASSERT_EQ(now(), Phase::kExplore);
-  driving_talks_ = true;
+  publishes_driving_ = true;
   wait(2.0);
   answer(Kind::kAlong, 4);
   const std::int64_t old_utime = terrain_utime_;
@@ -390,54 +390,54 @@ TEST_F(AMissionWithoutAPath, ForgetsThatItBackedOffWhereDrivingFallsSilent) {
 }
 
 /// To back off would lead it into the mine again.
-TEST_F(AMissionWithoutAPath, GoesOnAlongItsOwnTrackOnTheWayHome) {
+TEST_F(MissionNoPath, GoesOnAlongItsTraversedPathOnTheWayHome) {
   turn_home();
   path(PlanOutcome::kBlocked);
   ASSERT_EQ(now(), Phase::kPlan);
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
-  EXPECT_EQ(goal_.track_odom.front(), (Pose2{x_m_, 0.0, 0.0}));
-  EXPECT_NEAR(goal_.track_odom.back().x, 0.0, 1e-9);  // all that is near
+  EXPECT_EQ(goal_.traversed_path_odom.front(), (Pose2{x_m_, 0.0, 0.0}));
+  EXPECT_NEAR(goal_.traversed_path_odom.back().x, 0.0, 1e-9);  // all that is near
   const double first_m = goal_.distance_m;
   for (int again = 0; again < 2; ++again) {
-    along_track(1.5);
+    drive_back(1.5);
     EXPECT_FALSE(request_.blocked);
-    refuse_home();
+    reject_home();
     ASSERT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
     EXPECT_EQ(goal_.distance_m, first_m);
   }
 }
 
-TEST_F(AMissionWithoutAPath, GoesTheFartherAlongItsTrackTheLessThatHelps) {
+TEST_F(MissionNoPath, GoesTheFartherAlongItsTrackTheLessThatHelps) {
   turn_home();
   path(PlanOutcome::kUnknown);
   const double first_m = goal_.distance_m;
   for (int again = 0; again < 2; ++again) {
     ASSERT_EQ(goal_.kind, PlanGoal::Kind::kRejoin) << again;
-    along_track(0.25);
-    refuse_home(PlanOutcome::kUnknown);
+    drive_back(0.25);
+    reject_home(PlanOutcome::kUnknown);
   }
   EXPECT_GT(goal_.distance_m, first_m);
 }
 
 /// The drive along the track leads away from it, and exploration back to it, again and again.
-TEST_F(AMissionWithoutAPath, ClosesAShortCutHomeThatIsRefused) {
+TEST_F(MissionNoPath, ClosesAShortCutHomeThatIsRejected) {
   turn_home();
   reach_m_ = 10.0;  // where it never was
-  along_track(1.0);
-  refuse_home();
+  drive_back(1.0);
+  reject_home();
   ASSERT_EQ(now(), Phase::kExplore);
   ASSERT_TRUE(request_.blocked);
-  EXPECT_TRUE(request_.blocked->doubtful);  // it is not worth a second look
-  detour_m_ = 20.0;                         // and exploration leads another way
-  refuse_home();
+  EXPECT_TRUE(request_.blocked->unconfirmed);  // it is not worth a second look
+  detour_length_m_ = 20.0;                   // and exploration leads another way
+  reject_home();
   EXPECT_TRUE(request_.blocked);
 }
 
-TEST_F(AMissionWithoutAPath, LooksToTheOtherSideBeforeItClosesAShortCutThatItDoesNotSee) {
+TEST_F(MissionNoPath, LooksToTheOtherSideBeforeItClosesAShortCutThatItDoesNotSee) {
   turn_home();
   reach_m_ = 10.0;
-  along_track(1.0);
-  refuse_home(PlanOutcome::kUnknown);
+  drive_back(1.0);
+  reject_home(PlanOutcome::kUnknown);
   ASSERT_EQ(now(), Phase::kScan);
   terrain();
   path(PlanOutcome::kUnknown);
@@ -445,26 +445,26 @@ TEST_F(AMissionWithoutAPath, LooksToTheOtherSideBeforeItClosesAShortCutThatItDoe
 }
 
 /// Then the drive along the track, which leads away from it, makes no other way of it.
-TEST_F(AMissionWithoutAPath, GoesAlongItsOwnTrackWhereExplorationKnowsNoOtherWayThanTheShortCut) {
+TEST_F(MissionNoPath, GoesAlongItsTraversedPathWhereExplorationKnowsNoOtherWayThanTheShortCut) {
   turn_home();
   reach_m_ = 10.0;
-  along_track(1.0);
-  refuse_home();
+  drive_back(1.0);
+  reject_home();
   ASSERT_TRUE(request_.blocked);
   double before_m = 0.0;
   for (const double detour_m : {0.0, 6.0, 12.0}) {
-    detour_m_ = detour_m;
-    refuse_home(PlanOutcome::kUnknown);
+    detour_length_m_ = detour_m;
+    reject_home(PlanOutcome::kUnknown);
     ASSERT_EQ(now(), Phase::kPlan);
     EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
     EXPECT_GE(goal_.distance_m, before_m);
     before_m = goal_.distance_m;
-    along_track(0.25);
+    drive_back(0.25);
   }
   EXPECT_GT(before_m, 6.0);
 }
 
-TEST_F(AMissionWithoutAPath, GoesAlongItsOwnTrackWhereTheRouteDoes) {
+TEST_F(MissionNoPath, GoesAlongItsTraversedPathWhereTheRouteDoes) {
   drive_in();
   path(PlanOutcome::kFound);
   arrive();
@@ -477,19 +477,19 @@ TEST_F(AMissionWithoutAPath, GoesAlongItsOwnTrackWhereTheRouteDoes) {
 }
 
 /// What holds it there may hold it again.
-TEST_F(AMissionWithoutAPath, LooksForAWayWhereADriveOnItsOwnTrackFailed) {
+TEST_F(MissionNoPath, LooksForAWayWhereADriveOnItsTraversedPathFailed) {
   turn_home();
   path(PlanOutcome::kUnknown);
   path(PlanOutcome::kFound);
   driving(Driving::kFailed, "held by a stop order");
   tick();
   ASSERT_EQ(now(), Phase::kExplore);
-  refuse_home(PlanOutcome::kUnknown);
+  reject_home(PlanOutcome::kUnknown);
   EXPECT_EQ(now(), Phase::kPlan);
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRoute);  // it backs off by what it sees
 }
 
-TEST_F(AMissionWithoutAPath, BacksOffByWhatItSeesWithoutATrack) {
+TEST_F(MissionNoPath, BacksOffByWhatItSeesWithoutATrack) {
   drive_in();
   path(PlanOutcome::kBlocked);
   ASSERT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);
@@ -499,12 +499,12 @@ TEST_F(AMissionWithoutAPath, BacksOffByWhatItSeesWithoutATrack) {
   EXPECT_EQ(now(), Phase::kExplore);
 }
 
-TEST_F(AMissionWithoutAPath, ComesHomeOnItsOwnTrackWhereExplorationKnowsNoWay) {
+TEST_F(MissionNoPath, ComesHomeOnItsTraversedPathWhereExplorationKnowsNoWay) {
   drive_in();
   path(PlanOutcome::kFound);
   arrive();
   map(utime_);
-  order(MissionOrder::Kind::kComeHome);
+  order(MissionOrder::Kind::kReturnHome);
   for (int i = 0; i < 32 && now() == Phase::kExplore; ++i) {
     ExplorationReport stay;
     stay.request = request_.id;
@@ -516,7 +516,7 @@ TEST_F(AMissionWithoutAPath, ComesHomeOnItsOwnTrackWhereExplorationKnowsNoWay) {
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
 }
 
-TEST_F(AMissionWithoutAPath, IsStrandedAfterSoManyTriesOnTheWayHome) {
+TEST_F(MissionNoPath, IsStrandedAfterSoManyTriesOnTheWayHome) {
   to_explore();
   for (int i = 0; i < 100 && now() != Phase::kEnded; ++i) {
     answer(Kind::kHome);
@@ -528,7 +528,7 @@ TEST_F(AMissionWithoutAPath, IsStrandedAfterSoManyTriesOnTheWayHome) {
 }
 
 /// Each time to 3 m from there and back again to where it ends.
-TEST_F(AMissionWithoutAPath, DoesNotTakeBackingOffForGettingOn) {
+TEST_F(MissionNoPath, DoesNotTakeBackingOffForGettingOn) {
   drive_in();
   path(PlanOutcome::kBlocked);
   path(PlanOutcome::kFound);
@@ -541,7 +541,7 @@ TEST_F(AMissionWithoutAPath, DoesNotTakeBackingOffForGettingOn) {
 }
 
 /// What is seen from farther back leads to where it was refused, again and again.
-TEST_F(AMissionWithoutAPath, DoesNotPaceBackAndForthForEver) {
+TEST_F(MissionNoPath, DoesNotPaceBackAndForthForEver) {
   drive_in();
   for (int i = 0; i < 10 && !request_.blocked; ++i) {
     path(PlanOutcome::kBlocked);
@@ -561,7 +561,7 @@ TEST_F(AMissionWithoutAPath, DoesNotPaceBackAndForthForEver) {
   EXPECT_TRUE(request_.blocked);
 }
 
-TEST_F(AMissionWithoutAPath, CallsNothingBlockedThatExplorationDidNotName) {
+TEST_F(MissionNoPath, CallsNothingBlockedThatExplorationDidNotName) {
   to_explore();
   ExplorationReport nothing;
   nothing.request = request_.id;
@@ -575,7 +575,7 @@ TEST_F(AMissionWithoutAPath, CallsNothingBlockedThatExplorationDidNotName) {
   }
 }
 
-TEST_F(AMissionWithoutAPath, DoesNotWaitForExplorationForEver) {
+TEST_F(MissionNoPath, DoesNotWaitForExplorationForEver) {
   to_explore();
   wait(299.0);
   EXPECT_EQ(now(), Phase::kExplore);
@@ -583,7 +583,7 @@ TEST_F(AMissionWithoutAPath, DoesNotWaitForExplorationForEver) {
   EXPECT_EQ(now(), Phase::kScan);
 }
 
-TEST_F(AMissionWithoutAPath, JudgesByNoScanThatWasCutShort) {
+TEST_F(MissionNoPath, JudgesByNoScanThatWasCutShort) {
   to_scan();
   const int cut = phase().goal_id;
   mission_.add_cloud(cut, false);
@@ -597,7 +597,7 @@ TEST_F(AMissionWithoutAPath, JudgesByNoScanThatWasCutShort) {
   EXPECT_EQ(now(), Phase::kPlan);
 }
 
-TEST_F(AMissionWithoutAPath, IsAtHomeWhereNothingLeadsIntoTheMine) {
+TEST_F(MissionNoPath, IsAtHomeWhereNothingLeadsIntoTheMine) {
   to_explore();
   for (int i = 0; i < 100 && now() != Phase::kEnded; ++i) {
     ExplorationReport nothing;
@@ -610,7 +610,7 @@ TEST_F(AMissionWithoutAPath, IsAtHomeWhereNothingLeadsIntoTheMine) {
   EXPECT_THAT(phase().reason, HasSubstr("no way into the mine"));
 }
 
-TEST_F(AMissionWithoutAPath, GoesBySightWhereExplorationOnlyStays) {
+TEST_F(MissionNoPath, GoesBySightWhereExplorationOnlyStays) {
   to_explore();
   const auto stay = [&] {
     ExplorationReport report;

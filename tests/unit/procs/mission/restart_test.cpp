@@ -16,21 +16,21 @@ namespace {
 
 using testing::HasSubstr;
 
-class AMissionThatIsRestarted : public ScriptedStages {
+class MissionRestart : public ScriptedStages {
  protected:
   /// The process dies after its last word, and another one begins.
   void restart() {
-    keep();
+    store();
     mission_ = Mission(MissionParams{});
     MissionJournal journal(file());
     ASSERT_TRUE(journal.last());
-    mission_.restore(*journal.last(), journal.begun_utime(), journal.take_track());
+    mission_.restore(*journal.last(), journal.start_utime(), journal.take_stored_path());
     driving_ = {};
   }
-  void keep() {
+  void store() {
     MissionJournal journal(file());
-    for (const KeptPlace& place : kept_) journal.append(place);
-    kept_.clear();
+    for (const StoredPathPose& place : stored_) journal.append(place);
+    stored_.clear();
     journal.append(phase());
   }
   [[nodiscard]] std::filesystem::path file() const { return scratch_ / "mission.journal"; }
@@ -38,7 +38,7 @@ class AMissionThatIsRestarted : public ScriptedStages {
   test::ScratchFolder scratch_;
 };
 
-TEST_F(AMissionThatIsRestarted, GoesOnFromEachPhase) {
+TEST_F(MissionRestart, GoesOnFromEachPhase) {
   for (const Phase phase : {Phase::kExplore, Phase::kScan, Phase::kPlan, Phase::kExecute}) {
     to(phase);
     if (phase == Phase::kExecute) drive(2.0);
@@ -47,37 +47,37 @@ TEST_F(AMissionThatIsRestarted, GoesOnFromEachPhase) {
     EXPECT_EQ(now(), Phase::kWaiting);
     EXPECT_EQ(this->phase().scans, before.scans);
     EXPECT_EQ(this->phase().goal_id, before.goal_id);
-    EXPECT_EQ(this->phase().travelled_m, before.travelled_m);
+    EXPECT_EQ(this->phase().distance_travelled_m, before.distance_travelled_m);
     EXPECT_THAT(this->phase().reason, HasSubstr(before.reason));
     const int request = request_.id;
     to_explore();
     EXPECT_GT(request_.id, request);  // an id that nobody has answered
     EXPECT_GT(this->phase().sequence, before.sequence);
-    EXPECT_FALSE(this->phase().homeward);
+    EXPECT_FALSE(this->phase().returning_home);
   }
 }
 
-TEST_F(AMissionThatIsRestarted, DoesNotForgetThatItIsToComeHome) {
+TEST_F(MissionRestart, DoesNotForgetThatItIsToComeHome) {
   to_execute();
-  order(MissionOrder::Kind::kComeHome);
+  order(MissionOrder::Kind::kReturnHome);
   restart();
   to_explore();
-  EXPECT_TRUE(phase().homeward);
-  EXPECT_EQ(phase().homeward_reason, "by order");
-  EXPECT_TRUE(request_.homeward);
+  EXPECT_TRUE(phase().returning_home);
+  EXPECT_EQ(phase().return_home_reason, "by order");
+  EXPECT_TRUE(request_.returning_home);
 }
 
-TEST_F(AMissionThatIsRestarted, StandsWhereItWasToldTo) {
+TEST_F(MissionRestart, StandsWhereItWasToldTo) {
   to_execute();
   order(MissionOrder::Kind::kPause);
   restart();
   wait(10.0);
   EXPECT_EQ(now(), Phase::kPaused);
-  order(MissionOrder::Kind::kGoOn);
+  order(MissionOrder::Kind::kResume);
   to_explore();
 }
 
-TEST_F(AMissionThatIsRestarted, StaysAtItsEnd) {
+TEST_F(MissionRestart, StaysAtItsEnd) {
   to_explore();
   answer(Kind::kDone);
   const MissionPhase before = phase();
@@ -88,45 +88,45 @@ TEST_F(AMissionThatIsRestarted, StaysAtItsEnd) {
   EXPECT_EQ(phase().sequence, before.sequence);
 }
 
-TEST_F(AMissionThatIsRestarted, ComesHomeWhereTheWholeComputerWasOff) {
+TEST_F(MissionRestart, ComesHomeWhereTheWholeComputerWasOff) {
   match(kStart);
   to_execute();
   restart();
   utime_ += 60'000'000;
   match(utime_);
-  EXPECT_TRUE(phase().homeward);
-  EXPECT_EQ(phase().homeward_reason, "the computer was off");
+  EXPECT_TRUE(phase().returning_home);
+  EXPECT_EQ(phase().return_home_reason, "the computer was off");
   map(utime_);
   to_explore();
-  EXPECT_TRUE(request_.homeward);
+  EXPECT_TRUE(request_.returning_home);
 }
 
-TEST_F(AMissionThatIsRestarted, GoesOnWhereOnlyItselfWasOff) {
+TEST_F(MissionRestart, GoesOnWhereOnlyItselfWasOff) {
   match(kStart);
   to_execute();
   restart();
   match(kStart);
   to_explore();
-  EXPECT_FALSE(request_.homeward);
+  EXPECT_FALSE(request_.returning_home);
 }
 
-TEST_F(AMissionThatIsRestarted, KnowsTheWayThatItCame) {
+TEST_F(MissionRestart, KnowsTheWayThatItCame) {
   match(kStart);
   to_execute();
   drive(5.0);
   restart();
   tick();  // a pose may be heard before its match
   match(kStart);
-  EXPECT_NEAR(phase().travelled_m, 5.0, 0.3);  // a step
+  EXPECT_NEAR(phase().distance_travelled_m, 5.0, 0.3);  // a step
   to_plan();
   path(PlanOutcome::kBlocked);
   EXPECT_THAT(phase().reason, HasSubstr("backs off"));
-  ASSERT_FALSE(goal_.track_odom.empty());
-  EXPECT_NEAR(goal_.track_odom.back().x, x_m_ - 3.0, 0.26);  // a step of driving
+  ASSERT_FALSE(goal_.traversed_path_odom.empty());
+  EXPECT_NEAR(goal_.traversed_path_odom.back().x, x_m_ - 3.0, 0.26);  // a step of driving
 }
 
 /// The whole computer was off, so that odom begins anew where the robot stands.
-TEST_F(AMissionThatIsRestarted, KnowsTheWayThatItCameInAnotherOdomOnceThatIsOnTheMap) {
+TEST_F(MissionRestart, KnowsTheWayThatItCameInAnotherOdomOnceThatIsOnTheMap) {
   match(kStart);
   map(kStart);
   to_execute();
@@ -145,12 +145,12 @@ TEST_F(AMissionThatIsRestarted, KnowsTheWayThatItCameInAnotherOdomOnceThatIsOnTh
   terrain();
   path(PlanOutcome::kBlocked);
   EXPECT_THAT(phase().reason, HasSubstr("along its own track"));
-  ASSERT_GT(goal_.track_odom.size(), 10U);
-  EXPECT_NEAR(goal_.track_odom.back().x, -stands_m, 0.26);  // where it came into the mine
+  ASSERT_GT(goal_.traversed_path_odom.size(), 10U);
+  EXPECT_NEAR(goal_.traversed_path_odom.back().x, -stands_m, 0.26);  // where it came into the mine
 }
 
 /// Its own process first, and then that of scan matching before the map has spoken again.
-TEST_F(AMissionThatIsRestarted, KnowsTheWayThatItCameAfterTwoRestartsInARow) {
+TEST_F(MissionRestart, KnowsTheWayThatItCameAfterTwoRestartsInARow) {
   match(kStart);
   map(kStart);
   to_execute();
@@ -162,11 +162,11 @@ TEST_F(AMissionThatIsRestarted, KnowsTheWayThatItCameAfterTwoRestartsInARow) {
   map(utime_);
   to_plan();
   path(PlanOutcome::kBlocked);
-  ASSERT_FALSE(goal_.track_odom.empty());
-  EXPECT_NEAR(goal_.track_odom.back().x, x_m_ - 3.0, 0.26);  // a step of driving
+  ASSERT_FALSE(goal_.traversed_path_odom.empty());
+  EXPECT_NEAR(goal_.traversed_path_odom.back().x, x_m_ - 3.0, 0.26);  // a step of driving
 }
 
-TEST_F(AMissionThatIsRestarted, HasTheTimeThatIsLeftAndNoMore) {
+TEST_F(MissionRestart, HasTheTimeThatIsLeftAndNoMore) {
   to_execute();
   drive(2.0);
   MissionJournal(file()).append(phase());
@@ -176,7 +176,7 @@ TEST_F(AMissionThatIsRestarted, HasTheTimeThatIsLeftAndNoMore) {
   EXPECT_NEAR(phase().remaining_m, 8800.0 * 0.05, 1.0);
 }
 
-TEST_F(AMissionThatIsRestarted, DoesNotHeapReasonsUpOverManyRestarts) {
+TEST_F(MissionRestart, DoesNotHeapReasonsUpOverManyRestarts) {
   to_execute();
   restart();
   const std::string reason = phase().reason;
@@ -184,7 +184,7 @@ TEST_F(AMissionThatIsRestarted, DoesNotHeapReasonsUpOverManyRestarts) {
   EXPECT_EQ(phase().reason, reason);
 }
 
-TEST_F(AMissionThatIsRestarted, TakesTheWordBeforeATornOne) {
+TEST_F(MissionRestart, TakesTheWordBeforeATornOne) {
   to_explore();
   MissionJournal(file()).append(phase());
   const auto whole = std::filesystem::file_size(file());
@@ -202,10 +202,10 @@ TEST_F(AMissionThatIsRestarted, TakesTheWordBeforeATornOne) {
   }
 }
 
-TEST_F(AMissionThatIsRestarted, BeginsWithoutAJournal) {
+TEST_F(MissionRestart, BeginsWithoutAJournal) {
   const MissionJournal journal(file());
   EXPECT_FALSE(journal.last());
-  EXPECT_EQ(journal.begun_utime(), 0);
+  EXPECT_EQ(journal.start_utime(), 0);
 }
 
 }  // namespace

@@ -28,23 +28,23 @@ class ScriptedStages : public testing::Test {
   }
   void tick() {
     utime_ += kTick;
-    if (poses_) {
+    if (publishes_poses_) {
       const auto place = mission_.add_pose(utime_, {x_m_, 0.0, heading_});
-      if (place) kept_.push_back(*place);
+      if (place) stored_.push_back(*place);
     }
-    if (driving_talks_) mission_.add_driving(driving_);
+    if (publishes_driving_) mission_.add_driving(driving_);
     note(mission_.advance(utime_));
   }
   void advance() { note(mission_.advance(utime_)); }
 
-  void answer(Kind kind, int stub = 0, const std::string& reason = "because") {
+  void answer(Kind kind, int frontier = 0, const std::string& reason = "because") {
     ExplorationReport report;
     report.revision = 1;
     report.request = request_.id;
     report.decision.kind = kind;
-    report.decision.stub = kind == Kind::kHome || kind == Kind::kDone ? -1 : stub;
+    report.decision.frontier = kind == Kind::kHome || kind == Kind::kDone ? -1 : frontier;
     report.decision.reason = reason;
-    report.decision.distance_m = x_m_ + detour_m_;  // home is the origin
+    report.decision.distance_m = x_m_ + detour_length_m_;  // home is the origin
     for (int i = 0; i <= kLegs; ++i)
       report.route_odom.emplace_back(x_m_ + reach_m_ * i / kLegs, 0.0);
     mission_.add_exploration(report);
@@ -71,9 +71,9 @@ class ScriptedStages : public testing::Test {
     driving_.path_id = phase().goal_id;
     driving_.reason = reason;
   }
-  void drive(double way_m) {
+  void drive(double path_length_m) {
     driving(DrivingState::Kind::kDriving);
-    const int ticks = static_cast<int>(std::lround(way_m / 0.25));
+    const int ticks = static_cast<int>(std::lround(path_length_m / 0.25));
     for (int i = 0; i < ticks; ++i) {
       x_m_ += 0.25;
       tick();
@@ -115,9 +115,9 @@ class ScriptedStages : public testing::Test {
     correction.covariance = covariance;
     mission_.add_correction(correction);
   }
-  void match(std::int64_t odom_utime) {
+  void match(std::int64_t odom_epoch_utime) {
     ScanMatch match;
-    match.odom_utime = odom_utime;
+    match.odom_epoch_utime = odom_epoch_utime;
     match.status = ScanMatch::Status::kMatched;
     mission_.add_match(match);
   }
@@ -129,13 +129,13 @@ class ScriptedStages : public testing::Test {
   [[nodiscard]] const MissionPhase& phase() const { return mission_.phase(); }
   [[nodiscard]] Phase now() const { return phase().phase; }
 
-  void note(const MissionAsk& ask) {
-    if (ask.explore) request_ = *ask.explore;
-    explores_ += ask.explore ? 1 : 0;
-    scans_ += ask.scan ? 1 : 0;
-    goals_ += ask.goal ? 1 : 0;
-    if (ask.scan) scan_ = *ask.scan;
-    if (ask.goal) goal_ = *ask.goal;
+  void note(const MissionRequests& requests) {
+    if (requests.explore) request_ = *requests.explore;
+    explores_ += requests.explore ? 1 : 0;
+    scans_ += requests.scan ? 1 : 0;
+    goals_ += requests.goal ? 1 : 0;
+    if (requests.scan) scan_ = *requests.scan;
+    if (requests.goal) goal_ = *requests.goal;
   }
 
   Mission mission_{MissionParams{}};
@@ -143,13 +143,13 @@ class ScriptedStages : public testing::Test {
   std::int64_t terrain_utime_ = 0;
   double x_m_ = 0.0;
   double heading_ = 0.0;
-  double reach_m_ = 10.0;  ///< of the route; negative: backwards
-  double detour_m_ = 0.0;  ///< that the way home takes
-  bool blocks_ = true;     ///< what is in the way is named
-  bool poses_ = true;
-  bool driving_talks_ = true;
+  double reach_m_ = 10.0;         ///< of the route; negative: backwards
+  double detour_length_m_ = 0.0;  ///< that the way home takes
+  bool blocks_ = true;            ///< what is in the way is named
+  bool publishes_poses_ = true;
+  bool publishes_driving_ = true;
   DrivingState driving_;
-  std::vector<KeptPlace> kept_;  ///< what it wants to have kept of its track
+  std::vector<StoredPathPose> stored_;  ///< what it wants to have kept of its track
   ExploreRequest request_;
   ScanRequest scan_;
   PlanGoal goal_;

@@ -11,39 +11,39 @@ namespace {
 using testing::HasSubstr;
 using Order = MissionOrder::Kind;
 
-class AMissionUnderWay : public ScriptedStages {
+class MissionTurnaround : public ScriptedStages {
  protected:
   void expect_homeward(const std::string& reason) {
     tick();
     EXPECT_EQ(now(), Phase::kExplore);
-    EXPECT_TRUE(phase().homeward);
-    EXPECT_THAT(phase().homeward_reason, HasSubstr(reason));
-    EXPECT_TRUE(request_.homeward);
+    EXPECT_TRUE(phase().returning_home);
+    EXPECT_THAT(phase().return_home_reason, HasSubstr(reason));
+    EXPECT_TRUE(request_.returning_home);
     const int sequence = phase().sequence;
     tick();
     EXPECT_EQ(phase().sequence, sequence);  // once, and for good
   }
 };
 
-TEST_F(AMissionUnderWay, TurnsAroundInBadAir) {
+TEST_F(MissionTurnaround, TurnsAroundInBadAir) {
   to_execute();
   mission_.limits().add(GasReading{utime_, 0.02, 0.209, 0.0});
   expect_homeward("2.00 % of methane");
 }
 
-TEST_F(AMissionUnderWay, TurnsAroundWhereOxygenIsScarce) {
+TEST_F(MissionTurnaround, TurnsAroundWhereOxygenIsScarce) {
   to_scan();
   mission_.limits().add(GasReading{utime_, 0.0, 0.17, 0.0});
   expect_homeward("only 17.0 % of oxygen");
 }
 
-TEST_F(AMissionUnderWay, TurnsAroundOnSoftGround) {
+TEST_F(MissionTurnaround, TurnsAroundOnSoftGround) {
   to_plan();
   mission_.limits().add(SinkageReading{utime_, {0.0, 0.0, 0.12, 0.0}});
   expect_homeward("a wheel is 0.12 m deep");
 }
 
-TEST_F(AMissionUnderWay, TurnsAroundWhereTheMapIsVague) {
+TEST_F(MissionTurnaround, TurnsAroundWhereTheMapIsVague) {
   to_execute();
   MapCorrection correction;
   correction.covariance = Eigen::Vector3d(36.0, 1.0, 0.1).asDiagonal().toDenseMatrix();
@@ -52,7 +52,7 @@ TEST_F(AMissionUnderWay, TurnsAroundWhereTheMapIsVague) {
 }
 
 /// The rear laser, which sees more than smooth walls, speaks in between for so long.
-TEST_F(AMissionUnderWay, TurnsAroundWhereNothingTellsHowItMoves) {
+TEST_F(MissionTurnaround, TurnsAroundWhereNothingTellsHowItMoves) {
   ScanMatch measured;
   measured.status = ScanMatch::Status::kMatched;
   ScanMatch open = measured;
@@ -66,9 +66,9 @@ TEST_F(AMissionUnderWay, TurnsAroundWhereNothingTellsHowItMoves) {
     open.utime = measured.utime = utime_;
     look(i % 2 == 0 ? open : measured);
   }
-  EXPECT_FALSE(phase().homeward);
+  EXPECT_FALSE(phase().returning_home);
   const std::int64_t since_utime = utime_;
-  while (!phase().homeward && utime_ < since_utime + 20'000'000) {
+  while (!phase().returning_home && utime_ < since_utime + 20'000'000) {
     open.utime = utime_;
     look(open);
   }
@@ -83,7 +83,7 @@ TEST_F(AMissionUnderWay, TurnsAroundWhereNothingTellsHowItMoves) {
   EXPECT_THAT(phase().reason, HasSubstr("does not know any more where it is"));
 }
 
-TEST_F(AMissionUnderWay, GoesOnWhereWheelsTellHowItMoves) {
+TEST_F(MissionTurnaround, GoesOnWhereWheelsTellHowItMoves) {
   ScanMatch filled;
   filled.status = ScanMatch::Status::kMatched;
   filled.degenerate = {{Eigen::Vector3d::UnitX(), DegenerateDirection::Fill::kOdometry}};
@@ -93,10 +93,10 @@ TEST_F(AMissionUnderWay, GoesOnWhereWheelsTellHowItMoves) {
     mission_.add_match(filled);
     tick();
   }
-  EXPECT_FALSE(phase().homeward);
+  EXPECT_FALSE(phase().returning_home);
 }
 
-TEST_F(AMissionUnderWay, DoesNotTurnAroundWhereALaserLooksIntoTheOpen) {
+TEST_F(MissionTurnaround, DoesNotTurnAroundWhereALaserLooksIntoTheOpen) {
   ScanMatch open;
   open.status = ScanMatch::Status::kLost;
   open.points = 10;
@@ -104,27 +104,27 @@ TEST_F(AMissionUnderWay, DoesNotTurnAroundWhereALaserLooksIntoTheOpen) {
   drive(1.0);
   for (int i = 0; i < 1000; ++i) mission_.add_match(open);
   tick();
-  EXPECT_FALSE(phase().homeward);
+  EXPECT_FALSE(phase().returning_home);
 }
 
-TEST_F(AMissionUnderWay, TurnsAroundWhereScansDoNotMatchButNotWhileItStands) {
+TEST_F(MissionTurnaround, TurnsAroundWhereScansDoNotMatchButNotWhileItStands) {
   ScanMatch lost;
   lost.status = ScanMatch::Status::kLost;
   lost.points = 100;
   to_scan();
   for (int i = 0; i < 1000; ++i) mission_.add_match(lost);
   tick();
-  EXPECT_FALSE(phase().homeward);
+  EXPECT_FALSE(phase().returning_home);
   to_execute();
   drive(1.0);
   for (int i = 0; i < 137; ++i) mission_.add_match(lost);  // 0.995^137 > 0.5
   tick();
-  EXPECT_FALSE(phase().homeward);
+  EXPECT_FALSE(phase().returning_home);
   for (int i = 0; i < 3; ++i) mission_.add_match(lost);
   expect_homeward("of the last scans do not match");
 }
 
-TEST_F(AMissionUnderWay, StandsAndGoesOnByOrderInAnyPhase) {
+TEST_F(MissionTurnaround, StandsAndGoesOnByOrderInAnyPhase) {
   for (const Phase phase : {Phase::kExplore, Phase::kScan, Phase::kPlan, Phase::kExecute}) {
     to(phase);
     order(Order::kPause);
@@ -133,53 +133,53 @@ TEST_F(AMissionUnderWay, StandsAndGoesOnByOrderInAnyPhase) {
     wait(10.0);
     EXPECT_EQ(now(), Phase::kPaused);
     EXPECT_EQ(explores_ + scans_ + goals_, asked);
-    order(Order::kGoOn);
+    order(Order::kResume);
     tick();
     EXPECT_EQ(now(), Phase::kExplore);
   }
 }
 
-TEST_F(AMissionUnderWay, ComesHomeByOrder) {
+TEST_F(MissionTurnaround, ComesHomeByOrder) {
   to_execute();
-  order(Order::kComeHome);
+  order(Order::kReturnHome);
   expect_homeward("by order");
-  EXPECT_EQ(phase().stub, -1);
+  EXPECT_EQ(phase().frontier, -1);
 }
 
-TEST_F(AMissionUnderWay, StopsByOrderForGood) {
+TEST_F(MissionTurnaround, StopsByOrderForGood) {
   to_execute();
   order(Order::kStop);
   EXPECT_EQ(phase().outcome, MissionOutcome::kStopped);
-  order(Order::kGoOn);
-  order(Order::kComeHome);
+  order(Order::kResume);
+  order(Order::kReturnHome);
   EXPECT_EQ(now(), Phase::kEnded);
 }
 
-TEST_F(AMissionUnderWay, WaitsForTheOrderToGo) {
+TEST_F(MissionTurnaround, WaitsForTheOrderToGo) {
   MissionParams params;
-  params.start = "by_order";
+  params.start = "on_order";
   mission_ = Mission(params);
   wait(5.0);
   EXPECT_EQ(now(), Phase::kPaused);
-  order(Order::kGoOn);
+  order(Order::kResume);
   to_explore();
 }
 
-TEST_F(AMissionUnderWay, TakesTheOrderToGoAtOnce) {
+TEST_F(MissionTurnaround, TakesTheOrderToGoAtOnce) {
   MissionParams params;
-  params.start = "by_order";
+  params.start = "on_order";
   mission_ = Mission(params);
   tick();
-  order(Order::kGoOn);  // before time went on
+  order(Order::kResume);  // before time went on
   to_explore();
 }
 
-TEST_F(AMissionUnderWay, WaitsForItsMapInANewOdomFrame) {
+TEST_F(MissionTurnaround, WaitsForItsMapInANewOdomFrame) {
   match(kStart);
   to_execute();
   match(utime_);
   EXPECT_EQ(now(), Phase::kWaiting);
-  EXPECT_FALSE(phase().homeward);
+  EXPECT_FALSE(phase().returning_home);
   wait(5.0);
   EXPECT_EQ(now(), Phase::kWaiting);
   map(utime_);
@@ -187,7 +187,7 @@ TEST_F(AMissionUnderWay, WaitsForItsMapInANewOdomFrame) {
   EXPECT_EQ(now(), Phase::kExplore);
 }
 
-TEST_F(AMissionUnderWay, GoesBySightWhereItsMapDoesNotKnowIt) {
+TEST_F(MissionTurnaround, GoesBySightWhereItsMapDoesNotKnowIt) {
   match(kStart);
   to_execute();
   match(utime_);

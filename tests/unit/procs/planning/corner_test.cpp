@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "procs/planning/planning.hpp"
-#include "tests/support/terrain_scenes.hpp"
+#include "tests/support/worlds/terrain_scenes.hpp"
 
 namespace adit {
 namespace {
@@ -18,7 +18,7 @@ constexpr double kLaserM = 1.0;   // ahead of the middle of the vehicle
 constexpr double kRangeM = 12.0;  // on the ground
 constexpr double kBlindM = 0.3;   // of the laser
 constexpr double kRoundM = 4.0;   // down the other drift: it is round
-constexpr int kLooksMax = 6;
+constexpr int kViewpointsMax = 6;
 
 /// A drift along x that ends in another, whose middle runs through the origin, at `turn_rad` to the
 /// left. Both are `width_m` wide.
@@ -27,31 +27,31 @@ struct Corner {
   double turn_rad;
 
   [[nodiscard]] Eigen::Vector2d on() const { return {std::cos(turn_rad), std::sin(turn_rad)}; }
-  [[nodiscard]] bool holds(const Eigen::Vector2d& p) const {
+  [[nodiscard]] bool contains(const Eigen::Vector2d& p) const {
     const double off_m = std::sin(turn_rad) * p.x() - std::cos(turn_rad) * p.y();
     return std::abs(off_m) < width_m / 2.0 || (std::abs(p.y()) < width_m / 2.0 && p.x() <= 0.0);
   }
   /// Whether nothing stands between the front laser of a robot and ground ahead of it.
-  [[nodiscard]] bool shows(const Eigen::Vector2d& p, const Pose2& T_body) const {
+  [[nodiscard]] bool sees_from(const Eigen::Vector2d& p, const Pose2& T_body) const {
     const Eigen::Vector2d p_body = T_body.inverse() * p - Eigen::Vector2d(kLaserM, 0.0);
     const double range_m = p_body.norm();
     if (p_body.x() < 0.0 || range_m < kBlindM || range_m > kRangeM) return false;
     const Eigen::Vector2d laser = T_body * Eigen::Vector2d(kLaserM, 0.0);
-    for (double way_m = 0.0; way_m < range_m; way_m += 0.05) {
-      if (!holds(laser + way_m / range_m * (p - laser))) return false;
+    for (double distance_m = 0.0; distance_m < range_m; distance_m += 0.05) {
+      if (!contains(laser + distance_m / range_m * (p - laser))) return false;
     }
     return true;
   }
 };
 
-TerrainMap seen_from(const std::vector<Pose2>& looks, const Corner& corner) {
+TerrainMap observed_from(const std::vector<Pose2>& viewpoints, const Corner& corner) {
   TerrainMap terrain = even_ground(28.0);
-  terrain.p_level_corner += looks.back().translation();
-  paint(terrain, obstacle_cell(1.0), [&](const Eigen::Vector2d& p) { return !corner.holds(p); });
-  paint(terrain, unseen_cell(Ground::kShadow), [&](const Eigen::Vector2d& p) {
-    if (!corner.holds(p)) return false;
-    for (const Pose2& look : looks) {
-      if (corner.shows(p, look)) return false;
+  terrain.p_level_corner += viewpoints.back().translation();
+  paint(terrain, obstacle_cell(1.0), [&](const Eigen::Vector2d& p) { return !corner.contains(p); });
+  paint(terrain, unmeasured_cell(Ground::kOccluded), [&](const Eigen::Vector2d& p) {
+    if (!corner.contains(p)) return false;
+    for (const Pose2& viewpoint : viewpoints) {
+      if (corner.sees_from(p, viewpoint)) return false;
     }
     return true;
   });
@@ -70,28 +70,29 @@ PlanGoal round(const Corner& corner, const Pose2& robot) {
   return goal;
 }
 
-class ACornerOfDrifts : public testing::TestWithParam<double> {};
+class ACornerOfTunnels : public testing::TestWithParam<double> {};
 
 /// It has been looked at from 4 m farther back, and from where each path ended.
-TEST_P(ACornerOfDrifts, IsTurnedIntoByWhatTheFrontLaserSees) {
+TEST_P(ACornerOfTunnels, IsTurnedIntoByWhatTheFrontLaserSees) {
   const Corner corner{2.4, GetParam() / 180.0 * std::numbers::pi};
   for (const double before_m : {7.5, 6.1}) {
     Pose2 robot{-corner.width_m / 2.0 - before_m, 0.0, 0.0};
-    std::vector<Pose2> looks{robot * Pose2{-4.0, 0.0, 0.0}};
-    std::string way;
-    while (robot.translation().dot(corner.on()) < kRoundM && looks.size() < kLooksMax) {
-      looks.push_back(robot);
+    std::vector<Pose2> viewpoints{robot * Pose2{-4.0, 0.0, 0.0}};
+    std::string reasons;
+    while (robot.translation().dot(corner.on()) < kRoundM && viewpoints.size() < kViewpointsMax) {
+      viewpoints.push_back(robot);
       const PlannedPath path =
-          Planning(PlanningParams{}).plan(seen_from(looks, corner), round(corner, robot), robot);
-      way += path.reason + " ";
-      ASSERT_EQ(path.outcome, PlanOutcome::kFound) << "from " << before_m << " m: " << way;
+          Planning(PlanningParams{})
+              .plan(observed_from(viewpoints, corner), round(corner, robot), robot);
+      reasons += path.reason + " ";
+      ASSERT_EQ(path.outcome, PlanOutcome::kFound) << "from " << before_m << " m: " << reasons;
       robot = path.points.back().T_odom_body;
     }
     EXPECT_GE(robot.translation().dot(corner.on()), kRoundM) << "from " << before_m << " m";
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfDegrees, ACornerOfDrifts, testing::Values(65.0, 90.0, 115.0));
+INSTANTIATE_TEST_SUITE_P(OfDegrees, ACornerOfTunnels, testing::Values(65.0, 90.0, 115.0));
 
 }  // namespace
 }  // namespace adit

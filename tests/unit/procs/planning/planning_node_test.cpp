@@ -8,27 +8,26 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/plan_goal.hpp"
-#include "common/messages/planned_path.hpp"
-#include "common/messages/pose.hpp"
-#include "tests/support/terrain_scenes.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/navigation.hpp"
+#include "tests/support/worlds/terrain_scenes.hpp"
 
 namespace adit {
 namespace {
 
 constexpr std::int64_t kUtime = 1'600'000'000'000'000;
 
-class PlanningNodeOnABus : public testing::Test {
+class PlanningNodeTest : public testing::Test {
  protected:
-  PlanningNodeOnABus() {
+  PlanningNodeTest() {
     subscribe<planned_path_t>(bus_, channels::kPath, Delivery::queued(10),
                               [this](const PlannedPath& path) { paths_.push_back(path); });
   }
 
   void send_terrain(TerrainMap terrain = even_ground()) {
     terrain.utime = kUtime;
-    for (const TerrainTile& tile : divide(terrain)) {
+    for (const TerrainFragment& tile : split(terrain)) {
       publish(bus_, channels::kTerrain, to_message(tile));
     }
   }
@@ -43,7 +42,7 @@ class PlanningNodeOnABus : public testing::Test {
   std::vector<PlannedPath> paths_;
 };
 
-TEST_F(PlanningNodeOnABus, AnswersEachGoalOnce) {
+TEST_F(PlanningNodeTest, AnswersEachGoalOnce) {
   send_pose();
   send_terrain();
   EXPECT_TRUE(paths_.empty());
@@ -59,7 +58,7 @@ TEST_F(PlanningNodeOnABus, AnswersEachGoalOnce) {
   EXPECT_EQ(paths_.size(), 2U);
 }
 
-TEST_F(PlanningNodeOnABus, LetsAGoalWaitForTheFirstTerrainAndPose) {
+TEST_F(PlanningNodeTest, LetsAGoalWaitForTheFirstTerrainAndPose) {
   send_goal(3);
   EXPECT_EQ(node_.health().reason, "a goal waits for the first terrain");
   send_terrain();
@@ -72,12 +71,12 @@ TEST_F(PlanningNodeOnABus, LetsAGoalWaitForTheFirstTerrainAndPose) {
   EXPECT_EQ(node_.health(), Health{});
 }
 
-TEST_F(PlanningNodeOnABus, AnswersAlsoWhereTheTerrainCannotBePlannedOn) {
+TEST_F(PlanningNodeTest, AnswersAlsoWhereTheTerrainCannotBePlannedOn) {
   send_pose();
   send_terrain(even_ground(20.0, 5.0));  // cells that are larger than the vehicle
   send_goal(3);
   ASSERT_EQ(paths_.size(), 1U);
-  EXPECT_EQ(paths_[0].outcome, PlanOutcome::kGaveUp);
+  EXPECT_EQ(paths_[0].outcome, PlanOutcome::kSearchLimit);
   EXPECT_FALSE(paths_[0].reason.empty());
   EXPECT_EQ(node_.health().reason, paths_[0].reason);
 }

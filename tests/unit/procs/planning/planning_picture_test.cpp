@@ -8,13 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/scratch_folder.hpp"
-#include "tests/support/terrain_scenes.hpp"
+#include "tests/support/worlds/terrain_scenes.hpp"
 
 namespace adit {
 namespace {
 
-struct Drawn {
-  explicit Drawn(const TerrainMap& terrain_map) : terrain(terrain_map) {
+struct DrawnPlan {
+  explicit DrawnPlan(const TerrainMap& terrain_map) : terrain(terrain_map) {
     path = planning.plan(terrain, PlanGoal{}, {});
     picture = planning_picture(path.reason, terrain, path, planning, Vehicle{}, {0.0, 0.5});
   }
@@ -26,7 +26,7 @@ struct Drawn {
 };
 
 TEST(PlanningPicture, HasMapsOfTheSizeOfTheTerrainAndKernels) {
-  const Drawn drawn(terrain_of(random_corridor(4)));
+  const DrawnPlan drawn(terrain_of(random_corridor(4)));
   ASSERT_EQ(drawn.picture.slices.size(), 2U);
   for (const GreyCells& slice : drawn.picture.slices) {
     EXPECT_EQ(slice.columns, drawn.terrain.columns);
@@ -39,15 +39,15 @@ TEST(PlanningPicture, IsDrawnWithAPathAndWithoutOne) {
   const test::ScratchFolder folder;
   TerrainMap blocked = terrain_of(CorridorScene{});
   paint_box(blocked, obstacle_cell(0.6), {2.8, -2.0}, {3.0, 2.0});
-  write_plan_png(Drawn(terrain_of(random_corridor(4))).picture, folder.path() / "found.png");
-  write_plan_png(Drawn(blocked).picture, folder.path() / "blocked.png");
+  write_plan_png(DrawnPlan(terrain_of(random_corridor(4))).picture, folder.path() / "found.png");
+  write_plan_png(DrawnPlan(blocked).picture, folder.path() / "blocked.png");
   for (const char* name : {"found.png", "blocked.png"}) {
     EXPECT_GT(std::filesystem::file_size(folder.path() / name), 1000U);  // it is not empty
   }
 }
 
 TEST(PlanningPicture, SaysWhereItCannotBeWritten) {
-  const Drawn drawn(terrain_of(CorridorScene{}));
+  const DrawnPlan drawn(terrain_of(CorridorScene{}));
   EXPECT_THROW(write_plan_png(drawn.picture, "/nowhere/plan.png"), std::runtime_error);
 }
 

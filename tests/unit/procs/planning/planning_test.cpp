@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "procs/planning/footprint.hpp"
-#include "tests/support/terrain_scenes.hpp"
+#include "procs/planning/c_space/footprint.hpp"
+#include "tests/support/worlds/terrain_scenes.hpp"
 
 namespace adit {
 namespace {
@@ -25,7 +25,7 @@ PlannedPath plan(const TerrainMap& terrain, const PlanGoal& goal = {}, const Pos
 
 PlanGoal to(const Pose2& pose) {
   PlanGoal goal;
-  goal.kind = PlanGoal::Kind::kTo;
+  goal.kind = PlanGoal::Kind::kToPose;
   goal.T_odom_goal = pose;
   return goal;
 }
@@ -182,17 +182,18 @@ TEST(Planning, TellsWhatIsInTheWay) {
   wall.clearance_m = 1.05F;
   EXPECT_GT(count(across(wall), Reason::kBelly), 10);
   EXPECT_EQ(count(across(wall), Reason::kRoof), 0);
-  EXPECT_GT(count(across(unseen_cell(Ground::kNoReturn)), Reason::kWater), 10);
-  EXPECT_GT(count(across(unseen_cell(Ground::kBelowRay)), Reason::kDrop), 10);
+  EXPECT_GT(count(across(unmeasured_cell(Ground::kNoReturn)), Reason::kWater), 10);
+  EXPECT_GT(count(across(unmeasured_cell(Ground::kBelowRay)), Reason::kDrop), 10);
   EXPECT_GT(count(across(obstacle_cell(0.22)), Reason::kStep), 10);
 }
 
 TEST(Planning, TellsWhatIsBlockedFromWhatIsNotSeen) {
   const Eigen::Vector2d low(2.5, -2.0);
-  const PlannedPath unseen = plan(corridor_with(unseen_cell(Ground::kShadow), low, {5.5, 2.0}));
-  EXPECT_EQ(unseen.outcome, PlanOutcome::kUnknown);
-  EXPECT_GT(count(unseen, Reason::kUnknown), 10);
-  TerrainMap both = corridor_with(unseen_cell(Ground::kShadow), low, {5.5, 2.0});
+  const PlannedPath unknown =
+      plan(corridor_with(unmeasured_cell(Ground::kOccluded), low, {5.5, 2.0}));
+  EXPECT_EQ(unknown.outcome, PlanOutcome::kUnknown);
+  EXPECT_GT(count(unknown, Reason::kUnknown), 10);
+  TerrainMap both = corridor_with(unmeasured_cell(Ground::kOccluded), low, {5.5, 2.0});
   paint_box(both, obstacle_cell(1.0), {2.8, -2.0}, {3.0, 2.0});
   EXPECT_EQ(plan(both).outcome, PlanOutcome::kBlocked);
 }
@@ -203,15 +204,15 @@ TEST(Planning, FindsNoWayRoundThroughWhatWasNotSeenBehindIt) {
   CorridorScene scene;
   scene.end_m = 3.0;
   TerrainMap terrain = terrain_of(scene);
-  paint_box(terrain, unseen_cell(Ground::kNeverSeen), {-10.0, -10.0}, {-1.0, 10.0});
+  paint_box(terrain, unmeasured_cell(Ground::kNeverObserved), {-10.0, -10.0}, {-1.0, 10.0});
   EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kBlocked);
   // Nor is what it knows of the drift behind it.
   terrain = terrain_of(scene);
-  paint_box(terrain, unseen_cell(Ground::kNeverSeen), {-10.0, -10.0}, {-6.0, 10.0});
+  paint_box(terrain, unmeasured_cell(Ground::kNeverObserved), {-10.0, -10.0}, {-6.0, 10.0});
   EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kBlocked);
 }
 
-TEST(Planning, DoesNotCallBlockedWhatMarginsAloneRefuse) {
+TEST(Planning, DoesNotCallBlockedWhatMarginsAloneReject) {
   const auto with_gap = [](double gap_m) {
     TerrainMap terrain = corridor_with(obstacle_cell(1.0), {3.0, gap_m / 2.0}, {4.0, 2.0});
     paint_box(terrain, obstacle_cell(1.0), {3.0, -2.0}, {4.0, -gap_m / 2.0});
@@ -237,7 +238,7 @@ TEST(Planning, DoesNotCallBlockedWhatMarginsAloneRefuse) {
 
 TEST(Planning, CallsBlockedByADropOnlyWhatBeamsReachedInto) {
   const auto over = [](double beams_m) {
-    TerrainCell cell = unseen_cell(Ground::kBelowRay);
+    TerrainCell cell = unmeasured_cell(Ground::kBelowRay);
     cell.low_m = static_cast<float>(beams_m);
     return plan(corridor_with(cell, {2.5, -2.0}, {3.5, 2.0})).outcome;
   };
@@ -249,7 +250,7 @@ TEST(Planning, CallsBlockedByADropOnlyWhatBeamsReachedInto) {
 TEST(Planning, CallsAPitADropOfWhichAWallIsSeen) {
   // Beams sink over the pit to 0.3 m below the floor, and meet some of its wall far below that,
   // beside which there is room. It makes the mean of what was seen round the hollow 0.15 m lower.
-  TerrainCell passed = unseen_cell(Ground::kBelowRay);
+  TerrainCell passed = unmeasured_cell(Ground::kBelowRay);
   passed.low_m = -0.3F;
   TerrainMap terrain = corridor_with(passed, {2.5, -2.0}, {3.5, 2.0});
   TerrainCell wall = obstacle_cell(0.9);
@@ -298,7 +299,8 @@ TEST(Planning, EndsBeforeWhatIsLethalWhereAPathWithMoreRoomWouldBeTooShort) {
 }
 
 TEST(Planning, SeesNothingOfTheGroundUnderItself) {
-  TerrainMap terrain = corridor_with(unseen_cell(Ground::kNeverSeen), {-1.5, -0.9}, {1.5, 0.9});
+  TerrainMap terrain =
+      corridor_with(unmeasured_cell(Ground::kNeverObserved), {-1.5, -0.9}, {1.5, 0.9});
   EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kFound);
 }
 
@@ -312,7 +314,7 @@ TEST(Planning, LeavesAStartThatNoiseMakesLethal) {
 /// The edge of a drop is taken to be 0.3 m nearer than it is seen, but not under the robot.
 TEST(Planning, StandsWhereItStandsBesideADrop) {
   const TerrainMap terrain =
-      corridor_with(unseen_cell(Ground::kBelowRay), {-0.5, 0.65}, {0.5, 1.1});
+      corridor_with(unmeasured_cell(Ground::kBelowRay), {-0.5, 0.65}, {0.5, 1.1});
   EXPECT_NE(plan(terrain).outcome, PlanOutcome::kStartBlocked);
 }
 
@@ -327,7 +329,8 @@ TEST(Planning, DoesNotStartWhereTheWheelsAreNotSeen) {
   PlanningParams params;
   params.c_space.ground.blind_margin_m = 0.0;
   // The footprint stands for itself, but a pose of the lattice is up to half a cell from it.
-  TerrainMap terrain = corridor_with(unseen_cell(Ground::kNeverSeen), {-9.0, -2.0}, {9.0, 2.0});
+  TerrainMap terrain =
+      corridor_with(unmeasured_cell(Ground::kNeverObserved), {-9.0, -2.0}, {9.0, 2.0});
   EXPECT_NE(plan(terrain, {}, {}, params).outcome, PlanOutcome::kFound);
 }
 
@@ -388,14 +391,14 @@ TEST(Planning, PlansInTheFrameOfTheOdometry) {
   }
 }
 
-TEST(Planning, RefusesAMapThatIsNotWhatItSays) {
+TEST(Planning, RejectsAMapThatIsNotWhatItSays) {
   TerrainMap terrain = even_ground();
   terrain.cells.pop_back();
   EXPECT_THROW(plan(terrain), std::invalid_argument);
   EXPECT_THROW(plan(TerrainMap{}), std::invalid_argument);
 }
 
-TEST(Planning, RefusesCostsByWhichRoughGroundDoesNotPay) {
+TEST(Planning, RejectsCostsByWhichRoughGroundDoesNotPay) {
   PlanningParams params;
   params.goals.shortfall_factor = 1.0 + params.c_space.rough_factor;
   EXPECT_THROW(Planning{params}, std::invalid_argument);
@@ -410,7 +413,7 @@ TEST(Planning, BeginsWhereTheRobotIs) {
 
 TEST(Planning, KeepsItsBodyOffWhatWasNotSeen) {
   // A wall may stand right behind the edge of what hides it.
-  TerrainMap terrain = corridor_with(unseen_cell(Ground::kShadow), {4.0, 0.0}, {6.0, 2.0});
+  TerrainMap terrain = corridor_with(unmeasured_cell(Ground::kOccluded), {4.0, 0.0}, {6.0, 2.0});
   const PlannedPath path = plan(terrain);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound);
   const BodyRectangle body = body_outline(Vehicle{});
@@ -422,11 +425,12 @@ TEST(Planning, KeepsItsBodyOffWhatWasNotSeen) {
 
 TEST(Planning, TakesBlindGroundForEvenOnlyWhereItGoesOnBeyond) {
   const auto with_step = [](double height_m) {
-    TerrainMap terrain = corridor_with(unseen_cell(Ground::kNeverSeen), {-5.0, -2.0}, {2.0, 2.0});
+    TerrainMap terrain =
+        corridor_with(unmeasured_cell(Ground::kNeverObserved), {-5.0, -2.0}, {2.0, 2.0});
     for (int row = 0; row < terrain.rows; ++row) {
       for (int column = 0; column < terrain.columns; ++column) {
         TerrainCell& cell = terrain.at(column, row);
-        if (cell.ground == Ground::kSeen) cell.low_m = static_cast<float>(height_m);
+        if (cell.ground == Ground::kObserved) cell.low_m = static_cast<float>(height_m);
       }
     }
     return terrain;

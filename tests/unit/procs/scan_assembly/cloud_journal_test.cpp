@@ -13,6 +13,61 @@
 namespace adit {
 namespace {
 
+constexpr std::int64_t kUtime = 1'600'000'000'000'000;
+constexpr std::int64_t kLater = kUtime + 100 * CloudBuffer::kResendDelayUs;
+
+/// Scans that were sent when they were taken, a microsecond apart.
+CloudBuffer buffer_of(int clouds) {
+  CloudBuffer buffer_of;
+  for (int i = 0; i < clouds; ++i) {
+    Cloud cloud;
+    cloud.utime = kUtime + i;
+    buffer_of.add(cloud, cloud.utime);
+  }
+  return buffer_of;
+}
+
+CloudRequest request_having(const std::vector<std::int64_t>& received_utime,
+                            std::int64_t after_utime = 0) {
+  return {kLater, "volume_map", after_utime, received_utime};
+}
+
+TEST(CloudBuffer, GiveTheNewestThatTheOtherLacks) {
+  const CloudBuffer clouds = buffer_of(4);
+  const Cloud* const find_missing =
+      clouds.find_missing(request_having({kUtime + 3, kUtime + 1}), kLater);
+  ASSERT_NE(find_missing, nullptr);
+  EXPECT_EQ(find_missing->utime, kUtime + 2);
+  EXPECT_EQ(clouds.find_missing(request_having({}), kLater)->utime, kUtime + 3);
+}
+
+TEST(CloudBuffer, GiveNothingToWhoHasAllThatItWants) {
+  const CloudBuffer clouds = buffer_of(2);
+  EXPECT_EQ(clouds.find_missing(request_having({kUtime + 1, kUtime}), kLater), nullptr);
+  EXPECT_EQ(clouds.find_missing(request_having({}, kUtime + 1), kLater), nullptr);
+  EXPECT_NE(clouds.find_missing(request_having({}, kUtime), kLater), nullptr);
+  EXPECT_EQ(CloudBuffer{}.find_missing(request_having({}), kLater), nullptr);
+}
+
+TEST(CloudBuffer, GiveNothingThatMayBeOnItsWay) {
+  const CloudBuffer clouds = buffer_of(1);
+  const std::int64_t utime = kUtime + CloudBuffer::kResendDelayUs;
+  EXPECT_EQ(clouds.find_missing(request_having({}), utime - 1), nullptr);
+  EXPECT_NE(clouds.find_missing(request_having({}), utime), nullptr);
+}
+
+TEST(CloudBuffer, AreTheNewest) {
+  const CloudBuffer clouds = buffer_of(static_cast<int>(CloudBuffer::kMax) + 1);
+  std::vector<std::int64_t> have;
+  for (std::size_t i = 1; i <= CloudBuffer::kMax; ++i) {
+    have.push_back(kUtime + static_cast<std::int64_t>(i));
+  }
+  EXPECT_EQ(clouds.find_missing(request_having(have), kLater), nullptr);
+}
+
+}  // namespace
+namespace {
+
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -35,7 +90,7 @@ Cloud cloud_of(int number) {
   return cloud;
 }
 
-class CloudJournalOnDisk : public testing::Test {
+class CloudJournalTest : public testing::Test {
  protected:
   [[nodiscard]] std::vector<std::int32_t> restored() const {
     std::vector<std::int32_t> ids;
@@ -47,9 +102,9 @@ class CloudJournalOnDisk : public testing::Test {
   std::filesystem::path path_ = scratch_ / "scans.journal";
 };
 
-TEST_F(CloudJournalOnDisk, GivesBackWhatItKeeps) {
+TEST_F(CloudJournalTest, GivesBackWhatItKeeps) {
   const Cloud cloud = cloud_of(7);
-  CloudJournal(path_).keep(cloud);
+  CloudJournal(path_).store(cloud);
   const std::vector<Cloud> restored = CloudJournal(path_).take_restored();
   ASSERT_EQ(restored.size(), 1U);
   const Cloud& again = restored.front();
@@ -66,42 +121,42 @@ TEST_F(CloudJournalOnDisk, GivesBackWhatItKeeps) {
   }
 }
 
-TEST_F(CloudJournalOnDisk, ForgetsAllOnceNobodyLacksOne) {
+TEST_F(CloudJournalTest, ForgetsAllOnceNobodyLacksOne) {
   CloudJournal journal(path_);
-  journal.keep(cloud_of(1));
-  journal.keep(cloud_of(2));
-  journal.let_go({});
-  journal.let_go(std::vector{kFirstUtime + 2});
+  journal.store(cloud_of(1));
+  journal.store(cloud_of(2));
+  journal.acknowledge({});
+  journal.acknowledge(std::vector{kFirstUtime + 2});
   EXPECT_GT(std::filesystem::file_size(path_), 0U);
-  journal.let_go(std::vector{kFirstUtime + 1});
+  journal.acknowledge(std::vector{kFirstUtime + 1});
   EXPECT_EQ(std::filesystem::file_size(path_), 0U);
-  journal.keep(cloud_of(3));
+  journal.store(cloud_of(3));
   EXPECT_GT(std::filesystem::file_size(path_), 0U);
 }
 
-TEST_F(CloudJournalOnDisk, ForgetsAfterARestartToo) {
-  CloudJournal(path_).keep(cloud_of(1));
-  CloudJournal(path_).let_go(std::vector{kFirstUtime + 1});
+TEST_F(CloudJournalTest, ForgetsAfterARestartToo) {
+  CloudJournal(path_).store(cloud_of(1));
+  CloudJournal(path_).acknowledge(std::vector{kFirstUtime + 1});
   EXPECT_THAT(restored(), IsEmpty());
 }
 
-TEST_F(CloudJournalOnDisk, LeavesOutOneThatIsTorn) {
+TEST_F(CloudJournalTest, LeavesOutOneThatIsTorn) {
   {
     CloudJournal journal(path_);
-    journal.keep(cloud_of(1));
-    journal.keep(cloud_of(2));
+    journal.store(cloud_of(1));
+    journal.store(cloud_of(2));
   }
   std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - 5);
-  CloudJournal(path_).keep(cloud_of(3));
+  CloudJournal(path_).store(cloud_of(3));
   EXPECT_THAT(restored(), ElementsAre(1, 3));
 }
 
-TEST_F(CloudJournalOnDisk, IsBoundedWhereNobodySaysThatHeHasAny) {
+TEST_F(CloudJournalTest, IsBoundedWhereNobodySaysThatHeHasAny) {
   CloudJournal journal(path_);
-  journal.keep(cloud_of(0));
+  journal.store(cloud_of(0));
   const std::uintmax_t one = std::filesystem::file_size(path_);
   for (std::size_t i = 1; i < 3 * CloudJournal::kMax; ++i) {
-    journal.keep(cloud_of(static_cast<int>(i)));
+    journal.store(cloud_of(static_cast<int>(i)));
     ASSERT_LE(std::filesystem::file_size(path_), CloudJournal::kMax * one);
   }
 }

@@ -85,7 +85,7 @@ constexpr double kCableY = 0.8;  // across [m]
 
 /// A post and a cable of 3 cm before a wall.
 World post_and_cable() {
-  return box_drift({40.0, 40.0, 2.0}, [](MeshBuilder& builder) {
+  return box_tunnel({40.0, 40.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kPost, Material::kRock, "post");
     builder.box(level_box({kPost + 0.1, 0.0, 1.0}, {0.2, 0.2, 2.0}));
     builder.begin_part(PartKind::kWall, Material::kRock, "wall");

@@ -6,15 +6,15 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "procs/scan_assembly/beam_placement.hpp"
 #include "procs/scan_assembly/gravity.hpp"
 #include "procs/scan_assembly/sweep_motion.hpp"
-#include "procs/scan_assembly/time_track.hpp"
 
 namespace adit {
 namespace {
 
-TEST(TimeTrack, InterpolatesWhateverTheOrder) {
-  TimeTrack<double> track;
+TEST(InterpolationBuffer, InterpolatesWhateverTheOrder) {
+  InterpolationBuffer<double> track;
   EXPECT_FALSE(track.at(0));
   EXPECT_TRUE(track.add(2000, 3.0));
   EXPECT_TRUE(track.add(1000, 1.0));
@@ -25,32 +25,32 @@ TEST(TimeTrack, InterpolatesWhateverTheOrder) {
   EXPECT_DOUBLE_EQ(*track.at(5000), 3.0);
 }
 
-TEST(TimeTrack, InterpolatesPosesTheShortWayRound) {
-  TimeTrack<Pose2> track;
+TEST(InterpolationBuffer, InterpolatesPosesTheShortWayRound) {
+  InterpolationBuffer<Pose2> track;
   track.add(0, {1.0, 2.0, 3.1});
   track.add(1000, {1.0, 2.0, -3.1});
   EXPECT_NEAR(std::abs(track.at(500)->theta), std::numbers::pi, 1e-12);
 }
 
-Gravity after(int readings, const Eigen::Vector3d& force) {
-  Gravity gravity(GravityParams{});
+GravityEstimator after(int readings, const Eigen::Vector3d& force) {
+  GravityEstimator gravity(GravityParams{});
   for (int i = 0; i < readings; ++i) gravity.add({1000 * i, {}, force});
   return gravity;
 }
 
-TEST(Gravity, IsTheMeanOfTheSpecificForceAtRest) {
+TEST(GravityEstimator, IsTheMeanOfTheSpecificForceAtRest) {
   const Eigen::Vector3d up = Eigen::Vector3d(0.1, -0.05, 1.0).normalized();
   EXPECT_LT((*after(100, 9.81 * up).up_body() - up).norm(), 1e-12);
 }
 
-TEST(Gravity, IsNotKnownFromFewReadingsOrWhileTheBodyIsShaken) {
+TEST(GravityEstimator, IsNotKnownFromFewReadingsOrWhileTheBodyIsShaken) {
   EXPECT_FALSE(after(99, {0.0, 0.0, 9.81}).up_body());
   EXPECT_FALSE(after(100, {0.0, 0.0, 10.5}).up_body());
   EXPECT_FALSE(after(100, {0.0, 0.0, 0.0}).up_body());
 }
 
-TEST(Gravity, ForgetsOldReadings) {
-  Gravity gravity = after(100, {9.81, 0.0, 0.0});
+TEST(GravityEstimator, ForgetsOldReadings) {
+  GravityEstimator gravity = after(100, {9.81, 0.0, 0.0});
   for (int i = 0; i < 100; ++i) gravity.add({i, {}, {0.0, 0.0, 9.81}});
   EXPECT_EQ(*gravity.up_body(), Eigen::Vector3d::UnitZ());
 }
@@ -66,7 +66,7 @@ TEST(Levelling, MakesUpVerticalAndKeepsTheHeading) {
   EXPECT_GT(forward.x(), 0.0);
 }
 
-class SweepMotionInSteps : public testing::Test {
+class SweepMotionTest : public testing::Test {
  protected:
   void reads(double angle_rad) { sweep_.add({0, angle_rad, 0.0}); }
   /// The goal of the command that is sent at a time; NaN for none.
@@ -78,7 +78,7 @@ class SweepMotionInSteps : public testing::Test {
   SweepMotion sweep_{SweepMotionParams{}};
 };
 
-TEST_F(SweepMotionInSteps, GoesThereThroughItAndBack) {
+TEST_F(SweepMotionTest, GoesThereThroughItAndBack) {
   sweep_.begin();
   EXPECT_EQ(goal_at(0), -0.5);
   reads(-0.5);
@@ -95,7 +95,7 @@ TEST_F(SweepMotionInSteps, GoesThereThroughItAndBack) {
   EXPECT_EQ(sweep_.phase(), SweepMotion::Phase::kIdle);
 }
 
-TEST_F(SweepMotionInSteps, GoesOnOnlyWhenTheLaserStandsAtItsGoal) {
+TEST_F(SweepMotionTest, GoesOnOnlyWhenTheLaserStandsAtItsGoal) {
   sweep_.begin();
   goal_at(0);
   reads(-0.49);
@@ -106,7 +106,7 @@ TEST_F(SweepMotionInSteps, GoesOnOnlyWhenTheLaserStandsAtItsGoal) {
   EXPECT_TRUE(std::isnan(goal_at(2)));
 }
 
-TEST_F(SweepMotionInSteps, RepeatsItsCommandEachSecond) {
+TEST_F(SweepMotionTest, RepeatsItsCommandEachSecond) {
   sweep_.begin();
   EXPECT_EQ(goal_at(0), -0.5);
   EXPECT_TRUE(std::isnan(goal_at(999'999)));

@@ -11,28 +11,26 @@
 #include "adit/pose_t.hpp"
 
 #include "common/bus/channels.hpp"
-#include "common/bus/node_host.hpp"
-#include "common/bus/typed.hpp"
+#include "common/bus/node/node_host.hpp"
+#include "common/bus/typed_messages.hpp"
 #include "common/journal/journal.hpp"
-#include "common/messages/cloud_pieces.hpp"
-#include "common/messages/cloud_request.hpp"
-#include "common/messages/pose.hpp"
-#include "common/messages/scan_request.hpp"
-#include "tests/support/groundhog_params.hpp"
-#include "tests/support/robot_that_knows_its_place.hpp"
+#include "common/messages/mapping/cloud.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/sensing.hpp"
+#include "tests/support/robots/simulated_robot.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/procs/scan_assembly/sweeping_robot.hpp"
 
 namespace adit {
 namespace {
 
-class ScanAssemblyNodeInAMine : public testing::Test {
+class ScanAssemblyNodeTest : public testing::Test {
  protected:
-  ScanAssemblyNodeInAMine() {
+  ScanAssemblyNodeTest() {
     subscribe<cloud_t>(bus_, channels::kCloud, Delivery::queued(100),
-                       [this](const CloudPiece& piece) {
-                         ++pieces_;
-                         if (auto cloud = assembler_.add(piece)) clouds_.push_back(*cloud);
+                       [this](const CloudFragment& fragment) {
+                         ++fragments_;
+                         if (auto cloud = assembler_.add(fragment)) clouds_.push_back(*cloud);
                        });
     subscribe<heartbeat_t>(bus_, channels::kHeartbeat, Delivery::latest(),
                            [this](const Heartbeat& heartbeat) { heartbeat_ = heartbeat; });
@@ -43,18 +41,18 @@ class ScanAssemblyNodeInAMine : public testing::Test {
     publish(bus_, channels::kScanRequest, to_message(ScanRequest{bus_.now_utime(), 5, laser}));
   }
 
-  BoxDrift drift_;
-  RobotThatKnowsItsPlace robot_{box_drift(drift_)};
+  BoxTunnel drift_;
+  GroundTruthRobot robot_{box_tunnel(drift_)};
   MemoryBus& bus_ = robot_.bus();
   NodeHost host_{bus_, {"scan_assembly", "0.1.0", ""}};
   ScanAssemblyNode node_{host_.bus(), with_groundhog_lasers<ScanAssemblyNodeParams>()};
   Heartbeat heartbeat_;
-  CloudAssembler assembler_;
+  CloudReassembler assembler_;
   std::vector<Cloud> clouds_;
-  int pieces_ = 0;
+  int fragments_ = 0;
 };
 
-TEST_F(ScanAssemblyNodeInAMine, AnswersARequestWithACloudInTenSeconds) {
+TEST_F(ScanAssemblyNodeTest, AnswersARequestWithACloudInTenSeconds) {
   run(1.5);
   request(LaserId::kFront);
   run(10.0);
@@ -64,16 +62,16 @@ TEST_F(ScanAssemblyNodeInAMine, AnswersARequestWithACloudInTenSeconds) {
   EXPECT_EQ(cloud.id, 5);
   EXPECT_EQ(node_.health(), Health{});
   EXPECT_GT(cloud.lines.size(), 230U);
-  EXPECT_GT(pieces_, 10);
+  EXPECT_GT(fragments_, 10);
   EXPECT_GT(heartbeat_.handled, 1000);
   EXPECT_EQ(heartbeat_.dropped, 0);
-  EXPECT_EQ(heartbeat_.refused, 0);
+  EXPECT_EQ(heartbeat_.rejected, 0);
   // Offset, unit and noise of the laser: 15, 5 and 24 mm; a bias of the accelerometers of three
   // times 0.02 m/s² over up to 12 m that are met steeply: 72 mm.
   EXPECT_LE(test::largest_error(drift_, cloud), 0.044 + 0.072);
 }
 
-TEST_F(ScanAssemblyNodeInAMine, LooksBackWithTheRearLaser) {
+TEST_F(ScanAssemblyNodeTest, LooksBackWithTheRearLaser) {
   run(1.5);
   request(LaserId::kRear);
   run(10.0);
@@ -86,7 +84,7 @@ TEST_F(ScanAssemblyNodeInAMine, LooksBackWithTheRearLaser) {
   EXPECT_EQ(node_.health(), Health{});
 }
 
-TEST_F(ScanAssemblyNodeInAMine, AnswersEachRequestAnew) {
+TEST_F(ScanAssemblyNodeTest, AnswersEachRequestReset) {
   run(1.5);
   request(LaserId::kFront);
   run(10.0);
@@ -96,7 +94,7 @@ TEST_F(ScanAssemblyNodeInAMine, AnswersEachRequestAnew) {
 }
 
 /// Who asks, asks until it is answered.
-TEST_F(ScanAssemblyNodeInAMine, TakesARepeatedRequestForOne) {
+TEST_F(ScanAssemblyNodeTest, TakesARepeatedRequestForOne) {
   run(1.5);
   for (int i = 0; i < 5; ++i) {
     request(LaserId::kFront);
@@ -107,12 +105,12 @@ TEST_F(ScanAssemblyNodeInAMine, TakesARepeatedRequestForOne) {
   EXPECT_EQ(clouds_.size(), 1U);
 }
 
-TEST_F(ScanAssemblyNodeInAMine, RepeatsAScanForWhoDoesNotHaveItOnceItCanNotBeOnItsWay) {
-  CloudAssembler repeated;
+TEST_F(ScanAssemblyNodeTest, RepeatsAScanForWhoDoesNotHaveItOnceItCanNotBeOnItsWay) {
+  CloudReassembler repeated;
   std::vector<std::int64_t> again;
-  subscribe<cloud_t>(bus_, channels::kCloudAgain, Delivery::queued(100),
-                     [&](const CloudPiece& piece) {
-                       if (const auto cloud = repeated.add(piece)) again.push_back(cloud->utime);
+  subscribe<cloud_t>(bus_, channels::kCloudResend, Delivery::queued(100),
+                     [&](const CloudFragment& fragment) {
+                       if (const auto cloud = repeated.add(fragment)) again.push_back(cloud->utime);
                      });
   const auto ask = [&](const std::vector<std::int64_t>& have) {
     publish(bus_, channels::kCloudRequest,
@@ -130,7 +128,7 @@ TEST_F(ScanAssemblyNodeInAMine, RepeatsAScanForWhoDoesNotHaveItOnceItCanNotBeOnI
   EXPECT_EQ(again, (std::vector{clouds_[0].utime}));
 }
 
-TEST_F(ScanAssemblyNodeInAMine, SaysWhyItRefusesARequest) {
+TEST_F(ScanAssemblyNodeTest, SaysWhyItRejectsARequest) {
   request(LaserId::kFront);
   EXPECT_EQ(node_.health().level, Health::Level::kDegraded);
   EXPECT_EQ(node_.health().reason, "request refused: the pose is not known");
@@ -138,14 +136,14 @@ TEST_F(ScanAssemblyNodeInAMine, SaysWhyItRefusesARequest) {
 
 /// One sweep of a robot whose stage has the journal: the time of the scan, which is in the journal
 /// as soon as the first of it goes out.
-std::int64_t announced_and_kept(const ScanAssemblyNodeParams& params) {
-  BoxDrift drift;
-  RobotThatKnowsItsPlace robot{box_drift(drift)};
+std::int64_t announced_and_stored(const ScanAssemblyNodeParams& params) {
+  BoxTunnel tunnel;
+  GroundTruthRobot robot{box_tunnel(tunnel)};
   MemoryBus& bus = robot.bus();
   const ScanAssemblyNode node(bus, params);
   std::vector<std::uint8_t> truth;
   std::int64_t announced = 0;
-  bus.tap([&](const Received& message) {
+  bus.tap([&](const ReceivedMessage& message) {
     if (message.channel == channels::kTruth) {
       truth.assign(message.bytes.begin(), message.bytes.end());
     }
@@ -170,15 +168,16 @@ TEST(ScanAssemblyNode, HasAScanOnTheDiskBeforeItIsAnnouncedUntilSomebodyHasIt) {
   const test::ScratchFolder scratch;
   auto params = with_groundhog_lasers<ScanAssemblyNodeParams>();
   params.journal = (scratch / "scans.journal").string();
-  const std::int64_t announced = announced_and_kept(params);
+  const std::int64_t announced = announced_and_stored(params);
   ASSERT_NE(announced, 0);
 
   MemoryBus bus;  // all was cut off
   std::vector<std::int64_t> again;
-  CloudAssembler assembler;
-  subscribe<cloud_t>(bus, channels::kCloudAgain, Delivery::queued(100),
-                     [&](const CloudPiece& piece) {
-                       if (const auto cloud = assembler.add(piece)) again.push_back(cloud->utime);
+  CloudReassembler assembler;
+  subscribe<cloud_t>(bus, channels::kCloudResend, Delivery::queued(100),
+                     [&](const CloudFragment& fragment) {
+                       if (const auto cloud = assembler.add(fragment))
+                         again.push_back(cloud->utime);
                      });
   const ScanAssemblyNode node(bus, params);
   const auto ask = [&](const std::vector<std::int64_t>& have) {

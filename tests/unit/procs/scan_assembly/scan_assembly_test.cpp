@@ -17,7 +17,7 @@ using test::largest_error;
 using test::perfect_laser;
 using test::SweepingRobot;
 
-const BoxDrift kDrift;
+const BoxTunnel kDrift;
 
 // Half the unit of the laser, and what 10 ms steps of the tilt leave when they are interpolated
 // while it accelerates: 2 rad/s² · (20 ms)² / 8 = 0.1 mrad, at up to 4 m where floor and roof are
@@ -29,20 +29,20 @@ SweepingRobot::PoseAt at_rest(const Eigen::Isometry3d& T_world_body) {
 }
 
 TEST(ScanAssembly, PutsEveryPointOnASurface) {
-  SweepingRobot robot(box_drift(kDrift));
+  SweepingRobot robot(box_tunnel(kDrift));
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
   EXPECT_TRUE(cloud->complete);
   EXPECT_EQ(cloud->id, 7);
-  EXPECT_EQ(assembly.complaint(), "");
+  EXPECT_EQ(assembly.problem(), "");
   EXPECT_NEAR(static_cast<double>(cloud->lines.size()), 243.0, 4.0);  // 6.4 s and ramps at 37.5 Hz
   EXPECT_GT(cloud->points(), 70'000U);  // of 361 beams less those along the drift
   EXPECT_LE(largest_error(kDrift, *cloud), kExactM);
 }
 
 TEST(ScanAssembly, IsAsExactAsTheLaser) {
-  SweepingRobot robot(box_drift(kDrift), LaserParams{});
+  SweepingRobot robot(box_tunnel(kDrift), LaserParams{});
   ScanAssemblyParams params = assembly_params();
   params.lasers = groundhog_lasers();
   ScanAssembly assembly(params);
@@ -59,7 +59,7 @@ TEST(ScanAssembly, LevelsTheCloudOnASlope) {
     Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
     T_world_body.rotate(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
     T_world_body.rotate(Eigen::AngleAxisd(slope, axis));
-    SweepingRobot robot(box_drift(kDrift), perfect_laser(), at_rest(T_world_body));
+    SweepingRobot robot(box_tunnel(kDrift), perfect_laser(), at_rest(T_world_body));
     ScanAssembly assembly(assembly_params());
     const auto cloud = robot.sweep(assembly);
     ASSERT_TRUE(cloud);
@@ -70,14 +70,14 @@ TEST(ScanAssembly, LevelsTheCloudOnASlope) {
 TEST(ScanAssembly, TakesTheBodyAsLevelWithoutInertialReadingsAndSaysSo) {
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
   T_world_body.rotate(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY()));
-  SweepingRobot robot(box_drift(kDrift), perfect_laser(), at_rest(T_world_body));
+  SweepingRobot robot(box_tunnel(kDrift), perfect_laser(), at_rest(T_world_body));
   robot.has_imu = false;
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
   EXPECT_TRUE(cloud->complete);
   EXPECT_GT(largest_error(kDrift, *cloud), 0.1);  // of 0.1 rad over more than a metre
-  EXPECT_NE(assembly.complaint().find("taken as level"), std::string::npos);
+  EXPECT_NE(assembly.problem().find("taken as level"), std::string::npos);
 }
 
 TEST(ScanAssembly, PlacesBeamsByThePoseAtTheirOwnTime) {
@@ -85,7 +85,7 @@ TEST(ScanAssembly, PlacesBeamsByThePoseAtTheirOwnTime) {
     return Eigen::Translation3d(0.003 * seconds, 0.001 * seconds, 0.0) *
            Eigen::AngleAxisd(0.001 * seconds, Eigen::Vector3d::UnitZ());
   };
-  SweepingRobot robot(box_drift(kDrift), perfect_laser(),
+  SweepingRobot robot(box_tunnel(kDrift), perfect_laser(),
                       [&](double s) { return Eigen::Isometry3d(creeps(s)); });
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
@@ -95,7 +95,7 @@ TEST(ScanAssembly, PlacesBeamsByThePoseAtTheirOwnTime) {
 }
 
 TEST(ScanAssembly, GivesEachLineTheOriginOfItsLaser) {
-  SweepingRobot robot(box_drift(kDrift));
+  SweepingRobot robot(box_tunnel(kDrift));
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
@@ -109,7 +109,7 @@ TEST(ScanAssembly, GivesEachLineTheOriginOfItsLaser) {
 }
 
 TEST(ScanAssembly, SaysWhereNothingCameBack) {
-  SweepingRobot robot(box_drift(kDrift));
+  SweepingRobot robot(box_tunnel(kDrift));
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
@@ -126,7 +126,7 @@ TEST(ScanAssembly, SaysWhereNothingCameBack) {
 }
 
 TEST(ScanAssembly, HasLinesInOrderOfTimeThatEndWithTheSweep) {
-  SweepingRobot robot(box_drift(kDrift));
+  SweepingRobot robot(box_tunnel(kDrift));
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
@@ -138,15 +138,15 @@ TEST(ScanAssembly, HasLinesInOrderOfTimeThatEndWithTheSweep) {
 }
 
 TEST(ScanAssembly, BringsTheLaserBackToLevel) {
-  SweepingRobot robot(box_drift(kDrift));
+  SweepingRobot robot(box_tunnel(kDrift));
   ScanAssembly assembly(assembly_params());
   EXPECT_TRUE(robot.sweep(assembly));
   EXPECT_NEAR(robot.tilt_rad(), 0.0, 1e-6);
 }
 
 TEST(ScanAssembly, TakesTiltsInAnyOrder) {
-  SweepingRobot robot(box_drift(kDrift));
-  robot.swaps_tilts = true;
+  SweepingRobot robot(box_tunnel(kDrift));
+  robot.swaps_tilt_order = true;
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
@@ -155,8 +155,8 @@ TEST(ScanAssembly, TakesTiltsInAnyOrder) {
 }
 
 TEST(ScanAssembly, RepeatsACommandThatWasLost) {
-  SweepingRobot robot(box_drift(kDrift));
-  robot.commands_come = [](double seconds) { return seconds > 2.5; };  // the first is at 2.0 s
+  SweepingRobot robot(box_tunnel(kDrift));
+  robot.delivers_commands = [](double seconds) { return seconds > 2.5; };  // the first is at 2.0 s
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly, 14.0);
   ASSERT_TRUE(cloud);

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "procs/scan_assembly/scan_assembly.hpp"
-#include "sim/simulation/laser_on_body.hpp"
 #include "sim/simulation/simulation_params.hpp"
-#include "tests/support/box_drift.hpp"
-#include "tests/support/groundhog_params.hpp"
+#include "sim/simulation/tilting_laser.hpp"
+#include "tests/support/robots/simulated_robot.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit::test {
 
@@ -23,7 +23,7 @@ inline constexpr std::int64_t kStart = 1'600'000'000'000'000;
 inline LaserParams perfect_laser() {
   LaserParams params;
   params.unit_m = 0.001;
-  params.range_of_black_m = 10'000.0;
+  params.range_at_10_percent_m = 10'000.0;
   params.noise_sd_m = 0.0;
   params.offset_max_m = 0.0;
   return params;
@@ -49,11 +49,11 @@ class SweepingRobot {
         laser_(site_.scene(), setup(laser), kStart, T_world_body_(0.0)) {}
 
   // What does not reach the assembly, by seconds since the start.
-  std::function<bool(double)> scans_come = [](double) { return true; };
-  std::function<bool(double)> tilts_come = [](double) { return true; };
-  std::function<bool(double)> commands_come = [](double) { return true; };
+  std::function<bool(double)> delivers_scans = [](double) { return true; };
+  std::function<bool(double)> delivers_tilts = [](double) { return true; };
+  std::function<bool(double)> delivers_commands = [](double) { return true; };
   bool has_imu = true;
-  bool swaps_tilts = false;  ///< each second reading comes before the first
+  bool swaps_tilt_order = false;  ///< each second reading comes before the first
 
   /// Two seconds of rest, a request, and what came of it after `seconds` in all.
   std::optional<Cloud> sweep(ScanAssembly& assembly, double seconds = 12.0) {
@@ -62,7 +62,7 @@ class SweepingRobot {
       advance(assembly, step);
       if (step == 200) assembly.begin({utime_, 7, LaserId::kFront}, utime_);
       ScanAssembly::Step result = assembly.advance(utime_);
-      if (result.command && commands_come(seconds_)) laser_.command(*result.command);
+      if (result.command && delivers_commands(seconds_)) laser_.command(*result.command);
       if (result.cloud) cloud = std::move(result.cloud);
     }
     return cloud;
@@ -72,7 +72,7 @@ class SweepingRobot {
   [[nodiscard]] double tilt_rad() const { return laser_.tilt_reading().angle_rad; }
 
  private:
-  static LaserOnBody::Setup setup(const LaserParams& laser) {
+  static TiltingLaser::Setup setup(const LaserParams& laser) {
     TiltParams tilt;
     tilt.encoder_step_rad = 0.0;
     return {groundhog_lasers().front, laser, tilt, 0.0, 1, 2};
@@ -84,9 +84,9 @@ class SweepingRobot {
     const Eigen::Isometry3d T_world_body = T_world_body_(seconds_);
     laser_.advance(utime_, T_world_body);
     for (const auto& finished : laser_.finished_scans([](std::int64_t) { return true; })) {
-      if (scans_come(seconds_)) assembly.add(LaserId::kFront, finished.scan);
+      if (delivers_scans(seconds_)) assembly.add(LaserId::kFront, finished.scan);
     }
-    if (step % 2 == 0 && tilts_come(seconds_)) tell_tilt(assembly);
+    if (step % 2 == 0 && delivers_tilts(seconds_)) deliver_tilt(assembly);
     const Eigen::Vector3d p = T_world_body.translation();
     const Eigen::Vector3d x = T_world_body.linear().col(0);
     assembly.add(utime_, Pose2{p.x(), p.y(), std::atan2(x.y(), x.x())});
@@ -94,41 +94,41 @@ class SweepingRobot {
     if (has_imu) assembly.add(ImuReading{utime_, {}, T_world_body.linear().transpose() * up});
   }
 
-  void tell_tilt(ScanAssembly& assembly) {
+  void deliver_tilt(ScanAssembly& assembly) {
     const TiltReading reading = laser_.tilt_reading();
-    if (!swaps_tilts) {
+    if (!swaps_tilt_order) {
       assembly.add(LaserId::kFront, reading);
-    } else if (held_) {
+    } else if (buffer_) {
       assembly.add(LaserId::kFront, reading);
-      assembly.add(LaserId::kFront, *held_);
-      held_.reset();
+      assembly.add(LaserId::kFront, *buffer_);
+      buffer_.reset();
     } else {
-      held_ = reading;
+      buffer_ = reading;
     }
   }
 
   Site site_;
   PoseAt T_world_body_;
-  LaserOnBody laser_;
+  TiltingLaser laser_;
   std::int64_t utime_ = kStart;
   double seconds_ = 0.0;
-  std::optional<TiltReading> held_;
+  std::optional<TiltReading> buffer_;
 };
 
 /// From a point to the nearest surface of a drift without anything in it [m].
-inline double distance_to_surface(const BoxDrift& drift, const Eigen::Vector3d& p_world) {
-  return std::min({std::abs(p_world.z()), std::abs(p_world.z() - drift.height_m),
-                   std::abs(std::abs(p_world.y()) - drift.width_m / 2.0),
-                   std::abs(std::abs(p_world.x()) - drift.length_m / 2.0)});
+inline double distance_to_surface(const BoxTunnel& tunnel, const Eigen::Vector3d& p_world) {
+  return std::min({std::abs(p_world.z()), std::abs(p_world.z() - tunnel.height_m),
+                   std::abs(std::abs(p_world.y()) - tunnel.width_m / 2.0),
+                   std::abs(std::abs(p_world.x()) - tunnel.length_m / 2.0)});
 }
 
 /// Of the point of a cloud that is farthest from a surface [m]; odom is world.
-inline double largest_error(const BoxDrift& drift, const Cloud& cloud) {
+inline double largest_error(const BoxTunnel& tunnel, const Cloud& cloud) {
   double largest = 0.0;
   for (const CloudLine& line : cloud.lines) {
     for (const Eigen::Vector3f& p_level : line.points) {
       const Eigen::Vector2d p = cloud.T_odom_level * p_level.head<2>().cast<double>();
-      largest = std::max(largest, distance_to_surface(drift, {p.x(), p.y(), p_level.z()}));
+      largest = std::max(largest, distance_to_surface(tunnel, {p.x(), p.y(), p_level.z()}));
     }
   }
   return largest;

@@ -53,10 +53,10 @@ TEST(BodyTilt, TellsWhereABodyThatDipsLooksAtTheGround) {
   body.turn(kStill, 100, tilt);
   EXPECT_TRUE(tilt.is_level_at({9.0, 0.0}));
   body.turn(kDip, 100, tilt);
-  const double reach_m = BodyTiltParams{}.rise_max_m / std::tan(kDipRad);
+  const double displacement_max_m = BodyTiltParams{}.rise_max_m / std::tan(kDipRad);
   for (const double side : {-1.0, 1.0}) {  // at the roof behind
-    EXPECT_TRUE(tilt.is_level_at({side * (reach_m - 0.1), 0.0}));
-    EXPECT_FALSE(tilt.is_level_at({side * (reach_m + 0.1), 0.0}));
+    EXPECT_TRUE(tilt.is_level_at({side * (displacement_max_m - 0.1), 0.0}));
+    EXPECT_FALSE(tilt.is_level_at({side * (displacement_max_m + 0.1), 0.0}));
     EXPECT_TRUE(tilt.is_level_at({0.0, side * 9.0}));
   }
   body.turn(kStill, 1000, tilt);  // standing there makes no ground of it
@@ -95,7 +95,7 @@ double matched_m(const ScanMatchingParams& params) {
   ScanMatch match;
   for (int i = 0; i < 60; ++i) {
     const double x = 0.06 * i;
-    std::vector<Segment> walls = straight_drift(100.0, 3.0).walls();
+    std::vector<Segment> walls = straight_tunnel(100.0, 3.0).walls();
     walls.push_back({{x + kGroundM, -1.5}, {x + kGroundM, 1.5}});
     matching.add(WheelOdometry{body.utime(), {x, 0.0, 0.0}});
     const LaserScan scan = laser.measure(SyntheticWorld(walls), {x, 0.0, 0.0}, body.utime());

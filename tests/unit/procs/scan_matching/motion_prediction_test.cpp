@@ -42,7 +42,7 @@ TEST(MotionPrediction, InterpolatesTheWheelsBetweenReadings) {
   EXPECT_NEAR(motion.predict(kStart + kSecond * 5 / 4).prior.T_odom_body.x, 0.75, 1e-12);
 }
 
-TEST(MotionPrediction, DoesNotBelieveWheelsThatFellSilent) {
+TEST(MotionPrediction, DoesNotBelieveWheelsThatFellStale) {
   MotionPrediction motion{MotionPredictionParams{}};
   motion.correct(kStart, {}, true);
   motion.add(wheels(0.0, {}));
@@ -59,7 +59,7 @@ TEST(MotionPrediction, DoesNotBelieveWheelsThatJump) {
   EXPECT_FALSE(motion.predict(kStart + kSecond / 5).from_odometry);
 }
 
-TEST(MotionPrediction, RefusesReadingsThatDoNotAdvance) {
+TEST(MotionPrediction, RejectsReadingsThatDoNotAdvance) {
   MotionPrediction motion{MotionPredictionParams{}};
   EXPECT_TRUE(motion.add(wheels(1.0, {})));
   EXPECT_FALSE(motion.add(wheels(1.0, {1.0, 0.0, 0.0})));
@@ -132,11 +132,11 @@ TEST(MotionPrediction, StandsOnceTheWheelsHaveNotMovedForAWhile) {
   motion.add(wheels(-0.3, {0.2, 0.0, 0.0}));
   motion.add(wheels(0.1, {0.2, 0.0, 0.0}));
   motion.correct(kStart, {}, true);
-  EXPECT_FALSE(motion.predict(kStart + kSecond / 10).stands);  // odometry that repeats itself
+  EXPECT_FALSE(motion.predict(kStart + kSecond / 10).stationary);  // odometry that repeats itself
   motion.add(wheels(0.4, {0.2, 0.0, 0.0}));
-  EXPECT_TRUE(motion.predict(kStart + 4 * kSecond / 10).stands);
+  EXPECT_TRUE(motion.predict(kStart + 4 * kSecond / 10).stationary);
   motion.add(wheels(0.5, {0.21, 0.0, 0.0}));
-  EXPECT_FALSE(motion.predict(kStart + kSecond / 2).stands);
+  EXPECT_FALSE(motion.predict(kStart + kSecond / 2).stationary);
 }
 
 TEST(MotionPrediction, DoesNotStandWhileTheGyroTurns) {
@@ -146,7 +146,7 @@ TEST(MotionPrediction, DoesNotStandWhileTheGyroTurns) {
     motion.add(turning(0.1 * i, 0.2));
   }
   motion.correct(kStart, {}, true);
-  EXPECT_FALSE(motion.predict(kStart + kSecond).stands);
+  EXPECT_FALSE(motion.predict(kStart + kSecond).stationary);
 }
 
 TEST(MotionPrediction, IsAsSureOfManyShortStepsAsOfOneLongOne) {

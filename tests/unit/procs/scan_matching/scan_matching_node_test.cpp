@@ -8,12 +8,10 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/pose.hpp"
-#include "common/messages/scan_match.hpp"
-#include "common/messages/tilt_reading.hpp"
-#include "tests/support/test_worlds.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/sensing.hpp"
+#include "tests/support/worlds/crooked_room.hpp"
 
 namespace adit {
 namespace {
@@ -57,11 +55,11 @@ TEST_F(ScanMatchingNodeOnABus, PublishesAPoseAndAMatchForEachScan) {
   EXPECT_EQ(node_.health().level, Health::Level::kOk);
 }
 
-TEST_F(ScanMatchingNodeOnABus, SaysThatAScanWasRefusedButGivesNoPoseForIt) {
+TEST_F(ScanMatchingNodeOnABus, SaysThatAScanWasRejectedButGivesNoPoseForIt) {
   scan(kStart, {-2.0, 0.0, 0.0});
   scan(kStart, {-1.9, 0.0, 0.0});
   ASSERT_EQ(matches_.size(), 2U);
-  EXPECT_EQ(matches_[1].status, ScanMatch::Status::kRefused);
+  EXPECT_EQ(matches_[1].status, ScanMatch::Status::kRejected);
   EXPECT_EQ(poses_.size(), 1U);
 }
 
@@ -76,7 +74,7 @@ TEST_F(ScanMatchingNodeOnABus, LeavesTiltedScansAlone) {
 }
 
 TEST_F(ScanMatchingNodeOnABus, LeavesTiltedScansAloneAlsoWhenItIsLate) {
-  bus_.subscribe("BUSY", Delivery::latest(), [this](const Received&) {
+  bus_.subscribe("BUSY", Delivery::latest(), [this](const ReceivedMessage&) {
     tilt(kStart, 0.4);
     scan(kStart + 10'000, {-2.0, 0.0, 0.0});
     tilt(kStart + 20'000, 0.0);

@@ -9,7 +9,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "tests/support/test_worlds.hpp"
+#include "tests/support/worlds/crooked_room.hpp"
 #include "tools/sample_mine/mine_worlds.hpp"
 
 namespace adit {
@@ -21,23 +21,23 @@ constexpr std::int64_t kStart = 1'000'000'000;
 constexpr std::int64_t kPeriod = 200'000;
 
 /// A body with a laser that is moved through a world by known steps.
-class Ride {
+class SimulatedDrive {
  public:
-  Ride(SyntheticWorld world, const Pose2& start, const SyntheticLaserModel& laser = {},
-       std::uint64_t seed = 1)
+  SimulatedDrive(SyntheticWorld world, const Pose2& start, const SyntheticLaserModel& laser = {},
+                 std::uint64_t seed = 1)
       : world_(std::move(world)), laser_(laser, seed), T_world_body_(start) {
-    matches_.push_back(matching_.add_scan(LaserId::kFront, look()));
+    matches_.push_back(matching_.add_scan(LaserId::kFront, measure_scan()));
   }
 
   ScanMatch step(const Pose2& motion) {
     T_world_body_ = T_world_body_ * motion;
     truth_ = truth_ * motion;
     utime_ += kPeriod;
-    matches_.push_back(matching_.add_scan(LaserId::kFront, look()));
+    matches_.push_back(matching_.add_scan(LaserId::kFront, measure_scan()));
     return matches_.back();
   }
 
-  LaserScan look() { return laser_.measure(world_, T_world_body_, utime_); }
+  LaserScan measure_scan() { return laser_.measure(world_, T_world_body_, utime_); }
   ScanMatch first() const { return matches_.front(); }
   ScanMatching& matching() { return matching_; }
   std::int64_t utime() const { return utime_; }
@@ -62,19 +62,19 @@ void expect_near(const Pose2& actual, const Pose2& expected, double metres, doub
 }
 
 TEST(ScanMatching, BeginsOdomAtTheFirstScan) {
-  Ride ride(test::crooked_room(), {-2.0, 0.0, 0.3});
-  EXPECT_EQ(ride.first().status, Status::kFirstScan);
-  EXPECT_EQ(ride.first().T_odom_body, Pose2{});
+  SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
+  EXPECT_EQ(drive.first().status, Status::kFirstScan);
+  EXPECT_EQ(drive.first().T_odom_body, Pose2{});
 }
 
 class ScanMatchingRecovers : public testing::TestWithParam<Pose2> {};
 
 TEST_P(ScanMatchingRecovers, AKnownMotion) {
-  Ride ride(test::crooked_room(), {-2.0, 0.0, 0.3});
-  const ScanMatch match = ride.step(GetParam());
+  SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
+  const ScanMatch match = drive.step(GetParam());
   EXPECT_EQ(match.status, Status::kMatched);
   EXPECT_TRUE(match.degenerate.empty());
-  expect_near(match.T_odom_body, ride.truth(), 0.008, 0.002);  // 5 sigma of the match
+  expect_near(match.T_odom_body, drive.truth(), 0.008, 0.002);  // 5 sigma of the match
   expect_near(match.T_reference_body, GetParam(), 0.008, 0.002);
 }
 
@@ -85,10 +85,10 @@ INSTANTIATE_TEST_SUITE_P(Motions, ScanMatchingRecovers,
                                          Pose2{0.0, 0.0, -0.9}, Pose2{0.7, 0.0, 0.2}));
 
 TEST(ScanMatching, DriftsLittleOverAFewMetres) {
-  Ride ride(test::crooked_room(), {-3.0, 0.0, 0.0});
-  for (int i = 0; i < 40; ++i) ride.step({0.1, 0.0, 0.01});
-  const ScanMatch match = ride.step({});
-  expect_near(match.T_odom_body, ride.truth(), 0.01, 0.004);
+  SimulatedDrive drive(test::crooked_room(), {-3.0, 0.0, 0.0});
+  for (int i = 0; i < 40; ++i) drive.step({0.1, 0.0, 0.01});
+  const ScanMatch match = drive.step({});
+  expect_near(match.T_odom_body, drive.truth(), 0.01, 0.004);
 }
 
 TEST(ScanMatching, CovarianceIsConsistentWithTheError) {
@@ -106,12 +106,12 @@ TEST(ScanMatching, CovarianceIsConsistentWithTheError) {
         std::uniform_real_distribution<double> u(-1.0, 1.0);
         const Pose2 start = mine ? Pose2{12.0 + 5.0 * u(random), 0.2 * u(random), 0.1 * u(random)}
                                  : Pose2{-2.0 + u(random), u(random), 3.0 * u(random)};
-        Ride ride(mine ? workings : room, start, SyntheticLaserModel{}, seed + 1);
+        SimulatedDrive drive(mine ? workings : room, start, SyntheticLaserModel{}, seed + 1);
         ScanMatch match;
         Pose2 step;
         for (int i = 0; i < steps; ++i) {
           step = {0.15 + 0.1 * u(random), 0.02 * u(random), 0.1 * u(random)};
-          match = ride.step(step);
+          match = drive.step(step);
         }
         ASSERT_EQ(match.status, Status::kMatched);
         const Eigen::Vector3d error = between(step, match.T_reference_body).vector();
@@ -125,99 +125,99 @@ TEST(ScanMatching, CovarianceIsConsistentWithTheError) {
 
 TEST(ScanMatching, ReportsDegeneracyInAStraightDrift) {
   for (const double heading : {0.0, 0.05, -0.1}) {
-    Ride ride(straight_drift(400.0, 3.0), {0.0, 0.2, heading});
+    SimulatedDrive drive(straight_tunnel(400.0, 3.0), {0.0, 0.2, heading});
     for (int i = 0; i < 5; ++i) {
-      const ScanMatch match = ride.step({0.1, 0.0, 0.0});
+      const ScanMatch match = drive.step({0.1, 0.0, 0.0});
       ASSERT_EQ(match.status, Status::kMatched);
       ASSERT_EQ(match.degenerate.size(), 1U);
-      const double theta = ride.T_world_body().theta;
+      const double theta = drive.T_world_body().theta;
       const Eigen::Vector3d axis_body(std::cos(theta), -std::sin(theta), 0.0);
       EXPECT_GT(std::abs(match.degenerate[0].direction.dot(axis_body)), 0.99);
       EXPECT_EQ(match.degenerate[0].fill, DegenerateDirection::Fill::kNone);
       EXPECT_GT(match.covariance(0, 0), 0.25);  // and it says how little: half a metre
     }
     // Across the drift and in heading it is as sure as ever.
-    const ScanMatch match = ride.step({0.0, 0.0, 0.02});
-    EXPECT_NEAR(wrap_angle(match.T_odom_body.theta - ride.truth().theta), 0.0, 0.004);
+    const ScanMatch match = drive.step({0.0, 0.0, 0.02});
+    EXPECT_NEAR(wrap_angle(match.T_odom_body.theta - drive.truth().theta), 0.0, 0.004);
   }
 }
 
 TEST(ScanMatching, FillsAnOpenDirectionFromOdometry) {
-  Ride ride(straight_drift(400.0, 3.0), {0.0, 0.2, 0.05});
+  SimulatedDrive drive(straight_tunnel(400.0, 3.0), {0.0, 0.2, 0.05});
   Pose2 wheels;
-  ride.matching().add(WheelOdometry{ride.utime(), wheels});
+  drive.matching().add(WheelOdometry{drive.utime(), wheels});
   ScanMatch match;
   for (int i = 0; i < 50; ++i) {
     wheels = wheels * Pose2{0.1, 0.0, 0.0};
-    ride.matching().add(WheelOdometry{ride.utime() + kPeriod, wheels});
-    match = ride.step({0.1, 0.0, 0.0});
+    drive.matching().add(WheelOdometry{drive.utime() + kPeriod, wheels});
+    match = drive.step({0.1, 0.0, 0.0});
     ASSERT_EQ(match.degenerate.size(), 1U);
     EXPECT_EQ(match.degenerate[0].fill, DegenerateDirection::Fill::kOdometry);
   }
-  expect_near(match.T_odom_body, ride.truth(), 0.05, 0.005);  // 1 % of the way
+  expect_near(match.T_odom_body, drive.truth(), 0.05, 0.005);  // 1 % of the way
   EXPECT_LT(match.covariance(0, 0), 0.01);
 }
 
 TEST(ScanMatching, NeitherInventsNorFreezesMotionWhereNothingMeasuresIt) {
   // Out of the room with its corners into a drift: the last observed speed goes on, and dies away.
-  Ride ride(straight_drift(400.0, 3.0), {0.0, 0.0, 0.0});
+  SimulatedDrive drive(straight_tunnel(400.0, 3.0), {0.0, 0.0, 0.0});
   for (int i = 0; i < 20; ++i) {
-    const ScanMatch match = ride.step({0.1, 0.0, 0.0});
+    const ScanMatch match = drive.step({0.1, 0.0, 0.0});
     EXPECT_LT(std::abs(match.T_reference_body.x), 0.05);  // at rest as far as anyone can tell
   }
 }
 
 TEST(ScanMatching, IsNotDegenerateInARoomOrAMine) {
-  Ride room(test::crooked_room(), {-2.0, 0.0, 0.3});
-  Ride mine(sample_mine(3), {12.0, 0.0, 0.0});
+  SimulatedDrive room(test::crooked_room(), {-2.0, 0.0, 0.3});
+  SimulatedDrive mine(sample_mine(3), {12.0, 0.0, 0.0});
   for (int i = 0; i < 10; ++i) {
     EXPECT_TRUE(room.step({0.05, 0.0, 0.1}).degenerate.empty());
     EXPECT_TRUE(mine.step({0.1, 0.0, 0.0}).degenerate.empty());
   }
 }
 
-TEST(ScanMatching, RefusesScansThatDoNotAdvanceInTime) {
-  Ride ride(test::crooked_room(), {-2.0, 0.0, 0.3});
-  const ScanMatch before = ride.step({0.1, 0.0, 0.0});
-  LaserScan scan = ride.look();
-  const ScanMatch again = ride.matching().add_scan(LaserId::kFront, scan);
+TEST(ScanMatching, RejectsScansThatDoNotAdvanceInTime) {
+  SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
+  const ScanMatch before = drive.step({0.1, 0.0, 0.0});
+  LaserScan scan = drive.measure_scan();
+  const ScanMatch again = drive.matching().add_scan(LaserId::kFront, scan);
   scan.utime -= kPeriod;
-  const ScanMatch late = ride.matching().add_scan(LaserId::kFront, scan);
-  for (const auto& refused : {again, late}) {
-    EXPECT_EQ(refused.status, Status::kRefused);
-    EXPECT_EQ(refused.T_odom_body, before.T_odom_body);
+  const ScanMatch late = drive.matching().add_scan(LaserId::kFront, scan);
+  for (const auto& rejected : {again, late}) {
+    EXPECT_EQ(rejected.status, Status::kRejected);
+    EXPECT_EQ(rejected.T_odom_body, before.T_odom_body);
   }
-  expect_near(ride.step({0.1, 0.0, 0.0}).T_odom_body, ride.truth(), 0.008, 0.002);
+  expect_near(drive.step({0.1, 0.0, 0.0}).T_odom_body, drive.truth(), 0.008, 0.002);
 }
 
 TEST(ScanMatching, IsLostInAnEmptyScanAndFindsItselfAgain) {
-  Ride ride(test::crooked_room(), {-2.0, 0.0, 0.3});
-  ride.step({0.1, 0.0, 0.0});
-  LaserScan blind = ride.look();
+  SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
+  drive.step({0.1, 0.0, 0.0});
+  LaserScan blind = drive.measure_scan();
   for (int i = 0; i < 5; ++i) {
     blind.utime += 10'000;
     blind.ranges_m.assign(i == 0 ? 0 : 181, std::numeric_limits<float>::quiet_NaN());
-    const ScanMatch match = ride.matching().add_scan(LaserId::kFront, blind);
+    const ScanMatch match = drive.matching().add_scan(LaserId::kFront, blind);
     EXPECT_EQ(match.status, Status::kLost);
     EXPECT_TRUE(match.covariance.allFinite());
     EXPECT_GT(match.covariance(0, 0), 0.01);
   }
-  const ScanMatch match = ride.step({0.1, 0.0, 0.0});
+  const ScanMatch match = drive.step({0.1, 0.0, 0.0});
   EXPECT_EQ(match.status, Status::kMatched);
-  expect_near(match.T_odom_body, ride.truth(), 0.01, 0.003);
+  expect_near(match.T_odom_body, drive.truth(), 0.01, 0.003);
 }
 
-TEST(ScanMatching, StartsAnewInAPlaceThatMatchesNothing) {
-  Ride ride(test::crooked_room(), {-2.0, 0.0, 0.3});
+TEST(ScanMatching, StartsResetInAPlaceThatMatchesNothing) {
+  SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
   SyntheticLaser laser(SyntheticLaserModel{}, 9);
   const SyntheticWorld elsewhere = sample_mine(3);
-  std::int64_t utime = ride.utime();
+  std::int64_t utime = drive.utime();
   int lost = 0;
   ScanMatch match;
   for (int i = 0; i < 8; ++i) {
     utime += kPeriod;
-    match = ride.matching().add_scan(LaserId::kFront,
-                                     laser.measure(elsewhere, {40.0 + 0.1 * i, 0.0, 0.0}, utime));
+    match = drive.matching().add_scan(LaserId::kFront,
+                                      laser.measure(elsewhere, {40.0 + 0.1 * i, 0.0, 0.0}, utime));
     lost += match.status == Status::kLost ? 1 : 0;
   }
   EXPECT_GE(lost, 1);
@@ -226,9 +226,9 @@ TEST(ScanMatching, StartsAnewInAPlaceThatMatchesNothing) {
 }
 
 TEST(ScanMatching, SurvivesReadingsThatMeanNothing) {
-  Ride ride(test::crooked_room(), {-2.0, 0.0, 0.3});
-  ride.step({0.1, 0.0, 0.0});
-  LaserScan scan = ride.look();
+  SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
+  drive.step({0.1, 0.0, 0.0});
+  LaserScan scan = drive.measure_scan();
   scan.utime += kPeriod;
   std::mt19937 random(3);
   for (float& range : scan.ranges_m) {  // a fifth of the readings are nonsense
@@ -246,9 +246,9 @@ TEST(ScanMatching, SurvivesReadingsThatMeanNothing) {
         break;
     }
   }
-  const ScanMatch match = ride.matching().add_scan(LaserId::kFront, scan);
+  const ScanMatch match = drive.matching().add_scan(LaserId::kFront, scan);
   EXPECT_EQ(match.status, Status::kMatched);
-  expect_near(match.T_odom_body, ride.truth(), 0.01, 0.003);
+  expect_near(match.T_odom_body, drive.truth(), 0.01, 0.003);
 }
 
 TEST(ScanMatching, MatchesTheRearLaserToo) {
@@ -266,7 +266,7 @@ TEST(ScanMatching, MatchesTheRearLaserToo) {
     matching.add_scan(LaserId::kFront, front.measure(room, T_world_body, utime));
     match =
         matching.add_scan(LaserId::kRear, rear.measure(room, T_world_body * T_body_rear, utime));
-    EXPECT_NE(match.status, Status::kRefused);  // both measured at one time
+    EXPECT_NE(match.status, Status::kRejected);  // both measured at one time
     if (i < 19) truth = truth * Pose2{0.05, 0.0, 0.05};
   }
   EXPECT_EQ(match.status, Status::kMatched);
@@ -274,16 +274,16 @@ TEST(ScanMatching, MatchesTheRearLaserToo) {
 }
 
 TEST(ScanMatching, IsNotMisledByWheelsThatSpin) {
-  Ride ride(test::crooked_room(), {-3.0, 0.0, 0.0});
+  SimulatedDrive drive(test::crooked_room(), {-3.0, 0.0, 0.0});
   Pose2 wheels;
-  ride.matching().add(WheelOdometry{ride.utime(), wheels});
+  drive.matching().add(WheelOdometry{drive.utime(), wheels});
   ScanMatch match;
   for (int i = 0; i < 20; ++i) {
     wheels = wheels * Pose2{0.3, 0.0, 0.1};  // while the body stands still
-    ride.matching().add(WheelOdometry{ride.utime() + kPeriod, wheels});
-    match = ride.step({});
+    drive.matching().add(WheelOdometry{drive.utime() + kPeriod, wheels});
+    match = drive.step({});
   }
-  expect_near(match.T_odom_body, ride.truth(), 0.01, 0.003);
+  expect_near(match.T_odom_body, drive.truth(), 0.01, 0.003);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "procs/scan_matching/scan_matching.hpp"
-#include "tests/support/test_worlds.hpp"
+#include "tests/support/worlds/crooked_room.hpp"
 #include "tools/sample_mine/mine_worlds.hpp"
 
 namespace adit {
@@ -71,9 +71,9 @@ class TwoLasers {
 
 TEST(Standstill, ARobotThatStandsByItsWheelsDoesNotCreep) {
   for (const bool mine : {false, true}) {
-    TwoLasers robot(mine ? sample_mine(3) : straight_drift(400.0, 3.0), {12.0, 0.1, 0.05});
+    TwoLasers robot(mine ? sample_mine(3) : straight_tunnel(400.0, 3.0), {12.0, 0.1, 0.05});
     for (int i = 0; i < 40; ++i) robot.step({0.01, 0.0, 0.0}, {0.01, 0.0, 0.0});
-    for (int i = 0; i < 30; ++i) robot.step({}, {});  // more than the half second of still_s
+    for (int i = 0; i < 30; ++i) robot.step({}, {});  // more than the half second of stationary_s
     robot.forget_counts();
     for (int i = 0; i < 500; ++i) robot.step({}, {});
     EXPECT_LT(robot.moved_m(), 1e-9);
@@ -105,7 +105,7 @@ TEST(ScanMatching, KeepsTheWallsAroundARobotThatStandsForLong) {
   EXPECT_EQ(robot.lost(), 0);
 }
 
-TEST(ScanMatching, BeginsALaserAnewThatMatchesNothingWhileTheOtherOneMatches) {
+TEST(ScanMatching, BeginsALaserResetThatMatchesNothingWhileTheOtherOneMatches) {
   ScanMatching matching{ScanMatchingParams{}};
   SyntheticLaser front(SyntheticLaserModel{}, 1);
   SyntheticLaser rear(SyntheticLaserModel{}, 2);

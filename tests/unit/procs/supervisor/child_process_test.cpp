@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include "procs/supervisor/os/process_table.hpp"
+#include "procs/supervisor/os/procfs.hpp"
 #include "tests/unit/procs/supervisor/processes.hpp"
 
 namespace adit {
@@ -33,7 +33,7 @@ ChildStart shell(const std::string& script) { return start_of("sh -c '" + script
 /// Runs it to its end.
 ChildProcess::End end_of(ChildProcess& child, std::string* output = nullptr) {
   std::optional<ChildProcess::End> end;
-  EXPECT_TRUE(test::soon([&] {
+  EXPECT_TRUE(test::becomes_true([&] {
     end = child.poll();
     const std::string more = child.read_output(kPlenty);
     if (output) *output += more;
@@ -50,8 +50,8 @@ std::string output_of(const ChildStart& start) {
 }
 
 TEST(ChildProcess, GivesBackHowTheProgramEnded) {
-  ChildProcess well(shell("exit 0"));
-  EXPECT_TRUE(end_of(well).well());
+  ChildProcess succeeded(shell("exit 0"));
+  EXPECT_TRUE(end_of(succeeded).succeeded());
   ChildProcess badly(shell("exit 3"));
   const ChildProcess::End end = end_of(badly);
   EXPECT_EQ(WEXITSTATUS(end.wait_status), 3);
@@ -89,7 +89,7 @@ TEST(ChildProcess, LeadsASession) {
             "own\n");
 }
 
-TEST(ChildProcess, HearsAllSignals) {
+TEST(ChildProcess, ReceivesAllSignals) {
   // Signals 32 and 33 are glibc's own: it ignores them between fork and exec.
   EXPECT_EQ(output_of(start_of("grep -Ec 'SigBlk:.0{16}|SigIgn:.*0{7}$' /proc/self/status")),
             "2\n");
@@ -108,30 +108,30 @@ TEST(ChildProcess, SendsSignalsToAllThatDescendFromIt) {
   ChildProcess child(
       shell("sleep " + sleep + " & setsid sh -c \"sleep " + sleep + "; true\" & wait"));
   // Two that sleep, and the two shells that were told so.
-  ASSERT_TRUE(test::soon([&] { return test::processes_with(sleep) >= 4; }));
+  ASSERT_TRUE(test::becomes_true([&] { return test::count_processes_with(sleep) >= 4; }));
   child.send(SIGTERM);
   EXPECT_EQ(end_of(child).text(), "killed by SIGTERM");
-  EXPECT_EQ(test::processes_with(sleep), 0);
+  EXPECT_EQ(test::count_processes_with(sleep), 0);
 }
 
 TEST(ChildProcess, KillsWhatDoesNotWantToEnd) {
   const std::string sleep = test::unique_sleep();
   ChildProcess child(
       shell("trap \"\" TERM INT HUP; sleep " + sleep + " & echo ready; wait; sleep " + sleep));
-  ASSERT_TRUE(test::soon([&] { return !child.read_output(kPlenty).empty(); }));
+  ASSERT_TRUE(test::becomes_true([&] { return !child.read_output(kPlenty).empty(); }));
   child.send(SIGTERM);
   EXPECT_FALSE(child.poll());
-  EXPECT_GE(test::processes_with(sleep), 1);
+  EXPECT_GE(test::count_processes_with(sleep), 1);
   child.send(SIGKILL);
   EXPECT_EQ(end_of(child).text(), "killed by SIGKILL");
-  EXPECT_EQ(test::processes_with(sleep), 0);
+  EXPECT_EQ(test::count_processes_with(sleep), 0);
 }
 
 TEST(ChildProcess, StopsWhatAProgramLeavesBehind) {
   const std::string sleep = test::unique_sleep();
   ChildProcess child(shell("setsid sleep " + sleep + " & exit 4"));
   EXPECT_EQ(end_of(child).text(), "ended with exit code 4");
-  EXPECT_EQ(test::processes_with(sleep), 0);
+  EXPECT_EQ(test::count_processes_with(sleep), 0);
 }
 
 TEST(ChildProcess, KillsWhatAProgramLeavesBehindAndDoesNotStop) {
@@ -140,7 +140,7 @@ TEST(ChildProcess, KillsWhatAProgramLeavesBehindAndDoesNotStop) {
   start.stop_time_s = 0.1;
   ChildProcess child(start);
   EXPECT_EQ(end_of(child).text(), "ended with exit code 4");
-  EXPECT_EQ(test::processes_with(sleep), 0);
+  EXPECT_EQ(test::count_processes_with(sleep), 0);
 }
 
 TEST(ChildProcess, TakesAllWithItWhenItGoes) {
@@ -148,16 +148,16 @@ TEST(ChildProcess, TakesAllWithItWhenItGoes) {
   {
     const ChildProcess child(
         shell("trap \"\" HUP TERM; setsid sleep " + sleep + " & sleep " + sleep));
-    ASSERT_TRUE(test::soon([&] { return test::processes_with(sleep) >= 3; }));
+    ASSERT_TRUE(test::becomes_true([&] { return test::count_processes_with(sleep) >= 3; }));
   }
-  EXPECT_EQ(test::processes_with(sleep), 0);
+  EXPECT_EQ(test::count_processes_with(sleep), 0);
 }
 
 TEST(ChildProcess, SurvivesTheDeathOfItsWatcher) {
   ChildProcess child(shell("sleep " + test::unique_sleep()));
   kill(child.watcher(), SIGKILL);
-  ASSERT_TRUE(
-      test::soon([&] { return ProcessTable::read().entries().at(child.watcher()).state == 'Z'; }));
+  ASSERT_TRUE(test::becomes_true(
+      [&] { return ProcessTable::read().entries().at(child.watcher()).state == 'Z'; }));
   child.send(SIGTERM);  // to nobody
   EXPECT_EQ(end_of(child).text(), "killed by SIGKILL");
 }
@@ -168,8 +168,9 @@ TEST(ChildProcess, LeavesNoZombies) {
         shell("for i in 1 2 3 4 5; do (sleep 0.01 &) ; done; sleep 0.1; echo done; "
               "exec sleep 100"));
     std::string output;
-    ASSERT_TRUE(test::soon([&] { return !(output += child.read_output(kPlenty)).empty(); }));
-    ASSERT_TRUE(test::soon(
+    ASSERT_TRUE(
+        test::becomes_true([&] { return !(output += child.read_output(kPlenty)).empty(); }));
+    ASSERT_TRUE(test::becomes_true(
         [&] { return ProcessTable::read().descendants_of(child.watcher()).size() == 1; }));
   }
   EXPECT_TRUE(ProcessTable::read().children_of(getpid()).empty());
@@ -178,7 +179,7 @@ TEST(ChildProcess, LeavesNoZombies) {
 TEST(ChildProcess, WaitsWithItsOutputUntilSomebodyReads) {
   ChildProcess child(shell("yes 0123456789 | head -c 3000000"));
   std::string output;
-  EXPECT_TRUE(end_of(child, &output).well());
+  EXPECT_TRUE(end_of(child, &output).succeeded());
   EXPECT_EQ(output.size(), 3'000'000U);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/supervisor/keeping/output_log.hpp"
+#include "procs/supervisor/management/output_log.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using testing::IsEmpty;
 
 constexpr std::size_t kPlenty = 1'000'000;
 
-TEST(OutputLog, MakesLinesOfWhatComesInPieces) {
+TEST(OutputLog, MakesLinesOfWhatComesInFragments) {
   OutputLog log;
   log.add("one\ntw");
   EXPECT_THAT(log.since(0, kPlenty).lines, ElementsAre("one"));
@@ -27,41 +27,41 @@ TEST(OutputLog, MakesLinesOfWhatComesInPieces) {
 TEST(OutputLog, GivesOnlyWhatIsNew) {
   OutputLog log;
   log.add("1\n2\n");
-  const OutputPiece first = log.since(0, kPlenty);
+  const OutputLines first = log.since(0, kPlenty);
   EXPECT_EQ(first.next, 2);
   log.add("3\n");
-  const OutputPiece second = log.since(first.next, kPlenty);
+  const OutputLines second = log.since(first.next, kPlenty);
   EXPECT_THAT(second.lines, ElementsAre("3"));
-  EXPECT_EQ(second.missed, 0);
+  EXPECT_EQ(second.omitted, 0);
   EXPECT_THAT(log.since(second.next, kPlenty).lines, IsEmpty());
 }
 
 TEST(OutputLog, LeavesOutTheOldestWhereItIsTooMuchAndSaysHowMany) {
   OutputLog log;
   log.add("11\n22\n33\n44\n");
-  const OutputPiece piece = log.since(0, 6);
-  EXPECT_THAT(piece.lines, ElementsAre("33", "44"));
-  EXPECT_EQ(text_of(piece), "(2 lines left out)\n33\n44\n");
-  EXPECT_EQ(piece.missed, 2);
-  EXPECT_EQ(piece.next, 4);
+  const OutputLines unread = log.since(0, 6);
+  EXPECT_THAT(unread.lines, ElementsAre("33", "44"));
+  EXPECT_EQ(text_of(unread), "(2 lines left out)\n33\n44\n");
+  EXPECT_EQ(unread.omitted, 2);
+  EXPECT_EQ(unread.next, 4);
 }
 
 TEST(OutputLog, KeepsTheLastThousandLines) {
   OutputLog log;
   for (int i = 0; i < 2500; ++i) log.add(std::to_string(i) + "\n");
-  const OutputPiece piece = log.since(500, kPlenty);
-  EXPECT_EQ(piece.lines.size(), 1000U);
-  EXPECT_EQ(piece.lines.front(), "1500");
-  EXPECT_EQ(piece.missed, 1000);
-  EXPECT_EQ(piece.next, 2500);
+  const OutputLines unread = log.since(500, kPlenty);
+  EXPECT_EQ(unread.lines.size(), 1000U);
+  EXPECT_EQ(unread.lines.front(), "1500");
+  EXPECT_EQ(unread.omitted, 1000);
+  EXPECT_EQ(unread.next, 2500);
 }
 
 TEST(OutputLog, CutsALineThatNeverEnds) {
   OutputLog log;
   log.add(std::string(2500, 'x'));
-  const OutputPiece piece = log.since(0, kPlenty);
-  ASSERT_EQ(piece.lines.size(), 2U);
-  EXPECT_EQ(piece.lines[0].size(), 1000U);
+  const OutputLines unread = log.since(0, kPlenty);
+  ASSERT_EQ(unread.lines.size(), 2U);
+  EXPECT_EQ(unread.lines[0].size(), 1000U);
 }
 
 TEST(OutputLog, ShowsNothingThatATerminalWouldObey) {

@@ -11,9 +11,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "procs/supervisor/control/control_client.hpp"
 #include "procs/supervisor/os/wall_time.hpp"
 #include "procs/supervisor/supervisor.hpp"
-#include "procs/supervisor/terminal/terminal_client.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/procs/supervisor/processes.hpp"
 
@@ -36,33 +36,34 @@ class ProcessListReload : public testing::Test {
     params.socket = folder_ / "s.sock";
     params.watcher = ADIT_WATCH;
     supervisor_ = std::make_unique<Supervisor>(params);
-    ask({"start", "stays", "changes", "goes", "fails"});
-    EXPECT_TRUE(soon([&] { return pid("stays") > 0 && pid("changes") > 0 && pid("goes") > 0; }));
-    EXPECT_TRUE(soon([&] { return supervisor_->gave_up(); }));
+    request({"start", "stays", "changes", "goes", "fails"});
+    EXPECT_TRUE(
+        becomes_true([&] { return pid("stays") > 0 && pid("changes") > 0 && pid("goes") > 0; }));
+    EXPECT_TRUE(becomes_true([&] { return supervisor_->any_process_failed(); }));
   }
 
   void write_list(const std::string& text) { std::ofstream(folder_ / "list.cfg") << text; }
 
-  bool soon(const std::function<bool()>& condition) {
-    return test::soon([&] {
+  bool becomes_true(const std::function<bool()>& condition) {
+    return test::becomes_true([&] {
       supervisor_->advance(steady_us());
       return condition();
     });
   }
 
   /// What a terminal is told, which asks from a thread of its own.
-  std::string ask(const std::vector<std::string>& words) {
+  std::string request(const std::vector<std::string>& words) {
     std::string said;
     std::atomic<bool> done = false;
     const std::jthread thread([&] {
       try {
-        said = ask_supervisor(folder_ / "s.sock", words);
+        said = request_from_supervisor(folder_ / "s.sock", words);
       } catch (const std::runtime_error& error) {
         said = error.what();
       }
       done = true;
     });
-    EXPECT_TRUE(soon([&] { return done.load(); }));
+    EXPECT_TRUE(becomes_true([&] { return done.load(); }));
     return said;
   }
 
@@ -90,96 +91,96 @@ TEST_F(ProcessListReload, DoesToEachWhatItsChangeAsksFor) {
   const int stayed = pid("stays");
   const int changed = pid("changes");
   write_list(kAnother);
-  EXPECT_EQ(ask({"reload"}),
+  EXPECT_EQ(request({"reload"}),
             "changed: changes rests fails\nnew: new\ngone: goes\nscripts have changed\n");
-  EXPECT_TRUE(soon([&] { return pid("changes") > 0 && pid("changes") != changed; }));
+  EXPECT_TRUE(becomes_true([&] { return pid("changes") > 0 && pid("changes") != changed; }));
   EXPECT_EQ(status("changes").command.exec, "sleep 1005");
-  EXPECT_TRUE(soon([&] { return !is_listed("goes"); }));
+  EXPECT_TRUE(becomes_true([&] { return !is_listed("goes"); }));
   EXPECT_EQ(pid("stays"), stayed);
   EXPECT_EQ(pid("new"), 0);
   EXPECT_TRUE(is_listed("new"));
   EXPECT_EQ(pid("rests"), 0);
   EXPECT_EQ(status("rests").command.exec, "sleep 1006");
-  EXPECT_TRUE(soon([&] { return pid("fails") > 0; }));  // it has another chance
-  EXPECT_THAT(supervisor_->alive_channels(), testing::ElementsAre("SIGN"));
-  EXPECT_THAT(ask({"ps"}), Not(HasSubstr("goes")));
-  EXPECT_THAT(ask({"stop", "goes"}), HasSubstr("there is no process \"goes\""));
+  EXPECT_TRUE(becomes_true([&] { return pid("fails") > 0; }));  // it has another chance
+  EXPECT_THAT(supervisor_->liveness_channels(), testing::ElementsAre("SIGN"));
+  EXPECT_THAT(request({"ps"}), Not(HasSubstr("goes")));
+  EXPECT_THAT(request({"stop", "goes"}), HasSubstr("there is no process \"goes\""));
 }
 
 TEST_F(ProcessListReload, ComesWithTheSignalToo) {
   write_list(kAnother);
   raise(SIGHUP);
-  EXPECT_TRUE(soon([&] { return is_listed("new"); }));
-  EXPECT_THAT(supervisor_->list_failure(), testing::IsEmpty());
+  EXPECT_TRUE(becomes_true([&] { return is_listed("new"); }));
+  EXPECT_THAT(supervisor_->list_error(), testing::IsEmpty());
 }
 
 TEST_F(ProcessListReload, OfABadListLeavesAllAsItIs) {
   const int stayed = pid("stays");
   const int changed = pid("changes");
   write_list(R"(cmd "stays" { exec = "sleep 1000"; } cmd "changes" { exec = ; })");
-  EXPECT_THAT(ask({"reload"}),
+  EXPECT_THAT(request({"reload"}),
               testing::AllOf(HasSubstr("list.cfg:1:"), HasSubstr("the old process list stays")));
   raise(SIGHUP);
-  EXPECT_TRUE(soon([&] { return !supervisor_->list_failure().empty(); }));
+  EXPECT_TRUE(becomes_true([&] { return !supervisor_->list_error().empty(); }));
   EXPECT_EQ(pid("stays"), stayed);
   EXPECT_EQ(pid("changes"), changed);
   EXPECT_TRUE(is_listed("goes"));
   write_list(kAnother);
-  ask({"reload"});
-  EXPECT_THAT(supervisor_->list_failure(), testing::IsEmpty());
+  request({"reload"});
+  EXPECT_THAT(supervisor_->list_error(), testing::IsEmpty());
 }
 
 TEST_F(ProcessListReload, EndsAScriptAndSaysSo) {
-  EXPECT_EQ(ask({"script", "wait"}), "");
-  EXPECT_THAT(ask({"reload"}), HasSubstr("script \"wait\" was ended by a new process list"));
+  EXPECT_EQ(request({"script", "wait"}), "");
+  EXPECT_THAT(request({"reload"}), HasSubstr("script \"wait\" was ended by a new process list"));
 }
 
-TEST_F(ProcessListReload, TakesBackAChangeBeforeItCame) {
+TEST_F(ProcessListReload, RevokesAChangeBeforeItCame) {
   const int stayed = pid("stays");
   write_list(R"(cmd "stays" { exec = "sleep 1000"; })");
-  ask({"reload"});
+  request({"reload"});
   write_list(kAnother);
-  ask({"reload"});
+  request({"reload"});
   EXPECT_EQ(pid("stays"), stayed);
-  EXPECT_TRUE(soon([&] { return is_listed("changes") && pid("changes") == 0; }));
-  EXPECT_EQ(ask({"start", "changes"}), "");
-  EXPECT_TRUE(soon([&] { return pid("changes") > 0; }));
+  EXPECT_TRUE(becomes_true([&] { return is_listed("changes") && pid("changes") == 0; }));
+  EXPECT_EQ(request({"start", "changes"}), "");
+  EXPECT_TRUE(becomes_true([&] { return pid("changes") > 0; }));
 }
 
 TEST_F(ProcessListReload, RestartsInOrderOfWhatDependsOnWhat) {
   write_list(R"(cmd "first" { exec = "sleep 1000"; }
                 cmd "second" { exec = "sleep 1001"; depends_on = "first"; })");
-  ask({"reload"});
-  ask({"start", "first", "second"});
-  EXPECT_TRUE(soon([&] { return pid("second") > 0; }));
+  request({"reload"});
+  request({"start", "first", "second"});
+  EXPECT_TRUE(becomes_true([&] { return pid("second") > 0; }));
   const int first = pid("first");
   const int second = pid("second");
   write_list(R"(cmd "first" { exec = "sleep 1002"; }
                 cmd "second" { exec = "sleep 1003"; depends_on = "first"; })");
-  ask({"reload"});
-  EXPECT_TRUE(soon([&] {
-    const bool second_runs_anew = pid("second") > 0 && pid("second") != second;
-    EXPECT_FALSE(second_runs_anew && (pid("first") == first || pid("first") == 0));
-    return second_runs_anew;
+  request({"reload"});
+  EXPECT_TRUE(becomes_true([&] {
+    const bool second_runs_reset = pid("second") > 0 && pid("second") != second;
+    EXPECT_FALSE(second_runs_reset && (pid("first") == first || pid("first") == 0));
+    return second_runs_reset;
   }));
   EXPECT_EQ(status("second").command.exec, "sleep 1003");
 }
 
 TEST_F(ProcessListReload, DoesNotLeaveWhoFollowsALogHanging) {
-  std::string heard;
+  std::string received;
   std::atomic<bool> over = false;
   const std::jthread follower([&] {
     try {
-      ask_supervisor(folder_ / "s.sock", {"follow", "goes"}, [](std::string_view) {});
+      request_from_supervisor(folder_ / "s.sock", {"follow", "goes"}, [](std::string_view) {});
     } catch (const std::runtime_error&) {
     }
     over = true;
   });
   write_list(kAnother);
-  ask({"reload"});
-  EXPECT_TRUE(soon([&] { return !is_listed("goes"); }));
+  request({"reload"});
+  EXPECT_TRUE(becomes_true([&] { return !is_listed("goes"); }));
   supervisor_.reset();  // and nothing is read that is gone
-  EXPECT_TRUE(test::soon([&] { return over.load(); }));
+  EXPECT_TRUE(test::becomes_true([&] { return over.load(); }));
 }
 
 }  // namespace

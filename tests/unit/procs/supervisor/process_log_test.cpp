@@ -40,7 +40,7 @@ TEST(ProcessLog, KeepsNothingWithoutAFolder) {
   ProcessLog log("", "mapping", {});
   log.add("line", kUtime);
   log.flush();
-  EXPECT_THAT(log.trouble(), IsEmpty());
+  EXPECT_THAT(log.error(), IsEmpty());
   EXPECT_FALSE(fs::exists("mapping.log"));
 }
 
@@ -87,17 +87,17 @@ TEST(RotatedFile, SaysWhyItCannotWriteAndGoesOnWhenItCan) {
   const test::ScratchFolder folder;
   RotatedFile file(folder / "later" / "x.log", {});
   file.write("lost");
-  EXPECT_THAT(file.trouble(), HasSubstr("later/x.log: No such file"));
+  EXPECT_THAT(file.error(), HasSubstr("later/x.log: No such file"));
   fs::create_directory(folder / "later");
   file.write("kept");
-  EXPECT_THAT(file.trouble(), IsEmpty());
+  EXPECT_THAT(file.error(), IsEmpty());
   EXPECT_EQ(contents(folder / "later/x.log"), "kept");
 }
 
 TEST(RotatedFile, SaysThatTheDiskIsFull) {
   RotatedFile file("/dev/full", {});
   file.write("lost");
-  EXPECT_THAT(file.trouble(), HasSubstr("No space left"));
+  EXPECT_THAT(file.error(), HasSubstr("No space left"));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ inline std::string unique_sleep() {
 }
 
 /// Processes, zombies left out, on whose command line the text is.
-inline int processes_with(const std::string& text) {
+inline int count_processes_with(const std::string& text) {
   int found = 0;
   std::error_code gone;
   for (const auto& folder : std::filesystem::directory_iterator("/proc", gone)) {
@@ -35,7 +35,7 @@ inline int processes_with(const std::string& text) {
 }
 
 /// Whether the condition comes true within ten seconds.
-inline bool soon(const std::function<bool()>& condition) {
+inline bool becomes_true(const std::function<bool()>& condition) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
   while (!condition()) {
     if (std::chrono::steady_clock::now() > end) return false;

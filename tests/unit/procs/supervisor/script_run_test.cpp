@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/supervisor/keeping/script_run.hpp"
+#include "procs/supervisor/management/script_run.hpp"
 
 #include <map>
 #include <stdexcept>
@@ -31,7 +31,7 @@ class ScriptRunTest : public testing::Test {
     return run.advance(now_us, [this](const std::string& id) { return standings_[id]; });
   }
 
-  std::map<std::string, Standing> standings_;
+  std::map<std::string, ProcessState> standings_;
 };
 
 TEST_F(ScriptRunTest, ChangesWhatItNamesOneStepAfterTheOther) {
@@ -48,7 +48,7 @@ TEST_F(ScriptRunTest, ChangesWhatItNamesOneStepAfterTheOther) {
   EXPECT_EQ(third->kind, Kind::kRestart);
   EXPECT_THAT(third->ids, ElementsAre("a", "b", "c"));
   EXPECT_FALSE(advance(run, 0));
-  EXPECT_TRUE(run.is_over());
+  EXPECT_TRUE(run.is_finished());
   EXPECT_EQ(run.failure(), "");
 }
 
@@ -65,10 +65,10 @@ TEST_F(ScriptRunTest, WaitsUntilAllWork) {
       list_with(R"(script "s" { start group "g" wait "running"; start cmd "c"; })");
   ScriptRun run(list, "s", 10.0);
   EXPECT_TRUE(advance(run, 0));
-  standings_ = {{"a", Standing::kWorking}, {"b", Standing::kBetween}};
+  standings_ = {{"a", ProcessState::kRunning}, {"b", ProcessState::kChanging}};
   EXPECT_FALSE(advance(run, 1));
-  EXPECT_FALSE(run.is_over());
-  standings_["b"] = Standing::kWorking;
+  EXPECT_FALSE(run.is_finished());
+  standings_["b"] = ProcessState::kRunning;
   EXPECT_THAT(advance(run, 2)->ids, ElementsAre("c"));
 }
 
@@ -79,34 +79,34 @@ TEST_F(ScriptRunTest, EndsWhereWhatItWaitsForDoesNotCome) {
   ScriptRun run(list, "s", 10.0);
   EXPECT_FALSE(advance(run, 0));
   EXPECT_FALSE(advance(run, 1999 * kMs));
-  EXPECT_FALSE(run.is_over());
+  EXPECT_FALSE(run.is_finished());
   EXPECT_FALSE(advance(run, 2000 * kMs));
-  EXPECT_TRUE(run.is_over());
+  EXPECT_TRUE(run.is_finished());
   EXPECT_EQ(run.failure(), "script \"s\" waited in vain for \"c\" to be running");
 
   ScriptRun slow(list, "t", 10.0);
   EXPECT_FALSE(advance(slow, 0));
   EXPECT_FALSE(advance(slow, 9999 * kMs));
-  EXPECT_FALSE(slow.is_over());
+  EXPECT_FALSE(slow.is_finished());
   EXPECT_FALSE(advance(slow, 10'000 * kMs));
-  EXPECT_TRUE(slow.is_over());
+  EXPECT_TRUE(slow.is_finished());
 }
 
 TEST_F(ScriptRunTest, RunsOthersAndGoesOnBehindThem) {
   const ProcessList list = list_with(R"(script "s" { run_script "t"; start cmd "a"; }
                                         script "t" { wait ms 5; stop cmd "b" wait "stopped"; })");
-  standings_ = {{"b", Standing::kBetween}};
+  standings_ = {{"b", ProcessState::kChanging}};
   ScriptRun run(list, "s", 10.0);
   EXPECT_FALSE(advance(run, 0));
   EXPECT_THAT(advance(run, 5 * kMs)->ids, ElementsAre("b"));
   EXPECT_FALSE(advance(run, 6 * kMs));
-  standings_ = {{"b", Standing::kStopped}};
+  standings_ = {{"b", ProcessState::kStopped}};
   EXPECT_THAT(advance(run, 7 * kMs)->ids, ElementsAre("a"));
   EXPECT_FALSE(advance(run, 8 * kMs));
-  EXPECT_TRUE(run.is_over());
+  EXPECT_TRUE(run.is_finished());
 }
 
-TEST_F(ScriptRunTest, IsRefusedWhereThereIsNone) {
+TEST_F(ScriptRunTest, IsRejectedWhereThereIsNone) {
   const ProcessList list = list_with("");
   EXPECT_THROW(ScriptRun(list, "s", 10.0), std::invalid_argument);
 }

@@ -16,9 +16,9 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/typed.hpp"
+#include "common/bus/typed_messages.hpp"
 #include "common/messages/procman.hpp"
-#include "procs/supervisor/terminal/terminal_client.hpp"
+#include "procs/supervisor/control/control_client.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/procs/supervisor/processes.hpp"
 
@@ -46,10 +46,10 @@ class SupervisorNodeTest : public testing::Test {
     params_.deputy_id = "robot";
     params_.socket = folder_ / "s.sock";
     params_.watcher = ADIT_WATCH;
-    bus_.tap([this](const Received& received) { take(received); });
+    bus_.tap([this](const ReceivedMessage& received) { take(received); });
   }
 
-  void take(const Received& received) {
+  void take(const ReceivedMessage& received) {
     if (received.channel == channels::kPmInfo) {
       info_ = *from_message(*decode<procman_lcm::deputy_info_t>(received.bytes));
       ++infos_;
@@ -63,14 +63,14 @@ class SupervisorNodeTest : public testing::Test {
 
   void start_node() { node_ = std::make_unique<SupervisorNode>(bus_, params_); }
 
-  void go_on() {
+  void run_on() {
     utime_ += 20'000;
     bus_.advance_to(utime_);
   }
 
-  bool soon(const std::function<bool()>& condition) {
-    return test::soon([&] {
-      go_on();
+  bool becomes_true(const std::function<bool()>& condition) {
+    return test::becomes_true([&] {
+      run_on();
       return condition();
     });
   }
@@ -97,18 +97,18 @@ class SupervisorNodeTest : public testing::Test {
   [[nodiscard]] const SubscriptionStats& order_stats() const { return bus_.stats(0); }
 
   /// What a terminal says, from a thread of its own since the node answers on this one.
-  std::string terminal(const std::vector<std::string>& words) {
+  std::string control_request(const std::vector<std::string>& words) {
     std::string said;
     std::atomic<bool> done = false;
     std::jthread thread([&] {
       try {
-        said = ask_supervisor(params_.socket, words);
+        said = request_from_supervisor(params_.socket, words);
       } catch (const std::runtime_error& error) {
         said = std::string("error: ") + error.what();
       }
       done = true;
     });
-    EXPECT_TRUE(soon([&] { return done.load(); }));
+    EXPECT_TRUE(becomes_true([&] { return done.load(); }));
     thread.join();
     return said;
   }
@@ -126,7 +126,7 @@ class SupervisorNodeTest : public testing::Test {
 
 TEST_F(SupervisorNodeTest, TellsOfItsProcessesAsProcmanDoes) {
   start_node();
-  go_on();
+  run_on();
   EXPECT_EQ(info_.deputy, "robot");
   ASSERT_EQ(info_.commands.size(), 2U);  // not that of another computer
   EXPECT_EQ(info_.commands[0].command,
@@ -144,17 +144,17 @@ TEST_F(SupervisorNodeTest, TellsEachSecondAndOnChangeAndWhenAsked) {
   EXPECT_EQ(infos_, 5);
   publish(bus_, channels::kPmDiscover, to_message(ProcmanDiscovery{kStart, "sheriff", 1}));
   EXPECT_EQ(infos_, 6);
-  EXPECT_EQ(terminal({"start", "talk"}), "");
-  EXPECT_TRUE(soon([&] { return status("talk").pid > 0; }));
+  EXPECT_EQ(control_request({"start", "talk"}), "");
+  EXPECT_TRUE(becomes_true([&] { return status("talk").pid > 0; }));
 }
 
-TEST_F(SupervisorNodeTest, RefusesForeignOrdersByDefault) {
+TEST_F(SupervisorNodeTest, RejectsForeignOrdersByDefault) {
   start_node();
-  go_on();
+  run_on();
   order("sheriff", "talk", "", 5);
-  EXPECT_EQ(order_stats().refused, 1);
-  EXPECT_THAT(order_stats().refusals.begin()->first, HasSubstr("foreign sheriff"));
-  go_on();
+  EXPECT_EQ(order_stats().rejected, 1);
+  EXPECT_THAT(order_stats().rejections.begin()->first, HasSubstr("foreign sheriff"));
+  run_on();
   EXPECT_EQ(status("talk").pid, 0);
 }
 
@@ -162,17 +162,17 @@ TEST_F(SupervisorNodeTest, ObeysASheriffWhereItIsToldToAndRunsOnlyWhatIsListed) 
   params_.accept_orders = true;
   start_node();
   order("sheriff", "talk", status("talk").command.exec, 5);
-  ASSERT_TRUE(soon([&] { return status("talk").pid > 0; }));
+  ASSERT_TRUE(becomes_true([&] { return status("talk").pid > 0; }));
   EXPECT_EQ(status("talk").run_id, 5);
-  EXPECT_TRUE(soon([&] { return printed_ == "talk: hello\n"; })) << printed_;
+  EXPECT_TRUE(becomes_true([&] { return printed_ == "talk: hello\n"; })) << printed_;
   order("sheriff", "talk", "sh -c evil", 6);
   order("sheriff", "evil", "sh -c evil", 6);
   order("sheriff", "far", "", 6);
-  EXPECT_EQ(order_stats().refused, 3);
-  go_on();
+  EXPECT_EQ(order_stats().rejected, 3);
+  run_on();
   EXPECT_EQ(status("talk").run_id, 5);
   order("sheriff", "talk", "", 5, true);
-  ASSERT_TRUE(soon([&] { return status("talk").pid == 0; }));
+  ASSERT_TRUE(becomes_true([&] { return status("talk").pid == 0; }));
   EXPECT_EQ(WTERMSIG(status("talk").wait_status), SIGINT);
   EXPECT_EQ(node_->health(), Health{});
 }
@@ -183,23 +183,23 @@ TEST_F(SupervisorNodeTest, AsADeputyObeysTheOneInCharge) {
   start_node();
   order("stranger", "talk", "", 1);
   order("base", "talk", "", 2);
-  EXPECT_EQ(order_stats().refused, 1);
-  ASSERT_TRUE(soon([&] { return status("talk").pid > 0; }));
+  EXPECT_EQ(order_stats().rejected, 1);
+  ASSERT_TRUE(becomes_true([&] { return status("talk").pid > 0; }));
   EXPECT_EQ(status("talk").run_id, 2);
-  EXPECT_THAT(terminal({"start", "far"}), HasSubstr("\"far\" runs on sensors, and this"));
+  EXPECT_THAT(control_request({"start", "far"}), HasSubstr("\"far\" runs on sensors, and this"));
   EXPECT_THAT(orders_, testing::SizeIs(2));  // those of this test
 }
 
 TEST_F(SupervisorNodeTest, RunsItsStartScriptAndOrdersWhatOthersAreToRun) {
   params_.start_script = "go";
   start_node();
-  ASSERT_TRUE(soon([&] { return status("quiet").pid > 0; }));
+  ASSERT_TRUE(becomes_true([&] { return status("quiet").pid > 0; }));
   EXPECT_GT(status("talk").pid, 0);
   publish(bus_, channels::kPmInfo,
           to_message(ProcmanInfo{kStart, "sensors", {}, {{{"far", "", "", false, 0, 0.0}, 0, 3}}}));
-  go_on();
+  run_on();
   EXPECT_THAT(orders_, IsEmpty());  // the script waits for a sign of life
-  EXPECT_TRUE(soon([&] {
+  EXPECT_TRUE(becomes_true([&] {
     bus_.publish(channels::kPose, {});
     return !orders_.empty();
   }));
@@ -213,28 +213,29 @@ TEST_F(SupervisorNodeTest, RunsItsStartScriptAndOrdersWhatOthersAreToRun) {
 TEST_F(SupervisorNodeTest, SaysWhyAScriptHasEnded) {
   params_.start_script = "hopeless";
   start_node();
-  go_on();
+  run_on();
   EXPECT_EQ(node_->health().level, Health::Level::kDegraded);
   EXPECT_THAT(node_->health().reason, HasSubstr("waited in vain for \"quiet\""));
 }
 
 TEST_F(SupervisorNodeTest, ServesTerminals) {
   start_node();
-  EXPECT_EQ(terminal({"start", "talk"}), "");
-  ASSERT_TRUE(soon([&] { return !printed_.empty(); }));
-  EXPECT_EQ(terminal({"logs", "talk"}), "hello\n");
-  EXPECT_THAT(terminal({"ps"}), AllOf(HasSubstr("talk\trobot\tg\trunning\t"),
-                                      HasSubstr("quiet\trobot\t\tstopped\t0\t"),
-                                      HasSubstr("far\tsensors\t\tunknown\t0\t")));
-  EXPECT_EQ(terminal({"stop"}), "");  // all
-  EXPECT_TRUE(soon([&] { return status("talk").pid == 0; }));
-  EXPECT_THAT(terminal({"start", "talk", "none"}), HasSubstr("there is no process \"none\""));
-  go_on();
+  EXPECT_EQ(control_request({"start", "talk"}), "");
+  ASSERT_TRUE(becomes_true([&] { return !printed_.empty(); }));
+  EXPECT_EQ(control_request({"logs", "talk"}), "hello\n");
+  EXPECT_THAT(control_request({"ps"}), AllOf(HasSubstr("talk\trobot\tg\trunning\t"),
+                                             HasSubstr("quiet\trobot\t\tstopped\t0\t"),
+                                             HasSubstr("far\tsensors\t\tunknown\t0\t")));
+  EXPECT_EQ(control_request({"stop"}), "");  // all
+  EXPECT_TRUE(becomes_true([&] { return status("talk").pid == 0; }));
+  EXPECT_THAT(control_request({"start", "talk", "none"}),
+              HasSubstr("there is no process \"none\""));
+  run_on();
   EXPECT_EQ(status("talk").pid, 0);  // nothing was done by halves
-  EXPECT_THAT(terminal({"logs", "far"}), HasSubstr("nothing was heard of it from sensors"));
-  EXPECT_THAT(terminal({"logs", "none"}), HasSubstr("no process \"none\""));
-  EXPECT_THAT(terminal({"script", "none"}), HasSubstr("no script \"none\""));
-  EXPECT_THAT(terminal({"dance"}), HasSubstr("unknown request"));
+  EXPECT_THAT(control_request({"logs", "far"}), HasSubstr("nothing was heard of it from sensors"));
+  EXPECT_THAT(control_request({"logs", "none"}), HasSubstr("no process \"none\""));
+  EXPECT_THAT(control_request({"script", "none"}), HasSubstr("no script \"none\""));
+  EXPECT_THAT(control_request({"dance"}), HasSubstr("unknown request"));
 }
 
 TEST_F(SupervisorNodeTest, ShowsWhatIsPrintedOnOtherComputers) {
@@ -247,8 +248,8 @@ TEST_F(SupervisorNodeTest, ShowsWhatIsPrintedOnOtherComputers) {
   printed("sensors", "unlisted", "lie\n");
   printed("robot", "talk", "lie\n");  // as one's own words come back
   printed("sensors", "far", "two\n\x1b[2J");
-  EXPECT_EQ(terminal({"logs", "far"}), "one\ntwo\n");
-  EXPECT_EQ(terminal({"logs", "talk"}), "");
+  EXPECT_EQ(control_request({"logs", "far"}), "one\ntwo\n");
+  EXPECT_EQ(control_request({"logs", "talk"}), "");
 }
 
 TEST_F(SupervisorNodeTest, StopsInOrderAcrossComputers) {
@@ -259,28 +260,29 @@ TEST_F(SupervisorNodeTest, StopsInOrderAcrossComputers) {
     const ProcmanStatus far{{"far", "", "", false, 0, 0.0}, pid, 3};
     publish(bus_, channels::kPmInfo, to_message(ProcmanInfo{kStart, "sensors", {}, {far}}));
   };
-  terminal({"start", "near"});
-  ASSERT_TRUE(soon([&] { return status("near").pid > 0; }));
+  control_request({"start", "near"});
+  ASSERT_TRUE(becomes_true([&] { return status("near").pid > 0; }));
   far_is(17);
-  EXPECT_EQ(terminal({"stop"}), "");
-  ASSERT_TRUE(soon([&] { return !orders_.empty(); }));
+  EXPECT_EQ(control_request({"stop"}), "");
+  ASSERT_TRUE(becomes_true([&] { return !orders_.empty(); }));
   EXPECT_TRUE(orders_.back().orders[0].stop);
-  for (int i = 0; i < 5; ++i) go_on();
-  EXPECT_THAT(terminal({"ps"}), AllOf(HasSubstr("near\trobot\t\trunning"),
-                                      HasSubstr("stops after what depends on it")));
+  for (int i = 0; i < 5; ++i) run_on();
+  EXPECT_THAT(control_request({"ps"}), AllOf(HasSubstr("near\trobot\t\trunning"),
+                                             HasSubstr("stops after what depends on it")));
   far_is(0);
-  EXPECT_TRUE(soon([&] { return terminal({"ps"}).starts_with("near\trobot\t\tstopped"); }));
+  EXPECT_TRUE(
+      becomes_true([&] { return control_request({"ps"}).starts_with("near\trobot\t\tstopped"); }));
 }
 
 TEST_F(SupervisorNodeTest, ReportsAProcessThatWasGivenUp) {
   std::ofstream(folder_ / "list.cfg") << R"(cmd "bad" { exec = "false"; })";
   start_node();
-  terminal({"start", "bad"});
-  EXPECT_TRUE(soon([&] { return node_->health().level == Health::Level::kFault; }));
+  control_request({"start", "bad"});
+  EXPECT_TRUE(becomes_true([&] { return node_->health().level == Health::Level::kFault; }));
   EXPECT_EQ(node_->health().reason, "bad is failed: ended with exit code 1");
 }
 
-TEST_F(SupervisorNodeTest, RefusesAConfigurationThatCannotBe) {
+TEST_F(SupervisorNodeTest, RejectsAConfigurationThatCannotBe) {
   const auto error_of = [&](const SupervisorParams& params) -> std::string {
     try {
       const SupervisorNode node(bus_, params);

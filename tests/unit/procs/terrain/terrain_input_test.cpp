@@ -17,9 +17,9 @@ namespace {
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-Cloud drift_with_post() {
+Cloud tunnel_with_post() {
   return cloud_of([](MeshBuilder& builder) {
-    add_drift(builder);
+    add_tunnel(builder);
     add_rock(builder, {5.0, 0.7, 1.0}, {0.2, 0.2, 2.0});
   });
 }
@@ -87,7 +87,7 @@ TEST(TerrainInput, AnEmptyCloudGivesAMapOfNothingSeen) {
   EXPECT_EQ(map.rows, 200);
   ASSERT_EQ(map.cells.size(), 40'000U);
   for (const TerrainCell& cell : map.cells) {
-    EXPECT_EQ(cell.ground, Ground::kNeverSeen);
+    EXPECT_EQ(cell.ground, Ground::kNeverObserved);
     EXPECT_EQ(cell.count, 0);
     EXPECT_TRUE(std::isnan(cell.low_m) && std::isnan(cell.high_m) && std::isnan(cell.step_m) &&
                 std::isnan(cell.coefficient_m) && std::isnan(cell.slope_rad) &&
@@ -97,7 +97,7 @@ TEST(TerrainInput, AnEmptyCloudGivesAMapOfNothingSeen) {
 }
 
 TEST(TerrainInput, WhatIsNoPointIsPassedOverAndCounted) {
-  const Cloud good = drift_with_post();
+  const Cloud good = tunnel_with_post();
   EXPECT_EQ(unusable_points(good), 0U);
   Cloud bad = good;
   for (CloudLine& line : bad.lines) {
@@ -112,23 +112,23 @@ TEST(TerrainInput, WhatIsNoPointIsPassedOverAndCounted) {
 }
 
 TEST(TerrainInput, ALineFromNowhereDoesNotHideTheOthers) {
-  Cloud cloud = drift_with_post();
+  Cloud cloud = tunnel_with_post();
   CloudLine lost;
   lost.origin = {kNaN, kNaN, kNaN};
   lost.points.emplace_back(3.0F, 0.0F, 0.0F);
   lost.misses.emplace_back(0.0F, 0.0F, -1.0F);
   cloud.lines.insert(cloud.lines.begin(), lost);
   const TerrainMap map = Terrain({}).make(cloud);
-  EXPECT_EQ(cell_at(map, 5.0, -0.5).ground, Ground::kSeen);
+  EXPECT_EQ(cell_at(map, 5.0, -0.5).ground, Ground::kObserved);
 }
 
 TEST(TerrainInput, TheSameCloudGivesTheSameBytes) {
-  const Cloud cloud = drift_with_post();
+  const Cloud cloud = tunnel_with_post();
   EXPECT_TRUE(same(Terrain({}).make(cloud), Terrain({}).make(cloud)));
 }
 
 TEST(TerrainInput, TheOrderOfTheLinesDoesNotMatter) {
-  Cloud cloud = drift_with_post();
+  Cloud cloud = tunnel_with_post();
   const TerrainMap map = Terrain({}).make(cloud);
   std::reverse(cloud.lines.begin(), cloud.lines.end());
   const auto itself = [](int column, int row) { return std::pair(column, row); };
@@ -137,23 +137,23 @@ TEST(TerrainInput, TheOrderOfTheLinesDoesNotMatter) {
 }
 
 // Points at the edge of a cell, and beams at the edge of a sector, may go either way.
-constexpr double kMost = 0.97;
+constexpr double kAlikeShareMin = 0.97;
 
 TEST(TerrainInput, ATurnedCloudGivesATurnedMap) {
-  const Cloud cloud = drift_with_post();
+  const Cloud cloud = tunnel_with_post();
   const TerrainMap map = Terrain(square()).make(cloud);
   const TerrainMap left = Terrain(square()).make(turned(cloud, std::numbers::pi_v<float> / 2.0F));
   EXPECT_GT(share_alike(map, left, [&](int c, int r) { return std::pair(map.rows - 1 - r, c); }),
-            kMost);
+            kAlikeShareMin);
   const TerrainMap back = Terrain(square()).make(turned(cloud, std::numbers::pi_v<float>));
   EXPECT_GT(
       share_alike(map, back,
                   [&](int c, int r) { return std::pair(map.columns - 1 - c, map.rows - 1 - r); }),
-      kMost);
+      kAlikeShareMin);
 }
 
 TEST(TerrainInput, AMapThatBeginsElsewhereSaysTheSame) {
-  const Cloud cloud = drift_with_post();
+  const Cloud cloud = tunnel_with_post();
   TerrainParams shifted;
   shifted.behind_m += 1.0;  // ten cells
   const TerrainMap map = Terrain({}).make(cloud);
@@ -164,7 +164,7 @@ TEST(TerrainInput, AMapThatBeginsElsewhereSaysTheSame) {
       alike += map.at(column, row).ground == other.at(column + 10, row).ground ? 1 : 0;
     }
   }
-  EXPECT_GT(alike, kMost * map.rows * (map.columns - 10));
+  EXPECT_GT(alike, kAlikeShareMin * map.rows * (map.columns - 10));
 }
 
 }  // namespace

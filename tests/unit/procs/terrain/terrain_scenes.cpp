@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "common/geometry/pose2.hpp"
 #include "sim/sweep/tilt_sweep.hpp"
 
 namespace adit {
@@ -29,7 +30,7 @@ void add_ground(MeshBuilder& builder, double from_m, double to_m, double top_m) 
   add_rock(builder, {(from_m + to_m) / 2.0, 0.0, top_m - 2.0}, {to_m - from_m, 4.0, 4.0});
 }
 
-void add_drift(MeshBuilder& builder) {
+void add_tunnel(MeshBuilder& builder) {
   add_ground(builder, -15.0, 15.0);
   add_rock(builder, {0.0, 0.0, 2.5}, {30.0, 4.0, 1.0});
   for (const double side : {-1.0, 1.0}) {
@@ -61,6 +62,35 @@ double share_of(const TerrainMap& map, const Eigen::AlignedBox2d& box,
     hits += is(cell) ? 1 : 0;
   });
   return static_cast<double>(hits) / cells;
+}
+
+void ScanningVehicle::drive_to(const Pose2& T_world_body) {
+  constexpr double kStepM = 0.05;
+  const Pose2 from = T_world_body_;
+  const Eigen::Vector2d offset = T_world_body.translation() - from.translation();
+  const int steps = static_cast<int>(std::ceil(offset.norm() / kStepM));
+  for (int i = 1; i <= steps; ++i) {
+    const Eigen::Vector2d p = from.translation() + offset * i / steps;
+    utime_ += 125'000;
+    memory_.add(utime_, {p.x(), p.y(), T_world_body.theta});
+  }
+  T_world_body_ = T_world_body;
+}
+
+TerrainMap ScanningVehicle::scan(const Build& build, bool rear, double floor_m,
+                                 const Pose2& T_odom_world) {
+  MeshBuilder builder;
+  builder.begin_part(PartKind::kFloor, Material::kRock, "rock");
+  build(builder);
+  World world;
+  world.mesh = builder.take();
+  TiltSweep sweep;
+  if (rear) sweep.mount = groundhog_lasers().rear;
+  Cloud cloud = tilt_sweep(Site(std::move(world)), in_space(T_world_body_, floor_m), sweep);
+  utime_ += 10'000'000;
+  cloud.utime = utime_;
+  cloud.T_odom_level = T_odom_world * cloud.T_odom_level;
+  return terrain_.make(cloud, memory_);
 }
 
 }  // namespace adit

@@ -4,8 +4,9 @@
 
 #include <functional>
 
-#include "common/cloud/cloud.hpp"
-#include "common/terrain/terrain_map.hpp"
+#include "common/types/cloud.hpp"
+#include "common/types/terrain_map.hpp"
+#include "procs/terrain/terrain.hpp"
 #include "sim/mesh/mesh_builder.hpp"
 
 namespace adit {
@@ -18,7 +19,7 @@ Cloud cloud_of(const std::function<void(MeshBuilder&)>& add,
 /// The ground from x = `from_m` to `to_m`, 4 m wide, its upper side at z = `top_m`.
 void add_ground(MeshBuilder& builder, double from_m, double to_m, double top_m = 0.0);
 /// A drift 30 m long, 4 m wide and 2 m high with the vehicle in its middle.
-void add_drift(MeshBuilder& builder);
+void add_tunnel(MeshBuilder& builder);
 void add_rock(MeshBuilder& builder, const Eigen::Vector3d& middle, const Eigen::Vector3d& size);
 
 /// The cell around a place in level [m].
@@ -30,5 +31,30 @@ void for_cells(const TerrainMap& map, const Eigen::AlignedBox2d& box,
 /// Share of these cells of which something is true.
 double share_of(const TerrainMap& map, const Eigen::AlignedBox2d& box,
                 const std::function<bool(const TerrainCell&)>& is);
+
+/// A vehicle that drives and looks in what is built anew for each look, by its terrain stage. It
+/// drives straight, in pieces of 5 cm, 0.4 m/s.
+class ScanningVehicle {
+ public:
+  using Build = std::function<void(MeshBuilder&)>;
+
+  explicit ScanningVehicle(const Pose2& T_world_body, const TerrainParams& params = {})
+      : terrain_(params), memory_(params), T_world_body_(T_world_body) {
+    memory_.add(utime_, T_world_body_);
+  }
+
+  void drive_to(const Pose2& T_world_body);
+  /// `floor_m`: z of the ground in world where it stands. `T_odom_world` is what odom gets wrong.
+  TerrainMap scan(const Build& build, bool rear = false, double floor_m = 0.0,
+                  const Pose2& T_odom_world = {});
+
+  [[nodiscard]] TerrainMemory& memory() { return memory_; }
+
+ private:
+  Terrain terrain_;
+  TerrainMemory memory_;
+  Pose2 T_world_body_;
+  std::int64_t utime_ = 1'600'000'000'000'000;
+};
 
 }  // namespace adit

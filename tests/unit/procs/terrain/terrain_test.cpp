@@ -23,9 +23,9 @@ TerrainMap map_of(const Cloud& cloud, const std::string& estimator = "kth") {
   return Terrain(params).make(cloud);
 }
 
-Cloud drift_with(const std::function<void(MeshBuilder&)>& add) {
+Cloud tunnel_with(const std::function<void(MeshBuilder&)>& add) {
   return cloud_of([&](MeshBuilder& builder) {
-    add_drift(builder);
+    add_tunnel(builder);
     add(builder);
   });
 }
@@ -35,9 +35,9 @@ INSTANTIATE_TEST_SUITE_P(Terrain, OfBothEstimators, testing::Values("kth", "pape
                          [](const auto& test) { return std::string(test.param); });
 
 TEST_P(OfBothEstimators, FlatGroundIsEasy) {
-  const TerrainMap map = map_of(cloud_of(add_drift), GetParam());
+  const TerrainMap map = map_of(cloud_of(add_tunnel), GetParam());
   for_cells(map, kAhead, [](const TerrainCell& cell) {
-    EXPECT_EQ(cell.ground, Ground::kSeen);
+    EXPECT_EQ(cell.ground, Ground::kObserved);
     EXPECT_LT(cell.coefficient_m, kNoise);
     EXPECT_NEAR(cell.low_m, 0.0, kNoise);
     EXPECT_LT(cell.step_m, kNoise);
@@ -50,7 +50,7 @@ TEST_P(OfBothEstimators, ABoxIsAsHardAsItIsHigh) {
   const auto box = [](MeshBuilder& builder) {
     add_rock(builder, {5.0, 0.5, 0.15}, {0.6, 0.6, 0.3});
   };
-  const TerrainMap map = map_of(drift_with(box), GetParam());
+  const TerrainMap map = map_of(tunnel_with(box), GetParam());
   const Eigen::AlignedBox2d above(Eigen::Vector2d(4.7, 0.2), Eigen::Vector2d(5.3, 0.8));
   // Where a region begins at the face of the box, its lowest may pass for ground that rises: by a
   // quarter over two cells, and the noise.
@@ -66,7 +66,7 @@ TEST_P(OfBothEstimators, RailsShowAndTheGroundBetweenThemDoesNot) {
   const auto rails = [](MeshBuilder& builder) {
     for (const double y : {-0.45, 0.45}) add_rock(builder, {0.0, y, 0.05}, {28.0, 0.06, 0.1});
   };
-  const TerrainMap map = map_of(drift_with(rails), GetParam());
+  const TerrainMap map = map_of(tunnel_with(rails), GetParam());
   const Eigen::AlignedBox2d rail(Eigen::Vector2d(2.5, 0.4), Eigen::Vector2d(4.5, 0.5));
   for_cells(map, rail,
             [](const TerrainCell& cell) { EXPECT_NEAR(cell.coefficient_m, 0.1, kNoise); });
@@ -78,7 +78,7 @@ TEST_P(OfBothEstimators, AThinHangingCableIsInTheWay) {
   const auto cable = [](MeshBuilder& builder) {
     builder.bar({4.05, -1.9, 0.8}, {4.05, 1.9, 0.8}, 0.015);
   };
-  const TerrainMap map = map_of(drift_with(cable), GetParam());
+  const TerrainMap map = map_of(tunnel_with(cable), GetParam());
   const Eigen::AlignedBox2d below(Eigen::Vector2d(4.0, -1.5), Eigen::Vector2d(4.1, 1.5));
   for_cells(map, below, [](const TerrainCell& cell) {
     EXPECT_NEAR(cell.coefficient_m, 0.8, 0.015 + kNoise);  // the radius of the cable
@@ -89,7 +89,7 @@ TEST_P(OfBothEstimators, WhatHangsAboveTheVehicleIsClearanceHoweverLow) {
   const auto low_roof = [](MeshBuilder& builder) {
     add_rock(builder, {7.5, 0.0, 1.65}, {5.0, 4.0, 1.2});
   };
-  const TerrainMap map = map_of(drift_with(low_roof), GetParam());
+  const TerrainMap map = map_of(tunnel_with(low_roof), GetParam());
   const Eigen::AlignedBox2d below(Eigen::Vector2d(5.2, -1.5), Eigen::Vector2d(6.0, 1.5));
   for_cells(map, below, [](const TerrainCell& cell) {
     EXPECT_LT(cell.coefficient_m, kNoise);
@@ -101,7 +101,7 @@ TEST_P(OfBothEstimators, ALowRoofIsInTheWayAndAHighOneIsClearance) {
   const auto low_roof = [](MeshBuilder& builder) {
     add_rock(builder, {7.5, 0.0, 1.4}, {5.0, 4.0, 1.2});
   };
-  const TerrainMap map = map_of(drift_with(low_roof), GetParam());
+  const TerrainMap map = map_of(tunnel_with(low_roof), GetParam());
   const Eigen::AlignedBox2d edge(Eigen::Vector2d(5.0, -1.5), Eigen::Vector2d(5.1, 1.5));
   for_cells(map, edge, [](const TerrainCell& cell) { EXPECT_GT(cell.coefficient_m, 0.75); });
   const Eigen::AlignedBox2d high(Eigen::Vector2d(3.6, -1.0), Eigen::Vector2d(4.4, 1.0));
@@ -115,9 +115,10 @@ TEST(Terrain, TheRoofIsNoGroundWhereTheGroundIsHidden) {
   const auto block = [](MeshBuilder& builder) {
     add_rock(builder, {3.0, 0.0, 0.5}, {0.4, 3.9, 1.0});
   };
-  const TerrainMap map = map_of(drift_with(block));
+  const TerrainMap map = map_of(tunnel_with(block));
   const Eigen::AlignedBox2d behind(Eigen::Vector2d(3.6, -1.5), Eigen::Vector2d(4.4, 1.5));
-  for_cells(map, behind, [](const TerrainCell& cell) { EXPECT_EQ(cell.ground, Ground::kShadow); });
+  for_cells(map, behind,
+            [](const TerrainCell& cell) { EXPECT_EQ(cell.ground, Ground::kOccluded); });
 }
 
 TEST(Terrain, MeasuresTheSlopeOfARamp) {
@@ -135,7 +136,7 @@ TEST(Terrain, MeasuresTheSlopeOfARamp) {
   double sum = 0.0;
   int cells = 0;
   for_cells(map, on_it, [&](const TerrainCell& cell) {
-    ASSERT_EQ(cell.ground, Ground::kSeen);
+    ASSERT_EQ(cell.ground, Ground::kObserved);
     sum += cell.slope_rad;
     ++cells;
     EXPECT_NEAR(cell.slope_rad, 0.1745, 0.06);            // as flat ground, and the lines on it
@@ -147,7 +148,7 @@ TEST(Terrain, MeasuresTheSlopeOfARamp) {
 TEST(Terrain, IsLevelWhereTheVehicleIsNot) {
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
   T_world_body.rotate(Eigen::AngleAxisd(0.06, Eigen::Vector3d(0.6, 0.8, 0.0)));
-  const TerrainMap map = map_of(cloud_of(add_drift, T_world_body));
+  const TerrainMap map = map_of(cloud_of(add_tunnel, T_world_body));
   const double easy = share_of(map, kAhead, [](const TerrainCell& cell) {
     return cell.coefficient_m < kNoise && std::abs(cell.low_m) < kNoise;
   });

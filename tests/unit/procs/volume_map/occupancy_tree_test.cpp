@@ -9,20 +9,20 @@
 
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/procs/volume_map/octomap_reference.hpp"
-#include "tests/unit/procs/volume_map/swept_drift.hpp"
+#include "tests/unit/procs/volume_map/swept_tunnel.hpp"
 
 namespace adit {
 namespace {
 
 using test::leaves;
 using test::octomap_cells;
-using test::sweep_of_drift;
+using test::sweep_of_tunnel;
 
 constexpr double kCellM = 0.1;
 constexpr double kRangeMaxM = 6.0;
 
 /// Ours and OctoMap's, of the same scans.
-class TwoTrees : public testing::Test {
+class OccupancyTreeAgainstOctoMap : public testing::Test {
  protected:
   void insert(const Cloud& cloud) {
     test::insert(octomap_cells(cloud, kCellM, kRangeMaxM), reference_);
@@ -45,29 +45,29 @@ class TwoTrees : public testing::Test {
   OccupancyTree ours_{kCellM};
 };
 
-TEST_F(TwoTrees, AreTheSameAfterAScan) {
-  insert(sweep_of_drift({0.0, 0.0, 0.0}));
+TEST_F(OccupancyTreeAgainstOctoMap, AreTheSameAfterAScan) {
+  insert(sweep_of_tunnel({0.0, 0.0, 0.0}));
   expect_equal();
 }
 
 /// Cells that were pruned come apart, and others come together.
-TEST_F(TwoTrees, AreTheSameAfterScansFromSeveralPlaces) {
+TEST_F(OccupancyTreeAgainstOctoMap, AreTheSameAfterScansFromSeveralPlaces) {
   for (int i = 0; i < 6; ++i) {
-    insert(sweep_of_drift({0.5 * i, 0.2 * i, 0.9 * i}, 20));
+    insert(sweep_of_tunnel({0.5 * i, 0.2 * i, 0.9 * i}, 20));
     expect_equal();
   }
 }
 
 /// The log-odds of free cells end at −2, those of occupied ones at 3.5.
-TEST_F(TwoTrees, AreTheSameWhereLogOddsAreAtTheirEnd) {
-  for (int i = 0; i < 8; ++i) insert(sweep_of_drift({0.0, 0.0, 0.0}, 20));
+TEST_F(OccupancyTreeAgainstOctoMap, AreTheSameWhereLogOddsAreAtTheirEnd) {
+  for (int i = 0; i < 8; ++i) insert(sweep_of_tunnel({0.0, 0.0, 0.0}, 20));
   expect_equal();
-  for (int i = 0; i < 3; ++i) insert(sweep_of_drift({0.3, -0.4, 0.2}, 20));
+  for (int i = 0; i < 3; ++i) insert(sweep_of_tunnel({0.3, -0.4, 0.2}, 20));
   expect_equal();
 }
 
-TEST_F(TwoTrees, WriteTheSameStreamOnceOctoMapsIsPruned) {
-  for (int i = 0; i < 3; ++i) insert(sweep_of_drift({0.5 * i, 0.2 * i, 0.9 * i}, 20));
+TEST_F(OccupancyTreeAgainstOctoMap, WriteTheSameStreamOnceOctoMapsIsPruned) {
+  for (int i = 0; i < 3; ++i) insert(sweep_of_tunnel({0.5 * i, 0.2 * i, 0.9 * i}, 20));
   reference_.toMaxLikelihood();
   reference_.prune();
   std::ostringstream expected;
@@ -76,8 +76,8 @@ TEST_F(TwoTrees, WriteTheSameStreamOnceOctoMapsIsPruned) {
   EXPECT_TRUE(std::string(stream.begin(), stream.end()) == expected.str());
 }
 
-TEST_F(TwoTrees, AreReadBackFromBtFiles) {
-  for (int i = 0; i < 3; ++i) insert(sweep_of_drift({0.5 * i, 0.2 * i, 0.9 * i}, 20));
+TEST_F(OccupancyTreeAgainstOctoMap, AreReadBackFromBtFiles) {
+  for (int i = 0; i < 3; ++i) insert(sweep_of_tunnel({0.5 * i, 0.2 * i, 0.9 * i}, 20));
   ours_.write_bt(folder_ / "tree.bt");
   octomap::OcTree read(kCellM * 2);
   ASSERT_TRUE(read.readBinary((folder_ / "tree.bt").string()));

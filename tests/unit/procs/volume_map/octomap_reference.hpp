@@ -8,7 +8,7 @@
 
 #include <octomap/OcTree.h>
 
-#include "common/cloud/cloud.hpp"
+#include "common/types/cloud.hpp"
 #include "common/volume/voxel_grid.hpp"
 #include "procs/volume_map/occupancy_tree.hpp"
 #include "procs/volume_map/scan_cells.hpp"

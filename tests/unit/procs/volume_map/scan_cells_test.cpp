@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/procs/volume_map/octomap_reference.hpp"
-#include "tests/unit/procs/volume_map/swept_drift.hpp"
+#include "tests/unit/procs/volume_map/swept_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -33,7 +33,7 @@ Cloud cloud_of(std::vector<CloudLine> lines) {
 }
 
 TEST(ScanCells, AreThoseThatOctoMapFindsLineByLine) {
-  expect_cells_of_octomap(test::sweep_of_drift({1.0, 0.3, 0.4}));
+  expect_cells_of_octomap(test::sweep_of_tunnel({1.0, 0.3, 0.4}));
 }
 
 TEST(ScanCells, AreThoseOfOctoMapForBeamsOfAnyDirection) {
@@ -91,16 +91,16 @@ TEST(ScanCells, KnowNothingOfBeamsWithoutReturn) {
   EXPECT_TRUE(cells.occupied.empty());
 }
 
-TEST(ScanCells, RefusePointsThatCannotBe) {
+TEST(ScanCells, RejectPointsThatCannotBe) {
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinite = std::numeric_limits<float>::infinity();
   ScanCells cells;
   const std::vector<Vector3f> points = {
       {kNaN, 0.0F, 0.0F}, {0.0F, kInfinite, 0.0F}, {0.0F, 0.0F, 3276.9F}, {-1e30F, 0.0F, 0.0F}};
   add_line(VoxelGrid(kCellM), {0, {0.0F, 0.0F, 0.0F}, points, {}}, kRangeMaxM, cells);
-  EXPECT_EQ(cells.refused_points, 4);
+  EXPECT_EQ(cells.rejected_points, 4);
   add_line(VoxelGrid(kCellM), {0, {kNaN, 0.0F, 0.0F}, {{1.0F, 0.0F, 0.0F}}, {}}, kRangeMaxM, cells);
-  EXPECT_EQ(cells.refused_points, 5);
+  EXPECT_EQ(cells.rejected_points, 5);
   EXPECT_EQ(cells.free.size(), 0U);
   EXPECT_EQ(cells.occupied.size(), 0U);
 }
@@ -112,7 +112,7 @@ TEST(ScanCells, GoUpToTheEndOfTheGrid) {
            cells);
   add_line(VoxelGrid(kCellM), {0, {-3276.0F, 0.0F, 0.0F}, {{-3276.75F, 0.0F, 0.0F}}, {}},
            kRangeMaxM, cells);
-  EXPECT_EQ(cells.refused_points, 0);
+  EXPECT_EQ(cells.rejected_points, 0);
   EXPECT_EQ(cells.occupied.size(), 2U);
 }
 

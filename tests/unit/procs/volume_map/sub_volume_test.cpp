@@ -8,14 +8,14 @@
 
 #include <gtest/gtest.h>
 
-#include "common/volume/octree_stream.hpp"
+#include "common/volume/volume.hpp"
 #include "tests/unit/procs/volume_map/octomap_reference.hpp"
-#include "tests/unit/procs/volume_map/swept_drift.hpp"
+#include "tests/unit/procs/volume_map/swept_tunnel.hpp"
 
 namespace adit {
 namespace {
 
-using test::sweep_of_drift;
+using test::sweep_of_tunnel;
 
 SubVolume volume_of(const Cloud& cloud, const Pose2& T_volume_level = {}) {
   SubVolume volume{SubVolumeParams{}};
@@ -34,7 +34,7 @@ test::OctoMapCells cells_of(const SubVolume& volume) {
 }
 
 TEST(SubVolume, HasTheCellsOfItsScan) {
-  const Cloud cloud = sweep_of_drift({2.0, 0.5, 0.3});
+  const Cloud cloud = sweep_of_tunnel({2.0, 0.5, 0.3});
   const SubVolume volume = volume_of(cloud);
   const SubVolumeParams params;
   EXPECT_TRUE(cells_of(volume) == test::octomap_cells(cloud, params.cell_m, params.range_max_m));
@@ -44,7 +44,7 @@ TEST(SubVolume, HasTheCellsOfItsScan) {
 }
 
 TEST(SubVolume, IsOccupiedWhereThereIsRockAndFreeWhereThereIsNone) {
-  const SubVolume volume = volume_of(sweep_of_drift({0.0, 0.0, 0.0}));
+  const SubVolume volume = volume_of(sweep_of_tunnel({0.0, 0.0, 0.0}));
   const VoxelGrid grid(volume.cell_m());
   const auto depth_in_rock = [&](VoxelCode cell) {
     const Eigen::Vector3d p = grid.centre_m(VoxelGrid::keys_at(cell));
@@ -61,9 +61,9 @@ TEST(SubVolume, TakesScansFromSeveralPlaces) {
   SubVolume volume{SubVolumeParams{}};
   const Pose2 T_world_volume{2.0, 0.5, 0.3};
   const Pose2 T_world_level{3.0, -0.5, -0.4};
-  volume.insert(sweep_of_drift(T_world_volume), {});
+  volume.insert(sweep_of_tunnel(T_world_volume), {});
   const std::int64_t before = volume.free();
-  volume.insert(sweep_of_drift(T_world_level), between(T_world_volume, T_world_level));
+  volume.insert(sweep_of_tunnel(T_world_level), between(T_world_volume, T_world_level));
   EXPECT_EQ(volume.scans(), 2);
   EXPECT_GT(volume.free(), before);
   const VoxelGrid grid(volume.cell_m());
@@ -77,7 +77,7 @@ TEST(SubVolume, TakesScansFromSeveralPlaces) {
 }
 
 TEST(SubVolume, KeepsOnePointInEachSmallCell) {
-  const Cloud cloud = sweep_of_drift({0.0, 0.0, 0.0});
+  const Cloud cloud = sweep_of_tunnel({0.0, 0.0, 0.0});
   const SubVolume volume = volume_of(cloud);
   EXPECT_LT(volume.points().size(), cloud.points());
   EXPECT_GT(volume.points().size(), cloud.points() / 4);
@@ -97,7 +97,7 @@ TEST(SubVolume, TakesAnEmptyScan) {
 }
 
 TEST(SubVolume, TakesWhatThereIsOfAScanThatWasCutShort) {
-  Cloud cloud = sweep_of_drift({0.0, 0.0, 0.0});
+  Cloud cloud = sweep_of_tunnel({0.0, 0.0, 0.0});
   const std::int64_t all = volume_of(cloud).free();
   cloud.complete = false;
   cloud.lines.resize(cloud.lines.size() / 2);
@@ -107,7 +107,7 @@ TEST(SubVolume, TakesWhatThereIsOfAScanThatWasCutShort) {
 }
 
 TEST(SubVolume, LeavesOutPointsThatCannotBe) {
-  Cloud cloud = sweep_of_drift({0.0, 0.0, 0.0});
+  Cloud cloud = sweep_of_tunnel({0.0, 0.0, 0.0});
   const SubVolume expected = volume_of(cloud);
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   cloud.lines.back().points.emplace_back(kNaN, 1.0F, 1.0F);
@@ -116,13 +116,13 @@ TEST(SubVolume, LeavesOutPointsThatCannotBe) {
     cloud.lines.push_back({0, {x, 0.0F, 0.0F}, {{1.0F, 0.0F, 0.0F}}, {}});
   }
   const SubVolume volume = volume_of(cloud);
-  EXPECT_EQ(volume.refused_points(), 4);
+  EXPECT_EQ(volume.rejected_points(), 4);
   EXPECT_EQ(volume.octree(), expected.octree());
   EXPECT_EQ(volume.points().size(), expected.points().size());
 }
 
 TEST(SubVolume, KeepsWhatItKnowsWhenItIsClosed) {
-  SubVolume volume = volume_of(sweep_of_drift({0.0, 0.0, 0.0}));
+  SubVolume volume = volume_of(sweep_of_tunnel({0.0, 0.0, 0.0}));
   const auto octree = volume.octree();
   const std::size_t points = volume.points().size();
   volume.close();

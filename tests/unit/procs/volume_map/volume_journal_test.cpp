@@ -10,20 +10,20 @@
 
 #include <gtest/gtest.h>
 
-#include "common/journal/journal_record.hpp"
+#include "common/journal/journal_format.hpp"
 #include "procs/volume_map/volume_record.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tests/unit/procs/volume_map/swept_drift.hpp"
+#include "tests/unit/procs/volume_map/swept_tunnel.hpp"
 
 namespace adit {
 namespace {
 
 constexpr std::int64_t kUtime = 1'600'000'000'000'000;
 constexpr std::size_t kTimeRecordBytes =
-    journal_format::kHeadBytes + std::string_view("VOLUME_SCAN_TIME").size() + sizeof(kUtime);
+    journal_format::kHeaderBytes + std::string_view("VOLUME_SCAN_TIME").size() + sizeof(kUtime);
 
 Cloud sweep(std::int32_t id, double x) {
-  Cloud cloud = test::sweep_of_drift({x, 0.0, 0.0}, 20);
+  Cloud cloud = test::sweep_of_tunnel({x, 0.0, 0.0}, 20);
   cloud.id = id;
   cloud.utime = kUtime + id;
   return cloud;
@@ -69,18 +69,18 @@ TEST_F(VolumeJournalOnDisk, GivesBackAllThatWasSeen) {
   {
     VolumeJournal journal(path_);
     map.add(sweep(1, 0.0));  // before there is a graph
-    journal.keep(map);
+    journal.store(map);
     place(map, 0, 1, {});
-    journal.keep(map);
+    journal.store(map);
     map.add(sweep(2, 1.0));
-    journal.keep(map);
+    journal.store(map);
     map.add(sweep(3, 12.0));
-    journal.keep(map);
+    journal.store(map);
   }
   VolumeMap again = restored();
   place(again, 0, 1, {});
   expect_same(again, map);
-  EXPECT_EQ(again.left_out(), 0);
+  EXPECT_EQ(again.excluded(), 0);
   again.add(sweep(4, 12.5));  // what was kept is closed
   EXPECT_EQ(again.volumes().size(), 3U);
   std::size_t points = 0;
@@ -91,15 +91,15 @@ TEST_F(VolumeJournalOnDisk, GivesBackAllThatWasSeen) {
 /// As the stage does, whose points are in the journal alone.
 TEST_F(VolumeJournalOnDisk, HasAllPointsThoughTheMapForgetsThem) {
   VolumeMap all{VolumeMapParams{}};
-  VolumeMap forgets{VolumeMapParams{}};
+  VolumeMap released_map{VolumeMapParams{}};
   place(all, 0, 1, {});
-  place(forgets, 0, 1, {});
+  place(released_map, 0, 1, {});
   const auto add = [&](VolumeJournal& journal, const Cloud& cloud) {
     all.add(cloud);
-    forgets.add(cloud);
-    journal.keep(forgets);
-    forgets.forget_points();
-    for (const PlacedVolume& placed : forgets.volumes()) {
+    released_map.add(cloud);
+    journal.store(released_map);
+    released_map.release_points();
+    for (const PlacedVolume& placed : released_map.volumes()) {
       EXPECT_TRUE(placed.volume.points().empty());
     }
   };
@@ -114,27 +114,27 @@ TEST_F(VolumeJournalOnDisk, HasAllPointsThoughTheMapForgetsThem) {
   expect_same(again, all);
 
   VolumeJournal journal(path_);
-  forgets = VolumeMap{VolumeMapParams{}};
-  forgets.restore(journal.take_restored());
-  forgets.forget_points();
-  place(forgets, 0, 2, {});
+  released_map = VolumeMap{VolumeMapParams{}};
+  released_map.restore(journal.take_restored());
+  released_map.release_points();
+  place(released_map, 0, 2, {});
   add(journal, sweep(4, -8.0));
-  EXPECT_GT(forgets.volumes()[0].volume.forgotten_points(), 1000U);
+  EXPECT_GT(released_map.volumes()[0].volume.released_points(), 1000U);
 }
 
 TEST_F(VolumeJournalOnDisk, GivesBackTheOneThatTookThePlaceOfAnother) {
   VolumeMapParams params;
-  params.renew_m = 1.0;
+  params.replace_radius_m = 1.0;
   VolumeMap map{params};
   place(map, 0, 1, {});
   {
     VolumeJournal journal(path_);
     for (const double x : {0.0, 12.0, 0.5}) {
       map.add(sweep(static_cast<std::int32_t>(x), x));
-      journal.keep(map);
+      journal.store(map);
     }
     map.add(sweep(4, 1.5));  // into the same one
-    journal.keep(map);
+    journal.store(map);
   }
   ASSERT_EQ(map.volumes().size(), 2U);
   VolumeMap again = restored();
@@ -144,7 +144,7 @@ TEST_F(VolumeJournalOnDisk, GivesBackTheOneThatTookThePlaceOfAnother) {
 
 TEST_F(VolumeJournalOnDisk, KnowsWhichWayEachLooked) {
   VolumeMapParams params;
-  params.renew_m = 1.0;
+  params.replace_radius_m = 1.0;
   const auto behind = [](std::int32_t id, double x) {
     Cloud cloud = sweep(id, x);
     for (CloudLine& line : cloud.lines) line.origin.x() = -1.0F;
@@ -155,7 +155,7 @@ TEST_F(VolumeJournalOnDisk, KnowsWhichWayEachLooked) {
     place(map, 0, 1, {});
     map.add(sweep(1, 0.0));
     map.add(behind(2, 0.0));
-    VolumeJournal(path_).keep(map);
+    VolumeJournal(path_).store(map);
   }
   VolumeMap again{params};
   again.restore(VolumeJournal(path_).take_restored());
@@ -175,9 +175,9 @@ TEST_F(VolumeJournalOnDisk, LosesOneScanToATornRecord) {
   {
     VolumeJournal journal(path_);
     for (VolumeMap* of : {&map, &first}) of->add(sweep(1, 0.0));
-    journal.keep(map);
+    journal.store(map);
     map.add(sweep(2, 1.0));
-    journal.keep(map);
+    journal.store(map);
   }
   std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - kTimeRecordBytes - 7);
   VolumeMap again = restored();
@@ -190,14 +190,14 @@ TEST_F(VolumeJournalOnDisk, KnowsWhichScansItHas) {
   {
     VolumeJournal journal(path_);
     map.add(sweep(1, 0.0));
-    journal.keep(map);
+    journal.store(map);
     map.add(sweep(2, 12.0));
-    journal.keep(map);
+    journal.store(map);
   }
-  EXPECT_EQ(restored().taken_utime(), (std::vector{kUtime + 1, kUtime + 2}));
-  EXPECT_EQ(restored().taken_utime(), map.taken_utime());
+  EXPECT_EQ(restored().scan_utimes(), (std::vector{kUtime + 1, kUtime + 2}));
+  EXPECT_EQ(restored().scan_utimes(), map.scan_utimes());
   std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - kTimeRecordBytes - 7);
-  EXPECT_EQ(restored().taken_utime(), (std::vector{kUtime + 1}));  // the other can be had again
+  EXPECT_EQ(restored().scan_utimes(), (std::vector{kUtime + 1}));  // the other can be had again
 }
 
 /// All is cut off before a scan is kept that was announced; odom begins anew.
@@ -206,36 +206,36 @@ TEST_F(VolumeJournalOnDisk, TiesAScanFromBeforeARestartByTheOdomOfThen) {
   {
     VolumeMap map{VolumeMapParams{}};
     VolumeJournal journal(path_);
-    map.set_odom_begin(kUtime - 50);
+    map.set_odom_epoch(kUtime - 50);
     place(map, 0, 1, T_map_odom);
-    journal.keep(map);
+    journal.store(map);
   }
   VolumeMap again = restored();
-  again.set_odom_begin(kUtime + 100);
+  again.set_odom_epoch(kUtime + 100);
   place(again, 1, 2, {});  // where the odom of now lies says nothing of then
-  EXPECT_EQ(again.known_from_utime(), kUtime - 50);
+  EXPECT_EQ(again.localized_from_utime(), kUtime - 50);
   EXPECT_TRUE(again.add(sweep(7, 1.0)));
   const Pose2 expected = T_map_odom * Pose2{1.0, 0.0, 0.0};
   const Pose2& T_map_volume = again.volumes().back().T_map_volume;
   EXPECT_LT((T_map_volume.vector() - expected.vector()).norm(), 1e-9);
   EXPECT_FALSE(again.add(sweep(-60, 0.0)));  // from before that odom
-  EXPECT_EQ(again.left_out(), 1);
+  EXPECT_EQ(again.excluded(), 1);
 }
 
 TEST_F(VolumeJournalOnDisk, KnowsWhichOdomEndedWithoutALocalMap) {
   {
     VolumeMap map{VolumeMapParams{}};
-    map.set_odom_begin(kUtime - 50);
+    map.set_odom_epoch(kUtime - 50);
     place(map, 0, 1, {});
-    VolumeJournal(path_).keep(map);
+    VolumeJournal(path_).store(map);
   }
   {
     VolumeMap map = restored();
-    map.set_odom_begin(kUtime + 100);
-    VolumeJournal(path_).keep(map);
+    map.set_odom_epoch(kUtime + 100);
+    VolumeJournal(path_).store(map);
   }
   VolumeMap again = restored();
-  again.set_odom_begin(kUtime + 200);
+  again.set_odom_epoch(kUtime + 200);
   EXPECT_FALSE(again.add(sweep(150, 0.0)));
   EXPECT_TRUE(again.add(sweep(50, 0.0)));
 }
@@ -244,21 +244,21 @@ TEST_F(VolumeJournalOnDisk, GoesOnInTheSameOdomWhereOnlyItsProcessEnded) {
   const Pose2 T_map_odom{3.0, 0.5, 0.2};
   {
     VolumeMap map{VolumeMapParams{}};
-    map.set_odom_begin(kUtime - 50);
+    map.set_odom_epoch(kUtime - 50);
     place(map, 0, 1, T_map_odom);
-    VolumeJournal(path_).keep(map);
+    VolumeJournal(path_).store(map);
   }
   VolumeMap again = restored();
-  again.set_odom_begin(kUtime - 50);
+  again.set_odom_epoch(kUtime - 50);
   EXPECT_TRUE(again.add(sweep(7, 1.0)));  // before any correction
-  ASSERT_TRUE(again.volumes().back().tie);
-  EXPECT_EQ(again.volumes().back().tie->local_map, 0);
+  ASSERT_TRUE(again.volumes().back().anchor);
+  EXPECT_EQ(again.volumes().back().anchor->local_map, 0);
 }
 
-TEST_F(VolumeJournalOnDisk, IsRefusedByAMapOfOtherCells) {
+TEST_F(VolumeJournalOnDisk, IsRejectedByAMapOfOtherCells) {
   VolumeMap map{VolumeMapParams{}};
   map.add(sweep(1, 0.0));
-  VolumeJournal(path_).keep(map);
+  VolumeJournal(path_).store(map);
   VolumeMapParams params;
   params.cell_m = 0.2;
   VolumeMap other{params};
@@ -280,11 +280,11 @@ TEST(VolumeRecord, IsNothingWhereTheBytesAreNone) {
 TEST_F(VolumeJournalOnDisk, LeavesOutWhatLiesInAnOdomThatNobodyKnows) {
   VolumeMap map{VolumeMapParams{}};
   map.add(sweep(1, 0.0));
-  VolumeJournal(path_).keep(map);
+  VolumeJournal(path_).store(map);
   VolumeMap again = restored();
   place(again, 1, 1, {});
-  EXPECT_EQ(again.left_out(), 1);
-  EXPECT_FALSE(again.volumes()[0].tie);
+  EXPECT_EQ(again.excluded(), 1);
+  EXPECT_FALSE(again.volumes()[0].anchor);
 }
 
 TEST(VolumeMapOverSessions, TiesAScanToTheOdomThatItWasTakenIn) {
@@ -295,9 +295,9 @@ TEST(VolumeMapOverSessions, TiesAScanToTheOdomThatItWasTakenIn) {
   EXPECT_TRUE(map.add(sweep(150, 2.0)));  // of it
   ASSERT_EQ(map.volumes().size(), 2U);
   EXPECT_NEAR(map.volumes()[0].T_map_volume.x, 3.0, 1e-9);
-  EXPECT_EQ(map.volumes()[0].tie->local_map, 0);
+  EXPECT_EQ(map.volumes()[0].anchor->local_map, 0);
   EXPECT_NEAR(map.volumes()[1].T_map_volume.x, 9.0, 1e-9);
-  EXPECT_EQ(map.volumes()[1].tie->local_map, 1);
+  EXPECT_EQ(map.volumes()[1].anchor->local_map, 1);
 }
 
 }  // namespace

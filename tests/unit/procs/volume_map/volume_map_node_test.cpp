@@ -9,12 +9,12 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/cloud_request.hpp"
-#include "common/messages/map_correction.hpp"
-#include "common/messages/scan_match.hpp"
-#include "common/messages/volume_pieces.hpp"
-#include "tests/unit/procs/volume_map/swept_drift.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/cloud.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/mapping/volume.hpp"
+#include "tests/unit/procs/volume_map/swept_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -25,40 +25,40 @@ class VolumeMapNodeOnABus : public testing::Test {
  protected:
   VolumeMapNodeOnABus() {
     subscribe<volume_t>(bus_, channels::kVolume, Delivery::queued(100),
-                        [this](const VolumePiece& piece) {
-                          if (is_pose_only(piece)) {
-                            poses_.push_back(piece.part);
-                          } else if (const auto volume = assembler_.add(piece)) {
+                        [this](const VolumeFragment& fragment) {
+                          if (is_pose_only(fragment)) {
+                            poses_.push_back(fragment.part);
+                          } else if (const auto volume = assembler_.add(fragment)) {
                             volumes_.push_back(*volume);
                           }
                         });
   }
 
   void send_cloud(std::int32_t id, double x, std::string_view channel = channels::kCloud) {
-    Cloud cloud = test::sweep_of_drift({x, 0.0, 0.0}, 20);
+    Cloud cloud = test::sweep_of_tunnel({x, 0.0, 0.0}, 20);
     cloud.id = id;
     cloud.utime = kUtime + id;
-    for (const CloudPiece& piece : divide(cloud)) publish(bus_, channel, to_message(piece));
+    for (const CloudFragment& fragment : split(cloud)) publish(bus_, channel, to_message(fragment));
   }
   void send_graph(std::int64_t revision, std::vector<Pose2> poses) {
     const int newest = static_cast<int>(poses.size()) - 1;
-    for (const PoseGraphPiece& piece : divide({kUtime, revision, std::move(poses), {}})) {
-      publish(bus_, channels::kPoseGraph, to_message(piece));
+    for (const PoseGraphFragment& fragment : split({kUtime, revision, std::move(poses), {}})) {
+      publish(bus_, channels::kPoseGraph, to_message(fragment));
     }
     publish(bus_, channels::kMapCorrection,
             to_message(MapCorrection{kUtime, revision, 0, newest, {}, {}}));
   }
 
-  void say_odom_begins(std::int64_t utime) {
+  void send_odom_epoch(std::int64_t utime) {
     ScanMatch match;
     match.utime = utime + 15;
-    match.odom_utime = utime;
+    match.odom_epoch_utime = utime;
     publish(bus_, channels::kScanMatch, to_message(match));
   }
 
   MemoryBus bus_;
   VolumeMapNode node_{bus_, VolumeMapNodeParams{}};
-  VolumeAssembler assembler_;
+  VolumeReassembler assembler_;
   std::vector<Volume> volumes_;
   std::vector<Volume> poses_;
 };
@@ -105,51 +105,51 @@ TEST_F(VolumeMapNodeOnABus, PublishesPosesAloneWhereTheGraphMoves) {
 }
 
 TEST_F(VolumeMapNodeOnABus, SaysWhichScansItHasAndTakesOneThatItMissed) {
-  CloudRequest asked;
+  CloudRequest last_request;
   subscribe<cloud_request_t>(bus_, channels::kCloudRequest, Delivery::latest(),
-                             [&](const CloudRequest& request) { asked = request; });
-  say_odom_begins(kUtime);
+                             [&](const CloudRequest& request) { last_request = request; });
+  send_odom_epoch(kUtime);
   send_graph(1, {{}});
   send_cloud(1, 0.0);
   send_cloud(3, 2.0);
   bus_.advance_to(kUtime);
-  EXPECT_EQ(asked.have_utime, (std::vector{kUtime + 1, kUtime + 3}));
-  send_cloud(2, 1.0, channels::kCloudAgain);
+  EXPECT_EQ(last_request.received_utime, (std::vector{kUtime + 1, kUtime + 3}));
+  send_cloud(2, 1.0, channels::kCloudResend);
   bus_.advance_to(kUtime + 2'000'000);
-  EXPECT_EQ(asked.have_utime, (std::vector{kUtime + 1, kUtime + 3, kUtime + 2}));
+  EXPECT_EQ(last_request.received_utime, (std::vector{kUtime + 1, kUtime + 3, kUtime + 2}));
   ASSERT_EQ(volumes_.size(), 3U);
   EXPECT_EQ(volumes_.back().revision, 3);
   EXPECT_EQ(volumes_.back().utime, kUtime + 3);  // of the newest in it
 }
 
 TEST_F(VolumeMapNodeOnABus, LeavesOutScansOfAnOdomThatItDidNotKnow) {
-  CloudRequest asked;
+  CloudRequest last_request;
   subscribe<cloud_request_t>(bus_, channels::kCloudRequest, Delivery::latest(),
-                             [&](const CloudRequest& request) { asked = request; });
-  say_odom_begins(kUtime + 5);
+                             [&](const CloudRequest& request) { last_request = request; });
+  send_odom_epoch(kUtime + 5);
   send_graph(1, {{}});
   bus_.advance_to(kUtime + 2'000'000);
-  EXPECT_EQ(asked.after_utime, kUtime + 4);  // what ended then is not asked for
-  send_cloud(3, 0.0, channels::kCloudAgain);
-  EXPECT_EQ(node_.map().left_out(), 1);
+  EXPECT_EQ(last_request.after_utime, kUtime + 4);  // what ended then is not asked for
+  send_cloud(3, 0.0, channels::kCloudResend);
+  EXPECT_EQ(node_.map().excluded(), 1);
   EXPECT_TRUE(volumes_.empty());
-  send_cloud(5, 0.0, channels::kCloudAgain);
+  send_cloud(5, 0.0, channels::kCloudResend);
   EXPECT_EQ(volumes_.size(), 1U);
 }
 
 TEST_F(VolumeMapNodeOnABus, TakesAScanOnce) {
   send_graph(1, {{}});
   send_cloud(1, 0.0);
-  send_cloud(1, 0.0, channels::kCloudAgain);
+  send_cloud(1, 0.0, channels::kCloudResend);
   EXPECT_EQ(volumes_.size(), 1U);
   EXPECT_EQ(node_.map().volumes()[0].volume.scans(), 1);
 }
 
 TEST_F(VolumeMapNodeOnABus, SaysWhereACloudWasCutShort) {
-  Cloud cloud = test::sweep_of_drift({}, 5);
+  Cloud cloud = test::sweep_of_tunnel({}, 5);
   cloud.complete = false;
-  for (const CloudPiece& piece : divide(cloud)) {
-    publish(bus_, channels::kCloud, to_message(piece));
+  for (const CloudFragment& fragment : split(cloud)) {
+    publish(bus_, channels::kCloud, to_message(fragment));
   }
   EXPECT_EQ(node_.health().level, Health::Level::kDegraded);
 }

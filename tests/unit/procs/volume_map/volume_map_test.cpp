@@ -8,15 +8,15 @@
 
 #include <gtest/gtest.h>
 
-#include "common/volume/octree_stream.hpp"
-#include "tests/unit/procs/volume_map/swept_drift.hpp"
+#include "common/volume/volume.hpp"
+#include "tests/unit/procs/volume_map/swept_tunnel.hpp"
 
 namespace adit {
 namespace {
 
 /// A scan that is true, but for where odometry takes it to be.
 Cloud scan_at(const Pose2& T_world_level, const Pose2& T_odom_level, std::int32_t id = 0) {
-  Cloud cloud = test::sweep_of_drift(T_world_level, 30);
+  Cloud cloud = test::sweep_of_tunnel(T_world_level, 30);
   cloud.T_odom_level = T_odom_level;
   cloud.id = id;
   return cloud;
@@ -74,8 +74,8 @@ VolumeMap drifted_map() {
 TEST(VolumeMap, HasASubVolumeForEachLocalMap) {
   const VolumeMap map = drifted_map();
   ASSERT_EQ(map.volumes().size(), 2U);
-  EXPECT_EQ(map.volumes()[0].tie->local_map, 0);
-  EXPECT_EQ(map.volumes()[1].tie->local_map, 1);
+  EXPECT_EQ(map.volumes()[0].anchor->local_map, 0);
+  EXPECT_EQ(map.volumes()[1].anchor->local_map, 1);
   EXPECT_FALSE(map.volumes()[0].volume.is_open());
   EXPECT_TRUE(map.volumes()[1].volume.is_open());
   EXPECT_GT(farthest_from_rock_m(map), 0.5);  // the second stands askew
@@ -121,18 +121,18 @@ TEST(VolumeMap, TiesWhatCameBeforeTheFirstGraph) {
   map.add(scan_at(kStart, kStart));
   map.add(scan_at({1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}));
   ASSERT_EQ(map.volumes().size(), 1U);
-  EXPECT_FALSE(map.volumes()[0].tie);
+  EXPECT_FALSE(map.volumes()[0].anchor);
   EXPECT_EQ(map.volumes()[0].volume.scans(), 2);
   const Pose2 T_map_odom{5.0, -2.0, 1.0};
   const Pose2 T_odom_local{0.5, 0.0, 0.1};
   map.set_correction(correction(1, 0, T_map_odom));
-  EXPECT_FALSE(map.volumes()[0].tie);  // without the graph nobody knows
+  EXPECT_FALSE(map.volumes()[0].anchor);  // without the graph nobody knows
   map.set_graph(graph_of(1, {T_map_odom * T_odom_local}));
-  ASSERT_TRUE(map.volumes()[0].tie);
+  ASSERT_TRUE(map.volumes()[0].anchor);
   const Pose2 expected = T_map_odom * kStart;
   EXPECT_NEAR(map.volumes()[0].T_map_volume.x, expected.x, 1e-12);
   EXPECT_NEAR(map.volumes()[0].T_map_volume.y, expected.y, 1e-12);
-  EXPECT_NEAR(map.volumes()[0].tie->T_local_volume.x, T_odom_local.inverse().x, 1e-12);
+  EXPECT_NEAR(map.volumes()[0].anchor->T_local_volume.x, T_odom_local.inverse().x, 1e-12);
 }
 
 /// A correction of one graph and the poses of another would put it somewhere else.
@@ -141,9 +141,9 @@ TEST(VolumeMap, WaitsForACorrectionAndAGraphOfOneRevision) {
   map.add(scan_at(kStart, kStart));
   map.set_graph(graph_of(1, {kStart}));
   map.set_correction(correction(2, 0, {1.0, 0.0, 0.0}));
-  EXPECT_FALSE(map.volumes()[0].tie);
+  EXPECT_FALSE(map.volumes()[0].anchor);
   map.set_graph(graph_of(2, {{1.0, 0.0, 0.0}}));
-  ASSERT_TRUE(map.volumes()[0].tie);
+  ASSERT_TRUE(map.volumes()[0].anchor);
   EXPECT_EQ(map.volumes()[0].T_map_volume, (Pose2{1.0, 0.0, 0.0}));
 }
 

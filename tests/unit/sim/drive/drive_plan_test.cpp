@@ -2,10 +2,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/drive/drive_plan.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace adit {
+namespace {
+
+constexpr double kExact = 1e-12;
+
+/// 3 m along x, then 4 m along y, then 3 m back along x at a distance of 4 m.
+WaypointPath hook() { return WaypointPath({{0.0, 0.0}, {3.0, 0.0}, {3.0, 4.0}, {0.0, 4.0}}); }
+
+TEST(WaypointPath, CountsAlongItsLegsAndGoesOnBehindTheEnd) {
+  const WaypointPath path = hook();
+  EXPECT_DOUBLE_EQ(path.length_m(), 10.0);
+  EXPECT_TRUE(path.at(2.0).isApprox(Eigen::Vector2d(2.0, 0.0), kExact));
+  EXPECT_TRUE(path.at(5.0).isApprox(Eigen::Vector2d(3.0, 2.0), kExact));
+  EXPECT_TRUE(path.at(12.0).isApprox(Eigen::Vector2d(-2.0, 4.0), kExact));
+  EXPECT_EQ(path.leg(-1.0), 0U);
+  EXPECT_EQ(path.leg(3.0), 1U);
+  EXPECT_EQ(path.leg(99.0), 2U);
+  EXPECT_NEAR(path.heading_rad(1), std::numbers::pi / 2.0, kExact);
+}
+
+TEST(WaypointPath, FindsTheNearestPlaceBetweenTwo) {
+  const WaypointPath path = hook();
+  const Eigen::Vector2d p(1.0, 2.5);  // nearest to the last leg
+  EXPECT_NEAR(path.nearest_m(p, 0.0, 10.0), 9.0, kExact);
+  EXPECT_NEAR(path.nearest_m(p, 0.0, 6.0), 5.5, kExact);
+  EXPECT_NEAR(path.nearest_m(p, 0.0, 2.0), 1.0, kExact);
+  EXPECT_NEAR(path.nearest_m(p, 2.0, 2.5), 2.0, kExact);
+}
+
+}  // namespace
 namespace {
 
 using testing::ElementsAre;
@@ -21,7 +53,7 @@ constexpr DrivePlanParams kEitherWay{0.4, 0.5, true};
 TEST(DrivePlan, IsOneStretchWhereNobodyMayReverse) {
   const auto plan = plan_drive({at(5, 0), at(5, 4), at(5, 0)}, {}, kForward);
   ASSERT_THAT(plan, SizeIs(1));
-  EXPECT_DOUBLE_EQ(plan[0].way.length_m(), 13.0);
+  EXPECT_DOUBLE_EQ(plan[0].path.length_m(), 13.0);
   EXPECT_FALSE(plan[0].reverse);
 }
 
@@ -32,7 +64,7 @@ TEST(DrivePlan, IsCutWhereTheDirectionOfDrivingChanges) {
   EXPECT_TRUE(plan[1].reverse);
   EXPECT_FALSE(plan[2].reverse);
   EXPECT_THAT(plan[0].speeds_m_s, SizeIs(2));
-  EXPECT_EQ(plan[1].way.at(0.0), Eigen::Vector2d(8, 1));
+  EXPECT_EQ(plan[1].path.at(0.0), Eigen::Vector2d(8, 1));
 }
 
 TEST(DrivePlan, TurnsToWhatIsAside) {

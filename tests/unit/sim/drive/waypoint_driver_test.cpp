@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -21,7 +21,7 @@ using testing::HasSubstr;
 constexpr double kStepS = 0.01;
 
 /// A hall of 60 m by 60 m, its middle the origin.
-World hall() { return box_drift({60.0, 60.0, 2.0}); }
+World hall() { return box_tunnel({60.0, 60.0, 2.0}); }
 
 /// What became of a drive.
 struct Drive {
@@ -31,10 +31,10 @@ struct Drive {
   double speed_max_m_s = -std::numeric_limits<double>::infinity();
 };
 
-Drive drive(WaypointDriver& driver, VehicleModel& vehicle, const LeggedWay& line,
+Drive drive(WaypointDriver& driver, VehicleModel& vehicle, const WaypointPath& line,
             double seconds_max) {
   Drive drive;
-  while (!driver.done() && !driver.given_up() && !vehicle.failure() &&
+  while (!driver.done() && !driver.abort_reason() && !vehicle.failure() &&
          drive.seconds < seconds_max) {
     vehicle.command(driver.command(vehicle.motion()));
     vehicle.advance(kStepS);
@@ -76,9 +76,10 @@ TEST_P(WaypointDriverOf, FollowsACurveAndStopsAtTheEnd) {
   shape.steering = GetParam();
   VehicleModel vehicle(site, shape, {}, 3, 0);  // with slip, ahead and to the side
   WaypointDriver driver(waypoints(s_curve()), shape);
-  const Drive drive_of = drive(driver, vehicle, LeggedWay(s_curve()), 200.0);
+  const Drive drive_of = drive(driver, vehicle, WaypointPath(s_curve()), 200.0);
 
-  EXPECT_TRUE(driver.done()) << driver.given_up().value_or("") << vehicle.failure().value_or("");
+  EXPECT_TRUE(driver.done()) << driver.abort_reason().value_or("")
+                             << vehicle.failure().value_or("");
   EXPECT_LT(drive_of.off_line_max_m, 0.15);
   EXPECT_NEAR(driver.progress_m(), driver.length_m(), 0.05);  // arrival_m
   for (int i = 0; i < 100; ++i) {
@@ -90,8 +91,8 @@ TEST_P(WaypointDriverOf, FollowsACurveAndStopsAtTheEnd) {
 }
 
 /// Two drifts of 3 m that meet at (8, 0), at a right angle to the left.
-World corner_of_drifts() {
-  return box_drift({60.0, 60.0, 2.0}, [](MeshBuilder& builder) {
+World corner_of_tunnels() {
+  return box_tunnel({60.0, 60.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kWall, Material::kRock, "inner_rib");
     builder.box(level_box({1.5, 6.5, 1.0}, {10.0, 10.0, 2.0}));
     builder.begin_part(PartKind::kWall, Material::kRock, "outer_ribs");
@@ -101,13 +102,13 @@ World corner_of_drifts() {
 }
 
 TEST_P(WaypointDriverOf, TakesACornerOfDriftsOfThreeMetres) {
-  const Site site(corner_of_drifts());
+  const Site site(corner_of_tunnels());
   Vehicle shape;
   shape.steering = GetParam();
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     VehicleModel vehicle(site, shape, {}, seed, 0);
     WaypointDriver driver(waypoints({{8.0, 0.0}, {8.0, 10.0}}), shape);
-    drive(driver, vehicle, LeggedWay({{0.0, 0.0}, {8.0, 0.0}, {8.0, 10.0}}), 200.0);
+    drive(driver, vehicle, WaypointPath({{0.0, 0.0}, {8.0, 0.0}, {8.0, 10.0}}), 200.0);
     EXPECT_TRUE(driver.done()) << vehicle.failure().value_or("");
   }
 }
@@ -141,10 +142,11 @@ TEST(WaypointDriver, DrivesACrossingInOrder) {
   const std::vector<Eigen::Vector2d> eight{{10.0, 0.0}, {10.0, 8.0}, {5.0, 8.0}, {5.0, -8.0}};
   WaypointDriver driver(waypoints(eight), {});
   const Drive drive_of = drive(
-      driver, vehicle, LeggedWay({{0.0, 0.0}, eight[0], eight[1], eight[2], eight[3]}), 300.0);
-  EXPECT_TRUE(driver.done()) << driver.given_up().value_or("");
-  EXPECT_NEAR(vehicle.travelled_m(), driver.length_m(), 3.0);  // less what three corners save
-  EXPECT_LT(drive_of.off_line_max_m, 0.75);                    // half of the look-ahead
+      driver, vehicle, WaypointPath({{0.0, 0.0}, eight[0], eight[1], eight[2], eight[3]}), 300.0);
+  EXPECT_TRUE(driver.done()) << driver.abort_reason().value_or("");
+  EXPECT_NEAR(vehicle.distance_travelled_m(), driver.length_m(),
+              3.0);                          // less what three corners save
+  EXPECT_LT(drive_of.off_line_max_m, 0.75);  // half of the look-ahead
 }
 
 TEST(WaypointDriver, BacksUpToWhatLiesBehindWhereItMay) {
@@ -154,8 +156,9 @@ TEST(WaypointDriver, BacksUpToWhatLiesBehindWhereItMay) {
   WaypointDriverParams params;
   params.reverse = true;
   WaypointDriver driver(waypoints(back), {}, params);
-  const Drive drive_of = drive(driver, vehicle, LeggedWay({{0.0, 0.0}, back[0], back[1]}), 200.0);
-  EXPECT_TRUE(driver.done()) << driver.given_up().value_or("");
+  const Drive drive_of =
+      drive(driver, vehicle, WaypointPath({{0.0, 0.0}, back[0], back[1]}), 200.0);
+  EXPECT_TRUE(driver.done()) << driver.abort_reason().value_or("");
   EXPECT_LT((place(vehicle) - back[1]).norm(), 0.1);
   EXPECT_LT(drive_of.speed_min_m_s, -0.3);
   EXPECT_LT(drive_of.off_line_max_m, 0.15);
@@ -164,9 +167,9 @@ TEST(WaypointDriver, BacksUpToWhatLiesBehindWhereItMay) {
 TEST(WaypointDriver, TurnsRoundWhereItMayNotBackUp) {
   const Site site(hall());
   VehicleModel vehicle(site, {}, {}, 1, 0);
-  WaypointDriver driver(waypoints({{-8.0, 2.0}}), {}, WaypointDriverParams{.off_way_max_m = 5.0});
-  const Drive drive_of = drive(driver, vehicle, LeggedWay({{0.0, 0.0}, {-8.0, 2.0}}), 200.0);
-  EXPECT_TRUE(driver.done()) << driver.given_up().value_or("");
+  WaypointDriver driver(waypoints({{-8.0, 2.0}}), {}, WaypointDriverParams{.off_path_max_m = 5.0});
+  const Drive drive_of = drive(driver, vehicle, WaypointPath({{0.0, 0.0}, {-8.0, 2.0}}), 200.0);
+  EXPECT_TRUE(driver.done()) << driver.abort_reason().value_or("");
   EXPECT_GE(drive_of.speed_min_m_s, 0.0);
 }
 
@@ -176,8 +179,8 @@ TEST(WaypointDriver, GivesUpFarOffTheWay) {
   EXPECT_GT(driver.command(motion).speed_m_s, 0.0);
   motion.T_world_body.translation() = Eigen::Vector3d(0.5, 2.1, 0.0);
   EXPECT_EQ(driver.command(motion).speed_m_s, 0.0);
-  ASSERT_TRUE(driver.given_up());
-  EXPECT_THAT(*driver.given_up(), HasSubstr("off the way after 0.50 m"));
+  ASSERT_TRUE(driver.abort_reason());
+  EXPECT_THAT(*driver.abort_reason(), HasSubstr("off the way after 0.50 m"));
 }
 
 TEST(WaypointDriver, GivesUpWithoutProgress) {
@@ -189,8 +192,8 @@ TEST(WaypointDriver, GivesUpWithoutProgress) {
   EXPECT_GT(driver.command(motion).speed_m_s, 0.0);
   motion.utime += 100'000;
   EXPECT_EQ(driver.command(motion).speed_m_s, 0.0);
-  ASSERT_TRUE(driver.given_up());
-  EXPECT_THAT(*driver.given_up(), HasSubstr("no progress after 0.00 m"));
+  ASSERT_TRUE(driver.abort_reason());
+  EXPECT_THAT(*driver.abort_reason(), HasSubstr("no progress after 0.00 m"));
 }
 
 TEST(WaypointDriver, IsDoneAtOnceWhereItAlreadyIs) {
@@ -199,7 +202,7 @@ TEST(WaypointDriver, IsDoneAtOnceWhereItAlreadyIs) {
   EXPECT_TRUE(driver.done());
 }
 
-TEST(WaypointDriver, RefusesWaypointsThatAreNone) {
+TEST(WaypointDriver, RejectsWaypointsThatAreNone) {
   EXPECT_THROW(WaypointDriver({}, {}), std::invalid_argument);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(WaypointDriver(waypoints({{0.0, nan}}), {}), std::invalid_argument);

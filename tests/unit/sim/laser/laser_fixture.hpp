@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "sim/laser/laser_model.hpp"
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 
@@ -13,7 +13,7 @@ namespace adit {
 inline LaserParams perfect_laser() {
   LaserParams params;
   params.unit_m = 0.001;
-  params.range_of_black_m = 10'000.0;
+  params.range_at_10_percent_m = 10'000.0;
   params.noise_sd_m = 0.0;
   params.offset_max_m = 0.0;
   return params;

@@ -12,7 +12,7 @@ namespace adit {
 namespace {
 
 TEST(LaserModel, TiltedOnItsLeverSeesTheFloorToAMillimetre) {
-  const World world = box_drift({40.0, 40.0, 3.0});
+  const World world = box_tunnel({40.0, 40.0, 3.0});
   const RayScene scene(world.mesh);
   LaserModel laser(scene, perfect_laser(), 1);
   const LaserMount mount{
@@ -36,7 +36,7 @@ double range_in_motion(double wall_x, double speed, double turn_rate, double sec
 }
 
 TEST(LaserModel, MotionBendsAWallAsTheTimesOfTheBeamsSay) {
-  const World world = box_drift({12.0, 40.0, 2.0});
+  const World world = box_tunnel({12.0, 40.0, 2.0});
   const RayScene scene(world.mesh);
   constexpr double kSpeed = 2.0;
   constexpr double kTurnRate = 1.0;
@@ -65,7 +65,7 @@ TEST(LaserModel, MotionBendsAWallAsTheTimesOfTheBeamsSay) {
 }
 
 TEST(LaserModel, AFastTurnIsFollowedToAMillimetre) {
-  const World world = box_drift({12.0, 12.0, 2.0});
+  const World world = box_tunnel({12.0, 12.0, 2.0});
   const RayScene scene(world.mesh);
   LaserModel laser(scene, perfect_laser(), 1);
   const auto pose = [](double seconds) { return laser_at({0.0, 0.0, 1.0}, 5.0 * seconds); };
@@ -80,7 +80,7 @@ TEST(LaserModel, AFastTurnIsFollowedToAMillimetre) {
 
 TEST(LaserModel, StillWaterShowsTheRoofBelowTheFloor) {
   const double level = 0.1;
-  const World world = box_drift({60.0, 60.0, 2.0}, [level](MeshBuilder& builder) {
+  const World world = box_tunnel({60.0, 60.0, 2.0}, [level](MeshBuilder& builder) {
     builder.begin_part(PartKind::kWater, Material::kMirror, "water");
     builder.box(level_box({0.0, 0.0, level - 0.05}, {60.0, 60.0, 0.1}));
   });
@@ -105,16 +105,16 @@ TEST(LaserModel, StillWaterShowsTheRoofBelowTheFloor) {
 }
 
 TEST(LaserModel, StillWaterMirrorsLessTheSteeperItIsLookedAt) {
-  const World world = box_drift({400.0, 400.0, 2.0}, [](MeshBuilder& builder) {
+  const World world = box_tunnel({400.0, 400.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kWater, Material::kMirror, "water");
     builder.box(level_box({0.0, 0.0, 0.0}, {400.0, 400.0, 0.1}));
   });
   const RayScene scene(world.mesh);
   LaserParams params = perfect_laser();
   params.unit_m = 0.01;
-  params.range_of_black_m = 60.0;
+  params.range_at_10_percent_m = 60.0;
   LaserModel laser(scene, params, 1);
-  int seen = 0;
+  int merge = 0;
   for (double tilt = 0.1; tilt < 1.4; tilt += 0.01) {
     const LaserScan scan = scan_at_rest(laser, laser_at({0.0, 0.0, 0.65}, 0.0, tilt));
     const double cosine = std::sin(tilt);  // onto the water, and onto the roof
@@ -124,10 +124,10 @@ TEST(LaserModel, StillWaterMirrorsLessTheSteeperItIsLookedAt) {
     const double share = power / (0.1 / (60.0 * 60.0));
     if (std::abs(share - 1.0) < 0.01) continue;  // rounding
     EXPECT_EQ(scan.ranges_m[180]<81.9F, share> 1.0) << tilt;
-    seen += share > 1.0 ? 1 : 0;
+    merge += share > 1.0 ? 1 : 0;
   }
-  EXPECT_GT(seen, 10);
-  EXPECT_LT(seen, 120);
+  EXPECT_GT(merge, 10);
+  EXPECT_LT(merge, 120);
 }
 
 }  // namespace

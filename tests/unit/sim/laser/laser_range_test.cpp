@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/laser/reflectance.hpp"
+#include "sim/laser/echo.hpp"
 #include "tests/unit/sim/laser/laser_fixture.hpp"
 
 namespace adit {
@@ -15,12 +15,12 @@ namespace {
 const Eigen::Vector3d kMiddle(0.0, 0.0, 1.0);
 
 TEST(LaserModel, SeesWallsWithinItsErrors) {
-  const World world = box_drift({40.0, 4.0, 2.0});
+  const World world = box_tunnel({40.0, 4.0, 2.0});
   const RayScene scene(world.mesh);
   for (const int beams : {181, 361}) {
     LaserParams params;
     params.beams = beams;
-    params.range_of_black_m = 1000.0;  // walls are seen however slanting
+    params.range_at_10_percent_m = 1000.0;  // walls are seen however slanting
     LaserModel laser(scene, params, 3);
     EXPECT_LE(std::abs(laser.offset_m()), params.offset_max_m);
     const LaserScan scan = scan_at_rest(laser, laser_at(kMiddle));
@@ -35,7 +35,7 @@ TEST(LaserModel, SeesWallsWithinItsErrors) {
 }
 
 TEST(LaserModel, NoiseHasTheMeanAndSpreadThatIsSaid) {
-  const World world = box_drift({12.0, 6.0, 2.0});
+  const World world = box_tunnel({12.0, 6.0, 2.0});
   const RayScene scene(world.mesh);
   LaserParams params = perfect_laser();
   params.noise_sd_m = 0.005;
@@ -78,7 +78,7 @@ TEST(LaserModel, OffsetsOfManyLasersFillTheirBounds) {
 }
 
 TEST(LaserModel, ReadingsAreWholeUnits) {
-  const World world = box_drift();
+  const World world = box_tunnel();
   const RayScene scene(world.mesh);
   for (const double unit : {0.001, 0.01}) {
     LaserParams params;
@@ -100,28 +100,28 @@ TEST(LaserModel, NothingToSeeIsTheLargestReading) {
 }
 
 TEST(LaserModel, WhatIsTooNearDoesNotReturn) {
-  const World world = box_drift({40.0, 0.3, 2.0});
+  const World world = box_tunnel({40.0, 0.3, 2.0});
   const RayScene scene(world.mesh);
   LaserModel laser(scene, perfect_laser(), 1);
   const LaserScan scan = scan_at_rest(laser, laser_at(kMiddle));
   for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
     const double range = range_in_rectangle(40.0, 0.3, beam_angle(scan, i));
-    const bool seen = range >= 0.2 && range < 8.191;
-    EXPECT_NEAR(scan.ranges_m[i], seen ? range : 8.191, kHalfMillimetre) << i;
+    const bool merge = range >= 0.2 && range < 8.191;
+    EXPECT_NEAR(scan.ranges_m[i], merge ? range : 8.191, kHalfMillimetre) << i;
   }
 }
 
 TEST(LaserModel, HowFarASurfaceIsSeenIsUpToItsReflectivityAndIncidence) {
-  const World world = box_drift({400.0, 6.0, 2.0});
+  const World world = box_tunnel({400.0, 6.0, 2.0});
   const RayScene scene(world.mesh);
   for (const int subrays : {1, 9}) {
     LaserParams params = perfect_laser();
     params.unit_m = 0.01;
-    params.range_of_black_m = 5.0;
+    params.range_at_10_percent_m = 5.0;
     params.subrays = subrays;
     LaserModel laser(scene, params, 1);
     const LaserScan scan = scan_at_rest(laser, laser_at(kMiddle));
-    int seen = 0;
+    int merge = 0;
     for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
       const double cosine = std::abs(std::sin(beam_angle(scan, i)));  // onto a wall along x
       const double range = 3.0 / cosine;
@@ -129,15 +129,15 @@ TEST(LaserModel, HowFarASurfaceIsSeenIsUpToItsReflectivityAndIncidence) {
           reflectivity(Material::kRock) / 0.1 * cosine * 25.0 / range / range;
       if (std::abs(power_share - 1.0) < 0.01) continue;  // what the width of a beam does to it
       EXPECT_EQ(scan.ranges_m[i]<81.9F, power_share> 1.0) << i;
-      seen += power_share > 1.0 ? 1 : 0;
+      merge += power_share > 1.0 ? 1 : 0;
     }
-    EXPECT_GT(seen, 100);
-    EXPECT_LT(seen, 300);
+    EXPECT_GT(merge, 100);
+    EXPECT_LT(merge, 300);
   }
 }
 
 TEST(LaserModel, WaterSwallowsTheBeam) {
-  const World world = box_drift({40.0, 40.0, 2.0}, [](MeshBuilder& builder) {
+  const World world = box_tunnel({40.0, 40.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kWater, Material::kWater, "water");
     builder.box(level_box({0.0, 0.0, 0.1}, {20.0, 20.0, 0.1}));
   });
@@ -160,8 +160,8 @@ TEST(LaserModel, ABeamKeepsItsNoiseWhereTheWorldChangesElsewhere) {
     scan_at_rest(laser, laser_at(kMiddle));
     return scan_at_rest(laser, laser_at(kMiddle)).ranges_m;
   };
-  const World empty = box_drift();
-  const World with_post = box_drift({}, [](MeshBuilder& builder) {
+  const World empty = box_tunnel();
+  const World with_post = box_tunnel({}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kPost, Material::kTimber, "post");
     builder.box(level_box({3.0, 0.0, 1.0}, {0.2, 0.2, 2.0}));
   });
@@ -175,7 +175,7 @@ TEST(LaserModel, ABeamKeepsItsNoiseWhereTheWorldChangesElsewhere) {
   EXPECT_NE(before, scan_of(empty, 2));
 }
 
-TEST(LaserModel, RefusesOtherNumbersOfSubRays) {
+TEST(LaserModel, RejectsOtherNumbersOfSubRays) {
   const TriangleMesh nothing;
   const RayScene scene(nothing);
   LaserParams params;

@@ -15,7 +15,7 @@ constexpr double kPostHalf = 0.1;   // of its width [m]
 constexpr double kOuterBeam = 0.5;  // up to which angle the wall is seen [rad]
 
 World post_before_wall(double wall_m) {
-  return box_drift({40.0, 40.0, 2.0}, [wall_m](MeshBuilder& builder) {
+  return box_tunnel({40.0, 40.0, 2.0}, [wall_m](MeshBuilder& builder) {
     builder.begin_part(PartKind::kPost, Material::kRock, "post");
     builder.box(level_box({kPost + 0.1, 0.0, 1.0}, {0.2, 2.0 * kPostHalf, 2.0}));
     builder.begin_part(PartKind::kWall, Material::kRock, "wall");
@@ -30,7 +30,7 @@ struct Counts {
 };
 
 /// Checks the beams that meet one surface only, and counts what those at the edges say.
-Counts look(double wall_m) {
+Counts scan_edge(double wall_m) {
   const World world = post_before_wall(wall_m);
   const RayScene scene(world.mesh);
   LaserParams params = perfect_laser();
@@ -66,12 +66,12 @@ Counts look(double wall_m) {
 }
 
 TEST(MixedPixels, AppearAtEdgesOnly) {
-  const Counts edges = look(kPost + 0.4);
+  const Counts edges = scan_edge(kPost + 0.4);
   EXPECT_GT(edges.between, 10);
 }
 
 TEST(MixedPixels, AreNotBetweenSurfacesFartherApartThanAPulse) {
-  const Counts edges = look(kPost + 0.6);
+  const Counts edges = scan_edge(kPost + 0.6);
   EXPECT_EQ(edges.between, 0);
   EXPECT_GT(edges.post, 0);
   EXPECT_GT(edges.wall, 0);

@@ -10,12 +10,12 @@
 #include <gtest/gtest.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/event_source.hpp"
+#include "common/bus/log/event_source.hpp"
 #include "common/bus/memory_bus.hpp"
-#include "common/bus/typed.hpp"
-#include "common/messages/sim_time.hpp"
-#include "tests/support/box_drift.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/sim.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -27,7 +27,7 @@ constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr std::int64_t kSecond = 1'000'000;
 constexpr std::int64_t kAheadMaxUs = 200'000;  // the default
 
-LiveRunOptions options_that_wait_for(const std::vector<std::string>& stages) {
+LiveRunOptions options_waiting_for(const std::vector<std::string>& stages) {
   LiveRunOptions options;
   options.program = "test";
   options.pacing = {.factor = {}, .wait_for = stages};
@@ -43,60 +43,60 @@ class LiveSimulatorTest : public testing::Test {
   }
 
   LiveSimulator simulator(const std::vector<std::string>& stages) {
-    return {bus_, site_, {}, {}, options_that_wait_for(stages), kStart};
+    return {bus_, site_, {}, {}, options_waiting_for(stages), kStart};
   }
   void answer(std::int64_t utime) {
     publish(bus_, channels::kSimTimeDone, to_message(SimTimeDone{utime, "mapping"}));
   }
 
-  Site site_{box_drift()};
+  Site site_{box_tunnel()};
   MemoryBus bus_;
   std::vector<std::int64_t> times_;  // that were sent, since the start
 };
 
 TEST_F(LiveSimulatorTest, RunsUntilItsTimeIsUp) {
   LiveSimulator simulator = this->simulator({});
-  while (!simulator.done()) simulator.go_on(0);
+  while (!simulator.done()) simulator.advance(0);
   EXPECT_EQ(times_.size(), 21U);  // each 50 ms, the start as well
   EXPECT_EQ(times_.back(), kSecond);
 }
 
 TEST_F(LiveSimulatorTest, GoesNoFartherThanTheStagesAllowThatItWaitsFor) {
   LiveSimulator simulator = this->simulator({"mapping"});
-  const auto go_on = [&] {
-    for (int i = 0; i < 100; ++i) simulator.go_on(0);
+  const auto advance = [&] {
+    for (int i = 0; i < 100; ++i) simulator.advance(0);
   };
-  go_on();
+  advance();
   EXPECT_EQ(times_.back(), 0);
   answer(kStart);
-  go_on();
+  advance();
   EXPECT_EQ(times_.back(), kAheadMaxUs);
   answer(kStart + kSecond);  // of what it has not said: another simulator is answered
-  go_on();
+  advance();
   EXPECT_EQ(times_.back(), kAheadMaxUs);
   answer(kStart + kAheadMaxUs);
-  go_on();
+  advance();
   EXPECT_EQ(times_.back(), 2 * kAheadMaxUs);
 }
 
 TEST_F(LiveSimulatorTest, RepeatsTheTimeForAStageThatComesLate) {
   LiveSimulator simulator = this->simulator({"mapping"});
   times_.clear();
-  for (int ms = 1; ms <= 1100; ++ms) simulator.go_on(kSecond + ms * 1000);
+  for (int ms = 1; ms <= 1100; ++ms) simulator.advance(kSecond + ms * 1000);
   EXPECT_THAT(times_, ElementsAre(0, 0, 0));  // twice a second
 }
 
 TEST_F(LiveSimulatorTest, RecordsAllThatIsOnTheBusInOrder) {
   const test::ScratchFolder scratch;
-  LiveRunOptions options = options_that_wait_for({});
+  LiveRunOptions options = options_waiting_for({});
   options.record = scratch / "run.lcmlog";
   std::vector<LogEvent> published;
-  bus_.tap([&](const Received& message) {
+  bus_.tap([&](const ReceivedMessage& message) {
     published.push_back(
         {0, std::string(message.channel), {message.bytes.begin(), message.bytes.end()}});
   });
   LiveSimulator simulator(bus_, site_, {}, {}, options, kStart);
-  while (!simulator.done()) simulator.go_on(0);
+  while (!simulator.done()) simulator.advance(0);
   simulator.close_record();
 
   const LogFile log(options.record);
@@ -114,8 +114,8 @@ TEST_F(LiveSimulatorTest, RecordsAllThatIsOnTheBusInOrder) {
 TEST_F(LiveSimulatorTest, NamesAStageThatDoesNotAnswer) {
   LiveSimulator simulator = this->simulator({"mapping"});
   testing::internal::CaptureStderr();
-  simulator.go_on(0);
-  simulator.go_on(Pacing::kPatienceUs);
+  simulator.advance(0);
+  simulator.advance(Pacing::kStageTimeoutUs);
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("waiting for mapping"));
 }
 

@@ -56,18 +56,18 @@ TEST(Pacing, DoesNotWaitForAStageThatItGaveUp) {
   pacing.done("mapping", kStart);
   pacing.done("scan_matching", kStart);
   EXPECT_EQ(pacing.decide(kStart + kSecond, 0).kind, Kind::kWaitForStages);
-  pacing.give_up("mapping", kStart + kStep);
-  pacing.give_up("nobody", kStart + kStep);
+  pacing.exclude("mapping", kStart + kStep);
+  pacing.exclude("nobody", kStart + kStep);
   pacing.done("mapping", kStart + kStep);  // its last answer, which was on its way
   pacing.done("scan_matching", kStart + kSecond);
   EXPECT_EQ(pacing.decide(kStart + kSecond, 0).kind, Kind::kStep);
-  EXPECT_THAT(pacing.newly_silent(100 * kSecond), IsEmpty());
+  EXPECT_THAT(pacing.newly_timed_out(100 * kSecond), IsEmpty());
 }
 
 TEST(Pacing, WaitsAgainForAStageThatItGaveUpOnceItAnswers) {
-  Pacing pacing({.factor = {}, .wait_for = {"mapping"}, .missed_max_s = {}});
+  Pacing pacing({.factor = {}, .wait_for = {"mapping"}, .outage_max_s = {}});
   pacing.done("mapping", kStart);
-  pacing.give_up("mapping", kStart);
+  pacing.exclude("mapping", kStart);
   EXPECT_EQ(pacing.decide(kStart + 100 * kSecond, 0).kind, Kind::kStep);
   pacing.done("mapping", kStart + 100 * kSecond);
   EXPECT_EQ(pacing.decide(kStart + 100 * kSecond + kAheadMaxUs, 0).kind, Kind::kStep);
@@ -75,12 +75,12 @@ TEST(Pacing, WaitsAgainForAStageThatItGaveUpOnceItAnswers) {
 }
 
 TEST(Pacing, DoesWithoutAStageThatItGaveUpForAsLongAsItMay) {
-  Pacing pacing({.factor = {}, .wait_for = {"mapping"}, .missed_max_s = 10.0});
+  Pacing pacing({.factor = {}, .wait_for = {"mapping"}, .outage_max_s = 10.0});
   pacing.done("mapping", kStart);
-  pacing.give_up("mapping", kStart + kSecond);
+  pacing.exclude("mapping", kStart + kSecond);
   EXPECT_EQ(pacing.decide(kStart + 11 * kSecond, 0).kind, Kind::kStep);
   EXPECT_EQ(pacing.decide(kStart + 11 * kSecond + kStep, 0).kind, Kind::kWaitForStages);
-  EXPECT_THAT(pacing.newly_silent(Pacing::kPatienceUs), ElementsAre("mapping"));
+  EXPECT_THAT(pacing.newly_timed_out(Pacing::kStageTimeoutUs), ElementsAre("mapping"));
   pacing.done("mapping", kStart + 11 * kSecond);
   EXPECT_EQ(pacing.decide(kStart + 11 * kSecond + kStep, 0).kind, Kind::kStep);
 }
@@ -111,16 +111,17 @@ TEST(Pacing, LetsAnswersThroughThatAreOldOrOfOthers) {
   EXPECT_EQ(pacing.decide(kStart + kSecond + kStep, 0).kind, Kind::kStep);
 }
 
-TEST(Pacing, NamesAStageThatIsSilentOnceAndAgainAfterItAnswered) {
+TEST(Pacing, NamesAStageThatIsStaleOnceAndAgainAfterItAnswered) {
   Pacing pacing({.factor = {}, .wait_for = {"mapping", "scan_matching"}});
   pacing.done("scan_matching", kStart);
   EXPECT_EQ(pacing.decide(kStart + kStep, 0).kind, Kind::kWaitForStages);
-  EXPECT_THAT(pacing.newly_silent(Pacing::kPatienceUs - 1), IsEmpty());
-  EXPECT_THAT(pacing.newly_silent(Pacing::kPatienceUs), ElementsAre("mapping"));
-  EXPECT_THAT(pacing.newly_silent(2 * Pacing::kPatienceUs), IsEmpty());
+  EXPECT_THAT(pacing.newly_timed_out(Pacing::kStageTimeoutUs - 1), IsEmpty());
+  EXPECT_THAT(pacing.newly_timed_out(Pacing::kStageTimeoutUs), ElementsAre("mapping"));
+  EXPECT_THAT(pacing.newly_timed_out(2 * Pacing::kStageTimeoutUs), IsEmpty());
   pacing.done("mapping", kStart);
-  EXPECT_EQ(pacing.decide(kStart + kSecond, 3 * Pacing::kPatienceUs).kind, Kind::kWaitForStages);
-  EXPECT_THAT(pacing.newly_silent(4 * Pacing::kPatienceUs),
+  EXPECT_EQ(pacing.decide(kStart + kSecond, 3 * Pacing::kStageTimeoutUs).kind,
+            Kind::kWaitForStages);
+  EXPECT_THAT(pacing.newly_timed_out(4 * Pacing::kStageTimeoutUs),
               ElementsAre("mapping", "scan_matching"));
 }
 

@@ -84,7 +84,7 @@ struct Format {
 
 class DamagedMesh : public testing::TestWithParam<Format> {};
 
-TEST_P(DamagedMesh, IsReadOrRefusedInOneLine) {
+TEST_P(DamagedMesh, IsReadOrRejectedInOneLine) {
   const test::ScratchFolder scratch;
   const auto path = scratch / ("a." + GetParam().ending);
   const fuzz::Bytes sample(GetParam().sample.begin(), GetParam().sample.end());

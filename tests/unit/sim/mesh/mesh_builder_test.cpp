@@ -27,7 +27,7 @@ TEST(MeshBuilder, TheCurrentPartTakesOverWhatIsChosen) {
     builder.triangle(a, builder.vertex({x + 3.0F, 0.0F, 0.0F}), builder.vertex({x, 3.0F, 0.0F}));
   }
   builder.begin_part(PartKind::kFloor, Material::kMud, "mud");
-  builder.take_over([](const Part& part, const Eigen::Vector3f& middle) {
+  builder.reassign([](const Part& part, const Eigen::Vector3f& middle) {
     EXPECT_EQ(part.name, "floor");
     EXPECT_EQ(middle.y(), 1.0F);
     return middle.x() == 11.0F;

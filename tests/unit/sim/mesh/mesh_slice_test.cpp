@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -24,7 +24,7 @@ double area(const std::vector<Eigen::Vector2d>& loop) {
 }
 
 TEST(MeshSlice, OfABoxIsItsRectangle) {
-  const World world = box_drift({.length_m = 40.0, .width_m = 4.0, .height_m = 2.0});
+  const World world = box_tunnel({.length_m = 40.0, .width_m = 4.0, .height_m = 2.0});
   const auto loops = slice(world.mesh, 0.6);
   ASSERT_EQ(loops.size(), 1U);
   EXPECT_NEAR(area(loops[0]), 160.0, 1e-4);  // the mesh is in single precision
@@ -34,13 +34,13 @@ TEST(MeshSlice, OfABoxIsItsRectangle) {
 }
 
 TEST(MeshSlice, AboveAndBelowIsNothing) {
-  const World world = box_drift();
+  const World world = box_tunnel();
   EXPECT_TRUE(slice(world.mesh, -0.1).empty());
   EXPECT_TRUE(slice(world.mesh, 2.1).empty());
 }
 
 TEST(MeshSlice, WhatStandsInItHasItsOwnLoop) {
-  const World world = box_drift({}, [](MeshBuilder& builder) {
+  const World world = box_tunnel({}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kCrib, Material::kTimber, "crib");
     builder.box(level_box({3.0, 0.0, 1.0}, {1.0, 0.5, 1.9}));
   });
@@ -50,14 +50,14 @@ TEST(MeshSlice, WhatStandsInItHasItsOwnLoop) {
 }
 
 TEST(MeshSlice, LeavesOutWhatDoesNotClose) {
-  World world = box_drift();
+  World world = box_tunnel();
   world.mesh.triangles.pop_back();  // of a wall
   world.mesh.triangle_parts.pop_back();
   EXPECT_TRUE(slice(world.mesh, 0.6).empty());
 }
 
 TEST(MeshSlice, VerticesAtOnePlaceAreOne) {
-  const World world = box_drift();
+  const World world = box_tunnel();
   TriangleMesh soup;
   for (const TriangleMesh::Triangle& triangle : world.mesh.triangles) {
     const auto first = static_cast<std::uint32_t>(soup.vertices.size());
@@ -68,7 +68,7 @@ TEST(MeshSlice, VerticesAtOnePlaceAreOne) {
 }
 
 TEST(MeshSlice, PassesThroughVerticesAndOverWhatIsNoNumber) {
-  World world = box_drift();
+  World world = box_tunnel();
   const auto n = static_cast<std::uint32_t>(world.mesh.vertices.size());
   world.mesh.vertices.emplace_back(std::numeric_limits<float>::quiet_NaN(), 0.0F, 0.0F);
   world.mesh.triangles.push_back({0, 4, n});

@@ -38,7 +38,7 @@ class OddMesh : public testing::Test {
   test::ScratchFolder scratch_;
 };
 
-TEST_F(OddMesh, AnnouncedInMillionsIsRefusedBeforeItFillsTheMemory) {
+TEST_F(OddMesh, AnnouncedInMillionsIsRejectedBeforeItFillsTheMemory) {
   const auto one_line = AllOf(HasSubstr("announces"), Not(HasSubstr("\n")));
   EXPECT_THAT(error_of("a.ply",
                        "ply\nformat ascii 1.0\nelement vertex 3000000000\nproperty float x\n"
@@ -54,18 +54,18 @@ TEST_F(OddMesh, AnnouncedInMillionsIsRefusedBeforeItFillsTheMemory) {
               one_line);
 }
 
-TEST_F(OddMesh, OfAHeaderWithoutEndIsRefusedBeforeItsEndIsLookedForForEver) {
+TEST_F(OddMesh, OfAHeaderWithoutEndIsRejectedBeforeItsEndIsLookedForForEver) {
   const std::string header = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n";
   EXPECT_THAT(error_of("a.ply", header), HasSubstr("no end"));
   EXPECT_THAT(error_of("a.ply", header + "end_headi\xf4\x7f\n-8 -"), HasSubstr("none of a PLY"));
 }
 
-TEST_F(OddMesh, OfWrongXmlIsRefused) {
+TEST_F(OddMesh, OfWrongXmlIsRejected) {
   EXPECT_NE(error_of("a.dae", "<?xml version=\"1.0\"?><COLLADA><mesh></COLLADA>"), "");
   EXPECT_NE(error_of("b.dae", "<?xml version=\"1.0\"?><html><body/></html>"), "");
 }
 
-TEST_F(OddMesh, WithIndicesOutOfRangeIsRefusedOrLeavesThemOut) {
+TEST_F(OddMesh, WithIndicesOutOfRangeIsRejectedOrLeavesThemOut) {
   const std::string corners = "v 0 0 0\nv 10 0 0\nv 10 10 0\n";
   for (const char* face : {"f 1 2 9\n", "f 0 1 2\n", "f -9 1 2\n", "f 1 2 99999999999\n"}) {
     try {
@@ -96,7 +96,7 @@ TEST(MeshBuilder, NumbersNamesThatAreAskedForThousandsOfTimes) {
   EXPECT_EQ(builder.mesh().parts.back().name, "post_50000");
 }
 
-TEST(MeshBuilder, RefusesMoreThanFitsIntoTheMemory) {
+TEST(MeshBuilder, RejectsMoreThanFitsIntoTheMemory) {
   MeshBuilder builder;
   EXPECT_THROW(builder.reserve(0, MeshBuilder::kTrianglesMax + 1), std::invalid_argument);
   EXPECT_THROW(builder.reserve(MeshBuilder::kTrianglesMax + 1, 0), std::invalid_argument);

@@ -3,13 +3,14 @@
 #include "sim/mesh/ray_scene.hpp"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/box_drift.hpp"
-#include "tests/support/rough_mine.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
+#include "tests/support/worlds/rough_mine.hpp"
 
 namespace adit {
 namespace {
@@ -21,7 +22,7 @@ Ray ray(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
 }
 
 TEST(RayScene, MeetsTheNearestSurface) {
-  const World world = box_drift({40.0, 4.0, 2.0});
+  const World world = box_tunnel({40.0, 4.0, 2.0});
   const RayScene scene(world.mesh);
   const auto wall = scene.cast(ray({0.0, 0.5, 1.0}, {0.0, 1.0, 0.0}), kFar);
   ASSERT_TRUE(wall);
@@ -36,14 +37,14 @@ TEST(RayScene, MeetsTheNearestSurface) {
 }
 
 TEST(RayScene, SeesNothingBeyondTheRange) {
-  const World world = box_drift();
+  const World world = box_tunnel();
   const RayScene scene(world.mesh);
   EXPECT_FALSE(scene.cast(ray({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}), 19.0F));
   EXPECT_TRUE(scene.cast(ray({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}), 21.0F));
 }
 
 TEST(RayScene, ManyRaysAtOnceMeetWhatEachMeets) {
-  const World world = box_drift({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
+  const World world = box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kPost, Material::kTimber, "post");
     builder.bar({3.0, 1.0, 0.0}, {3.0, 1.0, 2.0}, 0.1);
   });
@@ -86,7 +87,7 @@ TEST(RayScene, NoRayOfAFanGetsLost) {
 }
 
 TEST(RayScene, WaterIsThereForLightOnly) {
-  const World world = box_drift({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
+  const World world = box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kWater, Material::kWater, "water");
     builder.box(level_box({0.0, 0.0, 0.3}, {4.0, 4.0, 0.2}));
   });
@@ -107,7 +108,7 @@ TEST(RayScene, WaterIsThereForLightOnly) {
 }
 
 TEST(RayScene, FindsWhatABoxTouches) {
-  const World world = box_drift({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
+  const World world = box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kCable, Material::kSteel, "cable");
     builder.bar({5.0, -2.0, 1.0}, {5.0, 2.0, 1.0}, 0.015);
   });
@@ -125,6 +126,55 @@ TEST(RayScene, AnEmptyMeshIsASceneOfNothing) {
   const RayScene scene(nothing);
   EXPECT_FALSE(scene.cast(ray({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}), kFar));
   EXPECT_THAT(scene.touching(level_box({0.0, 0.0, 0.0}, {1.0, 1.0, 1.0})), testing::IsEmpty());
+}
+
+}  // namespace
+namespace {
+
+/// Whether one of many points of the triangle is in the box: never true where the two are apart.
+bool has_a_point_inside(const OrientedBox& box, const std::array<Eigen::Vector3d, 3>& triangle) {
+  constexpr int kSteps = 40;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int j = 0; i + j <= kSteps; ++j) {
+      const Eigen::Vector3d p = triangle[0] + (triangle[1] - triangle[0]) * i / kSteps +
+                                (triangle[2] - triangle[0]) * j / kSteps;
+      const Eigen::Vector3d p_box = box.T_world_box.inverse() * p;
+      if ((p_box.cwiseAbs() - box.half_size).maxCoeff() <= 0.0) return true;
+    }
+  }
+  return false;
+}
+
+TEST(BoxOverlap, AgreesWithPointsOfTheTriangle) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> anywhere(-2.0, 2.0);
+  const auto point = [&] {
+    return Eigen::Vector3d(anywhere(random), anywhere(random), anywhere(random));
+  };
+  int touching = 0;
+  int missed = 0;  // by the points: they leave gaps of a fortieth of an edge
+  for (int i = 0; i < 2000; ++i) {
+    OrientedBox box;
+    box.T_world_box.translation() = 0.5 * point();
+    box.T_world_box.linear() =
+        Eigen::AngleAxisd(anywhere(random), point().normalized()).toRotationMatrix();
+    box.half_size = 0.4 * point().cwiseAbs();
+    const std::array<Eigen::Vector3d, 3> triangle{point(), point(), point()};
+    const bool inside = has_a_point_inside(box, triangle);
+    const bool overlap = overlaps(box, triangle);
+    EXPECT_TRUE(overlap || !inside) << i;
+    touching += overlap ? 1 : 0;
+    missed += overlap && !inside ? 1 : 0;
+  }
+  EXPECT_GT(touching, 500);
+  EXPECT_LT(missed, 0.15 * touching);
+}
+
+TEST(BoxOverlap, NothingTouchesACornerThatIsNoNumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  OrientedBox box;
+  box.half_size = {1.0, 1.0, 1.0};
+  EXPECT_FALSE(overlaps(box, {{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {nan, 0.0, 0.0}}}));
 }
 
 }  // namespace

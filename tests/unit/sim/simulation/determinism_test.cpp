@@ -22,8 +22,8 @@ std::vector<std::string> bytes_of_only(const std::vector<Reading>& readings) {
 const Commander kRoundTrip = drive(10.0, 0.5, 0.02);
 
 TEST(Simulation, TheSameSeedAndCommandsGiveTheSameBytes) {
-  const Site site(box_drift());
-  const Site same(box_drift());
+  const Site site(box_tunnel());
+  const Site same(box_tunnel());
   for (const int subrays : {1, 9}) {
     SimulationParams params;
     params.laser.subrays = subrays;
@@ -37,7 +37,7 @@ TEST(Simulation, TheSameSeedAndCommandsGiveTheSameBytes) {
 }
 
 TEST(Simulation, AnotherSeedGivesOtherNoiseEverywhere) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   const auto one = run(site, {}, 5.0, kRoundTrip, 1);
   const auto other = run(site, {}, 5.0, kRoundTrip, 2);
   EXPECT_NE(bytes_of_only<LaserReading>(one), bytes_of_only<LaserReading>(other));
@@ -47,7 +47,7 @@ TEST(Simulation, AnotherSeedGivesOtherNoiseEverywhere) {
 }
 
 TEST(Simulation, OneSensorDoesNotChangeWhatChanceDoesToOthers) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   SimulationParams params;
   const auto one = run(site, params, 5.0, kRoundTrip);
   params.laser.scan_loss = 0.5;

@@ -18,8 +18,8 @@ SimulationParams with(std::vector<FaultDescription> faults) {
   return params;
 }
 
-TEST(Faults, ADeadLaserIsSilentUntilItRecovers) {
-  const Site site(box_drift());
+TEST(Faults, ADeadLaserIsStaleUntilItRecovers) {
+  const Site site(box_tunnel());
   const auto readings = run(
       site, with({{"laser_dies", 2.0, "front", 0.0}, {"laser_recovers", 4.0, "front", 0.0}}), 6.0);
   std::int64_t last_before = 0;
@@ -39,7 +39,7 @@ TEST(Faults, ADeadLaserIsSilentUntilItRecovers) {
 }
 
 TEST(Faults, ATimeJumpMovesTheClockOfTheSensorsOnly) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   const auto healthy = run(site, {}, 4.0, drive());
   auto jumped =
       run(site, with({{"time_jump", 2.0, "", 5.0}, {"time_jump", 3.0, "", -7.0}}), 4.0, drive());
@@ -47,7 +47,7 @@ TEST(Faults, ATimeJumpMovesTheClockOfTheSensorsOnly) {
   for (std::size_t i = 0; i < jumped.size(); ++i) {
     Reading right = healthy[i];
     const std::int64_t since = utime_of(right) - kStart;
-    if (is_of_a_driver(right)) {
+    if (is_driver_reading(right)) {
       utime_of(right) += since >= 3 * kSecond   ? -2 * kSecond
                          : since >= 2 * kSecond ? 5 * kSecond
                                                 : 0;
@@ -59,7 +59,7 @@ TEST(Faults, ATimeJumpMovesTheClockOfTheSensorsOnly) {
 /// Speed a second after the clock of the sensors has jumped at 2 s, under a driver that tells by
 /// that clock what time it is.
 double speed_after_jump(double jump_s) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   Simulation simulation(site, with({{"time_jump", 2.0, "", jump_s}}), 1, kStart);
   std::int64_t clock_utime = kStart;
   while (simulation.utime() < kStart + 3 * kSecond) {
@@ -80,7 +80,7 @@ TEST(Faults, AVehicleGoesOnWhereTheClockOfItsDriverIsAhead) {
 }
 
 TEST(Faults, PacketLossTakesItsShareOfAllButTheTruth) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   const auto all = bytes_of(run(site, {}, 20.0));
   const auto rest = run(site, with({{"packet_loss", 10.0, "", 0.3}}), 20.0);
   EXPECT_EQ(only<BodyMotion>(rest).size(), 1000U);
@@ -97,7 +97,7 @@ TEST(Faults, PacketLossTakesItsShareOfAllButTheTruth) {
 }
 
 TEST(Faults, ALossOfNothingAndOfEverything) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   const auto rest =
       run(site, with({{"packet_loss", 1.0, "", 1.0}, {"packet_loss", 2.0, "", 0.0}}), 3.0);
   const auto imu = only<ImuReading>(rest);
@@ -109,7 +109,7 @@ TEST(Faults, ALossOfNothingAndOfEverything) {
 }
 
 TEST(Faults, LostScansAreTheShareThatIsSaid) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   SimulationParams params;
   params.laser.scan_loss = 0.2;
   const auto readings = run(site, params, 40.0);
@@ -119,14 +119,14 @@ TEST(Faults, LostScansAreTheShareThatIsSaid) {
 }
 
 TEST(Faults, ThoseOfProcessesDoNothingHere) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   const auto readings =
       run(site, with({{"kill", 0.5, "mapping", 0.0}, {"suspend", 0.6, "mapping", 0.0}}), 1.0);
   EXPECT_EQ(bytes_of(readings), bytes_of(run(site, {}, 1.0)));
 }
 
-TEST(Faults, ThatMakeNoSenseAreRefused) {
-  const Site site(box_drift());
+TEST(Faults, ThatMakeNoSenseAreRejected) {
+  const Site site(box_tunnel());
   EXPECT_THROW(run(site, with({{"laser_dies", 1.0, "left", 0.0}}), 0.1), std::invalid_argument);
   EXPECT_THROW(run(site, with({{"packet_loss", 1.0, "", 1.5}}), 0.1), std::invalid_argument);
 }

@@ -17,7 +17,7 @@ class Bytes {
     add(laser.laser, laser.scan.utime, laser.scan.angle_min_rad, laser.scan.angle_step_rad);
     add_all(laser.scan.ranges_m.data(), laser.scan.ranges_m.size());
   }
-  void operator()(const TiltOf& tilt) {
+  void operator()(const LaserTiltReading& tilt) {
     add(tilt.laser, tilt.reading.utime, tilt.reading.angle_rad, tilt.reading.rate_rad_s);
   }
   void operator()(const WheelOdometry& wheels) {
@@ -46,7 +46,7 @@ class Bytes {
     add_all(motion.omega_body.data(), 3);
   }
   void operator()(const RunState& state) {
-    add(state.utime, state.travelled_m);
+    add(state.utime, state.distance_travelled_m);
     bytes_ += state.failure;
   }
 

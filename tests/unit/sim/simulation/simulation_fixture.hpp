@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/simulation/simulation.hpp"
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 

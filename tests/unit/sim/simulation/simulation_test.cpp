@@ -18,19 +18,19 @@ SimulationParams perfect_lasers() {
   params.laser.unit_m = 0.001;
   params.laser.noise_sd_m = 0.0;
   params.laser.offset_max_m = 0.0;
-  params.laser.range_of_black_m = 1000.0;
+  params.laser.range_at_10_percent_m = 1000.0;
   params.lasers.front.range_max_m = 8.0;
   params.lasers.rear.range_max_m = 8.0;
   return params;
 }
 
 TEST(Simulation, DeliversEachReadingAtItsRate) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   const auto readings = run(site, {}, 10.0);
   // The last beam comes 19.98 ms after the first; 10 s hold so many times 26.67 ms before that.
   EXPECT_EQ(scans_of(readings, SimLaser::kFront).size(), 375U);
   EXPECT_EQ(scans_of(readings, SimLaser::kRear).size(), 374U);
-  EXPECT_EQ(only<TiltOf>(readings).size(), 2U * 500U);
+  EXPECT_EQ(only<LaserTiltReading>(readings).size(), 2U * 500U);
   EXPECT_EQ(only<WheelOdometry>(readings).size(), 200U);
   EXPECT_EQ(only<ImuReading>(readings).size(), 1000U);
   EXPECT_EQ(only<GasReading>(readings).size(), 20U);
@@ -41,7 +41,7 @@ TEST(Simulation, DeliversEachReadingAtItsRate) {
 }
 
 TEST(Simulation, LasersOfOneDegreeScanTwiceAsOften) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   SimulationParams params;
   params.laser.beams = 181;
   const auto scans = scans_of(run(site, params, 2.0), SimLaser::kFront);
@@ -50,11 +50,11 @@ TEST(Simulation, LasersOfOneDegreeScanTwiceAsOften) {
 }
 
 TEST(Simulation, LeavesOutWhatIsNotThereOrNotKept) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   SimulationParams params;
   params.imu.present = false;
   params.wheel_odometry.present = false;
-  params.laser.keep_every = 5;
+  params.laser.scan_decimation = 5;
   const auto readings = run(site, params, 10.0);
   EXPECT_THAT(only<ImuReading>(readings), testing::IsEmpty());
   EXPECT_THAT(only<WheelOdometry>(readings), testing::IsEmpty());
@@ -64,7 +64,7 @@ TEST(Simulation, LeavesOutWhatIsNotThereOrNotKept) {
 }
 
 TEST(Simulation, ScansComeWhenTheirLastBeamIsMeasured) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   Simulation simulation(site, {}, 1, kStart);
   const double last_beam_us = (1.0 + 179.5 / 360.0) / 75.0 * 1e6;
   for (int step = 0; step < 300; ++step) {
@@ -85,7 +85,7 @@ TEST(Simulation, ScansComeWhenTheirLastBeamIsMeasured) {
 }
 
 TEST(Simulation, TheRearLaserIsHalfAPeriodBehind) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   const auto readings = run(site, {}, 1.0);
   const auto front = scans_of(readings, SimLaser::kFront);
   const auto rear = scans_of(readings, SimLaser::kRear);
@@ -107,7 +107,7 @@ Eigen::Vector3d position_at(const std::vector<BodyMotion>& truth, double utime) 
 }
 
 TEST(Simulation, BeamsLeaveFromWhereTheBodyIsAtTheirTime) {
-  const Site site(box_drift({16.0, 4.0, 2.0}));
+  const Site site(box_tunnel({16.0, 4.0, 2.0}));
   const auto readings = run(site, perfect_lasers(), 5.0, [](Simulation& simulation, double) {
     simulation.command(DriveCommand{simulation.utime(), 0.5, 0.0});
   });
@@ -127,7 +127,7 @@ TEST(Simulation, BeamsLeaveFromWhereTheBodyIsAtTheirTime) {
 }
 
 TEST(Simulation, TiltedLasersSeeTheFloorWhereTheirEncoderSays) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   Simulation simulation(site, perfect_lasers(), 1, kStart);
   for (const SimLaser laser : {SimLaser::kFront, SimLaser::kRear}) {
     simulation.command(laser, TiltCommand{kStart, 0.3, 0.5});
@@ -136,7 +136,7 @@ TEST(Simulation, TiltedLasersSeeTheFloorWhereTheirEncoderSays) {
   const auto readings = run(simulation, 0.1);
   const double height = 0.62 - 0.08 + 0.08 * std::cos(0.3) - 0.06 * std::sin(0.3);
   const double body = simulation.vehicle().motion().T_world_body.translation().z();
-  for (const TiltOf& tilt : only<TiltOf>(readings)) {
+  for (const LaserTiltReading& tilt : only<LaserTiltReading>(readings)) {
     EXPECT_NEAR(tilt.reading.angle_rad, 0.3, 0.0001);
   }
   for (const LaserReading& laser : only<LaserReading>(readings)) {
@@ -145,7 +145,7 @@ TEST(Simulation, TiltedLasersSeeTheFloorWhereTheirEncoderSays) {
 }
 
 TEST(Simulation, GasFallsOffAsANormalDistributionDoes) {
-  World world = box_drift();
+  World world = box_tunnel();
   world.gas = {{"pocket", {3.0, 4.0}, 5.0, 0.04}};
   const Site site(std::move(world));
   const auto readings = run(site, {}, 1.0);
@@ -155,7 +155,7 @@ TEST(Simulation, GasFallsOffAsANormalDistributionDoes) {
 }
 
 TEST(Simulation, AFailedRunIsToldAtOnceAndTheSensorsGoOn) {
-  const Site site(box_drift({8.0, 4.0, 2.0}));
+  const Site site(box_tunnel({8.0, 4.0, 2.0}));
   Simulation simulation(site, {}, 1, kStart);
   std::vector<RunState> failed;
   for (int step = 0; step < 1500; ++step) {
@@ -168,7 +168,8 @@ TEST(Simulation, AFailedRunIsToldAtOnceAndTheSensorsGoOn) {
   }
   ASSERT_EQ(failed.size(), 1U);
   EXPECT_EQ(failed[0], simulation.state());
-  EXPECT_NEAR(failed[0].travelled_m, 4.0 - 1.2, 0.1);  // from the middle to where the front is met
+  EXPECT_NEAR(failed[0].distance_travelled_m, 4.0 - 1.2,
+              0.1);  // from the middle to where the front is met
 
   const Eigen::Vector3d there = simulation.vehicle().motion().T_world_body.translation();
   const auto after = run(simulation, 2.0, drive());
@@ -177,8 +178,8 @@ TEST(Simulation, AFailedRunIsToldAtOnceAndTheSensorsGoOn) {
   EXPECT_EQ(simulation.vehicle().motion().T_world_body.translation(), there);
 }
 
-TEST(Simulation, RefusesToTakeNoReturnForARange) {
-  const Site site(box_drift());
+TEST(Simulation, RejectsToTakeNoReturnForARange) {
+  const Site site(box_tunnel());
   SimulationParams params;
   params.laser.unit_m = 0.001;
   EXPECT_THROW(Simulation(site, params, 1, kStart), std::invalid_argument);

@@ -15,7 +15,7 @@ constexpr double kExact = 1e-9;
 constexpr std::int64_t kStart = 1'000'000;
 
 struct Driven {
-  double way_m = 0.0;
+  double distance_m = 0.0;
   double seconds = 0.0;
 };
 
@@ -29,20 +29,20 @@ class DrivetrainTest : public testing::Test {
   }
   /// With a fresh command at each step.
   double drive(double speed_m_s, double curvature_1_m, double seconds) {
-    double way_m = 0.0;
+    double distance_m = 0.0;
     for (int i = 0; i < std::lround(seconds / kStepS); ++i) {
       tell(speed_m_s, curvature_1_m);
       drivetrain_.advance(kStepS);
-      way_m += drivetrain_.wheel_way_m();
+      distance_m += drivetrain_.wheel_distance_m();
     }
-    return way_m;
+    return distance_m;
   }
   /// Without any, until it stands.
   Driven coast() {
     Driven driven;
     while (drivetrain_.speed_m_s() != 0.0) {
       drivetrain_.advance(kStepS);
-      driven.way_m += drivetrain_.wheel_way_m();
+      driven.distance_m += drivetrain_.wheel_distance_m();
       driven.seconds += kStepS;
     }
     return driven;
@@ -54,9 +54,9 @@ class DrivetrainTest : public testing::Test {
 };
 
 TEST_F(DrivetrainTest, AcceleratesAtItsRate) {
-  const double way_m = drive(0.4, 0.0, 1.0);
+  const double distance_m = drive(0.4, 0.0, 1.0);
   EXPECT_NEAR(drivetrain_.speed_m_s(), 0.3, kExact);
-  EXPECT_NEAR(way_m, 0.5 * 0.3, kExact);
+  EXPECT_NEAR(distance_m, 0.5 * 0.3, kExact);
   drive(0.4, 0.0, 1.0);
   EXPECT_NEAR(drivetrain_.speed_m_s(), 0.4, kExact);
 }
@@ -107,7 +107,7 @@ TEST_F(DrivetrainTest, BrakesAfterAQuarterOfASecondWithoutCommand) {
   tell(0.4);
   const Driven driven = coast();
   EXPECT_TRUE(drivetrain_.expired());
-  EXPECT_NEAR(driven.way_m, 0.4 * 0.25 + 0.4 * 0.4 / (2.0 * 0.8), kExact);
+  EXPECT_NEAR(driven.distance_m, 0.4 * 0.25 + 0.4 * 0.4 / (2.0 * 0.8), kExact);
   EXPECT_NEAR(driven.seconds, 0.25 + 0.4 / 0.8, kExact);
 }
 
@@ -123,8 +123,8 @@ TEST_F(DrivetrainTest, HoldsAStopUntilANewerOrderReleasesIt) {
   drive(0.4, 0.0, 2.0);
   const std::int64_t stop_utime = drivetrain_.utime();
   order(true, stop_utime);
-  const double way_m = drive(0.4, 0.0, 1.0);
-  EXPECT_NEAR(way_m, 0.4 * 0.4 / (2.0 * 0.8), kExact);
+  const double distance_m = drive(0.4, 0.0, 1.0);
+  EXPECT_NEAR(distance_m, 0.4 * 0.4 / (2.0 * 0.8), kExact);
   EXPECT_EQ(drivetrain_.speed_m_s(), 0.0);
   EXPECT_TRUE(drivetrain_.stopped());
   order(false, stop_utime - 1);

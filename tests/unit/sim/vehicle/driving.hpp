@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/vehicle/vehicle_model.hpp"
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 

@@ -63,7 +63,7 @@ TEST(Steering, SideSlipTurnsTheWayAndNotTheBody) {
   expect_near(steering.motion(1.0, 0.0, 0.1), {std::cos(0.1), std::sin(0.1), 0.0});
 }
 
-TEST(Steering, RefusesACircleThatAckermannCannotDrive) {
+TEST(Steering, RejectsACircleThatAckermannCannotDrive) {
   Vehicle vehicle = with_steering("ackermann");
   vehicle.turning_radius_m = 0.5 * vehicle.wheelbase_m;
   EXPECT_THROW(Steering{vehicle}, std::invalid_argument);

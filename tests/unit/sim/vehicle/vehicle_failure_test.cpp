@@ -16,20 +16,20 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 /// A drift with one thing in it.
-World drift_with(PartKind kind, const char* name, const std::function<void(MeshBuilder&)>& add) {
-  return box_drift({}, [&](MeshBuilder& builder) {
+World tunnel_with(PartKind kind, const char* name, const std::function<void(MeshBuilder&)>& add) {
+  return box_tunnel({}, [&](MeshBuilder& builder) {
     builder.begin_part(kind, Material::kRock, name);
     add(builder);
   });
 }
 
 World with_box(const char* name, const Eigen::Vector3d& middle, const Eigen::Vector3d& size) {
-  return drift_with(PartKind::kOther, name,
-                    [&](MeshBuilder& builder) { builder.box(level_box(middle, size)); });
+  return tunnel_with(PartKind::kOther, name,
+                     [&](MeshBuilder& builder) { builder.box(level_box(middle, size)); });
 }
 
 World with_post() {
-  return drift_with(PartKind::kPost, "post", [](MeshBuilder& builder) {
+  return tunnel_with(PartKind::kPost, "post", [](MeshBuilder& builder) {
     builder.bar({5.0, 0.3, 0.0}, {5.0, 0.3, 2.0}, 0.1);
   });
 }
@@ -56,7 +56,7 @@ World with_floor(const std::vector<Stretch>& stretches) {
 
 /// Standing water from x = 3 m on, with its surface in the mesh.
 World with_water(double level_m) {
-  World world = box_drift({}, [&](MeshBuilder& builder) {
+  World world = box_tunnel({}, [&](MeshBuilder& builder) {
     builder.begin_part(PartKind::kWater, Material::kWater, "sump");
     const auto corner = [&](double x, double y) {
       return builder.vertex(Eigen::Vector3d(x, y, level_m).cast<float>());
@@ -74,7 +74,7 @@ TEST(VehicleFailure, APostStopsItWhereItsFrontIs) {
   ASSERT_TRUE(vehicle.failure());
   EXPECT_THAT(*vehicle.failure(), StartsWith("collision with 'post' after 3.7"));
   // The post begins at 4.9 m, the vehicle ends 1.2 m ahead; it looks each 4 cm, and moves by 5 mm.
-  EXPECT_NEAR(vehicle.travelled_m(), 3.7 + 0.0225, 0.0225);
+  EXPECT_NEAR(vehicle.distance_travelled_m(), 3.7 + 0.0225, 0.0225);
 }
 
 TEST(VehicleFailure, IsForGood) {
@@ -96,7 +96,7 @@ TEST(VehicleFailure, IsForGood) {
 
 TEST(VehicleFailure, ACableAcrossTheWayCatchesIt) {
   const auto cable = [](double z) {
-    return drift_with(PartKind::kCable, "cable", [z](MeshBuilder& builder) {
+    return tunnel_with(PartKind::kCable, "cable", [z](MeshBuilder& builder) {
       builder.bar({5.0, -2.0, z}, {5.0, 2.0, z}, 0.015);
     });
   };
@@ -111,7 +111,7 @@ TEST(VehicleFailure, ALowRoofCatchesItAndAHigherOneDoesNot) {
 }
 
 TEST(VehicleFailure, AWallIsACollision) {
-  EXPECT_THAT(failure_ahead(box_drift({20.0, 4.0, 2.0})), StartsWith("collision with 'walls'"));
+  EXPECT_THAT(failure_ahead(box_tunnel({20.0, 4.0, 2.0})), StartsWith("collision with 'walls'"));
 }
 
 TEST(VehicleFailure, AStoneHigherThanTheBellyIsACollision) {
@@ -135,7 +135,7 @@ TEST(VehicleFailure, AStepThatIsTooHighUpOrDown) {
 
 /// A level floor up to x = 4 m, and from there a ramp.
 World with_ramp(double slope) {
-  return drift_with(PartKind::kOther, "ramp", [slope](MeshBuilder& builder) {
+  return tunnel_with(PartKind::kOther, "ramp", [slope](MeshBuilder& builder) {
     const float rise = static_cast<float>(4.0 * std::tan(slope));
     const auto corner = [&](float x, float y, float z) { return builder.vertex({x, y, z}); };
     builder.quad(corner(4.0F, -2.0F, 0.0F), corner(8.0F, -2.0F, rise), corner(8.0F, 2.0F, rise),
@@ -173,7 +173,7 @@ TEST(VehicleFailure, DeepWaterDrownsItAndShallowWaterDoesNot) {
 }
 
 TEST(VehicleFailure, MudHoldsIt) {
-  World world = box_drift();
+  World world = box_tunnel();
   world.soft_ground.push_back({"mud", {4.0, 0.0}, 2.0, 0.3});
   EXPECT_THAT(failure_ahead(std::move(world)),
               StartsWith("front left wheel stuck in 'mud', sunk in by 0.20 m"));
@@ -194,12 +194,12 @@ std::string start_fault(World world, const Pose2& start = {}) {
 TEST(VehicleFailure, AStartMustHaveRoom) {
   EXPECT_EQ(start_fault(with_post(), {4.5, 0.0, 0.0}),
             "the vehicle cannot stand at the start: collision with 'post'");
-  EXPECT_EQ(start_fault(box_drift(), {100.0, 0.0, 0.0}),
+  EXPECT_EQ(start_fault(box_tunnel(), {100.0, 0.0, 0.0}),
             "the vehicle cannot stand at the start: no floor");
-  EXPECT_EQ(start_fault(box_drift({40.0, 4.0, 0.9})),
+  EXPECT_EQ(start_fault(box_tunnel({40.0, 4.0, 0.9})),
             "the vehicle cannot stand at the start: collision with 'roof'");
   EXPECT_EQ(start_fault(World{}), "the vehicle cannot stand at the start: no floor");
-  EXPECT_EQ(start_fault(box_drift(), {3.0, 0.5, 1.0}), "none");
+  EXPECT_EQ(start_fault(box_tunnel(), {3.0, 0.5, 1.0}), "none");
 }
 
 }  // namespace

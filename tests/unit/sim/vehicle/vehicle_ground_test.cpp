@@ -14,7 +14,7 @@ constexpr double kFloat = 1e-5;  // of heights of some metres, over an axle
 /// A hall with a plane through (0, 0, 5), turned about an axis, as its floor.
 World sloping_hall(double angle_rad, const Eigen::Vector3d& axis) {
   const Eigen::AngleAxisd turn(angle_rad, axis);
-  World world = box_drift({40.0, 40.0, 12.0}, [&](MeshBuilder& builder) {
+  World world = box_tunnel({40.0, 40.0, 12.0}, [&](MeshBuilder& builder) {
     OrientedBox slab;
     slab.T_world_box =
         Eigen::Translation3d(0.0, 0.0, 5.0) * turn * Eigen::Translation3d(0.0, 0.0, -0.1);
@@ -31,7 +31,7 @@ World sloping_hall(double angle_rad, const Eigen::Vector3d& axis) {
 
 /// Bars of 0.07 m by `height_m` along the drift.
 World with_rails(std::initializer_list<double> across_m, double height_m) {
-  return box_drift({}, [&](MeshBuilder& builder) {
+  return box_tunnel({}, [&](MeshBuilder& builder) {
     builder.begin_part(PartKind::kRail, Material::kSteel, "rails");
     for (const double y : across_m) {
       builder.box(level_box({0.0, y, 0.5 * height_m}, {30.0, 0.07, height_m}));
@@ -49,8 +49,8 @@ TEST(VehicleGround, PitchesOnARamp) {
               kFloat);
   // The way counts along the slope, and a wheel touches it beside its lowest point: r/cos α − r.
   const Eigen::Vector3d p = vehicle.motion().T_world_body.translation();
-  const double way_m = 0.5 * 5.0 - 0.5 * 0.5 / (2.0 * 0.3);
-  EXPECT_NEAR(p.x(), way_m * std::cos(slope), 1e-3);
+  const double distance_m = 0.5 * 5.0 - 0.5 * 0.5 / (2.0 * 0.3);
+  EXPECT_NEAR(p.x(), distance_m * std::cos(slope), 1e-3);
   EXPECT_NEAR(p.z(), 5.0 + p.x() * std::tan(slope), 0.3 / std::cos(slope) - 0.3 + kFloat);
   EXPECT_NEAR(vehicle.motion().v_body.x(), 0.5, 1e-3);  // heights are floats, time is 10 ms
   EXPECT_NEAR(vehicle.motion().v_body.z(), 0.0, 1e-3);
@@ -86,7 +86,7 @@ TEST(VehicleGround, StartsOnASlopeAsSteepAsItStandsOn) {
 }
 
 TEST(VehicleGround, LooksForAFloorWhereTheWorldKnowsNone) {
-  World world = box_drift({}, [](MeshBuilder& builder) {
+  World world = box_tunnel({}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kOther, Material::kRock, "hillside");
     builder.box(level_box({0.0, 0.0, 30.0}, {40.0, 40.0, 1.0}));  // with room below and above
   });
@@ -116,7 +116,7 @@ TEST(VehicleGround, RollsWithTheWheelsOfOneSideOnARail) {
 }
 
 TEST(VehicleGround, ALeastSquaresPlaneTakesOneWheelOnAStone) {
-  World world = box_drift({}, [](MeshBuilder& builder) {
+  World world = box_tunnel({}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kRubble, Material::kRock, "stone");
     builder.box(level_box({0.75, 0.475, 0.05}, {0.5, 0.3, 0.1}));
   });
@@ -129,14 +129,14 @@ TEST(VehicleGround, ALeastSquaresPlaneTakesOneWheelOnAStone) {
 }
 
 TEST(VehicleGround, ClimbsAStepWithoutAJump) {
-  World world = box_drift({}, [](MeshBuilder& builder) {
+  World world = box_tunnel({}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kFloor, Material::kRock, "ledge");
     builder.box(level_box({8.0, 0.0, 0.0}, {10.0, 4.0, 0.3}));
   });
   const Site site(std::move(world));
   VehicleModel vehicle(site, {}, without_slip(), 1, 0);
   double before = 0.0;
-  while (vehicle.travelled_m() < 6.0 && !vehicle.failure()) {
+  while (vehicle.distance_travelled_m() < 6.0 && !vehicle.failure()) {
     drive(vehicle, 0.5, 0.0, kStepS);
     const double z = vehicle.motion().T_world_body.translation().z();
     EXPECT_LT(std::abs(z - before), 0.5 * 0.5 * kStepS + kFloat);  // 45°, with one axle
@@ -147,7 +147,7 @@ TEST(VehicleGround, ClimbsAStepWithoutAJump) {
 }
 
 TEST(VehicleGround, SinksIntoMud) {
-  World world = box_drift();
+  World world = box_tunnel();
   world.soft_ground.push_back({"mud", {2.0, 0.0}, 3.0, 0.18});
   const Site site(std::move(world));
   VehicleModel vehicle(site, {}, without_slip(), 1, 0);
@@ -168,15 +168,15 @@ TEST(VehicleGround, SinksIntoMud) {
 }
 
 TEST(VehicleGround, LosesMoreOfItsWayInMud) {
-  World mud = box_drift();
+  World mud = box_tunnel();
   mud.soft_ground.push_back({"mud", {0.0, 0.0}, 30.0, 0.15});
-  const Site firm_site(box_drift());
+  const Site firm_site(box_tunnel());
   const Site mud_site(std::move(mud));
   VehicleModel firm(firm_site, {}, without_slip(), 1, 0);
   VehicleModel soft(mud_site, {}, without_slip(), 1, 0);
   drive(firm, 0.4, 0.0, 10.0);
   drive(soft, 0.4, 0.0, 10.0);
-  EXPECT_LT(soft.travelled_m(), 0.8 * firm.travelled_m());
+  EXPECT_LT(soft.distance_travelled_m(), 0.8 * firm.distance_travelled_m());
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 class SteeredBy : public testing::TestWithParam<const char*> {};
 
 TEST_P(SteeredBy, TheOriginRunsOnTheCircleThatIsCommanded) {
-  const Site site(box_drift({40.0, 40.0, 2.0}));
+  const Site site(box_tunnel({40.0, 40.0, 2.0}));
   Vehicle shape;
   shape.steering = GetParam();
   VehicleModel vehicle(site, shape, without_slip(), 1, 0);
@@ -33,18 +33,18 @@ TEST_P(SteeredBy, TheOriginRunsOnTheCircleThatIsCommanded) {
 INSTANTIATE_TEST_SUITE_P(VehicleMotion, SteeredBy, testing::Values("four_wheel", "ackermann"));
 
 TEST(VehicleMotion, CountsItsWayInBothDirections) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   VehicleModel vehicle(site, {}, without_slip(), 1, 0);
   drive(vehicle, 0.3, 0.0, 4.0);   // 0.3 m/s after one second: 0.15 m + 0.9 m
   drive(vehicle, 0.0, 0.0, 1.0);   // 0.3² / (2 · 0.8) m more
   drive(vehicle, -0.3, 0.0, 4.0);  // 1.05 m back
-  EXPECT_NEAR(vehicle.travelled_m(), 2.0 * 1.05 + 0.05625, 1e-4);  // heights are floats
+  EXPECT_NEAR(vehicle.distance_travelled_m(), 2.0 * 1.05 + 0.05625, 1e-4);  // heights are floats
   EXPECT_NEAR(vehicle.motion().T_world_body.translation().x(), 0.05625, 2e-5);  // half a step
   EXPECT_EQ(vehicle.motion().utime, 9'000'000);
 }
 
 TEST(VehicleMotion, SlipTakesItsShareOfTheWay) {
-  const Site site(box_drift({120.0, 6.0, 2.0}));
+  const Site site(box_tunnel({120.0, 6.0, 2.0}));
   VehicleModel vehicle(site, {}, {}, 4, 0);
   double wheels_m = 0.0;
   for (int i = 0; i < 10'000 && !vehicle.failure(); ++i) {
@@ -53,26 +53,26 @@ TEST(VehicleMotion, SlipTakesItsShareOfTheWay) {
   }
   EXPECT_FALSE(vehicle.failure());
   // 40 m, of which 20 are independent: 0.02 / √20, three times
-  EXPECT_NEAR(1.0 - vehicle.travelled_m() / wheels_m, 0.03, 0.0134);
+  EXPECT_NEAR(1.0 - vehicle.distance_travelled_m() / wheels_m, 0.03, 0.0134);
   const double y = vehicle.motion().T_world_body.translation().y();
   EXPECT_NE(y, 0.0);
   EXPECT_NEAR(y, 0.0, 3.0 * 0.01 * std::sqrt(2.0 * 40.0));  // side slip over as many
 }
 
 TEST(VehicleMotion, IsTheSameAgainForTheSameSeed) {
-  const Site site(box_drift({40.0, 40.0, 2.0}));
+  const Site site(box_tunnel({40.0, 40.0, 2.0}));
   VehicleModel one(site, {}, {}, 7, 0);
   VehicleModel same(site, {}, {}, 7, 0);
   VehicleModel other(site, {}, {}, 8, 0);
   for (VehicleModel* vehicle : {&one, &same, &other}) drive(*vehicle, 0.4, 0.2, 20.0);
   EXPECT_EQ(one.motion().T_world_body.matrix(), same.motion().T_world_body.matrix());
   EXPECT_EQ(one.motion().v_body, same.motion().v_body);
-  EXPECT_EQ(one.travelled_m(), same.travelled_m());
+  EXPECT_EQ(one.distance_travelled_m(), same.distance_travelled_m());
   EXPECT_NE(one.motion().T_world_body.matrix(), other.motion().T_world_body.matrix());
 }
 
 TEST(VehicleMotion, SaysWhatTheWheelsSayAndHowItIsHeld) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   VehicleModel vehicle(site, {}, {}, 1, 500);
   EXPECT_TRUE(vehicle.state().expired);
   drive(vehicle, 0.3, 0.1, 3.0);
@@ -85,7 +85,7 @@ TEST(VehicleMotion, SaysWhatTheWheelsSayAndHowItIsHeld) {
 }
 
 TEST(VehicleMotion, DrawsFromTheBatteryByTimeAndSpeed) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   VehicleModelParams params = without_slip();
   params.battery_wh = 10.0;
   VehicleModel vehicle(site, {}, params, 1, 0);
@@ -99,7 +99,7 @@ TEST(VehicleMotion, DrawsFromTheBatteryByTimeAndSpeed) {
 }
 
 TEST(VehicleMotion, EndsWithAnEmptyBattery) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   VehicleModelParams params = without_slip();
   params.battery_wh = 1.0;
   VehicleModel vehicle(site, {}, params, 1, 0);

@@ -28,7 +28,7 @@ TEST(WheelSlip, VariesAboutItsMeanOverAMetre) {
   constexpr int kPerMetre = 20;
   for (int i = 0; i < 20'000 * kPerMetre; ++i) {
     slip.advance(1.0 / kPerMetre);
-    lost.push_back(slip.lost_share(0.0));
+    lost.push_back(slip.slip_ratio(0.0));
     sum += lost.back();
   }
   const double mean = sum / static_cast<double>(lost.size());
@@ -43,10 +43,10 @@ TEST(WheelSlip, GrowsOnSoftGround) {
   VehicleModelParams params;
   params.slip_sd = 0.0;
   const WheelSlip slip(params, 1);
-  EXPECT_DOUBLE_EQ(slip.lost_share(0.0), 0.03);
-  EXPECT_GT(slip.lost_share(0.5), slip.lost_share(0.1));
+  EXPECT_DOUBLE_EQ(slip.slip_ratio(0.0), 0.03);
+  EXPECT_GT(slip.slip_ratio(0.5), slip.slip_ratio(0.1));
   EXPECT_GT(std::abs(slip.side_slip_rad(1.0)), std::abs(slip.side_slip_rad(0.0)));
-  EXPECT_LE(slip.lost_share(5.0), 0.9);
+  EXPECT_LE(slip.slip_ratio(5.0), 0.9);
 }
 
 TEST(WheelSlip, IsNoneWhereNoneIsAskedFor) {
@@ -54,7 +54,7 @@ TEST(WheelSlip, IsNoneWhereNoneIsAskedFor) {
   params.slip_share = params.slip_sd = params.side_slip_sd_rad = 0.0;
   WheelSlip slip(params, 1);
   slip.advance(1.0);
-  EXPECT_EQ(slip.lost_share(0.0), 0.0);
+  EXPECT_EQ(slip.slip_ratio(0.0), 0.0);
   EXPECT_EQ(slip.side_slip_rad(0.0), 0.0);
 }
 

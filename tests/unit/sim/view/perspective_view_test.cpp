@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/view/render.hpp"
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -38,7 +38,7 @@ TEST(Camera, TheFieldOfViewIsThatOfTheWidth) {
 }
 
 TEST(PerspectiveView, APostIsWhereTheCameraModelHasIt) {
-  const Site site(box_drift({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
+  const Site site(box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kPost, Material::kTimber, "post");
     builder.bar({5.0, 1.0, 0.0}, {5.0, 1.0, 2.0}, 0.1, 24);
   }));
@@ -53,7 +53,7 @@ TEST(PerspectiveView, APostIsWhereTheCameraModelHasIt) {
 }
 
 TEST(PerspectiveView, ThingsFarOffAreDarker) {
-  const Site site(box_drift({200.0, 4.0, 2.0}));
+  const Site site(box_tunnel({200.0, 4.0, 2.0}));
   const Camera camera(level({0.0, 0.0, 1.2}, 0.0), 1.2, 320, 200);
   const RgbImage image = perspective_view(site.scene(), camera);
   const Eigen::Vector2d near = *camera.pixel({4.0, 0.0, 0.0});
@@ -64,7 +64,7 @@ TEST(PerspectiveView, ThingsFarOffAreDarker) {
 
 TEST(PerspectiveView, AThingThrowsAShadow) {
   const auto seen = [](bool with_board) {
-    const Site site(box_drift({16.0, 8.0, 3.0}, [&](MeshBuilder& builder) {
+    const Site site(box_tunnel({16.0, 8.0, 3.0}, [&](MeshBuilder& builder) {
       builder.begin_part(PartKind::kCar, Material::kSteel, "board");
       if (with_board) builder.box(level_box({4.0, 0.0, 1.2}, {0.02, 0.4, 0.4}));
     }));
@@ -80,7 +80,7 @@ TEST(PerspectiveView, AThingThrowsAShadow) {
 }
 
 TEST(PerspectiveView, TheCameraStandsBehindTheStartAsFarAsTheMineLetsIt) {
-  World world = box_drift();
+  World world = box_tunnel();
   const Site roomy(world);
   const ViewOptions options;
   const Eigen::Vector3d eye = camera_of(roomy, options, 320, 200).eye();

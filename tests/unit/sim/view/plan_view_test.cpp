@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/view/colours.hpp"
 #include "sim/view/render.hpp"
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -37,7 +36,7 @@ RgbImage::Pixel level_floor() {
 
 TEST(PlanView, FloorIsFloorAndRockIsRock) {
   // A room of 20 m by 10 m: 24 m by 14 m with the margin, at 400 / 14 pixels for a metre.
-  const Plan plan(box_drift({20.0, 10.0, 2.0}));
+  const Plan plan(box_tunnel({20.0, 10.0, 2.0}));
   ASSERT_EQ(plan.windows.size(), 1U);
   EXPECT_NEAR(plan.windows[0].pixels_per_metre, 400.0 / 14.0, 1e-9);
   EXPECT_EQ(plan.at(0.0, 0.0), level_floor());
@@ -48,7 +47,7 @@ TEST(PlanView, FloorIsFloorAndRockIsRock) {
 }
 
 TEST(PlanView, XIsToTheRightAndYUp) {
-  const Plan plan(box_drift({20.0, 10.0, 2.0}, [](MeshBuilder& builder) {
+  const Plan plan(box_tunnel({20.0, 10.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kCar, Material::kSteel, "car");
     builder.box(level_box({6.0, 2.0, 0.5}, {2.0, 1.0, 1.0}));
   }));
@@ -59,7 +58,7 @@ TEST(PlanView, XIsToTheRightAndYUp) {
 }
 
 TEST(PlanView, TheRoofIsGoneAndWhatHangsBelowItIsThere) {
-  const Plan plan(box_drift({20.0, 10.0, 2.0}, [](MeshBuilder& builder) {
+  const Plan plan(box_tunnel({20.0, 10.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kBeam, Material::kTimber, "beam");
     builder.box(level_box({0.0, 0.0, 1.9}, {0.3, 8.0, 0.2}));
   }));
@@ -68,7 +67,7 @@ TEST(PlanView, TheRoofIsGoneAndWhatHangsBelowItIsThere) {
 }
 
 TEST(PlanView, TheRoofOfAMeshFromElsewhereIsGuessed) {
-  World world = box_drift({20.0, 10.0, 2.0});
+  World world = box_tunnel({20.0, 10.0, 2.0});
   const RgbImage::Pixel known = Plan(world).at(0.0, 0.0);
   for (Part& part : world.mesh.parts) part.kind = PartKind::kOther;
   const RgbImage::Pixel guessed = Plan(world).at(0.0, 0.0);
@@ -80,7 +79,7 @@ TEST(PlanView, TheRoofOfAMeshFromElsewhereIsGuessed) {
 }
 
 TEST(PlanView, CutsALongMineIntoWindowsOfOneScale) {
-  const World world = box_drift({400.0, 4.0, 2.0});
+  const World world = box_tunnel({400.0, 4.0, 2.0});
   const PlanView view(world);
   const auto windows = view.windows(1000, 400, 10);
   ASSERT_EQ(windows.size(), 4U);

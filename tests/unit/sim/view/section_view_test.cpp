@@ -4,20 +4,18 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/view/colours.hpp"
 #include "sim/view/render.hpp"
-#include "sim/view/section_line.hpp"
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
 
 const RgbImage::Pixel kRock = to_pixel(linear(SectionView::kRock));
-const DriftLine kMiddle{"middle", {{-20.0, 0.0}, {20.0, 0.0}}, 4.0, false};
+const TunnelLine kMiddle{"middle", {{-20.0, 0.0}, {20.0, 0.0}}, 4.0, false};
 
 /// A picture of the only window.
 struct Section {
-  Section(const Site& site, const DriftLine& line)
+  Section(const Site& site, const TunnelLine& line)
       : window(SectionView(site, line).windows(1000).front()),
         image(SectionView(site, line).draw(window)) {}
 
@@ -30,8 +28,8 @@ struct Section {
   RgbImage image;
 };
 
-TEST(SectionView, RockIsDarkAndTheOpeningLight) {
-  const Site site(box_drift({40.0, 4.0, 2.0}));
+TEST(SectionView, RockIsDarkAndTheFrontierLight) {
+  const Site site(box_tunnel({40.0, 4.0, 2.0}));
   const Section section(site, kMiddle);
   EXPECT_NEAR(section.window.pixels_per_metre, 25.0, 1e-9);  // 1000 pixels for 40 m
   EXPECT_EQ(section.window.exaggeration, 1.0);               // 2 m are 50 pixels, enough to be seen
@@ -46,7 +44,7 @@ TEST(SectionView, RockIsDarkAndTheOpeningLight) {
 }
 
 TEST(SectionView, ShowsAPropBehindTheCutAndNoneBeforeIt) {
-  const Site site(box_drift({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
+  const Site site(box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kCar, Material::kSteel, "left");
     builder.box(level_box({-5.0, 1.0, 0.5}, {2.0, 1.0, 1.0}));
     builder.begin_part(PartKind::kCar, Material::kSteel, "right");
@@ -60,8 +58,8 @@ TEST(SectionView, ShowsAPropBehindTheCutAndNoneBeforeIt) {
 }
 
 TEST(SectionView, ExaggeratesHeightsInALongMine) {
-  const Site site(box_drift({400.0, 4.0, 2.0}));
-  const DriftLine line{"middle", {{-200.0, 0.0}, {200.0, 0.0}}, 4.0, false};
+  const Site site(box_tunnel({400.0, 4.0, 2.0}));
+  const TunnelLine line{"middle", {{-200.0, 0.0}, {200.0, 0.0}}, 4.0, false};
   const auto windows = SectionView(site, line).windows(1000);
   ASSERT_EQ(windows.size(), 4U);
   EXPECT_NEAR(windows[0].pixels_per_metre, 10.0, 1e-9);
@@ -70,25 +68,25 @@ TEST(SectionView, ExaggeratesHeightsInALongMine) {
 }
 
 TEST(SectionLine, GoesFromWallToWallWhereNobodyKnowsTheDrifts) {
-  World world = box_drift({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
+  World world = box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kPost, Material::kTimber, "post");
     builder.bar({3.0, 0.0, 0.0}, {3.0, 0.0, 2.0}, 0.1);
   });
   world.T_world_start = {2.0, 1e-3, 0.0};
   const Site site(std::move(world));
-  const DriftLine line = section_line(site, {});
+  const TunnelLine line = section_line(site, {});
   ASSERT_EQ(line.points.size(), 2U);
   EXPECT_NEAR(line.points[0].x(), -20.5, 0.02);  // half a metre into the rock
   EXPECT_NEAR(line.points[1].x(), 20.5, 0.02);   // and not at the post
 }
 
 TEST(SectionLine, FollowsTheDriftOfTheStartOverItsEdges) {
-  World world = box_drift();
+  World world = box_tunnel();
   world.T_world_start = {-10.0, 0.0, 0.0};
-  world.truth.drifts.nodes.resize(4);
-  world.truth.drifts.edges = {{0, 1, {{-20.0, 0.0}, {0.0, 0.0}}, 20.0, 4.0, "main"},
-                              {1, 3, {{0.0, 0.0}, {0.0, 9.0}}, 9.0, 4.0, "side"},
-                              {1, 2, {{0.0, 0.0}, {20.0, 0.0}}, 20.0, 4.0, "main"}};
+  world.truth.tunnels.nodes.resize(4);
+  world.truth.tunnels.edges = {{0, 1, {{-20.0, 0.0}, {0.0, 0.0}}, 20.0, 4.0, "main"},
+                               {1, 3, {{0.0, 0.0}, {0.0, 9.0}}, 9.0, 4.0, "side"},
+                               {1, 2, {{0.0, 0.0}, {20.0, 0.0}}, 20.0, 4.0, "main"}};
   const Site site(std::move(world));
   EXPECT_EQ(section_line(site, {}).name, "along main");
   EXPECT_NEAR(section_line(site, {}).length_m(), 40.0, 1e-9);

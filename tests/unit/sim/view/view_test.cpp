@@ -8,8 +8,8 @@
 #include <cairo.h>
 #include <gtest/gtest.h>
 
-#include "tests/support/box_drift.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -34,25 +34,25 @@ class View : public testing::Test {
 };
 
 TEST_F(View, TheSameMineGivesTheSameBytesOnASheetOfItsWidth) {
-  const Site site(box_drift());
-  const Site again(box_drift());
+  const Site site(box_tunnel());
+  const Site again(box_tunnel());
   EXPECT_EQ(drawn(site), drawn(again));
   EXPECT_EQ(width(), 600);
 }
 
 TEST_F(View, ShowsAnotherPictureFromAnotherPlace) {
-  const Site site(box_drift());
+  const Site site(box_tunnel());
   ViewOptions options;
   options.from = Pose2{5.0, 0.0, 1.0};
   EXPECT_NE(drawn(site), drawn(site, options));
 }
 
 TEST_F(View, DrawsAMineThatKnowsItsDrifts) {
-  World world = box_drift();
-  world.truth.drifts = {{{{-20.0, 0.0}, false}, {{20.0, 0.0}, false}},
-                        {{0, 1, {{-20.0, 0.0}, {20.0, 0.0}}, 40.0, 4.0, "main"}}};
+  World world = box_tunnel();
+  world.truth.tunnels = {{{{-20.0, 0.0}, false}, {{20.0, 0.0}, false}},
+                         {{0, 1, {{-20.0, 0.0}, {20.0, 0.0}}, 40.0, 4.0, "main"}}};
   const Site with(std::move(world));
-  const Site without(box_drift());
+  const Site without(box_tunnel());
   EXPECT_NE(drawn(with), drawn(without));  // a title, and another line to cut along
 }
 

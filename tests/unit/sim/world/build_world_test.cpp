@@ -12,10 +12,10 @@ namespace {
 
 using testing::HasSubstr;
 
-WorldDescription drift() {
+WorldDescription tunnel() {
   WorldDescription description;
   description.name = "one drift";
-  description.plan.drifts = {{"main", {0.0, 0.0, 30.0, 0.0}, 3.0, false}};
+  description.plan.tunnels = {{"main", {0.0, 0.0, 30.0, 0.0}, 3.0, false}};
   description.T_world_start = {5.0, 0.0, 0.5};
   return description;
 }
@@ -30,25 +30,25 @@ std::string error_of(const WorldDescription& description) {
 }
 
 TEST(BuildWorld, KeepsNameAndStart) {
-  const World world = build_world(drift());
+  const World world = build_world(tunnel());
   EXPECT_EQ(world.name, "one drift");
   EXPECT_EQ(world.T_world_start, (Pose2{5.0, 0.0, 0.5}));
 }
 
-TEST(BuildWorld, RefusesAPlanOfNothing) {
+TEST(BuildWorld, RejectsAPlanOfNothing) {
   EXPECT_THAT(error_of(WorldDescription{}), HasSubstr("neither a drift nor a room"));
 }
 
-TEST(BuildWorld, RefusesAStartInRockOrFarAway) {
-  WorldDescription description = drift();
+TEST(BuildWorld, RejectsAStartInRockOrFarAway) {
+  WorldDescription description = tunnel();
   description.T_world_start = {5.0, 2.0, 0.0};
   EXPECT_THAT(error_of(description), HasSubstr("in rock"));
   description.T_world_start = {5e6, 2e9, 0.0};
   EXPECT_THAT(error_of(description), HasSubstr("in rock"));
 }
 
-TEST(BuildWorld, RefusesRoomsThatAreNone) {
-  WorldDescription description = drift();
+TEST(BuildWorld, RejectsRoomsThatAreNone) {
+  WorldDescription description = tunnel();
   description.plan.rooms = {{"r", {0.0, 0.0, 1.0, 1.0}}};
   EXPECT_THAT(error_of(description), HasSubstr("room 'r'"));
   description.plan.rooms.clear();
@@ -56,9 +56,9 @@ TEST(BuildWorld, RefusesRoomsThatAreNone) {
   EXPECT_THAT(error_of(description), HasSubstr("pillar 'q'"));
 }
 
-TEST(BuildWorld, RefusesAPlanLargerThanItCanBuild) {
-  WorldDescription description = drift();
-  description.plan.drifts[0].points_m = {0.0, 0.0, 1e9, 0.0};
+TEST(BuildWorld, RejectsAPlanLargerThanItCanBuild) {
+  WorldDescription description = tunnel();
+  description.plan.tunnels[0].points_m = {0.0, 0.0, 1e9, 0.0};
   EXPECT_THAT(error_of(description), HasSubstr("from the origin"));
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 const Eigen::Vector3f kUp = Eigen::Vector3f::UnitZ();
 
-const DriftLine& drift(const std::vector<DriftLine>& drifts, const std::string& name) {
-  return find_drift(drifts, name, "the test");
+const TunnelLine& tunnel(const std::vector<TunnelLine>& tunnels, const std::string& name) {
+  return find_tunnel(tunnels, name, "the test");
 }
 
 TEST(BuiltInWorlds, AreTheSameEachTimeTheyAreBuilt) {
@@ -50,7 +50,7 @@ TEST(BuiltInWorlds, HaveRoomForTheVehicleWhereItStarts) {
 class Mathies : public testing::Test {
  protected:
   const WorldDescription description_ = find_world("mathies");
-  const std::vector<DriftLine> drifts_ = drift_lines(description_.plan);
+  const std::vector<TunnelLine> tunnels_ = tunnel_lines(description_.plan);
   const Site site_{build_world(description_)};
 };
 
@@ -61,32 +61,32 @@ TEST_F(Mathies, HasTheBeam308MetresFromTheStart) {
 
 TEST_F(Mathies, LeavesMoreThanTheVehicleNeedsUpToTheBeam) {
   const Body wide{.length_m = 0.5, .width_m = 1.8};
-  EXPECT_TRUE(is_passable(site_, wide, drift(drifts_, "main"), 4.0, 306.0));
-  EXPECT_TRUE(is_passable(site_, {}, drift(drifts_, "main"), 4.0, 306.0));
+  EXPECT_TRUE(is_passable(site_, wide, tunnel(tunnels_, "main"), 4.0, 306.0));
+  EXPECT_TRUE(is_passable(site_, {}, tunnel(tunnels_, "main"), 4.0, 306.0));
 }
 
 TEST_F(Mathies, LetsNoVehiclePastTheBeam) {
-  EXPECT_FALSE(is_passable(site_, {}, drift(drifts_, "main"), 304.0, 320.0));
+  EXPECT_FALSE(is_passable(site_, {}, tunnel(tunnels_, "main"), 304.0, 320.0));
 }
 
 TEST_F(Mathies, HasFallsInTheCrosscutsBeforeTheBeam) {
   for (int i = 1; i <= 5; ++i) {
-    const DriftLine& crosscut = drift(drifts_, "crosscut_" + std::to_string(i));
+    const TunnelLine& crosscut = tunnel(tunnels_, "crosscut_" + std::to_string(i));
     EXPECT_FALSE(is_passable(site_, {}, crosscut, 0.0, crosscut.length_m())) << i;
   }
-  const DriftLine& next = drift(drifts_, "crosscut_6");
+  const TunnelLine& next = tunnel(tunnels_, "crosscut_6");
   EXPECT_TRUE(is_passable(site_, {}, next, 0.0, next.length_m()));
 }
 
 TEST_F(Mathies, ClimbsBy4MetresToTheBeam) {
   const auto& floor = site_.world().truth.floor_height;
-  const auto at = [&](double s_m) { return *floor(drift(drifts_, "main").at(s_m).p_world); };
+  const auto at = [&](double s_m) { return *floor(tunnel(tunnels_, "main").at(s_m).p_world); };
   EXPECT_NEAR(at(312.0) - at(4.0), 4.0, 0.15);  // relief of 4 cm at both; smooth at the ends
 }
 
 TEST(Florence, IsClearFor40MetresAndThenUnderWater) {
   const WorldDescription description = find_world("florence");
-  const DriftLine adit = drift_lines(description.plan).front();
+  const TunnelLine adit = tunnel_lines(description.plan).front();
   const Site site(build_world(description));
   EXPECT_TRUE(is_passable(site, {}, adit, 2.0, 39.0));
   ASSERT_EQ(site.world().water.size(), 1U);
@@ -133,7 +133,7 @@ class BrucetonDrive : public testing::Test {
     }
   }
 
-  DriftLine way_;
+  TunnelLine way_;
   const Site site_{build_world(find_world("bruceton"))};
 };
 
@@ -157,20 +157,20 @@ TEST_F(BrucetonDrive, HasRoomForTheVehicleAllAlong) {
 }
 
 TEST_F(BrucetonDrive, TurnsNowhereMoreTightlyThanTheVehicleCan) {
-  constexpr double kPiece = 1.0;
-  for (double s_m = kPiece; s_m < way_.length_m() - kPiece; s_m += 0.5) {
-    const Eigen::Vector2d in = way_.at(s_m).p_world - way_.at(s_m - kPiece).p_world;
-    const Eigen::Vector2d out = way_.at(s_m + kPiece).p_world - way_.at(s_m).p_world;
+  constexpr double kSegment = 1.0;
+  for (double s_m = kSegment; s_m < way_.length_m() - kSegment; s_m += 0.5) {
+    const Eigen::Vector2d in = way_.at(s_m).p_world - way_.at(s_m - kSegment).p_world;
+    const Eigen::Vector2d out = way_.at(s_m + kSegment).p_world - way_.at(s_m).p_world;
     const double turn = angle_diff(std::atan2(out.y(), out.x()), std::atan2(in.y(), in.x()));
-    EXPECT_LT(std::abs(turn), kPiece / 1.6) << "at " << s_m;
+    EXPECT_LT(std::abs(turn), kSegment / 1.6) << "at " << s_m;
   }
 }
 
 TEST_F(BrucetonDrive, PassesNearlyEveryDrift) {
   double passed_m = 0.0;
   double all_m = 0.0;
-  for (const DriftEdge& edge : site_.world().truth.drifts.edges) {
-    const DriftLine line{edge.drift, edge.points, edge.width_m, false};
+  for (const TunnelEdge& edge : site_.world().truth.tunnels.edges) {
+    const TunnelLine line{edge.tunnel, edge.points, edge.width_m, false};
     for (double s_m = 0.5; s_m < line.length_m(); s_m += 1.0) {
       all_m += 1.0;
       if (way_.distance_m(line.at(s_m).p_world) < 10.0) passed_m += 1.0;

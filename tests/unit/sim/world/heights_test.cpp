@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/world/heights.hpp"
+#include "sim/world/surface/heights.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ TEST(HeightProfile, ClimbsWithoutEdgesAndWithoutOvershooting) {
   }
 }
 
-TEST(HeightProfile, RefusesWhatDoesNotAscend) {
+TEST(HeightProfile, RejectsWhatDoesNotAscend) {
   EXPECT_THROW(HeightProfile({0.0, 0.0, 0.0, 1.0}), std::invalid_argument);
   EXPECT_THROW(HeightProfile({0.0, 0.0, 5.0}), std::invalid_argument);
   EXPECT_THROW(HeightProfile({0.0, std::nan("")}), std::invalid_argument);

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/world/build_world.hpp"
-#include "tests/support/box_drift.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -46,17 +46,17 @@ class MeshWorld : public testing::Test {
 };
 
 TEST_F(MeshWorld, ABoxHasItsFloorAndItsOutline) {
-  const World world = build_world(description_of(box_drift().mesh));
+  const World world = build_world(description_of(box_tunnel().mesh));
   EXPECT_NEAR(world.truth.floor_height({3.0, 1.0}).value(), 0.0, 1e-6);  // single precision
   EXPECT_FALSE(world.truth.floor_height({3.0, 3.0}));
-  EXPECT_TRUE(world.truth.drifts.edges.empty());
+  EXPECT_TRUE(world.truth.tunnels.edges.empty());
   ASSERT_EQ(world.truth.plan.size(), 1U);
   EXPECT_NEAR(world.truth.plan[0].signed_area_m2(), 160.0, 1e-3);
   EXPECT_EQ(Site(world).scene().mesh().triangles.size(), 12U);
 }
 
 TEST_F(MeshWorld, TheGroundUnderTheRockAroundIsNoFloor) {
-  const World box = box_drift({}, [](MeshBuilder& builder) {
+  const World box = box_tunnel({}, [](MeshBuilder& builder) {
     builder.box(level_box({0.0, 0.0, 1.0}, {42.0, 6.0, 2.8}));  // 0.4 m of rock all around
   });
   const World world = build_world(description_of(box.mesh));
@@ -66,7 +66,7 @@ TEST_F(MeshWorld, TheGroundUnderTheRockAroundIsNoFloor) {
 }
 
 TEST_F(MeshWorld, WhatStandsInItIsAPillarOfThePlan) {
-  const World box = box_drift({}, [](MeshBuilder& builder) {
+  const World box = box_tunnel({}, [](MeshBuilder& builder) {
     builder.box(level_box({5.0, 0.0, 1.0}, {1.0, 1.0, 2.2}));
   });
   const World world = build_world(description_of(box.mesh));
@@ -76,7 +76,7 @@ TEST_F(MeshWorld, WhatStandsInItIsAPillarOfThePlan) {
 }
 
 TEST_F(MeshWorld, AFlatFloorAndRoofAreAddedOnRequest) {
-  TriangleMesh walls = box_drift().mesh;
+  TriangleMesh walls = box_tunnel().mesh;
   walls.triangles.erase(walls.triangles.begin(), walls.triangles.begin() + 4);
   WorldDescription description = description_of(walls);
   EXPECT_THAT(error_of(description), HasSubstr("no floor at the start"));
@@ -90,20 +90,20 @@ TEST_F(MeshWorld, AFlatFloorAndRoofAreAddedOnRequest) {
 }
 
 TEST_F(MeshWorld, AnOpenMeshIsAWorldWithoutOutline) {
-  TriangleMesh mesh = box_drift().mesh;
+  TriangleMesh mesh = box_tunnel().mesh;
   mesh.triangles.pop_back();
   EXPECT_TRUE(build_world(description_of(mesh)).truth.plan.empty());
 }
 
-TEST_F(MeshWorld, RefusesAStartOutsidePropsAndAPlan) {
-  WorldDescription description = description_of(box_drift().mesh);
+TEST_F(MeshWorld, RejectsAStartOutsidePropsAndAPlan) {
+  WorldDescription description = description_of(box_tunnel().mesh);
   description.T_world_start = {50.0, 0.0, 0.0};
   EXPECT_THAT(error_of(description), HasSubstr("no floor at the start"));
   description.T_world_start = {};
-  description.props.posts = {{.drift = "main"}};
+  description.props.posts = {{.tunnel = "main"}};
   EXPECT_THAT(error_of(description), HasSubstr("no drifts"));
   description.props.posts.clear();
-  description.plan.drifts = {{"main", {0.0, 0.0, 30.0, 0.0}, 3.0, false}};
+  description.plan.tunnels = {{"main", {0.0, 0.0, 30.0, 0.0}, 3.0, false}};
   EXPECT_THAT(error_of(description), HasSubstr("not of both"));
 }
 

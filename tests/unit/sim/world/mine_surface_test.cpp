@@ -36,9 +36,9 @@ WorldDescription panel_world() {
 }
 
 /// A drift along x from 0, without relief anywhere.
-WorldDescription smooth_drift(bool entrance = false) {
+WorldDescription smooth_tunnel(bool entrance = false) {
   WorldDescription description;
-  description.plan.drifts = {{"main", {0.0, 0.0, 30.0, 0.0}, 3.0, entrance}};
+  description.plan.tunnels = {{"main", {0.0, 0.0, 30.0, 0.0}, 3.0, entrance}};
   description.heights.floor_relief.height_m = 0.0;
   description.heights.roof_relief.height_m = 0.0;
   description.wall_relief.height_m = 0.0;
@@ -53,8 +53,8 @@ std::optional<RayHit> cast(const Site& site, const Eigen::Vector3d& from,
 
 /// Somewhere on a middle line, between floor and roof.
 Eigen::Vector3d inner_place(const World& world, std::mt19937_64& random) {
-  const std::vector<DriftEdge>& edges = world.truth.drifts.edges;
-  const DriftEdge& edge =
+  const std::vector<TunnelEdge>& edges = world.truth.tunnels.edges;
+  const TunnelEdge& edge =
       edges[std::uniform_int_distribution<std::size_t>(0, edges.size() - 1)(random)];
   const double share = std::uniform_real_distribution<double>(0.05, 0.95)(random);
   const Eigen::Vector2d p = edge.points[0] + share * (edge.points[1] - edge.points[0]);
@@ -91,7 +91,7 @@ TEST(MineSurface, EveryEdgeBelongsToTwoTriangles) {
 }
 
 TEST(MineSurface, WallsAreWhereThePlanHasThem) {
-  const Site site(build_world(smooth_drift()));
+  const Site site(build_world(smooth_tunnel()));
   for (double x = 0.5; x < 30.0; x += 0.7) {
     const auto left = cast(site, {x, 0.3, 1.0}, Eigen::Vector3d::UnitY());
     const auto right = cast(site, {x, 0.3, 1.0}, -Eigen::Vector3d::UnitY());
@@ -105,7 +105,7 @@ TEST(MineSurface, WallsAreWhereThePlanHasThem) {
 }
 
 TEST(MineSurface, FloorRoofAndWallsAreNamed) {
-  const Site site(build_world(smooth_drift()));
+  const Site site(build_world(smooth_tunnel()));
   const auto part = [&](const Eigen::Vector3d& towards) {
     return site.world().mesh.part_of(cast(site, {5.0, 0.0, 1.0}, towards)->triangle);
   };
@@ -116,9 +116,9 @@ TEST(MineSurface, FloorRoofAndWallsAreNamed) {
 }
 
 TEST(MineSurface, FloorIsOfMudWhereItIsSoft) {
-  WorldDescription description = smooth_drift();
+  WorldDescription description = smooth_tunnel();
   description.props.mud.push_back(
-      {.name = "mud", .drift = "main", .at_m = 15.0, .across_m = 0.0, .radius_m = 1.2});
+      {.name = "mud", .tunnel = "main", .at_m = 15.0, .across_m = 0.0, .radius_m = 1.2});
   const Site site(build_world(description));
   const auto part = [&](double x) {
     return site.world().mesh.part_of(cast(site, {x, 0.03, 1.0}, {0.0, 0.0, -1.0})->triangle);
@@ -133,7 +133,7 @@ TEST(MineSurface, FloorIsOfMudWhereItIsSoft) {
 }
 
 TEST(MineSurface, RoughWallsKeepWithinTheirRelief) {
-  WorldDescription description = smooth_drift();
+  WorldDescription description = smooth_tunnel();
   description.wall_relief.height_m = 0.2;
   const Site site(build_world(description));
   double least = 10.0;
@@ -170,7 +170,7 @@ TEST(MineSurface, FloorOfTheMeshIsTheFloorOfTheTruth) {
 }
 
 TEST(MineSurface, AnEntranceIsOpenAndHasGroundInFrontOfIt) {
-  const Site site(build_world(smooth_drift(true)));
+  const Site site(build_world(smooth_tunnel(true)));
   EXPECT_FALSE(cast(site, {5.0, 0.0, 1.0}, -Eigen::Vector3d::UnitX()));
   EXPECT_TRUE(cast(site, {5.0, 0.0, 1.0}, Eigen::Vector3d::UnitX()));
   for (double x = -3.5; x < 0.0; x += 0.5) {
@@ -185,7 +185,7 @@ TEST(MineSurface, AnEntranceIsOpenAndHasGroundInFrontOfIt) {
 }
 
 TEST(MineSurface, RoughWallsLeaveNothingInAMouth) {
-  WorldDescription description = smooth_drift(true);
+  WorldDescription description = smooth_tunnel(true);
   description.wall_relief = {.height_m = 0.4, .length_m = 0.5, .octaves = 2};
   for (description.seed = 1; description.seed < 6; ++description.seed) {
     const Site site(build_world(description));
@@ -199,7 +199,7 @@ TEST(MineSurface, RoughWallsLeaveNothingInAMouth) {
 
 TEST(MineSurface, OutlineOfAStraightDriftIsItsRectangle) {
   for (const bool entrance : {false, true}) {
-    const World world = build_world(smooth_drift(entrance));
+    const World world = build_world(smooth_tunnel(entrance));
     ASSERT_EQ(world.truth.plan.size(), 1U);
     // 2 mm along all walls, as above; the corners; and half a square of the grid at a mouth.
     EXPECT_NEAR(world.truth.plan[0].signed_area_m2(), 90.0, 0.2 + (entrance ? 0.1 * 3.0 : 0.0));
@@ -236,22 +236,22 @@ TEST(MineSurface, OutlineLiesOnTheWallAtItsHeight) {
 }
 
 TEST(MineSurface, PillarsStandInRooms) {
-  WorldDescription description = smooth_drift();
-  description.plan.drifts.clear();
+  WorldDescription description = smooth_tunnel();
+  description.plan.tunnels.clear();
   description.plan.rooms = {{"room", {0.0, -5.0, 20.0, -5.0, 20.0, 5.0, 0.0, 5.0}}};
   description.plan.pillars = {{"pillar", {9.0, -1.0, 11.0, -1.0, 11.0, 1.0, 9.0, 1.0}}};
   const Site site(build_world(description));
   EXPECT_NEAR(cast(site, {5.0, 0.0, 1.0}, Eigen::Vector3d::UnitX())->distance_m, 4.0, 0.003);
   EXPECT_NEAR(cast(site, {5.0, 2.0, 1.0}, Eigen::Vector3d::UnitX())->distance_m, 15.0, 0.003);
   ASSERT_EQ(site.world().truth.plan.size(), 2U);
-  EXPECT_TRUE(site.world().truth.drifts.edges.empty());
+  EXPECT_TRUE(site.world().truth.tunnels.edges.empty());
 }
 
 TEST(MineSurface, DriftsOpenIntoRoomsAndDriftsThatTheyOnlyTouch) {
-  WorldDescription description = smooth_drift();
+  WorldDescription description = smooth_tunnel();
   description.wall_relief = {.height_m = 0.4, .length_m = 0.5, .octaves = 2};
   description.plan.rooms = {{"room", {30.0, -5.0, 40.0, -5.0, 40.0, 5.0, 30.0, 5.0}}};
-  description.plan.drifts.push_back({"side", {15.0, 1.5, 15.0, 20.0}, 3.0, false});
+  description.plan.tunnels.push_back({"side", {15.0, 1.5, 15.0, 20.0}, 3.0, false});
   const Site site(build_world(description));
   EXPECT_EQ(site.world().truth.plan.size(), 1U);
   for (double across = -0.8; across <= 0.8; across += 0.1) {

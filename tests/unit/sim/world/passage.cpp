@@ -29,14 +29,14 @@ bool is_free(const Site& site, const Body& body, const Pose2& T_world_body) {
   return site.scene().touching(box).empty();
 }
 
-bool is_passable(const Site& site, const Body& body, const DriftLine& drift, double from_m,
+bool is_passable(const Site& site, const Body& body, const TunnelLine& tunnel, double from_m,
                  double to_m) {
   const int last = static_cast<int>((to_m - from_m) / kStep);
-  const int across = static_cast<int>(drift.width_m / 2.0 / kStep);
+  const int across = static_cast<int>(tunnel.width_m / 2.0 / kStep);
   const auto pose = [&](const State& state) {
     const double s_m = from_m + kStep * state[0];
-    const Eigen::Vector2d p = drift.beside(s_m, kStep * state[1]);
-    return Pose2{p.x(), p.y(), drift.at(s_m).heading_rad + kTurn * state[2]};
+    const Eigen::Vector2d p = tunnel.beside(s_m, kStep * state[1]);
+    return Pose2{p.x(), p.y(), tunnel.at(s_m).heading_rad + kTurn * state[2]};
   };
   std::set<State> seen;
   std::vector<State> open;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sim/world/drift_line.hpp"
+#include "sim/world/plan/tunnel_line.hpp"
 #include "sim/world/world.hpp"
 
 namespace adit {
@@ -20,7 +20,7 @@ bool is_free(const Site& site, const Body& body, const Pose2& T_world_body);
 
 /// Whether a body gets from one place of a drift to another within it, by small steps along,
 /// across and of heading, whatever its steering allows.
-bool is_passable(const Site& site, const Body& body, const DriftLine& drift, double from_m,
+bool is_passable(const Site& site, const Body& body, const TunnelLine& tunnel, double from_m,
                  double to_m);
 
 }  // namespace adit

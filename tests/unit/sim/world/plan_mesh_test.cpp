@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/world/plan_mesh.hpp"
+#include "sim/world/surface/plan_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
-
-#include "sim/world/short_walls.hpp"
 
 namespace adit {
 namespace {
@@ -15,11 +13,11 @@ namespace {
 constexpr double kGrid = 0.2;
 
 /// Askew to the grid, so that its walls pass the corners of the grid at any distance.
-PlanMesh mesh_of_askew_drift() {
+PlanMesh mesh_of_askew_tunnel() {
   WorldDescription description;
-  description.plan.drifts = {{"main", {0.0, 0.0, 60.0, 7.0}, 3.0, false}};
+  description.plan.tunnels = {{"main", {0.0, 0.0, 60.0, 7.0}, 3.0, false}};
   description.wall_relief.height_m = 0.0;
-  return plan_mesh(OpenSpace(description, drift_lines(description.plan)), kGrid);
+  return plan_mesh(OpenSpace(description, tunnel_lines(description.plan)), kGrid);
 }
 
 double area_m2(const PlanMesh& mesh) {
@@ -33,7 +31,7 @@ double area_m2(const PlanMesh& mesh) {
 }
 
 TEST(PlanMesh, AWallFacesWhereThePlanHasItFace) {
-  const PlanMesh mesh = mesh_of_askew_drift();
+  const PlanMesh mesh = mesh_of_askew_tunnel();
   const Eigen::Vector2d along = Eigen::Vector2d(60.0, 7.0).normalized();
   const Eigen::Vector2d across(-along.y(), along.x());
   double most = 0.0;
@@ -51,7 +49,7 @@ TEST(PlanMesh, AWallFacesWhereThePlanHasItFace) {
 }
 
 TEST(PlanMesh, CoversThePlan) {
-  const PlanMesh mesh = mesh_of_askew_drift();
+  const PlanMesh mesh = mesh_of_askew_tunnel();
   const double length = std::hypot(60.0, 7.0);
   // Half of the 2 mm along the walls; a tenth of a square of the grid is lost in each corner.
   EXPECT_NEAR(area_m2(mesh), 3.0 * length, 0.001 * 2.0 * length + 4 * 0.1 * kGrid * kGrid);
@@ -63,7 +61,7 @@ TEST(ShortWalls, BecomeOnePointAndTheirTrianglesGo) {
   mesh.points = {{0.5, 0.5}, {0.0, 0.0}, {0.99, 0.0}, {1.0, 0.01}, {1.0, 1.0}, {0.0, 1.0}};
   mesh.next_on_wall = {PlanMesh::kNone, 2, 3, 4, 5, 1};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}};
-  join_short_walls(mesh, 0.02);
+  merge_short_walls(mesh, 0.02);
   ASSERT_EQ(mesh.points.size(), 5U);
   EXPECT_LT((mesh.points[2] - Eigen::Vector2d(0.995, 0.005)).norm(), 1e-12);
   EXPECT_EQ(mesh.triangles.size(), 4U);
@@ -76,7 +74,7 @@ TEST(ShortWalls, LeaveAWallThreePoints) {
   mesh.points = {{0.0, 0.0}, {0.01, 0.0}, {0.01, 0.01}, {0.0, 0.01}};
   mesh.next_on_wall = {1, 2, 3, 0};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  join_short_walls(mesh, 1.0);
+  merge_short_walls(mesh, 1.0);
   EXPECT_EQ(mesh.points.size(), 3U);
   EXPECT_EQ(mesh.triangles.size(), 1U);
 }

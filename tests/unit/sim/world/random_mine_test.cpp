@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/world/random_mine.hpp"
+#include "sim/world/random/random_mine.hpp"
 
 #include <set>
 
@@ -31,7 +31,7 @@ TEST(RandomMine, BuildsAndIsAboutAsLongAsAskedFor) {
     for (const double asked_m : {60.0, 150.0, 300.0}) {
       const RandomMineParams params{.length_m = asked_m, .damage = 0.02 * seed};
       const World world = build_world(random_mine(seed, params));
-      EXPECT_NEAR(world.truth.drifts.length_m(), asked_m, 0.4 * asked_m) << seed;
+      EXPECT_NEAR(world.truth.tunnels.length_m(), asked_m, 0.4 * asked_m) << seed;
     }
   }
 }
@@ -42,10 +42,10 @@ TEST(RandomMine, IsOfEachTopologyAboutAsLongAsAskedFor) {
       for (const double asked_m : {30.0, 110.0, 130.0, 400.0, 1500.0, 5000.0}) {
         const WorldDescription mine = random_mine(seed, {topology, asked_m, 0.0});
         double length_m = 0.0;
-        for (const DriftLine& drift : drift_lines(mine.plan)) {
-          length_m += drift.length_m();
-          EXPECT_GE(drift.width_m, 2.5);
-          EXPECT_LE(drift.width_m, 6.0);
+        for (const TunnelLine& tunnel : tunnel_lines(mine.plan)) {
+          length_m += tunnel.length_m();
+          EXPECT_GE(tunnel.width_m, 2.5);
+          EXPECT_LE(tunnel.width_m, 6.0);
         }
         EXPECT_NEAR(length_m, asked_m, 0.4 * asked_m) << topology << " " << seed;
       }
@@ -57,7 +57,7 @@ TEST(RandomMine, HasASoundDriftBehindItsEntrance) {
   for (int seed = 0; seed < 50; ++seed) {
     const WorldDescription mine = random_mine(seed, {.damage = 1.0});
     const Site site(build_world(mine));
-    const DriftLine main = drift_lines(mine.plan).front();
+    const TunnelLine main = tunnel_lines(mine.plan).front();
     EXPECT_TRUE(main.entrance);
     EXPECT_EQ(main.name, "main");
     EXPECT_TRUE(is_free(site, {}, mine.T_world_start)) << seed;
@@ -84,7 +84,7 @@ TEST(RandomMine, IsDamagedAsMuchAsAskedFor) {
   EXPECT_GT(obstacles(1.0), 2U * obstacles(0.3));
 }
 
-TEST(RandomMine, RefusesATopologyThatThereIsNot) {
+TEST(RandomMine, RejectsATopologyThatThereIsNot) {
   EXPECT_THROW(random_mine(1, {.topology = "spiral"}), std::invalid_argument);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/world/reachable_area.hpp"
+#include "tests/support/reachable_area.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/world/build_world.hpp"
-#include "sim/world/passable_raster.hpp"
-#include "tests/support/box_drift.hpp"
+#include "tests/support/passable_raster.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -26,7 +26,7 @@ Obstacle block(double x_low, double x_high, double y_low, double y_high) {
 }
 
 /// In which the vehicle cannot stand across.
-World narrow_drift() { return box_drift({.length_m = 40.0, .width_m = 2.2, .height_m = 2.0}); }
+World narrow_tunnel() { return box_tunnel({.length_m = 40.0, .width_m = 2.2, .height_m = 2.0}); }
 
 double farthest_x(const ReachableArea& area) {
   double farthest = -100.0;
@@ -40,7 +40,7 @@ double reached_m(const ReachableArea& area) {
 
 TEST(ReachableArea, OfABoxIsTheBoxLessHalfTheVehicle) {
   const Vehicle vehicle;
-  const ReachableArea area = reachable_area(narrow_drift(), vehicle);
+  const ReachableArea area = reachable_area(narrow_tunnel(), vehicle);
   // The middle comes no nearer to an end than half the length, to a side than half the width.
   EXPECT_NEAR(farthest_x(area), 20.0 - vehicle.length_m / 2.0, kCellAndSquare);
   const double width = 2.2 - vehicle.width_m;
@@ -49,21 +49,21 @@ TEST(ReachableArea, OfABoxIsTheBoxLessHalfTheVehicle) {
 }
 
 TEST(ReachableArea, EndsAtAPostThatLeavesNoWayAround) {
-  World world = narrow_drift();
+  World world = narrow_tunnel();
   world.truth.obstacles = {block(5.0, 5.3, -0.1, 0.1)};  // 1.0 m to either side
   EXPECT_NEAR(farthest_x(reachable_area(world, {})), 5.0 - 1.2, kCellAndSquare);
 }
 
 TEST(ReachableArea, GoesAroundOneThatLeavesAWay) {
-  World world = box_drift();
+  World world = box_tunnel();
   world.truth.obstacles = {block(5.0, 5.3, -0.3, 0.3)};  // 1.7 m to either side
   EXPECT_GT(farthest_x(reachable_area(world, {})), 18.0);
 }
 
 TEST(ReachableArea, IsNothingWhereTheVehicleDoesNotFit) {
-  World world = box_drift({.length_m = 40.0, .width_m = 1.0, .height_m = 2.0});
+  World world = box_tunnel({.length_m = 40.0, .width_m = 1.0, .height_m = 2.0});
   EXPECT_TRUE(reachable_area(world, {}).cells.empty());
-  world = box_drift();
+  world = box_tunnel();
   world.T_world_start = {500.0, 0.0, 0.0};
   EXPECT_TRUE(reachable_area(world, {}).cells.empty());
   world.truth.plan.clear();
@@ -73,14 +73,14 @@ TEST(ReachableArea, IsNothingWhereTheVehicleDoesNotFit) {
 TEST(ReachableArea, CountsTheLengthOfDriftsAndTheGroundOutside) {
   WorldDescription description;
   description.grid_m = 0.2;
-  description.plan.drifts = {{"main", {0.0, 0.0, 40.0, 0.0}, 3.0, true},
-                             {"side", {20.0, 0.0, 20.0, 30.0}, 3.0, false},
-                             {"narrow", {30.0, 0.0, 30.0, 30.0}, 1.1, false}};
+  description.plan.tunnels = {{"main", {0.0, 0.0, 40.0, 0.0}, 3.0, true},
+                              {"side", {20.0, 0.0, 20.0, 30.0}, 3.0, false},
+                              {"narrow", {30.0, 0.0, 30.0, 30.0}, 1.1, false}};
   description.T_world_start = {0.0, 0.0, 0.0};  // half outside
   const World world = build_world(description);
   const Vehicle vehicle;
   const ReachableArea area = reachable_area(world, vehicle);
-  ASSERT_EQ(area.edge_length_m.size(), world.truth.drifts.edges.size());
+  ASSERT_EQ(area.edge_length_m.size(), world.truth.tunnels.edges.size());
   const double half_length = vehicle.length_m / 2.0;
   // Into the narrow one its nose may look; its middle stays in the wide one, 1.5 m to either side.
   const double expected = 40.0 - half_length + 30.0 - half_length;

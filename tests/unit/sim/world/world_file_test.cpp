@@ -18,7 +18,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string refusal(const std::string& name) {
+std::string error_of(const std::string& name) {
   try {
     find_world(name);
   } catch (const std::runtime_error& error) {
@@ -71,17 +71,17 @@ TEST(WorldFile, AMeshIsAWorldByItself) {
   EXPECT_EQ(description.name, "cave");
 }
 
-TEST(WorldFile, AnUnknownNameIsRefusedWithWhatThereIs) {
-  EXPECT_THAT(refusal("mathis"),
+TEST(WorldFile, AnUnknownNameIsRejectedWithWhatThereIs) {
+  EXPECT_THAT(error_of("mathis"),
               AllOf(HasSubstr("no world 'mathis'"), HasSubstr("did you mean 'mathies'?"),
                     HasSubstr("bruceton, florence, mathies, straight, random")));
-  EXPECT_THAT(refusal("/nowhere/x.yaml"), HasSubstr("no world '/nowhere/x.yaml'"));
+  EXPECT_THAT(error_of("/nowhere/x.yaml"), HasSubstr("no world '/nowhere/x.yaml'"));
 }
 
-TEST(WorldFile, AFileThatIsNotOneIsRefusedWithItsLine) {
+TEST(WorldFile, AFileThatIsNotOneIsRejectedWithItsLine) {
   const test::ScratchFolder folder;
   const auto with = [&](const std::string& text) {
-    return refusal(write(folder / "bad.yaml", text));
+    return error_of(write(folder / "bad.yaml", text));
   };
   EXPECT_THAT(with("world:\n  nmae: x\n"), AllOf(HasSubstr("bad.yaml:2"), HasSubstr("'name'")));
   EXPECT_THAT(with("wrld:\n  name: x\n"), HasSubstr("bad.yaml:1"));

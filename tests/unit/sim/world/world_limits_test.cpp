@@ -20,10 +20,10 @@ using testing::Not;
 class WorldLimits : public testing::Test {
  protected:
   /// Of a drift along x and what else is in the section `world`, one key per line.
-  std::string error_of(const std::string& more, const std::string& drift_end = "40, 0") {
+  std::string error_of(const std::string& more, const std::string& tunnel_end = "40, 0") {
     const std::filesystem::path path = folder_ / "odd.yaml";
     std::ofstream(path) << "world:\n  T_world_start: {x_m: 5, y_m: 0, theta_rad: 0}\n"
-                        << "  plan: {drifts: [{name: main, points_m: [0, 0, " << drift_end
+                        << "  plan: {drifts: [{name: main, points_m: [0, 0, " << tunnel_end
                         << "]}]}\n"
                         << more;
     try {
@@ -38,31 +38,31 @@ class WorldLimits : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(WorldLimits, ADriftOfAMillionKilometresIsRefused) {
+TEST_F(WorldLimits, ADriftOfAMillionKilometresIsRejected) {
   EXPECT_THAT(error_of("", "1e9, 0"), HasSubstr("m is the most"));
   EXPECT_THAT(error_of("", "1e300, 1e300"), HasSubstr("m is the most"));
   EXPECT_THAT(error_of("", "1e-9, 0"), HasSubstr("same point twice"));
 }
 
-TEST_F(WorldLimits, AGridTooFineForTheMineIsRefused) {
+TEST_F(WorldLimits, AGridTooFineForTheMineIsRejected) {
   EXPECT_EQ(error_of("  grid_m: 0.2\n", "4900, 0"), "");
   EXPECT_THAT(error_of("  grid_m: 0.05\n", "4900, 490"), HasSubstr("too large for edges"));
   EXPECT_THAT(error_of("  grid_m: 0.001\n"), HasSubstr("grid_m"));
 }
 
-TEST_F(WorldLimits, WallsOfTooManyTrianglesAreRefused) {
-  EXPECT_THAT(error_of("  grid_m: 0.05\n  heights: {opening_m: 50}\n", "500, 0"),
+TEST_F(WorldLimits, WallsOfTooManyTrianglesAreRejected) {
+  EXPECT_THAT(error_of("  grid_m: 0.05\n  heights: {clearance_m: 50}\n", "500, 0"),
               HasSubstr("too many"));
 }
 
-TEST_F(WorldLimits, NumbersThatNoMineHasAreRefusedByTheirKey) {
+TEST_F(WorldLimits, NumbersThatNoMineHasAreRejectedByTheirKey) {
   const std::vector<std::pair<std::string, std::string>> worlds{
       {"props: {posts: [{drift: main, to_m: 30, every_m: 1e-9}]}", "every_m"},
       {"props: {rails: [{drift: main, to_m: 30, height_m: 1e9}]}", "height_m"},
       {"props: {rubble: [{drift: main, at_m: 9, radius_m: 1e9}]}", "radius_m"},
       {"props: {rubble: [{drift: main, at_m: 9, height_m: 1e9}]}", "height_m"},
       {"props: {cribs: [{drift: main, at_m: 9, across_m: 1e300}]}", "across_m"},
-      {"heights: {opening_m: 1e9}", "opening_m"},
+      {"heights: {clearance_m: 1e9}", "clearance_m"},
       {"heights: {profile_m: [0, 0, 9, 1e300]}", "profile_m"},
       {"heights: {floor_relief: {length_m: 1e-300}}", "length_m"},
       {"wall_relief: {height_m: 1e9}", "height_m"},
@@ -73,7 +73,7 @@ TEST_F(WorldLimits, NumbersThatNoMineHasAreRefusedByTheirKey) {
   }
 }
 
-TEST_F(WorldLimits, APanelOfABillionEntriesIsRefused) {
+TEST_F(WorldLimits, APanelOfABillionEntriesIsRejected) {
   const std::filesystem::path path = folder_ / "panel.yaml";
   std::ofstream(path) << "world:\n  plan: {panels: [{name: p, entries: 2000000000}]}\n";
   EXPECT_THAT([&] { find_world(path.string()); },

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "common/pose_graph/g2o_file.hpp"
+#include "tests/support/graphs/synthetic_graphs.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tests/support/test_graphs.hpp"
-#include "tests/unit/tools/adit/outcome.hpp"
+#include "tests/unit/tools/adit/command_result.hpp"
 #include "tools/carmen/carmen_reader.hpp"
 #include "tools/eval/tum.hpp"
 
@@ -55,7 +55,7 @@ TEST_F(AditCommand, TeachesByItsHelp) {
                                                   {"completion"}}) {
     std::vector<std::string> arguments = command;
     arguments.emplace_back("--help");
-    const Outcome outcome = adit(arguments);
+    const CommandResult outcome = adit(arguments);
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("Usage: adit " + command[0]), HasSubstr("Example")));
   }
@@ -89,7 +89,7 @@ TEST_F(AditCommand, WrongUseIsOneLineAndExitCodeTwo) {
         {"eval", "map", at("missing")},
         {"eval", "map", at("missing"), "--world", "straight"},
         {"eval", "relations", at("missing"), at("missing")}}) {
-    const Outcome outcome = adit(arguments);
+    const CommandResult outcome = adit(arguments);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.err, StartsWith("adit: "));
     EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
@@ -101,7 +101,7 @@ constexpr const char* kEdge = "EDGE_SE2 3 4 1 0 0 1 0 0 1 0 1\n";
 
 TEST_F(AditCommand, OptimizePrintsFiguresAndWritesPoses) {
   std::ofstream(at("g.g2o")) << kEdge << "EDGE_SE2 3 4 2 0 0 1 0 0 1 0 1\n";
-  const Outcome outcome = adit({"optimize", at("g.g2o"), "--out", at("best.g2o")});
+  const CommandResult outcome = adit({"optimize", at("g.g2o"), "--out", at("best.g2o")});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("\"objective\": 0.5"), HasSubstr("\"total\":")));
   EXPECT_THAT(contents("best.g2o"), HasSubstr("VERTEX_SE2 4 1.5 0 0\n"));
@@ -112,14 +112,14 @@ TEST_F(AditCommand, OptimizeNamesTheLineOrTheNodeThatIsWrong) {
   EXPECT_THAT(adit({"optimize", at("line.g2o")}).err, HasSubstr("line.g2o:2: "));
   std::ofstream(at("apart.g2o")) << kEdge << "VERTEX_SE2 3 0 0 0\nVERTEX_SE2 4 0 0 0\n"
                                  << "VERTEX_SE2 9 0 0 0\n";
-  const Outcome outcome = adit({"optimize", at("apart.g2o")});
+  const CommandResult outcome = adit({"optimize", at("apart.g2o")});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("apart.g2o: no chain of constraints links pose 9"));
 }
 
 /// Two rounds of a square and a loop that is wrong.
 G2oGraph two_rounds() {
-  G2oGraph file{test::square_walk(160, 20, 0.05), {}};
+  G2oGraph file{test::square_trajectory_graph(160, 20, 0.05), {}};
   for (long id = 0; id < 160; ++id) file.ids.push_back(id);
   file.graph.constraints.push_back({10, 130, {}, 100.0 * Eigen::Matrix3d::Identity()});
   return file;
@@ -129,7 +129,7 @@ TEST_F(AditCommand, OptimizeDecidesAboutLoopsAndWritesWhatItBelieves) {
   const G2oGraph file = two_rounds();
   write_g2o(file, at("g.g2o"));
   for (const char* order : {"best_first", "threshold"}) {
-    const Outcome outcome = adit(
+    const CommandResult outcome = adit(
         {"optimize", at("g.g2o"), "--loops", "lazy", "--order", order, "--out", at("good.g2o")});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.err, testing::IsEmpty());
@@ -147,7 +147,7 @@ TEST_F(AditCommand, OptimizeDecidesAboutLoopsAndWritesWhatItBelieves) {
 
 TEST_F(AditCommand, OptimizeNeedsAWayToHoldLoopsAgainst) {
   std::ofstream(at("gap.g2o")) << kEdge << "EDGE_SE2 3 9 1 0 0 1 0 0 1 0 1\n";
-  const Outcome outcome = adit({"optimize", at("gap.g2o"), "--loops", "lazy"});
+  const CommandResult outcome = adit({"optimize", at("gap.g2o"), "--loops", "lazy"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("gap.g2o: no constraint links pose 4 with the next, pose 9"));
   EXPECT_EQ(adit({"optimize", at("gap.g2o")}).exit_code, 0);
@@ -158,7 +158,7 @@ TEST_F(AditCommand, ASampleIsTheSameTwiceAndCanBeImported) {
   ASSERT_EQ(adit({"sample", at("b.log")}).exit_code, 0);
   EXPECT_EQ(contents("a.log"), contents("b.log"));
 
-  const Outcome import = adit({"import", "carmen", at("a.log"), at("a.lcmlog")});
+  const CommandResult import = adit({"import", "carmen", at("a.log"), at("a.lcmlog")});
   EXPECT_EQ(import.exit_code, 0);
   const auto scans = std::to_string(read_tum(at("a.tum")).size());
   EXPECT_THAT(import.out, HasSubstr(scans + " scans, 0 odometry lines; 0 of " + scans));
@@ -188,7 +188,7 @@ TEST_F(AditCommand, ASampleMayBeOfAnotherWorld) {
 
 TEST_F(AditCommand, MapsASample) {
   ASSERT_EQ(adit({"sample", at("a.log"), "--length-m", "10"}).exit_code, 0);
-  const Outcome outcome = adit({"map", at("a.log"), "--out", at("map")});
+  const CommandResult outcome = adit({"map", at("a.log"), "--out", at("map")});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.out, HasSubstr("63 scans over "));
   EXPECT_THAT(contents("map/summary.json"), HasSubstr("\"total\": 63"));
@@ -196,7 +196,7 @@ TEST_F(AditCommand, MapsASample) {
 
 TEST_F(AditCommand, ImportReportsWhatItSkips) {
   std::ofstream(at("in.log")) << "FLASER 2 1 1 0 0 0 0 0 0 5 h 5\nODOM 0 0 0 0 0 0 0 h 0\n";
-  const Outcome outcome = adit({"import", "carmen", at("in.log"), at("out.lcmlog")});
+  const CommandResult outcome = adit({"import", "carmen", at("in.log"), at("out.lcmlog")});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.err, HasSubstr("skipped line 2: a time that is not positive"));
   EXPECT_THAT(outcome.out, HasSubstr("1 of 2 lines skipped"));
@@ -213,7 +213,7 @@ TEST_F(AditCommand, ImportLeavesNoLogWhereThereWasNothingToImport) {
 TEST_F(AditCommand, EvalRelationsWritesJson) {
   std::ofstream(at("a.relations")) << "1 2 1 0 0 0 0 0\n1 9 0 0 0 0 0 0\n";
   std::ofstream(at("a.tum")) << "1 0 0 0 0 0 0 1\n2 1.5 0 0 0 0 0 1\n";
-  const Outcome outcome = adit({"eval", "relations", at("a.relations"), at("a.tum")});
+  const CommandResult outcome = adit({"eval", "relations", at("a.relations"), at("a.tum")});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("\"used\": 1"), HasSubstr("\"outside_trajectory\": 1"),
                                  HasSubstr("\"mean\": 0.5")));

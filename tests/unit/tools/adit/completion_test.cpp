@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/scratch_folder.hpp"
-#include "tools/adit/commands.hpp"
+#include "tools/adit/adit_app.hpp"
 
 namespace adit {
 namespace {

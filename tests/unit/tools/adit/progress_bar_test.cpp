@@ -14,18 +14,18 @@ namespace {
 using testing::EndsWith;
 using testing::HasSubstr;
 
-constexpr std::chrono::milliseconds kNoPatience{0};
+constexpr std::chrono::milliseconds kNoDelay{0};
 
 TEST(ProgressBar, ShowsTheShareThatIsDone) {
   std::ostringstream out;
-  ProgressBar bar("importing", &out, kNoPatience);
+  ProgressBar bar("importing", &out, kNoDelay);
   bar.update(0.25);
   EXPECT_THAT(out.str(), HasSubstr("importing  [##########..............................]  25 %"));
 }
 
 TEST(ProgressBar, LeavesNothingBehind) {
   std::ostringstream out;
-  { ProgressBar("importing", &out, kNoPatience).update(0.5); }
+  { ProgressBar("importing", &out, kNoDelay).update(0.5); }
   EXPECT_THAT(out.str(), EndsWith("\r\033[K"));
 }
 
@@ -40,19 +40,19 @@ TEST(ProgressBar, SaysNothingOfWorkThatIsSoonDone) {
 
 TEST(ProgressBar, DrawsNoOftenerThanTheEyeCanFollow) {
   std::ostringstream out;
-  ProgressBar bar("importing", &out, kNoPatience);
+  ProgressBar bar("importing", &out, kNoDelay);
   bar.update(0.1);
   const std::string first = out.str();
   bar.update(0.2);
   EXPECT_EQ(out.str(), first);
 }
 
-TEST(ProgressBar, IsSilentWithoutATerminal) { ProgressBar("", nullptr, kNoPatience).update(0.5); }
+TEST(ProgressBar, IsStaleWithoutATerminal) { ProgressBar("", nullptr, kNoDelay).update(0.5); }
 
 TEST(ProgressBar, SurvivesSharesThatAreNone) {
   std::ostringstream out;
-  { ProgressBar("importing", &out, kNoPatience).update(7.0); }
-  { ProgressBar("importing", &out, kNoPatience).update(-7.0); }
+  { ProgressBar("importing", &out, kNoDelay).update(7.0); }
+  { ProgressBar("importing", &out, kNoDelay).update(-7.0); }
   EXPECT_THAT(out.str(), HasSubstr("100 %"));
 }
 

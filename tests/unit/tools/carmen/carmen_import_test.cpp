@@ -8,12 +8,11 @@
 #include <gtest/gtest.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/event_source.hpp"
+#include "common/bus/log/event_source.hpp"
 #include "common/messages/codec.hpp"
-#include "common/messages/laser_scan.hpp"
-#include "common/messages/wheel_odometry.hpp"
+#include "common/messages/sensing.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tools/carmen/carmen_text.hpp"
+#include "tools/carmen/carmen_line.hpp"
 
 namespace adit {
 namespace {

@@ -18,8 +18,8 @@ std::string flaser(int beams) {
 
 std::string_view reason(const std::string& line) {
   const CarmenLine result = parse_carmen_line(line);
-  const auto* refused = std::get_if<CarmenRefused>(&result);
-  return refused != nullptr ? refused->reason : "";
+  const auto* rejected = std::get_if<CarmenError>(&result);
+  return rejected != nullptr ? rejected->reason : "";
 }
 
 TEST(CarmenLine, ReadsFlaser) {
@@ -69,7 +69,7 @@ TEST(CarmenLine, IgnoresWhatIsOfNoConcern) {
   }
 }
 
-TEST(CarmenLine, RefusesACountThatTheLineCannotHold) {
+TEST(CarmenLine, RejectsACountThatTheLineCannotHold) {
   EXPECT_EQ(reason("FLASER 1000000000 1 2 3"), "fewer readings than the line announces");
   EXPECT_EQ(reason("FLASER 99999999999999999999 1 2"), "a word where a number belongs");
   EXPECT_EQ(reason("FLASER -4 1 2"), "a word where a number belongs");
@@ -78,7 +78,7 @@ TEST(CarmenLine, RefusesACountThatTheLineCannotHold) {
             "fewer readings than the line announces");
 }
 
-TEST(CarmenLine, RefusesEveryTruncationOfALine) {
+TEST(CarmenLine, RejectsEveryTruncationOfALine) {
   const std::string line = flaser(5);
   for (std::size_t words = line.find(' '); words != std::string::npos;
        words = line.find(' ', words + 1)) {
@@ -86,7 +86,7 @@ TEST(CarmenLine, RefusesEveryTruncationOfALine) {
   }
 }
 
-TEST(CarmenLine, RefusesWrongValues) {
+TEST(CarmenLine, RejectsWrongValues) {
   EXPECT_EQ(reason("FLASER 2 1 x 0 0 0 0 0 0 1 host 1"), "a word where a number belongs");
   EXPECT_EQ(reason("FLASER 2 1 1 nan 0 0 0 0 0 1 host 1"), "a value that is not finite");
   EXPECT_EQ(reason("FLASER 2 1 1 0 0 0 0 0 0 1 host 1 2"), "more words than the line announces");

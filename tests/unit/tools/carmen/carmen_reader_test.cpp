@@ -83,7 +83,7 @@ TEST_F(CarmenReaderFile, SkipsBadLinesAndReportsTheFirstOfEachKind) {
   text += "FLASER x\n" + odom_lines(1);
   CarmenReader reader(plain(text));
   EXPECT_EQ(count_records(reader), 3);
-  EXPECT_EQ(reader.report().refused_lines(), 11U);
+  EXPECT_EQ(reader.report().rejected_lines(), 11U);
   EXPECT_THAT(reader.report().sentences(),
               ElementsAre("lines 3, 4, 5 and 7 more: a time that is not positive",
                           "line 13: a word where a number belongs"));
@@ -106,7 +106,7 @@ TEST_F(CarmenReaderFile, ReportsACompressedFileThatBreaksOff) {
   std::filesystem::resize_file(compressed(odom_lines(20000)), 30000);
   CarmenReader reader(path_);
   EXPECT_GT(count_records(reader), 100);
-  EXPECT_EQ(reader.report().refused.back().reason, "the compressed file is damaged from here on");
+  EXPECT_EQ(reader.report().rejected.back().reason, "the compressed file is damaged from here on");
 }
 
 TEST_F(CarmenReaderFile, SkipsALineOfMegabytes) {
@@ -120,7 +120,7 @@ TEST_F(CarmenReaderFile, SurvivesBytesThatAreNoText) {
   EXPECT_EQ(count_records(reader), 0);
 }
 
-TEST(CarmenReader, RefusesAFileThatIsNotThere) {
+TEST(CarmenReader, RejectsAFileThatIsNotThere) {
   EXPECT_THROW(CarmenReader{"/nonexistent.log"}, std::runtime_error);
   EXPECT_THROW(CarmenReader{testing::TempDir()}, std::runtime_error);
 }
@@ -132,12 +132,12 @@ TEST(CarmenReader, ReadsTheRecordings) {
       {"laser2d/fr079_chain.log.gz", 1464, 0},
       {"laser2d/acapulco_scans.log.gz", 861, 861},
       {"laser2d/seattle_scans.log.gz", 241, 241}};
-  for (const auto& [name, scans, refused] : expected) {
+  for (const auto& [name, scans, rejected] : expected) {
     ADIT_RECORDING_OR_SKIP(path, name);
     CarmenReader reader(path);
     count_records(reader);
     EXPECT_EQ(reader.report().scans, scans) << name;
-    EXPECT_EQ(reader.report().refused_lines(), refused) << name;
+    EXPECT_EQ(reader.report().rejected_lines(), rejected) << name;
   }
 }
 

@@ -11,7 +11,7 @@
 
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/tools/cloud/cloud_bytes.hpp"
-#include "tools/cloud/ply_writer.hpp"
+#include "tools/cloud/ply_file.hpp"
 
 namespace adit {
 namespace {
@@ -27,7 +27,7 @@ class CloudFile : public testing::Test {
     return folder_ / name;
   }
 
-  std::string refusal(const std::filesystem::path& file) {
+  std::string rejection(const std::filesystem::path& file) {
     try {
       (void)read_cloud_file(file);
     } catch (const std::runtime_error& error) {
@@ -51,15 +51,15 @@ TEST_F(CloudFile, IsToldByItsNameAndByHowItBegins) {
 }
 
 TEST_F(CloudFile, NamesTheFileThatCannotBeUsed) {
-  EXPECT_THAT(refusal(folder_ / "none.ply"), HasSubstr("none.ply"));
-  EXPECT_THAT(refusal(folder_.path()), HasSubstr("directory"));
-  EXPECT_THAT(refusal(write("empty.ply", "")),
+  EXPECT_THAT(rejection(folder_ / "none.ply"), HasSubstr("none.ply"));
+  EXPECT_THAT(rejection(folder_.path()), HasSubstr("directory"));
+  EXPECT_THAT(rejection(write("empty.ply", "")),
               AllOf(HasSubstr("empty.ply"), HasSubstr("is empty")));
-  EXPECT_THAT(refusal(write("photo.jpg", "\xff\xd8\xff")), HasSubstr("PLY, PCD or XYZ"));
-  EXPECT_THAT(refusal(write("none.xyz", "# nothing\n")), HasSubstr("no points"));
-  EXPECT_THAT(refusal(write("nan.xyz", "nan 0 0\n")), HasSubstr("no usable point"));
-  EXPECT_THAT(refusal(write("utm.xyz", "610000 5410000 300\n")), HasSubstr("100 km"));
-  EXPECT_THAT(refusal(write("bad.xyz", "1 2 3\n1 2\n")), HasSubstr("bad.xyz: line 2: "));
+  EXPECT_THAT(rejection(write("photo.jpg", "\xff\xd8\xff")), HasSubstr("PLY, PCD or XYZ"));
+  EXPECT_THAT(rejection(write("none.xyz", "# nothing\n")), HasSubstr("no points"));
+  EXPECT_THAT(rejection(write("nan.xyz", "nan 0 0\n")), HasSubstr("no usable point"));
+  EXPECT_THAT(rejection(write("utm.xyz", "610000 5410000 300\n")), HasSubstr("100 km"));
+  EXPECT_THAT(rejection(write("bad.xyz", "1 2 3\n1 2\n")), HasSubstr("bad.xyz: line 2: "));
 }
 
 TEST_F(CloudFile, WhatIsWrittenAsPlyComesBackWithTheSameBits) {
@@ -75,9 +75,9 @@ TEST_F(CloudFile, WhatIsWrittenAsPlyComesBackWithTheSameBits) {
   EXPECT_EQ(read.points[2].cast<float>(), cloud.lines[1].points[0]);
 }
 
-TEST(PointCloud, RefusesMorePointsThanItCanHoldBeforeItMakesRoom) {
+TEST(PointCloud, RejectsMorePointsThanItCanHoldBeforeItMakesRoom) {
   PointCloud cloud;
-  EXPECT_THROW(cloud.expect(PointCloud::kPointsMax + 1), std::runtime_error);
+  EXPECT_THROW(cloud.reserve(PointCloud::kPointsMax + 1), std::runtime_error);
   EXPECT_EQ(cloud.points.capacity(), 0U);
 }
 

@@ -11,7 +11,7 @@
 #include "tests/unit/tools/cloud/cloud_bytes.hpp"
 #include "tools/cloud/lzf.hpp"
 #include "tools/cloud/pcd_reader.hpp"
-#include "tools/cloud/ply_reader.hpp"
+#include "tools/cloud/ply_file.hpp"
 #include "tools/cloud/xyz_reader.hpp"
 
 namespace adit {
@@ -53,7 +53,7 @@ std::vector<Sample> samples() {
   return all;
 }
 
-std::string refusal(Reader read, const std::string& text) {
+std::string rejection(Reader read, const std::string& text) {
   try {
     (void)read(bytes_of(text));
   } catch (const std::runtime_error& error) {
@@ -71,12 +71,12 @@ TEST(CloudReaders, ReadEveryKindOfFile) {
 }
 
 /// What is cut off is refused, but for text of which a whole line, or the end of a number, is gone.
-TEST(CloudReaders, RefuseFilesThatAreCutOffAnywhere) {
+TEST(CloudReaders, RejectFilesThatArePowerLossAnywhere) {
   for (const Sample& sample : samples()) {
     const bool is_text = sample.read == read_xyz || sample.text.find("ascii") != std::string::npos;
     for (std::size_t size = 0; size < sample.text.size(); ++size) {
       const std::string text = sample.text.substr(0, size);
-      const std::string why = refusal(sample.read, text);
+      const std::string why = rejection(sample.read, text);
       if (!is_text) {
         EXPECT_THAT(why, testing::ContainsRegex("^(line|byte) [0-9]+: ")) << text;
       }
@@ -120,9 +120,9 @@ std::string ply_head(const std::string& what, const std::string& format = "ascii
   return "ply\nformat " + format + " 1.0\n" + what + "\nend_header\n";
 }
 
-TEST(PlyReader, RefusesHeadersThatLie) {
+TEST(PlyReader, RejectsHeadersThatLie) {
   const std::string xyz = "\nproperty float x\nproperty float y\nproperty float z";
-  const auto why = [](const std::string& text) { return refusal(read_ply, text); };
+  const auto why = [](const std::string& text) { return rejection(read_ply, text); };
   for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
     for (const char* count : {"1", "4000000000", "18446744073709551615"}) {
       const std::string text = ply_head("element vertex " + std::string(count) + xyz, format);
@@ -141,13 +141,14 @@ TEST(PlyReader, RefusesHeadersThatLie) {
   EXPECT_THAT(why("solid box\n"), StartsWith("line 1: "));
 }
 
-TEST(PlyReader, RefusesListsThatAreLongerThanTheFile) {
+TEST(PlyReader, RejectsListsThatAreLongerThanTheFile) {
   const std::string element =
       "element face 1\nproperty list int double v\nelement vertex 0"
       "\nproperty float x\nproperty float y\nproperty float z";
   for (const std::int32_t count : {-1, 1, 0x7fffffff}) {
-    EXPECT_NE(refusal(read_ply, ply_head(element, "binary_little_endian") + laid_down(count)), "");
-    EXPECT_NE(refusal(read_ply, ply_head(element) + std::to_string(count) + "\n"), "");
+    EXPECT_NE(rejection(read_ply, ply_head(element, "binary_little_endian") + laid_down(count)),
+              "");
+    EXPECT_NE(rejection(read_ply, ply_head(element) + std::to_string(count) + "\n"), "");
   }
 }
 
@@ -169,8 +170,8 @@ TEST(PcdReader, PassesOverOtherFieldsAndFindsXyzAnywhere) {
             (Points{{1, 2, 3}}));
 }
 
-TEST(PcdReader, RefusesHeadersThatLie) {
-  const auto why = [](const std::string& text) { return refusal(read_pcd, text); };
+TEST(PcdReader, RejectsHeadersThatLie) {
+  const auto why = [](const std::string& text) { return rejection(read_pcd, text); };
   for (const char* data : {"ascii", "binary", "binary_compressed"}) {
     EXPECT_NE(why(test::pcd_head(data, 'F', 4, 4'000'000'000)), "") << data;
   }
@@ -197,9 +198,9 @@ TEST(XyzReader, TakesBlanksCommasCommentsNamesAndMoreColumns) {
 }
 
 TEST(XyzReader, SaysWhichLineIsNoPoint) {
-  EXPECT_THAT(refusal(read_xyz, "1 2 3\n\n1 2\n"), StartsWith("line 3: "));
-  EXPECT_THAT(refusal(read_xyz, "1 2 3\nx y z\n"), StartsWith("line 2: "));
-  EXPECT_THAT(refusal(read_xyz, "%PDF-1.4\n"), StartsWith("line 1: "));
+  EXPECT_THAT(rejection(read_xyz, "1 2 3\n\n1 2\n"), StartsWith("line 3: "));
+  EXPECT_THAT(rejection(read_xyz, "1 2 3\nx y z\n"), StartsWith("line 2: "));
+  EXPECT_THAT(rejection(read_xyz, "%PDF-1.4\n"), StartsWith("line 1: "));
 }
 
 TEST(Lzf, RepeatsWhatLiesBehindEvenWhereItOverlaps) {
@@ -213,7 +214,7 @@ TEST(Lzf, RepeatsWhatLiesBehindEvenWhereItOverlaps) {
   EXPECT_EQ(std::string(zs->begin(), zs->end()), std::string(265, 'z'));
 }
 
-TEST(Lzf, RefusesWhatIsDamaged) {
+TEST(Lzf, RejectsWhatIsDamaged) {
   const std::string good = std::string("\2abc", 4) + std::string("\x60\2", 2);
   for (std::size_t size = 0; size < good.size(); ++size) {
     EXPECT_FALSE(unpack_lzf(bytes_of(good.substr(0, size)), 8)) << size;

@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/bus/event_source.hpp"
+#include "common/bus/log/event_source.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tools/eval/tum.hpp"
 
@@ -51,7 +51,7 @@ TEST_F(DriveRun, GoesToTheLastWaypoint) {
   double share = 0.0;
   const DriveRunResult result = run_drive(drive, [&](double done) { share = done; });
   EXPECT_EQ(result.failure, "");
-  EXPECT_NEAR(result.travelled_m, 5.0, 0.3);
+  EXPECT_NEAR(result.distance_travelled_m, 5.0, 0.3);
   EXPECT_GT(share, 0.9);
   const Trajectory truth = read_tum(folder_ / "run.tum");
   EXPECT_NEAR(truth.back().pose.x, 8.0, 0.2);  // arrival and braking
@@ -88,13 +88,13 @@ TEST_F(DriveRun, EndsWithTheReasonWhereItFailsAndKeepsTheLog) {
   EXPECT_GT(LogFile(folder_ / "run.lcmlog").size(), 1000U);
 }
 
-TEST_F(DriveRun, RefusesFaultsOfProcesses) {
+TEST_F(DriveRun, RejectsFaultsOfProcesses) {
   DriveRunOptions drive = options("5 0\n", "run.lcmlog");
   drive.faults = {"kill:mapping@1"};
   EXPECT_THROW(run_drive(drive), std::invalid_argument);
 }
 
-TEST_F(DriveRun, RefusesWhatIsSaidOfARandomMineForAnother) {
+TEST_F(DriveRun, RejectsWhatIsSaidOfARandomMineForAnother) {
   DriveRunOptions drive = options("5 0\n", "run.lcmlog");
   drive.world.damage = 0.5;
   EXPECT_THROW(run_drive(drive), std::invalid_argument);

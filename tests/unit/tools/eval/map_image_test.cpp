@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/grid/map_server.hpp"
+#include "common/grid/occupancy_grid.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace adit {
@@ -21,9 +21,9 @@ class MapImage : public testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << contents;
   }
   [[nodiscard]] std::vector<Eigen::Vector2d> read() const {
-    return read_occupied(folder_ / "map.yaml");
+    return read_occupied_cells(folder_ / "map.yaml");
   }
-  [[nodiscard]] std::string refusal() const {
+  [[nodiscard]] std::string rejection() const {
     try {
       (void)read();
     } catch (const std::runtime_error& error) {
@@ -73,19 +73,19 @@ TEST_F(MapImage, ReadsWhatAGridWrites) {
 
 TEST_F(MapImage, SaysWhatIsWrong) {
   using testing::HasSubstr;
-  EXPECT_THAT(refusal(), HasSubstr("cannot read"));
+  EXPECT_THAT(rejection(), HasSubstr("cannot read"));
   write("map.yaml", kYaml);
-  EXPECT_THAT(refusal(), HasSubstr("cannot read"));  // the image
+  EXPECT_THAT(rejection(), HasSubstr("cannot read"));  // the image
   write("map.pgm", "P6\n3 2\n255\n");
-  EXPECT_THAT(refusal(), HasSubstr("map.pgm: is not a binary PGM"));
+  EXPECT_THAT(rejection(), HasSubstr("map.pgm: is not a binary PGM"));
   write("map.pgm", "P5\n3 2\n255\nabc");
-  EXPECT_THAT(refusal(), HasSubstr("map.pgm: does not hold as many pixels"));
+  EXPECT_THAT(rejection(), HasSubstr("map.pgm: does not hold as many pixels"));
   write("map.yaml", "resolution: 0.05\n");
-  EXPECT_THAT(refusal(), HasSubstr("map.yaml: has no image"));
+  EXPECT_THAT(rejection(), HasSubstr("map.yaml: has no image"));
   write("map.yaml", "image: map.pgm\nresolution: fine\n");
-  EXPECT_THAT(refusal(), HasSubstr("cannot use 'fine' as resolution"));
+  EXPECT_THAT(rejection(), HasSubstr("cannot use 'fine' as resolution"));
   write("map.yaml", "image: map.pgm\nresolution: -1\n");
-  EXPECT_THAT(refusal(), HasSubstr("not positive"));
+  EXPECT_THAT(rejection(), HasSubstr("not positive"));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -34,18 +34,18 @@ Points moved(const Pose2& T_to_from, Points points) {
 }
 
 /// Through the drift from end to end.
-const Trajectory kWay{{1'000'000, {-15.0, 0.0, 0.0}},
-                      {2'000'000, {-5.0, 0.0, 0.0}},
-                      {3'000'000, {5.0, 0.0, 0.0}},
-                      {4'000'000, {15.0, 0.0, 0.0}}};
+const Trajectory kPath{{1'000'000, {-15.0, 0.0, 0.0}},
+                       {2'000'000, {-5.0, 0.0, 0.0}},
+                       {3'000'000, {5.0, 0.0, 0.0}},
+                       {4'000'000, {15.0, 0.0, 0.0}}};
 
 class MapScoreOf : public testing::Test {
  protected:
   [[nodiscard]] MapScore score(const Points& mapped, const Pose2& T_world_map = {}) const {
-    return score_map(mapped, T_world_map, site_, kWay);
+    return score_map(mapped, T_world_map, site_, kPath);
   }
 
-  Site site_{box_drift({40.0, 4.0, 2.0})};
+  Site site_{box_tunnel({40.0, 4.0, 2.0})};
 };
 
 TEST_F(MapScoreOf, ThePerfectMapIsPerfectInAnyFrame) {
@@ -110,15 +110,15 @@ TEST_F(MapScoreOf, WhatCannotBeSeenFromTheWayNeedNotBeMapped) {
 }
 
 TEST_F(MapScoreOf, APostIsAWallAndCountsWhereItIsSeen) {
-  const Site site(box_drift({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
+  const Site site(box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kPost, Material::kTimber, "post");
     builder.bar({0.0, 1.0, 0.0}, {0.0, 1.0, 2.0}, 0.1);
   }));
   Points mapped = walls_to(20.0);
-  const double without = score_map(mapped, {}, site, kWay).coverage;
+  const double without = score_map(mapped, {}, site, kPath).coverage;
   EXPECT_LT(without, 1.0);
   mapped.emplace_back(0.0, 0.9);
-  const MapScore with = score_map(mapped, {}, site, kWay);
+  const MapScore with = score_map(mapped, {}, site, kPath);
   EXPECT_GT(with.coverage, without);
   EXPECT_EQ(with.deviation, 0.0);
 }
@@ -132,7 +132,7 @@ TEST_F(MapScoreOf, SaysWhatItCannotScore) {
 TEST_F(MapScoreOf, JsonHasNoFiguresWhereThereAreNone) {
   MapScore map = score(walls_to(20.0));
   map.coverage_of_mine.reset();
-  const auto json = nlohmann::json::parse(to_json(score_trajectory(kWay, kWay), map));
+  const auto json = nlohmann::json::parse(to_json(score_trajectory(kPath, kPath), map));
   EXPECT_TRUE(json["map"]["coverage_of_mine"].is_null());
   EXPECT_EQ(json["map"]["coverage"], 1.0);
   EXPECT_EQ(json["trajectory"]["aligned"]["rmse_m"], 0.0);

@@ -7,7 +7,45 @@
 
 #include <gtest/gtest.h>
 
+#include "common/bus/log/lcm_log.hpp"
+#include "common/messages/codec.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "tests/support/scratch_folder.hpp"
+
 namespace adit {
+namespace {
+
+class GroundTruth : public testing::Test {
+ protected:
+  void write(std::int64_t utime, const std::string& channel, const Pose2& pose) {
+    const auto bytes = encode(to_message(StampedPose{utime, pose, {}}));
+    log_.write({utime, channel, bytes});
+  }
+
+  test::ScratchFolder folder_;
+  LogWriter log_{folder_ / "run.lcmlog"};
+};
+
+TEST_F(GroundTruth, IsWhatTheLogHasOnItsChannel) {
+  write(1'000'000, "TRUTH", {1.0, 2.0, 0.5});
+  write(1'000'000, "POSE", {9.0, 9.0, 0.0});
+  write(2'000'000, "TRUTH", {2.0, 2.0, -3.0});
+  write(2'000'000, "TRUTH", {8.0, 8.0, 0.0});  // the same time again
+  log_.close();
+  const Trajectory truth = read_ground_truth(folder_ / "run.lcmlog");
+  ASSERT_EQ(truth.size(), 2U);
+  EXPECT_EQ(truth[1].utime, 2'000'000);
+  EXPECT_NEAR(between(truth[1].pose, {2.0, 2.0, -3.0}).vector().norm(), 0.0, 1e-9);
+}
+
+TEST_F(GroundTruth, SaysSoWhereThereIsNone) {
+  write(1'000'000, "POSE", {});
+  log_.close();
+  EXPECT_THROW(read_ground_truth(folder_ / "run.lcmlog"), std::runtime_error);
+  EXPECT_THROW(read_ground_truth(folder_ / "missing.lcmlog"), std::runtime_error);
+}
+
+}  // namespace
 namespace {
 
 /// Straight along x from the origin, a pose each 0.1 m and 0.1 s.
@@ -35,7 +73,7 @@ TEST(TrajectoryScore, ThePerfectPathHasNoErrorInAnyFrame) {
   EXPECT_NEAR(score.true_length_m, 120.0, 1e-9);
   EXPECT_NEAR(score.length_ratio, 1.0, 1e-9);
   for (const RelativeErrors& errors : score.relative) {
-    EXPECT_GT(errors.stretches, 0U);
+    EXPECT_GT(errors.segments, 0U);
     EXPECT_NEAR(errors.translation_m, 0.0, 1e-9);
     EXPECT_NEAR(errors.rotation_deg, 0.0, 1e-6);
   }
@@ -66,10 +104,10 @@ TEST(TrajectoryScore, AOneTimeTurnCostsEachLengthItsShare) {
   }
   const TrajectoryScore score = score_trajectory(found, truth);
   EXPECT_EQ(score.relative[1].length_m, 10.0);
-  EXPECT_NEAR(static_cast<double>(score.relative[1].stretches), 31.0, 1.0);
+  EXPECT_NEAR(static_cast<double>(score.relative[1].segments), 31.0, 1.0);
   // Those that begin in the ten metres before the turn and end behind it.
   EXPECT_NEAR(score.relative[1].rotation_deg, 10.0 * 10.0 / 31.0, 0.4);  // one stretch more or less
-  EXPECT_EQ(score.relative[2].stretches, 0U);                            // 100 m were not driven
+  EXPECT_EQ(score.relative[2].segments, 0U);                             // 100 m were not driven
 }
 
 TEST(TrajectoryScore, NoiseDoesNotCountAsWay) {
@@ -88,11 +126,11 @@ TEST(TrajectoryScore, SaysSoWhereNoTimeIsCovered) {
   EXPECT_THROW(score_trajectory({}, straight(10.0)), std::runtime_error);
 }
 
-TEST(ThinnedTrajectory, KeepsTheFirstAndOneForEachStep) {
-  const Trajectory kept = thinned(straight(10.0), 0.45);
+TEST(DownsampledTrajectory, KeepsTheFirstAndOneForEachStep) {
+  const Trajectory kept = downsampled(straight(10.0), 0.45);
   ASSERT_EQ(kept.size(), 21U);  // each half metre, the next tenth after 0.45 m
   EXPECT_NEAR(kept[1].pose.x, 0.5, 1e-9);
-  EXPECT_TRUE(thinned(Trajectory{}, 0.5).empty());
+  EXPECT_TRUE(downsampled(Trajectory{}, 0.5).empty());
 }
 
 }  // namespace

@@ -50,27 +50,27 @@ Trajectory jittering(double length_m) {
   return trajectory;
 }
 
-TEST(Travelled, IsNothingForARobotAtRest) {
+TEST(DistanceTravelled, IsNothingForARobotAtRest) {
   Trajectory trajectory = jittering(50.0);
   for (TimedPose& timed : trajectory) timed.pose.x -= 0.013 * static_cast<double>(timed.utime);
   EXPECT_GT(path_length_m(trajectory), 10.0);
-  EXPECT_EQ(travelled_m(trajectory, 0.2), 0.0);
-  EXPECT_EQ(travelled_m({}, 0.2), 0.0);
+  EXPECT_EQ(distance_travelled_m(trajectory, 0.2), 0.0);
+  EXPECT_EQ(distance_travelled_m({}, 0.2), 0.0);
 }
 
-TEST(Travelled, KeepsTheLengthOfAStraightLine) {
+TEST(DistanceTravelled, KeepsTheLengthOfAStraightLine) {
   const Trajectory straight{{1, {0, 0, 0}}, {2, {0.25, 0, 0}}, {3, {0.5, 0, 0}}, {4, {4.5, 0, 0}}};
-  EXPECT_DOUBLE_EQ(travelled_m(straight, 0.2), 4.5);
+  EXPECT_DOUBLE_EQ(distance_travelled_m(straight, 0.2), 4.5);
   // Up to a step is missing at the end; each of 250 steps is longer by 0.02²/(2·0.2) at most, for
   // what it goes aside, and the ends are 1 cm from their places.
-  const double measured = travelled_m(jittering(50.0), 0.2);
+  const double measured = distance_travelled_m(jittering(50.0), 0.2);
   EXPECT_LT(measured, 50.0 + 250 * 0.02 * 0.02 / 0.4 + 0.02);
   EXPECT_GT(measured, 50.0 - 0.2 - 0.02 - 0.013);
 }
 
-TEST(Travelled, CountsTheWayBackAsWell) {
+TEST(DistanceTravelled, CountsTheWayBackAsWell) {
   const Trajectory there_and_back{{1, {0, 0, 0}}, {2, {2, 0, 0}}, {3, {1.9, 0, 0}}, {4, {0, 0, 0}}};
-  EXPECT_DOUBLE_EQ(travelled_m(there_and_back, 0.2), 4.0);
+  EXPECT_DOUBLE_EQ(distance_travelled_m(there_and_back, 0.2), 4.0);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ TEST(Tum, NamesTheLineThatIsWrong) {
   EXPECT_EQ(complaint("1 0 0 0 0 0 0 2\n"), "t.tum:1: the quaternion is not of unit length");
 }
 
-TEST(Tum, RefusesAFileThatIsNotThere) {
+TEST(Tum, RejectsAFileThatIsNotThere) {
   EXPECT_THROW(read_tum("/nonexistent.tum"), std::runtime_error);
 }
 

@@ -8,14 +8,14 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 #include "tools/eval/nearest_points.hpp"
 
 namespace adit {
 namespace {
 
 TEST(WorldWalls, DistancesAreThoseToTheWalls) {
-  const World world = box_drift({40.0, 4.0, 2.0});
+  const World world = box_tunnel({40.0, 4.0, 2.0});
   const WorldWalls walls(world, 5.0);
   EXPECT_NEAR(walls.distance_m({0.0, 0.0}), 2.0, 1e-9);
   EXPECT_NEAR(walls.distance_m({3.0, 1.5}), 0.5, 1e-9);
@@ -25,7 +25,7 @@ TEST(WorldWalls, DistancesAreThoseToTheWalls) {
 }
 
 TEST(WorldWalls, WhatStandsIsAWallAndWhatLiesLowIsNone) {
-  const World world = box_drift({40.0, 4.0, 2.5}, [](MeshBuilder& builder) {
+  const World world = box_tunnel({40.0, 4.0, 2.5}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kCar, Material::kSteel, "car");
     builder.box(level_box({5.0, 0.0, 0.5}, {2.0, 1.0, 1.0}));
     builder.begin_part(PartKind::kRail, Material::kSteel, "rail");
@@ -62,8 +62,8 @@ TEST(NearestPoints, FindsWhatASearchThroughAllFinds) {
   }
 }
 
-TEST(ThinnedPoints, LeavesOneForEachCell) {
-  const std::vector<Eigen::Vector2d> kept = thinned(
+TEST(DownsampledPoints, LeavesOneForEachCell) {
+  const std::vector<Eigen::Vector2d> kept = downsampled(
       std::vector<Eigen::Vector2d>{{0.01, 0.01}, {0.09, 0.05}, {-0.01, 0.01}, {0.3, 0.3}}, 0.1);
   ASSERT_EQ(kept.size(), 3U);
   EXPECT_EQ(kept[0], Eigen::Vector2d(0.01, 0.01));

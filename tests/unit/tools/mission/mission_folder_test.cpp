@@ -7,13 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/log_writer.hpp"
-#include "common/bus/stages.hpp"
+#include "common/bus/log/lcm_log.hpp"
+#include "common/bus/node/stages.hpp"
 #include "common/config/config_file.hpp"
-#include "common/files/text_file.hpp"
+#include "common/files/file_utils.hpp"
 #include "common/messages/codec.hpp"
-#include "common/messages/mission_phase.hpp"
-#include "common/messages/pose.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mission.hpp"
 #include "procs/mission/mission_journal.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tools/mission/mission_files.hpp"
@@ -42,11 +42,11 @@ TEST(MissionFolder, ProtectsTheMissionThatIsThere) {
 TEST(MissionFolder, FindsWhereTheRobotWasInTheNewestLogThatSaysIt) {
   const test::ScratchFolder scratch;
   const MissionFolder folder(scratch.path());
-  EXPECT_THROW(static_cast<void>(folder.last_stand()), std::runtime_error);
+  EXPECT_THROW(static_cast<void>(folder.last_pose()), std::runtime_error);
   write_log(folder.next_log(), 1.0);
   write_log(folder.next_log(), 2.0);
-  write_text("", folder.next_log());  // a life that was cut off at once
-  const MissionStand stand = folder.last_stand();
+  write_text_file("", folder.next_log());  // a life that was cut off at once
+  const SimulatedPose stand = folder.last_pose();
   EXPECT_EQ(stand.utime, kStart);
   EXPECT_EQ(stand.T_world_body.translation(), Eigen::Vector2d(2.0, 0.5));
   EXPECT_EQ(folder.logs().size(), 3);
@@ -55,8 +55,8 @@ TEST(MissionFolder, FindsWhereTheRobotWasInTheNewestLogThatSaysIt) {
 TEST(MissionFolder, DoesNotGoOnWithAMissionThatHasEnded) {
   const test::ScratchFolder scratch;
   const MissionFolder folder(scratch.path());
-  write_text("", folder.world());
-  write_text("", folder.config());
+  write_text_file("", folder.world());
+  write_text_file("", folder.config());
   MissionPhase phase;
   phase.utime = kStart;
   phase.phase = Phase::kScan;

@@ -10,24 +10,22 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "common/pose_graph/potential.hpp"
-#include "tests/support/test_graphs.hpp"
-#include "tests/support/wrong_loops.hpp"
-#include "tools/optimize/optimize_report.hpp"
+#include "common/pose_graph/pose_graph.hpp"
+#include "tests/support/graphs/synthetic_graphs.hpp"
 
 namespace adit {
 namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
-using Ids = LoopVerdicts::Ids;
+using Ids = LoopDecisions::Ids;
 
 /// Two and a half rounds of 80 poses whose ids begin at 1000 and go up by 10, and the loops of the
 /// last of them.
 class OptimizeRunTest : public testing::Test {
  protected:
   OptimizeRunTest() {
-    file_.graph = test::square_walk(200, 20, 0.1);
+    file_.graph = test::square_trajectory_graph(200, 20, 0.1);
     for (int i = 0; i < 200; ++i) file_.ids.push_back(1000 + 10 * i);
   }
 
@@ -57,7 +55,7 @@ TEST_F(OptimizeRunTest, GivesLoopsByTheIdsOfTheFileAndLeavesOutTheWrongOnes) {
   add(wrong);
   const OptimizeRun run = optimize_lazily(file_, {});
   ASSERT_TRUE(run.loops);
-  EXPECT_EQ(run.loops->kept.size(), 120U);
+  EXPECT_EQ(run.loops->accepted.size(), 120U);
   std::vector<Ids> expected;
   for (const PoseConstraint& c : wrong) expected.push_back(ids(c));
   EXPECT_THAT(run.loops->rejected, testing::UnorderedElementsAreArray(expected));
@@ -107,7 +105,7 @@ TEST_F(OptimizeRunTest, IsWrittenAsJson) {
   EXPECT_EQ(json["nodes"], 200);
   EXPECT_EQ(json["constraints"], 319);
   EXPECT_EQ(json["loops"], 122);
-  EXPECT_EQ(json["loops_kept"].get<std::vector<Ids>>(), run.loops->kept);
+  EXPECT_EQ(json["loops_accepted"].get<std::vector<Ids>>(), run.loops->accepted);
   EXPECT_EQ(json["loops_rejected"].get<std::vector<Ids>>(), run.loops->rejected);
   EXPECT_EQ(json["trials"], run.loops->trials);
   EXPECT_EQ(json["revisions"], run.loops->revisions);
@@ -121,7 +119,7 @@ TEST_F(OptimizeRunTest, IsWrittenAsJson) {
 
 TEST_F(OptimizeRunTest, SaysNothingOfLoopsWhereNobodyDecided) {
   const auto json = nlohmann::json::parse(to_json(file_.graph, optimize_all(file_)));
-  EXPECT_FALSE(json.contains("loops_kept"));
+  EXPECT_FALSE(json.contains("loops_accepted"));
   EXPECT_FALSE(json["wall_ms"].contains("association"));
 }
 

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "tools/plan/ground_search.hpp"
+#include "tools/plan/ground_estimate.hpp"
 
 namespace adit {
 namespace {
@@ -90,10 +90,10 @@ TEST(CloudPlacement, SaysWhatItCannotFind) {
   EXPECT_THROW(place_cloud(far, {.level = true}), std::runtime_error);
 }
 
-TEST(GroundSearch, IsNotMisledByStrayPointsBelowTheGround) {
+TEST(GroundEstimate, IsNotMisledByStrayPointsBelowTheGround) {
   PointCloud cloud = room();
   for (int i = 0; i < 40; ++i) cloud.points.emplace_back(0.2 * i - 4.0, -0.3, -3.0);
-  EXPECT_NEAR(ground_height(cloud.points, {0.0, 0.0}, 1.5), 0.0, 1e-9);
+  EXPECT_NEAR(estimate_ground_height(cloud.points, {0.0, 0.0}, 1.5), 0.0, 1e-9);
 }
 
 }  // namespace

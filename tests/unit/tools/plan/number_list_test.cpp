@@ -14,7 +14,7 @@ TEST(NumberList, TakesNumbersBetweenCommas) {
   EXPECT_EQ(parse_number_list("--goal", "1,2,3e1", 2, 3), (std::vector<double>{1.0, 2.0, 30.0}));
 }
 
-TEST(NumberList, RefusesAnythingElse) {
+TEST(NumberList, RejectsAnythingElse) {
   for (const char* text : {"", "1", "1,2,3,4", "1,", ",1", "1,x", "1, 2", "1,nan", "1,inf"}) {
     EXPECT_THROW(parse_number_list("--goal", text, 2, 3), std::invalid_argument) << text;
   }

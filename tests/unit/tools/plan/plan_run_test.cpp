@@ -83,7 +83,7 @@ class PlanRun : public testing::Test {
 };
 
 TEST_F(PlanRun, FindsThePathOfTheStagesOnAScanInALog) {
-  const Cloud cloud = test::swept_drift(true);
+  const Cloud cloud = test::swept_tunnel(true);
   write_scan(cloud, folder_ / "scan.lcmlog");
   EXPECT_TRUE(run(options("scan.lcmlog")));
   const json written = path_json();
@@ -100,14 +100,14 @@ TEST_F(PlanRun, FindsThePathOfTheStagesOnAScanInALog) {
 }
 
 TEST_F(PlanRun, FindsThePathOfTheStagesOnBarePoints) {
-  const Cloud cloud = test::swept_drift(true);
+  const Cloud cloud = test::swept_tunnel(true);
   write_scan(cloud, folder_ / "scan.ply");
   EXPECT_TRUE(run(options("scan.ply")));
   expect_same_path(path_json(), path_of_stages(without_lines(cloud, origin_)));
 }
 
 TEST_F(PlanRun, EveryKindOfFileGivesTheSameTerrain) {
-  const Cloud cloud = test::swept_drift(true);
+  const Cloud cloud = test::swept_tunnel(true);
   write_scan(cloud, folder_ / "scan.ply");
   test::Points points;
   std::string words;
@@ -134,7 +134,7 @@ TEST_F(PlanRun, EveryKindOfFileGivesTheSameTerrain) {
 }
 
 TEST_F(PlanRun, ShowsWhatIsInTheWayWhereThereIsNoPath) {
-  write_scan(test::swept_drift(false), folder_ / "scan.lcmlog");
+  write_scan(test::swept_tunnel(false), folder_ / "scan.lcmlog");
   EXPECT_FALSE(run(options("scan.lcmlog")));
   const json written = path_json();
   EXPECT_NE(written["outcome"], "found");
@@ -145,7 +145,7 @@ TEST_F(PlanRun, ShowsWhatIsInTheWayWhereThereIsNoPath) {
 }
 
 TEST_F(PlanRun, TheSameScanGivesTheSamePicturesTwice) {
-  write_scan(test::swept_drift(true), folder_ / "scan.lcmlog");
+  write_scan(test::swept_tunnel(true), folder_ / "scan.lcmlog");
   const auto pictures = [&] {
     run(options("scan.lcmlog"));
     std::string all;
@@ -156,9 +156,9 @@ TEST_F(PlanRun, TheSameScanGivesTheSamePicturesTwice) {
 }
 
 TEST_F(PlanRun, GoesToAPlaceThatIsNamed) {
-  write_scan(test::swept_drift(true), folder_ / "scan.lcmlog");
+  write_scan(test::swept_tunnel(true), folder_ / "scan.lcmlog");
   PlanRunOptions to = options("scan.lcmlog");
-  to.goal = {PlanGoal::Kind::kTo, {5.0, 0.5, 0.0}, 0.0};
+  to.goal = {PlanGoal::Kind::kToPose, {5.0, 0.5, 0.0}, 0.0};
   EXPECT_TRUE(run(to));
   const json last = path_json()["points"].back();
   EXPECT_NEAR(last["x_m"], 5.0, 0.35);  // the tolerance of a goal, and half a cell
@@ -166,7 +166,7 @@ TEST_F(PlanRun, GoesToAPlaceThatIsNamed) {
 }
 
 TEST_F(PlanRun, AVehicleThatIsAsHighAsTheDriftFindsNoPath) {
-  write_scan(test::swept_drift(true), folder_ / "scan.lcmlog");
+  write_scan(test::swept_tunnel(true), folder_ / "scan.lcmlog");
   std::ofstream(folder_ / "high.yaml") << "vehicle: {height_m: 1.95}\n";
   PlanRunOptions high = options("scan.lcmlog");
   high.config = folder_ / "high.yaml";

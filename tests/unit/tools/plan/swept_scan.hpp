@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "common/cloud/cloud.hpp"
+#include "common/types/cloud.hpp"
 #include "sim/sweep/tilt_sweep.hpp"
-#include "tests/support/box_drift.hpp"
+#include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit::test {
 
 /// What the front laser sees at the start of a drift that is free, or has a fall across it 3.2 m
 /// ahead.
-inline Cloud swept_drift(bool free) {
-  const Site site(free ? box_drift() : box_drift({}, [](MeshBuilder& builder) {
+inline Cloud swept_tunnel(bool free) {
+  const Site site(free ? box_tunnel() : box_tunnel({}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kWall, Material::kRock, "fall");
     builder.box(level_box({3.2, 0.0, 0.4}, {0.6, 4.0, 0.8}));
   }));

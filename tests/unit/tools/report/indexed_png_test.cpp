@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/report/indexed_png.hpp"
+#include "tools/report/svg/indexed_png.hpp"
 
 #include <cmath>
 #include <cstring>

@@ -26,26 +26,26 @@ class MarkupReader {
  public:
   explicit MarkupReader(std::string_view text) : text_(text) {}
 
-  std::optional<Tag> next(std::vector<std::string>& faults) {
+  std::optional<Tag> next(std::vector<std::string>& errors) {
     if (!raw_.empty()) at_ = text_.find("</" + raw_, at_);
     raw_.clear();
     const std::size_t open = text_.find('<', at_);
     const std::size_t stray = text_.find('>', at_);
-    if (stray != std::string_view::npos && stray < open) faults.emplace_back("a stray >");
+    if (stray != std::string_view::npos && stray < open) errors.emplace_back("a stray >");
     if (open == std::string_view::npos) return std::nullopt;
     at_ = open + 1;
     if (text_[at_] == '!' || text_[at_] == '?') {
       at_ = text_.find('>', at_) + 1;
-      return next(faults);
+      return next(errors);
     }
     Tag tag;
     tag.closes = take('/');
     tag.name = name();
-    if (tag.name.empty()) faults.push_back("a stray < at " + std::to_string(open));
-    while (attribute(tag, faults)) {
+    if (tag.name.empty()) errors.push_back("a stray < at " + std::to_string(open));
+    while (attribute(tag, errors)) {
     }
     tag.empty = take('/');
-    if (!take('>')) faults.push_back("<" + tag.name + " does not end");
+    if (!take('>')) errors.push_back("<" + tag.name + " does not end");
     if (!tag.closes && (tag.name == "script" || tag.name == "style")) raw_ = tag.name;
     return tag;
   }
@@ -61,18 +61,18 @@ class MarkupReader {
     while (at_ < text_.size() && is_name(text_[at_])) ++at_;
     return std::string(text_.substr(from, at_ - from));
   }
-  bool attribute(Tag& tag, std::vector<std::string>& faults) {
+  bool attribute(Tag& tag, std::vector<std::string>& errors) {
     if (!take(' ')) return false;
     const std::string key = name();
     std::string value;
     if (take('=')) {
-      if (!take('"')) faults.push_back(key + " of " + tag.name + " has no quotes");
+      if (!take('"')) errors.push_back(key + " of " + tag.name + " has no quotes");
       const std::size_t end = text_.find('"', at_);
       value = text_.substr(at_, end - at_);
       at_ = end + 1;
-      if (value.find('<') != std::string::npos) faults.push_back("a < in " + key);
+      if (value.find('<') != std::string::npos) errors.push_back("a < in " + key);
     }
-    if (!tag.attributes.emplace(key, value).second) faults.push_back(key + " twice");
+    if (!tag.attributes.emplace(key, value).second) errors.push_back(key + " twice");
     return true;
   }
 
@@ -81,14 +81,14 @@ class MarkupReader {
   std::string raw_;
 };
 
-std::vector<Tag> tags_of(const std::string& text, std::vector<std::string>& faults) {
+std::vector<Tag> tags_of(const std::string& text, std::vector<std::string>& errors) {
   std::vector<Tag> tags;
   MarkupReader reader(text);
-  while (auto tag = reader.next(faults)) tags.push_back(std::move(*tag));
+  while (auto tag = reader.next(errors)) tags.push_back(std::move(*tag));
   return tags;
 }
 
-void check_order(const std::vector<Tag>& tags, std::vector<std::string>& faults) {
+void check_order(const std::vector<Tag>& tags, std::vector<std::string>& errors) {
   const std::set<std::string> without_end{"meta", "img", "input", "br", "link"};
   std::vector<std::string> open;
   for (const Tag& tag : tags) {
@@ -96,37 +96,37 @@ void check_order(const std::vector<Tag>& tags, std::vector<std::string>& faults)
     if (!tag.closes) {
       open.push_back(tag.name);
     } else if (open.empty() || open.back() != tag.name) {
-      faults.push_back("</" + tag.name + "> closes " + (open.empty() ? "nothing" : open.back()));
+      errors.push_back("</" + tag.name + "> closes " + (open.empty() ? "nothing" : open.back()));
       return;
     } else {
       open.pop_back();
     }
   }
-  for (const std::string& name : open) faults.push_back("<" + name + "> is never closed");
+  for (const std::string& name : open) errors.push_back("<" + name + "> is never closed");
 }
 
 }  // namespace
 
-std::vector<std::string> faults_of_markup(const std::string& text) {
-  std::vector<std::string> faults;
-  const std::vector<Tag> tags = tags_of(text, faults);
-  check_order(tags, faults);
+std::vector<std::string> markup_errors(const std::string& text) {
+  std::vector<std::string> errors;
+  const std::vector<Tag> tags = tags_of(text, errors);
+  check_order(tags, errors);
   std::set<std::string> ids;
   for (const Tag& tag : tags) {
     const auto id = tag.attributes.find("id");
     if (id != tag.attributes.end() && !ids.insert(id->second).second) {
-      faults.push_back("id " + id->second + " twice");
+      errors.push_back("id " + id->second + " twice");
     }
   }
-  for (const std::string& link : links_of_markup(text)) {
+  for (const std::string& link : markup_links(text)) {
     if (link.starts_with('#') && !ids.contains(link.substr(1))) {
-      faults.push_back("nothing at " + link);
+      errors.push_back("nothing at " + link);
     }
   }
-  return faults;
+  return errors;
 }
 
-std::vector<std::string> links_of_markup(const std::string& text) {
+std::vector<std::string> markup_links(const std::string& text) {
   std::vector<std::string> ignored;
   std::vector<std::string> links;
   for (const Tag& tag : tags_of(text, ignored)) {

@@ -11,9 +11,9 @@ namespace adit::test {
 /// What is wrong with a page or an SVG file: tags that do not close in order, an attribute without
 /// quotes or twice, ids given twice, links to places of the page that are not there. Empty:
 /// nothing.
-std::vector<std::string> faults_of_markup(const std::string& text);
+std::vector<std::string> markup_errors(const std::string& text);
 
 /// Values of all src and href of a page, in order.
-std::vector<std::string> links_of_markup(const std::string& text);
+std::vector<std::string> markup_links(const std::string& text);
 
 }  // namespace adit::test

@@ -11,13 +11,14 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "common/bus/event_source.hpp"
-#include "common/bus/log_writer.hpp"
+#include "common/bus/log/event_source.hpp"
+#include "common/bus/log/lcm_log.hpp"
 #include "common/pose_graph/g2o_file.hpp"
-#include "common/volume/octree_stream.hpp"
+#include "common/volume/volume.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/unit/tools/adit/command_result.hpp"
 #include "tests/unit/tools/report/markup_check.hpp"
-#include "tests/unit/tools/report/mission_log.hpp"
+#include "tests/unit/tools/report/synthetic_mission_log.hpp"
 #include "tools/cloud/cloud_file.hpp"
 #include "tools/eval/map_image.hpp"
 #include "tools/eval/tum.hpp"
@@ -56,37 +57,38 @@ class Report : public testing::Test {
 TEST_F(Report, SaysHowTheMissionWent) {
   const MissionReport report = run();
   EXPECT_EQ(report.outcome, "The robot came home. Of 3 openings, 1 is left open.");
-  EXPECT_THAT(report.complaints, IsEmpty());
+  EXPECT_THAT(report.warnings, IsEmpty());
   EXPECT_EQ(report.scans, 2U);
-  EXPECT_NEAR(report.way_m, 20.0, 1e-9);
+  EXPECT_NEAR(report.distance_travelled_m, 20.0, 1e-9);
   EXPECT_EQ(report.page_bytes, fs::file_size(out() / "mission.html"));
 }
 
 TEST_F(Report, CountsWhatIsInTheLog) {
   run();
-  const json facts = summary();
-  EXPECT_EQ(facts["simulated"], true);
-  EXPECT_NEAR(facts["duration_s"], 51.0, 1e-6);
-  EXPECT_NEAR(facts["farthest_from_start_m"], 10.0, 1e-9);
-  EXPECT_EQ(facts["mission"]["outcome"], "home");
-  EXPECT_EQ(facts["mission"]["turned_around_because"], test::kHostile);
-  EXPECT_NEAR(facts["phases"]["by_phase"]["execute"]["seconds"], 18.0 + 20.0, 1e-6);
-  EXPECT_NEAR(facts["phases"]["by_phase"]["scan"]["share"], 8.0 / 51.0, 1e-6);
-  EXPECT_EQ(facts["scans"], (json{{"taken", 2}, {"without_path", 1}}));
-  EXPECT_EQ(facts["map"]["local_maps"], 4);
-  EXPECT_EQ(facts["map"]["closures"],
+  const json statistics = summary();
+  EXPECT_EQ(statistics["simulated"], true);
+  EXPECT_NEAR(statistics["duration_s"], 51.0, 1e-6);
+  EXPECT_NEAR(statistics["max_distance_from_start_m"], 10.0, 1e-9);
+  EXPECT_EQ(statistics["mission"]["outcome"], "home");
+  EXPECT_EQ(statistics["mission"]["homeward_reason"], test::kHtmlInjection);
+  EXPECT_NEAR(statistics["phases"]["by_phase"]["execute"]["seconds"], 18.0 + 20.0, 1e-6);
+  EXPECT_NEAR(statistics["phases"]["by_phase"]["scan"]["share"], 8.0 / 51.0, 1e-6);
+  EXPECT_EQ(statistics["scans"], (json{{"taken", 2}, {"without_path", 1}}));
+  EXPECT_EQ(statistics["map"]["local_maps"], 4);
+  EXPECT_EQ(statistics["map"]["closures"],
             (json{{"proposed", 2}, {"accepted", 1}, {"revised", 1}, {"revoked", 1}}));
-  EXPECT_EQ(facts["guard"]["stops"], 1);
-  EXPECT_NEAR(facts["guard"]["stopped_s"], 2.0, 0.11);  // the step of the orders
-  EXPECT_EQ(facts["restarts"], 1);
-  EXPECT_EQ(facts["collision"], false);
-  EXPECT_EQ(facts["config"]["planning"]["version"], "1.2.3");
-  EXPECT_LT(facts["against_truth"]["rmse_m"], 1e-3);  // the world lies elsewhere, but is the same
+  EXPECT_EQ(statistics["guard"]["stops"], 1);
+  EXPECT_NEAR(statistics["guard"]["stopped_s"], 2.0, 0.11);  // the step of the orders
+  EXPECT_EQ(statistics["restarts"], 1);
+  EXPECT_EQ(statistics["collision"], false);
+  EXPECT_EQ(statistics["config"]["planning"]["version"], "1.2.3");
+  EXPECT_LT(statistics["against_truth"]["rmse_m"],
+            1e-3);  // the world lies elsewhere, but is the same
 }
 
 TEST_F(Report, DrawsTheWallsWhereTheyAre) {
   run();
-  const auto walls = read_occupied(out() / "map.yaml");
+  const auto walls = read_occupied_cells(out() / "map.yaml");
   ASSERT_GT(walls.size(), 500U);
   std::size_t beside = 0;
   for (const Eigen::Vector2d& p_map : walls) {
@@ -115,7 +117,7 @@ TEST_F(Report, WritesAnOctreeThatIsOne) {
   ASSERT_NE(data, std::string::npos);
   const OctreeCounts cells = count_cells(
       {reinterpret_cast<const std::uint8_t*>(volume.data()) + data + 6, volume.size() - data - 6});
-  EXPECT_EQ(cells.refusal, "");
+  EXPECT_EQ(cells.rejection, "");
   EXPECT_GT(cells.occupied, 1000);
   EXPECT_GT(cells.free, cells.occupied);
 }
@@ -130,23 +132,23 @@ TEST_F(Report, WritesTheCorridorsInMetres) {
   const json& open = geo["features"][3]["properties"];
   EXPECT_EQ(open["state"], "open");
   EXPECT_EQ(open["closed"], false);
-  EXPECT_EQ(open["evidence"], test::kHostile);
+  EXPECT_EQ(open["evidence"], test::kHtmlInjection);
 }
 
 TEST_F(Report, MakesAPageThatIsWellFormedAndNeedsNothingElse) {
   run();
-  EXPECT_THAT(test::faults_of_markup(text("mission.html")), IsEmpty());
-  EXPECT_THAT(test::faults_of_markup(text("map.svg")), IsEmpty());
-  EXPECT_THAT(test::links_of_markup(text("mission.html")),
+  EXPECT_THAT(test::markup_errors(text("mission.html")), IsEmpty());
+  EXPECT_THAT(test::markup_errors(text("map.svg")), IsEmpty());
+  EXPECT_THAT(test::markup_links(text("mission.html")),
               Each(AnyOf(StartsWith("#"), StartsWith("data:image/png;base64,"))));
   EXPECT_THAT(text("mission.html"), Not(HasSubstr("http")));
   EXPECT_THAT(text("mission.html"), Not(HasSubstr("url(")));
-  EXPECT_THAT(test::links_of_markup(text("map.svg")), Contains("mission.html#scan-2"));
+  EXPECT_THAT(test::markup_links(text("map.svg")), Contains("mission.html#scan-2"));
 }
 
-TEST_F(Report, LinksScansAndOpeningsOfTheMapToWhatIsSaidOfThem) {
+TEST_F(Report, LinksScansAndFrontiersOfTheMapToWhatIsSaidOfThem) {
   run();
-  const auto links = test::links_of_markup(text("mission.html"));
+  const auto links = test::markup_links(text("mission.html"));
   for (const char* link : {"#scan-1", "#scan-2", "#stub-0", "#stub-2"}) {
     EXPECT_THAT(links,
                 Contains(link));  // that they lead somewhere is of a page that is well-formed
@@ -174,12 +176,13 @@ TEST_F(Report, SaysWhatItCanWithoutPhases) {
   const MissionReport report = run({{"PHASE"}});
   EXPECT_THAT(report.outcome, HasSubstr("does not say how the mission stood"));
   EXPECT_THAT(text("mission.html"), HasSubstr("The log has no PHASE"));
-  const json facts = summary();
-  EXPECT_EQ(facts["mission"]["outcome"], nullptr);
-  EXPECT_NEAR(facts["way_m"], 20.0, 0.5);  // two steps of the path, and the turn
+  const json statistics = summary();
+  EXPECT_EQ(statistics["mission"]["outcome"], nullptr);
+  EXPECT_NEAR(statistics["distance_travelled_m"], 20.0,
+              0.5);  // two steps of the path, and the turn
   // From the request to the cloud; from when driving said that it drove.
-  EXPECT_NEAR(facts["phases"]["by_phase"]["scan"]["seconds"], 7.0, 1e-6);
-  EXPECT_NEAR(facts["phases"]["by_phase"]["execute"]["seconds"], 18.0 + 20.0, 1e-6);
+  EXPECT_NEAR(statistics["phases"]["by_phase"]["scan"]["seconds"], 7.0, 1e-6);
+  EXPECT_NEAR(statistics["phases"]["by_phase"]["execute"]["seconds"], 18.0 + 20.0, 1e-6);
 }
 
 TEST_F(Report, SaysNothingOfATruthThatIsNotThere) {
@@ -193,26 +196,26 @@ TEST_F(Report, LeavesOutWhatTheLogLacksAndSaysSo) {
   const MissionReport report =
       run({{"LOCAL_MAP", "POSE_GRAPH", "ASSOCIATION", "CLOUD", "EXPLORATION"}});
   for (const char* lack : {"no map", "no graph.g2o", "no cloud.ply", "no junctions.geojson"}) {
-    EXPECT_THAT(report.complaints, Contains(HasSubstr(lack)));
+    EXPECT_THAT(report.warnings, Contains(HasSubstr(lack)));
   }
   EXPECT_FALSE(fs::exists(out() / "map.png"));
   EXPECT_FALSE(fs::exists(out() / "cloud.ply"));
-  EXPECT_THAT(test::faults_of_markup(text("mission.html")), IsEmpty());
+  EXPECT_THAT(test::markup_errors(text("mission.html")), IsEmpty());
 }
 
 TEST_F(Report, SaysWhichLocalMapsAreMissing) {
   const MissionReport report = run({{}, 15.0});  // the first one came at 10 s
-  EXPECT_THAT(report.complaints, Contains(HasSubstr("1 local map of the pose graph")));
+  EXPECT_THAT(report.warnings, Contains(HasSubstr("1 local map of the pose graph")));
   EXPECT_EQ(summary()["map"]["local_maps"], 4);
 }
 
-TEST_F(Report, TakesALogThatIsCutOff) {
+TEST_F(Report, TakesALogThatIsPowerLoss) {
   test::write_mission_log(folder_ / "a.lcmlog");
   fs::resize_file(folder_ / "a.lcmlog", fs::file_size(folder_ / "a.lcmlog") / 2 + 5);
   const MissionReport report = write_report({{folder_ / "a.lcmlog"}, out()});
   EXPECT_THAT(report.outcome, HasSubstr("under way"));
-  EXPECT_THAT(report.complaints, Contains(HasSubstr("cut off")));
-  EXPECT_THAT(test::faults_of_markup(text("mission.html")), IsEmpty());
+  EXPECT_THAT(report.warnings, Contains(HasSubstr("cut off")));
+  EXPECT_THAT(test::markup_errors(text("mission.html")), IsEmpty());
 }
 
 TEST_F(Report, PassesOverMessagesThatAreNone) {
@@ -222,7 +225,7 @@ TEST_F(Report, PassesOverMessagesThatAreNone) {
   for (int i = 0; i < 3; ++i) damaged.write({kMissionUtime + 60'000'000, "PATH", bytes});
   damaged.close();
   const MissionReport report = write_report({{folder_ / "a.lcmlog", folder_ / "b.lcmlog"}, out()});
-  EXPECT_THAT(report.complaints, ElementsAre(HasSubstr("3 messages of PATH")));
+  EXPECT_THAT(report.warnings, ElementsAre(HasSubstr("3 messages of PATH")));
   EXPECT_EQ(report.scans, 2U);
 }
 
@@ -261,12 +264,35 @@ TEST_F(Report, LeavesTheLogsOfAMissionInItsFolderAsTheyAre) {
   EXPECT_EQ(here, summary());
 }
 
-TEST_F(Report, RefusesWhatIsNoLogOfAMission) {
+TEST_F(Report, RejectsWhatIsNoLogOfAMission) {
   std::ofstream(folder_ / "empty.lcmlog").close();
   EXPECT_THROW(write_report({{folder_ / "empty.lcmlog"}, out()}), std::runtime_error);
   EXPECT_THROW(write_report({{folder_ / "none.lcmlog"}, out()}), std::runtime_error);
   EXPECT_THROW(run({{"PHASE", "POSE", "LOCAL_MAP", "CLOUD"}}), std::runtime_error);
   EXPECT_FALSE(fs::exists(out()));
+}
+
+}  // namespace
+namespace {
+
+using testing::HasSubstr;
+using testing::MatchesRegex;
+
+TEST(ReportCommand, SaysWhereThePageIsAndHowTheMissionWent) {
+  const test::ScratchFolder folder;
+  test::write_mission_log(folder / "run.lcmlog");
+  const CommandResult outcome = adit({"report", folder / "run.lcmlog", "--out", folder / "out"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out, HasSubstr("out/mission.html: The robot came home."));
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST(ReportCommand, EndsWithOneLineForAnEmptyLog) {
+  const test::ScratchFolder folder;
+  std::ofstream(folder / "empty.lcmlog").close();
+  const CommandResult outcome = adit({"report", folder / "empty.lcmlog", "--out", folder / "out"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, MatchesRegex("adit: no event in [^\n]*empty.lcmlog\n"));
 }
 
 }  // namespace

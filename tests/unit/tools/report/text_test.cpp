@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/report/text.hpp"
-
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "tools/report/data_uri.hpp"
+#include "tools/report/html/text_format.hpp"
+#include "tools/report/svg/indexed_png.hpp"
 
 namespace adit {
 namespace {
@@ -32,8 +31,8 @@ TEST(ReportText, WritesNumbersAsPeopleDo) {
   EXPECT_EQ(metres(12.34), "12.3\u00A0m");
   EXPECT_EQ(percent(0.0215), "2.1\u00A0%");
   EXPECT_EQ(percent(0.5), "50\u00A0%");
-  EXPECT_EQ(counted(1, "scan"), "1 scan");
-  EXPECT_EQ(counted(0, "scan"), "0 scans");
+  EXPECT_EQ(count_text(1, "scan"), "1 scan");
+  EXPECT_EQ(count_text(0, "scan"), "0 scans");
 }
 
 TEST(ReportText, WritesTimes) {

@@ -55,19 +55,19 @@ TEST_P(ParallelMines, TheRobotBelievesItselfInTheOtherDriftWhenItComesBack) {
   SampleRun run(sample_site(SampleWorld::kParallel, GetParam()), GetParam());
   const Pose2 start = run.truth().front().pose;
   double nearest_m = 1e9;
-  Pose2 believed;
+  Pose2 estimated;
   std::size_t i = 0;
   while (const auto reading = run.next()) {
     const Pose2& truth = run.truth()[i++].pose;
     const double off_m = (truth.translation() - Eigen::Vector2d(0.0, 0.0)).norm();
     if (i < 4000 || off_m > nearest_m) continue;  // the second time that it comes by
     nearest_m = off_m;
-    believed = start * reading->odometry.T_wheel_body;
+    estimated = start * reading->odometry.T_wheel_body;
   }
   EXPECT_LT(nearest_m, 0.2);
-  EXPECT_NEAR(believed.x, kNorth.x(), 2.0);
-  EXPECT_NEAR(believed.y, kNorth.y(), 4.0);  // 6 would be half-way
-  EXPECT_LT(std::abs(believed.theta), 0.17);
+  EXPECT_NEAR(estimated.x, kNorth.x(), 2.0);
+  EXPECT_NEAR(estimated.y, kNorth.y(), 4.0);  // 6 would be half-way
+  EXPECT_LT(std::abs(estimated.theta), 0.17);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, ParallelMines, testing::Values(1, 2, 3, 42));

@@ -14,7 +14,7 @@ namespace {
 TEST(SyntheticLaser, MeasuresCounterClockwiseFromTheRight) {
   SyntheticLaserModel model;
   model.noise_sd_m = 0.0;
-  const SyntheticWorld world = straight_drift(400.0, 4.0);
+  const SyntheticWorld world = straight_tunnel(400.0, 4.0);
   const LaserScan scan = SyntheticLaser(model, 1).measure(world, {0.0, 0.5, 0.0}, 77);
   EXPECT_EQ(scan.utime, 77);
   ASSERT_EQ(scan.ranges_m.size(), 181U);
@@ -27,7 +27,7 @@ TEST(SyntheticLaser, HasTheNoiseItIsGiven) {
   SyntheticLaserModel model;
   model.noise_sd_m = 0.05;
   SyntheticLaser laser(model, 1);
-  const SyntheticWorld world = straight_drift(400.0, 4.0);
+  const SyntheticWorld world = straight_tunnel(400.0, 4.0);
   double squares = 0.0;
   const int count = 2000;
   for (int i = 0; i < count; ++i) {
@@ -41,7 +41,7 @@ TEST(SyntheticLaser, MayLookInOtherDirectionsThanItReports) {
   SyntheticLaserModel model;
   model.noise_sd_m = 0.0;
   model.bearing_scale = 0.5;
-  const LaserScan scan = SyntheticLaser(model, 1).measure(straight_drift(400.0, 4.0), {}, 0);
+  const LaserScan scan = SyntheticLaser(model, 1).measure(straight_tunnel(400.0, 4.0), {}, 0);
   EXPECT_FLOAT_EQ(static_cast<float>(scan.angle_min_rad), -1.5707963F);
   EXPECT_FLOAT_EQ(scan.ranges_m.back(), 2.83F);  // at 45 degrees
 }

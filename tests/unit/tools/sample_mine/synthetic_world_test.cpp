@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "common/geometry/angle.hpp"
+#include "common/geometry/pose2.hpp"
 
 namespace adit {
 namespace {

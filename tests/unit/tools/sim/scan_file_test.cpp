@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "common/bus/event_source.hpp"
-#include "common/messages/cloud_pieces.hpp"
+#include "common/bus/log/event_source.hpp"
 #include "common/messages/codec.hpp"
+#include "common/messages/mapping/cloud.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace adit {
@@ -26,7 +26,7 @@ TEST(ScanFile, ALogHoldsAllOfTheScan) {
   }
   write_scan(cloud, folder / "scan.lcmlog");
   const LogFile log(folder / "scan.lcmlog");
-  CloudAssembler assembler;
+  CloudReassembler assembler;
   std::optional<Cloud> read;
   for (const LogEventView& event : log.events()) {
     EXPECT_EQ(event.channel, "CLOUD");
@@ -39,7 +39,7 @@ TEST(ScanFile, ALogHoldsAllOfTheScan) {
   EXPECT_EQ(read->lines[7].misses.size(), 5U);
 }
 
-TEST(ScanFile, RefusesAnyOtherKindOfFile) {
+TEST(ScanFile, RejectsAnyOtherKindOfFile) {
   EXPECT_THROW(write_scan({}, "scan.stl"), std::runtime_error);
   EXPECT_THROW(write_scan({}, "/nowhere/scan.ply"), std::runtime_error);
 }

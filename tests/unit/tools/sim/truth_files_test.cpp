@@ -16,8 +16,8 @@ using Json = nlohmann::json;
 
 World sample_world() {
   World world;
-  world.truth.drifts.nodes = {{{0.0, 0.0}, true}, {{10.0, 0.0}, false}};
-  world.truth.drifts.edges = {{0, 1, {{0.0, 0.0}, {10.0, 0.0}}, 10.0, 3.0, "main"}};
+  world.truth.tunnels.nodes = {{{0.0, 0.0}, true}, {{10.0, 0.0}, false}};
+  world.truth.tunnels.edges = {{0, 1, {{0.0, 0.0}, {10.0, 0.0}}, 10.0, 3.0, "main"}};
   world.truth.plan = {{{{0.0, -1.5}, {10.0, -1.5}, {10.0, 1.5}, {0.0, 1.5}}}};
   world.truth.obstacles = {
       {PartKind::kPost, "posts_0", {{4.0, 1.0}, {4.2, 1.0}, {4.1, 1.2}}, 0.0, 2.0}};

@@ -9,13 +9,12 @@
 #include <gtest/gtest.h>
 
 #include "common/bus/channels.hpp"
-#include "common/bus/log_writer.hpp"
-#include "common/messages/cloud_pieces.hpp"
+#include "common/bus/log/lcm_log.hpp"
 #include "common/messages/codec.hpp"
-#include "common/messages/map_correction.hpp"
-#include "common/messages/pose_graph_pieces.hpp"
+#include "common/messages/mapping/cloud.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tests/unit/procs/volume_map/swept_drift.hpp"
+#include "tests/unit/procs/volume_map/swept_tunnel.hpp"
 
 namespace adit {
 namespace {
@@ -33,15 +32,15 @@ class VolumeRun : public testing::Test {
     log_.write({kUtime + events_++, std::string(channel), bytes});
   }
   void write_cloud(double x) {
-    Cloud cloud = test::sweep_of_drift({x, 0.0, 0.0}, 20);
+    Cloud cloud = test::sweep_of_tunnel({x, 0.0, 0.0}, 20);
     cloud.utime = kUtime + events_;
-    for (const CloudPiece& piece : divide(cloud)) {
-      write(channels::kCloud, encode(to_message(piece)));
+    for (const CloudFragment& fragment : split(cloud)) {
+      write(channels::kCloud, encode(to_message(fragment)));
     }
   }
   void write_graph() {
-    for (const PoseGraphPiece& piece : divide(MapGraph{kUtime, 1, {{}}, {}})) {
-      write(channels::kPoseGraph, encode(to_message(piece)));
+    for (const PoseGraphFragment& fragment : split(MapGraph{kUtime, 1, {{}}, {}})) {
+      write(channels::kPoseGraph, encode(to_message(fragment)));
     }
     write(channels::kMapCorrection, encode(to_message(MapCorrection{kUtime, 1, 0, 0, {}, {}})));
   }
@@ -64,7 +63,7 @@ TEST_F(VolumeRun, MakesThreeFilesOfALog) {
   const VolumeRunResult result = run("out");
   EXPECT_EQ(result.scans, 2);
   EXPECT_EQ(result.volumes, 2U);
-  EXPECT_THAT(result.complaints, IsEmpty());
+  EXPECT_THAT(result.warnings, IsEmpty());
   EXPECT_GT(fs::file_size(folder_ / "out" / "volume.bt"), 1000U);
   EXPECT_GT(fs::file_size(folder_ / "out" / "volume.ot"), 1000U);
   EXPECT_GT(fs::file_size(folder_ / "out" / "cloud.ply"), 16 * result.points);
@@ -84,10 +83,10 @@ TEST_F(VolumeRun, GivesTheSameBytesAgain) {
 
 TEST_F(VolumeRun, SaysWhereThereIsNoGraph) {
   write_cloud(0.0);
-  EXPECT_THAT(run("out").complaints, ElementsAre(HasSubstr("no pose graph")));
+  EXPECT_THAT(run("out").warnings, ElementsAre(HasSubstr("no pose graph")));
 }
 
-TEST_F(VolumeRun, RefusesALogWithoutScans) {
+TEST_F(VolumeRun, RejectsALogWithoutScans) {
   write_graph();
   EXPECT_THROW(run("out"), std::runtime_error);
   EXPECT_FALSE(fs::exists(folder_ / "out"));

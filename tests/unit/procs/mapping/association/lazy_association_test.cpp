@@ -21,7 +21,7 @@ const Pose2 kBeside{0.0, 8.0, 0.0};  // as in a parallel corridor
 
 /// What is decided about groups of closures, in the order in which they come.
 std::vector<int> chosen_of(const LazyAssociation& association, int first, int count) {
-  const auto& all = association.belief().chosen;
+  const auto& all = association.hypothesis().chosen;
   return {all.begin() + first, all.begin() + first + count};
 }
 
@@ -37,8 +37,8 @@ class BothOrders : public testing::TestWithParam<bool> {
   [[nodiscard]] static LazyAssociationParams params() { return {.best_first = GetParam()}; }
 
   std::vector<Association> decide(const test::RingWalk& walk,
-                                  const std::vector<Closure>& closures) {
-    return test::drive(association_, walk, closures);
+                                  const std::vector<LoopClosure>& loop_closures) {
+    return test::drive(association_, walk, loop_closures);
   }
 
   LazyAssociation association_{params()};
@@ -47,56 +47,56 @@ class BothOrders : public testing::TestWithParam<bool> {
 INSTANTIATE_TEST_SUITE_P(LazyAssociation, BothOrders, testing::Bool(),
                          [](const auto& order) { return order.param ? "BestFirst" : "Threshold"; });
 
-TEST_P(BothOrders, TakeRightClosures) {
+TEST_P(BothOrders, TakeRightLoopClosures) {
   test::RingWalk walk(300);
   const auto history = decide(walk, together({walk.group(205, 10), walk.group(260, 10)}));
-  EXPECT_THAT(association_.belief().chosen, Each(0));
+  EXPECT_THAT(association_.hypothesis().chosen, Each(0));
   EXPECT_EQ(history.size(), 20U);
   EXPECT_EQ(revisions(history), 0);
 }
 
 TEST_P(BothOrders, ComeBackToHowThingsStood) {
   test::RingWalk walk(300);
-  const auto closures = together({walk.group(205, 10), walk.group(260, 10)});
-  decide(walk, closures);
-  const Belief before = association_.belief();
+  const auto loop_closures = together({walk.group(205, 10), walk.group(260, 10)});
+  decide(walk, loop_closures);
+  const Hypothesis before = association_.hypothesis();
   const auto again = [&] {
     association_.add_map(walk.chain.front().T_from_to, walk.chain.front().information);
-    return association_.decide({walk.closure(99, 299)}, 0).size();
+    return association_.decide({walk.loop_closure(99, 299)}, 0).size();
   };
-  const auto mark = association_.mark();
+  const auto checkpoint = association_.checkpoint();
   EXPECT_EQ(again(), 1U);
-  association_.go_back_to(mark);
-  EXPECT_EQ(association_.belief().chosen, before.chosen);
-  EXPECT_EQ(association_.belief().T_map_local, before.T_map_local);
-  EXPECT_EQ(association_.problem().closures.size(), closures.size());
+  association_.roll_back(checkpoint);
+  EXPECT_EQ(association_.hypothesis().chosen, before.chosen);
+  EXPECT_EQ(association_.hypothesis().T_map_local, before.T_map_local);
+  EXPECT_EQ(association_.problem().loop_closures.size(), loop_closures.size());
   EXPECT_EQ(association_.problem().chain.size(), walk.chain.size());
   EXPECT_EQ(again(), 1U);
 }
 
 TEST_P(BothOrders, TakeNoneWhereNothingFits) {
   test::RingWalk walk(300);
-  auto far = walk.closure(100, 210);
+  auto far = walk.loop_closure(100, 210);
   far.alternatives.push_back(walk.alternative(80, 210));
   far.alternatives[1].T_older_newer = {};
   far.alternatives[0].T_older_newer = {};
   decide(walk, {far});
-  EXPECT_EQ(association_.belief().chosen, std::vector<int>{kNone});
-  EXPECT_NEAR(association_.belief().objective, 0.0, 1e-9);
-  EXPECT_NEAR(association_.belief().cost, params().gate, 1e-9);
+  EXPECT_EQ(association_.hypothesis().chosen, std::vector<int>{kNone});
+  EXPECT_NEAR(association_.hypothesis().objective, 0.0, 1e-9);
+  EXPECT_NEAR(association_.hypothesis().cost, params().gate, 1e-9);
   EXPECT_EQ(association_.trials(), 0);
 }
 
-TEST_P(BothOrders, UndoAnEarlyWrongClosureForSeveralRightOnes) {
+TEST_P(BothOrders, UndoAnEarlyWrongLoopClosureForSeveralRightOnes) {
   test::RingWalk walk(300);
   const auto history = decide(walk, together({walk.group(203, 1, kBeside), walk.group(240, 6)}));
   ASSERT_FALSE(history.empty());
   EXPECT_EQ(history.front().chosen, 0) << "was not believed at first: nothing to undo";
-  EXPECT_EQ(association_.belief().chosen, (std::vector<int>{kNone, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(association_.hypothesis().chosen, (std::vector<int>{kNone, 0, 0, 0, 0, 0, 0}));
   EXPECT_GE(revisions(history), 1);
 }
 
-TEST_P(BothOrders, UndoAGroupOfWrongClosuresThatAgreeForTwoRightGroups) {
+TEST_P(BothOrders, UndoAGroupOfWrongLoopClosuresThatAgreeForTwoRightGroups) {
   test::RingWalk walk(330);
   const auto history = decide(
       walk, together({walk.group(203, 20, kBeside), walk.group(255, 15), walk.group(290, 15)}));
@@ -106,7 +106,7 @@ TEST_P(BothOrders, UndoAGroupOfWrongClosuresThatAgreeForTwoRightGroups) {
   EXPECT_THAT(chosen_of(association_, 20, 30), Each(0));
 }
 
-TEST_P(BothOrders, KeepAGroupOfRightClosuresAgainstAWrongOne) {
+TEST_P(BothOrders, KeepAGroupOfRightLoopClosuresAgainstAWrongOne) {
   test::RingWalk walk(300);
   decide(walk, together({walk.group(203, 20), walk.group(255, 10, kBeside)}));
   EXPECT_THAT(chosen_of(association_, 0, 20), Each(0));
@@ -115,30 +115,31 @@ TEST_P(BothOrders, KeepAGroupOfRightClosuresAgainstAWrongOne) {
 
 TEST_P(BothOrders, ChooseTheNextAlternativeWhenTheFirstIsContradicted) {
   test::RingWalk walk(300);
-  Closure open = walk.closure(3, 203);
+  LoopClosure open = walk.loop_closure(3, 203);
   open.alternatives = {walk.alternative(3, 203, kBeside, 10.0), walk.alternative(3, 203, {}, 8.0)};
   const auto history = decide(walk, together({{open}, walk.group(240, 6)}));
   ASSERT_FALSE(history.empty());
   EXPECT_EQ(history.front().chosen, 0) << "was not believed at first: nothing to undo";
-  EXPECT_EQ(association_.belief().chosen, (std::vector<int>{1, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(association_.hypothesis().chosen, (std::vector<int>{1, 0, 0, 0, 0, 0, 0}));
 }
 
 TEST_P(BothOrders, TakeWhatIsKnownOfAnOpenDirection) {
   test::RingWalk walk(300);
-  auto closures = together({walk.group(205, 5), walk.group(260, 5)});
-  for (Closure& closure : closures) {
-    ClosureAlternative& a = closure.alternatives.front();
+  auto loop_closures = together({walk.group(205, 5), walk.group(260, 5)});
+  for (LoopClosure& loop_closure : loop_closures) {
+    LoopClosureAlternative& a = loop_closure.alternatives.front();
     a.information.row(0).setZero();
     a.information.col(0).setZero();
-    a.T_older_newer = a.T_older_newer * Pose2{closure.newer_map % 2 == 0 ? 2.0 : -2.0, 0.0, 0.0};
+    a.T_older_newer =
+        a.T_older_newer * Pose2{loop_closure.newer_map % 2 == 0 ? 2.0 : -2.0, 0.0, 0.0};
   }
-  decide(walk, closures);
-  EXPECT_THAT(association_.belief().chosen, Each(0));
-  EXPECT_TRUE(std::isfinite(association_.belief().cost));
+  decide(walk, loop_closures);
+  EXPECT_THAT(association_.hypothesis().chosen, Each(0));
+  EXPECT_TRUE(std::isfinite(association_.hypothesis().cost));
 }
 
-std::vector<Closure> right_and_wrong(test::RingWalk& walk) {
-  Closure open = walk.closure(28, 228);
+std::vector<LoopClosure> right_and_wrong(test::RingWalk& walk) {
+  LoopClosure open = walk.loop_closure(28, 228);
   open.alternatives = {walk.alternative(28, 228, kBeside, 10.0),
                        walk.alternative(28, 228, {}, 8.0)};
   return together({walk.group(203, 3, kBeside),
@@ -148,7 +149,7 @@ std::vector<Closure> right_and_wrong(test::RingWalk& walk) {
                    walk.group(290, 5)});
 }
 
-TEST_P(BothOrders, HaveAHistoryThatReplaysToTheSameBelief) {
+TEST_P(BothOrders, HaveAHistoryThatReplaysToTheSameEstimate) {
   test::RingWalk walk(300);
   auto history = decide(walk, right_and_wrong(walk));
   const auto late = association_.reconsider(300);
@@ -158,40 +159,40 @@ TEST_P(BothOrders, HaveAHistoryThatReplaysToTheSameBelief) {
   LazyAssociation again(params());
   test::drive(again, walk, {});
   again.restore(history);
-  const Belief& expected = association_.belief();
-  EXPECT_EQ(again.belief().chosen, expected.chosen);
-  EXPECT_NEAR(again.belief().cost, expected.cost, 1e-3 * expected.cost);
+  const Hypothesis& expected = association_.hypothesis();
+  EXPECT_EQ(again.hypothesis().chosen, expected.chosen);
+  EXPECT_NEAR(again.hypothesis().cost, expected.cost, 1e-3 * expected.cost);
   for (std::size_t i = 0; i < expected.T_map_local.size(); ++i) {
-    const Pose2 apart = between(expected.T_map_local[i], again.belief().T_map_local[i]);
+    const Pose2 apart = between(expected.T_map_local[i], again.hypothesis().T_map_local[i]);
     EXPECT_LT(apart.vector().norm(), 0.05) << i;  // fields that are not quite settled
   }
 }
 
-TEST_P(BothOrders, ProposeEachClosureOnceAndReviseOnlyWhatWasProposed) {
+TEST_P(BothOrders, ProposeEachLoopClosureOnceAndReviseOnlyWhatWasProposed) {
   test::RingWalk walk(300);
-  const auto closures = right_and_wrong(walk);
+  const auto loop_closures = right_and_wrong(walk);
   std::vector<int> decided;
-  for (const Association& a : decide(walk, closures)) {
-    const auto k = static_cast<std::size_t>(a.closure.id);
+  for (const Association& a : decide(walk, loop_closures)) {
+    const auto k = static_cast<std::size_t>(a.loop_closure.id);
     if (a.action == Association::Action::kProposed) {
       EXPECT_EQ(k, decided.size());
       decided.push_back(kNone);
     }
     ASSERT_LT(k, decided.size());
-    EXPECT_EQ(a.chosen_before, decided[k]);
+    EXPECT_EQ(a.previously_chosen, decided[k]);
     decided[k] = a.chosen;
   }
-  EXPECT_EQ(decided, association_.belief().chosen);
-  EXPECT_EQ(decided.size(), closures.size());
+  EXPECT_EQ(decided, association_.hypothesis().chosen);
+  EXPECT_EQ(decided.size(), loop_closures.size());
 }
 
 TEST_P(BothOrders, DecideTheSameTwice) {
   test::RingWalk walk(300);
-  const auto closures = right_and_wrong(walk);
-  const auto history = decide(walk, closures);
+  const auto loop_closures = right_and_wrong(walk);
+  const auto history = decide(walk, loop_closures);
   LazyAssociation again(params());
-  EXPECT_EQ(test::drive(again, walk, closures), history);
-  EXPECT_EQ(again.belief().T_map_local, association_.belief().T_map_local);
+  EXPECT_EQ(test::drive(again, walk, loop_closures), history);
+  EXPECT_EQ(again.hypothesis().T_map_local, association_.hypothesis().T_map_local);
   EXPECT_EQ(again.trials(), association_.trials());
 }
 
@@ -199,15 +200,15 @@ TEST(LazyAssociation, IsNothingWhileThereIsNoMap) {
   LazyAssociation association({});
   EXPECT_THAT(association.decide({}, 0), IsEmpty());
   EXPECT_THAT(association.reconsider(0), IsEmpty());
-  EXPECT_THAT(association.belief().T_map_local, IsEmpty());
+  EXPECT_THAT(association.hypothesis().T_map_local, IsEmpty());
 }
 
-TEST(LazyAssociation, PutsTheMapsWhereTheWayHasThemWithoutClosures) {
+TEST(LazyAssociation, PutsTheMapsWhereTheWayHasThemWithoutLoopClosures) {
   const test::RingWalk walk(50);
   LazyAssociation association({});
   test::drive(association, walk, {});
-  const UncertainPose end = association.problem().way.between(0, 49);
-  const Pose2 apart = between(end.T_from_to, association.belief().T_map_local.back());
+  const UncertainPose end = association.problem().odometry.between(0, 49);
+  const Pose2 apart = between(end.T_from_to, association.hypothesis().T_map_local.back());
   EXPECT_LT(apart.vector().norm(), 1e-9);
 }
 

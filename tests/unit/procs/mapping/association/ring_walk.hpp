@@ -57,22 +57,22 @@ class RingWalk {
   }
 
   /// Where the newer map lies on the older: as it is, but for noise, or moved by `error`.
-  ClosureAlternative alternative(int older, int newer, const Pose2& error = {},
-                                 double log_likelihood = 0.0) {
-    return {older, true_motion(older, newer) * error * normal_.motion(kClosure),
-            information_of(kClosure), log_likelihood};
+  LoopClosureAlternative alternative(int older, int newer, const Pose2& error = {},
+                                     double log_likelihood = 0.0) {
+    return {older, true_motion(older, newer) * error * normal_.motion(kLoopClosure),
+            information_of(kLoopClosure), log_likelihood};
   }
-  Closure closure(int older, int newer, const Pose2& error = {}) {
-    Closure result;
+  LoopClosure loop_closure(int older, int newer, const Pose2& error = {}) {
+    LoopClosure result;
     result.newer_map = newer;
     result.alternatives = {alternative(older, newer, error)};
     return result;
   }
   /// Closures of `count` maps from `newer` on with those a round before, all with the same error.
-  std::vector<Closure> group(int newer, int count, const Pose2& error = {}) {
-    std::vector<Closure> result;
+  std::vector<LoopClosure> group(int newer, int count, const Pose2& error = {}) {
+    std::vector<LoopClosure> result;
     for (int k = 0; k < count; ++k) {
-      result.push_back(closure(newer + k - kRound, newer + k, error));
+      result.push_back(loop_closure(newer + k - kRound, newer + k, error));
     }
     return result;
   }
@@ -82,7 +82,7 @@ class RingWalk {
 
  private:
   inline static const Eigen::Vector3d kStep{0.05, 0.05, 0.01};
-  inline static const Eigen::Vector3d kClosure{0.05, 0.05, 0.01};
+  inline static const Eigen::Vector3d kLoopClosure{0.05, 0.05, 0.01};
 
   [[nodiscard]] Pose2 true_motion(int from, int to) const {
     return between(truth[static_cast<std::size_t>(from)], truth[static_cast<std::size_t>(to)]);
@@ -91,8 +91,8 @@ class RingWalk {
   Normal normal_;
 };
 
-inline std::vector<Closure> together(const std::vector<std::vector<Closure>>& groups) {
-  std::vector<Closure> all;
+inline std::vector<LoopClosure> together(const std::vector<std::vector<LoopClosure>>& groups) {
+  std::vector<LoopClosure> all;
   for (const auto& group : groups) all.insert(all.end(), group.begin(), group.end());
   return all;
 }
@@ -100,15 +100,15 @@ inline std::vector<Closure> together(const std::vector<std::vector<Closure>>& gr
 /// Adds the maps of the walk one by one and has the closures decided, which are in order of their
 /// newer map, as soon as that is there. What was decided.
 inline std::vector<Association> drive(LazyAssociation& association, const RingWalk& walk,
-                                      const std::vector<Closure>& closures) {
+                                      const std::vector<LoopClosure>& loop_closures) {
   std::vector<Association> history;
-  auto next = closures.begin();
+  auto next = loop_closures.begin();
   for (int map = 0; map < static_cast<int>(walk.truth.size()); ++map) {
     const PoseConstraint step =
         map > 0 ? walk.chain[static_cast<std::size_t>(map - 1)] : PoseConstraint{};
     association.add_map(step.T_from_to, step.information);
-    std::vector<Closure> here;
-    while (next != closures.end() && next->newer_map == map) here.push_back(*next++);
+    std::vector<LoopClosure> here;
+    while (next != loop_closures.end() && next->newer_map == map) here.push_back(*next++);
     const auto decided = association.decide(here, map);
     history.insert(history.end(), decided.begin(), decided.end());
   }
@@ -116,29 +116,29 @@ inline std::vector<Association> drive(LazyAssociation& association, const RingWa
 }
 
 /// The same as a problem of which nothing is decided yet; every closure its own group.
-inline AssociationProblem problem_of(const RingWalk& walk, std::vector<Closure> closures) {
+inline AssociationProblem problem_of(const RingWalk& walk, std::vector<LoopClosure> loop_closures) {
   AssociationProblem problem;
   problem.chain = walk.chain;
-  problem.way.add_map({});
-  for (const PoseConstraint& step : walk.chain) problem.way.add_map(measured_by(step));
-  for (std::size_t k = 0; k < closures.size(); ++k) {
-    closures[k].id = static_cast<int>(k);
+  problem.odometry.add_map({});
+  for (const PoseConstraint& step : walk.chain) problem.odometry.add_map(measured_by(step));
+  for (std::size_t k = 0; k < loop_closures.size(); ++k) {
+    loop_closures[k].id = static_cast<int>(k);
     problem.groups.push_back(static_cast<int>(k));
     problem.plausible.push_back(true);
   }
-  problem.closures = std::move(closures);
+  problem.loop_closures = std::move(loop_closures);
   return problem;
 }
 
 /// Nothing is chosen: the maps lie as the way has them.
-inline Belief nothing_chosen(const AssociationProblem& problem) {
-  Belief belief;
-  belief.chosen.assign(problem.closures.size(), Association::kNone);
-  belief.T_map_local.emplace_back();
+inline Hypothesis nothing_chosen(const AssociationProblem& problem) {
+  Hypothesis hypothesis;
+  hypothesis.chosen.assign(problem.loop_closures.size(), Association::kNone);
+  hypothesis.T_map_local.emplace_back();
   for (const PoseConstraint& step : problem.chain) {
-    belief.T_map_local.push_back(belief.T_map_local.back() * step.T_from_to);
+    hypothesis.T_map_local.push_back(hypothesis.T_map_local.back() * step.T_from_to);
   }
-  return belief;
+  return hypothesis;
 }
 
 }  // namespace adit::test

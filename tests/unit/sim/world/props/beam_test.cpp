@@ -15,7 +15,7 @@ const Eigen::Vector3d kUp = Eigen::Vector3d::UnitZ();
 
 PropDescriptions with_beam() {
   PropDescriptions props;
-  props.beams.push_back({.drift = "main", .at_m = 30.0, .cables = 1});
+  props.beams.push_back({.tunnel = "main", .at_m = 30.0, .cables = 1});
   return props;
 }
 

@@ -14,7 +14,7 @@ const ReliefDescription kRelief{.height_m = 0.03, .length_m = 2.0};
 
 TEST(Pits, AreAsDeepAndWideAsToldWithSteepSides) {
   PropDescriptions props;
-  props.pits.push_back({.name = "sump", .drift = "main", .at_m = 30.0, .across_m = 0.5});
+  props.pits.push_back({.name = "sump", .tunnel = "main", .at_m = 30.0, .across_m = 0.5});
   const PropScene scene(props);
   EXPECT_EQ(scene.heights.floor({30.0, 0.5}), -1.0);
   EXPECT_EQ(scene.heights.floor({30.69, 0.5}), -1.0);
@@ -32,9 +32,9 @@ TEST(Pits, AreAsDeepAndWideAsToldWithSteepSides) {
 TEST(LowRoofs, LeaveTheClearanceAboveTheReliefOfTheFloor) {
   PropDescriptions props;
   props.low_roofs.push_back(
-      {.name = "squeeze", .drift = "bent", .from_m = 20.0, .to_m = 40.0, .clearance_m = 0.8});
+      {.name = "squeeze", .tunnel = "bent", .from_m = 20.0, .to_m = 40.0, .clearance_m = 0.8});
   const PropScene scene(props, kRelief);
-  const DriftLine& bent = scene.drifts[1];
+  const TunnelLine& bent = scene.tunnels[1];
   for (double s = 20.0; s < 40.0; s += 0.31) {
     const Eigen::Vector2d p = bent.beside(s, 0.9);
     EXPECT_NEAR(scene.heights.roof(p) - scene.heights.floor(p), 0.8, 1e-9);
@@ -51,7 +51,7 @@ TEST(LowRoofs, LeaveTheClearanceAboveTheReliefOfTheFloor) {
 PropDescriptions with_water(bool mirror) {
   PropDescriptions props;
   props.water.push_back({.name = "pool",
-                         .drift = "main",
+                         .tunnel = "main",
                          .from_m = 20.0,
                          .to_m = 40.0,
                          .depth_m = 0.5,
@@ -90,7 +90,7 @@ TEST(StandingWater, ReachesFromWallToWall) {
 
 TEST(Mud, IsSoftGroundAndAnObstacle) {
   PropDescriptions props;
-  props.mud.push_back({.name = "mud", .drift = "main", .at_m = 30.0, .across_m = 1.0});
+  props.mud.push_back({.name = "mud", .tunnel = "main", .at_m = 30.0, .across_m = 1.0});
   const PropScene scene(props);
   ASSERT_EQ(scene.world.soft_ground.size(), 1U);
   EXPECT_EQ(scene.world.soft_ground[0].p_world, Eigen::Vector2d(30.0, 1.0));
@@ -100,7 +100,7 @@ TEST(Mud, IsSoftGroundAndAnObstacle) {
 
 TEST(Gas, IsWhereItWasPut) {
   PropDescriptions props;
-  props.gas.push_back({.name = "gas", .drift = "bent", .at_m = 10.0});
+  props.gas.push_back({.name = "gas", .tunnel = "bent", .at_m = 10.0});
   const PropScene scene(props);
   ASSERT_EQ(scene.world.gas.size(), 1U);
   EXPECT_EQ(scene.world.gas[0].p_world, Eigen::Vector2d(10.0, 20.0));

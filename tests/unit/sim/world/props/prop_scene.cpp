@@ -7,10 +7,10 @@
 namespace adit {
 namespace {
 
-PlanDescription two_drifts() {
+PlanDescription two_tunnels() {
   PlanDescription plan;
-  plan.drifts.push_back({.name = "main", .points_m = {0, 0, 60, 0}, .width_m = 4.0});
-  plan.drifts.push_back({.name = "bent", .points_m = {0, 20, 30, 20, 50, 30}, .width_m = 3.0});
+  plan.tunnels.push_back({.name = "main", .points_m = {0, 0, 60, 0}, .width_m = 4.0});
+  plan.tunnels.push_back({.name = "bent", .points_m = {0, 20, 30, 20, 50, 30}, .width_m = 3.0});
   return plan;
 }
 
@@ -24,10 +24,10 @@ HeightsDescription level(const ReliefDescription& relief) {
 }  // namespace
 
 PropScene::PropScene(const PropDescriptions& props, const ReliefDescription& relief, int seed)
-    : drifts(drift_lines(two_drifts())), heights(level(relief), seed) {
-  change_heights(props, drifts, heights);
+    : tunnels(tunnel_lines(two_tunnels())), heights(level(relief), seed) {
+  apply_height_changes(props, tunnels, heights);
   MeshBuilder builder;
-  add_props(props, drifts, heights, seed, builder, world);
+  add_props(props, tunnels, heights, seed, builder, world);
   world.mesh = builder.take();
   scene_.emplace(world.mesh);
 }

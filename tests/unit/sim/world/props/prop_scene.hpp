@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/world/props.hpp"
+#include "sim/world/props/props.hpp"
 
 namespace adit {
 
@@ -24,7 +24,7 @@ struct PropScene {
       const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
       RayScene::Layer layer = RayScene::Layer::kOptical) const;
 
-  std::vector<DriftLine> drifts;
+  std::vector<TunnelLine> tunnels;
   Heights heights;
   World world;
 

@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/world/props/convex_outline.hpp"
-#include "sim/world/props/stone.hpp"
+#include "sim/world/props/outlines.hpp"
+#include "sim/world/props/rubble.hpp"
 #include "tests/unit/sim/world/props/prop_scene.hpp"
 
 namespace adit {
@@ -26,12 +26,12 @@ double outside(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2
 
 PropDescriptions one_of_each() {
   PropDescriptions props;
-  props.posts.push_back({.drift = "bent", .from_m = 3.0, .to_m = 9.0});
-  props.cribs.push_back({.drift = "bent", .at_m = 12.0});
-  props.rubble.push_back({.drift = "bent", .at_m = 35.0});
-  props.beams.push_back({.drift = "bent", .at_m = 25.0});
-  props.cars.push_back({.drift = "bent", .at_m = 45.0});
-  props.water.push_back({.name = "pool", .drift = "main", .from_m = 20.0, .to_m = 40.0});
+  props.posts.push_back({.tunnel = "bent", .from_m = 3.0, .to_m = 9.0});
+  props.cribs.push_back({.tunnel = "bent", .at_m = 12.0});
+  props.rubble.push_back({.tunnel = "bent", .at_m = 35.0});
+  props.beams.push_back({.tunnel = "bent", .at_m = 25.0});
+  props.cars.push_back({.tunnel = "bent", .at_m = 45.0});
+  props.water.push_back({.name = "pool", .tunnel = "main", .from_m = 20.0, .to_m = 40.0});
   return props;
 }
 
@@ -94,7 +94,7 @@ TEST(Stones, AreConvexClosedAndWithinTheirRadius) {
   }
 }
 
-std::string refusal(const PropDescriptions& props) {
+std::string error_of(const PropDescriptions& props) {
   try {
     const PropScene scene(props);
   } catch (const std::invalid_argument& error) {
@@ -103,28 +103,29 @@ std::string refusal(const PropDescriptions& props) {
   return "";
 }
 
-TEST(Props, InADriftThatIsNotThereAreRefusedByName) {
+TEST(Props, InADriftThatIsNotThereAreRejectedByName) {
   PropDescriptions props = one_of_each();
-  props.posts.push_back({.drift = "mian", .from_m = 3.0});
-  EXPECT_THAT(refusal(props), testing::StartsWith("props.posts[1] is in drift 'mian'"));
+  props.posts.push_back({.tunnel = "mian", .from_m = 3.0});
+  EXPECT_THAT(error_of(props), testing::StartsWith("props.posts[1] is in drift 'mian'"));
   props = {};
-  props.water.push_back({.name = "pool", .drift = "mian", .from_m = 1.0, .to_m = 2.0});
-  EXPECT_THAT(refusal(props), testing::StartsWith("props.water[0] is in drift 'mian'"));
+  props.water.push_back({.name = "pool", .tunnel = "mian", .from_m = 1.0, .to_m = 2.0});
+  EXPECT_THAT(error_of(props), testing::StartsWith("props.water[0] is in drift 'mian'"));
 }
 
-TEST(Props, BeyondTheEndOfTheirDriftAreRefusedByName) {
+TEST(Props, BeyondTheEndOfTheirDriftAreRejectedByName) {
   PropDescriptions props;
-  props.beams.push_back({.drift = "main", .at_m = 60.5});
-  EXPECT_EQ(refusal(props), "props.beams[0]: 60.5 m is not along drift 'main', which is 60 m long");
+  props.beams.push_back({.tunnel = "main", .at_m = 60.5});
+  EXPECT_EQ(error_of(props),
+            "props.beams[0]: 60.5 m is not along drift 'main', which is 60 m long");
   props = {};
-  props.low_roofs.push_back({.name = "low", .drift = "main", .from_m = 50.0, .to_m = 61.0});
-  EXPECT_THAT(refusal(props), testing::StartsWith("props.low_roofs[0]: 61 m is not along"));
+  props.low_roofs.push_back({.name = "low", .tunnel = "main", .from_m = 50.0, .to_m = 61.0});
+  EXPECT_THAT(error_of(props), testing::StartsWith("props.low_roofs[0]: 61 m is not along"));
 }
 
-TEST(Props, ThatEndBeforeTheyBeginAreRefusedByName) {
+TEST(Props, ThatEndBeforeTheyBeginAreRejectedByName) {
   PropDescriptions props;
-  props.rails.push_back({.drift = "main", .from_m = 50.0, .to_m = 40.0});
-  EXPECT_EQ(refusal(props), "props.rails[0]: ends at 40 m, and begins at 50 m");
+  props.rails.push_back({.tunnel = "main", .from_m = 50.0, .to_m = 40.0});
+  EXPECT_EQ(error_of(props), "props.rails[0]: ends at 40 m, and begins at 50 m");
 }
 
 }  // namespace

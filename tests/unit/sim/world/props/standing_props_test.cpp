@@ -16,9 +16,9 @@ const Eigen::Vector3d kDown = -Eigen::Vector3d::UnitZ();
 
 constexpr double kFloat = 1e-4;  // of single precision at 60 m, and of the ray casting
 
-PropDescriptions with_rails(const std::string& drift) {
+PropDescriptions with_rails(const std::string& tunnel) {
   PropDescriptions props;
-  props.rails.push_back({.drift = drift, .from_m = 5.0, .to_m = 45.0, .gauge_m = 0.76});
+  props.rails.push_back({.tunnel = tunnel, .from_m = 5.0, .to_m = 45.0, .gauge_m = 0.76});
   return props;
 }
 
@@ -70,7 +70,7 @@ TEST(Rails, LieOnSleepersAtRegularDistances) {
 
 TEST(Rails, FollowABend) {
   const PropScene scene(with_rails("bent"));
-  const DriftLine& bent = scene.drifts[1];
+  const TunnelLine& bent = scene.tunnels[1];
   for (const double s : {10.0, 29.0, 31.0, 40.0}) {
     const Eigen::Vector2d p = bent.beside(s, 0.4);
     const auto down = scene.range({p.x(), p.y(), 1.0}, kDown);
@@ -81,7 +81,7 @@ TEST(Rails, FollowABend) {
 
 TEST(Posts, StandFromFloorToRoofAndStopARay) {
   PropDescriptions props;
-  props.posts.push_back({.drift = "main", .from_m = 10.0, .to_m = 22.0, .both_sides = true});
+  props.posts.push_back({.tunnel = "main", .from_m = 10.0, .to_m = 22.0, .both_sides = true});
   const PropScene scene(props, {.height_m = 0.05, .length_m = 2.0});
   ASSERT_EQ(scene.world.truth.obstacles.size(), 10U);
   for (const Obstacle& post : scene.world.truth.obstacles) {
@@ -99,13 +99,13 @@ TEST(Posts, StandFromFloorToRoofAndStopARay) {
 
 TEST(Posts, AreOneWhereNoRowIsAskedFor) {
   PropDescriptions props;
-  props.posts.push_back({.drift = "main", .from_m = 10.0});
+  props.posts.push_back({.tunnel = "main", .from_m = 10.0});
   EXPECT_EQ(PropScene(props).world.truth.obstacles.size(), 1U);
 }
 
-TEST(Cribs, FillTheOpening) {
+TEST(Cribs, FillTheFrontier) {
   PropDescriptions props;
-  props.cribs.push_back({.drift = "main", .at_m = 30.0, .across_m = -0.5});
+  props.cribs.push_back({.tunnel = "main", .at_m = 30.0, .across_m = -0.5});
   const PropScene scene(props);
   const Obstacle* crib = scene.obstacle("crib");
   ASSERT_NE(crib, nullptr);
@@ -118,7 +118,7 @@ TEST(Cribs, FillTheOpening) {
 
 TEST(Rubble, IsAConeOfTheHeightAskedForUnderACavity) {
   PropDescriptions props;
-  props.rubble.push_back({.drift = "main", .at_m = 30.0, .radius_m = 1.5, .height_m = 0.8});
+  props.rubble.push_back({.tunnel = "main", .at_m = 30.0, .radius_m = 1.5, .height_m = 0.8});
   const PropScene scene(props);
   const Obstacle* rubble = scene.obstacle("rubble");
   ASSERT_NE(rubble, nullptr);
@@ -131,7 +131,7 @@ TEST(Rubble, IsAConeOfTheHeightAskedForUnderACavity) {
 
 TEST(Cars, AreOpenOnTopAndAsLargeAsTold) {
   PropDescriptions props;
-  props.cars.push_back({.drift = "main", .at_m = 30.0});
+  props.cars.push_back({.tunnel = "main", .at_m = 30.0});
   const PropScene scene(props);
   const Obstacle* car = scene.obstacle("car");
   ASSERT_NE(car, nullptr);
@@ -143,9 +143,9 @@ TEST(Cars, AreOpenOnTopAndAsLargeAsTold) {
 
 TEST(Props, HaveNamesOfTheirOwn) {
   PropDescriptions props = with_rails("main");
-  props.posts.push_back({.drift = "main", .from_m = 10.0, .to_m = 22.0, .both_sides = true});
-  props.posts.push_back({.drift = "bent", .from_m = 10.0, .to_m = 22.0});
-  props.beams.push_back({.drift = "main", .at_m = 30.0, .cables = 3});
+  props.posts.push_back({.tunnel = "main", .from_m = 10.0, .to_m = 22.0, .both_sides = true});
+  props.posts.push_back({.tunnel = "bent", .from_m = 10.0, .to_m = 22.0});
+  props.beams.push_back({.tunnel = "main", .at_m = 30.0, .cables = 3});
   const PropScene scene(props);
   std::set<std::string> names;
   for (const Part& part : scene.world.mesh.parts) names.insert(part.name);
@@ -157,10 +157,10 @@ TEST(Props, HaveNamesOfTheirOwn) {
 
 TEST(Props, AreTheSameAgainWhateverElseThereIs) {
   PropDescriptions props;
-  props.rubble.push_back({.drift = "main", .at_m = 30.0});
+  props.rubble.push_back({.tunnel = "main", .at_m = 30.0});
   const PropScene alone(props);
-  props.rubble.push_back({.drift = "main", .at_m = 40.0});
-  props.gas.push_back({.name = "gas", .drift = "main", .at_m = 5.0});
+  props.rubble.push_back({.tunnel = "main", .at_m = 40.0});
+  props.gas.push_back({.name = "gas", .tunnel = "main", .at_m = 5.0});
   const PropScene more(props);
   const auto& some = alone.world.mesh.vertices;
   ASSERT_LT(some.size(), more.world.mesh.vertices.size());

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/bus/log/lcm_log.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+
+namespace adit {
+namespace {
+
+using log_format::kHeaderBytes;
+
+constexpr std::array<std::uint8_t, 4> kSyncBytes{0xED, 0xA1, 0xDA, 0x01};
+
+std::uint64_t big_endian(std::span<const std::uint8_t> bytes) {
+  std::uint64_t value = 0;
+  for (const std::uint8_t byte : bytes) value = value << 8U | byte;
+  return value;
+}
+
+bool is_printable(std::span<const std::uint8_t> channel) {
+  return std::all_of(channel.begin(), channel.end(), [](auto c) { return c > 0x20 && c < 0x7F; });
+}
+
+bool is_sync(std::span<const std::uint8_t> bytes) {
+  return std::equal(kSyncBytes.begin(), kSyncBytes.end(), bytes.begin());
+}
+
+}  // namespace
+
+struct LogParser::Extent {
+  LogEventView event;
+  std::size_t end;  ///< beyond the end of the bytes where the event is cut off
+};
+
+/// An event with a header that can be one, whether or not all of it is there.
+std::optional<LogParser::Extent> LogParser::event_at(std::size_t at) const {
+  if (bytes_.size() - at < kHeaderBytes) return std::nullopt;
+  const auto header = bytes_.subspan(at, kHeaderBytes);
+  const std::uint64_t channel_length = big_endian(header.subspan(20, 4));
+  const std::uint64_t data_length = big_endian(header.subspan(24, 4));
+  const bool valid = channel_length >= 1 && channel_length <= log_format::kChannelLengthMax &&
+                     data_length <= INT32_MAX;
+  if (!is_sync(header) || !valid) return std::nullopt;
+
+  const std::size_t data_at = at + kHeaderBytes + channel_length;
+  const std::size_t end = data_at + data_length;
+  const auto utime = static_cast<std::int64_t>(big_endian(header.subspan(12, 8)));
+  if (end > bytes_.size()) return Extent{{utime, {}, {}}, end};
+
+  const auto channel = bytes_.subspan(at + kHeaderBytes, channel_length);
+  if (!is_printable(channel)) return std::nullopt;
+  const std::string_view name(reinterpret_cast<const char*>(channel.data()), channel.size());
+  return Extent{{utime, name, bytes_.subspan(data_at, data_length)}, end};
+}
+
+/// Whether an event may end here: at the end of the file, or where the next one begins.
+bool LogParser::is_followed_by_event(std::size_t end) const {
+  const std::size_t left = bytes_.size() - end;
+  return left < kSyncBytes.size() || is_sync(bytes_.subspan(end));
+}
+
+/// Where in [from, to) an event begins that is all there and leads to another; `to` if none does.
+std::size_t LogParser::find_event(std::size_t from, std::size_t to) const {
+  const auto end = bytes_.begin() + static_cast<std::ptrdiff_t>(to);
+  auto at = bytes_.begin() + static_cast<std::ptrdiff_t>(from);
+  while (true) {
+    at = std::search(at, end, kSyncBytes.begin(), kSyncBytes.end());
+    if (at == end) return to;
+    const auto extent = event_at(static_cast<std::size_t>(at - bytes_.begin()));
+    if (extent && extent->end <= bytes_.size() && is_followed_by_event(extent->end)) break;
+    ++at;
+  }
+  return static_cast<std::size_t>(at - bytes_.begin());
+}
+
+void LogParser::skip_to(std::size_t at) {
+  health_.corrupt_bytes += at - position_;
+  ++health_.corrupt_regions;
+  position_ = at;
+}
+
+std::optional<LogEventView> LogParser::next() {
+  while (position_ < bytes_.size()) {
+    const auto extent = event_at(position_);
+    const bool complete = extent && extent->end <= bytes_.size();
+    if (complete && is_followed_by_event(extent->end)) {
+      position_ = extent->end;
+      ++health_.events;
+      return extent->event;
+    }
+    const std::size_t search_end = complete ? extent->end : bytes_.size();
+    const std::size_t found = find_event(position_ + 1, search_end);
+    if (found < search_end) {
+      skip_to(found);
+    } else if (complete) {
+      position_ = extent->end;
+      ++health_.events;
+      return extent->event;
+    } else if (extent || bytes_.size() - position_ < kHeaderBytes) {
+      health_.truncated_bytes = bytes_.size() - position_;
+      position_ = bytes_.size();
+    } else {
+      skip_to(bytes_.size());
+    }
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+void append_big_endian(std::uint64_t value, int bytes, std::string& header) {
+  for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8) {
+    header.push_back(static_cast<char>(value >> static_cast<unsigned>(shift)));
+  }
+}
+
+std::string header_of(const LogEventView& event, std::int64_t number) {
+  std::string header;
+  header.reserve(log_format::kHeaderBytes);
+  append_big_endian(log_format::kSync, 4, header);
+  append_big_endian(static_cast<std::uint64_t>(number), 8, header);
+  append_big_endian(static_cast<std::uint64_t>(event.utime), 8, header);
+  append_big_endian(event.channel.size(), 4, header);
+  append_big_endian(event.data.size(), 4, header);
+  return header;
+}
+
+}  // namespace
+
+LogWriter::LogWriter(const std::filesystem::path& path)
+    : path_(path.string()), file_(path, std::ios::binary | std::ios::trunc) {
+  require_good();
+}
+
+void LogWriter::write(const LogEventView& event) {
+  file_ << header_of(event, events_) << event.channel;
+  file_.write(reinterpret_cast<const char*>(event.data.data()),
+              static_cast<std::streamsize>(event.data.size()));
+  require_good();
+  ++events_;
+}
+
+void LogWriter::close() {
+  file_.close();
+  require_good();
+}
+
+void LogWriter::require_good() const {
+  if (file_) return;
+  throw std::runtime_error(path_ + ": cannot write: " + std::generic_category().message(errno));
+}
+
+}  // namespace adit

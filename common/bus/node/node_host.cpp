@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/bus/node/node_host.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/node/version.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/diagnostics.hpp"
+
+namespace adit {
+
+std::vector<StageBus::HandlerTimes> StageBus::take_handler_times() {
+  return std::exchange(times_, std::vector<HandlerTimes>(subscriptions_.size()));
+}
+
+void StageBus::publish(std::string_view channel, std::span<const std::uint8_t> bytes) {
+  bus_.publish(channel, bytes);
+}
+
+SubscriptionId StageBus::subscribe(std::string_view channel, Delivery delivery, Handler handler) {
+  if (measure_ == Measure::kHandlerTimes) handler = with_timing(std::move(handler));
+  times_.emplace_back();
+  subscriptions_.push_back(bus_.subscribe(channel, delivery, std::move(handler)));
+  return subscriptions_.back();
+}
+
+Handler StageBus::with_timing(Handler handler) {
+  const std::size_t index = subscriptions_.size();
+  return [this, index, handler = std::move(handler)](const ReceivedMessage& received) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::string_view rejection = handler(received);
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    HandlerTimes& times = times_[index];
+    ++times.calls;
+    times.total_ms += elapsed.count();
+    times.max_ms = std::max(times.max_ms, elapsed.count());
+    return rejection;
+  };
+}
+
+void StageBus::create_wall_timer(std::int64_t period_us, TimerHandler handler) {
+  bus_.create_wall_timer(period_us, std::move(handler));
+}
+
+void StageBus::create_timer(std::int64_t period_us, TimerHandler handler) {
+  bus_.create_timer(period_us, std::move(handler));
+}
+
+const SubscriptionStats& StageBus::stats(SubscriptionId id) const { return bus_.stats(id); }
+
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000;
+
+StageStats::Subscription difference(const SubscriptionStats& now, const SubscriptionStats& before) {
+  return {now.channel, now.handled - before.handled, now.rejected - before.rejected,
+          now.dropped - before.dropped};
+}
+
+void set_times(const StageBus::HandlerTimes& times, StageStats::Subscription& subscription) {
+  const auto calls = static_cast<double>(times.calls);
+  subscription.handler_mean_ms = times.calls > 0 ? times.total_ms / calls : 0.0;
+  subscription.handler_max_ms = times.max_ms;
+}
+
+}  // namespace
+
+NodeHost::NodeHost(Bus& bus, Stage stage, StageBus::Measure measure, std::ostream* error_stream)
+    : bus_(bus, measure),
+      stage_(std::move(stage)),
+      measure_(measure),
+      error_stream_(error_stream),
+      health_([] { return Health{}; }) {
+  bus_.create_timer(10 * kSecond, [this](std::int64_t utime) { publish_config(utime); });
+  bus_.create_timer(kSecond, [this](std::int64_t utime) { publish_heartbeat(utime); });
+  bus_.create_timer(5 * kSecond, [this](std::int64_t utime) { publish_stats(utime); });
+}
+
+void NodeHost::publish_config(std::int64_t utime) {
+  const ConfigSnapshot copy{utime, stage_.name, stage_.version, stage_.yaml};
+  publish(bus_, channels::kConfig, to_message(copy));
+}
+
+void NodeHost::publish_heartbeat(std::int64_t utime) {
+  Heartbeat heartbeat{utime, stage_.name, health_(), 0, 0, 0};
+  for (const SubscriptionId id : bus_.subscriptions()) {
+    const SubscriptionStats& stats = bus_.stats(id);
+    heartbeat.handled += stats.handled;
+    heartbeat.rejected += stats.rejected;
+    heartbeat.dropped += stats.dropped;
+  }
+  if (heartbeat.health.level == Health::Level::kOk && bus_.unsent() > 0) {
+    heartbeat.health = {Health::Level::kDegraded,
+                        std::to_string(bus_.unsent()) + " messages could not be sent"};
+  }
+  publish(bus_, channels::kHeartbeat, to_message(heartbeat));
+  report_rejections();
+}
+
+/// The first tick is at the start, with nothing done yet: it only sets what later ones count from.
+void NodeHost::publish_stats(std::int64_t utime) {
+  const auto start = std::exchange(last_stats_utime_, utime);
+  StageStats stats{
+      utime, stage_.name, static_cast<double>(utime - start.value_or(utime)) * 1e-6, {}};
+  const std::vector<StageBus::HandlerTimes> times = bus_.take_handler_times();
+  last_stats_.resize(times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const SubscriptionStats& now = bus_.stats(bus_.subscriptions()[i]);
+    stats.subscriptions.push_back(difference(now, last_stats_[i]));
+    if (measure_ == StageBus::Measure::kHandlerTimes) set_times(times[i], stats.subscriptions[i]);
+    last_stats_[i] = now;
+  }
+  if (start) publish(bus_, channels::kStageStats, to_message(stats));
+}
+
+void NodeHost::report_rejections() {
+  if (!error_stream_) return;
+  for (const SubscriptionId id : bus_.subscriptions()) {
+    for (const auto& [reason, count] : bus_.stats(id).rejections) {
+      const std::string what = bus_.stats(id).channel + " refused: " + reason;
+      if (reported_.insert(what).second) *error_stream_ << stage_.name << ": " << what << std::endl;
+    }
+  }
+}
+
+HostedNode::HostedNode(Bus& bus, const ConfiguredNode& node, StageBus::Measure measure,
+                       std::ostream* error_stream)
+    : host_(bus, {node.stage, version(), node.yaml}, measure, error_stream),
+      node_(node.construct(host_.bus())) {
+  host_.set_health([this] { return node_->health(); });
+}
+
+}  // namespace adit

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "common/bus/bus.hpp"
+#include "common/config/config.hpp"
+#include "common/messages/diagnostics.hpp"
+
+namespace adit {
+
+/// A bus as one stage sees it: passes everything on, and remembers which subscriptions are the
+/// stage's own, so that stages that share a bus report apart. Where the stage runs by the wall
+/// clock, it also measures how long handlers take.
+class StageBus final : public Bus {
+ public:
+  struct HandlerTimes {
+    std::int64_t calls = 0;
+    double total_ms = 0.0;
+    double max_ms = 0.0;
+  };
+
+  enum class Measure { kNothing, kHandlerTimes };
+
+  StageBus(Bus& bus, Measure measure) : bus_(bus), measure_(measure) {}
+
+  /// The subscriptions of the stage in the order in which they were made.
+  [[nodiscard]] const std::vector<SubscriptionId>& subscriptions() const { return subscriptions_; }
+
+  /// Since the last call, for each of `subscriptions()`; nothing measured is no calls.
+  std::vector<HandlerTimes> take_handler_times();
+
+  void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override;
+  SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler) override;
+  void create_timer(std::int64_t period_us, TimerHandler handler) override;
+  void create_wall_timer(std::int64_t period_us, TimerHandler handler) override;
+  [[nodiscard]] std::int64_t now_utime() const override { return bus_.now_utime(); }
+  [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override;
+  [[nodiscard]] std::int64_t unsent() const override { return bus_.unsent(); }
+
+ private:
+  Handler with_timing(Handler handler);
+
+  Bus& bus_;
+  Measure measure_;
+  std::vector<SubscriptionId> subscriptions_;
+  std::vector<HandlerTimes> times_;
+};
+
+/// What every stage says of itself: its configuration at the start and each 10 s (CONFIG), that it
+/// is alive each second (HEARTBEAT), what it did each 5 s (STAGE_STATS). In bus time and without
+/// anything of the machine, so that a replay gives the same bytes.
+///
+///   NodeHost host(bus, {"mapping", version(), yaml});
+///   MappingNode node(host.bus(), params);
+class NodeHost {
+ public:
+  struct Stage {
+    std::string name;
+    std::string version;
+    std::string yaml;  ///< the configuration in effect
+  };
+
+  /// `bus` must outlive this. Refusals of a new kind are told to `complaints` (may be null), one
+  /// line each.
+  NodeHost(Bus& bus, Stage stage, StageBus::Measure measure = StageBus::Measure::kNothing,
+           std::ostream* error_stream = nullptr);
+  NodeHost(const NodeHost&) = delete;
+  NodeHost& operator=(const NodeHost&) = delete;
+
+  /// The bus to construct the node on.
+  [[nodiscard]] Bus& bus() { return bus_; }
+
+  /// Where the heartbeat gets the health of the node from; OK without.
+  void set_health(std::function<Health()> health) { health_ = std::move(health); }
+
+ private:
+  void publish_config(std::int64_t utime);
+  void publish_heartbeat(std::int64_t utime);
+  void publish_stats(std::int64_t utime);
+  void report_rejections();
+
+  StageBus bus_;
+  Stage stage_;
+  StageBus::Measure measure_;
+  std::ostream* error_stream_;
+  std::function<Health()> health_;
+  std::optional<std::int64_t> last_stats_utime_;
+  std::vector<SubscriptionStats> last_stats_;
+  std::set<std::string> reported_;  // complaints that were made
+};
+
+/// A node that runs, of whatever type.
+class NodeInterface {
+ public:
+  virtual ~NodeInterface() = default;
+  [[nodiscard]] virtual Health health() const = 0;
+};
+
+/// A node with its parameters, not yet on a bus.
+struct ConfiguredNode {
+  std::string stage;
+  std::string yaml;  ///< the configuration in effect
+  std::function<std::unique_ptr<NodeInterface>(Bus&)> construct;
+};
+
+/// A node on a bus, with what every stage says of itself.
+class HostedNode {
+ public:
+  /// `bus` must outlive this.
+  HostedNode(Bus& bus, const ConfiguredNode& node,
+             StageBus::Measure measure = StageBus::Measure::kNothing,
+             std::ostream* error_stream = nullptr);
+  HostedNode(const HostedNode&) = delete;
+  HostedNode& operator=(const HostedNode&) = delete;
+
+ private:
+  NodeHost host_;
+  std::unique_ptr<NodeInterface> node_;
+};
+
+/// A node with parameters at hand, and the YAML that says of them what others are to know. A node
+/// has
+///   using Params = ...;                      // visited as in common/config
+///   Node(Bus& bus, const Params& params);
+///   Health health() const;                   // where it knows better than "OK"
+template <class Node>
+ConfiguredNode configured_node(const std::string& stage, const std::string& yaml,
+                               const typename Node::Params& params) {
+  class NodeAdapter final : public NodeInterface {
+   public:
+    NodeAdapter(Bus& bus, const typename Node::Params& params) : node_(bus, params) {}
+    [[nodiscard]] Health health() const override {
+      if constexpr (requires { node_.health(); }) return node_.health();
+      return {};
+    }
+
+   private:
+    Node node_;
+  };
+
+  return {stage, yaml, [params](Bus& bus) { return std::make_unique<NodeAdapter>(bus, params); }};
+}
+
+/// Takes the section of the stage from the file. Throws ConfigError.
+template <class Node>
+ConfiguredNode configure_node(const std::string& stage, const ConfigFile& file) {
+  const auto params = load_section<typename Node::Params>(file, stage);
+  return configured_node<Node>(stage, to_yaml(params, stage), params);
+}
+
+}  // namespace adit

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/bus/node/run_node.hpp"
+
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "common/bus/lcm_bus.hpp"
+#include "common/bus/lcm_transport.hpp"
+#include "common/bus/node/stages.hpp"
+#include "common/bus/node/stop_signal.hpp"
+#include "common/bus/node/version.hpp"
+#include "common/bus/receive_loss.hpp"
+#include "common/files/file_utils.hpp"
+
+namespace adit {
+namespace {
+
+constexpr int kExitUnusable = 2;
+constexpr const char* kConfigVariable = "ADIT_CONFIG";
+
+struct Options {
+  std::string config;
+  std::string lcm_url;
+  bool sim_time = false;
+  bool print_config = false;
+};
+
+void declare(CLI::App& app, const std::string& program, Options& options) {
+  app.add_option("--config", options.config, "YAML file with a section for each stage")
+      ->type_name("FILE")
+      ->envname(kConfigVariable);
+  app.add_option("--lcm-url", options.lcm_url,
+                 "Where LCM is, e.g. udpm://239.255.76.67:7667?ttl=0 (the default)")
+      ->type_name("URL");
+  app.add_flag(
+      "--sim-time", options.sim_time,
+      "Go by the time of a simulator (SIM_TIME) and tell it when its messages are handled");
+  app.add_flag("--print-config", options.print_config,
+               "Print every parameter with the value in effect, and end");
+  app.set_version_flag("--version", program + " " + version());
+}
+
+/// One file serves all stages, so the sections of the others are fine.
+ConfigFile load(const std::string& path, const std::string& stage) {
+  if (path.empty()) return {};
+  ConfigFile file = ConfigFile::load(find_installed_file(path, "config"));
+  std::vector<std::string> known = config_sections();
+  known.push_back(stage);
+  file.require_known_sections(known);
+  return file;
+}
+
+/// What was said to this process is said to those that it starts, unless they are told otherwise.
+/// Not that time is a simulator's: left in somebody's shell, that would make a robot wait for ever.
+void export_to_children(const Options& options) {
+  if (!options.config.empty()) {
+    const auto config = std::filesystem::absolute(find_installed_file(options.config, "config"));
+    setenv(kConfigVariable, config.c_str(), 1);
+  }
+  if (!options.lcm_url.empty()) setenv("LCM_DEFAULT_URL", options.lcm_url.c_str(), 1);
+}
+
+LcmBusOptions bus_options(const Options& options, const std::string& stage) {
+  LcmBusOptions bus;
+  bus.url = options.lcm_url;
+  if (options.sim_time) bus.time = BusTime::kSimulated;
+  bus.stage = stage;
+  return bus;
+}
+
+void run_on_lcm(const std::string& program, const ConfiguredNode& node, const Options& options) {
+  const StopSignal stop;  // before LCM makes its thread
+  if (const auto advice = receive_buffer_advice(options.lcm_url)) {
+    std::cerr << program << ": " << *advice << std::endl;
+  }
+  LcmBus bus(bus_options(options, node.stage));
+  const HostedNode hosted(bus, node, StageBus::Measure::kHandlerTimes, &std::cerr);
+  if (receive_loss_share() > 0.0) {  // nobody is to trust a test that lost nothing
+    std::cerr << program << ": loses a share of " << bus.lost_share()
+              << " of what comes: ADIT_RECEIVE_LOSS" << std::endl;
+  }
+  bus.run(stop.descriptor());
+}
+
+}  // namespace
+
+int run_stage(const std::string& stage, const Configure& configure, int argc, char** argv) try {
+  const std::string program = "adit-" + stage;
+  CLI::App app("The stage " + stage + " of the pipeline, on LCM until SIGINT or SIGTERM.", program);
+  Options options;
+  declare(app, program, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& answer) {  // --help, --version
+    return app.exit(answer);
+  }
+
+  const ConfiguredNode node = configure(load(options.config, stage));
+  if (options.print_config) {
+    std::cout << node.yaml;
+    return 0;
+  }
+  export_to_children(options);  // before there are threads
+  run_on_lcm(program, node, options);
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "adit-" << stage << ": " << error.what() << std::endl;
+  return kExitUnusable;
+}
+
+}  // namespace adit

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/sensing/laser_mount.hpp"
+#include "common/types/vehicle.hpp"
+
+namespace adit {
+
+/// Every stage of the pipeline: the folders of procs/.
+inline const std::vector<std::string>& stage_names() {
+  static const std::vector<std::string> names{
+      "scan_matching", "mapping", "scan_assembly", "terrain", "volume_map", "planning",
+      "driving",       "guard",   "exploration",   "mission", "supervisor"};
+  return names;
+}
+
+/// The section of the simulator, which is no stage but runs like one.
+inline constexpr const char* kSimSection = "sim";
+
+/// All sections of the config file: one for each stage, those that they share, the simulator's.
+inline std::vector<std::string> config_sections() {
+  std::vector<std::string> names = stage_names();
+  names.emplace_back(Lasers::kSection);
+  names.emplace_back(Vehicle::kSection);
+  names.emplace_back(kSimSection);
+  return names;
+}
+
+}  // namespace adit

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/files/file_utils.hpp"
+
+#include <fstream>
+#include <stdexcept>
+#include <system_error>
+
+namespace adit {
+
+void write_text_file(const std::string& text, const std::filesystem::path& path) {
+  std::ofstream out(path);
+  out << text;
+  if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
+}
+
+namespace fs = std::filesystem;
+
+fs::path find_installed_file(const fs::path& path, const std::string& folder) {
+  std::error_code unknown;
+  if (path.empty() || path.is_absolute() || fs::exists(path, unknown)) return path;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  const fs::path share = program.parent_path().parent_path() / "share" / "adit";
+  const fs::path ours = share / folder / path.filename();
+  return fs::exists(ours, unknown) ? ours : path;
+}
+
+}  // namespace adit

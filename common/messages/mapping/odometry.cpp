@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/messages/mapping/odometry.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "common/messages/checks.hpp"
+#include "common/messages/planar_geometry.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+void set_velocity(const std::optional<Eigen::Vector3d>& v_body, pose_t& message) {
+  std::fill(std::begin(message.vel), std::end(message.vel), kUnknown);
+  std::fill(std::begin(message.rotation_rate), std::end(message.rotation_rate), kUnknown);
+  if (!v_body) return;
+  message.vel[0] = v_body->x();
+  message.vel[1] = v_body->y();
+  message.rotation_rate[2] = v_body->z();
+}
+
+std::optional<Eigen::Vector3d> velocity(const pose_t& message) {
+  const Eigen::Vector3d v_body(message.vel[0], message.vel[1], message.rotation_rate[2]);
+  return v_body.allFinite() ? std::optional(v_body) : std::nullopt;
+}
+
+}  // namespace
+
+pose_t to_message(const StampedPose& pose) {
+  pose_t message{};
+  message.utime = pose.utime;
+  message.pos[0] = pose.T_odom_body.x;
+  message.pos[1] = pose.T_odom_body.y;
+  message.orientation[0] = std::cos(pose.T_odom_body.theta / 2.0);
+  message.orientation[3] = std::sin(pose.T_odom_body.theta / 2.0);
+  set_velocity(pose.v_body, message);
+  std::fill(std::begin(message.accel), std::end(message.accel), kUnknown);
+  return message;
+}
+
+Result<StampedPose> from_message(const pose_t& message) {
+  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  if (!all_finite(message.pos)) return Rejected{"position is not finite"};
+  const Eigen::Vector4d q(message.orientation);
+  if (!(std::abs(q.norm() - 1.0) < 1e-3)) return Rejected{"orientation is no unit quaternion"};
+
+  // The body's x axis in odom, seen from above.
+  const double x = q[0] * q[0] + q[1] * q[1] - q[2] * q[2] - q[3] * q[3];
+  const double y = 2.0 * (q[1] * q[2] + q[0] * q[3]);
+  if (std::hypot(x, y) < 1e-6) return Rejected{"orientation has no heading"};
+  return StampedPose{
+      message.utime, {message.pos[0], message.pos[1], std::atan2(y, x)}, velocity(message)};
+}
+
+namespace {
+
+using Status = ScanMatch::Status;
+using Fill = DegenerateDirection::Fill;
+
+static_assert(static_cast<int>(Status::kFirstScan) == scan_match_t::STATUS_FIRST_SCAN);
+static_assert(static_cast<int>(Status::kMatched) == scan_match_t::STATUS_MATCHED);
+static_assert(static_cast<int>(Status::kLost) == scan_match_t::STATUS_LOST);
+static_assert(static_cast<int>(Status::kRejected) == scan_match_t::STATUS_REJECTED);
+static_assert(static_cast<int>(Fill::kNone) == scan_match_t::FILL_NONE);
+static_assert(static_cast<int>(Fill::kOdometry) == scan_match_t::FILL_ODOMETRY);
+static_assert(static_cast<int>(Fill::kImu) == scan_match_t::FILL_IMU);
+
+bool is_valid(ScanMatch::Status status) {
+  return status >= ScanMatch::Status::kFirstScan && status <= ScanMatch::Status::kRejected;
+}
+
+bool is_valid(DegenerateDirection::Fill fill) {
+  return fill >= DegenerateDirection::Fill::kNone && fill <= DegenerateDirection::Fill::kImu;
+}
+
+std::vector<DegenerateDirection> degenerate_directions(const scan_match_t& message) {
+  std::vector<DegenerateDirection> directions;
+  for (std::size_t i = 0; i < message.degenerate_directions.size(); ++i) {
+    directions.push_back({Eigen::Vector3d(message.degenerate_directions[i].data()),
+                          DegenerateDirection::Fill(message.degenerate_fills[i])});
+  }
+  return directions;
+}
+
+std::string_view rejection_reason(const scan_match_t& message) {
+  const bool finite = all_finite(message.T_odom_body) && all_finite(message.delta) &&
+                      matrix_from(message.covariance).allFinite();
+  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
+  if (!is_plausible_utime(message.reference_utime)) return kImplausibleTime;
+  if (!is_plausible_utime(message.odom_epoch_utime)) return kImplausibleTime;
+  if (!is_valid(ScanMatch::Status(message.status))) return "unknown status";
+  if (!finite) return "pose or covariance is not finite";
+  if (message.n_degenerate > 3) return "more than three degenerate directions";
+  return {};
+}
+
+}  // namespace
+
+scan_match_t to_message(const ScanMatch& match) {
+  scan_match_t message;
+  message.utime = match.utime;
+  message.reference_utime = match.reference_utime;
+  message.odom_epoch_utime = match.odom_epoch_utime;
+  message.channel = match.channel;
+  message.status = static_cast<std::int8_t>(match.status);
+  set_pose(match.T_odom_body, message.T_odom_body);
+  set_pose(match.T_reference_body, message.delta);
+  set_matrix(match.covariance, message.covariance);
+  message.inlier_share = match.inlier_share;
+  message.contradiction_share = match.contradiction_share;
+  message.rms_residual_m = match.rms_residual_m;
+  message.n_degenerate = static_cast<std::int32_t>(match.degenerate.size());
+  for (const DegenerateDirection& degenerate : match.degenerate) {
+    const Eigen::Vector3d& d = degenerate.direction;
+    message.degenerate_directions.push_back({d.x(), d.y(), d.z()});
+    message.degenerate_fills.push_back(static_cast<std::int8_t>(degenerate.fill));
+  }
+  message.lever_arm_m = match.lever_arm_m;
+  message.iterations = match.iterations;
+  message.searched = static_cast<std::int8_t>(match.searched);
+  message.points = match.points;
+  return message;
+}
+
+Result<ScanMatch> from_message(const scan_match_t& message) {
+  if (const auto reason = rejection_reason(message); !reason.empty()) return Rejected{reason};
+  ScanMatch match;
+  match.utime = message.utime;
+  match.reference_utime = message.reference_utime;
+  match.odom_epoch_utime = message.odom_epoch_utime;
+  match.channel = message.channel;
+  match.status = ScanMatch::Status(message.status);
+  match.T_odom_body = pose_from(message.T_odom_body);
+  match.T_reference_body = pose_from(message.delta);
+  match.covariance = matrix_from(message.covariance);
+  match.inlier_share = message.inlier_share;
+  match.contradiction_share = message.contradiction_share;
+  match.rms_residual_m = message.rms_residual_m;
+  match.degenerate = degenerate_directions(message);
+  for (const DegenerateDirection& degenerate : match.degenerate) {
+    if (!degenerate.direction.allFinite()) return Rejected{"degenerate direction is not finite"};
+    if (!is_valid(degenerate.fill)) return Rejected{"unknown fill"};
+  }
+  match.lever_arm_m = message.lever_arm_m;
+  match.iterations = message.iterations;
+  match.searched = message.searched != 0;
+  match.points = message.points;
+  return match;
+}
+
+}  // namespace adit

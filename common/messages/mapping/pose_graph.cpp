@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/messages/mapping/pose_graph.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "common/messages/checks.hpp"
+#include "common/messages/fragments.hpp"
+#include "common/messages/planar_geometry.hpp"
+
+namespace adit {
+namespace {
+
+using Kind = MapConstraint::Kind;
+
+static_assert(static_cast<int>(Kind::kSequential) == pose_constraint_t::KIND_SEQUENTIAL);
+static_assert(static_cast<int>(Kind::kLoopClosure) == pose_constraint_t::KIND_LOOP_CLOSURE);
+
+pose_constraint_t to_message(const MapConstraint& constraint) {
+  pose_constraint_t message;
+  message.from = constraint.measured.from;
+  message.to = constraint.measured.to;
+  message.kind = static_cast<std::int8_t>(constraint.kind);
+  set_pose(constraint.measured.T_from_to, message.T_from_to);
+  set_matrix(constraint.measured.information, message.information);
+  return message;
+}
+
+MapConstraint constraint_from(const pose_constraint_t& message) {
+  return {
+      {message.from, message.to, pose_from(message.T_from_to), matrix_from(message.information)},
+      Kind(message.kind)};
+}
+
+std::string_view fragment_rejection_reason(const pose_graph_t& message) {
+  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
+  if (message.revision < 0) return "negative revision";
+  if (message.n_nodes < 0) return "negative number of nodes";
+  if (message.n_nodes > PoseGraphFragment::kNodesMax) return "more nodes than plausible";
+  if (message.n_fragments < 1) return "no pieces";
+  if (message.n_fragments > PoseGraphFragment::kFragmentsMax) return "more pieces than plausible";
+  if (message.fragment < 0 || message.fragment >= message.n_fragments)
+    return "piece of a higher number";
+  if (message.getEncodedSize() > kFragmentBytesMax) return "larger than a piece may be";
+  if (message.first_node < 0 || message.first_node > message.n_nodes - message.n_poses) {
+    return "poses of nodes that are not in the graph";
+  }
+  return {};
+}
+
+std::string_view rejection_reason(const pose_constraint_t& message, std::int32_t n_nodes) {
+  const auto is_node = [&](std::int32_t node) { return node >= 0 && node < n_nodes; };
+  if (!is_node(message.from) || !is_node(message.to))
+    return "constraint of a node that is not there";
+  if (message.from == message.to) return "constraint of a node with itself";
+  const auto kind = Kind(message.kind);
+  if (kind != Kind::kSequential && kind != Kind::kLoopClosure)
+    return "constraint of an unknown kind";
+  if (!all_finite(message.T_from_to)) return kPoseNotFinite;
+  if (!is_information_matrix(message.information)) return kInvalidInformation;
+  return {};
+}
+
+}  // namespace
+
+pose_graph_t to_message(const PoseGraphFragment& fragment) {
+  pose_graph_t message;
+  message.utime = fragment.utime;
+  message.revision = fragment.revision;
+  message.n_nodes = fragment.n_nodes;
+  message.n_fragments = fragment.n_fragments;
+  message.fragment = fragment.fragment;
+  message.first_node = fragment.first_node;
+  message.n_poses = static_cast<std::int32_t>(fragment.poses.size());
+  for (const Pose2& pose : fragment.poses) message.poses.push_back({pose.x, pose.y, pose.theta});
+  message.n_constraints = static_cast<std::int32_t>(fragment.constraints.size());
+  for (const MapConstraint& constraint : fragment.constraints) {
+    message.constraints.push_back(to_message(constraint));
+  }
+  return message;
+}
+
+Result<PoseGraphFragment> from_message(const pose_graph_t& message) {
+  if (const auto reason = fragment_rejection_reason(message); !reason.empty())
+    return Rejected{reason};
+  PoseGraphFragment fragment{message.utime,
+                             message.revision,
+                             message.n_nodes,
+                             message.n_fragments,
+                             message.fragment,
+                             message.first_node,
+                             {},
+                             {}};
+  for (const auto& numbers : message.poses) {
+    if (!all_finite(numbers)) return Rejected{kPoseNotFinite};
+    fragment.poses.push_back({numbers[0], numbers[1], numbers[2]});
+  }
+  for (const pose_constraint_t& constraint : message.constraints) {
+    const auto reason = rejection_reason(constraint, message.n_nodes);
+    if (!reason.empty()) return Rejected{reason};
+    fragment.constraints.push_back(constraint_from(constraint));
+  }
+  return fragment;
+}
+
+namespace {
+
+// On the wire.
+constexpr std::size_t kHeaderBytes = 64;
+constexpr std::size_t kPoseBytes = 3 * sizeof(double);
+constexpr std::size_t kConstraintBytes = 2 * sizeof(int) + 1 + 12 * sizeof(double);
+
+}  // namespace
+
+std::vector<PoseGraphFragment> split(const MapGraph& graph) {
+  PoseGraphFragment empty;
+  empty.utime = graph.utime;
+  empty.revision = graph.revision;
+  empty.n_nodes = static_cast<int>(graph.poses.size());
+  std::vector<PoseGraphFragment> fragments = {empty};
+  std::size_t bytes = kHeaderBytes;
+  const auto fragment_with_room = [&](std::size_t more,
+                                      std::size_t first_node) -> PoseGraphFragment& {
+    if (bytes + more > kFragmentBytes) {
+      fragments.push_back(empty);
+      fragments.back().first_node = static_cast<int>(first_node);
+      bytes = kHeaderBytes;
+    }
+    bytes += more;
+    return fragments.back();
+  };
+  for (std::size_t i = 0; i < graph.poses.size(); ++i) {
+    fragment_with_room(kPoseBytes, i).poses.push_back(graph.poses[i]);
+  }
+  for (const MapConstraint& constraint : graph.constraints) {
+    fragment_with_room(kConstraintBytes, graph.poses.size()).constraints.push_back(constraint);
+  }
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    fragments[i].n_fragments = static_cast<int>(fragments.size());
+    fragments[i].fragment = static_cast<int>(i);
+  }
+  return fragments;
+}
+
+bool same_header(const PoseGraphFragment& a, const PoseGraphFragment& b) {
+  return a.n_nodes == b.n_nodes;
+}
+
+std::size_t bytes_in_memory(const PoseGraphFragment& fragment) {
+  return sizeof(Pose2) * fragment.poses.size() +
+         sizeof(MapConstraint) * fragment.constraints.size();
+}
+
+std::optional<MapGraph> reassemble(const FragmentSet<PoseGraphFragment>& fragments) {
+  const PoseGraphFragment& header = *fragments.fragments().front();
+  MapGraph graph{header.utime, header.revision, {}, {}};
+  for (const auto& part : fragments.fragments()) {
+    if (!part->poses.empty() && part->first_node != static_cast<int>(graph.poses.size())) return {};
+    graph.poses.insert(graph.poses.end(), part->poses.begin(), part->poses.end());
+    graph.constraints.insert(graph.constraints.end(), part->constraints.begin(),
+                             part->constraints.end());
+  }
+  if (graph.poses.size() != static_cast<std::size_t>(header.n_nodes)) return std::nullopt;
+  return graph;
+}
+
+map_correction_t to_message(const MapCorrection& correction) {
+  map_correction_t message;
+  message.utime = correction.utime;
+  message.revision = correction.revision;
+  message.session = correction.session;
+  message.local_map = correction.local_map;
+  set_pose(correction.T_map_odom, message.T_map_odom);
+  message.has_covariance = static_cast<std::int8_t>(correction.covariance.has_value());
+  set_matrix(correction.covariance.value_or(Eigen::Matrix3d::Zero()), message.covariance);
+  return message;
+}
+
+Result<MapCorrection> from_message(const map_correction_t& message) {
+  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  if (message.revision < 0) return Rejected{"negative revision"};
+  if (message.local_map < 0 || message.session < 0) return Rejected{"negative id or session"};
+  if (!all_finite(message.T_map_odom)) return Rejected{kPoseNotFinite};
+  MapCorrection correction{message.utime,
+                           message.revision,
+                           message.session,
+                           message.local_map,
+                           pose_from(message.T_map_odom),
+                           {}};
+  if (message.has_covariance == 0) return correction;
+  if (!is_information_matrix(message.covariance)) return Rejected{"no covariance matrix"};
+  correction.covariance = matrix_from(message.covariance);
+  return correction;
+}
+
+map_request_t to_message(const MapRequest& request) {
+  map_request_t message;
+  message.utime = request.utime;
+  message.requested_by = request.requested_by;
+  return message;
+}
+
+Result<MapRequest> from_message(const map_request_t& message) {
+  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  if (message.requested_by.empty()) return Rejected{"no stage is named"};
+  return MapRequest{message.utime, message.requested_by};
+}
+
+}  // namespace adit

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/messages/mapping/terrain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "common/messages/checks.hpp"
+#include "common/messages/fragments.hpp"
+#include "common/messages/planar_geometry.hpp"
+
+namespace adit {
+namespace {
+
+static_assert(static_cast<int>(Ground::kObserved) == terrain_t::GROUND_OBSERVED);
+static_assert(static_cast<int>(Ground::kNeverObserved) == terrain_t::GROUND_NEVER_OBSERVED);
+static_assert(static_cast<int>(Ground::kOccluded) == terrain_t::GROUND_OCCLUDED);
+static_assert(static_cast<int>(Ground::kBelowRay) == terrain_t::GROUND_BELOW_RAY);
+static_assert(static_cast<int>(Ground::kNoReturn) == terrain_t::GROUND_NO_RETURN);
+
+constexpr int kLargest = 32766;
+constexpr int kCountMax = 32767;
+constexpr float kPerMetre = 1000.0F;
+constexpr float kPerRadian = 10'000.0F;
+
+std::int16_t rounded(float number, float per_unit) {
+  if (std::isnan(number)) return terrain_t::UNKNOWN;
+  const float limit = static_cast<float>(kLargest);
+  return static_cast<std::int16_t>(std::lround(std::clamp(number * per_unit, -limit, limit)));
+}
+
+float number_from(std::int16_t rounded, float per_unit) {
+  if (rounded == terrain_t::UNKNOWN) return std::numeric_limits<float>::quiet_NaN();
+  return static_cast<float>(rounded) / per_unit;
+}
+
+std::int16_t rounded_clearance(float clearance_m) {
+  if (std::isinf(clearance_m) && clearance_m > 0.0F) return terrain_t::INFINITE;
+  return rounded(clearance_m, kPerMetre);
+}
+
+float clearance_from(std::int16_t rounded) {
+  if (rounded == terrain_t::INFINITE) return std::numeric_limits<float>::infinity();
+  return number_from(rounded, kPerMetre);
+}
+
+void append(const TerrainCell& cell, terrain_t& message) {
+  message.ground.push_back(static_cast<std::int8_t>(cell.ground));
+  message.count.push_back(static_cast<std::int16_t>(std::min<int>(cell.count, kCountMax)));
+  message.low_mm.push_back(rounded(cell.low_m, kPerMetre));
+  message.high_mm.push_back(rounded(cell.high_m, kPerMetre));
+  message.coefficient_mm.push_back(rounded(cell.coefficient_m, kPerMetre));
+  message.clearance_mm.push_back(rounded_clearance(cell.clearance_m));
+  message.slope_tenth_mrad.push_back(rounded(cell.slope_rad, kPerRadian));
+  message.step_mm.push_back(rounded(cell.step_m, kPerMetre));
+  message.repulsion_mm.push_back(rounded(cell.repulsion_m, kPerMetre));
+}
+
+TerrainCell cell_from(const terrain_t& message, std::size_t i) {
+  return {static_cast<Ground>(message.ground[i]),
+          static_cast<std::uint16_t>(message.count[i]),
+          number_from(message.low_mm[i], kPerMetre),
+          number_from(message.high_mm[i], kPerMetre),
+          number_from(message.coefficient_mm[i], kPerMetre),
+          clearance_from(message.clearance_mm[i]),
+          number_from(message.slope_tenth_mrad[i], kPerRadian),
+          number_from(message.step_mm[i], kPerMetre),
+          number_from(message.repulsion_mm[i], kPerMetre)};
+}
+
+bool is_corner(const double (&p)[2]) {
+  return std::abs(p[0]) <= TerrainFragment::kCornerMaxM &&
+         std::abs(p[1]) <= TerrainFragment::kCornerMaxM;
+}
+
+std::string_view map_rejection_reason(const terrain_t& message) {
+  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
+  if (message.id < 0) return "negative id";
+  if (!all_finite(message.T_odom_level)) return kPoseNotFinite;
+  if (!is_corner(message.p_level_corner)) return "corner that cannot be";
+  if (!(message.cell_m > 0.0) || !std::isfinite(message.cell_m)) return "cells of no size";
+  if (message.columns < 0 || message.rows < 0) return "negative number of cells";
+  if (std::int64_t{message.columns} * message.rows > TerrainFragment::kCellsMax) {
+    return "more cells than plausible";
+  }
+  return {};
+}
+
+/// Of a map that is not refused.
+std::string_view fragment_rejection_reason(const terrain_t& message) {
+  if (message.n_fragments < 1) return "no pieces";
+  if (message.n_fragments > TerrainFragment::kFragmentsMax) return "more pieces than plausible";
+  if (message.fragment < 0 || message.fragment >= message.n_fragments)
+    return "piece of a higher number";
+  if (message.getEncodedSize() > kFragmentBytesMax) return "larger than a piece may be";
+  const int cells = message.columns * message.rows;
+  if (message.first_cell < 0 || message.first_cell > cells - message.n_cells) {
+    return "cells that are not in the map";
+  }
+  return {};
+}
+
+std::string_view cells_rejection_reason(const terrain_t& message) {
+  const auto unknown = [](std::int8_t ground) {
+    return ground < terrain_t::GROUND_OBSERVED || ground > terrain_t::GROUND_NO_RETURN;
+  };
+  if (std::ranges::any_of(message.ground, unknown)) return "ground of an unknown kind";
+  if (std::ranges::any_of(message.count, [](std::int16_t n) { return n < 0; })) {
+    return "negative count of points";
+  }
+  return {};
+}
+
+}  // namespace
+
+terrain_t to_message(const TerrainFragment& fragment) {
+  const TerrainMap& map = fragment.part;
+  terrain_t message;
+  message.utime = map.utime;
+  message.id = map.id;
+  set_pose(map.T_odom_level, message.T_odom_level);
+  message.p_level_corner[0] = map.p_level_corner.x();
+  message.p_level_corner[1] = map.p_level_corner.y();
+  message.cell_m = map.cell_m;
+  message.columns = map.columns;
+  message.rows = map.rows;
+  message.n_fragments = fragment.n_fragments;
+  message.fragment = fragment.fragment;
+  message.first_cell = fragment.first_cell;
+  message.n_cells = static_cast<std::int32_t>(map.cells.size());
+  for (const TerrainCell& cell : map.cells) append(cell, message);
+  return message;
+}
+
+Result<TerrainFragment> from_message(const terrain_t& message) {
+  if (const auto reason = map_rejection_reason(message); !reason.empty()) return Rejected{reason};
+  if (const auto reason = fragment_rejection_reason(message); !reason.empty())
+    return Rejected{reason};
+  if (const auto reason = cells_rejection_reason(message); !reason.empty()) return Rejected{reason};
+  TerrainMap map;
+  map.utime = message.utime;
+  map.id = message.id;
+  map.T_odom_level = pose_from(message.T_odom_level);
+  map.p_level_corner = Eigen::Vector2d(message.p_level_corner);
+  map.cell_m = message.cell_m;
+  map.columns = message.columns;
+  map.rows = message.rows;
+  map.cells.reserve(message.ground.size());
+  for (std::size_t i = 0; i < message.ground.size(); ++i)
+    map.cells.push_back(cell_from(message, i));
+  return TerrainFragment{std::move(map), message.n_fragments, message.fragment, message.first_cell};
+}
+
+namespace {
+
+// On the wire.
+constexpr std::size_t kHeaderBytes = 128;
+constexpr std::size_t kCellBytes = 1 + 8 * sizeof(std::int16_t);
+constexpr std::size_t kCellsPerFragment = (kFragmentBytes - kHeaderBytes) / kCellBytes;
+
+TerrainMap header_of(const TerrainMap& map) {
+  return {map.utime,  map.id,      map.T_odom_level, map.p_level_corner,
+          map.cell_m, map.columns, map.rows,         {}};
+}
+
+}  // namespace
+
+std::vector<TerrainFragment> split(const TerrainMap& map) {
+  const std::size_t n = map.cells.size();
+  const std::size_t n_fragments =
+      std::max<std::size_t>(1, (n + kCellsPerFragment - 1) / kCellsPerFragment);
+  std::vector<TerrainFragment> fragments;
+  for (std::size_t i = 0; i < n_fragments; ++i) {
+    const std::size_t first = i * kCellsPerFragment;
+    const std::size_t end = std::min(n, first + kCellsPerFragment);
+    TerrainFragment fragment{header_of(map), static_cast<int>(n_fragments), static_cast<int>(i),
+                             static_cast<int>(first)};
+    fragment.part.cells.assign(map.cells.begin() + static_cast<std::ptrdiff_t>(first),
+                               map.cells.begin() + static_cast<std::ptrdiff_t>(end));
+    fragments.push_back(std::move(fragment));
+  }
+  return fragments;
+}
+
+bool same_header(const TerrainFragment& a, const TerrainFragment& b) {
+  return a.part.T_odom_level == b.part.T_odom_level &&
+         a.part.p_level_corner == b.part.p_level_corner && a.part.cell_m == b.part.cell_m &&
+         a.part.columns == b.part.columns && a.part.rows == b.part.rows;
+}
+
+std::size_t bytes_in_memory(const TerrainFragment& fragment) {
+  return sizeof(TerrainCell) * fragment.part.cells.size();
+}
+
+std::optional<TerrainMap> reassemble(const FragmentSet<TerrainFragment>& fragments) {
+  TerrainMap map = header_of(fragments.fragments().front()->part);
+  for (const auto& fragment : fragments.fragments()) {
+    if (static_cast<std::size_t>(fragment->first_cell) != map.cells.size()) return std::nullopt;
+    map.cells.insert(map.cells.end(), fragment->part.cells.begin(), fragment->part.cells.end());
+  }
+  const auto n = static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows);
+  if (map.cells.size() != n) return std::nullopt;
+  return map;
+}
+
+terrain_ready_t to_message(const TerrainReady& ready) {
+  terrain_ready_t message;
+  message.utime = ready.utime;
+  message.id = ready.id;
+  message.complete = ready.complete ? 1 : 0;
+  return message;
+}
+
+Result<TerrainReady> from_message(const terrain_ready_t& message) {
+  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  return TerrainReady{message.utime, message.id, message.complete != 0};
+}
+
+}  // namespace adit

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/messages/mapping/volume.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "common/messages/fragments.hpp"
+#include "common/messages/planar_geometry.hpp"
+
+namespace adit {
+namespace {
+
+std::string_view reason_to_reject_volume(const volume_t& message) {
+  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
+  if (message.id < 0 || message.local_map < 0) return "negative id";
+  if (message.revision < 1) return "sub-volume of no cloud";
+  if (message.graph_revision < 0) return "negative revision";
+  if (!all_finite(message.T_map_volume)) return kPoseNotFinite;
+  if (!(message.cell_m > 0.0 && message.cell_m <= VolumeFragment::kCellMaxM)) {
+    return "cells of no plausible size";
+  }
+  if (message.occupied < 0 || message.free < 0) return "negative number of cells";
+  return {};
+}
+
+std::string_view fragment_rejection_reason(const volume_t& message) {
+  if (message.n_fragments < 0) return "negative number of pieces";
+  if (message.n_fragments > VolumeFragment::kFragmentsMax) return "more pieces than plausible";
+  if (message.n_fragments == 0) {
+    return message.fragment == 0 && message.n_bytes == 0 ? ""
+                                                         : "octree in a message of a pose only";
+  }
+  if (message.fragment < 0 || message.fragment >= message.n_fragments)
+    return "piece of a higher number";
+  if (message.getEncodedSize() > kFragmentBytesMax) return "larger than a piece may be";
+  return {};
+}
+
+}  // namespace
+
+volume_t to_message(const VolumeFragment& fragment) {
+  const Volume& volume = fragment.part;
+  volume_t message;
+  message.utime = volume.utime;
+  message.id = volume.id;
+  message.revision = volume.revision;
+  message.graph_revision = volume.graph_revision;
+  message.local_map = volume.local_map;
+  set_pose(volume.T_map_volume, message.T_map_volume);
+  message.cell_m = volume.cell_m;
+  message.occupied = volume.occupied;
+  message.free = volume.free;
+  message.n_fragments = fragment.n_fragments;
+  message.fragment = fragment.fragment;
+  message.n_bytes = static_cast<std::int32_t>(volume.octree.size());
+  message.octree = volume.octree;
+  return message;
+}
+
+Result<VolumeFragment> from_message(const volume_t& message) {
+  if (const auto reason = reason_to_reject_volume(message); !reason.empty())
+    return Rejected{reason};
+  if (const auto reason = fragment_rejection_reason(message); !reason.empty())
+    return Rejected{reason};
+  Volume volume{message.utime,          message.id,        message.revision,
+                message.graph_revision, message.local_map, pose_from(message.T_map_volume),
+                message.cell_m,         message.occupied,  message.free,
+                message.octree};
+  return VolumeFragment{std::move(volume), message.n_fragments, message.fragment};
+}
+
+namespace {
+
+constexpr std::size_t kVolumeHeaderBytes = 128;  // on the wire
+constexpr std::size_t kBytesPerFragment = kFragmentBytes - kVolumeHeaderBytes;
+
+Volume header_of(const Volume& volume) {
+  return {
+      volume.utime,        volume.id,     volume.revision, volume.graph_revision, volume.local_map,
+      volume.T_map_volume, volume.cell_m, volume.occupied, volume.free,           {}};
+}
+
+}  // namespace
+
+std::vector<VolumeFragment> split(const Volume& volume) {
+  const std::size_t n = volume.octree.size();
+  const std::size_t n_fragments =
+      std::max<std::size_t>(1, (n + kBytesPerFragment - 1) / kBytesPerFragment);
+  std::vector<VolumeFragment> fragments;
+  for (std::size_t i = 0; i < n_fragments; ++i) {
+    VolumeFragment fragment{header_of(volume), static_cast<int>(n_fragments), static_cast<int>(i)};
+    const auto first = static_cast<std::ptrdiff_t>(i * kBytesPerFragment);
+    const auto end = static_cast<std::ptrdiff_t>(std::min(n, (i + 1) * kBytesPerFragment));
+    fragment.part.octree.assign(volume.octree.begin() + first, volume.octree.begin() + end);
+    fragments.push_back(std::move(fragment));
+  }
+  return fragments;
+}
+
+VolumeFragment pose_only(const Volume& volume) { return {header_of(volume), 0, 0}; }
+
+bool same_header(const VolumeFragment& a, const VolumeFragment& b) {
+  return a.part.graph_revision == b.part.graph_revision && a.part.local_map == b.part.local_map &&
+         a.part.T_map_volume == b.part.T_map_volume && a.part.cell_m == b.part.cell_m &&
+         a.part.occupied == b.part.occupied && a.part.free == b.part.free;
+}
+
+std::size_t bytes_in_memory(const VolumeFragment& fragment) { return fragment.part.octree.size(); }
+
+std::optional<Volume> reassemble(const FragmentSet<VolumeFragment>& fragments) {
+  Volume volume = header_of(fragments.fragments().front()->part);
+  for (const auto& fragment : fragments.fragments()) {
+    const auto& bytes = fragment->part.octree;
+    volume.octree.insert(volume.octree.end(), bytes.begin(), bytes.end());
+  }
+  const OctreeCounts counts = count_cells(volume.octree);
+  if (!counts.rejection.empty() || counts.occupied != volume.occupied ||
+      counts.free != volume.free) {
+    return std::nullopt;
+  }
+  return volume;
+}
+
+}  // namespace adit

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/messages/mission.hpp"
+
+#include "common/messages/checks.hpp"
+#include "common/messages/sensing.hpp"
+
+namespace adit {
+namespace {
+
+static_assert(static_cast<int>(Phase::kWaiting) == phase_t::PHASE_WAITING);
+static_assert(static_cast<int>(Phase::kExplore) == phase_t::PHASE_EXPLORE);
+static_assert(static_cast<int>(Phase::kScan) == phase_t::PHASE_SCAN);
+static_assert(static_cast<int>(Phase::kPlan) == phase_t::PHASE_PLAN);
+static_assert(static_cast<int>(Phase::kExecute) == phase_t::PHASE_EXECUTE);
+static_assert(static_cast<int>(Phase::kPaused) == phase_t::PHASE_PAUSED);
+static_assert(static_cast<int>(Phase::kEnded) == phase_t::PHASE_ENDED);
+static_assert(static_cast<int>(MissionOutcome::kInProgress) == phase_t::OUTCOME_IN_PROGRESS);
+static_assert(static_cast<int>(MissionOutcome::kHome) == phase_t::OUTCOME_HOME);
+static_assert(static_cast<int>(MissionOutcome::kStopped) == phase_t::OUTCOME_STOPPED);
+static_assert(static_cast<int>(MissionOutcome::kStranded) == phase_t::OUTCOME_STRANDED);
+
+std::string_view rejection_reason(const phase_t& message) {
+  const auto phase = Phase(message.phase);
+  const auto outcome = MissionOutcome(message.outcome);
+  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
+  if (phase < Phase::kWaiting || phase > Phase::kEnded) return "unknown phase";
+  if (outcome < MissionOutcome::kInProgress || outcome > MissionOutcome::kStranded) {
+    return "unknown outcome";
+  }
+  if (message.sequence < 0 || message.goal_id < 0 || message.scans < 0) return "negative count";
+  if (message.frontier < -1) return "target with a negative id";
+  if (!is_distance(message.distance_travelled_m) || !is_distance(message.remaining_m))
+    return "way that is none";
+  return {};
+}
+
+}  // namespace
+
+phase_t to_message(const MissionPhase& phase) {
+  phase_t message;
+  message.utime = phase.utime;
+  message.sequence = phase.sequence;
+  message.phase = static_cast<std::int8_t>(phase.phase);
+  message.reason = phase.reason;
+  message.returning_home = static_cast<std::int8_t>(phase.returning_home);
+  message.return_home_reason = phase.return_home_reason;
+  message.laser = laser_channel(phase.laser);
+  message.goal_id = phase.goal_id;
+  message.frontier = phase.frontier;
+  message.scans = phase.scans;
+  message.distance_travelled_m = phase.distance_travelled_m;
+  message.remaining_m = phase.remaining_m;
+  message.outcome = static_cast<std::int8_t>(phase.outcome);
+  message.complete = static_cast<std::int8_t>(phase.complete);
+  return message;
+}
+
+Result<MissionPhase> from_message(const phase_t& message) {
+  if (const auto reason = rejection_reason(message); !reason.empty()) return Rejected{reason};
+  const auto laser = laser_from_channel(message.laser);
+  if (!laser) return Rejected{kUnknownLaser};
+  MissionPhase phase;
+  phase.utime = message.utime;
+  phase.sequence = message.sequence;
+  phase.phase = Phase(message.phase);
+  phase.reason = message.reason;
+  phase.returning_home = message.returning_home != 0;
+  phase.return_home_reason = message.return_home_reason;
+  phase.laser = *laser;
+  phase.goal_id = message.goal_id;
+  phase.frontier = message.frontier;
+  phase.scans = message.scans;
+  phase.distance_travelled_m = message.distance_travelled_m;
+  phase.remaining_m = message.remaining_m;
+  phase.outcome = MissionOutcome(message.outcome);
+  phase.complete = message.complete != 0;
+  return phase;
+}
+
+namespace {
+
+using Kind = MissionOrder::Kind;
+
+static_assert(static_cast<int>(Kind::kPause) == mission_order_t::KIND_PAUSE);
+static_assert(static_cast<int>(Kind::kResume) == mission_order_t::KIND_RESUME);
+static_assert(static_cast<int>(Kind::kReturnHome) == mission_order_t::KIND_RETURN_HOME);
+static_assert(static_cast<int>(Kind::kStop) == mission_order_t::KIND_STOP);
+
+}  // namespace
+
+mission_order_t to_message(const MissionOrder& order) {
+  mission_order_t message;
+  message.utime = order.utime;
+  message.kind = static_cast<std::int8_t>(order.kind);
+  return message;
+}
+
+Result<MissionOrder> from_message(const mission_order_t& message) {
+  if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
+  const auto kind = Kind(message.kind);
+  if (kind < Kind::kPause || kind > Kind::kStop) return Rejected{"unknown order"};
+  return MissionOrder{message.utime, kind};
+}
+
+}  // namespace adit

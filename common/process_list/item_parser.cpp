@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/process_list/item_parser.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <functional>
+#include <map>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "common/bus/bus.hpp"
+#include "common/config/nearest_name.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::size_t kLongest = 200;
+constexpr std::ptrdiff_t kDeepest = 16;
+
+bool is_name(const std::string& text) {
+  return !text.empty() && text.size() <= kLongest &&
+         std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) >= 0x20; });
+}
+
+}  // namespace
+
+void require_name(const TokenStream& tokens, const ListToken& token) {
+  if (is_name(token.text) && token.text.find('/') == std::string::npos) return;
+  tokens.fail(token.position, "a name is 1 to 200 bytes, without slashes and control characters");
+}
+
+void require_group_path(const TokenStream& tokens, const TextPosition& position,
+                        const std::string& path) {
+  if (std::ranges::count(path, '/') >= kDeepest) {
+    tokens.fail(position, "groups lie more than sixteen deep in each other");
+  }
+  std::istringstream parts(path);
+  bool good = !path.ends_with('/');
+  for (std::string part; std::getline(parts, part, '/');) good = good && is_name(part);
+  if (!good) tokens.fail(position, "\"" + path + "\" is no path of groups: names with / between");
+}
+
+namespace {
+
+using Kind = ListToken::Kind;
+
+constexpr double kLongestS = 3600.0;
+constexpr double kRateMinHz = 0.01;
+constexpr double kRateMaxHz = 1000.0;
+constexpr int kRestartsMax = 1'000'000;
+constexpr int kLastSignal = 64;
+
+/// A command as it grows. The rate of the sign of life may come before its channel.
+struct Draft {
+  ListedCommand command;
+  std::optional<std::string> channel;
+  std::optional<double> rate_hz;
+};
+
+using SetAttribute = std::function<void(TokenStream&, Draft&)>;
+
+std::string string_of(TokenStream& tokens) {
+  return tokens.expect(Kind::kString, "a text in quotes").text;
+}
+
+std::vector<std::string> strings_of(TokenStream& tokens) {
+  std::vector<std::string> all{string_of(tokens)};
+  while (tokens.take_if(Kind::kComma)) all.push_back(string_of(tokens));
+  return all;
+}
+
+std::string channel_of(TokenStream& tokens) {
+  const TextPosition position = tokens.next().position;
+  std::string channel = string_of(tokens);
+  if (!is_channel_name(channel)) {
+    tokens.fail(position, "\"" + channel + "\" is no channel: A to Z, 0 to 9 and _, at most 63");
+  }
+  return channel;
+}
+
+/// "outer/inner", procman's leading slash left out.
+std::string group_of(TokenStream& tokens) {
+  const TextPosition position = tokens.next().position;
+  std::string group = string_of(tokens);
+  if (group.starts_with('/')) group.erase(0, 1);
+  if (!group.empty()) require_group_path(tokens, position, group);
+  return group;
+}
+
+const std::map<std::string, SetAttribute>& attributes() {
+  static const std::map<std::string, SetAttribute> all{
+      {"exec", [](auto& tokens, auto& draft) { draft.command.exec = string_of(tokens); }},
+      {"deputy", [](auto& tokens, auto& draft) { draft.command.deputy = string_of(tokens); }},
+      {"group", [](auto& tokens, auto& draft) { draft.command.group = group_of(tokens); }},
+      {"auto_respawn",
+       [](auto& tokens, auto& draft) {
+         const std::string text = tokens.expect_one_of(Kind::kString, {"true", "false"});
+         draft.command.auto_respawn = text == "true";
+       }},
+      {"stop_signal",
+       [](auto& tokens, auto& draft) {
+         draft.command.stop_signal = tokens.expect_integer(1, kLastSignal);
+       }},
+      {"stop_time_allowed",
+       [](auto& tokens, auto& draft) {
+         draft.command.stop_time_allowed_s = tokens.expect_number(0.0, kLongestS);
+       }},
+      {"depends_on",
+       [](auto& tokens, auto& draft) { draft.command.depends_on = strings_of(tokens); }},
+      {"restart_limit",
+       [](auto& tokens, auto& draft) {
+         draft.command.restart_limit = tokens.expect_integer(0, kRestartsMax);
+       }},
+      {"alive_channel", [](auto& tokens, auto& draft) { draft.channel = channel_of(tokens); }},
+      {"alive_rate_hz",
+       [](auto& tokens, auto& draft) {
+         draft.rate_hz = tokens.expect_number(kRateMinHz, kRateMaxHz);
+       }},
+      {"start_timeout_s", [](auto& tokens, auto& draft) {
+         draft.command.start_timeout_s = tokens.expect_number(0.0, kLongestS);
+       }}};
+  return all;
+}
+
+std::vector<std::string> attribute_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, set] : attributes()) names.push_back(name);
+  return names;
+}
+
+/// `host` is what older files call the deputy.
+const SetAttribute& attribute(TokenStream& tokens, const ListToken& word, std::string name) {
+  if (name == "host") name = "deputy";
+  const auto found = attributes().find(name);
+  if (found != attributes().end()) return found->second;
+  const std::string nearest = nearest_name(name, attribute_names());
+  tokens.fail(word.position, "a command has no attribute '" + name + "'" +
+                                 (nearest.empty() ? "" : "; meant is perhaps '" + nearest + "'"));
+}
+
+void parse_attribute(TokenStream& tokens, Draft& draft, std::set<std::string>& seen) {
+  const ListToken word = tokens.expect(Kind::kWord, "an attribute of the command or '}'");
+  const SetAttribute& set = attribute(tokens, word, word.text);
+  if (!seen.insert(word.text == "host" ? "deputy" : word.text).second) {
+    tokens.fail(word.position, "'" + word.text + "' stands here twice");
+  }
+  tokens.expect(Kind::kAssign, "'='");
+  set(tokens, draft);
+  tokens.expect(Kind::kEnd, "';'");
+}
+
+std::string parse_name(TokenStream& tokens) {
+  const ListToken name = tokens.expect(Kind::kString, "the name of the command in quotes");
+  require_name(tokens, name);
+  return name.text;
+}
+
+ListedCommand finished(const TokenStream& tokens, const TextPosition& position, Draft draft) {
+  if (draft.command.exec.empty()) {
+    tokens.fail(position, "command \"" + draft.command.id + "\" has no exec");
+  }
+  if (draft.rate_hz && !draft.channel) {
+    tokens.fail(position,
+                "command \"" + draft.command.id + "\" has alive_rate_hz without a channel");
+  }
+  if (draft.channel)
+    draft.command.alive = LivenessSignal{*draft.channel, draft.rate_hz.value_or(1.0)};
+  return draft.command;
+}
+
+}  // namespace
+
+ListedCommand parse_listed_command(TokenStream& tokens, const std::string& group) {
+  Draft draft;
+  const TextPosition position = tokens.next().position;
+  draft.command.id = parse_name(tokens);
+  draft.command.group = group;
+  tokens.expect(Kind::kOpen, "'{'");
+  std::set<std::string> seen;
+  while (tokens.next().kind != Kind::kClose) parse_attribute(tokens, draft, seen);
+  tokens.take();
+  return finished(tokens, position, std::move(draft));
+}
+
+namespace {
+
+using Kind = ListToken::Kind;
+using ActionKind = ScriptAction::Kind;
+
+constexpr int kWaitMaxMs = 3'600'000;
+constexpr double kTimeoutMaxS = 3600.0;
+
+std::string name_of(TokenStream& tokens) {
+  return tokens.expect(Kind::kString, "a name in quotes").text;
+}
+
+AwaitedStatus parse_status(TokenStream& tokens) {
+  const std::string status = tokens.expect_one_of(Kind::kString, {"running", "stopped"});
+  return status == "running" ? AwaitedStatus::kRunning : AwaitedStatus::kStopped;
+}
+
+void parse_timeout(TokenStream& tokens, ScriptAction& action) {
+  if (tokens.next().kind == Kind::kEnd) return;
+  if (tokens.next().text != "timeout_s") tokens.fail_next("';' or timeout_s");
+  tokens.take();
+  action.timeout_s = tokens.expect_number(0.0, kTimeoutMaxS);
+}
+
+ScriptAction parse_change(TokenStream& tokens, ActionKind kind) {
+  ScriptAction action{.kind = kind};
+  const std::string what = tokens.expect_one_of(Kind::kWord, {"everything", "group", "cmd"});
+  if (what != "everything") {
+    action.target.kind =
+        what == "group" ? ScriptTarget::Kind::kGroup : ScriptTarget::Kind::kCommand;
+    action.target.name = name_of(tokens);
+  }
+  if (tokens.next().kind == Kind::kEnd) return action;
+  if (tokens.next().text != "wait") tokens.fail_next("';' or wait");
+  tokens.take();
+  action.awaited = parse_status(tokens);
+  parse_timeout(tokens, action);
+  return action;
+}
+
+ScriptAction parse_wait(TokenStream& tokens) {
+  const std::string what = tokens.expect_one_of(Kind::kWord, {"ms", "group", "cmd"});
+  if (what == "ms") {
+    return {.kind = ActionKind::kWaitTime, .wait_ms = tokens.expect_integer(0, kWaitMaxMs)};
+  }
+  ScriptAction action{.kind = ActionKind::kWaitStatus};
+  action.target.kind = what == "group" ? ScriptTarget::Kind::kGroup : ScriptTarget::Kind::kCommand;
+  action.target.name = name_of(tokens);
+  tokens.expect_one_of(Kind::kWord, {"status"});
+  action.awaited = parse_status(tokens);
+  parse_timeout(tokens, action);
+  return action;
+}
+
+ScriptAction parse_action(TokenStream& tokens) {
+  const std::string verb =
+      tokens.expect_one_of(Kind::kWord, {"start", "stop", "restart", "wait", "run_script"});
+  if (verb == "wait") return parse_wait(tokens);
+  if (verb == "run_script") return {.kind = ActionKind::kRunScript, .script = name_of(tokens)};
+  if (verb == "start") return parse_change(tokens, ActionKind::kStart);
+  if (verb == "stop") return parse_change(tokens, ActionKind::kStop);
+  return parse_change(tokens, ActionKind::kRestart);
+}
+
+}  // namespace
+
+ProcessScript parse_process_script(TokenStream& tokens) {
+  const ListToken name = tokens.expect(Kind::kString, "the name of the script in quotes");
+  require_name(tokens, name);
+  ProcessScript script{name.text, {}};
+  tokens.expect(Kind::kOpen, "'{'");
+  while (tokens.next().kind != Kind::kClose) {
+    script.actions.push_back(parse_action(tokens));
+    tokens.expect(Kind::kEnd, "';'");
+  }
+  tokens.take();
+  return script;
+}
+
+}  // namespace adit

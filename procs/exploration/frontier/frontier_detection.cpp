@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/exploration/frontier/frontier_detection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace adit {
+namespace {
+
+struct FrontierCell {
+  std::size_t cell;
+  Eigen::Vector2d outward;  // to the unseen cells beside it
+};
+
+/// Outward is summed over a ring of cells, so that it does not depend on one.
+Eigen::Vector2d outward(const DrivableSpace& space, std::size_t index) {
+  constexpr int kReach = 3;
+  const Eigen::Vector2i middle = space.known.cell(index);
+  Eigen::Vector2d sum(0.0, 0.0);
+  for (int y = -kReach; y <= kReach; ++y) {
+    for (int x = -kReach; x <= kReach; ++x) {
+      const Occupancy known = space.known.get(middle + Eigen::Vector2i(x, y), Occupancy::kUnseen);
+      if (known == Occupancy::kUnseen) sum += Eigen::Vector2d(x, y);
+      if (known == Occupancy::kFree || known == Occupancy::kDriven) sum -= Eigen::Vector2d(x, y);
+    }
+  }
+  return sum;
+}
+
+/// Rows from the lowest; the rim of the field holds nothing drivable.
+std::vector<FrontierCell> find_frontier_cells(const DrivableSpace& space) {
+  const auto around = space.known.around();
+  const auto least = static_cast<float>(space.radius_m - 1e-6);  // where the body was is no end
+  std::vector<FrontierCell> frontier_cells;
+  for (std::size_t i = 0; i < space.known.size(); ++i) {
+    if (space.access[i] == Access::kNone || space.clearance_m[i] < least) continue;
+    bool at_unseen = false;
+    for (std::size_t side = 0; side < around.size(); side += 2) {
+      at_unseen |= space.known[i + static_cast<std::size_t>(around[side])] == Occupancy::kUnseen;
+    }
+    if (at_unseen) frontier_cells.push_back({i, outward(space, i)});
+  }
+  return frontier_cells;
+}
+
+/// Those within reach of each other, of one access. Marks: 1 + index of each frontier cell.
+std::vector<std::vector<std::size_t>> clusters_of(const DrivableSpace& space,
+                                                  const std::vector<FrontierCell>& frontier_cells,
+                                                  int reach) {
+  CellField<std::uint32_t> marks(space.known.box());
+  for (std::size_t k = 0; k < frontier_cells.size(); ++k) {
+    marks[frontier_cells[k].cell] = static_cast<std::uint32_t>(k + 1);
+  }
+  std::vector<std::vector<std::size_t>> clusters;
+  for (std::size_t k = 0; k < frontier_cells.size(); ++k) {
+    if (marks[frontier_cells[k].cell] == 0) continue;
+    marks[frontier_cells[k].cell] = 0;
+    std::vector<std::size_t> cluster{k};
+    for (std::size_t n = 0; n < cluster.size(); ++n) {
+      const std::size_t from = frontier_cells[cluster[n]].cell;
+      const Eigen::Vector2i middle = space.known.cell(from);
+      for (int y = -reach; y <= reach; ++y) {
+        for (int x = -reach; x <= reach; ++x) {
+          const Eigen::Vector2i cell = middle + Eigen::Vector2i(x, y);
+          if (!marks.box().contains(cell) || marks[marks.index(cell)] == 0) continue;
+          const std::size_t other = marks[marks.index(cell)] - 1;
+          if (space.access[frontier_cells[other].cell] != space.access[from]) continue;
+          marks[marks.index(cell)] = 0;
+          cluster.push_back(other);
+        }
+      }
+    }
+    clusters.push_back(std::move(cluster));
+  }
+  return clusters;
+}
+
+DetectedFrontier make_detected_frontier(const DrivableSpace& space,
+                                        const std::vector<FrontierCell>& frontier_cells,
+                                        const std::vector<std::size_t>& cluster) {
+  DetectedFrontier end;
+  Eigen::Vector2d mean(0.0, 0.0);
+  Eigen::Vector2d direction(0.0, 0.0);
+  for (const std::size_t k : cluster) {
+    mean += space.middle(frontier_cells[k].cell) / static_cast<double>(cluster.size());
+    direction += frontier_cells[k].outward;
+  }
+  if (direction.norm() > 0.0) end.direction_map = direction.normalized();
+  const Eigen::Vector2d across(-end.direction_map.y(), end.direction_map.x());
+  double nearest = std::numeric_limits<double>::infinity();
+  double low = 0.0;
+  double high = 0.0;
+  for (const std::size_t k : cluster) {
+    const Eigen::Vector2d p = space.middle(frontier_cells[k].cell);
+    low = std::min(low, across.dot(p - mean));
+    high = std::max(high, across.dot(p - mean));
+    if ((p - mean).norm() >= nearest) continue;
+    nearest = (p - mean).norm();
+    end.p_map = p;
+  }
+  end.width_m = high - low + 2.0 * space.radius_m;
+  end.access = space.access[frontier_cells[cluster.front()].cell];
+  return end;
+}
+
+}  // namespace
+
+std::vector<DetectedFrontier> detect_frontiers(const DrivableSpace& space,
+                                               double cluster_distance_m) {
+  const std::vector<FrontierCell> frontier_cells = find_frontier_cells(space);
+  const int reach = std::max(1, static_cast<int>(cluster_distance_m / space.resolution_m));
+  std::vector<DetectedFrontier> ends;
+  for (const auto& cluster : clusters_of(space, frontier_cells, reach)) {
+    ends.push_back(make_detected_frontier(space, frontier_cells, cluster));
+  }
+  return ends;
+}
+
+}  // namespace adit

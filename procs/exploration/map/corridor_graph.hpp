@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/config/bounds.hpp"
+#include "common/types/exploration.hpp"
+#include "procs/exploration/frontier/frontier_detection.hpp"
+#include "procs/exploration/map/drivable_space.hpp"
+
+namespace adit {
+
+struct CorridorGraphParams {
+  double dead_end_min_m = 2.0;  ///< beyond the wall of the corridor it leaves; less is a bay
+
+  template <class V>
+  void visit(V& v) {
+    v("dead_end_min_m", dead_end_min_m, at_least(0.0));
+  }
+};
+
+/// The graph of the middle lines, without the spurs that rough walls make: bays are no dead ends,
+/// and junctions within the width of a corridor are one.
+CorridorGraph corridor_graph(const DrivableSpace& space, const CellField<std::uint8_t>& skeleton,
+                             const std::vector<DetectedFrontier>& ends,
+                             const CorridorGraphParams& params);
+
+}  // namespace adit

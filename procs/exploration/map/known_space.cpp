@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/exploration/map/known_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace adit {
+namespace {
+
+// A cell of a tile votes at four places within it, so that turned cells leave no holes; a return
+// counts as much as they do together.
+constexpr int kPlaces = 4;
+// So many more votes for free than for wall make a wall free: rays that graze pass through walls.
+constexpr int kFreeOverWall = 3;
+constexpr double kDrivenRadiusM = 0.3;
+constexpr int kRim = 2;
+constexpr int kSlack = 50;  // cells by which the field grows at a time
+constexpr double kAnchorRadiusM = 20.0;
+constexpr double kSeamM = 2.0;  // by which a graph may bend the way between two local maps
+
+double radius_of(const LocalMapTile& tile, double resolution_m) {
+  double radius = 0.0;
+  for (const auto& cell : tile.free)
+    radius = std::max(radius, middle_of(cell, resolution_m).norm());
+  for (const auto& p : tile.walls) radius = std::max(radius, p.norm());
+  for (const auto& p : tile.path) radius = std::max(radius, p.norm());
+  return radius + resolution_m;
+}
+
+void mark_disc(CellField<Occupancy>& known, const Eigen::Vector2d& p, double resolution_m) {
+  const int reach = static_cast<int>(kDrivenRadiusM / resolution_m);
+  const Eigen::Vector2i middle = cell_of(p, resolution_m);
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      const Eigen::Vector2i cell = middle + Eigen::Vector2i(x, y);
+      if (known.box().contains(cell)) known[known.index(cell)] = Occupancy::kDriven;
+    }
+  }
+}
+
+void mark_line(CellField<Occupancy>& known, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+               double resolution_m) {
+  const int steps = 1 + static_cast<int>((to - from).norm() / (0.5 * resolution_m));
+  for (int i = 0; i <= steps; ++i) {
+    mark_disc(known, from + (to - from) * (static_cast<double>(i) / steps), resolution_m);
+  }
+}
+
+}  // namespace
+
+void KnownSpace::add(int id, LocalMapTile tile) {
+  Entry& entry = entries_[id];
+  withdraw(entry);
+  entry.radius_m = radius_of(tile, resolution_m());
+  entry.tile = std::move(tile);
+}
+
+void KnownSpace::pose(const std::vector<Pose2>& T_map_local) {
+  dropped_tiles_ = 0;
+  for (auto& [id, entry] : entries_) {
+    const bool posed = id >= 0 && static_cast<std::size_t>(id) < T_map_local.size();
+    if (!posed) {
+      withdraw(entry);
+      continue;
+    }
+    const Pose2& pose = T_map_local[static_cast<std::size_t>(id)];
+    if (!moved(entry, pose)) continue;
+    withdraw(entry);
+    enter(entry, pose);
+  }
+}
+
+bool KnownSpace::moved(const Entry& entry, const Pose2& T_map_local) const {
+  if (!entry.T_map_local) return true;
+  const Pose2 motion = between(*entry.T_map_local, T_map_local);
+  return motion.translation().norm() + entry.radius_m * std::abs(motion.theta) >
+         params_.update_distance_m;
+}
+
+void KnownSpace::enter(Entry& entry, const Pose2& T_map_local) {
+  const Eigen::Vector2d p = T_map_local.translation();
+  const Eigen::Vector2d reach(entry.radius_m, entry.radius_m);
+  const bool has_place = T_map_local.vector().allFinite() && p.norm() < 1e6;
+  if (!has_place || !reserve({cell_of(p - reach, resolution_m()),
+                              cell_of(p + reach, resolution_m()) + Eigen::Vector2i(1, 1)})) {
+    ++dropped_tiles_;
+    return;
+  }
+  entry.T_map_local = T_map_local;
+  vote(entry, 1);
+}
+
+void KnownSpace::withdraw(Entry& entry) {
+  if (!entry.T_map_local) return;
+  vote(entry, -1);
+  entry.T_map_local.reset();
+}
+
+/// False where there is no room.
+bool KnownSpace::reserve(const CellBox& box) {
+  if (votes_.size() > 0 && votes_.box().contains(box)) return true;
+  const Eigen::Vector2i slack(kSlack, kSlack);
+  CellBox grown_box{box.from - slack, box.to + slack};
+  if (votes_.size() > 0) {
+    grown_box.from = grown_box.from.cwiseMin(votes_.box().from);
+    grown_box.to = grown_box.to.cwiseMax(votes_.box().to);
+  }
+  const double cells = grown_box.size().cast<double>().prod();
+  if (cells > params_.cells_max) return false;
+  votes_ = votes_.size() > 0 ? votes_.grown_to(grown_box) : CellField<Votes>(grown_box);
+  return true;
+}
+
+void KnownSpace::vote(const Entry& entry, int sign) {
+  const double side = resolution_m();
+  const Pose2& T = *entry.T_map_local;
+  const double c = std::cos(T.theta);
+  const double s = std::sin(T.theta);
+  const auto votes_at = [&](double x, double y) -> Votes& {
+    return votes_[votes_.index(cell_of({T.x + c * x - s * y, T.y + s * x + c * y}, side))];
+  };
+  for (const Eigen::Vector2i& cell : entry.tile.free) {
+    for (const double dy : {0.25, 0.75}) {
+      for (const double dx : {0.25, 0.75}) {
+        Votes& votes = votes_at(side * (cell.x() + dx), side * (cell.y() + dy));
+        votes.free = static_cast<std::uint16_t>(votes.free + sign);
+      }
+    }
+  }
+  for (const Eigen::Vector2d& p : entry.tile.walls) {
+    Votes& votes = votes_at(p.x(), p.y());
+    votes.wall = static_cast<std::uint16_t>(votes.wall + sign * kPlaces);
+  }
+}
+
+CellField<Occupancy> KnownSpace::cells() const {
+  CellBox box = votes_.box();
+  if (votes_.size() == 0) return {};
+  const Eigen::Vector2i rim(kRim, kRim);
+  CellField<Occupancy> known({box.from - rim, box.to + rim}, Occupancy::kUnseen);
+  for (std::size_t i = 0; i < votes_.size(); ++i) {
+    const Votes& votes = votes_[i];
+    if (votes.free == 0 && votes.wall == 0) continue;
+    known[known.index(votes_.cell(i))] = votes.wall > 0 && kFreeOverWall * votes.wall >= votes.free
+                                             ? Occupancy::kWall
+                                             : Occupancy::kFree;
+  }
+  fill_patches(known);
+  mark_driven(known);
+  return known;
+}
+
+/// The way of the body, over the seams of local maps too: it holds what is drivable together. Where
+/// mapping kept no local maps of places that were known, the next one begins elsewhere.
+void KnownSpace::mark_driven(CellField<Occupancy>& known) const {
+  Eigen::Vector2d last(0.0, 0.0);
+  std::optional<int> session;
+  for (const auto& [id, entry] : entries_) {
+    if (!entry.T_map_local) continue;
+    for (const Eigen::Vector2d& p_local : entry.tile.path) {
+      const Eigen::Vector2d p = *entry.T_map_local * p_local;
+      const bool continues = session == entry.tile.session && (p - last).norm() <= kSeamM;
+      mark_line(known, continues ? last : p, p, resolution_m());
+      session = entry.tile.session;
+      last = p;
+    }
+  }
+}
+
+/// Small patches between beams, round which all is known to be free.
+void KnownSpace::fill_patches(CellField<Occupancy>& known) const {
+  const auto most =
+      static_cast<std::size_t>(params_.unseen_patch_m2 / (resolution_m() * resolution_m()));
+  const auto around = known.around();
+  CellField<std::uint8_t> visited(known.box());
+  std::vector<std::size_t> patch;
+  const auto columns = static_cast<std::size_t>(known.box().size().x());
+  for (std::size_t i = columns + 1; i + columns + 1 < known.size(); ++i) {
+    if (known[i] != Occupancy::kUnseen || visited[i] != 0 || known[i - 1] != Occupancy::kFree)
+      continue;
+    patch.assign(1, i);
+    visited[i] = 1;
+    bool enclosed = true;
+    for (std::size_t k = 0; k < patch.size() && enclosed; ++k) {
+      for (std::size_t side = 0; side < 8; side += 2) {
+        const std::size_t next = patch[k] + static_cast<std::size_t>(around[side]);
+        if (known[next] != Occupancy::kUnseen) continue;
+        if (visited[next] == 1 && std::find(patch.begin(), patch.end(), next) != patch.end()) {
+          continue;
+        }
+        if (visited[next] != 0 || patch.size() >= most) {
+          enclosed = false;
+          break;
+        }
+        visited[next] = 1;
+        patch.push_back(next);
+      }
+    }
+    if (!enclosed) continue;
+    for (const std::size_t cell : patch) known[cell] = Occupancy::kFree;
+  }
+}
+
+std::optional<int> KnownSpace::tile_at(const Eigen::Vector2d& p_map) const {
+  std::optional<int> best;
+  double nearest = kAnchorRadiusM;
+  for (const auto& [id, entry] : entries_) {
+    if (!entry.T_map_local) continue;
+    const Eigen::Vector2d p_local = entry.T_map_local->inverse() * p_map;
+    double distance = std::numeric_limits<double>::infinity();
+    for (const auto& p : entry.tile.path) distance = std::min(distance, (p - p_local).norm());
+    if (distance >= nearest || !entry.tile.is_free(cell_of(p_local, resolution_m()))) continue;
+    nearest = distance;
+    best = id;
+  }
+  return best;
+}
+
+std::optional<int> KnownSpace::newest_at(const Eigen::Vector2d& p_map) const {
+  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
+    const auto& [tile, T_map_local, radius_m] = entry->second;
+    if (!T_map_local) continue;
+    if (tile.is_free(cell_of(T_map_local->inverse() * p_map, resolution_m()))) return entry->first;
+  }
+  return std::nullopt;
+}
+
+std::optional<Pose2> KnownSpace::pose_of(int id) const {
+  const auto entry = entries_.find(id);
+  return entry == entries_.end() ? std::nullopt : entry->second.T_map_local;
+}
+
+std::optional<int> KnownSpace::newest() const {
+  for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
+    if (entry->second.T_map_local) return entry->first;
+  }
+  return std::nullopt;
+}
+
+}  // namespace adit

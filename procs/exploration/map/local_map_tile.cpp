@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/exploration/map/local_map_tile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "procs/exploration/map/cell_field.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kPathRadiusMaxM = 200.0;  // from the origin of a local map; farther is an error
+
+bool by_row(const Eigen::Vector2i& a, const Eigen::Vector2i& b) {
+  return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
+}
+
+bool is_valid(const LocalScan& local) {
+  return local.T_local_body.vector().allFinite() &&
+         local.T_local_body.translation().norm() < kPathRadiusMaxM &&
+         std::isfinite(local.scan.angle_min_rad) && std::isfinite(local.scan.angle_step_rad);
+}
+
+const LaserMount* mount_of(const std::string& channel, const Lasers& lasers) {
+  if (channel == "LASER_FRONT") return &lasers.front;
+  return channel == "LASER_REAR" ? &lasers.rear : nullptr;
+}
+
+struct Counts {
+  std::uint16_t ends = 0;      // scans that end here
+  std::uint16_t passes = 0;    // scans that go through, and end elsewhere
+  std::uint32_t last_end = 0;  // number of the scan
+  std::uint32_t last_pass = 0;
+  Eigen::Vector2f sum{0.0F, 0.0F};  // of the returns
+  std::uint16_t returns = 0;
+};
+
+CellBox box_around(const LocalMap& map, const LocalMapTileParams& params) {
+  CellBox box{cell_of(Eigen::Vector2d::Zero(), params.resolution_m), {1, 1}};
+  const double reach_m = params.range_max_m + 5.0;  // lasers sit beside the body's origin
+  for (const LocalScan& local : map.scans) {
+    const Eigen::Vector2d p = local.T_local_body.translation();
+    const Eigen::Vector2d reach(reach_m, reach_m);
+    box.from = box.from.cwiseMin(cell_of(p - reach, params.resolution_m));
+    box.to = box.to.cwiseMax(cell_of(p + reach, params.resolution_m) + Eigen::Vector2i(1, 1));
+  }
+  return box;
+}
+
+/// Enters scans one after the other; a scan counts once in a cell, and where it ends it does not
+/// pass.
+class Raster {
+ public:
+  Raster(const LocalMap& map, const LocalMapTileParams& params)
+      : params_(params), cells_(box_around(map, params)) {}
+
+  void enter(const LaserScan& scan, const LaserMount& mount, const Pose2& T_local_laser) {
+    ++scan_;
+    for (const bool ends : {true, false}) {
+      double angle = scan.angle_min_rad + T_local_laser.theta;
+      for (const float range : scan.ranges_m) {
+        const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
+        angle += scan.angle_step_rad;
+        if (!(range >= mount.range_min_m && range < mount.range_max_m)) continue;
+        if (ends) end(T_local_laser.translation() + range * along, range);
+        if (!ends) carve(T_local_laser.translation(), along, range);
+      }
+    }
+  }
+
+  void extract(LocalMapTile& tile) const {
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const Counts& counts = cells_[i];
+      if (counts.ends > 0 && counts.ends >= params_.wall_share * (counts.ends + counts.passes)) {
+        tile.walls.emplace_back((counts.sum / counts.returns).cast<double>());
+      } else if (counts.passes > 0) {
+        tile.free.push_back(cells_.cell(i));
+      }
+    }
+  }
+
+ private:
+  void end(const Eigen::Vector2d& p_local, double range) {
+    const Eigen::Vector2i cell = cell_of(p_local, params_.resolution_m);
+    if (range > params_.range_max_m || !cells_.box().contains(cell)) return;
+    Counts& counts = cells_[cells_.index(cell)];
+    counts.sum += p_local.cast<float>();
+    ++counts.returns;
+    if (counts.last_end != scan_) ++counts.ends;
+    counts.last_end = scan_;
+  }
+
+  /// In steps of half a cell, to half a cell before the return.
+  void carve(const Eigen::Vector2d& from, const Eigen::Vector2d& along, double range) {
+    const double half = params_.resolution_m / 2.0;
+    const double until = std::min(range - half, params_.range_max_m);
+    for (double path = 0.0; path < until; path += half) {
+      const Eigen::Vector2i cell = cell_of(from + path * along, params_.resolution_m);
+      if (!cells_.box().contains(cell)) return;
+      Counts& counts = cells_[cells_.index(cell)];
+      if (counts.last_end == scan_ || counts.last_pass == scan_) continue;
+      counts.last_pass = scan_;
+      ++counts.passes;
+    }
+  }
+
+  LocalMapTileParams params_;
+  CellField<Counts> cells_;
+  std::uint32_t scan_ = 0;
+};
+
+bool is_new_view(const Pose2& T_local_last, const Pose2& T_local_laser,
+                 const LocalMapTileParams& params) {
+  const Pose2 moved = between(T_local_last, T_local_laser);
+  return moved.translation().norm() >= params.view_distance_m ||
+         std::abs(moved.theta) >= params.view_angle_rad;
+}
+
+}  // namespace
+
+bool LocalMapTile::is_free(const Eigen::Vector2i& cell_local) const {
+  return std::binary_search(free.begin(), free.end(), cell_local, by_row);
+}
+
+std::optional<LocalMapTile> make_local_map_tile(const LocalMap& map, const Lasers& lasers,
+                                                const LocalMapTileParams& params) {
+  if (map.scans.empty() || !std::all_of(map.scans.begin(), map.scans.end(), is_valid)) {
+    return std::nullopt;
+  }
+  LocalMapTile tile;
+  tile.session = map.session;
+  tile.end_utime = map.end_utime;
+  Raster raster(map, params);
+  std::map<std::string, Pose2> last_view;
+  for (const LocalScan& local : map.scans) {
+    tile.path.push_back(local.T_local_body.translation());
+    const LaserMount* mount = mount_of(local.channel, lasers);
+    if (mount == nullptr) continue;
+    const Pose2 T_local_laser = local.T_local_body * mount->T_body_laser;
+    const auto last = last_view.find(local.channel);
+    if (last != last_view.end() && !is_new_view(last->second, T_local_laser, params)) continue;
+    last_view[local.channel] = T_local_laser;
+    raster.enter(local.scan, *mount, T_local_laser);
+  }
+  raster.extract(tile);
+  return tile;
+}
+
+}  // namespace adit

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/config/bounds.hpp"
+#include "common/sensing/laser_mount.hpp"
+#include "common/types/local_map.hpp"
+
+namespace adit {
+
+struct LocalMapTileParams {
+  double resolution_m = 0.2;     ///< side of a cell
+  double range_max_m = 8.0;      ///< what is farther away counts as not seen yet
+  double view_distance_m = 0.5;  ///< a scan is entered after this motion of its laser
+  double view_angle_rad = 0.3;   ///< or this turn
+  double wall_share = 0.15;      ///< of the scans through a cell that end in it, for a wall
+
+  template <class V>
+  void visit(V& v) {
+    v("resolution_m", resolution_m, within(0.05, 1.0));
+    v("range_max_m", range_max_m, within(1.0, 100.0));
+    v("view_distance_m", view_distance_m, at_least(0.0));
+    v("view_angle_rad", view_angle_rad, at_least(0.0));
+    v("wall_share", wall_share, within(0.0, 1.0));
+  }
+};
+
+/// What a local map saw, in its frame: computed once, and posed as often as the graph moves. All
+/// its scans are level: the mapping takes no others. No return says nothing: it may be water, or
+/// open air.
+struct LocalMapTile {
+  int session = 0;
+  std::int64_t end_utime = 0;
+  std::vector<Eigen::Vector2i> free;   ///< cells that beams went through, by row, then column
+  std::vector<Eigen::Vector2d> walls;  ///< p_local: mean of the returns in each cell of wall
+  std::vector<Eigen::Vector2d> path;   ///< p_local of the body, in order
+
+  [[nodiscard]] bool is_free(const Eigen::Vector2i& cell_local) const;
+};
+
+/// Nothing where the local map is malformed: without scans, or with a pose or an angle that is not
+/// finite or far away. Scans of channels other than LASER_FRONT and LASER_REAR are left out.
+std::optional<LocalMapTile> make_local_map_tile(const LocalMap& map, const Lasers& lasers,
+                                                const LocalMapTileParams& params);
+
+}  // namespace adit

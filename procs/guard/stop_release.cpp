@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/guard/stop_release.hpp"
+
+#include "common/sensing/seconds.hpp"
+
+namespace adit {
+
+bool StopLatch::evaluate(bool has_reason, std::optional<std::int64_t> command_us,
+                         std::int64_t now_us) {
+  if (has_reason || !reason_us_) reason_us_ = now_us;
+  if (has_reason) stopped_ = true;
+  const bool held = seconds(now_us - *reason_us_) >= hold_s_;
+  if (held && command_us && *command_us > *reason_us_) stopped_ = false;
+  return stopped_;
+}
+
+bool RetreatPermission::forbids(bool is_present, int direction, std::int64_t now_us) {
+  if (!is_present) {
+    if (now_us - last_present_us_ > kClearAfterUs) entry_direction_.reset();
+    if (direction != 0) last_direction_ = direction;
+    return false;
+  }
+  last_present_us_ = now_us;
+  if (!entry_direction_) entry_direction_ = last_direction_;
+  const bool retreats = *entry_direction_ != 0 && direction == -*entry_direction_;
+  return !retreats;
+}
+
+}  // namespace adit

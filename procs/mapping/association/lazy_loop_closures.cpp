@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/association/lazy_loop_closures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <Eigen/LU>
+
+#include "common/pose_graph/pose_graph.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kKernel2 = 7.8;  // chi-square, 3 degrees of freedom, 0.95: a quarter of the weight
+constexpr int kReweightings = 30;
+constexpr double kConvergedShare = 1e-4;  // change of the objective, as a share
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Which constraints are the way and which are loops.
+struct Parts {
+  std::vector<int> chain;  // constraint from each node to the next, or −1
+  std::vector<int> loops;  // in the order of their later node
+};
+
+Parts split(const PoseGraph& graph) {
+  Parts parts;
+  parts.chain.assign(graph.poses.empty() ? 0 : graph.poses.size() - 1, -1);
+  for (int k = 0; k < static_cast<int>(graph.constraints.size()); ++k) {
+    const PoseConstraint& c = graph.constraints[at(k)];
+    const bool step = std::abs(c.to - c.from) == 1;
+    int* slot = step ? &parts.chain[at(std::min(c.from, c.to))] : nullptr;
+    if (step && *slot < 0) {
+      *slot = k;
+    } else {
+      parts.loops.push_back(k);
+    }
+  }
+  std::stable_sort(parts.loops.begin(), parts.loops.end(), [&](int a, int b) {
+    const auto later = [&](int k) {
+      return std::max(graph.constraints[at(k)].from, graph.constraints[at(k)].to);
+    };
+    return later(a) < later(b);
+  });
+  return parts;
+}
+
+/// The same measurement as the pose of the later node in the earlier one.
+PoseConstraint forward(const PoseConstraint& c) {
+  if (c.from < c.to) return c;
+  const Eigen::Matrix3d Ad = adjoint(c.T_from_to.inverse());
+  return {c.to, c.from, c.T_from_to.inverse(), Ad.transpose() * c.information * Ad};
+}
+
+/// The nodes at which something is to be decided, and the way between them as one step each.
+class CondensedChain {
+ public:
+  CondensedChain(const PoseGraph& graph, const Parts& parts) : node_(graph.poses.size(), -1) {
+    std::vector<bool> selected(graph.poses.size(), false);
+    if (!selected.empty()) selected.front() = true;
+    for (const int k : parts.loops) {
+      selected[at(graph.constraints[at(k)].from)] = true;
+      selected[at(graph.constraints[at(k)].to)] = true;
+    }
+    int next = 0;
+    for (std::size_t i = 0; i < selected.size(); ++i) {
+      if (selected[i]) node_[i] = next++;
+    }
+  }
+
+  [[nodiscard]] int node(int pose) const { return node_[at(pose)]; }
+
+  void add_odometry(const PoseGraph& graph, const Parts& parts,
+                    LazyAssociation& association) const {
+    UncertainPose T_last_here;
+    for (std::size_t i = 0; i < node_.size(); ++i) {
+      if (i > 0) {
+        const PoseConstraint& step = graph.constraints[at(parts.chain[i - 1])];
+        T_last_here = T_last_here * measured_by(forward(step));
+      }
+      if (node_[i] < 0) continue;
+      const Eigen::Matrix3d& covariance = T_last_here.covariance;
+      association.add_map(T_last_here.T_from_to, i > 0 ? covariance.inverse() : covariance);
+      T_last_here = {};
+    }
+  }
+
+ private:
+  std::vector<int> node_;  // of each pose, or −1
+};
+
+/// What is believed, at full weight.
+struct AcceptedConstraints {
+  AcceptedConstraints(const PoseGraph& graph, const std::vector<bool>& accepted) {
+    std::vector<bool> loop(graph.constraints.size(), false);
+    for (const int k : split(graph).loops) loop[at(k)] = true;
+    for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
+      if (!accepted[k]) continue;
+      constraints.push_back(graph.constraints[k]);
+      is_loop.push_back(loop[k]);
+    }
+  }
+
+  /// Gives the loops of the same graph the weights that their residuals call for.
+  void reweight(PoseGraph& weighted) const {
+    for (std::size_t k = 0; k < constraints.size(); ++k) {
+      if (!is_loop[k]) continue;
+      const PoseConstraint& c = constraints[k];
+      const double e2 =
+          energy(c, residual(c, weighted.poses[at(c.from)], weighted.poses[at(c.to)]));
+      const double root = 1.0 + e2 / kKernel2;
+      weighted.constraints[k].information = c.information / (root * root);
+    }
+  }
+
+  std::vector<PoseConstraint> constraints;
+  std::vector<bool> is_loop;
+};
+
+bool has_poses(const OptimizeResult& result) {
+  return result.converged || result.reason == OptimizeReason::kNotConverged;
+}
+
+/// Counts on; all else is that of the last step.
+void add(OptimizeResult& all, const OptimizeResult& step) {
+  const int iterations = all.iterations + step.iterations;
+  const int factorisations = all.factorisations + step.factorisations;
+  all = step;
+  all.iterations = iterations;
+  all.factorisations = factorisations;
+}
+
+}  // namespace
+
+LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
+                                              const LazyAssociationParams& params,
+                                              const std::function<void(double)>& progress) {
+  LazyLoopClosuresResult result;
+  if (const auto gap = odometry_gap(graph)) {
+    throw std::invalid_argument("no constraint leads from pose " + std::to_string(*gap) +
+                                " to the next: there is no way to hold loops against");
+  }
+  const Parts parts = split(graph);
+  const CondensedChain condensed_chain(graph, parts);
+  LazyAssociation association(params);
+  condensed_chain.add_odometry(graph, parts, association);
+  for (const int k : parts.loops) {
+    const PoseConstraint loop = forward(graph.constraints[at(k)]);
+    LoopClosure loop_closure;
+    loop_closure.newer_map = condensed_chain.node(loop.to);
+    loop_closure.alternatives = {
+        {condensed_chain.node(loop.from), loop.T_from_to, loop.information, 0.0}};
+    result.constraint_of_loop_closure.push_back(k);
+    const auto decided = association.decide({std::move(loop_closure)}, 0);
+    result.history.insert(result.history.end(), decided.begin(), decided.end());
+    if (progress) {
+      progress(static_cast<double>(result.constraint_of_loop_closure.size()) /
+               static_cast<double>(parts.loops.size()));
+    }
+  }
+  const auto reconsidered = association.reconsider(0);
+  result.history.insert(result.history.end(), reconsidered.begin(), reconsidered.end());
+  result.accepted.assign(graph.constraints.size(), true);
+  for (std::size_t i = 0; i < result.constraint_of_loop_closure.size(); ++i) {
+    result.accepted[at(result.constraint_of_loop_closure[i])] =
+        association.hypothesis().chosen[i] != Association::kNone;
+  }
+  result.trials = association.trials();
+  return result;
+}
+
+std::optional<int> odometry_gap(const PoseGraph& graph) {
+  const std::vector<int> chain = split(graph).chain;
+  const auto gap = std::find(chain.begin(), chain.end(), -1);
+  if (gap == chain.end()) return std::nullopt;
+  return static_cast<int>(gap - chain.begin());
+}
+
+OptimizeResult optimize_accepted(PoseGraph& graph, const std::vector<bool>& accepted,
+                                 const OptimizeObserver& observer) {
+  const AcceptedConstraints full(graph, accepted);
+  PoseGraph weighted{graph.poses, full.constraints};
+  OptimizeParams params;
+  OptimizeResult all;
+  double last = 0.0;
+  for (int i = 0; i < kReweightings; ++i) {
+    if (i > 0) full.reweight(weighted);
+    const OptimizeResult step = optimize(weighted, params, observer);
+    if (observer) observer(OptimizePhase::kOther);
+    add(all, step);
+    if (!has_poses(step)) return all;
+    params.rotation_initialization = false;
+    if (i > 0 && std::abs(step.objective - last) <= kConvergedShare * last) break;
+    last = step.objective;
+  }
+  graph.poses = std::move(weighted.poses);
+  all.objective = objective({graph.poses, full.constraints});
+  if (observer) observer(OptimizePhase::kEnd);
+  return all;
+}
+
+}  // namespace adit

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/loop_closure/local_walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "common/registration/surfel_map.hpp"
+
+namespace adit {
+namespace {
+
+SurfacePoint to_point(const Surfel& surfel, double wall_variance) {
+  SurfacePoint point;
+  point.p = surfel.p;
+  point.normal = surfel.normal;
+  point.normal_variance = surfel.normal_variance;
+  point.variance = surfel.variance + wall_variance;
+  return point;
+}
+
+/// Is this scan's view new enough, against the last one that was kept of its laser?
+bool new_view(const Pose2& T_local_body, const Pose2& T_local_last,
+              const LocalWallsParams& params) {
+  const Pose2 moved = between(T_local_last, T_local_body);
+  return moved.translation().norm() >= params.view_distance_m ||
+         std::abs(moved.theta) >= params.view_angle_rad;
+}
+
+}  // namespace
+
+LocalWalls local_walls(const LocalMap& map, const LaserMounts& mounts,
+                       const LocalWallsParams& params) {
+  LocalWalls walls;
+  SurfelMapParams thinning;
+  thinning.spacing_m = params.spacing_m;
+  SurfelMap surfels(thinning);
+  std::map<std::string, Pose2> last_view;
+  for (const LocalScan& local : map.scans) {
+    const auto mount = mounts.find(local.channel);
+    if (mount == mounts.end()) continue;
+    auto points = surface_points(local.scan, mount->second, params.surface);
+    std::erase_if(points, [&](const auto& q) { return q.p.norm() > params.range_max_m; });
+    surfels.insert(points, local.T_local_body, 0.0);
+    const auto last = last_view.find(local.channel);
+    if (last != last_view.end() && !new_view(local.T_local_body, last->second, params)) continue;
+    last_view[local.channel] = local.T_local_body;
+    walls.views.push_back({FreeSpace(local.scan, mount->second), local.T_local_body});
+  }
+  const double wall_variance = params.wall_sd_m * params.wall_sd_m;
+  walls.length_m = params.spacing_m * static_cast<double>(surfels.surfels().size());
+  walls.points.reserve(surfels.surfels().size());
+  for (const Surfel& surfel : surfels.surfels()) {
+    walls.points.push_back(to_point(surfel, wall_variance));
+  }
+  return walls;
+}
+
+namespace {
+
+/// A view of the free space, ready for points of the reference.
+struct PlacedView {
+  const FreeSpace* free_space;
+  Eigen::Matrix2d R_laser_reference;
+  Eigen::Vector2d p_laser_reference;
+
+  explicit PlacedView(const LocalWalls::View& view) : free_space(&view.free_space) {
+    const Pose2 T = view.free_space.body_in_laser() * view.T_local_body.inverse();
+    R_laser_reference = Eigen::Rotation2Dd(T.theta).toRotationMatrix();
+    p_laser_reference = T.translation();
+  }
+
+  [[nodiscard]] bool sees_through(const Eigen::Vector2d& p, double margin) const {
+    return free_space->inside(R_laser_reference * p + p_laser_reference, margin);
+  }
+};
+
+double distance_from(const Surfel& wall, const Eigen::Vector2d& p) {
+  return wall.has_normal() ? std::abs(wall.normal.dot(p - wall.p)) : (p - wall.p).norm();
+}
+
+/// Log of how much more likely a distance from the wall is where maps coincide than by chance.
+double log_ratio(double distance, const WallAgreementParams& params) {
+  const double u = distance / params.wall_sd_m;
+  const double on_wall = std::exp(-0.5 * u * u) * 2.0 * params.wall_distance_max_m /
+                         (params.wall_sd_m * std::sqrt(2.0 * std::numbers::pi));
+  return std::log((1.0 - params.stray_share) * on_wall + params.stray_share);
+}
+
+}  // namespace
+
+WallAgreement agreement(const std::vector<SurfacePoint>& points, const Pose2& T_reference_points,
+                        const SurfelMap& reference, const std::vector<LocalWalls::View>& views,
+                        const WallAgreementParams& params) {
+  const Eigen::Matrix2d R = Eigen::Rotation2Dd(T_reference_points.theta).toRotationMatrix();
+  const std::vector<PlacedView> placed(views.begin(), views.end());
+  const double log_near =
+      std::log((1.0 - params.contradiction) / (1.0 - params.contradiction_by_chance));
+  const double log_contradiction = std::log(params.contradiction / params.contradiction_by_chance);
+  WallAgreement result;
+  result.points = static_cast<int>(points.size());
+  for (const SurfacePoint& point : points) {
+    const Eigen::Vector2d p = R * point.p + T_reference_points.translation();
+    const Surfel* wall = reference.nearest(p, R * point.normal, params.wall_distance_max_m).surfel;
+    if (wall != nullptr) {
+      ++result.near;
+      result.log_likelihood += log_near + log_ratio(distance_from(*wall, p), params);
+    } else if (std::any_of(placed.begin(), placed.end(), [&](const PlacedView& view) {
+                 return view.sees_through(p, params.margin_m);
+               })) {
+      ++result.contradicting;
+      result.log_likelihood += log_contradiction;
+    }
+  }
+  return result;
+}
+
+}  // namespace adit

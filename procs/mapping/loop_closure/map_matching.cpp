@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/loop_closure/map_matching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+namespace adit {
+namespace {
+
+constexpr double kDistinctM = 0.3;  // alternatives closer than this are one
+constexpr double kDistinctRad = 0.1;
+constexpr int kFewPoints = 120;  // to see whether a peak is worth refining
+constexpr int kFewIterations = 12;
+constexpr double kCoarseSearchM = 4.0;  // a wider gate is searched in coarser steps
+constexpr double kCoarseSearchRad = 1.0;
+
+/// Root mean square distance of the points: how far a turn of one radian moves them.
+double lever_arm_m(const std::vector<SurfacePoint>& points) {
+  double squares = 0.0;
+  for (const auto& point : points) squares += point.p.squaredNorm();
+  return std::max(0.5, std::sqrt(squares / static_cast<double>(points.size())));
+}
+
+std::vector<SurfacePoint> evenly_sampled(const std::vector<SurfacePoint>& points, int most) {
+  const std::size_t n = points.size();
+  const std::size_t m = std::min(n, static_cast<std::size_t>(most));
+  std::vector<SurfacePoint> chosen;
+  chosen.reserve(m);
+  for (std::size_t i = 0; i < m; ++i) chosen.push_back(points[i * n / m]);
+  return chosen;
+}
+
+/// The covariance C = (information)⁻¹ enlarged by a floor, as an information that stays zero where
+/// it was zero: (C + F)⁻¹ = I (1 + F I)⁻¹.
+Eigen::Matrix3d with_floor(const Eigen::Matrix3d& information, const Eigen::Matrix3d& floor) {
+  const Eigen::Matrix3d sum = Eigen::Matrix3d::Identity() + floor * information;
+  const Eigen::Matrix3d result = information * sum.inverse();
+  return 0.5 * (result + result.transpose());
+}
+
+/// One match of two maps.
+class Match {
+ public:
+  Match(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
+        const RelativePose& predicted, const MapMatchingParams& params)
+      : params_(params),
+        predicted_(predicted),
+        newer_points_(evenly_sampled(newer.points, params.points_max)),
+        few_points_(evenly_sampled(newer.points, kFewPoints)),
+        newer_(SurfelMapParams{}),
+        newer_views_(newer.views),
+        older_(SurfelMapParams{}) {
+    newer_.insert(newer.points, {}, 0.0);
+    for (const PlacedWalls& placed : older) {
+      older_.insert(placed.walls->points, placed.T_older_walls, 0.0);
+      for (const auto& view : placed.walls->views) {
+        older_views_.push_back({view.free_space, placed.T_older_walls * view.T_local_body});
+      }
+    }
+    newer_step_m_ = newer.length_m / std::max<std::size_t>(1, newer_points_.size());
+    if (older.empty()) return;
+    older_points_ = evenly_sampled(older.front().walls->points, params.points_max);
+    older_step_m_ = older.front().walls->length_m / std::max<std::size_t>(1, older_points_.size());
+  }
+
+  std::vector<LoopClosureAlternative> alternatives() {
+    std::vector<LoopClosureAlternative> found;
+    if (newer_points_.empty() || older_.empty()) return found;
+    lever_arm_m_ = lever_arm_m(newer_points_);
+    for (const Pose2& start : starts()) {
+      const auto alternative = refine(start);
+      if (alternative) found.push_back(*alternative);
+    }
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+      return a.log_likelihood > b.log_likelihood;
+    });
+    return distinct(found);
+  }
+
+  /// The least that both hold against each other with the newer map at T or a little beside it.
+  [[nodiscard]] double contradiction_near(const Pose2& T) const {
+    if (newer_points_.empty() || older_.empty()) return 0.0;
+    const Pose2 aligned = align(newer_points_, T, params_.refinement).T_odom_body;
+    const double there = contradiction(T);
+    return same(aligned, T) ? std::min(there, contradiction(aligned)) : there;
+  }
+
+ private:
+  [[nodiscard]] double contradiction(const Pose2& T) const {
+    const auto there = agreement(newer_points_, T, older_, older_views_, params_.agreement);
+    const auto back =
+        agreement(older_points_, T.inverse(), newer_, newer_views_, params_.agreement);
+    return excess(there) * newer_step_m_ / params_.independent_m +
+           excess(back) * older_step_m_ / params_.independent_m;
+  }
+
+  /// Twice the log-likelihood ratio of as many contradictions as there are against as many as maps
+  /// of one place have, if each point counted.
+  [[nodiscard]] double excess(const WallAgreement& found) const {
+    const double usual = params_.agreement.contradiction;
+    const double share = found.contradicting / std::max(1.0, static_cast<double>(found.known()));
+    if (share <= usual) return 0.0;
+    const double rest = share < 1.0 ? (1.0 - share) * std::log((1.0 - share) / (1.0 - usual)) : 0.0;
+    return 2.0 * found.known() * (share * std::log(share / usual) + rest);
+  }
+
+  [[nodiscard]] std::vector<CorrelationPeak> peaks() const {
+    const Eigen::Matrix2d plane = predicted_.covariance.topLeftCorner<2, 2>();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(plane, Eigen::EigenvaluesOnly);
+    const double sd_m = std::sqrt(std::max(0.0, axes.eigenvalues().y()));
+    const double sd_rad = std::sqrt(std::max(0.0, predicted_.covariance(2, 2)));
+    CorrelativeSearchParams search_params = params_.search;
+    SearchWindow window;
+    window.radius_m =
+        std::clamp(params_.gate_sigmas * sd_m, 2.0 * search_params.cell_m, params_.radius_max_m);
+    window.angle_rad = std::clamp(params_.gate_sigmas * sd_rad, 2.0 * search_params.angle_step_rad,
+                                  std::numbers::pi);
+    if (window.radius_m > kCoarseSearchM || window.angle_rad > kCoarseSearchRad) {
+      search_params.cell_m *= 2.0;
+      search_params.angle_step_rad *= 2.0;
+      search_params.peak_separation_cells /= 2;
+    }
+    window.information = predicted_.covariance.inverse();
+    // The cells around the edge of a narrow gate belong to it.
+    window.sigmas = params_.gate_sigmas + search_params.cell_m / std::max(sd_m, 1e-3);
+    return search_correlation(newer_points_, older_, predicted_.T_older_newer, window,
+                              params_.peaks, search_params);
+  }
+
+  /// What is left of the peaks when a few points have been laid on the reference: most peaks go
+  /// through walls, or come down to the same place.
+  [[nodiscard]] std::vector<Pose2> starts() const {
+    PointToLineParams coarse = params_.refinement;
+    coarse.iterations_max = std::min(coarse.iterations_max, kFewIterations);
+    std::vector<Pose2> distinct_poses;
+    for (const auto& peak : peaks()) {
+      if (!plausible(peak.T_odom_body, 0.8)) continue;
+      const Pose2 T = align(few_points_, peak.T_odom_body, coarse).T_odom_body;
+      if (!plausible(T, 1.0)) continue;
+      const bool duplicate = std::any_of(distinct_poses.begin(), distinct_poses.end(),
+                                         [&](const Pose2& other) { return same(T, other); });
+      if (!duplicate) distinct_poses.push_back(T);
+    }
+    return distinct_poses;
+  }
+
+  /// Do enough of a few points lie on walls, and not in free space?
+  [[nodiscard]] bool plausible(const Pose2& T, double strictness) const {
+    const auto found = agreement(few_points_, T, older_, older_views_, params_.agreement);
+    return found.known() >= strictness * params_.observed_share_min * found.points &&
+           found.near >= strictness * params_.on_wall_share_min * found.known();
+  }
+
+  /// Without a prior: the graph holds the prediction already, and must not count it twice.
+  [[nodiscard]] PointToLineResult align(const std::vector<SurfacePoint>& points, const Pose2& start,
+                                        const PointToLineParams& params) const {
+    return match_point_to_line(points, older_, start, {start, Eigen::Matrix3d::Zero()}, params);
+  }
+
+  [[nodiscard]] std::optional<LoopClosureAlternative> refine(const Pose2& start) const {
+    PointToLineParams fine = params_.refinement;
+    fine.scale_start_m = fine.scale_end_m;
+    const PointToLineResult match = align(newer_points_, start, fine);
+    if (match.overlap < params_.observed_share_min) return std::nullopt;
+    const double correlated = params_.correlated_points;
+    const auto known = split_degenerate(match.information / correlated, match.spurious / correlated,
+                                        lever_arm_m_, params_.degeneracy);
+    const Eigen::Vector3d floor(params_.floor_m, params_.floor_m, params_.floor_rad);
+    const Eigen::Matrix3d floor_covariance = floor.cwiseAbs2().asDiagonal();
+    LoopClosureAlternative alternative;
+    alternative.T_older_newer = slide(match.T_odom_body, known.degenerate);
+    if (!in_gate(alternative.T_older_newer, known.covariance + floor_covariance)) {
+      return std::nullopt;
+    }
+    alternative.information = with_floor(known.information, floor_covariance);
+    return rate(alternative) ? std::optional(alternative) : std::nullopt;
+  }
+
+  /// Is the pose, known with this covariance, one of those that are predicted?
+  [[nodiscard]] bool in_gate(const Pose2& T, const Eigen::Matrix3d& covariance) const {
+    const Eigen::Vector3d off = between(predicted_.T_older_newer, T).vector();
+    const Eigen::Matrix3d both = predicted_.covariance + covariance;
+    return off.dot(both.inverse() * off) <= params_.gate_sigmas * params_.gate_sigmas;
+  }
+
+  /// Along what the match leaves open, to where the map was predicted.
+  [[nodiscard]] Pose2 slide(const Pose2& T, const std::vector<UnconstrainedDirection>& open) const {
+    const Eigen::Vector3d scale(1.0, 1.0, lever_arm_m_);
+    const Eigen::Vector3d off = between(T, predicted_.T_older_newer).vector().cwiseProduct(scale);
+    Eigen::Vector3d back = Eigen::Vector3d::Zero();
+    for (const auto& [v, information] : open) back += v * v.dot(off);
+    return T * Pose2::from_vector(back.cwiseQuotient(scale));
+  }
+
+  /// Sets the likelihood. False where the maps do not overlap or contradict each other.
+  bool rate(LoopClosureAlternative& alternative) const {
+    const Pose2& T = alternative.T_older_newer;
+    const auto there = agreement(newer_points_, T, older_, older_views_, params_.agreement);
+    const auto back =
+        agreement(older_points_, T.inverse(), newer_, newer_views_, params_.agreement);
+    if (there.known() < params_.observed_share_min * there.points) return false;
+    const int known = there.known() + back.known();
+    if (there.near + back.near < params_.on_wall_share_min * known) return false;
+    // Points of one wall are not independent, and the two directions say much the same.
+    alternative.log_likelihood =
+        0.5 / params_.independent_m *
+        (newer_step_m_ * there.log_likelihood + older_step_m_ * back.log_likelihood);
+    return alternative.log_likelihood >= params_.log_likelihood_min;
+  }
+
+  static bool same(const Pose2& T, const Pose2& other) {
+    const Pose2 apart = between(other, T);
+    return apart.translation().norm() < kDistinctM && std::abs(apart.theta) < kDistinctRad;
+  }
+
+  [[nodiscard]] static std::vector<LoopClosureAlternative> distinct(
+      const std::vector<LoopClosureAlternative>& sorted) {
+    std::vector<LoopClosureAlternative> distinct_poses;
+    for (const auto& alternative : sorted) {
+      const bool duplicate = std::any_of(
+          distinct_poses.begin(), distinct_poses.end(),
+          [&](const auto& other) { return same(alternative.T_older_newer, other.T_older_newer); });
+      if (!duplicate) distinct_poses.push_back(alternative);
+    }
+    return distinct_poses;
+  }
+
+  const MapMatchingParams& params_;
+  const RelativePose& predicted_;
+  std::vector<SurfacePoint> newer_points_;
+  std::vector<SurfacePoint> few_points_;
+  SurfelMap newer_;
+  const std::vector<LocalWalls::View>& newer_views_;
+  std::vector<SurfacePoint> older_points_;
+  SurfelMap older_;
+  std::vector<LocalWalls::View> older_views_;
+  double newer_step_m_ = 0.0;  ///< length of wall that each of the points stands for
+  double older_step_m_ = 0.0;
+  double lever_arm_m_ = 1.0;
+};
+
+}  // namespace
+
+double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
+                     const Pose2& T_older_newer, const MapMatchingParams& params) {
+  const RelativePose there{T_older_newer, Eigen::Matrix3d::Identity()};
+  return Match(newer, older, there, params).contradiction_near(T_older_newer);
+}
+
+std::vector<LoopClosureAlternative> match_maps(const LocalWalls& newer,
+                                               const std::vector<PlacedWalls>& older, int older_id,
+                                               const RelativePose& predicted,
+                                               const MapMatchingParams& params) {
+  auto alternatives = Match(newer, older, predicted, params).alternatives();
+  for (auto& alternative : alternatives) alternative.older_map = older_id;
+  return alternatives;
+}
+
+}  // namespace adit

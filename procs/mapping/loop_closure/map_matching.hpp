@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/config/bounds.hpp"
+#include "common/geometry/pose2.hpp"
+#include "common/registration/correlative_search.hpp"
+#include "common/registration/degeneracy.hpp"
+#include "common/registration/point_to_line.hpp"
+#include "common/types/association.hpp"
+#include "procs/mapping/loop_closure/local_walls.hpp"
+
+namespace adit {
+
+struct MapMatchingParams {
+  CorrelativeSearchParams search{.cell_m = 0.15,
+                                 .angle_step_rad = 0.0262,
+                                 .points_max = 100,
+                                 .blocks_max = 60000,
+                                 .peak_separation_cells = 6,
+                                 .score_min = 0.3};
+  PointToLineParams refinement{.scale_start_m = 0.3, .scale_end_m = 0.06};
+  WallAgreementParams agreement;
+  DegeneracyParams degeneracy;
+  double gate_sigmas = 4.0;         ///< alternatives farther from the prediction are left out
+  double radius_max_m = 20.0;       ///< half-width of the search at most
+  int peaks = 20;                   ///< of the correlation that are looked into
+  int points_max = 500;             ///< of the newer map that are matched
+  double observed_share_min = 0.3;  ///< of the newer map's points that the older map must know,
+  double on_wall_share_min = 0.7;   ///< and of these on walls, not in free space
+  double independent_m = 1.5;       ///< length of wall that counts as one observation
+  double log_likelihood_min = 5.0;  ///< chance gives less, at the many poses that are tried
+  double correlated_points = 5.0;   ///< neighbouring points that share one error
+  double floor_m = 0.005;           ///< no match of two maps is better: they are not rigid
+  double floor_rad = 0.0015;
+
+  template <class V>
+  void visit(V& v) {
+    v("search", search);
+    v("refinement", refinement);
+    v("agreement", agreement);
+    v("degeneracy", degeneracy);
+    v("gate_sigmas", gate_sigmas, within(0.1, 100.0));
+    v("radius_max_m", radius_max_m, within(0.1, 50.0));
+    v("peaks", peaks, within(1, 100));
+    v("points_max", points_max, within(10, 100000));
+    v("observed_share_min", observed_share_min, within(0.0, 1.0));
+    v("on_wall_share_min", on_wall_share_min, within(0.0, 1.0));
+    v("independent_m", independent_m, within(0.01, 1000.0));
+    v("log_likelihood_min", log_likelihood_min, at_least(0.0));
+    v("correlated_points", correlated_points, within(1.0, 1000.0));
+    v("floor_m", floor_m, within(0.0, 1.0));
+    v("floor_rad", floor_rad, within(0.0, 1.0));
+  }
+};
+
+/// A local map beside others, in the frame of one of them.
+struct PlacedWalls {
+  const LocalWalls* walls = nullptr;
+  Pose2 T_older_walls;
+};
+
+/// Where a map is expected in the frame of an older one, as a Gaussian.
+struct RelativePose {
+  Pose2 T_older_newer;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, θ) in the newer frame
+};
+
+/// The ways in which the newer map may lie on an older one, within the gate of the prediction: most
+/// likely first, none where they do not overlap (paper, section 2.2; Gutmann and Konolige,
+/// "Incremental mapping of large cyclic environments", 1999). `older`: the older map and, rigidly
+/// beside it, others that help to recognise the place. Directions in which the maps slide on each
+/// other carry no information; there the alternative lies where it was predicted.
+std::vector<LoopClosureAlternative> match_maps(const LocalWalls& newer,
+                                               const std::vector<PlacedWalls>& older, int older_id,
+                                               const RelativePose& predicted,
+                                               const MapMatchingParams& params);
+
+/// What speaks against the newer map lying there, or a little beside it, though it may lie on
+/// nothing older at all: −2 log-likelihood ratio of the walls of each that lie in the free space of
+/// the other, against as many as maps of one place have. Chi-square with one or two degrees of
+/// freedom where it lies there.
+double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
+                     const Pose2& T_older_newer, const MapMatchingParams& params);
+
+}  // namespace adit

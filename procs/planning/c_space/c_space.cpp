@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/planning/c_space/c_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "procs/planning/c_space/kernel.hpp"
+
+namespace adit {
+namespace {
+
+// Roughness and the number of unseen cells share one sum: the kernel of the wheels is run over
+// once.
+constexpr int kUnknownShift = 20;
+constexpr std::uint32_t kRoughnessMask = (1U << kUnknownShift) - 1U;
+constexpr int kKernelCellsMax =
+    4095;  // of a kernel: 255 each fill 20 bits, and they can be counted in 12
+
+constexpr double kRoughnessMax = 255.0;  // roughness at the limit
+
+using Layer = std::vector<std::uint8_t>;
+
+/// The layers, summed along rows.
+struct LayerSums {
+  LayerSums(const GroundLayers& layers, int border, std::uint32_t unknown_roughness)
+      : lethal_body(layers.columns, layers.rows, border, 0, Of{layers, layers.under_body}),
+        body(layers.columns, layers.rows, border, 0,
+             [&](int column, int row) {
+               const std::size_t i = layers.index(column, row);
+               return std::uint8_t{
+                   static_cast<std::uint8_t>(layers.under_body[i] | layers.unknown[i])};
+             }),
+        lethal_wheels(layers.columns, layers.rows, border, 0, Of{layers, layers.under_wheels}),
+        roughness(layers.columns, layers.rows, border, unknown_roughness,
+                  Of{layers, layers.roughness}),
+        ground(layers.columns, layers.rows, border, (1U << kUnknownShift) + unknown_roughness,
+               [&](int column, int row) {
+                 const std::size_t i = layers.index(column, row);
+                 return (std::uint32_t{layers.unknown[i]} << kUnknownShift) + layers.roughness[i];
+               }) {}
+
+  struct Of {
+    const GroundLayers& layers;
+    const Layer& layer;
+    std::uint8_t operator()(int column, int row) const { return layer[layers.index(column, row)]; }
+  };
+
+  RowSums<std::uint16_t> lethal_body;
+  RowSums<std::uint16_t> body;  ///< what is not seen, too
+  RowSums<std::uint16_t> lethal_wheels;
+  RowSums<std::uint32_t> roughness;
+  RowSums<std::uint32_t> ground;
+};
+
+/// What the kernels gather over one row of cells.
+struct RowTotals {
+  explicit RowTotals(int columns)
+      : lethal(static_cast<std::size_t>(columns)),
+        marginal(lethal.size()),
+        roughness(lethal.size()),
+        ground(lethal.size()) {}
+
+  void gather(const LayerSums& sums, const CSpaceKernels::Oriented& kernel, int row) {
+    std::fill(lethal.begin(), lethal.end(), std::uint16_t{0});
+    std::fill(marginal.begin(), marginal.end(), std::uint16_t{0});
+    std::fill(roughness.begin(), roughness.end(), 0U);
+    std::fill(ground.begin(), ground.end(), 0U);
+    sums.lethal_body.add_row(kernel.lethal_body, row, lethal);
+    sums.lethal_wheels.add_row(kernel.lethal_wheels, row, lethal);
+    sums.body.add_row(kernel.conservative_body, row, marginal);
+    sums.lethal_wheels.add_row(kernel.conservative_wheels, row, marginal);
+    sums.roughness.add_row(kernel.body, row, roughness);
+    sums.ground.add_row(kernel.wheels, row, ground);
+  }
+
+  std::vector<std::uint16_t> lethal;
+  std::vector<std::uint16_t> marginal;
+  std::vector<std::uint32_t> roughness;
+  std::vector<std::uint32_t> ground;
+};
+
+int greatest_reach(const std::vector<CSpaceKernels::Oriented>& kernels) {
+  int reach = 0;
+  for (const auto& k : kernels) {
+    reach = std::max({reach, k.wheels.reach, k.body.reach, k.conservative_wheels.reach,
+                      k.conservative_body.reach});
+  }
+  return reach;
+}
+
+/// Weight w between the wheels and 1 under them is w everywhere and 1 − w more under the wheels.
+void weigh(CSpaceKernels::Oriented& kernel, const CSpaceParams& params) {
+  if (kernel.conservative_body.cells > kKernelCellsMax) {
+    throw std::invalid_argument("the cells of the terrain are too small for this vehicle");
+  }
+  if (kernel.wheels.cells == 0) {
+    throw std::invalid_argument("the cells of the terrain are too large for this vehicle");
+  }
+  const double w = params.between_weight;
+  const double most = kRoughnessMax * (w * kernel.body.cells + (1.0 - w) * kernel.wheels.cells);
+  const double unit = std::ldexp(params.rough_factor * CSpace::kEven / most, 32);
+  kernel.cost_per_wheels = static_cast<std::uint64_t>((1.0 - w) * unit);
+  kernel.cost_per_body = static_cast<std::uint64_t>(w * unit);
+  kernel.unknown_max = static_cast<std::uint32_t>(params.unknown_share_max * kernel.wheels.cells);
+}
+
+/// Those of which something is left when a margin is taken away all round.
+std::vector<BodyRectangle> shrunk(const std::vector<BodyRectangle>& rectangles, double margin_m) {
+  std::vector<BodyRectangle> smaller;
+  for (const auto& rectangle : rectangles) {
+    if (rectangle.half.minCoeff() > margin_m) smaller.push_back(rectangle.grown(-margin_m));
+  }
+  return smaller;
+}
+
+std::uint16_t marginal(std::uint16_t cost) {
+  return cost < CSpace::kUnknown ? static_cast<std::uint16_t>(cost + CSpace::kMarginal) : cost;
+}
+
+}  // namespace
+
+CSpace::CSpace(int headings, int columns, int rows)
+    : headings_(headings),
+      columns_(columns),
+      rows_(rows),
+      costs_(static_cast<std::size_t>(headings / 2) * cells(), kLethal) {}
+
+CSpaceKernels::CSpaceKernels(const Vehicle& vehicle, const CSpaceParams& params, double cell_m)
+    : headings_(params.headings),
+      cell_m_(cell_m),
+      outside_roughness_(static_cast<std::uint32_t>(
+          std::lround(kRoughnessMax * params.ground.unknown_roughness))) {
+  const auto wheels = wheel_tracks(vehicle);
+  const std::vector<BodyRectangle> body{body_outline(vehicle)};
+  for (int k = 0; k < headings_.count() / 2; ++k) {
+    Oriented kernel;
+    kernel.wheels = covering_kernel(wheels, headings_, k, cell_m);
+    kernel.body = covering_kernel(body, headings_, k, cell_m);
+    kernel.conservative_wheels = conservative_kernel(wheels, headings_, k, cell_m);
+    kernel.conservative_body = conservative_kernel(body, headings_, k, cell_m);
+    kernel.lethal_wheels = covering_kernel(shrunk(wheels, cell_m), headings_, k, cell_m);
+    kernel.lethal_body = covering_kernel(shrunk(body, cell_m), headings_, k, cell_m);
+    kernel.start_wheels = covering_kernel(shrunk(wheels, cell_m / 2.0), headings_, k, cell_m);
+    kernel.start_body = covering_kernel(shrunk(body, cell_m / 2.0), headings_, k, cell_m);
+    const std::vector<Pose2> standing{{0.0, 0.0, headings_.angle(k)}};
+    kernel.exact_wheels = swept_kernel(wheels, standing, cell_m);
+    kernel.exact_body = swept_kernel(body, standing, cell_m);
+    weigh(kernel, params);
+    oriented_.push_back(std::move(kernel));
+  }
+}
+
+CSpace CSpaceKernels::convolve(const GroundLayers& layers) const {
+  const LayerSums sums(layers, greatest_reach(oriented_), outside_roughness_);
+  CSpace space(headings_.count(), layers.columns, layers.rows);
+  RowTotals totals(layers.columns);
+  for (int k = 0; k < headings_.count() / 2; ++k) {
+    const Oriented& kernel = oriented(k);
+    for (int row = 0; row < layers.rows; ++row) {
+      totals.gather(sums, kernel, row);
+      std::uint16_t* costs = space.slice(k) + space.index(0, row);
+      for (std::size_t i = 0; i < totals.lethal.size(); ++i) {
+        if (totals.lethal[i] != 0) continue;
+        const std::uint16_t cost =
+            kernel.cost(totals.ground[i] & kRoughnessMask, totals.roughness[i],
+                        totals.ground[i] >> kUnknownShift);
+        costs[i] = totals.marginal[i] == 0 ? cost : marginal(cost);
+      }
+    }
+  }
+  return space;
+}
+
+}  // namespace adit

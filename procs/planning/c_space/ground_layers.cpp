@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/planning/c_space/ground_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "procs/planning/c_space/distance_transform.hpp"
+#include "procs/planning/c_space/footprint.hpp"
+#include "procs/planning/c_space/unobserved_ground.hpp"
+
+namespace adit {
+namespace {
+
+using Reason = BlockingCell::Reason;
+
+constexpr double kRoughnessMax = 255.0;  // roughness of ground at the limit
+
+bool blocks_body(Reason reason) { return reason == Reason::kBelly || reason == Reason::kRoof; }
+
+/// Of ground that is not refused, 0 to 1.
+double roughness_share(const TerrainCell& cell, const Vehicle& vehicle,
+                       const GroundLimits& limits) {
+  const double share = std::max(cell.coefficient_m / (vehicle.step_max_m - limits.step_margin_m),
+                                cell.slope_rad / limits.slope_max_rad / 2.0);
+  return std::clamp(share, 0.0, 1.0);
+}
+
+void classify(GroundLayers& layers, std::size_t i, std::optional<Reason> reason) {
+  if (!reason) return;
+  if (*reason == Reason::kUnknown) {
+    layers.unknown[i] = 1;
+  } else {
+    layers.under_wheels[i] = 1;
+    layers.under_body[i] = blocks_body(*reason) ? 1 : 0;
+  }
+}
+
+using Is = bool (*)(Ground);
+
+bool is_drop(Ground ground) { return ground == Ground::kBelowRay || ground == Ground::kNoReturn; }
+bool is_shadow(Ground ground) { return ground == Ground::kOccluded; }
+
+/// Whether what a cell is reaches over three cells: no wheel bridges such a drop for certain, and
+/// no post hides in less of a shadow.
+bool is_wide(const TerrainMap& terrain, int column, int row, Is is) {
+  int around = 0;
+  const auto count = [&](int c, int r) {
+    if (terrain.contains(c, r) && is(terrain.at(c, r).ground)) ++around;
+  };
+  for (const int step : {-1, 1}) {
+    count(column + step, row);
+    count(column, row + step);
+  }
+  return around >= 3;
+}
+
+/// Nobody saw where the edge of a drop, of water or of a shadow is: a region reaches a cell beyond
+/// the last points of the ground before it, and these lie anywhere in a cell. Marks the cells round
+/// those that are, round the wide ones `wide` cells far.
+void dilate(std::vector<std::uint8_t>& layer, const TerrainMap& terrain, Is is, int narrow,
+            int wide) {
+  const auto mark_around = [&](int column, int row, int reach) {
+    for (int dy = -reach; dy <= reach; ++dy) {
+      for (int dx = -reach; dx <= reach; ++dx) {
+        if (!terrain.contains(column + dx, row + dy)) continue;
+        if (dx * dx + dy * dy > reach * reach) continue;
+        layer[static_cast<std::size_t>(row + dy) * static_cast<std::size_t>(terrain.columns) +
+              static_cast<std::size_t>(column + dx)] = 1;
+      }
+    }
+  };
+  for (int row = 0; row < terrain.rows; ++row) {
+    for (int column = 0; column < terrain.columns; ++column) {
+      if (!is(terrain.at(column, row).ground)) continue;
+      const int reach = is_wide(terrain, column, row, is) ? wide : narrow;
+      if (reach > 0) mark_around(column, row, reach);
+    }
+  }
+}
+
+/// The robot does stand where it stands, whatever is beside it.
+void clear_footprint(GroundLayers& layers, const TerrainMap& terrain, const Pose2& T_level_body,
+                     const BodyRectangle& footprint) {
+  const Pose2 T_body_level = T_level_body.inverse();
+  for (int row = 0; row < terrain.rows; ++row) {
+    for (int column = 0; column < terrain.columns; ++column) {
+      if (!footprint.contains(T_body_level * terrain.centre(column, row))) continue;
+      const std::size_t i = layers.index(column, row);
+      layers.under_body[i] = layers.under_wheels[i] = layers.unknown[i] = 0;
+    }
+  }
+}
+
+double roughness_of(const TerrainCell& cell, std::optional<Reason> reason, bool assumed_even,
+                    const Vehicle& vehicle, const GroundLimits& limits) {
+  if (reason == Reason::kUnknown) return assumed_even ? 0.0 : limits.unknown_roughness;
+  return reason ? 1.0 : roughness_share(cell, vehicle, limits);
+}
+
+/// What stands beside a cell, by the kernel of the terrain map (the paper's section 3.1).
+double repulsion(const TerrainCell& cell, const Vehicle& vehicle, const GroundLimits& limits) {
+  const double step_m = vehicle.step_max_m - limits.step_margin_m;
+  return limits.repulsion_roughness *
+         std::clamp(std::fmax(cell.repulsion_m, 0.0) / step_m, 0.0, 1.0);
+}
+
+}  // namespace
+
+std::optional<Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehicle,
+                                    const GroundLimits& limits) {
+  switch (cell.ground) {
+    case Ground::kNeverObserved:
+    case Ground::kOccluded:
+      return Reason::kUnknown;
+    case Ground::kBelowRay:
+      return Reason::kDrop;
+    case Ground::kNoReturn:
+      return Reason::kWater;
+    case Ground::kObserved:
+      break;
+  }
+  if (std::isnan(cell.coefficient_m)) return Reason::kUnknown;
+  // A wall goes on above the vehicle, and is no roof.
+  if (cell.coefficient_m > vehicle.belly_clearance_m - limits.belly_margin_m) return Reason::kBelly;
+  if (cell.clearance_m < vehicle.height_m + limits.roof_margin_m) return Reason::kRoof;
+  const double step = std::fmax(cell.coefficient_m, cell.step_m);  // of which one may be unknown
+  if (step > vehicle.step_max_m - limits.step_margin_m) return Reason::kStep;
+  if (cell.slope_rad > limits.slope_max_rad) return Reason::kSlope;
+  return std::nullopt;
+}
+
+GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
+                           const Vehicle& vehicle, const GroundLimits& limits) {
+  const std::size_t n = terrain.cells.size();
+  GroundLayers layers;
+  layers.columns = terrain.columns;
+  layers.rows = terrain.rows;
+  layers.cell_m = terrain.cell_m;
+  for (auto* layer :
+       {&layers.under_body, &layers.under_wheels, &layers.unknown, &layers.roughness}) {
+    layer->assign(n, 0);
+  }
+  const Pose2 T_body_level = T_level_body.inverse();
+  const BodyRectangle footprint = body_outline(vehicle);
+  const BlindZone blind_ground(terrain, T_level_body, vehicle, limits);
+  for (int row = 0; row < terrain.rows; ++row) {
+    for (int column = 0; column < terrain.columns; ++column) {
+      const std::size_t i = layers.index(column, row);
+      const TerrainCell& cell = terrain.at(column, row);
+      const auto reason = lethal_reason(cell, vehicle, limits);
+      const Eigen::Vector2d p_level = terrain.centre(column, row);
+      const bool below = footprint.contains(T_body_level * p_level);
+      const bool blind = reason == Reason::kUnknown && blind_ground.contains(p_level);
+      if (!blind) classify(layers, i, reason);
+      const double rough = roughness_of(cell, reason, below || blind, vehicle, limits) +
+                           repulsion(cell, vehicle, limits);
+      layers.roughness[i] =
+          static_cast<std::uint8_t>(std::lround(kRoughnessMax * std::min(rough, 1.0)));
+    }
+  }
+  dilate(layers.under_wheels, terrain, is_drop, 1, 3);
+  dilate(layers.unknown, terrain, is_shadow, 0, 2);
+  clear_footprint(layers, terrain, T_level_body, footprint);
+  layers.body_distance_m = distance_transform(layers.under_body, layers.columns, layers.cell_m);
+  layers.wheel_distance_m = distance_transform(layers.under_wheels, layers.columns, layers.cell_m);
+  return layers;
+}
+
+}  // namespace adit

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/planning/c_space/unobserved_ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace adit {
+namespace {
+
+constexpr double kStripM = 0.5;             // of the ground that is looked at beyond
+constexpr double kObservedShareMin = 0.25;  // of it that has to be seen
+constexpr double kFarStripM = 1.0;          // behind it, which says how the ground slopes
+
+/// Height of the ground between two distances ahead of the origin of the body, half the vehicle to
+/// either side of its width and beyond; nothing where too little of it is seen.
+std::optional<double> height_between(const TerrainMap& terrain, const Pose2& T_body_level,
+                                     double near_m, double far_m, double half_width_m) {
+  double sum = 0.0;
+  int seen = 0;
+  int cells = 0;
+  for (int row = 0; row < terrain.rows; ++row) {
+    for (int column = 0; column < terrain.columns; ++column) {
+      const Eigen::Vector2d p_body = T_body_level * terrain.centre(column, row);
+      const double ahead = p_body.x() * (near_m < 0.0 ? -1.0 : 1.0);
+      if (ahead < std::abs(near_m) || ahead > std::abs(far_m)) continue;
+      if (std::abs(p_body.y()) > half_width_m) continue;
+      ++cells;
+      const TerrainCell& cell = terrain.at(column, row);
+      if (cell.ground != Ground::kObserved || !std::isfinite(cell.low_m)) continue;
+      ++seen;
+      sum += cell.low_m;
+    }
+  }
+  if (cells == 0 || seen < kObservedShareMin * cells) return std::nullopt;
+  return sum / seen;
+}
+
+/// Whether the ground beyond what is blind before an end (`side` 1 ahead, −1 behind) is a
+/// continuation of that under the robot, which may stand on a slope: as high as it, or so when its
+/// own slope is followed back to the end of the robot, or to its middle.
+bool continues_level(const TerrainMap& terrain, const Pose2& T_body_level, const Vehicle& vehicle,
+                     const GroundLimits& limits, double side) {
+  const double end_m = vehicle.length_m / 2.0;
+  const double from_m = end_m + limits.blind_ahead_m;
+  const double half_m = vehicle.width_m / 2.0 + limits.blind_margin_m;
+  const auto near = height_between(terrain, T_body_level, side * (from_m - kStripM / 2.0),
+                                   side * (from_m + kStripM / 2.0), half_m);
+  if (!near) return false;
+  const auto far = height_between(terrain, T_body_level, side * (from_m + kStripM / 2.0),
+                                  side * (from_m + kStripM / 2.0 + kFarStripM), half_m);
+  const double grade = far ? (*far - *near) / ((kStripM + kFarStripM) / 2.0) : 0.0;
+  const double at_end = *near - grade * limits.blind_ahead_m;
+  const double at_middle = *near - grade * from_m;
+  return std::min({std::abs(*near), std::abs(at_end), std::abs(at_middle)}) <
+         vehicle.step_max_m - limits.step_margin_m;
+}
+
+}  // namespace
+
+BlindZone::BlindZone(const TerrainMap& terrain, const Pose2& T_level_body, const Vehicle& vehicle,
+                     const GroundLimits& limits)
+    : T_body_level_(T_level_body.inverse()) {
+  const BodyRectangle body = body_outline(vehicle);
+  rectangles_.push_back({body.middle, body.half + Eigen::Vector2d(0.0, limits.blind_beside_m)});
+  for (const double side : {-1.0, 1.0}) {
+    if (!continues_level(terrain, T_body_level_, vehicle, limits, side)) continue;
+    const double half_m = limits.blind_ahead_m / 2.0;
+    rectangles_.push_back(
+        {{side * (body.half.x() + half_m), 0.0}, {half_m, body.half.y() + limits.blind_margin_m}});
+  }
+}
+
+bool BlindZone::contains(const Eigen::Vector2d& p_level) const {
+  return any_contains(rectangles_, T_body_level_ * p_level);
+}
+
+namespace {
+
+/// Cells that hang together, over which beams passed.
+struct Depression {
+  std::vector<std::size_t> cells;
+  float lowest_beam_m = std::numeric_limits<float>::infinity();
+  std::vector<float> rim_m;  ///< heights of the ground that was seen beside it
+
+  /// Of the rim the upper quartile: what is seen of the walls of a pit is beside it, too, but
+  /// lower.
+  [[nodiscard]] bool is_drop(double step_max_m) {
+    if (rim_m.empty()) return true;
+    const auto upper = rim_m.begin() + static_cast<std::ptrdiff_t>(rim_m.size() * 3 / 4);
+    std::nth_element(rim_m.begin(), upper, rim_m.end());
+    return lowest_beam_m < *upper - step_max_m;
+  }
+};
+
+class DepressionFinder {
+ public:
+  explicit DepressionFinder(const TerrainMap& terrain)
+      : terrain_(terrain), visited_(terrain.cells.size(), false) {}
+
+  /// The one that a cell belongs to; empty where it was one's already, or is none.
+  Depression of(int column, int row) {
+    Depression depression;
+    visit(column, row, depression);
+    for (std::size_t k = 0; k < depression.cells.size(); ++k) {
+      const auto at = static_cast<int>(depression.cells[k]);
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          visit(at % terrain_.columns + dx, at / terrain_.columns + dy, depression);
+        }
+      }
+    }
+    return depression;
+  }
+
+ private:
+  void visit(int column, int row, Depression& depression) {
+    if (!terrain_.contains(column, row)) return;
+    const TerrainCell& cell = terrain_.at(column, row);
+    if (cell.ground == Ground::kObserved && !depression.cells.empty())
+      depression.rim_m.push_back(cell.low_m);
+    const std::size_t i =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(terrain_.columns) +
+        static_cast<std::size_t>(column);
+    if (cell.ground != Ground::kBelowRay || visited_[i]) return;
+    visited_[i] = true;
+    depression.cells.push_back(i);
+    depression.lowest_beam_m = std::min(depression.lowest_beam_m, cell.low_m);
+  }
+
+  const TerrainMap& terrain_;
+  std::vector<bool> visited_;
+};
+
+}  // namespace
+
+TerrainMap with_observed_drops(TerrainMap terrain, double step_max_m) {
+  std::vector<std::size_t> unknown;
+  DepressionFinder depressions(terrain);
+  for (int row = 0; row < terrain.rows; ++row) {
+    for (int column = 0; column < terrain.columns; ++column) {
+      Depression depression = depressions.of(column, row);
+      if (depression.is_drop(step_max_m)) continue;
+      unknown.insert(unknown.end(), depression.cells.begin(), depression.cells.end());
+    }
+  }
+  for (const std::size_t i : unknown) terrain.cells[i].ground = Ground::kNeverObserved;
+  return terrain;
+}
+
+}  // namespace adit

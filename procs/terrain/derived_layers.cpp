@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/terrain/derived_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace adit {
+namespace {
+
+constexpr int kReach = 2;  // cells to either side of the middle
+/// That a plane needs: more than four rows of five. At the edge of what is seen rails are often
+/// seen alone, as two rows of cells, and their height over four rows would pass for a slope.
+constexpr int kPlaneCells = 21;
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
+template <class Visit>
+void visit_seen(const TerrainMap& map, int column, int row, int reach, const Visit& visit) {
+  const int first = std::max(column - reach, 0);
+  const int last = std::min(column + reach, map.columns - 1);
+  for (int r = std::max(row - reach, 0); r <= std::min(row + reach, map.rows - 1); ++r) {
+    for (int c = first; c <= last; ++c) {
+      const TerrainCell& cell = map.at(c, r);
+      if (cell.ground == Ground::kObserved) {
+        visit(static_cast<float>(c - column), static_cast<float>(r - row), cell.low_m);
+      }
+    }
+  }
+}
+
+/// Sums for the normal equations of z = z0 + a x + b y, in cells.
+struct PlaneSums {
+  float n = 0, x = 0, y = 0, z = 0, xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
+
+  void add(float u, float v, float w) {
+    n += 1, x += u, y += v, z += w;
+    xx += u * u, xy += u * v, yy += v * v, xz += u * w, yz += v * w;
+  }
+  /// Rise for each cell along the steepest way.
+  [[nodiscard]] float grade() const {
+    const float cxx = n * xx - x * x;
+    const float cxy = n * xy - x * y;
+    const float cyy = n * yy - y * y;
+    const float cxz = n * xz - x * z;
+    const float cyz = n * yz - y * z;
+    const float determinant = cxx * cyy - cxy * cxy;
+    return std::hypot(cyy * cxz - cxy * cyz, cxx * cyz - cxy * cxz) / determinant;
+  }
+};
+
+float slope_rad(const TerrainMap& map, int column, int row) {
+  const float middle = map.at(column, row).low_m;  // keeps the sums small, and so exact
+  PlaneSums sums;
+  visit_seen(map, column, row, kReach,
+             [&](float u, float v, float z) { sums.add(u, v, z - middle); });
+  if (sums.n < kPlaneCells) return kUnknown;
+  return std::atan(sums.grade() / static_cast<float>(map.cell_m));
+}
+
+float step_m(const TerrainMap& map, int column, int row) {
+  const float middle = map.at(column, row).low_m;
+  float step = 0.0F;
+  int seen = -1;  // the cell itself is none of its neighbours
+  visit_seen(map, column, row, 1, [&](float, float, float z) {
+    step = std::max(step, std::abs(z - middle));
+    ++seen;
+  });
+  return seen > 0 ? step : kUnknown;
+}
+
+}  // namespace
+
+void set_slope_and_step(TerrainMap& map) {
+  for (int row = 0; row < map.rows; ++row) {
+    for (int column = 0; column < map.columns; ++column) {
+      TerrainCell& cell = map.at(column, row);
+      const bool seen = cell.ground == Ground::kObserved;
+      cell.slope_rad = seen ? slope_rad(map, column, row) : kUnknown;
+      cell.step_m = seen ? step_m(map, column, row) : kUnknown;
+    }
+  }
+}
+
+namespace {
+
+/// The cone, row by row from −reach to reach.
+class Kernel {
+ public:
+  Kernel(double radius_m, double cell_m)
+      : reach_(std::max(static_cast<int>(std::ceil(radius_m / cell_m)) - 1, 0)) {
+    double half = 0.0;  // of a half-plane with the middle on its edge
+    for (int y = -reach_; y <= reach_; ++y) {
+      for (int x = -reach_; x <= reach_; ++x) {
+        const double distance_m = cell_m * std::hypot(x, y);
+        const double weight = distance_m == 0.0 ? 1.0 : std::max(1.0 - distance_m / radius_m, 0.0);
+        weights_.push_back(static_cast<float>(weight));
+        if (x >= 0) half += weight;
+      }
+    }
+    for (float& weight : weights_) weight /= static_cast<float>(half);
+  }
+
+  [[nodiscard]] int reach() const { return reach_; }
+  [[nodiscard]] const float* row(int y) const {
+    const auto side = 2 * static_cast<std::size_t>(reach_) + 1;
+    return weights_.data() + static_cast<std::size_t>(y + reach_) * side + reach_;
+  }
+
+ private:
+  int reach_;
+  std::vector<float> weights_;
+};
+
+void spread(std::vector<float>& sums, const TerrainMap& map, int column, int row,
+            const Kernel& kernel) {
+  const float coefficient = map.at(column, row).coefficient_m;
+  const int first = std::max(column - kernel.reach(), 0);
+  const int last = std::min(column + kernel.reach(), map.columns - 1);
+  const int top = std::min(row + kernel.reach(), map.rows - 1);
+  for (int r = std::max(row - kernel.reach(), 0); r <= top; ++r) {
+    const float* weights = kernel.row(r - row) - column;
+    float* out = sums.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(map.columns);
+    for (int c = first; c <= last; ++c) out[c] += coefficient * weights[c];
+  }
+}
+
+}  // namespace
+
+void set_repulsion(TerrainMap& map, const RepulsionParams& params) {
+  const Kernel kernel(params.radius_m, map.cell_m);
+  const auto least = static_cast<float>(params.coefficient_min_m);
+  std::vector<float> sums(map.cells.size(), 0.0F);
+  for (int row = 0; row < map.rows; ++row) {
+    for (int column = 0; column < map.columns; ++column) {
+      if (map.at(column, row).coefficient_m >= least) spread(sums, map, column, row, kernel);
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) map.cells[i].repulsion_m = sums[i];
+}
+
+}  // namespace adit

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/terrain/memory/remembered_map.hpp"
+
+#include <utility>
+
+namespace adit {
+
+RememberedMap::RememberedMap(const TerrainMap& map, double distance_travelled_m)
+    : finder_(map), T_odom_level_(map.T_odom_level), distance_travelled_m_(distance_travelled_m) {
+  cells_.reserve(map.cells.size());
+  for (int row = 0; row < map.rows; ++row) {
+    for (int column = 0; column < map.columns; ++column) {
+      const TerrainCell& cell = map.at(column, row);
+      const Ground ground = is_narrow_gap(map, column, row) ? Ground::kNeverObserved : cell.ground;
+      cells_.push_back({cell.low_m, cell.high_m, cell.clearance_m, cell.count, ground});
+    }
+  }
+}
+
+namespace {
+
+constexpr int kDropAround = 3;  // of the four neighbours, in what is no narrow gap
+constexpr int kEvenAround = 5;  // of the eight, beside a gap that is closed
+
+}  // namespace
+
+bool is_narrow_gap(const TerrainMap& map, int column, int row) {
+  if (map.at(column, row).ground != Ground::kBelowRay) return false;
+  int around = 0;
+  const auto count_open = [&](int c, int r) {
+    if (!map.contains(c, r)) return;
+    const Ground ground = map.at(c, r).ground;
+    if (ground == Ground::kBelowRay || ground == Ground::kNoReturn) ++around;
+  };
+  for (const int step : {-1, 1}) {
+    count_open(column + step, row);
+    count_open(column, row + step);
+  }
+  return around < kDropAround;
+}
+
+void close_narrow_gaps(TerrainMap& map, const std::vector<std::uint8_t>& changed,
+                       float obstacle_m) {
+  std::vector<std::pair<std::size_t, float>> closed;  // what is closed closes nothing
+  for (int row = 1; row + 1 < map.rows; ++row) {
+    for (int column = 1; column + 1 < map.columns; ++column) {
+      const std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +
+                            static_cast<std::size_t>(column);
+      if (!is_unknown(map.cells[i]) || changed[i] != 0) continue;
+      int even = 0;
+      float sum = 0.0F;
+      for (int r = row - 1; r <= row + 1; ++r) {
+        for (int c = column - 1; c <= column + 1; ++c) {
+          const TerrainCell& cell = map.at(c, r);
+          if (cell.ground != Ground::kObserved || cell.high_m - cell.low_m > obstacle_m) continue;
+          ++even;
+          sum += cell.low_m;
+        }
+      }
+      if (even >= kEvenAround) closed.emplace_back(i, sum / static_cast<float>(even));
+    }
+  }
+  for (const auto& [i, z_m] : closed) {
+    map.cells[i].ground = Ground::kObserved;
+    map.cells[i].low_m = map.cells[i].high_m = z_m;
+  }
+}
+
+}  // namespace adit

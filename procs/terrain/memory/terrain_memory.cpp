@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/terrain/memory/terrain_memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "procs/terrain/memory/driven_ground.hpp"
+#include "procs/terrain/memory/remembered_map.hpp"
+#include "procs/terrain/terrain_params.hpp"
+
+namespace adit {
+namespace {
+
+/// The cells, marked by 1, of which an earlier look is not to be believed: those that the new one
+/// does not see, around obstacles where earlier looks saw even ground. Of a rock that has fallen
+/// only one side is seen, and what it hides may be the rest of it. `recalled`: what earlier looks
+/// say of the cells of the map.
+std::vector<std::uint8_t> changed_ground(const TerrainMap& now,
+                                         const std::vector<RememberedCell>& recalled,
+                                         const TerrainParams& params);
+
+/// Cells of even ground all round what is new: walls are rough, from afar only a few points show
+/// the ground before them, and odom is off by centimetres.
+constexpr int kSlack = 3;
+
+template <class Visit>
+void visit_around(const TerrainMap& map, int column, int row, int reach, const Visit& visit) {
+  for (int r = row - reach; r <= row + reach; ++r) {
+    for (int c = column - reach; c <= column + reach; ++c) {
+      if (!map.contains(c, r)) continue;
+      visit(c, r,
+            static_cast<std::size_t>(r) * static_cast<std::size_t>(map.columns) +
+                static_cast<std::size_t>(c));
+    }
+  }
+}
+
+/// Earlier looks saw the ground here, all around, and nothing on it.
+bool was_even(const TerrainMap& now, const std::vector<RememberedCell>& recalled, int column,
+              int row, float obstacle_m) {
+  bool even = true;
+  visit_around(now, column, row, kSlack, [&](int, int, std::size_t i) {
+    even = even && recalled[i].ground == Ground::kObserved && !is_obstacle(recalled[i], obstacle_m);
+  });
+  return even;
+}
+
+std::vector<std::uint8_t> changed_ground(const TerrainMap& now,
+                                         const std::vector<RememberedCell>& recalled,
+                                         const TerrainParams& params) {
+  const float obstacle_m = obstacle_height_m(params.vehicle);
+  const auto reach = static_cast<int>(std::lround(params.memory.change_reach_m / now.cell_m));
+  std::vector<std::uint8_t> changed(now.cells.size(), 0);
+  std::vector<std::pair<int, int>> front;
+  for (int row = 0; row < now.rows; ++row) {
+    for (int column = 0; column < now.columns; ++column) {
+      if (!is_obstacle(now.at(column, row), obstacle_m)) continue;
+      if (was_even(now, recalled, column, row, obstacle_m)) front.emplace_back(column, row);
+    }
+  }
+  for (int ring = 0; ring < reach && !front.empty(); ++ring) {
+    std::vector<std::pair<int, int>> next;
+    for (const auto& [column, row] : front) {
+      visit_around(now, column, row, 1, [&](int c, int r, std::size_t i) {
+        if (changed[i] != 0 || now.cells[i].ground == Ground::kObserved) return;
+        changed[i] = 1;
+        next.emplace_back(c, r);
+      });
+    }
+    front.swap(next);
+  }
+  return changed;
+}
+
+constexpr float kLowerM = 0.1F;  // than it seems now, at which ground was seen before
+
+void take(TerrainCell& cell, const RememberedCell& before) {
+  cell.ground = before.ground;
+  cell.count = before.count;
+  cell.low_m = before.low_m;
+  cell.high_m = before.high_m;
+  cell.clearance_m = std::min(cell.clearance_m, before.roof_m);
+}
+
+/// Whether the cell is now what an earlier look said of it.
+bool fill(TerrainCell& cell, const RememberedCell& before, bool changed, float obstacle_m) {
+  const bool was_obstacle = is_obstacle(before, obstacle_m);
+  switch (cell.ground) {
+    case Ground::kNeverObserved:
+    case Ground::kOccluded:
+      if (changed || !before.is_informative()) return false;
+      take(cell, before);
+      return true;
+    case Ground::kBelowRay:
+    case Ground::kNoReturn:
+      // That nothing came back may be because the ground is gone, or under water: it stays unknown.
+      if (!was_obstacle) return false;
+      take(cell, before);
+      return true;
+    case Ground::kObserved:
+      break;
+  }
+  if (cell.count == 0 && was_obstacle) {  // between beams that met the ground, and passed beside it
+    take(cell, before);
+    return true;
+  }
+  if (before.ground == Ground::kObserved && before.count > 0 &&
+      cell.low_m > before.low_m + kLowerM) {
+    cell.low_m = before.low_m;  // the ground itself is not seen this time, only what stands on it
+  }
+  if (std::isinf(cell.clearance_m) && before.ground == Ground::kObserved) {
+    cell.clearance_m =
+        cell.low_m + (before.roof_m - before.low_m);  // the clearance, not the height
+  }
+  return false;
+}
+
+}  // namespace
+
+TerrainMemory::TerrainMemory(const TerrainParams& params)
+    : params_(params), path_(params.memory.path_length_max_m, params.vehicle.speed_max_m_s) {}
+
+void TerrainMemory::add(std::int64_t utime, const Pose2& T_odom_body) {
+  if (!path_.add(utime, T_odom_body)) previous_ = std::exchange(maps_, {});
+}
+
+void TerrainMemory::reset(std::int64_t odom_epoch_utime) {
+  if (path_.reset(odom_epoch_utime)) previous_ = std::exchange(maps_, {});
+}
+
+void TerrainMemory::anchor(const Pose2& T_odom_previous) {
+  path_.anchor(T_odom_previous);
+  for (RememberedMap& map : previous_) {
+    map.anchor(T_odom_previous);
+    maps_.push_back(std::move(map));
+  }
+  previous_.clear();
+}
+
+/// What an earlier look says where no later one has said anything. A later one that saw ground only
+/// between its beams does not take away what stood there.
+void TerrainMemory::gather(const TerrainMap& map, const RememberedMap& before,
+                           const HeightPlane& plane, std::uint8_t which) {
+  const float obstacle_m = obstacle_height_m(params_.vehicle);
+  const Pose2 T_before_now = between(before.T_odom_level(), map.T_odom_level);
+  const auto cell_m = static_cast<float>(map.cell_m);
+  const Eigen::Vector2f step_column(cell_m * static_cast<float>(std::cos(T_before_now.theta)),
+                                    cell_m * static_cast<float>(std::sin(T_before_now.theta)));
+  for (int row = 0; row < map.rows; ++row) {
+    const Eigen::Vector2f first = (T_before_now * map.centre(0, row)).cast<float>();
+    std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns);
+    for (int column = 0; column < map.columns; ++column, ++i) {
+      RememberedCell& cell = recalled_[i];
+      if (cell.is_informative() && (cell.invalidated || cell.count > 0)) continue;
+      const Eigen::Vector2f p = first + static_cast<float>(column) * step_column;
+      const RememberedCell* stored_cell = before.at(p.x(), p.y());
+      if (stored_cell == nullptr || !stored_cell->is_informative()) continue;
+      if (cell.is_informative() && !is_obstacle(*stored_cell, obstacle_m)) continue;
+      cell = *stored_cell;
+      const float dz = plane.at(map.centre(column, row).cast<float>());
+      cell.low_m += dz;
+      cell.high_m += dz;
+      cell.roof_m += dz;
+      from_[i] = which;
+    }
+  }
+}
+
+const RecallResult& TerrainMemory::recall(TerrainMap& map) {
+  recall_result_ = {};
+  recall_result_.from.assign(map.cells.size(), RecallResult::kCurrent);
+  changed_.assign(map.cells.size(), 0);
+  if (params_.memory.maps_max == 0) return recall_result_;
+  add(map.utime, map.T_odom_level);
+  RememberedMap single_scan(map, path_.distance_travelled_m());
+  gather_all(map);
+  merge(map, single_scan);
+  DrivenGround(map, path_.places(), params_.vehicle).fill_driven(map, changed_, observed_at_m_);
+  close_narrow_gaps(map, changed_, obstacle_height_m(params_.vehicle));
+  maps_.push_front(std::move(single_scan));
+  while (maps_.size() > static_cast<std::size_t>(params_.memory.maps_max)) maps_.pop_back();
+  return recall_result_;
+}
+
+void TerrainMemory::gather_all(const TerrainMap& map) {
+  while (!maps_.empty() && maps_.back().distance_travelled_m() <
+                               path_.distance_travelled_m() - params_.memory.path_length_max_m) {
+    maps_.pop_back();
+  }
+  from_.assign(map.cells.size(), RecallResult::kCurrent);
+  recalled_.assign(map.cells.size(), {});
+  std::uint8_t which = 0;
+  for (const RememberedMap& before : maps_) {
+    ++which;
+    const auto plane = align_heights(map, before, params_);
+    ++(plane ? recall_result_.used : recall_result_.rejected);
+    if (plane) gather(map, before, *plane, which);
+  }
+}
+
+void TerrainMemory::merge(TerrainMap& map, RememberedMap& single_scan) {
+  const float obstacle_m = obstacle_height_m(params_.vehicle);
+  observed_at_m_.assign(map.cells.size(), static_cast<float>(path_.distance_travelled_m()));
+  changed_ = changed_ground(map, recalled_, params_);
+  for (std::size_t i = 0; i < map.cells.size(); ++i) {
+    TerrainCell& cell = map.cells[i];
+    const bool unknown = is_unknown(cell);
+    if (unknown && recalled_[i].invalidated) changed_[i] = 1;
+    if (unknown && changed_[i] != 0) {
+      single_scan.cell(i).invalidated = true;
+      ++recall_result_.changed;
+    }
+    if (fill(cell, recalled_[i], changed_[i] != 0, obstacle_m)) {
+      recall_result_.from[i] = from_[i];
+      observed_at_m_[i] = static_cast<float>(maps_[from_[i] - 1U].distance_travelled_m());
+    }
+  }
+}
+
+}  // namespace adit

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/terrain/visibility/beams.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace adit {
+namespace {
+
+constexpr float kRangeMin = 0.05F;  // below which a slope means nothing [m]
+constexpr int kSteps = 4;           // to where a beam meets ground that rises and falls gently
+
+}  // namespace
+
+BeamEnds::BeamEnds(const TerrainMap& map, const GroundLevel& ground, const TerrainParams& params)
+    : finder_(map),
+      ground_(ground),
+      step_m_(static_cast<float>(params.vehicle.step_max_m)),
+      floor_range_m_(static_cast<float>(params.unseen.floor_range_m)) {}
+
+std::optional<BeamEnd> BeamEnds::of_point(const Eigen::Vector3f& origin,
+                                          const Eigen::Vector3f& p_level) const {
+  if (!is_usable(p_level)) return std::nullopt;
+  const float range = (p_level - origin).head<2>().norm();
+  if (range < kRangeMin) return std::nullopt;
+  BeamEnd end{(p_level.z() - origin.z()) / range, range, p_level.z(), BeamEnd::Kind::kObstacle};
+  const int cell = finder_.at(p_level.x(), p_level.y());
+  // Outside of the map nobody knows the ground: what is below the laser may well be it.
+  const float ground = cell == CellFinder::kOutside ? origin.z() - step_m_
+                                                    : ground_.at(static_cast<std::size_t>(cell));
+  if (p_level.z() <= ground + step_m_) end.kind = BeamEnd::Kind::kGround;
+  return end;
+}
+
+std::optional<BeamEnd> BeamEnds::of_miss(const Eigen::Vector3f& origin,
+                                         const Eigen::Vector3f& direction) const {
+  const float plan = direction.head<2>().norm();
+  if (!is_usable(direction) || !(plan > 0.0F) || direction.z() >= 0.0F) return std::nullopt;
+  const float slope = direction.z() / plan;
+  float range = 0.0F;
+  float ground = 0.0F;
+  for (int i = 0; i < kSteps; ++i) {
+    range = (ground - origin.z()) / slope;
+    if (!(range >= kRangeMin && range <= floor_range_m_)) return std::nullopt;
+    const Eigen::Vector2f p = origin.head<2>() + range / plan * direction.head<2>();
+    const int cell = finder_.at(p.x(), p.y());
+    if (cell == CellFinder::kOutside) return std::nullopt;
+    ground = ground_.at(static_cast<std::size_t>(cell));
+  }
+  return BeamEnd{slope, range, ground, BeamEnd::Kind::kLost};
+}
+
+namespace {
+
+constexpr float kSlopeMax = 0.5F;  // steeper beams meet the roof, or walls from near by
+
+/// With the sector of each.
+std::vector<std::pair<std::size_t, BeamEnd>> useful_beams(std::span<const CloudLine* const> lines,
+                                                          const BeamEnds& ends) {
+  std::vector<std::pair<std::size_t, BeamEnd>> beams;
+  const auto add = [&](const std::optional<BeamEnd>& end, const Eigen::Vector3f& direction) {
+    if (!end || end->slope > kSlopeMax) return;
+    beams.emplace_back(SectorBeams::sector(direction.x(), direction.y()), *end);
+  };
+  for (const CloudLine* line : lines) {
+    for (const auto& p : line->points) add(ends.of_point(line->origin, p), p - line->origin);
+    for (const auto& miss : line->misses) add(ends.of_miss(line->origin, miss), miss);
+  }
+  return beams;
+}
+
+}  // namespace
+
+/// By a quantity that grows with the angle and needs no arc tangent.
+std::size_t SectorBeams::sector(float x, float y) {
+  const float sum = std::abs(x) + std::abs(y);
+  if (!(sum > 0.0F)) return 0;
+  const float quarters = x >= 0.0F ? 1.0F + y / sum : 3.0F - y / sum;  // 0 to 4
+  return std::min(static_cast<std::size_t>(quarters / 4.0F * kSectors), kSectors - 1);
+}
+
+SectorBeams::SectorBeams(std::span<const CloudLine* const> lines, const BeamEnds& ends)
+    : starts_(kSectors + 1, 0) {
+  const auto beams = useful_beams(lines, ends);
+  for (const auto& [sector, beam] : beams) ++starts_[sector + 1];
+  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+  beams_.resize(beams.size());
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+  for (const auto& [sector, beam] : beams) beams_[next[sector]++] = beam;
+}
+
+}  // namespace adit

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/terrain/visibility/unseen_ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "procs/terrain/visibility/beams.hpp"
+
+namespace adit {
+namespace {
+
+using Kind = BeamEnd::Kind;
+
+constexpr float kGapAlways = 0.3F;       // the width of a region, which bridges as much [m]
+constexpr float kLaserHeightMin = 0.2F;  // [m]
+constexpr float kFootM = 0.5F;           // before a crest, where its foot is
+constexpr float kCrestMinM = 0.07F;      // above its foot: what is lower may be noise
+constexpr float kLevelM = 0.1F;          // by which ground behind a crest may be lower
+constexpr float kEndNoiseM = 0.1F;       // of the length of a shadow
+
+/// The widest ditch into which a wheel that crosses it falls by three quarters of a step at
+/// most: the chord of the wheel at that height.
+float bridged_by_wheel_m(const Vehicle& vehicle) {
+  const double radius = vehicle.wheel_radius_m;
+  const double depth = std::min(0.75 * vehicle.step_max_m, radius);
+  return static_cast<float>(2.0 * std::sqrt(depth * (2.0 * radius - depth)));
+}
+
+/// z of the lowest end within kFootM before that of the last of these beams, which are in order of
+/// their slope.
+float foot_m(std::span<const BeamEnd> beams) {
+  const BeamEnd& crest = beams.back();
+  float low = crest.z_m;
+  for (auto beam = beams.rbegin(); beam != beams.rend(); ++beam) {
+    if (beam->range_m < crest.range_m - kFootM) break;
+    if (beam->kind == Kind::kGround) low = std::min(low, beam->z_m);
+  }
+  return low;
+}
+
+/// From a place to the farthest corner of the map.
+float reach_m(const TerrainMap& map, const Eigen::Vector3f& origin) {
+  const Eigen::Vector2d low = map.p_level_corner;
+  const Eigen::Vector2d high = low + map.cell_m * Eigen::Vector2d(map.columns, map.rows);
+  const Eigen::Vector2d place = origin.head<2>().cast<double>();
+  return static_cast<float>((place - low).cwiseAbs().cwiseMax((high - place).cwiseAbs()).norm());
+}
+
+}  // namespace
+
+SightLines::SightLines(std::span<const CloudLine* const> lines, const BeamEnds& ends,
+                       const TerrainMap& map, const TerrainParams& params)
+    : params_(params.unseen),
+      bridged_m_(bridged_by_wheel_m(params.vehicle)),
+      cell_m_(static_cast<float>(map.cell_m)) {
+  for (const CloudLine* line : lines) origin_ += line->origin / static_cast<float>(lines.size());
+  bins_ = static_cast<std::size_t>(reach_m(map, origin_) / cell_m_) + 2;
+  observations_.resize(SectorBeams::kSectors * bins_);
+  SectorBeams beams(lines, ends);
+  for (std::size_t i = 0; i < SectorBeams::kSectors; ++i) {
+    classify_sector(beams.of(i), std::span(observations_).subspan(i * bins_, bins_));
+  }
+}
+
+const GroundEvidence& SightLines::at(float x, float y) const {
+  const Eigen::Vector2f d = Eigen::Vector2f(x, y) - origin_.head<2>();
+  const auto bin = static_cast<std::size_t>(d.norm() / cell_m_);
+  return observations_[SectorBeams::sector(d.x(), d.y()) * bins_ + std::min(bin, bins_ - 1)];
+}
+
+/// From the steepest beam upwards: each shows what lies beyond the reach of those below it.
+void SightLines::classify_sector(std::span<BeamEnd> beams, std::span<GroundEvidence> out) const {
+  std::sort(beams.begin(), beams.end(), [](const BeamEnd& a, const BeamEnd& b) {
+    return std::tie(a.slope, a.range_m, a.kind) < std::tie(b.slope, b.range_m, b.kind);
+  });
+  std::size_t done = 0;
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    const auto end = std::min(static_cast<std::size_t>(beams[i].range_m / cell_m_) + 1, bins_);
+    if (i > 0 && done < end) {
+      const Gap gap{beams[i - 1], beams[i], foot_m(beams.first(i))};
+      for (; done < end; ++done)
+        out[done] = between(gap, (static_cast<float>(done) + 0.5F) * cell_m_);
+    }
+    done = std::max(done, end);  // what lies before the steepest beam, nobody looked at
+  }
+  const bool hidden = !beams.empty() && beams.back().kind == Kind::kObstacle;
+  if (hidden)
+    std::fill(out.begin() + static_cast<std::ptrdiff_t>(done), out.end(),
+              GroundEvidence{Ground::kOccluded});
+}
+
+GroundEvidence SightLines::between(const Gap& gap, float range_m) const {
+  const auto& [below, above, foot_m] = gap;
+  if (below.kind == Kind::kLost || above.kind == Kind::kLost) return {Ground::kNoReturn};
+  if (below.kind == Kind::kObstacle) return {Ground::kOccluded};
+  const float gap_m = std::max(above.range_m - below.range_m, cell_m_);
+  const float share = std::clamp((range_m - below.range_m) / gap_m, 0.0F, 1.0F);
+  if (passes_over(gap)) {
+    if (!is_behind_crest(gap)) return {Ground::kBelowRay, origin_.z() + above.slope * range_m};
+    if (gap_m > bridged_m_ + spacing_m(gap) / static_cast<float>(params_.gap_of_spacing))
+      return {Ground::kOccluded};
+    return {Ground::kObserved, std::lerp(foot_m, above.z_m, share)};
+  }
+  if (above.kind == Kind::kObstacle) return {Ground::kObserved, below.z_m};
+  return {Ground::kObserved, std::lerp(below.z_m, above.z_m, share)};
+}
+
+/// Up to which two beams that met even ground may be apart.
+float SightLines::spacing_m(const Gap& gap) const {
+  const auto& [below, above, foot_m] = gap;
+  const float height = std::max(origin_.z(), kLaserHeightMin);
+  const float spacing = below.range_m * below.range_m * (above.slope - below.slope) / height;
+  return std::min(static_cast<float>(params_.gap_of_spacing) * spacing,
+                  static_cast<float>(params_.gap_max_m));
+}
+
+/// Beams that met the ground one behind the other show what is between, unless they are farther
+/// apart than on level ground: then the upper one passed over a hollow, or a crest.
+bool SightLines::passes_over(const Gap& gap) const {
+  return gap.above.range_m - gap.below.range_m > std::max(spacing_m(gap), kGapAlways);
+}
+
+/// Whether the ground goes on behind something low, a rail for one, that hides no more than its
+/// shadow is long. What is in the shadow nobody saw; a wheel that crosses a short one gets over it,
+/// whatever it is.
+bool SightLines::is_behind_crest(const Gap& gap) const {
+  const auto& [below, above, foot_m] = gap;
+  const float height = below.z_m - foot_m;
+  const float beam_height = origin_.z() - below.z_m;
+  if (above.kind != Kind::kGround || height < kCrestMinM || !(beam_height > 0.0F)) return false;
+  if (above.z_m < foot_m - kLevelM) return false;
+  const float shadow = below.range_m * height / beam_height;
+  return above.range_m - below.range_m <= shadow + spacing_m(gap) + kEndNoiseM;
+}
+
+namespace {
+
+constexpr float kOnePlace = 0.25F;  // in which a tilting laser stays [m]
+
+/// Lines by the place that they look from, in the order of the cloud.
+std::vector<std::vector<const CloudLine*>> by_place(const Cloud& cloud) {
+  std::vector<std::vector<const CloudLine*>> places;
+  for (const CloudLine& line : cloud.lines) {
+    if (!is_usable(line.origin)) continue;
+    auto place = places.begin();
+    while (place != places.end() && (place->front()->origin - line.origin).norm() > kOnePlace) {
+      ++place;
+    }
+    if (place == places.end()) place = places.insert(place, std::vector<const CloudLine*>{});
+    place->push_back(&line);
+  }
+  return places;
+}
+
+int evidence_rank(Ground ground) {
+  switch (ground) {
+    case Ground::kObserved:
+      return 4;
+    case Ground::kNoReturn:
+      return 3;
+    case Ground::kBelowRay:
+      return 2;
+    case Ground::kOccluded:
+      return 1;
+    case Ground::kNeverObserved:
+      break;
+  }
+  return 0;
+}
+
+bool has_more_evidence(const GroundEvidence& observation, const TerrainCell& cell) {
+  if (observation.ground == Ground::kBelowRay && cell.ground == Ground::kBelowRay) {
+    return observation.height_m < cell.low_m;
+  }
+  return evidence_rank(observation.ground) > evidence_rank(cell.ground);
+}
+
+/// A region reaches beyond the last points of the ground before a drop, and into what is hidden: a
+/// cell without points of its own is no ground where beams pass over it, or do not get to.
+bool is_past_edge(const GroundEvidence& observation, const TerrainCell& cell, float step_max_m) {
+  const bool missed =
+      observation.ground != Ground::kObserved && observation.ground != Ground::kNeverObserved;
+  return missed && cell.ground == Ground::kObserved && cell.high_m - cell.low_m < step_max_m;
+}
+
+void apply(const GroundEvidence& observation, TerrainCell& cell, float step_max_m) {
+  if (!has_more_evidence(observation, cell) && !is_past_edge(observation, cell, step_max_m)) return;
+  cell.ground = observation.ground;
+  cell.low_m = observation.height_m;
+  cell.high_m = observation.ground == Ground::kObserved ? observation.height_m
+                                                        : std::numeric_limits<float>::quiet_NaN();
+  cell.count = 0;
+}
+
+}  // namespace
+
+void classify_unseen_ground(TerrainMap& map, const Cloud& cloud, const CellHeights& heights,
+                            const GroundLevel& ground, const TerrainParams& params) {
+  const auto step_max_m = static_cast<float>(params.vehicle.step_max_m);
+  const BeamEnds ends(map, ground, params);
+  for (const auto& lines : by_place(cloud)) {
+    const SightLines sight(lines, ends, map, params);
+    for (int row = 0; row < map.rows; ++row) {
+      for (int column = 0; column < map.columns; ++column) {
+        TerrainCell& cell = map.at(column, row);
+        if (std::isfinite(heights.lowest_m(column, row)) && cell.ground == Ground::kObserved)
+          continue;
+        const Eigen::Vector2f p = map.centre(column, row).cast<float>();
+        apply(sight.at(p.x(), p.y()), cell, step_max_m);
+      }
+    }
+  }
+}
+
+}  // namespace adit

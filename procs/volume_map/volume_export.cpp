@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/volume_map/volume_export.hpp"
+
+#include <bit>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace adit {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "PLY is written as memory has it");
+
+struct Vertex {
+  float x = 0.0F;
+  float y = 0.0F;
+  float z = 0.0F;
+  std::int32_t scan = 0;
+};
+static_assert(sizeof(Vertex) == 16);
+
+std::string header(std::size_t n) {
+  return "ply\nformat binary_little_endian 1.0\ncomment frame map, metres\nelement vertex " +
+         std::to_string(n) +
+         "\nproperty float x\nproperty float y\nproperty float z\nproperty int scan\nend_header\n";
+}
+
+Vertex vertex(const VolumePoint& point, const Pose2& T_map_volume) {
+  const Eigen::Vector2d p_map =
+      T_map_volume * Eigen::Vector2d(point.p_volume.head<2>().cast<double>());
+  return {static_cast<float>(p_map.x()), static_cast<float>(p_map.y()), point.p_volume.z(),
+          point.scan};
+}
+
+}  // namespace
+
+void write_ply(const VolumeMap& map, const std::filesystem::path& path) {
+  std::size_t n = 0;
+  for (const PlacedVolume& placed : map.volumes()) {
+    if (!placed.excluded) n += placed.volume.points().size();
+  }
+  std::ofstream file(path, std::ios::binary);
+  file << header(n);
+  for (const PlacedVolume& placed : map.volumes()) {
+    if (placed.excluded) continue;
+    for (const VolumePoint& point : placed.volume.points()) {
+      const Vertex at = vertex(point, placed.T_map_volume);
+      file.write(reinterpret_cast<const char*>(&at), sizeof at);
+    }
+  }
+  if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
+}
+
+void export_volume(const VolumeMap& map, const std::filesystem::path& folder) {
+  const OccupancyTree tree = map.merged();
+  tree.write_bt(folder / "volume.bt");
+  tree.write_ot(folder / "volume.ot");
+  write_ply(map, folder / "cloud.ply");
+}
+
+}  // namespace adit

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/live/fault_parser.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include "common/config/number_text.hpp"
+
+namespace adit {
+namespace {
+
+enum class Target { kNone, kLaser, kProcess };
+
+struct Kind {
+  std::string_view name;
+  Target target;
+  bool has_amount;
+};
+
+constexpr std::array<Kind, 6> kKinds{{{"laser_dies", Target::kLaser, false},
+                                      {"laser_recovers", Target::kLaser, false},
+                                      {"time_jump", Target::kNone, true},
+                                      {"packet_loss", Target::kNone, true},
+                                      {"kill", Target::kProcess, false},
+                                      {"suspend", Target::kProcess, false}}};
+
+constexpr const char* kForm = "a fault is KIND[:TARGET][=AMOUNT]@SECONDS";
+
+[[noreturn]] void fail(std::string_view fault, const std::string& reason) {
+  throw std::invalid_argument("fault '" + std::string(fault) + "': " + reason);
+}
+
+const Kind& kind_of(const FaultDescription& fault) {
+  const auto* const kind = std::ranges::find(kKinds, fault.kind, &Kind::name);
+  if (kind != kKinds.end()) return *kind;
+  std::string names;
+  for (const Kind& each : kKinds) names += (names.empty() ? "" : ", ") + std::string(each.name);
+  fail(fault.kind, "no such kind, there are " + names);
+}
+
+double number(const std::string& text, const std::string& fault) {
+  const auto value = parse_number<double>(text);
+  if (!value || !std::isfinite(*value)) fail(fault, "'" + text + "' is no number; " + kForm);
+  return *value;
+}
+
+/// Takes what follows the last `mark` off the text.
+std::optional<std::string> split_off(std::string& text, char mark) {
+  const std::size_t at = text.rfind(mark);
+  if (at == std::string::npos) return std::nullopt;
+  const std::string tail = text.substr(at + 1);
+  text.erase(at);
+  return tail;
+}
+
+}  // namespace
+
+FaultDescription parse_fault(const std::string& text) {
+  std::string rest = text;
+  const auto seconds = split_off(rest, '@');
+  if (!seconds) fail(text, std::string("it has no time; ") + kForm);
+  const auto amount = split_off(rest, '=');
+  const auto target = split_off(rest, ':');
+  FaultDescription fault;
+  fault.kind = rest;
+  fault.at_s = number(*seconds, text);
+  fault.target = target.value_or("");
+  if (amount) fault.amount = number(*amount, text);
+  if (amount.has_value() != kind_of(fault).has_amount) {
+    fail(text, amount ? "its kind has no amount" : "its kind needs an amount");
+  }
+  require_complete(fault);
+  return fault;
+}
+
+void require_complete(const FaultDescription& fault) {
+  const Kind& kind = kind_of(fault);
+  if (fault.at_s < 0.0) fail(fault.kind, "its time is before the start");
+  if (kind.target == Target::kLaser && fault.target != "front" && fault.target != "rear") {
+    fail(fault.kind, "its target is front or rear");
+  }
+  if (kind.target == Target::kProcess && fault.target.empty()) {
+    fail(fault.kind, "its target is the name of a stage");
+  }
+  if (kind.target == Target::kNone && !fault.target.empty()) {
+    fail(fault.kind, "its kind has no target");
+  }
+  if (fault.kind == "packet_loss" && (fault.amount < 0.0 || fault.amount > 1.0)) {
+    fail(fault.kind, "its amount is a share, 0 to 1");
+  }
+}
+
+bool is_process_fault(const FaultDescription& fault) {
+  return kind_of(fault).target == Target::kProcess;
+}
+
+void reject_process_faults(const std::vector<FaultDescription>& faults) {
+  for (const FaultDescription& fault : faults) {
+    if (is_process_fault(fault)) {
+      fail(fault.kind + ":" + fault.target, "there are no other processes, all runs in this one");
+    }
+  }
+}
+
+}  // namespace adit

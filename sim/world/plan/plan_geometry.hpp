@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace adit {
+
+/// Positive where `b` points to the left of `a`.
+inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Where on the way from `a` to `b` it is nearest to `p`, as a share of it: 0 at `a`, 1 at `b`; 0
+/// where both are one.
+inline double nearest_share(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
+                            const Eigen::Vector2d& b) {
+  const Eigen::Vector2d along = b - a;
+  const double square = along.squaredNorm();
+  return square > 0.0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0.0;
+}
+
+inline double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
+                                  const Eigen::Vector2d& b) {
+  return (p - a - nearest_share(p, a, b) * (b - a)).norm();
+}
+
+/// The points of a list x, y, x, y, .. Throws std::invalid_argument, beginning with `what`, for an
+/// odd list, one of fewer than `least` points, or one with a number that is not finite.
+std::vector<Eigen::Vector2d> corner_list(const std::vector<double>& numbers, std::size_t least,
+                                         const std::string& what);
+
+}  // namespace adit

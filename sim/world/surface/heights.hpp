@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sim/world/relief.hpp"
+#include "sim/world/world_description.hpp"
+
+namespace adit {
+
+/// A smooth curve through points, that rises where they rise and falls where they fall: cubic
+/// Hermite with the slopes of Fritsch and Butland ("A method for constructing local monotone
+/// piecewise cubic interpolants", 1984), level at its ends and beyond them.
+class HeightProfile {
+ public:
+  /// `profile_m` is s, z, s, z, .. Throws std::invalid_argument for an odd list, where s does
+  /// not ascend, and for heights that no mine has. Zero everywhere for none.
+  explicit HeightProfile(const std::vector<double>& profile_m);
+
+  [[nodiscard]] double at(double s_m) const;
+
+ private:
+  struct Knot {
+    double s_m = 0.0;
+    double z_m = 0.0;
+    double slope = 0.0;
+  };
+  void set_slopes();
+
+  std::vector<Knot> knots_;
+};
+
+/// What a prop does to the floor or the roof within a rectangle of the plan.
+struct HeightChange {
+  Eigen::Vector2d low{0.0, 0.0};   ///< corner of the rectangle, p_world [m]
+  Eigen::Vector2d high{0.0, 0.0};  ///< the opposite one
+  /// Takes the height there [m] to the new one.
+  std::function<double(const Eigen::Vector2d& p_world, double height_m)> apply;
+};
+
+/// Where floor and roof are, as functions of the plan, inside and outside of the mine. Frame world.
+class Heights {
+ public:
+  /// Throws std::invalid_argument for a profile that does not ascend.
+  Heights(const HeightsDescription& description, int seed);
+
+  void change_floor(HeightChange change) { floor_changes_.push_back(std::move(change)); }
+  void change_roof(HeightChange change) { roof_changes_.push_back(std::move(change)); }
+
+  [[nodiscard]] double floor(const Eigen::Vector2d& p_world) const;
+  /// At least 5 cm above the floor.
+  [[nodiscard]] double roof(const Eigen::Vector2d& p_world) const;
+
+ private:
+  /// Of the floor, before relief and changes.
+  [[nodiscard]] double base(const Eigen::Vector2d& p_world) const;
+
+  HeightProfile profile_;
+  Eigen::Vector2d heading_;
+  double clearance_m_;
+  Relief floor_relief_;
+  Relief roof_relief_;
+  std::vector<HeightChange> floor_changes_;
+  std::vector<HeightChange> roof_changes_;
+};
+
+}  // namespace adit

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/world/surface/mine_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/world/surface/plan_mesh.hpp"
+
+namespace adit {
+namespace {
+
+// A wall bulges from nothing at floor and roof to all it may over this share of its height.
+constexpr double kShareToBulge = 0.2;
+
+/// At right angles to the line between the neighbours.
+std::vector<Eigen::Vector2d> directions_into_open(const PlanMesh& plan) {
+  std::vector<Eigen::Vector2d> directions(plan.points.size(), Eigen::Vector2d::Zero());
+  std::vector<std::uint32_t> before(plan.points.size(), PlanMesh::kNone);
+  for (std::uint32_t i = 0; i < before.size(); ++i) {
+    if (plan.is_on_wall(i)) before[plan.next_on_wall[i]] = i;
+  }
+  for (std::uint32_t i = 0; i < before.size(); ++i) {
+    if (!plan.is_on_wall(i)) continue;
+    const Eigen::Vector2d along = plan.points[plan.next_on_wall[i]] - plan.points[before[i]];
+    directions[i] = Eigen::Vector2d(-along.y(), along.x()).normalized();
+  }
+  return directions;
+}
+
+}  // namespace
+
+WallShape::WallShape(const OpenSpace& space, const PlanMesh& plan,
+                     const std::vector<double>& floor_m, const std::vector<double>& roof_m)
+    : space_(space),
+      plan_(plan),
+      floor_m_(floor_m),
+      roof_m_(roof_m),
+      into_open_(directions_into_open(plan)) {}
+
+Eigen::Vector3d WallShape::at(std::uint32_t point, double share) const {
+  const Eigen::Vector2d& p = plan_.points[point];
+  const Eigen::Vector3d upright(p.x(), p.y(), std::lerp(floor_m_[point], roof_m_[point], share));
+  const double grown = std::min(1.0, std::min(share, 1.0 - share) / kShareToBulge);
+  const Eigen::Vector2d back = -grown * space_.bulge_m(upright) * into_open_[point];
+  return upright + Eigen::Vector3d(back.x(), back.y(), 0.0);
+}
+
+namespace {
+
+/// A function of the plan at each of its points.
+template <class Function>
+auto at_points(const PlanMesh& plan, const Function& function) {
+  std::vector<decltype(function(plan.points[0]))> values;
+  values.reserve(plan.points.size());
+  for (const Eigen::Vector2d& p : plan.points) values.push_back(function(p));
+  return values;
+}
+
+/// Floor, roof and walls over one triangulation of the plan.
+class SurfaceBuilder {
+ public:
+  SurfaceBuilder(const OpenSpace& space, const Heights& heights, int wall_rows, PlanMesh plan,
+                 MeshBuilder& builder)
+      : wall_rows_(wall_rows),
+        plan_(std::move(plan)),
+        builder_(builder),
+        outside_(at_points(plan_, [&](const auto& p) { return space.on_apron(p); })),
+        floor_m_(at_points(plan_, [&](const auto& p) { return heights.floor(p); })),
+        roof_m_(at_points(plan_, [&](const auto& p) { return heights.roof(p); })),
+        walls_(space, plan_, floor_m_, roof_m_) {}
+
+  void add() {
+    reserve();
+    add_floor();
+    add_roof();
+    add_columns();
+    add_walls();
+  }
+
+  /// Follows each wall once around.
+  [[nodiscard]] std::vector<PlanRing> outlines() const {
+    std::vector<PlanRing> rings;
+    std::vector<bool> done(plan_.points.size(), false);
+    for (std::uint32_t start = 0; start < done.size(); ++start) {
+      PlanRing ring;
+      for (std::uint32_t i = start; plan_.is_on_wall(i) && !done[i]; i = plan_.next_on_wall[i]) {
+        done[i] = true;
+        if (!outside_[i]) ring.points.push_back(outline_point(i));
+      }
+      if (ring.points.size() > 2) rings.push_back(std::move(ring));
+    }
+    return rings;
+  }
+
+ private:
+  void reserve() {
+    const std::size_t points = plan_.points.size();
+    const auto walls = static_cast<std::size_t>(
+        std::count_if(plan_.next_on_wall.begin(), plan_.next_on_wall.end(),
+                      [](std::uint32_t next) { return next != PlanMesh::kNone; }));
+    const auto rows = static_cast<std::size_t>(wall_rows_);
+    builder_.reserve(2 * points + walls * rows, 2 * plan_.triangles.size() + 2 * walls * rows);
+  }
+
+  /// A vertex over each point of the plan.
+  std::vector<std::uint32_t> add_vertices(const std::vector<double>& z_m) {
+    std::vector<std::uint32_t> indices;
+    for (std::size_t i = 0; i < plan_.points.size(); ++i) {
+      const Eigen::Vector2d& p = plan_.points[i];
+      indices.push_back(builder_.vertex(Eigen::Vector3d(p.x(), p.y(), z_m[i]).cast<float>()));
+    }
+    return indices;
+  }
+
+  void add_floor() {
+    builder_.begin_part(PartKind::kFloor, Material::kRock, "floor");
+    floor_ = add_vertices(floor_m_);
+    for (const auto& [a, b, c] : plan_.triangles) {
+      builder_.triangle(floor_[a], floor_[b], floor_[c]);
+    }
+  }
+
+  void add_roof() {
+    builder_.begin_part(PartKind::kRoof, Material::kRock, "roof");
+    roof_ = add_vertices(roof_m_);
+    for (const auto& [a, b, c] : plan_.triangles) {
+      if (outside_[a] && outside_[b] && outside_[c]) continue;
+      builder_.triangle(roof_[a], roof_[c], roof_[b]);
+    }
+  }
+
+  /// The vertices between floor and roof.
+  void add_columns() {
+    builder_.begin_part(PartKind::kWall, Material::kRock, "walls");
+    columns_.assign(plan_.points.size(), PlanMesh::kNone);
+    for (std::uint32_t i = 0; i < columns_.size(); ++i) {
+      if (!plan_.is_on_wall(i)) continue;
+      for (int row = 1; row < wall_rows_; ++row) {
+        const double share = static_cast<double>(row) / wall_rows_;
+        const std::uint32_t index = builder_.vertex(walls_.at(i, share).cast<float>());
+        if (row == 1) columns_[i] = index;
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint32_t wall_vertex(std::uint32_t i, int row) const {
+    if (row == 0) return floor_[i];
+    if (row == wall_rows_) return roof_[i];
+    return columns_[i] + static_cast<std::uint32_t>(row - 1);
+  }
+
+  void add_walls() {
+    for (std::uint32_t i = 0; i < plan_.points.size(); ++i) {
+      if (!plan_.is_on_wall(i)) continue;
+      const std::uint32_t j = plan_.next_on_wall[i];
+      if (outside_[i] && outside_[j]) continue;
+      for (int row = 0; row < wall_rows_; ++row) {
+        builder_.quad(wall_vertex(j, row), wall_vertex(i, row), wall_vertex(i, row + 1),
+                      wall_vertex(j, row + 1));
+      }
+    }
+  }
+
+  /// Where the mesh has the wall at the height of the outlines, under the roof.
+  [[nodiscard]] Eigen::Vector2d outline_point(std::uint32_t i) const {
+    const double row = std::min(kOutlineHeight / (roof_m_[i] - floor_m_[i]), 1.0) * wall_rows_;
+    const double below = std::min(std::floor(row), wall_rows_ - 1.0);
+    const Eigen::Vector3d low = walls_.at(i, below / wall_rows_);
+    const Eigen::Vector3d high = walls_.at(i, (below + 1.0) / wall_rows_);
+    return (low + (row - below) * (high - low)).head<2>();
+  }
+
+  int wall_rows_;
+  PlanMesh plan_;
+  MeshBuilder& builder_;
+
+  // For each point of the plan:
+  std::vector<bool> outside_;  ///< under the open sky
+  std::vector<double> floor_m_;
+  std::vector<double> roof_m_;
+  WallShape walls_;
+  std::vector<std::uint32_t> floor_;  ///< vertices
+  std::vector<std::uint32_t> roof_;
+  std::vector<std::uint32_t> columns_;  ///< first vertex above the floor
+};
+
+}  // namespace
+
+std::vector<PlanRing> add_mine_surface(const OpenSpace& space, const Heights& heights,
+                                       double grid_m, double clearance_m, MeshBuilder& builder) {
+  const int wall_rows = std::max(1, static_cast<int>(std::lround(clearance_m / grid_m)));
+  SurfaceBuilder surface(space, heights, wall_rows, plan_mesh(space, grid_m), builder);
+  surface.add();
+  return surface.outlines();
+}
+
+}  // namespace adit

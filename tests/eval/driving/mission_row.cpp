@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/eval/driving/mission_row.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <map>
+
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "sim/world/build_world.hpp"
+#include "tests/eval/benchmarks.hpp"
+#include "tests/support/scores/mission_log.hpp"
+#include "tools/mission/mission_run.hpp"
+
+namespace adit {
+namespace test {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MissionScore, outcome, reason, distance_from_start_m, farthest_m,
+                                   corridor_m, covered_share, missed_m, certainly_missed_m,
+                                   distance_travelled_m, simulated_s, wall_s, scans, rmse_m,
+                                   rmse_estimated_m, length_ratio, verdicts, false_verdicts,
+                                   unconfirmed, route_home_verdicts, complete, rescans, back_offs,
+                                   guard_stops)
+
+}  // namespace test
+
+namespace {
+
+std::filesystem::path folder_of(const MissionRow& row, const MissionRowOptions& options) {
+  std::string name = row.name;
+  std::replace(name.begin(), name.end(), ':', '_');
+  return options.folder / name;
+}
+
+/// What a child does; its words are in a file.
+[[noreturn]] void run_child(const MissionRow& row, const MissionRowOptions& options) {
+  int code = 0;
+  try {
+    const nlohmann::json score = run_row(row, options);
+    std::ofstream(folder_of(row, options) / "score.json") << score.dump(2) << "\n";
+  } catch (const std::exception& error) {
+    std::cerr << row.name << ": " << error.what() << "\n";
+    code = 2;
+  }
+  std::_Exit(code);
+}
+
+void read_score(int status, MissionRow& row, const MissionRowOptions& options) {
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+    std::ifstream file(folder_of(row, options) / "score.json");
+    row.score = nlohmann::json::parse(file).get<test::MissionScore>();
+  } else {
+    row.score.outcome = "crashed";
+    row.score.reason =
+        WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status)) : "see standard error";
+  }
+  std::cerr << row.name << ": " << row.score.outcome << ", " << row.score.reason << "\n";
+}
+
+}  // namespace
+
+test::MissionScore run_row(const MissionRow& row, const MissionRowOptions& options) {
+  MissionRunOptions run;
+  run.world = row.world;
+  run.folder = folder_of(row, options);
+  run.config = options.config;
+  run.time_max_s = options.time_max_s;
+  std::filesystem::remove_all(run.folder);
+  const MissionRunResult result = run_mission(run);
+  const test::MissionLog log = test::read_mission(run.folder / "run.lcmlog");
+  test::MissionScore score = test::MissionTruth(build_world(describe(row.world))).score(log);
+  score.wall_s = result.wall_s;
+  if (!options.keep_log) std::filesystem::remove(run.folder / "run.lcmlog");
+  return score;
+}
+
+void run_rows(std::vector<MissionRow>& rows, const MissionRowOptions& options, int jobs) {
+  std::map<pid_t, MissionRow*> active;
+  std::filesystem::create_directories(options.folder);
+  const auto wait_for_one = [&] {
+    int status = 0;
+    const auto child = active.find(waitpid(-1, &status, 0));
+    if (child == active.end()) return;
+    read_score(status, *child->second, options);
+    active.erase(child);
+  };
+  for (MissionRow& row : rows) {
+    if (static_cast<int>(active.size()) >= jobs) wait_for_one();
+    const pid_t pid = fork();
+    if (pid == 0) run_child(row, options);
+    if (pid > 0) active[pid] = &row;
+  }
+  while (!active.empty()) wait_for_one();
+}
+
+namespace {
+
+struct Sum {
+  int returned = 0, failed = 0, crashed = 0, at_home = 0, verdicts = 0, false_verdicts = 0;
+  int unconfirmed = 0, route_home_verdicts = 0, complete = 0, false_complete = 0,
+      surely_false_complete = 0, guard_stops = 0;
+  double covered_share = 0.0, distance_travelled_m = 0.0, simulated_s = 0.0, rmse_max_m = 0.0;
+
+  void add(const test::MissionScore& score) {
+    returned += score.outcome == "home";
+    at_home += score.outcome == "home" && score.distance_from_start_m <= 0.5;
+    failed += score.outcome == "failed";
+    crashed += score.outcome == "crashed";
+    verdicts += score.verdicts;
+    false_verdicts += score.false_verdicts;
+    unconfirmed += score.unconfirmed;
+    route_home_verdicts += score.route_home_verdicts;
+    complete += score.complete;
+    false_complete += score.false_complete();
+    surely_false_complete += score.complete && score.certainly_missed_m > 2.0;
+    guard_stops += score.guard_stops;
+    covered_share += score.covered_share;
+    distance_travelled_m += score.distance_travelled_m;
+    simulated_s += score.simulated_s;
+    rmse_max_m = std::max(rmse_max_m, score.rmse_m);
+  }
+};
+
+}  // namespace
+
+void print_table(const std::vector<MissionRow>& rows) {
+  std::cout
+      << "| mine | outcome | from the start (m) | farthest (m) | corridor (m) | seen (%) "
+         "| missed; by the vehicle with room (m) | way (m) | simulated (s) | wall (s) | scans | "
+         "RMSE, map (m) "
+         "| RMSE, believed (m) | length ratio | blocked | falsely | doubtful | on the way home "
+         "| complete | falsely | other laser | back-offs | guard stops |\n"
+         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---"
+         "|---|\n";
+  for (const auto& [name, world, score] : rows) {
+    std::cout
+        << format("| %s | %s | %.2f | %.0f | %.0f | %.1f | %.0f; %.0f | %.0f | %.0f | %.0f | %d ",
+                  name.c_str(), score.outcome.c_str(), score.distance_from_start_m,
+                  score.farthest_m, score.corridor_m, 100.0 * score.covered_share, score.missed_m,
+                  score.certainly_missed_m, score.distance_travelled_m, score.simulated_s,
+                  score.wall_s, score.scans)
+        << format("| %.2f | %.2f | %.3f | %d | %d | %d | %d | %s | %s | %d | %d | %d |\n",
+                  score.rmse_m, score.rmse_estimated_m, score.length_ratio, score.verdicts,
+                  score.false_verdicts, score.unconfirmed, score.route_home_verdicts,
+                  score.complete ? "yes" : "no", score.false_complete() ? "yes" : "no",
+                  score.rescans, score.back_offs, score.guard_stops);
+  }
+}
+
+void print_summary(const std::vector<MissionRow>& rows, double wall_s) {
+  Sum sum;
+  for (const MissionRow& row : rows) sum.add(row.score);
+  const double n = std::max<double>(1.0, static_cast<double>(rows.size()));
+  std::cout << format("\n| of %zu missions | |\n|---|---|\n", rows.size())
+            << format("| ended at home; by the truth within 0.5 m of the start | %d; %d |\n",
+                      sum.returned, sum.at_home)
+            << format("| runs that failed (collisions, for one); that crashed | %d; %d |\n",
+                      sum.failed, sum.crashed)
+            << format("| corridor seen, mean | %.1f %% |\n", 100.0 * sum.covered_share / n)
+            << format("| verdicts that a stub is blocked; of them false | %d; %d |\n", sum.verdicts,
+                      sum.false_verdicts)
+            << format("| stubs given up that nobody saw to be blocked | %d |\n", sum.unconfirmed)
+            << format("| verdicts on the way home or without a stub | %d |\n",
+                      sum.route_home_verdicts)
+            << format(
+                   "| called complete; of them falsely; for the vehicle with room | %d; %d; %d |\n",
+                   sum.complete, sum.false_complete, sum.surely_false_complete)
+            << format("| guard stops | %d |\n", sum.guard_stops)
+            << format("| largest RMSE of the map | %.2f m |\n", sum.rmse_max_m)
+            << format("| way, simulated time, wall time | %.0f m, %.0f s, %.0f s |\n",
+                      sum.distance_travelled_m, sum.simulated_s, wall_s);
+}
+
+}  // namespace adit

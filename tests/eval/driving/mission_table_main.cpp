@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// mission_table MINES..: whole missions in simulated mines, all stages in one process for each, as
+// a table in Markdown. A mine is a name, or random:COUNT for that many random ones.
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <exception>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "sim/live/world_choice.hpp"
+#include "tests/eval/driving/mission_row.hpp"
+
+namespace adit::test {
+
+/// One of the random mines that missions are counted over: 40 to 100 m of drift, all topologies,
+/// sound ones and ruins. The same number gives the same mine.
+WorldChoice mission_mine(int number);
+
+}  // namespace adit::test
+
+namespace adit::test {
+
+WorldChoice mission_mine(int number) {
+  constexpr std::array kTopologies{"parallel_entries", "room_and_pillar", "branching", "ring"};
+  constexpr std::array kDamages{0.0, 0.25, 0.5, 0.75, 1.0};
+  constexpr std::array kLengthsM{40.0, 60.0, 80.0, 100.0, 50.0, 70.0, 90.0};
+  const auto n = static_cast<std::size_t>(number);
+  WorldChoice choice;
+  choice.name = "random";
+  choice.seed = number;
+  choice.topology = kTopologies[n % kTopologies.size()];
+  choice.damage = kDamages[n % kDamages.size()];
+  choice.length_m = kLengthsM[n % kLengthsM.size()];
+  return choice;
+}
+
+}  // namespace adit::test
+
+namespace adit {
+namespace {
+
+struct Options {
+  std::vector<std::string> mines;
+  int first = 1;
+  int jobs = 1;
+  MissionRowOptions row;
+};
+
+std::vector<MissionRow> rows_of(const Options& options) {
+  const std::string prefix = "random:";
+  std::vector<MissionRow> rows;
+  for (const std::string& mine : options.mines) {
+    if (!mine.starts_with(prefix)) {
+      rows.push_back({mine, {mine, {}, {}, {}, {}}, {}});
+      continue;
+    }
+    const int count = std::stoi(mine.substr(prefix.size()));
+    for (int number = options.first; number < options.first + count; ++number) {
+      rows.push_back({prefix + std::to_string(number), test::mission_mine(number), {}});
+    }
+  }
+  return rows;
+}
+
+void run(const Options& options) {
+  std::vector<MissionRow> rows = rows_of(options);
+  const auto start = std::chrono::steady_clock::now();
+  run_rows(rows, options.row, options.jobs);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  print_table(rows);
+  print_summary(rows, wall.count());
+}
+
+}  // namespace
+}  // namespace adit
+
+int main(int argc, char** argv) try {
+  CLI::App app("Whole missions in simulated mines, as a table in Markdown");
+  adit::Options options;
+  app.add_option("MINES", options.mines, "Worlds by name, or random:COUNT")->required();
+  app.add_option("--first", options.first, "Number of the first random mine")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--jobs", options.jobs, "At the same time")->check(CLI::Range(1, 64));
+  app.add_option("--out", options.row.folder, "Folder for a folder of each mission")->required();
+  app.add_option("--config", options.row.config, "YAML file");
+  app.add_option("--time-max-s", options.row.time_max_s, "Of simulated time, for each")
+      ->check(CLI::PositiveNumber);
+  app.add_flag("--keep-logs", options.row.keep_log, "Else they are deleted once they are scored");
+  CLI11_PARSE(app, argc, argv);
+  adit::run(options);
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "mission_table: " << error.what() << "\n";
+  return 2;
+}

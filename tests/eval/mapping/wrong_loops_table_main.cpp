@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// wrong_loops_table: what methods make of wrong loop closures that are added to public pose graphs,
+// as a table in Markdown. A method looks at a graph and says which constraints it believes; these
+// are then optimised, so that all are judged alike.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "common/pose_graph/g2o_file.hpp"
+#include "common/pose_graph/optimize.hpp"
+#include "procs/mapping/association/lazy_loop_closures.hpp"
+#include "tests/eval/mapping/robust_kernels.hpp"
+#include "tests/support/graphs/synthetic_graphs.hpp"
+#include "tests/support/recordings.hpp"
+#include "tools/eval/path_error.hpp"
+
+namespace adit {
+namespace {
+
+/// Whether each constraint is believed.
+using LoopSelection = std::function<std::vector<bool>(const PoseGraph&)>;
+
+struct Method {
+  const char* name;
+  LoopSelection accept;
+};
+
+std::vector<bool> accept_all(const PoseGraph& graph) {
+  return std::vector<bool>(graph.constraints.size(), true);
+}
+
+const std::vector<Method>& methods() {
+  static const std::vector<Method> all = {
+      {"least squares", accept_all},
+      {"Huber", accepted_by_huber},
+      {"DCS", accepted_by_dcs},
+      {"lazy", [](const PoseGraph& graph) { return associate_loops_lazily(graph, {}).accepted; }},
+      {"lazy, paper's order", [](const PoseGraph& graph) {
+         LazyAssociationParams params;
+         params.best_first = false;
+         return associate_loops_lazily(graph, params).accepted;
+       }}};
+  return all;
+}
+
+/// A graph at its optimum, and wrong loops for it.
+struct Trial {
+  std::string graph_name;
+  std::string kind;
+  const PoseGraph& clean;
+  std::vector<PoseConstraint> wrong;
+};
+
+/// How far the nodes are from where the clean graph has them, after rigid alignment [m].
+double rmse_m(const std::vector<Pose2>& poses, const std::vector<Pose2>& reference) {
+  const auto trajectory = [](const std::vector<Pose2>& nodes) {
+    Trajectory result;
+    for (const Pose2& node : nodes) {
+      result.push_back({static_cast<std::int64_t>(result.size()), node});
+    }
+    return result;
+  };
+  return path_error(trajectory(poses), trajectory(reference)).rmse_m;
+}
+
+/// Loops alone are counted.
+struct Count {
+  int right = 0;
+  int right_accepted = 0;
+  int wrong_accepted = 0;
+};
+
+Count count_loops(const Trial& trial, const std::vector<bool>& accepted) {
+  Count count;
+  for (std::size_t i = 0; i < accepted.size(); ++i) {
+    const bool wrong = i >= trial.clean.constraints.size();
+    if (!wrong && !test::is_loop(trial.clean.constraints[i])) continue;
+    count.right += wrong ? 0 : 1;
+    if (accepted[i]) ++(wrong ? count.wrong_accepted : count.right_accepted);
+  }
+  return count;
+}
+
+PoseGraph accepted_part(const PoseGraph& graph, const std::vector<bool>& accepted) {
+  PoseGraph part{graph.poses, {}};
+  for (std::size_t i = 0; i < accepted.size(); ++i) {
+    if (accepted[i]) part.constraints.push_back(graph.constraints[i]);
+  }
+  return part;
+}
+
+double share(int part, int whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 1.0;
+}
+
+void print_row(const Trial& trial, const Method& method) {
+  PoseGraph graph = trial.clean;
+  graph.constraints.insert(graph.constraints.end(), trial.wrong.begin(), trial.wrong.end());
+  chain_odometry(graph);  // what a method may start from
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<bool> accepted = method.accept(graph);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
+  const Count count = count_loops(trial, accepted);
+  PoseGraph part = accepted_part(graph, accepted);
+  const OptimizeResult result = optimize(part, {});
+  std::printf("| %s | %zu, %s | %s | %.3f | %.3f | %.6g | %.3f | %.2f |\n",
+              trial.graph_name.c_str(), trial.wrong.size(), trial.kind.c_str(), method.name,
+              share(count.right_accepted, count.right_accepted + count.wrong_accepted),
+              share(count.right_accepted, count.right), result.objective,
+              rmse_m(part.poses, trial.clean.poses), wall.count());
+  std::fflush(stdout);
+}
+
+struct Options {
+  std::vector<std::string> graphs = {"intel", "manhattan"};
+  std::vector<int> counts = {0, 10, 100, 1000};
+  std::vector<std::string> kinds = {"random", "groups"};
+  std::vector<std::string> only;  // methods; all where it is empty
+  std::uint32_t seed = 1;
+  bool no_head = false;
+};
+
+void print_trial(const Trial& trial, const Options& options) {
+  for (const Method& method : methods()) {
+    const auto& only = options.only;
+    const bool requested =
+        only.empty() || std::find(only.begin(), only.end(), method.name) != only.end();
+    if (requested) print_row(trial, method);
+  }
+}
+
+void print_graph(const std::string& name, const Options& options) {
+  const auto path = test::find_recording("posegraph/" + name + ".g2o");
+  if (!path) {
+    std::cerr << "no recording " << name << "; set ADIT_DATA\n";
+    return;
+  }
+  PoseGraph clean = read_g2o(*path).graph;
+  optimize(clean, {});
+  for (const int count : options.counts) {
+    for (const std::string& kind : options.kinds) {
+      const bool consistent = kind == "groups";
+      if (count == 0 && consistent) continue;
+      const auto make = consistent ? test::consistent_wrong_loops : test::random_wrong_loops;
+      print_trial(
+          {name, consistent ? "in groups" : "at random", clean, make(clean, count, options.seed)},
+          options);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace adit
+
+int main(int argc, char** argv) try {
+  CLI::App app("Wrong loop closures added to public pose graphs, as a table in Markdown");
+  adit::Options options;
+  app.add_option("--graphs", options.graphs, "of the recordings")->capture_default_str();
+  app.add_option("--counts", options.counts, "of wrong loops")->capture_default_str();
+  app.add_option("--kinds", options.kinds, "of wrong loops")
+      ->check(CLI::IsMember({"random", "groups"}))
+      ->capture_default_str();
+  app.add_option("--only", options.only, "the methods of these names");
+  app.add_option("--seed", options.seed, "of the wrong loops")->capture_default_str();
+  app.add_flag("--no-head", options.no_head, "rows only");
+  CLI11_PARSE(app, argc, argv);
+  if (!options.no_head) {
+    std::puts(
+        "| graph | wrong loops | method | precision | recall | objective | RMSE (m) | time (s) |\n"
+        "|---|---|---|---|---|---|---|---|");
+  }
+  for (const std::string& graph : options.graphs) adit::print_graph(graph, options);
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "wrong_loops_table: " << error.what() << "\n";
+  return 2;
+}

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// check_simulated SECONDS LOG: listens until SIGTERM, as a stage for which the simulator waits by
+// the name `check`, and says then whether scan matching has made something of every scan of so many
+// simulated seconds, mapping of what scan matching said, neither lost anything, scan matching
+// followed the robot, which drove, and the simulator's LOG has all of that. Ends with 1 if not.
+#include <array>
+#include <exception>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/lcm_bus.hpp"
+#include "common/bus/log/event_source.hpp"
+#include "common/bus/node/stop_signal.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/diagnostics.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "tests/live/checks/log_check.hpp"
+
+namespace adit {
+namespace {
+
+constexpr int kBeforeFirstTilt = 4;       // scans of two lasers in 20 ms: nobody knows how tilted
+constexpr double kScansPerSecond = 75.0;  // of two lasers with 361 beams
+constexpr double kDrivenMinM = 5.0;
+constexpr std::size_t kWaiting = 1000;
+constexpr double kErrorMaxM = 0.5;  // over less than twenty metres, sideways and along
+
+struct ReceivedMessages {
+  std::map<std::string, int> messages;          // by channel
+  std::map<std::string, Heartbeat> heartbeats;  // the newest, by stage
+  std::optional<Pose2> first_truth;
+  Pose2 truth;
+  Pose2 pose;
+};
+
+constexpr std::array kCounted{channels::kLaserFront, channels::kLaserRear, channels::kImu,
+                              channels::kPose,       channels::kScanMatch, channels::kLocalMap};
+
+void count(Bus& bus, ReceivedMessages& received) {
+  for (const std::string_view channel : kCounted) {
+    bus.subscribe(channel, Delivery::queued(kWaiting),
+                  [&received](const ReceivedMessage& received) {
+                    ++received.messages[std::string(received.channel)];
+                    return std::string_view();
+                  });
+  }
+}
+
+void listen(Bus& bus, ReceivedMessages& received) {
+  count(bus, received);
+  const auto queued = Delivery::queued(kWaiting);
+  subscribe<pose_t>(bus, channels::kPose, queued,
+                    [&received](const StampedPose& pose) { received.pose = pose.T_odom_body; });
+  subscribe<pose_t>(bus, channels::kTruth, queued, [&received](const StampedPose& pose) {
+    received.truth = pose.T_odom_body;
+    if (!received.first_truth) received.first_truth = received.truth;
+  });
+  subscribe<heartbeat_t>(bus, channels::kHeartbeat, queued,
+                         [&received](const Heartbeat& heartbeat) {
+                           received.heartbeats[heartbeat.stage] = heartbeat;
+                         });
+}
+
+Requirements require;
+
+LcmBusOptions bus_options() {
+  LcmBusOptions options;
+  options.time = BusTime::kSimulated;
+  options.stage = "check";
+  return options;
+}
+
+/// Also the simulator itself.
+void check_stages(const ReceivedMessages& received) {
+  for (const char* stage : {"scan_matching", "mapping", "sim"}) {
+    const auto found = received.heartbeats.find(stage);
+    require(found != received.heartbeats.end(), std::string(stage) + " said that it is alive");
+    if (found == received.heartbeats.end()) continue;
+    require(found->second.dropped == 0, std::string(stage) + " dropped no message");
+    require(found->second.rejected == 0, std::string(stage) + " refused no message");
+  }
+}
+
+void check_log(const std::string& path, ReceivedMessages& received) {
+  const LogFile log(path);
+  std::map<std::string, int> recorded;
+  for (const LogEventView& event : log.events()) ++recorded[std::string(event.channel)];
+  for (const std::string_view counted : kCounted) {
+    const std::string channel(counted);
+    require(recorded[channel] == received.messages[channel],
+            "all of " + channel + " is in the log");
+  }
+}
+
+int check(double seconds, const std::string& log) {
+  const StopSignal stop;
+  LcmBus bus(bus_options());
+  ReceivedMessages received;
+  listen(bus, received);
+  bus.run(stop.descriptor());
+  const int scans = received.messages["LASER_FRONT"] + received.messages["LASER_REAR"];
+  require(scans >= static_cast<int>(kScansPerSecond * seconds) - 2, "all scans are there");
+  const int unmatched = scans - received.messages["SCAN_MATCH"];
+  require(unmatched >= 0 && unmatched <= kBeforeFirstTilt, "each scan has its match");
+  require(received.messages["LOCAL_MAP"] > 0, "mapping made a map of them");
+  check_stages(received);
+  check_log(log, received);
+  if (!received.first_truth) return 1;
+  const Pose2 driven = between(*received.first_truth, received.truth);
+  const double error_m = between(driven, received.pose).translation().norm();
+  require(driven.translation().norm() > kDrivenMinM, "the robot drove");
+  require(error_m < kErrorMaxM, "scan matching followed it");
+  std::cout << scans << " scans, " << driven.translation().norm() << " m driven, " << error_m
+            << " m off\n";
+  return require.exit_code();
+}
+
+}  // namespace
+}  // namespace adit
+
+int main(int argc, char** argv) try {
+  if (argc != 3) {
+    std::cerr << "check_simulated SECONDS LOG\n";
+    return 2;
+  }
+  return adit::check(std::stod(argv[1]), argv[2]);
+} catch (const std::exception& error) {
+  std::cerr << "check_simulated: " << error.what() << "\n";
+  return 2;
+}

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/reachable_area.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "common/geometry/pose2.hpp"
+#include "sim/world/plan/tunnel_line.hpp"
+#include "tests/support/passable_raster.hpp"
+
+namespace adit {
+namespace {
+
+Footprint footprint(const Vehicle& vehicle, const Pose2& T_cell_body) {
+  constexpr double kSpacing = PassableRaster::kSide;
+  const int along = static_cast<int>(std::ceil(vehicle.length_m / kSpacing));
+  const int across = static_cast<int>(std::ceil(vehicle.width_m / kSpacing));
+  Footprint squares;
+  for (int i = 0; i <= along; ++i) {
+    for (int j = 0; j <= across; ++j) {
+      const Eigen::Vector2d p_body(vehicle.length_m * (static_cast<double>(i) / along - 0.5),
+                                   vehicle.width_m * (static_cast<double>(j) / across - 0.5));
+      const Eigen::Vector2d place = T_cell_body * p_body / PassableRaster::kSide;
+      squares.push_back(
+          {static_cast<int>(std::floor(place.x())), static_cast<int>(std::floor(place.y()))});
+    }
+  }
+  std::sort(squares.begin(), squares.end());
+  squares.erase(std::unique(squares.begin(), squares.end()), squares.end());
+  return squares;
+}
+
+}  // namespace
+
+std::vector<Footprint> footprints(const Vehicle& vehicle, double heading_rad, double cell_m) {
+  const std::array<double, 3> shifts{0.0, -cell_m / 3.0, cell_m / 3.0};
+  constexpr std::array<double, 3> kTurns{0.0, -0.14, 0.14};  // headings are 0.46 rad apart at most
+  std::vector<Footprint> ways;
+  for (const double turn : kTurns) {
+    for (const double x : shifts) {
+      for (const double y : shifts) {
+        ways.push_back(
+            footprint(vehicle, {cell_m / 2.0 + x, cell_m / 2.0 + y, heading_rad + turn}));
+      }
+    }
+  }
+  return ways;
+}
+
+namespace {
+
+constexpr int kHeadings = 16;
+constexpr int kSquaresPerCell = 2;
+static_assert(kSquaresPerCell * PassableRaster::kSide == ReachableArea::kSide);
+
+/// Headings are the directions from a cell to others nearby, so that a move ends in a cell.
+struct Move {
+  int columns;
+  int rows;
+
+  [[nodiscard]] double heading_rad() const { return std::atan2(rows, columns); }
+};
+constexpr std::array<Move, kHeadings> kMoves{{{1, 0},
+                                              {2, 1},
+                                              {1, 1},
+                                              {1, 2},
+                                              {0, 1},
+                                              {-1, 2},
+                                              {-1, 1},
+                                              {-2, 1},
+                                              {-1, 0},
+                                              {-2, -1},
+                                              {-1, -1},
+                                              {-1, -2},
+                                              {0, -1},
+                                              {1, -2},
+                                              {1, -1},
+                                              {2, -1}}};
+
+struct State {
+  int column = 0;
+  int row = 0;
+  int heading = 0;
+};
+
+/// Cells and headings that can be reached from one another.
+class Flood {
+ public:
+  Flood(const World& world, const Vehicle& vehicle)
+      : raster_(world.truth, vehicle),
+        columns_((raster_.columns() + kSquaresPerCell - 1) / kSquaresPerCell),
+        rows_((raster_.rows() + kSquaresPerCell - 1) / kSquaresPerCell),
+        reached_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
+        asked_(reached_.size()) {
+    for (std::size_t i = 0; i < kHeadings; ++i) {
+      ways_[i] = footprints(vehicle, kMoves[i].heading_rad(), ReachableArea::kSide);
+    }
+  }
+
+  void run(const Pose2& T_world_start) {
+    std::vector<State> open;
+    add(nearest(T_world_start), open);
+    while (!open.empty()) {
+      const State state = open.back();
+      open.pop_back();
+      for (const int turn : {-1, 0, 1}) {
+        const int heading = (state.heading + turn + kHeadings) % kHeadings;
+        add_moves(state, heading, kMoves[static_cast<std::size_t>(state.heading)], open);
+        add_moves(state, heading, kMoves[static_cast<std::size_t>(heading)], open);
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<Eigen::Vector2d> cells() const {
+    std::vector<Eigen::Vector2d> cells;
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = 0; column < columns_; ++column) {
+        if (reached_[index(column, row)] == 0) continue;
+        cells.emplace_back(raster_.origin() +
+                           ReachableArea::kSide * Eigen::Vector2d(column + 0.5, row + 0.5));
+      }
+    }
+    return cells;
+  }
+
+  [[nodiscard]] bool is_reached(const Eigen::Vector2d& p_world) const {
+    const Eigen::Vector2d place = (p_world - raster_.origin()) / ReachableArea::kSide;
+    return is_within(place) &&
+           reached_[index(static_cast<int>(place.x()), static_cast<int>(place.y()))] != 0;
+  }
+
+ private:
+  [[nodiscard]] bool is_within(const Eigen::Vector2d& place) const {
+    return place.x() >= 0.0 && place.y() >= 0.0 && place.x() < columns_ && place.y() < rows_;
+  }
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+
+  /// Outside of all cells where the pose is.
+  [[nodiscard]] State nearest(const Pose2& T_world_body) const {
+    const Eigen::Vector2d place =
+        (T_world_body.translation() - raster_.origin()) / ReachableArea::kSide;
+    if (!is_within(place)) return {-1, -1, 0};
+    const auto off = [&](const Move& move) {
+      return std::abs(angle_diff(move.heading_rad(), T_world_body.theta));
+    };
+    const auto* best =
+        std::min_element(kMoves.begin(), kMoves.end(),
+                         [&](const Move& a, const Move& b) { return off(a) < off(b); });
+    return {static_cast<int>(place.x()), static_cast<int>(place.y()),
+            static_cast<int>(best - kMoves.begin())};
+  }
+
+  /// Forwards and in reverse.
+  void add_moves(const State& from, int heading, const Move& move, std::vector<State>& open) {
+    add({from.column + move.columns, from.row + move.rows, heading}, open);
+    add({from.column - move.columns, from.row - move.rows, heading}, open);
+  }
+
+  void add(const State& state, std::vector<State>& open) {
+    if (state.column < 0 || state.row < 0 || state.column >= columns_ || state.row >= rows_) return;
+    const std::size_t cell = index(state.column, state.row);
+    const auto bit = static_cast<std::uint16_t>(1U << static_cast<unsigned>(state.heading));
+    if ((asked_[cell] & bit) != 0) return;
+    asked_[cell] |= bit;
+    if (!fits(state)) return;
+    reached_[cell] |= bit;
+    open.push_back(state);
+  }
+
+  [[nodiscard]] bool fits(const State& state) const {
+    const std::vector<Footprint>& ways = ways_[static_cast<std::size_t>(state.heading)];
+    return std::any_of(ways.begin(), ways.end(), [&](const Footprint& squares) {
+      return std::all_of(squares.begin(), squares.end(), [&](const std::array<int, 2>& square) {
+        return raster_.at(state.column * kSquaresPerCell + square[0],
+                          state.row * kSquaresPerCell + square[1]);
+      });
+    });
+  }
+
+  PassableRaster raster_;
+  int columns_;
+  int rows_;
+  std::vector<std::uint16_t> reached_;  ///< a bit for each heading
+  std::vector<std::uint16_t> asked_;    ///< whether the vehicle fits, likewise
+  std::array<std::vector<Footprint>, kHeadings> ways_;
+};
+
+/// In steps along the edge, each of which counts if a place across it is reached.
+double reached_length_m(const TunnelEdge& edge, const Flood& flood) {
+  const TunnelLine line{edge.tunnel, edge.points, edge.width_m, false};
+  const int steps = std::max(1, static_cast<int>(std::ceil(edge.length_m / ReachableArea::kSide)));
+  const int across = static_cast<int>(std::ceil(edge.width_m / ReachableArea::kSide));
+  int reached = 0;
+  for (int i = 0; i < steps; ++i) {
+    for (int j = 0; j <= across; ++j) {
+      const Eigen::Vector2d p = line.beside(edge.length_m * (i + 0.5) / steps,
+                                            edge.width_m * (static_cast<double>(j) / across - 0.5));
+      if (!flood.is_reached(p)) continue;
+      ++reached;
+      break;
+    }
+  }
+  return edge.length_m * reached / steps;
+}
+
+}  // namespace
+
+ReachableArea reachable_area(const World& world, const Vehicle& vehicle) {
+  Flood flood(world, vehicle);
+  flood.run(world.T_world_start);
+  ReachableArea area;
+  area.cells = flood.cells();
+  area.area_m2 =
+      static_cast<double>(area.cells.size()) * ReachableArea::kSide * ReachableArea::kSide;
+  for (const TunnelEdge& edge : world.truth.tunnels.edges) {
+    area.edge_length_m.push_back(reached_length_m(edge, flood));
+  }
+  return area;
+}
+
+}  // namespace adit

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/scores/mission_log.hpp"
+
+#include <map>
+#include <set>
+#include <string_view>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/log/event_source.hpp"
+#include "common/messages/codec.hpp"
+#include "common/messages/exploration.hpp"
+#include "common/messages/mapping/local_map.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/mission.hpp"
+#include "common/messages/navigation.hpp"
+#include "common/messages/sim.hpp"
+
+namespace adit::test {
+namespace {
+
+constexpr std::int64_t kPeriodUs = 100'000;
+
+class Reader {
+ public:
+  void read(const LogEventView& event) {
+    const auto on = [&](std::string_view channel) { return event.channel == channel; };
+    if (on(channels::kTruth))
+      add_message<pose_t>(event, [this](const auto& pose) { add_truth(pose); });
+    if (on(channels::kPose))
+      add_message<pose_t>(event, [this](const auto& pose) { add_pose(pose); });
+    if (on(channels::kMapCorrection)) {
+      add_message<map_correction_t>(event, [this](const auto& c) { T_map_odom_ = c.T_map_odom; });
+    }
+    if (on(channels::kLocalMap)) {
+      add_message<local_map_t>(
+          event, [this](const auto& fragment) { locals_[fragment.part.id] = fragment.part; });
+    }
+    if (on(channels::kPoseGraph))
+      add_message<pose_graph_t>(event, [this](const auto& p) { add(p); });
+    if (on(channels::kPhase))
+      add_message<phase_t>(event, [this](const auto& phase) { add(phase); });
+    if (on(channels::kExploreRequest)) {
+      add_message<explore_request_t>(event, [this](const auto& request) { add(request); });
+    }
+    if (on(channels::kExploration)) {
+      add_message<exploration_t>(event, [this](const auto& report) { log_.report = report; });
+    }
+    if (on(channels::kStop)) add_message<stop_t>(event, [this](const auto& order) { add(order); });
+    if (on(channels::kRunState)) {
+      add_message<run_state_t>(event, [this](const auto& state) {
+        log_.distance_travelled_m = state.distance_travelled_m;
+        log_.failure = state.failure;
+      });
+    }
+  }
+
+  MissionLog log() && {
+    for (const TimedPose& at : odom_) add_mapped(at);
+    return std::move(log_);
+  }
+
+ private:
+  template <class Message, class Handler>
+  static void add_message(const LogEventView& event, Handler handler) {
+    const auto message = decode<Message>(event.data);
+    if (!message) return;
+    if (const auto value = from_message(*message)) handler(*value);
+  }
+
+  static bool is_due(const Trajectory& trajectory, std::int64_t utime) {
+    return trajectory.empty() || utime >= trajectory.back().utime + kPeriodUs;
+  }
+
+  void add_truth(const StampedPose& pose) {
+    if (is_due(log_.truth, pose.utime)) log_.truth.push_back({pose.utime, pose.T_odom_body});
+  }
+  void add_pose(const StampedPose& pose) {
+    if (!is_due(odom_, pose.utime)) return;
+    odom_.push_back({pose.utime, pose.T_odom_body});
+    log_.estimated.push_back({pose.utime, T_map_odom_ * pose.T_odom_body});
+  }
+  void add(const PoseGraphFragment& fragment) {
+    if (auto graph = graphs_.add(fragment)) graph_ = std::move(*graph);
+  }
+  void add(const MissionPhase& phase) {
+    executes_ = phase.phase == Phase::kExecute;
+    if (log_.phases.empty() || phase.sequence != log_.phases.back().sequence) {
+      log_.phases.push_back(phase);
+    }
+  }
+  void add(const ExploreRequest& request) {
+    if (request.blocked && reported_.insert(request.id).second) {
+      log_.verdicts.push_back(*request.blocked);
+    }
+  }
+  void add(const StopOrder& order) {
+    if (order.stopped && !stopped_ && executes_) ++log_.guard_stops;
+    stopped_ = order.stopped;
+  }
+
+  /// By the local map that was the newest then.
+  void add_mapped(const TimedPose& at) {
+    const LocalMap* newest = nullptr;
+    for (const auto& [id, map] : locals_) {
+      const bool in_graph = static_cast<std::size_t>(id) < graph_.poses.size();
+      if (in_graph && map.utime <= at.utime) newest = &map;
+    }
+    if (!newest) return;
+    const Pose2& T_map_local = graph_.poses[static_cast<std::size_t>(newest->id)];
+    log_.mapped.push_back({at.utime, T_map_local * between(newest->T_odom_local, at.pose)});
+  }
+
+  MissionLog log_;
+  Trajectory odom_;
+  Pose2 T_map_odom_;
+  std::map<int, LocalMap> locals_;  ///< with some of their scans
+  PoseGraphReassembler graphs_;
+  MapGraph graph_;
+  std::set<std::int32_t> reported_;
+  bool executes_ = false;
+  bool stopped_ = true;
+};
+
+}  // namespace
+
+MissionLog read_mission(const std::filesystem::path& log) {
+  LogFile events(log);
+  Reader reader;
+  while (const auto event = events.next()) reader.read(*event);
+  return std::move(reader).log();
+}
+
+}  // namespace adit::test

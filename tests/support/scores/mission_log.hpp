@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/types/exploration.hpp"
+#include "common/types/mission.hpp"
+#include "tools/eval/trajectory.hpp"
+
+namespace adit::test {
+
+/// What the log of a simulated mission says of it.
+struct MissionLog {
+  Trajectory truth;                  ///< T_world_body
+  Trajectory estimated;              ///< T_map_body, as the robot believed it at the time
+  Trajectory mapped;                 ///< the same by the last graph, from the first local map on
+  std::vector<MissionPhase> phases;  ///< each change once
+  std::vector<BlockedVerdict> verdicts;     ///< each once
+  std::optional<ExplorationReport> report;  ///< the last
+  int guard_stops = 0;                      ///< while a path was driven
+  double distance_travelled_m = 0.0;        ///< true
+  std::string failure;                      ///< why the run failed; empty if it did not
+};
+
+/// Poses ten times a second. Throws std::runtime_error where the file is no log.
+MissionLog read_mission(const std::filesystem::path& log);
+
+}  // namespace adit::test

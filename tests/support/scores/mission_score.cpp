@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/scores/mission_score.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/support/robots/exploring_robot.hpp"
+#include "tools/eval/trajectory_score.hpp"
+
+namespace adit::test {
+namespace {
+
+constexpr double kCoverageStepM = 0.5;  // of the true way, from one look around to the next
+
+/// Nobody sees how deep water is, so that all of it is refused.
+Vehicle that_does_not_wade() {
+  Vehicle vehicle;
+  vehicle.wading_depth_max_m = 0.0;
+  return vehicle;
+}
+
+/// What it can do, nobody doubts.
+Vehicle with_room_round_it() {
+  Vehicle vehicle = that_does_not_wade();
+  vehicle.length_m += 2.0 * MissionTruth::kMarginM;
+  vehicle.width_m += 2.0 * MissionTruth::kMarginM;
+  vehicle.height_m += 0.25;           // with which the terrain stage looks for what hangs
+  vehicle.belly_clearance_m -= 0.08;  // its margin, and roughness of the ground
+  vehicle.step_max_m -= 0.08;
+  return vehicle;
+}
+
+std::string outcome_of(const MissionLog& log) {
+  if (!log.failure.empty()) return "failed";
+  if (log.phases.empty() || log.phases.back().phase != Phase::kEnded) return "timed out";
+  switch (log.phases.back().outcome) {
+    case MissionOutcome::kHome:
+      return "home";
+    case MissionOutcome::kStopped:
+      return "stopped";
+    default:
+      return "stranded";
+  }
+}
+
+void add_phases(const MissionLog& log, MissionScore& score) {
+  for (std::size_t i = 1; i < log.phases.size(); ++i) {
+    const Phase before = log.phases[i - 1].phase;
+    const Phase now = log.phases[i].phase;
+    if (before != Phase::kPlan && before != Phase::kExecute) continue;
+    score.rescans += now == Phase::kScan ? 1 : 0;
+    score.back_offs += now == Phase::kPlan ? 1 : 0;
+  }
+  if (log.phases.empty()) return;
+  score.reason = log.failure.empty() ? log.phases.back().reason : log.failure;
+  score.scans = log.phases.back().scans;
+  score.complete = log.phases.back().complete;
+}
+
+void add_way(const MissionLog& log, MissionScore& score) {
+  score.distance_travelled_m = log.distance_travelled_m;
+  if (log.truth.empty()) return;
+  const Eigen::Vector2d start = log.truth.front().pose.translation();
+  for (const TimedPose& at : log.truth) {
+    score.distance_from_start_m = (at.pose.translation() - start).norm();
+    score.farthest_m = std::max(score.farthest_m, score.distance_from_start_m);
+  }
+  score.simulated_s = 1e-6 * static_cast<double>(log.truth.back().utime - log.truth.front().utime);
+  if (log.estimated.empty()) return;
+  score.rmse_estimated_m = score_trajectory(log.estimated, log.truth).anchored.rmse_m;
+  if (log.mapped.empty()) return;
+  const TrajectoryScore mapped = score_trajectory(log.mapped, log.truth);
+  score.rmse_m = mapped.anchored.rmse_m;
+  score.length_ratio = mapped.length_ratio;
+}
+
+/// Which places of the corridor were seen.
+std::vector<bool> covered_by(const PlanarMine& mine, const Trajectory& truth) {
+  std::vector<bool> covered(mine.corridor.size());
+  for (const TimedPose& at : downsampled(truth, kCoverageStepM)) {
+    const Eigen::Vector2d body = at.pose.translation();
+    for (std::size_t i = 0; i < covered.size(); ++i) {
+      const Eigen::Vector2d to_point = mine.corridor[i] - body;
+      if (covered[i] || to_point.norm() > MissionTruth::kCoverageRangeM) continue;
+      covered[i] = !mine.walls.cast(body, std::atan2(to_point.y(), to_point.x()), to_point.norm());
+    }
+  }
+  return covered;
+}
+
+double missed_m(const PlanarMine& mine, const std::vector<bool>& covered) {
+  double missed = 0.0;
+  for (const Eigen::Vector2d& p : mine.corridor) {
+    bool near = false;
+    for (std::size_t k = 0; k < covered.size() && !near; ++k) {
+      near = covered[k] && (mine.corridor[k] - p).norm() <= ExploringRobot::kMissedM;
+    }
+    if (!near) missed += PlanarMine::kSpacingM;
+  }
+  return missed;
+}
+
+}  // namespace
+
+MissionTruth::MissionTruth(const World& world)
+    : mine_(planar_mine(world, that_does_not_wade())),
+      mine_with_margin_(planar_mine(world, with_room_round_it())) {}
+
+MissionScore MissionTruth::score(const MissionLog& log) const {
+  MissionScore score;
+  score.outcome = outcome_of(log);
+  add_phases(log, score);
+  add_way(log, score);
+  add_coverage(log, score);
+  add_verdicts(log, score);
+  score.guard_stops = log.guard_stops;
+  return score;
+}
+
+void MissionTruth::add_coverage(const MissionLog& log, MissionScore& score) const {
+  score.corridor_m = mine_.corridor_m();
+  const std::vector<bool> covered = covered_by(mine_, log.truth);
+  const auto n = static_cast<double>(std::count(covered.begin(), covered.end(), true));
+  if (!covered.empty()) score.covered_share = n / static_cast<double>(covered.size());
+  score.missed_m = missed_m(mine_, covered);
+  score.certainly_missed_m = missed_m(mine_with_margin_, covered_by(mine_with_margin_, log.truth));
+}
+
+/// By where the stub is on the last map, laid upon the truth.
+void MissionTruth::add_verdicts(const MissionLog& log, MissionScore& score) const {
+  if (!log.report || log.mapped.empty()) return;
+  const Pose2 T_world_map = score_trajectory(log.mapped, log.truth).T_world_map;
+  for (const BlockedVerdict& verdict : log.verdicts) {
+    if (verdict.frontier < 0 ||
+        static_cast<std::size_t>(verdict.frontier) >= log.report->frontiers.size()) {
+      ++score.route_home_verdicts;
+      continue;
+    }
+    if (verdict.unconfirmed) {
+      ++score.unconfirmed;
+      continue;
+    }
+    ++score.verdicts;
+    const Frontier& frontier = log.report->frontiers[static_cast<std::size_t>(verdict.frontier)];
+    const Eigen::Vector2d beyond = frontier.p_map + kBeyondFrontierM * frontier.direction_map;
+    score.false_verdicts += mine_with_margin_.reachable(T_world_map * beyond) ? 1 : 0;
+  }
+}
+
+}  // namespace adit::test

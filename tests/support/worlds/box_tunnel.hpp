@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+
+#include "sim/mesh/mesh_builder.hpp"
+#include "sim/world/world.hpp"
+
+namespace adit {
+
+/// A straight drift of flat surfaces along x, from x = −length/2 to length/2, closed at its ends;
+/// the floor is z = 0 and the middle y = 0. The robot starts at the origin, looking along x.
+struct BoxTunnel {
+  double length_m = 40.0;
+  double width_m = 4.0;
+  double height_m = 2.0;
+};
+
+/// `add` may put more into it.
+World box_tunnel(
+    const BoxTunnel& tunnel = {},
+    const std::function<void(MeshBuilder&)>& add = [](MeshBuilder&) {});
+
+/// A box by its middle and size [m], axes along those of world.
+OrientedBox level_box(const Eigen::Vector3d& middle, const Eigen::Vector3d& size);
+
+}  // namespace adit

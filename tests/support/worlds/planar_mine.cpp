@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/support/worlds/planar_mine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "tests/support/reachable_area.hpp"
+
+namespace adit::test {
+namespace {
+
+constexpr double kLaserHeightM = 0.6;
+constexpr double kSnapM = 0.3;  // the robot may be that far from a place that counts as reachable
+
+double width_at(const TunnelGraph& tunnels, int node) {
+  double width = 0.0;
+  for (const TunnelEdge& edge : tunnels.edges) {
+    if (edge.from == node || edge.to == node) width = std::max(width, edge.width_m);
+  }
+  return width;
+}
+
+/// The plan is closed at the mouth of the mine, where there is nothing to see.
+bool is_mouth(const Segment& wall, const TunnelGraph& tunnels) {
+  for (std::size_t i = 0; i < tunnels.nodes.size(); ++i) {
+    if (!tunnels.nodes[i].entrance) continue;
+    const double off = ((wall.a + wall.b) / 2.0 - tunnels.nodes[i].p_world).norm();
+    if (off < 0.4 * width_at(tunnels, static_cast<int>(i))) return true;
+  }
+  return false;
+}
+
+void add_ring(const std::vector<Eigen::Vector2d>& points, std::vector<Segment>& walls) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    walls.push_back({points[i], points[(i + 1) % points.size()]});
+  }
+}
+
+std::vector<Segment> walls_of(const WorldTruth& truth) {
+  std::vector<Segment> walls;
+  for (const PlanRing& ring : truth.plan) add_ring(ring.points, walls);
+  std::erase_if(walls, [&](const Segment& wall) { return is_mouth(wall, truth.tunnels); });
+  for (const Obstacle& obstacle : truth.obstacles) {
+    if (obstacle.kind == PartKind::kWater || obstacle.outline.size() < 3) continue;
+    const double level = truth.floor_at(obstacle.outline.front()).value_or(0.0) + kLaserHeightM;
+    if (obstacle.z_low_m < level && obstacle.z_high_m > level) add_ring(obstacle.outline, walls);
+  }
+  return walls;
+}
+
+/// Cells that can be reached, to be asked for places nearby.
+class Reach {
+ public:
+  explicit Reach(const std::vector<Eigen::Vector2d>& cells) {
+    for (const Eigen::Vector2d& p : cells) cells_.insert(cell(p));
+  }
+
+  [[nodiscard]] bool near(const Eigen::Vector2d& p, double within_m) const {
+    const int reach = static_cast<int>(std::ceil(within_m / ReachableArea::kSide));
+    const auto [x, y] = cell(p);
+    for (int dy = -reach; dy <= reach; ++dy) {
+      for (int dx = -reach; dx <= reach; ++dx) {
+        if (std::hypot(dx, dy) * ReachableArea::kSide > within_m) continue;
+        if (cells_.count({x + dx, y + dy}) > 0) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  static std::pair<int, int> cell(const Eigen::Vector2d& p) {
+    return {static_cast<int>(std::floor(p.x() / ReachableArea::kSide)),
+            static_cast<int>(std::floor(p.y() / ReachableArea::kSide))};
+  }
+
+  std::set<std::pair<int, int>> cells_;
+};
+
+std::vector<Eigen::Vector2d> corridor_of(const TunnelGraph& tunnels, const Reach& reach) {
+  std::vector<Eigen::Vector2d> places;
+  for (const TunnelEdge& edge : tunnels.edges) {
+    double next = PlanarMine::kSpacingM / 2.0;
+    double path_length = 0.0;
+    for (std::size_t i = 1; i < edge.points.size(); ++i) {
+      const Eigen::Vector2d step = edge.points[i] - edge.points[i - 1];
+      for (; next <= path_length + step.norm(); next += PlanarMine::kSpacingM) {
+        const Eigen::Vector2d p = edge.points[i - 1] + step.normalized() * (next - path_length);
+        if (reach.near(p, edge.width_m / 2.0)) places.push_back(p);
+      }
+      path_length += step.norm();
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+PlanarMine planar_mine(const World& world, const Vehicle& vehicle) {
+  const ReachableArea area = reachable_area(world, vehicle);
+  const auto reach = std::make_shared<const Reach>(area.cells);
+  return {SyntheticWorld(walls_of(world.truth)), world.T_world_start,
+          [reach](const Eigen::Vector2d& p) { return reach->near(p, kSnapM); },
+          corridor_of(world.truth.tunnels, *reach)};
+}
+
+PlanarMine planar_mine(std::vector<Segment> walls, const Pose2& T_world_start,
+                       std::vector<Eigen::Vector2d> corridor, double radius_m) {
+  const auto walls_copy = std::make_shared<const SyntheticWorld>(walls);
+  return {SyntheticWorld(std::move(walls)), T_world_start,
+          [walls_copy, radius_m](const Eigen::Vector2d& p) {
+            return !walls_copy->clearance(p, radius_m);
+          },
+          std::move(corridor)};
+}
+
+}  // namespace adit::test

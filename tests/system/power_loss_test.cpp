@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole computer is cut off at a moment of a drive, and finds itself where it stands. More of
+// it: power_loss_table.
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sim/world/build_world.hpp"
+#include "tests/support/drives/power_loss_drive.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace adit {
+namespace {
+
+using enum test::DiskAfterPowerLoss;
+
+constexpr double kFoundM = 0.3;
+constexpr double kFoundRad = 3.0 / 180.0 * std::numbers::pi;
+constexpr double kSigmas = 3.0;
+
+/// A T, or a smooth drift that tells nobody how far along it is, with its ends out of sight.
+World mine(bool smooth) {
+  WorldDescription description;
+  description.name = "drifts";
+  description.T_world_start = {smooth ? 90.0 : 5.0, 0.0, 0.0};
+  if (smooth) {
+    description.plan.tunnels = {{"long", {0, 0, 200, 0}, 3.2, false}};
+    description.wall_relief.height_m = 0.0;
+    description.heights.floor_relief.height_m = 0.0;
+    description.heights.roof_relief.height_m = 0.0;
+  } else {
+    description.plan.tunnels = {{"main", {0, 0, 25, 0}, 3.5, false},
+                                {"cross", {25, -15, 25, 20}, 3.5, false}};
+  }
+  return build_world(description);
+}
+
+std::vector<Waypoint> waypoints(const std::vector<Eigen::Vector2d>& places) {
+  std::vector<Waypoint> waypoints;
+  for (const Eigen::Vector2d& p_world : places) waypoints.push_back({p_world, {}});
+  return waypoints;
+}
+
+void expect_found(const test::PowerLoss& loss) {
+  ASSERT_TRUE(loss.localized_after_s);
+  EXPECT_LT(*loss.localized_after_s, 1.0);  // of simulated time: half a second of scans
+  EXPECT_LT(loss.error_m, kFoundM);
+  EXPECT_LT(loss.error_rad, kFoundRad);
+  EXPECT_LT(loss.sd_m, 0.1);
+  EXPECT_EQ(loss.maps_lost, 0);
+}
+
+TEST(PowerLoss, LosesNothingAndFindsTheBodyWhereItStands) {
+  const test::ScratchFolder scratch;
+  std::mt19937 random(1);
+  test::PowerLossDrive drive(mine(false), waypoints({{23, 0}, {25, 2}, {25, 18}}), scratch / "");
+  ASSERT_TRUE(drive.drive(0.3));
+  expect_found(drive.loss(kIntact, random));  // where it began is home
+  ASSERT_TRUE(drive.drive(8.0));
+  drive.sweep();
+  const test::PowerLoss at_rest = drive.loss(kIntact, random);
+  expect_found(at_rest);
+  EXPECT_EQ(at_rest.scans, 1);
+  EXPECT_EQ(at_rest.scans_lost, 0);
+  ASSERT_TRUE(drive.drive(14.0));  // round the corner
+  const test::PowerLoss truncated = drive.loss(kTruncated, random);
+  expect_found(truncated);
+  EXPECT_EQ(truncated.scans_lost, 0);  // the record that was torn is that of its time
+  drive.sweep(4.0);
+  expect_found(drive.loss(kIntact, random));  // with one laser tilted
+}
+
+/// The volume had not heard of it, or had not written it yet.
+TEST(PowerLoss, LosesNoScanThatWasJustAnnounced) {
+  const test::ScratchFolder scratch;
+  std::mt19937 random(1);
+  test::PowerLossDrive drive(mine(false), waypoints({{23, 0}, {25, 2}, {25, 18}}), scratch / "");
+  ASSERT_TRUE(drive.drive(8.0));
+  drive.sweep(0.0);
+  for (int i = 0; i < 1000 && drive.volume().volumes().empty(); ++i) drive.wait(0.02);
+  ASSERT_EQ(drive.volume().volumes().size(), 1U);
+  const Pose2 before = drive.volume().volumes().front().T_map_volume;
+  EXPECT_EQ(drive.loss(kBeforeLastScan, random).scans_lost, 1);
+  drive.wait(10.0);
+  ASSERT_EQ(drive.volume().volumes().size(), 1U);
+  EXPECT_EQ(drive.volume().excluded(), 0);
+  const Pose2 after = drive.volume().volumes().front().T_map_volume;
+  EXPECT_LT(between(before, after).translation().norm(), 0.05);
+  EXPECT_LT(std::abs(between(before, after).theta), 0.01);
+}
+
+TEST(PowerLoss, SaysHowFarItMayBeAlongASmoothDrift) {
+  const test::ScratchFolder scratch;
+  std::mt19937 random(1);
+  test::PowerLossDrive drive(mine(true), waypoints({{195, 0}}), scratch / "");
+  ASSERT_TRUE(drive.drive(12.0));
+  const test::PowerLoss loss = drive.loss(kIntact, random);
+  ASSERT_TRUE(loss.localized_after_s);
+  EXPECT_GT(loss.sd_m, 0.5);
+  EXPECT_LT(loss.error_m, kSigmas * loss.sd_m);
+  EXPECT_LT(loss.error_rad, kFoundRad);
+  EXPECT_EQ(loss.maps_lost, 0);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/messages/mapping/pose_graph.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "common/messages/planar_geometry.hpp"
+#include "tests/unit/common/messages/map_values.hpp"
+
+namespace adit {
+namespace {
+
+using test::information;
+using test::kNaN;
+using test::kUtime;
+
+/// A way of so many local maps, with a closure at every hundredth.
+MapGraph graph(int nodes, std::int64_t revision = 5) {
+  MapGraph result{kUtime, revision, {}, {}};
+  for (int i = 0; i < nodes; ++i) {
+    result.poses.push_back({5.0 * i, 0.1 * i, 0.001 * i});
+    if (i > 0) {
+      const PoseConstraint measured{i - 1, i, {5.0, 0.1, 0.001 * i}, information()};
+      result.constraints.push_back({measured, MapConstraint::Kind::kSequential});
+    }
+    if (i % 100 == 99) {
+      const PoseConstraint measured{i, i - 99, {0.5, 0.1, 0.001 * i}, information()};
+      result.constraints.push_back({measured, MapConstraint::Kind::kLoopClosure});
+    }
+  }
+  return result;
+}
+
+/// Their bits, which is more than equality.
+std::vector<std::vector<std::uint8_t>> bytes_of(const MapGraph& graph) {
+  std::vector<std::vector<std::uint8_t>> bytes;
+  for (const PoseGraphFragment& fragment : split(graph))
+    bytes.push_back(encode(to_message(fragment)));
+  return bytes;
+}
+
+std::string_view rejection_after(const std::function<void(pose_graph_t&)>& change) {
+  pose_graph_t message = to_message(split(graph(3)).front());
+  change(message);
+  return from_message(message).rejection();
+}
+
+TEST(PoseGraphFragments, OfTenThousandLocalMapsAreAllSmall) {
+  const auto fragments = bytes_of(graph(10'000));
+  EXPECT_LT(fragments.size(), 30U);
+  for (const auto& bytes : fragments) EXPECT_LE(bytes.size(), kFragmentBytes);
+}
+
+TEST(PoseGraphFragments, GoOverTheWireAndAreJoinedInAnyOrder) {
+  const MapGraph sent = graph(10'000);
+  auto messages = bytes_of(sent);
+  std::rotate(messages.begin(), messages.begin() + 7, messages.end());
+  std::swap(messages.front(), messages.back());
+  PoseGraphReassembler reassembler;
+  std::optional<MapGraph> received;
+  for (const auto& bytes : messages) {
+    EXPECT_FALSE(received);
+    received = reassembler.add(*from_message(*decode<pose_graph_t>(bytes)));
+  }
+  ASSERT_TRUE(received);
+  EXPECT_EQ(bytes_of(*received), bytes_of(sent));
+}
+
+TEST(PoseGraphFragments, OfAnEmptyGraphIsOne) {
+  const auto fragments = split(MapGraph{kUtime, 0, {}, {}});
+  ASSERT_EQ(fragments.size(), 1U);
+  EXPECT_TRUE(PoseGraphReassembler().add(*test::round_trip(fragments[0]))->poses.empty());
+}
+
+TEST(PoseGraphMessage, IsRejectedWithAPlaceThatCannotBe) {
+  using Message = pose_graph_t;
+  EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
+  EXPECT_EQ(rejection_after([](Message& m) { m.revision = -1; }), "negative revision");
+  EXPECT_EQ(rejection_after([](Message& m) { m.n_nodes = -1; }), "negative number of nodes");
+  EXPECT_EQ(rejection_after([](Message& m) { m.n_nodes = 2'000'000; }),
+            "more nodes than plausible");
+  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 0; }), "no pieces");
+  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = INT32_MAX; }),
+            "more pieces than plausible");
+  EXPECT_EQ(rejection_after([](Message& m) { m.fragment = 1; }), "piece of a higher number");
+  for (const std::int32_t first : {-1, 1, INT32_MAX}) {
+    EXPECT_EQ(rejection_after([&](Message& m) { m.first_node = first; }),
+              "poses of nodes that are not in the graph");
+  }
+}
+
+TEST(PoseGraphMessage, IsRejectedWithPosesAndConstraintsThatMeanNothing) {
+  using Message = pose_graph_t;
+  EXPECT_EQ(rejection_after([](Message& m) { m.poses[1][0] = kNaN; }), kPoseNotFinite);
+  EXPECT_EQ(rejection_after([](Message& m) { m.constraints[1].T_from_to[0] = kNaN; }),
+            kPoseNotFinite);
+  EXPECT_EQ(rejection_after([](Message& m) { m.constraints[1].information[1][1] = -1.0; }),
+            kInvalidInformation);
+  EXPECT_EQ(rejection_after([](Message& m) { m.constraints[1].kind = 9; }),
+            "constraint of an unknown kind");
+  EXPECT_EQ(rejection_after([](Message& m) { m.constraints[1].from = 2; }),
+            "constraint of a node with itself");
+  for (const std::int32_t node : {-1, 3, INT32_MAX}) {
+    EXPECT_EQ(rejection_after([&](Message& m) { m.constraints[1].to = node; }),
+              "constraint of a node that is not there");
+  }
+}
+
+TEST(PoseGraphReassembler, DropsWhatIsIncompleteForANewerGraph) {
+  const auto older = split(graph(3000, 5));
+  const auto newer = split(graph(3000, 6));
+  PoseGraphReassembler reassembler;
+  reassembler.add(older[0]);
+  reassembler.add(newer[0]);
+  EXPECT_FALSE(reassembler.add(older[1]));
+  std::optional<MapGraph> last;
+  for (std::size_t i = 1; i < newer.size(); ++i) last = reassembler.add(newer[i]);
+  EXPECT_EQ(last->revision, 6);
+  EXPECT_EQ(reassembler.counts(), (PoseGraphReassembler::Counts{1, 0, 0, 1, 1, 0}));
+}
+
+TEST(PoseGraphReassembler, CountsFragmentsThatComeTwiceOrDoNotBelong) {
+  const auto fragments = split(graph(3000));
+  PoseGraphReassembler reassembler;
+  reassembler.add(fragments[0]);
+  EXPECT_FALSE(reassembler.add(fragments[0]));
+  PoseGraphFragment other = fragments[1];
+  other.n_fragments += 1;
+  EXPECT_FALSE(reassembler.add(other));
+  EXPECT_EQ(reassembler.counts().duplicates, 1);
+  EXPECT_EQ(reassembler.counts().contradictory, 1);
+}
+
+TEST(PoseGraphReassembler, RejectsAGraphThatLacksPoses) {
+  auto fragments = split(graph(3));
+  fragments[0].poses.pop_back();
+  PoseGraphReassembler reassembler;
+  EXPECT_FALSE(reassembler.add(fragments[0]));
+  EXPECT_EQ(reassembler.counts().abandoned, 1);
+}
+
+TEST(PoseGraphReassembler, HoldsNoMoreBytesThanItMay) {
+  PoseGraphReassembler reassembler(1000);
+  EXPECT_FALSE(reassembler.add(split(graph(3000))[0]));
+  EXPECT_EQ(reassembler.counts().abandoned, 1);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a vehicle is told and says, and what a simulator says of it.
+#include <gtest/gtest.h>
+
+#include "common/messages/checks.hpp"
+#include "common/messages/navigation.hpp"
+#include "common/messages/sensing.hpp"
+#include "common/messages/sim.hpp"
+#include "tests/unit/common/messages/map_values.hpp"
+
+namespace adit {
+namespace {
+
+using test::kNaN;
+using test::kUtime;
+using test::round_trip;
+
+TEST(VehicleMessages, GoThereAndBack) {
+  const DriveCommand drive{kUtime, -0.4, 0.2};
+  EXPECT_EQ(*round_trip(drive), drive);
+  const StopOrder stop{kUtime, true, "a wall is near"};
+  EXPECT_EQ(*round_trip(stop), stop);
+  const TiltCommand tilt{kUtime, -0.3, 0.2};
+  EXPECT_EQ(*round_trip(tilt), tilt);
+  const VehicleState state{kUtime, 0.4, -0.2, 0.83, false, true};
+  EXPECT_EQ(*round_trip(state), state);
+  const GasReading gas{kUtime, 0.011, 0.198, 0.00002};
+  EXPECT_EQ(*round_trip(gas), gas);
+  const SinkageReading sinkage{kUtime, {0.0, 0.01, 0.12, 0.03}};
+  EXPECT_EQ(*round_trip(sinkage), sinkage);
+}
+
+TEST(SimulationMessages, GoThereAndBack) {
+  const RunState state{kUtime, 120.5, "hit a post"};
+  EXPECT_EQ(*round_trip(state), state);
+  EXPECT_EQ(*round_trip(SimTime{kUtime}), SimTime{kUtime});
+  const SimTimeDone done{kUtime, "mapping"};
+  EXPECT_EQ(*round_trip(done), done);
+}
+
+TEST(VehicleMessages, AreRejectedWithATimeThatCannotBe) {
+  EXPECT_EQ(round_trip(DriveCommand{-1}).rejection(), kImplausibleTime);
+  EXPECT_EQ(round_trip(StopOrder{-1, true, ""}).rejection(), kImplausibleTime);
+  EXPECT_EQ(round_trip(TiltCommand{-1, 0.0, 1.0}).rejection(), kImplausibleTime);
+  EXPECT_EQ(round_trip(VehicleState{-1}).rejection(), kImplausibleTime);
+  EXPECT_EQ(round_trip(GasReading{-1}).rejection(), kImplausibleTime);
+  EXPECT_EQ(round_trip(SinkageReading{-1}).rejection(), kImplausibleTime);
+  EXPECT_EQ(round_trip(RunState{-1, 0.0, ""}).rejection(), kImplausibleTime);
+  EXPECT_EQ(round_trip(SimTime{INT64_MAX}).rejection(), kImplausibleTime);
+  EXPECT_EQ(round_trip(SimTimeDone{INT64_MIN, "mapping"}).rejection(), kImplausibleTime);
+}
+
+TEST(DriveCommandMessage, IsRejectedWithNumbersThatAreNotFinite) {
+  EXPECT_EQ(round_trip(DriveCommand{kUtime, kNaN, 0.0}).rejection(), "speed is not finite");
+  EXPECT_EQ(round_trip(DriveCommand{kUtime, 0.0, kNaN}).rejection(), "curvature is not finite");
+}
+
+TEST(TiltCommandMessage, IsRejectedWhereItLeadsNowhere) {
+  EXPECT_EQ(round_trip(TiltCommand{kUtime, kNaN, 0.1}).rejection(), "angle is not finite");
+  EXPECT_EQ(round_trip(TiltCommand{kUtime, 0.1, kNaN}).rejection(), "rate is not finite");
+  EXPECT_EQ(round_trip(TiltCommand{kUtime, 0.1, 0.0}).rejection(), "rate is not positive");
+}
+
+TEST(VehicleStateMessage, IsRejectedWithNumbersThatCannotBe) {
+  EXPECT_FALSE(round_trip(VehicleState{kUtime, kNaN}));
+  EXPECT_FALSE(round_trip(VehicleState{kUtime, 0.0, kNaN}));
+  EXPECT_EQ(round_trip(VehicleState{kUtime, 0.0, 0.0, 1.1}).rejection(), kShareOutOfRange);
+  EXPECT_EQ(round_trip(VehicleState{kUtime, 0.0, 0.0, kNaN}).rejection(), kShareOutOfRange);
+}
+
+TEST(GasMessage, IsRejectedWithMoreOrLessThanAllOfTheAir) {
+  EXPECT_EQ(round_trip(GasReading{kUtime, -0.1, 0.2, 0.0}).rejection(), kShareOutOfRange);
+  EXPECT_EQ(round_trip(GasReading{kUtime, 0.1, 1.2, 0.0}).rejection(), kShareOutOfRange);
+  EXPECT_EQ(round_trip(GasReading{kUtime, 0.1, 0.2, kNaN}).rejection(), kShareOutOfRange);
+}
+
+TEST(SinkageMessage, IsRejectedWithWheelsAboveTheGround) {
+  EXPECT_EQ(round_trip(SinkageReading{kUtime, {0.0, 0.0, -0.1, 0.0}}).rejection(),
+            "depth is negative");
+  EXPECT_EQ(round_trip(SinkageReading{kUtime, {0.0, 0.0, 0.0, kNaN}}).rejection(),
+            "depth is not finite");
+}
+
+TEST(RunStateMessage, IsRejectedWithAWayThatIsNone) {
+  EXPECT_EQ(round_trip(RunState{kUtime, -1.0, ""}).rejection(), "way is negative");
+  EXPECT_EQ(round_trip(RunState{kUtime, kNaN, ""}).rejection(), "way is not finite");
+}
+
+TEST(SimTimeDoneMessage, IsRejectedWithoutAStage) {
+  EXPECT_EQ(round_trip(SimTimeDone{kUtime, ""}).rejection(), "no stage");
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/sensing/laser_scan.hpp"
+
+#include <gtest/gtest.h>
+
+#include "common/geometry/pose2.hpp"
+
+namespace adit {
+namespace {
+
+const ScanTiming kTiming;
+
+TEST(ScanTiming, OneDegreeTakesOneTurnOfTheMirror) {
+  const double step = deg_to_rad(1.0);
+  EXPECT_EQ(kTiming.turns(step), 1);
+  EXPECT_DOUBLE_EQ(kTiming.scan_period_s(step), 1.0 / 75.0);
+  EXPECT_DOUBLE_EQ(kTiming.beam_time_s(0, step), 0.0);
+  EXPECT_NEAR(kTiming.beam_time_s(90, step), 1.0 / 300.0, 1e-15);   // a quarter of a turn
+  EXPECT_NEAR(kTiming.beam_time_s(180, step), 1.0 / 150.0, 1e-15);  // half of one
+}
+
+TEST(ScanTiming, HalfADegreeTakesTwoTurnsInterlaced) {
+  const double step = deg_to_rad(0.5);
+  EXPECT_EQ(kTiming.turns(step), 2);
+  EXPECT_NEAR(kTiming.scan_period_s(step), 1.0 / 37.5, 1e-15);
+  EXPECT_NEAR(kTiming.beam_time_s(360, step), 1.0 / 150.0, 1e-15);
+  EXPECT_NEAR(kTiming.beam_time_s(1, step), 1.0 / 75.0 + 0.5 / 360.0 / 75.0, 1e-15);
+  EXPECT_NEAR(kTiming.beam_time_s(359, step), 1.0 / 75.0 + 179.5 / 360.0 / 75.0, 1e-15);
+}
+
+TEST(ScanTiming, FollowsTheMirror) {
+  const ScanTiming slow{.mirror_hz = 10.0};
+  EXPECT_NEAR(slow.scan_period_s(deg_to_rad(0.5)), 0.2, 1e-15);
+  EXPECT_NEAR(slow.beam_time_s(180, deg_to_rad(1.0)), 0.05, 1e-15);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/exploration/frontier/frontier_register.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+constexpr std::int64_t kUtime = 1'600'000'000'000'000;
+const Eigen::Vector2d kEnd{10.0, 0.0};
+
+/// A square of free cells, 8 m wide, around the body.
+LocalMapTile tile() {
+  LocalMapTile tile;
+  for (int row = -40; row <= 40; ++row) {
+    for (int column = -40; column <= 40; ++column) tile.free.emplace_back(column, row);
+  }
+  tile.path = {{0.0, 0.0}};
+  return tile;
+}
+
+/// A stub that local map 0 saw from afar, and that closed when local map 1 looked there.
+class ClosedFrontier : public testing::Test {
+ protected:
+  ClosedFrontier() {
+    scan_from({4.0, 0.0, 0.0});
+    update({{kEnd}});
+    scan_from({8.0, 0.0, 0.0});
+    update({});
+  }
+
+  void scan_from(const Pose2& T_map_local) {
+    space_.add(static_cast<int>(poses_.size()), tile());
+    poses_.push_back(T_map_local);
+    space_.pose(poses_);
+  }
+  void update(const std::vector<DetectedFrontier>& ends) {
+    utime_ += 1'000'000;
+    frontiers_.update(ends, space_, {}, utime_);
+  }
+  [[nodiscard]] FrontierState state() const { return frontiers_.find(0)->state; }
+
+  KnownSpace space_{KnownSpaceParams{}};
+  std::vector<Pose2> poses_;
+  FrontierRegister frontiers_{FrontierRegisterParams{}};
+  std::int64_t utime_ = kUtime;
+};
+
+TEST_F(ClosedFrontier, IsExplored) {
+  EXPECT_EQ(state(), FrontierState::kExplored);
+  EXPECT_EQ(frontiers_.find(0)->evidence, "what lies there was seen by local map 1");
+}
+
+TEST_F(ClosedFrontier, StaysClosedWhereASeamOpensThatNobodyHasSeen) {
+  scan_from({100.0, 0.0, 0.0});
+  update({{kEnd + Eigen::Vector2d(0.3, 0.4)}});
+  EXPECT_EQ(state(), FrontierState::kExplored);
+  EXPECT_EQ(frontiers_.frontiers().size(), 1U);
+}
+
+TEST_F(ClosedFrontier, OpensAgainWhereALaterLocalMapSawThePlace) {
+  scan_from({12.0, 0.0, 0.0});
+  update({{kEnd + Eigen::Vector2d(0.3, 0.4)}});
+  EXPECT_EQ(state(), FrontierState::kOpen);
+}
+
+/// It is asked of those that came since nothing was open there, not since it was closed.
+TEST_F(ClosedFrontier, StaysClosedWhereThoseThatSawThePlaceFoundNothingOpen) {
+  scan_from({12.0, 0.0, 0.0});
+  update({});
+  scan_from({100.0, 0.0, 0.0});
+  update({{kEnd}});
+  EXPECT_EQ(state(), FrontierState::kExplored);
+}
+
+TEST_F(ClosedFrontier, OpensAgainWhereWhoSawItLiesElsewhereNow) {
+  poses_[1].y = 1.0;
+  scan_from({100.0, 0.0, 0.0});
+  update({{kEnd}});
+  EXPECT_EQ(state(), FrontierState::kOpen);
+}
+
+TEST_F(ClosedFrontier, IsAskedForAgainAfterARestart) {
+  const std::vector<StoredFrontier> stored_frontiers = frontiers_.stored_frontiers();
+  frontiers_ = FrontierRegister{FrontierRegisterParams{}};
+  frontiers_.restore(stored_frontiers);
+  scan_from({100.0, 0.0, 0.0});
+  update({{kEnd}});
+  EXPECT_EQ(state(), FrontierState::kOpen);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "procs/exploration/exploration.hpp"
+#include "tests/support/robots/exploring_robot.hpp"
+#include "tests/unit/procs/exploration/test_mines.hpp"
+
+namespace adit {
+namespace {
+
+using Kind = CorridorNode::Kind;
+
+/// The corridors of a mine that was explored to its end.
+CorridorGraph corridors_of(const std::vector<Tunnel>& tunnels, double width_m = 3.0, int seed = 1) {
+  Exploration exploration{ExplorationParams{}};
+  const auto mine = tunnel_mine(tunnels, width_m, seed);
+  const auto run = test::run_exploration(mine, exploration, 2000.0);
+  EXPECT_TRUE(run.complete);
+  return exploration.corridors();
+}
+
+std::vector<Eigen::Vector2d> places(const CorridorGraph& graph, Kind kind) {
+  std::vector<Eigen::Vector2d> places;
+  for (const CorridorNode& node : graph.nodes) {
+    if (node.kind == kind) places.push_back(node.p_map);
+  }
+  return places;
+}
+
+/// In world; map begins at the start, 3 m along x.
+void expect_place(const std::vector<Eigen::Vector2d>& places, double x, double y, double within) {
+  const bool there = std::any_of(places.begin(), places.end(), [&](const Eigen::Vector2d& p) {
+    return std::hypot(p.x() + 3.0 - x, p.y() - y) <= within;
+  });
+  EXPECT_TRUE(there) << "nothing at " << x << ", " << y;
+}
+
+// The middle of a rough corridor, in cells of 0.2 m; a skeleton ends before the wall by about what
+// the vehicle does, and as much may be lost in the corners.
+constexpr double kJunctionM = 1.0;
+constexpr double kEndM = 2.0;
+
+TEST(Corridors, HaveTheJunctionAndTheEndsOfAT) {
+  const CorridorGraph graph = corridors_of(junction());
+  ASSERT_EQ(places(graph, Kind::kJunction).size(), 1U);
+  expect_place(places(graph, Kind::kJunction), 25, 0, kJunctionM);
+  EXPECT_EQ(graph.corridors.size(), 3U);
+  expect_place(places(graph, Kind::kDeadEnd), 25, -20, kEndM);
+  expect_place(places(graph, Kind::kDeadEnd), 25, 20, kEndM);
+}
+
+TEST(Corridors, AreAsLongAndAsWideAsTheDrifts) {
+  const CorridorGraph graph = corridors_of(junction());
+  // 22 m from the start, or from where the robot's rear would be, and twice 20 m.
+  EXPECT_NEAR(graph.length_m(), 22.0 + 40.0, 2.0 * kEndM + 1.5);
+  for (const Corridor& corridor : graph.corridors) EXPECT_NEAR(corridor.width_m, 3.0, 0.7);
+}
+
+TEST(Corridors, MeetInOneJunctionAtACrossroads) {
+  const CorridorGraph graph = corridors_of(crossroads());
+  ASSERT_EQ(places(graph, Kind::kJunction).size(), 1U);
+  expect_place(places(graph, Kind::kJunction), 25, 0, kJunctionM);
+  EXPECT_EQ(graph.corridors.size(), 4U);
+}
+
+TEST(Corridors, HaveNeitherJunctionsNorBaysInARoughStraightDrift) {
+  for (const int seed : {1, 2, 3}) {
+    const CorridorGraph graph = corridors_of(straight(), 3.0, seed);
+    EXPECT_TRUE(places(graph, Kind::kJunction).empty()) << seed;
+    ASSERT_EQ(graph.corridors.size(), 1U) << seed;
+    expect_place(places(graph, Kind::kDeadEnd), 40, 0, kEndM);
+  }
+}
+
+TEST(Corridors, CloseToARing) {
+  const CorridorGraph graph = corridors_of(ring());
+  ASSERT_EQ(places(graph, Kind::kJunction).size(), 1U);
+  expect_place(places(graph, Kind::kJunction), 10, 0, kJunctionM);
+  EXPECT_EQ(graph.corridors.size(), 2U);
+  EXPECT_NEAR(graph.length_m(), 7.0 + 80.0, 5.0);  // corners are cut
+}
+
+TEST(Corridors, SurroundEveryPillar) {
+  const CorridorGraph graph = corridors_of(rooms_and_pillars());
+  // Twelve crossings; those of two corridors at the corners are none.
+  EXPECT_EQ(places(graph, Kind::kJunction).size(), 9U);
+  const auto rings = static_cast<int>(graph.corridors.size()) -
+                     static_cast<int>(graph.nodes.size()) + 1;  // Euler, of one piece
+  EXPECT_EQ(rings, 6);
+}
+
+}  // namespace
+}  // namespace adit

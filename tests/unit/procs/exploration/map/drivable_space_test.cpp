@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/exploration/map/drivable_space.hpp"
+
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+constexpr double kCellM = 0.2;
+constexpr double kWidthM = 1.2;
+
+/// A drift of 20 m along x and 4 m wide, with walls, of which the middle was driven as far as said.
+CellField<Occupancy> tunnel(double driven_m) {
+  CellField<Occupancy> known(CellBox{{-1, -11}, {101, 11}}, Occupancy::kWall);
+  for (int y = -10; y < 10; ++y) {
+    for (int x = 0; x < 100; ++x) {
+      const bool driven = std::abs(y) < 2 && kCellM * x < driven_m;
+      known[known.index({x, y})] = driven ? Occupancy::kDriven : Occupancy::kFree;
+    }
+  }
+  return known;
+}
+
+Access beyond(double driven_m, bool passable_where_driven) {
+  const BarrierLine across{{10.0, 0.0}, {1.0, 0.0}, passable_where_driven};
+  const DrivableSpace space =
+      drivable_space(tunnel(driven_m), kCellM, kWidthM, {across}, {2.0, 0.0}, DrivableParams{});
+  return space.access.get(space.cell_at({15.0, 0.0}));
+}
+
+TEST(DrivableSpace, EndsAtACut) {
+  EXPECT_EQ(beyond(0.0, false), Access::kBehindBarrier);
+  EXPECT_EQ(beyond(20.0, false), Access::kBehindBarrier);
+}
+
+TEST(DrivableSpace, GoesOnThroughACutThatSparesWhatWasDriven) {
+  EXPECT_EQ(beyond(20.0, true), Access::kReachable);
+  EXPECT_EQ(beyond(5.0, true), Access::kBehindBarrier);
+}
+
+}  // namespace
+}  // namespace adit

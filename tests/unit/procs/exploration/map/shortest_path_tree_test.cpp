@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/exploration/map/shortest_path_tree.hpp"
+
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+constexpr double kFineM = 0.25;  // exact in binary, so that lengths are
+
+/// A room of 40 m by `room_m`, all of it clear, with a rim of wall.
+class ShortestPathTreeInARoom : public testing::Test {
+ protected:
+  void make(double room_m) {
+    const Eigen::Vector2i size(cells(40.0), cells(room_m));
+    const CellBox box{{-1, -1}, size + Eigen::Vector2i::Ones()};
+    space_.resolution_m = kFineM;
+    space_.known = CellField<Occupancy>(box, Occupancy::kFree);
+    space_.clearance_m = CellField<float>(box, 5.0F);
+    space_.access = CellField<Access>(box, Access::kNone);
+    for (int y = 0; y < size.y(); ++y) {
+      for (int x = 0; x < size.x(); ++x) space_.access[at(x, y)] = Access::kReachable;
+    }
+  }
+  /// From the first place up, along the other side, and down to the second.
+  void drive_around(double room_m) {
+    const int top = cells(room_m) - 1;
+    for (int y = 0; y <= top; ++y) {
+      space_.known[at(0, y)] = Occupancy::kDriven;
+      space_.known[at(cells(40.0) - 1, y)] = Occupancy::kDriven;
+    }
+    for (int x = 0; x < cells(40.0); ++x) space_.known[at(x, top)] = Occupancy::kDriven;
+  }
+  [[nodiscard]] double path_length_m(PathPreference preference) const {
+    const ShortestPathTree field(space_, middle_of({0, 0}, kFineM), preference);
+    return field.distance_m(middle_of({cells(40.0) - 1, 0}, kFineM)).value_or(-1.0);
+  }
+  static int cells(double m) { return static_cast<int>(m / kFineM); }
+  [[nodiscard]] std::size_t at(int x, int y) const { return space_.known.index({x, y}); }
+
+  static constexpr double kAcrossM = 40.0 - kFineM;  // from middle to middle
+  DrivableSpace space_;
+};
+
+TEST_F(ShortestPathTreeInARoom, IsCrossedStraight) {
+  make(10.0);
+  EXPECT_NEAR(path_length_m(PathPreference::kAnyDrivable), kAcrossM, 1e-3);
+  EXPECT_NEAR(path_length_m(PathPreference::kDriven), kAcrossM, 1e-3);
+}
+
+/// 59.5 m that were driven, for 39.75 m that were not.
+TEST_F(ShortestPathTreeInARoom, IsLedRoundWhereWhatWasDrivenIsTrusted) {
+  make(10.0);
+  drive_around(10.0);
+  EXPECT_NEAR(path_length_m(PathPreference::kAnyDrivable), kAcrossM, 1.0);
+  EXPECT_NEAR(path_length_m(PathPreference::kDriven), kAcrossM + 2.0 * (10.0 - kFineM),
+              1.0);  // corners are cut
+}
+
+/// 119.5 m that were driven are too long a way round.
+TEST_F(ShortestPathTreeInARoom, IsCrossedWhereThatSparesMuch) {
+  make(40.0);
+  drive_around(40.0);
+  EXPECT_NEAR(path_length_m(PathPreference::kDriven), kAcrossM, 1.0);
+}
+
+}  // namespace
+}  // namespace adit

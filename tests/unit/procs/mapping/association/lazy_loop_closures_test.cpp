@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/association/lazy_loop_closures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/pose_graph/pose_graph.hpp"
+#include "tests/support/graphs/synthetic_graphs.hpp"
+
+namespace adit {
+namespace {
+
+using testing::Each;
+
+class LazyLoopClosures : public testing::Test {
+ protected:
+  /// Behind the others; how many of them, and of the others, are believed.
+  struct Accepted {
+    long right = 0;
+    long wrong = 0;
+  };
+  [[nodiscard]] Accepted accepted_with(const std::vector<PoseConstraint>& wrong,
+                                       const LazyAssociationParams& params = {}) const {
+    PoseGraph graph = graph_;
+    graph.constraints.insert(graph.constraints.end(), wrong.begin(), wrong.end());
+    chain_odometry(graph);
+    const auto accepted = associate_loops_lazily(graph, params).accepted;
+    const auto first_wrong = accepted.begin() + std::ssize(graph_.constraints);
+    return {std::count(accepted.begin(), first_wrong, true),
+            std::count(first_wrong, accepted.end(), true)};
+  }
+
+  PoseGraph graph_ = test::square_trajectory_graph(400, 20, 0.1);
+};
+
+TEST_F(LazyLoopClosures, BelieveAllThatIsRight) {
+  const LazyLoopClosuresResult result = associate_loops_lazily(graph_, {});
+  EXPECT_THAT(result.accepted, Each(true));
+  EXPECT_EQ(result.constraint_of_loop_closure.size(), 320U);  // a round is 80
+  EXPECT_EQ(result.history.size(), 320U);
+}
+
+TEST_F(LazyLoopClosures, LeaveOutWhatIsWrong) {
+  const auto right = std::ssize(graph_.constraints);
+  for (const bool best_first : {true, false}) {
+    const LazyAssociationParams params{.best_first = best_first};
+    for (const std::uint32_t seed : {1U, 2U, 3U}) {
+      const Accepted random = accepted_with(test::random_wrong_loops(graph_, 30, seed), params);
+      EXPECT_EQ(random.wrong, 0);
+      EXPECT_EQ(random.right, right);
+      const Accepted groups = accepted_with(test::consistent_wrong_loops(graph_, 60, seed), params);
+      EXPECT_EQ(groups.wrong, 0);
+      EXPECT_EQ(groups.right, right);
+    }
+  }
+}
+
+/// The same loops, each as the pose of the earlier node in the later one.
+TEST_F(LazyLoopClosures, MayBeWrittenEitherWayRound) {
+  const auto wrong = test::random_wrong_loops(graph_, 30, 1);
+  const Accepted forward = accepted_with(wrong);
+  for (PoseConstraint& c : graph_.constraints) {
+    const Eigen::Matrix3d Ad = adjoint(c.T_from_to);
+    const Eigen::Matrix3d inverse = Ad.inverse();
+    c = {c.to, c.from, c.T_from_to.inverse(), inverse.transpose() * c.information * inverse};
+  }
+  const Accepted back = accepted_with(wrong);
+  EXPECT_EQ(back.right, forward.right);
+  EXPECT_EQ(back.wrong, forward.wrong);
+}
+
+TEST_F(LazyLoopClosures, ComeInTheOrderOfTheirLaterNodeWhateverTheFile) {
+  std::reverse(graph_.constraints.begin(), graph_.constraints.end());
+  const LazyLoopClosuresResult result = associate_loops_lazily(graph_, {});
+  int last = 0;
+  for (const int k : result.constraint_of_loop_closure) {
+    const int later = graph_.constraints[static_cast<std::size_t>(k)].to;
+    EXPECT_GE(later, last);
+    last = later;
+  }
+  EXPECT_THAT(result.accepted, Each(true));
+}
+
+TEST_F(LazyLoopClosures, SayHowFarTheyAre) {
+  double done = 0.0;
+  associate_loops_lazily(graph_, {}, [&](double share) {
+    EXPECT_GT(share, done);
+    done = share;
+  });
+  EXPECT_EQ(done, 1.0);
+}
+
+TEST_F(LazyLoopClosures, NeedAWay) {
+  EXPECT_EQ(odometry_gap(graph_), std::nullopt);
+  std::erase_if(graph_.constraints, [](const auto& c) { return c.from == 41 && c.to == 42; });
+  EXPECT_EQ(odometry_gap(graph_), 41);
+  EXPECT_THROW(associate_loops_lazily(graph_, {}), std::invalid_argument);
+}
+
+TEST(LazyLoopClosuresOfAFewPoses, AreNoneWhereThereAreNone) {
+  EXPECT_THAT(associate_loops_lazily({}, {}).accepted, testing::IsEmpty());
+  PoseGraph graph = test::square_trajectory_graph(10, 5, 0.1);
+  EXPECT_EQ(associate_loops_lazily(graph, {}).accepted, std::vector<bool>(9, true));
+}
+
+/// Two poses in a row of which the way says 0 and a loop `apart`: the first constraint between
+/// neighbours is the way, the second may be wrong.
+PoseGraph two_measurements(double apart) {
+  PoseGraph graph;
+  graph.poses.resize(2);
+  graph.constraints = {{0, 1, {}, Eigen::Matrix3d::Identity()},
+                       {0, 1, {apart, 0.0, 0.0}, Eigen::Matrix3d::Identity()}};
+  return graph;
+}
+
+TEST(LazyLoopClosuresOfAFewPoses, MayContradictTheWayOnlyWithinTheGate) {
+  EXPECT_EQ(associate_loops_lazily(two_measurements(6.0), {}).accepted,
+            (std::vector<bool>{true, true}));
+  EXPECT_EQ(associate_loops_lazily(two_measurements(7.0), {}).accepted,
+            (std::vector<bool>{true, false}));
+}
+
+/// The least of x² + (d − x)² / (1 + (d − x)² / k), the kernel of Geman and McClure, that is
+/// reached from the middle: where its derivative is zero.
+double optimum(double d) {
+  constexpr double kKernel2 = 7.8;
+  double low = 0.0;
+  double high = 0.5 * d;
+  while (high - low > 1e-12) {
+    const double x = 0.5 * (low + high);
+    const double root = 1.0 + (d - x) * (d - x) / kKernel2;
+    const double slope = x - (d - x) / (root * root);
+    (slope < 0.0 ? low : high) = x;
+  }
+  return low;
+}
+
+TEST(OptimizeAccepted, TrustsALoopTheLessTheWorseItFits) {
+  for (const double apart : {0.5, 2.0, 5.0}) {
+    PoseGraph graph = two_measurements(apart);
+    const OptimizeResult result = optimize_accepted(graph, {true, true});
+    const double x = graph.poses[1].x;
+    EXPECT_NEAR(x, optimum(apart), 1e-3 * apart);
+    EXPECT_NEAR(result.objective, x * x + (apart - x) * (apart - x), 1e-9);
+    EXPECT_TRUE(result.converged);
+  }
+}
+
+TEST(OptimizeAccepted, DoesNotLookAtTheOthers) {
+  PoseGraph graph = two_measurements(5.0);
+  const OptimizeResult result = optimize_accepted(graph, {true, false});
+  EXPECT_NEAR(graph.poses[1].x, 0.0, 1e-9);
+  EXPECT_NEAR(result.objective, 0.0, 1e-12);
+}
+
+TEST(OptimizeAccepted, LeavesThePosesWhereTheyAreNotDetermined) {
+  PoseGraph graph = two_measurements(5.0);
+  graph.poses[1].x = 3.0;
+  const OptimizeResult result = optimize_accepted(graph, {false, false});
+  EXPECT_EQ(result.reason, OptimizeReason::kUnconnected);
+  EXPECT_EQ(result.node, 1);
+  EXPECT_EQ(graph.poses[1].x, 3.0);
+}
+
+TEST(OptimizeAccepted, TellsTheObserverWhenItEnds) {
+  PoseGraph graph = two_measurements(5.0);
+  std::vector<OptimizePhase> phases;
+  optimize_accepted(graph, {true, true}, [&](OptimizePhase phase) { phases.push_back(phase); });
+  EXPECT_EQ(phases.back(), OptimizePhase::kEnd);
+}
+
+}  // namespace
+}  // namespace adit

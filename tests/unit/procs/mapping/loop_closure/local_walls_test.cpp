@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/loop_closure/local_walls.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/procs/mapping/mapped_world.hpp"
+
+namespace adit {
+namespace {
+
+TEST(LocalWalls, LieOnTheWallsThinnedOut) {
+  const SyntheticWorld room = test::crooked_room();
+  const Pose2 T_world_local{-3.0, 0.0, 0.3};
+  const LocalWallsParams params;
+  const LocalWalls walls = test::walls_of(room, T_world_local, 3.0);
+  EXPECT_GT(walls.length_m, 15.0);  // the room's walls are 40 m, of which half are in sight
+  EXPECT_LT(walls.points.size(), 60.0 / params.spacing_m);
+  for (const auto& point : walls.points) {
+    const auto clearance = room.clearance(T_world_local * point.p, 1.0);
+    ASSERT_TRUE(clearance);
+    EXPECT_LT(*clearance, 0.05);  // 5 sigma of a single reading
+    EXPECT_GE(point.variance, params.wall_sd_m * params.wall_sd_m);
+  }
+}
+
+TEST(LocalWalls, KeepFewViewsOfTheFreeSpace) {
+  const LocalMap map = test::drive_straight(test::crooked_room(), {-3.0, 0.0, 0.0}, 3.0, 1);
+  const LocalWalls walls = local_walls(map, test::front_mount(), {});
+  EXPECT_GE(walls.views.size(), 3U);  // at about each metre
+  EXPECT_LE(walls.views.size(), 4U);
+}
+
+TEST(LocalWalls, LeaveOutScansWithoutAMount) {
+  LocalMap map = test::drive_straight(test::crooked_room(), {-3.0, 0.0, 0.0}, 1.0, 1);
+  for (auto& scan : map.scans) scan.channel = "LASER_ELSEWHERE";
+  const LocalWalls walls = local_walls(map, test::front_mount(), {});
+  EXPECT_TRUE(walls.points.empty());
+  EXPECT_TRUE(walls.views.empty());
+}
+
+}  // namespace
+namespace {
+
+class RoomAgreement : public testing::Test {
+ protected:
+  RoomAgreement() { reference_.insert(walls_.points, {}, 0.0); }
+
+  [[nodiscard]] WallAgreement at(const Pose2& T_reference_points) const {
+    return agreement(walls_.points, T_reference_points, reference_, walls_.views, {});
+  }
+
+  LocalWalls walls_ = test::walls_of(test::crooked_room(), {-3.0, 0.0, 0.0}, 3.0);
+  SurfelMap reference_{SurfelMapParams{}};
+};
+
+TEST_F(RoomAgreement, OfAMapWithItselfIsWhole) {
+  const WallAgreement found = at({});
+  EXPECT_EQ(found.near, found.points);
+  EXPECT_EQ(found.contradicting, 0);
+  EXPECT_GT(found.log_likelihood, 2.0 * found.points);
+}
+
+TEST_F(RoomAgreement, IsContradictedByWallsInFreeSpace) {
+  const WallAgreement found = at({0.0, 0.0, 1.0});
+  EXPECT_GT(found.contradicting, found.points / 6);
+  EXPECT_LT(found.log_likelihood, 0.0);
+}
+
+TEST_F(RoomAgreement, FallsWithTheDistanceFromTheTruth) {
+  double last = at({}).log_likelihood;
+  for (const double off : {0.05, 0.1, 0.2, 0.4}) {
+    const double here = at({off, off, 0.0}).log_likelihood;
+    EXPECT_LT(here, last) << off;
+    last = here;
+  }
+}
+
+TEST_F(RoomAgreement, SaysNothingOfWhatWasNeverSeen) {
+  const WallAgreement found = at({200.0, 0.0, 0.0});
+  EXPECT_EQ(found.known(), 0);
+  EXPECT_EQ(found.log_likelihood, 0.0);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/loop_closure/map_matching.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include "tests/unit/procs/mapping/mapped_world.hpp"
+
+namespace adit {
+namespace {
+
+using test::walls_of;
+
+RelativePose around(const Pose2& T_older_newer, double sd_m, double sd_rad) {
+  return {T_older_newer, Eigen::Vector3d(sd_m * sd_m, sd_m * sd_m, sd_rad * sd_rad).asDiagonal()};
+}
+
+std::vector<LoopClosureAlternative> match(const LocalWalls& newer, const LocalWalls& older,
+                                          const RelativePose& predicted) {
+  return match_maps(newer, {{&older, {}}}, 7, predicted, {});
+}
+
+void expect_near(const Pose2& actual, const Pose2& expected, double metres, double radians) {
+  const Pose2 error = between(expected, actual);
+  EXPECT_LT(error.translation().norm(), metres);
+  EXPECT_LT(std::abs(error.theta), radians);
+}
+
+class MapMatchingRecovers : public testing::TestWithParam<Pose2> {};
+
+TEST_P(MapMatchingRecovers, AKnownDisplacement) {
+  const SyntheticWorld mine = sample_mine(3);
+  const Pose2 T_world_older{8.0, 0.0, 0.0};
+  const Pose2 truth{1.0, 0.2, 0.1};
+  const auto found = match(walls_of(mine, T_world_older * truth, 5.0, 2),
+                           walls_of(mine, T_world_older), around(truth * GetParam(), 1.0, 0.15));
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.front().older_map, 7);
+  expect_near(found.front().T_older_newer, truth, 0.01, 0.003);  // the floor of the model, twice
+  EXPECT_GT(found.front().log_likelihood, 15.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Predictions, MapMatchingRecovers,
+                         testing::Values(Pose2{}, Pose2{1.5, 1.0, 0.0}, Pose2{-2.0, 0.5, 0.3},
+                                         Pose2{0.5, -1.5, -0.4}));
+
+TEST(MapMatching, FindsTheWayBackInTheOtherDirectionInAWideGate) {
+  const SyntheticWorld mine = sample_mine(3);
+  const Pose2 T_world_older{6.0, 0.0, 0.0};
+  const Pose2 truth{7.0, 0.3, std::numbers::pi - 0.1};
+  const auto found =
+      match(walls_of(mine, T_world_older * truth, 5.0, 2), walls_of(mine, T_world_older),
+            around(truth * Pose2{6.0, -4.0, 1.0}, 3.0, 0.7));
+  ASSERT_FALSE(found.empty());
+  expect_near(found.front().T_older_newer, truth, 0.02, 0.004);
+}
+
+TEST(MapMatching, InformationIsConsistentWithTheError) {
+  // Expectation 3; smaller, since the model allows for maps that are bent, which these are not.
+  const SyntheticWorld mine = sample_mine(5);
+  double sum = 0.0;
+  constexpr int kSeeds = 30;
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> u(-1.0, 1.0);
+    const Pose2 T_world_older{8.0 + 3.0 * u(random), 0.2 * u(random), 0.1 * u(random)};
+    const Pose2 truth{u(random), 0.2 * u(random), 0.2 * u(random)};
+    const auto found =
+        match(walls_of(mine, T_world_older * truth, 5.0, 2 * seed + 2),
+              walls_of(mine, T_world_older, 5.0, 2 * seed + 1), around(truth, 0.3, 0.05));
+    ASSERT_FALSE(found.empty());
+    const Eigen::Vector3d error = between(truth, found.front().T_older_newer).vector();
+    sum += error.dot(found.front().information * error) / kSeeds;
+  }
+  EXPECT_GT(sum, 0.05);
+  EXPECT_LT(sum, 3.5);
+}
+
+TEST(MapMatching, GivesNoInformationAlongAStraightDrift) {
+  const SyntheticWorld tunnel = straight_tunnel(400.0, 3.0);
+  for (const double heading : {0.0, 0.05, -0.1}) {
+    const Pose2 T_world_older{0.0, 0.2, heading};
+    const Pose2 truth = T_world_older.inverse() * Pose2{2.0, 0.1, heading + 0.1};
+    const Pose2 predicted = truth * Pose2{0.5, 0.1, 0.05};
+    const auto found = match(walls_of(tunnel, T_world_older * truth, 5.0, 2),
+                             walls_of(tunnel, T_world_older), around(predicted, 0.7, 0.1));
+    ASSERT_EQ(found.size(), 1U) << heading;
+    const auto& [older, T_older_newer, information, log_likelihood] = found.front();
+    const double theta = (T_world_older * T_older_newer).theta;
+    const Eigen::Vector3d axis_newer(std::cos(theta), -std::sin(theta), 0.0);
+    const Eigen::Vector3d across_newer(std::sin(theta), std::cos(theta), 0.0);
+    EXPECT_LT(axis_newer.dot(information * axis_newer), 1.0);      // less than a metre would say
+    EXPECT_GT(across_newer.dot(information * across_newer), 1e4);  // a centimetre
+    const Pose2 error = between(T_world_older * truth, T_world_older * T_older_newer);
+    EXPECT_LT(std::abs(Eigen::Vector3d(error.x, error.y, 0.0).dot(across_newer)), 0.02);
+    EXPECT_LT(std::abs(error.theta), 0.004);
+    // Along it, the prediction stands.
+    const Pose2 moved = between(predicted, T_older_newer);
+    EXPECT_LT(std::abs(moved.vector().dot(axis_newer)), 0.1);
+  }
+}
+
+/// A straight drift with a recess on one side at each of the given places.
+SyntheticWorld tunnel_with_recesses(const std::vector<double>& at) {
+  std::vector<Segment> walls{{{-100.0, -1.5}, {100.0, -1.5}}};
+  double from = -100.0;
+  for (const double x : at) {
+    const std::vector<Eigen::Vector2d> corners{
+        {from, 1.5}, {x, 1.5}, {x + 0.3, 3.5}, {x + 2.0, 3.5}, {x + 2.0, 1.5}};
+    for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
+      walls.push_back({corners[i], corners[i + 1]});
+    }
+    from = x + 2.0;
+  }
+  walls.push_back({{from, 1.5}, {100.0, 1.5}});
+  return SyntheticWorld(walls);
+}
+
+TEST(MapMatching, KeepsBothOfTwoPlacesThatLookAlike) {
+  // The newer map saw one recess, the older one two, 6 m apart: which of them was it?
+  const LocalWalls older = walls_of(tunnel_with_recesses({2.0, 8.0}), {-1.0, 0.0, 0.0}, 10.0);
+  const LocalWalls newer = walls_of(tunnel_with_recesses({2.0}), {0.0, 0.0, 0.0}, 3.0, 2);
+  const auto found = match(newer, older, around({4.0, 0.0, 0.0}, 1.5, 0.05));
+  ASSERT_GE(found.size(), 2U);
+  const auto lies_at = [&](double x) {
+    return std::any_of(found.begin(), found.end(), [&](const auto& a) {
+      return std::abs(a.T_older_newer.x - x) < 0.05 && std::abs(a.T_older_newer.y) < 0.05;
+    });
+  };
+  EXPECT_TRUE(lies_at(1.0));
+  EXPECT_TRUE(lies_at(7.0));
+}
+
+TEST(MapMatching, FindsNothingInAnotherPlace) {
+  const LocalWalls older = walls_of(test::crooked_room(), {-3.0, 0.0, 0.0}, 3.0);
+  const LocalWalls newer = walls_of(sample_mine(3), {8.0, 0.0, 0.0}, 5.0, 2);
+  for (const double turn : {0.0, 1.5, 3.0}) {
+    EXPECT_TRUE(match(newer, older, around({0.0, 0.0, turn}, 0.7, 0.2)).empty()) << turn;
+  }
+}
+
+TEST(MapMatching, KeepsToTheGate) {
+  const SyntheticWorld mine = sample_mine(3);
+  const Pose2 T_world_older{8.0, 0.0, 0.0};
+  const RelativePose wrong = around({4.0, 0.0, 0.0}, 0.4, 0.05);
+  for (const auto& found :
+       match(walls_of(mine, T_world_older, 5.0, 2), walls_of(mine, T_world_older), wrong)) {
+    const Eigen::Vector3d off = between(wrong.T_older_newer, found.T_older_newer).vector();
+    EXPECT_LE(off.dot(wrong.covariance.inverse() * off), 16.0);  // 4 sigmas
+    EXPECT_LT(found.log_likelihood, 15.0);
+  }
+}
+
+TEST(MapMatching, FindsNothingInNothing) {
+  const LocalWalls room = walls_of(test::crooked_room(), {-2.0, 0.0, 0.0}, 1.0);
+  EXPECT_TRUE(match({}, room, around({}, 0.5, 0.1)).empty());
+  EXPECT_TRUE(match(room, {}, around({}, 0.5, 0.1)).empty());
+  EXPECT_TRUE(match_maps(room, {}, 0, around({}, 0.5, 0.1), {}).empty());
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Mapping that goes through the same drift again and again.
+#include "procs/mapping/mapping.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/procs/mapping/mapped_world.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kStepM = 0.2;
+constexpr double kTunnelM = 30.0;  // to and fro, facing the same way: the first drift of the mine
+// Of odometry, within what mapping takes it for (DisplacementError): 0.3 of its deviations over 5
+// m.
+constexpr double kTurnOff = 2.5e-5;  // at each step [rad]
+constexpr double kLengthOff = 1.0005;
+constexpr double kErrorM = 0.05;  // of a map at its far end; noise of matches is 3 mm and 1 mrad
+constexpr std::int64_t kStepUs = 1'000'000;
+constexpr std::int64_t kStart = 1'600'000'000'000'000;
+
+/// Where the way has this length: there and back, without end.
+Pose2 pose_at(double distance_m) {
+  const double round = std::fmod(distance_m, 2.0 * kTunnelM);
+  static const std::vector<Eigen::Vector2d> route = sample_mine_route();
+  static const Eigen::Vector2d ahead = (route[1] - route[0]).normalized();
+  const Eigen::Vector2d p = route[0] + std::min(round, 2.0 * kTunnelM - round) * ahead;
+  return {p.x(), p.y(), std::atan2(ahead.y(), ahead.x())};
+}
+
+class Shuttle {
+ public:
+  explicit Shuttle(int maps_per_place_max, double gate = LazyAssociationParams{}.gate)
+      : gate_(gate) {
+    restart(maps_per_place_max);
+  }
+
+  void go(double distance_m) {
+    for (const double end = distance_m_ + distance_m; distance_m_ < end; distance_m_ += kStepM)
+      step();
+  }
+
+  /// Killed, and goes on from what it would have kept. Odom goes on.
+  void restart(int maps_per_place_max) {
+    MappingParams params;
+    params.maps_per_place_max = maps_per_place_max;
+    params.association.gate = gate_;
+    StoredMap stored{mapping ? mapping->local_maps() : std::vector<LocalMap>{}, decided_, {}};
+    if (mapping) stored.unfinished = mapping->unfinished();
+    mapping.emplace(params);
+    mapping->restore(std::move(stored));
+  }
+
+  /// Of where the body is believed to be in map.
+  [[nodiscard]] double error_m() const {
+    const Pose2 T_map_body = mapping->correction()->T_map_odom * T_odom_body_;
+    return between(between(pose_at(0.0), T_world_body_), T_map_body).translation().norm();
+  }
+  [[nodiscard]] std::size_t maps() const { return mapping->local_maps().size(); }
+
+  std::optional<Mapping> mapping;
+
+ private:
+  void step() {
+    const Pose2 T_world_body = pose_at(distance_m_);
+    const Pose2 moved = between(T_world_body_, T_world_body);
+    if (utime_ > kStart)
+      T_odom_body_ = T_odom_body_ * Pose2{kLengthOff * moved.x, moved.y, kTurnOff};
+    T_world_body_ = T_world_body;
+    ScanMatch match;
+    match.utime = utime_;
+    match.odom_epoch_utime = kStart;
+    match.channel = test::kFront;
+    match.status = utime_ == kStart ? ScanMatch::Status::kFirstScan : ScanMatch::Status::kMatched;
+    match.reference_utime = utime_ == kStart ? 0 : utime_ - kStepUs;
+    match.T_odom_body = T_odom_body_;
+    const LaserScan scan = laser_.measure(mine_, T_world_body_, utime_);
+    if (const auto update = mapping->add(test::kFront, scan, match); update && update->stored) {
+      decided_.insert(decided_.end(), update->associations.begin(), update->associations.end());
+    }
+    utime_ += kStepUs;
+  }
+
+  double gate_;
+  SyntheticWorld mine_ = sample_mine(1);
+  SyntheticLaser laser_{SyntheticLaserModel{}, 1};
+  std::vector<Association> decided_;
+  double distance_m_ = 0.0;
+  std::int64_t utime_ = kStart;
+  Pose2 T_world_body_ = pose_at(0.0);
+  Pose2 T_odom_body_;
+};
+
+TEST(MappingOfRevisitedPlaces, KeepsNoMoreOfAPlaceThanItIsTold) {
+  Shuttle shuttle(3);
+  shuttle.go(4.0 * kTunnelM);
+  const std::size_t maps = shuttle.maps();
+  shuttle.go(8.0 * kTunnelM);
+  EXPECT_LE(shuttle.maps(), maps + 2);  // the ends of the drift are passed half as often
+  Shuttle keeps_all(0);
+  keeps_all.go(12.0 * kTunnelM);
+  EXPECT_GT(keeps_all.maps(), 3 * maps);
+}
+
+/// What "none" costs is so little that of right closures some are left out.
+TEST(MappingOfRevisitedPlaces, KeepsNoneForALoopClosureThatIsLeftOutAgainstMany) {
+  Shuttle shuttle(3, 0.3);
+  shuttle.go(4.0 * kTunnelM);
+  const std::size_t maps = shuttle.maps();
+  shuttle.go(16.0 * kTunnelM);
+  EXPECT_LE(shuttle.maps(), maps + 4);
+}
+
+TEST(MappingOfRevisitedPlaces, KnowsWhereTheBodyIsAllTheSame) {
+  Shuttle shuttle(3);
+  shuttle.go(4.0 * kTunnelM);
+  for (int i = 0; i < 32; ++i) {  // 240 m, over which odometry turns by 1.7° and is off by 0.9 m
+    shuttle.go(kTunnelM / 4.0);
+    EXPECT_LT(shuttle.error_m(), kErrorM) << i;
+  }
+}
+
+TEST(MappingOfRevisitedPlaces, KeepsWhatIsNew) {
+  Shuttle shuttle(1);
+  shuttle.go(kTunnelM);
+  EXPECT_GE(shuttle.maps(), 3U);  // beyond what the first one saw, which is 20 m
+}
+
+TEST(MappingOfRevisitedPlaces, GoesOnAfterARestartFromWhereItWasLast) {
+  Shuttle shuttle(3);
+  shuttle.go(10.0 * kTunnelM + 8.0);
+  const std::size_t maps = shuttle.maps();
+  shuttle.restart(3);
+  shuttle.go(1.0);
+  EXPECT_LT(shuttle.error_m(), kErrorM);
+  EXPECT_EQ(shuttle.maps(), maps + 2);  // what there was of one, and a glance where it stands
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/terrain/derived_layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+/// 12 × 12 cells of 0.1 m, seen from column 3 on.
+TerrainMap edge_of_view(const std::function<float(int column, int row)>& low_m) {
+  TerrainMap map;
+  map.columns = 12;
+  map.rows = 12;
+  map.cells.resize(144);
+  for (int row = 0; row < map.rows; ++row) {
+    for (int column = 3; column < map.columns; ++column) {
+      TerrainCell& cell = map.at(column, row);
+      cell.ground = Ground::kObserved;
+      cell.low_m = low_m(column, row);
+    }
+  }
+  set_slope_and_step(map);
+  return map;
+}
+
+TEST(GroundShape, RailsThatAreSeenAloneAtTheEdgeOfSightAreNoSlope) {
+  const TerrainMap map = edge_of_view([](int column, int) { return column <= 4 ? 0.11F : 0.0F; });
+  for (int column = 3; column < 10; ++column) {
+    const float slope_rad = map.at(column, 6).slope_rad;
+    EXPECT_TRUE(std::isnan(slope_rad) || slope_rad < 0.35F) << column;  // what a robot drives on
+  }
+  EXPECT_FLOAT_EQ(map.at(4, 6).step_m, 0.11F);
+}
+
+TEST(GroundShape, ARampIsASlopeTwoCellsFromTheEdgeOfSight) {
+  const TerrainMap map =
+      edge_of_view([](int column, int) { return 0.05F * static_cast<float>(column); });
+  EXPECT_TRUE(std::isnan(map.at(4, 6).slope_rad));
+  for (int column = 5; column < 10; ++column) {
+    EXPECT_NEAR(map.at(column, 6).slope_rad, std::atan(0.5), 1e-5);  // of floats
+  }
+}
+
+}  // namespace
+namespace {
+
+constexpr int kSide = 41;
+constexpr int kMiddle = 20;
+
+TerrainMap level_map() {
+  TerrainMap map;
+  map.columns = kSide;
+  map.rows = kSide;
+  map.cells.resize(kSide * kSide);
+  return map;
+}
+
+TEST(Repulsion, FallsWithTheDistanceFromAnObstacleAndEndsAtTheRadius) {
+  TerrainMap map = level_map();
+  map.at(kMiddle, kMiddle).coefficient_m = 0.8F;
+  set_repulsion(map, {.radius_m = 0.5});
+  const float peak = map.at(kMiddle, kMiddle).repulsion_m;
+  for (int row = 0; row < kSide; ++row) {
+    for (int column = 0; column < kSide; ++column) {
+      const double distance_m = 0.1 * std::hypot(column - kMiddle, row - kMiddle);
+      const double cone = std::max(0.0, 1.0 - distance_m / 0.5);
+      EXPECT_NEAR(map.at(column, row).repulsion_m, peak * cone, 1e-6);  // float
+    }
+  }
+}
+
+TEST(Repulsion, AtTheFootOfAWallIsItsCoefficient) {
+  TerrainMap map = level_map();
+  for (int row = 0; row < kSide; ++row) {
+    for (int column = kMiddle; column < kSide; ++column) map.at(column, row).coefficient_m = 0.6F;
+  }
+  set_repulsion(map, {});
+  EXPECT_NEAR(map.at(kMiddle, kMiddle).repulsion_m, 0.6, 1e-5);  // float
+  EXPECT_GT(map.at(kMiddle - 2, kMiddle).repulsion_m, 0.0F);
+  EXPECT_EQ(map.at(kMiddle - 5, kMiddle).repulsion_m, 0.0F);
+}
+
+TEST(Repulsion, NeitherPebblesNorTheUnknownRepel) {
+  TerrainMap map = level_map();
+  map.at(5, 5).coefficient_m = 0.04F;
+  map.at(30, 30).coefficient_m = std::numeric_limits<float>::quiet_NaN();
+  set_repulsion(map, {});
+  EXPECT_TRUE(std::all_of(map.cells.begin(), map.cells.end(),
+                          [](const TerrainCell& cell) { return cell.repulsion_m == 0.0F; }));
+}
+
+TEST(Repulsion, OfNoRadiusStaysWhereItIs) {
+  TerrainMap map = level_map();
+  map.at(0, 0).coefficient_m = 0.3F;
+  set_repulsion(map, {.radius_m = 0.0});
+  EXPECT_NEAR(map.at(0, 0).repulsion_m, 0.3, 1e-6);
+  EXPECT_EQ(map.at(1, 0).repulsion_m, 0.0F);
+}
+
+}  // namespace
+}  // namespace adit

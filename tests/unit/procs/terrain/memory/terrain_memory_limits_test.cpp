@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where memory is not to be trusted, and that it is bounded.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/procs/terrain/terrain_scenes.hpp"
+
+namespace adit {
+namespace {
+
+const Pose2 kFirst{-6.0, 0.0, 0.0};
+const Pose2 kHere{0.0, 0.0, 0.0};
+const Eigen::AlignedBox2d kBeside(Eigen::Vector2d(-2.0, 0.8), Eigen::Vector2d(1.5, 1.5));
+
+bool is_seen(const TerrainCell& cell) { return cell.ground == Ground::kObserved; }
+
+TEST(TerrainMemoryLimits, LooksOfTooLongAgoAreForgotten) {
+  for (const double detour_m : {3.0, 6.0}) {
+    ScanningVehicle vehicle(kFirst);
+    vehicle.scan(add_tunnel);
+    vehicle.drive_to({detour_m, 0.0, 0.0});
+    vehicle.drive_to(kHere);  // 12 m after the look, or 18 m
+    const TerrainMap map = vehicle.scan(add_tunnel);
+    EXPECT_EQ(share_of(map, kBeside, is_seen), detour_m < 4.5 ? 1.0 : 0.0) << detour_m;
+  }
+}
+
+TEST(TerrainMemoryLimits, KeepsOnlySoManyMaps) {
+  TerrainParams params;
+  params.memory.maps_max = 2;
+  ScanningVehicle vehicle(kHere, params);
+  for (int i = 0; i < 4; ++i) {
+    vehicle.scan(add_tunnel);
+    EXPECT_EQ(vehicle.memory().maps(), std::min<std::size_t>(static_cast<std::size_t>(i) + 1, 2));
+  }
+}
+
+TEST(TerrainMemoryLimits, NoneIsKeptWhereNoneIsWanted) {
+  TerrainParams params;
+  params.memory.maps_max = 0;
+  ScanningVehicle vehicle(kFirst, params);
+  vehicle.scan(add_tunnel);
+  vehicle.drive_to(kHere);
+  EXPECT_EQ(share_of(vehicle.scan(add_tunnel), kBeside, is_seen), 0.0);
+}
+
+TEST(TerrainMemoryLimits, AJumpOfOdomEndsIt) {
+  ScanningVehicle vehicle(kFirst);
+  vehicle.scan(add_tunnel);
+  vehicle.drive_to(kHere);
+  vehicle.memory().add(1'600'000'030'000'000, {90.0, 0.0, 0.0});
+  EXPECT_EQ(vehicle.memory().maps(), 0U);
+}
+
+TEST(TerrainMemoryLimits, ItGoesOnInANewOdomOnceThatIsTiedToTheOneBefore) {
+  const Pose2 T_new_old{90.0, -4.0, 2.0};
+  const auto rescan = [&](bool anchored) {
+    ScanningVehicle vehicle(kFirst);
+    vehicle.scan(add_tunnel);
+    vehicle.drive_to(kHere);
+    vehicle.memory().add(1'600'000'030'000'000, T_new_old * kHere);
+    EXPECT_EQ(vehicle.memory().maps(), 0U);
+    if (anchored) vehicle.memory().anchor(T_new_old);
+    const TerrainMap map = vehicle.scan(add_tunnel, false, 0.0, T_new_old);
+    EXPECT_EQ(vehicle.memory().recall_result().used, anchored ? 1 : 0);
+    return share_of(map, kBeside, is_seen);
+  };
+  EXPECT_EQ(rescan(true), 1.0);
+  EXPECT_EQ(rescan(false), 0.0);
+}
+
+TEST(TerrainMemoryLimits, ANewOdomThatDoesNotJumpEndsItToo) {
+  ScanningVehicle vehicle(kFirst);
+  vehicle.scan(add_tunnel);
+  vehicle.drive_to(kHere);
+  const std::int64_t odom_epoch_utime = 1'600'000'030'000'000;
+  vehicle.memory().add(odom_epoch_utime, {0.3, 0.0, 0.0});
+  EXPECT_EQ(vehicle.memory().maps(), 1U);
+  vehicle.memory().reset(odom_epoch_utime);
+  EXPECT_EQ(vehicle.memory().maps(), 0U);
+  vehicle.memory().anchor({0.3, 0.0, 0.0});
+  EXPECT_EQ(vehicle.memory().maps(), 1U);
+}
+
+TEST(TerrainMemoryLimits, ALookWhoseWallsAreElsewhereIsRejected) {
+  for (const Pose2& wrong : {Pose2{0.0, 0.5, 0.0}, Pose2{0.0, 0.0, 0.1}}) {
+    ScanningVehicle vehicle(kFirst);
+    vehicle.scan(add_tunnel, false, 0.0, wrong);
+    vehicle.drive_to(kHere);
+    const TerrainMap map = vehicle.scan(add_tunnel);
+    EXPECT_EQ(vehicle.memory().recall_result().rejected, 1);
+    EXPECT_EQ(share_of(map, kBeside, is_seen), 0.0);
+  }
+}
+
+TEST(TerrainMemoryLimits, ALookWhoseGroundIsAnotherIsRejected) {
+  const auto ramp = [](MeshBuilder& builder) {  // of a level that is off by 10 degrees
+    const auto corner = [&](float x, float y) {
+      return builder.vertex({x, y, 0.18F * (x + 6.0F)});
+    };
+    builder.quad(corner(-15, -2), corner(15, -2), corner(15, 2), corner(-15, 2));
+  };
+  ScanningVehicle vehicle(kFirst);
+  vehicle.scan(ramp);
+  vehicle.drive_to(kHere);
+  const auto flat = [](MeshBuilder& builder) { add_ground(builder, -15.0, 15.0); };
+  vehicle.scan(flat);
+  EXPECT_EQ(vehicle.memory().recall_result().rejected, 1);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/adit/process_table.hpp"
+
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+TEST(ProcessTableText, HasAHeadingAndAColumnForEach) {
+  EXPECT_EQ(
+      process_table_text("mapping\trobot\tslam\trunning\t4711\t0.5\t40000000\t2\tended with 1\n"
+                         "x\tfar\t\tstopped\t0\t0\t0\t0\t\n"),
+      "NAME     COMPUTER  GROUP  STATE     PID  CPU %    MB  RESTARTS\n"
+      "mapping  robot     slam   running  4711   50.0  40.0         2  ended with 1\n"
+      "x        far              stopped     -      -     -         0\n");
+}
+
+TEST(ProcessTableText, LeavesOutGroupsWhereThereAreNone) {
+  EXPECT_EQ(process_table_text("x\tfar\t\tstopped\t0\t0\t0\t0\t\n"),
+            "NAME  COMPUTER  STATE    PID  CPU %  MB  RESTARTS\n"
+            "x     far       stopped    -      -   -         0\n");
+}
+
+TEST(ProcessTableText, OfNothingIsTheHeading) {
+  EXPECT_EQ(process_table_text(""), "NAME  COMPUTER  STATE  PID  CPU %  MB  RESTARTS\n");
+}
+
+}  // namespace
+}  // namespace adit

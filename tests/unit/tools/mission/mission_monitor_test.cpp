@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/mission/mission_monitor.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/memory_bus.hpp"
+#include "common/bus/node/stages.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mission.hpp"
+#include "common/messages/sim.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace adit {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr std::int64_t kStart = 1'600'000'000'000'000;
+constexpr std::int64_t kSecond = 1'000'000;
+
+class MissionMonitorTest : public testing::Test {
+ protected:
+  void publish_time(std::int64_t utime) {
+    publish(bus_, channels::kSimTime, to_message(SimTime{utime}));
+    bus_.advance_to(utime);
+  }
+  void all_but_planning_respond(std::int64_t utime) {
+    for (const std::string& stage : stage_names()) {
+      if (stage == "planning") continue;
+      publish(bus_, channels::kSimTimeDone, to_message(SimTimeDone{utime, stage}));
+    }
+    bus_.advance_to(utime);
+  }
+  void publish_phase(Phase phase, std::int32_t sequence) {
+    MissionPhase now;
+    now.utime = kStart;
+    now.sequence = sequence;
+    now.phase = phase;
+    publish(bus_, channels::kPhase, to_message(now));
+    bus_.advance_to(bus_.now_utime());
+  }
+
+  MemoryBus bus_;
+  test::ScratchFolder scratch_;
+  MissionMonitor monitor_{bus_, scratch_.path() / "phases.tsv", {3.0, 0.0}};
+};
+
+TEST_F(MissionMonitorTest, MissesTheStageThatHoldsUpTheSimulatorOnce) {
+  EXPECT_THAT(monitor_.newly_timed_out(0), IsEmpty());
+  publish_time(kStart);
+  all_but_planning_respond(kStart);
+  EXPECT_THAT(monitor_.newly_timed_out(5), IsEmpty());
+  EXPECT_THAT(monitor_.newly_timed_out(5 + MissionMonitor::kStageTimeoutUs - 1), IsEmpty());
+  EXPECT_THAT(monitor_.newly_timed_out(5 + MissionMonitor::kStageTimeoutUs),
+              ElementsAre("planning"));
+  EXPECT_THAT(monitor_.newly_timed_out(5 + 3 * MissionMonitor::kStageTimeoutUs), IsEmpty());
+}
+
+TEST_F(MissionMonitorTest, ForgivesAStageThatAnswersInTheEnd) {
+  publish_time(kStart);
+  all_but_planning_respond(kStart);
+  EXPECT_THAT(monitor_.newly_timed_out(0), IsEmpty());
+  publish(bus_, channels::kSimTimeDone, to_message(SimTimeDone{kStart, "planning"}));
+  bus_.advance_to(kStart);
+  EXPECT_THAT(monitor_.newly_timed_out(2 * MissionMonitor::kStageTimeoutUs), IsEmpty());
+}
+
+TEST_F(MissionMonitorTest, LetsTheLogGoOnForAWhileAfterTheEnd) {
+  publish_time(kStart);
+  publish_phase(Phase::kExplore, 1);
+  EXPECT_FALSE(monitor_.has_ended());
+  publish_phase(Phase::kEnded, 2);
+  EXPECT_FALSE(monitor_.has_ended());
+  publish_time(kStart + 3 * kSecond);
+  EXPECT_TRUE(monitor_.has_ended());
+}
+
+TEST_F(MissionMonitorTest, MeasuresFromWhereTheRobotOnceBegan) {
+  const auto be_at = [&](double x_m) {
+    publish(bus_, channels::kTruth, to_message(StampedPose{kStart, {x_m, 4.0, 0.0}, {}}));
+    bus_.advance_to(kStart);
+  };
+  be_at(6.0);
+  EXPECT_DOUBLE_EQ(monitor_.progress().distance_from_start_m, 5.0);  // 3, 4, 5
+  be_at(3.0);
+  EXPECT_DOUBLE_EQ(monitor_.progress().distance_from_start_m, 4.0);
+  EXPECT_DOUBLE_EQ(monitor_.farthest_m(), 5.0);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "common/files/file_utils.hpp"
+#include "sim/live/live_run.hpp"
+#include "sim/view/view.hpp"
+#include "sim/view/view_options.hpp"
+#include "sim/world/build_world.hpp"
+#include "sim/world/world_file.hpp"
+#include "tools/adit/adit_app.hpp"
+#include "tools/sim/truth_files.hpp"
+
+namespace adit {
+namespace {
+
+struct SimOptions {
+  WorldChoice world;
+  LiveRunOptions run;
+  std::filesystem::path view;
+  ViewOptions view_options;
+  std::filesystem::path truth;
+  std::filesystem::path description;
+
+  [[nodiscard]] bool writes_files_only() const {
+    return !view.empty() || !truth.empty() || !description.empty();
+  }
+};
+
+constexpr const char* kExamples = R"(
+
+Examples:
+  adit sim bruceton                                        in real time; then, beside it
+  adit-scan_matching --sim-time & adit drive --keys        and drive
+  adit sim mathies --speed max --wait-for scan_matching    as fast as scan matching keeps up
+  adit sim mathies --config deploy/config/groundhog.yaml --record run.lcmlog
+  adit sim random --seed 7 --damage 0.8 --describe my.yaml
+  adit sim my.yaml --view my.png --truth my_truth          a picture; centre lines, plan and obstacles as JSON
+  adit sim mathies --view beam.png --camera 300,0,0        what one sees who stands there)";
+
+void write_files(const SimOptions& options) {
+  const WorldDescription description = describe(options.world);
+  if (!options.description.empty())
+    write_text_file(to_world_file(description), options.description);
+  if (options.view.empty() && options.truth.empty()) return;
+  const Site site(build_world(description));
+  if (!options.truth.empty()) write_truth_files(site.world(), options.truth);
+  if (!options.view.empty()) write_view(site, options.view, options.view_options);
+}
+
+}  // namespace
+
+void add_sim_command(CLI::App& adit) {
+  CLI::App* sim = adit.add_subcommand(
+      "sim", "A mine to drive in, on LCM; or what it looks like, and what is true of it");
+  sim->footer(std::string(kLiveRunFooter) + kExamples);
+  const auto options = std::make_shared<SimOptions>();
+  options->run.program = "adit sim";
+  add_world_options(*sim, options->world)->required();
+  add_live_run_options(*sim, options->run);
+  CLI::Option* view = sim->add_option("--view", options->view,
+                                      "Draw it as plan, section and in perspective, and end")
+                          ->type_name("PNG");
+  sim->add_option_function<std::string>(
+         "--camera",
+         [options](const std::string& place) {
+           options->view_options.from = parse_view_pose(place);
+         },
+         "With --view: where to stand and look in perspective; behind the start without")
+      ->type_name("X,Y,HEADING_DEG")
+      ->needs(view);
+  sim->add_option("--truth", options->truth,
+                  "Write drifts.geojson, plan.geojson, obstacles.json, and end")
+      ->type_name("DIR");
+  sim->add_option("--describe", options->description,
+                  "Write the whole description as a world file, and end")
+      ->type_name("FILE");
+  sim->callback([options] {
+    if (options->writes_files_only()) return write_files(*options);
+    run_live(options->world, options->run);
+  });
+}
+
+}  // namespace adit

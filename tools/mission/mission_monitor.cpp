@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/mission/mission_monitor.hpp"
+
+#include <algorithm>
+
+#include "common/bus/channels.hpp"
+#include "common/bus/node/stages.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/mission.hpp"
+#include "common/messages/sim.hpp"
+#include "common/sensing/seconds.hpp"
+
+namespace adit {
+namespace {
+
+constexpr std::size_t kWaiting = 1000;
+
+}  // namespace
+
+MissionMonitor::MissionMonitor(Bus& bus, const std::filesystem::path& trace,
+                               const Eigen::Vector2d& p_world_start)
+    : p_world_start_(p_world_start), trace_(bus, trace, [this] { return simulated_s(); }) {
+  for (const std::string& stage : stage_names()) {
+    if (stage != "supervisor") responses_[stage];
+  }
+  subscribe_all(bus);
+}
+
+void MissionMonitor::subscribe_all(Bus& bus) {
+  const auto queued = Delivery::queued(kWaiting);
+  subscribe<sim_time_t>(bus, channels::kSimTime, queued, [this](const SimTime& time) {
+    if (first_utime_ == 0) first_utime_ = time.utime;
+    utime_ = std::max(utime_, time.utime);
+  });
+  subscribe<sim_time_done_t>(bus, channels::kSimTimeDone, queued, [this](const SimTimeDone& done) {
+    const auto found = responses_.find(done.stage);
+    if (found != responses_.end()) found->second = {done.utime, std::nullopt, false};
+  });
+  subscribe<phase_t>(bus, channels::kPhase, queued, [this](const MissionPhase& phase) {
+    if (phase_.phase != Phase::kEnded) ended_s_ = simulated_s();
+    phase_ = phase;
+  });
+  subscribe<map_correction_t>(bus, channels::kMapCorrection, queued,
+                              [this](const MapCorrection& correction) {
+                                local_maps_ = std::max(local_maps_, correction.local_map + 1);
+                              });
+  subscribe<pose_t>(bus, channels::kTruth, Delivery::latest(), [this](const StampedPose& truth) {
+    from_start_m_ =
+        (truth.T_odom_body.translation() - p_world_start_).norm();  // of TRUTH: in world
+    farthest_m_ = std::max(farthest_m_, from_start_m_);
+  });
+  subscribe<run_state_t>(bus, channels::kRunState, Delivery::latest(),
+                         [this](const RunState& state) { failure_ = state.failure; });
+}
+
+double MissionMonitor::simulated_s() const { return seconds(utime_ - first_utime_); }
+
+MissionProgress MissionMonitor::progress() const {
+  return {phase_, simulated_s(), from_start_m_, local_maps_};
+}
+
+bool MissionMonitor::has_ended() const {
+  return phase_.phase == Phase::kEnded && simulated_s() > ended_s_ + kAfterEndS;
+}
+
+std::vector<std::string> MissionMonitor::newly_timed_out(std::int64_t wall_us) {
+  std::vector<std::string> timed_out;
+  for (auto& [stage, response] : responses_) {
+    if (utime_ == 0 || response.utime >= utime_) continue;
+    if (!response.behind_since_us) response.behind_since_us = wall_us;
+    if (response.reported || wall_us - *response.behind_since_us < kStageTimeoutUs) continue;
+    response.reported = true;
+    timed_out.push_back(stage);
+  }
+  return timed_out;
+}
+
+}  // namespace adit

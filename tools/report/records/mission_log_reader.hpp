@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/bus/memory_bus.hpp"
+#include "common/bus/node/node_host.hpp"
+#include "procs/mapping/mapping_node.hpp"
+#include "procs/volume_map/volume_map_node.hpp"
+#include "tools/report/mission_statistics.hpp"
+#include "tools/report/records/event_record.hpp"
+#include "tools/report/records/log_info.hpp"
+#include "tools/report/records/map_record.hpp"
+#include "tools/report/records/phase_record.hpp"
+#include "tools/report/records/scan_record.hpp"
+#include "tools/report/records/state_record.hpp"
+#include "tools/report/report.hpp"
+
+namespace adit {
+
+/// Plays the logs of a mission to all that keeps something of it, and to the stages that make of it
+/// what is wanted: volume_map, and mapping where the map is to be made anew.
+class MissionLogReader {
+ public:
+  explicit MissionLogReader(const LogInfo& log_info, bool remap);
+  MissionLogReader(const MissionLogReader&) = delete;
+  MissionLogReader& operator=(const MissionLogReader&) = delete;
+
+  void read(const ReportOptions& options, const std::function<void(double)>& progress);
+
+  /// Messages that are not what they should be, those of another version among them: a sentence for
+  /// each channel.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+  [[nodiscard]] MissionRecords records() const {
+    return {log_info_, phases_, map_, scans_, events_, state_};
+  }
+  [[nodiscard]] MapRecord& map() { return map_; }
+  [[nodiscard]] const VolumeMap& volume() const { return volume_.map(); }
+
+ private:
+  const LogInfo& log_info_;
+  MemoryBus bus_;
+  StageBus stage_bus_{bus_, StageBus::Measure::kNothing};
+  ScanRenderer scan_renderer_;
+  PhaseRecord phases_{stage_bus_};
+  MapRecord map_{stage_bus_};
+  ScanRecord scans_;
+  EventRecord events_{stage_bus_};
+  StateRecord state_{stage_bus_};
+  VolumeMapNode volume_;
+  std::optional<MappingNode> mapping_;
+};
+
+}  // namespace adit

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tools/report/report_json.hpp"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/report/html/text_format.hpp"
+#include "tools/report/svg/map_layers.hpp"
+
+namespace adit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json phases_json(const MissionStatistics& statistics) {
+  Json phases = Json::object();
+  for (const PhaseShare& share : statistics.phases) {
+    phases[name_of(share.phase)] = {
+        {"times", share.times}, {"seconds", share.seconds}, {"share", share.share}};
+  }
+  return {{"reported_by_mission", statistics.last.has_value()}, {"by_phase", std::move(phases)}};
+}
+
+Json outcome_json(const MissionStatistics& statistics) {
+  return {{"outcome", statistics.last ? Json(name_of(statistics.last->outcome)) : Json()},
+          {"complete", statistics.last ? Json(statistics.last->complete) : Json()},
+          {"text", outcome_text(statistics)},
+          {"last_phase", statistics.last ? Json(name_of(statistics.last->phase)) : Json()},
+          {"last_reason", statistics.last ? Json(statistics.last->reason) : Json()},
+          {"homeward_reason",
+           statistics.return_home_reason.empty() ? Json() : Json(statistics.return_home_reason)},
+          {"distance_from_start_m", statistics.distance_from_start_m}};
+}
+
+Json frontiers_json(const MissionStatistics& statistics) {
+  if (!statistics.frontiers) return {};
+  return {{"found", statistics.frontiers->found},
+          {"closed", statistics.frontiers->closed},
+          {"open", statistics.frontiers->open},
+          {"blocked", statistics.frontiers->blocked},
+          {"doubtful", statistics.frontiers->unconfirmed},
+          {"corridors_explored_m", *statistics.explored_m}};
+}
+
+Json truth_json(const MissionStatistics& statistics) {
+  if (!statistics.score) return {};
+  return {{"poses", statistics.score->poses},
+          {"rmse_m", statistics.score->aligned.rmse_m},
+          {"max_m", statistics.score->aligned.max_m},
+          {"rmse_from_start_m", statistics.score->anchored.rmse_m},
+          {"max_from_start_m", statistics.score->anchored.max_m},
+          {"true_length_m", statistics.score->true_length_m}};
+}
+
+Json configs_json(const LogInfo& log_info) {
+  Json configs = Json::object();
+  for (const auto& [stage, copy] : log_info.configs) {
+    configs[stage] = {{"version", copy.version}, {"yaml", copy.yaml}};
+  }
+  return configs;
+}
+
+}  // namespace
+
+std::string mission_summary_json(const MissionStatistics& statistics, const LogInfo& log_info) {
+  const Json json{
+      {"simulated", statistics.simulated},
+      {"begin", date_text(statistics.from_utime)},
+      {"begin_utime", statistics.from_utime},
+      {"end_utime", statistics.to_utime},
+      {"duration_s", statistics.seconds()},
+      {"distance_travelled_m", statistics.distance_travelled_m},
+      {"max_distance_from_start_m", statistics.farthest_m},
+      {"mission", outcome_json(statistics)},
+      {"phases", phases_json(statistics)},
+      {"scans", {{"taken", statistics.scans}, {"without_path", statistics.scans_without_path}}},
+      {"map",
+       {{"local_maps", statistics.local_maps},
+        {"closures",
+         {{"proposed", statistics.loop_closures.proposed},
+          {"accepted", statistics.loop_closures.in_force},
+          {"revised", statistics.loop_closures.revised},
+          {"revoked", statistics.revoked}}}}},
+      {"openings", frontiers_json(statistics)},
+      {"guard", {{"stops", statistics.stops}, {"stopped_s", statistics.stopped_s}}},
+      {"restarts", statistics.restarts},
+      {"against_truth", truth_json(statistics)},
+      {"collision", statistics.failure ? Json(!statistics.failure->empty()) : Json()},
+      {"failure", statistics.failure ? Json(*statistics.failure) : Json()},
+      {"complaints", log_info.warnings},
+      {"version", statistics.version},
+      {"messages", log_info.messages},
+      {"config", configs_json(log_info)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// To the millimetre.
+Json coordinates(const Eigen::Vector2d& p_map) {
+  return {std::round(1e3 * p_map.x()) / 1e3, std::round(1e3 * p_map.y()) / 1e3};
+}
+
+Json feature(const char* type, Json coordinates, Json properties) {
+  return {{"type", "Feature"},
+          {"geometry", {{"type", type}, {"coordinates", std::move(coordinates)}}},
+          {"properties", std::move(properties)}};
+}
+
+const char* kind_of(CorridorNode::Kind kind) {
+  switch (kind) {
+    case CorridorNode::Kind::kJunction:
+      return "junction";
+    case CorridorNode::Kind::kDeadEnd:
+      return "dead_end";
+    case CorridorNode::Kind::kOpenEnd:
+      return "open_end";
+  }
+  return "";
+}
+
+Json corridor_feature(const Corridor& corridor) {
+  Json line = Json::array();
+  for (const Eigen::Vector2d& p_map : corridor.points) line.push_back(coordinates(p_map));
+  return feature("LineString", std::move(line),
+                 {{"kind", "corridor"},
+                  {"from", corridor.from},
+                  {"to", corridor.to},
+                  {"length_m", corridor.length_m},
+                  {"width_m", corridor.width_m}});
+}
+
+Json frontier_feature(const Frontier& frontier) {
+  return feature("Point", coordinates(frontier.p_map),
+                 {{"kind", "opening"},
+                  {"id", frontier.id},
+                  {"state", name_of(frontier.state)},
+                  {"closed", is_closed(frontier.state)},
+                  {"evidence", frontier.evidence},
+                  {"since_utime", frontier.utime},
+                  {"direction", coordinates(frontier.direction_map)},
+                  {"width_m", frontier.width_m},
+                  {"local_map", frontier.local_map}});
+}
+
+}  // namespace
+
+std::string junctions_geojson(const ExplorationReport& report) {
+  Json features = Json::array();
+  for (std::size_t i = 0; i < report.corridors.nodes.size(); ++i) {
+    const CorridorNode& node = report.corridors.nodes[i];
+    features.push_back(
+        feature("Point", coordinates(node.p_map), {{"kind", kind_of(node.kind)}, {"node", i}}));
+  }
+  for (const Corridor& corridor : report.corridors.corridors) {
+    features.push_back(corridor_feature(corridor));
+  }
+  for (const Frontier& frontier : report.frontiers) features.push_back(frontier_feature(frontier));
+  const Json json{{"type", "FeatureCollection"},
+                  {"coordinates_are",
+                   "metres in the plan of the map frame (x, y; origin where the first local map "
+                   "began), not longitude and latitude"},
+                  {"graph_revision", report.revision},
+                  {"features", std::move(features)}};
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace adit

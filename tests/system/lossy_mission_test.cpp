@@ -18,6 +18,7 @@
 #include "common/sensing/seconds.hpp"
 #include "sim/live/fault_parser.hpp"
 #include "sim/live/sim_config.hpp"
+#include "sim/live/world_choice.hpp"
 #include "sim/sim_node.hpp"
 #include "sim/world/build_world.hpp"
 #include "tests/support/lossy_bus.hpp"

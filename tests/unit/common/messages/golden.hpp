@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "common/messages/codec.hpp"
+#include "common/messages/procman.hpp"  // declares from_message of its namespace for the templates
 #include "tests/support/scratch_folder.hpp"
 
 namespace adit::test {

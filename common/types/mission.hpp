@@ -14,8 +14,8 @@ namespace adit {
 enum class Phase : std::int8_t {
   kWaiting = 0,  ///< for stages, the pose, or localization on the stored map
   kExplore = 1,  ///< exploration chooses the next goal
-  kScan = 2,  ///< the robot stands and takes a 3D scan
-  kPlan = 3,  ///< planning computes a path
+  kScan = 2,     ///< the robot stands and takes a 3D scan
+  kPlan = 3,     ///< planning computes a path
   kExecute = 4,  ///< the robot follows the path
   kPaused = 5,   ///< by operator order
   kEnded = 6,    ///< the mission is over
@@ -24,23 +24,23 @@ enum class Phase : std::int8_t {
 /// How a mission ended.
 enum class MissionOutcome : std::int8_t {
   kInProgress = 0,
-  kHome = 1,  ///< the robot is back at the start
+  kHome = 1,      ///< the robot is back at the start
   kStopped = 2,   ///< by operator order
   kStranded = 3,  ///< the robot has stopped elsewhere without a path to the start
 };
 
 /// State of a mission.
 struct MissionPhase {
-  std::int64_t utime = 0;  ///< time of the change to this phase [µs since the epoch]
+  std::int64_t utime = 0;     ///< time of the change to this phase [µs since the epoch]
   std::int32_t sequence = 0;  ///< number of phase changes of the mission, across restarts
   Phase phase = Phase::kWaiting;
-  std::string reason;  ///< reason for the phase change, a sentence
-  bool returning_home = false;  ///< true after the decision to return
-  std::string return_home_reason;  ///< reason for the return, a sentence; empty before it
+  std::string reason;               ///< reason for the phase change, a sentence
+  bool returning_home = false;      ///< true after the decision to return
+  std::string return_home_reason;   ///< reason for the return, a sentence; empty before it
   LaserId laser = LaserId::kFront;  ///< laser that faces the direction of travel
-  std::int32_t goal_id = 0;  ///< id of the current scan, goal and path; 0 before the first
-  std::int32_t frontier = -1;  ///< id of the target frontier; -1 for none
-  std::int32_t scans = 0;      ///< 3D scans taken
+  std::int32_t goal_id = 0;         ///< id of the current scan, goal and path; 0 before the first
+  std::int32_t frontier = -1;       ///< id of the target frontier; -1 for none
+  std::int32_t scans = 0;           ///< 3D scans taken
   double distance_travelled_m = 0.0;
   double remaining_m = 0.0;  ///< path length allowed by battery and time
   MissionOutcome outcome = MissionOutcome::kInProgress;
@@ -52,10 +52,10 @@ struct MissionPhase {
 /// An operator's order to the mission.
 struct MissionOrder {
   enum class Kind : std::int8_t {
-    kPause = 0,  ///< stop until kResume
-    kResume = 1,  ///< continue after a pause
+    kPause = 0,       ///< stop until kResume
+    kResume = 1,      ///< continue after a pause
     kReturnHome = 2,  ///< return to the start; cannot be undone
-    kStop = 3,  ///< stop and end the mission
+    kStop = 3,        ///< stop and end the mission
   };
 
   std::int64_t utime = 0;  ///< [µs since the epoch]

@@ -137,9 +137,6 @@ ExplorationReport Exploration::report() const {
   report.revision = revision_;
   report.decision = decision_;
   report.budget.remaining_m = state_.remaining_m;
-  if (from_home_) {
-    report.budget.home_m = from_home_->distance_m(state_.T_map_body.translation()).value_or(0.0);
-  }
   report.budget.explored_m = corridors_.length_m();
   report.frontiers = register_.frontiers();
   report.corridors = corridors_;

@@ -43,7 +43,7 @@ TerrainNode::TerrainNode(Bus& bus, const Params& params)
 void TerrainNode::request_and_report(std::int64_t utime) {
   const std::int64_t previous_odom_utime = std::max<std::int64_t>(odom_epoch_utime_ - 1, 0);
   const std::int64_t newest_utime = ready_ ? ready_->utime : 0;
-  const CloudRequest request{utime, "terrain", std::max(newest_utime, previous_odom_utime), {}};
+  const CloudRequest request{utime, std::max(newest_utime, previous_odom_utime), {}};
   publish(bus_, channels::kCloudRequest, to_message(request));
   if (ready_) publish(bus_, channels::kTerrainReady, to_message(*ready_));
 }

@@ -88,7 +88,6 @@ void VolumeMapNode::request_missed_clouds(std::int64_t utime) {
   const auto few = static_cast<std::ptrdiff_t>(std::min(scan_times.size(), kReportedScansMax));
   publish(bus_, channels::kCloudRequest,
           to_message(CloudRequest{utime,
-                                  "volume_map",
                                   std::max<std::int64_t>(map_.localized_from_utime() - 1, 0),
                                   {scan_times.end() - few, scan_times.end()}}));
 }

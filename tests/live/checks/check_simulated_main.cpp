@@ -42,11 +42,10 @@ constexpr std::array kCounted{channels::kLaserFront, channels::kLaserRear, chann
 
 void count(Bus& bus, ReceivedMessages& received) {
   for (const std::string_view channel : kCounted) {
-    bus.subscribe(channel, Delivery::queued(kWaiting),
-                  [&received](const ReceivedMessage& message) {
-                    ++received.messages[std::string(message.channel)];
-                    return std::string_view();
-                  });
+    bus.subscribe(channel, Delivery::queued(kWaiting), [&received](const ReceivedMessage& message) {
+      ++received.messages[std::string(message.channel)];
+      return std::string_view();
+    });
   }
 }
 

@@ -113,8 +113,7 @@ TEST_F(ScanAssemblyNodeTest, RepeatsAScanForWhoDoesNotHaveItOnceItCanNotBeOnItsW
                        if (const auto cloud = repeated.add(fragment)) again.push_back(cloud->utime);
                      });
   const auto ask = [&](const std::vector<std::int64_t>& have) {
-    publish(bus_, channels::kCloudRequest,
-            to_message(CloudRequest{bus_.now_utime(), "volume_map", 0, have}));
+    publish(bus_, channels::kCloudRequest, to_message(CloudRequest{bus_.now_utime(), 0, have}));
   };
   run(1.5);
   request(LaserId::kFront);
@@ -181,8 +180,7 @@ TEST(ScanAssemblyNode, HasAScanOnTheDiskBeforeItIsAnnouncedUntilSomebodyHasIt) {
                      });
   const ScanAssemblyNode node(bus, params);
   const auto ask = [&](const std::vector<std::int64_t>& have) {
-    publish(bus, channels::kCloudRequest,
-            to_message(CloudRequest{bus.now_utime(), "volume_map", 0, have}));
+    publish(bus, channels::kCloudRequest, to_message(CloudRequest{bus.now_utime(), 0, have}));
   };
   bus.advance_to(announced + 60'000'000);
   ask({});

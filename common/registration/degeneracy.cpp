@@ -24,9 +24,9 @@ ConstrainedInformation split_degenerate(const Eigen::Matrix3d& information,
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3d v = solver.eigenvectors().col(i);
     const double known = solver.eigenvalues()[i];
-    const double feigned = v.dot(spurious_m * v);
-    if (known <= std::max(least, params.spurious_ratio * feigned)) {
-      result.degenerate.push_back({v, std::max(0.0, known - 2.0 * feigned)});
+    const double spurious_i = v.dot(spurious_m * v);
+    if (known <= std::max(least, params.spurious_ratio * spurious_i)) {
+      result.degenerate.push_back({v, std::max(0.0, known - 2.0 * spurious_i)});
     } else {
       const Eigen::Vector3d w = to_metres.asDiagonal() * v;
       const Eigen::Vector3d u = to_radians.asDiagonal() * v;

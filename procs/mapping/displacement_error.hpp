@@ -19,8 +19,8 @@ struct DisplacementErrorParams {
   double dense_m = 0.25;      ///< scans farther apart draw the walls more faintly, and drift more
   double speed_sd_m_s = 0.3;  ///< of a motion that nothing measured: a last speed was assumed
   double turn_sd_rad_s = 0.3;
-  double unobserved_max_m =
-      1.0;  ///< walls seen before an unmeasured stretch shorter than this are seen after
+  /// Walls seen before an unmeasured stretch shorter than this are seen after.
+  double unobserved_max_m = 1.0;
   int lost_max_bridged = 2;  ///< and so are they after as many lost scans
 
   template <class V>

@@ -19,8 +19,8 @@ namespace adit {
 
 struct MappingNodeParams : MappingParams {
   std::string journal;  ///< file that keeps what was learnt; empty: nothing is kept
-  double journal_interval_m =
-      0.3;  ///< of the way, after which what there is of a local map goes there
+  /// Of the way, after which what there is of a local map goes there.
+  double journal_interval_m = 0.3;
 
   template <class V>
   void visit(V& v) {

@@ -39,10 +39,10 @@ struct Hypothesis {
   std::vector<int> chosen;         ///< of each closure: an alternative, or Association::kNone
   std::vector<Pose2> T_map_local;  ///< where the maps then are
   double objective = 0.0;          ///< Σ eᵀ R e over the chain and the chosen alternatives
-  double cost =
-      0.0;  ///< −2 log-likelihood, up to a constant: `objective` and that of the decisions
-  bool partially_optimized =
-      false;  ///< some maps were held where they were though closures pull at them
+  /// −2 log-likelihood, up to a constant: `objective` and that of the decisions.
+  double cost = 0.0;
+  /// Some maps were held where they were though closures pull at them.
+  bool partially_optimized = false;
 };
 
 /// The constraints of the alternatives that are chosen, in the order of their closures.

@@ -58,8 +58,8 @@ LocalWalls local_walls(const LocalMap& map, const LaserMounts& mounts,
                        const LocalWallsParams& params);
 
 struct WallAgreementParams {
-  double wall_distance_max_m =
-      0.5;                      ///< a wall farther from a point than this has nothing to do with it
+  /// A wall farther from a point than this has nothing to do with it.
+  double wall_distance_max_m = 0.5;
   double margin_m = 0.3;        ///< deeper in free space than this contradicts
   double wall_sd_m = 0.04;      ///< distance of a point from its wall where maps coincide
   double stray_share = 0.1;     ///< of the points near a wall that are no part of it all the same

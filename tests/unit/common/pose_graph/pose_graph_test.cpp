@@ -10,8 +10,8 @@ namespace adit {
 namespace {
 
 constexpr double kStep = 1e-6;
-constexpr double kTolerance =
-    1e-8;  // rounding over the step; central differences err by its square
+// Rounding over the step; central differences err by its square.
+constexpr double kTolerance = 1e-8;
 
 Pose2 moved(const Pose2& pose, int k, double by) {
   Eigen::Vector3d v = pose.vector();

@@ -18,18 +18,6 @@
 namespace adit {
 namespace {
 
-/// What replaces the scan along `direction`, (x, y, θ) in the body frame with θ scaled by the lever
-/// arm.
-DegenerateDirection::Fill fill_of(const Eigen::Vector3d& direction, const MotionEstimate& expected);
-
-/// Information from the bounds of motion alone: of (x, y, θ) in the body frame.
-Eigen::Matrix3d motion_bound_information(const MotionEstimate& expected);
-
-/// Moves the pose towards the prediction along the directions that the match does not constrain, in
-/// proportion to the information of prediction and match.
-Pose2 fill_unconstrained(const Pose2& T_odom_body, const MotionEstimate& expected,
-                         const std::vector<UnconstrainedDirection>& directions, double lever_arm_m);
-
 constexpr double kSpeedSdM = 0.2;  // deviation from the last speed in one step
 constexpr double kSpeedSdRad = 0.2;
 
@@ -44,6 +32,8 @@ double expected_information(const Eigen::Vector3d& direction, const MotionEstima
   return v.dot(expected.prior.information * v) + v.dot(v.cwiseQuotient(variances));
 }
 
+/// What replaces the scan along `direction`, (x, y, θ) in the body frame with θ scaled by the lever
+/// arm.
 DegenerateDirection::Fill fill_of(const Eigen::Vector3d& direction,
                                   const MotionEstimate& expected) {
   const bool mostly_turn = std::abs(direction.z()) > 0.7;
@@ -52,12 +42,15 @@ DegenerateDirection::Fill fill_of(const Eigen::Vector3d& direction,
   return DegenerateDirection::Fill::kNone;
 }
 
+/// Information from the bounds of motion alone: of (x, y, θ) in the body frame.
 Eigen::Matrix3d motion_bound_information(const MotionEstimate& expected) {
   const double m = std::max(expected.displacement_max_m, 1e-3);
   const double rad = std::max(expected.turn_max_rad, 1e-3);
   return Eigen::Vector3d(1.0 / (m * m), 1.0 / (m * m), 1.0 / (rad * rad)).asDiagonal();
 }
 
+/// Moves the pose towards the prediction along the directions that the match does not constrain, in
+/// proportion to the information of prediction and match.
 Pose2 fill_unconstrained(const Pose2& T_odom_body, const MotionEstimate& expected,
                          const std::vector<UnconstrainedDirection>& directions, double lever_arm) {
   const Eigen::Vector3d scale(1.0, 1.0, lever_arm);
@@ -167,7 +160,6 @@ void ScanMatching::locate(const ScanObservation& observation, const MotionEstima
 }
 
 /// Sets pose and covariance from the match, and from the prediction in degenerate directions.
-
 void ScanMatching::accept_match(const PoseCandidate& best, const MotionEstimate& expected,
                                 double lever_arm, ScanMatch& match) {
   const ConstrainedInformation constrained =

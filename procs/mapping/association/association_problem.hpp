@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "common/pose_graph/pose_graph.hpp"
@@ -10,15 +11,27 @@
 
 namespace adit {
 
-/// What is certain, the chain of local maps along the way, and what is to be decided, the closures.
+/// The input of data association: the chain of local maps, which is certain, and the loop closures,
+/// which are to be decided.
 struct AssociationProblem {
   std::vector<PoseConstraint> chain;       ///< chain[k] links map k with map k + 1
-  OdometryChain odometry;                  ///< the same
+  OdometryChain odometry;                  ///< the same displacements, composed
   std::vector<LoopClosure> loop_closures;  ///< in order of their newer map
-  /// Of each closure: closures of one group lie side by side at both ends, so that they are likely
-  /// to be right or wrong together.
+  /// Group of each loop closure. Loop closures of a group are adjacent at both ends, and so are
+  /// likely to be correct or wrong together.
   std::vector<int> groups;
-  std::vector<bool> plausible;  ///< of each closure: whether the way alone allows it
+  std::vector<bool> plausible;  ///< of each loop closure: whether the odometry alone allows it
+  int group_count = 0;
+
+  /// The size of the problem at some time.
+  struct Checkpoint {
+    int maps = 0;
+    std::size_t loop_closures = 0;
+    int group_count = 0;
+  };
+  [[nodiscard]] Checkpoint checkpoint() const;
+  /// Removes the maps and loop closures added since the checkpoint. Returns these loop closures.
+  std::vector<LoopClosure> roll_back(const Checkpoint& checkpoint);
 };
 
 /// The constraint of an alternative of a closure.

@@ -31,7 +31,7 @@ class Trial {
   }
 
   /// The problem has a closure more; none is chosen.
-  void grow() { hypothesis_.chosen.push_back(Association::kNone); }
+  void add_undecided() { hypothesis_.chosen.push_back(Association::kNone); }
 
   /// By how much the objective would rise with one constraint more: chi-square with three degrees
   /// of freedom where the constraint is right.

@@ -119,7 +119,7 @@ TEST_F(TrialOnARing, GrowsWithTheProblem) {
   Trial trial(problem_, nothing());
   problem_.loop_closures.push_back(problem_.loop_closures.front());
   problem_.loop_closures.back().id = 6;
-  trial.grow();
+  trial.add_undecided();
   EXPECT_EQ(trial.chosen(6), kNo);
   trial.accept(6, 0);
   EXPECT_EQ(trial.decisions(), (std::vector<int>{kNo, kNo, kNo, kNo, kNo, kNo, 0}));

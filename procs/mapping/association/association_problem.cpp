@@ -9,7 +9,7 @@
 namespace adit {
 namespace {
 
-/// A constraint in the graph that begins with map `first`.
+/// A constraint in the graph that begins with map `first`; the maps before are fixed in node 0.
 PoseConstraint shifted(const PoseConstraint& c, const Hypothesis& hypothesis, int first) {
   PoseConstraint moved = c;
   moved.to = c.to - first + 1;

@@ -32,11 +32,11 @@ class Evidence {
 };
 
 struct LazyAssociationParams {
-  double gate = 21.1;            ///< what "none" costs: chi-square, 3 degrees of freedom, 0.9999
-  double gate_supported = 42.0;  ///< up to here where others of its group are chosen
-  double group_gap_m = 12.0;     ///< closures this close along the way at both ends are a group
-  bool best_first = true;        ///< order of search; else the paper's, back through the latest
-  int trials_max = 8;            ///< beliefs that are worked out for one contradiction
+  double gate = 21.1;            ///< cost of rejecting: chi-square, 3 degrees of freedom, 0.9999
+  double gate_supported = 42.0;  ///< cost where another loop closure of its group is chosen
+  double group_gap_m = 12.0;  ///< loop closures within this path length at both ends form a group
+  bool best_first = true;  ///< order of search; false: that of the paper, backwards from the latest
+  int trials_max = 8;      ///< maximum number of hypotheses evaluated per contradiction
 
   template <class V>
   void visit(V& v) {

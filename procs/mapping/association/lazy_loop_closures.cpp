@@ -15,20 +15,20 @@
 namespace adit {
 namespace {
 
-constexpr double kKernel2 = 7.8;  // chi-square, 3 degrees of freedom, 0.95: a quarter of the weight
+constexpr double kKernel2 = 7.8;  // chi-square, 3 degrees of freedom, 0.95: weight 1/4
 constexpr int kReweightings = 30;
-constexpr double kConvergedShare = 1e-4;  // change of the objective, as a share
+constexpr double kConvergedShare = 1e-4;  // relative change of the objective
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Which constraints are the way and which are loops.
-struct Parts {
+/// The constraints of the odometry chain and those of loops.
+struct ConstraintSplit {
   std::vector<int> chain;  // constraint from each node to the next, or −1
   std::vector<int> loops;  // in the order of their later node
 };
 
-Parts split(const PoseGraph& graph) {
-  Parts parts;
+ConstraintSplit split(const PoseGraph& graph) {
+  ConstraintSplit parts;
   parts.chain.assign(graph.poses.empty() ? 0 : graph.poses.size() - 1, -1);
   for (int k = 0; k < static_cast<int>(graph.constraints.size()); ++k) {
     const PoseConstraint& c = graph.constraints[at(k)];
@@ -49,17 +49,18 @@ Parts split(const PoseGraph& graph) {
   return parts;
 }
 
-/// The same measurement as the pose of the later node in the earlier one.
+/// The same measurement as a constraint from the earlier to the later node.
 PoseConstraint forward(const PoseConstraint& c) {
   if (c.from < c.to) return c;
   const Eigen::Matrix3d Ad = adjoint(c.T_from_to.inverse());
   return {c.to, c.from, c.T_from_to.inverse(), Ad.transpose() * c.information * Ad};
 }
 
-/// The nodes at which something is to be decided, and the way between them as one step each.
+/// The nodes that loops touch, with the odometry between them composed to single steps.
 class CondensedChain {
  public:
-  CondensedChain(const PoseGraph& graph, const Parts& parts) : node_(graph.poses.size(), -1) {
+  CondensedChain(const PoseGraph& graph, const ConstraintSplit& parts)
+      : node_(graph.poses.size(), -1) {
     std::vector<bool> selected(graph.poses.size(), false);
     if (!selected.empty()) selected.front() = true;
     for (const int k : parts.loops) {
@@ -74,7 +75,7 @@ class CondensedChain {
 
   [[nodiscard]] int node(int pose) const { return node_[at(pose)]; }
 
-  void add_odometry(const PoseGraph& graph, const Parts& parts,
+  void add_odometry(const PoseGraph& graph, const ConstraintSplit& parts,
                     LazyAssociation& association) const {
     UncertainPose T_last_here;
     for (std::size_t i = 0; i < node_.size(); ++i) {
@@ -93,7 +94,7 @@ class CondensedChain {
   std::vector<int> node_;  // of each pose, or −1
 };
 
-/// What is believed, at full weight.
+/// The accepted constraints, at full weight.
 struct AcceptedConstraints {
   AcceptedConstraints(const PoseGraph& graph, const std::vector<bool>& accepted) {
     std::vector<bool> loop(graph.constraints.size(), false);
@@ -105,7 +106,7 @@ struct AcceptedConstraints {
     }
   }
 
-  /// Gives the loops of the same graph the weights that their residuals call for.
+  /// Sets the weights of the loops according to their residuals.
   void reweight(PoseGraph& weighted) const {
     for (std::size_t k = 0; k < constraints.size(); ++k) {
       if (!is_loop[k]) continue;
@@ -125,7 +126,7 @@ bool has_poses(const OptimizeResult& result) {
   return result.converged || result.reason == OptimizeReason::kNotConverged;
 }
 
-/// Counts on; all else is that of the last step.
+/// Accumulates the counters; the other results are those of the last step.
 void add(OptimizeResult& all, const OptimizeResult& step) {
   const int iterations = all.iterations + step.iterations;
   const int factorisations = all.factorisations + step.factorisations;
@@ -142,9 +143,9 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
   LazyLoopClosuresResult result;
   if (const auto gap = odometry_gap(graph)) {
     throw std::invalid_argument("no constraint leads from pose " + std::to_string(*gap) +
-                                " to the next: there is no way to hold loops against");
+                                " to the next: loops cannot be tested without complete odometry");
   }
-  const Parts parts = split(graph);
+  const ConstraintSplit parts = split(graph);
   const CondensedChain condensed_chain(graph, parts);
   LazyAssociation association(params);
   condensed_chain.add_odometry(graph, parts, association);

@@ -10,30 +10,32 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kSingles = 3;  // that are put to the test
+constexpr std::size_t kSinglesMax = 3;  // single loop closures tried
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// A part of the way, by its first and last map.
-struct Stretch {
+/// An interval of the chain, by its first and last map.
+struct ChainInterval {
   int from = 0;
   int to = 0;
 };
 
-bool overlap(const Stretch& a, const Stretch& b) { return a.from < b.to && b.from < a.to; }
+bool overlap(const ChainInterval& a, const ChainInterval& b) {
+  return a.from < b.to && b.from < a.to;
+}
 
-Stretch loop_of(const PoseConstraint& c) {
+ChainInterval loop_of(const PoseConstraint& c) {
   return {std::min(c.from, c.to), std::max(c.from, c.to)};
 }
 
-/// What hangs together with `asked` by loops that share a part of the way. Whatever is decided
-/// elsewhere has no bearing on it: there the way alone leads on.
-Stretch connected_stretch(std::vector<Stretch> loops, const Stretch& query) {
+/// The interval connected with `query` by loops that overlap in the chain. Decisions elsewhere have
+/// no influence on it: only the odometry links the intervals.
+ChainInterval connected_interval(std::vector<ChainInterval> loops, const ChainInterval& query) {
   loops.push_back(query);
   std::sort(loops.begin(), loops.end(),
-            [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
-  Stretch component = loops.front();
-  for (const Stretch& loop : loops) {
+            [](const ChainInterval& a, const ChainInterval& b) { return a.from < b.from; });
+  ChainInterval component = loops.front();
+  for (const ChainInterval& loop : loops) {
     if (loop.from < component.to) {
       component.to = std::max(component.to, loop.to);
     } else if (overlap(component, query)) {
@@ -63,7 +65,7 @@ class RevisionSearch {
       singles.emplace_back(without[i].increase, chosen_[i]);
     }
     std::sort(singles.begin(), singles.end());
-    if (singles.size() > kSingles) singles.resize(kSingles);
+    if (singles.size() > kSinglesMax) singles.resize(kSinglesMax);
     for (const auto& [increase, k] : singles) {
       if (increase < gate_) add({k});
       add(group_of(k));
@@ -87,13 +89,13 @@ class RevisionSearch {
 
   void find_affected() {
     chosen_ = trial_.chosen_loop_closures();
-    std::vector<Stretch> loops;
+    std::vector<ChainInterval> loops;
     for (const int k : chosen_) loops.push_back(loop_of(in_force(k)));
-    affected_ = connected_stretch(std::move(loops), loop_of(query()));
+    affected_ = connected_interval(std::move(loops), loop_of(query()));
     std::erase_if(chosen_, [&](int k) { return !overlap(loop_of(in_force(k)), affected_); });
   }
 
-  /// Left out as well, and in agreement with the closure in question.
+  /// Finds the rejected loop closures that agree with the one in question.
   void find_supporting() {
     for (int k = 0; k < loop_closure_; ++k) {
       if (trial_.chosen(k) != Association::kNone || !problem_.plausible[at(k)]) continue;
@@ -121,15 +123,15 @@ class RevisionSearch {
 
   void add(std::vector<int> loop_closures) {
     if (loop_closures.empty() || !tried_.insert(loop_closures).second) return;
-    double bound = cost_ - gate_;  // the closure itself is no longer left out
+    double bound = cost_ - gate_;  // the loop closure itself is no longer rejected
     for (const int k : loop_closures) {
       const bool has_others = problem_.loop_closures[at(k)].alternatives.size() > 1;
       if (!has_others) bound += gate_;
       bound -= decrease_.contains(k) ? decrease_.at(k) : 0.0;
     }
-    for (const PoseConstraint& ally : supporting_) {
+    for (const PoseConstraint& supporting : supporting_) {
       const bool contradicted = std::any_of(loop_closures.begin(), loop_closures.end(),
-                                            [&](int k) { return !agree(ally, in_force(k)); });
+                                            [&](int k) { return !agree(supporting, in_force(k)); });
       if (contradicted) bound -= gate_;
     }
     if (bound < cost_) candidates_.push_back({std::move(loop_closures), bound});
@@ -140,10 +142,10 @@ class RevisionSearch {
   int loop_closure_;
   double gate_;
   double cost_;
-  Stretch affected_;
-  std::vector<int> chosen_;  // and concerned
+  ChainInterval affected_;
+  std::vector<int> chosen_;  // chosen and in the affected interval
   std::vector<PoseConstraint> supporting_;
-  std::map<int, double> decrease_;  // of the objective, if a closure alone is undone
+  std::map<int, double> decrease_;  // of the objective, if one loop closure is revoked
   std::set<std::vector<int>> tried_;
   std::vector<RevisionCandidate> candidates_;
 };

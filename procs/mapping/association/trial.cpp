@@ -14,8 +14,8 @@
 namespace adit {
 namespace {
 
-constexpr double kTurnMax = 0.01;  // of a map before the field is linearised anew [rad]
-constexpr double kTurnFar = 0.5;   // beyond which iteration might not find the way [rad]
+constexpr double kTurnMax = 0.01;  // of a map, beyond which the field is linearised again [rad]
+constexpr double kTurnFar = 0.5;   // beyond which iteration may not converge to the optimum [rad]
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -47,14 +47,14 @@ GaussianField& Trial::field() {
   return *field_;
 }
 
-/// Takes over the poses of the nodes of the graph.
+/// Copies the poses of the graph's nodes.
 void Trial::set_poses(const std::vector<Pose2>& nodes, Hypothesis& hypothesis) const {
   std::copy(nodes.begin() + (first_ > 0 ? 1 : 0), nodes.end(),
             hypothesis.T_map_local.begin() + first_);
 }
 
-/// Whether a closure leads from what is held fixed to what moves. Where only the way does, the rest
-/// would stay where it is anyway.
+/// Whether a chosen loop closure links a fixed map to a moving one. If only the odometry does, the
+/// fixed maps would not move anyway.
 bool Trial::has_fixed_end() const {
   for (std::size_t k = 0; k < hypothesis_.chosen.size() && first_ > 0; ++k) {
     if (hypothesis_.chosen[k] == Association::kNone) continue;
@@ -104,7 +104,7 @@ std::vector<Eigen::Matrix3d> Trial::covariances_to(int map) {
   };
   std::vector<Eigen::Matrix3d> covariances;
   covariances.reserve(at(map));
-  if (first_ > 0) covariances.assign(at(first_), in_newer(0));  // fixed, as is the frame of map
+  if (first_ > 0) covariances.assign(at(first_), in_newer(0));  // fixed in the map frame
   for (int older = first_; older < map; ++older) covariances.push_back(in_newer(older - shift));
   return covariances;
 }

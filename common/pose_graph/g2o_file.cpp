@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include <Eigen/Eigenvalues>
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include "common/config/number_text.hpp"
@@ -49,12 +50,6 @@ std::string contents(const std::filesystem::path& path) {
   return text;
 }
 
-std::string between_quotes(std::string_view token) {
-  std::string text("'");
-  text += token;
-  return text += '\'';
-}
-
 /// The tokens of one line.
 class Tokens {
  public:
@@ -76,19 +71,19 @@ class Tokens {
   template <class Number>
   Number number(const char* what) {
     const std::string_view token = next();
-    if (token.empty()) fail(std::string("the line ends before its ") + what);
+    if (token.empty()) fail(fmt::format("the line ends before its {}", what));
     const std::string_view digits = token.front() == '+' ? token.substr(1) : token;
     Number value{};
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc{} || end != digits.data() + digits.size() || !is_finite(value)) {
-      fail(between_quotes(token) + " is not a valid " + what);
+      fail(fmt::format("'{}' is not a valid {}", token, what));
     }
     return value;
   }
 
   void expect_end() {
     const std::string_view token = next();
-    if (!token.empty()) fail(between_quotes(token) + " after the last number");
+    if (!token.empty()) fail(fmt::format("'{}' after the last number", token));
   }
 
  private:
@@ -130,7 +125,7 @@ class Parser {
     } else if (tag == "FIX") {
       fixed_.emplace_back(tokens.number<long>("id"), number);
     } else {
-      tokens.fail("unknown tag " + between_quotes(tag));
+      tokens.fail(fmt::format("unknown tag '{}'", tag));
     }
     tokens.expect_end();
   }
@@ -161,7 +156,7 @@ class Parser {
   void parse_vertex(Tokens& tokens) {
     const long id = tokens.number<long>("id");
     if (!vertices_.emplace(id, parse_pose(tokens)).second) {
-      tokens.fail("vertex " + std::to_string(id) + " is defined twice");
+      tokens.fail(fmt::format("vertex {} is defined twice", id));
     }
   }
 
@@ -170,7 +165,7 @@ class Parser {
     edge.from = tokens.number<long>("id");
     edge.to = tokens.number<long>("id");
     edge.line = number;
-    if (edge.from == edge.to) tokens.fail("an edge from " + std::to_string(edge.to) + " to itself");
+    if (edge.from == edge.to) tokens.fail(fmt::format("an edge from {} to itself", edge.to));
     edge.constraint.T_from_to = parse_pose(tokens);
     Eigen::Matrix3d& information = edge.constraint.information;
     for (const auto& [r, c] : order) {
@@ -206,14 +201,14 @@ class Parser {
 
   [[nodiscard]] int index_of(const std::map<long, int>& index, long id, std::size_t line) const {
     const auto found = index.find(id);
-    if (found == index.end()) throw G2oError(file_, line, "no vertex " + std::to_string(id));
+    if (found == index.end()) throw G2oError(file_, line, fmt::format("no vertex {}", id));
     return found->second;
   }
 
   void check_fixed(const G2oGraph& result) const {
     for (const auto& [id, line] : fixed_) {
       if (!result.ids.empty() && id == result.ids.front()) continue;
-      throw G2oError(file_, line, "only the first pose can be fixed, not " + std::to_string(id));
+      throw G2oError(file_, line, fmt::format("only the first pose can be fixed, not {}", id));
     }
   }
 

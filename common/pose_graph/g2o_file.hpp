@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "common/pose_graph/pose_graph.hpp"
 
 namespace adit {
@@ -22,7 +24,7 @@ struct G2oGraph {
 class G2oError : public std::runtime_error {
  public:
   G2oError(const std::string& file, std::size_t line, const std::string& reason)
-      : std::runtime_error(file + ":" + std::to_string(line) + ": " + reason), line_(line) {}
+      : std::runtime_error(fmt::format("{}:{}: {}", file, line, reason)), line_(line) {}
   [[nodiscard]] std::size_t line() const { return line_; }
 
  private:

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "common/pose_graph/normal_equations.hpp"
 #include "common/pose_graph/rotation_initialization.hpp"
 
@@ -147,9 +149,9 @@ std::string text(OptimizeReason reason, long node) {
     case OptimizeReason::kEmpty:
       return "the graph has no poses";
     case OptimizeReason::kUnconnected:
-      return "no chain of constraints links pose " + std::to_string(node) + " with the first";
+      return fmt::format("no chain of constraints links pose {} with the first", node);
     case OptimizeReason::kUndetermined:
-      return "the constraints leave pose " + std::to_string(node) + " free to move";
+      return fmt::format("the constraints leave pose {} free to move", node);
     case OptimizeReason::kNotConverged:
       return "not converged";
   }

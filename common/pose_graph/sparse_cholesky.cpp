@@ -216,7 +216,7 @@ std::vector<int> path_to_root(const FactorView& L, const std::vector<int>& from)
   return path;
 }
 
-/// The factor by blocks of three columns: A = U D Uᵀ with U unit lower triangular by blocks.
+/// The factor in blocks of three columns: A = U D Uᵀ with U unit lower triangular by blocks.
 class BlockFactor {
  public:
   explicit BlockFactor(const FactorView& L) : blocks_(L.n / 3) {
@@ -255,7 +255,7 @@ class BlockFactor {
   }
 
  private:
-  /// L is unit lower triangular within the block too: L_j. Then D = L_j diag L_jᵀ, U = L L_j⁻¹.
+  /// L is unit lower triangular within the block as well: L_j. Then D = L_j diag L_jᵀ, U = L L_j⁻¹.
   void append(const FactorView& L, int b) {
     const int j = 3 * b;
     const int s0 = L.start[j];

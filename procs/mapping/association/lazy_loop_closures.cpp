@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include <Eigen/LU>
+#include <fmt/format.h>
 
 #include "common/pose_graph/pose_graph.hpp"
 
@@ -142,8 +142,10 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
                                               const std::function<void(double)>& progress) {
   LazyLoopClosuresResult result;
   if (const auto gap = odometry_gap(graph)) {
-    throw std::invalid_argument("no constraint leads from pose " + std::to_string(*gap) +
-                                " to the next: loops cannot be tested without complete odometry");
+    throw std::invalid_argument(
+        fmt::format("no constraint leads from pose {} to the next: loops cannot be tested without "
+                    "complete odometry",
+                    *gap));
   }
   const ConstraintSplit parts = split(graph);
   const CondensedChain condensed_chain(graph, parts);

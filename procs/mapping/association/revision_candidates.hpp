@@ -19,7 +19,7 @@ struct RevisionCandidate {
 /// Sets of decisions to revoke in favour of one rejected loop closure:
 ///   – the chosen loop closures that contradict it, in the cycle of both and the odometry;
 ///   – single loop closures without which it would be likely, and their groups.
-/// Sets whose bound is not below `cost` are left out. Best bound first.
+/// Sets whose bound is not below `cost` are discarded. Best bound first.
 std::vector<RevisionCandidate> revision_candidates(const AssociationProblem& problem, Trial& trial,
                                                    int loop_closure, double gate, double cost);
 

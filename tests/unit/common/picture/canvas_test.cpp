@@ -38,7 +38,7 @@ TEST(Sheet, NamesTheFileThatItCannotWrite) {
 
 TEST(TextBlock, BreaksLinesAtTheWidth) {
   const Canvas canvas(1, 1);
-  const std::string text = "No path: an obstacle is in the way after 2 m";
+  const std::string text = "No path: an obstacle blocks the path after 2 m";
   EXPECT_DOUBLE_EQ(draw_text_block(canvas, text, 0, 10, 2000, {.line = 20}), 30);
   EXPECT_GE(draw_text_block(canvas, text, 0, 10, 100, {.line = 20}), 70);
   EXPECT_DOUBLE_EQ(draw_text_block(canvas, "", 0, 10, 100, {.line = 20}), 30);

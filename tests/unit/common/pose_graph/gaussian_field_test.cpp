@@ -45,9 +45,9 @@ TEST_F(FieldOfASquareWalk, AddingEqualsAFieldWithTheConstraint) {
   GaussianField field(graph_);
   field.add(loop());
   graph_.constraints.push_back(loop());
-  const GaussianField whole(graph_);
-  EXPECT_TRUE(field.mode().isApprox(whole.mode(), kTolerance));
-  EXPECT_NEAR(field.objective(), whole.objective(), kTolerance * whole.objective());
+  const GaussianField expected(graph_);
+  EXPECT_TRUE(field.mode().isApprox(expected.mode(), kTolerance));
+  EXPECT_NEAR(field.objective(), expected.objective(), kTolerance * expected.objective());
 }
 
 TEST_F(FieldOfASquareWalk, RemovingAnAddedConstraintRestoresTheField) {

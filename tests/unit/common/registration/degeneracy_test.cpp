@@ -37,9 +37,9 @@ TEST(Degeneracy, ReportsTheUnconstrainedDirection) {
 
 TEST(Degeneracy, DiscardsInformationProducedByNoisyNormals) {
   const Eigen::Matrix3d information = Eigen::Vector3d(2000, 1e5, 1e6).asDiagonal();
-  const Eigen::Matrix3d feigned = Eigen::Vector3d(1000, 0, 0).asDiagonal();
+  const Eigen::Matrix3d spurious = Eigen::Vector3d(1000, 0, 0).asDiagonal();
   EXPECT_TRUE(split_degenerate(information, kNothing, 1.0, {}).degenerate.empty());
-  ASSERT_EQ(split_degenerate(information, feigned, 1.0, {}).degenerate.size(), 1U);
+  ASSERT_EQ(split_degenerate(information, spurious, 1.0, {}).degenerate.size(), 1U);
 }
 
 TEST(Degeneracy, ReportsAllDirectionsWithoutInformation) {

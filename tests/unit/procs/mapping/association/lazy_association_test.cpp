@@ -91,7 +91,7 @@ TEST_P(BothOrders, RevokeAnEarlyWrongLoopClosureForSeveralCorrectOnes) {
   test::RingWalk walk(300);
   const auto history = decide(walk, together({walk.group(203, 1, kBeside), walk.group(240, 6)}));
   ASSERT_FALSE(history.empty());
-  EXPECT_EQ(history.front().chosen, 0) << "was not believed at first: nothing to undo";
+  EXPECT_EQ(history.front().chosen, 0) << "was not accepted at first: nothing to revoke";
   EXPECT_EQ(association_.hypothesis().chosen, (std::vector<int>{kNone, 0, 0, 0, 0, 0, 0}));
   EXPECT_GE(revisions(history), 1);
 }
@@ -101,7 +101,7 @@ TEST_P(BothOrders, RevokeAConsistentWrongGroupForTwoCorrectGroups) {
   const auto history = decide(
       walk, together({walk.group(203, 20, kBeside), walk.group(255, 15), walk.group(290, 15)}));
   ASSERT_GE(history.size(), 20U);
-  EXPECT_EQ(history[19].chosen, 0) << "was not believed at first: nothing to undo";
+  EXPECT_EQ(history[19].chosen, 0) << "was not accepted at first: nothing to revoke";
   EXPECT_THAT(chosen_of(association_, 0, 20), Each(kNone));
   EXPECT_THAT(chosen_of(association_, 20, 30), Each(0));
 }
@@ -119,7 +119,7 @@ TEST_P(BothOrders, ChooseAnotherAlternativeWhenTheFirstIsContradicted) {
   open.alternatives = {walk.alternative(3, 203, kBeside, 10.0), walk.alternative(3, 203, {}, 8.0)};
   const auto history = decide(walk, together({{open}, walk.group(240, 6)}));
   ASSERT_FALSE(history.empty());
-  EXPECT_EQ(history.front().chosen, 0) << "was not believed at first: nothing to undo";
+  EXPECT_EQ(history.front().chosen, 0) << "was not accepted at first: nothing to revoke";
   EXPECT_EQ(association_.hypothesis().chosen, (std::vector<int>{1, 0, 0, 0, 0, 0, 0}));
 }
 

@@ -187,9 +187,9 @@ std::vector<GaussianField::LeaveOneOut> GaussianField::leave_one_out(
     Eigen::MatrixXd& among = among_[{constraint.from, constraint.to}];
     if (among.size() == 0) among = equations_.matrix().inverse_among(u.blocks);
     // Removing u is adding it with −R: (R⁻¹ − S_uu)⁻¹ = G (I − Gᵀ S_uu G)⁻¹ Gᵀ.
-    const Eigen::Matrix3d left =
+    const Eigen::Matrix3d remaining =
         Eigen::Matrix3d::Identity() - u.G.transpose() * u.J * among * u.J.transpose() * u.G;
-    const Eigen::Matrix3d W = u.G * left.ldlt().solve(Eigen::Matrix3d(u.G.transpose()));
+    const Eigen::Matrix3d W = u.G * remaining.ldlt().solve(Eigen::Matrix3d(u.G.transpose()));
     const Eigen::Matrix3d S_cu = u.times(columns).transpose();
     all.push_back({u.d.dot(W * u.d),
                    increase_of(c.d + S_cu * W * u.d, S_cc + S_cu * W * S_cu.transpose(), c.G)});

@@ -70,10 +70,10 @@ class LookupGrid {
 
   /// Updates all cells whose maximum includes the fine cell (cx, cy) or one of its neighbours.
   void stamp(int level, int cx, int cy) {
-    const int seen = 1 << level;
-    const auto off = [&](int u, int c) { return u > c || u + seen <= c ? 1 : 0; };
-    for (int v = std::max(cy - seen, 0); v <= cy + 1; ++v) {
-      for (int u = std::max(cx - seen, 0); u <= cx + 1; ++u) {
+    const int width = 1 << level;
+    const auto off = [&](int u, int c) { return u > c || u + width <= c ? 1 : 0; };
+    for (int v = std::max(cy - width, 0); v <= cy + 1; ++v) {
+      for (int u = std::max(cx - width, 0); u <= cx + 1; ++u) {
         auto& value = values_[level][position(level, u, v)];
         value = std::max(value, kCloseness[off(u, cx) + off(v, cy)]);
       }

@@ -294,14 +294,15 @@ double Mapping::map_inconsistency(const std::vector<Pose2>& T_map_local) const {
                                              kInconsistencySd.cwiseAbs2().asDiagonal());
   for (int map = std::max(0, newest - kMapsMonitored + 1); map <= newest; ++map) {
     const auto poses = up_to(map, T_map_local);
-    double most = 0.0;
+    double largest = 0.0;
     for (const LoopClosureCandidate& candidate :
          loop_closure_candidates(poses, certain, up_to(map, extents_), params_.candidates)) {
-      most = std::max(most, contradiction(walls_[static_cast<std::size_t>(map)],
+      largest =
+          std::max(largest, contradiction(walls_[static_cast<std::size_t>(map)],
                                           walls_around(candidate.older, poses),
                                           candidate.predicted.T_older_newer, params_.matching));
     }
-    map_inconsistency += most;
+    map_inconsistency += largest;
   }
   return map_inconsistency;
 }

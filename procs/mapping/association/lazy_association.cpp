@@ -17,8 +17,6 @@ constexpr int kGroupsRevokedMax = 3;      // by one revision
 constexpr int kReconsiderRoundsMax = 10;  // of revoking and choosing; usually fewer until stable
 constexpr double kPlausibleGates = 1.5;   // the odometry is composed to first order only
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 std::string reason_of(const Association& a) {
   const bool now = a.chosen != Association::kNone;
   if (a.action == Association::Action::kProposed) {
@@ -115,7 +113,7 @@ LazyAssociation::Revision LazyAssociation::reassociate(const RevisionCandidate& 
                                                        const Evidence& evidence) {
   ++trials_;
   const AssociationProblem::Checkpoint before = problem_.checkpoint();
-  const int first_map = problem_.loop_closures[at(candidate.loop_closures.front())].newer_map;
+  const int first_map = problem_.loop_closures[as_index(candidate.loop_closures.front())].newer_map;
   Trial trial(problem_, trial_->hypothesis(),
               first_affected_map(candidate, candidate.loop_closures.front()));
   trial.revoke(candidate.loop_closures);
@@ -141,11 +139,11 @@ LazyAssociation::Revision LazyAssociation::reassociate(const RevisionCandidate& 
 /// Removes the alternatives that would put a map back to its present pose on maps before `first`:
 /// these are not proposed again after the hypothesis that put it there is revoked.
 void LazyAssociation::exclude_present_poses(LoopClosure& loop_closure, int first) const {
-  const Pose2& present = hypothesis_.T_map_local[at(loop_closure.newer_map)];
+  const Pose2& present = hypothesis_.T_map_local[as_index(loop_closure.newer_map)];
   std::erase_if(loop_closure.alternatives, [&](const LoopClosureAlternative& a) {
     if (a.older_map >= first) return false;
     const Pose2 apart =
-        between(present, hypothesis_.T_map_local[at(a.older_map)] * a.T_older_newer);
+        between(present, hypothesis_.T_map_local[as_index(a.older_map)] * a.T_older_newer);
     return apart.translation().norm() < kSamePlaceM && std::abs(apart.theta) < kSamePlaceRad;
   });
 }
@@ -178,7 +176,7 @@ void LazyAssociation::restore(const std::vector<Association>& associations) {
   for (const Association& a : associations) {
     if (a.loop_closure.id == static_cast<int>(problem_.loop_closures.size()))
       append(a.loop_closure);
-    hypothesis_.chosen[at(a.loop_closure.id)] = a.chosen;
+    hypothesis_.chosen[as_index(a.loop_closure.id)] = a.chosen;
   }
   trial_.reset();
   Trial trial(problem_, hypothesis_);
@@ -225,7 +223,7 @@ int LazyAssociation::group_of(const LoopClosure& loop_closure) const {
 
 /// The cost of rejecting a loop closure: higher if another of its group is chosen.
 double LazyAssociation::gate(const Trial& trial, int loop_closure) const {
-  const int group = problem_.groups[at(loop_closure)];
+  const int group = problem_.groups[as_index(loop_closure)];
   for (std::size_t k = 0; k < problem_.groups.size(); ++k) {
     if (problem_.groups[k] == group && trial.chosen(static_cast<int>(k)) != Association::kNone) {
       return params_.gate_supported;
@@ -247,7 +245,7 @@ double LazyAssociation::cost(const Hypothesis& hypothesis) const {
 
 /// Chooses the alternative that costs least, if that is less than rejecting the loop closure.
 bool LazyAssociation::choose_most_likely(Trial& trial, int loop_closure) const {
-  const LoopClosure& c = problem_.loop_closures[at(loop_closure)];
+  const LoopClosure& c = problem_.loop_closures[as_index(loop_closure)];
   double least = gate(trial, loop_closure);
   int best = Association::kNone;
   for (int a = 0; a < static_cast<int>(c.alternatives.size()); ++a) {
@@ -293,11 +291,11 @@ void LazyAssociation::record_changes(std::vector<Association>& record, std::int6
 /// on: one more contradiction of the same kind rarely changes the result. Never for a loop closure
 /// that the odometry excludes.
 bool LazyAssociation::search_is_due(int loop_closure) {
-  if (!problem_.plausible[at(loop_closure)]) return false;
-  const int group = problem_.groups[at(loop_closure)];
+  if (!problem_.plausible[as_index(loop_closure)]) return false;
+  const int group = problem_.groups[as_index(loop_closure)];
   int contradictions = 0;
   for (int k = 0; k <= loop_closure; ++k) {
-    if (problem_.groups[at(k)] != group || !problem_.plausible[at(k)]) continue;
+    if (problem_.groups[as_index(k)] != group || !problem_.plausible[as_index(k)]) continue;
     contradictions += trial_->chosen(k) == Association::kNone ? 1 : 0;
   }
   int& due = search_threshold_[group];
@@ -330,9 +328,9 @@ std::optional<Hypothesis> LazyAssociation::search(int loop_closure) {
 /// The earliest map that a revision moves: a loop begins at its older map.
 int LazyAssociation::first_affected_map(const RevisionCandidate& candidate,
                                         int loop_closure) const {
-  int first = problem_.chain.empty() ? 0 : problem_.loop_closures[at(loop_closure)].newer_map;
+  int first = problem_.chain.empty() ? 0 : problem_.loop_closures[as_index(loop_closure)].newer_map;
   const auto include = [&](int k) {
-    for (const LoopClosureAlternative& a : problem_.loop_closures[at(k)].alternatives) {
+    for (const LoopClosureAlternative& a : problem_.loop_closures[as_index(k)].alternatives) {
       first = std::min(first, a.older_map);
     }
   };
@@ -350,7 +348,7 @@ std::optional<Hypothesis> LazyAssociation::revise_for(int loop_closure,
   trial.revoke(candidate.loop_closures);
   if (!choose_most_likely(trial, loop_closure)) return std::nullopt;
   for (int k = candidate.loop_closures.front(); k < loop_closure; ++k) {
-    const bool undecided = trial.chosen(k) == Association::kNone && problem_.plausible[at(k)];
+    const bool undecided = trial.chosen(k) == Association::kNone && problem_.plausible[as_index(k)];
     if (undecided) choose_most_likely(trial, k);
   }
   trial.reoptimize();
@@ -365,9 +363,9 @@ void LazyAssociation::revoke_misfits(Trial& trial) const {
   while (true) {
     const std::vector<int> chosen = trial.chosen_loop_closures();
     if (chosen.empty()) return;
-    const auto without = trial.leave_one_out(
-        chosen,
-        constraint_of(problem_.loop_closures[at(chosen.front())], trial.chosen(chosen.front())));
+    const auto without =
+        trial.leave_one_out(chosen, constraint_of(problem_.loop_closures[as_index(chosen.front())],
+                                                  trial.chosen(chosen.front())));
     const auto worst = std::max_element(without.begin(), without.end(), [](auto& a, auto& b) {
       return a.objective_decrease < b.objective_decrease;
     });

@@ -12,8 +12,6 @@ namespace {
 
 constexpr std::size_t kSinglesMax = 3;  // single loop closures tried
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 /// An interval of the chain, by its first and last map.
 struct ChainInterval {
   int from = 0;
@@ -78,10 +76,10 @@ class RevisionSearch {
 
  private:
   [[nodiscard]] PoseConstraint query() const {
-    return constraint_of(problem_.loop_closures[at(loop_closure_)], 0);
+    return constraint_of(problem_.loop_closures[as_index(loop_closure_)], 0);
   }
   [[nodiscard]] PoseConstraint in_force(int k) const {
-    return constraint_of(problem_.loop_closures[at(k)], trial_.chosen(k));
+    return constraint_of(problem_.loop_closures[as_index(k)], trial_.chosen(k));
   }
   [[nodiscard]] bool agree(const PoseConstraint& a, const PoseConstraint& b) const {
     return disagreement(problem_.odometry, a, b) < gate_;
@@ -98,8 +96,8 @@ class RevisionSearch {
   /// Finds the rejected loop closures that agree with the one in question.
   void find_supporting() {
     for (int k = 0; k < loop_closure_; ++k) {
-      if (trial_.chosen(k) != Association::kNone || !problem_.plausible[at(k)]) continue;
-      const PoseConstraint constraint = constraint_of(problem_.loop_closures[at(k)], 0);
+      if (trial_.chosen(k) != Association::kNone || !problem_.plausible[as_index(k)]) continue;
+      const PoseConstraint constraint = constraint_of(problem_.loop_closures[as_index(k)], 0);
       const bool near = overlap(loop_of(constraint), affected_);
       if (near && agree(constraint, query())) supporting_.push_back(constraint);
     }
@@ -116,7 +114,8 @@ class RevisionSearch {
   [[nodiscard]] std::vector<int> group_of(int loop_closure) const {
     std::vector<int> found;
     for (const int k : chosen_) {
-      if (problem_.groups[at(k)] == problem_.groups[at(loop_closure)]) found.push_back(k);
+      if (problem_.groups[as_index(k)] == problem_.groups[as_index(loop_closure)])
+        found.push_back(k);
     }
     return found;
   }
@@ -125,7 +124,7 @@ class RevisionSearch {
     if (loop_closures.empty() || !tried_.insert(loop_closures).second) return;
     double bound = cost_ - gate_;  // the loop closure itself is no longer rejected
     for (const int k : loop_closures) {
-      const bool has_others = problem_.loop_closures[at(k)].alternatives.size() > 1;
+      const bool has_others = problem_.loop_closures[as_index(k)].alternatives.size() > 1;
       if (!has_others) bound += gate_;
       bound -= decrease_.contains(k) ? decrease_.at(k) : 0.0;
     }
@@ -160,7 +159,7 @@ std::vector<RevisionCandidate> revision_candidates(const AssociationProblem& pro
 std::vector<RevisionCandidate> latest_groups(const AssociationProblem& problem, const Trial& trial,
                                              int most) {
   const std::vector<int> chosen = trial.chosen_loop_closures();
-  const auto group = [&](int k) { return problem.groups[at(k)]; };
+  const auto group = [&](int k) { return problem.groups[as_index(k)]; };
   std::vector<RevisionCandidate> found;
   std::set<int> groups;
   for (auto latest = chosen.rbegin(); latest != chosen.rend(); ++latest) {

@@ -73,7 +73,7 @@ struct PlacedView {
     p_laser_reference = T.translation();
   }
 
-  [[nodiscard]] bool sees_through(const Eigen::Vector2d& p, double margin) const {
+  [[nodiscard]] bool observed_free(const Eigen::Vector2d& p, double margin) const {
     return free_space->inside(R_laser_reference * p + p_laser_reference, margin);
   }
 };
@@ -109,7 +109,7 @@ WallAgreement agreement(const std::vector<SurfacePoint>& points, const Pose2& T_
       ++result.near;
       result.log_likelihood += log_near + log_ratio(distance_from(*wall, p), params);
     } else if (std::any_of(placed.begin(), placed.end(), [&](const PlacedView& view) {
-                 return view.sees_through(p, params.margin_m);
+                 return view.observed_free(p, params.margin_m);
                })) {
       ++result.contradicting;
       result.log_likelihood += log_contradiction;

@@ -84,7 +84,7 @@ struct WallAgreement {
   int contradicting = 0;        ///< and those in free space; the others lie in unobserved space
   double log_likelihood = 0.0;  ///< sum over the points: against that of points placed by chance
 
-  [[nodiscard]] int known() const { return near + contradicting; }
+  [[nodiscard]] int observed() const { return near + contradicting; }
 };
 
 /// Classifies each of the `points`, at `T_reference_points`, in the reference: on a wall, near a

@@ -61,13 +61,13 @@ double MapExtent::covered_by(const std::vector<Placed>& others) const {
   if (samples_.empty()) return 0.0;
   std::vector<Pose2> T_other_this;
   for (const Placed& other : others) T_other_this.push_back(other.T_this_other.inverse());
-  const auto seen = [&](const Eigen::Vector2d& p) {
+  const auto covered = [&](const Eigen::Vector2d& p) {
     for (std::size_t k = 0; k < others.size(); ++k) {
       if (others[k].extent->covers(T_other_this[k] * p)) return true;
     }
     return false;
   };
-  const auto count = std::count_if(samples_.begin(), samples_.end(), seen);
+  const auto count = std::count_if(samples_.begin(), samples_.end(), covered);
   return static_cast<double>(count) / static_cast<double>(samples_.size());
 }
 

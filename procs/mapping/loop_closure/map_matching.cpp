@@ -105,10 +105,10 @@ class Match {
   /// place, if all points were independent.
   [[nodiscard]] double excess(const WallAgreement& found) const {
     const double usual = params_.agreement.contradiction;
-    const double share = found.contradicting / std::max(1.0, static_cast<double>(found.known()));
+    const double share = found.contradicting / std::max(1.0, static_cast<double>(found.observed()));
     if (share <= usual) return 0.0;
     const double rest = share < 1.0 ? (1.0 - share) * std::log((1.0 - share) / (1.0 - usual)) : 0.0;
-    return 2.0 * found.known() * (share * std::log(share / usual) + rest);
+    return 2.0 * found.observed() * (share * std::log(share / usual) + rest);
   }
 
   [[nodiscard]] std::vector<CorrelationPeak> peaks() const {
@@ -154,8 +154,8 @@ class Match {
   /// Whether enough of the few points lie on walls, and not in free space.
   [[nodiscard]] bool plausible(const Pose2& T, double strictness) const {
     const auto found = agreement(few_points_, T, older_, older_views_, params_.agreement);
-    return found.known() >= strictness * params_.observed_share_min * found.points &&
-           found.near >= strictness * params_.on_wall_share_min * found.known();
+    return found.observed() >= strictness * params_.observed_share_min * found.points &&
+           found.near >= strictness * params_.on_wall_share_min * found.observed();
   }
 
   /// Without a prior: the graph already contains the prediction, which must not count twice.
@@ -207,9 +207,9 @@ class Match {
     const auto there = agreement(newer_points_, T, older_, older_views_, params_.agreement);
     const auto back =
         agreement(older_points_, T.inverse(), newer_, newer_views_, params_.agreement);
-    if (there.known() < params_.observed_share_min * there.points) return false;
-    const int known = there.known() + back.known();
-    if (there.near + back.near < params_.on_wall_share_min * known) return false;
+    if (there.observed() < params_.observed_share_min * there.points) return false;
+    const int observed = there.observed() + back.observed();
+    if (there.near + back.near < params_.on_wall_share_min * observed) return false;
     // Points of one wall are not independent, and the two directions are nearly redundant.
     alternative.log_likelihood =
         0.5 / params_.independent_m *

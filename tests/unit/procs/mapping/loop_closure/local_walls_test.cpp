@@ -78,7 +78,7 @@ TEST_F(RoomAgreement, FallsWithTheDistanceFromTheTruth) {
 
 TEST_F(RoomAgreement, IgnoresUnobservedSpace) {
   const WallAgreement found = at({200.0, 0.0, 0.0});
-  EXPECT_EQ(found.known(), 0);
+  EXPECT_EQ(found.observed(), 0);
   EXPECT_EQ(found.log_likelihood, 0.0);
 }
 

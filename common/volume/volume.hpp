@@ -30,7 +30,7 @@ struct CellRun {
 inline constexpr std::size_t kOctreeBytesMax = 4'000'000;
 
 /// Visits the leaves in the order of the Morton curve. Returns an empty string, or the reason for
-/// which the octree is rejected: damaged in a detectable way, or longer than kOctreeBytesMax; some
+/// which the octree is rejected: detectably damaged, or longer than kOctreeBytesMax; some
 /// leaves may have been visited before. OctoMap's own reader accepts damaged bytes as a tree and
 /// reads past their end.
 std::string_view visit_leaves(std::span<const std::uint8_t> octree,

@@ -51,9 +51,9 @@ constexpr std::array<std::pair<const char*, Colour>, 8> kStates{{{"open", rgb(0x
                                                                  {"blocked", rgb(0x8a4bc0)},
                                                                  {"too narrow", rgb(0xa98d5d)},
                                                                  {"beyond budget", rgb(0xf07800)},
-                                                                 {"unseeable", rgb(0x1a9a8f)},
-                                                                 {"way out", rgb(0x808890)},
-                                                                 {"doubtful", rgb(0xd45fa8)}}};
+                                                                 {"unobservable", rgb(0x1a9a8f)},
+                                                                 {"outside mine", rgb(0x808890)},
+                                                                 {"unconfirmed", rgb(0xd45fa8)}}};
 
 Colour colour_of(FrontierState state) { return kStates.at(static_cast<std::size_t>(state)).second; }
 

@@ -55,7 +55,7 @@ class RevisionSearch {
   }
 
   std::vector<RevisionCandidate> run() {
-    add(contradicting_closures());
+    add(contradicting_loop_closures());
     const auto without = trial_.leave_one_out(chosen_, query());
     std::vector<std::pair<double, int>> singles;
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
@@ -103,7 +103,7 @@ class RevisionSearch {
     }
   }
 
-  [[nodiscard]] std::vector<int> contradicting_closures() const {
+  [[nodiscard]] std::vector<int> contradicting_loop_closures() const {
     std::vector<int> found;
     for (const int k : chosen_) {
       if (!agree(in_force(k), query())) found.push_back(k);

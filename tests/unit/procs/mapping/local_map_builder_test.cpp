@@ -147,7 +147,7 @@ TEST(LocalMapBuilder, SkipsLostScansAndIgnoresRejectedOnes) {
   EXPECT_EQ(feed.maps[0].scans.size(), 11U);
 }
 
-TEST(LocalMapBuilder, StartsASessionWithANewOdomFrame) {
+TEST(LocalMapBuilder, StartsASessionForEachOdomFrame) {
   Feed feed;
   feed.scan(Status::kFirstScan);
   for (int i = 0; i < 20; ++i) feed.step({0.1, 0.0, 0.0});

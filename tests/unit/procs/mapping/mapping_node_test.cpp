@@ -107,7 +107,7 @@ TEST_F(MappingNodeOnABus, PublishesTheCorrectionAsSoonAsOdomIsKnown) {
   EXPECT_LT(std::abs(off.theta), 0.01);
 }
 
-TEST_F(MappingNodeOnABus, PublishesNoCorrectionBeforeTheFirstMapOfANewOdom) {
+TEST_F(MappingNodeOnABus, PublishesNoCorrectionBeforeTheFirstMapInNewOdom) {
   drive(200);
   begin();
   matching_ = ScanMatching(ScanMatchingParams{});

@@ -110,7 +110,7 @@ TEST(MappingOfRevisitedPlaces, StoresNoMoreMapsOfAPlaceThanConfigured) {
 }
 
 /// The cost of rejecting is so low that some correct loop closures are rejected.
-TEST(MappingOfRevisitedPlaces, StoresNoMapForALoopClosureRejectedAgainstMany) {
+TEST(MappingOfRevisitedPlaces, StoresNoMapForOneRejectedLoopClosureAmongMany) {
   Shuttle shuttle(3, 0.3);
   shuttle.go(4.0 * kTunnelM);
   const std::size_t maps = shuttle.maps();

@@ -23,13 +23,13 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 class BentChain : public testing::Test {
  protected:
   BentChain() {
-    way_.add_map({});
+    chain_.add_map({});
     for (int i = 0; i < 30; ++i) {
       Eigen::Matrix3d A;
       A << 1.0, 0.1 * i, 0.0, -0.2, 1.0, 0.3, 0.0, 0.1, 1.0;
       const Eigen::Matrix3d scaled = A * kStepSd.asDiagonal();
       steps_.push_back({{1.0, 0.02 * i, 0.1 - 0.004 * i}, scaled * scaled.transpose()});
-      way_.add_map(steps_.back());
+      chain_.add_map(steps_.back());
     }
   }
 
@@ -63,17 +63,17 @@ class BentChain : public testing::Test {
   }
 
   std::vector<UncertainPose> steps_;
-  OdometryChain way_;
+  OdometryChain chain_;
 };
 
 TEST_F(BentChain, EqualsALoopOverTheSteps) {
   for (const auto& [from, to] : {std::pair{0, 30}, {3, 17}, {17, 3}, {29, 30}, {30, 0}}) {
-    const UncertainPose found = way_.between(from, to);
+    const UncertainPose found = chain_.between(from, to);
     EXPECT_LT(between(walk(from, to), found.T_from_to).vector().norm(), 1e-12);
     EXPECT_TRUE(found.covariance.isApprox(walked_covariance(from, to),
                                           1e-4));  // error of the numerical derivatives
   }
-  EXPECT_TRUE(way_.between(7, 7).covariance.isZero(1e-15));
+  EXPECT_TRUE(chain_.between(7, 7).covariance.isZero(1e-15));
 }
 
 TEST_F(BentChain, HasTheCovarianceOfRandomSamples) {
@@ -89,7 +89,7 @@ TEST_F(BentChain, HasTheCovarianceOfRandomSamples) {
       const Eigen::Vector3d e = between(walk(from, to), moved).vector();
       drawn += e * e.transpose() / kDraws;
     }
-    const Eigen::Matrix3d found = way_.between(from, to).covariance;
+    const Eigen::Matrix3d found = chain_.between(from, to).covariance;
     const Eigen::Vector3d sd = found.diagonal().cwiseSqrt();
     const Eigen::Matrix3d error = (drawn - found).cwiseQuotient(sd * sd.transpose());
     EXPECT_LT(error.cwiseAbs().maxCoeff(), 0.05);  // 5 times √(2 / draws)
@@ -99,8 +99,8 @@ TEST_F(BentChain, HasTheCovarianceOfRandomSamples) {
 TEST_F(BentChain, MeasuresItsLength) {
   double length = 0.0;
   for (int k = 0; k < 12; ++k) length += steps_[at(k)].T_from_to.translation().norm();
-  EXPECT_NEAR(way_.length_m(12), length, 1e-12);
-  EXPECT_EQ(way_.maps(), 31);
+  EXPECT_NEAR(chain_.length_m(12), length, 1e-12);
+  EXPECT_EQ(chain_.maps(), 31);
 }
 
 TEST(UncertainPose, InvertedTwiceIsTheSame) {

@@ -51,9 +51,9 @@ std::string contents(const std::filesystem::path& path) {
 }
 
 /// The tokens of one line.
-class Tokens {
+class LineTokens {
  public:
-  Tokens(std::string_view line, const std::string& file, std::size_t number)
+  LineTokens(std::string_view line, const std::string& file, std::size_t number)
       : rest_(line.substr(0, line.find('#'))), file_(file), number_(number) {}
 
   [[noreturn]] void fail(const std::string& reason) const {
@@ -113,7 +113,7 @@ class Parser {
   explicit Parser(std::string file) : file_(std::move(file)) {}
 
   void parse_line(std::string_view line, std::size_t number) {
-    Tokens tokens(line, file_, number);
+    LineTokens tokens(line, file_, number);
     const std::string_view tag = tokens.next();
     if (tag.empty()) return;
     if (tag == "VERTEX_SE2" || tag == "VERTEX2") {
@@ -145,7 +145,7 @@ class Parser {
   }
 
  private:
-  static Pose2 parse_pose(Tokens& tokens) {
+  static Pose2 parse_pose(LineTokens& tokens) {
     Pose2 pose;
     pose.x = tokens.number<double>("finite number x");
     pose.y = tokens.number<double>("finite number y");
@@ -153,14 +153,14 @@ class Parser {
     return pose;
   }
 
-  void parse_vertex(Tokens& tokens) {
+  void parse_vertex(LineTokens& tokens) {
     const long id = tokens.number<long>("id");
     if (!vertices_.emplace(id, parse_pose(tokens)).second) {
       tokens.fail(fmt::format("vertex {} is defined twice", id));
     }
   }
 
-  void parse_edge(Tokens& tokens, const InformationOrder& order, std::size_t number) {
+  void parse_edge(LineTokens& tokens, const InformationOrder& order, std::size_t number) {
     Edge edge{};
     edge.from = tokens.number<long>("id");
     edge.to = tokens.number<long>("id");
@@ -218,9 +218,9 @@ class Parser {
   std::vector<std::pair<long, std::size_t>> fixed_;  // id, line
 };
 
-template <class... Tokens>
-void append(std::string& text, const Tokens&... tokens) {
-  ((text += tokens, text += ' '), ...);
+template <class... Texts>
+void append(std::string& text, const Texts&... texts) {
+  ((text += texts, text += ' '), ...);
   text.back() = '\n';
 }
 

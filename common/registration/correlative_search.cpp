@@ -151,12 +151,13 @@ class Gate {
   double sigmas_per_m_;
 };
 
-/// Branch and bound over blocks of shifts: the lookup grid, the scan at every angle, and the blocks
+/// The search over blocks of shifts: the lookup grid, the scan at every angle, and the blocks
 /// still open, best bound first (Olson 2009).
-class Search {
+class BranchAndBound {
  public:
-  Search(const std::vector<SurfacePoint>& points_body, const SurfelMap& reference,
-         const Pose2& centre, const SearchWindow& window, const CorrelativeSearchParams& params)
+  BranchAndBound(const std::vector<SurfacePoint>& points_body, const SurfelMap& reference,
+                 const Pose2& centre, const SearchWindow& window,
+                 const CorrelativeSearchParams& params)
       : params_(params),
         centre_(centre),
         gate_(window, centre.theta),
@@ -328,7 +329,7 @@ std::vector<CorrelationPeak> search_correlation(const std::vector<SurfacePoint>&
                                                 const SearchWindow& window, int peaks,
                                                 const CorrelativeSearchParams& params) {
   if (points_body.empty() || reference.empty()) return {};
-  return Search(points_body, reference, centre, window, params).best(peaks);
+  return BranchAndBound(points_body, reference, centre, window, params).best(peaks);
 }
 
 }  // namespace adit

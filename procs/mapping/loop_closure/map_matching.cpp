@@ -45,10 +45,10 @@ Eigen::Matrix3d with_floor(const Eigen::Matrix3d& information, const Eigen::Matr
 }
 
 /// The matching of two maps.
-class Match {
+class MapMatcher {
  public:
-  Match(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
-        const RelativePose& predicted, const MapMatchingParams& params)
+  MapMatcher(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
+             const RelativePose& predicted, const MapMatchingParams& params)
       : params_(params),
         predicted_(predicted),
         newer_points_(evenly_sampled(newer.points, params.points_max)),
@@ -253,14 +253,14 @@ class Match {
 double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
                      const Pose2& T_older_newer, const MapMatchingParams& params) {
   const RelativePose there{T_older_newer, Eigen::Matrix3d::Identity()};
-  return Match(newer, older, there, params).contradiction_near(T_older_newer);
+  return MapMatcher(newer, older, there, params).contradiction_near(T_older_newer);
 }
 
 std::vector<LoopClosureAlternative> match_maps(const LocalWalls& newer,
                                                const std::vector<PlacedWalls>& older, int older_id,
                                                const RelativePose& predicted,
                                                const MapMatchingParams& params) {
-  auto alternatives = Match(newer, older, predicted, params).alternatives();
+  auto alternatives = MapMatcher(newer, older, predicted, params).alternatives();
   for (auto& alternative : alternatives) alternative.older_map = older_id;
   return alternatives;
 }

@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Motions, CorrelativeSearchFinds,
                          testing::Values(Pose2{}, Pose2{1.2, 0.0, 0.0}, Pose2{0.3, -0.9, 0.5},
                                          Pose2{-0.5, 0.4, -1.0}, Pose2{0.0, 0.0, 1.1}));
 
-TEST(CorrelativeSearch, GivesPeaksInOrderAndApart) {
+TEST(CorrelativeSearch, ReturnsDistinctPeaksInOrderOfScore) {
   const SyntheticWorld room = test::crooked_room();
   const CorrelativeSearchParams params;
   const auto peaks =
@@ -51,30 +51,30 @@ TEST(CorrelativeSearch, GivesPeaksInOrderAndApart) {
   EXPECT_LE(peaks.front().score, 1.0);
 }
 
-TEST(CorrelativeSearch, BoundsNeverHideTheBest) {
-  // The bound and the branch must not change the answer: a search over small windows, each of which
-  // is one block, finds no better score anywhere in the large window.
+TEST(CorrelativeSearch, BoundsNeverPruneTheBestPose) {
+  // Branch and bound must not change the result: a search over small windows, each of which is one
+  // block, finds no better score anywhere in the large window.
   const SyntheticWorld mine = sample_mine(3);
   const Pose2 here{10.0, 0.0, 0.0};
   const SurfelMap reference = reference_of(mine, here);
   const auto points = test::scan_points(mine, here * Pose2{0.7, 0.3, 0.2});
   const CorrelativeSearchParams params;
-  const auto whole = search_correlation(points, reference, here, {1.2, 0.3}, 1, params);
-  ASSERT_FALSE(whole.empty());
+  const auto all_peaks = search_correlation(points, reference, here, {1.2, 0.3}, 1, params);
+  ASSERT_FALSE(all_peaks.empty());
   for (double x = -1.2; x <= 1.2; x += 0.4) {
     for (double y = -1.2; y <= 1.2; y += 0.4) {
       const Pose2 centre{here.x + x, here.y + y, here.theta};
       for (const auto& peak :
            search_correlation(points, reference, centre, {0.1, 0.3}, 1, params)) {
         const Eigen::Vector2d off = peak.T_odom_body.translation() - here.translation();
-        if (off.cwiseAbs().maxCoeff() > 1.2) continue;      // outside of the large window
-        EXPECT_LE(peak.score, whole.front().score + 0.03);  // grids are aligned differently
+        if (off.cwiseAbs().maxCoeff() > 1.2) continue;          // outside of the large window
+        EXPECT_LE(peak.score, all_peaks.front().score + 0.03);  // grids are aligned differently
       }
     }
   }
 }
 
-TEST(CorrelativeSearch, FindsItsWayInAWideWindow) {
+TEST(CorrelativeSearch, FindsThePoseInAWideWindow) {
   const SyntheticWorld mine = sample_mine(3);
   const Pose2 here{10.0, 0.0, 0.0};
   CorrelativeSearchParams params;
@@ -90,8 +90,8 @@ TEST(CorrelativeSearch, FindsItsWayInAWideWindow) {
 }
 
 TEST(CorrelativeSearch, FindsTheSameWithMoreLevels) {
-  // A wide window has five levels, a narrow one three. Centres are whole cells apart, so the grids
-  // are aligned.
+  // A wide window has five levels, a narrow one three. Centres are all_peaks cells apart, so the
+  // grids are aligned.
   const SyntheticWorld mine = sample_mine(3);
   const Pose2 here{10.0, 0.0, 0.0};
   const SurfelMap reference = reference_of(mine, here);
@@ -106,7 +106,7 @@ TEST(CorrelativeSearch, FindsTheSameWithMoreLevels) {
   EXPECT_LT(between(narrow.front().T_odom_body, wide.front().T_odom_body).vector().norm(), 1e-6);
 }
 
-TEST(CorrelativeSearch, TakesAPeakOnceThoughTheWindowGoesAllAround) {
+TEST(CorrelativeSearch, ReturnsAPeakOnceInAWindowOfAFullTurn) {
   const SyntheticWorld room = test::crooked_room();
   const SurfelMap reference = reference_of(room, kReferencePose);
   const CorrelativeSearchParams params;
@@ -124,7 +124,7 @@ TEST(CorrelativeSearch, TakesAPeakOnceThoughTheWindowGoesAllAround) {
   }
 }
 
-TEST(CorrelativeSearch, KeepsToTheGate) {
+TEST(CorrelativeSearch, StaysInsideTheGate) {
   // Long along the body's x axis, narrow across.
   const SyntheticWorld room = test::crooked_room();
   const SurfelMap reference = reference_of(room, kReferencePose);
@@ -142,7 +142,7 @@ TEST(CorrelativeSearch, KeepsToTheGate) {
   }
 }
 
-TEST(CorrelativeSearch, LeavesOutPoorPeaks) {
+TEST(CorrelativeSearch, DiscardsPeaksBelowTheMinimumScore) {
   const SyntheticWorld room = test::crooked_room();
   const SurfelMap reference = reference_of(room, kReferencePose);
   CorrelativeSearchParams params;
@@ -154,7 +154,7 @@ TEST(CorrelativeSearch, LeavesOutPoorPeaks) {
   for (const auto& peak : peaks) EXPECT_GE(peak.score, params.score_min);
 }
 
-TEST(CorrelativeSearch, FindsNothingInNothing) {
+TEST(CorrelativeSearch, ReturnsNothingForAnEmptyScanOrReference) {
   const SyntheticWorld room = test::crooked_room();
   const SurfelMap nothing{SurfelMapParams{}};
   EXPECT_TRUE(

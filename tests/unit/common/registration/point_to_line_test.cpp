@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(Motions, PointToLineRecovers,
                                          Pose2{-0.2, 0.1, 0.0}, Pose2{0.0, 0.0, 0.1},
                                          Pose2{0.1, 0.05, -0.1}));
 
-TEST(PointToLine, FollowsAStrongPriorAndIgnoresAWeakOne) {
+TEST(PointToLine, FollowsAStrongPriorAndIgnoresAWeakPrior) {
   const SyntheticWorld room = test::crooked_room();
   const auto points = test::scan_points(room, kReferencePose);
   const SurfelMap reference = reference_of(room);
@@ -55,7 +55,7 @@ TEST(PointToLine, FollowsAStrongPriorAndIgnoresAWeakOne) {
   EXPECT_NEAR(between(kReferencePose, free.T_odom_body).vector().norm(), 0.0, 1e-3);
 }
 
-TEST(PointToLine, StopsWhereItJoinsAMatchThatConverged) {
+TEST(PointToLine, StopsOnTheTrailOfAConvergedMatch) {
   const SyntheticWorld room = test::crooked_room();
   const Pose2 truth = kReferencePose * Pose2{0.1, 0.05, -0.1};
   const auto points = test::scan_points(room, truth);
@@ -72,7 +72,7 @@ TEST(PointToLine, StopsWhereItJoinsAMatchThatConverged) {
   EXPECT_LT(second.iterations, alone.iterations);
 }
 
-TEST(PointToLine, LeavesNoTrailWhereItDoesNotConverge) {
+TEST(PointToLine, AddsNoTrailIfItDoesNotConverge) {
   const SyntheticWorld room = test::crooked_room();
   const auto points = test::scan_points(room, kReferencePose * Pose2{0.1, 0.05, -0.1});
   PointToLineParams hasty;
@@ -84,7 +84,7 @@ TEST(PointToLine, LeavesNoTrailWhereItDoesNotConverge) {
   EXPECT_TRUE(trail.empty());
 }
 
-TEST(PointToLine, SaysNothingOfItselfWithoutPointsOrReference) {
+TEST(PointToLine, ReturnsNoStatisticsWithoutPointsOrReference) {
   const SyntheticWorld room = test::crooked_room();
   const SurfelMap nothing{SurfelMapParams{}};
   const auto no_reference =
@@ -98,14 +98,14 @@ TEST(PointToLine, SaysNothingOfItselfWithoutPointsOrReference) {
   }
 }
 
-TEST(PointToLine, HasFewInliersInAnotherPlace) {
+TEST(PointToLine, HasFewInliersInADifferentPlace) {
   const auto result = match_point_to_line(test::scan_points(straight_tunnel(60.0, 2.0), {}),
                                           reference_of(test::crooked_room()), kReferencePose,
                                           PosePrior{}, PointToLineParams{});
   EXPECT_LT(result.inlier_share, 0.6);
 }
 
-TEST(PointToLine, InformationIsThatOfItsResiduals) {
+TEST(PointToLine, InformationIsConsistentWithTheSpreadOfEstimates) {
   // The information matrix is the curvature of half the squared, standardised residuals, so the
   // spread of estimates over noise has its inverse as covariance.
   const SyntheticWorld room = test::crooked_room();

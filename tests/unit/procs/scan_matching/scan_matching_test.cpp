@@ -20,7 +20,7 @@ using Status = ScanMatch::Status;
 constexpr std::int64_t kStart = 1'000'000'000;
 constexpr std::int64_t kPeriod = 200'000;
 
-/// A body with a laser that is moved through a world by known steps.
+/// A body with a laser, moved through a world by known steps.
 class SimulatedDrive {
  public:
   SimulatedDrive(SyntheticWorld world, const Pose2& start, const SyntheticLaserModel& laser = {},
@@ -42,7 +42,7 @@ class SimulatedDrive {
   ScanMatching& matching() { return matching_; }
   std::int64_t utime() const { return utime_; }
   const Pose2& T_world_body() const { return T_world_body_; }
-  /// In odom, which begins where the ride did.
+  /// True pose in odom, which starts at the first pose.
   const Pose2& truth() const { return truth_; }
 
  private:
@@ -61,7 +61,7 @@ void expect_near(const Pose2& actual, const Pose2& expected, double metres, doub
   EXPECT_LT(std::abs(error.theta), radians);
 }
 
-TEST(ScanMatching, BeginsOdomAtTheFirstScan) {
+TEST(ScanMatching, StartsOdomAtTheFirstScan) {
   SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
   EXPECT_EQ(drive.first().status, Status::kFirstScan);
   EXPECT_EQ(drive.first().T_odom_body, Pose2{});
@@ -93,8 +93,8 @@ TEST(ScanMatching, DriftsLittleOverAFewMetres) {
 
 TEST(ScanMatching, CovarianceIsConsistentWithTheError) {
   // The normalised error squared has the expectation 3, its number of dimensions. Over 200 seeds
-  // its mean is known to 0.17; the rest is what the model leaves out (quantised ranges, corners,
-  // surfels that several points share).
+  // its mean is known to 0.17; the remaining tolerance is for effects outside the model (quantised
+  // ranges, corners, surfels shared by several points).
   const SyntheticWorld room = test::crooked_room();
   const SyntheticWorld workings = sample_mine(3);
   for (const int steps : {1, 8}) {
@@ -123,7 +123,7 @@ TEST(ScanMatching, CovarianceIsConsistentWithTheError) {
   }
 }
 
-TEST(ScanMatching, ReportsDegeneracyInAStraightDrift) {
+TEST(ScanMatching, ReportsDegeneracyInAStraightTunnel) {
   for (const double heading : {0.0, 0.05, -0.1}) {
     SimulatedDrive drive(straight_tunnel(400.0, 3.0), {0.0, 0.2, heading});
     for (int i = 0; i < 5; ++i) {
@@ -134,15 +134,15 @@ TEST(ScanMatching, ReportsDegeneracyInAStraightDrift) {
       const Eigen::Vector3d axis_body(std::cos(theta), -std::sin(theta), 0.0);
       EXPECT_GT(std::abs(match.degenerate[0].direction.dot(axis_body)), 0.99);
       EXPECT_EQ(match.degenerate[0].fill, DegenerateDirection::Fill::kNone);
-      EXPECT_GT(match.covariance(0, 0), 0.25);  // and it says how little: half a metre
+      EXPECT_GT(match.covariance(0, 0), 0.25);  // at least half a metre
     }
-    // Across the drift and in heading it is as sure as ever.
+    // Across the tunnel and in heading the match is certain.
     const ScanMatch match = drive.step({0.0, 0.0, 0.02});
     EXPECT_NEAR(wrap_angle(match.T_odom_body.theta - drive.truth().theta), 0.0, 0.004);
   }
 }
 
-TEST(ScanMatching, FillsAnOpenDirectionFromOdometry) {
+TEST(ScanMatching, FillsADegenerateDirectionFromOdometry) {
   SimulatedDrive drive(straight_tunnel(400.0, 3.0), {0.0, 0.2, 0.05});
   Pose2 wheels;
   drive.matching().add(WheelOdometry{drive.utime(), wheels});
@@ -154,16 +154,16 @@ TEST(ScanMatching, FillsAnOpenDirectionFromOdometry) {
     ASSERT_EQ(match.degenerate.size(), 1U);
     EXPECT_EQ(match.degenerate[0].fill, DegenerateDirection::Fill::kOdometry);
   }
-  expect_near(match.T_odom_body, drive.truth(), 0.05, 0.005);  // 1 % of the way
+  expect_near(match.T_odom_body, drive.truth(), 0.05, 0.005);  // 1 % of the path length
   EXPECT_LT(match.covariance(0, 0), 0.01);
 }
 
-TEST(ScanMatching, NeitherInventsNorFreezesMotionWhereNothingMeasuresIt) {
-  // Out of the room with its corners into a drift: the last observed speed goes on, and dies away.
+TEST(ScanMatching, ExtrapolatesUnobservedMotionAtADecayingSpeed) {
+  // From the room with its corners into a tunnel: the last observed speed continues and decays.
   SimulatedDrive drive(straight_tunnel(400.0, 3.0), {0.0, 0.0, 0.0});
   for (int i = 0; i < 20; ++i) {
     const ScanMatch match = drive.step({0.1, 0.0, 0.0});
-    EXPECT_LT(std::abs(match.T_reference_body.x), 0.05);  // at rest as far as anyone can tell
+    EXPECT_LT(std::abs(match.T_reference_body.x), 0.05);  // no motion is observable
   }
 }
 
@@ -190,7 +190,7 @@ TEST(ScanMatching, RejectsScansThatDoNotAdvanceInTime) {
   expect_near(drive.step({0.1, 0.0, 0.0}).T_odom_body, drive.truth(), 0.008, 0.002);
 }
 
-TEST(ScanMatching, IsLostInAnEmptyScanAndFindsItselfAgain) {
+TEST(ScanMatching, IsLostInAnEmptyScanAndRecovers) {
   SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
   drive.step({0.1, 0.0, 0.0});
   LaserScan blind = drive.measure_scan();
@@ -207,7 +207,7 @@ TEST(ScanMatching, IsLostInAnEmptyScanAndFindsItselfAgain) {
   expect_near(match.T_odom_body, drive.truth(), 0.01, 0.003);
 }
 
-TEST(ScanMatching, StartsResetInAPlaceThatMatchesNothing) {
+TEST(ScanMatching, ResetsTheReferenceInAPlaceThatMatchesNothing) {
   SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
   SyntheticLaser laser(SyntheticLaserModel{}, 9);
   const SyntheticWorld elsewhere = sample_mine(3);
@@ -225,13 +225,13 @@ TEST(ScanMatching, StartsResetInAPlaceThatMatchesNothing) {
   EXPECT_EQ(match.status, Status::kMatched);
 }
 
-TEST(ScanMatching, SurvivesReadingsThatMeanNothing) {
+TEST(ScanMatching, ToleratesInvalidReadings) {
   SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
   drive.step({0.1, 0.0, 0.0});
   LaserScan scan = drive.measure_scan();
   scan.utime += kPeriod;
   std::mt19937 random(3);
-  for (float& range : scan.ranges_m) {  // a fifth of the readings are nonsense
+  for (float& range : scan.ranges_m) {  // a fifth of the readings is invalid
     switch (random() % 15) {
       case 0:
         range = std::numeric_limits<float>::quiet_NaN();
@@ -251,7 +251,7 @@ TEST(ScanMatching, SurvivesReadingsThatMeanNothing) {
   expect_near(match.T_odom_body, drive.truth(), 0.01, 0.003);
 }
 
-TEST(ScanMatching, MatchesTheRearLaserToo) {
+TEST(ScanMatching, MatchesTheRearLaser) {
   const SyntheticWorld room = test::crooked_room();
   SyntheticLaser front(SyntheticLaserModel{}, 1);
   SyntheticLaser rear(SyntheticLaserModel{}, 2);
@@ -273,13 +273,13 @@ TEST(ScanMatching, MatchesTheRearLaserToo) {
   expect_near(match.T_odom_body, truth, 0.01, 0.003);
 }
 
-TEST(ScanMatching, IsNotMisledByWheelsThatSpin) {
+TEST(ScanMatching, IgnoresSpinningWheels) {
   SimulatedDrive drive(test::crooked_room(), {-3.0, 0.0, 0.0});
   Pose2 wheels;
   drive.matching().add(WheelOdometry{drive.utime(), wheels});
   ScanMatch match;
   for (int i = 0; i < 20; ++i) {
-    wheels = wheels * Pose2{0.3, 0.0, 0.1};  // while the body stands still
+    wheels = wheels * Pose2{0.3, 0.0, 0.1};  // the body stands
     drive.matching().add(WheelOdometry{drive.utime() + kPeriod, wheels});
     match = drive.step({});
   }

@@ -18,15 +18,15 @@ namespace {
 using Status = ScanMatch::Status;
 
 constexpr std::int64_t kStart = 1'000'000'000;
-constexpr std::int64_t kPeriod = 26'666;  // of each LMS-200; the two take turns
+constexpr std::int64_t kPeriod = 26'666;  // of each LMS-200; the lasers alternate
 
-/// A robot with a laser at each end, wheels that may lie, and a true place.
+/// A robot with a laser at each end, wheel odometry that may be wrong, and a true pose.
 class TwoLasers {
  public:
   explicit TwoLasers(SyntheticWorld world, const Pose2& start = {})
       : world_(std::move(world)), T_world_body_(start), T_world_start_(start) {}
 
-  /// One scan of each laser; before them, body and wheels make a step.
+  /// One scan of each laser, after a step of body and wheels.
   void step(const Pose2& motion, const Pose2& wheels) {
     T_world_body_ = T_world_body_ * motion;
     T_wheel_body_ = T_wheel_body_ * wheels;
@@ -46,7 +46,7 @@ class TwoLasers {
   void leave_out_wheels() { has_wheels_ = false; }
 
  private:
-  static constexpr double kRearOffM = 0.02;  // the lasers' offsets are of this size
+  static constexpr double kRearOffM = 0.02;  // typical mount error
 
   void take(LaserId laser, const LaserScan& scan) {
     const ScanMatch match = matching_.add_scan(laser, scan);
@@ -69,7 +69,7 @@ class TwoLasers {
   bool has_wheels_ = true;
 };
 
-TEST(Standstill, ARobotThatStandsByItsWheelsDoesNotCreep) {
+TEST(Standstill, HoldsThePoseWhileTheWheelsStand) {
   for (const bool mine : {false, true}) {
     TwoLasers robot(mine ? sample_mine(3) : straight_tunnel(400.0, 3.0), {12.0, 0.1, 0.05});
     for (int i = 0; i < 40; ++i) robot.step({0.01, 0.0, 0.0}, {0.01, 0.0, 0.0});
@@ -81,22 +81,22 @@ TEST(Standstill, ARobotThatStandsByItsWheelsDoesNotCreep) {
   }
 }
 
-TEST(Standstill, IsRefutedByScansWhereTheWheelsAreBlocked) {
+TEST(Standstill, IsRefutedByScansWithBlockedWheels) {
   TwoLasers robot(test::crooked_room(), {-3.0, 0.0, 0.0});
   for (int i = 0; i < 30; ++i) robot.step({}, {});
   for (int i = 0; i < 100; ++i) robot.step({0.005, 0.0, 0.0}, {});  // it slides half a metre
   EXPECT_LT(robot.error().translation().norm(), 0.03);
 }
 
-TEST(Standstill, IsOverWhenTheWheelsMove) {
+TEST(Standstill, EndsWhenTheWheelsMove) {
   TwoLasers robot(test::crooked_room(), {-3.0, 0.0, 0.0});
   for (int i = 0; i < 30; ++i) robot.step({}, {});
   for (int i = 0; i < 4; ++i) robot.step({0.01, 0.0, 0.0}, {0.01, 0.0, 0.0});
-  EXPECT_LT(robot.error().translation().norm(), 0.03);  // 0.04 if it were still held
+  EXPECT_LT(robot.error().translation().norm(), 0.03);  // 0.04 if the pose were still held
 }
 
-TEST(ScanMatching, KeepsTheWallsAroundARobotThatStandsForLong) {
-  // Without wheels that hold it, what the lasers disagree about adds up to metres.
+TEST(ScanMatching, KeepsTheReferenceOfARobotThatStandsForLong) {
+  // Without wheel odometry, the disagreement of the lasers adds up to metres.
   TwoLasers robot(sample_mine(3), {12.0, 0.1, 0.05});
   robot.leave_out_wheels();
   for (int i = 0; i < 4000; ++i) robot.step({}, {});
@@ -105,7 +105,7 @@ TEST(ScanMatching, KeepsTheWallsAroundARobotThatStandsForLong) {
   EXPECT_EQ(robot.lost(), 0);
 }
 
-TEST(ScanMatching, BeginsALaserResetThatMatchesNothingWhileTheOtherOneMatches) {
+TEST(ScanMatching, ResetsALaserThatMatchesNothingWhileTheOtherMatches) {
   ScanMatching matching{ScanMatchingParams{}};
   SyntheticLaser front(SyntheticLaserModel{}, 1);
   SyntheticLaser rear(SyntheticLaserModel{}, 2);

@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Predictions, MapMatchingRecovers,
                          testing::Values(Pose2{}, Pose2{1.5, 1.0, 0.0}, Pose2{-2.0, 0.5, 0.3},
                                          Pose2{0.5, -1.5, -0.4}));
 
-TEST(MapMatching, FindsTheWayBackInTheOtherDirectionInAWideGate) {
+TEST(MapMatching, FindsTheReverseTraversalInAWideGate) {
   const SyntheticWorld mine = sample_mine(3);
   const Pose2 T_world_older{6.0, 0.0, 0.0};
   const Pose2 truth{7.0, 0.3, std::numbers::pi - 0.1};
@@ -62,7 +62,8 @@ TEST(MapMatching, FindsTheWayBackInTheOtherDirectionInAWideGate) {
 }
 
 TEST(MapMatching, InformationIsConsistentWithTheError) {
-  // Expectation 3; smaller, since the model allows for maps that are bent, which these are not.
+  // The expectation is 3; the result is smaller, since the model allows for bent maps, which these
+  // are not.
   const SyntheticWorld mine = sample_mine(5);
   double sum = 0.0;
   constexpr int kSeeds = 30;
@@ -82,7 +83,7 @@ TEST(MapMatching, InformationIsConsistentWithTheError) {
   EXPECT_LT(sum, 3.5);
 }
 
-TEST(MapMatching, GivesNoInformationAlongAStraightDrift) {
+TEST(MapMatching, GivesNoInformationAlongAStraightTunnel) {
   const SyntheticWorld tunnel = straight_tunnel(400.0, 3.0);
   for (const double heading : {0.0, 0.05, -0.1}) {
     const Pose2 T_world_older{0.0, 0.2, heading};
@@ -95,18 +96,18 @@ TEST(MapMatching, GivesNoInformationAlongAStraightDrift) {
     const double theta = (T_world_older * T_older_newer).theta;
     const Eigen::Vector3d axis_newer(std::cos(theta), -std::sin(theta), 0.0);
     const Eigen::Vector3d across_newer(std::sin(theta), std::cos(theta), 0.0);
-    EXPECT_LT(axis_newer.dot(information * axis_newer), 1.0);      // less than a metre would say
-    EXPECT_GT(across_newer.dot(information * across_newer), 1e4);  // a centimetre
+    EXPECT_LT(axis_newer.dot(information * axis_newer), 1.0);      // less than that of 1 m
+    EXPECT_GT(across_newer.dot(information * across_newer), 1e4);  // that of 1 cm
     const Pose2 error = between(T_world_older * truth, T_world_older * T_older_newer);
     EXPECT_LT(std::abs(Eigen::Vector3d(error.x, error.y, 0.0).dot(across_newer)), 0.02);
     EXPECT_LT(std::abs(error.theta), 0.004);
-    // Along it, the prediction stands.
+    // Along the tunnel, the pose is the prediction.
     const Pose2 moved = between(predicted, T_older_newer);
     EXPECT_LT(std::abs(moved.vector().dot(axis_newer)), 0.1);
   }
 }
 
-/// A straight drift with a recess on one side at each of the given places.
+/// A straight tunnel with a recess on one side at each of the given positions.
 SyntheticWorld tunnel_with_recesses(const std::vector<double>& at) {
   std::vector<Segment> walls{{{-100.0, -1.5}, {100.0, -1.5}}};
   double from = -100.0;
@@ -122,8 +123,8 @@ SyntheticWorld tunnel_with_recesses(const std::vector<double>& at) {
   return SyntheticWorld(walls);
 }
 
-TEST(MapMatching, KeepsBothOfTwoPlacesThatLookAlike) {
-  // The newer map saw one recess, the older one two, 6 m apart: which of them was it?
+TEST(MapMatching, ReturnsBothOfTwoSimilarPlaces) {
+  // The newer map observed one recess, the older one two, 6 m apart: both matches are possible.
   const LocalWalls older = walls_of(tunnel_with_recesses({2.0, 8.0}), {-1.0, 0.0, 0.0}, 10.0);
   const LocalWalls newer = walls_of(tunnel_with_recesses({2.0}), {0.0, 0.0, 0.0}, 3.0, 2);
   const auto found = match(newer, older, around({4.0, 0.0, 0.0}, 1.5, 0.05));
@@ -137,7 +138,7 @@ TEST(MapMatching, KeepsBothOfTwoPlacesThatLookAlike) {
   EXPECT_TRUE(lies_at(7.0));
 }
 
-TEST(MapMatching, FindsNothingInAnotherPlace) {
+TEST(MapMatching, FindsNothingInADifferentPlace) {
   const LocalWalls older = walls_of(test::crooked_room(), {-3.0, 0.0, 0.0}, 3.0);
   const LocalWalls newer = walls_of(sample_mine(3), {8.0, 0.0, 0.0}, 5.0, 2);
   for (const double turn : {0.0, 1.5, 3.0}) {
@@ -145,7 +146,7 @@ TEST(MapMatching, FindsNothingInAnotherPlace) {
   }
 }
 
-TEST(MapMatching, KeepsToTheGate) {
+TEST(MapMatching, StaysInsideTheGate) {
   const SyntheticWorld mine = sample_mine(3);
   const Pose2 T_world_older{8.0, 0.0, 0.0};
   const RelativePose wrong = around({4.0, 0.0, 0.0}, 0.4, 0.05);
@@ -157,7 +158,7 @@ TEST(MapMatching, KeepsToTheGate) {
   }
 }
 
-TEST(MapMatching, FindsNothingInNothing) {
+TEST(MapMatching, FindsNothingInEmptyMaps) {
   const LocalWalls room = walls_of(test::crooked_room(), {-2.0, 0.0, 0.0}, 1.0);
   EXPECT_TRUE(match({}, room, around({}, 0.5, 0.1)).empty());
   EXPECT_TRUE(match(room, {}, around({}, 0.5, 0.1)).empty());

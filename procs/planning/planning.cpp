@@ -262,7 +262,7 @@ bool Planning::may_fit_without_margins(const TerrainMap& terrain, const Pose2& T
                                        const LatticePose& start, const GoalField& goals,
                                        double enough_m) const {
   const GroundLimits limits = without_margins(params_.c_space.ground);
-  const TerrainMap seen = with_observed_drops(terrain, params_.vehicle.step_max_m);
+  const TerrainMap seen = with_confirmed_drops(terrain, params_.vehicle.step_max_m);
   const CSpaceKernels kernels(without_region_margin(params_.vehicle, terrain.cell_m),
                               params_.c_space, terrain.cell_m);
   const CSpace space = unknown_ahead_only(

@@ -58,15 +58,14 @@ bool is_wide(const TerrainMap& terrain, int column, int row, GroundPredicate is_
 /// Marks the cells around the members of a region: `wide` cells around wide parts of it, `narrow`
 /// cells around the others. The edge of a drop, of water or of a shadow is not measured: the region
 /// begins up to a cell beyond the last points of the ground, which lie anywhere in their cell.
-void dilate(std::vector<std::uint8_t>& layer, const TerrainMap& terrain, GroundPredicate is_member,
-            int narrow, int wide) {
+void dilate(CellLayer& layer, const TerrainMap& terrain, GroundPredicate is_member, int narrow,
+            int wide) {
   const auto mark_around = [&](int column, int row, int reach) {
     for (int dy = -reach; dy <= reach; ++dy) {
       for (int dx = -reach; dx <= reach; ++dx) {
         if (!terrain.contains(column + dx, row + dy)) continue;
         if (dx * dx + dy * dy > reach * reach) continue;
-        layer[static_cast<std::size_t>(row + dy) * static_cast<std::size_t>(terrain.columns) +
-              static_cast<std::size_t>(column + dx)] = 1;
+        layer.at({column + dx, row + dy}) = 1;
       }
     }
   };
@@ -133,15 +132,7 @@ std::optional<Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehi
 
 GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
                            const Vehicle& vehicle, const GroundLimits& limits) {
-  const std::size_t n = terrain.cells.size();
-  GroundLayers layers;
-  layers.columns = terrain.columns;
-  layers.rows = terrain.rows;
-  layers.cell_m = terrain.cell_m;
-  for (auto* layer :
-       {&layers.under_body, &layers.under_wheels, &layers.unknown, &layers.roughness}) {
-    layer->assign(n, 0);
-  }
+  GroundLayers layers(terrain.columns, terrain.rows, terrain.cell_m);
   const Pose2 T_body_level = T_level_body.inverse();
   const BodyRectangle footprint = body_outline(vehicle);
   const BlindZone blind_zone(terrain, T_level_body, vehicle, limits);
@@ -163,8 +154,10 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
   dilate(layers.under_wheels, terrain, is_drop, 1, 3);
   dilate(layers.unknown, terrain, is_shadow, 0, 2);
   clear_footprint(layers, terrain, T_level_body, footprint);
-  layers.body_distance_m = distance_transform(layers.under_body, layers.columns, layers.cell_m);
-  layers.wheel_distance_m = distance_transform(layers.under_wheels, layers.columns, layers.cell_m);
+  layers.body_distance_m =
+      distance_transform(layers.under_body.cells(), layers.columns(), layers.cell_m);
+  layers.wheel_distance_m =
+      distance_transform(layers.under_wheels.cells(), layers.columns(), layers.cell_m);
   return layers;
 }
 

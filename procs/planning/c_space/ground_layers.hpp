@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "common/config/bounds.hpp"
+#include "common/grid/grid2.hpp"
 #include "common/types/planned_path.hpp"
 #include "common/types/terrain_map.hpp"
 #include "common/types/vehicle.hpp"
@@ -40,21 +42,30 @@ struct GroundLimits {
   }
 };
 
-/// The cells of a terrain map as the vehicle sees them, row by row as in the map.
-struct GroundLayers {
-  int columns = 0;
-  int rows = 0;
-  double cell_m = 0.1;
-  std::vector<std::uint8_t> under_body;    ///< 1: lethal under any part of the vehicle
-  std::vector<std::uint8_t> under_wheels;  ///< 1: lethal under the wheels
-  std::vector<std::uint8_t> unknown;       ///< 1: unobserved ground
-  std::vector<std::uint8_t> roughness;     ///< 0 (even) to 255 (at the limit)
-  std::vector<float> body_distance_m;      ///< to the nearest cell of `under_body` [m]
-  std::vector<float> wheel_distance_m;     ///< to the nearest cell of `under_wheels` [m]
+/// One value for each cell of a terrain map, in the order of the map.
+using CellLayer = Grid2<std::uint8_t>;
 
+/// The cells of a terrain map, classified for a vehicle. All layers have the size of the map.
+struct GroundLayers {
+  GroundLayers(int columns, int rows, double cell_size_m)
+      : cell_m(cell_size_m),
+        under_body(columns, rows),
+        under_wheels(columns, rows),
+        unknown(columns, rows),
+        roughness(columns, rows) {}
+
+  double cell_m;
+  CellLayer under_body;                 ///< 1: lethal under any part of the vehicle
+  CellLayer under_wheels;               ///< 1: lethal under the wheels
+  CellLayer unknown;                    ///< 1: unobserved ground
+  CellLayer roughness;                  ///< 0 (even) to 255 (at the limit)
+  std::vector<float> body_distance_m;   ///< to the nearest cell of `under_body` [m]
+  std::vector<float> wheel_distance_m;  ///< to the nearest cell of `under_wheels` [m]
+
+  [[nodiscard]] int columns() const { return under_body.columns(); }
+  [[nodiscard]] int rows() const { return under_body.rows(); }
   [[nodiscard]] std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-           static_cast<std::size_t>(column);
+    return under_body.index({column, row});
   }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Round a corner by what the front laser sees, look after look.
+// Drives around tunnel corners with scans of the front laser only, one scan after each path.
 #include <cmath>
 #include <numbers>
 #include <string>

@@ -36,7 +36,7 @@ TEST(ScanAssembly, PutsEveryPointOnASurface) {
   EXPECT_EQ(cloud->id, 7);
   EXPECT_EQ(assembly.problem(), "");
   EXPECT_NEAR(static_cast<double>(cloud->lines.size()), 243.0, 4.0);  // 6.4 s and ramps at 37.5 Hz
-  EXPECT_GT(cloud->points(), 70'000U);  // of 361 beams less those along the drift
+  EXPECT_GT(cloud->points(), 70'000U);  // of 361 beams less those along the tunnel
   EXPECT_LE(largest_error(kTunnel, *cloud), kExactM);
 }
 

@@ -136,7 +136,7 @@ NoPathExplanation explain_no_path(const Lattice& lattice, const LatticePose& sta
                           : PlanOutcome::kBlocked;
   path.reached_m = region.progress_m;
   path.blocking = blocking_cells(region, lattice, goals, evidence);
-  path.reason = fmt::format("No path: {} is in the way after {:.1f} m towards the goal{}.",
+  path.reason = fmt::format("No path: blocked by {} after {:.1f} m towards the goal{}.",
                             main_reason(path.blocking), region.progress_m,
                             narrow ? ", but the robot may just fit" : "");
   return {path, cells_of(region, lattice.space)};

@@ -246,7 +246,7 @@ TEST_F(IdealVehicle, StopsWhenANewPlanFoundNoPath) {
   step_for(5.0);
   PlannedPath none;
   none.id = 2;
-  none.reason = "No path: a roof that is too low is in the way.";
+  none.reason = "No path: blocked by a roof that is too low.";
   driving_.follow(none);
   expect_stopped(Kind::kIdle, none.reason);
   EXPECT_EQ(driving_.state().path_id, 2);

@@ -29,7 +29,7 @@ CloudBuffer buffer_of(int clouds) {
 
 CloudRequest request_having(const std::vector<std::int64_t>& received_utime,
                             std::int64_t after_utime = 0) {
-  return {kLater, "volume_map", after_utime, received_utime};
+  return {kLater, after_utime, received_utime};
 }
 
 TEST(CloudBuffer, FindsTheNewestMissingCloud) {

@@ -114,8 +114,7 @@ TEST_F(ScanAssemblyNodeTest, ResendsAMissingScanAfterTheResendDelay) {
                          resent_utime.push_back(cloud->utime);
                      });
   const auto request_missing = [&](const std::vector<std::int64_t>& received) {
-    publish(bus_, channels::kCloudRequest,
-            to_message(CloudRequest{bus_.now_utime(), "volume_map", 0, received}));
+    publish(bus_, channels::kCloudRequest, to_message(CloudRequest{bus_.now_utime(), 0, received}));
   };
   run(1.5);
   request(LaserId::kFront);
@@ -182,8 +181,7 @@ TEST(ScanAssemblyNode, StoresAScanBeforeItIsPublishedUntilItIsAcknowledged) {
                      });
   const ScanAssemblyNode node(bus, params);
   const auto request_missing = [&](const std::vector<std::int64_t>& received) {
-    publish(bus, channels::kCloudRequest,
-            to_message(CloudRequest{bus.now_utime(), "volume_map", 0, received}));
+    publish(bus, channels::kCloudRequest, to_message(CloudRequest{bus.now_utime(), 0, received}));
   };
   bus.advance_to(published_utime + 60'000'000);
   request_missing({});

@@ -3,7 +3,7 @@
 // Each reason to stand, provoked in the simulator: the vehicle stands, and touches nothing. At
 // Groundhog's 0.15 m/s it stands within 300 ms, of which braking at 0.8 m/s² takes 188. For what is
 // measured, this counts from the message that says so; for silence, from the moment when the source
-// was silent for its time-out: 250 ms for lasers, pose and commands, 3 s for the supervisor.
+// was stale for its timeout: 250 ms for lasers, pose and commands, 3 s for the supervisor.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -105,7 +105,7 @@ TEST_F(GuardStops, ForALaserThatDies) {
   start(robot);
   const auto stale = [&] { return robot.message_age_s(channels::kLaserFront) > kTimeoutS; };
   expect_soon(robot, stale, 5.0);
-  expect_reason(robot, "laser front silent");
+  expect_reason(robot, "laser front stale");
 }
 
 TEST_F(GuardStops, ForTheLaserBehindInReverse) {
@@ -113,7 +113,7 @@ TEST_F(GuardStops, ForTheLaserBehindInReverse) {
   start(robot, -kGroundhogM_S);
   const auto stale = [&] { return robot.message_age_s(channels::kLaserRear) > kTimeoutS; };
   expect_soon(robot, stale, 5.0);
-  expect_reason(robot, "laser rear silent");
+  expect_reason(robot, "laser rear stale");
 }
 
 TEST_F(GuardStops, ForAPoseThatNoLongerComes) {
@@ -122,7 +122,7 @@ TEST_F(GuardStops, ForAPoseThatNoLongerComes) {
   robot.stop_localization();
   const auto stale = [&] { return robot.message_age_s(channels::kPose) > kTimeoutS; };
   expect_soon(robot, stale, 5.0);
-  expect_reason(robot, "pose silent");
+  expect_reason(robot, "pose stale");
 }
 
 TEST_F(GuardStops, ForCommandsThatNoLongerCome) {
@@ -131,7 +131,7 @@ TEST_F(GuardStops, ForCommandsThatNoLongerCome) {
   robot.stop_commands();
   const auto stale = [&] { return robot.message_age_s(channels::kDriveCommand) > kTimeoutS; };
   expect_soon(robot, stale, 5.0);
-  expect_reason(robot, "command silent");
+  expect_reason(robot, "command stale");
 }
 
 TEST_F(GuardStops, ForASupervisorThatIsNoMore) {
@@ -143,7 +143,7 @@ TEST_F(GuardStops, ForASupervisorThatIsNoMore) {
   robot.set_supervised(false);
   const auto stale = [&] { return robot.message_age_s(channels::kHeartbeat) > 3.0; };
   expect_soon(robot, stale, 10.0);
-  expect_reason(robot, "supervisor silent");
+  expect_reason(robot, "supervisor stale");
 }
 
 TEST_F(GuardStops, ForRoll) {

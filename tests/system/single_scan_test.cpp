@@ -142,7 +142,7 @@ TEST_P(SingleScan, TheBrokenBeamOfMathiesBlocksTheWay) {
   EXPECT_NE(path.outcome, PlanOutcome::kFound);
   EXPECT_TRUE(path.points.empty());
   EXPECT_LT(path.reached_m, 2.5);
-  EXPECT_THAT(path.reason, testing::HasSubstr("too high to drive over is in the way"));
+  EXPECT_THAT(path.reason, testing::HasSubstr("blocked by an obstacle that is too high to drive over"));
   const auto things = beam_and_cables(build_world(mine));
   int shown = 0;
   for (const BlockingCell& cell : path.blocking) {

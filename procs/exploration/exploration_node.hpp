@@ -88,9 +88,8 @@ class ExplorationNode {
   std::optional<ExploreRequest> request_;  ///< the newest
   double distance_at_request_m_ = 0.0;     ///< distance travelled when it arrived
   double distance_travelled_m_ = 0.0;
-  double distance_at_publish_m_ =
-      -1.0;           ///< distance travelled at the last published decision; negative before
-  int no_paths_ = 0;  ///< failed plans in a row, to the current target
+  double distance_at_publish_m_ = -1.0;  ///< at the last published decision; -1: none
+  int no_paths_ = 0;                     ///< failed plans in a row, to the current target
   int no_path_frontier_ = ExplorationDecision::kNoFrontier;
   MapRequestTimer map_requester_;
   std::map<int, std::int64_t> local_maps_received_;  ///< end times, by id; also of rejected ones

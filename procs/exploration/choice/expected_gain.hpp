@@ -13,8 +13,7 @@ struct ExpectedGainParams {
   double prior_weight = 5.0;  ///< weight of the prior, in corridors
   double lookahead_m = 40.0;  ///< distance of known space ahead up to which a loop is likely
   double gain_min_m = 10.0;   ///< least gain of a frontier
-  double loop_factor =
-      5.0;  ///< gain of a loop closure, in metres of corridor per metre of standard deviation
+  double loop_factor = 5.0;   ///< gain of a loop closure [m per m of position sd]
 
   template <class V>
   void visit(V& v) {

@@ -18,11 +18,9 @@ struct FrontierChoiceParams {
   std::string rule = "tour";  ///< tour, or a baseline: see choose_by_rule
   int tour_frontiers = 9;     ///< nearest frontiers that enter the tour; each one doubles the time
   double home_weight = 3.0;   ///< gain of an early return, in mean gains of a frontier
-  double switch_gain =
-      0.2;  ///< saving for which the target is changed, as a share of the path to it
-  double home_factor =
-      1.5;                  ///< safety factor on the path home, which may be longer than in the map
-  double reserve_m = 20.0;  ///< path length that is never planned for
+  double switch_gain = 0.2;   ///< saving that changes the target, as a share of the path to it
+  double home_factor = 1.5;   ///< safety factor on the path home
+  double reserve_m = 20.0;    ///< path length that is never planned for
 
   template <class V>
   void visit(V& v) {

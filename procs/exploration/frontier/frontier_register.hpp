@@ -17,7 +17,7 @@ namespace adit {
 struct FrontierRegisterParams {
   double cluster_distance_m = 0.6;  ///< frontier cells no farther apart form one frontier
   double match_m = 2.0;             ///< distance over which a frontier is matched to a detection
-  double advance_m = 12.0;  ///< largest advance along its corridor per update
+  double advance_m = 12.0;          ///< largest advance along its corridor per update
   int closings = 3;  ///< times it is explored, after which a detection there is a seam of the map
   int stalls = 4;  ///< local maps without progress towards the target, after which it is abandoned
 

@@ -13,7 +13,7 @@ namespace {
 // Tolerance of the simplified line of a corridor.
 constexpr double kStraightM = 0.3;
 // A node within this distance of a frontier is its open end [m].
-constexpr double kAtFrontierM = 2.0;
+constexpr double kOpenEndRadiusM = 2.0;
 // In a corner of a corridor the skeleton extends by up to √2 times the clearance.
 constexpr double kCorner = 1.5;
 
@@ -53,7 +53,7 @@ class Simplifier {
     return std::any_of(detected_frontiers_.begin(), detected_frontiers_.end(),
                        [&](const DetectedFrontier& frontier) {
                          return frontier.access == Access::kReachable &&
-                                (frontier.p_map - node.p_map).norm() < kAtFrontierM;
+                                (frontier.p_map - node.p_map).norm() < kOpenEndRadiusM;
                        });
   }
 

@@ -13,8 +13,7 @@
 namespace adit {
 
 struct CorridorGraphParams {
-  double dead_end_min_m =
-      2.0;  ///< length beyond the wall of the corridor; a shorter branch is a niche
+  double dead_end_min_m = 2.0;  ///< length beyond the corridor wall; shorter branches are niches
 
   template <class V>
   void visit(V& v) {

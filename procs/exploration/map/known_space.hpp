@@ -22,11 +22,9 @@ enum class Occupancy : std::uint8_t {
 
 struct KnownSpaceParams {
   LocalMapTileParams tiles;
-  double update_distance_m =
-      0.05;                      ///< a tile is entered again when a point of it has moved this far
-  double unseen_patch_m2 = 1.0;  ///< enclosed unseen patches up to this size count as free
-  int cells_max =
-      20'000'000;  ///< limit of the grid, beyond which tiles are dropped; a cell takes 6 bytes
+  double update_distance_m = 0.05;  ///< motion of any point after which a tile votes again
+  double unseen_patch_m2 = 1.0;     ///< enclosed unseen patches up to this size count as free
+  int cells_max = 20'000'000;       ///< limit of the grid; a cell takes 6 bytes
 
   template <class V>
   void visit(V& v) {

@@ -19,8 +19,7 @@ struct LocalMapTileParams {
   double range_max_m = 8.0;      ///< beams count up to this range
   double view_distance_m = 0.5;  ///< motion of the laser after which a scan is entered
   double view_angle_rad = 0.3;   ///< or rotation
-  double wall_share =
-      0.15;  ///< share of the scans through a cell that end in it, from which it is a wall
+  double wall_share = 0.15;      ///< least share of scans ending in a cell that makes it a wall
 
   template <class V>
   void visit(V& v) {

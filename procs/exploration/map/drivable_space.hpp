@@ -77,7 +77,7 @@ struct DrivableSpace {
   }
 };
 
-/// Computes clearance and access of all cells, seen from `p_map_home`.
+/// Computes clearance and access of all cells as reached from `p_map_home`.
 DrivableSpace drivable_space(Grid2<Occupancy> known, double resolution_m, double vehicle_width_m,
                              const std::vector<BarrierLine>& barriers,
                              const Eigen::Vector2d& p_map_home, const DrivableParams& params);

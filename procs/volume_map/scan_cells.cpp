@@ -18,9 +18,9 @@ double norm(const Vector3f& v) {
 /// State of one axis of the traversal.
 struct Axis {
   double next_m = std::numeric_limits<double>::max();  ///< up to the next cell boundary
-  double step_m = 0.0;                     ///< length of the ray per cell
-  VoxelCode bits = 0;                      ///< bits of a code that belong to the axis
-  VoxelCode code_step = 0;                 ///< step to the next cell, within these bits
+  double step_m = 0.0;                                 ///< length of the ray per cell
+  VoxelCode bits = 0;                                  ///< bits of a code that belong to the axis
+  VoxelCode code_step = 0;                             ///< step to the next cell, within these bits
 };
 
 template <unsigned kAxis>

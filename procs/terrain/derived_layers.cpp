@@ -10,12 +10,12 @@
 namespace adit {
 namespace {
 
-constexpr int kReach = 2;  // cells to each side of the centre
+constexpr int kPlaneReach = 2;  // cells to each side of the centre
 /// Cells that a plane needs: more than four rows of five. At the edge of the observed ground often
 /// only the rails are observed, as two rows of cells, and their height over four rows would pass
 /// for a slope.
 constexpr int kPlaneCells = 21;
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+constexpr float kUndefined = std::numeric_limits<float>::quiet_NaN();
 
 template <class Visit>
 void visit_observed(const TerrainMap& map, int column, int row, int reach, const Visit& visit) {
@@ -54,9 +54,9 @@ struct PlaneSums {
 float slope_rad(const TerrainMap& map, int column, int row) {
   const float middle = map.at(column, row).low_m;  // keeps the sums small, and thus exact
   PlaneSums sums;
-  visit_observed(map, column, row, kReach,
+  visit_observed(map, column, row, kPlaneReach,
                  [&](float u, float v, float z) { sums.add(u, v, z - middle); });
-  if (sums.n < kPlaneCells) return kUnknown;
+  if (sums.n < kPlaneCells) return kUndefined;
   return std::atan(sums.grade() / static_cast<float>(map.cell_m));
 }
 
@@ -68,7 +68,7 @@ float step_m(const TerrainMap& map, int column, int row) {
     step = std::max(step, std::abs(z - middle));
     ++neighbours;
   });
-  return neighbours > 0 ? step : kUnknown;
+  return neighbours > 0 ? step : kUndefined;
 }
 
 }  // namespace
@@ -78,8 +78,8 @@ void set_slope_and_step(TerrainMap& map) {
     for (int column = 0; column < map.columns; ++column) {
       TerrainCell& cell = map.at(column, row);
       const bool observed = cell.ground == Ground::kObserved;
-      cell.slope_rad = observed ? slope_rad(map, column, row) : kUnknown;
-      cell.step_m = observed ? step_m(map, column, row) : kUnknown;
+      cell.slope_rad = observed ? slope_rad(map, column, row) : kUndefined;
+      cell.step_m = observed ? step_m(map, column, row) : kUndefined;
     }
   }
 }
@@ -114,8 +114,8 @@ class Kernel {
   std::vector<float> weights_;
 };
 
-void spread(std::vector<float>& sums, const TerrainMap& map, int column, int row,
-            const Kernel& kernel) {
+void add_cone(std::vector<float>& sums, const TerrainMap& map, int column, int row,
+              const Kernel& kernel) {
   const float coefficient = map.at(column, row).coefficient_m;
   const int first = std::max(column - kernel.reach(), 0);
   const int last = std::min(column + kernel.reach(), map.columns - 1);
@@ -135,7 +135,7 @@ void set_repulsion(TerrainMap& map, const RepulsionParams& params) {
   std::vector<float> sums(map.cells.size(), 0.0F);
   for (int row = 0; row < map.rows; ++row) {
     for (int column = 0; column < map.columns; ++column) {
-      if (map.at(column, row).coefficient_m >= least) spread(sums, map, column, row, kernel);
+      if (map.at(column, row).coefficient_m >= least) add_cone(sums, map, column, row, kernel);
     }
   }
   for (std::size_t i = 0; i < sums.size(); ++i) map.cells[i].repulsion_m = sums[i];

@@ -217,10 +217,10 @@ TEST(Exploration, RetriesAnUnconfirmedFrontierOnceAndIsNeverComplete) {
   const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
   const int frontier = explorer.decide().frontier;
-  const BlockedEvidence doubt{1, 1.0, "nothing was observed", true};
-  EXPECT_TRUE(explorer.exploration.report_blocked(frontier, doubt));
+  const BlockedEvidence evidence{1, 1.0, "nothing was observed", true};
+  EXPECT_TRUE(explorer.exploration.report_blocked(frontier, evidence));
   EXPECT_EQ(explorer.decide().frontier, frontier);
-  EXPECT_TRUE(explorer.exploration.report_blocked(frontier, doubt));
+  EXPECT_TRUE(explorer.exploration.report_blocked(frontier, evidence));
   EXPECT_EQ(explorer.decide().kind, Kind::kDone);
   EXPECT_FALSE(explorer.decide().complete);
   EXPECT_EQ(explorer.frontiers(FrontierState::kUnconfirmed).size(), 1U);
@@ -255,8 +255,8 @@ TEST(Exploration, VisitsOtherFrontiersBeforeUnconfirmedOnes) {
     explorer.drive(5.0);
   }
   const int unconfirmed = explorer.decide().frontier;
-  const BlockedEvidence doubt{explorer.robot.utime(), 1.0, "nothing was observed", true};
-  EXPECT_TRUE(explorer.exploration.report_blocked(unconfirmed, doubt));
+  const BlockedEvidence evidence{explorer.robot.utime(), 1.0, "nothing was observed", true};
+  EXPECT_TRUE(explorer.exploration.report_blocked(unconfirmed, evidence));
   const ExplorationDecision next = explorer.decide();
   EXPECT_NE(next.frontier, unconfirmed);
   EXPECT_NE(next.frontier, ExplorationDecision::kNoFrontier);

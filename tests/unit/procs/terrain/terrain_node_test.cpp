@@ -106,13 +106,13 @@ TEST_F(TerrainNodeOnABus, TakesMissingFragmentsFromAResentCloud) {
 /// A scan of the near half only is completed by the far half of the scan before, unless that is in
 /// another odom frame.
 TEST_F(TerrainNodeOnABus, DiscardsTheMemoryOfAnotherOdomFrameWithoutAJump) {
-  std::size_t seen = 0;
+  std::size_t observed = 0;
   TerrainReassembler maps;
   subscribe<terrain_t>(
       bus_, channels::kTerrain, Delivery::queued(100), [&](const TerrainFragment& tile) {
         const auto map = maps.add(tile);
         if (!map) return;
-        seen = static_cast<std::size_t>(
+        observed = static_cast<std::size_t>(
             std::ranges::count(map->cells, Ground::kObserved, &TerrainCell::ground));
       });
   const auto match = [&](std::int64_t odom_epoch_utime) {
@@ -125,7 +125,7 @@ TEST_F(TerrainNodeOnABus, DiscardsTheMemoryOfAnotherOdomFrameWithoutAJump) {
     cloud.lines.resize(lines);
     for (const CloudFragment& fragment : split(cloud))
       publish(bus_, channels::kCloud, to_message(fragment));
-    return seen;
+    return observed;
   };
   match(kUtime);
   const std::size_t full_cloud = scan(1, 120);

@@ -82,9 +82,9 @@ TEST(SubVolume, StoresOnePointPerSmallCell) {
   EXPECT_LT(volume.points().size(), cloud.points());
   EXPECT_GT(volume.points().size(), cloud.points() / 4);
   const VoxelGrid grid(SubVolumeParams{}.point_spacing_m);
-  CellSet seen;
+  CellSet observed;
   for (const VolumePoint& point : volume.points()) {
-    EXPECT_TRUE(seen.insert(VoxelGrid::code_of(*grid.keys_of(point.p_volume))));
+    EXPECT_TRUE(observed.insert(VoxelGrid::code_of(*grid.keys_of(point.p_volume))));
     EXPECT_EQ(point.scan, cloud.id);
   }
 }

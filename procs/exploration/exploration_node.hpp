@@ -43,8 +43,7 @@ struct ExplorationNodeParams : ExplorationParams {
 ///      target; EXPLORE_REQUEST (explore_request_t), which requests a decision. From the first
 ///      request on, the budget and blocked frontiers come from requests, and PATH is ignored.
 /// Out: EXPLORATION (exploration_t), after each pose graph and each request, and once a second
-/// while
-///      the robot moves. The decision is not a command: the mission stage makes a goal of it.
+///      while the robot moves. The decision is not a command: the mission stage makes a goal of it.
 ///      Before there is a map a request is answered by kStay, and a request with a verdict is not
 ///      answered. MAP_REQUEST (map_request_t), while local maps of the graph are missing; the first
 ///      decision waits for all of them.

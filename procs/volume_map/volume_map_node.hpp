@@ -29,9 +29,8 @@ struct VolumeMapNodeParams : VolumeMapParams {
 
 /// In:  CLOUD and CLOUD_RESEND (cloud_t) and POSE_GRAPH (pose_graph_t), all in fragments;
 ///      MAP_CORRECTION (map_correction_t); SCAN_MATCH (scan_match_t), for the begin of odom.
-/// Out: VOLUME (volume_t), in fragments: each sub-volume that is anchored to the pose graph, when
-/// it
-///      is anchored and after each cloud in it; only its pose when that changes.
+/// Out: VOLUME (volume_t), in fragments: each sub-volume that is anchored to the pose graph, once
+///      anchored and after each cloud in it; only its pose when that changes.
 ///      MAP_REQUEST (map_request_t), until there is a graph. CLOUD_REQUEST (cloud_request_t),
 ///      every 2 s, for 3D scans missed while the stage was down; none of an odom frame whose pose
 ///      in map cannot be determined.

@@ -29,7 +29,7 @@ TEST(ExplorationPicture, ContainsTheObservedSpace) {
   ASSERT_GT(picture.columns, 0);
   EXPECT_EQ(picture.cells.size() % static_cast<std::size_t>(picture.columns), 0U);
   const auto drivable = std::count(picture.cells.begin(), picture.cells.end(), Ground::kDrivable);
-  // 62 m of drifts, 3 m wide, less half the width of the vehicle at each wall and in the ends.
+  // 62 m of tunnels, 3 m wide, less half the width of the vehicle at each wall and at the ends.
   EXPECT_NEAR(static_cast<double>(drivable) * picture.cell_m * picture.cell_m, 62.0 * 1.9, 15.0);
   EXPECT_FALSE(picture.report.frontiers.empty());
   EXPECT_FALSE(picture.traversed_path.empty());

@@ -28,7 +28,7 @@ constexpr const char* kCarmenExamples =
   adit spy intel.lcmlog                           inspect the messages)";
 
 void print_result(const CarmenReport& report, const ImportOptions& options) {
-  for (const std::string& message : report.sentences()) {
+  for (const std::string& message : report.messages()) {
     std::cerr << "adit: " << options.input.string() << ": skipped " << message << "\n";
   }
   std::cout << options.output.string() << ": " << report.scans << " scans, "

@@ -54,7 +54,7 @@ TEST_F(CloudFile, ErrorsNameTheFile) {
   EXPECT_THAT(rejection(folder_.path()), HasSubstr("directory"));
   EXPECT_THAT(rejection(write("empty.ply", "")),
               AllOf(HasSubstr("empty.ply"), HasSubstr("file is empty")));
-  EXPECT_THAT(rejection(write("photo.jpg", "\xff\xd8\xff")), HasSubstr("PLY, PCD or XYZ"));
+  EXPECT_THAT(rejection(write("photo.jpg", "\xff\xd8\xff")), HasSubstr("PLY, PCD and XYZ"));
   EXPECT_THAT(rejection(write("none.xyz", "# nothing\n")), HasSubstr("no points"));
   EXPECT_THAT(rejection(write("nan.xyz", "nan 0 0\n")), HasSubstr("no valid point"));
   EXPECT_THAT(rejection(write("utm.xyz", "610000 5410000 300\n")), HasSubstr("100 km"));

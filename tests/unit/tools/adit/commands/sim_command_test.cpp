@@ -71,11 +71,11 @@ TEST_F(SimCommand, RejectsAMeshInMillimetres) {
 
 TEST_F(SimCommand, RejectsOversizedWorldFilesInOneLine) {
   expect_error(write("long.yaml",
-                     "world:\n  plan:\n    drifts:\n"
+                     "world:\n  plan:\n    tunnels:\n"
                      "      - {name: main, points_m: [0, 0, 1e9, 0]}\n"),
                "is the most");
   expect_error(write("fine.yaml",
-                     "world:\n  grid_m: 0.05\n  plan:\n    drifts:\n"
+                     "world:\n  grid_m: 0.05\n  plan:\n    tunnels:\n"
                      "      - {name: main, points_m: [0, 0, 4900, 490]}\n"),
                "grid_m");
   expect_error(write("text.yaml", "world: [1, 2\n"), "text.yaml");

@@ -48,7 +48,7 @@ LogInput::LogInput(const std::filesystem::path& path, const std::filesystem::pat
     log_ = std::make_unique<LogFile>(path);
     warnings_ = log_warnings(log_->health());
   } else {
-    warnings_ = import_carmen(path, scratch, progress).sentences();
+    warnings_ = import_carmen(path, scratch, progress).messages();
     log_ = std::make_unique<LogFile>(scratch);
     std::filesystem::remove(scratch);  // what is open stays readable
   }

@@ -8,7 +8,7 @@
 #include "common/bus/log/lcm_log.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/mapping/cloud.hpp"
-#include "tools/cloud/ply_file.hpp"
+#include "tools/cloud/cloud_file.hpp"
 
 namespace adit {
 namespace {

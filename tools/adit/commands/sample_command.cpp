@@ -36,21 +36,25 @@ struct SampleOptions {
   double bearing_error_percent = 0.0;
 };
 
-constexpr const char* kSampleFooter =
-    R"(The mine is made up. Laser and wheels have errors like real ones. The same seed gives the same bytes.
+constexpr const char* kSampleDetails =
+    R"(The mine is synthetic; laser and odometry have realistic errors. The same options give the same bytes.
+
+Outputs:
+  OUT        LCM log (.lcmlog) or CARMEN text (.log)
+  --truth    true path in the TUM format
 
 Worlds:
-  ring      an adit, a ring of workings, a cross-cut through a room on pillars, dead ends;
-            the robot drives 450 m through it and closes two loops
-  parallel  two drifts that look the same, 12 m apart: after 800 m the odometry makes the robot believe
-            that it is in the other one, until it comes to a corner; scan matching alone is led
-            astray with --bearing-error-percent -2.5
-  long      a grid of drifts, 320 m by 210 m, through which the robot drives as far as --length-m says,
-            10 km if it does not, with a scan every 0.1 m
+  ring      an adit, a ring of tunnels, a cross-cut through a room and pillars, dead ends; the robot
+            drives 450 m and closes two loops
+  parallel  two similar tunnels, 12 m apart. After 800 m, the odometry error places the robot in the
+            wrong tunnel until it reaches a corner. Scan matching alone fails in the same way with
+            --bearing-error-percent -2.5
+  long      a grid of tunnels, 320 m by 210 m; the robot drives --length-m, 10 km by default, with a scan
+            every 0.1 m)";
 
-Examples:
-  adit sample mine.log                                  as a CARMEN log
-  adit sample mine.lcmlog --truth mine.tum --seed 7     as an LCM log, with the true path
+constexpr const char* kSampleExamples =
+    R"(  adit sample mine.log                                  a CARMEN log
+  adit sample mine.lcmlog --truth mine.tum --seed 7     an LCM log and the true path
   adit sample far.lcmlog --world long --length-m 2000   2 km in a large mine)";
 
 double length_of(const SampleOptions& options) {
@@ -87,36 +91,38 @@ void write_sample(const SampleOptions& options) {
 
 void add_sample_command(CLI::App& adit) {
   CLI::App* sample =
-      adit.add_subcommand("sample", "Write the log of a drive through a made-up mine");
-  sample->footer(kSampleFooter);
+      adit.add_subcommand("sample", "Write the log of a drive through a synthetic mine");
+  set_help(*sample, {kSampleDetails, "", kSampleExamples});
   const auto options = std::make_shared<SampleOptions>();
-  sample->add_option("OUT", options->output, "The log to write: .lcmlog, or .log for CARMEN text")
+  sample->add_option("OUT", options->output, "Log to write: .lcmlog, or .log for CARMEN text")
       ->type_name("FILE")
       ->required();
-  sample->add_option("--truth", options->truth, "Also write the true path, in the TUM format")
+  sample->add_option("--truth", options->truth, "True path to write, in the TUM format")
       ->type_name("FILE");
-  sample->add_option("--seed", options->seed, "Another number gives another mine")
+  sample->add_option("--seed", options->seed, "Seed of the mine and of the sensor noise")
       ->type_name("N")
       ->capture_default_str();
-  sample->add_option("--length-m", options->length_m, "Only this much of the way")
+  sample
+      ->add_option("--length-m", options->length_m,
+                   "Length of the drive, instead of the complete course")
       ->type_name("METRES")
       ->check(CLI::PositiveNumber);
-  sample->add_option("--world", options->world, "Which mine: ring, parallel or long")
+  sample->add_option("--world", options->world, "Mine: ring, parallel or long")
       ->type_name("NAME")
       ->check(CLI::IsMember({"ring", "parallel", "long"}))
       ->capture_default_str();
   sample
       ->add_option("--yaw-bias-deg-per-m", options->yaw_bias_deg_per_m,
-                   "How the odometry turns away from the truth, instead of as the world has it")
+                   "Heading drift of the odometry, instead of that of the world")
       ->type_name("DEG")
       ->check(CLI::Range(-10.0, 10.0));
   sample
       ->add_option("--bearing-error-percent", options->bearing_error_percent,
-                   "By how much the laser's true bearings exceed those it reports")
+                   "Scale error of the laser bearings: true over reported, minus 1")
       ->type_name("PERCENT")
       ->check(CLI::Range(-10.0, 10.0))
       ->capture_default_str();
-  sample->add_flag("--half-degree", options->half_degree, "361 beams for each scan, not 181");
+  sample->add_flag("--half-degree", options->half_degree, "361 beams per scan instead of 181");
   sample->callback([options] { write_sample(*options); });
 }
 

@@ -34,7 +34,7 @@ class TruthFiles : public testing::Test {
 };
 
 TEST_F(TruthFiles, HaveTheCentreLinesWithTheirLengths) {
-  const Json features = read("drifts.geojson")["features"];
+  const Json features = read("tunnels.geojson")["features"];
   ASSERT_EQ(features.size(), 3U);
   EXPECT_EQ(features[0]["geometry"]["type"], "Point");
   EXPECT_EQ(features[0]["properties"]["entrance"], true);

@@ -74,7 +74,7 @@ case $case in
       --fault kill:planning@20 --fault suspend:driving@40
     expect_return
     "$check_losses" "$out" >"$scratch/losses.text" || fail "something that was announced is lost"
-    grep -q "driving does not answer" "$scratch/mission.text" || fail "nobody saw driving stand still"
+    grep -q "driving does not respond" "$scratch/mission.text" || fail "nobody saw driving stand still"
     ;;
   cut)
     begin "$world" --config "$config"
@@ -97,7 +97,7 @@ case $case in
     await_driven "$kPowerLossAfterM"
     "$adit" order pause --mission "$out" || fail "it does not pause"
     "$adit" order resume --mission "$out" || fail "it does not go on"
-    "$adit" order return --mission "$out" | grep -q "homeward: by order" || fail "it does not come home"
+    "$adit" order return --mission "$out" | grep -q "returning home: by order" || fail "it does not come home"
     expect_return
     "$adit" order pause --mission "$out" 2>"$scratch/order.text" && fail "an order to nobody is obeyed"
     grep -q "no mission runs" "$scratch/order.text" || fail "does not say that no mission runs"

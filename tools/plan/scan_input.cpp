@@ -14,7 +14,7 @@
 #include "common/messages/mapping/cloud.hpp"
 #include "procs/scan_assembly/scan_assembly_node.hpp"
 #include "sim/simulation/simulation_params.hpp"
-#include "tools/map/log_input.hpp"
+#include "tools/map/recorded_config.hpp"
 
 namespace adit {
 namespace {
@@ -51,7 +51,7 @@ Lasers find_lasers(const ConfigFile& config, const LogFile& log,
   if (config.section(Lasers::kSection) != nullptr) {
     return load_section<Lasers>(config, Lasers::kSection);
   }
-  if (const auto recorded = recorded_lasers(log.events())) return *recorded;
+  if (const auto recorded = recorded_lasers(log.events(), warnings)) return *recorded;
   warnings.emplace_back("neither config nor log say where the lasers are: taken for Groundhog's");
   return groundhog_lasers();
 }

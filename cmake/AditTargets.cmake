@@ -16,6 +16,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 add_library(adit_settings INTERFACE)
 target_compile_features(adit_settings INTERFACE cxx_std_20)
 target_include_directories(adit_settings INTERFACE ${PROJECT_SOURCE_DIR})
+target_link_libraries(adit_settings INTERFACE fmt::fmt)
 # No contraction into fused multiply-adds: the same log gives the same bytes on every build. LCM's inline
 # code reads a float through an int32_t pointer; what differs in this from another cannot share its
 # precompiled headers.

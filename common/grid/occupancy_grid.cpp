@@ -47,14 +47,6 @@ void count(std::uint16_t& counter) {
 
 }  // namespace
 
-bool CellBox::contains(const Eigen::Vector2i& cell) const {
-  return (cell.array() >= from.array()).all() && (cell.array() < to.array()).all();
-}
-
-bool CellBox::contains(const CellBox& other) const {
-  return (other.from.array() >= from.array()).all() && (other.to.array() <= to.array()).all();
-}
-
 bool OccupancyGrid::insert(const LaserScan& scan, const Pose2& T_map_laser) {
   const double reach = T_map_laser.translation().cwiseAbs().maxCoeff() + params_.range_max_m;
   if (!T_map_laser.vector().allFinite() || reach / params_.resolution_m > kFarthestCell)

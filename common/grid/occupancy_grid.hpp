@@ -12,6 +12,7 @@
 
 #include "common/config/bounds.hpp"
 #include "common/geometry/pose2.hpp"
+#include "common/grid/grid2.hpp"
 #include "common/sensing/laser_scan.hpp"
 
 namespace adit {
@@ -29,18 +30,6 @@ struct OccupancyGridParams {
     v("range_max_m", range_max_m, above(0.0));
     v("cells_max", cells_max, at_least(1));
   }
-};
-
-/// Cells by integer coordinates: cell (i, j) covers [i, i + 1) × [j, j + 1) times the resolution,
-/// in the frame of the map. Half open, `from` included, `to` not.
-struct CellBox {
-  Eigen::Vector2i from{0, 0};
-  Eigen::Vector2i to{0, 0};
-
-  [[nodiscard]] Eigen::Vector2i size() const { return to - from; }
-  [[nodiscard]] bool empty() const { return (size().array() <= 0).any(); }
-  [[nodiscard]] bool contains(const Eigen::Vector2i& cell) const;
-  [[nodiscard]] bool contains(const CellBox& other) const;
 };
 
 enum class CellState : std::uint8_t { kUnknown, kFree, kOccupied };

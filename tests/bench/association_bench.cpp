@@ -168,7 +168,7 @@ class Prepared : public Evidence {
     return trajectory_.right(map);
   }
 
-  [[nodiscard]] double contradiction(const std::vector<Pose2>& T_map_local) const override {
+  [[nodiscard]] double map_inconsistency(const std::vector<Pose2>& T_map_local) const override {
     const int newest = static_cast<int>(T_map_local.size()) - 1;
     return trajectory_.error_m(T_map_local, newest) > 2.0 ? 200.0 : 0.0;
   }

@@ -116,7 +116,7 @@ std::string_view take_journal(std::span<const std::uint8_t> bytes) {
   JournalParser parser(bytes);
   std::size_t in_records = 0;
   while (const auto record = parser.next()) {
-    in_records += journal_format::kHeadBytes + record->kind.size() + record->bytes.size();
+    in_records += journal_format::kHeaderBytes + record->kind.size() + record->bytes.size();
   }
   const JournalHealth& health = parser.health();
   if (in_records + health.corrupt_bytes + health.truncated_bytes != bytes.size()) {

@@ -10,7 +10,7 @@ namespace {
 using Ground = ExplorationPicture::Ground;
 
 /// The box of what was seen.
-CellBox observed_box(const CellField<Occupancy>& known) {
+CellBox observed_box(const Grid2<Occupancy>& known) {
   CellBox box{known.box().to, known.box().from};
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (known[i] == Occupancy::kUnseen) continue;
@@ -32,7 +32,7 @@ Ground ground_at(const DrivableSpace& space, const Eigen::Vector2i& cell) {
 ExplorationPicture exploration_picture(const std::string& title, const Exploration& exploration,
                                        std::vector<Eigen::Vector2d> traversed_path) {
   const DrivableSpace& space = exploration.space();
-  const CellField<Ground> cells(observed_box(space.known));
+  const Grid2<Ground> cells(observed_box(space.known));
   ExplorationPicture picture;
   picture.title = title;
   picture.cell_m = space.resolution_m;

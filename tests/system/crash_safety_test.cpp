@@ -131,7 +131,7 @@ class CrashSafety : public testing::TestWithParam<unsigned> {
   void tear_journal() {
     std::size_t last = 0;
     read_journal(journal_, [&](const JournalRecord& record) {
-      last = journal_format::kHeadBytes + record.kind.size() + record.bytes.size();
+      last = journal_format::kHeaderBytes + record.kind.size() + record.bytes.size();
     });
     if (last == 0) return;
     const std::size_t cut = std::uniform_int_distribution<std::size_t>(1, last)(random_);

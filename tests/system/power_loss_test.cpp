@@ -59,19 +59,19 @@ TEST(PowerLoss, LosesNothingAndFindsTheBodyWhereItStands) {
   std::mt19937 random(1);
   test::PowerLossDrive drive(mine(false), waypoints({{23, 0}, {25, 2}, {25, 18}}), scratch / "");
   ASSERT_TRUE(drive.drive(0.3));
-  expect_found(drive.loss(kIntact, random));  // where it began is home
+  expect_found(drive.lose_power(kIntact, random));  // where it began is home
   ASSERT_TRUE(drive.drive(8.0));
   drive.sweep();
-  const test::PowerLoss at_rest = drive.loss(kIntact, random);
+  const test::PowerLoss at_rest = drive.lose_power(kIntact, random);
   expect_found(at_rest);
   EXPECT_EQ(at_rest.scans, 1);
   EXPECT_EQ(at_rest.scans_lost, 0);
   ASSERT_TRUE(drive.drive(14.0));  // round the corner
-  const test::PowerLoss truncated = drive.loss(kTruncated, random);
+  const test::PowerLoss truncated = drive.lose_power(kTruncated, random);
   expect_found(truncated);
   EXPECT_EQ(truncated.scans_lost, 0);  // the record that was torn is that of its time
   drive.sweep(4.0);
-  expect_found(drive.loss(kIntact, random));  // with one laser tilted
+  expect_found(drive.lose_power(kIntact, random));  // with one laser tilted
 }
 
 /// The volume had not heard of it, or had not written it yet.
@@ -84,7 +84,7 @@ TEST(PowerLoss, LosesNoScanThatWasJustAnnounced) {
   for (int i = 0; i < 1000 && drive.volume().volumes().empty(); ++i) drive.wait(0.02);
   ASSERT_EQ(drive.volume().volumes().size(), 1U);
   const Pose2 before = drive.volume().volumes().front().T_map_volume;
-  EXPECT_EQ(drive.loss(kBeforeLastScan, random).scans_lost, 1);
+  EXPECT_EQ(drive.lose_power(kBeforeLastScan, random).scans_lost, 1);
   drive.wait(10.0);
   ASSERT_EQ(drive.volume().volumes().size(), 1U);
   EXPECT_EQ(drive.volume().excluded(), 0);
@@ -98,7 +98,7 @@ TEST(PowerLoss, SaysHowFarItMayBeAlongASmoothDrift) {
   std::mt19937 random(1);
   test::PowerLossDrive drive(mine(true), waypoints({{195, 0}}), scratch / "");
   ASSERT_TRUE(drive.drive(12.0));
-  const test::PowerLoss loss = drive.loss(kIntact, random);
+  const test::PowerLoss loss = drive.lose_power(kIntact, random);
   ASSERT_TRUE(loss.localized_after_s);
   EXPECT_GT(loss.sd_m, 0.5);
   EXPECT_LT(loss.error_m, kSigmas * loss.sd_m);

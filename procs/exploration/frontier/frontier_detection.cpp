@@ -50,7 +50,7 @@ std::vector<FrontierCell> find_frontier_cells(const DrivableSpace& space) {
 std::vector<std::vector<std::size_t>> clusters_of(const DrivableSpace& space,
                                                   const std::vector<FrontierCell>& frontier_cells,
                                                   int reach) {
-  CellField<std::uint32_t> marks(space.known.box());
+  Grid2<std::uint32_t> marks(space.known.box());
   for (std::size_t k = 0; k < frontier_cells.size(); ++k) {
     marks[frontier_cells[k].cell] = static_cast<std::uint32_t>(k + 1);
   }

@@ -191,7 +191,7 @@ class Simplifier {
 
 }  // namespace
 
-CorridorGraph corridor_graph(const DrivableSpace& space, const CellField<std::uint8_t>& skeleton,
+CorridorGraph corridor_graph(const DrivableSpace& space, const Grid2<std::uint8_t>& skeleton,
                              const std::vector<DetectedFrontier>& ends,
                              const CorridorGraphParams& params) {
   return Simplifier(line_graph(space, skeleton), space, ends, params).run();

@@ -23,7 +23,7 @@ struct CorridorGraphParams {
 
 /// The graph of the middle lines, without the spurs that rough walls make: bays are no dead ends,
 /// and junctions within the width of a corridor are one.
-CorridorGraph corridor_graph(const DrivableSpace& space, const CellField<std::uint8_t>& skeleton,
+CorridorGraph corridor_graph(const DrivableSpace& space, const Grid2<std::uint8_t>& skeleton,
                              const std::vector<DetectedFrontier>& ends,
                              const CorridorGraphParams& params);
 

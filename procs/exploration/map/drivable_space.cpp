@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "procs/exploration/map/cell_field.hpp"
+#include "common/grid/grid2.hpp"
 #include "procs/exploration/map/known_space.hpp"
 
 namespace adit {
@@ -15,13 +15,12 @@ namespace {
 
 /// Distance from the middle of each cell to that of the nearest wall [m], exact in two
 /// passes; 0 for what is wall or not seen; at most `largest_m`.
-CellField<float> wall_clearance(const CellField<Occupancy>& known, double resolution_m,
-                                double largest_m);
+Grid2<float> wall_clearance(const Grid2<Occupancy>& known, double resolution_m, double largest_m);
 
 constexpr int kFar = 1 << 20;  // cells
 
 /// Squares of the distance along each column, by two sweeps.
-std::vector<int> along_columns(const CellField<Occupancy>& known) {
+std::vector<int> along_columns(const Grid2<Occupancy>& known) {
   const auto columns = static_cast<std::size_t>(known.box().size().x());
   std::vector<int> distance(known.size(), kFar);
   for (std::size_t i = 0; i < known.size(); ++i) {
@@ -37,9 +36,8 @@ std::vector<int> along_columns(const CellField<Occupancy>& known) {
   return distance;
 }
 
-CellField<float> wall_clearance(const CellField<Occupancy>& known, double resolution_m,
-                                double largest_m) {
-  CellField<float> clearance(known.box());
+Grid2<float> wall_clearance(const Grid2<Occupancy>& known, double resolution_m, double largest_m) {
+  Grid2<float> clearance(known.box());
   const std::vector<int> columns_m = along_columns(known);
   const int n = known.box().size().x();
   const int reach = static_cast<int>(std::ceil(largest_m / resolution_m));
@@ -67,7 +65,7 @@ constexpr std::uint8_t kBarrier = 1;
 /// Along the line to both sides, until what is known to be free ends. In steps of half a cell, two
 /// cells thick, so that nothing slips through.
 void draw(const BarrierLine& barrier, double half_m, const DrivableSpace& space,
-          CellField<std::uint8_t>& barriers) {
+          Grid2<std::uint8_t>& barriers) {
   const Eigen::Vector2d across(-barrier.direction_map.y(), barrier.direction_map.x());
   const double step = space.resolution_m / 2.0;
   for (const double side : {-1.0, 1.0}) {
@@ -96,8 +94,8 @@ void mark_room(DrivableSpace& space) {
 }
 
 /// From what is marked already, or from a seed, through what is marked as less.
-void flood(CellField<Access>& access, std::vector<std::size_t> open, Access mark,
-           const CellField<std::uint8_t>& barriers, bool stop_at_barriers) {
+void flood(Grid2<Access>& access, std::vector<std::size_t> open, Access mark,
+           const Grid2<std::uint8_t>& barriers, bool stop_at_barriers) {
   const auto around = access.around();
   while (!open.empty()) {
     const std::size_t at = open.back();
@@ -112,7 +110,7 @@ void flood(CellField<Access>& access, std::vector<std::size_t> open, Access mark
   }
 }
 
-std::vector<std::size_t> all_of(const CellField<Access>& access, Access which) {
+std::vector<std::size_t> all_of(const Grid2<Access>& access, Access which) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < access.size(); ++i) {
     if (access[i] == which) found.push_back(i);
@@ -122,17 +120,17 @@ std::vector<std::size_t> all_of(const CellField<Access>& access, Access which) {
 
 }  // namespace
 
-DrivableSpace drivable_space(CellField<Occupancy> known, double resolution_m,
-                             double vehicle_width_m, const std::vector<BarrierLine>& barriers,
+DrivableSpace drivable_space(Grid2<Occupancy> known, double resolution_m, double vehicle_width_m,
+                             const std::vector<BarrierLine>& barriers,
                              const Eigen::Vector2d& p_map_home, const DrivableParams& params) {
   DrivableSpace space;
   space.resolution_m = resolution_m;
   space.radius_m = vehicle_width_m / 2.0 + params.margin_m;
   space.known = std::move(known);
   space.clearance_m = wall_clearance(space.known, resolution_m, params.clearance_max_m);
-  space.access = CellField<Access>(space.known.box());
+  space.access = Grid2<Access>(space.known.box());
   mark_room(space);
-  CellField<std::uint8_t> barrier_cells(space.known.box());
+  Grid2<std::uint8_t> barrier_cells(space.known.box());
   for (const BarrierLine& barrier : barriers)
     draw(barrier, params.barrier_half_m, space, barrier_cells);
   const Eigen::Vector2i home = space.cell_at(p_map_home);

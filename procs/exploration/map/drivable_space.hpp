@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "common/config/bounds.hpp"
-#include "procs/exploration/map/cell_field.hpp"
+#include "common/grid/grid2.hpp"
 #include "procs/exploration/map/known_space.hpp"
 
 namespace adit {
@@ -64,21 +64,21 @@ struct BarrierLine {
 struct DrivableSpace {
   double resolution_m = 0.2;
   double radius_m = 0.7;  ///< half the width of the vehicle and the margin
-  CellField<Occupancy> known;
-  CellField<float> clearance_m;  ///< to the nearest wall
-  CellField<Access> access;
+  Grid2<Occupancy> known;
+  Grid2<float> clearance_m;  ///< to the nearest wall
+  Grid2<Access> access;
 
   [[nodiscard]] Eigen::Vector2i cell_at(const Eigen::Vector2d& p_map) const {
     return cell_of(p_map, resolution_m);
   }
   [[nodiscard]] Eigen::Vector2d middle(std::size_t index) const {
-    return middle_of(known.cell(index), resolution_m);
+    return centre_of(known.cell(index), resolution_m);
   }
 };
 
 /// Of what can be reached from `p_map_home`.
-DrivableSpace drivable_space(CellField<Occupancy> known, double resolution_m,
-                             double vehicle_width_m, const std::vector<BarrierLine>& barriers,
+DrivableSpace drivable_space(Grid2<Occupancy> known, double resolution_m, double vehicle_width_m,
+                             const std::vector<BarrierLine>& barriers,
                              const Eigen::Vector2d& p_map_home, const DrivableParams& params);
 
 }  // namespace adit

@@ -23,13 +23,13 @@ constexpr double kSeamM = 2.0;  // by which a graph may bend the way between two
 double radius_of(const LocalMapTile& tile, double resolution_m) {
   double radius = 0.0;
   for (const auto& cell : tile.free)
-    radius = std::max(radius, middle_of(cell, resolution_m).norm());
+    radius = std::max(radius, centre_of(cell, resolution_m).norm());
   for (const auto& p : tile.walls) radius = std::max(radius, p.norm());
   for (const auto& p : tile.path) radius = std::max(radius, p.norm());
   return radius + resolution_m;
 }
 
-void mark_disc(CellField<Occupancy>& known, const Eigen::Vector2d& p, double resolution_m) {
+void mark_disc(Grid2<Occupancy>& known, const Eigen::Vector2d& p, double resolution_m) {
   const int reach = static_cast<int>(kDrivenRadiusM / resolution_m);
   const Eigen::Vector2i middle = cell_of(p, resolution_m);
   for (int y = -reach; y <= reach; ++y) {
@@ -40,7 +40,7 @@ void mark_disc(CellField<Occupancy>& known, const Eigen::Vector2d& p, double res
   }
 }
 
-void mark_line(CellField<Occupancy>& known, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+void mark_line(Grid2<Occupancy>& known, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                double resolution_m) {
   const int steps = 1 + static_cast<int>((to - from).norm() / (0.5 * resolution_m));
   for (int i = 0; i <= steps; ++i) {
@@ -109,7 +109,7 @@ bool KnownSpace::reserve(const CellBox& box) {
   }
   const double cells = grown_box.size().cast<double>().prod();
   if (cells > params_.cells_max) return false;
-  votes_ = votes_.size() > 0 ? votes_.grown_to(grown_box) : CellField<Votes>(grown_box);
+  votes_ = votes_.size() > 0 ? votes_.grown_to(grown_box) : Grid2<Votes>(grown_box);
   return true;
 }
 
@@ -135,11 +135,11 @@ void KnownSpace::vote(const Entry& entry, int sign) {
   }
 }
 
-CellField<Occupancy> KnownSpace::cells() const {
+Grid2<Occupancy> KnownSpace::cells() const {
   CellBox box = votes_.box();
   if (votes_.size() == 0) return {};
   const Eigen::Vector2i rim(kRim, kRim);
-  CellField<Occupancy> known({box.from - rim, box.to + rim}, Occupancy::kUnseen);
+  Grid2<Occupancy> known({box.from - rim, box.to + rim}, Occupancy::kUnseen);
   for (std::size_t i = 0; i < votes_.size(); ++i) {
     const Votes& votes = votes_[i];
     if (votes.free == 0 && votes.wall == 0) continue;
@@ -154,7 +154,7 @@ CellField<Occupancy> KnownSpace::cells() const {
 
 /// The way of the body, over the seams of local maps too: it holds what is drivable together. Where
 /// mapping kept no local maps of places that were known, the next one begins elsewhere.
-void KnownSpace::mark_driven(CellField<Occupancy>& known) const {
+void KnownSpace::mark_driven(Grid2<Occupancy>& known) const {
   Eigen::Vector2d last(0.0, 0.0);
   std::optional<int> session;
   for (const auto& [id, entry] : entries_) {
@@ -170,11 +170,11 @@ void KnownSpace::mark_driven(CellField<Occupancy>& known) const {
 }
 
 /// Small patches between beams, round which all is known to be free.
-void KnownSpace::fill_patches(CellField<Occupancy>& known) const {
+void KnownSpace::fill_patches(Grid2<Occupancy>& known) const {
   const auto most =
       static_cast<std::size_t>(params_.unseen_patch_m2 / (resolution_m() * resolution_m()));
   const auto around = known.around();
-  CellField<std::uint8_t> visited(known.box());
+  Grid2<std::uint8_t> visited(known.box());
   std::vector<std::size_t> patch;
   const auto columns = static_cast<std::size_t>(known.box().size().x());
   for (std::size_t i = columns + 1; i + columns + 1 < known.size(); ++i) {

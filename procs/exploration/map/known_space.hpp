@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "common/geometry/pose2.hpp"
-#include "procs/exploration/map/cell_field.hpp"
+#include "common/grid/grid2.hpp"
 #include "procs/exploration/map/local_map_tile.hpp"
 
 namespace adit {
@@ -49,7 +49,7 @@ class KnownSpace {
   void pose(const std::vector<Pose2>& T_map_local);
 
   /// Everything, with a rim of two cells that were not seen.
-  [[nodiscard]] CellField<Occupancy> cells() const;
+  [[nodiscard]] Grid2<Occupancy> cells() const;
 
   /// The nearest tile, by its way, that saw this place free: the one to tie it to.
   [[nodiscard]] std::optional<int> tile_at(const Eigen::Vector2d& p_map) const;
@@ -81,12 +81,12 @@ class KnownSpace {
   void enter(Entry& entry, const Pose2& T_map_local);
   void withdraw(Entry& entry);
   void vote(const Entry& entry, int sign);
-  void mark_driven(CellField<Occupancy>& known) const;
-  void fill_patches(CellField<Occupancy>& known) const;
+  void mark_driven(Grid2<Occupancy>& known) const;
+  void fill_patches(Grid2<Occupancy>& known) const;
 
   KnownSpaceParams params_;
   std::map<int, Entry> entries_;
-  CellField<Votes> votes_;
+  Grid2<Votes> votes_;
   int dropped_tiles_ = 0;
 };
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "procs/exploration/map/cell_field.hpp"
+#include "common/grid/grid2.hpp"
 
 namespace adit {
 namespace {
@@ -108,7 +108,7 @@ class Raster {
   }
 
   LocalMapTileParams params_;
-  CellField<Counts> cells_;
+  Grid2<Counts> cells_;
   std::uint32_t scan_ = 0;
 };
 

@@ -23,7 +23,7 @@ constexpr int kSnapCells = 5;  // from a place to a cell that counts
 
 /// The nearest cell of a kind about a place: in squares of growing size.
 template <class Is>
-std::optional<std::size_t> nearest(const CellField<float>& field, const Eigen::Vector2i& middle,
+std::optional<std::size_t> nearest(const Grid2<float>& field, const Eigen::Vector2i& middle,
                                    const Is& is) {
   std::optional<std::size_t> best;
   int best_square = std::numeric_limits<int>::max();
@@ -56,7 +56,7 @@ ShortestPathTree::ShortestPathTree(const DrivableSpace& space, const Eigen::Vect
 void ShortestPathTree::search(const DrivableSpace& space, std::size_t from,
                               PathPreference preference,
                               const std::vector<Eigen::Vector2d>& targets) {
-  CellField<int> cost(space.known.box(), std::numeric_limits<int>::max());
+  Grid2<int> cost(space.known.box(), std::numeric_limits<int>::max());
   std::array<std::vector<std::size_t>, kBuckets> buckets;
   const auto around = cost.around();
   const auto near_wall = static_cast<float>(space.radius_m + kNearWallM);
@@ -116,7 +116,7 @@ std::vector<Eigen::Vector2d> ShortestPathTree::path_from(const Eigen::Vector2d& 
   if (!at) return path;
   const auto around = length_m_.around();
   while (true) {
-    path.push_back(middle_of(length_m_.cell(*at), resolution_m_));
+    path.push_back(centre_of(length_m_.cell(*at), resolution_m_));
     if (back_[*at] == kNoStep) return path;
     *at += static_cast<std::size_t>(around[back_[*at]]);
   }

@@ -39,8 +39,8 @@ class ShortestPathTree {
               const std::vector<Eigen::Vector2d>& targets);
 
   double resolution_m_;
-  CellField<float> length_m_;
-  CellField<std::uint8_t> back_;  ///< which neighbour it was reached from
+  Grid2<float> length_m_;
+  Grid2<std::uint8_t> back_;  ///< which neighbour it was reached from
 };
 
 }  // namespace adit

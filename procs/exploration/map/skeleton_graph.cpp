@@ -13,7 +13,7 @@ namespace adit {
 namespace {
 
 /// Which of the eight neighbours are there, a bit each, counter-clockwise from x.
-unsigned neighbours(const CellField<std::uint8_t>& mask, std::size_t at,
+unsigned neighbours(const Grid2<std::uint8_t>& mask, std::size_t at,
                     const std::array<std::ptrdiff_t, 8>& around) {
   unsigned bits = 0;
   for (unsigned i = 0; i < 8; ++i) {
@@ -54,9 +54,9 @@ Table make_table() {
 
 }  // namespace
 
-CellField<std::uint8_t> skeleton(const DrivableSpace& space) {
+Grid2<std::uint8_t> skeleton(const DrivableSpace& space) {
   static const Table kTable = make_table();
-  CellField<std::uint8_t> mask(space.known.box());
+  Grid2<std::uint8_t> mask(space.known.box());
   const auto around = mask.around();
   for (std::size_t i = 0; i < mask.size(); ++i) {
     mask[i] = static_cast<std::uint8_t>(space.access[i] == Access::kReachable);
@@ -66,7 +66,7 @@ CellField<std::uint8_t> skeleton(const DrivableSpace& space) {
     if (mask[i] != 0 && neighbours(mask, i, around) != 255U) rim.push_back(i);
   }
   std::vector<std::size_t> removed;
-  CellField<std::uint32_t> queued(space.known.box());
+  Grid2<std::uint32_t> queued(space.known.box());
   for (std::uint32_t round = 1; !rim.empty(); ++round) {
     std::vector<std::size_t> next;
     const auto queue = [&](std::size_t cell) {
@@ -106,7 +106,7 @@ double distance_to_line(const Eigen::Vector2d& p, const Eigen::Vector2d& from,
 /// Follows the cells of a skeleton from node to node.
 class Tracer {
  public:
-  Tracer(const DrivableSpace& space, const CellField<std::uint8_t>& skeleton)
+  Tracer(const DrivableSpace& space, const Grid2<std::uint8_t>& skeleton)
       : space_(space),
         skeleton_(skeleton),
         around_(skeleton.around()),
@@ -210,16 +210,16 @@ class Tracer {
   }
 
   const DrivableSpace& space_;
-  const CellField<std::uint8_t>& skeleton_;
+  const Grid2<std::uint8_t>& skeleton_;
   std::array<std::ptrdiff_t, 8> around_;
-  CellField<int> node_;
-  CellField<std::uint8_t> traced_;
+  Grid2<int> node_;
+  Grid2<std::uint8_t> traced_;
   LineGraph graph_;
 };
 
 }  // namespace
 
-LineGraph line_graph(const DrivableSpace& space, const CellField<std::uint8_t>& skeleton) {
+LineGraph line_graph(const DrivableSpace& space, const Grid2<std::uint8_t>& skeleton) {
   return Tracer(space, skeleton).run();
 }
 

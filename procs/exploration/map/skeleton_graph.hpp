@@ -13,7 +13,7 @@ namespace adit {
 
 /// The middle lines of what can be reached, one cell wide and connected as it is: parallel thinning
 /// (Guo and Hall 1989). 1 where a cell is on one.
-CellField<std::uint8_t> skeleton(const DrivableSpace& space);
+Grid2<std::uint8_t> skeleton(const DrivableSpace& space);
 
 /// A stretch of skeleton between two nodes.
 struct Line {
@@ -36,7 +36,7 @@ struct LineGraph {
   std::vector<Line> lines;
 };
 
-LineGraph line_graph(const DrivableSpace& space, const CellField<std::uint8_t>& skeleton);
+LineGraph line_graph(const DrivableSpace& space, const Grid2<std::uint8_t>& skeleton);
 
 /// Fewer points, none of those left out farther than this from the line (Douglas and Peucker 1973).
 std::vector<Eigen::Vector2d> simplified(const std::vector<Eigen::Vector2d>& points,

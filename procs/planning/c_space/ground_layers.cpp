@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "procs/planning/c_space/distance_transform.hpp"
+#include "common/grid/distance_transform.hpp"
 #include "procs/planning/c_space/footprint.hpp"
 #include "procs/planning/c_space/unobserved_ground.hpp"
 

@@ -81,7 +81,7 @@ int run(const Options& options) {
       break;
     if (power_losses % 5 == 3)
       drive.sweep(std::uniform_real_distribution<double>(0.5, 8.0)(random));
-    test::PowerLoss loss = drive.loss(power_losses % 4 == 2 ? test::DiskAfterPowerLoss::kTruncated
+    test::PowerLoss loss = drive.lose_power(power_losses % 4 == 2 ? test::DiskAfterPowerLoss::kTruncated
                                                             : test::DiskAfterPowerLoss::kIntact,
                                       random);
     if (!drive.drive(kOnM)) break;

@@ -238,7 +238,7 @@ std::vector<DisplacementScore> score_displacements(const MappedRun& run,
       for (std::size_t k = i + 1; k <= j; ++k) {
         const Pose2 step = between(run.odom[k - 1].pose, run.odom[k].pose);
         error.add_step(step, run.matches[k]);
-        error.add_way(step.translation().norm(), step.theta);
+        error.add_travel(step.translation().norm(), step.theta);
       }
       const bool forward = relation.utime_1 < relation.utime_2;
       const Pose2 truth = forward ? relation.T_1_2 : relation.T_1_2.inverse();

@@ -43,8 +43,8 @@ constexpr std::array kCounted{channels::kLaserFront, channels::kLaserRear, chann
 void count(Bus& bus, ReceivedMessages& received) {
   for (const std::string_view channel : kCounted) {
     bus.subscribe(channel, Delivery::queued(kWaiting),
-                  [&received](const ReceivedMessage& received) {
-                    ++received.messages[std::string(received.channel)];
+                  [&received](const ReceivedMessage& message) {
+                    ++received.messages[std::string(message.channel)];
                     return std::string_view();
                   });
   }

@@ -72,7 +72,7 @@ class MissionLossesOnDisk : public testing::Test {
     VolumeMap map{VolumeMapParams{}};
     for (const std::int32_t id : ids) {
       map.add(scan(id));
-      journal.keep(map);
+      journal.store(map);
     }
   }
   [[nodiscard]] MissionLosses found() const { return losses(announced_in({log_}), maps_, scans_); }

@@ -13,8 +13,8 @@ constexpr double kCellM = 0.2;
 constexpr double kWidthM = 1.2;
 
 /// A drift of 20 m along x and 4 m wide, with walls, of which the middle was driven as far as said.
-CellField<Occupancy> tunnel(double driven_m) {
-  CellField<Occupancy> known(CellBox{{-1, -11}, {101, 11}}, Occupancy::kWall);
+Grid2<Occupancy> tunnel(double driven_m) {
+  Grid2<Occupancy> known(CellBox{{-1, -11}, {101, 11}}, Occupancy::kWall);
   for (int y = -10; y < 10; ++y) {
     for (int x = 0; x < 100; ++x) {
       const bool driven = std::abs(y) < 2 && kCellM * x < driven_m;

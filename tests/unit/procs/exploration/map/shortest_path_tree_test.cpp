@@ -16,9 +16,9 @@ class ShortestPathTreeInARoom : public testing::Test {
     const Eigen::Vector2i size(cells(40.0), cells(room_m));
     const CellBox box{{-1, -1}, size + Eigen::Vector2i::Ones()};
     space_.resolution_m = kFineM;
-    space_.known = CellField<Occupancy>(box, Occupancy::kFree);
-    space_.clearance_m = CellField<float>(box, 5.0F);
-    space_.access = CellField<Access>(box, Access::kNone);
+    space_.known = Grid2<Occupancy>(box, Occupancy::kFree);
+    space_.clearance_m = Grid2<float>(box, 5.0F);
+    space_.access = Grid2<Access>(box, Access::kNone);
     for (int y = 0; y < size.y(); ++y) {
       for (int x = 0; x < size.x(); ++x) space_.access[at(x, y)] = Access::kReachable;
     }
@@ -33,8 +33,8 @@ class ShortestPathTreeInARoom : public testing::Test {
     for (int x = 0; x < cells(40.0); ++x) space_.known[at(x, top)] = Occupancy::kDriven;
   }
   [[nodiscard]] double path_length_m(PathPreference preference) const {
-    const ShortestPathTree field(space_, middle_of({0, 0}, kFineM), preference);
-    return field.distance_m(middle_of({cells(40.0) - 1, 0}, kFineM)).value_or(-1.0);
+    const ShortestPathTree field(space_, centre_of({0, 0}, kFineM), preference);
+    return field.distance_m(centre_of({cells(40.0) - 1, 0}, kFineM)).value_or(-1.0);
   }
   static int cells(double m) { return static_cast<int>(m / kFineM); }
   [[nodiscard]] std::size_t at(int x, int y) const { return space_.known.index({x, y}); }

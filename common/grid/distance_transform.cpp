@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/planning/c_space/distance_transform.hpp"
+#include "common/grid/distance_transform.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -87,7 +87,8 @@ GreyImage read_pgm(const std::filesystem::path& path) {
   image.rows.assign(std::istreambuf_iterator<char>(in), {});
   const std::size_t needed =
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  if (image.rows.size() != needed) fail(path, "has a different number of pixels than its header says");
+  if (image.rows.size() != needed)
+    fail(path, "has a different number of pixels than its header says");
   return image;
 }
 

@@ -47,8 +47,8 @@ struct MapScore {
 std::vector<Eigen::Vector2d> visible_walls(const Site& site, const Trajectory& truth,
                                            const MapScoreOptions& options);
 
-/// `mapped` are the occupied cells in map, `truth` is T_world_body. Throws std::runtime_error for an
-/// empty map, or if no wall is visible from the path.
+/// `mapped` are the occupied cells in map, `truth` is T_world_body. Throws std::runtime_error for
+/// an empty map, or if no wall is visible from the path.
 MapScore score_map(const std::vector<Eigen::Vector2d>& mapped, const Pose2& T_world_map,
                    const Site& site, const Trajectory& truth, const MapScoreOptions& options = {});
 

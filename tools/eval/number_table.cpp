@@ -37,7 +37,8 @@ std::optional<std::vector<double>> NumberTable::next() {
     }
     if (row.empty()) continue;
     if (row.size() != columns_) {
-      fail("expected " + std::to_string(columns_) + " numbers, found " + std::to_string(row.size()));
+      fail("expected " + std::to_string(columns_) + " numbers, found " +
+           std::to_string(row.size()));
     }
     return row;
   }

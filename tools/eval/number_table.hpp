@@ -14,8 +14,8 @@
 
 namespace adit {
 
-/// A text table of finite numbers, separated by blanks, with a fixed number of columns. `#` starts a
-/// comment; empty lines are skipped. Errors throw std::runtime_error with `name:line: reason`.
+/// A text table of finite numbers, separated by blanks, with a fixed number of columns. `#` starts
+/// a comment; empty lines are skipped. Errors throw std::runtime_error with `name:line: reason`.
 class NumberTable {
  public:
   NumberTable(std::istream& in, std::string_view name, std::size_t columns);

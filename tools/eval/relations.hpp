@@ -39,7 +39,8 @@ struct RelationsScore {
   ErrorStatistics rotation_deg;   ///< of the absolute angle
 };
 
-/// Reads the planar part of lines `t1 t2 dx dy dz droll dpitch dyaw` in seconds, metres and radians. A malformed line throws std::runtime_error with `name:line: reason`.
+/// Reads the planar part of lines `t1 t2 dx dy dz droll dpitch dyaw` in seconds, metres and
+/// radians. A malformed line throws std::runtime_error with `name:line: reason`.
 std::vector<Relation> read_relations(std::istream& in, std::string_view name);
 std::vector<Relation> read_relations(const std::filesystem::path& path);
 

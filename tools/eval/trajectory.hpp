@@ -32,9 +32,9 @@ std::optional<Pose2> interpolate(const Trajectory& trajectory, std::int64_t utim
 /// Sum of the distances between consecutive poses [m]. Includes jitter.
 double path_length_m(const Trajectory& trajectory);
 
-/// Distance travelled by a robot whose poses jitter [m]: sum of the distances between poses at least
-/// `step_m` apart. Smaller jitter adds nothing. A straight line loses less than a step at its end, an
-/// arc of radius R in steps of s the share s²/24R².
+/// Distance travelled by a robot whose poses jitter [m]: sum of the distances between poses at
+/// least `step_m` apart. Smaller jitter adds nothing. A straight line loses less than a step at its
+/// end, an arc of radius R in steps of s the share s²/24R².
 double distance_travelled_m(const Trajectory& trajectory, double step_m);
 
 /// Step for distance_travelled_m: above the jitter of scan matching, far below the radius of bends.

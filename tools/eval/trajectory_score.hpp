@@ -35,8 +35,8 @@ struct TrajectoryScore {
   PositionErrors anchored;  ///< with the first poses aligned instead
   std::array<RelativeErrors, 3> relative{{{1.0}, {10.0}, {100.0}}};
   double true_length_m = 0.0;
-  /// Length of the trajectory divided by that of the truth, both in steps of 0.5 m of the true path,
-  /// so that noise adds no length. 0 for a shorter path.
+  /// Length of the trajectory divided by that of the truth, both in steps of 0.5 m of the true
+  /// path, so that noise adds no length. 0 for a shorter path.
   double length_ratio = 0.0;
 };
 

@@ -12,9 +12,9 @@
 namespace adit {
 namespace {
 
-constexpr double kHeightMinM = 0.1;           // above the floor
-constexpr double kHeightMaxM = 2.0;           // above the floor
-constexpr double kSteepNormalZMax = 0.5;      // cosine of 60°
+constexpr double kHeightMinM = 0.1;       // above the floor
+constexpr double kHeightMaxM = 2.0;       // above the floor
+constexpr double kSteepNormalZMax = 0.5;  // cosine of 60°
 constexpr double kFloorSearchDistanceM = 0.3;
 
 using Corners = std::array<Eigen::Vector3d, 3>;

@@ -13,9 +13,9 @@
 
 namespace adit {
 
-/// The walls of a world in 2D, as a map should show them: all surfaces between 0.1 and 2 m above the
-/// floor, except for water, rails, sleepers, and parts of floor and roof with a slope below 60°. Frame
-/// world.
+/// The walls of a world in 2D, as a map should show them: all surfaces between 0.1 and 2 m above
+/// the floor, except for water, rails, sleepers, and parts of floor and roof with a slope below
+/// 60°. Frame world.
 class WorldWalls {
  public:
   /// Distances are searched up to `max_distance_m`. `world` must outlive this.
@@ -23,7 +23,8 @@ class WorldWalls {
 
   [[nodiscard]] bool is_wall(std::uint32_t triangle) const { return is_wall_[triangle]; }
 
-  /// Distance to the nearest wall, 0 within an outline; infinite if it is more than the maximum. [m]
+  /// Distance to the nearest wall, 0 within an outline; infinite if it is more than the maximum.
+  /// [m]
   [[nodiscard]] double distance_m(const Eigen::Vector2d& p_world) const;
 
  private:

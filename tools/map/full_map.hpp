@@ -32,7 +32,8 @@ struct FullMap {
   std::vector<const Association*> associations;
   MapGraph graph;  ///< empty without local maps
 
-  /// T_map_body, one path per session: at the stored scans for earlier ones, at all scans for this one.
+  /// T_map_body, one path per session: at the stored scans for earlier ones, at all scans for this
+  /// one.
   std::vector<Trajectory> paths;
   /// Scans for the grid: those of the local maps and those after the last local map.
   std::vector<PlacedScan> scans;

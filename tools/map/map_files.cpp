@@ -46,8 +46,8 @@ std::string line(const Association& a) {
       "{:.6f}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{:.3f}\t{:.3f}\t{:.2f}\t{:.1f}\t{:.1f}\t{}\n",
       seconds(a.utime), decision_text(a), a.loop_closure.id, a.loop_closure.newer_map,
       alternative.older_map, choice(a.chosen), choice(a.previously_chosen),
-      a.loop_closure.alternatives.size(), T.x, T.y, rad_to_deg(T.theta),
-      alternative.log_likelihood, a.log_likelihood, a.reason);
+      a.loop_closure.alternatives.size(), T.x, T.y, rad_to_deg(T.theta), alternative.log_likelihood,
+      a.log_likelihood, a.reason);
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ namespace adit {
 const char* decision_text(const Association& association);
 
 /// Decisions of lazy data association as tab-separated values, one line per decision, in order of
-/// time: time, decision, loop closure, local maps, chosen alternative, T_older_newer, log-likelihoods
-/// and reason. The first line has the names of the columns.
+/// time: time, decision, loop closure, local maps, chosen alternative, T_older_newer,
+/// log-likelihoods and reason. The first line has the names of the columns.
 std::string association_table(const FullMap& map);
 
 /// Writes graph.g2o and associations.tsv (association_table). Throws std::runtime_error if a file

@@ -31,8 +31,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kGridSection = "map_grid";  // of this tool, in addition to those of the stages
-constexpr const char* kJournal = "map.journal";   // of mapping: file of the results, name in CONFIG
+constexpr const char* kGridSection =
+    "map_grid";                                  // of this tool, in addition to those of the stages
+constexpr const char* kJournal = "map.journal";  // of mapping: file of the results, name in CONFIG
 
 ConfigFile load_config(const std::filesystem::path& path) {
   if (path.empty()) return {};

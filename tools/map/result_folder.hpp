@@ -7,8 +7,8 @@
 namespace adit {
 
 /// The folder for the results of a run. Results are written to a subfolder and moved when all are
-/// complete, so that a failed run does not change earlier results, and a run can read a file that it
-/// replaces.
+/// complete, so that a failed run does not change earlier results, and a run can read a file that
+/// it replaces.
 class ResultFolder {
  public:
   /// Creates the folder if it does not exist. Throws std::filesystem::filesystem_error.

@@ -21,8 +21,8 @@
 
 namespace adit {
 
-/// Collects the data for the result files of a run: all scan matches, the output of mapping, and the
-/// scans that are not in a local map yet.
+/// Collects the data for the result files of a run: all scan matches, the output of mapping, and
+/// the scans that are not in a local map yet.
 class RunRecord {
  public:
   struct Entry {

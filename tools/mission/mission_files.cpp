@@ -37,8 +37,8 @@ std::string quoted(const std::string& argument) { return "'" + argument + "'"; }
 std::string simulator_line(const SimulatorStart& start) {
   std::string names;
   for (const std::string& stage : stage_names()) names += (names.empty() ? "" : ",") + stage;
-  std::string line = "adit-sim start.yaml --config mission.yaml --speed " + start.speed + kAheadMax +
-                     kOutageMax + " --wait-for " + names + " --record " +
+  std::string line = "adit-sim start.yaml --config mission.yaml --speed " + start.speed +
+                     kAheadMax + kOutageMax + " --wait-for " + names + " --record " +
                      start.log.filename().string();
   if (start.start_utime) line += " --start-utime " + std::to_string(*start.start_utime);
   for (const std::string& fault : start.faults) line += " --fault " + quoted(fault);

@@ -63,8 +63,8 @@ bool MissionFolder::has_mission() const { return fs::exists(journal()) || !logs(
 
 void MissionFolder::require_new() const {
   if (!has_mission()) return;
-  throw std::runtime_error(path_.string() +
-                           " already has a mission: resume it with --resume, or use another folder");
+  throw std::runtime_error(
+      path_.string() + " already has a mission: resume it with --resume, or use another folder");
 }
 
 void MissionFolder::require_unfinished() const {
@@ -84,7 +84,8 @@ SimulatedPose MissionFolder::last_pose() const {
   for (auto log = logs.rbegin(); log != logs.rend(); ++log) {
     if (const auto pose = last_truth_pose_in(*log)) return *pose;
   }
-  throw std::runtime_error(path_.string() + ": no log has TRUTH, the pose to resume from is unknown");
+  throw std::runtime_error(path_.string() +
+                           ": no log has TRUTH, the pose to resume from is unknown");
 }
 
 }  // namespace adit

@@ -105,9 +105,9 @@ void write_pid(const LockedFile& file) {
   file.write_at(0, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-/// At maximum speed, the default scheduler preempts the sender of a message for each receiver, which
-/// costs more than the work itself. Children inherit the policy. At a fixed speed it would only add
-/// latency.
+/// At maximum speed, the default scheduler preempts the sender of a message for each receiver,
+/// which costs more than the work itself. Children inherit the policy. At a fixed speed it would
+/// only add latency.
 void use_batch_scheduling(const std::string& speed) {
   const sched_param none{};
   if (speed == "max") sched_setscheduler(0, SCHED_BATCH, &none);  // optional: errors are ignored

@@ -36,10 +36,10 @@ struct MissionLiveResult {
 /// `wall_s` is the wall time since the start of the mission.
 using MissionLiveProgress = std::function<void(const MissionProgress&, double wall_s)>;
 
-/// Runs a mission until PHASE is ended, the simulation fails, the time limit is reached, or SIGINT or
-/// SIGTERM is received, and stops all processes. `notify` receives messages for the operator. Throws
-/// for files that cannot be read or written, worlds that cannot be built, and processes that cannot
-/// be started. Changes the working folder and the network of this process.
+/// Runs a mission until PHASE is ended, the simulation fails, the time limit is reached, or SIGINT
+/// or SIGTERM is received, and stops all processes. `notify` receives messages for the operator.
+/// Throws for files that cannot be read or written, worlds that cannot be built, and processes that
+/// cannot be started. Changes the working folder and the network of this process.
 MissionLiveResult run_live_mission(const MissionLiveOptions& options,
                                    const MissionLiveProgress& progress,
                                    const std::function<void(const std::string&)>& notify);

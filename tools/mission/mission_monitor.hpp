@@ -16,8 +16,8 @@
 
 namespace adit {
 
-/// Monitors a simulated mission whose stages are processes: its progress, its end, and stages that do
-/// not respond. Wall time is from any monotonic clock [µs].
+/// Monitors a simulated mission whose stages are processes: its progress, its end, and stages that
+/// do not respond. Wall time is from any monotonic clock [µs].
 class MissionMonitor {
  public:
   static constexpr std::int64_t kStageTimeoutUs = 10'000'000;  ///< of wall time
@@ -35,8 +35,8 @@ class MissionMonitor {
 
   /// Simulated time [µs since the epoch]; 0 before there is any.
   [[nodiscard]] std::int64_t utime() const { return utime_; }
-  /// Stages that delay the simulator for longer than kStageTimeoutUs. Each is returned once until it
-  /// responds again. Empty before the first SIM_TIME.
+  /// Stages that delay the simulator for longer than kStageTimeoutUs. Each is returned once until
+  /// it responds again. Empty before the first SIM_TIME.
   std::vector<std::string> newly_timed_out(std::int64_t wall_us);
 
  private:

@@ -55,7 +55,8 @@ std::string status_text(const MissionPhase& phase) {
 [[noreturn]] void fail(const std::optional<MissionPhase>& phase) {
   if (!phase) {
     throw std::runtime_error(
-        "no mission responds on LCM; a mission started by adit mission is on a private network: use "
+        "no mission responds on LCM; a mission started by adit mission is on a private network: "
+        "use "
         "--mission DIR with its --out folder");
   }
   throw std::runtime_error("the mission did not execute the order: " + status_text(*phase));

@@ -24,9 +24,9 @@ struct MissionProgress {
 /// Progress as one line; `factor` is the speed in multiples of real time.
 std::string progress_text(const MissionProgress& progress, double factor);
 
-/// Appends each change of phase and each new stop reason to a file of tab-separated values: time [s],
-/// number of the phase, "out" or "home", goal, frontier, laser, distance travelled [m], remaining
-/// distance [m], reason.
+/// Appends each change of phase and each new stop reason to a file of tab-separated values: time
+/// [s], number of the phase, "out" or "home", goal, frontier, laser, distance travelled [m],
+/// remaining distance [m], reason.
 class PhaseTrace {
  public:
   /// `bus` must outlive this. `now_s` returns the time of a line.

@@ -6,9 +6,10 @@
 
 namespace adit {
 
-/// Moves this process and its children to a private network that has only a loopback with multicast,
-/// which isolates LCM. False, without a change, if the system does not permit it. Must be called
-/// before threads are started. Throws std::system_error if the new network cannot be configured.
+/// Moves this process and its children to a private network that has only a loopback with
+/// multicast, which isolates LCM. False, without a change, if the system does not permit it. Must
+/// be called before threads are started. Throws std::system_error if the new network cannot be
+/// configured.
 bool enter_private_network();
 
 /// Joins the network of another process of the same user. Throws std::runtime_error.

@@ -157,8 +157,8 @@ namespace {
 
 /// "3 of 7 frontiers are closed (2 blocked), 3 open".
 std::string counts_text(const FrontierCounts& frontiers) {
-  std::string text = fmt::format("{} of {} are closed", frontiers.closed,
-                                 count_text(frontiers.found, "frontier"));
+  std::string text =
+      fmt::format("{} of {} are closed", frontiers.closed, count_text(frontiers.found, "frontier"));
   if (frontiers.blocked > 0) text += fmt::format(" ({} blocked)", frontiers.blocked);
   const std::size_t open = frontiers.open - frontiers.unconfirmed;
   if (open > 0) text += fmt::format(", {} open", open);
@@ -178,8 +178,8 @@ std::string frontiers_text(const MissionStatistics& statistics) {
 std::string end_text(const MissionStatistics& statistics) {
   const std::string distance = metres(statistics.distance_from_start_m) + " from the start";
   if (!statistics.last) {
-    return fmt::format(
-        "The outcome is unknown: the log has no PHASE. At its end the robot was {}.", distance);
+    return fmt::format("The outcome is unknown: the log has no PHASE. At its end the robot was {}.",
+                       distance);
   }
   switch (statistics.last->outcome) {
     case MissionOutcome::kHome:

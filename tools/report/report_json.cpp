@@ -159,12 +159,13 @@ std::string junctions_geojson(const ExplorationReport& report) {
     features.push_back(corridor_feature(corridor));
   }
   for (const Frontier& frontier : report.frontiers) features.push_back(frontier_feature(frontier));
-  const Json json{{"type", "FeatureCollection"},
-                  {"coordinates_are",
-                   "x and y in the map frame in metres (origin: first pose of the first local map), "
-                   "not longitude and latitude"},
-                  {"graph_revision", report.revision},
-                  {"features", std::move(features)}};
+  const Json json{
+      {"type", "FeatureCollection"},
+      {"coordinates_are",
+       "x and y in the map frame in metres (origin: first pose of the first local map), "
+       "not longitude and latitude"},
+      {"graph_revision", report.revision},
+      {"features", std::move(features)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -28,9 +28,9 @@ std::string html_table(const std::string& caption_text, const std::vector<std::s
   const std::string table =
       element("table", element("caption", caption) + element("thead", element("tr", head)) +
                            element("tbody", body));
-  return element("div", table,
-                 fmt::format(R"(class="scroll" tabindex="0" role="region" aria-label="{}")",
-                             caption));
+  return element(
+      "div", table,
+      fmt::format(R"(class="scroll" tabindex="0" role="region" aria-label="{}")", caption));
 }
 
 std::string html_metrics(const HtmlMetrics& metrics) {

@@ -155,8 +155,7 @@ HtmlMetrics headline_metrics(const MissionStatistics& statistics) {
     metrics.emplace_back("Frontiers closed",
                          fmt::format("{} of {}", frontiers->closed, frontiers->found));
   }
-  metrics.emplace_back("Loop closures accepted",
-                       std::to_string(statistics.loop_closures.accepted));
+  metrics.emplace_back("Loop closures accepted", std::to_string(statistics.loop_closures.accepted));
   if (statistics.revoked > 0) {
     metrics.emplace_back("Loop closures revoked", std::to_string(statistics.revoked));
   }

@@ -30,8 +30,8 @@ std::string plan_text(const RecordedPlan& plan) {
   }
   std::string text = fmt::format("Path of {}", metres(plan.length_m));
   if (std::isfinite(plan.least_clearance_m)) {
-    text += fmt::format(", minimum clearance {} to lethal cells",
-                        metres(plan.least_clearance_m, 2));
+    text +=
+        fmt::format(", minimum clearance {} to lethal cells", metres(plan.least_clearance_m, 2));
   }
   return text + ".";
 }
@@ -49,11 +49,11 @@ std::string picture(const std::string& html, const std::string& caption_text) {
 
 std::string scan_properties(const RecordedScan& scan, const std::optional<Pose2>& T_map_body) {
   const char* laser = !scan.laser ? "unknown" : *scan.laser == LaserId::kFront ? "front" : "rear";
-  return html_metrics({{"Time", clock_text(scan.utime)},
-                       {"Laser", laser},
-                       {"Pose in the map", pose_text(T_map_body)},
-                       {"Points", std::to_string(scan.points) +
-                                      (scan.complete ? "" : " (incomplete sweep)")}});
+  return html_metrics(
+      {{"Time", clock_text(scan.utime)},
+       {"Laser", laser},
+       {"Pose in the map", pose_text(T_map_body)},
+       {"Points", std::to_string(scan.points) + (scan.complete ? "" : " (incomplete sweep)")}});
 }
 
 /// All plans on a scan if there is more than one.
@@ -70,8 +70,9 @@ std::string card(const RecordedScan& scan, const MissionMap& map) {
   const ScanPictures& scan_pictures = scan.pictures;
   const std::string pictures =
       picture(scan_pictures.terrain, "Terrain with the planned path") +
-      picture(scan_pictures.c_space, fmt::format("C-space at a heading of {}° relative to the robot",
-                                                 fixed(scan_pictures.heading_deg, 0))) +
+      picture(scan_pictures.c_space,
+              fmt::format("C-space at a heading of {}° relative to the robot",
+                          fixed(scan_pictures.heading_deg, 0))) +
       picture(scan_pictures.view, "Points, seen in the direction of the laser");
   return fmt::format(R"(<article class="card{}" id="scan-{}">
 <h3>Scan {}</h3>
@@ -104,8 +105,9 @@ std::string legend() {
       legend_entry("linear-gradient(90deg, #fff, #787878)", "C-space: even to rough") +
       legend_entry("#5a5a5a", "too many unknown cells") +
       legend_entry("#000", "not passable at this heading");
-  const std::string path = legend_entry("var(--planned-path)", "planned path and vehicle outlines") +
-                           legend_entry("var(--goal)", "goal");
+  const std::string path =
+      legend_entry("var(--planned-path)", "planned path and vehicle outlines") +
+      legend_entry("var(--goal)", "goal");
   return html_details("Legend",
                       element("ul", terrain + c_space + path + blocking, "class=\"keys\""));
 }
@@ -124,9 +126,9 @@ std::vector<ScanMark> scan_marks(const MissionRecords& records, const MissionMap
     if (!T_map_body) continue;
     const bool rear = scan.laser == LaserId::kRear;
     const Pose2 T_body_ahead{0.0, 0.0, rear ? std::numbers::pi : 0.0};
-    marks.push_back({scan.number, *T_map_body * T_body_ahead, has_path(scan),
-                     fmt::format("Scan {}, {}: {}", scan.number, clock_text(scan.utime),
-                                 outcome_text(scan))});
+    marks.push_back(
+        {scan.number, *T_map_body * T_body_ahead, has_path(scan),
+         fmt::format("Scan {}, {}: {}", scan.number, clock_text(scan.utime), outcome_text(scan))});
   }
   return marks;
 }

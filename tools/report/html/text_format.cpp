@@ -29,7 +29,8 @@ std::size_t character_bytes(std::string_view text) {
   }
   const auto second = static_cast<unsigned char>(text[1]);
   const bool overlong = (first == 0xE0U && second < 0xA0U) || (first == 0xF0U && second < 0x90U);
-  const bool out_of_range = (first == 0xEDU && second > 0x9FU) || (first == 0xF4U && second > 0x8FU);
+  const bool out_of_range =
+      (first == 0xEDU && second > 0x9FU) || (first == 0xF4U && second > 0x8FU);
   return overlong || out_of_range ? 0 : length;
 }
 

@@ -85,9 +85,8 @@ void EventRecord::on_driving(const DrivingState& state) {
   const bool waiting = state.kind == DrivingState::Kind::kWaiting;
   const bool failed = state.kind == DrivingState::Kind::kFailed;
   if (!waiting && !failed) return end_event(driving_, kDriving, state.utime);
-  begin_or_extend(driving_,
-                  {Kind::kDriving, state.utime, state.utime, kDriving,
-                   (failed ? "path failed: " : "waiting: ") + state.reason});
+  begin_or_extend(driving_, {Kind::kDriving, state.utime, state.utime, kDriving,
+                             (failed ? "path failed: " : "waiting: ") + state.reason});
 }
 
 /// Starts an event, or extends the one of the same source if the descriptions differ in numbers

@@ -23,8 +23,8 @@ struct LogInfo {
   std::int64_t first_utime = 0;
   std::int64_t last_utime = 0;
   std::map<std::string, ConfigSnapshot> configs;  ///< last CONFIG of each stage
-  Lasers lasers;                                  ///< of the first CONFIG that has them, or defaults
-  std::vector<std::string> warnings;              ///< damage of the logs, one sentence each
+  Lasers lasers;                      ///< of the first CONFIG that has them, or defaults
+  std::vector<std::string> warnings;  ///< damage of the logs, one sentence each
 
   [[nodiscard]] bool has(std::string_view channel) const {
     return messages.find(channel) != messages.end();
@@ -33,8 +33,8 @@ struct LogInfo {
   [[nodiscard]] bool simulated() const;
 };
 
-/// Parameters of a stage from its recorded CONFIG; defaults if there is none. Defaults are also used
-/// for a CONFIG that cannot be read (damaged, or of another version), with a warning.
+/// Parameters of a stage from its recorded CONFIG; defaults if there is none. Defaults are also
+/// used for a CONFIG that cannot be read (damaged, or of another version), with a warning.
 template <class Params>
 Params recorded_params(const LogInfo& log_info, const std::string& stage,
                        std::vector<std::string>& warnings) {

@@ -88,8 +88,8 @@ MissionLogReader::MissionLogReader(const LogInfo& log_info, bool remap)
     : log_info_(log_info),
       scan_renderer_(recorded_params<PlanningParams>(log_info, "planning", config_warnings_)),
       scans_(stage_bus_, [this](const ScanProducts& scan) { return scan_renderer_.render(scan); }),
-      volume_(stage_bus_, stage_params<VolumeMapNode::Params>(log_info, "volume_map",
-                                                              config_warnings_)) {
+      volume_(stage_bus_,
+              stage_params<VolumeMapNode::Params>(log_info, "volume_map", config_warnings_)) {
   if (!remap) return;
   mapping_.emplace(stage_bus_,
                    stage_params<MappingNodeParams>(log_info, "mapping", config_warnings_));

@@ -51,8 +51,8 @@ void PhaseRecord::on_phase(const MissionPhase& phase) {
   reported_.back().end_distance_travelled_m = phase.distance_travelled_m;
   if (reported_.size() > 1) {
     auto& previous = reported_[reported_.size() - 2];
-    previous.end_distance_travelled_m = std::max(previous.end_distance_travelled_m,
-                                                 reported_.back().phase.distance_travelled_m);
+    previous.end_distance_travelled_m =
+        std::max(previous.end_distance_travelled_m, reported_.back().phase.distance_travelled_m);
   }
   if (phase.returning_home && !return_home_utime_) return_home_utime_ = phase.utime;
   last_ = phase;

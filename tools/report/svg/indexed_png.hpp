@@ -16,8 +16,8 @@ namespace adit {
 /// the size in true colour. An image of more than 256 colours is quantised: similar colours are
 /// replaced by their mean. `transparent` is a colour to be transparent. The result is the same for
 /// the same image and zlib.
-std::vector<std::uint8_t> indexed_png(const RgbImage& image,
-                                      const std::optional<RgbImage::Pixel>& transparent = std::nullopt);
+std::vector<std::uint8_t> indexed_png(
+    const RgbImage& image, const std::optional<RgbImage::Pixel>& transparent = std::nullopt);
 
 /// Bytes as a data URI of RFC 2397: "data:image/png;base64,…".
 std::string data_uri(const std::string& media_type, std::span<const std::uint8_t> bytes);

@@ -8,17 +8,17 @@
 #include <fmt/format.h>
 
 #include "tools/map/map_files.hpp"
-#include "tools/report/mission_statistics.hpp"
 #include "tools/report/html/text_format.hpp"
+#include "tools/report/mission_statistics.hpp"
 #include "tools/report/svg/svg_elements.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kPathStepUnits = 0.6;       // below the resolution of a screen
-constexpr double kDirectionUnits = 12.0;     // length of the line at a frontier
-constexpr double kScanRadiusUnits = 7.5;     // of the circle around a number
-constexpr double kScanSpacingUnits = 16.0;   // between rows of numbers beside the path
+constexpr double kPathStepUnits = 0.6;      // below the resolution of a screen
+constexpr double kDirectionUnits = 12.0;    // length of the line at a frontier
+constexpr double kScanRadiusUnits = 7.5;    // of the circle around a number
+constexpr double kScanSpacingUnits = 16.0;  // between rows of numbers beside the path
 constexpr int kScanRowsMax = 4;
 
 std::string edges(const std::vector<GraphPicture::Edge>& edges, const MapView& view) {
@@ -104,8 +104,8 @@ std::string frontier_svg(const Frontier& frontier, const MapView& view, const st
   const std::string css = css_of(frontier.state);
   const Eigen::Vector2d at = view.at(frontier.p_map);
   const Eigen::Vector2d direction(frontier.direction_map.x(), -frontier.direction_map.y());
-  const std::string text = fmt::format("Frontier {}, {}: {}", frontier.id, name_of(frontier.state),
-                                       frontier.evidence);
+  const std::string text =
+      fmt::format("Frontier {}, {}: {}", frontier.id, name_of(frontier.state), frontier.evidence);
   const bool done = css == "done";
   const std::string line = line_data(at, at + kDirectionUnits * direction);
   return fmt::format(R"(<a href="{}#frontier-{}">{}{}</a>)", page, frontier.id,

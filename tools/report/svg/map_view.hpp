@@ -11,8 +11,8 @@
 
 namespace adit {
 
-/// Transforms map coordinates to those of a drawing: y down, about 1000 units along the longer side,
-/// so that lines and letters have the same size on every map.
+/// Transforms map coordinates to those of a drawing: y down, about 1000 units along the longer
+/// side, so that lines and letters have the same size on every map.
 class MapView {
  public:
   /// Fits the observed cells of the grid (may be null) and the path.

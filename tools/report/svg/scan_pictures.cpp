@@ -22,7 +22,8 @@ namespace {
 constexpr int kViewWidth = 400;
 constexpr int kViewHeight = 240;
 
-/// The cloud turned so that the laser points along x: points of the rear laser are behind the robot.
+/// The cloud turned so that the laser points along x: points of the rear laser are behind the
+/// robot.
 Cloud in_laser_direction(Cloud cloud) {
   double sum_x_m = 0.0;
   for (const CloudLine& line : cloud.lines) {
@@ -88,9 +89,8 @@ ScanPictures ScanRenderer::render(const ScanProducts& scan) {
   if (plan.slices.empty()) return pictures;
   const double heading_deg = rad_to_deg(heading_rad);
   pictures.heading_deg = heading_deg;
-  pictures.c_space =
-      terrain_svg(scan, image_of(plan.slices.front()), box, params_.vehicle,
-                  fmt::format("C-space at a heading of {}°", fixed(heading_deg, 0)));
+  pictures.c_space = terrain_svg(scan, image_of(plan.slices.front()), box, params_.vehicle,
+                                 fmt::format("C-space at a heading of {}°", fixed(heading_deg, 0)));
   return pictures;
 }
 

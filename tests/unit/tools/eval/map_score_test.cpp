@@ -74,8 +74,8 @@ TEST_F(MapScoreOf, ALargeShiftLosesCoverage) {
   // 0.15 m of these the long walls.
   const MapScore found = score(moved({0.0, 0.5, 0.0}, walls_to(20.0)));
   EXPECT_LT(found.coverage, 0.1);
-  // All of one long wall is 0.5 m outside the tunnel. All of the other is 0.5 m inside, but 6 points
-  // at each end lie within 0.3 m of it. Of either end, 4 points are more than 0.3 m out.
+  // All of one long wall is 0.5 m outside the tunnel. All of the other is 0.5 m inside, but 6
+  // points at each end lie within 0.3 m of it. Of either end, 4 points are more than 0.3 m out.
   EXPECT_DOUBLE_EQ(found.deviation, (800.0 + 800.0 - 12.0 + 8.0) / 1760.0);
 }
 

@@ -106,7 +106,7 @@ TEST(TrajectoryScore, ASingleRotationAffectsTheSegmentsThatContainIt) {
   EXPECT_NEAR(static_cast<double>(score.relative[1].segments), 31.0, 1.0);
   // Segments that start within 10 m before the rotation.
   EXPECT_NEAR(score.relative[1].rotation_deg, 10.0 * 10.0 / 31.0, 0.4);  // one segment more or less
-  EXPECT_EQ(score.relative[2].segments, 0U);                             // the path is shorter than 100 m
+  EXPECT_EQ(score.relative[2].segments, 0U);  // the path is shorter than 100 m
 }
 
 TEST(TrajectoryScore, NoiseAddsNoLength) {

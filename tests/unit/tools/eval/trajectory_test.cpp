@@ -61,8 +61,8 @@ TEST(DistanceTravelled, IsZeroForARobotAtRest) {
 TEST(DistanceTravelled, KeepsTheLengthOfAStraightLine) {
   const Trajectory straight{{1, {0, 0, 0}}, {2, {0.25, 0, 0}}, {3, {0.5, 0, 0}}, {4, {4.5, 0, 0}}};
   EXPECT_DOUBLE_EQ(distance_travelled_m(straight, 0.2), 4.5);
-  // Up to a step is missing at the end; each of 250 steps is longer by at most 0.02²/(2·0.2) because
-  // of lateral errors, and the ends have errors of 1 cm.
+  // Up to a step is missing at the end; each of 250 steps is longer by at most 0.02²/(2·0.2)
+  // because of lateral errors, and the ends have errors of 1 cm.
   const double measured = distance_travelled_m(jittering(50.0), 0.2);
   EXPECT_LT(measured, 50.0 + 250 * 0.02 * 0.02 / 0.4 + 0.02);
   EXPECT_GT(measured, 50.0 - 0.2 - 0.02 - 0.013);

@@ -61,9 +61,7 @@ TEST(Tum, ReportsTheLineOfAnError) {
   EXPECT_EQ(error_of("1 0 0 0 0 0 0 2\n"), "t.tum:1: the quaternion has no unit length");
 }
 
-TEST(Tum, RejectsAMissingFile) {
-  EXPECT_THROW(read_tum("/nonexistent.tum"), std::runtime_error);
-}
+TEST(Tum, RejectsAMissingFile) { EXPECT_THROW(read_tum("/nonexistent.tum"), std::runtime_error); }
 
 }  // namespace
 }  // namespace adit

@@ -25,11 +25,10 @@ TEST(MissionStatistics, OutcomeOfACompleteExplorationHasBlockedFrontiers) {
 }
 
 TEST(MissionStatistics, OutcomeOfAnIncompleteExplorationHasOpenFrontiers) {
-  EXPECT_EQ(
-      outcome_text(mission_at_home(
-          false, {.found = 7, .closed = 3, .open = 4, .blocked = 2, .unconfirmed = 1})),
-      "The robot returned home. The exploration is incomplete: 3 of 7 frontiers are closed "
-      "(2 blocked), 3 open, 1 abandoned without evidence of a blockage.");
+  EXPECT_EQ(outcome_text(mission_at_home(
+                false, {.found = 7, .closed = 3, .open = 4, .blocked = 2, .unconfirmed = 1})),
+            "The robot returned home. The exploration is incomplete: 3 of 7 frontiers are closed "
+            "(2 blocked), 3 open, 1 abandoned without evidence of a blockage.");
 }
 
 }  // namespace

@@ -60,8 +60,10 @@ class Report : public testing::Test {
 
 TEST_F(Report, ReturnsTheOutcomeOfTheMission) {
   const MissionReport report = run();
-  EXPECT_EQ(report.outcome, "The robot returned home. The exploration is incomplete: 2 of 3 frontiers are closed, 1 "
-            "open.");
+  EXPECT_EQ(
+      report.outcome,
+      "The robot returned home. The exploration is incomplete: 2 of 3 frontiers are closed, 1 "
+      "open.");
   EXPECT_THAT(report.warnings, IsEmpty());
   EXPECT_EQ(report.scans, 2U);
   EXPECT_NEAR(report.distance_travelled_m, 20.0, 1e-9);
@@ -221,8 +223,8 @@ TEST_F(Report, WarnsOfAnUnreadableConfig) {
   log.write({config.utime, "CONFIG", encode(to_message(config))});
   log.close();
   const MissionReport report = write_report({{folder_ / "a.lcmlog", folder_ / "b.lcmlog"}, out()});
-  EXPECT_THAT(report.warnings, ElementsAre(AllOf(HasSubstr("CONFIG of planning"),
-                                                 HasSubstr("no_such_key"))));
+  EXPECT_THAT(report.warnings,
+              ElementsAre(AllOf(HasSubstr("CONFIG of planning"), HasSubstr("no_such_key"))));
   EXPECT_THAT(text("mission.html"), HasSubstr("no_such_key"));
 }
 

@@ -24,6 +24,7 @@
 #include "common/messages/navigation.hpp"
 #include "common/messages/sensing.hpp"
 #include "common/messages/sim.hpp"
+#include "common/sensing/seconds.hpp"
 #include "procs/planning/planning.hpp"
 #include "procs/terrain/terrain.hpp"
 #include "tests/unit/procs/volume_map/swept_tunnel.hpp"

@@ -16,7 +16,7 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kQueued = 100;
+constexpr std::size_t kTraceQueued = 100;
 
 }  // namespace
 
@@ -32,11 +32,11 @@ std::string progress_text(const MissionProgress& progress, double factor) {
 
 PhaseTrace::PhaseTrace(Bus& bus, const std::filesystem::path& file, std::function<double()> now_s)
     : file_(file, std::ios::app), now_s_(std::move(now_s)) {
-  subscribe<phase_t>(bus, channels::kPhase, Delivery::queued(kQueued),
+  subscribe<phase_t>(bus, channels::kPhase, Delivery::queued(kTraceQueued),
                      [this](const MissionPhase& phase) {
                        if (std::exchange(sequence_, phase.sequence) != phase.sequence) write(phase);
                      });
-  subscribe<stop_t>(bus, channels::kStop, Delivery::queued(kQueued),
+  subscribe<stop_t>(bus, channels::kStop, Delivery::queued(kTraceQueued),
                     [this](const StopOrder& order) {
                       const bool is_new = std::exchange(stop_, order.reason) != order.reason;
                       if (!order.stopped || !is_new) return;

@@ -53,7 +53,7 @@ std::string legend_svg(double y) {
   std::string svg;
   double x = 20.0;
   for (const LegendEntry& entry : kLegend) {
-    svg += fmt::format(R"(<g transform="translate({} {})">{}<text x="28">{}</text></g>)",
+    svg += fmt::format(R"svg(<g transform="translate({} {})">{}<text x="28">{}</text></g>)svg",
                        fixed(x, 0), fixed(y, 0), entry.symbol, entry.name);
     x += kLegendEntryUnits;
   }
@@ -74,7 +74,7 @@ std::string map_svg_file(const MapContent& map, const std::string& title) {
   const MapView view(map.grid, map.map->path());
   const double width = std::max(view.width(), kFileWidthMin);
   const double height = kHeadUnits + view.height() + kFootUnits;
-  return fmt::format(R"(<?xml version="1.0" encoding="UTF-8"?>
+  return fmt::format(R"svg(<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" class="mine" {}>
 <style>{}</style>
 <title>{}</title>
@@ -83,7 +83,7 @@ std::string map_svg_file(const MapContent& map, const std::string& title) {
 <g transform="translate({} {})">{}{}</g>
 {}
 </svg>
-)",
+)svg",
                      size_attributes(width, height), page_file("map"), escaped(title),
                      fixed(width, 1), fixed(height, 1), escaped(title),
                      fixed((width - view.width()) / 2.0, 1), fixed(kHeadUnits, 1),

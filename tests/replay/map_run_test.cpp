@@ -88,7 +88,7 @@ TEST_F(MapRun, WritesASummary) {
   const auto& scans = summary.at("scans");
   EXPECT_EQ(scans.at("total"), truth.size());
   EXPECT_EQ(scans.at("matched"), truth.size() - 1);  // the first scan has no reference
-  for (const char* name : {"lost", "refused", "searched", "degenerate"}) {
+  for (const char* name : {"lost", "rejected", "searched", "degenerate"}) {
     EXPECT_GE(scans.at(name), 0) << name;
     EXPECT_LT(scans.at(name), truth.size() / 2) << name;
   }
@@ -155,8 +155,8 @@ TEST_F(MapRun, ClosesTheLoopsOfTheMine) {
   const auto& found = summary.at("map");
   EXPECT_EQ(found.at("sessions"), 1);
   EXPECT_EQ(found.at("local_maps"), result.local_maps);
-  EXPECT_EQ(found.at("closures").at("in_force"), result.loop_closures);
-  EXPECT_GE(found.at("closures").at("proposed"), result.loop_closures);
+  EXPECT_EQ(found.at("loop_closures").at("accepted"), result.loop_closures);
+  EXPECT_GE(found.at("loop_closures").at("proposed"), result.loop_closures);
   EXPECT_GE(found.at("objective"), 0.0);
   EXPECT_GT(found.at("bytes_per_local_map").at("serialised"), 1000);
   EXPECT_GT(found.at("bytes_per_local_map").at("resident"), 1000);
@@ -243,7 +243,7 @@ TEST_F(MapRun, BothStagesUseTheSameLaserPoses) {
       write("turned.yaml", "lasers:\n  front:\n    T_body_laser: {theta_rad: 1.5707963}\n");
   map(at("sample.lcmlog"), "turned", Odometry::kIgnored, turned);
   const auto loop_closures = [&](const std::string& folder) {
-    return nlohmann::json::parse(contents(folder + "/summary.json"))["map"]["closures"]["in_force"];
+    return nlohmann::json::parse(contents(folder + "/summary.json"))["map"]["loop_closures"]["accepted"];
   };
   // The body frame differs, but the walls coincide as before.
   EXPECT_GE(loop_closures("turned"), 1);

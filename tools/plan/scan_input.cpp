@@ -16,7 +16,7 @@
 #include "common/messages/mapping/cloud.hpp"
 #include "procs/scan_assembly/scan_assembly_node.hpp"
 #include "sim/simulation/simulation_params.hpp"
-#include "tools/map/log_input.hpp"
+#include "tools/map/recorded_config.hpp"
 
 namespace adit {
 namespace {
@@ -53,7 +53,7 @@ Lasers find_lasers(const ConfigFile& config, const LogFile& log,
   if (config.section(Lasers::kSection) != nullptr) {
     return load_section<Lasers>(config, Lasers::kSection);
   }
-  if (const auto recorded = recorded_lasers(log.events())) return *recorded;
+  if (const auto recorded = recorded_lasers(log.events(), warnings)) return *recorded;
   warnings.emplace_back(
       "laser poses are neither in the configuration nor in the log; using those of Groundhog");
   return groundhog_lasers();

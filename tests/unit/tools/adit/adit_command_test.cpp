@@ -156,7 +156,7 @@ TEST_F(AditCommand, OptimizeRequiresOdometryForLazyAssociation) {
   std::ofstream(at("gap.g2o")) << kEdge << "EDGE_SE2 3 9 1 0 0 1 0 0 1 0 1\n";
   const CommandResult outcome = adit({"optimize", at("gap.g2o"), "--loops", "lazy"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("gap.g2o: no constraint links pose 4 with the next, pose 9"));
+  EXPECT_THAT(outcome.err, HasSubstr("gap.g2o: no constraint between pose 4 and the next pose 9"));
   EXPECT_EQ(adit({"optimize", at("gap.g2o")}).exit_code, 0);
 }
 

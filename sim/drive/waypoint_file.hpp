@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -22,5 +23,9 @@ struct Waypoint {
 /// std::runtime_error, with file and line, for a file that cannot be read, a line that is none of
 /// these, a speed that is not positive, or no waypoint at all.
 std::vector<Waypoint> read_waypoints(const std::filesystem::path& path);
+
+/// The drive through a built-in world (`sim/worlds/<world>_drive.txt`). Throws std::runtime_error
+/// for a world without one.
+std::vector<Waypoint> built_in_drive(const std::string& world);
 
 }  // namespace adit

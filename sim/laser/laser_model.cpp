@@ -30,7 +30,8 @@ Ray sub_ray(const LaserParams& params, double angle_rad, double across, double u
 }
 
 std::vector<Ray> rays_of_beam(const LaserParams& params, int beam) {
-  const double angle_rad = beam * params.angle_step_rad() - std::numbers::pi / 2.0;
+  const double angle_rad =
+      params.bearing_scale * (beam * params.angle_step_rad() - std::numbers::pi / 2.0);
   std::vector<Ray> rays{sub_ray(params, angle_rad, 0.0, 0.0)};
   for (int i = 1; i < params.subrays; ++i) {
     const double around = 2.0 * std::numbers::pi * i / (params.subrays - 1);

@@ -15,6 +15,9 @@ struct LaserParams {
   /// To which a surface of reflectivity 0.1 that faces the laser is seen. Others by the power that
   /// comes back, reflectivity · cos(incidence) / range².
   double range_at_10_percent_m = 30.0;
+  /// True bearings as multiples of the reported ones: a calibration error by which scan matching
+  /// over- or underestimates turns.
+  double bearing_scale = 1.0;
   double noise_sd_m = 0.005;       ///< of a single range, normal
   double offset_max_m = 0.015;     ///< systematic, drawn for each laser, uniform to either side
   int subrays = 1;                 ///< over the width of a beam, for mixed pixels: 1 or 9
@@ -34,6 +37,7 @@ struct LaserParams {
     v("unit_m", unit_m, within(0.0001, 0.1));
     v("range_min_m", range_min_m, at_least(0.0));
     v("range_at_10_percent_m", range_at_10_percent_m, above(0.0));
+    v("bearing_scale", bearing_scale, within(0.9, 1.1));
     v("noise_sd_m", noise_sd_m, at_least(0.0));
     v("offset_max_m", offset_max_m, at_least(0.0));
     v("subrays", subrays, within(1, 9));

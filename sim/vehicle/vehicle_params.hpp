@@ -46,6 +46,7 @@ struct WheelOdometryParams {
   bool present = true;
   double distance_scale = 0.98;  ///< of the way that the wheels rolled
   double turn_scale = 0.97;
+  double turn_bias_rad_per_m = 0.0;  ///< systematic turn of the heading, to the left
   double distance_noise_m_per_sqrt_m = 0.01;
   double turn_noise_rad_per_sqrt_m = 0.005;
 
@@ -54,6 +55,7 @@ struct WheelOdometryParams {
     v("present", present);
     v("distance_scale", distance_scale, above(0.0));
     v("turn_scale", turn_scale, above(0.0));
+    v("turn_bias_rad_per_m", turn_bias_rad_per_m, within(-0.2, 0.2));
     v("distance_noise_m_per_sqrt_m", distance_noise_m_per_sqrt_m, at_least(0.0));
     v("turn_noise_rad_per_sqrt_m", turn_noise_rad_per_sqrt_m, at_least(0.0));
   }

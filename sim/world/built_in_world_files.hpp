@@ -11,6 +11,7 @@ namespace adit {
 struct WorldFileText {
   std::string name;  ///< without `.yaml`
   std::string text;
+  std::string drive;  ///< the waypoints in `<name>_drive.txt`; empty if there is no such file
 };
 
 /// Sorted by name. Made by cmake/embed_worlds.cmake.

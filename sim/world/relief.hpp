@@ -40,7 +40,11 @@ class Relief {
     double height_m = 0.0;
     double length_m = 1.0;
   };
-  std::vector<Octave> octaves_;  ///< none without height
+  template <class Point>
+  [[nodiscard]] Point repeated(Point p_world) const;
+
+  std::vector<Octave> octaves_;  ///< empty without height
+  double repeat_y_m_ = 0.0;
 };
 
 }  // namespace adit

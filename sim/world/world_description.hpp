@@ -92,12 +92,15 @@ struct ReliefDescription {
   double height_m = 0.03;  ///< greatest departure to either side
   double length_m = 2.0;   ///< over which it varies
   int octaves = 3;         ///< each of half the length and half the height of the one before
+  double repeat_y_m =
+      0.0;  ///< period along y, which gives parallel tunnels the same walls; 0: none
 
   template <class V>
   void visit(V& v) {
     v("height_m", height_m, within(0.0, 2.0));
     v("length_m", length_m, within(0.1, 1000.0));
     v("octaves", octaves, within(1, 8));
+    v("repeat_y_m", repeat_y_m, at_least(0.0));
   }
 };
 

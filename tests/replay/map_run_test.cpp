@@ -28,7 +28,7 @@ using testing::IsEmpty;
 
 /// Writes a drive through the mine without its beginning; gives where the robot truly was.
 Trajectory write_rest(std::size_t scans_before, const std::filesystem::path& path) {
-  SampleRun run(1);
+  SampleRun run;
   for (std::size_t i = 0; i < scans_before; ++i) run.next();
   write_sample_log(run, path);
   return {run.truth().begin() + static_cast<std::ptrdiff_t>(scans_before), run.truth().end()};

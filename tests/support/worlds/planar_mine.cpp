@@ -52,6 +52,12 @@ std::vector<Segment> walls_of(const WorldTruth& truth) {
   return walls;
 }
 
+double distance_m(const Eigen::Vector2d& p, const Segment& wall) {
+  const Eigen::Vector2d along = wall.b - wall.a;
+  const double share = std::clamp((p - wall.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (p - wall.a - share * along).norm();
+}
+
 /// Cells that can be reached, to be asked for places nearby.
 class Reach {
  public:
@@ -102,19 +108,19 @@ std::vector<Eigen::Vector2d> corridor_of(const TunnelGraph& tunnels, const Reach
 PlanarMine planar_mine(const World& world, const Vehicle& vehicle) {
   const ReachableArea area = reachable_area(world, vehicle);
   const auto reach = std::make_shared<const Reach>(area.cells);
-  return {SyntheticWorld(walls_of(world.truth)), world.T_world_start,
+  return {WallWorld(walls_of(world.truth)), world.T_world_start,
           [reach](const Eigen::Vector2d& p) { return reach->near(p, kSnapM); },
           corridor_of(world.truth.tunnels, *reach)};
 }
 
 PlanarMine planar_mine(std::vector<Segment> walls, const Pose2& T_world_start,
                        std::vector<Eigen::Vector2d> corridor, double radius_m) {
-  const auto walls_copy = std::make_shared<const SyntheticWorld>(walls);
-  return {SyntheticWorld(std::move(walls)), T_world_start,
-          [walls_copy, radius_m](const Eigen::Vector2d& p) {
-            return !walls_copy->clearance(p, radius_m);
-          },
-          std::move(corridor)};
+  WallWorld world(walls);
+  const auto is_clear = [walls = std::move(walls), radius_m](const Eigen::Vector2d& p) {
+    return std::ranges::none_of(
+        walls, [&](const Segment& wall) { return distance_m(p, wall) <= radius_m; });
+  };
+  return {std::move(world), T_world_start, is_clear, std::move(corridor)};
 }
 
 }  // namespace adit::test

@@ -35,7 +35,7 @@ void expect_near(const Pose2& actual, const Pose2& expected, double metres, doub
 class MapMatchingRecovers : public testing::TestWithParam<Pose2> {};
 
 TEST_P(MapMatchingRecovers, AKnownDisplacement) {
-  const SyntheticWorld mine = sample_mine(3);
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 T_world_older{8.0, 0.0, 0.0};
   const Pose2 truth{1.0, 0.2, 0.1};
   const auto found = match(walls_of(mine, T_world_older * truth, 5.0, 2),
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Predictions, MapMatchingRecovers,
                                          Pose2{0.5, -1.5, -0.4}));
 
 TEST(MapMatching, FindsTheWayBackInTheOtherDirectionInAWideGate) {
-  const SyntheticWorld mine = sample_mine(3);
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 T_world_older{6.0, 0.0, 0.0};
   const Pose2 truth{7.0, 0.3, std::numbers::pi - 0.1};
   const auto found =
@@ -63,7 +63,7 @@ TEST(MapMatching, FindsTheWayBackInTheOtherDirectionInAWideGate) {
 
 TEST(MapMatching, InformationIsConsistentWithTheError) {
   // Expectation 3; smaller, since the model allows for maps that are bent, which these are not.
-  const SyntheticWorld mine = sample_mine(5);
+  const test::WallWorld mine = test::sample_mine(5);
   double sum = 0.0;
   constexpr int kSeeds = 30;
   for (int seed = 0; seed < kSeeds; ++seed) {
@@ -83,7 +83,7 @@ TEST(MapMatching, InformationIsConsistentWithTheError) {
 }
 
 TEST(MapMatching, GivesNoInformationAlongAStraightDrift) {
-  const SyntheticWorld tunnel = straight_tunnel(400.0, 3.0);
+  const test::WallWorld tunnel = test::straight_tunnel(400.0, 3.0);
   for (const double heading : {0.0, 0.05, -0.1}) {
     const Pose2 T_world_older{0.0, 0.2, heading};
     const Pose2 truth = T_world_older.inverse() * Pose2{2.0, 0.1, heading + 0.1};
@@ -107,8 +107,8 @@ TEST(MapMatching, GivesNoInformationAlongAStraightDrift) {
 }
 
 /// A straight drift with a recess on one side at each of the given places.
-SyntheticWorld tunnel_with_recesses(const std::vector<double>& at) {
-  std::vector<Segment> walls{{{-100.0, -1.5}, {100.0, -1.5}}};
+test::WallWorld tunnel_with_recesses(const std::vector<double>& at) {
+  std::vector<test::Segment> walls{{{-100.0, -1.5}, {100.0, -1.5}}};
   double from = -100.0;
   for (const double x : at) {
     const std::vector<Eigen::Vector2d> corners{
@@ -119,7 +119,7 @@ SyntheticWorld tunnel_with_recesses(const std::vector<double>& at) {
     from = x + 2.0;
   }
   walls.push_back({{from, 1.5}, {100.0, 1.5}});
-  return SyntheticWorld(walls);
+  return test::WallWorld(walls);
 }
 
 TEST(MapMatching, KeepsBothOfTwoPlacesThatLookAlike) {
@@ -139,14 +139,14 @@ TEST(MapMatching, KeepsBothOfTwoPlacesThatLookAlike) {
 
 TEST(MapMatching, FindsNothingInAnotherPlace) {
   const LocalWalls older = walls_of(test::crooked_room(), {-3.0, 0.0, 0.0}, 3.0);
-  const LocalWalls newer = walls_of(sample_mine(3), {8.0, 0.0, 0.0}, 5.0, 2);
+  const LocalWalls newer = walls_of(test::sample_mine(3), {8.0, 0.0, 0.0}, 5.0, 2);
   for (const double turn : {0.0, 1.5, 3.0}) {
     EXPECT_TRUE(match(newer, older, around({0.0, 0.0, turn}, 0.7, 0.2)).empty()) << turn;
   }
 }
 
 TEST(MapMatching, KeepsToTheGate) {
-  const SyntheticWorld mine = sample_mine(3);
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 T_world_older{8.0, 0.0, 0.0};
   const RelativePose wrong = around({4.0, 0.0, 0.0}, 0.4, 0.05);
   for (const auto& found :

@@ -7,7 +7,7 @@
 
 namespace adit {
 
-/// A file of sim/worlds, as it was when the library was built.
+/// A world file of sim/worlds, embedded at build time.
 struct WorldFileText {
   std::string name;  ///< without `.yaml`
   std::string text;

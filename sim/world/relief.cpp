@@ -11,7 +11,7 @@ Relief::Relief(const ReliefDescription& description, std::uint64_t seed) {
   if (description.height_m == 0.0) return;
   const double sum_of_shares = 2.0 - std::ldexp(1.0, 1 - description.octaves);
   for (int i = 0; i < description.octaves; ++i) {
-    // Seeds far apart, so that no octave of one relief is that of another.
+    // Distinct seeds, so that no octave of one relief equals that of another.
     const std::uint64_t own_seed = (seed << 8U) + static_cast<std::uint64_t>(i);
     octaves_.push_back({SmoothNoise(own_seed), std::ldexp(description.height_m / sum_of_shares, -i),
                         std::ldexp(description.length_m, -i)});

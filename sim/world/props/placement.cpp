@@ -13,7 +13,7 @@ namespace {
 
 void require_along(const TunnelLine& tunnel, double at_m, const std::string& what) {
   if (at_m >= 0.0 && at_m <= tunnel.length_m()) return;
-  throw std::invalid_argument(what + ": " + number_text(at_m) + " m is not along drift '" +
+  throw std::invalid_argument(what + ": " + number_text(at_m) + " m is not along tunnel '" +
                               tunnel.name + "', which is " + number_text(tunnel.length_m()) +
                               " m long");
 }

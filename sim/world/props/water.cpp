@@ -29,7 +29,7 @@ HeightChange water_hollow(const WaterDescription& water, const TunnelLine& tunne
 
 namespace {
 
-/// A flat strip between the two sides of an outline that `stretch_outline` made.
+/// A flat strip between the two sides of an outline by `stretch_outline`.
 void add_surface(const std::vector<Eigen::Vector2d>& outline, double level_m,
                  MeshBuilder& builder) {
   std::vector<std::uint32_t> rim;

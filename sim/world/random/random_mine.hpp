@@ -9,7 +9,7 @@
 
 namespace adit {
 
-/// What kind of mine chance is to make.
+/// Parameters of a random mine.
 struct RandomMineParams {
   std::string topology = "any";  ///< any, parallel_entries, room_and_pillar, branching or ring
   double length_m = 300.0;       ///< of all drifts, about
@@ -24,9 +24,9 @@ struct RandomMineParams {
   }
 };
 
-/// A made-up mine: the same parameters and seed give the same description. Always has an entrance
-/// and at least 20 m of sound drift behind it. Throws std::invalid_argument for an unknown
-/// topology.
+/// Generates a random mine: the same parameters and seed give the same description. It has an
+/// entrance and at least 20 m of undamaged tunnel behind it. Throws std::invalid_argument for an
+/// unknown topology.
 WorldDescription random_mine(int seed, const RandomMineParams& params = {});
 
 }  // namespace adit

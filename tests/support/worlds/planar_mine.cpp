@@ -52,12 +52,6 @@ std::vector<Segment> walls_of(const WorldTruth& truth) {
   return walls;
 }
 
-double distance_m(const Eigen::Vector2d& p, const Segment& wall) {
-  const Eigen::Vector2d along = wall.b - wall.a;
-  const double share = std::clamp((p - wall.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (p - wall.a - share * along).norm();
-}
-
 /// Cells that can be reached, to be asked for places nearby.
 class Reach {
  public:
@@ -115,12 +109,10 @@ PlanarMine planar_mine(const World& world, const Vehicle& vehicle) {
 
 PlanarMine planar_mine(std::vector<Segment> walls, const Pose2& T_world_start,
                        std::vector<Eigen::Vector2d> corridor, double radius_m) {
-  WallWorld world(walls);
-  const auto is_clear = [walls = std::move(walls), radius_m](const Eigen::Vector2d& p) {
-    return std::ranges::none_of(
-        walls, [&](const Segment& wall) { return distance_m(p, wall) <= radius_m; });
-  };
-  return {std::move(world), T_world_start, is_clear, std::move(corridor)};
+  const WallWorld world(std::move(walls));
+  return {world, T_world_start,
+          [world, radius_m](const Eigen::Vector2d& p) { return !world.clearance(p, radius_m); },
+          std::move(corridor)};
 }
 
 }  // namespace adit::test

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/support/worlds/wall_world.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -32,6 +34,12 @@ World world_of(const std::vector<Segment>& walls) {
   return world;
 }
 
+double distance_m(const Eigen::Vector2d& p, const Segment& wall) {
+  const Eigen::Vector2d along = wall.b - wall.a;
+  const double share = std::clamp((p - wall.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (p - wall.a - share * along).norm();
+}
+
 Ray level_ray(const Eigen::Vector2d& p_world, double z_m, double angle_rad) {
   const Eigen::Vector3d origin(p_world.x(), p_world.y(), z_m);
   const Eigen::Vector3d direction(std::cos(angle_rad), std::sin(angle_rad), 0.0);
@@ -40,8 +48,9 @@ Ray level_ray(const Eigen::Vector2d& p_world, double z_m, double angle_rad) {
 
 }  // namespace
 
-WallWorld::WallWorld(const std::vector<Segment>& walls)
-    : WallWorld(world_of(walls), kLaserHeightM) {}
+WallWorld::WallWorld(std::vector<Segment> walls) : WallWorld(world_of(walls), kLaserHeightM) {
+  walls_ = std::move(walls);
+}
 
 WallWorld::WallWorld(World world, double laser_z_m)
     : site_(std::make_shared<const Site>(std::move(world))), laser_z_m_(laser_z_m) {}
@@ -52,6 +61,13 @@ std::optional<double> WallWorld::cast(const Eigen::Vector2d& p_world, double ang
       scene().cast(level_ray(p_world, laser_z_m_, angle_rad), static_cast<float>(range_max_m));
   if (!hit) return std::nullopt;
   return hit->distance_m;
+}
+
+std::optional<double> WallWorld::clearance(const Eigen::Vector2d& p_world, double radius_m) const {
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (const Segment& wall : walls_) nearest_m = std::min(nearest_m, distance_m(p_world, wall));
+  if (nearest_m > radius_m) return std::nullopt;
+  return nearest_m;
 }
 
 LaserParams level_laser_params() {

@@ -26,19 +26,23 @@ struct Segment {
 class WallWorld {
  public:
   /// Vertical walls.
-  explicit WallWorld(const std::vector<Segment>& walls);
+  explicit WallWorld(std::vector<Segment> walls);
   /// The section through a world at a height.
   WallWorld(World world, double laser_z_m);
 
   /// Distance to the first wall in a direction [rad]; nothing if none is within `range_max_m`.
   [[nodiscard]] std::optional<double> cast(const Eigen::Vector2d& p_world, double angle_rad,
                                            double range_max_m) const;
+  /// Distance to the nearest of the vertical walls; nothing if none is within `radius_m`.
+  [[nodiscard]] std::optional<double> clearance(const Eigen::Vector2d& p_world,
+                                                double radius_m) const;
 
   [[nodiscard]] const RayScene& scene() const { return site_->scene(); }
   [[nodiscard]] double laser_z_m() const { return laser_z_m_; }
 
  private:
   std::shared_ptr<const Site> site_;
+  std::vector<Segment> walls_;
   double laser_z_m_ = 0.0;
 };
 

@@ -180,7 +180,7 @@ TEST(WaypointDriver, GivesUpFarOffTheWay) {
   motion.T_world_body.translation() = Eigen::Vector3d(0.5, 2.1, 0.0);
   EXPECT_EQ(driver.command(motion).speed_m_s, 0.0);
   ASSERT_TRUE(driver.abort_reason());
-  EXPECT_THAT(*driver.abort_reason(), HasSubstr("off the way after 0.50 m"));
+  EXPECT_THAT(*driver.abort_reason(), HasSubstr("off the path after 0.50 m"));
 }
 
 TEST(WaypointDriver, GivesUpWithoutProgress) {

@@ -152,7 +152,7 @@ TEST(VehicleFailure, FallsOverWhereItIsTooSteep) {
   VehicleModel vehicle(site, high, without_slip(), 1, 0);
   drive(vehicle, 0.5, 0.0, 20.0);
   EXPECT_THAT(vehicle.failure().value_or("none"),
-              StartsWith("falls over at a pitch of 29 degrees after"));  // 0.5 rad
+              StartsWith("tips over at a pitch of 29 degrees after"));  // 0.5 rad
 }
 
 TEST(VehicleFailure, AStepThatItClimbsIsNone) {
@@ -176,7 +176,7 @@ TEST(VehicleFailure, MudHoldsIt) {
   World world = box_tunnel();
   world.soft_ground.push_back({"mud", {4.0, 0.0}, 2.0, 0.3});
   EXPECT_THAT(failure_ahead(std::move(world)),
-              StartsWith("front left wheel stuck in 'mud', sunk in by 0.20 m"));
+              StartsWith("front left wheel stuck in 'mud', sinkage 0.20 m"));
 }
 
 /// Why the vehicle cannot stand at the start.

@@ -13,7 +13,7 @@ namespace adit {
 
 /// Pace of simulated time.
 struct PacingParams {
-  std::optional<double> factor;       ///< of real time; nothing: as fast as it goes
+  std::optional<double> factor;       ///< of real time; empty: as fast as possible
   std::vector<std::string> wait_for;  ///< stages that must keep up
   double ahead_max_s = 0.2;           ///< of the slowest of them, at least a period of SIM_TIME
   /// How long a stage with an injected fault (kill, suspend) is not waited for; empty: until it

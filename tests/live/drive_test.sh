@@ -28,7 +28,7 @@ drive() {
     names+=",${stage##*/adit-}"
   done
   "$one_goal" "$kGoalM" & processes+=($!)
-  "$sim" "$here/bent_drift.yaml" --config "$2" --speed "$3" --for "$4" ${5:+--fault "$5"} \
+  "$sim" "$here/bent_tunnel.yaml" --config "$2" --speed "$3" --for "$4" ${5:+--fault "$5"} \
     --wait-for "$names" --record "$1"
   result=$?
   kill -KILL "${processes[@]}" 2>/dev/null; wait "${processes[@]}" 2>/dev/null

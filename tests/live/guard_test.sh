@@ -26,7 +26,7 @@ harm() {
   "$guard" --sim-time --config "$config" & processes+=($!)
   "$place" & processes+=($!)
   "$driver" "$kMetresPerSecond" & processes+=($!)
-  "$sim" "$here/bent_drift.yaml" --speed 3 --config "$config" --fault "$1:$2@3" --for 6 \
+  "$sim" "$here/bent_tunnel.yaml" --speed 3 --config "$config" --fault "$1:$2@3" --for 6 \
     --wait-for guard,truth_as_pose,constant_driver --record "$scratch/run.lcmlog" || return 1
   kill -KILL "${processes[@]}" 2>/dev/null; wait "${processes[@]}" 2>/dev/null
   processes=()

@@ -16,7 +16,7 @@ kKilled=137   # how a shell says SIGKILL
 stranger=$("$scan_matching" --sim-time >/dev/null & echo $!)   # its parent ends with the subshell
 "$scan_matching" --sim-time & sibling=$!
 trap 'kill "$stranger" "$sibling" 2>/dev/null' EXIT
-"$sim" "$here/bent_drift.yaml" --speed 5 --for 3 --fault kill:scan_matching@1 || exit 1
+"$sim" "$here/bent_tunnel.yaml" --speed 5 --for 3 --fault kill:scan_matching@1 || exit 1
 wait "$sibling"; sibling_exit=$?
 if ((sibling_exit != kKilled)); then echo "the sibling ended with $sibling_exit" >&2; exit 1; fi
 if ! kill -0 "$stranger"; then echo "a stranger was killed" >&2; exit 1; fi

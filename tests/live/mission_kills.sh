@@ -37,7 +37,7 @@ least_done() {
     cut -d ' ' -f 3
 }
 world_of() {
-  if (($1 % kRandomEach)); then echo "$here/bent_drift.yaml"; else echo "${kRandomMine[*]} --seed $((100 * seed + $1))"; fi
+  if (($1 % kRandomEach)); then echo "$here/bent_tunnel.yaml"; else echo "${kRandomMine[*]} --seed $((100 * seed + $1))"; fi
 }
 # keep N OUT EXIT: the line of a mission; what went wrong is kept.
 keep() {

@@ -17,7 +17,7 @@ kNearRad=0.0001  # what rounding may do along the way
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 echo "mission: {limits: {path_length_max_m: $kPathLengthMaxM}}" >"$scratch/config.yaml"
-"$adit" mission "$here/bent_drift.yaml" --config "$scratch/config.yaml" --out "$scratch/mission" \
+"$adit" mission "$here/bent_tunnel.yaml" --config "$scratch/config.yaml" --out "$scratch/mission" \
   >"$scratch/text" 2>&1 || { cat "$scratch/text" >&2; exit 1; }
 
 mkdir "$scratch/alone"; cd "$scratch/alone"   # for its journal

@@ -60,7 +60,7 @@ expect_return() {
     fail "it says that it is at home, and is $off m away"
 }
 
-world=$here/bent_drift.yaml; config=$scratch/config.yaml
+world=$here/bent_tunnel.yaml; config=$scratch/config.yaml
 case $case in
   home)
     begin "$world" --config "$config"

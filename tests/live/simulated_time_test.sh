@@ -26,7 +26,7 @@ printf '16 0\n24 0\n32 7\n' >"$scratch/waypoints"
 "$adit" drive --waypoints "$scratch/waypoints" & driver=$!; processes+=("$driver")
 
 start=$(date +%s%N)
-"$sim" "$here/bent_drift.yaml" --speed max --config "$config" \
+"$sim" "$here/bent_tunnel.yaml" --speed max --config "$config" \
   --wait-for scan_matching,mapping,drive,check --record "$scratch/run.lcmlog" --for "$kSeconds" || exit 1
 echo "$((kSeconds * 10000000000 / ($(date +%s%N) - start))) tenths of times real time"
 sleep 2   # for what is on its way: no message tells that there is none

@@ -13,7 +13,7 @@ namespace adit {
 
 /// Where a tunnel is split at a node: the distance along it, and the position of the node.
 struct TunnelSplit {
-  double s_m = 0.0;                  ///< along the drift
+  double s_m = 0.0;                  ///< along the tunnel
   Eigen::Vector2d p_node{0.0, 0.0};  ///< p_world [m]
 };
 

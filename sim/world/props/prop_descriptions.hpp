@@ -99,7 +99,7 @@ struct BeamDescription {
   std::string tunnel;
   double at_m = 0.0;
   double thickness_m = 0.25;
-  double yaw_rad = 0.3;     ///< of the beam against the line across the drift
+  double yaw_rad = 0.3;     ///< of the beam, relative to the normal of the tunnel
   double high_end_m = 1.6;  ///< of its upper end above the floor
   int cables = 2;
   double cable_diameter_m = 0.03;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLengthMin = 60.0;        // of which a branch can be spared [m]
 constexpr double kMainShare = 0.5;         // of the length
 constexpr double kBranchLengthMin = 12.0;  // [m]
-constexpr double kSpacingMin = 9.0;        // from middle to middle of drifts that do not meet [m]
+constexpr double kSpacingMin = 9.0;        // between centre lines of tunnels that do not meet [m]
 constexpr int kTrials = 400;
 
 /// Whether a branch keeps its distance from all tunnels, except along its first metres.

@@ -12,8 +12,8 @@ namespace adit {
 /// Parameters of a random mine.
 struct RandomMineParams {
   std::string topology = "any";  ///< any, parallel_entries, room_and_pillar, branching or ring
-  double length_m = 300.0;       ///< of all drifts, about
-  double damage = 0.5;           ///< share of the drifts with falls, water, pits, low roof; 0 to 1
+  double length_m = 300.0;       ///< approximate, of all tunnels
+  double damage = 0.5;           ///< fraction of tunnels with roof falls, water, pits or low roof
 
   template <class V>
   void visit(V& v) {

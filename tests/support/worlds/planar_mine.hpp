@@ -17,7 +17,7 @@ struct PlanarMine {
   WallWorld walls;
   Pose2 T_world_start;
   std::function<bool(const Eigen::Vector2d& p_world)> reachable;
-  /// Places in the middles of the drifts that can be reached, kSpacingM apart: what there is to
+  /// Places in the middles of the tunnels that can be reached, kSpacingM apart: what there is to
   /// explore.
   std::vector<Eigen::Vector2d> corridor;
 

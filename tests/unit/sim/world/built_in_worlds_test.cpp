@@ -20,7 +20,7 @@ const TunnelLine& tunnel(const std::vector<TunnelLine>& tunnels, const std::stri
   return find_tunnel(tunnels, name, "the test");
 }
 
-TEST(BuiltInWorlds, AreTheSameEachTimeTheyAreBuilt) {
+TEST(BuiltInWorlds, AreReproducible) {
   for (const std::string& name : built_in_worlds()) {
     const World first = build_world(find_world(name));
     const World second = build_world(find_world(name));
@@ -55,7 +55,7 @@ class Mathies : public testing::Test {
 };
 
 TEST_F(Mathies, HasTheBeam308MetresFromTheStart) {
-  const double start_m = description_.T_world_start.x;  // the drift begins at the origin, along x
+  const double start_m = description_.T_world_start.x;  // the tunnel begins at the origin, along x
   EXPECT_EQ(description_.props.beams.at(0).at_m - start_m, 308.0);
 }
 
@@ -65,7 +65,7 @@ TEST_F(Mathies, LeavesMoreThanTheVehicleNeedsUpToTheBeam) {
   EXPECT_TRUE(is_passable(site_, {}, tunnel(tunnels_, "main"), 4.0, 306.0));
 }
 
-TEST_F(Mathies, LetsNoVehiclePastTheBeam) {
+TEST_F(Mathies, IsImpassableAtTheBeam) {
   EXPECT_FALSE(is_passable(site_, {}, tunnel(tunnels_, "main"), 304.0, 320.0));
 }
 
@@ -145,10 +145,10 @@ TEST_F(BrucetonDrive, IsLongerThanAMileAndBeginsAtTheStart) {
   EXPECT_NEAR(angle_diff(way_.at(0.0).heading_rad, start.theta), 0.0, 0.01);
 }
 
-TEST_F(BrucetonDrive, HasRoomForTheVehicleAllAlong) {
+TEST_F(BrucetonDrive, HasRoomForTheVehicleAlongItsLength) {
   const double length_m = way_.length_m();
   for (double s_m = 0.0; s_m < length_m; s_m += 0.5) {
-    // As the heading of a vehicle of some length, not that of a short piece of the way.
+    // Heading over the length of a vehicle, not that of a short segment.
     const Eigen::Vector2d ahead = way_.at(s_m + 0.5).p_world - way_.at(s_m - 0.5).p_world;
     const Eigen::Vector2d p = way_.at(s_m).p_world;
     EXPECT_TRUE(is_free(site_, {}, {p.x(), p.y(), std::atan2(ahead.y(), ahead.x())}))
@@ -156,7 +156,7 @@ TEST_F(BrucetonDrive, HasRoomForTheVehicleAllAlong) {
   }
 }
 
-TEST_F(BrucetonDrive, TurnsNowhereMoreTightlyThanTheVehicleCan) {
+TEST_F(BrucetonDrive, KeepsTheTurningRadiusOfTheVehicle) {
   constexpr double kSegment = 1.0;
   for (double s_m = kSegment; s_m < way_.length_m() - kSegment; s_m += 0.5) {
     const Eigen::Vector2d in = way_.at(s_m).p_world - way_.at(s_m - kSegment).p_world;
@@ -166,7 +166,7 @@ TEST_F(BrucetonDrive, TurnsNowhereMoreTightlyThanTheVehicleCan) {
   }
 }
 
-TEST_F(BrucetonDrive, PassesNearlyEveryDrift) {
+TEST_F(BrucetonDrive, PassesNearlyEveryTunnel) {
   double passed_m = 0.0;
   double all_m = 0.0;
   for (const TunnelEdge& edge : site_.world().truth.tunnels.edges) {

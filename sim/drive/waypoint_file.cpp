@@ -19,24 +19,24 @@ namespace {
 
 std::vector<std::string> split(const std::string& line) {
   std::istringstream text(line.substr(0, line.find('#')));
-  std::vector<std::string> words;
-  for (std::string word; text >> word;) words.push_back(word);
-  return words;
+  std::vector<std::string> fields;
+  for (std::string field; text >> field;) fields.push_back(field);
+  return fields;
 }
 
-double parse(const std::string& word) {
-  const auto value = parse_number<double>(word);
-  if (!value || !std::isfinite(*value)) throw std::runtime_error("'" + word + "' is not a number");
+double parse(const std::string& field) {
+  const auto value = parse_number<double>(field);
+  if (!value || !std::isfinite(*value)) throw std::runtime_error("'" + field + "' is not a number");
   return *value;
 }
 
-Waypoint parse_waypoint(const std::vector<std::string>& words) {
-  if (words.size() != 2 && words.size() != 3) {
+Waypoint parse_waypoint(const std::vector<std::string>& fields) {
+  if (fields.size() != 2 && fields.size() != 3) {
     throw std::runtime_error("expected 'x y' or 'x y speed'");
   }
-  Waypoint waypoint{{parse(words[0]), parse(words[1])}, std::nullopt};
-  if (words.size() == 3) {
-    waypoint.speed_m_s = parse(words[2]);
+  Waypoint waypoint{{parse(fields[0]), parse(fields[1])}, std::nullopt};
+  if (fields.size() == 3) {
+    waypoint.speed_m_s = parse(fields[2]);
     if (*waypoint.speed_m_s <= 0.0) throw std::runtime_error("the speed must be above 0");
   }
   return waypoint;
@@ -47,10 +47,10 @@ std::vector<Waypoint> parse_waypoints(std::istream& text, const std::string& nam
   std::vector<Waypoint> waypoints;
   std::string line;
   for (int line_number = 1; std::getline(text, line); ++line_number) {
-    const auto words = split(line);
-    if (words.empty()) continue;
+    const auto fields = split(line);
+    if (fields.empty()) continue;
     try {
-      waypoints.push_back(parse_waypoint(words));
+      waypoints.push_back(parse_waypoint(fields));
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(fmt::format("{}:{}: {}", name, line_number, error.what()));
     }

@@ -27,7 +27,7 @@ constexpr std::int64_t kWaitMaxUs = 50'000;  // limits the delay of a signal to 
 constexpr int kQuietMs = 500;
 constexpr std::int64_t kDrainMaxUs = 10 * kSecondUs;
 
-std::int64_t whole_second_utime() {
+std::int64_t full_second_utime() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::round<std::chrono::seconds>(now).count() * kSecondUs;
 }
@@ -86,7 +86,7 @@ void run_live(const WorldChoice& world, const LiveRunOptions& options) {
   }
   LcmBus bus(bus_options(options));
   LiveSimulator simulator(bus, site, description, params, with_record_stage(options),
-                          options.start_utime.value_or(whole_second_utime()));
+                          options.start_utime.value_or(full_second_utime()));
   run(bus, simulator, stop);
   if (options.record.empty()) return;
   drain(bus);

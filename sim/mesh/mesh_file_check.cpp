@@ -27,7 +27,7 @@ void check_count(const std::filesystem::path& file, double count, std::uintmax_t
          "it announces " + number_text(count) + " elements in " + std::to_string(bytes) + " bytes");
 }
 
-bool is_other_ply_word(const std::string& word) {
+bool is_other_ply_keyword(const std::string& word) {
   return word == "ply" || word == "format" || word == "comment" || word == "obj_info" ||
          word == "property";
 }
@@ -45,7 +45,7 @@ void check_ply_header(const std::filesystem::path& file, std::uintmax_t bytes) {
     if (word == "end_header") return;
     if (word == "element" && words >> name >> count) {
       check_count(file, count, bytes);
-    } else if (!is_other_ply_word(word)) {
+    } else if (!is_other_ply_keyword(word)) {
       reject(file, "its header has a line that is not valid in a PLY file");
     }
   }

@@ -41,8 +41,8 @@ MotionHistory::BodyState MotionHistory::at(std::int64_t utime, double seconds) c
   if (after == states_.begin()) return states_.front();
   const BodyState& before = *std::prev(after);
   if (after == states_.end()) return before;
-  const double whole = static_cast<double>(after->utime - before.utime) * 1e-6;
-  return between(before, *after, seconds_since(before) / whole);
+  const double step_s = static_cast<double>(after->utime - before.utime) * 1e-6;
+  return between(before, *after, seconds_since(before) / step_s);
 }
 
 ScanSchedule::ScanSchedule(const LaserParams& params, std::int64_t start_utime, double phase)

@@ -38,14 +38,14 @@ bool is_level_and_high(const World& world, const TriangleMesh::Triangle& triangl
 }
 
 TriangleMesh without_roof(const World& world) {
-  const TriangleMesh& whole = world.mesh;
-  TriangleMesh mesh{whole.vertices, {}, {}, whole.parts};
-  for (std::uint32_t i = 0; i < whole.triangles.size(); ++i) {
-    const PartKind kind = whole.part_of(i).kind;
+  const TriangleMesh& complete = world.mesh;
+  TriangleMesh mesh{complete.vertices, {}, {}, complete.parts};
+  for (std::uint32_t i = 0; i < complete.triangles.size(); ++i) {
+    const PartKind kind = complete.part_of(i).kind;
     if (kind == PartKind::kRoof) continue;
-    if (kind == PartKind::kOther && is_level_and_high(world, whole.triangles[i])) continue;
-    mesh.triangles.push_back(whole.triangles[i]);
-    mesh.triangle_parts.push_back(whole.triangle_parts[i]);
+    if (kind == PartKind::kOther && is_level_and_high(world, complete.triangles[i])) continue;
+    mesh.triangles.push_back(complete.triangles[i]);
+    mesh.triangle_parts.push_back(complete.triangle_parts[i]);
   }
   return mesh;
 }

@@ -16,7 +16,7 @@ namespace adit {
 namespace {
 
 constexpr float kAheadMax = 100.0F;  // [m]
-constexpr double kIntoRock = 0.5;    // that the line goes on behind a wall [m]
+constexpr double kIntoRock = 0.5;    // extension of the line behind a wall [m]
 
 TunnelLine line_of(const TunnelEdge& edge) {
   return {edge.tunnel, edge.points, edge.width_m, false};
@@ -34,9 +34,9 @@ TunnelLine full_tunnel(const TunnelGraph& tunnels, const std::string& name) {
   TunnelLine line{"along " + name, {}, 0.0, false};
   for (const TunnelEdge& edge : tunnels.edges) {
     if (edge.tunnel != name) continue;
-    const bool goes_on = !line.points.empty() && line.points.back() == edge.points.front();
-    if (!line.points.empty() && !goes_on) continue;
-    line.points.insert(line.points.end(), edge.points.begin() + (goes_on ? 1 : 0),
+    const bool continues = !line.points.empty() && line.points.back() == edge.points.front();
+    if (!line.points.empty() && !continues) continue;
+    line.points.insert(line.points.end(), edge.points.begin() + (continues ? 1 : 0),
                        edge.points.end());
   }
   return line;
@@ -79,8 +79,8 @@ constexpr double kPixelsPerMetreMin = 20.0;
 constexpr double kPixelsPerMetreMax = 60.0;
 constexpr double kClearancePixelsMin = 36.0;
 constexpr double kMargin = 0.5;     // of rock above and below, without exaggeration [m]
-constexpr double kProbe = 0.3;      // above the floor, where openings are looked for [m]
-constexpr float kReach = 10.0F;     // of openings up and down; what is more is open to the sky [m]
+constexpr double kProbe = 0.3;      // height of the probes above the floor [m]
+constexpr float kReach = 10.0F;     // of the probes, up and down; beyond is open sky [m]
 constexpr float kDepthMax = 60.0F;  // visible depth behind the cut [m]
 constexpr float kDarkening = 8.0F;  // depth at which light falls to 1/e [m]
 const Rgb kAir = linear(0xe4ded2);

@@ -61,7 +61,7 @@ class SectionView {
 
   /// Empty in rock.
   [[nodiscard]] std::optional<Clearance> clearance_at(double s_m) const;
-  /// Openings at the centres of `count` equal parts of a window.
+  /// Opening at the centre of each of `count` equal parts of a window.
   [[nodiscard]] std::vector<std::optional<Clearance>> clearances(const SectionWindow& window,
                                                                  int count) const;
 

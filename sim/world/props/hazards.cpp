@@ -43,7 +43,7 @@ void add_prop(const LowRoofDescription& low, PropSite& site) {
   const TunnelLine& tunnel = tunnel_with(site.tunnels, low.tunnel, low.from_m, low.to_m, site.what);
   Obstacle obstacle{.kind = PartKind::kRoof,
                     .name = low.name,
-                    .outline = convex_outline(stretch_outline(tunnel, low.from_m, low.to_m)),
+                    .outline = convex_outline(section_outline(tunnel, low.from_m, low.to_m)),
                     .z_low_m = std::numeric_limits<double>::infinity(),
                     .z_high_m = -std::numeric_limits<double>::infinity()};
   for (const double s_m : places_between(low.from_m, low.to_m, 0.2)) {

@@ -35,10 +35,10 @@ constexpr double kBehindWalls = 0.5;
 
 /// The outline of a section of a tunnel, counter-clockwise: the right side forward, then the left
 /// side backward; p_world [m].
-std::vector<Eigen::Vector2d> stretch_outline(const TunnelLine& tunnel, double from_m, double to_m);
+std::vector<Eigen::Vector2d> section_outline(const TunnelLine& tunnel, double from_m, double to_m);
 
 /// Position of a point along a section, 0 to 1; negative if it is not in the section.
-double share_of_stretch(const TunnelLine& tunnel, double from_m, double to_m,
+double fraction_of_section(const TunnelLine& tunnel, double from_m, double to_m,
                         const Eigen::Vector2d& p_world);
 
 }  // namespace adit

@@ -46,9 +46,9 @@ HeightChange cavity(const RubbleDescription& rubble, const TunnelLine& tunnel) {
 /// `bare` has the floor without pits and hollows, to which the clearance refers.
 HeightChange low_roof(const LowRoofDescription& low, const TunnelLine& tunnel,
                       const std::shared_ptr<const Heights>& bare) {
-  const PlanBox box = box_around(stretch_outline(tunnel, low.from_m, low.to_m));
+  const PlanBox box = box_around(section_outline(tunnel, low.from_m, low.to_m));
   return {box.low, box.high, [low, tunnel, bare](const Eigen::Vector2d& p_world, double roof_m) {
-            const double share = share_of_stretch(tunnel, low.from_m, low.to_m, p_world);
+            const double share = fraction_of_section(tunnel, low.from_m, low.to_m, p_world);
             return share < 0.0 ? roof_m : std::min(roof_m, bare->floor(p_world) + low.clearance_m);
           }};
 }

@@ -57,7 +57,7 @@ PlanDescription room_and_pillar(double length_m, RandomGenerator& rng) {
   panel.first_crosscut_m = panel.crosscut_width_m / 2.0;
   choose_size(length_m - kUndamagedLength, rng.between(0.7, 1.6), panel);
 
-  // `main` meets the first crosscut half-way between two entries.
+  // `main` meets the first crosscut at the midpoint of two entries.
   const double reach_m = kUndamagedLength + panel.crosscut_width_m / 2.0;
   plan.tunnels.push_back(main_tunnel(reach_m, rng));
   const auto& points = plan.tunnels.front().points_m;

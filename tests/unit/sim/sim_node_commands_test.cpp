@@ -142,7 +142,7 @@ TEST_F(SimNodeCommands, AStopFromTheFutureIsReleasedByACurrentOrder) {
   run(2.0);
   EXPECT_TRUE(state_.stopped);
   EXPECT_EQ(state_.speed_m_s, 0.0);
-  for (int i = 0; i < 20; ++i) {  // orders must go on
+  for (int i = 0; i < 20; ++i) {  // orders must keep arriving
     send(StopOrder{bus_.now_utime(), false, ""});
     run(0.1);
   }

@@ -48,7 +48,7 @@ Waypoint at(double x, double y, std::optional<double> speed_m_s = {}) {
 }
 
 constexpr DrivePlanParams kForward{0.4, 0.5, false};
-constexpr DrivePlanParams kEitherWay{0.4, 0.5, true};
+constexpr DrivePlanParams kReversing{0.4, 0.5, true};
 
 TEST(DrivePlan, IsOneRunWithoutReversing) {
   const auto plan = plan_drive({at(5, 0), at(5, 4), at(5, 0)}, {}, kForward);
@@ -58,7 +58,7 @@ TEST(DrivePlan, IsOneRunWithoutReversing) {
 }
 
 TEST(DrivePlan, IsSplitWhereTheDrivingDirectionChanges) {
-  const auto plan = plan_drive({at(5, 0), at(8, 1), at(3, 0), at(9, 0)}, {}, kEitherWay);
+  const auto plan = plan_drive({at(5, 0), at(8, 1), at(3, 0), at(9, 0)}, {}, kReversing);
   ASSERT_THAT(plan, SizeIs(3));
   EXPECT_FALSE(plan[0].reverse);
   EXPECT_TRUE(plan[1].reverse);
@@ -68,8 +68,8 @@ TEST(DrivePlan, IsSplitWhereTheDrivingDirectionChanges) {
 }
 
 TEST(DrivePlan, TurnsToWaypointsAtTheSide) {
-  EXPECT_FALSE(plan_drive({at(-1, 1.01)}, {}, kEitherWay)[0].reverse);  // 45° from straight back
-  EXPECT_TRUE(plan_drive({at(-1, 0.99)}, {}, kEitherWay)[0].reverse);
+  EXPECT_FALSE(plan_drive({at(-1, 1.01)}, {}, kReversing)[0].reverse);  // 45° from straight back
+  EXPECT_TRUE(plan_drive({at(-1, 0.99)}, {}, kReversing)[0].reverse);
 }
 
 TEST(DrivePlan, UsesTheSpeedsOfWaypointsUpToTheLimitOfTheVehicle) {

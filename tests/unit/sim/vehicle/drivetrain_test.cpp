@@ -21,7 +21,7 @@ struct Driven {
 
 class DrivetrainTest : public testing::Test {
  protected:
-  void tell(double speed_m_s, double curvature_1_m = 0.0) {
+  void send_command(double speed_m_s, double curvature_1_m = 0.0) {
     drivetrain_.command(DriveCommand{drivetrain_.utime(), speed_m_s, curvature_1_m});
   }
   void order(bool stopped, std::int64_t utime) {
@@ -31,7 +31,7 @@ class DrivetrainTest : public testing::Test {
   double drive(double speed_m_s, double curvature_1_m, double seconds) {
     double distance_m = 0.0;
     for (int i = 0; i < std::lround(seconds / kStepS); ++i) {
-      tell(speed_m_s, curvature_1_m);
+      send_command(speed_m_s, curvature_1_m);
       drivetrain_.advance(kStepS);
       distance_m += drivetrain_.wheel_distance_m();
     }
@@ -86,9 +86,9 @@ TEST_F(DrivetrainTest, ClampsCommandsToItsLimits) {
 
 TEST_F(DrivetrainTest, IgnoresCommandsThatAreNotFiniteOrOutdated) {
   drive(0.4, 0.0, 2.0);
-  tell(0.4);
-  tell(std::numeric_limits<double>::quiet_NaN());
-  tell(0.4, std::numeric_limits<double>::infinity());
+  send_command(0.4);
+  send_command(std::numeric_limits<double>::quiet_NaN());
+  send_command(0.4, std::numeric_limits<double>::infinity());
   drivetrain_.command(DriveCommand{drivetrain_.utime() - 1, 0.1, 0.0});
   drivetrain_.advance(kStepS);
   EXPECT_NEAR(drivetrain_.speed_m_s(), 0.4, kExact);
@@ -98,13 +98,13 @@ TEST_F(DrivetrainTest, StandsUntilACommand) {
   drivetrain_.advance(kStepS);
   EXPECT_EQ(drivetrain_.speed_m_s(), 0.0);
   EXPECT_TRUE(drivetrain_.expired());
-  tell(0.1);
+  send_command(0.1);
   EXPECT_FALSE(drivetrain_.expired());
 }
 
 TEST_F(DrivetrainTest, BrakesAfterAQuarterOfASecondWithoutCommand) {
   drive(0.4, 0.0, 2.0);
-  tell(0.4);
+  send_command(0.4);
   const Driven driven = coast();
   EXPECT_TRUE(drivetrain_.expired());
   EXPECT_NEAR(driven.distance_m, 0.4 * 0.25 + 0.4 * 0.4 / (2.0 * 0.8), kExact);

@@ -28,10 +28,10 @@ TEST(RandomMine, DependsOnItsSeed) {
 
 TEST(RandomMine, BuildsWithAboutTheRequestedLength) {
   for (int seed = 0; seed < 50; ++seed) {
-    for (const double asked_m : {60.0, 150.0, 300.0}) {
-      const RandomMineParams params{.length_m = asked_m, .damage = 0.02 * seed};
+    for (const double requested_m : {60.0, 150.0, 300.0}) {
+      const RandomMineParams params{.length_m = requested_m, .damage = 0.02 * seed};
       const World world = build_world(random_mine(seed, params));
-      EXPECT_NEAR(world.truth.tunnels.length_m(), asked_m, 0.4 * asked_m) << seed;
+      EXPECT_NEAR(world.truth.tunnels.length_m(), requested_m, 0.4 * requested_m) << seed;
     }
   }
 }
@@ -39,15 +39,15 @@ TEST(RandomMine, BuildsWithAboutTheRequestedLength) {
 TEST(RandomMine, HasAboutTheRequestedLengthInEachTopology) {
   for (const std::string& topology : kTopologies) {
     for (int seed = 0; seed < 50; ++seed) {
-      for (const double asked_m : {30.0, 110.0, 130.0, 400.0, 1500.0, 5000.0}) {
-        const WorldDescription mine = random_mine(seed, {topology, asked_m, 0.0});
+      for (const double requested_m : {30.0, 110.0, 130.0, 400.0, 1500.0, 5000.0}) {
+        const WorldDescription mine = random_mine(seed, {topology, requested_m, 0.0});
         double length_m = 0.0;
         for (const TunnelLine& tunnel : tunnel_lines(mine.plan)) {
           length_m += tunnel.length_m();
           EXPECT_GE(tunnel.width_m, 2.5);
           EXPECT_LE(tunnel.width_m, 6.0);
         }
-        EXPECT_NEAR(length_m, asked_m, 0.4 * asked_m) << topology << " " << seed;
+        EXPECT_NEAR(length_m, requested_m, 0.4 * requested_m) << topology << " " << seed;
       }
     }
   }

@@ -151,7 +151,7 @@ TEST(ParallelDriveOdometry, PlacesTheRobotInTheOtherTunnelAfterTheLoop) {
   }
   EXPECT_LT(nearest_m, 0.2);
   EXPECT_NEAR(estimate.x, 0.0, 2.0);
-  EXPECT_NEAR(estimate.y, kApartM, 4.0);  // 6 is half-way
+  EXPECT_NEAR(estimate.y, kApartM, 4.0);  // 6 is the middle
   EXPECT_LT(std::abs(estimate.theta), 0.17);
 }
 

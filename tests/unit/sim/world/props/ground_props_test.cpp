@@ -19,7 +19,7 @@ TEST(Pits, HaveTheGivenDepthAndSteepSides) {
   EXPECT_EQ(scene.heights.floor({30.0, 0.5}), -1.0);
   EXPECT_EQ(scene.heights.floor({30.69, 0.5}), -1.0);
   EXPECT_EQ(scene.heights.floor({30.81, 0.5}), 0.0);
-  EXPECT_NEAR(scene.heights.floor({30.75, 0.5}), -0.5, 1e-9);  // half-way down its side of 0.1 m
+  EXPECT_NEAR(scene.heights.floor({30.75, 0.5}), -0.5, 1e-9);  // in the middle of its side of 0.1 m
   const Obstacle* pit = scene.obstacle("sump");
   ASSERT_NE(pit, nullptr);
   EXPECT_EQ(pit->kind, PartKind::kFloor);

@@ -7,8 +7,8 @@
 set -eu
 here=$(dirname "$(readlink -f "$0")")
 adit=$1; mapping=$2; check_crashes=$3
-kLengthM=300  # with loop closures; 375 s of driving
-kSpeed=20     # a hundred scans per second
+kLengthM=300  # loops are closed; 650 s of driving
+kSpeed=32     # 100 scans a second
 kSeed=1
 
 scratch=$(mktemp -d)

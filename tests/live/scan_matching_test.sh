@@ -8,8 +8,8 @@
 set -eu
 here=$(dirname "$(readlink -f "$0")")
 adit=$1; scan_matching=$2; compare_poses=$3
-kLengthM=60   # 75 s of driving, five scans per second
-kSpeed=6      # no message is lost at thirty scans per second, also on a slow or loaded machine
+kLengthM=60   # 150 s of driving, three scans a second
+kSpeed=10     # no message is lost at thirty scans a second, even on a slow or busy machine
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

@@ -9,7 +9,7 @@
 
 #include "tests/support/scratch_folder.hpp"
 #include "tools/map/map_run.hpp"
-#include "tools/sample_mine/sample_log.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit {
 
@@ -20,7 +20,7 @@ class MapRunTest : public testing::Test {
 
   /// Writes the first part of a drive through the mine; returns the true trajectory.
   Trajectory write_sample(const std::string& name, double length_m) const {
-    SampleRun run(1, {}, length_m);
+    SampleRun run({.length_max_m = length_m});
     write_sample_log(run, scratch_ / name);
     return run.truth();
   }

@@ -23,7 +23,7 @@
 #include "procs/scan_matching/scan_matching.hpp"
 #include "tests/support/scores/stored_map_score.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tools/sample_mine/sample_run.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit {
 namespace {
@@ -85,7 +85,7 @@ class MappingProcess {
 class CrashSafety : public testing::TestWithParam<unsigned> {
  protected:
   static void SetUpTestSuite() {
-    SampleRun run(1, {}, 300.0);
+    SampleRun run({.length_max_m = 300.0});
     ScanMatching matching(ScanMatchingParams{});
     while (const auto reading = run.next()) {
       matching.add(reading->odometry);

@@ -76,7 +76,7 @@ Json tunnels(const TunnelGraph& graph) {
     features.push_back(feature("LineString", positions(edge.points),
                                {{"from", edge.from},
                                 {"to", edge.to},
-                                {"drift", edge.tunnel},
+                                {"tunnel", edge.tunnel},
                                 {"length_m", edge.length_m},
                                 {"width_m", edge.width_m}}));
   }

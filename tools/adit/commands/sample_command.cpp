@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cstdint>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,69 +13,53 @@
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/eval/tum.hpp"
-#include "tools/sample_mine/sample_log.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit {
 namespace {
 
-const std::map<std::string, SampleWorld> kWorlds = {{"ring", SampleWorld::kRing},
-                                                    {"parallel", SampleWorld::kParallel},
-                                                    {"long", SampleWorld::kLong}};
-constexpr double kLongDriveM = 10'000.0;
-
 struct SampleOptions {
   std::filesystem::path output;
   std::filesystem::path truth;
-  std::uint64_t seed = 1;
-  std::optional<double> length_m;
-  bool half_degree = false;
-  std::string world = "ring";
+  SampleParams run;
   std::optional<double> yaw_bias_deg_per_m;
   double bearing_error_percent = 0.0;
+  bool half_degree = false;
 };
 
 constexpr const char* kSampleDetails =
-    R"(The mine is synthetic; laser and odometry have realistic errors. The same options give the same bytes.
+    R"(Runs the simulator along the built-in drive of a world and writes one laser and the wheel odometry,
+with their errors. The same options give the same bytes.
 
 Outputs:
   OUT        LCM log (.lcmlog) or CARMEN text (.log)
   --truth    true path in the TUM format
 
 Worlds:
-  ring      an adit, a ring of tunnels, a cross-cut through a room and pillars, dead ends; the robot
+  sample    an adit, a ring of tunnels, a cross-cut through a room and pillars, dead ends; the robot
             drives 450 m and closes two loops
   parallel  two similar tunnels, 12 m apart. After 800 m, the odometry error places the robot in the
             wrong tunnel until it reaches a corner. Scan matching alone fails in the same way with
             --bearing-error-percent -2.5
-  long      a grid of tunnels, 320 m by 210 m; the robot drives --length-m, 10 km by default, with a scan
-            every 0.1 m)";
+  grid      a grid of tunnels, 320 m by 210 m; 10.8 km, with a scan every 0.1 m)";
 
 constexpr const char* kSampleExamples =
     R"(  adit sample mine.log                                  a CARMEN log
   adit sample mine.lcmlog --truth mine.tum --seed 7     an LCM log and the true path
-  adit sample far.lcmlog --world long --length-m 2000   2 km in a large mine)";
+  adit sample far.lcmlog --world grid --length-m 2000   2 km in a large mine)";
 
-double length_of(const SampleOptions& options) {
-  constexpr double kFullLength = std::numeric_limits<double>::infinity();
-  return options.length_m.value_or(options.world == "long" ? kLongDriveM : kFullLength);
-}
-
-SampleSite site_of(const SampleOptions& options) {
-  SampleSite site = sample_site(kWorlds.at(options.world), options.seed, length_of(options));
+SampleParams run_params(const SampleOptions& options) {
+  SampleParams params = options.run;
+  if (options.half_degree) params.beams = 361;
+  params.bearing_scale = 1.0 + options.bearing_error_percent / 100.0;
   if (options.yaw_bias_deg_per_m) {
-    site.odometry.drift_rad_per_m = deg_to_rad(*options.yaw_bias_deg_per_m);
+    params.turn_bias_rad_per_m = deg_to_rad(*options.yaw_bias_deg_per_m);
   }
-  return site;
-}
-
-SyntheticLaserModel laser_of(const SampleOptions& options) {
-  SyntheticLaserModel laser = options.half_degree ? half_degree_laser() : SyntheticLaserModel{};
-  laser.bearing_scale = 1.0 + options.bearing_error_percent / 100.0;
-  return laser;
+  return params;
 }
 
 void write_sample(const SampleOptions& options) {
-  SampleRun run(site_of(options), options.seed, laser_of(options), length_of(options));
+  SampleRun run(run_params(options));
   {
     ProgressBar bar("sampling");
     write_sample_log(run, options.output, [&](double done) { bar.update(done); });
@@ -99,17 +81,16 @@ void add_sample_command(CLI::App& adit) {
       ->required();
   sample->add_option("--truth", options->truth, "True path to write, in the TUM format")
       ->type_name("FILE");
-  sample->add_option("--seed", options->seed, "Seed of the mine and of the sensor noise")
+  sample->add_option("--seed", options->run.seed, "Seed of the mine and of the sensor noise")
       ->type_name("N")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  sample
-      ->add_option("--length-m", options->length_m,
-                   "Length of the drive, instead of the complete course")
+  sample->add_option("--length-m", options->run.length_max_m, "End the drive after this distance")
       ->type_name("METRES")
       ->check(CLI::PositiveNumber);
-  sample->add_option("--world", options->world, "Mine: ring, parallel or long")
+  sample->add_option("--world", options->run.world, "World to drive in: sample, parallel or grid")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"ring", "parallel", "long"}))
+      ->check(CLI::IsMember({"sample", "parallel", "grid"}))
       ->capture_default_str();
   sample
       ->add_option("--yaw-bias-deg-per-m", options->yaw_bias_deg_per_m,

@@ -5,14 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds/crooked_room.hpp"
-#include "tools/sample_mine/mine_worlds.hpp"
 
 namespace adit {
 namespace {
 
 const Pose2 kReferencePose{-2.0, 0.0, 0.2};
 
-SurfelMap reference_of(const SyntheticWorld& world, const Pose2& pose) {
+SurfelMap reference_of(const test::WallWorld& world, const Pose2& pose) {
   SurfelMap map{SurfelMapParams{}};
   map.insert(test::scan_points(world, pose), pose, 0.0);
   return map;
@@ -21,7 +20,7 @@ SurfelMap reference_of(const SyntheticWorld& world, const Pose2& pose) {
 class CorrelativeSearchFinds : public testing::TestWithParam<Pose2> {};
 
 TEST_P(CorrelativeSearchFinds, ALargeMotionToWithinItsStep) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const Pose2 truth = kReferencePose * GetParam();
   const CorrelativeSearchParams params;
   const auto peaks =
@@ -38,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Motions, CorrelativeSearchFinds,
                                          Pose2{-0.5, 0.4, -1.0}, Pose2{0.0, 0.0, 1.1}));
 
 TEST(CorrelativeSearch, ReturnsDistinctPeaksInOrderOfScore) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const CorrelativeSearchParams params;
   const auto peaks =
       search_correlation(test::scan_points(room, kReferencePose),
@@ -54,7 +53,7 @@ TEST(CorrelativeSearch, ReturnsDistinctPeaksInOrderOfScore) {
 TEST(CorrelativeSearch, BoundsNeverPruneTheBestPose) {
   // Branch and bound must not change the result: a search over small windows, each of which is one
   // block, finds no better score anywhere in the large window.
-  const SyntheticWorld mine = sample_mine(3);
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 here{10.0, 0.0, 0.0};
   const SurfelMap reference = reference_of(mine, here);
   const auto points = test::scan_points(mine, here * Pose2{0.7, 0.3, 0.2});
@@ -75,7 +74,7 @@ TEST(CorrelativeSearch, BoundsNeverPruneTheBestPose) {
 }
 
 TEST(CorrelativeSearch, FindsThePoseInAWideWindow) {
-  const SyntheticWorld mine = sample_mine(3);
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 here{10.0, 0.0, 0.0};
   CorrelativeSearchParams params;
   params.cell_m = 0.2;
@@ -92,7 +91,7 @@ TEST(CorrelativeSearch, FindsThePoseInAWideWindow) {
 TEST(CorrelativeSearch, FindsTheSameWithMoreLevels) {
   // A wide window has five levels, a narrow one three. Centres are all_peaks cells apart, so the
   // grids are aligned.
-  const SyntheticWorld mine = sample_mine(3);
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 here{10.0, 0.0, 0.0};
   const SurfelMap reference = reference_of(mine, here);
   const auto points = test::scan_points(mine, here * Pose2{0.31, 0.22, 0.1});
@@ -107,7 +106,7 @@ TEST(CorrelativeSearch, FindsTheSameWithMoreLevels) {
 }
 
 TEST(CorrelativeSearch, ReturnsAPeakOnceInAWindowOfAFullTurn) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const SurfelMap reference = reference_of(room, kReferencePose);
   const CorrelativeSearchParams params;
   const Pose2 turned_away{kReferencePose.x, kReferencePose.y, kReferencePose.theta + 3.1};
@@ -126,7 +125,7 @@ TEST(CorrelativeSearch, ReturnsAPeakOnceInAWindowOfAFullTurn) {
 
 TEST(CorrelativeSearch, StaysInsideTheGate) {
   // Long along the body's x axis, narrow across.
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const SurfelMap reference = reference_of(room, kReferencePose);
   SearchWindow window{2.0, 0.3};
   window.information.diagonal() << 1.0, 100.0, 100.0;
@@ -143,7 +142,7 @@ TEST(CorrelativeSearch, StaysInsideTheGate) {
 }
 
 TEST(CorrelativeSearch, DiscardsPeaksBelowTheMinimumScore) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const SurfelMap reference = reference_of(room, kReferencePose);
   CorrelativeSearchParams params;
   params.score_min = 0.5;
@@ -155,7 +154,7 @@ TEST(CorrelativeSearch, DiscardsPeaksBelowTheMinimumScore) {
 }
 
 TEST(CorrelativeSearch, ReturnsNothingForAnEmptyScanOrReference) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const SurfelMap nothing{SurfelMapParams{}};
   EXPECT_TRUE(
       search_correlation(test::scan_points(room, {}), nothing, {}, {1.0, 0.5}, 3, {}).empty());

@@ -14,8 +14,7 @@ namespace {
 constexpr double kMargin = 0.2;
 
 LaserScan scan_at(const Pose2& T_world_laser) {
-  return SyntheticLaser(test::perfect_laser(), 1)
-      .measure(test::crooked_room(), T_world_laser, 1'000'000);
+  return test::exact_scan(test::crooked_room(), T_world_laser, 1'000'000);
 }
 
 TEST(FreeSpace, ContainsNoPointOfAnotherScanOfTheSamePlace) {

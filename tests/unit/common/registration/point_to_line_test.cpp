@@ -8,24 +8,22 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds/crooked_room.hpp"
-#include "tools/sample_mine/mine_worlds.hpp"
 
 namespace adit {
 namespace {
 
 const Pose2 kReferencePose{-2.0, 0.0, 0.2};
 
-SurfelMap reference_of(const SyntheticWorld& world,
-                       const SyntheticLaserModel& laser = test::perfect_laser()) {
+SurfelMap reference_of(const test::WallWorld& world) {
   SurfelMap map{SurfelMapParams{}};
-  map.insert(test::scan_points(world, kReferencePose, laser), kReferencePose, 0.0);
+  map.insert(test::scan_points(world, kReferencePose), kReferencePose, 0.0);
   return map;
 }
 
 class PointToLineRecovers : public testing::TestWithParam<Pose2> {};
 
 TEST_P(PointToLineRecovers, AKnownMotionWithoutAGuess) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const Pose2 truth = kReferencePose * GetParam();
   const auto result = match_point_to_line(test::scan_points(room, truth), reference_of(room),
                                           kReferencePose, PosePrior{}, PointToLineParams{});
@@ -42,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(Motions, PointToLineRecovers,
                                          Pose2{0.1, 0.05, -0.1}));
 
 TEST(PointToLine, FollowsAStrongPriorAndIgnoresAWeakPrior) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const auto points = test::scan_points(room, kReferencePose);
   const SurfelMap reference = reference_of(room);
   PosePrior prior;
@@ -56,7 +54,7 @@ TEST(PointToLine, FollowsAStrongPriorAndIgnoresAWeakPrior) {
 }
 
 TEST(PointToLine, StopsOnTheTrailOfAConvergedMatch) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const Pose2 truth = kReferencePose * Pose2{0.1, 0.05, -0.1};
   const auto points = test::scan_points(room, truth);
   const SurfelMap reference = reference_of(room);
@@ -73,7 +71,7 @@ TEST(PointToLine, StopsOnTheTrailOfAConvergedMatch) {
 }
 
 TEST(PointToLine, AddsNoTrailIfItDoesNotConverge) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const auto points = test::scan_points(room, kReferencePose * Pose2{0.1, 0.05, -0.1});
   PointToLineParams hasty;
   hasty.iterations_max = 2;
@@ -85,7 +83,7 @@ TEST(PointToLine, AddsNoTrailIfItDoesNotConverge) {
 }
 
 TEST(PointToLine, ReturnsNoStatisticsWithoutPointsOrReference) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const SurfelMap nothing{SurfelMapParams{}};
   const auto no_reference =
       match_point_to_line(test::scan_points(room, {}), nothing, kReferencePose, PosePrior{}, {});
@@ -99,7 +97,7 @@ TEST(PointToLine, ReturnsNoStatisticsWithoutPointsOrReference) {
 }
 
 TEST(PointToLine, HasFewInliersInADifferentPlace) {
-  const auto result = match_point_to_line(test::scan_points(straight_tunnel(60.0, 2.0), {}),
+  const auto result = match_point_to_line(test::scan_points(test::straight_tunnel(60.0, 2.0), {}),
                                           reference_of(test::crooked_room()), kReferencePose,
                                           PosePrior{}, PointToLineParams{});
   EXPECT_LT(result.inlier_share, 0.6);
@@ -108,15 +106,15 @@ TEST(PointToLine, HasFewInliersInADifferentPlace) {
 TEST(PointToLine, InformationIsConsistentWithTheSpreadOfEstimates) {
   // The information matrix is the curvature of half the squared, standardised residuals, so the
   // spread of estimates over noise has its inverse as covariance.
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   Eigen::Matrix3d claimed = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   constexpr int kTrials = 300;
   const SurfelMap reference = reference_of(room);
   for (int i = 0; i < kTrials; ++i) {
+    const LaserScan scan = test::LevelLaser(room, i + 1).measure(kReferencePose, 1'000'000);
     const auto result =
-        match_point_to_line(test::scan_points(room, kReferencePose, SyntheticLaserModel{}, i + 1),
-                            reference, kReferencePose, PosePrior{}, {});
+        match_point_to_line(test::scan_points(scan), reference, kReferencePose, PosePrior{}, {});
     const Eigen::Vector3d error = between(kReferencePose, result.T_odom_body).vector();
     spread += error * error.transpose() / kTrials;
     claimed += result.information.inverse() / kTrials;

@@ -18,7 +18,7 @@
 #include "common/messages/sensing.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tools/sample_mine/sample_run.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit {
 namespace {
@@ -64,7 +64,7 @@ class MappingNodeOnABus : public testing::Test {
   }
 
   test::ScratchFolder scratch_;
-  SampleRun run_{1, {}, 300.0};
+  SampleRun run_{{.length_max_m = 300.0}};
   ScanMatching matching_{ScanMatchingParams{}};
   std::unique_ptr<MemoryBus> bus_;
   std::unique_ptr<MappingNode> node_;

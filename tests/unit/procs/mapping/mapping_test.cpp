@@ -29,10 +29,7 @@ constexpr std::int64_t kStart = 1'600'000'000'000'000;
 /// The true position at this path length: back and forth, without end.
 Pose2 pose_at(double distance_m) {
   const double round = std::fmod(distance_m, 2.0 * kTunnelM);
-  static const std::vector<Eigen::Vector2d> route = sample_mine_route();
-  static const Eigen::Vector2d ahead = (route[1] - route[0]).normalized();
-  const Eigen::Vector2d p = route[0] + std::min(round, 2.0 * kTunnelM - round) * ahead;
-  return {p.x(), p.y(), std::atan2(ahead.y(), ahead.x())};
+  return {std::min(round, 2.0 * kTunnelM - round), 0.0, 0.0};
 }
 
 class Shuttle {
@@ -81,7 +78,7 @@ class Shuttle {
     match.status = utime_ == kStart ? ScanMatch::Status::kFirstScan : ScanMatch::Status::kMatched;
     match.reference_utime = utime_ == kStart ? 0 : utime_ - kStepUs;
     match.T_odom_body = T_odom_body_;
-    const LaserScan scan = laser_.measure(mine_, T_world_body_, utime_);
+    const LaserScan scan = laser_.measure(T_world_body_, utime_);
     if (const auto update = mapping->add(test::kFront, scan, match); update && update->stored) {
       decided_.insert(decided_.end(), update->associations.begin(), update->associations.end());
     }
@@ -89,8 +86,7 @@ class Shuttle {
   }
 
   double gate_;
-  SyntheticWorld mine_ = sample_mine(1);
-  SyntheticLaser laser_{SyntheticLaserModel{}, 1};
+  test::LevelLaser laser_{test::sample_mine(1), 1};
   std::vector<Association> decided_;
   double distance_m_ = 0.0;
   std::int64_t utime_ = kStart;

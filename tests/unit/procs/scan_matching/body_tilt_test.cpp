@@ -10,8 +10,7 @@
 
 #include "common/registration/surface_points.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
-#include "tools/sample_mine/mine_worlds.hpp"
-#include "tools/sample_mine/synthetic_laser.hpp"
+#include "tests/support/worlds/wall_world.hpp"
 
 namespace adit {
 namespace {
@@ -89,17 +88,18 @@ TEST(BodyTilt, AcceptsAllPointsWithoutAnAccelerometer) {
 double matched_m(const ScanMatchingParams& params) {
   constexpr double kGroundM = 9.0;  // 0.62 m / 0.07
   ScanMatching matching{params};
-  SyntheticLaser laser({}, 1);
   TurningBody body;
   body.turn(kStill, 100, matching);
   body.turn(kDip, 100, matching);
   ScanMatch match;
   for (int i = 0; i < 60; ++i) {
     const double x = 0.06 * i;
-    std::vector<Segment> walls = straight_tunnel(100.0, 3.0).walls();
-    walls.push_back({{x + kGroundM, -1.5}, {x + kGroundM, 1.5}});
+    const test::WallWorld world({{{-50.0, 1.5}, {50.0, 1.5}},
+                                 {{-50.0, -1.5}, {50.0, -1.5}},
+                                 {{x + kGroundM, -1.5}, {x + kGroundM, 1.5}}});
+    test::LevelLaser laser(world, static_cast<std::uint64_t>(i) + 1);
     matching.add(WheelOdometry{body.utime(), {x, 0.0, 0.0}});
-    const LaserScan scan = laser.measure(SyntheticWorld(walls), {x, 0.0, 0.0}, body.utime());
+    const LaserScan scan = laser.measure({x, 0.0, 0.0}, body.utime());
     match = matching.add_scan(LaserId::kFront, scan);
     body.turn(kStill, 20, matching);
   }

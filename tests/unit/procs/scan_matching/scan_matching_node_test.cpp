@@ -28,15 +28,14 @@ class ScanMatchingNodeOnABus : public testing::Test {
   }
 
   void scan(std::int64_t utime, const Pose2& T_world_body) {
-    const LaserScan seen = laser_.measure(room_, T_world_body, utime);
+    const LaserScan seen = laser_.measure(T_world_body, utime);
     bus_.inject(utime, channels::kLaserFront, encode(to_message(seen)));
   }
   void tilt(std::int64_t utime, double angle_rad) {
     bus_.inject(utime, channels::kTiltFront, encode(to_message(TiltReading{utime, angle_rad, 0})));
   }
 
-  SyntheticWorld room_ = test::crooked_room();
-  SyntheticLaser laser_{SyntheticLaserModel{}, 1};
+  test::LevelLaser laser_{test::crooked_room(), 1};
   MemoryBus bus_;
   ScanMatchingNode node_{bus_, ScanMatchingParams{}};
   std::vector<ScanMatch> matches_;

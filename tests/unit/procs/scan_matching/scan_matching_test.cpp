@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds/crooked_room.hpp"
-#include "tools/sample_mine/mine_worlds.hpp"
 
 namespace adit {
 namespace {
@@ -23,9 +22,8 @@ constexpr std::int64_t kPeriod = 200'000;
 /// A body with a laser, moved through a world by known steps.
 class SimulatedDrive {
  public:
-  SimulatedDrive(SyntheticWorld world, const Pose2& start, const SyntheticLaserModel& laser = {},
-                 std::uint64_t seed = 1)
-      : world_(std::move(world)), laser_(laser, seed), T_world_body_(start) {
+  SimulatedDrive(const test::WallWorld& world, const Pose2& start, std::uint64_t seed = 1)
+      : laser_(world, seed), T_world_body_(start) {
     matches_.push_back(matching_.add_scan(LaserId::kFront, measure_scan()));
   }
 
@@ -37,7 +35,7 @@ class SimulatedDrive {
     return matches_.back();
   }
 
-  LaserScan measure_scan() { return laser_.measure(world_, T_world_body_, utime_); }
+  LaserScan measure_scan() { return laser_.measure(T_world_body_, utime_); }
   ScanMatch first() const { return matches_.front(); }
   ScanMatching& matching() { return matching_; }
   std::int64_t utime() const { return utime_; }
@@ -46,8 +44,7 @@ class SimulatedDrive {
   const Pose2& truth() const { return truth_; }
 
  private:
-  SyntheticWorld world_;
-  SyntheticLaser laser_;
+  test::LevelLaser laser_;
   ScanMatching matching_{ScanMatchingParams{}};
   std::int64_t utime_ = kStart;
   Pose2 T_world_body_;
@@ -95,8 +92,8 @@ TEST(ScanMatching, CovarianceIsConsistentWithTheError) {
   // The normalised error squared has the expectation 3, its number of dimensions. Over 200 seeds
   // its mean is known to 0.17; the remaining tolerance is for effects outside the model (quantised
   // ranges, corners, surfels shared by several points).
-  const SyntheticWorld room = test::crooked_room();
-  const SyntheticWorld workings = sample_mine(3);
+  const test::WallWorld room = test::crooked_room();
+  const test::WallWorld workings = test::sample_mine(3);
   for (const int steps : {1, 8}) {
     for (const bool mine : {false, true}) {
       double sum = 0.0;
@@ -106,7 +103,7 @@ TEST(ScanMatching, CovarianceIsConsistentWithTheError) {
         std::uniform_real_distribution<double> u(-1.0, 1.0);
         const Pose2 start = mine ? Pose2{12.0 + 5.0 * u(random), 0.2 * u(random), 0.1 * u(random)}
                                  : Pose2{-2.0 + u(random), u(random), 3.0 * u(random)};
-        SimulatedDrive drive(mine ? workings : room, start, SyntheticLaserModel{}, seed + 1);
+        SimulatedDrive drive(mine ? workings : room, start, seed + 1);
         ScanMatch match;
         Pose2 step;
         for (int i = 0; i < steps; ++i) {
@@ -125,7 +122,7 @@ TEST(ScanMatching, CovarianceIsConsistentWithTheError) {
 
 TEST(ScanMatching, ReportsDegeneracyInAStraightTunnel) {
   for (const double heading : {0.0, 0.05, -0.1}) {
-    SimulatedDrive drive(straight_tunnel(400.0, 3.0), {0.0, 0.2, heading});
+    SimulatedDrive drive(test::straight_tunnel(400.0, 3.0), {0.0, 0.2, heading});
     for (int i = 0; i < 5; ++i) {
       const ScanMatch match = drive.step({0.1, 0.0, 0.0});
       ASSERT_EQ(match.status, Status::kMatched);
@@ -143,7 +140,7 @@ TEST(ScanMatching, ReportsDegeneracyInAStraightTunnel) {
 }
 
 TEST(ScanMatching, FillsADegenerateDirectionFromOdometry) {
-  SimulatedDrive drive(straight_tunnel(400.0, 3.0), {0.0, 0.2, 0.05});
+  SimulatedDrive drive(test::straight_tunnel(400.0, 3.0), {0.0, 0.2, 0.05});
   Pose2 wheels;
   drive.matching().add(WheelOdometry{drive.utime(), wheels});
   ScanMatch match;
@@ -160,7 +157,7 @@ TEST(ScanMatching, FillsADegenerateDirectionFromOdometry) {
 
 TEST(ScanMatching, ExtrapolatesUnobservedMotionAtADecayingSpeed) {
   // From the room with its corners into a tunnel: the last observed speed continues and decays.
-  SimulatedDrive drive(straight_tunnel(400.0, 3.0), {0.0, 0.0, 0.0});
+  SimulatedDrive drive(test::straight_tunnel(400.0, 3.0), {0.0, 0.0, 0.0});
   for (int i = 0; i < 20; ++i) {
     const ScanMatch match = drive.step({0.1, 0.0, 0.0});
     EXPECT_LT(std::abs(match.T_reference_body.x), 0.05);  // no motion is observable
@@ -169,7 +166,7 @@ TEST(ScanMatching, ExtrapolatesUnobservedMotionAtADecayingSpeed) {
 
 TEST(ScanMatching, IsNotDegenerateInARoomOrAMine) {
   SimulatedDrive room(test::crooked_room(), {-2.0, 0.0, 0.3});
-  SimulatedDrive mine(sample_mine(3), {12.0, 0.0, 0.0});
+  SimulatedDrive mine(test::sample_mine(3), {12.0, 0.0, 0.0});
   for (int i = 0; i < 10; ++i) {
     EXPECT_TRUE(room.step({0.05, 0.0, 0.1}).degenerate.empty());
     EXPECT_TRUE(mine.step({0.1, 0.0, 0.0}).degenerate.empty());
@@ -209,15 +206,14 @@ TEST(ScanMatching, IsLostInAnEmptyScanAndRecovers) {
 
 TEST(ScanMatching, ResetsTheReferenceInAPlaceThatMatchesNothing) {
   SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
-  SyntheticLaser laser(SyntheticLaserModel{}, 9);
-  const SyntheticWorld elsewhere = sample_mine(3);
+  test::LevelLaser laser(test::sample_mine(3), 9);
   std::int64_t utime = drive.utime();
   int lost = 0;
   ScanMatch match;
   for (int i = 0; i < 8; ++i) {
     utime += kPeriod;
     match = drive.matching().add_scan(LaserId::kFront,
-                                      laser.measure(elsewhere, {40.0 + 0.1 * i, 0.0, 0.0}, utime));
+                                      laser.measure({40.0 + 0.1 * i, 0.0, 0.0}, utime));
     lost += match.status == Status::kLost ? 1 : 0;
   }
   EXPECT_GE(lost, 1);
@@ -251,10 +247,10 @@ TEST(ScanMatching, ToleratesInvalidReadings) {
   expect_near(match.T_odom_body, drive.truth(), 0.01, 0.003);
 }
 
-TEST(ScanMatching, MatchesTheRearLaser) {
-  const SyntheticWorld room = test::crooked_room();
-  SyntheticLaser front(SyntheticLaserModel{}, 1);
-  SyntheticLaser rear(SyntheticLaserModel{}, 2);
+TEST(ScanMatching, MatchesTheRearLaserToo) {
+  const test::WallWorld room = test::crooked_room();
+  test::LevelLaser front(room, 1);
+  test::LevelLaser rear(room, 2);
   ScanMatching matching{ScanMatchingParams{}};
   const Pose2 start{-1.0, 0.0, 0.3};
   const Pose2 T_body_rear{0.0, 0.0, std::numbers::pi};
@@ -263,9 +259,8 @@ TEST(ScanMatching, MatchesTheRearLaser) {
   for (int i = 0; i < 20; ++i) {
     const Pose2 T_world_body = start * truth;
     const std::int64_t utime = kStart + i * kPeriod;
-    matching.add_scan(LaserId::kFront, front.measure(room, T_world_body, utime));
-    match =
-        matching.add_scan(LaserId::kRear, rear.measure(room, T_world_body * T_body_rear, utime));
+    matching.add_scan(LaserId::kFront, front.measure(T_world_body, utime));
+    match = matching.add_scan(LaserId::kRear, rear.measure(T_world_body * T_body_rear, utime));
     EXPECT_NE(match.status, Status::kRejected);  // both measured at one time
     if (i < 19) truth = truth * Pose2{0.05, 0.0, 0.05};
   }

@@ -57,7 +57,7 @@ TEST_F(TruthFiles, HaveTheObstacles) {
   EXPECT_EQ(obstacle["z_high_m"], 2.0);
 }
 
-TEST_F(TruthFiles, AreMissedWhereTheyCannotBeWritten) {
+TEST_F(TruthFiles, ReportAWriteError) {
   EXPECT_THROW(write_truth_files(sample_world(), "/proc/truth"), std::runtime_error);
 }
 

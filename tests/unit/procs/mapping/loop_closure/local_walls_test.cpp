@@ -10,7 +10,7 @@ namespace adit {
 namespace {
 
 TEST(LocalWalls, LieOnTheWallsThinnedOut) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const Pose2 T_world_local{-3.0, 0.0, 0.3};
   const LocalWallsParams params;
   const LocalWalls walls = test::walls_of(room, T_world_local, 3.0);

@@ -23,8 +23,8 @@ struct MappedPath {
   std::vector<MapExtent> extents;
 
   void add(const Pose2& T_map_local, double sd_m) {
-    static const MapExtent extent(
-        test::walls_of(straight_tunnel(20.0, 3.0), {-2.5, 0.0, 0.0}));  // 20 m by 3 m around it
+    static const MapExtent extent(test::walls_of(test::straight_tunnel(20.0, 3.0),
+                                                 {-2.5, 0.0, 0.0}));  // 20 m by 3 m around it
     poses.push_back(T_map_local);
     covariances.push_back(sure_to(sd_m));
     extents.push_back(extent);
@@ -82,7 +82,7 @@ TEST(LoopClosureCandidates, AreFewAndDistinct) {
 }
 
 TEST(MapExtent, OverlapsItselfCompletelyAndDistantMapsNot) {
-  const MapExtent extent(test::walls_of(straight_tunnel(20.0, 3.0), {-2.5, 0.0, 0.0}));
+  const MapExtent extent(test::walls_of(test::straight_tunnel(20.0, 3.0), {-2.5, 0.0, 0.0}));
   EXPECT_EQ(extent.overlap(extent, {}), 1.0);
   EXPECT_EQ(extent.overlap(extent, {0.0, 10.0, 0.0}), 0.0);
   EXPECT_EQ(extent.overlap(MapExtent{}, {}), 0.0);

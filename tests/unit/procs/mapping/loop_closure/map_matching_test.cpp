@@ -35,7 +35,7 @@ void expect_near(const Pose2& actual, const Pose2& expected, double metres, doub
 class MapMatchingRecovers : public testing::TestWithParam<Pose2> {};
 
 TEST_P(MapMatchingRecovers, AKnownDisplacement) {
-  const SyntheticWorld mine = sample_mine(3);
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 T_world_older{8.0, 0.0, 0.0};
   const Pose2 truth{1.0, 0.2, 0.1};
   const auto found = match(walls_of(mine, T_world_older * truth, 5.0, 2),
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Predictions, MapMatchingRecovers,
                                          Pose2{0.5, -1.5, -0.4}));
 
 TEST(MapMatching, FindsTheReverseTraversalInAWideGate) {
-  const SyntheticWorld mine = sample_mine(3);
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 T_world_older{6.0, 0.0, 0.0};
   const Pose2 truth{7.0, 0.3, std::numbers::pi - 0.1};
   const auto found =
@@ -64,7 +64,7 @@ TEST(MapMatching, FindsTheReverseTraversalInAWideGate) {
 TEST(MapMatching, InformationIsConsistentWithTheError) {
   // The expectation is 3; the result is smaller, since the model allows for bent maps, which these
   // are not.
-  const SyntheticWorld mine = sample_mine(5);
+  const test::WallWorld mine = test::sample_mine(5);
   double sum = 0.0;
   constexpr int kSeeds = 30;
   for (int seed = 0; seed < kSeeds; ++seed) {
@@ -84,7 +84,7 @@ TEST(MapMatching, InformationIsConsistentWithTheError) {
 }
 
 TEST(MapMatching, GivesNoInformationAlongAStraightTunnel) {
-  const SyntheticWorld tunnel = straight_tunnel(400.0, 3.0);
+  const test::WallWorld tunnel = test::straight_tunnel(400.0, 3.0);
   for (const double heading : {0.0, 0.05, -0.1}) {
     const Pose2 T_world_older{0.0, 0.2, heading};
     const Pose2 truth = T_world_older.inverse() * Pose2{2.0, 0.1, heading + 0.1};
@@ -108,8 +108,8 @@ TEST(MapMatching, GivesNoInformationAlongAStraightTunnel) {
 }
 
 /// A straight tunnel with a recess on one side at each of the given positions.
-SyntheticWorld tunnel_with_recesses(const std::vector<double>& at) {
-  std::vector<Segment> walls{{{-100.0, -1.5}, {100.0, -1.5}}};
+test::WallWorld tunnel_with_recesses(const std::vector<double>& at) {
+  std::vector<test::Segment> walls{{{-100.0, -1.5}, {100.0, -1.5}}};
   double from = -100.0;
   for (const double x : at) {
     const std::vector<Eigen::Vector2d> corners{
@@ -120,7 +120,7 @@ SyntheticWorld tunnel_with_recesses(const std::vector<double>& at) {
     from = x + 2.0;
   }
   walls.push_back({{from, 1.5}, {100.0, 1.5}});
-  return SyntheticWorld(walls);
+  return test::WallWorld(walls);
 }
 
 TEST(MapMatching, ReturnsBothOfTwoSimilarPlaces) {
@@ -140,14 +140,14 @@ TEST(MapMatching, ReturnsBothOfTwoSimilarPlaces) {
 
 TEST(MapMatching, FindsNothingInADifferentPlace) {
   const LocalWalls older = walls_of(test::crooked_room(), {-3.0, 0.0, 0.0}, 3.0);
-  const LocalWalls newer = walls_of(sample_mine(3), {8.0, 0.0, 0.0}, 5.0, 2);
+  const LocalWalls newer = walls_of(test::sample_mine(3), {8.0, 0.0, 0.0}, 5.0, 2);
   for (const double turn : {0.0, 1.5, 3.0}) {
     EXPECT_TRUE(match(newer, older, around({0.0, 0.0, turn}, 0.7, 0.2)).empty()) << turn;
   }
 }
 
 TEST(MapMatching, StaysInsideTheGate) {
-  const SyntheticWorld mine = sample_mine(3);
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 T_world_older{8.0, 0.0, 0.0};
   const RelativePose wrong = around({4.0, 0.0, 0.0}, 0.4, 0.05);
   for (const auto& found :

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "common/sensing/laser_scan.hpp"
@@ -37,9 +38,10 @@ struct MissionPhase {
   bool returning_home = false;      ///< it has turned around
   std::string return_home_reason;   ///< a sentence; empty while it has not
   LaserId laser = LaserId::kFront;  ///< that looks where the robot is going
-  std::int32_t goal_id = 0;    ///< of the scan, the goal and the path at hand; 0 before the first
-  std::int32_t frontier = -1;  ///< of the exploration that it is going to; -1 for none
-  std::int32_t scans = 0;      ///< 3D scans taken
+  std::int32_t goal_id = 0;  ///< of the scan, the goal and the path at hand; 0 before the first
+  std::optional<std::int32_t>
+      frontier;            ///< id of the target; empty: home, or no target of exploration
+  std::int32_t scans = 0;  ///< 3D scans taken
   double distance_travelled_m = 0.0;
   double remaining_m = 0.0;  ///< way that battery and time still allow
   MissionOutcome outcome = MissionOutcome::kInProgress;

@@ -24,7 +24,7 @@ class MissionJournal {
   /// The last phase that was there when it was opened.
   [[nodiscard]] const std::optional<MissionPhase>& last() const { return last_; }
   /// When the mission began [µs since the epoch]; 0 for one that has not.
-  [[nodiscard]] std::int64_t start_utime() const { return start_utime_; }
+  [[nodiscard]] const std::optional<std::int64_t>& start_utime() const { return start_utime_; }
 
   /// The places of the own track that were there, in the order of the way. Once.
   [[nodiscard]] std::vector<StoredPathPose> take_stored_path() { return std::move(track_); }
@@ -36,7 +36,7 @@ class MissionJournal {
 
  private:
   std::optional<MissionPhase> last_;
-  std::int64_t start_utime_ = 0;
+  std::optional<std::int64_t> start_utime_;
   std::vector<StoredPathPose> track_;
   Journal journal_;
 };

@@ -27,7 +27,7 @@ MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(p
   if (!params.journal.empty()) {
     journal_.emplace(params.journal);
     if (journal_->last()) {
-      mission_.restore(*journal_->last(), journal_->start_utime(), journal_->take_stored_path());
+      mission_.restore(*journal_->last(), *journal_->start_utime(), journal_->take_stored_path());
     }
   }
   subscribe_to_stages();

@@ -57,7 +57,7 @@ void PhaseTrace::write(const MissionPhase& phase) {
   std::array<char, 160> text{};
   std::snprintf(text.data(), text.size(), "%.1f\t%d\t%s\t%d\t%d\t%s\t%.1f\t%.0f\t", now_s_(),
                 static_cast<int>(phase.phase), phase.returning_home ? "home" : "out", phase.goal_id,
-                phase.frontier, phase.laser == LaserId::kFront ? "front" : "rear",
+                phase.frontier.value_or(-1), phase.laser == LaserId::kFront ? "front" : "rear",
                 phase.distance_travelled_m, phase.remaining_m);
   file_ << text.data() << phase.reason << std::endl;
 }

@@ -81,7 +81,7 @@ TEST_F(MissionTest, GoesStraightOnWhileThereIsNoMap) {
   ASSERT_EQ(now(), Phase::kScan);
   terrain();
   EXPECT_EQ(goal_.route_odom.back(), Eigen::Vector2d(10.0, 0.0));
-  EXPECT_EQ(phase().frontier, -1);
+  EXPECT_FALSE(phase().frontier);
 }
 
 TEST_F(MissionTest, AsksForEachAnswerAgainUntilItComes) {
@@ -141,7 +141,7 @@ TEST_F(MissionTest, IsStrandedWhereNoScanComesAnyMore) {
   EXPECT_EQ(now(), Phase::kScan);
   wait(10.5 * 30.5);
   EXPECT_EQ(phase().outcome, MissionOutcome::kStranded);
-  EXPECT_EQ(phase().reason, "no 3D scan comes any more");
+  EXPECT_EQ(phase().reason, "no 3D scan arrives");
 }
 
 TEST_F(MissionTest, ScansResetWherePlanningDoesNotAnswer) {

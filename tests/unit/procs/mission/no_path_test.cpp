@@ -81,7 +81,7 @@ TEST_F(MissionNoPath, LooksBesideAndToTheOtherSideThenFromFartherBackThenSaysSo)
   terrain();
   path(PlanOutcome::kUnknown, 0.7);
   ASSERT_EQ(now(), Phase::kPlan);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 3.0, 0.26);  // a step of driving
   path(PlanOutcome::kFound);
   ASSERT_EQ(now(), Phase::kExecute);
@@ -112,7 +112,7 @@ TEST_F(MissionNoPath, GoesNearerToWhatItDoesNotSee) {
   scan_beside(1.0);
   path(PlanOutcome::kUnknown, 2.0);
   ASSERT_EQ(now(), Phase::kPlan);
-  EXPECT_THAT(phase().reason, HasSubstr("goes nearer"));
+  EXPECT_THAT(phase().reason, HasSubstr("driving nearer"));
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRouteTo);  // with any heading
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ + 1.7, 1e-9);
   path(PlanOutcome::kFound);
@@ -123,7 +123,7 @@ TEST_F(MissionNoPath, GoesNearerToWhatItDoesNotSee) {
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ + reach_m_, 1e-9);  // as far as possible
   scan_beside(1.0);                                                 // it is another place
   path(PlanOutcome::kUnknown, 1.2);
-  EXPECT_THAT(phase().reason, HasSubstr("goes nearer"));
+  EXPECT_THAT(phase().reason, HasSubstr("driving nearer"));
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ + 0.9, 1e-9);
 }
 
@@ -136,13 +136,13 @@ TEST_F(MissionNoPath, LooksToTheOtherSideWhereItGetsNoNearer) {
   EXPECT_EQ(scan_.laser, LaserId::kRear);
   terrain();
   path(PlanOutcome::kUnknown, 2.0);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));  // once from a place
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));  // once from a place
 }
 
 TEST_F(MissionNoPath, GoesNoNearerToWhatItSees) {
   drive_in();
   path(PlanOutcome::kBlocked, 2.0);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));
 }
 
 TEST_F(MissionNoPath, RejectsPathAfterPathThatLeadsNowhere) {
@@ -157,7 +157,7 @@ TEST_F(MissionNoPath, RejectsPathAfterPathThatLeadsNowhere) {
       terrain();
     }
   }
-  EXPECT_THAT(phase().reason, HasSubstr("Path after path ended at the same place"));
+  EXPECT_THAT(phase().reason, HasSubstr("The last paths all ended at the same place"));
 }
 
 TEST_F(MissionNoPath, IsSureOfWhatItSawFromTwoPlaces) {
@@ -167,7 +167,7 @@ TEST_F(MissionNoPath, IsSureOfWhatItSawFromTwoPlaces) {
   path(PlanOutcome::kBlocked);
   ASSERT_TRUE(request_.blocked);
   EXPECT_FALSE(request_.blocked->unconfirmed);
-  EXPECT_THAT(phase().reason, HasSubstr("the way is blocked"));
+  EXPECT_THAT(phase().reason, HasSubstr("the path is blocked"));
 }
 
 /// Two looks may miss by a cell what a third one sees.
@@ -177,7 +177,7 @@ TEST_F(MissionNoPath, IsNotSureWhereOneLookSaysThatItMayJustFit) {
   scan_from_back(3.0);
   scan_beside(0.5, PlanOutcome::kNarrow);
   path(PlanOutcome::kBlocked);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));  // two saw it
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));  // two saw it
   scan_from_back(0.0);
   path(PlanOutcome::kBlocked);
   ASSERT_TRUE(request_.blocked);
@@ -198,7 +198,7 @@ TEST_F(MissionNoPath, BacksOffAtOnceFromWhatItSees) {
   drive_in();
   path(PlanOutcome::kBlocked);
   EXPECT_EQ(now(), Phase::kPlan);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));
 }
 
 /// No look shows a path.
@@ -208,7 +208,7 @@ TEST_F(MissionNoPath, BacksOffIntoTheOdomFrameBeforeOnceItHasItsMap) {
   to_plan();
   path(PlanOutcome::kBlocked);
   EXPECT_EQ(now(), Phase::kPlan);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 3.0, 0.26);  // a step of driving
 }
 
@@ -219,11 +219,11 @@ TEST_F(MissionNoPath, BacksOffIntoTheOdomFrameBeforeWhereNothingElseIsLeft) {
   to_plan();
   path(PlanOutcome::kUnknown);
   ASSERT_EQ(now(), Phase::kScan);
-  EXPECT_THAT(phase().reason, HasSubstr("looks to the other side"));
+  EXPECT_THAT(phase().reason, HasSubstr("with the other laser"));
   terrain();
   path(PlanOutcome::kUnknown);
   EXPECT_EQ(now(), Phase::kPlan);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 1.2, 0.26);  // a step of driving
 }
 
@@ -330,7 +330,7 @@ TEST_F(MissionNoPath, IsNeverSureByDrivesThatFail) {
   }
   ASSERT_TRUE(request_.blocked);
   EXPECT_TRUE(request_.blocked->unconfirmed);
-  EXPECT_THAT(request_.blocked->evidence, HasSubstr("Driving gave up: beside its path."));
+  EXPECT_THAT(request_.blocked->evidence, HasSubstr("Driving failed: beside its path."));
 }
 
 TEST_F(MissionNoPath, LooksFromWhereADriveBackFailed) {
@@ -365,7 +365,7 @@ TEST_F(MissionNoPath, DoesNotWaitForDrivingForEver) {
   publishes_driving_ = false;
   wait(3.5);
   EXPECT_EQ(now(), Phase::kExplore);
-  EXPECT_THAT(phase().reason, HasSubstr("Driving is silent."));
+  EXPECT_THAT(phase().reason, HasSubstr("Driving timed out."));
 }
 
 /// Of a path that was to lead back, nothing is left for the next that is planned.
@@ -428,7 +428,7 @@ TEST_F(MissionNoPath, ClosesAShortCutHomeThatIsRejected) {
   ASSERT_EQ(now(), Phase::kExplore);
   ASSERT_TRUE(request_.blocked);
   EXPECT_TRUE(request_.blocked->unconfirmed);  // it is not worth a second look
-  detour_length_m_ = 20.0;                   // and exploration leads another way
+  detour_length_m_ = 20.0;                     // and exploration leads another way
   reject_home();
   EXPECT_TRUE(request_.blocked);
 }
@@ -524,7 +524,7 @@ TEST_F(MissionNoPath, IsStrandedAfterSoManyTriesOnTheWayHome) {
     path(PlanOutcome::kBlocked);
   }
   EXPECT_EQ(phase().outcome, MissionOutcome::kStranded);
-  EXPECT_THAT(phase().reason, HasSubstr("no way on was found"));
+  EXPECT_THAT(phase().reason, HasSubstr("no path onward was found"));
 }
 
 /// Each time to 3 m from there and back again to where it ends.
@@ -607,7 +607,7 @@ TEST_F(MissionNoPath, IsAtHomeWhereNothingLeadsIntoTheMine) {
     path(PlanOutcome::kBlocked);
   }
   EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
-  EXPECT_THAT(phase().reason, HasSubstr("no way into the mine"));
+  EXPECT_THAT(phase().reason, HasSubstr("no path into the mine"));
 }
 
 TEST_F(MissionNoPath, GoesBySightWhereExplorationOnlyStays) {
@@ -626,7 +626,7 @@ TEST_F(MissionNoPath, GoesBySightWhereExplorationOnlyStays) {
     stay();
   }
   EXPECT_EQ(now(), Phase::kScan);
-  EXPECT_THAT(phase().reason, HasSubstr("exploration knows no way"));
+  EXPECT_THAT(phase().reason, HasSubstr("exploration found no route"));
 }
 
 }  // namespace

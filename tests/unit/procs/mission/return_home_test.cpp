@@ -47,7 +47,7 @@ TEST_F(MissionNearHome, IsHomeWhereNothingLeadsAnyNearer) {
   }
   ASSERT_EQ(now(), Phase::kEnded);
   EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
-  EXPECT_THAT(phase().reason, HasSubstr("at home, 0.40 m from the start, and comes no nearer"));
+  EXPECT_THAT(phase().reason, HasSubstr("at home, 0.40 m from the start, and gets no nearer"));
 }
 
 TEST_F(MissionNearHome, TriesTwiceToComeNearer) {

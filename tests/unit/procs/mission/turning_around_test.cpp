@@ -80,7 +80,7 @@ TEST_F(MissionTurnaround, TurnsAroundWhereNothingTellsHowItMoves) {
   tick();
   ASSERT_EQ(now(), Phase::kEnded);
   EXPECT_EQ(phase().outcome, MissionOutcome::kStranded);
-  EXPECT_THAT(phase().reason, HasSubstr("does not know any more where it is"));
+  EXPECT_THAT(phase().reason, HasSubstr("the pose of the robot is unknown"));
 }
 
 TEST_F(MissionTurnaround, GoesOnWhereWheelsTellHowItMoves) {
@@ -143,7 +143,7 @@ TEST_F(MissionTurnaround, ComesHomeByOrder) {
   to_execute();
   order(Order::kReturnHome);
   expect_homeward("by order");
-  EXPECT_EQ(phase().frontier, -1);
+  EXPECT_FALSE(phase().frontier);
 }
 
 TEST_F(MissionTurnaround, StopsByOrderForGood) {
@@ -193,7 +193,7 @@ TEST_F(MissionTurnaround, GoesBySightWhereItsMapDoesNotKnowIt) {
   match(utime_);
   wait(31.0);
   EXPECT_EQ(now(), Phase::kScan);
-  EXPECT_THAT(phase().reason, HasSubstr("moves on to recognise a place"));
+  EXPECT_THAT(phase().reason, HasSubstr("to recognise a place"));
 }
 
 }  // namespace

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What Mission does without a path, and for the last metre to home.
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "procs/mission/mission.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kBackOffMinM = 1.0;      // of traversed path behind the robot
+constexpr double kBackOffBesideM = 1.2;   // from the nose to the centre of the vehicle
+constexpr double kApproachMarginM = 0.3;  // before the place where no path leads on
+constexpr double kObstacleDepthM = 1.0;   // beyond the reached place, where the obstacle may be
+constexpr double kLeadsBackM = 1.0;       // of traversed path, inspected for motion ...
+constexpr double kLeadsBackMinM = 0.1;    // ... of which less is noise
+constexpr double kSharedMinM = 2.5;       // of the route with the traversed path, to rejoin it
+constexpr double kRejoinM = 6.0;          // at first
+constexpr double kRejoinMaxM = 30.0;      // after several rejoins
+constexpr double kRejoinViewM = 10.0;     // poses farther away than the rejoin length
+constexpr double kNeverLeftStartM = 0.3;  // distance travelled
+
+using Action = Recovery::Action;
+using Evidence = Recovery::Evidence;
+
+}  // namespace
+
+/// After a rejection: measures what the traversed path allows, lets Recovery choose, and acts.
+void Mission::recover(const Recovery::Rejection& rejection) {
+  const std::string& reason = rejection.reason;
+  if (home_arrival_.is_near(localization_.T_odom_body())) {
+    retry_near_home(reason);
+    return;
+  }
+  if (rejection.evidence == Evidence::kNarrow) narrow_frontiers_.insert(phase_.frontier);
+  if (recovery_.rejections() == 0) {
+    if (localization_.T_odom_body())
+      progress_.add_rejection(localization_.T_odom_body()->translation());
+  } else if (!limits_.is_unmeasured()) {
+    // After a power loss the map may estimate odom only roughly until the robot moves, and without
+    // the traversed path it cannot move. It stands where it stopped, and the guard protects it.
+    localization_.anchor_to_estimate();
+  }
+  switch (recovery_.choose(rejection, recovery_options(rejection.reached_m))) {
+    case Action::kScanBeside:
+      return back_off(kBackOffBesideM, reason);
+    case Action::kApproach:
+      return approach(rejection.reached_m, reason);
+    case Action::kScanOtherLaser:
+      return request_scan(other(phase_.laser), "scanning with the other laser: " + reason);
+    case Action::kBackOff:
+      return back_off(recovery_.back_offs() * params_.back_off_m, reason);
+    case Action::kRejoin:
+      return rejoin(rejoin_length_m(), reason);
+    case Action::kRescan:
+      return enter(Phase::kExplore, "scanning again: " + reason);
+    case Action::kAbandon:
+      return abandon_target();
+  }
+}
+
+/// A route home that leaves the traversed path before the obstacle is a short cut: nothing is lost
+/// without it, unless exploration has no other path.
+Recovery::Options Mission::recovery_options(double reached_m) const {
+  const TraversedPath& path = localization_.traversed_path();
+  Recovery::Options options;
+  options.can_back_off = path.back_length_m(params_.back_off_m) > kBackOffMinM;
+  options.is_short_cut_home =
+      is_returning() && !homeward_progress_.is_blocked() && path_leads_back() &&
+      path.shared_length_m(target_.route_odom) < reached_m + kObstacleDepthM;
+  options.can_rejoin = !options.is_short_cut_home && rejoin_length_m() > 0.0;
+  return options;
+}
+
+void Mission::begin(Maneuver maneuver, const std::string& reason) {
+  maneuver_ = std::move(maneuver);
+  ++phase_.goal_id;
+  enter(Phase::kPlan, reason);
+}
+
+void Mission::approach(double reached_m, const std::string& reason) {
+  begin(Approach{reached_m - kApproachMarginM}, "driving nearer to scan from there: " + reason);
+}
+
+void Mission::back_off(double distance_m, const std::string& reason) {
+  const auto kind = retracing_.failed ? PlanGoal::Kind::kRoute : PlanGoal::Kind::kRetrace;
+  begin(BackOff{kind, distance_m, localization_.traversed_path().back(distance_m),
+                approach_of(maneuver_)},
+        "backing off to scan from another viewpoint: " + reason);
+}
+
+/// Planning leads onto the traversed path over observed ground. Before the first scan in a new odom
+/// frame no ground is observed, so the path is retraced pose by pose.
+void Mission::rejoin(double length_m, const std::string& reason) {
+  ++retracing_.rejoins;
+  const bool has_terrain = inputs_.terrain_utime >= localization_.odom_epoch_utime();
+  const auto kind = has_terrain ? PlanGoal::Kind::kRejoin : PlanGoal::Kind::kRetrace;
+  begin(Rejoin{kind, length_m,
+               localization_.traversed_path().poses_back_within(length_m + kRejoinViewM),
+               approach_of(maneuver_)},
+        "resuming along the traversed path: " + reason);
+}
+
+bool Mission::path_leads_back() const {
+  return localization_.traversed_path().back_length_m(kLeadsBackM) > kLeadsBackMinM;
+}
+
+/// To the place where the traversed path is left again; 0 if it does not lead to the target. On the
+/// way home it always does, if by a detour; the length grows with the number of rejoins.
+double Mission::rejoin_length_m() const {
+  if (retracing_.failed) return 0.0;
+  if (phase_.returning_home) {
+    const int factor = 1 + retracing_.rejoins / 2;
+    return path_leads_back() ? std::min(kRejoinM * factor, kRejoinMaxM) : 0.0;
+  }
+  const double shared_m = localization_.traversed_path().shared_length_m(target_.route_odom);
+  return shared_m < kSharedMinM ? 0.0 : std::min(shared_m, kRejoinM);
+}
+
+/// Exploration receives a verdict on its target. A target straight ahead is none of exploration.
+void Mission::abandon_target() {
+  const std::string evidence = recovery_.evidence();
+  const bool unconfirmed = recovery_.is_uncertain() || narrow_frontiers_.contains(phase_.frontier);
+  const double reached_m = recovery_.reached_m();
+  recovery_.reset();
+  if (target_.is_straight_ahead) {
+    note_failed_try(evidence);
+    return;
+  }
+  verdict_ = BlockedVerdict{now_utime(), phase_.frontier.value_or(ExplorationDecision::kNoFrontier),
+                            reached_m, evidence, unconfirmed};
+  homeward_progress_.mark_blocked();
+  if (!phase_.frontier && ++failed_tries_ > params_.failed_tries_max) {
+    end(MissionOutcome::kStranded, "no path onward was found: " + evidence);
+    return;
+  }
+  enter(Phase::kExplore,
+        (unconfirmed ? "no path was found: " : "the path is blocked: ") + evidence);
+}
+
+/// Within the tolerance, recovery would cost metres for decimetres.
+void Mission::retry_near_home(const std::string& reason) {
+  if (home_arrival_.count_try()) {
+    end_near_home(reason);
+  } else {
+    request_scan(other(phase_.laser), "close to home, scanning with the other laser: " + reason);
+  }
+}
+
+void Mission::end_near_home(const std::string& reason) {
+  end(MissionOutcome::kHome,
+      fmt::format("the robot is at home, {:.2f} m from the start, and gets no nearer: {}",
+                  home_arrival_.distance_m(*localization_.T_odom_body()), reason));
+}
+
+void Mission::note_progress() {
+  recovery_.reset();
+  retracing_.rejoins = 0;
+  failed_tries_ = 0;
+}
+
+/// A try without a target of exploration has failed.
+void Mission::note_failed_try(const std::string& reason) {
+  ++failed_tries_;
+  if (failed_tries_ > params_.failed_tries_max) {
+    const bool never_left =
+        localization_.traversed_path().distance_travelled_m() < kNeverLeftStartM;
+    end(never_left ? MissionOutcome::kHome : MissionOutcome::kStranded,
+        (never_left ? "no path into the mine was found: " : "no path onward was found: ") + reason);
+  } else if (phase_.returning_home && localization_.has_correction() && rejoin_length_m() > 0.0) {
+    rejoin(rejoin_length_m(), "exploration found no route (" + reason + ")");
+  } else {
+    scan_straight_ahead("exploration found no route (" + reason + "): scanning straight ahead");
+  }
+}
+
+}  // namespace adit

@@ -1,9 +1,8 @@
 # SPDX-FileCopyrightText: The Adit authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What `cmake --install` puts where besides the programs and the jar, and the Debian package that
-# `cpack -G DEB` makes of it. What an operator edits is put into etc, which is /etc for the prefix /usr, and
-# only where it is not there yet.
+# What `cmake --install` installs besides the programs and the jar, and the Debian package of `cpack -G DEB`. Files
+# that an operator edits go into etc (/etc for the prefix /usr), unless they exist.
 
 set(share ${CMAKE_INSTALL_DATAROOTDIR})
 install(PROGRAMS deploy/bin/adit-record DESTINATION ${CMAKE_INSTALL_BINDIR})
@@ -21,15 +20,15 @@ install(CODE "
   if(CMAKE_INSTALL_PREFIX STREQUAL \"/usr\")
     set(etc \"\$ENV{DESTDIR}/etc\")
   endif()
-  function(put_once source target)
+  function(install_once source target)
     if(NOT EXISTS \${etc}/\${target})
       message(STATUS \"Installing: \${etc}/\${target}\")
       configure_file(${PROJECT_SOURCE_DIR}/deploy/\${source} \${etc}/\${target} COPYONLY)
     endif()
   endfunction()
-  put_once(config/robot.yaml adit/robot.yaml)
-  put_once(processes/robot.cfg adit/robot.cfg)
-  put_once(debian/default default/adit)
+  install_once(config/robot.yaml adit/robot.yaml)
+  install_once(processes/robot.cfg adit/robot.cfg)
+  install_once(debian/default default/adit)
 
   foreach(unit adit-supervisor adit-loopback)
     file(READ ${PROJECT_SOURCE_DIR}/deploy/systemd/\${unit}.service text)

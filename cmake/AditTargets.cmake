@@ -1,13 +1,13 @@
 # SPDX-FileCopyrightText: The Adit authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What every target of this project shares, and the three ways to declare one:
+# What every target of this project shares, and the functions that declare one:
 #   adit_library(NAME SOURCES ... DEPS ...)      static library adit_NAME, alias adit::NAME
 #   adit_executable(NAME SOURCES ... DEPS ...)   program NAME in <build>/bin
 #   adit_test(NAME SOURCES ... DEPS ...)         GoogleTest program, each case known to CTest
-# The presets ci and asan compile the SOURCES of a target as one (CMAKE_UNITY_BUILD): what many include is
-# read once, what many instantiate is made once. Those that cannot be read together with the others are
-# listed under APART instead: mostly because their unnamed namespaces use the same name (CONTRIBUTING.md).
+# All presets but dev compile the SOURCES of a target as one (CMAKE_UNITY_BUILD), which parses shared headers once.
+# Sources that cannot be compiled together with the others, mostly because their unnamed namespaces share a name
+# (CONTRIBUTING.md), are listed under APART.
 
 include(GNUInstallDirs)
 
@@ -17,9 +17,8 @@ add_library(adit_settings INTERFACE)
 target_compile_features(adit_settings INTERFACE cxx_std_20)
 target_include_directories(adit_settings INTERFACE ${PROJECT_SOURCE_DIR})
 target_link_libraries(adit_settings INTERFACE fmt::fmt)
-# No contraction into fused multiply-adds: the same log gives the same bytes on every build. LCM's inline
-# code reads a float through an int32_t pointer; what differs in this from another cannot share its
-# precompiled headers.
+# No contraction into fused multiply-adds: the same log gives the same bytes on every build. No strict aliasing:
+# LCM's inline code reads a float through an int32_t pointer.
 target_compile_options(adit_settings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -ffp-contract=off
   -fno-strict-aliasing $<$<BOOL:${ADIT_WERROR}>:-Werror>)
@@ -29,8 +28,8 @@ if(ADIT_SANITIZE)
   target_link_options(adit_settings INTERFACE -fsanitize=${ADIT_SANITIZE})
 endif()
 
-# Headers of others that most sources include, parsed once for all: a quarter of the build's time. A source
-# includes what it needs all the same; deploy/lint.sh reads the sources without these.
+# Precompiled library headers, a quarter of the build time. A source still includes what it uses;
+# deploy/lint.sh reads the sources without these.
 function(adit_precompiled name)
   add_library(${name} STATIC ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
   target_link_libraries(${name} PRIVATE adit_settings Eigen3::Eigen)

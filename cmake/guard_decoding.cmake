@@ -3,12 +3,11 @@
 #
 # cmake -DIN=raw.hpp -DOUT=guarded.hpp -P guard_decoding.cmake
 #
-# What lcm-gen makes trusts the counts in a message: an array is resized to any count, negative ones
-# too, and a string of length 0 or less is read from wherever that leads. This inserts, before each
-# resize, that the count fits the bytes that are left (an element takes a byte at least; an array of
-# empty rows is refused therefore), and completes the check of each string's length.
-# Made for the output of LCM 1.3.1 and looked at for 1.5; where the output has another shape, so that
-# an array or a string would stay unguarded, the build fails here.
+# The code that lcm-gen generates trusts the counts in a message: it resizes an array to any count, even a negative
+# one, and reads a string of length 0 or less out of bounds. This script inserts, before each resize, a check
+# that the count fits the remaining bytes (an element takes at least one byte, so an array of empty rows is
+# rejected), and completes the check of each string length. Written for LCM 1.3.1 and verified with 1.5; if the
+# output has another form, so that an array or a string would stay unchecked, the build fails here.
 
 file(READ ${IN} code)
 

@@ -3,12 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # check_package.sh [BUILD]
-# Makes the Debian package of a build (build/ci) in a scratch folder and looks at it: what is in it, what it
+# Makes the Debian package of a build (build/release) in a scratch folder and looks at it: what is in it, what it
 # depends on, whether its programs run from where it is unpacked, know the robot's configuration and find
 # what came with them; whether systemd takes the units. Ends with 77 where there are no tools for that.
 set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f "$0")")")
-build=$(readlink -f "${1:-$root/build/ci}")
+build=$(readlink -f "${1:-$root/build/release}")
 for tool in cpack dpkg-deb dpkg-shlibdeps; do
   command -v "$tool" >/dev/null || { echo "skipped: there is no $tool (dpkg-dev)" >&2; exit 77; }
 done

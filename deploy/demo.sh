@@ -3,9 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # demo.sh [FOLDER]
-# From a fresh clone on Debian 12 to a mission: installs what is missing, builds, sends a robot alone
-# into a simulated mine, each stage a process of its own, and shows what it brought back. The results
-# are in FOLDER (out/demo).
+# From a fresh clone on Debian 12 to a mission: installs missing packages, builds, runs an autonomous mission
+# in a simulated mine, each stage a process of its own, and lists the results in FOLDER (out/demo).
 set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f "$0")")")
 out=$(readlink -m "${1:-$root/out/demo}")
@@ -17,21 +16,23 @@ cmake --build --preset release
 
 adit=$root/build/release/bin/adit
 if [[ -e $out/run.lcmlog ]]; then
-  echo "$out is there already; name another folder" >&2
+  echo "$out exists already; name another folder" >&2
   exit 2
 fi
 "$adit" mission mathies --out "$out"
 
-echo
-echo "The results are in $out:"
-echo "  mission.html                 how it went: one page to read"
-echo "  map.png, map.svg             the map, with the way of the robot"
-echo "  map.pgm, map.yaml            the same for ROS's map_server"
-echo "  cloud.ply, volume.bt         the points of all 3D scans; the mine as a volume"
-echo "  trajectory.tum, graph.g2o    the way of the robot; the pose graph"
-echo "  junctions.geojson            corridors, junctions, openings"
-echo "  summary.json                 how far, how long, how fast"
-echo "  run.lcmlog                   every message, for adit spy and lcm-logplayer"
-echo "  phases.tsv                   what the robot was at, and why"
-echo "  *.journal                    what it would have gone on from: adit mission --resume"
-echo "  *.yaml, processes.cfg        the mine, and the configuration of all processes"
+cat <<EOF
+
+The results are in $out:
+  mission.html                 report of the mission: one page, opens in any browser
+  map.png, map.svg             map with the path of the robot
+  map.pgm, map.yaml            the same for Nav2's map_server
+  cloud.ply, volume.bt         points of all 3D scans; OctoMap of the mine
+  trajectory.tum, graph.g2o    path of the robot; pose graph
+  junctions.geojson            corridors, junctions, frontiers
+  summary.json                 figures of the mission
+  phases.tsv                   phases of the mission, with reasons
+  run.lcmlog                   every message, for adit spy and lcm-logplayer
+  *.journal                    state for adit mission --resume
+  *.yaml, processes.cfg        the mine, and the configuration of all processes
+EOF

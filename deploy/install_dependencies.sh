@@ -7,7 +7,7 @@
 # Asks for a password only where something is missing and the caller is not root.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
-groups=${*:-build check spy}
+groups=${*:-build test check spy}
 
 is_installed() { [[ $(dpkg-query -W -f '${Status}' "$1" 2>/dev/null) == "install ok installed" ]]; }
 

@@ -4,14 +4,14 @@
 #
 # lint.sh [BUILD [FILE..]]
 # Checks the layout of the sources (clang-format) and runs clang-tidy over the .cpp files, all but the
-# tests or the given ones, with the compile commands of a build folder (build/ci, or build/dev where it
+# tests or the given ones, with the compile commands of a build folder (build/release, or build/dev where it
 # is absent). Sources that the build compiles as one are also read as one: most of the time goes into the
 # headers that they share.
 set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f "$0")")")
 cd "$root"
 build=${1:-}
-[[ -n $build ]] || { [[ -d build/ci ]] && build=build/ci || build=build/dev; }
+[[ -n $build ]] || { [[ -d build/release ]] && build=build/release || build=build/dev; }
 build=$(readlink -f "$build")
 shift || true
 

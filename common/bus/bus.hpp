@@ -14,7 +14,7 @@
 
 namespace adit {
 
-/// Whether it can be the name of a channel: 1 to 63 (LCM_MAX_CHANNEL_NAME_LENGTH) of A-Z 0-9 _.
+/// True for a valid channel name: 1 to 63 (LCM_MAX_CHANNEL_NAME_LENGTH) characters of A-Z 0-9 _.
 inline bool is_channel_name(std::string_view name) {
   constexpr std::size_t kLengthMax = 63;
   return !name.empty() && name.size() <= kLengthMax &&
@@ -23,66 +23,68 @@ inline bool is_channel_name(std::string_view name) {
          });
 }
 
-/// A message as it came, with the bus time at which it did [µs since the epoch].
+/// A received message with its bus time of arrival [µs since the epoch].
 struct ReceivedMessage {
   std::string_view channel;
   std::int64_t utime = 0;
   std::span<const std::uint8_t> bytes;
 };
 
-/// Takes a message. Returns why it refused it, a text of static storage, or nothing if it did not.
+/// Handles a message. Returns the reason for rejection, a text of static storage, or an empty text.
 using Handler = std::function<std::string_view(const ReceivedMessage&)>;
 
 /// Called with bus time [µs since the epoch].
 using TimerHandler = std::function<void(std::int64_t utime)>;
 
-/// What waits for a handler that is slower than its channel: only the newest message (for state),
-/// or the newest `capacity` (for measurements), so that a stall loses the oldest.
+/// Queue policy of a subscription whose handler is slower than its channel: only the newest message
+/// (for state), or the newest `capacity` messages (for measurements); the oldest are dropped.
 struct Delivery {
   std::size_t capacity = 1;
-  bool counts_drops = false;  ///< whether a message that made room for a newer one is a loss
+  bool counts_drops = false;  ///< whether a message replaced by a newer one counts as a loss
 
   static Delivery latest() { return {1, false}; }
   static Delivery queued(std::size_t capacity) { return {capacity, true}; }
 };
 
-/// Which subscription of a bus; given by subscribe.
+/// Identifies a subscription of a bus; returned by `subscribe`.
 using SubscriptionId = std::size_t;
 
-/// What became of the messages of one subscription since it was made.
+/// Message counts of one subscription since it was made.
 struct SubscriptionStats {
   std::string channel;
   std::int64_t handled = 0;
   std::int64_t rejected = 0;
   std::int64_t dropped = 0;
-  std::map<std::string, std::int64_t, std::less<>> rejections;  ///< refused, by reason
+  std::map<std::string, std::int64_t, std::less<>> rejections;  ///< rejected messages by reason
 };
 
-/// What carries messages between stages. One thread: handlers run one at a time, on whoever drives
-/// the bus, never inside of `publish`. A handler's exception goes to whoever drives the bus.
+/// Carries messages between stages. Single-threaded: handlers run one at a time, on the thread that
+/// drives the bus, never inside `publish`. An exception thrown by a handler propagates to the
+/// caller that drives the bus.
 ///
-/// Bus time is the wall clock on the robot (LcmBus), a simulator's where it says so, and the time
+/// Bus time is the wall clock on the robot (LcmBus), simulated time with a simulator, and the time
 /// of the messages in a replay or a test (ReplayBus, MemoryBus): the same inputs then give the same
 /// outputs.
 ///
-/// A channel is 1 to 63 of A–Z, 0–9 and _; anything else throws std::invalid_argument.
+/// A channel name has 1 to 63 characters of A–Z, 0–9 and _; any other name throws
+/// std::invalid_argument.
 class Bus {
  public:
   virtual ~Bus() = default;
 
   virtual void publish(std::string_view channel, std::span<const std::uint8_t> bytes) = 0;
 
-  /// The handler must live as long as the bus is driven.
+  /// The handler must outlive every call that drives the bus.
   virtual SubscriptionId subscribe(std::string_view channel, Delivery delivery,
                                    Handler handler) = 0;
 
-  /// Calls the handler as soon as bus time is known and then each period [µs]. A replay makes up
-  /// for the ticks of a gap of at most ten seconds.
+  /// Calls the handler when bus time is first known and then once per period [µs]. A replay makes
+  /// up for the ticks of a gap of at most ten seconds.
   virtual void create_timer(std::int64_t period_us, TimerHandler handler) = 0;
 
-  /// The same by the time of the world, where bus time is a simulator's: for what looks after
-  /// processes and devices. What is computed from messages has no use for it. In a replay or a
-  /// test, which have no such time, as `every`.
+  /// The same by wall time, even where bus time is simulated: for the supervision of processes and
+  /// devices, not for computations on messages. A replay or a test has no wall time; the timer then
+  /// runs on bus time.
   virtual void create_wall_timer(std::int64_t period_us, TimerHandler handler) {
     create_timer(period_us, std::move(handler));
   }
@@ -92,11 +94,11 @@ class Bus {
 
   [[nodiscard]] virtual const SubscriptionStats& stats(SubscriptionId id) const = 0;
 
-  /// Messages that the transport did not take.
+  /// Number of messages that the transport failed to send.
   [[nodiscard]] virtual std::int64_t unsent() const { return 0; }
 };
 
-/// Throws std::invalid_argument unless the name can be that of a channel.
+/// Throws std::invalid_argument unless the channel name is valid.
 void require_valid_channel(std::string_view channel);
 
 }  // namespace adit

@@ -10,12 +10,10 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
-#include "common/bus/channels.hpp"
-
 namespace adit {
 namespace {
 
-constexpr std::uint32_t kHeaderBytes = 8;  // of UDP, where the kernel begins to count
+constexpr std::uint32_t kHeaderBytes = 8;  // of UDP; offsets in the filter count from this header
 constexpr std::uint32_t kChannelOffset = kHeaderBytes + 8;
 constexpr std::uint32_t kShortMessage = 0x4c433032;  // "LC02"
 constexpr std::uint32_t kPass = 0xffffffff;
@@ -25,7 +23,8 @@ sock_filter statement(int code, std::uint32_t k) {
   return {static_cast<std::uint16_t>(code), 0, 0, k};
 }
 
-/// Goes on where it holds, and else to `otherwise`, a place counted from the next instruction.
+/// Continues if the comparison holds; otherwise jumps by `jump_offset`, counted from the next
+/// instruction.
 sock_filter jump_unless(int code, std::uint32_t k, std::size_t jump_offset) {
   return {static_cast<std::uint16_t>(BPF_JMP | BPF_K | code), 0,
           static_cast<std::uint8_t>(jump_offset), k};
@@ -33,8 +32,8 @@ sock_filter jump_unless(int code, std::uint32_t k, std::size_t jump_offset) {
 
 int load_code(std::size_t bytes) { return bytes == 4 ? BPF_W : bytes == 2 ? BPF_H : BPF_B; }
 
-/// Loads and comparisons of the name with its NUL, in as large parts as there are. A load beyond
-/// the end would drop the message, whoever else wants it; so the length is asked first.
+/// Compares the name and its NUL in the largest available words. The length is checked first: a
+/// load beyond the end of the datagram would drop it, even if another channel matches.
 std::vector<sock_filter> pass_channel(std::string_view name) {
   const std::string text = std::string(name) + '\0';
   const auto end = static_cast<std::uint32_t>(kChannelOffset + text.size());
@@ -59,20 +58,6 @@ std::vector<sock_filter> pass_channel(std::string_view name) {
   return part;
 }
 
-/// Ends the program for that share of the messages, as the dice of the kernel say.
-std::vector<sock_filter> random_loss(double share) {
-  if (share == 0.0) return {};
-  constexpr double kRandomRange = 4294967296.0;  // 2^32
-  return {
-      statement(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(SKF_AD_OFF + SKF_AD_RANDOM)),
-      {BPF_JMP | BPF_JGE | BPF_K, 1, 0, static_cast<std::uint32_t>(share * kRandomRange)},
-      statement(BPF_RET | BPF_K, kDrop)};
-}
-
-bool is_time_channel(std::string_view channel) {
-  return channel == channels::kSimTime || channel == channels::kSimTimeDone;
-}
-
 bool is_bound_datagram_socket(int descriptor) {
   int type = 0;
   socklen_t size = sizeof(type);
@@ -88,30 +73,20 @@ bool is_bound_datagram_socket(int descriptor) {
 
 }  // namespace
 
-std::vector<sock_filter> channel_filter(const Channels& channels, double loss_share) {
-  const std::vector<sock_filter> loss = random_loss(loss_share);
-  const auto other = static_cast<std::uint8_t>(loss.size() + 1);
+std::vector<sock_filter> channel_filter(const Channels& channels) {
   std::vector<sock_filter> program{statement(BPF_LD | BPF_W | BPF_ABS, kHeaderBytes),
-                                   {BPF_JMP | BPF_JEQ | BPF_K, other, 0, kShortMessage}};
-  const auto add = [&](const std::vector<sock_filter>& part) {
+                                   {BPF_JMP | BPF_JEQ | BPF_K, 1, 0, kShortMessage},
+                                   statement(BPF_RET | BPF_K, kPass)};
+  for (const std::string& channel : channels) {
+    const std::vector<sock_filter> part = pass_channel(channel);
     program.insert(program.end(), part.begin(), part.end());
-  };
-  add(loss);
-  program.push_back(statement(BPF_RET | BPF_K, kPass));
-  for (const std::string& channel : channels) {
-    if (is_time_channel(channel)) add(pass_channel(channel));
-  }
-  add(loss);
-  for (const std::string& channel : channels) {
-    if (!is_time_channel(channel)) add(pass_channel(channel));
   }
   program.push_back(statement(BPF_RET | BPF_K, kDrop));
   return program;
 }
 
-bool attach_channel_filter(const Channels& channels, const std::set<int>& sockets,
-                           double loss_share) {
-  std::vector<sock_filter> filter = channel_filter(channels, loss_share);
+bool attach_channel_filter(const Channels& channels, const std::set<int>& sockets) {
+  std::vector<sock_filter> filter = channel_filter(channels);
   const bool fits = filter.size() <= BPF_MAXINSNS;
   const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
   bool all = !sockets.empty();
@@ -119,7 +94,7 @@ bool attach_channel_filter(const Channels& channels, const std::set<int>& socket
     if (fits && setsockopt(socket, SOL_SOCKET, SO_ATTACH_FILTER, &program, sizeof(program)) == 0) {
       continue;
     }
-    const int none = 0;  // an older one would hold back what is new
+    const int none = 0;  // a filter attached before would drop the newest channels
     setsockopt(socket, SOL_SOCKET, SO_DETACH_FILTER, &none, sizeof(none));
     all = false;
   }

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-/// The channels of the pipeline; lcmtypes/README.md says what is on them, from whom and to whom.
+/// The channels of the pipeline; lcmtypes/README.md lists their types, publishers and subscribers.
 namespace adit::channels {
 
 inline constexpr std::string_view kLaserFront = "LASER_FRONT";
@@ -54,7 +54,7 @@ inline constexpr std::string_view kPmOrders = "PM_ORDERS";
 inline constexpr std::string_view kPmOutput = "PM_OUTPUT";
 inline constexpr std::string_view kPmDiscover = "PM_DISCOVER";
 
-/// All of them.
+/// All channels.
 inline constexpr std::array kAll{
     kLaserFront,      kLaserRear,    kPose,         kTiltFront,   kTiltRear,
     kWheelOdometry,   kImu,          kScanMatch,    kLocalMap,    kPoseGraph,

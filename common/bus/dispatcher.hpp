@@ -13,22 +13,22 @@
 
 namespace adit {
 
-/// The subscriptions of a bus and the messages that wait for their handlers, in order of arrival.
-/// Shared by all forms of the bus, so that a queue drops the same messages in all of them.
+/// The subscriptions of a bus and their queues of messages, handled in order of arrival. Shared by
+/// all implementations of Bus, so that a full queue drops the same messages in each.
 class Dispatcher {
  public:
   static constexpr std::size_t kDefaultMaxMessageBytes = 4U << 20U;
 
-  /// Larger messages are refused unread.
+  /// Rejects larger messages without decoding them.
   explicit Dispatcher(std::size_t max_message_bytes = kDefaultMaxMessageBytes)
       : max_message_bytes_(max_message_bytes) {}
 
   SubscriptionId subscribe(std::string_view channel, Delivery delivery, Handler handler);
 
-  /// Puts a copy of the message into the queue of each subscription to its channel.
+  /// Appends a copy of the message to the queue of each subscription to its channel.
   void enqueue(const ReceivedMessage& received);
 
-  /// Hands the message that waits longest to its handler. False if none waits.
+  /// Passes the oldest queued message to its handler. Returns false if all queues are empty.
   bool dispatch_one();
 
   [[nodiscard]] bool is_idle() const { return oldest() == nullptr; }

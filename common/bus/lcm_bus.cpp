@@ -16,24 +16,24 @@
 #include "common/bus/channel_filter.hpp"
 #include "common/bus/channels.hpp"
 #include "common/bus/lcm_transport.hpp"
-#include "common/bus/receive_loss.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/sim.hpp"
 
 namespace adit {
 namespace {
 
-// What LCM may hold while a handler runs; what then goes to the queues of this bus is the newest.
+// Capacity of LCM's queue, which fills while a handler runs. `drain_lcm_queue` moves it to the
+// queues of this bus, which keep the newest messages.
 constexpr int kLcmQueue = 4096;
 
-constexpr std::size_t kSimTimeQueue = 1000;  // a simulator sends 20 for each second
+constexpr std::size_t kSimTimeQueue = 1000;  // at 20 messages for each simulated second
 
 std::int64_t wall_utime() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
 }
 
-constexpr int kNoDescriptor = -1;  // poll leaves it out
+constexpr int kNoDescriptor = -1;  // ignored by poll
 constexpr int kIdleTimeoutMs = 1000;
 
 }  // namespace
@@ -42,7 +42,6 @@ LcmBus::LcmBus(const LcmBusOptions& options)
     : lcm_(std::make_unique<lcm::LCM>(complete_lcm_url(options.url))),
       time_(options.time),
       stage_(options.stage),
-      loss_share_(receive_loss_share()),
       dispatcher_(options.max_message_bytes) {
   if (!lcm_->good()) throw std::runtime_error(lcm_failure_reason(options.url));
   if (time_ == BusTime::kSimulated) subscribe_sim_time();
@@ -63,7 +62,8 @@ void LcmBus::run(int stop_descriptor) {
   }
 }
 
-/// Until there is something to do. False if `stop_descriptor` can be read from.
+/// Blocks until a message, a timer or the stop descriptor is ready. Returns false if
+/// `stop_descriptor` is readable.
 bool LcmBus::wait(int timeout_ms, int stop_descriptor) {
   const std::int64_t timeout_us = timeout_ms * 1000LL;
   const auto timer_ms = static_cast<int>(
@@ -76,7 +76,7 @@ bool LcmBus::wait(int timeout_ms, int stop_descriptor) {
   return ready <= 0 || descriptors[1].revents == 0;
 }
 
-/// Until the next timer that does not go by a simulator.
+/// Time to the next timer on wall time, or the timeout.
 std::int64_t LcmBus::time_to_next_timer_us(std::int64_t timeout_us) const {
   const Timers& timers = time_ == BusTime::kSimulated ? wall_timers_ : timers_;
   return timers.wait_us(wall_utime()).value_or(timeout_us);
@@ -101,7 +101,7 @@ void LcmBus::on_receive(const lcm::ReceiveBuffer* buffer, const std::string& cha
 }
 
 void LcmBus::run_due_timers() {
-  // Those of simulated time have their turn with SIM_TIME.
+  // Timers on simulated time run in advance_to.
   Timers& timers = time_ == BusTime::kSimulated ? wall_timers_ : timers_;
   while (const auto tick = timers.next(wall_utime())) tick->handler(now_utime());
 }
@@ -128,13 +128,13 @@ SubscriptionId LcmBus::subscribe(std::string_view channel, Delivery delivery, Ha
   const SubscriptionId id = dispatcher_.subscribe(channel, delivery, std::move(handler));
   if (!channels_.emplace(channel).second) return id;
   const std::set<int> sockets = bound_datagram_sockets();
-  // Not by a member function: GCC 12 miscompiles LCM's call of one under -fsanitize=undefined.
+  // LCM's `subscribe` with a member function is miscompiled by GCC 12 under -fsanitize=undefined.
   lcm::Subscription* const subscription =
       lcm_->subscribeFunction(std::string(channel), &LcmBus::on_receive, this);
   if (!subscription) throw std::runtime_error("LCM cannot subscribe to " + std::string(channel));
   subscription->setQueueCapacity(kLcmQueue);
   if (channels_.size() == 1) sockets_ = bound_datagram_sockets_except(sockets);
-  filtered_ = attach_channel_filter(channels_, sockets_, loss_share_);
+  attach_channel_filter(channels_, sockets_);
   return id;
 }
 

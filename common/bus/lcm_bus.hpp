@@ -21,38 +21,37 @@ struct ReceiveBuffer;
 
 namespace adit {
 
-/// Whose time bus time is: the clock's of this machine, or a simulator's, by SIM_TIME.
+/// The source of bus time: the wall clock of this computer, or a simulator (SIM_TIME).
 enum class BusTime { kWall, kSimulated };
 
 struct LcmBusOptions {
-  std::string url;  ///< empty: LCM's default, or what LCM_DEFAULT_URL says
+  std::string url;  ///< empty: LCM_DEFAULT_URL, or LCM's default
   std::size_t max_message_bytes = Dispatcher::kDefaultMaxMessageBytes;
   BusTime time = BusTime::kWall;
-  std::string stage = {};  ///< in whose name SIM_TIME is answered; empty: it is not
+  std::string stage = {};  ///< name in SIM_TIME_DONE; empty: SIM_TIME is not acknowledged
 };
 
-/// The bus on the robot: LCM between processes, the wall clock for time. A process hears what it
-/// publishes itself, too. Messages are taken out of LCM's own queue, which would drop the newest,
-/// before each handler runs, and wait in the queues that `subscribe` asked for.
+/// The bus on the robot: LCM between processes, bus time from the wall clock. A process also
+/// receives its own messages. Before each handler runs, all messages are moved from LCM's queue,
+/// which drops the newest when full, into the queues requested by `subscribe`.
 ///
-/// With simulated time, bus time is the newest SIM_TIME that had its turn: it waits for its turn as
-/// other messages do, in order of arrival, so that all that came before it has been handled. Then
-/// the timers up to it run, and SIM_TIME_DONE says so to a simulator that waits. Before the first
-/// SIM_TIME bus time is 0 and no timer runs.
+/// With simulated time, bus time is that of the last handled SIM_TIME. SIM_TIME is queued with all
+/// other messages in order of arrival, so that every message received before it has been handled.
+/// Then the timers that are due run, and SIM_TIME_DONE acknowledges the time to the simulator.
+/// Before the first SIM_TIME, bus time is 0 and no timer runs.
 class LcmBus final : public Bus {
  public:
-  /// Throws std::runtime_error, with what to do about it, where there is no LCM on the URL, and as
-  /// receive_loss_share does.
+  /// Throws std::runtime_error, with advice, if LCM cannot be opened on the URL.
   explicit LcmBus(const LcmBusOptions& options = {});
   ~LcmBus() override;
   LcmBus(const LcmBus&) = delete;
   LcmBus& operator=(const LcmBus&) = delete;
 
-  /// Waits for a message or a timer for `timeout_ms` at most, runs the timers that are due and
-  /// hands one message to its handler. False if no message came.
+  /// Waits up to `timeout_ms` for a message or a timer, runs the due timers and handles one
+  /// message. Returns false if no message was handled.
   bool handle(int timeout_ms);
 
-  /// Handles messages until `stop_descriptor` can be read from.
+  /// Handles messages until `stop_descriptor` becomes readable.
   void run(int stop_descriptor);
 
   void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override;
@@ -62,8 +61,6 @@ class LcmBus final : public Bus {
   [[nodiscard]] std::int64_t now_utime() const override;
   [[nodiscard]] const SubscriptionStats& stats(SubscriptionId id) const override;
   [[nodiscard]] std::int64_t unsent() const override { return unsent_; }
-  /// Of what comes, in tests (receive_loss_share): 0 where the kernel refuses to lose any.
-  [[nodiscard]] double lost_share() const { return filtered_ ? loss_share_ : 0.0; }
 
  private:
   bool wait(int timeout_ms, int stop_descriptor);
@@ -77,15 +74,13 @@ class LcmBus final : public Bus {
   std::unique_ptr<lcm::LCM> lcm_;
   BusTime time_;
   std::string stage_;
-  double loss_share_;  // of what comes, in tests
-  bool filtered_ = false;
   std::int64_t simulated_utime_ = 0;
   Dispatcher dispatcher_;
   Timers timers_;
-  Timers wall_timers_;  // where bus time is simulated; else `timers_` has them all
+  Timers wall_timers_;  // with simulated time only; otherwise `timers_` has all timers
   std::set<std::string, std::less<>> channels_;
-  std::set<int> sockets_;       // by which LCM receives
-  std::exception_ptr failure_;  // must not pass through LCM's C code
+  std::set<int> sockets_;  // on which LCM receives
+  std::exception_ptr failure_;  // of a callback; must not propagate through LCM's C code
   std::int64_t unsent_ = 0;
 };
 

@@ -31,13 +31,13 @@ std::string contents(const char* path) {
 }  // namespace
 
 std::string lcm_failure_reason(const std::string& url) {
-  const std::string what = "no LCM on " + (url.empty() ? "the default URL" : url) + ": ";
+  const std::string what = "cannot open LCM on " + (url.empty() ? "the default URL" : url) + ": ";
   if (is_multicast(url) && !has_multicast_route(contents("/proc/net/route"))) {
     return what +
-           "no route for multicast, try: "
+           "no multicast route, try: "
            "sudo ip link set lo up; sudo ip route add 224.0.0.0/4 dev lo";
   }
-  return what + "check the URL, it looks like udpm://239.255.76.67:7667?ttl=0";
+  return what + "check the URL, e.g. udpm://239.255.76.67:7667?ttl=0";
 }
 
 std::optional<std::string> receive_buffer_advice(const std::string& url) {
@@ -48,19 +48,19 @@ std::optional<std::string> receive_buffer_advice(const std::string& url) {
   }
   return "receive buffers of " + std::to_string(bytes) +
          " bytes lose large messages, try: sudo sysctl -w net.core.rmem_max=" +
-         std::to_string(kReceiveBufferBytes) + " (to stay: deploy/sysctl/60-adit-lcm.conf)";
+         std::to_string(kReceiveBufferBytes) + " (permanently: deploy/sysctl/60-adit-lcm.conf)";
 }
 
 bool has_multicast_route(std::string_view proc_net_route) {
   std::istringstream lines{std::string(proc_net_route)};
   std::string line;
-  std::getline(lines, line);  // the headings
+  std::getline(lines, line);  // column headings
   while (std::getline(lines, line)) {
     std::istringstream columns(line);
     std::string interface;
     std::string destination;
     columns >> interface >> destination;
-    // Little-endian hexadecimal: 224.0.0.0 or a group in it, or the default route.
+    // Little-endian hexadecimal: 224.0.0.0, a group within it, or the default route.
     if (destination == "00000000" || (destination.size() == 8 && destination[6] == 'E'))
       return true;
   }

@@ -9,22 +9,23 @@
 
 namespace adit {
 
-/// What LCM's sockets ask the kernel to hold for them: a few messages of 1 MB.
+/// Receive buffer requested for LCM's sockets: a few messages of 1 MB.
 constexpr std::int64_t kReceiveBufferBytes = 4 << 20;
 
-/// The URL with what is not said filled in: an empty one as LCM does it, from LCM_DEFAULT_URL or
-/// with its default, and for multicast the size of the receive buffer. Without that size LCM takes
-/// net.core.rmem_default, however large net.core.rmem_max may be.
+/// The URL with defaults filled in: an empty URL becomes LCM_DEFAULT_URL or LCM's default, as in
+/// LCM; a multicast URL gets the size of the receive buffer. Without the size LCM uses
+/// net.core.rmem_default, even if net.core.rmem_max is larger.
 std::string complete_lcm_url(std::string url);
 
-/// One line: why there is no LCM on the URL (empty: the default) and what to do about it.
+/// One line: why LCM cannot be opened on the URL (empty: the default), and the remedy.
 std::string lcm_failure_reason(const std::string& url);
 
-/// One line with a remedy where the kernel would lose large messages: its receive buffers are
-/// small. Nothing where it would not, or where the URL is not multicast.
+/// One line with a remedy if the kernel's receive buffers are too small for large messages. Nothing
+/// if they are large enough, or if the URL is not multicast.
 std::optional<std::string> receive_buffer_advice(const std::string& url);
 
-/// Whether a table as in /proc/net/route leads multicast (224.0.0.0/4) anywhere.
+/// True if a routing table in the format of /proc/net/route has a route for multicast
+/// (224.0.0.0/4).
 bool has_multicast_route(std::string_view proc_net_route);
 
 }  // namespace adit

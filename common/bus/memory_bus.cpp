@@ -8,7 +8,7 @@
 namespace adit {
 namespace {
 
-/// True for as long as it lives.
+/// Sets a flag for its own lifetime.
 class FlagGuard {
  public:
   explicit FlagGuard(bool& flag) : flag_(flag) { flag_ = true; }

@@ -14,23 +14,24 @@
 
 namespace adit {
 
-/// A bus inside of one process, without threads and clocks: whoever drives it says what time it is.
-/// Deterministic: a message published in a handler is handled after all that were published before,
-/// and everything has been handled when `inject`, `advance_to` or an outer `publish` return.
+/// A bus within one process, without threads and clocks: the caller advances bus time.
+/// Deterministic: a message published in a handler is handled after all messages published before
+/// it, and all messages have been handled when `inject`, `advance_to` or an outer `publish`
+/// returns.
 class MemoryBus : public Bus {
  public:
-  /// Sees every message in the order of publication, with bus time.
+  /// Called with every message in the order of publication, with bus time.
   using Tap = std::function<void(const ReceivedMessage&)>;
 
   explicit MemoryBus(std::size_t max_message_bytes = Dispatcher::kDefaultMaxMessageBytes)
       : dispatcher_(max_message_bytes) {}
 
-  /// Lets time go on to `utime`, timers included, then publishes. Time never goes back: a message
-  /// that is older than bus time is published at bus time. A channel that no stage could publish on
-  /// is let through.
+  /// Advances bus time to `utime`, runs the due timers, then publishes. Bus time is monotonic: an
+  /// older message is published at the current bus time. Accepts any channel name, also one that
+  /// `publish` rejects.
   void inject(std::int64_t utime, std::string_view channel, std::span<const std::uint8_t> bytes);
 
-  /// Lets time go on to `utime`, timers included.
+  /// Advances bus time to `utime` and runs the due timers.
   void advance_to(std::int64_t utime);
 
   void tap(Tap tap) { tap_ = std::move(tap); }

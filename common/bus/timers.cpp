@@ -14,7 +14,7 @@ constexpr std::int64_t kCatchUpMaxUs = 10'000'000;
 }  // namespace
 
 void Timers::add(std::int64_t period_us, TimerHandler handler) {
-  if (period_us <= 0) throw std::invalid_argument("the period of a timer must be positive");
+  if (period_us <= 0) throw std::invalid_argument("a timer needs a positive period");
   timers_.push_back({period_us, std::move(handler), std::nullopt});
 }
 

@@ -10,7 +10,7 @@
 
 namespace adit {
 
-/// When the timers of a bus are due. Knows no clock: bus time is given to it.
+/// Schedules the timers of a bus. Has no clock; the caller passes bus time.
 class Timers {
  public:
   struct Tick {
@@ -21,12 +21,12 @@ class Timers {
   /// Throws std::invalid_argument unless the period [µs] is positive.
   void add(std::int64_t period_us, TimerHandler handler);
 
-  /// Takes the earliest tick that is due at `utime` off the schedule. The first tick of a timer is
-  /// due at once. Ticks more than ten seconds late are left out, and a clock that was put back is
-  /// followed.
+  /// Removes the earliest tick due at `utime` from the schedule and returns it. The first tick of a
+  /// timer is due immediately. Ticks more than ten seconds late are skipped, and a clock that is
+  /// set back is followed.
   std::optional<Tick> next(std::int64_t utime);
 
-  /// How long from `utime` to the next tick [µs], 0 if one is due; nothing without timers.
+  /// Time from `utime` to the next tick [µs], 0 if one is due; nothing without timers.
   [[nodiscard]] std::optional<std::int64_t> wait_us(std::int64_t utime) const;
 
  private:

@@ -16,8 +16,9 @@ void publish(Bus& bus, std::string_view channel, const Msg& message) {
   bus.publish(channel, encode(message));
 }
 
-/// The handler takes the message (`const planar_lidar_t&`) or what `from_message` makes of it
-/// (`const LaserScan&`). What does not decode or convert is refused and counted, see Bus::stats.
+/// Subscribes with a handler of the message (`const planar_lidar_t&`) or of the value that
+/// `from_message` returns for it (`const LaserScan&`). Messages that do not decode or convert are
+/// rejected and counted, see Bus::stats.
 template <class Msg, class TypedHandler>
 SubscriptionId subscribe(Bus& bus, std::string_view channel, Delivery delivery,
                          TypedHandler handler) {

@@ -10,12 +10,12 @@
 
 namespace adit {
 
-/// The values that a number in the configuration may take. Written where the parameter is visited:
+/// The allowed range of a number in the configuration, given where the parameter is visited:
 /// `v("share", share, within(0.0, 1.0));`. The default allows every finite number.
 struct Bounds {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
-  bool min_allowed = true;  ///< whether `min` itself is allowed
+  bool min_allowed = true;  ///< whether the range includes `min`
 
   [[nodiscard]] bool allow(double value) const;
   [[nodiscard]] bool is_unbounded() const;
@@ -23,7 +23,7 @@ struct Bounds {
   [[nodiscard]] std::string text() const;
 };
 
-/// The texts that a name in the configuration may be: `v("up", up, OneOf({"x", "y", "z"}));`.
+/// The allowed values of a name in the configuration: `v("up", up, OneOf({"x", "y", "z"}));`.
 struct OneOf {
   explicit OneOf(std::vector<std::string_view> allowed) : names(std::move(allowed)) {}
 

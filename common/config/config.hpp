@@ -9,22 +9,23 @@
 #include "common/config/config_loader.hpp"
 #include "common/config/config_writer.hpp"
 
-/// Parameters are structs that hold their defaults and say once what their keys are:
+/// Parameters are structs with defaults that list their keys once:
 ///   struct MatcherParams {
 ///     double search_radius_m = 0.3;
-///     OptimiserParams optimiser;
+///     OptimizerParams optimizer;
 ///     template <class V> void visit(V& v) {
 ///       v("search_radius_m", search_radius_m, above(0.0));
-///       v("optimiser", optimiser);
+///       v("optimizer", optimizer);
 ///     }
 ///   };
-/// The same visit loads them, checks them, prints them and knows which keys exist. Keys are bool,
-/// int, double, std::string, std::vector<double>, Pose2 or a struct of the same make. A struct that
-/// several stages must agree on is `v.shared("lasers", lasers)`: a section of its own in the file.
+/// The same visit loads, checks and prints them, and defines the known keys. Keys are bool, int,
+/// double, std::string, std::vector<double>, Pose2, a nested struct of this form or a list of such
+/// structs. A struct that several stages share is `v.shared("lasers", lasers)`: a section of its
+/// own in the file.
 namespace adit {
 
-/// The defaults, changed by what one section of the file says, and those that it shares with
-/// others. Throws ConfigError.
+/// The defaults, overridden by one section of the file and the shared sections it uses. Throws
+/// ConfigError.
 template <class Params>
 Params load_section(const ConfigFile& file, std::string_view section) {
   Params params;
@@ -34,11 +35,10 @@ Params load_section(const ConfigFile& file, std::string_view section) {
   return params;
 }
 
-/// The section as YAML with every key, and those that it shares, ready to be edited and loaded
-/// again.
+/// The section as YAML with every key, followed by the shared sections it uses; loads again.
 template <class Params>
 std::string to_yaml(const Params& params, std::string_view section) {
-  Params copy = params;  // one visit serves reading and writing, and so cannot be const
+  Params copy = params;  // `visit` also serves loading, and so cannot be const
   ConfigWriter writer(section);
   copy.visit(writer);
   return writer.text();

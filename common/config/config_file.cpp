@@ -18,11 +18,7 @@
 namespace adit {
 namespace {
 
-/// On which line a second YAML document begins, from 1 on, if one does. Looks no further, since
-/// yaml-cpp 0.7 finds documents without end in a text such as ",m". Throws as yaml-cpp does.
-std::optional<int> second_document_line(const std::string& text);
-
-/// Hears where a document begins, and nothing of what is in it.
+/// Records the line at which a document begins and ignores its content.
 class DocumentStart final : public YAML::EventHandler {
  public:
   [[nodiscard]] int line() const { return line_; }
@@ -44,6 +40,9 @@ class DocumentStart final : public YAML::EventHandler {
   int line_ = 0;
 };
 
+/// The line, from 1, at which a second YAML document begins, if there is one. Parses no further:
+/// yaml-cpp 0.7 finds an unlimited number of documents in a text such as ",m". Throws as yaml-cpp
+/// does.
 std::optional<int> second_document_line(const std::string& text) {
   std::istringstream in(text);
   YAML::Parser parser(in);
@@ -52,9 +51,9 @@ std::optional<int> second_document_line(const std::string& text) {
   return start.line();
 }
 
-constexpr int kDepthMax = 16;  // sections nest a few levels; an alias may hold itself
+constexpr int kDepthMax = 16;  // sections nest a few levels; an alias may contain itself
 
-/// Turns the YAML library's tree into ours.
+/// Converts the YAML library's tree to ConfigNode.
 class TreeBuilder {
  public:
   explicit TreeBuilder(const std::string& name) : name_(name) {}
@@ -84,9 +83,9 @@ class TreeBuilder {
  private:
   void add_entry(ConfigNode& map, const YAML::Node& key, const YAML::Node& value, int depth) const {
     const int line = key.Mark().line + 1;
-    if (!key.IsScalar()) fail(line, "a key that is not a word");
+    if (!key.IsScalar()) fail(line, "a key must be a scalar");
     if (const ConfigNode* first = map.find(key.Scalar())) {
-      fail(line, "'" + key.Scalar() + "' again; first on line " + std::to_string(first->line));
+      fail(line, "duplicate key '" + key.Scalar() + "'; first on line " + std::to_string(first->line));
     }
     ConfigNode child = build(value, depth + 1);
     child.key = key.Scalar();
@@ -97,12 +96,12 @@ class TreeBuilder {
   const std::string& name_;
 };
 
-/// On some of what is no text, yaml-cpp 0.7 goes on for ever.
+/// yaml-cpp 0.7 does not terminate on some binary input.
 void require_text(const std::string& text, const TreeBuilder& builder) {
   const auto at = find_non_text_byte(text);
   if (!at) return;
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(*at);
-  builder.fail(static_cast<int>(std::count(text.begin(), end, '\n')) + 1, "no text");
+  builder.fail(static_cast<int>(std::count(text.begin(), end, '\n')) + 1, "not a text file");
 }
 
 ConfigNode build_root(const std::string& text, const std::string& name) {
@@ -141,7 +140,7 @@ ConfigFile ConfigFile::parse(const std::string& text, std::string name) {
   file.name_ = std::move(name);
   if (file.root_.kind == ConfigNode::Kind::kScalar || file.root_.kind == ConfigNode::Kind::kList) {
     throw ConfigError(file.name_ + ":" + std::to_string(file.root_.line) +
-                      ": sections belong here, 'name:' and keys below it");
+                      ": the file must be a map of sections, 'name:' with keys below it");
   }
   return file;
 }
@@ -161,7 +160,7 @@ void throw_unknown_key(const std::string& file, const ConfigNode& node, const st
   if (!nearest.empty()) {
     message += "; did you mean '" + nearest + "'?";
   } else {
-    message += known.empty() ? "; there is none here" : "; known here:";
+    message += known.empty() ? "; no key is valid here" : "; valid keys:";
     for (std::size_t i = 0; i < known.size(); ++i) message += (i > 0 ? ", " : " ") + known[i];
   }
   throw ConfigError(message);

@@ -46,7 +46,7 @@ void ConfigLoader::operator()(std::string_view key, int& value, const Bounds& bo
   const ConfigNode* node = visit_key(key);
   if (node == nullptr) return;
   const auto number = number_in<int>(*node);
-  if (!number) fail(*node, "is " + describe(*node) + ", not a whole number");
+  if (!number) fail(*node, "is " + describe(*node) + ", not an integer");
   check(*node, *number, bounds);
   value = *number;
 }
@@ -59,7 +59,7 @@ void ConfigLoader::operator()(std::string_view key, double& value, const Bounds&
 void ConfigLoader::operator()(std::string_view key, std::string& value) {
   const ConfigNode* node = visit_key(key);
   if (node == nullptr) return;
-  if (node->kind != Kind::kScalar) fail(*node, "is " + describe(*node) + ", not a text");
+  if (node->kind != Kind::kScalar) fail(*node, "is " + describe(*node) + ", not a string");
   value = node->text;
 }
 

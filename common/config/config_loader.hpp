@@ -13,7 +13,7 @@
 
 namespace adit {
 
-/// A pose within a configuration: a map of x_m, y_m and theta_rad.
+/// A pose in a configuration: a map of x_m, y_m and theta_rad.
 struct PoseKeys {
   Pose2& pose;
 
@@ -25,9 +25,9 @@ struct PoseKeys {
   }
 };
 
-/// The visitor that fills parameters from one section of a file. A key that the file does not have
-/// keeps its value; a value of the wrong type or out of bounds, and a key that nothing visits,
-/// throw ConfigError with file, line, key and what is allowed. Numbers are finite.
+/// Visitor that loads parameters from one section of a file. A key that is absent from the file
+/// keeps its value. A value of the wrong type or out of bounds and a key that is not visited throw
+/// ConfigError with file, line, key and the allowed values. Numbers must be finite.
 class ConfigLoader {
  public:
   ConfigLoader(const ConfigFile& file, std::string_view section);
@@ -37,7 +37,7 @@ class ConfigLoader {
   void operator()(std::string_view key, double& value, const Bounds& bounds = {});
   void operator()(std::string_view key, std::string& value);
   void operator()(std::string_view key, std::string& value, const OneOf& allowed);
-  /// The bounds are those of each element.
+  /// The bounds apply to each element.
   void operator()(std::string_view key, std::vector<double>& values, const Bounds& bounds = {});
   void operator()(std::string_view key, Pose2& pose);
 
@@ -49,7 +49,7 @@ class ConfigLoader {
     leave();
   }
 
-  /// A list of maps, each of which starts from the defaults.
+  /// A list of maps; each element starts from the defaults.
   template <class Params>
   requires requires(Params& params, ConfigLoader& loader) { params.visit(loader); }
   void operator()(std::string_view key, std::vector<Params>& list) {
@@ -63,7 +63,7 @@ class ConfigLoader {
     if (has(key)) list = std::move(loaded);
   }
 
-  /// What several stages read, from a section of its own.
+  /// Loads parameters that several stages share, from a section of their own.
   template <class Params>
   void shared(std::string_view section, Params& params) {
     ConfigLoader loader(file_, section);
@@ -71,12 +71,12 @@ class ConfigLoader {
     loader.finish();
   }
 
-  /// To be called when everything has been visited: refuses what was not.
+  /// Must be called after the visit: rejects keys that were not visited.
   void finish() { leave(); }
 
  private:
   struct Level {
-    const ConfigNode* map;  // null where the file has none
+    const ConfigNode* map;  // null if absent from the file
     std::string path;       // "scan_matching.matcher."
     std::vector<std::string> known;
   };

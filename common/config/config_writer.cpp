@@ -2,24 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/config/config_writer.hpp"
 
-#include <cstdio>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "common/config/number_text.hpp"
 
 namespace adit {
 namespace {
 
-/// In YAML's double quotes, which take any byte.
+/// In YAML's double quotes, which can hold any byte.
 std::string quoted_yaml(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') {
       result += {'\\', c};
     } else if (static_cast<unsigned char>(c) < 0x20) {
-      char escape[8];
-      std::snprintf(escape, sizeof(escape), "\\x%02x", static_cast<unsigned>(c));
-      result += escape;
+      result += fmt::format("\\x{:02x}", static_cast<unsigned>(c));
     } else {
       result += c;
     }
@@ -85,7 +84,7 @@ void ConfigWriter::end_item() {
   --depth_;
 }
 
-/// What a line begins with: the dash of an item takes the place of the last indentation.
+/// The indentation of a line; the dash of a list item replaces the last level.
 std::string ConfigWriter::indent() {
   if (!std::exchange(at_item_, false)) return std::string(2 * depth_, ' ');
   return std::string(2 * (depth_ - 1), ' ') + "- ";

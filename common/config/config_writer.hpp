@@ -12,8 +12,8 @@
 
 namespace adit {
 
-/// The visitor that writes parameters as YAML which loads again as the same values; what is allowed
-/// stands behind each number as a comment.
+/// Visitor that writes parameters as YAML that loads again as the same values, with the bounds of
+/// each number as a comment.
 class ConfigWriter {
  public:
   explicit ConfigWriter(std::string_view section);
@@ -48,7 +48,7 @@ class ConfigWriter {
     --depth_;
   }
 
-  /// What several stages read: a section of its own, behind that of the stage.
+  /// Writes shared parameters as a section of their own, after that of the stage.
   template <class Params>
   void shared(std::string_view section, Params& params) {
     ConfigWriter writer(section);
@@ -68,7 +68,7 @@ class ConfigWriter {
   std::string text_;
   std::string shared_;
   std::size_t depth_ = 0;
-  bool at_item_ = false;  // the next line begins an item of a list
+  bool at_item_ = false;  // the next line begins a list item
 };
 
 }  // namespace adit

@@ -8,8 +8,8 @@
 
 namespace adit {
 
-/// The known name that takes the fewest edits (letters put in, taken out, changed) to reach from
-/// `name`; empty if none is near enough to have been meant.
+/// The known name with the smallest edit distance (insertions, deletions, substitutions) from
+/// `name`; empty if none is close enough to be a likely misspelling.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace adit

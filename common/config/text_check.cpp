@@ -12,7 +12,8 @@ bool is_control(unsigned char byte) {
   return (byte < 0x20 && !is_space) || byte == 0x7F;
 }
 
-/// Bytes behind the first of a character of UTF-8; nothing for one that begins none.
+/// Number of continuation bytes after the first byte of a UTF-8 character; nothing if the byte
+/// cannot begin one.
 std::optional<std::size_t> continuation_byte_count(unsigned char first) {
   if (first < 0x80) return 0;
   if (first >= 0xC2 && first <= 0xDF) return 1;

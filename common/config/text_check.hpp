@@ -8,8 +8,8 @@
 
 namespace adit {
 
-/// Where the first byte is that no YAML file has (YAML 1.2, 5.1): a control character, or one that
-/// is no UTF-8. Nothing where all is text.
+/// Offset of the first byte that is not allowed in YAML (YAML 1.2, 5.1): a control character or
+/// invalid UTF-8. Nothing if all bytes are text.
 std::optional<std::size_t> find_non_text_byte(std::string_view bytes);
 
 }  // namespace adit

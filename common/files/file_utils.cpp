@@ -8,21 +8,21 @@
 
 namespace adit {
 
-void write_text_file(const std::string& text, const std::filesystem::path& path) {
+namespace fs = std::filesystem;
+
+void write_text_file(const std::string& text, const fs::path& path) {
   std::ofstream out(path);
   out << text;
   if (!out.flush()) throw std::runtime_error("cannot write " + path.string());
 }
 
-namespace fs = std::filesystem;
-
 fs::path find_installed_file(const fs::path& path, const std::string& folder) {
-  std::error_code unknown;
-  if (path.empty() || path.is_absolute() || fs::exists(path, unknown)) return path;
-  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  std::error_code ignored;
+  if (path.empty() || path.is_absolute() || fs::exists(path, ignored)) return path;
+  const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   const fs::path share = program.parent_path().parent_path() / "share" / "adit";
-  const fs::path ours = share / folder / path.filename();
-  return fs::exists(ours, unknown) ? ours : path;
+  const fs::path installed = share / folder / path.filename();
+  return fs::exists(installed, ignored) ? installed : path;
 }
 
 }  // namespace adit

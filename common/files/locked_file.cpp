@@ -24,7 +24,7 @@ auto retry(const Call& call) {
 }  // namespace
 
 LockedFile::LockedFile(const std::filesystem::path& path) : path_(path) {
-  // Non-blocking, so that a pipe or a device does not hold us up before it is refused.
+  // Non-blocking: opening a pipe or a device must not hang before it is rejected.
   file_ =
       retry([&] { return open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0644); });
   if (file_ < 0) fail("cannot open", errno);
@@ -57,12 +57,12 @@ void LockedFile::write_at(std::uint64_t offset, std::span<const std::uint8_t> by
 
 void LockedFile::truncate(std::uint64_t size) const {
   if (retry([&] { return ftruncate(file_, static_cast<off_t>(size)); }) != 0) {
-    fail("cannot shorten", errno);
+    fail("cannot truncate", errno);
   }
 }
 
 void LockedFile::sync() const {
-  if (retry([&] { return fsync(file_); }) != 0) fail("cannot bring to the disk", errno);
+  if (retry([&] { return fsync(file_); }) != 0) fail("cannot sync", errno);
 }
 
 void LockedFile::sync_folder() const {
@@ -73,7 +73,7 @@ void LockedFile::sync_folder() const {
   const int result = retry([&] { return fsync(folder); });
   const int error = errno;
   close(folder);
-  if (result != 0) fail("cannot bring its folder to the disk", error);
+  if (result != 0) fail("cannot sync its folder", error);
 }
 
 void LockedFile::fail(const std::string& what, int error) const {
@@ -85,14 +85,14 @@ void LockedFile::require_regular_file() const {
   struct stat status {};
   if (fstat(file_, &status) != 0) fail("cannot read", errno);
   if (!S_ISREG(status.st_mode)) {
-    throw std::runtime_error(path_.string() + ": is no ordinary file");
+    throw std::runtime_error(path_.string() + ": not a regular file");
   }
 }
 
 void LockedFile::lock() const {
   if (retry([&] { return flock(file_, LOCK_EX | LOCK_NB); }) == 0) return;
   if (errno != EWOULDBLOCK) fail("cannot lock", errno);
-  throw std::runtime_error(path_.string() + ": is in use by another process");
+  throw std::runtime_error(path_.string() + ": in use by another process");
 }
 
 }  // namespace adit

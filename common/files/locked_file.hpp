@@ -9,13 +9,11 @@
 
 namespace adit {
 
-/// A file that this object alone writes: the lock is advisory and holds for all who open it as a
-/// LockedFile, in this process or another. Every failure is a std::runtime_error of one line with
-/// the path and the reason.
+/// A file with an exclusive writer: an advisory lock that holds against every other LockedFile, in
+/// this process or another. Every failure throws std::runtime_error with one line: path and reason.
 class LockedFile {
  public:
-  /// Creates the file where it is not there. Fails too where another has it open, or where it is no
-  /// ordinary file.
+  /// Creates the file if it does not exist. Throws if the file is locked or is not a regular file.
   explicit LockedFile(const std::filesystem::path& path);
   ~LockedFile();
   LockedFile(const LockedFile&) = delete;
@@ -24,13 +22,13 @@ class LockedFile {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::uint64_t size() const;
 
-  /// All of the bytes, or an error; what was written before it stays written.
+  /// Writes all bytes or throws; bytes written before the error remain.
   void write_at(std::uint64_t offset, std::span<const std::uint8_t> bytes) const;
   void truncate(std::uint64_t size) const;
 
-  /// Returns once what was written is on the disk.
+  /// Returns when the written data is on the disk.
   void sync() const;
-  /// Returns once the folder knows the file by its name.
+  /// Returns when the directory entry of the file is on the disk.
   void sync_folder() const;
 
  private:

@@ -8,7 +8,7 @@
 
 namespace adit {
 
-/// The bytes of a file, mapped for reading. Throws std::runtime_error with the path and the reason.
+/// A file mapped for reading. Throws std::runtime_error with path and reason.
 class MappedFile {
  public:
   explicit MappedFile(const std::filesystem::path& path);

@@ -10,12 +10,12 @@
 namespace adit {
 namespace {
 
-/// Takes back what was written of a record. Where even that fails, the next record goes over it,
-/// and whatever is left behind that one is passed over when the journal is read.
+/// Removes a partially written record. If that fails too, the next record overwrites it, and any
+/// remaining bytes are skipped when the journal is read.
 void discard_partial_record(const LockedFile& file, std::uint64_t end) {
   try {
     file.truncate(end);
-  } catch (const std::runtime_error&) {  // NOLINT(bugprone-empty-catch): the first error counts
+  } catch (const std::runtime_error&) {  // NOLINT(bugprone-empty-catch): report the first error
   }
 }
 
@@ -26,7 +26,7 @@ JournalHealth read_journal(const std::filesystem::path& path, const JournalReade
   JournalParser parser(file.bytes());
   while (const auto record = parser.next()) reader(*record);
   if (parser.health().records == 0 && !may_be_journal(file.bytes())) {
-    throw std::runtime_error(path.string() + ": is not a journal");
+    throw std::runtime_error(path.string() + ": not a journal");
   }
   return parser.health();
 }

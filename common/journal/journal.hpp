@@ -17,14 +17,14 @@
 
 namespace adit {
 
-/// A value for a record, as it lies in memory: it has no gaps, so that all bytes mean something.
-/// The same bits on machines of one byte order.
+/// The bytes of a value in memory, for a record. T must have no padding. The bytes depend on the
+/// byte order of the computer.
 template <class T>
 std::array<std::uint8_t, sizeof(T)> bytes_of(const T& value) {
   return std::bit_cast<std::array<std::uint8_t, sizeof(T)>>(value);
 }
 
-/// Nothing where these are not as many bytes as it has.
+/// The inverse of bytes_of; nothing if the number of bytes differs from the size of T.
 template <class T>
 std::optional<T> value_from_bytes(std::span<const std::uint8_t> bytes) {
   std::array<std::uint8_t, sizeof(T)> read{};
@@ -33,44 +33,43 @@ std::optional<T> value_from_bytes(std::span<const std::uint8_t> bytes) {
   return std::bit_cast<T>(read);
 }
 
-/// Takes a record while it is there; what is to be kept must be copied.
+/// Called with a record that is valid only during the call.
 using JournalReader = std::function<void(const JournalRecord&)>;
 
-/// A file to which records are only ever added, so that what was learnt survives: process and
-/// computer may die at any moment. After `append` a record survives the process; after `sync` it
-/// survives the computer. The same records give the same bytes.
+/// An append-only file of records that survives crashes of the process and the computer. After
+/// `append` a record survives the process; after `sync` it survives the computer. The same records
+/// give the same bytes.
 ///
-/// Whatever goes wrong with the file is a std::runtime_error of one line with its path.
+/// All file errors throw std::runtime_error with one line that begins with the path.
 class Journal {
  public:
-  /// Opens or creates the journal and gives its records, in the order in which they were added, to
-  /// the reader. A last record that is torn is cut off. Damage elsewhere stays as it is and is
-  /// passed over. Fails where the file is not a journal, which stays as it is, or where another
-  /// process has it open.
+  /// Opens or creates the journal and passes its records, in order, to the reader. A truncated last
+  /// record is removed. Damaged records elsewhere are skipped and stay in the file. Throws if the
+  /// file is not a journal, which is left unchanged, or if another process has it open.
   explicit Journal(
       const std::filesystem::path& path, const JournalReader& reader = [](const JournalRecord&) {});
 
-  /// Adds a record. Where that fails, for want of room on the disk say, the journal is as it was
-  /// before, and may be tried again. `kind` has 1 to JournalRecord::kKindMax characters.
+  /// Appends a record. If that fails, e.g. on a full disk, the journal is unchanged and the call
+  /// may be repeated. `kind` has 1 to JournalRecord::kKindMax characters.
   void append(std::string_view kind, std::span<const std::uint8_t> bytes);
 
-  /// Forgets all records.
+  /// Removes all records.
   void clear();
 
-  /// Returns once all records are on the disk.
+  /// Returns when all records are on the disk.
   void sync() const { file_.sync(); }
 
-  /// What was found when it was opened.
+  /// Integrity of the file when it was opened.
   [[nodiscard]] const JournalHealth& health() const { return health_; }
 
  private:
   LockedFile file_;
   JournalHealth health_;
-  std::uint64_t end_ = 0;  // where the next record goes
+  std::uint64_t end_ = 0;  // offset of the next record
 };
 
-/// Gives the records of a journal that may be in use to the reader, and changes nothing. Fails as
-/// opening it does, and where there is no such file.
+/// Passes the records of a journal, which may be in use, to the reader without changing the file.
+/// Throws like the constructor of Journal, and if the file does not exist.
 JournalHealth read_journal(const std::filesystem::path& path, const JournalReader& reader);
 
 }  // namespace adit

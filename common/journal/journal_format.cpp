@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-// Where the numbers of a head stand.
+// Offsets in the header.
 constexpr std::size_t kKindLength = 4;
 constexpr std::size_t kDataLength = 8;
 constexpr std::size_t kBodyCrc = 12;
@@ -49,7 +49,7 @@ bool is_valid_length(std::size_t kind_length, std::size_t data_length) {
 std::vector<std::uint8_t> write(const JournalRecord& record) {
   if (!is_valid_length(record.kind.size(), record.bytes.size())) {
     throw std::length_error("a record of kind '" + std::string(record.kind.substr(0, 80)) +
-                            "' is longer than a journal takes");
+                            "' exceeds the size limits of a journal");
   }
   std::vector<std::uint8_t> bytes(kHeaderBytes);
   bytes.reserve(kHeaderBytes + record.kind.size() + record.bytes.size());
@@ -90,14 +90,14 @@ using Bytes = std::span<const std::uint8_t>;
 using journal_format::kHeaderBytes;
 using journal_format::kMagic;
 
-/// Whether as much of the magic is there as there are bytes.
+/// True if the bytes begin with the magic, as far as they go.
 bool starts_like_record(Bytes bytes) {
   const std::size_t length = std::min(bytes.size(), kMagic.size());
   return std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length),
                     kMagic.begin());
 }
 
-/// Whether these are the bytes of one record up to where it ends too early.
+/// True if the bytes are a record without its end.
 bool is_truncated(Bytes bytes) {
   if (bytes.size() < kHeaderBytes) return starts_like_record(bytes);
   return journal_format::size(bytes).value_or(0) > bytes.size();
@@ -122,7 +122,7 @@ std::optional<JournalRecord> JournalParser::next() {
   return journal_format::read(rest);
 }
 
-/// Where the first record begins that is whole and sound; the end where there is none.
+/// Offset of the first intact record; the end if there is none.
 std::size_t JournalParser::find_record(std::size_t from) const {
   auto at = bytes_.begin() + static_cast<std::ptrdiff_t>(from);
   while (true) {

@@ -11,12 +11,12 @@
 
 namespace adit {
 
-/// What a journal holds, as it lies there: valid as long as the bytes it was read from.
+/// A record of a journal, in place: valid as long as the bytes it was read from.
 struct JournalRecord {
   static constexpr std::size_t kKindMax = 63;  ///< characters, at least one
   static constexpr std::size_t kBytesMax = 1'000'000'000;
 
-  std::string_view kind;  ///< what the bytes are, e.g. a channel
+  std::string_view kind;  ///< type of the data, e.g. a channel
   std::span<const std::uint8_t> bytes;
 };
 
@@ -25,38 +25,38 @@ namespace journal_format {
 inline constexpr std::string_view kMagic = "ADJ1";  ///< begins each record
 inline constexpr std::size_t kHeaderBytes = 20;
 
-/// The record as it goes to the disk. Throws std::length_error for what a record cannot hold.
+/// The encoded record. Throws std::length_error if the record exceeds the limits.
 std::vector<std::uint8_t> write(const JournalRecord& record);
 
-/// Bytes of the record that begins here, head and all, whether they are there or not; nothing where
-/// no whole and sound head is.
+/// Size of the record that begins here, including its header, even if its end is missing; nothing
+/// without an intact header.
 std::optional<std::size_t> size(std::span<const std::uint8_t> bytes);
 
-/// The record that begins here; nothing where it is not whole and sound.
+/// The record that begins here; nothing if it is incomplete or damaged.
 std::optional<JournalRecord> read(std::span<const std::uint8_t> bytes);
 
 }  // namespace journal_format
 
-/// What was found in a journal beside its records.
+/// Integrity of a journal.
 struct JournalHealth {
   std::size_t records = 0;
-  std::size_t corrupt_regions = 0;  ///< each a record or more that cannot be read
-  std::size_t corrupt_bytes = 0;    ///< in these
-  std::size_t truncated_bytes = 0;  ///< of a last record whose end is missing
+  std::size_t corrupt_regions = 0;  ///< each holds one or more unreadable records
+  std::size_t corrupt_bytes = 0;  ///< in all corrupt regions
+  std::size_t truncated_bytes = 0;  ///< of an incomplete last record
 
   friend bool operator==(const JournalHealth&, const JournalHealth&) = default;
 };
 
-/// Finds the records in the bytes of a journal, in order, whatever the bytes are. What is no record
-/// is passed over up to the next one, and counted.
+/// Finds the records in arbitrary bytes, in order. Bytes that are not part of an intact record are
+/// skipped and counted.
 class JournalParser {
  public:
   explicit JournalParser(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-  /// The next record, or nothing at the end. It points into the bytes.
+  /// The next record, or nothing at the end. It refers to the parsed bytes.
   std::optional<JournalRecord> next();
 
-  /// Of what was read so far.
+  /// Integrity of the bytes read so far.
   [[nodiscard]] const JournalHealth& health() const { return health_; }
 
  private:
@@ -68,8 +68,8 @@ class JournalParser {
   JournalHealth health_;
 };
 
-/// Whether bytes without any record may yet be those of a journal: none, the beginning of one that
-/// was torn or damaged, or the zeros that a computer leaves that died before it wrote.
+/// True if bytes without an intact record may be a journal: empty, the beginning of a truncated or
+/// damaged record, or the zeros that a power loss leaves before data is written.
 bool may_be_journal(std::span<const std::uint8_t> bytes);
 
 }  // namespace adit

@@ -13,12 +13,12 @@
 
 namespace adit {
 
-/// The first eight bytes of a message, which tell its type; the caller has made sure of them.
+/// The first eight bytes of a message, which identify its type. Requires at least eight bytes.
 std::int64_t fingerprint(std::span<const std::uint8_t> bytes);
 
-/// A message of the generated type Msg from the bytes of the wire, whatever these are: never throws
-/// and never reads beyond them. Refused is everything that `encode` could not have made: another
-/// fingerprint, counts that do not fit the bytes present, bytes too few or too many.
+/// Decodes a message of the generated type Msg from arbitrary bytes; never throws and never reads
+/// beyond them. Rejects everything that `encode` cannot produce: another fingerprint, counts that
+/// do not fit the bytes present, too few or too many bytes.
 template <class Msg>
 Result<Msg> decode(std::span<const std::uint8_t> bytes) {
   if (bytes.size() > INT_MAX) return Rejected{"too large"};
@@ -28,20 +28,20 @@ Result<Msg> decode(std::span<const std::uint8_t> bytes) {
   const int size = static_cast<int>(bytes.size());
   try {
     const int used = message.decode(bytes.data(), 0, size);
-    if (used < 0) return Rejected{"truncated, or with a count that does not fit"};
-    if (used != size) return Rejected{"bytes left over at the end"};
+    if (used < 0) return Rejected{"truncated, or invalid count"};
+    if (used != size) return Rejected{"trailing bytes"};
   } catch (const std::exception&) {
     return Rejected{"out of memory"};
   }
   return message;
 }
 
-/// The bytes of a message for the wire. Its counts must be those of its arrays.
+/// Encodes a message. Its counts must match the lengths of its arrays.
 template <class Msg>
 std::vector<std::uint8_t> encode(const Msg& message) {
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(message.getEncodedSize()));
   const int used = message.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  if (used < 0) throw std::logic_error("a message does not fit the size it gives for itself");
+  if (used < 0) throw std::logic_error("a message exceeds its own encoded size");
   bytes.resize(static_cast<std::size_t>(used));  // a string ends at its first NUL
   return bytes;
 }

@@ -64,7 +64,7 @@ Result<StageStats> from_message(const stage_stats_t& message) {
   if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
   if (message.stage.empty()) return Rejected{"no stage"};
   if (!(message.interval_s >= 0.0) || !std::isfinite(message.interval_s)) {
-    return Rejected{"interval is not a length of time"};
+    return Rejected{"invalid interval"};
   }
   StageStats stats{message.utime, message.stage, message.interval_s, {}};
   for (std::size_t i = 0; i < message.channels.size(); ++i) {

@@ -14,7 +14,7 @@
 
 namespace adit {
 
-/// How a stage is.
+/// Health of a stage.
 struct Health {
   enum class Level : std::int8_t {
     kOk = heartbeat_t::HEALTH_OK,
@@ -27,7 +27,7 @@ struct Health {
   friend bool operator==(const Health&, const Health&) = default;
 };
 
-/// A stage is alive, as it goes onto channel HEARTBEAT. Counts are since the start.
+/// Heartbeat of a stage on channel HEARTBEAT. Counts are totals since the start.
 struct Heartbeat {
   std::int64_t utime = 0;  ///< bus time [µs since the epoch]
   std::string stage;
@@ -41,10 +41,10 @@ struct Heartbeat {
 
 heartbeat_t to_message(const Heartbeat& heartbeat);
 
-/// Refused: an implausible time, no stage, an unknown health.
+/// Rejects an implausible time, an empty stage, an unknown health.
 Result<Heartbeat> from_message(const heartbeat_t& message);
 
-/// The configuration in effect, as it goes onto channel CONFIG.
+/// The configuration in effect, on channel CONFIG.
 struct ConfigSnapshot {
   std::int64_t utime = 0;  ///< bus time [µs since the epoch]
   std::string stage;
@@ -56,18 +56,18 @@ struct ConfigSnapshot {
 
 config_t to_message(const ConfigSnapshot& snapshot);
 
-/// Refused: an implausible time, no stage.
+/// Rejects an implausible time and an empty stage.
 Result<ConfigSnapshot> from_message(const config_t& message);
 
-/// What a stage did in an interval of bus time, as it goes onto channel STAGE_STATS.
+/// Activity of a stage in an interval of bus time, on channel STAGE_STATS.
 struct StageStats {
   struct Subscription {
     std::string channel;
     std::int64_t handled = 0;
     std::int64_t rejected = 0;
     std::int64_t dropped = 0;
-    double handler_mean_ms = -1.0;  ///< −1 where not measured
-    double handler_max_ms = -1.0;   ///< −1 where not measured
+    double handler_mean_ms = -1.0;  ///< −1: not measured
+    double handler_max_ms = -1.0;   ///< −1: not measured
 
     friend bool operator==(const Subscription&, const Subscription&) = default;
   };
@@ -82,7 +82,7 @@ struct StageStats {
 
 stage_stats_t to_message(const StageStats& stats);
 
-/// Refused: an implausible time, no stage, an interval that is not finite or is negative.
+/// Rejects an implausible time, an empty stage, an interval that is negative or not finite.
 Result<StageStats> from_message(const stage_stats_t& message);
 
 }  // namespace adit

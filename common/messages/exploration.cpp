@@ -34,7 +34,7 @@ static_assert(static_cast<int>(NodeKind::kJunction) == corridor_node_t::KIND_JUN
 static_assert(static_cast<int>(NodeKind::kDeadEnd) == corridor_node_t::KIND_DEAD_END);
 static_assert(static_cast<int>(NodeKind::kOpenEnd) == corridor_node_t::KIND_OPEN_END);
 
-// So that the stubs leave room for corridors.
+// Limit for frontiers, which leaves room for corridors.
 constexpr std::size_t kFrontierBytes = kFragmentBytes / 2;
 constexpr std::size_t kNodesMax = 800;
 constexpr std::size_t kRouteMax = 200;
@@ -60,12 +60,12 @@ frontier_t to_message(const Frontier& frontier) {
 std::string_view rejection_reason(const frontier_t& message) {
   const auto state = FrontierState(message.state);
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.id < 0 || message.local_map < 0) return "stub with a negative id or local map";
+  if (message.id < 0 || message.local_map < 0) return "frontier with a negative id or local map";
   if (state < FrontierState::kOpen || state > FrontierState::kUnconfirmed)
-    return "stub of an unknown state";
+    return "unknown frontier state";
   if (!all_finite(message.p_map) || !all_finite(message.direction_map) ||
       !std::isfinite(message.width_m)) {
-    return "stub that is not finite";
+    return "frontier is not finite";
   }
   return {};
 }
@@ -100,17 +100,17 @@ bool is_node(int index, const exploration_t& message) {
 
 std::string_view rejection_reason(const corridor_t& corridor, const exploration_t& message) {
   if (!is_node(corridor.from, message) || !is_node(corridor.to, message)) {
-    return "corridor without its nodes";
+    return "corridor without nodes";
   }
   if (!std::isfinite(corridor.length_m) || !std::isfinite(corridor.width_m)) {
-    return "corridor that is not finite";
+    return "corridor is not finite";
   }
-  if (corridor.points_map.size() < 2) return "corridor without two ends";
+  if (corridor.points_map.size() < 2) return "corridor with fewer than two points";
   const auto& points = corridor.points_map;
   const bool all_points_finite = std::all_of(
       points.begin(), points.end(),
       [](const std::vector<float>& p) { return std::isfinite(p[0]) && std::isfinite(p[1]); });
-  return all_points_finite ? std::string_view{} : "corridor that is not finite";
+  return all_points_finite ? std::string_view{} : "corridor is not finite";
 }
 
 Corridor corridor_from(const corridor_t& message) {
@@ -124,26 +124,26 @@ std::string_view rejection_reason(const exploration_t& message) {
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.revision < 0) return "negative revision";
   if (message.request < 0) return "negative id";
-  if (kind < Kind::kStay || kind > Kind::kDone) return "unknown kind of decision";
-  if (message.frontier < ExplorationDecision::kNoFrontier) return "target with a negative id";
+  if (kind < Kind::kStay || kind > Kind::kDone) return "unknown decision";
+  if (message.frontier < ExplorationDecision::kNoFrontier) return "negative frontier id";
   if (!all_finite(message.T_map_goal) || !all_finite(message.T_odom_goal)) return kPoseNotFinite;
   if (!std::isfinite(message.distance_m) || !std::isfinite(message.remaining_m) ||
-      !std::isfinite(message.home_m) || !std::isfinite(message.explored_m)) {
+      !std::isfinite(message.explored_m)) {
     return "distance is not finite";
   }
   const auto& route = message.route_odom;
   const bool all_points_finite = std::all_of(
       route.begin(), route.end(), [](const std::vector<float>& p) { return all_finite(p); });
-  if (!all_points_finite) return "route that is not finite";
-  if (message.n_frontiers_found < message.n_frontiers) return "fewer stubs than are there";
-  if (message.n_corridors_found < message.n_corridors) return "fewer corridors than are there";
+  if (!all_points_finite) return "route is not finite";
+  if (message.n_frontiers_found < message.n_frontiers) return "frontier count below the number of frontiers";
+  if (message.n_corridors_found < message.n_corridors) return "corridor count below the number of corridors";
   return {};
 }
 
 std::string_view rejection_reason(const corridor_node_t& message) {
   const auto kind = NodeKind(message.kind);
-  if (kind < NodeKind::kJunction || kind > NodeKind::kOpenEnd) return "node of an unknown kind";
-  return all_finite(message.p_map) ? std::string_view{} : "node that is not finite";
+  if (kind < NodeKind::kJunction || kind > NodeKind::kOpenEnd) return "unknown node kind";
+  return all_finite(message.p_map) ? std::string_view{} : "node is not finite";
 }
 
 template <class Part>
@@ -195,7 +195,7 @@ void add_nodes(const std::vector<CorridorNode>& nodes, exploration_t& message) {
   message.n_nodes = static_cast<std::int32_t>(message.nodes.size());
 }
 
-/// After everything else.
+/// Must be called last: fills the remaining bytes.
 void add_corridors(const std::vector<Corridor>& corridors, exploration_t& message) {
   message.n_corridors = 0;
   message.n_corridors_found = static_cast<std::int32_t>(corridors.size());
@@ -219,7 +219,6 @@ exploration_t to_message(const ExplorationReport& report) {
   message.request = report.request;
   set_decision(report, message);
   message.remaining_m = report.budget.remaining_m;
-  message.home_m = report.budget.home_m;
   message.explored_m = report.budget.explored_m;
   add_frontiers(report.frontiers, message);
   add_nodes(report.corridors.nodes, message);
@@ -241,7 +240,7 @@ Result<ExplorationReport> from_message(const exploration_t& message) {
                      message.frontier,   message.complete != 0,         message.reason};
   report.T_odom_goal = pose_from(message.T_odom_goal);
   for (const auto& p : message.route_odom) report.route_odom.emplace_back(p[0], p[1]);
-  report.budget = {message.remaining_m, message.home_m, message.explored_m};
+  report.budget = {message.remaining_m, message.explored_m};
   for (const frontier_t& frontier : message.frontiers)
     report.frontiers.push_back(frontier_from(frontier));
   std::stable_sort(report.frontiers.begin(), report.frontiers.end(),
@@ -261,12 +260,12 @@ namespace {
 
 std::string_view rejection_reason(const explore_request_t& message) {
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.id <= 0) return "id that is not positive";
-  if (!is_distance(message.remaining_m)) return "way that is none";
+  if (message.id <= 0) return "id is not positive";
+  if (!is_distance(message.remaining_m)) return "invalid distance";
   if (message.blocked == 0) return {};
   if (!is_plausible_utime(message.blocked_utime)) return kImplausibleTime;
-  if (message.blocked_frontier < -1) return "target with a negative id";
-  return is_distance(message.reached_m) ? std::string_view{} : "way that is none";
+  if (message.blocked_frontier < -1) return "negative frontier id";
+  return is_distance(message.reached_m) ? std::string_view{} : "invalid distance";
 }
 
 }  // namespace

@@ -31,9 +31,9 @@ std::string_view rejection_reason(const phase_t& message) {
     return "unknown outcome";
   }
   if (message.sequence < 0 || message.goal_id < 0 || message.scans < 0) return "negative count";
-  if (message.frontier < kNoFrontier) return "target with a negative id";
+  if (message.frontier < kNoFrontier) return "negative frontier id";
   if (!is_distance(message.distance_travelled_m) || !is_distance(message.remaining_m))
-    return "way that is none";
+    return "invalid distance";
   return {};
 }
 

@@ -12,13 +12,13 @@ namespace adit {
 
 phase_t to_message(const MissionPhase& phase);
 
-/// Refused: an implausible time, a phase, outcome or laser that there is not, numbers that are not
-/// finite or negative.
+/// Rejects an implausible time, an unknown phase, outcome or laser, and numbers that are negative
+/// or not finite.
 Result<MissionPhase> from_message(const phase_t& message);
 
 mission_order_t to_message(const MissionOrder& order);
 
-/// Refused: an implausible time, an order that there is not.
+/// Rejects an implausible time and an unknown order.
 Result<MissionOrder> from_message(const mission_order_t& message);
 
 }  // namespace adit

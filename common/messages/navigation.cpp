@@ -38,13 +38,13 @@ std::string_view rejection_reason(const plan_goal_t& message) {
   const bool on_route = kind == PlanGoal::Kind::kRoute || kind == PlanGoal::Kind::kRouteTo;
   const bool on_traversed_path = kind == PlanGoal::Kind::kRetrace || kind == PlanGoal::Kind::kRejoin;
   if (route.size() > PlanGoal::kPointsMax || (on_route && route.size() < 2)) {
-    return "route that is none";
+    return "invalid route";
   }
   if (traversed_path.size() > PlanGoal::kPointsMax ||
       (on_traversed_path && traversed_path.size() < 2))
-    return "track that is none";
-  if (!are_finite(route)) return "route that is not finite";
-  return are_finite(traversed_path) ? std::string_view{} : "track that is not finite";
+    return "invalid traversed path";
+  if (!are_finite(route)) return "route is not finite";
+  return are_finite(traversed_path) ? std::string_view{} : "traversed path is not finite";
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ static_assert(static_cast<int>(Reason::kWater) == blocking_cell_t::REASON_WATER)
 static_assert(static_cast<int>(Reason::kSlope) == blocking_cell_t::REASON_SLOPE);
 static_assert(static_cast<int>(Reason::kDrop) == blocking_cell_t::REASON_DROP);
 
-constexpr std::size_t kBlockingCellBytes = 3 * sizeof(double) + 1;  // on the wire
+constexpr std::size_t kBlockingCellBytes = 3 * sizeof(double) + 1;  // encoded size
 
 path_point_t to_message(const PathPoint& point) {
   path_point_t message;
@@ -120,7 +120,7 @@ PathPoint point_from(const path_point_t& message) {
 std::string_view rejection_reason(const path_point_t& message) {
   if (!all_finite(message.T_odom_body)) return kPoseNotFinite;
   if (!std::isfinite(message.curvature_1_m)) return "curvature is not finite";
-  if (std::isnan(message.clearance_m)) return "clearance is no number";
+  if (std::isnan(message.clearance_m)) return "clearance is NaN";
   if (!std::isfinite(message.cost)) return "cost is not finite";
   return {};
 }
@@ -140,8 +140,8 @@ BlockingCell cell_from(const blocking_cell_t& message) {
 
 std::string_view rejection_reason(const blocking_cell_t& message) {
   const auto reason = Reason(message.reason);
-  if (!all_finite(message.p_odom)) return "cell at a place that is not finite";
-  if (reason < Reason::kStep || reason > Reason::kDrop) return "cell of an unknown reason";
+  if (!all_finite(message.p_odom)) return "blocking cell is not finite";
+  if (reason < Reason::kStep || reason > Reason::kDrop) return "unknown blocking reason";
   return {};
 }
 
@@ -154,11 +154,11 @@ std::string_view rejection_reason(const planned_path_t& message) {
   const bool found = outcome == PlanOutcome::kFound;
   if (found && message.points.empty()) return "path without points";
   if (!found && !message.points.empty()) return "points without a path";
-  if (message.n_blocking_found < message.n_blocking) return "fewer blocking cells than are there";
+  if (message.n_blocking_found < message.n_blocking) return "cell count below the number of blocking cells";
   return {};
 }
 
-/// Whose encoding is no larger than a piece, where the points leave that much room.
+/// Adds the blocking cells that keep the message within kFragmentBytes after its points.
 void add_blocking_cells(const std::vector<BlockingCell>& blocking, planned_path_t& message) {
   message.n_blocking_found = static_cast<std::int32_t>(blocking.size());
   message.n_blocking = 0;
@@ -218,7 +218,7 @@ std::string_view rejection_reason(const driving_state_t& message) {
   if (message.path_id < 0) return "negative id";
   if (kind < DrivingState::Kind::kIdle || kind > DrivingState::Kind::kFailed) return "unknown state";
   if (!is_distance(message.progress_m) || !is_distance(message.remaining_m))
-    return "way that is none";
+    return "invalid distance";
   if (!std::isfinite(message.lateral_error_m)) return "lateral error is not finite";
   if (!std::isfinite(message.heading_error_rad)) return "heading error is not finite";
   return {};

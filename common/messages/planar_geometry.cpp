@@ -8,7 +8,7 @@
 namespace adit {
 
 bool is_information_matrix(const double (&rows)[3][3]) {
-  constexpr double kRounding = 1e-6;  // relative; matrices come out of products and inverses
+  constexpr double kRounding = 1e-6;  // relative; matrices result from products and inverses
   for (int i = 0; i < 3; ++i) {
     if (!all_finite(rows[i]) || rows[i][i] < 0.0) return false;
   }

@@ -7,7 +7,7 @@
 #include "common/geometry/pose2.hpp"
 #include "common/messages/checks.hpp"
 
-/// Planar poses and 3×3 matrices as they stand in messages: (x, y, θ), row by row.
+/// Planar poses (x, y, θ) and row-major 3×3 matrices in messages.
 namespace adit {
 
 inline void set_pose(const Pose2& pose, double (&numbers)[3]) {
@@ -29,11 +29,11 @@ inline Eigen::Matrix3d matrix_from(const double (&rows)[3][3]) {
   return Eigen::Map<const RowMajor3d>(rows[0]);
 }
 
-/// Whether a matrix may be a covariance or the inverse of one: finite, symmetric but for rounding,
-/// and no variance or covariance beyond what that allows. Zero is one: nothing is known.
+/// True if the matrix can be a covariance or information matrix: finite, symmetric within rounding,
+/// and off-diagonal entries bounded by the variances. Zero is valid: no information.
 bool is_information_matrix(const double (&rows)[3][3]);
 
 constexpr const char* kPoseNotFinite = "pose is not finite";
-constexpr const char* kInvalidInformation = "no information matrix";
+constexpr const char* kInvalidInformation = "invalid information matrix";
 
 }  // namespace adit

@@ -53,7 +53,7 @@ std::string_view rejection_reason(const procman_lcm::cmd_t& message) {
   if (message.command_id.empty()) return "command without a name";
   if (message.stop_signal < 0 || message.stop_signal > kLastSignal) return "unknown stop signal";
   if (!is_finite_non_negative(message.stop_time_allowed))
-    return "time to stop is not finite or negative";
+    return "stop time is negative or not finite";
   return {};
 }
 
@@ -61,14 +61,14 @@ std::string_view rejection_reason(const procman_lcm::cmd_status_t& message) {
   if (const auto reason = rejection_reason(message.cmd); !reason.empty()) return reason;
   if (message.pid < 0) return "negative process id";
   if (!is_finite_non_negative(message.cpu_usage))
-    return "use of the processor is not finite or negative";
+    return "processor usage is negative or not finite";
   return {};
 }
 
 std::string_view rejection_reason(const procman_lcm::deputy_info_t& message) {
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.deputy_id.empty()) return "no deputy";
-  if (!is_finite_non_negative(message.cpu_load)) return "load is not finite or negative";
+  if (!is_finite_non_negative(message.cpu_load)) return "load is negative or not finite";
   return {};
 }
 
@@ -118,7 +118,7 @@ procman_lcm::orders_t to_message(const ProcmanOrders& orders) {
 
 procman_lcm::output_t to_message(const ProcmanOutput& output) {
   if (output.texts.size() > static_cast<std::size_t>(std::numeric_limits<std::int16_t>::max())) {
-    throw std::logic_error("more texts than a message of procman counts");
+    throw std::logic_error("more texts than a message of procman can count");
   }
   procman_lcm::output_t message;
   message.utime = output.utime;

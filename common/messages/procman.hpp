@@ -17,18 +17,18 @@ procman_lcm::orders_t to_message(const ProcmanOrders& orders);
 procman_lcm::output_t to_message(const ProcmanOutput& output);
 procman_lcm::discovery_t to_message(const ProcmanDiscovery& discovery);
 
-/// Refused: an implausible time, no deputy, a load or a use that is not finite or negative, a
-/// negative process id, and commands as for orders.
+/// Rejects an implausible time, an empty deputy, a load or usage that is negative or not finite, a
+/// negative process id, and invalid commands as in orders_t.
 Result<ProcmanInfo> from_message(const procman_lcm::deputy_info_t& message);
 
-/// Refused: an implausible time, no deputy or sheriff, a command without a name, a stop signal that
-/// is none, a time to stop that is not finite or negative.
+/// Rejects an implausible time, an empty deputy or sheriff, a command without a name, an unknown
+/// stop signal, a stop time that is negative or not finite.
 Result<ProcmanOrders> from_message(const procman_lcm::orders_t& message);
 
-/// Refused: an implausible time, no deputy, a text of a command without a name.
+/// Rejects an implausible time, an empty deputy, a text of a command without a name.
 Result<ProcmanOutput> from_message(const procman_lcm::output_t& message);
 
-/// Refused: an implausible time.
+/// Rejects an implausible time.
 Result<ProcmanDiscovery> from_message(const procman_lcm::discovery_t& message);
 
 }  // namespace adit

@@ -8,17 +8,17 @@
 
 namespace adit {
 
-/// The reason, on its way into a Result.
+/// The reason for rejection, for the construction of a Result.
 struct Rejected {
   std::string_view reason;
 };
 
-/// A value, or the reason why there is none: one short clause for people, of static storage, the
-/// same for every case of one kind so that refusals can be counted by it.
+/// A value, or the reason for its rejection: one short clause in static storage, constant for each
+/// kind of error so that rejections can be counted by reason.
 template <class T>
 class Result {
  public:
-  // Implicit on purpose: `return scan;` and `return Refused{"no beams"};` both read well.
+  // Implicit: allows `return scan;` and `return Rejected{"no beams"};`.
   Result(T value) : value_(std::move(value)) {}
   Result(Rejected rejected) : rejection_(rejected.reason) {}
 
@@ -26,7 +26,7 @@ class Result {
   [[nodiscard]] const T& operator*() const { return *value_; }
   [[nodiscard]] const T* operator->() const { return &*value_; }
 
-  /// Empty where there is a value.
+  /// Empty if there is a value.
   [[nodiscard]] std::string_view rejection() const { return rejection_; }
 
  private:

@@ -28,7 +28,7 @@ std::string_view rejection_reason(const LaserScan& scan) {
   if (!std::isfinite(scan.angle_min_rad)) return "first bearing is not finite";
   if (!(scan.angle_step_rad > 0.0)) return "bearings do not increase";
   if (static_cast<double>(scan.ranges_m.size()) * scan.angle_step_rad > kTwoTurns) {
-    return "bearings go round more than twice";
+    return "bearings span more than two turns";
   }
   return {};
 }

@@ -21,12 +21,12 @@
 
 namespace adit {
 
-/// The channel of a laser, which names it in messages.
+/// The channel of a laser, which also identifies the laser in messages.
 inline std::string_view laser_channel(LaserId laser) {
   return laser == LaserId::kFront ? "LASER_FRONT" : "LASER_REAR";
 }
 
-/// Nothing for a channel that is no laser's.
+/// Nothing if the channel is not that of a laser.
 inline std::optional<LaserId> laser_from_channel(std::string_view channel) {
   if (channel == laser_channel(LaserId::kFront)) return LaserId::kFront;
   if (channel == laser_channel(LaserId::kRear)) return LaserId::kRear;
@@ -35,51 +35,51 @@ inline std::optional<LaserId> laser_from_channel(std::string_view channel) {
 
 constexpr const char* kUnknownLaser = "unknown laser";
 
-/// Bearings go onto the wire as floats: they come back within 2e-7 rad.
+/// Bearings are encoded as floats and restored within 2e-7 rad.
 planar_lidar_t to_message(const LaserScan& scan);
 
-/// Why a scan cannot come from a laser, or nothing; what from_message refuses.
+/// Why a scan is invalid, or nothing; the checks of from_message.
 std::string_view rejection_reason(const LaserScan& scan);
 
-/// Refused: an implausible time, bearings that are not finite, that do not increase, or that go
-/// round more than twice. Ranges are passed on as they are. Intensities are not kept.
+/// Rejects an implausible time and bearings that are not finite, do not increase, or span more than
+/// two turns. Ranges are not checked. Intensities are dropped.
 Result<LaserScan> from_message(const planar_lidar_t& message);
 
-/// Without an orientation, which ImuReading does not hold.
+/// Without orientation, which ImuReading does not have.
 imu_t to_message(const ImuReading& reading);
 
-/// Refused: an implausible time, rates or accelerations that are not finite.
+/// Rejects an implausible time, rates or accelerations that are not finite.
 Result<ImuReading> from_message(const imu_t& message);
 
-/// The rates, which WheelOdometry does not hold, are NaN on the wire.
+/// The rates, which WheelOdometry does not have, are NaN in the message.
 wheel_odometry_t to_message(const WheelOdometry& odometry);
 
-/// Refused: an implausible time, a pose that is not finite. The rates are not looked at.
+/// Rejects an implausible time and a pose that is not finite. The rates are ignored.
 Result<WheelOdometry> from_message(const wheel_odometry_t& message);
 
 tilt_t to_message(const TiltReading& reading);
 
-/// Refused: an implausible time, an angle or rate that is not finite.
+/// Rejects an implausible time, an angle or rate that is not finite.
 Result<TiltReading> from_message(const tilt_t& message);
 
 tilt_command_t to_message(const TiltCommand& command);
 
-/// Refused: an implausible time, an angle or rate that is not finite, a rate that is not positive.
+/// Rejects an implausible time, an angle or rate that is not finite, a rate that is not positive.
 Result<TiltCommand> from_message(const tilt_command_t& message);
 
 scan_request_t to_message(const ScanRequest& request);
 
-/// Refused: an implausible time, a negative id, a laser that is neither LASER_FRONT nor LASER_REAR.
+/// Rejects an implausible time, a negative id, a laser other than LASER_FRONT and LASER_REAR.
 Result<ScanRequest> from_message(const scan_request_t& message);
 
 gas_t to_message(const GasReading& reading);
 
-/// Refused: an implausible time, a share beyond 0 to 1.
+/// Rejects an implausible time, a share outside 0 to 1.
 Result<GasReading> from_message(const gas_t& message);
 
 sinkage_t to_message(const SinkageReading& reading);
 
-/// Refused: an implausible time, a depth that is negative or not finite.
+/// Rejects an implausible time, a depth that is negative or not finite.
 Result<SinkageReading> from_message(const sinkage_t& message);
 
 }  // namespace adit

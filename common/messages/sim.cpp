@@ -40,8 +40,8 @@ run_state_t to_message(const RunState& state) {
 
 Result<RunState> from_message(const run_state_t& message) {
   if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (!std::isfinite(message.distance_travelled_m)) return Rejected{"way is not finite"};
-  if (message.distance_travelled_m < 0.0) return Rejected{"way is negative"};
+  if (!std::isfinite(message.distance_travelled_m)) return Rejected{"distance is not finite"};
+  if (message.distance_travelled_m < 0.0) return Rejected{"distance is negative"};
   return RunState{message.utime, message.distance_travelled_m, message.failure};
 }
 

@@ -14,14 +14,14 @@
 
 namespace adit {
 
-/// What time it is, where time is simulated: all that was measured until then has been sent.
+/// The simulated time: all measurements up to it have been sent.
 struct SimTime {
   std::int64_t utime = 0;  ///< [µs since the epoch]
 
   friend bool operator==(const SimTime&, const SimTime&) = default;
 };
 
-/// A stage has handled all that came to it before that time did.
+/// A stage has handled every message that it received before this time.
 struct SimTimeDone {
   std::int64_t utime = 0;  ///< that of the SimTime [µs since the epoch]
   std::string stage;
@@ -32,15 +32,15 @@ struct SimTimeDone {
 sim_time_t to_message(const SimTime& time);
 sim_time_done_t to_message(const SimTimeDone& done);
 
-/// Refused: an implausible time.
+/// Rejects an implausible time.
 Result<SimTime> from_message(const sim_time_t& message);
 
-/// Refused: an implausible time, no stage.
+/// Rejects an implausible time and an empty stage.
 Result<SimTimeDone> from_message(const sim_time_done_t& message);
 
 run_state_t to_message(const RunState& state);
 
-/// Refused: an implausible time, a way that is negative or not finite.
+/// Rejects an implausible time and a distance that is negative or not finite.
 Result<RunState> from_message(const run_state_t& message);
 
 }  // namespace adit

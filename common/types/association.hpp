@@ -12,41 +12,42 @@
 
 namespace adit {
 
-/// One way in which two local maps may lie on each other: a peak of their correlation.
+/// One hypothesis for a loop closure: a peak of the correlation of two local maps.
 struct LoopClosureAlternative {
-  int older_map = 0;  ///< id of the local map that is revisited
+  int older_map = 0;  ///< id of the revisited local map
   Pose2 T_older_newer;
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of it: (x, y, θ) in the newer frame
-  double log_likelihood = 0.0;  ///< of the overlap, against that of no overlap at all
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of T_older_newer: (x, y, θ) in the newer frame
+  double log_likelihood = 0.0;  ///< of the overlap, relative to no overlap
 
   friend bool operator==(const LoopClosureAlternative&, const LoopClosureAlternative&) = default;
 };
 
-/// A decision to be made: with which older map, if any, does this one coincide, and how.
+/// A loop closure to decide: which older map, if any, overlaps the newer one, and with which
+/// relative pose.
 struct LoopClosure {
-  int id = 0;  ///< 0, 1, … in the order in which they arose
+  int id = 0;  ///< 0, 1, … in order of detection
   int newer_map = 0;
   std::vector<LoopClosureAlternative>
-      alternatives;  ///< most likely first; "none" is always one more
+      alternatives;  ///< most likely first; "none" is always a further alternative
 
   friend bool operator==(const LoopClosure&, const LoopClosure&) = default;
 };
 
-/// What was decided about a closure, when, and why: the record of lazy data association.
+/// A decision on a loop closure with time and reason: the record of lazy data association.
 struct Association {
   enum class Action : std::int8_t {
-    kProposed = 0,  ///< a new closure, with its first decision
-    kRevised = 1,   ///< an earlier decision is replaced
+    kProposed = 0,  ///< a new loop closure, with its first decision
+    kRevised = 1,  ///< replaces an earlier decision
   };
-  static constexpr int kNone = -1;  ///< chosen: no alternative
+  static constexpr int kNone = -1;  ///< value of `chosen` for no alternative
 
-  std::int64_t utime = 0;  ///< time of the newest measurement when it was decided
+  std::int64_t utime = 0;  ///< time of the newest measurement at the decision
   Action action = Action::kProposed;
   LoopClosure loop_closure;
-  int chosen = kNone;             ///< index into closure.alternatives
-  int previously_chosen = kNone;  ///< the same before a revision
-  double log_likelihood = 0.0;    ///< of all measurements under all decisions, after this one
-  std::string reason;             ///< a short sentence
+  int chosen = kNone;  ///< index into loop_closure.alternatives
+  int previously_chosen = kNone;  ///< the choice before a revision
+  double log_likelihood = 0.0;  ///< of all measurements given all decisions, after this one
+  std::string reason;  ///< a short sentence for the operator
 
   friend bool operator==(const Association&, const Association&) = default;
 };

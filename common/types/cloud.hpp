@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -13,23 +12,23 @@
 
 namespace adit {
 
-/// One scan of a tilted laser, placed. The mirror hardly moves while it measures, so that one
-/// origin stands for all of its beams.
+/// One scan of a tilted laser in the level frame. The mirror hardly moves during a scan, so one
+/// origin serves all beams.
 struct CloudLine {
-  std::int64_t utime = 0;                    ///< of its first beam [µs since the epoch]
-  Eigen::Vector3f origin{0.0F, 0.0F, 0.0F};  ///< of the laser, in level [m]
-  std::vector<Eigen::Vector3f> points;       ///< where beams met something, in level [m]
-  std::vector<Eigen::Vector3f> misses;       ///< directions of those without return, unit, in level
+  std::int64_t utime = 0;  ///< time of the first beam [µs since the epoch]
+  Eigen::Vector3f origin{0.0F, 0.0F, 0.0F};  ///< position of the laser in level [m]
+  std::vector<Eigen::Vector3f> points;  ///< returns, in level [m]
+  std::vector<Eigen::Vector3f> misses;  ///< directions of beams without return, unit vectors in level
 };
 
-/// A 3D scan: the lines of one tilt sweep in the frame "level", which has its origin where the
-/// body's is at the end of the sweep, its x axis where the body's points in the plan, and its z
-/// axis against gravity.
+/// A 3D scan: the lines of one tilt sweep in the frame "level". Its origin is that of the body at
+/// the end of the sweep, its x axis the horizontal projection of the body's, its z axis opposite to
+/// gravity.
 struct Cloud {
   std::int64_t utime = 0;  ///< end of the sweep [µs since the epoch]
-  std::int32_t id = 0;     ///< of the request that it answers
-  Pose2 T_odom_level;      ///< in the plan
-  bool complete = true;    ///< false where the sweep was cut short
+  std::int32_t id = 0;  ///< id of the request
+  Pose2 T_odom_level;  ///< planar pose of level in odom
+  bool complete = true;  ///< false if the sweep ended early
   std::vector<CloudLine> lines;
 
   [[nodiscard]] std::size_t points() const {
@@ -39,14 +38,13 @@ struct Cloud {
   }
 };
 
-/// A stage says which 3D scans it has, and asks for the newest other one that is still held.
+/// Requests the newest 3D scan that scan assembly still holds and the stage has not received.
 struct CloudRequest {
   static constexpr std::size_t kReceivedMax = 1000;
 
   std::int64_t utime = 0;                    ///< [µs since the epoch]
-  std::string requested_by;                  ///< name of the stage
-  std::int64_t after_utime = 0;              ///< none is asked for that ended then or before
-  std::vector<std::int64_t> received_utime;  ///< of the newest that it has: Cloud::utime
+  std::int64_t after_utime = 0;  ///< scans that ended then or before are not requested
+  std::vector<std::int64_t> received_utime;  ///< Cloud::utime of the newest received scans
 
   friend bool operator==(const CloudRequest&, const CloudRequest&) = default;
 };

@@ -7,29 +7,29 @@
 
 namespace adit {
 
-/// Where the steered point of the body is beside a path: the origin with four-wheel steering, the
-/// middle of the rear axle with Ackermann steering.
+/// Deviation of the steered point of the body from a path. The steered point is the origin with
+/// four-wheel steering and the middle of the rear axle with Ackermann steering.
 struct PathTrackingError {
-  double lateral_m = 0.0;    ///< to the left of the path, as the body on it looks
-  double heading_rad = 0.0;  ///< of the body's x axis against that of the body on the path
+  double lateral_m = 0.0;  ///< positive to the left of the body's heading on the path
+  double heading_rad = 0.0;  ///< of the body's x axis relative to the path
 
   friend bool operator==(const PathTrackingError&, const PathTrackingError&) = default;
 };
 
-/// How driving along a path stands.
+/// Progress along a path.
 struct DrivingState {
   enum class Kind : std::int8_t {
-    kIdle = 0,     ///< there is no path to drive
-    kDriving = 1,  ///< on its way
-    kWaiting = 2,  ///< stands until it knows again where it is, or is let go
-    kArrived = 3,  ///< stands at the end of the path
-    kFailed = 4,   ///< stands beside the path, or cannot go on, and needs a new one
+    kIdle = 0,  ///< no path
+    kDriving = 1,  ///< following the path
+    kWaiting = 2,  ///< stopped until the pose is valid or motion is permitted
+    kArrived = 3,  ///< stopped at the end of the path
+    kFailed = 4,  ///< stopped off the path or blocked; needs a new path
   };
 
   std::int64_t utime = 0;    ///< [µs since the epoch]
-  std::int32_t path_id = 0;  ///< of the goal that the path answers; 0 before the first path
+  std::int32_t path_id = 0;  ///< id of the goal that the path answers; 0 before the first path
   Kind kind = Kind::kIdle;
-  std::string reason;  ///< for people, where it neither drives nor has arrived
+  std::string reason;  ///< for the operator, unless driving or arrived
   double progress_m = 0.0;
   double remaining_m = 0.0;
   PathTrackingError error;

@@ -15,24 +15,24 @@ namespace adit {
 
 /// A scan of a local map.
 struct LocalScan {
-  std::string channel;  ///< on which the scan came, e.g. LASER_FRONT
+  std::string channel;  ///< channel of the scan, e.g. LASER_FRONT
   LaserScan scan;
   Pose2 T_local_body;
 
   friend bool operator==(const LocalScan&, const LocalScan&) = default;
 };
 
-/// A few metres of the way, rigid in itself: the scans of it, each with its pose in the frame of
-/// the local map. That frame is the body at the first scan, which is in turn the last scan of the
-/// local map before, so that consecutive local maps touch.
+/// A rigid map of a few metres of the traversed path: its scans with their poses in the frame of
+/// the local map. The frame is the body at the first scan, which is also the last scan of the
+/// previous local map, so consecutive local maps share a pose.
 struct LocalMap {
-  int id = 0;                  ///< 0, 1, … in the order of the way, over all sessions
-  int session = 0;             ///< counts the times that the mapping began with a new odom frame
-  std::int64_t utime = 0;      ///< of the first scan [µs since the epoch]
-  std::int64_t end_utime = 0;  ///< of the last
-  Pose2 T_odom_local;          ///< pose of this local map in odom
-  /// Displacement from the local map `id` − 1, and its information (x, y, θ in this frame). Without
-  /// meaning for the first of a session.
+  int id = 0;  ///< 0, 1, … in order of time, over all sessions
+  int session = 0;  ///< number of restarts of mapping with a new odom frame
+  std::int64_t utime = 0;  ///< time of the first scan [µs since the epoch]
+  std::int64_t end_utime = 0;  ///< time of the last scan
+  Pose2 T_odom_local;  ///< pose of the local map in odom
+  /// Displacement from the local map `id` − 1 with its information (x, y, θ in this frame).
+  /// Undefined for the first local map of a session.
   Pose2 T_previous_local;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   std::vector<LocalScan> scans;

@@ -7,7 +7,7 @@
 
 namespace adit {
 
-/// A stage that begins asks mapping for all local maps and the graph once more.
+/// Request to mapping to publish all local maps and the pose graph again.
 struct MapRequest {
   std::int64_t utime = 0;    ///< [µs since the epoch]
   std::string requested_by;  ///< name of the stage
@@ -15,16 +15,16 @@ struct MapRequest {
   friend bool operator==(const MapRequest&, const MapRequest&) = default;
 };
 
-/// When a stage is to ask mapping for the map: at its start, and again where nothing of it came for
-/// a while and something is lacking.
+/// Decides when a stage requests the map: at its start, and again if the map is incomplete and
+/// nothing of it has been received for a while.
 class MapRequestTimer {
  public:
   static constexpr std::int64_t kRetryPeriodUs = 5'000'000;
 
-  /// Something of the map came, or it was asked for.
+  /// A part of the map was received, or the map was requested.
   void received(std::int64_t utime) { last_utime_ = utime; }
 
-  /// Whether to ask now [µs since the epoch].
+  /// True if the map must be requested now [µs since the epoch].
   [[nodiscard]] bool is_due(std::int64_t utime, bool map_incomplete) const {
     return map_incomplete && (last_utime_ == 0 || utime - last_utime_ >= kRetryPeriodUs);
   }

@@ -10,53 +10,53 @@
 
 namespace adit {
 
-/// What the robot is at. The four of the paper follow each other; motion is only in kExecute.
+/// Phase of the mission. The four phases of the paper follow each other; the robot moves only in
+/// kExecute.
 enum class Phase : std::int8_t {
-  kWaiting = 0,  ///< for stages, for the pose, or to know where it is on its map
-  kExplore = 1,  ///< the next place is chosen
-  kScan = 2,     ///< it rests and sweeps a laser
-  kPlan = 3,     ///< a path is looked for
-  kExecute = 4,  ///< it follows the path
-  kPaused = 5,   ///< by order
+  kWaiting = 0,  ///< for stages, the pose, or localization on the stored map
+  kExplore = 1,  ///< exploration chooses the next goal
+  kScan = 2,     ///< the robot stands and takes a 3D scan
+  kPlan = 3,     ///< planning computes a path
+  kExecute = 4,  ///< the robot follows the path
+  kPaused = 5,   ///< by operator order
   kEnded = 6,    ///< the mission is over
 };
 
 /// How a mission ended.
 enum class MissionOutcome : std::int8_t {
   kInProgress = 0,
-  kHome = 1,      ///< it stands where it started
-  kStopped = 2,   ///< by order
-  kStranded = 3,  ///< it stands somewhere and no way was found any more
+  kHome = 1,      ///< the robot is back at the start
+  kStopped = 2,   ///< by operator order
+  kStranded = 3,  ///< the robot has stopped elsewhere without a path to the start
 };
 
-/// How a mission stands. What led to the present phase is in `reason`.
+/// State of a mission.
 struct MissionPhase {
-  std::int64_t utime = 0;     ///< of the change to this phase [µs since the epoch]
-  std::int32_t sequence = 0;  ///< counts the changes of a mission, over restarts too
+  std::int64_t utime = 0;     ///< time of the change to this phase [µs since the epoch]
+  std::int32_t sequence = 0;  ///< number of phase changes of the mission, across restarts
   Phase phase = Phase::kWaiting;
-  std::string reason;               ///< for the change, a sentence
-  bool returning_home = false;      ///< it has turned around
-  std::string return_home_reason;   ///< a sentence; empty while it has not
-  LaserId laser = LaserId::kFront;  ///< that looks where the robot is going
-  std::int32_t goal_id = 0;  ///< of the scan, the goal and the path at hand; 0 before the first
-  std::optional<std::int32_t>
-      frontier;            ///< id of the target; empty: home, or no target of exploration
-  std::int32_t scans = 0;  ///< 3D scans taken
+  std::string reason;               ///< reason for the phase change, a sentence
+  bool returning_home = false;      ///< true after the decision to return
+  std::string return_home_reason;   ///< reason for the return, a sentence; empty before it
+  LaserId laser = LaserId::kFront;  ///< laser that faces the direction of travel
+  std::int32_t goal_id = 0;         ///< id of the current scan, goal and path; 0 before the first
+  std::optional<std::int32_t> frontier;  ///< id of the target frontier
+  std::int32_t scans = 0;                ///< 3D scans taken
   double distance_travelled_m = 0.0;
-  double remaining_m = 0.0;  ///< way that battery and time still allow
+  double remaining_m = 0.0;  ///< path length allowed by battery and time
   MissionOutcome outcome = MissionOutcome::kInProgress;
-  bool complete = false;  ///< every stub ever seen is closed, each with its evidence
+  bool complete = false;  ///< every frontier detected so far is closed
 
   friend bool operator==(const MissionPhase&, const MissionPhase&) = default;
 };
 
-/// What a person orders a mission to do.
+/// An operator's order to the mission.
 struct MissionOrder {
   enum class Kind : std::int8_t {
-    kPause = 0,       ///< stand, until told to go on
-    kResume = 1,      ///< after a pause
-    kReturnHome = 2,  ///< turn around for good
-    kStop = 3,        ///< stand, and end the mission where it is
+    kPause = 0,       ///< stop until kResume
+    kResume = 1,      ///< continue after a pause
+    kReturnHome = 2,  ///< return to the start; cannot be undone
+    kStop = 3,        ///< stop and end the mission
   };
 
   std::int64_t utime = 0;  ///< [µs since the epoch]

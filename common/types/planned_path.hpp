@@ -13,82 +13,82 @@
 
 namespace adit {
 
-/// Where the robot is to go, from where it is.
+/// A goal for the planner, from the current pose.
 struct PlanGoal {
   enum class Kind : std::int8_t {
-    kAlong = 0,    ///< as far as possible in a direction: straight down the corridor
+    kAlong = 0,  ///< as far as possible in a direction: straight down the corridor
     kToPose = 1,   ///< to a pose
-    kRoute = 2,    ///< as far as possible along a route, on which the corridor bends and branches
-    kRetrace = 3,  ///< back on the own track, whatever the terrain seems to be
-    kRouteTo = 4,  ///< along a route to its end, a place, with any heading; as far as possible
-    kRejoin = 5,   ///< onto the own track where it is farthest back, and from there back on it
+    kRoute = 2,  ///< as far as possible along a route, through bends and junctions of the corridor
+    kRetrace = 3,  ///< back along the traversed path, regardless of the terrain map
+    kRouteTo = 4,  ///< along a route to its end, with any heading; as far as possible
+    kRejoin = 5,  ///< onto the traversed path as far back as possible, then back along it
   };
 
-  static constexpr std::size_t kPointsMax = 1000;  ///< of a route, and of a track
+  static constexpr std::size_t kPointsMax = 1000;  ///< maximum points of a route or a traversed path
 
   std::int64_t utime = 0;  ///< [µs since the epoch]
   std::int32_t id = 0;
   Kind kind = Kind::kAlong;
-  Pose2 T_odom_goal;         ///< the pose; of kAlong its heading is the direction
-  double distance_m = 10.0;  ///< of kAlong, and on a track: how far at most
-  std::vector<Eigen::Vector2d> route_odom =
-      {};  ///< of kRoute and kRouteTo: from the robot on, two places at least [m]
-  /// Of kRetrace and kRejoin: where the body was, from where it is back, two poses at least; with
-  /// gaps where it was too far away to be of use.
+  Pose2 T_odom_goal;  ///< for kAlong its heading is the direction
+  double distance_m = 10.0;  ///< maximum path length, for kAlong, kRetrace and kRejoin
+  /// For kRoute and kRouteTo: from the robot on, at least two points [m].
+  std::vector<Eigen::Vector2d> route_odom = {};
+  /// For kRetrace and kRejoin: previous poses of the body, the newest first, at least two; with
+  /// gaps where the poses were too far away to be useful.
   std::vector<Pose2> traversed_path_odom = {};
 
   friend bool operator==(const PlanGoal&, const PlanGoal&) = default;
 };
 
-/// A place on a path, on the way to the next.
+/// A point of a path, with the segment to the next point.
 struct PathPoint {
   Pose2 T_odom_body;
-  double curvature_1_m = 0.0;  ///< of the stretch that begins here, positive to the left
-  bool reverse = false;        ///< whether that stretch is driven backwards
+  double curvature_1_m = 0.0;  ///< of the segment that begins here, positive to the left
+  bool reverse = false;  ///< true if the segment is driven in reverse
   double clearance_m = 0.0;    ///< from the footprint to the nearest lethal cell
-  double cost = 0.0;           ///< from the start
+  double cost = 0.0;  ///< accumulated from the start
 
   friend bool operator==(const PathPoint&, const PathPoint&) = default;
 };
 
-/// Why there is a path, or none.
+/// Outcome of planning.
 enum class PlanOutcome : std::int8_t {
   kFound = 0,
-  kStartBlocked = 1,  ///< the robot cannot stand where it is
-  kBlocked = 2,       ///< what is seen leaves no way of the length that is asked
-  kUnknown = 3,       ///< what is not seen leaves none; another scan may show one
-  kSearchLimit = 4,   ///< the search was cut off by its limit
-  kNarrow = 5,        ///< what is seen leaves none, but by less than can be told
+  kStartBlocked = 1,  ///< the current pose is not feasible
+  kBlocked = 2,  ///< observed obstacles block every path of the requested length
+  kUnknown = 3,  ///< unobserved cells block every path; another scan may reveal one
+  kSearchLimit = 4,  ///< the search reached its limit
+  kNarrow = 5,  ///< observed obstacles block every path, but by less than the measurement uncertainty
 };
 
-/// A cell that is in the way, as evidence for a person.
+/// A cell that blocks the path, as evidence for the operator.
 struct BlockingCell {
   enum class Reason : std::int8_t {
-    kStep = 0,   ///< under a wheel
-    kBelly = 1,  ///< between the wheels
+    kStep = 0,  ///< too high under a wheel
+    kBelly = 1,  ///< too high between the wheels
     kRoof = 2,
     kUnknown = 3,
     kWater = 4,
     kSlope = 5,
-    kDrop = 6,  ///< lower than beams that passed over it
+    kDrop = 6,  ///< below the beams that passed over it
   };
 
-  Eigen::Vector2d p_odom{0.0, 0.0};  ///< its middle [m]
+  Eigen::Vector2d p_odom{0.0, 0.0};  ///< centre of the cell [m]
   Reason reason = Reason::kStep;
-  double height_m = 0.0;  ///< of what is in the way: coefficient, or clearance for a roof
+  double height_m = 0.0;  ///< navigational coefficient, or the clearance for kRoof
 
   friend bool operator==(const BlockingCell&, const BlockingCell&) = default;
 };
 
-/// The answer of the planner.
+/// Result of planning for one goal.
 struct PlannedPath {
-  std::int64_t utime = 0;  ///< of the terrain it rests on, or else of the goal [µs since the epoch]
-  std::int32_t id = 0;     ///< of the goal it answers
+  std::int64_t utime = 0;  ///< time of the terrain map, or of the goal without one [µs since the epoch]
+  std::int32_t id = 0;  ///< id of the goal
   PlanOutcome outcome = PlanOutcome::kBlocked;
-  std::string reason;                  ///< one sentence for people
-  std::vector<PathPoint> points;       ///< from the robot on; empty unless found
-  double reached_m = 0.0;              ///< farthest progress towards the goal that is possible
-  std::vector<BlockingCell> blocking;  ///< what stopped it there; empty where found
+  std::string reason;  ///< one sentence for the operator
+  std::vector<PathPoint> points;  ///< from the robot on; empty unless found
+  double reached_m = 0.0;  ///< farthest reachable progress towards the goal
+  std::vector<BlockingCell> blocking;  ///< cells that block further progress; empty if found
 
   friend bool operator==(const PlannedPath&, const PlannedPath&) = default;
 };

@@ -8,7 +8,7 @@
 
 namespace adit {
 
-/// A command as procman knows it (cmd_t).
+/// A command of procman (cmd_t).
 struct ProcmanCommand {
   std::string id;
   std::string exec;
@@ -20,20 +20,20 @@ struct ProcmanCommand {
   friend bool operator==(const ProcmanCommand&, const ProcmanCommand&) = default;
 };
 
-/// How a command is (cmd_status_t).
+/// Status of a command (cmd_status_t).
 struct ProcmanStatus {
   ProcmanCommand command;
-  std::int32_t pid = 0;  ///< 0: it does not run
+  std::int32_t pid = 0;  ///< 0: not running
   std::int32_t run_id = 0;
-  std::int32_t wait_status = 0;    ///< of its last end, as waitpid gives it
-  double cpu_cores = 0.0;          ///< 1: one core is busy with it
-  std::int64_t address_bytes = 0;  ///< of it and what it started
+  std::int32_t wait_status = 0;  ///< of the last exit, as returned by waitpid
+  double cpu_cores = 0.0;  ///< 1: one core fully used
+  std::int64_t address_bytes = 0;  ///< address space of the process and its children
   std::int64_t memory_bytes = 0;
 
   friend bool operator==(const ProcmanStatus&, const ProcmanStatus&) = default;
 };
 
-/// How a computer is.
+/// Load of a computer.
 struct HostLoad {
   double cpu_share = 0.0;  ///< 0 to 1
   std::int64_t memory_bytes = 0;
@@ -44,7 +44,7 @@ struct HostLoad {
   friend bool operator==(const HostLoad&, const HostLoad&) = default;
 };
 
-/// How a deputy is (deputy_info_t, PM_INFO).
+/// Status of a deputy (deputy_info_t, PM_INFO).
 struct ProcmanInfo {
   std::int64_t utime = 0;  ///< wall clock [µs since the epoch], as in all of these
   std::string deputy;
@@ -54,16 +54,16 @@ struct ProcmanInfo {
   friend bool operator==(const ProcmanInfo&, const ProcmanInfo&) = default;
 };
 
-/// How a command is to be (cmd_desired_t).
+/// Desired state of a command (cmd_desired_t).
 struct ProcmanOrder {
   ProcmanCommand command;
-  std::int32_t run_id = 0;  ///< another than that of the last run: to be run anew
-  bool stop = false;        ///< to stand still
+  std::int32_t run_id = 0;  ///< a value other than that of the last run requests a restart
+  bool stop = false;  ///< true: must not run
 
   friend bool operator==(const ProcmanOrder&, const ProcmanOrder&) = default;
 };
 
-/// How the commands of a deputy are to be (orders_t, PM_ORDERS).
+/// Desired state of the commands of a deputy (orders_t, PM_ORDERS).
 struct ProcmanOrders {
   std::int64_t utime = 0;
   std::string deputy;
@@ -73,7 +73,7 @@ struct ProcmanOrders {
   friend bool operator==(const ProcmanOrders&, const ProcmanOrders&) = default;
 };
 
-/// What commands have printed (output_t, PM_OUTPUT).
+/// Output of commands (output_t, PM_OUTPUT).
 struct ProcmanOutput {
   struct Text {
     std::string id;
@@ -88,7 +88,7 @@ struct ProcmanOutput {
   friend bool operator==(const ProcmanOutput&, const ProcmanOutput&) = default;
 };
 
-/// A question for everybody's PM_INFO (discovery_t, PM_DISCOVER).
+/// Requests PM_INFO from every deputy (discovery_t, PM_DISCOVER).
 struct ProcmanDiscovery {
   std::int64_t utime = 0;
   std::string from;

@@ -12,34 +12,34 @@
 
 namespace adit {
 
-/// What is known of the ground of a cell.
+/// Knowledge about the ground of a cell.
 enum class Ground : std::uint8_t {
   kObserved,
   kNeverObserved,  ///< no beam was aimed at it
-  kOccluded,       ///< hidden behind something nearer
-  kBelowRay,       ///< beams passed over it without meeting it: the ground is lower than `low_m`
-  kNoReturn,       ///< beams that should have met the ground here came back with nothing: water?
+  kOccluded,  ///< hidden behind a nearer obstacle
+  kBelowRay,  ///< beams passed over it without a return: the ground is below `low_m`
+  kNoReturn,  ///< beams that should have hit the ground had no return: possibly water
 };
 
-/// One cell of a terrain map. Heights are z in level [m]; those that are not known are NaN.
+/// One cell of a terrain map. Heights are z in level [m]; unknown heights are NaN.
 struct TerrainCell {
   Ground ground = Ground::kNeverObserved;
-  std::uint16_t count = 0;  ///< points it rests on; 0 where it lies between beams that met ground
-  float low_m = 0.0F;       ///< of the ground
-  float high_m = 0.0F;      ///< highest within the height of the vehicle above `low_m`
-  float coefficient_m = 0.0F;  ///< navigational coefficient, high_m − low_m: how hard it is to pass
-  float clearance_m = 0.0F;    ///< from `low_m` to the roof; infinite where none is seen
-  float slope_rad = 0.0F;      ///< of a plane through the ground around
-  float step_m = 0.0F;         ///< largest difference of the ground to a neighbouring cell
-  float repulsion_m = 0.0F;    ///< coefficients around, by a kernel that keeps paths away from them
+  std::uint16_t count = 0;  ///< number of points; 0 if interpolated between beams that hit the ground
+  float low_m = 0.0F;  ///< height of the ground
+  float high_m = 0.0F;  ///< highest point within the vehicle's height above `low_m`
+  float coefficient_m = 0.0F;  ///< navigational coefficient, high_m − low_m: difficulty of traversal
+  float clearance_m = 0.0F;  ///< from `low_m` to the roof; infinite without a roof
+  float slope_rad = 0.0F;  ///< slope of a plane fitted to the surrounding ground
+  float step_m = 0.0F;  ///< largest ground difference to a neighbouring cell
+  float repulsion_m = 0.0F;  ///< surrounding coefficients weighted by a kernel that repels paths
 };
 
 /// The 2½D terrain map of a 3D scan (the paper's section 3.1), in the frame level of its cloud.
 /// Cell (column, row) covers [column, column + 1) × [row, row + 1) times `cell_m` from
 /// `p_level_corner`; cells are stored row by row.
 struct TerrainMap {
-  std::int64_t utime = 0;  ///< of the cloud [µs since the epoch]
-  std::int32_t id = 0;     ///< of the cloud
+  std::int64_t utime = 0;  ///< time of the cloud [µs since the epoch]
+  std::int32_t id = 0;  ///< id of the cloud
   Pose2 T_odom_level;
   Eigen::Vector2d p_level_corner{0.0, 0.0};  ///< [m]
   double cell_m = 0.1;
@@ -58,13 +58,13 @@ struct TerrainMap {
     return cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                  static_cast<std::size_t>(column)];
   }
-  /// p_level of the middle of a cell [m].
+  /// p_level of the centre of a cell [m].
   [[nodiscard]] Eigen::Vector2d centre(int column, int row) const {
     return p_level_corner + cell_m * Eigen::Vector2d(column + 0.5, row + 0.5);
   }
 };
 
-/// A 3D scan has become a terrain map, and all of that was sent.
+/// A terrain map of a 3D scan is complete and all its fragments have been sent.
 struct TerrainReady {
   std::int64_t utime = 0;  ///< TerrainMap::utime [µs since the epoch]
   std::int32_t id = 0;     ///< Cloud::id

@@ -12,19 +12,19 @@ namespace adit {
 namespace {
 
 constexpr double kRequestPeriodS = 2.0;         // a message may be lost
-constexpr double kExplorationTimeoutS = 300.0;  // it may be restarted, and wait for the map
+constexpr double kExplorationTimeoutS = 300.0;  // it may restart, and wait for the map
 constexpr double kScanTimeoutS = 30.0;          // a sweep takes 8 s
 constexpr double kPlanTimeoutS = 10.0;
 constexpr double kDrivingTimeoutS = 3.0;
 constexpr double kPathReceiptS = 2.0;   // until driving has received its path
 constexpr int kIncompleteScansMax = 3;  // in a row; an incomplete scan is accepted then
 constexpr double kScanAheadM = 10.0;    // length of a route straight ahead
-constexpr double kFacingM = 2.5;        // point of the route that selects the laser
+constexpr double kFacingM = 2.5;        // distance of the route point that selects the laser
 constexpr double kFacingHysteresisRad = 0.3;
 
 using Evidence = Recovery::Evidence;
 
-/// The laser that faces a route. Hysteresis keeps the present one.
+/// The laser that faces the route, with hysteresis in favour of the present one.
 LaserId laser_facing(const std::vector<Eigen::Vector2d>& route_odom, const Pose2& T_odom_body,
                      LaserId present) {
   Eigen::Vector2d p_odom_ahead = route_odom.back();
@@ -111,7 +111,7 @@ void Mission::set_time(std::int64_t utime) {
       limits_.remaining_m(seconds(utime - *start_utime_), phase_.distance_travelled_m);
 }
 
-/// For poses and driving, and after odom was reset for the map correction.
+/// Waits for poses and driving states, and after a reset of odom for the map correction.
 void Mission::wait_for_stages() {
   if (phase_.sequence == 0 && !localization_.is_restored() && params_.start == "on_order") {
     enter(Phase::kPaused, "waiting for the order to start");
@@ -225,11 +225,13 @@ void Mission::scan_along(std::vector<Eigen::Vector2d> route_odom, const std::str
   }
   target_.route_odom = std::move(route_odom);
   scan_tries_ = 0;
-  request_scan(laser_facing(target_.route_odom, *localization_.T_odom_body(), phase_.laser),
-               reason);
+  const auto& T_odom_body = localization_.T_odom_body();
+  request_scan(
+      T_odom_body ? laser_facing(target_.route_odom, *T_odom_body, phase_.laser) : phase_.laser,
+      reason);
 }
 
-/// In the direction of the body's x axis; after a failed try in the opposite direction.
+/// Along the x axis of the body; in the opposite direction after an odd number of failed tries.
 void Mission::scan_straight_ahead(const std::string& reason) {
   if (!localization_.T_odom_body()) return;
   const Pose2& T_odom_body = *localization_.T_odom_body();
@@ -308,7 +310,8 @@ void Mission::handle_arrival() {
   retracing_.failed = false;
   if (!leads_away(maneuver_)) {
     if (!is_returning() && is_beyond_rejections()) note_progress();
-    if (progress_.add_path_end(localization_.T_odom_body()->translation())) {
+    const auto& T_odom_body = localization_.T_odom_body();
+    if (T_odom_body && progress_.add_path_end(T_odom_body->translation())) {
       recover({Evidence::kDriveFailed, 0.0, "The last paths all ended at the same place."});
       return;
     }
@@ -316,9 +319,8 @@ void Mission::handle_arrival() {
   enter(Phase::kExplore, "the robot reached the end of the path");
 }
 
-/// A failed drive on the traversed path says nothing about the ground ahead, and the robot may be
-/// at another place. Without measured motion it stops for good: its pose is unknown, and it could
-/// leave the mine.
+/// A failed drive along the traversed path is no evidence about the ground ahead, and the robot may
+/// be at another place. With unmeasured motion the mission ends: the robot could leave the mine.
 void Mission::handle_failed_drive(const std::string& reason) {
   if (limits_.is_unmeasured()) {
     end(MissionOutcome::kStranded, "the pose of the robot is unknown: " + reason);
@@ -337,7 +339,7 @@ std::optional<StoredPathPose> Mission::add_pose(std::int64_t utime, const Pose2&
   return localization_.add_pose(utime, T_odom_body);
 }
 
-/// After a reset of odom, everything that was planned in the frame of before is invalid.
+/// After a reset of odom, plans in the previous odom frame are invalid.
 void Mission::add_match(const ScanMatch& match) {
   using OdomChange = MissionLocalization::OdomChange;
   const bool drives = phase_.phase == Phase::kExecute && inputs_.driving &&
@@ -397,7 +399,7 @@ void Mission::turn_around(const std::string& reason) {
   return_is_final_ = true;
   phase_.returning_home = true;
   phase_.return_home_reason = reason;
-  phase_.frontier.reset();  // the journal shows by this that the return is final
+  phase_.frontier.reset();  // in the journal, this marks the return as final
   verdict_.reset();
   enter(Phase::kExplore, "the robot turns around: " + reason);
 }

@@ -153,7 +153,7 @@ class Mission {
   void note_progress();
   void note_failed_try(const std::string& reason);
   [[nodiscard]] bool path_leads_back() const;
-  [[nodiscard]] double rejoin_length_m() const;
+  [[nodiscard]] std::optional<double> rejoin_length_m() const;
 
   MissionParams params_;
   MissionLimits limits_;

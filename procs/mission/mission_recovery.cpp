@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What Mission does without a path, and for the last metre to home.
+// Recovery of Mission when no path is found or a drive fails, and the last metre to home.
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,15 +15,14 @@ namespace {
 
 constexpr double kBackOffMinM = 1.0;      // of traversed path behind the robot
 constexpr double kBackOffBesideM = 1.2;   // from the nose to the centre of the vehicle
-constexpr double kApproachMarginM = 0.3;  // before the place where no path leads on
+constexpr double kApproachMarginM = 0.3;  // before the place where paths end
 constexpr double kObstacleDepthM = 1.0;   // beyond the reached place, where the obstacle may be
-constexpr double kLeadsBackM = 1.0;       // of traversed path, inspected for motion ...
-constexpr double kLeadsBackMinM = 0.1;    // ... of which less is noise
-constexpr double kSharedMinM = 2.5;       // of the route with the traversed path, to rejoin it
+constexpr double kLeadsBackMinM = 0.1;    // of traversed path; the robot can go back along it
+constexpr double kSharedMinM = 2.5;       // of the route with the traversed path
 constexpr double kRejoinM = 6.0;          // at first
 constexpr double kRejoinMaxM = 30.0;      // after several rejoins
-constexpr double kRejoinViewM = 10.0;     // poses farther away than the rejoin length
-constexpr double kNeverLeftStartM = 0.3;  // distance travelled
+constexpr double kRejoinViewM = 10.0;     // poses beyond the rejoin length that planning may reach
+constexpr double kStartRadiusM = 0.3;     // distance travelled; the robot is still at home
 
 using Action = Recovery::Action;
 using Evidence = Recovery::Evidence;
@@ -54,7 +55,7 @@ void Mission::recover(const Recovery::Rejection& rejection) {
     case Action::kBackOff:
       return back_off(recovery_.back_offs() * params_.back_off_m, reason);
     case Action::kRejoin:
-      return rejoin(rejoin_length_m(), reason);
+      return rejoin(*rejoin_length_m(), reason);
     case Action::kRescan:
       return enter(Phase::kExplore, "scanning again: " + reason);
     case Action::kAbandon:
@@ -71,7 +72,7 @@ Recovery::Options Mission::recovery_options(double reached_m) const {
   options.is_short_cut_home =
       is_returning() && !homeward_progress_.is_blocked() && path_leads_back() &&
       path.shared_length_m(target_.route_odom) < reached_m + kObstacleDepthM;
-  options.can_rejoin = !options.is_short_cut_home && rejoin_length_m() > 0.0;
+  options.can_rejoin = !options.is_short_cut_home && rejoin_length_m().has_value();
   return options;
 }
 
@@ -105,22 +106,24 @@ void Mission::rejoin(double length_m, const std::string& reason) {
 }
 
 bool Mission::path_leads_back() const {
-  return localization_.traversed_path().back_length_m(kLeadsBackM) > kLeadsBackMinM;
+  return localization_.traversed_path().back_length_m(kBackOffMinM) > kLeadsBackMinM;
 }
 
-/// To the place where the traversed path is left again; 0 if it does not lead to the target. On the
-/// way home it always does, if by a detour; the length grows with the number of rejoins.
-double Mission::rejoin_length_m() const {
-  if (retracing_.failed) return 0.0;
+/// Along the traversed path; empty if it does not lead to the target. On the return home it always
+/// does, if by a detour; the length grows with the number of rejoins.
+std::optional<double> Mission::rejoin_length_m() const {
+  if (retracing_.failed) return std::nullopt;
   if (phase_.returning_home) {
-    const int factor = 1 + retracing_.rejoins / 2;
-    return path_leads_back() ? std::min(kRejoinM * factor, kRejoinMaxM) : 0.0;
+    if (!path_leads_back()) return std::nullopt;
+    return std::min(kRejoinM * (1 + retracing_.rejoins / 2), kRejoinMaxM);
   }
   const double shared_m = localization_.traversed_path().shared_length_m(target_.route_odom);
-  return shared_m < kSharedMinM ? 0.0 : std::min(shared_m, kRejoinM);
+  if (shared_m < kSharedMinM) return std::nullopt;
+  return std::min(shared_m, kRejoinM);
 }
 
-/// Exploration receives a verdict on its target. A target straight ahead is none of exploration.
+/// Reports a verdict on the target to exploration, unless it is straight ahead of the robot: then
+/// exploration did not choose it.
 void Mission::abandon_target() {
   const std::string evidence = recovery_.evidence();
   const bool unconfirmed = recovery_.is_uncertain() || narrow_frontiers_.contains(phase_.frontier);
@@ -141,7 +144,7 @@ void Mission::abandon_target() {
         (unconfirmed ? "no path was found: " : "the path is blocked: ") + evidence);
 }
 
-/// Within the tolerance, recovery would cost metres for decimetres.
+/// Near home, backing off would cost metres to gain decimetres.
 void Mission::retry_near_home(const std::string& reason) {
   if (home_arrival_.count_try()) {
     end_near_home(reason);
@@ -166,12 +169,11 @@ void Mission::note_progress() {
 void Mission::note_failed_try(const std::string& reason) {
   ++failed_tries_;
   if (failed_tries_ > params_.failed_tries_max) {
-    const bool never_left =
-        localization_.traversed_path().distance_travelled_m() < kNeverLeftStartM;
+    const bool never_left = localization_.traversed_path().distance_travelled_m() < kStartRadiusM;
     end(never_left ? MissionOutcome::kHome : MissionOutcome::kStranded,
         (never_left ? "no path into the mine was found: " : "no path onward was found: ") + reason);
-  } else if (phase_.returning_home && localization_.has_correction() && rejoin_length_m() > 0.0) {
-    rejoin(rejoin_length_m(), "exploration found no route (" + reason + ")");
+  } else if (phase_.returning_home && localization_.has_correction() && rejoin_length_m()) {
+    rejoin(*rejoin_length_m(), "exploration found no route (" + reason + ")");
   } else {
     scan_straight_ahead("exploration found no route (" + reason + "): scanning straight ahead");
   }

@@ -14,14 +14,14 @@ kMethods=('least squares' 'Huber' 'DCS' 'lazy' "lazy, paper's order")
 
 row() {  # GRAPH COUNT KIND METHOD
   local of=(--graphs "$1" --counts "$2" --kinds "$3" --only "$4") kind='at random' status=0
-  timeout "$limit" build/ci/tests/wrong_loops_table --no-head "${of[@]}" || status=$?
+  timeout "$limit" build/release/tests/wrong_loops_table --no-head "${of[@]}" || status=$?
   ((status == 124)) || return "$status"
   [[ $3 != groups ]] || kind='in groups'
   echo "| $1 | $2, $kind | $4 | – | – | – | – | > $limit |"
 }
 
 wrong_loops() {
-  build/ci/tests/wrong_loops_table --graphs intel --counts 0 --only none  # the head alone
+  build/release/tests/wrong_loops_table --graphs intel --counts 0 --only none  # the head alone
   for graph in intel manhattan; do
     for count in 0 10 100 1000; do
       for kind in random groups; do
@@ -41,7 +41,7 @@ figures() {
   echo
   echo '### Loops of place recognition'
   echo
-  build/ci/tests/bicocca_table
+  build/release/tests/bicocca_table
   echo
   echo '### Wrong loops that were added'
   echo
@@ -52,8 +52,8 @@ update=
 [[ ${1:-} == --update ]] && { update=yes; shift; }
 limit=${1:-300}
 cd "$root"
-cmake --preset ci >/dev/null
-cmake --build --preset ci -j2 --target bicocca_table wrong_loops_table >&2
+cmake --preset check >/dev/null
+cmake --build --preset check -j2 --target bicocca_table wrong_loops_table >&2
 if [[ $update ]]; then
   new=$(sed "/^$kHeading/q" "$page"; echo; figures)
   echo "$new" >"$page"

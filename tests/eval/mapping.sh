@@ -14,7 +14,7 @@ update=
 [[ ${1:-} == --update ]] && { update=yes; shift; }
 runs=${1:-3}
 cd "$root"
-cmake --preset ci >/dev/null
-cmake --build --preset ci --target mapping_table >&2
-figures=$(conditions "$page" "$runs"; build/ci/tests/mapping_table --runs "$runs")
+cmake --preset check >/dev/null
+cmake --build --preset check --target mapping_table >&2
+figures=$(conditions "$page" "$runs"; build/release/tests/mapping_table --runs "$runs")
 if [[ $update ]]; then put "$page" "$figures"; else echo "$figures"; fi

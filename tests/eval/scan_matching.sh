@@ -12,10 +12,10 @@ page=$root/docs/results/scan_matching.md
 
 figures() {
   conditions "$page" "$1"
-  build/ci/tests/relations_table --runs "$1"
+  build/release/tests/relations_table --runs "$1"
   echo
   echo '```'
-  build/ci/tests/bench_scan_matching --benchmark_repetitions=5 \
+  build/release/tests/bench_scan_matching --benchmark_repetitions=5 \
     --benchmark_report_aggregates_only=true 2>/dev/null | grep -E '^Benchmark|_median' | cut -c1-150
   echo '```'
 }
@@ -23,6 +23,6 @@ figures() {
 update=
 [[ ${1:-} == --update ]] && { update=yes; shift; }
 cd "$root"
-cmake --preset ci >/dev/null
-cmake --build --preset ci --target relations_table bench_scan_matching >&2
+cmake --preset check >/dev/null
+cmake --build --preset check --target relations_table bench_scan_matching >&2
 if [[ $update ]]; then put "$page" "$(figures "${1:-5}")"; else figures "${1:-5}"; fi

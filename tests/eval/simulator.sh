@@ -14,8 +14,8 @@ page=$root/docs/results/simulator.md
 update=
 [[ ${1:-} == --update ]] && update=yes
 cd "$root"
-cmake --preset ci >/dev/null
-cmake --build --preset ci --target mines_table bench_sim >&2
+cmake --preset check >/dev/null
+cmake --build --preset check --target mines_table bench_sim >&2
 
 drives() {
   for world in straight mathies bruceton; do
@@ -26,10 +26,10 @@ drives() {
 benchmarks() {
   echo
   echo '```'
-  build/ci/tests/bench_sim 2>/dev/null
+  build/release/tests/bench_sim 2>/dev/null
   echo '```'
 }
 
 # shellcheck disable=SC2046 # words on purpose
-figures=$(conditions "$page" 1; build/ci/tests/mines_table $(drives); benchmarks)
+figures=$(conditions "$page" 1; build/release/tests/mines_table $(drives); benchmarks)
 if [[ $update ]]; then put "$page" "$figures"; else echo "$figures"; fi

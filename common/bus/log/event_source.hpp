@@ -13,12 +13,12 @@
 
 namespace adit {
 
-/// Events in order of time; those of one time in the order in which they were recorded.
+/// Events in order of time; events of equal time in order of recording.
 class EventSource {
  public:
   virtual ~EventSource() = default;
 
-  /// Nothing at the end. Valid until the source goes.
+  /// The next event, or nothing at the end. The view is valid for the lifetime of the source.
   virtual std::optional<LogEventView> next() = 0;
 
   [[nodiscard]] virtual std::size_t size() const = 0;
@@ -37,9 +37,9 @@ class EventList final : public EventSource {
   std::size_t next_ = 0;
 };
 
-/// Events of an LCM log. The file is gone through once to find and sort them; it must not be
-/// shortened while this lives. Throws std::runtime_error where it cannot be read or holds bytes
-/// but not one event.
+/// Events of an LCM log. The constructor scans the file once to find and sort them; the file must
+/// not be truncated during the lifetime of this object. Throws std::runtime_error if the file
+/// cannot be read or is not empty and holds no event.
 class LogFile final : public EventSource {
  public:
   explicit LogFile(const std::filesystem::path& path);
@@ -47,7 +47,7 @@ class LogFile final : public EventSource {
   std::optional<LogEventView> next() override;
   [[nodiscard]] std::size_t size() const override { return events_.size(); }
   [[nodiscard]] const LogHealth& health() const { return health_; }
-  /// All of them, whatever `next` has given already.
+  /// All events, independent of the position of `next`.
   [[nodiscard]] std::span<const LogEventView> events() const { return events_; }
 
  private:

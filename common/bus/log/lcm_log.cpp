@@ -34,10 +34,10 @@ bool is_sync(std::span<const std::uint8_t> bytes) {
 
 struct LogParser::Extent {
   LogEventView event;
-  std::size_t end;  ///< beyond the end of the bytes where the event is cut off
+  std::size_t end;  ///< beyond the end of the bytes if the event is incomplete
 };
 
-/// An event with a header that can be one, whether or not all of it is there.
+/// The event at this offset if its header is valid, complete or not.
 std::optional<LogParser::Extent> LogParser::event_at(std::size_t at) const {
   if (bytes_.size() - at < kHeaderBytes) return std::nullopt;
   const auto header = bytes_.subspan(at, kHeaderBytes);
@@ -58,13 +58,13 @@ std::optional<LogParser::Extent> LogParser::event_at(std::size_t at) const {
   return Extent{{utime, name, bytes_.subspan(data_at, data_length)}, end};
 }
 
-/// Whether an event may end here: at the end of the file, or where the next one begins.
+/// True if an event may end here: at the end of the file, or at the sync word of the next event.
 bool LogParser::is_followed_by_event(std::size_t end) const {
   const std::size_t left = bytes_.size() - end;
   return left < kSyncBytes.size() || is_sync(bytes_.subspan(end));
 }
 
-/// Where in [from, to) an event begins that is all there and leads to another; `to` if none does.
+/// Offset in [from, to) of a complete event that is followed by another; `to` if there is none.
 std::size_t LogParser::find_event(std::size_t from, std::size_t to) const {
   const auto end = bytes_.begin() + static_cast<std::ptrdiff_t>(to);
   auto at = bytes_.begin() + static_cast<std::ptrdiff_t>(from);

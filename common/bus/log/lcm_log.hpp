@@ -16,14 +16,14 @@ namespace adit {
 
 /// One message of a log.
 struct LogEvent {
-  std::int64_t utime = 0;  ///< when it was recorded [µs since the epoch]
+  std::int64_t utime = 0;  ///< time of recording [µs since the epoch]
   std::string channel;
   std::vector<std::uint8_t> data;
 
   friend bool operator==(const LogEvent&, const LogEvent&) = default;
 };
 
-/// The same, in place: valid as long as what it was read from.
+/// A message in place: valid as long as the bytes it refers to.
 struct LogEventView {
   std::int64_t utime = 0;
   std::string_view channel;
@@ -32,7 +32,7 @@ struct LogEventView {
 
 }  // namespace adit
 
-/// LCM's event log: events one after the other, each a header, the channel, the data. Numbers are
+/// LCM's event log: a sequence of events, each a header, the channel and the data. Numbers are
 /// big-endian. Header: sync word, event number (8), time [µs] (8), length of the channel, length of
 /// the data (4 each).
 namespace adit::log_format {
@@ -45,25 +45,25 @@ inline constexpr std::size_t kChannelLengthMax = 63;
 
 namespace adit {
 
-/// What a log looked like, apart from its events.
+/// Integrity of a log.
 struct LogHealth {
   std::size_t events = 0;
-  std::size_t corrupt_bytes = 0;    ///< skipped, in all stretches
-  std::size_t corrupt_regions = 0;  ///< places where the reader had to look for the next event
-  std::size_t truncated_bytes = 0;  ///< of an event that the end of the file cut off
+  std::size_t corrupt_bytes = 0;  ///< skipped, in all corrupt regions
+  std::size_t corrupt_regions = 0;  ///< times that the reader searched for the next event
+  std::size_t truncated_bytes = 0;  ///< of an incomplete event at the end of the file
 };
 
-/// Reads the events of an LCM log out of its bytes, whatever these are, in the order of the file.
-/// Where no event is, it looks for the next one. An event whose length leads elsewhere than to an
-/// event is taken for corrupt if another event begins inside of it. Linear in the bytes.
+/// Parses the events of an LCM log from arbitrary bytes, in the order of the file. Where no event
+/// begins, the parser searches for the next one. An event is corrupt if no event follows at its end
+/// and another event begins inside it. Linear in the number of bytes.
 class LogParser {
  public:
   explicit LogParser(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-  /// Nothing at the end.
+  /// The next event, or nothing at the end.
   std::optional<LogEventView> next();
 
-  /// Complete when `next` has given nothing.
+  /// Final after `next` has returned nothing.
   [[nodiscard]] const LogHealth& health() const { return health_; }
 
   /// Bytes read so far.
@@ -82,15 +82,15 @@ class LogParser {
   LogHealth health_;
 };
 
-/// Writes an LCM log, events numbered from 0. Throws std::runtime_error with the path where it
-/// cannot write; what is still buffered is only known to be written after `close`.
+/// Writes an LCM log with events numbered from 0. Throws std::runtime_error with the path if a
+/// write fails; buffered events are known to be written only after `close`.
 class LogWriter {
  public:
   explicit LogWriter(const std::filesystem::path& path);
 
   void write(const LogEventView& event);
 
-  /// Ends the log.
+  /// Flushes and closes the log.
   void close();
 
   [[nodiscard]] std::int64_t events() const { return events_; }

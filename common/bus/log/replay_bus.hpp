@@ -14,26 +14,26 @@
 namespace adit {
 
 struct ReplayOptions {
-  /// Channels of the log that are left out, because the stages on this bus publish them anew.
+  /// Channels of the log that are not replayed, because the stages on this bus publish them again.
   std::set<std::string, std::less<>> excluded_channels;
   std::size_t max_message_bytes = Dispatcher::kDefaultMaxMessageBytes;
 };
 
-/// Plays events to the stages on it, in order of time and as fast as they take them. Everything on
-/// the bus, inputs and outputs, goes to `output` (may be null) with the bus time of the input that
-/// caused it; the same events and stages give the same bytes.
+/// Replays events to the stages on it, in order of time and as fast as they are handled. All
+/// messages on the bus, inputs and outputs, are written to `output` (may be null) with the bus time
+/// of the input that caused them; the same events and stages give the same bytes.
 class ReplayBus final : public MemoryBus {
  public:
-  /// Called with the share of the events that are done, 0 to 1.
+  /// Called with the share of replayed events, 0 to 1.
   using Progress = std::function<void(double)>;
 
   /// `source` and `output` must outlive this.
   ReplayBus(EventSource& source, LogWriter* output, ReplayOptions options = {});
 
-  /// Plays all events. What a handler throws, ends it.
+  /// Replays all events. An exception thrown by a handler ends the replay.
   void run(const Progress& progress = {});
 
-  /// Events of times that cannot be, which were left out.
+  /// Number of events with an implausible time; they are not replayed.
   [[nodiscard]] std::size_t rejected_events() const { return rejected_events_; }
 
  private:

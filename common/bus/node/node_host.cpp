@@ -96,13 +96,13 @@ void NodeHost::publish_heartbeat(std::int64_t utime) {
   }
   if (heartbeat.health.level == Health::Level::kOk && bus_.unsent() > 0) {
     heartbeat.health = {Health::Level::kDegraded,
-                        std::to_string(bus_.unsent()) + " messages could not be sent"};
+                        std::to_string(bus_.unsent()) + " messages were not sent"};
   }
   publish(bus_, channels::kHeartbeat, to_message(heartbeat));
   report_rejections();
 }
 
-/// The first tick is at the start, with nothing done yet: it only sets what later ones count from.
+/// The first tick comes at the start, before any message: it only sets the reference for the next.
 void NodeHost::publish_stats(std::int64_t utime) {
   const auto start = std::exchange(last_stats_utime_, utime);
   StageStats stats{
@@ -122,7 +122,7 @@ void NodeHost::report_rejections() {
   if (!error_stream_) return;
   for (const SubscriptionId id : bus_.subscriptions()) {
     for (const auto& [reason, count] : bus_.stats(id).rejections) {
-      const std::string what = bus_.stats(id).channel + " refused: " + reason;
+      const std::string what = bus_.stats(id).channel + " rejected: " + reason;
       if (reported_.insert(what).second) *error_stream_ << stage_.name << ": " << what << std::endl;
     }
   }

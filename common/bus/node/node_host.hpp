@@ -20,9 +20,9 @@
 
 namespace adit {
 
-/// A bus as one stage sees it: passes everything on, and remembers which subscriptions are the
-/// stage's own, so that stages that share a bus report apart. Where the stage runs by the wall
-/// clock, it also measures how long handlers take.
+/// The bus of one stage: forwards to a shared bus and records the stage's subscriptions, so that
+/// stages on one bus report their own statistics. Optionally measures handler times, for stages
+/// that run on the wall clock.
 class StageBus final : public Bus {
  public:
   struct HandlerTimes {
@@ -35,10 +35,11 @@ class StageBus final : public Bus {
 
   StageBus(Bus& bus, Measure measure) : bus_(bus), measure_(measure) {}
 
-  /// The subscriptions of the stage in the order in which they were made.
+  /// The subscriptions of the stage in the order of creation.
   [[nodiscard]] const std::vector<SubscriptionId>& subscriptions() const { return subscriptions_; }
 
-  /// Since the last call, for each of `subscriptions()`; nothing measured is no calls.
+  /// Handler times since the last call, one for each of `subscriptions()`; zero calls without
+  /// measurement.
   std::vector<HandlerTimes> take_handler_times();
 
   void publish(std::string_view channel, std::span<const std::uint8_t> bytes) override;
@@ -58,9 +59,9 @@ class StageBus final : public Bus {
   std::vector<HandlerTimes> times_;
 };
 
-/// What every stage says of itself: its configuration at the start and each 10 s (CONFIG), that it
-/// is alive each second (HEARTBEAT), what it did each 5 s (STAGE_STATS). In bus time and without
-/// anything of the machine, so that a replay gives the same bytes.
+/// Publishes what every stage reports about itself: the configuration at the start and every 10 s
+/// (CONFIG), a heartbeat every second (HEARTBEAT), statistics every 5 s (STAGE_STATS). In bus time
+/// and independent of the computer, so that a replay gives the same bytes.
 ///
 ///   NodeHost host(bus, {"mapping", version(), yaml});
 ///   MappingNode node(host.bus(), params);
@@ -72,17 +73,17 @@ class NodeHost {
     std::string yaml;  ///< the configuration in effect
   };
 
-  /// `bus` must outlive this. Refusals of a new kind are told to `complaints` (may be null), one
-  /// line each.
+  /// `bus` must outlive this. The first rejection of each kind is written to `error_stream` (may be
+  /// null), one line each.
   NodeHost(Bus& bus, Stage stage, StageBus::Measure measure = StageBus::Measure::kNothing,
            std::ostream* error_stream = nullptr);
   NodeHost(const NodeHost&) = delete;
   NodeHost& operator=(const NodeHost&) = delete;
 
-  /// The bus to construct the node on.
+  /// The bus on which the node is constructed.
   [[nodiscard]] Bus& bus() { return bus_; }
 
-  /// Where the heartbeat gets the health of the node from; OK without.
+  /// Sets the source of the health in the heartbeat; OK without.
   void set_health(std::function<Health()> health) { health_ = std::move(health); }
 
  private:
@@ -98,10 +99,10 @@ class NodeHost {
   std::function<Health()> health_;
   std::optional<std::int64_t> last_stats_utime_;
   std::vector<SubscriptionStats> last_stats_;
-  std::set<std::string> reported_;  // complaints that were made
+  std::set<std::string> reported_;  // rejections already written to error_stream_
 };
 
-/// A node that runs, of whatever type.
+/// Type-erased interface of a running node.
 class NodeInterface {
  public:
   virtual ~NodeInterface() = default;
@@ -115,7 +116,7 @@ struct ConfiguredNode {
   std::function<std::unique_ptr<NodeInterface>(Bus&)> construct;
 };
 
-/// A node on a bus, with what every stage says of itself.
+/// A node on a bus, with its NodeHost.
 class HostedNode {
  public:
   /// `bus` must outlive this.
@@ -130,11 +131,10 @@ class HostedNode {
   std::unique_ptr<NodeInterface> node_;
 };
 
-/// A node with parameters at hand, and the YAML that says of them what others are to know. A node
-/// has
+/// A node type with its parameters and the YAML that is published for them. A node has
 ///   using Params = ...;                      // visited as in common/config
 ///   Node(Bus& bus, const Params& params);
-///   Health health() const;                   // where it knows better than "OK"
+///   Health health() const;                   // optional; OK without
 template <class Node>
 ConfiguredNode configured_node(const std::string& stage, const std::string& yaml,
                                const typename Node::Params& params) {
@@ -153,7 +153,7 @@ ConfiguredNode configured_node(const std::string& stage, const std::string& yaml
   return {stage, yaml, [params](Bus& bus) { return std::make_unique<NodeAdapter>(bus, params); }};
 }
 
-/// Takes the section of the stage from the file. Throws ConfigError.
+/// Loads the parameters from the section of the stage. Throws ConfigError.
 template <class Node>
 ConfiguredNode configure_node(const std::string& stage, const ConfigFile& file) {
   const auto params = load_section<typename Node::Params>(file, stage);

@@ -16,7 +16,6 @@
 #include "common/bus/node/stages.hpp"
 #include "common/bus/node/stop_signal.hpp"
 #include "common/bus/node/version.hpp"
-#include "common/bus/receive_loss.hpp"
 #include "common/files/file_utils.hpp"
 
 namespace adit {
@@ -33,21 +32,21 @@ struct Options {
 };
 
 void declare(CLI::App& app, const std::string& program, Options& options) {
-  app.add_option("--config", options.config, "YAML file with a section for each stage")
+  app.add_option("--config", options.config, "YAML file with one section per stage")
       ->type_name("FILE")
       ->envname(kConfigVariable);
   app.add_option("--lcm-url", options.lcm_url,
-                 "Where LCM is, e.g. udpm://239.255.76.67:7667?ttl=0 (the default)")
+                 "URL of LCM, e.g. udpm://239.255.76.67:7667?ttl=0 (the default)")
       ->type_name("URL");
   app.add_flag(
       "--sim-time", options.sim_time,
-      "Go by the time of a simulator (SIM_TIME) and tell it when its messages are handled");
+      "Use the time of a simulator (SIM_TIME) and acknowledge each with SIM_TIME_DONE");
   app.add_flag("--print-config", options.print_config,
-               "Print every parameter with the value in effect, and end");
+               "Print every parameter with the value in effect and exit");
   app.set_version_flag("--version", program + " " + version());
 }
 
-/// One file serves all stages, so the sections of the others are fine.
+/// One file configures all stages, so sections of other stages are valid.
 ConfigFile load(const std::string& path, const std::string& stage) {
   if (path.empty()) return {};
   ConfigFile file = ConfigFile::load(find_installed_file(path, "config"));
@@ -57,8 +56,8 @@ ConfigFile load(const std::string& path, const std::string& stage) {
   return file;
 }
 
-/// What was said to this process is said to those that it starts, unless they are told otherwise.
-/// Not that time is a simulator's: left in somebody's shell, that would make a robot wait for ever.
+/// Exports the options to child processes through the environment, as their defaults. Simulated
+/// time is not exported: left over in a shell, it would make a robot wait indefinitely.
 void export_to_children(const Options& options) {
   if (!options.config.empty()) {
     const auto config = std::filesystem::absolute(find_installed_file(options.config, "config"));
@@ -76,16 +75,12 @@ LcmBusOptions bus_options(const Options& options, const std::string& stage) {
 }
 
 void run_on_lcm(const std::string& program, const ConfiguredNode& node, const Options& options) {
-  const StopSignal stop;  // before LCM makes its thread
+  const StopSignal stop;  // before LCM starts its thread
   if (const auto advice = receive_buffer_advice(options.lcm_url)) {
     std::cerr << program << ": " << *advice << std::endl;
   }
   LcmBus bus(bus_options(options, node.stage));
   const HostedNode hosted(bus, node, StageBus::Measure::kHandlerTimes, &std::cerr);
-  if (receive_loss_share() > 0.0) {  // nobody is to trust a test that lost nothing
-    std::cerr << program << ": loses a share of " << bus.lost_share()
-              << " of what comes: ADIT_RECEIVE_LOSS" << std::endl;
-  }
   bus.run(stop.descriptor());
 }
 
@@ -93,7 +88,7 @@ void run_on_lcm(const std::string& program, const ConfiguredNode& node, const Op
 
 int run_stage(const std::string& stage, const Configure& configure, int argc, char** argv) try {
   const std::string program = "adit-" + stage;
-  CLI::App app("The stage " + stage + " of the pipeline, on LCM until SIGINT or SIGTERM.", program);
+  CLI::App app("Runs the stage " + stage + " on LCM until SIGINT or SIGTERM.", program);
   Options options;
   declare(app, program, options);
   try {
@@ -107,7 +102,7 @@ int run_stage(const std::string& stage, const Configure& configure, int argc, ch
     std::cout << node.yaml;
     return 0;
   }
-  export_to_children(options);  // before there are threads
+  export_to_children(options);  // before any thread starts
   run_on_lcm(program, node, options);
   return 0;
 } catch (const std::exception& error) {

@@ -11,12 +11,13 @@ namespace adit {
 
 using Configure = std::function<ConfiguredNode(const ConfigFile&)>;
 
-/// What run_node does, apart from the type of the node.
+/// The part of run_node that does not depend on the type of the node.
 int run_stage(const std::string& stage, const Configure& configure, int argc, char** argv);
 
-/// All of a stage's `main`: reads --config, brings the node onto LCM and runs it until SIGINT or
-/// SIGTERM. Returns 0 then, and 2, with one line on stderr, for a wrong command line, config,
-/// device or network. `adit-<stage> --help` says more. See configure_node for what a node is.
+/// The `main` of a stage: loads --config, runs the node on LCM until SIGINT or SIGTERM and returns
+/// 0. Returns 2, with one line on stderr, for an error in the command line, configuration, device
+/// or network. `adit-<stage> --help` lists the options; see configured_node for the requirements on
+/// a node.
 template <class Node>
 int run_node(const std::string& stage, int argc, char** argv) {
   const auto configure = [&](const ConfigFile& file) { return configure_node<Node>(stage, file); };

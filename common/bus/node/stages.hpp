@@ -10,7 +10,7 @@
 
 namespace adit {
 
-/// Every stage of the pipeline: the folders of procs/.
+/// All stages of the pipeline: the folders of procs/.
 inline const std::vector<std::string>& stage_names() {
   static const std::vector<std::string> names{
       "scan_matching", "mapping", "scan_assembly", "terrain", "volume_map", "planning",
@@ -18,10 +18,10 @@ inline const std::vector<std::string>& stage_names() {
   return names;
 }
 
-/// The section of the simulator, which is no stage but runs like one.
+/// The section of the simulator, which runs like a stage but is not one.
 inline constexpr const char* kSimSection = "sim";
 
-/// All sections of the config file: one for each stage, those that they share, the simulator's.
+/// All sections of the configuration file: those of the stages, the shared ones, the simulator's.
 inline std::vector<std::string> config_sections() {
   std::vector<std::string> names = stage_names();
   names.emplace_back(Lasers::kSection);

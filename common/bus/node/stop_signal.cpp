@@ -31,7 +31,7 @@ StopSignal::StopSignal() {
 }
 
 StopSignal::~StopSignal() {
-  // A signal that came must not end the process now that it is on its way out.
+  // Consume pending signals, which would otherwise kill the process once unblocked.
   const sigset_t signals = stop_signals();
   const timespec no_wait{};
   while (sigtimedwait(&signals, nullptr, &no_wait) > 0) {

@@ -6,8 +6,8 @@
 
 namespace adit {
 
-/// Turns SIGINT and SIGTERM into a descriptor that can be read from. Must be made before any thread
-/// is, since threads inherit that the signals are blocked. Throws std::system_error.
+/// Turns SIGINT and SIGTERM into a readable descriptor. Must be created before any thread, since
+/// threads inherit the signal mask. Throws std::system_error.
 class StopSignal {
  public:
   StopSignal();
@@ -17,7 +17,7 @@ class StopSignal {
 
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
-  /// Whether one of the signals came, without waiting for it.
+  /// True if a signal has arrived; does not block.
   [[nodiscard]] bool received() const;
 
  private:

@@ -38,7 +38,7 @@ bool is_choice(std::int32_t chosen, const association_t& message) {
 
 std::string_view rejection_reason(const loop_closure_alternative_t& message,
                                   std::int32_t newer_map) {
-  if (message.older_map < 0 || message.older_map >= newer_map) return "alternative is no older map";
+  if (message.older_map < 0 || message.older_map >= newer_map) return "alternative is not an older map";
   if (!all_finite(message.T_older_newer)) return kPoseNotFinite;
   if (!is_information_matrix(message.information)) return kInvalidInformation;
   if (!std::isfinite(message.log_likelihood)) return "likelihood is not finite";
@@ -50,9 +50,9 @@ std::string_view rejection_reason(const association_t& message) {
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (action != Action::kProposed && action != Action::kRevised) return "unknown action";
   if (message.loop_closure < 0 || message.newer_map < 0) return "negative id";
-  if (message.n_alternatives > kAlternativesMax) return "more alternatives than plausible";
-  if (!is_choice(message.chosen, message)) return "choice is no alternative";
-  if (!is_choice(message.previously_chosen, message)) return "choice is no alternative";
+  if (message.n_alternatives > kAlternativesMax) return "implausible number of alternatives";
+  if (!is_choice(message.chosen, message)) return "choice is not an alternative";
+  if (!is_choice(message.previously_chosen, message)) return "choice is not an alternative";
   if (!std::isfinite(message.log_likelihood)) return "likelihood is not finite";
   for (const loop_closure_alternative_t& alternative : message.alternatives) {
     const auto reason = rejection_reason(alternative, message.newer_map);

@@ -11,9 +11,9 @@ namespace adit {
 
 association_t to_message(const Association& association);
 
-/// Refused: an implausible time, an unknown action, negative ids, more alternatives than a message
-/// of 60 kB could hold, an alternative that is not an older map or has a pose, information or
-/// likelihood that is none, and a choice that is not among the alternatives.
+/// Rejects an implausible time, an unknown action, negative ids, more alternatives than a message
+/// of 60 kB can hold, an alternative that is not an older map or has an invalid pose, information
+/// or likelihood, and a choice that is not among the alternatives.
 Result<Association> from_message(const association_t& message);
 
 }  // namespace adit

@@ -45,7 +45,7 @@ CloudLine line_from(const cloud_line_t& message) {
           vectors(message.misses)};
 }
 
-/// NaN is not.
+/// False for NaN.
 bool is_plausible(const Eigen::Vector3f& p_level) {
   return p_level.allFinite() && p_level.cwiseAbs().maxCoeff() <= CloudFragment::kCoordinateMaxM;
 }
@@ -58,9 +58,9 @@ bool is_direction(const Eigen::Vector3f& v) {
 std::string_view rejection_reason(const CloudLine& line, const Cloud& cloud) {
   if (!is_plausible_utime(line.utime)) return kImplausibleTime;
   if (line.utime > cloud.utime) return "line after the end of the sweep";
-  if (!is_plausible(line.origin)) return "origin that cannot be";
-  if (!std::ranges::all_of(line.points, is_plausible)) return "point that cannot be";
-  if (!std::ranges::all_of(line.misses, is_direction)) return "miss without a direction";
+  if (!is_plausible(line.origin)) return "implausible origin";
+  if (!std::ranges::all_of(line.points, is_plausible)) return "implausible point";
+  if (!std::ranges::all_of(line.misses, is_direction)) return "miss direction is not a unit vector";
   return {};
 }
 
@@ -68,12 +68,19 @@ std::string_view header_rejection_reason(const cloud_t& message) {
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.id < 0) return "negative id";
   if (!all_finite(message.T_odom_level)) return kPoseNotFinite;
-  if (message.n_fragments < 1) return "no pieces";
-  if (message.n_fragments > CloudFragment::kFragmentsMax) return "more pieces than plausible";
-  if (message.fragment < 0 || message.fragment >= message.n_fragments)
-    return "piece of a higher number";
-  if (message.getEncodedSize() > kFragmentBytesMax) return "larger than a piece may be";
-  return {};
+  return fragment_rejection_reason(message, CloudFragment::kFragmentsMax);
+}
+
+constexpr std::size_t kVectorBytes = 3 * sizeof(float);
+
+Cloud header_of(const Cloud& cloud) {
+  return {cloud.utime, cloud.id, cloud.T_odom_level, cloud.complete, {}};
+}
+
+/// Encoded size: time, origin, both counts, points and misses.
+std::size_t encoded_bytes(const CloudLine& line) {
+  constexpr std::size_t kFixed = 8 + kVectorBytes + 4 + 4;
+  return kFixed + kVectorBytes * (line.points.size() + line.misses.size());
 }
 
 }  // namespace
@@ -105,22 +112,6 @@ Result<CloudFragment> from_message(const cloud_t& message) {
   }
   return CloudFragment{std::move(cloud), message.n_fragments, message.fragment};
 }
-
-namespace {
-
-constexpr std::size_t kVectorBytes = 3 * sizeof(float);
-
-Cloud header_of(const Cloud& cloud) {
-  return {cloud.utime, cloud.id, cloud.T_odom_level, cloud.complete, {}};
-}
-
-/// On the wire: time, origin, both counts, points and misses.
-std::size_t encoded_bytes(const CloudLine& line) {
-  constexpr std::size_t kFixed = 8 + kVectorBytes + 4 + 4;
-  return kFixed + kVectorBytes * (line.points.size() + line.misses.size());
-}
-
-}  // namespace
 
 std::vector<CloudFragment> split(const Cloud& cloud) {
   const CloudFragment empty{header_of(cloud), 1, 0};
@@ -165,7 +156,6 @@ std::optional<Cloud> reassemble(const FragmentSet<CloudFragment>& fragments) {
 cloud_request_t to_message(const CloudRequest& request) {
   cloud_request_t message;
   message.utime = request.utime;
-  message.requested_by = request.requested_by;
   message.after_utime = request.after_utime;
   message.n_received = static_cast<std::int32_t>(request.received_utime.size());
   message.received_utime = request.received_utime;
@@ -177,11 +167,9 @@ Result<CloudRequest> from_message(const cloud_request_t& message) {
       !std::ranges::all_of(message.received_utime, is_plausible_utime)) {
     return Rejected{kImplausibleTime};
   }
-  if (message.requested_by.empty()) return Rejected{"no stage is named"};
   if (message.received_utime.size() > CloudRequest::kReceivedMax)
-    return Rejected{"more scans than plausible"};
-  return CloudRequest{message.utime, message.requested_by, message.after_utime,
-                      message.received_utime};
+    return Rejected{"implausible number of scans"};
+  return CloudRequest{message.utime, message.after_utime, message.received_utime};
 }
 
 }  // namespace adit

@@ -16,29 +16,30 @@
 
 namespace adit {
 
-/// A 3D scan with a run of its lines, as it goes onto channel CLOUD; see cloud_pieces.hpp.
+/// A contiguous part of the lines of a 3D scan, on channels CLOUD and CLOUD_RESEND.
 struct CloudFragment {
-  static constexpr int kFragmentsMax = 1000;           ///< of a cloud
-  static constexpr float kCoordinateMaxM = 10'000.0F;  ///< to either side, of points and origins
+  static constexpr int kFragmentsMax = 1000;  ///< fragments of a cloud
+  static constexpr float kCoordinateMaxM = 10'000.0F;  ///< absolute coordinate limit of points and origins
 
-  Cloud part;  ///< complete but for its lines
+  Cloud part;  ///< the complete header, and the lines of this fragment
   int n_fragments = 1;
   int fragment = 0;  ///< 0 to n_fragments − 1
 };
 
-/// Comes back with the same bits.
+/// Lossless: from_message restores the same bits.
 cloud_t to_message(const CloudFragment& fragment);
 
-/// Refused: an implausible time, a negative id, a pose that is not finite, more pieces than
-/// plausible or a piece that is not one of them, more bytes than a piece may have, lines after the
-/// end of the sweep, origins and points that are not finite or farther than plausible, misses whose
-/// direction is no unit vector.
+/// Rejects an implausible time, a negative id, a pose that is not finite, an implausible number of
+/// fragments or an index out of range, a fragment that is too large, lines after the end of the
+/// sweep, origins and points that are not finite or implausibly far, miss directions that are not
+/// unit vectors.
 Result<CloudFragment> from_message(const cloud_t& message);
 
-/// Divides a cloud, always in the same way: each piece but the last takes as many lines as fit
-/// kFragmentBytes; a line that is larger alone has a piece to itself.
+/// Splits a cloud deterministically: each fragment but the last holds as many lines as fit
+/// kFragmentBytes; a line larger than that gets a fragment of its own.
 std::vector<CloudFragment> split(const Cloud& cloud);
 
+inline int reassembly_id(const CloudFragment& /*fragment*/) { return 0; }
 inline auto recency(const CloudFragment& fragment) {
   return std::pair(fragment.part.utime, fragment.part.id);
 }
@@ -46,11 +47,12 @@ bool same_header(const CloudFragment& a, const CloudFragment& b);
 std::size_t bytes_in_memory(const CloudFragment& fragment);
 std::optional<Cloud> reassemble(const FragmentSet<CloudFragment>& fragments);
 
-using CloudReassembler = LatestReassembler<CloudFragment>;
+/// Holds the newest cloud only.
+using CloudReassembler = Reassembler<CloudFragment>;
 
 cloud_request_t to_message(const CloudRequest& request);
 
-/// Refused: an implausible time, also of a scan, no name, more scans than plausible.
+/// Rejects an implausible time of the request or of a scan, and an implausible number of scans.
 Result<CloudRequest> from_message(const cloud_request_t& message);
 
 }  // namespace adit

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/messages/mapping/local_map.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -17,21 +15,12 @@ namespace {
 std::string_view header_rejection_reason(const local_map_t& message) {
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (!is_plausible_utime(message.end_utime)) return kImplausibleTime;
-  if (message.end_utime < message.utime) return "ends before it begins";
+  if (message.end_utime < message.utime) return "end time before start time";
   if (message.id < 0 || message.session < 0) return "negative id or session";
   if (!all_finite(message.T_odom_local)) return kPoseNotFinite;
   if (!all_finite(message.T_previous_local)) return kPoseNotFinite;
   if (!is_information_matrix(message.information)) return kInvalidInformation;
-  return {};
-}
-
-std::string_view fragment_rejection_reason(const local_map_t& message) {
-  if (message.n_fragments < 1) return "no pieces";
-  if (message.n_fragments > LocalMapFragment::kFragmentsMax) return "more pieces than plausible";
-  if (message.fragment < 0 || message.fragment >= message.n_fragments)
-    return "piece of a higher number";
-  if (message.getEncodedSize() > kFragmentBytesMax) return "larger than a piece may be";
-  return {};
+  return fragment_rejection_reason(message, LocalMapFragment::kFragmentsMax);
 }
 
 local_scan_t to_message(const LocalScan& local) {
@@ -56,9 +45,27 @@ std::string_view rejection_reason(const LocalScan& local, const LocalMap& map) {
   if (const auto reason = rejection_reason(local.scan); !reason.empty()) return reason;
   if (!local.T_local_body.vector().allFinite()) return kPoseNotFinite;
   if (local.scan.utime < map.utime || local.scan.utime > map.end_utime) {
-    return "scan outside of the time of its local map";
+    return "scan outside the time range of its local map";
   }
   return {};
+}
+
+LocalMap header_of(const LocalMap& map) {
+  LocalMap header;
+  header.id = map.id;
+  header.session = map.session;
+  header.utime = map.utime;
+  header.end_utime = map.end_utime;
+  header.T_odom_local = map.T_odom_local;
+  header.T_previous_local = map.T_previous_local;
+  header.information = map.information;
+  return header;
+}
+
+/// Encoded size: length of the channel and its NUL, time, pose, bearings, count, ranges.
+std::size_t encoded_bytes(const LocalScan& local) {
+  constexpr std::size_t kFixed = 4 + 1 + 8 + 24 + 16 + 4;
+  return kFixed + local.channel.size() + sizeof(float) * local.scan.ranges_m.size();
 }
 
 }  // namespace
@@ -83,8 +90,6 @@ local_map_t to_message(const LocalMapFragment& fragment) {
 Result<LocalMapFragment> from_message(const local_map_t& message) {
   if (const auto reason = header_rejection_reason(message); !reason.empty())
     return Rejected{reason};
-  if (const auto reason = fragment_rejection_reason(message); !reason.empty())
-    return Rejected{reason};
   LocalMap map;
   map.id = message.id;
   map.session = message.session;
@@ -101,36 +106,6 @@ Result<LocalMapFragment> from_message(const local_map_t& message) {
   }
   return LocalMapFragment{std::move(map), message.n_fragments, message.fragment};
 }
-
-namespace {
-
-LocalMap header_of(const LocalMap& map) {
-  LocalMap header;
-  header.id = map.id;
-  header.session = map.session;
-  header.utime = map.utime;
-  header.end_utime = map.end_utime;
-  header.T_odom_local = map.T_odom_local;
-  header.T_previous_local = map.T_previous_local;
-  header.information = map.information;
-  return header;
-}
-
-/// On the wire: the length of the channel and its NUL, time, pose, bearings, count, ranges.
-std::size_t encoded_bytes(const LocalScan& local) {
-  constexpr std::size_t kFixed = 4 + 1 + 8 + 24 + 16 + 4;
-  return kFixed + local.channel.size() + sizeof(float) * local.scan.ranges_m.size();
-}
-
-std::size_t bytes_in_memory(const std::vector<LocalScan>& scans) {
-  std::size_t bytes = sizeof(LocalScan) * scans.size();
-  for (const LocalScan& local : scans) {
-    bytes += local.channel.size() + sizeof(float) * local.scan.ranges_m.size();
-  }
-  return bytes;
-}
-
-}  // namespace
 
 std::vector<LocalMapFragment> split(const LocalMap& map) {
   const LocalMapFragment empty{header_of(map), 1, 0};
@@ -152,74 +127,24 @@ std::vector<LocalMapFragment> split(const LocalMap& map) {
   return fragments;
 }
 
-std::optional<LocalMap> LocalMapReassembler::add(const LocalMapFragment& fragment) {
-  ++fragments_received_;
-  Incomplete* const entry = find_or_start(fragment);
-  if (entry == nullptr) return std::nullopt;
-  if (!entry->scans.add(fragment.fragment, fragment.part.scans)) {
-    ++counts_.duplicates;
-    return std::nullopt;
-  }
-  const std::size_t bytes = bytes_in_memory(fragment.part.scans);
-  entry->bytes += bytes;
-  bytes_ += bytes;
-  entry->last_received = fragments_received_;
-  if (entry->scans.complete()) return take(fragment.part.id);
-  enforce_limits();
-  return std::nullopt;
+bool same_header(const LocalMapFragment& a, const LocalMapFragment& b) {
+  return header_of(a.part) == header_of(b.part);
 }
 
-/// Where the piece belongs; null where it belongs nowhere.
-LocalMapReassembler::Incomplete* LocalMapReassembler::find_or_start(
-    const LocalMapFragment& fragment) {
-  LocalMap header = header_of(fragment.part);
-  const auto known = incomplete_.find(header.id);
-  if (known != incomplete_.end()) {
-    Incomplete& entry = known->second;
-    if (header.end_utime < entry.header.end_utime) {
-      ++counts_.outdated;
-      return nullptr;
-    }
-    if (header.end_utime == entry.header.end_utime) {
-      const bool same =
-          header == entry.header && entry.scans.size() == std::size_t(fragment.n_fragments);
-      if (!same) ++counts_.contradictory;
-      return same ? &entry : nullptr;
-    }
-    ++counts_.superseded;
-    erase(known);
+std::size_t bytes_in_memory(const LocalMapFragment& fragment) {
+  std::size_t bytes = sizeof(LocalScan) * fragment.part.scans.size();
+  for (const LocalScan& local : fragment.part.scans) {
+    bytes += local.channel.size() + sizeof(float) * local.scan.ranges_m.size();
   }
-  const int id = header.id;
-  Incomplete fresh{std::move(header), FragmentSet<std::vector<LocalScan>>(fragment.n_fragments)};
-  return &incomplete_.emplace(id, std::move(fresh)).first->second;
+  return bytes;
 }
 
-LocalMap LocalMapReassembler::take(int id) {
-  const auto entry = incomplete_.find(id);
-  LocalMap map = entry->second.header;
-  for (const auto& scans : entry->second.scans.fragments()) {
-    map.scans.insert(map.scans.end(), scans->begin(), scans->end());
+std::optional<LocalMap> reassemble(const FragmentSet<LocalMapFragment>& fragments) {
+  LocalMap map = header_of(fragments.fragments().front()->part);
+  for (const auto& fragment : fragments.fragments()) {
+    map.scans.insert(map.scans.end(), fragment->part.scans.begin(), fragment->part.scans.end());
   }
-  erase(entry);
-  ++counts_.reassembled;
   return map;
-}
-
-void LocalMapReassembler::enforce_limits() {
-  while (incomplete_.size() > limits_.incomplete || bytes_ > limits_.bytes) {
-    const auto oldest =
-        std::min_element(incomplete_.begin(), incomplete_.end(), [](const auto& a, const auto& b) {
-          return a.second.last_received < b.second.last_received;
-        });
-    if (oldest == incomplete_.end()) return;
-    ++counts_.abandoned;
-    erase(oldest);
-  }
-}
-
-void LocalMapReassembler::erase(std::map<int, Incomplete>::iterator entry) {
-  bytes_ -= entry->second.bytes;
-  incomplete_.erase(entry);
 }
 
 }  // namespace adit

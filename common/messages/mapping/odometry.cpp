@@ -46,9 +46,9 @@ Result<StampedPose> from_message(const pose_t& message) {
   if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
   if (!all_finite(message.pos)) return Rejected{"position is not finite"};
   const Eigen::Vector4d q(message.orientation);
-  if (!(std::abs(q.norm() - 1.0) < 1e-3)) return Rejected{"orientation is no unit quaternion"};
+  if (!(std::abs(q.norm() - 1.0) < 1e-3)) return Rejected{"orientation is not a unit quaternion"};
 
-  // The body's x axis in odom, seen from above.
+  // The body's x axis in odom, projected onto the plane.
   const double x = q[0] * q[0] + q[1] * q[1] - q[2] * q[2] - q[3] * q[3];
   const double y = 2.0 * (q[1] * q[2] + q[0] * q[3]);
   if (std::hypot(x, y) < 1e-6) return Rejected{"orientation has no heading"};

@@ -16,7 +16,7 @@
 
 namespace adit {
 
-/// A planar pose of the body with its time, as it goes onto channel POSE.
+/// A planar pose of the body with its time, on channel POSE.
 struct StampedPose {
   std::int64_t utime = 0;  ///< time of measurement [µs since the epoch]
   Pose2 T_odom_body;
@@ -25,17 +25,17 @@ struct StampedPose {
   std::optional<Eigen::Vector3d> v_body;
 };
 
-/// What is not known, is NaN on the wire: the velocities without `v_body`, the acceleration always.
+/// Unknown values are NaN in the message: the velocities without `v_body`, the acceleration always.
 pose_t to_message(const StampedPose& pose);
 
-/// The planar part: x, y and the heading of the body's x axis. Refused: an implausible time, a
-/// position or orientation that is not finite, an orientation that is no unit quaternion, or one
-/// that points straight up or down and so has no heading.
+/// The planar part: x, y and the heading of the body's x axis. Rejects an implausible time, a
+/// position or orientation that is not finite, an orientation that is not a unit quaternion, or one
+/// that points straight up or down and has no heading.
 Result<StampedPose> from_message(const pose_t& message);
 
 scan_match_t to_message(const ScanMatch& match);
 
-/// Refused: implausible times, an unknown status or fill, a pose, covariance or direction that is
+/// Rejects implausible times, an unknown status or fill, a pose, covariance or direction that is
 /// not finite, more than three degenerate directions.
 Result<ScanMatch> from_message(const scan_match_t& message);
 

@@ -33,18 +33,15 @@ MapConstraint constraint_from(const pose_constraint_t& message) {
       Kind(message.kind)};
 }
 
-std::string_view fragment_rejection_reason(const pose_graph_t& message) {
+std::string_view header_rejection_reason(const pose_graph_t& message) {
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.revision < 0) return "negative revision";
   if (message.n_nodes < 0) return "negative number of nodes";
-  if (message.n_nodes > PoseGraphFragment::kNodesMax) return "more nodes than plausible";
-  if (message.n_fragments < 1) return "no pieces";
-  if (message.n_fragments > PoseGraphFragment::kFragmentsMax) return "more pieces than plausible";
-  if (message.fragment < 0 || message.fragment >= message.n_fragments)
-    return "piece of a higher number";
-  if (message.getEncodedSize() > kFragmentBytesMax) return "larger than a piece may be";
+  if (message.n_nodes > PoseGraphFragment::kNodesMax) return "implausible number of nodes";
+  const auto reason = fragment_rejection_reason(message, PoseGraphFragment::kFragmentsMax);
+  if (!reason.empty()) return reason;
   if (message.first_node < 0 || message.first_node > message.n_nodes - message.n_poses) {
-    return "poses of nodes that are not in the graph";
+    return "poses of nodes outside the graph";
   }
   return {};
 }
@@ -52,11 +49,11 @@ std::string_view fragment_rejection_reason(const pose_graph_t& message) {
 std::string_view rejection_reason(const pose_constraint_t& message, std::int32_t n_nodes) {
   const auto is_node = [&](std::int32_t node) { return node >= 0 && node < n_nodes; };
   if (!is_node(message.from) || !is_node(message.to))
-    return "constraint of a node that is not there";
+    return "constraint of a node outside the graph";
   if (message.from == message.to) return "constraint of a node with itself";
   const auto kind = Kind(message.kind);
   if (kind != Kind::kSequential && kind != Kind::kLoopClosure)
-    return "constraint of an unknown kind";
+    return "unknown constraint kind";
   if (!all_finite(message.T_from_to)) return kPoseNotFinite;
   if (!is_information_matrix(message.information)) return kInvalidInformation;
   return {};
@@ -82,7 +79,7 @@ pose_graph_t to_message(const PoseGraphFragment& fragment) {
 }
 
 Result<PoseGraphFragment> from_message(const pose_graph_t& message) {
-  if (const auto reason = fragment_rejection_reason(message); !reason.empty())
+  if (const auto reason = header_rejection_reason(message); !reason.empty())
     return Rejected{reason};
   PoseGraphFragment fragment{message.utime,
                              message.revision,
@@ -106,7 +103,7 @@ Result<PoseGraphFragment> from_message(const pose_graph_t& message) {
 
 namespace {
 
-// On the wire.
+// Encoded sizes.
 constexpr std::size_t kHeaderBytes = 64;
 constexpr std::size_t kPoseBytes = 3 * sizeof(double);
 constexpr std::size_t kConstraintBytes = 2 * sizeof(int) + 1 + 12 * sizeof(double);
@@ -189,7 +186,7 @@ Result<MapCorrection> from_message(const map_correction_t& message) {
                            pose_from(message.T_map_odom),
                            {}};
   if (message.has_covariance == 0) return correction;
-  if (!is_information_matrix(message.covariance)) return Rejected{"no covariance matrix"};
+  if (!is_information_matrix(message.covariance)) return Rejected{"invalid covariance matrix"};
   correction.covariance = matrix_from(message.covariance);
   return correction;
 }
@@ -203,7 +200,7 @@ map_request_t to_message(const MapRequest& request) {
 
 Result<MapRequest> from_message(const map_request_t& message) {
   if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
-  if (message.requested_by.empty()) return Rejected{"no stage is named"};
+  if (message.requested_by.empty()) return Rejected{"no stage"};
   return MapRequest{message.utime, message.requested_by};
 }
 

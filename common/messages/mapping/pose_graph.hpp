@@ -20,54 +20,55 @@
 
 namespace adit {
 
-/// Some of the poses and constraints of a MapGraph, as they go onto channel POSE_GRAPH; see
-/// pose_graph_pieces.hpp.
+/// A part of the poses and constraints of a MapGraph, on channel POSE_GRAPH.
 struct PoseGraphFragment {
-  static constexpr int kNodesMax = 1'000'000;   ///< of the whole graph
-  static constexpr int kFragmentsMax = 10'000;  ///< of it
+  static constexpr int kNodesMax = 1'000'000;   ///< nodes of a graph
+  static constexpr int kFragmentsMax = 10'000;  ///< fragments of a graph
 
   std::int64_t utime = 0;
   std::int64_t revision = 0;
-  int n_nodes = 0;  ///< of the whole graph
+  int n_nodes = 0;  ///< of the complete graph
   int n_fragments = 1;
   int fragment = 0;                        ///< 0 to n_fragments − 1
-  int first_node = 0;                      ///< whose pose comes first here
+  int first_node = 0;  ///< node of the first pose here
   std::vector<Pose2> poses;                ///< T_map_local of consecutive nodes
-  std::vector<MapConstraint> constraints;  ///< between any nodes of the whole graph
+  std::vector<MapConstraint> constraints;  ///< between any nodes of the graph
 };
 
-/// Comes back with the same bits.
+/// Lossless: from_message restores the same bits.
 pose_graph_t to_message(const PoseGraphFragment& fragment);
 
-/// Refused: an implausible time, a negative revision, more nodes or pieces than plausible, a piece
-/// that is not one of them, more bytes than a piece may have, poses of nodes that are not in the
-/// graph, and constraints of an unknown kind, of such nodes or of a node with itself; poses that
-/// are not finite, information matrices that are none.
+/// Rejects an implausible time, a negative revision, an implausible number of nodes or fragments,
+/// an index out of range, a fragment that is too large, poses of nodes outside the graph,
+/// constraints of an unknown kind, of nodes outside the graph or of a node with itself, poses that
+/// are not finite, invalid information matrices.
 Result<PoseGraphFragment> from_message(const pose_graph_t& message);
 
-/// Divides a graph, always in the same way, into pieces of up to kFragmentBytes: poses first, then
+/// Splits a graph deterministically into fragments of up to kFragmentBytes: poses first, then
 /// constraints.
 std::vector<PoseGraphFragment> split(const MapGraph& graph);
 
+inline int reassembly_id(const PoseGraphFragment& /*fragment*/) { return 0; }
 inline auto recency(const PoseGraphFragment& fragment) {
   return std::pair(fragment.utime, fragment.revision);
 }
 bool same_header(const PoseGraphFragment& a, const PoseGraphFragment& b);
 std::size_t bytes_in_memory(const PoseGraphFragment& fragment);
-/// Everything in order again; nothing where a pose is missing or given twice.
+/// Poses and constraints in order; nothing if a pose is missing or duplicated.
 std::optional<MapGraph> reassemble(const FragmentSet<PoseGraphFragment>& fragments);
 
-using PoseGraphReassembler = LatestReassembler<PoseGraphFragment, 256'000'000>;
+/// Holds the newest graph only.
+using PoseGraphReassembler = Reassembler<PoseGraphFragment, ReassemblyLimits{.bytes = 256'000'000}>;
 
 map_correction_t to_message(const MapCorrection& correction);
 
-/// Refused: an implausible time, a negative revision, session or id, a pose that is not finite, a
-/// covariance matrix that is none.
+/// Rejects an implausible time, a negative revision, session or id, a pose that is not finite, an
+/// invalid covariance matrix.
 Result<MapCorrection> from_message(const map_correction_t& message);
 
 map_request_t to_message(const MapRequest& request);
 
-/// Refused: an implausible time, no name.
+/// Rejects an implausible time and an empty stage.
 Result<MapRequest> from_message(const map_request_t& message);
 
 }  // namespace adit

@@ -81,25 +81,22 @@ std::string_view map_rejection_reason(const terrain_t& message) {
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.id < 0) return "negative id";
   if (!all_finite(message.T_odom_level)) return kPoseNotFinite;
-  if (!is_corner(message.p_level_corner)) return "corner that cannot be";
-  if (!(message.cell_m > 0.0) || !std::isfinite(message.cell_m)) return "cells of no size";
+  if (!is_corner(message.p_level_corner)) return "implausible corner";
+  if (!(message.cell_m > 0.0) || !std::isfinite(message.cell_m)) return "invalid cell size";
   if (message.columns < 0 || message.rows < 0) return "negative number of cells";
   if (std::int64_t{message.columns} * message.rows > TerrainFragment::kCellsMax) {
-    return "more cells than plausible";
+    return "implausible number of cells";
   }
   return {};
 }
 
-/// Of a map that is not refused.
-std::string_view fragment_rejection_reason(const terrain_t& message) {
-  if (message.n_fragments < 1) return "no pieces";
-  if (message.n_fragments > TerrainFragment::kFragmentsMax) return "more pieces than plausible";
-  if (message.fragment < 0 || message.fragment >= message.n_fragments)
-    return "piece of a higher number";
-  if (message.getEncodedSize() > kFragmentBytesMax) return "larger than a piece may be";
+/// Requires a valid map header.
+std::string_view run_rejection_reason(const terrain_t& message) {
+  const auto reason = fragment_rejection_reason(message, TerrainFragment::kFragmentsMax);
+  if (!reason.empty()) return reason;
   const int cells = message.columns * message.rows;
   if (message.first_cell < 0 || message.first_cell > cells - message.n_cells) {
-    return "cells that are not in the map";
+    return "cells outside the map";
   }
   return {};
 }
@@ -108,7 +105,7 @@ std::string_view cells_rejection_reason(const terrain_t& message) {
   const auto unknown = [](std::int8_t ground) {
     return ground < terrain_t::GROUND_OBSERVED || ground > terrain_t::GROUND_NO_RETURN;
   };
-  if (std::ranges::any_of(message.ground, unknown)) return "ground of an unknown kind";
+  if (std::ranges::any_of(message.ground, unknown)) return "unknown ground";
   if (std::ranges::any_of(message.count, [](std::int16_t n) { return n < 0; })) {
     return "negative count of points";
   }
@@ -138,7 +135,7 @@ terrain_t to_message(const TerrainFragment& fragment) {
 
 Result<TerrainFragment> from_message(const terrain_t& message) {
   if (const auto reason = map_rejection_reason(message); !reason.empty()) return Rejected{reason};
-  if (const auto reason = fragment_rejection_reason(message); !reason.empty())
+  if (const auto reason = run_rejection_reason(message); !reason.empty())
     return Rejected{reason};
   if (const auto reason = cells_rejection_reason(message); !reason.empty()) return Rejected{reason};
   TerrainMap map;
@@ -157,7 +154,7 @@ Result<TerrainFragment> from_message(const terrain_t& message) {
 
 namespace {
 
-// On the wire.
+// Encoded sizes.
 constexpr std::size_t kHeaderBytes = 128;
 constexpr std::size_t kCellBytes = 1 + 8 * sizeof(std::int16_t);
 constexpr std::size_t kCellsPerFragment = (kFragmentBytes - kHeaderBytes) / kCellBytes;

@@ -12,29 +12,25 @@
 namespace adit {
 namespace {
 
-std::string_view reason_to_reject_volume(const volume_t& message) {
+std::string_view header_rejection_reason(const volume_t& message) {
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.id < 0 || message.local_map < 0) return "negative id";
-  if (message.revision < 1) return "sub-volume of no cloud";
+  if (message.revision < 1) return "revision without a cloud";
   if (message.graph_revision < 0) return "negative revision";
   if (!all_finite(message.T_map_volume)) return kPoseNotFinite;
   if (!(message.cell_m > 0.0 && message.cell_m <= VolumeFragment::kCellMaxM)) {
-    return "cells of no plausible size";
+    return "implausible cell size";
   }
   if (message.occupied < 0 || message.free < 0) return "negative number of cells";
   return {};
 }
 
-std::string_view fragment_rejection_reason(const volume_t& message) {
-  if (message.n_fragments < 0) return "negative number of pieces";
-  if (message.n_fragments > VolumeFragment::kFragmentsMax) return "more pieces than plausible";
-  if (message.n_fragments == 0) {
-    return message.fragment == 0 && message.n_bytes == 0 ? ""
-                                                         : "octree in a message of a pose only";
+std::string_view octree_rejection_reason(const volume_t& message) {
+  if (message.n_fragments < 0) return "negative number of fragments";
+  if (message.n_fragments > 0) {
+    return fragment_rejection_reason(message, VolumeFragment::kFragmentsMax);
   }
-  if (message.fragment < 0 || message.fragment >= message.n_fragments)
-    return "piece of a higher number";
-  if (message.getEncodedSize() > kFragmentBytesMax) return "larger than a piece may be";
+  if (message.fragment != 0 || message.n_bytes != 0) return "octree in a pose-only message";
   return {};
 }
 
@@ -60,9 +56,9 @@ volume_t to_message(const VolumeFragment& fragment) {
 }
 
 Result<VolumeFragment> from_message(const volume_t& message) {
-  if (const auto reason = reason_to_reject_volume(message); !reason.empty())
+  if (const auto reason = header_rejection_reason(message); !reason.empty())
     return Rejected{reason};
-  if (const auto reason = fragment_rejection_reason(message); !reason.empty())
+  if (const auto reason = octree_rejection_reason(message); !reason.empty())
     return Rejected{reason};
   Volume volume{message.utime,          message.id,        message.revision,
                 message.graph_revision, message.local_map, pose_from(message.T_map_volume),
@@ -73,7 +69,7 @@ Result<VolumeFragment> from_message(const volume_t& message) {
 
 namespace {
 
-constexpr std::size_t kVolumeHeaderBytes = 128;  // on the wire
+constexpr std::size_t kVolumeHeaderBytes = 128;  // encoded size
 constexpr std::size_t kBytesPerFragment = kFragmentBytes - kVolumeHeaderBytes;
 
 Volume header_of(const Volume& volume) {

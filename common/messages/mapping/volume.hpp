@@ -15,40 +15,41 @@
 
 namespace adit {
 
-/// A sub-volume with a part of its octree, as it goes onto channel VOLUME; see volume_pieces.hpp.
+/// A part of the octree of a sub-volume, on channel VOLUME.
 struct VolumeFragment {
-  static constexpr int kFragmentsMax = 100;  ///< of a sub-volume
+  static constexpr int kFragmentsMax = 100;  ///< fragments of a sub-volume
   static constexpr double kCellMaxM = 10.0;
 
-  Volume part;          ///< complete but for its octree, of which it has a part
-  int n_fragments = 1;  ///< 0: only the pose is news, and there is no octree
+  Volume part;  ///< the complete header, and a part of the octree
+  int n_fragments = 1;  ///< 0: pose update without an octree
   int fragment = 0;     ///< 0 to n_fragments − 1
 };
 
 volume_t to_message(const VolumeFragment& fragment);
 
-/// Refused: an implausible time, a negative id or count, a revision without clouds, a pose that is
-/// not finite, cells of no plausible size, more pieces than plausible or one that is not among
-/// them, more bytes than a piece may have, an octree in a message of a pose only. Whether the
-/// octree is one shows when its pieces are joined.
+/// Rejects an implausible time, a negative id or count, a revision without clouds, a pose that is
+/// not finite, an implausible cell size, an implausible number of fragments or an index out of
+/// range, a fragment that is too large, an octree in a pose-only message. The octree itself is
+/// validated when its fragments are reassembled.
 Result<VolumeFragment> from_message(const volume_t& message);
 
-/// Divides a sub-volume, always in the same way, into pieces of up to kFragmentBytes.
+/// Splits a sub-volume deterministically into fragments of up to kFragmentBytes.
 std::vector<VolumeFragment> split(const Volume& volume);
 
-/// What is sent where only its pose changed.
+/// The message for a sub-volume whose pose alone changed.
 VolumeFragment pose_only(const Volume& volume);
 inline bool is_pose_only(const VolumeFragment& fragment) { return fragment.n_fragments == 0; }
 
+inline int reassembly_id(const VolumeFragment& /*fragment*/) { return 0; }
 inline auto recency(const VolumeFragment& fragment) {
   return std::tuple(fragment.part.utime, fragment.part.id, fragment.part.revision);
 }
 bool same_header(const VolumeFragment& a, const VolumeFragment& b);
 std::size_t bytes_in_memory(const VolumeFragment& fragment);
-/// Nothing where the bytes are no octree, or not of as many cells as was said.
+/// Nothing if the bytes are not an octree or its cell counts differ from the header.
 std::optional<Volume> reassemble(const FragmentSet<VolumeFragment>& fragments);
 
-/// For all pieces but those of a pose only.
-using VolumeReassembler = LatestReassembler<VolumeFragment, kOctreeBytesMax>;
+/// Holds the newest sub-volume only. Must not be given pose-only fragments.
+using VolumeReassembler = Reassembler<VolumeFragment, ReassemblyLimits{.bytes = kOctreeBytesMax}>;
 
 }  // namespace adit

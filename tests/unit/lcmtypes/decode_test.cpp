@@ -101,7 +101,7 @@ TEST(Decode, RejectsAnotherTypesFingerprint) {
 TEST(Decode, RejectsTrailingBytes) {
   Bytes bytes = scan_bytes();
   bytes.push_back(0);
-  EXPECT_EQ(decode<planar_lidar_t>(bytes).rejection(), "bytes left over at the end");
+  EXPECT_EQ(decode<planar_lidar_t>(bytes).rejection(), "trailing bytes");
 }
 
 TEST(Decode, RejectsCountsThatDoNotFit) {
@@ -109,7 +109,7 @@ TEST(Decode, RejectsCountsThatDoNotFit) {
     Bytes bytes = scan_bytes();
     write_int32(bytes, kCountOfRanges, count);
     EXPECT_EQ(decode<planar_lidar_t>(bytes).rejection(),
-              "truncated, or with a count that does not fit")
+              "truncated, or invalid count")
         << count;
   }
 }

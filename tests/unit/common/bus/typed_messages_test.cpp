@@ -44,7 +44,7 @@ TEST(TypedSubscription, CountsWhatDoesNotDecodeAndWhatDoesNotConvert) {
   message.rad0 = std::numeric_limits<float>::infinity();
   publish(bus, channels::kLaserFront, message);
   EXPECT_EQ(bus.stats(id).rejected, 2);
-  EXPECT_EQ(bus.stats(id).rejections.at("truncated, or with a count that does not fit"), 1);
+  EXPECT_EQ(bus.stats(id).rejections.at("truncated, or invalid count"), 1);
   EXPECT_EQ(bus.stats(id).rejections.at("first bearing is not finite"), 1);
 }
 

@@ -77,38 +77,38 @@ TEST(ExplorationMessage, IsRejectedWhereItCannotBe) {
   using Message = exploration_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.revision = -1; }), "negative revision");
-  EXPECT_EQ(rejection_after([](Message& m) { m.kind = 5; }), "unknown kind of decision");
-  EXPECT_EQ(rejection_after([](Message& m) { m.frontier = -2; }), "target with a negative id");
+  EXPECT_EQ(rejection_after([](Message& m) { m.kind = 5; }), "unknown decision");
+  EXPECT_EQ(rejection_after([](Message& m) { m.frontier = -2; }), "negative frontier id");
   EXPECT_EQ(rejection_after([](Message& m) { m.T_odom_goal[2] = kNaN; }), "pose is not finite");
   EXPECT_EQ(rejection_after([](Message& m) { m.home_m = kNaN; }), "distance is not finite");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_frontiers_found = 1; }),
-            "fewer stubs than are there");
+            "frontier count below the number of frontiers");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_corridors_found = 1; }),
-            "fewer corridors than are there");
+            "corridor count below the number of corridors");
 }
 
 TEST(ExplorationMessage, IsRejectedWithPartsThatCannotBe) {
   using Message = exploration_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.frontiers[1].id = -1; }),
-            "stub with a negative id or local map");
+            "frontier with a negative id or local map");
   EXPECT_EQ(rejection_after([](Message& m) { m.frontiers[1].state = 8; }),
-            "stub of an unknown state");
+            "unknown frontier state");
   EXPECT_EQ(rejection_after([](Message& m) { m.frontiers[1].utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.frontiers[1].p_map[0] = kNaN; }),
-            "stub that is not finite");
-  EXPECT_EQ(rejection_after([](Message& m) { m.nodes[1].kind = 3; }), "node of an unknown kind");
+            "frontier is not finite");
+  EXPECT_EQ(rejection_after([](Message& m) { m.nodes[1].kind = 3; }), "unknown node kind");
   EXPECT_EQ(rejection_after([](Message& m) { m.nodes[1].p_map[1] = kNaN; }),
-            "node that is not finite");
+            "node is not finite");
   EXPECT_EQ(rejection_after([](Message& m) { m.corridors[1].to = 3; }),
-            "corridor without its nodes");
+            "corridor without nodes");
   EXPECT_EQ(rejection_after([](Message& m) { m.corridors[1].length_m = kNaN; }),
-            "corridor that is not finite");
+            "corridor is not finite");
   EXPECT_EQ(rejection_after([](Message& m) { m.corridors[1].points_map.resize(1); }),
-            "corridor without two ends");
+            "corridor with fewer than two points");
   EXPECT_EQ(rejection_after([](Message& m) {
               m.corridors[1].points_map[0][1] = std::numeric_limits<float>::infinity();
             }),
-            "corridor that is not finite");
+            "corridor is not finite");
 }
 
 }  // namespace

@@ -84,17 +84,17 @@ TEST(MissionMessages, AreRejectedWithATimeThatCannotBe) {
   EXPECT_EQ(round_trip(MissionOrder{-1}).rejection(), kImplausibleTime);
   EXPECT_EQ(round_trip(MapRequest{-1, "exploration"}).rejection(), kImplausibleTime);
   EXPECT_EQ(round_trip(TerrainReady{-1}).rejection(), kImplausibleTime);
-  EXPECT_EQ(round_trip(MapRequest{kUtime, ""}).rejection(), "no stage is named");
+  EXPECT_EQ(round_trip(MapRequest{kUtime, ""}).rejection(), "no stage");
 }
 
 TEST(CloudRequestMessage, IsRejectedWhereItCanNotBe) {
   EXPECT_EQ(round_trip(CloudRequest{-1, "volume_map", 0, {}}).rejection(), kImplausibleTime);
   EXPECT_EQ(round_trip(CloudRequest{kUtime, "volume_map", -1, {}}).rejection(), kImplausibleTime);
   EXPECT_EQ(round_trip(CloudRequest{kUtime, "volume_map", 0, {-1}}).rejection(), kImplausibleTime);
-  EXPECT_EQ(round_trip(CloudRequest{kUtime, "", 0, {}}).rejection(), "no stage is named");
+  EXPECT_EQ(round_trip(CloudRequest{kUtime, "", 0, {}}).rejection(), "no stage");
   const std::vector<std::int64_t> many(CloudRequest::kReceivedMax + 1, kUtime);
   EXPECT_EQ(round_trip(CloudRequest{kUtime, "volume_map", 0, many}).rejection(),
-            "more scans than plausible");
+            "implausible number of scans");
 }
 
 TEST(PhaseMessage, IsRejectedWhereItSaysNothing) {
@@ -106,9 +106,9 @@ TEST(PhaseMessage, IsRejectedWhereItSaysNothing) {
   EXPECT_EQ(rejection([](Message& m) { m.outcome = -1; }), "unknown outcome");
   EXPECT_EQ(rejection([](Message& m) { m.laser = "LASER_LEFT"; }), "unknown laser");
   EXPECT_EQ(rejection([](Message& m) { m.goal_id = -1; }), "negative count");
-  EXPECT_EQ(rejection([](Message& m) { m.frontier = -2; }), "target with a negative id");
-  EXPECT_EQ(rejection([](Message& m) { m.distance_travelled_m = kNaN; }), "way that is none");
-  EXPECT_EQ(rejection([](Message& m) { m.remaining_m = -0.1; }), "way that is none");
+  EXPECT_EQ(rejection([](Message& m) { m.frontier = -2; }), "negative frontier id");
+  EXPECT_EQ(rejection([](Message& m) { m.distance_travelled_m = kNaN; }), "invalid distance");
+  EXPECT_EQ(rejection([](Message& m) { m.remaining_m = -0.1; }), "invalid distance");
 }
 
 TEST(ExploreRequestMessage, IsRejectedWhereItSaysNothing) {
@@ -116,10 +116,10 @@ TEST(ExploreRequestMessage, IsRejectedWhereItSaysNothing) {
   const auto rejection = [](const std::function<void(Message&)>& change) {
     return rejection_after<Message>(blocked(), change);
   };
-  EXPECT_EQ(rejection([](Message& m) { m.id = 0; }), "id that is not positive");
-  EXPECT_EQ(rejection([](Message& m) { m.remaining_m = kNaN; }), "way that is none");
-  EXPECT_EQ(rejection([](Message& m) { m.reached_m = -1.0; }), "way that is none");
-  EXPECT_EQ(rejection([](Message& m) { m.blocked_frontier = -2; }), "target with a negative id");
+  EXPECT_EQ(rejection([](Message& m) { m.id = 0; }), "id is not positive");
+  EXPECT_EQ(rejection([](Message& m) { m.remaining_m = kNaN; }), "invalid distance");
+  EXPECT_EQ(rejection([](Message& m) { m.reached_m = -1.0; }), "invalid distance");
+  EXPECT_EQ(rejection([](Message& m) { m.blocked_frontier = -2; }), "negative frontier id");
   EXPECT_EQ(rejection([](Message& m) { m.blocked_utime = -1; }), kImplausibleTime);
 }
 

@@ -100,21 +100,21 @@ TEST(PlanGoalMessage, IsRejectedWhereItLeadsNowhere) {
   };
   EXPECT_EQ(rejection([](Message& m) { m.kind = 6; }), "unknown kind");
   for (const std::int8_t kind : {Message::KIND_ROUTE, Message::KIND_ROUTE_TO}) {
-    EXPECT_EQ(rejection([&](Message& m) { m.kind = kind; }), "route that is none");
+    EXPECT_EQ(rejection([&](Message& m) { m.kind = kind; }), "invalid route");
   }
   EXPECT_EQ(rejection([](Message& m) {
               m.route_odom = {{1.0, kNaN}};
               m.n_route = 1;
             }),
-            "route that is not finite");
+            "route is not finite");
   for (const std::int8_t kind : {Message::KIND_RETRACE, Message::KIND_REJOIN}) {
-    EXPECT_EQ(rejection([&](Message& m) { m.kind = kind; }), "track that is none");
+    EXPECT_EQ(rejection([&](Message& m) { m.kind = kind; }), "invalid traversed path");
   }
   EXPECT_EQ(rejection([](Message& m) {
               m.traversed_path_odom = {{1.0, 2.0, kNaN}};
               m.n_traversed_path = 1;
             }),
-            "track that is not finite");
+            "traversed path is not finite");
   EXPECT_EQ(rejection([](Message& m) { m.kind = -1; }), "unknown kind");
   EXPECT_EQ(rejection([](Message& m) { m.T_odom_goal[1] = kNaN; }), kPoseNotFinite);
   EXPECT_EQ(rejection([](Message& m) { m.distance_max_m = kNaN; }), "distance is not finite");
@@ -152,7 +152,7 @@ TEST(PlannedPathMessage, IsRejectedWhereItContradictsItself) {
   EXPECT_EQ(rejection_after<Message>(blocked(1), [](Message& m) { m.outcome = 0; }),
             "path without points");
   EXPECT_EQ(rejection_after<Message>(blocked(3), [](Message& m) { m.n_blocking_found = 2; }),
-            "fewer blocking cells than are there");
+            "cell count below the number of blocking cells");
 }
 
 TEST(PlannedPathMessage, IsRejectedWithNumbersThatCannotBe) {
@@ -165,7 +165,7 @@ TEST(PlannedPathMessage, IsRejectedWithNumbersThatCannotBe) {
   EXPECT_EQ(rejection([](Message& m) { m.points[1].curvature_1_m = kNaN; }),
             "curvature is not finite");
   EXPECT_EQ(rejection([](Message& m) { m.points[1].clearance_m = kNaN; }),
-            "clearance is no number");
+            "clearance is NaN");
   EXPECT_EQ(rejection([](Message& m) { m.points[1].cost = kNaN; }), "cost is not finite");
 }
 
@@ -173,9 +173,9 @@ TEST(PlannedPathMessage, IsRejectedWithEvidenceThatIsNone) {
   using Message = planned_path_t;
   EXPECT_EQ(
       rejection_after<Message>(blocked(2), [](Message& m) { m.blocking[1].p_odom[0] = kNaN; }),
-      "cell at a place that is not finite");
+      "blocking cell is not finite");
   EXPECT_EQ(rejection_after<Message>(blocked(2), [](Message& m) { m.blocking[1].reason = 7; }),
-            "cell of an unknown reason");
+            "unknown blocking reason");
   EXPECT_TRUE(rejection_after<Message>(blocked(2), [](Message& m) {
                 m.blocking[1].height_m = kNaN;
               }).empty());
@@ -188,8 +188,8 @@ TEST(DrivingStateMessage, IsRejectedWithWhatCannotBe) {
   };
   EXPECT_EQ(rejection([](Message& m) { m.state = 5; }), "unknown state");
   EXPECT_EQ(rejection([](Message& m) { m.state = -1; }), "unknown state");
-  EXPECT_EQ(rejection([](Message& m) { m.progress_m = kNaN; }), "way that is none");
-  EXPECT_EQ(rejection([](Message& m) { m.remaining_m = -0.1; }), "way that is none");
+  EXPECT_EQ(rejection([](Message& m) { m.progress_m = kNaN; }), "invalid distance");
+  EXPECT_EQ(rejection([](Message& m) { m.remaining_m = -0.1; }), "invalid distance");
   EXPECT_EQ(rejection([](Message& m) { m.lateral_error_m = kNaN; }), "lateral error is not finite");
   EXPECT_EQ(rejection([](Message& m) { m.heading_error_rad = kNaN; }),
             "heading error is not finite");

@@ -31,19 +31,19 @@ TEST(ProcmanMessages, RejectWhatCannotBe) {
   };
   ProcmanInfo info = kInfo;
   info.utime = -1;
-  EXPECT_EQ(rejection(info), "time outside of 1970 to 2286");
+  EXPECT_EQ(rejection(info), "time outside 1970 to 2286");
   info = kInfo;
   info.deputy.clear();
   EXPECT_EQ(rejection(info), "no deputy");
   info = kInfo;
   info.load.cpu_share = kNan;
-  EXPECT_EQ(rejection(info), "load is not finite or negative");
+  EXPECT_EQ(rejection(info), "load is negative or not finite");
   info = kInfo;
   info.commands[0].pid = -1;
   EXPECT_EQ(rejection(info), "negative process id");
   info = kInfo;
   info.commands[0].cpu_cores = kNan;
-  EXPECT_EQ(rejection(info), "use of the processor is not finite or negative");
+  EXPECT_EQ(rejection(info), "processor usage is negative or not finite");
   ProcmanOrders orders = kOrders;
   orders.sheriff.clear();
   EXPECT_EQ(rejection(orders), "no sheriff");
@@ -55,10 +55,10 @@ TEST(ProcmanMessages, RejectWhatCannotBe) {
   EXPECT_EQ(rejection(orders), "unknown stop signal");
   orders = kOrders;
   orders.orders[1].command.stop_time_allowed_s = kNan;
-  EXPECT_EQ(rejection(orders), "time to stop is not finite or negative");
+  EXPECT_EQ(rejection(orders), "stop time is negative or not finite");
   EXPECT_EQ(rejection(ProcmanOutput{kUtime, "robot", {{"", "x"}}}), "command without a name");
   EXPECT_EQ(rejection(ProcmanOutput{kUtime, "", {}}), "no deputy");
-  EXPECT_EQ(rejection(ProcmanDiscovery{-1, "x", 0}), "time outside of 1970 to 2286");
+  EXPECT_EQ(rejection(ProcmanDiscovery{-1, "x", 0}), "time outside 1970 to 2286");
 }
 
 }  // namespace

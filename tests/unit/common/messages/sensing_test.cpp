@@ -71,7 +71,7 @@ TEST(LaserScanMessage, IsRejectedWithBearingsThatMeanNothing) {
   EXPECT_EQ(round_trip(bad).rejection(), "first bearing is not finite");
   bad = scan();
   bad.angle_step_rad = 5.0;
-  EXPECT_EQ(round_trip(bad).rejection(), "bearings go round more than twice");
+  EXPECT_EQ(round_trip(bad).rejection(), "bearings span more than two turns");
 }
 
 TEST(LaserScanMessage, IsRejectedWithATimeThatCannotBe) {
@@ -104,9 +104,9 @@ TEST(PoseMessage, SaysThatAVelocityIsUnknown) {
 TEST(PoseMessage, IsRejectedWithoutAUnitQuaternion) {
   pose_t message = to_message(StampedPose{kUtime, {}, {}});
   message.orientation[0] = 0.0;
-  EXPECT_EQ(from_message(message).rejection(), "orientation is no unit quaternion");
+  EXPECT_EQ(from_message(message).rejection(), "orientation is not a unit quaternion");
   message.orientation[0] = kNaN;
-  EXPECT_EQ(from_message(message).rejection(), "orientation is no unit quaternion");
+  EXPECT_EQ(from_message(message).rejection(), "orientation is not a unit quaternion");
 }
 
 TEST(PoseMessage, IsRejectedWhereItHasNoHeading) {

@@ -83,8 +83,8 @@ TEST(SinkageMessage, IsRejectedWithWheelsAboveTheGround) {
 }
 
 TEST(RunStateMessage, IsRejectedWithAWayThatIsNone) {
-  EXPECT_EQ(round_trip(RunState{kUtime, -1.0, ""}).rejection(), "way is negative");
-  EXPECT_EQ(round_trip(RunState{kUtime, kNaN, ""}).rejection(), "way is not finite");
+  EXPECT_EQ(round_trip(RunState{kUtime, -1.0, ""}).rejection(), "distance is negative");
+  EXPECT_EQ(round_trip(RunState{kUtime, kNaN, ""}).rejection(), "distance is not finite");
 }
 
 TEST(SimTimeDoneMessage, IsRejectedWithoutAStage) {

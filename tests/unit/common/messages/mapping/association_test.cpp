@@ -62,7 +62,7 @@ TEST(MapCorrectionMessage, IsRejectedWithNumbersThatMeanNothing) {
   EXPECT_EQ(rejection_after([](Message& m) { m.session = -1; }), "negative id or session");
   EXPECT_EQ(rejection_after([](Message& m) { m.local_map = -1; }), "negative id or session");
   EXPECT_EQ(rejection_after([](Message& m) { m.T_map_odom[2] = kNaN; }), kPoseNotFinite);
-  EXPECT_EQ(rejection_after([](Message& m) { m.covariance[0][0] = -1.0; }), "no covariance matrix");
+  EXPECT_EQ(rejection_after([](Message& m) { m.covariance[0][0] = -1.0; }), "invalid covariance matrix");
 }
 
 TEST(AssociationMessage, GoesThereAndBack) { EXPECT_EQ(*round_trip(association()), association()); }
@@ -77,18 +77,18 @@ TEST(AssociationMessage, MayHaveNoAlternatives) {
 TEST(AssociationMessage, IsRejectedWithAChoiceThatIsNoAlternative) {
   for (const int chosen : {-2, 2, INT32_MAX}) {
     EXPECT_EQ(rejection_after([&](association_t& m) { m.chosen = chosen; }),
-              "choice is no alternative");
+              "choice is not an alternative");
     EXPECT_EQ(rejection_after([&](association_t& m) { m.previously_chosen = chosen; }),
-              "choice is no alternative");
+              "choice is not an alternative");
   }
 }
 
 TEST(AssociationMessage, IsRejectedWithAlternativesThatMeanNothing) {
   using Message = association_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.alternatives[1].older_map = 40; }),
-            "alternative is no older map");
+            "alternative is not an older map");
   EXPECT_EQ(rejection_after([](Message& m) { m.alternatives[1].older_map = -1; }),
-            "alternative is no older map");
+            "alternative is not an older map");
   EXPECT_EQ(rejection_after([](Message& m) { m.alternatives[1].T_older_newer[0] = kNaN; }),
             kPoseNotFinite);
   EXPECT_EQ(rejection_after([](Message& m) { m.alternatives[1].information[0][0] = -1.0; }),
@@ -99,7 +99,7 @@ TEST(AssociationMessage, IsRejectedWithAlternativesThatMeanNothing) {
               m.alternatives.resize(501, m.alternatives[0]);
               m.n_alternatives = 501;
             }),
-            "more alternatives than plausible");
+            "implausible number of alternatives");
 }
 
 TEST(AssociationMessage, IsRejectedWithNumbersThatMeanNothing) {

@@ -91,10 +91,10 @@ TEST(CloudMessage, IsRejectedWithAHeadThatCannotBe) {
   EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.id = -1; }), "negative id");
   EXPECT_EQ(rejection_after([](Message& m) { m.T_odom_level[2] = kNaN; }), kPoseNotFinite);
-  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 0; }), "no pieces");
+  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 0; }), "no fragments");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = INT32_MAX; }),
-            "more pieces than plausible");
-  EXPECT_EQ(rejection_after([](Message& m) { m.fragment = 1; }), "piece of a higher number");
+            "implausible number of fragments");
+  EXPECT_EQ(rejection_after([](Message& m) { m.fragment = 1; }), "fragment index out of range");
 }
 
 TEST(CloudMessage, IsRejectedWithLinesThatCannotBe) {
@@ -103,16 +103,16 @@ TEST(CloudMessage, IsRejectedWithLinesThatCannotBe) {
   EXPECT_EQ(rejection_after([](Message& m) { m.lines[1].utime = m.utime + 1; }),
             "line after the end of the sweep");
   EXPECT_EQ(rejection_after([](Message& m) { m.lines[1].origin[0] = kNotFinite; }),
-            "origin that cannot be");
+            "implausible origin");
   EXPECT_EQ(rejection_after([](Message& m) { m.lines[1].points[5][2] = kNotFinite; }),
-            "point that cannot be");
+            "implausible point");
   EXPECT_EQ(rejection_after([](Message& m) { m.lines[1].points[5][2] = 1e30F; }),
-            "point that cannot be");
+            "implausible point");
   for (const float x : {0.0F, 2.0F, kNotFinite}) {
     EXPECT_EQ(rejection_after([x](Message& m) {
                 m.lines[0].misses[3] = {x, 0.0F, 0.0F};
               }),
-              "miss without a direction");
+              "miss direction is not a unit vector");
   }
 }
 

@@ -47,7 +47,7 @@ TEST(LocalMapMessage, IsRejectedWithATimeThatCannotBe) {
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.end_utime = INT64_MAX; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.end_utime = map.utime - 1; }),
-            "ends before it begins");
+            "end time before start time");
 }
 
 TEST(LocalMapMessage, IsRejectedWithNumbersThatMeanNothing) {
@@ -72,18 +72,18 @@ TEST(LocalMapMessage, IsRejectedWithInformationThatIsNone) {
 }
 
 TEST(LocalMapMessage, IsRejectedWithAPlaceAmongItsFragmentsThatCannotBe) {
-  EXPECT_EQ(rejection_after([](local_map_t& map) { map.n_fragments = 0; }), "no pieces");
+  EXPECT_EQ(rejection_after([](local_map_t& map) { map.n_fragments = 0; }), "no fragments");
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.n_fragments = 1'000'000; }),
-            "more pieces than plausible");
+            "implausible number of fragments");
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.fragment = 4; }),
-            "piece of a higher number");
+            "fragment index out of range");
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.fragment = -1; }),
-            "piece of a higher number");
+            "fragment index out of range");
 }
 
 TEST(LocalMapMessage, IsRejectedWhereItIsTooLarge) {
   EXPECT_EQ(round_trip(LocalMapFragment{test::local_map(7, 1500), 1, 0}).rejection(),
-            "larger than a piece may be");
+            "fragment too large");
 }
 
 TEST(LocalMapMessage, IsRejectedWithScansThatCannotBe) {
@@ -94,7 +94,7 @@ TEST(LocalMapMessage, IsRejectedWithScansThatCannotBe) {
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.scans[1].T_local_body[0] = kNaN; }),
             kPoseNotFinite);
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.scans[1].utime = kUtime - 1; }),
-            "scan outside of the time of its local map");
+            "scan outside the time range of its local map");
 }
 
 }  // namespace

@@ -81,14 +81,14 @@ TEST(PoseGraphMessage, IsRejectedWithAPlaceThatCannotBe) {
   EXPECT_EQ(rejection_after([](Message& m) { m.revision = -1; }), "negative revision");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_nodes = -1; }), "negative number of nodes");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_nodes = 2'000'000; }),
-            "more nodes than plausible");
-  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 0; }), "no pieces");
+            "implausible number of nodes");
+  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 0; }), "no fragments");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = INT32_MAX; }),
-            "more pieces than plausible");
-  EXPECT_EQ(rejection_after([](Message& m) { m.fragment = 1; }), "piece of a higher number");
+            "implausible number of fragments");
+  EXPECT_EQ(rejection_after([](Message& m) { m.fragment = 1; }), "fragment index out of range");
   for (const std::int32_t first : {-1, 1, INT32_MAX}) {
     EXPECT_EQ(rejection_after([&](Message& m) { m.first_node = first; }),
-              "poses of nodes that are not in the graph");
+              "poses of nodes outside the graph");
   }
 }
 
@@ -100,12 +100,12 @@ TEST(PoseGraphMessage, IsRejectedWithPosesAndConstraintsThatMeanNothing) {
   EXPECT_EQ(rejection_after([](Message& m) { m.constraints[1].information[1][1] = -1.0; }),
             kInvalidInformation);
   EXPECT_EQ(rejection_after([](Message& m) { m.constraints[1].kind = 9; }),
-            "constraint of an unknown kind");
+            "unknown constraint kind");
   EXPECT_EQ(rejection_after([](Message& m) { m.constraints[1].from = 2; }),
             "constraint of a node with itself");
   for (const std::int32_t node : {-1, 3, INT32_MAX}) {
     EXPECT_EQ(rejection_after([&](Message& m) { m.constraints[1].to = node; }),
-              "constraint of a node that is not there");
+              "constraint of a node outside the graph");
   }
 }
 

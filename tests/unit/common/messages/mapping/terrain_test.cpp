@@ -119,29 +119,29 @@ TEST(TerrainMessage, IsRejectedWithAMapThatCannotBe) {
   EXPECT_EQ(rejection_after([](Message& m) { m.T_odom_level[0] = kNaN; }), kPoseNotFinite);
   for (const double x : {kNaN, 1e6}) {
     EXPECT_EQ(rejection_after([x](Message& m) { m.p_level_corner[1] = x; }),
-              "corner that cannot be");
+              "implausible corner");
   }
   for (const double cell : {kNaN, 0.0, -0.1}) {
-    EXPECT_EQ(rejection_after([cell](Message& m) { m.cell_m = cell; }), "cells of no size");
+    EXPECT_EQ(rejection_after([cell](Message& m) { m.cell_m = cell; }), "invalid cell size");
   }
   EXPECT_EQ(rejection_after([](Message& m) { m.columns = -1; }), "negative number of cells");
   EXPECT_EQ(rejection_after([](Message& m) { m.rows = m.columns = INT32_MAX; }),
-            "more cells than plausible");
+            "implausible number of cells");
 }
 
 TEST(TerrainMessage, IsRejectedWithAPlaceOrCellsThatCannotBe) {
   using Message = terrain_t;
-  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 0; }), "no pieces");
+  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 0; }), "no fragments");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = INT32_MAX; }),
-            "more pieces than plausible");
-  EXPECT_EQ(rejection_after([](Message& m) { m.fragment = 1; }), "piece of a higher number");
+            "implausible number of fragments");
+  EXPECT_EQ(rejection_after([](Message& m) { m.fragment = 1; }), "fragment index out of range");
   for (const std::int32_t first : {-1, 1, INT32_MAX}) {
     EXPECT_EQ(rejection_after([first](Message& m) { m.first_cell = first; }),
-              "cells that are not in the map");
+              "cells outside the map");
   }
   for (const std::int8_t ground : {-1, 5}) {
     EXPECT_EQ(rejection_after([ground](Message& m) { m.ground[2] = ground; }),
-              "ground of an unknown kind");
+              "unknown ground");
   }
   EXPECT_EQ(rejection_after([](Message& m) { m.count[2] = -1; }), "negative count of points");
 }

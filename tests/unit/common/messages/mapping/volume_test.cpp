@@ -89,31 +89,31 @@ TEST(VolumeMessage, IsRejectedWithAVolumeThatCannotBe) {
   EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.id = -1; }), "negative id");
   EXPECT_EQ(rejection_after([](Message& m) { m.local_map = -1; }), "negative id");
-  EXPECT_EQ(rejection_after([](Message& m) { m.revision = 0; }), "sub-volume of no cloud");
+  EXPECT_EQ(rejection_after([](Message& m) { m.revision = 0; }), "revision without a cloud");
   EXPECT_EQ(rejection_after([](Message& m) { m.graph_revision = -1; }), "negative revision");
   EXPECT_EQ(rejection_after([](Message& m) { m.T_map_volume[2] = kNaN; }), kPoseNotFinite);
   for (const double cell : {kNaN, 0.0, -0.1, 11.0}) {
     EXPECT_EQ(rejection_after([cell](Message& m) { m.cell_m = cell; }),
-              "cells of no plausible size");
+              "implausible cell size");
   }
   EXPECT_EQ(rejection_after([](Message& m) { m.free = -1; }), "negative number of cells");
 }
 
 TEST(VolumeMessage, IsRejectedWithAFragmentThatCannotBe) {
   using Message = volume_t;
-  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = -1; }), "negative number of pieces");
-  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 101; }), "more pieces than plausible");
+  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = -1; }), "negative number of fragments");
+  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 101; }), "implausible number of fragments");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 0; }),
-            "octree in a message of a pose only");
+            "octree in a pose-only message");
   for (const std::int32_t fragment : {-1, 1}) {
     EXPECT_EQ(rejection_after([fragment](Message& m) { m.fragment = fragment; }),
-              "piece of a higher number");
+              "fragment index out of range");
   }
   EXPECT_EQ(rejection_after([](Message& m) {
               m.n_bytes = 1'000'000;
               m.octree.resize(1'000'000);
             }),
-            "larger than a piece may be");
+            "fragment too large");
 }
 
 TEST(VolumeReassembler, RejectsWhatIsNoOctree) {

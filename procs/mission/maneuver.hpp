@@ -22,8 +22,8 @@ struct Approach {
   double length_m = 0.0;  ///< along the route to the target
 };
 
-/// Drives back over the traversed path and scans from another viewpoint. The ground there carried
-/// the robot on the way in, regardless of what the scans show.
+/// Drives back over the traversed path and scans from another viewpoint. That ground has carried
+/// the robot before, regardless of what the scans show.
 struct BackOff {
   /// kRetrace, or kRoute: planned over the observed terrain.
   PlanGoal::Kind kind = PlanGoal::Kind::kRetrace;
@@ -36,15 +36,15 @@ struct BackOff {
 struct Rejoin {
   /// kRejoin; kRetrace without terrain of this odom frame; kRoute after planning rejected that.
   PlanGoal::Kind kind = PlanGoal::Kind::kRejoin;
-  double distance_m = 0.0;              ///< to the place where the traversed path is left again
+  double distance_m = 0.0;              ///< along the traversed path at most
   std::vector<Pose2> path_odom;         ///< T_odom_body, from the present pose backwards
   std::optional<Approach> interrupted;  ///< the approach whose drive failed; GOAL has its route
 };
 
-/// What the robot does from the plan phase to the end of the execute phase.
+/// The maneuver of the phases plan and execute.
 using Maneuver = std::variant<FollowRoute, Approach, BackOff, Rejoin>;
 
-/// Where a maneuver starts from and leads to.
+/// Where a maneuver leads.
 struct ManeuverTarget {
   const std::vector<Eigen::Vector2d>& route_odom;  ///< to the target, two points at least
   bool ends_at_home = false;                       ///< the end of the route is the start pose
@@ -53,8 +53,8 @@ struct ManeuverTarget {
 /// The goal of planning for a maneuver. The caller sets time and id.
 PlanGoal goal_of(const Maneuver& maneuver, const ManeuverTarget& target);
 
-/// The maneuver that replaces one for which planning rejects to retrace the traversed path: the
-/// same, planned over the observed terrain. Empty for one that does not retrace.
+/// The fallback when planning rejects a maneuver that retraces the traversed path: the same
+/// maneuver, planned over the observed terrain. Empty for other maneuvers.
 std::optional<Maneuver> planned_instead_of_retraced(const Maneuver& maneuver);
 
 /// The approach that a maneuver is, or that it interrupts.

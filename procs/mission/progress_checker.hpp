@@ -54,12 +54,12 @@ class RejectedPlaces {
   std::deque<Eigen::Vector2d> p_odom_;  ///< the newest last
 };
 
-/// Whether drives into the mine make progress. On the way home, see HomewardProgress.
+/// Detects progress of drives into the mine. For the return home, see HomewardProgress.
 class ProgressChecker {
  public:
   static constexpr double kProgressMinM = 1.0;
 
-  /// Places of another odom frame are forgotten.
+  /// Deletes the places, which lie in an odom frame that is no longer valid.
   void reset_odom() {
     rejected_ = {};
     path_ends_ = {};

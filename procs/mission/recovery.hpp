@@ -10,7 +10,7 @@
 
 namespace adit {
 
-/// Chooses what to do when planning finds no path to the target or a drive fails. The rules are one
+/// Selects the action when planning finds no path to the target or a drive fails. The rules are one
 /// table in recovery.cpp. Attempts are counted per target.
 class Recovery {
  public:

@@ -12,9 +12,9 @@
 
 namespace adit {
 
-/// Whether the robot makes progress on the way home, by the path length to home that exploration
-/// reports. A completed drive is no measure: along the traversed path it leads away from a blocked
-/// short cut, and the next route of exploration leads to the short cut again.
+/// Detects progress of the return home, by the path length to home that exploration reports. A
+/// completed drive is no measure: along the traversed path it leads away from a blocked short cut,
+/// and the next route of exploration leads to the short cut again.
 class HomewardProgress {
  public:
   static constexpr double kProgressMinM = 1.0;
@@ -47,7 +47,7 @@ class HomewardProgress {
   bool after_verdict_ = false;  ///< the next report follows a verdict
 };
 
-/// The last part of the way home: the start pose as a goal, and when the robot is close enough.
+/// The end of the return home: the start pose as the goal, and when the robot is close enough.
 class HomeArrival {
  public:
   HomeArrival(double tolerance_m, int tries_max)

@@ -102,7 +102,7 @@ TEST_F(MissionRecovery, ScansBesideThenWithTheOtherLaserThenFromFartherBackThenR
   ASSERT_TRUE(request_.blocked);
   EXPECT_EQ(request_.blocked->frontier, 3);
   EXPECT_EQ(request_.blocked->reached_m, 0.95);
-  EXPECT_THAT(request_.blocked->evidence, HasSubstr("a beam is in the way Again: a beam"));
+  EXPECT_THAT(request_.blocked->evidence, HasSubstr("a beam blocks the path Again: a beam"));
   EXPECT_TRUE(request_.blocked->unconfirmed);  // no scan observed an obstacle
 }
 

@@ -60,7 +60,7 @@ class ScriptedStages : public testing::Test {
     path.utime = terrain_utime_;
     path.id = phase().goal_id;
     path.outcome = outcome;
-    path.reason = outcome == PlanOutcome::kFound ? "a path" : "a beam is in the way";
+    path.reason = outcome == PlanOutcome::kFound ? "a path" : "a beam blocks the path";
     path.reached_m = reached_m;
     if (outcome == PlanOutcome::kBlocked && blocks_) path.blocking = {BlockingCell{}};
     mission_.add_path(path);

@@ -74,7 +74,7 @@ TEST_F(MissionTurnaround, TurnsAroundIfNoSensorMeasuresMotion) {
   }
   EXPECT_NEAR(1e-6 * static_cast<double>(utime_ - since_utime), 10.0, 0.35);  // ticks of 0.1 s
   expect_homeward("no sensor measured the motion");
-  // A drive that fails for that reason on the way back is the last one.
+  // A drive that fails for that reason on the return is the last one.
   to_execute();
   driving(DrivingState::Kind::kFailed, "no sensor measured the motion for 5.0 m");
   tick();

@@ -20,6 +20,8 @@ static_assert(static_cast<int>(MissionOutcome::kHome) == phase_t::OUTCOME_HOME);
 static_assert(static_cast<int>(MissionOutcome::kStopped) == phase_t::OUTCOME_STOPPED);
 static_assert(static_cast<int>(MissionOutcome::kStranded) == phase_t::OUTCOME_STRANDED);
 
+constexpr std::int32_t kNoFrontier = -1;
+
 std::string_view rejection_reason(const phase_t& message) {
   const auto phase = Phase(message.phase);
   const auto outcome = MissionOutcome(message.outcome);
@@ -29,7 +31,7 @@ std::string_view rejection_reason(const phase_t& message) {
     return "unknown outcome";
   }
   if (message.sequence < 0 || message.goal_id < 0 || message.scans < 0) return "negative count";
-  if (message.frontier < -1) return "negative frontier id";
+  if (message.frontier < kNoFrontier) return "negative frontier id";
   if (!is_distance(message.distance_travelled_m) || !is_distance(message.remaining_m))
     return "invalid distance";
   return {};
@@ -47,7 +49,7 @@ phase_t to_message(const MissionPhase& phase) {
   message.return_home_reason = phase.return_home_reason;
   message.laser = laser_channel(phase.laser);
   message.goal_id = phase.goal_id;
-  message.frontier = phase.frontier;
+  message.frontier = phase.frontier.value_or(kNoFrontier);
   message.scans = phase.scans;
   message.distance_travelled_m = phase.distance_travelled_m;
   message.remaining_m = phase.remaining_m;
@@ -69,7 +71,7 @@ Result<MissionPhase> from_message(const phase_t& message) {
   phase.return_home_reason = message.return_home_reason;
   phase.laser = *laser;
   phase.goal_id = message.goal_id;
-  phase.frontier = message.frontier;
+  if (message.frontier != kNoFrontier) phase.frontier = message.frontier;
   phase.scans = message.scans;
   phase.distance_travelled_m = message.distance_travelled_m;
   phase.remaining_m = message.remaining_m;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "common/sensing/laser_scan.hpp"
@@ -60,8 +61,8 @@ struct MissionPhase {
   std::string return_home_reason;   ///< reason for the return, a sentence; empty before it
   LaserId laser = LaserId::kFront;  ///< laser that faces the direction of travel
   std::int32_t goal_id = 0;         ///< id of the current scan, goal and path; 0 before the first
-  std::int32_t frontier = -1;       ///< id of the target frontier; -1 for none
-  std::int32_t scans = 0;           ///< 3D scans taken
+  std::optional<std::int32_t> frontier;  ///< id of the target frontier
+  std::int32_t scans = 0;                ///< 3D scans taken
   double distance_travelled_m = 0.0;
   double remaining_m = 0.0;  ///< path length allowed by battery and time
   MissionOutcome outcome = MissionOutcome::kInProgress;

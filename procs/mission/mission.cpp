@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mission/mission.hpp"
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "common/sensing/seconds.hpp"
@@ -9,53 +11,383 @@
 namespace adit {
 namespace {
 
-constexpr double kRequestPeriodS = 2.0;  // a message may be lost
-constexpr double kScanTimeoutS = 30.0;   // a sweep takes eight seconds
+constexpr double kRequestPeriodS = 2.0;         // a message may be lost
+constexpr double kExplorationTimeoutS = 300.0;  // it may restart, and wait for the map
+constexpr double kScanTimeoutS = 30.0;          // a sweep takes 8 s
 constexpr double kPlanTimeoutS = 10.0;
-constexpr double kExplorationTimeoutS = 300.0;  // it may be restarted, and wait for the map
 constexpr double kDrivingTimeoutS = 3.0;
-constexpr double kPoseTimeoutS = 1.0;
+constexpr double kPathReceiptS = 2.0;   // until driving has received its path
+constexpr int kIncompleteScansMax = 3;  // in a row; an incomplete scan is accepted then
+constexpr double kScanAheadM = 10.0;    // length of a route straight ahead
+constexpr double kFacingM = 2.5;        // distance of the route point that selects the laser
+constexpr double kFacingHysteresisRad = 0.3;
+
+using Evidence = Recovery::Evidence;
+
+/// The laser that faces the route, with hysteresis in favour of the present one.
+LaserId laser_facing(const std::vector<Eigen::Vector2d>& route_odom, const Pose2& T_odom_body,
+                     LaserId present) {
+  Eigen::Vector2d p_odom_ahead = route_odom.back();
+  for (const Eigen::Vector2d& p_odom : route_odom) {
+    if ((p_odom - T_odom_body.translation()).norm() < kFacingM) continue;
+    p_odom_ahead = p_odom;
+    break;
+  }
+  const Eigen::Vector2d p_body_ahead = T_odom_body.inverse() * p_odom_ahead;
+  const double angle = std::abs(std::atan2(p_body_ahead.y(), p_body_ahead.x()));
+  const double hysteresis =
+      present == LaserId::kFront ? kFacingHysteresisRad : -kFacingHysteresisRad;
+  return angle < std::numbers::pi / 2.0 + hysteresis ? LaserId::kFront : LaserId::kRear;
+}
+
+std::optional<std::int32_t> frontier_of(const ExplorationDecision& decision) {
+  if (decision.frontier == ExplorationDecision::kNoFrontier) return std::nullopt;
+  return decision.frontier;
+}
+
+Evidence evidence_of(const PlannedPath& path) {
+  // Without a blocking cell, no ground was observed to block.
+  if (path.outcome == PlanOutcome::kBlocked && !path.blocking.empty()) return Evidence::kObserved;
+  return path.outcome == PlanOutcome::kNarrow ? Evidence::kNarrow : Evidence::kUnobserved;
+}
 
 }  // namespace
 
 void Mission::restore(const MissionPhase& last, std::int64_t start_utime,
-                      std::vector<StoredPathPose> track) {
-  restored_path_ = std::move(track);
-  phase_ = {};
-  start_utime_ = start_utime;
-  restored_ = true;
-  restored_utime_ = last.utime;
-  phase_.sequence = last.sequence;
-  phase_.returning_home = last.returning_home;
-  phase_.return_home_reason = last.return_home_reason;
-  phase_.goal_id = last.goal_id;
-  phase_.scans = last.scans;
-  phase_.distance_travelled_m = last.distance_travelled_m;
-  phase_.laser = last.laser;
-  traversed_path_.set_distance_travelled(last.distance_travelled_m);
-  request_ = last.sequence;  // exploration answers each id once
-  if (last.phase == Phase::kEnded || last.phase == Phase::kPaused) {
-    phase_ = last;  // who was told to stand, stands
-  } else if (last.phase == Phase::kWaiting) {
-    phase_.reason = last.reason;
-  } else {
-    phase_.reason = "the mission was interrupted, after: " + last.reason;
-  }
+                      std::vector<StoredPathPose> path) {
+  localization_.restore(last.utime, last.distance_travelled_m, std::move(path));
   limits_.begin(last.distance_travelled_m);
-  return_is_final_ = last.returning_home && last.frontier < 0;
+  start_utime_ = start_utime;
+  explore_id_ = last.sequence;  // exploration answers each id once
+  return_is_final_ = last.returning_home && !last.frontier;
+  phase_ = last;
+  if (last.phase == Phase::kEnded || last.phase == Phase::kPaused) return;
+  phase_.utime = 0;
+  phase_.phase = Phase::kWaiting;
+  phase_.frontier.reset();
+  phase_.remaining_m = 0.0;
+  phase_.outcome = MissionOutcome::kInProgress;
+  phase_.complete = false;
+  if (last.phase != Phase::kWaiting) {
+    phase_.reason = "the mission was interrupted after: " + last.reason;
+  }
+}
+
+MissionRequests Mission::advance(std::int64_t utime) {
+  set_time(utime);
+  if (is_under_way() && limits_.reason() && !return_is_final_) turn_around(*limits_.reason());
+  if (phase_.phase == Phase::kWaiting) wait_for_stages();
+  MissionRequests requests;
+  switch (phase_.phase) {
+    case Phase::kExplore:
+      requests.explore = explore();
+      break;
+    case Phase::kScan:
+      requests.scan = scan();
+      break;
+    case Phase::kPlan:
+      requests.goal = plan();
+      break;
+    case Phase::kExecute:
+      execute();
+      break;
+    case Phase::kWaiting:
+    case Phase::kPaused:
+    case Phase::kEnded:
+      break;
+  }
+  return requests;
+}
+
+void Mission::set_time(std::int64_t utime) {
+  utime_ = utime;
+  if (!start_utime_) start_utime_ = utime;
+  if (!phase_utime_) {
+    phase_utime_ = utime;
+    phase_.utime = utime;
+  }
+  phase_.distance_travelled_m = localization_.traversed_path().distance_travelled_m();
+  phase_.remaining_m =
+      limits_.remaining_m(seconds(utime - *start_utime_), phase_.distance_travelled_m);
+}
+
+/// Waits for poses and driving states, and after a reset of odom for the map correction.
+void Mission::wait_for_stages() {
+  if (phase_.sequence == 0 && !localization_.is_restored() && params_.start == "on_order") {
+    enter(Phase::kPaused, "waiting for the order to start");
+    return;
+  }
+  const bool has_driving = inputs_.driving && inputs_.driving_utime &&
+                           seconds(*utime_ - *inputs_.driving_utime) < kDrivingTimeoutS;
+  if (!localization_.has_recent_pose(*utime_) || !has_driving) return;
+  if (localization_.is_waiting_for_correction() && phase_age_s() < params_.relocalization_wait_s)
+    return;
+  enter(Phase::kExplore,
+        localization_.is_restored() ? "the mission resumes" : "the stages are ready");
+}
+
+std::optional<ExploreRequest> Mission::explore() {
+  if (localization_.is_waiting_for_correction()) {
+    scan_straight_ahead("no map correction: scanning straight ahead to recognise a place");
+    return std::nullopt;
+  }
+  if (phase_age_s() > kExplorationTimeoutS) {
+    note_failed_try("exploration does not answer");
+    return std::nullopt;
+  }
+  if (!is_request_due()) return std::nullopt;
+  return ExploreRequest{*utime_, explore_id_, phase_.remaining_m, return_is_final_, verdict_};
+}
+
+std::optional<ScanRequest> Mission::scan() {
+  if (phase_age_s() > kScanTimeoutS) {
+    if (++scan_tries_ > params_.failed_tries_max) {
+      end(MissionOutcome::kStranded, "no 3D scan arrives");
+      return std::nullopt;
+    }
+    request_scan(scan_tries_ % 2 == 0 ? other(phase_.laser) : phase_.laser,
+                 "no 3D scan arrived: scanning again");
+    return std::nullopt;
+  }
+  if (!is_request_due()) return std::nullopt;
+  return ScanRequest{*utime_, phase_.goal_id, phase_.laser};
+}
+
+std::optional<PlanGoal> Mission::plan() {
+  if (phase_age_s() > kPlanTimeoutS) {
+    request_scan(phase_.laser, "planning did not answer: scanning again");
+    return std::nullopt;
+  }
+  if (!is_request_due()) return std::nullopt;
+  PlanGoal goal = goal_of(maneuver_, {target_.route_odom, home_arrival_.is_end_of_route()});
+  goal.utime = *utime_;
+  goal.id = phase_.goal_id;
+  return goal;
+}
+
+/// Arrival and failure are handled when DRIVING_STATE arrives.
+void Mission::execute() {
+  if (seconds(*utime_ - *inputs_.driving_utime) > kDrivingTimeoutS) {
+    recover({Evidence::kDriveFailed, 0.0, "Driving timed out."});
+  }
+}
+
+void Mission::add_exploration(const ExplorationReport& report) {
+  if (phase_.phase == Phase::kExplore && report.request == explore_id_) evaluate(report);
+}
+
+void Mission::evaluate(const ExplorationReport& report) {
+  using Kind = ExplorationDecision::Kind;
+  const ExplorationDecision& decision = report.decision;
+  phase_.complete = decision.complete;
+  if (decision.kind == Kind::kStay) {
+    const bool is_first_odom = !localization_.is_restored() && !localization_.odom_was_reset();
+    if (report.revision == 0 && is_first_odom) {
+      scan_straight_ahead("no map yet: scanning straight ahead");
+    } else if (phase_age_s() > params_.exploration_wait_s) {
+      note_failed_try(decision.reason);
+    }
+    return;
+  }
+  verdict_.reset();
+  if (decision.kind == Kind::kDone) {
+    end(MissionOutcome::kHome, "the robot is at home: " + decision.reason);
+    return;
+  }
+  set_target(report);
+  if (home_arrival_.is_near(localization_.T_odom_body()) && home_arrival_.count_try()) {
+    end_near_home(decision.reason);
+    return;
+  }
+  scan_along(report.route_odom, decision.reason);
+}
+
+void Mission::set_target(const ExplorationReport& report) {
+  const ExplorationDecision& decision = report.decision;
+  const bool home = decision.kind == ExplorationDecision::Kind::kHome;
+  if (home && !phase_.returning_home) phase_.return_home_reason = decision.reason;
+  if (!home && !return_is_final_) phase_.return_home_reason.clear();
+  phase_.returning_home = home || return_is_final_;
+  phase_.frontier = frontier_of(decision);
+  target_.is_straight_ahead = false;
+  if (recovery_.set_target(phase_.frontier, home)) {
+    retracing_.rejoins = 0;
+    homeward_progress_.reset();
+  }
+  if (home && homeward_progress_.add(decision.distance_m)) note_progress();
+  home_arrival_.set_route(report);
+}
+
+void Mission::scan_along(std::vector<Eigen::Vector2d> route_odom, const std::string& reason) {
+  if (route_odom.size() < 2) {
+    note_failed_try("the route is empty");
+    return;
+  }
+  target_.route_odom = std::move(route_odom);
+  scan_tries_ = 0;
+  const auto& T_odom_body = localization_.T_odom_body();
+  request_scan(
+      T_odom_body ? laser_facing(target_.route_odom, *T_odom_body, phase_.laser) : phase_.laser,
+      reason);
+}
+
+/// Along the x axis of the body; in the opposite direction after an odd number of failed tries.
+void Mission::scan_straight_ahead(const std::string& reason) {
+  if (!localization_.T_odom_body()) return;
+  const Pose2& T_odom_body = *localization_.T_odom_body();
+  phase_.frontier.reset();
+  target_.is_straight_ahead = true;
+  home_arrival_.clear();
+  recovery_.set_target(std::nullopt, phase_.returning_home);
+  const double ahead_m = failed_tries_ % 2 == 1 ? -kScanAheadM : kScanAheadM;
+  scan_along({T_odom_body.translation(), T_odom_body * Eigen::Vector2d(ahead_m, 0.0)}, reason);
+}
+
+void Mission::request_scan(LaserId laser, const std::string& reason) {
+  phase_.laser = laser;
+  ++phase_.goal_id;
+  enter(Phase::kScan, reason);
+}
+
+/// A scan is incomplete if the robot moved or the laser timed out. It is repeated.
+void Mission::add_cloud(std::int32_t id, bool complete) {
+  if (phase_.phase != Phase::kScan || id != phase_.goal_id || complete) return;
+  if (++scan_tries_ <= kIncompleteScansMax)
+    request_scan(phase_.laser, "the 3D scan is incomplete: scanning again");
+}
+
+void Mission::add_terrain(std::int64_t utime, std::int32_t id) {
+  if (phase_.phase != Phase::kScan || id != phase_.goal_id) return;
+  ++phase_.scans;
+  inputs_.terrain_utime = utime;
+  enter(Phase::kPlan, "the 3D scan is ready");
+}
+
+void Mission::add_path(const PlannedPath& path) {
+  if (phase_.phase != Phase::kPlan || path.id != phase_.goal_id) return;
+  const bool rests_on_old_scan = path.utime < inputs_.terrain_utime;
+  if (rests_on_old_scan && !is_off_route(maneuver_)) return;
+  evaluate(path);
+}
+
+void Mission::evaluate(const PlannedPath& path) {
+  if (path.outcome == PlanOutcome::kFound) {
+    progress_.begin_drive(localization_.traversed_path().distance_travelled_m());
+    inputs_.driving_utime = utime_;
+    enter(Phase::kExecute, path.reason);
+  } else if (auto planned = planned_instead_of_retraced(maneuver_)) {
+    begin(std::move(*planned), "backing off by a planned path: " + path.reason);
+  } else if (is_off_route(maneuver_)) {
+    retracing_.failed = true;
+    recover(
+        {Evidence::kDriveFailed, recovery_.reached_m(), "No path back was found: " + path.reason});
+  } else if (std::holds_alternative<Approach>(maneuver_)) {
+    maneuver_ = FollowRoute{};
+    recover({Evidence::kUnobserved, path.reached_m, "No path nearer was found: " + path.reason});
+  } else {
+    recover({evidence_of(path), path.reached_m, path.reason});
+  }
+}
+
+void Mission::add_driving(const DrivingState& state) {
+  inputs_.driving = state;
+  inputs_.driving_utime = utime_;
+  if (phase_.phase == Phase::kExecute) evaluate(state);
+}
+
+void Mission::evaluate(const DrivingState& state) {
+  using Kind = DrivingState::Kind;
+  if (state.path_id != phase_.goal_id || state.kind == Kind::kIdle) {
+    if (phase_age_s() > kPathReceiptS) enter(Phase::kExplore, "driving lost its path");
+  } else if (state.kind == Kind::kArrived) {
+    handle_arrival();
+  } else if (state.kind == Kind::kFailed) {
+    handle_failed_drive("Driving failed: " + state.reason + ".");
+  }
+}
+
+void Mission::handle_arrival() {
+  retracing_.failed = false;
+  if (!leads_away(maneuver_)) {
+    if (!is_returning() && is_beyond_rejections()) note_progress();
+    const auto& T_odom_body = localization_.T_odom_body();
+    if (T_odom_body && progress_.add_path_end(T_odom_body->translation())) {
+      recover({Evidence::kDriveFailed, 0.0, "The last paths all ended at the same place."});
+      return;
+    }
+  }
+  enter(Phase::kExplore, "the robot reached the end of the path");
+}
+
+/// A failed drive along the traversed path is no evidence about the ground ahead, and the robot may
+/// be at another place. With unmeasured motion the mission ends: the robot could leave the mine.
+void Mission::handle_failed_drive(const std::string& reason) {
+  if (limits_.is_unmeasured()) {
+    end(MissionOutcome::kStranded, "the pose of the robot is unknown: " + reason);
+    return;
+  }
+  if (is_off_route(maneuver_)) {
+    retracing_.failed = uses_traversed_path(maneuver_);
+    enter(Phase::kExplore, "scanning from where the drive ended: " + reason);
+    return;
+  }
+  if (!is_returning() && is_beyond_rejections()) recovery_.reset();
+  recover({Evidence::kDriveFailed, 0.0, reason});
+}
+
+std::optional<StoredPathPose> Mission::add_pose(std::int64_t utime, const Pose2& T_odom_body) {
+  return localization_.add_pose(utime, T_odom_body);
+}
+
+/// After a reset of odom, plans in the previous odom frame are invalid.
+void Mission::add_match(const ScanMatch& match) {
+  using OdomChange = MissionLocalization::OdomChange;
+  const bool drives = phase_.phase == Phase::kExecute && inputs_.driving &&
+                      inputs_.driving->kind == DrivingState::Kind::kDriving;
+  limits_.add(match, drives);
+  const OdomChange change = localization_.set_odom_epoch(match.odom_epoch_utime);
+  if (change == OdomChange::kNone) return;
+  progress_.reset_odom();
+  home_arrival_.clear();
+  retracing_ = {};
+  if (!is_under_way()) return;
+  if (change == OdomChange::kResetBeforeRestart && !return_is_final_ &&
+      params_.after_power_loss == "home") {
+    return_is_final_ = phase_.returning_home = true;
+    phase_.return_home_reason = "the computer was off";
+  }
+  enter(Phase::kWaiting, "odom was reset: waiting for the map correction");
+}
+
+void Mission::add_correction(const MapCorrection& correction) {
+  limits_.add(correction);
+  localization_.add_correction(correction);
+}
+
+void Mission::add_order(const MissionOrder& order) {
+  using Order = MissionOrder::Kind;
+  if (phase_.phase == Phase::kEnded) return;
+  const bool paused = phase_.phase == Phase::kPaused;
+  if (order.kind == Order::kPause && !paused) {
+    enter(Phase::kPaused, "by order");
+  } else if (order.kind == Order::kResume && paused) {
+    enter(Phase::kWaiting, "resumed by order");
+  } else if (order.kind == Order::kReturnHome && !return_is_final_) {
+    turn_around("by order");
+  } else if (order.kind == Order::kStop) {
+    end(MissionOutcome::kStopped, "by order");
+  }
 }
 
 void Mission::enter(Phase phase, const std::string& reason) {
-  phase_.utime = phase_utime_ = utime_;
+  phase_utime_ = utime_;
+  phase_.utime = now_utime();
   ++phase_.sequence;
   phase_.phase = phase;
   phase_.reason = reason;
-  requested_utime_ = 0;
-  if (phase == Phase::kExplore) ++request_;
-  if (phase == Phase::kPlan || phase == Phase::kExecute) return;
-  backing_off_ = false;
-  approach_m_ = 0.0;
-  goal_kind_ = PlanGoal::Kind::kRoute;
+  requested_utime_.reset();
+  if (phase == Phase::kExplore) ++explore_id_;
+  if (phase != Phase::kPlan && phase != Phase::kExecute) maneuver_ = FollowRoute{};
 }
 
 void Mission::end(MissionOutcome outcome, const std::string& reason) {
@@ -67,110 +399,32 @@ void Mission::turn_around(const std::string& reason) {
   return_is_final_ = true;
   phase_.returning_home = true;
   phase_.return_home_reason = reason;
-  phase_.frontier = -1;  // so that the journal says that it is for good
+  phase_.frontier.reset();  // in the journal, this marks the return as final
   verdict_.reset();
   enter(Phase::kExplore, "the robot turns around: " + reason);
 }
 
-double Mission::since_phase_s() const { return seconds(utime_ - phase_utime_); }
+double Mission::phase_age_s() const {
+  return utime_ && phase_utime_ ? seconds(*utime_ - *phase_utime_) : 0.0;
+}
 
-bool Mission::request_is_due(double period_s) {
-  if (requested_utime_ != 0 && seconds(utime_ - requested_utime_) < period_s) return false;
+bool Mission::is_request_due() {
+  if (requested_utime_ && seconds(*utime_ - *requested_utime_) < kRequestPeriodS) return false;
   requested_utime_ = utime_;
   return true;
 }
 
-MissionRequests Mission::advance(std::int64_t utime) {
-  utime_ = utime;
-  if (start_utime_ == 0) start_utime_ = utime;
-  if (phase_utime_ == 0) phase_.utime = phase_utime_ = utime;
-  phase_.distance_travelled_m = traversed_path_.distance_travelled_m();
-  phase_.remaining_m =
-      limits_.remaining_m(seconds(utime - start_utime_), phase_.distance_travelled_m);
-  MissionRequests requests;
-  const bool under_way = phase_.phase != Phase::kPaused && phase_.phase != Phase::kEnded;
-  if (under_way && limits_.reason() && !return_is_final_) turn_around(*limits_.reason());
-  switch (phase_.phase) {
-    case Phase::kWaiting:
-      wait(requests);
-      break;
-    case Phase::kExplore:
-      explore(requests);
-      break;
-    case Phase::kScan:
-      scan(requests);
-      break;
-    case Phase::kPlan:
-      plan(requests);
-      break;
-    case Phase::kExecute:
-      execute();
-      break;
-    case Phase::kPaused:
-    case Phase::kEnded:
-      break;
-  }
-  return requests;
+bool Mission::is_under_way() const {
+  return phase_.phase != Phase::kPaused && phase_.phase != Phase::kEnded;
 }
 
-/// For the stages, and after a restart for the map.
-void Mission::wait(MissionRequests& requests) {
-  if (phase_.sequence == 0 && !restored_ && params_.start == "on_order") {
-    enter(Phase::kPaused, "it waits for the order to go");
-    return;
-  }
-  const bool pose =
-      traversed_path_.T_odom_body() && seconds(utime_ - traversed_path_.utime()) < kPoseTimeoutS;
-  const bool driving = driving_ && seconds(utime_ - driving_utime_) < kDrivingTimeoutS;
-  if (!pose || !driving) return;
-  if (odom_is_new_ && !has_map_ && since_phase_s() < params_.relocalization_wait_s) return;
-  enter(Phase::kExplore, restored_ ? "it goes on" : "the robot is ready");
-  explore(requests);
+bool Mission::is_beyond_rejections() const {
+  const auto& T_odom_body = localization_.T_odom_body();
+  return T_odom_body &&
+         progress_.is_beyond_rejections(localization_.traversed_path().distance_travelled_m(),
+                                        T_odom_body->translation());
 }
 
-void Mission::explore(MissionRequests& requests) {
-  if (odom_is_new_ && !has_map_) {
-    scan_straight_ahead(
-        "it does not know where it is on its map, and moves on to recognise a place");
-    return;
-  }
-  if (since_phase_s() > kExplorationTimeoutS) {
-    note_failed_try("it does not answer");
-    return;
-  }
-  if (!request_is_due(kRequestPeriodS)) return;
-  requests.explore =
-      ExploreRequest{utime_, request_, phase_.remaining_m, return_is_final_, verdict_};
-}
-
-void Mission::scan(MissionRequests& requests) {
-  if (since_phase_s() > kScanTimeoutS) {
-    if (++scan_tries_ > params_.failed_tries_max) {
-      end(MissionOutcome::kStranded, "no 3D scan comes any more");
-      return;
-    }
-    request_scan(scan_tries_ % 2 == 0 ? other(phase_.laser) : phase_.laser,
-                 "no 3D scan came, so once more");
-    return;
-  }
-  if (request_is_due(kRequestPeriodS)) {
-    requests.scan = ScanRequest{utime_, phase_.goal_id, phase_.laser};
-  }
-}
-
-void Mission::plan(MissionRequests& requests) {
-  if (since_phase_s() > kPlanTimeoutS) {
-    request_scan(phase_.laser, "planning did not answer, so once more");
-    return;
-  }
-  if (request_is_due(kRequestPeriodS)) requests.goal = goal();
-}
-
-/// Of other outcomes than those that add_driving tells.
-void Mission::execute() {
-  if (seconds(utime_ - driving_utime_) > kDrivingTimeoutS) {
-    reject(0.0, "Driving is silent.", RetryPolicy::Evidence::kDriveFailed);
-  }
-}
+bool Mission::is_returning() const { return phase_.returning_home && !target_.is_straight_ahead; }
 
 }  // namespace adit

@@ -9,7 +9,7 @@ namespace adit {
 namespace {
 
 constexpr std::string_view kPhase = "PHASE";
-constexpr std::string_view kPlace = "TRACK_PLACE";
+constexpr std::string_view kPathPose = "TRAVERSED_POSE";
 
 std::optional<MissionPhase> phase_of(const JournalRecord& record) {
   if (record.kind != kPhase) return std::nullopt;
@@ -23,8 +23,8 @@ std::optional<MissionPhase> phase_of(const JournalRecord& record) {
 
 MissionJournal::MissionJournal(const std::filesystem::path& path)
     : journal_(path, [this](const JournalRecord& record) {
-        if (record.kind == kPlace) {
-          if (const auto place = stored_path_pose_from(record.bytes)) track_.push_back(*place);
+        if (record.kind == kPathPose) {
+          if (const auto pose = stored_path_pose_from(record.bytes)) path_.push_back(*pose);
           return;
         }
         const auto phase = phase_of(record);
@@ -38,8 +38,8 @@ void MissionJournal::append(const MissionPhase& phase) {
   journal_.sync();
 }
 
-void MissionJournal::append(const StoredPathPose& place) {
-  journal_.append(kPlace, to_bytes(place));
+void MissionJournal::append(const StoredPathPose& pose) {
+  journal_.append(kPathPose, to_bytes(pose));
 }
 
 }  // namespace adit

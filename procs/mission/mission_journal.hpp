@@ -14,30 +14,30 @@
 
 namespace adit {
 
-/// How the mission stands, on the disk, so that it goes on after a restart: each change of phase,
-/// as messages PHASE, and each place of its own track.
+/// The state of the mission on disk, from which it resumes after a restart: each change of phase as
+/// a PHASE message, and each pose of the traversed path.
 class MissionJournal {
  public:
-  /// Opens or creates it. Throws std::runtime_error where the file is no journal or cannot be used.
+  /// Opens or creates the file. Throws std::runtime_error if it is no journal or cannot be used.
   explicit MissionJournal(const std::filesystem::path& path);
 
-  /// The last phase that was there when it was opened.
+  /// The last phase in the file when it was opened.
   [[nodiscard]] const std::optional<MissionPhase>& last() const { return last_; }
-  /// When the mission began [µs since the epoch]; 0 for one that has not.
-  [[nodiscard]] std::int64_t start_utime() const { return start_utime_; }
+  /// When the mission began [µs since the epoch]; empty for a new mission.
+  [[nodiscard]] const std::optional<std::int64_t>& start_utime() const { return start_utime_; }
 
-  /// The places of the own track that were there, in the order of the way. Once.
-  [[nodiscard]] std::vector<StoredPathPose> take_stored_path() { return std::move(track_); }
+  /// The poses in the file when it was opened, oldest first. Call it once.
+  [[nodiscard]] std::vector<StoredPathPose> take_stored_path() { return std::move(path_); }
 
-  /// Returns when the disk has it.
+  /// Returns when the phase is on disk.
   void append(const MissionPhase& phase);
-  /// Survives the process at once, and the computer with the next phase.
-  void append(const StoredPathPose& place);
+  /// Survives the process immediately, and a power loss with the next phase.
+  void append(const StoredPathPose& pose);
 
  private:
   std::optional<MissionPhase> last_;
-  std::int64_t start_utime_ = 0;
-  std::vector<StoredPathPose> track_;
+  std::optional<std::int64_t> start_utime_;
+  std::vector<StoredPathPose> path_;
   Journal journal_;
 };
 

@@ -3,7 +3,8 @@
 #include "procs/mission/mission_limits.hpp"
 
 #include <algorithm>
-#include <cstdio>
+
+#include <fmt/format.h>
 
 #include "common/pose_graph/map_correction.hpp"
 #include "common/sensing/seconds.hpp"
@@ -11,16 +12,11 @@
 namespace adit {
 namespace {
 
-constexpr double kForgettingFactor = 0.995;  // of the share of lost scans: some 200 scans
-constexpr int kPointsMin = 60;               // fewer come from where a laser looks into the open
-constexpr double kBatteryBaselineM = 100.0;  // to say what a metre costs
-constexpr double kSlowestM_s = 0.05;         // with pauses for scans
-
-std::string formatted(const char* format, double number) {
-  char text[96];
-  std::snprintf(text, sizeof text, format, number);
-  return text;
-}
+constexpr double kForgettingFactor =
+    0.995;                      // per scan, of the share of lost scans: about 200 scans
+constexpr int kPointsMin = 60;  // a laser that faces an open space returns fewer
+constexpr double kBatteryBaselineM = 100.0;  // over which the charge per metre is measured
+constexpr double kSlowestM_s = 0.05;         // including stops for scans
 
 }  // namespace
 
@@ -30,19 +26,19 @@ void MissionLimits::require_return(const std::string& reason) {
 
 void MissionLimits::add(const GasReading& gas) {
   if (gas.methane_share > params_.methane_max_share) {
-    require_return(formatted("%.2f %% of methane in the air", 100.0 * gas.methane_share));
+    require_return(fmt::format("{:.2f} % of methane in the air", 100.0 * gas.methane_share));
   } else if (gas.oxygen_share < params_.oxygen_min_share) {
-    require_return(formatted("only %.1f %% of oxygen in the air", 100.0 * gas.oxygen_share));
+    require_return(fmt::format("only {:.1f} % of oxygen in the air", 100.0 * gas.oxygen_share));
   } else if (gas.carbon_monoxide_share > params_.carbon_monoxide_max_share) {
     require_return(
-        formatted("%.0f ppm of carbon monoxide in the air", 1e6 * gas.carbon_monoxide_share));
+        fmt::format("{:.0f} ppm of carbon monoxide in the air", 1e6 * gas.carbon_monoxide_share));
   }
 }
 
 void MissionLimits::add(const SinkageReading& sinkage) {
   const double deepest = *std::max_element(sinkage.depth_m.begin(), sinkage.depth_m.end());
   if (deepest > params_.sinkage_max_m) {
-    require_return(formatted("a wheel is %.2f m deep in the ground", deepest));
+    require_return(fmt::format("a wheel is {:.2f} m deep in the ground", deepest));
   }
 }
 
@@ -51,14 +47,15 @@ void MissionLimits::add(const VehicleState& state) {
   battery_share_ = state.battery_share;
 }
 
-/// A robot that stands is not lost by what it sees, but does not know that it stands where nothing
-/// tells it.
-void MissionLimits::add(const ScanMatch& match, bool moves) {
-  if (moves) count_lost(match);
+/// Lost scans count only while the robot moves. Unmeasured motion counts also while it stands, as
+/// only a measurement shows that it stands.
+void MissionLimits::add(const ScanMatch& match, bool robot_moves) {
+  if (robot_moves) count_lost(match);
   count_unmeasured(match);
 }
 
-/// One scan that tells all directions ends it: it was held against the same walls as those before.
+/// One scan that measures all directions resets the count: it is matched against the same reference
+/// as the scans before it.
 void MissionLimits::count_unmeasured(const ScanMatch& match) {
   if (match.status != ScanMatch::Status::kMatched) return;
   if (!has_unobserved_direction(match)) {
@@ -70,8 +67,7 @@ void MissionLimits::count_unmeasured(const ScanMatch& match) {
   unmeasured_s_ = seconds(match.utime - *unmeasured_utime_);
   if (is_unmeasured()) {
     require_return(
-        formatted("no sensor has told for %.0f s how it moves: the walls leave a direction open",
-                  unmeasured_s_));
+        fmt::format("no sensor measured the motion in one direction for {:.0f} s", unmeasured_s_));
   }
 }
 
@@ -80,14 +76,14 @@ void MissionLimits::count_lost(const ScanMatch& match) {
   const bool lost = match.status == ScanMatch::Status::kLost;
   lost_share_ = kForgettingFactor * lost_share_ + (1.0 - kForgettingFactor) * (lost ? 1.0 : 0.0);
   if (lost_share_ > params_.lost_scans_max_share) {
-    require_return(formatted("%.0f %% of the last scans do not match", 100.0 * lost_share_));
+    require_return(fmt::format("{:.0f} % of the last scans do not match", 100.0 * lost_share_));
   }
 }
 
 void MissionLimits::add(const MapCorrection& correction) {
   const double sd_m = position_sd_m(correction).value_or(0.0);
   if (sd_m > params_.map_sd_max_m) {
-    require_return(formatted("the map is only known to %.1f m here", sd_m));
+    require_return(fmt::format("the standard deviation of the map is {:.1f} m here", sd_m));
   }
 }
 

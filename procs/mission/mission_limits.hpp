@@ -14,19 +14,20 @@
 
 namespace adit {
 
-/// When a mission turns around. Limits of air and ground lie before those at which the guard stops.
+/// When a mission turns around. Limits of air and ground are below those at which the guard stops
+/// the robot.
 struct MissionLimitsParams {
-  double path_length_max_m = 5000.0;  ///< there and back
+  double path_length_max_m = 5000.0;  ///< of the complete mission
   double time_max_s = 28800.0;
-  double battery_reserve_share = 0.2;   ///< that is to be left at home
-  double battery_share_per_m = 0.0002;  ///< until the way so far says more
-  double methane_max_share = 0.005;     ///< a tenth of what explodes
+  double battery_reserve_share = 0.2;   ///< left at home
+  double battery_share_per_m = 0.0002;  ///< until it is measured over 100 m
+  double methane_max_share = 0.005;     ///< a tenth of the lower explosive limit
   double oxygen_min_share = 0.2;
   double carbon_monoxide_max_share = 30e-6;
   double sinkage_max_m = 0.1;
-  double lost_scans_max_share = 0.5;  ///< of the scans of some metres
-  double map_sd_max_m = 5.0;          ///< of where the newest local map is
-  double unmeasured_max_s = 10.0;     ///< in which no scan and no other sensor tells a direction
+  double lost_scans_max_share = 0.5;  ///< of the last 200 scans, about
+  double map_sd_max_m = 5.0;          ///< standard deviation of the newest local map's position
+  double unmeasured_max_s = 10.0;     ///< without a measurement of motion in some direction
 
   template <class V>
   void visit(V& v) {
@@ -44,25 +45,25 @@ struct MissionLimitsParams {
   }
 };
 
-/// What a mission may still spend, and what says that it is to come home now.
+/// The path length that a mission has left, and the reason to return home.
 class MissionLimits {
  public:
   explicit MissionLimits(const MissionLimitsParams& params) : params_(params) {}
 
-  /// After a restart: what was driven before the battery is heard of [m].
+  /// After a restart: the distance travelled before the first battery state is received [m].
   void begin(double distance_travelled_m) { battery_start_distance_m_ = distance_travelled_m; }
 
   void add(const GasReading& gas);
   void add(const SinkageReading& sinkage);
   void add(const VehicleState& state);
-  void add(const ScanMatch& match, bool moves);
+  void add(const ScanMatch& match, bool robot_moves);
   void add(const MapCorrection& correction);
 
-  /// Why it is to come home, a sentence; the first there was, for good.
+  /// Why the robot must return home, a sentence. The first reason stays.
   [[nodiscard]] const std::optional<std::string>& reason() const { return reason_; }
-  /// Whether it knows no more how it moves: what nothing has told for so long now.
+  /// Whether no sensor measured some direction of motion for `unmeasured_max_s`.
   [[nodiscard]] bool is_unmeasured() const { return unmeasured_s_ > params_.unmeasured_max_s; }
-  /// Way that time, battery and the greatest way still allow [m].
+  /// Path length that time, battery and `path_length_max_m` still allow [m].
   [[nodiscard]] double remaining_m(double elapsed_s, double distance_travelled_m) const;
 
  private:
@@ -74,10 +75,10 @@ class MissionLimits {
   std::optional<std::string> reason_;
   std::optional<double> battery_share_;
   std::optional<double> battery_start_share_;
-  double battery_start_distance_m_ = 0.0;  ///< way by then
+  double battery_start_distance_m_ = 0.0;  ///< distance travelled then
   double lost_share_ = 0.0;
-  std::optional<std::int64_t> unmeasured_utime_;  ///< since when a direction is open,
-  double unmeasured_s_ = 0.0;                     ///< and for how long
+  std::optional<std::int64_t> unmeasured_utime_;  ///< since when a direction is unmeasured
+  double unmeasured_s_ = 0.0;                     ///< for how long
 };
 
 }  // namespace adit

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::int64_t kPeriodUs = 100'000;
 constexpr std::int64_t kPublishPeriodUs = 1'000'000;
-constexpr std::size_t kWaiting = 100;
+constexpr std::size_t kQueueLength = 100;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(p
   if (!params.journal.empty()) {
     journal_.emplace(params.journal);
     if (journal_->last()) {
-      mission_.restore(*journal_->last(), journal_->start_utime(), journal_->take_stored_path());
+      mission_.restore(*journal_->last(), *journal_->start_utime(), journal_->take_stored_path());
     }
   }
   subscribe_to_stages();
@@ -38,7 +38,7 @@ MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(p
                    [this](const GasReading& gas) { mission_.limits().add(gas); });
   subscribe<sinkage_t>(bus, channels::kSinkage, latest,
                        [this](const SinkageReading& s) { mission_.limits().add(s); });
-  subscribe<mission_order_t>(bus, channels::kMissionOrder, Delivery::queued(kWaiting),
+  subscribe<mission_order_t>(bus, channels::kMissionOrder, Delivery::queued(kQueueLength),
                              [this](const MissionOrder& order) {
                                mission_.add_order(order);
                                advance();
@@ -47,9 +47,9 @@ MissionNode::MissionNode(Bus& bus, const Params& params) : bus_(bus), mission_(p
 }
 
 void MissionNode::subscribe_to_stages() {
-  const auto queued = Delivery::queued(kWaiting);
+  const auto queued = Delivery::queued(kQueueLength);
   subscribe<pose_t>(bus_, channels::kPose, queued, [this](const StampedPose& pose) {
-    if (const auto place = mission_.add_pose(pose.utime, pose.T_odom_body)) store(*place);
+    if (const auto stored = mission_.add_pose(pose.utime, pose.T_odom_body)) store(*stored);
   });
   subscribe<scan_match_t>(bus_, channels::kScanMatch, queued,
                           [this](const ScanMatch& match) { mission_.add_match(match); });
@@ -62,9 +62,9 @@ void MissionNode::subscribe_to_stages() {
                              advance();
                            });
   subscribe<terrain_ready_t>(bus_, channels::kTerrainReady, queued,
-                             [this](const TerrainReady& made) {
-                               mission_.add_cloud(made.id, made.complete);
-                               mission_.add_terrain(made.utime, made.id);
+                             [this](const TerrainReady& terrain) {
+                               mission_.add_cloud(terrain.id, terrain.complete);
+                               mission_.add_terrain(terrain.utime, terrain.id);
                                advance();
                              });
   subscribe<planned_path_t>(bus_, channels::kPath, queued, [this](const PlannedPath& path) {
@@ -87,7 +87,7 @@ void MissionNode::advance() {
   if (requests.goal) publish(bus_, channels::kGoal, to_message(*requests.goal));
 }
 
-/// To the disk first: what was announced is not forgotten.
+/// A phase is stored before it is published, so that a restart never contradicts it.
 void MissionNode::publish_phase() {
   const MissionPhase& phase = mission_.phase();
   const bool is_new = phase.sequence != published_sequence_;
@@ -115,7 +115,7 @@ Health MissionNode::health() const {
   if (!journal_failure_.empty()) return {Level::kFault, journal_failure_};
   if (phase.outcome == MissionOutcome::kStranded) return {Level::kFault, phase.reason};
   if (phase.phase == Phase::kWaiting) {
-    return {Level::kDegraded, "it waits for pose and driving: " + phase.reason};
+    return {Level::kDegraded, "waiting for pose and driving: " + phase.reason};
   }
   return {};
 }

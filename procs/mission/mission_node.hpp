@@ -14,7 +14,7 @@
 namespace adit {
 
 struct MissionNodeParams : MissionParams {
-  std::string journal;  ///< file that keeps how the mission stands; empty: nothing is kept
+  std::string journal;  ///< file with the state of the mission; empty: none
 
   template <class V>
   void visit(V& v) {
@@ -26,18 +26,18 @@ struct MissionNodeParams : MissionParams {
 /// In:  POSE (pose_t), SCAN_MATCH (scan_match_t), MAP_CORRECTION (map_correction_t), EXPLORATION
 ///      (exploration_t), TERRAIN_READY (terrain_ready_t), PATH (planned_path_t), DRIVING_STATE
 ///      (driving_state_t), VEHICLE_STATE (vehicle_state_t), GAS (gas_t), SINKAGE (sinkage_t),
-///      MISSION_ORDER (mission_order_t). Not CLOUD and TERRAIN, 2 MB with each look: LCM's receive
-///      buffer grows to the largest burst that ever waited, and does not shrink.
+///      MISSION_ORDER (mission_order_t). Not CLOUD and TERRAIN, 2 MB with each 3D scan: the receive
+///      buffer of LCM grows to the largest burst that ever waited, and does not shrink.
 /// Out: PHASE (phase_t), on change and each second; EXPLORE_REQUEST (explore_request_t),
 ///      SCAN_REQUEST (scan_request_t) and GOAL (plan_goal_t), each repeated until it is answered.
 class MissionNode {
  public:
   using Params = MissionNodeParams;
 
-  /// Throws std::runtime_error where the journal cannot be used.
+  /// Throws std::runtime_error if the journal cannot be used.
   MissionNode(Bus& bus, const Params& params);
 
-  /// Degraded while it waits, at fault where the robot is stranded or the journal fails.
+  /// Degraded while the mission waits; fault if the robot is stranded or the journal fails.
   [[nodiscard]] Health health() const;
 
  private:

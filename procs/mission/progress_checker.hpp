@@ -5,22 +5,20 @@
 #include <algorithm>
 #include <cstddef>
 #include <deque>
-#include <limits>
 
 #include <Eigen/Core>
 
 namespace adit {
 
-/// Where the last paths ended, in odom. That a path was found and driven does not say that it led
-/// anywhere: whoever asks for the next may be sent to the same place again, for ever.
+/// Where the last paths ended, in odom. A path that was found and driven may still lead nowhere:
+/// exploration may request the same place again and again.
 class PathEnds {
  public:
-  static constexpr std::size_t kSamePlaceMax =
-      6;  ///< paths in a row; a turn in a drift takes three
+  /// Paths in a row. A turn in a tunnel takes three.
+  static constexpr std::size_t kSamePlaceMax = 6;
   static constexpr double kSamePlaceM = 1.0;
 
-  /// Another path has ended. Whether it and those before it ended at one place; counting begins
-  /// anew then.
+  /// Returns whether this path and those before it ended at one place, and restarts the count then.
   [[nodiscard]] bool add_and_check_stuck(const Eigen::Vector2d& p_odom) {
     p_odom_.push_back(p_odom);
     if (p_odom_.size() < kSamePlaceMax) return false;
@@ -35,8 +33,8 @@ class PathEnds {
   std::deque<Eigen::Vector2d> p_odom_;  ///< the newest last, fewer than kSamePlaceMax
 };
 
-/// Where attempts were first refused, in odom: who comes back to such a place has not got on. The
-/// newest alone are kept, which is more than any part of a mine has.
+/// Where targets were first rejected, in odom. A robot that returns to such a place has made no
+/// progress. Only the newest are stored, more than any part of a mine has.
 class RejectedPlaces {
  public:
   static constexpr std::size_t kPlacesStoredMax = 500;
@@ -46,7 +44,6 @@ class RejectedPlaces {
     if (p_odom_.size() > kPlacesStoredMax) p_odom_.pop_front();
   }
 
-  /// Whether none is as near as that.
   [[nodiscard]] bool all_farther_than(double distance_m, const Eigen::Vector2d& p_odom_body) const {
     return std::all_of(p_odom_.begin(), p_odom_.end(), [&](const Eigen::Vector2d& p_odom) {
       return (p_odom_body - p_odom).norm() > distance_m;
@@ -57,39 +54,37 @@ class RejectedPlaces {
   std::deque<Eigen::Vector2d> p_odom_;  ///< the newest last
 };
 
-/// Whether the robot gets on on its way home, by how long exploration says that it still is. A
-/// drive alone does not tell: back along its own track it leads away from a short cut that is
-/// shut, and exploration leads to the short cut again.
-class HomewardProgress {
+/// Detects progress of drives into the mine. For the return home, see HomewardProgress.
+class ProgressChecker {
  public:
   static constexpr double kProgressMinM = 1.0;
 
-  /// It has turned home, or turned home again.
-  void begin() { *this = {}; }
-
-  /// What exploration says now [m]. Whether it is a metre shorter than ever, or another way at once
-  /// after the verdict on the last; then what was refused before lies behind.
-  bool note_progress(double path_length_m) {
-    const bool shorter = path_length_m < shortest_m_ - kProgressMinM;
-    const bool other_path = after_verdict_ && path_length_m > last_m_ + kProgressMinM;
-    last_m_ = path_length_m;
-    after_verdict_ = false;
-    if (!shorter && !other_path) return false;
-    shortest_m_ = path_length_m;
-    blocked_ = false;
-    return true;
+  /// Deletes the places, which lie in an odom frame that is no longer valid.
+  void reset_odom() {
+    rejected_ = {};
+    path_ends_ = {};
   }
 
-  /// A verdict says that this way is shut.
-  void mark_blocked() { blocked_ = after_verdict_ = true; }
-  /// Without it having got on since: exploration knows no other.
-  [[nodiscard]] bool was_blocked() const { return blocked_; }
+  /// `distance_travelled_m`: of the mission, when a drive begins.
+  void begin_drive(double distance_travelled_m) { drive_start_m_ = distance_travelled_m; }
+  void add_rejection(const Eigen::Vector2d& p_odom_body) { rejected_.add(p_odom_body); }
+
+  /// A path has ended. Returns whether the robot is stuck, see PathEnds.
+  [[nodiscard]] bool add_path_end(const Eigen::Vector2d& p_odom_body) {
+    return path_ends_.add_and_check_stuck(p_odom_body);
+  }
+
+  /// Whether the drive led to a place where no target was rejected before.
+  [[nodiscard]] bool is_beyond_rejections(double distance_travelled_m,
+                                          const Eigen::Vector2d& p_odom_body) const {
+    return distance_travelled_m - drive_start_m_ >= kProgressMinM &&
+           rejected_.all_farther_than(kProgressMinM, p_odom_body);
+  }
 
  private:
-  double shortest_m_ = std::numeric_limits<double>::infinity();
-  double last_m_ = std::numeric_limits<double>::infinity();
-  bool blocked_ = false;
-  bool after_verdict_ = false;  ///< what exploration says next
+  RejectedPlaces rejected_;
+  PathEnds path_ends_;
+  double drive_start_m_ = 0.0;
 };
 
 }  // namespace adit

@@ -13,62 +13,65 @@
 
 namespace adit {
 
-/// The way of the body in odom: how long it is, and how it leads back to where odom began. Where
-/// the body stood as it did once before, what it drove in between is left out: it need not be
-/// driven again.
+/// The path that the body drove, in odom: its length, and the poses back to where odom began. When
+/// the body returns to an earlier pose, the loop in between is removed, as it need not be retraced.
+/// Nav2 and other stacks call it breadcrumbs.
 class TraversedPath {
  public:
-  /// Whether that is another place.
+  /// Takes the newest pose of the body. Returns true if it is far enough from the last stored one
+  /// to be stored.
   bool add(std::int64_t utime, const Pose2& T_odom_body);
-  /// A new odom frame: what was driven counts, but nobody can go back on it before it is known
-  /// where the new frame lies. Without knowing where the old one lay in map nobody ever can.
+  /// Begins a new odom frame. The distance stays. The poses are available again once anchor() gives
+  /// the new frame in map; they are lost if `T_map_odom` of the old frame is unknown.
   void reset(const std::optional<Pose2>& T_map_odom);
-  /// The present odom frame is known to lie there: the way before it leads on from where it begins.
+  /// Sets where the present odom frame lies in map, and prepends the poses of earlier odom frames.
   void anchor(const Pose2& T_map_odom);
-  /// What was driven before a restart [m].
+  /// The distance travelled before a restart [m].
   void set_distance_travelled(double distance_travelled_m) {
     distance_travelled_m_ = distance_travelled_m;
   }
 
-  /// Nothing of it lies in an odom frame before that is not tied.
+  /// Whether no poses of earlier odom frames wait for anchor().
   [[nodiscard]] bool is_anchored() const { return previous_map_poses_.empty(); }
   [[nodiscard]] double distance_travelled_m() const { return distance_travelled_m_; }
+  /// The newest pose in the present odom frame.
   [[nodiscard]] const std::optional<Pose2>& T_odom_body() const { return T_odom_body_; }
+  /// Of T_odom_body() [µs since the epoch].
   [[nodiscard]] std::int64_t utime() const { return utime_; }
-  /// Poses of the body, from where it is back along the way, this far at most.
+  /// T_odom_body from the present pose backwards, over this path length at most.
   [[nodiscard]] std::vector<Pose2> back(double length_m) const;
-  /// How long that is [m]; turns on the spot are no way.
+  /// The length of that path [m]. Turns on the spot have none.
   [[nodiscard]] double back_length_m(double length_m) const;
-  /// The same all the way back, but only those within a distance of the body.
+  /// T_odom_body from the present pose backwards, within a distance of the body.
   [[nodiscard]] std::vector<Pose2> poses_back_within(double distance_m) const;
-  /// How far a route from the body on keeps to the way back, a metre beside it at most [m].
+  /// Length of the first part of a route that follows the path backwards, 1 m beside it at most
+  /// [m].
   [[nodiscard]] double shared_length_m(const std::vector<Eigen::Vector2d>& route_odom) const;
 
  private:
   std::int64_t utime_ = 0;
   std::optional<Pose2> T_odom_body_;
   double distance_travelled_m_ = 0.0;
-  std::vector<Pose2> poses_;  ///< T_odom_body, the newest last
-  std::vector<Pose2>
-      previous_map_poses_;  ///< T_map_body in odom frames before, until they are tied
+  std::vector<Pose2> poses_;               ///< T_odom_body, the newest last
+  std::vector<Pose2> previous_map_poses_;  ///< T_map_body of earlier odom frames, until anchor()
 };
 
-/// A place of the own track, as it is kept on the disk.
+/// A pose of the traversed path as it is stored on disk.
 struct StoredPathPose {
   std::int64_t odom_epoch_utime = 0;  ///< when its odom frame began [µs since the epoch]
   Pose2 T_odom_body;
-  std::optional<Pose2> T_map_odom;  ///< as far as it was known there
-  bool anchored = false;            ///< so well that the way before leads on from there
+  std::optional<Pose2> T_map_odom;  ///< if it was known at that time
+  bool anchored = false;            ///< the path continues into the odom frames before
 
   friend bool operator==(const StoredPathPose&, const StoredPathPose&) = default;
 };
 
-/// The same bits on machines of one byte order.
-std::vector<std::uint8_t> to_bytes(const StoredPathPose& place);
-/// Nothing where these are no such bytes.
+/// The bytes in the byte order of the machine.
+std::vector<std::uint8_t> to_bytes(const StoredPathPose& pose);
+/// Empty if the number of bytes is wrong.
 std::optional<StoredPathPose> stored_path_pose_from(std::span<const std::uint8_t> bytes);
 
-/// The track that these places were, in the odom frame of the last one.
-TraversedPath traversed_path_from(const std::vector<StoredPathPose>& places);
+/// The traversed path of stored poses, oldest first, in the odom frame of the last one.
+TraversedPath traversed_path_from(const std::vector<StoredPathPose>& poses);
 
 }  // namespace adit

@@ -47,7 +47,7 @@ PhaseTrace::PhaseTrace(Bus& bus, const std::filesystem::path& file, std::functio
 void PhaseTrace::write(const MissionPhase& phase) {
   file_ << fmt::format("{:.1f}\t{}\t{}\t{}\t{}\t{}\t{:.1f}\t{:.0f}\t{}", now_s_(),
                        static_cast<int>(phase.phase), phase.returning_home ? "home" : "out",
-                       phase.goal_id, phase.frontier,
+                       phase.goal_id, phase.frontier.value_or(-1),
                        phase.laser == LaserId::kFront ? "front" : "rear",
                        phase.distance_travelled_m, phase.remaining_m, phase.reason)
         << std::endl;

@@ -7,7 +7,7 @@
 namespace adit {
 namespace {
 
-MissionLimitsParams plenty() {
+MissionLimitsParams unlimited() {
   MissionLimitsParams params;
   params.path_length_max_m = 1e5;
   params.time_max_s = 1e7;
@@ -20,26 +20,26 @@ VehicleState charged(double share) {
   return state;
 }
 
-TEST(MissionLimits, LeaveTheWayThatWasNotDriven) {
-  MissionLimitsParams params = plenty();
+TEST(MissionLimits, LeavePathLengthThatWasNotTravelled) {
+  MissionLimitsParams params = unlimited();
   params.path_length_max_m = 800.0;
   const MissionLimits limits(params);
   EXPECT_DOUBLE_EQ(limits.remaining_m(1000.0, 300.0), 500.0);
   EXPECT_DOUBLE_EQ(limits.remaining_m(1000.0, 900.0), 0.0);
 }
 
-TEST(MissionLimits, LeaveTheTimeAtTheSpeedSoFar) {
-  MissionLimitsParams params = plenty();
+TEST(MissionLimits, LeaveTheRemainingTimeAtTheMeanSpeed) {
+  MissionLimitsParams params = unlimited();
   params.time_max_s = 1000.0;
   const MissionLimits limits(params);
   EXPECT_DOUBLE_EQ(limits.remaining_m(600.0, 120.0), 400.0 * 0.2);
-  EXPECT_DOUBLE_EQ(limits.remaining_m(600.0, 3.0), 400.0 * 0.05);  // but for a slow start
+  EXPECT_DOUBLE_EQ(limits.remaining_m(600.0, 3.0), 400.0 * 0.05);  // at least the minimum speed
   EXPECT_DOUBLE_EQ(limits.remaining_m(0.0, 0.0), 1000.0 * 0.05);
   EXPECT_DOUBLE_EQ(limits.remaining_m(1200.0, 120.0), 0.0);
 }
 
 TEST(MissionLimits, LeaveTheChargeAboveTheReserve) {
-  MissionLimits limits(plenty());  // 0.2 in reserve, 0.0002 per metre to begin with
+  MissionLimits limits(unlimited());  // 0.2 in reserve, 0.0002 per metre until measured
   limits.add(charged(0.9));
   EXPECT_NEAR(limits.remaining_m(0.0, 0.0), 0.7 / 0.0002, 1e-6);
   limits.add(charged(0.8));  // 0.1 for 200 m
@@ -48,8 +48,8 @@ TEST(MissionLimits, LeaveTheChargeAboveTheReserve) {
   EXPECT_DOUBLE_EQ(limits.remaining_m(1.0, 300.0), 0.0);
 }
 
-TEST(MissionLimits, CountChargePerMetreFromWhereTheBatteryWasFirstReceived) {
-  MissionLimits limits(plenty());
+TEST(MissionLimits, MeasureChargePerMetreFromTheFirstBatteryState) {
+  MissionLimits limits(unlimited());
   limits.begin(1000.0);
   limits.add(charged(0.6));
   limits.add(charged(0.5));  // 0.1 for 200 m since the restart
@@ -57,15 +57,15 @@ TEST(MissionLimits, CountChargePerMetreFromWhereTheBatteryWasFirstReceived) {
 }
 
 TEST(MissionLimits, KeepTheFirstReason) {
-  MissionLimits limits(plenty());
+  MissionLimits limits(unlimited());
   EXPECT_FALSE(limits.reason());
   limits.add(GasReading{1, 0.0, 0.209, 0.0003});
   limits.add(GasReading{2, 0.02, 0.209, 0.0});
   EXPECT_EQ(limits.reason(), "300 ppm of carbon monoxide in the air");
 }
 
-TEST(MissionLimits, AreStaleAtTheLimit) {
-  const MissionLimitsParams at = plenty();
+TEST(MissionLimits, AcceptValuesAtTheLimit) {
+  const MissionLimitsParams at = unlimited();
   MissionLimits limits(at);
   limits.add(
       GasReading{1, at.methane_max_share, at.oxygen_min_share, at.carbon_monoxide_max_share});

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The sequence, where all goes well and where messages are lost.
+// The sequence of a mission without obstacles, and with lost messages.
 #include <gmock/gmock.h>
 
 #include "tests/unit/procs/mission/scripted_stages.hpp"
@@ -33,7 +33,7 @@ TEST_F(MissionTest, ExploresScansPlansAndExecutes) {
   arrive();
   EXPECT_EQ(now(), Phase::kExplore);
   EXPECT_EQ(request_.id, 2);
-  EXPECT_NEAR(phase().distance_travelled_m, 10.0, 0.2);  // of places that are apart
+  EXPECT_NEAR(phase().distance_travelled_m, 10.0, 0.2);  // spacing of stored poses
 }
 
 TEST_F(MissionTest, WaitsForPoseAndDriving) {
@@ -42,7 +42,7 @@ TEST_F(MissionTest, WaitsForPoseAndDriving) {
   EXPECT_EQ(now(), Phase::kWaiting);
   publishes_poses_ = true;
   publishes_driving_ = false;
-  utime_ += 5 * 1'000'000;  // so that driving was silent too long
+  utime_ += 5 * 1'000'000;  // DRIVING_STATE times out
   wait(5.0);
   EXPECT_EQ(now(), Phase::kWaiting);
   publishes_driving_ = true;
@@ -50,7 +50,7 @@ TEST_F(MissionTest, WaitsForPoseAndDriving) {
   EXPECT_EQ(now(), Phase::kExplore);
 }
 
-TEST_F(MissionTest, EndsAtHomeAndSaysWhetherTheMineIsComplete) {
+TEST_F(MissionTest, EndsAtHomeAndReportsWhetherTheMineIsComplete) {
   to_explore();
   ExplorationReport report;
   report.request = request_.id;
@@ -60,12 +60,12 @@ TEST_F(MissionTest, EndsAtHomeAndSaysWhetherTheMineIsComplete) {
   EXPECT_EQ(now(), Phase::kEnded);
   EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
   EXPECT_TRUE(phase().complete);
-  const int asked = explores_;
+  const int requests = explores_;
   wait(10.0);
-  EXPECT_EQ(explores_, asked);
+  EXPECT_EQ(explores_, requests);
 }
 
-TEST_F(MissionTest, LooksWithTheLaserThatFacesTheWay) {
+TEST_F(MissionTest, ScansWithTheLaserThatFacesTheRoute) {
   to_explore();
   reach_m_ = -10.0;
   answer(Kind::kHome);
@@ -73,23 +73,23 @@ TEST_F(MissionTest, LooksWithTheLaserThatFacesTheWay) {
   EXPECT_TRUE(phase().returning_home);
 }
 
-TEST_F(MissionTest, GoesStraightOnWhileThereIsNoMap) {
+TEST_F(MissionTest, ScansStraightAheadWithoutAMap) {
   to_explore();
   ExplorationReport report;
   report.request = request_.id;
-  mission_.add_exploration(report);  // stay, revision 0
+  mission_.add_exploration(report);  // kStay, revision 0
   ASSERT_EQ(now(), Phase::kScan);
   terrain();
   EXPECT_EQ(goal_.route_odom.back(), Eigen::Vector2d(10.0, 0.0));
-  EXPECT_EQ(phase().frontier, -1);
+  EXPECT_FALSE(phase().frontier);
 }
 
-TEST_F(MissionTest, AsksForEachAnswerAgainUntilItComes) {
+TEST_F(MissionTest, RepeatsEachRequestUntilItIsAnswered) {
   to_explore();
   const auto [explores, id] = std::pair(explores_, request_.id);
-  wait(4.5);  // two were lost
+  wait(4.5);  // two requests were lost
   EXPECT_EQ(explores_, explores + 2);
-  EXPECT_EQ(request_.id, id);  // the same question
+  EXPECT_EQ(request_.id, id);  // the same request
   to_scan();
   const int scans = scans_;
   wait(4.5);
@@ -102,7 +102,7 @@ TEST_F(MissionTest, AsksForEachAnswerAgainUntilItComes) {
   EXPECT_EQ(now(), Phase::kExecute);
 }
 
-TEST_F(MissionTest, TakesNoAnswerToAnotherQuestion) {
+TEST_F(MissionTest, IgnoresAnswersToOtherRequests) {
   to_explore();
   --request_.id;
   answer(Kind::kGoTo);
@@ -115,7 +115,7 @@ TEST_F(MissionTest, TakesNoAnswerToAnotherQuestion) {
   PlannedPath old;
   old.id = phase().goal_id;
   old.outcome = PlanOutcome::kFound;
-  old.utime = terrain_utime_ - 1;  // on the scan before
+  old.utime = terrain_utime_ - 1;  // rests on the previous scan
   mission_.add_path(old);
   EXPECT_EQ(now(), Phase::kPlan);
   old.utime = terrain_utime_;
@@ -124,7 +124,7 @@ TEST_F(MissionTest, TakesNoAnswerToAnotherQuestion) {
   EXPECT_EQ(now(), Phase::kPlan);
 }
 
-TEST_F(MissionTest, ScansOnceMoreAndWithTheOtherLaserWhereNoScanComes) {
+TEST_F(MissionTest, RescansAlsoWithTheOtherLaserIfNoScanArrives) {
   to_scan();
   const int id = phase().goal_id;
   wait(30.5);
@@ -135,27 +135,27 @@ TEST_F(MissionTest, ScansOnceMoreAndWithTheOtherLaserWhereNoScanComes) {
   EXPECT_EQ(scan_.laser, LaserId::kRear);
 }
 
-TEST_F(MissionTest, IsStrandedWhereNoScanComesAnyMore) {
+TEST_F(MissionTest, IsStrandedIfNoScanArrives) {
   to_scan();
   wait(29.0);
   EXPECT_EQ(now(), Phase::kScan);
   wait(10.5 * 30.5);
   EXPECT_EQ(phase().outcome, MissionOutcome::kStranded);
-  EXPECT_EQ(phase().reason, "no 3D scan comes any more");
+  EXPECT_EQ(phase().reason, "no 3D scan arrives");
 }
 
-TEST_F(MissionTest, ScansResetWherePlanningDoesNotAnswer) {
+TEST_F(MissionTest, RescansIfPlanningDoesNotAnswer) {
   to_plan();
   wait(10.5);
   EXPECT_EQ(now(), Phase::kScan);
   EXPECT_THAT(phase().reason, HasSubstr("planning did not answer"));
 }
 
-TEST_F(MissionTest, ExploresResetWhereDrivingHasLostItsPath) {
+TEST_F(MissionTest, ExploresAgainIfDrivingLostItsPath) {
   to_execute();
   driving_.path_id = phase().goal_id - 1;
   wait(1.5);
-  EXPECT_EQ(now(), Phase::kExecute);  // it may not have come yet
+  EXPECT_EQ(now(), Phase::kExecute);  // the path may not have arrived yet
   wait(1.0);
   EXPECT_EQ(now(), Phase::kExplore);
   EXPECT_THAT(phase().reason, HasSubstr("lost its path"));

@@ -7,7 +7,7 @@
 namespace adit {
 namespace {
 
-TEST(RejectedPlaces, AreNotLeftBehindByWhoComesBack) {
+TEST(RejectedPlaces, AreNearARobotThatReturns) {
   RejectedPlaces rejected;
   EXPECT_TRUE(rejected.all_farther_than(1.0, {0.0, 0.0}));
   rejected.add({0.0, 0.0});
@@ -17,7 +17,7 @@ TEST(RejectedPlaces, AreNotLeftBehindByWhoComesBack) {
   EXPECT_FALSE(rejected.all_farther_than(1.0, {0.5, 0.0}));
 }
 
-TEST(RejectedPlaces, AreTheNewestSoMany) {
+TEST(RejectedPlaces, StoreTheNewestOnly) {
   RejectedPlaces rejected;
   rejected.add({-5.0, 0.0});
   for (std::size_t i = 0; i < RejectedPlaces::kPlacesStoredMax; ++i) {

@@ -13,8 +13,8 @@
 
 namespace adit {
 
-/// A mission, and stages that answer it as a test tells them to. The robot is on the x axis of
-/// odom, which is map.
+/// A mission and stages with scripted answers. The robot is on the x axis of odom; odom and map are
+/// the same.
 class ScriptedStages : public testing::Test {
  protected:
   using Kind = ExplorationDecision::Kind;
@@ -22,15 +22,15 @@ class ScriptedStages : public testing::Test {
   static constexpr std::int64_t kTick = 100'000;
   static constexpr int kLegs = 20;  // of a route
 
-  /// Time goes on; poses and the state of driving come, unless these are silent.
+  /// Advances time in ticks; poses and driving states arrive unless disabled.
   void wait(double seconds) {
     for (int i = 0; i < std::lround(10.0 * seconds); ++i) tick();
   }
   void tick() {
     utime_ += kTick;
     if (publishes_poses_) {
-      const auto place = mission_.add_pose(utime_, {x_m_, 0.0, heading_});
-      if (place) stored_.push_back(*place);
+      const auto pose = mission_.add_pose(utime_, {x_m_, 0.0, heading_});
+      if (pose) stored_.push_back(*pose);
     }
     if (publishes_driving_) mission_.add_driving(driving_);
     note(mission_.advance(utime_));
@@ -44,7 +44,7 @@ class ScriptedStages : public testing::Test {
     report.decision.kind = kind;
     report.decision.frontier = kind == Kind::kHome || kind == Kind::kDone ? -1 : frontier;
     report.decision.reason = reason;
-    report.decision.distance_m = x_m_ + detour_length_m_;  // home is the origin
+    report.decision.distance_m = x_m_ + detour_length_m_;  // home is the origin of odom
     for (int i = 0; i <= kLegs; ++i)
       report.route_odom.emplace_back(x_m_ + reach_m_ * i / kLegs, 0.0);
     mission_.add_exploration(report);
@@ -60,7 +60,7 @@ class ScriptedStages : public testing::Test {
     path.utime = terrain_utime_;
     path.id = phase().goal_id;
     path.outcome = outcome;
-    path.reason = outcome == PlanOutcome::kFound ? "a path" : "a beam is in the way";
+    path.reason = outcome == PlanOutcome::kFound ? "a path" : "a beam blocks the path";
     path.reached_m = reached_m;
     if (outcome == PlanOutcome::kBlocked && blocks_) path.blocking = {BlockingCell{}};
     mission_.add_path(path);
@@ -143,13 +143,13 @@ class ScriptedStages : public testing::Test {
   std::int64_t terrain_utime_ = 0;
   double x_m_ = 0.0;
   double heading_ = 0.0;
-  double reach_m_ = 10.0;         ///< of the route; negative: backwards
-  double detour_length_m_ = 0.0;  ///< that the way home takes
-  bool blocks_ = true;            ///< what is in the way is named
+  double reach_m_ = 10.0;         ///< end of the route; negative: behind
+  double detour_length_m_ = 0.0;  ///< added to the path length home
+  bool blocks_ = true;            ///< a blocked path has blocking cells
   bool publishes_poses_ = true;
   bool publishes_driving_ = true;
   DrivingState driving_;
-  std::vector<StoredPathPose> stored_;  ///< what it wants to have kept of its track
+  std::vector<StoredPathPose> stored_;  ///< as the journal receives them
   ExploreRequest request_;
   ScanRequest scan_;
   PlanGoal goal_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A mission goes on from its journal, wherever it was cut off.
+// A mission resumes from its journal, wherever it was interrupted.
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -18,18 +18,18 @@ using testing::HasSubstr;
 
 class MissionRestart : public ScriptedStages {
  protected:
-  /// The process dies after its last word, and another one begins.
+  /// The process ends after the last phase was stored, and another one starts.
   void restart() {
     store();
     mission_ = Mission(MissionParams{});
     MissionJournal journal(file());
     ASSERT_TRUE(journal.last());
-    mission_.restore(*journal.last(), journal.start_utime(), journal.take_stored_path());
+    mission_.restore(*journal.last(), *journal.start_utime(), journal.take_stored_path());
     driving_ = {};
   }
   void store() {
     MissionJournal journal(file());
-    for (const StoredPathPose& place : stored_) journal.append(place);
+    for (const StoredPathPose& pose : stored_) journal.append(pose);
     stored_.clear();
     journal.append(phase());
   }
@@ -38,7 +38,7 @@ class MissionRestart : public ScriptedStages {
   test::ScratchFolder scratch_;
 };
 
-TEST_F(MissionRestart, GoesOnFromEachPhase) {
+TEST_F(MissionRestart, ResumesFromEachPhase) {
   for (const Phase phase : {Phase::kExplore, Phase::kScan, Phase::kPlan, Phase::kExecute}) {
     to(phase);
     if (phase == Phase::kExecute) drive(2.0);
@@ -51,13 +51,13 @@ TEST_F(MissionRestart, GoesOnFromEachPhase) {
     EXPECT_THAT(this->phase().reason, HasSubstr(before.reason));
     const int request = request_.id;
     to_explore();
-    EXPECT_GT(request_.id, request);  // an id that nobody has answered
+    EXPECT_GT(request_.id, request);  // not answered before
     EXPECT_GT(this->phase().sequence, before.sequence);
     EXPECT_FALSE(this->phase().returning_home);
   }
 }
 
-TEST_F(MissionRestart, DoesNotForgetThatItIsToComeHome) {
+TEST_F(MissionRestart, StillReturnsHome) {
   to_execute();
   order(MissionOrder::Kind::kReturnHome);
   restart();
@@ -67,7 +67,7 @@ TEST_F(MissionRestart, DoesNotForgetThatItIsToComeHome) {
   EXPECT_TRUE(request_.returning_home);
 }
 
-TEST_F(MissionRestart, StandsWhereItWasToldTo) {
+TEST_F(MissionRestart, StaysPaused) {
   to_execute();
   order(MissionOrder::Kind::kPause);
   restart();
@@ -77,7 +77,7 @@ TEST_F(MissionRestart, StandsWhereItWasToldTo) {
   to_explore();
 }
 
-TEST_F(MissionRestart, StaysAtItsEnd) {
+TEST_F(MissionRestart, StaysEnded) {
   to_explore();
   answer(Kind::kDone);
   const MissionPhase before = phase();
@@ -88,7 +88,7 @@ TEST_F(MissionRestart, StaysAtItsEnd) {
   EXPECT_EQ(phase().sequence, before.sequence);
 }
 
-TEST_F(MissionRestart, ComesHomeWhereTheWholeComputerWasOff) {
+TEST_F(MissionRestart, ReturnsHomeIfTheComputerWasOff) {
   match(kStart);
   to_execute();
   restart();
@@ -101,7 +101,7 @@ TEST_F(MissionRestart, ComesHomeWhereTheWholeComputerWasOff) {
   EXPECT_TRUE(request_.returning_home);
 }
 
-TEST_F(MissionRestart, GoesOnWhereOnlyItselfWasOff) {
+TEST_F(MissionRestart, ResumesIfOnlyItsProcessWasOff) {
   match(kStart);
   to_execute();
   restart();
@@ -110,23 +110,23 @@ TEST_F(MissionRestart, GoesOnWhereOnlyItselfWasOff) {
   EXPECT_FALSE(request_.returning_home);
 }
 
-TEST_F(MissionRestart, KnowsTheWayThatItCame) {
+TEST_F(MissionRestart, RestoresTheTraversedPath) {
   match(kStart);
   to_execute();
   drive(5.0);
   restart();
-  tick();  // a pose may be heard before its match
+  tick();  // a pose may arrive before its match
   match(kStart);
-  EXPECT_NEAR(phase().distance_travelled_m, 5.0, 0.3);  // a step
+  EXPECT_NEAR(phase().distance_travelled_m, 5.0, 0.3);  // spacing of poses
   to_plan();
   path(PlanOutcome::kBlocked);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));
   ASSERT_FALSE(goal_.traversed_path_odom.empty());
   EXPECT_NEAR(goal_.traversed_path_odom.back().x, x_m_ - 3.0, 0.26);  // a step of driving
 }
 
-/// The whole computer was off, so that odom begins anew where the robot stands.
-TEST_F(MissionRestart, KnowsTheWayThatItCameInAnotherOdomOnceThatIsOnTheMap) {
+/// The computer was off: odom begins where the robot stands.
+TEST_F(MissionRestart, RestoresTheTraversedPathInANewOdomFrameOnceTheMapCorrectionIsKnown) {
   match(kStart);
   map(kStart);
   to_execute();
@@ -144,13 +144,13 @@ TEST_F(MissionRestart, KnowsTheWayThatItCameInAnotherOdomOnceThatIsOnTheMap) {
   to_scan(Kind::kHome);
   terrain();
   path(PlanOutcome::kBlocked);
-  EXPECT_THAT(phase().reason, HasSubstr("along its own track"));
+  EXPECT_THAT(phase().reason, HasSubstr("along the traversed path"));
   ASSERT_GT(goal_.traversed_path_odom.size(), 10U);
-  EXPECT_NEAR(goal_.traversed_path_odom.back().x, -stands_m, 0.26);  // where it came into the mine
+  EXPECT_NEAR(goal_.traversed_path_odom.back().x, -stands_m, 0.26);  // the start of the mission
 }
 
-/// Its own process first, and then that of scan matching before the map has spoken again.
-TEST_F(MissionRestart, KnowsTheWayThatItCameAfterTwoRestartsInARow) {
+/// First of the mission, then of scan matching before a map correction arrives.
+TEST_F(MissionRestart, RestoresTheTraversedPathAfterTwoRestarts) {
   match(kStart);
   map(kStart);
   to_execute();
@@ -166,7 +166,7 @@ TEST_F(MissionRestart, KnowsTheWayThatItCameAfterTwoRestartsInARow) {
   EXPECT_NEAR(goal_.traversed_path_odom.back().x, x_m_ - 3.0, 0.26);  // a step of driving
 }
 
-TEST_F(MissionRestart, HasTheTimeThatIsLeftAndNoMore) {
+TEST_F(MissionRestart, ContinuesTheTimeOfTheMission) {
   to_execute();
   drive(2.0);
   MissionJournal(file()).append(phase());
@@ -176,7 +176,7 @@ TEST_F(MissionRestart, HasTheTimeThatIsLeftAndNoMore) {
   EXPECT_NEAR(phase().remaining_m, 8800.0 * 0.05, 1.0);
 }
 
-TEST_F(MissionRestart, DoesNotHeapReasonsUpOverManyRestarts) {
+TEST_F(MissionRestart, DoesNotAccumulateReasonsOverRestarts) {
   to_execute();
   restart();
   const std::string reason = phase().reason;
@@ -184,15 +184,15 @@ TEST_F(MissionRestart, DoesNotHeapReasonsUpOverManyRestarts) {
   EXPECT_EQ(phase().reason, reason);
 }
 
-TEST_F(MissionRestart, TakesTheWordBeforeATornOne) {
+TEST_F(MissionRestart, RestoresTheRecordBeforeATornOne) {
   to_explore();
   MissionJournal(file()).append(phase());
-  const auto whole = std::filesystem::file_size(file());
+  const auto complete = std::filesystem::file_size(file());
   const MissionPhase before = phase();
   answer(Kind::kGoTo);
   MissionJournal(file()).append(phase());
   const auto longer = std::filesystem::file_size(file());
-  for (auto size = whole + 1; size < longer; size += 7) {
+  for (auto size = complete + 1; size < longer; size += 7) {
     const auto copy = scratch_ / ("torn_" + std::to_string(size));
     std::filesystem::copy_file(file(), copy);
     std::filesystem::resize_file(copy, size);
@@ -202,10 +202,10 @@ TEST_F(MissionRestart, TakesTheWordBeforeATornOne) {
   }
 }
 
-TEST_F(MissionRestart, BeginsWithoutAJournal) {
+TEST_F(MissionRestart, StartsWithAnEmptyJournal) {
   const MissionJournal journal(file());
   EXPECT_FALSE(journal.last());
-  EXPECT_EQ(journal.start_utime(), 0);
+  EXPECT_FALSE(journal.start_utime());
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What turns a mission around, orders, and odom frames that begin anew.
+// Turning around at limits, orders, and resets of odom.
 #include <gmock/gmock.h>
 
 #include "tests/unit/procs/mission/scripted_stages.hpp"
@@ -21,7 +21,7 @@ class MissionTurnaround : public ScriptedStages {
     EXPECT_TRUE(request_.returning_home);
     const int sequence = phase().sequence;
     tick();
-    EXPECT_EQ(phase().sequence, sequence);  // once, and for good
+    EXPECT_EQ(phase().sequence, sequence);  // once
   }
 };
 
@@ -31,7 +31,7 @@ TEST_F(MissionTurnaround, TurnsAroundInBadAir) {
   expect_homeward("2.00 % of methane");
 }
 
-TEST_F(MissionTurnaround, TurnsAroundWhereOxygenIsScarce) {
+TEST_F(MissionTurnaround, TurnsAroundAtLowOxygen) {
   to_scan();
   mission_.limits().add(GasReading{utime_, 0.0, 0.17, 0.0});
   expect_homeward("only 17.0 % of oxygen");
@@ -43,47 +43,47 @@ TEST_F(MissionTurnaround, TurnsAroundOnSoftGround) {
   expect_homeward("a wheel is 0.12 m deep");
 }
 
-TEST_F(MissionTurnaround, TurnsAroundWhereTheMapIsVague) {
+TEST_F(MissionTurnaround, TurnsAroundIfTheMapIsUncertain) {
   to_execute();
   MapCorrection correction;
   correction.covariance = Eigen::Vector3d(36.0, 1.0, 0.1).asDiagonal().toDenseMatrix();
   mission_.add_correction(correction);
-  expect_homeward("only known to 6.0 m");
+  expect_homeward("of the map is 6.0 m");
 }
 
-/// The rear laser, which sees more than smooth walls, speaks in between for so long.
-TEST_F(MissionTurnaround, TurnsAroundWhereNothingTellsHowItMoves) {
+/// At first the rear laser, which observes all directions, alternates with the front laser.
+TEST_F(MissionTurnaround, TurnsAroundIfNoSensorMeasuresMotion) {
   ScanMatch measured;
   measured.status = ScanMatch::Status::kMatched;
   ScanMatch open = measured;
   open.degenerate = {{Eigen::Vector3d::UnitX(), DegenerateDirection::Fill::kNone}};
   to_execute();
-  const auto look = [&](const ScanMatch& match) {
+  const auto add = [&](const ScanMatch& match) {
     tick();
     mission_.add_match(match);
   };
   for (int i = 0; i < 300; ++i) {
     open.utime = measured.utime = utime_;
-    look(i % 2 == 0 ? open : measured);
+    add(i % 2 == 0 ? open : measured);
   }
   EXPECT_FALSE(phase().returning_home);
   const std::int64_t since_utime = utime_;
   while (!phase().returning_home && utime_ < since_utime + 20'000'000) {
     open.utime = utime_;
-    look(open);
+    add(open);
   }
   EXPECT_NEAR(1e-6 * static_cast<double>(utime_ - since_utime), 10.0, 0.35);  // ticks of 0.1 s
-  expect_homeward("how it moves");
-  // A drive that fails for that on the way back is the last.
+  expect_homeward("no sensor measured the motion");
+  // A drive that fails for that reason on the return is the last one.
   to_execute();
-  driving(DrivingState::Kind::kFailed, "no sensor has told for 5.0 m how it moves");
+  driving(DrivingState::Kind::kFailed, "no sensor measured the motion for 5.0 m");
   tick();
   ASSERT_EQ(now(), Phase::kEnded);
   EXPECT_EQ(phase().outcome, MissionOutcome::kStranded);
-  EXPECT_THAT(phase().reason, HasSubstr("does not know any more where it is"));
+  EXPECT_THAT(phase().reason, HasSubstr("the pose of the robot is unknown"));
 }
 
-TEST_F(MissionTurnaround, GoesOnWhereWheelsTellHowItMoves) {
+TEST_F(MissionTurnaround, ContinuesIfOdometryMeasuresMotion) {
   ScanMatch filled;
   filled.status = ScanMatch::Status::kMatched;
   filled.degenerate = {{Eigen::Vector3d::UnitX(), DegenerateDirection::Fill::kOdometry}};
@@ -96,7 +96,7 @@ TEST_F(MissionTurnaround, GoesOnWhereWheelsTellHowItMoves) {
   EXPECT_FALSE(phase().returning_home);
 }
 
-TEST_F(MissionTurnaround, DoesNotTurnAroundWhereALaserLooksIntoTheOpen) {
+TEST_F(MissionTurnaround, IgnoresLostScansWithFewPoints) {
   ScanMatch open;
   open.status = ScanMatch::Status::kLost;
   open.points = 10;
@@ -107,7 +107,7 @@ TEST_F(MissionTurnaround, DoesNotTurnAroundWhereALaserLooksIntoTheOpen) {
   EXPECT_FALSE(phase().returning_home);
 }
 
-TEST_F(MissionTurnaround, TurnsAroundWhereScansDoNotMatchButNotWhileItStands) {
+TEST_F(MissionTurnaround, TurnsAroundIfScansDoNotMatchWhileItMoves) {
   ScanMatch lost;
   lost.status = ScanMatch::Status::kLost;
   lost.points = 100;
@@ -124,29 +124,29 @@ TEST_F(MissionTurnaround, TurnsAroundWhereScansDoNotMatchButNotWhileItStands) {
   expect_homeward("of the last scans do not match");
 }
 
-TEST_F(MissionTurnaround, StandsAndGoesOnByOrderInAnyPhase) {
+TEST_F(MissionTurnaround, PausesAndResumesByOrderInAnyPhase) {
   for (const Phase phase : {Phase::kExplore, Phase::kScan, Phase::kPlan, Phase::kExecute}) {
     to(phase);
     order(Order::kPause);
     EXPECT_EQ(now(), Phase::kPaused);
-    const int asked = explores_ + scans_ + goals_;
+    const int requests = explores_ + scans_ + goals_;
     wait(10.0);
     EXPECT_EQ(now(), Phase::kPaused);
-    EXPECT_EQ(explores_ + scans_ + goals_, asked);
+    EXPECT_EQ(explores_ + scans_ + goals_, requests);
     order(Order::kResume);
     tick();
     EXPECT_EQ(now(), Phase::kExplore);
   }
 }
 
-TEST_F(MissionTurnaround, ComesHomeByOrder) {
+TEST_F(MissionTurnaround, ReturnsHomeByOrder) {
   to_execute();
   order(Order::kReturnHome);
   expect_homeward("by order");
-  EXPECT_EQ(phase().frontier, -1);
+  EXPECT_FALSE(phase().frontier);
 }
 
-TEST_F(MissionTurnaround, StopsByOrderForGood) {
+TEST_F(MissionTurnaround, StopsByOrder) {
   to_execute();
   order(Order::kStop);
   EXPECT_EQ(phase().outcome, MissionOutcome::kStopped);
@@ -155,7 +155,7 @@ TEST_F(MissionTurnaround, StopsByOrderForGood) {
   EXPECT_EQ(now(), Phase::kEnded);
 }
 
-TEST_F(MissionTurnaround, WaitsForTheOrderToGo) {
+TEST_F(MissionTurnaround, WaitsForTheOrderToStart) {
   MissionParams params;
   params.start = "on_order";
   mission_ = Mission(params);
@@ -165,16 +165,16 @@ TEST_F(MissionTurnaround, WaitsForTheOrderToGo) {
   to_explore();
 }
 
-TEST_F(MissionTurnaround, TakesTheOrderToGoAtOnce) {
+TEST_F(MissionTurnaround, AcceptsTheOrderToStartImmediately) {
   MissionParams params;
   params.start = "on_order";
   mission_ = Mission(params);
   tick();
-  order(Order::kResume);  // before time went on
+  order(Order::kResume);  // before the next tick
   to_explore();
 }
 
-TEST_F(MissionTurnaround, WaitsForItsMapInANewOdomFrame) {
+TEST_F(MissionTurnaround, WaitsForTheMapCorrectionInANewOdomFrame) {
   match(kStart);
   to_execute();
   match(utime_);
@@ -187,13 +187,13 @@ TEST_F(MissionTurnaround, WaitsForItsMapInANewOdomFrame) {
   EXPECT_EQ(now(), Phase::kExplore);
 }
 
-TEST_F(MissionTurnaround, GoesBySightWhereItsMapDoesNotKnowIt) {
+TEST_F(MissionTurnaround, ScansStraightAheadWithoutAMapCorrection) {
   match(kStart);
   to_execute();
   match(utime_);
   wait(31.0);
   EXPECT_EQ(now(), Phase::kScan);
-  EXPECT_THAT(phase().reason, HasSubstr("moves on to recognise a place"));
+  EXPECT_THAT(phase().reason, HasSubstr("to recognise a place"));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a mission does where there is no way on.
+// What a mission does when planning finds no path or a drive fails.
 #include <gmock/gmock.h>
 
 #include "tests/unit/procs/mission/scripted_stages.hpp"
@@ -11,14 +11,14 @@ namespace {
 using testing::HasSubstr;
 using Driving = DrivingState::Kind;
 
-class MissionNoPath : public ScriptedStages {
+class MissionRecovery : public ScriptedStages {
  protected:
   void back() {
     driving(Driving::kDriving);
     x_m_ -= 0.25;
     tick();
   }
-  /// A way behind it, so that it can back off.
+  /// 10 m of traversed path, so that it can back off.
   void drive_in() {
     to_execute();
     drive(10.0);
@@ -27,7 +27,7 @@ class MissionNoPath : public ScriptedStages {
     terrain();
     ASSERT_EQ(now(), Phase::kPlan);
   }
-  /// Scan matching is started again on the way; odom is where it was.
+  /// Scan matching restarts during the drive; the new odom frame is the same place.
   void drive_into_another_odom() {
     match(kStart);
     map(kStart);
@@ -36,7 +36,7 @@ class MissionNoPath : public ScriptedStages {
     match(utime_);
     ASSERT_EQ(now(), Phase::kWaiting);
   }
-  /// From 10 m in, back along its track, as exploration leads.
+  /// 10 m into the mine, then home along the traversed path.
   void turn_home() {
     drive_in();
     path(PlanOutcome::kFound);
@@ -50,7 +50,7 @@ class MissionNoPath : public ScriptedStages {
     terrain();
     path(outcome);
   }
-  /// To where that leads, as a path to its target is refused for what it does not see.
+  /// The path to the target is rejected for unobserved ground; backs off to see beside the vehicle.
   void scan_beside(double reached_m, PlanOutcome rejected = PlanOutcome::kUnknown) {
     path(rejected, reached_m);
     ASSERT_EQ(now(), Phase::kPlan);
@@ -64,7 +64,7 @@ class MissionNoPath : public ScriptedStages {
     for (int i = 0; i < std::lround(path_length_m / 0.25); ++i) back();
     arrive();
   }
-  /// So far along its track, and at the same target from there.
+  /// Drives back that far, then plans to the same target.
   void scan_from_back(double path_length_m) {
     drive_back(path_length_m);
     answer(Kind::kAlong, 3);
@@ -72,7 +72,7 @@ class MissionNoPath : public ScriptedStages {
   }
 };
 
-TEST_F(MissionNoPath, LooksBesideAndToTheOtherSideThenFromFartherBackThenSaysSo) {
+TEST_F(MissionRecovery, ScansBesideThenWithTheOtherLaserThenFromFartherBackThenReports) {
   drive_in();
   scan_beside(0.95);
   path(PlanOutcome::kUnknown, 0.7);
@@ -81,7 +81,7 @@ TEST_F(MissionNoPath, LooksBesideAndToTheOtherSideThenFromFartherBackThenSaysSo)
   terrain();
   path(PlanOutcome::kUnknown, 0.7);
   ASSERT_EQ(now(), Phase::kPlan);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 3.0, 0.26);  // a step of driving
   path(PlanOutcome::kFound);
   ASSERT_EQ(now(), Phase::kExecute);
@@ -92,7 +92,7 @@ TEST_F(MissionNoPath, LooksBesideAndToTheOtherSideThenFromFartherBackThenSaysSo)
   terrain();
   path(PlanOutcome::kUnknown, 0.9);
   ASSERT_EQ(now(), Phase::kPlan);
-  EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 6.0, 0.26);  // once more, and farther
+  EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 6.0, 0.26);  // again, and farther
   path(PlanOutcome::kFound);
   arrive();
   answer(Kind::kAlong, 3);
@@ -102,18 +102,18 @@ TEST_F(MissionNoPath, LooksBesideAndToTheOtherSideThenFromFartherBackThenSaysSo)
   ASSERT_TRUE(request_.blocked);
   EXPECT_EQ(request_.blocked->frontier, 3);
   EXPECT_EQ(request_.blocked->reached_m, 0.95);
-  EXPECT_THAT(request_.blocked->evidence, HasSubstr("a beam is in the way Again: a beam"));
-  EXPECT_TRUE(request_.blocked->unconfirmed);  // no look has seen that there is no way
+  EXPECT_THAT(request_.blocked->evidence, HasSubstr("a beam blocks the path Again: a beam"));
+  EXPECT_TRUE(request_.blocked->unconfirmed);  // no scan observed an obstacle
 }
 
-/// What lies in shadow from here may be seen from there.
-TEST_F(MissionNoPath, GoesNearerToWhatItDoesNotSee) {
+/// Ground in shadow is observed from nearer.
+TEST_F(MissionRecovery, ApproachesUnobservedGround) {
   drive_in();
   scan_beside(1.0);
   path(PlanOutcome::kUnknown, 2.0);
   ASSERT_EQ(now(), Phase::kPlan);
-  EXPECT_THAT(phase().reason, HasSubstr("goes nearer"));
-  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRouteTo);  // with any heading
+  EXPECT_THAT(phase().reason, HasSubstr("driving nearer"));
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRouteTo);  // any heading
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ + 1.7, 1e-9);
   path(PlanOutcome::kFound);
   drive(3.0);
@@ -121,13 +121,13 @@ TEST_F(MissionNoPath, GoesNearerToWhatItDoesNotSee) {
   answer(Kind::kAlong, 3);
   terrain();
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ + reach_m_, 1e-9);  // as far as possible
-  scan_beside(1.0);                                                 // it is another place
+  scan_beside(1.0);                                                 // another place
   path(PlanOutcome::kUnknown, 1.2);
-  EXPECT_THAT(phase().reason, HasSubstr("goes nearer"));
+  EXPECT_THAT(phase().reason, HasSubstr("driving nearer"));
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ + 0.9, 1e-9);
 }
 
-TEST_F(MissionNoPath, LooksToTheOtherSideWhereItGetsNoNearer) {
+TEST_F(MissionRecovery, ScansWithTheOtherLaserIfItCannotApproach) {
   drive_in();
   scan_beside(1.0);
   path(PlanOutcome::kUnknown, 2.0);
@@ -136,18 +136,18 @@ TEST_F(MissionNoPath, LooksToTheOtherSideWhereItGetsNoNearer) {
   EXPECT_EQ(scan_.laser, LaserId::kRear);
   terrain();
   path(PlanOutcome::kUnknown, 2.0);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));  // once from a place
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));  // one approach per target
 }
 
-TEST_F(MissionNoPath, GoesNoNearerToWhatItSees) {
+TEST_F(MissionRecovery, DoesNotApproachObservedObstacles) {
   drive_in();
   path(PlanOutcome::kBlocked, 2.0);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));
 }
 
-TEST_F(MissionNoPath, RejectsPathAfterPathThatLeadsNowhere) {
+TEST_F(MissionRecovery, RecoversIfSixPathsEndAtTheSamePlace) {
   drive_in();
-  for (int i = 0; i < 5; ++i) {  // with the one that led here, six
+  for (int i = 0; i < 5; ++i) {  // six with the one that led here
     path(PlanOutcome::kFound);
     ASSERT_EQ(now(), Phase::kExecute);
     arrive();
@@ -157,33 +157,33 @@ TEST_F(MissionNoPath, RejectsPathAfterPathThatLeadsNowhere) {
       terrain();
     }
   }
-  EXPECT_THAT(phase().reason, HasSubstr("Path after path ended at the same place"));
+  EXPECT_THAT(phase().reason, HasSubstr("The last paths all ended at the same place"));
 }
 
-TEST_F(MissionNoPath, IsSureOfWhatItSawFromTwoPlaces) {
+TEST_F(MissionRecovery, ReportsBlockedAfterObservationsFromTwoPoses) {
   drive_in();
   path(PlanOutcome::kBlocked);
   scan_from_back(3.0);
   path(PlanOutcome::kBlocked);
   ASSERT_TRUE(request_.blocked);
   EXPECT_FALSE(request_.blocked->unconfirmed);
-  EXPECT_THAT(phase().reason, HasSubstr("the way is blocked"));
+  EXPECT_THAT(phase().reason, HasSubstr("the path is blocked"));
 }
 
-/// Two looks may miss by a cell what a third one sees.
-TEST_F(MissionNoPath, IsNotSureWhereOneLookSaysThatItMayJustFit) {
+/// Two scans may miss by a cell what a third one shows.
+TEST_F(MissionRecovery, ReportsUnconfirmedIfOneScanShowsANarrowPassage) {
   drive_in();
   path(PlanOutcome::kBlocked);
   scan_from_back(3.0);
   scan_beside(0.5, PlanOutcome::kNarrow);
   path(PlanOutcome::kBlocked);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));  // two saw it
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));  // two scans observed it
   scan_from_back(0.0);
   path(PlanOutcome::kBlocked);
   ASSERT_TRUE(request_.blocked);
   EXPECT_TRUE(request_.blocked->unconfirmed);
 
-  // Nor when it is tried once more, after another.
+  // The same when that frontier is tried again after another one.
   answer(Kind::kAlong, 4);
   terrain();
   scan_from_back(0.0);
@@ -194,40 +194,39 @@ TEST_F(MissionNoPath, IsNotSureWhereOneLookSaysThatItMayJustFit) {
   EXPECT_TRUE(request_.blocked->unconfirmed);
 }
 
-TEST_F(MissionNoPath, BacksOffAtOnceFromWhatItSees) {
+TEST_F(MissionRecovery, BacksOffImmediatelyFromObservedObstacles) {
   drive_in();
   path(PlanOutcome::kBlocked);
   EXPECT_EQ(now(), Phase::kPlan);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));
 }
 
-/// No look shows a path.
-TEST_F(MissionNoPath, BacksOffIntoTheOdomFrameBeforeOnceItHasItsMap) {
+TEST_F(MissionRecovery, BacksOffIntoTheEarlierOdomFrameOnceTheMapCorrectionIsKnown) {
   drive_into_another_odom();
   map(utime_);
   to_plan();
   path(PlanOutcome::kBlocked);
   EXPECT_EQ(now(), Phase::kPlan);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 3.0, 0.26);  // a step of driving
 }
 
-/// The map does not know well where it is until it has moved.
-TEST_F(MissionNoPath, BacksOffIntoTheOdomFrameBeforeWhereNothingElseIsLeft) {
+/// The map correction is uncertain until the robot has moved.
+TEST_F(MissionRecovery, BacksOffIntoTheEarlierOdomFrameAfterASecondRejection) {
   drive_into_another_odom();
   map(utime_, Eigen::Vector3d(0.5, 0.5, 0.01).asDiagonal().toDenseMatrix());
   to_plan();
   path(PlanOutcome::kUnknown);
   ASSERT_EQ(now(), Phase::kScan);
-  EXPECT_THAT(phase().reason, HasSubstr("looks to the other side"));
+  EXPECT_THAT(phase().reason, HasSubstr("with the other laser"));
   terrain();
   path(PlanOutcome::kUnknown);
   EXPECT_EQ(now(), Phase::kPlan);
-  EXPECT_THAT(phase().reason, HasSubstr("backs off"));
+  EXPECT_THAT(phase().reason, HasSubstr("backing off"));
   EXPECT_NEAR(goal_.route_odom.back().x(), x_m_ - 1.2, 0.26);  // a step of driving
 }
 
-TEST_F(MissionNoPath, LooksTwiceWhereItCannotBackOff) {
+TEST_F(MissionRecovery, ScansTwiceIfItCannotBackOff) {
   to_plan();
   path(PlanOutcome::kBlocked);
   EXPECT_EQ(now(), Phase::kExplore);
@@ -238,7 +237,7 @@ TEST_F(MissionNoPath, LooksTwiceWhereItCannotBackOff) {
   EXPECT_TRUE(request_.blocked);
 }
 
-TEST_F(MissionNoPath, CannotBackOffWhereItOnlyTurned) {
+TEST_F(MissionRecovery, CannotBackOffWhereItOnlyTurned) {
   to_explore();
   for (int i = 0; i < 20; ++i) {
     heading_ += 0.12;
@@ -249,7 +248,7 @@ TEST_F(MissionNoPath, CannotBackOffWhereItOnlyTurned) {
   EXPECT_EQ(now(), Phase::kExplore);
 }
 
-TEST_F(MissionNoPath, KeepsItsRouteWherePlanningFallsStaleOnTheWayBack) {
+TEST_F(MissionRecovery, KeepsItsRouteWherePlanningFallsStaleOnTheWayBack) {
   drive_in();
   const auto route = goal_.route_odom;
   path(PlanOutcome::kBlocked);
@@ -260,7 +259,7 @@ TEST_F(MissionNoPath, KeepsItsRouteWherePlanningFallsStaleOnTheWayBack) {
   EXPECT_EQ(goal_.route_odom, route);
 }
 
-TEST_F(MissionNoPath, RepeatsAVerdictUntilItIsAnsweredAndTellsItOnce) {
+TEST_F(MissionRecovery, RepeatsAVerdictUntilItIsAnsweredAndTellsItOnce) {
   to_plan();
   path(PlanOutcome::kBlocked);
   answer(Kind::kGoTo);
@@ -278,7 +277,7 @@ TEST_F(MissionNoPath, RepeatsAVerdictUntilItIsAnsweredAndTellsItOnce) {
   EXPECT_FALSE(request_.blocked);
 }
 
-TEST_F(MissionNoPath, BeginsResetForAnotherTarget) {
+TEST_F(MissionRecovery, ResetsForAnotherTarget) {
   to_plan();
   path(PlanOutcome::kBlocked);
   answer(Kind::kGoTo, 1);
@@ -287,7 +286,7 @@ TEST_F(MissionNoPath, BeginsResetForAnotherTarget) {
   EXPECT_FALSE(request_.blocked);
 }
 
-TEST_F(MissionNoPath, IsNeverSureWhereNothingIsNamedThatIsInTheWay) {
+TEST_F(MissionRecovery, ReportsUnconfirmedWithoutBlockingCells) {
   blocks_ = false;
   to_plan();
   path(PlanOutcome::kBlocked);
@@ -300,8 +299,8 @@ TEST_F(MissionNoPath, IsNeverSureWhereNothingIsNamedThatIsInTheWay) {
   EXPECT_TRUE(request_.blocked->unconfirmed);
 }
 
-/// It says nothing of the ground: there was a path.
-TEST_F(MissionNoPath, LooksAgainWhereADriveFails) {
+/// A failed drive is no evidence about the ground: a path existed.
+TEST_F(MissionRecovery, RescansAfterAFailedDrive) {
   drive_in();
   path(PlanOutcome::kFound);
   driving(Driving::kFailed, "beside its path");
@@ -313,12 +312,12 @@ TEST_F(MissionNoPath, LooksAgainWhereADriveFails) {
   path(PlanOutcome::kFound);
   driving(Driving::kFailed, "held by a stop order");
   tick();
-  EXPECT_EQ(now(), Phase::kPlan);                   // it backs off
-  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);  // on its own track
+  EXPECT_EQ(now(), Phase::kPlan);                   // backs off
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);  // over the traversed path
 }
 
-/// Poses that jump fail one drive after the other, those to get back, too.
-TEST_F(MissionNoPath, IsNeverSureByDrivesThatFail) {
+/// Jumping poses fail every drive, also those back.
+TEST_F(MissionRecovery, ReportsUnconfirmedAfterFailedDrives) {
   drive_in();
   for (int i = 0; i < 20 && !request_.blocked; ++i) {
     path(PlanOutcome::kFound);
@@ -330,10 +329,10 @@ TEST_F(MissionNoPath, IsNeverSureByDrivesThatFail) {
   }
   ASSERT_TRUE(request_.blocked);
   EXPECT_TRUE(request_.blocked->unconfirmed);
-  EXPECT_THAT(request_.blocked->evidence, HasSubstr("Driving gave up: beside its path."));
+  EXPECT_THAT(request_.blocked->evidence, HasSubstr("Driving failed: beside its path."));
 }
 
-TEST_F(MissionNoPath, LooksFromWhereADriveBackFailed) {
+TEST_F(MissionRecovery, ScansWhereADriveBackFailed) {
   drive_in();
   path(PlanOutcome::kBlocked);
   path(PlanOutcome::kFound);
@@ -344,7 +343,7 @@ TEST_F(MissionNoPath, LooksFromWhereADriveBackFailed) {
   EXPECT_FALSE(request_.blocked);
 }
 
-TEST_F(MissionNoPath, ForgetsRejectionsOnceItGotOn) {
+TEST_F(MissionRecovery, ForgetsRejectionsAfterProgress) {
   drive_in();
   path(PlanOutcome::kBlocked);
   path(PlanOutcome::kFound);
@@ -357,19 +356,19 @@ TEST_F(MissionNoPath, ForgetsRejectionsOnceItGotOn) {
   answer(Kind::kAlong, 3);
   terrain();
   path(PlanOutcome::kBlocked);
-  EXPECT_EQ(now(), Phase::kPlan);  // it may back off once more
+  EXPECT_EQ(now(), Phase::kPlan);  // may back off again
 }
 
-TEST_F(MissionNoPath, DoesNotWaitForDrivingForEver) {
+TEST_F(MissionRecovery, TimesOutIfDrivingIsStale) {
   to_execute();
   publishes_driving_ = false;
   wait(3.5);
   EXPECT_EQ(now(), Phase::kExplore);
-  EXPECT_THAT(phase().reason, HasSubstr("Driving is silent."));
+  EXPECT_THAT(phase().reason, HasSubstr("Driving timed out."));
 }
 
-/// Of a path that was to lead back, nothing is left for the next that is planned.
-TEST_F(MissionNoPath, ForgetsThatItBackedOffWhereDrivingFallsStale) {
+/// The next plan does not inherit the back-off.
+TEST_F(MissionRecovery, ForgetsTheBackOffIfDrivingTimesOut) {
   drive_in();
   path(PlanOutcome::kBlocked);
   path(PlanOutcome::kFound);
@@ -389,14 +388,14 @@ TEST_F(MissionNoPath, ForgetsThatItBackedOffWhereDrivingFallsStale) {
   EXPECT_EQ(now(), Phase::kPlan);
 }
 
-/// To back off would lead it into the mine again.
-TEST_F(MissionNoPath, GoesOnAlongItsTraversedPathOnTheWayHome) {
+/// Backing off would lead into the mine again.
+TEST_F(MissionRecovery, RejoinsTheTraversedPathOnTheWayHome) {
   turn_home();
   path(PlanOutcome::kBlocked);
   ASSERT_EQ(now(), Phase::kPlan);
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
   EXPECT_EQ(goal_.traversed_path_odom.front(), (Pose2{x_m_, 0.0, 0.0}));
-  EXPECT_NEAR(goal_.traversed_path_odom.back().x, 0.0, 1e-9);  // all that is near
+  EXPECT_NEAR(goal_.traversed_path_odom.back().x, 0.0, 1e-9);  // all poses nearby
   const double first_m = goal_.distance_m;
   for (int again = 0; again < 2; ++again) {
     drive_back(1.5);
@@ -407,7 +406,7 @@ TEST_F(MissionNoPath, GoesOnAlongItsTraversedPathOnTheWayHome) {
   }
 }
 
-TEST_F(MissionNoPath, GoesTheFartherAlongItsTrackTheLessThatHelps) {
+TEST_F(MissionRecovery, RejoinsFartherAfterRejoinsWithoutProgress) {
   turn_home();
   path(PlanOutcome::kUnknown);
   const double first_m = goal_.distance_m;
@@ -419,21 +418,21 @@ TEST_F(MissionNoPath, GoesTheFartherAlongItsTrackTheLessThatHelps) {
   EXPECT_GT(goal_.distance_m, first_m);
 }
 
-/// The drive along the track leads away from it, and exploration back to it, again and again.
-TEST_F(MissionNoPath, ClosesAShortCutHomeThatIsRejected) {
+/// Otherwise the drive along the traversed path leads away from it, and exploration back to it.
+TEST_F(MissionRecovery, AbandonsARejectedShortCutHome) {
   turn_home();
-  reach_m_ = 10.0;  // where it never was
+  reach_m_ = 10.0;  // not on the traversed path
   drive_back(1.0);
   reject_home();
   ASSERT_EQ(now(), Phase::kExplore);
   ASSERT_TRUE(request_.blocked);
-  EXPECT_TRUE(request_.blocked->unconfirmed);  // it is not worth a second look
-  detour_length_m_ = 20.0;                   // and exploration leads another way
+  EXPECT_TRUE(request_.blocked->unconfirmed);  // no second scan
+  detour_length_m_ = 20.0;                     // exploration chooses another path
   reject_home();
   EXPECT_TRUE(request_.blocked);
 }
 
-TEST_F(MissionNoPath, LooksToTheOtherSideBeforeItClosesAShortCutThatItDoesNotSee) {
+TEST_F(MissionRecovery, ScansWithTheOtherLaserBeforeItAbandonsAnUnobservedShortCut) {
   turn_home();
   reach_m_ = 10.0;
   drive_back(1.0);
@@ -444,8 +443,8 @@ TEST_F(MissionNoPath, LooksToTheOtherSideBeforeItClosesAShortCutThatItDoesNotSee
   EXPECT_TRUE(request_.blocked);
 }
 
-/// Then the drive along the track, which leads away from it, makes no other way of it.
-TEST_F(MissionNoPath, GoesAlongItsTraversedPathWhereExplorationKnowsNoOtherWayThanTheShortCut) {
+/// The longer path after a rejoin does not count as another path.
+TEST_F(MissionRecovery, RejoinsIfExplorationHasNoOtherPathThanTheShortCut) {
   turn_home();
   reach_m_ = 10.0;
   drive_back(1.0);
@@ -464,7 +463,7 @@ TEST_F(MissionNoPath, GoesAlongItsTraversedPathWhereExplorationKnowsNoOtherWayTh
   EXPECT_GT(before_m, 6.0);
 }
 
-TEST_F(MissionNoPath, GoesAlongItsTraversedPathWhereTheRouteDoes) {
+TEST_F(MissionRecovery, RejoinsIfTheRouteFollowsTheTraversedPath) {
   drive_in();
   path(PlanOutcome::kFound);
   arrive();
@@ -473,11 +472,11 @@ TEST_F(MissionNoPath, GoesAlongItsTraversedPathWhereTheRouteDoes) {
   terrain();
   path(PlanOutcome::kUnknown);
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
-  EXPECT_NEAR(goal_.distance_m, 5.0, 1e-9);  // as far as the route keeps to it
+  EXPECT_NEAR(goal_.distance_m, 5.0, 1e-9);  // as far as the route follows it
 }
 
-/// What holds it there may hold it again.
-TEST_F(MissionNoPath, LooksForAWayWhereADriveOnItsTraversedPathFailed) {
+/// The same obstacle may stop it again.
+TEST_F(MissionRecovery, PlansAPathAfterAFailedDriveOnTheTraversedPath) {
   turn_home();
   path(PlanOutcome::kUnknown);
   path(PlanOutcome::kFound);
@@ -486,10 +485,10 @@ TEST_F(MissionNoPath, LooksForAWayWhereADriveOnItsTraversedPathFailed) {
   ASSERT_EQ(now(), Phase::kExplore);
   reject_home(PlanOutcome::kUnknown);
   EXPECT_EQ(now(), Phase::kPlan);
-  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRoute);  // it backs off by what it sees
+  EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRoute);  // over observed terrain
 }
 
-TEST_F(MissionNoPath, BacksOffByWhatItSeesWithoutATrack) {
+TEST_F(MissionRecovery, BacksOffByAPlannedPathIfRetracingIsRejected) {
   drive_in();
   path(PlanOutcome::kBlocked);
   ASSERT_EQ(goal_.kind, PlanGoal::Kind::kRetrace);
@@ -499,7 +498,7 @@ TEST_F(MissionNoPath, BacksOffByWhatItSeesWithoutATrack) {
   EXPECT_EQ(now(), Phase::kExplore);
 }
 
-TEST_F(MissionNoPath, ComesHomeOnItsTraversedPathWhereExplorationKnowsNoWay) {
+TEST_F(MissionRecovery, ReturnsOnTheTraversedPathIfExplorationFindsNoRoute) {
   drive_in();
   path(PlanOutcome::kFound);
   arrive();
@@ -516,7 +515,7 @@ TEST_F(MissionNoPath, ComesHomeOnItsTraversedPathWhereExplorationKnowsNoWay) {
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
 }
 
-TEST_F(MissionNoPath, IsStrandedAfterSoManyTriesOnTheWayHome) {
+TEST_F(MissionRecovery, IsStrandedAfterTooManyTriesOnTheWayHome) {
   to_explore();
   for (int i = 0; i < 100 && now() != Phase::kEnded; ++i) {
     answer(Kind::kHome);
@@ -524,11 +523,11 @@ TEST_F(MissionNoPath, IsStrandedAfterSoManyTriesOnTheWayHome) {
     path(PlanOutcome::kBlocked);
   }
   EXPECT_EQ(phase().outcome, MissionOutcome::kStranded);
-  EXPECT_THAT(phase().reason, HasSubstr("no way on was found"));
+  EXPECT_THAT(phase().reason, HasSubstr("no path onward was found"));
 }
 
-/// Each time to 3 m from there and back again to where it ends.
-TEST_F(MissionNoPath, DoesNotTakeBackingOffForGettingOn) {
+/// Each back-off leads 3 m away and the next drive back to the same place.
+TEST_F(MissionRecovery, DoesNotCountBackingOffAsProgress) {
   drive_in();
   path(PlanOutcome::kBlocked);
   path(PlanOutcome::kFound);
@@ -540,8 +539,8 @@ TEST_F(MissionNoPath, DoesNotTakeBackingOffForGettingOn) {
   EXPECT_TRUE(request_.blocked);
 }
 
-/// What is seen from farther back leads to where it was refused, again and again.
-TEST_F(MissionNoPath, DoesNotPaceBackAndForthForEver) {
+/// Paths found from farther back lead to the place of the rejection again and again.
+TEST_F(MissionRecovery, DoesNotDriveBackAndForthForever) {
   drive_in();
   for (int i = 0; i < 10 && !request_.blocked; ++i) {
     path(PlanOutcome::kBlocked);
@@ -561,11 +560,11 @@ TEST_F(MissionNoPath, DoesNotPaceBackAndForthForEver) {
   EXPECT_TRUE(request_.blocked);
 }
 
-TEST_F(MissionNoPath, CallsNothingBlockedThatExplorationDidNotName) {
+TEST_F(MissionRecovery, ReportsNothingBlockedWithoutATargetOfExploration) {
   to_explore();
   ExplorationReport nothing;
   nothing.request = request_.id;
-  for (int look = 0; look < 10; ++look) {
+  for (int i = 0; i < 10; ++i) {
     nothing.request = request_.id;
     if (now() == Phase::kExplore) mission_.add_exploration(nothing);
     ASSERT_EQ(now(), Phase::kScan);
@@ -575,7 +574,7 @@ TEST_F(MissionNoPath, CallsNothingBlockedThatExplorationDidNotName) {
   }
 }
 
-TEST_F(MissionNoPath, DoesNotWaitForExplorationForEver) {
+TEST_F(MissionRecovery, TimesOutIfExplorationDoesNotAnswer) {
   to_explore();
   wait(299.0);
   EXPECT_EQ(now(), Phase::kExplore);
@@ -583,21 +582,21 @@ TEST_F(MissionNoPath, DoesNotWaitForExplorationForEver) {
   EXPECT_EQ(now(), Phase::kScan);
 }
 
-TEST_F(MissionNoPath, JudgesByNoScanThatWasCutShort) {
+TEST_F(MissionRecovery, RepeatsAnIncompleteScan) {
   to_scan();
-  const int cut = phase().goal_id;
-  mission_.add_cloud(cut, false);
+  const int incomplete = phase().goal_id;
+  mission_.add_cloud(incomplete, false);
   advance();
   EXPECT_EQ(now(), Phase::kScan);
-  EXPECT_NE(phase().goal_id, cut);
-  mission_.add_terrain(utime_, cut);
+  EXPECT_NE(phase().goal_id, incomplete);
+  mission_.add_terrain(utime_, incomplete);
   EXPECT_EQ(now(), Phase::kScan);
   for (int i = 0; i < 3; ++i) mission_.add_cloud(phase().goal_id, false);
   terrain();
   EXPECT_EQ(now(), Phase::kPlan);
 }
 
-TEST_F(MissionNoPath, IsAtHomeWhereNothingLeadsIntoTheMine) {
+TEST_F(MissionRecovery, EndsAtHomeIfNoPathLeadsIntoTheMine) {
   to_explore();
   for (int i = 0; i < 100 && now() != Phase::kEnded; ++i) {
     ExplorationReport nothing;
@@ -607,10 +606,10 @@ TEST_F(MissionNoPath, IsAtHomeWhereNothingLeadsIntoTheMine) {
     path(PlanOutcome::kBlocked);
   }
   EXPECT_EQ(phase().outcome, MissionOutcome::kHome);
-  EXPECT_THAT(phase().reason, HasSubstr("no way into the mine"));
+  EXPECT_THAT(phase().reason, HasSubstr("no path into the mine"));
 }
 
-TEST_F(MissionNoPath, GoesBySightWhereExplorationOnlyStays) {
+TEST_F(MissionRecovery, ScansStraightAheadIfExplorationOnlyStays) {
   to_explore();
   const auto stay = [&] {
     ExplorationReport report;
@@ -626,7 +625,7 @@ TEST_F(MissionNoPath, GoesBySightWhereExplorationOnlyStays) {
     stay();
   }
   EXPECT_EQ(now(), Phase::kScan);
-  EXPECT_THAT(phase().reason, HasSubstr("exploration knows no way"));
+  EXPECT_THAT(phase().reason, HasSubstr("exploration found no route"));
 }
 
 }  // namespace

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mission/maneuver.hpp"
+
+#include <cstddef>
+#include <utility>
+
+namespace adit {
+namespace {
+
+constexpr double kRouteLengthM = 10.0;  // of a path along the route
+
+using GoalKind = PlanGoal::Kind;
+
+template <class... Visitors>
+struct Overloaded : Visitors... {
+  using Visitors::operator()...;
+};
+template <class... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;
+
+std::vector<Eigen::Vector2d> first_part_of(const std::vector<Eigen::Vector2d>& line,
+                                           double length_m) {
+  std::vector<Eigen::Vector2d> first{line.front()};
+  double left_m = length_m;
+  for (std::size_t i = 1; i < line.size() && left_m > 0.0; ++i) {
+    const Eigen::Vector2d leg = line[i] - line[i - 1];
+    const double leg_m = leg.norm();
+    first.push_back(leg_m > left_m ? line[i - 1] + left_m / leg_m * leg : line[i]);
+    left_m -= leg_m;
+  }
+  return first;
+}
+
+std::vector<Eigen::Vector2d> positions_of(const std::vector<Pose2>& poses) {
+  std::vector<Eigen::Vector2d> positions;
+  for (const Pose2& pose : poses) positions.push_back(pose.translation());
+  return positions;
+}
+
+/// The goal with an end point, as any heading is accepted there.
+PlanGoal make_goal(GoalKind kind, double distance_m, std::vector<Eigen::Vector2d> route_odom,
+                   std::vector<Pose2> path_odom = {}) {
+  const Eigen::Vector2d p_odom_end =
+      path_odom.empty() ? route_odom.back() : path_odom.back().translation();
+  PlanGoal goal;
+  goal.kind = kind;
+  goal.T_odom_goal = {p_odom_end.x(), p_odom_end.y(), 0.0};
+  goal.distance_m = distance_m;
+  goal.route_odom = std::move(route_odom);
+  goal.traversed_path_odom = std::move(path_odom);
+  return goal;
+}
+
+}  // namespace
+
+PlanGoal goal_of(const Maneuver& maneuver, const ManeuverTarget& target) {
+  const auto route_or = [&](const std::optional<Approach>& interrupted,
+                            std::vector<Eigen::Vector2d> route_odom) {
+    return interrupted ? first_part_of(target.route_odom, interrupted->length_m)
+                       : std::move(route_odom);
+  };
+  return std::visit(
+      Overloaded{
+          [&](const FollowRoute&) {
+            return make_goal(target.ends_at_home ? GoalKind::kRouteTo : GoalKind::kRoute,
+                             kRouteLengthM, target.route_odom);
+          },
+          [&](const Approach& approach) {
+            return make_goal(GoalKind::kRouteTo, kRouteLengthM,
+                             first_part_of(target.route_odom, approach.length_m));
+          },
+          [&](const BackOff& back_off) {
+            return make_goal(back_off.kind, back_off.distance_m,
+                             route_or(back_off.interrupted, positions_of(back_off.path_odom)),
+                             back_off.path_odom);
+          },
+          [&](const Rejoin& rejoin) {
+            return make_goal(rejoin.kind, rejoin.distance_m,
+                             route_or(rejoin.interrupted, target.route_odom), rejoin.path_odom);
+          }},
+      maneuver);
+}
+
+std::optional<Maneuver> planned_instead_of_retraced(const Maneuver& maneuver) {
+  const auto planned = [](auto retraced) -> std::optional<Maneuver> {
+    if (retraced.kind != GoalKind::kRetrace) return std::nullopt;
+    retraced.kind = GoalKind::kRoute;
+    return retraced;
+  };
+  if (const auto* back_off = std::get_if<BackOff>(&maneuver)) return planned(*back_off);
+  if (const auto* rejoin = std::get_if<Rejoin>(&maneuver)) return planned(*rejoin);
+  return std::nullopt;
+}
+
+std::optional<Approach> approach_of(const Maneuver& maneuver) {
+  return std::visit(
+      Overloaded{[](const FollowRoute&) -> std::optional<Approach> { return std::nullopt; },
+                 [](const Approach& approach) -> std::optional<Approach> { return approach; },
+                 [](const auto& off_route) { return off_route.interrupted; }},
+      maneuver);
+}
+
+bool is_off_route(const Maneuver& maneuver) {
+  return std::holds_alternative<BackOff>(maneuver) || std::holds_alternative<Rejoin>(maneuver);
+}
+
+bool leads_away(const Maneuver& maneuver) {
+  if (const auto* rejoin = std::get_if<Rejoin>(&maneuver)) return rejoin->kind != GoalKind::kRejoin;
+  return std::holds_alternative<BackOff>(maneuver);
+}
+
+bool uses_traversed_path(const Maneuver& maneuver) {
+  if (const auto* rejoin = std::get_if<Rejoin>(&maneuver)) return rejoin->kind != GoalKind::kRoute;
+  const auto* back_off = std::get_if<BackOff>(&maneuver);
+  return back_off != nullptr && back_off->kind != GoalKind::kRoute;
+}
+
+}  // namespace adit

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/geometry/pose2.hpp"
+#include "common/types/planned_path.hpp"
+
+namespace adit {
+
+/// Follows the route to the target as far as possible.
+struct FollowRoute {};
+
+/// Follows the route only as far as a path exists. Ground behind a rail or a corner is in shadow
+/// from far away; a 3D scan from there observes it.
+struct Approach {
+  double length_m = 0.0;  ///< along the route to the target
+};
+
+/// Drives back over the traversed path and scans from another viewpoint. That ground has carried
+/// the robot before, regardless of what the scans show.
+struct BackOff {
+  /// kRetrace, or kRoute: planned over the observed terrain.
+  PlanGoal::Kind kind = PlanGoal::Kind::kRetrace;
+  double distance_m = 0.0;
+  std::vector<Pose2> path_odom;         ///< T_odom_body, from the present pose backwards
+  std::optional<Approach> interrupted;  ///< the approach whose drive failed; GOAL has its route
+};
+
+/// Drives onto the traversed path and along it.
+struct Rejoin {
+  /// kRejoin; kRetrace without terrain of this odom frame; kRoute after planning rejected that.
+  PlanGoal::Kind kind = PlanGoal::Kind::kRejoin;
+  double distance_m = 0.0;              ///< along the traversed path at most
+  std::vector<Pose2> path_odom;         ///< T_odom_body, from the present pose backwards
+  std::optional<Approach> interrupted;  ///< the approach whose drive failed; GOAL has its route
+};
+
+/// The maneuver of the phases plan and execute.
+using Maneuver = std::variant<FollowRoute, Approach, BackOff, Rejoin>;
+
+/// Where a maneuver leads.
+struct ManeuverTarget {
+  const std::vector<Eigen::Vector2d>& route_odom;  ///< to the target, two points at least
+  bool ends_at_home = false;                       ///< the end of the route is the start pose
+};
+
+/// The goal of planning for a maneuver. The caller sets time and id.
+PlanGoal goal_of(const Maneuver& maneuver, const ManeuverTarget& target);
+
+/// The fallback when planning rejects a maneuver that retraces the traversed path: the same
+/// maneuver, planned over the observed terrain. Empty for other maneuvers.
+std::optional<Maneuver> planned_instead_of_retraced(const Maneuver& maneuver);
+
+/// The approach that a maneuver is, or that it interrupts.
+std::optional<Approach> approach_of(const Maneuver& maneuver);
+
+/// Whether the maneuver leaves the route to the target for the traversed path.
+bool is_off_route(const Maneuver& maneuver);
+
+/// Whether the maneuver leads away from the target: arrival is no progress.
+bool leads_away(const Maneuver& maneuver);
+
+/// Whether the maneuver drives along the traversed path, not planned over the observed terrain.
+bool uses_traversed_path(const Maneuver& maneuver);
+
+}  // namespace adit

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mission/mission_localization.hpp"
+
+#include <utility>
+
+#include "common/sensing/seconds.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kPoseTimeoutS = 1.0;
+
+}  // namespace
+
+void MissionLocalization::restore(std::int64_t last_utime, double distance_travelled_m,
+                                  std::vector<StoredPathPose> path) {
+  restored_utime_ = last_utime;
+  restored_path_ = std::move(path);
+  traversed_path_.set_distance_travelled(distance_travelled_m);
+}
+
+std::optional<StoredPathPose> MissionLocalization::add_pose(std::int64_t utime,
+                                                            const Pose2& T_odom_body) {
+  if (!traversed_path_.add(utime, T_odom_body) || !odom_epoch_utime_) return std::nullopt;
+  return StoredPathPose{*odom_epoch_utime_, T_odom_body, T_map_odom_,
+                        traversed_path_.is_anchored()};
+}
+
+MissionLocalization::OdomChange MissionLocalization::set_odom_epoch(std::int64_t odom_epoch_utime) {
+  if (odom_epoch_utime == odom_epoch_utime_) return OdomChange::kNone;
+  const bool is_first = !odom_epoch_utime_;
+  odom_epoch_utime_ = odom_epoch_utime;
+  if (is_first) {
+    restore_path();
+    if (!restored_utime_ || odom_epoch_utime <= *restored_utime_) return OdomChange::kNone;
+  }
+  odom_was_reset_ = true;
+  has_correction_ = false;
+  const auto T_map_before = std::exchange(T_map_odom_, std::nullopt);
+  if (is_first) return OdomChange::kResetBeforeRestart;
+  traversed_path_.reset(T_map_before);
+  return OdomChange::kReset;
+}
+
+/// Poses may have arrived since the restart. If they belong to a new odom frame, the restored path
+/// is usable in it only once it is anchored.
+void MissionLocalization::restore_path() {
+  if (restored_path_.empty()) return;
+  TraversedPath path = traversed_path_from(restored_path_);
+  const StoredPathPose last = restored_path_.back();
+  restored_path_.clear();
+  path.set_distance_travelled(traversed_path_.distance_travelled_m());
+  if (last.odom_epoch_utime != odom_epoch_utime_) {
+    path.reset(last.T_map_odom);
+  } else if (!T_map_odom_) {
+    T_map_odom_ = last.T_map_odom;
+  }
+  if (traversed_path_.T_odom_body())
+    path.add(traversed_path_.utime(), *traversed_path_.T_odom_body());
+  traversed_path_ = std::move(path);
+}
+
+void MissionLocalization::add_correction(const MapCorrection& correction) {
+  if (correction.utime < odom_epoch_utime_) return;  // of the odom frame before
+  has_correction_ = true;
+  T_map_odom_ = correction.T_map_odom;
+  if (odom_is_localized(correction)) traversed_path_.anchor(correction.T_map_odom);
+}
+
+void MissionLocalization::anchor_to_estimate() {
+  if (!traversed_path_.is_anchored() && T_map_odom_) traversed_path_.anchor(*T_map_odom_);
+}
+
+bool MissionLocalization::has_recent_pose(std::int64_t utime) const {
+  return T_odom_body() && seconds(utime - traversed_path_.utime()) < kPoseTimeoutS;
+}
+
+}  // namespace adit

@@ -75,7 +75,7 @@ case $case in
       --fault kill:planning@20 --fault suspend:driving@40
     expect_return
     "$check_losses" "$out" >"$scratch/losses.text" || fail "published data are lost"
-    grep -Eq "driving does not (answer|respond)" "$scratch/mission.text" || fail "the suspended process was not detected"
+    grep -q "driving does not respond" "$scratch/mission.text" || fail "the suspended process was not detected"
     ;;
   power_loss)
     begin "$world" --config "$config"
@@ -97,10 +97,10 @@ case $case in
     await_driven "$kPowerLossAfterM"
     "$adit" order pause --mission "$out" || fail "order pause"
     "$adit" order resume --mission "$out" || fail "order resume"
-    "$adit" order return --mission "$out" | grep -Eq "(homeward|returning home): by order" || fail "order return"
+    "$adit" order return --mission "$out" | grep -q "returning home: by order" || fail "order return"
     expect_return
     "$adit" order pause --mission "$out" 2>"$scratch/order.text" && fail "an order without a mission succeeded"
-    grep -Eq "no mission (runs|is running)" "$scratch/order.text" || fail "the error does not mention the missing mission"
+    grep -q "no mission is running" "$scratch/order.text" || fail "the error does not mention the missing mission"
     ;;
   *) fail "unknown case $case" ;;
 esac

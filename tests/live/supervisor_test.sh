@@ -41,9 +41,9 @@ await_sleepers 3
 [[ $("$sheriff" await sensors far running) == "$far" ]] || fail "far was stopped by a foreign sheriff"
 await_sleepers 3
 for reason in "foreign sheriff" "another command line" "not in the list"; do
-  await_output "$scratch/sensors.err" "PM_ORDERS re.*ed.*$reason"
+  await_output "$scratch/sensors.err" "PM_ORDERS rejected.*$reason"
 done
-await_output "$scratch/robot.err" "PM_ORDERS re.*ed.*foreign sheriff"   # also not under its own name
+await_output "$scratch/robot.err" "PM_ORDERS rejected.*foreign sheriff"   # also not under its own name
 
 # Commands on the computer in charge control both computers.
 "$adit" restart far --socket "$scratch/robot.sock" || fail "adit restart"

@@ -94,7 +94,7 @@ group "stages" {{
                         stage);
   }
   return text + R"(}
-script "go" {
+script "start_all" {
   start group "stages";
   start cmd "sim";
 }
@@ -103,7 +103,7 @@ script "go" {
 
 std::string supervisor_config() {
   return std::string(kLicence) +
-         "supervisor:\n  processes: processes.cfg\n  deputy_id: mission\n  start_script: go\n"
+         "supervisor:\n  processes: processes.cfg\n  deputy_id: mission\n  start_script: start_all\n"
          "  socket: ./supervisor.sock\n";
 }
 

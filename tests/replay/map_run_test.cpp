@@ -243,7 +243,8 @@ TEST_F(MapRun, BothStagesUseTheSameLaserPoses) {
       write("turned.yaml", "lasers:\n  front:\n    T_body_laser: {theta_rad: 1.5707963}\n");
   map(at("sample.lcmlog"), "turned", Odometry::kIgnored, turned);
   const auto loop_closures = [&](const std::string& folder) {
-    return nlohmann::json::parse(contents(folder + "/summary.json"))["map"]["loop_closures"]["accepted"];
+    return nlohmann::json::parse(
+        contents(folder + "/summary.json"))["map"]["loop_closures"]["accepted"];
   };
   // The body frame differs, but the walls coincide as before.
   EXPECT_GE(loop_closures("turned"), 1);

@@ -87,7 +87,8 @@ TEST_F(MissionInAMine, ReturnsFromASmoothTunnelWithoutOdometryAndGyro) {
   const test::MissionScore score = test::MissionTruth(build_world(describe(straight))).score(log);
   ASSERT_FALSE(log.phases.empty());
   EXPECT_TRUE(log.phases.back().returning_home);
-  EXPECT_THAT(log.phases.back().return_home_reason, testing::HasSubstr("no sensor measured the motion"));
+  EXPECT_THAT(log.phases.back().return_home_reason,
+              testing::HasSubstr("no sensor measured the motion"));
   EXPECT_GT(score.farthest_m, 40.0);
   EXPECT_LT(score.farthest_m, 44.0 + 10.0 * 0.5);  // maximum speed for ten seconds
 }

@@ -141,7 +141,8 @@ TEST_P(SingleScan, RejectsTheBrokenBeamOfMathies) {
   EXPECT_NE(path.outcome, PlanOutcome::kFound);
   EXPECT_TRUE(path.points.empty());
   EXPECT_LT(path.reached_m, 2.5);
-  EXPECT_THAT(path.reason, testing::HasSubstr("blocked by an obstacle that is too high to drive over"));
+  EXPECT_THAT(path.reason,
+              testing::HasSubstr("blocked by an obstacle that is too high to drive over"));
   const auto boxes = beam_and_cables(build_world(mine));
   int cells_on_obstacles = 0;
   for (const BlockingCell& cell : path.blocking) {

@@ -15,7 +15,7 @@ inline const std::string kFront = "LASER_FRONT";
 
 inline LaserMounts front_mount() { return {{kFront, LaserMount{}}}; }
 
-/// A local map of a straight way of `length_m`, a scan every 0.2 m, each at its true pose.
+/// A local map of a straight path of `length_m`, a scan every 0.2 m, each at its true pose.
 inline LocalMap drive_straight(const WallWorld& world, const Pose2& T_world_local, double length_m,
                                std::uint64_t seed) {
   LevelLaser laser(world, seed);

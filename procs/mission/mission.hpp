@@ -24,7 +24,6 @@
 #include "procs/mission/phase_clock.hpp"
 #include "procs/mission/progress_checker.hpp"
 #include "procs/mission/recovery.hpp"
-#include "procs/mission/retracing.hpp"
 #include "procs/mission/return_home.hpp"
 #include "procs/mission/traversed_path.hpp"
 

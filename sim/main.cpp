@@ -15,7 +15,9 @@ constexpr int kExitUnusable = 2;
 }  // namespace
 
 int main(int argc, char** argv) try {
-  CLI::App app("A mine to drive in, on LCM until SIGINT or SIGTERM.", "adit-sim");
+  CLI::App app(
+      "Simulates the robot in a mine and publishes its sensor data on LCM until SIGINT or SIGTERM.",
+      "adit-sim");
   adit::LiveRunOptions options;
   options.program = "adit-sim";
   adit::WorldChoice world;

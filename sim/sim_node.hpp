@@ -14,8 +14,8 @@ namespace adit {
 ///      (tilt_command_t).
 /// Out: what the drivers publish: LASER_FRONT, LASER_REAR (planar_lidar_t), TILT_FRONT, TILT_REAR
 ///      (tilt_t), WHEEL_ODOMETRY (wheel_odometry_t), IMU (imu_t), GAS (gas_t), SINKAGE (sinkage_t),
-///      VEHICLE_STATE (vehicle_state_t); beside them TRUTH (pose_t in world), RUN_STATE
-///      (run_state_t) and SIM_TIME (sim_time_t), each kTimePeriodUs.
+///      VEHICLE_STATE (vehicle_state_t). Out, of the simulator: TRUTH (pose_t in world), RUN_STATE
+///      (run_state_t) and SIM_TIME (sim_time_t), every kTimePeriodUs.
 class SimNode {
  public:
   using Params = SimulationParams;
@@ -26,11 +26,11 @@ class SimNode {
   SimNode(Bus& bus, const Site& site, const Params& params, std::uint64_t seed,
           std::int64_t start_utime);
 
-  /// Lets time go on by Simulation::kStepUs and publishes what was measured in that. A bus whose
-  /// time is to be that of the simulation must have come there before: `next_utime()`.
+  /// Advances the simulation by Simulation::kStepUs and publishes the readings of the step. A bus
+  /// that follows simulated time must be advanced to `next_utime()` first.
   void step();
 
-  /// Says what time it is, again: for a stage that came late or lost it.
+  /// Publishes the current SIM_TIME again, for stages that started late or lost it.
   void publish_time();
 
   [[nodiscard]] std::int64_t next_utime() const {
@@ -38,7 +38,7 @@ class SimNode {
   }
   [[nodiscard]] const Simulation& simulation() const { return simulation_; }
 
-  /// At fault when the run has failed.
+  /// Reports a fault when the run has failed.
   [[nodiscard]] Health health() const;
 
  private:
@@ -46,7 +46,7 @@ class SimNode {
 
   Bus& bus_;
   Simulation simulation_;
-  std::int64_t time_utime_;  // of the newest SIM_TIME
+  std::int64_t time_utime_;  // of the latest SIM_TIME
 };
 
 }  // namespace adit

@@ -7,8 +7,8 @@
 
 namespace adit {
 
-/// In:  TRUTH (pose_t in world).
-/// Out: DRIVE_COMMAND (drive_command_t), one for each TRUTH.
+/// Adapter of WaypointDriver to a bus. In: TRUTH (pose_t in world). Out: DRIVE_COMMAND
+/// (drive_command_t), one for each TRUTH.
 class WaypointDriverNode {
  public:
   /// `bus` must outlive this.

@@ -13,8 +13,8 @@ namespace adit {
 using Channels = std::set<std::string, std::less<>>;
 
 /// A classic BPF program for a socket of LCM's udpm transport that passes messages on the channels,
-/// fragmented messages, and datagrams that are not LCM's. An LCM datagram begins with a magic number,
-/// a sequence number, and the channel with its NUL.
+/// fragmented messages, and datagrams that are not LCM's. An LCM datagram begins with a magic
+/// number, a sequence number, and the channel with its NUL.
 std::vector<sock_filter> channel_filter(const Channels& channels);
 
 /// Makes the kernel drop messages on other channels for these sockets. Multicast reaches every

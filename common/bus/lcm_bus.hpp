@@ -79,7 +79,7 @@ class LcmBus final : public Bus {
   Timers timers_;
   Timers wall_timers_;  // with simulated time only; otherwise `timers_` has all timers
   std::set<std::string, std::less<>> channels_;
-  std::set<int> sockets_;  // on which LCM receives
+  std::set<int> sockets_;       // on which LCM receives
   std::exception_ptr failure_;  // of a callback; must not propagate through LCM's C code
   std::int64_t unsent_ = 0;
 };

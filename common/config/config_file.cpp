@@ -85,7 +85,8 @@ class TreeBuilder {
     const int line = key.Mark().line + 1;
     if (!key.IsScalar()) fail(line, "a key must be a scalar");
     if (const ConfigNode* first = map.find(key.Scalar())) {
-      fail(line, "duplicate key '" + key.Scalar() + "'; first on line " + std::to_string(first->line));
+      fail(line,
+           "duplicate key '" + key.Scalar() + "'; first on line " + std::to_string(first->line));
     }
     ConfigNode child = build(value, depth + 1);
     child.key = key.Scalar();

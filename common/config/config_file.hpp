@@ -25,7 +25,7 @@ struct ConfigNode {
   int line = 0;                      ///< from 1; of the key, for the values of a map
   std::string key;                   ///< within a map
   std::string text;                  ///< of a scalar
-  bool quoted = false;  ///< a quoted scalar is a string, even if it reads as a number
+  bool quoted = false;               ///< a quoted scalar is a string, even if it reads as a number
   std::vector<ConfigNode> children;  ///< of a list or map
 
   [[nodiscard]] const ConfigNode* find(std::string_view name) const;

@@ -10,25 +10,26 @@
 
 namespace adit {
 
-/// The same angle in (−π, π]. [rad]
+/// Wraps an angle to (−π, π]. [rad]
 inline double wrap_angle(double angle) {
   const double wrapped = std::remainder(angle, 2.0 * std::numbers::pi);
   return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
 }
 
-/// `a − b` in (−π, π], the only way in which angles are subtracted here. [rad]
+/// `a − b` wrapped to (−π, π]. All differences of angles use this function. [rad]
 inline double angle_diff(double a, double b) { return wrap_angle(a - b); }
 
 constexpr double deg_to_rad(double degrees) { return degrees * std::numbers::pi / 180.0; }
 constexpr double rad_to_deg(double radians) { return radians * 180.0 / std::numbers::pi; }
 
-/// A rigid motion of the plane. `T_a_b` is the pose of frame b in frame a; it takes coordinates in
-/// b to coordinates in a, so that neighbours cancel: `T_map_body = T_map_odom * T_odom_body`.
-/// The composition is ξ ⊕ δ as the paper's eq. 1 means it (its printed signs rotate by −θ).
+/// A rigid motion of the plane, an element of SE(2). `T_a_b` is the pose of frame b in frame a; it
+/// transforms coordinates in b to coordinates in a, so that neighbours cancel: `T_map_body =
+/// T_map_odom * T_odom_body`. The product is the composition ξ ⊕ δ of the paper's eq. 1 (the signs
+/// printed there rotate by −θ).
 struct Pose2 {
   double x = 0.0;      ///< [m]
   double y = 0.0;      ///< [m]
-  double theta = 0.0;  ///< [rad], not wrapped unless it comes out of an operation below
+  double theta = 0.0;  ///< [rad], wrapped only in results of the operations below
 
   [[nodiscard]] Eigen::Vector2d translation() const { return {x, y}; }
   [[nodiscard]] Eigen::Vector3d vector() const { return {x, y, theta}; }
@@ -50,7 +51,7 @@ struct Pose2 {
             wrap_angle(T_a_b.theta + T_b_c.theta)};
   }
 
-  /// Coordinates in a of a point given in b.
+  /// Transforms a point from b to a.
   friend Eigen::Vector2d operator*(const Pose2& T_a_b, const Eigen::Vector2d& p_b) {
     const double c = std::cos(T_a_b.theta);
     const double s = std::sin(T_a_b.theta);
@@ -63,8 +64,8 @@ struct Pose2 {
 /// The pose of b in the frame of a: `T_a_b` from `T_w_a` and `T_w_b`.
 inline Pose2 between(const Pose2& T_w_a, const Pose2& T_w_b) { return T_w_a.inverse() * T_w_b; }
 
-/// Takes a small motion (x, y, θ) of frame b, expressed in b, to the same motion expressed in a
-/// frame that moves with it rigidly and in which b has the pose `T_a_b`: the adjoint of SE(2).
+/// The adjoint of SE(2): transforms a small motion (x, y, θ) of frame b, expressed in b, to the
+/// same motion expressed in frame a, which is rigidly attached to b at `T_a_b`.
 inline Eigen::Matrix3d adjoint(const Pose2& T_a_b) {
   const double c = std::cos(T_a_b.theta);
   const double s = std::sin(T_a_b.theta);
@@ -73,22 +74,22 @@ inline Eigen::Matrix3d adjoint(const Pose2& T_a_b) {
   return Ad;
 }
 
-/// Motion along an arc that begins along x: `length_m` long, turning by `turn_rad`. Exact.
+/// Motion along an arc that starts along x, of length `length_m` and turn `turn_rad`. Exact.
 inline Pose2 along_arc(double length_m, double turn_rad) {
-  // The chord of an arc has half its turn: sin(t/2)/(t/2), whose series serves near zero.
+  // Chord over arc length is sin(t/2)/(t/2); the series is used near zero.
   const double half = 0.5 * turn_rad;
   const double shrink = std::abs(half) < 1e-4 ? 1.0 - half * half / 6.0 : std::sin(half) / half;
   const double chord = length_m * shrink;
   return {chord * std::cos(half), chord * std::sin(half), turn_rad};
 }
 
-/// A pose as it is in the plan: seen from above, heading where its x axis points.
+/// Projects a pose in space to the plane: position seen from above, heading of its x axis.
 inline Pose2 in_plan(const Eigen::Isometry3d& T_a_b) {
   const auto& R = T_a_b.linear();
   return {T_a_b.translation().x(), T_a_b.translation().y(), std::atan2(R(1, 0), R(0, 0))};
 }
 
-/// A pose of the plan, level, at a height [m].
+/// A level pose in space from a planar pose and a height [m].
 inline Eigen::Isometry3d in_space(const Pose2& T_a_b, double z_m = 0.0) {
   return Eigen::Translation3d(T_a_b.x, T_a_b.y, z_m) *
          Eigen::AngleAxisd(T_a_b.theta, Eigen::Vector3d::UnitZ());

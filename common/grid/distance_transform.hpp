@@ -7,9 +7,9 @@
 
 namespace adit {
 
-/// From the middle of each cell to that of the nearest one that is marked [m], exact; infinite
-/// where none is. P. Felzenszwalb and D. Huttenlocher, Distance transforms of sampled functions,
-/// 2012.
+/// Distance from the centre of each cell to the centre of the nearest marked cell [m], exact;
+/// infinite if no cell is marked (Felzenszwalb and Huttenlocher, "Distance transforms of sampled
+/// functions", 2012). `marked`: row by row, `columns` cells per row, non-zero where marked.
 std::vector<float> distance_transform(const std::vector<std::uint8_t>& marked, int columns,
                                       double cell_m);
 

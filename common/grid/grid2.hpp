@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -20,6 +21,11 @@ struct CellBox {
   /// Columns and rows.
   [[nodiscard]] Eigen::Vector2i size() const { return to - from; }
   [[nodiscard]] bool empty() const { return (size().array() <= 0).any(); }
+  /// Number of cells.
+  [[nodiscard]] std::size_t count() const {
+    return empty() ? 0
+                   : static_cast<std::size_t>(size().x()) * static_cast<std::size_t>(size().y());
+  }
   [[nodiscard]] bool contains(const Eigen::Vector2i& cell) const {
     return (cell.array() >= from.array()).all() && (cell.array() < to.array()).all();
   }
@@ -40,7 +46,7 @@ class Grid2 {
   Grid2() = default;
   /// All cells hold `value`. An empty box has no cells.
   explicit Grid2(const CellBox& box, T value = T{})
-      : box_(box), columns_(box.size().x()), cells_(count(box), value) {}
+      : box_(box), columns_(box.size().x()), cells_(box.count(), value) {}
   /// Cells (0, 0) to (columns − 1, rows − 1).
   Grid2(int columns, int rows, T value = T{}) : Grid2(CellBox{{0, 0}, {columns, rows}}, value) {}
 
@@ -84,17 +90,16 @@ class Grid2 {
   /// The same values in a box that contains this one; new cells hold T{}.
   [[nodiscard]] Grid2 grown_to(const CellBox& box) const {
     Grid2 grown(box);
-    for (std::size_t i = 0; i < cells_.size(); ++i) grown[grown.index(cell(i))] = cells_[i];
+    if (cells_.empty()) return grown;
+    for (int y = box_.from.y(); y < box_.to.y(); ++y) {
+      const Eigen::Vector2i first(box_.from.x(), y);
+      std::copy_n(cells_.begin() + static_cast<std::ptrdiff_t>(index(first)), columns_,
+                  grown.cells_.begin() + static_cast<std::ptrdiff_t>(grown.index(first)));
+    }
     return grown;
   }
 
  private:
-  static std::size_t count(const CellBox& box) {
-    return box.empty() ? 0
-                       : static_cast<std::size_t>(box.size().x()) *
-                             static_cast<std::size_t>(box.size().y());
-  }
-
   CellBox box_;
   int columns_ = 0;
   std::vector<T> cells_;

@@ -4,23 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 namespace adit {
 namespace {
 
-constexpr double kOccupiedShare = 0.3;  // poses are off by more than a cell; walls are seen through
-constexpr double kFarthestCell = 1e8;   // coordinates stay far inside an int
+// Poses err by more than a cell, so walls are partly transparent.
+constexpr double kOccupiedShare = 0.3;
+constexpr double kFarthestCell = 1e8;  // keeps coordinates far below the limit of int
 
 CellBox united(const CellBox& a, const CellBox& b) {
   if (a.empty()) return b;
   return {a.from.cwiseMin(b.from), a.to.cwiseMax(b.to)};
 }
 
-/// A box around `needed` that lets the map grow a few times less often than scans come in.
+/// A box around `needed` with a margin, so that the map grows much less often than scans arrive.
 CellBox with_margin(const CellBox& needed, const CellBox& present) {
   CellBox box = needed;
   const Eigen::Vector2i margin = Eigen::Vector2i::Constant(64) + needed.size() / 4;
@@ -29,16 +31,6 @@ CellBox with_margin(const CellBox& needed, const CellBox& present) {
     if (present.empty() || needed.to[axis] > present.to[axis]) box.to[axis] += margin[axis];
   }
   return box;
-}
-
-std::size_t count_cells(const CellBox& box) {
-  return static_cast<std::size_t>(box.size().x()) * static_cast<std::size_t>(box.size().y());
-}
-
-std::size_t index_in(const CellBox& box, const Eigen::Vector2i& cell) {
-  const Eigen::Vector2i offset = cell - box.from;
-  return static_cast<std::size_t>(offset.y()) * static_cast<std::size_t>(box.size().x()) +
-         static_cast<std::size_t>(offset.x());
 }
 
 void count(std::uint16_t& counter) {
@@ -64,11 +56,11 @@ bool OccupancyGrid::insert(const LaserScan& scan, const Pose2& T_map_laser) {
 
   ++scan_;
   for (const Eigen::Vector2d& end : ends) {
-    Cell& cell = at(cell_at(end));
+    Cell& cell = cells_.at(cell_at(end));
     if (cell.last_scan != scan_) count(cell.hits);
     cell.last_scan = scan_;
   }
-  for (const Eigen::Vector2d& end : ends) carve(start, end);
+  for (const Eigen::Vector2d& end : ends) count_misses(start, end);
   return true;
 }
 
@@ -85,15 +77,16 @@ double OccupancyGrid::occupancy(const Eigen::Vector2i& cell) const {
 }
 
 CellBox OccupancyGrid::observed_box() const {
-  CellBox known;
-  for (int j = box_.from.y(); j < box_.to.y(); ++j) {
-    for (int i = box_.from.x(); i < box_.to.x(); ++i) {
+  CellBox observed;
+  const CellBox& box = cells_.box();
+  for (int j = box.from.y(); j < box.to.y(); ++j) {
+    for (int i = box.from.x(); i < box.to.x(); ++i) {
       const Eigen::Vector2i cell(i, j);
-      if (state(cell) == CellState::kUnknown || known.contains(cell)) continue;
-      known = united(known, {cell, cell + Eigen::Vector2i(1, 1)});
+      if (state(cell) == CellState::kUnknown || observed.contains(cell)) continue;
+      observed = united(observed, {cell, cell + Eigen::Vector2i(1, 1)});
     }
   }
-  return known;
+  return observed;
 }
 
 Eigen::Vector2i OccupancyGrid::cell_at(const Eigen::Vector2d& p_map) const {
@@ -116,31 +109,24 @@ std::vector<Eigen::Vector2d> OccupancyGrid::end_points(const LaserScan& scan,
   return ends;
 }
 
+/// Grows the grid so that it contains `box`. False if it would exceed `cells_max`.
 bool OccupancyGrid::reserve(const CellBox& box) {
-  if (!box_.empty() && box_.contains(box)) return true;
-  const CellBox grown = with_margin(united(box_, box), box_);
-  if (count_cells(grown) > static_cast<std::size_t>(params_.cells_max)) return false;
-  std::vector<Cell> cells(count_cells(grown));
-  const auto width = static_cast<std::ptrdiff_t>(box_.size().x());
-  for (int j = box_.from.y(); j < box_.to.y(); ++j) {
-    const Eigen::Vector2i row_start(box_.from.x(), j);
-    const auto row = cells_.begin() + static_cast<std::ptrdiff_t>(index_in(box_, row_start));
-    std::copy(row, row + width,
-              cells.begin() + static_cast<std::ptrdiff_t>(index_in(grown, row_start)));
-  }
-  cells_ = std::move(cells);
-  box_ = grown;
+  const CellBox& present = cells_.box();
+  if (!present.empty() && present.contains(box)) return true;
+  const CellBox grown = with_margin(united(present, box), present);
+  if (grown.count() > static_cast<std::size_t>(params_.cells_max)) return false;
+  cells_ = cells_.grown_to(grown);
   return true;
 }
 
-/// Counts a miss in each cell between two points (Amanatides & Woo 1987), but for those that this
-/// scan has seen already. Both points lie in the map, and so does all that is between them.
-void OccupancyGrid::carve(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+/// Counts a miss in each cell between two points (Amanatides & Woo 1987), except cells that this
+/// scan has already observed. Both points and all cells between them lie in the map.
+void OccupancyGrid::count_misses(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   const Eigen::Vector2d start = from / params_.resolution_m;
   const Eigen::Vector2d ray = to / params_.resolution_m - start;
   const Eigen::Vector2i cell = cell_at(from);
-  Eigen::Vector2i left = (cell_at(to) - cell).cwiseAbs();  // steps to go along each axis
-  Eigen::Vector2d next;  // share of the way at which the ray leaves the cell along each axis
+  Eigen::Vector2i steps_left = (cell_at(to) - cell).cwiseAbs();  // along each axis
+  Eigen::Vector2d next;  // share of the ray at which it leaves the cell along each axis
   Eigen::Vector2d stride;
   for (int axis = 0; axis < 2; ++axis) {
     const double edge = cell[axis] + (ray[axis] < 0.0 ? 0.0 : 1.0);
@@ -148,31 +134,27 @@ void OccupancyGrid::carve(const Eigen::Vector2d& from, const Eigen::Vector2d& to
     stride[axis] = length > 0.0 ? 1.0 / length : std::numeric_limits<double>::infinity();
     next[axis] = length > 0.0 ? std::abs(edge - start[axis]) / length : stride[axis];
   }
-  const std::ptrdiff_t row = box_.size().x();
+  const std::ptrdiff_t row = cells_.columns();
   const std::ptrdiff_t step[2] = {ray.x() < 0.0 ? -1 : 1, ray.y() < 0.0 ? -row : row};
-  for (Cell* seen = &at(cell); left.sum() > 0;) {
-    if (seen->last_scan != scan_) {
-      count(seen->misses);
-      seen->last_scan = scan_;
+  for (Cell* current = &cells_.at(cell); steps_left.sum() > 0;) {
+    if (current->last_scan != scan_) {
+      count(current->misses);
+      current->last_scan = scan_;
     }
-    const int axis = left.y() == 0 || (left.x() > 0 && next.x() < next.y()) ? 0 : 1;
-    seen += step[axis];
+    const int axis = steps_left.y() == 0 || (steps_left.x() > 0 && next.x() < next.y()) ? 0 : 1;
+    current += step[axis];
     next[axis] += stride[axis];
-    --left[axis];
+    --steps_left[axis];
   }
 }
 
-OccupancyGrid::Cell& OccupancyGrid::at(const Eigen::Vector2i& cell) {
-  return cells_[index_in(box_, cell)];
-}
-
 const OccupancyGrid::Cell* OccupancyGrid::find(const Eigen::Vector2i& cell) const {
-  return box_.contains(cell) ? &cells_[index_in(box_, cell)] : nullptr;
+  return cells_.contains(cell) ? &cells_.at(cell) : nullptr;
 }
 
 namespace {
 
-// The shades of map_saver. That of the unknown lies between the two thresholds below.
+// The shades of map_saver. The shade of unknown cells lies between the two thresholds below.
 constexpr char kFreeShade = static_cast<char>(254);
 constexpr char kUnknownShade = static_cast<char>(205);
 constexpr char kOccupiedShade = 0;
@@ -190,8 +172,7 @@ char shade(CellState state) {
 }
 
 std::string pgm(const OccupancyGrid& grid, const CellBox& box) {
-  std::string text =
-      "P5\n" + std::to_string(box.size().x()) + " " + std::to_string(box.size().y()) + "\n255\n";
+  std::string text = fmt::format("P5\n{} {}\n255\n", box.size().x(), box.size().y());
   for (int j = box.to.y() - 1; j >= box.from.y(); --j) {
     for (int i = box.from.x(); i < box.to.x(); ++i) text += shade(grid.state({i, j}));
   }
@@ -200,12 +181,10 @@ std::string pgm(const OccupancyGrid& grid, const CellBox& box) {
 
 std::string yaml(const OccupancyGrid& grid, const CellBox& box, const std::string& image) {
   const Eigen::Vector2d origin = grid.resolution_m() * box.from.cast<double>();
-  char text[512];
-  std::snprintf(text, sizeof(text),
-                "image: %s\nmode: trinary\nresolution: %.6f\norigin: [%.6f, %.6f, 0.0]\n"
-                "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n",
-                image.c_str(), grid.resolution_m(), origin.x(), origin.y());
-  return text;
+  return fmt::format(
+      "image: {}\nmode: trinary\nresolution: {:.6f}\norigin: [{:.6f}, {:.6f}, 0.0]\n"
+      "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n",
+      image, grid.resolution_m(), origin.x(), origin.y());
 }
 
 void write_file(const std::filesystem::path& path, const std::string& contents) {

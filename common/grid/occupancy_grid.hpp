@@ -20,8 +20,8 @@ namespace adit {
 struct OccupancyGridParams {
   double resolution_m = 0.05;   ///< side of a cell
   double range_min_m = 0.1;     ///< shorter readings are dirt or the vehicle itself
-  double range_max_m = 30.0;    ///< longer readings are left out, "no return" with them
-  int cells_max = 100'000'000;  ///< refuse to grow beyond this; a cell takes 8 bytes
+  double range_max_m = 30.0;    ///< longer readings and no-returns are ignored
+  int cells_max = 100'000'000;  ///< the map does not grow beyond this; a cell takes 8 bytes
 
   template <class V>
   void visit(V& v) {
@@ -34,22 +34,22 @@ struct OccupancyGridParams {
 
 enum class CellState : std::uint8_t { kUnknown, kFree, kOccupied };
 
-/// A plane map of counts: how many scans saw each cell reflect (hits) and how many saw through it
-/// (misses); their ratio is the maximum-likelihood reflection probability (Hähnel et al. 2003). A
-/// scan counts once per cell, and a cell that reflects in a scan is not missed by its other beams.
-/// The map grows as scans come in; cells keep their coordinates.
+/// A planar map of counts: the number of scans that observed each cell as reflecting (hits) and as
+/// transparent (misses); their ratio is the maximum-likelihood reflection probability (Hähnel et
+/// al. 2003). A scan counts once per cell, and a cell hit in a scan is not missed by its other
+/// beams. The map grows with the scans; cells keep their coordinates.
 class OccupancyGrid {
  public:
   explicit OccupancyGrid(const OccupancyGridParams& params) : params_(params) {}
 
-  /// Enters a scan. False, and nothing is entered, where the pose is not finite or the map would
-  /// become larger than allowed: a pose that far away is an error of somebody's.
+  /// Inserts a scan. Returns false and inserts nothing if the pose is not finite or the map would
+  /// exceed its maximum size, which only an erroneous pose causes.
   [[nodiscard]] bool insert(const LaserScan& scan, const Pose2& T_map_laser);
 
   [[nodiscard]] CellState state(const Eigen::Vector2i& cell) const;
   /// Share of hits among hits and misses, 0 to 1; 0 where the cell is unknown.
   [[nodiscard]] double occupancy(const Eigen::Vector2i& cell) const;
-  /// The smallest box around all cells that are known; empty if none is.
+  /// The smallest box around all observed cells; empty if there is none.
   [[nodiscard]] CellBox observed_box() const;
 
   [[nodiscard]] double resolution_m() const { return params_.resolution_m; }
@@ -65,20 +65,18 @@ class OccupancyGrid {
   [[nodiscard]] std::vector<Eigen::Vector2d> end_points(const LaserScan& scan,
                                                         const Pose2& T_map_laser) const;
   [[nodiscard]] bool reserve(const CellBox& box);
-  void carve(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
-  [[nodiscard]] Cell& at(const Eigen::Vector2i& cell);
+  void count_misses(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
   [[nodiscard]] const Cell* find(const Eigen::Vector2i& cell) const;
 
   OccupancyGridParams params_;
-  CellBox box_;              // of the cells that are stored
-  std::vector<Cell> cells_;  // row by row, from the lowest
+  Grid2<Cell> cells_;
   std::uint32_t scan_ = 0;
 };
 
-/// Writes `stem`.pgm and `stem`.yaml into a folder, as ROS's map_server and nav2 read them:
-/// trinary, the highest row first, origin at the lower left corner of the lowest cell. The margin
-/// keeps one unknown cell around the map. The same map gives the same bytes. Throws
-/// std::runtime_error where a file cannot be written.
+/// Writes `stem`.pgm and `stem`.yaml to a folder, in the format of ROS map_server and Nav2:
+/// trinary, highest row first, origin at the lower left corner of the lowest cell, with a margin of
+/// one unknown cell around the map. The same map gives the same bytes. Throws std::runtime_error if
+/// a file cannot be written.
 void write_map_server(const OccupancyGrid& grid, const std::filesystem::path& folder,
                       const std::string& stem);
 

@@ -41,7 +41,7 @@ std::optional<JournalRecord> read(std::span<const std::uint8_t> bytes);
 struct JournalHealth {
   std::size_t records = 0;
   std::size_t corrupt_regions = 0;  ///< each holds one or more unreadable records
-  std::size_t corrupt_bytes = 0;  ///< in all corrupt regions
+  std::size_t corrupt_bytes = 0;    ///< in all corrupt regions
   std::size_t truncated_bytes = 0;  ///< of an incomplete last record
 
   friend bool operator==(const JournalHealth&, const JournalHealth&) = default;

@@ -135,8 +135,10 @@ std::string_view rejection_reason(const exploration_t& message) {
   const bool all_points_finite = std::all_of(
       route.begin(), route.end(), [](const std::vector<float>& p) { return all_finite(p); });
   if (!all_points_finite) return "route is not finite";
-  if (message.n_frontiers_found < message.n_frontiers) return "frontier count below the number of frontiers";
-  if (message.n_corridors_found < message.n_corridors) return "corridor count below the number of corridors";
+  if (message.n_frontiers_found < message.n_frontiers)
+    return "frontier count below the number of frontiers";
+  if (message.n_corridors_found < message.n_corridors)
+    return "corridor count below the number of corridors";
   return {};
 }
 

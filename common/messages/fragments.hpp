@@ -81,11 +81,11 @@ struct ReassemblyCounts {
 /// longest ago is abandoned.
 ///
 /// A fragment has `n_fragments` and `fragment`, its index. Functions for each type of fragment:
-///   int reassembly_id(const Fragment&);              // constant where only the newest object counts
-///   auto recency(const Fragment&);                   // greater for a newer revision of the id
-///   bool same_header(const Fragment&, const Fragment&);  // but for the index
-///   std::size_t bytes_in_memory(const Fragment&);
-///   std::optional<Object> reassemble(const FragmentSet<Fragment>&);  // nothing if inconsistent
+///   int reassembly_id(const Fragment&);              // constant where only the newest object
+///   counts auto recency(const Fragment&);                   // greater for a newer revision of the
+///   id bool same_header(const Fragment&, const Fragment&);  // but for the index std::size_t
+///   bytes_in_memory(const Fragment&); std::optional<Object> reassemble(const
+///   FragmentSet<Fragment>&);  // nothing if inconsistent
 template <class Fragment, ReassemblyLimits kDefaultLimits = ReassemblyLimits{}>
 class Reassembler {
  public:
@@ -138,8 +138,7 @@ class Reassembler {
         return incomplete_.end();
       }
       if (recency(fragment) == recency(first)) {
-        const bool same =
-            fragment.n_fragments == first.n_fragments && same_header(fragment, first);
+        const bool same = fragment.n_fragments == first.n_fragments && same_header(fragment, first);
         if (!same) ++counts_.contradictory;
         return same ? found : incomplete_.end();
       }
@@ -159,10 +158,10 @@ class Reassembler {
 
   void enforce_limits() {
     while (incomplete_.size() > limits_.incomplete || bytes_ > limits_.bytes) {
-      const auto oldest = std::min_element(
-          incomplete_.begin(), incomplete_.end(), [](const auto& a, const auto& b) {
-            return a.second.last_received < b.second.last_received;
-          });
+      const auto oldest = std::min_element(incomplete_.begin(), incomplete_.end(),
+                                           [](const auto& a, const auto& b) {
+                                             return a.second.last_received < b.second.last_received;
+                                           });
       if (oldest == incomplete_.end()) return;
       ++counts_.abandoned;
       erase(oldest);

@@ -36,7 +36,8 @@ std::string_view rejection_reason(const plan_goal_t& message) {
   const auto& route = message.route_odom;
   const auto& traversed_path = message.traversed_path_odom;
   const bool on_route = kind == PlanGoal::Kind::kRoute || kind == PlanGoal::Kind::kRouteTo;
-  const bool on_traversed_path = kind == PlanGoal::Kind::kRetrace || kind == PlanGoal::Kind::kRejoin;
+  const bool on_traversed_path =
+      kind == PlanGoal::Kind::kRetrace || kind == PlanGoal::Kind::kRejoin;
   if (route.size() > PlanGoal::kPointsMax || (on_route && route.size() < 2)) {
     return "invalid route";
   }
@@ -154,7 +155,8 @@ std::string_view rejection_reason(const planned_path_t& message) {
   const bool found = outcome == PlanOutcome::kFound;
   if (found && message.points.empty()) return "path without points";
   if (!found && !message.points.empty()) return "points without a path";
-  if (message.n_blocking_found < message.n_blocking) return "cell count below the number of blocking cells";
+  if (message.n_blocking_found < message.n_blocking)
+    return "cell count below the number of blocking cells";
   return {};
 }
 
@@ -216,7 +218,8 @@ std::string_view rejection_reason(const driving_state_t& message) {
   const auto kind = DrivingState::Kind(message.state);
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (message.path_id < 0) return "negative id";
-  if (kind < DrivingState::Kind::kIdle || kind > DrivingState::Kind::kFailed) return "unknown state";
+  if (kind < DrivingState::Kind::kIdle || kind > DrivingState::Kind::kFailed)
+    return "unknown state";
   if (!is_distance(message.progress_m) || !is_distance(message.remaining_m))
     return "invalid distance";
   if (!std::isfinite(message.lateral_error_m)) return "lateral error is not finite";

@@ -43,7 +43,7 @@ double Canvas::text_width(const std::string& text, double size, bool bold) const
 
 void Canvas::text(const std::string& text, double x, double y, double size, bool bold,
                   Align align) const {
-  const double width = text_width(text, size, bold);  // sets the font as well
+  const double width = text_width(text, size, bold);  // also sets the font
   double left = x;
   if (align == Align::kCentre) left -= width / 2.0;
   if (align == Align::kRight) left -= width;
@@ -118,17 +118,17 @@ double draw_text_block(const Canvas& canvas, const std::string& text, double lef
 
 namespace {
 
-constexpr double kRound = 24.0;  // margin
+constexpr double kMargin = 24.0;  // margin of the sheet
 
 }  // namespace
 
-void write_sheet(const std::filesystem::path& path, double width, const DrawDown& draw) {
-  const double bottom = draw(Canvas(1, 1), kRound, kRound);
-  const Canvas canvas(static_cast<int>(std::ceil(width + 2.0 * kRound)),
-                      static_cast<int>(std::ceil(bottom + kRound)));
+void write_sheet(const std::filesystem::path& path, double width, const DrawColumn& draw) {
+  const double bottom = draw(Canvas(1, 1), kMargin, kMargin);
+  const Canvas canvas(static_cast<int>(std::ceil(width + 2.0 * kMargin)),
+                      static_cast<int>(std::ceil(bottom + kMargin)));
   canvas.colour(kOpen);
   cairo_paint(canvas.cairo());
-  draw(canvas, kRound, kRound);
+  draw(canvas, kMargin, kMargin);
   canvas.write_png(path);
 }
 

@@ -15,7 +15,7 @@ namespace adit {
 
 enum class Align { kLeft, kCentre, kRight };
 
-/// A sheet of pixels to draw on, origin at the upper left: cairo with its handles owned.
+/// A pixel surface, origin at the upper left: cairo with owned handles.
 class Canvas {
  public:
   Canvas(int width, int height);
@@ -27,16 +27,16 @@ class Canvas {
   /// `y` is that of the base line.
   void text(const std::string& text, double x, double y, double size, bool bold, Align align) const;
 
-  /// Of text as it is drawn.
+  /// Width of a text as drawn [pixels].
   [[nodiscard]] double text_width(const std::string& text, double size, bool bold) const;
 
-  /// Pixel for pixel, its upper left corner at x, y.
+  /// Copies an image, its upper left corner at x, y.
   void image(const RgbImage& image, int x, int y) const;
-  /// The same, stretched to a rectangle: its pixels stay squares where they are enlarged, and are
-  /// averaged where they are made smaller.
+  /// Copies an image, scaled to a rectangle: enlarged pixels stay squares, reduced pixels are
+  /// averaged.
   void image(const RgbImage& image, double x, double y, double width, double height) const;
 
-  /// Throws std::runtime_error where the file cannot be written.
+  /// Throws std::runtime_error if the file cannot be written.
   void write_png(const std::filesystem::path& path) const;
 
  private:
@@ -52,22 +52,21 @@ class Canvas {
 };
 
 struct TextStyle {
-  double size = 17.0;  ///< of the letters [pixels]
-  double line = 26.0;  ///< height of a line
+  double size = 17.0;  ///< font size [pixels]
+  double line = 26.0;  ///< height of a line [pixels]
   bool bold = false;
 };
 
-/// Draws words in as many lines as it takes to stay within a width. Returns where the last ends
-/// [pixels].
+/// Draws a text with line breaks at a width. Returns the lower end of the last line [pixels].
 double draw_text_block(const Canvas& canvas, const std::string& text, double left, double top,
                        double width, const TextStyle& style);
 
-/// Draws from a place on and says where it ended, downwards [pixels].
-using DrawDown = std::function<double(const Canvas& canvas, double left, double top)>;
+/// Draws downwards from a position and returns the lower end [pixels].
+using DrawColumn = std::function<double(const Canvas& canvas, double left, double top)>;
 
-/// A white sheet of so much width between its margins, as high as what is drawn on it. Draws
-/// twice: to see how high that is, and on the sheet. Throws std::runtime_error where the file
-/// cannot be written.
-void write_sheet(const std::filesystem::path& path, double width, const DrawDown& draw);
+/// Writes a white sheet of a width, without its margins, as high as its content. Calls `draw`
+/// twice: to measure the height, and to draw. Throws std::runtime_error if the file cannot be
+/// written.
+void write_sheet(const std::filesystem::path& path, double width, const DrawColumn& draw);
 
 }  // namespace adit

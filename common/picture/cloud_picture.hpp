@@ -7,8 +7,8 @@
 
 namespace adit {
 
-/// The points of a 3D scan as one sees them who stands behind the vehicle and looks ahead (the
-/// paper's figures 5a and 7): coloured by height above the ground, darker the farther away.
+/// A perspective view of a 3D scan from behind the vehicle (the paper's figures 5a and 7): coloured
+/// by height above the ground, darker with distance.
 RgbImage cloud_image(const Cloud& cloud, int width, int height);
 
 }  // namespace adit

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/picture/legend.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "common/picture/canvas.hpp"
 #include "common/picture/palette.hpp"
@@ -11,10 +11,10 @@ namespace adit {
 namespace {
 
 constexpr double kText = 15.0;
-constexpr double kBox = 15.0;    // height, and width of what is one colour
-constexpr double kRamp = 70.0;   // width
-constexpr double kToName = 6.0;  // from the box
-constexpr double kApart = 20.0;  // of items
+constexpr double kBox = 15.0;    // height, and width for a single colour
+constexpr double kRamp = 70.0;   // width of a ramp
+constexpr double kToName = 6.0;  // from the box to the text
+constexpr double kApart = 20.0;  // between items
 constexpr double kRow = 24.0;
 
 double box_width(const LegendItem& item) { return item.to ? kRamp : kBox; }
@@ -57,11 +57,10 @@ void draw_scale_bar(const Canvas& canvas, double x, double y, double metres,
   canvas.fill_rectangle(x, y - 3.0 * unit, length, 6.0 * unit);
   canvas.colour(kOpen);
   canvas.fill_rectangle(x + length / 2.0, y - 1.5 * unit, length / 2.0 - 1.5 * unit, 3.0 * unit);
-  char label[32];
-  std::snprintf(label, sizeof(label), "%g m", metres);
   canvas.colour(kInk);
   canvas.text("0", x, y + 24.0 * unit, 15.0 * unit, false, Align::kLeft);
-  canvas.text(label, x + length, y + 24.0 * unit, 15.0 * unit, false, Align::kCentre);
+  canvas.text(fmt::format("{:g} m", metres), x + length, y + 24.0 * unit, 15.0 * unit, false,
+              Align::kCentre);
 }
 
 }  // namespace adit

@@ -13,21 +13,21 @@ namespace adit {
 
 class Canvas;
 
-/// What a colour means, or the colours from one to another.
+/// The meaning of a colour, or of a colour ramp.
 struct LegendItem {
   Colour colour;
   std::string name;
-  std::optional<Colour> to;  ///< of a ramp, its other end
+  std::optional<Colour> to;  ///< the other end of a ramp
 };
 
 using Legend = std::vector<LegendItem>;
 
-/// Draws the items one beside the other within a width, in as many rows as it takes. Returns where
-/// the last row ends [pixels].
+/// Draws the items side by side within a width, in as many rows as necessary. Returns the lower end
+/// of the last row [pixels].
 double draw_legend(const Canvas& canvas, const Legend& legend, double left, double top,
                    double width);
 
-/// 1, 2 or 5 times a power of ten, the greatest that is no longer than `longest_m`.
+/// The largest of 1, 2 or 5 times a power of ten that is not longer than `longest_m`.
 inline double scale_bar_m(double longest_m) {
   const double decade = std::pow(10.0, std::floor(std::log10(longest_m)));
   for (const double step : {5.0, 2.0}) {
@@ -36,8 +36,8 @@ inline double scale_bar_m(double longest_m) {
   return decade;
 }
 
-/// A bar of two halves, `metres` long, whose left end is at x and whose middle line at y, with its
-/// length written below. `unit` is what a pixel of lettering is on this sheet.
+/// Draws a scale bar of two halves, `metres` long, with its left end at x and its centre line at y,
+/// and its length below. `unit`: scale of the lettering on this sheet [pixels].
 void draw_scale_bar(const Canvas& canvas, double x, double y, double metres,
                     double pixels_per_metre, double unit);
 

@@ -12,9 +12,9 @@ namespace adit {
 namespace {
 
 constexpr int kPixelsMax = 2400;
-constexpr int kLongSideDesired = 1600;  // lettering and lines grow with sheets that are larger
+constexpr int kLongSideDesired = 1600;  // lettering and lines are scaled up on larger sheets
 constexpr double kPixelsPerMetreMax = 60.0;
-constexpr int kWidthMin = 820;  // what the footer needs
+constexpr int kWidthMin = 820;  // needed by the footer
 
 }  // namespace
 
@@ -30,7 +30,7 @@ MapLayout::MapLayout(const OccupancyGrid& grid, const std::vector<Pose2>& poses,
   low -= Eigen::Vector2d::Constant(1.0);
   high += Eigen::Vector2d::Constant(1.0);
   const Eigen::Vector2d size = high - low;
-  // One cell is never more than a pixel or so smaller than needed, up to the limit of the sheet.
+  // A cell takes at least one pixel, up to the limit of the sheet.
   const double finest = 1.0 / grid.resolution_m();
   const double desired = std::max(finest, kLongSideDesired / size.maxCoeff());
   pixels_per_metre = std::min(desired, kPixelsPerMetreMax);

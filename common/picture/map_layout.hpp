@@ -12,16 +12,16 @@
 
 namespace adit {
 
-// Around the map, in units of the sheet.
+// Margins of the map, in units of the sheet.
 inline constexpr double kPageMargin = 40.0;
 inline constexpr double kHeader = 76.0;
 inline constexpr double kFooter = 84.0;
-inline constexpr double kGraphKey = 104.0;  // width of each key of a pose graph
+inline constexpr double kGraphKey = 104.0;  // width of each legend entry of a pose graph
 
-/// Where things go on the sheet.
+/// The layout of a map sheet.
 struct MapLayout {
-  /// Shows all that is known of the grid and these poses. `keys` are those of a pose graph that the
-  /// foot of the sheet has to hold.
+  /// Fits all observed cells of the grid and these poses. `keys`: number of legend entries of the
+  /// pose graph in the footer.
   MapLayout(const OccupancyGrid& grid, const std::vector<Pose2>& poses, int keys = 0);
 
   [[nodiscard]] Eigen::Vector2d pixel(const Eigen::Vector2d& p_map) const {
@@ -30,26 +30,26 @@ struct MapLayout {
   }
 
   CellBox cells;
-  Eigen::Vector2d low;  // corners of what is shown, in the map [m]
+  Eigen::Vector2d low;  // corners of the shown area, in the map [m]
   Eigen::Vector2d high;
   double pixels_per_metre;
-  double unit;  // what a pixel of lettering and lines is on this sheet
-  double left;  // of the map on the sheet
+  double unit;  // scale of lettering and lines on this sheet
+  double left;  // left edge of the map on the sheet
   double top;
   int width;
   int height;
 };
 
-/// Height of the keys and the scale on the sheet [pixels].
+/// Vertical position of legend and scale bar on the sheet [pixels].
 inline double foot(const MapLayout& layout) { return layout.height - kFooter / 2.0 * layout.unit; }
 
-/// Where a path starts and ends, in pixels. The start is larger, so that it shows where the end
-/// lies upon it.
+/// Draws the start and end of a path, in pixels. The start marker is larger, so that it remains
+/// visible below the end marker.
 void draw_start(const Canvas& canvas, const Eigen::Vector2d& p, double unit);
 void draw_end(const Canvas& canvas, const Eigen::Vector2d& p, double unit);
 
-/// The foot of the sheet: the scale in metres at the left, and at the right what the colours of the
-/// path mean. Returns where these begin, left of which there is room for more [pixels].
+/// Draw the footer: the scale bar at the left, and the legend of the path at the right.
+/// draw_path_keys returns the left end of the legend, up to which there is space [pixels].
 void draw_scale_bar(const Canvas& canvas, const MapLayout& layout);
 double draw_path_keys(const Canvas& canvas, const MapLayout& layout, bool with_degenerate);
 

@@ -10,11 +10,11 @@
 namespace adit {
 namespace {
 
-constexpr double kTitle = 26.0;  // height of the line
+constexpr double kTitle = 26.0;  // height of the title line
 constexpr double kTitleText = 17.0;
-constexpr double kScale = 44.0;  // height of the row of the scale
+constexpr double kScale = 44.0;  // height of the row of the scale bar
 constexpr double kHigherThanWide = 1.5;
-constexpr double kNarrow = 300.0;  // a panel with smaller letters
+constexpr double kNarrow = 300.0;  // narrower panels have smaller letters
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void MapPanel::draw(const RgbImage& image, const std::string& title) const {
 void MapPanel::outline(const Pose2& T_level_body, double length_m, double width_m) const {
   const double x = length_m / 2.0;
   const double y = width_m / 2.0;
-  cairo_new_path(canvas_.cairo());  // text leaves a point behind
+  cairo_new_path(canvas_.cairo());  // drawing text leaves a current point
   for (const Eigen::Vector2d& corner : {Eigen::Vector2d(-x, -y), Eigen::Vector2d(x, -y),
                                         Eigen::Vector2d(x, y), Eigen::Vector2d(-x, y)}) {
     const Eigen::Vector2d at = pixel(T_level_body * corner);

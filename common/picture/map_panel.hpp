@@ -14,11 +14,11 @@
 
 namespace adit {
 
-/// A map of the size of a terrain somewhere on a sheet, y up, with a title above and a scale and a
-/// legend below.
+/// A map with the extent of a terrain map on a sheet, y up, with a title above and a scale bar and
+/// a legend below.
 class MapPanel {
  public:
-  /// So wide on the sheet, its title from `top` on. Maps that are much higher than wide are
+  /// `width` on the sheet, the title from `top` on. Maps that are much higher than wide are
   /// narrower.
   MapPanel(const Canvas& canvas, const TerrainMap& terrain, double left, double top, double width);
 
@@ -28,18 +28,18 @@ class MapPanel {
   [[nodiscard]] double cell_px() const { return cell_px_; }
   [[nodiscard]] Eigen::Vector2d pixel(const Eigen::Vector2d& p_level) const;
 
-  /// A pixel of the image for each cell.
+  /// Draws an image with one pixel per cell.
   void draw(const RgbImage& image, const std::string& title) const;
-  /// A vehicle as its outline, an arrow within it pointing ahead.
+  /// Draws the outline of a vehicle with an arrow that points ahead.
   void draw_vehicle(const Pose2& T_level_body, double length_m, double width_m) const;
-  /// A closed line round a rectangle about a pose.
+  /// Draws the outline of a rectangle centred at a pose.
   void outline(const Pose2& T_level_body, double length_m, double width_m) const;
-  /// Scale and legend. Returns where they end [pixels].
+  /// Draws scale bar and legend. Returns their lower end [pixels].
   [[nodiscard]] double finish(const Legend& legend) const;
-  /// Where the map ends [pixels].
+  /// Lower end of the map [pixels].
   [[nodiscard]] double bottom() const;
 
-  /// What is drawn until `unclip` stays within the map.
+  /// Clips drawing to the map until `unclip`.
   void clip() const;
   void unclip() const;
 
@@ -47,7 +47,7 @@ class MapPanel {
   const Canvas& canvas_;
   const TerrainMap& terrain_;
   double left_;
-  double top_;  ///< of the map itself
+  double top_;  ///< upper edge of the map itself
   double width_;
   double cell_px_;
 };

@@ -16,20 +16,12 @@
 namespace adit {
 namespace {
 
-/// Draws a pose graph. Where its nodes are close together on the sheet, they are drawn smaller.
-void draw_graph(const Canvas& canvas, const MapLayout& layout, const GraphPicture& graph);
-
-/// The keys of those of its parts that there are, side by side at the foot of the sheet; `right` is
-/// where they end [pixels].
-void draw_graph_keys(const Canvas& canvas, const MapLayout& layout, const GraphPicture& graph,
-                     double right);
-
 using Edge = GraphPicture::Edge;
 
 struct Pen {
   Colour colour;
   double width;  // units
-  double end;    // radius of a dot at either end, units
+  double end;    // radius of the dots at its ends, units
   bool dashed = false;
 };
 
@@ -51,7 +43,8 @@ void stroke(const Canvas& canvas, std::span<const Edge> edges, const Colour& col
   cairo_stroke(canvas.cairo());
 }
 
-/// Edges in pixels; those that stand out have a pale rim, so that they show on walls and path.
+/// Draws edges given in pixels; emphasised ones have a pale rim, so that they are visible on walls
+/// and path.
 void draw_edges(const Canvas& canvas, std::span<const Edge> edges, const Pen& pen, double unit) {
   cairo_t* cairo = canvas.cairo();
   cairo_set_line_cap(cairo, pen.dashed ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
@@ -86,8 +79,8 @@ void draw_node(const Canvas& canvas, const Eigen::Vector2d& p, double radius) {
   canvas.disc(p.x(), p.y(), radius);
 }
 
-/// How much finer than in the key the graph is drawn, so that nodes at the usual distance stay
-/// apart: 1 or less.
+/// Scale of the graph relative to the legend, so that nodes at their median distance stay apart: at
+/// most 1.
 double fineness(const MapLayout& layout, const std::vector<Pose2>& nodes) {
   constexpr double kFinest = 0.4;
   std::vector<double> gaps;
@@ -97,22 +90,25 @@ double fineness(const MapLayout& layout, const std::vector<Pose2>& nodes) {
   if (gaps.empty()) return 1.0;
   const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
   std::nth_element(gaps.begin(), middle, gaps.end());
-  const double wanted_radius = 0.12 * *middle * layout.pixels_per_metre;
-  return std::clamp(wanted_radius / (kNodeRadius * layout.unit), kFinest, 1.0);
+  const double desired_radius = 0.12 * *middle * layout.pixels_per_metre;
+  return std::clamp(desired_radius / (kNodeRadius * layout.unit), kFinest, 1.0);
 }
 
+/// Draws a pose graph, finer where its nodes are dense on the sheet.
 void draw_graph(const Canvas& canvas, const MapLayout& layout, const GraphPicture& graph) {
   const double unit = fineness(layout, graph.nodes) * layout.unit;
   draw_edges(canvas, on_sheet(layout, graph.sequential), kSequentialPen, unit);
   for (const Pose2& node : graph.nodes) {
     draw_node(canvas, layout.pixel(node.translation()), kNodeRadius * unit);
   }
-  // What matters most stays readable longest.
-  const double unit_of_loop_closures = std::sqrt(unit * layout.unit);
-  draw_edges(canvas, on_sheet(layout, graph.revoked), kRevokedPen, unit_of_loop_closures);
-  draw_edges(canvas, on_sheet(layout, graph.loop_closures), kLoopClosurePen, unit_of_loop_closures);
+  // Loop closures are reduced less, to stay readable.
+  const double loop_closure_unit = std::sqrt(unit * layout.unit);
+  draw_edges(canvas, on_sheet(layout, graph.revoked), kRevokedPen, loop_closure_unit);
+  draw_edges(canvas, on_sheet(layout, graph.loop_closures), kLoopClosurePen, loop_closure_unit);
 }
 
+/// Draws the legend entries of its non-empty parts side by side in the footer, ending at `right`
+/// [pixels].
 void draw_graph_keys(const Canvas& canvas, const MapLayout& layout, const GraphPicture& graph,
                      double right) {
   const double unit = layout.unit;
@@ -131,11 +127,11 @@ void draw_graph_keys(const Canvas& canvas, const MapLayout& layout, const GraphP
     centre -= kGraphKey * unit;
   };
   if (!graph.revoked.empty()) key("revoked", kRevokedPen, false);
-  if (!graph.loop_closures.empty()) key("closures", kLoopClosurePen, false);
+  if (!graph.loop_closures.empty()) key("loop closures", kLoopClosurePen, false);
   if (!graph.nodes.empty()) key("local maps", kSequentialPen, true);
 }
 
-constexpr double kThinCell = 1.3;  // pixels; walls one cell thick fade if drawn finer than this
+constexpr double kThinCell = 1.3;  // pixels; below, one-cell walls would fade
 
 std::uint32_t pixel_of(const Colour& colour) {
   const auto channel = [](double value) {
@@ -185,7 +181,7 @@ void draw_ground(const Canvas& canvas, const MapLayout& layout, const OccupancyG
   cairo_restore(cairo);
 }
 
-/// Strokes the pieces [i, i + 1] of the path for which `wanted(i)`, joined where they touch.
+/// Strokes the segments [i, i + 1] of the path with `selected(i)`, joined where they touch.
 template <class Selected>
 void stroke_path(const Canvas& canvas, const MapLayout& layout, const std::vector<Pose2>& path,
                  double line_width, const Selected& selected) {
@@ -218,7 +214,7 @@ void draw_path(const Canvas& canvas, const MapLayout& layout, const MapPicture& 
   };
   canvas.colour(kDegenerate);
   stroke_path(canvas, layout, path, 12.0 * layout.unit, flagged);
-  // The colour changes in small steps, so that each may be one stroke with proper joins.
+  // The colour changes in small steps, each one stroke with proper joins.
   constexpr std::size_t kShades = 128;
   const std::size_t segments = path.size() > 1 ? path.size() - 1 : 0;
   for (std::size_t shade = 0; shade < kShades; ++shade) {

@@ -14,7 +14,7 @@
 
 namespace adit {
 
-/// A pose graph to be drawn over a map, in the map's frame.
+/// A pose graph to draw over a map, in the map frame.
 struct GraphPicture {
   struct Edge {
     Eigen::Vector2d a;  ///< [m]
@@ -24,27 +24,27 @@ struct GraphPicture {
   std::vector<Pose2> nodes;         ///< T_map_local, small dots
   std::vector<Edge> sequential;     ///< between consecutive local maps, thin
   std::vector<Edge> loop_closures;  ///< in force
-  std::vector<Edge> revoked;        ///< once in force and given up, dashed
+  std::vector<Edge> revoked;        ///< once in force and revoked, dashed
 
   [[nodiscard]] bool empty() const {
     return nodes.empty() && sequential.empty() && loop_closures.empty() && revoked.empty();
   }
 };
 
-/// What is drawn over a map, in the map's frame.
+/// The content drawn over a map, in the map frame.
 struct MapPicture {
   std::string title;        ///< one line, UTF-8
   std::vector<Pose2> path;  ///< T_map_body from start to end, finite, coloured along its length
   std::vector<bool> degenerate;  ///< for each pose of the path, or empty; drawn as a wide band
-  /// Indices of poses to which the path does not lead: there another session begins.
+  /// Indices of poses at which a new session begins: no line leads to them.
   std::vector<std::size_t> jumps{};
-  GraphPicture graph{};  ///< as much of it as is to be seen
+  GraphPicture graph{};  ///< the parts to draw
 };
 
-/// Draws a map as PNG: open ground white, walls dark, the unknown the colour of the paper; the path
-/// with its start and end, and the pose graph; below it a scale bar and what the colours mean. At
-/// most 2400 pixels either way. The same map gives the same bytes on the same system (fonts are the
-/// system's). Throws std::runtime_error where the file cannot be written.
+/// Draws a map as PNG: free cells white, walls dark, unknown cells in the colour of the paper; the
+/// path with its start and end, and the pose graph; below a scale bar and a legend. At most 2400
+/// pixels a side. The same map gives the same bytes on the same system (with the same fonts).
+/// Throws std::runtime_error if the file cannot be written.
 void write_map_png(const OccupancyGrid& grid, const MapPicture& picture,
                    const std::filesystem::path& path);
 

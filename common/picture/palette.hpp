@@ -22,9 +22,9 @@ inline constexpr Colour kEnd = rgb(0xc8324a);
 inline constexpr Colour kGraph = rgb(0x33373d);
 inline constexpr Colour kLoopClosure = rgb(0x2fa32a);
 inline constexpr Colour kRevoked = rgb(0xf07800);
-inline constexpr Colour kRim = rgb(0xffffff, 0.85);  // round what is drawn over walls
+inline constexpr Colour kRim = rgb(0xffffff, 0.85);  // rim of lines over walls
 
-/// From the start of a path to its end; all darker than the ground and lighter than the walls.
+/// Colours from the start of a path to its end; darker than the ground and lighter than the walls.
 inline constexpr std::array<Colour, 4> kAlongPath = {rgb(0x1a9a8f), rgb(0x2f6fc1), rgb(0x8a4bc0),
                                                      rgb(0xe0483e)};
 

@@ -14,17 +14,6 @@
 namespace adit {
 namespace {
 
-/// The terrain in grey with the region that the robot reached laid over it, where there is no path.
-RgbImage reached_image(const PlanPicture& picture);
-
-/// Draws onto a terrain map: the goal, the path with the outline of the vehicle every metre, what
-/// blocks it in the colour of the reason, and the robot.
-void draw_plan(const MapPanel& panel, const PlanPicture& picture);
-/// The middle of the vehicle along the path, and no more: for small maps.
-void draw_path_line(const MapPanel& panel, const PlannedPath& path);
-
-Legend plan_legend(const PlanPicture& picture);
-
 constexpr double kOutlineEveryM = 1.0;
 constexpr double kGoalRadiusPx = 9.0;
 constexpr Colour kReached = rgb(0x3fb56b);
@@ -39,7 +28,7 @@ struct ReasonColour {
 constexpr std::array<ReasonColour, 7> kReasons = {{{rgb(0xff00b8), "a step"},
                                                    {rgb(0xe0182d), "too high to drive over"},
                                                    {rgb(0x7b1fa2), "the roof"},
-                                                   {rgb(0xf2c200), "not seen"},
+                                                   {rgb(0xf2c200), "not observed"},
                                                    {rgb(0x1560bd), "water?"},
                                                    {rgb(0x7a4a21), "too steep"},
                                                    {rgb(0x008b8b), "a drop"}}};
@@ -79,7 +68,7 @@ void draw_outlines(const MapPanel& panel, const PlanPicture& picture) {
   }
 }
 
-/// A ring at a pose; a dashed line to as far as the robot is to get.
+/// A ring at a goal pose; for a goal along a direction, a dashed line to its end.
 void draw_goal(const MapPanel& panel, const PlanGoal& goal) {
   cairo_t* const cairo = panel.canvas().cairo();
   const Pose2 T_level_goal = in_level(panel, goal.T_odom_goal);
@@ -106,6 +95,7 @@ void tint(RgbImage::Pixel& pixel) {
   pixel = rgb_pixel(blend(was, kReached, kReachedShare));
 }
 
+/// The terrain in grey, and the reached region over it if there is no path.
 RgbImage reached_image(const PlanPicture& picture) {
   RgbImage image = terrain_image(picture.terrain);
   if (picture.reached.size() != picture.terrain.cells.size()) return image;
@@ -117,6 +107,7 @@ RgbImage reached_image(const PlanPicture& picture) {
   return image;
 }
 
+/// Draws the path of the vehicle's centre only: for small maps.
 void draw_path_line(const MapPanel& panel, const PlannedPath& path) {
   panel.canvas().colour(kStart);
   const double radius = std::clamp(panel.cell_px() / 2.0, 1.0, 2.0);
@@ -126,6 +117,8 @@ void draw_path_line(const MapPanel& panel, const PlannedPath& path) {
   }
 }
 
+/// Draws on a terrain map: the goal, the path with the outline of the vehicle every metre, the
+/// blocking cells in the colour of their reason, and the robot.
 void draw_plan(const MapPanel& panel, const PlanPicture& picture) {
   panel.clip();
   if (picture.goal) draw_goal(panel, *picture.goal);
@@ -138,26 +131,26 @@ void draw_plan(const MapPanel& panel, const PlanPicture& picture) {
 
 Legend plan_legend(const PlanPicture& picture) {
   Legend legend{{kStart, "the robot", {}}};
-  if (picture.goal) legend.push_back({kGoal, "where it is to go", {}});
+  if (picture.goal) legend.push_back({kGoal, "the goal", {}});
   if (!picture.path.points.empty()) {
     legend.push_back({along_path(0.0), "outline along the path", along_path(1.0)});
   }
   if (!picture.reached.empty()) {
-    legend.push_back({kReached, "where its middle can get", {}});
+    legend.push_back({kReached, "reachable by its centre", {}});
   }
   std::array<bool, kReasons.size()> named{};
   for (const BlockingCell& cell : picture.path.blocking) {
     bool& done = named[static_cast<std::size_t>(cell.reason)];
     if (!done)
       legend.push_back(
-          {reason_of(cell).colour, std::string("in the way: ") + reason_of(cell).name, {}});
+          {reason_of(cell).colour, std::string("blocked by: ") + reason_of(cell).name, {}});
     done = true;
   }
   return legend;
 }
 
 constexpr double kGap = 24.0;
-constexpr double kSheet = 1440.0;  // width, as of the slices
+constexpr double kSheet = 1440.0;  // width of a sheet
 constexpr double kPathWidth = 800.0;
 constexpr TextStyle kTitle{.size = 21.0, .line = 30.0, .bold = true};
 constexpr TextStyle kFact{.size = 17.0, .line = 26.0};
@@ -172,7 +165,7 @@ double draw_title(const Canvas& canvas, const std::string& title, double left, d
   return draw_text_block(canvas, title, left, top, width, kTitle) + kGap / 2.0;
 }
 
-/// The last row at the top.
+/// With the last row at the top.
 RgbImage image_of(const GreyCells& cells) {
   RgbImage image(cells.columns, cells.rows());
   for (std::size_t i = 0; i < cells.grey.size(); ++i) {
@@ -187,7 +180,7 @@ double draw_path(const Canvas& canvas, const PlanPicture& picture, double left, 
                  double width, const Legend& more) {
   const MapPanel panel(canvas, picture.terrain, left, top, width);
   panel.draw(reached_image(picture),
-             picture.path.points.empty() ? "What is in the way" : "The path");
+             picture.path.points.empty() ? "What blocks the path" : "The path");
   draw_plan(panel, picture);
   Legend legend = plan_legend(picture);
   legend.insert(legend.end(), more.begin(), more.end());
@@ -203,11 +196,11 @@ double draw_layer(const Canvas& canvas, const PlanPicture& picture, TerrainLayer
 }
 
 double draw_slices(const Canvas& canvas, const PlanPicture& picture, double left, double top,
-                   int in_a_row) {
-  const double width = (kSheet - (in_a_row - 1) * kGap) / in_a_row;
+                   int columns) {
+  const double width = (kSheet - (columns - 1) * kGap) / columns;
   double bottom = top;
   for (std::size_t i = 0; i < picture.slices.size(); ++i) {
-    const auto place = static_cast<int>(i) % in_a_row;
+    const auto place = static_cast<int>(i) % columns;
     if (place == 0) top = bottom;
     const MapPanel panel(canvas, picture.terrain, left + place * (width + kGap), top, width);
     panel.draw(image_of(picture.slices[i]), picture.slices[i].label);
@@ -216,7 +209,7 @@ double draw_slices(const Canvas& canvas, const PlanPicture& picture, double left
   }
   const Legend legend{
       {grey(PlanPicture::kFlatGrey), "even to rough", grey(PlanPicture::kCostlyGrey)},
-      {grey(PlanPicture::kUnknownGrey), "too much that is not seen", {}},
+      {grey(PlanPicture::kUnknownGrey), "too much unobserved ground", {}},
       {grey(PlanPicture::kLethalGrey), "not passable at this heading", {}},
       {kStart, "the path", {}}};
   return draw_legend(canvas, legend, left, bottom, kSheet) + kGap / 2.0;
@@ -254,7 +247,7 @@ double draw_scan(const Canvas& canvas, const PlanPicture& picture, double left, 
   return top;
 }
 
-/// The scan, or the terrain where there is no view of it, beside the path; below, the layers.
+/// The 3D scan, or the terrain if there is no view of it, beside the path; the layers below.
 double draw_maps(const Canvas& canvas, const PlanPicture& picture, double left, double top) {
   const double half = (kSheet - kGap) / 2.0;
   const double third = (kSheet - 2.0 * kGap) / 3.0;

@@ -14,7 +14,7 @@
 
 namespace adit {
 
-/// Cells in grey, row by row, 0 black to 255 white.
+/// Grey cells, row by row, 0 black to 255 white.
 struct GreyCells {
   std::string label;
   int columns = 0;
@@ -25,14 +25,15 @@ struct GreyCells {
   }
 };
 
-/// How a plan came about.
+/// The steps of a plan: terrain, C-space, kernels and path.
 struct PlanPicture {
-  /// Of the slices; what is passable lies between the last two, the dearer the darker.
+  /// Grey values of the slices; passable cells lie between the last two, darker with cost.
   static constexpr std::uint8_t kLethalGrey = 0;
   static constexpr std::uint8_t kUnknownGrey = 90;
   static constexpr std::uint8_t kCostlyGrey = 120;
   static constexpr std::uint8_t kFlatGrey = 255;
-  /// Of the kernels: under the wheels, between them, lethal to an obstacle but without weight.
+  /// Grey values of the kernels: under the wheels, between them, and the margin, which has no
+  /// weight but must hold no obstacle.
   static constexpr std::uint8_t kWheelGrey = 0;
   static constexpr std::uint8_t kBetweenGrey = 170;
   static constexpr std::uint8_t kMarginGrey = 225;
@@ -41,25 +42,25 @@ struct PlanPicture {
   TerrainMap terrain;
   PlannedPath path;
   double length_m = 0.0;              ///< of the vehicle
-  double width_m = 0.0;               ///< likewise
+  double width_m = 0.0;               ///< of the vehicle
   std::vector<GreyCells> slices;      ///< of the C-space, with the cells of the terrain
-  std::vector<GreyCells> kernels;     ///< small, their cells drawn larger
-  std::vector<std::uint8_t> reached;  ///< 1: cells that the robot can get to; or empty
+  std::vector<GreyCells> kernels;     ///< small, drawn enlarged
+  std::vector<std::uint8_t> reached;  ///< 1: cells that the robot can reach; or empty
   std::optional<PlanGoal> goal;
-  std::optional<RgbImage> scan;    ///< a view of the points
+  std::optional<RgbImage> scan;    ///< a view of the 3D scan
   std::vector<std::string> facts;  ///< lines of text below it
 };
 
-// Each draws a PNG, maps with y up, and throws std::runtime_error where it cannot be written.
+// Each function draws a PNG, maps with y up, and throws std::runtime_error if it cannot be written.
 
-/// The terrain in grey, bright where it is easy, with the path or what blocks it (the paper's
-/// figure 7).
+/// The terrain in grey, bright where it is easy, with the path or the obstacles that block it (the
+/// paper's figure 7).
 void write_path_png(const PlanPicture& picture, const std::filesystem::path& path);
-/// C-space maps at their headings.
+/// Slices of the C-space by heading.
 void write_slices_png(const PlanPicture& picture, const std::filesystem::path& path);
 /// The oriented kernels (the paper's figure 5c).
 void write_kernels_png(const PlanPicture& picture, const std::filesystem::path& path);
-/// All of it, and the scan, on one sheet (the paper's figure 5).
+/// All of these and the 3D scan on one sheet (the paper's figure 5).
 void write_plan_png(const PlanPicture& picture, const std::filesystem::path& path);
 
 }  // namespace adit

@@ -9,7 +9,7 @@
 
 namespace adit {
 
-/// Shares of 1.
+/// Colour channels, 0 to 1.
 struct Colour {
   double red;
   double green;
@@ -21,7 +21,7 @@ constexpr Colour rgb(unsigned hex, double alpha = 1.0) {
   return {(hex >> 16U & 0xffU) / 255.0, (hex >> 8U & 0xffU) / 255.0, (hex & 0xffU) / 255.0, alpha};
 }
 
-/// Pixels row by row from the top, black at first.
+/// An image, row by row from the top, initially black.
 struct RgbImage {
   using Pixel = std::array<std::uint8_t, 3>;  ///< red, green, blue
 

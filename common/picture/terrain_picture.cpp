@@ -13,7 +13,7 @@
 namespace adit {
 namespace {
 
-constexpr double kBlackM = 0.3;  // coefficient: no wheel climbs it, no belly clears it
+constexpr double kBlackM = 0.3;  // coefficient: impassable for wheels and belly
 constexpr double kWhiteM = 3.0;  // clearance
 constexpr Colour kBlack = rgb(0x000000);
 constexpr Colour kNoRoof = rgb(0xd3e6c8);
@@ -25,8 +25,8 @@ struct GroundColour {
   const char* name;
 };
 constexpr std::array<GroundColour, 4> kUnknown = {
-    {{Ground::kNeverObserved, rgb(0xe2d6b5), "never looked at"},
-     {Ground::kOccluded, rgb(0xb3a6cf), "in shadow"},
+    {{Ground::kNeverObserved, rgb(0xe2d6b5), "never observed"},
+     {Ground::kOccluded, rgb(0xb3a6cf), "occluded"},
      {Ground::kBelowRay, rgb(0xe8b184), "below a beam"},
      {Ground::kNoReturn, rgb(0x86b5dc), "no return: water?"}}};
 
@@ -68,7 +68,7 @@ const char* title_of(TerrainLayer layer) {
     case TerrainLayer::kClearance:
       return "Height of the roof above the ground";
     case TerrainLayer::kKnowledge:
-      return "What is known of the ground";
+      return "State of the ground";
   }
   return "";
 }
@@ -80,10 +80,10 @@ Legend legend_of(TerrainLayer layer) {
       legend = {{kOpen, "0 to 0.3 m of unevenness", kBlack}};
       break;
     case TerrainLayer::kClearance:
-      legend = {{kBlack, "0 to 3 m", kOpen}, {kNoRoof, "no roof seen", {}}};
+      legend = {{kBlack, "0 to 3 m", kOpen}, {kNoRoof, "no roof observed", {}}};
       break;
     case TerrainLayer::kKnowledge:
-      legend = {{kOpen, "seen", {}}, {kBetweenBeams, "between beams", {}}};
+      legend = {{kOpen, "observed", {}}, {kBetweenBeams, "between beams", {}}};
       break;
   }
   for (const GroundColour& unknown : kUnknown) legend.push_back({unknown.colour, unknown.name, {}});

@@ -10,22 +10,22 @@
 
 namespace adit {
 
-/// What of a terrain map is drawn.
+/// The layers of a terrain map.
 enum class TerrainLayer {
-  kCoefficient,  ///< how hard the ground is to pass: bright is easy (the paper's figure 5b)
-  kClearance,    ///< how high the roof is above it: bright is high
-  kKnowledge,    ///< what is known of it, and why not
+  kCoefficient,  ///< roughness of the ground: bright is easy (the paper's figure 5b)
+  kClearance,    ///< height of the roof above the ground: bright is high
+  kKnowledge,    ///< whether the ground is observed, and why not
 };
 
-/// A pixel for each cell, x to the right and y up. Unknown ground has the colour of its class in
-/// all layers.
+/// An image with one pixel per cell, x to the right and y up. Unknown ground has the colour of its
+/// class in all layers.
 RgbImage terrain_image(const TerrainMap& map, TerrainLayer layer = TerrainLayer::kCoefficient);
 
 const char* title_of(TerrainLayer layer);
 Legend legend_of(TerrainLayer layer);
 
-/// Draws a layer of a terrain map as PNG, with the place of the body, a scale and what the colours
-/// mean. Throws std::runtime_error where the file cannot be written.
+/// Draws a layer of a terrain map as PNG, with the position of the body, a scale bar and a legend.
+/// Throws std::runtime_error if the file cannot be written.
 void write_terrain_png(const TerrainMap& map, const std::filesystem::path& path,
                        TerrainLayer layer = TerrainLayer::kCoefficient);
 

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include <Eigen/Eigenvalues>
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include "common/config/number_text.hpp"
@@ -22,14 +23,14 @@
 namespace adit {
 namespace {
 
-constexpr double kNegativeMax = 1e-9;  // share of the largest eigenvalue that digits may cost
+constexpr double kNegativeMax = 1e-9;  // relative to the largest eigenvalue: rounding of the digits
 
 struct CloseGz {
   void operator()(gzFile_s* file) const { gzclose(file); }
 };
 using GzFile = std::unique_ptr<gzFile_s, CloseGz>;
 
-/// gzopen reads plain files too.
+/// gzopen also reads plain files.
 std::string contents(const std::filesystem::path& path) {
   std::error_code error;
   GzFile file;
@@ -45,20 +46,14 @@ std::string contents(const std::filesystem::path& path) {
   }
   int code = Z_OK;
   gzerror(file.get(), &code);
-  if (code != Z_OK) throw std::runtime_error(path.string() + ": the compressed file is damaged");
+  if (code != Z_OK) throw std::runtime_error(path.string() + ": the compressed file is corrupt");
   return text;
 }
 
-std::string between_quotes(std::string_view word) {
-  std::string text("'");
-  text += word;
-  return text += '\'';
-}
-
-/// The words of one line.
-class Words {
+/// The tokens of one line.
+class LineTokens {
  public:
-  Words(std::string_view line, const std::string& file, std::size_t number)
+  LineTokens(std::string_view line, const std::string& file, std::size_t number)
       : rest_(line.substr(0, line.find('#'))), file_(file), number_(number) {}
 
   [[noreturn]] void fail(const std::string& reason) const {
@@ -68,27 +63,27 @@ class Words {
   std::string_view next() {
     constexpr std::string_view kBlanks = " \t\r\v\f";
     rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlanks), rest_.size()));
-    const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));
-    rest_.remove_prefix(word.size());
-    return word;
+    const std::string_view token = rest_.substr(0, rest_.find_first_of(kBlanks));
+    rest_.remove_prefix(token.size());
+    return token;
   }
 
   template <class Number>
   Number number(const char* what) {
-    const std::string_view word = next();
-    if (word.empty()) fail(std::string("the line ends before its ") + what);
-    const std::string_view digits = word.front() == '+' ? word.substr(1) : word;
+    const std::string_view token = next();
+    if (token.empty()) fail(fmt::format("the line ends before its {}", what));
+    const std::string_view digits = token.front() == '+' ? token.substr(1) : token;
     Number value{};
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc{} || end != digits.data() + digits.size() || !is_finite(value)) {
-      fail(between_quotes(word) + " is no " + what);
+      fail(fmt::format("'{}' is not a valid {}", token, what));
     }
     return value;
   }
 
   void expect_end() {
-    const std::string_view word = next();
-    if (!word.empty()) fail(between_quotes(word) + " behind the last number");
+    const std::string_view token = next();
+    if (!token.empty()) fail(fmt::format("'{}' after the last number", token));
   }
 
  private:
@@ -100,7 +95,7 @@ class Words {
   std::size_t number_;
 };
 
-/// A constraint between ids, and its line.
+/// A constraint between ids, with its line.
 struct Edge {
   long from;
   long to;
@@ -108,7 +103,7 @@ struct Edge {
   std::size_t line;
 };
 
-/// What of the information matrix each of the six numbers is.
+/// Row and column of each of the six numbers in the information matrix.
 using InformationOrder = std::array<std::array<int, 2>, 6>;
 constexpr InformationOrder kG2oOrder{{{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
 constexpr InformationOrder kToroOrder{{{0, 0}, {0, 1}, {1, 1}, {2, 2}, {0, 2}, {1, 2}}};
@@ -118,21 +113,21 @@ class Parser {
   explicit Parser(std::string file) : file_(std::move(file)) {}
 
   void parse_line(std::string_view line, std::size_t number) {
-    Words words(line, file_, number);
-    const std::string_view tag = words.next();
+    LineTokens tokens(line, file_, number);
+    const std::string_view tag = tokens.next();
     if (tag.empty()) return;
     if (tag == "VERTEX_SE2" || tag == "VERTEX2") {
-      parse_vertex(words);
+      parse_vertex(tokens);
     } else if (tag == "EDGE_SE2") {
-      parse_edge(words, kG2oOrder, number);
+      parse_edge(tokens, kG2oOrder, number);
     } else if (tag == "EDGE2") {
-      parse_edge(words, kToroOrder, number);
+      parse_edge(tokens, kToroOrder, number);
     } else if (tag == "FIX") {
-      fixed_.emplace_back(words.number<long>("id"), number);
+      fixed_.emplace_back(tokens.number<long>("id"), number);
     } else {
-      words.fail("unknown tag " + between_quotes(tag));
+      tokens.fail(fmt::format("unknown tag '{}'", tag));
     }
-    words.expect_end();
+    tokens.expect_end();
   }
 
   [[nodiscard]] G2oGraph graph() const {
@@ -150,43 +145,43 @@ class Parser {
   }
 
  private:
-  static Pose2 parse_pose(Words& words) {
+  static Pose2 parse_pose(LineTokens& tokens) {
     Pose2 pose;
-    pose.x = words.number<double>("finite number x");
-    pose.y = words.number<double>("finite number y");
-    pose.theta = words.number<double>("finite number theta");
+    pose.x = tokens.number<double>("finite number x");
+    pose.y = tokens.number<double>("finite number y");
+    pose.theta = tokens.number<double>("finite number theta");
     return pose;
   }
 
-  void parse_vertex(Words& words) {
-    const long id = words.number<long>("id");
-    if (!vertices_.emplace(id, parse_pose(words)).second) {
-      words.fail("vertex " + std::to_string(id) + " for the second time");
+  void parse_vertex(LineTokens& tokens) {
+    const long id = tokens.number<long>("id");
+    if (!vertices_.emplace(id, parse_pose(tokens)).second) {
+      tokens.fail(fmt::format("vertex {} is defined twice", id));
     }
   }
 
-  void parse_edge(Words& words, const InformationOrder& order, std::size_t number) {
+  void parse_edge(LineTokens& tokens, const InformationOrder& order, std::size_t number) {
     Edge edge{};
-    edge.from = words.number<long>("id");
-    edge.to = words.number<long>("id");
+    edge.from = tokens.number<long>("id");
+    edge.to = tokens.number<long>("id");
     edge.line = number;
-    if (edge.from == edge.to) words.fail("an edge from " + std::to_string(edge.to) + " to itself");
-    edge.constraint.T_from_to = parse_pose(words);
+    if (edge.from == edge.to) tokens.fail(fmt::format("an edge from {} to itself", edge.to));
+    edge.constraint.T_from_to = parse_pose(tokens);
     Eigen::Matrix3d& information = edge.constraint.information;
     for (const auto& [r, c] : order) {
-      information(r, c) = information(c, r) = words.number<double>("finite number of information");
+      information(r, c) = information(c, r) = tokens.number<double>("finite number of information");
     }
     const Eigen::Vector3d eigenvalues =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information, Eigen::EigenvaluesOnly)
             .eigenvalues();
     if (!(eigenvalues.minCoeff() >= -kNegativeMax * eigenvalues.cwiseAbs().maxCoeff())) {
-      words.fail("the information has the negative eigenvalue " +
-                 number_text(eigenvalues.minCoeff()));
+      tokens.fail("the information has the negative eigenvalue " +
+                  number_text(eigenvalues.minCoeff()));
     }
     edges_.push_back(edge);
   }
 
-  /// Lists the nodes in the result and says where each id stands.
+  /// Fills in the nodes of the result and returns the index of each id.
   std::map<long, int> index_nodes(G2oGraph& result) const {
     std::map<long, Pose2> nodes = vertices_;
     if (vertices_.empty()) {
@@ -206,14 +201,14 @@ class Parser {
 
   [[nodiscard]] int index_of(const std::map<long, int>& index, long id, std::size_t line) const {
     const auto found = index.find(id);
-    if (found == index.end()) throw G2oError(file_, line, "no vertex " + std::to_string(id));
+    if (found == index.end()) throw G2oError(file_, line, fmt::format("no vertex {}", id));
     return found->second;
   }
 
   void check_fixed(const G2oGraph& result) const {
     for (const auto& [id, line] : fixed_) {
       if (!result.ids.empty() && id == result.ids.front()) continue;
-      throw G2oError(file_, line, "only the first pose can be fixed, not " + std::to_string(id));
+      throw G2oError(file_, line, fmt::format("only the first pose can be fixed, not {}", id));
     }
   }
 
@@ -223,9 +218,9 @@ class Parser {
   std::vector<std::pair<long, std::size_t>> fixed_;  // id, line
 };
 
-template <class... Words>
-void append(std::string& text, const Words&... words) {
-  ((text += words, text += ' '), ...);
+template <class... Texts>
+void append(std::string& text, const Texts&... texts) {
+  ((text += texts, text += ' '), ...);
   text.back() = '\n';
 }
 
@@ -233,7 +228,7 @@ std::string text_of(const Pose2& pose) {
   return number_text(pose.x) + " " + number_text(pose.y) + " " + number_text(pose.theta);
 }
 
-/// In g2o's order.
+/// In the order of g2o.
 std::string text_of(const Eigen::Matrix3d& information) {
   std::string text;
   for (const auto& [row, column] : kG2oOrder) {

@@ -12,7 +12,8 @@
 namespace adit {
 namespace {
 
-/// Of what is known of a relative pose, what a constraint that goes may have brought.
+/// Maximum share of the information on a relative pose that a removed constraint may have
+/// contributed.
 constexpr double kShareMax = 1.0 - 1e-9;
 
 /// G with G Gᵀ = R, which may be singular.
@@ -22,19 +23,20 @@ Eigen::Matrix3d square_root(const Eigen::Matrix3d& R) {
 }
 
 GraphStructure analyse_connected(const PoseGraph& graph) {
-  if (graph.poses.size() < 2) throw std::runtime_error("a field of less than two poses");
+  if (graph.poses.size() < 2) throw std::runtime_error("a field needs at least two poses");
   if (const auto node = first_unconnected_node(graph)) {
     throw std::runtime_error(text(OptimizeReason::kUnconnected, *node));
   }
   return analyse(graph);
 }
 
-/// The derivatives of T_from_to = T_map_from⁻¹ · T_map_to: those of a residual against identity.
+/// The derivatives of T_from_to = T_map_from⁻¹ · T_map_to: those of a residual against the
+/// identity.
 LinearPotential relative_pose(const Pose2& T_map_from, const Pose2& T_map_to) {
   return linearise(PoseConstraint{}, T_map_from, T_map_to);
 }
 
-/// Without node 0, which does not move.
+/// The blocks of two nodes, without node 0, which is fixed.
 std::vector<int> blocks_of(int from, int to) {
   std::vector<int> blocks;
   if (from != 0) blocks.push_back(from - 1);
@@ -42,7 +44,7 @@ std::vector<int> blocks_of(int from, int to) {
   return blocks;
 }
 
-/// Derivatives by these blocks, side by side.
+/// The derivatives by these blocks, side by side.
 Eigen::MatrixXd jacobian(const LinearPotential& potential, int from, int to) {
   Eigen::MatrixXd J(3, (from != 0 ? 3 : 0) + (to != 0 ? 3 : 0));
   if (from != 0) J.leftCols<3>() = potential.jacobian_from();
@@ -77,18 +79,19 @@ bool GaussianField::remove(const PoseConstraint& constraint) {
   const Eigen::MatrixXd J = jacobian(potential, constraint.from, constraint.to);
   const Eigen::MatrixXd C = J.transpose() * square_root(constraint.information);
   const std::vector<int> blocks = blocks_of(constraint.from, constraint.to);
-  // H − C Cᵀ is positive definite where I − Cᵀ H⁻¹ C is; a downdate that fails destroys the factor.
+  // H − C Cᵀ is positive definite iff I − Cᵀ H⁻¹ C is; checked first, since a failed downdate
+  // destroys the factor.
   const Eigen::Matrix3d share = C.transpose() * equations_.matrix().inverse_among(blocks) * C;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(share, Eigen::EigenvaluesOnly);
   if (solver.eigenvalues().maxCoeff() > kShareMax) return false;
   if (!equations_.matrix().downdate(blocks, C)) {
-    throw std::runtime_error("the field is too ill-conditioned to take a constraint out");
+    throw std::runtime_error("the field is too ill-conditioned to remove a constraint");
   }
   change_sums(constraint, potential, -1.0);
   return true;
 }
 
-/// Right-hand side and objective; what was derived from them is out of date.
+/// Updates right-hand side and objective, and invalidates the cached results.
 void GaussianField::change_sums(const PoseConstraint& c, const LinearPotential& potential,
                                 double sign) {
   const Eigen::Vector3d weighted = c.information * potential.e;
@@ -121,14 +124,14 @@ std::vector<Pose2> GaussianField::poses() const {
 
 double GaussianField::objective() const { return objective_at_linearisation_ - mode().dot(b_); }
 
-/// A constraint as the field sees it.
+/// A constraint linearised in the field.
 struct GaussianField::ConstraintView {
-  Eigen::MatrixXd J;  // by the blocks that it touches
+  Eigen::MatrixXd J;  // by the blocks of its nodes
   Eigen::Vector3d d;  // residual at the mode
   Eigen::Matrix3d G;  // G Gᵀ = R, which may be singular
   std::vector<int> blocks;
 
-  /// J A for a matrix with a row for each row of the field.
+  /// J A for a matrix A with a row for each row of the field.
   [[nodiscard]] Eigen::MatrixXd times(const Eigen::MatrixXd& A) const {
     Eigen::MatrixXd product = Eigen::MatrixXd::Zero(3, A.cols());
     for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -183,10 +186,10 @@ std::vector<GaussianField::LeaveOneOut> GaussianField::leave_one_out(
     const ConstraintView u = view_of(constraint);
     Eigen::MatrixXd& among = among_[{constraint.from, constraint.to}];
     if (among.size() == 0) among = equations_.matrix().inverse_among(u.blocks);
-    // Taking u out is adding it with −R: (R⁻¹ − S_uu)⁻¹ = G (I − Gᵀ S_uu G)⁻¹ Gᵀ.
-    const Eigen::Matrix3d left =
+    // Removing u is adding it with −R: (R⁻¹ − S_uu)⁻¹ = G (I − Gᵀ S_uu G)⁻¹ Gᵀ.
+    const Eigen::Matrix3d remaining =
         Eigen::Matrix3d::Identity() - u.G.transpose() * u.J * among * u.J.transpose() * u.G;
-    const Eigen::Matrix3d W = u.G * left.ldlt().solve(Eigen::Matrix3d(u.G.transpose()));
+    const Eigen::Matrix3d W = u.G * remaining.ldlt().solve(Eigen::Matrix3d(u.G.transpose()));
     const Eigen::Matrix3d S_cu = u.times(columns).transpose();
     all.push_back({u.d.dot(W * u.d),
                    increase_of(c.d + S_cu * W * u.d, S_cc + S_cu * W * S_cu.transpose(), c.G)});

@@ -12,53 +12,51 @@
 
 namespace adit {
 
-/// The Gaussian Markov random field of a pose graph at a fixed linearisation, for trying data
-/// associations: constraints come and go for a few columns of the factor each, and the field says
-/// what they would cost and how uncertain a relative pose is. Everything holds to first order
-/// around the linearisation point; after a change that bends the map, optimise and begin a new
-/// field.
+/// The Gaussian Markov random field of a pose graph at a fixed linearisation (paper, section 2.3),
+/// to evaluate data associations: constraints are added and removed at the cost of a few columns of
+/// the factor, and the field gives their cost and the covariances of relative poses. All results
+/// are to first order around the linearisation point; after a change that bends the map, optimise
+/// the graph and construct a new field.
 class GaussianField {
  public:
-  /// Linearised at the poses of the graph, which is connected and determines all poses: throws
-  /// std::runtime_error if not.
+  /// Linearises at the poses of the graph. Throws std::runtime_error if the graph is not connected
+  /// or does not determine all poses.
   explicit GaussianField(const PoseGraph& graph);
 
-  /// Rank-3 update of the factor. The constraint may link any two nodes of the graph.
+  /// Adds a constraint by a rank-3 update of the factor. It may link any two nodes of the graph.
   void add(const PoseConstraint& constraint);
-  /// Takes out a constraint of the graph or one that was added. False, and the field is as it was:
-  /// the others do not determine all poses.
+  /// Removes a constraint of the graph or an added one. False, with the field unchanged, if the
+  /// others do not determine all poses.
   [[nodiscard]] bool remove(const PoseConstraint& constraint);
 
-  /// Where the mode is, as a change (x, y, θ per node but node 0) added to the poses in the map
-  /// frame.
+  /// The mode as a change (x, y, θ per node except node 0), added to the poses in the map frame.
   [[nodiscard]] const Eigen::VectorXd& mode() const;
   /// T_map_node at the mode.
   [[nodiscard]] std::vector<Pose2> poses() const;
   /// Σ eᵀ R e of the linearised field at its mode.
   [[nodiscard]] double objective() const;
 
-  /// By how much `objective` would rise if the constraint were added: dᵀ (Σ + R⁻¹)⁻¹ d, the squared
-  /// Mahalanobis distance, where d is its residual at the mode and Σ the covariance of what it
-  /// measures. With R of full rank it is chi-square with three degrees of freedom where the
-  /// constraint is right.
+  /// Increase of `objective` if the constraint were added: dᵀ (Σ + R⁻¹)⁻¹ d, the squared
+  /// Mahalanobis distance, where d is its residual at the mode and Σ the covariance of the measured
+  /// relative pose. With R of full rank it is chi-square with three degrees of freedom if the
+  /// constraint is correct.
   [[nodiscard]] double objective_increase(const PoseConstraint& constraint) const;
 
-  /// What the field would be without one of its constraints.
+  /// The field without one of its constraints.
   struct LeaveOneOut {
     double objective_decrease = 0.0;  ///< of `objective`
-    double increase = 0.0;  ///< what `objective_increase` of the asked constraint would be
+    double increase = 0.0;            ///< `objective_increase` of the query then
   };
-  /// For each of `present`, constraints of the field, if it alone were removed; exact for the
-  /// linearised field. Costs one column of the factor for all of them, and a look at a path of the
-  /// elimination tree for each, once for as long as the field stays as it is.
+  /// For each of `present`, constraints of the field, the effect of removing it alone; exact for
+  /// the linearised field. Costs one column of the factor for all of them, and one path of the
+  /// elimination tree for each, cached until the field changes.
   [[nodiscard]] std::vector<LeaveOneOut> leave_one_out(const std::vector<PoseConstraint>& present,
                                                        const PoseConstraint& query) const;
 
   /// Covariance of (x, y, θ) of the pose of `to` in the frame of `from`, small motions of `to`
-  /// being expressed in the frame of `from`: for T_from_to = T_map_from⁻¹ · T_map_to to first
-  /// order.
+  /// expressed in the frame of `from`: for T_from_to = T_map_from⁻¹ · T_map_to to first order.
   [[nodiscard]] Eigen::Matrix3d relative_covariance(int from, int to) const;
-  /// relative_covariance(i, to) for all i at once; zero for i = to.
+  /// relative_covariance(i, to) for all i; zero for i = to.
   [[nodiscard]] std::vector<Eigen::Matrix3d> relative_covariances_to(int to) const;
 
  private:
@@ -73,7 +71,7 @@ class GaussianField {
   NormalEquations equations_;
   Eigen::VectorXd b_;
   double objective_at_linearisation_ = 0.0;
-  // Found when they are asked for, forgotten when the field changes.
+  // Computed on demand, invalidated when the field changes.
   mutable Eigen::VectorXd mode_;
   mutable std::vector<Eigen::Matrix3d> marginals_;
   mutable std::map<std::array<int, 2>, Eigen::MatrixXd> among_;

@@ -12,21 +12,21 @@
 
 namespace adit {
 
-/// A constraint between local maps, and where it comes from.
+/// A constraint between local maps, and its origin.
 struct MapConstraint {
   enum class Kind : std::int8_t {
-    kSequential = 0,   ///< of consecutive local maps
-    kLoopClosure = 1,  ///< of a place that was seen again
+    kSequential = 0,   ///< between consecutive local maps
+    kLoopClosure = 1,  ///< between local maps of one place
   };
 
   PoseConstraint measured;
   Kind kind = Kind::kSequential;
 };
 
-/// The pose graph as the mapping passes it on: all local maps, and the constraints in force.
+/// The pose graph published by mapping: all local maps, and the constraints in force.
 struct MapGraph {
   std::int64_t utime = 0;     ///< of the newest measurement in it [µs since the epoch]
-  std::int64_t revision = 0;  ///< counts the changes
+  std::int64_t revision = 0;  ///< incremented with each change
   std::vector<Pose2> poses;   ///< T_map_local, by the id of the local map
   std::vector<MapConstraint> constraints;
 };

@@ -8,7 +8,7 @@
 namespace adit {
 namespace {
 
-/// Sets of nodes that are linked, each known by its smallest member.
+/// Disjoint sets of linked nodes, each represented by its smallest member.
 class LinkedSets {
  public:
   explicit LinkedSets(std::size_t nodes) : parent_(nodes) {

@@ -10,38 +10,37 @@
 
 namespace adit {
 
-/// Who is linked with whom, and the order of elimination that follows: all that depends on neither
-/// poses nor measurements. Pose 0 is held fixed (a field of relative measurements says nothing of
-/// where the whole lies), so that node i is block i − 1.
+/// The links of a graph and the resulting order of elimination: all that depends neither on poses
+/// nor on measurements. Pose 0 is fixed (relative measurements do not determine where the complete
+/// graph lies), so that node i is block i − 1.
 struct GraphStructure {
   BlockPattern pattern;
   BlockOrdering ordering;
-  std::vector<int> pair_of_constraint;  ///< in the pattern, or −1 if it is with pose 0
+  std::vector<int> pair_of_constraint;  ///< in the pattern, or −1 for a constraint with pose 0
 };
 
-/// One symbolic analysis. The graph has at least two poses.
+/// Symbolic analysis. The graph has at least two poses.
 GraphStructure analyse(const PoseGraph& graph);
 
-/// The first node that no chain of constraints links with node 0.
+/// The first node that no chain of constraints links with node 0, if any.
 std::optional<int> first_unconnected_node(const PoseGraph& graph);
 
-/// Where a node (other than node 0) begins among the entries of δ.
+/// Offset of a node (other than node 0) in δ.
 inline Eigen::Index row_of(int node) { return Eigen::Index{3} * (node - 1); }
 
 /// The field linearised around the poses of a graph, H δ = b with H = Σ Jᵀ R J and b = −Σ Jᵀ R e
-/// (paper, after eq. 5: the Gaussian Markov random field whose mode is sought). δ holds three
-/// entries (x [m], y [m], θ [rad]) for each node but node 0, which are added to its pose in the map
-/// frame.
+/// (paper, section 2.3, after eq. 5). δ holds three entries (x [m], y [m], θ [rad]) for each node
+/// except node 0, which are added to its pose in the map frame.
 class NormalEquations {
  public:
   explicit NormalEquations(const GraphStructure& structure);
 
-  /// H and b from scratch; returns the objective. The graph has the structure that was analysed.
+  /// Computes H and b; returns the objective. The graph has the analysed structure.
   double linearise(const PoseGraph& graph);
-  /// The same with the lever arm of each constraint as it was measured instead of as the poses have
-  /// it: right to first order around poses of which only the orientations are known.
+  /// The same with the measured lever arm of each constraint instead of that of the poses: correct
+  /// to first order if only the orientations of the poses are known.
   double linearise_at_measurements(const PoseGraph& graph);
-  /// b alone, H stays; returns the objective.
+  /// Computes b only; returns the objective.
   double linearise_gradient(const PoseGraph& graph);
 
   [[nodiscard]] SparseCholesky& matrix() { return H_; }
@@ -60,7 +59,7 @@ class NormalEquations {
   Eigen::VectorXd b_;
 };
 
-/// The poses moved by δ.
+/// Adds δ to the poses.
 void move_poses(const Eigen::VectorXd& delta, std::vector<Pose2>& poses);
 
 }  // namespace adit

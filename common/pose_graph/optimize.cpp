@@ -6,21 +6,24 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "common/pose_graph/normal_equations.hpp"
 #include "common/pose_graph/rotation_initialization.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kNegligible = 1e-9;  // of a chi-square nobody can tell
-constexpr double kContraction = 0.2;  // of the promised decrease, for a factor to be used again
+constexpr double kNegligible = 1e-9;  // negligible decrease of a chi-square
+// Ratio of successive predicted decreases below which a factor is reused.
+constexpr double kContraction = 0.2;
 constexpr double kSlowContraction = 0.98;  // the same where a fresh factor is no better
-constexpr double kAsGood = 1.1;            // ratio of promises within which two factors are alike
-constexpr double kLambdaFirst = 1e-4;      // damping, where it is needed
+constexpr double kAsGood = 1.1;        // ratio of predictions within which two factors are equal
+constexpr double kLambdaFirst = 1e-4;  // initial damping, if needed
 constexpr double kLambdaMax = 1e8;
-constexpr double kLambdaMin = 1e-7;  // less is none
+constexpr double kLambdaMin = 1e-7;  // less is set to zero
 
-/// A step, and by how much it lowers the objective if the field is as linear as it seems.
+/// A step, and the predicted decrease of the objective by the linearisation.
 struct Step {
   Eigen::VectorXd delta;
   double predicted_decrease = 0.0;
@@ -64,20 +67,20 @@ class Optimizer {
     return factorised;
   }
 
-  /// Steps with the present factor, as long as each promises much less than the one before. False:
-  /// there is no more to do.
+  /// Takes steps with the present factor, while each predicts much less than the one before. False:
+  /// the optimisation is finished.
   bool descend(NormalEquations& equations) {
     for (bool first = true; result_.iterations < params_.iterations_max; first = false) {
       const Step step = solve(equations);
       const bool done =
           step.predicted_decrease <= params_.tolerance * result_.objective + kNegligible;
-      if (first) judge_last_factor(step.predicted_decrease);
-      const bool worn = !first && step.predicted_decrease > contraction_ * predicted_decrease_;
+      if (first) update_contraction(step.predicted_decrease);
+      const bool degraded = !first && step.predicted_decrease > contraction_ * predicted_decrease_;
       predicted_decrease_ = step.predicted_decrease;
-      if (worn && !done) return true;
+      if (degraded && !done) return true;
       const bool damped = lambda_ > 0.0;
       if (!try_step(step, equations)) {
-        if (done) return finish();  // what is left is rounding
+        if (done) return finish();  // the remainder is rounding
         if (!first) return true;
         lambda_ = std::max(kLambdaFirst, 10.0 * lambda_);
         return lambda_ <= kLambdaMax;
@@ -88,9 +91,9 @@ class Optimizer {
     return false;
   }
 
-  /// Where residuals are large, linearisation itself converges slowly, and a fresh factor promises
-  /// what the old one did: then factors are used for longer.
-  void judge_last_factor(double predicted_with_fresh_factor) {
+  /// With large residuals, iterated linearisation itself converges slowly, and a fresh factor
+  /// predicts the same decrease as the old one: then factors are reused for longer.
+  void update_contraction(double predicted_with_fresh_factor) {
     const bool as_good = predicted_decrease_ < kAsGood * predicted_with_fresh_factor &&
                          predicted_with_fresh_factor < kAsGood * predicted_decrease_;
     contraction_ = as_good && lambda_ == 0.0 ? kSlowContraction : kContraction;
@@ -102,7 +105,7 @@ class Optimizer {
     return step;
   }
 
-  /// False: the objective would rise, and the poses stay.
+  /// False, with the poses unchanged, if the objective would rise.
   bool try_step(const Step& step, NormalEquations& equations) {
     std::vector<Pose2> before = graph_.poses;
     move_poses(step.delta, graph_.poses);
@@ -133,7 +136,7 @@ class Optimizer {
   const OptimizeObserver& observer_;
   OptimizeResult result_;
   double lambda_ = 0.0;
-  double predicted_decrease_ = 0.0;  // of the last step that was found
+  double predicted_decrease_ = 0.0;  // of the last step
   double contraction_ = kContraction;
 };
 
@@ -144,11 +147,11 @@ std::string text(OptimizeReason reason, long node) {
     case OptimizeReason::kConverged:
       return "converged";
     case OptimizeReason::kEmpty:
-      return "there are no poses";
+      return "the graph has no poses";
     case OptimizeReason::kUnconnected:
-      return "no chain of constraints links pose " + std::to_string(node) + " with the first";
+      return fmt::format("no chain of constraints links pose {} with the first", node);
     case OptimizeReason::kUndetermined:
-      return "the constraints leave pose " + std::to_string(node) + " free to move";
+      return fmt::format("the constraints leave pose {} free to move", node);
     case OptimizeReason::kNotConverged:
       return "not converged";
   }

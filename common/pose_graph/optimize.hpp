@@ -11,10 +11,11 @@
 namespace adit {
 
 struct OptimizeParams {
-  /// Whether to find a start from the measurements; else the poses of the graph are the start.
+  /// Whether to initialise from the measurements; otherwise from the poses of the graph.
   bool rotation_initialization = true;
-  double tolerance = 1e-9;   ///< done if a step promises less than this share of the objective
-  int iterations_max = 500;  ///< a guard: iteration ends by itself
+  /// Converged if a step predicts a smaller relative decrease of the objective.
+  double tolerance = 1e-9;
+  int iterations_max = 500;  ///< safety limit
 
   template <class V>
   void visit(V& v) {
@@ -29,35 +30,36 @@ enum class OptimizeReason {
   kEmpty,         ///< no pose
   kUnconnected,   ///< no chain of constraints links `node` with node 0
   kUndetermined,  ///< the information leaves `node` free to move
-  kNotConverged,  ///< `iterations_max`, or no step lowers the objective
+  kNotConverged,  ///< `iterations_max` reached, or no step lowers the objective
 };
 
-/// One line for a person.
+/// The reason as a sentence for display.
 std::string text(OptimizeReason reason, long node);
 
 struct OptimizeResult {
   bool converged = false;
   OptimizeReason reason = OptimizeReason::kNotConverged;
-  int node = -1;           ///< the culprit, if the reason has one
-  int iterations = 0;      ///< steps taken
-  int factorisations = 0;  ///< numeric, of the whole system, those of the start included
+  int node = -1;       ///< the node concerned, if the reason has one
+  int iterations = 0;  ///< steps taken
+  /// Numeric factorisations of the complete system, initialisation included.
+  int factorisations = 0;
   double objective = 0.0;  ///< Σ eᵀ R e
 };
 
-/// What optimisation is at, for those who measure it: algorithms read no clock.
+/// The phases of optimisation, for an observer that measures time: algorithms read no clock.
 enum class OptimizePhase { kAnalysis, kStart, kFactorisation, kOther, kEnd };
 using OptimizeObserver = std::function<void(OptimizePhase begins)>;
 
 /// Moves the poses to the mode of the Gaussian Markov random field, the minimum of Σ eᵀ R e, by
 /// iterated linearisation (paper, section 2.3; Lu and Milios 1997): Gauss-Newton, damped as by
-/// Levenberg and Marquardt where the objective would rise. Pose 0 stays. One symbolic analysis; a
-/// factor is used for as many steps as it is good for. Where the reason is neither kConverged nor
-/// kNotConverged the poses are as they were.
+/// Levenberg and Marquardt where the objective would rise. Pose 0 is fixed. One symbolic analysis;
+/// a factor is reused for several steps while it converges. The poses change only if the reason is
+/// kConverged or kNotConverged.
 OptimizeResult optimize(PoseGraph& graph, const OptimizeParams& params,
                         const OptimizeObserver& observer = {});
 
-/// Poses by chaining the constraints i → i + 1 (or back) from pose 0, which stays: odometry. Of
-/// several the first counts; a node without one stands where the node before it does.
+/// Sets the poses by chaining the constraints i → i + 1 (or back) from pose 0, which is fixed:
+/// odometry. The first of several counts; a node without one gets the pose of the node before.
 void chain_odometry(PoseGraph& graph);
 
 }  // namespace adit

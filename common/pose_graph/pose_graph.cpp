@@ -8,6 +8,7 @@ namespace adit {
 
 Eigen::Vector3d residual(const PoseConstraint& constraint, const Pose2& T_map_from,
                          const Pose2& T_map_to) {
+  // Eq. 3, in the measurement frame.
   return between(constraint.T_from_to, between(T_map_from, T_map_to)).vector();
 }
 
@@ -32,7 +33,7 @@ LinearPotential linearise(const PoseConstraint& constraint, const Pose2& T_map_f
   const double s = sin_from * cos_z + cos_from * sin_z;
   const Eigen::Vector2d d = T_map_to.translation() - T_map_from.translation();
 
-  LinearPotential potential;
+  LinearPotential potential;  // eq. 5, in the measurement frame
   potential.e << c * d.x() + s * d.y() - cos_z * z.x - sin_z * z.y,
       -s * d.x() + c * d.y() + sin_z * z.x - cos_z * z.y,
       wrap_angle(T_map_to.theta - T_map_from.theta - z.theta);

@@ -12,8 +12,8 @@ namespace adit {
 
 /// A measured pose of one node in the frame of another: a potential of the Gaussian Markov random
 /// field, H = eᵀ R e (paper, eq. 2). The paper writes the residual e in the global frame although R
-/// belongs to a measurement made in the frame of a node; here, as in g2o, it is taken where it was
-/// measured: e = T_from_to⁻¹ · (T_map_from⁻¹ · T_map_to) as (x, y, θ).
+/// belongs to a measurement in the frame of a node; here, as in g2o, it is taken in the measurement
+/// frame: e = T_from_to⁻¹ · (T_map_from⁻¹ · T_map_to) as (x, y, θ).
 struct PoseConstraint {
   int from = 0;  ///< index into PoseGraph::poses
   int to = 0;
@@ -22,20 +22,20 @@ struct PoseConstraint {
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
 };
 
-/// Poses and what was measured between them.
+/// Poses and the constraints between them.
 struct PoseGraph {
   std::vector<Pose2> poses;  ///< T_map_node
   std::vector<PoseConstraint> constraints;
 };
 
-/// What a constraint leaves unexplained, (x, y, θ) in the frame in which it was measured:
-/// e = T_from_to⁻¹ · (T_map_from⁻¹ · T_map_to). The paper's eq. 3 has the same difference in the
-/// global frame; see PoseConstraint.
+/// The residual of a constraint, (x, y, θ) in the measurement frame: e = T_from_to⁻¹ ·
+/// (T_map_from⁻¹ · T_map_to). The paper's eq. 3 is the same difference in the global frame; see
+/// PoseConstraint.
 Eigen::Vector3d residual(const PoseConstraint& constraint, const Pose2& T_map_from,
                          const Pose2& T_map_to);
 
-/// The exponent of the potential, eᵀ R e (paper, eq. 2). Their sum over a graph is the objective in
-/// the convention of g2o: without the factor ½.
+/// The exponent of the potential, eᵀ R e (paper, eq. 2). The sum over a graph is the objective, as
+/// in g2o without the factor ½.
 inline double energy(const PoseConstraint& constraint, const Eigen::Vector3d& e) {
   return e.dot(constraint.information * e);
 }
@@ -47,10 +47,10 @@ double objective(const PoseGraph& graph);
 /// frame: e(ξ_from + δ_from, ξ_to + δ_to) ≈ e + J_to · (δ_to − M · δ_from).
 ///
 /// The paper's eq. 5 gives these derivatives for the residual in the global frame (with θ_k printed
-/// where θ_j belongs, and with the signs of its eq. 1). In the measurement frame they are derived
-/// anew. With α = θ_from + θ of the measurement and d = t_to − t_from,
+/// in place of θ_j, and with the signs of its eq. 1). Here they are derived in the measurement
+/// frame. With α = θ_from + θ of the measurement and d = t_to − t_from,
 ///   J_to = diag(R(α)ᵀ, 1),  M = [I, S d; 0, 1],  S = [0, −1; 1, 0]:
-/// turning `from` about itself takes `to` along, and that is all it does.
+/// a rotation of `from` moves `to` along with it.
 struct LinearPotential {
   Eigen::Vector3d e;      ///< the residual
   Eigen::Matrix3d J_to;   ///< ∂e/∂ξ_to
@@ -64,7 +64,7 @@ struct LinearPotential {
   }
 };
 
-/// At the given poses.
+/// Linearises a constraint at the given poses.
 LinearPotential linearise(const PoseConstraint& constraint, const Pose2& T_map_from,
                           const Pose2& T_map_to);
 

@@ -10,8 +10,8 @@
 namespace adit {
 namespace {
 
-constexpr double kWeightFloor = 1e-6;  // of the information, for a rotation that is not known alone
-constexpr int kRewindsMax = 10;        // a loop that cannot decide how often it winds
+constexpr double kWeightFloor = 1e-6;  // of the information, if the rotation alone is unconstrained
+constexpr int kRewindsMax = 10;        // limit for a loop whose number of turns alternates
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -28,10 +28,10 @@ double rotation_weight(const PoseConstraint& c) {
   return std::max(full - explained, kWeightFloor * full);
 }
 
-/// A constraint as seen from one of its nodes.
+/// A constraint seen from one of its nodes.
 struct Link {
   int to;
-  double rotation;  ///< of `to` against the node it is seen from [rad]
+  double rotation;  ///< of `to` relative to that node [rad]
   double variance;
 };
 
@@ -60,8 +60,8 @@ class Links {
   std::vector<Link> links_;
 };
 
-/// Orientations along the tree of least variance from node 0 (Dijkstra 1959), so that few and good
-/// rotations add up in each.
+/// Orientations along the tree of least variance from node 0 (Dijkstra 1959), so that few and
+/// accurate rotations accumulate.
 std::vector<double> orientations_of_tree(const PoseGraph& graph,
                                          const std::vector<double>& weights) {
   const Links links(graph, weights);
@@ -100,7 +100,7 @@ SparseCholesky laplacian(const PoseGraph& graph, const GraphStructure& structure
   return A;
 }
 
-/// The right-hand side: what the constraints, each wound as is shortest from here, ask for.
+/// The right-hand side: the rotation residuals, each wrapped at the present orientations.
 Eigen::VectorXd right_hand_side(const PoseGraph& graph, const std::vector<double>& weights,
                                 const std::vector<double>& theta) {
   Eigen::VectorXd b = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(theta.size()) - 1);
@@ -123,7 +123,7 @@ std::vector<double> solve_rotations(const PoseGraph& graph, const GraphStructure
   SparseCholesky A = laplacian(graph, structure, weights);
   if (!A.factorise()) return theta;
   double step = 1.0;
-  // The system is linear: a second step is nil unless a winding number has changed.
+  // The system is linear: the second step is zero unless a number of turns has changed.
   for (int i = 0; i < kRewindsMax && step > 1e-6; ++i) {
     const Eigen::VectorXd delta = A.solve(right_hand_side(graph, weights, theta));
     for (std::size_t n = 1; n < theta.size(); ++n) {

@@ -17,7 +17,7 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// A pivot below this share of what stood on the diagonal is what rounding leaves of zero.
+/// A pivot below this share of the original diagonal entry is zero up to rounding.
 constexpr double kPivotMin = 1e-14;
 
 void require(bool condition, const char* what) {
@@ -35,8 +35,8 @@ struct Columns {
   std::vector<int> rows;
 };
 
-/// The upper triangle without the diagonal, rows in ascending order and once each; `position` says
-/// where a block stands.
+/// The upper triangle without the diagonal, rows ascending and unique; `position` is the order of
+/// elimination.
 Columns upper_columns(const BlockPattern& pattern, const std::vector<int>& position) {
   std::vector<std::array<int, 2>> entries;  // column, row
   entries.reserve(pattern.pairs.size());
@@ -57,7 +57,7 @@ Columns upper_columns(const BlockPattern& pattern, const std::vector<int>& posit
   return columns;
 }
 
-/// The settings of CHOLMOD, and what it needs to work.
+/// The settings and workspace of CHOLMOD.
 class Common {
  public:
   Common() {
@@ -72,10 +72,11 @@ class Common {
   Common& operator=(const Common&) = delete;
 
   cholmod_common* get() { return &common_; }
-  /// Whether the last call found a positive definite matrix; no memory throws std::bad_alloc.
+  /// Whether the last call found a positive definite matrix; throws std::bad_alloc if out of
+  /// memory.
   bool positive_definite() const {
     if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-    require(common_.status >= CHOLMOD_OK, "CHOLMOD refuses its arguments");
+    require(common_.status >= CHOLMOD_OK, "CHOLMOD rejects its arguments");
     return common_.status != CHOLMOD_NOT_POSDEF;
   }
 
@@ -83,7 +84,7 @@ class Common {
   cholmod_common common_{};
 };
 
-/// What CHOLMOD calls a sparse matrix, over arrays of ours.
+/// A CHOLMOD view of our arrays as a sparse matrix.
 cholmod_sparse view(int rows, Columns& columns, double* values) {
   cholmod_sparse A{};
   A.nrow = at(rows);
@@ -100,7 +101,7 @@ cholmod_sparse view(int rows, Columns& columns, double* values) {
   return A;
 }
 
-/// Each block stands for `size` columns, of which the last entry is the diagonal.
+/// Expands each block to `size` columns, whose last entry is the diagonal.
 Columns expand(const Columns& blocks, int size) {
   Columns columns;
   columns.start.push_back(0);
@@ -116,8 +117,8 @@ Columns expand(const Columns& blocks, int size) {
   return columns;
 }
 
-/// L and D as CHOLMOD keeps them: column j begins with D(j) in the place of the unit diagonal, and
-/// its rows ascend.
+/// L and D in the storage of CHOLMOD: column j begins with D(j) in place of the unit diagonal, its
+/// rows ascend.
 struct FactorView {
   explicit FactorView(const cholmod_factor& L)
       : n(static_cast<int>(L.n)),
@@ -127,7 +128,7 @@ struct FactorView {
         values(static_cast<double*>(L.x)) {}
 
   [[nodiscard]] double pivot(int j) const { return values[start[j]]; }
-  /// In the elimination tree; −1 at a root.
+  /// Parent in the elimination tree; −1 at a root.
   [[nodiscard]] int parent(int j) const { return count[j] > 1 ? rows[start[j] + 1] : -1; }
 
   int n;
@@ -137,8 +138,8 @@ struct FactorView {
   const double* values;
 };
 
-/// L x = b in place, for the columns of `path`: it ascends, is closed under parent and holds all
-/// that is not zero in b.
+/// Solves L x = b in place for the columns of `path`, which ascends, is closed under parent and
+/// contains all non-zeros of b.
 void solve_forward(const FactorView& L, const std::vector<int>& path, RowMajor& x) {
   for (const int j : path) {
     for (int k = L.start[j] + 1; k < L.start[j] + L.count[j]; ++k) {
@@ -147,7 +148,7 @@ void solve_forward(const FactorView& L, const std::vector<int>& path, RowMajor& 
   }
 }
 
-/// D Lᵀ x = b in place, for the columns of `path`, which does not depend on the others.
+/// Solves D Lᵀ x = b in place for the columns of `path`, which does not depend on others.
 void solve_backward(const FactorView& L, const std::vector<int>& path, RowMajor& x) {
   for (auto j = path.rbegin(); j != path.rend(); ++j) {
     x.row(*j) /= L.pivot(*j);
@@ -173,7 +174,7 @@ void solve_vector(const FactorView& L, Eigen::VectorXd& x) {
   }
 }
 
-/// The same for a factor of 3 × 3 blocks, whose three columns have their rows below in common.
+/// Solves for a factor of 3 × 3 blocks, whose three columns share the rows below the block.
 void solve_vector_by_blocks(const FactorView& L, Eigen::VectorXd& x) {
   const auto column = [&](int j) { return L.values + L.start[j]; };
   for (int j = 0; j < L.n; j += 3) {
@@ -215,7 +216,7 @@ std::vector<int> path_to_root(const FactorView& L, const std::vector<int>& from)
   return path;
 }
 
-/// The factor by blocks of three columns: A = U D Uᵀ with U unit lower triangular by blocks.
+/// The factor in blocks of three columns: A = U D Uᵀ with U unit lower triangular by blocks.
 class BlockFactor {
  public:
   explicit BlockFactor(const FactorView& L) : blocks_(L.n / 3) {
@@ -254,7 +255,7 @@ class BlockFactor {
   }
 
  private:
-  /// L is unit lower triangular within the block too: L_j. Then D = L_j diag L_jᵀ, U = L L_j⁻¹.
+  /// L is unit lower triangular within the block as well: L_j. Then D = L_j diag L_jᵀ, U = L L_j⁻¹.
   void append(const FactorView& L, int b) {
     const int j = 3 * b;
     const int s0 = L.start[j];
@@ -313,7 +314,7 @@ struct SparseCholesky::Cholmod {
   Cholmod& operator=(const Cholmod&) = delete;
   ~Cholmod() { cholmod_free_factor(&L, common.get()); }
 
-  /// The matrix comes in the order of elimination, so that CHOLMOD has nothing left to permute.
+  /// The matrix is already in the order of elimination, so that CHOLMOD need not permute.
   void allocate_factor(const BlockOrdering& ordering, int block_size) {
     L = cholmod_allocate_factor(ordering.position.size() * at(block_size), common.get());
     require(common.positive_definite() && L != nullptr, "no factor");
@@ -388,7 +389,7 @@ bool SparseCholesky::factorise() {
   return cholmod_->has_factor;
 }
 
-/// L D Lᵀ exists for indefinite matrices too.
+/// L D Lᵀ also exists for indefinite matrices.
 bool SparseCholesky::check_pivots() {
   const FactorView L(*cholmod_->L);
   for (int j = 0; j < L.n; ++j) {

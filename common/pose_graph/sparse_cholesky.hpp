@@ -10,39 +10,39 @@
 
 namespace adit {
 
-/// Which off-diagonal blocks of a symmetric matrix are not zero. Pairs may repeat and come in
-/// either order; the two of a pair differ.
+/// The non-zero off-diagonal blocks of a symmetric matrix. Pairs may repeat and come in either
+/// order; the two blocks of a pair differ.
 struct BlockPattern {
   int blocks = 0;
   std::vector<std::array<int, 2>> pairs;
 };
 
-/// An order of elimination that fills little: the symbolic analysis, which depends on the pattern
-/// alone and so serves matrices of any size of block.
+/// An order of elimination with little fill-in: the symbolic analysis, which depends on the pattern
+/// only and is valid for any block size.
 struct BlockOrdering {
-  std::vector<int> position;       ///< of each block in the order of elimination
-  std::vector<int> column_counts;  ///< blocks in each column of the factor, in that order
+  std::vector<int> position;       ///< position of each block in the order of elimination
+  std::vector<int> column_counts;  ///< number of blocks in each column of the factor, in that order
 };
 
-/// Approximate minimum degree (Amestoy, Davis, Duff 1996) on the graph of blocks, which has a
-/// ninth of the entries that the matrix of 3 × 3 blocks has.
+/// Approximate minimum degree ordering (Amestoy, Davis, Duff 1996) on the graph of blocks, which
+/// has a ninth of the entries of a matrix of 3 × 3 blocks.
 BlockOrdering order_blocks(const BlockPattern& pattern);
 
-/// A sparse symmetric positive definite matrix A of square blocks and its factorisation
-/// P A Pᵀ = L D Lᵀ, by CHOLMOD (Chen, Davis, Hager, Rajamanickam, "Algorithm 887", 2008): the only
-/// class that knows this library. One thread, and the same numbers each time. Vectors have
-/// `blocks · block_size` entries in the order of the blocks. That a matrix is not positive definite
-/// is an answer; to ask for more than there is (solving without a factor) is a bug and aborts.
+/// A sparse symmetric positive definite matrix A of square blocks and its factorisation P A Pᵀ = L
+/// D Lᵀ, by CHOLMOD (Chen, Davis, Hager, Rajamanickam, "Algorithm 887", 2008): the only class that
+/// includes this library. Single-threaded and deterministic. Vectors have `blocks · block_size`
+/// entries in the order of the blocks. A matrix that is not positive definite is a result; a call
+/// without the required factor is a bug and aborts.
 class SparseCholesky {
  public:
-  /// Zero at first.
+  /// A zero matrix.
   SparseCholesky(const BlockPattern& pattern, const BlockOrdering& ordering, int block_size);
   ~SparseCholesky();
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
   void set_zero();
-  /// Adds M to the diagonal block; its upper triangle counts.
+  /// Adds M to a diagonal block; only its upper triangle is used.
   template <int S>
   void add_to_diagonal(int block, const Eigen::Matrix<double, S, S>& M) {
     const Place place = diagonal_[static_cast<std::size_t>(block)];
@@ -51,7 +51,7 @@ class SparseCholesky {
       for (int r = 0; r <= c; ++r) column[r] += M(r, c);
     }
   }
-  /// Adds M to the block at (pair[0], pair[1]), and Mᵀ at the mirrored place.
+  /// Adds M to the block at (pair[0], pair[1]), and Mᵀ to the mirrored block.
   template <int S>
   void add_to_pair(int pair, const Eigen::Matrix<double, S, S>& M) {
     const Place place = pairs_[static_cast<std::size_t>(pair)];
@@ -60,11 +60,11 @@ class SparseCholesky {
       for (int r = 0; r < S; ++r) column[r] += place.mirrored ? M(c, r) : M(r, c);
     }
   }
-  /// Multiplies the diagonal (not the diagonal blocks) by 1 + `lambda`.
+  /// Multiplies the diagonal entries (not the diagonal blocks) by 1 + `lambda`.
   void damp(double lambda);
 
-  /// The factor of A as it is now. False: not positive definite, or so nearly singular that the
-  /// digits do not tell; `weakest_block` says where, and there is no factor.
+  /// Factorises the current A. False, without a factor, if A is not positive definite or singular
+  /// to working precision; `weakest_block` names the block.
   [[nodiscard]] bool factorise();
   [[nodiscard]] bool has_factor() const;
   /// The block at which the last factorisation failed.
@@ -73,29 +73,30 @@ class SparseCholesky {
   /// A⁻¹ b.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
-  /// The factor of A + C Cᵀ from that of A, at a cost of a few columns (Davis, Hager, "Dynamic
+  /// Updates the factor to that of A + C Cᵀ, at the cost of a few columns (Davis, Hager, "Dynamic
   /// supernodes in sparse Cholesky update/downdate", 2009). C has its rows in the given blocks,
   /// which need not be a pair of the pattern: (blocks.size() · block_size) × k. Changes the factor
-  /// and not A, so that `factorise` forgets it.
+  /// and not A, so that `factorise` discards the update.
   [[nodiscard]] bool update(const std::vector<int>& blocks, const Eigen::MatrixXd& C);
-  /// The factor of A − C Cᵀ. False: no longer positive definite, and no factor is left.
+  /// Updates the factor to that of A − C Cᵀ. False, without a factor, if it is no longer positive
+  /// definite.
   [[nodiscard]] bool downdate(const std::vector<int>& blocks, const Eigen::MatrixXd& C);
 
-  /// The columns of A⁻¹ that belong to a block: all rows × block_size.
+  /// The columns of A⁻¹ of a block: all rows × block_size.
   [[nodiscard]] Eigen::MatrixXd inverse_columns(int block) const;
-  /// The part of A⁻¹ with rows and columns in the given blocks. Costs little: only what lies on
-  /// their paths to the root of the elimination tree is solved for.
+  /// The submatrix of A⁻¹ with rows and columns in the given blocks. Solves only along their paths
+  /// to the root of the elimination tree.
   [[nodiscard]] Eigen::MatrixXd inverse_among(const std::vector<int>& blocks) const;
   /// All diagonal blocks of A⁻¹, by the recursion over the pattern of L (Takahashi, Fagan, Chin
-  /// 1973; Björck, "Numerical methods for least squares problems", 1996, section 6.7.4). Block
-  /// size 3.
+  /// 1973; Björck, "Numerical methods for least squares problems", 1996, section 6.7.4). Block size
+  /// 3 only.
   [[nodiscard]] std::vector<Eigen::Matrix3d> inverse_diagonal() const;
 
-  /// Entries of L.
+  /// Number of entries of L.
   [[nodiscard]] std::size_t factor_entries() const;
 
  private:
-  /// Where a block lies among the values: column c of it begins at `first` + c · `stride` + the
+  /// Position of a block in the values: its column c begins at `first` + c · `stride` + the
   /// triangular number of c, since columns end at the diagonal.
   struct Place {
     int first = 0;
@@ -109,8 +110,8 @@ class SparseCholesky {
   [[nodiscard]] Eigen::Index row(int block) const { return Eigen::Index{block_size_} * block; }
 
   int block_size_ = 0;
-  std::vector<int> position_;  // of a block in the order of elimination
-  std::vector<int> block_at_;  // of a position
+  std::vector<int> position_;  // position of each block in the order of elimination
+  std::vector<int> block_at_;  // block at each position
   std::vector<Place> diagonal_;
   std::vector<Place> pairs_;
   std::unique_ptr<Cholmod> cholmod_;

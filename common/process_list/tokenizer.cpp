@@ -116,7 +116,6 @@ std::string between_quotes(std::string_view text, char quote) {
 }
 
 std::string description_of(const ListToken& token) {
-  using Kind = ListToken::Kind;
   if (token.kind == Kind::kEndOfFile) return "the end of the file";
   if (token.kind == Kind::kString) return between_quotes(token.text, '"');
   return between_quotes(token.text, '\'');

@@ -14,10 +14,10 @@
 namespace adit {
 namespace {
 
-constexpr int kLevelsMin = 3;  // blocks of 1, 2 and 4 shifts each way
+constexpr int kLevelsMin = 3;  // blocks of 1, 2 and 4 shifts a side
 constexpr int kLevelsMax = 7;
-constexpr int kBlocksWide = 8;  // more of the coarsest blocks on each side ask for another level
-constexpr int kRow = 8;         // blocks side by side that are bounded together
+constexpr int kBlocksWide = 8;  // more of the coarsest blocks per side add a level
+constexpr int kRow = 8;         // adjacent blocks that are bounded together
 
 int levels_for(double radius, double cell) {
   int levels = kLevelsMin;
@@ -25,10 +25,11 @@ int levels_for(double radius, double cell) {
   return levels;
 }
 
-/// Closeness to the reference in [0, 255] around the search centre, for each fine cell on several
-/// levels: the maximum over the cell and the 2^level - 1 next each way, which is the tightest bound
-/// for all shifts of less than that. Large enough that no point at any shift of the search falls
-/// outside, so that sums need no checks.
+/// Lookup table of Olson 2009: closeness to the reference in [0, 255] around the search centre, for
+/// each fine cell on several levels. A level holds the maximum over the cell and the next 2^level −
+/// 1 cells on each axis, which is the tightest bound for all shifts of less than that. The grid is
+/// large enough that no point at any shift of the search falls outside, so that the sums need no
+/// checks.
 class LookupGrid {
  public:
   LookupGrid(double cell, double half_width, int levels, const Eigen::Vector2d& centre)
@@ -42,14 +43,14 @@ class LookupGrid {
   [[nodiscard]] int index_x(double x) const { return static_cast<int>((x - origin_.x()) / cell_); }
   [[nodiscard]] int index_y(double y) const { return static_cast<int>((y - origin_.y()) / cell_); }
 
-  /// Of a level, moved by so many blocks; kRow values may be read from any place.
+  /// Values of a level, offset by a number of blocks; kRow values may be read from any position.
   [[nodiscard]] const std::uint8_t* values(int level, int blocks_x, int blocks_y) const {
     return values_[level].data() + static_cast<std::ptrdiff_t>(blocks_y) * side(level) + blocks_x;
   }
 
-  /// Where the value of a fine cell lies. What differs by a multiple of 2^level fine cells lies
-  /// side by side: one step in x is 1, one in y is `side`.
-  [[nodiscard]] int place(int level, int x, int y) const {
+  /// Position of the value of a fine cell. Cells that differ by a multiple of 2^level fine cells
+  /// are adjacent: one step in x is 1, one in y is `side`.
+  [[nodiscard]] int position(int level, int x, int y) const {
     const int phases = 1 << level;
     const int phase = ((y & (phases - 1)) << level) + (x & (phases - 1));
     return (phase * side(level) + (y >> level)) * side(level) + (x >> level);
@@ -60,20 +61,20 @@ class LookupGrid {
     const int cx = index_x(p.x());
     const int cy = index_y(p.y());
     if (cx < 1 || cy < 1 || cx >= side_ - 1 || cy >= side_ - 1) return;
-    if (values_[0][cy * side_ + cx] == kCloseness[0]) return;  // another point of this cell did it
+    if (values_[0][cy * side_ + cx] == kCloseness[0]) return;  // already stamped
     for (int level = 0; level < static_cast<int>(values_.size()); ++level) stamp(level, cx, cy);
   }
 
  private:
-  static constexpr std::array<std::uint8_t, 3> kCloseness{255, 140, 80};  // same, beside, corner
+  static constexpr std::array<std::uint8_t, 3> kCloseness{255, 140, 80};  // same, edge, corner
 
-  /// All cells whose maximum takes in the fine cell (cx, cy) or one beside it.
+  /// Updates all cells whose maximum includes the fine cell (cx, cy) or one of its neighbours.
   void stamp(int level, int cx, int cy) {
-    const int seen = 1 << level;
-    const auto off = [&](int u, int c) { return u > c || u + seen <= c ? 1 : 0; };
-    for (int v = std::max(cy - seen, 0); v <= cy + 1; ++v) {
-      for (int u = std::max(cx - seen, 0); u <= cx + 1; ++u) {
-        auto& value = values_[level][place(level, u, v)];
+    const int width = 1 << level;
+    const auto off = [&](int u, int c) { return u > c || u + width <= c ? 1 : 0; };
+    for (int v = std::max(cy - width, 0); v <= cy + 1; ++v) {
+      for (int u = std::max(cx - width, 0); u <= cx + 1; ++u) {
+        auto& value = values_[level][position(level, u, v)];
         value = std::max(value, kCloseness[off(u, cx) + off(v, cy)]);
       }
     }
@@ -85,16 +86,16 @@ class LookupGrid {
   std::vector<std::vector<std::uint8_t>> values_;
 };
 
-/// A square of shifts at one angle, 2^level each way, with an upper bound of their scores; at level
-/// 0 a single shift with its score.
+/// A square of 2^level by 2^level shifts at one angle, with an upper bound of their scores; at
+/// level 0 a single shift with its score.
 struct Block {
   int bound;
   int level;
   int angle;
-  int x;  ///< of its first shift [fine cells]
+  int x;  ///< first shift [fine cells]
   int y;
 
-  friend bool operator<(const Block& a, const Block& b) {  // ties in a fixed order
+  friend bool operator<(const Block& a, const Block& b) {  // ties are broken by a fixed rule
     if (a.bound != b.bound) return a.bound < b.bound;
     if (a.level != b.level) return a.level > b.level;
     if (a.angle != b.angle) return a.angle > b.angle;
@@ -103,7 +104,7 @@ struct Block {
   }
 };
 
-/// Evenly chosen points within reach of the lookup grid.
+/// Evenly sampled points within reach of the lookup grid.
 std::vector<Eigen::Vector2d> choose_points(const std::vector<SurfacePoint>& points,
                                            const CorrelativeSearchParams& params) {
   std::vector<Eigen::Vector2d> near;
@@ -125,7 +126,7 @@ double farthest(const std::vector<Eigen::Vector2d>& points) {
   return std::sqrt(squared);
 }
 
-/// What part of the window is searched: an ellipsoid, in the axes of the reference.
+/// The Gaussian gate of the search: an ellipsoid, in the axes of the reference.
 class Gate {
  public:
   Gate(const SearchWindow& window, double theta) : sigmas_(window.sigmas) {
@@ -136,8 +137,8 @@ class Gate {
     sigmas_per_m_ = std::sqrt(std::max(0.0, plane.eigenvalues().y()));
   }
 
-  /// Is any pose of these in the gate: at this turn, within `radius` of this shift? Sometimes says
-  /// yes where it is no.
+  /// Whether any pose at this turn, within `radius` of this shift, lies in the gate. Conservative:
+  /// may return true where none does.
   [[nodiscard]] bool touches(const Eigen::Vector3d& off, double radius) const {
     if (sigmas_ <= 0.0) return true;
     const double reach = sigmas_ + radius * sigmas_per_m_;
@@ -150,12 +151,13 @@ class Gate {
   double sigmas_per_m_;
 };
 
-/// One search by branch and bound: the grid, the scan at every angle, and the blocks of shifts
-/// still to be looked into, best bound first.
-class Search {
+/// The search over blocks of shifts: the lookup grid, the scan at every angle, and the blocks
+/// still open, best bound first (Olson 2009).
+class BranchAndBound {
  public:
-  Search(const std::vector<SurfacePoint>& points_body, const SurfelMap& reference,
-         const Pose2& centre, const SearchWindow& window, const CorrelativeSearchParams& params)
+  BranchAndBound(const std::vector<SurfacePoint>& points_body, const SurfelMap& reference,
+                 const Pose2& centre, const SearchWindow& window,
+                 const CorrelativeSearchParams& params)
       : params_(params),
         centre_(centre),
         gate_(window, centre.theta),
@@ -167,7 +169,7 @@ class Search {
         blocks_wide_(static_cast<int>(std::ceil(window.radius_m / (params.cell_m * coarsest_)))),
         grid_(params.cell_m, farthest(points_) + (blocks_wide_ + 2) * coarsest_ * params.cell_m,
               levels_, centre.translation()),
-        places_(points_.size() * levels_ * (2 * angles_ + 1)) {
+        positions_(points_.size() * levels_ * (2 * angles_ + 1)) {
     for (const auto& surfel : reference.surfels()) grid_.stamp(surfel.p);
     const int row = 2 * blocks_wide_ + 1;
     blocks_.reserve(static_cast<std::size_t>(2 * angles_ + 1) * row * row);
@@ -181,25 +183,25 @@ class Search {
   std::vector<CorrelationPeak> best(int peaks) {
     std::vector<CorrelationPeak> found;
     if (points_.empty()) return found;
-    for (int opened = 0; !blocks_.empty() && opened < params_.blocks_max; ++opened) {
+    for (int expanded = 0; !blocks_.empty() && expanded < params_.blocks_max; ++expanded) {
       std::pop_heap(blocks_.begin(), blocks_.end());
       const Block block = blocks_.back();
       blocks_.pop_back();
-      if (on_found_peak(block)) continue;
+      if (is_near_found_peak(block)) continue;
       if (block.level > 0) {
         split(block);
         continue;
       }
-      // Shifts come in order of their scores, so the first of each hill is its top.
+      // Shifts arrive in descending order of score, so the first of a peak is its top.
       tops_.push_back(block);
       found.push_back(peak(block));
-      if (static_cast<int>(found.size()) == peaks) break;  // nothing left can be better
+      if (static_cast<int>(found.size()) == peaks) break;  // no open block has a better bound
     }
     return found;
   }
 
  private:
-  static constexpr double kScoreMax = 255.0;  // of one point
+  static constexpr double kScoreMax = 255.0;  // maximum score of a point
 
   [[nodiscard]] double angle(int a) const {
     return wrap_angle(centre_.theta + (a - angles_) * params_.angle_step_rad);
@@ -213,21 +215,21 @@ class Search {
       const int x = grid_.index_x(centre_.x + c * p.x() - s * p.y());
       const int y = grid_.index_y(centre_.y + s * p.x() + c * p.y());
       for (int level = 0; level < levels_; ++level) {
-        places_[first_place(a, level) + i] = grid_.place(level, x, y);
+        positions_[first_position(a, level) + i] = grid_.position(level, x, y);
       }
     }
   }
 
-  [[nodiscard]] std::size_t first_place(int a, int level) const {
+  [[nodiscard]] std::size_t first_position(int a, int level) const {
     return (static_cast<std::size_t>(a) * levels_ + level) * points_.size();
   }
 
-  /// Where in the grid the points find their values when the scan is turned to this angle.
-  [[nodiscard]] std::span<const int> places(int a, int level) const {
-    return std::span(places_).subspan(first_place(a, level), points_.size());
+  /// Positions in the grid of the values of the points, with the scan turned to angle `a`.
+  [[nodiscard]] std::span<const int> positions(int a, int level) const {
+    return std::span(positions_).subspan(first_position(a, level), points_.size());
   }
 
-  /// Of a block with its first shift there.
+  /// Whether a block with its first shift at (x, y) touches the gate.
   [[nodiscard]] bool in_gate(int level, int a, int x, int y) const {
     const double half = 0.5 * ((1 << level) - 1) * params_.cell_m;
     const Eigen::Vector3d off(x * params_.cell_m + half, y * params_.cell_m + half,
@@ -235,7 +237,7 @@ class Search {
     return gate_.touches(off, std::sqrt(2.0) * half);
   }
 
-  /// Adds the coarsest blocks of a row of the window. Those in the gate are side by side.
+  /// Adds the coarsest blocks of a row of the window. Blocks in the gate are contiguous.
   void push_row(int a, int y) {
     const auto outside = [&](int x) {
       return !in_gate(levels_ - 1, a, x * coarsest_, y * coarsest_);
@@ -247,14 +249,14 @@ class Search {
     for (int x = first; x <= last; x += kRow) push_blocks(a, x, std::min(x + kRow - 1, last), y);
   }
 
-  /// Adds the coarsest blocks from x to last, up to kRow of them. All are summed at once, the
-  /// values of neighbours being neighbours in the grid.
+  /// Adds the coarsest blocks from x to last, up to kRow of them. All are summed in one pass, as
+  /// the values of neighbours are adjacent in the grid.
   void push_blocks(int a, int x, int last, int y) {
     const int level = levels_ - 1;
     const std::uint8_t* values = grid_.values(level, x, y);
     std::array<std::int32_t, kRow> bounds{};
-    for (const int place : places(a, level)) {
-      const std::uint8_t* row = values + place;
+    for (const int position : positions(a, level)) {
+      const std::uint8_t* row = values + position;
       for (int k = 0; k < kRow; ++k) bounds[k] += row[k];
     }
     for (int k = 0; x + k <= last; ++k) {
@@ -268,8 +270,8 @@ class Search {
     const int side = grid_.side(level);
     const std::uint8_t* values = grid_.values(level, block.x >> level, block.y >> level);
     std::array<int, 4> bounds{};
-    for (const int place : places(block.angle, level)) {
-      const std::uint8_t* corner = values + place;
+    for (const int position : positions(block.angle, level)) {
+      const std::uint8_t* corner = values + position;
       bounds[0] += corner[0];
       bounds[1] += corner[1];
       bounds[2] += corner[side];
@@ -285,15 +287,15 @@ class Search {
     }
   }
 
-  /// Do all shifts of the block lie on a hill whose top was found?
-  [[nodiscard]] bool on_found_peak(const Block& block) const {
+  /// Whether all shifts of the block lie within the separation of a peak that was found.
+  [[nodiscard]] bool is_near_found_peak(const Block& block) const {
     const int apart = params_.peak_separation_cells;
     const int last = (1 << block.level) - 1;
     return std::any_of(tops_.begin(), tops_.end(), [&](const Block& top) {
       const int x = std::max(top.x - block.x, block.x + last - top.x);
       const int y = std::max(top.y - block.y, block.y + last - top.y);
       if (x * x + y * y > apart * apart) return false;
-      // Half a step more: around the circle, angles are no whole number of steps apart.
+      // Half a step of tolerance: 2π is not a multiple of the angle step.
       const double turn = angle_diff(angle(block.angle), angle(top.angle));
       return std::abs(turn) < (apart + 0.5) * params_.angle_step_rad;
     });
@@ -309,15 +311,15 @@ class Search {
   Pose2 centre_;
   Gate gate_;
   std::vector<Eigen::Vector2d> points_;
-  double bound_min_;  ///< nothing below this is looked into
+  double bound_min_;  ///< blocks with a lower bound are discarded
   int angles_;
   int levels_;
-  int coarsest_;  ///< shifts on the side of a coarsest block
+  int coarsest_;  ///< shifts per side of a coarsest block
   int blocks_wide_;
   LookupGrid grid_;
-  std::vector<int> places_;  ///< all points of the first angle and level, of its next level, and on
+  std::vector<int> positions_;  ///< by angle, level and point
   std::vector<Block> blocks_;
-  std::vector<Block> tops_;  ///< of the hills found
+  std::vector<Block> tops_;  ///< tops of the peaks found
 };
 
 }  // namespace
@@ -327,7 +329,7 @@ std::vector<CorrelationPeak> search_correlation(const std::vector<SurfacePoint>&
                                                 const SearchWindow& window, int peaks,
                                                 const CorrelativeSearchParams& params) {
   if (points_body.empty() || reference.empty()) return {};
-  return Search(points_body, reference, centre, window, params).best(peaks);
+  return BranchAndBound(points_body, reference, centre, window, params).best(peaks);
 }
 
 }  // namespace adit

@@ -15,13 +15,14 @@
 namespace adit {
 
 struct CorrelativeSearchParams {
-  double cell_m = 0.1;  ///< side of a fine cell, and the step of the search
+  double cell_m = 0.1;  ///< side of a fine cell; also the step of the search
   double angle_step_rad = 0.0175;
-  int points_max = 90;            ///< of the scan, evenly chosen
-  double range_max_m = 25.0;      ///< among those within this range
-  int blocks_max = 20000;         ///< blocks opened; bounds the time in a hopeless case
-  int peak_separation_cells = 4;  ///< peaks no farther apart, and no more angle steps, are one
-  double score_min = 0.0;         ///< peaks below are not looked for
+  int points_max = 90;        ///< points of the scan that are used, evenly sampled
+  double range_max_m = 25.0;  ///< maximum range of these points
+  /// Maximum number of blocks expanded; bounds the time of a search without a match.
+  int blocks_max = 20000;
+  int peak_separation_cells = 4;  ///< peaks within this many cells and angle steps are merged
+  double score_min = 0.0;         ///< minimum score of a peak
 
   template <class V>
   void visit(V& v) {
@@ -35,26 +36,25 @@ struct CorrelativeSearchParams {
   }
 };
 
-/// The poses to be searched, around a centre.
+/// The poses to search, around a centre.
 struct SearchWindow {
-  double radius_m = 1.0;  ///< half-widths
+  double radius_m = 1.0;  ///< half-width in x and y
   double angle_rad = 0.6;
-  /// Where it is known how x, y and θ of the body in its frame at the centre go together: the
-  /// inverse of their covariance, and how many standard deviations are searched. Zero: all in the
-  /// window.
+  /// Optional Gaussian gate: the inverse covariance of (x, y, θ) of the body in its frame at the
+  /// centre, and its size in standard deviations. Zero: the complete window is searched.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   double sigmas = 0.0;
 };
 
 struct CorrelationPeak {
-  Pose2 T_odom_body;   ///< to a cell or two and an angle step: a start for refinement, not a result
-  double score = 0.0;  ///< in [0, 1]: mean closeness of the points to the reference
+  Pose2 T_odom_body;   ///< accurate to a cell or two and an angle step: a start for refinement
+  double score = 0.0;  ///< mean closeness of the points to the reference, 0 to 1
 };
 
-/// The poses within the window at which the scan lies best on the reference: exhaustive over a grid
-/// of poses, made cheap by coarse levels that bound the fine one from above (Olson, "Real-Time
-/// Correlative Scan Matching", ICRA 2009); the larger the window, the more levels. The best `peaks`
-/// that are apart, best first; empty where scan or reference is empty.
+/// Finds the poses within the window at which the scan matches the reference best: exhaustive over
+/// a grid of poses, with coarse levels that bound the fine level from above (Olson, "Real-Time
+/// Correlative Scan Matching", ICRA 2009); larger windows use more levels. Returns the best `peaks`
+/// distinct poses, best first; empty if the scan or the reference is empty.
 std::vector<CorrelationPeak> search_correlation(const std::vector<SurfacePoint>& points_body,
                                                 const SurfelMap& reference, const Pose2& centre,
                                                 const SearchWindow& window, int peaks,

@@ -23,15 +23,15 @@ ConstrainedInformation split_degenerate(const Eigen::Matrix3d& information,
   ConstrainedInformation result;
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3d v = solver.eigenvectors().col(i);
-    const double known = solver.eigenvalues()[i];
-    const double feigned = v.dot(spurious_m * v);
-    if (known <= std::max(least, params.spurious_ratio * feigned)) {
-      result.degenerate.push_back({v, std::max(0.0, known - 2.0 * feigned)});
+    const double information_i = solver.eigenvalues()[i];
+    const double spurious_i = v.dot(spurious_m * v);
+    if (information_i <= std::max(least, params.spurious_ratio * spurious_i)) {
+      result.degenerate.push_back({v, std::max(0.0, information_i - 2.0 * spurious_i)});
     } else {
       const Eigen::Vector3d w = to_metres.asDiagonal() * v;
       const Eigen::Vector3d u = to_radians.asDiagonal() * v;
-      result.information += known * w * w.transpose();
-      result.covariance += u * u.transpose() / known;
+      result.information += information_i * w * w.transpose();
+      result.covariance += u * u.transpose() / information_i;
     }
   }
   return result;

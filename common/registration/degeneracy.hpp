@@ -11,8 +11,9 @@
 namespace adit {
 
 struct DegeneracyParams {
-  double spurious_ratio = 4.0;  ///< information below this many times its spurious part is none
-  double sd_max_m = 0.1;        ///< nor is information that leaves an uncertainty above this
+  /// Information below this multiple of its spurious part is discarded.
+  double spurious_ratio = 4.0;
+  double sd_max_m = 0.1;  ///< as is information that leaves a larger standard deviation
 
   template <class V>
   void visit(V& v) {
@@ -21,26 +22,28 @@ struct DegeneracyParams {
   }
 };
 
-/// A direction that a match leaves open.
+/// A direction that a match does not constrain.
 struct UnconstrainedDirection {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< unit; x [m], y [m], θ [rad] · lever arm
-  /// What may be left of the information when twice the feigned part is taken off [1/m²].
+  /// Lower estimate of the information in it: what remains after twice the spurious part is
+  /// subtracted [1/m²].
   double information = 0.0;
 };
 
-/// The information of a match, split into what it says and the directions in which it says nothing.
+/// The information of a match, split into the constrained subspace and the degenerate directions.
 struct ConstrainedInformation {
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< without the degenerate directions
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();   ///< its inverse in the other directions
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the constrained directions
+  /// Its inverse in the constrained directions.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   std::vector<UnconstrainedDirection> degenerate;
 };
 
-/// Looks at the information matrix of (x, y, θ) along its principal directions, angles being turned
-/// into lengths by the lever arm. A direction is degenerate if what is known of it does not exceed
-/// what the uncertainty of the surface normals (`spurious`) would feign, or leaves it uncertain by
-/// more than `sd_max_m`: along a straight drift all walls are parallel to the way, and their
-/// normals, which are measured, are never exactly so. (The idea of judging by eigenvalues: Censi,
-/// "On achievable accuracy for range-finder localization", ICRA 2007; Zhang, Kaess, Singh, "On
+/// Decomposes the information matrix of (x, y, θ) along its principal directions, with angles
+/// converted to lengths by the lever arm. A direction is degenerate if its information does not
+/// exceed what the uncertainty of the surface normals alone produces (`spurious`), or leaves a
+/// standard deviation above `sd_max_m`: in a straight tunnel all walls are parallel to the axis,
+/// but their measured normals are never exactly parallel. (Degeneracy by eigenvalues: Censi, "On
+/// achievable accuracy for range-finder localization", ICRA 2007; Zhang, Kaess, Singh, "On
 /// degeneracy of optimization-based state estimation problems", ICRA 2016.)
 ConstrainedInformation split_degenerate(const Eigen::Matrix3d& information,
                                         const Eigen::Matrix3d& spurious, double lever_arm_m,

@@ -13,20 +13,20 @@
 
 namespace adit {
 
-/// The region that one scan saw to be empty, to be held against the points of another: two scans
-/// of the same place contradict each other where a point of one lies in the free space of the
-/// other. No return says nothing: it may be water.
+/// The free space observed by one scan, to test against the points of another: two scans of the
+/// same place contradict each other where a point of one lies in the free space of the other. A
+/// beam without return observes no free space: it may have met water.
 class FreeSpace {
  public:
   FreeSpace() = default;
   FreeSpace(const LaserScan& scan, const LaserMount& mount);
 
-  /// How many of the points, moved by `T_body_points` into this scan's body frame, lie nearer than
-  /// what was measured in their direction by more than `margin` [m].
+  /// Number of points, transformed by `T_body_points` into the body frame of this scan, that are
+  /// nearer than the range measured in their direction by more than `margin` [m].
   [[nodiscard]] int count_inside(const std::vector<SurfacePoint>& points,
                                  const Pose2& T_body_points, double margin) const;
 
-  /// The same for one point in the frame of the laser.
+  /// The same for one point in the laser frame.
   [[nodiscard]] bool inside(const Eigen::Vector2d& p_laser, double margin) const;
   /// T_laser_body.
   [[nodiscard]] const Pose2& body_in_laser() const { return T_laser_body_; }
@@ -35,7 +35,7 @@ class FreeSpace {
   Pose2 T_laser_body_;
   double angle_min_ = 0.0;
   double angle_step_ = 1.0;
-  std::vector<float> free_m_;  ///< by beam: nearest of the reading and its neighbours; 0: unknown
+  std::vector<float> free_m_;  ///< by beam: minimum of the reading and its neighbours; 0: unknown
 };
 
 }  // namespace adit

@@ -10,30 +10,32 @@
 namespace adit {
 namespace {
 
-constexpr double kClutterWeight = 0.1;  // which point of the clutter was hit is chance
-constexpr double kSharedPoints = 2.5;   // neighbouring normals are fitted to common points
-constexpr double kUnitVariance = 2.0 * 0.01 * 0.01;  // [m²] of a good point on a good surfel
+constexpr double kClutterWeight = 0.1;  // clutter has no surface: the association is arbitrary
+constexpr double kSharedPoints = 2.5;   // neighbouring normals are fitted to shared points
+constexpr double kUnitVariance = 2.0 * 0.01 * 0.01;  // [m²], an accurate point
 constexpr double kVarianceMin = 1e-6;                // [m²]
-constexpr double kNarrowing = 0.5;                   // of the kernel, from one width to the next
-constexpr double kSettled = 0.1;      // a step below this share of the width has settled at it
-constexpr double kCaptureMin = 0.25;  // [m]
-constexpr double kTurned = 0.9998;    // cosine of a degree: normals may agree with others now
+constexpr double kNarrowing = 0.5;                   // ratio of successive kernel widths
+constexpr double kConvergedShare = 0.1;              // of the kernel width
+constexpr double kCaptureMin = 0.25;                 // [m]
+constexpr double kTurned = 0.9998;  // cosine of 1°: beyond, other normals may be compatible
 
-/// A distance along a normal, and what goes with it.
+/// A distance along a normal and its weights.
 struct Residual {
   double distance;         ///< [m]
-  double variance;         ///< of it [m²]
-  double weight;           ///< against other points
-  double share;            ///< of a point that it stands for
-  double normal_variance;  ///< of the direction in which it was taken [rad²]
+  double variance;         ///< of the distance [m²]
+  double weight;           ///< relative to other points
+  double share;            ///< share of a point that it represents
+  double normal_variance;  ///< of the direction of the normal [rad²]
 };
 
-/// The normal equations of one iteration, and what they tell of the match. Residuals are in units
-/// of a good point's: divided by their standard deviation, times that of a good point.
+/// The normal equations of one iteration, and the statistics of the match. Residuals are normalised
+/// to those of an accurate point: divided by their standard deviation, times that of an accurate
+/// point.
 struct NormalEquations {
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
   Eigen::Vector3d g = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d spurious = Eigen::Matrix3d::Zero();  ///< part of H that normals may feign
+  /// Part of H that errors of the normals may produce.
+  Eigen::Matrix3d spurious = Eigen::Matrix3d::Zero();
   double weights = 0.0;
   double weighted_squares = 0.0;
   int corresponding = 0;
@@ -41,7 +43,7 @@ struct NormalEquations {
   double inlier_squares = 0.0;
   double closeness = 0.0;
 
-  /// Variance of a good point's residual, as found.
+  /// Estimated variance of the residual of an accurate point.
   [[nodiscard]] double unit_variance(double sd_min) const {
     const double found = weights > 0.0 ? weighted_squares / weights : 0.0;
     return std::max(found, sd_min * sd_min);
@@ -59,42 +61,45 @@ void add_outer(double w, const Eigen::Vector3d& v, Eigen::Matrix3d& sum) {
   sum(2, 2) += wv.z() * v.z();
 }
 
-/// For each point of the scan the surfel nearest to it. Most points move little from one iteration
-/// to the next: they are looked up again only when they have moved or turned so far that another
-/// surfel may be the answer. (The idea: Nüchter, Lingemann, Hertzberg, "Cached k-d tree search for
-/// ICP algorithms", 3DIM 2007.)
+/// The nearest surfel of each point of the scan. Most points move little between iterations: a
+/// point is searched again only when it has moved or turned so far that another surfel may be
+/// nearest (after Nüchter, Lingemann, Hertzberg, "Cached k-d tree search for ICP algorithms", 3DIM
+/// 2007).
 class Correspondences {
  public:
   Correspondences(const SurfelMap& reference, std::size_t points)
-      : reference_(reference), known_(points) {}
+      : reference_(reference), cached_(points) {}
 
-  /// Null where there is none within `capture`, which must not grow from call to call.
+  /// Null if there is none within `capture`, which must not grow from call to call.
   const Surfel* find(std::size_t point, const Eigen::Vector2d& p_odom,
                      const Eigen::Vector2d& n_odom, double capture) {
-    Known& known = known_[point];
-    const bool turned = n_odom.dot(known.normal) < kTurned * n_odom.squaredNorm();
-    if (turned || !((p_odom - known.p).squaredNorm() < known.clearance_squared)) {
+    Cached& cached = cached_[point];
+    const bool turned = n_odom.dot(cached.normal) < kTurned * n_odom.squaredNorm();
+    if (turned || !((p_odom - cached.p).squaredNorm() < cached.clearance_squared)) {
       const auto [surfel, clearance] = reference_.nearest(p_odom, n_odom, capture);
-      known = {p_odom, n_odom, clearance * clearance, surfel};
+      cached = {p_odom, n_odom, clearance * clearance, surfel};
     }
-    if (known.surfel == nullptr) return nullptr;
-    return (known.surfel->p - p_odom).squaredNorm() < capture * capture ? known.surfel : nullptr;
+    if (cached.surfel == nullptr) return nullptr;
+    return (cached.surfel->p - p_odom).squaredNorm() < capture * capture ? cached.surfel : nullptr;
   }
 
  private:
-  struct Known {
-    Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< where the point was
+  struct Cached {
+    Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< position of the point at the last search
     Eigen::Vector2d normal = Eigen::Vector2d::Zero();
-    double clearance_squared = 0.0;  ///< zero: never looked up
+    double clearance_squared = 0.0;  ///< zero: never searched
     const Surfel* surfel = nullptr;
   };
 
   const SurfelMap& reference_;
-  std::vector<Known> known_;
+  std::vector<Cached> cached_;
 };
 
-/// Rows of the Jacobian are taken with respect to a small motion (x, y, θ) in the body frame:
-/// p_odom = T · (p + δ_xy + δ_θ × p), so that the information comes out in the body frame.
+/// Sums up the normal equations. Rows of the Jacobian are taken with respect to a small motion (x,
+/// y, θ) in the body frame, p_odom = T · (p + δ_xy + δ_θ × p), so that the information is in the
+/// body frame. The residual is the distance along the normal of the surfel (Censi 2008, eq. 1);
+/// without a normal of the surfel, along that of the point; without either, the distance in x and
+/// y.
 class Accumulator {
  public:
   Accumulator(const Pose2& T, double scale)
@@ -124,11 +129,10 @@ class Accumulator {
   }
 
   [[nodiscard]] NormalEquations sums() const {
-    NormalEquations whole = sums_;
-    whole.H = sums_.H.selfadjointView<Eigen::Upper>();
-    whole.spurious =
-        kSharedPoints * Eigen::Matrix3d(sums_.spurious.selfadjointView<Eigen::Upper>());
-    return whole;
+    NormalEquations sums = sums_;
+    sums.H = sums_.H.selfadjointView<Eigen::Upper>();
+    sums.spurious = kSharedPoints * Eigen::Matrix3d(sums_.spurious.selfadjointView<Eigen::Upper>());
+    return sums;
   }
 
  private:
@@ -149,7 +153,7 @@ class Accumulator {
     const Eigen::Vector3d J(n.x(), n.y(), p.x() * n.y() - p.y() * n.x());
     add_outer(w, J, sums_.H);
     sums_.g += w * r.distance * J;
-    // The same row if the normal were turned a quarter: what its error lets through.
+    // The same row with the normal turned by 90°: the effect of an error of the normal.
     const Eigen::Vector3d K(-n.y(), n.x(), p.x() * n.x() + p.y() * n.y());
     add_outer(w * r.normal_variance, K, sums_.spurious);
     sums_.weights += r.weight * kernel;
@@ -182,14 +186,14 @@ Eigen::Vector3d solve(const NormalEquations& sums, const PosePrior& prior, const
                       double sd_min) {
   const double precision = 1.0 / sums.unit_variance(sd_min);
   const Eigen::Vector3d off = between(prior.T_odom_body, T).vector();
-  // A grain of damping keeps an unconstrained direction where it is.
+  // Small damping keeps the pose along unconstrained directions.
   const Eigen::Matrix3d damping = Eigen::Matrix3d::Identity() * 1e-6 * precision;
   const Eigen::Matrix3d A = precision * sums.H + prior.information + damping;
   return -A.ldlt().solve(precision * sums.g + prior.information * off);
 }
 
-void describe(const NormalEquations& sums, std::size_t points, double sd_min,
-              PointToLineResult& result) {
+void fill_statistics(const NormalEquations& sums, std::size_t points, double sd_min,
+                     PointToLineResult& result) {
   const double precision = 1.0 / sums.unit_variance(sd_min);
   const auto n = static_cast<double>(points);
   result.information = precision * sums.H;
@@ -200,11 +204,12 @@ void describe(const NormalEquations& sums, std::size_t points, double sd_min,
   result.rms_residual_m = sums.inliers > 0.0 ? std::sqrt(sums.inlier_squares / sums.inliers) : 0.0;
 }
 
-/// Has a match been here with the same kernel? Nearer than what counts as settled at its width, two
-/// matches see the same.
+/// Whether an earlier match visited this pose with the same kernel width. Two matches nearer than
+/// the convergence threshold at that width are the same.
 bool on_trail(const MatchTrail& trail, const Pose2& T, double scale) {
   return std::any_of(trail.begin(), trail.end(), [&](const MatchWaypoint& w) {
-    return w.scale_m == scale && between(w.T_odom_body, T).vector().norm() < kSettled * scale;
+    return w.scale_m == scale &&
+           between(w.T_odom_body, T).vector().norm() < kConvergedShare * scale;
   });
 }
 
@@ -235,15 +240,16 @@ PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_bo
     const Eigen::Vector3d step = solve(sums, prior, result.T_odom_body, sd_min);
     result.T_odom_body = result.T_odom_body * Pose2::from_vector(step);
     result.converged = scale <= params.scale_end_m && step.norm() < params.done_m;
-    // Narrow only once the match has settled at this width: a match that still moves would lose
-    // the few points that drive it.
-    if (step.norm() < kSettled * scale) scale = std::max(kNarrowing * scale, params.scale_end_m);
+    // The kernel narrows only after convergence at the current width: narrowing earlier would
+    // discard the few points that drive the motion.
+    if (step.norm() < kConvergedShare * scale)
+      scale = std::max(kNarrowing * scale, params.scale_end_m);
   }
   if (trail != nullptr && (result.converged || result.duplicate)) {
     trail->insert(trail->end(), visited.begin(), visited.end());
   }
   if (result.duplicate) return result;
-  describe(sums, points_body.size(), sd_min, result);
+  fill_statistics(sums, points_body.size(), sd_min, result);
   return result;
 }
 

@@ -15,11 +15,11 @@ namespace adit {
 
 struct PointToLineParams {
   int iterations_max = 30;
-  double capture_m = 0.5;            ///< farthest correspondence
-  double scale_start_m = 0.2;        ///< width of the robust kernel at first
-  double scale_end_m = 0.04;         ///< and at last; beyond twice this a point is an outlier
-  double residual_sd_min_m = 0.005;  ///< no match is believed better than this per point
-  double done_m = 1e-4;  ///< a step below this (metres; radians times one metre) ends it
+  double capture_m = 0.5;            ///< maximum distance of a correspondence
+  double scale_start_m = 0.2;        ///< initial width of the robust kernel
+  double scale_end_m = 0.04;         ///< final width; a point beyond twice this is an outlier
+  double residual_sd_min_m = 0.005;  ///< lower bound of the residual's standard deviation per point
+  double done_m = 1e-4;  ///< converged at a step below this (metres; radians times one metre)
 
   template <class V>
   void visit(V& v) {
@@ -32,41 +32,43 @@ struct PointToLineParams {
   }
 };
 
-/// What is known of the pose before the match: a Gaussian around T_odom_body.
+/// Prior of the pose: a Gaussian around T_odom_body.
 struct PosePrior {
   Pose2 T_odom_body;
-  /// Inverse covariance of (x, y, θ) in the body frame at T_odom_body; zero: nothing is known.
+  /// Inverse covariance of (x, y, θ) in the body frame at T_odom_body; zero: no prior.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };
 
 struct PointToLineResult {
   Pose2 T_odom_body;
-  /// Of the match alone, without the prior: inverse covariance of (x, y, θ) in the body frame.
+  /// Information of the match without the prior: inverse covariance of (x, y, θ) in the body frame.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  /// What of `information` the uncertainty of the surface normals alone would produce: a direction
-  /// with no more than a few times this is not constrained.
+  /// The part of `information` that the uncertainty of the surface normals alone would produce: a
+  /// direction with no more than a few times this is not constrained.
   Eigen::Matrix3d spurious = Eigen::Matrix3d::Zero();
-  double overlap = 0.0;         ///< share of the points with a correspondence
-  double inlier_share = 0.0;    ///< share of the points that agree with the reference
-  double closeness = 0.0;       ///< mean over all points, 1 on the reference, 0 far from it
-  double rms_residual_m = 0.0;  ///< of the inliers, as of good points near by
+  double overlap = 0.0;       ///< share of the points with a correspondence
+  double inlier_share = 0.0;  ///< share of the points that agree with the reference
+  double closeness = 0.0;     ///< mean over all points, 1 on the reference, 0 far from it
+  /// Of the inliers, normalised to that of an accurate point near the laser.
+  double rms_residual_m = 0.0;
   int iterations = 0;
   bool converged = false;
-  bool duplicate = false;  ///< stopped where an earlier match had been: it would end where that did
+  bool duplicate = false;  ///< stopped on the trail of an earlier match, which it would repeat
 };
 
-/// Where matches of one scan that converged have been, and with which width of the kernel.
+/// A pose visited by a match of the scan that converged, and the kernel width there.
 struct MatchWaypoint {
   Pose2 T_odom_body;
   double scale_m = 0.0;
 };
 using MatchTrail = std::vector<MatchWaypoint>;
 
-/// Aligns the points of a scan with the reference: iterated closest points with distances measured
-/// along the surface normal (Censi, "An ICP variant using a point-to-line metric", ICRA 2008), a
-/// Geman-McClure kernel that narrows from coarse to fine, and the prior as one more measurement.
-/// Where there is a trail, of matches that differ in their start alone, this match stops as soon as
-/// it joins it. One that converges or joins adds its own.
+/// Aligns the points of a scan with the reference: iterated closest point with distances along the
+/// surface normal (Censi, "An ICP variant using a point-to-line metric", ICRA 2008), a
+/// Geman-McClure kernel that narrows from coarse to fine, and the prior as an additional
+/// measurement. `trail` holds the iterates of earlier matches of the same scan that differ in their
+/// start only: a match stops when it joins the trail, and adds its own iterates if it converges or
+/// joins.
 PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_body,
                                       const SurfelMap& reference, const Pose2& start,
                                       const PosePrior& prior, const PointToLineParams& params,

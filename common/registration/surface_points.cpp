@@ -26,7 +26,7 @@ std::vector<Return> valid_returns(const LaserScan& scan, const LaserMount& mount
   return returns;
 }
 
-/// Of three returns in a row: does the middle one keep to the line through the outer two?
+/// Whether the middle one of three consecutive returns lies on the line through the outer two.
 bool in_line(const Return& a, const Return& b, const Return& c, double bend) {
   const Eigen::Vector2d chord = c.p_laser - a.p_laser;
   const Eigen::Vector2d d = b.p_laser - a.p_laser;
@@ -34,7 +34,7 @@ bool in_line(const Return& a, const Return& b, const Return& c, double bend) {
   return std::abs(chord.x() * d.y() - chord.y() * d.x()) < bend * length;
 }
 
-/// joined[i]: returns i and i + 1 lie on one surface.
+/// connected[i]: returns i and i + 1 lie on one surface.
 std::vector<char> connect_neighbours(const std::vector<Return>& returns,
                                      const SurfaceParams& params) {
   const int n = static_cast<int>(returns.size());
@@ -52,8 +52,8 @@ std::vector<char> connect_neighbours(const std::vector<Return>& returns,
   return connected;
 }
 
-/// A return whose neighbours on both sides lie far off, one nearer and one farther, is what a
-/// laser reports when its spot falls on an edge.
+/// A mixed pixel: both neighbours are far away, one nearer and one farther, as a laser reports when
+/// its spot covers an edge.
 bool mixed_pixel(const std::vector<Return>& returns, const std::vector<char>& connected, int i) {
   const int n = static_cast<int>(returns.size());
   if (i == 0 || i + 1 >= n) return false;
@@ -61,7 +61,7 @@ bool mixed_pixel(const std::vector<Return>& returns, const std::vector<char>& co
   return (returns[i - 1].range - returns[i].range) * (returns[i + 1].range - returns[i].range) < 0;
 }
 
-/// Total least squares line through the returns [first, last]; sets the normal where it fits.
+/// Total least squares line through the returns [first, last]; sets the normal if the fit is good.
 void fit_normal(const std::vector<Return>& returns, int first, int last,
                 const SurfaceParams& params, const Return& at, SurfacePoint& point) {
   const int n = last - first + 1;
@@ -88,8 +88,8 @@ void fit_normal(const std::vector<Return>& returns, int first, int last,
   point.normal_variance = std::max(variance, params.range_sd_m * params.range_sd_m) / along;
 }
 
-/// An error of range moves the point along the beam, an error of bearing across it: on a wall that
-/// is seen at a grazing angle far away, the second is much larger.
+/// A range error moves the point along the beam, a bearing error across it: on a distant wall at a
+/// grazing angle the second is much larger.
 double variance_along_normal(const Return& at, const SurfacePoint& point,
                              const SurfaceParams& params) {
   const double range_variance = params.range_sd_m * params.range_sd_m;

@@ -12,27 +12,27 @@
 
 namespace adit {
 
-/// A point of a scan with the local direction of the surface it was measured on.
+/// A point of a scan with the local normal of the surface it lies on.
 struct SurfacePoint {
   Eigen::Vector2d p = Eigen::Vector2d::Zero();       ///< [m]
-  Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit, towards the laser; zero: not known
-  double normal_variance = 0.0;                      ///< of the normal's direction [rad²]
+  Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit, towards the laser; zero: unknown
+  double normal_variance = 0.0;                      ///< of the direction of the normal [rad²]
   double variance = 0.0;                             ///< of the position along the normal [m²]
-  double weight = 1.0;                               ///< less where beams lie close together
+  double weight = 1.0;                               ///< lower where beams are dense
 
   [[nodiscard]] bool has_normal() const { return normal.squaredNorm() > 0.5; }
 };
 
 struct SurfaceParams {
-  int half_window_beams = 4;      ///< neighbours on each side that a line is fitted to
-  double window_radius_m = 0.4;   ///< and how far they may be
+  int half_window_beams = 4;      ///< neighbours on each side used for the line fit
+  double window_radius_m = 0.4;   ///< maximum distance of these neighbours
   double gap_m = 0.2;             ///< neighbours closer than this lie on one surface
-  double bend_m = 0.05;           ///< so do farther ones that keep to a line within this
-  double gap_on_line_m = 1.5;     ///< up to here
-  double residual_max_m = 0.05;   ///< a line that fits worse gives no normal
-  double spacing_full_m = 0.05;   ///< beams that fall closer together share the weight of one
-  double range_sd_m = 0.01;       ///< noise of a reading
-  double bearing_sd_rad = 0.002;  ///< and of the direction it comes from: the spot is wide
+  double bend_m = 0.05;           ///< as do farther ones that deviate from a line by less than this
+  double gap_on_line_m = 1.5;     ///< maximum distance of these
+  double residual_max_m = 0.05;   ///< a line fit with a larger residual gives no normal
+  double spacing_full_m = 0.05;   ///< denser points share the weight of one
+  double range_sd_m = 0.01;       ///< standard deviation of a range
+  double bearing_sd_rad = 0.002;  ///< standard deviation of the bearing: the spot is wide
 
   template <class V>
   void visit(V& v) {
@@ -48,10 +48,10 @@ struct SurfaceParams {
   }
 };
 
-/// The believable points of a scan in the body frame, in order of angle. Left out: NaN and infinite
-/// readings, those outside the mount's range limits, and points that stand alone between a near
-/// and a far surface (mixed pixels, where the beam's spot lay on both).
-/// An empty scan gives an empty vector.
+/// The valid points of a scan in the body frame, in order of angle. Discarded are NaN and infinite
+/// readings, those outside the mount's range limits, and isolated points between a near and a far
+/// surface (mixed pixels, where the spot of the beam covers both). An empty scan gives an empty
+/// vector.
 std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount& mount,
                                          const SurfaceParams& params);
 

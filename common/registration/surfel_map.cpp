@@ -12,12 +12,12 @@ namespace {
 
 constexpr double kCosNormalMax = 0.5;  // 60°
 
-struct Step {
+struct Offset {
   int x;
   int y;
 };
-/// To the buckets around one, the nearer first.
-constexpr std::array<Step, 8> kAround{
+/// Offsets of the surrounding buckets, nearest first.
+constexpr std::array<Offset, 8> kAround{
     {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
 
 int cell_of(double coordinate) {
@@ -85,9 +85,9 @@ void SurfelMap::merge(const SurfacePoint& point, double odometer) {
   }
   found->last_observed = odometer;
   if (!point.has_normal()) return;
-  // Means weighted by certainty. The old value never becomes so certain that a new one counts for
-  // nothing: the wall is not that flat. The surfel moves along its normal alone, so that it keeps
-  // its bucket but for a hair, which look-ups by distance do not notice.
+  // Means weighted by certainty. The weight of a new point has a lower bound, as a wall is not
+  // exactly flat. The surfel moves only along its normal, so that it practically keeps its bucket,
+  // which is sufficient for queries by distance.
   const auto share_of_new = [&](double old_variance, double new_variance) {
     return std::max(old_variance / (old_variance + new_variance), params_.share_min);
   };
@@ -130,8 +130,8 @@ NearestSurfel SurfelMap::nearest(const Eigen::Vector2d& p, const Eigen::Vector2d
       }
     }
   };
-  // Squared distances to the neighbouring buckets: beside, and at the corners their sums. Mostly
-  // the bucket of p holds two surfels that are nearer than all that others can hold.
+  // Squared distances to the neighbouring buckets: edge neighbours, and at the corners their sums.
+  // In most cases the bucket of p holds two surfels nearer than all that the others can hold.
   const double left = p.x() - cx * kBucket;
   const double below = p.y() - cy * kBucket;
   const std::array<double, 3> x2{left * left, 0.0, (kBucket - left) * (kBucket - left)};
@@ -140,9 +140,9 @@ NearestSurfel SurfelMap::nearest(const Eigen::Vector2d& p, const Eigen::Vector2d
   for (const auto [dx, dy] : kAround) {
     if (x2[dx + 1] + y2[dy + 1] < second) visit(cx + dx, cy + dy);
   }
-  // All has been seen up to here, more than one bucket's side; the outer ring can only hold
-  // farther ones.
-  double seen = kBucket + std::sqrt(std::min({x2[0], x2[2], y2[0], y2[2]}));
+  // The search is complete up to this distance, more than one bucket's side; the outer ring can
+  // only hold farther surfels.
+  double searched = kBucket + std::sqrt(std::min({x2[0], x2[2], y2[0], y2[2]}));
   if (best > kBucket * kBucket && radius > kBucket) {
     for (int k = -2; k <= 2; ++k) {
       visit(cx + k, cy - 2);
@@ -152,11 +152,11 @@ NearestSurfel SurfelMap::nearest(const Eigen::Vector2d& p, const Eigen::Vector2d
       visit(cx - 2, cy + k);
       visit(cx + 2, cy + k);
     }
-    seen += kBucket;
+    searched += kBucket;
   }
   const double distance = std::sqrt(best);
-  if (distance < radius) return {found, 0.5 * (std::min(std::sqrt(second), seen) - distance)};
-  return {nullptr, std::min(distance, seen) - radius};
+  if (distance < radius) return {found, 0.5 * (std::min(std::sqrt(second), searched) - distance)};
+  return {nullptr, std::min(distance, searched) - radius};
 }
 
 }  // namespace adit

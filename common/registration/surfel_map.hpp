@@ -13,28 +13,27 @@
 
 namespace adit {
 
-/// A small piece of wall: the mean of all points measured on it.
+/// A small patch of a wall: the mean of all points measured on it.
 struct Surfel {
   Eigen::Vector2d p = Eigen::Vector2d::Zero();       ///< [m]
-  Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit, towards the laser; zero: not known
+  Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit, towards the laser; zero: unknown
   double normal_variance = 0.0;                      ///< [rad²]
   double variance = 0.0;                             ///< of the position along the normal [m²]
-  double last_observed = 0.0;                        ///< odometer when last seen [m]
+  double last_observed = 0.0;                        ///< odometer at the last observation [m]
   int next = -1;                                     ///< next surfel of the same bucket
 
   [[nodiscard]] bool has_normal() const { return normal.squaredNorm() > 0.5; }
 };
 
-/// The answer to a look-up, and for how long it holds.
+/// The result of a nearest-surfel query, and how long it stays valid.
 struct NearestSurfel {
   const Surfel* surfel = nullptr;  ///< null: none within the radius
-  double clearance = 0.0;          ///< if the point moves less [m], it is still the nearest, or
-                                   ///< there is still none
+  double clearance = 0.0;  ///< if the point moves less than this [m], the result does not change
 };
 
 struct SurfelMapParams {
-  double spacing_m = 0.05;  ///< points closer than this, on the same side of a wall, are merged
-  double share_min = 0.05;  ///< of a new point in the mean that a surfel is
+  double spacing_m = 0.05;  ///< closer points on the same side of a wall are merged
+  double share_min = 0.05;  ///< minimum weight of a new point in the mean of a surfel
   template <class V>
   void visit(V& v) {
     v("spacing_m", spacing_m, within(0.005, 1.0));
@@ -42,20 +41,21 @@ struct SurfelMapParams {
   }
 };
 
-/// The walls seen lately, as surfels in a grid of buckets that wraps around: fixed memory, constant
-/// time for each insertion and look-up, no bounds. Coordinates are in the frame of the caller.
+/// The recently observed walls, as surfels in a grid of buckets that wraps around: fixed memory,
+/// constant time per insertion and query, unbounded area. Coordinates are in the frame of the
+/// caller.
 class SurfelMap {
  public:
   explicit SurfelMap(const SurfelMapParams& params);
 
-  /// Merges the points, given in the body frame, at the pose. `odometer`: path length so far [m].
+  /// Merges points, given in the body frame, at a pose. `odometer`: path length so far [m].
   void insert(const std::vector<SurfacePoint>& points_body, const Pose2& T_odom_body,
               double odometer);
 
-  /// Drops what was last seen before this odometer reading [m].
+  /// Removes surfels last observed before this odometer reading [m].
   void remove_before(double odometer);
 
-  /// The surfel nearest to p within `radius` (at most 2 buckets: kReach) whose normal, where both
+  /// The surfel nearest to p within `radius` (at most kReach, two buckets) whose normal, if both
   /// are known, differs by less than 60°.
   [[nodiscard]] NearestSurfel nearest(const Eigen::Vector2d& p, const Eigen::Vector2d& normal,
                                       double radius) const;
@@ -65,7 +65,7 @@ class SurfelMap {
   void clear();
 
   static constexpr double kBucket = 0.25;          ///< side of a bucket [m]
-  static constexpr double kReach = 2.0 * kBucket;  ///< farthest look-up [m]
+  static constexpr double kReach = 2.0 * kBucket;  ///< maximum query radius [m]
 
  private:
   static constexpr int kSide = 512;  ///< buckets; the grid repeats every 128 m

@@ -11,15 +11,15 @@
 
 namespace adit {
 
-/// Where a planar laser sits on the body and which of its readings are to be believed. The laser
-/// may be tilted about an axis along its own y axis.
+/// Extrinsics and valid range of a planar laser. The laser may be tilted about an axis parallel to
+/// its own y axis.
 struct LaserMount {
   Pose2 T_body_laser;         ///< pose of the level laser in the body frame [m, rad]
-  double height_m = 0.0;      ///< of the level laser above the body's origin
-  double lever_x_m = 0.0;     ///< of the laser ahead of the axis of tilt, when level
-  double lever_z_m = 0.0;     ///< of the laser above the axis of tilt, when level
-  double range_min_m = 0.1;   ///< a reading below is dirt on the window or no reading
-  double range_max_m = 50.0;  ///< a reading at or beyond is no return
+  double height_m = 0.0;      ///< height of the level laser above the origin of the body frame
+  double lever_x_m = 0.0;     ///< distance of the laser ahead of the tilt axis, when level
+  double lever_z_m = 0.0;     ///< height of the laser above the tilt axis, when level
+  double range_min_m = 0.1;   ///< shorter readings are invalid (dirt on the window, no reading)
+  double range_max_m = 50.0;  ///< readings at or beyond are no-returns
 
   template <class V>
   void visit(V& v) {
@@ -32,11 +32,11 @@ struct LaserMount {
   }
 };
 
-/// Pose of the laser in the body frame when its mount is tilted [rad], positive looking down.
+/// Pose of the laser in the body frame at a tilt angle [rad]; positive tilts the laser downwards.
 Eigen::Isometry3d tilted_laser(const LaserMount& mount, double tilt_rad);
 
-/// The lasers of the vehicle: a section of the configuration that all stages share, so that none
-/// can have them elsewhere than another.
+/// The lasers of the vehicle: a configuration section that all stages share, so that all use the
+/// same extrinsics.
 struct Lasers {
   static constexpr const char* kSection = "lasers";
 

@@ -8,7 +8,7 @@
 
 namespace adit {
 
-/// How far a tilting laser is pitched against its level mount; positive looks down.
+/// Tilt of a laser relative to its level mount; positive tilts it downwards.
 struct TiltReading {
   std::int64_t utime = 0;  ///< time of measurement [µs since the epoch]
   double angle_rad = 0.0;
@@ -17,19 +17,19 @@ struct TiltReading {
   friend bool operator==(const TiltReading&, const TiltReading&) = default;
 };
 
-/// Where a tilting laser is to go, and how fast. It stays there.
+/// Target angle of a tilting laser, and the rate at which to reach it. The laser holds the target.
 struct TiltCommand {
   std::int64_t utime = 0;   ///< time of the command [µs since the epoch]
-  double angle_rad = 0.0;   ///< as in TiltReading: positive looks down
-  double rate_rad_s = 0.0;  ///< greatest rate on the way, positive
+  double angle_rad = 0.0;   ///< as in TiltReading: positive tilts the laser downwards
+  double rate_rad_s = 0.0;  ///< maximum rate, positive
 
   friend bool operator==(const TiltCommand&, const TiltCommand&) = default;
 };
 
-/// The robot stands and is to look at what is before it: one tilt sweep of a laser.
+/// Requests a 3D scan from a standing robot: one tilt sweep of a laser.
 struct ScanRequest {
   std::int64_t utime = 0;  ///< time of the request [µs since the epoch]
-  std::int32_t id = 0;     ///< that the cloud is to have
+  std::int32_t id = 0;     ///< id of the resulting cloud
   LaserId laser = LaserId::kFront;
 
   friend bool operator==(const ScanRequest&, const ScanRequest&) = default;

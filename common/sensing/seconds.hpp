@@ -6,7 +6,7 @@
 
 namespace adit {
 
-/// Of a difference of two utimes [s].
+/// Converts a difference of two utimes [µs] to seconds.
 constexpr double seconds(std::int64_t microseconds) {
   return 1e-6 * static_cast<double>(microseconds);
 }

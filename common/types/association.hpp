@@ -16,7 +16,8 @@ namespace adit {
 struct LoopClosureAlternative {
   int older_map = 0;  ///< id of the revisited local map
   Pose2 T_older_newer;
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of T_older_newer: (x, y, θ) in the newer frame
+  Eigen::Matrix3d information =
+      Eigen::Matrix3d::Zero();  ///< of T_older_newer: (x, y, θ) in the newer frame
   double log_likelihood = 0.0;  ///< of the overlap, relative to no overlap
 
   friend bool operator==(const LoopClosureAlternative&, const LoopClosureAlternative&) = default;
@@ -37,17 +38,17 @@ struct LoopClosure {
 struct Association {
   enum class Action : std::int8_t {
     kProposed = 0,  ///< a new loop closure, with its first decision
-    kRevised = 1,  ///< replaces an earlier decision
+    kRevised = 1,   ///< replaces an earlier decision
   };
   static constexpr int kNone = -1;  ///< value of `chosen` for no alternative
 
   std::int64_t utime = 0;  ///< time of the newest measurement at the decision
   Action action = Action::kProposed;
   LoopClosure loop_closure;
-  int chosen = kNone;  ///< index into loop_closure.alternatives
+  int chosen = kNone;             ///< index into loop_closure.alternatives
   int previously_chosen = kNone;  ///< the choice before a revision
-  double log_likelihood = 0.0;  ///< of all measurements given all decisions, after this one
-  std::string reason;  ///< a short sentence for the operator
+  double log_likelihood = 0.0;    ///< of all measurements given all decisions, after this one
+  std::string reason;             ///< a short sentence for the operator
 
   friend bool operator==(const Association&, const Association&) = default;
 };

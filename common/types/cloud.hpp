@@ -15,10 +15,11 @@ namespace adit {
 /// One scan of a tilted laser in the level frame. The mirror hardly moves during a scan, so one
 /// origin serves all beams.
 struct CloudLine {
-  std::int64_t utime = 0;  ///< time of the first beam [µs since the epoch]
+  std::int64_t utime = 0;                    ///< time of the first beam [µs since the epoch]
   Eigen::Vector3f origin{0.0F, 0.0F, 0.0F};  ///< position of the laser in level [m]
-  std::vector<Eigen::Vector3f> points;  ///< returns, in level [m]
-  std::vector<Eigen::Vector3f> misses;  ///< directions of beams without return, unit vectors in level
+  std::vector<Eigen::Vector3f> points;       ///< returns, in level [m]
+  std::vector<Eigen::Vector3f>
+      misses;  ///< directions of beams without return, unit vectors in level
 };
 
 /// A 3D scan: the lines of one tilt sweep in the frame "level". Its origin is that of the body at
@@ -26,9 +27,9 @@ struct CloudLine {
 /// gravity.
 struct Cloud {
   std::int64_t utime = 0;  ///< end of the sweep [µs since the epoch]
-  std::int32_t id = 0;  ///< id of the request
-  Pose2 T_odom_level;  ///< planar pose of level in odom
-  bool complete = true;  ///< false if the sweep ended early
+  std::int32_t id = 0;     ///< id of the request
+  Pose2 T_odom_level;      ///< planar pose of level in odom
+  bool complete = true;    ///< false if the sweep ended early
   std::vector<CloudLine> lines;
 
   [[nodiscard]] std::size_t points() const {
@@ -43,7 +44,7 @@ struct CloudRequest {
   static constexpr std::size_t kReceivedMax = 1000;
 
   std::int64_t utime = 0;                    ///< [µs since the epoch]
-  std::int64_t after_utime = 0;  ///< scans that ended then or before are not requested
+  std::int64_t after_utime = 0;              ///< scans that ended then or before are not requested
   std::vector<std::int64_t> received_utime;  ///< Cloud::utime of the newest received scans
 
   friend bool operator==(const CloudRequest&, const CloudRequest&) = default;

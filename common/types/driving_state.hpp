@@ -10,7 +10,7 @@ namespace adit {
 /// Deviation of the steered point of the body from a path. The steered point is the origin with
 /// four-wheel steering and the middle of the rear axle with Ackermann steering.
 struct PathTrackingError {
-  double lateral_m = 0.0;  ///< positive to the left of the body's heading on the path
+  double lateral_m = 0.0;    ///< positive to the left of the body's heading on the path
   double heading_rad = 0.0;  ///< of the body's x axis relative to the path
 
   friend bool operator==(const PathTrackingError&, const PathTrackingError&) = default;
@@ -19,11 +19,11 @@ struct PathTrackingError {
 /// Progress along a path.
 struct DrivingState {
   enum class Kind : std::int8_t {
-    kIdle = 0,  ///< no path
+    kIdle = 0,     ///< no path
     kDriving = 1,  ///< following the path
     kWaiting = 2,  ///< stopped until the pose is valid or motion is permitted
     kArrived = 3,  ///< stopped at the end of the path
-    kFailed = 4,  ///< stopped off the path or blocked; needs a new path
+    kFailed = 4,   ///< stopped off the path or blocked; needs a new path
   };
 
   std::int64_t utime = 0;    ///< [µs since the epoch]

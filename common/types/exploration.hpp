@@ -32,7 +32,7 @@ struct Corridor {
   int from = 0;  ///< index of a node
   int to = 0;
   double length_m = 0.0;
-  double width_m = 0.0;  ///< minimum width, wall to wall
+  double width_m = 0.0;                 ///< minimum width, wall to wall
   std::vector<Eigen::Vector2d> points;  ///< p_map, from node to node
 
   friend bool operator==(const Corridor&, const Corridor&) = default;
@@ -55,26 +55,26 @@ struct CorridorGraph {
 /// State of a frontier.
 enum class FrontierState : std::int8_t {
   kOpen = 0,
-  kExplored = 1,  ///< the space behind it was observed
-  kBlocked = 2,  ///< the planner found no path, to it or on every route to it
-  kTooNarrow = 3,  ///< no known route to it is wide enough
+  kExplored = 1,      ///< the space behind it was observed
+  kBlocked = 2,       ///< the planner found no path, to it or on every route to it
+  kTooNarrow = 3,     ///< no known route to it is wide enough
   kBeyondBudget = 4,  ///< open, but the round trip exceeds the budget
   kUnobservable = 5,  ///< observed from nearby without any return: water or open air
-  kOutsideMine = 6,  ///< outside the mine, behind the start
-  kUnconfirmed = 7,  ///< no path was found, but the obstacle was not observed
+  kOutsideMine = 6,   ///< outside the mine, behind the start
+  kUnconfirmed = 7,   ///< no path was found, but the obstacle was not observed
 };
 
 /// A place where the mine continues beyond the observed space, with an identity that persists while
 /// the map grows and moves.
 struct Frontier {
-  int id = 0;  ///< 0, 1, ... in order of detection
-  int local_map = 0;  ///< id of the local map to which it is anchored
-  Eigen::Vector2d p_map{0.0, 0.0};  ///< by the current pose graph [m]
+  int id = 0;                               ///< 0, 1, ... in order of detection
+  int local_map = 0;                        ///< id of the local map to which it is anchored
+  Eigen::Vector2d p_map{0.0, 0.0};          ///< by the current pose graph [m]
   Eigen::Vector2d direction_map{1.0, 0.0};  ///< unit vector into unobserved space
-  double width_m = 0.0;  ///< approximate width, wall to wall
+  double width_m = 0.0;                     ///< approximate width, wall to wall
   FrontierState state = FrontierState::kOpen;
   std::int64_t utime = 0;  ///< time of the change to this state [µs since the epoch]
-  std::string evidence;  ///< reason for the state, a sentence
+  std::string evidence;    ///< reason for the state, a sentence
 
   friend bool operator==(const Frontier&, const Frontier&) = default;
 };
@@ -95,19 +95,20 @@ inline bool is_closed(FrontierState state) { return !is_visitable(state) && !is_
 /// The next exploration goal with its reason.
 struct ExplorationDecision {
   enum class Kind : std::int8_t {
-    kStay = 0,  ///< not enough data for a decision
-    kGoTo = 1,  ///< along known corridors to a frontier
+    kStay = 0,   ///< not enough data for a decision
+    kGoTo = 1,   ///< along known corridors to a frontier
     kAlong = 2,  ///< from the frontier straight down the corridor, as far as possible
-    kHome = 3,  ///< along known corridors to the start
-    kDone = 4,  ///< at the start; exploration has ended
+    kHome = 3,   ///< along known corridors to the start
+    kDone = 4,   ///< at the start; exploration has ended
   };
   static constexpr int kNoFrontier = -1;
 
   Kind kind = Kind::kStay;
   Pose2 T_map_goal;  ///< the next goal; for kAlong its heading is the direction
-  double distance_m = 0.0;  ///< length of the route to the final destination, the frontier or the start
+  double distance_m =
+      0.0;  ///< length of the route to the final destination, the frontier or the start
   int frontier = kNoFrontier;  ///< id of the target frontier
-  bool complete = false;  ///< every frontier detected so far is closed
+  bool complete = false;       ///< every frontier detected so far is closed
   std::string reason;          ///< a sentence
 
   friend bool operator==(const ExplorationDecision&, const ExplorationDecision&) = default;
@@ -123,9 +124,9 @@ struct ExplorationBudget {
 
 /// State of the exploration.
 struct ExplorationReport {
-  std::int64_t utime = 0;  ///< time of the newest measurement used [µs since the epoch]
+  std::int64_t utime = 0;     ///< time of the newest measurement used [µs since the epoch]
   std::int64_t revision = 0;  ///< revision of the MapGraph used
-  std::int32_t request = 0;  ///< id of the newest answered ExploreRequest; 0 before the first
+  std::int32_t request = 0;   ///< id of the newest answered ExploreRequest; 0 before the first
   ExplorationDecision decision;
   Pose2 T_odom_goal;  ///< the goal of the decision in odom
   /// The next part of the route in odom, from the robot on, extended straight beyond a frontier;
@@ -140,11 +141,11 @@ struct ExplorationReport {
 
 /// The verdict that a target is blocked, after several failed plans from two poses.
 struct BlockedVerdict {
-  std::int64_t utime = 0;  ///< time of the 3D scan used [µs since the epoch]
+  std::int64_t utime = 0;      ///< time of the 3D scan used [µs since the epoch]
   std::int32_t frontier = -1;  ///< the target; -1: the start
-  double reached_m = 0.0;  ///< farthest reachable progress
+  double reached_m = 0.0;      ///< farthest reachable progress
   std::string evidence;        ///< a sentence
-  bool unconfirmed = false;  ///< the obstacle was not observed, or not twice
+  bool unconfirmed = false;    ///< the obstacle was not observed, or not twice
 
   friend bool operator==(const BlockedVerdict&, const BlockedVerdict&) = default;
 };
@@ -152,8 +153,8 @@ struct BlockedVerdict {
 /// Request for the next goal. Repeated until answered; a verdict counts once for each id.
 struct ExploreRequest {
   std::int64_t utime = 0;       ///< [µs since the epoch]
-  std::int32_t id = 0;  ///< positive; the answer has the same id
-  double remaining_m = 0.0;  ///< path length allowed by battery and time
+  std::int32_t id = 0;          ///< positive; the answer has the same id
+  double remaining_m = 0.0;     ///< path length allowed by battery and time
   bool returning_home = false;  ///< only the route to the start is requested
   std::optional<BlockedVerdict> blocked;
 

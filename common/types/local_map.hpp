@@ -26,11 +26,11 @@ struct LocalScan {
 /// the local map. The frame is the body at the first scan, which is also the last scan of the
 /// previous local map, so consecutive local maps share a pose.
 struct LocalMap {
-  int id = 0;  ///< 0, 1, … in order of time, over all sessions
-  int session = 0;  ///< number of restarts of mapping with a new odom frame
-  std::int64_t utime = 0;  ///< time of the first scan [µs since the epoch]
+  int id = 0;                  ///< 0, 1, … in order of time, over all sessions
+  int session = 0;             ///< number of restarts of mapping with a new odom frame
+  std::int64_t utime = 0;      ///< time of the first scan [µs since the epoch]
   std::int64_t end_utime = 0;  ///< time of the last scan
-  Pose2 T_odom_local;  ///< pose of the local map in odom
+  Pose2 T_odom_local;          ///< pose of the local map in odom
   /// Displacement from the local map `id` − 1 with its information (x, y, θ in this frame).
   /// Undefined for the first local map of a session.
   Pose2 T_previous_local;

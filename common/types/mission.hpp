@@ -22,6 +22,27 @@ enum class Phase : std::int8_t {
   kEnded = 6,    ///< the mission is over
 };
 
+/// "waiting", "explore", ..: for logs, reports and progress lines.
+constexpr const char* name_of(Phase phase) {
+  switch (phase) {
+    case Phase::kWaiting:
+      return "waiting";
+    case Phase::kExplore:
+      return "explore";
+    case Phase::kScan:
+      return "scan";
+    case Phase::kPlan:
+      return "plan";
+    case Phase::kExecute:
+      return "execute";
+    case Phase::kPaused:
+      return "paused";
+    case Phase::kEnded:
+      return "ended";
+  }
+  return "";
+}
+
 /// How a mission ended.
 enum class MissionOutcome : std::int8_t {
   kInProgress = 0,

@@ -16,20 +16,21 @@ namespace adit {
 /// A goal for the planner, from the current pose.
 struct PlanGoal {
   enum class Kind : std::int8_t {
-    kAlong = 0,  ///< as far as possible in a direction: straight down the corridor
-    kToPose = 1,   ///< to a pose
-    kRoute = 2,  ///< as far as possible along a route, through bends and junctions of the corridor
+    kAlong = 0,   ///< as far as possible in a direction: straight down the corridor
+    kToPose = 1,  ///< to a pose
+    kRoute = 2,   ///< as far as possible along a route, through bends and junctions of the corridor
     kRetrace = 3,  ///< back along the traversed path, regardless of the terrain map
     kRouteTo = 4,  ///< along a route to its end, with any heading; as far as possible
-    kRejoin = 5,  ///< onto the traversed path as far back as possible, then back along it
+    kRejoin = 5,   ///< onto the traversed path as far back as possible, then back along it
   };
 
-  static constexpr std::size_t kPointsMax = 1000;  ///< maximum points of a route or a traversed path
+  static constexpr std::size_t kPointsMax =
+      1000;  ///< maximum points of a route or a traversed path
 
   std::int64_t utime = 0;  ///< [µs since the epoch]
   std::int32_t id = 0;
   Kind kind = Kind::kAlong;
-  Pose2 T_odom_goal;  ///< for kAlong its heading is the direction
+  Pose2 T_odom_goal;         ///< for kAlong its heading is the direction
   double distance_m = 10.0;  ///< maximum path length, for kAlong, kRetrace and kRejoin
   /// For kRoute and kRouteTo: from the robot on, at least two points [m].
   std::vector<Eigen::Vector2d> route_odom = {};
@@ -44,9 +45,9 @@ struct PlanGoal {
 struct PathPoint {
   Pose2 T_odom_body;
   double curvature_1_m = 0.0;  ///< of the segment that begins here, positive to the left
-  bool reverse = false;  ///< true if the segment is driven in reverse
+  bool reverse = false;        ///< true if the segment is driven in reverse
   double clearance_m = 0.0;    ///< from the footprint to the nearest lethal cell
-  double cost = 0.0;  ///< accumulated from the start
+  double cost = 0.0;           ///< accumulated from the start
 
   friend bool operator==(const PathPoint&, const PathPoint&) = default;
 };
@@ -55,16 +56,17 @@ struct PathPoint {
 enum class PlanOutcome : std::int8_t {
   kFound = 0,
   kStartBlocked = 1,  ///< the current pose is not feasible
-  kBlocked = 2,  ///< observed obstacles block every path of the requested length
-  kUnknown = 3,  ///< unobserved cells block every path; another scan may reveal one
-  kSearchLimit = 4,  ///< the search reached its limit
-  kNarrow = 5,  ///< observed obstacles block every path, but by less than the measurement uncertainty
+  kBlocked = 2,       ///< observed obstacles block every path of the requested length
+  kUnknown = 3,       ///< unobserved cells block every path; another scan may reveal one
+  kSearchLimit = 4,   ///< the search reached its limit
+  kNarrow =
+      5,  ///< observed obstacles block every path, but by less than the measurement uncertainty
 };
 
 /// A cell that blocks the path, as evidence for the operator.
 struct BlockingCell {
   enum class Reason : std::int8_t {
-    kStep = 0,  ///< too high under a wheel
+    kStep = 0,   ///< too high under a wheel
     kBelly = 1,  ///< too high between the wheels
     kRoof = 2,
     kUnknown = 3,
@@ -82,12 +84,13 @@ struct BlockingCell {
 
 /// Result of planning for one goal.
 struct PlannedPath {
-  std::int64_t utime = 0;  ///< time of the terrain map, or of the goal without one [µs since the epoch]
+  std::int64_t utime =
+      0;  ///< time of the terrain map, or of the goal without one [µs since the epoch]
   std::int32_t id = 0;  ///< id of the goal
   PlanOutcome outcome = PlanOutcome::kBlocked;
-  std::string reason;  ///< one sentence for the operator
-  std::vector<PathPoint> points;  ///< from the robot on; empty unless found
-  double reached_m = 0.0;  ///< farthest reachable progress towards the goal
+  std::string reason;                  ///< one sentence for the operator
+  std::vector<PathPoint> points;       ///< from the robot on; empty unless found
+  double reached_m = 0.0;              ///< farthest reachable progress towards the goal
   std::vector<BlockingCell> blocking;  ///< cells that block further progress; empty if found
 
   friend bool operator==(const PlannedPath&, const PlannedPath&) = default;

@@ -25,8 +25,8 @@ struct ProcmanStatus {
   ProcmanCommand command;
   std::int32_t pid = 0;  ///< 0: not running
   std::int32_t run_id = 0;
-  std::int32_t wait_status = 0;  ///< of the last exit, as returned by waitpid
-  double cpu_cores = 0.0;  ///< 1: one core fully used
+  std::int32_t wait_status = 0;    ///< of the last exit, as returned by waitpid
+  double cpu_cores = 0.0;          ///< 1: one core fully used
   std::int64_t address_bytes = 0;  ///< address space of the process and its children
   std::int64_t memory_bytes = 0;
 
@@ -58,7 +58,7 @@ struct ProcmanInfo {
 struct ProcmanOrder {
   ProcmanCommand command;
   std::int32_t run_id = 0;  ///< a value other than that of the last run requests a restart
-  bool stop = false;  ///< true: must not run
+  bool stop = false;        ///< true: must not run
 
   friend bool operator==(const ProcmanOrder&, const ProcmanOrder&) = default;
 };

@@ -16,21 +16,23 @@ namespace adit {
 enum class Ground : std::uint8_t {
   kObserved,
   kNeverObserved,  ///< no beam was aimed at it
-  kOccluded,  ///< hidden behind a nearer obstacle
-  kBelowRay,  ///< beams passed over it without a return: the ground is below `low_m`
-  kNoReturn,  ///< beams that should have hit the ground had no return: possibly water
+  kOccluded,       ///< hidden behind a nearer obstacle
+  kBelowRay,       ///< beams passed over it without a return: the ground is below `low_m`
+  kNoReturn,       ///< beams that should have hit the ground had no return: possibly water
 };
 
 /// One cell of a terrain map. Heights are z in level [m]; unknown heights are NaN.
 struct TerrainCell {
   Ground ground = Ground::kNeverObserved;
-  std::uint16_t count = 0;  ///< number of points; 0 if interpolated between beams that hit the ground
-  float low_m = 0.0F;  ///< height of the ground
+  std::uint16_t count =
+      0;                ///< number of points; 0 if interpolated between beams that hit the ground
+  float low_m = 0.0F;   ///< height of the ground
   float high_m = 0.0F;  ///< highest point within the vehicle's height above `low_m`
-  float coefficient_m = 0.0F;  ///< navigational coefficient, high_m − low_m: difficulty of traversal
+  float coefficient_m =
+      0.0F;  ///< navigational coefficient, high_m − low_m: difficulty of traversal
   float clearance_m = 0.0F;  ///< from `low_m` to the roof; infinite without a roof
-  float slope_rad = 0.0F;  ///< slope of a plane fitted to the surrounding ground
-  float step_m = 0.0F;  ///< largest ground difference to a neighbouring cell
+  float slope_rad = 0.0F;    ///< slope of a plane fitted to the surrounding ground
+  float step_m = 0.0F;       ///< largest ground difference to a neighbouring cell
   float repulsion_m = 0.0F;  ///< surrounding coefficients weighted by a kernel that repels paths
 };
 
@@ -39,7 +41,7 @@ struct TerrainCell {
 /// `p_level_corner`; cells are stored row by row.
 struct TerrainMap {
   std::int64_t utime = 0;  ///< time of the cloud [µs since the epoch]
-  std::int32_t id = 0;  ///< id of the cloud
+  std::int32_t id = 0;     ///< id of the cloud
   Pose2 T_odom_level;
   Eigen::Vector2d p_level_corner{0.0, 0.0};  ///< [m]
   double cell_m = 0.1;

@@ -18,17 +18,17 @@ struct Vehicle {
   double width_m = 1.2;            ///< of the footprint, along y
   double height_m = 1.0;           ///< of the highest point above the ground
   double belly_clearance_m = 0.3;  ///< of the lowest point between the wheels above the ground
-  double wheelbase_m = 1.5;  ///< axle to axle, centred on the origin
-  double track_m = 0.95;  ///< wheel centre to wheel centre
+  double wheelbase_m = 1.5;        ///< axle to axle, centred on the origin
+  double track_m = 0.95;           ///< wheel centre to wheel centre
   double wheel_radius_m = 0.3;
   double wheel_width_m = 0.25;
   std::string steering = "four_wheel";  ///< or "ackermann": the front wheels only
-  double turning_radius_m = 1.6;  ///< minimum radius of the path of the body's origin
+  double turning_radius_m = 1.6;        ///< minimum radius of the path of the body's origin
   double speed_max_m_s = 0.5;           ///< forward and in reverse
-  double step_max_m = 0.2;  ///< highest step that a wheel can climb
-  double sinkage_max_m = 0.2;  ///< up to which the wheels still turn
-  double wading_depth_max_m = 0.25;  ///< of water without damage
-  double tilt_max_rad = 0.5;  ///< maximum roll or pitch without tipping over
+  double step_max_m = 0.2;              ///< highest step that a wheel can climb
+  double sinkage_max_m = 0.2;           ///< up to which the wheels still turn
+  double wading_depth_max_m = 0.25;     ///< of water without damage
+  double tilt_max_rad = 0.5;            ///< maximum roll or pitch without tipping over
 
   template <class V>
   void visit(V& v) {

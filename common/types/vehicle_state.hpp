@@ -28,10 +28,10 @@ struct StopOrder {
 /// State reported by the vehicle.
 struct VehicleState {
   std::int64_t utime = 0;      ///< [µs since the epoch]
-  double speed_m_s = 0.0;  ///< from the wheels, along the body's x axis
+  double speed_m_s = 0.0;      ///< from the wheels, along the body's x axis
   double curvature_1_m = 0.0;  ///< from the steering
   double battery_share = 1.0;  ///< of a full charge, 0 to 1
-  bool stopped = false;  ///< held by a stop order, or because stop orders have timed out
+  bool stopped = false;        ///< held by a stop order, or because stop orders have timed out
   bool expired = false;  ///< held because the last drive command has expired or none was received
 
   friend bool operator==(const VehicleState&, const VehicleState&) = default;

@@ -15,17 +15,17 @@ class LeafReader {
 
   std::string_view read() {
     const std::string_view reason = read_node(0, 0);
-    if (reason.empty() && !bytes_.empty()) return "octree with bytes behind its end";
+    if (reason.empty() && !bytes_.empty()) return "octree with trailing bytes";
     return reason;
   }
 
  private:
   std::string_view read_node(int depth, VoxelCode begin) {
-    if (depth >= kVoxelDepth) return "octree deeper than one can be";
-    if (bytes_.size() < 2) return "octree without its end";
+    if (depth >= kVoxelDepth) return "octree deeper than the limit";
+    if (bytes_.size() < 2) return "octree truncated";
     const unsigned states = bytes_[0] + 256U * bytes_[1];
     bytes_ = bytes_.subspan(2);
-    if (states == 0) return "octree with a branch that bears nothing";
+    if (states == 0) return "octree with an empty branch";
     const VoxelCode cells = cells_of_node(depth + 1);
     for (unsigned i = 0; i < 8; ++i) {
       const unsigned state = (states >> (2 * i)) % 4U;
@@ -40,7 +40,7 @@ class LeafReader {
     return {};
   }
 
-  std::span<const std::uint8_t> bytes_;  // that are left
+  std::span<const std::uint8_t> bytes_;  // not yet read
   const std::function<void(const CellRun&)>& visit_;
 };
 

@@ -10,20 +10,20 @@
 
 namespace adit {
 
-/// The place of a cell on the Morton curve through a cube of 2^16 cells to a side: the bits of the
-/// keys of x, y and z by turns, that of x the lowest. It is the order in which an octree has its
-/// leaves: a node of the tree, at whatever depth, is a stretch of the curve.
+/// Index of a cell on the Morton curve through a cube of 2^16 cells a side: the bits of the keys of
+/// x, y and z interleaved, x lowest. An octree stores its leaves in this order: a node at any depth
+/// is an interval of the curve.
 using VoxelCode = std::uint64_t;
 
-/// Of the tree, from the root to the smallest cells.
+/// Depth of the tree, from the root to the smallest cells.
 inline constexpr int kVoxelDepth = 16;
 
-/// Cells in a node at that depth.
+/// Number of cells in a node at a depth.
 constexpr VoxelCode cells_of_node(int depth) {
   return VoxelCode{1} << static_cast<unsigned>(3 * (kVoxelDepth - depth));
 }
 
-/// Puts two zeros between the 16 bits of a key.
+/// Inserts two zero bits between the 16 bits of a key.
 constexpr VoxelCode spread_bits(std::uint32_t key) {
   VoxelCode code = key & 0xFFFFU;
   code = (code | (code << 16U)) & 0x0000FF0000FFU;
@@ -32,7 +32,7 @@ constexpr VoxelCode spread_bits(std::uint32_t key) {
   return (code | (code << 2U)) & 0x249249249249U;
 }
 
-/// The inverse; bits of other axes are left out.
+/// The inverse of spread_bits(); bits of other axes are ignored.
 constexpr std::uint32_t gather_bits(VoxelCode code) {
   code &= 0x249249249249U;
   code = (code | (code >> 2U)) & 0x0C30C30C30C3U;
@@ -41,19 +41,19 @@ constexpr std::uint32_t gather_bits(VoxelCode code) {
   return static_cast<std::uint32_t>((code | (code >> 16U)) & 0xFFFFU);
 }
 
-/// Cells of space around the origin of a frame, counted as OctoMap counts them: the key of the cell
-/// that begins at the origin is 2^15 on each axis.
+/// Voxels around the origin of a frame, with OctoMap's keys: the key of the cell that begins at the
+/// origin is 2^15 on each axis.
 class VoxelGrid {
  public:
   static constexpr int kKeyOfOrigin = 32768;
   using Keys = Eigen::Vector3i;
 
-  /// Of a cell's side [m].
+  /// `cell_m`: side of a cell [m].
   explicit VoxelGrid(double cell_m) : cell_m_(cell_m), cells_per_m_(1.0 / cell_m) {}
 
   [[nodiscard]] double cell_m() const { return cell_m_; }
 
-  /// Nothing for what is beyond the cube, or no number.
+  /// Keys of a point; empty for a point outside the cube or not finite.
   [[nodiscard]] std::optional<Keys> keys_of(const Eigen::Vector3f& p) const {
     Keys keys;
     for (int i = 0; i < 3; ++i) {
@@ -75,12 +75,12 @@ class VoxelGrid {
             static_cast<int>(gather_bits(code >> 2U))};
   }
 
-  /// Middle of a cell, on one axis [m].
+  /// Centre of a cell on one axis [m].
   [[nodiscard]] double centre_m(int key) const {
     return (static_cast<double>(key - kKeyOfOrigin) + 0.5) * cell_m_;
   }
 
-  /// Middle of a cell [m].
+  /// Centre of a cell [m].
   [[nodiscard]] Eigen::Vector3d centre_m(const Keys& keys) const {
     return {centre_m(keys.x()), centre_m(keys.y()), centre_m(keys.z())};
   }

@@ -8,7 +8,7 @@
 namespace adit {
 namespace {
 
-constexpr double kDivisorMin = 0.2;  // of a divisor: errors so large are none to drive on with
+constexpr double kDivisorMin = 0.2;  // beyond it the error exceeds all limits of driving
 
 }  // namespace
 

@@ -9,8 +9,8 @@
 namespace adit {
 
 struct LateralParams {
-  double response_m = 0.8;  ///< way in which an error falls to a third or so
-  double damping = 1.0;     ///< 1 is critical: the fastest without overshoot
+  double response_m = 0.8;  ///< distance over which an error falls to about a third
+  double damping = 1.0;     ///< 1 is critical damping: the fastest without overshoot
 
   template <class V>
   void visit(V& v) {
@@ -19,19 +19,19 @@ struct LateralParams {
   }
 };
 
-/// PD control of the way beside a path (the paper's section 3.3), with the path's own curvature
-/// fed forward, in distance instead of time: the same at every speed and at a stand.
+/// PD control of the lateral error (section 3.3 of the paper), with the curvature of the path as
+/// feed-forward, over distance instead of time: the behaviour is the same at every speed.
 ///
-/// Along its own way σ the steered point moves by e_y' = d sin e_θ and turns by e_θ' = d (κ − κ_f),
-/// where d is 1, or −1 in reverse, and κ_f = κ_path cos e_θ / (1 − κ_path e_y) is what holds e_θ.
-/// The curvature returned makes of that, without any approximation,
+/// Over its travelled distance σ the steered point moves by e_y' = d sin e_θ and turns by
+/// e_θ' = d (κ − κ_f), where d is 1, or −1 in reverse, and κ_f = κ_path cos e_θ / (1 − κ_path e_y)
+/// keeps e_θ constant. The returned curvature yields, without approximation,
 ///   e_y'' + 2 ζ ω e_y' + ω² e_y = 0,   ω = 1 / response.
-/// Where it is clamped to what the vehicle can do, the error falls more slowly.
+/// Where the curvature is clamped to that of the vehicle, the error falls more slowly.
 double lateral_curvature(const PathTrackingError& error, double path_curvature_1_m,
                          double direction, const LateralParams& params);
 
 struct PurePursuitParams {
-  double lookahead_s = 2.0;  ///< of the way at the present speed
+  double lookahead_s = 2.0;  ///< look-ahead distance over the current speed
   double lookahead_min_m = 0.8;
   double lookahead_max_m = 1.2;
 
@@ -43,10 +43,10 @@ struct PurePursuitParams {
   }
 };
 
-/// Pure pursuit (Coulter, CMU-RI-TR-92-01): the curvature of the arc that leads the steered point
-/// to the path's place some way ahead; that way grows with the speed, as in Macenski et al.,
-/// "Regulated pure pursuit for robot path tracking", 2023. What regulates the speed is the profile
-/// that the other controller has, too.
+/// Pure pursuit (Coulter, CMU-RI-TR-92-01): the curvature of the arc from the steered point to the
+/// point of the path at the look-ahead distance. That distance increases with the speed, as in
+/// Macenski et al., "Regulated pure pursuit for robot path tracking", 2023. The speed is regulated
+/// by the SpeedProfile, as with the PD controller.
 double pursuit_curvature(const PathRun& run, double s_m, const Pose2& T_odom_steered,
                          double speed_m_s, const PurePursuitParams& params);
 

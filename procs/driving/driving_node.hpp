@@ -11,11 +11,11 @@
 
 namespace adit {
 
-/// In:  PATH (planned_path_t); POSE (pose_t); SCAN_MATCH (scan_match_t), VEHICLE_STATE
-///      (vehicle_state_t) and PHASE (phase_t), if they come.
-/// Out: DRIVE_COMMAND (drive_command_t), each kCommandPeriodUs, also while it stands, so that a
-///      silent channel means that driving is dead; DRIVING_STATE (driving_state_t), each fourth
-///      time and when its kind, its reason or the path changes.
+/// In:  PATH (planned_path_t); POSE (pose_t); optional SCAN_MATCH (scan_match_t), VEHICLE_STATE
+///      (vehicle_state_t) and PHASE (phase_t).
+/// Out: DRIVE_COMMAND (drive_command_t), each kCommandPeriodUs, also to stand, so that missing
+///      commands show that driving has failed; DRIVING_STATE (driving_state_t), in each fourth
+///      cycle and immediately when its kind, its reason or the path changes.
 class DrivingNode {
  public:
   using Params = DrivingParams;
@@ -25,7 +25,7 @@ class DrivingNode {
   /// Throws as Driving does.
   DrivingNode(Bus& bus, const Params& params);
 
-  /// Degraded while it waits, at fault beside its path.
+  /// Degraded while the robot waits, a fault if it has left its path or makes no progress.
   [[nodiscard]] Health health() const;
 
  private:

@@ -17,29 +17,29 @@ void LocalizationMonitor::add_match(std::int64_t utime, ScanMatch::Status status
 std::optional<std::string> LocalizationMonitor::lost_reason(
     std::int64_t utime, const std::optional<std::int64_t>& pose_utime) const {
   const auto seconds_since = [utime](std::int64_t then) { return seconds(utime - then); };
-  if (!pose_utime) return "no pose has come yet";
-  if (seconds_since(*pose_utime) > params_.pose_age_max_s) return "the newest pose is too old";
+  if (!pose_utime) return "no pose received yet";
+  if (seconds_since(*pose_utime) > params_.pose_age_max_s) return "the newest pose is stale";
   if (seconds_since(*pose_utime) < -params_.pose_age_max_s) {
-    return "the newest pose is of a time to come";
+    return "the newest pose is from the future";
   }
-  // A time that went back counts as well: since when it is lost is not known then.
+  // The absolute value: after a step back of the clock the time of the loss is unknown.
   if (lost_utime_ && std::abs(seconds_since(*lost_utime_)) > params_.lost_max_s) {
     return "scan matching is lost";
   }
   return std::nullopt;
 }
 
-void MotionPermission::update(const MissionPhase& phase, std::int64_t utime) {
+void MissionPermission::update(const MissionPhase& phase, std::int64_t utime) {
   phase_ = phase;
   utime_ = utime;
 }
 
-std::optional<std::string> MotionPermission::denial_reason(std::int64_t utime,
-                                                           std::int32_t path_id) const {
+std::optional<std::string> MissionPermission::denial_reason(std::int64_t utime,
+                                                            std::int32_t path_id) const {
   if (!phase_) return std::nullopt;
-  if (utime - utime_ > kTimeoutUs) return "the mission is silent";
+  if (utime - utime_ > kTimeoutUs) return "mission phase timed out";
   if (phase_->phase != Phase::kExecute) return "the mission is not executing a path";
-  if (phase_->goal_id != path_id) return "the mission means another path";
+  if (phase_->goal_id != path_id) return "the mission is executing another path";
   return std::nullopt;
 }
 
@@ -54,13 +54,20 @@ double VehicleFeedback::speed_m_s(std::int64_t utime, double commanded_m_s) cons
 std::optional<std::string> VehicleFeedback::hold_reason(std::int64_t utime) const {
   if (!is_fresh(utime)) return std::nullopt;
   if (state_->stopped) return "held by a stop order";
-  if (state_->expired) return "held because commands come too late";
+  if (state_->expired) return "held since drive commands timed out";
   return std::nullopt;
 }
 
-/// A time that went back, or one to come, is not that of the vehicle.
+/// A state of another clock, by a step back or from the future, is not fresh.
 bool VehicleFeedback::is_fresh(std::int64_t utime) const {
   return state_ && std::abs(seconds(utime - state_->utime)) <= kTimeoutS;
+}
+
+void MotionPermission::update(std::int64_t utime, const std::optional<std::int64_t>& pose_utime,
+                              std::int32_t path_id) {
+  denial_reason_ = localization_.lost_reason(utime, pose_utime);
+  if (!denial_reason_) denial_reason_ = mission_.denial_reason(utime, path_id);
+  hold_reason_ = denial_reason_ ? std::nullopt : vehicle_.hold_reason(utime);
 }
 
 }  // namespace adit

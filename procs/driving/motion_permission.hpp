@@ -14,8 +14,8 @@
 namespace adit {
 
 struct LocalizationMonitorParams {
-  double pose_age_max_s = 0.25;  ///< of the newest pose
-  double lost_max_s = 0.5;       ///< for which scan matching may be lost
+  double pose_age_max_s = 0.25;  ///< maximum age of the newest pose
+  double lost_max_s = 0.5;       ///< maximum time for which scan matching may be lost
 
   template <class V>
   void visit(V& v) {
@@ -24,16 +24,16 @@ struct LocalizationMonitorParams {
   }
 };
 
-/// Whether the robot knows where it is. Without any word from scan matching the poses themselves
-/// are trusted: they may come from elsewhere.
+/// Whether the robot is localized. Without any scan match the poses alone count, as they may come
+/// from another source.
 class LocalizationMonitor {
  public:
   explicit LocalizationMonitor(const LocalizationMonitorParams& params) : params_(params) {}
 
-  /// A lost match counts from its time until one of any laser is matched.
+  /// A lost match counts from its time until the next match of any laser.
   void add_match(std::int64_t utime, ScanMatch::Status status);
 
-  /// Why it does not know it, at a time and with the time of the newest pose; nothing if it does.
+  /// Why the robot is not localized at a time, given the time of the newest pose; nothing if it is.
   [[nodiscard]] std::optional<std::string> lost_reason(
       std::int64_t utime, const std::optional<std::int64_t>& pose_utime) const;
 
@@ -42,43 +42,73 @@ class LocalizationMonitor {
   std::optional<std::int64_t> lost_utime_;
 };
 
-/// Whether the mission lets the robot drive: in its phase execute, along the path that it means.
-/// Where no mission was ever heard, anybody's path is driven.
-class MotionPermission {
+/// Whether the mission permits driving: in its phase execute, along the path of its goal. Before
+/// the first mission phase is received, any path may be driven.
+class MissionPermission {
  public:
-  /// How old the newest word of the mission may be: it comes each second.
+  /// Maximum age of the newest mission phase, which is published each second.
   static constexpr std::int64_t kTimeoutUs = 3'500'000;
 
+  /// `utime` is the bus time of the reception.
   void update(const MissionPhase& phase, std::int64_t utime);
-  /// Why a path may not be driven now; nothing where it may.
+  /// Why a path must not be driven now; nothing if it may.
   [[nodiscard]] std::optional<std::string> denial_reason(std::int64_t utime,
                                                          std::int32_t path_id) const;
 
  private:
   std::optional<MissionPhase> phase_;
-  std::int64_t utime_ = 0;  ///< bus time at which it was heard
+  std::int64_t utime_ = 0;  ///< bus time of the reception
 };
 
-/// What the vehicle said of itself last, as long as that is fresh; some vehicles say nothing.
+/// The newest state that the vehicle has published, while it is fresh. It is optional: some
+/// vehicles publish none.
 class VehicleFeedback {
  public:
-  static constexpr double kTimeoutS = 0.25;         ///< of what comes ten times a second
-  static constexpr double kAccelerationM_S2 = 1.0;  ///< at most, as brakes as well
-  static constexpr double kPredictionS = 0.05;      ///< for which it is predicted
+  static constexpr double kTimeoutS = 0.25;         ///< the state is published ten times a second
+  static constexpr double kAccelerationM_S2 = 1.0;  ///< maximum, braking included
+  static constexpr double kPredictionS = 0.05;      ///< prediction horizon of the speed
 
   void update(const VehicleState& state) { state_ = state; }
 
-  /// From now on, where it is commanded to have a speed: that speed, as far as it can have come to
-  /// it since it said its own. Held it has its own, and of one that is silent nothing else is
-  /// known.
+  /// The predicted speed, given the commanded one: the commanded speed, limited to what the vehicle
+  /// can reach from its measured speed. A vehicle that is held has its measured speed; without a
+  /// fresh state the commanded speed is assumed.
   [[nodiscard]] double speed_m_s(std::int64_t utime, double commanded_m_s) const;
-  /// Why it stands whatever it is told, for people; nothing where it is not held.
+  /// Why the vehicle does not execute commands; nothing if it does.
   [[nodiscard]] std::optional<std::string> hold_reason(std::int64_t utime) const;
 
  private:
   [[nodiscard]] bool is_fresh(std::int64_t utime) const;
 
   std::optional<VehicleState> state_;
+};
+
+/// Whether the robot may move now: it is localized, the mission permits its path, and the vehicle
+/// executes commands.
+class MotionPermission {
+ public:
+  explicit MotionPermission(const LocalizationMonitorParams& params) : localization_(params) {}
+
+  void add_match(const ScanMatch& match) { localization_.add_match(match.utime, match.status); }
+  void add_phase(const MissionPhase& phase, std::int64_t utime) { mission_.update(phase, utime); }
+  void add_state(const VehicleState& state) { vehicle_.update(state); }
+
+  /// Reevaluates both reasons below for a path.
+  void update(std::int64_t utime, const std::optional<std::int64_t>& pose_utime,
+              std::int32_t path_id);
+
+  /// Why the robot must stop: it is not localized, or the mission does not permit the path.
+  [[nodiscard]] const std::optional<std::string>& denial_reason() const { return denial_reason_; }
+  /// Why the vehicle is held although the robot may move.
+  [[nodiscard]] const std::optional<std::string>& hold_reason() const { return hold_reason_; }
+  [[nodiscard]] const VehicleFeedback& vehicle() const { return vehicle_; }
+
+ private:
+  LocalizationMonitor localization_;
+  MissionPermission mission_;
+  VehicleFeedback vehicle_;
+  std::optional<std::string> denial_reason_;
+  std::optional<std::string> hold_reason_;
 };
 
 }  // namespace adit

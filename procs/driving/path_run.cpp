@@ -12,6 +12,40 @@
 #include "common/geometry/pose2.hpp"
 
 namespace adit {
+namespace {
+
+constexpr double kPointDistanceMinM = 0.001;
+constexpr double kEndCurvatureM = 0.05;  // length at the end of a run that defines its curvature
+constexpr double kKnotSpacingM = 0.05;   // of a blended run
+constexpr int kSamples = 8;              // of a mean, to either side
+
+void add_knot(const PathPoint& point, const SteeredPoint& steered,
+              std::vector<PathRun::Knot>& knots) {
+  PathRun::Knot knot{0.0, steered.pose(point.T_odom_body), point.clearance_m};
+  if (!knots.empty()) {
+    const PathRun::Knot& last = knots.back();
+    const double distance_m =
+        (knot.T_odom_steered.translation() - last.T_odom_steered.translation()).norm();
+    if (distance_m < kPointDistanceMinM) return;
+    knot.s_m = last.s_m + distance_m;
+    knot.T_odom_steered.theta = last.T_odom_steered.theta +
+                                angle_diff(knot.T_odom_steered.theta, last.T_odom_steered.theta);
+  }
+  knots.push_back(knot);
+}
+
+/// Mean pose over an interval, by the trapezoidal rule. Headings of a run are not wrapped.
+Pose2 mean_pose(const PathRun& run, double s_m, double half_m) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int i = -kSamples; i <= kSamples; ++i) {
+    const double weight = std::abs(i) == kSamples ? 0.5 : 1.0;
+    sum += weight * run.at(s_m + half_m * i / kSamples).vector();
+  }
+  const Eigen::Vector3d mean = sum / (2.0 * kSamples);
+  return {mean.x(), mean.y(), mean.z()};
+}
+
+}  // namespace
 
 SteeredPoint::SteeredPoint(const Vehicle& vehicle)
     : curvature_max_1_m_(1.0 / vehicle.turning_radius_m) {
@@ -19,7 +53,7 @@ SteeredPoint::SteeredPoint(const Vehicle& vehicle)
   x_m_ = -0.5 * vehicle.wheelbase_m;
   if (vehicle.turning_radius_m <= -x_m_) {
     throw std::invalid_argument(
-        "the turning radius is at most half the wheelbase, which Ackermann steering cannot do");
+        "the turning radius must exceed half the wheelbase with Ackermann steering");
   }
   curvature_max_1_m_ =
       1.0 / std::sqrt(vehicle.turning_radius_m * vehicle.turning_radius_m - x_m_ * x_m_);
@@ -33,42 +67,21 @@ double SteeredPoint::curvature_of_origin(double curvature_1_m) const {
   return curvature_1_m / std::hypot(1.0, x_m_ * curvature_1_m);
 }
 
-namespace {
-
-constexpr double kSamePointM = 0.001;
-constexpr double kEndCurvatureM = 0.05;  // by which a run knows how it bends at last
-
-void add(const PathPoint& point, const SteeredPoint& steered, std::vector<PathRun::Knot>& knots) {
-  PathRun::Knot knot{0.0, steered.pose(point.T_odom_body), point.clearance_m};
-  if (!knots.empty()) {
-    const PathRun::Knot& last = knots.back();
-    const double distance_m =
-        (knot.T_odom_steered.translation() - last.T_odom_steered.translation()).norm();
-    if (distance_m < kSamePointM) return;
-    knot.s_m = last.s_m + distance_m;
-    knot.T_odom_steered.theta = last.T_odom_steered.theta +
-                                angle_diff(knot.T_odom_steered.theta, last.T_odom_steered.theta);
-  }
-  knots.push_back(knot);
-}
-
-}  // namespace
-
 PathRun::PathRun(std::vector<Knot> knots, bool reverse)
     : knots_(std::move(knots)), direction_(reverse ? -1.0 : 1.0) {}
 
 std::size_t PathRun::segment_end(double s_m) const {
-  const auto behind = std::upper_bound(knots_.begin(), knots_.end(), s_m,
-                                       [](double s, const Knot& knot) { return s < knot.s_m; });
-  const auto i = static_cast<std::size_t>(behind - knots_.begin());
+  const auto after = std::upper_bound(knots_.begin(), knots_.end(), s_m,
+                                      [](double s, const Knot& knot) { return s < knot.s_m; });
+  const auto i = static_cast<std::size_t>(after - knots_.begin());
   return std::min(std::max<std::size_t>(i, 1), knots_.size() - 1);
 }
 
 Pose2 PathRun::extrapolate_past_end(double distance_m) const {
   const Pose2& T_odom_end = knots_.back().T_odom_steered;
   const double turn = distance_m * curvature_1_m(length_m() - kEndCurvatureM, length_m());
-  const Pose2 T_odom_behind = T_odom_end * along_arc(direction_ * distance_m, direction_ * turn);
-  return {T_odom_behind.x, T_odom_behind.y, T_odom_end.theta + direction_ * turn};
+  const Pose2 T_odom_beyond = T_odom_end * along_arc(direction_ * distance_m, direction_ * turn);
+  return {T_odom_beyond.x, T_odom_beyond.y, T_odom_end.theta + direction_ * turn};
 }
 
 Pose2 PathRun::at(double s_m) const {
@@ -90,7 +103,7 @@ double PathRun::clearance_m(double s_m) const {
 double PathRun::curvature_1_m(double from_m, double to_m) const {
   const double from = std::clamp(from_m, 0.0, length_m());
   const double to = std::clamp(to_m, 0.0, length_m());
-  if (to - from < kSamePointM) return 0.0;
+  if (to - from < kPointDistanceMinM) return 0.0;
   const auto heading = [this](double s_m) {
     return s_m < length_m() ? at(s_m).theta : knots_.back().T_odom_steered.theta;
   };
@@ -99,7 +112,7 @@ double PathRun::curvature_1_m(double from_m, double to_m) const {
 
 double PathRun::nearest_s_m(const Eigen::Vector2d& p_odom, double from_m, double to_m) const {
   double best_m = from_m;
-  double least = std::numeric_limits<double>::infinity();
+  double min_squared = std::numeric_limits<double>::infinity();
   for (std::size_t i = segment_end(from_m); i < knots_.size(); ++i) {
     if (i == 0 || knots_[i - 1].s_m > to_m) break;
     const Eigen::Vector2d a = knots_[i - 1].T_odom_steered.translation();
@@ -108,9 +121,9 @@ double PathRun::nearest_s_m(const Eigen::Vector2d& p_odom, double from_m, double
     const double low = std::max(0.0, from_m - knots_[i - 1].s_m);
     const double high = std::max(low, std::min(length, to_m - knots_[i - 1].s_m));
     const double t = std::clamp(along.dot(p_odom - a), low, high);
-    const double distance = (a + t * along - p_odom).squaredNorm();
-    if (distance >= least) continue;
-    least = distance;
+    const double squared = (a + t * along - p_odom).squaredNorm();
+    if (squared >= min_squared) continue;
+    min_squared = squared;
     best_m = knots_[i - 1].s_m + t;
   }
   return best_m;
@@ -121,38 +134,20 @@ std::vector<PathRun> split_into_runs(const std::vector<PathPoint>& points,
   std::vector<PathRun> runs;
   std::vector<PathRun::Knot> knots;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    add(points[i], steered, knots);
+    add_knot(points[i], steered, knots);
     const bool last = i + 1 == points.size();
-    const bool turns = i > 0 && points[i].reverse != points[i - 1].reverse;
-    if (!turns && !last) continue;
+    const bool changes_direction = i > 0 && points[i].reverse != points[i - 1].reverse;
+    if (!changes_direction && !last) continue;
     const bool reverse = points[i == 0 ? 0 : i - 1].reverse;
     if (knots.size() > 1 || (last && runs.empty())) runs.emplace_back(std::move(knots), reverse);
     knots.clear();
-    add(points[i], steered, knots);
+    add_knot(points[i], steered, knots);
   }
   return runs;
 }
 
-namespace {
-
-constexpr double kKnotM = 0.05;
-constexpr int kSamples = 8;  // to either side, of a mean
-
-/// By the rule of trapezoids. Headings of a run are not wrapped.
-Pose2 mean_pose(const PathRun& run, double s_m, double half_m) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int i = -kSamples; i <= kSamples; ++i) {
-    const double weight = std::abs(i) == kSamples ? 0.5 : 1.0;
-    sum += weight * run.at(s_m + half_m * i / kSamples).vector();
-  }
-  const Eigen::Vector3d mean = sum / (2.0 * kSamples);
-  return {mean.x(), mean.y(), mean.z()};
-}
-
-}  // namespace
-
 PathRun blended(const PathRun& run, double blend_m) {
-  const int segments = static_cast<int>(std::ceil(run.length_m() / kKnotM));
+  const int segments = static_cast<int>(std::ceil(run.length_m() / kKnotSpacingM));
   std::vector<PathRun::Knot> knots;
   for (int i = 0; i <= segments; ++i) {
     const double s_m = segments > 0 ? run.length_m() * i / segments : 0.0;

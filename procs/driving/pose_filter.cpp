@@ -22,7 +22,7 @@ bool is_jump(const Pose2& T_expected_measured) {
 
 }  // namespace
 
-/// The first poses count alike.
+/// The first poses are averaged with equal weights.
 double PoseFilter::gain(double seconds) const {
   return std::max(1.0 / (n_ + 1), 1.0 - std::exp(-seconds / smoothing_s_));
 }

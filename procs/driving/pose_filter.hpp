@@ -9,28 +9,28 @@
 
 namespace adit {
 
-/// Where the steered point is, from poses that come late and with noise: between them it moves as
-/// it was told to, and each pose corrects that by a share that makes errors fall by e in
-/// `smoothing_s` (Kalman's filter with a constant gain). What is told, the filter does not lag.
+/// Estimates the pose of the steered point from delayed and noisy poses: a Kalman filter with a
+/// constant gain. Between poses it predicts the commanded motion, so that it does not lag behind
+/// commands; each pose corrects the estimate with a time constant of `smoothing_s`.
 class PoseFilter {
  public:
-  /// A step from pose to pose that is no motion: the filter begins anew.
+  // A larger step between poses, or a gap between their times, is no motion: the filter resets.
   static constexpr double kJumpM = 0.5;
   static constexpr double kJumpRad = 0.5;
   static constexpr double kGapS = 0.25;
 
   explicit PoseFilter(double smoothing_s) : smoothing_s_(smoothing_s) {}
 
-  /// Of a time [µs since the epoch]. One that is a little older than the last is ignored; time that
-  /// goes back further than `kGapS` is another time, and the filter begins anew.
+  /// `utime` is that of the pose. A pose slightly older than the last one is ignored; after a step
+  /// back in time of more than `kGapS` the filter resets.
   void add(std::int64_t utime, const Pose2& T_odom_steered);
 
-  /// How it moves from now on.
+  /// Sets the motion from now on.
   void set_motion(double speed_m_s, double curvature_1_m);
 
-  /// Time of the newest pose; nothing before the first.
+  /// Time of the newest pose; nothing before the first one.
   [[nodiscard]] std::optional<std::int64_t> utime() const;
-  /// Pose at a time near to that of the newest; there must have been one.
+  /// The predicted pose at a time near that of the newest pose; there must be one.
   [[nodiscard]] Pose2 at(std::int64_t utime) const;
 
  private:
@@ -39,7 +39,7 @@ class PoseFilter {
   double smoothing_s_;
   std::int64_t utime_ = 0;
   Pose2 T_odom_steered_;
-  int n_ = 0;  ///< poses since the beginning
+  int n_ = 0;  ///< poses since the last reset
   double speed_m_s_ = 0.0;
   double curvature_1_m_ = 0.0;
 };

@@ -5,50 +5,47 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string>
 
+#include "common/config/bounds.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/sensing/scan_match.hpp"
-#include "common/sensing/seconds.hpp"
+#include "common/types/driving_state.hpp"
 #include "common/types/vehicle_state.hpp"
 
 namespace adit {
 
-/// Says when a vehicle has been held for so long that this will not end by itself. What holds it
-/// may let it go a centimetre and hold it again, and so it is the way that counts.
+/// Detects a vehicle that has been held for longer than a timeout. A hold may be released for a
+/// centimetre and set again: only progress restarts the timeout.
 class HoldTimeout {
  public:
-  static constexpr double kProgressM = 0.05;  ///< that begins the time anew
+  static constexpr double kProgressM = 0.05;  ///< progress that restarts the timeout
 
   explicit HoldTimeout(double seconds_max) : seconds_max_(seconds_max) {}
 
-  /// The way so far, on any path, while the vehicle drives or is held.
+  /// `distance_m` is the distance travelled on the path. Called while the robot drives or is held.
   void update(std::int64_t utime, double distance_m, bool held);
-  void begin_reset() { since_utime_.reset(); }
+  void reset() { since_utime_.reset(); }
 
-  [[nodiscard]] bool is_reached() const { return reached_; }
+  [[nodiscard]] bool is_exceeded() const { return exceeded_; }
 
  private:
   double seconds_max_;
-  std::optional<std::int64_t> since_utime_;  ///< when it was held first after the way below
+  std::optional<std::int64_t> since_utime_;  ///< first hold after the distance below
   double distance_m_ = 0.0;
-  bool reached_ = false;
+  bool exceeded_ = false;
 };
 
-/// How far was driven since a scan, or wheels or a gyro in its place, last told the motion in every
-/// direction. Where nothing tells it the pose stands still, and the end of a path never comes.
+/// The commanded distance since the motion was last observed in every direction by a scan, or by
+/// wheels or a gyroscope in its place. Along an unobserved direction the pose stands still, and the
+/// robot would never arrive.
 class UnobservedMotion {
  public:
-  /// A scan that is lost says neither.
-  void add_match(const ScanMatch& match) {
-    if (match.status != ScanMatch::Status::kMatched) return;
-    unobserved_ = has_unobserved_direction(match);
-    if (!unobserved_) distance_m_ = 0.0;
-  }
-  /// By command [m], either way.
-  void drive(double distance_m) {
-    if (unobserved_) distance_m_ += std::abs(distance_m);
-  }
-  void begin_reset() { distance_m_ = 0.0; }
+  /// Only matched scans count.
+  void add_match(const ScanMatch& match);
+  /// Adds a commanded distance [m], in either direction.
+  void add_drive(double distance_m);
+  void reset() { distance_m_ = 0.0; }
 
   [[nodiscard]] double distance_m() const { return distance_m_; }
 
@@ -57,50 +54,82 @@ class UnobservedMotion {
   double distance_m_ = 0.0;
 };
 
-/// How far the way by the wheels and that by the poses are apart since a path began. Where walls
-/// are smooth, a tilted laser that looks at the floor may say that the robot stands while it goes
-/// on: then the end of its path comes too late, and what is behind the end nobody has looked at.
-/// Or the wheels spin: then it does not get where it believes. Which of the two is wrong does not
-/// matter, since another look helps against both.
+/// The difference between the distances by wheel odometry and by poses since the start of a path.
+/// Between smooth walls a tilted laser that sees the floor may report that the robot stands while
+/// it drives: the robot would drive beyond the end of its path, into ground that was not scanned.
+/// Or the wheels spin, and the robot lags behind. A rescan resolves both.
 class OdometryMismatch {
  public:
-  void begin_reset() { *this = {}; }
+  /// Starts again after a gap of the vehicle states.
+  void add_state(const VehicleState& state);
+  /// Starts again if the vehicle states are stale.
+  void add_pose(std::int64_t utime, const Pose2& T_odom_body);
+  void reset() { *this = {}; }
 
-  /// By the wheels. Where they were silent for long, all begins anew.
-  void add_state(const VehicleState& state) {
-    if (state_) {
-      const double dt_s = seconds(state.utime - state_->utime);
-      if (dt_s <= 0.0) return;
-      const double distance_m = 0.5 * (state.speed_m_s + state_->speed_m_s) * dt_s;
-      if (dt_s > kGapMaxS || !std::isfinite(distance_m)) return begin_reset();
-      wheels_m_ += distance_m;
-      distance_travelled_m_ += std::abs(distance_m);
-    }
-    state_ = state;
-  }
-  /// Where the wheels have fallen silent, all begins anew when they speak again.
-  void add_pose(std::int64_t utime, const Pose2& T_odom_body) {
-    if (state_ && seconds(utime - state_->utime) > kGapMaxS) begin_reset();
-    if (T_odom_body_ && state_) {
-      const Pose2 step = between(*T_odom_body_, T_odom_body);
-      pose_m_ += (Pose2{0.0, 0.0, -0.5 * step.theta} * step.translation()).x();
-    }
-    T_odom_body_ = T_odom_body;
-  }
-
-  /// Positive where the wheels have gone farther [m].
+  /// Positive if the distance by the wheels is larger [m].
   [[nodiscard]] double difference_m() const { return wheels_m_ - pose_m_; }
-  /// By the wheels, to and fro [m].
+  /// Distance by the wheels, forwards plus in reverse [m].
   [[nodiscard]] double distance_travelled_m() const { return distance_travelled_m_; }
 
  private:
-  static constexpr double kGapMaxS = 0.5;
-
   std::optional<VehicleState> state_;
   std::optional<Pose2> T_odom_body_;
   double wheels_m_ = 0.0;
   double pose_m_ = 0.0;
   double distance_travelled_m_ = 0.0;
+};
+
+/// Limits beyond which a path is abandoned and the robot needs a new one.
+struct ProgressLimits {
+  double distance_max_m = 0.35;               ///< from the path
+  double heading_max_rad = 0.5;               ///< from the direction of the path
+  double hold_timeout_s = 10.0;               ///< of a vehicle that is held without progress
+  double unobserved_distance_max_m = 5.0;     ///< without an observation of the motion
+  double odometry_mismatch_max_m = 0.2;       ///< between wheels and poses, since the start
+  double odometry_mismatch_max_share = 0.08;  ///< plus this share of the distance travelled
+
+  template <class V>
+  void visit(V& v) {
+    v("distance_max_m", distance_max_m, above_up_to(0.0, 2.0));
+    v("heading_max_rad", heading_max_rad, above_up_to(0.0, 1.2));
+    v("hold_timeout_s", hold_timeout_s, within(1.0, 600.0));
+    v("unobserved_distance_max_m", unobserved_distance_max_m, above(0.0));
+    v("odometry_mismatch_max_m", odometry_mismatch_max_m, above(0.0));
+    v("odometry_mismatch_max_share", odometry_mismatch_max_share, within(0.0, 10.0));
+  }
+};
+
+/// Decides whether the robot still makes progress on its path.
+class ProgressMonitor {
+ public:
+  explicit ProgressMonitor(const ProgressLimits& limits)
+      : limits_(limits), hold_timeout_(limits.hold_timeout_s) {}
+
+  void add_pose(std::int64_t utime, const Pose2& T_odom_body);
+  void add_state(const VehicleState& state) { odometry_mismatch_.add_state(state); }
+  void add_match(const ScanMatch& match) { unobserved_.add_match(match); }
+  void add_drive(double distance_m) { unobserved_.add_drive(distance_m); }
+
+  /// A new path.
+  void reset();
+  /// The robot neither drives nor is held.
+  void reset_hold() { hold_timeout_.reset(); }
+
+  /// The state of the robot on its path.
+  struct Tracking {
+    double distance_m = 0.0;  ///< from the path
+    PathTrackingError error;  ///< only the heading counts
+    double distance_travelled_m = 0.0;
+    std::optional<std::string> hold_reason;  ///< why the vehicle is held
+  };
+  /// Why the path must be abandoned; nothing if it need not be.
+  std::optional<std::string> failure_reason(std::int64_t utime, const Tracking& tracking);
+
+ private:
+  ProgressLimits limits_;
+  HoldTimeout hold_timeout_;
+  UnobservedMotion unobserved_;
+  OdometryMismatch odometry_mismatch_;
 };
 
 }  // namespace adit

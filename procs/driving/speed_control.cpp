@@ -10,18 +10,20 @@ namespace {
 
 constexpr double kSampleSpacingM = 0.05;
 constexpr double kEpsilon = 1e-9;
-constexpr double kSteeringShare = 0.8;  // of its rate, for the path; the rest is for errors
+constexpr double kSteeringShare = 0.8;  // of the steering rate for the path, the rest for errors
+constexpr double kStopS = 0.3;
+constexpr double kCurvatureTolerance1M = 0.05;  // of the curvature at which the robot starts
 
-/// What holds at a place, whatever comes behind it.
-double limit(const PathRun& run, double s_m, double fastest, const SpeedParams& params,
-             double steering_rate_1_m_s) {
+/// The speed limit at an arc length, without that of braking.
+double local_limit_m_s(const PathRun& run, double s_m, double speed_max_m_s,
+                       const SpeedParams& params, double steering_rate_1_m_s) {
   const double ahead = run.curvature_1_m(s_m, s_m + 2.0 * kSampleSpacingM);
   const double behind = run.curvature_1_m(s_m - 2.0 * kSampleSpacingM, s_m);
   const double change = std::abs(ahead - behind) / (2.0 * kSampleSpacingM);
-  const double bend = std::max(std::abs(ahead), std::abs(behind));
-  const double room = std::clamp(run.clearance_m(s_m) / params.clearance_full_m, 0.0, 1.0);
-  return std::min({room * fastest,
-                   std::sqrt(params.lateral_acceleration_m_s2 / std::max(bend, kEpsilon)),
+  const double curvature = std::max(std::abs(ahead), std::abs(behind));
+  const double share = std::clamp(run.clearance_m(s_m) / params.clearance_full_m, 0.0, 1.0);
+  return std::min({share * speed_max_m_s,
+                   std::sqrt(params.lateral_acceleration_m_s2 / std::max(curvature, kEpsilon)),
                    kSteeringShare * steering_rate_1_m_s / std::max(change, kEpsilon)});
 }
 
@@ -32,40 +34,33 @@ SpeedProfile::SpeedProfile(const PathRun& run, const SpeedParams& params, double
     : creep_m_s_(std::min({params.creep_m_s, params.speed_m_s, speed_max_m_s})) {
   const auto segments =
       static_cast<std::size_t>(std::max(1.0, std::ceil(run.length_m() / kSampleSpacingM)));
-  const double fastest = std::min(params.speed_m_s, speed_max_m_s);
+  const double limit_m_s = std::min(params.speed_m_s, speed_max_m_s);
   spacing_m_ = run.length_m() / static_cast<double>(segments);
   squares_.assign(segments + 1, 0.0);
   for (std::size_t i = segments; i-- > 0;) {
     const double s_m = spacing_m_ * static_cast<double>(i);
-    const double limit_here = limit(run, s_m, fastest, params, steering_rate_1_m_s);
+    const double local_m_s = local_limit_m_s(run, s_m, limit_m_s, params, steering_rate_1_m_s);
     const double braking = squares_[i + 1] + 2.0 * params.acceleration_m_s2 * spacing_m_;
-    squares_[i] = std::min(limit_here * limit_here, braking);
+    squares_[i] = std::min(local_m_s * local_m_s, braking);
   }
 }
 
 double SpeedProfile::at(double s_m) const {
-  const double place = spacing_m_ > 0.0 ? std::max(0.0, s_m) / spacing_m_ : 0.0;
-  const auto i = static_cast<std::size_t>(place);
+  const double sample = spacing_m_ > 0.0 ? std::max(0.0, s_m) / spacing_m_ : 0.0;
+  const auto i = static_cast<std::size_t>(sample);
   if (i + 1 >= squares_.size()) return 0.0;
-  const double square = std::lerp(squares_[i], squares_[i + 1], place - static_cast<double>(i));
+  const double square = std::lerp(squares_[i], squares_[i + 1], sample - static_cast<double>(i));
   return std::max(creep_m_s_, std::sqrt(square));
 }
-
-namespace {
-
-constexpr double kStopS = 0.3;
-constexpr double kCurvatureTolerance1M = 0.05;  // of curvature that may be missing
-
-}  // namespace
 
 void CommandRamp::drive(double speed_m_s, double curvature_1_m, double seconds) {
   const double bound = steering_rate_1_m_s_ * seconds;
   curvature_1_m_ += std::clamp(curvature_1_m - curvature_1_m_, -bound, bound);
-  const bool steered = std::abs(curvature_1_m - curvature_1_m_) <= kCurvatureTolerance1M;
-  const bool remains_stopped = speed_m_s_ == 0.0 && !(has_stopped() && steered);
+  const bool is_steered = std::abs(curvature_1_m - curvature_1_m_) <= kCurvatureTolerance1M;
+  const bool remains_stopped = speed_m_s_ == 0.0 && !(has_stopped() && is_steered);
   if (remains_stopped || speed_m_s_ * speed_m_s < 0.0) return stop(seconds);
-  const double faster = std::abs(speed_m_s_) + acceleration_m_s2_ * seconds;
-  speed_m_s_ = std::clamp(speed_m_s, -faster, faster);
+  const double reachable = std::abs(speed_m_s_) + acceleration_m_s2_ * seconds;
+  speed_m_s_ = std::clamp(speed_m_s, -reachable, reachable);
   stopped_s_ = 0.0;
 }
 

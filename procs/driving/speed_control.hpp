@@ -10,11 +10,11 @@
 namespace adit {
 
 struct SpeedParams {
-  double speed_m_s = 0.4;          ///< where nothing limits it
-  double creep_m_s = 0.05;         ///< below which it does not fall but to stand
-  double acceleration_m_s2 = 0.2;  ///< planned, and planned to brake with
+  double speed_m_s = 0.4;          ///< desired speed
+  double creep_m_s = 0.05;         ///< minimum speed of a moving robot
+  double acceleration_m_s2 = 0.2;  ///< also for planned braking
   double lateral_acceleration_m_s2 = 0.1;
-  double clearance_full_m = 0.3;  ///< from which on obstacles beside do not slow it down
+  double clearance_full_m = 0.3;  ///< clearance from which on the speed is not reduced
 
   template <class V>
   void visit(V& v) {
@@ -26,37 +26,37 @@ struct SpeedParams {
   }
 };
 
-/// How fast a run is to be driven, to a stand at its end: no faster than curvature, obstacles
-/// beside and the steering allow, and so that braking suffices for what comes.
+/// The speed over a run, down to zero at its end: limited by curvature, clearance and steering
+/// rate, and by the braking distance to each later limit.
 class SpeedProfile {
  public:
-  /// `steering_rate_1_m_s` is the greatest change of the curvature per second.
+  /// `steering_rate_1_m_s` is the maximum rate of change of the curvature.
   SpeedProfile(const PathRun& run, const SpeedParams& params, double speed_max_m_s,
                double steering_rate_1_m_s);
 
-  /// At a place of the run, without direction: at least creeping, 0 at its end and behind.
+  /// Absolute speed at an arc length: at least `creep_m_s`, 0 at the end of the run and beyond.
   [[nodiscard]] double at(double s_m) const;
 
  private:
   double spacing_m_;
   double creep_m_s_;
-  std::vector<double> squares_;  ///< of the speed, between which it is linear where it brakes
+  std::vector<double> squares_;  ///< of the speed; linear between samples while braking
 };
 
-/// What the vehicle is told, so that it can follow: speed grows and curvature changes no faster
-/// than given; it slows down at once, as the vehicle brakes harder than is planned. From a stand it
-/// drives off when it has stood for a while and is steered.
+/// Rate limiter of the commands: the vehicle can follow its speed and curvature. The speed falls
+/// immediately, as the vehicle brakes harder than planned. From standstill it starts only after a
+/// pause, and when the curvature is set.
 class CommandRamp {
  public:
   CommandRamp(double acceleration_m_s2, double steering_rate_1_m_s)
       : acceleration_m_s2_(acceleration_m_s2), steering_rate_1_m_s_(steering_rate_1_m_s) {}
 
-  /// For the next `seconds`; a speed to the other side than the present one means to stand first.
+  /// The desired motion for the next `seconds`. A speed opposite to the current one stops first.
   void drive(double speed_m_s, double curvature_1_m, double seconds);
-  /// The steering stays.
+  /// Stops and keeps the curvature.
   void stop(double seconds);
 
-  /// Long enough for the vehicle to stand, too.
+  /// Whether the command has been zero for long enough that the vehicle stands.
   [[nodiscard]] bool has_stopped() const;
   /// Negative in reverse.
   [[nodiscard]] double speed_m_s() const { return speed_m_s_; }

@@ -5,16 +5,20 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "procs/exploration/map/skeleton_graph.hpp"
 
 namespace adit {
 namespace {
 
-std::string open_reason(const Frontier& frontier) {
+std::string incomplete_reason(const Frontier& frontier) {
+  const std::string name = fmt::format("frontier {}", frontier.id);
   if (frontier.state == FrontierState::kBeyondBudget)
-    return " is beyond the budget: " + frontier.evidence;
-  if (is_visitable(frontier.state)) return " is open";
-  return " was given up, but nobody saw that it is blocked: " + frontier.evidence;
+    return fmt::format("{} is beyond the budget: {}", name, frontier.evidence);
+  if (is_visitable(frontier.state)) return name + " is open";
+  return fmt::format("{} was abandoned without evidence that it is blocked: {}", name,
+                     frontier.evidence);
 }
 
 }  // namespace
@@ -44,37 +48,38 @@ bool Exploration::update(const MapGraph& graph) {
   return true;
 }
 
-/// Everything that follows from the known space.
+/// Recomputes everything that is derived from the known space.
 void Exploration::refresh() {
   space_ = drivable_space(known_.cells(), known_.resolution_m(), params_.vehicle.width_m,
                           barrier_lines(), T_map_home().translation(), params_.drivable);
   detected_frontiers_ = detect_frontiers(space_, params_.frontiers.cluster_distance_m);
-  for (DetectedFrontier& end : detected_frontiers_) {
-    if (leads_out(end)) end.access = Access::kBehindBarrier;
+  for (DetectedFrontier& detected : detected_frontiers_) {
+    if (leads_out(detected)) detected.access = Access::kBehindBarrier;
   }
   register_.update(detected_frontiers_, known_, barrier_evidence(), utime_);
   corridors_ = corridor_graph(space_, skeleton(space_), detected_frontiers_, params_.corridors);
   from_home_.emplace(space_, T_map_home().translation(), PathPreference::kDriven);
 }
 
-/// The start is where the first local map began.
+/// The start: the pose of the first local map, which is the origin of map as long as the graph has
+/// no other pose for it.
 Pose2 Exploration::T_map_home() const { return known_.pose_of(0).value_or(Pose2{}); }
 
-/// With each new local map.
+/// Records once per new local map how far the target still is.
 void Exploration::update_pursuit(const ExplorationState& state, const ShortestPathTree& here) {
-  const int newest = known_.newest().value_or(-1);
+  const std::optional<PosedTile> newest = known_.newest();
   const Frontier* target = register_.find(decision_.frontier);
-  if (newest == pursuit_local_map_ || target == nullptr) return;
-  pursuit_local_map_ = newest;
+  if (!newest || newest->id == pursuit_local_map_ || target == nullptr) return;
+  pursuit_local_map_ = newest->id;
   const auto path_length_m = here.distance_m(target->p_map);
-  if (path_length_m) register_.record_pursuit(target->id, *path_length_m, newest, state.utime);
+  if (path_length_m) register_.record_pursuit(target->id, *path_length_m, newest->id, state.utime);
 }
 
 const ExplorationDecision& Exploration::decide(const ExplorationState& state) {
   state_ = state;
-  const int before = decision_.frontier;
+  const int previous_target = decision_.frontier;
   decision_ = make_decision(state);
-  if (decision_.frontier != before) register_.begin_pursuit(decision_.frontier);
+  if (decision_.frontier != previous_target) register_.begin_pursuit(decision_.frontier);
   return decision_;
 }
 
@@ -87,31 +92,31 @@ ExplorationDecision Exploration::make_decision(const ExplorationState& state) {
     stay.reason = "there is no map yet";
     return stay;
   }
-  if (has_no_path_home(state)) drop_passed_barriers(state);
-  if (has_no_path_home(state)) {
-    stay.reason = "no known way leads from here to the start";
+  if (!path_length_home_m(state)) drop_passed_barriers(state);
+  const std::optional<double> home_m = path_length_home_m(state);
+  if (!home_m) {
+    stay.reason = "no known path leads from here to the start";
     return stay;
   }
   const ShortestPathTree here(space_, state.T_map_body.translation(), PathPreference::kAnyDrivable);
-  patrol_.pass(places(), state.T_map_body.translation(), state.utime);
+  patrol_.pass(patrol_places(), state.T_map_body.translation(), state.utime);
   update_pursuit(state, here);
-  const auto all = candidates(state, here);
-  if (state.returning_home) return to_home(state, "the mission has turned around");
-  if (returning_) return to_home(state, "the corridor is explored as far as it goes");
-  if (const auto frontier = choose(state, all)) return to_frontier(*frontier, state, here);
+  const auto within_budget = candidates(state, here);
+  if (state.returning_home) return to_home(state, *home_m, "the mission returns home");
+  if (returning_) return to_home(state, *home_m, "the corridor is explored to its end");
+  if (const auto target = choose(state, within_budget)) return to_frontier(*target, state, here);
   if (retry_abandoned(state.utime)) return make_decision(state);
-  if (const auto on = to_next_patrol_place(state, here)) return *on;
+  if (const auto patrol = to_next_patrol_place(state, here)) return *patrol;
   returning_ = params_.mode == "corridor";
-  const auto why = incomplete_reasons();
-  return to_home(state, why.empty() ? "every stub is closed" : why.front());
+  const auto reasons = incomplete_reasons();
+  return to_home(state, *home_m, reasons.empty() ? "every frontier is closed" : reasons.front());
 }
 
 std::vector<std::string> Exploration::incomplete_reasons() const {
   std::vector<std::string> reasons;
   for (const Frontier& frontier : register_.frontiers()) {
     if (is_closed(frontier.state)) continue;
-    const std::string name = "stub " + std::to_string(frontier.id);
-    reasons.push_back(name + open_reason(frontier));
+    reasons.push_back(incomplete_reason(frontier));
   }
   return reasons;
 }
@@ -137,9 +142,6 @@ ExplorationReport Exploration::report() const {
   report.revision = revision_;
   report.decision = decision_;
   report.budget.remaining_m = state_.remaining_m;
-  if (from_home_) {
-    report.budget.home_m = from_home_->distance_m(state_.T_map_body.translation()).value_or(0.0);
-  }
   report.budget.explored_m = corridors_.length_m();
   report.frontiers = register_.frontiers();
   report.corridors = corridors_;

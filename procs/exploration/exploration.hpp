@@ -37,11 +37,11 @@ struct ExplorationParams {
   FrontierRegisterParams frontiers;
   ExpectedGainParams gain;
   FrontierChoiceParams choice;
-  std::string mode = "explore";   ///< or "corridor": straight on until blocked, then home (paper)
-  double step_m = 10.0;           ///< from here to the next goal at most
-  double at_home_m = 0.3;         ///< from the start, by the map
-  bool exit_behind_start = true;  ///< the mine lies ahead of the start, the way out behind it
-  bool patrol = false;  ///< once no stub is left, on to what was seen longest ago, not home at once
+  std::string mode = "explore";  ///< or "corridor": straight ahead until blocked, then home (paper)
+  double step_m = 10.0;          ///< largest path length from the robot to the next goal
+  double at_home_m = 0.3;        ///< distance to the start in map that counts as home
+  bool exit_behind_start = true;  ///< the mine lies ahead of the start, its exit behind
+  bool patrol = false;            ///< when no frontier is left, patrol instead of returning home
 
   template <class V>
   void visit(V& v) {
@@ -61,51 +61,55 @@ struct ExplorationParams {
   }
 };
 
-/// The robot as it is when it asks where to go.
+/// State of the robot for which a decision is made.
 struct ExplorationState {
   std::int64_t utime = 0;
   Pose2 T_map_body;
-  double remaining_m = 0.0;     ///< way that battery and time still allow
-  double sd_m = 0.0;            ///< of the pose in map, where it is known
-  bool returning_home = false;  ///< nothing but the way home is asked for
+  double remaining_m = 0.0;     ///< path length that battery and time still allow
+  double sd_m = 0.0;            ///< standard deviation of the position in map; 0 if unknown
+  bool returning_home = false;  ///< the request is for the path home only
 };
 
-/// What a planner says who found no path.
+/// Result of a planner that found no path.
 struct BlockedEvidence {
   std::int64_t utime = 0;
-  double reached_m = 0.0;    ///< farthest progress that was possible
-  std::string reason;        ///< a sentence
-  bool unconfirmed = false;  ///< what would be in the way was not seen, or not twice
+  double reached_m = 0.0;    ///< largest progress along the route that was possible
+  std::string reason;        ///< one sentence
+  bool unconfirmed = false;  ///< the obstacle was not observed, or only once
 };
 
-/// Where to go next, so that the mine is explored to the end and the robot comes home: the stubs of
-/// the map, their gain against the way there, and a hard budget for the way home (the paper's
-/// section 3.3 and what it leaves open).
+/// Selects the next goal of frontier-based exploration (paper, section 3.3, and what it leaves
+/// open). Weighs the expected gain of each frontier of the map against the path to it, under a hard
+/// budget that always includes the path home.
 class Exploration {
  public:
   explicit Exploration(const ExplorationParams& params);
 
-  /// A local map, before the graph that knows it. False where it is malformed, and left out.
+  /// Adds a local map, before the pose graph that contains it. Returns false if it is malformed; it
+  /// is then ignored.
   bool add(const LocalMap& map);
 
-  /// Where all local maps are now. A graph with a pose that is not finite is left out: false.
+  /// Sets the poses of all local maps. Returns false if a pose is not finite; the graph is then
+  /// ignored.
   bool update(const MapGraph& graph);
 
-  /// The same map, state and target give the same answer. `decide` keeps the target.
+  /// Decides on the next goal, and stores its target. Deterministic: the same map, state and
+  /// previous target give the same decision.
   const ExplorationDecision& decide(const ExplorationState& state);
 
-  /// The planner found no way to the stub from where the last decision was made. It is not chosen
-  /// again, nor is what lies behind the place where the way ended, unless another way is found.
-  /// On the way home there is no stub (ExplorationDecision::kNoFrontier), and another way is looked
-  /// for. False where there is no such stub or it is explored.
-  /// What is doubtful is tried once more when nothing else is left, as is what it saw nothing of,
-  /// and is never complete.
+  /// Reports that the planner found no path from where the last decision was made to the frontier.
+  /// The frontier is not selected again, nor are frontiers behind the place where the path ended,
+  /// unless another path to them is found. On the route home `frontier` is
+  /// ExplorationDecision::kNoFrontier, and another route is searched. Returns false if there is no
+  /// such frontier or if it is explored. An unconfirmed obstacle is retried once when no other
+  /// frontier is left, as is a frontier behind which nothing was observed; neither counts as
+  /// complete.
   bool report_blocked(int frontier, const BlockedEvidence& evidence);
-  /// A person says that it is not blocked.
+  /// Reopens a frontier that the operator declares passable.
   bool reopen(int frontier, std::int64_t utime);
 
-  /// What is to be kept beside the map; with it, and then the map, another goes on as this one
-  /// would.
+  /// State to store beside the map. An Exploration that restores it, and then receives the map,
+  /// makes the same decisions as this one.
   [[nodiscard]] ExplorationMemory memory() const;
   void restore(const ExplorationMemory& memory);
 
@@ -113,41 +117,45 @@ class Exploration {
   [[nodiscard]] const std::vector<Frontier>& frontiers() const { return register_.frontiers(); }
   [[nodiscard]] const CorridorGraph& corridors() const { return corridors_; }
   [[nodiscard]] const DrivableSpace& space() const { return space_; }
-  /// From where the last decision was made to its target, in map; empty where there is none.
+  /// Route from where the last decision was made to its target, in map; empty if there is none.
   [[nodiscard]] const std::vector<Eigen::Vector2d>& route() const { return route_; }
-  /// The next `length_m` of the way in map, places `spacing_m` apart: along the route, and where
-  /// it ends at a stub, straight on from there unless that would lead back. Empty where there is
-  /// nowhere to go.
+  /// The next `length_m` of the path in map, as points `spacing_m` apart: along the route, and from
+  /// a frontier at its end straight ahead, unless that leads back. Empty if there is no target.
   [[nodiscard]] std::vector<Eigen::Vector2d> path_ahead(double length_m, double spacing_m) const;
-  /// The stubs that are not closed, with why, one sentence each; empty: the mine is explored.
+  /// Frontiers that are not closed, with the reason, one sentence each. Empty if the mine is
+  /// explored.
   [[nodiscard]] std::vector<std::string> incomplete_reasons() const;
 
  private:
   void refresh();
   bool retry_abandoned(std::int64_t utime);
-  [[nodiscard]] bool has_no_path_home(const ExplorationState& state) const;
+  [[nodiscard]] std::optional<double> path_length_home_m(const ExplorationState& state) const;
   void drop_passed_barriers(const ExplorationState& state);
   [[nodiscard]] std::vector<BarrierLine> barrier_lines() const;
   [[nodiscard]] std::vector<FrontierRegister::BarrierEvidence> barrier_evidence() const;
   void add_exit_barrier();
   void update_pursuit(const ExplorationState& state, const ShortestPathTree& here);
-  [[nodiscard]] bool leads_out(const DetectedFrontier& end) const;
+  [[nodiscard]] bool leads_out(const DetectedFrontier& detected) const;
   [[nodiscard]] std::vector<FrontierCandidate> candidates(const ExplorationState& state,
                                                           const ShortestPathTree& here);
-  [[nodiscard]] std::optional<int> choose(const ExplorationState& state,
-                                          const std::vector<FrontierCandidate>& candidates) const;
+  [[nodiscard]] std::optional<FrontierCandidate> choose(
+      const ExplorationState& state, const std::vector<FrontierCandidate>& candidates) const;
+  [[nodiscard]] std::optional<int> choose_id(
+      const ExplorationState& state, const std::vector<FrontierCandidate>& candidates) const;
   [[nodiscard]] Eigen::MatrixXd path_lengths_between(
       const std::vector<FrontierCandidate>& candidates) const;
-  [[nodiscard]] std::optional<int> straight_on(
+  [[nodiscard]] std::optional<int> straight_ahead(
       const ExplorationState& state, const std::vector<FrontierCandidate>& candidates) const;
-  [[nodiscard]] ExplorationDecision to_frontier(int frontier, const ExplorationState& state,
+  [[nodiscard]] ExplorationDecision to_frontier(const FrontierCandidate& candidate,
+                                                const ExplorationState& state,
                                                 const ShortestPathTree& here);
-  [[nodiscard]] ExplorationDecision to_home(const ExplorationState& state, std::string reason);
-  [[nodiscard]] std::vector<PatrolPlace> places() const;
+  [[nodiscard]] ExplorationDecision to_home(const ExplorationState& state, double path_length_m,
+                                            std::string reason);
+  [[nodiscard]] std::vector<PatrolPlace> patrol_places() const;
   [[nodiscard]] std::optional<ExplorationDecision> to_next_patrol_place(
       const ExplorationState& state, const ShortestPathTree& here);
   [[nodiscard]] ExplorationDecision make_decision(const ExplorationState& state);
-  [[nodiscard]] bool leads_on(const Frontier& frontier) const;
+  [[nodiscard]] bool leads_away(const Frontier& frontier) const;
   [[nodiscard]] Pose2 T_map_home() const;
 
   ExplorationParams params_;
@@ -160,14 +168,13 @@ class Exploration {
   std::optional<ShortestPathTree> from_home_;
   std::int64_t utime_ = 0;
   std::int64_t revision_ = 0;
-  int pursuit_local_map_ = -1;  ///< local map, when the pursuit of the target was last looked at
+  int pursuit_local_map_ = -1;  ///< newest local map at the last update of the pursuit
   ExplorationState state_;
   ExplorationDecision decision_;
   std::vector<Eigen::Vector2d> route_;
-  bool returning_ = false;  ///< for good: in the mode corridor
+  bool returning_ = false;  ///< permanently; in the mode corridor
   Patrol patrol_;
-  std::optional<PatrolPlace>
-      patrol_target_;  ///< target of the last decision, where that is no stub
+  std::optional<PatrolPlace> patrol_target_;  ///< of the last decision, if that is on patrol
 };
 
 }  // namespace adit

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where no way leads on: barriers, by what the planner said, and what they close.
+// Barriers: where they are placed after a planner found no path, and what they close.
 #include <algorithm>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "procs/exploration/choice/route_point.hpp"
 #include "procs/exploration/exploration.hpp"
@@ -10,10 +12,12 @@
 namespace adit {
 namespace {
 
-constexpr double kBehindStartM = 0.5;    // of the rear of the vehicle
-constexpr double kExitRadiusM = 10.0;    // from the start, where an open end may lead out
-constexpr double kOutwards = -0.3;       // of its direction, against the heading of the start
-constexpr double kBeyondReachedM = 0.8;  // of the farthest place that the planner reached
+constexpr double kBehindStartM = 0.5;  // behind the rear of the vehicle
+constexpr double kExitRadiusM =
+    10.0;  // around the start, within which a frontier may lead out of the mine
+constexpr double kOutwards =
+    -0.3;  // cosine of the direction of such a frontier to the heading at the start, at most
+constexpr double kBeyondReachedM = 0.8;  // beyond the farthest point that the planner reached
 
 FrontierState state_behind(Barrier::Kind barrier) {
   switch (barrier) {
@@ -29,12 +33,12 @@ FrontierState state_behind(Barrier::Kind barrier) {
 
 }  // namespace
 
-/// From outside nothing comes back, so that what is known may end before the barrier does.
-bool Exploration::leads_out(const DetectedFrontier& end) const {
+/// Open air returns no beams, so that the known space may end before the barrier at the exit does.
+bool Exploration::leads_out(const DetectedFrontier& detected) const {
   if (!params_.exit_behind_start) return false;
   const Pose2 T_home_map = T_map_home().inverse();
-  const Eigen::Vector2d p_home = T_home_map * end.p_map;
-  const Eigen::Vector2d direction = T_home_map * end.direction_map - T_home_map.translation();
+  const Eigen::Vector2d p_home = T_home_map * detected.p_map;
+  const Eigen::Vector2d direction = T_home_map * detected.direction_map - T_home_map.translation();
   return p_home.norm() < kExitRadiusM && p_home.x() < params_.vehicle.length_m / 2.0 &&
          direction.x() < kOutwards;
 }
@@ -47,10 +51,10 @@ void Exploration::add_exit_barrier() {
                        0,
                        {-behind, 0.0},
                        {-1.0, 0.0},
-                       "behind the start: the way out"});
+                       "behind the start: the exit of the mine"});
 }
 
-/// A doubt about a way home is none about ground that has carried the robot.
+/// An unconfirmed obstacle on the route home does not close ground that has carried the robot.
 std::vector<BarrierLine> Exploration::barrier_lines() const {
   std::vector<BarrierLine> barrier_lines;
   for (const Barrier& barrier : barriers_) {
@@ -66,35 +70,37 @@ std::vector<BarrierLine> Exploration::barrier_lines() const {
 }
 
 std::vector<FrontierRegister::BarrierEvidence> Exploration::barrier_evidence() const {
-  std::vector<FrontierRegister::BarrierEvidence> texts;
+  std::vector<FrontierRegister::BarrierEvidence> evidence;
   for (const Barrier& barrier : barriers_) {
     const auto T_map_local = known_.pose_of(barrier.local_map);
     if (!T_map_local) continue;
-    texts.push_back({*T_map_local * barrier.p_local, state_behind(barrier.kind), barrier.evidence});
+    evidence.push_back(
+        {*T_map_local * barrier.p_local, state_behind(barrier.kind), barrier.evidence});
   }
-  return texts;
+  return evidence;
 }
 
-bool Exploration::has_no_path_home(const ExplorationState& state) const {
-  return !from_home_->distance_m(state.T_map_body.translation());
+std::optional<double> Exploration::path_length_home_m(const ExplorationState& state) const {
+  return from_home_->distance_m(state.T_map_body.translation());
 }
 
-/// A robot behind a barrier has come past it, and so there is a way: the newest without which it is
-/// not cut off is none, or all of them are none. Where that does not help, the reason is another.
+/// A robot behind a barrier has passed it, so that there is a path. Removes the newest barrier
+/// without which a path home exists, or else all of them. If that does not help either, the cause
+/// is another one, and all barriers stay.
 void Exploration::drop_passed_barriers(const ExplorationState& state) {
   const std::vector<Barrier> all = barriers_;
   const auto is_exit = [](const Barrier& b) { return b.kind == Barrier::Kind::kOutsideMine; };
   if (std::all_of(all.begin(), all.end(), is_exit)) return;
-  for (std::size_t i = all.size(); i-- > 0 && has_no_path_home(state);) {
+  for (std::size_t i = all.size(); i-- > 0 && !path_length_home_m(state);) {
     if (is_exit(all[i])) continue;
     barriers_ = all;
     barriers_.erase(barriers_.begin() + static_cast<std::ptrdiff_t>(i));
     refresh();
   }
-  if (!has_no_path_home(state)) return;
+  if (path_length_home_m(state)) return;
   std::erase_if(barriers_, [&](const Barrier& barrier) { return !is_exit(barrier); });
   refresh();
-  if (!has_no_path_home(state)) return;
+  if (path_length_home_m(state)) return;
   barriers_ = all;
   refresh();
 }
@@ -110,31 +116,31 @@ bool Exploration::report_blocked(int frontier, const BlockedEvidence& evidence) 
   if (!is_returning && (target == nullptr || target->state == FrontierState::kExplored))
     return false;
   const bool on_route = decision_.frontier == frontier && !route_.empty();
-  // What is in the way far from the stub says nothing of the stub: there may be another way.
+  // An obstacle far from the frontier does not close it: there may be another path.
   const bool far = on_route && decision_.distance_m > params_.step_m;
   if (!far) register_.block(frontier, evidence.unconfirmed, evidence.reason, evidence.utime);
   if (!on_route) return true;
-  const RoutePoint place = point_along(route_, std::max(evidence.reached_m, 0.0) + kBeyondReachedM);
-  const auto anchor = known_.tile_at(place.p_map);
+  const RoutePoint end = point_along(route_, std::max(evidence.reached_m, 0.0) + kBeyondReachedM);
+  const std::optional<PosedTile> anchor = known_.tile_at(end.p_map);
   if (!anchor) return true;
-  const Pose2 T_local_map = known_.pose_of(*anchor)->inverse();
+  const Pose2 T_local_map = anchor->T_map_local.inverse();
   const std::string where =
-      is_returning ? "on the way home: " : "behind stub " + std::to_string(frontier) + ": ";
+      is_returning ? "on the route home" : fmt::format("behind frontier {}", frontier);
   barriers_.push_back({evidence.unconfirmed ? Barrier::Kind::kUnconfirmed : Barrier::Kind::kBlocked,
-                       frontier, *anchor, T_local_map * place.p_map,
-                       T_local_map * place.direction - T_local_map.translation(),
-                       where + evidence.reason});
+                       frontier, anchor->id, T_local_map * end.p_map,
+                       T_local_map * end.direction - T_local_map.translation(),
+                       fmt::format("{}: {}", where, evidence.reason)});
   refresh();
-  if (!has_no_path_home(state_)) return true;
+  if (path_length_home_m(state_)) return true;
   barriers_.pop_back();
   register_.block(frontier, evidence.unconfirmed, evidence.reason, evidence.utime);
   refresh();
   return true;
 }
 
-/// When nothing else is left, and from wherever the robot is by then. A line across a junction may
-/// lie across another drift as well, and what is in the way of one stub is no evidence for another.
-/// What has its own stays closed without barriers.
+/// Retries when no other frontier is left, from wherever the robot is by then. A barrier across a
+/// junction may cross another tunnel as well, and an obstacle on the path to one frontier is no
+/// evidence for another one. A frontier with evidence of its own stays closed without barriers.
 bool Exploration::retry_abandoned(std::int64_t utime) {
   if (!register_.retry_abandoned(utime)) return false;
   std::erase_if(barriers_, [](const Barrier& barrier) { return barrier.frontier >= 0; });
@@ -143,7 +149,7 @@ bool Exploration::retry_abandoned(std::int64_t utime) {
 }
 
 bool Exploration::reopen(int frontier, std::int64_t utime) {
-  if (!register_.reopen(frontier, "reopened by a person", utime)) return false;
+  if (!register_.reopen(frontier, "reopened by the operator", utime)) return false;
   std::erase_if(barriers_, [&](const Barrier& barrier) { return barrier.frontier == frontier; });
   refresh();
   return true;

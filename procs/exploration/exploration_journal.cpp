@@ -3,17 +3,17 @@
 #include "procs/exploration/exploration_journal.hpp"
 
 #include <algorithm>
-#include <iomanip>
-#include <limits>
 #include <span>
 #include <sstream>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace adit {
 namespace {
 
 constexpr std::string_view kMap = "MAP";
-constexpr std::string_view kFrontier = "STUB";
+constexpr std::string_view kFrontier = "FRONTIER";
 constexpr std::string_view kBarriers = "BARRIERS";
 constexpr std::string_view kState = "STATE";
 constexpr int kFrontiersMax = 1'000'000;
@@ -26,24 +26,18 @@ std::string_view text_of(std::span<const std::uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Where the robot was going to, and who asked.
+/// The target and the request that it answers.
 std::string target_text(const StoredExploration& stored) {
   const ExplorationMemory& memory = stored.exploration;
   const ExploreRequest request = stored.request.value_or(ExploreRequest{});
-  std::ostringstream out;
-  out << std::setprecision(std::numeric_limits<double>::max_digits10);
-  out << static_cast<int>(memory.kind) << ' ' << memory.target << ' ' << memory.pursuit_local_map
-      << ' ' << memory.returning << ' ' << request.utime << ' ' << request.id << ' '
-      << request.remaining_m << ' ' << request.returning_home << ' '
-      << stored.distance_at_request_m;
-  return out.str();
+  return fmt::format("{} {} {} {:d} {} {} {:.17g} {:d} {:.17g}", static_cast<int>(memory.kind),
+                     memory.target, memory.pursuit_local_map, memory.returning, request.utime,
+                     request.id, request.remaining_m, request.returning_home,
+                     stored.distance_at_request_m);
 }
 
 std::string state_text(const StoredExploration& stored) {
-  std::ostringstream out;
-  out << std::setprecision(std::numeric_limits<double>::max_digits10);
-  out << target_text(stored) << ' ' << stored.distance_travelled_m << '\n';
-  return out.str();
+  return fmt::format("{} {:.17g}\n", target_text(stored), stored.distance_travelled_m);
 }
 
 void read_state(std::string_view text, StoredExploration& stored) {
@@ -67,12 +61,12 @@ void read_state(std::string_view text, StoredExploration& stored) {
   stored.distance_travelled_m = distance_travelled_m;
 }
 
-/// One that was lost. It lies where nothing is found.
+/// Stands in for a frontier whose record is lost, at a position where nothing is detected.
 StoredFrontier lost_frontier(int id) {
   StoredFrontier lost;
   lost.frontier.id = id;
   lost.frontier.state = FrontierState::kExplored;
-  lost.frontier.evidence = "what was known of it is lost";
+  lost.frontier.evidence = "its record is lost";
   lost.frontier.p_map = lost.track.p_local = {1e6, 1e6};
   return lost;
 }
@@ -84,7 +78,7 @@ void put(StoredFrontier frontier, std::vector<StoredFrontier>& frontiers) {
   frontiers[id] = std::move(frontier);
 }
 
-/// Without where the graph has it at present, which needs no record.
+/// Without its position in map, which follows from the graph and needs no record.
 std::string without_map_position(StoredFrontier frontier) {
   frontier.frontier.p_map = frontier.frontier.direction_map = Eigen::Vector2d::Zero();
   return to_text(frontier);

@@ -15,27 +15,26 @@
 
 namespace adit {
 
-/// What the stage knows beside the map.
+/// State of the stage beside the map.
 struct StoredExploration {
-  std::int64_t map_utime = 0;  ///< of the first scan of the map that it belongs to; 0 for none
+  std::int64_t map_utime = 0;  ///< of the first scan of the map it belongs to; 0 if none
   ExplorationMemory exploration;
   std::optional<ExploreRequest> request;  ///< the newest, without its verdict
-  double distance_at_request_m = 0.0;     ///< way when that came
+  double distance_at_request_m = 0.0;     ///< distance travelled when it arrived
   double distance_travelled_m = 0.0;
 };
 
-/// It on the disk, as lines of text: each stub whenever it changed, the barriers, and where the
-/// robot was going to. A stub that cannot be read any more counts as explored, and is found anew if
-/// it is not.
+/// Stores the state on disk as lines of text: each frontier that changed, the barriers, and the
+/// target. A frontier that cannot be read counts as explored; it is detected again if it is not.
 class ExplorationJournal {
  public:
-  /// Opens or creates it. Throws std::runtime_error where the file is no journal or cannot be used.
+  /// Opens or creates the file. Throws std::runtime_error if it is not a journal or cannot be used.
   explicit ExplorationJournal(const std::filesystem::path& path);
 
-  /// What was there when it was opened.
+  /// The stored state at the time of opening.
   [[nodiscard]] const StoredExploration& restored() const { return restored_; }
 
-  /// Adds what changed. Returns when the disk has it, but for the way alone.
+  /// Appends what changed. Synchronizes with the disk, unless only the distance travelled changed.
   void store(const StoredExploration& stored);
 
  private:
@@ -43,7 +42,7 @@ class ExplorationJournal {
     std::int64_t map_utime = 0;
     std::vector<std::string> frontiers;
     std::string barriers;
-    std::string target;  ///< of the state, all but the way
+    std::string target;  ///< the state without the distance travelled
     std::string state;
   };
 

@@ -2,31 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/exploration/exploration_memory.hpp"
 
-#include <iomanip>
-#include <limits>
 #include <sstream>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace adit {
 namespace {
 
-std::ostringstream writer() {
-  std::ostringstream out;
-  out << std::setprecision(std::numeric_limits<double>::max_digits10);
-  return out;
+/// With 17 digits, which restore a double exactly.
+std::string text_of(const Eigen::Vector2d& v) {
+  return fmt::format("{:.17g} {:.17g}", v.x(), v.y());
 }
-
-void put(std::ostream& out, const Eigen::Vector2d& v) { out << v.x() << ' ' << v.y() << ' '; }
 
 void get(std::istream& in, Eigen::Vector2d& v) { in >> v.x() >> v.y(); }
 
-/// The rest of a line, without the space that it begins with.
+/// The rest of a line, without its leading space.
 void get_sentence(std::istream& in, std::string& sentence) {
   in.get();
   std::getline(in, sentence);
 }
 
-/// A sentence is one line.
+/// Replaces line breaks by spaces.
 std::string one_line(std::string sentence) {
   for (char& c : sentence) {
     if (c == '\n') c = ' ';
@@ -38,18 +35,12 @@ std::string one_line(std::string sentence) {
 
 std::string to_text(const StoredFrontier& frontier) {
   const auto& [s, track] = frontier;
-  std::ostringstream out = writer();
-  out << s.id << ' ' << s.local_map << ' ' << s.width_m << ' ' << static_cast<int>(s.state) << ' '
-      << s.utime << ' ';
-  put(out, track.p_local);
-  put(out, track.direction_local);
-  out << track.final << ' ' << track.stalls << ' ' << track.path_length_min_m << ' ';
-  put(out, track.p_map_at_min);
-  out << track.closings << ' ' << track.retried << ' ';
-  put(out, s.p_map);
-  put(out, s.direction_map);
-  out << one_line(s.evidence) << '\n';
-  return out.str();
+  return fmt::format("{} {} {:.17g} {} {} {} {} {:d} {} {:.17g} {} {} {:d} {} {} {}\n", s.id,
+                     s.local_map, s.width_m, static_cast<int>(s.state), s.utime,
+                     text_of(track.p_local), text_of(track.direction_local), track.final,
+                     track.stalls, track.path_length_min_m, text_of(track.p_map_at_min),
+                     track.closings, track.retried, text_of(s.p_map), text_of(s.direction_map),
+                     one_line(s.evidence));
 }
 
 std::optional<StoredFrontier> frontier_from_text(std::string_view text) {
@@ -67,21 +58,19 @@ std::optional<StoredFrontier> frontier_from_text(std::string_view text) {
   get(in, s.direction_map);
   get_sentence(in, s.evidence);
   s.state = FrontierState(state);
-  const bool known = s.state >= FrontierState::kOpen && s.state <= FrontierState::kUnconfirmed;
-  if (!in || s.id < 0 || s.local_map < 0 || !known) return std::nullopt;
+  const bool is_state = s.state >= FrontierState::kOpen && s.state <= FrontierState::kUnconfirmed;
+  if (!in || s.id < 0 || s.local_map < 0 || !is_state) return std::nullopt;
   return frontier;
 }
 
 std::string to_text(const std::vector<Barrier>& barriers) {
-  std::ostringstream out = writer();
+  std::string text;
   for (const Barrier& barrier : barriers) {
-    out << static_cast<int>(barrier.kind) << ' ' << barrier.frontier << ' ' << barrier.local_map
-        << ' ';
-    put(out, barrier.p_local);
-    put(out, barrier.direction_local);
-    out << one_line(barrier.evidence) << '\n';
+    text += fmt::format("{} {} {} {} {} {}\n", static_cast<int>(barrier.kind), barrier.frontier,
+                        barrier.local_map, text_of(barrier.p_local),
+                        text_of(barrier.direction_local), one_line(barrier.evidence));
   }
-  return out.str();
+  return text;
 }
 
 std::optional<std::vector<Barrier>> barriers_from_text(std::string_view text) {

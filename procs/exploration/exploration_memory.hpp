@@ -14,19 +14,19 @@
 
 namespace adit {
 
-/// What an exploration knows beside the map, and could not find in it again.
+/// State of an exploration that cannot be recomputed from the map.
 struct ExplorationMemory {
   std::vector<StoredFrontier> frontiers;  ///< by id
   std::vector<Barrier> barriers;
   ExplorationDecision::Kind kind = ExplorationDecision::Kind::kStay;  ///< of the last decision
   int target = ExplorationDecision::kNoFrontier;
-  int pursuit_local_map = -1;  ///< local map, when the pursuit of the target was last looked at
+  int pursuit_local_map = -1;  ///< newest local map at the last update of the pursuit
   bool returning = false;
 
   friend bool operator==(const ExplorationMemory&, const ExplorationMemory&) = default;
 };
 
-/// As lines of text, which come back with the same bits. What is no such line gives nothing.
+/// Conversion to lines of text and back, bit-exact. Empty for malformed text.
 std::string to_text(const StoredFrontier& frontier);
 std::optional<StoredFrontier> frontier_from_text(std::string_view text);
 std::string to_text(const std::vector<Barrier>& barriers);

@@ -7,6 +7,8 @@
 #include <exception>
 #include <iterator>
 
+#include <fmt/format.h>
+
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/exploration.hpp"
@@ -20,13 +22,13 @@ namespace {
 constexpr std::size_t kFragmentsWaiting = 500;  // several local maps, or a large graph
 constexpr std::int64_t kPeriodUs = 1'000'000;
 constexpr double kMovedM = 0.05;
-constexpr double kPathAheadM = 12.0;  // as far as a 3D scan sees
+constexpr double kPathAheadM = 12.0;  // range of a 3D scan
 constexpr double kPathSpacingM = 0.3;
-constexpr double kJumpM = 8.0;  // from pose to pose: a new odom frame, and no way
+constexpr double kJumpM = 8.0;  // between two poses: a new odom frame, not a motion
 
 std::string evidence_of(const PlannedPath& path) {
-  std::string text = "the planner found no path (" + std::to_string(path.id) + ")";
-  return path.reason.empty() ? text : text + ": " + path.reason;
+  const std::string text = fmt::format("the planner found no path ({})", path.id);
+  return path.reason.empty() ? text : fmt::format("{}: {}", text, path.reason);
 }
 
 }  // namespace
@@ -79,7 +81,7 @@ void ExplorationNode::on_local_map(const LocalMap& map) {
   if (!has_map_) apply_graph();
 }
 
-/// What is known of another map says nothing of this one.
+/// State that belongs to another map is discarded.
 void ExplorationNode::reset_if_other_map(const LocalMap& first) {
   if (map_utime_ != 0 && map_utime_ != first.utime) exploration_.restore({});
   map_utime_ = first.utime;
@@ -97,7 +99,8 @@ std::size_t ExplorationNode::local_maps_missing() const {
   return static_cast<std::size_t>(n - static_cast<int>(there));
 }
 
-/// In a map with gaps stubs would seem explored that are not.
+/// Waits for the first complete map: with local maps missing, frontiers would seem explored that
+/// are not.
 void ExplorationNode::apply_graph() {
   if (!graph_ || (!has_map_ && local_maps_missing() > 0)) return;
   if (!exploration_.update(*graph_)) return;
@@ -111,7 +114,7 @@ void ExplorationNode::on_correction(const MapCorrection& correction) {
   if (is_first) publish_decision();
 }
 
-/// The correction of one odom frame says nothing of the next.
+/// A jump begins a new odom frame, for which the correction is not valid.
 void ExplorationNode::on_pose(const StampedPose& pose) {
   if (pose_) {
     const double step_m = between(pose_->T_odom_body, pose.T_odom_body).translation().norm();
@@ -121,7 +124,7 @@ void ExplorationNode::on_pose(const StampedPose& pose) {
   pose_ = pose;
 }
 
-/// Where nobody asks, twice no way to the same target: it is blocked.
+/// Without requests, repeated failed plans to the same target mark it as blocked.
 void ExplorationNode::on_path(const PlannedPath& path) {
   using Kind = ExplorationDecision::Kind;
   if (request_) return;
@@ -139,7 +142,8 @@ void ExplorationNode::on_path(const PlannedPath& path) {
   publish_decision();
 }
 
-/// It is repeated until it is answered, and may be so again; its verdict counts the first time.
+/// A request is repeated until it is answered, and each repetition is answered again; its verdict
+/// counts once.
 void ExplorationNode::on_request(const ExploreRequest& request) {
   const bool has_map = has_map_ && correction_;
   const bool had_map = map_utime_ != 0;
@@ -151,7 +155,7 @@ void ExplorationNode::on_request(const ExploreRequest& request) {
   has_map ? publish_decision() : publish_report();
 }
 
-/// It rests on the way from where the last decision was made.
+/// The verdict refers to the route from where the last decision was made.
 void ExplorationNode::report_blocked(const BlockedVerdict& verdict) {
   if (!decided_) decide();
   exploration_.report_blocked(
@@ -179,7 +183,7 @@ void ExplorationNode::publish_decision() {
   publish_report();
 }
 
-/// To the disk first: what was said is not forgotten.
+/// Stores before publishing, so that no published decision is lost.
 void ExplorationNode::store() {
   if (!journal_) return;
   journal_failure_.clear();
@@ -191,7 +195,7 @@ void ExplorationNode::store() {
   }
 }
 
-/// Without a correction there is no map yet, and odom stands for it.
+/// Without a correction there is no map yet, and odom serves as map.
 void ExplorationNode::publish_report() {
   ExplorationReport report = exploration_.report();
   report.request = request_ ? request_->id : 0;
@@ -213,11 +217,11 @@ void ExplorationNode::publish_report() {
 Health ExplorationNode::health() const {
   using Level = Health::Level;
   if (local_maps_rejected_ > 0) {
-    return {Level::kDegraded, std::to_string(local_maps_rejected_) + " local maps are malformed"};
+    return {Level::kDegraded, fmt::format("{} local maps are malformed", local_maps_rejected_)};
   }
   if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
   if (const std::size_t missing = local_maps_missing(); missing > 0) {
-    return {Level::kDegraded, std::to_string(missing) + " local maps never came"};
+    return {Level::kDegraded, fmt::format("{} local maps are missing", missing)};
   }
   if (distance_at_publish_m_ >= 0.0 && decision_.kind == ExplorationDecision::Kind::kStay) {
     return {Level::kDegraded, decision_.reason};

@@ -23,10 +23,10 @@
 namespace adit {
 
 struct ExplorationNodeParams : ExplorationParams {
-  std::string journal;       ///< file that keeps what was learnt; empty: nothing is kept
-  double budget_m = 2000.0;  ///< of way, there and back, since the stage began, until it is asked
-  int no_path_answers = 2;   ///< of the planner in a row, after which a stub is blocked
-  double no_path_m = 2.5;    ///< an answer that reaches less is none (paper, section 3.3)
+  std::string journal;       ///< file that stores the state; empty: no journal
+  double budget_m = 2000.0;  ///< path length for the mission, until a request sets it
+  int no_path_answers = 2;   ///< failed plans in a row, after which a frontier is blocked
+  double no_path_m = 2.5;    ///< a plan that reaches less has failed (paper, section 3.3)
 
   template <class V>
   void visit(V& v) {
@@ -38,25 +38,25 @@ struct ExplorationNodeParams : ExplorationParams {
   }
 };
 
-/// In:  LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in pieces; MAP_CORRECTION
-///      (map_correction_t); POSE (pose_t); PATH (planned_path_t), which may find no way to the
-///      present target; EXPLORE_REQUEST (explore_request_t), which asks for a decision. From the
-///      first on, what is left of the budget and what is blocked is what they say, and PATH says
-///      nothing any more.
-/// Out: EXPLORATION (exploration_t), whenever the graph came or it was asked, and once a second
-///      while the robot moves. It orders nothing: whoever sequences the mission makes a goal of the
-///      decision. Before there is a map a request is answered by kStay, and one with a verdict is
-///      left unanswered. MAP_REQUEST (map_request_t), while local maps of the graph are missing;
-///      before the first decision all of them are waited for.
-/// Where a journal is named and there, it goes on from where it was, as soon as the map is there.
+/// In:  LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in fragments; MAP_CORRECTION
+///      (map_correction_t); POSE (pose_t); PATH (planned_path_t), for plans that fail to reach the
+///      target; EXPLORE_REQUEST (explore_request_t), which requests a decision. From the first
+///      request on, the budget and blocked frontiers come from requests, and PATH is ignored.
+/// Out: EXPLORATION (exploration_t), after each pose graph and each request, and once a second
+///      while the robot moves. The decision is not a command: the mission stage makes a goal of it.
+///      Before there is a map a request is answered by kStay, and a request with a verdict is not
+///      answered. MAP_REQUEST (map_request_t), while local maps of the graph are missing; the first
+///      decision waits for all of them.
+/// With a journal the stored state is restored, and takes effect as soon as the map is complete.
 class ExplorationNode {
  public:
   using Params = ExplorationNodeParams;
 
-  /// Throws std::runtime_error where the journal cannot be used.
+  /// Throws std::runtime_error if the journal cannot be used.
   ExplorationNode(Bus& bus, const Params& params);
 
-  /// Degraded where local maps are malformed or missing, or nothing can be decided.
+  /// Degraded if local maps are malformed or missing, the journal cannot be written, or no decision
+  /// is possible.
   [[nodiscard]] Health health() const;
 
  private:
@@ -85,15 +85,15 @@ class ExplorationNode {
   std::optional<MapCorrection> correction_;
   std::optional<StampedPose> pose_;
   std::optional<ExploreRequest> request_;  ///< the newest
-  double distance_at_request_m_ = 0.0;     ///< way when that came
+  double distance_at_request_m_ = 0.0;     ///< distance travelled when it arrived
   double distance_travelled_m_ = 0.0;
-  double distance_at_publish_m_ = -1.0;  ///< way when the last decision was published
-  int no_paths_ = 0;                     ///< answers in a row, to the present target
+  double distance_at_publish_m_ = -1.0;  ///< at the last published decision; -1: none
+  int no_paths_ = 0;                     ///< failed plans in a row, to the current target
   int no_path_frontier_ = ExplorationDecision::kNoFrontier;
   MapRequestTimer map_requester_;
-  std::map<int, std::int64_t> local_maps_received_;  ///< ends, by id; the refused ones too
+  std::map<int, std::int64_t> local_maps_received_;  ///< end times, by id; also of rejected ones
   std::optional<MapGraph> graph_;                    ///< the newest
-  bool has_map_ = false;                             ///< all of a graph was there once
+  bool has_map_ = false;  ///< all local maps of a graph were received once
   bool decided_ = false;
   std::size_t local_maps_rejected_ = 0;
   std::optional<ExplorationJournal> journal_;

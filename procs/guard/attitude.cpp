@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kGravity = 9.81;  // [m/s²]
 constexpr std::int64_t kGravityTimeoutUs = 10'000'000;
-constexpr double kGapMaxS = 0.1;  // over which a turn rate is believed to have lasted
+constexpr double kGapMaxS = 0.1;  // maximum integration step
 
 }  // namespace
 
@@ -29,13 +29,13 @@ void Attitude::add(const ImuReading& reading, std::int64_t at_us) {
     if (is_gravity) up_body_ = force.normalized();
     return;
   }
-  // What stands still in the level turns against the body in the body's frame.
+  // In the body frame the up direction rotates by the negative angular velocity.
   Eigen::Vector3d up = *up_body_ - seconds * reading.angular_velocity.cross(*up_body_);
   const double share = seconds / (params_.settling_s + seconds);
   if (is_gravity) up += share * (force.normalized() - up);
   if (up.allFinite() && up.norm() > 0.0) {
     up_body_ = up.normalized();
-  } else {  // a turn rate beyond all measure
+  } else {  // the angular velocity overflows
     up_body_.reset();
     gravity_us_.reset();
   }

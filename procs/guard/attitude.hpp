@@ -13,8 +13,8 @@
 namespace adit {
 
 struct AttitudeParams {
-  double settling_s = 1.0;          ///< in which the accelerometer corrects the gyroscopes
-  double deviation_max_m_s2 = 1.5;  ///< from 9.81; beyond, the force is a bump and not gravity
+  double settling_s = 1.0;          ///< time constant of the correction by the accelerometer
+  double deviation_max_m_s2 = 1.5;  ///< of the specific force from 9.81; beyond, it is a bump
 
   template <class V>
   void visit(V& v) {
@@ -23,22 +23,22 @@ struct AttitudeParams {
   }
 };
 
-/// Which way is up, of a body that drives: the gyroscopes turn it on at once, and the specific
-/// force corrects it slowly where it is about that of gravity (a complementary filter: Mahony,
-/// Hamel, Pflimlin, "Nonlinear complementary filters on the special orthogonal group", IEEE TAC
-/// 2008, without estimate of the bias). A bump of 30 m/s² over a rail does nothing.
+/// Estimates the up direction of a moving body by a complementary filter: it integrates the
+/// gyroscopes, and the specific force corrects it slowly while its magnitude is about that of
+/// gravity (Mahony, Hamel, Pflimlin, "Nonlinear complementary filters on the special orthogonal
+/// group", IEEE TAC 2008, without estimation of the bias). A bump of 30 m/s² over a rail has no
+/// effect.
 class Attitude {
  public:
   explicit Attitude(const AttitudeParams& params) : params_(params) {}
 
-  /// `at_us` by MonotonicTime, not before the last.
+  /// `at_us` is in MonotonicTime and does not decrease.
   void add(const ImuReading& reading, std::int64_t at_us);
 
-  /// Unit vector in the body frame; nothing before the first reading that may be gravity.
+  /// Unit vector in the body frame; nothing before the first reading of about gravity.
   [[nodiscard]] const std::optional<Eigen::Vector3d>& up_body() const { return up_body_; }
 
-  /// Whether a reading that may be gravity came in the last ten seconds: the gyroscopes alone go
-  /// astray.
+  /// Whether a reading of about gravity was received in the last 10 s: the gyroscopes alone drift.
   [[nodiscard]] bool is_known(std::int64_t now_us) const;
 
  private:
@@ -48,9 +48,9 @@ class Attitude {
   std::optional<std::int64_t> gravity_us_;
 };
 
-/// The angle of the body's x axis above the level [rad].
+/// Angle of the body's x axis above the horizontal plane [rad].
 double pitch_up_rad(const Eigen::Vector3d& up_body);
-/// The turn about the body's x axis [rad], positive where its left is higher.
+/// Rotation about the body's x axis [rad], positive if its left side is higher.
 double roll_rad(const Eigen::Vector3d& up_body);
 
 }  // namespace adit

@@ -10,20 +10,20 @@ namespace adit {
 namespace {
 
 constexpr double kCellM = 0.04;
-constexpr double kBesideM = 1.0;      // from the flank
-constexpr double kViewEdgeM = 0.15;   // ahead of a laser; the vehicle drives less between scans
-constexpr double kNeighboursM = 0.1;  // apart; one beam alone is not believed
-constexpr double kJumpM = 0.5;        // between poses
+constexpr double kBesideM = 1.0;     // maximum distance from the flank
+constexpr double kViewEdgeM = 0.15;  // ahead of a laser; more than the vehicle drives between scans
+constexpr double kNeighboursM = 0.1;  // maximum distance; a single beam does not count
+constexpr double kJumpM = 0.5;        // maximum step between poses
 
 bool are_neighbours(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return (a - b).norm() <= kNeighboursM;  // not where there is nothing: NaN
+  return (a - b).norm() <= kNeighboursM;  // false for NaN
 }
 
 std::pair<double, double> cell_of(const Eigen::Vector2d& p_odom) {
   return {std::floor(p_odom.x() / kCellM), std::floor(p_odom.y() / kCellM)};
 }
 
-/// Sine and cosine once for all points.
+/// The pose as a matrix: sine and cosine are computed once for all points.
 Eigen::Isometry2d in_plane(const Pose2& T_a_b) {
   return Eigen::Translation2d(T_a_b.translation()) * Eigen::Rotation2Dd(T_a_b.theta);
 }
@@ -77,7 +77,7 @@ bool FlankMemory::is_beside(const Eigen::Vector2d& p_body) const {
          p_body.x() >= rear_x_m_ - kViewEdgeM;
 }
 
-/// What is still in sight is kept for the next pose, and left to the laser until then.
+/// Points that are still in view are stored, but only the laser counts for them.
 void FlankMemory::update_points() {
   const Eigen::Isometry2d T_body_odom = in_plane(T_odom_body_->inverse());
   p_body_.clear();

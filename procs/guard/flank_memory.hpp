@@ -17,26 +17,26 @@
 
 namespace adit {
 
-/// What stands beside the vehicle, between its lasers. Each looks 90° to either side and sees
-/// nothing behind itself, so that a post which the vehicle has begun to pass is seen by neither,
-/// and its flank would meet it in a turn. So what a laser sees last is kept in odom while the
-/// vehicle goes by: a metre to either side, one point for each cell of a few centimetres. It is
-/// forgotten when it comes into sight again, where the vehicle has been itself, and where the pose
-/// jumps.
+/// Remembers obstacles beside the vehicle, between its lasers. Each laser scans 90° to either side
+/// and nothing behind itself: neither sees a post that the vehicle is passing, and its flank could
+/// hit the post in a turn. The last points that a laser has seen there are therefore stored in
+/// odom, up to a metre from either flank, one point for each cell of 4 cm. They are deleted when
+/// they come into view again, where the footprint has been, and when the pose jumps.
 class FlankMemory {
  public:
   FlankMemory(const Vehicle& vehicle, const Lasers& lasers);
 
   void move_to(const Pose2& T_odom_body);
 
-  /// The newest scan of a laser; nothing is kept before the first pose.
+  /// Adds the newest scan of a laser; ignored before the first pose.
   void observe(LaserId laser, const LaserPoints& points);
 
-  /// In the body frame at the newest pose, none of them in the footprint.
+  /// The remembered points in the body frame at the newest pose; none is in the footprint.
   [[nodiscard]] const std::vector<Eigen::Vector2d>& p_body() const { return p_body_; }
 
  private:
-  using Cell = std::pair<double, double>;  ///< whole numbers: a pose may be anywhere
+  using Cell =
+      std::pair<double, double>;  ///< integers as double: a pose may be arbitrarily far away
 
   [[nodiscard]] bool is_in_view_of(LaserId laser, const Eigen::Vector2d& p_body) const;
   [[nodiscard]] bool is_at_view_edge(LaserId laser, const Eigen::Vector2d& p_body) const;

@@ -10,7 +10,7 @@
 namespace adit {
 namespace {
 
-constexpr double kStoppedM_S = 0.01;  // measured; slower is no motion
+constexpr double kStoppedM_S = 0.01;  // measured speed below which the vehicle stands
 
 std::string joined(const std::vector<StopReason>& reasons) {
   std::string line;
@@ -81,23 +81,23 @@ StopOrder Guard::evaluate(std::int64_t now) {
   const bool stopped =
       latch_.evaluate(!reasons_.empty(), command_received_.at_us(), time_.now_us());
   if (!stopped) return {now, false, ""};
-  return {now, true, reasons_.empty() ? "to be released, was: " + last_reasons_ : last_reasons_};
+  return {now, true, reasons_.empty() ? "release pending, was: " + last_reasons_ : last_reasons_};
 }
 
 void Guard::find_reasons() {
   reasons_.clear();
   const std::int64_t now_us = time_.now_us();
   const int direction = direction_of(commanded_motion());
-  const auto unless_retreating = [&](RetreatPermission& retreat, const Text& reason) {
+  const auto unless_retreat = [&](RetreatPermission& retreat, const Text& reason) {
     return retreat.forbids(reason.has_value(), direction, now_us) ? reason : Text();
   };
   add(StopKind::kObstacle, obstacle());
   add(StopKind::kLaser, lasers());
   add(StopKind::kPose, pose_received_.staleness("pose", now_us, params_.timeout_s));
   add(StopKind::kCommand, command_received_.staleness("command", now_us, params_.timeout_s));
-  add(StopKind::kTilt, unless_retreating(tilt_retreat_, tilt()));
-  add(StopKind::kSinkage, unless_retreating(sinkage_retreat_, sinkage()));
-  add(StopKind::kGas, unless_retreating(gas_retreat_, gas()));
+  add(StopKind::kTilt, unless_retreat(tilt_retreat_, tilt()));
+  add(StopKind::kSinkage, unless_retreat(sinkage_retreat_, sinkage()));
+  add(StopKind::kGas, unless_retreat(gas_retreat_, gas()));
   add(StopKind::kSupervisor, supervisor());
 }
 
@@ -118,7 +118,7 @@ ArcMotion Guard::commanded_motion() const {
   return {std::clamp(command_.speed_m_s, -max, max), command_.curvature_1_m};
 }
 
-/// What the vehicle itself says: it brakes before it obeys, and steers while it drives.
+/// The motion differs from the command while the vehicle brakes or steers.
 ArcMotion Guard::measured_motion() const {
   if (!state_received_.is_fresh(time_.now_us(), params_.timeout_s)) return {};
   if (std::abs(state_.speed_m_s) < kStoppedM_S) return {};
@@ -129,7 +129,7 @@ Guard::Text Guard::obstacle() const {
   const std::int64_t now_us = time_.now_us();
   if (auto text = surroundings_.obstacle_on(commanded_motion(), "the commanded arc", now_us))
     return text;
-  return surroundings_.obstacle_on(measured_motion(), "the arc that it is on", now_us);
+  return surroundings_.obstacle_on(measured_motion(), "the measured arc", now_us);
 }
 
 Guard::Text Guard::lasers() const {
@@ -139,11 +139,10 @@ Guard::Text Guard::lasers() const {
 
 Guard::Text Guard::tilt() const {
   const std::int64_t now_us = time_.now_us();
-  if (auto text = imu_received_.staleness_if_received("inertial unit", now_us, params_.timeout_s)) {
+  if (auto text = imu_received_.staleness_if_received("IMU", now_us, params_.timeout_s))
     return text;
-  }
   if (!imu_received_.at_us()) return std::nullopt;
-  if (!attitude_.is_known(now_us)) return "inertial unit without gravity";
+  if (!attitude_.is_known(now_us)) return "IMU without gravity";
   const double max_rad = params_.vehicle.tilt_max_rad - params_.tilt_margin_rad;
   return tilt_reason(*attitude_.up_body(), max_rad);
 }

@@ -23,27 +23,28 @@
 
 namespace adit {
 
-/// What a reason to stand is about, in the order in which reasons are told.
+/// The kinds of reasons to stop, in the order in which they are reported.
 enum class StopKind { kObstacle, kLaser, kPose, kCommand, kTilt, kSinkage, kGas, kSupervisor };
 inline constexpr std::array<const char*, 8> kStopKindNames{
     "obstacle", "laser", "pose", "command", "tilt", "sinkage", "gas", "supervisor"};
 
 struct StopReason {
   StopKind kind = StopKind::kObstacle;
-  std::string text;  ///< with numbers
+  std::string text;  ///< with measured values and limits
 };
 
-/// The last word on motion. Whoever drives may be wrong or dead; this depends on nobody's plan,
-/// only on what the sensors say and on what the vehicle is told. Stands for an obstacle on the arc
-/// that is commanded, or that the vehicle is still on, within the distance in which it can stop;
-/// for lasers (those that look where it drives), a pose or commands that are stale; for roll,
-/// pitch, sinkage and air beyond their limits, which let it go back where it came from; and for a
-/// supervisor that was heard and is no more. Never fails: what it does not know is a reason.
+/// The safety monitor of the vehicle. It is independent of all plans: it depends only on sensor
+/// data and on the commands to the vehicle. It orders a stop for
+/// - an obstacle within the stopping distance on the commanded arc or on the measured one;
+/// - stale data: the laser in the direction of motion, pose, commands;
+/// - roll, pitch, sinkage and air beyond their limits; a retreat is permitted;
+/// - a supervisor whose heartbeat has timed out.
+/// It never fails: missing data is a reason to stop.
 ///
-/// Times: `now` is bus time [µs since the epoch]; all that is heard must be told with it.
+/// `now` is bus time [µs since the epoch], and passed with all data.
 class Guard {
  public:
-  /// Throws as `usable` does.
+  /// Throws as validated() does.
   explicit Guard(const GuardParams& params);
 
   void receive(LaserId laser, const LaserScan& scan, std::int64_t now);
@@ -56,13 +57,13 @@ class Guard {
   void receive_pose(const Pose2& T_odom_body, std::int64_t utime, std::int64_t now);
   void receive_supervisor(std::int64_t utime, std::int64_t now);
 
-  /// Looks at everything once more: whether the vehicle is to stand now, and why.
+  /// Evaluates all reasons: whether the vehicle must stop now, and why.
   StopOrder evaluate(std::int64_t now);
 
-  /// What holds at this time; empty while only the release is waited for.
+  /// The current reasons; empty while only the release is pending.
   [[nodiscard]] const std::vector<StopReason>& reasons() const { return reasons_; }
 
-  /// How often reasons of each StopKind arose, those at the start included.
+  /// The number of times that a reason of each StopKind arose, those at the start included.
   [[nodiscard]] const std::array<std::int64_t, kStopKindNames.size()>& counts() const {
     return counts_;
   }
@@ -95,7 +96,7 @@ class Guard {
   RetreatPermission tilt_retreat_, sinkage_retreat_, gas_retreat_;
   StopLatch latch_;
   std::vector<StopReason> reasons_;
-  std::string last_reasons_ = "nothing heard yet";  ///< the last reasons that there were
+  std::string last_reasons_ = "no data received yet";  ///< before the release
   std::array<bool, kStopKindNames.size()> active_{};
   std::array<std::int64_t, kStopKindNames.size()> counts_{};
 };

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/mapping/odometry.hpp"
@@ -13,22 +15,21 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kImuQueueSize = 100;  // a second of them
-constexpr std::size_t kHeartbeatQueueSize =
-    100;  // of all stages, so that the supervisor's is there
+constexpr std::size_t kImuQueueSize = 100;        // of one second
+constexpr std::size_t kHeartbeatQueueSize = 100;  // of all stages, including the supervisor's
 constexpr std::string_view kSupervisor = "supervisor";
 
 std::string counts_text(const Guard& guard) {
   std::string line;
   for (std::size_t i = 0; i < kStopKindNames.size(); ++i) {
     if (guard.counts().at(i) == 0) continue;
-    line += (line.empty() ? "" : ", ") + std::string(kStopKindNames.at(i)) + " " +
-            std::to_string(guard.counts().at(i));
+    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", kStopKindNames.at(i),
+                        guard.counts().at(i));
   }
   return line;
 }
 
-/// Of those that drive, and so no business of who looks after the guard.
+/// Obstacles and commands concern driving, not the health of the guard.
 bool concerns_driver(const StopReason& reason) {
   return reason.kind == StopKind::kObstacle || reason.kind == StopKind::kCommand;
 }
@@ -105,7 +106,7 @@ Health GuardNode::health() const {
     if (!concerns_driver(reason)) line += (line.empty() ? "" : "; ") + reason.text;
   }
   if (line.empty()) return {};
-  return {Health::Level::kDegraded, line + " (times so far: " + counts_text(guard_) + ")"};
+  return {Health::Level::kDegraded, line + " (count: " + counts_text(guard_) + ")"};
 }
 
 }  // namespace adit

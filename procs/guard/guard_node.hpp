@@ -16,9 +16,9 @@ namespace adit {
 /// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); TILT_FRONT, TILT_REAR (tilt_t); DRIVE_COMMAND
 ///      (drive_command_t); POSE (pose_t); VEHICLE_STATE (vehicle_state_t); IMU (imu_t); GAS
 ///      (gas_t); SINKAGE (sinkage_t); HEARTBEAT (heartbeat_t), of the stage supervisor.
-/// Out: STOP (stop_t), when the vehicle is to stand or is released, when other reasons come up, and
-///      each kRepeatPeriodUs, so that a datagram that gets lost does no harm and the vehicle knows
-///      that the guard is alive. Judges at each scan, each command and each kEvaluationPeriodUs.
+/// Out: STOP (stop_t), when the stop is set or released, when the kinds of reasons change, and each
+///      kRepeatPeriodUs, so that a lost datagram is harmless and the vehicle can detect a failure
+///      of the guard. Evaluates at each scan, each command and each kEvaluationPeriodUs.
 class GuardNode {
  public:
   using Params = GuardParams;
@@ -29,8 +29,8 @@ class GuardNode {
   /// Throws as Guard does.
   GuardNode(Bus& bus, const Params& params);
 
-  /// Degraded while a sensor, the pose or the supervisor is missing, or beyond its limit: with how
-  /// often reasons of each kind arose.
+  /// Degraded for all reasons except those of the driver (obstacles, commands), with the number of
+  /// times that reasons of each kind arose.
   [[nodiscard]] Health health() const;
 
   [[nodiscard]] const Guard& guard() const { return guard_; }

@@ -11,17 +11,17 @@
 
 namespace adit {
 
-/// The section `guard` of the configuration. No time-out can be switched off: one of zero would
-/// stop the robot for ever, and one without an end would do nothing.
+/// The section `guard` of the configuration. No timeout can be disabled: all are positive and
+/// bounded.
 struct GuardParams {
   Lasers lasers;
   Vehicle vehicle;
-  double timeout_s = 0.25;      ///< of lasers, tilts, pose, commands and the inertial unit
-  double slow_timeout_s = 1.5;  ///< of gas and sinkage, which come twice a second at least
+  double timeout_s = 0.25;      ///< of lasers, tilts, pose, commands and the IMU
+  double slow_timeout_s = 1.5;  ///< of gas and sinkage, published at 2 Hz or more
   double supervisor_timeout_s = 3.0;
-  bool require_supervisor = false;  ///< also before it was heard first
-  double hold_s = 0.5;              ///< without a reason, before the vehicle is released
-  double tilt_margin_rad = 0.1;     ///< before Vehicle::tilt_max_rad
+  bool require_supervisor = false;  ///< also before its first heartbeat
+  double hold_s = 0.5;              ///< time without a reason before the release
+  double tilt_margin_rad = 0.1;     ///< below Vehicle::tilt_max_rad
   double sinkage_share = 0.75;      ///< of Vehicle::sinkage_max_m
   ObstacleParams obstacle;
   AirParams air;
@@ -44,9 +44,9 @@ struct GuardParams {
   }
 };
 
-/// The same. Throws std::invalid_argument where all that a level laser sees would be taken for
-/// ground or roof, where one is blind for what the margin leaves, and where the margin leaves no
-/// tilt at all.
+/// Returns the parameters. Throws std::invalid_argument if a level laser could see no obstacles, as
+/// it is below the height of a step or above the vehicle; if the blind range of a laser exceeds the
+/// obstacle margin; and if the tilt margin allows no tilt.
 GuardParams validated(const GuardParams& params);
 
 }  // namespace adit

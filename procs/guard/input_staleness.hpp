@@ -7,13 +7,14 @@
 #include <optional>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "common/sensing/seconds.hpp"
-#include "procs/guard/decimal_text.hpp"
 
 namespace adit {
 
-/// A time that only goes on [µs], made of bus time, which may be put back: the steps back are left
-/// out. What was heard does not get younger by them, and so goes stale as it should.
+/// Monotonic time [µs], derived from bus time. Bus time may be set back; such steps are left out,
+/// so that data does not become younger and goes stale as it should.
 class MonotonicTime {
  public:
   std::int64_t advance_to(std::int64_t bus_utime) {
@@ -24,7 +25,7 @@ class MonotonicTime {
 
   [[nodiscard]] std::int64_t now_us() const { return now_us_; }
 
-  /// Of something that was measured at `utime`. A time that is yet to come counts as now.
+  /// The monotonic time of a measurement; a time in the future counts as now.
   [[nodiscard]] std::int64_t monotonic_us(std::int64_t utime) const {
     return now_us_ - std::max<std::int64_t>(0, bus_utime_.value_or(utime) - utime);
   }
@@ -34,10 +35,10 @@ class MonotonicTime {
   std::optional<std::int64_t> bus_utime_;
 };
 
-/// When a source was heard last, by MonotonicTime [µs].
+/// The time of the newest data of a source, in MonotonicTime [µs].
 class LastReceived {
  public:
-  /// False for what is older than the last: it is no news.
+  /// False for data older than the newest.
   bool receive(std::int64_t at_us) {
     if (at_us_ && at_us < *at_us_) return false;
     at_us_ = at_us;
@@ -46,26 +47,25 @@ class LastReceived {
 
   [[nodiscard]] const std::optional<std::int64_t>& at_us() const { return at_us_; }
 
-  /// Nothing where it was never heard.
+  /// Nothing if no data was received.
   [[nodiscard]] std::optional<double> age_s(std::int64_t now_us) const {
     if (!at_us_) return std::nullopt;
     return seconds(now_us - *at_us_);
   }
 
-  /// Heard, and not longer ago than that.
   [[nodiscard]] bool is_fresh(std::int64_t now_us, double timeout_s) const {
     return at_us_ && *age_s(now_us) <= timeout_s;
   }
 
-  /// "laser front silent for 0.31 s", "no pose yet"; nothing while it is fresh.
+  /// "laser front stale for 0.31 s" or "no pose received yet"; nothing while the data is fresh.
   [[nodiscard]] std::optional<std::string> staleness(const char* source, std::int64_t now_us,
                                                      double timeout_s) const {
-    if (!at_us_) return std::string("no ") + source + " yet";
+    if (!at_us_) return fmt::format("no {} received yet", source);
     if (is_fresh(now_us, timeout_s)) return std::nullopt;
-    return std::string(source) + " silent for " + decimal_text(*age_s(now_us), 2) + " s";
+    return fmt::format("{} stale for {:.2f} s", source, *age_s(now_us));
   }
 
-  /// As `silence`, of a source that need not be there: once heard, it must go on.
+  /// As staleness(), of an optional source: it counts once data was received.
   [[nodiscard]] std::optional<std::string> staleness_if_received(const char* source,
                                                                  std::int64_t now_us,
                                                                  double timeout_s) const {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 namespace adit {
 namespace {
@@ -14,7 +15,7 @@ const Eigen::Vector2d kNothing =
     Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
 
 bool is_return(double range_m, const LaserMount& mount) {
-  return range_m >= mount.range_min_m && range_m < mount.range_max_m;  // not of NaN
+  return range_m >= mount.range_min_m && range_m < mount.range_max_m;  // false for NaN
 }
 
 bool is_at_obstacle_height(double height_m, const Vehicle& vehicle) {
@@ -56,8 +57,8 @@ bool LaserMonitor::receive(const LaserScan& scan, std::int64_t at_us,
 std::optional<std::string> LaserMonitor::fault(std::int64_t now_us, double timeout_s) const {
   if (auto stale = scan_.staleness(name_.c_str(), now_us, timeout_s)) return stale;
   if (points_.returns < kReturnsMin) {
-    return name_ + " blind, " + std::to_string(points_.returns) + " of " +
-           std::to_string(points_.p_body.size()) + " beams return";
+    return fmt::format("{} blind, {} of {} beams return", name_, points_.returns,
+                       points_.p_body.size());
   }
   return tilt_.staleness_if_received(("tilt of " + name_).c_str(), now_us, timeout_s);
 }

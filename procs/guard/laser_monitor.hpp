@@ -17,40 +17,39 @@
 
 namespace adit {
 
-/// What a scan says of things that the vehicle would run into.
+/// The points of a scan at the height of obstacles.
 struct LaserPoints {
-  /// In the body frame, one for each beam, in their order; NaN where there is nothing to run into.
+  /// In the body frame, one for each beam in their order; NaN for beams without an obstacle.
   std::vector<Eigen::Vector2d> p_body;
-  int returns = 0;  ///< beams that came back at all, with a range that is to be believed
+  int returns = 0;  ///< number of beams with a valid range
 };
 
-/// Places a scan on the body. What is at most one step above the ground is ground, and what is
-/// above the highest point of the vehicle is roof, by the plane under its wheels or by that which
-/// is level
-/// (`up_body`): the first is right on a slope, the second while a wheel is on a rail. Where both
-/// allow it, a point is an obstacle.
+/// Projects a scan into the body frame. A point is ground if it is at most one step above the
+/// ground, and roof if it is above the vehicle. Heights are taken both above the plane of the
+/// wheels, which is right on a slope, and along `up_body`, which is right while a wheel is on a
+/// rail: a point is an obstacle if it is one by both.
 LaserPoints project_scan(const LaserScan& scan, const LaserMount& mount, double tilt_rad,
                          const Eigen::Vector3d& up_body, const Vehicle& vehicle);
 
-/// What one laser says, and whether it still does. All times are by MonotonicTime. A laser whose
-/// tilt was never heard is level.
+/// The newest scan of a laser, and whether it can be relied on. Times are in MonotonicTime. A laser
+/// without tilt readings is level.
 class LaserMonitor {
  public:
-  /// A scan with fewer returns says nothing, as that of a laser whose window is covered.
+  /// A laser with fewer returns counts as blind, such as one with a covered window.
   static constexpr int kReturnsMin = 10;
 
-  /// `name` is for people, "laser front".
+  /// `name` is used in reasons: "laser front".
   LaserMonitor(std::string name, const LaserMount& mount) : name_(std::move(name)), mount_(mount) {}
 
   void receive(const TiltReading& reading, std::int64_t at_us);
-  /// False for a scan that is older than the last.
+  /// False for a scan older than the newest.
   bool receive(const LaserScan& scan, std::int64_t at_us, const Eigen::Vector3d& up_body,
                const Vehicle& vehicle);
 
-  /// Why it is not to be relied on: silent, blind, or its tilt is not known any more.
+  /// Why the laser cannot be relied on: its scans are stale, it is blind, or its tilt is stale.
   [[nodiscard]] std::optional<std::string> fault(std::int64_t now_us, double timeout_s) const;
 
-  /// The newest, and how old they are [s].
+  /// The points of the newest scan, and its age [s].
   [[nodiscard]] const LaserPoints& points() const { return points_; }
   [[nodiscard]] std::optional<double> age_s(std::int64_t now_us) const {
     return scan_.age_s(now_us);

@@ -12,15 +12,14 @@
 
 namespace adit {
 
-/// Why a body that leans like that is to stand: pitch or roll beyond the limit, as Vehicle counts
-/// them.
+/// The reason to stop for roll or pitch beyond the limit, in the conventions of Vehicle.
 std::optional<std::string> tilt_reason(const Eigen::Vector3d& up_body, double tilt_max_rad);
 
-/// What air is allowed, as shares of the volume. In the coal mines of the United States:
-/// - methane: at 1 % electrical equipment is to be switched off (30 CFR 75.323);
+/// Limits of the air, as shares of the volume, from the rules for coal mines in the United States:
+/// - methane: at 1 % electrical equipment must be switched off (30 CFR 75.323);
 /// - oxygen: at least 19.5 % where people work or travel (30 CFR 75.321);
-/// - carbon monoxide: 50 ppm, the threshold limit value of 1972 that 30 CFR 75.322 refers to. It is
-///   a sign of fire.
+/// - carbon monoxide: 50 ppm, the threshold limit value of 1972 that 30 CFR 75.322 refers to; a
+///   sign of fire.
 struct AirParams {
   double methane_max_share = 0.01;
   double oxygen_min_share = 0.195;
@@ -34,10 +33,10 @@ struct AirParams {
   }
 };
 
-/// Why the vehicle is to stand in such air: the first of methane, oxygen, carbon monoxide.
+/// The reason to stop for the air: the first of methane, oxygen and carbon monoxide.
 std::optional<std::string> air_reason(const GasReading& reading, const AirParams& params);
 
-/// Why it is to stand on such ground: its deepest wheel.
+/// The reason to stop for sinkage: the deepest wheel.
 std::optional<std::string> sinkage_reason(const SinkageReading& reading, double depth_max_m);
 
 }  // namespace adit

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kNoContact = std::numeric_limits<double>::infinity();
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kStraight = 1e-5;  // of curvature [1/m]: 0.02 mm beside the line after two metres
-constexpr double kRounding = 1e-9;  // by which a point on an edge may seem to be past it [rad]
+constexpr double kStraight = 1e-5;  // curvature [1/m]: 0.02 mm beside a line after 2 m
+constexpr double kRounding = 1e-9;  // of a point on an edge [rad]
 
 double clamped_curvature(const Vehicle& vehicle, double curvature_1_m) {
   const double max = 1.0 / vehicle.turning_radius_m;
@@ -57,10 +57,10 @@ double ArcSweep::distance_m(const Eigen::Vector2d& p_body) const {
 }
 
 double ArcSweep::reach_m(double distance_m) const {
-  const double farthest_moves_m =
+  const double corner_distance_m =
       straight_ ? distance_m
                 : distance_m * std::abs(curvature_1_m_) * widened_footprint_.radius_max_m;
-  return std::hypot(widened_footprint_.x_m, widened_footprint_.y_m) + farthest_moves_m;
+  return std::hypot(widened_footprint_.x_m, widened_footprint_.y_m) + corner_distance_m;
 }
 
 double ArcSweep::straight_distance_m(const Eigen::Vector2d& p_body,
@@ -76,7 +76,7 @@ double ArcSweep::distance_m(const Eigen::Vector2d& p_body, const Rectangle& foot
   double turn = kNoContact;
   const auto cross = [&](int axis, double edge, double other_half_m) {
     const double along = edge - centre_[axis];
-    const double across = std::sqrt(radius * radius - along * along);  // NaN: never
+    const double across = std::sqrt(radius * radius - along * along);  // NaN: no intersection
     for (const double side : {across, -across}) {
       if (!(std::abs(side + centre_[1 - axis]) <= other_half_m)) continue;
       Eigen::Vector2d to;
@@ -92,7 +92,7 @@ double ArcSweep::distance_m(const Eigen::Vector2d& p_body, const Rectangle& foot
   return turn / std::abs(curvature_1_m_);
 }
 
-/// From one place on the circle to another, the way that points go: 0 to a full turn.
+/// Angle from one point of the circle to another, in the direction in which points move: 0 to 2π.
 double ArcSweep::turn_rad(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
   const double left = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
   const double turn = direction_ * curvature_1_m_ > 0.0 ? -left : left;
@@ -108,12 +108,12 @@ double stopping_distance_m(const ObstacleParams& params, double speed_m_s, doubl
 double distance_to_obstacle_m(const LaserPoints& points, const ArcSweep& sweep, double within_m) {
   const double reach_m = sweep.reach_m(within_m);
   double nearest = kNoContact;
-  double before = kNoContact;  // of the neighbouring beam
+  double previous = kNoContact;  // of the neighbouring beam
   for (const Eigen::Vector2d& p_body : points.p_body) {
-    const bool near = p_body.squaredNorm() <= reach_m * reach_m;  // not where there is nothing: NaN
+    const bool near = p_body.squaredNorm() <= reach_m * reach_m;  // false for NaN
     const double distance = near ? sweep.distance_m(p_body) : kNoContact;
-    nearest = std::min(nearest, std::max(before, distance));
-    before = distance;
+    nearest = std::min(nearest, std::max(previous, distance));
+    previous = distance;
   }
   return nearest < within_m ? nearest : kNoContact;
 }

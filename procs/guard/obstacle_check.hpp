@@ -14,42 +14,41 @@
 
 namespace adit {
 
-/// How the vehicle moves: speed and curvature as in DriveCommand.
+/// Motion along an arc: speed and curvature as in DriveCommand.
 struct ArcMotion {
   double speed_m_s = 0.0;
   double curvature_1_m = 0.0;
 };
 
-/// 1 forward, -1 in reverse, 0 where it stands.
+/// 1 forward, -1 in reverse, 0 at standstill.
 inline int direction_of(const ArcMotion& motion) {
   return (motion.speed_m_s > 0.0 ? 1 : 0) - (motion.speed_m_s < 0.0 ? 1 : 0);
 }
 
-/// What the footprint covers while the vehicle drives on along a circle: exact, for points. The
-/// body turns about the centre of the circle, which for a vehicle that steers by the front wheels
-/// alone lies on the line of its rear axle, and so in its own frame a point goes round that centre
-/// the other way, and meets the footprint where its circle crosses an edge.
+/// Exact collision check of the footprint along a circle, for points. The body rotates about the
+/// centre of the circle, which lies on the line of the rear axle with Ackermann steering. In the
+/// body frame a point moves around that centre in the opposite direction, and meets the footprint
+/// where its circle crosses an edge.
 class ArcSweep {
  public:
-  /// `speed_m_s` must not be 0; of it only the sign counts. The curvature is clamped to what the
-  /// vehicle can do. The footprint is wider by `side_margin_m` on either side, but for points that
-  /// are nearer than that already: the vehicle may go on beside what it stands close to, as long as
-  /// it does not touch it.
+  /// `speed_m_s` must not be 0; only its sign counts. The curvature is clamped to that of the
+  /// vehicle. The footprint is widened by `side_margin_m` on either side, except for points that
+  /// are already within the margin: the vehicle may drive on beside a close obstacle.
   ArcSweep(const Vehicle& vehicle, const ArcMotion& motion, double side_margin_m);
 
-  /// Way of the body's origin [m] until the footprint meets the point (body frame); infinity where
-  /// it does not within a turn. Points in the footprint count as met, at 0, where it drives towards
-  /// them, and otherwise not at all: it may be driven out of what it stands in.
+  /// Distance of the body's origin [m] until the footprint meets the point (body frame); infinity
+  /// if it does not within a full turn. For points inside the footprint the distance is 0 if the
+  /// vehicle drives towards them, and infinite otherwise: it may drive away from them.
   [[nodiscard]] double distance_m(const Eigen::Vector2d& p_body) const;
 
-  /// Nothing farther from the body's origin than this is met within the way [m].
+  /// Points farther from the body's origin than this are not met within a distance [m].
   [[nodiscard]] double reach_m(double distance_m) const;
 
  private:
   struct Rectangle {
     double x_m;                 ///< half the length
     double y_m;                 ///< half the width
-    double radius_min_m = 0.0;  ///< of the ring about the centre in which it lies
+    double radius_min_m = 0.0;  ///< of the ring around the centre of the circle
     double radius_max_m = 0.0;
 
     [[nodiscard]] bool contains(const Eigen::Vector2d& p_body) const;
@@ -70,9 +69,9 @@ class ArcSweep {
 };
 
 struct ObstacleParams {
-  double reaction_s = 0.1;    ///< from a scan to the brakes: messages, the timer of this stage
-  double braking_m_s2 = 0.6;  ///< that the vehicle reaches for certain
-  double margin_m = 0.15;     ///< that is to be left; more than what the lasers are blind for
+  double reaction_s = 0.1;    ///< from a scan to the brakes
+  double braking_m_s2 = 0.6;  ///< guaranteed by the vehicle
+  double margin_m = 0.15;     ///< remaining distance; larger than the blind range
   double side_margin_m = 0.05;
 
   template <class V>
@@ -84,19 +83,17 @@ struct ObstacleParams {
   }
 };
 
-/// Which way the vehicle needs to come to a stand, with the margin [m]. `age_s` is that of what it
-/// sees.
+/// Stopping distance with the margin [m], on data of the age `age_s`.
 double stopping_distance_m(const ObstacleParams& params, double speed_m_s, double age_s);
 
-/// Way of the body's origin to the first obstacle [m], infinity without one that is nearer than
-/// `within_m`. Two neighbouring beams
-/// must meet it: one alone may be a mixed pixel, dust or a drop of water. At half a degree a post
-/// of 4 cm is met by two beams up to 2 m away, a cable of 1 cm up to half a metre: nearer than the
-/// stopping distance from about 0.6 m/s on, and so in time for this vehicle as a rule, not for
-/// certain.
+/// Distance of the body's origin to the first obstacle [m]; infinity if none is nearer than
+/// `within_m`. Two neighbouring beams must hit it: a single one may be a mixed pixel, dust or a
+/// drop of water. At half a degree, two beams hit a post of 4 cm up to 2 m away, and a cable of 1
+/// cm up to 0.5 m: this is less than the stopping distance above about 0.6 m/s, so that cables are
+/// usually, but not certainly, detected in time at the speed of this vehicle.
 double distance_to_obstacle_m(const LaserPoints& points, const ArcSweep& sweep, double within_m);
 
-/// The same for points each of which is believed.
+/// The same for points that each count as an obstacle.
 double distance_to_nearest_m(const std::vector<Eigen::Vector2d>& p_body, const ArcSweep& sweep,
                              double within_m);
 

@@ -7,38 +7,39 @@
 
 namespace adit {
 
-/// Whether the vehicle is to stand: as soon as there is a reason, and until there was none for a
-/// while and a command has come that is newer than the last moment in which there was one. Stands
-/// at first.
+/// Latches the stop: it is set with a reason, and released when there has been no reason for
+/// `hold_s` and a drive command is newer than the last reason. Initially set.
 class StopLatch {
  public:
   explicit StopLatch(double hold_s) : hold_s_(hold_s) {}
 
-  /// Times by MonotonicTime [µs], not before the last; that of the newest command.
+  /// `command_us` is the time of the newest command. Times are in MonotonicTime [µs] and do not
+  /// decrease.
   bool evaluate(bool has_reason, std::optional<std::int64_t> command_us, std::int64_t now_us);
 
  private:
   double hold_s_;
   bool stopped_ = true;
-  std::optional<std::int64_t> reason_us_;  ///< when there was a reason last
+  std::optional<std::int64_t> reason_us_;  ///< time of the last reason
 };
 
-/// Lets the vehicle go back where it came from: what it drove into (bad air, soft ground, a slope)
-/// forbids to go on, not to leave. Directions are 1 forward, -1 in reverse, 0 to stand.
+/// Permits the vehicle to retreat from a hazard that it drove into (bad air, soft ground, a slope):
+/// the hazard forbids the direction of entry, not the opposite one. Directions are 1 forward, -1 in
+/// reverse, 0 to stand.
 class RetreatPermission {
  public:
-  /// Something that ended this long ago is over. Before, it may only have wavered at its limit
-  /// while the vehicle was leaving, and the way back is still the same.
+  /// A hazard is over after this time without it. For a shorter time it may vary around its limit
+  /// while the vehicle retreats, and the direction of entry remains.
   static constexpr std::int64_t kClearAfterUs = 10'000'000;
 
-  /// Whether a command in this direction is forbidden, by what is there or not at this time (by
-  /// MonotonicTime, not before the last).
+  /// Whether a command in a direction is forbidden, given whether the hazard is present. `now_us`
+  /// is in MonotonicTime and does not decrease.
   bool forbids(bool is_present, int direction, std::int64_t now_us);
 
  private:
-  int last_direction_ = 0;              ///< direction of the last drive before it was there
-  std::optional<int> entry_direction_;  ///< direction in which it was driven into
-  std::int64_t last_present_us_ = 0;    ///< when it was there last
+  int last_direction_ = 0;              ///< of the last drive without the hazard
+  std::optional<int> entry_direction_;  ///< in which the vehicle drove into it
+  std::int64_t last_present_us_ = 0;    ///< time of its last presence
 };
 
 }  // namespace adit

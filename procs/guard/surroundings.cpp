@@ -4,17 +4,17 @@
 
 #include <cmath>
 
-#include "procs/guard/decimal_text.hpp"
+#include <fmt/format.h>
+
 #include "procs/guard/obstacle_check.hpp"
 
 namespace adit {
 namespace {
 
-std::string obstacle_text(const std::string& what, double distance_m, double stopping_m,
+std::string obstacle_text(const char* name, double distance_m, double stopping_m,
                           const ArcMotion& motion, const char* arc) {
-  const char* where = direction_of(motion) > 0 ? " m ahead on " : " m behind on ";
-  return what + decimal_text(distance_m, 2) + where + arc + ", stopping takes " +
-         decimal_text(stopping_m, 2) + " m";
+  return fmt::format("{} {:.2f} m {} on {}, stopping distance {:.2f} m", name, distance_m,
+                     direction_of(motion) > 0 ? "ahead" : "behind", arc, stopping_m);
 }
 
 }  // namespace
@@ -43,16 +43,16 @@ std::optional<std::string> Surroundings::obstacle_on(const ArcMotion& motion, co
   const ArcSweep sweep(vehicle_, motion, obstacle_.side_margin_m);
   for (const LaserMonitor* laser : {&front_, &rear_}) {
     const auto age_s = laser->age_s(now_us);
-    if (!age_s || *age_s > timeout_s_) continue;  // where it was, the vehicle is no more
+    if (!age_s || *age_s > timeout_s_) continue;  // the vehicle has moved since
     const double stopping_m = stopping_distance_m(obstacle_, motion.speed_m_s, *age_s);
     const double distance_m = distance_to_obstacle_m(laser->points(), sweep, stopping_m);
     if (!std::isinf(distance_m))
-      return obstacle_text("obstacle ", distance_m, stopping_m, motion, arc);
+      return obstacle_text("obstacle", distance_m, stopping_m, motion, arc);
   }
   const double stopping_m = stopping_distance_m(obstacle_, motion.speed_m_s, 0.0);
   const double distance_m = distance_to_nearest_m(flank_memory_.p_body(), sweep, stopping_m);
   if (!std::isinf(distance_m))
-    return obstacle_text("remembered obstacle ", distance_m, stopping_m, motion, arc);
+    return obstacle_text("remembered obstacle", distance_m, stopping_m, motion, arc);
   return std::nullopt;
 }
 

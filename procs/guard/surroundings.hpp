@@ -18,8 +18,8 @@
 
 namespace adit {
 
-/// What is around the vehicle, as both lasers say it, and whether something is in its way. All
-/// times are by MonotonicTime.
+/// The obstacles around the vehicle by both lasers and the flank memory, and whether they block a
+/// motion. Times are in MonotonicTime.
 class Surroundings {
  public:
   explicit Surroundings(const GuardParams& params);
@@ -29,12 +29,12 @@ class Surroundings {
                const Eigen::Vector3d& up_body);
   void move_to(const Pose2& T_odom_body) { flank_memory_.move_to(T_odom_body); }
 
-  /// Something nearer than it takes to stop; `arc` is for people. Nothing for a motion of no speed.
+  /// The obstacle within the stopping distance, as text; nothing without one or at zero speed.
+  /// `arc` names the motion in that text.
   [[nodiscard]] std::optional<std::string> obstacle_on(const ArcMotion& motion, const char* arc,
                                                        std::int64_t now_us) const;
 
-  /// Why the laser that looks ahead, or behind in reverse, is not to be relied on. Nothing for a
-  /// motion of no speed.
+  /// Why the laser in the direction of the motion cannot be relied on; nothing at zero speed.
   [[nodiscard]] std::optional<std::string> laser_fault_on(const ArcMotion& motion,
                                                           std::int64_t now_us) const;
 

@@ -63,7 +63,7 @@ DisplacementError::ErrorCovariance DisplacementError::unobserved_error(
     for (const auto& direction : match.degenerate) part.add(unconstrained_error(direction, match));
     return part;
   }
-  // The pose is the prediction, by a speed or, where a covariance says better, by odometry.
+  // The pose is the prediction: by an assumed speed, or by odometry if the covariance is smaller.
   const Eigen::Vector3d sd =
       duration_s(match) *
       Eigen::Vector3d(params_.speed_sd_m_s, params_.speed_sd_m_s, params_.turn_sd_rad_s);
@@ -95,7 +95,7 @@ DisplacementError::ErrorCovariance DisplacementError::unconstrained_error(
 }
 
 void DisplacementError::add_travel(double distance_m, double turn_rad) {
-  // A wall is the mean of the scans that saw it: the fewer they are, the less it holds.
+  // A wall is the mean of its scans: fewer scans constrain it less.
   const double effective_distance_m = distance_m * std::max(1.0, distance_m / params_.dense_m);
   const double xy = square(params_.drift_m_per_sqrt_m) * effective_distance_m;
   const double theta = square(params_.drift_rad_per_sqrt_m) * effective_distance_m +

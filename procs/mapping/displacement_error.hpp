@@ -11,17 +11,18 @@
 namespace adit {
 
 struct DisplacementErrorParams {
-  double floor_m = 0.003;  ///< of each displacement, however short: the matches at its ends
+  /// Minimum standard deviation of a displacement, from the matches at its ends.
+  double floor_m = 0.003;
   double floor_rad = 0.001;
-  double drift_m_per_sqrt_m = 0.004;  ///< more for the way, as of a random walk
+  double drift_m_per_sqrt_m = 0.004;  ///< random walk along the path
   double drift_rad_per_sqrt_m = 0.0008;
   double drift_rad_per_sqrt_rad = 0.0015;
-  double dense_m = 0.25;      ///< scans farther apart draw the walls more faintly, and drift more
-  double speed_sd_m_s = 0.3;  ///< of a motion that nothing measured: a last speed was assumed
+  double dense_m = 0.25;      ///< scans farther apart sample the walls less densely and drift more
+  double speed_sd_m_s = 0.3;  ///< of unobserved motion, for which the last speed is assumed
   double turn_sd_rad_s = 0.3;
-  double unobserved_max_m =
-      1.0;  ///< walls seen before an unmeasured stretch shorter than this are seen after
-  int lost_max_bridged = 2;  ///< and so are they after as many lost scans
+  /// Walls observed before an unobserved stretch shorter than this are observed again after it.
+  double unobserved_max_m = 1.0;
+  int lost_max_bridged = 2;  ///< as they are after this many lost scans
 
   template <class V>
   void visit(V& v) {
@@ -38,32 +39,33 @@ struct DisplacementErrorParams {
   }
 };
 
-/// How far the displacement of the body over some metres, as scan matching gives it, may be from
-/// the truth. Scan matching holds each scan against the walls of many metres, so the errors of its
-/// steps cancel for the most part, and the sum of their covariances says nothing of the error of
-/// the whole. What remains is a drift with the way and the turns, and, in the directions that the
-/// scans left open, what stood in for them: the odometry's error, which is taken as independent
-/// from step to step, or that of an assumed speed, which is the same in all steps. A short stretch
-/// of open or lost scans leaves nothing behind: the next good scan is held against the same walls.
+/// Estimates the error of the displacement of the body over some metres by scan matching. Scan
+/// matching matches each scan against the walls of many metres, so the errors of its steps mostly
+/// cancel, and the sum of their covariances is not the error of the displacement. What remains is a
+/// drift with path length and turns, and, in degenerate directions, the error of what replaced the
+/// scan: that of the odometry, assumed independent from step to step, or that of an assumed speed,
+/// which is the same in all steps. A short stretch of degenerate or lost scans leaves no error: the
+/// next good scan is matched against the same walls.
 class DisplacementError {
  public:
   explicit DisplacementError(const DisplacementErrorParams& params) : params_(params) {}
 
-  /// The displacement counts from here.
+  /// Starts a new displacement.
   void reset();
 
-  /// The body made this step, ending with `match`.
+  /// Adds a step of the body that ends with `match`.
   void add_step(const Pose2& T_last_body, const ScanMatch& match);
 
-  /// The way from one scan to the next that was used. Apart from the steps, since a body at rest
-  /// jitters but does not drift.
+  /// Adds the motion between two stored scans. Separate from the steps, since the pose of a
+  /// standing body jitters but does not drift.
   void add_travel(double distance_m, double turn_rad);
 
-  /// Of (x, y, θ) in the present body frame [m, m, rad]. Positive definite.
+  /// Covariance of (x, y, θ) in the present body frame [m, m, rad]. Positive definite.
   [[nodiscard]] Eigen::Matrix3d covariance() const;
 
  private:
-  /// A covariance: what is independent from step to step, and the root of what is common to all.
+  /// A covariance: the part that is independent from step to step, and the root of the part common
+  /// to all steps.
   struct ErrorCovariance {
     Eigen::Matrix3d independent = Eigen::Matrix3d::Zero();
     Eigen::Matrix3d common_root = Eigen::Matrix3d::Zero();
@@ -80,7 +82,7 @@ class DisplacementError {
 
   DisplacementErrorParams params_;
   ErrorCovariance accumulated_;
-  ErrorCovariance unobserved_;  ///< of the unmeasured stretch that goes on
+  ErrorCovariance unobserved_;  ///< of the current unobserved stretch
   double unobserved_m_ = 0.0;
   int unobserved_lost_ = 0;
 };

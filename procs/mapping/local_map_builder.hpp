@@ -16,11 +16,11 @@
 namespace adit {
 
 struct LocalMapBuilderParams {
-  double length_m = 5.0;             ///< way in a local map (paper, section 2.1)
-  double turn_max_rad = 6.3;         ///< and turning, after which it is finished, however short
-  double keyframe_distance_m = 0.1;  ///< a scan is kept after this motion of its laser
+  double length_m = 5.0;             ///< path length of a local map (paper, section 2.1)
+  double turn_max_rad = 6.3;         ///< accumulated turn after which it is finished, however short
+  double keyframe_distance_m = 0.1;  ///< a scan is stored after this motion of its laser
   double keyframe_angle_rad = 0.1;   ///< or this turn
-  double first_s = 0.5;  ///< after which the first of a later session is finished, at rest
+  double first_s = 0.5;  ///< duration of the first local map of a later session, for a body at rest
   DisplacementErrorParams error;
 
   template <class V>
@@ -34,33 +34,31 @@ struct LocalMapBuilderParams {
   }
 };
 
-/// Cuts the way into local maps (paper, section 2.1). Way and turning are measured between kept
-/// scans, so that a body at rest makes no maps. The last scan of a local map is the first of the
-/// next. Where scan matching begins a new odom frame, the map at hand is finished and a new session
-/// begins. The first local map of a session that continues a map is a short one, of what is seen
-/// from where the body stands, so that it can be found on the map before it moves.
+/// Splits the traversed path into local maps (paper, section 2.1). Path length and turn are
+/// measured between stored scans, so that a standing body makes no maps. The last scan of a local
+/// map is the first of the next. When scan matching starts a new odom frame, the current map is
+/// finished and a new session begins. The first local map of a session that continues a map is
+/// short, from what is observed at the start, so that it can be localised before the body moves.
 class LocalMapBuilder {
  public:
-  /// `first_id`, `session`: of the first local map; others than 0 where earlier ones are known.
+  /// `first_id`, `session`: of the first local map; not 0 if earlier maps exist.
   explicit LocalMapBuilder(const LocalMapBuilderParams& params, int first_id = 0, int session = 0);
 
-  /// Takes a scan and what scan matching made of it; in order of time. The local map that this
-  /// finishes, if it does. Scans that were lost are not kept, but the way goes on; refused ones
-  /// change nothing.
+  /// Adds a scan and its scan match, in order of time. Returns the local map that this finishes, if
+  /// any. Lost scans are not stored, but their motion counts; rejected scans are ignored.
   std::optional<LocalMap> add(const std::string& channel, const LaserScan& scan,
                               const ScanMatch& match);
 
-  /// The unfinished local map, where it holds a scan at all, and its information as of now. What
-  /// comes afterwards is a new session.
+  /// Finishes the current local map, if it holds a scan. What follows is a new session.
   std::optional<LocalMap> finish();
 
-  /// The local map that was finished last is not kept: the one at hand takes its place, and hangs
-  /// on the one before, from which this is where it begins.
+  /// Replaces the last finished local map, which is discarded, by the current one: links the
+  /// current map to the one before, in which it begins at `T_before_last`.
   void replace_last_map(const UncertainPose& T_before_last);
 
-  /// The local map at hand; without scans before the first and after `finish`.
+  /// The current local map; without scans before the first scan and after `finish`.
   [[nodiscard]] const LocalMap& current() const { return map_; }
-  /// Covariance of the body's last pose in the frame of the local map at hand: of (x, y, θ) in the
+  /// Covariance of the body's last pose in the frame of the current local map: of (x, y, θ) in the
   /// body frame.
   [[nodiscard]] Eigen::Matrix3d covariance_local_body() const { return error_.covariance(); }
 
@@ -76,11 +74,11 @@ class LocalMapBuilder {
   LocalMap map_;
   std::optional<std::int64_t> odom_epoch_utime_;  ///< when the odom frame began
   Pose2 T_odom_body_;                             ///< of the last match
-  Pose2 T_odom_stored_;                           ///< of the last kept scan, of whichever laser
-  std::map<std::string, Pose2> last_stored_;      ///< T_odom_body of the last kept scan, by channel
+  Pose2 T_odom_stored_;                           ///< of the last stored scan, of any laser
+  std::map<std::string, Pose2> last_stored_;  ///< T_odom_body of the last stored scan, by channel
   double distance_travelled_m_ = 0.0;
   double turn_rad_ = 0.0;
-  bool continues_ = false;  ///< the local map at hand is the first of a later session
+  bool continues_ = false;  ///< the current local map is the first of a later session
 };
 
 }  // namespace adit

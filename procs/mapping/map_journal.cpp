@@ -18,7 +18,7 @@ constexpr std::string_view kLocalMap = "LOCAL_MAP";
 constexpr std::string_view kPart = "LOCAL_MAP_PART";
 constexpr std::string_view kAssociation = "ASSOCIATION";
 
-/// Puts records together.
+/// Assembles the stored map from records.
 class Collector {
  public:
   explicit Collector(StoredMap& stored) : stored_(stored) {}
@@ -43,7 +43,7 @@ class Collector {
     }
   }
 
-  /// A part after one that is lost is left out.
+  /// A part after a lost one is discarded.
   void add_part(std::span<const std::uint8_t> bytes) {
     const auto message = decode<local_map_t>(bytes);
     if (!message) return;

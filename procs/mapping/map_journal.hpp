@@ -14,29 +14,30 @@
 
 namespace adit {
 
-/// The map on the disk, as messages LOCAL_MAP and ASSOCIATION: each local map is there, decisions
-/// included, before anybody hears of it. Of the one that is being made there are parts, in records
-/// LOCAL_MAP_PART, each a LOCAL_MAP with the scans since the part before.
+/// Stores the map on disk, as messages LOCAL_MAP and ASSOCIATION: each local map is on disk,
+/// decisions included, before it is published. The unfinished local map is stored in parts, records
+/// LOCAL_MAP_PART, each a LOCAL_MAP with the scans since the previous part.
 class MapJournal {
  public:
-  /// Opens or creates it. Throws std::runtime_error where the file is no journal or cannot be used.
+  /// Opens or creates the file. Throws std::runtime_error if the file is no journal or cannot be
+  /// used.
   explicit MapJournal(const std::filesystem::path& path);
 
-  /// What was there when it was opened. Once.
+  /// The content at the time of opening. May be called once.
   StoredMap take_restored() { return std::move(restored_); }
 
-  /// Returns when the disk has it.
+  /// Appends a local map and its decisions. Returns when they are on disk.
   void append(const MapUpdate& update);
 
-  /// What there is by now of the local map that is being made, in order of time. Returns when the
-  /// disk has it; writes only what it has not.
+  /// Appends the new scans of the unfinished local map, in order of time. Returns when they are on
+  /// disk.
   void append_unfinished(const LocalMap& map);
 
  private:
-  /// What of an unfinished local map is written.
+  /// The stored part of an unfinished local map.
   struct Parts {
     int id = -1;
-    std::int64_t utime = 0;  ///< of its first scan; one that takes the place of another has its id
+    std::int64_t utime = 0;  ///< of its first scan; a replacement has the same id
     int parts = 0;
     std::size_t scans = 0;
   };
@@ -46,8 +47,8 @@ class MapJournal {
   Journal journal_;
 };
 
-/// Reads one that may be in use. Local maps after one that is lost or damaged are left out, with
-/// the decisions on them: a chain with a gap holds nothing together.
+/// Reads a journal that may be in use. Local maps after a lost or damaged one are discarded, with
+/// the decisions on them: the chain must not have a gap.
 StoredMap read_map_journal(const std::filesystem::path& path);
 
 }  // namespace adit

@@ -7,15 +7,15 @@
 
 namespace adit {
 
-/// Which local map is to be sent again next, to those who began later. Local maps go round: whoever
-/// asks in between gets those that he missed on the next round, and several who ask at once get one
-/// round.
+/// Schedules the local maps to resend to subscribers that started later. Local maps are sent in a
+/// cycle: a request during a cycle restarts the count, so that its sender also gets the maps sent
+/// before, and concurrent requests share one cycle.
 class MapResender {
  public:
-  /// All of so many local maps from now on, each once.
+  /// Schedules all of `maps` local maps, each once.
   void request(std::size_t maps) { left_ = maps; }
 
-  /// The index of the next, of so many; nothing when the round is over.
+  /// The index of the next of `maps` local maps; empty when the cycle is complete.
   std::optional<std::size_t> next(std::size_t maps) {
     if (left_ == 0 || maps == 0) return std::nullopt;
     --left_;
@@ -27,7 +27,7 @@ class MapResender {
 
  private:
   std::size_t next_ = 0;
-  std::size_t left_ = 0;  ///< in this round
+  std::size_t left_ = 0;  ///< in this cycle
 };
 
 }  // namespace adit

@@ -9,39 +9,39 @@
 namespace adit {
 namespace {
 
-// How loosely a session hangs on the one before.
+// Standard deviations of the link between sessions.
 constexpr double kUnknownPoseM = 1000.0;
 constexpr double kGapM = 1.0;
 constexpr double kGapShare = 0.1;
 constexpr double kGapRad = 0.2;
-// Half-width of the search around each older map for a body that may be anywhere: maps follow each
-// other every few metres [m].
+// Half-width of the search around each older map for a body that may be anywhere: local maps follow
+// each other every few metres [m].
 constexpr double kSearchM = 1.0;
 constexpr std::size_t kRelocalisations = 3;
-// What a place among all of them has to have for it, where nothing else says where the body is:
-// wrong places reach about 8, the right one mostly has 20 and more.
+// Minimum log-likelihood of a place if the pose is otherwise unknown: wrong places reach about 8,
+// the correct one mostly has 20 and more.
 constexpr double kRelocalisedLogLikelihood = 15.0;
-// Times as many candidates where the likely ones have been wrong.
+// Factor on the number of candidates after the likely ones were wrong.
 constexpr int kThorough = 4;
-// The newest measurements, whose likelihood is monitored.
+// The number of newest maps whose likelihood is monitored.
 constexpr int kMapsMonitored = 4;
-// Share of its walls that a local map has to have in common with others to show nothing new.
+// Share of its walls that a local map has in common with others if it shows nothing new.
 constexpr double kRedundantShare = 0.98;
-// How far from where it is believed to be a map is given the benefit of the doubt.
+// Tolerated error of the estimated pose of a map, for its inconsistency.
 const Eigen::Vector3d kInconsistencySd(0.2, 0.2, 0.02);
 
 bool begins_session(const LocalMap& map, const std::vector<LocalMap>& before) {
   return !before.empty() && before.back().session != map.session;
 }
 
-/// Where the body may have been carried, a glance from where it stands is too little to find it.
+/// If the body may have been carried, the view from one place is too small to localise it.
 LocalMapBuilderParams builder_params(const MappingParams& params) {
   LocalMapBuilderParams builder = params.local_maps;
   if (params.carried) builder.first_s = 0.0;
   return builder;
 }
 
-/// What there is until a map, and of it.
+/// The elements up to and including that of `map`.
 template <class T>
 std::span<const T> up_to(int map, const std::vector<T>& all) {
   return std::span(all).first(static_cast<std::size_t>(map) + 1);
@@ -76,7 +76,8 @@ std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
   return update;
 }
 
-/// Whether this is the odom frame of the scan before, or of the end of what was restored.
+/// Detects whether the odom frame of the scan is that of the previous scan, or of the end of the
+/// restored map.
 void Mapping::update_odom(const ScanMatch& match) {
   if (match.status == ScanMatch::Status::kRejected) return;
   bool new_frame = match.status == ScanMatch::Status::kFirstScan && match.reference_utime == 0;
@@ -114,22 +115,28 @@ MapUpdate Mapping::add_local_map(LocalMap map) {
   localization_.reset();
   MapUpdate update;
   update.map = map;
-  append_map(std::move(map));
-  const std::int64_t utime = update.map.end_utime;
-  const int newest = update.map.id;
-  update.associations =
-      association_.decide(loop_closures(newest, association_.trial(), false), utime);
-  const auto revised = association_.revise(*this, utime);
-  update.associations.insert(update.associations.end(), revised.begin(), revised.end());
+  append_map(std::move(map));                   // section 2.1
+  update.associations = associate(update.map);  // sections 2.2 and 2.3
   ++revision_;
   covariance_ = covariance_in_older_sessions();
   if (before && is_redundant(update)) discard_newest(update, std::move(*before));
   return update;
 }
 
-/// Found on as many older maps as are to be kept, the likeliest of all that were proposed among
-/// them, and nothing decided otherwise for it. A closure that is left out against so many says
-/// nothing new of the place. The next local map has to be the one after it, of the same odom.
+/// Decides the loop closures of the newest map, then revises earlier decisions if the newest maps
+/// are unlikely.
+std::vector<Association> Mapping::associate(const LocalMap& newest) {
+  std::vector<Association> decided =
+      association_.decide(loop_closures(newest.id, association_.trial(), false), newest.end_utime);
+  const std::vector<Association> revised = association_.revise(*this, newest.end_utime);
+  decided.insert(decided.end(), revised.begin(), revised.end());
+  return decided;
+}
+
+/// Whether the newest local map may be discarded: it is matched to as many older maps as are stored
+/// per place, the most likely of all proposals among them, and no decision was revised for it. A
+/// rejected loop closure beside so many accepted ones shows nothing new. The current local map must
+/// follow it in the same odom frame.
 bool Mapping::is_redundant(const MapUpdate& update) const {
   const LocalMap& next = builder_.current();
   if (next.session != update.map.session || next.id != update.map.id + 1) return false;
@@ -148,15 +155,15 @@ bool Mapping::is_redundant(const MapUpdate& update) const {
   return extents_.back().covered_by(older) >= kRedundantShare;
 }
 
-/// The next local map hangs on the last one that is kept by all that is known of where the body is.
-/// That has what the graph says between the two in it, which the closures of the next one meet
-/// again; as these hang on maps that are known against each other far better than that, it makes
-/// nothing surer than it is.
+/// Discards the newest local map, and links the next one to the last stored map by the estimated
+/// pose of the body. The link includes information of the graph that the loop closures of the next
+/// map will contain again; as the relative poses of the maps that they link to are far more
+/// certain, this makes no estimate overconfident.
 void Mapping::discard_newest(MapUpdate& update, LazyAssociation::Checkpoint before) {
   const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
-  const Association& surest = update.associations.front();
-  const auto chosen = static_cast<std::size_t>(surest.chosen);
-  localization_ = {update.map.end_utime, surest.loop_closure.alternatives[chosen].older_map,
+  const Association& best = update.associations.front();
+  const auto chosen = static_cast<std::size_t>(best.chosen);
+  localization_ = {update.map.end_utime, best.loop_closure.alternatives[chosen].older_map,
                    poses.back() * update.map.T_odom_local.inverse()};
   const UncertainPose T_last_here{between(poses[poses.size() - 2], poses.back()),
                                   association_.trial().covariances_to(update.map.id).back()};
@@ -169,7 +176,7 @@ void Mapping::discard_newest(MapUpdate& update, LazyAssociation::Checkpoint befo
   update.stored = false;
 }
 
-/// In the older local map against which it is best known.
+/// The covariance relative to the older local map for which it is smallest.
 std::optional<Eigen::Matrix3d> Mapping::covariance_in_older_sessions() {
   const int session = maps_.back().session;
   if (maps_.front().session == session) return std::nullopt;
@@ -189,9 +196,8 @@ void Mapping::append_map(LocalMap map) {
   maps_.push_back(std::move(map));
 }
 
-/// Ties a session to the end of the one before, loosely: where odom goes on, a few metres of the
-/// way are missing at most; where it begins anew, the body is where it was, or was carried
-/// anywhere.
+/// Links a session to the end of the previous one, loosely: if odom continues, a few metres of the
+/// path are missing at most; if it was reset, the body is where it was, or was carried anywhere.
 void Mapping::link_session(LocalMap& map) const {
   const LocalMap& last = maps_.back();
   const Pose2 T_last_end = last.scans.back().T_local_body;
@@ -217,7 +223,7 @@ bool Mapping::session_is_connected() const {
   });
 }
 
-/// Looks for the newest map all over the older sessions.
+/// Searches the newest map in all maps of the older sessions.
 std::vector<LoopClosure> Mapping::relocalise() const {
   std::vector<LoopClosure> loop_closures;
   const std::vector<Pose2>& poses = association_.hypothesis().T_map_local;
@@ -242,7 +248,8 @@ std::vector<LoopClosure> Mapping::relocalise() const {
   return loop_closures;
 }
 
-/// In the chain of one session, which says of both what a match could.
+/// Whether the maps are neighbours in the chain of one session, which constrains them as a match
+/// would.
 bool Mapping::is_neighbour(int older, int newer) const {
   return newer - older <= params_.candidates.neighbours &&
          maps_[static_cast<std::size_t>(older)].session ==
@@ -256,18 +263,18 @@ std::vector<LoopClosure> Mapping::loop_closures(int map, Trial& trial, bool thor
   if (!joined && !odom_continues_ && params_.carried) return relocalise();
   std::vector<Pose2> poses = trial.hypothesis().T_map_local;
   poses.resize(static_cast<std::size_t>(map) + 1);
-  LoopClosureCandidatesParams which = params_.candidates;
-  if (thorough) which.most *= kThorough;
-  // What holds a session to the one before is too loose for neighbours in the chain to say nothing.
-  const bool looser = !joined && !params_.carried;
-  if (looser) {
-    which.neighbours = 0;
-    which.most += params_.candidates.neighbours;
+  LoopClosureCandidatesParams params = params_.candidates;
+  if (thorough) params.most *= kThorough;
+  // The link to the previous session is too loose for neighbours in the chain to be excluded.
+  const bool loosely_linked = !joined && !params_.carried;
+  if (loosely_linked) {
+    params.neighbours = 0;
+    params.most += params_.candidates.neighbours;
   }
   std::vector<LoopClosure> found;
   for (const LoopClosureCandidate& candidate :
-       loop_closure_candidates(poses, trial.covariances_to(map), up_to(map, extents_), which)) {
-    if (looser && is_neighbour(candidate.older, map)) continue;
+       loop_closure_candidates(poses, trial.covariances_to(map), up_to(map, extents_), params)) {
+    if (loosely_linked && is_neighbour(candidate.older, map)) continue;
     LoopClosure loop_closure;
     loop_closure.newer_map = map;
     loop_closure.alternatives =
@@ -279,8 +286,7 @@ std::vector<LoopClosure> Mapping::loop_closures(int map, Trial& trial, bool thor
   return found;
 }
 
-/// What the newest maps and the older ones that they overlap hold against each other where they
-/// lie.
+/// The contradictions between the newest maps and the older ones that they overlap, at these poses.
 double Mapping::map_inconsistency(const std::vector<Pose2>& T_map_local) const {
   const int newest = static_cast<int>(maps_.size()) - 1;
   double map_inconsistency = 0.0;
@@ -288,19 +294,20 @@ double Mapping::map_inconsistency(const std::vector<Pose2>& T_map_local) const {
                                              kInconsistencySd.cwiseAbs2().asDiagonal());
   for (int map = std::max(0, newest - kMapsMonitored + 1); map <= newest; ++map) {
     const auto poses = up_to(map, T_map_local);
-    double most = 0.0;
+    double largest = 0.0;
     for (const LoopClosureCandidate& candidate :
          loop_closure_candidates(poses, certain, up_to(map, extents_), params_.candidates)) {
-      most = std::max(most, contradiction(walls_[static_cast<std::size_t>(map)],
+      largest =
+          std::max(largest, contradiction(walls_[static_cast<std::size_t>(map)],
                                           walls_around(candidate.older, poses),
                                           candidate.predicted.T_older_newer, params_.matching));
     }
-    map_inconsistency += most;
+    map_inconsistency += largest;
   }
   return map_inconsistency;
 }
 
-/// A map and then its neighbours in the chain, in its frame.
+/// The walls of a map and of its neighbours in the chain, in its frame.
 std::vector<PlacedWalls> Mapping::walls_around(int map, std::span<const Pose2> T_map_local) const {
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   std::vector<PlacedWalls> placed;

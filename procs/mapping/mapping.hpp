@@ -30,11 +30,13 @@ struct MappingParams {
   LoopClosureCandidatesParams candidates;
   MapMatchingParams matching;
   LazyAssociationParams association;
-  bool carried = false;  ///< where odom begins anew, the body may be anywhere; else where it was
-  double restart_sd_m = 1.0;    ///< of the way between what is stored and where it then is, about
-  double restart_sd_rad = 0.5;  ///< of its turning
-  /// A local map that lies on so many older ones and shows nothing new is not kept: it says where
-  /// the body is, and is forgotten. 0: all are kept.
+  bool carried = false;  ///< true: the body may be anywhere after a restart of odom; false: it has
+                         ///< not been moved
+  /// Standard deviation of the motion between the stored pose and the restart.
+  double restart_sd_m = 1.0;
+  double restart_sd_rad = 0.5;  ///< and of the turn
+  /// A local map that overlaps this many older ones and shows nothing new is discarded after it has
+  /// localised the body. 0: all are stored.
   int maps_per_place_max = 0;
 
   template <class V>
@@ -52,51 +54,51 @@ struct MappingParams {
   }
 };
 
-/// A map as it is kept: all local maps, and every decision in the order in which it was made.
+/// A stored map: all local maps, and every decision in order.
 struct StoredMap {
   std::vector<LocalMap> maps;
   std::vector<Association> associations;
-  std::optional<LocalMap> unfinished;  ///< the one that was being made, as far as it is stored
+  std::optional<LocalMap> unfinished;  ///< the unfinished local map, as far as it is stored
 };
 
-/// What a new local map brought.
+/// The result of a new local map.
 struct MapUpdate {
   LocalMap map;
-  std::vector<Association> associations;  ///< in the order in which they were decided
-  bool stored = true;  ///< else it only said where the body is; the graph is as it was
+  std::vector<Association> associations;  ///< in the order of decision
+  /// False: the map only localised the body and is discarded; the graph is unchanged.
+  bool stored = true;
 };
 
-/// The map: local maps every few metres of the way, held in place by what was measured between them
-/// and by the places that were seen again (paper, sections 2.1 to 2.3). Which places these are is
-/// decided lazily.
+/// The map: a local map every few metres of the traversed path, in a pose graph of the
+/// displacements between them and of loop closures (paper, sections 2.1 to 2.3), which are decided
+/// lazily.
 ///
-/// Who goes through a mine again and again makes no larger map, where that is asked for: of a place
-/// no more than `maps_per_place_max` local maps are kept (a reduced pose graph, after Johannsson,
-/// Kaess, Fallon, Leonard, "Temporally scalable visual SLAM using a reduced pose graph", ICRA
-/// 2013).
+/// Optionally, repeated traversals do not enlarge the map: at most `maps_per_place_max` local maps
+/// of a place are stored (a reduced pose graph, after Johannsson, Kaess, Fallon, Leonard,
+/// "Temporally scalable visual SLAM using a reduced pose graph", ICRA 2013).
 class Mapping : private Evidence {
  public:
   explicit Mapping(const MappingParams& params);
 
-  /// Continues a map, before anything is added. What is added then is a session of its own, joined
-  /// to the map where the places are recognised; where odom goes on from where the map ends, it is
-  /// looked for near there, and also where it begins anew and the body was not carried.
-  /// Something where a local map was being made, which is then one.
+  /// Continues a stored map; to be called before anything is added. What is added afterwards is a
+  /// session of its own, linked to the map by loop closures. If odom continues from the end of the
+  /// map, or was reset without the body being moved, the first map is searched near there. Returns
+  /// an update if a local map was unfinished, which is then finished.
   std::optional<MapUpdate> restore(StoredMap stored);
 
-  /// A scan and what scan matching made of it, in order of time. Something where it finished a
-  /// local map.
+  /// Adds a scan and its scan match, in order of time. Returns an update if it finishes a local
+  /// map.
   std::optional<MapUpdate> add(const std::string& channel, const LaserScan& scan,
                                const ScanMatch& match);
 
-  /// The way ends here: what there is of a local map is one.
+  /// Ends the traversed path: finishes the current local map.
   std::optional<MapUpdate> finish();
 
   [[nodiscard]] MapGraph graph() const;
-  /// Nothing before the first local map, nor while it is not known where odom is on the map:
-  /// between the begin of a new one and its first local map.
+  /// Empty before the first local map, and while the pose of odom in map is unknown: from the start
+  /// of a new odom frame to its first local map.
   [[nodiscard]] std::optional<MapCorrection> correction() const;
-  /// The local map that is being made.
+  /// The unfinished local map.
   [[nodiscard]] const LocalMap& unfinished() const { return builder_.current(); }
 
   [[nodiscard]] const std::vector<LocalMap>& local_maps() const { return maps_; }
@@ -104,6 +106,7 @@ class Mapping : private Evidence {
 
  private:
   MapUpdate add_local_map(LocalMap map);
+  std::vector<Association> associate(const LocalMap& newest);
   [[nodiscard]] bool is_redundant(const MapUpdate& update) const;
   void discard_newest(MapUpdate& update, LazyAssociation::Checkpoint before);
   void append_map(LocalMap map);
@@ -129,14 +132,14 @@ class Mapping : private Evidence {
   std::int64_t revision_ = 0;
   enum class Odom {
     kKnown,     ///< that of the newest local map
-    kRestored,  ///< of the newest local map or a new one: the next scan tells
-    kNew,       ///< its first local map is being made
+    kRestored,  ///< of the newest local map or a new one: decided at the next scan
+    kNew,       ///< its first local map is unfinished
   };
   Odom odom_ = Odom::kKnown;
-  std::optional<std::int64_t> odom_epoch_utime_;  ///< when the odom frame of the last scan began
-  bool odom_continues_ = false;  ///< a restored map ends in the odom frame of the present session
+  std::optional<std::int64_t> odom_epoch_utime_;  ///< epoch of the odom frame of the last scan
+  bool odom_continues_ = false;  ///< the restored map ends in the odom frame of the present session
   std::optional<Eigen::Matrix3d> covariance_;  ///< see MapCorrection
-  /// Where a local map that was not kept found the body, after all that are kept.
+  /// The pose of the body by a discarded local map, later than all stored ones.
   struct Localization {
     std::int64_t utime = 0;
     int older_map = 0;  ///< on which it lies

@@ -19,11 +19,12 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kScansWaiting = 500;  // while a closure is searched, at 75 Hz
-// A local map has about three pieces; exploration takes some 30 ms for one, and holds 500 pieces.
+constexpr std::size_t kScansWaiting = 500;  // while a loop closure is searched, at 75 Hz
+// A local map has about three fragments; exploration takes some 30 ms for a map and queues 500
+// fragments.
 constexpr std::int64_t kResendPeriodUs = 50'000;
 constexpr std::size_t kResendFragments = 4;
-constexpr int kReplaced = -2;  // no id
+constexpr int kReplaced = -2;  // not an id
 
 }  // namespace
 
@@ -72,8 +73,9 @@ void MappingNode::on_match(const ScanMatch& match) {
   if (journal_) journal_unfinished();
 }
 
-/// Each 0.3 m or half a radian of the way; and where the way begins, since that is home. The first
-/// local map of a session is over before that, and how it hangs on the map is not known yet.
+/// Stores the unfinished local map every 0.3 m or half a radian; and at the start of the path,
+/// since that is home. The first local map of a session is finished before, when its link to the
+/// map is not known yet.
 void MappingNode::journal_unfinished() {
   const LocalMap& map = mapping_.unfinished();
   const auto& maps = mapping_.local_maps();
@@ -102,8 +104,8 @@ void MappingNode::write_journal(const std::function<void()>& append) {
   }
 }
 
-/// To the disk first: what was announced is not forgotten. What is not kept leaves the graph as it
-/// was; where the body is goes to the disk with what is made next.
+/// Stored before it is published: what was announced is never lost. A discarded map leaves the
+/// graph unchanged; the pose of the body is stored with the next map.
 void MappingNode::handle_update(const MapUpdate& update) {
   if (!update.stored) {
     journaled_map_ = kReplaced;
@@ -124,7 +126,7 @@ void MappingNode::publish_update(const MapUpdate& update) {
   publish_graph();
 }
 
-/// Never more at once than the queues of those who asked can hold.
+/// Sends no more at a time than the queues of the subscribers hold.
 void MappingNode::resend() {
   if (restored_) publish_update(*std::exchange(restored_, std::nullopt));
   if (graph_pending_) publish_graph();

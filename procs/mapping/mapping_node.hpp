@@ -18,9 +18,9 @@
 namespace adit {
 
 struct MappingNodeParams : MappingParams {
-  std::string journal;  ///< file that keeps what was learnt; empty: nothing is kept
-  double journal_interval_m =
-      0.3;  ///< of the way, after which what there is of a local map goes there
+  std::string journal;  ///< file in which the map is stored; empty: nothing is stored
+  /// Path length after which the unfinished local map is stored.
+  double journal_interval_m = 0.3;
 
   template <class V>
   void visit(V& v) {
@@ -32,16 +32,17 @@ struct MappingNodeParams : MappingParams {
 
 /// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); SCAN_MATCH (scan_match_t), one for each scan;
 ///      MAP_REQUEST (map_request_t).
-/// Out: with each local map LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in pieces,
-///      ASSOCIATION (association_t) for each decision, MAP_CORRECTION (map_correction_t). All
-///      local maps again for those who ask, some pieces at a time, with the graph before and after.
-/// Where a journal is named and there, the map in it is continued: after a restart nothing is lost
-/// but the last 0.3 m of the way (`journal_interval_m`), and what is known goes out at once.
+/// Out: with each local map LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in
+///      fragments, ASSOCIATION (association_t) for each decision, MAP_CORRECTION
+///      (map_correction_t).
+///      On request all local maps again, some fragments at a time, with the graph before and after.
+/// If a journal is configured and exists, its map is continued: after a restart only the last 0.3 m
+/// of the path (`journal_interval_m`) are lost, and the map is published immediately.
 class MappingNode {
  public:
   using Params = MappingNodeParams;
 
-  /// Throws std::runtime_error where the journal cannot be used.
+  /// Throws std::runtime_error if the journal cannot be used.
   MappingNode(Bus& bus, const Params& params);
 
   [[nodiscard]] Health health() const { return health_; }
@@ -62,14 +63,15 @@ class MappingNode {
   Params params_;
   Mapping mapping_;
   MapResender resender_;
-  std::deque<LocalMapFragment> resend_queue_;  ///< pieces that are to be sent again
-  bool graph_pending_ = false;                 ///< it is to go out with the next tick
+  std::deque<LocalMapFragment> resend_queue_;  ///< fragments to resend
+  bool graph_pending_ = false;                 ///< publish the graph at the next tick
   std::optional<MapJournal> journal_;
-  std::optional<MapUpdate> restored_;  ///< what came of the local map that was being made
-  int journaled_map_ = -1;             ///< id of the newest of which a part is kept
-  bool start_pending_ = false;         ///< nothing of the first local map is kept
-  Pose2 T_local_journaled_;            ///< the body at the end of that part
-  std::map<std::string, std::deque<LaserScan>> waiting_;  ///< scans without their match, by channel
+  std::optional<MapUpdate> restored_;  ///< update by the restored unfinished local map
+  int journaled_map_ = -1;             ///< id of the newest local map of which a part is stored
+  bool start_pending_ = false;         ///< nothing of the first local map is stored
+  Pose2 T_local_journaled_;            ///< pose at the end of that part
+  /// Scans waiting for their match, by channel.
+  std::map<std::string, std::deque<LaserScan>> waiting_;
   Health health_;
 };
 

@@ -10,13 +10,13 @@ namespace adit {
 ReachableRegion reachable_region(const Lattice& lattice, const LatticePose& start,
                                  const GoalField& goals, double enough_m) {
   const CSpace& space = lattice.space;
-  std::vector<bool> seen(space.cells() * static_cast<std::size_t>(space.headings()));
+  std::vector<bool> visited(space.cells() * static_cast<std::size_t>(space.headings()));
   ReachableRegion region;
   const auto add = [&](const LatticePose& pose) {
     const auto slice = static_cast<std::size_t>(pose.heading) * space.cells();
     const std::size_t i = slice + space.index(pose.column, pose.row);
-    if (seen[i]) return;
-    seen[i] = true;
+    if (visited[i]) return;
+    visited[i] = true;
     region.poses.push_back(pose);
     const std::size_t cell = space.index(pose.column, pose.row);
     if (!goals.accepts(cell, lattice.primitives.headings().angle(pose.heading))) return;
@@ -29,7 +29,7 @@ ReachableRegion reachable_region(const Lattice& lattice, const LatticePose& star
       const LatticePose next = Lattice::successor(pose, step);
       if (!lattice.is_valid(next)) continue;
       const auto slice = static_cast<std::size_t>(next.heading) * space.cells();
-      if (seen[slice + space.index(next.column, next.row)]) continue;
+      if (visited[slice + space.index(next.column, next.row)]) continue;
       if (lattice.cost(pose, step) != Lattice::kBlocked) add(next);
     }
   }
@@ -40,9 +40,9 @@ namespace {
 
 using Reason = BlockingCell::Reason;
 
-constexpr double kFrontierDepthM =
-    0.5;  // behind the greatest progress, from where a drive on is tried
+constexpr double kFrontDepthM = 0.5;  // poses within this of the maximum progress are the front
 
+/// The height that makes a cell lethal [m]; 0 where no height does.
 double height_of(const TerrainCell& cell, Reason reason) {
   switch (reason) {
     case Reason::kRoof:
@@ -62,20 +62,18 @@ double height_of(const TerrainCell& cell, Reason reason) {
   return 0.0;
 }
 
-/// Marks the cells that are in the way.
+/// Collects the lethal cells that block poses and primitives.
 class BlockingMask {
  public:
   BlockingMask(const Lattice& lattice, const EvidenceContext& context)
       : lattice_(lattice), context_(context), marked_(context.terrain.cells.size()) {}
 
-  /// Those for which `counts(p_level)`, of what makes a pose lethal.
+  /// Marks the cells that block a pose and for which `counts(p_level)` is true.
   template <class Counts>
   void mark(const LatticePose& pose, const Counts& counts) {
     const auto& kernel = context_.kernels.oriented(pose.heading);
     const bool unknown =
-        lattice_.space.contains(pose.column, pose.row) &&
-        lattice_.space.slice(pose.heading)[lattice_.space.index(pose.column, pose.row)] ==
-            CSpace::kUnknown;
+        lattice_.space.slice(pose.heading).get({pose.column, pose.row}) == CSpace::kUnknown;
     if (unknown) {
       mark_layer(context_.layers.unknown, kernel.wheels, pose, counts);
     } else {
@@ -84,7 +82,7 @@ class BlockingMask {
     }
   }
 
-  /// The same of what makes a piece of driving lethal.
+  /// Marks the cells that block a primitive.
   template <class Counts>
   void mark(const LatticePose& pose, const MotionPrimitive& step, const Counts& counts) {
     mark_layer(context_.layers.under_body, step.body, pose, counts);
@@ -109,8 +107,8 @@ class BlockingMask {
 
  private:
   template <class Counts>
-  void mark_layer(const std::vector<std::uint8_t>& layer, const RunKernel& kernel,
-                  const LatticePose& pose, const Counts& counts) {
+  void mark_layer(const CellLayer& layer, const RunKernel& kernel, const LatticePose& pose,
+                  const Counts& counts) {
     for (const RunKernel::Run& run : kernel.runs) {
       for (int dx = run.first; dx <= run.last; ++dx) {
         const int column = pose.column + dx;
@@ -127,7 +125,7 @@ class BlockingMask {
   std::vector<bool> marked_;
 };
 
-/// The first pose of a primitive in which the robot cannot stand; the pose itself if there is none.
+/// The first blocked pose of a primitive; its start if none is.
 LatticePose first_blocked(const Lattice& lattice, const LatticePose& pose,
                           const MotionPrimitive& step) {
   for (const SweptPose& swept : step.swept) {
@@ -146,12 +144,12 @@ std::vector<BlockingCell> blocking_cells(const ReachableRegion& region, const La
   for (const LatticePose& pose : region.poses) {
     const Eigen::Vector2d p = terrain.centre(pose.column, pose.row);
     const std::size_t cell = lattice.space.index(pose.column, pose.row);
-    if (goals.progress(cell) < region.progress_m - kFrontierDepthM) continue;
+    if (goals.progress(cell) < region.progress_m - kFrontDepthM) continue;
     const Eigen::Vector2d direction = goals.direction(p);
     for (const MotionPrimitive& step : lattice.primitives.from(pose.heading)) {
       const LatticePose next = Lattice::successor(pose, step);
-      const Eigen::Vector2d on = terrain.centre(next.column, next.row) - p;
-      if (on.dot(direction) <= 0.0 || lattice.cost(pose, step) != Lattice::kBlocked) {
+      const Eigen::Vector2d step_vector = terrain.centre(next.column, next.row) - p;
+      if (step_vector.dot(direction) <= 0.0 || lattice.cost(pose, step) != Lattice::kBlocked) {
         continue;
       }
       const auto is_ahead = [&](const Eigen::Vector2d& p_level) {

@@ -12,19 +12,19 @@
 
 namespace adit {
 
-/// Where a robot can get to, and how far towards the goal.
+/// The poses that the robot can reach, and how far towards the goal.
 struct ReachableRegion {
   std::vector<LatticePose> poses;  ///< in order of discovery
-  double progress_m = 0.0;         ///< the greatest of those where a path may end, not less than 0
+  double progress_m = 0.0;         ///< maximum over poses at which a path may end; at least 0
 };
 
-/// All that can be reached from a pose, at any cost, or as much as it takes to make a progress of
-/// `enough_m`. Empty where the robot cannot stand.
+/// All poses that can be reached from a start pose at any cost. The search stops at a progress of
+/// `enough_m`. Empty if the start pose is blocked.
 ReachableRegion reachable_region(const Lattice& lattice, const LatticePose& start,
                                  const GoalField& goals,
                                  double enough_m = std::numeric_limits<double>::infinity());
 
-/// All that says why cells are lethal.
+/// The maps that state why cells are lethal.
 struct EvidenceContext {
   const TerrainMap& terrain;
   const GroundLayers& layers;
@@ -33,12 +33,12 @@ struct EvidenceContext {
   const GroundLimits& limits;
 };
 
-/// The cells that stop the robot where it got farthest: what is in the way of each drive on towards
-/// the goal from the poses at the front of the region, ahead of these. Row by row, in odom.
+/// The cells that block the robot at the front of the region: for each pose at the front, the cells
+/// that block its primitives towards the goal and lie ahead of it. Row by row, in odom.
 std::vector<BlockingCell> blocking_cells(const ReachableRegion& region, const Lattice& lattice,
                                          const GoalField& goals, const EvidenceContext& context);
 
-/// The cells that are in the way of standing at a pose. Row by row, in odom.
+/// The cells that block a pose. Row by row, in odom.
 std::vector<BlockingCell> blocking_cells(const LatticePose& pose, const Lattice& lattice,
                                          const EvidenceContext& context);
 

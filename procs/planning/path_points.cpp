@@ -13,10 +13,18 @@
 namespace adit {
 namespace {
 
-/// Least distance in a layer along the edges of a rectangle, a cell apart.
-double least_along(const BodyRectangle& rectangle, const Pose2& T_level_body,
-                   const std::vector<float>& distances, const TerrainMap& terrain, double most_m) {
-  double least = most_m;
+constexpr double kClearanceMaxM = 5.0;
+// A drive of 10 m by odometry alone ends within 0.3 m of its goal; plus a cell of the terrain.
+constexpr double kEndClearanceMinM = 0.4;
+constexpr double kStepM = 0.1;
+constexpr double kWidthReserveM = 0.4;  // for margins and the cell size
+
+/// Minimum distance to marked ground along the edges of a rectangle, sampled at each cell; at most
+/// `max_m`.
+double edge_distance_m(const BodyRectangle& rectangle, const Pose2& T_level_body,
+                       const std::vector<float>& distances, const TerrainMap& terrain,
+                       double max_m) {
+  double distance_m = max_m;
   const auto sample = [&](double x, double y) {
     const Eigen::Vector2d p = T_level_body * Eigen::Vector2d(x, y);
     const Eigen::Vector2d cells = (p - terrain.p_level_corner) / terrain.cell_m;
@@ -25,7 +33,7 @@ double least_along(const BodyRectangle& rectangle, const Pose2& T_level_body,
     if (!terrain.contains(column, row)) return;
     const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(terrain.columns) +
                    static_cast<std::size_t>(column);
-    least = std::min(least, static_cast<double>(distances[i]));
+    distance_m = std::min(distance_m, static_cast<double>(distances[i]));
   };
   const Eigen::Vector2d low = rectangle.middle - rectangle.half;
   const Eigen::Vector2d high = rectangle.middle + rectangle.half;
@@ -41,64 +49,21 @@ double least_along(const BodyRectangle& rectangle, const Pose2& T_level_body,
     sample(low.x(), y);
     sample(high.x(), y);
   }
-  return least;
+  return distance_m;
 }
 
-}  // namespace
-
-double clearance(const Pose2& T_level_body, const Vehicle& vehicle, const GroundLayers& layers,
-                 const TerrainMap& terrain, double most_m) {
-  double least =
-      least_along(body_outline(vehicle), T_level_body, layers.body_distance_m, terrain, most_m);
+double clearance_m(const Pose2& T_level_body, const Vehicle& vehicle, const GroundLayers& layers,
+                   const TerrainMap& terrain) {
+  double distance_m = edge_distance_m(body_outline(vehicle), T_level_body, layers.body_distance_m,
+                                      terrain, kClearanceMaxM);
   for (const BodyRectangle& track : wheel_tracks(vehicle)) {
-    least = least_along(track, T_level_body, layers.wheel_distance_m, terrain, least);
+    distance_m = edge_distance_m(track, T_level_body, layers.wheel_distance_m, terrain, distance_m);
   }
-  return least;
+  return distance_m;
 }
 
-std::vector<PathPoint> path_points(const LatticePath& path, const LatticePose& start,
-                                   const MotionPrimitives& primitives, const HeadingSet& headings,
-                                   const TerrainMap& terrain, const GroundLayers& layers,
-                                   const Vehicle& vehicle, double spacing_m) {
-  std::vector<PathPoint> points;
-  const auto add = [&](const Pose2& T_level_body, double curvature, bool reverse, double cost) {
-    points.push_back({terrain.T_odom_level * T_level_body, curvature, reverse,
-                      clearance(T_level_body, vehicle, layers, terrain), cost / kCostPerM});
-  };
-  LatticePose pose = start;
-  double cost = 0.0;
-  for (std::size_t i = 0; i < path.steps.size(); ++i) {
-    const MotionPrimitive& step = *path.steps[i];
-    const Eigen::Vector2d from = terrain.centre(pose.column, pose.row);
-    const double length = step.curve.length_m();
-    const int segments = std::max(1, static_cast<int>(std::lround(length / spacing_m)));
-    const bool changes = i > 0 && path.steps[i - 1]->reverse != step.reverse;
-    if (changes) add({from.x(), from.y(), headings.angle(pose.heading)}, 0.0, !step.reverse, cost);
-    for (int segment = 0; segment < segments; ++segment) {
-      const double way = length * segment / segments;
-      const Pose2 T_step_body = primitives.pose_at(step, way);
-      add({from.x() + T_step_body.x, from.y() + T_step_body.y, T_step_body.theta},
-          primitives.curvature_at(step, way), step.reverse,
-          std::lerp(cost, path.costs[i], way / length));
-    }
-    cost = path.costs[i];
-    pose = Lattice::successor(pose, step);
-  }
-  const Eigen::Vector2d end = terrain.centre(pose.column, pose.row);
-  add({end.x(), end.y(), headings.angle(pose.heading)}, 0.0,
-      !path.steps.empty() && path.steps.back()->reverse, cost);
-  return points;
-}
-
-namespace {
-
-// By wheels alone a drive of 10 m is known to 0.3 m; and a cell of the terrain.
-constexpr double kEndClearanceMinM = 0.4;
-constexpr double kStepM = 0.1;
-constexpr double kWidthReserveM = 0.4;  // of what margins and cells take off
-
-/// Of a drift in which the vehicle turns by a right angle into another that is as wide: its outer
-/// side keeps to the outer walls, and its inner side just passes the corner.
+/// Width of a tunnel in which the vehicle can turn by π/2 into another one of the same width: its
+/// outer side follows the outer walls, and its inner side passes the corner.
 double turning_tunnel_width_m(const Vehicle& vehicle) {
   const Eigen::Vector2d half = body_outline(vehicle).half;
   const double outer_m = std::hypot(vehicle.turning_radius_m + half.y(), half.x());
@@ -106,16 +71,16 @@ double turning_tunnel_width_m(const Vehicle& vehicle) {
   return outer_m - inner_m / std::numbers::sqrt2 + kWidthReserveM;
 }
 
-/// Straight on until something lethal; `enough_m` at most.
+/// Distance that the body can continue straight ahead up to lethal ground, at most `max_m`.
 double clear_ahead_m(const Pose2& T_level_body, bool reverse, const TerrainMap& terrain,
-                     const HeadingSet& headings, const Lattice& seen, double enough_m) {
+                     const HeadingSet& headings, const Lattice& lattice, double max_m) {
   double clear_m = 0.0;
-  while (clear_m < enough_m) {
+  while (clear_m < max_m) {
     const double ahead_m = clear_m + kStepM;
     const Pose2 T_level_ahead = T_level_body * Pose2{reverse ? -ahead_m : ahead_m, 0.0, 0.0};
     const LatticePose pose = nearest_pose(terrain, headings, T_level_ahead);
-    if (!seen.space.contains(pose.column, pose.row)) return enough_m;  // nobody knows
-    if (!seen.is_valid(pose)) break;
+    if (!lattice.space.contains(pose.column, pose.row)) return max_m;  // beyond the map
+    if (!lattice.is_valid(pose)) break;
     clear_m = ahead_m;
   }
   return clear_m;
@@ -130,20 +95,54 @@ void truncate(PlannedPath& path, std::size_t points, double reached_m) {
 
 }  // namespace
 
+std::vector<PathPoint> path_points(const LatticePath& path, const LatticePose& start,
+                                   const MotionPrimitives& primitives, const HeadingSet& headings,
+                                   const TerrainMap& terrain, const GroundLayers& layers,
+                                   const Vehicle& vehicle, double spacing_m) {
+  std::vector<PathPoint> points;
+  const auto add = [&](const Pose2& T_level_body, double curvature, bool reverse, double cost) {
+    points.push_back({terrain.T_odom_level * T_level_body, curvature, reverse,
+                      clearance_m(T_level_body, vehicle, layers, terrain), cost / kCostPerM});
+  };
+  LatticePose pose = start;
+  double cost = 0.0;
+  for (std::size_t i = 0; i < path.steps.size(); ++i) {
+    const MotionPrimitive& step = *path.steps[i];
+    const Eigen::Vector2d from = terrain.centre(pose.column, pose.row);
+    const double length = step.curve.length_m();
+    const int segments = std::max(1, static_cast<int>(std::lround(length / spacing_m)));
+    const bool changes = i > 0 && path.steps[i - 1]->reverse != step.reverse;
+    if (changes) add({from.x(), from.y(), headings.angle(pose.heading)}, 0.0, !step.reverse, cost);
+    for (int segment = 0; segment < segments; ++segment) {
+      const double s_m = length * segment / segments;
+      const Pose2 T_step_body = primitives.pose_at(step, s_m);
+      add({from.x() + T_step_body.x, from.y() + T_step_body.y, T_step_body.theta},
+          primitives.curvature_at(step, s_m), step.reverse,
+          std::lerp(cost, path.costs[i], s_m / length));
+    }
+    cost = path.costs[i];
+    pose = Lattice::successor(pose, step);
+  }
+  const Eigen::Vector2d end = terrain.centre(pose.column, pose.row);
+  add({end.x(), end.y(), headings.angle(pose.heading)}, 0.0,
+      !path.steps.empty() && path.steps.back()->reverse, cost);
+  return points;
+}
+
 void trim_to_clear_end(PlannedPath& path, const TerrainMap& terrain, const HeadingSet& headings,
-                       const Lattice& seen, const GoalField& goals, const Vehicle& vehicle) {
+                       const Lattice& lattice, const GoalField& goals, const Vehicle& vehicle) {
   const double room_m = turning_tunnel_width_m(vehicle);
   const Pose2 T_level_odom = terrain.T_odom_level.inverse();
-  std::size_t clear_end = 0;
+  std::size_t clear_end = 0;  // number of points of the longest path with a clear end
   double clear_end_reached_m = 0.0;
   for (std::size_t n = path.points.size(); n > 1; --n) {
     const Pose2 T_level_end = T_level_odom * path.points[n - 1].T_odom_body;
     const double reached_m = goals.progress(T_level_end.translation());
     if (reached_m < goals.min_progress() - kEndClearanceMinM) break;
-    // Where the direction changes, the place is there twice.
+    // The second point of a change of direction.
     if (path.points[n - 1].cost == path.points[n - 2].cost) continue;
     const double clear_m =
-        clear_ahead_m(T_level_end, path.points[n - 2].reverse, terrain, headings, seen, room_m) +
+        clear_ahead_m(T_level_end, path.points[n - 2].reverse, terrain, headings, lattice, room_m) +
         1e-9;
     if (clear_end == 0 && clear_m >= kEndClearanceMinM) {
       clear_end = n;

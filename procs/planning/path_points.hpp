@@ -16,26 +16,25 @@
 
 namespace adit {
 
-/// From the robot's outline at a pose in level to what is lethal under it, or from its wheels to
-/// what is lethal under them, whichever is nearer [m]; never more than `most_m`.
-double clearance(const Pose2& T_level_body, const Vehicle& vehicle, const GroundLayers& layers,
-                 const TerrainMap& terrain, double most_m = 5.0);
-
-/// The points of a path, about `spacing_m` apart. A change of direction of travel is a point twice:
-/// as the end of the one and the beginning of the other.
+/// The points of a lattice path, about `spacing_m` apart, with curvature, clearance and cost. At a
+/// change of direction there are two points: the end of one part and the start of the next. The
+/// clearance is the distance from the outline to lethal ground under the body, or from the wheels
+/// to lethal ground under the wheels, whichever is smaller, at most 5 m.
 std::vector<PathPoint> path_points(const LatticePath& path, const LatticePose& start,
                                    const MotionPrimitives& primitives, const HeadingSet& headings,
                                    const TerrainMap& terrain, const GroundLayers& layers,
                                    const Vehicle& vehicle, double spacing_m);
 
-/// Ends a path along a route where there is room to go on: where nothing lethal is straight ahead
-/// of its last pose within the width of the narrowest drift in which it turns into another (2.2 m).
-/// Nearer to the outer wall of a bend what lies round its corner would be beside the vehicle, where
-/// no laser looks, and no way on would be found. `seen` refuses what is lethal alone, as what lies
-/// beyond a path was not seen. A path that would be too short to count ends 0.4 m before
-/// what is lethal, as the pose at the end of a drive is not where it was planned; if need be so
-/// much too short. Where not even that is to be had, in a narrow place, it stays as it is.
+/// Shortens a path along a route so that the robot can continue from its end: nothing lethal lies
+/// straight ahead of its last pose within the width of the narrowest tunnel in which the vehicle
+/// turns into another one (2.2 m by default). Closer to the outer wall of a bend, the continuation
+/// around the corner would lie beside the vehicle, which no laser scans. `lattice` must treat only
+/// lethal ground as blocked, since the ground beyond a path is unobserved.
+///
+/// If such a path would be shorter than the minimum progress, the path ends 0.4 m before lethal
+/// ground instead, as a drive may end beyond its planned end; it may then fall short of the minimum
+/// progress by as much. If that is impossible too, in a narrow place, the path is unchanged.
 void trim_to_clear_end(PlannedPath& path, const TerrainMap& terrain, const HeadingSet& headings,
-                       const Lattice& seen, const GoalField& goals, const Vehicle& vehicle);
+                       const Lattice& lattice, const GoalField& goals, const Vehicle& vehicle);
 
 }  // namespace adit

@@ -24,7 +24,7 @@ struct PlanningParams {
   PrimitiveParams primitives;
   GoalParams goals;
   SearchParams search;
-  double point_spacing_m = 0.15;  ///< of the path
+  double point_spacing_m = 0.15;  ///< of the points of a path
 
   template <class V>
   void visit(V& v) {
@@ -37,54 +37,59 @@ struct PlanningParams {
   }
 };
 
-/// What a plan rests on, for those who want to look at it.
+/// The maps of the last plan, for pictures and measurements.
 struct PlanGround {
   GroundLayers layers;
   CSpace space;
   ExactCheck exact_check;
-  std::vector<std::uint8_t> reached;  ///< 1: the robot's middle can get there; empty with a path
+  /// For each cell, 1 where the centre of the robot can get; empty if a path was found.
+  std::vector<std::uint8_t> reached;
 };
 
-/// Finds a path over the terrain of one 3D scan: C-space maps by oriented kernels and A* in them
-/// (the paper's sections 3.2 and 3.3).
+/// Plans a path over the terrain of one 3D scan: C-space maps by oriented kernels (section 3.2 of
+/// the paper) and A* in a lattice of motion primitives (section 3.3).
 class Planning {
  public:
-  /// Throws std::invalid_argument where the vehicle cannot be planned for.
+  /// Throws std::invalid_argument if the parameters do not allow to plan for the vehicle.
   explicit Planning(const PlanningParams& params);
 
-  /// A path from where the robot is, or why there is none. It is planned from the pose of the
-  /// lattice nearest to the robot: within half a cell and half a heading. Throws
-  /// std::invalid_argument where the map has other cells than it says, or cells that are too small
-  /// or too large for the vehicle; a goal or a pose with no place is answered.
+  /// A path from the robot, or the reason why there is none. The search starts at the lattice pose
+  /// nearest to the robot, within half a cell and half a heading. Throws std::invalid_argument if
+  /// the terrain map is inconsistent or its cells are too small or too large for the vehicle. A
+  /// goal or pose outside the map is no error, but yields a reason.
   PlannedPath plan(const TerrainMap& terrain, const PlanGoal& goal, const Pose2& T_odom_body);
 
-  // The two halves of it, for those who want to know how long each takes. The first throws as
-  // `plan` does; the second takes what the first was given.
+  // The two steps of plan(), separately for measurements. find() needs the arguments of the
+  // preceding prepare(), which throws as plan() does.
+  /// C-space maps (section 3.2).
   void prepare(const TerrainMap& terrain, const Pose2& T_odom_body);
+  /// Search, then the path or an explanation (section 3.3).
   PlannedPath find(const TerrainMap& terrain, const PlanGoal& goal, const Pose2& T_odom_body);
 
-  /// What the last plan rested on.
+  /// The maps of the last plan.
   [[nodiscard]] const std::optional<PlanGround>& ground() const { return ground_; }
-  /// Those of the last plan; before, for cells of the usual size.
+  /// The kernels of the last plan; before the first one, for the default cell size.
   [[nodiscard]] const std::optional<CSpaceKernels>& kernels() const { return kernels_; }
 
  private:
-  void prepare_for(double cell_m);
+  void make_kernels(double cell_m);
   [[nodiscard]] const MotionPrimitives& primitives() const;
   [[nodiscard]] Lattice lattice(std::uint16_t cost_limit) const;
-  [[nodiscard]] bool is_valid(const LatticePose& pose) const;
-  PlannedPath explain_no_path(const TerrainMap& terrain, const Pose2& T_level_body,
-                              const LatticePose& start, const GoalField& goals);
-  [[nodiscard]] bool may_fit_without_margins(const TerrainMap& terrain, const Pose2& T_level_body,
-                                             const LatticePose& start, const GoalField& goals,
-                                             double enough_m) const;
+  [[nodiscard]] bool is_valid_start(const LatticePose& start) const;
+  void clear_blocked_start(const LatticePose& start);
+  [[nodiscard]] LatticePath search(const LatticePose& start, const GoalField& goals,
+                                   double cell_m) const;
+  [[nodiscard]] PlannedPath make_path(const LatticePath& found, const LatticePose& start,
+                                      const TerrainMap& terrain, const PlanGoal& goal,
+                                      const GoalField& goals, const Pose2& T_odom_body) const;
+  PlannedPath explain(const TerrainMap& terrain, const Pose2& T_level_body,
+                      const LatticePose& start, const GoalField& goals);
 
   PlanningParams params_;
   std::optional<CSpaceKernels> kernels_;
-  // With the front leading, to goals ahead, and the rear, to those behind the robot.
-  std::optional<MotionPrimitives> front_leading_;
-  std::optional<MotionPrimitives> rear_leading_;
-  bool drives_rear_first_ = false;
+  std::optional<MotionPrimitives> front_leading_;  ///< for goals ahead of the robot
+  std::optional<MotionPrimitives> rear_leading_;   ///< for goals behind it
+  bool is_goal_behind_ = false;
   std::optional<PlanGround> ground_;
 };
 

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kTileQueueSize = 200;  // several maps
 
-/// A search takes several times what it leaves, and the C library would hold on to the most that
-/// any one ever took.
+/// Returns freed memory to the system: a search allocates several times what remains after it, and
+/// the C library would keep the maximum.
 void release_memory() { malloc_trim(0); }
 
 }  // namespace
@@ -54,7 +54,7 @@ void PlanningNode::try_plan() {
   goal_.reset();
 }
 
-/// Who asked gets an answer, also where the terrain is none that can be planned on.
+/// Every goal gets an answer, even if the terrain cannot be planned on.
 PlannedPath PlanningNode::plan() {
   try {
     failure_.clear();
@@ -68,8 +68,8 @@ PlannedPath PlanningNode::plan() {
 Health PlanningNode::health() const {
   using Level = Health::Level;
   if (!failure_.empty()) return {Level::kDegraded, failure_};
-  if (goal_ && !terrain_) return {Level::kDegraded, "a goal waits for the first terrain"};
-  if (goal_) return {Level::kDegraded, "a goal waits for the first pose"};
+  if (goal_ && !terrain_) return {Level::kDegraded, "goal pending: no terrain received yet"};
+  if (goal_) return {Level::kDegraded, "goal pending: no pose received yet"};
   return {};
 }
 

@@ -11,10 +11,9 @@
 
 namespace adit {
 
-/// In:  TERRAIN (terrain_t), in pieces; GOAL (plan_goal_t); POSE (pose_t).
-/// Out: PATH (planned_path_t), once for each goal, over the newest terrain. A goal that comes
-/// before
-///      the first terrain or pose waits for it; a newer goal takes its place.
+/// In:  TERRAIN (terrain_t), in fragments; GOAL (plan_goal_t); POSE (pose_t).
+/// Out: PATH (planned_path_t), once for each goal, over the newest terrain. A goal that arrives
+///      before the first terrain or pose is pending until then; a newer goal replaces it.
 class PlanningNode {
  public:
   using Params = PlanningParams;
@@ -22,7 +21,7 @@ class PlanningNode {
   /// Throws as Planning does.
   PlanningNode(Bus& bus, const Params& params);
 
-  /// Degraded while a goal waits, and where no path could be looked for.
+  /// Degraded while a goal is pending, and if the last terrain could not be planned on.
   [[nodiscard]] Health health() const;
 
  private:
@@ -34,8 +33,8 @@ class PlanningNode {
   TerrainReassembler assembler_;
   std::optional<TerrainMap> terrain_;
   std::optional<Pose2> T_odom_body_;
-  std::optional<PlanGoal> goal_;  ///< that has no answer yet
-  std::string failure_;           ///< of the last plan
+  std::optional<PlanGoal> goal_;  ///< pending
+  std::string failure_;           ///< error of the last plan; empty without one
 };
 
 }  // namespace adit

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kKernels = 8;  // over half a turn
 constexpr std::uint8_t kWhite = 255;
-constexpr double kPaleCost = 60.0;  // added to that of even ground, half as bright
+constexpr double kHalfGreyCost = 60.0;  // cost above even ground at half of the brightness
 
 std::string degrees(double angle_rad) {
   return std::to_string(std::lround(rad_to_deg(angle_rad))) + "°";
@@ -21,16 +21,16 @@ std::string degrees(double angle_rad) {
 std::uint8_t grey_of(std::uint16_t cost) {
   if (cost == CSpace::kLethal) return PlanPicture::kLethalGrey;
   if (cost == CSpace::kUnknown) return PlanPicture::kUnknownGrey;
-  const double pale = kPaleCost / (kPaleCost + CSpace::unmarked(cost) - CSpace::kEven);
+  const double share = kHalfGreyCost / (kHalfGreyCost + CSpace::unmarked(cost) - CSpace::kEven);
   return static_cast<std::uint8_t>(
-      std::lround(std::lerp(PlanPicture::kCostlyGrey, PlanPicture::kFlatGrey, pale)));
+      std::lround(std::lerp(PlanPicture::kCostlyGrey, PlanPicture::kFlatGrey, share)));
 }
 
 GreyCells slice_of(const CSpace& space, const HeadingSet& headings, double angle_rad) {
   const int heading = headings.nearest(angle_rad);
   GreyCells slice{"C-space at " + degrees(headings.angle(heading)), space.columns(), {}};
-  const std::uint16_t* costs = space.slice(heading);
-  std::transform(costs, costs + space.cells(), std::back_inserter(slice.grey), grey_of);
+  const std::vector<std::uint16_t>& costs = space.slice(heading).cells();
+  std::transform(costs.begin(), costs.end(), std::back_inserter(slice.grey), grey_of);
   return slice;
 }
 

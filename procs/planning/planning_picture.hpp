@@ -10,8 +10,8 @@
 
 namespace adit {
 
-/// What the last plan rested on, to be drawn: C-space maps at the headings of these angles in
-/// level, and the kernels of some headings (the paper's figure 5c).
+/// The maps of the last plan as a picture: the C-space at the headings nearest to `angles_rad` in
+/// level, and the kernels of some headings (figure 5c of the paper).
 PlanPicture planning_picture(const std::string& title, const TerrainMap& terrain,
                              const PlannedPath& path, const Planning& planning,
                              const Vehicle& vehicle, const std::vector<double>& angles_rad);

@@ -12,8 +12,8 @@ namespace adit {
 CloudLine BeamPlacement::place(const LaserScan& scan, const std::vector<float>& ranges_m) const {
   CloudLine line;
   line.utime = scan.utime;
-  const std::int64_t middle = scan.utime + (end_utime(scan) - scan.utime) / 2;
-  line.origin = T_level_laser(middle).translation().cast<float>();
+  const std::int64_t mean_utime = scan.utime + (end_utime(scan) - scan.utime) / 2;
+  line.origin = T_level_laser(mean_utime).translation().cast<float>();
   for (std::size_t i = 0; i < ranges_m.size(); ++i) {
     if (std::isnan(ranges_m[i])) continue;
     const auto beam = static_cast<int>(i);
@@ -34,7 +34,7 @@ std::int64_t BeamPlacement::utime_of_beam(const LaserScan& scan, int beam) const
 }
 
 std::int64_t BeamPlacement::end_utime(const LaserScan& scan) const {
-  // Where a scan takes two turns of the mirror, the last in time is one of its last two beams.
+  // If a scan takes two turns of the mirror, one of its last two beams is the last in time.
   const auto beams = static_cast<int>(scan.ranges_m.size());
   return std::max(utime_of_beam(scan, std::max(beams - 1, 0)),
                   utime_of_beam(scan, std::max(beams - 2, 0)));

@@ -20,26 +20,25 @@ namespace adit {
 
 inline double interpolate(double a, double b, double share) { return a + share * (b - a); }
 
-/// At constant velocity in the frame of `a`, which for small steps is a motion along an arc.
+/// Interpolates at constant velocity in the frame of `a`; a motion along an arc for small steps.
 inline Pose2 interpolate(const Pose2& T_w_a, const Pose2& T_w_b, double share) {
   const Pose2 step = between(T_w_a, T_w_b);
   return T_w_a * Pose2{share * step.x, share * step.y, share * step.theta};
 }
 
-/// What was measured at some times, and so what was between them.
+/// Measurements by time, interpolated linearly.
 template <class Value>
 class InterpolationBuffer {
  public:
-  /// In any order. False where there is one of that time already: it stays.
+  /// In any order. False if there is a value of that time already, which is kept.
   bool add(std::int64_t utime, const Value& value) { return values_.emplace(utime, value).second; }
 
   void clear() { values_.clear(); }
   [[nodiscard]] bool empty() const { return values_.empty(); }
-  /// Of the newest; there must be one.
+  /// Time of the newest value; there must be one.
   [[nodiscard]] std::int64_t end_utime() const { return values_.rbegin()->first; }
 
-  /// Between the neighbours in time; the nearest before the first and after the last. Nothing where
-  /// there is none.
+  /// The interpolated value; the first or last one outside their times. Nothing without values.
   [[nodiscard]] std::optional<Value> at(std::int64_t utime) const {
     if (values_.empty()) return std::nullopt;
     const auto after = values_.lower_bound(utime);
@@ -55,11 +54,11 @@ class InterpolationBuffer {
   std::map<std::int64_t, Value> values_;
 };
 
-/// Places beams in level, each from where the laser was at its own time.
+/// Transforms beams to the frame level, each by the pose of the laser at its own time.
 class BeamPlacement {
  public:
-  /// Both tracks must have something in them, and outlive this. Where the body was, as it stands:
-  /// `R_level_body` makes it level wherever it goes.
+  /// The motion of the laser during the sweep. Both buffers must not be empty and must outlive this
+  /// object. `R_level_body` levels the body at all its poses.
   struct Motion {
     const InterpolationBuffer<double>& tilt_rad;
     const InterpolationBuffer<Pose2>& T_odom_body;
@@ -70,12 +69,12 @@ class BeamPlacement {
   BeamPlacement(const LaserMount& mount, const ScanTiming& timing, const Motion& motion)
       : mount_(mount), timing_(timing), motion_(motion) {}
 
-  /// `ranges_m` are those of the scan as RangeImage has them.
+  /// `ranges_m` are those of the scan, in the convention of RangeImage.
   [[nodiscard]] CloudLine place(const LaserScan& scan, const std::vector<float>& ranges_m) const;
 
-  /// [µs since the epoch], of beams 0 to n − 1 of the scan.
+  /// Time of a beam, from 0 to n − 1 [µs since the epoch].
   [[nodiscard]] std::int64_t utime_of_beam(const LaserScan& scan, int beam) const;
-  /// When the last of its beams is measured.
+  /// Time of the last beam of a scan.
   [[nodiscard]] std::int64_t end_utime(const LaserScan& scan) const;
 
  private:

@@ -3,32 +3,17 @@
 #include "procs/scan_assembly/cloud_journal.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "common/messages/codec.hpp"
 #include "common/messages/mapping/cloud.hpp"
 
 namespace adit {
-
-void CloudBuffer::add(const Cloud& cloud, std::int64_t utime) {
-  sent_.push_back({utime, cloud});
-  if (sent_.size() > kMax) sent_.pop_front();
-}
-
-const Cloud* CloudBuffer::find_missing(const CloudRequest& request, std::int64_t utime) const {
-  const auto is_missing = [&](const Sent& sent) {
-    const std::int64_t end = sent.cloud.utime;
-    return utime - sent.utime >= kResendDelayUs && end > request.after_utime &&
-           std::ranges::find(request.received_utime, end) == request.received_utime.end();
-  };
-  const auto found = std::find_if(sent_.rbegin(), sent_.rend(), is_missing);
-  return found == sent_.rend() ? nullptr : &found->cloud;
-}
-
 namespace {
 
 constexpr std::string_view kFragment = "CLOUD_FRAGMENT";
 
-/// Joins the pieces of which a journal has all.
+/// Reassembles the clouds of which the journal has all fragments.
 class CloudReader {
  public:
   explicit CloudReader(std::vector<Cloud>& clouds) : clouds_(clouds) {}
@@ -49,13 +34,29 @@ class CloudReader {
 
 }  // namespace
 
+void CloudBuffer::add(const Cloud& cloud, std::int64_t utime) {
+  sent_.push_back({utime, cloud});
+  if (sent_.size() > kMax) sent_.pop_front();
+}
+
+const Cloud* CloudBuffer::find_missing(const CloudRequest& request, std::int64_t utime) const {
+  const auto is_missing = [&](const Sent& sent) {
+    const std::int64_t end = sent.cloud.utime;
+    return utime - sent.utime >= kResendDelayUs && end > request.after_utime &&
+           std::ranges::find(request.received_utime, end) == request.received_utime.end();
+  };
+  const auto found = std::find_if(sent_.rbegin(), sent_.rend(), is_missing);
+  return found == sent_.rend() ? nullptr : &found->cloud;
+}
+
 CloudJournal::CloudJournal(const std::filesystem::path& path)
     : journal_(path, CloudReader(restored_)) {
   clouds_ = restored_.size();
   for (const Cloud& cloud : restored_) unacknowledged_utime_.push_back(cloud.utime);
 }
 
-/// What it begins anew without has been announced long ago, and may be asked for in memory.
+/// The scans that are dropped when the journal is full were published long ago; the newest of them
+/// can still be requested from the CloudBuffer.
 void CloudJournal::store(const Cloud& cloud) {
   if (clouds_ >= kMax) {
     journal_.clear();

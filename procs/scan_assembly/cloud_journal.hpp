@@ -15,19 +15,19 @@
 
 namespace adit {
 
-/// The newest 3D scans, for those who missed one: who keeps them may just have been started again,
-/// and a message may have been lost. Some MB.
+/// The newest 3D scans, in memory, for resends: a receiver may have been restarted, and messages
+/// may be lost. A few MB.
 class CloudBuffer {
  public:
   static constexpr std::size_t kMax = 8;
-  /// One that was sent so shortly ago may be on its way, or may just be handled.
+  /// A cloud is not resent within this time: it may be in transit or being processed.
   static constexpr std::int64_t kResendDelayUs = 3'000'000;
 
-  /// In order of time; `utime` is the bus time at which it was sent.
+  /// In order of time; `utime` is the bus time of the transmission.
   void add(const Cloud& cloud, std::int64_t utime);
 
-  /// The newest that was sent long enough ago by `utime` and that the other asks for; nullptr where
-  /// there is none.
+  /// The newest cloud that the requester is missing and whose resend delay has passed at `utime`;
+  /// nullptr if there is none.
   [[nodiscard]] const Cloud* find_missing(const CloudRequest& request, std::int64_t utime) const;
 
  private:
@@ -39,31 +39,32 @@ class CloudBuffer {
   std::deque<Sent> sent_;
 };
 
-/// 3D scans on the disk until somebody has them: all may be cut off between the moment at which one
-/// is announced and that at which it is kept by who makes a map of it. Some 0.5 MB each.
+/// Stores 3D scans on disk until a receiver acknowledges them: power may be lost after a scan is
+/// published and before the volume map has stored it. About 0.5 MB for each scan.
 class CloudJournal {
  public:
-  /// Where nobody says that he has any, this many are kept at most; then it begins anew.
+  /// Maximum number of scans; without acknowledgements the journal is cleared then.
   static constexpr std::size_t kMax = 64;
 
-  /// Opens or creates it. Throws std::runtime_error where the file is no journal or cannot be used.
+  /// Opens or creates the file. Throws std::runtime_error if it is no journal or cannot be used.
   explicit CloudJournal(const std::filesystem::path& path);
 
-  /// What was there when it was opened, in the order in which it came; one that is not whole is
-  /// left out. Once.
+  /// The scans of the file at its opening, in the order of storage, without incomplete ones. Can be
+  /// called once.
   std::vector<Cloud> take_restored() { return std::exchange(restored_, {}); }
 
-  /// Returns when the disk has it. Throws std::runtime_error where it cannot.
+  /// Returns when the scan is on disk. Throws std::runtime_error if that fails.
   void store(const Cloud& cloud);
 
-  /// Somebody has those of these times (Cloud::utime). Forgets all once nobody lacks one.
+  /// A receiver has stored the scans of these times (Cloud::utime). The journal is cleared when all
+  /// scans are acknowledged.
   void acknowledge(std::span<const std::int64_t> received_utime);
 
  private:
   std::vector<Cloud> restored_;
   Journal journal_;
-  std::size_t clouds_ = 0;                          ///< that are in it
-  std::vector<std::int64_t> unacknowledged_utime_;  ///< of those that nobody has
+  std::size_t clouds_ = 0;                          ///< number of clouds in the file
+  std::vector<std::int64_t> unacknowledged_utime_;  ///< Cloud::utime
 };
 
 }  // namespace adit

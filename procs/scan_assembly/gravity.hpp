@@ -14,8 +14,8 @@
 namespace adit {
 
 struct GravityParams {
-  int readings = 100;               ///< that the mean is taken of; with fewer there is none
-  double deviation_max_m_s2 = 0.5;  ///< of the mean from 9.81; beyond, the body does not stand
+  int readings = 100;               ///< number of readings of the mean
+  double deviation_max_m_s2 = 0.5;  ///< of the mean from 9.81; beyond, the body is not at rest
 
   template <class V>
   void visit(V& v) {
@@ -24,26 +24,24 @@ struct GravityParams {
   }
 };
 
-/// Which way is up, of a body at rest: against the pull of gravity, as the mean of the specific
-/// force that was measured last.
+/// Estimates the up direction of a body at rest, as the mean of the last measurements of the
+/// specific force.
 class GravityEstimator {
  public:
   explicit GravityEstimator(const GravityParams& params) : params_(params) {}
 
-  /// False for a reading that is not finite; it is not used.
+  /// False for a reading that is not finite; it is ignored.
   bool add(const ImuReading& reading);
 
-  /// Unit vector in the body frame. Nothing without enough readings, or where they are not those of
-  /// a body at rest.
+  /// Unit vector in the body frame; nothing with too few readings, or if the body is not at rest.
   [[nodiscard]] std::optional<Eigen::Vector3d> up_body() const;
 
  private:
   GravityParams params_;
-  std::deque<Eigen::Vector3d> forces_;  ///< the newest
+  std::deque<Eigen::Vector3d> forces_;  ///< the newest readings
 };
 
-/// The rotation that makes a body level: takes `up_body` to z and leaves the direction of the
-/// body's x axis in the plan as it is.
+/// R_level_body, the rotation that takes `up_body` to z and keeps the heading of the body's x axis.
 Eigen::Matrix3d level_rotation(const Eigen::Vector3d& up_body);
 
 }  // namespace adit

@@ -18,23 +18,8 @@ float valid_range_m(float range_m, const LaserMount& mount) {
   return std::numeric_limits<float>::quiet_NaN();
 }
 
-}  // namespace
-
-RangeImage range_image(std::span<const LaserScan> scans, const LaserMount& mount) {
-  RangeImage image;
-  image.reserve(scans.size());
-  for (const LaserScan& scan : scans) {
-    std::vector<float>& row = image.emplace_back();
-    std::ranges::transform(scan.ranges_m, std::back_inserter(row),
-                           [&](float range_m) { return valid_range_m(range_m, mount); });
-  }
-  return image;
-}
-
-namespace {
-
 enum class Kind {
-  kSurface,  // or nothing at all
+  kSurface,  // or no return
   kMixture,
   kIsolated,
 };
@@ -45,18 +30,18 @@ using Kinds = std::vector<std::vector<Kind>>;
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
 float at(const Row& row, std::ptrdiff_t beam) {
-  const bool there = beam >= 0 && beam < std::ssize(row);
-  return there ? row[static_cast<std::size_t>(beam)] : kNothing;
+  const bool exists = beam >= 0 && beam < std::ssize(row);
+  return exists ? row[static_cast<std::size_t>(beam)] : kNothing;
 }
 
-/// NaN differs from nothing, infinity from all that is finite.
+/// NaN differs from no value, infinity from all finite values.
 bool differs(float a, float b, const MixedPixelParams& params) {
   return std::abs(a - b) > params.jump_min_m;
 }
 
-/// Whether the beam goes on the straight line through the next two at a distance of `step` and
-/// twice that. Inverse ranges of a line at equal steps of angle Δ obey u₀ + u₂ = 2 cos Δ u₁; here
-/// cos Δ is 1, which at a degree is wrong by 0.03 % of the range.
+/// Whether a beam continues the line through the beams at `step` and 2 · `step` from it. The
+/// inverse ranges of a line at equal angular steps Δ satisfy u₀ + u₂ = 2 cos Δ u₁. The
+/// approximation cos Δ = 1 has an error of 0.03 % of the range at one degree.
 bool continues_line(const Row& row, std::ptrdiff_t beam, std::ptrdiff_t step,
                     const MixedPixelParams& params) {
   const float next = at(row, beam + step);
@@ -66,7 +51,7 @@ bool continues_line(const Row& row, std::ptrdiff_t beam, std::ptrdiff_t step,
   return inverse > 0.0F && !differs(1.0F / inverse, at(row, beam), params);
 }
 
-/// Whether the beam is of one surface with others at a distance of `step`, to either side.
+/// Whether a beam belongs to the surface of the beams at `step` to either side.
 bool is_of_surface(const Row& row, std::ptrdiff_t beam, std::ptrdiff_t step,
                    const MixedPixelParams& params) {
   const float range = at(row, beam);
@@ -98,14 +83,14 @@ Kinds kinds_of(const RangeImage& image, int turns, const MixedPixelParams& param
   return kinds;
 }
 
-/// Returns near `beam` in a row that agree with a range and are no mixtures.
+/// Number of returns near `beam` in a row that have the same range and are no mixtures.
 int support_count(const Row& row, const std::vector<Kind>& kinds, std::size_t beam, float range,
                   const MixedPixelParams& params) {
   int n = 0;
   const std::size_t end = std::min(row.size(), beam + 2);
   for (std::size_t i = beam > 0 ? beam - 1 : 0; i < end; ++i) {
-    const bool measured = std::isfinite(row[i]) && kinds[i] != Kind::kMixture;
-    if (measured && !differs(row[i], range, params)) ++n;
+    const bool counts = std::isfinite(row[i]) && kinds[i] != Kind::kMixture;
+    if (counts && !differs(row[i], range, params)) ++n;
   }
   return n;
 }
@@ -122,6 +107,17 @@ bool is_supported(const RangeImage& image, const Kinds& kinds, std::size_t line,
 }
 
 }  // namespace
+
+RangeImage range_image(std::span<const LaserScan> scans, const LaserMount& mount) {
+  RangeImage image;
+  image.reserve(scans.size());
+  for (const LaserScan& scan : scans) {
+    std::vector<float>& row = image.emplace_back();
+    std::ranges::transform(scan.ranges_m, std::back_inserter(row),
+                           [&](float range_m) { return valid_range_m(range_m, mount); });
+  }
+  return image;
+}
 
 void remove_mixed_pixels(RangeImage& image, int turns, const MixedPixelParams& params) {
   const RangeImage measured = image;

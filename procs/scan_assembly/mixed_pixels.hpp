@@ -11,16 +11,16 @@
 
 namespace adit {
 
-/// The scans of a tilt sweep as an image: a row for each scan, a column for each beam. Ranges in
-/// metres; infinity where nothing came back; NaN where the reading is not to be believed.
+/// The ranges of a tilt sweep [m]: a row for each scan, a column for each beam. Infinity where a
+/// beam had no return; NaN where the reading is invalid.
 using RangeImage = std::vector<std::vector<float>>;
 
 RangeImage range_image(std::span<const LaserScan> scans, const LaserMount& mount);
 
 struct MixedPixelParams {
-  double jump_min_m = 0.05;  ///< along the ray, from which two returns are not of one surface
-  double span_max_m = 0.7;  ///< between surfaces that a laser may mix: a little more than its pulse
-  int support_min = 1;      ///< returns in the lines before and after that make one believed
+  double jump_min_m = 0.05;  ///< range difference between returns of two surfaces
+  double span_max_m = 0.7;   ///< distance of surfaces that are mixed: slightly above a pulse length
+  int support_min = 1;       ///< returns in the neighbouring lines that confirm one
 
   template <class V>
   void visit(V& v) {
@@ -30,18 +30,20 @@ struct MixedPixelParams {
   }
 };
 
-/// Takes out returns that are of no surface; they become NaN. A beam that is cut by an edge returns
-/// a range between those of both surfaces (a mixed pixel). Suspect is what differs along the ray
-/// from both neighbours in its scan, and does not go on the straight line through the two returns
-/// on either side, as a wall at grazing incidence does. Where a scan takes several turns of the
-/// mirror (`turns`, ScanTiming) the laser tilts between neighbours, and it is enough that either
-/// holds among the beams of one turn. Of these,
-/// - what lies between its neighbours, nearer together than the span, is a mixture;
-/// - what lies before both, or behind both, may be thin, as a cable, or wrong.
-/// Either stays if it has support: as many returns at its range, no mixtures, among the three
-/// nearest beams of the scans before and after. A cable crosses several of them; along an edge
-/// there are mixtures above each other, which therefore do not count. Edges along the scan are not
-/// looked for.
+/// Removes returns that belong to no surface; they become NaN. A beam that is split by an edge
+/// returns a range between those of the two surfaces (a mixed pixel). A return is suspect if its
+/// range differs from both neighbours in its scan, and if it does not continue the line through the
+/// next two returns on either side, as those of a wall at grazing incidence do. If a scan takes
+/// several turns of the mirror (`turns`, ScanTiming), the laser tilts between neighbouring beams:
+/// it is sufficient that one of the conditions fails among the beams of the same turn. Of the
+/// suspects,
+/// - a return between neighbours that are closer together than the span is a mixture;
+/// - a return in front of both neighbours, or behind both, is isolated: a thin object such as a
+///   cable, or an error.
+/// Both are kept with support: returns of the same range that are no mixtures among the three
+/// nearest beams of the scans before and after. A cable crosses several scans; along an edge,
+/// mixtures lie above each other, and therefore do not count. Edges along the scan are not
+/// detected.
 void remove_mixed_pixels(RangeImage& image, int turns, const MixedPixelParams& params);
 
 }  // namespace adit

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "common/sensing/seconds.hpp"
 
 namespace adit {
@@ -26,15 +28,15 @@ ScanAssembly::ScanAssembly(const ScanAssemblyParams& params)
 void ScanAssembly::begin(const ScanRequest& request, std::int64_t utime) {
   if (is_repeat(request, utime)) return;
   if (sweep_.phase() == Phase::kApproach || sweep_.phase() == Phase::kSweep) {
-    problem_ = "request refused: a sweep is under way";
+    problem_ = "request rejected: a sweep is in progress";
     return;
   }
   if (sweep_.phase() == Phase::kReturn && request.laser != request_.laser) {
-    problem_ = "request refused: the other laser is not level yet";
+    problem_ = "request rejected: the other laser is not level yet";
     return;
   }
   if (!last_pose_) {
-    problem_ = "request refused: the pose is not known";
+    problem_ = "request rejected: no pose received yet";
     return;
   }
   problem_.clear();
@@ -48,7 +50,7 @@ void ScanAssembly::begin(const ScanRequest& request, std::int64_t utime) {
   sweep_.begin();
 }
 
-/// Who asks repeats it until there is a cloud. That may be on its way.
+/// A request is repeated until its cloud arrives, which may be in transit.
 bool ScanAssembly::is_repeat(const ScanRequest& request, std::int64_t utime) const {
   const bool same = request.id == request_.id && request.laser == request_.laser;
   if (!same || begin_utime_ == 0) return false;
@@ -97,7 +99,7 @@ ScanAssembly::Step ScanAssembly::advance(std::int64_t utime) {
   if (before == Phase::kSweep && sweep_.phase() == Phase::kReturn) {
     step.cloud = assemble(true);
     cloud_utime_ = utime;
-    if (!step.cloud) problem_ = "no scan came during the sweep";
+    if (!step.cloud) problem_ = "no scan received during the sweep";
   }
   return step;
 }
@@ -106,14 +108,14 @@ std::string ScanAssembly::abort_reason(std::int64_t utime) const {
   const double timeout = sweep_.duration_s() + params_.timeout_s;
   if (sweep_.phase() == Phase::kReturn) {
     const bool late = seconds(utime - begin_utime_) > 2.0 * timeout;
-    return late ? std::string(name_of(request_.laser)) + " does not come back to level" : "";
+    return late ? fmt::format("{} does not return to level", name_of(request_.laser)) : "";
   }
-  if (seconds(utime - begin_utime_) > timeout) return "the sweep took too long";
+  if (seconds(utime - begin_utime_) > timeout) return "the sweep timed out";
   if (seconds(utime - scan_utime_) > params_.sensor_timeout_s) {
-    return std::string(name_of(request_.laser)) + " is silent";
+    return fmt::format("scans of {} timed out", name_of(request_.laser));
   }
   if (seconds(utime - tilt_utime_) > params_.sensor_timeout_s) {
-    return "the tilt of " + std::string(name_of(request_.laser)) + " is silent";
+    return fmt::format("tilt of {} timed out", name_of(request_.laser));
   }
   const Pose2 motion = between(T_odom_begin_, last_pose_->T_odom_body);
   if (motion.translation().norm() > params_.moved_max_m ||
@@ -138,7 +140,7 @@ void ScanAssembly::start_lines() {
   scans_.clear();
   first_line_utime_ = tilt_rad_.end_utime();
   up_body_ = gravity_.up_body();
-  if (!up_body_) problem_ = "no inertial readings of a body at rest: it is taken as level";
+  if (!up_body_) problem_ = "no IMU readings at rest: the body is assumed level";
 }
 
 const LaserMount& ScanAssembly::mount() const {
@@ -161,7 +163,7 @@ std::optional<Cloud> ScanAssembly::assemble(bool complete) const {
   const int turns = params_.timing.turns(scans_.front().angle_step_rad);
   remove_mixed_pixels(image, turns, params_.mixed_pixels);
   for (std::size_t i = 0; i < scans_.size(); ++i) {
-    // What was measured before the first or after the last tilt is not known in its place.
+    // Scans before the first tilt or after the last one cannot be placed.
     if (scans_[i].utime < first_line_utime_) continue;
     if (placement.end_utime(scans_[i]) > cloud.utime) continue;
     cloud.lines.push_back(placement.place(scans_[i], image[i]));

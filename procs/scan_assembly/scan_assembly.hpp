@@ -25,9 +25,9 @@ struct ScanAssemblyParams {
   SweepMotionParams sweep;
   GravityParams gravity;
   MixedPixelParams mixed_pixels;
-  double timeout_s = 4.0;         ///< beyond the time that the motions of the sweep take
-  double sensor_timeout_s = 0.5;  ///< of the laser or its tilt, at which a sweep is cut short
-  double moved_max_m = 0.05;      ///< of the body since the request, at which it is
+  double timeout_s = 4.0;         ///< beyond the duration of the sweep motion
+  double sensor_timeout_s = 0.5;  ///< of the laser and its tilt; aborts a sweep
+  double moved_max_m = 0.05;      ///< motion of the body since the request; aborts a sweep
   double moved_max_rad = 0.02;
 
   template <class V>
@@ -44,42 +44,42 @@ struct ScanAssemblyParams {
   }
 };
 
-/// One 3D scan from one tilt sweep of a planar laser (paper, section 3): each beam is placed by the
-/// tilt and the pose of the body at its own time, the body is levelled by gravity, mixed pixels are
-/// left out. The robot is to stand; without readings of its pose it is taken to stand where it was
-/// last seen.
+/// Assembles one 3D scan from one tilt sweep of a planar laser (section 3 of the paper): each beam
+/// is placed by the tilt and the pose of the body at its own time, the body is levelled by gravity,
+/// and mixed pixels are removed. The robot must stand; without new poses it is assumed to stand at
+/// its last pose.
 ///
-/// Times that are passed beside readings are bus time, and only of them time-outs are reckoned:
+/// Times that are passed beside readings are bus time. Only bus time is used for timeouts, as
 /// sensors may have another clock.
 class ScanAssembly {
  public:
   struct Step {
-    std::optional<TiltCommand> command;  ///< to be sent to the laser of the sweep
+    std::optional<TiltCommand> command;  ///< for the laser of the sweep
     std::optional<Cloud> cloud;
   };
 
   explicit ScanAssembly(const ScanAssemblyParams& params);
 
-  /// Where a sweep is under way, or the pose is not known, nothing happens but a complaint. The
-  /// request of that sweep may be repeated.
+  /// Starts a sweep. Rejected, with a problem(), during another sweep or without a pose.
+  /// Repetitions of the request of the current sweep are ignored.
   void begin(const ScanRequest& request, std::int64_t utime);
 
-  // Each false where the reading is not used. While no sweep is under way, only poses and inertia
-  // are. What is not finite is refused, and so are scans that do not advance in time; tilts and
-  // poses may come in any order.
+  // These return false if the reading is not used. Without a sweep only poses and IMU readings are
+  // used. Readings that are not finite and scans that do not advance in time are rejected; tilts
+  // and poses may arrive in any order.
   bool add(LaserId laser, const LaserScan& scan);
   bool add(LaserId laser, const TiltReading& reading);
   bool add(const ImuReading& reading) { return gravity_.add(reading); }
   bool add(std::int64_t utime, const Pose2& T_odom_body);
 
-  /// To be called at least some ten times per second. A sweep ends with a cloud; one that is cut
-  /// short (time-out, silence, a robot that moves) with one that is not complete, or with none
-  /// where there is not one line.
+  /// Must be called at least ten times per second. A sweep ends with a cloud. An aborted sweep
+  /// (timeout, stale sensor, motion of the robot) ends with an incomplete cloud, or with none if
+  /// there is no line.
   Step advance(std::int64_t utime);
 
-  /// Laser of the sweep that is, or was last, under way.
+  /// Laser of the current or last sweep.
   [[nodiscard]] LaserId laser() const { return request_.laser; }
-  /// What was wrong with the last request or sweep; empty where nothing was.
+  /// The problem of the last request or sweep; empty without one.
   [[nodiscard]] const std::string& problem() const { return problem_; }
 
  private:
@@ -97,17 +97,17 @@ class ScanAssembly {
   ScanRequest request_;
   std::string problem_;
 
-  // Of the sweep that is under way.
+  // The current sweep.
   std::vector<LaserScan> scans_;
   InterpolationBuffer<double> tilt_rad_;
   InterpolationBuffer<Pose2> T_odom_body_;
   std::optional<Eigen::Vector3d> up_body_;
   Pose2 T_odom_begin_;
-  std::int64_t first_line_utime_ = 0;  ///< before it the laser was on its way to the sweep
+  std::int64_t first_line_utime_ = 0;  ///< the laser approached the start before it
   std::int64_t begin_utime_ = 0;       ///< bus time of the request
-  std::int64_t scan_utime_ = 0;        ///< bus time at which the laser was last heard
-  std::int64_t tilt_utime_ = 0;        ///< the same of its tilt
-  std::int64_t cloud_utime_ = 0;       ///< bus time at which it had its cloud
+  std::int64_t scan_utime_ = 0;        ///< bus time of the last scan
+  std::int64_t tilt_utime_ = 0;        ///< bus time of the last tilt
+  std::int64_t cloud_utime_ = 0;       ///< bus time of the cloud
 
   std::int64_t utime_ = 0;  ///< bus time
   struct LastPose {

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kRequestQueueSize = 10;
 constexpr std::size_t kScanQueueSize = 100;     // more than a second of an LMS-200 at 75 Hz
-constexpr std::size_t kReadingQueueSize = 500;  // as much of tilt, pose and IMU
-constexpr std::int64_t kPeriodUs = 20'000;      // as often as the tilt is measured
+constexpr std::size_t kReadingQueueSize = 500;  // a second of tilt, pose and IMU readings
+constexpr std::int64_t kPeriodUs = 20'000;      // the period of tilt readings
 
 void publish_cloud(Bus& bus, std::string_view channel, const Cloud& cloud) {
   for (const CloudFragment& fragment : split(cloud)) publish(bus, channel, to_message(fragment));
@@ -65,7 +65,7 @@ void ScanAssemblyNode::advance(std::int64_t utime) {
   }
   if (!step.cloud) return;
   buffer_.add(*step.cloud, utime);
-  // To the disk first: what was announced is not forgotten.
+  // On disk before it is published: a published scan is never lost.
   journal_failure_.clear();
   with_journal([&](CloudJournal& journal) { journal.store(*step.cloud); });
   publish_cloud(bus_, channels::kCloud, *step.cloud);
@@ -73,8 +73,8 @@ void ScanAssemblyNode::advance(std::int64_t utime) {
 
 void ScanAssemblyNode::resend_missing(const CloudRequest& request) {
   with_journal([&](CloudJournal& journal) { journal.acknowledge(request.received_utime); });
-  const Cloud* const find_missing = buffer_.find_missing(request, bus_.now_utime());
-  if (find_missing != nullptr) publish_cloud(bus_, channels::kCloudResend, *find_missing);
+  const Cloud* const missing = buffer_.find_missing(request, bus_.now_utime());
+  if (missing != nullptr) publish_cloud(bus_, channels::kCloudResend, *missing);
 }
 
 void ScanAssemblyNode::with_journal(const std::function<void(CloudJournal&)>& work) {

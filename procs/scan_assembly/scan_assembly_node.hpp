@@ -16,7 +16,7 @@
 namespace adit {
 
 struct ScanAssemblyNodeParams : ScanAssemblyParams {
-  std::string journal;  ///< file that keeps what nobody has yet; empty: nothing is kept
+  std::string journal;  ///< file for unacknowledged scans; empty: none
 
   template <class V>
   void visit(V& v) {
@@ -26,22 +26,22 @@ struct ScanAssemblyNodeParams : ScanAssemblyParams {
 };
 
 /// In:  SCAN_REQUEST (scan_request_t); LASER_FRONT, LASER_REAR (planar_lidar_t); TILT_FRONT,
-///      TILT_REAR (tilt_t); POSE (pose_t); where it is, IMU (imu_t). CLOUD_REQUEST
-///      (cloud_request_t) of who may have missed a 3D scan.
+///      TILT_REAR (tilt_t); POSE (pose_t); optional IMU (imu_t). CLOUD_REQUEST (cloud_request_t)
+///      of a receiver that may be missing 3D scans.
 /// Out: for each request TILT_COMMAND_FRONT or TILT_COMMAND_REAR (tilt_command_t), which sweep the
-///      laser and bring it back to level; then CLOUD (cloud_t) in pieces. CLOUD_RESEND (cloud_t),
-///      in pieces, for who missed one of the newest.
-/// Where a journal is named, a 3D scan is on the disk before it goes out, and stays there until
-/// somebody has it: after a restart it can still be asked for.
+///      laser and return it to level; then CLOUD (cloud_t) in fragments. CLOUD_RESEND (cloud_t), in
+///      fragments, of one of the newest scans that a receiver is missing.
+/// With a journal, a 3D scan is on disk before it is published, and stays there until it is
+/// acknowledged: after a restart it can still be requested.
 class ScanAssemblyNode {
  public:
   using Params = ScanAssemblyNodeParams;
 
-  /// Throws std::runtime_error where the journal cannot be used.
+  /// Throws std::runtime_error if the journal cannot be used.
   ScanAssemblyNode(Bus& bus, const Params& params);
 
-  /// Degraded where the last request was refused, or its sweep cut short or not levelled, and where
-  /// a 3D scan cannot be kept.
+  /// Degraded if the last request was rejected, its sweep was aborted or not levelled, or a 3D scan
+  /// cannot be stored.
   [[nodiscard]] Health health() const;
 
  private:

@@ -9,7 +9,7 @@ namespace adit {
 namespace {
 
 constexpr std::int64_t kRepeatPeriodUs = 1'000'000;
-constexpr double kStoppedRad = 0.001;  // from one reading to the next
+constexpr double kStoppedRad = 0.001;  // maximum change between readings of a standing laser
 
 }  // namespace
 

@@ -11,11 +11,11 @@
 namespace adit {
 
 struct SweepMotionParams {
-  double from_rad = -0.5;  ///< where it begins; positive looks down
-  double to_rad = 0.5;
-  double rate_rad_s = 0.156;         ///< of the sweep: a line for each 0.24°, 240 of an LMS-200
-  double approach_rate_rad_s = 0.5;  ///< before and after
-  double arrived_rad = 0.005;        ///< off its goal, at which a laser that stands has arrived
+  double from_rad = -0.5;            ///< start angle; positive is down
+  double to_rad = 0.5;               ///< end angle
+  double rate_rad_s = 0.156;         ///< of the sweep: 240 lines of an LMS-200, 0.24° apart
+  double approach_rate_rad_s = 0.5;  ///< to the start and back to level
+  double arrived_rad = 0.005;        ///< maximum error of a laser that stands at its goal
 
   template <class V>
   void visit(V& v) {
@@ -27,8 +27,8 @@ struct SweepMotionParams {
   }
 };
 
-/// Takes a laser through a sweep: to where it begins, through it, back to level. A command is
-/// repeated while it is not fulfilled, for it may have been lost.
+/// The tilt motion of a sweep: to its start, to its end, back to level. A command is repeated each
+/// second until the laser has arrived, as it may be lost.
 class SweepMotion {
  public:
   enum class Phase { kIdle, kApproach, kSweep, kReturn };
@@ -36,18 +36,18 @@ class SweepMotion {
   explicit SweepMotion(const SweepMotionParams& params) : params_(params) {}
 
   void begin() { enter(Phase::kApproach); }
-  /// From wherever it is, back to level.
+  /// Returns to level from any angle.
   void return_to_level() { enter(Phase::kReturn); }
   void stop() { enter(Phase::kIdle); }
 
-  /// In order of time.
+  /// Readings in order of time.
   void add(const TiltReading& reading);
-  /// `utime`: bus time. Goes on to the next phase where the laser has arrived; what is to be sent
-  /// now.
+  /// Enters the next phase when the laser has arrived. Returns the command to send now. `utime` is
+  /// bus time.
   std::optional<TiltCommand> advance(std::int64_t utime);
 
   [[nodiscard]] Phase phase() const { return phase_; }
-  /// How long the motions take, approach from anywhere in the sweep included.
+  /// Duration of the motions, with an approach from any angle of the sweep.
   [[nodiscard]] double duration_s() const;
 
  private:
@@ -57,8 +57,8 @@ class SweepMotion {
 
   SweepMotionParams params_;
   Phase phase_ = Phase::kIdle;
-  std::optional<double> last_rad_, before_last_rad_;  ///< readings of this phase
-  std::optional<std::int64_t> command_utime_;         ///< of the last command of this phase
+  std::optional<double> last_rad_, before_last_rad_;  ///< of this phase
+  std::optional<std::int64_t> command_utime_;         ///< of the last command in this phase
 };
 
 }  // namespace adit

@@ -13,9 +13,9 @@ namespace adit {
 namespace {
 
 constexpr double kGravity = 9.81;  // [m/s²]
-constexpr double kGapMaxS = 0.2;   // in which a rate of turn still holds
+constexpr double kGapMaxS = 0.2;   // maximum time for which a turn rate is extrapolated
 
-/// Rise per metre along x and y of a plane across which up is that: of the plane of the body.
+/// Slope along x and y of the plane normal to `up_body` [m/m].
 Eigen::Vector2d rise_per_m(const Eigen::Vector3d& up_body) {
   return up_body.head<2>() / std::max(up_body.z(), 0.1);
 }

@@ -13,10 +13,11 @@
 namespace adit {
 
 struct BodyTiltParams {
-  double time_constant_s = 2.0;     ///< in which the accelerometer outweighs the gyro
-  double deviation_max_m_s2 = 0.5;  ///< of the specific force from 9.81; beyond, it is not gravity
-  double ground_m = 10.0;           ///< of the way, whose mean tilt is taken for that of the ground
-  double rise_max_m = 0.4;          ///< that a beam may leave its height above the ground by
+  double time_constant_s = 2.0;  ///< time after which the accelerometer outweighs the gyro
+  /// Of the specific force from 9.81; beyond, it is not gravity alone.
+  double deviation_max_m_s2 = 0.5;
+  double ground_m = 10.0;   ///< path length over which the mean tilt is taken as that of the ground
+  double rise_max_m = 0.4;  ///< maximum change of a beam's height above the ground
 
   template <class V>
   void visit(V& v) {
@@ -27,27 +28,27 @@ struct BodyTiltParams {
   }
 };
 
-/// How the body is tilted against the ground that it drives over, by gyro and accelerometer. A
-/// body with a wheel in mud or on a rail looks at the floor ahead or behind, or at the roof. What
-/// it sees there moves with it, like a wall that says that it stands.
+/// Estimates the tilt of the body relative to the ground, from gyro and accelerometer. With a wheel
+/// in mud or on a rail, a level laser observes the floor ahead or behind, or the roof. These points
+/// move with the body, like a wall that reports no motion.
 class BodyTilt {
  public:
   explicit BodyTilt(const BodyTiltParams& params) : params_(params) {}
 
-  /// Of readings whose times do not advance, and those that are not finite, nothing is taken.
+  /// Ignores readings that do not advance in time or are not finite.
   void add(const ImuReading& reading);
-  /// The body has gone on by so much.
+  /// Reports the distance driven since the last call.
   void drive(double distance_m);
 
-  /// Whether a beam of a level laser that ends at `p_body` is near the height of the laser above
-  /// the ground there. Yes where nothing is known of the tilt.
+  /// Whether a beam of a level laser that ends at `p_body` is near the laser's height above the
+  /// ground there. True while the tilt is unknown.
   [[nodiscard]] bool is_level_at(const Eigen::Vector2d& p_body) const;
 
  private:
   BodyTiltParams params_;
   std::int64_t utime_ = 0;
   std::optional<Eigen::Vector3d> up_body_;
-  Eigen::Vector2d ground_{0.0, 0.0};  ///< rise of the ground per metre along x and y of the body
+  Eigen::Vector2d ground_{0.0, 0.0};  ///< slope of the ground along x and y of the body [m/m]
 };
 
 }  // namespace adit

@@ -8,7 +8,7 @@
 namespace adit {
 namespace {
 
-constexpr double kForgetIntervalM = 1.0;  // forgetting goes over all surfels
+constexpr double kForgetIntervalM = 1.0;  // removal visits all surfels
 
 }  // namespace
 

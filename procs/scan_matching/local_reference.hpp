@@ -14,7 +14,7 @@
 
 namespace adit {
 
-/// One scan as matching sees it: its points in the body frame, and the space it saw empty.
+/// A preprocessed scan: its points in the body frame, and the free space that it observed.
 struct ScanObservation {
   LaserId laser = LaserId::kFront;
   std::vector<SurfacePoint> points;
@@ -23,10 +23,10 @@ struct ScanObservation {
 
 struct LocalReferenceParams {
   SurfelMapParams surfels;
-  double keyframe_distance_m = 0.1;     ///< a scan joins the reference after this motion
+  double keyframe_distance_m = 0.1;     ///< a scan is added to the reference after this motion
   double keyframe_angle_rad = 0.1;      ///< or this turn
-  double memory_m = 15.0;               ///< walls not seen for this length of path are forgotten
-  double contradiction_margin_m = 0.3;  ///< deeper in free space than this is a contradiction
+  double memory_m = 15.0;               ///< walls not observed over this path length are removed
+  double contradiction_margin_m = 0.3;  ///< a point deeper in free space is a contradiction
 
   template <class V>
   void visit(V& v) {
@@ -38,30 +38,31 @@ struct LocalReferenceParams {
   }
 };
 
-/// What a new scan is matched against: the walls seen over the last metres of the way, in odom, and
-/// the last keyframe of each laser. Matching against many scans rather than the last one keeps the
-/// drift over this length negligible.
+/// The reference of scan matching: the walls observed over the last metres of the traversed path,
+/// in odom, and the last keyframe of each laser. Matching against many scans instead of the last
+/// one makes the drift over this length negligible.
 class LocalReference {
  public:
   explicit LocalReference(const LocalReferenceParams& params)
       : params_(params), surfels_(params.surfels) {}
 
   [[nodiscard]] const SurfelMap& surfels() const { return surfels_; }
-  /// Whether there is anything from this laser: lasers that look different ways share no walls.
+  /// Whether the reference holds scans of this laser: lasers with different fields of view share no
+  /// walls.
   [[nodiscard]] bool has_laser(LaserId laser) const { return keyframes_.contains(laser); }
 
-  /// Share of the points, of this scan and of its laser's last keyframe, that would lie in space
-  /// which the other saw free if the body were at this pose.
+  /// Share of the points, of this scan and of its laser's last keyframe, that would lie in the free
+  /// space observed by the other if the body were at this pose.
   [[nodiscard]] double contradiction_share(const ScanObservation& observation,
                                            const Pose2& T_odom_body) const;
 
-  /// Takes the scan in if the body has moved enough since its laser's last keyframe.
+  /// Adds the scan if the body has moved enough since the last keyframe of its laser.
   void add_keyframe(ScanObservation observation, const Pose2& T_odom_body, double odometer_m);
 
-  /// Begins its laser anew with this scan; what the other lasers saw stays.
+  /// Resets the keyframe of the scan's laser to this scan; surfels of all lasers are kept.
   void reset_laser(ScanObservation observation, const Pose2& T_odom_body, double odometer_m);
 
-  /// Forgets everything and begins with this scan.
+  /// Clears the reference and starts again with this scan.
   void reset(ScanObservation observation, const Pose2& T_odom_body, double odometer_m);
 
  private:
@@ -75,7 +76,7 @@ class LocalReference {
   LocalReferenceParams params_;
   SurfelMap surfels_;
   std::map<LaserId, Keyframe> keyframes_;
-  double forget_at_m_ = 0.0;  ///< odometer at which to forget next
+  double forget_at_m_ = 0.0;  ///< odometer reading of the next removal
 };
 
 }  // namespace adit

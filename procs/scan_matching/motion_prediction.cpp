@@ -11,7 +11,7 @@
 namespace adit {
 namespace {
 
-constexpr double kStationaryM = 1e-3;  // less than any wheel encoder tells apart over a step
+constexpr double kStationaryM = 1e-3;  // below the resolution of wheel encoders over a step
 constexpr double kStationaryRad = 1e-3;
 
 Pose2 interpolate(const WheelOdometry& a, const WheelOdometry& b, std::int64_t utime) {
@@ -33,7 +33,7 @@ std::optional<Pose2> wheel_pose_at(const WheelReadings& wheels, std::int64_t uti
   if (after != wheels.end()) return interpolate(*before, *after, utime);
   if (seconds(utime - before->utime) > gap_max_s) return std::nullopt;
   if (before == wheels.begin()) return before->T_wheel_body;
-  return interpolate(*std::prev(before), *before, utime);  // goes on at the last speed
+  return interpolate(*std::prev(before), *before, utime);  // extrapolates at the last speed
 }
 
 bool wheels_stationary(const WheelReadings& wheels, std::int64_t since) {
@@ -49,7 +49,7 @@ bool wheels_stationary(const WheelReadings& wheels, std::int64_t since) {
 namespace {
 
 constexpr std::size_t kReadingsStored = 2000;
-constexpr double kShortestS = 0.01;  // no step is known better for being shorter
+constexpr double kShortestS = 0.01;  // shorter steps are not more accurate
 
 template <class Reading>
 bool append(std::deque<Reading>& readings, const Reading& reading) {
@@ -71,7 +71,7 @@ bool MotionEstimate::possible(const Pose2& T_odom_body) const {
 }
 
 std::optional<double> MotionPrediction::gyro_turn(std::int64_t from, std::int64_t to) const {
-  // Each reading holds until the next; a gap makes the turn unknown.
+  // A reading is valid until the next; a gap makes the turn unknown.
   double turn = 0.0;
   std::int64_t covered = from;
   for (auto it = imu_.begin(); it != imu_.end() && covered < to; ++it) {
@@ -89,8 +89,8 @@ std::optional<double> MotionPrediction::gyro_turn(std::int64_t from, std::int64_
 }
 
 Pose2 MotionPrediction::step_at_last_speed(double dt_s) const {
-  // A speed says less the longer ago it was; a turn is over sooner than a drive. The body goes
-  // along an arc: translation is turned by half of the rotation.
+  // The speed decays with time, the turn rate faster. The body moves along an arc: the translation
+  // is rotated by half of the turn.
   const auto lasting = [dt_s](double memory) { return memory * (1.0 - std::exp(-dt_s / memory)); };
   const double turn = speed_body_.z() * lasting(params_.turn_memory_s);
   const double drive = lasting(params_.speed_memory_s);
@@ -118,9 +118,9 @@ void MotionPrediction::apply_odometry(std::int64_t utime, MotionEstimate& estima
   const auto now = wheel_pose_at(wheels_, utime, params_.odometry_gap_max_s);
   if (!then || !now) return;
   const Pose2 step = between(*then, *now);
-  if (!estimate.possible(T_odom_body_ * step)) return;  // wheels that spin, or were reset
+  if (!estimate.possible(T_odom_body_ * step)) return;  // spinning or reset wheels
   const double distance = step.translation().norm();
-  // So that a second in many short steps is as sure as in a few long ones.
+  // Makes the uncertainty over a second independent of the number of steps.
   const double share = std::sqrt(
       std::min(1.0, std::max(seconds(utime - *utime_), kShortestS) / params_.odometry_sd_time_s));
   const double sd = share * params_.odometry_sd_m + params_.odometry_sd_per_m * distance;
@@ -147,7 +147,7 @@ void MotionPrediction::apply_gyro(std::int64_t utime, MotionEstimate& estimate) 
   estimate.stationary = estimate.stationary && std::abs(*turn) <= turned_max;
 }
 
-/// So that many short steps without a measurement lead no farther than one long one.
+/// Makes the extrapolated distance independent of the number of steps.
 void MotionPrediction::decay_speed(double dt_s) {
   speed_body_.head<2>() *= std::exp(-dt_s / params_.speed_memory_s);
   speed_body_.z() *= std::exp(-dt_s / params_.turn_memory_s);

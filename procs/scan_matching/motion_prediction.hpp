@@ -13,35 +13,37 @@
 
 namespace adit {
 
-/// Readings in order of time.
+/// Wheel odometry in order of time.
 using WheelReadings = std::deque<WheelOdometry>;
 
-/// T_wheel_body at `utime`: between readings by interpolation, after the last one at its speed;
-/// nothing before the first and where the last is older than `gap_max_s`.
+/// T_wheel_body at `utime`: interpolated between readings, extrapolated at the last speed after the
+/// last one; empty before the first reading and where the last is older than `gap_max_s`.
 std::optional<Pose2> wheel_pose_at(const WheelReadings& wheels, std::int64_t utime,
                                    double gap_max_s);
 
-/// Have the wheels not moved from `since` until the last reading? Since before the last pose, for
-/// odometry that repeats itself for a moment is not enough. No where there is no reading so old.
+/// Whether the wheels have not moved from `since` until the last reading. False without a reading
+/// as old as `since`. The caller chooses `since` before the last pose: odometry that repeats a
+/// value for a moment must not count as standstill.
 bool wheels_stationary(const WheelReadings& wheels, std::int64_t since);
 
 struct MotionPredictionParams {
-  double odometry_sd_m = 0.02;              ///< of a step that the wheels report
-  double odometry_sd_per_m = 0.1;           ///< more for each metre of it
-  double odometry_sd_rad = 0.02;            ///< of its rotation
-  double odometry_sd_per_rad = 0.1;         ///< more for each radian of it
-  double odometry_sd_rad_per_m = 0.05;      ///< and for each metre
-  double odometry_sd_time_s = 0.2;          ///< a shorter step has its share of sd_m² and sd_rad²
-  double odometry_gap_max_s = 0.5;          ///< older readings say nothing of now
-  double stationary_s = 0.5;                ///< wheels that have not moved for this long stand,
-  double stationary_turn_max_rad_s = 0.05;  ///< unless the gyro says that the body turns
-  double gyro_sd_rad_s = 0.01;              ///< of the gyro's rate, bias included
+  double odometry_sd_m = 0.02;          ///< standard deviation of a step measured by the wheels
+  double odometry_sd_per_m = 0.1;       ///< additional, per metre of the step
+  double odometry_sd_rad = 0.02;        ///< standard deviation of its rotation
+  double odometry_sd_per_rad = 0.1;     ///< additional, per radian of it
+  double odometry_sd_rad_per_m = 0.05;  ///< and per metre
+  /// Shorter steps have a proportional share of sd_m² and sd_rad².
+  double odometry_sd_time_s = 0.2;
+  double odometry_gap_max_s = 0.5;  ///< older readings are not extrapolated
+  double stationary_s = 0.5;        ///< wheels that have not moved for this long are stationary,
+  double stationary_turn_max_rad_s = 0.05;  ///< unless the gyro measures a faster turn
+  double gyro_sd_rad_s = 0.01;              ///< standard deviation of the gyro rate, bias included
   double gyro_gap_max_s = 0.2;
-  double speed_memory_s = 5.0;     ///< without sensors a speed dies away in this time
-  double turn_memory_s = 0.5;      ///< and a turn in this
-  double speed_baseline_s = 0.1;   ///< no speed is taken from a shorter time
-  double speed_max_m_s = 1.5;      ///< bounds of what is believed without any sensor
-  double stamp_error_max_s = 0.4;  ///< how far apart the stamps of two scans may be wrong
+  double speed_memory_s = 5.0;     ///< decay time of the speed without sensors
+  double turn_memory_s = 0.5;      ///< decay time of the turn rate
+  double speed_baseline_s = 0.1;   ///< minimum time over which a speed is measured
+  double speed_max_m_s = 1.5;      ///< bounds of motion, whatever the sensors
+  double stamp_error_max_s = 0.4;  ///< maximum error of the time between two scans
   double yaw_rate_max_rad_s = 2.0;
 
   template <class V>
@@ -66,35 +68,35 @@ struct MotionPredictionParams {
   }
 };
 
-/// Where the body is expected to be before the laser is asked, and how far to trust it.
+/// The prior of a scan's pose, before the scan is matched.
 struct MotionEstimate {
-  PosePrior prior;                  ///< information is zero in what no sensor measured
-  bool from_odometry = false;       ///< wheels covered the step
-  bool from_gyro = false;           ///< the gyro covered the rotation
-  bool stationary = false;          ///< wheels, and gyro where there is one, measured no motion
-  Pose2 T_odom_last;                ///< where the body was
-  double displacement_max_m = 0.0;  ///< how far it can have come since,
-  double turn_max_rad = 0.0;        ///< and turned
+  PosePrior prior;                  ///< information is zero in unmeasured directions
+  bool from_odometry = false;       ///< wheel odometry covers the step
+  bool from_gyro = false;           ///< the gyro covers the rotation
+  bool stationary = false;          ///< wheels, and the gyro if available, measured no motion
+  Pose2 T_odom_last;                ///< last pose
+  double displacement_max_m = 0.0;  ///< maximum displacement since,
+  double turn_max_rad = 0.0;        ///< and maximum turn
 
-  /// Can the body be there by now? Matches that jump cannot.
+  /// Whether the body can have reached the pose by now. Rejects matches that jump.
   [[nodiscard]] bool possible(const Pose2& T_odom_body) const;
 };
 
-/// Predicts the motion from one matched scan to the next, by wheel odometry and gyro where they
-/// are, otherwise by the speed of the last step.
+/// Predicts the motion from one matched scan to the next, from wheel odometry and gyro where
+/// available, otherwise from the speed of the last step.
 class MotionPrediction {
  public:
   explicit MotionPrediction(const MotionPredictionParams& params) : params_(params) {}
 
-  /// Readings that do not advance in time are refused: false.
+  /// False: the reading does not advance in time and is ignored.
   bool add(const WheelOdometry& reading);
   bool add(const ImuReading& reading);
 
-  /// Expected pose at `utime`, from the last pose given to `correct`.
+  /// Predicted pose at `utime`, from the last pose given to `correct`.
   [[nodiscard]] MotionEstimate predict(std::int64_t utime) const;
 
-  /// The pose at `utime` is now known; `measured`: in all directions, by a match or a sensor, so
-  /// that its speed means something. What was predicted in part only lets the last speed die away.
+  /// Sets the pose at `utime`. `measured`: it is observed in all directions, by a match or a
+  /// sensor, and updates the speed. A pose that is partly predicted only lets the speed decay.
   void correct(std::int64_t utime, const Pose2& T_odom_body, bool measured);
 
  private:
@@ -109,7 +111,8 @@ class MotionPrediction {
   std::deque<ImuReading> imu_;
   std::optional<std::int64_t> utime_;
   Pose2 T_odom_body_;
-  std::optional<std::int64_t> speed_utime_;  ///< since when, and from where, a speed is measured
+  /// Start of the interval over which the speed is measured.
+  std::optional<std::int64_t> speed_utime_;
   Pose2 T_odom_speed_;
   Eigen::Vector3d speed_body_ = Eigen::Vector3d::Zero();  ///< (m/s, m/s, rad/s)
 };

@@ -9,9 +9,9 @@ namespace adit {
 namespace {
 
 constexpr int kPeaks = 3;
-constexpr double kSigmasMax = 10.0;  // an outlier of the odometry must not outvote the scan
+constexpr double kSigmasMax = 10.0;  // bounds the influence of odometry outliers
 
-/// One scan's search: what it is about, and the best candidate so far.
+/// The search for one scan: its inputs, and the best candidate so far.
 class CandidateSearch {
  public:
   CandidateSearch(const PoseSearchParams& params, const ScanObservation& observation,
@@ -20,7 +20,7 @@ class CandidateSearch {
 
   [[nodiscard]] const PoseCandidate& best() const { return best_; }
 
-  /// Refines `start` and keeps the outcome if it is new, possible and better than what there was.
+  /// Refines `start` and keeps the result if it is new, possible and better than the best so far.
   void refine_from(const Pose2& start, double scale_m) {
     PointToLineParams refinement = params_.point_to_line;
     refinement.scale_start_m = scale_m;
@@ -33,11 +33,12 @@ class CandidateSearch {
     if (candidate.score > best_.score) best_ = candidate;
   }
 
-  void try_peaks(double radius_m, double angle_rad, const CorrelativeSearchParams& how) {
+  void try_peaks(double radius_m, double angle_rad, const CorrelativeSearchParams& params) {
     const SearchWindow window{std::min(radius_m, expected_.displacement_max_m),
                               std::min(angle_rad, expected_.turn_max_rad)};
-    for (const auto& peak : search_correlation(observation_.points, reference_.surfels(),
-                                               expected_.prior.T_odom_body, window, kPeaks, how)) {
+    for (const auto& peak :
+         search_correlation(observation_.points, reference_.surfels(), expected_.prior.T_odom_body,
+                            window, kPeaks, params)) {
       refine_from(peak.T_odom_body, params_.point_to_line.scale_start_m);
     }
   }
@@ -80,11 +81,13 @@ PoseSearchResult PoseSearch::find(const ScanObservation& observation,
                                   const LocalReference& reference, const MotionEstimate& expected,
                                   double typical_score) const {
   CandidateSearch search(params_, observation, reference, expected);
+  // Point-to-line refinement of the prediction (Lu and Milios 1997; Censi 2008).
   search.refine_from(expected.prior.T_odom_body, expected.from_odometry
                                                      ? params_.scale_measured_m
                                                      : params_.point_to_line.scale_start_m);
   if (!search.needs_search(typical_score)) return {search.best(), false};
 
+  // Correlative search for other starts, first near the prediction, then wide (Olson 2009).
   search.try_peaks(params_.search_radius_m, params_.search_angle_rad, params_.correlative);
   if (search.best().score < params_.trusted_score) {
     CorrelativeSearchParams coarse = params_.correlative;

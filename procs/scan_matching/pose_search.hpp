@@ -13,21 +13,22 @@ namespace adit {
 struct PoseSearchParams {
   PointToLineParams point_to_line;
   CorrelativeSearchParams correlative;
-  double scale_measured_m = 0.08;    ///< first width of the kernel where odometry measured the step
-  double trusted_score = 0.6;        ///< a match with less is doubted,
-  double score_drop_max = 0.1;       ///< as is one this much worse than matches have lately been,
-  double correction_max_m = 0.3;     ///< one that moved this far from the prediction,
-  double correction_max_rad = 0.35;  ///< or turned this far,
-  double correction_sigmas_max = 3.0;  ///< or contradicts the odometry by so many sigmas
-  double search_radius_m = 1.0;        ///< half-widths of the search where a match is doubted
+  double scale_measured_m = 0.08;      ///< initial kernel width if odometry measured the step
+  double trusted_score = 0.6;          ///< the search starts for a match with a lower score,
+  double score_drop_max = 0.1;         ///< or this much below the recent scores,
+  double correction_max_m = 0.3;       ///< moved this far from the prediction,
+  double correction_max_rad = 0.35;    ///< turned this far from it,
+  double correction_sigmas_max = 3.0;  ///< or this many sigmas from the odometry
+  double search_radius_m = 1.0;        ///< half-widths of the search window
   double search_angle_rad = 0.7;
-  double wide_radius_m = 2.5;  ///< and of a second, coarser one where the first finds nothing
+  double wide_radius_m = 2.5;  ///< half-widths of a second, coarser search if the first fails
   double wide_angle_rad = 2.5;
-  double unknown_score = 0.5;          ///< score of a point where the reference knows nothing
-  double contradiction_cost = 2.0;     ///< of a point that lies in free space
-  double deviation_cost_per_m = 0.05;  ///< cost of being away from the prediction
+  double unknown_score = 0.5;          ///< score of a point in unobserved space
+  double contradiction_cost = 2.0;     ///< cost of a point in free space
+  double deviation_cost_per_m = 0.05;  ///< cost of the deviation from the prediction
   double deviation_cost_per_rad = 0.05;
-  double deviation_cost_per_sigma2 = 0.125;  ///< the same for odometry, in points of the scan
+  /// The same for the odometry prior, in points of the scan.
+  double deviation_cost_per_sigma2 = 0.125;
 
   template <class V>
   void visit(V& v) {
@@ -51,12 +52,12 @@ struct PoseSearchParams {
   }
 };
 
-/// A pose that the search proposes, and how good it is.
+/// A pose proposed by the search, with its score.
 struct PoseCandidate {
   PointToLineResult match;
   double contradiction_share = 0.0;
-  double sigmas = 0.0;  ///< distance from the prior, where a sensor measured the motion
-  double score = 0.0;   ///< 1 for a scan that lies on the reference; comparable between candidates
+  double sigmas = 0.0;  ///< distance from the prior, if a sensor measured the motion
+  double score = 0.0;   ///< 1 for a scan on the reference; comparable between candidates
 };
 
 struct PoseSearchResult {
@@ -64,13 +65,13 @@ struct PoseSearchResult {
   bool searched = false;
 };
 
-/// Finds the pose of a scan on the reference: refines the prediction and, where the outcome is in
-/// doubt, starts again from the peaks of a correlative search.
+/// Finds the pose of a scan in the reference: refines the prediction and, if the result is in
+/// doubt, restarts from the peaks of a correlative search.
 class PoseSearch {
  public:
   explicit PoseSearch(const PoseSearchParams& params) : params_(params) {}
 
-  /// `typical_score`: what matches have lately scored.
+  /// `typical_score`: running mean of recent scores.
   [[nodiscard]] PoseSearchResult find(const ScanObservation& observation,
                                       const LocalReference& reference,
                                       const MotionEstimate& expected, double typical_score) const;

@@ -18,22 +18,11 @@
 namespace adit {
 namespace {
 
-/// What stands in for the scan along `direction`, (x, y, θ) in the body frame with θ scaled by the
-/// lever arm.
-DegenerateDirection::Fill fill_of(const Eigen::Vector3d& direction, const MotionEstimate& expected);
-
-/// What the bounds of motion alone say: information of (x, y, θ) in the body frame.
-Eigen::Matrix3d motion_bound_information(const MotionEstimate& expected);
-
-/// Moves the pose towards the prediction along the directions that the match leaves open, all the
-/// way where the match knows nothing.
-Pose2 fill_unconstrained(const Pose2& T_odom_body, const MotionEstimate& expected,
-                         const std::vector<UnconstrainedDirection>& open, double lever_arm_m);
-
-constexpr double kSpeedSdM = 0.2;  // how far a body may depart from its last speed in one step
+constexpr double kSpeedSdM = 0.2;  // deviation from the last speed in one step
 constexpr double kSpeedSdRad = 0.2;
 
-/// Information of what is expected along a direction: the sensors', or else that a speed lasts.
+/// Information of the prediction along a direction: that of the sensors, plus that of a constant
+/// speed.
 double expected_information(const Eigen::Vector3d& direction, const MotionEstimate& expected,
                             double lever_arm) {
   const Eigen::Vector3d to_radians(1.0, 1.0, 1.0 / lever_arm);
@@ -43,6 +32,8 @@ double expected_information(const Eigen::Vector3d& direction, const MotionEstima
   return v.dot(expected.prior.information * v) + v.dot(v.cwiseQuotient(variances));
 }
 
+/// What replaces the scan along `direction`, (x, y, θ) in the body frame with θ scaled by the lever
+/// arm.
 DegenerateDirection::Fill fill_of(const Eigen::Vector3d& direction,
                                   const MotionEstimate& expected) {
   const bool mostly_turn = std::abs(direction.z()) > 0.7;
@@ -51,19 +42,22 @@ DegenerateDirection::Fill fill_of(const Eigen::Vector3d& direction,
   return DegenerateDirection::Fill::kNone;
 }
 
+/// Information from the bounds of motion alone: of (x, y, θ) in the body frame.
 Eigen::Matrix3d motion_bound_information(const MotionEstimate& expected) {
   const double m = std::max(expected.displacement_max_m, 1e-3);
   const double rad = std::max(expected.turn_max_rad, 1e-3);
   return Eigen::Vector3d(1.0 / (m * m), 1.0 / (m * m), 1.0 / (rad * rad)).asDiagonal();
 }
 
+/// Moves the pose towards the prediction along the directions that the match does not constrain, in
+/// proportion to the information of prediction and match.
 Pose2 fill_unconstrained(const Pose2& T_odom_body, const MotionEstimate& expected,
-                         const std::vector<UnconstrainedDirection>& open, double lever_arm) {
+                         const std::vector<UnconstrainedDirection>& directions, double lever_arm) {
   const Eigen::Vector3d scale(1.0, 1.0, lever_arm);
   const Eigen::Vector3d off =
       between(T_odom_body, expected.prior.T_odom_body).vector().cwiseProduct(scale);
   Eigen::Vector3d back = Eigen::Vector3d::Zero();
-  for (const auto& [v, information] : open) {
+  for (const auto& [v, information] : directions) {
     const double prior = expected_information(v, expected, lever_arm);
     back += v * v.dot(off) * prior / (prior + information);
   }
@@ -73,7 +67,7 @@ Pose2 fill_unconstrained(const Pose2& T_odom_body, const MotionEstimate& expecte
 constexpr double kOdometerStepM = 0.1;
 constexpr double kTypicalShare = 0.05;  // weight of a new score in the running mean
 
-/// Root mean square distance of the points: how far a turn of one radian moves them.
+/// Root mean square distance of the points: the mean displacement per radian of turn.
 double lever_arm_m(const std::vector<SurfacePoint>& points) {
   double squares = 0.0;
   for (const auto& point : points) squares += point.p.squaredNorm();
@@ -96,22 +90,41 @@ bool ScanMatching::add(const ImuReading& reading) {
 }
 
 ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
-  ScanMatch match;
-  match.utime = scan.utime;
-  match.reference_utime = utime_;
   if (odom_epoch_utime_ == 0) odom_epoch_utime_ = scan.utime;
-  match.odom_epoch_utime = odom_epoch_utime_;
-  match.T_odom_body = T_odom_body_;
-  const auto last = last_scan_utime_.find(laser);
-  const bool again = last != last_scan_utime_.end() && scan.utime <= last->second;
-  if (again || scan.utime < utime_) return match;
+  ScanMatch match = rejected(scan.utime);
+  if (!advances_in_time(laser, scan.utime)) return match;
 
   ScanObservation observation = observe(laser, scan);
   match.points = static_cast<std::int32_t>(observation.points.size());
-  locate(observation, match);
+  const MotionEstimate expected = motion_.predict(scan.utime);
+  if (reference_.has_laser(laser)) {
+    locate(observation, expected, match);  // Lu and Milios 1997; Censi 2008; Olson 2009
+    standstill_.apply(expected, match);
+  } else {
+    const bool enough = match.points >= params_.points_min;
+    match.status = enough ? ScanMatch::Status::kFirstScan : ScanMatch::Status::kLost;
+    match.T_odom_body = expected.prior.T_odom_body;
+  }
+  match.T_reference_body = between(T_odom_body_, match.T_odom_body);
   last_scan_utime_[laser] = scan.utime;
   advance(std::move(observation), match);
   return match;
+}
+
+/// The result for a scan that is not used: the last pose.
+ScanMatch ScanMatching::rejected(std::int64_t utime) const {
+  ScanMatch match;
+  match.utime = utime;
+  match.reference_utime = utime_;
+  match.odom_epoch_utime = odom_epoch_utime_;
+  match.T_odom_body = T_odom_body_;
+  return match;
+}
+
+bool ScanMatching::advances_in_time(LaserId laser, std::int64_t utime) const {
+  const auto last = last_scan_utime_.find(laser);
+  const bool repeated = last != last_scan_utime_.end() && utime <= last->second;
+  return !repeated && utime >= utime_;
 }
 
 ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan) const {
@@ -121,17 +134,13 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan) cons
   return {laser, std::move(points), FreeSpace(scan, mount)};
 }
 
-void ScanMatching::locate(const ScanObservation& observation, ScanMatch& match) {
-  const bool enough = match.points >= params_.points_min;
-  const MotionEstimate expected = motion_.predict(match.utime);
-  if (!reference_.has_laser(observation.laser)) {
-    match.status = enough ? ScanMatch::Status::kFirstScan : ScanMatch::Status::kLost;
-    match.T_odom_body = expected.prior.T_odom_body;
-    match.T_reference_body = between(T_odom_body_, match.T_odom_body);
-    return;
-  }
+/// Matches the scan against the reference. Without an accepted match the pose is the prediction.
+void ScanMatching::locate(const ScanObservation& observation, const MotionEstimate& expected,
+                          ScanMatch& match) {
   PoseSearchResult found;
-  if (enough) found = search_.find(observation, reference_, expected, typical_score_);
+  if (match.points >= params_.points_min) {
+    found = search_.find(observation, reference_, expected, typical_score_);
+  }
   const PoseCandidate& best = found.best;
   match.searched = found.searched;
   match.inlier_share = best.match.inlier_share;
@@ -148,29 +157,30 @@ void ScanMatching::locate(const ScanObservation& observation, ScanMatch& match) 
     match.covariance = (expected.prior.information + motion_bound_information(expected)).inverse();
     reference_covariance_.setZero();
   }
-  standstill_.apply(expected, match);
-  match.T_reference_body = between(T_odom_body_, match.T_odom_body);
 }
 
+/// Sets pose and covariance from the match, and from the prediction in degenerate directions.
 void ScanMatching::accept_match(const PoseCandidate& best, const MotionEstimate& expected,
                                 double lever_arm, ScanMatch& match) {
-  const auto known =
+  const ConstrainedInformation constrained =
       split_degenerate(best.match.information, best.match.spurious, lever_arm, params_.degeneracy);
   match.lever_arm_m = lever_arm;
-  for (const UnconstrainedDirection& open : known.degenerate) {
-    match.degenerate.push_back({open.direction, fill_of(open.direction, expected)});
+  for (const UnconstrainedDirection& unconstrained : constrained.degenerate) {
+    match.degenerate.push_back(
+        {unconstrained.direction, fill_of(unconstrained.direction, expected)});
   }
   match.T_odom_body =
-      fill_unconstrained(best.match.T_odom_body, expected, known.degenerate, lever_arm);
-  // Both ends of the motion were found against the reference, each with its own error.
+      fill_unconstrained(best.match.T_odom_body, expected, constrained.degenerate, lever_arm);
+  // Both ends of the motion were matched against the reference, each with its own error.
   const Eigen::Matrix3d Ad = adjoint(between(match.T_odom_body, T_odom_body_));
   match.covariance =
-      (known.information + expected.prior.information + motion_bound_information(expected))
+      (constrained.information + expected.prior.information + motion_bound_information(expected))
           .inverse() +
       Ad * reference_covariance_ * Ad.transpose();
-  reference_covariance_ = known.covariance;
+  reference_covariance_ = constrained.covariance;
 }
 
+/// Corrects the motion prediction and updates the reference.
 void ScanMatching::advance(ScanObservation observation, const ScanMatch& match) {
   const bool lost = match.status == ScanMatch::Status::kLost;
   motion_.correct(match.utime, match.T_odom_body, !lost && !has_unobserved_direction(match));
@@ -180,8 +190,8 @@ void ScanMatching::advance(ScanObservation observation, const ScanMatch& match) 
   update_reference(std::move(observation), match);
 }
 
-/// In steps that stand out from the noise: the sum of what two lasers disagree about, 75 times a
-/// second, would let a robot that stands still forget the walls around it.
+/// Counts only steps above the noise: the sum of the disagreement of two lasers, 75 times a second,
+/// would make a standing robot forget the walls around it.
 void ScanMatching::update_odometer() {
   const double step_m = between(T_odom_counted_, T_odom_body_).translation().norm();
   if (step_m < kOdometerStepM) return;
@@ -205,7 +215,7 @@ void ScanMatching::update_reference(ScanObservation observation, const ScanMatch
     reference_.reset(std::move(observation), T_odom_body_, odometer_m_);
     lost_in_a_row_ = 0;
     lost_in_a_row_of_.clear();
-  } else if (of_laser >= params_.lost_max) {  // the others know where the body is
+  } else if (of_laser >= params_.lost_max) {  // the other lasers still determine the pose
     reference_.reset_laser(std::move(observation), T_odom_body_, odometer_m_);
     of_laser = 0;
   }

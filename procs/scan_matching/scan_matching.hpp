@@ -31,14 +31,14 @@ struct ScanMatchingParams {
   PoseSearchParams search;
   StandstillParams standstill;
   DegeneracyParams degeneracy;
-  int points_min = 20;             ///< a scan with fewer is not matched
-  double lost_score = 0.4;         ///< a match with less is not believed,
-  double inlier_share_min = 0.25;  ///< nor one that rests on fewer of the points
-  int lost_max = 3;  ///< scans in a row, of a laser or of all, without a match before the
-                     ///< reference of this laser, or of all, starts anew
-  double tilt_max_rad =
-      0.03;                  ///< scans of a laser that is tilted by more are left to scan_assembly
-  bool lasers_tilt = false;  ///< then scans count only once it is known how far
+  int points_min = 20;             ///< minimum number of points of a scan
+  double lost_score = 0.4;         ///< minimum score of an accepted match,
+  double inlier_share_min = 0.25;  ///< and its minimum share of inliers
+  int lost_max = 3;  ///< consecutive lost scans, of a laser or of all, before the reference of this
+                     ///< laser, or of all, is reset
+  /// Scans of a laser with a larger tilt are ignored; scan_assembly uses them.
+  double tilt_max_rad = 0.03;
+  bool lasers_tilt = false;  ///< scans are ignored until the tilt of their laser is known
 
   template <class V>
   void visit(V& v) {
@@ -59,27 +59,29 @@ struct ScanMatchingParams {
   }
 };
 
-/// Motion from planar scans alone, incrementally: each scan is matched against the walls seen over
-/// the last metres of the way (paper, section 2.1; Lu and Milios, "Robot pose estimation in unknown
+/// Incremental scan matching: each scan is matched against the walls observed over the last metres
+/// of the traversed path (paper, section 2.1; Lu and Milios, "Robot pose estimation in unknown
 /// environments by matching 2D range scans", 1997; Censi 2008; Olson 2009). Wheel odometry and
-/// gyro, where there are any, are a prior; in a direction that the scan leaves open they stand in
-/// for it, otherwise the last speed does, and the result says so.
+/// gyro, where available, are a prior. In a direction that the scan does not constrain they replace
+/// it, otherwise the last speed does, and the result reports this.
 class ScanMatching {
  public:
   explicit ScanMatching(const ScanMatchingParams& params);
 
-  /// False where the reading does not advance in time; it is then not used.
+  /// False: the reading does not advance in time and is ignored.
   bool add(const WheelOdometry& reading) { return motion_.add(reading); }
   bool add(const ImuReading& reading);
 
-  /// Estimates the pose of the body in odom at the time of the scan. Odom begins at the first scan.
-  /// A scan that does not advance in time, of its laser or of the body, is refused; a scan that is
-  /// empty or fits nothing is lost: the pose is then the prediction.
+  /// Estimates the pose of the body in odom at the time of the scan. Odom starts at the first scan.
+  /// A scan that does not advance in time, of its laser or of the body, is rejected. A scan that is
+  /// empty or matches nothing is lost: the pose is the prediction.
   ScanMatch add_scan(LaserId laser, const LaserScan& scan);
 
  private:
   [[nodiscard]] ScanObservation observe(LaserId laser, const LaserScan& scan) const;
-  void locate(const ScanObservation& observation, ScanMatch& match);
+  [[nodiscard]] ScanMatch rejected(std::int64_t utime) const;
+  [[nodiscard]] bool advances_in_time(LaserId laser, std::int64_t utime) const;
+  void locate(const ScanObservation& observation, const MotionEstimate& expected, ScanMatch& match);
   void accept_match(const PoseCandidate& best, const MotionEstimate& expected, double lever_arm_m,
                     ScanMatch& match);
   void advance(ScanObservation observation, const ScanMatch& match);
@@ -96,9 +98,10 @@ class ScanMatching {
   std::int64_t odom_epoch_utime_ = 0;  ///< of the first scan
   std::int64_t utime_ = 0;
   Pose2 T_odom_body_;
-  Eigen::Matrix3d reference_covariance_ = Eigen::Matrix3d::Zero();  ///< of the last pose in it
+  /// Of the last pose in the reference.
+  Eigen::Matrix3d reference_covariance_ = Eigen::Matrix3d::Zero();
   double odometer_m_ = 0.0;
-  Pose2 T_odom_counted_;  ///< up to where the odometer has counted
+  Pose2 T_odom_counted_;  ///< pose at the last update of the odometer
   double typical_score_ = 0.5;
   int lost_in_a_row_ = 0;  ///< of all lasers together
   std::map<LaserId, int> lost_in_a_row_of_;

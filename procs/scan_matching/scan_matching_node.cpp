@@ -12,8 +12,8 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kScansWaiting = 100;     // more than a second of an LMS-200 at 75 Hz
-constexpr std::size_t kReadingsWaiting = 500;  // as much of odometry and IMU
+constexpr std::size_t kScansWaiting = 100;     // over 1 s of an LMS-200 at 75 Hz
+constexpr std::size_t kReadingsWaiting = 500;  // the same time of odometry and IMU
 
 Health health_of(const ScanMatch& match) {
   if (match.status == ScanMatch::Status::kLost) {
@@ -39,8 +39,9 @@ ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
                    [this](const ImuReading& reading) { scan_matching_.add(reading); });
 
   const auto subscribe_laser = [&](LaserId laser, std::string_view scans, std::string_view tilt) {
-    // All of them: the newest alone would wait behind the scans that came before it, and each
-    // further one behind more, so that a stage that is late would never hear that a laser tilts.
+    // All readings are queued: a queue of one would put the newest reading behind the scans that
+    // came before it, and each further reading behind more scans, so that a stage that runs late
+    // would never receive the tilt of a laser.
     subscribe<tilt_t>(bus, tilt, measured, [this, laser](const TiltReading& reading) {
       tilt_rad_[laser] = reading.angle_rad;
     });
@@ -53,7 +54,7 @@ ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
   subscribe_laser(LaserId::kRear, channels::kLaserRear, channels::kTiltRear);
 }
 
-/// Where the computer was cut off in the middle of a sweep, its laser is still tilted.
+/// After a power loss in the middle of a sweep, the laser is still tilted.
 bool ScanMatchingNode::is_level(LaserId laser) const {
   const auto tilt = tilt_rad_.find(laser);
   return tilt == tilt_rad_.end() ? !lasers_tilt_ : std::abs(tilt->second) <= tilt_max_rad_;

@@ -10,17 +10,17 @@
 
 namespace adit {
 
-/// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); where they are, TILT_FRONT, TILT_REAR (tilt_t),
+/// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); optional TILT_FRONT, TILT_REAR (tilt_t),
 ///      WHEEL_ODOMETRY (wheel_odometry_t), IMU (imu_t).
-/// Out: SCAN_MATCH (scan_match_t) for every level scan; POSE (pose_t, T_odom_body) for every one
-///      that moved time on.
+/// Out: SCAN_MATCH (scan_match_t) for every level scan; POSE (pose_t, T_odom_body) for every scan
+///      that is not rejected.
 class ScanMatchingNode {
  public:
   using Params = ScanMatchingParams;
 
   ScanMatchingNode(Bus& bus, const Params& params);
 
-  /// Degraded while scans are lost or leave a direction open that nothing fills.
+  /// Degraded while scans are lost, or no sensor observes a direction that they do not constrain.
   [[nodiscard]] Health health() const { return health_; }
 
  private:

@@ -12,10 +12,10 @@
 namespace adit {
 
 struct StandstillParams {
-  double refute_m = 0.05;    ///< a match this far from where the body stands speaks against it,
-  double refute_rad = 0.03;  ///< as does one turned by this,
-  int refute_scans = 5;      ///< and so many of them in a row refute it
-  double sd_m_per_sqrt_s = 0.005;  ///< of what a body that stands still moves
+  double refute_m = 0.05;          ///< a match this far from the standing pose contradicts it,
+  double refute_rad = 0.03;        ///< as does one turned by this;
+  int refute_scans = 5;            ///< this many consecutive contradictions refute the standstill
+  double sd_m_per_sqrt_s = 0.005;  ///< motion of a standing body
   double sd_rad_per_sqrt_s = 0.002;
 
   template <class V>
@@ -28,23 +28,24 @@ struct StandstillParams {
   }
 };
 
-/// A body that stands by its wheels stays where it is in odom. Scans alone let it creep: they leave
-/// directions open, and two lasers agree on a place only up to their offsets. Scans that keep
-/// saying otherwise (wheels that are blocked on a slope, a broken encoder) are believed, until the
-/// wheels have moved again.
+/// Holds the pose in odom while the wheels measure a standstill. Scans alone would let it drift:
+/// they leave directions unconstrained, and two lasers agree on a place only up to their mount
+/// errors. If consecutive scans contradict the standstill (wheels blocked on a slope, a broken
+/// encoder), the scans are used until the wheels have moved again.
 class Standstill {
  public:
   explicit Standstill(const StandstillParams& params) : params_(params) {}
 
-  /// Puts the pose of the match, and its covariance, to what standing says, if the body stands.
+  /// Replaces the pose and the covariance of the match by those of the standstill, if the body
+  /// stands.
   void apply(const MotionEstimate& expected, ScanMatch& match);
 
  private:
   [[nodiscard]] bool refuted_by(const ScanMatch& match);
 
   StandstillParams params_;
-  std::optional<Pose2> T_odom_body_;  ///< where it stands
-  int contradicting_scans_ = 0;       ///< scans in a row that say otherwise
+  std::optional<Pose2> T_odom_body_;  ///< pose of the standstill
+  int contradicting_scans_ = 0;       ///< consecutive scans that contradict it
 };
 
 }  // namespace adit

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kReachMax = 1000.0F;  // [m]
 
-/// For each usable point, in the order of the cloud, the cell that it lies in.
+/// The cell of each point, in the order of the cloud.
 std::vector<int> cells_of(const Cloud& cloud, const CellFinder& finder) {
   std::vector<int> cells;
   cells.reserve(cloud.points());

@@ -12,13 +12,13 @@
 
 namespace adit {
 
-/// Whether a point can be from a laser at all: finite, and within a kilometre.
+/// Whether a point is a valid laser return: finite, and within a kilometre of the origin.
 bool is_usable(const Eigen::Vector3f& p_level);
 
-/// Where the points and misses of a cloud are not usable: how many are passed over.
+/// Number of points and misses of a cloud that are not usable, and therefore skipped.
 std::size_t unusable_points(const Cloud& cloud);
 
-/// Which cell of a map a place lies in.
+/// Maps points in level to cells of a map.
 class CellFinder {
  public:
   explicit CellFinder(const TerrainMap& map)
@@ -28,7 +28,7 @@ class CellFinder {
         rows_(map.rows) {}
 
   static constexpr int kOutside = -1;
-  /// Index of the cell, row by row. Coordinates are finite.
+  /// Index of the cell, row by row, or kOutside. Coordinates must be finite.
   [[nodiscard]] int at(float x, float y) const {
     const float u = (x - corner_.x()) * cells_per_m_;
     const float v = (y - corner_.y()) * cells_per_m_;
@@ -44,12 +44,12 @@ class CellFinder {
   int rows_;
 };
 
-/// The heights of a cloud's points, cell by cell. Those of neighbours in a row lie side by side.
+/// Heights of the points of a cloud, sorted by cell. Those of neighbours in a row are contiguous.
 class CellHeights {
  public:
   CellHeights(const Cloud& cloud, const TerrainMap& map);
 
-  /// z in level [m] of the points in the cells from `first` to `last`, both included, of one row.
+  /// z in level [m] of the points in the cells `first` to `last`, both included, of a row.
   [[nodiscard]] std::span<const float> in(int first, int last, int row) const {
     const std::size_t base = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
     const std::uint32_t begin = starts_[base + static_cast<std::size_t>(first)];
@@ -57,7 +57,7 @@ class CellHeights {
     return std::span(heights_).subspan(begin, end - begin);
   }
 
-  /// The lowest in a cell [m]; infinite where it has no points.
+  /// The lowest height in a cell [m]; infinite without points.
   [[nodiscard]] float lowest_m(int column, int row) const {
     return lowest_m_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                      static_cast<std::size_t>(column)];
@@ -66,7 +66,7 @@ class CellHeights {
  private:
   int columns_;
   std::vector<float> lowest_m_;
-  std::vector<std::uint32_t> starts_;  ///< of the heights of each cell, and the end
+  std::vector<std::uint32_t> starts_;  ///< start of the heights of each cell, and the end
   std::vector<float> heights_;
 };
 

@@ -10,14 +10,15 @@
 namespace adit {
 namespace {
 
-constexpr int kReach = 2;  // cells to either side of the middle
-/// That a plane needs: more than four rows of five. At the edge of what is seen rails are often
-/// seen alone, as two rows of cells, and their height over four rows would pass for a slope.
+constexpr int kPlaneReach = 2;  // cells to each side of the centre
+/// Cells that a plane needs: more than four rows of five. At the edge of the observed ground often
+/// only the rails are observed, as two rows of cells, and their height over four rows would pass
+/// for a slope.
 constexpr int kPlaneCells = 21;
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+constexpr float kUndefined = std::numeric_limits<float>::quiet_NaN();
 
 template <class Visit>
-void visit_seen(const TerrainMap& map, int column, int row, int reach, const Visit& visit) {
+void visit_observed(const TerrainMap& map, int column, int row, int reach, const Visit& visit) {
   const int first = std::max(column - reach, 0);
   const int last = std::min(column + reach, map.columns - 1);
   for (int r = std::max(row - reach, 0); r <= std::min(row + reach, map.rows - 1); ++r) {
@@ -30,7 +31,7 @@ void visit_seen(const TerrainMap& map, int column, int row, int reach, const Vis
   }
 }
 
-/// Sums for the normal equations of z = z0 + a x + b y, in cells.
+/// Sums of the normal equations of z = z0 + a x + b y, in cells.
 struct PlaneSums {
   float n = 0, x = 0, y = 0, z = 0, xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
 
@@ -38,7 +39,7 @@ struct PlaneSums {
     n += 1, x += u, y += v, z += w;
     xx += u * u, xy += u * v, yy += v * v, xz += u * w, yz += v * w;
   }
-  /// Rise for each cell along the steepest way.
+  /// Rise per cell in the direction of steepest ascent.
   [[nodiscard]] float grade() const {
     const float cxx = n * xx - x * x;
     const float cxy = n * xy - x * y;
@@ -51,23 +52,23 @@ struct PlaneSums {
 };
 
 float slope_rad(const TerrainMap& map, int column, int row) {
-  const float middle = map.at(column, row).low_m;  // keeps the sums small, and so exact
+  const float middle = map.at(column, row).low_m;  // keeps the sums small, and thus exact
   PlaneSums sums;
-  visit_seen(map, column, row, kReach,
-             [&](float u, float v, float z) { sums.add(u, v, z - middle); });
-  if (sums.n < kPlaneCells) return kUnknown;
+  visit_observed(map, column, row, kPlaneReach,
+                 [&](float u, float v, float z) { sums.add(u, v, z - middle); });
+  if (sums.n < kPlaneCells) return kUndefined;
   return std::atan(sums.grade() / static_cast<float>(map.cell_m));
 }
 
 float step_m(const TerrainMap& map, int column, int row) {
   const float middle = map.at(column, row).low_m;
   float step = 0.0F;
-  int seen = -1;  // the cell itself is none of its neighbours
-  visit_seen(map, column, row, 1, [&](float, float, float z) {
+  int neighbours = -1;  // excludes the cell itself
+  visit_observed(map, column, row, 1, [&](float, float, float z) {
     step = std::max(step, std::abs(z - middle));
-    ++seen;
+    ++neighbours;
   });
-  return seen > 0 ? step : kUnknown;
+  return neighbours > 0 ? step : kUndefined;
 }
 
 }  // namespace
@@ -76,9 +77,9 @@ void set_slope_and_step(TerrainMap& map) {
   for (int row = 0; row < map.rows; ++row) {
     for (int column = 0; column < map.columns; ++column) {
       TerrainCell& cell = map.at(column, row);
-      const bool seen = cell.ground == Ground::kObserved;
-      cell.slope_rad = seen ? slope_rad(map, column, row) : kUnknown;
-      cell.step_m = seen ? step_m(map, column, row) : kUnknown;
+      const bool observed = cell.ground == Ground::kObserved;
+      cell.slope_rad = observed ? slope_rad(map, column, row) : kUndefined;
+      cell.step_m = observed ? step_m(map, column, row) : kUndefined;
     }
   }
 }
@@ -90,7 +91,7 @@ class Kernel {
  public:
   Kernel(double radius_m, double cell_m)
       : reach_(std::max(static_cast<int>(std::ceil(radius_m / cell_m)) - 1, 0)) {
-    double half = 0.0;  // of a half-plane with the middle on its edge
+    double half = 0.0;  // weight of a half-plane whose edge is at the centre
     for (int y = -reach_; y <= reach_; ++y) {
       for (int x = -reach_; x <= reach_; ++x) {
         const double distance_m = cell_m * std::hypot(x, y);
@@ -113,8 +114,8 @@ class Kernel {
   std::vector<float> weights_;
 };
 
-void spread(std::vector<float>& sums, const TerrainMap& map, int column, int row,
-            const Kernel& kernel) {
+void add_cone(std::vector<float>& sums, const TerrainMap& map, int column, int row,
+              const Kernel& kernel) {
   const float coefficient = map.at(column, row).coefficient_m;
   const int first = std::max(column - kernel.reach(), 0);
   const int last = std::min(column + kernel.reach(), map.columns - 1);
@@ -134,7 +135,7 @@ void set_repulsion(TerrainMap& map, const RepulsionParams& params) {
   std::vector<float> sums(map.cells.size(), 0.0F);
   for (int row = 0; row < map.rows; ++row) {
     for (int column = 0; column < map.columns; ++column) {
-      if (map.at(column, row).coefficient_m >= least) spread(sums, map, column, row, kernel);
+      if (map.at(column, row).coefficient_m >= least) add_cone(sums, map, column, row, kernel);
     }
   }
   for (std::size_t i = 0; i < sums.size(); ++i) map.cells[i].repulsion_m = sums[i];

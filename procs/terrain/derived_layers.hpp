@@ -7,15 +7,15 @@
 
 namespace adit {
 
-/// Sets slope and step of the cells whose ground is seen, from the heights of the ground around: a
-/// plane through 5 × 5 cells (least squares), and the 8 neighbours. NaN where fewer than
-/// 21 of the 25 are seen, or no neighbour is.
+/// Sets slope and step of the observed cells from the ground around them: the slope of a
+/// least-squares plane through 5 × 5 cells, and the largest height difference to the 8 neighbours.
+/// NaN if fewer than 21 of the 25 cells, or no neighbour, are observed.
 void set_slope_and_step(TerrainMap& map);
 
-/// Sets the repulsion of all cells: the coefficients convolved with a cone, which is 1 in its
-/// middle and 0 at the radius (the paper's section 3.1: a narrow radial kernel that serves as a
-/// repellent potential field), scaled so that a straight wall of one coefficient repels with that
-/// at its foot. Coefficients that are not known, or below the least, do not repel.
+/// Sets the repulsion of all cells: the coefficients convolved with a cone of value 1 at its centre
+/// and 0 at the radius (paper, section 3.1: a narrow radial kernel that serves as a repellent
+/// potential field), scaled so that a straight wall of constant coefficient has that repulsion at
+/// its foot. Unknown coefficients, and those below the minimum, do not repel.
 void set_repulsion(TerrainMap& map, const RepulsionParams& params);
 
 }  // namespace adit

@@ -10,7 +10,7 @@ namespace adit {
 namespace {
 
 constexpr std::size_t kNotYet = std::numeric_limits<std::size_t>::max();
-constexpr float kNoise = 0.03F;  // of the lowest heights of neighbours [m]
+constexpr float kNoise = 0.03F;  // noise of the lowest heights of neighbours [m]
 
 }  // namespace
 
@@ -20,13 +20,14 @@ GroundLevel::GroundLevel(const TerrainMap& map, const std::vector<float>& low_m,
       step_m_(static_cast<float>(params.vehicle.step_max_m)),
       rise_m_(static_cast<float>(params.unseen.grade_max * map.cell_m)),
       level_m_(map.cells.size(), 0.0F),
-      unseen_(map.cells.size(), kNotYet),
-      seen_(map.cells.size(), 0) {
+      unobserved_(map.cells.size(), kNotYet),
+      observed_(map.cells.size(), 0) {
   start_below_vehicle(map, params.vehicle);
   spread(static_cast<std::size_t>(map.columns));
 }
 
-/// The cells of the footprint; the nearest one where the map does not reach that far.
+/// Starts with the cells of the footprint, or the nearest cells where the map does not extend to
+/// it.
 void GroundLevel::start_below_vehicle(const TerrainMap& map, const Vehicle& vehicle) {
   const auto range = [&](double half_m, double corner_m, int cells) {
     const auto cell = [&](double at_m) {
@@ -40,30 +41,30 @@ void GroundLevel::start_below_vehicle(const TerrainMap& map, const Vehicle& vehi
     for (int column = columns.first; column <= columns.second; ++column) {
       const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +
                         static_cast<std::size_t>(column);
-      seen_[cell] = low_m_[cell] <= step_m_ ? 1 : 0;
+      observed_[cell] = low_m_[cell] <= step_m_ ? 1 : 0;
       enter(cell, 0.0F, 0);
     }
   }
 }
 
-void GroundLevel::enter(std::size_t cell, float level_m, std::size_t unseen) {
+void GroundLevel::enter(std::size_t cell, float level_m, std::size_t unobserved) {
   level_m_[cell] = level_m;
-  unseen_[cell] = unseen;
-  if (queues_.size() <= unseen) queues_.resize(unseen + 1);
-  queues_[unseen].push_back(cell);
+  unobserved_[cell] = unobserved;
+  if (queues_.size() <= unobserved) queues_.resize(unobserved + 1);
+  queues_[unobserved].push_back(cell);
 }
 
-/// As Dijkstra's algorithm does, with the cells since the ground was seen as the way.
+/// Dijkstra's algorithm with the number of cells since the last observed ground as the distance.
 void GroundLevel::spread(std::size_t columns) {
   std::vector<std::size_t> batch;
-  for (std::size_t unseen = 0; unseen < queues_.size();) {
+  for (std::size_t unobserved = 0; unobserved < queues_.size();) {
     batch.clear();
-    batch.swap(queues_[unseen]);
+    batch.swap(queues_[unobserved]);
     for (const std::size_t cell : batch) {
-      if (unseen_[cell] == unseen) visit_neighbours(cell, columns);
+      if (unobserved_[cell] == unobserved) visit_neighbours(cell, columns);
     }
-    const bool ground_again = !queues_.front().empty();
-    unseen = ground_again ? 0 : unseen + 1;
+    const bool has_observed_ground = !queues_.front().empty();
+    unobserved = has_observed_ground ? 0 : unobserved + 1;
   }
 }
 
@@ -76,17 +77,17 @@ void GroundLevel::visit_neighbours(std::size_t cell, std::size_t columns) {
 }
 
 void GroundLevel::visit(std::size_t cell, std::size_t from) {
-  if (unseen_[cell] == 0) return;
+  if (unobserved_[cell] == 0) return;
   const float level = level_m_[from];
   const float low = low_m_[cell];
-  const float rise = rise_m_ * static_cast<float>(unseen_[from] + 1);
+  const float rise = rise_m_ * static_cast<float>(unobserved_[from] + 1);
   if (low <= level + rise + kNoise && low >= level - step_m_) {
-    seen_[cell] = 1;
+    observed_[cell] = 1;
     enter(cell, low, 0);
-  } else if (unseen_[from] + 1 < unseen_[cell]) {
-    // Behind a pit, a stone or a wall the ground is to be expected where it was before it.
-    seen_[cell] = low < level ? 1 : 0;
-    enter(cell, level, unseen_[from] + 1);
+  } else if (unobserved_[from] + 1 < unobserved_[cell]) {
+    // Behind a pit, a rock or a wall the ground is expected at the level in front of it.
+    observed_[cell] = low < level ? 1 : 0;
+    enter(cell, level, unobserved_[from] + 1);
   }
 }
 

@@ -10,39 +10,39 @@
 
 namespace adit {
 
-/// Where the ground is to be expected, so that what hangs or stands over ground which is not seen,
-/// the roof above all, is not taken for it.
+/// Estimates the height of the ground in every cell, so that obstacles and roof over unobserved
+/// ground are not mistaken for ground.
 class GroundLevel {
  public:
-  /// Spreads from where the vehicle stands (z = 0) to the neighbours, and from these to theirs,
-  /// over seen ground before all else. `low_m` are the lowest heights of the regions, row by row,
-  /// NaN where there is none; they must outlive this. A region that is higher
-  /// than its neighbour by more than ground may rise since it was last seen does not show the
-  /// ground: the level goes on as it was, and what rises above it counts as height.
+  /// Propagates the level from below the vehicle (z = 0) from neighbour to neighbour, over observed
+  /// ground first. `low_m`: lowest height of each region, row by row, NaN if it has none; must
+  /// outlive this object. A region that is higher than its neighbour by more than ground can rise
+  /// since it was last observed does not show the ground: the level continues unchanged, and what
+  /// rises above it counts as height.
   GroundLevel(const TerrainMap& map, const std::vector<float>& low_m, const TerrainParams& params);
 
   [[nodiscard]] float at(std::size_t cell) const { return level_m_[cell]; }
-  /// Of the ground where it is seen; else where it is to be expected.
+  /// Height of the ground where it is observed, otherwise the expected level.
   [[nodiscard]] float low_m(std::size_t cell) const {
-    return is_seen(cell) ? low_m_[cell] : level_m_[cell];
+    return is_observed(cell) ? low_m_[cell] : level_m_[cell];
   }
   /// Whether the lowest height of the region is the ground.
-  [[nodiscard]] bool is_seen(std::size_t cell) const { return seen_[cell] != 0; }
+  [[nodiscard]] bool is_observed(std::size_t cell) const { return observed_[cell] != 0; }
 
  private:
   void start_below_vehicle(const TerrainMap& map, const Vehicle& vehicle);
   void spread(std::size_t columns);
   void visit_neighbours(std::size_t cell, std::size_t columns);
   void visit(std::size_t cell, std::size_t from);
-  void enter(std::size_t cell, float level_m, std::size_t unseen);
+  void enter(std::size_t cell, float level_m, std::size_t unobserved);
 
   const std::vector<float>& low_m_;
   float step_m_;
-  float rise_m_;  ///< of unseen ground, from one cell to the next
+  float rise_m_;  ///< maximal rise of unobserved ground per cell
   std::vector<float> level_m_;
-  std::vector<std::size_t> unseen_;  ///< cells since the ground was seen
-  std::vector<std::uint8_t> seen_;
-  std::vector<std::vector<std::size_t>> queues_;  ///< of cells to go on from, by `unseen_`
+  std::vector<std::size_t> unobserved_;  ///< cells since the last observed ground
+  std::vector<std::uint8_t> observed_;
+  std::vector<std::vector<std::size_t>> queues_;  ///< cells to propagate from, by `unobserved_`
 };
 
 }  // namespace adit

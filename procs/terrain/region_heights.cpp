@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// The three least of the numbers given to it, in order.
+/// The three least values of a sequence, in order.
 class Least {
  public:
   void add(float z) {
@@ -69,7 +69,7 @@ int RegionHeights::rank(std::uint32_t count) const {
 float RegionHeights::low_m(int column, int row) const {
   const float least = least_m(column, row);
   if (least == kInfinity) return std::numeric_limits<float>::quiet_NaN();
-  // The roof has no part in how many points support the lowest.
+  // Points of the roof do not support the lowest height.
   const float limit = least + headroom_m_;
   Least lowest;
   std::uint32_t count = 0;
@@ -83,7 +83,7 @@ float RegionHeights::low_m(int column, int row) const {
 RegionHeights::Above RegionHeights::above(int column, int row, float ground_m) const {
   const float limit = ground_m + headroom_m_;
   Above above{ground_m, kInfinity, 0};
-  Least highest;  // of the heights turned upside down
+  Least highest;  // of the negated heights
   Least roof;
   std::uint32_t roof_count = 0;
   visit(column, row, [&](float z) {

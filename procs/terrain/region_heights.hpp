@@ -9,26 +9,25 @@
 
 namespace adit {
 
-/// The heights of the paper's overlapping regions: each the cells from one before to one behind the
-/// cell in its middle, 3 × 3.
+/// Heights of the overlapping regions (paper, section 3.1): 3 × 3 cells around each cell.
 class RegionHeights {
  public:
-  /// What stands above the ground of a region.
+  /// Heights above the ground of a region.
   struct Above {
-    float high_m = 0.0F;  ///< highest within the headroom; the ground itself where there is none
-    float roof_m = 0.0F;  ///< lowest above the headroom; infinite where there is none
+    float high_m = 0.0F;      ///< highest within the headroom; the ground itself if there is none
+    float roof_m = 0.0F;      ///< lowest above the headroom; infinite if there is none
     std::uint32_t count = 0;  ///< points within the headroom
   };
 
-  /// `heights` must outlive this.
+  /// `heights` must outlive this object.
   RegionHeights(const CellHeights& heights, const TerrainMap& map, const TerrainParams& params);
 
-  /// The lowest height [m]; NaN without points.
+  /// The lowest height of a region [m]; NaN without points.
   [[nodiscard]] float low_m(int column, int row) const;
   [[nodiscard]] Above above(int column, int row, float ground_m) const;
 
  private:
-  /// Columns and rows of a region, first and last.
+  /// First and last column and row of a region.
   struct Extent {
     int left, right, bottom, top;
   };

@@ -31,13 +31,14 @@ std::vector<float> lowest(const RegionHeights& regions, const TerrainMap& map) {
   return low_m;
 }
 
-/// A cell in which something stands on the ground, or hangs above it, is seen even where the ground
-/// itself is not: one that shows the roof alone is not.
+/// A cell with an obstacle within the headroom is observed even if its ground is not; a cell that
+/// shows only the roof is not observed.
 void set_heights(TerrainMap& map, const RegionHeights& regions, const GroundLevel& ground) {
   for_each_cell(map, [&](int column, int row, std::size_t i) {
     const RegionHeights::Above above = regions.above(column, row, ground.low_m(i));
     TerrainCell& cell = map.cells[i];
-    cell.clearance_m = above.roof_m;  // until the ground is known, the height of the roof itself
+    cell.clearance_m =
+        above.roof_m;  // the height of the roof, until set_differences subtracts the ground
     if (above.count == 0) return;
     cell.ground = Ground::kObserved;
     cell.count = static_cast<std::uint16_t>(std::min<std::uint32_t>(above.count, UINT16_MAX));
@@ -53,8 +54,7 @@ void set_differences(TerrainMap& map) {
   }
 }
 
-/// Whether the laser at the rear end has looked, that is whether most lines begin behind the
-/// origin.
+/// Whether the rear laser made the scan, that is, whether most lines begin behind the origin.
 bool is_rear_scan(const Cloud& cloud) {
   std::size_t behind = 0;
   for (const CloudLine& line : cloud.lines) behind += line.origin.x() < 0.0F ? 1 : 0;
@@ -104,9 +104,9 @@ TerrainMap Terrain::blank(const Cloud& cloud) const {
   map.cell_m = params_.cell_m;
   map.columns = std::max(cells(params_.length_m), 1);
   map.rows = std::max(cells(params_.width_m), 1);
-  // The vehicle stands in the middle of a cell: a path can begin where it is.
-  const int short_side = cells(params_.behind_m);
-  const int behind = is_rear_scan(cloud) ? map.columns - 1 - short_side : short_side;
+  // The vehicle stands at the centre of a cell, so that a path can begin at its pose.
+  const int behind_cells = cells(params_.behind_m);
+  const int behind = is_rear_scan(cloud) ? map.columns - 1 - behind_cells : behind_cells;
   const int beside = map.rows / 2;
   map.p_level_corner = -map.cell_m * Eigen::Vector2d(behind + 0.5, beside + 0.5);
   TerrainCell unknown;

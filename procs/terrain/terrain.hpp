@@ -9,18 +9,18 @@
 
 namespace adit {
 
-/// Makes 2½D terrain maps straight from the points of 3D scans (the paper's section 3.1), in the
-/// frame level of the cloud. The vehicle stands on the ground at the origin. Beyond the paper:
-/// stray points are ignored, what hangs over ground that is not seen is no ground, and unknown
-/// ground is told apart.
+/// Makes 2½D terrain maps directly from the points of 3D scans (paper, section 3.1), in the frame
+/// level of the cloud; the vehicle stands on the ground at the origin. Beyond the paper: stray
+/// points are ignored, obstacles over unobserved ground are not ground, and unknown ground is
+/// classified.
 class Terrain {
  public:
   explicit Terrain(const TerrainParams& params) : params_(params) {}
 
-  /// Points that are not usable (`unusable_points`) are passed over. A cloud without points gives a
-  /// map of which nothing is known.
+  /// Skips points that are not usable (`unusable_points`). A cloud without points gives an unknown
+  /// map.
   [[nodiscard]] TerrainMap make(const Cloud& cloud) const;
-  /// The same with what earlier clouds showed and this one does not, which it goes into itself.
+  /// The same, filled in from earlier scans; adds the scan to the memory.
   [[nodiscard]] TerrainMap make(const Cloud& cloud, TerrainMemory& memory) const;
 
  private:

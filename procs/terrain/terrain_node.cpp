@@ -39,16 +39,16 @@ TerrainNode::TerrainNode(Bus& bus, const Params& params)
   bus.create_timer(kRequestPeriodUs, [this](std::int64_t utime) { request_and_report(utime); });
 }
 
-/// Any message may be lost. Of an odom of before nothing is asked for.
+/// Repeats, as any message may be lost. Clouds of a previous odom frame are not requested.
 void TerrainNode::request_and_report(std::int64_t utime) {
   const std::int64_t previous_odom_utime = std::max<std::int64_t>(odom_epoch_utime_ - 1, 0);
   const std::int64_t newest_utime = ready_ ? ready_->utime : 0;
-  const CloudRequest request{utime, "terrain", std::max(newest_utime, previous_odom_utime), {}};
+  const CloudRequest request{utime, std::max(newest_utime, previous_odom_utime), {}};
   publish(bus_, channels::kCloudRequest, to_message(request));
   if (ready_) publish(bus_, channels::kTerrainReady, to_message(*ready_));
 }
 
-/// Pieces that are missing; those of an older one are for others.
+/// Fragments of a cloud that is missing here; those of older clouds were requested by other stages.
 void TerrainNode::on_resent(const CloudFragment& fragment) {
   if (ready_ && fragment.part.utime <= ready_->utime) return;
   if (const auto cloud = assembler_.add(fragment)) on_cloud(*cloud);
@@ -63,9 +63,9 @@ void TerrainNode::on_match(const ScanMatch& match) {
   odom_epoch_utime_ = match.odom_epoch_utime;
 }
 
-/// The same place of the map in both: that is how the one odom lies in the other.
+/// Relates the odom frames through map.
 void TerrainNode::on_correction(const MapCorrection& correction) {
-  if (correction.utime < odom_epoch_utime_) return;  // of the odom of before
+  if (correction.utime < odom_epoch_utime_) return;  // of the previous odom frame
   T_map_odom_ = correction.T_map_odom;
   if (!T_map_previous_odom_ || !odom_is_localized(correction)) return;
   memory_.anchor(between(correction.T_map_odom, *T_map_previous_odom_));
@@ -73,10 +73,11 @@ void TerrainNode::on_correction(const MapCorrection& correction) {
 }
 
 void TerrainNode::on_cloud(const Cloud& cloud) {
-  if (cloud.utime < odom_epoch_utime_) return;  // nobody plans in the odom of before
+  if (cloud.utime < odom_epoch_utime_)
+    return;  // of the previous odom frame, in which no stage plans
   superseded_ = assembler_.counts().superseded;
-  for (const TerrainFragment& tile : split(terrain_.make(cloud, memory_))) {
-    publish(bus_, channels::kTerrain, to_message(tile));
+  for (const TerrainFragment& fragment : split(terrain_.make(cloud, memory_))) {
+    publish(bus_, channels::kTerrain, to_message(fragment));
   }
   ready_ = {cloud.utime, cloud.id, cloud.complete};
   publish(bus_, channels::kTerrainReady, to_message(*ready_));
@@ -85,9 +86,9 @@ void TerrainNode::on_cloud(const Cloud& cloud) {
 Health TerrainNode::health() const {
   using Level = Health::Level;
   if (assembler_.counts().superseded > superseded_) {
-    return {Level::kDegraded, "a 3D scan came without some of its pieces"};
+    return {Level::kDegraded, "fragments of a 3D scan are missing"};
   }
-  if (ready_ && !ready_->complete) return {Level::kDegraded, "the last 3D scan was cut short"};
+  if (ready_ && !ready_->complete) return {Level::kDegraded, "the last 3D scan is incomplete"};
   return {};
 }
 

@@ -15,19 +15,19 @@
 
 namespace adit {
 
-/// In:  CLOUD and CLOUD_RESEND (cloud_t), in pieces; POSE (pose_t), for the way that the body has
-///      come; SCAN_MATCH (scan_match_t) and MAP_CORRECTION (map_correction_t), to remember over a
-///      new odom.
-/// Out: TERRAIN (terrain_t), in pieces, for each cloud of which all pieces came, and then
-///      TERRAIN_READY (terrain_ready_t), again each 2 s. CLOUD_REQUEST (cloud_request_t), each 2 s,
-///      for the newest cloud if it did not come, or not all of it.
+/// In:  CLOUD and CLOUD_RESEND (cloud_t), in fragments; POSE (pose_t), for the traversed path;
+///      SCAN_MATCH (scan_match_t) and MAP_CORRECTION (map_correction_t), to carry the memory over
+///      to a new odom frame.
+/// Out: TERRAIN (terrain_t), in fragments, for each complete cloud, and then TERRAIN_READY
+///      (terrain_ready_t), repeated every 2 s. CLOUD_REQUEST (cloud_request_t), every 2 s, for the
+///      newest cloud if it or a fragment of it is missing.
 class TerrainNode {
  public:
   using Params = TerrainParams;
 
   TerrainNode(Bus& bus, const Params& params);
 
-  /// Degraded where the newest cloud was cut short, or lacks pieces.
+  /// Degraded if the newest 3D scan is incomplete or fragments of it are missing.
   [[nodiscard]] Health health() const;
 
  private:
@@ -41,11 +41,11 @@ class TerrainNode {
   Terrain terrain_;
   TerrainMemory memory_;
   CloudReassembler assembler_;
-  std::optional<TerrainReady> ready_;  ///< of the newest cloud of which all pieces came
-  std::int64_t superseded_ = 0;  ///< clouds that lacked pieces, when the last one was complete
-  std::int64_t odom_epoch_utime_ = 0;  ///< when odom began
+  std::optional<TerrainReady> ready_;  ///< of the newest cloud with all fragments
+  std::int64_t superseded_ = 0;  ///< clouds with missing fragments up to the last complete one
+  std::int64_t odom_epoch_utime_ = 0;  ///< begin of the odom frame; 0: unknown
   std::optional<Pose2> T_map_odom_;
-  std::optional<Pose2> T_map_previous_odom_;  ///< of the odom of before, until they are tied
+  std::optional<Pose2> T_map_previous_odom_;  ///< of the previous odom frame, until it is anchored
 };
 
 }  // namespace adit

@@ -9,13 +9,13 @@
 
 namespace adit {
 
-/// From which of the heights in a region its lowest and highest are taken.
+/// Estimator of the lowest and highest height of a region.
 struct HeightEstimatorParams {
-  /// paper: the least and the greatest of all. kth: the k-th least and greatest, so that fewer than
-  /// k stray points change nothing.
+  /// paper: least and greatest height. kth: k-th least and greatest, so that fewer than k stray
+  /// points have no effect.
   std::string kind = "kth";
   int k = 3;
-  /// k is less where points are few: one for each so many of them, at least one.
+  /// One rank per this many points, at least one and at most k.
   int points_per_rank = 10;
 
   template <class V>
@@ -26,12 +26,12 @@ struct HeightEstimatorParams {
   }
 };
 
-/// What is concluded of ground that no point shows.
+/// Classification of ground without points.
 struct UnseenGroundParams {
-  double grade_max = 0.25;      ///< by which ground may rise where it is not seen
-  double floor_range_m = 8.0;   ///< up to which any dry floor returns a beam
-  double gap_max_m = 1.0;       ///< between beams that met the ground, beyond which it is unknown
-  double gap_of_spacing = 2.5;  ///< the same, in distances of the beams on level ground
+  double grade_max = 0.25;      ///< maximal grade of unobserved ground
+  double floor_range_m = 8.0;   ///< range up to which dry ground returns a beam
+  double gap_max_m = 1.0;       ///< larger gaps between beams that hit the ground are unknown
+  double gap_of_spacing = 2.5;  ///< the same, in spacings of the beams on level ground
 
   template <class V>
   void visit(V& v) {
@@ -42,10 +42,10 @@ struct UnseenGroundParams {
   }
 };
 
-/// The kernel that keeps paths away from what is hard to pass.
+/// Kernel that keeps paths away from cells that are hard to pass.
 struct RepulsionParams {
   double radius_m = 0.5;
-  double coefficient_min_m = 0.05;  ///< of a cell that repels: noise and pebbles do not
+  double coefficient_min_m = 0.05;  ///< cells below it do not repel: noise and pebbles
 
   template <class V>
   void visit(V& v) {
@@ -54,16 +54,15 @@ struct RepulsionParams {
   }
 };
 
-/// What is taken over from earlier maps, in odom, which drifts.
+/// Memory of earlier maps in odom, which drifts.
 struct TerrainMemoryParams {
-  int maps_max = 8;                 ///< that are kept, of 0.6 MB each; 0: none, and no way either
-  double path_length_max_m = 15.0;  ///< since then, beyond which odom is not trusted
-  double residual_max_m = 0.06;     ///< of heights that both know, when one plane is taken off
-  double inlier_share = 0.75;       ///< of these heights that have to lie within it
-  double tilt_max = 0.1;            ///< between two levels, as rise over distance
-  double disappeared_share_max =
-      0.3;                      ///< of earlier obstacles that are no longer met where they were
-  double change_reach_m = 2.0;  ///< round a new obstacle, how far it may reach unseen
+  int maps_max = 8;                    ///< stored maps, 0.6 MB each; 0: no memory and no path
+  double path_length_max_m = 15.0;     ///< since a scan; then odom has drifted too far
+  double residual_max_m = 0.06;        ///< residual of the height differences to a plane
+  double inlier_share = 0.75;          ///< share of the differences that must lie within it
+  double tilt_max = 0.1;               ///< relative tilt of two levels, as rise over distance
+  double disappeared_share_max = 0.3;  ///< share of earlier obstacles that have disappeared
+  double change_reach_m = 2.0;         ///< unobserved extent of a new obstacle
 
   template <class V>
   void visit(V& v) {
@@ -79,9 +78,9 @@ struct TerrainMemoryParams {
 
 struct TerrainParams {
   double cell_m = 0.1;
-  double length_m = 20.0;  ///< of the map, along x
-  double width_m = 20.0;   ///< along y, half of it to either side
-  /// Of the length, how much lies behind the body's origin, seen from the laser that looks.
+  double length_m = 20.0;  ///< length of the map along x
+  double width_m = 20.0;   ///< width along y, half of it to each side
+  /// Part of the length behind the origin of body, opposite to the scanning laser.
   double behind_m = 6.0;
   HeightEstimatorParams estimator;
   UnseenGroundParams unseen;
@@ -89,8 +88,8 @@ struct TerrainParams {
   TerrainMemoryParams memory;
   Vehicle vehicle;
 
-  /// Up to which height above the ground things stand in the way [m]. What hangs higher is roof,
-  /// and how much room it has to leave is for the planner.
+  /// Height above the ground up to which obstacles block the vehicle [m]. Anything higher is roof,
+  /// whose clearance the planner checks.
   [[nodiscard]] double headroom_m() const { return vehicle.height_m; }
 
   template <class V>

@@ -8,7 +8,7 @@
 namespace adit {
 namespace {
 
-/// Collects runs; those that touch become one.
+/// Collects runs and merges adjacent ones.
 class RunList {
  public:
   void add(VoxelCode first, VoxelCode end, bool occupied) {
@@ -19,7 +19,7 @@ class RunList {
     }
   }
 
-  /// 64 cells from `first` on.
+  /// Adds the 64 cells from `first` on.
   void add_word(VoxelCode first, std::uint64_t free, std::uint64_t occupied) {
     free &= ~occupied;
     for (int i = 0; (free | occupied) != 0;) {

@@ -14,11 +14,11 @@
 
 namespace adit {
 
-/// A set of cells, a bit for each, in blocks of 32 × 32 × 32 where there are any. Neighbours in
-/// space are neighbours in memory.
+/// A set of cells, one bit each, in blocks of 32 × 32 × 32 cells that are allocated on demand.
+/// Cells that are neighbours in space are close in memory.
 class CellSet {
  public:
-  /// True where the cell was not there yet.
+  /// Returns whether the cell is new.
   bool insert(VoxelCode cell) {
     std::uint64_t& word = block_of(cell)[word_of(cell)];
     const std::uint64_t before = word;
@@ -36,7 +36,7 @@ class CellSet {
   static std::size_t word_of(VoxelCode cell) { return (cell >> 6U) % std::tuple_size_v<Block>; }
   static std::uint64_t bit_of(VoxelCode cell) { return std::uint64_t{1} << (cell % 64U); }
 
-  /// Rays stay in a block for a while.
+  /// Cached, as consecutive cells of a ray are mostly in the same block.
   Block& block_of(VoxelCode cell) {
     const VoxelCode number = cell >> kBlockBits;
     if (number != last_number_) find_block(number);
@@ -44,14 +44,15 @@ class CellSet {
   }
   void find_block(VoxelCode number);
 
-  std::unordered_map<VoxelCode, std::unique_ptr<Block>> blocks_;  // by number along the curve
+  std::unordered_map<VoxelCode, std::unique_ptr<Block>>
+      blocks_;  // by number along the space-filling curve
   VoxelCode last_number_ = ~VoxelCode{0};
   Block* last_block_ = nullptr;
 
   friend std::vector<CellRun> runs_of(const CellSet& free, const CellSet& occupied);
 };
 
-/// The cells of both along the curve; what is in both is occupied.
+/// The cells of both sets as runs along the curve; a cell in both is occupied.
 std::vector<CellRun> runs_of(const CellSet& free, const CellSet& occupied);
 
 }  // namespace adit

@@ -27,8 +27,8 @@ void finish(std::ofstream& file, const std::filesystem::path& path) {
 
 }  // namespace
 
-/// OctoMap's tree, with two walks of its own: one that updates many cells with one visit to each
-/// node, and one that writes.
+/// OctoMap's tree with two further traversals: one updates many cells with one visit per node, the
+/// other writes the binary stream.
 class OccupancyTree::Tree : public octomap::OcTree {
  public:
   using octomap::OcTree::OcTree;
@@ -36,14 +36,14 @@ class OccupancyTree::Tree : public octomap::OcTree {
 
   void update_runs(std::span<const CellRun> runs) {
     if (runs.empty()) return;
-    const bool fresh = root == nullptr;
-    if (fresh) {
-      root = new Node();  // OctoMap deletes it
+    const bool is_new = root == nullptr;
+    if (is_new) {
+      root = new Node();  // deleted by OctoMap
       ++tree_size;
       size_changed = true;
     }
     const CellRun* run = runs.data();
-    update_node(*root, fresh, 0, 0, run, runs.data() + runs.size());
+    update_node(*root, is_new, 0, 0, run, runs.data() + runs.size());
   }
 
   std::vector<std::uint8_t> stream() const {
@@ -55,9 +55,9 @@ class OccupancyTree::Tree : public octomap::OcTree {
  private:
   enum State : std::uint8_t { kUnknown = 0, kFree = 1, kOccupied = 2, kMixed = 3 };
 
-  /// The part of the runs that lies within the node, whose first cell is `begin`; `run` is the
-  /// first of these runs, and afterwards the first that goes beyond the node.
-  void update_node(Node& node, bool fresh, int depth, VoxelCode begin, const CellRun*& run,
+  /// Updates the part of the runs within the node, whose first cell is `begin`. `run` is the first
+  /// of these runs, and on return the first that extends beyond the node.
+  void update_node(Node& node, bool is_new, int depth, VoxelCode begin, const CellRun*& run,
                    const CellRun* end) {
     const bool leaf = !nodeHasChildren(&node);
     const VoxelCode node_end = begin + cells_of_node(depth);
@@ -66,34 +66,35 @@ class OccupancyTree::Tree : public octomap::OcTree {
       if (run->end == node_end) ++run;
       return;
     }
-    if (leaf && !fresh) expandNode(&node);
+    if (leaf && !is_new) expandNode(&node);
     const VoxelCode cells = cells_of_node(depth + 1);
     for (unsigned i = 0; i < 8 && run != end; ++i) {
       const VoxelCode child_begin = begin + i * cells;
       if (run->first >= child_begin + cells) continue;
-      const bool fresh_child = !nodeChildExists(&node, i);
-      if (fresh_child) createNodeChild(&node, i);
-      update_node(*getNodeChild(&node, i), fresh_child, depth + 1, child_begin, run, end);
+      const bool is_new_child = !nodeChildExists(&node, i);
+      if (is_new_child) createNodeChild(&node, i);
+      update_node(*getNodeChild(&node, i), is_new_child, depth + 1, child_begin, run, end);
     }
     if (!pruneNode(&node)) node.updateOccupancyChildren();
   }
 
-  /// Writes the node and what is below it, and takes back what turns out to be of one kind.
+  /// Writes the node and its children, and removes them again if all turn out to have the same
+  /// state.
   State append(const Node& node, std::vector<std::uint8_t>& bytes) const {
     if (!nodeHasChildren(&node)) return isNodeOccupied(node) ? kOccupied : kFree;
-    const std::size_t place = bytes.size();
-    bytes.resize(place + 2);
+    const std::size_t begin = bytes.size();
+    bytes.resize(begin + 2);
     unsigned states = 0;
     for (unsigned i = 0; i < 8; ++i) {
       if (!nodeChildExists(&node, i)) continue;
       states |= static_cast<unsigned>(append(*getNodeChild(&node, i), bytes)) << (2 * i);
     }
-    if (place != 0 && (states == 0x5555U || states == 0xAAAAU)) {
-      bytes.resize(place);
+    if (begin != 0 && (states == 0x5555U || states == 0xAAAAU)) {
+      bytes.resize(begin);
       return states == 0x5555U ? kFree : kOccupied;
     }
-    bytes[place] = static_cast<std::uint8_t>(states);
-    bytes[place + 1] = static_cast<std::uint8_t>(states >> 8U);
+    bytes[begin] = static_cast<std::uint8_t>(states);
+    bytes[begin + 1] = static_cast<std::uint8_t>(states >> 8U);
     return kMixed;
   }
 };
@@ -115,7 +116,7 @@ void OccupancyTree::write_ot(const std::filesystem::path& path) const {
   finish(file, path);
 }
 
-/// The head is OctoMap's too, whose own writer talks on standard error.
+/// Writes the header of OctoMap itself, as OctoMap's writer prints to standard error.
 void OccupancyTree::write_bt(const std::filesystem::path& path) const {
   std::ofstream file = open(path);
   Tree most_likely(*tree_);

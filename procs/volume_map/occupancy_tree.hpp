@@ -13,8 +13,8 @@
 
 namespace adit {
 
-/// What is free and what is occupied, with log-odds: octomap::OcTree with its default model of a
-/// sensor, and the one place that knows OctoMap.
+/// Occupancy octree with log-odds: octomap::OcTree with its default sensor model (Hornung et al.
+/// 2013, OctoMap). The only class that uses OctoMap.
 class OccupancyTree {
  public:
   explicit OccupancyTree(double cell_m);
@@ -22,19 +22,19 @@ class OccupancyTree {
   OccupancyTree& operator=(OccupancyTree&&) noexcept;
   ~OccupancyTree();
 
-  /// One measurement of each cell of the runs, which are in order. The tree is then what
-  /// octomap::OcTree::updateNode makes of the cells one by one, in whatever order.
+  /// Updates each cell of the runs, which must be in order, with one measurement (Hornung et al.
+  /// 2013, eq. 2). The result equals octomap::OcTree::updateNode for each cell, in any order.
   void update(std::span<const CellRun> runs);
 
-  /// Of the tree, inner ones too.
+  /// Number of nodes, inner ones included.
   [[nodiscard]] std::size_t nodes() const;
 
-  /// The most likely state of each cell as OctoMap's binary stream, without the head of a file;
-  /// see common/volume/octree_stream.hpp. Empty where nothing is known.
+  /// The most likely state of each cell as an OctoMap binary stream, without the header of a file;
+  /// see common/volume/volume.hpp. Empty if nothing is known.
   [[nodiscard]] std::vector<std::uint8_t> stream() const;
 
-  /// Files for octovis and others: all log-odds (.ot), or the most likely states (.bt). Throw
-  /// std::runtime_error where the file cannot be written.
+  /// Write files for octovis and other tools: all log-odds (.ot), or the most likely states (.bt).
+  /// Throw std::runtime_error if the file cannot be written.
   void write_ot(const std::filesystem::path& path) const;
   void write_bt(const std::filesystem::path& path) const;
 

@@ -11,17 +11,17 @@
 
 namespace adit {
 
-/// An odom frame by the newest local map that was made in it.
+/// An odom frame, anchored to the newest local map that was made in it.
 struct AnchoredOdom {
   static constexpr std::int64_t kNoEnd = std::numeric_limits<std::int64_t>::max();
 
-  std::int64_t begin_utime = 0;  ///< 0: not known [µs since the epoch]
+  std::int64_t begin_utime = 0;  ///< 0: unknown [µs since the epoch]
   std::int64_t end_utime = kNoEnd;
   int session = 0;
   int local_map = 0;  ///< id
   Pose2 T_local_odom;
 
-  /// Whether what was taken then was taken in it.
+  /// Whether a measurement of this time was taken in it.
   [[nodiscard]] bool has(std::int64_t utime) const {
     return begin_utime <= utime && utime < end_utime;
   }
@@ -29,25 +29,25 @@ struct AnchoredOdom {
   friend bool operator==(const AnchoredOdom&, const AnchoredOdom&) = default;
 };
 
-/// A sub-volume and where it is.
+/// A sub-volume and its pose.
 struct PlacedVolume {
-  /// By which it moves with the pose graph.
+  /// The local map with which it moves.
   struct Anchor {
     int local_map = 0;  ///< id
     Pose2 T_local_volume;
   };
 
   SubVolume volume;
-  Pose2 T_odom_volume;           ///< when its first scan was taken
-  std::optional<Anchor> anchor;  ///< nothing before the first pose graph
-  Pose2 T_map_volume;            ///< without a tie odom stands for map
-  bool excluded = false;         ///< nobody knows where it is
-  int replacements = 0;          ///< how often what was seen before was forgotten
-  Pose2 T_volume_viewpoint{};    ///< where its first look is from, and which way; see renewal.hpp
-  bool departed = false;         ///< since then there was a look from elsewhere
+  Pose2 T_odom_volume;           ///< level of its first scan
+  std::optional<Anchor> anchor;  ///< empty before the first pose graph
+  Pose2 T_map_volume;            ///< without an anchor odom serves as map
+  bool excluded = false;         ///< its pose in map cannot be determined
+  int replacements = 0;          ///< how often its scans were replaced
+  Pose2 T_volume_viewpoint{};    ///< viewpoint of its first scan; see scan_replacement.hpp
+  bool departed = false;         ///< the robot has scanned from elsewhere since
 };
 
-/// One as it is kept.
+/// A placed volume as it is stored.
 struct StoredVolume {
   VolumeContents contents;
   Pose2 T_odom_volume;

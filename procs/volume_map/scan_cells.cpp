@@ -10,17 +10,17 @@ namespace {
 
 using Eigen::Vector3f;
 
-/// The sum in this order, in single precision, as OctoMap has it.
+/// The sum in this order and in single precision, as in OctoMap.
 double norm(const Vector3f& v) {
   return std::sqrt(static_cast<double>(v.x() * v.x() + v.y() * v.y() + v.z() * v.z()));
 }
 
-/// One axis along a ray.
+/// State of one axis of the traversal.
 struct Axis {
-  double next_m = std::numeric_limits<double>::max();  ///< of the ray, up to the next cell
-  double step_m = 0.0;                                 ///< of the ray, from cell to cell
-  VoxelCode bits = 0;                                  ///< of codes that belong to the axis
-  VoxelCode code_step = 0;                             ///< to the next cell, among these bits
+  double next_m = std::numeric_limits<double>::max();  ///< up to the next cell boundary
+  double step_m = 0.0;                                 ///< length of the ray per cell
+  VoxelCode bits = 0;                                  ///< bits of a code that belong to the axis
+  VoxelCode code_step = 0;                             ///< step to the next cell, within these bits
 };
 
 template <unsigned kAxis>
@@ -33,12 +33,12 @@ Axis axis_of(const VoxelGrid& grid, int key, float origin, float direction) {
   const double border = grid.centre_m(key) + static_cast<double>(half);
   return {(border - static_cast<double>(origin)) / static_cast<double>(direction),
           grid.cell_m() / std::abs(static_cast<double>(direction)), kBits,
-          up ? ~kBits + 1 : ~kOne + 1};  // a carry passes over the bits of other axes
+          up ? ~kBits + 1 : ~kOne + 1};  // a carry propagates over the bits of other axes
 }
 
-/// The cells from that of the origin to that before the end: Amanatides & Woo 1987, in the
-/// arithmetic of OcTreeBaseImpl::computeRayKeys. Where rounding makes the ray miss the cell of its
-/// end, its length ends it.
+/// Adds the cells from the origin to the one before the end (Amanatides and Woo 1987), in the
+/// arithmetic of OcTreeBaseImpl::computeRayKeys. The length of the ray ends it if it misses the
+/// cell of its end by rounding.
 void add_ray(const VoxelGrid& grid, const Vector3f& origin, const VoxelGrid::Keys& keys,
              const Vector3f& end, VoxelCode end_code, CellSet& free) {
   VoxelCode code = VoxelGrid::code_of(keys);
@@ -49,19 +49,19 @@ void add_ray(const VoxelGrid& grid, const Vector3f& origin, const VoxelGrid::Key
   Axis y = axis_of<1>(grid, keys.y(), origin.y(), beam.y() / length);
   Axis z = axis_of<2>(grid, keys.z(), origin.z(), beam.z() / length);
 
-  double limit_m = std::numeric_limits<double>::max();  // the first cell counts in any case
-  const auto leave_along = [&](Axis& axis) {
+  double limit_m = std::numeric_limits<double>::max();  // the first cell always counts
+  const auto step_along = [&](Axis& axis) {
     if (axis.next_m > limit_m) return false;
     free.insert(code);
     axis.next_m += axis.step_m;
     code = (code & ~axis.bits) | (((code & axis.bits) + axis.code_step) & axis.bits);
     return code != end_code;
   };
-  for (bool on = true; on; limit_m = static_cast<double>(length)) {
+  for (bool proceed = true; proceed; limit_m = static_cast<double>(length)) {
     if (x.next_m < y.next_m) {
-      on = x.next_m < z.next_m ? leave_along(x) : leave_along(z);
+      proceed = x.next_m < z.next_m ? step_along(x) : step_along(z);
     } else {
-      on = y.next_m < z.next_m ? leave_along(y) : leave_along(z);
+      proceed = y.next_m < z.next_m ? step_along(y) : step_along(z);
     }
   }
 }
@@ -84,10 +84,10 @@ void add_line(const VoxelGrid& grid, const CloudLine& line, double range_max_m, 
       cells.occupied.insert(end);
       continue;
     }
-    const Vector3f cut =
+    const Vector3f truncated =
         line.origin + beam / static_cast<float>(range_m) * static_cast<float>(range_max_m);
-    if (const auto keys = grid.keys_of(cut)) {
-      add_ray(grid, line.origin, *origin_keys, cut, VoxelGrid::code_of(*keys), cells.free);
+    if (const auto keys = grid.keys_of(truncated)) {
+      add_ray(grid, line.origin, *origin_keys, truncated, VoxelGrid::code_of(*keys), cells.free);
     }
   }
 }

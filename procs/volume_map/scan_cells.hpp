@@ -10,16 +10,17 @@
 
 namespace adit {
 
-/// The cells that a scan has seen.
+/// The cells that a scan observed.
 struct ScanCells {
-  CellSet free;                      ///< through which beams went; also those where others ended
-  CellSet occupied;                  ///< in which beams ended
-  std::int64_t rejected_points = 0;  ///< no numbers, or beyond the cube of the grid
+  CellSet free;                      ///< traversed by beams; may contain occupied cells
+  CellSet occupied;                  ///< in which beams end
+  std::int64_t rejected_points = 0;  ///< not finite, or outside the grid
 };
 
-/// Adds what the beams of a line say, from its origin to each of its points, all in the frame of
-/// the grid. A beam that is longer than `range_max_m` is cut there, and meets nothing. A beam
-/// without return says nothing: water and coal swallow beams at any distance.
+/// Adds the cells of the beams of a line, from its origin to each of its points, in the frame of
+/// the grid (Hornung et al. 2013, section 5.1). A beam longer than `range_max_m` is truncated there
+/// and adds no occupied cell. A beam without return adds nothing: water and coal absorb beams at
+/// any range.
 ///
 /// The cells are those of octomap::OcTree::computeUpdate, bit for bit.
 void add_line(const VoxelGrid& grid, const CloudLine& line, double range_max_m, ScanCells& cells);

@@ -8,9 +8,11 @@
 namespace adit {
 namespace {
 
-constexpr double kSameHeadingRad = 0.5;  // between the headings of two scans that see much the same
+constexpr double kSameHeadingRad = 0.5;  // largest difference of the headings of equivalent scans
 
-Pose2 place(const PlacedVolume& placed) { return placed.T_map_volume * placed.T_volume_viewpoint; }
+Pose2 viewpoint_in_map(const PlacedVolume& placed) {
+  return placed.T_map_volume * placed.T_volume_viewpoint;
+}
 
 }  // namespace
 
@@ -28,7 +30,8 @@ bool is_same_viewpoint(const Pose2& T_a, const Pose2& T_b, double replace_radius
 void mark_departed(std::vector<PlacedVolume>& volumes, const Pose2& T_map_viewpoint,
                    double replace_radius_m) {
   for (PlacedVolume& placed : volumes) {
-    const double apart_m = (place(placed).translation() - T_map_viewpoint.translation()).norm();
+    const double apart_m =
+        (viewpoint_in_map(placed).translation() - T_map_viewpoint.translation()).norm();
     placed.departed = placed.departed || apart_m > replace_radius_m;
   }
 }
@@ -37,12 +40,13 @@ std::vector<std::size_t> volumes_to_replace(const std::vector<PlacedVolume>& vol
                                             const Pose2& T_map_viewpoint, double replace_radius_m) {
   std::vector<std::size_t> older;
   const auto apart_m = [&](std::size_t i) {
-    return (place(volumes[i]).translation() - T_map_viewpoint.translation()).norm();
+    return (viewpoint_in_map(volumes[i]).translation() - T_map_viewpoint.translation()).norm();
   };
   std::optional<std::size_t> same_visit;
   for (std::size_t i = 0; i < volumes.size(); ++i) {
     const bool placed = volumes[i].anchor && !volumes[i].excluded && !volumes[i].volume.is_empty();
-    if (!placed || !is_same_viewpoint(place(volumes[i]), T_map_viewpoint, replace_radius_m))
+    if (!placed ||
+        !is_same_viewpoint(viewpoint_in_map(volumes[i]), T_map_viewpoint, replace_radius_m))
       continue;
     if (volumes[i].departed) {
       older.push_back(i);

@@ -11,30 +11,30 @@
 
 namespace adit {
 
-/// Which older looks a new one takes the place of, where a mine is gone through again and again:
-/// all that are from within `replace_radius_m` of it and look the same way. To replace the nearest
-/// alone would fill the mine up to the closest packing (random sequential adsorption), which takes
-/// for ever, as the gaps that are left are ever rarer met. As it is, a place is given up as often
-/// as it is taken, and a few rounds say how many there are: 1 in 2 `replace_radius_m` of a drift,
-/// for each way to look.
+/// Selects the older scans that a new one replaces where a mine is traversed repeatedly: all those
+/// from within `replace_radius_m` of it with the same heading. Replacing only the nearest one would
+/// fill the mine up to the densest packing (random sequential adsorption), which takes arbitrarily
+/// long, as the remaining gaps are hit ever more rarely. With this rule viewpoints are removed as
+/// often as they are added, and their number settles after a few rounds: one per
+/// 2 `replace_radius_m` of tunnel and heading.
 ///
-/// Looks of one visit are an exception, or each would take away the one before it and a drive leave
-/// nothing behind: the place of one that the robot has not left since stays where it is, and what
-/// is farther from it than `replace_radius_m` is another.
+/// Scans of one visit are an exception, otherwise each would replace the one before it and a drive
+/// would leave nothing behind: a viewpoint that the robot has not departed from keeps its position,
+/// and a scan farther from it than `replace_radius_m` makes another one.
 
-/// Where a scan looks from, and which way, in level: its lasers sit at the ends of the body and
-/// look away.
+/// Viewpoint and heading of a scan in level: its lasers are at the ends of the body and face
+/// outwards.
 [[nodiscard]] Pose2 viewpoint_of(const Cloud& cloud);
 
-/// Both in one frame.
+/// Both poses must be in the same frame.
 [[nodiscard]] bool is_same_viewpoint(const Pose2& T_a, const Pose2& T_b, double replace_radius_m);
 
-/// Takes note that there is a look from elsewhere, for those from farther away than
-/// `replace_radius_m`.
+/// Marks the volumes farther than `replace_radius_m` from the new viewpoint as departed.
 void mark_departed(std::vector<PlacedVolume>& volumes, const Pose2& T_map_viewpoint,
                    double replace_radius_m);
 
-/// Indices: first that of this visit, the nearest if there are several, then all that were left.
+/// Indices of the volumes to replace: first the one of this visit, the nearest if there are
+/// several, then all departed ones.
 [[nodiscard]] std::vector<std::size_t> volumes_to_replace(const std::vector<PlacedVolume>& volumes,
                                                           const Pose2& T_map_viewpoint,
                                                           double replace_radius_m);

@@ -21,9 +21,9 @@
 namespace adit {
 
 struct SubVolumeParams {
-  double cell_m = 0.1;        ///< side of the smallest cells
-  double range_max_m = 20.0;  ///< up to which beams count; further away their lines are far apart
-  double point_spacing_m = 0.05;  ///< of the points that are kept for a cloud
+  double cell_m = 0.1;            ///< side of a cell
+  double range_max_m = 20.0;      ///< range up to which beams count; beyond it lines are far apart
+  double point_spacing_m = 0.05;  ///< spacing of the points stored for export
 
   template <class V>
   void visit(V& v) {
@@ -39,7 +39,7 @@ struct VolumePoint {
   std::int32_t scan = 0;  ///< id of the cloud
 };
 
-/// What a closed sub-volume is.
+/// State of a closed sub-volume.
 struct VolumeContents {
   double cell_m = 0.0;
   std::int64_t utime = 0;
@@ -49,57 +49,58 @@ struct VolumeContents {
   std::int64_t rejected_points = 0;
 };
 
-/// What one or more 3D scans from about one place say of the rock around it, in the frame "volume":
-/// see common/volume/volume.hpp. Each cell is measured once by each scan, as free where beams
-/// passed and none ended, and as occupied where any ended (as octomap::OcTree::insertPointCloud
-/// does).
+/// Occupancy of the rock around one place from one or more 3D scans, in the frame "volume" (see
+/// common/volume/volume.hpp), after Hornung et al. 2013 (OctoMap). Each scan is one measurement of
+/// each cell: occupied if any beam ends in it, otherwise free if any beam traverses it (section 5.1
+/// there, and octomap::OcTree::insertPointCloud).
 class SubVolume {
  public:
-  static constexpr float kOriginMaxM = 10.0F;  ///< so that the cells of a scan are bounded
+  static constexpr float kOriginMaxM = 10.0F;  ///< bounds the number of cells of a scan
 
-  /// `scans_before`: of those that it takes the place of, over which the count goes on.
+  /// `scans_before`: number of scans of the volumes it replaces, from which the count continues.
   explicit SubVolume(const SubVolumeParams& params, int scans_before = 0);
-  /// A closed one, as it was.
+  /// A closed one, from its stored state.
   SubVolume(const SubVolumeParams& params, VolumeContents contents);
 
-  /// In any order, while it is open.
+  /// Inserts a scan, in any order of time. The sub-volume must be open.
   void insert(const Cloud& cloud, const Pose2& T_volume_level);
 
-  /// Gives up what is needed to insert more. What remains is the most likely state of each cell,
-  /// some 20 kB for a scan in a mine, and the points, 0.2 to 1 MB.
+  /// Frees the data for further insertions. The most likely state of each cell remains, about 20 kB
+  /// for a scan in a mine, and the points, 0.2 to 1 MB.
   void close();
 
-  /// They are elsewhere, and take no room any more.
+  /// Frees the points, which are stored elsewhere.
   void release_points();
 
   [[nodiscard]] bool is_open() const { return open_.has_value(); }
-  /// Nothing was seen, or it was forgotten.
+  /// Nothing was observed, or it was discarded.
   [[nodiscard]] bool is_empty() const {
     return octree_.empty() && points_.empty() && released_points_ == 0;
   }
   [[nodiscard]] double cell_m() const { return params_.cell_m; }
   [[nodiscard]] std::int64_t utime() const { return utime_; }  ///< of the newest scan
   [[nodiscard]] int scans() const { return scans_; }
-  /// The most likely state of each cell, see common/volume/octree_stream.hpp.
+  /// The most likely state of each cell, see common/volume/volume.hpp.
   [[nodiscard]] const std::vector<std::uint8_t>& octree() const { return octree_; }
   [[nodiscard]] std::int64_t occupied() const { return occupied_; }  ///< cells
   [[nodiscard]] std::int64_t free() const { return free_; }          ///< cells
-  /// Of each cell of `point_spacing_m` the first point in it, however far away; those that came
-  /// since they were forgotten.
+  /// The first point in each cell of `point_spacing_m`, at any range; those added since the points
+  /// were released.
   [[nodiscard]] const std::vector<VolumePoint>& points() const { return points_; }
   [[nodiscard]] std::size_t released_points() const { return released_points_; }
-  /// That were no numbers or more than 2^15 cells away, or whose beams began so far from the body
-  /// that no laser of it can have been there (kOriginMaxM).
+  /// Points that are not finite or more than 2^15 cells away, or whose beam begins farther from the
+  /// body than any of its lasers is mounted (kOriginMaxM).
   [[nodiscard]] std::int64_t rejected_points() const { return rejected_points_; }
 
  private:
   struct Open {
     OccupancyTree tree;
-    std::unordered_set<VoxelCode> with_point;  ///< cells of `point_spacing_m`
+    std::unordered_set<VoxelCode> with_point;  ///< cells of `point_spacing_m` that have a point
   };
 
-  void count();
-  void insert_line(const CloudLine& line, std::int32_t scan, ScanCells& cells);
+  [[nodiscard]] ScanCells trace_beams(const Cloud& scan) const;
+  void add_points(const Cloud& scan);
+  void count_cells_of_octree();
 
   SubVolumeParams params_;
   std::optional<Open> open_;

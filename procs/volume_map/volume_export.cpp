@@ -7,10 +7,12 @@
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
+
 namespace adit {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "PLY is written as memory has it");
+static_assert(std::endian::native == std::endian::little, "PLY is written in memory order");
 
 struct Vertex {
   float x = 0.0F;
@@ -21,9 +23,10 @@ struct Vertex {
 static_assert(sizeof(Vertex) == 16);
 
 std::string header(std::size_t n) {
-  return "ply\nformat binary_little_endian 1.0\ncomment frame map, metres\nelement vertex " +
-         std::to_string(n) +
-         "\nproperty float x\nproperty float y\nproperty float z\nproperty int scan\nend_header\n";
+  return fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment frame map, metres\nelement vertex {}\n"
+      "property float x\nproperty float y\nproperty float z\nproperty int scan\nend_header\n",
+      n);
 }
 
 Vertex vertex(const VolumePoint& point, const Pose2& T_map_volume) {

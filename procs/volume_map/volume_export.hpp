@@ -8,12 +8,12 @@
 
 namespace adit {
 
-/// The points of all scans in map [m], each with the id of its scan, as binary PLY (little-endian).
-/// Throws std::runtime_error where the file cannot be written.
+/// Writes the points of all scans in map [m], each with the id of its scan, as binary PLY
+/// (little-endian). Throws std::runtime_error if the file cannot be written.
 void write_ply(const VolumeMap& map, const std::filesystem::path& path);
 
-/// volume.bt and volume.ot, see VolumeMap::merged and OccupancyTree, and cloud.ply, into a folder
-/// that is there. Throws std::runtime_error where a file cannot be written.
+/// Writes volume.bt and volume.ot (see VolumeMap::merged and OccupancyTree) and cloud.ply into an
+/// existing folder. Throws std::runtime_error if a file cannot be written.
 void export_volume(const VolumeMap& map, const std::filesystem::path& folder);
 
 }  // namespace adit

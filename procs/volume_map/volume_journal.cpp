@@ -17,7 +17,7 @@ constexpr std::string_view kScan = "VOLUME_SCAN";
 constexpr std::string_view kTime = "VOLUME_SCAN_TIME";
 constexpr std::string_view kOdom = "VOLUME_ODOM";
 
-/// As it lies in memory, without gaps.
+/// In memory order, without padding.
 struct OdomRecord {
   std::int64_t begin_utime;
   std::int64_t end_utime;
@@ -66,8 +66,8 @@ void VolumeJournal::read(const JournalRecord& record) {
   }
 }
 
-/// The next sub-volume, or one that is there with more in it, or another in its place. One whose
-/// first record is lost is made of the next one; of its points some are missing then.
+/// A new sub-volume, a known one with more scans, or its replacement. If the first record of a
+/// sub-volume is lost, it is made from the next one, without some of its points.
 void VolumeJournal::read_volume(const JournalRecord& record) {
   auto read = volume_record_from(record.bytes);
   if (!read) return;
@@ -86,7 +86,7 @@ void VolumeJournal::read_volume(const JournalRecord& record) {
   volumes[id].contents.points = std::move(points);
 }
 
-/// The times last: a scan of which the end is missing is asked for again.
+/// Times last: a scan whose time is missing is requested again.
 void VolumeJournal::store(const VolumeMap& map) {
   const bool new_volumes = store_volumes(map);
   const bool new_times = store_times(map);
@@ -106,11 +106,11 @@ bool VolumeJournal::store_volumes(const VolumeMap& map) {
     const bool replaced = placed.replacements != written.replacements;
     VolumeRecord record{static_cast<int>(id), stored(placed), replaced ? 0 : written.points};
     std::vector<VolumePoint>& points = record.volume.contents.points;
-    const std::size_t all = released + points.size();
-    const std::size_t known = record.first_point - released;
-    points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(known));
+    const std::size_t all_points = released + points.size();
+    const std::size_t stored_points = record.first_point - released;
+    points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(stored_points));
     journal_.append(kScan, to_bytes(record));
-    written = {placed.volume.scans(), all, anchored, placed.replacements};
+    written = {placed.volume.scans(), all_points, anchored, placed.replacements};
     changed = true;
   }
   return changed;

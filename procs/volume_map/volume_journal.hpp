@@ -12,18 +12,18 @@
 
 namespace adit {
 
-/// The volume on the disk: with each scan what its sub-volume then is, as small as a closed one and
-/// compressed, and of its points those that are new; and the time of each scan. So the file grows
-/// with the scans as the memory does. Also where odom lies, for a scan that comes after a restart.
+/// Stores the volume on disk. Each scan appends the state of its sub-volume, as small as a closed
+/// one and compressed, its new points, and the time of the scan, so that the file grows with the
+/// scans as the memory does. Also stores the odom frame, for scans that arrive after a restart.
 class VolumeJournal {
  public:
-  /// Opens or creates it. Throws std::runtime_error where the file is no journal or cannot be used.
+  /// Opens or creates the file. Throws std::runtime_error if it is not a journal or cannot be used.
   explicit VolumeJournal(const std::filesystem::path& path);
 
-  /// What was there when it was opened. Once.
+  /// The stored volumes at the time of opening. May be called once.
   StoredVolumes take_restored() { return std::move(restored_); }
 
-  /// Adds what is new. Returns when the disk has it.
+  /// Appends what is new, and synchronizes with the disk.
   void store(const VolumeMap& map);
 
  private:
@@ -42,7 +42,7 @@ class VolumeJournal {
 
   StoredVolumes restored_;
   std::vector<Written> written_;   ///< by id
-  std::size_t written_times_ = 0;  ///< of scans
+  std::size_t written_times_ = 0;  ///< number of scan times
   std::optional<AnchoredOdom> written_odom_;
   Journal journal_;
 };

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "common/geometry/pose2.hpp"
 #include "common/volume/volume.hpp"
@@ -16,19 +17,16 @@
 namespace adit {
 namespace {
 
-/// Adds the cells of map, of the same size, in which the cells of the sub-volume come to lie: of an
-/// occupied one its middle, so that walls do not grow thicker; of a free one four points, so that
-/// turned cells leave no holes in space that is free. What falls out of the grid is left out.
-void resample(const SubVolume& volume, const Pose2& T_map_volume, CellSet& free, CellSet& occupied);
-
+/// Transfers cells of a sub-volume to cells of map of the same size. Cells outside the grid are
+/// dropped.
 class Resampler {
  public:
   Resampler(double cell_m, const Pose2& T_map_volume)
       : grid_(cell_m), T_map_volume_(T_map_volume) {}
 
-  void add_middle(const VoxelGrid::Keys& keys, CellSet& set) const { add(keys, 0.0, 0.0, set); }
+  void add_centre(const VoxelGrid::Keys& keys, CellSet& set) const { add(keys, 0.0, 0.0, set); }
 
-  /// Samples half a cell apart: whatever the turn, no cell of map lies between them.
+  /// Four samples half a cell apart: at any rotation no cell of map lies between them.
   void add_quarters(const VoxelGrid::Keys& keys, CellSet& set) const {
     const double quarter = 0.25 * grid_.cell_m();
     for (const double dx : {-quarter, quarter}) {
@@ -50,6 +48,8 @@ class Resampler {
   Pose2 T_map_volume_;
 };
 
+/// Transfers the centre of each occupied cell, so that walls do not become thicker, and four points
+/// of each free cell, so that rotated cells leave no holes in free space.
 void resample(const SubVolume& volume, const Pose2& T_map_volume, CellSet& free,
               CellSet& occupied) {
   const Resampler resampler(volume.cell_m(), T_map_volume);
@@ -57,7 +57,7 @@ void resample(const SubVolume& volume, const Pose2& T_map_volume, CellSet& free,
     for (VoxelCode cell = leaf.first; cell < leaf.end; ++cell) {
       const VoxelGrid::Keys keys = VoxelGrid::keys_at(cell);
       if (leaf.occupied) {
-        resampler.add_middle(keys, occupied);
+        resampler.add_centre(keys, occupied);
       } else {
         resampler.add_quarters(keys, free);
       }
@@ -88,9 +88,9 @@ void VolumeMap::restore(StoredVolumes stored) {
   scan_utimes_ = std::move(stored.scan_utimes);
   for (StoredVolume& volume : stored.volumes) {
     if (volume.contents.cell_m != params_.cell_m) {
-      throw std::runtime_error("the volume that is to be continued has cells of " +
-                               std::to_string(volume.contents.cell_m) + " m, not of " +
-                               std::to_string(params_.cell_m) + " m");
+      throw std::runtime_error(
+          fmt::format("the stored volume has cells of {:f} m, the configuration {:f} m",
+                      volume.contents.cell_m, params_.cell_m));
     }
     volumes_.push_back({SubVolume(params_, std::move(volume.contents)), volume.T_odom_volume,
                         volume.anchor, volume.T_odom_volume, false, 0, volume.T_volume_viewpoint,
@@ -114,9 +114,9 @@ void VolumeMap::set_odom_epoch(std::int64_t utime) {
   if (std::exchange(has_odom_epoch_, true)) return;
   if (odom_ && odom_->begin_utime == 0) odom_->begin_utime = utime;
   if (odom_ && utime > odom_->begin_utime) return end_odom(utime);
-  if (previous_odom_ &&
-      previous_odom_->has(utime)) {     // it ended when this began, and not only then
-    previous_odom_->end_utime = utime;  // when a correction told of it
+  if (previous_odom_ && previous_odom_->has(utime)) {
+    // The previous frame ended when this one began, not when a correction reported it.
+    previous_odom_->end_utime = utime;
     session_begin_utime_ = utime;
   }
   session_begin_utime_ = std::max(session_begin_utime_, utime);
@@ -128,16 +128,25 @@ std::int64_t VolumeMap::localized_from_utime() const {
 
 bool VolumeMap::add(const Cloud& cloud) {
   scan_utimes_.push_back(cloud.utime);
-  const bool late = cloud.utime < session_begin_utime_;
-  const std::optional<AnchoredOdom>& odom = late ? previous_odom_ : odom_;
-  if (late && !(odom && odom->has(cloud.utime))) {
+  if (!can_localize(cloud)) {
     ++excluded_;
     return false;
   }
+  const auto& odom = is_older_than_session(cloud) ? previous_odom_ : odom_;
   if (!newest_accepts(cloud, odom)) begin_volume(cloud, odom);
   PlacedVolume& newest = volumes_[newest_];
-  newest.volume.insert(cloud, between(newest.T_odom_volume, cloud.T_odom_level));
+  const Pose2 T_volume_level = between(newest.T_odom_volume, cloud.T_odom_level);
+  newest.volume.insert(cloud, T_volume_level);
   return true;
+}
+
+bool VolumeMap::is_older_than_session(const Cloud& cloud) const {
+  return cloud.utime < session_begin_utime_;
+}
+
+/// A scan of an earlier session needs the odom frame that it was taken in.
+bool VolumeMap::can_localize(const Cloud& cloud) const {
+  return !is_older_than_session(cloud) || (previous_odom_ && previous_odom_->has(cloud.utime));
 }
 
 bool VolumeMap::newest_accepts(const Cloud& cloud, const std::optional<AnchoredOdom>& odom) const {
@@ -169,7 +178,7 @@ void VolumeMap::begin_volume(const Cloud& cloud, const std::optional<AnchoredOdo
   }
 }
 
-/// Forgets what the look is to take the place of, and says which id it is to have.
+/// Discards the volumes that the new one replaces, and returns the id for the new one.
 std::size_t VolumeMap::replace_older(PlacedVolume& created) {
   const Pose2 T_map_viewpoint = created.T_map_volume * created.T_volume_viewpoint;
   mark_departed(volumes_, T_map_viewpoint, params_.replace_radius_m);
@@ -190,7 +199,7 @@ std::size_t VolumeMap::free_id() const {
   return static_cast<std::size_t>(free - volumes_.begin());
 }
 
-/// It counts as one more scan, so that those who know it by its id hear of it.
+/// Counts as one more scan, so that subscribers receive the empty volume.
 void VolumeMap::discard(PlacedVolume& placed) const {
   const SubVolume& before = placed.volume;
   placed.volume = SubVolume(
@@ -213,7 +222,8 @@ void VolumeMap::set_correction(const MapCorrection& correction) {
   update_anchor();
 }
 
-/// Where odom is in the newest local map does not depend on the graph, but takes both to find.
+/// The pose of odom in the newest local map does not depend on the graph, but is computed from
+/// graph and correction of the same revision.
 void VolumeMap::update_anchor() {
   if (!correction_ || correction_->revision != graph_.revision) return;
   if (!has_pose(graph_, correction_->local_map)) return;
@@ -222,7 +232,7 @@ void VolumeMap::update_anchor() {
   odom_ = {odom_ ? odom_->begin_utime : session_begin_utime_, AnchoredOdom::kNoEnd,
            correction_->session, correction_->local_map,
            between(T_map_local, correction_->T_map_odom)};
-  exclude_volumes_of_other_odom();
+  exclude_restored_volumes_of_other_odom();
   for (PlacedVolume& placed : volumes_) {
     if (!placed.anchor && !placed.excluded) anchor(placed, *odom_);
   }
@@ -234,8 +244,9 @@ void VolumeMap::end_odom(std::int64_t utime) {
   session_begin_utime_ = utime;
 }
 
-/// What was kept without a tie was seen before the first local map of all: in the first session.
-void VolumeMap::exclude_volumes_of_other_odom() {
+/// A restored volume without an anchor was observed before the first local map, that is in the
+/// first session.
+void VolumeMap::exclude_restored_volumes_of_other_odom() {
   if (restored_ == 0) return;
   const auto end = volumes_.begin() + static_cast<std::ptrdiff_t>(std::exchange(restored_, 0));
   if (odom_->session == 0) return;

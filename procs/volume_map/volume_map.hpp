@@ -18,8 +18,8 @@
 namespace adit {
 
 struct VolumeMapParams : SubVolumeParams {
-  double span_m = 10.0;  ///< from the first scan of a sub-volume to the last one
-  /// A look takes the place of all older ones from this near that look the same way; 0: of none.
+  double span_m = 10.0;  ///< from the first scan of a sub-volume to its last one
+  /// A scan replaces all older ones from within this radius with the same heading; 0: none.
   double replace_radius_m = 0.0;
 
   template <class V>
@@ -30,78 +30,80 @@ struct VolumeMapParams : SubVolumeParams {
   }
 };
 
-/// All that is kept.
+/// All stored volumes.
 struct StoredVolumes {
   std::vector<StoredVolume> volumes;
   std::vector<std::int64_t> scan_utimes;  ///< see VolumeMap::scan_utimes
   std::optional<AnchoredOdom> odom;       ///< see VolumeMap::newest_anchored_odom
 };
 
-/// The mine as a volume: sub-volumes, each tied to the local map that was the newest one when its
-/// scans came. A change of the graph moves them, and nothing is inserted again.
+/// Volumetric map of the mine as sub-volumes of OctoMap (Hornung et al. 2013), each anchored to the
+/// local map that was the newest one when its scans arrived. A change of the pose graph moves the
+/// sub-volumes; no scan is inserted again.
 ///
-/// Scans that come before the first graph make sub-volumes of their own, which are tied when it
-/// comes. The newest sub-volume alone is open to more scans; all others are as small as
-/// SubVolume::close says, so that memory grows with the number of scans. Where a mine is gone
-/// through again and again, the newest look from a place may take the place of the older ones
-/// (`replace_radius_m`, see renewal.hpp): it is the one that is still true, and memory grows with
-/// the mine alone. A sub-volume then has the looks of one visit to one place, and its id may be
-/// that of another place before.
+/// Scans before the first graph make sub-volumes that are anchored when it arrives. Only the newest
+/// sub-volume accepts further scans; the others are closed (SubVolume::close), so that memory grows
+/// with the number of scans. Where a mine is traversed repeatedly, the newest scan from a viewpoint
+/// may replace the older ones (`replace_radius_m`, see scan_replacement.hpp): it is the valid one,
+/// and memory grows with the mine only. A sub-volume then holds the scans of one visit to one
+/// place, and its id may have belonged to another place.
 ///
-/// Where mapping begins a session, that is with a new odom frame, a scan from before is tied by the
-/// odom frame that it was taken in, also where that was before a restart. One of which nobody knows
-/// where that was is left out.
+/// When mapping begins a session, with a new odom frame, an older scan is anchored by the odom
+/// frame it was taken in, also across a restart. A scan whose odom frame is unknown is excluded.
 class VolumeMap {
  public:
   explicit VolumeMap(const VolumeMapParams& params) : params_(params) {}
 
-  /// Goes on from what was kept, before anything is added. Throws std::runtime_error where its
-  /// cells are of another size.
+  /// Continues stored volumes; must precede any scan. Throws std::runtime_error if their cell size
+  /// differs.
   void restore(StoredVolumes stored);
 
-  /// Of all sub-volumes, once they are kept: nobody but who exports them needs the points.
+  /// Frees the points of all sub-volumes, once they are stored: only export needs them.
   void release_points();
 
-  /// Takes a scan into the newest sub-volume, if that is tied to the same local map and near, or
-  /// else into a new one. False where it is left out.
+  /// Inserts a scan into the newest sub-volume, if that is anchored to the same local map and near,
+  /// otherwise into a new one. Returns false if the scan cannot be localized and is excluded.
   bool add(const Cloud& cloud);
 
-  /// Times of the scans that were added, also before a restart and of those that were left out, in
-  /// the order in which they came: one that was missed comes late.
+  /// Times of all scans added, also before a restart, including excluded ones, in the order of
+  /// arrival: a missed scan arrives late.
   [[nodiscard]] const std::vector<std::int64_t>& scan_utimes() const { return scan_utimes_; }
   [[nodiscard]] bool has(std::int64_t utime) const;
 
-  /// The odom frame of the first scan match since this began, began then: what is older was taken
-  /// in another one.
+  /// Sets the begin of the odom frame of the first scan match since the start: older scans were
+  /// taken in another frame.
   void set_odom_epoch(std::int64_t utime);
-  /// False before the first scan match.
+  /// Whether the first scan match has arrived.
   [[nodiscard]] bool has_odom_epoch() const { return has_odom_epoch_; }
-  /// Nobody knows where scans were taken that ended before; 0: of all it is known.
+  /// Scans that ended before this time cannot be localized; 0: all can.
   [[nodiscard]] std::int64_t localized_from_utime() const;
-  /// The present one, or the one before as long as that is not tied.
+  /// The current odom frame, or the previous one until the current one is anchored.
   [[nodiscard]] const std::optional<AnchoredOdom>& newest_anchored_odom() const {
     return odom_ ? odom_ : previous_odom_;
   }
 
-  /// Moves what is tied. A sub-volume of a local map that the graph lacks stays where it is.
+  /// Moves the anchored sub-volumes. A sub-volume whose local map is not in the graph keeps its
+  /// pose.
   void set_graph(const MapGraph& graph);
-  /// Ties what comes from now on, and what came before the first, as soon as both are of one
-  /// revision.
+  /// Anchors later scans, and those before the first anchor, as soon as graph and correction have
+  /// the same revision.
   void set_correction(const MapCorrection& correction);
 
   [[nodiscard]] const std::vector<PlacedVolume>& volumes() const { return volumes_; }
   [[nodiscard]] std::int64_t graph_revision() const { return graph_.revision; }
   [[nodiscard]] std::int64_t rejected_points() const;
-  /// Scans that were left out, since nobody knows where they were taken.
+  /// Scans that were excluded because they cannot be localized.
   [[nodiscard]] int excluded() const { return excluded_; }
 
-  /// All in one tree in map, for export. As the cells of sub-volumes do not lie on those of map, it
-  /// is resampled: a cell is occupied if the middle of an occupied cell of any sub-volume is in it,
-  /// and free if else a part of a free one is in it (at most a quarter of a cell from where its
-  /// samples lie). It has the log-odds of one measurement.
+  /// All sub-volumes in one tree in map, for export. The cells of sub-volumes are not aligned with
+  /// those of map, so that the tree is resampled: a cell is occupied if it contains the centre of
+  /// an occupied cell of any sub-volume, otherwise free if it contains a part of a free one (up to
+  /// a quarter of a cell from its sample points). Each cell has the log-odds of one measurement.
   [[nodiscard]] OccupancyTree merged() const;
 
  private:
+  [[nodiscard]] bool is_older_than_session(const Cloud& cloud) const;
+  [[nodiscard]] bool can_localize(const Cloud& cloud) const;
   [[nodiscard]] bool newest_accepts(const Cloud& cloud,
                                     const std::optional<AnchoredOdom>& odom) const;
   void begin_volume(const Cloud& cloud, const std::optional<AnchoredOdom>& odom);
@@ -110,20 +112,20 @@ class VolumeMap {
   void discard(PlacedVolume& placed) const;
   void update_anchor();
   void end_odom(std::int64_t utime);
-  void exclude_volumes_of_other_odom();
+  void exclude_restored_volumes_of_other_odom();
   void anchor(PlacedVolume& placed, const AnchoredOdom& odom) const;
 
   VolumeMapParams params_;
   std::vector<PlacedVolume> volumes_;
-  std::size_t newest_ = 0;  ///< index of the one that scans came into last
+  std::size_t newest_ = 0;  ///< index of the one with the last scan
   std::vector<std::int64_t> scan_utimes_;
   MapGraph graph_;
   std::optional<MapCorrection> correction_;
-  std::optional<AnchoredOdom> odom_;  ///< as of the newest correction that has its graph, or kept
-  std::optional<AnchoredOdom> previous_odom_;  ///< of the session before, as long as that was known
-  std::int64_t session_begin_utime_ = 0;       ///< by which the present session had begun
+  std::optional<AnchoredOdom> odom_;  ///< from the newest correction with its graph, or restored
+  std::optional<AnchoredOdom> previous_odom_;  ///< of the previous session
+  std::int64_t session_begin_utime_ = 0;       ///< latest possible begin of the current session
   bool has_odom_epoch_ = false;
-  std::size_t restored_ = 0;  ///< sub-volumes that were kept
+  std::size_t restored_ = 0;  ///< number of restored sub-volumes
   int excluded_ = 0;
 };
 

@@ -15,14 +15,14 @@
 namespace adit {
 namespace {
 
-// Several sweeps, and a graph of some thousand local maps. Where this is not enough, the oldest
-// clouds are lost, and nobody waits.
+// Several scans, and a graph of some thousand local maps. Beyond that the oldest clouds are
+// dropped; no stage waits for them.
 constexpr std::size_t kFragmentsWaiting = 200;
-// After a restart all goes out again, not all at once.
+// Limits the rate of publishing after a restart, when all volumes are published again.
 constexpr int kVolumesPerTick = 4;
 constexpr std::int64_t kPeriodUs = 500'000;
 constexpr std::int64_t kRequestPeriodUs = 2'000'000;
-constexpr std::size_t kReportedScansMax = 32;  // more than anybody holds
+constexpr std::size_t kReportedScansMax = 32;  // more than scan assembly stores
 
 Volume volume_of(const PlacedVolume& placed, std::size_t id, std::int64_t graph_revision) {
   const SubVolume& volume = placed.volume;
@@ -85,12 +85,11 @@ void VolumeMapNode::request_map(std::int64_t utime) {
 void VolumeMapNode::request_missed_clouds(std::int64_t utime) {
   if (!map_.has_odom_epoch()) return;
   const auto& scan_times = map_.scan_utimes();
-  const auto few = static_cast<std::ptrdiff_t>(std::min(scan_times.size(), kReportedScansMax));
+  const auto reported = static_cast<std::ptrdiff_t>(std::min(scan_times.size(), kReportedScansMax));
   publish(bus_, channels::kCloudRequest,
           to_message(CloudRequest{utime,
-                                  "volume_map",
                                   std::max<std::int64_t>(map_.localized_from_utime() - 1, 0),
-                                  {scan_times.end() - few, scan_times.end()}}));
+                                  {scan_times.end() - reported, scan_times.end()}}));
 }
 
 void VolumeMapNode::on_cloud(const Cloud& cloud) {
@@ -102,7 +101,8 @@ void VolumeMapNode::on_cloud(const Cloud& cloud) {
   publish_changes();
 }
 
-/// To the disk first: what was announced is not forgotten. The points are of no more use here.
+/// Stores before publishing, so that no published volume is lost. The points are no longer needed
+/// here.
 void VolumeMapNode::store() {
   if (!journal_) return;
   journal_failure_.clear();
@@ -138,11 +138,11 @@ void VolumeMapNode::publish_changes() {
 Health VolumeMapNode::health() const {
   using Level = Health::Level;
   if (clouds_.counts().superseded > superseded_) {
-    return {Level::kDegraded, "a 3D scan came without some of its pieces"};
+    return {Level::kDegraded, "fragments of a 3D scan are missing"};
   }
   if (!journal_failure_.empty()) return {Level::kDegraded, journal_failure_};
-  if (!placed_) return {Level::kDegraded, "nobody knows where the last 3D scan was taken"};
-  if (incomplete_) return {Level::kDegraded, "the last 3D scan was cut short"};
+  if (!placed_) return {Level::kDegraded, "the last 3D scan cannot be localized"};
+  if (incomplete_) return {Level::kDegraded, "the last 3D scan is incomplete"};
   return {};
 }
 

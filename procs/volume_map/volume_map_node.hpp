@@ -18,7 +18,7 @@
 namespace adit {
 
 struct VolumeMapNodeParams : VolumeMapParams {
-  std::string journal;  ///< file that keeps what was seen; empty: nothing is kept
+  std::string journal;  ///< file that stores the volume; empty: no journal
 
   template <class V>
   void visit(V& v) {
@@ -27,31 +27,30 @@ struct VolumeMapNodeParams : VolumeMapParams {
   }
 };
 
-/// In:  CLOUD and CLOUD_RESEND (cloud_t) and POSE_GRAPH (pose_graph_t), all in pieces;
-///      MAP_CORRECTION (map_correction_t); SCAN_MATCH (scan_match_t), for when odom began.
-/// Out: VOLUME (volume_t), in pieces: each sub-volume that is tied to the pose graph, as soon as it
-///      is and whenever a cloud came into it; and its pose alone whenever that changed.
+/// In:  CLOUD and CLOUD_RESEND (cloud_t) and POSE_GRAPH (pose_graph_t), all in fragments;
+///      MAP_CORRECTION (map_correction_t); SCAN_MATCH (scan_match_t), for the begin of odom.
+/// Out: VOLUME (volume_t), in fragments: each sub-volume that is anchored to the pose graph, once
+///      anchored and after each cloud in it; only its pose when that changes.
 ///      MAP_REQUEST (map_request_t), until there is a graph. CLOUD_REQUEST (cloud_request_t),
-///      each 2 s, so that no 3D scan is missed while this was not there; none of an odom of which
-///      nobody knows where it was.
-/// Where a journal is named and there, the volume in it is continued. Points are in the journal
-/// alone.
+///      every 2 s, for 3D scans missed while the stage was down; none of an odom frame whose pose
+///      in map cannot be determined.
+/// With a journal the stored volume is continued. Points are stored in the journal only.
 class VolumeMapNode {
  public:
   using Params = VolumeMapNodeParams;
 
-  /// Throws std::runtime_error where the journal cannot be used.
+  /// Throws std::runtime_error if the journal cannot be used.
   VolumeMapNode(Bus& bus, const Params& params);
 
-  /// Degraded where the newest cloud was cut short, lacks pieces or could not be placed, and where
-  /// it cannot be kept.
+  /// Degraded if the newest 3D scan is incomplete, lacks fragments or cannot be localized, or if
+  /// the journal cannot be written.
   [[nodiscard]] Health health() const;
 
   [[nodiscard]] const VolumeMap& map() const { return map_; }
 
  private:
   struct Published {
-    int revision = 0;  ///< none yet
+    int revision = 0;  ///< 0: none yet
     Pose2 T_map_volume;
   };
 
@@ -67,10 +66,10 @@ class VolumeMapNode {
   std::string journal_failure_;
   MapRequestTimer map_requester_;
   CloudReassembler clouds_;
-  CloudReassembler resent_clouds_;  ///< an older one, while the newest comes in pieces as well
+  CloudReassembler resent_clouds_;  ///< older clouds, while the newest one arrives too
   PoseGraphReassembler graphs_;
-  std::vector<Published> published_;  ///< by the id of the sub-volume
-  std::int64_t superseded_ = 0;       ///< clouds that lacked pieces, when the last one was complete
+  std::vector<Published> published_;  ///< by id of the sub-volume
+  std::int64_t superseded_ = 0;       ///< clouds with missing fragments up to the last complete one
   bool incomplete_ = false;
   bool placed_ = true;
 };

@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::uint64_t kBytesMax = 500'000'000;  // of a record, unpacked
+constexpr std::uint64_t kBytesMax = 500'000'000;  // of an uncompressed record
 
 class Writer {
  public:
@@ -26,7 +26,8 @@ class Writer {
   void put_pose(const Pose2& pose) {
     for (const double number : {pose.x, pose.y, pose.theta}) put(number);
   }
-  /// First bytes of all words first: neighbours are alike in these, which compresses.
+  /// Byte planes: the first bytes of all words first. Neighbours have similar bytes, which
+  /// compresses better.
   void put_planes(const std::vector<std::uint32_t>& words) {
     put(static_cast<std::uint64_t>(words.size()));
     for (unsigned shift = 0; shift < 32; shift += 8) {
@@ -43,7 +44,7 @@ class Writer {
   Bytes bytes_;
 };
 
-/// After the end it gives zeros, and is not sound.
+/// Returns zeros after the end, and is then not valid.
 class Reader {
  public:
   explicit Reader(const Bytes& bytes) : bytes_(bytes) {}

@@ -12,18 +12,17 @@
 
 namespace adit {
 
-/// A sub-volume as it goes to the disk when a scan came into it, with the points that are new.
+/// The record of a sub-volume after a scan, with its new points.
 struct VolumeRecord {
   int id = 0;
   StoredVolume volume;
-  std::size_t first_point = 0;  ///< how many the sub-volume had before
+  std::size_t first_point = 0;  ///< number of points in earlier records
 };
 
-/// Compressed, and always the same bytes on machines of one byte order; comes back with the same
-/// bits.
+/// Compressed; deterministic on machines of the same byte order, and bit-exact when read.
 std::vector<std::uint8_t> to_bytes(const VolumeRecord& record);
 
-/// Nothing where these are no such bytes.
+/// Empty for malformed bytes.
 std::optional<VolumeRecord> volume_record_from(std::span<const std::uint8_t> bytes);
 
 }  // namespace adit

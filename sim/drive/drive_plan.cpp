@@ -64,7 +64,8 @@ struct Leg {
   bool reverse = false;
 };
 
-/// From where the body is, in order, without those that lead nowhere.
+/// The straight legs from the pose of the body through the waypoints, without legs shorter than
+/// kSameM.
 std::vector<Leg> legs_through(const std::vector<Waypoint>& waypoints, const Pose2& T_world_body,
                               const DrivePlanParams& params) {
   std::vector<Leg> legs;

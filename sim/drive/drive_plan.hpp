@@ -11,44 +11,44 @@
 
 namespace adit {
 
-/// A line of straight legs in the plan, frame `world`. Places on it count in metres from its start;
-/// behind the end it goes on straight.
+/// A polyline in the plan, frame `world`, parametrised by the distance from its start [m]. It
+/// continues straight beyond its end.
 class WaypointPath {
  public:
-  /// At least two points, no two neighbours the same.
+  /// At least two points; consecutive points must differ.
   explicit WaypointPath(std::vector<Eigen::Vector2d> points);
 
   [[nodiscard]] double length_m() const { return starts_m_.back(); }
   [[nodiscard]] Eigen::Vector2d at(double s_m) const;
-  /// The leg at a place, from 0; at a corner the one that follows.
+  /// Index of the leg at a distance; at a corner, that of the next leg.
   [[nodiscard]] std::size_t leg(double s_m) const;
   [[nodiscard]] double heading_rad(std::size_t leg) const;
-  /// Of the place nearest to a point, among those between two places of the way.
+  /// Distance along the path of its point nearest to `p_world`, searched between two distances.
   [[nodiscard]] double nearest_m(const Eigen::Vector2d& p_world, double from_m, double to_m) const;
 
  private:
   [[nodiscard]] Eigen::Vector2d direction(std::size_t leg) const;
 
   std::vector<Eigen::Vector2d> points_;
-  std::vector<double> starts_m_;  ///< of each leg, and the end
+  std::vector<double> starts_m_;  ///< where each leg starts, and the length
 };
 
-/// Legs that are driven in one direction, to a stand at the end.
+/// Legs driven in one direction. The vehicle stops at the end.
 struct DriveLegs {
   WaypointPath path;
-  std::vector<double> speeds_m_s;  ///< of the legs
+  std::vector<double> speeds_m_s;  ///< one for each leg
   bool reverse = false;
 };
 
-/// How waypoints are to be driven through.
+/// Parameters of plan_drive().
 struct DrivePlanParams {
-  double speed_m_s = 0.0;      ///< where a waypoint says nothing else
-  double speed_max_m_s = 0.0;  ///< whatever it says
+  double speed_m_s = 0.0;      ///< of waypoints without a speed
+  double speed_max_m_s = 0.0;  ///< limit for all waypoints
   bool reverse = false;        ///< back up to waypoints within 45° of straight back
 };
 
-/// The way from where the body is through all waypoints in order, cut where the direction of
-/// driving changes. Waypoints less than a millimetre from the one before are left out.
+/// Plans the path from the pose of the body through all waypoints in order, split where the driving
+/// direction changes. Waypoints less than 1 mm from the previous one are ignored.
 std::vector<DriveLegs> plan_drive(const std::vector<Waypoint>& waypoints, const Pose2& T_world_body,
                                   const DrivePlanParams& params);
 

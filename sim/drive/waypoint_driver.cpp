@@ -7,23 +7,23 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "common/geometry/pose2.hpp"
+#include <fmt/format.h>
+
 #include "common/sensing/seconds.hpp"
-#include "sim/vehicle/metres_text.hpp"
 
 namespace adit {
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2.0;
-constexpr double kBendEveryM = 0.25;  // distance at which bends ahead are looked for
-constexpr double kCreepMS = 0.03;     // least speed, with which the end is reached
+constexpr double kBendEveryM = 0.25;  // spacing of the checks for bends ahead
+constexpr double kCreepMS = 0.03;     // minimum speed, used to reach the end
 
 }  // namespace
 
 WaypointDriver::WaypointDriver(std::vector<Waypoint> waypoints, const Vehicle& vehicle,
                                const WaypointDriverParams& params)
     : waypoints_(std::move(waypoints)), vehicle_(vehicle), params_(params) {
-  if (waypoints_.empty()) throw std::invalid_argument("no waypoint to drive to");
+  if (waypoints_.empty()) throw std::invalid_argument("there is no waypoint");
   for (const Waypoint& waypoint : waypoints_) {
     if (!waypoint.p_world.allFinite()) throw std::invalid_argument("a waypoint is not finite");
   }
@@ -53,17 +53,17 @@ void WaypointDriver::plan(const Pose2& T_world_body) {
   done_ = runs_.empty();
 }
 
-/// Finds where the body is along the way. The search looks ahead only, so that a way that crosses
-/// itself is driven in order.
+/// Finds the position of the body along the path. The search covers the path ahead only, so that a
+/// path that crosses itself is driven in order.
 void WaypointDriver::follow(const Pose2& T_world_body, std::int64_t utime) {
   const WaypointPath& path = runs_[run_].path;
   const Eigen::Vector2d p_world = T_world_body.translation();
   const double to_m = std::min(path.length_m(), s_m_ + params_.lookahead_m);
   s_m_ = path.nearest_m(p_world, s_m_, to_m);
   if ((path.at(s_m_) - p_world).norm() > params_.off_path_max_m) {
-    abort_reason_ = "off the way after " + metres_text(progress_m());
+    abort_reason_ = fmt::format("off the path after {:.2f} m", progress_m());
   } else if (!is_progressing(utime)) {
-    abort_reason_ = "no progress after " + metres_text(progress_m());
+    abort_reason_ = fmt::format("no progress after {:.2f} m", progress_m());
   } else if (path.length_m() - s_m_ <= params_.arrival_m) {
     begin_next_run();
   }
@@ -85,8 +85,8 @@ void WaypointDriver::begin_next_run() {
   ++run_;
 }
 
-/// Of the arc along x to the point that is steered for, forward or backward: 2y/d² (Coulter 1992,
-/// section 2). A point on the other side of the body takes the tightest turn.
+/// Curvature of the arc, tangent to x, to the look-ahead point: 2y/d² (Coulter 1992, section 2). A
+/// point on the opposite side of the body takes the tightest turn.
 double WaypointDriver::curvature(const Pose2& T_world_body) const {
   const DriveLegs& run = runs_[run_];
   const Eigen::Vector2d p_body = T_world_body.inverse() * run.path.at(s_m_ + params_.lookahead_m);
@@ -97,8 +97,8 @@ double WaypointDriver::curvature(const Pose2& T_world_body) const {
   return std::clamp(curvature, -curvature_max, curvature_max);
 }
 
-/// That of the leg, if the bends and the end that lie ahead can still be reached as slowly as they
-/// want.
+/// Speed of the leg, reduced so that the vehicle can brake to the speeds of the bends ahead and of
+/// the end.
 double WaypointDriver::speed() const {
   const DriveLegs& run = runs_[run_];
   const double leg_speed = run.speeds_m_s[run.path.leg(s_m_)];
@@ -113,7 +113,7 @@ double WaypointDriver::speed() const {
   return std::max(std::sqrt(squared), std::min(kCreepMS, leg_speed));
 }
 
-/// How far the way turns about a place, within the look-ahead to either side.
+/// Change of the path's heading from one look-ahead distance before a point to one behind it.
 double WaypointDriver::bend_rad(double s_m) const {
   const WaypointPath& path = runs_[run_].path;
   const double before = path.heading_rad(path.leg(s_m - params_.lookahead_m));

@@ -18,15 +18,15 @@
 namespace adit {
 
 struct WaypointDriverParams {
-  double speed_m_s = 0.4;       ///< where a waypoint says nothing else
-  double lookahead_m = 1.5;     ///< along the way, of the point that is steered for
-  bool reverse = false;         ///< back up to waypoints that lie behind, instead of turning round
-  double slow_share = 0.4;      ///< of the speed, through a bend of a right angle or more
-  double braking_m_s2 = 0.15;   ///< planned before bends and the end
-  double arrival_m = 0.05;      ///< left of the way at its end
-  double off_path_max_m = 2.0;  ///< gives up beyond
-  double progress_timeout_s = 20.0;  ///< gives up after, without progress
-  double progress_min_m = 0.1;       ///< in that time
+  double speed_m_s = 0.4;    ///< of waypoints without a speed
+  double lookahead_m = 1.5;  ///< distance along the path to the point that the driver steers for
+  bool reverse = false;     ///< drive in reverse to waypoints behind the vehicle instead of turning
+  double slow_share = 0.4;  ///< factor on the speed in bends of 90° or more
+  double braking_m_s2 = 0.15;        ///< planned deceleration before bends and the end
+  double arrival_m = 0.05;           ///< remaining path length that counts as arrived
+  double off_path_max_m = 2.0;       ///< cross-track error at which the driver aborts
+  double progress_timeout_s = 20.0;  ///< time without progress after which the driver aborts
+  double progress_min_m = 0.1;       ///< progress required within progress_timeout_s
 
   template <class V>
   void visit(V& v) {
@@ -42,23 +42,23 @@ struct WaypointDriverParams {
   }
 };
 
-/// Drives along waypoints by the truth, as a person who sees the mine would: pure pursuit (Coulter,
-/// "Implementation of the pure pursuit path tracking algorithm", CMU-RI-TR-92-01). The way begins
-/// where the body is at the first command. Right angles are missed by up to half of the look-ahead,
-/// to the inside or the outside.
+/// Follows waypoints by the true pose with pure pursuit (Coulter, "Implementation of the pure
+/// pursuit path tracking algorithm", CMU-RI-TR-92-01). The path starts at the pose of the body at
+/// the first command. At right angles the cross-track error reaches half of the look-ahead
+/// distance, to the inside or the outside.
 class WaypointDriver {
  public:
-  /// Throws std::invalid_argument without waypoints, or with one that is not finite.
+  /// Throws std::invalid_argument if there is no waypoint or one is not finite.
   WaypointDriver(std::vector<Waypoint> waypoints, const Vehicle& vehicle,
                  const WaypointDriverParams& params = {});
 
-  /// To stand, once the way is done or given up.
+  /// Commands zero speed once the path is completed or aborted.
   DriveCommand command(const BodyMotion& motion);
 
   [[nodiscard]] double progress_m() const { return driven_m_ + s_m_; }
-  [[nodiscard]] double length_m() const;  ///< of the way; 0 before the first command
+  [[nodiscard]] double length_m() const;  ///< of the path; 0 before the first command
   [[nodiscard]] bool done() const { return done_; }
-  /// Why the driver gave up; nothing while it did not.
+  /// Why the driver aborted; empty if it did not.
   [[nodiscard]] const std::optional<std::string>& abort_reason() const { return abort_reason_; }
 
  private:
@@ -75,9 +75,9 @@ class WaypointDriver {
   WaypointDriverParams params_;
   std::vector<DriveLegs> runs_;
   std::size_t run_ = 0;
-  double s_m_ = 0.0;              ///< along the run
-  double driven_m_ = 0.0;         ///< of the runs before
-  double last_progress_m_ = 0.0;  ///< when there was progress last
+  double s_m_ = 0.0;              ///< distance along the current run
+  double driven_m_ = 0.0;         ///< length of the completed runs
+  double last_progress_m_ = 0.0;  ///< progress at last_progress_utime_
   std::int64_t last_progress_utime_ = 0;
   bool planned_ = false;
   bool done_ = false;

@@ -4,38 +4,59 @@
 
 #include <cmath>
 #include <fstream>
+#include <istream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "common/config/number_text.hpp"
+#include "sim/world/built_in_world_files.hpp"
 
 namespace adit {
 namespace {
 
-std::vector<std::string> words_of(const std::string& line) {
+std::vector<std::string> split(const std::string& line) {
   std::istringstream text(line.substr(0, line.find('#')));
-  std::vector<std::string> words;
-  for (std::string word; text >> word;) words.push_back(word);
-  return words;
+  std::vector<std::string> fields;
+  for (std::string field; text >> field;) fields.push_back(field);
+  return fields;
 }
 
-double number(const std::string& word) {
-  const auto value = parse_number<double>(word);
-  if (!value || !std::isfinite(*value)) throw std::runtime_error("'" + word + "' is not a number");
+double parse(const std::string& field) {
+  const auto value = parse_number<double>(field);
+  if (!value || !std::isfinite(*value)) throw std::runtime_error("'" + field + "' is not a number");
   return *value;
 }
 
-Waypoint waypoint(const std::vector<std::string>& words) {
-  if (words.size() != 2 && words.size() != 3) {
+Waypoint parse_waypoint(const std::vector<std::string>& fields) {
+  if (fields.size() != 2 && fields.size() != 3) {
     throw std::runtime_error("expected 'x y' or 'x y speed'");
   }
-  Waypoint waypoint{{number(words[0]), number(words[1])}, std::nullopt};
-  if (words.size() == 3) {
-    waypoint.speed_m_s = number(words[2]);
+  Waypoint waypoint{{parse(fields[0]), parse(fields[1])}, std::nullopt};
+  if (fields.size() == 3) {
+    waypoint.speed_m_s = parse(fields[2]);
     if (*waypoint.speed_m_s <= 0.0) throw std::runtime_error("the speed must be above 0");
   }
   return waypoint;
+}
+
+/// `name` is that of the file, for errors.
+std::vector<Waypoint> parse_waypoints(std::istream& text, const std::string& name) {
+  std::vector<Waypoint> waypoints;
+  std::string line;
+  for (int line_number = 1; std::getline(text, line); ++line_number) {
+    const auto fields = split(line);
+    if (fields.empty()) continue;
+    try {
+      waypoints.push_back(parse_waypoint(fields));
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error(fmt::format("{}:{}: {}", name, line_number, error.what()));
+    }
+  }
+  if (waypoints.empty()) throw std::runtime_error(name + ": no waypoint");
+  return waypoints;
 }
 
 }  // namespace
@@ -45,20 +66,16 @@ std::vector<Waypoint> read_waypoints(const std::filesystem::path& path) {
   if (!file || std::filesystem::is_directory(path)) {
     throw std::runtime_error("cannot read " + path.string());
   }
-  std::vector<Waypoint> waypoints;
-  std::string line;
-  for (int number_of_line = 1; std::getline(file, line); ++number_of_line) {
-    const auto words = words_of(line);
-    if (words.empty()) continue;
-    try {
-      waypoints.push_back(waypoint(words));
-    } catch (const std::runtime_error& error) {
-      throw std::runtime_error(path.string() + ':' + std::to_string(number_of_line) + ": " +
-                               error.what());
-    }
+  return parse_waypoints(file, path.string());
+}
+
+std::vector<Waypoint> built_in_drive(const std::string& world) {
+  for (const WorldFileText& file : built_in_world_files()) {
+    if (file.name != world || file.drive.empty()) continue;
+    std::istringstream text(file.drive);
+    return parse_waypoints(text, world + "_drive.txt");
   }
-  if (waypoints.empty()) throw std::runtime_error(path.string() + ": no waypoint");
-  return waypoints;
+  throw std::runtime_error("there is no built-in drive through '" + world + "'");
 }
 
 }  // namespace adit

@@ -11,7 +11,7 @@ namespace {
 // In the order of Material: rock, timber, rusty steel, wet mud, water, mirror.
 constexpr std::array kReflectivity{0.25, 0.40, 0.30, 0.12, 0.0, 0.0};
 
-// Of water, at right angles: ((n − 1) / (n + 1))² with n = 1.33.
+// Of water at normal incidence: ((n − 1) / (n + 1))² with n = 1.33.
 constexpr double kSpecularAtNormalIncidence = 0.02;
 
 }  // namespace
@@ -35,7 +35,7 @@ double total_power(std::span<const Echo> echoes) {
   return power;
 }
 
-/// How many of the echoes, in the order of range, run together with the first.
+/// Number of echoes, sorted by range, that merge with the first.
 std::size_t count_within_pulse(std::span<const Echo> echoes, double pulse_length_m) {
   std::size_t n = 1;
   while (n < echoes.size() && echoes[n].range_m <= echoes[0].range_m + pulse_length_m) ++n;

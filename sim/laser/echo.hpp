@@ -9,30 +9,29 @@
 
 namespace adit {
 
-/// Share of infrared light (905 nm) that a surface throws back diffusely when it faces the laser.
-/// 0 for what gives nothing back: water, and a mirror, which sends the light elsewhere. The figures
-/// are typical ones of dusty or wet surfaces; dirty raw timber as in the manual of the LMS-200.
+/// Diffuse reflectivity of a material at normal incidence for infrared light (905 nm), 0 to 1; 0
+/// for water and for a mirror, which return no diffuse light. Typical values of dusty or wet
+/// surfaces; that of dirty raw timber is from the manual of the LMS-200.
 double reflectivity(Material material);
 
-/// The greatest reflectivity that there is.
+/// The greatest reflectivity of all materials.
 double reflectivity_max();
 
-/// Share of the light that still water mirrors at an angle of incidence: nearly all where it is
-/// grazing, 2 % where it is steep. Fresnel's law after Schlick, "An inexpensive BRDF model for
-/// physically-based rendering", 1994.
+/// Specular reflectance of still water: close to 1 at grazing incidence, 0.02 at normal incidence.
+/// Fresnel's law after Schlick, "An inexpensive BRDF model for physically-based rendering", 1994.
 double specular_share(double cos_incidence);
 
-/// What one sub-ray of a beam brings back.
+/// The echo of one sub-ray of a beam.
 struct Echo {
   double range_m = 0.0;
   double power = 0.0;  ///< reflectivity · cos(incidence) / range² [1/m²]
 };
 
-/// What a laser makes of the echoes of one pulse of light. Surfaces within `pulse_length_m` of the
-/// nearest run together: they are seen as one, at the mean of their ranges weighted by power
-/// (a mixed pixel). Farther ones do not count. Where those that run together have less than
-/// `first_echo_share` of the power of all, they are passed over for those behind; where nobody has
-/// that much, the strongest count. Nothing without echoes. Puts `echoes` into the order of range.
+/// Computes the echo that a laser measures from the echoes of one pulse. Echoes within
+/// `pulse_length_m` of the nearest merge into one, at their mean range weighted by power (a mixed
+/// pixel); farther echoes are ignored. If the merged echoes have less than `first_echo_share` of
+/// the total power, the next group behind them is used; if no group has that much, the strongest
+/// group is. Returns nothing without echoes. Sorts `echoes` by range.
 std::optional<Echo> merge_echoes(std::span<Echo> echoes, double pulse_length_m,
                                  double first_echo_share);
 

@@ -13,13 +13,13 @@
 namespace adit {
 namespace {
 
-constexpr int kIntervals = 12;  // between knots, in the half turn that beams are measured in
+constexpr int kIntervals = 12;  // between knots, over the half turn in which beams are measured
 
-/// A disc evenly lit has the same spread as its middle and a ring of eight, all of equal weight, if
-/// the ring is at three quarters of its radius: 8/9 · (3/4)² = 1/2.
+/// The centre and a ring of eight points with equal weights have the second moment of a uniform
+/// disc if the ring is at three quarters of its radius: 8/9 · (3/4)² = 1/2.
 constexpr double kRing = 0.75;
 
-/// The ray that leaves a beam's middle at `across` and `up`, both as shares of its radius.
+/// A ray offset from the centre of a beam by `across` and `up`, as fractions of the beam's radius.
 Ray sub_ray(const LaserParams& params, double angle_rad, double across, double up) {
   const Eigen::Vector3d along(std::cos(angle_rad), std::sin(angle_rad), 0.0);
   const Eigen::Vector3d left(-std::sin(angle_rad), std::cos(angle_rad), 0.0);
@@ -30,7 +30,8 @@ Ray sub_ray(const LaserParams& params, double angle_rad, double across, double u
 }
 
 std::vector<Ray> rays_of_beam(const LaserParams& params, int beam) {
-  const double angle_rad = beam * params.angle_step_rad() - std::numbers::pi / 2.0;
+  const double angle_rad =
+      params.bearing_scale * (beam * params.angle_step_rad() - std::numbers::pi / 2.0);
   std::vector<Ray> rays{sub_ray(params, angle_rad, 0.0, 0.0)};
   for (int i = 1; i < params.subrays; ++i) {
     const double around = 2.0 * std::numbers::pi * i / (params.subrays - 1);
@@ -39,7 +40,8 @@ std::vector<Ray> rays_of_beam(const LaserParams& params, int beam) {
   return rays;
 }
 
-/// So near to each other that the matrix between is a rotation but for what does not count.
+/// Linear interpolation of the matrices. The poses are so close that the result is a rotation to
+/// first order.
 Eigen::Affine3f between(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double share) {
   Eigen::Affine3d T;
   T.matrix() = a.matrix() + share * (b.matrix() - a.matrix());
@@ -94,8 +96,7 @@ namespace {
 
 constexpr double kReferenceReflectivity = 0.1;
 constexpr std::size_t kSubraysMax = 9;
-// How far along its way a ray that a mirror reflects begins, so as not to meet the mirror again
-// [m].
+// Offset of a reflected ray from the mirror, so that it does not hit the mirror again [m].
 constexpr float kOffMirror = 0.01F;
 
 double power(double reflectivity, double cos_incidence, double range_m) {
@@ -123,7 +124,8 @@ LaserScan LaserModel::measure(const PoseAt& T_world_laser, std::int64_t utime) {
   scan.ranges_m.reserve(static_cast<std::size_t>(params_.beams));
   const auto n = static_cast<std::size_t>(params_.subrays);
   for (std::size_t i = 0; i < rays.size(); i += n) {
-    // Drawn whatever the beam meets, so that the others keep their noise where a world changes.
+    // Drawn for each beam, hit or not, so that a change of the world does not change the noise of
+    // other beams.
     const double noise_m = params_.noise_sd_m * normal_(random_);
     const auto range = range_m(rays.subspan(i, n), std::span(hits_).subspan(i, n));
     scan.ranges_m.push_back(reading_m(range, noise_m));
@@ -153,8 +155,8 @@ std::optional<Echo> LaserModel::echo(const Ray& ray, const RayHit& hit) const {
               power(reflectivity(material), cos_incidence(ray, hit), hit.distance_m)};
 }
 
-/// From the image of what the mirror shows, as far behind it as that is before it. What a second
-/// mirror would show is too faint.
+/// Echo of the surface seen in the mirror, at the range along the reflected path. Echoes by a
+/// second mirror are too weak to be detected.
 std::optional<Echo> LaserModel::specular_echo(const Ray& ray, const RayHit& mirror) const {
   const float cosine = -ray.direction.dot(mirror.normal);
   const Eigen::Vector3f away = ray.direction + 2.0F * cosine * mirror.normal;
@@ -164,7 +166,7 @@ std::optional<Echo> LaserModel::specular_echo(const Ray& ray, const RayHit& mirr
   if (!hit) return std::nullopt;
   const double rho = reflectivity(scene_.mesh().part_of(hit->triangle).material);
   if (rho == 0.0) return std::nullopt;
-  const double share = specular_share(cosine);  // on the way there, and again on the way back
+  const double share = specular_share(cosine);  // on both passes of the mirror
   const double range = static_cast<double>(behind_m) + hit->distance_m;
   return Echo{range, share * share * power(rho, cos_incidence(reflected, *hit), range)};
 }

@@ -18,51 +18,51 @@
 
 namespace adit {
 
-/// The rays of a scan: those of one beam side by side, beams from −90° to 90°, each from where the
-/// laser is at its own time. A beam of nine has one in the middle and eight around it.
+/// The rays of a scan, grouped by beam, beams from −90° to 90°, each from the pose of the laser at
+/// the time of its beam. A beam of nine rays has one in the centre and eight around it.
 class BeamFan {
  public:
-  /// Pose of the laser in world, some seconds after the first beam of a scan.
+  /// T_world_laser at a time after the first beam of a scan [s].
   using PoseAt = std::function<Eigen::Isometry3d(double seconds)>;
 
-  /// Throws std::invalid_argument for sub-rays that are neither 1 nor 9.
+  /// Throws std::invalid_argument unless `subrays` is 1 or 9.
   explicit BeamFan(const LaserParams& params);
 
-  /// In world. Asks for the pose some times in each turn of the mirror and interpolates between: at
-  /// 10 rad/s what is 80 m away is 0.3 mm off. Valid until the next call.
+  /// The rays in world. The pose is evaluated at knots in each turn of the mirror and interpolated
+  /// between them: at 10 rad/s and 80 m the error is 0.3 mm. Valid until the next call.
   const std::vector<Ray>& rays(const PoseAt& T_world_laser);
 
  private:
   struct BeamTime {
-    std::size_t knot = 0;  ///< the one before the beam
-    double share = 0.0;    ///< of the way from it to the next, 0 to 1
+    std::size_t knot = 0;  ///< the knot before the beam
+    double share = 0.0;    ///< from this knot to the next, 0 to 1
   };
 
   void add_knots(int turn, double mirror_hz);
   void add_beam_time(int turn, double share_of_half_turn);
 
   std::size_t subrays_;
-  std::vector<double> knot_times_s_;  ///< when the pose is asked for
+  std::vector<double> knot_times_s_;  ///< where the pose is evaluated
   std::vector<BeamTime> beam_times_;
   std::vector<Ray> rays_laser_;  ///< in the laser's frame
   std::vector<Ray> rays_world_;
 };
 
-/// Makes the scans of one laser, with a stream of noise of its own: the same seed and the same
-/// calls give the same scans. Beams run counter-clockwise from −90° to 90°.
+/// Simulates the scans of one laser. Each laser has its own random stream: the same seed and the
+/// same calls give the same scans. Beams run counter-clockwise from −90° to 90°.
 class LaserModel {
  public:
-  /// Pose of the laser in world, some seconds after the first beam of a scan.
+  /// T_world_laser at a time after the first beam of a scan [s].
   using PoseAt = BeamFan::PoseAt;
 
-  /// `scene` must outlive this. Throws std::invalid_argument for sub-rays that are neither 1 nor 9.
+  /// `scene` must outlive this. Throws std::invalid_argument unless `subrays` is 1 or 9.
   LaserModel(const RayScene& scene, const LaserParams& params, std::uint64_t seed);
 
-  /// The scan whose first beam is at `utime`. Each beam starts from where the laser is at its own
+  /// The scan whose first beam is at `utime`. Each beam starts at the pose of the laser at its own
   /// time (ScanTiming).
   LaserScan measure(const PoseAt& T_world_laser, std::int64_t utime);
 
-  /// Drawn once, in the bounds of LaserParams::offset_max_m [m].
+  /// Systematic range error, drawn once within ±LaserParams::offset_max_m.
   [[nodiscard]] double offset_m() const { return offset_m_; }
 
  private:
@@ -77,8 +77,8 @@ class LaserModel {
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
   double offset_m_ = 0.0;
-  double power_min_ = 0.0;     ///< that is seen, of the mean of the sub-rays
-  float ray_length_m_ = 0.0F;  ///< beyond which nothing is seen
+  double power_min_ = 0.0;     ///< detection threshold of the mean power of the sub-rays
+  float ray_length_m_ = 0.0F;  ///< maximum detectable range
   BeamFan fan_;
   std::vector<RayHit> hits_;
 };

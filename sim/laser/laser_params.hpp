@@ -7,25 +7,29 @@
 
 namespace adit {
 
-/// A SICK LMS-200 with its faults. Figures: docs/decisions/simulator.md.
+/// Model of a SICK LMS-200 with its errors. Sources of the values: docs/decisions/simulator.md.
 struct LaserParams {
-  int beams = 361;       ///< over 180°: 361, or 181 at twice the rate
-  double unit_m = 0.01;  ///< of a reading: 0.01 reaches 81.91 m, 0.001 reaches 8.191 m (13 bits)
-  double range_min_m = 0.2;  ///< nothing nearer returns
-  /// To which a surface of reflectivity 0.1 that faces the laser is seen. Others by the power that
-  /// comes back, reflectivity · cos(incidence) / range².
+  int beams = 361;  ///< over 180°: 361, or 181 at twice the rate
+  double unit_m =
+      0.01;  ///< resolution of a reading of 13 bits: 0.01 reaches 81.91 m, 0.001 reaches 8.191 m
+  double range_min_m = 0.2;  ///< shorter ranges read no return
+  /// Maximum range of a surface of reflectivity 0.1 at normal incidence. That of other surfaces
+  /// follows from the returned power, reflectivity · cos(incidence) / range².
   double range_at_10_percent_m = 30.0;
-  double noise_sd_m = 0.005;       ///< of a single range, normal
-  double offset_max_m = 0.015;     ///< systematic, drawn for each laser, uniform to either side
-  int subrays = 1;                 ///< over the width of a beam, for mixed pixels: 1 or 9
-  double spot_m = 0.008;           ///< diameter of a beam at the laser
-  double divergence_rad = 0.0044;  ///< by which it widens, full angle
-  /// Surfaces within one pulse are seen as one, between them. Farther apart the nearer one counts
-  /// if it returns at least `first_echo_share` of the power.
+  /// True bearings as multiples of the reported ones: a calibration error that makes scan matching
+  /// over- or underestimate turns.
+  double bearing_scale = 1.0;
+  double noise_sd_m = 0.005;    ///< of a single range, normal
+  double offset_max_m = 0.015;  ///< systematic error, drawn for each laser, uniform within ± this
+  int subrays = 1;              ///< across the beam, for mixed pixels: 1 or 9
+  double spot_m = 0.008;        ///< diameter of a beam at the laser
+  double divergence_rad = 0.0044;  ///< of the beam, full angle
+  /// Surfaces within one pulse length merge into one echo between them. Of surfaces farther apart,
+  /// the nearer one is measured if it returns at least `first_echo_share` of the power.
   double pulse_length_m = 0.5;
   double first_echo_share = 0.2;
-  double scan_loss = 0.0;   ///< share of the scans that get lost
-  int scan_decimation = 1;  ///< only each n-th scan is made, where a slower laser will do
+  double scan_loss = 0.0;   ///< fraction of the scans that is lost, 0 to 1
+  int scan_decimation = 1;  ///< only each n-th scan is simulated
   ScanTiming timing;
 
   template <class V>
@@ -34,6 +38,7 @@ struct LaserParams {
     v("unit_m", unit_m, within(0.0001, 0.1));
     v("range_min_m", range_min_m, at_least(0.0));
     v("range_at_10_percent_m", range_at_10_percent_m, above(0.0));
+    v("bearing_scale", bearing_scale, within(0.9, 1.1));
     v("noise_sd_m", noise_sd_m, at_least(0.0));
     v("offset_max_m", offset_max_m, at_least(0.0));
     v("subrays", subrays, within(1, 9));
@@ -46,9 +51,9 @@ struct LaserParams {
     v("timing", timing);
   }
 
-  /// What is reported for no return: the largest reading, 8191 units [m].
+  /// The reading for no return: the maximum, 8191 units.
   [[nodiscard]] double no_return_m() const { return 8191.0 * unit_m; }
-  /// From one beam to the next [rad].
+  /// Angle between two beams.
   [[nodiscard]] double angle_step_rad() const;
 };
 

@@ -8,7 +8,7 @@
 namespace adit {
 namespace {
 
-/// Mean rate times time: exact where the rate changes evenly.
+/// Mean rate times time, which is exact for a constant acceleration.
 double displacement(double rate_from, double rate_to, double seconds) {
   return (rate_from + rate_to) / 2.0 * seconds;
 }
@@ -22,7 +22,7 @@ TrapezoidalMotion::TrapezoidalMotion(const State& start, double goal, double rat
   direction_ = goal >= stop ? 1.0 : -1.0;
   const double rate = direction_ * start.rate;
   const double distance = direction_ * (goal - start.position);
-  // Speeding up to the peak and down from it again takes the whole distance.
+  // Acceleration to the peak and deceleration from it cover the complete distance.
   const double peak2 = acceleration * distance + rate * rate / 2.0;
   peak_rate_ = std::min(rate_max, std::sqrt(std::max(0.0, peak2)));
   to_peak_s_ = std::abs(peak_rate_ - rate) / acceleration;
@@ -37,7 +37,7 @@ TrapezoidalMotion::State TrapezoidalMotion::at(double seconds) const {
     const double rate = start_.rate + (peak - start_.rate) * seconds / to_peak_s_;
     return {start_.position + displacement(start_.rate, rate, seconds), rate};
   }
-  // From here on as seen from the goal, so that it is met exactly.
+  // Computed backward from the goal, so that the goal is reached exactly.
   const double braking_s = peak_rate_ / acceleration_;
   const double left_s = to_peak_s_ + at_peak_s_ + braking_s - seconds;
   if (left_s <= 0.0) return {goal_, 0.0};

@@ -9,9 +9,9 @@
 
 namespace adit {
 
-/// The quickest way along a line from a place and rate to rest at another place, within limits of
-/// rate and acceleration: the rate over time is a trapezoid. Turns round where it is already too
-/// fast to stop in time, and only then goes beyond the goal.
+/// Time-optimal motion in one dimension from a position and rate to rest at a goal, within limits
+/// of rate and acceleration (trapezoidal rate profile). It overshoots and reverses only if the
+/// initial rate is too high to stop at the goal.
 class TrapezoidalMotion {
  public:
   struct State {
@@ -19,17 +19,17 @@ class TrapezoidalMotion {
     double rate = 0.0;
   };
 
-  /// At rest, for ever.
+  /// At rest.
   explicit TrapezoidalMotion(double position) : start_{position, 0.0}, goal_(position) {}
-  /// Limits are positive.
+  /// The limits must be positive.
   TrapezoidalMotion(const State& start, double goal, double rate_max, double acceleration);
 
-  [[nodiscard]] State at(double seconds) const;  ///< after the start
+  [[nodiscard]] State at(double seconds) const;  ///< after the start of the motion of the motion
 
  private:
   State start_;
   double goal_;
-  double direction_ = 1.0;  ///< of the motion after turning round, if it must
+  double direction_ = 1.0;  ///< sign of the rate after an initial reversal
   double peak_rate_ = 0.0;  ///< along `direction_`
   double acceleration_ = 1.0;
   double to_peak_s_ = 0.0;
@@ -53,20 +53,20 @@ struct TiltParams {
   }
 };
 
-/// The motor that tilts a laser: goes to where it was last told, within its limits of angle, rate
-/// and acceleration, without overshoot, and stays there. Level at first.
+/// The motor that tilts a laser. It moves to the last commanded angle within its limits of angle,
+/// rate and acceleration, without overshoot, and holds it. Level at the start.
 class TiltActuator {
  public:
   explicit TiltActuator(const TiltParams& params) : params_(params) {}
 
-  /// A goal beyond the limits becomes the limit. A command of a number that is not finite, or of a
-  /// rate that is not positive, is ignored: the motor goes on to where it was told before.
+  /// Goals are clamped to the limits. A command with a value that is not finite or a rate that is
+  /// not positive is ignored; the motor then continues to its previous goal.
   void command(const TiltCommand& command);
   void advance(double seconds);
 
   [[nodiscard]] double angle_rad() const { return state().position; }  ///< true
   [[nodiscard]] double rate_rad_s() const { return state().rate; }
-  /// What its encoder says.
+  /// The angle as measured by the encoder.
   [[nodiscard]] TiltReading reading(std::int64_t utime) const;
 
  private:

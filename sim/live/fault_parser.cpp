@@ -40,16 +40,16 @@ const Kind& kind_of(const FaultDescription& fault) {
   if (kind != kKinds.end()) return *kind;
   std::string names;
   for (const Kind& each : kKinds) names += (names.empty() ? "" : ", ") + std::string(each.name);
-  fail(fault.kind, "no such kind, there are " + names);
+  fail(fault.kind, "unknown kind; known: " + names);
 }
 
 double number(const std::string& text, const std::string& fault) {
   const auto value = parse_number<double>(text);
-  if (!value || !std::isfinite(*value)) fail(fault, "'" + text + "' is no number; " + kForm);
+  if (!value || !std::isfinite(*value)) fail(fault, "'" + text + "' is not a number; " + kForm);
   return *value;
 }
 
-/// Takes what follows the last `mark` off the text.
+/// Removes and returns the text after the last `mark`.
 std::optional<std::string> split_off(std::string& text, char mark) {
   const std::size_t at = text.rfind(mark);
   if (at == std::string::npos) return std::nullopt;
@@ -82,16 +82,16 @@ void require_complete(const FaultDescription& fault) {
   const Kind& kind = kind_of(fault);
   if (fault.at_s < 0.0) fail(fault.kind, "its time is before the start");
   if (kind.target == Target::kLaser && fault.target != "front" && fault.target != "rear") {
-    fail(fault.kind, "its target is front or rear");
+    fail(fault.kind, "its target must be front or rear");
   }
   if (kind.target == Target::kProcess && fault.target.empty()) {
-    fail(fault.kind, "its target is the name of a stage");
+    fail(fault.kind, "its target must be the name of a stage");
   }
   if (kind.target == Target::kNone && !fault.target.empty()) {
     fail(fault.kind, "its kind has no target");
   }
   if (fault.kind == "packet_loss" && (fault.amount < 0.0 || fault.amount > 1.0)) {
-    fail(fault.kind, "its amount is a share, 0 to 1");
+    fail(fault.kind, "its amount must be a fraction, 0 to 1");
   }
 }
 
@@ -102,7 +102,7 @@ bool is_process_fault(const FaultDescription& fault) {
 void reject_process_faults(const std::vector<FaultDescription>& faults) {
   for (const FaultDescription& fault : faults) {
     if (is_process_fault(fault)) {
-      fail(fault.kind + ":" + fault.target, "there are no other processes, all runs in this one");
+      fail(fault.kind + ":" + fault.target, "this run has a single process");
     }
   }
 }

@@ -9,20 +9,19 @@
 
 namespace adit {
 
-/// A fault as it stands on a command line: KIND[:TARGET][=AMOUNT]@SECONDS, for example
+/// Parses a fault of a command line, KIND[:TARGET][=AMOUNT]@SECONDS, for example
 /// `laser_dies:front@20`, `packet_loss=0.1@5`, `kill:mapping@60`. Throws std::invalid_argument with
-/// what is wrong with it.
+/// the reason.
 FaultDescription parse_fault(const std::string& text);
 
-/// Throws std::invalid_argument for a fault without the target or amount that its kind needs, or
-/// with one that makes no sense.
+/// Throws std::invalid_argument for a fault with a missing or invalid target or amount.
 void require_complete(const FaultDescription& fault);
 
-/// Whether it is something that happens to a process and not to the robot.
+/// Whether the fault affects a process, not the robot.
 bool is_process_fault(const FaultDescription& fault);
 
-/// Throws std::invalid_argument, in one line, if one is: there are no other processes where all
-/// runs in one.
+/// Throws std::invalid_argument, in one line, for faults of processes, which a run in a single
+/// process cannot have.
 void reject_process_faults(const std::vector<FaultDescription>& faults);
 
 }  // namespace adit

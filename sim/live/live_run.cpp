@@ -23,11 +23,11 @@ namespace adit {
 namespace {
 
 constexpr std::int64_t kSecondUs = 1'000'000;
-constexpr std::int64_t kWaitMaxUs = 50'000;  // so that a signal to stop is heard soon
+constexpr std::int64_t kWaitMaxUs = 50'000;  // limits the delay of a signal to stop
 constexpr int kQuietMs = 500;
 constexpr std::int64_t kDrainMaxUs = 10 * kSecondUs;
 
-std::int64_t whole_second_utime() {
+std::int64_t full_second_utime() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::round<std::chrono::seconds>(now).count() * kSecondUs;
 }
@@ -40,7 +40,7 @@ std::int64_t wall_us() {
 LcmBusOptions bus_options(const LiveRunOptions& run) {
   LcmBusOptions options;
   options.url = run.lcm_url;
-  options.time = BusTime::kSimulated;  // its own, which it hears as the others do
+  options.time = BusTime::kSimulated;  // its own SIM_TIME, received as by other stages
   if (!run.record.empty()) options.stage = kRecordStage;
   return options;
 }
@@ -50,7 +50,7 @@ LiveRunOptions with_record_stage(LiveRunOptions options) {
   return options;
 }
 
-/// Handles what comes, for as long at most.
+/// Handles messages until the timeout.
 void listen(LcmBus& bus, std::int64_t wait_us) {
   const auto wait_ms = static_cast<int>(std::min(wait_us, kWaitMaxUs) / 1000);
   if (!bus.handle(wait_ms)) return;
@@ -62,7 +62,7 @@ void run(LcmBus& bus, LiveSimulator& simulator, const StopSignal& stop) {
   while (!simulator.done() && !stop.received()) listen(bus, simulator.advance(wall_us()));
 }
 
-/// Until nothing has come for a while: no message tells that there is none on its way.
+/// Handles messages until none has arrived for a while, since no message marks the last one.
 void drain(LcmBus& bus) {
   const std::int64_t end_us = wall_us() + kDrainMaxUs;
   while (bus.handle(kQuietMs) && wall_us() < end_us) {
@@ -72,7 +72,7 @@ void drain(LcmBus& bus) {
 }  // namespace
 
 void run_live(const WorldChoice& world, const LiveRunOptions& options) {
-  const StopSignal stop;  // before Embree and LCM make threads
+  const StopSignal stop;  // before Embree and LCM start threads
   const SimulationParams params = load_simulation_params(options.config, options.faults);
   if (options.print_config) {
     std::cout << to_yaml(params, kSimSection);
@@ -86,7 +86,7 @@ void run_live(const WorldChoice& world, const LiveRunOptions& options) {
   }
   LcmBus bus(bus_options(options));
   LiveSimulator simulator(bus, site, description, params, with_record_stage(options),
-                          options.start_utime.value_or(whole_second_utime()));
+                          options.start_utime.value_or(full_second_utime()));
   run(bus, simulator, stop);
   if (options.record.empty()) return;
   drain(bus);
@@ -107,57 +107,57 @@ std::optional<double> factor_from(const std::string& text) {
 }  // namespace
 
 const char* const kLiveRunFooter =
-    R"(WORLD is the name of a mine that is built in, `random`, a world file (.yaml) or a mesh (.obj, .ply, ..).
+    R"(WORLD is a built-in world, `random`, a world file (.yaml) or a mesh (.obj, .ply, ..).
 
-Time: stages that are started with --sim-time go by the simulator's time, and answer when they have
-handled all that came before. With --wait-for the simulator is never more than 0.2 s ahead of them, so
-that nothing gets lost however slow they are; without it and with --speed max it waits for nobody. Nobody
-waits for lcm-logger either: --record loses nothing.
+Time: stages started with --sim-time use the simulator's time and answer when they have handled all
+earlier messages. With --wait-for the simulator is at most 0.2 s ahead of these stages, so that no message
+is lost however slow they are; without it, it does not wait. lcm-logger is not waited for and may lose
+messages; --record loses none.
 
-The stages must have the lasers where the simulator has them: give all the same --config, for example
-deploy/config/groundhog.yaml, or what adit sim WORLD --print-config prints.
+The stages must use the same laser mounts as the simulator: pass the same --config to all, for example
+deploy/config/groundhog.yaml, or the output of adit sim WORLD --print-config.
 
-Faults, as KIND[:TARGET][=AMOUNT]@SECONDS, with the seconds counted in simulated time:
+Faults, as KIND[:TARGET][=AMOUNT]@SECONDS, at a simulated time:
   laser_dies:front@20  laser_recovers:front@30  packet_loss=0.1@5  time_jump=2@40
-  kill:mapping@60  suspend:mapping@60  (adit-mapping, where it was started beside the simulator; nobody
-  waits for it until it answers again))";
+  kill:mapping@60  suspend:mapping@60  (adit-mapping, started beside the simulator, which does not wait
+  for it until it answers again))";
 
 void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
   app.add_option_function<std::string>(
          "--speed",
          [&options](const std::string& text) { options.pacing.factor = factor_from(text); },
-         "Times real time, or max: as fast as it goes; 1 without")
+         "Simulated time per real time, or max: as fast as possible (default 1)")
       ->type_name("F|max");
-  app.add_option("--wait-for", options.pacing.wait_for, "Stages that must keep up")
+  app.add_option("--wait-for", options.pacing.wait_for, "Stages that the simulator waits for")
       ->type_name("STAGE,..")
       ->delimiter(',');
   app.add_option("--ahead-max-s", options.pacing.ahead_max_s,
-                 "How far ahead of the slowest of them it may be, in simulated time")
+                 "Maximum lead over the slowest of these stages, in simulated time")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.05, 10.0))
       ->capture_default_str();
   app.add_option("--outage-max-s", options.pacing.outage_max_s,
-                 "How long it goes on without one that a fault has killed or suspended, in "
-                 "simulated time; without: until that answers again")
+                 "Simulated time for which a stage that a fault has killed or suspended is not "
+                 "waited for (default: until it answers again)")
       ->type_name("SECONDS")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--config", options.config, "YAML file with a section sim")->type_name("FILE");
-  app.add_option("--fault", options.faults, "Something that goes wrong; may be given several times")
+  app.add_option("--fault", options.faults, "Injects a fault; may be given several times")
       ->type_name("FAULT")
       ->allow_extra_args(false);
   app.add_option("--lcm-url", options.lcm_url,
-                 "Where LCM is, e.g. udpm://239.255.76.67:7667?ttl=0 (the default)")
+                 "LCM provider (default udpm://239.255.76.67:7667?ttl=0)")
       ->type_name("URL");
   app.add_option("--record", options.record,
-                 "Write everything on the bus into an LCM log, and wait for that")
+                 "Records all messages on the bus in an LCM log, without loss")
       ->type_name("FILE");
   app.add_flag("--print-config", options.print_config,
-               "Print every parameter with the value in effect, and end");
+               "Prints every parameter with the value in effect, and exits");
   app.add_option("--start-utime", options.start_utime,
-                 "Simulated time at the start, µs since the epoch; that of the clock without")
+                 "Simulated time at the start, µs since the epoch (default: the system clock)")
       ->type_name("USEC")
       ->check(CLI::PositiveNumber);
-  app.add_option("--for", options.for_s, "End after so much simulated time")
+  app.add_option("--for", options.for_s, "Ends after this simulated time")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
 }

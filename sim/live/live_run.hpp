@@ -13,25 +13,27 @@
 
 namespace adit {
 
-/// A run of the simulator on LCM.
+/// Options of a run of the simulator on LCM.
 struct LiveRunOptions {
-  std::string program;  ///< that speaks on standard error
+  std::string program;  ///< prefix of messages on standard error
   PacingParams pacing{.factor = 1.0, .wait_for = {}};
   std::filesystem::path config;     ///< empty: defaults
-  std::vector<std::string> faults;  ///< as parse_fault takes them, besides those in the config
+  std::vector<std::string> faults;  ///< for parse_fault(), in addition to those in the config
   std::string lcm_url;
-  std::filesystem::path record;  ///< everything on the bus; an LCM log; empty: not written
-  std::optional<double> for_s;   ///< of simulated time; until it is stopped without
-  std::optional<std::int64_t> start_utime;  ///< of simulated time; that of the clock without
-  bool print_config = false;  ///< write the configuration in effect to standard output, and end
+  std::filesystem::path record;  ///< LCM log of all messages; empty: none
+  std::optional<double> for_s;   ///< simulated duration; unlimited if empty
+  std::optional<std::int64_t>
+      start_utime;            ///< simulated time at the start; the system clock if empty
+  bool print_config = false;  ///< write the configuration in effect to standard output and exit
 };
 
-/// The name by which a simulator that records waits for itself, as for a stage.
+/// Name of the recorder among the stages that the simulator waits for.
 inline constexpr const char* kRecordStage = "record";
 
-/// Runs the simulator until SIGINT, SIGTERM or its time is up. A run that failed goes on, standing
-/// still. One that records is never far ahead of its record, and hears the stages out at the end.
-/// Throws for what cannot be run or written.
+/// Runs the simulator until SIGINT, SIGTERM or the end of its duration. After a failure of the run
+/// the vehicle stands and the simulation continues. A simulator that records waits for its
+/// recorder, and at the end for outstanding messages of the stages. Throws for invalid options and
+/// on write errors.
 void run_live(const WorldChoice& world, const LiveRunOptions& options);
 
 }  // namespace adit
@@ -45,7 +47,7 @@ namespace adit {
 /// The options of a live run, for `adit-sim` and `adit sim`.
 void add_live_run_options(CLI::App& app, LiveRunOptions& options);
 
-/// What both say about worlds, time and faults at the end of their help.
+/// Help text of both on worlds, time and faults.
 extern const char* const kLiveRunFooter;
 
 }  // namespace adit

@@ -102,8 +102,8 @@ LiveSimulator::LiveSimulator(Bus& bus, const Site& site, const WorldDescription&
   host_.set_health([this] { return node_.health(); });
   subscribe<sim_time_done_t>(host_.bus(), channels::kSimTimeDone,
                              Delivery::queued(kAnswerQueueSize), [this](const SimTimeDone& done) {
-                               // One from the future answers another simulator, or this one's
-                               // predecessor.
+                               // A time in the future belongs to another simulator or a previous
+                               // run.
                                if (done.utime <= node_.simulation().utime())
                                  pacing_.done(done.stage, done.utime);
                              });
@@ -127,8 +127,8 @@ void LiveSimulator::step() {
   }
 }
 
-/// What a stage missed that came late, or was started again, is the time: without it, it would
-/// never answer.
+/// A stage that started late or was restarted has missed SIM_TIME and would never answer without
+/// it.
 void LiveSimulator::remind_stages(std::int64_t wall_us) {
   for (const std::string& stage : pacing_.newly_timed_out(wall_us)) {
     progress_.print(waiting_message(stage));

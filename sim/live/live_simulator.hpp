@@ -21,18 +21,18 @@
 
 namespace adit {
 
-/// Writes what comes on every channel there is into an LCM log, stamped with the time at which it
-/// is handled. Nothing is lost of a bus whose driver waits for its handlers.
+/// Records all channels in an LCM log, stamped with the time of handling. No message is lost if the
+/// bus waits for its handlers.
 class BusRecorder {
  public:
-  using Clock = std::function<std::int64_t()>;  ///< [µs since the epoch], never goes back
+  using Clock = std::function<std::int64_t()>;  ///< [µs since the epoch], monotonic
 
-  /// Throws as LogWriter does; so does the bus, where a message cannot be written.
+  /// Throws as LogWriter does. Handling a message throws if it cannot be written.
   BusRecorder(Bus& bus, const std::filesystem::path& path, Clock clock);
   BusRecorder(const BusRecorder&) = delete;
   BusRecorder& operator=(const BusRecorder&) = delete;
 
-  /// Ends the log.
+  /// Closes the log.
   void close() { log_.close(); }
 
  private:
@@ -40,18 +40,18 @@ class BusRecorder {
   Clock clock_;
 };
 
-/// Tells on standard error how a run goes: a line every few seconds of wall time, and one when it
-/// has failed.
+/// Reports the progress of a run on standard error: a line every kPeriodUs of wall time, and one
+/// when the run fails.
 class ProgressReporter {
  public:
   static constexpr std::int64_t kPeriodUs = 5'000'000;
 
   explicit ProgressReporter(std::string program) : program_(std::move(program)) {}
 
-  /// Wall time is any that goes on steadily [µs].
+  /// `wall_us` is any monotonic time [µs].
   void update(const Simulation& simulation, std::int64_t start_utime, std::int64_t wall_us);
 
-  /// One line, whenever.
+  /// Prints one line immediately.
   void print(const std::string& what) const;
 
  private:
@@ -69,9 +69,8 @@ class ProgressReporter {
 std::string progress_line(double elapsed_s, double factor, const RunState& run,
                           const VehicleState& vehicle);
 
-/// The simulator on a bus with other processes: goes on at its pace, says of itself what every
-/// stage does, lets happen to processes what was asked for, and tells on standard error how it
-/// goes.
+/// The simulator on a bus with other processes: steps at its pace, publishes the status messages of
+/// every stage, injects process faults and reports progress on standard error.
 class LiveSimulator {
  public:
   /// `bus` and `site` must outlive this.
@@ -81,14 +80,14 @@ class LiveSimulator {
   LiveSimulator(const LiveSimulator&) = delete;
   LiveSimulator& operator=(const LiveSimulator&) = delete;
 
-  /// Takes a step if it is time for one. Returns how long to listen to the bus before the next
-  /// call [µs]; an answer of a stage may end that. Wall time is any that goes on steadily.
+  /// Steps if a step is due. Returns how long to handle messages before the next call [µs]; an
+  /// answer of a stage may shorten that. `wall_us` is any monotonic time.
   std::int64_t advance(std::int64_t wall_us);
 
-  /// Whether the time that was asked for is up.
+  /// Whether the requested duration is over.
   [[nodiscard]] bool done() const;
 
-  /// Ends the record, if there is one.
+  /// Closes the recording, if there is one.
   void close_record();
 
  private:

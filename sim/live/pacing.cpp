@@ -8,8 +8,8 @@
 namespace adit {
 namespace {
 
-constexpr std::int64_t kCatchUpMaxUs = 100'000;  // being late by more than that is not made up for
-constexpr std::int64_t kPollPeriodUs = 100'000;  // an answer comes sooner, as a rule
+constexpr std::int64_t kCatchUpMaxUs = 100'000;  // a longer delay is not caught up
+constexpr std::int64_t kPollPeriodUs = 100'000;  // an answer usually ends the wait earlier
 
 }  // namespace
 
@@ -23,7 +23,7 @@ void Pacing::done(std::string_view stage, std::int64_t utime) {
   const auto found = stages_.find(stage);
   if (found == stages_.end()) return;
   const auto excluded_utime = found->second.excluded_utime;
-  if (excluded_utime && utime <= *excluded_utime) return;  // said before it was harmed
+  if (excluded_utime && utime <= *excluded_utime) return;  // sent before the fault
   found->second = {std::max(utime, found->second.done_utime.value_or(utime)), std::nullopt, false,
                    std::nullopt};
 }

@@ -11,20 +11,19 @@
 
 namespace adit {
 
-/// How fast simulated time goes.
+/// Pace of simulated time.
 struct PacingParams {
-  std::optional<double> factor;       ///< of real time; nothing: as fast as it goes
+  std::optional<double> factor;       ///< of real time; empty: as fast as possible
   std::vector<std::string> wait_for;  ///< stages that must keep up
   double ahead_max_s = 0.2;           ///< of the slowest of them, at least a period of SIM_TIME
-  /// How long one that was killed or suspended on purpose is done without; nothing: until it
+  /// How long a stage with an injected fault (kill, suspend) is not waited for; empty: until it
   /// answers again.
   std::optional<double> outage_max_s = {};
 };
 
-/// Says when the simulator may take its next step: not before the wall clock, times the factor, has
-/// come there, and never more than ahead_max_s ahead of what the slowest of the stages that are
-/// waited for has handled. Time in which the simulator was late is not made up for. Knows no clock:
-/// wall time is any time that goes on steadily [µs].
+/// Decides when the simulator may step: not before the scaled wall time of the step, and at most
+/// ahead_max_s ahead of the time that the slowest of the stages in wait_for has handled. Delays are
+/// not caught up. Independent of clocks: wall time is any monotonic time [µs].
 class Pacing {
  public:
   static constexpr std::int64_t kStageTimeoutUs = 5'000'000;  ///< of wall time
@@ -37,18 +36,19 @@ class Pacing {
 
   explicit Pacing(const PacingParams& params);
 
-  /// A stage has handled all until `utime`. Stages that nobody waits for are let through.
+  /// A stage has handled all messages until `utime`. Stages not in wait_for are ignored.
   void done(std::string_view stage, std::int64_t utime);
 
-  /// The stage was killed or suspended on purpose at `utime`, and would hold up the simulator for
-  /// ever: it is waited for again when it answers for a later time, and after outage_max_s. Of a
-  /// stage that nobody waits for, nothing changes.
+  /// A fault was injected into the stage at `utime`. It is not waited for until it answers for a
+  /// later time or outage_max_s has passed, since it would block the simulator. Stages not in
+  /// wait_for are ignored.
   void exclude(std::string_view stage, std::int64_t utime);
 
-  /// Whether the step may be taken that leads to `utime`.
+  /// Whether the step to `utime` may be taken.
   Decision decide(std::int64_t utime, std::int64_t wall_us);
 
-  /// Stages that have held up the simulator for kStageTimeoutUs, each told once until it answers.
+  /// Stages that have blocked the simulator for kStageTimeoutUs; each is returned once until it
+  /// answers.
   std::vector<std::string> newly_timed_out(std::int64_t wall_us);
 
  private:
@@ -71,7 +71,7 @@ class Pacing {
   std::int64_t ahead_max_us_;
   std::optional<std::int64_t> outage_max_us_;
   std::map<std::string, Stage, std::less<>> stages_;
-  std::optional<Origin> origin_;  // from which real time counts
+  std::optional<Origin> origin_;  // origin of the scaled wall time
 };
 
 }  // namespace adit

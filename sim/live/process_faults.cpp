@@ -22,13 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr pid_t kInit = 1;
-constexpr const char* kWatcher = "adit-watch";  // stands between the supervisor and each process
+constexpr const char* kWatcher = "adit-watch";  // parent of each process, child of the supervisor
 
-/// From `pid (name) state ppid ..`, where the name may hold anything.
+/// Parses `pid (name) state ppid ..`, where the name may contain any character.
 std::optional<pid_t> parent_of(const fs::path& folder) {
   std::ifstream file(folder / "stat");
   std::string stat;
-  std::getline(file, stat, '\0');  // all of it; one that ends meanwhile cannot be read
+  std::getline(file, stat, '\0');  // the complete file; fails if the process has ended
   const std::size_t name_end = stat.rfind(')');
   if (name_end == std::string::npos || name_end + 4 >= stat.size()) return std::nullopt;
   const std::size_t begin = name_end + 4;  // behind ") S "
@@ -46,7 +46,7 @@ std::map<pid_t, pid_t> all_parents() {
 }
 
 bool descends(pid_t pid, pid_t ancestor, const std::map<pid_t, pid_t>& parents) {
-  // Not more steps than there are processes: the table is no snapshot, and might hold a circle.
+  // At most as many steps as processes: the table is not a snapshot and may contain a cycle.
   for (std::size_t i = 0; i < parents.size(); ++i) {
     const auto found = parents.find(pid);
     if (found == parents.end()) return false;
@@ -95,7 +95,7 @@ std::string apply_fault(const FaultDescription& fault) {
   const std::string executable = "adit-" + fault.target;
   const int sent = signal_siblings(executable, fault.kind == "kill" ? SIGKILL : SIGSTOP);
   return fault.kind + " " + executable + ": " +
-         (sent == 0 ? "none runs that was started beside this program"
+         (sent == 0 ? "no such process was started beside this program"
                     : std::to_string(sent) + (sent == 1 ? " process" : " processes"));
 }
 

@@ -12,32 +12,30 @@
 
 namespace adit {
 
-/// Processes that descend from one, at whatever depth, and whose executable has the name, in
-/// ascending order. One whose parent ended no longer descends from it. Processes that end
-/// meanwhile, or of which nothing may be known, are left out.
+/// Process ids of the descendants of a process, at any depth, whose executable has the name,
+/// ascending. A process whose parent has ended is no descendant. Processes that end meanwhile or
+/// cannot be read are skipped.
 std::vector<pid_t> descendants_named(pid_t ancestor, const std::string& executable);
 
-/// Who started a process: its parent, or where that is an adit-watch, the supervisor that has it. 0
-/// where nothing may be known.
+/// Process id of the starter of a process: its parent, or, if that is an adit-watch, the supervisor
+/// above it. 0 if it cannot be read.
 pid_t launcher_of(pid_t pid);
 
-/// Sends the signal to all processes `executable` that were started beside this one: that descend
-/// from its starter. To none where that is init, from which everybody descends. Returns how many it
-/// was sent to.
+/// Sends the signal to all processes `executable` that descend from the starter of this process,
+/// unless the starter is init. Returns the number of receivers.
 int signal_siblings(const std::string& executable, int signal);
 
-/// What is to happen to processes in the course of a run: those of the faults that are of this
-/// kind, in order of time.
+/// Injects the process faults of a run, in order of time.
 class ProcessFaults {
  public:
   explicit ProcessFaults(const std::vector<FaultDescription>& faults);
 
   struct AppliedFault {
-    std::string stage;  ///< that was killed or suspended, `adit-<stage>`
+    std::string stage;  ///< the stage `adit-<stage>` that was killed or suspended
     std::string line;   ///< for people, with what came of it
   };
 
-  /// Lets happen what is due that many seconds after the start.
+  /// Injects the faults that are due at this time after the start.
   std::vector<AppliedFault> advance(double elapsed_s);
 
  private:

@@ -12,15 +12,15 @@
 
 namespace adit {
 
-/// A config file as any stage takes it; one without sections for an empty path. Throws ConfigError.
+/// Loads a config file; an empty path gives one without sections. Throws ConfigError.
 ConfigFile load_config(const std::filesystem::path& path);
 
-/// The section `sim` of a config file, and more faults, as parse_fault takes them. Throws
-/// ConfigError for the file and std::invalid_argument for a fault.
+/// The section `sim` of a config file with additional faults (parse_fault()). Throws ConfigError
+/// for the file and std::invalid_argument for a fault.
 SimulationParams load_simulation_params(const std::filesystem::path& config,
                                         const std::vector<std::string>& faults);
 
-/// All that is in effect, the mine included, for CONFIG: a log explains itself by it.
+/// The parameters in effect and the world, for the message CONFIG in logs.
 std::string yaml_in_effect(const SimulationParams& params, const WorldDescription& world);
 
 }  // namespace adit

@@ -26,19 +26,21 @@ RandomMineParams random_params(const WorldChoice& choice) {
 }  // namespace
 
 CLI::Option* add_world_options(CLI::App& app, WorldChoice& choice) {
-  CLI::Option* world = app.add_option("WORLD", choice.name,
-                                      "A mine that is built in, random, a world file, or a mesh");
-  app.add_option("--seed", choice.seed, "Of all that is random, instead of that of the world")
+  CLI::Option* world =
+      app.add_option("WORLD", choice.name, "A built-in world, random, a world file, or a mesh");
+  app.add_option("--seed", choice.seed, "Seed of everything random, instead of that of the world")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--length-m", choice.length_m, "Of all drifts of a random mine, about")
+  app.add_option("--length-m", choice.length_m,
+                 "Approximate length of all tunnels of a random mine")
       ->type_name("METRES")
       ->check(CLI::Range(30.0, 5000.0));
-  app.add_option("--topology", choice.topology, "Of a random mine")
+  app.add_option("--topology", choice.topology, "Topology of a random mine")
       ->type_name("NAME")
       ->check(CLI::IsMember({"any", "parallel_entries", "room_and_pillar", "branching", "ring"}));
-  app.add_option("--damage", choice.damage,
-                 "Share of the drifts of a random mine with falls, water, pits, low roof")
+  app.add_option(
+         "--damage", choice.damage,
+         "Fraction of the tunnels of a random mine with roof falls, water, pits or low roof")
       ->type_name("SHARE")
       ->check(CLI::Range(0.0, 1.0));
   return world;

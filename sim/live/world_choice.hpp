@@ -14,22 +14,22 @@ class Option;
 
 namespace adit {
 
-/// Which mine, as a command line says it.
+/// Selection of a world on a command line.
 struct WorldChoice {
-  std::string name;         ///< as find_world takes it
+  std::string name;         ///< for find_world()
   std::optional<int> seed;  ///< instead of that of the world
 
-  // Of a random mine; RandomMineParams without.
+  // Of a random mine; defaults: RandomMineParams.
   std::optional<double> length_m;
   std::optional<std::string> topology;
   std::optional<double> damage;
 };
 
-/// Declares WORLD, which is returned, and its options.
+/// Declares the argument WORLD, which is returned, and its options.
 CLI::Option* add_world_options(CLI::App& app, WorldChoice& choice);
 
-/// Throws as find_world does, and std::invalid_argument where what is said of a random mine is said
-/// of another.
+/// Throws as find_world() does, and std::invalid_argument for options of random mines with another
+/// world.
 WorldDescription describe(const WorldChoice& choice);
 
 }  // namespace adit

@@ -43,7 +43,7 @@ Bytes read_all(int descriptor) {
   }
 }
 
-/// The result behind kDone, or the text of the failure behind kFailed.
+/// Sends kDone and the result, or kFailed and the error text.
 Bytes outcome(const std::function<Bytes()>& work) try {
   Bytes bytes = work();
   bytes.insert(bytes.begin(), kDone);
@@ -55,7 +55,7 @@ Bytes outcome(const std::function<Bytes()>& work) try {
   return bytes;
 }
 
-/// Ends without what the parent has to do at its end.
+/// Exits without the exit handlers of the parent.
 [[noreturn]] void run_child(const std::function<Bytes()>& work, int seconds, int descriptor) {
   const rlimit limit{static_cast<rlim_t>(seconds), static_cast<rlim_t>(seconds)};
   setrlimit(RLIMIT_CPU, &limit);

@@ -11,16 +11,16 @@ namespace adit {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// The child did not come to its end; says why.
+/// The child process did not complete; what() is the reason.
 class ChildProcessError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// What `work` returns, done in a process of its own, so that a library which a damaged file leads
-/// astray takes nothing with it. What `work` throws is thrown here as std::runtime_error with the
-/// same text. Throws ChildProcessError where it crashes, or needs more than `seconds` of processor
-/// time. To be called while the process has one thread.
+/// Runs `work` in a child process and returns its result, so that a library that crashes on a
+/// damaged file does not affect this process. An exception of `work` is rethrown as
+/// std::runtime_error with the same text. Throws ChildProcessError if the child crashes or needs
+/// more than `seconds` of processor time. Must be called while the process has one thread.
 Bytes run_in_child_process(const std::function<Bytes()>& work, int seconds);
 
 }  // namespace adit

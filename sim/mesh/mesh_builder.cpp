@@ -68,7 +68,7 @@ void MeshBuilder::quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::u
 }
 
 void MeshBuilder::box(const OrientedBox& box) {
-  std::array<std::uint32_t, 8> corner{};  // bit i of the index: the upper side along axis i
+  std::array<std::uint32_t, 8> corner{};  // bit i of the index selects the upper side along axis i
   for (unsigned i = 0; i < 8; ++i) {
     const Eigen::Vector3d sign((i & 1U) != 0 ? 1.0 : -1.0, (i & 2U) != 0 ? 1.0 : -1.0,
                                (i & 4U) != 0 ? 1.0 : -1.0);
@@ -112,8 +112,8 @@ void MeshBuilder::tube(std::span<const Eigen::Vector3d> line, double radius_m, i
   }
 }
 
-/// Corners of a regular polygon around an axis, counter-clockwise seen against it, begun so that
-/// rings around nearly the same axis lie side by side.
+/// Corners of a regular polygon around an axis, counter-clockwise about it. The first corner varies
+/// continuously with the axis, so that rings of similar axes correspond.
 std::vector<std::uint32_t> MeshBuilder::ring(const Eigen::Vector3d& centre,
                                              const Eigen::Vector3d& axis, double radius_m,
                                              int sides) {

@@ -19,21 +19,22 @@
 
 namespace adit {
 
-/// Puts shapes into a mesh, as parts. Coordinates are in world. Throws std::invalid_argument for
-/// more triangles, vertices or parts than a world may have.
+/// Builds a mesh of parts from shapes. Coordinates are in world. Throws std::invalid_argument
+/// beyond the limits on triangles, vertices and parts of a world.
 class MeshBuilder {
  public:
-  /// Of each, triangles and vertices. With the tree for the rays, a world of so many takes 2 GB.
+  /// Limit on triangles and on vertices. With the ray casting tree, such a world takes 2 GB.
   static constexpr std::size_t kTrianglesMax = 8'000'000;
 
-  /// What follows belongs to a new part. A name that is taken gets a number behind it.
+  /// Begins a new part, to which all following shapes belong. A number is appended to a duplicate
+  /// name.
   void begin_part(PartKind kind, Material material, const std::string& name);
 
-  /// Triangles that are chosen, by their part and their middle, go over to the current part.
+  /// Moves selected triangles, by their part and centre, to the current part.
   void reassign(
       const std::function<bool(const Part& part, const Eigen::Vector3f& middle)>& is_chosen);
 
-  /// Makes room for so many more.
+  /// Reserves memory for additional elements.
   void reserve(std::size_t vertices, std::size_t triangles);
 
   /// Returns the index of the vertex.
@@ -42,9 +43,9 @@ class MeshBuilder {
   void quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d);
 
   void box(const OrientedBox& box);
-  /// A round bar between two points, with flat ends.
+  /// A cylinder between two points, with flat ends.
   void bar(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius_m, int sides = 12);
-  /// A tube along a line, without ends.
+  /// A tube along a polyline, open at its ends.
   void tube(std::span<const Eigen::Vector3d> line, double radius_m, int sides = 8);
 
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
@@ -59,7 +60,7 @@ class MeshBuilder {
 
   TriangleMesh mesh_;
   std::set<std::string> names_;         ///< of the parts
-  std::map<std::string, int> repeats_;  ///< of the names that came again
+  std::map<std::string, int> repeats_;  ///< number of duplicates of each name
 };
 
 }  // namespace adit

@@ -13,7 +13,7 @@ void append(Bytes& bytes, const void* from, std::size_t n) {
   if (n > 0) std::memcpy(bytes.data() + end, from, n);
 }
 
-/// The number of the values, and the values.
+/// The number of values, followed by the values.
 template <class T>
 void append_all(Bytes& bytes, const T* values, std::size_t n) {
   const auto size = static_cast<std::uint64_t>(n);

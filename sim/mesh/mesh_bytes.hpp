@@ -7,9 +7,9 @@
 
 namespace adit {
 
-/// A mesh on its way between two processes of one program.
+/// Serialisation of a mesh between two processes of one program.
 Bytes to_bytes(const TriangleMesh& mesh);
-/// Only for what to_bytes has made.
+/// For the output of to_bytes() only; the input is not validated.
 TriangleMesh mesh_from_bytes(const Bytes& bytes);
 
 }  // namespace adit

@@ -28,9 +28,9 @@
 namespace adit {
 namespace {
 
-/// What a surface of that name is, by a word in it, whatever its case: `floor`, `roof`, `wall`,
+/// Classifies a surface by a keyword in its name, case-insensitive: `floor`, `roof`, `wall`,
 /// `rail`, `sleeper`, `post`, `crib`, `rubble`, `beam`, `cable`, `car` or `water`. Rock of kind
-/// `kOther` without one.
+/// `kOther` without a keyword.
 std::pair<PartKind, Material> classify_surface(std::string name);
 
 struct NamedKind {
@@ -64,13 +64,13 @@ std::pair<PartKind, Material> classify_surface(std::string name) {
   return {named->kind, named->material};
 }
 
-// Longest side of what can be a mine [m].
+// Maximum extent of a mine [m].
 constexpr double kSizeMin = 1.0;
 constexpr double kSizeMax = 20000.0;
-// Of processor time, for the reader of a file of the largest size allowed.
+// Limit of processor time, sufficient for a file of the maximum size.
 constexpr int kSecondsMax = 60;
 
-/// From the axes of the file to those of world, with the scale.
+/// Transform from the axes and units of the file to world.
 Eigen::Matrix3d to_world(const MeshFileParams& params) {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   if (params.up == 'y') rotation << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
@@ -85,7 +85,7 @@ Eigen::Affine3d to_eigen(const aiMatrix4x4& m) {
   return T;
 }
 
-/// Goes through the meshes of a scene.
+/// Collects the meshes of a scene.
 class Collector {
  public:
   void add(const aiScene& scene, const aiNode& node, const Eigen::Affine3d& T_world_parent) {
@@ -149,18 +149,17 @@ void check_size(const std::filesystem::path& file, const Eigen::AlignedBox3d& bo
   }
 }
 
-/// Assimp 5.2 reads beyond its vertices where it splits polygons.
+/// Assimp 5.2 reads beyond the vertices when it triangulates such polygons.
 void check_indices(const std::filesystem::path& file, const aiMesh& mesh) {
   for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
     const std::span indices(face.mIndices, face.mNumIndices);
     if (std::ranges::all_of(indices, [&](unsigned i) { return i < mesh.mNumVertices; })) continue;
-    throw std::runtime_error(file.string() +
-                             " is not a mesh: a face has a corner that is not there");
+    throw std::runtime_error(file.string() + " is not a mesh: a face refers to a missing vertex");
   }
 }
 
-/// Says of each mesh whether it has polygons. Assimp 5.2 aborts where it splits a mesh that some
-/// readers say has polygons, and that has none.
+/// Sets the flag for polygons of each mesh. Some readers set it for meshes without polygons, on
+/// which the triangulation of Assimp 5.2 aborts.
 void correct_primitive_types(const aiScene& scene) {
   for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
     aiMesh& mesh = *scene.mMeshes[i];
@@ -171,10 +170,10 @@ void correct_primitive_types(const aiScene& scene) {
   }
 }
 
-/// The message of Assimp may have many lines.
+/// The error text of Assimp may have several lines.
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// A damaged file may crash it, or keep it for ever.
+/// A damaged file may crash Assimp or make it loop endlessly.
 TriangleMesh read_with_assimp(const std::filesystem::path& file, const MeshFileParams& params) {
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);

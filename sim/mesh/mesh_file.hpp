@@ -8,19 +8,20 @@
 
 namespace adit {
 
-/// How a file is to be understood.
+/// Scale and axes of a mesh file.
 struct MeshFileParams {
-  double scale = 1.0;  ///< metres for one unit of the file
+  double scale = 1.0;  ///< metres per unit of the file
   /// Axis of the file that points up. With y, its x and −z become x and y of world; with x, its y
   /// and z do.
   char up = 'z';
 };
 
-/// Reads a mesh of whatever format Assimp knows (OBJ, PLY, DAE, STL, ..): the one place that does.
-/// Each mesh of the file becomes a part of the same name, which says what it is (classify_surface).
-/// Triangles without area, or with a corner that is not finite, are left out. Throws
-/// std::runtime_error, one line with the file, for one that is missing, empty, too large or no
-/// mesh, for one without triangles, and for a size that no mine has: the scale is wrong then.
+/// Reads a mesh file of any format of Assimp (OBJ, PLY, DAE, STL, ..), which only this file uses.
+/// Each mesh of the file becomes a part of the same name, whose keyword defines kind and material
+/// (classify_surface). Triangles without area or with a vertex that is not finite are dropped.
+/// Throws std::runtime_error, one line with the file name, for a file that is missing, empty, too
+/// large, not a mesh or without triangles, and for an extent beyond that of a mine, which indicates
+/// a wrong scale.
 TriangleMesh load_mesh_file(const std::filesystem::path& file, const MeshFileParams& params = {});
 
 }  // namespace adit

@@ -14,7 +14,7 @@
 namespace adit {
 namespace {
 
-// A mesh of as many triangles as a world may have, written as text, is smaller.
+// Larger than the text form of a mesh with the maximum number of triangles.
 constexpr std::uintmax_t kBytesMax = 1'000'000'000;
 
 [[noreturn]] void reject(const std::filesystem::path& file, const std::string& why) {
@@ -27,12 +27,13 @@ void check_count(const std::filesystem::path& file, double count, std::uintmax_t
          "it announces " + number_text(count) + " elements in " + std::to_string(bytes) + " bytes");
 }
 
-bool is_other_ply_word(const std::string& word) {
+bool is_other_ply_keyword(const std::string& word) {
   return word == "ply" || word == "format" || word == "comment" || word == "obj_info" ||
          word == "property";
 }
 
-/// Lines `element NAME COUNT` in the header, which must end: Assimp 5.2 looks for its end for ever.
+/// Checks lines `element NAME COUNT` in the header and its end; without an end, Assimp 5.2 loops
+/// endlessly.
 void check_ply_header(const std::filesystem::path& file, std::uintmax_t bytes) {
   std::ifstream in(file, std::ios::binary);
   for (std::string line; std::getline(in, line);) {
@@ -44,14 +45,14 @@ void check_ply_header(const std::filesystem::path& file, std::uintmax_t bytes) {
     if (word == "end_header") return;
     if (word == "element" && words >> name >> count) {
       check_count(file, count, bytes);
-    } else if (!is_other_ply_word(word)) {
-      reject(file, "its header has a line that is none of a PLY");
+    } else if (!is_other_ply_keyword(word)) {
+      reject(file, "its header has a line that is not valid in a PLY file");
     }
   }
   reject(file, "its header has no end");
 }
 
-/// Attributes `count="COUNT"`, anywhere.
+/// Checks attributes `count="COUNT"` anywhere in the file.
 void check_dae_counts(const std::filesystem::path& file, const std::string& text) {
   constexpr std::string_view kCount = "count=";
   for (std::size_t at = text.find(kCount); at != std::string::npos; at = text.find(kCount, at)) {
@@ -62,14 +63,14 @@ void check_dae_counts(const std::filesystem::path& file, const std::string& text
   }
 }
 
-/// Elements <p>: Assimp 5.2 reads an index that is no number for ever.
+/// Checks elements <p>: Assimp 5.2 loops endlessly on an index that is not a number.
 void check_dae_indices(const std::filesystem::path& file, const std::string& text) {
   constexpr std::string_view kIndices = "<p>";
   for (std::size_t at = text.find(kIndices); at != std::string::npos;
        at = text.find(kIndices, at)) {
     at = text.find_first_not_of("0123456789 \t\r\n", at + kIndices.size());
     if (at == std::string::npos || text[at] != '<') {
-      reject(file, "an index in it is no number");
+      reject(file, "an index in it is not a number");
     }
   }
 }
@@ -94,7 +95,7 @@ void check_mesh_file(const std::filesystem::path& file) {
   if (bytes == 0) throw std::runtime_error(file.string() + " is empty");
   if (bytes > kBytesMax) {
     throw std::runtime_error(file.string() + " has more than " + std::to_string(kBytesMax) +
-                             " bytes: thin the mesh out");
+                             " bytes: simplify the mesh");
   }
   const std::string ending = file.extension().string();
   if (ending == ".ply") check_ply_header(file, bytes);

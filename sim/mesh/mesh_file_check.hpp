@@ -6,10 +6,10 @@
 
 namespace adit {
 
-/// What can be known of a mesh file before it is read, so that none fills the memory. Throws
-/// std::runtime_error, one line with the file, for one that is missing, empty or too large, for a
-/// PLY without a header, and for a PLY or a Collada file (.dae) that announces more of anything
-/// than its bytes can hold.
+/// Checks a mesh file before it is read, so that a damaged file cannot exhaust the memory. Throws
+/// std::runtime_error, one line with the file name, for a file that is missing, empty or too large,
+/// for a PLY file without a header, and for a PLY or Collada (.dae) file that announces more
+/// elements than its size allows.
 void check_mesh_file(const std::filesystem::path& file);
 
 }  // namespace adit

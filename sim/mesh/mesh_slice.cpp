@@ -74,7 +74,8 @@ class Slicer {
     return (a + (z_m_ - a.z()) / (b.z() - a.z()) * (b - a)).head<2>();
   }
 
-  /// Around from an edge to itself; nothing where the line ends, branches, or is known already.
+  /// Follows the line from an edge back to itself; empty if the line ends, branches, or was
+  /// followed before.
   std::vector<Eigen::Vector2d> follow(const Edge& start) {
     std::vector<Eigen::Vector2d> loop;
     Edge before = start;

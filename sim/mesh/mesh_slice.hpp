@@ -10,9 +10,9 @@
 
 namespace adit {
 
-/// The closed lines in which a level plane cuts a mesh, x and y of their points, in no particular
-/// sense. Lines that do not close are left out, and those that branch. Vertices at the same place
-/// are one.
+/// The closed lines in which a horizontal plane intersects a mesh: x and y of their points, in
+/// either orientation. Open and branching lines are dropped. Vertices at the same position count as
+/// one.
 std::vector<std::vector<Eigen::Vector2d>> slice(const TriangleMesh& mesh, double z_m);
 
 }  // namespace adit

@@ -16,10 +16,10 @@ namespace {
 
 // Ranges differ in their last bits between instruction sets, so one is fixed.
 constexpr const char* kDevice = "threads=1,isa=avx2";
-constexpr std::size_t kPacket = 8;  // the width of that instruction set
+constexpr std::size_t kPacket = 8;  // the width of the instruction set
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 const RayHit kNoHit{kInfinity, 0, Eigen::Vector3f::Zero()};
-// How far behind water a ray goes on; 1 km away the next number may be farther.
+// Offset at which a ray continues behind water; at 1 km, the spacing of floats may exceed it.
 constexpr float kBehindWater = 1e-4F;
 
 struct ReleaseDevice {
@@ -36,13 +36,13 @@ bool is_water(const TriangleMesh& mesh, std::uint32_t triangle) {
   return material == Material::kWater || material == Material::kMirror;
 }
 
-/// From the one that Embree gives, which is of any length and to either side.
+/// Embree's normal has any length and points to either side.
 Eigen::Vector3f facing_normal(const Eigen::Vector3f& Ng, const Eigen::Vector3f& direction) {
   const Eigen::Vector3f normal = Ng.normalized();
   return normal.dot(direction) > 0.0F ? Eigen::Vector3f(-normal) : normal;
 }
 
-/// What the callback of a point query collects.
+/// Result of the callback of a point query.
 struct Touching {
   const TriangleMesh& mesh;
   const OrientedBox& box;
@@ -58,7 +58,7 @@ bool add_if_touching(RTCPointQueryFunctionArguments* arguments) {
                                                found.mesh.vertices[b].cast<double>(),
                                                found.mesh.vertices[c].cast<double>()};
   if (overlaps(found.box, corners)) found.triangles.push_back(triangle);
-  return false;  // the query keeps its radius
+  return false;  // do not change the radius of the query
 }
 
 }  // namespace
@@ -181,7 +181,7 @@ class RayScene::Impl {
       query.ray.mask[i] = ~0U;
       query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
-    // Not marked as coherent: Embree 3.13 then loses one ray in some thousands.
+    // Not marked as coherent: with that flag, Embree 3.13 misses about one hit in several thousand.
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcIntersect8(valid.data(), scene_.get(), &context, &query);
@@ -224,7 +224,7 @@ namespace {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-/// Whether the axis has the triangle on one side and the box, at the origin, on the other.
+/// Whether the axis separates the triangle from the box at the origin.
 bool separates(const Eigen::Vector3d& axis, const Corners& corners, const Eigen::Vector3d& half) {
   const double reach = half.dot(axis.cwiseAbs());
   const auto [low, high] =

@@ -22,28 +22,28 @@ struct Ray {
   Eigen::Vector3f direction;
 };
 
-/// Where a ray meets a mesh first.
+/// The first intersection of a ray with a mesh.
 struct RayHit {
   float distance_m = 0.0F;
   std::uint32_t triangle = 0;
-  Eigen::Vector3f normal;  ///< of the triangle, unit, towards the origin of the ray
+  Eigen::Vector3f normal;  ///< unit normal of the triangle, towards the origin of the ray
 };
 
-/// A box that may be turned.
+/// A box of any orientation.
 struct OrientedBox {
-  Eigen::Isometry3d T_world_box = Eigen::Isometry3d::Identity();  ///< of its centre
+  Eigen::Isometry3d T_world_box = Eigen::Isometry3d::Identity();  ///< pose of its centre
   Eigen::Vector3d half_size{0.0, 0.0, 0.0};                       ///< [m]
 };
 
-/// A mesh made ready for ray casting and collision tests: Embree behind one class. The same calls
-/// give the same bits on one machine: one thread, a fixed instruction set, robust intersection.
+/// Ray casting and collision tests against a mesh. The only class that uses Embree. Deterministic
+/// on one machine: one thread, a fixed instruction set, robust intersection.
 class RayScene {
  public:
-  /// Water is left out of `solid`: wheels go through it and lasers do not.
+  /// kSolid excludes water, which stops lasers but not wheels.
   enum class Layer { kOptical, kSolid };
 
-  /// `mesh` must outlive this and stay as it is. Triangles that are degenerate or not finite are
-  /// never hit. An empty mesh is a scene of nothing.
+  /// `mesh` must outlive this and must not change. Degenerate triangles and those that are not
+  /// finite are never hit. The mesh may be empty.
   explicit RayScene(const TriangleMesh& mesh);
   ~RayScene();
   RayScene(RayScene&&) noexcept;
@@ -52,12 +52,12 @@ class RayScene {
   [[nodiscard]] std::optional<RayHit> cast(const Ray& ray, float range_max_m,
                                            Layer layer = Layer::kOptical) const;
 
-  /// The same for many rays at once, faster where they lie close together. `hits` is as long as
-  /// `rays`; a hit at infinity is none.
+  /// Casts many rays, which is faster if they are close together. `hits` has the size of `rays`; an
+  /// infinite distance means no hit.
   void cast(std::span<const Ray> rays, float range_max_m, std::span<RayHit> hits,
             Layer layer = Layer::kOptical) const;
 
-  /// Indices of the solid triangles that the box touches, ascending.
+  /// Indices of the solid triangles that intersect the box, ascending.
   [[nodiscard]] std::vector<std::uint32_t> touching(const OrientedBox& box) const;
 
   [[nodiscard]] const TriangleMesh& mesh() const;
@@ -67,9 +67,8 @@ class RayScene {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Whether a triangle, with its corners in world, and a box have a point in common (separating
-/// axes: Akenine-Möller, "Fast 3D triangle-box overlap testing", 2001). False for corners that are
-/// not finite.
+/// Whether a triangle with vertices in world intersects a box (separating axes: Akenine-Möller,
+/// "Fast 3D triangle-box overlap testing", 2001). False for corners that are not finite.
 bool overlaps(const OrientedBox& box, const std::array<Eigen::Vector3d, 3>& triangle);
 
 }  // namespace adit

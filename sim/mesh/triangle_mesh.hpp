@@ -12,17 +12,17 @@
 
 namespace adit {
 
-/// What a surface is made of: how a laser sees it, and what it looks like.
+/// Material of a surface: defines its reflectivity and its colour in pictures.
 enum class Material : std::uint8_t {
   kRock,
   kTimber,
   kSteel,
   kMud,
-  kWater,   ///< swallows the beam: no return
+  kWater,   ///< absorbs the beam: no return
   kMirror,  ///< still water, which reflects it
 };
 
-/// What a surface belongs to.
+/// Kind of object that a surface belongs to.
 enum class PartKind : std::uint8_t {
   kFloor,
   kRoof,
@@ -36,17 +36,17 @@ enum class PartKind : std::uint8_t {
   kCable,
   kCar,
   kWater,
-  kOther,  ///< of a mesh from elsewhere
+  kOther,  ///< of an imported mesh
 };
 
-/// A piece of a world, such as the floor or one post.
+/// A part of a world, such as the floor or one post.
 struct Part {
   PartKind kind = PartKind::kOther;
   Material material = Material::kRock;
   std::string name;  ///< unique within the mesh
 };
 
-/// Surfaces in the frame `world` [m], z up. Either side of a triangle is solid to look at.
+/// Surfaces in the frame `world` [m], z up. Triangles are hit from both sides.
 struct TriangleMesh {
   using Triangle = std::array<std::uint32_t, 3>;  ///< indices into `vertices`
 
@@ -60,7 +60,7 @@ struct TriangleMesh {
   }
 };
 
-/// A box around all triangles, but for corners that are not finite; empty where there is none.
+/// Bounding box of all vertices that are finite; empty without any.
 Eigen::AlignedBox3f mesh_bounds(const TriangleMesh& mesh);
 
 }  // namespace adit

@@ -27,7 +27,7 @@ std::uint64_t step(std::uint64_t hash, std::int64_t index) {
   return mix(hash + kGolden * static_cast<std::uint64_t>(index));
 }
 
-/// Along x, between two corners of the row that has this hash.
+/// Interpolates along x between two corners of the row with this hash.
 double along_x(std::uint64_t row, std::int64_t i, double u) {
   return std::lerp(to_value(step(row, i)), to_value(step(row, i + 1)), u);
 }

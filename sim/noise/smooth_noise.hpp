@@ -8,15 +8,15 @@
 
 namespace adit {
 
-/// A smooth random function of the plane, and one of space, between −1 and 1, that vary over about
-/// one unit: random values on the corners of unit squares or cubes, blended between them (value
-/// noise). It has no memory: the value of a corner is a hash of the seed and where the corner is.
+/// Value noise of the plane and of space, between −1 and 1, with a correlation length of about one
+/// unit: random values at the corners of unit squares or cubes, interpolated between them.
+/// Stateless: the value of a corner is a hash of the seed and the corner's indices.
 class SmoothNoise {
  public:
   explicit SmoothNoise(std::uint64_t seed) : seed_(seed) {}
 
   double operator()(const Eigen::Vector2d& p) const;
-  /// The one of space.
+  /// The noise of space.
   [[nodiscard]] double in_space(const Eigen::Vector3d& p) const;
 
  private:

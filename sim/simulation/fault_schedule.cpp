@@ -18,10 +18,10 @@ bool is_laser_fault(const FaultDescription& fault) {
 void check(const FaultDescription& fault) {
   if (is_laser_fault(fault) && fault.target != "front" && fault.target != "rear") {
     throw std::invalid_argument("fault " + fault.kind + ": no laser '" + fault.target +
-                                "', only front and rear");
+                                "'; lasers are front and rear");
   }
   if (fault.kind == "packet_loss" && !(fault.amount >= 0.0 && fault.amount <= 1.0)) {
-    throw std::invalid_argument("fault packet_loss: the amount is a share, 0 to 1");
+    throw std::invalid_argument("fault packet_loss: the amount must be a fraction, 0 to 1");
   }
 }
 

@@ -10,17 +10,17 @@
 
 namespace adit {
 
-/// What is wrong at which time. Those faults that happen to processes are no part of it.
+/// The injected faults that are active at a time. Faults of processes are ignored (ProcessFaults).
 class FaultSchedule {
  public:
-  /// Throws std::invalid_argument for a laser that is neither front nor rear, and a share beyond
-  /// 0 to 1.
+  /// Throws std::invalid_argument for a laser other than front and rear, and a fraction outside 0
+  /// to 1.
   FaultSchedule(const std::vector<FaultDescription>& faults, std::int64_t start_utime);
 
   [[nodiscard]] bool alive(SimLaser laser, std::int64_t utime) const;
-  /// By how much the clock of the sensors is ahead of the true time `utime`.
+  /// Offset of the sensors' clock from the true time `utime`.
   [[nodiscard]] std::int64_t clock_ahead_us(std::int64_t utime) const;
-  /// Of all messages that are lost.
+  /// Fraction of all messages that is lost.
   [[nodiscard]] double loss_share(std::int64_t utime) const;
 
  private:
@@ -29,7 +29,7 @@ class FaultSchedule {
     FaultDescription description;
   };
 
-  std::vector<Fault> faults_;  ///< in order of time
+  std::vector<Fault> faults_;  ///< sorted by time
 };
 
 }  // namespace adit

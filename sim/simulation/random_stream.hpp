@@ -6,8 +6,8 @@
 
 namespace adit {
 
-/// The parts of a simulation that chance has a hand in. Each has a stream of its own, so that none
-/// changes what another draws.
+/// The random parts of a simulation. Each has its own stream, so that no part changes what another
+/// draws.
 enum class RandomStream : std::uint64_t {
   kVehicle,
   kWheelOdometry,
@@ -19,8 +19,8 @@ enum class RandomStream : std::uint64_t {
   kPacketLoss,
 };
 
-/// The seed of a stream: one step of SplitMix64 from a place that seed and stream choose. Steele,
-/// Lea and Flood, "Fast splittable pseudorandom number generators", 2014.
+/// The seed of a stream: one step of SplitMix64 from a state that depends on seed and stream.
+/// Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014.
 constexpr std::uint64_t stream_seed(std::uint64_t seed, RandomStream stream) {
   const auto mix = [](std::uint64_t z) {
     z += 0x9e3779b97f4a7c15U;

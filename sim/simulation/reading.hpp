@@ -25,15 +25,14 @@ struct LaserTiltReading {
   TiltReading reading;
 };
 
-/// What one driver delivers at one moment, or the simulator says beside them (BodyMotion: the
-/// truth; RunState).
+/// One output of a driver, or of the simulator itself (BodyMotion: the true pose; RunState).
 using Reading = std::variant<LaserReading, LaserTiltReading, WheelOdometry, ImuReading, GasReading,
                              SinkageReading, VehicleState, BodyMotion, RunState>;
 
-/// When it was measured, by the clock of who measured it [µs since the epoch].
+/// Time of measurement, by the clock of the sensor [µs since the epoch].
 std::int64_t& utime_of(Reading& reading);
 
-/// Whether a driver delivers it, and not the simulator beside them.
+/// Whether a driver publishes it, not the simulator itself.
 bool is_driver_reading(const Reading& reading);
 
 }  // namespace adit

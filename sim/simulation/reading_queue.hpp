@@ -12,16 +12,16 @@
 
 namespace adit {
 
-/// What becomes of readings on their way: they are put in order, some get lost, and those of
-/// drivers get the time of a clock that may have jumped.
+/// Delivery of readings: sorts them by time, drops some (packet loss), and shifts the times of
+/// driver readings by the clock fault.
 class ReadingQueue {
  public:
   /// `faults` must outlive this.
   ReadingQueue(const FaultSchedule& faults, std::uint64_t seed) : faults_(faults), random_(seed) {}
 
-  /// `utime`: when it is delivered, true time. At the same time in the order of the calls.
+  /// `utime` is the true time of delivery. Readings of the same time keep the order of the calls.
   void add(std::int64_t utime, Reading reading);
-  /// Those that arrive of what was added since the last call.
+  /// The readings added since the last call that are not lost.
   std::vector<Reading> take();
 
  private:

@@ -23,9 +23,8 @@
 namespace adit {
 namespace {
 
-/// The air of a world at a place of its plan. Pockets add up; methane takes the place of oxygen as
-/// of all else. There is no carbon monoxide.
-GasReading air_at(const World& world, const Eigen::Vector2d& p_world, std::int64_t utime);
+/// Composition of the air at a point of the plan. Gas pockets add up; methane displaces oxygen
+/// proportionally. There is no carbon monoxide.
 
 GasReading air_at(const World& world, const Eigen::Vector2d& p_world, std::int64_t utime) {
   GasReading reading;
@@ -41,7 +40,7 @@ GasReading air_at(const World& world, const Eigen::Vector2d& p_world, std::int64
 
 constexpr double kStepS = seconds(Simulation::kStepUs);
 
-// How many steps apart.
+// Periods in steps.
 constexpr std::int64_t kTiltEvery = 2;
 constexpr std::int64_t kWheelsEvery = 5;
 constexpr std::int64_t kGasEvery = 50;
@@ -56,8 +55,8 @@ TiltingLaser::Setup laser_setup(const SimulationParams& params, SimLaser laser,
   const LaserMount& mount = front ? params.lasers.front : params.lasers.rear;
   if (mount.range_max_m > params.laser.no_return_m()) {
     throw std::invalid_argument(
-        "lasers: range_max_m is beyond 8191 times laser.unit_m of sim, which "
-        "the laser reads for no return");
+        "lasers: range_max_m exceeds 8191 times laser.unit_m of sim, which "
+        "is the reading for no return");
   }
   return {mount,
           params.laser,

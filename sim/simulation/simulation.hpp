@@ -15,16 +15,16 @@
 
 namespace adit {
 
-/// A robot in a mine, without transport and clock: commands in, readings out. The same site,
-/// parameters, seed and commands give the same readings, bit for bit. When the run has failed the
-/// vehicle stands and the sensors go on.
+/// Simulates the robot in a mine, independent of transport and clock: commands in, readings out.
+/// The same site, parameters, seed and commands give the same readings, bit for bit. After a
+/// failure of the run the vehicle stands and the sensors continue.
 class Simulation {
  public:
   static constexpr std::int64_t kStepUs = 10'000;
 
-  /// `site` must outlive this. Throws std::invalid_argument where the robot cannot stand at the
-  /// start, for a fault that makes no sense, and where a mount would believe in what its laser says
-  /// for no return.
+  /// `site` must outlive this. Throws std::invalid_argument if the vehicle cannot stand at the
+  /// start, for an invalid fault, and for a mount whose range_max_m would accept the laser's
+  /// reading for no return.
   Simulation(const Site& site, const SimulationParams& params, std::uint64_t seed,
              std::int64_t start_utime);
   ~Simulation();
@@ -35,13 +35,13 @@ class Simulation {
   void command(const StopOrder& order);
   void command(SimLaser laser, const TiltCommand& command);
 
-  /// Lets time go on by kStepUs and returns what the drivers deliver in that time, in the order in
-  /// which they do: a scan when its last beam is measured, all else at the end of a step. At the
-  /// same moment: scans, tilts, wheels, inertia, gas, sinkage, vehicle, truth, run. Lasers scan
-  /// without a break, the rear one half a period behind the front one.
+  /// Advances time by kStepUs and returns the readings of the step in the order of delivery: a scan
+  /// at the time of its last beam, all others at the end of the step. Order at the same time:
+  /// scans, tilts, wheel odometry, IMU, gas, sinkage, vehicle, truth, run. Lasers scan
+  /// continuously, the rear one half a period behind the front one.
   std::vector<Reading> step();
 
-  [[nodiscard]] std::int64_t utime() const;  ///< true time, which no fault moves
+  [[nodiscard]] std::int64_t utime() const;  ///< true time, not affected by clock faults
   [[nodiscard]] const VehicleModel& vehicle() const;
   [[nodiscard]] RunState state() const;
 

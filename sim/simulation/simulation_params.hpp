@@ -14,11 +14,11 @@
 
 namespace adit {
 
-/// Something that goes wrong at a time of the run, on request.
+/// A fault injected at a time of the run.
 struct FaultDescription {
-  /// laser_dies, laser_recovers: `target` is front or rear. time_jump: from then on the clock of
-  /// the sensors is `amount` seconds ahead of what it was. packet_loss: from then on this share of
-  /// all messages is lost. kill, suspend: the process `adit-<target>` gets SIGKILL or SIGSTOP.
+  /// laser_dies, laser_recovers: `target` is front or rear. time_jump: the clock of the sensors
+  /// jumps ahead by `amount` seconds. packet_loss: from then on, the fraction `amount` of all
+  /// messages is lost. kill, suspend: the process `adit-<target>` receives SIGKILL or SIGSTOP.
   std::string kind;
   double at_s = 0.0;  ///< after the start of the run
   std::string target;
@@ -37,7 +37,7 @@ struct FaultDescription {
 /// The lasers of Groundhog, one at each end.
 Lasers groundhog_lasers();
 
-/// Everything about a simulated robot; the section `sim` of the configuration.
+/// All parameters of a simulated robot: the section `sim` of the configuration.
 struct SimulationParams {
   Lasers lasers = groundhog_lasers();
   Vehicle vehicle;

@@ -31,7 +31,7 @@ void MotionHistory::discard_before(std::int64_t utime) {
 }
 
 MotionHistory::BodyState MotionHistory::at(std::int64_t utime, double seconds) const {
-  // Times are differences of whole numbers first, which keeps their fractions exact.
+  // Subtracts the integer times first, which keeps the fractions exact.
   const auto seconds_since = [&](const BodyState& state) {
     return static_cast<double>(utime - state.utime) * 1e-6 + seconds;
   };
@@ -41,8 +41,8 @@ MotionHistory::BodyState MotionHistory::at(std::int64_t utime, double seconds) c
   if (after == states_.begin()) return states_.front();
   const BodyState& before = *std::prev(after);
   if (after == states_.end()) return before;
-  const double whole = static_cast<double>(after->utime - before.utime) * 1e-6;
-  return between(before, *after, seconds_since(before) / whole);
+  const double step_s = static_cast<double>(after->utime - before.utime) * 1e-6;
+  return between(before, *after, seconds_since(before) / step_s);
 }
 
 ScanSchedule::ScanSchedule(const LaserParams& params, std::int64_t start_utime, double phase)
@@ -51,7 +51,8 @@ ScanSchedule::ScanSchedule(const LaserParams& params, std::int64_t start_utime, 
       period_s_(params.timing.scan_period_s(params.angle_step_rad())),
       last_beam_s_(0.0),
       scan_decimation_(params.scan_decimation) {
-  for (const int beam : {params.beams - 2, params.beams - 1}) {  // of two turns each has a last one
+  for (const int beam :
+       {params.beams - 2, params.beams - 1}) {  // the last beam of each of two turns
     last_beam_s_ = std::max(last_beam_s_, params.timing.beam_time_s(beam, params.angle_step_rad()));
   }
 }

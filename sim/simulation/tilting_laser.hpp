@@ -17,7 +17,7 @@
 
 namespace adit {
 
-/// Where the body was and how a laser was tilted, not long ago.
+/// The recent poses of the body and tilt angles of a laser.
 class MotionHistory {
  public:
   struct BodyState {
@@ -28,27 +28,27 @@ class MotionHistory {
 
   explicit MotionHistory(const BodyState& first) : states_{first} {}
 
-  /// Later than those before.
+  /// Times must increase.
   void add(const BodyState& state) { states_.push_back(state); }
-  /// Nobody asks any more for what was before that time.
+  /// Discards states that interpolation at or after `utime` does not need.
   void discard_before(std::int64_t utime);
 
-  /// Some seconds after `utime`, between the moments that were added; the nearest of them outside.
+  /// The state `seconds` after `utime`, interpolated; clamped to the first and the last state.
   [[nodiscard]] BodyState at(std::int64_t utime, double seconds) const;
 
  private:
   std::deque<BodyState> states_;
 };
 
-/// When the scans of one laser begin and end: back to back, one each period.
+/// Start and end times of the scans of one laser, which follow each other without a gap.
 class ScanSchedule {
  public:
-  /// The first scan begins at `start_utime` and `phase` periods, 0 to 1.
+  /// The first scan begins `phase` periods, 0 to 1, after `start_utime`.
   ScanSchedule(const LaserParams& params, std::int64_t start_utime, double phase);
 
-  [[nodiscard]] std::int64_t begin_utime() const;  ///< of the next scan: its first beam
+  [[nodiscard]] std::int64_t begin_utime() const;  ///< first beam of the next scan
   [[nodiscard]] std::int64_t end_utime() const;    ///< its last beam
-  /// Whether it is among those of LaserParams::scan_decimation.
+  /// Whether the next scan is simulated (LaserParams::scan_decimation).
   [[nodiscard]] bool is_selected() const { return scan_ % scan_decimation_ == 0; }
   void advance() { ++scan_; }
 
@@ -61,14 +61,14 @@ class ScanSchedule {
   std::int64_t scan_ = 0;
 };
 
-/// One tilting laser of the robot: its motor, its scans one after the other, its losses.
+/// One tilting laser of the robot: its motor, its scans and their losses.
 class TiltingLaser {
  public:
   struct Setup {
     LaserMount mount;
     LaserParams laser;
     TiltParams tilt;
-    double phase = 0.0;  ///< share of a period by which its scans are late
+    double phase = 0.0;  ///< offset of its scans, as a fraction of the period
     std::uint64_t noise_seed = 0;
     std::uint64_t loss_seed = 0;
   };
@@ -83,10 +83,10 @@ class TiltingLaser {
                const Eigen::Isometry3d& T_world_body);
 
   void command(const TiltCommand& command) { tilt_.command(command); }
-  /// Time goes on to `utime`, when the body is there.
+  /// Advances to `utime`, with the pose of the body at that time.
   void advance(std::int64_t utime, const Eigen::Isometry3d& T_world_body);
-  /// Those that have ended since the last call, of which none is lost. A laser must be alive at
-  /// both ends of a scan.
+  /// The scans completed since the last call, without lost ones. A scan is lost unless the laser is
+  /// alive at both of its ends.
   std::vector<FinishedScan> finished_scans(const AliveAt& alive);
 
   [[nodiscard]] TiltReading tilt_reading() const { return tilt_.reading(utime_); }

@@ -15,7 +15,7 @@ namespace {
 
 double floor_m(const World& world, const Pose2& T_world_plan) {
   const auto height = world.truth.floor_height(T_world_plan.translation());
-  if (!height) throw std::invalid_argument("no floor at the place of the vehicle");
+  if (!height) throw std::invalid_argument("there is no floor at the pose of the vehicle");
   return *height;
 }
 

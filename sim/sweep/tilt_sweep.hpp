@@ -15,27 +15,27 @@
 
 namespace adit {
 
-/// One tilt of a laser of a vehicle at rest, from looking up to looking down.
+/// Parameters of one sweep of a tilting laser on a vehicle at rest, from up to down.
 struct TiltSweep {
   LaserMount mount = groundhog_lasers().front;
   LaserParams laser;
   int scans = 240;
-  double tilt_from_rad = -std::numbers::pi / 6.0;  ///< of the first scan, negative looks up
+  double tilt_from_rad = -std::numbers::pi / 6.0;  ///< of the first scan; negative tilts up
   double tilt_to_rad = std::numbers::pi / 6.0;     ///< of the last one
   std::uint64_t seed = 1;                          ///< of the noise
 };
 
-/// The body at a place of the plan, level, its origin on the bare floor of the truth. Throws
-/// std::invalid_argument where that is in rock.
+/// Level pose of the body at a pose in the plan, its origin on the bare floor of the truth. Throws
+/// std::invalid_argument if that is in rock.
 Eigen::Isometry3d level_on_floor(const World& world, const Pose2& T_world_plan);
 
-/// The body as its wheels hold it. Throws std::invalid_argument, with the reason, where it does
-/// not stand.
+/// Pose of the body on its wheels. Throws std::invalid_argument with the reason if the vehicle
+/// cannot stand there.
 Eigen::Isometry3d standing(const Site& site, const Pose2& T_world_plan,
                            const Vehicle& vehicle = {});
 
-/// What the sweep sees from there, placed without error: odom is world. The tilt changes from scan
-/// to scan and not within one, so that the origin of a line is that of all its beams.
+/// The 3D scan from a pose, without pose errors: odom is world. The tilt changes between scans and
+/// not within one, so that all beams of a line have the same origin.
 Cloud tilt_sweep(const Site& site, const Eigen::Isometry3d& T_world_body,
                  const TiltSweep& sweep = {});
 

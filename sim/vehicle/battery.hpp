@@ -11,7 +11,7 @@ namespace adit {
 /// resistance and slope:
 ///   P = P_idle + max(0, m g (c |v| cos α + v sin α)) / η
 /// at the speed v on ground that rises by α ahead (Wong, "Theory of Ground Vehicles", section 3.1,
-/// without drag and acceleration). Nothing comes back downhill.
+/// without drag and acceleration). There is no recuperation.
 class Battery {
  public:
   Battery(const Vehicle& vehicle, const VehicleModelParams& params)

@@ -11,7 +11,7 @@ namespace {
 constexpr float kAboveM = 1.0F;
 constexpr float kBehindSurfaceM = 1e-3F;
 
-/// Lowest and highest vertex [m]; the lowest is above the highest for a mesh without vertices.
+/// Lowest and highest vertex [m]; low > high for a mesh without vertices.
 std::pair<float, float> span_z(const TriangleMesh& mesh) {
   float low = std::numeric_limits<float>::max();
   float high = std::numeric_limits<float>::lowest();
@@ -41,7 +41,7 @@ std::optional<double> floor_with_headroom(const RayScene& scene, const Vehicle& 
                                           const Eigen::Vector2d& p_world) {
   const auto [low, high] = span_z(scene.mesh());
   std::optional<double> floor;
-  float above = std::numeric_limits<float>::infinity();  // the surface before, going down
+  float above = std::numeric_limits<float>::infinity();  // the previous surface, going down
   float z = high + kAboveM;
   while (z > low) {
     const Ray down{{static_cast<float>(p_world.x()), static_cast<float>(p_world.y()), z},

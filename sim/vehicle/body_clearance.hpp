@@ -12,13 +12,13 @@
 
 namespace adit {
 
-/// The name of a part that the body touches: anything solid within the footprint, between the belly
-/// and the highest point. Nothing where it is free.
+/// The name of a part that collides with the body: a solid surface within the footprint, between
+/// the belly and the top. Empty if there is no collision.
 std::optional<std::string> colliding_part(const RayScene& scene, const Vehicle& vehicle,
                                           const Eigen::Isometry3d& T_world_body);
 
-/// The lowest surface in the column at a place that has as much room above it as the vehicle is
-/// high: z in world. Nothing where there is none.
+/// z in world of the lowest surface at a point of the plan with at least the vehicle's height of
+/// free space above it. Empty if there is none.
 std::optional<double> floor_with_headroom(const RayScene& scene, const Vehicle& vehicle,
                                           const Eigen::Vector2d& p_world);
 

@@ -14,8 +14,8 @@ double approach(double value, double target, double change_max) {
   return value + std::clamp(target - value, -change_max, change_max);
 }
 
-/// The speed after `seconds` on the way to `target`: brakes down to a slower speed, or to a stand
-/// where the direction changes, and accelerates in what time is left.
+/// The speed after `seconds` of approaching `target`: brakes to a slower speed, or to a stop if the
+/// direction changes, and accelerates in the remaining time.
 double follow(double speed, double target, double seconds, const VehicleModelParams& params) {
   const bool same_direction = speed * target > 0.0;
   const double brake_to = same_direction ? target : 0.0;

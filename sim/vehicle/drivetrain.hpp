@@ -11,15 +11,15 @@
 
 namespace adit {
 
-/// Motors, brakes and steering: which command is in force, and how speed and curvature follow it.
+/// Motors, brakes and steering: selects the active command and lets speed and curvature follow it.
 ///
-/// A drive command that is not finite is ignored, as is one that is older than the last; speed and
-/// curvature beyond what the vehicle can do are clamped. A time that is yet to come counts as now.
-/// Without a command younger than the expiry, or under a stop order, the brakes are on and the
-/// steering stays as it is. A stop order counts however old it is, since who gave it may have a
-/// clock that went back, and holds until an order that is newer than all before releases it. Once
-/// an order has come, orders must go on coming: who gives them is dead or hangs otherwise, and the
-/// vehicle stands until one that counts comes again. Without any ever it drives as it is told.
+/// Drive commands that are not finite or older than the last one are ignored; speed and curvature
+/// are clamped to the vehicle's limits. A time in the future counts as now. Without a command
+/// younger than the expiry, or under a stop order, the brakes are on and the steering is held. A
+/// stop order takes effect whatever its time, since the clock of its sender may have jumped back;
+/// only an order newer than all previous ones releases it. After the first order, orders must keep
+/// arriving: otherwise their sender is assumed dead, and the vehicle stands until a valid order
+/// arrives. If no order has ever arrived, drive commands alone control the vehicle.
 class Drivetrain {
  public:
   Drivetrain(const Vehicle& vehicle, const VehicleModelParams& params, std::int64_t utime);
@@ -27,18 +27,18 @@ class Drivetrain {
   void command(const DriveCommand& command);
   void command(const StopOrder& order);
 
-  /// Lets time go on.
+  /// Advances time.
   void advance(double seconds);
-  /// The wheels come to a stand at once, as against a wall.
+  /// Stops the wheels immediately, as an obstacle does.
   void halt() { speed_m_s_ = 0.0; }
 
   [[nodiscard]] std::int64_t utime() const { return utime_; }
   [[nodiscard]] double speed_m_s() const { return speed_m_s_; }
   /// Of the path of the body's origin.
   [[nodiscard]] double curvature_1_m() const { return curvature_1_m_; }
-  /// By which the wheels turned in the last advance, along the body's x axis.
+  /// Distance that the wheels rolled in the last advance(), along the body's x axis.
   [[nodiscard]] double wheel_distance_m() const { return wheel_distance_m_; }
-  /// By a stop order, or because they no longer come.
+  /// Stopped by an order, or because orders timed out.
   [[nodiscard]] bool stopped() const;
   [[nodiscard]] bool expired() const;
 
@@ -50,7 +50,7 @@ class Drivetrain {
   std::int64_t utime_;
   std::optional<DriveCommand> command_;
   std::optional<StopOrder> order_;
-  std::int64_t order_received_utime_ = 0;  ///< by the own clock
+  std::int64_t order_received_utime_ = 0;  ///< by the vehicle's clock
   double speed_m_s_ = 0.0;
   double curvature_1_m_ = 0.0;
   double wheel_distance_m_ = 0.0;

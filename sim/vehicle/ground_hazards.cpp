@@ -18,7 +18,7 @@ Sinkage sinkage_at(const World& world, const Eigen::Vector2d& p_world) {
 
 namespace {
 
-/// By the crossings of a ray along x (Shimrat, "Algorithm 112", 1962).
+/// Counts the crossings of a ray along x (Shimrat, "Algorithm 112", 1962).
 bool is_inside(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d& p) {
   bool inside = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {

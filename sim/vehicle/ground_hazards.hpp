@@ -11,17 +11,17 @@
 
 namespace adit {
 
-/// How deep a wheel sinks, and into what.
+/// Depth to which a wheel sinks, and the soft ground that causes it.
 struct Sinkage {
   double depth_m = 0.0;
   std::string name;  ///< of the soft ground; empty on firm ground
 };
 
-/// The deepest of all soft ground at a place: (1 − (r/R)²)² of the depth in the middle, which falls
-/// to the rim without an edge.
+/// The greatest sinkage of all soft ground at a point: (1 − (r/R)²)² times the depth at the centre,
+/// which falls smoothly to 0 at the rim.
 Sinkage sinkage_at(const World& world, const Eigen::Vector2d& p_world);
 
-/// The water that stands highest above a point, if any does.
+/// The deepest water above a point; empty if there is none.
 struct WaterAbove {
   double depth_m = 0.0;
   std::string name;

@@ -17,7 +17,8 @@ void DeadReckoning::advance(double speed_m_s, double curvature_1_m, double secon
   const double turn_error = params_.turn_noise_rad_per_sqrt_m * spread * normal_(random_);
   T_wheel_body_ =
       T_wheel_body_ * steering_.motion(params_.distance_scale * distance_m + distance_error,
-                                       params_.turn_scale * turn_rad + turn_error);
+                                       params_.turn_scale * turn_rad +
+                                           params_.turn_bias_rad_per_m * distance_m + turn_error);
 }
 
 WheelOdometry DeadReckoning::reading(std::int64_t utime) const { return {utime, T_wheel_body_}; }

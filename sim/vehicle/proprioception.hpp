@@ -12,15 +12,15 @@
 
 namespace adit {
 
-/// Dead reckoning by what the wheels and the steering say (VehicleState), with errors of its own:
-/// scales, and noise whose variance grows with the way. Starts at the origin of its frame.
+/// Dead reckoning from wheel speed and steering (VehicleState), with scale errors, a bias of the
+/// heading, and noise whose variance grows with the distance. Starts at the origin of its frame.
 class DeadReckoning {
  public:
-  /// `vehicle` says how it is steered.
+  /// `vehicle` defines the steering.
   DeadReckoning(const WheelOdometryParams& params, std::uint64_t seed, const Vehicle& vehicle = {})
       : params_(params), steering_(vehicle), random_(seed) {}
 
-  /// `speed_m_s` and `curvature_1_m` were so for `seconds`.
+  /// Integrates a constant speed and curvature over `seconds`.
   void advance(double speed_m_s, double curvature_1_m, double seconds);
   [[nodiscard]] WheelOdometry reading(std::int64_t utime) const;
 
@@ -37,8 +37,8 @@ class InertialUnit {
  public:
   InertialUnit(const ImuParams& params, std::uint64_t seed);
 
-  /// `seconds` since the last reading, more than none; what is measured is the mean motion since
-  /// then: angular velocity, and specific force, which is upward 9.81 m/s² at rest.
+  /// Measures the mean motion since the last reading, `seconds` > 0 before: angular velocity, and
+  /// specific force, which is 9.81 m/s² upward at rest.
   ImuReading measure(const BodyMotion& before, const BodyMotion& now, double seconds);
 
  private:

@@ -7,9 +7,10 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "common/geometry/pose2.hpp"
 #include "sim/vehicle/ground_hazards.hpp"
-#include "sim/vehicle/metres_text.hpp"
 
 namespace adit {
 namespace {
@@ -18,16 +19,16 @@ constexpr int kSide = 5;
 constexpr int kRays = kSide * kSide;
 constexpr int kMiddle = kSide / 2;
 constexpr double kSpacing = 0.3;  // of the rays along the wheel, in wheel radii
-constexpr float kDepthM = 10.0F;  // a shaft that is deeper has no ground
+constexpr float kDepthM = 10.0F;  // a deeper shaft has no ground
 constexpr double kNone = -std::numeric_limits<double>::infinity();
 
-/// What the rays met, row by row along the wheel: heights are kNone where that is nothing.
+/// Hits of the rays, row by row along the wheel; kNone marks rays without a hit.
 struct Ground {
   std::array<double, kRays> height_m;
   std::array<std::uint32_t, kRays> triangle;
 };
 
-/// Counted from the middle of the wheel.
+/// Indices from the middle of the wheel.
 int along(int ray) { return ray / kSide - kMiddle; }
 int across(int ray) { return ray % kSide - kMiddle; }
 
@@ -52,7 +53,8 @@ bool has_ground_below_middle(const Ground& ground) {
 void rest_on(const Ground& ground, double radius_m, WheelGround& wheel) {
   for (int i = 0; i < kRays; ++i) {
     const double x = along(i) * kSpacing * radius_m;
-    const double rim_m = radius_m - std::sqrt(radius_m * radius_m - x * x);  // above its lowest
+    const double rim_m =
+        radius_m - std::sqrt(radius_m * radius_m - x * x);  // above the lowest point of the wheel
     if (ground.height_m[i] - rim_m <= wheel.height_m) continue;
     wheel.height_m = ground.height_m[i] - rim_m;
     wheel.triangle = ground.triangle[i];
@@ -98,21 +100,20 @@ namespace {
 
 constexpr std::array<const char*, 4> kWheelNames{"front left wheel", "front right wheel",
                                                  "rear left wheel", "rear right wheel"};
-// The rays under a wheel are some centimetres apart: without a limit it would jump from one to the
-// next. A wheel climbs over an edge at about this slope.
+// The rays under a wheel are some centimetres apart; without a limit, its height would jump between
+// them. A wheel climbs an edge at about this slope.
 constexpr double kClimbSlope = 1.0;
-// The wheels give the tilt, and the tilt moves the wheels: rounds until both agree to a micrometre.
+// The wheels determine the tilt, and the tilt moves the wheels: iterations until both agree to 1
+// µm.
 constexpr int kPutRounds = 8;
 constexpr double kAnyChange = std::numeric_limits<double>::infinity();
 
 std::string at_step(std::size_t wheel, double step_m, const Part& part) {
-  return std::string(kWheelNames[wheel]) + " at a step of " + metres_text(step_m) + " of '" +
-         part.name + "'";
+  return fmt::format("{} at a step of {:.2f} m of '{}'", kWheelNames[wheel], step_m, part.name);
 }
 
-std::string over_by(const char* tilt, double angle_rad) {
-  const long degrees = std::lround(rad_to_deg(std::abs(angle_rad)));
-  return std::string("falls over at ") + tilt + " of " + std::to_string(degrees) + " degrees";
+std::string tips_over(const char* tilt, double angle_rad) {
+  return fmt::format("tips over at a {} of {:.0f} degrees", tilt, rad_to_deg(std::abs(angle_rad)));
 }
 
 }  // namespace
@@ -153,7 +154,7 @@ Eigen::Vector3d Stance::p_body_wheel(std::size_t wheel) const {
           (wheel % 2 == 0 ? 0.5 : -0.5) * vehicle_.track_m, 0.0};
 }
 
-/// With the tilt as it was before, which changes little in one move.
+/// Uses the previous tilt, which changes little in one move.
 Eigen::Vector2d Stance::p_world_wheel(std::size_t wheel, const Pose2& T_world_plan) const {
   const Eigen::Vector2d ahead = T_world_body_.linear().col(0).head<2>();
   const double turn = T_world_plan.theta - std::atan2(ahead.y(), ahead.x());
@@ -166,7 +167,7 @@ Stance::Fault Stance::find_ground(const Pose2& T_world_plan, double change_max_m
   for (std::size_t i = 0; i < 4; ++i) {
     const auto ground = probe_.under({p_world_wheel(i, T_world_plan), T_world_plan.theta,
                                       ground_m_[i] + 2.0 * vehicle_.wheel_radius_m});
-    if (!ground) return std::string("no ground under the ") + kWheelNames[i];
+    if (!ground) return fmt::format("no ground under the {}", kWheelNames[i]);
     const double change_m = std::abs(ground->height_m - ground_m_[i]);
     if (ground->step_m > vehicle_.step_max_m) {
       return at_step(i, ground->step_m, mesh.part_of(ground->step_triangle));
@@ -184,14 +185,15 @@ Stance::Fault Stance::sink(const Pose2& T_world_plan) {
     const Sinkage sinkage = sinkage_at(site_.world(), p_world_wheel(i, T_world_plan));
     sinkage_m_[i] = sinkage.depth_m;
     if (sinkage.depth_m > vehicle_.sinkage_max_m) {
-      return std::string(kWheelNames[i]) + " stuck in '" + sinkage.name + "', sunk in by " +
-             metres_text(sinkage.depth_m);
+      return fmt::format("{} stuck in '{}', sinkage {:.2f} m", kWheelNames[i], sinkage.name,
+                         sinkage.depth_m);
     }
   }
   return std::nullopt;
 }
 
-/// The wheels form a rectangle, so that the plane's slopes are differences of means.
+/// The wheels form a rectangle, so that the slopes of the least-squares plane are differences of
+/// means.
 void Stance::fit_plane(const Pose2& T_world_plan) {
   std::array<double, 4> low{};
   for (std::size_t i = 0; i < 4; ++i) low[i] = contact_m_[i] - sinkage_m_[i];
@@ -211,8 +213,8 @@ Stance::Fault Stance::check_tilt() const {
   const Eigen::Matrix3d R = T_world_body_.linear();
   const double pitch = std::asin(std::clamp(R(2, 0), -1.0, 1.0));
   const double roll = std::atan2(R(2, 1), R(2, 2));
-  if (std::abs(pitch) > vehicle_.tilt_max_rad) return over_by("a pitch", pitch);
-  if (std::abs(roll) > vehicle_.tilt_max_rad) return over_by("a roll", roll);
+  if (std::abs(pitch) > vehicle_.tilt_max_rad) return tips_over("pitch", pitch);
+  if (std::abs(roll) > vehicle_.tilt_max_rad) return tips_over("roll", roll);
   return std::nullopt;
 }
 

@@ -17,7 +17,7 @@
 
 namespace adit {
 
-/// Where a wheel is, and from which height to look down for ground.
+/// Pose of a wheel in the plan, and the height from which rays are cast down.
 struct WheelPlace {
   Eigen::Vector2d p_world{0.0, 0.0};  ///< middle of the wheel [m]
   double heading_rad = 0.0;
@@ -27,20 +27,20 @@ struct WheelPlace {
 /// The ground under one wheel.
 struct WheelGround {
   double height_m = 0.0;       ///< z of the lowest point of a wheel that rests on it, in world
-  std::uint32_t triangle = 0;  ///< on which it rests
+  std::uint32_t triangle = 0;  ///< that supports the wheel
 
   double step_m = 0.0;              ///< greatest change of height along 0.6 of a wheel radius
-  std::uint32_t step_triangle = 0;  ///< the upper side of it
+  std::uint32_t step_triangle = 0;  ///< on the upper side of the step
 };
 
-/// Looks for the ground under wheels with rays, five along by five across each wheel, so that no
-/// rail slips between two: a wheel is a cylinder that rests on the highest of what they meet.
+/// Finds the ground under wheels with a grid of 5 × 5 rays for each wheel, dense enough that no
+/// rail passes between two. A wheel is a cylinder that rests on the highest hit.
 class WheelGroundProbe {
  public:
   /// `scene` must outlive this.
   WheelGroundProbe(const RayScene& scene, const Vehicle& vehicle);
 
-  /// Nothing where there is no ground below the middle of the wheel.
+  /// Empty if there is no ground below the middle of the wheel.
   [[nodiscard]] std::optional<WheelGround> under(const WheelPlace& place) const;
 
  private:
@@ -49,22 +49,23 @@ class WheelGroundProbe {
   double wheel_width_m_;
 };
 
-/// How four wheels on the ground hold the body: height, roll and pitch are those of the plane
-/// nearest to their lowest points (least squares), which may lie below the surface of soft ground.
-/// Wheels are numbered front left, front right, rear left, rear right.
+/// Pose of the body on its four wheels: height, roll and pitch are those of the least-squares plane
+/// through their lowest points, which lie below the surface on soft ground. Order of the wheels:
+/// front left, front right, rear left, rear right.
 class Stance {
  public:
-  /// Why the vehicle does not stand: no ground under a wheel, a step that is too high for one, one
-  /// that is sunk in too deep, or too much roll or pitch. Nothing where it stands.
+  /// Why the vehicle cannot stand: no ground under a wheel, a step or a sinkage beyond the limit,
+  /// or too much roll or pitch. Empty if it stands.
   using Fault = std::optional<std::string>;
 
   /// `site` must outlive this.
   Stance(const Site& site, const Vehicle& vehicle);
 
-  /// Puts the vehicle on a floor at a height, wherever it was before.
+  /// Places the vehicle on a floor at a height, independent of its previous pose.
   Fault put(const Pose2& T_world_plan, double floor_m);
 
-  /// Moves it on by a small distance. A wheel rises and falls by no more than it moves.
+  /// Moves the vehicle by a small distance. A wheel rises or falls by at most the distance that it
+  /// moves.
   Fault move(const Pose2& T_world_plan);
 
   [[nodiscard]] const Eigen::Isometry3d& T_world_body() const { return T_world_body_; }
@@ -73,8 +74,7 @@ class Stance {
  private:
   [[nodiscard]] Eigen::Vector3d p_body_wheel(std::size_t wheel) const;
   [[nodiscard]] Eigen::Vector2d p_world_wheel(std::size_t wheel, const Pose2& T_world_plan) const;
-  /// `change_max_m` is how far the ground under a wheel may have risen or fallen since the last
-  /// look.
+  /// `change_max_m` limits the change of the ground's height under a wheel since the last call.
   Fault find_ground(const Pose2& T_world_plan, double change_max_m);
   Fault sink(const Pose2& T_world_plan);
   void fit_plane(const Pose2& T_world_plan);
@@ -84,8 +84,8 @@ class Stance {
   Vehicle vehicle_;
   WheelGroundProbe probe_;
   Eigen::Isometry3d T_world_body_ = Eigen::Isometry3d::Identity();
-  std::array<double, 4> ground_m_{};   ///< where each wheel would rest, z in world
-  std::array<double, 4> contact_m_{};  ///< where it is on its way there
+  std::array<double, 4> ground_m_{};   ///< support height of each wheel, z in world
+  std::array<double, 4> contact_m_{};  ///< current height, which approaches ground_m_
   std::array<double, 4> sinkage_m_{};
 };
 

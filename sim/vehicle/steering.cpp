@@ -12,7 +12,7 @@ Steering::Steering(const Vehicle& vehicle) {
   ahead_x_m_ = -0.5 * vehicle.wheelbase_m;
   if (vehicle.turning_radius_m <= 0.5 * vehicle.wheelbase_m) {
     throw std::invalid_argument(
-        "the turning radius is at most half the wheelbase, which Ackermann steering cannot do");
+        "with Ackermann steering the turning radius must exceed half the wheelbase");
   }
 }
 

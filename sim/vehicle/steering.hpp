@@ -7,27 +7,27 @@
 
 namespace adit {
 
-/// Which point of the body moves straight ahead, and how the body turns with it.
+/// Kinematics of the steering: which point of the body moves along its x axis, and how the body
+/// turns.
 ///
-/// With four-wheel steering (both axles alike, to opposite sides) that is the origin. With
-/// Ackermann steering it is the middle of the rear axle: a path of the origin of radius R is one of
-/// radius √(R² − (wheelbase/2)²) there.
+/// With symmetric four-wheel steering that point is the origin. With Ackermann steering it is the
+/// middle of the rear axle: a path of the origin of radius R is one of radius √(R² −
+/// (wheelbase/2)²) there.
 class Steering {
  public:
-  /// Throws std::invalid_argument for Ackermann steering with a turning radius of the origin of
-  /// half the wheelbase or less, which has no such path.
+  /// Throws std::invalid_argument for Ackermann steering with a turning radius of at most half the
+  /// wheelbase, for which no such path exists.
   explicit Steering(const Vehicle& vehicle);
 
-  /// Turn of the body for each metre along its x axis [1/m], when the path of the origin has the
-  /// curvature given.
+  /// Turn of the body per metre along its x axis, for a curvature of the origin's path.
   [[nodiscard]] double turn_rad_per_m(double curvature_1_m) const;
 
-  /// Motion of the body, in the frame that it starts from, when the point that moves ahead goes
-  /// `length_m` while the body turns, `side_slip_rad` to the left of x.
+  /// Motion of the body in its initial frame: the moving point advances by `length_m` in the
+  /// direction `side_slip_rad` to the left of x while the body turns.
   [[nodiscard]] Pose2 motion(double length_m, double turn_rad, double side_slip_rad = 0.0) const;
 
  private:
-  double ahead_x_m_ = 0.0;  ///< of the point that moves ahead, in the body frame
+  double ahead_x_m_ = 0.0;  ///< of the moving point, in the body frame
 };
 
 }  // namespace adit

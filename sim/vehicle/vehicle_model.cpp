@@ -6,17 +6,18 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "sim/vehicle/body_clearance.hpp"
 #include "sim/vehicle/ground_hazards.hpp"
-#include "sim/vehicle/metres_text.hpp"
 
 namespace adit {
 namespace {
 
-// Thinner things than this are still met: they pass into the body, which is far longer.
+// Thinner objects are detected, too: they penetrate the body, which is far longer.
 constexpr double kCollisionEveryM = 0.04;
 
-/// A mesh from elsewhere may not know its floor.
+/// An imported mesh may have no floor function.
 std::optional<double> floor_at_start(const Site& site, const Vehicle& vehicle) {
   const Eigen::Vector2d p_world = site.world().T_world_start.translation();
   const auto& floor_height = site.world().truth.floor_height;
@@ -77,7 +78,7 @@ double VehicleModel::rise_ahead() const {
   return std::clamp(motion_.T_world_body.linear()(2, 0), -1.0, 1.0);
 }
 
-/// The wheels' way along the slope, less what slip takes, as seen from above.
+/// Pose in the plan after the distance that the wheels rolled along the slope, reduced by the slip.
 Pose2 VehicleModel::next_place() const {
   const double softness =
       *std::max_element(sinkage_m().begin(), sinkage_m().end()) / vehicle_.sinkage_max_m;
@@ -91,17 +92,17 @@ Pose2 VehicleModel::next_place() const {
 std::optional<std::string> VehicleModel::check_surroundings() {
   unchecked_m_ = 0.0;
   if (const auto part = colliding_part(site_.scene(), vehicle_, motion_.T_world_body)) {
-    return "collision with '" + *part + "'";
+    return fmt::format("collision with '{}'", *part);
   }
   const auto water = water_above(site_.world(), motion_.T_world_body.translation());
   if (water && water->depth_m > vehicle_.wading_depth_max_m) {
-    return "in water '" + water->name + "' of " + metres_text(water->depth_m);
+    return fmt::format("in water '{}' of {:.2f} m", water->name, water->depth_m);
   }
   return std::nullopt;
 }
 
 void VehicleModel::fail(const std::string& reason) {
-  failure_ = reason + " after " + metres_text(distance_travelled_m_);
+  failure_ = fmt::format("{} after {:.2f} m", reason, distance_travelled_m_);
   stand();
 }
 

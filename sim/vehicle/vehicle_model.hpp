@@ -21,7 +21,7 @@
 
 namespace adit {
 
-/// Where the body truly is and how it moves.
+/// True pose and velocity of the body.
 struct BodyMotion {
   std::int64_t utime = 0;  ///< [µs since the epoch]
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
@@ -29,34 +29,34 @@ struct BodyMotion {
   Eigen::Vector3d omega_body{0.0, 0.0, 0.0};  ///< angular velocity, in the body frame [rad/s]
 };
 
-/// The vehicle on the ground of a site: steering and speed with their limits, slip, four wheels
-/// that follow the relief and sink into soft ground, a battery. A collision, a wheel over the step
-/// limit, a fall, a roll, deep water, mud that holds it or an empty battery end the run for good;
-/// the vehicle then stands where that happened.
+/// The vehicle on the ground of a site: limits of steering and speed, slip, four wheels that follow
+/// the relief and sink into soft ground, a battery. A collision, a step above the limit, missing
+/// ground, too much tilt, deep water, too much sinkage or an empty battery end the run permanently;
+/// the vehicle then stands at that pose.
 class VehicleModel {
  public:
-  /// `site` must outlive this. Throws std::invalid_argument where the vehicle cannot stand at the
-  /// start, with the reason.
+  /// `site` must outlive this. Throws std::invalid_argument with the reason if the vehicle cannot
+  /// stand at the start.
   VehicleModel(const Site& site, const Vehicle& vehicle, const VehicleModelParams& params,
                std::uint64_t seed, std::int64_t utime);
 
-  /// What is refused, what is clamped, and when it expires: Drivetrain.
+  /// Validation, clamping and expiry of commands: see Drivetrain.
   void command(const DriveCommand& command) { drivetrain_.command(command); }
   void command(const StopOrder& order) { drivetrain_.command(order); }
 
-  /// Lets time go on, by one integration step (10 ms at most).
+  /// Advances time by one integration step (10 ms at most).
   void advance(double seconds);
 
   /// Velocities are the means over the last step.
   [[nodiscard]] const BodyMotion& motion() const { return motion_; }
-  /// As the vehicle says itself: of the wheels, slip not known.
+  /// As measured by the vehicle: speed of the wheels, without slip.
   [[nodiscard]] VehicleState state() const;
   /// Front left, front right, rear left, rear right.
   [[nodiscard]] const std::array<double, 4>& sinkage_m() const { return stance_.sinkage_m(); }
-  /// Of the body's origin over ground, in either direction.
+  /// Distance travelled by the body's origin over ground, in either direction.
   [[nodiscard]] double distance_travelled_m() const { return distance_travelled_m_; }
 
-  /// Why the run is over; nothing while it is not.
+  /// Why the run has failed; empty if it has not.
   [[nodiscard]] const std::optional<std::string>& failure() const { return failure_; }
 
  private:
@@ -77,7 +77,7 @@ class VehicleModel {
   Pose2 T_world_plan_;
   BodyMotion motion_;
   double distance_travelled_m_ = 0.0;
-  double unchecked_m_ = 0.0;  ///< way of the outermost points since the last look for collisions
+  double unchecked_m_ = 0.0;  ///< distance of the outermost points since the last collision check
   std::optional<std::string> failure_;
 };
 

@@ -8,20 +8,21 @@ namespace adit {
 
 inline constexpr double kGravityM_S2 = 9.81;
 
-/// How the simulated vehicle departs from what it is told and what it says.
+/// Dynamics and errors of the simulated vehicle.
 struct VehicleModelParams {
   double acceleration_m_s2 = 0.3;
   double braking_m_s2 = 0.8;         ///< on a stop order, an expired command, or a slower one
   double steering_rate_1_m_s = 0.5;  ///< greatest change of the curvature per second
   double command_expiry_s = 0.25;
-  double stop_order_expiry_s = 0.5;  ///< in which one must follow the other, once one came
-  double slip_share = 0.03;          ///< of the speed that is lost on firm ground, mean
-  double slip_sd = 0.02;             ///< of it, varying over about a metre
-  double side_slip_sd_rad = 0.01;    ///< of the direction of motion against the steering
+  double stop_order_expiry_s = 0.5;  ///< maximum interval of stop orders, after the first one
+  double slip_share = 0.03;          ///< mean fraction of the speed lost on firm ground
+  double slip_sd = 0.02;             ///< of slip_share, with a correlation length of 1 m
+  double side_slip_sd_rad = 0.01;    ///< of the direction of motion relative to the steering
   double battery_wh = 5000.0;
-  double power_idle_w = 200.0;       ///< drawn all the time
-  double rolling_resistance = 0.15;  ///< force against the wheels, as a share of that on the ground
-  double drive_efficiency = 0.5;     ///< share of the power drawn that reaches the wheels
+  double power_idle_w = 200.0;  ///< drawn constantly
+  double rolling_resistance =
+      0.15;                       ///< force against the wheels, as a fraction of the normal force
+  double drive_efficiency = 0.5;  ///< fraction of the power drawn that reaches the wheels
 
   template <class V>
   void visit(V& v) {
@@ -40,12 +41,13 @@ struct VehicleModelParams {
   }
 };
 
-/// Errors of the dead reckoning of the wheels. By default it is calibrated for the mean slip, but
-/// for 1 %: 0.98 / (1 − 0.03).
+/// Errors of the wheel odometry. By default it is calibrated for the mean slip up to an error of 1
+/// %: 0.98 / (1 − 0.03).
 struct WheelOdometryParams {
   bool present = true;
-  double distance_scale = 0.98;  ///< of the way that the wheels rolled
+  double distance_scale = 0.98;  ///< of the distance that the wheels rolled
   double turn_scale = 0.97;
+  double turn_bias_rad_per_m = 0.0;  ///< systematic turn of the heading, to the left
   double distance_noise_m_per_sqrt_m = 0.01;
   double turn_noise_rad_per_sqrt_m = 0.005;
 
@@ -54,6 +56,7 @@ struct WheelOdometryParams {
     v("present", present);
     v("distance_scale", distance_scale, above(0.0));
     v("turn_scale", turn_scale, above(0.0));
+    v("turn_bias_rad_per_m", turn_bias_rad_per_m, within(-0.2, 0.2));
     v("distance_noise_m_per_sqrt_m", distance_noise_m_per_sqrt_m, at_least(0.0));
     v("turn_noise_rad_per_sqrt_m", turn_noise_rad_per_sqrt_m, at_least(0.0));
   }

@@ -10,8 +10,10 @@ namespace {
 
 constexpr double kCorrelationM = 1.0;
 constexpr double kLostMax = 0.9;
-constexpr double kLostInSoftGround = 0.4;  // more than on firm ground, where wheels sink deepest
-constexpr double kSideInSoftGround = 3.0;  // times more than on firm ground, likewise
+constexpr double kLostInSoftGround =
+    0.4;  // in addition to that on firm ground, at the maximum sinkage
+constexpr double kSideInSoftGround =
+    3.0;  // additional factor relative to firm ground, at the maximum sinkage
 
 }  // namespace
 

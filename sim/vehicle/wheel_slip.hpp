@@ -9,20 +9,20 @@
 
 namespace adit {
 
-/// How the way over ground departs from that of the wheels: an Ornstein-Uhlenbeck process in
-/// distance, correlated over a metre (Gillespie, "Exact numerical simulation of the
-/// Ornstein-Uhlenbeck process and its integral", 1996, eq. 1.9). More on soft ground.
+/// Deviation of the motion over ground from that of the wheels: an Ornstein-Uhlenbeck process in
+/// distance with a correlation length of 1 m (Gillespie, "Exact numerical simulation of the
+/// Ornstein-Uhlenbeck process and its integral", 1996, eq. 1.9). It increases on soft ground.
 class WheelSlip {
  public:
   WheelSlip(const VehicleModelParams& params, std::uint64_t seed);
 
-  /// The wheels go on by a distance, to either side [m].
+  /// Advances the process by a distance that the wheels roll, of either sign [m].
   void advance(double distance_m);
 
-  /// Share of the way that is lost, 0 to 0.9. `softness` is 0 on firm ground and 1 where the wheels
-  /// sink as deep as they may.
+  /// Fraction of the distance lost, 0 to 0.9. `softness` is 0 on firm ground and 1 at the maximum
+  /// sinkage.
   [[nodiscard]] double slip_ratio(double softness) const;
-  /// Direction of motion against the steering, positive to the left [rad].
+  /// Direction of motion relative to the steering, positive to the left.
   [[nodiscard]] double side_slip_rad(double softness) const;
 
  private:

@@ -47,7 +47,7 @@ constexpr float kFogDepth = 35.0F;       // in which the fog takes all but 1/e [
 const Rgb kFog = linear(0x23282f);
 const Rgb kDay = linear(0xd5dfe8);
 
-/// Height of the floor, or 0 where nobody knows it.
+/// Height of the floor, or 0 where it is unknown.
 double floor_at(const World& world, const Eigen::Vector2d& p_world) {
   return world.truth.floor_at(p_world).value_or(0.0);
 }
@@ -62,8 +62,8 @@ Pose2 behind_start(const Site& site, double eye_m) {
   return start * Pose2{-std::min(kStepBack, room), 0.0, 0.0};
 }
 
-/// Above and to the left of the eye, so that things throw shadows that show; in the eye where there
-/// is no room for it.
+/// Position of the lamp: above and to the left of the camera, so that shadows are visible; at the
+/// camera if there is no free space.
 Eigen::Vector3f lamp_of(const RayScene& scene, const Camera& camera) {
   const Eigen::Vector3d beside = camera.T_world_camera().linear() * Eigen::Vector3d(0.0, 0.45, 0.3);
   const Ray ray{camera.eye().cast<float>(), beside.normalized().cast<float>()};
@@ -72,7 +72,7 @@ Eigen::Vector3f lamp_of(const RayScene& scene, const Camera& camera) {
   return ray.origin + beside.cast<float>();
 }
 
-/// For each place whether light from the lamp gets there.
+/// For each point, whether the lamp illuminates it.
 std::vector<bool> lit_by(const RayScene& scene, const Eigen::Vector3f& lamp,
                          const std::vector<SurfacePoint>& points) {
   std::vector<Ray> rays;
@@ -84,7 +84,8 @@ std::vector<bool> lit_by(const RayScene& scene, const Eigen::Vector3f& lamp,
   scene.cast(rays, kRangeMax, hits);
   std::vector<bool> lit(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    // The place itself lies a hair before its surface, at a grazing angle much less than that.
+    // The point lies slightly in front of its surface; at a grazing angle the offset is much
+    // smaller.
     lit[i] = hits[i].distance_m > (points[i].p_world - lamp).norm() - 1e-3F;
   }
   return lit;
@@ -95,7 +96,7 @@ float fall_off(float distance_m) {
   return 1.0F / (1.0F + share * share);
 }
 
-/// Steel and water shine (Blinn and Phong).
+/// Specular reflection of steel and water (Blinn and Phong).
 float gloss(Material material, const SurfacePoint& point, const Eigen::Vector3f& to_lamp,
             const Eigen::Vector3f& to_eye) {
   if (material != Material::kSteel && material != Material::kWater && material != Material::kMirror)
@@ -103,7 +104,7 @@ float gloss(Material material, const SurfacePoint& point, const Eigen::Vector3f&
   return 0.5F * std::pow(std::max(0.0F, point.normal.dot((to_lamp + to_eye).normalized())), 24.0F);
 }
 
-/// All that lights one place, on its way to the eye.
+/// Total light from a point to the camera.
 struct Lighting {
   Eigen::Vector3f eye;
   Eigen::Vector3f lamp;

@@ -13,11 +13,11 @@
 
 namespace adit {
 
-/// A pinhole camera: x along its axis, y left, z up. A picture's coordinates (u, v) count in pixels
-/// from its upper left corner, to the right and down: the middle of the first pixel is (0.5, 0.5).
+/// A pinhole camera: x along its axis, y left, z up. Picture coordinates (u, v) are in pixels from
+/// the upper left corner, to the right and down: the centre of the first pixel is (0.5, 0.5).
 class Camera {
  public:
-  /// `field_of_view_rad` is that of the width of the picture, less than π.
+  /// `field_of_view_rad` is the horizontal field of view, less than π.
   Camera(const Eigen::Isometry3d& T_world_camera, double field_of_view_rad, int width, int height);
 
   [[nodiscard]] const Eigen::Isometry3d& T_world_camera() const { return T_world_camera_; }
@@ -26,7 +26,8 @@ class Camera {
   [[nodiscard]] int height() const { return height_; }
 
   [[nodiscard]] Ray ray(const Eigen::Vector2d& uv) const;
-  /// Where a point is in the picture, or beside it; nothing for one that is not before the camera.
+  /// Projection of a point, which may be outside of the picture; empty for a point behind the
+  /// camera.
   [[nodiscard]] std::optional<Eigen::Vector2d> pixel(const Eigen::Vector3d& p_world) const;
 
  private:
@@ -36,12 +37,12 @@ class Camera {
   double focal_length_px_;
 };
 
-/// The camera of the options. Where they name no place, it stands up to 2 m behind the start, as
-/// far as the mine lets it, and looks the way of the start.
+/// The camera of the options. Without a pose in them, it is up to 2 m behind the start, as far as
+/// there is free space, and has the heading of the start.
 Camera camera_of(const Site& site, const ViewOptions& options, int width, int height);
 
-/// What a person sees who stands there in the dark with a lamp beside the head. Where there is no
-/// surface, it is day.
+/// Renders the perspective of a person with a lamp beside the head in the dark. Rays without a hit
+/// show the sky.
 RgbImage perspective_view(const RayScene& scene, const Camera& camera);
 
 }  // namespace adit

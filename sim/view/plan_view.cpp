@@ -25,7 +25,7 @@ constexpr float kOcclusionReach = 1.0F;  // [m]
 constexpr double kCut = 1.5;             // above the floor: what is level there counts as roof [m]
 const Eigen::Vector3f kToLight = Eigen::Vector3f(-1.0F, 1.0F, 1.6F).normalized();
 
-/// Of a mesh from elsewhere it has to be guessed what is roof.
+/// The roof of an imported mesh has to be guessed.
 bool is_level_and_high(const World& world, const TriangleMesh::Triangle& triangle) {
   const auto& vertices = world.mesh.vertices;
   const Eigen::Vector3f& a = vertices[triangle[0]];
@@ -38,14 +38,14 @@ bool is_level_and_high(const World& world, const TriangleMesh::Triangle& triangl
 }
 
 TriangleMesh without_roof(const World& world) {
-  const TriangleMesh& whole = world.mesh;
-  TriangleMesh mesh{whole.vertices, {}, {}, whole.parts};
-  for (std::uint32_t i = 0; i < whole.triangles.size(); ++i) {
-    const PartKind kind = whole.part_of(i).kind;
+  const TriangleMesh& complete = world.mesh;
+  TriangleMesh mesh{complete.vertices, {}, {}, complete.parts};
+  for (std::uint32_t i = 0; i < complete.triangles.size(); ++i) {
+    const PartKind kind = complete.part_of(i).kind;
     if (kind == PartKind::kRoof) continue;
-    if (kind == PartKind::kOther && is_level_and_high(world, whole.triangles[i])) continue;
-    mesh.triangles.push_back(whole.triangles[i]);
-    mesh.triangle_parts.push_back(whole.triangle_parts[i]);
+    if (kind == PartKind::kOther && is_level_and_high(world, complete.triangles[i])) continue;
+    mesh.triangles.push_back(complete.triangles[i]);
+    mesh.triangle_parts.push_back(complete.triangle_parts[i]);
   }
   return mesh;
 }
@@ -96,7 +96,7 @@ std::vector<PlanWindow> PlanView::windows(int width, int height_max, int gap) co
   for (int n = 1; n <= kWindowsMax; ++n) {
     const double room = (height_max - (n - 1) * gap) / static_cast<double>(n);
     const double fits = std::min({n * width / size.x(), room / size.y(), kPixelsPerMetreMax});
-    if (fits <= 1.2 * scale) continue;  // cut no more than it helps
+    if (fits <= 1.2 * scale) continue;  // split only if it increases the scale
     count = n;
     scale = fits;
   }
@@ -136,7 +136,7 @@ RgbImage PlanView::draw(const PlanWindow& window) const {
   return render(window.width(), window.height(), paint);
 }
 
-/// Water and props may go on into the rock.
+/// Water and props may extend into the rock.
 bool PlanView::is_open(const Eigen::Vector3f& p_world, PartKind kind) const {
   if (is_ground(kind)) return true;
   const auto& floor_height = world_.truth.floor_height;
@@ -149,7 +149,7 @@ namespace {
 constexpr Colour kGas = rgb(0xd08a00);
 constexpr double kArrow = 16.0;  // length [pixels]
 
-/// A triangle on the place, its tip to where the heading goes.
+/// A triangle at a pose whose tip shows the heading.
 void draw_arrow(const Canvas& canvas, const Eigen::Vector2d& p, double heading_rad) {
   const Eigen::Vector2d ahead(std::cos(heading_rad), -std::sin(heading_rad));  // v points down
   const Eigen::Vector2d aside(-ahead.y(), ahead.x());

@@ -14,7 +14,7 @@
 
 namespace adit {
 
-/// A rectangle of the plan and its scale. x of world is to the right, y up.
+/// A rectangle of the plan and its scale, x of world to the right, y up.
 struct PlanWindow {
   Eigen::Vector2d low{0.0, 0.0};  ///< p_world [m]
   Eigen::Vector2d high{0.0, 0.0};
@@ -27,21 +27,22 @@ struct PlanWindow {
   [[nodiscard]] Eigen::Vector2d p_world(const Eigen::Vector2d& uv) const;
 };
 
-/// A mine from above, its roof lifted off.
+/// Renders a mine from above without its roof.
 class PlanView {
  public:
-  static constexpr unsigned kRock = 0x57524c;  ///< of rock that is cut through, as on the web
+  static constexpr unsigned kRock = 0x57524c;  ///< colour of cut rock, RGB
 
   /// `world` must outlive this.
   explicit PlanView(const World& world);
   PlanView(const PlanView&) = delete;
   PlanView& operator=(const PlanView&) = delete;
 
-  /// The whole mine at the largest scale at which it fits. A long one is cut across into up to four
-  /// windows, from left to right, to be put below each other `gap` apart. Sizes in pixels.
+  /// Windows for the complete mine at the largest scale that fits. A long mine is split into up to
+  /// four windows, from left to right, placed below each other with a distance of `gap`. Sizes in
+  /// pixels.
   [[nodiscard]] std::vector<PlanWindow> windows(int width, int height_max, int gap) const;
 
-  /// The floor is lit from the upper left, its relief drawn steeper than it is.
+  /// The floor is lit from the upper left, with exaggerated relief.
   [[nodiscard]] RgbImage draw(const PlanWindow& window) const;
 
  private:
@@ -54,8 +55,8 @@ class PlanView {
   Eigen::Vector3d high_{0.0, 0.0, 0.0};
 };
 
-/// Draws over a window of the plan, whose upper left corner is at `corner` on the sheet, what has
-/// no surface: gas, the start and the camera.
+/// Draws the items without a surface over a window of the plan with its upper left corner at
+/// `corner` on the sheet: gas, the start and the camera.
 void draw_plan_overlay(const Canvas& canvas, const PlanWindow& window,
                        const Eigen::Vector2i& corner, const World& world,
                        const Pose2& T_world_camera);

@@ -60,14 +60,14 @@ RgbImage render(int width, int height, const RowPainter& paint) {
 
 namespace {
 
-/// From 0 to 1, varying over one unit.
+/// Noise from 0 to 1 with a correlation length of one unit.
 float noise(const Eigen::Vector3f& p) {
   const SmoothNoise between_ones(1);
   return 0.5F + 0.5F * static_cast<float>(between_ones.in_space(p.cast<double>()));
 }
 
-/// About 1, by which the colour of natural stuff varies. Askew, so that the lattice of the noise
-/// does not show on walls and floors.
+/// Factor of about 1 by which the colour of natural materials varies. Rotated, so that the lattice
+/// of the noise is not visible on walls and floors.
 float grain(const Eigen::Vector3f& p_world) {
   static const Eigen::Matrix3f kAskew =
       Eigen::AngleAxisf(0.9F, Eigen::Vector3f(0.5F, 0.6F, 0.62F).normalized()).toRotationMatrix();

@@ -12,29 +12,29 @@
 
 namespace adit {
 
-/// Red, green and blue as linear light: 0 is black, 1 the white of the picture, more is cut off.
+/// Red, green and blue as linear light: 0 is black, 1 is white, higher values are clipped.
 using Rgb = Eigen::Vector3f;
 
-/// A colour that is written as on the web, as linear light.
+/// Converts an RGB value of 24 bits in sRGB to linear light.
 Rgb linear(unsigned hex);
 
-/// As a pixel, with the transfer curve of sRGB taken as a power of 2.2.
+/// Converts linear light to a pixel, with a gamma of 2.2 for sRGB.
 RgbImage::Pixel to_pixel(const Rgb& light);
 
-/// How many samples a pixel has, side by side among those of its row.
+/// Number of samples of a pixel, adjacent in the samples of its row.
 inline constexpr int kSamplesPerPixel = 4;
 
-/// Gives the light at samples of one row of pixels, (u, v) as in Camera.
+/// Computes the light of the samples of one row of pixels, (u, v) as in Camera.
 using RowPainter =
     std::function<void(std::span<const Eigen::Vector2d> samples, std::span<Rgb> light)>;
 
-/// The mean of 2 × 2 samples for each pixel.
+/// Renders each pixel as the mean of 2 × 2 samples.
 RgbImage render(int width, int height, const RowPainter& paint);
 
-/// The colour of a part in white light, without grain.
+/// Colour of a part in white light, without texture.
 Rgb plain_colour(const Part& part);
 
-/// The colour at a place of it. Rock, floor and timber have a grain, fixed in the world.
+/// Colour at a point of a part. Rock, floor and timber have a texture, fixed in the world.
 Rgb colour_at(const Part& part, const Eigen::Vector3f& p_world);
 
 }  // namespace adit

@@ -16,7 +16,7 @@ namespace adit {
 namespace {
 
 constexpr float kAheadMax = 100.0F;  // [m]
-constexpr double kIntoRock = 0.5;    // that the line goes on behind a wall [m]
+constexpr double kIntoRock = 0.5;    // extension of the line behind a wall [m]
 
 TunnelLine line_of(const TunnelEdge& edge) {
   return {edge.tunnel, edge.points, edge.width_m, false};
@@ -29,20 +29,20 @@ const TunnelEdge& nearest_edge(const TunnelGraph& tunnels, const Eigen::Vector2d
                            });
 }
 
-/// The edges of one drift that follow each other, joined.
+/// The consecutive edges of one tunnel as a polyline.
 TunnelLine full_tunnel(const TunnelGraph& tunnels, const std::string& name) {
   TunnelLine line{"along " + name, {}, 0.0, false};
   for (const TunnelEdge& edge : tunnels.edges) {
     if (edge.tunnel != name) continue;
-    const bool goes_on = !line.points.empty() && line.points.back() == edge.points.front();
-    if (!line.points.empty() && !goes_on) continue;
-    line.points.insert(line.points.end(), edge.points.begin() + (goes_on ? 1 : 0),
+    const bool continues = !line.points.empty() && line.points.back() == edge.points.front();
+    if (!line.points.empty() && !continues) continue;
+    line.points.insert(line.points.end(), edge.points.begin() + (continues ? 1 : 0),
                        edge.points.end());
   }
   return line;
 }
 
-/// How far the line goes from a place, to behind the next wall [m].
+/// Extent of the line from a point to behind the next wall [m].
 double room(const Site& site, const Pose2& from) {
   const double floor_m = site.world().truth.floor_at(from.translation()).value_or(0.0);
   const Eigen::Vector3d eye(from.x, from.y, floor_m + 1.0);
@@ -74,15 +74,15 @@ TunnelLine section_line(const Site& site, const ViewOptions& options) {
 namespace {
 
 constexpr int kWindowsMax = 4;
-constexpr int kProbes = 200;  // for openings along a window
+constexpr int kProbes = 200;  // probes of the opening along a window
 constexpr double kPixelsPerMetreMin = 20.0;
 constexpr double kPixelsPerMetreMax = 60.0;
 constexpr double kClearancePixelsMin = 36.0;
 constexpr double kMargin = 0.5;     // of rock above and below, without exaggeration [m]
-constexpr double kProbe = 0.3;      // above the floor, where openings are looked for [m]
-constexpr float kReach = 10.0F;     // of openings up and down; what is more is open to the sky [m]
-constexpr float kDepthMax = 60.0F;  // behind the cut [m]
-constexpr float kDarkening = 8.0F;  // depth in which light falls to 1/e [m]
+constexpr double kProbe = 0.3;      // height of the probes above the floor [m]
+constexpr float kReach = 10.0F;     // of the probes, up and down; beyond is open sky [m]
+constexpr float kDepthMax = 60.0F;  // visible depth behind the cut [m]
+constexpr float kDarkening = 8.0F;  // depth at which light falls to 1/e [m]
 const Rgb kAir = linear(0xe4ded2);
 
 Ray ray_behind(const TunnelLine::Station& at, double z) {
@@ -90,7 +90,7 @@ Ray ray_behind(const TunnelLine::Station& at, double z) {
   return {Eigen::Vector3d(at.p_world.x(), at.p_world.y(), z).cast<float>(), left.cast<float>()};
 }
 
-/// What is seen behind the cut: props in their colours, rock pale as if full of light.
+/// Colours behind the cut: props in their own colour, rock in a light one.
 Rgb behind(const TriangleMesh& mesh, const Ray& ray, const RayHit& hit) {
   if (std::isinf(hit.distance_m)) return std::exp(-kDepthMax / kDarkening) * kAir;
   const Part& part = mesh.part_of(hit.triangle);
@@ -101,7 +101,7 @@ Rgb behind(const TriangleMesh& mesh, const Ray& ray, const RayHit& hit) {
   return (0.5F + 0.5F * facing) * colour_at(part, surface_point(ray, hit).p_world);
 }
 
-/// 1, or what makes an opening of so many pixels one that shows.
+/// 1, or the vertical exaggeration that makes an opening of this many pixels visible.
 double exaggeration_for(double clearance_px) {
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (factor * clearance_px >= kClearancePixelsMin) return factor;
@@ -203,7 +203,8 @@ std::optional<SectionView::Clearance> SectionView::clearance_at(double s_m) cons
   };
   const double down = reach(-Eigen::Vector3f::UnitZ());
   const double up = reach(Eigen::Vector3f::UnitZ());
-  // Pits and hollows are not in the truth. Behind a prop that ends at the floor this is missed.
+  // Pits and hollows are not in the ground truth. They are missed behind a prop that reaches the
+  // floor.
   return Clearance{down < kReach ? *floor_m + kProbe - down : *floor_m, *floor_m + kProbe + up};
 }
 

@@ -15,12 +15,12 @@
 
 namespace adit {
 
-/// The line along which a mine is cut: that of the options; where they name none, the drift at the
-/// start, over all its edges that follow each other; in a world that knows no drifts, straight
-/// ahead through the start from wall to wall. Its name is for people.
+/// The line of a section: that of the options; by default the tunnel at the start, along its
+/// consecutive edges; in a world without a tunnel graph, a straight line through the start from
+/// wall to wall. Its name is a caption.
 TunnelLine section_line(const Site& site, const ViewOptions& options);
 
-/// A stretch of a section and its scales.
+/// A window of a section and its scales.
 struct SectionWindow {
   double from_m = 0.0;  ///< along the line
   double to_m = 0.0;
@@ -33,12 +33,12 @@ struct SectionWindow {
   [[nodiscard]] int height() const;  ///< [pixels]
   /// (u, v) as in Camera.
   [[nodiscard]] Eigen::Vector2d pixel(double s_m, double z_m) const;
-  /// The distance along the line and the height there [m].
+  /// Distance along the line and height [m].
   [[nodiscard]] std::pair<double, double> place(const Eigen::Vector2d& uv) const;
 };
 
-/// A mine cut open along a line, seen from its right side: rock is dark, and within the opening
-/// shows what lies behind the cut.
+/// Renders a vertical section along a line, seen from its right side: rock is dark, and the opening
+/// shows the surfaces behind the cut.
 class SectionView {
  public:
   static constexpr unsigned kRock = 0x3c3834;  ///< of rock that is cut through, as on the web
@@ -46,8 +46,8 @@ class SectionView {
   /// Both must outlive this.
   SectionView(const Site& site, const TunnelLine& line) : site_(site), line_(line) {}
 
-  /// The whole line in up to four windows of one scale, to be put below each other. Heights are
-  /// exaggerated where the opening would be a line else, by as much in all.
+  /// Up to four windows of one scale for the complete line, placed below each other. Heights are
+  /// exaggerated equally in all windows if the opening would be too flat otherwise.
   [[nodiscard]] std::vector<SectionWindow> windows(int width) const;
 
   [[nodiscard]] RgbImage draw(const SectionWindow& window) const;
@@ -59,9 +59,9 @@ class SectionView {
     double roof_m = 0.0;
   };
 
-  /// Nothing in rock.
+  /// Empty in rock.
   [[nodiscard]] std::optional<Clearance> clearance_at(double s_m) const;
-  /// Openings at `count` places within a window, in the middle of as many equal parts.
+  /// Opening at the centre of each of `count` equal parts of a window.
   [[nodiscard]] std::vector<std::optional<Clearance>> clearances(const SectionWindow& window,
                                                                  int count) const;
 

@@ -14,11 +14,11 @@
 namespace adit {
 namespace {
 
-constexpr float kHair = 2e-3F;  // [m]; rays in single precision a kilometre off are good to 0.1 mm
+constexpr float kHair = 2e-3F;  // [m]; at 1 km, rays in single precision have an error of 0.1 mm
 constexpr std::size_t kRaysPerPoint = 2;
 constexpr std::size_t kDirections = kRaysPerPoint * kSamplesPerPixel;
 
-/// A number in [0, 1) for a place of the grid (Wang's integer hash).
+/// A number in [0, 1) for a cell of the grid (Wang's integer hash).
 float lattice(std::int32_t x, std::int32_t y, std::int32_t z) {
   std::uint32_t h = static_cast<std::uint32_t>(x) * 73856093U ^
                     static_cast<std::uint32_t>(y) * 19349663U ^
@@ -41,7 +41,7 @@ std::array<Eigen::Vector3f, 2> tangents(const Eigen::Vector3f& n) {
           Eigen::Vector3f(b, sign + n.y() * n.y() * a, -n.y())};
 }
 
-/// Spread over the hemisphere around z, as dense as the cosine to it (Vogel's spiral on the disc).
+/// Directions on the hemisphere around z with cosine-weighted density (Vogel's spiral on the disc).
 std::array<Eigen::Vector3f, kDirections> hemisphere() {
   std::array<Eigen::Vector3f, kDirections> directions;
   const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
@@ -74,7 +74,8 @@ void find_openness(const RayScene& scene, std::span<const SurfacePoint> points, 
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& [p_world, normal] = points[i];
     const auto [a, b] = tangents(normal);
-    // Turned differently at each place: a fixed set of directions would draw stars round posts.
+    // Rotated differently at each point: a fixed set of directions would give star-shaped artefacts
+    // around posts.
     const Eigen::Array3i at = (1000.0F * p_world).array().floor().cast<int>();
     const float turn = 2.0F * std::numbers::pi_v<float> * lattice(at.x(), at.y(), at.z());
     const Eigen::Vector3f u = std::cos(turn) * a + std::sin(turn) * b;

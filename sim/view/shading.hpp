@@ -11,27 +11,26 @@
 
 namespace adit {
 
-/// A place on a surface, for the computation of light.
+/// A point on a surface for the computation of light.
 struct SurfacePoint {
   Eigen::Vector3f p_world;
-  Eigen::Vector3f normal;  ///< unit, towards where it is seen from
+  Eigen::Vector3f normal;  ///< unit normal, towards the camera
 };
 
-/// Where a ray meets a surface; drawn back from it by a hair, so that rays that leave do not meet
+/// The intersection of a ray with a surface, moved slightly back, so that rays from it do not hit
 /// the surface itself.
 SurfacePoint surface_point(const Ray& ray, const RayHit& hit);
 
-/// Whether it is the mine itself and nothing that stands or lies in it.
+/// Whether the part is the mine itself, not a prop.
 bool is_mine_surface(PartKind kind);
 
-/// For each place the share of the light from all around that reaches it, when what lies farther
-/// off than `reach_m` does not count (ambient occlusion). Four places one after another are taken
-/// for samples of one pixel and look to different sides, two rays each, so that their mean is
-/// smooth.
+/// Ambient occlusion: for each point, the fraction of ambient light that is not blocked within
+/// `reach_m`. Four consecutive points are samples of one pixel and use different directions, two
+/// rays each, so that their mean is smooth.
 void find_openness(const RayScene& scene, std::span<const SurfacePoint> points, float reach_m,
                    std::span<float> openness);
 
-/// How far a ray gets to rock, through whatever stands in the way; at most `reach_m`. [m]
+/// Distance along a ray to rock, through props, at most `reach_m` [m].
 double distance_to_rock(const RayScene& scene, const Ray& ray, float reach_m);
 
 }  // namespace adit

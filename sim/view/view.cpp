@@ -28,14 +28,14 @@ constexpr int kGap = 10;    // between the windows of the plan
 constexpr int kTicks = 22;  // below a window of the section
 constexpr double kScaleBarMax = 220.0;
 
-/// Where one window of a panel goes on the sheet.
+/// Position of one window of a panel on the sheet.
 template <class Window>
 struct Placed {
   Window window;
   Eigen::Vector2i corner;
 };
 
-/// Windows below each other from `y` on, each in the middle of the sheet; `y` is moved past them.
+/// Places windows below each other from `y`, centred on the sheet; advances `y`.
 template <class Window>
 std::vector<Placed<Window>> stack(const std::vector<Window>& windows, int width, int gap, int& y) {
   std::vector<Placed<Window>> placed;
@@ -65,7 +65,7 @@ void draw_scale(const Canvas& canvas, double pixels_per_metre, int y) {
                  pixels_per_metre, 1.0);
 }
 
-/// Distances along the line, below a window of the section.
+/// Scale of distances along the line, below a window of the section.
 void draw_ticks(const Canvas& canvas, const Placed<SectionWindow>& placed) {
   const SectionWindow& window = placed.window;
   const double every = scale_bar_m(kScaleBarMax / window.pixels_per_metre);
@@ -121,11 +121,11 @@ void write_view(const Site& site, const std::filesystem::path& png, const ViewOp
   canvas.fill_rectangle(0, 0, width, y + camera.height() + kEdge);
   canvas.colour(kInk);
   canvas.text(world.name, kEdge, 44.0, 28.0, true, Align::kLeft);
-  canvas.text(text("%.0f m of drifts, %zu triangles", world.truth.tunnels.length_m(),
+  canvas.text(text("%.0f m of tunnels, %zu triangles", world.truth.tunnels.length_m(),
                    world.mesh.triangles.size()),
               width - kEdge, 44.0, 16.0, false, Align::kRight);
 
-  draw_head(canvas, width, kTitle, "Plan, the roof lifted off", "green: start; red: camera");
+  draw_head(canvas, width, kTitle, "Plan without the roof", "green: start; red: camera");
   for (const auto& [window, corner] : plans) {
     canvas.image(plan.draw(window), corner.x(), corner.y());
     draw_plan_overlay(canvas, window, corner, world, in_plan(camera));

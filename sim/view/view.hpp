@@ -9,10 +9,9 @@
 
 namespace adit {
 
-/// Draws a mine on one sheet, as PNG: its plan with the roof lifted off, a section along a drift,
-/// and what a person sees who stands in it. The same mine and options give the same bytes on the
-/// same system (fonts are the system's). Throws std::runtime_error where the file cannot be
-/// written.
+/// Draws a mine on one sheet, as PNG: its plan without the roof, a section along a tunnel, and a
+/// perspective view. The same mine and options give the same bytes on the same system (fonts are
+/// the system's). Throws std::runtime_error if the file cannot be written.
 void write_view(const Site& site, const std::filesystem::path& png,
                 const ViewOptions& options = {});
 

@@ -13,7 +13,7 @@ namespace adit {
 namespace {
 
 [[noreturn]] void fail(const std::string& text) {
-  throw std::invalid_argument("'" + text + "' is no place, which is X,Y,HEADING_DEG");
+  throw std::invalid_argument("'" + text + "' is not a pose X,Y,HEADING_DEG");
 }
 
 }  // namespace

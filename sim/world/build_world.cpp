@@ -22,11 +22,11 @@ void check_start(const OpenSpace& space, const Pose2& T_world_start) {
                               std::to_string(T_world_start.y) + " is in rock");
 }
 
-/// Nobody knows where in a mesh the drifts run: each prop is refused, by its name.
+/// The tunnels of an imported mesh are not known: each prop is rejected with its name.
 void check_mesh_alone(const WorldDescription& description) {
   const PlanDescription& plan = description.plan;
   if (!plan.tunnels.empty() || !plan.panels.empty() || !plan.rooms.empty()) {
-    throw std::invalid_argument("a world is made of a mesh or of a plan, not of both");
+    throw std::invalid_argument("a world has either a mesh or a plan, not both");
   }
   Heights heights(description.heights, description.seed);
   MeshBuilder builder;

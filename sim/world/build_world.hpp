@@ -11,11 +11,11 @@
 
 namespace adit {
 
-/// Makes the world that is described. The same description gives the same world, bit for bit.
-/// Throws std::invalid_argument, one line that names the part, for what cannot be built: no drift
-/// and no room, a plan beyond OpenSpace::kExtentMax, an odd list of points, a prop in a drift that
-/// does not exist or beyond its end, a start in rock. Throws std::runtime_error for a mesh file
-/// that cannot be used.
+/// Builds a world from its description. The same description gives the same world, bit for bit.
+/// Throws std::invalid_argument, one line that names the part, for a description that cannot be
+/// built: neither tunnel nor room, a plan beyond OpenSpace::kExtentMax, an odd list of points, a
+/// prop in an unknown tunnel or beyond its end, a start in rock. Throws std::runtime_error for an
+/// unusable mesh file.
 World build_world(const WorldDescription& description);
 
 }  // namespace adit

@@ -18,7 +18,7 @@
 namespace adit {
 namespace {
 
-// Less room than this above a surface, and it is not the floor but the underside of something.
+// A surface with less free height above it is not floor.
 constexpr double kHeadroom = 0.5;
 
 /// A level rectangle that covers the mesh.
@@ -48,7 +48,7 @@ TriangleMesh load(const MeshDescription& description) {
   return mesh;
 }
 
-/// A mesh to be asked for its floor.
+/// Finds the floor of a mesh.
 class MeshGround {
  public:
   explicit MeshGround(TriangleMesh mesh)
@@ -58,7 +58,7 @@ class MeshGround {
 
   /// The lowest surface that has kHeadroom above it.
   [[nodiscard]] std::optional<double> floor(const Eigen::Vector2d& p_world) const {
-    constexpr float kAbove = 1e-3F;  // of a surface, from where the next one is looked for
+    constexpr float kAbove = 1e-3F;  // above a surface, where the search for the next one starts
     const float top = box_.max().z() + 1.0F;
     Eigen::Vector3f from(static_cast<float>(p_world.x()), static_cast<float>(p_world.y()),
                          box_.min().z() - 1.0F);
@@ -85,13 +85,13 @@ bool is_inside(const PlanRing& ring, const Eigen::Vector2d& p_world) {
   return depth_m(PlanPolygon{ring.points}, p_world) > 0.0;
 }
 
-/// Runs the ring the way that is asked for.
+/// Orients the ring.
 PlanRing directed(PlanRing ring, bool pillar) {
   if (ring.is_pillar() != pillar) std::reverse(ring.points.begin(), ring.points.end());
   return ring;
 }
 
-/// The smallest ring around the start, and those in it that are in no other.
+/// The smallest ring around the start, and the rings directly inside it.
 std::vector<PlanRing> rings_around(const Eigen::Vector2d& start, std::vector<PlanRing> rings) {
   std::sort(rings.begin(), rings.end(), [](const PlanRing& a, const PlanRing& b) {
     return std::abs(a.signed_area_m2()) > std::abs(b.signed_area_m2());

@@ -7,10 +7,10 @@
 
 namespace adit {
 
-/// The world of a mesh file. Its floor is the lowest surface with room above it. Its plan is what
-/// closes around the start kOutlineHeight above the floor there, and what stands in it. Throws
-/// std::runtime_error for a file that cannot be used, std::invalid_argument for a start without
-/// floor.
+/// Builds a world from a mesh file. The floor is the lowest surface with free height above it. The
+/// plan is the outline that encloses the start, kOutlineHeight above the floor there, and the
+/// outlines in it. Throws std::runtime_error for an unusable file and std::invalid_argument for a
+/// start without floor.
 World build_mesh_world(const WorldDescription& description);
 
 }  // namespace adit

@@ -12,7 +12,7 @@
 
 namespace adit {
 
-/// The reliefs of one world, each of which is random by itself.
+/// The reliefs of one world, which are independent of each other.
 enum class ReliefKind : std::uint64_t {
   kFloor = 1,
   kRoof = 2,
@@ -25,8 +25,8 @@ inline std::uint64_t relief_seed(int world_seed, ReliefKind relief) {
   return static_cast<std::uint64_t>(world_seed) * 16U + static_cast<std::uint64_t>(relief);
 }
 
-/// Smooth noise in octaves, as a ReliefDescription says: a function of the plane and one of space,
-/// both within ± its height [m].
+/// Sum of octaves of smooth noise (ReliefDescription): a function of the plane and one of space,
+/// both within ± height_m [m].
 class Relief {
  public:
   Relief(const ReliefDescription& description, std::uint64_t seed);
@@ -40,7 +40,11 @@ class Relief {
     double height_m = 0.0;
     double length_m = 1.0;
   };
-  std::vector<Octave> octaves_;  ///< none without height
+  template <class Point>
+  [[nodiscard]] Point repeated(Point p_world) const;
+
+  std::vector<Octave> octaves_;  ///< empty without height
+  double repeat_y_m_ = 0.0;
 };
 
 }  // namespace adit

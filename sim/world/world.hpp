@@ -15,12 +15,12 @@
 
 namespace adit {
 
-/// Ground that gives way under a wheel, deepest in the middle and firm at the rim.
+/// Ground into which wheels sink, deepest in the centre and firm at the rim.
 struct SoftGround {
   std::string name;
   Eigen::Vector2d p_world{0.0, 0.0};  ///< middle [m]
   double radius_m = 0.0;
-  double depth_m = 0.0;  ///< of a wheel in the middle
+  double depth_m = 0.0;  ///< sinkage of a wheel in the centre
 };
 
 /// Standing water: everything below the level within the outline.
@@ -30,12 +30,12 @@ struct StandingWater {
   double level_m = 0.0;                  ///< z in world
 };
 
-/// Bad air: the share falls off with distance as a normal distribution does.
+/// A pocket of gas: its concentration falls off with distance as a normal distribution.
 struct GasPocket {
   std::string name;
   Eigen::Vector2d p_world{0.0, 0.0};  ///< middle [m]
   double radius_m = 0.0;              ///< one standard deviation
-  double methane_share = 0.0;         ///< of the air, in the middle
+  double methane_share = 0.0;         ///< fraction of the air in the centre
 };
 
 /// A mine to drive in, in the frame `world`, z up. Immutable once built.
@@ -49,7 +49,8 @@ struct World {
   WorldTruth truth;
 };
 
-/// A world with its mesh ready for rays. Neither copied nor moved: the scene points at the mesh.
+/// A world and the ray casting scene of its mesh. Neither copied nor moved, since the scene refers
+/// to the mesh.
 class Site {
  public:
   explicit Site(World world) : world_(std::move(world)), scene_(world_.mesh) {}

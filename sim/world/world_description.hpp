@@ -11,10 +11,10 @@
 
 namespace adit {
 
-/// A passage along a line.
+/// A tunnel along a polyline.
 struct TunnelDescription {
   std::string name;
-  std::vector<double> points_m;  ///< x, y, x, y, .. of its middle, in world
+  std::vector<double> points_m;  ///< x, y, x, y, .. of its centre line, in world
   double width_m = 3.0;
   bool entrance = false;  ///< the first point is open to the outside
 
@@ -28,20 +28,21 @@ struct TunnelDescription {
 };
 
 /// Entries and crosscuts at regular distances, with pillars between them: a panel of
-/// room-and-pillar workings. Becomes drifts named `<name>_entry_<i>` and `<name>_crosscut_<j>`, i
+/// room-and-pillar workings. Becomes tunnels named `<name>_entry_<i>` and `<name>_crosscut_<j>`, i
 /// and j from 0.
 struct PanelDescription {
   std::string name;
-  Pose2 T_world_panel;  ///< start of the middle of entry 0; entries run along x, the next ones to y
+  Pose2 T_world_panel;  ///< start of the centre line of entry 0; entries run along x, the next ones
+                        ///< towards y
   int entries = 2;
   int crosscuts = 2;
-  double entry_spacing_m = 12.0;     ///< from middle to middle
+  double entry_spacing_m = 12.0;     ///< between centre lines
   double crosscut_spacing_m = 20.0;  ///< along the entries
   double first_crosscut_m = 10.0;    ///< along the entries
   double entry_width_m = 3.0;
   double crosscut_width_m = 3.0;
   double length_m = 60.0;  ///< of the entries
-  double slant_rad = 0.0;  ///< of the crosscuts, against right angles to the entries
+  double slant_rad = 0.0;  ///< of the crosscuts, relative to the normal of the entries
 
   template <class V>
   void visit(V& v) {
@@ -59,7 +60,7 @@ struct PanelDescription {
   }
 };
 
-/// An open place, or a pillar left in one.
+/// A room, or a pillar in one.
 struct PolygonDescription {
   std::string name;
   std::vector<double> points_m;  ///< x, y, x, y, .. of its corners in order, in world
@@ -71,12 +72,12 @@ struct PolygonDescription {
   }
 };
 
-/// Where rock is not.
+/// The open space in plan.
 struct PlanDescription {
   std::vector<TunnelDescription> tunnels;
   std::vector<PanelDescription> panels;
   std::vector<PolygonDescription> rooms;
-  std::vector<PolygonDescription> pillars;  ///< rock again, cut out of the rooms and drifts
+  std::vector<PolygonDescription> pillars;  ///< rock, subtracted from rooms and tunnels
 
   template <class V>
   void visit(V& v) {
@@ -87,24 +88,27 @@ struct PlanDescription {
   }
 };
 
-/// Smooth randomness.
+/// Smooth random relief of a surface.
 struct ReliefDescription {
-  double height_m = 0.03;  ///< greatest departure to either side
-  double length_m = 2.0;   ///< over which it varies
+  double height_m = 0.03;  ///< amplitude, to either side
+  double length_m = 2.0;   ///< correlation length
   int octaves = 3;         ///< each of half the length and half the height of the one before
+  double repeat_y_m =
+      0.0;  ///< period along y, which gives parallel tunnels the same walls; 0: none
 
   template <class V>
   void visit(V& v) {
     v("height_m", height_m, within(0.0, 2.0));
     v("length_m", length_m, within(0.1, 1000.0));
     v("octaves", octaves, within(1, 8));
+    v("repeat_y_m", repeat_y_m, at_least(0.0));
   }
 };
 
-/// The heights between which the mine is open.
+/// Heights of floor and roof.
 struct HeightsDescription {
   /// s, z, s, z, .. : height of the floor without relief at distance s along `heading_rad` from the
-  /// origin, ascending in s, joined smoothly, level beyond the ends. Level at 0 where empty.
+  /// origin, ascending in s, interpolated smoothly, level beyond the ends. Empty: level at 0.
   std::vector<double> profile_m;
   double heading_rad = 0.0;
   double clearance_m = 2.0;  ///< from floor to roof
@@ -121,10 +125,10 @@ struct HeightsDescription {
   }
 };
 
-/// A mesh from a file instead of a plan.
+/// A mesh file instead of a plan.
 struct MeshDescription {
-  std::string file;      ///< OBJ, PLY, DAE and what else Assimp reads; empty for none
-  double scale = 1.0;    ///< metres for one unit of the file
+  std::string file;      ///< OBJ, PLY, DAE or another format of Assimp; empty for none
+  double scale = 1.0;    ///< metres per unit of the file
   std::string up = "z";  ///< axis of the file that points up: x, y or z
   bool flat_floor = false;
   double floor_m = 0.0;  ///< z of a flat floor to add, after scale and axes
@@ -143,13 +147,13 @@ struct MeshDescription {
   }
 };
 
-/// A world file (sim/worlds/*.yaml) has this in its one section, `world`.
+/// Description of a world: the only section, `world`, of a world file (sim/worlds/*.yaml).
 struct WorldDescription {
   static constexpr const char* kSection = "world";
 
   std::string name;
-  int seed = 1;         ///< of all that is random in it
-  double grid_m = 0.2;  ///< length of the edges of the mesh, about
+  int seed = 1;         ///< of everything random in the world
+  double grid_m = 0.2;  ///< approximate edge length of the mesh
   Pose2 T_world_start;
   MeshDescription mesh;
   PlanDescription plan;

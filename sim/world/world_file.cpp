@@ -17,7 +17,7 @@ constexpr const char* kRandom = "random";
 WorldDescription description_in(const ConfigFile& file) {
   file.require_known_sections({WorldDescription::kSection});
   if (file.section(WorldDescription::kSection) == nullptr) {
-    throw ConfigError(file.name() + ": a world file has a section 'world', and this one has none");
+    throw ConfigError(file.name() + ": there is no section 'world', which a world file must have");
   }
   return load_section<WorldDescription>(file, WorldDescription::kSection);
 }

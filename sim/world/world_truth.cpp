@@ -17,7 +17,7 @@ bool PlanRing::is_pillar() const { return signed_area_m2() < 0.0; }
 double PlanRing::signed_area_m2() const {
   double twice = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector2d a = points[i] - points[0];  // near, for the sake of precision
+    const Eigen::Vector2d a = points[i] - points[0];  // relative to the first point, for precision
     const Eigen::Vector2d b = points[(i + 1) % points.size()] - points[0];
     twice += cross(a, b);
   }

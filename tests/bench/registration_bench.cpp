@@ -7,7 +7,7 @@
 #include "common/registration/correlative_search.hpp"
 #include "common/registration/point_to_line.hpp"
 #include "tools/eval/trajectory.hpp"
-#include "tools/sample_mine/sample_run.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit {
 namespace {
@@ -18,12 +18,12 @@ const Pose2 kOff{0.08, -0.05, 0.04};  // what a prediction may be off by
 /// The last scan of a short drive, and the others as reference, all at their true poses.
 struct Place {
   explicit Place(std::int64_t beams) {
-    SampleRun run(1, beams == 361 ? half_degree_laser() : SyntheticLaserModel{}, kLength);
-    for (const auto& [utime, pose] : run.truth()) {
-      scan = run.next()->scan;
+    SampleRun run({.beams = static_cast<int>(beams), .length_max_m = kLength});
+    while (const auto reading = run.next()) {
+      if (!points.empty()) reference.insert(points, T_world_body, 0.0);
+      scan = reading->scan;
       points = surface_points(scan, mount, {});
-      T_world_body = pose;
-      if (utime != run.truth().back().utime) reference.insert(points, pose, 0.0);
+      T_world_body = run.truth().back().pose;
     }
   }
 

@@ -18,8 +18,7 @@
 #include "procs/scan_matching/scan_matching.hpp"
 #include "tests/support/recordings.hpp"
 #include "tools/carmen/carmen_reader.hpp"
-#include "tools/sample_mine/sample_run.hpp"
-#include "tools/sample_mine/synthetic_laser.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit {
 namespace {
@@ -27,14 +26,10 @@ namespace {
 /// What a log holds, in memory, so that a benchmark reads nothing while it measures.
 using Readings = std::vector<std::variant<WheelOdometry, LaserScan>>;
 
-/// The whole drive through the sample mine.
-Readings sample_readings(const SyntheticLaserModel& laser);
-/// A CARMEN log.
-Readings recorded_readings(const std::filesystem::path& path);
-
-Readings sample_readings(const SyntheticLaserModel& laser) {
+/// The complete drive through the built-in world `sample`.
+Readings sample_readings(int beams) {
   Readings readings;
-  SampleRun run(1, laser);
+  SampleRun run({.beams = beams});
   while (const auto reading = run.next()) {
     readings.emplace_back(reading->odometry);
     readings.emplace_back(reading->scan);
@@ -42,6 +37,7 @@ Readings sample_readings(const SyntheticLaserModel& laser) {
   return readings;
 }
 
+/// A CARMEN log.
 Readings recorded_readings(const std::filesystem::path& path) {
   Readings readings;
   CarmenReader reader(path);
@@ -87,8 +83,8 @@ void measure(benchmark::State& state, const Readings& readings, Odometry odometr
   state.counters["p99_ms"] = *p99;
 }
 
-void match_sample(benchmark::State& state, const SyntheticLaserModel& laser, Odometry odometry) {
-  measure(state, sample_readings(laser), odometry);
+void match_sample(benchmark::State& state, int beams, Odometry odometry) {
+  measure(state, sample_readings(beams), odometry);
 }
 
 void match_recording(benchmark::State& state, const std::string& name, Odometry odometry) {
@@ -103,8 +99,8 @@ void match_recording(benchmark::State& state, const std::string& name, Odometry 
   BENCHMARK_CAPTURE(function, name##_laser_alone, log, Odometry::kLeftOut) \
       ->Unit(benchmark::kMillisecond)
 
-ADIT_BENCH_LOG(match_sample, mine_181_beams, SyntheticLaserModel{});
-ADIT_BENCH_LOG(match_sample, mine_361_beams, half_degree_laser());
+ADIT_BENCH_LOG(match_sample, mine_181_beams, 181);
+ADIT_BENCH_LOG(match_sample, mine_361_beams, 361);
 ADIT_BENCH_LOG(match_recording, intel_180_beams, "intel_raw.log.gz");
 ADIT_BENCH_LOG(match_recording, csail_361_beams, "csail_raw.log.gz");
 ADIT_BENCH_LOG(match_recording, fr079_360_beams, "fr079_chain.log.gz");

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What people give to `adit plan`: point clouds of other programs.
+// Point cloud files, the input of `adit plan`.
 #include <stdexcept>
 #include <string>
 
 #include "tests/fuzz/targets.hpp"
 #include "tests/unit/tools/cloud/cloud_bytes.hpp"
-#include "tools/cloud/pcd_reader.hpp"
-#include "tools/cloud/ply_file.hpp"
-#include "tools/cloud/xyz_reader.hpp"
+#include "tools/cloud/cloud_file.hpp"
 
 namespace adit::fuzz {
 namespace {
@@ -23,7 +21,7 @@ Target reader_target(const std::string& name, Reader read,
             try {
               (void)read(input);
             } catch (const std::runtime_error&) {
-              return "cannot be read";
+              return "rejected";
             }
             return "";
           }};
@@ -44,7 +42,7 @@ std::vector<Target> cloud_targets() {
               "pcd", read_pcd,
               {test::pcd<float>("ascii", 'F', points), test::pcd<float>("binary", 'F', points),
                test::pcd<double>("binary_compressed", 'F', points)}),
-          reader_target("xyz", read_xyz, {test::in_words(points), "x,y,z\n1,2,3,4\n"})};
+          reader_target("xyz", read_xyz, {test::as_text(points), "x,y,z\n1,2,3,4\n"})};
 }
 
 }  // namespace adit::fuzz

@@ -19,7 +19,7 @@ constexpr std::string_view kWorld = R"(world:
   grid_m: 0.9
   T_world_start: {x_m: 2, y_m: 0, theta_rad: 0}
   plan:
-    drifts:
+    tunnels:
       - {name: main, points_m: [0, 0, 12, 0], width_m: 3, entrance: true}
     panels:
       - {name: p, entries: 1, crosscuts: 0, length_m: 9}
@@ -30,17 +30,17 @@ constexpr std::string_view kWorld = R"(world:
   heights: {profile_m: [0, 0, 9, 1], clearance_m: 2, floor_relief: {octaves: 1}}
   wall_relief: {height_m: 0.1, length_m: 1.5, octaves: 1}
   props:
-    rails: [{drift: main, from_m: 1, to_m: 4}]
-    posts: [{drift: main, from_m: 4, to_m: 6, every_m: 1}]
-    cribs: [{drift: main, at_m: 5}]
-    rubble: [{drift: main, at_m: 7, radius_m: 0.3}]
-    beams: [{drift: main, at_m: 8, cables: 1}]
-    cars: [{drift: main, at_m: 9}]
-    low_roofs: [{name: low, drift: main, from_m: 6, to_m: 7}]
-    pits: [{name: hole, drift: main, at_m: 10}]
-    water: [{name: pool, drift: main, from_m: 3, to_m: 5}]
-    mud: [{name: mud, drift: main, at_m: 11}]
-    gas: [{name: damp, drift: main, at_m: 11}]
+    rails: [{tunnel: main, from_m: 1, to_m: 4}]
+    posts: [{tunnel: main, from_m: 4, to_m: 6, every_m: 1}]
+    cribs: [{tunnel: main, at_m: 5}]
+    rubble: [{tunnel: main, at_m: 7, radius_m: 0.3}]
+    beams: [{tunnel: main, at_m: 8, cables: 1}]
+    cars: [{tunnel: main, at_m: 9}]
+    low_roofs: [{name: low, tunnel: main, from_m: 6, to_m: 7}]
+    pits: [{name: hole, tunnel: main, at_m: 10}]
+    water: [{name: pool, tunnel: main, from_m: 3, to_m: 5}]
+    mud: [{name: mud, tunnel: main, at_m: 11}]
+    gas: [{name: damp, tunnel: main, at_m: 11}]
 )";
 
 Bytes bytes_of(std::string_view text) { return {text.begin(), text.end()}; }

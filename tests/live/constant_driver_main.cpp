@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// adit-constant_driver SPEED: drives straight on at that speed [m/s], whatever is there, until
-// SIGTERM: a DRIVE_COMMAND for each 50 ms of simulated time. The simulator may wait for it by the
-// name `constant_driver`.
+// adit-constant_driver SPEED: drives straight ahead at this speed [m/s] until SIGTERM, with a
+// DRIVE_COMMAND every 50 ms of simulated time and without obstacle avoidance. The simulator can
+// wait for it by the stage name `constant_driver`.
 #include <exception>
 #include <iostream>
 #include <string>

@@ -3,24 +3,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # drive_test.sh SIM CHECK_STANDSTILL CHECK_ARRIVAL ONE_GOAL STAGE..
-# The robot looks, plans and drives, at Groundhog's speed, each stage a process of its own. It arrives
-# where all is well, and also where planning dies or hangs on the way. Where driving or scan matching
-# do, it stands within 300 ms of simulated time after their last word has expired. Each case has a
-# network of its own, and all run at the same time.
+# The robot scans, plans and drives at Groundhog's speed, with one process per stage. It arrives without faults,
+# and also if planning is killed or suspended while it drives. If driving or scan matching is, the vehicle stops
+# within 300 ms of simulated time after their last message has expired. The cases run in parallel on private
+# networks.
 set -u
 here=$(dirname "$(readlink -f "$0")")
 kGoalM=3.5
-kFaultS=15         # it drives from about 10.5 s on, and would for 23 s
-kStoodS=18
-kArrivedS=43
+kFaultS=15         # the robot drives from about 10.5 s for 23 s
+kStandstillEndS=18
+kArrivalEndS=43
 kFast=4           # times real time
-kMeasured=2       # where time is measured: the simulator is not to be ahead of the stages
+kMeasured=2       # where times are measured: the simulator must not run ahead of the stages
 kCommandExpiry=0.25
-kPoseExpiry=0.25  # of the guard
+kPoseExpiry=0.25  # timeout of the guard
 
 sim=$1; check_standstill=$2; check_arrival=$3; one_goal=$4; stages=("${@:5}")
 
-# drive LOG CONFIG FACTOR SECONDS [FAULT]: inside a private network.
+# drive LOG CONFIG FACTOR SECONDS [FAULT]: runs in a private network.
 drive() {
   local names=one_goal processes=() stage result
   for stage in "${stages[@]}"; do
@@ -28,7 +28,7 @@ drive() {
     names+=",${stage##*/adit-}"
   done
   "$one_goal" "$kGoalM" & processes+=($!)
-  "$sim" "$here/bent_drift.yaml" --config "$2" --speed "$3" --for "$4" ${5:+--fault "$5"} \
+  "$sim" "$here/bent_tunnel.yaml" --config "$2" --speed "$3" --for "$4" ${5:+--fault "$5"} \
     --wait-for "$names" --record "$1"
   result=$?
   kill -KILL "${processes[@]}" 2>/dev/null; wait "${processes[@]}" 2>/dev/null
@@ -48,20 +48,20 @@ trap 'kill "${cases[@]}" 2>/dev/null; wait; rm -rf "$scratch"' EXIT
 { cat "$here/../../deploy/config/groundhog.yaml"; echo 'driving: {speed: {speed_m_s: 0.15}}'; } \
   >"$scratch/config.yaml"
 
-# begin FACTOR SECONDS FAULT CHECK [ARGUMENT..]: the check is given the record before its arguments.
+# begin FACTOR SECONDS FAULT CHECK [ARGUMENT..]: the first argument of the check is the recorded log.
 begin() {
   local log="$scratch/${#cases[@]}.lcmlog"
   (ADIT_DRIVE="$log $scratch/config.yaml $1 $2 $3" \
      "$here/in_private_network.sh" "$0" "${arguments[@]}" && "$4" "$log" "${@:5}") \
     >"$log.text" 2>&1 & cases+=($!)
-  names+=("${3:-all well}")
+  names+=("${3:-no fault}")
 }
 
-begin $kFast $kArrivedS "" "$check_arrival"
-for harm in kill suspend; do
-  begin $kFast $kArrivedS "$harm:planning@$kFaultS" "$check_arrival"
-  begin $kMeasured $kStoodS "$harm:driving@$kFaultS" "$check_standstill" DRIVE_COMMAND $kCommandExpiry
-  begin $kMeasured $kStoodS "$harm:scan_matching@$kFaultS" "$check_standstill" POSE $kPoseExpiry
+begin $kFast $kArrivalEndS "" "$check_arrival"
+for fault in kill suspend; do
+  begin $kFast $kArrivalEndS "$fault:planning@$kFaultS" "$check_arrival"
+  begin $kMeasured $kStandstillEndS "$fault:driving@$kFaultS" "$check_standstill" DRIVE_COMMAND $kCommandExpiry
+  begin $kMeasured $kStandstillEndS "$fault:scan_matching@$kFaultS" "$check_standstill" POSE $kPoseExpiry
 done
 
 failed=0

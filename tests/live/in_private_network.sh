@@ -3,12 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # in_private_network.sh COMMAND [ARGUMENT..]
-# Runs the command on a network of its own that has multicast on its loopback and nothing else, so
-# that LCM there hears nobody and nobody hears it. Ends with 77 (skipped) where that cannot be had.
+# Runs the command in a network namespace that has only a loopback interface with multicast, isolated from all
+# other LCM traffic. Exit code 77 (skipped) if the namespace cannot be created.
 set -u
 
 if ! unshare -rn true 2>/dev/null; then
-  echo "skipped: unshare -rn does not work here, so there is no private network" >&2
+  echo "skipped: unshare -rn is not permitted, no private network" >&2
   exit 77
 fi
 exec unshare -rn bash -c '

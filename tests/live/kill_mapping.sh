@@ -3,14 +3,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # kill_mapping.sh LOG SPEED RECORD JOURNAL SEED MAPPING
-# Plays LOG to adit-mapping, which keeps JOURNAL, kills it with SIGKILL at random moments, and starts
-# it again until the log ends. After every second death some bytes are cut off the journal. To be run
-# by in_private_network.sh. Writes to JOURNAL.torn how often that was.
+# Plays LOG to adit-mapping, which writes JOURNAL, kills it with SIGKILL at random times, and restarts it until
+# the log ends. After every second kill, some bytes are truncated from the journal; JOURNAL.torn receives the
+# number of truncations. Run it by in_private_network.sh.
 set -u
 
 log=$1; speed=$2; record=$3; journal=$4; RANDOM=$5; mapping=$6
 kKills=5
-kTruncatedMax=20          # bytes, fewer than any record has
+kTruncatedMax=20          # bytes, fewer than in any record
 . "$(dirname "$(readlink -f "$0")")/lcm_tools.sh"
 
 size() { stat -c %s "$1" 2>/dev/null || echo 0; }
@@ -27,7 +27,7 @@ start_mapping() { "$mapping" --config "$journal.yaml" & node=$!; }
 lcm-logger --quiet --flush-interval=50 "$record" & logger=$!
 trap 'kill "$logger" "${node:-$logger}" "${player:-$logger}" 2>/dev/null' EXIT
 wait_for "lcm-logger" is_listening
-# What the mapping makes of it is in the log as well, and is not to be heard from there.
+# The log also has the output of mapping, which must not be played.
 lcm-logplayer --speed="$speed" --regexp="LASER_FRONT|LASER_REAR|SCAN_MATCH" "$log" >/dev/null & player=$!
 
 torn=0
@@ -45,10 +45,10 @@ done
 echo "$torn" >"$journal.torn"
 
 start_mapping
-if ! kill -0 "$player" 2>/dev/null; then echo "the log ended before the last life" >&2; exit 1; fi
+if ! kill -0 "$player" 2>/dev/null; then echo "the log ended before the last restart" >&2; exit 1; fi
 wait "$player"
-wait_for "the end of the mapping's work" has_settled
+wait_for "the end of the mapping work" has_settled
 kill -TERM "$node"; wait "$node"; node_exit=$?
 kill -INT "$logger"; wait "$logger"
 trap - EXIT
-if ((node_exit != 0)); then echo "the mapping ended with $node_exit" >&2; exit 1; fi
+if ((node_exit != 0)); then echo "mapping exited with $node_exit" >&2; exit 1; fi

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: The Adit authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What the scripts share that play logs to live processes and record what they say. To be sourced.
-# Skips where LCM's tools are absent.
+# Functions of the scripts that play logs to live processes and record their output. Source this file. Skips the
+# test if LCM's tools are not installed.
 
-kPort=":1DF3 "       # 7667, LCM's, as /proc/net/udp writes it
+kPort=":1DF3 "       # LCM's port 7667 in the notation of /proc/net/udp
 kDeadlineSeconds=60
 
 for tool in lcm-logger lcm-logplayer ip; do
@@ -14,11 +14,11 @@ for tool in lcm-logger lcm-logplayer ip; do
   fi
 done
 
-# wait_for WHAT COMMAND..: until the command succeeds.
+# wait_for DESCRIPTION COMMAND..: waits until the command succeeds.
 wait_for() {
-  local what=$1 end=$((SECONDS + kDeadlineSeconds)); shift
+  local description=$1 end=$((SECONDS + kDeadlineSeconds)); shift
   until "$@"; do
-    if ((SECONDS > end)); then echo "waited in vain for $what" >&2; exit 1; fi
+    if ((SECONDS > end)); then echo "timeout: no $description" >&2; exit 1; fi
     sleep 0.05
   done
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// LcmBus to LcmBus over a real network. To be run by in_private_network.sh.
+// LcmBus to LcmBus over a real network. Run it by in_private_network.sh.
 #include <chrono>
 #include <functional>
 #include <numeric>
@@ -26,48 +26,49 @@ using Bytes = std::vector<std::uint8_t>;
 
 class LiveBus : public testing::Test {
  protected:
-  /// Drives the receiver until the condition holds; fails after ten seconds.
+  /// Runs the receiver until the condition is true; fails after ten seconds.
   void receive_until(const std::function<bool()>& condition) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
     while (!condition()) {
-      ASSERT_LT(std::chrono::steady_clock::now(), end) << "waited in vain";
+      ASSERT_LT(std::chrono::steady_clock::now(), end) << "timeout";
       receiver_.handle(100);
     }
   }
 
-  Handler keep() {
-    return [this](const ReceivedMessage& received) -> std::string_view {
-      kept_.emplace_back(received.bytes.begin(), received.bytes.end());
+  Handler store() {
+    return [this](const ReceivedMessage& message) -> std::string_view {
+      received_.emplace_back(message.bytes.begin(), message.bytes.end());
       return {};
     };
   }
 
   LcmBus sender_;
   LcmBus receiver_;
-  std::vector<Bytes> kept_;
+  std::vector<Bytes> received_;
 };
 
 TEST_F(LiveBus, CarriesMessagesInOrder) {
-  receiver_.subscribe("POSE", Delivery::queued(100), keep());
+  receiver_.subscribe("POSE", Delivery::queued(100), store());
   for (std::uint8_t i = 0; i < 50; ++i) sender_.publish("POSE", Bytes{i});
-  receive_until([&] { return kept_.size() == 50; });
-  for (std::uint8_t i = 0; i < 50; ++i) EXPECT_EQ(kept_.at(i), Bytes{i});
+  receive_until([&] { return received_.size() == 50; });
+  for (std::uint8_t i = 0; i < 50; ++i) EXPECT_EQ(received_.at(i), Bytes{i});
 }
 
 TEST_F(LiveBus, CarriesAMessageOfManyFragments) {
-  receiver_.subscribe("CLOUD", Delivery::queued(100), keep());
+  receiver_.subscribe("CLOUD", Delivery::queued(100), store());
   Bytes large(150'000);
   std::iota(large.begin(), large.end(), 0);
-  const auto arrived = [&] { return !kept_.empty(); };
-  for (int attempt = 0; attempt < 20 && !arrived(); ++attempt) {  // a small buffer loses some
+  const auto complete = [&] { return !received_.empty(); };
+  for (int attempt = 0; attempt < 20 && !complete();
+       ++attempt) {  // a small socket buffer loses fragments
     sender_.publish("CLOUD", large);
-    for (int i = 0; i < 5 && !arrived(); ++i) receiver_.handle(20);
+    for (int i = 0; i < 5 && !complete(); ++i) receiver_.handle(20);
   }
-  ASSERT_TRUE(arrived());
-  EXPECT_EQ(kept_[0], large);
+  ASSERT_TRUE(complete());
+  EXPECT_EQ(received_[0], large);
 }
 
-/// What the kernel lets a socket hold.
+/// Maximum receive buffer of a socket that the kernel permits.
 int largest_receive_buffer() {
   const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
   int bytes = static_cast<int>(kReceiveBufferBytes);
@@ -78,51 +79,51 @@ int largest_receive_buffer() {
   return bytes;
 }
 
-TEST_F(LiveBus, LosesNoPartOfAMegabyteWhereTheKernelHoldsIt) {
+TEST_F(LiveBus, CarriesAMegabyteIfTheKernelBufferHoldsIt) {
   if (largest_receive_buffer() < kReceiveBufferBytes) {
     GTEST_SKIP() << "net.core.rmem_max is small; see deploy/sysctl";
   }
-  receiver_.subscribe("CLOUD", Delivery::queued(100), keep());
+  receiver_.subscribe("CLOUD", Delivery::queued(100), store());
   const Bytes large(1'000'000, 7);
-  sender_.publish("CLOUD", large);  // while nobody receives
-  receive_until([&] { return !kept_.empty(); });
-  EXPECT_EQ(kept_.at(0), large);
+  sender_.publish("CLOUD", large);  // while the receiver does not run
+  receive_until([&] { return !received_.empty(); });
+  EXPECT_EQ(received_.at(0), large);
 }
 
-TEST_F(LiveBus, KeepsTheNewestStateOverAStall) {
-  receiver_.subscribe("POSE", Delivery::latest(), keep());
+TEST_F(LiveBus, DeliversTheNewestStateAfterAStall) {
+  receiver_.subscribe("POSE", Delivery::latest(), store());
   receiver_.subscribe("IMU", Delivery::queued(100),
                       [](const ReceivedMessage&) { return std::string_view(); });
   for (std::uint8_t i = 0; i < 100; ++i) sender_.publish("POSE", Bytes{i});
   sender_.publish("IMU", {});
-  receive_until([&] { return !kept_.empty() && kept_.back() == Bytes{99}; });
-  EXPECT_LT(kept_.size(), 100U);
+  receive_until([&] { return !received_.empty() && received_.back() == Bytes{99}; });
+  EXPECT_LT(received_.size(), 100U);
 }
 
-/// Of the filters of all sockets by which this process receives.
-std::vector<socklen_t> lengths_of_filters() {
+/// Lengths of the filters of all receiving sockets of this process.
+std::vector<socklen_t> filter_lengths() {
   std::vector<socklen_t> lengths;
   for (const int socket : bound_datagram_sockets()) {
-    socklen_t length = 0;  // 0 asks for it
+    socklen_t length = 0;  // 0 queries the length
     getsockopt(socket, SOL_SOCKET, SO_ATTACH_FILTER, nullptr, &length);
     lengths.push_back(length);
   }
   return lengths;
 }
 
-TEST_F(LiveBus, LetsTheKernelDropWhatNobodyHereSubscribedTo) {
-  receiver_.subscribe("POSE", Delivery::queued(100), keep());
-  receiver_.subscribe("IMU", Delivery::queued(100), keep());
+TEST_F(LiveBus, DropsUnsubscribedChannelsInTheKernel) {
+  receiver_.subscribe("POSE", Delivery::queued(100), store());
+  receiver_.subscribe("IMU", Delivery::queued(100), store());
   const auto length = static_cast<socklen_t>(channel_filter({"POSE", "IMU"}).size());
-  EXPECT_THAT(lengths_of_filters(), testing::Contains(length));
+  EXPECT_THAT(filter_lengths(), testing::Contains(length));
   sender_.publish("GAS", Bytes{1});
   sender_.publish("IMU", Bytes{2});
-  receive_until([&] { return !kept_.empty(); });
-  EXPECT_EQ(kept_.at(0), Bytes{2});
+  receive_until([&] { return !received_.empty(); });
+  EXPECT_EQ(received_.at(0), Bytes{2});
 }
 
-TEST_F(LiveBus, SurvivesDatagramsThatAreNotOfLcm) {
-  receiver_.subscribe("POSE", Delivery::queued(100), keep());
+TEST_F(LiveBus, IgnoresDatagramsThatAreNotLcm) {
+  receiver_.subscribe("POSE", Delivery::queued(100), store());
   receiver_.handle(0);
   const int socket = ::socket(AF_INET, SOCK_DGRAM, 0);
   sockaddr_in address{};
@@ -137,11 +138,11 @@ TEST_F(LiveBus, SurvivesDatagramsThatAreNotOfLcm) {
            sizeof(address));
   }
   close(socket);
-  receive_until([&] {  // again and again, since a full buffer of the kernel loses some
+  receive_until([&] {  // repeatedly, because a full kernel buffer loses some
     sender_.publish("POSE", Bytes{7});
-    return !kept_.empty();
+    return !received_.empty();
   });
-  EXPECT_EQ(kept_.at(0), Bytes{7});
+  EXPECT_EQ(received_.at(0), Bytes{7});
 }
 
 }  // namespace

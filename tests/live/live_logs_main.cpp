@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// live_logs write LOG: a log of scans for the relay, malformed ones among them.
-// live_logs write-all LOG SECONDS: a log with a message of every type, ten times a second.
-// live_logs fingerprints: every type and its fingerprint, as the C++ side has it.
-// live_logs check PLAYED RECORDED: whether what was recorded while the first was played to the
-// relay is what it should be; says what is not.
+// live_logs write LOG: writes a log of scans for the relay, some of them malformed.
+// live_logs write-all LOG SECONDS: writes a log with a message of every type, ten times per second.
+// live_logs fingerprints: prints every message type and its fingerprint in C++.
+// live_logs check PLAYED RECORDED: checks the log that was recorded while PLAYED was played to the
+// relay; prints failed requirements.
 #include <iostream>
 #include <map>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/log/event_source.hpp"
@@ -74,15 +76,15 @@ void check_poses(const std::vector<std::vector<std::uint8_t>>& poses) {
     if (at == poses.size()) break;
     const auto pose = from_message(*decode<pose_t>(poses[at++]));
     require(pose && pose->utime == kStart + i * kPeriodUs && pose->T_odom_body.x == 180.0 + i,
-            "pose " + std::to_string(i) + " is the answer to its scan");
+            fmt::format("pose {} matches its scan", i));
   }
-  require(poses.size() == kScans - kScans / kMalformedEvery, "each good scan has its answer");
+  require(poses.size() == kScans - kScans / kMalformedEvery, "each valid scan has a pose");
 }
 
 void check(const std::string& played_path, const std::string& recorded_path) {
   auto played = by_channel(played_path);
   auto recorded = by_channel(recorded_path);
-  require(recorded["LASER_FRONT"] == played["LASER_FRONT"], "the scans came through as they were");
+  require(recorded["LASER_FRONT"] == played["LASER_FRONT"], "the scans are recorded unchanged");
   check_poses(recorded["POSE"]);
 
   require(!recorded["CONFIG"].empty(), "the configuration was published");
@@ -92,7 +94,7 @@ void check(const std::string& played_path, const std::string& recorded_path) {
 
   const auto heartbeat = from_message(*decode<heartbeat_t>(recorded["HEARTBEAT"].back()));
   require(heartbeat && heartbeat->rejected == kScans / kMalformedEvery,
-          "malformed scans were refused and counted");
+          "malformed scans are rejected and counted");
 }
 
 }  // namespace

@@ -3,23 +3,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # mission_soak.sh ADIT SIMULATED_HOURS [WORLD [OPTION..]]
-# By hand, not in CI: eight hours of simulated time take one or two of the clock. One mission of so many hours by
-# one set of processes that is never started again: the robot explores the mine, and then patrols it until its
-# time is up. Each half hour of simulated time a row with the memory of each process (`adit ps`, MB), the mean over
-# that half hour, since what a process is at changes it by a tenth; at the end by how much each has grown over the
-# last three quarters of the time. Exit code 1 where one has grown by more than 5 %, or where the mission did not
-# last, or a process had to be started again. OPTIONs are of `adit mission`, of its mine.
+# Run by hand, not in CI; eight simulated hours take one or two hours. One mission with one set of processes explores
+# the mine and then patrols it until its time limit. For each half hour of simulated time, prints a row with the
+# memory of each process (`adit ps`, MB), averaged because it varies by a tenth with the current work; at the end,
+# the growth over the last three quarters of the time. Exit code 1 if a process grew by more than 5 %, the mission
+# ended early, or a process was restarted. OPTIONs are the world options of `adit mission`.
 set -u
 adit=$(readlink -f "$1"); world=${3:-random}
 requested_s=$(awk -v hours="$2" 'BEGIN { print int(3600 * hours) }')
-if (($# > 3)); then choice=("${@:4}"); else choice=(); fi
-[[ $world == random && ${#choice[@]} -eq 0 ]] && choice=(--seed 7 --length-m 60)
-kRowSeconds=1800     # of simulated time
-kSettledShare=0.25   # of the time, in which memory may grow: what is read and learnt once
-kGrowthMax=5         # per cent
+if (($# > 3)); then options=("${@:4}"); else options=(); fi
+[[ $world == random && ${#options[@]} -eq 0 ]] && options=(--seed 7 --length-m 60)
+kRowSeconds=1800     # simulated time
+kSettledShare=0.25   # share of the time in which memory may grow, for caches and the map
+kGrowthMax=5         # percent
 kPollSeconds=2
 
-# Turned around by nothing but the time; of a place the map keeps what three local maps and one look brought.
+# Only the time limit ends the patrol; the map stores at most three local maps and one 3D scan per place.
 config() {
   cat <<YAML
 mapping: {maps_per_place_max: 3}
@@ -38,19 +37,19 @@ out=$scratch/mission
 config >"$scratch/soak.yaml"
 
 megabytes() { if [[ -e $1 ]]; then stat -c %s "$1" | awk '{ printf "%.1f", $1 / 1e6 }'; else echo 0; fi; }
-# simulated seconds, metres driven, local maps, 3D scans, times real time: of the newest line of progress
+# Simulated time [s], path length [m], local maps, 3D scans, real time factor: from the newest progress line.
 progress() {
   tail -n 1 "$scratch/text" 2>/dev/null |
     awk '/real time/ { for (i = 2; i <= NF; ++i) {
-           if ($i == "driven,") way = $(i - 2); if ($i == "local") maps = $(i - 1)
+           if ($i == "driven,") path = $(i - 2); if ($i == "local") maps = $(i - 1)
            if ($i == "scans,") scans = $(i - 1); if ($i == "x") speed = $(i - 1) }
-         print $1, way, maps, scans, speed }'
+         print $1, path, maps, scans, speed }'
 }
-# Name and memory of each process that runs.
+# Name and memory of each running process.
 sample() {
   "$adit" ps --socket "$out/supervisor.sock" 2>/dev/null | awk 'NR > 1 && $7 > 0 { print $1, $7 }' >>"$scratch/samples"
 }
-# The mean of each process since the last time, in the order of their list.
+# Mean memory of each process since the last call, in list order.
 means() {
   awk '{ if (!($1 in n)) name[++names] = $1; sum[$1] += $2; ++n[$1] }
        END { for (i = 1; i <= names; ++i) printf "%s %.1f\n", name[i], sum[name[i]] / n[name[i]] }' "$scratch/samples"
@@ -62,19 +61,19 @@ row() {
   echo "$1 $(awk '{ printf "%s ", $2 }' <<<"$memory")" >>"$scratch/memory"
   if [[ ! -e $scratch/names ]]; then
     awk '{ print $1 }' <<<"$memory" >"$scratch/names"
-    echo "| simulated (h) | driven (m) | local maps | 3D scans | times real time | $(
+    echo "| simulated (h) | path length (m) | local maps | 3D scans | real time factor | $(
       paste -sd '|' "$scratch/names" | sed 's/|/ | /g') | mapping.journal | volume.journal | run.lcmlog |"
     awk -v n="$(wc -l <"$scratch/names")" 'BEGIN { for (i = 0; i < n + 8; ++i) printf "|---"; print "|" }'
   fi
-  awk -v s="$1" -v way="$2" -v maps="$3" -v scans="$4" -v speed="$5" -v memory="$(
+  awk -v s="$1" -v path="$2" -v maps="$3" -v scans="$4" -v speed="$5" -v memory="$(
     awk '{ printf "%s | ", $2 }' <<<"$memory")" -v disk="$(megabytes "$out/mapping.journal") | $(
     megabytes "$out/volume_map.journal") | $(megabytes "$out/run.lcmlog")" \
-    'BEGIN { printf "| %.2f | %s | %s | %s | %s | %s%s |\n", s / 3600, way, maps, scans, speed, memory, disk }'
+    'BEGIN { printf "| %.2f | %s | %s | %s | %s | %s%s |\n", s / 3600, path, maps, scans, speed, memory, disk }'
 }
 
-# Per process: growth from the first row of the settled time to the last, and whether that is too much.
+# Growth of each process from the first settled row to the last, against the limit.
 verdict() {
-  awk -v share="$kSettledShare" -v most="$kGrowthMax" '
+  awk -v share="$kSettledShare" -v max="$kGrowthMax" '
     FNR == NR { name[++n] = $1; next }
     { time[++rows] = $1; for (i = 1; i <= n; ++i) memory[rows, i] = $(i + 1) }
     END {
@@ -84,31 +83,31 @@ verdict() {
       for (i = 1; i <= n; ++i) {
         growth = 100 * (memory[rows, i] / memory[first, i] - 1)
         printf "| %s | %.1f | %.1f | %.1f | %s |\n", name[i], memory[first, i], memory[rows, i], growth,
-               (growth > most) ? "too much" : "flat"
-        bad += (growth > most)
+               (growth > max) ? "too much" : "ok"
+        bad += (growth > max)
       }
       exit bad > 0
     }' "$scratch/names" "$scratch/memory"
 }
 
-"$adit" mission "$world" "${choice[@]}" --config "$scratch/soak.yaml" --out "$out" \
+"$adit" mission "$world" "${options[@]}" --config "$scratch/soak.yaml" --out "$out" \
   --time-max-s "$((requested_s + 1800))" >"$scratch/text" 2>&1 & mission=$!
 next=$kRowSeconds; last=0
 while kill -0 "$mission" 2>/dev/null; do
-  read -r seconds way maps scans speed <<<"$(progress)"
+  read -r seconds path maps scans speed <<<"$(progress)"
   [[ -n ${seconds:-} ]] && last=$seconds
   sample
   if ((last >= next)) && [[ -s $scratch/samples ]]; then
-    row "$(means)" "$seconds" "$way" "$maps" "$scans" "$speed"
+    row "$(means)" "$seconds" "$path" "$maps" "$scans" "$speed"
     next=$((next + kRowSeconds))
   fi
-  # The report of so long a log is not what is measured here.
+  # Do not wait for the report, which is not measured here.
   ((last >= requested_s - kRowSeconds / 2)) && grep -q "at home" "$scratch/text" && break
   sleep "$kPollSeconds"
 done
 echo; grep -B 1 "from the start at the end" "$scratch/text" || tail -n 3 "$scratch/text"
-[[ -e $scratch/memory ]] || { echo "there is nothing to compare: it ended after $last s"; exit 1; }
-verdict; flat=$?
-((10 * last >= 9 * requested_s)) || { echo "it did not last"; exit 1; }
-if grep "started again" "$scratch/text"; then exit 1; fi
-exit $flat
+[[ -e $scratch/memory ]] || { echo "the mission ended after $last s, before the first row"; exit 1; }
+verdict; result=$?
+((10 * last >= 9 * requested_s)) || { echo "the mission ended early"; exit 1; }
+if grep -E "started again|restarting" "$scratch/text"; then exit 1; fi
+exit $result

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// adit-one_goal DISTANCE: asks for one 3D scan, and for a path straight ahead over so many metres
-// when the terrain of that scan is there. Runs until SIGTERM. The simulator may wait for it by the
-// name `one_goal`.
+// adit-one_goal DISTANCE: requests one 3D scan and, when its terrain is complete, a path straight
+// ahead over this distance [m]. Runs until SIGTERM. The simulator can wait for it by the stage name
+// `one_goal`.
 #include <exception>
 #include <iostream>
 #include <string>
@@ -18,28 +18,28 @@
 namespace adit {
 namespace {
 
-constexpr std::int64_t kBeginsUs = 1'500'000;  // after the first time that is heard
-constexpr std::size_t kTilesWaiting = 200;
+constexpr std::int64_t kStartDelayUs = 1'500'000;  // after the first simulated time
+constexpr std::size_t kTilesQueued = 200;
 
 class OneGoal {
  public:
   OneGoal(Bus& bus, double distance_m) : bus_(bus), distance_m_(distance_m) {
-    bus.create_timer(50'000, [this](std::int64_t utime) { summarize(utime); });
-    subscribe<terrain_t>(bus, channels::kTerrain, Delivery::queued(kTilesWaiting),
+    bus.create_timer(50'000, [this](std::int64_t utime) { request_scan(utime); });
+    subscribe<terrain_t>(bus, channels::kTerrain, Delivery::queued(kTilesQueued),
                          [this](const TerrainFragment& tile) {
-                           if (terrain_.add(tile)) go();
+                           if (terrain_.add(tile)) publish_goal();
                          });
   }
 
  private:
-  void summarize(std::int64_t utime) {
+  void request_scan(std::int64_t utime) {
     if (first_utime_ == 0) first_utime_ = utime;
-    if (looked_ || utime < first_utime_ + kBeginsUs) return;
-    looked_ = true;
+    if (scan_requested_ || utime < first_utime_ + kStartDelayUs) return;
+    scan_requested_ = true;
     publish(bus_, channels::kScanRequest, to_message(ScanRequest{utime, 1, LaserId::kFront}));
   }
 
-  void go() {
+  void publish_goal() {
     const PlanGoal goal{bus_.now_utime(), 1, PlanGoal::Kind::kAlong, {}, distance_m_};
     publish(bus_, channels::kGoal, to_message(goal));
   }
@@ -48,7 +48,7 @@ class OneGoal {
   double distance_m_;
   TerrainReassembler terrain_;
   std::int64_t first_utime_ = 0;
-  bool looked_ = false;
+  bool scan_requested_ = false;
 };
 
 void run(double distance_m) {

@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # record_node.sh LOG SPEED RECORD NODE [ARGUMENT..]
-# Plays LOG, or those of its CHANNELS (a regular expression), by lcm-logplayer at SPEED to the node that the command starts, and records everything by
-# lcm-logger into RECORD. To be run by in_private_network.sh. Ends with 0 only if the node ended
-# with 0 on SIGTERM.
+# Starts NODE, plays LOG to it with lcm-logplayer at SPEED, and records all messages with lcm-logger to RECORD. The
+# environment variable CHANNELS (a regular expression) selects the channels to play. Run it by
+# in_private_network.sh. Exit code 0 only if the node exits with 0 on SIGTERM.
 set -u
 
 log=$1; speed=$2; record=$3; shift 3
@@ -14,7 +14,7 @@ log=$1; speed=$2; record=$3; shift 3
 is_recorded() { grep -aq "$1" "$record" 2>/dev/null; }
 size() { stat -c %s "$record"; }
 
-# Nothing but heartbeats for a second: at most 1500 bytes.
+# Only heartbeats for one second: at most 1500 bytes.
 has_settled() {
   local before; before=$(size)
   sleep 1
@@ -35,4 +35,4 @@ wait_for "the end of the record" has_settled
 kill -TERM "$node"; wait "$node"; node_exit=$?
 kill -INT "$logger"; wait "$logger"
 trap - EXIT
-if ((node_exit != 0)); then echo "the node ended with $node_exit" >&2; exit 1; fi
+if ((node_exit != 0)); then echo "the node exited with $node_exit" >&2; exit 1; fi

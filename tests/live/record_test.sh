@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: The Adit authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# record_test.sh LIVE_LOGS RECORD: adit-record, started again and again as a supervisor does that, loses
-# nothing of its starts before while there is room, and then the oldest.
+# record_test.sh LIVE_LOGS RECORD
+# adit-record, restarted repeatedly as by a supervisor, keeps the recordings of earlier starts while there is
+# space, and then deletes the oldest.
 set -eu
 here=$(dirname "$(readlink -f "$0")")
 if [[ ${ADIT_PRIVATE_NETWORK:-} != yes ]]; then
@@ -15,13 +16,13 @@ trap 'rm -rf "$scratch"' EXIT
 fail() { echo "FAILED: $*" >&2; ls -l "$scratch" >&2; exit 1; }
 
 "$1" write "$scratch/played.lcmlog"
-# record GB: records what is played at once, and ends.
+# record GB RECORD: records a played log and exits.
 record() {
   "$2" "$scratch/logs" "$1" >/dev/null 2>"$scratch/err" & local recorder=$!
   wait_for "the recorder" is_listening
   lcm-logplayer -s 10 "$scratch/played.lcmlog" >/dev/null
-  sleep 0.3   # more than lcm-logger takes to write
-  kill -INT "$recorder"; wait "$recorder" || fail "ended with $?: $(cat "$scratch/err")"
+  sleep 0.3   # longer than lcm-logger takes to write
+  kill -INT "$recorder"; wait "$recorder" || fail "exited with $?: $(cat "$scratch/err")"
 }
 bytes() { find "$scratch/logs" -type f -printf '%s\n' | awk '{ sum += $1 } END { print sum }'; }
 starts() { find "$scratch/logs" -type f -name 'run-*' | sed 's/\.lcmlog.*//' | sort -u | wc -l; }
@@ -31,12 +32,12 @@ one=$(bytes)
 ((one > 10000)) || fail "only $one bytes were recorded"
 record 1 "$2"
 (($(starts) == 2)) || fail "there are $(starts) recordings, not 2"
-(($(bytes) > one * 19 / 10)) || fail "of the first recording something is gone"
+(($(bytes) > one * 19 / 10)) || fail "part of the first recording is missing"
 
-# Room for two and a half recordings in all, half of it for those before: one is left.
+# Space for two and a half recordings, half of it for earlier ones: one remains.
 gb=$(awk -v one="$one" 'BEGIN { printf "%.9f", one * 2.5e-9 }')
 record "$gb" "$2"
 (($(starts) == 2)) || fail "there are $(starts) recordings, not 2"
-(($(bytes) <= one * 28 / 10)) || fail "$(bytes) bytes are kept"   # one piece more than said is written
-"$2" "$scratch/logs" 2>/dev/null && fail "a wrong command line was taken"
+(($(bytes) <= one * 28 / 10)) || fail "$(bytes) bytes remain"   # adit-record writes one file more than the limit
+"$2" "$scratch/logs" 2>/dev/null && fail "an invalid command line was accepted"
 exit 0

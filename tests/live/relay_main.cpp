@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The smallest stage there can be, to test what surrounds one: answers each scan with a pose whose
-// x is the number of beams.
+// Minimal stage to test the node infrastructure: publishes for each scan a pose whose x is the
+// number of beams.
 #include "common/bus/channels.hpp"
 #include "common/bus/node/run_node.hpp"
 #include "common/bus/typed_messages.hpp"

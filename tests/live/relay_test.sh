@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: The Adit authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# relay_test.sh LIVE_LOGS RELAY: a log of ours through the real tools and back.
+# relay_test.sh LIVE_LOGS RELAY: a log of this project, played and recorded by LCM's tools.
 set -eu
 here=$(dirname "$(readlink -f "$0")")
 scratch=$(mktemp -d)

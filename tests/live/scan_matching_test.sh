@@ -3,13 +3,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # scan_matching_test.sh ADIT SCAN_MATCHING COMPARE_POSES
-# An imported log, played by lcm-logplayer to adit-scan_matching as a process of its own and recorded
-# by lcm-logger, gives the poses that `adit map` gives from the same log in one process.
+# An imported log, played by lcm-logplayer to the process adit-scan_matching and recorded by lcm-logger, gives
+# the same poses as `adit map` in one process.
 set -eu
 here=$(dirname "$(readlink -f "$0")")
 adit=$1; scan_matching=$2; compare_poses=$3
-kLengthM=60   # 75 s of driving, five scans a second
-kSpeed=6      # nothing is lost at thirty scans a second, on a slow or busy machine too
+kLengthM=60   # 150 s of driving, three scans a second
+kSpeed=10     # no message is lost at thirty scans a second, even on a slow or busy machine
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # simulated_time_test.sh ADIT SIM SCAN_MATCHING MAPPING CHECK_SIMULATED
-# The simulator as fast as it goes waits for the stages, each a process of its own, which lose
-# nothing, one fed by another as well; nor does its record. Says how many times real time that was.
+# The simulator, as fast as possible, waits for the stages, each a separate process: neither the stages, also those
+# that depend on others, nor the recorded log lose a message. Prints the real time factor.
 set -u
 here=$(dirname "$(readlink -f "$0")")
 
@@ -26,10 +26,10 @@ printf '16 0\n24 0\n32 7\n' >"$scratch/waypoints"
 "$adit" drive --waypoints "$scratch/waypoints" & driver=$!; processes+=("$driver")
 
 start=$(date +%s%N)
-"$sim" "$here/bent_drift.yaml" --speed max --config "$config" \
+"$sim" "$here/bent_tunnel.yaml" --speed max --config "$config" \
   --wait-for scan_matching,mapping,drive,check --record "$scratch/run.lcmlog" --for "$kSeconds" || exit 1
-echo "$((kSeconds * 10000000000 / ($(date +%s%N) - start))) tenths of times real time"
-sleep 2   # for what is on its way: no message tells that there is none
+echo "real time factor: 0.1 * $((kSeconds * 10000000000 / ($(date +%s%N) - start)))"
+sleep 2   # for messages in transit; no message marks their end
 
 for process in "$driver" "$matcher" "$mapper" "$check"; do
   kill -TERM "$process"

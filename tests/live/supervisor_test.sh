@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # supervisor_test.sh SUPERVISOR ADIT SHERIFF
-# Two supervisors on two computers, of which one is in charge, and a sheriff that speaks procman's
-# messages: starts over the network, refuses what is foreign, comes back after a SIGKILL without
-# having left an orphan. The computers are network namespaces with a cable between them.
+# Two supervisors on two computers, one of them in charge, and a sheriff that sends procman's messages: processes
+# start over the network, foreign orders are rejected, and a supervisor that is killed leaves no orphans and
+# recovers after its restart. The computers are network namespaces with a link between them.
 set -u
 here=$(dirname "$(readlink -f "$0")")
 
@@ -19,35 +19,35 @@ cat > "$scratch/list.cfg" <<EOF
 group "sensing" { cmd "near" { exec = "sleep $sleep_s"; deputy = "robot"; } }
 cmd "far" { exec = "sh -c 'echo hello from far; sleep $sleep_s & setsid sleep $sleep_s'";
             deputy = "sensors"; depends_on = "near"; stop_time_allowed = 1; }
-script "go" { start cmd "near" wait "running"; start cmd "far" wait "running" timeout_s 20; }
+script "start_all" { start cmd "near" wait "running"; start cmd "far" wait "running" timeout_s 20; }
 EOF
 
 start_robot
 start_sensors
 
-# The script of the one in charge starts what the other is to run.
-"$sheriff" await robot near running >/dev/null || fail "the process of the one in charge"
+# The start script of the computer in charge starts processes on both computers.
+"$sheriff" await robot near running >/dev/null || fail "process on the computer in charge"
 near=$("$sheriff" await robot near running)
-[[ $(ls "/proc/$near/fd" | wc -l) == 3 ]] || fail "near has inherited descriptors, as LCM's sockets are"
-far=$("$sheriff" await sensors far running) || fail "the process of the other computer"
-"$sheriff" output sensors far "hello from far" & listening=$!
+[[ $(ls "/proc/$near/fd" | wc -l) == 3 ]] || fail "near inherits file descriptors, such as LCM's sockets"
+far=$("$sheriff" await sensors far running) || fail "process on the other computer"
+"$sheriff" output sensors far "hello from far" & output=$!
 await_sleepers 3
 
-# Nobody else is obeyed, and nothing is run that is not in the list.
-"$sheriff" order sensors stranger far "" 99 stop
+# Orders of other sheriffs, and processes that are not in the list, are rejected.
+"$sheriff" order sensors foreign far "" 99 stop
 "$sheriff" order robot robot near "" 99 stop
 "$sheriff" order sensors robot far "sh -c 'sleep $sleep_s'" 99 start
 "$sheriff" order sensors robot evil "sleep $sleep_s" 1 start
-[[ $("$sheriff" await sensors far running) == "$far" ]] || fail "far was stopped by a stranger"
+[[ $("$sheriff" await sensors far running) == "$far" ]] || fail "far was stopped by a foreign sheriff"
 await_sleepers 3
 for reason in "foreign sheriff" "another command line" "not in the list"; do
-  await_output "$scratch/sensors.err" "PM_ORDERS refused.*$reason"
+  await_output "$scratch/sensors.err" "PM_ORDERS re.*ed.*$reason"
 done
-await_output "$scratch/robot.err" "PM_ORDERS refused.*foreign sheriff"   # not its own name either
+await_output "$scratch/robot.err" "PM_ORDERS re.*ed.*foreign sheriff"   # also not under its own name
 
-# A terminal of the one in charge is obeyed on both.
+# Commands on the computer in charge control both computers.
 "$adit" restart far --socket "$scratch/robot.sock" || fail "adit restart"
-wait "$listening" || fail "PM_OUTPUT"
+wait "$output" || fail "PM_OUTPUT"
 "$adit" stop far --socket "$scratch/robot.sock" || fail "adit stop"
 "$sheriff" await sensors far stopped >/dev/null || fail "far does not stop"
 await_sleepers 1
@@ -56,16 +56,16 @@ await_sleepers 1
 "$sheriff" await sensors far running >/dev/null || fail "far does not start"
 await_sleepers 3
 
-# A supervisor that is killed leaves nobody, and when it is back, what the one in charge wants runs.
+# A killed supervisor leaves no processes; after its restart, the requested processes run again.
 kill -KILL "$sensors"
 await_sleepers 1
 start_sensors
-"$sheriff" await sensors far running >/dev/null || fail "far does not come back"
+"$sheriff" await sensors far running >/dev/null || fail "far does not restart"
 await_sleepers 3
 "$adit" ps --socket "$scratch/robot.sock"
 "$adit" logs far --socket "$scratch/sensors.sock" | grep -q "hello from far" || fail "adit logs"
 
 kill -TERM "$robot" "$sensors"
-wait "$robot" || fail "the one in charge ended with $?"
-wait "$sensors" || fail "the other ended with $?"
+wait "$robot" || fail "the supervisor in charge exited with $?"
+wait "$sensors" || fail "the other supervisor exited with $?"
 await_sleepers 0

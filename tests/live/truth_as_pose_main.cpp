@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// adit-truth_as_pose: says where a simulated robot is, as scan matching would, until SIGTERM: TRUTH
-// goes out as POSE. The simulator may wait for it by the name `truth_as_pose`.
+// adit-truth_as_pose: replaces scan matching by ground truth until SIGTERM: publishes TRUTH as
+// POSE. The simulator can wait for it by the stage name `truth_as_pose`.
 #include <exception>
 #include <iostream>
 

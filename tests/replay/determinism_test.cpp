@@ -16,7 +16,7 @@
 namespace adit {
 namespace {
 
-constexpr double kLength = 60.0;  // local maps, and the first closures of neighbours
+constexpr double kLength = 60.0;  // with local maps and the first loop closures
 
 /// The messages on POSE.
 Trajectory poses_in(const std::filesystem::path& path) {
@@ -45,25 +45,25 @@ class DeterminismOf : public Determinism,
                       public testing::WithParamInterface<std::tuple<std::string, bool>> {
  protected:
   const std::string log_ = std::get<0>(GetParam());
-  const Odometry odometry_ = std::get<1>(GetParam()) ? Odometry::kUsed : Odometry::kLeftOut;
+  const Odometry odometry_ = std::get<1>(GetParam()) ? Odometry::kUsed : Odometry::kIgnored;
 };
 
-TEST_P(DeterminismOf, TheSameLogGivesTheSameBytesTwice) {
+TEST_P(DeterminismOf, GivesTheSameBytesTwice) {
   write_sample(log_, kLength);
   map(at(log_), "once", odometry_);
   map(at(log_), "twice", odometry_);
   expect_same_bytes("once", "twice");
 }
 
-TEST_P(DeterminismOf, TheRecordOfARunGivesTheSameRun) {
+TEST_P(DeterminismOf, TheLogOfARunGivesTheSameRun) {
   write_sample(log_, kLength);
   map(at(log_), "once", odometry_);
-  map(at("once/run.lcmlog"), "again", odometry_);
+  map(at("once/run.lcmlog"), "replayed", odometry_);
   for (const std::string name :
        {"/trajectory.tum", "/odometry.tum", "/run.lcmlog", "/graph.g2o", "/map.journal"}) {
-    EXPECT_TRUE(contents("once" + name) == contents("again" + name)) << name;
+    EXPECT_TRUE(contents("once" + name) == contents("replayed" + name)) << name;
   }
-  EXPECT_EQ(poses_in(at("once/run.lcmlog")), poses_in(at("again/run.lcmlog")));
+  EXPECT_EQ(poses_in(at("once/run.lcmlog")), poses_in(at("replayed/run.lcmlog")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Logs, DeterminismOf,
@@ -77,17 +77,17 @@ INSTANTIATE_TEST_SUITE_P(Logs, DeterminismOf,
                                                                : "WithoutOdometry");
                          });
 
-TEST_F(Determinism, TheSpellingOfALogDoesNotMatter) {
+TEST_F(Determinism, TheLogFormatDoesNotMatter) {
   write_sample("sample.lcmlog", kLength);
   write_sample("sample.log", kLength);
-  // CARMEN text keeps a range to the centimetre, as the laser does, but not all digits of odometry.
-  map(at("sample.lcmlog"), "lcm", Odometry::kLeftOut);
-  map(at("sample.log"), "carmen", Odometry::kLeftOut);
+  // CARMEN text has the 1 cm resolution of the laser, but not all digits of odometry.
+  map(at("sample.lcmlog"), "lcm", Odometry::kIgnored);
+  map(at("sample.log"), "carmen", Odometry::kIgnored);
   EXPECT_TRUE(contents("lcm/trajectory.tum") == contents("carmen/trajectory.tum"));
   EXPECT_TRUE(contents("lcm/graph.g2o") == contents("carmen/graph.g2o"));
 }
 
-TEST_F(Determinism, TheSameMapIsResumedInTheSameWay) {
+TEST_F(Determinism, ResumingIsReproducible) {
   write_sample("sample.lcmlog", kLength);
   map(at("sample.lcmlog"), "first");
   resume(at("sample.lcmlog"), "once", "first");
@@ -95,7 +95,7 @@ TEST_F(Determinism, TheSameMapIsResumedInTheSameWay) {
   expect_same_bytes("once", "twice");
 }
 
-TEST_F(Determinism, TheOdometryIsWhatWasPublished) {
+TEST_F(Determinism, OdometryFileHasThePublishedPoses) {
   write_sample("sample.lcmlog", kLength);
   map(at("sample.lcmlog"), "map");
   const Trajectory written = read_tum(at("map/odometry.tum"));
@@ -104,7 +104,7 @@ TEST_F(Determinism, TheOdometryIsWhatWasPublished) {
   for (std::size_t i = 0; i < written.size(); ++i) {
     EXPECT_EQ(written[i].utime, published[i].utime);
     const Pose2 error = between(written[i].pose, published[i].pose);
-    EXPECT_LT(error.translation().norm(), 1e-5);  // digits of the text
+    EXPECT_LT(error.translation().norm(), 1e-5);  // rounding in the text
     EXPECT_NEAR(error.theta, 0.0, 1e-5);
   }
 }

@@ -9,18 +9,18 @@
 
 #include "tests/support/scratch_folder.hpp"
 #include "tools/map/map_run.hpp"
-#include "tools/sample_mine/sample_log.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit {
 
-/// Runs the whole pipeline on logs of the sample mine, each test in a folder of its own.
+/// Runs the complete pipeline on logs of the sample mine, each test in its own folder.
 class MapRunTest : public testing::Test {
  protected:
-  enum class Odometry { kUsed, kLeftOut };
+  enum class Odometry { kUsed, kIgnored };
 
-  /// Writes the beginning of a drive through the mine; gives where the robot truly was.
+  /// Writes the first part of a drive through the mine; returns the true trajectory.
   Trajectory write_sample(const std::string& name, double length_m) const {
-    SampleRun run(1, {}, length_m);
+    SampleRun run({.length_max_m = length_m});
     write_sample_log(run, scratch_ / name);
     return run.truth();
   }
@@ -32,7 +32,7 @@ class MapRunTest : public testing::Test {
                    [](const std::string&, double) {});
   }
 
-  /// Goes on with the map in the folder `earlier`.
+  /// Continues the map in the folder `earlier`.
   MapRunResult resume(const std::filesystem::path& input, const std::string& folder,
                       const std::string& earlier) const {
     return run_map({input, scratch_ / folder, {}, true, scratch_ / earlier, true},

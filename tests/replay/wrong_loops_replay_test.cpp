@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Loops that place recognition found in the Bicocca building, a third of them wrong: what lazy data
-// association has promised to make of them (docs/results/association.md).
+// Lazy data association on the Bicocca data set, whose loop closures come from place recognition; a
+// third of them are wrong.
 #include <gtest/gtest.h>
 
 #include "common/pose_graph/optimize.hpp"
@@ -14,18 +14,18 @@ namespace {
 
 using test::LoopLabel;
 
-struct Promise {
+struct ExpectedResult {
   std::string name;
   int loops;
-  int right_accepted;  // at least
-  double rmse_m;       // at most
+  int correct_accepted;  // at least
+  double rmse_m;         // at most
 };
 
-void PrintTo(const Promise& promise, std::ostream* out) { *out << promise.name; }
+void PrintTo(const ExpectedResult& expected, std::ostream* out) { *out << expected.name; }
 
-class WrongLoopsOfBicocca : public testing::TestWithParam<Promise> {};
+class WrongLoopsOfBicocca : public testing::TestWithParam<ExpectedResult> {};
 
-TEST_P(WrongLoopsOfBicocca, AreLeftOutAndTheRightOnesKept) {
+TEST_P(WrongLoopsOfBicocca, AreRejectedAndCorrectOnesAccepted) {
   ADIT_RECORDING_OR_SKIP(g2o, "posegraph/" + GetParam().name + ".g2o");
   ADIT_RECORDING_OR_SKIP(truth, "posegraph/bicocca_ground_truth.txt.gz");
   test::LabelledGraph labelled = test::read_labelled_graph(g2o, truth);
@@ -34,15 +34,15 @@ TEST_P(WrongLoopsOfBicocca, AreLeftOutAndTheRightOnesKept) {
   EXPECT_EQ(std::ssize(lazy.constraint_of_loop_closure), GetParam().loops);
   EXPECT_EQ(test::count_accepted(labelled, lazy.accepted, LoopLabel::kWrong), 0);
   EXPECT_GE(test::count_accepted(labelled, lazy.accepted, LoopLabel::kRight),
-            GetParam().right_accepted);
+            GetParam().correct_accepted);
 
   ASSERT_TRUE(optimize_accepted(labelled.graph, lazy.accepted).converged);
   EXPECT_LE(test::rmse_m(labelled, labelled.graph.poses), GetParam().rmse_m);
 }
 
 INSTANTIATE_TEST_SUITE_P(Replay, WrongLoopsOfBicocca,
-                         testing::Values(Promise{"bicocca_0.150", 350, 190, 1.1},
-                                         Promise{"bicocca_0.500", 122, 116, 1.0}),
+                         testing::Values(ExpectedResult{"bicocca_0.150", 350, 190, 1.1},
+                                         ExpectedResult{"bicocca_0.500", 122, 116, 1.0}),
                          [](const auto& promise) {
                            return promise.param.name.substr(8, 1) + "_" +
                                   promise.param.name.substr(10);

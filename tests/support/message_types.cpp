@@ -93,7 +93,7 @@ Association sample_association() {
   return association;
 }
 
-/// Those of a vehicle that is driven.
+/// Types for the control and state of the vehicle.
 std::vector<MessageType> vehicle_types() {
   const DriveCommand drive{kUtime, 0.4, -0.2};
   const StopOrder stop{kUtime, true, "a wall is near"};
@@ -146,7 +146,7 @@ ExplorationReport sample_exploration() {
       ExplorationDecision::Kind::kAlong, {20.0, -3.0, 0.1}, 12.5, 1, false, "straight on"};
   report.T_odom_goal = {20.1, -2.9, 0.1};
   report.route_odom = {{12.0, -3.0}, {16.5, -2.5}, {20.0, -3.0}};
-  report.budget = {800.0, 120.0, 310.0};
+  report.budget = {800.0, 310.0};
   report.frontiers = {{0, 3, {5, 1}, {0, 1}, 2.8, FrontierState::kBlocked, kUtime, "a beam"},
                       {1, 7, {20, -3}, {1, 0}, 3.1, FrontierState::kOpen, kUtime, ""}};
   report.corridors = {{{{0, 0}, CorridorNode::Kind::kDeadEnd}, {{20, -3}, {}}},
@@ -154,7 +154,7 @@ ExplorationReport sample_exploration() {
   return report;
 }
 
-/// Those from a look at the ground to a drive, and where to go next.
+/// Types from a 3D scan to a drive, and of exploration.
 std::vector<MessageType> navigation_types() {
   const PlanGoal goal{
       kUtime, 4, PlanGoal::Kind::kRoute, {20.0, -3.0, 0.1}, 10.0, {{12.0, -3.0}, {20.0, -3.0}}};
@@ -162,8 +162,7 @@ std::vector<MessageType> navigation_types() {
       kUtime, 4, DrivingState::Kind::kWaiting, "the pose is old", 2.5, 7.1, {0.02, -0.01}};
   return {type_of(channels::kScanRequest, to_message(ScanRequest{kUtime, 3, LaserId::kFront})),
           type_of(channels::kCloud, to_message(split(sample_cloud()).front())),
-          type_of(channels::kCloudRequest,
-                  to_message(CloudRequest{kUtime, "volume_map", 0, {kUtime - 1}})),
+          type_of(channels::kCloudRequest, to_message(CloudRequest{kUtime, 0, {kUtime - 1}})),
           type_of(channels::kCloudResend, to_message(split(sample_cloud()).front())),
           type_of(channels::kTerrain, to_message(split(sample_terrain()).front())),
           type_of(channels::kTerrainReady, to_message(TerrainReady{kUtime, 3, true})),
@@ -174,7 +173,7 @@ std::vector<MessageType> navigation_types() {
           type_of(channels::kExploration, to_message(sample_exploration()))};
 }
 
-/// Those of a mission.
+/// Types of a mission.
 std::vector<MessageType> mission_types() {
   MissionPhase phase;
   phase.utime = kUtime;
@@ -196,7 +195,7 @@ std::vector<MessageType> mission_types() {
           type_of(channels::kMissionOrder, to_message(order))};
 }
 
-/// Those of a simulated run.
+/// Types of a simulated run.
 std::vector<MessageType> simulation_types() {
   const RunState state{kUtime, 120.5, "hit a post"};
   return {type_of(channels::kRunState, to_message(state)),
@@ -204,7 +203,7 @@ std::vector<MessageType> simulation_types() {
           type_of(channels::kSimTimeDone, to_message(SimTimeDone{kUtime, "mapping"}))};
 }
 
-/// Those of procman.
+/// Types of procman.
 std::vector<MessageType> procman_types() {
   const ProcmanCommand command{"mapping", "adit-mapping --sim-time", "slam", true, 15, 3.0};
   const ProcmanInfo info{kUtime,

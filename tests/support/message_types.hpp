@@ -11,14 +11,14 @@
 
 namespace adit {
 
-/// A type of message, as tests that go over all types need it.
+/// A message type with a sample, for tests that iterate over all types.
 struct MessageType {
   std::string name;     ///< "pose_t"
-  std::string channel;  ///< one that it is on
+  std::string channel;  ///< a channel of the type
   std::int64_t fingerprint = 0;
-  std::vector<std::uint8_t> sample;  ///< the bytes of a good message
+  std::vector<std::uint8_t> sample;  ///< the encoding of a valid message
 
-  /// What a stage does with the bytes: decodes and converts. The reason of refusal, or nothing.
+  /// Decodes and converts like a stage. Returns the reason for rejection, or nothing.
   std::function<std::string_view(std::span<const std::uint8_t>)> process;
 
   std::string package = "adit";

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A sample of the corridors of tests/eval, corridor_scenes_table.
+// A subset of the corridors of corridor_scenes_table in tests/eval.
 #include <gtest/gtest.h>
 
 #include "tests/support/scores/corridor_run.hpp"
@@ -9,15 +9,15 @@
 namespace adit {
 namespace {
 
-constexpr int kScenes = 20;  // one of each kind
-constexpr double kEnoughM = 8.0;
-constexpr double kRoomM = 0.2;  // what cells and the regions of the terrain take away
+constexpr int kScenes = 20;  // one per kind
+constexpr double kDistanceM = 8.0;
+constexpr double kInflationM = 0.2;  // cell size and regions of the terrain
 
 class CorridorScenes : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(OfBothEstimators, CorridorScenes, testing::Values("kth", "paper"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST_P(CorridorScenes, AreDrivenWithoutFaultAndSolvedWhereThereIsRoom) {
+TEST_P(CorridorScenes, PathsAreFreeOfCollisionsAndFoundIfFeasible) {
   Planning planning{PlanningParams{}};
   for (int seed = 0; seed < kScenes; ++seed) {
     const Corridor corridor = random_corridor_with_robot(seed);
@@ -25,8 +25,8 @@ TEST_P(CorridorScenes, AreDrivenWithoutFaultAndSolvedWhereThereIsRoom) {
         run_corridor(corridor, GetParam(), static_cast<std::uint64_t>(seed), planning);
     EXPECT_FALSE(run.fault) << seed << ' ' << corridor.kind << ' ' << run.fault->what;
     if (run.found()) continue;
-    EXPECT_LT(feasible_distance_m(corridor, inflated_vehicle(Vehicle{}, kRoomM), kEnoughM),
-              kEnoughM)
+    EXPECT_LT(feasible_distance_m(corridor, inflated_vehicle(Vehicle{}, kInflationM), kDistanceM),
+              kDistanceM)
         << seed << ' ' << corridor.kind << ' ' << run.path.reason;
   }
 }

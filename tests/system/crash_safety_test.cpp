@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The mapping dies again and again, without a farewell, and begins again where its journal ends.
+// Mapping is killed repeatedly without notice, and restarts from its journal.
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -23,44 +23,44 @@
 #include "procs/scan_matching/scan_matching.hpp"
 #include "tests/support/scores/stored_map_score.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tools/sample_mine/sample_run.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit {
 namespace {
 
 constexpr std::int64_t kHour = 3'600'000'000;
 
-/// A scan and what scan matching made of it.
+/// A scan and its match.
 struct MatchedScan {
   LaserScan scan;
   ScanMatch match;
 };
 
-/// What somebody on the bus knows who lives longer than the mapping.
+/// Messages that a subscriber received from all mapping processes.
 struct Received {
   std::vector<LocalMap> maps;
   std::vector<Association> associations;
   std::optional<MapGraph> graph;
 };
 
-/// The mapping from its start to its death, which is that of this object.
-class Life {
+/// One process of mapping; the destructor kills it.
+class MappingProcess {
  public:
-  Life(const std::filesystem::path& journal, Received& received, bool carried = false) {
-    listen(received);
+  MappingProcess(const std::filesystem::path& journal, Received& received, bool carried = false) {
+    subscribe_all(received);
     MappingNodeParams params;
     params.carried = carried;
     params.journal = journal.string();
     node_ = std::make_unique<MappingNode>(bus_, params);
   }
 
-  void add(const MatchedScan& seen) {
-    bus_.inject(seen.scan.utime, channels::kLaserFront, encode(to_message(seen.scan)));
-    bus_.inject(seen.scan.utime, channels::kScanMatch, encode(to_message(seen.match)));
+  void add(const MatchedScan& matched) {
+    bus_.inject(matched.scan.utime, channels::kLaserFront, encode(to_message(matched.scan)));
+    bus_.inject(matched.scan.utime, channels::kScanMatch, encode(to_message(matched.match)));
   }
 
  private:
-  void listen(Received& received) {
+  void subscribe_all(Received& received) {
     subscribe<local_map_t>(bus_, channels::kLocalMap, Delivery::queued(100),
                            [&](const LocalMapFragment& fragment) {
                              if (auto map = maps_.add(fragment))
@@ -81,11 +81,11 @@ class Life {
   std::unique_ptr<MappingNode> node_;
 };
 
-/// A drive that closes loops, through the sample mine.
+/// A drive with loop closures through the sample mine.
 class CrashSafety : public testing::TestWithParam<unsigned> {
  protected:
   static void SetUpTestSuite() {
-    SampleRun run(1, {}, 300.0);
+    SampleRun run({.length_max_m = 300.0});
     ScanMatching matching(ScanMatchingParams{});
     while (const auto reading = run.next()) {
       matching.add(reading->odometry);
@@ -96,18 +96,19 @@ class CrashSafety : public testing::TestWithParam<unsigned> {
     truth_ = run.truth();
   }
 
-  /// Drives on, dying at random moments and missing what happens until the next life begins.
-  /// `after_death` is called with the journal closed.
-  template <class AfterDeath>
-  void drive(AfterDeath after_death) {
+  /// Runs the complete drive with kills at random times; scans until the next start are lost.
+  /// `after_kill` is called with the journal closed.
+  template <class AfterKill>
+  void drive(AfterKill after_kill) {
     constexpr int kScansMin = 20;
-    std::uniform_int_distribution<int> lived(kScansMin, 500);
-    std::uniform_int_distribution<int> dead(0, 20);
-    for (std::size_t i = 0; i < drive_.size(); i += static_cast<std::size_t>(dead(random_))) {
-      Life life(journal_, received_);
-      for (int k = lived(random_); k > 0 && i < drive_.size(); --k) life.add(drive_[i++]);
-      ++lives_;
-      if (i < drive_.size()) after_death();
+    std::uniform_int_distribution<int> run_length(kScansMin, 500);
+    std::uniform_int_distribution<int> outage_length(0, 20);
+    for (std::size_t i = 0; i < drive_.size();
+         i += static_cast<std::size_t>(outage_length(random_))) {
+      MappingProcess mapping(journal_, received_);
+      for (int k = run_length(random_); k > 0 && i < drive_.size(); --k) mapping.add(drive_[i++]);
+      ++starts_;
+      if (i < drive_.size()) after_kill();
     }
   }
 
@@ -117,7 +118,7 @@ class CrashSafety : public testing::TestWithParam<unsigned> {
     EXPECT_TRUE(stored.associations == received_.associations);
   }
 
-  void expect_one_map_of_the_mine() const {
+  void expect_consistent_map() const {
     const StoredMap stored = read_map_journal(journal_);
     const MapGraph graph = test::restore_graph(stored);
     EXPECT_LT(test::error_of(stored, graph, truth_).farthest_m, 0.5);
@@ -127,15 +128,15 @@ class CrashSafety : public testing::TestWithParam<unsigned> {
     }
   }
 
-  /// Cuts some bytes off the last record, all of them at most.
-  void tear_journal() {
+  /// Truncates a random number of bytes of the last record.
+  void truncate_journal() {
     std::size_t last = 0;
     read_journal(journal_, [&](const JournalRecord& record) {
       last = journal_format::kHeaderBytes + record.kind.size() + record.bytes.size();
     });
     if (last == 0) return;
-    const std::size_t cut = std::uniform_int_distribution<std::size_t>(1, last)(random_);
-    std::filesystem::resize_file(journal_, std::filesystem::file_size(journal_) - cut);
+    const std::size_t bytes = std::uniform_int_distribution<std::size_t>(1, last)(random_);
+    std::filesystem::resize_file(journal_, std::filesystem::file_size(journal_) - bytes);
   }
 
   inline static std::vector<MatchedScan> drive_;
@@ -145,17 +146,17 @@ class CrashSafety : public testing::TestWithParam<unsigned> {
   std::filesystem::path journal_ = scratch_ / "map.journal";
   std::mt19937 random_{GetParam()};
   Received received_;
-  int lives_ = 0;
+  int starts_ = 0;
 };
 
-TEST_P(CrashSafety, NothingThatWasAnnouncedIsForgotten) {
+TEST_P(CrashSafety, JournalContainsAllPublishedData) {
   drive([&] { expect_journal_matches_received(); });
   expect_journal_matches_received();
-  EXPECT_GT(lives_, 3);
-  expect_one_map_of_the_mine();
+  EXPECT_GT(starts_, 3);
+  expect_consistent_map();
 }
 
-TEST_P(CrashSafety, TheMapIsRestoredAsItWas) {
+TEST_P(CrashSafety, RestoresTheMap) {
   drive([&] {
     if (!received_.graph) return;
     const MapGraph graph = test::restore_graph(read_map_journal(journal_));
@@ -163,16 +164,16 @@ TEST_P(CrashSafety, TheMapIsRestoredAsItWas) {
     EXPECT_EQ(graph.constraints.size(), received_.graph->constraints.size());
     double farthest_m = 0.0;
     for (std::size_t i = 0; i < graph.poses.size(); ++i) {
-      const Pose2 off = between(received_.graph->poses[i], graph.poses[i]);
-      farthest_m = std::max(farthest_m, off.translation().norm());
+      const Pose2 error = between(received_.graph->poses[i], graph.poses[i]);
+      farthest_m = std::max(farthest_m, error.translation().norm());
     }
-    EXPECT_LT(farthest_m, 0.02);  // before, it was linear in what was added last
+    EXPECT_LT(farthest_m, 0.02);  // the map before the kill was linearized for the last constraints
   });
 }
 
-TEST_P(CrashSafety, ATornRecordIsAllThatIsLost) {
+TEST_P(CrashSafety, LosesOnlyATornRecord) {
   drive([&] {
-    tear_journal();
+    truncate_journal();
     const StoredMap stored = read_map_journal(journal_);
     const std::size_t maps_lost = received_.maps.size() - stored.maps.size();
     const std::size_t associations_lost =
@@ -183,32 +184,32 @@ TEST_P(CrashSafety, ATornRecordIsAllThatIsLost) {
     expect_journal_matches_received();
   });
   expect_journal_matches_received();
-  expect_one_map_of_the_mine();
+  expect_consistent_map();
 }
 
-/// As it would be seen an hour later, in an odom frame that begins at the first scan of then.
-MatchedScan seen_again(const MatchedScan& seen, const MatchedScan& first) {
-  MatchedScan again = seen;
-  again.scan.utime += kHour;
-  again.match.utime += kHour;
-  again.match.reference_utime += kHour;
-  again.match.T_odom_body = between(first.match.T_odom_body, seen.match.T_odom_body);
-  if (seen.match.utime == first.match.utime) {
-    again.match.status = ScanMatch::Status::kFirstScan;
-    again.match.reference_utime = 0;
+/// The same scan an hour later, in an odom frame that starts at `first`.
+MatchedScan one_hour_later(const MatchedScan& matched, const MatchedScan& first) {
+  MatchedScan later = matched;
+  later.scan.utime += kHour;
+  later.match.utime += kHour;
+  later.match.reference_utime += kHour;
+  later.match.T_odom_body = between(first.match.T_odom_body, matched.match.T_odom_body);
+  if (matched.match.utime == first.match.utime) {
+    later.match.status = ScanMatch::Status::kFirstScan;
+    later.match.reference_utime = 0;
   }
-  return again;
+  return later;
 }
 
-TEST_P(CrashSafety, FindsItselfAfterTheWholeRobotBeganAgainElsewhere) {
+TEST_P(CrashSafety, LocalizesAfterAStartAtAnotherPlace) {
   drive([] {});
   constexpr std::size_t kScans = 250;  // 40 m
   const std::size_t from =
       std::uniform_int_distribution<std::size_t>(0, drive_.size() - kScans)(random_);
   {
-    Life life(journal_, received_, true);
+    MappingProcess mapping(journal_, received_, true);
     for (std::size_t i = from; i < from + kScans; ++i)
-      life.add(seen_again(drive_[i], drive_[from]));
+      mapping.add(one_hour_later(drive_[i], drive_[from]));
   }
   const LocalMap& newest = received_.maps.back();
   ASSERT_GT(newest.utime, drive_.back().scan.utime);

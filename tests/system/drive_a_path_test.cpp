@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A simulated robot looks at a drift with a post in it, finds its way and drives there: all nodes
-// from the laser to the wheels on one bus.
+// A simulated robot scans a tunnel with a post, plans a path and drives it: all nodes from the
+// laser to the wheels on one bus.
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -31,9 +31,9 @@ World tunnel_with_post() {
 }
 
 template <class Robot>
-class RobotThatDrives {
+class DrivingRobot {
  public:
-  RobotThatDrives() : robot_(tunnel_with_post()) {
+  DrivingRobot() : robot_(tunnel_with_post()) {
     subscribe<driving_state_t>(bus_, channels::kDrivingState, Delivery::latest(),
                                [this](const DrivingState& state) { state_ = state; });
     subscribe<run_state_t>(bus_, channels::kRunState, Delivery::latest(),
@@ -44,7 +44,7 @@ class RobotThatDrives {
 
   void scan_and_plan(double distance_m) { robot_.scan_and_plan(distance_m); }
 
-  /// Until it stands again, for two minutes at most; the true errors, each 0.1 s.
+  /// Runs until arrival, at most two minutes; returns the true cross-track errors every 0.1 s.
   std::vector<double> drive() {
     CrossTrackError error(path().points);
     std::vector<double> errors_m;
@@ -52,7 +52,7 @@ class RobotThatDrives {
       robot_.run(0.1);
       errors_m.push_back(error(truth_.translation()));
     }
-    robot_.run(1.5);  // a RUN_STATE comes each second
+    robot_.run(1.5);  // RUN_STATE has a period of one second
     return errors_m;
   }
 
@@ -76,8 +76,8 @@ class DriveAPath : public testing::Test {};
 using Robots = testing::Types<GroundTruthRobot, ScanMatchingRobot>;
 TYPED_TEST_SUITE(DriveAPath, Robots);
 
-TYPED_TEST(DriveAPath, GoesRoundAPostAndArrives) {
-  RobotThatDrives<TypeParam> robot;
+TYPED_TEST(DriveAPath, PassesAPostAndArrives) {
+  DrivingRobot<TypeParam> robot;
   robot.scan_and_plan(8.0);
   ASSERT_EQ(robot.path().outcome, PlanOutcome::kFound) << robot.path().reason;
   const std::vector<double> errors_m = robot.drive();

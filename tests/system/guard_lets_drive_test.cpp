@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where nothing is wrong, the guard lets the robot drive.
+// The guard does not stop the robot without a reason.
 #include <gtest/gtest.h>
 
 #include "procs/scan_matching/scan_matching_node.hpp"
@@ -15,8 +15,8 @@ namespace {
 
 constexpr BoxTunnel kNarrow{40.0, 1.8, 2.0};  // 0.3 m on either side of the vehicle
 
-/// Way in twenty seconds, which must be without a stop.
-double path_length_m(World world, double speed_m_s) {
+/// Distance driven in twenty seconds, which must be without a stop.
+double distance_without_stop_m(World world, double speed_m_s) {
   GuardedRobot robot(std::move(world));
   robot.drive(speed_m_s);
   robot.run(20.0);
@@ -26,10 +26,10 @@ double path_length_m(World world, double speed_m_s) {
   return std::abs(robot.motion().T_world_body.translation().x());
 }
 
-TEST(GuardLetsDrive, DownTheMiddleOfANarrowDrift) {
-  EXPECT_GT(path_length_m(box_tunnel(kNarrow), 0.5),
-            8.5);  // less slip, the release and acceleration
-  EXPECT_GT(path_length_m(box_tunnel(kNarrow), -0.5), 8.5);
+TEST(GuardLetsDrive, InANarrowTunnel) {
+  EXPECT_GT(distance_without_stop_m(box_tunnel(kNarrow), 0.5),
+            8.5);  // 10 m less slip, release time and acceleration
+  EXPECT_GT(distance_without_stop_m(box_tunnel(kNarrow), -0.5), 8.5);
 }
 
 TEST(GuardLetsDrive, OverRails) {
@@ -39,24 +39,24 @@ TEST(GuardLetsDrive, OverRails) {
       builder.box(level_box({x, 0.0, 0.06}, {0.07, 1.8, 0.12}));
     }
   };
-  EXPECT_GT(path_length_m(box_tunnel(kNarrow, rails), 0.5), 8.5);
-  EXPECT_GT(path_length_m(box_tunnel(kNarrow, rails), 0.2), 3.0);
+  EXPECT_GT(distance_without_stop_m(box_tunnel(kNarrow, rails), 0.5), 8.5);
+  EXPECT_GT(distance_without_stop_m(box_tunnel(kNarrow, rails), 0.2), 3.0);
 }
 
 World rough_tunnel() {
-  WorldDescription rough;  // walls of 0.12 m to either side
+  WorldDescription rough;  // relief of the walls 0.12 m to either side
   rough.name = "rough";
   rough.T_world_start = {5.0, 0.0, 0.0};
-  rough.plan.tunnels.push_back({"drift", {0.0, 0.0, 40.0, 0.0}, 2.4});
+  rough.plan.tunnels.push_back({"tunnel", {0.0, 0.0, 40.0, 0.0}, 2.4});
   rough.heights.floor_relief = {.height_m = 0.06, .length_m = 1.0};
   return build_world(rough);
 }
 
 TEST(GuardLetsDrive, OverRoughGround) {
-  EXPECT_GT(path_length_m(rough_tunnel(), 0.5), 5.0 + 8.0);  // from where it starts
+  EXPECT_GT(distance_without_stop_m(rough_tunnel(), 0.5), 5.0 + 8.0);  // start at x = 5
 }
 
-TEST(GuardLetsDrive, WithThePoseOfScanMatching) {
+TEST(GuardLetsDrive, WithPosesOfScanMatching) {
   GuardedRobot robot(rough_tunnel());
   const ScanMatchingNode scan_matching(robot.bus(), with_groundhog_lasers<ScanMatchingParams>());
   robot.stop_localization();
@@ -80,19 +80,19 @@ TEST(GuardLetsDrive, UpAndDownASlope) {
     slope(2.0, 0.0, 5.0, 0.6);
     slope(5.0, 0.6, 8.0, 0.0);
   };
-  EXPECT_GT(path_length_m(box_tunnel({40.0, 1.8, 3.0}, hump), 0.5), 8.5);
+  EXPECT_GT(distance_without_stop_m(box_tunnel({40.0, 1.8, 3.0}, hump), 0.5), 8.5);
 }
 
-TEST(GuardLetsDrive, BackOutOfADeadEnd) {
+TEST(GuardLetsDrive, OutOfADeadEndInReverse) {
   GuardedRobot robot(box_tunnel({8.0, 1.8, 2.0}));
   robot.drive(0.4);
   robot.run(15.0);
   EXPECT_TRUE(robot.order().stopped);
-  const double there = robot.motion().T_world_body.translation().x();
+  const double x_stop = robot.motion().T_world_body.translation().x();
   robot.drive(-0.4);
   robot.run(5.0);
   EXPECT_FALSE(robot.order().stopped) << robot.order().reason;
-  EXPECT_LT(robot.motion().T_world_body.translation().x(), there - 1.0);
+  EXPECT_LT(robot.motion().T_world_body.translation().x(), x_stop - 1.0);
 }
 
 }  // namespace

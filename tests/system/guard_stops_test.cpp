@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Each reason to stand, provoked in the simulator: the vehicle stands, and touches nothing. At
-// Groundhog's 0.15 m/s it stands within 300 ms, of which braking at 0.8 m/s² takes 188. For what is
-// measured, this counts from the message that says so; for silence, from the moment when the source
-// was silent for its time-out: 250 ms for lasers, pose and commands, 3 s for the supervisor.
+// Each stop reason of the guard, provoked in the simulator: the vehicle stops without a collision.
+// At Groundhog's 0.15 m/s it stops within 300 ms, of which braking at 0.8 m/s² takes 188 ms. The
+// time counts from the message with the measurement, or from the timeout of a stale source: 250 ms
+// for lasers, pose and commands, 3 s for the supervisor.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -27,24 +27,24 @@ using testing::Le;
 using testing::Optional;
 
 constexpr double kGroundhogM_S = 0.15;
-constexpr double kSoonS = 0.3;
+constexpr double kStopTimeMaxS = 0.3;
 constexpr double kTimeoutS = 0.25;
-constexpr double kFront = 1.2;  // of the vehicle, from its middle [m]
+constexpr double kFrontM = 1.2;  // from the vehicle centre to its front
 
 class GuardStops : public testing::Test {
  protected:
-  /// Driving for three seconds.
+  /// Drives for three seconds.
   static void start(GuardedRobot& robot, double speed_m_s = kGroundhogM_S) {
     robot.drive(speed_m_s);
     robot.run(3.0);
     ASSERT_FALSE(robot.order().stopped) << robot.order().reason;
     ASSERT_GT(robot.speed_m_s(), 0.8 * std::abs(speed_m_s));
   }
-  static void expect_soon(GuardedRobot& robot, const std::function<bool()>& is_true,
+  static void expect_stop(GuardedRobot& robot, const std::function<bool()>& condition,
                           double seconds_max) {
-    const auto seconds = robot.seconds_to_standstill(is_true, seconds_max);
-    EXPECT_THAT(seconds, Optional(AllOf(Gt(0.0), Le(kSoonS + 1e-9))));  // rounding
-    RecordProperty("ms_to_stand", static_cast<int>(std::lround(1e3 * seconds.value_or(NAN))));
+    const auto seconds = robot.seconds_to_standstill(condition, seconds_max);
+    EXPECT_THAT(seconds, Optional(AllOf(Gt(0.0), Le(kStopTimeMaxS + 1e-9))));  // rounding
+    RecordProperty("stopping_time_ms", static_cast<int>(std::lround(1e3 * seconds.value_or(NAN))));
   }
   static void expect_reason(const GuardedRobot& robot, const std::string& text) {
     EXPECT_TRUE(robot.order().stopped);
@@ -58,41 +58,41 @@ class GuardStops : public testing::Test {
   }
 };
 
-/// What is left between the front of the vehicle and something ahead, once it stands.
-double left_m(World world, double obstacle_x_m, double speed_m_s) {
+/// Distance between the front of the stopped vehicle and an obstacle ahead.
+double clearance_m(World world, double obstacle_x_m, double speed_m_s) {
   GuardedRobot robot(std::move(world));
   robot.drive(speed_m_s);
   robot.run(25.0);
   EXPECT_EQ(robot.failure(), "");
   EXPECT_EQ(robot.speed_m_s(), 0.0);
   EXPECT_THAT(robot.order().reason, HasSubstr("obstacle"));
-  return obstacle_x_m - kFront - robot.motion().T_world_body.translation().x();
+  return obstacle_x_m - kFrontM - robot.motion().T_world_body.translation().x();
 }
 
-TEST_F(GuardStops, BeforeAWall) {
+TEST_F(GuardStops, InFrontOfAWall) {
   for (const double speed : {0.15, 0.3, 0.5}) {
-    const double left = left_m(box_tunnel({8.0, 4.0, 2.0}), 4.0, speed);
-    EXPECT_GT(left, 0.15) << speed;  // the margin
-    EXPECT_LT(left, 0.35) << speed;
-    RecordProperty("mm_left_at_mm_s_" + std::to_string(std::lround(1e3 * speed)),
-                   static_cast<int>(std::lround(1e3 * left)));
+    const double clearance = clearance_m(box_tunnel({8.0, 4.0, 2.0}), 4.0, speed);
+    EXPECT_GT(clearance, 0.15) << speed;  // safety margin
+    EXPECT_LT(clearance, 0.35) << speed;
+    RecordProperty("clearance_mm_at_mm_s_" + std::to_string(std::lround(1e3 * speed)),
+                   static_cast<int>(std::lround(1e3 * clearance)));
   }
 }
 
-TEST_F(GuardStops, BeforeAPost) {
+TEST_F(GuardStops, InFrontOfAPost) {
   for (const double y : {0.0, 0.3, -0.55}) {
     const auto post = [y](MeshBuilder& builder) {
       builder.begin_part(PartKind::kOther, Material::kTimber, "post");
       builder.bar({4.0, y, 0.0}, {4.0, y, 2.0}, 0.03);
     };
-    const double left = left_m(box_tunnel({40.0, 4.0, 2.0}, post), 3.97, 0.4);
-    EXPECT_GT(left, 0.1) << y;
-    RecordProperty("mm_left_at_mm_" + std::to_string(std::lround(1e3 * y)),
-                   static_cast<int>(std::lround(1e3 * left)));
+    const double clearance = clearance_m(box_tunnel({40.0, 4.0, 2.0}, post), 3.97, 0.4);
+    EXPECT_GT(clearance, 0.1) << y;
+    RecordProperty("clearance_mm_at_mm_" + std::to_string(std::lround(1e3 * y)),
+                   static_cast<int>(std::lround(1e3 * clearance)));
   }
 }
 
-TEST_F(GuardStops, BeforeWhatIsBehindInReverse) {
+TEST_F(GuardStops, ForAnObstacleBehindInReverse) {
   GuardedRobot robot(box_tunnel({8.0, 4.0, 2.0}));
   robot.drive(-0.3);
   robot.run(20.0);
@@ -100,41 +100,41 @@ TEST_F(GuardStops, BeforeWhatIsBehindInReverse) {
   EXPECT_EQ(robot.speed_m_s(), 0.0);
 }
 
-TEST_F(GuardStops, ForALaserThatDies) {
+TEST_F(GuardStops, ForAFailedLaser) {
   GuardedRobot robot(box_tunnel(), with_fault({"laser_dies", 3.5, "front", 0.0}));
   start(robot);
   const auto stale = [&] { return robot.message_age_s(channels::kLaserFront) > kTimeoutS; };
-  expect_soon(robot, stale, 5.0);
-  expect_reason(robot, "laser front silent");
+  expect_stop(robot, stale, 5.0);
+  expect_reason(robot, "laser front stale");
 }
 
-TEST_F(GuardStops, ForTheLaserBehindInReverse) {
+TEST_F(GuardStops, ForAFailedRearLaserInReverse) {
   GuardedRobot robot(box_tunnel(), with_fault({"laser_dies", 3.5, "rear", 0.0}));
   start(robot, -kGroundhogM_S);
   const auto stale = [&] { return robot.message_age_s(channels::kLaserRear) > kTimeoutS; };
-  expect_soon(robot, stale, 5.0);
-  expect_reason(robot, "laser rear silent");
+  expect_stop(robot, stale, 5.0);
+  expect_reason(robot, "laser rear stale");
 }
 
-TEST_F(GuardStops, ForAPoseThatNoLongerComes) {
+TEST_F(GuardStops, ForAStalePose) {
   GuardedRobot robot(box_tunnel());
   start(robot);
   robot.stop_localization();
   const auto stale = [&] { return robot.message_age_s(channels::kPose) > kTimeoutS; };
-  expect_soon(robot, stale, 5.0);
-  expect_reason(robot, "pose silent");
+  expect_stop(robot, stale, 5.0);
+  expect_reason(robot, "pose stale");
 }
 
-TEST_F(GuardStops, ForCommandsThatNoLongerCome) {
+TEST_F(GuardStops, ForStaleCommands) {
   GuardedRobot robot(box_tunnel());
   start(robot);
   robot.stop_commands();
   const auto stale = [&] { return robot.message_age_s(channels::kDriveCommand) > kTimeoutS; };
-  expect_soon(robot, stale, 5.0);
-  expect_reason(robot, "command silent");
+  expect_stop(robot, stale, 5.0);
+  expect_reason(robot, "command stale");
 }
 
-TEST_F(GuardStops, ForASupervisorThatIsNoMore) {
+TEST_F(GuardStops, ForAStaleSupervisor) {
   GuardedRobot robot(box_tunnel());
   robot.set_supervised(true);
   start(robot);
@@ -142,12 +142,12 @@ TEST_F(GuardStops, ForASupervisorThatIsNoMore) {
   EXPECT_FALSE(robot.order().stopped);
   robot.set_supervised(false);
   const auto stale = [&] { return robot.message_age_s(channels::kHeartbeat) > 3.0; };
-  expect_soon(robot, stale, 10.0);
-  expect_reason(robot, "supervisor silent");
+  expect_stop(robot, stale, 10.0);
+  expect_reason(robot, "supervisor stale");
 }
 
 TEST_F(GuardStops, ForRoll) {
-  // The left wheels climb a slope of 0.2, so that the body rolls more and more.
+  // The left wheels climb a slope of 0.2, so that the roll increases.
   GuardedRobot robot(box_tunnel({40.0, 4.0, 4.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kOther, Material::kRock, "bank");
     const auto corner = [&](double x, double y, double z) {
@@ -161,7 +161,7 @@ TEST_F(GuardStops, ForRoll) {
     const Eigen::Matrix3d R = robot.motion().T_world_body.linear();
     return std::atan2(R(2, 1), R(2, 2)) > 0.4;
   };
-  expect_soon(robot, rolled, 40.0);
+  expect_stop(robot, rolled, 40.0);
   expect_reason(robot, "roll of 0.4");
 }
 
@@ -171,38 +171,38 @@ TEST_F(GuardStops, ForMud) {
   GuardedRobot robot(std::move(world));
   start(robot);
   const auto sunk = [&] { return std::ranges::max(robot.sinkage().depth_m) > 0.15; };
-  expect_soon(robot, sunk, 40.0);
+  expect_stop(robot, sunk, 40.0);
   expect_reason(robot, "wheel sunk in by 0.1");
 }
 
-TEST_F(GuardStops, ForGasAndLetsTheRobotLeave) {
+TEST_F(GuardStops, ForGasAndPermitsReversing) {
   World world = box_tunnel();
   world.gas.push_back({"pocket", {6.0, 0.0}, 1.0, 0.05});
   GuardedRobot robot(std::move(world));
   start(robot);
-  const auto gassed = [&] { return robot.gas().methane_share >= 0.01; };
-  expect_soon(robot, gassed, 60.0);
+  const auto has_gas = [&] { return robot.gas().methane_share >= 0.01; };
+  expect_stop(robot, has_gas, 60.0);
   expect_reason(robot, "methane 1.");
-  const double there = robot.motion().T_world_body.translation().x();
+  const double x_stop = robot.motion().T_world_body.translation().x();
   robot.drive(-kGroundhogM_S);
   robot.run(10.0);
-  EXPECT_LT(robot.motion().T_world_body.translation().x(), there - 1.0) << robot.order().reason;
+  EXPECT_LT(robot.motion().T_world_body.translation().x(), x_stop - 1.0) << robot.order().reason;
 }
 
-struct Spree {
+struct RandomDrive {
   std::string failure;
   double path_length_m = 0.0;
 };
 
-/// A room with posts, and somebody who does anything for two minutes.
-Spree drive_anyhow(std::uint32_t seed) {
+/// Random commands for two minutes in a room with posts.
+RandomDrive drive_randomly(std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
   const auto posts = [&](MeshBuilder& builder) {
     builder.begin_part(PartKind::kOther, Material::kTimber, "posts");
     for (int i = 0; i < 6; ++i) {
       const Eigen::Vector3d foot(4.5 * share(random), 4.5 * share(random), 0.0);
-      if (foot.norm() < 2.0) continue;  // there the robot starts
+      if (foot.norm() < 2.0) continue;  // start pose of the robot
       builder.bar(foot, foot + Eigen::Vector3d(0.0, 0.0, 2.0), 0.05);
     }
   };
@@ -214,13 +214,14 @@ Spree drive_anyhow(std::uint32_t seed) {
   return {robot.failure(), robot.distance_travelled_m()};
 }
 
-TEST_F(GuardStops, UnderADriverWhoDoesAnything) {
-  // Seeds in which it met a post beside it, where no laser sees, before it remembered such.
+TEST_F(GuardStops, UnderRandomCommands) {
+  // Seeds with a collision with a post outside the field of view, before the guard stored
+  // obstacles.
   for (const std::uint32_t seed : {4U, 25U, 41U, 55U}) {
-    const Spree spree = drive_anyhow(seed);
-    EXPECT_EQ(spree.failure, "") << seed;
-    EXPECT_GT(spree.path_length_m, 5.0) << seed;
-    RecordProperty("metres_" + std::to_string(seed), static_cast<int>(spree.path_length_m));
+    const RandomDrive drive = drive_randomly(seed);
+    EXPECT_EQ(drive.failure, "") << seed;
+    EXPECT_GT(drive.path_length_m, 5.0) << seed;
+    RecordProperty("metres_" + std::to_string(seed), static_cast<int>(drive.path_length_m));
   }
 }
 

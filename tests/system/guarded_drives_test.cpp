@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A simulated robot looks, plans and drives down drifts with posts and falls of rock, with a guard:
-// all nodes from the laser to the wheels on one bus. A sample of tests/eval, guarded_drives_table.
+// A simulated robot scans, plans and drives in tunnels with posts and rockfall, with a guard: all
+// nodes from the laser to the wheels on one bus. A subset of guarded_drives_table in tests/eval.
 #include "tests/support/drives/guarded_drives.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 class GuardedDrives : public testing::TestWithParam<int> {};
 
-TEST_P(GuardedDrives, ArriveAndTouchNothing) {
+TEST_P(GuardedDrives, ArriveWithoutCollision) {
   const auto drives = drive_guarded(random_tunnel(GetParam()), 2);
   ASSERT_EQ(drives.size(), 2U);
   for (const GuardedDrive& drive : drives) {

@@ -54,12 +54,12 @@ void GuardedRobot::subscribe_all() {
 
 void GuardedRobot::command(std::int64_t utime) {
   if (!commands_) return;
-  const double curvature = curvature_1_m_.value_or(curvature_to_middle());
+  const double curvature = curvature_1_m_.value_or(curvature_to_centre_line());
   publish(robot_.bus(), channels::kDriveCommand,
           to_message(DriveCommand{utime, speed_m_s_, curvature}));
 }
 
-double GuardedRobot::curvature_to_middle() const {
+double GuardedRobot::curvature_to_centre_line() const {
   const Pose2 T_world_body = in_plan(motion().T_world_body);
   const double sign = speed_m_s_ < 0.0 ? -1.0 : 1.0;
   return -0.5 * T_world_body.y - 1.5 * sign * T_world_body.theta;
@@ -69,17 +69,17 @@ void GuardedRobot::run(double seconds) {
   for (int i = 0; i < std::lround(seconds / kStepS); ++i) robot_.run(kStepS);
 }
 
-std::optional<double> GuardedRobot::seconds_to_standstill(const std::function<bool()>& is_true,
+std::optional<double> GuardedRobot::seconds_to_standstill(const std::function<bool()>& condition,
                                                           double seconds_max) {
-  std::optional<double> true_s;
+  std::optional<double> condition_s;
   std::optional<double> stopping_time_s;
   for (double s = 0.0; s < seconds_max + kStationaryS; s += kStepS) {
     robot_.run(kStepS);
     if (speed_m_s() > 0.0) stopping_time_s.reset();
     if (speed_m_s() == 0.0 && !stopping_time_s) stopping_time_s = s;
-    if (!true_s && is_true()) true_s = s;
-    if (true_s && stopping_time_s && s - *stopping_time_s >= kStationaryS)
-      return *stopping_time_s - *true_s;
+    if (!condition_s && condition()) condition_s = s;
+    if (condition_s && stopping_time_s && s - *stopping_time_s >= kStationaryS)
+      return *stopping_time_s - *condition_s;
   }
   return std::nullopt;
 }

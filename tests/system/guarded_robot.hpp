@@ -13,14 +13,14 @@
 
 namespace adit {
 
-/// A simulated robot with a guard and somebody who drives on and on down the middle (y = 0) or as a
-/// test says, whatever is there. Simulated time is counted in seconds from the start.
+/// A simulated robot with a guard and a driver without obstacle avoidance, which follows the centre
+/// line (y = 0) or a given curvature. Simulated time is counted in seconds from the start.
 class GuardedRobot {
  public:
   explicit GuardedRobot(World world, const SimulationParams& params = {});
 
   void drive(double speed_m_s) { drive(speed_m_s, std::nullopt); }
-  /// With a curvature of its own, instead of that which leads to the middle.
+  /// With this curvature; std::nullopt follows the centre line.
   void drive(double speed_m_s, std::optional<double> curvature_1_m) {
     speed_m_s_ = speed_m_s;
     curvature_1_m_ = curvature_1_m;
@@ -28,17 +28,17 @@ class GuardedRobot {
   void stop_commands() { commands_ = false; }
   void stop_localization() { robot_.stop_localization(); }
   [[nodiscard]] MemoryBus& bus() { return robot_.bus(); }
-  /// HEARTBEAT of a supervisor each second, from now on or no more.
+  /// Starts or stops the HEARTBEAT of a supervisor, with a period of one second.
   void set_supervised(bool alive) { supervised_ = alive; }
 
   void run(double seconds);
 
-  /// How long after something came true the vehicle stands for good [s]: it does not move for two
-  /// seconds. Nothing if neither happens within the time. Negative where it stood before.
-  std::optional<double> seconds_to_standstill(const std::function<bool()>& is_true,
+  /// Time from the condition to standstill, that is two seconds without motion [s]; negative if the
+  /// vehicle stopped before the condition. Nothing if one of them does not occur within the time.
+  std::optional<double> seconds_to_standstill(const std::function<bool()>& condition,
                                               double seconds_max);
 
-  /// Since the last message on a channel.
+  /// Time since the last message on a channel [s].
   [[nodiscard]] double message_age_s(std::string_view channel) const;
 
   [[nodiscard]] double speed_m_s() const;
@@ -50,12 +50,12 @@ class GuardedRobot {
   [[nodiscard]] double distance_travelled_m() const {
     return robot_.simulation().state().distance_travelled_m;
   }
-  [[nodiscard]] int stops() const { return stops_; }  ///< after a release
+  [[nodiscard]] int stops() const { return stops_; }  ///< number of stops after a release
 
  private:
   void subscribe_all();
   void command(std::int64_t utime);
-  [[nodiscard]] double curvature_to_middle() const;
+  [[nodiscard]] double curvature_to_centre_line() const;
 
   GroundTruthRobot robot_;
   GuardNode guard_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole missions in small random mines, by the truth.
+// Complete missions in small random mines, scored by ground truth.
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -28,24 +28,24 @@ WorldChoice small_mine(int seed, const std::string& topology) {
   return choice;
 }
 
-TEST(MissionTruth, CountsNothingBehindWaterAsToBeReached) {
+TEST(MissionTruth, ExcludesCorridorsBehindWater) {
   World world = box_tunnel({.length_m = 40.0, .width_m = 2.2, .height_m = 2.0});
   world.truth.tunnels.nodes = {{{-20.0, 0.0}}, {{20.0, 0.0}}};
   world.truth.tunnels.edges = {{0, 1, {{-20.0, 0.0}, {20.0, 0.0}}, 40.0, 2.2, "main"}};
-  const double whole_m = test::MissionTruth(world).score({}).corridor_m;
-  // Shallow, but how deep water is, nobody sees.
+  const double complete_m = test::MissionTruth(world).score({}).corridor_m;
+  // Shallow water, but its depth cannot be measured.
   world.truth.obstacles = {{.kind = PartKind::kWater,
                             .name = "water",
                             .outline = {{10.0, -1.1}, {14.0, -1.1}, {14.0, 1.1}, {10.0, 1.1}},
                             .z_low_m = -0.1,
                             .z_high_m = 0.0}};
-  // Beyond it are 6 m, and 4 m of it. The middle of the vehicle keeps half its length off water and
-  // end, and a place of the corridor counts within half the width of the drift from there.
-  EXPECT_NEAR(whole_m - test::MissionTruth(world).score({}).corridor_m, 10.0,
-              0.6);  // a place, and half a cell
+  // 4 m of water and 6 m beyond it. The vehicle centre keeps half the vehicle length from water and
+  // tunnel end; a place of the corridor counts within half the tunnel width from there.
+  EXPECT_NEAR(complete_m - test::MissionTruth(world).score({}).corridor_m, 10.0,
+              0.6);  // one place and half a cell
 }
 
-class AMissionInAMine : public testing::Test {
+class MissionInAMine : public testing::Test {
  protected:
   std::filesystem::path run(const WorldChoice& world, const std::string& name, double time_max_s,
                             const std::filesystem::path& config = {}) {
@@ -71,14 +71,14 @@ class AMissionInAMine : public testing::Test {
   test::ScratchFolder scratch_;
 };
 
-TEST_F(AMissionInAMine, ComesHomeFromABranchingMine) { expect_success(small_mine(4, "branching")); }
+TEST_F(MissionInAMine, ReturnsFromABranchingMine) { expect_success(small_mine(4, "branching")); }
 
-TEST_F(AMissionInAMine, ComesHomeFromParallelEntries) {
+TEST_F(MissionInAMine, ReturnsFromParallelEntries) {
   expect_success(small_mine(5, "parallel_entries"));
 }
 
-/// The rear laser loses sight of the entrance after 44 m; from there on the walls tell nothing.
-TEST_F(AMissionInAMine, TurnsAroundInASmoothDriftWithoutWheelOdometryAndGyro) {
+/// The entrance is out of range of the rear laser after 44 m; then scan matching is degenerate.
+TEST_F(MissionInAMine, ReturnsFromASmoothTunnelWithoutOdometryAndGyro) {
   const auto config = scratch_ / "blind.yaml";
   std::ofstream(config) << "sim: {wheel_odometry: {present: false}, imu: {present: false}}\n";
   WorldChoice straight;
@@ -89,10 +89,10 @@ TEST_F(AMissionInAMine, TurnsAroundInASmoothDriftWithoutWheelOdometryAndGyro) {
   EXPECT_TRUE(log.phases.back().returning_home);
   EXPECT_THAT(log.phases.back().return_home_reason, testing::HasSubstr("no sensor measured the motion"));
   EXPECT_GT(score.farthest_m, 40.0);
-  EXPECT_LT(score.farthest_m, 44.0 + 10.0 * 0.5);  // the greatest speed, for ten seconds
+  EXPECT_LT(score.farthest_m, 44.0 + 10.0 * 0.5);  // maximum speed for ten seconds
 }
 
-TEST_F(AMissionInAMine, GivesTheSameLogTwice) {
+TEST_F(MissionInAMine, GivesTheSameLogTwice) {
   const WorldChoice world = small_mine(4, "branching");
   const std::string first = test::contents(run(world, "first", 60.0));
   EXPECT_GT(first.size(), 1'000'000U);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Figure 4 of the paper: the robot takes one of two parallel corridors for the other, and finds out
-// at the corner.
+// Figure 4 of the paper: the robot is localized in the wrong one of two parallel corridors, and the
+// error is detected at the corner.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -15,9 +15,9 @@ namespace {
 
 class ParallelCorridors : public testing::TestWithParam<double> {};
 
-/// Closures of the second pass through the corridors with the first.
+/// Number of loop closures between the second and the first pass through the corridors.
 int loop_closures_to_first_pass(const Mapping& mapping) {
-  constexpr int kApart = 100;  // local maps, of which the loop has 120
+  constexpr int kApart = 100;  // local maps; the loop has 120
   return static_cast<int>(
       std::ranges::count_if(mapping.graph().constraints, [](const MapConstraint& c) {
         return c.kind == MapConstraint::Kind::kLoopClosure &&
@@ -25,22 +25,23 @@ int loop_closures_to_first_pass(const Mapping& mapping) {
       }));
 }
 
-TEST_P(ParallelCorridors, AreToldApartAtTheCorner) {
+TEST_P(ParallelCorridors, AreDistinguishedAtTheCorner) {
   test::ParallelDrive drive(GetParam());
   double error_before_m = 0.0;
   auto update = drive.next();
   for (; update && test::revoked(*update) == 0; update = drive.next()) {
     error_before_m = drive.newest_error_m();
   }
-  ASSERT_TRUE(update) << "nothing was ever revoked";
-  EXPECT_GT(error_before_m, 5.0);  // in the wrong corridor, 12 m from the right one
+  ASSERT_TRUE(update) << "no loop closure was revoked";
+  EXPECT_GT(error_before_m, 5.0);  // in the wrong corridor, at a distance of 12 m
   EXPECT_GT(test::revoked(*update), 5);
   EXPECT_GT(test::newly_accepted(*update), 5);
   EXPECT_LT(drive.newest_error_m(), 0.5);
 
   while (drive.next()) {
   }
-  EXPECT_LE(drive.error().rmse_m, 0.2);  // on 920 m, of which 800 m are held at their ends alone
+  EXPECT_LE(drive.error().rmse_m,
+            0.2);  // over 920 m, of which 800 m are constrained only at their ends
 }
 
 INSTANTIATE_TEST_SUITE_P(YawBias, ParallelCorridors, testing::Values(-0.022, -0.026),
@@ -49,17 +50,17 @@ INSTANTIATE_TEST_SUITE_P(YawBias, ParallelCorridors, testing::Values(-0.022, -0.
                                   "MicrodegreesPerMetre";
                          });
 
-/// A revision is many records. The process may die when only this share of them is written: few
-/// leave the robot in the wrong corridor, many a map in which both are tied together.
+/// A revision has many records. A kill can leave only this share of them in the journal: a small
+/// share leaves the robot in the wrong corridor, a large share connects both corridors.
 class ParallelCorridorsWithATornRevision : public testing::TestWithParam<double> {};
 
-TEST_P(ParallelCorridorsWithATornRevision, AreToldApartAfterTheRestart) {
+TEST_P(ParallelCorridorsWithATornRevision, AreDistinguishedAfterTheRestart) {
   test::ParallelDrive drive(-0.026);
   StoredMap stored;
   bool revised = false;
   while (!revised) {
     const auto update = drive.next();
-    ASSERT_TRUE(update) << "nothing was ever revoked";
+    ASSERT_TRUE(update) << "no loop closure was revoked";
     revised = test::revoked(*update) > 0;
     const double written = revised ? GetParam() : 1.0;
     const auto& all = update->associations;
@@ -79,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Share, ParallelCorridorsWithATornRevision, testing::Val
                            return std::to_string(std::lround(100.0 * instance.param)) + "Percent";
                          });
 
-TEST(ParallelCorridorsByGoodWheels, AreNeverTakenForEachOther) {
+TEST(ParallelCorridorsWithAccurateOdometry, AreNeverConfused) {
   test::ParallelDrive drive(0.0, DisplacementErrorParams{});
   int revoked = 0;
   double error_m = 0.0;
@@ -89,7 +90,7 @@ TEST(ParallelCorridorsByGoodWheels, AreNeverTakenForEachOther) {
   }
   EXPECT_EQ(revoked, 0);
   EXPECT_GT(loop_closures_to_first_pass(drive.mapping()), 5);
-  EXPECT_LT(error_m, 2.0);  // three standard deviations of the way before the loop is closed
+  EXPECT_LT(error_m, 2.0);  // three standard deviations of odometry before the loop closure
   EXPECT_LE(drive.error().rmse_m, 0.2);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole computer is cut off at a moment of a drive, and finds itself where it stands. More of
-// it: power_loss_table.
+// Power loss of the complete computer during a drive: after the restart, the robot is localized
+// where it stands. More cases: power_loss_table.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -18,14 +18,14 @@ namespace {
 
 using enum test::DiskAfterPowerLoss;
 
-constexpr double kFoundM = 0.3;
-constexpr double kFoundRad = 3.0 / 180.0 * std::numbers::pi;
+constexpr double kErrorMaxM = 0.3;
+constexpr double kErrorMaxRad = 3.0 / 180.0 * std::numbers::pi;
 constexpr double kSigmas = 3.0;
 
-/// A T, or a smooth drift that tells nobody how far along it is, with its ends out of sight.
+/// A T junction, or a smooth tunnel with its ends out of range, where scan matching is degenerate.
 World mine(bool smooth) {
   WorldDescription description;
-  description.name = "drifts";
+  description.name = "tunnels";
   description.T_world_start = {smooth ? 90.0 : 5.0, 0.0, 0.0};
   if (smooth) {
     description.plan.tunnels = {{"long", {0, 0, 200, 0}, 3.2, false}};
@@ -39,43 +39,43 @@ World mine(bool smooth) {
   return build_world(description);
 }
 
-std::vector<Waypoint> waypoints(const std::vector<Eigen::Vector2d>& places) {
+std::vector<Waypoint> waypoints(const std::vector<Eigen::Vector2d>& positions) {
   std::vector<Waypoint> waypoints;
-  for (const Eigen::Vector2d& p_world : places) waypoints.push_back({p_world, {}});
+  for (const Eigen::Vector2d& p_world : positions) waypoints.push_back({p_world, {}});
   return waypoints;
 }
 
-void expect_found(const test::PowerLoss& loss) {
+void expect_localized(const test::PowerLoss& loss) {
   ASSERT_TRUE(loss.localized_after_s);
-  EXPECT_LT(*loss.localized_after_s, 1.0);  // of simulated time: half a second of scans
-  EXPECT_LT(loss.error_m, kFoundM);
-  EXPECT_LT(loss.error_rad, kFoundRad);
+  EXPECT_LT(*loss.localized_after_s, 1.0);  // simulated time; half a second of scans
+  EXPECT_LT(loss.error_m, kErrorMaxM);
+  EXPECT_LT(loss.error_rad, kErrorMaxRad);
   EXPECT_LT(loss.sd_m, 0.1);
   EXPECT_EQ(loss.maps_lost, 0);
 }
 
-TEST(PowerLoss, LosesNothingAndFindsTheBodyWhereItStands) {
+TEST(PowerLoss, LosesNoDataAndLocalizesTheRobot) {
   const test::ScratchFolder scratch;
   std::mt19937 random(1);
   test::PowerLossDrive drive(mine(false), waypoints({{23, 0}, {25, 2}, {25, 18}}), scratch / "");
   ASSERT_TRUE(drive.drive(0.3));
-  expect_found(drive.lose_power(kIntact, random));  // where it began is home
+  expect_localized(drive.lose_power(kIntact, random));  // at the start
   ASSERT_TRUE(drive.drive(8.0));
   drive.sweep();
   const test::PowerLoss at_rest = drive.lose_power(kIntact, random);
-  expect_found(at_rest);
+  expect_localized(at_rest);
   EXPECT_EQ(at_rest.scans, 1);
   EXPECT_EQ(at_rest.scans_lost, 0);
-  ASSERT_TRUE(drive.drive(14.0));  // round the corner
+  ASSERT_TRUE(drive.drive(14.0));  // around the corner
   const test::PowerLoss truncated = drive.lose_power(kTruncated, random);
-  expect_found(truncated);
-  EXPECT_EQ(truncated.scans_lost, 0);  // the record that was torn is that of its time
+  expect_localized(truncated);
+  EXPECT_EQ(truncated.scans_lost, 0);  // the torn record is that of the computation time
   drive.sweep(4.0);
-  expect_found(drive.lose_power(kIntact, random));  // with one laser tilted
+  expect_localized(drive.lose_power(kIntact, random));  // with one laser tilted
 }
 
-/// The volume had not heard of it, or had not written it yet.
-TEST(PowerLoss, LosesNoScanThatWasJustAnnounced) {
+/// The volume map has not received the scan, or has not written it yet.
+TEST(PowerLoss, RecoversAScanThatWasJustPublished) {
   const test::ScratchFolder scratch;
   std::mt19937 random(1);
   test::PowerLossDrive drive(mine(false), waypoints({{23, 0}, {25, 2}, {25, 18}}), scratch / "");
@@ -93,7 +93,7 @@ TEST(PowerLoss, LosesNoScanThatWasJustAnnounced) {
   EXPECT_LT(std::abs(between(before, after).theta), 0.01);
 }
 
-TEST(PowerLoss, SaysHowFarItMayBeAlongASmoothDrift) {
+TEST(PowerLoss, ReportsTheUncertaintyAlongASmoothTunnel) {
   const test::ScratchFolder scratch;
   std::mt19937 random(1);
   test::PowerLossDrive drive(mine(true), waypoints({{195, 0}}), scratch / "");
@@ -102,7 +102,7 @@ TEST(PowerLoss, SaysHowFarItMayBeAlongASmoothDrift) {
   ASSERT_TRUE(loss.localized_after_s);
   EXPECT_GT(loss.sd_m, 0.5);
   EXPECT_LT(loss.error_m, kSigmas * loss.sd_m);
-  EXPECT_LT(loss.error_rad, kFoundRad);
+  EXPECT_LT(loss.error_rad, kErrorMaxRad);
   EXPECT_EQ(loss.maps_lost, 0);
 }
 

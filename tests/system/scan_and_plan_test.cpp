@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A simulated robot looks at the drift before it and finds its way: all nodes from the laser to the
-// path on one bus.
+// A simulated robot scans a tunnel and plans a path: all nodes from the laser to the path on one
+// bus.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using Robot = PlanningRobot<GroundTruthRobot>;
 
-TEST(ScanAndPlan, FindsItsWayDownAFreeDrift) {
+TEST(ScanAndPlan, FindsAPathInAFreeTunnel) {
   Robot robot(box_tunnel());
   robot.scan_and_plan(8.0);
   EXPECT_EQ(robot.terrain_count(), 1);
@@ -25,13 +25,13 @@ TEST(ScanAndPlan, FindsItsWayDownAFreeDrift) {
   EXPECT_EQ(robot.terrain_health(), Health{});
   ASSERT_FALSE(path.points.empty());
   EXPECT_GT(path.points.back().T_odom_body.x, 7.0);
-  // Half of the drift less half of the vehicle, and a cell: no path may leave it.
+  // Half the tunnel width minus half the vehicle width, and a cell.
   for (const PathPoint& point : path.points) EXPECT_LT(std::abs(point.T_odom_body.y), 1.5);
 }
 
-TEST(ScanAndPlan, SaysWhatStandsInItsWay) {
+TEST(ScanAndPlan, ReportsBlockingCells) {
   Robot robot(box_tunnel({}, [](MeshBuilder& builder) {
-    builder.begin_part(PartKind::kWall, Material::kRock, "fall");
+    builder.begin_part(PartKind::kWall, Material::kRock, "rubble");
     builder.box(level_box({3.2, 0.0, 0.4}, {0.6, 4.0, 0.8}));
   }));
   robot.scan_and_plan(8.0);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One look at a simulated mine, and what is planned over it, with both estimators of heights.
+// A path planned on one 3D scan of a simulated mine, with both ground estimators.
 #include <algorithm>
 #include <cmath>
 
@@ -20,10 +20,10 @@ namespace {
 
 using Reason = BlockingCell::Reason;
 
-/// A rough straight drift, 3.2 m wide and 2 m high, in which the robot stands at x = 5.
+/// A rough straight tunnel, 3.2 m wide and 2 m high, with the robot at x = 5.
 WorldDescription tunnel() {
   WorldDescription mine;
-  mine.name = "drift";
+  mine.name = "tunnel";
   mine.seed = 3;
   mine.plan.tunnels.push_back({.name = "main", .points_m = {0.0, 0.0, 30.0, 0.0}, .width_m = 3.2});
   mine.heights.floor_relief.height_m = 0.01;
@@ -64,14 +64,13 @@ class SingleScan : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(OfBothEstimators, SingleScan, testing::Values("kth", "paper"),
                          [](const auto& test) { return std::string(test.param); });
 
-/// Boxes round what hangs across the way, with a region of the terrain and half a cell on each
-/// side.
+/// Bounding boxes of beam and cables, inflated by a region of the terrain and half a cell.
 std::vector<Eigen::AlignedBox2d> beam_and_cables(const World& world) {
   std::vector<Eigen::AlignedBox2d> boxes;
-  for (const Obstacle& thing : world.truth.obstacles) {
-    if (thing.kind != PartKind::kBeam && thing.kind != PartKind::kCable) continue;
+  for (const Obstacle& obstacle : world.truth.obstacles) {
+    if (obstacle.kind != PartKind::kBeam && obstacle.kind != PartKind::kCable) continue;
     Eigen::AlignedBox2d box;
-    for (const Eigen::Vector2d& p : thing.outline) box.extend(p);
+    for (const Eigen::Vector2d& p : obstacle.outline) box.extend(p);
     boxes.emplace_back(box.min().array() - 0.15, box.max().array() + 0.15);
   }
   return boxes;
@@ -91,40 +90,40 @@ void expect_rejected(const PlannedPath& path, Reason reason, double from_x, doub
   EXPECT_NE(path.outcome, PlanOutcome::kFound) << path.reason;
   EXPECT_TRUE(path.points.empty());
   EXPECT_LT(path.reached_m, 2.5);
-  int there = 0;
+  int cells = 0;
   for (const BlockingCell& cell : path.blocking) {
     const bool on = cell.p_odom.x() > from_x && cell.p_odom.x() < to_x;
-    if (cell.reason == reason && on) ++there;
+    if (cell.reason == reason && on) ++cells;
   }
-  EXPECT_GT(there, 5) << path.reason;
+  EXPECT_GT(cells, 5) << path.reason;
 }
 
-TEST_P(SingleScan, AFreeCorridorGivesAPathOfMoreThanTenMetres) {
+TEST_P(SingleScan, FindsAPathInAFreeCorridor) {
   const PlannedPath path = plan(tunnel(), 12.0);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound) << path.reason;
   EXPECT_GT(path.reached_m, 10.0);
 }
 
-TEST_P(SingleScan, RailsAreStraddled) {
+TEST_P(SingleScan, StraddlesRails) {
   WorldDescription mine = tunnel();
   mine.props.rails.push_back({.tunnel = "main", .from_m = 1.0, .to_m = 28.0, .across_m = 0.3});
   const PlannedPath path = plan(mine);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound) << path.reason;
   const Vehicle vehicle;
-  int ridden = 0;
+  int points_on_rails = 0;
   for (const PathPoint& point : path.points) {
     for (const double rail : {0.0, 0.6}) {
       for (const double side : {-0.5, 0.5}) {
         const double track = point.T_odom_body.y + side * vehicle.track_m;
-        if (std::abs(track - rail) < vehicle.wheel_width_m / 2.0) ++ridden;
+        if (std::abs(track - rail) < vehicle.wheel_width_m / 2.0) ++points_on_rails;
       }
     }
   }
-  // No more than it takes to get off those that it stands beside.
-  EXPECT_LT(ridden, static_cast<int>(path.points.size()) / 4);
+  // Only at the start, to leave the rail beside the robot.
+  EXPECT_LT(points_on_rails, static_cast<int>(path.points.size()) / 4);
 }
 
-TEST_P(SingleScan, APostIsPassed) {
+TEST_P(SingleScan, PassesAPost) {
   WorldDescription mine = tunnel();
   mine.props.posts.push_back({.tunnel = "main", .from_m = 9.0, .to_m = 9.0, .across_m = -0.3});
   const PlannedPath path = plan(mine);
@@ -132,7 +131,7 @@ TEST_P(SingleScan, APostIsPassed) {
   EXPECT_GT(path.reached_m, 6.0);
 }
 
-TEST_P(SingleScan, TheBrokenBeamOfMathiesBlocksTheWay) {
+TEST_P(SingleScan, RejectsTheBrokenBeamOfMathies) {
   const WorldDescription mine = find_world("mathies");
   const auto tunnels = tunnel_lines(mine.plan);
   const TunnelLine& main = find_tunnel(tunnels, "main", "test");
@@ -142,17 +141,18 @@ TEST_P(SingleScan, TheBrokenBeamOfMathiesBlocksTheWay) {
   EXPECT_NE(path.outcome, PlanOutcome::kFound);
   EXPECT_TRUE(path.points.empty());
   EXPECT_LT(path.reached_m, 2.5);
-  EXPECT_THAT(path.reason, testing::HasSubstr("too high to drive over is in the way"));
-  const auto things = beam_and_cables(build_world(mine));
-  int shown = 0;
+  EXPECT_THAT(path.reason, testing::HasSubstr("blocked by an obstacle that is too high to drive over"));
+  const auto boxes = beam_and_cables(build_world(mine));
+  int cells_on_obstacles = 0;
   for (const BlockingCell& cell : path.blocking) {
-    if (cell.reason == Reason::kBelly && any_near(things, cell.p_odom)) ++shown;
+    if (cell.reason == Reason::kBelly && any_near(boxes, cell.p_odom)) ++cells_on_obstacles;
   }
-  EXPECT_GT(shown, 10);
+  EXPECT_GT(cells_on_obstacles, 10);
 }
 
-TEST_P(SingleScan, ALowRoofIsRejected) {
-  for (const double from : {7.6, 8.2}) {  // it has to stop before it: less than 2.5 m are no path
+TEST_P(SingleScan, RejectsALowRoof) {
+  for (const double from :
+       {7.6, 8.2}) {  // in front of it, less than 2.5 m remain, which is not a path
     WorldDescription mine = tunnel();
     mine.props.low_roofs.push_back(
         {.name = "low", .tunnel = "main", .from_m = from, .to_m = from + 4.0, .clearance_m = 0.9});
@@ -162,20 +162,20 @@ TEST_P(SingleScan, ALowRoofIsRejected) {
   }
 }
 
-TEST_P(SingleScan, APitIsRejected) {
+TEST_P(SingleScan, RejectsAPit) {
   WorldDescription mine = tunnel();
   mine.props.pits.push_back(
       {.name = "pit", .tunnel = "main", .at_m = 9.2, .radius_m = 1.5, .depth_m = 1.5});
   expect_rejected(plan(mine), Reason::kDrop, 7.5, 11.0);
 }
 
-TEST_P(SingleScan, RubbleIsRejected) {
+TEST_P(SingleScan, RejectsRubble) {
   WorldDescription mine = tunnel();
   mine.props.rubble.push_back({.tunnel = "main", .at_m = 9.0, .radius_m = 1.8, .height_m = 1.2});
   expect_rejected(plan(mine), Reason::kBelly, 7.0, 10.5);
 }
 
-TEST_P(SingleScan, WaterIsRejected) {
+TEST_P(SingleScan, RejectsWater) {
   for (const bool mirror : {false, true}) {
     WorldDescription mine = tunnel();
     mine.props.water.push_back({.name = "water",

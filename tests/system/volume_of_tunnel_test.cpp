@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A simulated robot sweeps its laser through a drift, and a volume comes of it: all nodes from the
-// laser to VOLUME on one bus, and the log of that bus once more through `adit volume`.
+// A simulated robot makes a 3D scan of a tunnel, and a volume is built from it: all nodes from the
+// laser to VOLUME on one bus, and `adit volume` on the log of that bus.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -55,7 +55,7 @@ class ScanningRobot {
             to_message(MapCorrection{bus_.now_utime(), revision, 0, 0, T_map_odom, {}}));
   }
 
-  /// Of which the sweep takes eight seconds.
+  /// Makes a 3D scan; the sweep takes eight seconds.
   void scan_around() {
     robot_.run(1.5);
     publish(bus_, channels::kScanRequest,
@@ -63,7 +63,7 @@ class ScanningRobot {
     robot_.run(10.0);
   }
 
-  /// The newest, with its newest pose.
+  /// The newest volume with its newest pose.
   [[nodiscard]] const Volume& volume() const { return volume_; }
   void close_log() { log_.close(); }
 
@@ -77,13 +77,13 @@ class ScanningRobot {
   Volume volume_;
 };
 
-/// From the nearest surface of the drift [m]; negative within the rock.
-double in_air_m(const Eigen::Vector3d& p_world) {
+/// Distance from the nearest surface of the tunnel [m]; negative in the rock.
+double distance_to_surface_m(const Eigen::Vector3d& p_world) {
   return std::min(
       {20.0 - std::abs(p_world.x()), 2.0 - std::abs(p_world.y()), p_world.z(), 2.0 - p_world.z()});
 }
 
-TEST(VolumeOfATunnel, HasItsWallsWhereTheyAre) {
+TEST(VolumeOfATunnel, HasAccurateWalls) {
   const test::ScratchFolder folder;
   ScanningRobot robot(folder / "run.lcmlog");
   robot.scan_around();
@@ -92,22 +92,22 @@ TEST(VolumeOfATunnel, HasItsWallsWhereTheyAre) {
   EXPECT_GT(volume.occupied, 3000);
   EXPECT_GT(volume.free, 30'000);
   const VoxelGrid grid(volume.cell_m);
-  // Half a cell; noise, offset and unit of the laser (20 + 15 + 5 mm); a milliradian at 20 m.
+  // Half a cell; noise, offset and resolution of the laser (20 + 15 + 5 mm); 1 mrad at 20 m.
   constexpr double kTolerance = 0.05 + 0.04 + 0.02;
   visit_leaves(volume.octree, [&](const CellRun& leaf) {
     for (VoxelCode cell = leaf.first; cell < leaf.end; ++cell) {
       const Eigen::Vector3d p = grid.centre_m(VoxelGrid::keys_at(cell));
       const Eigen::Vector2d p_map = volume.T_map_volume * Eigen::Vector2d(p.head<2>());
-      const double in_air = in_air_m({p_map.x(), p_map.y(), p.z()});
-      EXPECT_GT(in_air, -kTolerance);
+      const double distance_m = distance_to_surface_m({p_map.x(), p_map.y(), p.z()});
+      EXPECT_GT(distance_m, -kTolerance);
       if (leaf.occupied) {
-        EXPECT_LT(in_air, kTolerance);
+        EXPECT_LT(distance_m, kTolerance);
       }
     }
   });
 }
 
-TEST(VolumeOfATunnel, MovesWithTheGraphAndComesAgainOutOfTheLog) {
+TEST(VolumeOfATunnel, MovesWithThePoseGraphAndIsRebuiltFromTheLog) {
   const test::ScratchFolder folder;
   ScanningRobot robot(folder / "run.lcmlog");
   robot.place_in_map(1, {});

@@ -14,9 +14,10 @@ namespace {
 
 constexpr int kExitUnusable = 2;
 
-constexpr const char* kAppFooter = R"(Each sub-command explains itself: adit COMMAND --help
+constexpr const char* kAppFooter =
+    R"(adit COMMAND --help describes a command: inputs, outputs, exit codes, examples.
 
-A first look, without a robot and without a recording:
+Quick start, without a robot and without a recording:
   adit sample mine.log --truth mine.tum
   adit map mine.log --out mine)";
 
@@ -24,7 +25,7 @@ A first look, without a robot and without a recording:
 
 std::unique_ptr<CLI::App> make_adit_app() {
   auto app = std::make_unique<CLI::App>(
-      "Works on the logs and maps of a robot that surveys abandoned mines.", "adit");
+      "Mapping, planning and simulation for a robot that surveys abandoned mines.", "adit");
   app->set_version_flag("--version", "adit " + version());
   app->require_subcommand(0, 1);
   app->get_formatter()->column_width(34);
@@ -50,6 +51,20 @@ std::unique_ptr<CLI::App> make_adit_app() {
   return app;
 }
 
+void set_help(CLI::App& command, const CommandHelp& help) {
+  const std::string own_codes = help.exit_codes.empty() ? "" : help.exit_codes + "\n";
+  command.footer(
+      help.details + R"(
+
+Exit codes:
+  0  success
+)" + own_codes +
+      R"(  2  invalid usage or unusable input; one line on standard error states the reason
+
+Examples:
+)" + help.examples);
+}
+
 int run_adit(int argc, const char* const* argv) try {
   const auto app = make_adit_app();
   try {
@@ -60,8 +75,8 @@ int run_adit(int argc, const char* const* argv) try {
   if (!app->get_subcommands().empty()) return 0;
   std::cerr << app->help();
   return kExitUnusable;
-} catch (const CLI::RuntimeError& answer) {  // that of a command, which has said why
-  return answer.get_exit_code();
+} catch (const CLI::RuntimeError& error) {  // a command has printed the reason
+  return error.get_exit_code();
 } catch (const CLI::ParseError& error) {
   std::cerr << "adit: " << error.what() << "; see adit --help\n";
   return kExitUnusable;

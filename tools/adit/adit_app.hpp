@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 namespace CLI {
 class App;
@@ -10,22 +11,35 @@ class App;
 
 namespace adit {
 
-/// The whole of the command line, `adit`, with all of its sub-commands.
+struct ReportOptions;
+
+/// The command line `adit` with all of its sub-commands.
 std::unique_ptr<CLI::App> make_adit_app();
 
-/// Runs it. Exit code 0, or 2 with one line on standard error: wrong use, or a file that cannot be
-/// used; or what a command says of its own for an answer that is no.
+/// Parses and runs the command line. Returns the exit code: 0 on success, 2 with one line on
+/// standard error for invalid usage or an unusable file, or a code that the command defines.
 int run_adit(int argc, const char* const* argv);
 
-// What follows adds one sub-command each, and lives in a file of its own; those that talk to the
-// supervisor share one.
+/// What the end of a command's --help shows, beside purpose and options.
+struct CommandHelp {
+  std::string details;     ///< outputs, formats, conventions
+  std::string exit_codes;  ///< those beside 0 and 2, a line each, or empty
+  std::string examples;    ///< a line each
+};
+void set_help(CLI::App& command, const CommandHelp& help);
+
+/// Writes a mission report with a progress bar. Warnings go to standard error, the location of the
+/// page and the outcome of the mission to standard output. Throws as write_report does.
+void print_report(const ReportOptions& options);
+
+// Each function adds one sub-command (add_process_commands: start, stop, restart and ps).
 void add_completion_command(CLI::App& adit);
 void add_drive_command(CLI::App& adit);
 void add_eval_command(CLI::App& adit);
 void add_import_command(CLI::App& adit);
+void add_logs_command(CLI::App& adit);
 void add_map_command(CLI::App& adit);
 void add_mission_command(CLI::App& adit);
-void add_logs_command(CLI::App& adit);
 void add_optimize_command(CLI::App& adit);
 void add_order_command(CLI::App& adit);
 void add_plan_command(CLI::App& adit);

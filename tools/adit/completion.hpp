@@ -11,26 +11,23 @@ class App;
 
 namespace adit {
 
-/// What a shell has to know of one command to complete its words. The root has an empty path.
+/// Completions of one command. The root has an empty path.
 struct CommandCompletion {
   struct Entry {
-    std::string text;  ///< of a sub-command, or of an option with its dashes
-    std::string description;
+    std::string text;  ///< sub-command, or option with its dashes
     bool takes_value = false;
   };
 
   std::string path;  ///< "import carmen"
   std::vector<Entry> subcommands;
   std::vector<Entry> options;
-  bool takes_files = false;  ///< has arguments that are not options
+  bool takes_files = false;  ///< has positional arguments
 };
 
-/// All commands of an app, the root first, read from its tree, so that completion never goes stale.
+/// Lists all commands of an app, the root first, from its tree of sub-commands.
 std::vector<CommandCompletion> list_commands(const CLI::App& app);
 
-/// Scripts that a shell loads: `adit completion bash > …`.
+/// Generates the script that bash loads: `source <(adit completion bash)`.
 std::string bash_completion(const std::vector<CommandCompletion>& commands);
-std::string zsh_completion(const std::vector<CommandCompletion>& commands);
-std::string fish_completion(const std::vector<CommandCompletion>& commands);
 
 }  // namespace adit

@@ -45,7 +45,7 @@ std::string class_path(const fs::path& folder) {
   }
   if (jars.empty()) {
     throw std::runtime_error(folder.string() + " has no lcmtypes_adit.jar, try: " +
-                             "sudo apt install default-jdk-headless liblcm-java, and build again");
+                             "sudo apt install default-jdk-headless liblcm-java, then rebuild");
   }
   std::sort(jars.begin(), jars.end());
   std::string joined = environment("CLASSPATH");
@@ -58,7 +58,7 @@ void require_log(const fs::path& log) {
     throw std::runtime_error(log.string() + ": " + std::generic_category().message(errno));
   }
   if (log.string().find(' ') != std::string::npos) {
-    throw std::runtime_error(log.string() + ": lcm-logplayer-gui opens no path with a space in it");
+    throw std::runtime_error(log.string() + ": lcm-logplayer-gui cannot open a path with spaces");
   }
 }
 
@@ -86,7 +86,7 @@ void run_lcm_spy(const std::optional<fs::path>& log) {
   const fs::path program = fs::read_symlink("/proc/self/exe");
   SpyCommand command = lcm_spy_command(program.parent_path(), environment("PATH"), log);
   if (environment("DISPLAY").empty()) {
-    throw std::runtime_error("no display: DISPLAY is not set, lcm-spy is a desktop program");
+    throw std::runtime_error("DISPLAY is not set: lcm-spy requires a graphical desktop");
   }
   for (const auto& [name, value] : command.environment) setenv(name.c_str(), value.c_str(), 1);
   std::vector<char*> arguments;

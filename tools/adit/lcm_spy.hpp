@@ -11,23 +11,23 @@
 
 namespace adit {
 
-/// A program to be started, with what is added to its environment.
+/// Program to execute, with additions to its environment.
 struct SpyCommand {
-  std::vector<std::string> arguments;  ///< the first is the path of the program
+  std::vector<std::string> arguments;  ///< the first one is the path of the program
   std::map<std::string, std::string> environment;
 };
 
-/// How to start lcm-spy, or with a log the window of the log player, so that it decodes our types:
-/// with every lcmtypes_*.jar and lcmspy_plugins_*.jar of `../share/java` from the folder that the
-/// program `adit` is in (that of the build or of the installation) on its class path, and with the
-/// Java options of Debian's package, some of which today's Java refuses, tolerated.
-/// `search_path` is that of programs, as in PATH. Throws std::runtime_error with one line that says
-/// what to install.
+/// Returns the command that starts lcm-spy, or with a log lcm-logplayer-gui, such that it decodes
+/// the message types of this project: the class path includes every lcmtypes_*.jar and
+/// lcmspy_plugins_*.jar in `../share/java` relative to `program_folder`, the folder of `adit` in
+/// the build or installation tree. Unknown Java options are ignored, because Debian's lcm-spy
+/// passes options that current Java versions reject. `search_path` has the format of PATH. Throws
+/// std::runtime_error with one line that names the missing packages.
 SpyCommand lcm_spy_command(const std::filesystem::path& program_folder,
                            std::string_view search_path,
                            const std::optional<std::filesystem::path>& log);
 
-/// Becomes that program. Throws std::runtime_error.
+/// Replaces this process by that program. Throws std::runtime_error.
 [[noreturn]] void run_lcm_spy(const std::optional<std::filesystem::path>& log);
 
 }  // namespace adit

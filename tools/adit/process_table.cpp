@@ -3,9 +3,10 @@
 #include "tools/adit/process_table.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "common/config/number_text.hpp"
 
@@ -14,15 +15,13 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-// As rows_of has them, of the supervisor.
+// In the order of the columns that the supervisor sends.
 enum Column { kName, kDeputy, kGroup, kState, kPid, kCpu, kMemory, kRestarts, kNote, kColumns };
 
 const Row kHeading{"NAME", "COMPUTER", "GROUP", "STATE", "PID", "CPU %", "MB", "RESTARTS", ""};
 
 std::string scaled(const std::string& number, double factor) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f", parse_number<double>(number).value_or(0.0) * factor);
-  return text;
+  return fmt::format("{:.1f}", parse_number<double>(number).value_or(0.0) * factor);
 }
 
 Row tokens_of(const std::string& line) {
@@ -33,12 +32,12 @@ Row tokens_of(const std::string& line) {
   return tokens;
 }
 
-/// A process that does not run uses nothing, and nothing is shown for it.
-Row human_readable(Row row) {
-  const bool runs = row[kPid] != "0";
-  row[kPid] = runs ? row[kPid] : "-";
-  row[kCpu] = runs ? scaled(row[kCpu], 100.0) : "-";
-  row[kMemory] = runs ? scaled(row[kMemory], 1e-6) : "-";
+/// CPU and memory are shown only for running processes.
+Row formatted(Row row) {
+  const bool running = row[kPid] != "0";
+  row[kPid] = running ? row[kPid] : "-";
+  row[kCpu] = running ? scaled(row[kCpu], 100.0) : "-";
+  row[kMemory] = running ? scaled(row[kMemory], 1e-6) : "-";
   return row;
 }
 
@@ -60,8 +59,7 @@ std::string padded(const std::string& token, std::size_t width, bool right) {
 std::string process_table_text(std::string_view rows) {
   std::vector<Row> table;
   std::istringstream lines{std::string(rows)};
-  for (std::string line; std::getline(lines, line);)
-    table.push_back(human_readable(tokens_of(line)));
+  for (std::string line; std::getline(lines, line);) table.push_back(formatted(tokens_of(line)));
   const bool groups = width_of(table, kGroup) > 0;
   table.insert(table.begin(), kHeading);
   std::vector<std::size_t> widths;

@@ -7,8 +7,8 @@
 
 namespace adit {
 
-/// The rows that a supervisor answers to "ps" (see its rows_of) as a table for a terminal, with a
-/// heading. The columns of group and trouble are left out where nothing stands in them.
+/// Formats the answer of a supervisor to "ps" (one row per line, tab-separated columns) as a table
+/// with a heading. The group column is omitted if it is empty.
 std::string process_table_text(std::string_view rows);
 
 }  // namespace adit

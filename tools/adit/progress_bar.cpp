@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <utility>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 namespace adit {
@@ -42,14 +42,11 @@ void ProgressBar::update(double fraction_done) {
 void ProgressBar::draw(double fraction_done, Clock::time_point now) {
   const auto filled = static_cast<std::size_t>(std::lround(fraction_done * kWidth));
   const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-  char numbers[64] = "";
-  std::snprintf(numbers, sizeof(numbers), " %3.0f %%", 100.0 * fraction_done);
-  std::string line = label_ + "  [" + bar + "]" + numbers;
+  std::string line = fmt::format("{}  [{}] {:3.0f} %", label_, bar, 100.0 * fraction_done);
   if (fraction_done > 0.02) {
     const std::chrono::duration<double> elapsed = now - start_;
-    const double left = elapsed.count() * (1.0 - fraction_done) / fraction_done;
-    std::snprintf(numbers, sizeof(numbers), "  %.0f s left", std::ceil(left));
-    line += numbers;
+    const double remaining_s = elapsed.count() * (1.0 - fraction_done) / fraction_done;
+    line += fmt::format("  {:.0f} s left", std::ceil(remaining_s));
   }
   *out_ << kClearLine << line << std::flush;
   shown_ = true;

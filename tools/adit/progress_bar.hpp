@@ -8,22 +8,22 @@
 
 namespace adit {
 
-/// A bar on a terminal for work of which the share that is done is known. Nothing is shown before
-/// the work has taken a second, and nothing is left behind when the bar goes.
+/// Progress bar on a terminal, with an estimate of the remaining time. The bar appears after the
+/// first second of work, and its destructor erases it.
 class ProgressBar {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// On standard error if that is a terminal; otherwise silent.
+  /// Draws on standard error if that is a terminal, else draws nothing.
   explicit ProgressBar(std::string label);
-  /// On a stream, or silent for null.
+  /// Draws on `out`; draws nothing if `out` is null.
   ProgressBar(std::string label, std::ostream* out, Clock::duration initial_delay);
   ~ProgressBar();
 
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Cheap enough to be called for each of many small steps.
+  /// Redraws at most every 0.1 s, so that it can be called for each small step.
   void update(double fraction_done);
 
  private:

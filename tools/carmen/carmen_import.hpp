@@ -10,14 +10,14 @@
 
 namespace adit {
 
-/// Appends a reading to a log as the driver would have published it: a scan on LASER_FRONT, wheel
-/// odometry on WHEEL_ODOMETRY, both with their time of measurement.
+/// Appends a reading to a log in the form in which a driver publishes it: a scan on LASER_FRONT,
+/// wheel odometry on WHEEL_ODOMETRY, with the time of measurement.
 void write_reading(LogWriter& log, const LaserScan& scan);
 void write_reading(LogWriter& log, const WheelOdometry& odometry);
 
-/// Turns a CARMEN log into an LCM log of this project and says what was in it. `progress` is called
-/// now and then with the share that is done. Throws std::runtime_error if a file cannot be read or
-/// written, or if there is no reading in the log; then no log is left behind.
+/// Converts a CARMEN log to an LCM log of this project and reports its contents. `progress`
+/// receives the completed fraction after each record. Throws std::runtime_error if a file cannot be
+/// read or written, or if the log has no valid reading; in that case no output remains.
 CarmenReport import_carmen(const std::filesystem::path& carmen_log,
                            const std::filesystem::path& lcm_log,
                            const std::function<void(double)>& progress);

@@ -6,22 +6,23 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
+#include <iterator>
 #include <numbers>
-#include <stdexcept>
+
+#include <fmt/format.h>
 
 namespace adit {
 namespace {
 
 constexpr double kHalfPi = std::numbers::pi / 2.0;
-constexpr double kLatestTimeSeconds = 1e11;  // the year 5138; more is not a time
+constexpr double kLatestTimeSeconds = 1e11;  // year 5138
 
-/// What is wrong with the line under the reader's eyes; does not leave this file.
+/// Thrown and caught within this file.
 struct ParseError {
   std::string_view reason;
 };
 
-/// The words of one line, taken from the left.
+/// Reads the tokens of one line in order.
 class Tokens {
  public:
   explicit Tokens(std::string_view line) : rest_(line) {}
@@ -38,39 +39,39 @@ class Tokens {
   template <class T>
   T number() {
     const std::string_view token = next();
-    if (token.empty()) throw ParseError{"the line breaks off"};
+    if (token.empty()) throw ParseError{"incomplete line"};
     T value{};
     const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
     if (error != std::errc{} || end != token.data() + token.size()) {
-      throw ParseError{"a word where a number belongs"};
+      throw ParseError{"malformed number"};
     }
     return value;
   }
 
   double finite() {
     const auto value = number<double>();
-    if (!std::isfinite(value)) throw ParseError{"a value that is not finite"};
+    if (!std::isfinite(value)) throw ParseError{"value not finite"};
     return value;
   }
 
   void skip(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-      if (next().empty()) throw ParseError{"the line breaks off"};
+      if (next().empty()) throw ParseError{"incomplete line"};
     }
   }
 
-  /// No more words than this can be left.
-  [[nodiscard]] std::size_t most_left() const { return (rest_.size() + 1) / 2; }
+  /// Upper bound of the number of remaining tokens.
+  [[nodiscard]] std::size_t remaining_max() const { return (rest_.size() + 1) / 2; }
 
  private:
   static constexpr std::string_view kBlanks = " \t\r\n\f\v";
   std::string_view rest_;
 };
 
-/// A count that the rest of the line can hold.
+/// Reads a count and checks that the rest of the line can hold as many tokens.
 std::size_t read_count(Tokens& tokens) {
   const auto count = tokens.number<std::uint64_t>();
-  if (count > tokens.most_left()) throw ParseError{"fewer readings than the line announces"};
+  if (count > tokens.remaining_max()) throw ParseError{"fewer readings than the count in the line"};
   return static_cast<std::size_t>(count);
 }
 
@@ -89,19 +90,19 @@ Pose2 read_pose(Tokens& tokens) {
   return {x, y, theta};
 }
 
-/// Each line ends in `time host time`: two stamps, the second being the logger's own.
-std::int64_t read_stamps(Tokens& tokens) {
+/// Reads the end of a line, `time host time`; the second timestamp is that of the logger.
+std::int64_t read_timestamps(Tokens& tokens) {
   const double seconds = tokens.finite();
   tokens.skip(1);
   tokens.finite();
-  if (!tokens.next().empty()) throw ParseError{"more words than the line announces"};
-  if (seconds > kLatestTimeSeconds) throw ParseError{"a time beyond all reason"};
+  if (!tokens.next().empty()) throw ParseError{"excess tokens at the end of the line"};
+  if (seconds > kLatestTimeSeconds) throw ParseError{"implausible timestamp"};
   const std::int64_t utime = seconds > 0.0 ? std::llround(seconds * 1e6) : 0;
-  if (utime == 0) throw ParseError{"a time that is not positive"};
+  if (utime == 0) throw ParseError{"timestamp not positive"};
   return utime;
 }
 
-void stamp(CarmenScan& scan, std::int64_t utime) {
+void set_utime(CarmenScan& scan, std::int64_t utime) {
   scan.scan.utime = utime;
   scan.odometry.utime = utime;
 }
@@ -115,7 +116,7 @@ CarmenScan read_flaser(Tokens& tokens) {
   result.scan.angle_step_rad = std::numbers::pi / static_cast<double>(steps);
   result.T_log_laser = read_pose(tokens);
   result.odometry.T_wheel_body = read_pose(tokens);
-  stamp(result, read_stamps(tokens));
+  set_utime(result, read_timestamps(tokens));
   return result;
 }
 
@@ -125,15 +126,14 @@ CarmenScan read_robotlaser(Tokens& tokens) {
   result.scan.angle_min_rad = tokens.finite();
   tokens.skip(1);  // field of view
   result.scan.angle_step_rad = tokens.finite();
-  if (result.scan.angle_step_rad <= 0.0)
-    throw ParseError{"a step between beams that is not positive"};
+  if (result.scan.angle_step_rad <= 0.0) throw ParseError{"angular step not positive"};
   tokens.skip(3);  // maximum range, accuracy, remission mode
   result.scan.ranges_m = read_ranges(tokens);
   tokens.skip(read_count(tokens));  // remissions
   result.T_log_laser = read_pose(tokens);
   result.odometry.T_wheel_body = read_pose(tokens);
   tokens.skip(5);  // speeds, safety distances, turn axis
-  stamp(result, read_stamps(tokens));
+  set_utime(result, read_timestamps(tokens));
   return result;
 }
 
@@ -141,7 +141,7 @@ WheelOdometry read_odom(Tokens& tokens) {
   WheelOdometry result;
   result.T_wheel_body = read_pose(tokens);
   tokens.skip(3);  // speeds, acceleration
-  result.utime = read_stamps(tokens);
+  result.utime = read_timestamps(tokens);
   return result;
 }
 
@@ -160,28 +160,15 @@ CarmenLine parse_carmen_line(std::string_view line) {
   return CarmenIgnored{};
 }
 
-namespace {
-
-void append(std::string& line, const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof(text), format, value);
-  line += text;
-}
-
-void append(std::string& line, const Pose2& pose) {
-  for (const double value : {pose.x, pose.y, pose.theta}) append(line, " %.6f", value);
-}
-
-}  // namespace
-
 std::string flaser_line(const CarmenScan& scan) {
-  std::string line = "FLASER " + std::to_string(scan.scan.ranges_m.size());
-  for (const float range : scan.scan.ranges_m) append(line, " %.2f", range);
-  append(line, scan.T_log_laser);
-  append(line, scan.odometry.T_wheel_body);
+  std::string line = fmt::format("FLASER {}", scan.scan.ranges_m.size());
+  const auto out = std::back_inserter(line);
+  for (const float range : scan.scan.ranges_m) fmt::format_to(out, " {:.2f}", double{range});
+  for (const Pose2& pose : {scan.T_log_laser, scan.odometry.T_wheel_body}) {
+    fmt::format_to(out, " {:.6f} {:.6f} {:.6f}", pose.x, pose.y, pose.theta);
+  }
   const double seconds = static_cast<double>(scan.scan.utime) * 1e-6;
-  append(line, " %.6f adit", seconds);
-  append(line, " %.6f", seconds);
+  fmt::format_to(out, " {:.6f} adit {:.6f}", seconds, seconds);
   return line;
 }
 

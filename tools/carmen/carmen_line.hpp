@@ -12,36 +12,35 @@
 
 namespace adit {
 
-/// A FLASER or ROBOTLASER1 line. Times are those of the log's first stamp (that of the process
-/// that published the reading); poses are in the frame that the log was written in.
+/// A FLASER or ROBOTLASER1 line. Times are the first timestamp of the line, which the publisher of
+/// the reading sets; poses are in the frame of the log.
 struct CarmenScan {
   LaserScan scan;
-  Pose2 T_log_laser;       ///< what the line says of the laser; corrected by somebody, in some logs
-  WheelOdometry odometry;  ///< of the robot, at the time of the scan
+  Pose2 T_log_laser;       ///< laser pose in the line; some public logs contain corrected poses
+  WheelOdometry odometry;  ///< pose of the robot at the time of the scan
 };
 
-/// A line of another kind (a comment, a parameter, another sensor) or an empty one.
+/// An empty line or one of another kind: a comment, a parameter, another sensor.
 struct CarmenIgnored {};
 
-/// A line of a kind that is read here, but wrong. The reason is one of a few fixed texts.
+/// A malformed line of a supported kind. The reason is one of a few fixed texts.
 struct CarmenError {
   std::string_view reason;
 };
 
 using CarmenLine = std::variant<CarmenScan, WheelOdometry, CarmenIgnored, CarmenError>;
 
-/// Reads one line of a CARMEN log, whatever it holds; it never throws on bad contents.
+/// Parses one line of a CARMEN log. Malformed lines give CarmenError; the function does not throw.
 ///   FLASER n r₁…rₙ x y θ  odom_x odom_y odom_θ  time host time
 ///   ROBOTLASER1 type start fov step range_max accuracy remission_mode n r₁…rₙ m e₁…eₘ
 ///               laser_x laser_y laser_θ  x y θ  tv rv forward side turn  time host time
 ///   ODOM x y θ tv rv accel  time host time
-/// in metres, radians and seconds. FLASER says nothing of its angles: they are a half circle that
-/// starts at −90°, of n steps of 180°/n where n is even and n − 1 steps where n is odd.
+/// in metres, radians and seconds. FLASER does not specify the beam angles: they start at −90° and
+/// cover 180°, in n steps if n is even and n − 1 steps if n is odd.
 CarmenLine parse_carmen_line(std::string_view line);
 
-/// A scan as a FLASER line, without the end of the line. Ranges are written to the centimetre,
-/// which is what planar lasers resolve; the angles are not written, and are the reader's half
-/// circle.
+/// Formats a scan as a FLASER line without line end. Ranges are rounded to 1 cm, the resolution of
+/// planar lasers. The format has no beam angles; they must be those above.
 std::string flaser_line(const CarmenScan& scan);
 
 }  // namespace adit

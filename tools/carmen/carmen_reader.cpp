@@ -6,22 +6,20 @@
 #include <cstdlib>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace adit {
 namespace {
 
 constexpr std::size_t kLinesListed = 3;
-constexpr std::int64_t kLateMicroseconds = 1'000'000;
-constexpr std::string_view kOutOfOrder = "a time from long before the lines above it";
+constexpr std::int64_t kLateMaxUs = 1'000'000;
+constexpr std::string_view kOutOfOrder = "timestamp long before those of the preceding lines";
 
 std::string message(const CarmenReport::Rejected& rejected) {
-  std::string text = rejected.count == 1 ? "line " : "lines ";
-  for (std::size_t i = 0; i < rejected.first_lines.size(); ++i) {
-    if (i > 0) text += ", ";
-    text += std::to_string(rejected.first_lines[i]);
-  }
   const std::size_t others = rejected.count - rejected.first_lines.size();
-  if (others > 0) text += " and " + std::to_string(others) + " more";
-  return text + ": " + std::string(rejected.reason);
+  return fmt::format("{} {}{}: {}", rejected.count == 1 ? "line" : "lines",
+                     fmt::join(rejected.first_lines, ", "),
+                     others > 0 ? fmt::format(" and {} more", others) : "", rejected.reason);
 }
 
 }  // namespace
@@ -32,16 +30,16 @@ std::size_t CarmenReport::rejected_lines() const {
   return total;
 }
 
-std::vector<std::string> CarmenReport::sentences() const {
+std::vector<std::string> CarmenReport::messages() const {
   std::vector<std::string> result;
   for (const Rejected& entry : rejected) result.push_back(message(entry));
   return result;
 }
 
-bool StampOrder::accepts(std::int64_t utime) {
-  const bool continues = !latest_ || utime >= *latest_ - kLateMicroseconds;
-  const bool set_back = outlier_ && std::abs(utime - *outlier_) <= kLateMicroseconds;
-  if (!continues && !set_back) {
+bool TimestampFilter::accept(std::int64_t utime) {
+  const bool in_order = !latest_ || utime >= *latest_ - kLateMaxUs;
+  const bool clock_set_back = outlier_ && std::abs(utime - *outlier_) <= kLateMaxUs;
+  if (!in_order && !clock_set_back) {
     outlier_ = utime;
     return false;
   }
@@ -56,8 +54,8 @@ std::optional<CarmenRecord> CarmenReader::next() {
   if (pending_) return CarmenRecord(*std::exchange(pending_, std::nullopt));
   while (const auto line = source_.next()) {
     ++report_.lines;
-    if (!line->fault.empty()) {
-      reject(line->fault);
+    if (!line->error.empty()) {
+      reject(line->error);
     } else if (auto record = accept(parse_carmen_line(line->text))) {
       return record;
     }
@@ -73,7 +71,7 @@ std::optional<CarmenRecord> CarmenReader::accept(CarmenLine line) {
 }
 
 std::optional<CarmenRecord> CarmenReader::accept_odometry(const WheelOdometry& odometry) {
-  if (!order_.accepts(odometry.utime)) {
+  if (!timestamps_.accept(odometry.utime)) {
     reject(kOutOfOrder);
     return std::nullopt;
   }
@@ -82,7 +80,7 @@ std::optional<CarmenRecord> CarmenReader::accept_odometry(const WheelOdometry& o
 }
 
 std::optional<CarmenRecord> CarmenReader::accept_scan(CarmenScan scan) {
-  if (!order_.accepts(scan.scan.utime)) {
+  if (!timestamps_.accept(scan.scan.utime)) {
     reject(kOutOfOrder);
     return std::nullopt;
   }

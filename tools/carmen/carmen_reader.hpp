@@ -16,16 +16,16 @@
 
 namespace adit {
 
-/// What a log yields, in the order of its lines.
+/// A record of a log, in the order of its lines.
 using CarmenRecord = std::variant<WheelOdometry, CarmenScan>;
 
-/// What was found in a log so far. The lines that were refused are kept by reason, so that a log
-/// full of errors still makes a short report.
+/// Statistics of a log up to the current line. Rejected lines are grouped by reason, so that the
+/// report of a damaged log stays short.
 struct CarmenReport {
   struct Rejected {
     std::string_view reason;
     std::size_t count = 0;
-    std::vector<std::size_t> first_lines;  ///< numbers of the first few, from 1
+    std::vector<std::size_t> first_lines;  ///< numbers of the first lines, from 1
   };
 
   std::size_t lines = 0;
@@ -34,25 +34,25 @@ struct CarmenReport {
   std::vector<Rejected> rejected;  ///< in the order of first occurrence
 
   [[nodiscard]] std::size_t rejected_lines() const;
-  /// One sentence for each reason: "lines 155, 177, 196 and 858 more: a time that …".
-  [[nodiscard]] std::vector<std::string> sentences() const;
+  /// One text per reason: "lines 155, 177, 196 and 858 more: timestamp not positive".
+  [[nodiscard]] std::vector<std::string> messages() const;
 };
 
-/// Tells stamps that fell out of the log's order from those that carry it on. Neighbouring lines
-/// may come a little late; a line from long before its neighbours has a garbled stamp, unless the
-/// next line agrees with it: then the clock was set back, and the log goes on from there.
-class StampOrder {
+/// Rejects timestamps that are out of order. A timestamp may be up to one second older than the
+/// newest one. An older timestamp is rejected as corrupt, unless the following one agrees with it:
+/// then the clock was set back, and the log continues from there.
+class TimestampFilter {
  public:
-  bool accepts(std::int64_t utime);
+  bool accept(std::int64_t utime);
 
  private:
   std::optional<std::int64_t> latest_;
   std::optional<std::int64_t> outlier_;
 };
 
-/// Reads a CARMEN log, plain or gzip, line by line in constant memory. A scan comes after the
-/// odometry that its own line holds. Bad lines, and the break in a damaged gzip file, go into the
-/// report and are skipped; a file that cannot be opened throws std::runtime_error.
+/// Reads a CARMEN log, plain or gzip, line by line in constant memory. The odometry in the line of
+/// a scan precedes the scan. Malformed lines and the damaged part of a gzip file are skipped and
+/// reported. Throws std::runtime_error if the file cannot be opened.
 class CarmenReader {
  public:
   explicit CarmenReader(const std::filesystem::path& path);
@@ -61,7 +61,7 @@ class CarmenReader {
   std::optional<CarmenRecord> next();
 
   [[nodiscard]] const CarmenReport& report() const { return report_; }
-  /// How much of the file has been read, 0 to 1.
+  /// Fraction of the file that has been read, 0 to 1.
   [[nodiscard]] double fraction_read() const { return source_.fraction_read(); }
 
  private:
@@ -71,9 +71,9 @@ class CarmenReader {
   void reject(std::string_view reason);
 
   GzipLineReader source_;
-  StampOrder order_;
+  TimestampFilter timestamps_;
   CarmenReport report_;
-  std::optional<CarmenScan> pending_;  // waits behind its own odometry
+  std::optional<CarmenScan> pending_;  // follows its odometry
 };
 
 }  // namespace adit

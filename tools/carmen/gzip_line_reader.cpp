@@ -13,10 +13,10 @@ namespace adit {
 namespace {
 
 constexpr std::size_t kChunkBytes = 1 << 16;
-constexpr std::size_t kLongestLineBytes = 1 << 20;  // 361 beams take about 2 kB
+constexpr std::size_t kLineBytesMax = 1 << 20;  // 361 beams take about 2 kB
 
-constexpr std::string_view kDamaged = "the compressed file is damaged from here on";
-constexpr std::string_view kTooLong = "a line of more than a megabyte";
+constexpr std::string_view kDamaged = "compressed file damaged from this line on";
+constexpr std::string_view kTooLong = "line longer than 1 MiB";
 
 }  // namespace
 
@@ -38,7 +38,7 @@ std::optional<GzipLineReader::Line> GzipLineReader::next() {
   while (true) {
     const std::size_t end = buffer_.find('\n', searched);
     if (end != std::string::npos) return take(end - start_, 1);
-    if (buffer_.size() - start_ > kLongestLineBytes) {
+    if (buffer_.size() - start_ > kLineBytesMax) {
       too_long_ = true;
       start_ = buffer_.size();
     }
@@ -55,7 +55,7 @@ double GzipLineReader::fraction_read() const {
   return size_bytes_ > 0.0 ? std::clamp(offset / size_bytes_, 0.0, 1.0) : 1.0;
 }
 
-/// Drops what has been taken and appends a chunk; false at the end of the file.
+/// Removes consumed lines from the buffer and appends a chunk; false at the end of the file.
 bool GzipLineReader::fill() {
   if (ended_) return false;
   buffer_.erase(0, std::exchange(start_, 0));

@@ -13,13 +13,13 @@ struct gzFile_s;
 
 namespace adit {
 
-/// The lines of a text file, plain or gzip, in constant memory. A file that cannot be opened
-/// throws std::runtime_error; later faults come as lines that carry them.
+/// Reads the lines of a text file, plain or gzip, in constant memory. Throws std::runtime_error if
+/// the file cannot be opened; later errors are reported in `Line::error`.
 class GzipLineReader {
  public:
   struct Line {
-    std::string_view text;   ///< without the line's end; valid until the next call
-    std::string_view fault;  ///< why there is no text, or empty
+    std::string_view text;   ///< without the line end; valid until the next call
+    std::string_view error;  ///< reason why the text is missing, or empty
   };
 
   explicit GzipLineReader(const std::filesystem::path& path);
@@ -27,9 +27,9 @@ class GzipLineReader {
   GzipLineReader(GzipLineReader&&) noexcept;
   GzipLineReader& operator=(GzipLineReader&&) noexcept;
 
-  /// The next line, or nothing at the end.
+  /// Next line, or nothing at the end.
   std::optional<Line> next();
-  /// How much of the file, as it lies on the disk, has been read, 0 to 1.
+  /// Fraction of the (compressed) file that has been read, 0 to 1.
   [[nodiscard]] double fraction_read() const;
 
  private:
@@ -43,10 +43,10 @@ class GzipLineReader {
   std::unique_ptr<gzFile_s, Close> file_;
   double size_bytes_ = 0.0;
   std::string buffer_;
-  std::size_t start_ = 0;  // of the line that comes next, in the buffer
+  std::size_t start_ = 0;  // of the next line in the buffer
   bool ended_ = false;
   bool damaged_ = false;
-  bool too_long_ = false;  // inside a line that was too long from its start
+  bool too_long_ = false;  // the current line exceeds the maximum length
 };
 
 }  // namespace adit

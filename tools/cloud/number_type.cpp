@@ -38,8 +38,8 @@ std::uint64_t bits(const std::uint8_t* at, std::size_t bytes, bool big_endian) {
   return value;
 }
 
-/// The sign bit of so many bytes carried on to the top.
-std::int64_t extended(std::uint64_t value, std::size_t bytes) {
+/// Sign extension of an integer of `bytes` bytes.
+std::int64_t sign_extended(std::uint64_t value, std::size_t bytes) {
   const auto shift = static_cast<unsigned>(64 - 8 * bytes);
   return static_cast<std::int64_t>(value << shift) >> shift;
 }
@@ -49,7 +49,7 @@ std::int64_t extended(std::uint64_t value, std::size_t bytes) {
 double NumberType::read(const std::uint8_t* at, bool big_endian) const {
   const std::uint64_t value = bits(at, bytes, big_endian);
   if (kind == Kind::kUnsigned) return static_cast<double>(value);
-  if (kind == Kind::kSigned) return static_cast<double>(extended(value, bytes));
+  if (kind == Kind::kSigned) return static_cast<double>(sign_extended(value, bytes));
   if (bytes == 8) return std::bit_cast<double>(value);
   return std::bit_cast<float>(static_cast<std::uint32_t>(value));
 }

@@ -1,26 +1,29 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/cloud/pcd_reader.hpp"
-
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
+#include <fmt/format.h>
+#include <lzf.h>
 
 #include "common/config/number_text.hpp"
-#include "tools/cloud/lzf.hpp"
+#include "tools/cloud/cloud_file.hpp"
 #include "tools/cloud/number_type.hpp"
 #include "tools/cloud/text_lines.hpp"
 
 namespace adit {
 namespace {
 
-/// What the head of a PCD file (version 0.7 of the Point Cloud Library) announces.
+/// Header of a PCD file, version 0.7 of the Point Cloud Library.
 struct PcdHeader {
   enum class Data : std::uint8_t { kAscii, kBinary, kCompressed };
 
@@ -31,24 +34,21 @@ struct PcdHeader {
   };
 
   std::vector<Field> fields;
-  std::array<std::size_t, 3> xyz{};  ///< their places among the fields
+  std::array<std::size_t, 3> xyz{};  ///< indices of x, y and z among the fields
   std::uint64_t points = 0;
   Data data = Data::kAscii;
   std::optional<Eigen::Vector3d> viewpoint;
 
-  /// Of one point, in a binary file.
+  /// Size of one point in a binary file.
   [[nodiscard]] std::size_t stride() const;
-  /// Bytes before a field in a point.
+  /// Offset of a field in a point.
   [[nodiscard]] std::size_t offset(std::size_t field) const;
 };
 
-/// Takes the head off the lines. Throws std::runtime_error, with the line, where it is none.
-PcdHeader read_pcd_header(TextLines& lines);
-
 constexpr std::size_t kFieldsMax = 1000;
-constexpr std::size_t kCountMax = 100'000;  // numbers in one field, a histogram
+constexpr std::size_t kCountMax = 100'000;  // numbers per field, as of a histogram
 
-/// The words of a line of the header.
+/// Tokens of a header line.
 using Tokens = std::vector<std::string_view>;
 
 Tokens tokens_of(std::string_view line) {
@@ -58,7 +58,7 @@ Tokens tokens_of(std::string_view line) {
   return tokens;
 }
 
-/// The lines as they come; what they say together is put together at the end.
+/// Collects the header lines; finish() validates and combines them.
 class PcdHeaderLines {
  public:
   explicit PcdHeaderLines(const TextLines& lines) : lines_(lines) {}
@@ -73,7 +73,7 @@ class PcdHeaderLines {
     if (key == "HEIGHT") return void(height_ = number(tokens));
     if (key == "POINTS") return void(points_ = number(tokens));
     if (key == "VIEWPOINT") return parse_viewpoint(tokens);
-    lines_.fail("what a PCD header does not have");
+    lines_.fail("unknown keyword in the PCD header");
   }
 
   [[nodiscard]] PcdHeader finish(const Tokens& data) const {
@@ -90,7 +90,7 @@ class PcdHeaderLines {
  private:
   [[nodiscard]] std::uint64_t number(const Tokens& tokens) const {
     const auto value = tokens.size() == 1 ? parse_number<std::uint64_t>(tokens[0]) : std::nullopt;
-    if (!value) lines_.fail("one whole number is expected");
+    if (!value) lines_.fail("expected one integer");
     return *value;
   }
 
@@ -102,44 +102,44 @@ class PcdHeaderLines {
   }
 
   void parse_viewpoint(const Tokens& tokens) {
-    Eigen::Vector3d index = Eigen::Vector3d::Zero();
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
     for (int i = 0; i < 3; ++i) {
       const auto at = static_cast<std::size_t>(i);
       const auto value = tokens.size() == 7 ? parse_number<double>(tokens[at]) : std::nullopt;
-      if (!value) lines_.fail("VIEWPOINT takes seven numbers");
-      index[i] = *value;
+      if (!value) lines_.fail("VIEWPOINT must have seven numbers");
+      p[i] = *value;
     }
-    if (!index.allFinite()) lines_.fail("a VIEWPOINT that is not finite");
-    viewpoint_ = index;
+    if (!p.allFinite()) lines_.fail("VIEWPOINT is not finite");
+    viewpoint_ = p;
   }
 
   [[nodiscard]] PcdHeader::Data data_of(const Tokens& tokens) const {
     if (tokens == Tokens{"ascii"}) return PcdHeader::Data::kAscii;
     if (tokens == Tokens{"binary"}) return PcdHeader::Data::kBinary;
     if (tokens == Tokens{"binary_compressed"}) return PcdHeader::Data::kCompressed;
-    lines_.fail("DATA is none of ascii, binary, binary_compressed");
+    lines_.fail("DATA must be ascii, binary or binary_compressed");
   }
 
   [[nodiscard]] std::vector<PcdHeader::Field> fields() const {
-    const bool agree = fields_.size() == sizes_.size() && fields_.size() == types_.size() &&
-                       (counts_.empty() || counts_.size() == fields_.size());
-    if (!agree || fields_.size() > kFieldsMax)
-      lines_.fail("FIELDS, SIZE, TYPE, COUNT do not agree");
+    const bool consistent = fields_.size() == sizes_.size() && fields_.size() == types_.size() &&
+                            (counts_.empty() || counts_.size() == fields_.size());
+    if (!consistent || fields_.size() > kFieldsMax)
+      lines_.fail("FIELDS, SIZE, TYPE and COUNT are inconsistent");
     std::vector<PcdHeader::Field> fields;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
       const auto type = pcd_type(types_[i], sizes_[i]);
       const std::uint64_t count = counts_.empty() ? 1 : counts_[i];
-      if (!type || count > kCountMax) lines_.fail("a field of a type that PCD does not have");
+      if (!type || count > kCountMax) lines_.fail("field with an unknown PCD type");
       fields.push_back({std::string(fields_[i]), *type, count});
     }
     return fields;
   }
 
   [[nodiscard]] std::uint64_t points() const {
-    if (!points_ && !(width_ && height_)) lines_.fail("neither POINTS nor WIDTH and HEIGHT");
+    if (!points_ && !(width_ && height_)) lines_.fail("POINTS, or WIDTH and HEIGHT, missing");
     if (points_ && !(width_ && height_)) return *points_;
     if (*height_ > 0 && *width_ > UINT64_MAX / *height_)
-      lines_.fail("WIDTH times HEIGHT is absurd");
+      lines_.fail("WIDTH times HEIGHT overflows");
     const std::uint64_t product = *width_ * *height_;
     if (points_ && *points_ != product) lines_.fail("POINTS is not WIDTH times HEIGHT");
     return product;
@@ -150,7 +150,7 @@ class PcdHeaderLines {
     const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& field) {
       return field.name == name && field.count == 1;
     });
-    if (found == fields.end()) lines_.fail("no field " + std::string(name));
+    if (found == fields.end()) lines_.fail(fmt::format("field {} missing", name));
     return static_cast<std::size_t>(found - fields.begin());
   }
 
@@ -173,6 +173,7 @@ std::size_t PcdHeader::offset(std::size_t field) const {
 
 std::size_t PcdHeader::stride() const { return offset(fields.size()); }
 
+/// Throws std::runtime_error with the line if the header is malformed.
 PcdHeader read_pcd_header(TextLines& lines) {
   PcdHeaderLines header(lines);
   while (const auto line = lines.next_nonblank()) {
@@ -182,14 +183,14 @@ PcdHeader read_pcd_header(TextLines& lines) {
     if (key == "DATA") return header.finish(tokens_of(tokens));
     header.parse(key, tokens_of(tokens));
   }
-  lines.fail("the header has no end");
+  lines.fail("header without DATA");
 }
 
 constexpr NumberType kUint32{NumberType::Kind::kUnsigned, 4};
 
 [[noreturn]] void throw_truncated(const PcdHeader& header, std::size_t offset) {
-  throw std::runtime_error("byte " + std::to_string(offset) + ": the file ends before the " +
-                           std::to_string(header.points) + " points that it announces");
+  throw std::runtime_error(
+      fmt::format("byte {}: file truncated: header announces {} points", offset, header.points));
 }
 
 void read_ascii(const PcdHeader& header, TextLines& lines, PointCloud& cloud) {
@@ -197,7 +198,7 @@ void read_ascii(const PcdHeader& header, TextLines& lines, PointCloud& cloud) {
   cloud.reserve(header.points);
   for (std::uint64_t i = 0; i < header.points; ++i) {
     const auto line = lines.next_nonblank();
-    if (!line) lines.fail("the file ends before the points that it announces");
+    if (!line) lines.fail("file truncated: fewer points than the header announces");
     std::string_view tokens = *line;
     Eigen::Vector3d p = Eigen::Vector3d::Zero();
     for (std::size_t field = 0; field < header.fields.size(); ++field) {
@@ -207,7 +208,7 @@ void read_ascii(const PcdHeader& header, TextLines& lines, PointCloud& cloud) {
         for (int axis = 0; axis < 3; ++axis) {
           if (header.xyz[static_cast<std::size_t>(axis)] != field) continue;
           const auto value = parse_number<double>(token);
-          if (!value) lines.fail("a coordinate that is no number");
+          if (!value) lines.fail("malformed coordinate");
           p[axis] = *value;
         }
       }
@@ -216,7 +217,7 @@ void read_ascii(const PcdHeader& header, TextLines& lines, PointCloud& cloud) {
   }
 }
 
-/// Where the x, y or z of point 0 is, and how far on that of the next.
+/// Layout of x, y or z: offset of the first point, and step to the next [bytes].
 struct Column {
   NumberType type;
   std::size_t first = 0;
@@ -246,7 +247,22 @@ void read_binary(const PcdHeader& header, const TextLines& lines, PointCloud& cl
   read_columns(columns, header, lines.rest().data(), cloud);
 }
 
-/// Field by field, all points in each.
+/// Decompresses LZF data into exactly `size` bytes; nothing if they are damaged. Memory is
+/// allocated only if the compressed data can hold that many bytes.
+std::optional<std::vector<std::uint8_t>> decompress(std::span<const std::uint8_t> packed,
+                                                    std::size_t size) {
+  constexpr std::size_t kBytesMaxPerPackedByte = 264 / 3 + 1;  // three bytes repeat at most 264
+  if (packed.empty() != (size == 0)) return std::nullopt;  // lzf_decompress reads at least one byte
+  if (size / kBytesMaxPerPackedByte > packed.size()) return std::nullopt;
+  std::vector<std::uint8_t> bytes(size);
+  if (size == 0) return bytes;
+  const unsigned written = lzf_decompress(packed.data(), static_cast<unsigned>(packed.size()),
+                                          bytes.data(), static_cast<unsigned>(size));
+  if (written != size) return std::nullopt;
+  return bytes;
+}
+
+/// The data are ordered by field, each with all points.
 void read_compressed(const PcdHeader& header, const TextLines& lines, PointCloud& cloud) {
   const auto rest = lines.rest();
   if (rest.size() < 8) throw_truncated(header, lines.offset());
@@ -255,13 +271,12 @@ void read_compressed(const PcdHeader& header, const TextLines& lines, PointCloud
   if (packed > rest.size() - 8) throw_truncated(header, lines.offset());
   const std::size_t stride = header.stride();
   if (size % stride != 0 || size / stride != header.points) {
-    throw std::runtime_error("byte " + std::to_string(lines.offset()) +
-                             ": the compressed data are not as long as the points");
+    throw std::runtime_error(
+        fmt::format("byte {}: size of the compressed data does not match POINTS", lines.offset()));
   }
-  const auto bytes = unpack_lzf(rest.subspan(8, packed), size);
+  const auto bytes = decompress(rest.subspan(8, packed), size);
   if (!bytes) {
-    throw std::runtime_error("byte " + std::to_string(lines.offset()) +
-                             ": the compressed data are damaged");
+    throw std::runtime_error(fmt::format("byte {}: compressed data are damaged", lines.offset()));
   }
   std::array<Column, 3> columns;
   for (std::size_t i = 0; i < 3; ++i) {

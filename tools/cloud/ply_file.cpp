@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/cloud/ply_file.hpp"
-
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "common/files/file_utils.hpp"
+#include "tools/cloud/cloud_file.hpp"
 #include "tools/cloud/ply_format.hpp"
 
 namespace adit {
@@ -21,7 +22,7 @@ PlyIndices indices_in(const Element& vertex) {
   constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const auto index = vertex.scalar(kNames[i]);
-    if (!index) throw std::runtime_error(std::string("the vertices have no ") + kNames[i]);
+    if (!index) throw std::runtime_error(std::string("vertices without property ") + kNames[i]);
     indices[i] = *index;
   }
   return indices;
@@ -67,9 +68,11 @@ void append(std::string& text, float value) {
 }  // namespace
 
 void write_ply(const Cloud& cloud, const std::filesystem::path& file) {
-  std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex " +
-                     std::to_string(cloud.points()) +
-                     "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+  std::string text = fmt::format(
+      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float "
+      "y\n"
+      "property float z\nend_header\n",
+      cloud.points());
   for (const CloudLine& line : cloud.lines) {
     for (const Eigen::Vector3f& p : line.points) {
       for (const float value : p) append(text, value);

@@ -18,14 +18,14 @@
 
 namespace adit {
 
-/// What the head of a PLY file announces.
+/// Header of a PLY file.
 struct PlyHeader {
   enum class Format : std::uint8_t { kAscii, kLittleEndian, kBigEndian };
 
   struct Property {
     std::string name;
-    NumberType type;                  ///< of a list, of what is in it
-    std::optional<NumberType> count;  ///< of a list: of the number before it
+    NumberType type;                  ///< of a list: of its entries
+    std::optional<NumberType> count;  ///< of a list: of its length
   };
 
   struct Element {
@@ -33,9 +33,9 @@ struct PlyHeader {
     std::uint64_t count = 0;
     std::vector<Property> properties;
 
-    /// The least that one takes in a binary file.
+    /// Minimum size of one element in a binary file.
     [[nodiscard]] std::size_t bytes_min() const;
-    /// The place of the scalar property among the others, or nothing.
+    /// Index of the scalar property of this name, if it exists.
     [[nodiscard]] std::optional<std::size_t> scalar(std::string_view property) const;
   };
 
@@ -43,23 +43,23 @@ struct PlyHeader {
   std::vector<Element> elements;
 };
 
-/// Takes the head off the lines. Throws std::runtime_error, with the line, where it is none.
+/// Reads the header. Throws std::runtime_error with the line if it is malformed.
 PlyHeader read_ply_header(TextLines& lines);
 
-/// Of x, y and z among the properties of an element.
+/// Indices of x, y and z among the properties of an element.
 using PlyIndices = std::array<std::size_t, 3>;
 inline constexpr std::size_t kNoPlyIndex = std::numeric_limits<std::size_t>::max();
 
-/// The elements of a binary PLY file one after the other. Throws std::runtime_error, with the byte,
-/// where the file ends before them.
+/// Reads the elements of a binary PLY file in order. Throws std::runtime_error with the byte offset
+/// if the file is truncated.
 class PlyBinaryRows {
  public:
   PlyBinaryRows(const TextLines& lines, bool big_endian)
-      : left_(lines.rest()), offset_(lines.offset()), big_endian_(big_endian) {}
+      : rest_(lines.rest()), offset_(lines.offset()), big_endian_(big_endian) {}
 
-  /// Whether the file can hold as many as are announced.
+  /// Throws if the file is too short for the number of elements in the header.
   void require_size(const PlyHeader::Element& element) const;
-  /// The next one: what it has at the places, 0 where there is no place.
+  /// Reads the next element and returns the properties at the indices; 0 for kNoPlyIndex.
   Eigen::Vector3d row(const PlyHeader::Element& element, const PlyIndices& indices);
 
  private:
@@ -67,12 +67,12 @@ class PlyBinaryRows {
   const std::uint8_t* read_bytes(std::size_t bytes, const PlyHeader::Element& element);
   [[noreturn]] void throw_truncated(const PlyHeader::Element& element) const;
 
-  std::span<const std::uint8_t> left_;
+  std::span<const std::uint8_t> rest_;
   std::size_t offset_;
   bool big_endian_;
 };
 
-/// The same of an ascii file, an element a line. Throws with the line.
+/// The same for an ascii file, with one element per line. Throws with the line number.
 class PlyAsciiRows {
  public:
   /// `lines` must outlive this.

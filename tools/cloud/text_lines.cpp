@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 namespace adit {
 namespace {
 
@@ -13,13 +15,13 @@ constexpr std::string_view kTokenSeparators = " \t\r,;";
 }  // namespace
 
 std::optional<std::string_view> TextLines::next() {
-  const auto left = rest();
-  if (left.empty()) return std::nullopt;
-  const auto end = std::find(left.begin(), left.end(), '\n');
-  const auto length = static_cast<std::size_t>(end - left.begin());
-  done_ += std::min(length + 1, left.size());
+  const auto remaining = rest();
+  if (remaining.empty()) return std::nullopt;
+  const auto end = std::find(remaining.begin(), remaining.end(), '\n');
+  const auto length = static_cast<std::size_t>(end - remaining.begin());
+  offset_ += std::min(length + 1, remaining.size());
   ++line_;
-  std::string_view line(reinterpret_cast<const char*>(left.data()), length);
+  std::string_view line(reinterpret_cast<const char*>(remaining.data()), length);
   if (line.ends_with('\r')) line.remove_suffix(1);
   return line;
 }
@@ -30,8 +32,8 @@ std::optional<std::string_view> TextLines::next_nonblank() {
   return line;
 }
 
-void TextLines::fail(const std::string& what) const {
-  throw std::runtime_error("line " + std::to_string(line_) + ": " + what);
+void TextLines::fail(const std::string& reason) const {
+  throw std::runtime_error(fmt::format("line {}: {}", line_, reason));
 }
 
 std::string_view take_token(std::string_view& text) {

@@ -11,31 +11,32 @@
 
 namespace adit {
 
-/// The lines of a file, and of one that is text only at its beginning: what is left goes on from
-/// behind the last line.
+/// Reads text lines from bytes, also from a text header in front of binary data, which rest() then
+/// returns.
 class TextLines {
  public:
   explicit TextLines(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
-  /// Without its end, "\n" or "\r\n"; nothing at the end of the file.
+  /// Next line without its end, "\n" or "\r\n"; nothing at the end of the file.
   std::optional<std::string_view> next();
-  /// The next in which there is more than blanks.
+  /// Next line that has a token.
   std::optional<std::string_view> next_nonblank();
 
-  [[nodiscard]] std::span<const std::uint8_t> rest() const { return bytes_.subspan(done_); }
-  [[nodiscard]] std::size_t offset() const { return done_; }  ///< of the rest [bytes]
+  /// Bytes after the last line.
+  [[nodiscard]] std::span<const std::uint8_t> rest() const { return bytes_.subspan(offset_); }
+  [[nodiscard]] std::size_t offset() const { return offset_; }  ///< of rest() [bytes]
 
-  /// Throws std::runtime_error: "line 7: what", of the last line.
-  [[noreturn]] void fail(const std::string& what) const;
+  /// Throws std::runtime_error "line N: reason" with the number of the last line.
+  [[noreturn]] void fail(const std::string& reason) const;
 
  private:
   std::span<const std::uint8_t> bytes_;
-  std::size_t done_ = 0;
+  std::size_t offset_ = 0;
   std::size_t line_ = 0;
 };
 
-/// Takes the next word off the front; empty at the end. Blanks, commas and semicolons are between
-/// words.
+/// Removes the next token from the front and returns it; empty at the end. Separators are blanks,
+/// commas and semicolons.
 std::string_view take_token(std::string_view& text);
 
 }  // namespace adit

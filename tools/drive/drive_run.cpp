@@ -24,7 +24,7 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kTruthQueueSize = 100;  // none waits, in one process
+constexpr std::size_t kTruthQueueSize = 100;  // in one process, none is queued
 
 /// Simulator and driver on one bus.
 class Drive {

@@ -14,8 +14,8 @@ namespace adit {
 
 enum class DriveKey { kFaster, kSlower, kLeft, kRight, kStop, kQuit };
 
-/// Makes keys of what a terminal sends: arrows (which come as several bytes, perhaps not all at
-/// once), w a s d, space, q. Everything else is let through.
+/// Decodes keys from the bytes of a terminal: arrows (several bytes, which may arrive separately),
+/// w a s d, space, q. Other bytes are ignored.
 class KeyReader {
  public:
   std::vector<DriveKey> read(std::string_view bytes);
@@ -26,8 +26,8 @@ class KeyReader {
   int escape_ = 0;  // bytes of an escape sequence so far
 };
 
-/// What keys ask of the vehicle: each press changes speed or curvature by a step, and they stay so,
-/// because a terminal does not tell when a key is released.
+/// Converts keys to commands: each press changes speed or curvature by one step, which then
+/// persists, since a terminal does not report the release of keys.
 class KeyDriver {
  public:
   explicit KeyDriver(const Vehicle& vehicle) : vehicle_(vehicle) {}

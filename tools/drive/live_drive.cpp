@@ -26,8 +26,8 @@
 namespace adit {
 namespace {
 
-/// Keys as they are pressed, not shown and without Enter; the terminal is as before when this goes.
-/// Throws std::runtime_error where standard input is no terminal.
+/// Reads keys without echo and without Enter. The destructor restores the terminal. Throws
+/// std::runtime_error if standard input is not a terminal.
 class TerminalKeys {
  public:
   TerminalKeys();
@@ -35,7 +35,7 @@ class TerminalKeys {
   TerminalKeys(const TerminalKeys&) = delete;
   TerminalKeys& operator=(const TerminalKeys&) = delete;
 
-  /// Since the last call; does not wait.
+  /// The keys since the last call; does not block.
   std::vector<DriveKey> pressed();
 
  private:
@@ -45,7 +45,7 @@ class TerminalKeys {
 
 TerminalKeys::TerminalKeys() {
   if (tcgetattr(STDIN_FILENO, &before_) != 0) {
-    throw std::runtime_error("standard input is no terminal, so there are no keys");
+    throw std::runtime_error("standard input is not a terminal, so there are no keys");
   }
   termios raw = before_;
   raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
@@ -59,7 +59,7 @@ std::vector<DriveKey> TerminalKeys::pressed() {
   if (poll(&input, 1, 0) <= 0) return {};
   std::array<char, 64> bytes{};
   const ssize_t count = read(STDIN_FILENO, bytes.data(), bytes.size());
-  if (count <= 0) return {DriveKey::kQuit};  // the terminal is gone
+  if (count <= 0) return {DriveKey::kQuit};  // the terminal is closed
   return reader_.read({bytes.data(), static_cast<std::size_t>(count)});
 }
 
@@ -76,7 +76,7 @@ LcmBusOptions bus_options(const LiveDriveOptions& options) {
   return bus;
 }
 
-/// TRUTH is of a simulator, and that may wait for this driver as for a stage.
+/// TRUTH comes from a simulator, which may wait for this driver as for a stage.
 LcmBusOptions answering_bus_options(const LiveDriveOptions& options) {
   LcmBusOptions bus = bus_options(options);
   bus.time = BusTime::kSimulated;

@@ -31,7 +31,7 @@ std::ifstream open(const std::filesystem::path& path) {
   return in;
 }
 
-/// The file is flat: lines `key: value`.
+/// Lines `key: value`; the YAML file has no nesting.
 Keys read_keys(const std::filesystem::path& path) {
   std::ifstream in = open(path);
   Keys keys;
@@ -42,7 +42,7 @@ Keys read_keys(const std::filesystem::path& path) {
   return keys;
 }
 
-/// `count` numbers between blanks, commas and brackets.
+/// `count` numbers, separated by blanks, commas and brackets.
 std::vector<double> numbers(const std::filesystem::path& path, const Keys& keys,
                             const std::string& key, std::size_t count) {
   const auto found = keys.find(key);
@@ -51,19 +51,19 @@ std::vector<double> numbers(const std::filesystem::path& path, const Keys& keys,
   for (char& c : text) {
     if (c == '[' || c == ']' || c == ',') c = ' ';
   }
-  std::istringstream words(text);
-  std::vector<double> values{std::istream_iterator<double>(words), {}};
+  std::istringstream stream(text);
+  std::vector<double> values{std::istream_iterator<double>(stream), {}};
   if (values.size() != count) fail(path, "cannot use '" + found->second + "' as " + key);
   return values;
 }
 
-struct Shades {
+struct GreyImage {
   int width = 0;
   int height = 0;
   std::string rows;  // from the top
 };
 
-/// The next number of the head of a PGM; a comment runs from # to the end of its line.
+/// Next number of a PGM header. A comment extends from # to the end of the line.
 int next_number(std::istream& in) {
   while ((in >> std::ws).peek() == '#')
     in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
@@ -72,23 +72,24 @@ int next_number(std::istream& in) {
   return number;
 }
 
-Shades read_pgm(const std::filesystem::path& path) {
+GreyImage read_pgm(const std::filesystem::path& path) {
   std::ifstream in = open(path);
   std::string magic;
   in >> magic;
-  Shades shades;
-  shades.width = next_number(in);
-  shades.height = next_number(in);
+  GreyImage image;
+  image.width = next_number(in);
+  image.height = next_number(in);
   const int white = next_number(in);
-  if (!in || magic != "P5" || white != 255 || shades.width < 1 || shades.height < 1) {
+  if (!in || magic != "P5" || white != 255 || image.width < 1 || image.height < 1) {
     fail(path, "is not a binary PGM of 8 bits");
   }
   in.get();
-  shades.rows.assign(std::istreambuf_iterator<char>(in), {});
+  image.rows.assign(std::istreambuf_iterator<char>(in), {});
   const std::size_t needed =
-      static_cast<std::size_t>(shades.width) * static_cast<std::size_t>(shades.height);
-  if (shades.rows.size() != needed) fail(path, "does not hold as many pixels as it says");
-  return shades;
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  if (image.rows.size() != needed)
+    fail(path, "has a different number of pixels than its header says");
+  return image;
 }
 
 }  // namespace
@@ -102,17 +103,17 @@ std::vector<Eigen::Vector2d> read_occupied_cells(const std::filesystem::path& ya
   const Pose2 T_map_image{origin[0], origin[1], origin[2]};
   const bool negate = numbers(yaml, keys, "negate", 1)[0] != 0.0;
   const double threshold = numbers(yaml, keys, "occupied_thresh", 1)[0];
-  const Shades shades = read_pgm(yaml.parent_path() / keys.at("image"));
+  const GreyImage image = read_pgm(yaml.parent_path() / keys.at("image"));
 
   std::vector<Eigen::Vector2d> occupied;
-  for (std::size_t i = 0; i < shades.rows.size(); ++i) {
-    const double shade = static_cast<unsigned char>(shades.rows[i]) / 255.0;
-    if ((negate ? shade : 1.0 - shade) <= threshold) continue;
-    const auto width = static_cast<std::size_t>(shades.width);
+  for (std::size_t i = 0; i < image.rows.size(); ++i) {
+    const double grey = static_cast<unsigned char>(image.rows[i]) / 255.0;
+    if ((negate ? grey : 1.0 - grey) <= threshold) continue;
+    const auto width = static_cast<std::size_t>(image.width);
     const std::size_t column = i % width;
     const std::size_t row = i / width;
     const Eigen::Vector2d cell(static_cast<double>(column),
-                               shades.height - 1 - static_cast<double>(row));
+                               image.height - 1 - static_cast<double>(row));
     occupied.emplace_back(T_map_image * (resolution * (cell + Eigen::Vector2d(0.5, 0.5))));
   }
   return occupied;

@@ -9,9 +9,9 @@
 
 namespace adit {
 
-/// The middles of the occupied cells of a map as ROS's map_server has it, in the frame of the map
-/// [m], row by row from the top. `yaml` names the image beside it, a binary PGM of 8 bits. Throws
-/// std::runtime_error, one line that names the file, for what cannot be read.
+/// Centres of the occupied cells of a map in the format of ROS's map_server, in the frame of the
+/// map [m], row by row from the top. `yaml` names the image in the same folder, a binary PGM of 8
+/// bits. Throws std::runtime_error, one line with the name of the file, for an unreadable file.
 std::vector<Eigen::Vector2d> read_occupied_cells(const std::filesystem::path& yaml);
 
 }  // namespace adit

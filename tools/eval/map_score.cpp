@@ -16,13 +16,13 @@
 namespace adit {
 namespace {
 
-constexpr double kStep = 0.5;     // of the way from fan to fan [m]
-constexpr int kBeams = 720;       // of a fan
-constexpr double kSpacing = 0.1;  // of reference points [m]
-constexpr double kMaxWallDistance =
-    5.0;  // that a mapped point is from a wall, what is more counts so [m]
+constexpr double kScanSpacingM = 0.5;  // along the path
+constexpr int kBeams = 720;            // per scan
+constexpr double kPointSpacingM = 0.1;
+constexpr double kWallDistanceMaxM = 5.0;
 
-std::vector<Ray> fan(const Eigen::Vector3d& from) {
+/// Horizontal rays over 360°.
+std::vector<Ray> horizontal_rays(const Eigen::Vector3d& from) {
   std::vector<Ray> rays;
   for (int i = 0; i < kBeams; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kBeams;
@@ -35,48 +35,48 @@ std::vector<Ray> fan(const Eigen::Vector3d& from) {
 std::vector<Eigen::Vector2d> visible_walls(const Site& site, const WorldWalls& walls,
                                            const Trajectory& truth,
                                            const MapScoreOptions& options) {
-  std::vector<Eigen::Vector2d> seen;
-  for (const auto& [utime, T_world_body] : downsampled(truth, kStep)) {
+  std::vector<Eigen::Vector2d> visible;
+  for (const auto& [utime, T_world_body] : downsampled(truth, kScanSpacingM)) {
     const auto floor_m = site.world().truth.floor_at(T_world_body.translation());
     if (!floor_m) continue;
     const std::vector<Ray> rays =
-        fan({T_world_body.x, T_world_body.y, *floor_m + options.laser_height_m});
+        horizontal_rays({T_world_body.x, T_world_body.y, *floor_m + options.laser_height_m});
     std::vector<RayHit> hits(rays.size());
     site.scene().cast(rays, static_cast<float>(options.range_m), hits);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (std::isinf(hits[i].distance_m) || !walls.is_wall(hits[i].triangle)) continue;
       const Eigen::Vector3f p_world = rays[i].origin + hits[i].distance_m * rays[i].direction;
-      seen.emplace_back(p_world.head<2>().cast<double>());
+      visible.emplace_back(p_world.head<2>().cast<double>());
     }
   }
-  return downsampled(seen, kSpacing);
+  return downsampled(visible, kPointSpacingM);
 }
 
-/// Points of the outlines, each kSpacing.
-std::vector<Eigen::Vector2d> points_of(const std::vector<PlanRing>& rings) {
-  std::vector<Eigen::Vector2d> found;
+/// Points on the outlines, kPointSpacingM apart.
+std::vector<Eigen::Vector2d> outline_points(const std::vector<PlanRing>& rings) {
+  std::vector<Eigen::Vector2d> points;
   for (const PlanRing& ring : rings) {
     for (std::size_t i = 0; i < ring.points.size(); ++i) {
       const Eigen::Vector2d& a = ring.points[i];
       const Eigen::Vector2d& b = ring.points[(i + 1) % ring.points.size()];
-      const int count = std::max(1, static_cast<int>(std::ceil((b - a).norm() / kSpacing)));
+      const int count = std::max(1, static_cast<int>(std::ceil((b - a).norm() / kPointSpacingM)));
       for (int k = 0; k < count; ++k) {
-        found.emplace_back(a + (b - a) * (static_cast<double>(k) / count));
+        points.emplace_back(a + (b - a) * (static_cast<double>(k) / count));
       }
     }
   }
-  return found;
+  return points;
 }
 
-double share_near(const std::vector<Eigen::Vector2d>& points, const NearestPoints& mapped) {
+double covered_share(const std::vector<Eigen::Vector2d>& points, const NearestPoints& mapped) {
   const auto near = std::count_if(points.begin(), points.end(), [&](const auto& p) {
     return std::isfinite(mapped.distance_m(p));
   });
   return static_cast<double>(near) / static_cast<double>(points.size());
 }
 
-/// Sorts the distances.
-WallDistances summary(std::vector<double>& distances) {
+/// Mean and quantiles. Sorts the distances.
+WallDistances wall_distances(std::vector<double>& distances) {
   std::sort(distances.begin(), distances.end());
   const auto count = static_cast<double>(distances.size());
   const auto at = [&](double share) {
@@ -89,7 +89,7 @@ WallDistances summary(std::vector<double>& distances) {
 
 std::vector<Eigen::Vector2d> visible_walls(const Site& site, const Trajectory& truth,
                                            const MapScoreOptions& options) {
-  return visible_walls(site, WorldWalls(site.world(), kMaxWallDistance), truth, options);
+  return visible_walls(site, WorldWalls(site.world(), kWallDistanceMaxM), truth, options);
 }
 
 MapScore score_map(const std::vector<Eigen::Vector2d>& mapped, const Pose2& T_world_map,
@@ -98,28 +98,28 @@ MapScore score_map(const std::vector<Eigen::Vector2d>& mapped, const Pose2& T_wo
   std::vector<Eigen::Vector2d> points;  // p_world
   for (const Eigen::Vector2d& p_map : mapped) points.emplace_back(T_world_map * p_map);
 
-  const WorldWalls walls(site.world(), kMaxWallDistance);
-  const std::vector<Eigen::Vector2d> seen = visible_walls(site, walls, truth, options);
-  if (seen.empty()) {
+  const WorldWalls walls(site.world(), kWallDistanceMaxM);
+  const std::vector<Eigen::Vector2d> visible = visible_walls(site, walls, truth, options);
+  if (visible.empty()) {
     throw std::runtime_error("no wall of " + site.world().name +
-                             " is seen from the true way: is it the right world?");
+                             " is visible from the true path: is it the right world?");
   }
   MapScore score;
   score.mapped_points = points.size();
-  score.reference_points = seen.size();
+  score.reference_points = visible.size();
   const NearestPoints nearest(points, options.tolerance_m);
-  score.coverage = share_near(seen, nearest);
-  const std::vector<Eigen::Vector2d> outlines = points_of(site.world().truth.plan);
-  if (!outlines.empty()) score.coverage_of_mine = share_near(outlines, nearest);
+  score.coverage = covered_share(visible, nearest);
+  const std::vector<Eigen::Vector2d> outlines = outline_points(site.world().truth.plan);
+  if (!outlines.empty()) score.coverage_of_mine = covered_share(outlines, nearest);
 
   std::vector<double> distances;
   for (const Eigen::Vector2d& p : points) {
-    distances.push_back(std::min(kMaxWallDistance, walls.distance_m(p)));
+    distances.push_back(std::min(kWallDistanceMaxM, walls.distance_m(p)));
   }
   const auto far = std::count_if(distances.begin(), distances.end(),
                                  [&](double distance) { return distance > options.deviation_m; });
   score.deviation = static_cast<double>(far) / static_cast<double>(points.size());
-  score.wall_distance = summary(distances);
+  score.wall_distance = wall_distances(distances);
   return score;
 }
 
@@ -131,9 +131,9 @@ Json json_of(const PositionErrors& errors) {
   return {{"rmse_m", errors.rmse_m}, {"mean_m", errors.mean_m}, {"max_m", errors.max_m}};
 }
 
-/// Without figures where there was no stretch.
+/// Without errors if there are no segments.
 Json json_of(const RelativeErrors& errors) {
-  Json json = {{"length_m", errors.length_m}, {"stretches", errors.segments}};
+  Json json = {{"length_m", errors.length_m}, {"segments", errors.segments}};
   if (errors.segments == 0) return json;
   json["translation_m"] = errors.translation_m;
   json["rotation_deg"] = errors.rotation_deg;

@@ -21,7 +21,7 @@ double NearestPoints::distance_m(const Eigen::Vector2d& p) const {
   const auto [i, j] = cell_at(p);
   double nearest = std::numeric_limits<double>::infinity();
   for (int column = i - 1; column <= i + 1; ++column) {
-    // The cells of one column lie side by side.
+    // The cells of one column are adjacent in the order.
     auto at = std::lower_bound(points_.begin(), points_.end(), Cell{column, j - 1},
                                [](const auto& a, const Cell& cell) { return a.first < cell; });
     for (; at != points_.end() && at->first <= Cell{column, j + 1}; ++at) {
@@ -38,13 +38,13 @@ NearestPoints::Cell NearestPoints::cell_at(const Eigen::Vector2d& p) const {
 
 std::vector<Eigen::Vector2d> downsampled(const std::vector<Eigen::Vector2d>& points,
                                          double spacing_m) {
-  std::set<std::pair<int, int>> taken;
-  std::vector<Eigen::Vector2d> kept;
+  std::set<std::pair<int, int>> occupied;
+  std::vector<Eigen::Vector2d> first;
   for (const Eigen::Vector2d& p : points) {
     const Eigen::Array2i cell = (p / spacing_m).array().floor().cast<int>();
-    if (taken.emplace(cell.x(), cell.y()).second) kept.push_back(p);
+    if (occupied.emplace(cell.x(), cell.y()).second) first.push_back(p);
   }
-  return kept;
+  return first;
 }
 
 }  // namespace adit

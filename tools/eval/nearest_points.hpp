@@ -9,13 +9,13 @@
 
 namespace adit {
 
-/// Points of the plane in the cells of a grid, to be asked for the nearest.
+/// 2D points in the cells of a grid, for searches of the nearest point.
 class NearestPoints {
  public:
-  /// Distances up to `max_distance_m` will be asked for.
+  /// Distances are searched up to `max_distance_m`.
   NearestPoints(const std::vector<Eigen::Vector2d>& points, double max_distance_m);
 
-  /// Infinite where no point lies within reach. [m]
+  /// Distance to the nearest point; infinite if it is more than the maximum. [m]
   [[nodiscard]] double distance_m(const Eigen::Vector2d& p) const;
 
  private:
@@ -24,10 +24,10 @@ class NearestPoints {
   [[nodiscard]] Cell cell_at(const Eigen::Vector2d& p) const;
 
   double max_distance_m_;
-  std::vector<std::pair<Cell, Eigen::Vector2d>> points_;  // by cell, ascending
+  std::vector<std::pair<Cell, Eigen::Vector2d>> points_;  // sorted by cell
 };
 
-/// One point for each cell of a grid of that spacing that has any: the first of them.
+/// The first point in each cell of a grid with that spacing.
 std::vector<Eigen::Vector2d> downsampled(const std::vector<Eigen::Vector2d>& points,
                                          double spacing_m);
 

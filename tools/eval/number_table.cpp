@@ -12,10 +12,10 @@
 namespace adit {
 namespace {
 
-constexpr double kLatestTimeSeconds = 1e11;  // the year 5138; more is not a time
+constexpr double kTimeMaxS = 1e11;  // the year 5138
 
-std::optional<double> finite_number(const std::string& word) {
-  const auto value = parse_number<double>(word);
+std::optional<double> finite_number(const std::string& token) {
+  const auto value = parse_number<double>(token);
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
@@ -28,16 +28,17 @@ std::optional<std::vector<double>> NumberTable::next() {
   std::string text;
   while (std::getline(in_, text)) {
     ++line_;
-    std::istringstream words(text.substr(0, text.find('#')));
+    std::istringstream tokens(text.substr(0, text.find('#')));
     std::vector<double> row;
-    for (std::string word; words >> word;) {
-      const auto value = finite_number(word);
-      if (!value) fail("'" + word + "' is not a finite number");
+    for (std::string token; tokens >> token;) {
+      const auto value = finite_number(token);
+      if (!value) fail("'" + token + "' is not a finite number");
       row.push_back(*value);
     }
     if (row.empty()) continue;
     if (row.size() != columns_) {
-      fail(std::to_string(row.size()) + " numbers where " + std::to_string(columns_) + " belong");
+      fail("expected " + std::to_string(columns_) + " numbers, found " +
+           std::to_string(row.size()));
     }
     return row;
   }
@@ -45,7 +46,7 @@ std::optional<std::vector<double>> NumberTable::next() {
 }
 
 std::int64_t NumberTable::microseconds(double seconds) const {
-  if (seconds < 0.0 || seconds > kLatestTimeSeconds) fail("a time beyond all reason");
+  if (seconds < 0.0 || seconds > kTimeMaxS) fail("implausible time");
   return std::llround(seconds * 1e6);
 }
 

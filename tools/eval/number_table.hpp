@@ -14,18 +14,18 @@
 
 namespace adit {
 
-/// A text of rows with the same count of finite numbers, between blanks; `#` starts a comment and
-/// empty lines do not count. What is wrong throws std::runtime_error with `name:line: reason`.
+/// A text table of finite numbers, separated by blanks, with a fixed number of columns. `#` starts
+/// a comment; empty lines are skipped. Errors throw std::runtime_error with `name:line: reason`.
 class NumberTable {
  public:
   NumberTable(std::istream& in, std::string_view name, std::size_t columns);
 
-  /// The next row, or nothing at the end.
+  /// The next row; nothing at the end.
   std::optional<std::vector<double>> next();
 
-  /// A time of the current row, in seconds since the epoch, as µs.
+  /// Converts a time of the current row, in seconds since the epoch, to µs.
   [[nodiscard]] std::int64_t microseconds(double seconds) const;
-  /// Refuses the current row.
+  /// Throws the error of the current row.
   [[noreturn]] void fail(std::string_view reason) const;
 
  private:
@@ -35,7 +35,7 @@ class NumberTable {
   std::size_t line_ = 0;
 };
 
-/// Throws std::runtime_error where the file cannot be read.
+/// Throws std::runtime_error if the file cannot be read.
 std::ifstream open_table(const std::filesystem::path& path);
 
 }  // namespace adit

@@ -4,30 +4,50 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "common/geometry/pose2.hpp"
 #include "tools/eval/trajectory.hpp"
 
 namespace adit {
 
-/// How far a trajectory is from a reference, over the poses whose times the reference covers.
-struct PathError {
-  std::size_t poses = 0;
-  double rmse_m = 0.0;      ///< of the positions, after alignment
-  double farthest_m = 0.0;  ///< position, after alignment
-  double step_m = 0.0;      ///< largest error of the motion from one pose to the next
+/// Poses of a trajectory and a reference at the same time.
+struct PosePair {
+  Pose2 estimate;
+  Pose2 reference;
 };
 
-/// The rigid motion that takes the trajectory's frame to that of the reference so that positions
-/// lie closest together, in the sense of least squares (Umeyama, "Least-squares estimation of
-/// transformation parameters between two point patterns", PAMI 1991, without scale). Nothing where
-/// no time is covered.
+/// A pair for each pose whose time the reference covers, with the reference interpolated.
+std::vector<PosePair> pose_pairs(const Trajectory& trajectory, const Trajectory& reference);
+
+/// The rigid transform T_reference_trajectory that minimises the squared distances of the positions
+/// (Umeyama, "Least-squares estimation of transformation parameters between two point patterns",
+/// PAMI 1991, without scale). `pairs` must not be empty.
+Pose2 align(const std::vector<PosePair>& pairs);
+/// Nothing if the reference covers no pose.
 std::optional<Pose2> align(const Trajectory& trajectory, const Trajectory& reference);
 
-/// All zero where no time is covered.
+/// Distances between estimated and reference positions. [m]
+struct PositionErrors {
+  double rmse_m = 0.0;
+  double mean_m = 0.0;
+  double max_m = 0.0;
+};
+/// `pairs` must not be empty.
+PositionErrors position_errors(const std::vector<PosePair>& pairs,
+                               const Pose2& T_reference_trajectory);
+
+/// Error of a trajectory against a reference, after alignment. All zero if the reference covers no
+/// pose.
+struct PathError {
+  std::size_t poses = 0;  ///< with a time that the reference covers
+  double rmse_m = 0.0;
+  double farthest_m = 0.0;  ///< largest position error
+  double step_m = 0.0;      ///< largest translation error between consecutive poses
+};
 PathError path_error(const Trajectory& trajectory, const Trajectory& reference);
 
-/// Length of the longest step from one pose to the next. [m]
+/// Largest distance between consecutive poses. [m]
 double longest_step_m(const Trajectory& trajectory);
 
 }  // namespace adit

@@ -15,7 +15,7 @@
 
 namespace adit {
 
-/// The pose of the robot at a later time seen from its pose at an earlier one, verified by hand.
+/// Relative pose of the robot between two times, verified by hand.
 struct Relation {
   std::int64_t utime_1 = 0;  ///< [µs since the epoch]
   std::int64_t utime_2 = 0;  ///< [µs since the epoch]
@@ -29,25 +29,25 @@ struct ErrorStatistics {
   double max = 0.0;
 };
 
-/// How well a trajectory agrees with relations: Kümmerle et al., "On measuring the accuracy of SLAM
-/// algorithms", Autonomous Robots 2009, eq. 9 with translation and rotation apart. The errors of
-/// neighbouring relations do not add up, so that one wrong turn costs what it is worth.
+/// Error of a trajectory against relations: Kümmerle et al., "On measuring the accuracy of SLAM
+/// algorithms", Autonomous Robots 2009, eq. 9, with translation and rotation apart. Relations are
+/// independent, so that one wrong rotation does not affect all later errors.
 struct RelationsScore {
   std::size_t used = 0;
-  std::size_t outside = 0;        ///< relations with a time that the trajectory does not cover
-  ErrorStatistics translation_m;  ///< zero where none was used
+  std::size_t outside = 0;        ///< relations with a time outside the trajectory
+  ErrorStatistics translation_m;  ///< zero if no relation is used
   ErrorStatistics rotation_deg;   ///< of the absolute angle
 };
 
-/// Lines `t1 t2 dx dy dz droll dpitch dyaw` in seconds, metres and radians, of which the planar
-/// part is read. A malformed line throws std::runtime_error with `name:line: reason`.
+/// Reads the planar part of lines `t1 t2 dx dy dz droll dpitch dyaw` in seconds, metres and
+/// radians. A malformed line throws std::runtime_error with `name:line: reason`.
 std::vector<Relation> read_relations(std::istream& in, std::string_view name);
 std::vector<Relation> read_relations(const std::filesystem::path& path);
 
 RelationsScore score_relations(const std::vector<Relation>& relations,
                                const Trajectory& trajectory);
 
-/// A JSON object, over several lines.
+/// A JSON object of several lines.
 std::string to_json(const RelationsScore& score);
 
 }  // namespace adit

@@ -7,7 +7,7 @@
 namespace adit {
 namespace {
 
-constexpr std::int64_t kSlackMicroseconds = 1000;
+constexpr std::int64_t kToleranceUs = 1000;
 
 }  // namespace
 
@@ -17,8 +17,8 @@ Pose2 blend(const Pose2& a, const Pose2& b, double share) {
 }
 
 std::optional<Pose2> interpolate(const Trajectory& trajectory, std::int64_t utime) {
-  if (trajectory.empty() || utime < trajectory.front().utime - kSlackMicroseconds ||
-      utime > trajectory.back().utime + kSlackMicroseconds) {
+  if (trajectory.empty() || utime < trajectory.front().utime - kToleranceUs ||
+      utime > trajectory.back().utime + kToleranceUs) {
     return std::nullopt;
   }
   const auto after =
@@ -41,12 +41,12 @@ double path_length_m(const Trajectory& trajectory) {
 
 double distance_travelled_m(const Trajectory& trajectory, double step_m) {
   double length = 0.0;
-  const TimedPose* counted = trajectory.empty() ? nullptr : &trajectory.front();
+  const TimedPose* last = trajectory.empty() ? nullptr : &trajectory.front();
   for (const TimedPose& pose : trajectory) {
-    const double away = (pose.pose.translation() - counted->pose.translation()).norm();
-    if (away < step_m) continue;
-    length += away;
-    counted = &pose;
+    const double distance = (pose.pose.translation() - last->pose.translation()).norm();
+    if (distance < step_m) continue;
+    length += distance;
+    last = &pose;
   }
   return length;
 }

@@ -10,7 +10,7 @@
 
 namespace adit {
 
-/// Where the body was at one time, in the frame of its trajectory.
+/// Pose of the body at a time, in the frame of its trajectory.
 struct TimedPose {
   std::int64_t utime = 0;  ///< [µs since the epoch]
   Pose2 pose;
@@ -18,28 +18,26 @@ struct TimedPose {
   friend bool operator==(const TimedPose&, const TimedPose&) = default;
 };
 
-/// In order of time; no time comes twice.
+/// Strictly increasing times.
 using Trajectory = std::vector<TimedPose>;
 
-/// Between two poses, `share` of the way from a to b: position on the straight line, angle the
-/// short way round.
+/// Interpolates between two poses (`share` 0: a, 1: b): position along the straight line, angle by
+/// the shortest rotation.
 Pose2 blend(const Pose2& a, const Pose2& b, double share);
 
-/// The pose at a time between two poses, blended. A stamp written with fewer digits may fall just
-/// outside: up to a millisecond beyond an end gives the pose at that end, more than that gives
-/// nothing.
+/// The pose at a time, interpolated. Nothing more than a millisecond before the first or after the
+/// last pose; within a millisecond, for stamps written with fewer digits, that pose.
 std::optional<Pose2> interpolate(const Trajectory& trajectory, std::int64_t utime);
 
-/// Sum of the distances from pose to pose [m]. What jitters is longer by that.
+/// Sum of the distances between consecutive poses [m]. Includes jitter.
 double path_length_m(const Trajectory& trajectory);
 
-/// Length of the way of a robot whose poses jitter [m]: motion counts as soon as it has led at
-/// least `step_m` away from the last pose that counted. What jitters by less has no length; of a
-/// straight way less than a step is missing at the end, and of an arc of radius R in steps of s the
-/// share s²/24R².
+/// Distance travelled by a robot whose poses jitter [m]: sum of the distances between poses at
+/// least `step_m` apart. Smaller jitter adds nothing. A straight line loses less than a step at its
+/// end, an arc of radius R in steps of s the share s²/24R².
 double distance_travelled_m(const Trajectory& trajectory, double step_m);
 
-/// A step for distance_travelled_m: longer than matched scans jitter, much shorter than a bend.
+/// Step for distance_travelled_m: above the jitter of scan matching, far below the radius of bends.
 inline constexpr double kTravelStepM = 0.2;
 
 }  // namespace adit

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <vector>
 
@@ -12,9 +13,9 @@
 #include "common/geometry/pose2.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/mapping/odometry.hpp"
-#include "tools/eval/path_error.hpp"
 
 namespace adit {
+
 Trajectory read_ground_truth(const std::filesystem::path& log) {
   LogFile events(log);
   Trajectory trajectory;
@@ -26,22 +27,22 @@ Trajectory read_ground_truth(const std::filesystem::path& log) {
     if (!pose || (!trajectory.empty() && pose->utime <= trajectory.back().utime)) continue;
     trajectory.push_back({pose->utime, pose->T_odom_body});
   }
-  if (trajectory.empty()) throw std::runtime_error(log.string() + " holds no truth");
+  if (trajectory.empty()) throw std::runtime_error(log.string() + " has no TRUTH");
   return trajectory;
 }
 
 namespace {
 
-constexpr double kStep = 0.5;  // of the way, for its length [m]
+constexpr double kLengthStepM = 0.5;  // for length_ratio
 
-/// The truth with the trajectory at its times.
+/// A pose of the truth with the pose of the trajectory at its time.
 struct Station {
   double distance_m = 0.0;  // along the truth
   Pose2 T_world_body;
   Pose2 T_map_body;
 };
 
-/// At the times of the truth that the trajectory covers.
+/// Stations at the times of the truth that the trajectory covers.
 std::vector<Station> stations_of(const Trajectory& trajectory, const Trajectory& truth) {
   std::vector<Station> stations;
   for (const auto& [utime, T_world_body] : truth) {
@@ -57,26 +58,6 @@ std::vector<Station> stations_of(const Trajectory& trajectory, const Trajectory&
   return stations;
 }
 
-PositionErrors position_errors(const Trajectory& trajectory, const Trajectory& truth,
-                               const Pose2& T_world_map) {
-  PositionErrors errors;
-  double squares = 0.0;
-  double count = 0.0;
-  for (const auto& [utime, T_map_body] : trajectory) {
-    const auto T_world_body = interpolate(truth, utime);
-    if (!T_world_body) continue;
-    const double distance =
-        (T_world_map * T_map_body.translation() - T_world_body->translation()).norm();
-    squares += distance * distance;
-    errors.mean_m += distance;
-    errors.max_m = std::max(errors.max_m, distance);
-    count += 1.0;
-  }
-  errors.rmse_m = std::sqrt(squares / count);
-  errors.mean_m /= count;
-  return errors;
-}
-
 std::vector<Station>::const_iterator at_distance(const std::vector<Station>& stations,
                                                  double distance_m) {
   return std::lower_bound(
@@ -84,7 +65,7 @@ std::vector<Station>::const_iterator at_distance(const std::vector<Station>& sta
       [](const Station& a, double distance) { return a.distance_m < distance; });
 }
 
-/// Stretches begin each tenth of their length, as in the KITTI benchmark.
+/// Segments start every tenth of their length, as in the KITTI benchmark.
 RelativeErrors relative_errors(const std::vector<Station>& stations, double length_m) {
   RelativeErrors errors{length_m};
   if (stations.empty()) return errors;
@@ -105,37 +86,31 @@ RelativeErrors relative_errors(const std::vector<Station>& stations, double leng
 }
 
 double length_ratio(const std::vector<Station>& stations) {
-  double found = 0.0;
+  double length = 0.0;
   double true_length = 0.0;
   for (auto from = stations.begin(); from != stations.end();) {
-    const auto to = at_distance(stations, from->distance_m + kStep);
+    const auto to = at_distance(stations, from->distance_m + kLengthStepM);
     if (to == stations.end()) break;
-    found += between(from->T_map_body, to->T_map_body).translation().norm();
+    length += between(from->T_map_body, to->T_map_body).translation().norm();
     true_length += between(from->T_world_body, to->T_world_body).translation().norm();
     from = to;
   }
-  return true_length > 0.0 ? found / true_length : 0.0;
-}
-
-Pose2 anchor(const Trajectory& trajectory, const Trajectory& truth) {
-  for (const auto& [utime, T_map_body] : trajectory) {
-    if (const auto T_world_body = interpolate(truth, utime)) {
-      return *T_world_body * T_map_body.inverse();
-    }
-  }
-  throw std::runtime_error("the trajectory and the truth have no time in common");
+  return true_length > 0.0 ? length / true_length : 0.0;
 }
 
 }  // namespace
 
 TrajectoryScore score_trajectory(const Trajectory& trajectory, const Trajectory& truth) {
+  const std::vector<PosePair> pairs = pose_pairs(trajectory, truth);
+  if (pairs.empty()) {
+    throw std::runtime_error("the trajectory and the truth have no time in common");
+  }
   TrajectoryScore score;
-  score.anchored = position_errors(trajectory, truth, anchor(trajectory, truth));
-  score.T_world_map = *align(trajectory, truth);
-  score.aligned = position_errors(trajectory, truth, score.T_world_map);
-  score.poses = static_cast<std::size_t>(
-      std::count_if(trajectory.begin(), trajectory.end(),
-                    [&](const TimedPose& at) { return interpolate(truth, at.utime).has_value(); }));
+  score.poses = pairs.size();
+  const Pose2 T_world_map_anchored = pairs.front().reference * pairs.front().estimate.inverse();
+  score.anchored = position_errors(pairs, T_world_map_anchored);
+  score.T_world_map = align(pairs);
+  score.aligned = position_errors(pairs, score.T_world_map);
   const std::vector<Station> stations = stations_of(trajectory, truth);
   for (RelativeErrors& errors : score.relative) {
     errors = relative_errors(stations, errors.length_m);
@@ -146,15 +121,15 @@ TrajectoryScore score_trajectory(const Trajectory& trajectory, const Trajectory&
 }
 
 Trajectory downsampled(const Trajectory& trajectory, double step_m) {
-  Trajectory kept;
+  Trajectory selected;
   double distance = 0.0;
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     if (i > 0) distance += between(trajectory[i - 1].pose, trajectory[i].pose).translation().norm();
     if (i > 0 && distance < step_m) continue;
-    kept.push_back(trajectory[i]);
+    selected.push_back(trajectory[i]);
     distance = 0.0;
   }
-  return kept;
+  return selected;
 }
 
 }  // namespace adit

@@ -7,51 +7,43 @@
 #include <filesystem>
 
 #include "common/geometry/pose2.hpp"
+#include "tools/eval/path_error.hpp"
 #include "tools/eval/trajectory.hpp"
 
 namespace adit {
 
-/// T_world_body as a simulator has put it into an LCM log on channel TRUTH, its planar part. A time
-/// that comes again or is earlier than one before is left out. Throws std::runtime_error where the
-/// log cannot be read or holds no truth.
+/// The planar part of T_world_body from TRUTH of an LCM log of the simulator. Poses whose time does
+/// not increase are skipped. Throws std::runtime_error if the log cannot be read or has no TRUTH.
 Trajectory read_ground_truth(const std::filesystem::path& log);
 
-/// Distances between the positions of a trajectory and the true ones at the same times. [m]
-struct PositionErrors {
-  double rmse_m = 0.0;
-  double mean_m = 0.0;
-  double max_m = 0.0;
-};
-
-/// Errors of the motion over a length of the true way, the same for all stretches of that length.
+/// Mean errors of the motion over segments of a given length of the true path.
 struct RelativeErrors {
   double length_m = 0.0;
-  std::size_t segments = 0;    ///< none where the way is shorter
+  std::size_t segments = 0;    ///< 0 if the path is shorter
   double translation_m = 0.0;  ///< mean
   double rotation_deg = 0.0;   ///< mean of the absolute angle
 };
 
-/// How good a trajectory is against the truth, over the times that the truth covers (Sturm et al.,
+/// Error of a trajectory against the truth, over the times that the truth covers (Sturm et al.,
 /// "A benchmark for the evaluation of RGB-D SLAM systems", IROS 2012: absolute trajectory error and
 /// relative pose error; lengths instead of times as in Geiger et al., "Are we ready for autonomous
 /// driving?", CVPR 2012).
 struct TrajectoryScore {
   std::size_t poses = 0;
-  Pose2 T_world_map;        ///< that brings the positions closest together
+  Pose2 T_world_map;        ///< alignment with the least squared distances
   PositionErrors aligned;   ///< by T_world_map
-  PositionErrors anchored;  ///< where the first poses are laid upon each other instead
+  PositionErrors anchored;  ///< with the first poses aligned instead
   std::array<RelativeErrors, 3> relative{{{1.0}, {10.0}, {100.0}}};
   double true_length_m = 0.0;
-  /// Length of the trajectory over that of the truth, both in steps of half a metre of true way, so
-  /// that noise does not count as way. 0 where the way is shorter than that.
+  /// Length of the trajectory divided by that of the truth, both in steps of 0.5 m of the true
+  /// path, so that noise adds no length. 0 for a shorter path.
   double length_ratio = 0.0;
 };
 
-/// Throws std::runtime_error where the truth covers no pose of the trajectory.
+/// Throws std::runtime_error if the truth covers no pose of the trajectory.
 TrajectoryScore score_trajectory(const Trajectory& trajectory, const Trajectory& truth);
 
-/// The poses of a trajectory each `step_m` of its way or as soon after as there is one, with the
-/// first.
+/// The first pose of a trajectory, and the next pose after each `step_m` of its path length.
 Trajectory downsampled(const Trajectory& trajectory, double step_m);
 
 }  // namespace adit

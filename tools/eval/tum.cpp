@@ -3,11 +3,13 @@
 #include "tools/eval/tum.hpp"
 
 #include <cmath>
-#include <cstdio>
+#include <cstdint>
 #include <fstream>
 #include <istream>
 #include <ostream>
 #include <sstream>
+
+#include <fmt/format.h>
 
 #include "common/files/file_utils.hpp"
 #include "tools/eval/number_table.hpp"
@@ -25,12 +27,9 @@ double yaw(double qx, double qy, double qz, double qw) {
 
 void write_tum(std::ostream& out, const Trajectory& trajectory) {
   for (const auto& [utime, pose] : trajectory) {
-    char line[160];
-    std::snprintf(line, sizeof(line), "%lld.%06lld %.9f %.9f 0 0 0 %.12f %.12f\n",
-                  static_cast<long long>(utime / kMicroseconds),
-                  static_cast<long long>(utime % kMicroseconds), pose.x, pose.y,
-                  std::sin(pose.theta / 2.0), std::cos(pose.theta / 2.0));
-    out << line;
+    out << fmt::format("{}.{:06} {:.9f} {:.9f} 0 0 0 {:.12f} {:.12f}\n", utime / kMicroseconds,
+                       utime % kMicroseconds, pose.x, pose.y, std::sin(pose.theta / 2.0),
+                       std::cos(pose.theta / 2.0));
   }
 }
 
@@ -46,10 +45,10 @@ Trajectory read_tum(std::istream& in, std::string_view name) {
   while (const auto row = table.next()) {
     const auto& v = *row;
     const double norm = std::hypot(std::hypot(v[4], v[5]), std::hypot(v[6], v[7]));
-    if (std::abs(norm - 1.0) > 0.01) table.fail("the quaternion is not of unit length");
+    if (std::abs(norm - 1.0) > 0.01) table.fail("the quaternion has no unit length");
     const std::int64_t utime = table.microseconds(v[0]);
     if (!trajectory.empty() && utime <= trajectory.back().utime) {
-      table.fail("the time is not later than the one above");
+      table.fail("the time does not increase");
     }
     trajectory.push_back({utime, {v[1], v[2], yaw(v[4], v[5], v[6], v[7])}});
   }

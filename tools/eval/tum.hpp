@@ -10,11 +10,11 @@
 
 namespace adit {
 
-/// The trajectory format of the TUM RGB-D benchmark: one line `time x y z qx qy qz qw` for each
-/// pose, in seconds, metres and a unit quaternion; `#` starts a comment. Written with a fixed
-/// number of digits, so that the same trajectory gives the same bytes.
+/// The trajectory format of the TUM RGB-D benchmark: one line `time x y z qx qy qz qw` per pose, in
+/// seconds, metres and a unit quaternion; `#` starts a comment. The number of digits is fixed, so
+/// that the same trajectory gives the same bytes.
 void write_tum(std::ostream& out, const Trajectory& trajectory);
-/// Throws std::runtime_error with the path where it cannot be written.
+/// Throws std::runtime_error with the path if the file cannot be written.
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory);
 
 /// Reads the planar part (x, y, yaw). A malformed line, or a time that does not increase, throws

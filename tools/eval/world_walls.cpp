@@ -12,10 +12,10 @@
 namespace adit {
 namespace {
 
-constexpr double kLowest = 0.1;               // above the floor [m]
-constexpr double kHighest = 2.0;              // above the floor [m]
-constexpr double kSteep = 0.5;                // cosine of 60°
-constexpr double kFloorSearchDistance = 0.3;  // where the floor before a wall is looked for [m]
+constexpr double kHeightMinM = 0.1;       // above the floor
+constexpr double kHeightMaxM = 2.0;       // above the floor
+constexpr double kSteepNormalZMax = 0.5;  // cosine of 60°
+constexpr double kFloorSearchDistanceM = 0.3;
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
@@ -25,10 +25,11 @@ Corners corners_of(const TriangleMesh& mesh, std::uint32_t triangle) {
           mesh.vertices[c].cast<double>()};
 }
 
-/// Below the middle of a triangle, or beside it: a wall stands where the floor ends.
+/// Height of the floor below the centre of a triangle, or on either side of it: the floor ends at a
+/// wall.
 std::optional<double> floor_near(const World& world, const Eigen::Vector2d& middle,
                                  const Eigen::Vector3d& normal) {
-  const Eigen::Vector2d across = kFloorSearchDistance * normal.head<2>();
+  const Eigen::Vector2d across = kFloorSearchDistanceM * normal.head<2>();
   for (const Eigen::Vector2d& beside :
        {Eigen::Vector2d(0.0, 0.0), across, Eigen::Vector2d(-across)}) {
     if (const auto floor_m = world.truth.floor_at(middle + beside)) return floor_m;
@@ -50,12 +51,12 @@ bool is_wall(const World& world, std::uint32_t triangle) {
   const Eigen::Vector3d normal =
       (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
   if (is_ignored_part(kind) || !normal.allFinite()) return false;
-  if (!may_be_horizontal(kind) && std::abs(normal.z()) > kSteep) return false;
+  if (!may_be_horizontal(kind) && std::abs(normal.z()) > kSteepNormalZMax) return false;
   const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3.0;
   const auto floor_m = floor_near(world, middle.head<2>(), normal);
-  if (!floor_m) return true;  // nobody knows how high it is
+  if (!floor_m) return true;  // height above the floor unknown
   const auto [low, high] = std::minmax({corners[0].z(), corners[1].z(), corners[2].z()});
-  return high > *floor_m + kLowest && low < *floor_m + kHighest;
+  return high > *floor_m + kHeightMinM && low < *floor_m + kHeightMaxM;
 }
 
 double distance_to(const std::array<Eigen::Vector2d, 3>& outline, const Eigen::Vector2d& p) {
@@ -93,7 +94,7 @@ double WorldWalls::distance_m(const Eigen::Vector2d& p_world) const {
   const int j = cell_of(p_world.y());
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = cell_of(p_world.x()) - 1; i <= cell_of(p_world.x()) + 1; ++i) {
-    // The cells of one column lie side by side.
+    // The cells of one column are adjacent in the order.
     auto at = std::lower_bound(cells_.begin(), cells_.end(), std::pair(Cell{i, j - 1}, 0U));
     for (; at != cells_.end() && at->first <= Cell{i, j + 1}; ++at) {
       nearest = std::min(nearest, distance_to(outlines_[at->second], p_world));
@@ -106,7 +107,7 @@ int WorldWalls::cell_of(double coordinate) const {
   return static_cast<int>(std::floor(coordinate / max_distance_m_));
 }
 
-/// Into all cells that the box around it touches.
+/// Adds an outline to all cells that its bounding box intersects.
 void WorldWalls::add_to_cells(std::uint32_t index) {
   const auto& [a, b, c] = outlines_[index];
   const Eigen::Vector2d low = a.cwiseMin(b).cwiseMin(c);

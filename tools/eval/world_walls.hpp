@@ -13,23 +13,23 @@
 
 namespace adit {
 
-/// Everything in a world that a laser near the ground can meet and a plan should show, seen from
-/// above: what reaches into the heights from 0.1 to 2 m above the floor, but for water, rails,
-/// sleepers, and those parts of floor and roof that are not steep (less than 60° against the
-/// level). Frame world.
+/// The walls of a world in 2D, as a map should show them: all surfaces between 0.1 and 2 m above
+/// the floor, except for water, rails, sleepers, and parts of floor and roof with a slope below
+/// 60°. Frame world.
 class WorldWalls {
  public:
-  /// Distances up to `max_distance_m` will be asked for. `world` must outlive this.
+  /// Distances are searched up to `max_distance_m`. `world` must outlive this.
   WorldWalls(const World& world, double max_distance_m);
 
   [[nodiscard]] bool is_wall(std::uint32_t triangle) const { return is_wall_[triangle]; }
 
-  /// To the nearest, 0 within the outline of one; infinite where none lies within reach. [m]
+  /// Distance to the nearest wall, 0 within an outline; infinite if it is more than the maximum.
+  /// [m]
   [[nodiscard]] double distance_m(const Eigen::Vector2d& p_world) const;
 
  private:
   using Cell = std::pair<int, int>;
-  using Outline = std::array<Eigen::Vector2d, 3>;  // a triangle seen from above
+  using Outline = std::array<Eigen::Vector2d, 3>;  // a triangle in 2D
 
   [[nodiscard]] int cell_of(double coordinate) const;
   void add_to_cells(std::uint32_t index);
@@ -37,7 +37,7 @@ class WorldWalls {
   double max_distance_m_;
   std::vector<bool> is_wall_;
   std::vector<Outline> outlines_;
-  std::vector<std::pair<Cell, std::uint32_t>> cells_;  // with indices into outlines_, ascending
+  std::vector<std::pair<Cell, std::uint32_t>> cells_;  // with indices into outlines_, sorted
 };
 
 }  // namespace adit

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMetresPerRadian = 1.0;
 
-/// How far the body has come at each pose [m], turning counted.
+/// Distance travelled up to each pose, rotation included [m].
 std::vector<double> progress_of(const Trajectory& odometry) {
   std::vector<double> progress;
   for (std::size_t i = 0; i < odometry.size(); ++i) {
@@ -26,7 +26,7 @@ std::vector<double> progress_of(const Trajectory& odometry) {
   return progress;
 }
 
-/// Where an anchor's correction alone puts a pose.
+/// T_map_body by the correction of one anchor.
 Pose2 apply_anchor(const MapAnchor& anchor, const Pose2& T_odom_body) {
   return anchor.T_map_local * between(anchor.T_odom_local, T_odom_body);
 }
@@ -45,7 +45,7 @@ Trajectory corrected_trajectory(const Trajectory& odometry, const std::vector<Ma
   };
 
   Trajectory corrected;
-  std::size_t k = 0;  // the anchor at or before the pose
+  std::size_t k = 0;  // last anchor at or before the pose
   for (std::size_t i = 0; i < odometry.size(); ++i) {
     const auto& [utime, T_odom_body] = odometry[i];
     while (k + 1 < anchors.size() && anchors[k + 1].utime <= utime) ++k;

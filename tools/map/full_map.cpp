@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "common/bus/channels.hpp"
 #include "tools/map/corrected_trajectory.hpp"
 
 namespace adit {
@@ -14,7 +15,7 @@ namespace {
 
 using LocalMaps = std::span<const LocalMap>;
 
-/// The local maps of the session that begins with the first of them.
+/// The local maps of the session of the first one.
 LocalMaps first_session(LocalMaps maps) {
   const auto end = std::find_if(maps.begin(), maps.end(), [&](const LocalMap& map) {
     return map.session != maps.front().session;
@@ -31,7 +32,7 @@ std::vector<MapAnchor> anchors_of(LocalMaps maps, const MapGraph& graph) {
   return anchors;
 }
 
-/// T_odom_body at the scans that local maps of one session keep. Consecutive ones share a scan.
+/// T_odom_body at the scans stored in the local maps of one session. Consecutive maps share a scan.
 Trajectory stored_odometry(LocalMaps maps) {
   Trajectory odometry;
   for (const LocalMap& map : maps) {
@@ -99,6 +100,13 @@ Trajectory joined_path(const FullMap& map) {
     joined.push_back(pose);
   }
   return joined;
+}
+
+bool insert_scans(const FullMap& map, const Lasers& lasers, OccupancyGrid& grid) {
+  return std::all_of(map.scans.begin(), map.scans.end(), [&](const PlacedScan& placed) {
+    const LaserMount& mount = *placed.channel == channels::kLaserRear ? lasers.rear : lasers.front;
+    return grid.insert(*placed.scan, placed.T_map_body * mount.T_body_laser);
+  });
 }
 
 std::size_t count_cross_session_loop_closures(const FullMap& map) {

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "common/geometry/pose2.hpp"
+#include "common/grid/occupancy_grid.hpp"
 #include "common/pose_graph/map_graph.hpp"
+#include "common/sensing/laser_mount.hpp"
 #include "common/types/association.hpp"
 #include "common/types/local_map.hpp"
 #include "procs/mapping/mapping.hpp"
@@ -16,32 +18,37 @@
 
 namespace adit {
 
-/// A scan and where the map has it.
+/// A scan with its pose in the map.
 struct PlacedScan {
   const std::string* channel = nullptr;
   const LaserScan* scan = nullptr;
   Pose2 T_map_body;
 };
 
-/// The map as a run leaves it, with what earlier runs knew. It refers to both, which must outlive
-/// it.
+/// The map at the end of a run, including earlier sessions. Refers to the data of both, which must
+/// outlive it.
 struct FullMap {
   std::vector<const LocalMap*> local_maps;  ///< by id
   std::vector<const Association*> associations;
-  MapGraph graph;  ///< empty where there is no local map
+  MapGraph graph;  ///< empty without local maps
 
-  /// T_map_body, a session each: of earlier ones at the scans that were kept, of this one at all.
+  /// T_map_body, one path per session: at the stored scans for earlier ones, at all scans for this
+  /// one.
   std::vector<Trajectory> paths;
-  /// For the grid: those of the local maps and those after the last one.
+  /// Scans for the grid: those of the local maps and those after the last local map.
   std::vector<PlacedScan> scans;
 };
 
 FullMap full_map(const StoredMap& earlier, const RunRecord& record);
 
-/// All paths as one, in order of time. Of two poses at one time, that of the later session.
+/// All paths in one trajectory, in order of time. Of two poses with the same time, the one of the
+/// later session is used.
 Trajectory joined_path(const FullMap& map);
 
-/// How many closures in force hold the last session to earlier ones.
+/// Inserts all scans of a map into a grid. False if the poses exceed the size of the grid.
+bool insert_scans(const FullMap& map, const Lasers& lasers, OccupancyGrid& grid);
+
+/// Number of accepted loop closures between the last session and earlier ones.
 std::size_t count_cross_session_loop_closures(const FullMap& map);
 
 }  // namespace adit

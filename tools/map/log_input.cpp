@@ -6,16 +6,14 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "common/bus/channels.hpp"
-#include "common/config/config.hpp"
-#include "common/messages/codec.hpp"
-#include "common/messages/diagnostics.hpp"
+#include <fmt/format.h>
+
 #include "tools/carmen/carmen_import.hpp"
 
 namespace adit {
 namespace {
 
-/// An LCM log begins with the sync word of its first event.
+/// An LCM log starts with the sync word of its first event.
 bool is_lcm_log(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error("cannot read " + path.string());
@@ -29,15 +27,13 @@ bool is_lcm_log(const std::filesystem::path& path) {
 }
 
 std::vector<std::string> log_warnings(const LogHealth& health) {
-  std::vector<std::string> found;
+  std::vector<std::string> warnings;
   if (health.corrupt_bytes > 0) {
-    found.push_back(std::to_string(health.corrupt_bytes) + " corrupt bytes in " +
-                    std::to_string(health.corrupt_regions) + " places");
+    warnings.push_back(fmt::format("{} corrupt bytes in {} regions", health.corrupt_bytes,
+                                   health.corrupt_regions));
   }
-  if (health.truncated_bytes > 0) {
-    found.push_back("the last event, which the end of the file cuts off");
-  }
-  return found;
+  if (health.truncated_bytes > 0) warnings.emplace_back("the last event, which is truncated");
+  return warnings;
 }
 
 }  // namespace
@@ -48,32 +44,10 @@ LogInput::LogInput(const std::filesystem::path& path, const std::filesystem::pat
     log_ = std::make_unique<LogFile>(path);
     warnings_ = log_warnings(log_->health());
   } else {
-    warnings_ = import_carmen(path, scratch, progress).sentences();
+    warnings_ = import_carmen(path, scratch, progress).messages();
     log_ = std::make_unique<LogFile>(scratch);
-    std::filesystem::remove(scratch);  // what is open stays readable
+    std::filesystem::remove(scratch);  // the open file stays readable
   }
-}
-
-namespace {
-
-std::optional<Lasers> lasers_of(const LogEventView& event) {
-  const auto message = decode<config_t>(event.data);
-  if (!message) return std::nullopt;
-  const auto copy = from_message(*message);
-  if (!copy) return std::nullopt;
-  const ConfigFile config = ConfigFile::parse(copy->yaml, "CONFIG of " + copy->stage);
-  if (config.section(Lasers::kSection) == nullptr) return std::nullopt;
-  return load_section<Lasers>(config, Lasers::kSection);
-}
-
-}  // namespace
-
-std::optional<Lasers> recorded_lasers(std::span<const LogEventView> events) {
-  for (const LogEventView& event : events) {
-    if (event.channel != channels::kConfig) continue;
-    if (const auto lasers = lasers_of(event)) return lasers;
-  }
-  return std::nullopt;
 }
 
 }  // namespace adit

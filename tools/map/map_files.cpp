@@ -3,14 +3,15 @@
 #include "tools/map/map_files.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include "common/bus/channels.hpp"
+#include <fmt/format.h>
+
 #include "common/files/file_utils.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/grid/occupancy_grid.hpp"
@@ -22,30 +23,15 @@ namespace adit {
 namespace {
 
 constexpr const char* kHeader =
-    "time_s\tdecision\tclosure\tnewer_map\tolder_map\tchosen\tchosen_before\talternatives\t"
-    "x_m\ty_m\ttheta_deg\tlog_likelihood\tlog_likelihood_of_all\treason\n";
+    "time_s\tdecision\tloop_closure\tnewer_map\tolder_map\tchosen\tpreviously_chosen\t"
+    "alternatives\tx_m\ty_m\ttheta_deg\tlog_likelihood\tlog_likelihood_of_all\treason\n";
 
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), pattern, values...);
-  return text.data();
-}
-
-std::string decision(const Association& a) {
-  if (a.action == Association::Action::kProposed) {
-    return a.chosen == Association::kNone ? "left out" : "closed";
-  }
-  if (a.chosen == Association::kNone) return "undone";
-  return a.previously_chosen == Association::kNone ? "redone" : "changed";
-}
-
-/// Counted from 1, the most likely first.
+/// Alternatives are counted from 1, the most likely one first.
 std::string choice(int chosen) {
   return chosen == Association::kNone ? "none" : std::to_string(chosen + 1);
 }
 
-/// The alternative that a line is about: what is chosen, or was, or might have been.
+/// The alternative in a line: the chosen one, otherwise the previously chosen, otherwise the first.
 const LoopClosureAlternative& described_alternative(const Association& a) {
   int index = 0;
   if (a.previously_chosen != Association::kNone) index = a.previously_chosen;
@@ -56,16 +42,23 @@ const LoopClosureAlternative& described_alternative(const Association& a) {
 std::string line(const Association& a) {
   const LoopClosureAlternative& alternative = described_alternative(a);
   const Pose2& T = alternative.T_older_newer;
-  return format("%.6f\t%s\t%d\t%d\t%d\t", seconds(a.utime), decision(a).c_str(), a.loop_closure.id,
-                a.loop_closure.newer_map, alternative.older_map) +
-         format("%s\t%s\t%zu\t", choice(a.chosen).c_str(), choice(a.previously_chosen).c_str(),
-                a.loop_closure.alternatives.size()) +
-         format("%.3f\t%.3f\t%.2f\t%.1f\t%.1f\t", T.x, T.y, rad_to_deg(T.theta),
-                alternative.log_likelihood, a.log_likelihood) +
-         a.reason + "\n";
+  return fmt::format(
+      "{:.6f}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\t{:.3f}\t{:.3f}\t{:.2f}\t{:.1f}\t{:.1f}\t{}\n",
+      seconds(a.utime), decision_text(a), a.loop_closure.id, a.loop_closure.newer_map,
+      alternative.older_map, choice(a.chosen), choice(a.previously_chosen),
+      a.loop_closure.alternatives.size(), T.x, T.y, rad_to_deg(T.theta), alternative.log_likelihood,
+      a.log_likelihood, a.reason);
 }
 
 }  // namespace
+
+const char* decision_text(const Association& a) {
+  if (a.action == Association::Action::kProposed) {
+    return a.chosen == Association::kNone ? "left open" : "accepted";
+  }
+  if (a.chosen == Association::kNone) return "revoked";
+  return a.previously_chosen == Association::kNone ? "re-accepted" : "revised";
+}
 
 std::string association_table(const FullMap& map) {
   std::string text = kHeader;
@@ -82,24 +75,24 @@ Edge edge_of(const MapGraph& graph, int from, int to) {
           graph.poses[static_cast<std::size_t>(to)].translation()};
 }
 
-/// What is chosen for each closure at the end.
-std::map<int, int> last_choices(const FullMap& map) {
+/// The alternative of each loop closure at the end, by id.
+std::map<int, int> final_choices(const FullMap& map) {
   std::map<int, int> chosen;
   for (const Association* a : map.associations) chosen[a->loop_closure.id] = a->chosen;
   return chosen;
 }
 
 std::vector<Edge> revoked_edges(const FullMap& map) {
-  const std::map<int, int> in_force = last_choices(map);
+  const std::map<int, int> final_choice = final_choices(map);
   std::set<std::pair<int, int>> revoked;  // older, newer
   for (const Association* a : map.associations) {
     if (a->action != Association::Action::kRevised || a->previously_chosen == Association::kNone ||
-        in_force.at(a->loop_closure.id) == a->previously_chosen) {
+        final_choice.at(a->loop_closure.id) == a->previously_chosen) {
       continue;
     }
-    const auto& before =
+    const auto& alternative =
         a->loop_closure.alternatives[static_cast<std::size_t>(a->previously_chosen)];
-    revoked.insert({before.older_map, a->loop_closure.newer_map});
+    revoked.insert({alternative.older_map, a->loop_closure.newer_map});
   }
   std::vector<Edge> edges;
   for (const auto& [older, newer] : revoked) edges.push_back(edge_of(map.graph, older, newer));
@@ -141,14 +134,7 @@ GraphPicture graph_picture(const FullMap& map) {
 
 namespace {
 
-bool insert_scans(const FullMap& map, const Lasers& lasers, OccupancyGrid& grid) {
-  return std::all_of(map.scans.begin(), map.scans.end(), [&](const PlacedScan& placed) {
-    const LaserMount& mount = *placed.channel == channels::kLaserRear ? lasers.rear : lasers.front;
-    return grid.insert(*placed.scan, placed.T_map_body * mount.T_body_laser);
-  });
-}
-
-/// Times at which this run did not observe all of its motion, ascending.
+/// Times of scans of this run that did not observe all motion, ascending.
 std::vector<std::int64_t> unobserved_times(const RunRecord& record) {
   std::vector<std::int64_t> times;
   for (const ScanMatch& match : record.matches()) {
@@ -157,25 +143,29 @@ std::vector<std::int64_t> unobserved_times(const RunRecord& record) {
   return times;
 }
 
-/// The degenerate is marked on the path of this run, the last one.
-MapPicture picture_of(const FullMap& map, const RunRecord& record, const MapFilesOptions& options) {
-  MapPicture picture;
-  picture.title = options.title;
+/// Marks the poses of this run, the last path, where motion was not fully observed.
+void mark_unobserved(const FullMap& map, const RunRecord& record, MapPicture& picture) {
   const auto unobserved = unobserved_times(record);
   for (const Trajectory& path : map.paths) {
     const bool of_this_run = &path == &map.paths.back();
-    if (!picture.path.empty()) picture.jumps.push_back(picture.path.size());
     for (const TimedPose& pose : path) {
-      picture.path.push_back(pose.pose);
       picture.degenerate.push_back(
           of_this_run && std::binary_search(unobserved.begin(), unobserved.end(), pose.utime));
     }
   }
-  if (options.draw_graph) picture.graph = graph_picture(map);
-  return picture;
 }
 
 }  // namespace
+
+MapPicture map_picture(const FullMap& map, const std::string& title) {
+  MapPicture picture;
+  picture.title = title;
+  for (const Trajectory& path : map.paths) {
+    if (!picture.path.empty()) picture.jumps.push_back(picture.path.size());
+    for (const TimedPose& pose : path) picture.path.push_back(pose.pose);
+  }
+  return picture;
+}
 
 bool write_map_files(const FullMap& map, const RunRecord& record, const MapFilesOptions& options,
                      const std::filesystem::path& folder) {
@@ -184,7 +174,10 @@ bool write_map_files(const FullMap& map, const RunRecord& record, const MapFiles
   OccupancyGrid grid(options.grid);
   if (!insert_scans(map, options.lasers, grid)) return false;
   write_map_server(grid, folder, "map");
-  write_map_png(grid, picture_of(map, record, options), folder / "map.png");
+  MapPicture picture = map_picture(map, options.title);
+  mark_unobserved(map, record, picture);
+  if (options.draw_graph) picture.graph = graph_picture(map);
+  write_map_png(grid, picture, folder / "map.png");
   return true;
 }
 

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "common/bus/channels.hpp"
 #include "common/bus/log/replay_bus.hpp"
 #include "common/bus/node/node_host.hpp"
@@ -18,6 +20,7 @@
 #include "tools/map/full_map.hpp"
 #include "tools/map/log_input.hpp"
 #include "tools/map/map_files.hpp"
+#include "tools/map/recorded_config.hpp"
 #include "tools/map/result_folder.hpp"
 #include "tools/map/run_record.hpp"
 #include "tools/map/stopwatch_bus.hpp"
@@ -28,10 +31,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The section of the config file that this tool reads itself, beside those of the stages.
-constexpr const char* kGridSection = "map_grid";
-/// The file of the results in which mapping keeps what it knows, and its name in CONFIG.
-constexpr const char* kJournal = "map.journal";
+constexpr const char* kGridSection =
+    "map_grid";                                  // of this tool, in addition to those of the stages
+constexpr const char* kJournal = "map.journal";  // of mapping: file of the results, name in CONFIG
 
 ConfigFile load_config(const std::filesystem::path& path) {
   if (path.empty()) return {};
@@ -42,10 +44,11 @@ ConfigFile load_config(const std::filesystem::path& path) {
   return file;
 }
 
-/// As the configuration file says it; otherwise as the log says it; otherwise the defaults.
-Lasers find_lasers(const ConfigFile& config, const LogInput& input) {
+/// Laser mounts from the configuration file, otherwise from CONFIG in the log, otherwise defaults.
+Lasers find_lasers(const ConfigFile& config, const LogInput& input,
+                   std::vector<std::string>& warnings) {
   if (config.section(Lasers::kSection) == nullptr) {
-    if (const auto recorded = recorded_lasers(input.all_events())) return *recorded;
+    if (const auto recorded = recorded_lasers(input.all_events(), warnings)) return *recorded;
   }
   return load_section<Lasers>(config, Lasers::kSection);
 }
@@ -57,32 +60,32 @@ ConfiguredNode configure_scan_matching(const ConfigFile& config, const Lasers& l
   return configured_node<ScanMatchingNode>(kStage, to_yaml(params, kStage), params);
 }
 
-/// The journal is one of the results, whatever the config says: CONFIG names it as it is called
-/// there, and not where it grows. Another log may begin anywhere on the map that it continues.
+/// The journal is always written into `folder`; CONFIG has its name without the folder. With
+/// `resume` the start of the log may be anywhere on the map.
 ConfiguredNode configure_mapping(const ConfigFile& config, const Lasers& lasers,
-                                 const std::filesystem::path& folder, bool resumes) {
+                                 const std::filesystem::path& folder, bool resume) {
   constexpr const char* kStage = "mapping";
   auto params = load_section<MappingNode::Params>(config, kStage);
   params.lasers = lasers;
-  params.carried = params.carried || resumes;
+  params.carried = params.carried || resume;
   params.journal = kJournal;
   const std::string yaml = to_yaml(params, kStage);
   params.journal = (folder / kJournal).string();
   return configured_node<MappingNode>(kStage, yaml, params);
 }
 
-/// Brings the journal of an earlier run into the folder, and gives what is in it.
+/// Copies the journal of an earlier run into the folder and returns its content.
 StoredMap load_resumed_map(const std::filesystem::path& resume,
                            const std::filesystem::path& folder) {
   if (resume.empty()) return {};
   const std::filesystem::path journal = resume / kJournal;
   if (!std::filesystem::is_regular_file(journal)) {
-    throw std::runtime_error("no map to resume: there is no " + journal.string());
+    throw std::runtime_error("no map to resume: " + journal.string() + " does not exist");
   }
   std::filesystem::copy_file(journal, folder / kJournal);
   StoredMap stored = read_map_journal(folder / kJournal);
   if (stored.maps.empty()) {
-    throw std::runtime_error("no map to resume: there is no local map in " + journal.string());
+    throw std::runtime_error("no map to resume: no local map in " + journal.string());
   }
   return stored;
 }
@@ -107,28 +110,28 @@ MapFilesOptions map_files_options(const ConfigFile& config, const Lasers& lasers
           load_section<OccupancyGridParams>(config, kGridSection), lasers, options.draw_graph};
 }
 
-/// Without a scan, or without anything that could hold it to the map it continues, there is no
-/// result. What the earlier run had not finished is finished now, but is no part of this one.
+/// Throws std::runtime_error if the run has no scans or, when it resumes a map, no local map of its
+/// own session: mapping first completes the last local map of the earlier run.
 void require_result(const RunRecord& record, const StoredMap& earlier,
                     const MapRunOptions& options) {
   if (record.matches().empty()) {
     throw std::runtime_error("no usable laser scan in " + options.input.string());
   }
   const auto& maps = record.local_maps();
-  const bool some = std::any_of(maps.begin(), maps.end(), [&earlier](const LocalMap& map) {
+  const bool has_own_map = std::any_of(maps.begin(), maps.end(), [&earlier](const LocalMap& map) {
     return earlier.maps.empty() || map.session > earlier.maps.back().session;
   });
-  if (!options.resume.empty() && !some) {
-    throw std::runtime_error("too short to continue a map: " + options.input.string());
+  if (!options.resume.empty() && !has_own_map) {
+    throw std::runtime_error("log too short to continue a map: " + options.input.string());
   }
 }
 
 std::vector<std::string> collect_warnings(const LogInput& input, const ReplayBus& bus) {
   std::vector<std::string> warnings;
-  for (const std::string& sentence : input.warnings()) warnings.push_back("skipped " + sentence);
+  for (const std::string& warning : input.warnings()) warnings.push_back("skipped " + warning);
   if (bus.rejected_events() > 0) {
-    warnings.push_back("skipped " + std::to_string(bus.rejected_events()) +
-                       " events with times that cannot be");
+    warnings.push_back(
+        fmt::format("skipped {} events with implausible times", bus.rejected_events()));
   }
   return warnings;
 }
@@ -142,7 +145,7 @@ MapRunResult result_of(const RunRecord& record, const FullMap& map) {
       [](const ScanMatch& match) { return match.status == ScanMatch::Status::kLost; }));
   result.path_length_m = distance_travelled_m(record.odometry(), kTravelStepM);
   result.local_maps = map.local_maps.size();
-  result.loop_closures = count_loop_closures(map).in_force;
+  result.loop_closures = count_loop_closures(map).accepted;
   result.cross_session_loop_closures = count_cross_session_loop_closures(map);
   return result;
 }
@@ -159,7 +162,8 @@ MapRunResult run_map(const MapRunOptions& options,
 
   LogInput input(options.input, folder / "input.lcmlog",
                  [&](double done) { progress("reading", done); });
-  const Lasers lasers = find_lasers(config, input);
+  std::vector<std::string> config_warnings;
+  const Lasers lasers = find_lasers(config, input, config_warnings);
   const MapFilesOptions files = map_files_options(config, lasers, options);
   const auto scan_matching = configure_scan_matching(config, lasers);
   const auto mapping = configure_mapping(config, lasers, folder, !options.resume.empty());
@@ -178,13 +182,13 @@ MapRunResult run_map(const MapRunOptions& options,
   const FullMap map = full_map(earlier, record);
   MapRunResult result = result_of(record, map);
   result.warnings = collect_warnings(input, bus);
+  result.warnings.insert(result.warnings.end(), config_warnings.begin(), config_warnings.end());
   if (!options.resume.empty() && result.cross_session_loop_closures == 0) {
     result.warnings.emplace_back(
-        "not recognised in the map that it continues: its place there "
-        "is a guess");
+        "no loop closure to the resumed map: the pose of this run in it is not verified");
   }
   if (!write_map_files(map, record, files, folder)) {
-    result.warnings.emplace_back("no map: the poses are farther apart than map_grid allows");
+    result.warnings.emplace_back("no map: the poses exceed the size limit of map_grid");
   }
   write_graph_files(map, folder);
   RunCost cost = process_cost();

@@ -11,9 +11,9 @@ namespace adit {
 
 struct MapRunOptions {
   std::filesystem::path input;   ///< CARMEN log, plain or gzip, or LCM log
-  std::filesystem::path folder;  ///< made if it is not there
+  std::filesystem::path folder;  ///< created if it does not exist
   std::filesystem::path config;  ///< YAML, or empty: defaults
-  bool use_odometry = true;      ///< otherwise wheel odometry and IMU are left out
+  bool use_odometry = true;      ///< false: wheel odometry and IMU are not replayed
   std::filesystem::path resume;  ///< folder of an earlier run whose map is continued, or empty
   bool draw_graph = false;       ///< draw the pose graph into map.png
 };
@@ -22,22 +22,21 @@ struct MapRunResult {
   std::size_t scans = 0;
   std::size_t lost = 0;
   double path_length_m = 0.0;
-  std::size_t local_maps = 0;     ///< of the whole map
-  std::size_t loop_closures = 0;  ///< in force at the end
-  std::size_t cross_session_loop_closures =
-      0;  ///< those of them that hold this run to the map that it continues
+  std::size_t local_maps = 0;                   ///< of the full map
+  std::size_t loop_closures = 0;                ///< accepted at the end
+  std::size_t cross_session_loop_closures = 0;  ///< of those: from this run to the resumed map
   double wall_s = 0.0;
-  std::vector<std::string> warnings;  ///< what was skipped or could not be done, a sentence each
+  std::vector<std::string> warnings;  ///< one sentence each
 };
 
-/// Runs the pipeline on a recording in this process, as fast as it goes, and writes trajectory.tum
-/// (T_map_body), odometry.tum (T_odom_body), map.png, map.pgm + map.yaml, graph.g2o,
-/// associations.tsv, map.journal (what mapping knows, to be resumed), run.lcmlog (all messages, in
-/// and out) and summary.json. The same log, config and build give the same files but for the times
-/// in summary.json, byte for byte. A map that is resumed keeps its frame, and its files come to
-/// show both runs; the folders may be one and the same. `progress` is called with what is being
-/// done and the share of it that is done. Throws ConfigError or std::runtime_error; the folder is
-/// then as it was.
+/// Runs scan matching and mapping on a log in this process, as fast as possible, and writes
+/// trajectory.tum (T_map_body), odometry.tum (T_odom_body), map.png, map.pgm and map.yaml,
+/// graph.g2o, associations.tsv, map.journal (the state of mapping, to resume from), run.lcmlog (all
+/// input and output messages) and summary.json. The same log, configuration and build give the same
+/// files, byte for byte, except for the times in summary.json. A resumed map keeps its frame, and
+/// the files cover both runs; `resume` and `folder` may be the same folder. `progress` is called
+/// with the name of the current step and the finished share of it. Throws ConfigError or
+/// std::runtime_error; the folder is unchanged then.
 MapRunResult run_map(const MapRunOptions& options,
                      const std::function<void(const std::string& label, double done)>& progress);
 

@@ -12,15 +12,15 @@ namespace fs = std::filesystem;
 ResultFolder::ResultFolder(fs::path folder)
     : folder_(std::move(folder)),
       unfinished_(folder_ / ".unfinished"),
-      made_(fs::create_directories(folder_)) {
-  fs::remove_all(unfinished_);  // of a run that was killed
+      created_(fs::create_directories(folder_)) {
+  fs::remove_all(unfinished_);  // left by a killed run
   fs::create_directory(unfinished_);
 }
 
 ResultFolder::~ResultFolder() {
   std::error_code ignored;
   fs::remove_all(unfinished_, ignored);
-  if (made_) fs::remove(folder_, ignored);  // which fails, as it should, where there is a result
+  if (created_) fs::remove(folder_, ignored);  // fails if the folder has results, as intended
 }
 
 void ResultFolder::publish() const {

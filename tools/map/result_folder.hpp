@@ -6,28 +6,28 @@
 
 namespace adit {
 
-/// The folder of a run's results. They are written into a folder inside it and moved to their
-/// places all at once, so that a run that fails leaves the results of an earlier one as they were,
-/// and a run may read a file that it is about to replace.
+/// The folder for the results of a run. Results are written to a subfolder and moved when all are
+/// complete, so that a failed run does not change earlier results, and a run can read a file that
+/// it replaces.
 class ResultFolder {
  public:
-  /// Makes the folder where it is not there. Throws std::filesystem::filesystem_error.
+  /// Creates the folder if it does not exist. Throws std::filesystem::filesystem_error.
   explicit ResultFolder(std::filesystem::path folder);
-  /// Drops what was not published, and the folder if this made it for nothing.
+  /// Removes unpublished files, and the folder if it was created here and is empty.
   ~ResultFolder();
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;
 
-  /// Where to write.
+  /// Subfolder to write to.
   [[nodiscard]] const std::filesystem::path& unfinished() const { return unfinished_; }
 
-  /// Moves everything to its place, over what has the same name.
+  /// Moves all files of the subfolder into the folder, replacing files of the same name.
   void publish() const;
 
  private:
   std::filesystem::path folder_;
   std::filesystem::path unfinished_;
-  bool made_;
+  bool created_;
 };
 
 }  // namespace adit

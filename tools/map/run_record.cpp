@@ -4,29 +4,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
-#include "common/messages/mapping/association.hpp"
 #include "common/messages/mapping/odometry.hpp"
-#include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/sensing.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::size_t kWaiting = 1000;
-constexpr double kTailStepM = 0.1;  // as local maps keep their scans
+constexpr std::size_t kQueued = 1000;
+constexpr double kTailStepM = 0.1;  // as for the scans of a local map
 constexpr double kTailStepRad = 0.1;
 
-/// What a stretch consists of; nothing for a scan that is as it should be.
+/// Kind of a segment.
 struct Kind {
   bool lost;
   bool filled;
   friend bool operator==(const Kind&, const Kind&) = default;
 };
 
+/// Nothing for a scan that observed all motion.
 std::optional<Kind> kind_of(const ScanMatch& match) {
   if (match.status == ScanMatch::Status::kLost) return Kind{true, false};
   if (match.degenerate.empty()) return std::nullopt;
@@ -41,41 +41,24 @@ std::optional<Kind> kind_of(const ScanMatch& match) {
 RunRecord::RunRecord(Bus& bus) {
   subscribe_laser(bus, channels::kLaserFront);
   subscribe_laser(bus, channels::kLaserRear);
-  subscribe<scan_match_t>(bus, channels::kScanMatch, Delivery::queued(kWaiting),
+  subscribe<scan_match_t>(bus, channels::kScanMatch, Delivery::queued(kQueued),
                           [this](const ScanMatch& match) { on_match(match); });
-  subscribe_mapping(bus);
+  map_subscription_.subscribe(
+      bus, {.on_local_map = [this](LocalMap map) { on_local_map(std::move(map)); },
+            .on_graph = [this](MapGraph graph) { graph_ = std::move(graph); },
+            .on_association = [this](const Association& a) { associations_.push_back(a); }});
 }
 
 void RunRecord::subscribe_laser(Bus& bus, std::string_view channel) {
   subscribe<planar_lidar_t>(
-      bus, channel, Delivery::queued(kWaiting),
+      bus, channel, Delivery::queued(kQueued),
       [this, name = std::string(channel)](const LaserScan& scan) { last_scan_[name] = scan; });
-}
-
-void RunRecord::subscribe_mapping(Bus& bus) {
-  subscribe<local_map_t>(bus, channels::kLocalMap, Delivery::queued(kWaiting),
-                         [this](const LocalMapFragment& fragment) {
-                           if (auto map = local_map_fragments_.add(fragment)) {
-                             on_local_map(std::move(*map));
-                           }
-                         });
-  subscribe<pose_graph_t>(bus, channels::kPoseGraph, Delivery::queued(kWaiting),
-                          [this](const PoseGraphFragment& fragment) {
-                            if (auto graph = graph_fragments_.add(fragment))
-                              graph_ = std::move(graph);
-                          });
-  subscribe<association_t>(
-      bus, channels::kAssociation, Delivery::queued(kWaiting),
-      [this](const Association& association) { associations_.push_back(association); });
-  subscribe<map_correction_t>(
-      bus, channels::kMapCorrection, Delivery::queued(kWaiting),
-      [this](const MapCorrection& correction) { correction_ = correction; });
 }
 
 void RunRecord::on_match(const ScanMatch& match) {
   const auto scan = last_scan_.find(match.channel);
-  const bool known = scan != last_scan_.end() && scan->second.utime == match.utime;
-  if (match.status == ScanMatch::Status::kRejected || !known) {
+  const bool has_scan = scan != last_scan_.end() && scan->second.utime == match.utime;
+  if (match.status == ScanMatch::Status::kRejected || !has_scan) {
     ++rejected_;
     return;
   }
@@ -102,7 +85,7 @@ bool RunRecord::is_far_from_tail(const ScanMatch& match) const {
 Trajectory RunRecord::odometry() const {
   Trajectory odometry;
   for (const ScanMatch& match : matches_) {
-    // Two lasers may have measured at one time; the second has the better pose.
+    // Of two lasers with the same time, the second match has the better pose.
     if (!odometry.empty() && odometry.back().utime == match.utime) odometry.pop_back();
     odometry.push_back({match.utime, match.T_odom_body});
   }

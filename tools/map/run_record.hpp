@@ -7,23 +7,22 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "common/bus/bus.hpp"
-#include "common/messages/mapping/local_map.hpp"
-#include "common/messages/mapping/pose_graph.hpp"
-#include "common/pose_graph/map_correction.hpp"
 #include "common/pose_graph/map_graph.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/scan_match.hpp"
 #include "common/types/association.hpp"
 #include "common/types/local_map.hpp"
 #include "tools/eval/trajectory.hpp"
+#include "tools/map/map_subscription.hpp"
 
 namespace adit {
 
-/// Listens to a run and keeps what its files are made of: what became of every scan, the local
-/// maps, and the scans for which there is no local map yet.
+/// Collects the data for the result files of a run: all scan matches, the output of mapping, and
+/// the scans that are not in a local map yet.
 class RunRecord {
  public:
   struct Entry {
@@ -31,31 +30,30 @@ class RunRecord {
     ScanMatch match;
   };
 
-  /// A stretch of the way over which scans left a direction open or matched nothing.
+  /// An interval of consecutive scans that were degenerate or lost.
   struct Segment {
     std::int64_t from_utime = 0;
     std::int64_t to_utime = 0;
     double length_m = 0.0;
     int scans = 0;
-    bool lost = false;    ///< otherwise degenerate
-    bool filled = false;  ///< degenerate, but odometry or gyro stood in
+    bool lost = false;    ///< false: degenerate
+    bool filled = false;  ///< degenerate, with the open direction taken from odometry or gyro
   };
 
   /// `bus` must outlive this.
   explicit RunRecord(Bus& bus);
 
-  /// Of the scans that gave a pose, in order.
+  /// Matches of all scans with a pose, in order.
   [[nodiscard]] const std::vector<ScanMatch>& matches() const { return matches_; }
   [[nodiscard]] std::size_t rejected_scans() const { return rejected_; }
-  /// The scans after the last local map; without the lost, and without those that a body at rest
-  /// takes over and over.
+  /// Scans after the last local map, except for lost ones and for those less than 0.1 m and 0.1 rad
+  /// from the previous one.
   [[nodiscard]] const std::vector<Entry>& tail() const { return tail_; }
 
   [[nodiscard]] const std::vector<LocalMap>& local_maps() const { return local_maps_; }
   [[nodiscard]] const std::vector<Association>& associations() const { return associations_; }
-  /// The last one; nothing before the first local map.
+  /// Last POSE_GRAPH; nothing before the first local map.
   [[nodiscard]] const std::optional<MapGraph>& graph() const { return graph_; }
-  [[nodiscard]] const std::optional<MapCorrection>& correction() const { return correction_; }
 
   /// T_odom_body at each scan.
   [[nodiscard]] Trajectory odometry() const;
@@ -63,7 +61,6 @@ class RunRecord {
 
  private:
   void subscribe_laser(Bus& bus, std::string_view channel);
-  void subscribe_mapping(Bus& bus);
   void on_match(const ScanMatch& match);
   void on_local_map(LocalMap map);
   [[nodiscard]] bool is_far_from_tail(const ScanMatch& match) const;
@@ -72,15 +69,13 @@ class RunRecord {
   std::vector<ScanMatch> matches_;
   std::vector<Entry> tail_;
   std::size_t rejected_ = 0;
-  LocalMapReassembler local_map_fragments_;
-  PoseGraphReassembler graph_fragments_;
+  MapSubscription map_subscription_;
   std::vector<LocalMap> local_maps_;
   std::vector<Association> associations_;
   std::optional<MapGraph> graph_;
-  std::optional<MapCorrection> correction_;
 };
 
-/// Did the scan leave a direction open, or match nothing?
+/// True for a lost scan and for one with a degenerate direction.
 bool is_unobserved(const ScanMatch& match);
 
 }  // namespace adit

@@ -15,14 +15,14 @@
 
 namespace adit {
 
-/// Passes a bus on to a stage of a run and keeps the wall time that the stage takes for each
-/// message of some channels, decoding and publishing included. The times go nowhere near the
-/// messages, which must repeat byte for byte.
+/// Decorates the bus of a stage: measures the wall time of the stage for each message of some
+/// channels, including decoding and publishing. The times do not affect messages, which must be
+/// reproducible.
 class StopwatchBus final : public Bus {
  public:
   struct Handled {
     double ms = 0.0;
-    bool answered = false;  ///< whether the stage published anything for it
+    bool answered = false;  ///< the stage published a message in the handler
   };
 
   StopwatchBus(Bus& bus, std::set<std::string, std::less<>> channels)
@@ -51,7 +51,7 @@ class StopwatchBus final : public Bus {
   bool answered_ = false;
 };
 
-/// The times of all messages, or only of those that were answered [ms].
+/// Times of all messages, or only of the answered ones [ms].
 std::vector<double> milliseconds(const StopwatchBus& stopwatch, bool answered_only);
 
 }  // namespace adit

@@ -12,13 +12,14 @@
 #include "common/messages/codec.hpp"
 #include "common/messages/mapping/local_map.hpp"
 #include "common/pose_graph/pose_graph.hpp"
+#include "common/sensing/seconds.hpp"
 
 namespace adit {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * t.tv_usec; }
+double cpu_seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * t.tv_usec; }
 
 double mean(const std::vector<double>& values) {
   if (values.empty()) return 0.0;
@@ -51,7 +52,7 @@ Json scans_json(const RunRecord& record) {
   return {{"total", matches.size() + record.rejected_scans()},
           {"matched", count(record, ScanMatch::Status::kMatched)},
           {"lost", count(record, ScanMatch::Status::kLost)},
-          {"refused", record.rejected_scans()},
+          {"rejected", record.rejected_scans()},
           {"searched", searched},
           {"degenerate", degenerate}};
 }
@@ -59,24 +60,24 @@ Json scans_json(const RunRecord& record) {
 Json segments_json(const RunRecord& record) {
   Json list = Json::array();
   for (const auto& segment : record.segments()) {
-    list.push_back({{"from_s", 1e-6 * static_cast<double>(segment.from_utime)},
-                    {"to_s", 1e-6 * static_cast<double>(segment.to_utime)},
+    list.push_back({{"from_s", seconds(segment.from_utime)},
+                    {"to_s", seconds(segment.to_utime)},
                     {"length_m", segment.length_m},
                     {"scans", segment.scans},
-                    {"what", segment.lost ? "lost" : "degenerate"},
+                    {"kind", segment.lost ? "lost" : "degenerate"},
                     {"filled_by_sensor", segment.filled}});
   }
   return list;
 }
 
-/// As messages, in all pieces [bytes].
+/// Size of the messages, all fragments [bytes].
 double serialised_bytes(const LocalMap& map) {
   std::size_t bytes = 0;
   for (const LocalMapFragment& fragment : split(map)) bytes += encode(to_message(fragment)).size();
   return static_cast<double>(bytes);
 }
 
-/// In memory, for its scans; the walls that mapping makes of them are not counted.
+/// Size in memory, without the walls that mapping computes from the scans [bytes].
 double resident_bytes(const LocalMap& map) {
   std::size_t bytes = sizeof(LocalMap) + map.scans.size() * sizeof(LocalScan);
   for (const LocalScan& scan : map.scans) bytes += scan.scan.ranges_m.size() * sizeof(float);
@@ -103,9 +104,9 @@ Json map_json(const FullMap& map) {
   const LoopClosureCounts loop_closures = count_loop_closures(map);
   return {{"sessions", map.paths.size()},
           {"local_maps", map.local_maps.size()},
-          {"closures",
+          {"loop_closures",
            {{"proposed", loop_closures.proposed},
-            {"in_force", loop_closures.in_force},
+            {"accepted", loop_closures.accepted},
             {"revised", loop_closures.revised},
             {"to_earlier_sessions", count_cross_session_loop_closures(map)}}},
           {"objective", objective_of(map.graph)},
@@ -118,7 +119,7 @@ RunCost process_cost() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   RunCost cost;
-  cost.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  cost.cpu_s = cpu_seconds(usage.ru_utime) + cpu_seconds(usage.ru_stime);
   cost.peak_memory_mb = static_cast<double>(usage.ru_maxrss) / 1024.0;
   return cost;
 }
@@ -128,7 +129,7 @@ LoopClosureCounts count_loop_closures(const FullMap& map) {
   for (const Association* association : map.associations) {
     ++(association->action == Association::Action::kRevised ? counts.revised : counts.proposed);
   }
-  counts.in_force = static_cast<std::size_t>(std::count_if(
+  counts.accepted = static_cast<std::size_t>(std::count_if(
       map.graph.constraints.begin(), map.graph.constraints.end(),
       [](const auto& constraint) { return constraint.kind == MapConstraint::Kind::kLoopClosure; }));
   return counts;
@@ -137,9 +138,7 @@ LoopClosureCounts count_loop_closures(const FullMap& map) {
 std::string summary_json(const RunRecord& record, const FullMap& map, const RunCost& cost) {
   const Trajectory trajectory = record.odometry();
   const double duration_s =
-      trajectory.empty()
-          ? 0.0
-          : 1e-6 * static_cast<double>(trajectory.back().utime - trajectory.front().utime);
+      trajectory.empty() ? 0.0 : seconds(trajectory.back().utime - trajectory.front().utime);
   const Json json = {
       {"scans", scans_json(record)},
       {"path_length_m", distance_travelled_m(trajectory, kTravelStepM)},

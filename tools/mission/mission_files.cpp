@@ -6,6 +6,8 @@
 #include <sstream>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "common/bus/node/stages.hpp"
 #include "common/config/config.hpp"
 #include "common/files/file_utils.hpp"
@@ -19,24 +21,24 @@
 namespace adit {
 namespace {
 
-// Pose and commands expire after 0.25 s, and take two turns from the simulator to who judges them.
-constexpr const char* kAhead = " --ahead-max-s 0.1";
+// Pose and commands expire after 0.25 s and take two cycles from the simulator to the guard.
+constexpr const char* kAheadMax = " --ahead-max-s 0.1";
 
-// A supervisor of a robot sees within this time that a process has gone or stands still; as fast as
-// it goes, minutes of simulated time would go by until it does.
-constexpr const char* kMissed = " --outage-max-s 10";
+// The supervisor of a robot detects a dead or hanging process within this time. At maximum speed,
+// minutes of simulated time would pass until then.
+constexpr const char* kOutageMax = " --outage-max-s 10";
 
 constexpr const char* kLicence =
     "# SPDX-FileCopyrightText: The Adit authors\n# SPDX-License-Identifier: BSD-3-Clause\n";
 
-/// For a shell's reader, within the double quotes of a process list.
-std::string quoted(const std::string& word) { return "'" + word + "'"; }
+/// Quotes an argument for a command line within the double quotes of a process list.
+std::string quoted(const std::string& argument) { return "'" + argument + "'"; }
 
 std::string simulator_line(const SimulatorStart& start) {
   std::string names;
   for (const std::string& stage : stage_names()) names += (names.empty() ? "" : ",") + stage;
-  std::string line = "adit-sim start.yaml --config mission.yaml --speed " + start.speed + kAhead +
-                     kMissed + " --wait-for " + names + " --record " +
+  std::string line = "adit-sim start.yaml --config mission.yaml --speed " + start.speed +
+                     kAheadMax + kOutageMax + " --wait-for " + names + " --record " +
                      start.log.filename().string();
   if (start.start_utime) line += " --start-utime " + std::to_string(*start.start_utime);
   for (const std::string& fault : start.faults) line += " --fault " + quoted(fault);
@@ -46,14 +48,14 @@ std::string simulator_line(const SimulatorStart& start) {
 }  // namespace
 
 std::string without_repeated_sections(const std::vector<std::string>& yamls) {
-  std::set<std::string> seen;
+  std::set<std::string> sections;
   std::string text;
   for (const std::string& yaml : yamls) {
     bool repeated = false;
     std::istringstream lines(yaml);
     for (std::string line; std::getline(lines, line);) {
       const bool is_key = !line.empty() && line.front() != ' ' && line.front() != '#';
-      if (is_key) repeated = !seen.insert(line.substr(0, line.find(':'))).second;
+      if (is_key) repeated = !sections.insert(line.substr(0, line.find(':'))).second;
       if (!repeated) text += line + "\n";
     }
   }
@@ -71,19 +73,32 @@ std::string mission_config(const std::filesystem::path& config) {
   return without_repeated_sections(yamls);
 }
 
-/// No sign of life is asked for: the simulator may stand still, and everybody with it.
+/// The list has no heartbeat timeouts: all processes stand still while the simulator does.
 std::string process_list_text(const SimulatorStart& start) {
-  std::string text = kLicence;
-  text += "group \"simulation\" {\n  cmd \"sim\" {\n    exec = \"" + simulator_line(start) +
-          "\";\n    stop_signal = 15; stop_time_allowed = 20;\n  }\n}\ngroup \"stages\" {\n";
+  std::string text = fmt::format(R"({}group "simulation" {{
+  cmd "sim" {{
+    exec = "{}";
+    stop_signal = 15; stop_time_allowed = 20;
+  }}
+}}
+group "stages" {{
+)",
+                                 kLicence, simulator_line(start));
   for (const std::string& stage : stage_names()) {
-    if (stage == "supervisor") continue;  // which keeps them
-    text.append("  cmd \"").append(stage).append("\" {\n    exec = \"adit-").append(stage);
-    text.append(" --sim-time --config mission.yaml\";\n    auto_respawn = \"true\"; ");
-    text.append("stop_signal = 15; stop_time_allowed = 3;\n  }\n");
+    if (stage == "supervisor") continue;  // it manages the others
+    text += fmt::format(R"(  cmd "{0}" {{
+    exec = "adit-{0} --sim-time --config mission.yaml";
+    auto_respawn = "true"; stop_signal = 15; stop_time_allowed = 3;
+  }}
+)",
+                        stage);
   }
-  text += "}\nscript \"go\" {\n  start group \"stages\";\n  start cmd \"sim\";\n}\n";
-  return text;
+  return text + R"(}
+script "go" {
+  start group "stages";
+  start cmd "sim";
+}
+)";
 }
 
 std::string supervisor_config() {
@@ -99,7 +114,7 @@ constexpr std::int64_t kPowerLossDurationUs = 10'000'000;  // of simulated time
 Eigen::Vector2d start_mission(const MissionLiveOptions& options, const MissionFolder& folder) {
   folder.require_new();
   const WorldDescription world = describe(options.world);
-  build_world(world);  // what cannot be built is said here, and not by a process that ends
+  build_world(world);  // reports errors of the world here, not in the process of the simulator
   write_text_file(mission_config(options.config), folder.config());
   write_text_file(to_world_file(world), folder.world());
   write_text_file(to_world_file(world), folder.start());
@@ -107,7 +122,7 @@ Eigen::Vector2d start_mission(const MissionLiveOptions& options, const MissionFo
   return world.T_world_start.translation();
 }
 
-/// Returns where it once began, and says when the new life does.
+/// Returns the position of the first start. Sets the start time of the new run.
 Eigen::Vector2d resume_mission(const MissionFolder& folder, SimulatorStart& start) {
   folder.require_unfinished();
   WorldDescription world = find_world(folder.world().string());

@@ -15,31 +15,31 @@
 
 namespace adit {
 
-/// How the simulator of a mission is to be started.
+/// Start options of the simulator of a mission.
 struct SimulatorStart {
-  std::filesystem::path log;                ///< that it is to write
-  std::optional<std::int64_t> start_utime;  ///< of simulated time; the wall clock's without
-  std::string speed = "max";                ///< as `adit sim --speed` takes it
-  std::vector<std::string> faults;          ///< as parse_fault takes them
+  std::filesystem::path log;                ///< file to record
+  std::optional<std::int64_t> start_utime;  ///< of simulated time; nothing: the wall clock
+  std::string speed = "max";                ///< value of `adit sim --speed`
+  std::vector<std::string> faults;          ///< in the syntax of parse_fault
 };
 
-/// One file for all processes of a mission: every key of every stage with the value in effect.
-/// Journals are named without a folder, for processes that run in that of the mission. Throws
+/// YAML for all processes of a mission: all keys of all stages with their effective values.
+/// Journals have no folder, because the processes run in the folder of the mission. Throws
 /// ConfigError.
 std::string mission_config(const std::filesystem::path& config);
 
-/// The process list: the simulator, which waits for all stages and records, and the stages.
+/// The process list: the stages, and the simulator, which waits for all stages and records.
 std::string process_list_text(const SimulatorStart& start);
 
-/// The file of adit-supervisor.
+/// YAML for adit-supervisor.
 std::string supervisor_config();
 
-/// The sections of several YAML texts, each as where it comes first.
+/// Joins YAML texts. Of sections with the same name the first one is used.
 std::string without_repeated_sections(const std::vector<std::string>& yamls);
 
-/// Writes into the folder what all processes of a mission read. One that goes on keeps its
-/// configuration, and the simulated robot stands where TRUTH last had it. Returns where it once
-/// began, in world [m]. Throws for options that cannot be used, and as MissionFolder does.
+/// Writes all input files of the processes of a mission into its folder. A resumed mission keeps
+/// its configuration, and the simulated robot starts at the last TRUTH. Returns the position of the
+/// first start in world [m]. Throws for invalid options, and as MissionFolder does.
 Eigen::Vector2d prepare_mission(const MissionLiveOptions& options, const MissionFolder& folder);
 
 }  // namespace adit

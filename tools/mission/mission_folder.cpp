@@ -25,7 +25,7 @@ std::optional<SimulatedPose> truth_pose_in(const LogEventView& event) {
   if (event.channel != channels::kTruth) return std::nullopt;
   const auto message = decode<pose_t>(event.data);
   if (!message) return std::nullopt;
-  const auto pose = from_message(*message);  // of TRUTH: in world
+  const auto pose = from_message(*message);  // TRUTH: T_world_body
   if (!pose) return std::nullopt;
   return SimulatedPose{pose->utime, pose->T_odom_body};
 }
@@ -63,16 +63,15 @@ bool MissionFolder::has_mission() const { return fs::exists(journal()) || !logs(
 
 void MissionFolder::require_new() const {
   if (!has_mission()) return;
-  throw std::runtime_error(path_.string() +
-                           " holds a mission already: go on with it by --resume, or name another "
-                           "folder");
+  throw std::runtime_error(
+      path_.string() + " already has a mission: resume it with --resume, or use another folder");
 }
 
 void MissionFolder::require_unfinished() const {
   if (!has_mission() || !fs::exists(world()) || !fs::exists(config())) {
-    throw std::runtime_error(path_.string() + " holds no mission to go on with");
+    throw std::runtime_error(path_.string() + " has no mission to resume");
   }
-  if (!fs::exists(journal())) return;  // it was cut off before it began
+  if (!fs::exists(journal())) return;  // power loss before the first phase
   const MissionJournal journal(this->journal());
   if (journal.last() && journal.last()->phase == Phase::kEnded) {
     throw std::runtime_error("the mission in " + path_.string() +
@@ -85,7 +84,8 @@ SimulatedPose MissionFolder::last_pose() const {
   for (auto log = logs.rbegin(); log != logs.rend(); ++log) {
     if (const auto pose = last_truth_pose_in(*log)) return *pose;
   }
-  throw std::runtime_error(path_.string() + ": no log says where the robot is");
+  throw std::runtime_error(path_.string() +
+                           ": no log has TRUTH, the pose to resume from is unknown");
 }
 
 }  // namespace adit

@@ -10,43 +10,42 @@
 
 namespace adit {
 
-/// Where the body of a simulated mission stands, and when.
+/// Pose of the simulated body at a time.
 struct SimulatedPose {
   std::int64_t utime = 0;  ///< [µs since the epoch]
   Pose2 T_world_body;
 };
 
-/// The folder of one mission: the log of each of its lives, run.lcmlog, run_2.lcmlog, .., and what
-/// stages need to go on, which are journals and the files that configured them.
+/// The folder of one mission: the log of each run, run.lcmlog, run_2.lcmlog, .., and the journals
+/// and configuration files that are required to resume it.
 class MissionFolder {
  public:
-  /// Made where it is not there. Throws std::filesystem::filesystem_error.
+  /// Creates the folder if it does not exist. Throws std::filesystem::filesystem_error.
   explicit MissionFolder(const std::filesystem::path& path);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// The mine with the robot where it once began.
+  /// The world with the robot at its first start.
   [[nodiscard]] std::filesystem::path world() const { return path_ / "world.yaml"; }
-  /// The same with the robot where the present life begins.
+  /// The world with the robot at the start of the current run.
   [[nodiscard]] std::filesystem::path start() const { return path_ / "start.yaml"; }
   [[nodiscard]] std::filesystem::path config() const { return path_ / "mission.yaml"; }
   [[nodiscard]] std::filesystem::path journal() const { return path_ / "mission.journal"; }
   [[nodiscard]] std::filesystem::path socket() const { return path_ / "supervisor.sock"; }
-  /// Locked while a mission runs here; holds the id of the process whose network that is on.
+  /// Locked while the mission runs; has the id of a process on the network of the mission.
   [[nodiscard]] std::filesystem::path lock_file() const { return path_ / "mission.pid"; }
 
-  /// Those that are there, in order of time.
+  /// Existing logs, in order of time.
   [[nodiscard]] std::vector<std::filesystem::path> logs() const;
-  /// The one that the next life is to write.
+  /// Log of the next run.
   [[nodiscard]] std::filesystem::path next_log() const;
 
   [[nodiscard]] bool has_mission() const;
-  /// Throws std::runtime_error, with what to do about it, where another mission would be
-  /// overwritten.
+  /// Throws std::runtime_error if the folder has a mission, which a new one would overwrite.
   void require_new() const;
-  /// Throws std::runtime_error where there is none, or one that has ended.
+  /// Throws std::runtime_error if the folder has no mission, or one that has ended.
   void require_unfinished() const;
 
-  /// Where the simulated body was last, by the logs. Throws std::runtime_error where none says it.
+  /// Last pose of the simulated body in the logs. Throws std::runtime_error if no log has one.
   [[nodiscard]] SimulatedPose last_pose() const;
 
  private:

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -29,35 +30,14 @@
 namespace adit {
 namespace {
 
-/// An adit-supervisor, of the folder where this program is, that runs in the working folder and
-/// shows life by simulated time, as the guard wants it. Neither it nor anything that it started
-/// outlives this object or this process, however that ends.
-class SupervisorProgram {
- public:
-  /// What it prints is added to the file `log`. Throws std::runtime_error where it cannot be
-  /// started.
-  SupervisorProgram(const std::filesystem::path& config, const std::filesystem::path& log);
-
-  /// How it ended, if it did, without waiting.
-  std::optional<std::string> ended();
-
-  /// Lets it stop its processes, and waits for that.
-  void stop();
-
- private:
-  std::ofstream log_;
-  ChildProcess child_;
-  std::optional<std::string> end_;
-};
-
 namespace fs = std::filesystem;
 
 constexpr auto kPollPeriod = std::chrono::milliseconds(20);
-constexpr auto kStopMax = std::chrono::seconds(40);  // the simulator hears the stages out
+constexpr auto kStopMax = std::chrono::seconds(40);  // the simulator waits for the stages
 constexpr std::size_t kOutputBytesMax = 256 * 1024;
 
-/// With the programs that belong to this one before all others.
-ChildStart start_of(const fs::path& config) {
+/// The folder of this program comes first in PATH, so that its stages are started.
+ChildStart supervisor_start(const fs::path& config) {
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
   std::string path = folder.string();
   if (const char* const others = std::getenv("PATH")) path.append(":").append(others);
@@ -71,8 +51,28 @@ ChildStart start_of(const fs::path& config) {
   return start;
 }
 
+/// The process of adit-supervisor, from the folder of this program, in the working folder. Its
+/// heartbeats use simulated time, as the guard requires. The process and its children end with this
+/// object or this process, in any case.
+class SupervisorProgram {
+ public:
+  /// Appends its output to the file `log`. Throws std::runtime_error if it cannot be started.
+  SupervisorProgram(const fs::path& config, const fs::path& log);
+
+  /// Exit status as text; nothing while it runs. Does not block.
+  std::optional<std::string> ended();
+
+  /// Stops it and its processes. Blocks.
+  void stop();
+
+ private:
+  std::ofstream log_;
+  ChildProcess child_;
+  std::optional<std::string> end_;
+};
+
 SupervisorProgram::SupervisorProgram(const fs::path& config, const fs::path& log)
-    : log_(log, std::ios::app), child_(start_of(config)) {}
+    : log_(log, std::ios::app), child_(supervisor_start(config)) {}
 
 std::optional<std::string> SupervisorProgram::ended() {
   log_ << child_.read_output(kOutputBytesMax) << std::flush;
@@ -82,7 +82,7 @@ std::optional<std::string> SupervisorProgram::ended() {
 
 void SupervisorProgram::stop() {
   if (ended()) return;
-  kill(child_.pid(), SIGTERM);  // it alone: it knows in which order the others are to go
+  kill(child_.pid(), SIGTERM);  // not the group: the supervisor stops the others in order
   const auto until = std::chrono::steady_clock::now() + kStopMax;
   while (!ended() && std::chrono::steady_clock::now() < until)
     std::this_thread::sleep_for(kPollPeriod);
@@ -98,19 +98,19 @@ std::int64_t wall_us() {
   return std::chrono::duration_cast<std::chrono::microseconds>(now).count();
 }
 
-/// Tells others, which may want to look or to give an order, on whose network it is.
+/// Other programs join the network of this process by its id.
 void write_pid(const LockedFile& file) {
   const std::string text = std::to_string(getpid()) + "\n";
   file.truncate(0);
   file.write_at(0, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-/// As fast as it goes, each message would otherwise make the kernel take the processor from who
-/// sent it for each of those who wait for it, which is more work than what they do. Those that are
-/// started later inherit it; at a speed of its own it would cost punctuality for nothing.
+/// At maximum speed, the default scheduler preempts the sender of a message for each receiver,
+/// which costs more than the work itself. Children inherit the policy. At a fixed speed it would
+/// only add latency.
 void use_batch_scheduling(const std::string& speed) {
   const sched_param none{};
-  if (speed == "max") sched_setscheduler(0, SCHED_BATCH, &none);  // no harm where it is refused
+  if (speed == "max") sched_setscheduler(0, SCHED_BATCH, &none);  // optional: errors are ignored
 }
 
 class LiveMission {
@@ -154,22 +154,23 @@ class LiveMission {
   }
 
   std::string abort_reason(const StopSignal& stop, std::int64_t now_us) {
-    if (stop.received()) return "it was interrupted; adit mission --resume goes on";
-    if (!monitor_.failure().empty()) return "the run has failed: " + monitor_.failure();
-    if (monitor_.progress().simulated_s > options_.time_max_s) return "its time is up";
+    if (stop.received()) return "interrupted; continue with adit mission --resume";
+    if (!monitor_.failure().empty()) return "simulation failed: " + monitor_.failure();
+    if (monitor_.progress().simulated_s > options_.time_max_s) return "time limit reached";
     if (const auto end = supervisor_.ended())
       return "adit-supervisor " + *end + "; see supervisor.log";
     if (std::exchange(utime_, monitor_.utime()) != monitor_.utime() || advanced_us_ == 0) {
       advanced_us_ = now_us;
     }
     if (now_us < advanced_us_ + kStallTimeoutUs) return {};
-    return "simulated time stands still; see supervisor.log";
+    return "simulated time has stopped; see supervisor.log";
   }
 
-  /// The supervisor cannot know: while one stage is suspended, all wait for it and say nothing.
+  /// The supervisor cannot detect this: while one stage hangs, simulated time stops, and no stage
+  /// sends heartbeats.
   void restart_timed_out_stages(std::int64_t now_us) {
     for (const std::string& stage : monitor_.newly_timed_out(now_us)) {
-      notify_(stage + " does not answer, and is started again");
+      notify_(stage + " does not respond: restarting it");
       request_from_supervisor(folder_.socket(), {"restart", stage});
     }
   }
@@ -194,8 +195,7 @@ MissionLiveResult run_live_mission(const MissionLiveOptions& options,
   if (enter_private_network()) {
     setenv("LCM_DEFAULT_URL", kPrivateUrl, 1);
   } else {
-    notify(
-        "no network of its own can be had here (unshare): other programs on LCM hear this mission");
+    notify("no private network available (unshare): other LCM programs receive this mission");
   }
   const MissionFolder folder(options.folder);
   const LockedFile lock_file(folder.lock_file());

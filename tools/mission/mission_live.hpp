@@ -13,32 +13,33 @@
 
 namespace adit {
 
-/// A mission in a simulated mine, each stage a process under an adit-supervisor, on a network of
-/// their own.
+/// A mission in a simulated mine. Each stage is a process under adit-supervisor, on a private
+/// network.
 struct MissionLiveOptions {
-  WorldChoice world;                 ///< not read where it goes on
-  std::filesystem::path folder;      ///< made if it is not there; see MissionFolder
-  bool resume = false;               ///< go on with the mission in the folder
+  WorldChoice world;                 ///< not used with `resume`
+  std::filesystem::path folder;      ///< created if it does not exist; see MissionFolder
+  bool resume = false;               ///< resume the mission in the folder
   std::filesystem::path config;      ///< YAML; empty: defaults, and the lasers of the simulator
-  std::string speed = "max";         ///< times real time, or max
-  std::vector<std::string> faults;   ///< as parse_fault takes them
+  std::string speed = "max";         ///< multiple of real time, or max
+  std::vector<std::string> faults;   ///< in the syntax of parse_fault
   double time_max_s = 8.0 * 3600.0;  ///< of simulated time
 };
 
 struct MissionLiveResult {
   MissionProgress last;
   double wall_s = 0.0;
-  double farthest_m = 0.0;   ///< of the true body from the start, straight
+  double farthest_m = 0.0;   ///< largest straight-line distance of the true pose from the start
   bool interrupted = false;  ///< by SIGINT or SIGTERM
-  std::string abort_reason;  ///< why it did not come to its end; empty if it did
+  std::string abort_reason;  ///< empty if the mission ended by itself
 };
 
-/// Wall time since the mission began [s].
+/// `wall_s` is the wall time since the start of the mission.
 using MissionLiveProgress = std::function<void(const MissionProgress&, double wall_s)>;
 
-/// Until PHASE says ended, the run fails, its time is up, or SIGINT or SIGTERM comes; nothing is
-/// left running. `say` takes what a person should know. Throws for what cannot be read, built,
-/// written or started. Changes the working folder and the network of this process.
+/// Runs a mission until PHASE is ended, the simulation fails, the time limit is reached, or SIGINT
+/// or SIGTERM is received, and stops all processes. `notify` receives messages for the operator.
+/// Throws for files that cannot be read or written, worlds that cannot be built, and processes that
+/// cannot be started. Changes the working folder and the network of this process.
 MissionLiveResult run_live_mission(const MissionLiveOptions& options,
                                    const MissionLiveProgress& progress,
                                    const std::function<void(const std::string&)>& notify);

@@ -3,6 +3,7 @@
 #include "tools/mission/mission_monitor.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/node/stages.hpp"
@@ -16,7 +17,7 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kWaiting = 1000;
+constexpr std::size_t kQueued = 1000;
 
 }  // namespace
 
@@ -30,27 +31,27 @@ MissionMonitor::MissionMonitor(Bus& bus, const std::filesystem::path& trace,
 }
 
 void MissionMonitor::subscribe_all(Bus& bus) {
-  const auto queued = Delivery::queued(kWaiting);
-  subscribe<sim_time_t>(bus, channels::kSimTime, queued, [this](const SimTime& time) {
+  const auto all = Delivery::queued(kQueued);
+  subscribe<sim_time_t>(bus, channels::kSimTime, all, [this](const SimTime& time) {
     if (first_utime_ == 0) first_utime_ = time.utime;
     utime_ = std::max(utime_, time.utime);
   });
-  subscribe<sim_time_done_t>(bus, channels::kSimTimeDone, queued, [this](const SimTimeDone& done) {
+  subscribe<sim_time_done_t>(bus, channels::kSimTimeDone, all, [this](const SimTimeDone& done) {
     const auto found = responses_.find(done.stage);
     if (found != responses_.end()) found->second = {done.utime, std::nullopt, false};
   });
-  subscribe<phase_t>(bus, channels::kPhase, queued, [this](const MissionPhase& phase) {
+  subscribe<phase_t>(bus, channels::kPhase, all, [this](const MissionPhase& phase) {
     if (phase_.phase != Phase::kEnded) ended_s_ = simulated_s();
     phase_ = phase;
   });
-  subscribe<map_correction_t>(bus, channels::kMapCorrection, queued,
+  subscribe<map_correction_t>(bus, channels::kMapCorrection, all,
                               [this](const MapCorrection& correction) {
                                 local_maps_ = std::max(local_maps_, correction.local_map + 1);
                               });
   subscribe<pose_t>(bus, channels::kTruth, Delivery::latest(), [this](const StampedPose& truth) {
-    from_start_m_ =
-        (truth.T_odom_body.translation() - p_world_start_).norm();  // of TRUTH: in world
-    farthest_m_ = std::max(farthest_m_, from_start_m_);
+    distance_from_start_m_ =
+        (truth.T_odom_body.translation() - p_world_start_).norm();  // TRUTH: T_world_body
+    farthest_m_ = std::max(farthest_m_, distance_from_start_m_);
   });
   subscribe<run_state_t>(bus, channels::kRunState, Delivery::latest(),
                          [this](const RunState& state) { failure_ = state.failure; });
@@ -59,7 +60,7 @@ void MissionMonitor::subscribe_all(Bus& bus) {
 double MissionMonitor::simulated_s() const { return seconds(utime_ - first_utime_); }
 
 MissionProgress MissionMonitor::progress() const {
-  return {phase_, simulated_s(), from_start_m_, local_maps_};
+  return {phase_, simulated_s(), distance_from_start_m_, local_maps_};
 }
 
 bool MissionMonitor::has_ended() const {

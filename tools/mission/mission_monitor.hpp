@@ -16,27 +16,27 @@
 
 namespace adit {
 
-/// What can be heard of a simulated mission of which each stage is a process: how it stands, when
-/// it is over, and who has fallen silent. Wall time is any that goes on steadily [µs].
+/// Monitors a simulated mission whose stages are processes: its progress, its end, and stages that
+/// do not respond. Wall time is from any monotonic clock [µs].
 class MissionMonitor {
  public:
   static constexpr std::int64_t kStageTimeoutUs = 10'000'000;  ///< of wall time
-  static constexpr double kAfterEndS = 2.0;                    ///< that the log goes on
+  static constexpr double kAfterEndS = 2.0;                    ///< recorded after the end
 
-  /// `bus` must outlive this. `p_world_start` is where the robot once began.
+  /// `bus` must outlive this. `p_world_start` is the position of the first start.
   MissionMonitor(Bus& bus, const std::filesystem::path& trace,
                  const Eigen::Vector2d& p_world_start);
 
   [[nodiscard]] MissionProgress progress() const;
   [[nodiscard]] double farthest_m() const { return farthest_m_; }
   [[nodiscard]] bool has_ended() const;
-  /// Why the simulated run failed: a collision; empty if it did not.
+  /// Failure of the simulated run, a collision; empty without.
   [[nodiscard]] const std::string& failure() const { return failure_; }
 
   /// Simulated time [µs since the epoch]; 0 before there is any.
   [[nodiscard]] std::int64_t utime() const { return utime_; }
-  /// Stages that hold up the simulator for longer than our patience, each told once until it
-  /// answers again. Nobody while the simulator itself says nothing.
+  /// Stages that delay the simulator for longer than kStageTimeoutUs. Each is returned once until
+  /// it responds again. Empty before the first SIM_TIME.
   std::vector<std::string> newly_timed_out(std::int64_t wall_us);
 
  private:
@@ -55,7 +55,7 @@ class MissionMonitor {
   double ended_s_ = 0.0;
   int local_maps_ = 0;
   Eigen::Vector2d p_world_start_;
-  double from_start_m_ = 0.0;
+  double distance_from_start_m_ = 0.0;
   double farthest_m_ = 0.0;
   std::string failure_;
   std::map<std::string, StageResponse> responses_;

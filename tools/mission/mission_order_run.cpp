@@ -23,12 +23,12 @@ using Kind = MissionOrder::Kind;
 
 constexpr int kRepeatMs = 200;
 
-/// A mission whose folder nobody has locked has left its number behind.
+/// The id in mission.pid. Throws std::runtime_error if no such process exists.
 pid_t process_of(const std::filesystem::path& folder) {
   pid_t pid = 0;
   std::ifstream(folder / "mission.pid") >> pid;
   if (pid <= 0 || !std::filesystem::exists("/proc/" + std::to_string(pid))) {
-    throw std::runtime_error("no mission runs in " + folder.string());
+    throw std::runtime_error("no mission is running in " + folder.string());
   }
   return pid;
 }
@@ -48,17 +48,18 @@ bool is_executed(Kind order, const MissionPhase& phase) {
 }
 
 std::string status_text(const MissionPhase& phase) {
-  return phase.returning_home ? phase.reason + " (homeward: " + phase.return_home_reason + ")"
+  return phase.returning_home ? phase.reason + " (returning home: " + phase.return_home_reason + ")"
                               : phase.reason;
 }
 
 [[noreturn]] void fail(const std::optional<MissionPhase>& phase) {
   if (!phase) {
     throw std::runtime_error(
-        "no mission answers on LCM; one that adit mission started is on a network of its own: say "
-        "--mission DIR, its --out");
+        "no mission responds on LCM; a mission started by adit mission is on a private network: "
+        "use "
+        "--mission DIR with its --out folder");
   }
-  throw std::runtime_error("the mission does not obey: " + status_text(*phase));
+  throw std::runtime_error("the mission did not execute the order: " + status_text(*phase));
 }
 
 }  // namespace
@@ -72,13 +73,13 @@ std::string order_mission(const MissionOrderOptions& options) {
   std::optional<MissionPhase> phase;
   subscribe<phase_t>(bus, channels::kPhase, Delivery::latest(),
                      [&](const MissionPhase& received) { phase = received; });
-  const auto until = Clock::now() + std::chrono::duration<double>(options.timeout_s);
-  while (Clock::now() < until) {
+  const auto deadline = Clock::now() + std::chrono::duration<double>(options.timeout_s);
+  while (Clock::now() < deadline) {
     const auto utime = std::chrono::duration_cast<std::chrono::microseconds>(
         std::chrono::system_clock::now().time_since_epoch());
     publish(bus, channels::kMissionOrder, to_message(MissionOrder{utime.count(), options.order}));
-    const auto again = Clock::now() + std::chrono::milliseconds(kRepeatMs);
-    while (Clock::now() < again) bus.handle(kRepeatMs / 4);
+    const auto repeat = Clock::now() + std::chrono::milliseconds(kRepeatMs);
+    while (Clock::now() < repeat) bus.handle(kRepeatMs / 4);
     if (!phase) continue;
     if (is_executed(options.order, *phase)) return status_text(*phase);
     if (phase->phase == Phase::kEnded) {

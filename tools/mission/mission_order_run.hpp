@@ -9,16 +9,17 @@
 
 namespace adit {
 
-/// An order of a person to the mission on LCM.
+/// An order of the operator to a mission on LCM.
 struct MissionOrderOptions {
   MissionOrder::Kind order = MissionOrder::Kind::kPause;
-  std::filesystem::path mission;  ///< folder of one that has a network of its own; empty: this one
+  std::filesystem::path mission;  ///< folder of a mission on a private network; empty: this network
   std::string lcm_url;            ///< empty: LCM's default
   double timeout_s = 10.0;        ///< of wall time
 };
 
-/// Says it until PHASE shows that it is obeyed. Returns what the mission says then, a sentence.
-/// Throws std::runtime_error where no mission answers, does not obey in time, or has ended.
+/// Repeats the order until PHASE confirms it. Returns the reason in PHASE, a sentence. Throws
+/// std::runtime_error if no mission responds, the order is not executed within the timeout, or the
+/// mission has ended.
 std::string order_mission(const MissionOrderOptions& options);
 
 }  // namespace adit

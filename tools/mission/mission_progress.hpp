@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -12,23 +13,23 @@
 
 namespace adit {
 
-/// How a mission stands, for a line of progress.
+/// Progress of a mission.
 struct MissionProgress {
   MissionPhase phase;
   double simulated_s = 0.0;
-  double distance_from_start_m = 0.0;  ///< of the true body, straight
+  double distance_from_start_m = 0.0;  ///< straight-line distance of the true pose
   int local_maps = 0;
 };
 
-/// One line; `factor` is how many times real time it goes.
+/// Progress as one line; `factor` is the speed in multiples of real time.
 std::string progress_text(const MissionProgress& progress, double factor);
 
-/// Writes each change of phase, and each new reason to stop, as a line of tab-separated values:
-/// time [s], phase as its number, out or home, goal, stub, laser, way driven and left [m], reason.
-/// What a file of that name holds already stays.
+/// Appends each change of phase and each new stop reason to a file of tab-separated values: time
+/// [s], number of the phase, "out" or "home", goal, frontier, laser, distance travelled [m],
+/// remaining distance [m], reason.
 class PhaseTrace {
  public:
-  /// `bus` must outlive this. `now_s` is the time of a line.
+  /// `bus` must outlive this. `now_s` returns the time of a line.
   PhaseTrace(Bus& bus, const std::filesystem::path& file, std::function<double()> now_s);
   PhaseTrace(const PhaseTrace&) = delete;
   PhaseTrace& operator=(const PhaseTrace&) = delete;

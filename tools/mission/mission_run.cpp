@@ -31,9 +31,9 @@ namespace {
 
 constexpr std::size_t kQueued = 100;
 constexpr double kProgressS = 1.0;  // of simulated time
-constexpr double kAfterEndS = 2.0;  // that the log goes on
+constexpr double kAfterEndS = 2.0;  // recorded after the end
 
-/// Simulator and stages on one bus.
+/// Simulator and all stages on one bus.
 class MissionInProcess {
  public:
   MissionInProcess(const MissionRunOptions& options, const WorldDescription& world,
@@ -65,17 +65,15 @@ class MissionInProcess {
           (simulated_s() >= reported_s_ + kProgressS || phase_.sequence != reported_sequence_)) {
         reported_s_ = simulated_s();
         reported_sequence_ = phase_.sequence;
-        progress(now());
+        progress(current_progress());
       }
     }
     log_.close();
-    return {now(),
-            0.0,
-            distance_from_start_m(),
-            farthest_m_,
-            sim_.simulation().state().distance_travelled_m,
-            0.0,
-            sim_.simulation().state().failure};
+    return {.last = current_progress(),
+            .distance_from_start_m = distance_from_start_m(),
+            .farthest_m = farthest_m_,
+            .distance_travelled_m = sim_.simulation().state().distance_travelled_m,
+            .failure = sim_.simulation().state().failure};
   }
 
  private:
@@ -107,7 +105,7 @@ class MissionInProcess {
     return (true_pose().translation() - start_).norm();
   }
   void update_farthest() { farthest_m_ = std::max(farthest_m_, distance_from_start_m()); }
-  [[nodiscard]] MissionProgress now() const {
+  [[nodiscard]] MissionProgress current_progress() const {
     return {phase_, simulated_s(), distance_from_start_m(), local_maps_};
   }
 

@@ -13,27 +13,26 @@
 
 namespace adit {
 
-/// A mission in a simulated mine, all stages in this process, as fast as it goes.
+/// A mission in a simulated mine with all stages in this process, as fast as possible.
 struct MissionRunOptions {
   WorldChoice world;
-  std::filesystem::path folder;      ///< made if it is not there; run.lcmlog and journals go there
+  std::filesystem::path folder;      ///< for run.lcmlog and journals; created if it does not exist
   std::filesystem::path config;      ///< YAML; empty: defaults, and the lasers of the simulator
-  std::vector<std::string> faults;   ///< as parse_fault takes them
+  std::vector<std::string> faults;   ///< in the syntax of parse_fault
   double time_max_s = 8.0 * 3600.0;  ///< of simulated time
 };
 
 struct MissionRunResult {
   MissionProgress last;
   double wall_s = 0.0;
-  double distance_from_start_m = 0.0;  ///< of the true body from the start, at the end
-  double farthest_m = 0.0;             ///< of the true body from the start, straight
+  double distance_from_start_m = 0.0;  ///< straight-line distance of the true pose at the end
+  double farthest_m = 0.0;             ///< maximum of that distance
   double distance_travelled_m = 0.0;   ///< true
-  double rmse_m = 0.0;  ///< of T_map_body against the truth, as it was believed at the time
-  std::string failure;  ///< why the simulated run failed: a collision; empty if it did not
+  std::string failure;                 ///< a collision; empty without
 };
 
-/// The same options give the same log, byte for byte. Throws for what cannot be read, built or
-/// written.
+/// The same options give the same log, byte for byte. Throws for files that cannot be read or
+/// written and worlds that cannot be built.
 MissionRunResult run_mission(const MissionRunOptions& options,
                              const std::function<void(const MissionProgress&)>& progress = {});
 

@@ -3,6 +3,7 @@
 #include "tools/mission/pipeline.hpp"
 
 #include <string>
+#include <utility>
 
 #include "common/config/config.hpp"
 #include "procs/driving/driving_node.hpp"
@@ -31,7 +32,7 @@ class Configurator {
     if constexpr (requires { params.lasers; }) params.lasers = lasers_;
     if constexpr (requires { params.vehicle; }) params.vehicle = vehicle_;
     if constexpr (requires { params.lasers_tilt; }) params.lasers_tilt = true;
-    // CONFIG names a journal as it is called in its folder, and not where that is.
+    // CONFIG has the name of the journal without its folder.
     if constexpr (requires { params.journal; }) params.journal = stage + ".journal";
     const std::string yaml = to_yaml(params, stage);
     if constexpr (requires { params.journal; }) {

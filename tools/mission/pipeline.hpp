@@ -12,9 +12,9 @@
 
 namespace adit {
 
-/// All stages of a mission, from scan matching to the sequence, in the order in which they are to
-/// be constructed on a bus of one process. What the config file does not say of lasers and vehicle
-/// is as given; journals grow in the folder, or nowhere where that is empty. Throws ConfigError.
+/// All stages of a mission, in the order in which they must be constructed on the bus of one
+/// process. `lasers` and `vehicle` replace those of the stages' sections. Journals are written to
+/// the folder `journals`; none if it is empty. Throws ConfigError.
 std::vector<ConfiguredNode> configure_pipeline(const ConfigFile& config, const Lasers& lasers,
                                                const Vehicle& vehicle,
                                                const std::filesystem::path& journals);

@@ -33,7 +33,7 @@ constexpr const char* kLoopback = "lo";
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-/// So that files are written as whom they always are.
+/// Files keep their owner: the user namespace maps ids to themselves.
 void map_user_to_itself(uid_t user, gid_t group) {
   const auto map = [](auto id) { return std::to_string(id) + " " + std::to_string(id) + " 1\n"; };
   write_text_file("deny", "/proc/self/setgroups");
@@ -46,7 +46,7 @@ void bring_up_loopback(const FileDescriptor& socket) {
   std::strncpy(request.ifr_name, kLoopback, IFNAMSIZ - 1);
   if (ioctl(socket.get(), SIOCGIFFLAGS, &request) != 0) fail("flags of lo");
   request.ifr_flags |= IFF_UP | IFF_RUNNING;
-  if (ioctl(socket.get(), SIOCSIFFLAGS, &request) != 0) fail("lo cannot be brought up");
+  if (ioctl(socket.get(), SIOCSIFFLAGS, &request) != 0) fail("cannot bring up lo");
 }
 
 sockaddr address(const char* text) {
@@ -66,7 +66,7 @@ void route_multicast(const FileDescriptor& socket) {
   route.rt_genmask = address("240.0.0.0");
   route.rt_flags = RTF_UP;
   route.rt_dev = device.data();
-  if (ioctl(socket.get(), SIOCADDRT, &route) != 0) fail("no route for multicast");
+  if (ioctl(socket.get(), SIOCADDRT, &route) != 0) fail("cannot add a multicast route");
 }
 
 bool is_same_inode(const fs::path& a, const fs::path& b) {
@@ -93,13 +93,13 @@ bool enter_private_network() {
 }
 
 void enter_network_of(pid_t pid) {
-  const fs::path theirs = fs::path("/proc") / std::to_string(pid) / "ns";
-  for (const char* space : {"user", "net"}) {  // who has joined the first, may join the second
-    if (is_same_inode(theirs / space, fs::path("/proc/self/ns") / space)) continue;
-    const FileDescriptor joined(open((theirs / space).c_str(), O_RDONLY | O_CLOEXEC));
+  const fs::path target = fs::path("/proc") / std::to_string(pid) / "ns";
+  for (const char* space : {"user", "net"}) {  // the first gives the permission for the second
+    if (is_same_inode(target / space, fs::path("/proc/self/ns") / space)) continue;
+    const FileDescriptor joined(open((target / space).c_str(), O_RDONLY | O_CLOEXEC));
     if (joined && setns(joined.get(), 0) == 0) continue;
-    throw std::runtime_error("the network of process " + std::to_string(pid) +
-                             " cannot be joined: " + std::generic_category().message(errno));
+    throw std::runtime_error("cannot join the network of process " + std::to_string(pid) + ": " +
+                             std::generic_category().message(errno));
   }
 }
 

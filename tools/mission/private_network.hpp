@@ -6,10 +6,10 @@
 
 namespace adit {
 
-/// Takes this process, and all that it starts, onto a network of its own that has multicast on its
-/// loopback and nothing else: LCM there hears nobody else, and nobody else hears it. False where
-/// the system does not allow that; nothing has changed then. To be called before there are threads.
-/// Throws std::system_error where the new network cannot be set up.
+/// Moves this process and its children to a private network that has only a loopback with
+/// multicast, which isolates LCM. False, without a change, if the system does not permit it. Must
+/// be called before threads are started. Throws std::system_error if the new network cannot be
+/// configured.
 bool enter_private_network();
 
 /// Joins the network of another process of the same user. Throws std::runtime_error.

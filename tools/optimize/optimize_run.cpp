@@ -38,12 +38,12 @@ void require_poses(const G2oGraph& file, const OptimizeResult& result) {
   throw std::runtime_error(text(result.reason, id));
 }
 
-void require_path(const G2oGraph& file) {
+void require_odometry(const G2oGraph& file) {
   const auto gap = odometry_gap(file.graph);
   if (!gap) return;
-  throw std::runtime_error("no constraint links pose " + std::to_string(id_of(file, *gap)) +
-                           " with the next, pose " + std::to_string(id_of(file, *gap + 1)) +
-                           ": there is no way to hold loops against");
+  throw std::runtime_error("no constraint between pose " + std::to_string(id_of(file, *gap)) +
+                           " and the next pose " + std::to_string(id_of(file, *gap + 1)) +
+                           ": loop closures cannot be verified without odometry");
 }
 
 LoopDecisions loop_decisions(const G2oGraph& file, const LazyLoopClosuresResult& lazy) {
@@ -79,7 +79,7 @@ OptimizeRun optimize_all(G2oGraph& file) {
 
 OptimizeRun optimize_lazily(G2oGraph& file, const LazyAssociationParams& params,
                             const std::function<void(double)>& progress) {
-  require_path(file);
+  require_odometry(file);
   const Clock::time_point begin = Clock::now();
   const LazyLoopClosuresResult lazy = associate_loops_lazily(file.graph, params, progress);
   const std::chrono::duration<double, std::milli> association = Clock::now() - begin;
@@ -115,13 +115,13 @@ Json wall_ms(const OptimizeRun& run) {
   wall["start"] = run.stopwatch.ms(OptimizePhase::kStart);
   wall["analysis"] = run.stopwatch.ms(OptimizePhase::kAnalysis);
   wall["factorisation"] = run.stopwatch.ms(OptimizePhase::kFactorisation);
-  wall["rest"] = run.stopwatch.ms(OptimizePhase::kOther);
+  wall["other"] = run.stopwatch.ms(OptimizePhase::kOther);
   wall["total"] = total;
   return wall;
 }
 
-/// [a, b] on one line: the library gives each number its own.
-std::string with_short_pairs(const std::string& text) {
+/// Puts [a, b] on one line; the library writes one number per line.
+std::string with_pairs_on_one_line(const std::string& text) {
   static const std::regex pair(R"(\[\s+(-?\d+),\s+(-?\d+)\s+\])");
   return std::regex_replace(text, pair, "[$1, $2]");
 }
@@ -135,7 +135,7 @@ std::string to_json(const PoseGraph& graph, const OptimizeRun& run) {
       {"iterations", run.result.iterations}, {"factorisations", run.result.factorisations}};
   if (run.loops) add_loops(json, *run.loops);
   json["wall_ms"] = wall_ms(run);
-  return with_short_pairs(json.dump(2));
+  return with_pairs_on_one_line(json.dump(2));
 }
 
 }  // namespace adit

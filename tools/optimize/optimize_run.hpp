@@ -16,7 +16,7 @@
 
 namespace adit {
 
-/// Wall time that an optimisation spends in each of its phases. Give `observer()` to `optimize`.
+/// Wall time of the phases of an optimisation. Pass `observer()` to `optimize`.
 class PhaseStopwatch {
  public:
   PhaseStopwatch() : since_(Clock::now()) {}
@@ -24,7 +24,7 @@ class PhaseStopwatch {
   [[nodiscard]] OptimizeObserver observer() {
     return [this](OptimizePhase begins) { enter(begins); };
   }
-  /// What comes before the first phase counts as kOther, what comes after kEnd as nothing.
+  /// Time before the first phase counts as kOther; time after kEnd is not counted.
   [[nodiscard]] double ms(OptimizePhase phase) const { return ms_[index(phase)]; }
   [[nodiscard]] double total_ms() const;
 
@@ -38,36 +38,36 @@ class PhaseStopwatch {
   Clock::time_point since_;
 };
 
-/// What lazy data association made of the loops of a file.
+/// Decisions of lazy data association on the loop closures of a file.
 struct LoopDecisions {
-  using Ids = std::pair<long, long>;  ///< of the poses that a loop links, as in the file
+  using Ids = std::pair<long, long>;  ///< of the two poses of a loop closure, as in the file
 
   std::vector<Ids> accepted;
   std::vector<Ids> rejected;
-  int trials = 0;     ///< beliefs that were worked out
-  int revisions = 0;  ///< decisions that were changed later
+  int trials = 0;     ///< evaluated hypotheses
+  int revisions = 0;  ///< decisions that were revised later
   double association_ms = 0.0;
 };
 
 struct OptimizeRun {
   OptimizeResult result;
   PhaseStopwatch stopwatch;
-  std::optional<LoopDecisions> loops;  ///< nothing: all were believed
+  std::optional<LoopDecisions> loops;  ///< nothing if all are accepted without association
 };
 
-/// Moves the poses of a file to where they agree best with all constraints. Throws
-/// std::runtime_error, with the pose by its id, where the constraints do not say where poses are.
+/// Finds the poses of a file that minimise the objective over all constraints. Throws
+/// std::runtime_error, with the id of a pose, if the constraints do not determine the poses.
 OptimizeRun optimize_all(G2oGraph& file);
 
-/// Decides first which loops to believe (see associate_loops_lazily) and leaves the others out of
-/// the file. Throws also where the way from pose to pose has a gap. `progress` gets the share of
-/// the association that is done.
+/// Removes the loop closures that lazy data association rejects (associate_loops_lazily), then
+/// optimises the rest. Also throws if there is a gap in the odometry, the constraints between
+/// consecutive poses. `progress` gets the finished share of the association.
 OptimizeRun optimize_lazily(G2oGraph& file, const LazyAssociationParams& params,
                             const std::function<void(double)>& progress = {});
 
-/// The figures of an optimisation as JSON: size of the graph, objective, iterations,
-/// factorisations, whether it converged, what was decided about loops, and the wall time of the
-/// phases in milliseconds. A loop is a pair of ids on one line.
+/// Figures of an optimisation as JSON: size of the graph, convergence, objective, iterations,
+/// factorisations, decisions on loop closures, and the wall time of the phases in milliseconds. A
+/// loop closure is a pair of ids on one line.
 std::string to_json(const PoseGraph& graph, const OptimizeRun& run);
 
 }  // namespace adit

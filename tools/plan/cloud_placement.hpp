@@ -4,37 +4,49 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include "common/types/cloud.hpp"
-#include "tools/cloud/point_cloud.hpp"
+#include "tools/cloud/cloud_file.hpp"
 
 namespace adit {
 
-/// What a file of bare points does not say: where the laser was, and where a vehicle is to stand.
+/// Poses of laser and vehicle that a point cloud file does not specify. The upright frame is the
+/// file rotated such that z points up; the plan is its x-y plane.
 struct CloudPlacement {
-  /// Axis of the file that points against gravity: x, y, z, -x, -y or -z.
+  /// Axis of the file that points up: x, y, z, -x, -y or -z.
   std::string up = "z";
-  std::optional<Eigen::Vector3d> p_file_laser =
-      std::nullopt;  ///< [m]; else what the file says, else its origin
-  /// Where the vehicle's middle is to be, in the plan of the upright cloud [m]; else below the
-  /// laser.
+  /// Laser position in the frame of the file [m]; default: PointCloud::sensor, else the origin.
+  std::optional<Eigen::Vector3d> p_file_laser = std::nullopt;
+  /// Vehicle centre in the plan [m]; default: below the laser.
   std::optional<Eigen::Vector2d> p_plan_vehicle = std::nullopt;
-  std::optional<double> ground_m =
-      std::nullopt;          ///< height of the ground there, upright; else it is looked for
-  double heading_rad = 0.0;  ///< of the vehicle, in that plan
-  bool level = false;        ///< turn the cloud until the ground near the vehicle is level
+  /// Ground height at the vehicle in the upright frame [m]; default: estimated.
+  std::optional<double> ground_m = std::nullopt;
+  double heading_rad = 0.0;  ///< of the vehicle in the plan
+  bool level = false;        ///< rotate the cloud until the ground near the vehicle is level
 };
 
-/// The coordinates of a file as x, y and z of an upright frame: z is what points up. Of an axis
-/// that points up, x and y of upright are: z: x, y; y: x, −z; x: y, z; -z: x, −y; -y: z, −x;
-/// -x: z, y. Throws std::invalid_argument for what is no axis.
+/// Rotation from the frame of the file to the upright frame. The x and y axes of the upright frame
+/// are, for each up axis: z: x, y; y: x, −z; x: y, z; -z: x, −y; -y: z, −x; -x: z, y. Throws
+/// std::invalid_argument for any other text.
 Eigen::Matrix3d upright(const std::string& up);
 
-/// The points in level, with the vehicle on the ground at its origin, as one line of a sweep: all
-/// seen from one place, and of beams that met nothing nothing is known. Throws std::runtime_error
-/// where the ground is looked for and not found, or the laser is not above it.
+/// Transforms the points into level, with the vehicle on the ground at the origin. The result is
+/// one line with a single viewpoint and without beams without return. Throws std::runtime_error if
+/// the ground must be estimated and is not observed, or if the laser is not above the ground.
 Cloud place_cloud(const PointCloud& points, const CloudPlacement& placement);
+
+// Estimates of the ground near `p_plan`, in a frame with z up [m], from the low points of grid
+// cells that are below the laser. Both throw std::runtime_error if too few cells have points.
+
+/// Median ground height; up to half of the cells may contain objects.
+double estimate_ground_height(const std::vector<Eigen::Vector3d>& points,
+                              const Eigen::Vector2d& p_plan, double laser_z_m);
+
+/// Unit normal of the ground plane, upwards, robust to cells with objects.
+Eigen::Vector3d estimate_ground_normal(const std::vector<Eigen::Vector3d>& points,
+                                       const Eigen::Vector2d& p_plan, double laser_z_m);
 
 }  // namespace adit

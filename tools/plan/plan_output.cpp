@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/plan/plan_output.hpp"
 
-#include <cstdio>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "common/files/file_utils.hpp"
@@ -75,7 +75,7 @@ Json blocking_of(const ScanPlan& plan) {
 
 Json ground_of(const ScanPlan& plan) {
   const auto& [measured, never_scanned, shadow, below_ray, no_return] = plan.ground;
-  return {{"seen", measured},
+  return {{"measured", measured},
           {"never_scanned", never_scanned},
           {"shadow", shadow},
           {"below_ray", below_ray},
@@ -94,7 +94,7 @@ Json times_of(const ScanPlan::Times& times) {
 
 std::string path_json(const Cloud& cloud, const ScanPlan& plan) {
   const Json json{
-      {"frame", "level: origin on the ground below the robot, x ahead, y to the left"},
+      {"frame", "level: origin on the ground below the robot, x forward, y left"},
       {"scan", {{"id", cloud.id}, {"points", cloud.points()}, {"complete", cloud.complete}}},
       {"goal", goal_of(plan)},
       {"outcome", name_of(plan.path.outcome)},
@@ -112,17 +112,10 @@ std::string path_json(const Cloud& cloud, const ScanPlan& plan) {
 
 namespace {
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char line[256];
-  std::snprintf(line, sizeof line, format, values...);
-  return line;
-}
-
 std::string laser_of(const Cloud& cloud) {
   if (cloud.lines.empty()) return "";
   const Eigen::Vector3f& p = cloud.lines.front().origin;
-  return text("; laser at %.2f, %.2f, %.2f m", p.x(), p.y(), p.z());
+  return fmt::format("; laser at {:.2f}, {:.2f}, {:.2f} m", p.x(), p.y(), p.z());
 }
 
 }  // namespace
@@ -130,31 +123,36 @@ std::string laser_of(const Cloud& cloud) {
 std::vector<std::string> plan_summary(const Cloud& cloud, const ScanPlan& plan) {
   const auto& [measured, never_scanned, shadow, below_ray, no_return] = plan.ground;
   const PlannedPath& path = plan.path;
-  std::vector<std::string> summary_lines{
-      text("%zu points%s", cloud.points(), cloud.complete ? "" : ", cut short") + laser_of(cloud),
-      text("%zu cells: %zu seen, %zu never looked at, %zu in shadow, %zu below a beam, %zu without "
-           "return",
-           plan.terrain.cells.size(), measured, never_scanned, shadow, below_ray, no_return),
-      std::string(name_of(path.outcome)) + ": " + path.reason};
+  std::vector<std::string> summary{
+      fmt::format("{} points{}{}", cloud.points(), cloud.complete ? "" : ", incomplete",
+                  laser_of(cloud)),
+      fmt::format(
+          "{} cells: {} measured, {} not scanned, {} in shadow, {} below a beam, {} without "
+          "return",
+          plan.terrain.cells.size(), measured, never_scanned, shadow, below_ray, no_return),
+      fmt::format("{}: {}", name_of(path.outcome), path.reason)};
   if (path.points.empty()) {
-    summary_lines.push_back(text("%zu cells are in the way", path.blocking.size()));
+    summary.push_back(fmt::format("{} cells block the path", path.blocking.size()));
   } else {
-    summary_lines.push_back(
-        text("%.1f m long, %.1f m towards the goal, %.2f m or more from what is lethal",
-             path_length_m(path), path.reached_m, least_clearance_m(path)));
+    summary.push_back(
+        fmt::format("path length {:.1f} m, progress to the goal {:.1f} m, least clearance {:.2f} m",
+                    path_length_m(path), path.reached_m, least_clearance_m(path)));
   }
-  return summary_lines;
+  return summary;
 }
 
 std::string plan_times(const ScanPlan::Times& times) {
-  return text("terrain %.1f ms, C-space %.1f ms, search %.1f ms: scan to path %.1f ms",
-              times.terrain_ms, times.c_space_ms, times.search_ms, times.scan_to_path_ms()) +
-         text(" (kernels, once: %.1f ms)", times.kernels_ms);
+  return fmt::format(
+      "terrain {:.1f} ms, C-space {:.1f} ms, search {:.1f} ms: scan to path {:.1f} ms (kernels, "
+      "once: "
+      "{:.1f} ms)",
+      times.terrain_ms, times.c_space_ms, times.search_ms, times.scan_to_path_ms(),
+      times.kernels_ms);
 }
 
 namespace {
 
-constexpr int kSlices = 8;  // over half a turn, after which they are the same again
+constexpr int kSlices = 8;  // over half a turn; the footprint is symmetric
 constexpr int kScanWidth = 708;
 constexpr int kScanHeight = 400;
 

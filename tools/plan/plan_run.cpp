@@ -5,6 +5,8 @@
 #include <iomanip>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "common/bus/node/stages.hpp"
 #include "tools/cloud/cloud_file.hpp"
 #include "tools/map/result_folder.hpp"
@@ -22,13 +24,14 @@ ConfigFile load_config(const std::filesystem::path& path) {
 
 ScanInput scan_of_points(const PlanRunOptions& options) {
   if (options.choice.all || options.choice.number || options.choice.id) {
-    throw std::invalid_argument("--scan, --id and --all are for logs; a cloud is one scan");
+    throw std::invalid_argument("--scan, --id and --all require a log; a point cloud is one scan");
   }
   const PointCloud points = read_cloud_file(options.input);
   ScanInput source;
   if (points.skipped > 0) {
-    source.warnings.push_back("skipped " + std::to_string(points.skipped) +
-                              " points that are not finite, or farther than 100 km from 0");
+    source.warnings.push_back(
+        fmt::format("skipped {} points that are not finite or farther than 100 km from the origin",
+                    points.skipped));
   }
   try {
     source.clouds.push_back(place_cloud(points, options.placement));
@@ -39,15 +42,15 @@ ScanInput scan_of_points(const PlanRunOptions& options) {
 }
 
 void print_warnings(const PlanRunOptions& options, const ScanInput& source, std::ostream& err) {
-  for (const std::string& sentence : source.warnings) {
-    err << "adit: " << options.input.string() << ": " << sentence << "\n";
+  for (const std::string& warning : source.warnings) {
+    err << "adit: " << options.input.string() << ": " << warning << "\n";
   }
 }
 
 std::string title_of(const PlanRunOptions& options, const NumberedScan& scan,
                      const PlannedPath& path) {
   std::string title = options.input.filename().string();
-  if (options.choice.all || scan.number > 1) title.append(" ").append(std::to_string(scan.number));
+  if (options.choice.all || scan.number > 1) title += fmt::format(" {}", scan.number);
   return title + ": " + path.reason;
 }
 
@@ -65,7 +68,7 @@ bool run_plan(const PlanRunOptions& options, std::ostream& out, std::ostream& er
   for (const NumberedScan& scan : select_scans(source, options.choice)) {
     const ScanPlan plan = plan_on_scan(scan.cloud, options.goal, params, planning);
     std::filesystem::path folder = results.unfinished();
-    if (options.choice.all) folder /= "scan_" + std::to_string(scan.number);
+    if (options.choice.all) folder /= fmt::format("scan_{}", scan.number);
     std::filesystem::create_directories(folder);
     write_plan_files(title_of(options, scan, plan.path), scan.cloud, plan, planning,
                      params.planning.vehicle, folder);
@@ -82,7 +85,7 @@ bool run_plan(const PlanRunOptions& options, std::ostream& out, std::ostream& er
 
 void list_scans(const PlanRunOptions& options, std::ostream& out, std::ostream& err) {
   if (!is_scan_log(options.input)) {
-    throw std::invalid_argument("--list is for logs; a cloud is one scan");
+    throw std::invalid_argument("--list requires a log; a point cloud is one scan");
   }
   const ScanInput source = scans_of_log(options.input, load_config(options.config));
   print_warnings(options, source, err);
@@ -91,7 +94,7 @@ void list_scans(const PlanRunOptions& options, std::ostream& out, std::ostream& 
   for (const Cloud& cloud : source.clouds) {
     out << std::setw(4) << ++number << std::setw(8) << cloud.id << std::setw(18) << cloud.utime
         << std::setw(8) << cloud.lines.size() << std::setw(10) << cloud.points()
-        << (cloud.complete ? "\n" : "  cut short\n");
+        << (cloud.complete ? "\n" : "  incomplete\n");
   }
 }
 

@@ -14,21 +14,21 @@ namespace adit {
 
 struct PlanRunOptions {
   std::filesystem::path input;   ///< PLY, PCD, XYZ, or an LCM log
-  std::filesystem::path folder;  ///< made if it is not there; with `all` a folder in it for each
-  std::filesystem::path config;  ///< YAML, or empty: defaults
-  CloudPlacement placement;      ///< of bare points; a log knows
-  ScanChoice choice;             ///< of a log
+  std::filesystem::path folder;  ///< created if missing; with `choice.all`, a sub-folder per scan
+  std::filesystem::path config;  ///< YAML; empty: defaults
+  CloudPlacement placement;      ///< used for point clouds only
+  ScanChoice choice;             ///< used for logs only
   GoalChoice goal;
-  std::string estimator;  ///< of the terrain, instead of the configured one; or empty
+  std::string estimator;  ///< terrain estimator that overrides the configured one; or empty
 };
 
-/// Plans on a scan, or each of several, writes what `write_plan_files` does and says what came out,
-/// complaints to `err`. Returns whether there is a path on each. The same input gives the same
-/// files but for the times. Throws std::runtime_error (ConfigError among them) and
-/// std::invalid_argument, one line, for what cannot be used.
+/// Plans on the selected scans, writes the files of `write_plan_files` and prints the results to
+/// `out` and warnings to `err`. Returns whether every scan has a path. The same input gives the
+/// same files except for computation times. Throws std::runtime_error (also ConfigError) or
+/// std::invalid_argument, one line, for unusable input.
 bool run_plan(const PlanRunOptions& options, std::ostream& out, std::ostream& err);
 
-/// Writes the scans of a log as a table.
+/// Prints the scans of a log as a table. Throws as run_plan does.
 void list_scans(const PlanRunOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace adit

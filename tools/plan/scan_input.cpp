@@ -7,6 +7,8 @@
 #include <set>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "common/bus/channels.hpp"
 #include "common/bus/log/replay_bus.hpp"
 #include "common/bus/typed_messages.hpp"
@@ -14,13 +16,13 @@
 #include "common/messages/mapping/cloud.hpp"
 #include "procs/scan_assembly/scan_assembly_node.hpp"
 #include "sim/simulation/simulation_params.hpp"
-#include "tools/map/log_input.hpp"
+#include "tools/map/recorded_config.hpp"
 
 namespace adit {
 namespace {
 
 constexpr std::size_t kFragmentsQueued = 1000;
-constexpr std::int64_t kDrainUs = 20'000'000;  // longer than a sweep waits for anything
+constexpr std::int64_t kDrainUs = 20'000'000;  // longer than any timeout of scan assembly
 
 std::vector<Cloud> recorded_clouds(const LogFile& log, std::vector<std::string>& warnings) {
   std::vector<Cloud> clouds;
@@ -30,7 +32,7 @@ std::vector<Cloud> recorded_clouds(const LogFile& log, std::vector<std::string>&
     if (event.channel != channels::kCloud) continue;
     const auto message = decode<cloud_t>(event.data);
     const auto fragment =
-        message ? from_message(*message) : Result<CloudFragment>(Rejected{"damaged"});
+        message ? from_message(*message) : Result<CloudFragment>(Rejected{"malformed"});
     if (!fragment) {
       ++rejected;
       continue;
@@ -38,10 +40,10 @@ std::vector<Cloud> recorded_clouds(const LogFile& log, std::vector<std::string>&
     if (auto cloud = assembler.add(*fragment)) clouds.push_back(std::move(*cloud));
   }
   if (rejected > 0) {
-    warnings.push_back("skipped " + std::to_string(rejected) + " damaged messages of CLOUD");
+    warnings.push_back(fmt::format("skipped {} malformed messages on CLOUD", rejected));
   }
   if (const auto incomplete = assembler.counts().superseded; incomplete > 0) {
-    warnings.push_back("skipped " + std::to_string(incomplete) + " scans that lack pieces");
+    warnings.push_back(fmt::format("skipped {} scans with missing fragments", incomplete));
   }
   return clouds;
 }
@@ -51,24 +53,25 @@ Lasers find_lasers(const ConfigFile& config, const LogFile& log,
   if (config.section(Lasers::kSection) != nullptr) {
     return load_section<Lasers>(config, Lasers::kSection);
   }
-  if (const auto recorded = recorded_lasers(log.events())) return *recorded;
-  warnings.emplace_back("neither config nor log say where the lasers are: taken for Groundhog's");
+  if (const auto recorded = recorded_lasers(log.events(), warnings)) return *recorded;
+  warnings.emplace_back(
+      "laser poses are neither in the configuration nor in the log; using those of Groundhog");
   return groundhog_lasers();
 }
 
-/// Channels without which no scan can be put together and that the log does not have.
+/// The channels that scan assembly requires and the log does not have, in parentheses.
 std::string missing_channels(const LogFile& log) {
   std::set<std::string_view> present_channels;
   for (const LogEventView& event : log.events()) present_channels.insert(event.channel);
   std::string missing;
-  const auto require_channel = [&](std::string_view channel_a, std::string_view channel_b) {
-    if (present_channels.contains(channel_a) || present_channels.contains(channel_b)) return;
-    missing += (missing.empty() ? " (it lacks " : ", ") + std::string(channel_a);
+  const auto require_any = [&](std::string_view channel, std::string_view alternative) {
+    if (present_channels.contains(channel) || present_channels.contains(alternative)) return;
+    missing += (missing.empty() ? " (missing: " : ", ") + std::string(channel);
   };
-  require_channel(channels::kScanRequest, channels::kScanRequest);
-  require_channel(channels::kLaserFront, channels::kLaserRear);
-  require_channel(channels::kTiltFront, channels::kTiltRear);
-  require_channel(channels::kPose, channels::kPose);
+  require_any(channels::kScanRequest, channels::kScanRequest);
+  require_any(channels::kLaserFront, channels::kLaserRear);
+  require_any(channels::kTiltFront, channels::kTiltRear);
+  require_any(channels::kPose, channels::kPose);
   return missing.empty() ? missing : missing + ")";
 }
 
@@ -122,16 +125,15 @@ ScanInput scans_of_log(const std::filesystem::path& file, const ConfigFile& conf
   LogFile log(file);
   ScanInput source;
   if (log.health().corrupt_bytes > 0) {
-    source.warnings.push_back("skipped " + std::to_string(log.health().corrupt_bytes) +
-                              " corrupt bytes");
+    source.warnings.push_back(fmt::format("skipped {} corrupt bytes", log.health().corrupt_bytes));
   }
   source.clouds = recorded_clouds(log, source.warnings);
   if (!source.clouds.empty()) return source;
   const std::string missing = missing_channels(log);
   if (missing.empty()) source.clouds = assembled_clouds(log, config, source.warnings);
   if (source.clouds.empty()) {
-    throw std::runtime_error(file.string() + ": no 3D scan in it, nor what makes one" + missing +
-                             last_of(source.warnings));
+    throw std::runtime_error(fmt::format("{}: no 3D scan, and no data to assemble one{}{}",
+                                         file.string(), missing, last_of(source.warnings)));
   }
   return source;
 }
@@ -147,8 +149,8 @@ std::vector<NumberedScan> select_scans(const ScanInput& source, const ScanChoice
   }
   if (!chosen.empty()) return chosen;
   if (!choice.number && !choice.id) return {{1, source.clouds.front()}};
-  throw std::runtime_error("there is no such scan among the " +
-                           std::to_string(source.clouds.size()) + ": see --list");
+  throw std::runtime_error(
+      fmt::format("no such scan among the {} scans of the log: see --list", source.clouds.size()));
 }
 
 }  // namespace adit

@@ -12,34 +12,34 @@
 
 namespace adit {
 
-/// What a file holds of 3D scans.
+/// The 3D scans of a log or point cloud.
 struct ScanInput {
   std::vector<Cloud> clouds;
-  std::vector<std::string> warnings;  ///< what was skipped or taken for granted, a sentence each
+  std::vector<std::string> warnings;  ///< skipped data and assumptions, one text each
 };
 
-/// Which of the scans of a log. Without any of these, the first that is complete.
+/// Selection among the scans of a log. By default the first complete scan.
 struct ScanChoice {
-  std::optional<int> number = std::nullopt;  ///< in the order of the log, from 1
+  std::optional<int> number = std::nullopt;  ///< in log order, from 1
   std::optional<int> id = std::nullopt;
   bool all = false;
 };
 
-/// Whether the file is an LCM log, by its first bytes or its name.
+/// Whether the file is an LCM log, by its first bytes or its extension.
 bool is_scan_log(const std::filesystem::path& file);
 
-/// The clouds of a log (channel CLOUD); of a log without any, those that scan assembly makes of its
-/// scan requests, laser scans, tilts and poses. The lasers are where the config says, or else
-/// the log itself. Throws std::runtime_error where there is none, and says what is missing.
+/// Reads the clouds of a log (channel CLOUD). If it has none, runs scan assembly on its scan
+/// requests, laser scans, tilts and poses, with the laser poses of the configuration, else of the
+/// log (channel CONFIG). Throws std::runtime_error with the missing channels if there is no scan.
 ScanInput scans_of_log(const std::filesystem::path& file, const ConfigFile& config);
 
-/// A scan with its number, from 1.
+/// A scan with its number in the log, from 1.
 struct NumberedScan {
   int number = 1;
   Cloud cloud;
 };
 
-/// Throws std::runtime_error where there is no such scan.
+/// Returns the selected scans. Throws std::runtime_error if the selection does not exist.
 std::vector<NumberedScan> select_scans(const ScanInput& source, const ScanChoice& choice);
 
 }  // namespace adit

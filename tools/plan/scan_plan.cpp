@@ -14,7 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What the work gives, and how long it took.
+/// Wall time of the work.
 template <class Work>
 double milliseconds(const Work& work) {
   const auto start = Clock::now();
@@ -87,7 +87,7 @@ const char* name_of(PlanOutcome outcome) {
     case PlanOutcome::kNarrow:
       return "narrow";
     case PlanOutcome::kSearchLimit:
-      return "gave_up";
+      return "search_limit";
   }
   return "";
 }

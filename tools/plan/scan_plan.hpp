@@ -13,11 +13,11 @@
 
 namespace adit {
 
-/// Where to go from the scan, in level.
+/// Goal relative to the pose of the scan, in level.
 struct GoalChoice {
   PlanGoal::Kind kind = PlanGoal::Kind::kAlong;
-  Pose2 T_level_goal;        ///< of kAlong the heading counts alone
-  double distance_m = 10.0;  ///< of kAlong
+  Pose2 T_level_goal;        ///< for kAlong, only the heading is used
+  double distance_m = 10.0;  ///< maximum distance, for kAlong
 };
 
 struct ScanPlanParams {
@@ -25,16 +25,16 @@ struct ScanPlanParams {
   PlanningParams planning;
 };
 
-/// The sections terrain and planning, and what they share. `estimator` takes the place of that of
-/// the terrain unless it is empty. Throws ConfigError.
+/// Loads the sections terrain and planning and their shared sections. A non-empty `estimator`
+/// overrides that of the terrain. Throws ConfigError.
 ScanPlanParams load_scan_plan_params(const ConfigFile& config, const std::string& estimator);
 
-/// What came of one scan.
+/// Terrain and path of one scan.
 struct ScanPlan {
-  /// How long the steps took [ms], by the clock.
+  /// Wall times of the steps [ms].
   struct Times {
     double terrain_ms = 0.0;
-    double kernels_ms = 0.0;  ///< once for a vehicle, not for each scan
+    double kernels_ms = 0.0;  ///< once per vehicle, not per scan
     double c_space_ms = 0.0;
     double search_ms = 0.0;
 
@@ -44,17 +44,17 @@ struct ScanPlan {
   TerrainMap terrain;
   PlanGoal goal;
   PlannedPath path;
-  std::array<std::size_t, 5> ground{};  ///< cells, in the order of Ground
+  std::array<std::size_t, 5> ground{};  ///< number of cells, in the order of Ground
   Times times;
 };
 
-/// Terrain, C-space and path of one scan, for a robot that stands where the scan was made.
-/// `planning` is for the vehicle of the params; what the plan rests on stays with it.
+/// Computes terrain, C-space and path of one scan, starting at the pose of the scan. `planning`
+/// must be constructed from the params; it retains the C-space of the plan.
 ScanPlan plan_on_scan(const Cloud& cloud, const GoalChoice& goal, const ScanPlanParams& params,
                       Planning& planning);
 
 double path_length_m(const PlannedPath& path);
-/// From the footprint to the nearest lethal cell anywhere on the path; infinite without a path.
+/// Minimum distance between footprint and lethal cells along the path [m]; infinite without a path.
 double least_clearance_m(const PlannedPath& path);
 const char* name_of(PlanOutcome outcome);
 

@@ -6,16 +6,15 @@
 #include <map>
 #include <utility>
 
-#include "common/bus/channels.hpp"
 #include "tools/map/corrected_trajectory.hpp"
 
 namespace adit {
 namespace {
 
-/// A gap in the ids: it holds a place, and has no scans.
+/// True for the placeholder of an id that is not in the log.
 bool is_missing(const LocalMap& map) { return map.utime == 0; }
 
-/// As many as the graph has poses, by id.
+/// Local maps indexed by id, `count` of them, with placeholders for missing ones.
 std::vector<LocalMap> local_maps_by_id(std::vector<LocalMap> found, std::size_t count) {
   std::vector<LocalMap> maps(count);
   for (std::size_t i = 0; i < count; ++i) maps[i].id = static_cast<int>(i);
@@ -29,7 +28,7 @@ std::vector<LocalMap> local_maps_by_id(std::vector<LocalMap> found, std::size_t 
   return maps;
 }
 
-/// Poses from one time on, and before another.
+/// Poses in the time interval [from_utime, to_utime).
 Trajectory time_slice(const Trajectory& poses, std::int64_t from_utime, std::int64_t to_utime) {
   const auto is_before = [](const TimedPose& pose, std::int64_t utime) {
     return pose.utime < utime;
@@ -62,13 +61,13 @@ void MissionMap::set_graph(const MapRecord& record) {
     full_map_.graph = *record.graph();
     return;
   }
-  for (const auto& [id, map] : record.local_maps()) {  // odom for map
+  for (const auto& [id, map] : record.local_maps()) {  // without a graph, map is odom
     if (static_cast<std::size_t>(id) != full_map_.graph.poses.size()) break;
     full_map_.graph.poses.push_back(map.T_odom_local);
   }
 }
 
-/// Each session has an odom of its own, which begins with its first local map.
+/// Each session has its own odom frame, which starts with its first local map.
 void MissionMap::add_sessions(const Trajectory& odometry) {
   std::map<int, std::vector<MapAnchor>> anchors;
   for (const LocalMap& map : local_maps_) {
@@ -103,13 +102,7 @@ std::optional<Pose2> MissionMap::T_map_body_at(std::int64_t utime) const {
 
 std::optional<OccupancyGrid> MissionMap::grid(const Lasers& lasers) const {
   OccupancyGrid grid{OccupancyGridParams{}};
-  const bool inserted =
-      std::all_of(full_map_.scans.begin(), full_map_.scans.end(), [&](const PlacedScan& placed) {
-        const bool rear = *placed.channel == channels::kLaserRear;
-        const LaserMount& mount = rear ? lasers.rear : lasers.front;
-        return grid.insert(*placed.scan, placed.T_map_body * mount.T_body_laser);
-      });
-  if (!inserted || grid.observed_box().empty()) return std::nullopt;
+  if (!insert_scans(full_map_, lasers, grid) || grid.observed_box().empty()) return std::nullopt;
   return grid;
 }
 

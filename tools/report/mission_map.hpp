@@ -15,24 +15,24 @@
 
 namespace adit {
 
-/// The map of a mission as the log leaves it: local maps where the last pose graph has them, and
-/// the path that hangs on them. Without local maps odom stands for map.
+/// The map at the end of a log: local maps at the poses of the last pose graph, and the path
+/// corrected accordingly. Without local maps the path is odometry, and map is odom.
 class MissionMap {
  public:
-  /// `record` gives its local maps away, and must outlive this.
+  /// Takes the local maps out of `record`, which must outlive this.
   explicit MissionMap(MapRecord& record);
   MissionMap(const MissionMap&) = delete;
   MissionMap& operator=(const MissionMap&) = delete;
 
-  /// It refers to this.
+  /// Refers to this object.
   [[nodiscard]] const FullMap& full_map() const { return full_map_; }
-  /// T_map_body, all sessions in order of time.
+  /// T_map_body of all sessions, in order of time.
   [[nodiscard]] const Trajectory& path() const { return path_; }
   [[nodiscard]] std::optional<Pose2> T_map_body_at(std::int64_t utime) const;
-  /// Local maps that the graph knows and the log does not have.
+  /// Number of local maps that are in the pose graph but not in the log.
   [[nodiscard]] std::size_t missing_local_maps() const { return missing_; }
 
-  /// Nothing where there is no scan, or the poses are so far apart that a grid would not hold them.
+  /// Nothing without scans, or if the poses exceed the size of a grid.
   [[nodiscard]] std::optional<OccupancyGrid> grid(const Lasers& lasers) const;
 
  private:

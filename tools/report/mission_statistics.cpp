@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <stdexcept>
 
-#include "common/bus/channels.hpp"
+#include <fmt/format.h>
+
 #include "tools/map/map_files.hpp"
 #include "tools/report/html/text_format.hpp"
 
@@ -21,12 +21,12 @@ std::vector<PhaseShare> phase_shares(const std::vector<PhaseInterval>& intervals
     PhaseShare& share = shares[interval.phase.phase];
     share.phase = interval.phase.phase;
     ++share.times;
-    share.seconds += interval.seconds();
-    all_s += interval.seconds();
+    share.duration_s += interval.duration_s();
+    all_s += interval.duration_s();
   }
   std::vector<PhaseShare> found;
   for (auto& [phase, share] : shares) {
-    share.share = all_s > 0.0 ? share.seconds / all_s : 0.0;
+    share.share = all_s > 0.0 ? share.duration_s / all_s : 0.0;
     found.push_back(share);
   }
   return found;
@@ -45,18 +45,18 @@ void add_distances(const MissionRecords& records, const MissionMap& map,
   if (records.map.truth().empty() || path.empty()) return;
   try {
     statistics.score = score_trajectory(path, records.map.truth());
-  } catch (const std::runtime_error&) {  // no time in common
+  } catch (const std::runtime_error&) {  // no common times: no score
   }
 }
 
-/// What turned the robot round, as the mission says it, or else exploration.
-void add_homeward(const MissionRecords& records, MissionStatistics& statistics) {
-  statistics.homeward_utime = records.phases.homeward_utime();
+/// Time and reason of the return, from PHASE, otherwise from EXPLORATION.
+void add_return_home(const MissionRecords& records, MissionStatistics& statistics) {
+  statistics.return_home_utime = records.phases.return_home_utime();
   if (statistics.last) {
     statistics.return_home_reason = statistics.last->return_home_reason;
   } else {
-    statistics.homeward_utime = records.state.homeward_utime();
-    statistics.return_home_reason = records.state.homeward_reason();
+    statistics.return_home_utime = records.state.return_home_utime();
+    statistics.return_home_reason = records.state.return_home_reason();
   }
 }
 
@@ -79,7 +79,7 @@ void count_events(const MissionRecords& records, MissionStatistics& statistics) 
     if (event.kind == MissionEvent::Kind::kRestart) ++statistics.restarts;
     if (event.kind != MissionEvent::Kind::kStop) continue;
     ++statistics.stops;
-    statistics.stopped_s += event.seconds();
+    statistics.stopped_s += event.duration_s();
   }
 }
 
@@ -102,7 +102,7 @@ MissionStatistics mission_statistics(const MissionRecords& records, const Missio
   statistics.to_utime = records.log_info.last_utime;
   statistics.phases = phase_shares(records.phases.intervals());
   statistics.last = records.phases.last();
-  add_homeward(records, statistics);
+  add_return_home(records, statistics);
   add_distances(records, map, statistics);
   count_scans(records, statistics);
   statistics.local_maps = map.full_map().local_maps.size();
@@ -111,34 +111,16 @@ MissionStatistics mission_statistics(const MissionRecords& records, const Missio
   count_frontiers(records, statistics);
   count_events(records, statistics);
   if (records.state.run_state()) statistics.failure = records.state.run_state()->failure;
-  for (const auto& [stage, copy] : records.log_info.configs) statistics.version = copy.version;
-  return statistics;
-}
-
-const char* name_of(Phase phase) {
-  switch (phase) {
-    case Phase::kWaiting:
-      return "wait";
-    case Phase::kExplore:
-      return "explore";
-    case Phase::kScan:
-      return "scan";
-    case Phase::kPlan:
-      return "plan";
-    case Phase::kExecute:
-      return "execute";
-    case Phase::kPaused:
-      return "paused";
-    case Phase::kEnded:
-      return "ended";
+  for (const auto& [stage, config] : records.log_info.configs) {
+    statistics.version = config.version;
   }
-  return "";
+  return statistics;
 }
 
 const char* name_of(MissionOutcome outcome) {
   switch (outcome) {
     case MissionOutcome::kInProgress:
-      return "under way";
+      return "in progress";
     case MissionOutcome::kHome:
       return "home";
     case MissionOutcome::kStopped:
@@ -149,52 +131,67 @@ const char* name_of(MissionOutcome outcome) {
   return "";
 }
 
-namespace {
-
-std::string is_or_are(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " is" : " are");
+const char* name_of(FrontierState state) {
+  switch (state) {
+    case FrontierState::kOpen:
+      return "open";
+    case FrontierState::kExplored:
+      return "explored";
+    case FrontierState::kBlocked:
+      return "blocked";
+    case FrontierState::kTooNarrow:
+      return "too narrow";
+    case FrontierState::kBeyondBudget:
+      return "beyond budget";
+    case FrontierState::kUnobservable:
+      return "no returns";
+    case FrontierState::kOutsideMine:
+      return "outside the mine";
+    case FrontierState::kUnconfirmed:
+      return "unconfirmed";
+  }
+  return "";
 }
 
-/// Of the openings that nobody saw behind.
-std::string uncertain_frontiers_text(const FrontierCounts& frontiers) {
-  std::string text;
-  const auto add = [&](std::size_t count, const char* description) {
-    if (count > 0) text += (text.empty() ? "" : ", ") + is_or_are(count) + description;
-  };
-  add(frontiers.open - frontiers.unconfirmed, " left open");
-  add(frontiers.unconfirmed, " given up, though nobody saw what blocks the way");
-  add(frontiers.blocked, " blocked");
+namespace {
+
+/// "3 of 7 frontiers are closed (2 blocked), 3 open".
+std::string counts_text(const FrontierCounts& frontiers) {
+  std::string text =
+      fmt::format("{} of {} are closed", frontiers.closed, count_text(frontiers.found, "frontier"));
+  if (frontiers.blocked > 0) text += fmt::format(" ({} blocked)", frontiers.blocked);
+  const std::size_t open = frontiers.open - frontiers.unconfirmed;
+  if (open > 0) text += fmt::format(", {} open", open);
+  if (frontiers.unconfirmed > 0) {
+    text += fmt::format(", {} abandoned without evidence of a blockage", frontiers.unconfirmed);
+  }
   return text;
 }
 
 std::string frontiers_text(const MissionStatistics& statistics) {
   if (!statistics.frontiers || statistics.frontiers->found == 0) return "";
   const bool complete = statistics.last && statistics.last->complete;
-  const std::string found = count_text(statistics.frontiers->found, "opening");
-  const std::string uncertain = uncertain_frontiers_text(*statistics.frontiers);
-  if (!complete)
-    return " Of " + found + ", " + (uncertain.empty() ? "all are closed" : uncertain) + ".";
-  return " It explored the mine: every one of the " + found +
-         " that it saw is closed, with evidence" +
-         (uncertain.empty() ? "." : "; " + uncertain + ".");
+  return fmt::format(" The exploration is {}: {}.", complete ? "complete" : "incomplete",
+                     counts_text(*statistics.frontiers));
 }
 
 std::string end_text(const MissionStatistics& statistics) {
-  const std::string away = metres(statistics.distance_from_start_m) + " from where it started";
+  const std::string distance = metres(statistics.distance_from_start_m) + " from the start";
   if (!statistics.last) {
-    return "The log does not say how the mission stood (it has no PHASE); the robot was " + away +
-           " when it ended.";
+    return fmt::format("The outcome is unknown: the log has no PHASE. At its end the robot was {}.",
+                       distance);
   }
   switch (statistics.last->outcome) {
     case MissionOutcome::kHome:
-      return "The robot came home.";
+      return "The robot returned home.";
     case MissionOutcome::kStopped:
-      return "The mission was stopped by order; the robot stands " + away + ".";
+      return fmt::format("The mission was stopped by order; the robot is {}.", distance);
     case MissionOutcome::kStranded:
-      return "The robot did not come home: it stands " + away + ", and no way was found any more.";
+      return fmt::format("The robot did not return home: it is stranded {}, without a path.",
+                         distance);
     case MissionOutcome::kInProgress:
-      return std::string("The log ends while the mission is under way (") +
-             name_of(statistics.last->phase) + "); the robot was " + away + ".";
+      return fmt::format("The log ends while the mission is in progress ({}); the robot was {}.",
+                         name_of(statistics.last->phase), distance);
   }
   return "";
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/report.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -23,27 +24,23 @@
 namespace adit {
 namespace {
 
-/// Puts the logs of a mission into `unfinished` as run.lcmlog, unless the first is run.lcmlog in
-/// `folder` already, where a mission has all of its logs: one by a hard link, or a copy where there
-/// cannot be one; several one after the other, their events numbered anew. Throws
-/// std::runtime_error where it cannot be written.
-void store_log(const std::vector<std::filesystem::path>& logs, const std::filesystem::path& folder,
-               const std::filesystem::path& unfinished);
-
 namespace fs = std::filesystem;
 
+/// Writes run.lcmlog into `unfinished`: a hard link to one log, or a copy where links are not
+/// possible; several logs are concatenated and their events renumbered. Does nothing if the first
+/// log is run.lcmlog of `folder`: it is the folder of the mission, which has all its logs. Throws
+/// std::runtime_error if the file cannot be written.
 void store_log(const std::vector<fs::path>& logs, const fs::path& folder,
                const fs::path& unfinished) {
-  const fs::path place = unfinished / "run.lcmlog";
+  const fs::path target = unfinished / "run.lcmlog";
   std::error_code error;
-  // The folder of the mission itself, which has its logs and would hold them twice.
   if (fs::equivalent(logs.front(), folder / "run.lcmlog", error)) return;
   if (logs.size() == 1) {
-    fs::create_hard_link(fs::canonical(logs.front()), place, error);
-    if (error) fs::copy_file(logs.front(), place);
+    fs::create_hard_link(fs::canonical(logs.front()), target, error);
+    if (error) fs::copy_file(logs.front(), target);
     return;
   }
-  LogWriter writer(place);
+  LogWriter writer(target);
   for (const fs::path& log : logs) {
     const MappedFile file(log);
     LogParser parser(file.bytes());
@@ -58,8 +55,8 @@ LogInfo read_mission_log_info(const ReportOptions& options) {
        {channels::kPhase, channels::kPose, channels::kLocalMap, channels::kCloud}) {
     if (log_info.has(channel)) return log_info;
   }
-  throw std::runtime_error("nothing of a mission in " + options.logs.front().string() +
-                           ": neither PHASE nor POSE, LOCAL_MAP or CLOUD");
+  throw std::runtime_error("no mission in " + options.logs.front().string() +
+                           ": it has none of PHASE, POSE, LOCAL_MAP and CLOUD");
 }
 
 std::string title_of(const LogInfo& log_info) {
@@ -70,18 +67,21 @@ MapContent map_content(const MissionRecords& records, const MissionStatistics& s
                        const MissionMap& map, const std::optional<OccupancyGrid>& grid) {
   const auto& exploration = records.state.exploration();
   return {&map, grid ? &*grid : nullptr, exploration ? &*exploration : nullptr,
-          scan_marks(records, map), statistics.homeward_utime};
+          scan_marks(records, map), statistics.return_home_utime};
 }
 
 std::vector<std::string> collect_warnings(const LogInfo& log_info, const MissionLogReader& reader,
                                           const MissionMap& map) {
-  std::vector<std::string> notes = log_info.warnings;
-  for (std::string& warning : reader.warnings()) notes.push_back(std::move(warning));
-  if (map.missing_local_maps() > 0) {
-    notes.push_back(count_text(map.missing_local_maps(), "local map") +
-                    " of the pose graph are not in the log");
+  std::vector<std::string> warnings = log_info.warnings;
+  for (std::string& warning : reader.warnings()) {
+    const bool is_new = std::find(warnings.begin(), warnings.end(), warning) == warnings.end();
+    if (is_new) warnings.push_back(std::move(warning));
   }
-  return notes;
+  if (map.missing_local_maps() > 0) {
+    warnings.push_back(count_text(map.missing_local_maps(), "local map") +
+                       " of the pose graph missing in the log");
+  }
+  return warnings;
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ MissionReport write_report(const ReportOptions& options, const ReportProgress& p
 
   report_progress("drawing", 0.0);
   const MissionMap map(reader.map());
-  const auto grid = map.grid(log_info.lasers());
+  const auto grid = map.grid(log_info.lasers);
   const MissionRecords records = reader.records();
   const MissionStatistics statistics = mission_statistics(records, map);
   const MapContent content = map_content(records, statistics, map, grid);
@@ -105,9 +105,9 @@ MissionReport write_report(const ReportOptions& options, const ReportProgress& p
   report_progress("writing", 0.3);
   MissionReport report{outcome_text(statistics), statistics.scans, statistics.distance_travelled_m,
                        0, collect_warnings(log_info, reader, map)};
-  for (std::string& sentence : write_report_files(
+  for (std::string& warning : write_report_files(
            {records, statistics, content, reader.volume(), title}, results.unfinished())) {
-    report.warnings.push_back(std::move(sentence));
+    report.warnings.push_back(std::move(warning));
   }
   const std::string page = mission_page(records, statistics, content, title, report.warnings);
   report.page_bytes = page.size();

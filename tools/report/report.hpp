@@ -12,28 +12,27 @@ namespace adit {
 
 struct ReportOptions {
   std::vector<std::filesystem::path> logs;  ///< of one mission, in order of time
-  std::filesystem::path folder;             ///< made if it is not there
-  bool remap = false;  ///< map anew from laser scans and their matches, whatever map is in the log
+  std::filesystem::path folder;             ///< created if it does not exist
+  bool remap = false;  ///< build the map from laser scans and their matches, not from LOCAL_MAP
 };
 
 struct MissionReport {
-  std::string outcome;  ///< how the mission went, a sentence or a few
+  std::string outcome;  ///< one to three sentences
   std::size_t scans = 0;
   double distance_travelled_m = 0.0;
   std::size_t page_bytes = 0;         ///< of mission.html
-  std::vector<std::string> warnings;  ///< what the log lacks or what was skipped, a sentence each
+  std::vector<std::string> warnings;  ///< missing and skipped data, one sentence each
 };
 
-/// Called with what is being done and the share of it that is done, 0 to 1.
+/// Called with the name of the current step and the finished share of it, 0 to 1.
 using ReportProgress = std::function<void(const std::string& label, double done)>;
 
-/// Makes the folder of a mission from what was recorded of it: mission.html, map.png, map.pgm and
-/// map.yaml, map.svg, graph.g2o, trajectory.tum (T_map_body), cloud.ply, volume.bt,
-/// junctions.geojson, summary.json, run.lcmlog. What the log does not hold is left out, and said.
-/// The same log gives the same files, byte for byte. A file of the log is taken as it goes; what is
-/// held in memory is the map, as mapping holds it, and small pictures. Throws std::runtime_error
-/// where a log cannot be read or holds nothing of a mission, or a file cannot be written; then the
-/// folder is as it was.
+/// Writes the results of a mission from its logs: mission.html, map.png, map.pgm and map.yaml,
+/// map.svg, graph.g2o, trajectory.tum (T_map_body), cloud.ply, volume.bt, junctions.geojson,
+/// summary.json, run.lcmlog. A file without data in the log is left out, with a warning. The same
+/// log gives the same files, byte for byte. The logs are streamed; memory holds the map, as in
+/// mapping, and small pictures. Throws std::runtime_error if a log cannot be read, if no log has
+/// data of a mission, or if a file cannot be written; the folder is unchanged then.
 MissionReport write_report(const ReportOptions& options, const ReportProgress& progress = {});
 
 }  // namespace adit

@@ -12,7 +12,7 @@
 
 namespace adit {
 
-/// What the files of a report are made of.
+/// Input of the files of a report.
 struct ReportInput {
   const MissionRecords& records;
   const MissionStatistics& statistics;
@@ -21,9 +21,9 @@ struct ReportInput {
   std::string title;
 };
 
-/// Writes all files of a report but the page and the log into a folder that is there. Gives a
-/// sentence for each file for which there is nothing in the log. Throws std::runtime_error where
-/// one cannot be written.
+/// Writes all files of a report except mission.html and run.lcmlog into an existing folder. Returns
+/// a warning for each file without data in the log. Throws std::runtime_error if a file cannot be
+/// written.
 std::vector<std::string> write_report_files(const ReportInput& input,
                                             const std::filesystem::path& folder);
 

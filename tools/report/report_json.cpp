@@ -3,11 +3,12 @@
 #include "tools/report/report_json.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "tools/report/html/text_format.hpp"
-#include "tools/report/svg/map_layers.hpp"
 
 namespace adit {
 namespace {
@@ -18,7 +19,7 @@ Json phases_json(const MissionStatistics& statistics) {
   Json phases = Json::object();
   for (const PhaseShare& share : statistics.phases) {
     phases[name_of(share.phase)] = {
-        {"times", share.times}, {"seconds", share.seconds}, {"share", share.share}};
+        {"times", share.times}, {"duration_s", share.duration_s}, {"share", share.share}};
   }
   return {{"reported_by_mission", statistics.last.has_value()}, {"by_phase", std::move(phases)}};
 }
@@ -29,7 +30,7 @@ Json outcome_json(const MissionStatistics& statistics) {
           {"text", outcome_text(statistics)},
           {"last_phase", statistics.last ? Json(name_of(statistics.last->phase)) : Json()},
           {"last_reason", statistics.last ? Json(statistics.last->reason) : Json()},
-          {"homeward_reason",
+          {"return_home_reason",
            statistics.return_home_reason.empty() ? Json() : Json(statistics.return_home_reason)},
           {"distance_from_start_m", statistics.distance_from_start_m}};
 }
@@ -40,7 +41,7 @@ Json frontiers_json(const MissionStatistics& statistics) {
           {"closed", statistics.frontiers->closed},
           {"open", statistics.frontiers->open},
           {"blocked", statistics.frontiers->blocked},
-          {"doubtful", statistics.frontiers->unconfirmed},
+          {"unconfirmed", statistics.frontiers->unconfirmed},
           {"corridors_explored_m", *statistics.explored_m}};
 }
 
@@ -49,15 +50,15 @@ Json truth_json(const MissionStatistics& statistics) {
   return {{"poses", statistics.score->poses},
           {"rmse_m", statistics.score->aligned.rmse_m},
           {"max_m", statistics.score->aligned.max_m},
-          {"rmse_from_start_m", statistics.score->anchored.rmse_m},
-          {"max_from_start_m", statistics.score->anchored.max_m},
+          {"anchored_rmse_m", statistics.score->anchored.rmse_m},
+          {"anchored_max_m", statistics.score->anchored.max_m},
           {"true_length_m", statistics.score->true_length_m}};
 }
 
 Json configs_json(const LogInfo& log_info) {
   Json configs = Json::object();
-  for (const auto& [stage, copy] : log_info.configs) {
-    configs[stage] = {{"version", copy.version}, {"yaml", copy.yaml}};
+  for (const auto& [stage, config] : log_info.configs) {
+    configs[stage] = {{"version", config.version}, {"yaml", config.yaml}};
   }
   return configs;
 }
@@ -70,7 +71,7 @@ std::string mission_summary_json(const MissionStatistics& statistics, const LogI
       {"begin", date_text(statistics.from_utime)},
       {"begin_utime", statistics.from_utime},
       {"end_utime", statistics.to_utime},
-      {"duration_s", statistics.seconds()},
+      {"duration_s", statistics.duration_s()},
       {"distance_travelled_m", statistics.distance_travelled_m},
       {"max_distance_from_start_m", statistics.farthest_m},
       {"mission", outcome_json(statistics)},
@@ -78,18 +79,18 @@ std::string mission_summary_json(const MissionStatistics& statistics, const LogI
       {"scans", {{"taken", statistics.scans}, {"without_path", statistics.scans_without_path}}},
       {"map",
        {{"local_maps", statistics.local_maps},
-        {"closures",
+        {"loop_closures",
          {{"proposed", statistics.loop_closures.proposed},
-          {"accepted", statistics.loop_closures.in_force},
+          {"accepted", statistics.loop_closures.accepted},
           {"revised", statistics.loop_closures.revised},
           {"revoked", statistics.revoked}}}}},
-      {"openings", frontiers_json(statistics)},
+      {"frontiers", frontiers_json(statistics)},
       {"guard", {{"stops", statistics.stops}, {"stopped_s", statistics.stopped_s}}},
       {"restarts", statistics.restarts},
       {"against_truth", truth_json(statistics)},
       {"collision", statistics.failure ? Json(!statistics.failure->empty()) : Json()},
       {"failure", statistics.failure ? Json(*statistics.failure) : Json()},
-      {"complaints", log_info.warnings},
+      {"warnings", log_info.warnings},
       {"version", statistics.version},
       {"messages", log_info.messages},
       {"config", configs_json(log_info)}};
@@ -98,9 +99,7 @@ std::string mission_summary_json(const MissionStatistics& statistics, const LogI
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// To the millimetre.
+/// Rounded to millimetres.
 Json coordinates(const Eigen::Vector2d& p_map) {
   return {std::round(1e3 * p_map.x()) / 1e3, std::round(1e3 * p_map.y()) / 1e3};
 }
@@ -136,7 +135,7 @@ Json corridor_feature(const Corridor& corridor) {
 
 Json frontier_feature(const Frontier& frontier) {
   return feature("Point", coordinates(frontier.p_map),
-                 {{"kind", "opening"},
+                 {{"kind", "frontier"},
                   {"id", frontier.id},
                   {"state", name_of(frontier.state)},
                   {"closed", is_closed(frontier.state)},
@@ -160,12 +159,13 @@ std::string junctions_geojson(const ExplorationReport& report) {
     features.push_back(corridor_feature(corridor));
   }
   for (const Frontier& frontier : report.frontiers) features.push_back(frontier_feature(frontier));
-  const Json json{{"type", "FeatureCollection"},
-                  {"coordinates_are",
-                   "metres in the plan of the map frame (x, y; origin where the first local map "
-                   "began), not longitude and latitude"},
-                  {"graph_revision", report.revision},
-                  {"features", std::move(features)}};
+  const Json json{
+      {"type", "FeatureCollection"},
+      {"coordinates_are",
+       "x and y in the map frame in metres (origin: first pose of the first local map), "
+       "not longitude and latitude"},
+      {"graph_revision", report.revision},
+      {"features", std::move(features)}};
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -9,12 +9,12 @@
 
 namespace adit {
 
-/// The figures of a mission as JSON, for summary.json. What the log does not tell is null.
+/// Figures of a mission as JSON, for summary.json. Values without data in the log are null.
 std::string mission_summary_json(const MissionStatistics& statistics, const LogInfo& log_info);
 
-/// The corridor graph as GeoJSON: corridors as lines; junctions, dead ends and openings as points,
-/// the openings with their state and its evidence. Coordinates are metres in the plan of the map
-/// frame, x and y, and no longitude and latitude: a foreign member says so.
+/// The corridor graph as GeoJSON: corridors as lines; junctions, dead ends and frontiers as points,
+/// frontiers with state and evidence. Coordinates are x and y in the map frame in metres, not
+/// longitude and latitude; the foreign member `coordinates_are` says so.
 std::string junctions_geojson(const ExplorationReport& report);
 
 }  // namespace adit

@@ -8,7 +8,7 @@
 #include "common/bus/log/lcm_log.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/mapping/cloud.hpp"
-#include "tools/cloud/ply_file.hpp"
+#include "tools/cloud/cloud_file.hpp"
 
 namespace adit {
 namespace {
@@ -26,7 +26,7 @@ void write_log(const Cloud& cloud, const std::filesystem::path& file) {
 void write_scan(const Cloud& cloud, const std::filesystem::path& file) {
   if (file.extension() == ".lcmlog") return write_log(cloud, file);
   if (file.extension() == ".ply") return write_ply(cloud, file);
-  throw std::runtime_error(file.string() + ": a scan is written as .lcmlog or .ply");
+  throw std::runtime_error(file.string() + ": the file of a 3D scan must end in .lcmlog or .ply");
 }
 
 }  // namespace adit

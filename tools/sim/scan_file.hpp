@@ -8,9 +8,8 @@
 
 namespace adit {
 
-/// Writes a 3D scan: as an LCM log of its messages (.lcmlog), with all that is known of it, or as
-/// the bare points in level (.ply). Throws std::runtime_error for another ending and where the file
-/// cannot be written.
+/// Writes a 3D scan as an LCM log of its messages (.lcmlog), or its points only, in the frame level
+/// (.ply). Throws std::runtime_error for another extension, or if the file cannot be written.
 void write_scan(const Cloud& cloud, const std::filesystem::path& file);
 
 }  // namespace adit

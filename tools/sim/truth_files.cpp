@@ -76,7 +76,7 @@ Json tunnels(const TunnelGraph& graph) {
     features.push_back(feature("LineString", positions(edge.points),
                                {{"from", edge.from},
                                 {"to", edge.to},
-                                {"drift", edge.tunnel},
+                                {"tunnel", edge.tunnel},
                                 {"length_m", edge.length_m},
                                 {"width_m", edge.width_m}}));
   }
@@ -114,7 +114,7 @@ void write(const Json& json, const std::filesystem::path& path) {
 
 void write_truth_files(const World& world, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  write(tunnels(world.truth.tunnels), folder / "drifts.geojson");
+  write(tunnels(world.truth.tunnels), folder / "tunnels.geojson");
   write(plan(world.truth.plan), folder / "plan.geojson");
   write(obstacles(world.truth.obstacles), folder / "obstacles.json");
 }

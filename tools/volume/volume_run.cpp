@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "common/bus/channels.hpp"
 #include "common/bus/log/event_source.hpp"
 #include "common/bus/log/replay_bus.hpp"
@@ -26,15 +28,15 @@ VolumeMapNodeParams load_params(const std::filesystem::path& path) {
 std::vector<std::string> collect_warnings(const LogFile& log, const ReplayBus& bus,
                                           const VolumeMap& map) {
   std::vector<std::string> warnings;
-  const auto complain = [&](std::size_t n, const char* what) {
-    if (n > 0) warnings.push_back("skipped " + std::to_string(n) + what);
+  const auto add_skipped = [&](std::size_t count, const char* kind) {
+    if (count > 0) warnings.push_back(fmt::format("skipped {} {}", count, kind));
   };
-  complain(log.health().corrupt_bytes, " corrupt bytes");
-  complain(log.health().truncated_bytes, " bytes of an event that the end of the file cuts off");
-  complain(bus.rejected_events(), " events with times that cannot be");
-  complain(static_cast<std::size_t>(map.rejected_points()), " points that cannot be");
+  add_skipped(log.health().corrupt_bytes, "corrupt bytes");
+  add_skipped(log.health().truncated_bytes, "bytes of a truncated event");
+  add_skipped(bus.rejected_events(), "events with implausible times");
+  add_skipped(static_cast<std::size_t>(map.rejected_points()), "implausible points");
   if (!map.volumes().front().anchor) {
-    warnings.emplace_back("no pose graph with its correction: the scans lie as odometry has them");
+    warnings.emplace_back("no pose graph with a map correction: the scans are placed by odometry");
   }
   return warnings;
 }
@@ -44,7 +46,7 @@ std::vector<std::string> collect_warnings(const LogFile& log, const ReplayBus& b
 VolumeRunResult run_volume(const VolumeRunOptions& options,
                            const std::function<void(double)>& progress) {
   VolumeMapNodeParams params = load_params(options.config);
-  params.journal.clear();  // what is in the log is all that there is
+  params.journal.clear();  // all data is in the log
   LogFile log(options.input);
   ReplayOptions replay;
   replay.excluded_channels.emplace(channels::kVolume);

@@ -13,7 +13,7 @@ namespace adit {
 
 struct VolumeRunOptions {
   std::filesystem::path input;   ///< LCM log with CLOUD, POSE_GRAPH and MAP_CORRECTION
-  std::filesystem::path folder;  ///< made if it is not there
+  std::filesystem::path folder;  ///< created if it does not exist
   std::filesystem::path config;  ///< YAML, or empty: defaults
 };
 
@@ -21,12 +21,12 @@ struct VolumeRunResult {
   int scans = 0;
   std::size_t volumes = 0;
   std::size_t points = 0;             ///< in cloud.ply
-  std::vector<std::string> warnings;  ///< what was wrong with the log, a sentence each
+  std::vector<std::string> warnings;  ///< one sentence each
 };
 
-/// Plays a log to the stage volume_map and writes volume.bt, volume.ot and cloud.ply. Throws
-/// std::runtime_error where the log cannot be used or has no 3D scan, or a file cannot be written;
-/// then the folder is as it was.
+/// Replays a log to the stage volume_map and writes volume.bt, volume.ot and cloud.ply. Throws
+/// std::runtime_error if the log cannot be read or has no 3D scan, or if a file cannot be written;
+/// the folder is unchanged then.
 VolumeRunResult run_volume(const VolumeRunOptions& options,
                            const std::function<void(double)>& progress = {});
 

@@ -38,9 +38,8 @@ void declare(CLI::App& app, const std::string& program, Options& options) {
   app.add_option("--lcm-url", options.lcm_url,
                  "URL of LCM, e.g. udpm://239.255.76.67:7667?ttl=0 (the default)")
       ->type_name("URL");
-  app.add_flag(
-      "--sim-time", options.sim_time,
-      "Use the time of a simulator (SIM_TIME) and acknowledge each with SIM_TIME_DONE");
+  app.add_flag("--sim-time", options.sim_time,
+               "Use the time of a simulator (SIM_TIME) and acknowledge each with SIM_TIME_DONE");
   app.add_flag("--print-config", options.print_config,
                "Print every parameter with the value in effect and exit");
   app.set_version_flag("--version", program + " " + version());

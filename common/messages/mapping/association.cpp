@@ -38,7 +38,8 @@ bool is_choice(std::int32_t chosen, const association_t& message) {
 
 std::string_view rejection_reason(const loop_closure_alternative_t& message,
                                   std::int32_t newer_map) {
-  if (message.older_map < 0 || message.older_map >= newer_map) return "alternative is not an older map";
+  if (message.older_map < 0 || message.older_map >= newer_map)
+    return "alternative is not an older map";
   if (!all_finite(message.T_older_newer)) return kPoseNotFinite;
   if (!is_information_matrix(message.information)) return kInvalidInformation;
   if (!std::isfinite(message.log_likelihood)) return "likelihood is not finite";

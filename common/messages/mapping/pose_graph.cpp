@@ -52,8 +52,7 @@ std::string_view rejection_reason(const pose_constraint_t& message, std::int32_t
     return "constraint of a node outside the graph";
   if (message.from == message.to) return "constraint of a node with itself";
   const auto kind = Kind(message.kind);
-  if (kind != Kind::kSequential && kind != Kind::kLoopClosure)
-    return "unknown constraint kind";
+  if (kind != Kind::kSequential && kind != Kind::kLoopClosure) return "unknown constraint kind";
   if (!all_finite(message.T_from_to)) return kPoseNotFinite;
   if (!is_information_matrix(message.information)) return kInvalidInformation;
   return {};

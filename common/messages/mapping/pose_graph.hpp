@@ -30,7 +30,7 @@ struct PoseGraphFragment {
   int n_nodes = 0;  ///< of the complete graph
   int n_fragments = 1;
   int fragment = 0;                        ///< 0 to n_fragments − 1
-  int first_node = 0;  ///< node of the first pose here
+  int first_node = 0;                      ///< node of the first pose here
   std::vector<Pose2> poses;                ///< T_map_local of consecutive nodes
   std::vector<MapConstraint> constraints;  ///< between any nodes of the graph
 };

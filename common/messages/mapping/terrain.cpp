@@ -135,8 +135,7 @@ terrain_t to_message(const TerrainFragment& fragment) {
 
 Result<TerrainFragment> from_message(const terrain_t& message) {
   if (const auto reason = map_rejection_reason(message); !reason.empty()) return Rejected{reason};
-  if (const auto reason = run_rejection_reason(message); !reason.empty())
-    return Rejected{reason};
+  if (const auto reason = run_rejection_reason(message); !reason.empty()) return Rejected{reason};
   if (const auto reason = cells_rejection_reason(message); !reason.empty()) return Rejected{reason};
   TerrainMap map;
   map.utime = message.utime;

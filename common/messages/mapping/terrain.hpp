@@ -20,7 +20,7 @@ namespace adit {
 struct TerrainFragment {
   static constexpr int kFragmentsMax = 2000;   ///< fragments of a map
   static constexpr int kCellsMax = 4'000'000;  ///< cells of a map
-  static constexpr double kCornerMaxM = 1e5;  ///< absolute coordinate limit of the corner
+  static constexpr double kCornerMaxM = 1e5;   ///< absolute coordinate limit of the corner
 
   TerrainMap part;  ///< the complete header, and the cells from `first_cell` on
   int n_fragments = 1;

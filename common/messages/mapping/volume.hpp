@@ -20,7 +20,7 @@ struct VolumeFragment {
   static constexpr int kFragmentsMax = 100;  ///< fragments of a sub-volume
   static constexpr double kCellMaxM = 10.0;
 
-  Volume part;  ///< the complete header, and a part of the octree
+  Volume part;          ///< the complete header, and a part of the octree
   int n_fragments = 1;  ///< 0: pose update without an octree
   int fragment = 0;     ///< 0 to n_fragments − 1
 };

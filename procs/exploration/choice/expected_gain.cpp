@@ -8,9 +8,9 @@
 namespace adit {
 namespace {
 
-constexpr double kFirstM = 1.0;  // from the stub, beyond the rim of what was seen
+constexpr double kFirstM = 1.0;  // from the frontier; skips the rim of the known space
 
-/// How far it is straight ahead to what is known.
+/// Distance straight ahead to known space; empty if there is none within the lookahead.
 std::optional<double> known_ahead_m(const Frontier& frontier, const DrivableSpace& space,
                                     double lookahead_m) {
   for (double distance = kFirstM; distance < lookahead_m; distance += space.resolution_m) {

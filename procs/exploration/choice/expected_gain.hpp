@@ -9,11 +9,11 @@
 namespace adit {
 
 struct ExpectedGainParams {
-  double prior_m = 20.0;      ///< of corridor behind a stub, before any was seen
-  double prior_weight = 5.0;  ///< as many corridors as that is worth
-  double lookahead_m = 40.0;  ///< how far ahead known space makes a loop likely
-  double gain_min_m = 10.0;   ///< what closing any stub is worth
-  double loop_factor = 5.0;   ///< metres of corridor that closing a loop is worth, per metre of sd
+  double prior_m = 20.0;      ///< length of corridor behind a frontier, before any is mapped
+  double prior_weight = 5.0;  ///< weight of the prior, in corridors
+  double lookahead_m = 40.0;  ///< distance of known space ahead up to which a loop is likely
+  double gain_min_m = 10.0;   ///< least gain of a frontier
+  double loop_factor = 5.0;   ///< gain of a loop closure [m per m of position sd]
 
   template <class V>
   void visit(V& v) {
@@ -25,12 +25,12 @@ struct ExpectedGainParams {
   }
 };
 
-/// Mean length of the corridors seen so far from junction to junction or to a dead end [m].
+/// Mean length [m] of the corridors mapped so far between junctions and dead ends, with the prior.
 double mean_corridor_m(const CorridorGraph& corridors, const ExpectedGainParams& params);
 
-/// New corridor to be expected at a stub [m]: what corridors are long on the average, or as far as
-/// to known space straight ahead. There a loop will close, which is worth more the less certain the
-/// pose is.
+/// Expected length of new corridor behind a frontier [m]: the mean corridor, or the distance to
+/// known space straight ahead. In the latter case a loop closure is expected, whose gain grows with
+/// the standard deviation of the position.
 double expected_gain_m(const Frontier& frontier, const DrivableSpace& space, double mean_m,
                        double sd_m, const ExpectedGainParams& params);
 

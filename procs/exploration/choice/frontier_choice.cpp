@@ -13,7 +13,7 @@
 namespace adit {
 namespace {
 
-/// What all metres of a leg count at least: the gain of coming home early.
+/// Weight of each metre of a leg for returning home early.
 double home_weight_m(const std::vector<FrontierCandidate>& candidates,
                      const FrontierChoiceParams& params) {
   const double sum =
@@ -23,7 +23,7 @@ double home_weight_m(const std::vector<FrontierCandidate>& candidates,
                             : params.home_weight * sum / static_cast<double>(candidates.size());
 }
 
-/// By subset: the gain of all stubs in it, and of coming home.
+/// By subset: the sum of the gains of its frontiers, and of returning home.
 std::vector<double> weights_ahead(const std::vector<FrontierCandidate>& candidates,
                                   const FrontierChoiceParams& params) {
   std::vector<double> weights(std::size_t{1} << candidates.size(),
@@ -66,7 +66,7 @@ std::vector<double> tour_costs(const std::vector<FrontierCandidate>& candidates,
   const std::size_t n = candidates.size();
   const std::vector<double> ahead = weights_ahead(candidates, params);
   const std::size_t all = ahead.size() - 1;
-  // By the set of stubs still ahead and the one where the robot is.
+  // By the set of frontiers still ahead and the one at which the robot is.
   std::vector<double> cost(ahead.size() * n, std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < n; ++i) cost[i] = candidates[i].return_length_m * ahead[0];
   for (std::size_t left = 1; left <= all; ++left) {
@@ -117,7 +117,7 @@ int nearest(const std::vector<FrontierCandidate>& candidates) {
       ->frontier;
 }
 
-/// Bearings count from behind by the right to the left.
+/// Bearings increase from behind over the right to the left.
 int rightmost(const std::vector<FrontierCandidate>& candidates,
               const std::vector<Frontier>& frontiers, const Pose2& T_map_body) {
   int best = nearest(candidates);
@@ -134,12 +134,12 @@ int rightmost(const std::vector<FrontierCandidate>& candidates,
   return best;
 }
 
-/// Without a state of its own, so that it goes on after a restart as it would have.
+/// Stateless, so that a restart does not change the choice.
 int pseudo_random(const std::vector<FrontierCandidate>& candidates) {
   std::uint64_t state = 42;
   for (const FrontierCandidate& candidate : candidates) {
     state = (state + static_cast<std::uint64_t>(candidate.frontier)) * 6364136223846793005ULL +
-            1442695040888963407ULL;  // D. Knuth's MMIX
+            1442695040888963407ULL;  // linear congruential generator MMIX (Knuth)
   }
   return candidates[(state >> 33U) % candidates.size()].frontier;
 }
@@ -152,13 +152,13 @@ std::optional<int> choose_by_rule(const std::string& rule,
                                   int target) {
   if (candidates.empty()) return std::nullopt;
   if (rule == "nearest") return nearest(candidates);
-  const bool is_offered =
+  const bool is_candidate =
       std::any_of(candidates.begin(), candidates.end(),
                   [&](const FrontierCandidate& candidate) { return candidate.frontier == target; });
-  if (is_offered) return target;
+  if (is_candidate) return target;
   if (rule == "right_hand") return rightmost(candidates, frontiers, T_map_body);
   if (rule == "random") return pseudo_random(candidates);
-  throw std::invalid_argument("'" + rule + "' is no rule of exploration");
+  throw std::invalid_argument("'" + rule + "' is not a rule of exploration");
 }
 
 }  // namespace adit

@@ -15,12 +15,12 @@
 namespace adit {
 
 struct FrontierChoiceParams {
-  std::string rule = "tour";  ///< ours, or one that it is held against: see simple_rules.hpp
-  int tour_frontiers = 9;  ///< of the nearest, between which the order is found; time doubles each
-  double home_weight = 3.0;  ///< of an early return, in mean gains of a stub
-  double switch_gain = 0.2;  ///< share of the way to the target that another has to save
-  double home_factor = 1.5;  ///< on the way home: it may be longer than the map says
-  double reserve_m = 20.0;   ///< that is never spent
+  std::string rule = "tour";  ///< tour, or a baseline: see choose_by_rule
+  int tour_frontiers = 9;     ///< nearest frontiers that enter the tour; each one doubles the time
+  double home_weight = 3.0;   ///< gain of an early return, in mean gains of a frontier
+  double switch_gain = 0.2;   ///< saving that changes the target, as a share of the path to it
+  double home_factor = 1.5;   ///< safety factor on the path home
+  double reserve_m = 20.0;    ///< path length that is never planned for
 
   template <class V>
   void visit(V& v) {
@@ -33,43 +33,45 @@ struct FrontierChoiceParams {
   }
 };
 
-/// A stub as it is weighed.
+/// A frontier with its gain and cost.
 struct FrontierCandidate {
   int frontier = 0;
-  double gain_m = 0.0;           ///< new corridor to be expected there
-  double path_length_m = 0.0;    ///< from here
-  double return_length_m = 0.0;  ///< from there
+  double gain_m = 0.0;           ///< expected length of new corridor
+  double path_length_m = 0.0;    ///< from the robot
+  double return_length_m = 0.0;  ///< from the frontier home
 };
 
-/// Whether one can go there, look on for `step_m`, and be home within the budget.
+/// Whether the robot can go to the frontier, explore `step_m` beyond it, and return home within the
+/// budget.
 bool is_within_budget(const FrontierCandidate& candidate, double step_m, double remaining_m,
                       const FrontierChoiceParams& params);
 
-/// Those between which the order is to be found: the nearest, and the target; by way, then id.
+/// The candidates of a tour: the nearest ones, and the target; ordered by path length, then id.
 std::vector<FrontierCandidate> nearest_candidates(std::vector<FrontierCandidate> candidates,
                                                   std::optional<int> target,
                                                   const FrontierChoiceParams& params);
 
-/// For each stub the cost of the best tour that begins with it, calls at all others and ends at
-/// home: every metre of way counts by the gain that is still ahead, so that what is gained early
-/// counts most (front-loaded, after FIG-OP, Peltzer et al. 2022). Exact, by dynamic programming
-/// over subsets (Held and Karp 1962). `between_m(i, j)`: from offer i to offer j.
+/// For each frontier the cost of the best tour that begins with it, visits all others and ends at
+/// home. Each metre is weighted by the gain that is still ahead, so that early gain counts most
+/// (front-loaded, after FIG-OP, Peltzer et al. 2022). Exact, by dynamic programming over subsets
+/// (Held and Karp 1962). `between_m(i, j)`: path length from candidate i to candidate j.
 std::vector<double> tour_costs(const std::vector<FrontierCandidate>& candidates,
                                const Eigen::MatrixXd& between_m,
                                const FrontierChoiceParams& params);
 
-/// The first stub of the best tour; the target, unless another tour saves the share of the
-/// parameters. Of equals the nearer, then that with the lower id. Nothing where there are none.
+/// The first frontier of the best tour, or the target, unless the best tour saves more than
+/// `switch_gain`. Ties: the nearer one, then the lower id. Empty if there are no candidates.
 std::optional<int> choose_frontier(const std::vector<FrontierCandidate>& candidates,
                                    const Eigen::MatrixXd& between_m, std::optional<int> target,
                                    const FrontierChoiceParams& params);
 
-/// Rules that ours is held against. The same offers, pose and target give the same choice.
-///   nearest     the nearest stub, chosen anew each time;
-///   right_hand  the rightmost of those within 15 m, seen from the body, otherwise the nearest;
-///   random      any, by numbers that the ids of the stubs stand for.
-/// The last two keep to a `target` while it is on offer, against pacing back and forth. `stubs`
-/// are all, by id. Nothing where there is no offer. Throws std::invalid_argument for another rule.
+/// Baselines for comparison. Deterministic: the same candidates, pose and target give the same
+/// choice.
+///   nearest     the nearest frontier, chosen again in each call (Yamauchi 1997);
+///   right_hand  the rightmost of those within 15 m, as seen from body, otherwise the nearest;
+///   random      pseudo-random, seeded by the ids of the candidates.
+/// The last two retain a `target` while it is a candidate, to avoid oscillation. `frontiers`: all,
+/// by id. Empty if there are no candidates. Throws std::invalid_argument for an unknown rule.
 std::optional<int> choose_by_rule(const std::string& rule,
                                   const std::vector<FrontierCandidate>& candidates,
                                   const std::vector<Frontier>& frontiers, const Pose2& T_map_body,

@@ -32,18 +32,18 @@ RoutePoint point_along(const std::vector<Eigen::Vector2d>& route_map, double dis
 
 std::vector<Eigen::Vector2d> resampled(const std::vector<Eigen::Vector2d>& line, double length_m,
                                        double spacing_m) {
-  std::vector<Eigen::Vector2d> places{line.front()};
+  std::vector<Eigen::Vector2d> points{line.front()};
   double next_m = spacing_m;
   double passed_m = 0.0;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const double leg_m = (line[i + 1] - line[i]).norm();
     for (; next_m <= std::min(passed_m + leg_m, length_m); next_m += spacing_m) {
-      places.emplace_back(line[i] + (next_m - passed_m) / leg_m * (line[i + 1] - line[i]));
+      points.emplace_back(line[i] + (next_m - passed_m) / leg_m * (line[i + 1] - line[i]));
     }
     passed_m += leg_m;
   }
-  if (passed_m <= length_m) places.push_back(line.back());
-  return places;
+  if (passed_m <= length_m) points.push_back(line.back());
+  return points;
 }
 
 }  // namespace adit

@@ -8,16 +8,17 @@
 
 namespace adit {
 
-/// A place on a route, and the direction of the route there, taken over 1.5 m.
+/// A point on a route and the direction of the route there, over a baseline of 1.5 m.
 struct RoutePoint {
   Eigen::Vector2d p_map{0.0, 0.0};
-  Eigen::Vector2d direction{1.0, 0.0};  ///< of length one
+  Eigen::Vector2d direction{1.0, 0.0};  ///< unit vector
 };
 
-/// So far along a route, or its end. The route has a place at least.
+/// The point at a distance along a route, or its end. The route must not be empty.
 RoutePoint point_along(const std::vector<Eigen::Vector2d>& route_map, double distance_m);
 
-/// Places `spacing_m` apart of a line, as far as `length_m` along it; its end, if that is nearer.
+/// Points `spacing_m` apart along a polyline, up to `length_m`; with its end if that is nearer. The
+/// line must not be empty.
 std::vector<Eigen::Vector2d> resampled(const std::vector<Eigen::Vector2d>& line, double length_m,
                                        double spacing_m);
 

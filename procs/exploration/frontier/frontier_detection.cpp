@@ -12,10 +12,10 @@ namespace {
 
 struct FrontierCell {
   std::size_t cell;
-  Eigen::Vector2d outward;  // to the unseen cells beside it
+  Eigen::Vector2d outward;  // towards the unseen cells around it
 };
 
-/// Outward is summed over a ring of cells, so that it does not depend on one.
+/// Sums over a neighbourhood, so that no single cell determines the direction.
 Eigen::Vector2d outward(const DrivableSpace& space, std::size_t index) {
   constexpr int kReach = 3;
   const Eigen::Vector2i middle = space.known.cell(index);
@@ -30,10 +30,12 @@ Eigen::Vector2d outward(const DrivableSpace& space, std::size_t index) {
   return sum;
 }
 
-/// Rows from the lowest; the rim of the field holds nothing drivable.
+/// Row by row from the lowest; the rim of the grid holds no drivable cell, so that all neighbours
+/// exist.
 std::vector<FrontierCell> find_frontier_cells(const DrivableSpace& space) {
   const auto around = space.known.around();
-  const auto least = static_cast<float>(space.radius_m - 1e-6);  // where the body was is no end
+  const auto least =
+      static_cast<float>(space.radius_m - 1e-6);  // driven cells closer to a wall are not frontiers
   std::vector<FrontierCell> frontier_cells;
   for (std::size_t i = 0; i < space.known.size(); ++i) {
     if (space.access[i] == Access::kNone || space.clearance_m[i] < least) continue;
@@ -46,7 +48,8 @@ std::vector<FrontierCell> find_frontier_cells(const DrivableSpace& space) {
   return frontier_cells;
 }
 
-/// Those within reach of each other, of one access. Marks: 1 + index of each frontier cell.
+/// Connected components of frontier cells within `reach` cells of each other and of equal access.
+/// `marks` holds 1 + the index of each frontier cell.
 std::vector<std::vector<std::size_t>> clusters_of(const DrivableSpace& space,
                                                   const std::vector<FrontierCell>& frontier_cells,
                                                   int reach) {
@@ -81,15 +84,15 @@ std::vector<std::vector<std::size_t>> clusters_of(const DrivableSpace& space,
 DetectedFrontier make_detected_frontier(const DrivableSpace& space,
                                         const std::vector<FrontierCell>& frontier_cells,
                                         const std::vector<std::size_t>& cluster) {
-  DetectedFrontier end;
+  DetectedFrontier detected;
   Eigen::Vector2d mean(0.0, 0.0);
   Eigen::Vector2d direction(0.0, 0.0);
   for (const std::size_t k : cluster) {
     mean += space.middle(frontier_cells[k].cell) / static_cast<double>(cluster.size());
     direction += frontier_cells[k].outward;
   }
-  if (direction.norm() > 0.0) end.direction_map = direction.normalized();
-  const Eigen::Vector2d across(-end.direction_map.y(), end.direction_map.x());
+  if (direction.norm() > 0.0) detected.direction_map = direction.normalized();
+  const Eigen::Vector2d across(-detected.direction_map.y(), detected.direction_map.x());
   double nearest = std::numeric_limits<double>::infinity();
   double low = 0.0;
   double high = 0.0;
@@ -99,11 +102,11 @@ DetectedFrontier make_detected_frontier(const DrivableSpace& space,
     high = std::max(high, across.dot(p - mean));
     if ((p - mean).norm() >= nearest) continue;
     nearest = (p - mean).norm();
-    end.p_map = p;
+    detected.p_map = p;
   }
-  end.width_m = high - low + 2.0 * space.radius_m;
-  end.access = space.access[frontier_cells[cluster.front()].cell];
-  return end;
+  detected.width_m = high - low + 2.0 * space.radius_m;
+  detected.access = space.access[frontier_cells[cluster.front()].cell];
+  return detected;
 }
 
 }  // namespace
@@ -112,11 +115,11 @@ std::vector<DetectedFrontier> detect_frontiers(const DrivableSpace& space,
                                                double cluster_distance_m) {
   const std::vector<FrontierCell> frontier_cells = find_frontier_cells(space);
   const int reach = std::max(1, static_cast<int>(cluster_distance_m / space.resolution_m));
-  std::vector<DetectedFrontier> ends;
+  std::vector<DetectedFrontier> frontiers;
   for (const auto& cluster : clusters_of(space, frontier_cells, reach)) {
-    ends.push_back(make_detected_frontier(space, frontier_cells, cluster));
+    frontiers.push_back(make_detected_frontier(space, frontier_cells, cluster));
   }
-  return ends;
+  return frontiers;
 }
 
 }  // namespace adit

@@ -10,16 +10,16 @@
 
 namespace adit {
 
-/// Where the space that a vehicle can be in meets what was never seen.
+/// A frontier in the sense of Yamauchi (1997): drivable cells next to unseen ones.
 struct DetectedFrontier {
-  Eigen::Vector2d p_map{0.0, 0.0};          ///< a drivable place at it [m]
-  Eigen::Vector2d direction_map{1.0, 0.0};  ///< into what was not seen, a unit vector
-  double width_m = 0.0;                     ///< from wall to wall, about
+  Eigen::Vector2d p_map{0.0, 0.0};          ///< a drivable point at it [m]
+  Eigen::Vector2d direction_map{1.0, 0.0};  ///< into the unseen space, a unit vector
+  double width_m = 0.0;                     ///< approximate width from wall to wall
   Access access = Access::kReachable;
 };
 
-/// All of them, by their lowest cell; `cluster_distance_m`: frontier cells that are no farther
-/// apart are one.
+/// All frontiers, ordered by their lowest cell. Frontier cells no farther apart than
+/// `cluster_distance_m` form one.
 std::vector<DetectedFrontier> detect_frontiers(const DrivableSpace& space,
                                                double cluster_distance_m);
 

@@ -7,12 +7,15 @@
 #include <tuple>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace adit {
 namespace {
 
-constexpr double kNearerM = 1.0;              // less is none
-constexpr double kShiftM = 0.5;               // by which maps may move against each other
-const double kAdvanceCosine = std::cos(1.0);  // of the angle by which a corridor may bend
+constexpr double kNearerM = 1.0;  // less is no progress
+constexpr double kShiftM = 0.5;   // relative motion of local maps up to which they lie as before
+const double kAdvanceCosine =
+    std::cos(1.0);  // of the angle by which a corridor may bend between updates
 
 void set(Frontier& frontier, FrontierState state, std::string evidence, std::int64_t utime) {
   if (frontier.state == state) return;
@@ -26,43 +29,46 @@ bool lies_ahead(const Frontier& frontier, const Eigen::Vector2d& p_map) {
   return offset.dot(frontier.direction_map) > kAdvanceCosine * offset.norm();
 }
 
-std::string observed_by(std::optional<int> local_map) {
-  if (!local_map) return "what lies there was seen";
-  return "what lies there was seen by local map " + std::to_string(*local_map);
-}
-
 }  // namespace
 
-void FrontierRegister::update(const std::vector<DetectedFrontier>& ends, const KnownSpace& space,
-                              const std::vector<BarrierEvidence>& barriers, std::int64_t utime) {
+void FrontierRegister::update(const std::vector<DetectedFrontier>& detections,
+                              const KnownSpace& space, const std::vector<BarrierEvidence>& barriers,
+                              std::int64_t utime) {
+  const std::optional<PosedTile> newest = space.newest();
+  if (!newest) return;
+  const PosedSpace posed{space, *newest};
   move_with_the_graph(space);
   std::vector<bool> found(frontiers_.size());
-  std::vector<bool> matched(ends.size());
-  for (const Search search : {Search::kHere, Search::kOnward, Search::kReopened}) {
-    match(ends, space, search, found, matched);
+  std::vector<bool> matched(detections.size());
+  for (const Search search : {Search::kHere, Search::kAhead, Search::kReopened}) {
+    match(detections, posed, search, found, matched);
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!found[i] && !tracks_[i].final) close(i, space, utime);
+    if (!found[i] && !tracks_[i].final) close(i, *newest, utime);
   }
-  for (std::size_t k = 0; k < ends.size(); ++k) {
+  for (std::size_t k = 0; k < detections.size(); ++k) {
     if (matched[k]) continue;
-    Frontier frontier;
-    frontier.id = static_cast<int>(frontiers_.size());
-    frontier.utime = utime;
-    frontiers_.push_back(frontier);
-    tracks_.emplace_back();
-    closings_.emplace_back();
-    place(frontiers_.size() - 1, ends[k], space);
-    judge(frontiers_.size() - 1, ends[k].access, barriers, utime);
+    add(detections[k], posed, utime);
+    set_state_by_access(frontiers_.size() - 1, detections[k].access, barriers, utime);
   }
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (!found[i]) continue;
-    const auto end = std::find_if(ends.begin(), ends.end(), [&](const DetectedFrontier& candidate) {
-      return candidate.p_map == frontiers_[i].p_map;
-    });
-    judge(i, end->access, barriers, utime);
+    const auto detection = std::ranges::find_if(
+        detections, [&](const DetectedFrontier& d) { return d.p_map == frontiers_[i].p_map; });
+    set_state_by_access(i, detection->access, barriers, utime);
   }
-  confirm_closed(ends, space);
+  confirm_closed(detections, *newest);
+}
+
+void FrontierRegister::add(const DetectedFrontier& detection, const PosedSpace& posed,
+                           std::int64_t utime) {
+  Frontier frontier;
+  frontier.id = static_cast<int>(frontiers_.size());
+  frontier.utime = utime;
+  frontiers_.push_back(frontier);
+  tracks_.emplace_back();
+  closings_.emplace_back();
+  move_to(frontiers_.size() - 1, detection, posed);
 }
 
 void FrontierRegister::move_with_the_graph(const KnownSpace& space) {
@@ -75,81 +81,89 @@ void FrontierRegister::move_with_the_graph(const KnownSpace& space) {
   }
 }
 
-bool FrontierRegister::may_match(std::size_t i, const DetectedFrontier& end, Search search) const {
+bool FrontierRegister::may_match(std::size_t i, const DetectedFrontier& detection,
+                                 Search search) const {
   const bool explored = frontiers_[i].state == FrontierState::kExplored;
   if (explored != (search == Search::kReopened)) return false;
-  const double distance = (end.p_map - frontiers_[i].p_map).norm();
-  if (search != Search::kOnward) return distance <= params_.match_m;
-  return !tracks_[i].final && distance <= params_.advance_m && lies_ahead(frontiers_[i], end.p_map);
+  const double distance = (detection.p_map - frontiers_[i].p_map).norm();
+  if (search != Search::kAhead) return distance <= params_.match_m;
+  return !tracks_[i].final && distance <= params_.advance_m &&
+         lies_ahead(frontiers_[i], detection.p_map);
 }
 
-/// Nearest pairs first.
-void FrontierRegister::match(const std::vector<DetectedFrontier>& ends, const KnownSpace& space,
-                             Search search, std::vector<bool>& found, std::vector<bool>& matched) {
+/// Greedy assignment, nearest pairs first.
+void FrontierRegister::match(const std::vector<DetectedFrontier>& detections,
+                             const PosedSpace& posed, Search search, std::vector<bool>& found,
+                             std::vector<bool>& matched) {
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    for (std::size_t k = 0; k < ends.size(); ++k) {
-      if (found[i] || matched[k] || !may_match(i, ends[k], search)) continue;
-      pairs.push_back({(ends[k].p_map - frontiers_[i].p_map).norm(), i, k});
+    for (std::size_t k = 0; k < detections.size(); ++k) {
+      if (found[i] || matched[k] || !may_match(i, detections[k], search)) continue;
+      pairs.push_back({(detections[k].p_map - frontiers_[i].p_map).norm(), i, k});
     }
   }
   std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
-    return std::tie(a.distance_m, a.frontier, a.end) < std::tie(b.distance_m, b.frontier, b.end);
+    return std::tie(a.distance_m, a.frontier, a.detection) <
+           std::tie(b.distance_m, b.frontier, b.detection);
   });
   for (const Pair& pair : pairs) {
-    if (found[pair.frontier] || matched[pair.end]) continue;
-    matched[pair.end] = true;
-    if (search == Search::kReopened && is_seam(pair.frontier, ends[pair.end], space)) continue;
+    if (found[pair.frontier] || matched[pair.detection]) continue;
+    const DetectedFrontier& detection = detections[pair.detection];
+    matched[pair.detection] = true;
+    if (search == Search::kReopened && is_seam(pair.frontier, detection, posed.space)) continue;
     found[pair.frontier] = true;
-    place(pair.frontier, ends[pair.end], space);
+    move_to(pair.frontier, detection, posed);
   }
 }
 
-/// What lies there was seen; after so many times, for good.
-void FrontierRegister::close(std::size_t i, const KnownSpace& space, std::int64_t utime) {
+/// The space behind it was observed. After `closings` times it is explored permanently.
+void FrontierRegister::close(std::size_t i, const PosedTile& newest, std::int64_t utime) {
   if (frontiers_[i].state == FrontierState::kExplored) return;
-  const std::optional<int> newest = space.newest();
-  set(frontiers_[i], FrontierState::kExplored, observed_by(newest), utime);
+  set(frontiers_[i], FrontierState::kExplored,
+      fmt::format("the space behind it was observed by local map {}", newest.id), utime);
   tracks_[i].final = ++tracks_[i].closings >= params_.closings;
-  if (!newest) return;
-  closings_[i] = {newest, space.pose_of(*newest)->inverse() * frontiers_[i].p_map, *newest};
+  closings_[i] = {newest.id, newest.T_map_local.inverse() * frontiers_[i].p_map, newest.id};
 }
 
-/// It was seen to be closed, nobody has seen the place since nothing was open there, and who saw it
-/// lies as he did.
-bool FrontierRegister::is_seam(std::size_t i, const DetectedFrontier& end,
+/// The frontier was observed as closed, no local map has observed the place since then, and the one
+/// that did has not moved relative to the frontier.
+bool FrontierRegister::is_seam(std::size_t i, const DetectedFrontier& detection,
                                const KnownSpace& space) const {
   const Closing& closing = closings_[i];
-  if (!closing.local_map || space.newest_at(end.p_map).value_or(0) > closing.up_to) return false;
+  if (!closing.local_map) return false;
+  const std::optional<int> observer = space.newest_at(detection.p_map);
+  if (observer && *observer > closing.up_to) return false;
   const auto T_map_local = space.pose_of(*closing.local_map);
   return T_map_local && (*T_map_local * closing.p_local - frontiers_[i].p_map).norm() <= kShiftM;
 }
 
-void FrontierRegister::confirm_closed(const std::vector<DetectedFrontier>& ends,
-                                      const KnownSpace& space) {
+void FrontierRegister::confirm_closed(const std::vector<DetectedFrontier>& detections,
+                                      const PosedTile& newest) {
   for (std::size_t i = 0; i < frontiers_.size(); ++i) {
-    const bool open = std::ranges::any_of(ends, [&](const DetectedFrontier& end) {
-      return (end.p_map - frontiers_[i].p_map).norm() <= params_.match_m;
+    const bool open = std::ranges::any_of(detections, [&](const DetectedFrontier& detection) {
+      return (detection.p_map - frontiers_[i].p_map).norm() <= params_.match_m;
     });
-    if (frontiers_[i].state == FrontierState::kExplored && !open) {
-      closings_[i].up_to = space.newest().value_or(0);
-    }
+    if (frontiers_[i].state == FrontierState::kExplored && !open) closings_[i].up_to = newest.id;
   }
 }
 
-void FrontierRegister::place(std::size_t i, const DetectedFrontier& end, const KnownSpace& space) {
+/// Anchors the frontier to the local map that observed it, or to the newest one.
+void FrontierRegister::move_to(std::size_t i, const DetectedFrontier& detection,
+                               const PosedSpace& posed) {
+  const PosedTile anchor = posed.space.tile_at(detection.p_map).value_or(posed.newest);
+  const Pose2 T_local_map = anchor.T_map_local.inverse();
   Frontier& frontier = frontiers_[i];
-  frontier.p_map = end.p_map;
-  frontier.direction_map = end.direction_map;
-  frontier.width_m = end.width_m;
-  frontier.local_map = space.tile_at(end.p_map).value_or(space.newest().value_or(0));
-  const Pose2 T_local_map = space.pose_of(frontier.local_map).value_or(Pose2{}).inverse();
-  tracks_[i].p_local = T_local_map * end.p_map;
-  tracks_[i].direction_local = T_local_map * end.direction_map - T_local_map.translation();
+  frontier.p_map = detection.p_map;
+  frontier.direction_map = detection.direction_map;
+  frontier.width_m = detection.width_m;
+  frontier.local_map = anchor.id;
+  tracks_[i].p_local = T_local_map * detection.p_map;
+  tracks_[i].direction_local = T_local_map * detection.direction_map - T_local_map.translation();
 }
 
-void FrontierRegister::judge(std::size_t i, Access access,
-                             const std::vector<BarrierEvidence>& barriers, std::int64_t utime) {
+void FrontierRegister::set_state_by_access(std::size_t i, Access access,
+                                           const std::vector<BarrierEvidence>& barriers,
+                                           std::int64_t utime) {
   Frontier& frontier = frontiers_[i];
   if (tracks_[i].final) return;
   if (access == Access::kReachable) {
@@ -164,11 +178,12 @@ void FrontierRegister::judge(std::size_t i, Access access,
         });
     return set(frontier, nearest->state, nearest->evidence, utime);
   }
-  set(frontier, FrontierState::kTooNarrow, "no known way there is wide enough for the vehicle",
+  set(frontier, FrontierState::kTooNarrow, "no known path to it is wide enough for the vehicle",
       utime);
 }
 
-/// From wherever the robot is now; what stalled before is remembered until it comes nearer.
+/// Resets the least path length, as the robot may be anywhere. Stalls of earlier pursuits still
+/// count until the robot comes nearer.
 void FrontierRegister::begin_pursuit(int frontier) {
   if (find(frontier) != nullptr)
     tracks_[static_cast<std::size_t>(frontier)].path_length_min_m = FrontierTrack::kNever;
@@ -190,8 +205,9 @@ void FrontierRegister::record_pursuit(int frontier, double path_length_m, int lo
   if (++track.stalls < params_.stalls) return;
   track.final = true;
   set(target, FrontierState::kUnobservable,
-      "up to local map " + std::to_string(local_map) + ", " + std::to_string(track.stalls) +
-          " in a row came no nearer and saw nothing of it",
+      fmt::format("{} local maps in a row, up to local map {}, came no nearer and observed nothing "
+                  "behind it",
+                  track.stalls, local_map),
       utime);
 }
 
@@ -211,7 +227,7 @@ bool FrontierRegister::retry_abandoned(std::int64_t utime) {
     const bool abandoned = is_abandoned(frontiers_[i].state);
     const bool presumed = frontiers_[i].state == FrontierState::kBlocked && !tracks_[i].final;
     if (tracks_[i].retried || (!abandoned && !presumed)) continue;
-    if (abandoned) reopen(frontiers_[i].id, "it was given up, and is tried once more", utime);
+    if (abandoned) reopen(frontiers_[i].id, "it was abandoned before, and is retried once", utime);
     any = tracks_[i].retried = true;
   }
   return any;
@@ -233,9 +249,9 @@ bool FrontierRegister::reopen(int frontier, std::string evidence, std::int64_t u
 void FrontierRegister::set_within_budget(int frontier, bool within, const std::string& evidence,
                                          std::int64_t utime) {
   if (find(frontier) == nullptr) return;
-  Frontier& which = frontiers_[static_cast<std::size_t>(frontier)];
-  if (!is_visitable(which.state)) return;
-  set(which, within ? FrontierState::kOpen : FrontierState::kBeyondBudget, within ? "" : evidence,
+  Frontier& target = frontiers_[static_cast<std::size_t>(frontier)];
+  if (!is_visitable(target.state)) return;
+  set(target, within ? FrontierState::kOpen : FrontierState::kBeyondBudget, within ? "" : evidence,
       utime);
 }
 

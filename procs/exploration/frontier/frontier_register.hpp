@@ -15,11 +15,11 @@
 namespace adit {
 
 struct FrontierRegisterParams {
-  double cluster_distance_m = 0.6;  ///< frontier cells no farther apart are one stub
-  double match_m = 2.0;             ///< from where a stub was to where it is found again
-  double advance_m = 12.0;  ///< by which a stub moves on down its corridor at most, at a time
-  int closings = 3;         ///< by being seen, after which what opens again is a seam of the map
-  int stalls = 4;  ///< local maps that come no nearer to a target, after which it is given up
+  double cluster_distance_m = 0.6;  ///< frontier cells no farther apart form one frontier
+  double match_m = 2.0;             ///< distance over which a frontier is matched to a detection
+  double advance_m = 12.0;          ///< largest advance along its corridor per update
+  int closings = 3;  ///< times it is explored, after which a detection there is a seam of the map
+  int stalls = 4;  ///< local maps without progress towards the target, after which it is abandoned
 
   template <class V>
   void visit(V& v) {
@@ -31,23 +31,23 @@ struct FrontierRegisterParams {
   }
 };
 
-/// What only the register needs to know of a stub.
+/// State of a frontier that only the register uses.
 struct FrontierTrack {
   static constexpr double kNever = 1e9;
 
-  Eigen::Vector2d p_local{0.0, 0.0};  ///< in the frame of the local map that it is tied to
+  Eigen::Vector2d p_local{0.0, 0.0};  ///< in the frame of the local map that it is anchored to
   Eigen::Vector2d direction_local{1.0, 0.0};
-  bool final = false;  ///< blocked or unseeable, whatever can be reached
-  int stalls = 0;
-  double path_length_min_m = kNever;       ///< to it, in this pursuit
-  Eigen::Vector2d p_map_at_min{0.0, 0.0};  ///< where it was then, p_map
-  int closings = 0;
-  bool retried = false;  ///< given up or presumed once already, and opened again
+  bool final = false;                      ///< its state no longer depends on its access
+  int stalls = 0;                          ///< local maps in a row without progress towards it
+  double path_length_min_m = kNever;       ///< least path length to it in this pursuit
+  Eigen::Vector2d p_map_at_min{0.0, 0.0};  ///< its p_map at that time
+  int closings = 0;                        ///< how often it became explored
+  bool retried = false;                    ///< abandoned or presumed blocked before, and reopened
 
   friend bool operator==(const FrontierTrack&, const FrontierTrack&) = default;
 };
 
-/// All that is known of a stub.
+/// A frontier with its track, as the journal stores it.
 struct StoredFrontier {
   Frontier frontier;
   FrontierTrack track;
@@ -55,37 +55,45 @@ struct StoredFrontier {
   friend bool operator==(const StoredFrontier&, const StoredFrontier&) = default;
 };
 
-/// Every stub that was ever seen, what became of it, and the evidence. A stub is tied to the local
-/// map that saw it, moves with it, and moves on down the corridor as the robot does; where the
-/// corridor divides, one branch inherits it and the others are new. Where the map moves, seams in
-/// it may open again. One that nobody has seen since, in maps that lie against each other as they
-/// did, changes nothing; else that is the stub that was there, and not for ever.
+/// Every frontier ever detected, with its state and the evidence for it. A frontier is anchored to
+/// the local map that observed it, moves with it, and advances along the corridor with the robot;
+/// at a junction one branch inherits it and the others are new. Where local maps move relative to
+/// each other, seams may open in the map. A detection at an explored frontier is ignored as a seam
+/// if no later local map observed the place and the local maps have not moved relative to each
+/// other; otherwise the frontier is reopened.
 class FrontierRegister {
  public:
   explicit FrontierRegister(const FrontierRegisterParams& params) : params_(params) {}
 
-  /// What is open now. `barriers`: by their places in map, what is behind them is blocked; the
-  /// evidence is the text of the nearest.
+  /// A barrier and the state of frontiers behind it.
   struct BarrierEvidence {
     Eigen::Vector2d p_map{0.0, 0.0};
     FrontierState state = FrontierState::kBlocked;
     std::string evidence;
   };
-  void update(const std::vector<DetectedFrontier>& ends, const KnownSpace& space,
+  /// Matches the detections to the frontiers. Frontiers without a detection become explored;
+  /// frontiers behind a barrier get the state and evidence of the nearest one. Without a posed
+  /// local map nothing is known, and nothing changes.
+  void update(const std::vector<DetectedFrontier>& detections, const KnownSpace& space,
               const std::vector<BarrierEvidence>& barriers, std::int64_t utime);
 
-  /// A local map was made while the stub was the target, and so long is the way to it now. What
-  /// comes no nearer and stays where it is, is given up: water, open air, or no way after all.
+  /// The frontier becomes the target.
   void begin_pursuit(int frontier);
+  /// A local map was completed while the frontier was the target, at a path length of
+  /// `path_length_m` from it. A frontier that comes no nearer and does not move is abandoned:
+  /// water, open air, or no path after all.
   void record_pursuit(int frontier, double path_length_m, int local_map, std::int64_t utime);
 
-  /// False where there is no such stub, or where it is explored.
+  /// Marks a frontier as blocked, or as unconfirmed. Returns false if there is no such frontier, or
+  /// if it is explored.
   bool block(int frontier, bool unconfirmed, std::string evidence, std::int64_t utime);
+  /// Reopens a frontier whose state is final. Returns false if there is none.
   bool reopen(int frontier, std::string evidence, std::int64_t utime);
-  /// Opens what was given up for the first time, and once what is presumed to be blocked, since it
-  /// lies behind a barrier: that opens when the barriers are gone. Whether there was any.
+  /// Reopens, once each, frontiers that were abandoned and frontiers that are presumed blocked
+  /// because they lie behind a barrier; the latter open when the barriers are removed. Returns
+  /// whether there was any.
   bool retry_abandoned(std::int64_t utime);
-  /// Whether an open stub can be reached and left within the budget.
+  /// Sets whether an open frontier can be visited within the budget.
   void set_within_budget(int frontier, bool within, const std::string& evidence,
                          std::int64_t utime);
 
@@ -93,7 +101,8 @@ class FrontierRegister {
   [[nodiscard]] const std::vector<Frontier>& frontiers() const { return frontiers_; }
   [[nodiscard]] const Frontier* find(int frontier) const;
 
-  /// By id; and with it a register goes on as this one would, but that a seam may open a stub.
+  /// By id. A restored register behaves as this one, except that seams are not recognized until its
+  /// frontiers are confirmed again.
   [[nodiscard]] std::vector<StoredFrontier> stored_frontiers() const;
   void restore(const std::vector<StoredFrontier>& frontiers);
 
@@ -101,39 +110,45 @@ class FrontierRegister {
   struct Pair {
     double distance_m;
     std::size_t frontier;
-    std::size_t end;
+    std::size_t detection;
+  };
+  /// The known space, of which at least one local map has a pose.
+  struct PosedSpace {
+    const KnownSpace& space;
+    PosedTile newest;
   };
 
   void move_with_the_graph(const KnownSpace& space);
-  /// Which stubs may be found, and where.
+  /// Which frontiers are matched in a pass, and where.
   enum class Search {
-    kHere,      ///< those that are not explored, near where they were
-    kOnward,    ///< the same, down their corridors
-    kReopened,  ///< explored ones, near where they were
+    kHere,      ///< not explored, near their position
+    kAhead,     ///< not explored, ahead in their corridor
+    kReopened,  ///< explored, near their position
   };
-  [[nodiscard]] bool may_match(std::size_t frontier, const DetectedFrontier& end,
+  [[nodiscard]] bool may_match(std::size_t frontier, const DetectedFrontier& detection,
                                Search search) const;
-  void match(const std::vector<DetectedFrontier>& ends, const KnownSpace& space, Search search,
-             std::vector<bool>& found, std::vector<bool>& matched);
-  void close(std::size_t frontier, const KnownSpace& space, std::int64_t utime);
-  [[nodiscard]] bool is_seam(std::size_t frontier, const DetectedFrontier& end,
+  void match(const std::vector<DetectedFrontier>& detections, const PosedSpace& posed,
+             Search search, std::vector<bool>& found, std::vector<bool>& matched);
+  void add(const DetectedFrontier& detection, const PosedSpace& posed, std::int64_t utime);
+  void close(std::size_t frontier, const PosedTile& newest, std::int64_t utime);
+  [[nodiscard]] bool is_seam(std::size_t frontier, const DetectedFrontier& detection,
                              const KnownSpace& space) const;
-  void confirm_closed(const std::vector<DetectedFrontier>& ends, const KnownSpace& space);
-  void place(std::size_t frontier, const DetectedFrontier& end, const KnownSpace& space);
-  void judge(std::size_t frontier, Access access, const std::vector<BarrierEvidence>& barriers,
-             std::int64_t utime);
+  void confirm_closed(const std::vector<DetectedFrontier>& detections, const PosedTile& newest);
+  void move_to(std::size_t frontier, const DetectedFrontier& detection, const PosedSpace& posed);
+  void set_state_by_access(std::size_t frontier, Access access,
+                           const std::vector<BarrierEvidence>& barriers, std::int64_t utime);
 
   FrontierRegisterParams params_;
   std::vector<Frontier> frontiers_;
   std::vector<FrontierTrack> tracks_;  ///< by id
 
-  /// By whom a stub was seen to be closed.
+  /// The local map that observed a frontier as closed.
   struct Closing {
     std::optional<int> local_map;
-    Eigen::Vector2d p_local{0.0, 0.0};  ///< the stub in it
-    int up_to = 0;                      ///< local map, with all up to which nothing was open there
+    Eigen::Vector2d p_local{0.0, 0.0};  ///< the frontier in it
+    int up_to = 0;  ///< newest local map at the last update without a detection there
   };
-  std::vector<Closing> closings_;  ///< by id; nobody after a restart
+  std::vector<Closing> closings_;  ///< by id; empty after a restart
 };
 
 }  // namespace adit

@@ -10,19 +10,20 @@
 namespace adit {
 namespace {
 
-// How far the line of a corridor may be from its middle, to be drawn.
+// Tolerance of the simplified line of a corridor.
 constexpr double kStraightM = 0.3;
-// A node this near to an open end is one, in radii of the vehicle beyond its clearance.
-constexpr double kAtEndM = 2.0;
-// Into a corner of a corridor the skeleton runs by up to the root of two times the clearance.
+// A node within this distance of a frontier is its open end [m].
+constexpr double kOpenEndRadiusM = 2.0;
+// In a corner of a corridor the skeleton extends by up to √2 times the clearance.
 constexpr double kCorner = 1.5;
 
-/// Takes away what is no corridor, and puts together what is one, until nothing changes.
+/// Simplifies a skeleton graph until nothing changes: prunes spurs, dissolves nodes of degree two,
+/// and contracts short lines between junctions.
 class Simplifier {
  public:
-  Simplifier(LineGraph graph, const DrivableSpace& space, const std::vector<DetectedFrontier>& ends,
-             const CorridorGraphParams& params)
-      : graph_(std::move(graph)), space_(space), detected_frontiers_(ends), params_(params) {
+  Simplifier(LineGraph graph, const DrivableSpace& space,
+             const std::vector<DetectedFrontier>& frontiers, const CorridorGraphParams& params)
+      : graph_(std::move(graph)), space_(space), detected_frontiers_(frontiers), params_(params) {
     lines_of_.resize(graph_.nodes.size());
     for (std::size_t i = 0; i < graph_.lines.size(); ++i) attach(static_cast<int>(i));
     for (const LineNode& node : graph_.nodes) at_frontier_.push_back(is_at_frontier(node));
@@ -49,10 +50,11 @@ class Simplifier {
   }
 
   [[nodiscard]] bool is_at_frontier(const LineNode& node) const {
-    return std::any_of(
-        detected_frontiers_.begin(), detected_frontiers_.end(), [&](const DetectedFrontier& end) {
-          return end.access == Access::kReachable && (end.p_map - node.p_map).norm() < kAtEndM;
-        });
+    return std::any_of(detected_frontiers_.begin(), detected_frontiers_.end(),
+                       [&](const DetectedFrontier& frontier) {
+                         return frontier.access == Access::kReachable &&
+                                (frontier.p_map - node.p_map).norm() < kOpenEndRadiusM;
+                       });
   }
 
   void attach(int i) {
@@ -67,7 +69,7 @@ class Simplifier {
     line(i).removed = true;
   }
 
-  /// Ends that are no farther from the wall of the corridor than a bay.
+  /// Removes branches that end within a niche.
   bool prune() {
     bool changed = false;
     for (int i = 0; i < static_cast<int>(graph_.lines.size()); ++i) {
@@ -86,7 +88,7 @@ class Simplifier {
     return changed;
   }
 
-  /// Nodes in the middle of a corridor.
+  /// Removes nodes of degree two and joins their lines.
   bool dissolve() {
     bool changed = false;
     for (int n = 0; n < static_cast<int>(graph_.nodes.size()); ++n) {
@@ -117,7 +119,7 @@ class Simplifier {
     std::reverse(line.points.begin(), line.points.end());
   }
 
-  /// Junctions within the width of a corridor are one.
+  /// Merges junctions within the width of a corridor.
   bool contract() {
     bool changed = false;
     for (int i = 0; i < static_cast<int>(graph_.lines.size()); ++i) {
@@ -158,12 +160,12 @@ class Simplifier {
     CorridorGraph result;
     std::vector<int> number(graph_.nodes.size(), -1);
     const auto number_of = [&](int n) {
-      int& known = number[static_cast<std::size_t>(n)];
-      if (known < 0) {
-        known = static_cast<int>(result.nodes.size());
+      int& assigned = number[static_cast<std::size_t>(n)];
+      if (assigned < 0) {
+        assigned = static_cast<int>(result.nodes.size());
         result.nodes.push_back({node(n).p_map, kind_of(n)});
       }
-      return known;
+      return assigned;
     };
     for (const Line& line : graph_.lines) {
       if (line.removed) continue;
@@ -185,16 +187,16 @@ class Simplifier {
   const DrivableSpace& space_;
   const std::vector<DetectedFrontier>& detected_frontiers_;
   CorridorGraphParams params_;
-  std::vector<std::vector<int>> lines_of_;  ///< by node; a ring at a node twice
+  std::vector<std::vector<int>> lines_of_;  ///< by node; contains a loop at a node twice
   std::vector<bool> at_frontier_;           ///< by node
 };
 
 }  // namespace
 
 CorridorGraph corridor_graph(const DrivableSpace& space, const Grid2<std::uint8_t>& skeleton,
-                             const std::vector<DetectedFrontier>& ends,
+                             const std::vector<DetectedFrontier>& frontiers,
                              const CorridorGraphParams& params) {
-  return Simplifier(line_graph(space, skeleton), space, ends, params).run();
+  return Simplifier(line_graph(space, skeleton), space, frontiers, params).run();
 }
 
 }  // namespace adit

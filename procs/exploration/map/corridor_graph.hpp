@@ -13,7 +13,7 @@
 namespace adit {
 
 struct CorridorGraphParams {
-  double dead_end_min_m = 2.0;  ///< beyond the wall of the corridor it leaves; less is a bay
+  double dead_end_min_m = 2.0;  ///< length beyond the corridor wall; shorter branches are niches
 
   template <class V>
   void visit(V& v) {
@@ -21,10 +21,10 @@ struct CorridorGraphParams {
   }
 };
 
-/// The graph of the middle lines, without the spurs that rough walls make: bays are no dead ends,
-/// and junctions within the width of a corridor are one.
+/// The topological map of the mine: the skeleton graph without the spurs that rough walls cause.
+/// Niches are not dead ends, and junctions within the width of a corridor are merged.
 CorridorGraph corridor_graph(const DrivableSpace& space, const Grid2<std::uint8_t>& skeleton,
-                             const std::vector<DetectedFrontier>& ends,
+                             const std::vector<DetectedFrontier>& frontiers,
                              const CorridorGraphParams& params);
 
 }  // namespace adit

@@ -7,63 +7,32 @@
 #include <utility>
 #include <vector>
 
+#include "common/grid/distance_transform.hpp"
 #include "common/grid/grid2.hpp"
 #include "procs/exploration/map/known_space.hpp"
 
 namespace adit {
 namespace {
 
-/// Distance from the middle of each cell to that of the nearest wall [m], exact in two
-/// passes; 0 for what is wall or not seen; at most `largest_m`.
-Grid2<float> wall_clearance(const Grid2<Occupancy>& known, double resolution_m, double largest_m);
-
-constexpr int kFar = 1 << 20;  // cells
-
-/// Squares of the distance along each column, by two sweeps.
-std::vector<int> along_columns(const Grid2<Occupancy>& known) {
-  const auto columns = static_cast<std::size_t>(known.box().size().x());
-  std::vector<int> distance(known.size(), kFar);
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    if (known[i] == Occupancy::kWall) {
-      distance[i] = 0;
-    } else if (i >= columns) {
-      distance[i] = std::min(kFar, distance[i - columns] + 1);
-    }
-  }
-  for (std::size_t i = known.size(); i-- > 0;) {
-    if (i + columns < known.size()) distance[i] = std::min(distance[i], distance[i + columns] + 1);
-  }
-  return distance;
-}
-
-Grid2<float> wall_clearance(const Grid2<Occupancy>& known, double resolution_m, double largest_m) {
+/// Distance from the centre of each cell to that of the nearest wall [m], at most `clearance_max_m`
+/// rounded up to full cells; 0 for walls and unseen cells.
+Grid2<float> wall_clearance(const Grid2<Occupancy>& known, double resolution_m,
+                            double clearance_max_m) {
+  std::vector<std::uint8_t> walls(known.size());
+  for (std::size_t i = 0; i < known.size(); ++i) walls[i] = known[i] == Occupancy::kWall ? 1 : 0;
+  const std::vector<float> distance_m = distance_transform(walls, known.columns(), resolution_m);
+  const auto limit_m = static_cast<float>(resolution_m * std::ceil(clearance_max_m / resolution_m));
   Grid2<float> clearance(known.box());
-  const std::vector<int> columns_m = along_columns(known);
-  const int n = known.box().size().x();
-  const int reach = static_cast<int>(std::ceil(largest_m / resolution_m));
-  for (std::size_t row = 0; row < known.size(); row += static_cast<std::size_t>(n)) {
-    const int* distance = &columns_m[row];
-    for (int x = 0; x < n; ++x) {
-      const std::size_t i = row + static_cast<std::size_t>(x);
-      if (known[i] == Occupancy::kUnseen || known[i] == Occupancy::kWall) continue;
-      int best = std::min(distance[x], reach);
-      best *= best;
-      for (int off = 1; off < reach && off * off < best; ++off) {
-        for (const int at : {x - off, x + off}) {
-          if (at < 0 || at >= n || distance[at] >= reach) continue;
-          best = std::min(best, off * off + distance[at] * distance[at]);
-        }
-      }
-      clearance[i] = static_cast<float>(resolution_m * std::sqrt(static_cast<double>(best)));
-    }
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (known[i] != Occupancy::kUnseen) clearance[i] = std::min(distance_m[i], limit_m);
   }
   return clearance;
 }
 
 constexpr std::uint8_t kBarrier = 1;
 
-/// Along the line to both sides, until what is known to be free ends. In steps of half a cell, two
-/// cells thick, so that nothing slips through.
+/// Marks the cells of a barrier to both sides of its middle, as far as the known free space
+/// reaches. Steps of half a cell and two cells of thickness leave no gap.
 void draw(const BarrierLine& barrier, double half_m, const DrivableSpace& space,
           Grid2<std::uint8_t>& barriers) {
   const Eigen::Vector2d across(-barrier.direction_map.y(), barrier.direction_map.x());
@@ -84,16 +53,17 @@ void draw(const BarrierLine& barrier, double half_m, const DrivableSpace& space,
   }
 }
 
-void mark_room(DrivableSpace& space) {
+/// Marks the cells into which the vehicle fits as kUnreachable, all others as kNone.
+void mark_cells_that_fit(DrivableSpace& space) {
   const auto least = static_cast<float>(space.radius_m - 1e-6);
   for (std::size_t i = 0; i < space.known.size(); ++i) {
-    const bool room = space.known[i] == Occupancy::kDriven ||
+    const bool fits = space.known[i] == Occupancy::kDriven ||
                       (space.known[i] == Occupancy::kFree && space.clearance_m[i] >= least);
-    space.access[i] = room ? Access::kUnreachable : Access::kNone;
+    space.access[i] = fits ? Access::kUnreachable : Access::kNone;
   }
 }
 
-/// From what is marked already, or from a seed, through what is marked as less.
+/// Flood fill from `open` through cells that are kUnreachable, which become `mark`.
 void flood(Grid2<Access>& access, std::vector<std::size_t> open, Access mark,
            const Grid2<std::uint8_t>& barriers, bool stop_at_barriers) {
   const auto around = access.around();
@@ -110,10 +80,10 @@ void flood(Grid2<Access>& access, std::vector<std::size_t> open, Access mark,
   }
 }
 
-std::vector<std::size_t> all_of(const Grid2<Access>& access, Access which) {
+std::vector<std::size_t> cells_with(const Grid2<Access>& access, Access value) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < access.size(); ++i) {
-    if (access[i] == which) found.push_back(i);
+    if (access[i] == value) found.push_back(i);
   }
   return found;
 }
@@ -129,7 +99,7 @@ DrivableSpace drivable_space(Grid2<Occupancy> known, double resolution_m, double
   space.known = std::move(known);
   space.clearance_m = wall_clearance(space.known, resolution_m, params.clearance_max_m);
   space.access = Grid2<Access>(space.known.box());
-  mark_room(space);
+  mark_cells_that_fit(space);
   Grid2<std::uint8_t> barrier_cells(space.known.box());
   for (const BarrierLine& barrier : barriers)
     draw(barrier, params.barrier_half_m, space, barrier_cells);
@@ -137,7 +107,7 @@ DrivableSpace drivable_space(Grid2<Occupancy> known, double resolution_m, double
   if (space.access.get(home) == Access::kNone) return space;
   space.access[space.access.index(home)] = Access::kReachable;
   flood(space.access, {space.access.index(home)}, Access::kReachable, barrier_cells, true);
-  flood(space.access, all_of(space.access, Access::kReachable), Access::kBehindBarrier,
+  flood(space.access, cells_with(space.access, Access::kReachable), Access::kBehindBarrier,
         barrier_cells, false);
   return space;
 }

@@ -14,28 +14,28 @@
 
 namespace adit {
 
-/// A line across a drift that is not to be crossed: where the planner found no way, by what was
-/// seen or not for certain, or where the outside begins. Tied to a local map, so that it moves with
-/// the map.
+/// A line across a tunnel that a route must not cross: where the planner found no path, confirmed
+/// or not, or where the outside of the mine begins. Stored relative to a local map, so that it
+/// moves with the map.
 struct Barrier {
   enum class Kind : std::uint8_t { kBlocked, kOutsideMine, kUnconfirmed };
 
   Kind kind = Kind::kBlocked;
-  int frontier = -1;  ///< whose way it cuts off; -1 for the way out
+  int frontier = -1;  ///< the frontier whose route it closes; -1 for the exit or a route home
   int local_map = 0;
-  Eigen::Vector2d p_local{0.0, 0.0};          ///< its middle
-  Eigen::Vector2d direction_local{1.0, 0.0};  ///< in which it cannot be crossed, a unit vector
-  std::string evidence;                       ///< a sentence
+  Eigen::Vector2d p_local{0.0, 0.0};          ///< its middle, in the local map [m]
+  Eigen::Vector2d direction_local{1.0, 0.0};  ///< direction of travel that it blocks, a unit vector
+  std::string evidence;                       ///< one sentence
 
   friend bool operator==(const Barrier&, const Barrier&) = default;
 };
 
 struct DrivableParams {
-  /// Beside the vehicle: less than nothing, as cells blur walls. What is too narrow after all, the
-  /// planner refuses, with evidence.
+  /// To each side of the vehicle. Negative, as cells blur walls: the planner rejects what is too
+  /// narrow after all, with evidence.
   double margin_m = -0.05;
-  double clearance_max_m = 5.0;  ///< farther walls count as that far
-  double barrier_half_m = 8.0;   ///< at most, to each side
+  double clearance_max_m = 5.0;  ///< upper limit of the clearance layer
+  double barrier_half_m = 8.0;   ///< half-length of a barrier at most
 
   template <class V>
   void visit(V& v) {
@@ -45,27 +45,28 @@ struct DrivableParams {
   }
 };
 
-/// Whether a vehicle can be in a cell, and come there.
+/// Whether a vehicle fits into a cell and can reach it.
 enum class Access : std::uint8_t {
-  kNone,           ///< wall, not seen, or too near to a wall
-  kUnreachable,    ///< there would be room, but no known way there is wide enough
-  kBehindBarrier,  ///< the way there leads through a barrier
+  kNone,           ///< wall, unseen, or too close to a wall
+  kUnreachable,    ///< the vehicle fits, but no known path there is wide enough
+  kBehindBarrier,  ///< every path there crosses a barrier
   kReachable,
 };
 
-/// A line that cuts a drift, in map.
+/// A barrier in map.
 struct BarrierLine {
   Eigen::Vector2d p_map{0.0, 0.0};
   Eigen::Vector2d direction_map{1.0, 0.0};
-  bool passable_where_driven = false;  ///< where the body has been, it does not cut
+  bool passable_where_driven = false;  ///< driven cells stay passable
 };
 
-/// The known space for a vehicle that is as long as it is wide: how it turns is for the planner.
+/// The known space for a circular vehicle of the width of the real one; how it turns is left to the
+/// planner.
 struct DrivableSpace {
   double resolution_m = 0.2;
-  double radius_m = 0.7;  ///< half the width of the vehicle and the margin
+  double radius_m = 0.7;  ///< half the width of the vehicle plus the margin
   Grid2<Occupancy> known;
-  Grid2<float> clearance_m;  ///< to the nearest wall
+  Grid2<float> clearance_m;  ///< to the nearest wall [m]; 0 for walls and unseen cells
   Grid2<Access> access;
 
   [[nodiscard]] Eigen::Vector2i cell_at(const Eigen::Vector2d& p_map) const {
@@ -76,7 +77,7 @@ struct DrivableSpace {
   }
 };
 
-/// Of what can be reached from `p_map_home`.
+/// Computes clearance and access of all cells as reached from `p_map_home`.
 DrivableSpace drivable_space(Grid2<Occupancy> known, double resolution_m, double vehicle_width_m,
                              const std::vector<BarrierLine>& barriers,
                              const Eigen::Vector2d& p_map_home, const DrivableParams& params);

@@ -9,16 +9,17 @@
 namespace adit {
 namespace {
 
-// A cell of a tile votes at four places within it, so that turned cells leave no holes; a return
-// counts as much as they do together.
-constexpr int kPlaces = 4;
-// So many more votes for free than for wall make a wall free: rays that graze pass through walls.
+// A cell of a tile votes at four points within it, so that rotated cells leave no holes; a return
+// counts as much as the four together.
+constexpr int kVotesOfCell = 4;
+// A wall with this many times more votes for free is free: grazing beams pass through walls.
 constexpr int kFreeOverWall = 3;
 constexpr double kDrivenRadiusM = 0.3;
 constexpr int kRim = 2;
-constexpr int kSlack = 50;  // cells by which the field grows at a time
+constexpr int kSlack = 50;  // cells by which the grid grows at least
 constexpr double kAnchorRadiusM = 20.0;
-constexpr double kSeamM = 2.0;  // by which a graph may bend the way between two local maps
+constexpr double kSeamM =
+    2.0;  // gap between consecutive local maps, beyond which the path of the body is not continuous
 
 double radius_of(const LocalMapTile& tile, double resolution_m) {
   double radius = 0.0;
@@ -82,9 +83,9 @@ bool KnownSpace::moved(const Entry& entry, const Pose2& T_map_local) const {
 void KnownSpace::enter(Entry& entry, const Pose2& T_map_local) {
   const Eigen::Vector2d p = T_map_local.translation();
   const Eigen::Vector2d reach(entry.radius_m, entry.radius_m);
-  const bool has_place = T_map_local.vector().allFinite() && p.norm() < 1e6;
-  if (!has_place || !reserve({cell_of(p - reach, resolution_m()),
-                              cell_of(p + reach, resolution_m()) + Eigen::Vector2i(1, 1)})) {
+  const bool has_valid_pose = T_map_local.vector().allFinite() && p.norm() < 1e6;
+  if (!has_valid_pose || !reserve({cell_of(p - reach, resolution_m()),
+                                   cell_of(p + reach, resolution_m()) + Eigen::Vector2i(1, 1)})) {
     ++dropped_tiles_;
     return;
   }
@@ -98,7 +99,7 @@ void KnownSpace::withdraw(Entry& entry) {
   entry.T_map_local.reset();
 }
 
-/// False where there is no room.
+/// Returns false if the grid would become too large.
 bool KnownSpace::reserve(const CellBox& box) {
   if (votes_.size() > 0 && votes_.box().contains(box)) return true;
   const Eigen::Vector2i slack(kSlack, kSlack);
@@ -131,7 +132,7 @@ void KnownSpace::vote(const Entry& entry, int sign) {
   }
   for (const Eigen::Vector2d& p : entry.tile.walls) {
     Votes& votes = votes_at(p.x(), p.y());
-    votes.wall = static_cast<std::uint16_t>(votes.wall + sign * kPlaces);
+    votes.wall = static_cast<std::uint16_t>(votes.wall + sign * kVotesOfCell);
   }
 }
 
@@ -152,8 +153,9 @@ Grid2<Occupancy> KnownSpace::cells() const {
   return known;
 }
 
-/// The way of the body, over the seams of local maps too: it holds what is drivable together. Where
-/// mapping kept no local maps of places that were known, the next one begins elsewhere.
+/// Marks the path of the body as driven, across the seams of local maps too, where scans may leave
+/// gaps. Within a known area mapping adds no local maps, so that the next one begins elsewhere:
+/// such a jump is not a path.
 void KnownSpace::mark_driven(Grid2<Occupancy>& known) const {
   Eigen::Vector2d last(0.0, 0.0);
   std::optional<int> session;
@@ -169,9 +171,9 @@ void KnownSpace::mark_driven(Grid2<Occupancy>& known) const {
   }
 }
 
-/// Small patches between beams, round which all is known to be free.
+/// Fills small unseen patches between beams that are enclosed by known cells.
 void KnownSpace::fill_patches(Grid2<Occupancy>& known) const {
-  const auto most =
+  const auto patch_cells_max =
       static_cast<std::size_t>(params_.unseen_patch_m2 / (resolution_m() * resolution_m()));
   const auto around = known.around();
   Grid2<std::uint8_t> visited(known.box());
@@ -190,7 +192,7 @@ void KnownSpace::fill_patches(Grid2<Occupancy>& known) const {
         if (visited[next] == 1 && std::find(patch.begin(), patch.end(), next) != patch.end()) {
           continue;
         }
-        if (visited[next] != 0 || patch.size() >= most) {
+        if (visited[next] != 0 || patch.size() >= patch_cells_max) {
           enclosed = false;
           break;
         }
@@ -203,8 +205,8 @@ void KnownSpace::fill_patches(Grid2<Occupancy>& known) const {
   }
 }
 
-std::optional<int> KnownSpace::tile_at(const Eigen::Vector2d& p_map) const {
-  std::optional<int> best;
+std::optional<PosedTile> KnownSpace::tile_at(const Eigen::Vector2d& p_map) const {
+  std::optional<PosedTile> best;
   double nearest = kAnchorRadiusM;
   for (const auto& [id, entry] : entries_) {
     if (!entry.T_map_local) continue;
@@ -213,7 +215,7 @@ std::optional<int> KnownSpace::tile_at(const Eigen::Vector2d& p_map) const {
     for (const auto& p : entry.tile.path) distance = std::min(distance, (p - p_local).norm());
     if (distance >= nearest || !entry.tile.is_free(cell_of(p_local, resolution_m()))) continue;
     nearest = distance;
-    best = id;
+    best = {id, *entry.T_map_local};
   }
   return best;
 }
@@ -232,9 +234,9 @@ std::optional<Pose2> KnownSpace::pose_of(int id) const {
   return entry == entries_.end() ? std::nullopt : entry->second.T_map_local;
 }
 
-std::optional<int> KnownSpace::newest() const {
+std::optional<PosedTile> KnownSpace::newest() const {
   for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry) {
-    if (entry->second.T_map_local) return entry->first;
+    if (entry->second.T_map_local) return PosedTile{entry->first, *entry->second.T_map_local};
   }
   return std::nullopt;
 }

@@ -17,14 +17,14 @@ enum class Occupancy : std::uint8_t {
   kUnseen,
   kFree,
   kWall,
-  kDriven,  ///< free, whatever else was seen: the body has been there
+  kDriven,  ///< free, whatever the scans say: the body has been there
 };
 
 struct KnownSpaceParams {
   LocalMapTileParams tiles;
-  double update_distance_m = 0.05;  ///< a tile is entered anew when it moved this far anywhere
-  double unseen_patch_m2 = 1.0;     ///< what is not seen and no larger than this is free
-  int cells_max = 20'000'000;       ///< beyond these nothing is entered; a cell takes 6 bytes
+  double update_distance_m = 0.05;  ///< motion of any point after which a tile votes again
+  double unseen_patch_m2 = 1.0;     ///< enclosed unseen patches up to this size count as free
+  int cells_max = 20'000'000;       ///< limit of the grid; a cell takes 6 bytes
 
   template <class V>
   void visit(V& v) {
@@ -35,34 +35,41 @@ struct KnownSpaceParams {
   }
 };
 
-/// What is known of the mine, in map: the tiles of all local maps, each where the graph has it. A
-/// tile votes for free and for wall, and takes its votes back when it moves; so that only what
-/// moved costs anything.
+/// A tile of the known space, by the id of its local map, and its pose.
+struct PosedTile {
+  int id = 0;
+  Pose2 T_map_local;
+};
+
+/// Occupancy of the mine in map, from the tiles of all local maps, each at its pose in the graph. A
+/// tile casts votes for free and for wall, and withdraws them when it moves, so that a graph update
+/// costs only what has moved.
 class KnownSpace {
  public:
   explicit KnownSpace(const KnownSpaceParams& params) : params_(params) {}
 
-  /// A tile, in place of an older one of the same id.
+  /// Adds a tile, or replaces the one with the same id.
   void add(int id, LocalMapTile tile);
 
-  /// Where all tiles are, by id. Tiles that the graph does not know are left out.
+  /// Sets the poses of all tiles, by id. Tiles that are not in the graph are withdrawn.
   void pose(const std::vector<Pose2>& T_map_local);
 
-  /// Everything, with a rim of two cells that were not seen.
+  /// All cells, with a rim of two unseen cells.
   [[nodiscard]] Grid2<Occupancy> cells() const;
 
-  /// The nearest tile, by its way, that saw this place free: the one to tie it to.
-  [[nodiscard]] std::optional<int> tile_at(const Eigen::Vector2d& p_map) const;
+  /// The tile that observed this point as free and whose path is nearest to it: the one to anchor
+  /// it to. Empty if there is none within 20 m.
+  [[nodiscard]] std::optional<PosedTile> tile_at(const Eigen::Vector2d& p_map) const;
 
-  /// The newest tile that saw this place free; nothing where none did.
+  /// Id of the newest tile that observed this point as free; empty if there is none.
   [[nodiscard]] std::optional<int> newest_at(const Eigen::Vector2d& p_map) const;
 
   [[nodiscard]] double resolution_m() const { return params_.tiles.resolution_m; }
-  /// Where the tile is in the map; nothing where it is nowhere.
+  /// Pose of the tile in map; empty if it has none.
   [[nodiscard]] std::optional<Pose2> pose_of(int id) const;
-  /// The largest id in place; nothing before the first.
-  [[nodiscard]] std::optional<int> newest() const;
-  /// Tiles left out for want of room.
+  /// The tile with the largest id among those that have a pose; empty before the first.
+  [[nodiscard]] std::optional<PosedTile> newest() const;
+  /// Tiles dropped because the grid would become too large or their pose is invalid.
   [[nodiscard]] int dropped_tiles() const { return dropped_tiles_; }
 
  private:
@@ -72,7 +79,7 @@ class KnownSpace {
   };
   struct Entry {
     LocalMapTile tile;
-    std::optional<Pose2> T_map_local;  ///< where its votes are
+    std::optional<Pose2> T_map_local;  ///< pose at which it has voted
     double radius_m = 0.0;
   };
 

@@ -12,7 +12,8 @@
 namespace adit {
 namespace {
 
-constexpr double kPathRadiusMaxM = 200.0;  // from the origin of a local map; farther is an error
+constexpr double kPathRadiusMaxM =
+    200.0;  // from the origin of a local map; a larger distance is an error
 
 bool by_row(const Eigen::Vector2i& a, const Eigen::Vector2i& b) {
   return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
@@ -30,8 +31,8 @@ const LaserMount* mount_of(const std::string& channel, const Lasers& lasers) {
 }
 
 struct Counts {
-  std::uint16_t ends = 0;      // scans that end here
-  std::uint16_t passes = 0;    // scans that go through, and end elsewhere
+  std::uint16_t ends = 0;      // scans that end in the cell
+  std::uint16_t passes = 0;    // scans that traverse it and end elsewhere
   std::uint32_t last_end = 0;  // number of the scan
   std::uint32_t last_pass = 0;
   Eigen::Vector2f sum{0.0F, 0.0F};  // of the returns
@@ -40,7 +41,7 @@ struct Counts {
 
 CellBox box_around(const LocalMap& map, const LocalMapTileParams& params) {
   CellBox box{cell_of(Eigen::Vector2d::Zero(), params.resolution_m), {1, 1}};
-  const double reach_m = params.range_max_m + 5.0;  // lasers sit beside the body's origin
+  const double reach_m = params.range_max_m + 5.0;  // lasers are mounted off the origin of body
   for (const LocalScan& local : map.scans) {
     const Eigen::Vector2d p = local.T_local_body.translation();
     const Eigen::Vector2d reach(reach_m, reach_m);
@@ -50,8 +51,8 @@ CellBox box_around(const LocalMap& map, const LocalMapTileParams& params) {
   return box;
 }
 
-/// Enters scans one after the other; a scan counts once in a cell, and where it ends it does not
-/// pass.
+/// Rasters scans one after the other. A scan counts once per cell, and does not traverse a cell in
+/// which it ends.
 class Raster {
  public:
   Raster(const LocalMap& map, const LocalMapTileParams& params)
@@ -93,12 +94,12 @@ class Raster {
     counts.last_end = scan_;
   }
 
-  /// In steps of half a cell, to half a cell before the return.
+  /// Marks the traversed cells in steps of half a cell, up to half a cell before the return.
   void carve(const Eigen::Vector2d& from, const Eigen::Vector2d& along, double range) {
     const double half = params_.resolution_m / 2.0;
     const double until = std::min(range - half, params_.range_max_m);
-    for (double path = 0.0; path < until; path += half) {
-      const Eigen::Vector2i cell = cell_of(from + path * along, params_.resolution_m);
+    for (double range_m = 0.0; range_m < until; range_m += half) {
+      const Eigen::Vector2i cell = cell_of(from + range_m * along, params_.resolution_m);
       if (!cells_.box().contains(cell)) return;
       Counts& counts = cells_[cells_.index(cell)];
       if (counts.last_end == scan_ || counts.last_pass == scan_) continue;

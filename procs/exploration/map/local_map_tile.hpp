@@ -16,10 +16,10 @@ namespace adit {
 
 struct LocalMapTileParams {
   double resolution_m = 0.2;     ///< side of a cell
-  double range_max_m = 8.0;      ///< what is farther away counts as not seen yet
-  double view_distance_m = 0.5;  ///< a scan is entered after this motion of its laser
-  double view_angle_rad = 0.3;   ///< or this turn
-  double wall_share = 0.15;      ///< of the scans through a cell that end in it, for a wall
+  double range_max_m = 8.0;      ///< beams count up to this range
+  double view_distance_m = 0.5;  ///< motion of the laser after which a scan is entered
+  double view_angle_rad = 0.3;   ///< or rotation
+  double wall_share = 0.15;      ///< least share of scans ending in a cell that makes it a wall
 
   template <class V>
   void visit(V& v) {
@@ -31,21 +31,21 @@ struct LocalMapTileParams {
   }
 };
 
-/// What a local map saw, in its frame: computed once, and posed as often as the graph moves. All
-/// its scans are level: the mapping takes no others. No return says nothing: it may be water, or
-/// open air.
+/// The cells that a local map observed, in its frame: computed once, and posed as often as the
+/// graph moves. All its scans are level, as mapping uses no others. A beam without return adds
+/// nothing: it may have met water or open air.
 struct LocalMapTile {
   int session = 0;
   std::int64_t end_utime = 0;
-  std::vector<Eigen::Vector2i> free;   ///< cells that beams went through, by row, then column
-  std::vector<Eigen::Vector2d> walls;  ///< p_local: mean of the returns in each cell of wall
-  std::vector<Eigen::Vector2d> path;   ///< p_local of the body, in order
+  std::vector<Eigen::Vector2i> free;   ///< cells traversed by beams, by row, then column
+  std::vector<Eigen::Vector2d> walls;  ///< p_local: mean of the returns in each wall cell [m]
+  std::vector<Eigen::Vector2d> path;   ///< p_local of the body, in order of time [m]
 
   [[nodiscard]] bool is_free(const Eigen::Vector2i& cell_local) const;
 };
 
-/// Nothing where the local map is malformed: without scans, or with a pose or an angle that is not
-/// finite or far away. Scans of channels other than LASER_FRONT and LASER_REAR are left out.
+/// Empty if the local map is malformed: without scans, or with a pose or an angle that is not
+/// finite or too far away. Scans of channels other than LASER_FRONT and LASER_REAR are ignored.
 std::optional<LocalMapTile> make_local_map_tile(const LocalMap& map, const Lasers& lasers,
                                                 const LocalMapTileParams& params);
 

@@ -11,27 +11,29 @@ namespace {
 
 constexpr float kUnreached = std::numeric_limits<float>::infinity();
 constexpr std::array<int, 8> kStepCost{10, 14, 10, 14, 10, 14, 10, 14};
-constexpr double kNearWallM = 0.3;  // of more than the least clearance, where no wall is near
-// Times as much; where the body has been, it can be again.
+constexpr double kNearWallM =
+    0.3;  // clearance beyond the radius of the vehicle up to which a cell is near a wall
+// Cost factors of a step by the class of its cell; driven cells are known to be passable.
 constexpr int kDrivenCost = 4;
 constexpr int kClearCost = 5;
 constexpr int kNearWallCost = 9;
-constexpr int kNotDriven = 2;  // times as much again, where what was not driven is not trusted
+constexpr int kNotDriven = 2;  // further factor of cells not driven, for PathPreference::kDriven
 constexpr std::size_t kBuckets = 256;
-static_assert(kBuckets > 14 * kNearWallCost * kNotDriven, "the dearest step has to fit");
-constexpr int kSnapCells = 5;  // from a place to a cell that counts
+static_assert(kBuckets > 14 * kNearWallCost * kNotDriven, "the most expensive step must fit");
+constexpr int kSnapCells = 5;  // from a point to the nearest cell that qualifies
 
-/// The nearest cell of a kind about a place: in squares of growing size.
-template <class Is>
+/// The cell nearest to `middle` that qualifies, within kSnapCells.
+template <class Qualifies>
 std::optional<std::size_t> nearest(const Grid2<float>& field, const Eigen::Vector2i& middle,
-                                   const Is& is) {
+                                   const Qualifies& qualifies) {
   std::optional<std::size_t> best;
   int best_square = std::numeric_limits<int>::max();
   for (int y = -kSnapCells; y <= kSnapCells; ++y) {
     for (int x = -kSnapCells; x <= kSnapCells; ++x) {
       const Eigen::Vector2i cell = middle + Eigen::Vector2i(x, y);
       const int square = x * x + y * y;
-      if (square >= best_square || !field.box().contains(cell) || !is(field.index(cell))) continue;
+      if (square >= best_square || !field.box().contains(cell) || !qualifies(field.index(cell)))
+        continue;
       best = field.index(cell);
       best_square = square;
     }
@@ -52,7 +54,7 @@ ShortestPathTree::ShortestPathTree(const DrivableSpace& space, const Eigen::Vect
   if (from) search(space, *from, preference, targets);
 }
 
-/// Costs are small integers, so that buckets do for a queue.
+/// Dijkstra with a bucket queue (Dial 1969), as costs are small integers.
 void ShortestPathTree::search(const DrivableSpace& space, std::size_t from,
                               PathPreference preference,
                               const std::vector<Eigen::Vector2d>& targets) {

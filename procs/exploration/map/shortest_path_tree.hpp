@@ -12,23 +12,25 @@
 
 namespace adit {
 
-/// What a way may lead over.
+/// Cells that paths prefer.
 enum class PathPreference {
-  kAnyDrivable,  ///< what looks drivable, nearly as gladly as what was driven
-  kDriven,  ///< only where it spares much what was not driven yet: nobody knows what lies there
+  kAnyDrivable,  ///< all drivable cells, with a slight preference for driven ones
+  kDriven,       ///< driven cells, unless a detour over them is much longer: others may turn out
+                 ///< impassable
 };
 
-/// The ways from one place to all that can be reached: Dijkstra's search over cells, eight
-/// neighbours, which prefers where the body has been already, and not to graze walls.
+/// Shortest paths from one place to all reachable cells: Dijkstra's algorithm on the 8-connected
+/// grid, with costs that prefer driven cells and keep away from walls.
 class ShortestPathTree {
  public:
-  /// Only as far as needed to reach these places, where any are given.
+  /// Stops when all `targets` are reached, if there are any.
   ShortestPathTree(const DrivableSpace& space, const Eigen::Vector2d& p_map_from,
                    PathPreference preference, const std::vector<Eigen::Vector2d>& targets = {});
 
-  /// Length of the way [m]; nothing where there is none.
+  /// Length of the path [m]; empty if there is none.
   [[nodiscard]] std::optional<double> distance_m(const Eigen::Vector2d& p_map) const;
-  /// Places from there to here, both ends included, a cell apart; empty where there is no way.
+  /// Points from `p_map` to the root of the tree, both included, a cell apart; empty if there is no
+  /// path.
   [[nodiscard]] std::vector<Eigen::Vector2d> path_from(const Eigen::Vector2d& p_map) const;
 
  private:
@@ -40,7 +42,7 @@ class ShortestPathTree {
 
   double resolution_m_;
   Grid2<float> length_m_;
-  Grid2<std::uint8_t> back_;  ///< which neighbour it was reached from
+  Grid2<std::uint8_t> back_;  ///< direction to the predecessor, as an index into around()
 };
 
 }  // namespace adit

@@ -12,7 +12,7 @@
 namespace adit {
 namespace {
 
-/// Which of the eight neighbours are there, a bit each, counter-clockwise from x.
+/// Bit mask of the neighbours that are set, counter-clockwise from +x.
 unsigned neighbours(const Grid2<std::uint8_t>& mask, std::size_t at,
                     const std::array<std::ptrdiff_t, 8>& around) {
   unsigned bits = 0;
@@ -22,11 +22,12 @@ unsigned neighbours(const Grid2<std::uint8_t>& mask, std::size_t at,
   return bits;
 }
 
-/// Guo and Hall's conditions, the neighbours in order of rotation; the second half of an iteration
-/// is the first turned by half a turn.
-bool may_go(unsigned bits, bool second_half) {
+/// Deletion conditions of Guo and Hall (1989, algorithm A1): crossing number, 2 or 3 neighbour
+/// pairs, and the directional condition of the subiteration. The second subiteration is the first
+/// one rotated by half a turn.
+bool is_removable(unsigned bits, bool second_subiteration) {
   const auto p = [&](unsigned i) {
-    return (bits >> ((i + (second_half ? 4U : 0U)) % 8U) & 1U) != 0;
+    return (bits >> ((i + (second_subiteration ? 4U : 0U)) % 8U) & 1U) != 0;
   };
   int crossings = 0;
   int pairs_1 = 0;
@@ -46,8 +47,8 @@ using Table = std::array<std::array<bool, 256>, 2>;
 Table make_table() {
   Table table{};
   for (unsigned bits = 0; bits < 256; ++bits) {
-    table[0][bits] = may_go(bits, false);
-    table[1][bits] = may_go(bits, true);
+    table[0][bits] = is_removable(bits, false);
+    table[1][bits] = is_removable(bits, true);
   }
   return table;
 }
@@ -74,10 +75,11 @@ Grid2<std::uint8_t> skeleton(const DrivableSpace& space) {
       queued[cell] = round;
       next.push_back(cell);
     };
-    for (const auto& may_go_now : kTable) {
+    for (const auto& is_removable_now : kTable) {
       removed.clear();
       for (const std::size_t cell : rim) {
-        if (mask[cell] != 0 && may_go_now[neighbours(mask, cell, around)]) removed.push_back(cell);
+        if (mask[cell] != 0 && is_removable_now[neighbours(mask, cell, around)])
+          removed.push_back(cell);
       }
       for (const std::size_t cell : removed) mask[cell] = 0;
       for (const std::size_t cell : removed) {
@@ -91,10 +93,10 @@ Grid2<std::uint8_t> skeleton(const DrivableSpace& space) {
 
 namespace {
 
-constexpr int kPath = -1;          // a cell between nodes
-constexpr std::size_t kEvery = 5;  // cells of a line of which one becomes a point
+constexpr int kPath = -1;                    // value of a cell that is not part of a node
+constexpr std::size_t kPointEveryCells = 5;  // every so many cells of a line one becomes a point
 
-/// To a stretch of line; to its start where both ends are one.
+/// Distance to a line segment, or to its start if both ends coincide.
 double distance_to_line(const Eigen::Vector2d& p, const Eigen::Vector2d& from,
                         const Eigen::Vector2d& to) {
   const Eigen::Vector2d along = to - from;
@@ -103,7 +105,7 @@ double distance_to_line(const Eigen::Vector2d& p, const Eigen::Vector2d& from,
   return (p - from - share * along).norm();
 }
 
-/// Follows the cells of a skeleton from node to node.
+/// Traces the cells of a skeleton from node to node.
 class Tracer {
  public:
   Tracer(const DrivableSpace& space, const Grid2<std::uint8_t>& skeleton)
@@ -122,47 +124,47 @@ class Tracer {
     }
     for (std::size_t i = 0; i < skeleton_.size(); ++i) {
       if (skeleton_[i] == 0 || node_[i] != kPath || traced_[i] != 0) continue;
-      add_node(i);  // a ring without any
+      add_node(i);  // a loop without junctions
       trace_from(i);
     }
     return std::move(graph_);
   }
 
  private:
-  [[nodiscard]] std::size_t beside(std::size_t cell, std::size_t i) const {
+  [[nodiscard]] std::size_t neighbour(std::size_t cell, std::size_t i) const {
     return cell + static_cast<std::size_t>(around_[i]);
   }
 
   [[nodiscard]] int degree(std::size_t cell) const {
     int degree = 0;
-    for (std::size_t i = 0; i < 8; ++i) degree += skeleton_[beside(cell, i)];
+    for (std::size_t i = 0; i < 8; ++i) degree += skeleton_[neighbour(cell, i)];
     return degree;
   }
 
-  /// Branching cells that touch are one node.
+  /// Adjacent junction cells become one node.
   void add_node(std::size_t first) {
     const int node = static_cast<int>(graph_.nodes.size());
     std::vector<std::size_t> cells{first};
     node_[first] = node;
     for (std::size_t k = 0; k < cells.size() && degree(first) > 2; ++k) {
       for (std::size_t i = 0; i < 8; ++i) {
-        const std::size_t next = beside(cells[k], i);
+        const std::size_t next = neighbour(cells[k], i);
         if (skeleton_[next] == 0 || node_[next] != kPath || degree(next) <= 2) continue;
         node_[next] = node;
         cells.push_back(next);
       }
     }
-    LineNode made;
+    LineNode added;
     for (const std::size_t cell : cells) {
-      made.p_map += space_.middle(cell) / static_cast<double>(cells.size());
-      made.clearance_m = std::max(made.clearance_m, double{space_.clearance_m[cell]});
+      added.p_map += space_.middle(cell) / static_cast<double>(cells.size());
+      added.clearance_m = std::max(added.clearance_m, double{space_.clearance_m[cell]});
     }
-    graph_.nodes.push_back(made);
+    graph_.nodes.push_back(added);
   }
 
   void trace_from(std::size_t cell) {
     for (std::size_t i = 0; i < 8; ++i) {
-      const std::size_t next = beside(cell, i);
+      const std::size_t next = neighbour(cell, i);
       if (skeleton_[next] == 0) continue;
       if (node_[next] == kPath && traced_[next] == 0) trace(cell, next);
       if (node_[next] > node_[cell]) add_line(cell, next, {});
@@ -174,7 +176,7 @@ class Tracer {
     traced_[first] = 1;
     std::size_t last = from;
     while (true) {
-      const auto next = onward(cells.back(), last);
+      const auto next = next_along(cells.back(), last);
       if (!next) return;
       if (node_[*next] != kPath) return add_line(from, *next, cells);
       last = cells.back();
@@ -183,10 +185,10 @@ class Tracer {
     }
   }
 
-  /// The other neighbour of a cell of degree two.
-  [[nodiscard]] std::optional<std::size_t> onward(std::size_t cell, std::size_t last) const {
+  /// The other neighbour of a cell of degree two; empty at the end of a traced line.
+  [[nodiscard]] std::optional<std::size_t> next_along(std::size_t cell, std::size_t last) const {
     for (std::size_t i = 0; i < 8; ++i) {
-      const std::size_t next = beside(cell, i);
+      const std::size_t next = neighbour(cell, i);
       if (skeleton_[next] == 0 || next == last) continue;
       if (node_[next] != kPath || traced_[next] == 0) return next;
     }
@@ -201,7 +203,7 @@ class Tracer {
     line.points.push_back(graph_.nodes[static_cast<std::size_t>(line.from)].p_map);
     for (std::size_t k = 0; k < cells.size(); ++k) {
       line.clearance_m = std::min(line.clearance_m, double{space_.clearance_m[cells[k]]});
-      if (k % kEvery == kEvery - 1 && k + kEvery / 2 < cells.size()) {
+      if (k % kPointEveryCells == kPointEveryCells - 1 && k + kPointEveryCells / 2 < cells.size()) {
         line.points.push_back(space_.middle(cells[k]));
       }
     }
@@ -225,8 +227,8 @@ LineGraph line_graph(const DrivableSpace& space, const Grid2<std::uint8_t>& skel
 
 std::vector<Eigen::Vector2d> simplified(const std::vector<Eigen::Vector2d>& points,
                                         double tolerance_m) {
-  std::vector<bool> kept(points.size());
-  if (!points.empty()) kept.front() = kept.back() = true;
+  std::vector<bool> retained(points.size());
+  if (!points.empty()) retained.front() = retained.back() = true;
   std::vector<std::pair<std::size_t, std::size_t>> spans;
   if (points.size() > 2) spans.emplace_back(0, points.size() - 1);
   while (!spans.empty()) {
@@ -241,13 +243,13 @@ std::vector<Eigen::Vector2d> simplified(const std::vector<Eigen::Vector2d>& poin
       split = i;
     }
     if (split == from) continue;
-    kept[split] = true;
+    retained[split] = true;
     spans.emplace_back(from, split);
     spans.emplace_back(split, to);
   }
   std::vector<Eigen::Vector2d> result;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (kept[i]) result.push_back(points[i]);
+    if (retained[i]) result.push_back(points[i]);
   }
   return result;
 }

@@ -11,26 +11,26 @@
 
 namespace adit {
 
-/// The middle lines of what can be reached, one cell wide and connected as it is: parallel thinning
-/// (Guo and Hall 1989). 1 where a cell is on one.
+/// The middle lines of the reachable cells, one cell wide and with their connectivity: parallel
+/// thinning (Guo and Hall 1989, algorithm A1). 1 for the cells of the skeleton.
 Grid2<std::uint8_t> skeleton(const DrivableSpace& space);
 
-/// A stretch of skeleton between two nodes.
+/// A branch of the skeleton between two nodes.
 struct Line {
   int from = 0;
   int to = 0;
   std::vector<Eigen::Vector2d> points;  ///< p_map, from node to node
-  double clearance_m = 0.0;             ///< the least along it
+  double clearance_m = 0.0;             ///< least clearance along it [m]
   bool removed = false;
 };
 
-/// A place where the skeleton branches or ends.
+/// A junction or an end of the skeleton.
 struct LineNode {
   Eigen::Vector2d p_map{0.0, 0.0};
   double clearance_m = 0.0;
 };
 
-/// The skeleton as it is: every branching and every end.
+/// The skeleton as a graph, with every junction and every end.
 struct LineGraph {
   std::vector<LineNode> nodes;
   std::vector<Line> lines;
@@ -38,7 +38,8 @@ struct LineGraph {
 
 LineGraph line_graph(const DrivableSpace& space, const Grid2<std::uint8_t>& skeleton);
 
-/// Fewer points, none of those left out farther than this from the line (Douglas and Peucker 1973).
+/// Simplifies a polyline; no removed point lies farther from the result than the tolerance (Douglas
+/// and Peucker 1973).
 std::vector<Eigen::Vector2d> simplified(const std::vector<Eigen::Vector2d>& points,
                                         double tolerance_m);
 

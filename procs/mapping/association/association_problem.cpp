@@ -3,12 +3,13 @@
 #include "procs/mapping/association/association_problem.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 
 namespace adit {
-
 namespace {
 
-/// A constraint in the graph that begins with map `first`.
+/// A constraint in the graph that begins with map `first`; the maps before are fixed in node 0.
 PoseConstraint shifted(const PoseConstraint& c, const Hypothesis& hypothesis, int first) {
   PoseConstraint moved = c;
   moved.to = c.to - first + 1;
@@ -21,6 +22,23 @@ PoseConstraint shifted(const PoseConstraint& c, const Hypothesis& hypothesis, in
 }
 
 }  // namespace
+
+AssociationProblem::Checkpoint AssociationProblem::checkpoint() const {
+  return {odometry.maps(), loop_closures.size(), group_count};
+}
+
+std::vector<LoopClosure> AssociationProblem::roll_back(const Checkpoint& checkpoint) {
+  chain.resize(static_cast<std::size_t>(std::max(0, checkpoint.maps - 1)));
+  odometry.truncate(checkpoint.maps);
+  const auto first = loop_closures.begin() + static_cast<std::ptrdiff_t>(checkpoint.loop_closures);
+  std::vector<LoopClosure> removed(std::make_move_iterator(first),
+                                   std::make_move_iterator(loop_closures.end()));
+  loop_closures.erase(first, loop_closures.end());
+  groups.resize(checkpoint.loop_closures);
+  plausible.resize(checkpoint.loop_closures);
+  group_count = checkpoint.group_count;
+  return removed;
+}
 
 std::vector<PoseConstraint> constraints_in_force(const AssociationProblem& problem,
                                                  const Hypothesis& hypothesis) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "common/pose_graph/pose_graph.hpp"
@@ -10,52 +11,68 @@
 
 namespace adit {
 
-/// What is certain, the chain of local maps along the way, and what is to be decided, the closures.
+/// An id of a local map or a loop closure as an index of a container.
+inline std::size_t as_index(int id) { return static_cast<std::size_t>(id); }
+
+/// The input of data association: the chain of local maps, which is certain, and the loop closures,
+/// which are to be decided.
 struct AssociationProblem {
   std::vector<PoseConstraint> chain;       ///< chain[k] links map k with map k + 1
-  OdometryChain odometry;                  ///< the same
+  OdometryChain odometry;                  ///< the same displacements, composed
   std::vector<LoopClosure> loop_closures;  ///< in order of their newer map
-  /// Of each closure: closures of one group lie side by side at both ends, so that they are likely
-  /// to be right or wrong together.
+  /// Group of each loop closure. Loop closures of a group are adjacent at both ends, and so are
+  /// likely to be correct or wrong together.
   std::vector<int> groups;
-  std::vector<bool> plausible;  ///< of each closure: whether the way alone allows it
+  std::vector<bool> plausible;  ///< of each loop closure: whether the odometry alone allows it
+  int group_count = 0;
+
+  /// The size of the problem at some time.
+  struct Checkpoint {
+    int maps = 0;
+    std::size_t loop_closures = 0;
+    int group_count = 0;
+  };
+  [[nodiscard]] Checkpoint checkpoint() const;
+  /// Removes the maps and loop closures added since the checkpoint. Returns these loop closures.
+  std::vector<LoopClosure> roll_back(const Checkpoint& checkpoint);
 };
 
-/// The constraint of an alternative of a closure.
+/// The constraint of an alternative of a loop closure.
 inline PoseConstraint constraint_of(const LoopClosure& loop_closure, int alternative) {
   const LoopClosureAlternative& a =
       loop_closure.alternatives[static_cast<std::size_t>(alternative)];
   return {a.older_map, loop_closure.newer_map, a.T_older_newer, a.information};
 }
 
-/// By how much an alternative is less likely than the best of its closure, as −2 log-likelihood.
+/// How much less likely an alternative is than the best of its loop closure: −2 log-likelihood
+/// ratio.
 inline double penalty(const LoopClosure& loop_closure, int alternative) {
   return 2.0 * (loop_closure.alternatives.front().log_likelihood -
                 loop_closure.alternatives[static_cast<std::size_t>(alternative)].log_likelihood);
 }
 
-/// One set of decisions and what follows from it: a leaf of the tree of decisions.
+/// A set of decisions and the resulting map: a leaf of the tree of decisions.
 struct Hypothesis {
-  std::vector<int> chosen;         ///< of each closure: an alternative, or Association::kNone
-  std::vector<Pose2> T_map_local;  ///< where the maps then are
+  std::vector<int> chosen;         ///< of each loop closure: an alternative, or Association::kNone
+  std::vector<Pose2> T_map_local;  ///< resulting poses of the local maps
   double objective = 0.0;          ///< Σ eᵀ R e over the chain and the chosen alternatives
-  double cost =
-      0.0;  ///< −2 log-likelihood, up to a constant: `objective` and that of the decisions
-  bool partially_optimized =
-      false;  ///< some maps were held where they were though closures pull at them
+  /// −2 log-likelihood up to a constant: `objective` plus the cost of the decisions.
+  double cost = 0.0;
+  /// Some maps were held fixed although loop closures link them to maps that moved.
+  bool partially_optimized = false;
 };
 
-/// The constraints of the alternatives that are chosen, in the order of their closures.
+/// The constraints of the chosen alternatives, in the order of their loop closures.
 std::vector<PoseConstraint> constraints_in_force(const AssociationProblem& problem,
                                                  const Hypothesis& hypothesis);
 
-/// A constraint between maps as one between the nodes of `graph_of(problem, belief, first)`; its
-/// later map is not before `first`.
+/// A constraint between maps as a constraint between nodes of `graph_of(problem, hypothesis,
+/// first)`; its later map is not before `first`.
 PoseConstraint in_graph_from(const PoseConstraint& constraint, const Hypothesis& hypothesis,
                              int first);
 
-/// The graph of a belief, from map `first` on: node 0 is the frame of map, in which the maps before
-/// `first` stay where they are, node 1 is map `first`. With `first` 0, the whole graph as it is.
+/// The pose graph of a hypothesis from map `first` on: node 0 is the map frame, to which the maps
+/// before `first` are fixed, node 1 is map `first`. With `first` 0, the complete graph.
 PoseGraph graph_of(const AssociationProblem& problem, const Hypothesis& hypothesis, int first = 0);
 
 }  // namespace adit

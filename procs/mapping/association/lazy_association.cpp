@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include <Eigen/LU>
@@ -12,13 +11,11 @@
 namespace adit {
 namespace {
 
-constexpr double kSamePlaceM = 2.0;  // alternatives nearer than this say the same
+constexpr double kSamePlaceM = 2.0;  // alternatives nearer than this are the same
 constexpr double kSamePlaceRad = 0.2;
-constexpr int kGroupsUndone = 3;    // at most, for a map that contradicts what it lies on
-constexpr int kRounds = 10;         // of letting go and taking in, which end by themselves
-constexpr double kPlausible = 1.5;  // gates: the way is only known to first order
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr int kGroupsRevokedMax = 3;      // by one revision
+constexpr int kReconsiderRoundsMax = 10;  // of revoking and choosing; usually fewer until stable
+constexpr double kPlausibleGates = 1.5;   // the odometry is composed to first order only
 
 std::string reason_of(const Association& a) {
   const bool now = a.chosen != Association::kNone;
@@ -26,8 +23,8 @@ std::string reason_of(const Association& a) {
     return now ? "the most likely alternative" : "no alternative is likely given the map";
   }
   if (!now) return "contradicted by later measurements";
-  return a.previously_chosen == Association::kNone ? "likely now that others are undone"
-                                                   : "another alternative explains more";
+  return a.previously_chosen == Association::kNone ? "likely after others were revoked"
+                                                   : "another alternative is more likely";
 }
 
 }  // namespace
@@ -49,9 +46,12 @@ std::vector<Association> LazyAssociation::decide(std::vector<LoopClosure> loop_c
                                                  std::int64_t utime) {
   std::vector<Association> record;
   for (LoopClosure& loop_closure : loop_closures) {
-    append(std::move(loop_closure));
+    const int added = append(std::move(loop_closure));
     const std::vector<int> before = hypothesis_.chosen;
-    decide_one(problem_.loop_closures.back().id);
+    // Maximum likelihood; if all alternatives are unlikely, backtrack in the tree (section 2.2).
+    if (!choose_most_likely(trial(), added) && search_is_due(added)) {
+      if (auto better = search(added)) set_hypothesis(std::move(*better));
+    }
     record_changes(record, utime, before, before.size() - 1);
   }
   return record;
@@ -62,116 +62,121 @@ Trial& LazyAssociation::trial() {
   return *trial_;
 }
 
-/// A belief with closures that the problem does not have yet.
+/// A revised hypothesis, and the loop closures that it adds to the problem.
 struct LazyAssociation::Revision {
   std::vector<LoopClosure> added;
   Hypothesis hypothesis;
 };
 
-/// The alternatives that would put a map where it is now, on maps before `first`: they are not
-/// asked again when the belief that put it there is given up.
-void LazyAssociation::exclude_accepted_alternatives(LoopClosure& loop_closure, int first) const {
-  const Pose2& now = hypothesis_.T_map_local[at(loop_closure.newer_map)];
-  std::erase_if(loop_closure.alternatives, [&](const LoopClosureAlternative& a) {
-    if (a.older_map >= first) return false;
-    const Pose2 apart = between(now, hypothesis_.T_map_local[at(a.older_map)] * a.T_older_newer);
-    return apart.translation().norm() < kSamePlaceM && std::abs(apart.theta) < kSamePlaceRad;
-  });
+std::vector<Association> LazyAssociation::revise(const Evidence& evidence, std::int64_t utime) {
+  const double map_inconsistency = evidence.map_inconsistency(hypothesis_.T_map_local);
+  if (!revision_is_due(map_inconsistency)) return {};
+  std::optional<Revision> best = best_revision(evidence, map_inconsistency);
+  revision_threshold_ = best ? 0.0 : 2.0 * map_inconsistency;
+  if (!best) return {};
+  return adopt(std::move(*best), utime);
 }
 
-/// Undoes decisions and decides again on the maps since the first of them, by what they have to say
-/// in their new places.
+/// After a revision without gain, the next is tried at twice the inconsistency.
+bool LazyAssociation::revision_is_due(double map_inconsistency) {
+  if (map_inconsistency < params_.gate) {
+    revision_threshold_ = 0.0;
+    return false;
+  }
+  return map_inconsistency >= revision_threshold_;
+}
+
+/// The revision that lowers the cost most: the latest group of loop closures is revoked, then also
+/// the group before it, and so on (section 2.2). Empty if none lowers it.
+std::optional<LazyAssociation::Revision> LazyAssociation::best_revision(const Evidence& evidence,
+                                                                        double map_inconsistency) {
+  std::optional<Revision> best;
+  double gain = 0.0;
+  for (const RevisionCandidate& candidate : latest_groups(problem_, trial(), kGroupsRevokedMax)) {
+    Revision revision = reassociate(candidate, evidence);
+    // The present hypothesis pays the gate for each loop closure that only the revision has.
+    const auto added = static_cast<double>(revision.added.size());
+    const double present = hypothesis_.cost + added * params_.gate + map_inconsistency;
+    const double revised =
+        revision.hypothesis.cost + evidence.map_inconsistency(revision.hypothesis.T_map_local);
+    if (present - revised <= gain) continue;
+    gain = present - revised;
+    best = std::move(revision);
+    if (!params_.best_first) break;
+  }
+  return best;
+}
+
+/// Revokes loop closures and associates the maps since the first of them again, at their new poses.
+/// The problem is unchanged afterwards.
 LazyAssociation::Revision LazyAssociation::reassociate(const RevisionCandidate& candidate,
                                                        const Evidence& evidence) {
   ++trials_;
-  const int first_map = problem_.loop_closures[at(candidate.loop_closures.front())].newer_map;
-  const auto closures_before = static_cast<std::ptrdiff_t>(problem_.loop_closures.size());
-  const int groups = groups_;
+  const AssociationProblem::Checkpoint before = problem_.checkpoint();
+  const int first_map = problem_.loop_closures[as_index(candidate.loop_closures.front())].newer_map;
   Trial trial(problem_, trial_->hypothesis(),
               first_affected_map(candidate, candidate.loop_closures.front()));
   trial.revoke(candidate.loop_closures);
-  bool found = false;  // where these maps lie now; until then all that is possible is asked
+  bool localized = false;  // until then all possible places are proposed
   for (int map = first_map; map < problem_.odometry.maps(); ++map) {
-    for (LoopClosure& loop_closure : evidence.loop_closures(map, trial, !found)) {
-      exclude_accepted_alternatives(loop_closure, first_map);
+    for (LoopClosure& loop_closure : evidence.loop_closures(map, trial, !localized)) {
+      exclude_present_poses(loop_closure, first_map);
       if (loop_closure.alternatives.empty()) continue;
       add_to_problem(std::move(loop_closure));
-      trial.grow();
+      trial.add_undecided();
       const LoopClosure& added = problem_.loop_closures.back();
-      const bool chosen = choose(trial, added.id);
-      found |= chosen && added.alternatives.front().older_map < first_map;
+      const bool chosen = choose_most_likely(trial, added.id);
+      localized |= chosen && added.alternatives.front().older_map < first_map;
     }
   }
   trial.reoptimize();
   Revision revision{{}, trial.hypothesis()};
   revision.hypothesis.cost = cost(revision.hypothesis);
-  const auto first_added = problem_.loop_closures.begin() + closures_before;
-  revision.added.assign(std::make_move_iterator(first_added),
-                        std::make_move_iterator(problem_.loop_closures.end()));
-  problem_.loop_closures.erase(first_added, problem_.loop_closures.end());
-  problem_.groups.resize(problem_.loop_closures.size());
-  problem_.plausible.resize(problem_.loop_closures.size());
-  groups_ = groups;
+  revision.added = problem_.roll_back(before);
   return revision;
 }
 
-std::vector<Association> LazyAssociation::revise(const Evidence& evidence, std::int64_t utime) {
-  const double map_inconsistency = evidence.map_inconsistency(hypothesis_.T_map_local);
-  if (map_inconsistency < params_.gate) {
-    revision_threshold_ = 0.0;
-    return {};
-  }
-  if (map_inconsistency < revision_threshold_) return {};
-  std::optional<Revision> best;
-  double gain = 0.0;
-  for (const RevisionCandidate& candidate : latest_groups(problem_, trial(), kGroupsUndone)) {
-    Revision revision = reassociate(candidate, evidence);
-    const auto added = static_cast<double>(revision.added.size());
-    const double present = hypothesis_.cost + added * params_.gate + map_inconsistency;
-    const double then =
-        revision.hypothesis.cost + evidence.map_inconsistency(revision.hypothesis.T_map_local);
-    if (present - then <= gain) continue;
-    gain = present - then;
-    best = std::move(revision);
-    if (!params_.best_first) break;
-  }
-  revision_threshold_ = 2.0 * map_inconsistency;
-  if (!best) return {};
+/// Removes the alternatives that would put a map back to its present pose on maps before `first`:
+/// these are not proposed again after the hypothesis that put it there is revoked.
+void LazyAssociation::exclude_present_poses(LoopClosure& loop_closure, int first) const {
+  const Pose2& present = hypothesis_.T_map_local[as_index(loop_closure.newer_map)];
+  std::erase_if(loop_closure.alternatives, [&](const LoopClosureAlternative& a) {
+    if (a.older_map >= first) return false;
+    const Pose2 apart =
+        between(present, hypothesis_.T_map_local[as_index(a.older_map)] * a.T_older_newer);
+    return apart.translation().norm() < kSamePlaceM && std::abs(apart.theta) < kSamePlaceRad;
+  });
+}
 
-  std::vector<Association> record;
+/// Adds the loop closures of a revision to the problem and makes its hypothesis the current one.
+std::vector<Association> LazyAssociation::adopt(Revision revision, std::int64_t utime) {
   std::vector<int> before = hypothesis_.chosen;
-  const std::size_t closures_before = before.size();
-  before.resize(best->hypothesis.chosen.size(), Association::kNone);
-  for (LoopClosure& loop_closure : best->added) append(std::move(loop_closure));
-  set_hypothesis(std::move(best->hypothesis));
-  record_changes(record, utime, before, closures_before);
-  revision_threshold_ = 0.0;
+  const std::size_t first_new = before.size();
+  before.resize(revision.hypothesis.chosen.size(), Association::kNone);
+  for (LoopClosure& loop_closure : revision.added) append(std::move(loop_closure));
+  set_hypothesis(std::move(revision.hypothesis));
+  std::vector<Association> record;
+  record_changes(record, utime, before, first_new);
   return record;
 }
 
 LazyAssociation::Checkpoint LazyAssociation::checkpoint() const {
-  return {problem_.odometry.maps(), problem_.loop_closures.size(), hypothesis_,
-          search_threshold_,        revision_threshold_,           groups_};
+  return {problem_.checkpoint(), hypothesis_, search_threshold_, revision_threshold_};
 }
 
 void LazyAssociation::roll_back(Checkpoint checkpoint) {
   trial_.reset();
-  problem_.chain.resize(static_cast<std::size_t>(std::max(0, checkpoint.maps - 1)));
-  problem_.odometry.truncate(checkpoint.maps);
-  problem_.loop_closures.resize(checkpoint.loop_closures);
-  problem_.groups.resize(checkpoint.loop_closures);
-  problem_.plausible.resize(checkpoint.loop_closures);
+  problem_.roll_back(checkpoint.problem);
   hypothesis_ = std::move(checkpoint.hypothesis);
   search_threshold_ = std::move(checkpoint.search_threshold);
   revision_threshold_ = checkpoint.revision_threshold;
-  groups_ = checkpoint.groups;
 }
 
 void LazyAssociation::restore(const std::vector<Association>& associations) {
   for (const Association& a : associations) {
     if (a.loop_closure.id == static_cast<int>(problem_.loop_closures.size()))
       append(a.loop_closure);
-    hypothesis_.chosen[at(a.loop_closure.id)] = a.chosen;
+    hypothesis_.chosen[as_index(a.loop_closure.id)] = a.chosen;
   }
   trial_.reset();
   Trial trial(problem_, hypothesis_);
@@ -180,26 +185,29 @@ void LazyAssociation::restore(const std::vector<Association>& associations) {
   hypothesis_.cost = cost(hypothesis_);
 }
 
-void LazyAssociation::append(LoopClosure loop_closure) {
+/// Adds a loop closure, undecided. Returns its id.
+int LazyAssociation::append(LoopClosure loop_closure) {
   add_to_problem(std::move(loop_closure));
   hypothesis_.chosen.push_back(Association::kNone);
-  if (trial_) trial_->grow();
+  if (trial_) trial_->add_undecided();
+  return problem_.loop_closures.back().id;
 }
 
-/// Into the problem alone, of which no belief knows yet.
+/// Adds a loop closure to the problem, but to no hypothesis.
 void LazyAssociation::add_to_problem(LoopClosure loop_closure) {
   const int group = group_of(loop_closure);
-  problem_.groups.push_back(group >= 0 ? group : groups_++);
+  problem_.groups.push_back(group >= 0 ? group : problem_.group_count++);
   loop_closure.id = static_cast<int>(problem_.loop_closures.size());
   bool plausible = false;
   for (int a = 0; a < static_cast<int>(loop_closure.alternatives.size()); ++a) {
-    plausible |=
-        disagreement(problem_.odometry, constraint_of(loop_closure, a)) < kPlausible * params_.gate;
+    plausible |= disagreement(problem_.odometry, constraint_of(loop_closure, a)) <
+                 kPlausibleGates * params_.gate;
   }
   problem_.plausible.push_back(plausible);
   problem_.loop_closures.push_back(std::move(loop_closure));
 }
 
+/// The group of the latest loop closure within `group_gap_m` at both ends; −1 if there is none.
 int LazyAssociation::group_of(const LoopClosure& loop_closure) const {
   const auto odometry = [&](int map) { return problem_.odometry.length_m(map); };
   const auto older = [](const LoopClosure& c) { return c.alternatives.front().older_map; };
@@ -213,9 +221,9 @@ int LazyAssociation::group_of(const LoopClosure& loop_closure) const {
   return -1;
 }
 
-/// What leaving a closure out costs now: more, where its neighbours say that this is the place.
+/// The cost of rejecting a loop closure: higher if another of its group is chosen.
 double LazyAssociation::gate(const Trial& trial, int loop_closure) const {
-  const int group = problem_.groups[at(loop_closure)];
+  const int group = problem_.groups[as_index(loop_closure)];
   for (std::size_t k = 0; k < problem_.groups.size(); ++k) {
     if (problem_.groups[k] == group && trial.chosen(static_cast<int>(k)) != Association::kNone) {
       return params_.gate_supported;
@@ -224,6 +232,7 @@ double LazyAssociation::gate(const Trial& trial, int loop_closure) const {
   return params_.gate;
 }
 
+/// −2 log-likelihood up to a constant: the objective (section 2.3) and the costs of the decisions.
 double LazyAssociation::cost(const Hypothesis& hypothesis) const {
   double cost = hypothesis.objective;
   for (std::size_t k = 0; k < hypothesis.chosen.size(); ++k) {
@@ -234,9 +243,9 @@ double LazyAssociation::cost(const Hypothesis& hypothesis) const {
   return cost;
 }
 
-/// Takes the best alternative if it is likely.
-bool LazyAssociation::choose(Trial& trial, int loop_closure) const {
-  const LoopClosure& c = problem_.loop_closures[at(loop_closure)];
+/// Chooses the alternative that costs least, if that is less than rejecting the loop closure.
+bool LazyAssociation::choose_most_likely(Trial& trial, int loop_closure) const {
+  const LoopClosure& c = problem_.loop_closures[as_index(loop_closure)];
   double least = gate(trial, loop_closure);
   int best = Association::kNone;
   for (int a = 0; a < static_cast<int>(c.alternatives.size()); ++a) {
@@ -250,21 +259,15 @@ bool LazyAssociation::choose(Trial& trial, int loop_closure) const {
   return true;
 }
 
-void LazyAssociation::decide_one(int loop_closure) {
-  if (choose(trial(), loop_closure)) return;
-  if (!problem_.plausible[at(loop_closure)] || !search_is_due(loop_closure)) return;
-  if (auto found = search(loop_closure)) set_hypothesis(std::move(*found));
-}
-
-/// Goes on from a belief that was worked out while some maps were held.
+/// Makes a hypothesis the current one, optimised completely.
 void LazyAssociation::set_hypothesis(Hypothesis hypothesis) {
   const bool partially_optimized = hypothesis.partially_optimized;
   trial_.emplace(problem_, std::move(hypothesis));
   if (partially_optimized) trial_->reoptimize();
 }
 
-/// Makes the trial what is believed, and writes down what changed. `first_new`: the first closure
-/// that is decided for the first time.
+/// Adopts the hypothesis of the trial, and records the decisions that differ from `before`.
+/// `first_new`: the first loop closure that is decided for the first time.
 void LazyAssociation::record_changes(std::vector<Association>& record, std::int64_t utime,
                                      const std::vector<int>& before, std::size_t first_new) {
   hypothesis_ = trial_->hypothesis();
@@ -284,13 +287,15 @@ void LazyAssociation::record_changes(std::vector<Association>& record, std::int6
   }
 }
 
-/// The first contradiction of a group is looked into, then the second, the fourth, and so on: what
-/// one more of the same kind could not change before is not asked each time.
+/// A search is made for the first contradiction of a group, then for the second, the fourth, and so
+/// on: one more contradiction of the same kind rarely changes the result. Never for a loop closure
+/// that the odometry excludes.
 bool LazyAssociation::search_is_due(int loop_closure) {
-  const int group = problem_.groups[at(loop_closure)];
+  if (!problem_.plausible[as_index(loop_closure)]) return false;
+  const int group = problem_.groups[as_index(loop_closure)];
   int contradictions = 0;
   for (int k = 0; k <= loop_closure; ++k) {
-    if (problem_.groups[at(k)] != group || !problem_.plausible[at(k)]) continue;
+    if (problem_.groups[as_index(k)] != group || !problem_.plausible[as_index(k)]) continue;
     contradictions += trial_->chosen(k) == Association::kNone ? 1 : 0;
   }
   int& due = search_threshold_[group];
@@ -299,7 +304,8 @@ bool LazyAssociation::search_is_due(int loop_closure) {
   return true;
 }
 
-/// A belief in which the closure is chosen and that costs less than the present one.
+/// Searches the tree of decisions for a hypothesis in which the loop closure is chosen and that
+/// costs less than the present one. Empty if none is found within the budget.
 std::optional<Hypothesis> LazyAssociation::search(int loop_closure) {
   Hypothesis present = trial_->hypothesis();
   double least = cost(present);
@@ -310,7 +316,7 @@ std::optional<Hypothesis> LazyAssociation::search(int loop_closure) {
   int budget = params_.trials_max;
   for (const RevisionCandidate& candidate : order) {
     if (budget-- == 0 || candidate.bound >= least) break;
-    auto hypothesis = without(candidate, loop_closure);
+    auto hypothesis = revise_for(loop_closure, candidate);
     if (!hypothesis || hypothesis->cost >= least) continue;
     least = hypothesis->cost;
     best = std::move(hypothesis);
@@ -319,12 +325,12 @@ std::optional<Hypothesis> LazyAssociation::search(int loop_closure) {
   return best;
 }
 
-/// The earliest map that a revision moves: loops begin at their older maps.
+/// The earliest map that a revision moves: a loop begins at its older map.
 int LazyAssociation::first_affected_map(const RevisionCandidate& candidate,
                                         int loop_closure) const {
-  int first = problem_.chain.empty() ? 0 : problem_.loop_closures[at(loop_closure)].newer_map;
+  int first = problem_.chain.empty() ? 0 : problem_.loop_closures[as_index(loop_closure)].newer_map;
   const auto include = [&](int k) {
-    for (const LoopClosureAlternative& a : problem_.loop_closures[at(k)].alternatives) {
+    for (const LoopClosureAlternative& a : problem_.loop_closures[as_index(k)].alternatives) {
       first = std::min(first, a.older_map);
     }
   };
@@ -333,17 +339,17 @@ int LazyAssociation::first_affected_map(const RevisionCandidate& candidate,
   return first;
 }
 
-/// What is believed when some decisions are undone, the closure is taken for true, and whatever was
-/// left out since the first of them is decided again. Nothing if it is unlikely even so.
-std::optional<Hypothesis> LazyAssociation::without(const RevisionCandidate& candidate,
-                                                   int loop_closure) {
+/// The hypothesis in which the candidate's loop closures are revoked, `loop_closure` is chosen, and
+/// the loop closures between are decided again. Empty if `loop_closure` is unlikely even then.
+std::optional<Hypothesis> LazyAssociation::revise_for(int loop_closure,
+                                                      const RevisionCandidate& candidate) {
   ++trials_;
   Trial trial(problem_, trial_->hypothesis(), first_affected_map(candidate, loop_closure));
   trial.revoke(candidate.loop_closures);
-  if (!choose(trial, loop_closure)) return std::nullopt;
+  if (!choose_most_likely(trial, loop_closure)) return std::nullopt;
   for (int k = candidate.loop_closures.front(); k < loop_closure; ++k) {
-    const bool open = trial.chosen(k) == Association::kNone && problem_.plausible[at(k)];
-    if (open) choose(trial, k);
+    const bool undecided = trial.chosen(k) == Association::kNone && problem_.plausible[as_index(k)];
+    if (undecided) choose_most_likely(trial, k);
   }
   trial.reoptimize();
   Hypothesis hypothesis = trial.hypothesis();
@@ -351,15 +357,15 @@ std::optional<Hypothesis> LazyAssociation::without(const RevisionCandidate& cand
   return hypothesis;
 }
 
-/// Revokes the chosen closure without which everything else fits best, and the next, as long as
-/// that gains more than leaving it out costs.
+/// Revokes the loop closure whose removal lowers the objective most, and the next, while the
+/// decrease exceeds the cost of rejecting it.
 void LazyAssociation::revoke_misfits(Trial& trial) const {
   while (true) {
     const std::vector<int> chosen = trial.chosen_loop_closures();
     if (chosen.empty()) return;
-    const auto without = trial.leave_one_out(
-        chosen,
-        constraint_of(problem_.loop_closures[at(chosen.front())], trial.chosen(chosen.front())));
+    const auto without =
+        trial.leave_one_out(chosen, constraint_of(problem_.loop_closures[as_index(chosen.front())],
+                                                  trial.chosen(chosen.front())));
     const auto worst = std::max_element(without.begin(), without.end(), [](auto& a, auto& b) {
       return a.objective_decrease < b.objective_decrease;
     });
@@ -373,11 +379,11 @@ std::vector<Association> LazyAssociation::reconsider(std::int64_t utime) {
   std::vector<Association> record;
   Trial& present = trial();
   const std::vector<int> before = hypothesis_.chosen;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kReconsiderRoundsMax; ++round) {
     const std::vector<int> last = present.decisions();
     revoke_misfits(present);
     for (int k = 0; k < static_cast<int>(before.size()); ++k) {
-      if (present.chosen(k) == Association::kNone) choose(present, k);
+      if (present.chosen(k) == Association::kNone) choose_most_likely(present, k);
     }
     present.reoptimize();
     if (present.decisions() == last) break;

@@ -16,27 +16,27 @@
 
 namespace adit {
 
-/// What the local maps themselves have to say, asked for again under each belief that is tried.
+/// Evidence from the local maps themselves, evaluated under each hypothesis that is tried.
 class Evidence {
  public:
   virtual ~Evidence() = default;
 
-  /// The places that a map may have come back to, where the trial believes it to be: as many
-  /// closures as are worth deciding, their ids without meaning. `thorough`: less likely places too.
+  /// Loop closures of a map at its pose in the trial, their ids not set: as many as are worth a
+  /// decision. `thorough`: less likely places too.
   [[nodiscard]] virtual std::vector<LoopClosure> loop_closures(int map, Trial& trial,
                                                                bool thorough) const = 0;
 
-  /// How unlikely the newest map is where it lies: −2 log-likelihood of what it shows against what
-  /// older maps show of the same places; 0 where it agrees or shows what is new.
+  /// Inconsistency of the newest maps at these poses: −2 log-likelihood of their observations given
+  /// those of older maps of the same places; 0 where they agree or observe new places.
   [[nodiscard]] virtual double map_inconsistency(const std::vector<Pose2>& T_map_local) const = 0;
 };
 
 struct LazyAssociationParams {
-  double gate = 21.1;            ///< what "none" costs: chi-square, 3 degrees of freedom, 0.9999
-  double gate_supported = 42.0;  ///< up to here where others of its group are chosen
-  double group_gap_m = 12.0;     ///< closures this close along the way at both ends are a group
-  bool best_first = true;        ///< order of search; else the paper's, back through the latest
-  int trials_max = 8;            ///< beliefs that are worked out for one contradiction
+  double gate = 21.1;            ///< cost of rejecting: chi-square, 3 degrees of freedom, 0.9999
+  double gate_supported = 42.0;  ///< cost where another loop closure of its group is chosen
+  double group_gap_m = 12.0;  ///< loop closures within this path length at both ends form a group
+  bool best_first = true;  ///< order of search; false: that of the paper, backwards from the latest
+  int trials_max = 8;      ///< maximum number of hypotheses evaluated per contradiction
 
   template <class V>
   void visit(V& v) {
@@ -49,90 +49,96 @@ struct LazyAssociationParams {
 };
 
 /// Lazy data association (paper, section 2.2; Hähnel, Burgard, Wegbreit, Thrun, "Towards lazy data
-/// association in SLAM", ISRR 2003). For each closure the most likely alternative is taken, or none
-/// if all are unlikely. Where what was just measured is unlikely given the map, earlier decisions
-/// are undone, the measurement is taken for true, and what came after is decided again; the belief
-/// that explains everything at the least cost stays.
+/// association in SLAM", ISRR 2003). For each loop closure the most likely alternative is chosen,
+/// or none if all are unlikely. If a new measurement is unlikely given the map, earlier decisions
+/// are revoked, the measurement is assumed correct, and the later loop closures are decided again;
+/// the hypothesis of least cost is kept.
 ///
-/// Costs are −2 log-likelihoods: the objective of the pose graph, a gate for each closure that is
-/// left out, and for an alternative by how much it is less likely than the best one.
+/// Costs are −2 log-likelihoods: the objective of the pose graph, a gate for each rejected loop
+/// closure, and for a chosen alternative its likelihood relative to the most likely one.
 ///
-/// Two orders of search: best first, by a bound on what a belief may cost; or the paper's, back
-/// through the latest groups of closures until the newest measurement is likely.
+/// Two orders of search: best first, by a lower bound of the cost of a hypothesis; or that of the
+/// paper, backwards through the latest groups of loop closures until the newest measurement is
+/// likely.
 class LazyAssociation {
  public:
   explicit LazyAssociation(const LazyAssociationParams& params) : params_(params) {}
   LazyAssociation(const LazyAssociation&) = delete;
   LazyAssociation& operator=(const LazyAssociation&) = delete;
 
-  /// The next local map: `T_previous_local` and its information (see LocalMap). The first call is
-  /// for map 0, for which they mean nothing.
+  /// Adds the next local map: `T_previous_local` and its information (see LocalMap). For map 0, the
+  /// first call, both are ignored.
   void add_map(const Pose2& T_previous_local, const Eigen::Matrix3d& information);
 
-  /// Decides on the closures of the newest map, and again on earlier ones if need be. What was
-  /// decided, in order; `utime` is that of the newest measurement.
+  /// Decides the loop closures of the newest map, and revises earlier decisions if necessary.
+  /// Returns the decisions in order; `utime` is that of the newest measurement.
   std::vector<Association> decide(std::vector<LoopClosure> loop_closures, std::int64_t utime);
 
-  /// `belief`, to ask what else is known.
+  /// The current hypothesis, for further queries.
   [[nodiscard]] Trial& trial();
 
-  /// The likelihood of the newest map is monitored: where it is low, the latest groups of closures
-  /// are undone, one after the other, the maps since then are associated afresh, and what makes the
-  /// newest map likely stays (paper, section 2.2). What was decided, in order.
+  /// Monitors the likelihood of the newest maps (paper, section 2.2): if it is low, the latest
+  /// groups of loop closures are revoked one after the other, the maps since then are associated
+  /// again, and the revision that makes the newest maps likely is adopted. Returns the decisions in
+  /// order.
   std::vector<Association> revise(const Evidence& evidence, std::int64_t utime);
 
-  /// How things stand, to come back to.
+  /// The complete state at some time.
   struct Checkpoint {
-    int maps = 0;
-    std::size_t loop_closures = 0;
+    AssociationProblem::Checkpoint problem;
     Hypothesis hypothesis;
     std::map<int, int> search_threshold;
     double revision_threshold = 0.0;
-    int groups = 0;
   };
   [[nodiscard]] Checkpoint checkpoint() const;
-  /// Forgets the maps that came since then, and all that was decided.
+  /// Returns to the state of a checkpoint: removes the maps and decisions made since.
   void roll_back(Checkpoint checkpoint);
 
-  /// Takes over decisions that were made before, in their order, for the maps that were added.
+  /// Replays recorded decisions, in their order, for the maps that were added.
   void restore(const std::vector<Association>& associations);
 
-  /// Lets go of what fits badly by now and asks all that is left out once more, as at the end of a
-  /// recording.
+  /// Revokes loop closures that fit badly by now and decides all rejected ones again, as at the end
+  /// of a recording.
   std::vector<Association> reconsider(std::int64_t utime);
 
   [[nodiscard]] const AssociationProblem& problem() const { return problem_; }
   [[nodiscard]] const Hypothesis& hypothesis() const { return hypothesis_; }
-  /// Beliefs that were worked out in searches so far.
+  /// Number of hypotheses evaluated in searches so far.
   [[nodiscard]] int trials() const { return trials_; }
 
  private:
-  [[nodiscard]] int group_of(const LoopClosure& loop_closure) const;
-  void append(LoopClosure loop_closure);
+  struct Revision;
+
+  int append(LoopClosure loop_closure);
   void add_to_problem(LoopClosure loop_closure);
-  void decide_one(int loop_closure);
-  void set_hypothesis(Hypothesis hypothesis);
-  bool choose(Trial& trial, int loop_closure) const;
+  [[nodiscard]] int group_of(const LoopClosure& loop_closure) const;
+
+  bool choose_most_likely(Trial& trial, int loop_closure) const;
   [[nodiscard]] double gate(const Trial& trial, int loop_closure) const;
   [[nodiscard]] double cost(const Hypothesis& hypothesis) const;
+
   bool search_is_due(int loop_closure);
   std::optional<Hypothesis> search(int loop_closure);
+  std::optional<Hypothesis> revise_for(int loop_closure, const RevisionCandidate& candidate);
   [[nodiscard]] int first_affected_map(const RevisionCandidate& candidate, int loop_closure) const;
-  void revoke_misfits(Trial& trial) const;
-  std::optional<Hypothesis> without(const RevisionCandidate& candidate, int loop_closure);
-  struct Revision;
-  void exclude_accepted_alternatives(LoopClosure& loop_closure, int first) const;
+
+  bool revision_is_due(double map_inconsistency);
+  std::optional<Revision> best_revision(const Evidence& evidence, double map_inconsistency);
   Revision reassociate(const RevisionCandidate& candidate, const Evidence& evidence);
+  void exclude_present_poses(LoopClosure& loop_closure, int first) const;
+  std::vector<Association> adopt(Revision revision, std::int64_t utime);
+
+  void revoke_misfits(Trial& trial) const;
+  void set_hypothesis(Hypothesis hypothesis);
   void record_changes(std::vector<Association>& record, std::int64_t utime,
                       const std::vector<int>& before, std::size_t first_new);
 
   LazyAssociationParams params_;
   AssociationProblem problem_;
   Hypothesis hypothesis_;
-  std::optional<Trial> trial_;           ///< `belief_`, with its field
-  std::map<int, int> search_threshold_;  ///< of a group: at how many contradictions
-  double revision_threshold_ = 0.0;      ///< from which a revision is tried
-  int groups_ = 0;
+  std::optional<Trial> trial_;           ///< `hypothesis_` with its field; empty: not yet needed
+  std::map<int, int> search_threshold_;  ///< by group: contradictions at which to search next
+  double revision_threshold_ = 0.0;      ///< inconsistency at which to revise next
   int trials_ = 0;
 };
 

@@ -5,35 +5,33 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include <Eigen/LU>
+#include <fmt/format.h>
 
 #include "common/pose_graph/pose_graph.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kKernel2 = 7.8;  // chi-square, 3 degrees of freedom, 0.95: a quarter of the weight
+constexpr double kKernel2 = 7.8;  // chi-square, 3 degrees of freedom, 0.95: weight 1/4
 constexpr int kReweightings = 30;
-constexpr double kConvergedShare = 1e-4;  // change of the objective, as a share
+constexpr double kConvergedShare = 1e-4;  // relative change of the objective
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-/// Which constraints are the way and which are loops.
-struct Parts {
+/// The constraints of the odometry chain and those of loops.
+struct ConstraintSplit {
   std::vector<int> chain;  // constraint from each node to the next, or −1
   std::vector<int> loops;  // in the order of their later node
 };
 
-Parts split(const PoseGraph& graph) {
-  Parts parts;
+ConstraintSplit split(const PoseGraph& graph) {
+  ConstraintSplit parts;
   parts.chain.assign(graph.poses.empty() ? 0 : graph.poses.size() - 1, -1);
   for (int k = 0; k < static_cast<int>(graph.constraints.size()); ++k) {
-    const PoseConstraint& c = graph.constraints[at(k)];
+    const PoseConstraint& c = graph.constraints[as_index(k)];
     const bool step = std::abs(c.to - c.from) == 1;
-    int* slot = step ? &parts.chain[at(std::min(c.from, c.to))] : nullptr;
+    int* slot = step ? &parts.chain[as_index(std::min(c.from, c.to))] : nullptr;
     if (step && *slot < 0) {
       *slot = k;
     } else {
@@ -42,29 +40,30 @@ Parts split(const PoseGraph& graph) {
   }
   std::stable_sort(parts.loops.begin(), parts.loops.end(), [&](int a, int b) {
     const auto later = [&](int k) {
-      return std::max(graph.constraints[at(k)].from, graph.constraints[at(k)].to);
+      return std::max(graph.constraints[as_index(k)].from, graph.constraints[as_index(k)].to);
     };
     return later(a) < later(b);
   });
   return parts;
 }
 
-/// The same measurement as the pose of the later node in the earlier one.
+/// The same measurement as a constraint from the earlier to the later node.
 PoseConstraint forward(const PoseConstraint& c) {
   if (c.from < c.to) return c;
   const Eigen::Matrix3d Ad = adjoint(c.T_from_to.inverse());
   return {c.to, c.from, c.T_from_to.inverse(), Ad.transpose() * c.information * Ad};
 }
 
-/// The nodes at which something is to be decided, and the way between them as one step each.
+/// The nodes that loops touch, with the odometry between them composed to single steps.
 class CondensedChain {
  public:
-  CondensedChain(const PoseGraph& graph, const Parts& parts) : node_(graph.poses.size(), -1) {
+  CondensedChain(const PoseGraph& graph, const ConstraintSplit& parts)
+      : node_(graph.poses.size(), -1) {
     std::vector<bool> selected(graph.poses.size(), false);
     if (!selected.empty()) selected.front() = true;
     for (const int k : parts.loops) {
-      selected[at(graph.constraints[at(k)].from)] = true;
-      selected[at(graph.constraints[at(k)].to)] = true;
+      selected[as_index(graph.constraints[as_index(k)].from)] = true;
+      selected[as_index(graph.constraints[as_index(k)].to)] = true;
     }
     int next = 0;
     for (std::size_t i = 0; i < selected.size(); ++i) {
@@ -72,14 +71,14 @@ class CondensedChain {
     }
   }
 
-  [[nodiscard]] int node(int pose) const { return node_[at(pose)]; }
+  [[nodiscard]] int node(int pose) const { return node_[as_index(pose)]; }
 
-  void add_odometry(const PoseGraph& graph, const Parts& parts,
+  void add_odometry(const PoseGraph& graph, const ConstraintSplit& parts,
                     LazyAssociation& association) const {
     UncertainPose T_last_here;
     for (std::size_t i = 0; i < node_.size(); ++i) {
       if (i > 0) {
-        const PoseConstraint& step = graph.constraints[at(parts.chain[i - 1])];
+        const PoseConstraint& step = graph.constraints[as_index(parts.chain[i - 1])];
         T_last_here = T_last_here * measured_by(forward(step));
       }
       if (node_[i] < 0) continue;
@@ -93,11 +92,11 @@ class CondensedChain {
   std::vector<int> node_;  // of each pose, or −1
 };
 
-/// What is believed, at full weight.
+/// The accepted constraints, at full weight.
 struct AcceptedConstraints {
   AcceptedConstraints(const PoseGraph& graph, const std::vector<bool>& accepted) {
     std::vector<bool> loop(graph.constraints.size(), false);
-    for (const int k : split(graph).loops) loop[at(k)] = true;
+    for (const int k : split(graph).loops) loop[as_index(k)] = true;
     for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
       if (!accepted[k]) continue;
       constraints.push_back(graph.constraints[k]);
@@ -105,13 +104,13 @@ struct AcceptedConstraints {
     }
   }
 
-  /// Gives the loops of the same graph the weights that their residuals call for.
+  /// Sets the weights of the loops according to their residuals.
   void reweight(PoseGraph& weighted) const {
     for (std::size_t k = 0; k < constraints.size(); ++k) {
       if (!is_loop[k]) continue;
       const PoseConstraint& c = constraints[k];
       const double e2 =
-          energy(c, residual(c, weighted.poses[at(c.from)], weighted.poses[at(c.to)]));
+          energy(c, residual(c, weighted.poses[as_index(c.from)], weighted.poses[as_index(c.to)]));
       const double root = 1.0 + e2 / kKernel2;
       weighted.constraints[k].information = c.information / (root * root);
     }
@@ -125,7 +124,7 @@ bool has_poses(const OptimizeResult& result) {
   return result.converged || result.reason == OptimizeReason::kNotConverged;
 }
 
-/// Counts on; all else is that of the last step.
+/// Accumulates the counters; the other results are those of the last step.
 void add(OptimizeResult& all, const OptimizeResult& step) {
   const int iterations = all.iterations + step.iterations;
   const int factorisations = all.factorisations + step.factorisations;
@@ -141,15 +140,17 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
                                               const std::function<void(double)>& progress) {
   LazyLoopClosuresResult result;
   if (const auto gap = odometry_gap(graph)) {
-    throw std::invalid_argument("no constraint leads from pose " + std::to_string(*gap) +
-                                " to the next: there is no way to hold loops against");
+    throw std::invalid_argument(
+        fmt::format("no constraint leads from pose {} to the next: loops cannot be tested without "
+                    "complete odometry",
+                    *gap));
   }
-  const Parts parts = split(graph);
+  const ConstraintSplit parts = split(graph);
   const CondensedChain condensed_chain(graph, parts);
   LazyAssociation association(params);
   condensed_chain.add_odometry(graph, parts, association);
   for (const int k : parts.loops) {
-    const PoseConstraint loop = forward(graph.constraints[at(k)]);
+    const PoseConstraint loop = forward(graph.constraints[as_index(k)]);
     LoopClosure loop_closure;
     loop_closure.newer_map = condensed_chain.node(loop.to);
     loop_closure.alternatives = {
@@ -166,7 +167,7 @@ LazyLoopClosuresResult associate_loops_lazily(const PoseGraph& graph,
   result.history.insert(result.history.end(), reconsidered.begin(), reconsidered.end());
   result.accepted.assign(graph.constraints.size(), true);
   for (std::size_t i = 0; i < result.constraint_of_loop_closure.size(); ++i) {
-    result.accepted[at(result.constraint_of_loop_closure[i])] =
+    result.accepted[as_index(result.constraint_of_loop_closure[i])] =
         association.hypothesis().chosen[i] != Association::kNone;
   }
   result.trials = association.trials();

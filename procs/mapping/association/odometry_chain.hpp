@@ -11,27 +11,28 @@
 
 namespace adit {
 
-/// A relative pose and how well it is known.
+/// A relative pose with its covariance.
 struct UncertainPose {
   Pose2 T_from_to;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, θ) in the frame of `to`
 };
 
-/// The composition, to first order; both independent.
+/// Composition to first order; both are independent.
 UncertainPose operator*(const UncertainPose& a, const UncertainPose& b);
 UncertainPose inverse(const UncertainPose& a);
 
-/// What a constraint measured. Directions of which it knows nothing get an uncertainty of 30 m or
-/// rad.
+/// The measurement of a constraint. Directions without information get a standard deviation of 30 m
+/// or rad.
 UncertainPose measured_by(const PoseConstraint& constraint);
 
-/// The chain of displacements between local maps alone, whatever closures say: the relative pose of
-/// any two in constant time, since steps add up in the frame of the first.
+/// The composed displacements between consecutive local maps, without loop closures: gives the
+/// relative pose of any two maps in constant time, since the covariances of steps add up in the
+/// frame of the first map.
 class OdometryChain {
  public:
-  /// The next map, by its displacement from the one before; the first call is for map 0.
+  /// Adds the next map by its displacement from the previous one; the first call is for map 0.
   void add_map(const UncertainPose& T_previous_map);
-  /// All but the first so many maps are forgotten.
+  /// Removes all maps but the first `maps`.
   void truncate(int maps) { nodes_.resize(static_cast<std::size_t>(maps)); }
 
   [[nodiscard]] UncertainPose between(int from, int to) const;
@@ -42,7 +43,8 @@ class OdometryChain {
  private:
   struct Node {
     Pose2 T_first_map;
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of it, in the frame of the first
+    // Of T_first_map, in the frame of the first.
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     double length_m = 0.0;
   };
 
@@ -51,12 +53,12 @@ class OdometryChain {
   std::vector<Node> nodes_;
 };
 
-/// What is left when one goes around by the way and two closures, squared and normalised:
-/// chi-square with three degrees of freedom where both are right.
+/// The squared, normalised residual of the cycle along the odometry and two loop closures:
+/// chi-square with three degrees of freedom if both are correct.
 double disagreement(const OdometryChain& odometry, const PoseConstraint& a,
                     const PoseConstraint& b);
 
-/// The same for one closure and the way.
+/// The same for the cycle of one loop closure and the odometry.
 double disagreement(const OdometryChain& odometry, const PoseConstraint& loop_closure);
 
 }  // namespace adit

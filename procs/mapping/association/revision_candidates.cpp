@@ -10,30 +10,30 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kSingles = 3;  // that are put to the test
+constexpr std::size_t kSinglesMax = 3;  // single loop closures tried
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-/// A part of the way, by its first and last map.
-struct Stretch {
+/// An interval of the chain, by its first and last map.
+struct ChainInterval {
   int from = 0;
   int to = 0;
 };
 
-bool overlap(const Stretch& a, const Stretch& b) { return a.from < b.to && b.from < a.to; }
+bool overlap(const ChainInterval& a, const ChainInterval& b) {
+  return a.from < b.to && b.from < a.to;
+}
 
-Stretch loop_of(const PoseConstraint& c) {
+ChainInterval loop_of(const PoseConstraint& c) {
   return {std::min(c.from, c.to), std::max(c.from, c.to)};
 }
 
-/// What hangs together with `asked` by loops that share a part of the way. Whatever is decided
-/// elsewhere has no bearing on it: there the way alone leads on.
-Stretch connected_stretch(std::vector<Stretch> loops, const Stretch& query) {
+/// The interval connected with `query` by loops that overlap in the chain. Decisions elsewhere have
+/// no influence on it: only the odometry links the intervals.
+ChainInterval connected_interval(std::vector<ChainInterval> loops, const ChainInterval& query) {
   loops.push_back(query);
   std::sort(loops.begin(), loops.end(),
-            [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
-  Stretch component = loops.front();
-  for (const Stretch& loop : loops) {
+            [](const ChainInterval& a, const ChainInterval& b) { return a.from < b.from; });
+  ChainInterval component = loops.front();
+  for (const ChainInterval& loop : loops) {
     if (loop.from < component.to) {
       component.to = std::max(component.to, loop.to);
     } else if (overlap(component, query)) {
@@ -55,7 +55,7 @@ class RevisionSearch {
   }
 
   std::vector<RevisionCandidate> run() {
-    add(contradicting_closures());
+    add(contradicting_loop_closures());
     const auto without = trial_.leave_one_out(chosen_, query());
     std::vector<std::pair<double, int>> singles;
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
@@ -63,7 +63,7 @@ class RevisionSearch {
       singles.emplace_back(without[i].increase, chosen_[i]);
     }
     std::sort(singles.begin(), singles.end());
-    if (singles.size() > kSingles) singles.resize(kSingles);
+    if (singles.size() > kSinglesMax) singles.resize(kSinglesMax);
     for (const auto& [increase, k] : singles) {
       if (increase < gate_) add({k});
       add(group_of(k));
@@ -76,10 +76,10 @@ class RevisionSearch {
 
  private:
   [[nodiscard]] PoseConstraint query() const {
-    return constraint_of(problem_.loop_closures[at(loop_closure_)], 0);
+    return constraint_of(problem_.loop_closures[as_index(loop_closure_)], 0);
   }
   [[nodiscard]] PoseConstraint in_force(int k) const {
-    return constraint_of(problem_.loop_closures[at(k)], trial_.chosen(k));
+    return constraint_of(problem_.loop_closures[as_index(k)], trial_.chosen(k));
   }
   [[nodiscard]] bool agree(const PoseConstraint& a, const PoseConstraint& b) const {
     return disagreement(problem_.odometry, a, b) < gate_;
@@ -87,23 +87,23 @@ class RevisionSearch {
 
   void find_affected() {
     chosen_ = trial_.chosen_loop_closures();
-    std::vector<Stretch> loops;
+    std::vector<ChainInterval> loops;
     for (const int k : chosen_) loops.push_back(loop_of(in_force(k)));
-    affected_ = connected_stretch(std::move(loops), loop_of(query()));
+    affected_ = connected_interval(std::move(loops), loop_of(query()));
     std::erase_if(chosen_, [&](int k) { return !overlap(loop_of(in_force(k)), affected_); });
   }
 
-  /// Left out as well, and in agreement with the closure in question.
+  /// Finds the rejected loop closures that agree with the one in question.
   void find_supporting() {
     for (int k = 0; k < loop_closure_; ++k) {
-      if (trial_.chosen(k) != Association::kNone || !problem_.plausible[at(k)]) continue;
-      const PoseConstraint constraint = constraint_of(problem_.loop_closures[at(k)], 0);
+      if (trial_.chosen(k) != Association::kNone || !problem_.plausible[as_index(k)]) continue;
+      const PoseConstraint constraint = constraint_of(problem_.loop_closures[as_index(k)], 0);
       const bool near = overlap(loop_of(constraint), affected_);
       if (near && agree(constraint, query())) supporting_.push_back(constraint);
     }
   }
 
-  [[nodiscard]] std::vector<int> contradicting_closures() const {
+  [[nodiscard]] std::vector<int> contradicting_loop_closures() const {
     std::vector<int> found;
     for (const int k : chosen_) {
       if (!agree(in_force(k), query())) found.push_back(k);
@@ -114,22 +114,23 @@ class RevisionSearch {
   [[nodiscard]] std::vector<int> group_of(int loop_closure) const {
     std::vector<int> found;
     for (const int k : chosen_) {
-      if (problem_.groups[at(k)] == problem_.groups[at(loop_closure)]) found.push_back(k);
+      if (problem_.groups[as_index(k)] == problem_.groups[as_index(loop_closure)])
+        found.push_back(k);
     }
     return found;
   }
 
   void add(std::vector<int> loop_closures) {
     if (loop_closures.empty() || !tried_.insert(loop_closures).second) return;
-    double bound = cost_ - gate_;  // the closure itself is no longer left out
+    double bound = cost_ - gate_;  // the loop closure itself is no longer rejected
     for (const int k : loop_closures) {
-      const bool has_others = problem_.loop_closures[at(k)].alternatives.size() > 1;
+      const bool has_others = problem_.loop_closures[as_index(k)].alternatives.size() > 1;
       if (!has_others) bound += gate_;
       bound -= decrease_.contains(k) ? decrease_.at(k) : 0.0;
     }
-    for (const PoseConstraint& ally : supporting_) {
+    for (const PoseConstraint& supporting : supporting_) {
       const bool contradicted = std::any_of(loop_closures.begin(), loop_closures.end(),
-                                            [&](int k) { return !agree(ally, in_force(k)); });
+                                            [&](int k) { return !agree(supporting, in_force(k)); });
       if (contradicted) bound -= gate_;
     }
     if (bound < cost_) candidates_.push_back({std::move(loop_closures), bound});
@@ -140,10 +141,10 @@ class RevisionSearch {
   int loop_closure_;
   double gate_;
   double cost_;
-  Stretch affected_;
-  std::vector<int> chosen_;  // and concerned
+  ChainInterval affected_;
+  std::vector<int> chosen_;  // chosen and in the affected interval
   std::vector<PoseConstraint> supporting_;
-  std::map<int, double> decrease_;  // of the objective, if a closure alone is undone
+  std::map<int, double> decrease_;  // of the objective, if one loop closure is revoked
   std::set<std::vector<int>> tried_;
   std::vector<RevisionCandidate> candidates_;
 };
@@ -158,7 +159,7 @@ std::vector<RevisionCandidate> revision_candidates(const AssociationProblem& pro
 std::vector<RevisionCandidate> latest_groups(const AssociationProblem& problem, const Trial& trial,
                                              int most) {
   const std::vector<int> chosen = trial.chosen_loop_closures();
-  const auto group = [&](int k) { return problem.groups[at(k)]; };
+  const auto group = [&](int k) { return problem.groups[as_index(k)]; };
   std::vector<RevisionCandidate> found;
   std::set<int> groups;
   for (auto latest = chosen.rbegin(); latest != chosen.rend(); ++latest) {

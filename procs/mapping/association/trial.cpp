@@ -14,10 +14,8 @@
 namespace adit {
 namespace {
 
-constexpr double kTurnMax = 0.01;  // of a map before the field is linearised anew [rad]
-constexpr double kTurnFar = 0.5;   // beyond which iteration might not find the way [rad]
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr double kTurnMax = 0.01;  // of a map, beyond which the field is linearised again [rad]
+constexpr double kTurnFar = 0.5;   // beyond which iteration may not converge to the optimum [rad]
 
 double largest_turn(const Eigen::VectorXd& mode) {
   double turn = 0.0;
@@ -47,14 +45,14 @@ GaussianField& Trial::field() {
   return *field_;
 }
 
-/// Takes over the poses of the nodes of the graph.
+/// Copies the poses of the graph's nodes.
 void Trial::set_poses(const std::vector<Pose2>& nodes, Hypothesis& hypothesis) const {
   std::copy(nodes.begin() + (first_ > 0 ? 1 : 0), nodes.end(),
             hypothesis.T_map_local.begin() + first_);
 }
 
-/// Whether a closure leads from what is held fixed to what moves. Where only the way does, the rest
-/// would stay where it is anyway.
+/// Whether a chosen loop closure links a fixed map to a moving one. If only the odometry does, the
+/// fixed maps would not move anyway.
 bool Trial::has_fixed_end() const {
   for (std::size_t k = 0; k < hypothesis_.chosen.size() && first_ > 0; ++k) {
     if (hypothesis_.chosen[k] == Association::kNone) continue;
@@ -79,9 +77,9 @@ double Trial::objective() const {
 }
 
 PoseConstraint Trial::chosen_constraint(int loop_closure) const {
-  return in_graph_from(constraint_of(problem_.loop_closures[static_cast<std::size_t>(loop_closure)],
-                                     chosen(loop_closure)),
-                       hypothesis_, first_);
+  return in_graph_from(
+      constraint_of(problem_.loop_closures[as_index(loop_closure)], chosen(loop_closure)),
+      hypothesis_, first_);
 }
 
 std::vector<GaussianField::LeaveOneOut> Trial::leave_one_out(const std::vector<int>& loop_closures,
@@ -97,20 +95,20 @@ std::vector<Eigen::Matrix3d> Trial::covariances_to(int map) {
   const auto by_node = field().relative_covariances_to(map - shift);
   const std::vector<Pose2> nodes = field().poses();
   const auto in_newer = [&](int older) -> Eigen::Matrix3d {
-    const Pose2 T_older_newer = between(nodes[at(older)], nodes[at(map - shift)]);
+    const Pose2 T_older_newer = between(nodes[as_index(older)], nodes[as_index(map - shift)]);
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
     R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-T_older_newer.theta).toRotationMatrix();
-    return R * by_node[at(older)] * R.transpose();
+    return R * by_node[as_index(older)] * R.transpose();
   };
   std::vector<Eigen::Matrix3d> covariances;
-  covariances.reserve(at(map));
-  if (first_ > 0) covariances.assign(at(first_), in_newer(0));  // fixed, as is the frame of map
+  covariances.reserve(as_index(map));
+  if (first_ > 0) covariances.assign(as_index(first_), in_newer(0));  // fixed in the map frame
   for (int older = first_; older < map; ++older) covariances.push_back(in_newer(older - shift));
   return covariances;
 }
 
 void Trial::accept(int loop_closure, int alternative) {
-  const auto k = static_cast<std::size_t>(loop_closure);
+  const auto k = as_index(loop_closure);
   field().add(
       in_graph_from(constraint_of(problem_.loop_closures[k], alternative), hypothesis_, first_));
   hypothesis_.chosen[k] = alternative;
@@ -121,8 +119,7 @@ void Trial::accept(int loop_closure, int alternative) {
 void Trial::revoke(const std::vector<int>& loop_closures) {
   hypothesis_ = hypothesis();
   field_.reset();
-  for (const int k : loop_closures)
-    hypothesis_.chosen[static_cast<std::size_t>(k)] = Association::kNone;
+  for (const int k : loop_closures) hypothesis_.chosen[as_index(k)] = Association::kNone;
   reoptimize();
 }
 

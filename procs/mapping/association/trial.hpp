@@ -10,50 +10,50 @@
 
 namespace adit {
 
-/// A belief in the course of being changed. To try an association costs a look at a few columns of
-/// the factor, to make or revoke one a rank update; the field is linearised anew where the maps
-/// have turned so far that the old linearisation would mislead.
+/// A hypothesis that is being modified. Evaluating an association costs the solution for a few
+/// columns of the factor, accepting one a rank update, revoking an optimisation; the field is
+/// linearised again after large rotations of the maps, which invalidate the old linearisation.
 class Trial {
  public:
-  /// `problem` must outlive this; `belief` is settled (its poses are at their mode). The maps
-  /// before `first` stay where they are, so that what it costs depends on the loop that is looked
-  /// at and not on the map.
+  /// `problem` must outlive this object; the poses of `hypothesis` are at their mode. The maps
+  /// before `first` are held fixed, so that the cost depends on the size of the loop and not on
+  /// that of the map.
   Trial(const AssociationProblem& problem, Hypothesis hypothesis, int first = 0);
 
-  /// With poses and objective as they are now; `cost` is the caller's.
+  /// The hypothesis with its current poses and objective; `cost` is set by the caller.
   [[nodiscard]] Hypothesis hypothesis() const;
   [[nodiscard]] double objective() const;
   [[nodiscard]] const std::vector<int>& decisions() const { return hypothesis_.chosen; }
-  /// Those of which an alternative is chosen, in ascending order.
+  /// The loop closures with a chosen alternative, in ascending order.
   [[nodiscard]] std::vector<int> chosen_loop_closures() const;
   [[nodiscard]] int chosen(int loop_closure) const {
     return hypothesis_.chosen[static_cast<std::size_t>(loop_closure)];
   }
 
-  /// The problem has a closure more; none is chosen.
-  void grow() { hypothesis_.chosen.push_back(Association::kNone); }
+  /// Adds an undecided loop closure, after it was added to the problem.
+  void add_undecided() { hypothesis_.chosen.push_back(Association::kNone); }
 
-  /// By how much the objective would rise with one constraint more: chi-square with three degrees
-  /// of freedom where the constraint is right.
+  /// Increase of the objective by one more constraint: chi-square with three degrees of freedom if
+  /// the constraint is correct.
   [[nodiscard]] double objective_increase(const PoseConstraint& constraint) {
     return field().objective_increase(in_graph_from(constraint, hypothesis_, first_));
   }
-  /// For each of the chosen closures, what `price` would be and how far the objective would fall if
-  /// it were revoked.
+  /// For each of these chosen loop closures, the field without it: the decrease of the objective,
+  /// and the increase by `query` then.
   [[nodiscard]] std::vector<GaussianField::LeaveOneOut> leave_one_out(
       const std::vector<int>& loop_closures, const PoseConstraint& query);
 
   /// For each map before `map`, the covariance of the pose of `map` in it: of (x, y, θ) in the
-  /// frame of `map`. Maps that are held fixed are taken as certain among each other.
+  /// frame of `map`. Maps held fixed have no relative uncertainty.
   [[nodiscard]] std::vector<Eigen::Matrix3d> covariances_to(int map);
 
-  /// Chooses an alternative of a closure for which none is chosen.
+  /// Chooses an alternative of an undecided loop closure.
   void accept(int loop_closure, int alternative);
-  /// Chooses none for closures that have one.
+  /// Revokes chosen loop closures.
   void revoke(const std::vector<int>& loop_closures);
 
-  /// Moves the maps to the mode, not to first order but truly. `afresh`: whatever their poses are,
-  /// as after one that turned the maps far round.
+  /// Moves the maps to the mode by iterated optimisation, not only to first order. `from_scratch`:
+  /// with an initialisation independent of their poses, as after a large rotation.
   void reoptimize(bool from_scratch = false);
 
  private:
@@ -63,10 +63,10 @@ class Trial {
   [[nodiscard]] bool has_fixed_end() const;
 
   const AssociationProblem& problem_;
-  Hypothesis hypothesis_;  ///< poses and objective as last settled
+  Hypothesis hypothesis_;  ///< poses and objective after the last optimisation
   int first_;
-  double fixed_ = 0.0;                  ///< part of the objective that is not in the field
-  std::optional<GaussianField> field_;  ///< linearised there; nothing: not asked for yet
+  double fixed_ = 0.0;                  ///< part of the objective outside the field
+  std::optional<GaussianField> field_;  ///< linearised at these poses; empty: not yet needed
 };
 
 }  // namespace adit

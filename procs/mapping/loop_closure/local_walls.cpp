@@ -22,7 +22,7 @@ SurfacePoint to_point(const Surfel& surfel, double wall_variance) {
   return point;
 }
 
-/// Is this scan's view new enough, against the last one that was kept of its laser?
+/// Whether the scan's view differs enough from the last stored one of its laser.
 bool new_view(const Pose2& T_local_body, const Pose2& T_local_last,
               const LocalWallsParams& params) {
   const Pose2 moved = between(T_local_last, T_local_body);
@@ -61,7 +61,7 @@ LocalWalls local_walls(const LocalMap& map, const LaserMounts& mounts,
 
 namespace {
 
-/// A view of the free space, ready for points of the reference.
+/// A view of the free space, prepared for points in the reference frame.
 struct PlacedView {
   const FreeSpace* free_space;
   Eigen::Matrix2d R_laser_reference;
@@ -73,7 +73,7 @@ struct PlacedView {
     p_laser_reference = T.translation();
   }
 
-  [[nodiscard]] bool sees_through(const Eigen::Vector2d& p, double margin) const {
+  [[nodiscard]] bool observed_free(const Eigen::Vector2d& p, double margin) const {
     return free_space->inside(R_laser_reference * p + p_laser_reference, margin);
   }
 };
@@ -82,7 +82,7 @@ double distance_from(const Surfel& wall, const Eigen::Vector2d& p) {
   return wall.has_normal() ? std::abs(wall.normal.dot(p - wall.p)) : (p - wall.p).norm();
 }
 
-/// Log of how much more likely a distance from the wall is where maps coincide than by chance.
+/// Log-likelihood ratio of a distance from the wall: maps that coincide against chance.
 double log_ratio(double distance, const WallAgreementParams& params) {
   const double u = distance / params.wall_sd_m;
   const double on_wall = std::exp(-0.5 * u * u) * 2.0 * params.wall_distance_max_m /
@@ -109,7 +109,7 @@ WallAgreement agreement(const std::vector<SurfacePoint>& points, const Pose2& T_
       ++result.near;
       result.log_likelihood += log_near + log_ratio(distance_from(*wall, p), params);
     } else if (std::any_of(placed.begin(), placed.end(), [&](const PlacedView& view) {
-                 return view.sees_through(p, params.margin_m);
+                 return view.observed_free(p, params.margin_m);
                })) {
       ++result.contradicting;
       result.log_likelihood += log_contradiction;

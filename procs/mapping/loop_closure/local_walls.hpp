@@ -17,15 +17,15 @@
 
 namespace adit {
 
-/// Where each laser sits, by the channel of its scans.
+/// The mount of each laser, by the channel of its scans.
 using LaserMounts = std::map<std::string, LaserMount, std::less<>>;
 
 struct LocalWallsParams {
   SurfaceParams surface;
-  double spacing_m = 0.1;        ///< between the points of a wall
-  double range_max_m = 30.0;     ///< what was seen farther away is left out
-  double wall_sd_m = 0.01;       ///< how far the mean of a wall may be from where it is
-  double view_distance_m = 1.0;  ///< way from one kept view of the free space to the next,
+  double spacing_m = 0.1;        ///< distance between points of a wall
+  double range_max_m = 30.0;     ///< points farther away are discarded
+  double wall_sd_m = 0.01;       ///< standard deviation of the mean of a wall
+  double view_distance_m = 1.0;  ///< motion between two stored views of the free space,
   double view_angle_rad = 0.8;   ///< or turn
 
   template <class V>
@@ -39,31 +39,31 @@ struct LocalWallsParams {
   }
 };
 
-/// What matching needs of a local map, in its frame: the walls it saw, thinned out, and the space
-/// that it saw to be free.
+/// The walls and free space of a local map, in its frame, as matching uses them.
 struct LocalWalls {
-  /// A scan's free space, chosen so that few of them see nearly all that all saw.
+  /// The free space of a scan; few such views cover nearly all the observed space.
   struct View {
     FreeSpace free_space;
     Pose2 T_local_body;
   };
 
   std::vector<SurfacePoint> points;
-  double length_m = 0.0;  ///< of the walls together, about
+  double length_m = 0.0;  ///< approximate total length of the walls
   std::vector<View> views;
 };
 
-/// Scans on a channel without a mount are left out: the caller has made sure that there are none.
+/// Extracts the walls of a local map. Scans on a channel without a mount are ignored.
 LocalWalls local_walls(const LocalMap& map, const LaserMounts& mounts,
                        const LocalWallsParams& params);
 
 struct WallAgreementParams {
-  double wall_distance_max_m =
-      0.5;                      ///< a wall farther from a point than this has nothing to do with it
-  double margin_m = 0.3;        ///< deeper in free space than this contradicts
-  double wall_sd_m = 0.04;      ///< distance of a point from its wall where maps coincide
-  double stray_share = 0.1;     ///< of the points near a wall that are no part of it all the same
-  double contradiction = 0.02;  ///< share of the known points in free space where maps coincide,
+  /// Maximum distance between a point and its wall.
+  double wall_distance_max_m = 0.5;
+  double margin_m = 0.3;        ///< a point deeper in free space is a contradiction
+  double wall_sd_m = 0.04;      ///< standard deviation of the distance between a point and its wall
+                                ///< where maps coincide
+  double stray_share = 0.1;     ///< share of points near a wall that do not belong to it
+  double contradiction = 0.02;  ///< share of the observed points in free space where maps coincide,
   double contradiction_by_chance = 0.5;  ///< and where they do not
 
   template <class V>
@@ -77,19 +77,19 @@ struct WallAgreementParams {
   }
 };
 
-/// How the walls of one map lie in another.
+/// The agreement of the walls of one map with another map.
 struct WallAgreement {
-  int points = 0;               ///< that were asked,
+  int points = 0;               ///< all points,
   int near = 0;                 ///< those with a wall in reach,
-  int contradicting = 0;        ///< and those in the middle of free space; the others are not known
-  double log_likelihood = 0.0;  ///< per point, all added: of lying so, against that of chance
+  int contradicting = 0;        ///< and those in free space; the others lie in unobserved space
+  double log_likelihood = 0.0;  ///< sum over the points: against that of points placed by chance
 
-  [[nodiscard]] int known() const { return near + contradicting; }
+  [[nodiscard]] int observed() const { return near + contradicting; }
 };
 
-/// Asks of each point of `walls`, at `T_reference_walls`, what the reference says of the place: on
-/// a wall, off a wall, in free space, or never seen. Two maps of one place seldom contradict each
-/// other; two of different places do with every other point.
+/// Classifies each of the `points`, at `T_reference_points`, in the reference: on a wall, near a
+/// wall, in free space, or unobserved. Two maps of one place rarely contradict each other; maps of
+/// different places do with every second point.
 WallAgreement agreement(const std::vector<SurfacePoint>& points, const Pose2& T_reference_points,
                         const SurfelMap& reference, const std::vector<LocalWalls::View>& views,
                         const WallAgreementParams& params);

@@ -61,13 +61,13 @@ double MapExtent::covered_by(const std::vector<Placed>& others) const {
   if (samples_.empty()) return 0.0;
   std::vector<Pose2> T_other_this;
   for (const Placed& other : others) T_other_this.push_back(other.T_this_other.inverse());
-  const auto seen = [&](const Eigen::Vector2d& p) {
+  const auto covered = [&](const Eigen::Vector2d& p) {
     for (std::size_t k = 0; k < others.size(); ++k) {
       if (others[k].extent->covers(T_other_this[k] * p)) return true;
     }
     return false;
   };
-  const auto count = std::count_if(samples_.begin(), samples_.end(), seen);
+  const auto count = std::count_if(samples_.begin(), samples_.end(), covered);
   return static_cast<double>(count) / static_cast<double>(samples_.size());
 }
 
@@ -86,13 +86,13 @@ double MapExtent::overlap(const MapExtent& other, const Pose2& T_this_other) con
 
 namespace {
 
-// Positions that are tried: a drift is a few metres wide.
+// Spacing of the sampled positions: a tunnel is a few metres wide.
 constexpr double kStepM = 3.0;
 constexpr int kStepsMin = 2;
 constexpr int kStepsMax = 8;
 constexpr double kRoundingUp = 1.0 + 1e-9;
 
-/// What two maps may overlap, over all relative positions within the gate.
+/// The overlap of two maps over all relative positions within the gate.
 struct Overlap {
   double expected = 0.0;
   double largest = 0.0;
@@ -104,7 +104,8 @@ Overlap overlap_in_gate(const MapExtent& older, const MapExtent& newest,
   const double radii = older.radius_m() + newest.radius_m();
   const double apart = (predicted.T_older_newer * newest.centre() - older.centre()).norm();
   Overlap overlap;
-  // Most maps are far away, and the trace, an upper bound of the larger eigenvalue, says so.
+  // Most maps are far away, which the trace, an upper bound of the larger eigenvalue, shows
+  // cheaply.
   if (apart > (radii + sigmas * std::sqrt(std::max(0.0, plane.trace()))) * kRoundingUp) {
     return overlap;
   }
@@ -112,7 +113,7 @@ Overlap overlap_in_gate(const MapExtent& older, const MapExtent& newest,
   const Eigen::Vector2d sd = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
   if (apart > radii + sigmas * sd.maxCoeff()) return overlap;
 
-  const auto steps = [&](double axis_sd) {  // each way along an axis of the gate
+  const auto steps = [&](double axis_sd) {  // in each direction of an axis of the gate
     return std::clamp(static_cast<int>(std::ceil(sigmas * axis_sd / kStepM)), kStepsMin, kStepsMax);
   };
   const int steps_x = steps(sd.x());

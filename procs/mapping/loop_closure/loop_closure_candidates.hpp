@@ -15,42 +15,43 @@
 
 namespace adit {
 
-/// Where the walls of a local map are, roughly: enough to say how much of one map another may see
-/// again, for hundreds of maps at a time. In the frame of the local map.
+/// The coarse extent of the walls of a local map, in its frame: sufficient to estimate the overlap
+/// of hundreds of maps.
 class MapExtent {
  public:
   MapExtent() = default;
   explicit MapExtent(const LocalWalls& walls);
 
-  /// Share of the other's walls that lie where this one has walls, to a metre or two.
+  /// Share of the other map's walls that lie on walls of this map, to a metre or two.
   [[nodiscard]] double overlap(const MapExtent& other, const Pose2& T_this_other) const;
 
-  /// Share of its walls that lie where others have walls, each of them at its `T_this_other`.
+  /// Share of this map's walls that lie on walls of others, each at its `T_this_other`.
   struct Placed {
     const MapExtent* extent = nullptr;
     Pose2 T_this_other;
   };
   [[nodiscard]] double covered_by(const std::vector<Placed>& others) const;
 
-  /// The circle around all walls; radius 0 where there are none.
+  /// The circle around all walls; radius 0 without walls.
   [[nodiscard]] const Eigen::Vector2d& centre() const { return centre_; }
   [[nodiscard]] double radius_m() const { return radius_m_; }
 
  private:
   [[nodiscard]] bool covers(const Eigen::Vector2d& p) const;
 
-  std::vector<Eigen::Vector2d> samples_;  ///< middle of each square with a wall
-  std::vector<std::int64_t> covered_;     ///< these squares and those around them, in order
+  std::vector<Eigen::Vector2d> samples_;  ///< centre of each square with a wall
+  std::vector<std::int64_t> covered_;     ///< these squares and their neighbours, sorted
   Eigen::Vector2d centre_ = Eigen::Vector2d::Zero();
   double radius_m_ = 0.0;
 };
 
 struct LoopClosureCandidatesParams {
-  int most = 4;              ///< candidates for a new local map
-  int neighbours = 2;        ///< maps before the newest that are its neighbours in the chain
-  int apart = 3;             ///< candidates closer in the chain than this say the same
-  double sigmas = 3.0;       ///< how far from where it is expected a map may lie
-  double overlap_min = 0.3;  ///< share of the newest map's walls that the older one may have seen
+  int most = 4;         ///< maximum number of candidates for a new local map
+  int neighbours = 2;   ///< number of maps before the newest that are its neighbours in the chain
+  int apart = 3;        ///< minimum distance of candidates in the chain; nearer ones are redundant
+  double sigmas = 3.0;  ///< size of the gate around the predicted pose
+  /// Minimum share of the newest map's walls that the older one may have observed.
+  double overlap_min = 0.3;
 
   template <class V>
   void visit(V& v) {
@@ -62,17 +63,17 @@ struct LoopClosureCandidatesParams {
   }
 };
 
-/// An older local map that the newest one may have come back to.
+/// An older local map that may overlap the newest one.
 struct LoopClosureCandidate {
   int older = 0;  ///< index
   RelativePose predicted;
-  double overlap = 0.0;  ///< expected share of the newest map's walls that the older one saw
+  double overlap = 0.0;  ///< expected share of the newest map's walls that the older one observed
 };
 
-/// Which older maps the newest, the last of `poses`, is to be matched against: those whose walls it
-/// may have seen again, wherever it is within the gate of its relative pose (paper, section 2.2).
-/// The largest expected overlap first, and of those that lie close together in the chain the best,
-/// so that each pass by the place is asked.
+/// Selects the older maps against which to match the newest, the last of `poses`: those whose walls
+/// it may have observed again, at any pose within the gate of its relative pose (paper, section
+/// 2.2). Largest expected overlap first; of maps that are close in the chain only the best, so that
+/// each pass by the place is represented.
 ///   poses:       T_map_local of all local maps
 ///   covariances: for each older map, of T_older_newest as (x, y, θ) in the newest frame
 ///   extents:     of all local maps

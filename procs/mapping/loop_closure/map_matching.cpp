@@ -13,14 +13,14 @@
 namespace adit {
 namespace {
 
-constexpr double kDistinctM = 0.3;  // alternatives closer than this are one
+constexpr double kDistinctM = 0.3;  // closer alternatives are the same
 constexpr double kDistinctRad = 0.1;
-constexpr int kFewPoints = 120;  // to see whether a peak is worth refining
+constexpr int kFewPoints = 120;  // to test a peak before its refinement
 constexpr int kFewIterations = 12;
-constexpr double kCoarseSearchM = 4.0;  // a wider gate is searched in coarser steps
+constexpr double kCoarseSearchM = 4.0;  // wider gates are searched at half the resolution
 constexpr double kCoarseSearchRad = 1.0;
 
-/// Root mean square distance of the points: how far a turn of one radian moves them.
+/// Root mean square distance of the points: the mean displacement per radian of turn.
 double lever_arm_m(const std::vector<SurfacePoint>& points) {
   double squares = 0.0;
   for (const auto& point : points) squares += point.p.squaredNorm();
@@ -36,19 +36,19 @@ std::vector<SurfacePoint> evenly_sampled(const std::vector<SurfacePoint>& points
   return chosen;
 }
 
-/// The covariance C = (information)⁻¹ enlarged by a floor, as an information that stays zero where
-/// it was zero: (C + F)⁻¹ = I (1 + F I)⁻¹.
+/// The covariance C = I⁻¹ enlarged by a floor F, as an information that stays zero where I is zero:
+/// (C + F)⁻¹ = I (1 + F I)⁻¹.
 Eigen::Matrix3d with_floor(const Eigen::Matrix3d& information, const Eigen::Matrix3d& floor) {
   const Eigen::Matrix3d sum = Eigen::Matrix3d::Identity() + floor * information;
   const Eigen::Matrix3d result = information * sum.inverse();
   return 0.5 * (result + result.transpose());
 }
 
-/// One match of two maps.
-class Match {
+/// The matching of two maps.
+class MapMatcher {
  public:
-  Match(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
-        const RelativePose& predicted, const MapMatchingParams& params)
+  MapMatcher(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
+             const RelativePose& predicted, const MapMatchingParams& params)
       : params_(params),
         predicted_(predicted),
         newer_points_(evenly_sampled(newer.points, params.points_max)),
@@ -83,7 +83,8 @@ class Match {
     return distinct(found);
   }
 
-  /// The least that both hold against each other with the newer map at T or a little beside it.
+  /// The contradiction with the newer map at T, or after alignment close to T, whichever is
+  /// smaller.
   [[nodiscard]] double contradiction_near(const Pose2& T) const {
     if (newer_points_.empty() || older_.empty()) return 0.0;
     const Pose2 aligned = align(newer_points_, T, params_.refinement).T_odom_body;
@@ -100,14 +101,14 @@ class Match {
            excess(back) * older_step_m_ / params_.independent_m;
   }
 
-  /// Twice the log-likelihood ratio of as many contradictions as there are against as many as maps
-  /// of one place have, if each point counted.
+  /// Twice the log-likelihood ratio of the number of contradictions against that of maps of one
+  /// place, if all points were independent.
   [[nodiscard]] double excess(const WallAgreement& found) const {
     const double usual = params_.agreement.contradiction;
-    const double share = found.contradicting / std::max(1.0, static_cast<double>(found.known()));
+    const double share = found.contradicting / std::max(1.0, static_cast<double>(found.observed()));
     if (share <= usual) return 0.0;
     const double rest = share < 1.0 ? (1.0 - share) * std::log((1.0 - share) / (1.0 - usual)) : 0.0;
-    return 2.0 * found.known() * (share * std::log(share / usual) + rest);
+    return 2.0 * found.observed() * (share * std::log(share / usual) + rest);
   }
 
   [[nodiscard]] std::vector<CorrelationPeak> peaks() const {
@@ -127,14 +128,14 @@ class Match {
       search_params.peak_separation_cells /= 2;
     }
     window.information = predicted_.covariance.inverse();
-    // The cells around the edge of a narrow gate belong to it.
+    // Includes the cells at the edge of a narrow gate.
     window.sigmas = params_.gate_sigmas + search_params.cell_m / std::max(sd_m, 1e-3);
     return search_correlation(newer_points_, older_, predicted_.T_older_newer, window,
                               params_.peaks, search_params);
   }
 
-  /// What is left of the peaks when a few points have been laid on the reference: most peaks go
-  /// through walls, or come down to the same place.
+  /// The distinct poses after the peaks are aligned with few points: most peaks go through walls,
+  /// or converge to the same pose.
   [[nodiscard]] std::vector<Pose2> starts() const {
     PointToLineParams coarse = params_.refinement;
     coarse.iterations_max = std::min(coarse.iterations_max, kFewIterations);
@@ -150,14 +151,14 @@ class Match {
     return distinct_poses;
   }
 
-  /// Do enough of a few points lie on walls, and not in free space?
+  /// Whether enough of the few points lie on walls, and not in free space.
   [[nodiscard]] bool plausible(const Pose2& T, double strictness) const {
     const auto found = agreement(few_points_, T, older_, older_views_, params_.agreement);
-    return found.known() >= strictness * params_.observed_share_min * found.points &&
-           found.near >= strictness * params_.on_wall_share_min * found.known();
+    return found.observed() >= strictness * params_.observed_share_min * found.points &&
+           found.near >= strictness * params_.on_wall_share_min * found.observed();
   }
 
-  /// Without a prior: the graph holds the prediction already, and must not count it twice.
+  /// Without a prior: the graph already contains the prediction, which must not count twice.
   [[nodiscard]] PointToLineResult align(const std::vector<SurfacePoint>& points, const Pose2& start,
                                         const PointToLineParams& params) const {
     return match_point_to_line(points, older_, start, {start, Eigen::Matrix3d::Zero()}, params);
@@ -169,45 +170,47 @@ class Match {
     const PointToLineResult match = align(newer_points_, start, fine);
     if (match.overlap < params_.observed_share_min) return std::nullopt;
     const double correlated = params_.correlated_points;
-    const auto known = split_degenerate(match.information / correlated, match.spurious / correlated,
-                                        lever_arm_m_, params_.degeneracy);
+    const ConstrainedInformation constrained =
+        split_degenerate(match.information / correlated, match.spurious / correlated, lever_arm_m_,
+                         params_.degeneracy);
     const Eigen::Vector3d floor(params_.floor_m, params_.floor_m, params_.floor_rad);
     const Eigen::Matrix3d floor_covariance = floor.cwiseAbs2().asDiagonal();
     LoopClosureAlternative alternative;
-    alternative.T_older_newer = slide(match.T_odom_body, known.degenerate);
-    if (!in_gate(alternative.T_older_newer, known.covariance + floor_covariance)) {
+    alternative.T_older_newer = slide(match.T_odom_body, constrained.degenerate);
+    if (!in_gate(alternative.T_older_newer, constrained.covariance + floor_covariance)) {
       return std::nullopt;
     }
-    alternative.information = with_floor(known.information, floor_covariance);
+    alternative.information = with_floor(constrained.information, floor_covariance);
     return rate(alternative) ? std::optional(alternative) : std::nullopt;
   }
 
-  /// Is the pose, known with this covariance, one of those that are predicted?
+  /// Whether the pose, with this covariance, is in the gate of the prediction.
   [[nodiscard]] bool in_gate(const Pose2& T, const Eigen::Matrix3d& covariance) const {
     const Eigen::Vector3d off = between(predicted_.T_older_newer, T).vector();
     const Eigen::Matrix3d both = predicted_.covariance + covariance;
     return off.dot(both.inverse() * off) <= params_.gate_sigmas * params_.gate_sigmas;
   }
 
-  /// Along what the match leaves open, to where the map was predicted.
-  [[nodiscard]] Pose2 slide(const Pose2& T, const std::vector<UnconstrainedDirection>& open) const {
+  /// Moves the pose to the prediction along the degenerate directions.
+  [[nodiscard]] Pose2 slide(const Pose2& T,
+                            const std::vector<UnconstrainedDirection>& directions) const {
     const Eigen::Vector3d scale(1.0, 1.0, lever_arm_m_);
     const Eigen::Vector3d off = between(T, predicted_.T_older_newer).vector().cwiseProduct(scale);
     Eigen::Vector3d back = Eigen::Vector3d::Zero();
-    for (const auto& [v, information] : open) back += v * v.dot(off);
+    for (const auto& [v, information] : directions) back += v * v.dot(off);
     return T * Pose2::from_vector(back.cwiseQuotient(scale));
   }
 
-  /// Sets the likelihood. False where the maps do not overlap or contradict each other.
+  /// Sets the likelihood. False if the maps do not overlap or contradict each other.
   bool rate(LoopClosureAlternative& alternative) const {
     const Pose2& T = alternative.T_older_newer;
     const auto there = agreement(newer_points_, T, older_, older_views_, params_.agreement);
     const auto back =
         agreement(older_points_, T.inverse(), newer_, newer_views_, params_.agreement);
-    if (there.known() < params_.observed_share_min * there.points) return false;
-    const int known = there.known() + back.known();
-    if (there.near + back.near < params_.on_wall_share_min * known) return false;
-    // Points of one wall are not independent, and the two directions say much the same.
+    if (there.observed() < params_.observed_share_min * there.points) return false;
+    const int observed = there.observed() + back.observed();
+    if (there.near + back.near < params_.on_wall_share_min * observed) return false;
+    // Points of one wall are not independent, and the two directions are nearly redundant.
     alternative.log_likelihood =
         0.5 / params_.independent_m *
         (newer_step_m_ * there.log_likelihood + older_step_m_ * back.log_likelihood);
@@ -240,7 +243,7 @@ class Match {
   std::vector<SurfacePoint> older_points_;
   SurfelMap older_;
   std::vector<LocalWalls::View> older_views_;
-  double newer_step_m_ = 0.0;  ///< length of wall that each of the points stands for
+  double newer_step_m_ = 0.0;  ///< length of wall per point
   double older_step_m_ = 0.0;
   double lever_arm_m_ = 1.0;
 };
@@ -250,14 +253,14 @@ class Match {
 double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
                      const Pose2& T_older_newer, const MapMatchingParams& params) {
   const RelativePose there{T_older_newer, Eigen::Matrix3d::Identity()};
-  return Match(newer, older, there, params).contradiction_near(T_older_newer);
+  return MapMatcher(newer, older, there, params).contradiction_near(T_older_newer);
 }
 
 std::vector<LoopClosureAlternative> match_maps(const LocalWalls& newer,
                                                const std::vector<PlacedWalls>& older, int older_id,
                                                const RelativePose& predicted,
                                                const MapMatchingParams& params) {
-  auto alternatives = Match(newer, older, predicted, params).alternatives();
+  auto alternatives = MapMatcher(newer, older, predicted, params).alternatives();
   for (auto& alternative : alternatives) alternative.older_map = older_id;
   return alternatives;
 }

@@ -26,16 +26,18 @@ struct MapMatchingParams {
   PointToLineParams refinement{.scale_start_m = 0.3, .scale_end_m = 0.06};
   WallAgreementParams agreement;
   DegeneracyParams degeneracy;
-  double gate_sigmas = 4.0;         ///< alternatives farther from the prediction are left out
-  double radius_max_m = 20.0;       ///< half-width of the search at most
-  int peaks = 20;                   ///< of the correlation that are looked into
-  int points_max = 500;             ///< of the newer map that are matched
-  double observed_share_min = 0.3;  ///< of the newer map's points that the older map must know,
-  double on_wall_share_min = 0.7;   ///< and of these on walls, not in free space
-  double independent_m = 1.5;       ///< length of wall that counts as one observation
-  double log_likelihood_min = 5.0;  ///< chance gives less, at the many poses that are tried
-  double correlated_points = 5.0;   ///< neighbouring points that share one error
-  double floor_m = 0.005;           ///< no match of two maps is better: they are not rigid
+  double gate_sigmas = 4.0;    ///< alternatives farther from the prediction are discarded
+  double radius_max_m = 20.0;  ///< maximum half-width of the search
+  int peaks = 20;              ///< number of correlation peaks that are refined
+  int points_max = 500;        ///< maximum number of points of the newer map
+  /// Minimum share of the newer map's points in observed space of the older map.
+  double observed_share_min = 0.3;
+  double on_wall_share_min = 0.7;  ///< minimum share of these on walls instead of in free space
+  double independent_m = 1.5;      ///< length of wall that counts as one independent observation
+  /// Minimum log-likelihood; chance gives less at the many poses tried.
+  double log_likelihood_min = 5.0;
+  double correlated_points = 5.0;  ///< number of neighbouring points that share one error
+  double floor_m = 0.005;          ///< minimum standard deviation of a match: maps are not rigid
   double floor_rad = 0.0015;
 
   template <class V>
@@ -58,32 +60,32 @@ struct MapMatchingParams {
   }
 };
 
-/// A local map beside others, in the frame of one of them.
+/// A local map placed in the frame of another.
 struct PlacedWalls {
   const LocalWalls* walls = nullptr;
   Pose2 T_older_walls;
 };
 
-/// Where a map is expected in the frame of an older one, as a Gaussian.
+/// The predicted pose of a map in the frame of an older one, as a Gaussian.
 struct RelativePose {
   Pose2 T_older_newer;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of (x, y, θ) in the newer frame
 };
 
-/// The ways in which the newer map may lie on an older one, within the gate of the prediction: most
-/// likely first, none where they do not overlap (paper, section 2.2; Gutmann and Konolige,
-/// "Incremental mapping of large cyclic environments", 1999). `older`: the older map and, rigidly
-/// beside it, others that help to recognise the place. Directions in which the maps slide on each
-/// other carry no information; there the alternative lies where it was predicted.
+/// Finds the possible poses of the newer map on an older one within the gate of the prediction,
+/// most likely first; empty if they do not overlap (paper, section 2.2; Gutmann and Konolige,
+/// "Incremental mapping of large cyclic environments", 1999). `older`: the older map and, at fixed
+/// poses in its frame, others that help to recognise the place. Directions in which the maps slide
+/// along each other carry no information; there the alternative lies at the prediction.
 std::vector<LoopClosureAlternative> match_maps(const LocalWalls& newer,
                                                const std::vector<PlacedWalls>& older, int older_id,
                                                const RelativePose& predicted,
                                                const MapMatchingParams& params);
 
-/// What speaks against the newer map lying there, or a little beside it, though it may lie on
-/// nothing older at all: −2 log-likelihood ratio of the walls of each that lie in the free space of
-/// the other, against as many as maps of one place have. Chi-square with one or two degrees of
-/// freedom where it lies there.
+/// The evidence against a pose of the newer map, or one close by, even without overlap: −2
+/// log-likelihood ratio of the number of walls of each map in the free space of the other, against
+/// the number for maps of one place. Chi-square with one or two degrees of freedom if the pose is
+/// correct.
 double contradiction(const LocalWalls& newer, const std::vector<PlacedWalls>& older,
                      const Pose2& T_older_newer, const MapMatchingParams& params);
 

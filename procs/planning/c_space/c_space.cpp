@@ -11,31 +11,29 @@
 namespace adit {
 namespace {
 
-// Roughness and the number of unseen cells share one sum: the kernel of the wheels is run over
+// The roughness and the number of unknown cells share one sum, so that the wheel kernel is applied
 // once.
 constexpr int kUnknownShift = 20;
 constexpr std::uint32_t kRoughnessMask = (1U << kUnknownShift) - 1U;
-constexpr int kKernelCellsMax =
-    4095;  // of a kernel: 255 each fill 20 bits, and they can be counted in 12
+// Maximum cells of a kernel: their count fits into 12 bits, the sum of 255 for each into 20.
+constexpr int kKernelCellsMax = 4095;
 
-constexpr double kRoughnessMax = 255.0;  // roughness at the limit
+constexpr double kRoughnessMax = 255.0;  // stored value of roughness 1
 
-using Layer = std::vector<std::uint8_t>;
-
-/// The layers, summed along rows.
+/// Prefix sums of the layers along rows.
 struct LayerSums {
   LayerSums(const GroundLayers& layers, int border, std::uint32_t unknown_roughness)
-      : lethal_body(layers.columns, layers.rows, border, 0, Of{layers, layers.under_body}),
-        body(layers.columns, layers.rows, border, 0,
+      : lethal_body(layers.columns(), layers.rows(), border, 0, Of{layers, layers.under_body}),
+        body(layers.columns(), layers.rows(), border, 0,
              [&](int column, int row) {
                const std::size_t i = layers.index(column, row);
                return std::uint8_t{
                    static_cast<std::uint8_t>(layers.under_body[i] | layers.unknown[i])};
              }),
-        lethal_wheels(layers.columns, layers.rows, border, 0, Of{layers, layers.under_wheels}),
-        roughness(layers.columns, layers.rows, border, unknown_roughness,
+        lethal_wheels(layers.columns(), layers.rows(), border, 0, Of{layers, layers.under_wheels}),
+        roughness(layers.columns(), layers.rows(), border, unknown_roughness,
                   Of{layers, layers.roughness}),
-        ground(layers.columns, layers.rows, border, (1U << kUnknownShift) + unknown_roughness,
+        ground(layers.columns(), layers.rows(), border, (1U << kUnknownShift) + unknown_roughness,
                [&](int column, int row) {
                  const std::size_t i = layers.index(column, row);
                  return (std::uint32_t{layers.unknown[i]} << kUnknownShift) + layers.roughness[i];
@@ -43,18 +41,18 @@ struct LayerSums {
 
   struct Of {
     const GroundLayers& layers;
-    const Layer& layer;
+    const CellLayer& layer;
     std::uint8_t operator()(int column, int row) const { return layer[layers.index(column, row)]; }
   };
 
   RowSums<std::uint16_t> lethal_body;
-  RowSums<std::uint16_t> body;  ///< what is not seen, too
+  RowSums<std::uint16_t> body;  ///< lethal or unknown
   RowSums<std::uint16_t> lethal_wheels;
   RowSums<std::uint32_t> roughness;
   RowSums<std::uint32_t> ground;
 };
 
-/// What the kernels gather over one row of cells.
+/// The sums over all kernels for one row of cells.
 struct RowTotals {
   explicit RowTotals(int columns)
       : lethal(static_cast<std::size_t>(columns)),
@@ -81,7 +79,7 @@ struct RowTotals {
   std::vector<std::uint32_t> ground;
 };
 
-int greatest_reach(const std::vector<CSpaceKernels::Oriented>& kernels) {
+int reach_max(const std::vector<CSpaceKernels::Oriented>& kernels) {
   int reach = 0;
   for (const auto& k : kernels) {
     reach = std::max({reach, k.wheels.reach, k.body.reach, k.conservative_wheels.reach,
@@ -90,8 +88,9 @@ int greatest_reach(const std::vector<CSpaceKernels::Oriented>& kernels) {
   return reach;
 }
 
-/// Weight w between the wheels and 1 under them is w everywhere and 1 − w more under the wheels.
-void weigh(CSpaceKernels::Oriented& kernel, const CSpaceParams& params) {
+/// Sets the cost factors of a kernel. A weight of w between the wheels and 1 under them is a weight
+/// of w under the body plus 1 − w under the wheels.
+void set_cost_factors(CSpaceKernels::Oriented& kernel, const CSpaceParams& params) {
   if (kernel.conservative_body.cells > kKernelCellsMax) {
     throw std::invalid_argument("the cells of the terrain are too small for this vehicle");
   }
@@ -106,7 +105,7 @@ void weigh(CSpaceKernels::Oriented& kernel, const CSpaceParams& params) {
   kernel.unknown_max = static_cast<std::uint32_t>(params.unknown_share_max * kernel.wheels.cells);
 }
 
-/// Those of which something is left when a margin is taken away all round.
+/// The rectangles shrunk by a margin, without those that vanish.
 std::vector<BodyRectangle> shrunk(const std::vector<BodyRectangle>& rectangles, double margin_m) {
   std::vector<BodyRectangle> smaller;
   for (const auto& rectangle : rectangles) {
@@ -123,9 +122,8 @@ std::uint16_t marginal(std::uint16_t cost) {
 
 CSpace::CSpace(int headings, int columns, int rows)
     : headings_(headings),
-      columns_(columns),
-      rows_(rows),
-      costs_(static_cast<std::size_t>(headings / 2) * cells(), kLethal) {}
+      slices_(static_cast<std::size_t>(headings / 2),
+              Grid2<std::uint16_t>(columns, rows, kLethal)) {}
 
 CSpaceKernels::CSpaceKernels(const Vehicle& vehicle, const CSpaceParams& params, double cell_m)
     : headings_(params.headings),
@@ -144,23 +142,23 @@ CSpaceKernels::CSpaceKernels(const Vehicle& vehicle, const CSpaceParams& params,
     kernel.lethal_body = covering_kernel(shrunk(body, cell_m), headings_, k, cell_m);
     kernel.start_wheels = covering_kernel(shrunk(wheels, cell_m / 2.0), headings_, k, cell_m);
     kernel.start_body = covering_kernel(shrunk(body, cell_m / 2.0), headings_, k, cell_m);
-    const std::vector<Pose2> standing{{0.0, 0.0, headings_.angle(k)}};
-    kernel.exact_wheels = swept_kernel(wheels, standing, cell_m);
-    kernel.exact_body = swept_kernel(body, standing, cell_m);
-    weigh(kernel, params);
+    const std::vector<Pose2> pose{{0.0, 0.0, headings_.angle(k)}};
+    kernel.exact_wheels = swept_kernel(wheels, pose, cell_m);
+    kernel.exact_body = swept_kernel(body, pose, cell_m);
+    set_cost_factors(kernel, params);
     oriented_.push_back(std::move(kernel));
   }
 }
 
 CSpace CSpaceKernels::convolve(const GroundLayers& layers) const {
-  const LayerSums sums(layers, greatest_reach(oriented_), outside_roughness_);
-  CSpace space(headings_.count(), layers.columns, layers.rows);
-  RowTotals totals(layers.columns);
+  const LayerSums sums(layers, reach_max(oriented_), outside_roughness_);
+  CSpace space(headings_.count(), layers.columns(), layers.rows());
+  RowTotals totals(layers.columns());
   for (int k = 0; k < headings_.count() / 2; ++k) {
     const Oriented& kernel = oriented(k);
-    for (int row = 0; row < layers.rows; ++row) {
+    for (int row = 0; row < layers.rows(); ++row) {
       totals.gather(sums, kernel, row);
-      std::uint16_t* costs = space.slice(k) + space.index(0, row);
+      std::uint16_t* costs = space.slice(k).cells().data() + space.index(0, row);
       for (std::size_t i = 0; i < totals.lethal.size(); ++i) {
         if (totals.lethal[i] != 0) continue;
         const std::uint16_t cost =

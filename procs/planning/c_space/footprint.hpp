@@ -11,10 +11,10 @@
 
 namespace adit {
 
-/// A rectangle in the body frame, its sides along the axes [m].
+/// An axis-aligned rectangle in the body frame [m].
 struct BodyRectangle {
   Eigen::Vector2d middle;
-  Eigen::Vector2d half;  ///< of its length and width
+  Eigen::Vector2d half;  ///< half the length and half the width
 
   [[nodiscard]] bool contains(const Eigen::Vector2d& p_body) const {
     return ((p_body - middle).cwiseAbs().array() <= half.array()).all();
@@ -24,18 +24,18 @@ struct BodyRectangle {
   }
 };
 
-/// What is above the ground: the whole vehicle.
+/// The outline of the vehicle.
 BodyRectangle body_outline(const Vehicle& vehicle);
 
-/// What the wheels of a side stand on or come over: a bar from the rear end of the rear wheel to
-/// the front end of the front wheel (the black bars of the paper's figure 5c), left and right.
+/// The ground that the wheels of each side touch: a bar from the rear end of the rear wheel to the
+/// front end of the front wheel, left and right (the black bars of figure 5c of the paper).
 std::vector<BodyRectangle> wheel_tracks(const Vehicle& vehicle);
 
-/// Whether any of these contains the point.
+/// Whether any of the rectangles contains the point.
 bool any_contains(const std::vector<BodyRectangle>& rectangles, const Eigen::Vector2d& p_body);
 
-/// Whether a rectangle on a body that is turned by `angle_rad` meets the open square round `p` with
-/// sides of 2 · `half_m` along the axes: the theorem of separating axes.
+/// Whether a rectangle of a body at the origin with heading `angle_rad` intersects the open square
+/// of side 2 · `half_m` around `p`, by the separating axis theorem.
 bool meets_square(const BodyRectangle& rectangle, double angle_rad, const Eigen::Vector2d& p,
                   double half_m);
 

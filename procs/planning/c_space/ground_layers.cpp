@@ -14,11 +14,11 @@ namespace {
 
 using Reason = BlockingCell::Reason;
 
-constexpr double kRoughnessMax = 255.0;  // roughness of ground at the limit
+constexpr double kRoughnessMax = 255.0;  // stored value of roughness 1
 
 bool blocks_body(Reason reason) { return reason == Reason::kBelly || reason == Reason::kRoof; }
 
-/// Of ground that is not refused, 0 to 1.
+/// Roughness of traversable ground, 0 to 1, by its step or its slope.
 double roughness_share(const TerrainCell& cell, const Vehicle& vehicle,
                        const GroundLimits& limits) {
   const double share = std::max(cell.coefficient_m / (vehicle.step_max_m - limits.step_margin_m),
@@ -36,17 +36,17 @@ void classify(GroundLayers& layers, std::size_t i, std::optional<Reason> reason)
   }
 }
 
-using Is = bool (*)(Ground);
+using GroundPredicate = bool (*)(Ground);
 
 bool is_drop(Ground ground) { return ground == Ground::kBelowRay || ground == Ground::kNoReturn; }
 bool is_shadow(Ground ground) { return ground == Ground::kOccluded; }
 
-/// Whether what a cell is reaches over three cells: no wheel bridges such a drop for certain, and
-/// no post hides in less of a shadow.
-bool is_wide(const TerrainMap& terrain, int column, int row, Is is) {
+/// Whether a region is about three cells wide at a cell: three of the four neighbours belong to it.
+/// A wheel may not bridge such a drop, and a post may stand in such a shadow.
+bool is_wide(const TerrainMap& terrain, int column, int row, GroundPredicate is_member) {
   int around = 0;
   const auto count = [&](int c, int r) {
-    if (terrain.contains(c, r) && is(terrain.at(c, r).ground)) ++around;
+    if (terrain.contains(c, r) && is_member(terrain.at(c, r).ground)) ++around;
   };
   for (const int step : {-1, 1}) {
     count(column + step, row);
@@ -55,31 +55,30 @@ bool is_wide(const TerrainMap& terrain, int column, int row, Is is) {
   return around >= 3;
 }
 
-/// Nobody saw where the edge of a drop, of water or of a shadow is: a region reaches a cell beyond
-/// the last points of the ground before it, and these lie anywhere in a cell. Marks the cells round
-/// those that are, round the wide ones `wide` cells far.
-void dilate(std::vector<std::uint8_t>& layer, const TerrainMap& terrain, Is is, int narrow,
+/// Marks the cells around the members of a region: `wide` cells around wide parts of it, `narrow`
+/// cells around the others. The edge of a drop, of water or of a shadow is not measured: the region
+/// begins up to a cell beyond the last points of the ground, which lie anywhere in their cell.
+void dilate(CellLayer& layer, const TerrainMap& terrain, GroundPredicate is_member, int narrow,
             int wide) {
   const auto mark_around = [&](int column, int row, int reach) {
     for (int dy = -reach; dy <= reach; ++dy) {
       for (int dx = -reach; dx <= reach; ++dx) {
         if (!terrain.contains(column + dx, row + dy)) continue;
         if (dx * dx + dy * dy > reach * reach) continue;
-        layer[static_cast<std::size_t>(row + dy) * static_cast<std::size_t>(terrain.columns) +
-              static_cast<std::size_t>(column + dx)] = 1;
+        layer.at({column + dx, row + dy}) = 1;
       }
     }
   };
   for (int row = 0; row < terrain.rows; ++row) {
     for (int column = 0; column < terrain.columns; ++column) {
-      if (!is(terrain.at(column, row).ground)) continue;
-      const int reach = is_wide(terrain, column, row, is) ? wide : narrow;
+      if (!is_member(terrain.at(column, row).ground)) continue;
+      const int reach = is_wide(terrain, column, row, is_member) ? wide : narrow;
       if (reach > 0) mark_around(column, row, reach);
     }
   }
 }
 
-/// The robot does stand where it stands, whatever is beside it.
+/// Clears the cells under the robot: it stands there, so they are traversable.
 void clear_footprint(GroundLayers& layers, const TerrainMap& terrain, const Pose2& T_level_body,
                      const BodyRectangle& footprint) {
   const Pose2 T_body_level = T_level_body.inverse();
@@ -98,7 +97,8 @@ double roughness_of(const TerrainCell& cell, std::optional<Reason> reason, bool 
   return reason ? 1.0 : roughness_share(cell, vehicle, limits);
 }
 
-/// What stands beside a cell, by the kernel of the terrain map (the paper's section 3.1).
+/// Roughness that obstacles around a cell add, by the repulsion kernel of the terrain map
+/// (section 3.1 of the paper).
 double repulsion(const TerrainCell& cell, const Vehicle& vehicle, const GroundLimits& limits) {
   const double step_m = vehicle.step_max_m - limits.step_margin_m;
   return limits.repulsion_roughness *
@@ -121,10 +121,10 @@ std::optional<Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehi
       break;
   }
   if (std::isnan(cell.coefficient_m)) return Reason::kUnknown;
-  // A wall goes on above the vehicle, and is no roof.
+  // The belly comes before the roof: a wall extends above the vehicle and must not count as a roof.
   if (cell.coefficient_m > vehicle.belly_clearance_m - limits.belly_margin_m) return Reason::kBelly;
   if (cell.clearance_m < vehicle.height_m + limits.roof_margin_m) return Reason::kRoof;
-  const double step = std::fmax(cell.coefficient_m, cell.step_m);  // of which one may be unknown
+  const double step = std::fmax(cell.coefficient_m, cell.step_m);  // fmax ignores one NaN
   if (step > vehicle.step_max_m - limits.step_margin_m) return Reason::kStep;
   if (cell.slope_rad > limits.slope_max_rad) return Reason::kSlope;
   return std::nullopt;
@@ -132,28 +132,20 @@ std::optional<Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehi
 
 GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
                            const Vehicle& vehicle, const GroundLimits& limits) {
-  const std::size_t n = terrain.cells.size();
-  GroundLayers layers;
-  layers.columns = terrain.columns;
-  layers.rows = terrain.rows;
-  layers.cell_m = terrain.cell_m;
-  for (auto* layer :
-       {&layers.under_body, &layers.under_wheels, &layers.unknown, &layers.roughness}) {
-    layer->assign(n, 0);
-  }
+  GroundLayers layers(terrain.columns, terrain.rows, terrain.cell_m);
   const Pose2 T_body_level = T_level_body.inverse();
   const BodyRectangle footprint = body_outline(vehicle);
-  const BlindZone blind_ground(terrain, T_level_body, vehicle, limits);
+  const BlindZone blind_zone(terrain, T_level_body, vehicle, limits);
   for (int row = 0; row < terrain.rows; ++row) {
     for (int column = 0; column < terrain.columns; ++column) {
       const std::size_t i = layers.index(column, row);
       const TerrainCell& cell = terrain.at(column, row);
       const auto reason = lethal_reason(cell, vehicle, limits);
       const Eigen::Vector2d p_level = terrain.centre(column, row);
-      const bool below = footprint.contains(T_body_level * p_level);
-      const bool blind = reason == Reason::kUnknown && blind_ground.contains(p_level);
+      const bool under_robot = footprint.contains(T_body_level * p_level);
+      const bool blind = reason == Reason::kUnknown && blind_zone.contains(p_level);
       if (!blind) classify(layers, i, reason);
-      const double rough = roughness_of(cell, reason, below || blind, vehicle, limits) +
+      const double rough = roughness_of(cell, reason, under_robot || blind, vehicle, limits) +
                            repulsion(cell, vehicle, limits);
       layers.roughness[i] =
           static_cast<std::uint8_t>(std::lround(kRoughnessMax * std::min(rough, 1.0)));
@@ -162,8 +154,10 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
   dilate(layers.under_wheels, terrain, is_drop, 1, 3);
   dilate(layers.unknown, terrain, is_shadow, 0, 2);
   clear_footprint(layers, terrain, T_level_body, footprint);
-  layers.body_distance_m = distance_transform(layers.under_body, layers.columns, layers.cell_m);
-  layers.wheel_distance_m = distance_transform(layers.under_wheels, layers.columns, layers.cell_m);
+  layers.body_distance_m =
+      distance_transform(layers.under_body.cells(), layers.columns(), layers.cell_m);
+  layers.wheel_distance_m =
+      distance_transform(layers.under_wheels.cells(), layers.columns(), layers.cell_m);
   return layers;
 }
 

@@ -2,28 +2,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "common/config/bounds.hpp"
+#include "common/grid/grid2.hpp"
 #include "common/types/planned_path.hpp"
 #include "common/types/terrain_map.hpp"
 #include "common/types/vehicle.hpp"
 
 namespace adit {
 
-/// What ground is refused, beyond what the shape of the vehicle says, and what it costs.
+/// Which ground is lethal, in addition to the dimensions of the vehicle, and how rough it counts.
+/// Roughness is 0 for even ground and 1 for ground at the limit.
 struct GroundLimits {
-  double step_margin_m = 0.03;       ///< below Vehicle::step_max_m that a wheel is led over
-  double belly_margin_m = 0.03;      ///< below Vehicle::belly_clearance_m
-  double roof_margin_m = 0.15;       ///< above Vehicle::height_m: a wheel on a rail lifts a corner
-  double slope_max_rad = 0.35;       ///< of ground under the wheels
-  double unknown_roughness = 0.5;    ///< of ground that was not seen, 0 (even) to 1 (at the limit)
-  double blind_beside_m = 0.4;       ///< the robot, unseen: its tail swings by 0.3 m at most
-  double blind_ahead_m = 1.2;        ///< likewise before an end of it
-  double blind_margin_m = 0.8;       ///< to either side of that, beyond its width
-  double repulsion_roughness = 0.4;  ///< of even ground that repels as a step at the limit does
+  double step_margin_m = 0.03;     ///< below Vehicle::step_max_m
+  double belly_margin_m = 0.03;    ///< below Vehicle::belly_clearance_m
+  double roof_margin_m = 0.15;     ///< above Vehicle::height_m; a wheel on a rail lifts a corner
+  double slope_max_rad = 0.35;     ///< maximum slope under the wheels
+  double unknown_roughness = 0.5;  ///< roughness of unobserved ground
+  double blind_beside_m = 0.4;     ///< blind zone beside the body; the tail swings by 0.3 m at most
+  double blind_ahead_m = 1.2;      ///< blind zone ahead of and behind the body
+  double blind_margin_m = 0.8;     ///< width of that zone beyond the body, on each side
+  double repulsion_roughness = 0.4;  ///< of even ground with the repulsion of a step at the limit
 
   template <class V>
   void visit(V& v) {
@@ -39,30 +42,40 @@ struct GroundLimits {
   }
 };
 
-/// What the cells of a terrain map mean to a vehicle, cell by cell in the order of the map.
-struct GroundLayers {
-  int columns = 0;
-  int rows = 0;
-  double cell_m = 0.1;
-  std::vector<std::uint8_t> under_body;    ///< 1: lethal anywhere under the vehicle
-  std::vector<std::uint8_t> under_wheels;  ///< 1: lethal under the wheels
-  std::vector<std::uint8_t> unknown;       ///< 1: not known whether it carries
-  std::vector<std::uint8_t> roughness;     ///< 0 (even) to 255 (at the limit)
-  std::vector<float> body_distance_m;      ///< to the nearest cell of `under_body`
-  std::vector<float> wheel_distance_m;     ///< to the nearest cell of `under_wheels`
+/// One value for each cell of a terrain map, in the order of the map.
+using CellLayer = Grid2<std::uint8_t>;
 
+/// The cells of a terrain map, classified for a vehicle. All layers have the size of the map.
+struct GroundLayers {
+  GroundLayers(int columns, int rows, double cell_size_m)
+      : cell_m(cell_size_m),
+        under_body(columns, rows),
+        under_wheels(columns, rows),
+        unknown(columns, rows),
+        roughness(columns, rows) {}
+
+  double cell_m;
+  CellLayer under_body;                 ///< 1: lethal under any part of the vehicle
+  CellLayer under_wheels;               ///< 1: lethal under the wheels
+  CellLayer unknown;                    ///< 1: unobserved ground
+  CellLayer roughness;                  ///< 0 (even) to 255 (at the limit)
+  std::vector<float> body_distance_m;   ///< to the nearest cell of `under_body` [m]
+  std::vector<float> wheel_distance_m;  ///< to the nearest cell of `under_wheels` [m]
+
+  [[nodiscard]] int columns() const { return under_body.columns(); }
+  [[nodiscard]] int rows() const { return under_body.rows(); }
   [[nodiscard]] std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-           static_cast<std::size_t>(column);
+    return under_body.index({column, row});
   }
 };
 
-/// Where the robot stands, in level, nothing is lethal, for it does stand there; and unseen ground
-/// around it, where its own lasers cannot look, is taken to be like the ground under it.
+/// Classifies a terrain map (sections 3.1 and 3.2 of the paper). The cells under the footprint of
+/// the robot, whose pose is in level, are never lethal, since the robot stands there; unobserved
+/// ground in the blind zone of its lasers is assumed to be like the ground under it.
 GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
                            const Vehicle& vehicle, const GroundLimits& limits);
 
-/// Why a cell is lethal, or would be if all of a wheel stood on it; nothing if it is not.
+/// Why a cell is lethal to the vehicle or to a wheel on it; nothing where it is traversable.
 std::optional<BlockingCell::Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehicle,
                                                   const GroundLimits& limits);
 

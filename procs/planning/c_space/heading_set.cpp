@@ -11,13 +11,14 @@
 namespace adit {
 namespace {
 
-constexpr double kOffShare = 0.125;  // of a gap by which a heading may be off equal spacing
+// Maximum deviation of a heading from equal spacing, as a share of the spacing.
+constexpr double kDeviationMaxShare = 0.125;
 
-/// The shortest vector of whole cells near an angle from 0 to π/4.
+/// The shortest vector of whole cells near an angle in [0, π/4].
 Eigen::Vector2i short_vector(double angle, double gap) {
   for (int x = 1;; ++x) {
     Eigen::Vector2i v(x, static_cast<int>(std::lround(x * std::tan(angle))));
-    if (std::abs(std::atan2(v.y(), v.x()) - angle) <= kOffShare * gap) return v;
+    if (std::abs(std::atan2(v.y(), v.x()) - angle) <= kDeviationMaxShare * gap) return v;
   }
 }
 

@@ -9,8 +9,8 @@
 namespace adit {
 namespace {
 
-constexpr double kMarginM =
-    0.01;  // by which the rectangles grow, to test some of the headings only
+// Growth of the rectangles, which allows a finite number of angles and poses to be tested.
+constexpr double kMarginM = 0.01;
 
 double radius(const std::vector<BodyRectangle>& rectangles) {
   double longest = 0.0;
@@ -24,7 +24,7 @@ int reach_of(const std::vector<BodyRectangle>& rectangles, double cell_m) {
   return static_cast<int>(std::ceil((radius(rectangles) + kMarginM) / cell_m)) + 2;
 }
 
-/// Angles so dense that each corner is within the slack of where it is at the nearest of them.
+/// Angles so dense that no corner moves more than twice kMarginM from one to the next.
 std::vector<double> angles_between(double first, double last, double radius_m) {
   const int steps = static_cast<int>(std::ceil((last - first) * radius_m / (2.0 * kMarginM)));
   std::vector<double> angles;
@@ -71,7 +71,7 @@ RunKernel swept_kernel(const std::vector<BodyRectangle>& rectangles,
 RunKernel covering_kernel(const std::vector<BodyRectangle>& rectangles, const HeadingSet& headings,
                           int heading, double cell_m) {
   const Pose2 T_body_grid = Pose2{0.0, 0.0, headings.angle(heading)}.inverse();
-  std::vector<BodyRectangle> rounded;  // a middle right on an edge counts, however that is rounded
+  std::vector<BodyRectangle> rounded;  // includes centres on an edge, whatever the rounding
   for (const auto& rectangle : rectangles) rounded.push_back(rectangle.grown(1e-6));
   return kernel_of(reach_of(rectangles, cell_m), [&](int column, int row) {
     return any_contains(rounded, T_body_grid * (cell_m * Eigen::Vector2d(column, row)));
@@ -84,8 +84,8 @@ RunKernel conservative_kernel(const std::vector<BodyRectangle>& rectangles,
   const double first = middle - headings.half_gap(headings.wrapped(heading - 1));
   const auto angles =
       angles_between(first, middle + headings.half_gap(heading), radius(rectangles));
-  // The body is up to half a cell from the middle of its cell, and so is the point from that of
-  // its.
+  // The body is up to half a cell from the centre of its cell, and so is a point of the other cell:
+  // the square has a half side of a full cell.
   return kernel_of(reach_of(rectangles, cell_m), [&](int column, int row) {
     const Eigen::Vector2d p = cell_m * Eigen::Vector2d(column, row);
     for (const auto& rectangle : rectangles) {

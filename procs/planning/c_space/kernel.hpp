@@ -11,45 +11,47 @@
 
 namespace adit {
 
-/// A set of cells around a cell, as runs along rows: what a vehicle covers of a grid.
+/// A binary convolution kernel, stored as runs of cells along rows: the cells of a grid that a
+/// vehicle covers. Rows and columns are relative to the centre cell.
 struct RunKernel {
   struct Run {
-    int row;    ///< from the cell in the middle
-    int first;  ///< column, from the cell in the middle
-    int last;   ///< inclusive
+    int row;
+    int first;  ///< first column
+    int last;   ///< last column, inclusive
   };
 
   std::vector<Run> runs;
   int cells = 0;
-  int reach = 0;  ///< greatest distance of a row or a column from the middle
+  int reach = 0;  ///< maximum absolute row or column
 };
 
-/// The cells within `reach` for which `holds(column, row)`.
+/// The kernel of the cells within `reach` for which `holds(column, row)` is true.
 RunKernel kernel_of(int reach, const std::function<bool(int, int)>& holds);
 
-/// The cells of which any point may lie under one of the rectangles at one of the poses of the
-/// body, from the middle of a cell, or within 1 cm of one.
+/// The cells that any of the rectangles touches at any of the poses, grown by 1 cm. Poses are
+/// relative to the centre of the centre cell.
 RunKernel swept_kernel(const std::vector<BodyRectangle>& rectangles,
                        const std::vector<Pose2>& poses, double cell_m);
 
-/// The cells with their middle under one of the rectangles, the body standing on the middle of its
-/// cell with a heading of the set.
+/// The cells whose centre is inside one of the rectangles, with the body at the centre of its cell
+/// and exactly at a heading of the set.
 RunKernel covering_kernel(const std::vector<BodyRectangle>& rectangles, const HeadingSet& headings,
                           int heading, double cell_m);
 
-/// The cells of which any point may lie under one of the rectangles when the body stands anywhere
-/// in its cell, with any heading nearer to this one of the set than to its neighbours. It misses
-/// none, and has others only within 1 cm.
+/// The cells that one of the rectangles may touch with the body anywhere in its cell and at any
+/// angle that is nearest to this heading of the set. The kernel is complete, and exceeds the exact
+/// set by at most 1 cm.
 RunKernel conservative_kernel(const std::vector<BodyRectangle>& rectangles,
                               const HeadingSet& headings, int heading, double cell_m);
 
-/// Sums along the rows of a layer of a grid from the left, so that the sum of a run of cells is one
-/// difference, exact in whole numbers. They may run over: a difference is right modulo the range of
-/// `Sum`, and what a kernel adds up to fits into it. Around the layer lies a border of one value.
+/// Prefix sums along the rows of a grid layer: the sum over a run of cells is one difference.
+/// Arithmetic is exact and modulo the range of `Sum`: prefix sums may overflow, as long as the sum
+/// over a kernel fits. The layer is surrounded by a border of one constant value.
 template <class Sum>
 class RowSums {
  public:
-  /// `value(column, row)` is asked within the layer only.
+  /// `value(column, row)` is called for cells of the layer only; the border has the value
+  /// `outside` and is `border` cells wide.
   template <class Value>
   RowSums(int columns, int rows, int border, Sum outside, const Value& value)
       : border_(border), stride_(static_cast<std::size_t>(columns + 2 * border) + 1) {
@@ -65,8 +67,7 @@ class RowSums {
     }
   }
 
-  /// Adds to `totals` the sums of the kernel around each of the cells of a row, as many as there
-  /// are totals.
+  /// Adds to `totals[i]` the sum over the kernel centred at column i of a row.
   void add_row(const RunKernel& kernel, int row, std::vector<Sum>& totals) const {
     for (const RunKernel::Run& run : kernel.runs) {
       const Sum* before = at(run.row + row, run.first);
@@ -78,7 +79,7 @@ class RowSums {
     }
   }
 
-  /// The sum of a kernel around one cell.
+  /// The sum over the kernel centred at one cell.
   [[nodiscard]] Sum around(const RunKernel& kernel, int column, int row) const {
     Sum total = 0;
     for (const RunKernel::Run& run : kernel.runs) {
@@ -89,7 +90,7 @@ class RowSums {
   }
 
  private:
-  /// Sum of the cells of a row left of a column.
+  /// Sum over the cells of a row to the left of a column.
   [[nodiscard]] const Sum* at(int row, int column) const {
     return sums_.data() + static_cast<std::size_t>(row + border_) * stride_ +
            static_cast<std::size_t>(column + border_);

@@ -12,16 +12,17 @@
 namespace adit {
 namespace {
 
-constexpr double kStripM = 0.5;             // of the ground that is looked at beyond
-constexpr double kObservedShareMin = 0.25;  // of it that has to be seen
-constexpr double kFarStripM = 1.0;          // behind it, which says how the ground slopes
+constexpr double kStripM = 0.5;             // length of the strip of ground beyond the blind zone
+constexpr double kObservedShareMin = 0.25;  // of the cells of a strip
+constexpr double kFarStripM = 1.0;          // length of the strip after it, for the slope
 
-/// Height of the ground between two distances ahead of the origin of the body, half the vehicle to
-/// either side of its width and beyond; nothing where too little of it is seen.
+/// Mean height of the observed ground between two distances ahead of the origin of the body
+/// (behind it where they are negative), within `half_width_m` of its x axis; nothing where less
+/// than kObservedShareMin of the cells is observed.
 std::optional<double> height_between(const TerrainMap& terrain, const Pose2& T_body_level,
                                      double near_m, double far_m, double half_width_m) {
   double sum = 0.0;
-  int seen = 0;
+  int observed = 0;
   int cells = 0;
   for (int row = 0; row < terrain.rows; ++row) {
     for (int column = 0; column < terrain.columns; ++column) {
@@ -32,17 +33,17 @@ std::optional<double> height_between(const TerrainMap& terrain, const Pose2& T_b
       ++cells;
       const TerrainCell& cell = terrain.at(column, row);
       if (cell.ground != Ground::kObserved || !std::isfinite(cell.low_m)) continue;
-      ++seen;
+      ++observed;
       sum += cell.low_m;
     }
   }
-  if (cells == 0 || seen < kObservedShareMin * cells) return std::nullopt;
-  return sum / seen;
+  if (cells == 0 || observed < kObservedShareMin * cells) return std::nullopt;
+  return sum / observed;
 }
 
-/// Whether the ground beyond what is blind before an end (`side` 1 ahead, −1 behind) is a
-/// continuation of that under the robot, which may stand on a slope: as high as it, or so when its
-/// own slope is followed back to the end of the robot, or to its middle.
+/// Whether the ground beyond the blind zone ahead (`side` 1) or behind (−1) continues the ground
+/// under the robot, which may stand on a slope: its height differs by less than a step, or does so
+/// when extrapolated by its own slope to the end of the robot or to its middle.
 bool continues_level(const TerrainMap& terrain, const Pose2& T_body_level, const Vehicle& vehicle,
                      const GroundLimits& limits, double side) {
   const double end_m = vehicle.length_m / 2.0;
@@ -81,14 +82,14 @@ bool BlindZone::contains(const Eigen::Vector2d& p_level) const {
 
 namespace {
 
-/// Cells that hang together, over which beams passed.
+/// A connected region of cells that beams passed over.
 struct Depression {
   std::vector<std::size_t> cells;
   float lowest_beam_m = std::numeric_limits<float>::infinity();
-  std::vector<float> rim_m;  ///< heights of the ground that was seen beside it
+  std::vector<float> rim_m;  ///< heights of the observed ground beside it
 
-  /// Of the rim the upper quartile: what is seen of the walls of a pit is beside it, too, but
-  /// lower.
+  /// Compares with the upper quartile of the rim: observed parts of the walls of a pit belong to
+  /// the rim, too, but are lower.
   [[nodiscard]] bool is_drop(double step_max_m) {
     if (rim_m.empty()) return true;
     const auto upper = rim_m.begin() + static_cast<std::ptrdiff_t>(rim_m.size() * 3 / 4);
@@ -102,7 +103,7 @@ class DepressionFinder {
   explicit DepressionFinder(const TerrainMap& terrain)
       : terrain_(terrain), visited_(terrain.cells.size(), false) {}
 
-  /// The one that a cell belongs to; empty where it was one's already, or is none.
+  /// The depression of a cell; empty where the cell belongs to none or was visited before.
   Depression of(int column, int row) {
     Depression depression;
     visit(column, row, depression);
@@ -138,17 +139,17 @@ class DepressionFinder {
 
 }  // namespace
 
-TerrainMap with_observed_drops(TerrainMap terrain, double step_max_m) {
-  std::vector<std::size_t> unknown;
+TerrainMap with_confirmed_drops(TerrainMap terrain, double step_max_m) {
+  std::vector<std::size_t> unconfirmed;
   DepressionFinder depressions(terrain);
   for (int row = 0; row < terrain.rows; ++row) {
     for (int column = 0; column < terrain.columns; ++column) {
       Depression depression = depressions.of(column, row);
       if (depression.is_drop(step_max_m)) continue;
-      unknown.insert(unknown.end(), depression.cells.begin(), depression.cells.end());
+      unconfirmed.insert(unconfirmed.end(), depression.cells.begin(), depression.cells.end());
     }
   }
-  for (const std::size_t i : unknown) terrain.cells[i].ground = Ground::kNeverObserved;
+  for (const std::size_t i : unconfirmed) terrain.cells[i].ground = Ground::kNeverObserved;
   return terrain;
 }
 

@@ -11,9 +11,10 @@
 
 namespace adit {
 
-/// The ground around a robot that its own lasers cannot look at: beside it, and before an end of it
-/// up to where the steepest beams meet the ground. It is taken to be like the ground under the
-/// robot, before an end only where that goes on beyond: seen, and without a step in between.
+/// The ground around the robot that its lasers cannot scan: beside the body, and ahead of and
+/// behind it up to where the steepest beams reach the ground. This ground is assumed to be like the
+/// ground under the robot; ahead and behind only if the observed ground beyond the zone continues
+/// at the same height.
 class BlindZone {
  public:
   BlindZone(const TerrainMap& terrain, const Pose2& T_level_body, const Vehicle& vehicle,
@@ -26,11 +27,11 @@ class BlindZone {
   std::vector<BodyRectangle> rectangles_;
 };
 
-/// The terrain without the drops that nobody saw to be any. Beams that pass over a place without
-/// meeting it say that its ground is lower than they are. That is so of a pit, but behind a rail,
-/// too, and where even ground gave nothing back. A hollow is a drop once beams were lower in it
-/// than its rim, by the upper quartile, by more than `step_max_m`, which a wheel climbs; before, it
-/// was never seen.
-TerrainMap with_observed_drops(TerrainMap terrain, double step_max_m);
+/// The terrain map with the unconfirmed drops set to Ground::kNeverObserved. Beams that pass over
+/// a cell without a return show only that its ground is lower than they are: this holds in a pit,
+/// but also behind a rail and where even ground returns nothing. A connected depression is a
+/// confirmed drop if its lowest beam is more than `step_max_m`, which a wheel climbs, below the
+/// upper quartile of the heights of its rim.
+TerrainMap with_confirmed_drops(TerrainMap terrain, double step_max_m);
 
 }  // namespace adit

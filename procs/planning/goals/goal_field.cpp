@@ -11,13 +11,9 @@
 namespace adit {
 namespace {
 
-constexpr double kApproachMinM = 0.1;  // to a place; a path that gets no nearer is none
+constexpr double kApproachMinM = 0.1;  // a path to a place must come nearer by as much
 
-Eigen::Vector2d ahead(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-std::int32_t cost_of(double metres) {
-  return static_cast<std::int32_t>(std::lround(kCostPerM * metres));
-}
+Eigen::Vector2d unit_vector(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 }  // namespace
 
@@ -28,7 +24,7 @@ GoalField::GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose
       params_(params),
       T_level_goal_(T_level_goal),
       p_level_body_(T_level_body.translation()),
-      direction_(ahead(T_level_goal.theta)),
+      direction_(unit_vector(T_level_goal.theta)),
       distance_m_(goal.distance_m),
       min_progress_m_(std::min(params.min_progress_m, goal.distance_m)) {
   if (kind_ == PlanGoal::Kind::kToPose) set_target(params.tolerance_m);
@@ -49,16 +45,17 @@ GoalField::GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose
   if (kind_ == PlanGoal::Kind::kRejoin) add_traversed_path(goal.traversed_path_odom, terrain);
 }
 
-/// What is left of the track from a pose on costs as even ground does: no way that is off it is
-/// cheaper, unless it cuts off some of it. Where it was twice, the later pose leads back sooner.
+/// The rest of the traversed path from a pose on costs as even ground: no path beside it is
+/// cheaper, unless it is a short cut. Of two passes over a cell the later pose counts, as it is
+/// closer to the end.
 void GoalField::add_traversed_path(const std::vector<Pose2>& traversed_path_odom,
                                    const TerrainMap& terrain) {
   const Pose2 T_level_odom = terrain.T_odom_level.inverse();
   const int reach = static_cast<int>(std::ceil(kOnPathM / terrain.cell_m));
-  double left_m = 0.0;
+  double remaining_m = 0.0;
   for (std::size_t i = traversed_path_odom.size(); i-- > 0;) {
-    const Pose2 T_level_track = T_level_odom * traversed_path_odom[i];
-    const Eigen::Vector2d p = T_level_track.translation();
+    const Pose2 T_level_traversed = T_level_odom * traversed_path_odom[i];
+    const Eigen::Vector2d p = T_level_traversed.translation();
     const Eigen::Vector2d cells = (p - terrain.p_level_corner) / terrain.cell_m;
     const int column = static_cast<int>(std::floor(cells.x()));
     const int row = static_cast<int>(std::floor(cells.y()));
@@ -68,13 +65,14 @@ void GoalField::add_traversed_path(const std::vector<Pose2>& traversed_path_odom
         const auto cell = static_cast<std::size_t>(r) * static_cast<std::size_t>(terrain.columns) +
                           static_cast<std::size_t>(c);
         if (ending_costs_[cell] != kNoGoal) continue;
-        ending_costs_[cell] = cost_of(left_m);
-        headings_rad_[cell] = static_cast<float>(T_level_track.theta);
+        ending_costs_[cell] = even_ground_cost(remaining_m);
+        headings_rad_[cell] = static_cast<float>(T_level_traversed.theta);
       }
     }
-    if (i > 0)
-      left_m +=
+    if (i > 0) {
+      remaining_m +=
           (traversed_path_odom[i].translation() - traversed_path_odom[i - 1].translation()).norm();
+    }
   }
 }
 
@@ -98,10 +96,10 @@ void GoalField::set_target(double within_m) {
   if (distance_m_ > 0.0) direction_ = offset / distance_m_;
 }
 
-/// The last leg to a place is not along anything: it may take turning to and fro.
+/// The last leg to a place does not follow the route: it may need changes of direction.
 bool GoalField::has_route() const {
-  const bool along_it = kind_ == PlanGoal::Kind::kRoute || kind_ == PlanGoal::Kind::kRejoin;
-  return along_it || (kind_ == PlanGoal::Kind::kRouteTo && !is_last_leg_);
+  const bool always = kind_ == PlanGoal::Kind::kRoute || kind_ == PlanGoal::Kind::kRejoin;
+  return always || (kind_ == PlanGoal::Kind::kRouteTo && !is_last_leg_);
 }
 
 bool GoalField::has_continuation() const {
@@ -116,13 +114,13 @@ bool GoalField::continues_beyond(const Eigen::Vector2d& p_level) const {
   return has_continuation() && !is_in_goal_radius(p_level);
 }
 
-/// Where there is little room, the way on may be shut, or only be found after going back.
+/// With little clearance at the end, the robot may find no continuation, or only after backing up.
 void GoalField::add_clearance_cost(const std::vector<float>& clearance_m) {
   for (std::size_t i = 0; i < clearance_m.size(); ++i) {
     if (ending_costs_[i] == kNoGoal || in_goal_radius_[i]) continue;
     const double missing_m =
         std::max(0.0, params_.end_clearance_m - static_cast<double>(clearance_m[i]));
-    ending_costs_[i] += cost_of(params_.end_clearance_factor * missing_m);
+    ending_costs_[i] += even_ground_cost(params_.end_clearance_factor * missing_m);
   }
 }
 
@@ -150,8 +148,8 @@ std::int32_t GoalField::route_cost(const GoalRoute::Projection& projection) cons
   const double lateral_max_m = is_last_leg_ ? params_.tolerance_m : params_.route_offset_max_m;
   if (projection.s_m < min_progress_m_ || projection.lateral_m > lateral_max_m) return kNoGoal;
   const double shortfall_m = std::abs(distance_m_ - projection.s_m);
-  return cost_of(params_.shortfall_factor * shortfall_m +
-                 params_.lateral_factor * projection.lateral_m);
+  return even_ground_cost(params_.shortfall_factor * shortfall_m +
+                          params_.lateral_factor * projection.lateral_m);
 }
 
 std::int32_t GoalField::corridor_cost(const Eigen::Vector2d& p_level) const {
@@ -159,22 +157,24 @@ std::int32_t GoalField::corridor_cost(const Eigen::Vector2d& p_level) const {
   const double progress = offset.dot(direction_);
   if (progress < min_progress_m_) return kNoGoal;
   const double lateral = std::abs(direction_.x() * offset.y() - direction_.y() * offset.x());
-  return cost_of(params_.shortfall_factor * std::max(0.0, distance_m_ - progress) +
-                 params_.lateral_factor * lateral);
+  return even_ground_cost(params_.shortfall_factor * std::max(0.0, distance_m_ - progress) +
+                          params_.lateral_factor * lateral);
 }
 
 std::int32_t GoalField::target_cost(const Eigen::Vector2d& p_level) const {
-  const double off = (p_level - T_level_goal_.translation()).norm();
-  if (is_in_goal_radius(p_level)) return cost_of(params_.shortfall_factor * off);
-  return kind_ != PlanGoal::Kind::kToPose || off > params_.tolerance_m ? kNoGoal : cost_of(off);
+  const double distance_m = (p_level - T_level_goal_.translation()).norm();
+  if (is_in_goal_radius(p_level)) return even_ground_cost(params_.shortfall_factor * distance_m);
+  if (kind_ != PlanGoal::Kind::kToPose || distance_m > params_.tolerance_m) return kNoGoal;
+  return even_ground_cost(distance_m);
 }
 
 bool GoalField::accepts(std::size_t cell, double heading_rad) const {
   if (in_goal_radius_[cell] || (kind_ == PlanGoal::Kind::kRouteTo && !has_route())) return true;
-  const double off = std::abs(angle_diff(heading_rad, static_cast<double>(headings_rad_[cell])));
-  if (kind_ == PlanGoal::Kind::kToPose) return off <= params_.heading_tolerance_rad;
-  if (kind_ == PlanGoal::Kind::kRejoin) return off <= kOnPathRad;
-  return std::min(off, std::numbers::pi - off) <= params_.along_heading_max_rad;
+  const double error_rad =
+      std::abs(angle_diff(heading_rad, static_cast<double>(headings_rad_[cell])));
+  if (kind_ == PlanGoal::Kind::kToPose) return error_rad <= params_.heading_tolerance_rad;
+  if (kind_ == PlanGoal::Kind::kRejoin) return error_rad <= kOnPathRad;
+  return std::min(error_rad, std::numbers::pi - error_rad) <= params_.along_heading_max_rad;
 }
 
 double GoalField::progress(const Eigen::Vector2d& p_level) const {

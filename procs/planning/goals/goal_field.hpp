@@ -9,23 +9,22 @@
 #include "common/types/planned_path.hpp"
 #include "common/types/terrain_map.hpp"
 #include "procs/planning/goals/goal_route.hpp"
-#include "procs/planning/lattice/lattice.hpp"
+#include "procs/planning/path_cost.hpp"
 
 namespace adit {
 
+/// Cost factors are in metres of even ground for each metre (path_cost.hpp).
 struct GoalParams {
-  double shortfall_factor = 8.0;  ///< a metre short costs this many of even ground; the worst 7
-  double lateral_factor = 1.0;    ///< likewise a metre beside the line from the robot
-  double tolerance_m = 0.3;       ///< of a pose that is to be reached
+  double shortfall_factor = 8.0;  ///< short of the goal; the roughest ground costs 7
+  double lateral_factor = 1.0;    ///< beside the line or route
+  double tolerance_m = 0.3;       ///< of a goal pose
   double heading_tolerance_rad = 0.25;
-  double along_heading_max_rad = 0.8;  ///< to a corridor, of the end of a path down it, either way
-  double min_progress_m = 2.5;  ///< of a path down a corridor; less is none (paper, section 3.3)
-  double route_offset_max_m = 1.5;  ///< of the end of a path along a route
-  double goal_radius_m = 0.5;       ///< off the end of a route that is to be reached, at most
-  double end_clearance_m =
-      1.5;  ///< that the end of a path should have to what is lethal, all round
-  double end_clearance_factor =
-      8.0;  ///< a metre less costs this many of even ground: no pockets beside walls
+  double along_heading_max_rad = 0.8;  ///< of the end to the corridor, in either direction
+  double min_progress_m = 2.5;         ///< of a path down a corridor (section 3.3 of the paper)
+  double route_offset_max_m = 1.5;     ///< of the end of a path to its route
+  double goal_radius_m = 0.5;          ///< around the end of a route that must be reached
+  double end_clearance_m = 1.5;        ///< desired distance of the end to lethal ground
+  double end_clearance_factor = 8.0;   ///< below that distance: keeps ends out of wall pockets
 
   template <class V>
   void visit(V& v) {
@@ -42,36 +41,35 @@ struct GoalParams {
   }
 };
 
-/// The array of goals of the paper's section 3.3: what it costs to end in each cell. Down a
-/// corridor every cell that is far enough is a goal, the farthest straight down the best; along a
-/// route likewise; onto the own track those poses of it are that can be driven on, the farther back
-/// the better; otherwise those within reach of a pose are. Where the end of a route is to be
-/// reached, what lies round it is, too, with any heading, and the nearer the better.
-class GoalField {
+/// The array of goals of section 3.3 of the paper: the cost of ending in each cell, by the kind of
+/// the goal (PlanGoal::Kind):
+/// - kAlong: all cells with the minimum progress; the farthest straight ahead is the best;
+/// - kRoute: the same along a route;
+/// - kRouteTo: the same, and with any heading the cells around its end; the nearest is the best;
+/// - kRejoin: the poses of the traversed path; those farthest back are the best;
+/// - kToPose: the cells and headings within the tolerances of a pose.
+class GoalField : public GoalArray {
  public:
-  static constexpr std::int32_t kNoGoal = -1;
-
-  /// All poses in level. `clearance_m`: from the middle of each cell to the nearest that is
-  /// lethal [m], or nothing where that is not to count.
+  /// Poses are in level. `clearance_m` is the distance of each cell to lethal ground [m]; empty
+  /// leaves out the term of the clearance.
   GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose2& T_level_body,
             const TerrainMap& terrain, const GoalParams& params,
             const std::vector<float>& clearance_m = {});
 
-  /// Of ending in a cell, or kNoGoal.
-  [[nodiscard]] std::int32_t ending_cost(std::size_t cell) const { return ending_costs_[cell]; }
-  [[nodiscard]] std::size_t cells() const { return ending_costs_.size(); }
-  /// Whether a search may end in a cell with this heading: nobody gets farther down a corridor by
-  /// turning across it. At a place that is to be reached it does not matter.
-  [[nodiscard]] bool accepts(std::size_t cell, double heading_rad) const;
-  /// From the robot on towards the goal [m]. Far beside a route there is none.
+  [[nodiscard]] std::int32_t ending_cost(std::size_t cell) const override {
+    return ending_costs_[cell];
+  }
+  /// A path may not end across a corridor. Within the goal radius any heading is accepted.
+  [[nodiscard]] bool accepts(std::size_t cell, double heading_rad) const override;
+  /// Progress of a point towards the goal [m]; 0 far beside a route.
   [[nodiscard]] double progress(const Eigen::Vector2d& p_level) const;
-  /// The same of the middle of a cell.
+  /// Progress of the centre of a cell [m].
   [[nodiscard]] double progress(std::size_t cell) const { return progress_m_[cell]; }
-  /// The least that is a path [m].
+  /// The minimum progress of a path [m].
   [[nodiscard]] double min_progress() const { return min_progress_m_; }
-  /// Whether the way is to go on from the end of a path.
+  /// Whether the robot continues towards the goal after a path that ends here.
   [[nodiscard]] bool continues_beyond(const Eigen::Vector2d& p_level) const;
-  /// In which it goes on at a place, a unit vector.
+  /// Direction towards the goal at a point, a unit vector.
   [[nodiscard]] Eigen::Vector2d direction(const Eigen::Vector2d& p_level) const;
 
  private:
@@ -91,18 +89,18 @@ class GoalField {
   PlanGoal::Kind kind_;
   GoalParams params_;
   Pose2 T_level_goal_;
-  double goal_radius_m_ =
-      0.0;  ///< round the goal, where any heading will do; 0: there is no such place
+  double goal_radius_m_ = 0.0;  ///< around the goal, where any heading is accepted; 0: none
   Eigen::Vector2d p_level_body_;
   Eigen::Vector2d direction_;  ///< unit vector in level
   double distance_m_;
   double min_progress_m_;
-  bool is_last_leg_ = false;  ///< the route ends here: not near its end, but there
+  bool is_last_leg_ = false;  ///< the end of the route is closer than the minimum progress
   GoalRoute route_;
+  // One value for each cell of the terrain map.
   std::vector<std::int32_t> ending_costs_;
-  std::vector<double> progress_m_;    ///< of each cell
-  std::vector<float> headings_rad_;   ///< in which it goes on, of each cell
-  std::vector<bool> in_goal_radius_;  ///< whether a cell is where any heading will do
+  std::vector<double> progress_m_;
+  std::vector<float> headings_rad_;  ///< direction towards the goal
+  std::vector<bool> in_goal_radius_;
 };
 
 }  // namespace adit

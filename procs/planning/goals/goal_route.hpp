@@ -8,29 +8,29 @@
 
 namespace adit {
 
-/// A line in level along which a robot is to go as far as it can.
+/// The route of a goal: a polyline in level that the robot follows as far as it can.
 class GoalRoute {
  public:
-  /// The place of the line that is nearest to another place.
+  /// The point of the polyline that is nearest to a given point.
   struct Projection {
-    double s_m = 0.0;         ///< along the line; beyond its end it goes on straight
-    double lateral_m = 0.0;   ///< from there
-    Eigen::Vector2d tangent;  ///< of the line there, a unit vector
+    double s_m = 0.0;         ///< arc length; the last segment is extended beyond its end
+    double lateral_m = 0.0;   ///< distance of the given point
+    Eigen::Vector2d tangent;  ///< unit vector
   };
 
   GoalRoute() = default;
-  /// Points that lie on each other are left out.
+  /// Points less than 1 mm from their predecessor are left out.
   explicit GoalRoute(const std::vector<Eigen::Vector2d>& points);
 
-  /// Whether there is no line: fewer than two places.
+  /// Whether there are fewer than two points.
   [[nodiscard]] bool empty() const { return points_.size() < 2; }
-  [[nodiscard]] double length_m() const { return starts_m_.empty() ? 0.0 : starts_m_.back(); }
-  /// Of a line that is not empty. Where several are as near, the first.
+  [[nodiscard]] double length_m() const { return s_m_.empty() ? 0.0 : s_m_.back(); }
+  /// The route must not be empty. The first of several nearest points.
   [[nodiscard]] Projection nearest(const Eigen::Vector2d& p_level) const;
 
  private:
   std::vector<Eigen::Vector2d> points_;
-  std::vector<double> starts_m_;  ///< way at each point
+  std::vector<double> s_m_;  ///< arc length at each point
 };
 
 }  // namespace adit

@@ -11,9 +11,9 @@ namespace adit {
 namespace {
 
 constexpr double kLengthMinM = 0.5;
-constexpr double kClearanceM = 0.1;  // nobody knows, so it goes slowly
-constexpr double kApartM = 0.05;     // of poses on the path; nearer ones say little of a direction
-constexpr double kGapM = 0.5;        // of the track, beyond which it has one
+constexpr double kClearanceM = 0.1;     // unknown, therefore small: the robot drives slowly
+constexpr double kPoseSpacingM = 0.05;  // closer poses do not define the direction of travel
+constexpr double kGapM = 0.5;           // maximum distance of consecutive poses
 
 using Poses = std::vector<Pose2>;
 
@@ -21,12 +21,12 @@ double distance_between(const Pose2& T_odom_a, const Pose2& T_odom_b) {
   return (T_odom_b.translation() - T_odom_a.translation()).norm();
 }
 
-bool is_on_path(const Pose2& T_odom_end, const Pose2& T_odom_track) {
-  return distance_between(T_odom_end, T_odom_track) <= kOnPathM &&
-         std::abs(angle_diff(T_odom_end.theta, T_odom_track.theta)) <= kOnPathRad;
+bool is_on_path(const Pose2& T_odom_end, const Pose2& T_odom_traversed) {
+  return distance_between(T_odom_end, T_odom_traversed) <= kOnPathM &&
+         std::abs(angle_diff(T_odom_end.theta, T_odom_traversed.theta)) <= kOnPathRad;
 }
 
-/// From a pose on along the track behind `next`, up to a gap.
+/// `T_odom_start`, followed by the traversed path from `next` up to a gap or a length.
 Poses continuous_part(const Pose2& T_odom_start, Poses::const_iterator next,
                       Poses::const_iterator end, double length_m) {
   Poses poses{T_odom_start};
@@ -34,14 +34,14 @@ Poses continuous_part(const Pose2& T_odom_start, Poses::const_iterator next,
   for (; next != end && distance_m < length_m; ++next) {
     const double step_m = distance_between(poses.back(), *next);
     if (step_m > kGapM) break;
-    if (step_m < kApartM) continue;
+    if (step_m < kPoseSpacingM) continue;
     poses.push_back(*next);
     distance_m += step_m;
   }
   return poses;
 }
 
-/// The stretch to the next pose, that ends a path of which the cost until here is `cost`.
+/// The path point of the segment from a pose to the next; `cost` is that of the path up to it.
 PathPoint segment_point(const Pose2& T_odom_body, const Pose2& T_odom_next, double cost) {
   const Pose2 step = between(T_odom_body, T_odom_next);
   const bool reverse = step.x < 0.0;
@@ -49,7 +49,7 @@ PathPoint segment_point(const Pose2& T_odom_body, const Pose2& T_odom_next, doub
   return {T_odom_body, curvature, reverse, kClearanceM, cost};
 }
 
-/// Appends the poses, of which the first is that at which a path ends, or begins.
+/// Appends poses; the first one is the end of the path so far, or its start.
 void append(std::vector<PathPoint>& points, const Poses& poses, double cost) {
   for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
     points.push_back(segment_point(poses[i], poses[i + 1], cost));
@@ -66,7 +66,7 @@ PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body) {
   PlannedPath path;
   path.utime = goal.utime;
   path.id = goal.id;
-  path.reason = "There is no track to go back on.";
+  path.reason = "There is no traversed path to retrace.";
   if (poses.size() < 2) return path;
   append(path.points, poses, 0.0);
   path.reached_m = path.points.back().cost;
@@ -75,23 +75,23 @@ PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body) {
     return path;
   }
   path.outcome = PlanOutcome::kFound;
-  path.reason = "Back on its own track.";
+  path.reason = "Back along the traversed path.";
   return path;
 }
 
 void append_traversed_path(PlannedPath& path, const PlanGoal& goal) {
   if (path.points.empty()) return;
   const PathPoint end = path.points.back();
-  const auto last = std::find_if(
-      goal.traversed_path_odom.rbegin(), goal.traversed_path_odom.rend(),
-      [&](const Pose2& T_odom_track) { return is_on_path(end.T_odom_body, T_odom_track); });
+  const auto last =
+      std::find_if(goal.traversed_path_odom.rbegin(), goal.traversed_path_odom.rend(),
+                   [&](const Pose2& T_odom) { return is_on_path(end.T_odom_body, T_odom); });
   const Poses poses = continuous_part(end.T_odom_body, last.base(), goal.traversed_path_odom.end(),
                                       goal.distance_m);
   if (last == goal.traversed_path_odom.rend() || poses.size() < 2) return;
   path.points.pop_back();
   append(path.points, poses, end.cost);
   path.reached_m += path.points.back().cost - end.cost;
-  path.reason = "Over its own track.";
+  path.reason = "Onto the traversed path and along it.";
 }
 
 }  // namespace adit

@@ -7,19 +7,20 @@
 
 namespace adit {
 
-/// A path back over the poses that the body had, where no scan shows one: that it came that way is
-/// proof enough, and the guard watches. Where it turned, it turns again. `goal.traversed_path_odom`
-/// are the poses from the body back; the path is no longer than `goal.distance_m`, and ends at a
-/// gap of the track. Without half a metre of track there is none.
+/// A path back over the traversed path, `goal.traversed_path_odom` (from the body backwards), where
+/// no scan shows a path. It needs no terrain: the robot has driven there, and the guard monitors
+/// the drive. Changes of direction are repeated in reverse order. The path is at most
+/// `goal.distance_m` long and ends at a gap of the traversed path. Blocked if it would be shorter
+/// than 0.5 m.
 PlannedPath retrace(const PlanGoal& goal, const Pose2& T_odom_body);
 
-/// How far from a pose of the track another may be for it to go on from there: a pose of the
-/// lattice that stands for it is no farther.
+/// Maximum deviation from a pose of the traversed path at which the robot may continue from it. The
+/// nearest pose of the lattice is within these limits.
 inline constexpr double kOnPathM = 0.1;
 inline constexpr double kOnPathRad = 0.1;
 
-/// Goes on along the track, as `retrace` does, from the end of a path that leads to it: from the
-/// last of the poses that it is on.
+/// Extends a path that ends on the traversed path along it, as `retrace` does, from the last of its
+/// poses that the end of the path is on.
 void append_traversed_path(PlannedPath& path, const PlanGoal& goal);
 
 }  // namespace adit

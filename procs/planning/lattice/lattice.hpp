@@ -12,10 +12,7 @@
 
 namespace adit {
 
-/// Length by cost that driving 1 m of even ground takes: the unit of all costs of a search.
-inline constexpr std::int32_t kCostPerM = 1000 * CSpace::kEven;
-
-/// A pose of the lattice.
+/// A pose of the lattice: a cell, with the body at its centre, and a heading of the HeadingSet.
 struct LatticePose {
   int column = 0;
   int row = 0;
@@ -24,16 +21,16 @@ struct LatticePose {
   friend bool operator==(const LatticePose&, const LatticePose&) = default;
 };
 
-/// What can be driven in a C-space.
+/// The state lattice: motion primitives in a C-space, and the collision check.
 struct Lattice {
   const CSpace& space;
   const MotionPrimitives& primitives;
-  std::uint16_t cost_limit =
-      CSpace::kUnknown;  ///< costs from here on; or kLethal: unseen ground is not
-  const ExactCheck* exact_check = nullptr;  ///< without it, what is close is refused
-  bool marginal_is_free = false;            ///< or is not, whatever it meets
+  /// Poses from this cost on are blocked: kUnknown, or kLethal to drive over unobserved ground.
+  std::uint16_t cost_limit = CSpace::kUnknown;
+  const ExactCheck* exact_check = nullptr;  ///< for marginal poses; without it they are blocked
+  bool marginal_is_free = false;            ///< all marginal poses are free, without a check
 
-  static constexpr std::int32_t kBlocked = -1;
+  static constexpr std::int32_t kBlocked = -1;  ///< cost of a primitive that collides
 
   [[nodiscard]] bool is_valid(const LatticePose& pose) const {
     return space.contains(pose.column, pose.row) && allows(cost_at(pose));
@@ -41,7 +38,7 @@ struct Lattice {
   [[nodiscard]] static LatticePose successor(const LatticePose& pose, const MotionPrimitive& step) {
     return {pose.column + step.cells.x(), pose.row + step.cells.y(), step.to};
   }
-  /// Of a primitive from a pose of the map, or kBlocked.
+  /// Cost of a primitive from a pose of the map (path_cost.hpp), or kBlocked.
   [[nodiscard]] std::int32_t cost(const LatticePose& pose, const MotionPrimitive& step) const {
     std::int32_t sum = 0;
     bool marginal = needs_exact_check(cost_at(pose));
@@ -56,7 +53,7 @@ struct Lattice {
     }
     return marginal && !allows(step.body, step.wheels, pose.column, pose.row) ? kBlocked : sum;
   }
-  /// What was not seen is in the way of the body only.
+  /// Whether the exact check allows the kernels. Unobserved ground blocks the body only.
   [[nodiscard]] bool allows(const RunKernel& body, const RunKernel& wheels, int column,
                             int row) const {
     if (exact_check == nullptr) return true;
@@ -69,7 +66,7 @@ struct Lattice {
 
  private:
   [[nodiscard]] std::uint16_t cost_at(const LatticePose& pose) const {
-    return space.slice(pose.heading)[space.index(pose.column, pose.row)];
+    return space.slice(pose.heading).at({pose.column, pose.row});
   }
   [[nodiscard]] bool allows(std::uint16_t cost) const {
     return cost < cost_limit &&
@@ -77,15 +74,14 @@ struct Lattice {
   }
 };
 
-/// The pose of the lattice nearest to one in level; outside of the map if that is.
+/// The pose of the lattice nearest to a pose in level; outside the map if that pose is.
 LatticePose nearest_pose(const TerrainMap& terrain, const HeadingSet& headings,
                          const Pose2& T_level_body);
 
-/// A robot beside an obstacle may stand where the conservative kernels forbid it: around the start,
-/// poses are allowed that only their margin makes lethal, at the cost of ground at the limit, so
-/// that the robot can leave. The rectangles of the vehicle itself stay clear of what is lethal, but
-/// for half a cell: the pose of the lattice is that far from the robot, and regions of the terrain
-/// make things wider by a whole one.
+/// Lets a robot leave a start beside an obstacle that the conservative kernels reject: poses within
+/// 0.6 m of the start that are lethal or marginal by their margin only get `cost`. The footprint
+/// shrunk by half a cell must not overlap lethal ground: the pose of the lattice is up to half a
+/// cell from the robot, and obstacles in the terrain map are up to a cell too wide.
 void clear_start(CSpace& space, const LatticePose& start, const GroundLayers& layers,
                  const CSpaceKernels& kernels, std::uint16_t cost);
 

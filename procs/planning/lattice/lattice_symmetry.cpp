@@ -21,7 +21,7 @@ int LatticeSymmetry::of(int heading, const HeadingSet& headings) const {
 
 namespace {
 
-/// The image of a kernel under what takes cells to cells.
+/// The image of a kernel under a map of cells to cells.
 template <class Image>
 RunKernel image_of(const RunKernel& kernel, const Image& image) {
   std::set<std::pair<int, int>> cells;
@@ -51,9 +51,9 @@ MotionPrimitive LatticeSymmetry::of(const MotionPrimitive& primitive,
     pose.row = static_cast<std::int16_t>(cell.y());
     pose.heading = static_cast<std::uint16_t>(of(pose.heading, headings));
   }
-  const auto turned = [&](const Eigen::Vector2i& cell) { return of(cell); };
-  image.body = image_of(primitive.body, turned);
-  image.wheels = image_of(primitive.wheels, turned);
+  const auto image_cell = [&](const Eigen::Vector2i& cell) { return of(cell); };
+  image.body = image_of(primitive.body, image_cell);
+  image.wheels = image_of(primitive.wheels, image_cell);
   return image;
 }
 
@@ -64,36 +64,36 @@ std::array<LatticeSymmetry, 8> lattice_symmetries() {
 }
 
 MotionPrimitive reversed(const MotionPrimitive& primitive, double length_factor) {
-  MotionPrimitive back = primitive;
-  back.from = primitive.to;
-  back.to = primitive.from;
-  back.cells = -primitive.cells;
-  back.reverse = true;
-  back.swept.clear();
-  back.length_mm = 0;
+  MotionPrimitive reverse = primitive;
+  reverse.from = primitive.to;
+  reverse.to = primitive.from;
+  reverse.cells = -primitive.cells;
+  reverse.reverse = true;
+  reverse.swept.clear();
+  reverse.length_mm = 0;
   std::int32_t length_mm = primitive.swept.back().length_mm;
   for (std::size_t i = primitive.swept.size(); i-- > 0;) {
-    // The pose before the i-th: the one in which the primitive began is not among those swept.
+    // The predecessor of pose i; the start of the primitive is not among the swept poses.
     const bool first = i == 0;
     SweptPose pose = first ? SweptPose{0, 0, static_cast<std::uint16_t>(primitive.from), 0}
                            : primitive.swept[i - 1];
     pose.column = static_cast<std::int16_t>(pose.column - primitive.cells.x());
     pose.row = static_cast<std::int16_t>(pose.row - primitive.cells.y());
-    // A way ends in a pose of the chain; those between have none.
+    // Only poses of the chain (MotionPrimitives::sweep) have a length.
     if (first || pose.length_mm > 0) {
-      const auto driven = static_cast<std::int32_t>(std::ceil(length_factor * length_mm));
+      const auto driven_mm = static_cast<std::int32_t>(std::ceil(length_factor * length_mm));
       length_mm = pose.length_mm;
-      pose.length_mm = driven;
-      back.length_mm += driven;
+      pose.length_mm = driven_mm;
+      reverse.length_mm += driven_mm;
     }
-    back.swept.push_back(pose);
+    reverse.swept.push_back(pose);
   }
-  const auto from_its_end = [&](const Eigen::Vector2i& cell) {
+  const auto relative_to_end = [&](const Eigen::Vector2i& cell) {
     return Eigen::Vector2i(cell - primitive.cells);
   };
-  back.body = image_of(primitive.body, from_its_end);
-  back.wheels = image_of(primitive.wheels, from_its_end);
-  return back;
+  reverse.body = image_of(primitive.body, relative_to_end);
+  reverse.wheels = image_of(primitive.wheels, relative_to_end);
+  return reverse;
 }
 
 }  // namespace adit

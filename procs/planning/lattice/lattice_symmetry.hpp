@@ -8,7 +8,8 @@
 
 namespace adit {
 
-/// Takes the lattice onto itself: mirrored about x first, or not, then turned by right angles.
+/// A symmetry of the lattice: an optional reflection about the x axis, then rotation by quarter
+/// turns.
 struct LatticeSymmetry {
   bool mirrored = false;
   int quarters = 0;
@@ -19,10 +20,11 @@ struct LatticeSymmetry {
                                    const HeadingSet& headings) const;
 };
 
-/// All eight.
+/// The eight symmetries, the identity first.
 std::array<LatticeSymmetry, 8> lattice_symmetries();
 
-/// A primitive driven the other way, from its end to its beginning.
+/// A primitive driven backwards from its end to its start; its lengths are multiplied by
+/// `length_factor`.
 MotionPrimitive reversed(const MotionPrimitive& primitive, double length_factor);
 
 }  // namespace adit

@@ -9,7 +9,7 @@
 namespace adit {
 namespace {
 
-constexpr double kRounding = 1e-9;  // [m] of lengths that should be 0
+constexpr double kLengthTolerance = 1e-9;  // rounding of lengths that are 0 [m]
 
 }  // namespace
 
@@ -38,17 +38,17 @@ std::optional<LineArcLine> line_arc_line_to(const Pose2& end, double radius_min_
   const double round = 1.0 - std::cos(turn);
   const double x = end.x;
   const double y = std::copysign(1.0, end.theta) * end.y;
-  // Two equations, x = in + r s + out cos and y = r (1 − cos) + out s, leave one of three free. The
-  // shortest has the line behind the arc, or before it, of no length, or the least radius.
+  // x = in + r sin + out cos and y = r (1 − cos) + out sin leave one of in, r, out free. In the
+  // shortest curve the line after the arc or before it has no length, or r is minimal.
   const std::array<double, 3> radii{y / round, (x * s - y * (1.0 - round)) / round, radius_min_m};
   std::optional<LineArcLine> best;
   for (const double radius : radii) {
-    if (radius < radius_min_m - kRounding) continue;
+    if (radius < radius_min_m - kLengthTolerance) continue;
     const double out = (y - radius * round) / s;
     const double in = x - radius * s - out * (1.0 - round);
-    if (in < -kRounding || out < -kRounding) continue;
+    if (in < -kLengthTolerance || out < -kLengthTolerance) continue;
     const LineArcLine found{std::max(in, 0.0), radius, end.theta, std::max(out, 0.0)};
-    if (!best || found.length_m() < best->length_m() - kRounding) best = found;
+    if (!best || found.length_m() < best->length_m() - kLengthTolerance) best = found;
   }
   return best;
 }

@@ -8,25 +8,24 @@
 
 namespace adit {
 
-/// Straight on, an arc, straight on: how the point of the vehicle that moves along the vehicle's x
-/// axis gets from a pose to another.
+/// A line, an arc and a line, tangent to each other: the curve of the point of the vehicle that
+/// moves along the vehicle's x axis.
 struct LineArcLine {
   double line_in_m = 0.0;
-  double radius_m = 0.0;  ///< of the arc; 0 where there is none
+  double radius_m = 0.0;  ///< of the arc; 0 without an arc
   double turn_rad = 0.0;  ///< positive to the left
   double line_out_m = 0.0;
 
   [[nodiscard]] double arc_m() const;
   [[nodiscard]] double length_m() const { return line_in_m + arc_m() + line_out_m; }
-  /// The pose after a way, from the one at its beginning.
+  /// The pose at an arc length, relative to the start of the curve.
   [[nodiscard]] Pose2 pose_at(double distance_m) const;
-  /// Of the stretch that begins there, positive to the left.
+  /// Curvature to the right of an arc length, positive to the left [1/m].
   [[nodiscard]] double curvature_at(double distance_m) const;
 };
 
-/// The manoeuvre that ends at a pose, from the one at its beginning, turning by more than 0 and
-/// less than π to either side; of those with a radius of at least `radius_min_m` that of the
-/// shortest way. Nothing if there is none.
+/// The shortest line-arc-line from the origin to `end` with a radius of at least `radius_min_m`.
+/// The absolute heading of `end` must be in (0, π). Nothing if there is none.
 std::optional<LineArcLine> line_arc_line_to(const Pose2& end, double radius_min_m);
 
 }  // namespace adit

@@ -12,23 +12,25 @@
 namespace adit {
 namespace {
 
-constexpr double kGentle = 2.5;          // radius of a gentle bend, in least ones
-constexpr double kBendLengthMaxM = 4.0;  // that a bend may take
+constexpr double kGentleRadiusFactor = 2.5;  // radius of a gentle bend relative to a tight one
+constexpr double kBendLengthMaxM = 4.0;
 constexpr int kSamplesPerCell = 20;
-constexpr double kTiny = 1e-9;  // of a number that should be whole
+constexpr double kIntegerTolerance = 1e-9;  // rounding of numbers that are integers
 constexpr double kMmPerM = 1000.0;
-constexpr double kSampleSpacingM = 0.02;  // of a point of the vehicle, from one look to the next
+constexpr double kSampleSpacingM = 0.02;  // twice the margin of swept_kernel()
 
-double axle_behind(const Vehicle& vehicle) {
+/// Distance of the point that moves along the x axis of the vehicle behind its origin.
+double axle_offset_m(const Vehicle& vehicle) {
   return vehicle.steering == "ackermann" ? vehicle.wheelbase_m / 2.0 : 0.0;
 }
 
-double axle_radius(const Vehicle& vehicle, double reserve) {
-  const double axle = axle_behind(vehicle);
+/// Minimum radius of the path of that point.
+double axle_radius_m(const Vehicle& vehicle, double reserve) {
+  const double axle = axle_offset_m(vehicle);
   const double radius = vehicle.turning_radius_m * (1.0 + reserve);
   if (vehicle.turning_radius_m <= axle) {
     throw std::invalid_argument(
-        "the turning radius is at most half the wheelbase, which Ackermann steering cannot do");
+        "the turning radius must exceed half the wheelbase with Ackermann steering");
   }
   return std::sqrt(radius * radius - axle * axle);
 }
@@ -41,7 +43,7 @@ double step_cells(const SweptPose& a, const SweptPose& b) {
   return std::hypot(a.column - b.column, a.row - b.row);
 }
 
-/// Indices of a chain of neighbouring cells from the first pose to the last, with few steps.
+/// Indices of a short chain of neighbouring cells from the first pose to the last.
 std::vector<std::size_t> chain_of(const std::vector<SweptPose>& poses) {
   std::vector<std::size_t> chain{0};
   while (chain.back() + 1 < poses.size()) {
@@ -61,17 +63,17 @@ MotionPrimitives::MotionPrimitives(const Vehicle& vehicle, const PrimitiveParams
     : headings_(headings),
       cell_m_(cell_m),
       vehicle_(vehicle),
-      axle_m_(axle_behind(vehicle)),
-      radius_min_m_(axle_radius(vehicle, params.radius_reserve)),
+      axle_m_(axle_offset_m(vehicle)),
+      radius_min_m_(axle_radius_m(vehicle, params.radius_reserve)),
       from_(static_cast<std::size_t>(headings.count())) {
   const int eighth = headings_.count() / 8;
   const std::set<int> turns{1, std::max(1, eighth / 2), eighth};
   for (int k = 0; k <= eighth; ++k) {
-    const bool on_axis = k == 0 || k == eighth;  // of symmetry: what bends left is mirrored there
-    const MotionPrimitive once = straight(k, 0.0);
+    const bool on_axis = k == 0 || k == eighth;  // left bends are mirrored to right bends there
+    const MotionPrimitive shortest = straight(k, 0.0);
     const MotionPrimitive step = straight(k, params.step_m);
     add_with_symmetries(step, on_axis, params);
-    if (once.cells != step.cells) add_with_symmetries(once, on_axis, params);
+    if (shortest.cells != step.cells) add_with_symmetries(shortest, on_axis, params);
     for (const int turn : turns) {
       add_bends(k, turn, params);
       if (!on_axis) add_bends(k, -turn, params);
@@ -85,23 +87,23 @@ MotionPrimitives::MotionPrimitives(const Vehicle& vehicle, const PrimitiveParams
 
 MotionPrimitive MotionPrimitives::straight(int heading, double step_m) const {
   const Eigen::Vector2i& v = headings_.direction(heading);
-  const double once_m = cell_m_ * v.cast<double>().norm();
-  const int times = std::max(1, static_cast<int>(std::ceil(step_m / once_m - 1e-9)));
+  const double vector_m = cell_m_ * v.cast<double>().norm();
+  const int times = std::max(1, static_cast<int>(std::ceil(step_m / vector_m - 1e-9)));
   MotionPrimitive primitive{heading, heading, v * times};
-  primitive.curve.line_in_m = once_m * times;
+  primitive.curve.line_in_m = vector_m * times;
   return primitive;
 }
 
 MotionPrimitive MotionPrimitives::bend(int heading, int turn, double radius_min_m) const {
   MotionPrimitive best{heading, headings_.wrapped(heading + turn)};
-  const double before = headings_.angle(best.from);
-  const double angle = angle_diff(headings_.angle(best.to), before);
+  const double angle_from = headings_.angle(best.from);
+  const double turn_rad = angle_diff(headings_.angle(best.to), angle_from);
   const int reach = static_cast<int>(kBendLengthMaxM / cell_m_);
   for (int row = -reach; row <= reach; ++row) {
     for (int column = -reach; column <= reach; ++column) {
       const Eigen::Vector2d p = cell_m_ * Eigen::Vector2d(column, row);
       const Pose2 T_body_end =
-          Pose2{0.0, 0.0, before}.inverse() * Pose2{p.x(), p.y(), before + angle};
+          Pose2{0.0, 0.0, angle_from}.inverse() * Pose2{p.x(), p.y(), angle_from + turn_rad};
       const Pose2 axle{-axle_m_, 0.0, 0.0};
       const auto found = line_arc_line_to(axle.inverse() * T_body_end * axle, radius_min_m);
       const double shortest = best.cells.isZero() ? kBendLengthMaxM : best.curve.length_m();
@@ -120,26 +122,26 @@ void MotionPrimitives::add_bends(int heading, int turn, const PrimitiveParams& p
   const MotionPrimitive tight = bend(heading, turn, radius_min_m_);
   add_with_symmetries(tight, false, params);
   if (std::abs(turn) != 1) return;
-  const MotionPrimitive gentle = bend(heading, turn, kGentle * radius_min_m_);
+  const MotionPrimitive gentle = bend(heading, turn, kGentleRadiusFactor * radius_min_m_);
   if (gentle.cells != tight.cells) add_with_symmetries(gentle, false, params);
 }
 
 MotionPrimitives MotionPrimitives::rear_leading(double reverse_factor) const {
-  MotionPrimitives led = *this;
-  for (auto& primitives : led.from_) {
+  MotionPrimitives result = *this;
+  for (auto& primitives : result.from_) {
     for (MotionPrimitive& primitive : primitives) {
       primitive.length_mm = 0;
       for (SweptPose& pose : primitive.swept) {
-        // The ways in reverse were rounded up: at a factor of 1 or more, that is undone exactly.
-        const double length_mm = primitive.reverse
-                                     ? std::floor(pose.length_mm / reverse_factor + kTiny)
-                                     : std::ceil(pose.length_mm * reverse_factor - kTiny);
+        // Lengths in reverse were rounded up: with a factor of at least 1 this inverts exactly.
+        const double length_mm =
+            primitive.reverse ? std::floor(pose.length_mm / reverse_factor + kIntegerTolerance)
+                              : std::ceil(pose.length_mm * reverse_factor - kIntegerTolerance);
         pose.length_mm = static_cast<std::int32_t>(length_mm);
         primitive.length_mm += pose.length_mm;
       }
     }
   }
-  return led;
+  return result;
 }
 
 int MotionPrimitives::reach() const {
@@ -167,9 +169,9 @@ Pose2 MotionPrimitives::pose_at(const MotionPrimitive& primitive, double distanc
 }
 
 double MotionPrimitives::curvature_at(const MotionPrimitive& primitive, double distance_m) const {
-  const double way =
+  const double s_m =
       primitive.reverse ? primitive.curve.length_m() - distance_m - 1e-9 : distance_m;
-  const double axle_curvature = primitive.curve.curvature_at(way);
+  const double axle_curvature = primitive.curve.curvature_at(s_m);
   return axle_curvature / std::hypot(1.0, axle_m_ * axle_curvature);
 }
 
@@ -190,7 +192,7 @@ void MotionPrimitives::sweep(MotionPrimitive& primitive, double factor) {
   for (std::size_t i = 1; i < chain.size(); ++i) {
     cells += step_cells(poses[chain[i - 1]], poses[chain[i]]);
   }
-  least_way_share_ = std::min(least_way_share_, length / (cells * cell_m_));
+  length_ratio_min_ = std::min(length_ratio_min_, length / (cells * cell_m_));
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const double share = step_cells(poses[chain[i - 1]], poses[chain[i]]) / cells;
     poses[chain[i]].length_mm =
@@ -200,7 +202,7 @@ void MotionPrimitives::sweep(MotionPrimitive& primitive, double factor) {
   primitive.swept.assign(poses.begin() + 1, poses.end());
 }
 
-/// Looks so often that no point of the vehicle moves by more than twice the slack of the kernels.
+/// Samples poses so densely that no point of the vehicle moves by more than kSampleSpacingM.
 void MotionPrimitives::cover(MotionPrimitive& primitive) const {
   const double length = primitive.curve.length_m();
   const double turn = std::abs(primitive.curve.turn_rad);
@@ -220,8 +222,8 @@ void MotionPrimitives::add_with_symmetries(MotionPrimitive primitive, bool is_sy
     if (is_symmetric && symmetry.mirrored) continue;
     const MotionPrimitive image = symmetry.of(primitive, headings_);
     from_[static_cast<std::size_t>(image.from)].push_back(image);
-    const MotionPrimitive back = reversed(image, params.reverse_factor);
-    from_[static_cast<std::size_t>(back.from)].push_back(back);
+    const MotionPrimitive reverse = reversed(image, params.reverse_factor);
+    from_[static_cast<std::size_t>(reverse.from)].push_back(reverse);
   }
 }
 

@@ -12,13 +12,14 @@ namespace adit {
 namespace {
 
 constexpr float kUnknownHeight = std::numeric_limits<float>::quiet_NaN();
-constexpr double kSeenShare = 0.2;          // of the cells under the body, that give its height
-constexpr float kInterpolationMaxM = 3.0F;  // of the way, between two heights
-constexpr float kExtrapolationMaxM = 0.5F;  // beyond the last of them
-constexpr float kSinceM = 0.05F;            // of the way since a look, to be sure that it is later
-constexpr double kContactM = 0.1;           // of a wheel, before and behind its axle
+constexpr double kObservedShare = 0.2;  // share of the cells under the body that must be observed
+constexpr float kInterpolationMaxM = 3.0F;  // of path length, between two heights
+constexpr float kExtrapolationMaxM = 0.5F;  // of path length, beyond the last height
+constexpr float kSinceM =
+    0.05F;  // path length since an observation, to be certain that it is older
+constexpr double kContactM = 0.1;  // contact of a wheel, before and behind its axle
 
-/// Visits the cells whose middle is in a rectangle of the body, around `middle` in body.
+/// Visits the cells whose centre lies in a rectangle of body around `middle`.
 template <class Visit>
 void visit_cells(const TerrainMap& map, const Pose2& T_level_body, const Eigen::Vector2d& middle,
                  const Eigen::Vector2d& half, const Visit& visit) {
@@ -51,48 +52,49 @@ DrivenGround::DrivenGround(const TerrainMap& map, const std::deque<DrivenPath::P
     const Pose2 T_level_body = between(map.T_odom_level, place.T_odom_body);
     const bool here = &place == &places.back();
     poses_.push_back({T_level_body, static_cast<float>(place.distance_travelled_m),
-                      here ? 0.0F : seen_height_m(map, T_level_body)});
+                      here ? 0.0F : observed_height_m(map, T_level_body)});
   }
   interpolate();
 }
 
-float DrivenGround::seen_height_m(const TerrainMap& map, const Pose2& T_level_body) const {
+float DrivenGround::observed_height_m(const TerrainMap& map, const Pose2& T_level_body) const {
   float sum = 0.0F;
-  int seen = 0;
+  int observed = 0;
   visit_cells(map, T_level_body, Eigen::Vector2d::Zero(), half_of(vehicle_), [&](std::size_t i) {
     const TerrainCell& cell = map.cells[i];
     if (cell.ground != Ground::kObserved || is_obstacle(cell, obstacle_height_m(vehicle_))) return;
     sum += cell.low_m;
-    ++seen;
+    ++observed;
   });
   const double cells = vehicle_.length_m * vehicle_.width_m / (map.cell_m * map.cell_m);
-  return seen > 0 && seen >= kSeenShare * cells ? sum / static_cast<float>(seen) : kUnknownHeight;
+  return observed > 0 && observed >= kObservedShare * cells ? sum / static_cast<float>(observed)
+                                                            : kUnknownHeight;
 }
 
 void DrivenGround::interpolate() {
   const std::vector<BodyPose> known = [&] {
-    std::vector<BodyPose> some;
-    for (const BodyPose& stand : poses_) {
-      if (!std::isnan(stand.z_m)) some.push_back(stand);
+    std::vector<BodyPose> known_poses;
+    for (const BodyPose& pose : poses_) {
+      if (!std::isnan(pose.z_m)) known_poses.push_back(pose);
     }
-    return some;
+    return known_poses;
   }();
-  for (BodyPose& stand : poses_) {
-    if (!std::isnan(stand.z_m)) continue;
-    // The newest place is known: there always is one behind.
+  for (BodyPose& pose : poses_) {
+    if (!std::isnan(pose.z_m)) continue;
+    // The height of the newest place is known, so that there always is one after.
     const auto after = std::find_if(known.begin(), known.end(), [&](const BodyPose& other) {
-      return other.distance_travelled_m >= stand.distance_travelled_m;
+      return other.distance_travelled_m >= pose.distance_travelled_m;
     });
     if (after == known.end()) continue;
-    const float ahead_m = after->distance_travelled_m - stand.distance_travelled_m;
+    const float ahead_m = after->distance_travelled_m - pose.distance_travelled_m;
     if (after == known.begin()) {
-      if (ahead_m <= kExtrapolationMaxM) stand.z_m = after->z_m;
+      if (ahead_m <= kExtrapolationMaxM) pose.z_m = after->z_m;
       continue;
     }
     const BodyPose& before = *(after - 1);
     const float between_m = after->distance_travelled_m - before.distance_travelled_m;
     if (between_m > 0.0F && between_m <= kInterpolationMaxM) {
-      stand.z_m = std::lerp(after->z_m, before.z_m, ahead_m / between_m);
+      pose.z_m = std::lerp(after->z_m, before.z_m, ahead_m / between_m);
     }
   }
 }
@@ -102,26 +104,26 @@ void DrivenGround::fill_driven(TerrainMap& map, const std::vector<std::uint8_t>&
   const Eigen::Vector2d contact(kContactM, vehicle_.wheel_width_m / 2.0);
   const Eigen::Vector2d grown = half_of(vehicle_).array() + map.cell_m / 2.0;
   const auto belly_m = static_cast<float>(vehicle_.belly_clearance_m);
-  for (const BodyPose& stand : poses_) {
-    visit_cells(map, stand.T_level_body, Eigen::Vector2d::Zero(), grown, [&](std::size_t i) {
+  for (const BodyPose& pose : poses_) {
+    visit_cells(map, pose.T_level_body, Eigen::Vector2d::Zero(), grown, [&](std::size_t i) {
       TerrainCell& cell = map.cells[i];
-      // Regions make things wider than they are, and odom is off by centimetres.
+      // Regions enlarge obstacles, and odom is inaccurate by centimetres.
       const bool was_obstacle =
-          is_obstacle(cell, belly_m) && stand.distance_travelled_m > observed_at_m[i] + kSinceM;
+          is_obstacle(cell, belly_m) && pose.distance_travelled_m > observed_at_m[i] + kSinceM;
       if (was_obstacle) cell.ground = Ground::kNeverObserved;
     });
   }
-  for (const BodyPose& stand : poses_) {
-    if (std::isnan(stand.z_m)) continue;
+  for (const BodyPose& pose : poses_) {
+    if (std::isnan(pose.z_m)) continue;
     for (const double x : {-0.5, 0.5}) {
       for (const double y : {-0.5, 0.5}) {
         const Eigen::Vector2d wheel(x * vehicle_.wheelbase_m, y * vehicle_.track_m);
-        visit_cells(map, stand.T_level_body, wheel, contact, [&](std::size_t i) {
+        visit_cells(map, pose.T_level_body, wheel, contact, [&](std::size_t i) {
           TerrainCell& cell = map.cells[i];
           if (!is_unknown(cell) || changed[i] != 0) return;
           cell.ground = Ground::kObserved;
           cell.count = 0;
-          cell.low_m = cell.high_m = stand.z_m;
+          cell.low_m = cell.high_m = pose.z_m;
         });
       }
     }

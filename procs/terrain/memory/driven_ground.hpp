@@ -12,19 +12,18 @@
 
 namespace adit {
 
-/// The ground that the body itself has come over, on a map. Its height is that of the ground which
-/// was seen under it or nearby along the way; without any, nothing is said.
+/// The ground that the body has driven over, on a map. Its height is that of the ground observed
+/// under the body or near it along the path; where there is none, nothing is filled in.
 class DrivenGround {
  public:
-  /// `map` has the heights that are seen or remembered. Places in odom, oldest first, the last one
-  /// on the level of the map.
+  /// `map` has the observed and recalled heights. Places in odom, oldest first; the last one is on
+  /// the level of the map.
   DrivenGround(const TerrainMap& map, const std::deque<DrivenPath::Place>& places,
                const Vehicle& vehicle);
 
-  /// What carried the wheels is even ground: fills cells that are not known and for which `changed`
-  /// is 0. What the belly came over nobody has seen. `observed_at_m` is of each cell how far the
-  /// body had come when it was seen: it takes back what the body has since come through, wheels and
-  /// all.
+  /// Fills unknown cells that carried the wheels as even ground, unless `changed` is set; cells
+  /// under the belly remain unknown. `observed_at_m`: distance travelled when each cell was
+  /// observed; obstacles observed before the body drove through them are removed.
   void fill_driven(TerrainMap& map, const std::vector<std::uint8_t>& changed,
                    const std::vector<float>& observed_at_m) const;
 
@@ -32,13 +31,13 @@ class DrivenGround {
   struct BodyPose {
     Pose2 T_level_body;
     float distance_travelled_m;
-    float z_m;  ///< NaN where it is not known
+    float z_m;  ///< NaN if unknown
   };
-  [[nodiscard]] float seen_height_m(const TerrainMap& map, const Pose2& T_level_body) const;
+  [[nodiscard]] float observed_height_m(const TerrainMap& map, const Pose2& T_level_body) const;
   void interpolate();
 
   Vehicle vehicle_;
-  std::vector<BodyPose> poses_;  ///< within the map
+  std::vector<BodyPose> poses_;  ///< one per place
 };
 
 }  // namespace adit

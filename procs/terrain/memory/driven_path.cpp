@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kStepM = 0.1;
 constexpr double kStepRad = 0.1;
-constexpr double kJumpM = 0.5;    // beyond what is driven in the time
-constexpr double kJumpRad = 0.7;  // in less than a second
+constexpr double kJumpM = 0.5;    // beyond what the body can drive in the time
+constexpr double kJumpRad = 0.7;  // within a second
 constexpr std::size_t kPlaces = 2000;
 
 }  // namespace
@@ -45,7 +45,7 @@ bool DrivenPath::add(std::int64_t utime, const Pose2& T_odom_body) {
   return follows;
 }
 
-/// A pose of the new odom may have come before anybody said so.
+/// Poses of the new odom frame may have arrived before the report of it.
 bool DrivenPath::reset(std::int64_t odom_epoch_utime) {
   const auto end = std::ranges::find_if(
       places_, [&](const Place& place) { return place.utime >= odom_epoch_utime; });

@@ -12,11 +12,12 @@
 namespace adit {
 namespace {
 
-constexpr int kStride = 2;  // of the cells that are compared, along rows and columns
-constexpr std::size_t kDifferencesMin = 60;  // of them, that say where the other level is
-constexpr float kCoarseInlierM = 0.15F;      // of the median, what the first fit is made of [m]
-constexpr float kTiltSpread = 1.0F;          // of places, less than which says little of a tilt [m]
-constexpr double kSamePlace = 0.1;           // [m]
+constexpr int kStride = 2;                   // stride of the compared cells, along rows and columns
+constexpr std::size_t kDifferencesMin = 60;  // minimum for an alignment
+constexpr float kCoarseInlierM =
+    0.15F;  // distance from the median up to which the first fit uses them [m]
+constexpr float kTiltSpread = 1.0F;  // regularization of the tilt, as the spread of the points [m]
+constexpr double kSamePlace = 0.1;   // distance of two scans from the same place [m]
 constexpr int kDisappearedMin = 15;
 
 struct Difference {
@@ -24,7 +25,7 @@ struct Difference {
   float dz;
 };
 
-/// By least squares, its grade held back where the places lie close together.
+/// Least squares with a regularized grade, for points that lie close together.
 HeightPlane fit(const std::vector<Difference>& differences) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const auto& d : differences) mean += Eigen::Vector3d(d.p_level.x(), d.p_level.y(), d.dz);
@@ -43,11 +44,11 @@ HeightPlane fit(const std::vector<Difference>& differences) {
 
 std::vector<Difference> inliers(const std::vector<Difference>& all, const HeightPlane& plane,
                                 float residual_m) {
-  std::vector<Difference> some;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(some), [&](const Difference& d) {
-    return std::abs(d.dz - plane.at(d.p_level)) <= residual_m;
-  });
-  return some;
+  std::vector<Difference> coarse_inliers;
+  std::copy_if(
+      all.begin(), all.end(), std::back_inserter(coarse_inliers),
+      [&](const Difference& d) { return std::abs(d.dz - plane.at(d.p_level)) <= residual_m; });
+  return coarse_inliers;
 }
 
 float median(std::vector<Difference> all) {
@@ -57,7 +58,7 @@ float median(std::vector<Difference> all) {
   return middle->dz;
 }
 
-/// What two looks have in common.
+/// Compares a terrain map with a remembered one.
 class Comparison {
  public:
   Comparison(const TerrainMap& now, const RememberedMap& before, const Vehicle& vehicle)
@@ -88,10 +89,10 @@ class Comparison {
   void compare(int column, int row, const Eigen::Vector2d& p_now, const Eigen::Vector2d& p_before,
                const RememberedCell& before) {
     const TerrainCell& now = now_.at(column, row);
-    const bool seen_now = now.ground == Ground::kObserved && now.count > 0;
-    const bool seen_before = before.ground == Ground::kObserved && before.count > 0;
-    const bool even_now = seen_now && now.high_m - now.low_m <= obstacle_m_;
-    const bool even_before = seen_before && before.high_m - before.low_m <= obstacle_m_;
+    const bool observed_now = now.ground == Ground::kObserved && now.count > 0;
+    const bool observed_before = before.ground == Ground::kObserved && before.count > 0;
+    const bool even_now = observed_now && now.high_m - now.low_m <= obstacle_m_;
+    const bool even_before = observed_before && before.high_m - before.low_m <= obstacle_m_;
     const Eigen::Vector2f p = p_now.cast<float>();
     if (even_now && even_before) {
       differences_.push_back({p, now.low_m - before.low_m});
@@ -100,7 +101,7 @@ class Comparison {
     } else if (even_before && is_below_body(p_now)) {
       differences_.push_back({p, -before.low_m});
     }
-    if (!seen_now || !is_obstacle(before, high_m_)) return;
+    if (!observed_now || !is_obstacle(before, high_m_)) return;
     ++(obstacle_near(column, row) ? persisted_ : disappeared_);
   }
 
@@ -119,7 +120,7 @@ class Comparison {
 
   const TerrainMap& now_;
   float obstacle_m_;
-  float high_m_;  ///< of what nobody takes for ground when it is seen from elsewhere
+  float high_m_;  ///< height of obstacles that are never taken for ground from another viewpoint
   Eigen::Vector2d half_;
   Eigen::Isometry2d T_before_now_;
   std::vector<Difference> differences_;
@@ -138,13 +139,13 @@ std::optional<HeightPlane> align_heights(const TerrainMap& now, const Remembered
     return comparison.same_place() ? std::optional(HeightPlane{}) : std::nullopt;
   }
   const auto residual_m = static_cast<float>(params.memory.residual_max_m);
-  const auto some = inliers(all, {median(all)}, kCoarseInlierM);
-  const auto most = inliers(all, fit(some), residual_m);
-  if (static_cast<double>(most.size()) <
+  const auto coarse_inliers = inliers(all, {median(all)}, kCoarseInlierM);
+  const auto fine_inliers = inliers(all, fit(coarse_inliers), residual_m);
+  if (static_cast<double>(fine_inliers.size()) <
       params.memory.inlier_share * static_cast<double>(all.size())) {
     return std::nullopt;
   }
-  const HeightPlane plane = fit(most);
+  const HeightPlane plane = fit(fine_inliers);
   if (plane.grade.norm() > params.memory.tilt_max) return std::nullopt;
   return plane;
 }

@@ -9,8 +9,8 @@
 
 namespace adit {
 
-/// What is to be added to the heights of one level to have them in another, at a place of the
-/// latter: levels lie on the ground where they were taken, and gravity is known to a degree or so.
+/// Height correction from one level to another, as a plane over the latter: each level has its
+/// origin on the ground where it was taken, and gravity is known to about a degree.
 struct HeightPlane {
   float offset_m = 0.0F;
   Eigen::Vector2f grade{0.0F, 0.0F};
@@ -20,10 +20,9 @@ struct HeightPlane {
   }
 };
 
-/// From an earlier look to a new one, by the ground that both saw, and that on which the body stood
-/// when it looked. Nothing where they do not know enough in common, unless it looked from the same
-/// place; where their heights, or where things stand, differ too much. Then one of the levels or
-/// odom is wrong.
+/// Aligns the heights of an earlier scan to the new one, from the ground that both observed and the
+/// ground on which the body stood. Empty if they have too little in common, unless they are from
+/// the same place, or if their heights or obstacles differ too much: then a level or odom is wrong.
 std::optional<HeightPlane> align_heights(const TerrainMap& now, const RememberedMap& before,
                                          const TerrainParams& params);
 

@@ -20,8 +20,8 @@ RememberedMap::RememberedMap(const TerrainMap& map, double distance_travelled_m)
 
 namespace {
 
-constexpr int kDropAround = 3;  // of the four neighbours, in what is no narrow gap
-constexpr int kEvenAround = 5;  // of the eight, beside a gap that is closed
+constexpr int kDropAround = 3;  // open cells of the four neighbours that make a drop
+constexpr int kEvenAround = 5;  // even cells of the eight neighbours that close a gap
 
 }  // namespace
 
@@ -42,7 +42,8 @@ bool is_narrow_gap(const TerrainMap& map, int column, int row) {
 
 void close_narrow_gaps(TerrainMap& map, const std::vector<std::uint8_t>& changed,
                        float obstacle_m) {
-  std::vector<std::pair<std::size_t, float>> closed;  // what is closed closes nothing
+  std::vector<std::pair<std::size_t, float>>
+      closed;  // applied at the end: closed cells do not close others
   for (int row = 1; row + 1 < map.rows; ++row) {
     for (int column = 1; column + 1 < map.columns; ++column) {
       const std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +

@@ -15,16 +15,8 @@
 namespace adit {
 namespace {
 
-/// The cells, marked by 1, of which an earlier look is not to be believed: those that the new one
-/// does not see, around obstacles where earlier looks saw even ground. Of a rock that has fallen
-/// only one side is seen, and what it hides may be the rest of it. `recalled`: what earlier looks
-/// say of the cells of the map.
-std::vector<std::uint8_t> changed_ground(const TerrainMap& now,
-                                         const std::vector<RememberedCell>& recalled,
-                                         const TerrainParams& params);
-
-/// Cells of even ground all round what is new: walls are rough, from afar only a few points show
-/// the ground before them, and odom is off by centimetres.
+/// Cells of even ground required around a new obstacle: walls are rough, at long range only few
+/// points show the ground before them, and odom is inaccurate by centimetres.
 constexpr int kSlack = 3;
 
 template <class Visit>
@@ -39,7 +31,7 @@ void visit_around(const TerrainMap& map, int column, int row, int reach, const V
   }
 }
 
-/// Earlier looks saw the ground here, all around, and nothing on it.
+/// Whether earlier scans observed ground without obstacles here and all around.
 bool was_even(const TerrainMap& now, const std::vector<RememberedCell>& recalled, int column,
               int row, float obstacle_m) {
   bool even = true;
@@ -49,6 +41,9 @@ bool was_even(const TerrainMap& now, const std::vector<RememberedCell>& recalled
   return even;
 }
 
+/// Marks by 1 the cells for which earlier scans no longer count: unobserved cells around obstacles
+/// where earlier scans observed even ground. Of a fallen rock only one side is observed, and the
+/// occluded part may belong to it. `recalled`: the cells of the map in earlier scans.
 std::vector<std::uint8_t> changed_ground(const TerrainMap& now,
                                          const std::vector<RememberedCell>& recalled,
                                          const TerrainParams& params) {
@@ -76,9 +71,10 @@ std::vector<std::uint8_t> changed_ground(const TerrainMap& now,
   return changed;
 }
 
-constexpr float kLowerM = 0.1F;  // than it seems now, at which ground was seen before
+constexpr float kLowerM =
+    0.1F;  // below the current height, from which an earlier ground height counts
 
-void take(TerrainCell& cell, const RememberedCell& before) {
+void replace(TerrainCell& cell, const RememberedCell& before) {
   cell.ground = before.ground;
   cell.count = before.count;
   cell.low_m = before.low_m;
@@ -86,35 +82,37 @@ void take(TerrainCell& cell, const RememberedCell& before) {
   cell.clearance_m = std::min(cell.clearance_m, before.roof_m);
 }
 
-/// Whether the cell is now what an earlier look said of it.
+/// Merges a recalled cell into a cell of the map. Returns whether the cell was replaced.
 bool fill(TerrainCell& cell, const RememberedCell& before, bool changed, float obstacle_m) {
   const bool was_obstacle = is_obstacle(before, obstacle_m);
   switch (cell.ground) {
     case Ground::kNeverObserved:
     case Ground::kOccluded:
       if (changed || !before.is_informative()) return false;
-      take(cell, before);
+      replace(cell, before);
       return true;
     case Ground::kBelowRay:
     case Ground::kNoReturn:
-      // That nothing came back may be because the ground is gone, or under water: it stays unknown.
+      // A missing return may mean that the ground is gone or under water: the cell stays unknown.
       if (!was_obstacle) return false;
-      take(cell, before);
+      replace(cell, before);
       return true;
     case Ground::kObserved:
       break;
   }
-  if (cell.count == 0 && was_obstacle) {  // between beams that met the ground, and passed beside it
-    take(cell, before);
+  if (cell.count == 0 &&
+      was_obstacle) {  // interpolated between beams that passed beside the obstacle
+    replace(cell, before);
     return true;
   }
   if (before.ground == Ground::kObserved && before.count > 0 &&
       cell.low_m > before.low_m + kLowerM) {
-    cell.low_m = before.low_m;  // the ground itself is not seen this time, only what stands on it
+    cell.low_m = before.low_m;  // the new scan observed only an obstacle, not the ground below
   }
   if (std::isinf(cell.clearance_m) && before.ground == Ground::kObserved) {
     cell.clearance_m =
-        cell.low_m + (before.roof_m - before.low_m);  // the clearance, not the height
+        cell.low_m +
+        (before.roof_m - before.low_m);  // keeps the clearance, not the height of the roof
   }
   return false;
 }
@@ -141,8 +139,8 @@ void TerrainMemory::anchor(const Pose2& T_odom_previous) {
   previous_.clear();
 }
 
-/// What an earlier look says where no later one has said anything. A later one that saw ground only
-/// between its beams does not take away what stood there.
+/// Recalls the cells of an earlier scan for which later ones have no information. Later ground that
+/// is only interpolated between beams does not remove an earlier obstacle.
 void TerrainMemory::gather(const TerrainMap& map, const RememberedMap& before,
                            const HeightPlane& plane, std::uint8_t which) {
   const float obstacle_m = obstacle_height_m(params_.vehicle);

@@ -13,35 +13,35 @@
 
 namespace adit {
 
-/// What became of a map when it was filled from memory.
+/// Result of filling a map from memory.
 struct RecallResult {
-  static constexpr std::uint8_t kCurrent = 0;  ///< this one, the body that came over it, or none
-  /// Of each cell, the look that says what it is: so many before this one.
+  static constexpr std::uint8_t kCurrent = 0;  ///< current scan, driven ground or unknown
+  /// The scan that each cell is from: so many before the current one.
   std::vector<std::uint8_t> from;
-  int used = 0;      ///< earlier looks
-  int rejected = 0;  ///< those that do not agree with the new one
-  int changed = 0;   ///< cells of which nothing earlier is believed any more
+  int used = 0;      ///< earlier scans used
+  int rejected = 0;  ///< earlier scans that cannot be aligned
+  int changed = 0;   ///< cells for which earlier scans no longer count
 };
 
-/// What earlier looks knew, and where the body has been, in odom. The lasers sit at the ends of the
-/// vehicle and see nothing beside it, nor what is right before it; earlier looks did, from farther
-/// away. Each look is kept as it was, alone, so that nothing is handed on from map to map. Held in
-/// bounds by the way since then and by number; a restart begins with nothing.
+/// Earlier scans and the traversed path, in odom. The lasers are at the ends of the vehicle and
+/// cannot observe the ground beside and directly in front of it; earlier scans did, from farther
+/// away. Each scan is stored by itself, so that no error is passed on from map to map. Bounded by
+/// the path length since the scan and by number; empty after a restart.
 class TerrainMemory {
  public:
   explicit TerrainMemory(const TerrainParams& params);
 
-  /// Where the body is. After a jump of odom nothing is remembered until it is tied to the one of
-  /// before.
+  /// Adds a pose of the body. After a jump of odom nothing is recalled until `anchor` relates it to
+  /// the previous odom frame.
   void add(std::int64_t utime, const Pose2& T_odom_body);
-  /// Odom has begun anew then: as after a jump, though there may be none.
+  /// A new odom frame has begun at this time: as after a jump, though there may be none.
   void reset(std::int64_t odom_epoch_utime);
-  /// Where the odom of before the last jump lies in that of now: what was known in it counts again.
+  /// Sets the pose of the previous odom frame in the current one; scans in it count again.
   void anchor(const Pose2& T_odom_previous);
 
-  /// Fills in what the map does not know, newest first, and keeps what it knew itself. What it has
-  /// really seen stays; what stood where it cannot look still stands there. The map has its heights
-  /// alone: `clearance_m` is that of the roof.
+  /// Fills unknown cells of the map from earlier scans, newest first, and stores the scan. Cells
+  /// observed in the scan are retained; obstacles in cells that it cannot observe are recalled. The
+  /// map must contain heights only: its `clearance_m` is the height of the roof.
   const RecallResult& recall(TerrainMap& map);
 
   [[nodiscard]] const RecallResult& recall_result() const { return recall_result_; }
@@ -56,12 +56,12 @@ class TerrainMemory {
   TerrainParams params_;
   DrivenPath path_;
   std::deque<RememberedMap> maps_;      ///< newest first
-  std::deque<RememberedMap> previous_;  ///< likewise, in the odom of before
+  std::deque<RememberedMap> previous_;  ///< likewise, in the previous odom frame
   RecallResult recall_result_;
   std::vector<RememberedCell> recalled_;
-  std::vector<std::uint8_t> from_;     ///< who said what is recalled
-  std::vector<float> observed_at_m_;   ///< of the way, when that was
-  std::vector<std::uint8_t> changed_;  ///< cells for which nothing is to be recalled
+  std::vector<std::uint8_t> from_;     ///< scan of each recalled cell
+  std::vector<float> observed_at_m_;   ///< distance travelled at its observation
+  std::vector<std::uint8_t> changed_;  ///< cells for which earlier scans do not count
 };
 
 }  // namespace adit

@@ -10,8 +10,8 @@
 namespace adit {
 namespace {
 
-constexpr float kRangeMin = 0.05F;  // below which a slope means nothing [m]
-constexpr int kSteps = 4;           // to where a beam meets ground that rises and falls gently
+constexpr float kRangeMin = 0.05F;  // below it a slope is not significant [m]
+constexpr int kSteps = 4;  // iterations to the intersection of a beam with gently sloping ground
 
 }  // namespace
 
@@ -28,7 +28,7 @@ std::optional<BeamEnd> BeamEnds::of_point(const Eigen::Vector3f& origin,
   if (range < kRangeMin) return std::nullopt;
   BeamEnd end{(p_level.z() - origin.z()) / range, range, p_level.z(), BeamEnd::Kind::kObstacle};
   const int cell = finder_.at(p_level.x(), p_level.y());
-  // Outside of the map nobody knows the ground: what is below the laser may well be it.
+  // Outside the map the ground is unknown: anything well below the laser may be ground.
   const float ground = cell == CellFinder::kOutside ? origin.z() - step_m_
                                                     : ground_.at(static_cast<std::size_t>(cell));
   if (p_level.z() <= ground + step_m_) end.kind = BeamEnd::Kind::kGround;
@@ -37,15 +37,15 @@ std::optional<BeamEnd> BeamEnds::of_point(const Eigen::Vector3f& origin,
 
 std::optional<BeamEnd> BeamEnds::of_miss(const Eigen::Vector3f& origin,
                                          const Eigen::Vector3f& direction) const {
-  const float plan = direction.head<2>().norm();
-  if (!is_usable(direction) || !(plan > 0.0F) || direction.z() >= 0.0F) return std::nullopt;
-  const float slope = direction.z() / plan;
+  const float horizontal = direction.head<2>().norm();
+  if (!is_usable(direction) || !(horizontal > 0.0F) || direction.z() >= 0.0F) return std::nullopt;
+  const float slope = direction.z() / horizontal;
   float range = 0.0F;
   float ground = 0.0F;
   for (int i = 0; i < kSteps; ++i) {
     range = (ground - origin.z()) / slope;
     if (!(range >= kRangeMin && range <= floor_range_m_)) return std::nullopt;
-    const Eigen::Vector2f p = origin.head<2>() + range / plan * direction.head<2>();
+    const Eigen::Vector2f p = origin.head<2>() + range / horizontal * direction.head<2>();
     const int cell = finder_.at(p.x(), p.y());
     if (cell == CellFinder::kOutside) return std::nullopt;
     ground = ground_.at(static_cast<std::size_t>(cell));
@@ -55,9 +55,9 @@ std::optional<BeamEnd> BeamEnds::of_miss(const Eigen::Vector3f& origin,
 
 namespace {
 
-constexpr float kSlopeMax = 0.5F;  // steeper beams meet the roof, or walls from near by
+constexpr float kSlopeMax = 0.5F;  // steeper beams hit the roof, or walls nearby
 
-/// With the sector of each.
+/// Beams with their sector.
 std::vector<std::pair<std::size_t, BeamEnd>> useful_beams(std::span<const CloudLine* const> lines,
                                                           const BeamEnds& ends) {
   std::vector<std::pair<std::size_t, BeamEnd>> beams;
@@ -74,7 +74,7 @@ std::vector<std::pair<std::size_t, BeamEnd>> useful_beams(std::span<const CloudL
 
 }  // namespace
 
-/// By a quantity that grows with the angle and needs no arc tangent.
+/// Uses a pseudo-angle that grows with the azimuth and needs no arc tangent.
 std::size_t SectorBeams::sector(float x, float y) {
   const float sum = std::abs(x) + std::abs(y);
   if (!(sum > 0.0F)) return 0;

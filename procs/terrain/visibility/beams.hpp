@@ -14,30 +14,30 @@
 
 namespace adit {
 
-/// How a beam ended, seen from the side: the plan distance from where it began, and what it met.
+/// End of a beam in a vertical plane: slope, horizontal range, and what it hit.
 struct BeamEnd {
   enum class Kind : std::uint8_t {
     kGround,
-    kObstacle,  ///< what stands or hangs above the ground, walls and roof included
-    kLost,      ///< the ground should have been there, and nothing came back
+    kObstacle,  ///< anything above the ground, walls and roof included
+    kLost,      ///< no return where the ground is expected
   };
 
-  float slope = 0.0F;  ///< rise over plan distance
-  float range_m = 0.0F;
-  float z_m = 0.0F;  ///< of its end, in level
+  float slope = 0.0F;    ///< rise over horizontal distance
+  float range_m = 0.0F;  ///< horizontal
+  float z_m = 0.0F;      ///< z of its end in level
   Kind kind = Kind::kGround;
 };
 
-/// Says of single beams how they ended.
+/// Classifies the ends of single beams.
 class BeamEnds {
  public:
-  /// `ground` must outlive this.
+  /// `ground` must outlive this object.
   BeamEnds(const TerrainMap& map, const GroundLevel& ground, const TerrainParams& params);
 
-  /// Nothing for points straight above or below the laser, and those that are not usable.
+  /// Empty for points straight above or below the laser, and for points that are not usable.
   [[nodiscard]] std::optional<BeamEnd> of_point(const Eigen::Vector3f& origin,
                                                 const Eigen::Vector3f& p_level) const;
-  /// Nothing for a direction in which the ground is not expected near enough to return a beam.
+  /// Empty if the ground is not expected near enough in this direction to return a beam.
   [[nodiscard]] std::optional<BeamEnd> of_miss(const Eigen::Vector3f& origin,
                                                const Eigen::Vector3f& direction) const;
 
@@ -48,12 +48,12 @@ class BeamEnds {
   float floor_range_m_;
 };
 
-/// The beams of a laser that can say something of the ground, by the direction in the plan.
+/// The beams of a laser that carry information about the ground, by azimuth sector.
 class SectorBeams {
  public:
-  static constexpr std::size_t kSectors = 360;  ///< 0.64° to 1.27° wide: more than beams are apart
+  static constexpr std::size_t kSectors = 360;  ///< 0.64° to 1.27° wide: more than the beam spacing
 
-  /// The sector that a direction lies in; its length does not matter.
+  /// The sector of a direction of any length.
   [[nodiscard]] static std::size_t sector(float x, float y);
 
   SectorBeams(std::span<const CloudLine* const> lines, const BeamEnds& ends);
@@ -63,7 +63,7 @@ class SectorBeams {
   }
 
  private:
-  std::vector<std::uint32_t> starts_;  ///< of the beams of each sector, and the end
+  std::vector<std::uint32_t> starts_;  ///< start of the beams of each sector, and the end
   std::vector<BeamEnd> beams_;
 };
 

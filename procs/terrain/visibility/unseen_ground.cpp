@@ -15,23 +15,22 @@ namespace {
 
 using Kind = BeamEnd::Kind;
 
-constexpr float kGapAlways = 0.3F;       // the width of a region, which bridges as much [m]
+constexpr float kGapAlways = 0.3F;       // a gap up to the width of a region is always bridged [m]
 constexpr float kLaserHeightMin = 0.2F;  // [m]
-constexpr float kFootM = 0.5F;           // before a crest, where its foot is
-constexpr float kCrestMinM = 0.07F;      // above its foot: what is lower may be noise
-constexpr float kLevelM = 0.1F;          // by which ground behind a crest may be lower
-constexpr float kEndNoiseM = 0.1F;       // of the length of a shadow
+constexpr float kFootM = 0.5F;           // distance before a crest within which its foot lies
+constexpr float kCrestMinM = 0.07F;      // height above the foot: lower crests may be noise
+constexpr float kLevelM = 0.1F;          // by how much ground behind a crest may be lower
+constexpr float kEndNoiseM = 0.1F;       // tolerance of the length of a shadow
 
-/// The widest ditch into which a wheel that crosses it falls by three quarters of a step at
-/// most: the chord of the wheel at that height.
+/// Widest ditch into which a wheel sinks by at most three quarters of a step: the chord of the
+/// wheel at that height.
 float bridged_by_wheel_m(const Vehicle& vehicle) {
   const double radius = vehicle.wheel_radius_m;
   const double depth = std::min(0.75 * vehicle.step_max_m, radius);
   return static_cast<float>(2.0 * std::sqrt(depth * (2.0 * radius - depth)));
 }
 
-/// z of the lowest end within kFootM before that of the last of these beams, which are in order of
-/// their slope.
+/// Lowest z of the ground within kFootM before the last of these beams, which are ordered by slope.
 float foot_m(std::span<const BeamEnd> beams) {
   const BeamEnd& crest = beams.back();
   float low = crest.z_m;
@@ -42,7 +41,7 @@ float foot_m(std::span<const BeamEnd> beams) {
   return low;
 }
 
-/// From a place to the farthest corner of the map.
+/// Distance from a point to the farthest corner of the map.
 float reach_m(const TerrainMap& map, const Eigen::Vector3f& origin) {
   const Eigen::Vector2d low = map.p_level_corner;
   const Eigen::Vector2d high = low + map.cell_m * Eigen::Vector2d(map.columns, map.rows);
@@ -72,7 +71,8 @@ const GroundEvidence& SightLines::at(float x, float y) const {
   return observations_[SectorBeams::sector(d.x(), d.y()) * bins_ + std::min(bin, bins_ - 1)];
 }
 
-/// From the steepest beam upwards: each shows what lies beyond the reach of those below it.
+/// From the steepest beam upwards: each beam covers the distances beyond the reach of those below
+/// it.
 void SightLines::classify_sector(std::span<BeamEnd> beams, std::span<GroundEvidence> out) const {
   std::sort(beams.begin(), beams.end(), [](const BeamEnd& a, const BeamEnd& b) {
     return std::tie(a.slope, a.range_m, a.kind) < std::tie(b.slope, b.range_m, b.kind);
@@ -85,10 +85,10 @@ void SightLines::classify_sector(std::span<BeamEnd> beams, std::span<GroundEvide
       for (; done < end; ++done)
         out[done] = between(gap, (static_cast<float>(done) + 0.5F) * cell_m_);
     }
-    done = std::max(done, end);  // what lies before the steepest beam, nobody looked at
+    done = std::max(done, end);  // distances before the steepest beam are not observed
   }
-  const bool hidden = !beams.empty() && beams.back().kind == Kind::kObstacle;
-  if (hidden)
+  const bool is_occluded = !beams.empty() && beams.back().kind == Kind::kObstacle;
+  if (is_occluded)
     std::fill(out.begin() + static_cast<std::ptrdiff_t>(done), out.end(),
               GroundEvidence{Ground::kOccluded});
 }
@@ -109,7 +109,7 @@ GroundEvidence SightLines::between(const Gap& gap, float range_m) const {
   return {Ground::kObserved, std::lerp(below.z_m, above.z_m, share)};
 }
 
-/// Up to which two beams that met even ground may be apart.
+/// Distance up to which two beams that hit even ground may be apart [m].
 float SightLines::spacing_m(const Gap& gap) const {
   const auto& [below, above, foot_m] = gap;
   const float height = std::max(origin_.z(), kLaserHeightMin);
@@ -118,15 +118,15 @@ float SightLines::spacing_m(const Gap& gap) const {
                   static_cast<float>(params_.gap_max_m));
 }
 
-/// Beams that met the ground one behind the other show what is between, unless they are farther
-/// apart than on level ground: then the upper one passed over a hollow, or a crest.
+/// Consecutive beams that hit the ground show the ground between them, unless they are farther
+/// apart than on level ground: then the upper one passed over a hollow or a crest.
 bool SightLines::passes_over(const Gap& gap) const {
   return gap.above.range_m - gap.below.range_m > std::max(spacing_m(gap), kGapAlways);
 }
 
-/// Whether the ground goes on behind something low, a rail for one, that hides no more than its
-/// shadow is long. What is in the shadow nobody saw; a wheel that crosses a short one gets over it,
-/// whatever it is.
+/// Whether the ground continues behind a low crest, a rail for example, that hides no more than its
+/// shadow. The ground in the shadow is not observed; a wheel crosses a short shadow regardless of
+/// it.
 bool SightLines::is_behind_crest(const Gap& gap) const {
   const auto& [below, above, foot_m] = gap;
   const float height = below.z_m - foot_m;
@@ -139,15 +139,16 @@ bool SightLines::is_behind_crest(const Gap& gap) const {
 
 namespace {
 
-constexpr float kOnePlace = 0.25F;  // in which a tilting laser stays [m]
+constexpr float kViewpointRadius = 0.25F;  // radius within which a tilting laser stays [m]
 
-/// Lines by the place that they look from, in the order of the cloud.
-std::vector<std::vector<const CloudLine*>> by_place(const Cloud& cloud) {
+/// Groups the lines by viewpoint, in the order of the cloud.
+std::vector<std::vector<const CloudLine*>> by_viewpoint(const Cloud& cloud) {
   std::vector<std::vector<const CloudLine*>> places;
   for (const CloudLine& line : cloud.lines) {
     if (!is_usable(line.origin)) continue;
     auto place = places.begin();
-    while (place != places.end() && (place->front()->origin - line.origin).norm() > kOnePlace) {
+    while (place != places.end() &&
+           (place->front()->origin - line.origin).norm() > kViewpointRadius) {
       ++place;
     }
     if (place == places.end()) place = places.insert(place, std::vector<const CloudLine*>{});
@@ -179,8 +180,8 @@ bool has_more_evidence(const GroundEvidence& observation, const TerrainCell& cel
   return evidence_rank(observation.ground) > evidence_rank(cell.ground);
 }
 
-/// A region reaches beyond the last points of the ground before a drop, and into what is hidden: a
-/// cell without points of its own is no ground where beams pass over it, or do not get to.
+/// A region extends beyond the last points of the ground before a drop, and into occluded cells: a
+/// cell without points of its own is not ground if beams pass over it or do not reach it.
 bool is_past_edge(const GroundEvidence& observation, const TerrainCell& cell, float step_max_m) {
   const bool missed =
       observation.ground != Ground::kObserved && observation.ground != Ground::kNeverObserved;
@@ -202,7 +203,7 @@ void classify_unseen_ground(TerrainMap& map, const Cloud& cloud, const CellHeigh
                             const GroundLevel& ground, const TerrainParams& params) {
   const auto step_max_m = static_cast<float>(params.vehicle.step_max_m);
   const BeamEnds ends(map, ground, params);
-  for (const auto& lines : by_place(cloud)) {
+  for (const auto& lines : by_viewpoint(cloud)) {
     const SightLines sight(lines, ends, map, params);
     for (int row = 0; row < map.rows; ++row) {
       for (int column = 0; column < map.columns; ++column) {

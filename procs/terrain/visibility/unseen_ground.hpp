@@ -15,32 +15,32 @@
 
 namespace adit {
 
-/// What beams say of a place where none of them ended.
+/// Evidence of the beams for a place where none of them ended.
 struct GroundEvidence {
   Ground ground = Ground::kNeverObserved;
-  /// kObserved: of the ground between two beams that met it. kBelowRay: of the lowest beam over the
-  /// place (the virtual surface of arXiv 2010.16018). NaN for the others. z in level [m].
+  /// kObserved: height of the ground between two beams that hit it. kBelowRay: height of the lowest
+  /// beam over the place (the virtual surface of arXiv 2010.16018). NaN otherwise. z in level [m].
   float height_m = std::numeric_limits<float>::quiet_NaN();
 };
 
-/// The beams of one laser that looked around from one place, as a fan of upright half-planes, and
-/// in each of these the lowest beam at every distance. Costs one visit for each beam, and not one
-/// for each cell on its way: from one place a steeper beam is lower all the way, so that the lowest
-/// at a distance is the steepest of those that reach it.
+/// Lines of sight of a laser at one viewpoint, as a fan of vertical half-planes, with the lowest
+/// beam at each distance in each of them. The cost is one visit per beam, not one per cell along
+/// it: from one viewpoint a steeper beam is lower everywhere, so that the lowest beam at a distance
+/// is the steepest of those that reach it.
 class SightLines {
  public:
-  /// Lines begin close together, within the lever of a tilting mount.
+  /// All lines must begin close together, within the lever arm of a tilting mount.
   SightLines(std::span<const CloudLine* const> lines, const BeamEnds& ends, const TerrainMap& map,
              const TerrainParams& params);
 
   [[nodiscard]] const GroundEvidence& at(float x, float y) const;
 
  private:
-  /// Two beams of which none between them met anything.
+  /// Two consecutive beams of a sector, ordered by slope.
   struct Gap {
     BeamEnd below;
     BeamEnd above;
-    float foot_m = 0.0F;  ///< z of the ground shortly before the end of the one below
+    float foot_m = 0.0F;  ///< z of the ground shortly before the end of `below`
   };
 
   void classify_sector(std::span<BeamEnd> beams, std::span<GroundEvidence> out) const;
@@ -53,13 +53,13 @@ class SightLines {
   float bridged_m_;
   float cell_m_;
   Eigen::Vector3f origin_{0.0F, 0.0F, 0.0F};
-  std::size_t bins_;                          ///< of distance, a cell each
-  std::vector<GroundEvidence> observations_;  ///< by sector, in each by distance
+  std::size_t bins_;                          ///< number of distance bins, one cell each
+  std::vector<GroundEvidence> observations_;  ///< by sector, then distance
 };
 
-/// Says of the cells that no point shows why not, from the beams that went there, and gives those
-/// between beams that met the ground its height. Where lasers looked from several places, the one
-/// that knows most is believed.
+/// Classifies the cells without points from the beams that were aimed at them, and interpolates the
+/// height of cells between beams that hit the ground. With scans from several viewpoints the
+/// strongest evidence counts.
 void classify_unseen_ground(TerrainMap& map, const Cloud& cloud, const CellHeights& heights,
                             const GroundLevel& ground, const TerrainParams& params);
 

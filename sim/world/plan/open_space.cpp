@@ -13,7 +13,7 @@
 namespace adit {
 namespace {
 
-// Of the roughness of a wall: what it has all the way up, and what varies with height.
+// Fraction of the wall relief that is constant over the height; the rest varies with it.
 constexpr double kShareInPlan = 0.6;
 constexpr double kBucketSide = 4.0;
 
@@ -23,7 +23,7 @@ Relief wall_relief(const WorldDescription& description, double share, ReliefKind
   return {relief, relief_seed(description.seed, kind)};
 }
 
-/// Whether the end of a drift opens into another drift, or a room.
+/// Whether the end of a tunnel opens into another tunnel or a room.
 bool opens(const Eigen::Vector2d& end, const TunnelLine& tunnel,
            const std::vector<TunnelLine>& tunnels, const std::vector<PlanPolygon>& rooms) {
   const auto is_tunnel = [&](const TunnelLine& other) {
@@ -36,8 +36,8 @@ bool opens(const Eigen::Vector2d& end, const TunnelLine& tunnel,
          std::any_of(rooms.begin(), rooms.end(), is_room);
 }
 
-/// The middle of the drift in pieces. Ends are flat in rock. Others are round and so reach into
-/// what they open into: edge to edge there would be a seam of no depth.
+/// The segments of a tunnel. Ends in rock are flat. Other ends are round and overlap the tunnel or
+/// room that they open into; edge to edge, a seam of depth 0 would remain.
 std::vector<TunnelSegment> tunnel_segments(const TunnelLine& tunnel,
                                            const std::vector<TunnelLine>& tunnels,
                                            const std::vector<PlanPolygon>& rooms) {
@@ -70,7 +70,7 @@ TunnelSegment apron_of(const TunnelSegment& first) {
   return {first.from, -first.along, OpenSpace::kApronLength, first.half_width_m, true, true};
 }
 
-/// Refuses what is no number, too.
+/// Also rejects NaN.
 void require_within(double farthest_m) {
   if (farthest_m <= OpenSpace::kExtentMax) return;
   throw std::invalid_argument("the plan reaches " + number_text(farthest_m) +
@@ -85,7 +85,8 @@ void check_extent(const std::vector<PlanShape>& shapes) {
   }
 }
 
-/// Before anything is reckoned from them: a length that overflows leaves no number in the bounds.
+/// Checked before any computation with the points, since a length that overflows would leave NaN in
+/// the bounds.
 void check_points(const std::vector<TunnelLine>& tunnels) {
   for (const TunnelLine& tunnel : tunnels) {
     for (const Eigen::Vector2d& p : tunnel.points) require_within(p.lpNorm<Eigen::Infinity>());
@@ -111,7 +112,7 @@ OpenSpace::Shapes OpenSpace::shapes_of(const PlanDescription& plan,
   }
   shapes.all.insert(shapes.all.end(), rooms.begin(), rooms.end());
   shapes.open = shapes.all.size();
-  if (shapes.open == 0) throw std::invalid_argument("the plan has neither a drift nor a room");
+  if (shapes.open == 0) throw std::invalid_argument("the plan has neither a tunnel nor a room");
   shapes.all.insert(shapes.all.end(), pillars.begin(), pillars.end());
   check_extent(shapes.all);
   return shapes;

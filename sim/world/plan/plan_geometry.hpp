@@ -15,8 +15,8 @@ inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Where on the way from `a` to `b` it is nearest to `p`, as a share of it: 0 at `a`, 1 at `b`; 0
-/// where both are one.
+/// Position of the point nearest to `p` on the segment from `a` to `b`: 0 at `a`, 1 at `b`; 0 for a
+/// segment without length.
 inline double nearest_share(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
                             const Eigen::Vector2d& b) {
   const Eigen::Vector2d along = b - a;

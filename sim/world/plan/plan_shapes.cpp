@@ -37,7 +37,7 @@ double depth_m(const TunnelSegment& segment, const Eigen::Vector2d& p_world) {
   const double before_end = segment.flat_end ? segment.length_m - s : kFar;
   const double between_ends = std::min(behind_start, before_end);
   if (between_ends < 0.0) return -std::hypot(between_ends, std::min(beside, 0.0));
-  const double beyond = std::max(-s, s - segment.length_m);  // of an end that is round
+  const double beyond = std::max(-s, s - segment.length_m);  // for a round end
   const double round = beyond > 0.0 ? segment.half_width_m - std::hypot(beyond, across) : beside;
   return std::min(round, between_ends);
 }
@@ -113,7 +113,7 @@ std::vector<std::size_t> PlanBuckets::squares_near(const PlanShape& shape, doubl
 std::span<const std::uint32_t> PlanBuckets::at(const Eigen::Vector2d& p_world) const {
   const Eigen::Vector2d place = (p_world - origin_) / side_m_;
   const bool within = place.x() >= 0.0 && place.y() >= 0.0 && place.x() < columns_ &&
-                      place.y() < rows_;  // false for what is no number, too
+                      place.y() < rows_;  // false for NaN, too
   if (!within) return {};
   return at(static_cast<int>(place.x()), static_cast<int>(place.y()));
 }

@@ -12,7 +12,8 @@
 
 namespace adit {
 
-/// A straight piece of a drift. An end is flat, or round where the drift goes on or meets another.
+/// A straight segment of a tunnel. Its ends are flat, or round where the tunnel continues or meets
+/// another.
 struct TunnelSegment {
   Eigen::Vector2d from{0.0, 0.0};   ///< p_world [m]
   Eigen::Vector2d along{1.0, 0.0};  ///< unit
@@ -29,22 +30,21 @@ struct PlanPolygon {
 
 using PlanShape = std::variant<TunnelSegment, PlanPolygon>;
 
-/// How far inside the shape a place is: the distance to its edge, negative outside [m].
+/// Signed distance to the edge of the shape, negative outside [m].
 double depth_m(const TunnelSegment& segment, const Eigen::Vector2d& p_world);
 double depth_m(const PlanPolygon& polygon, const Eigen::Vector2d& p_world);
 double depth_m(const PlanShape& shape, const Eigen::Vector2d& p_world);
 
-/// A rectangle that the shape does not leave.
+/// Bounding rectangle.
 Eigen::AlignedBox2d bounds(const PlanShape& shape);
 
-/// Squares of the plan, each of which knows the shapes within reach of it, so that nobody asks a
-/// shape far away.
+/// Spatial index: square cells of the plan with the shapes within reach of each.
 class PlanBuckets {
  public:
-  /// The squares cover the shapes and `reach_m` around them.
+  /// The cells cover the shapes and a margin of `reach_m`.
   PlanBuckets(const std::vector<PlanShape>& shapes, double side_m, double reach_m);
 
-  /// Indices of the shapes, ascending; none outside of all squares.
+  /// Indices of the shapes, ascending; empty outside of all cells.
   [[nodiscard]] std::span<const std::uint32_t> at(const Eigen::Vector2d& p_world) const;
   [[nodiscard]] std::span<const std::uint32_t> at(int column, int row) const;
 
@@ -60,7 +60,7 @@ class PlanBuckets {
   double side_m_;
   int columns_ = 0;
   int rows_ = 0;
-  std::vector<std::uint32_t> starts_;  ///< of the shapes of each square, row by row, and the end
+  std::vector<std::uint32_t> starts_;  ///< of the shapes of each cell, row by row, and the end
   std::vector<std::uint32_t> shapes_;
 };
 

@@ -13,7 +13,7 @@
 namespace adit {
 namespace {
 
-/// One straight piece of a line.
+/// One segment of a line.
 struct Segment {
   Eigen::Vector2d from;
   Eigen::Vector2d to;
@@ -32,7 +32,7 @@ std::vector<Segment> segments_of(const TunnelLine& line) {
   return segments;
 }
 
-/// Shares of both segments at which they cross; nothing for parallel ones.
+/// Position of the crossing on both segments, 0 to 1 within them; empty for parallel segments.
 std::optional<std::pair<double, double>> crossing(const Segment& a, const Segment& b) {
   const Eigen::Vector2d u = a.to - a.from;
   const Eigen::Vector2d v = b.to - b.from;
@@ -45,7 +45,7 @@ std::optional<std::pair<double, double>> crossing(const Segment& a, const Segmen
   return std::pair(share_a, share_b);
 }
 
-/// All drifts of a plan, and where each of them is to be split.
+/// All tunnels of a plan, and where each of them is split.
 class Splitter {
  public:
   explicit Splitter(const std::vector<TunnelLine>& tunnels)
@@ -67,7 +67,7 @@ class Splitter {
  private:
   void add_crossings(std::size_t a, std::size_t b) {
     for (std::size_t i = 0; i < segments_[a].size(); ++i) {
-      // Neighbours within one line always meet.
+      // Consecutive segments of a line always meet.
       for (std::size_t j = a == b ? i + 2 : 0; j < segments_[b].size(); ++j) {
         const Segment& first = segments_[a][i];
         const Segment& second = segments_[b][j];
@@ -80,7 +80,8 @@ class Splitter {
     }
   }
 
-  /// An end belongs to the nearest drift within half its width, or is a node of its own.
+  /// An end is joined to the nearest tunnel within half of that tunnel's width, or is a node of its
+  /// own.
   void add_end(std::size_t a, double s_m, const Eigen::Vector2d& end) {
     double nearest = std::numeric_limits<double>::infinity();
     std::optional<std::size_t> tunnel;
@@ -125,8 +126,8 @@ void append(std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& p) {
   if (points.empty() || (points.back() - p).norm() > kSame) points.push_back(p);
 }
 
-/// Node, the drift from one split to the next, node. A split and its node are apart where two nodes
-/// are one, or a drift ends at the wall of another: the end itself is then on the way.
+/// Node, the tunnel from one split to the next, node. Split and node differ where nodes were merged
+/// or a tunnel ends at the wall of another; the end itself is then a point of the edge.
 std::vector<Eigen::Vector2d> points_between(const TunnelLine& line, const TunnelSplit& from,
                                             const TunnelSplit& to, const Eigen::Vector2d& p_from,
                                             const Eigen::Vector2d& p_to) {
@@ -163,7 +164,7 @@ void add_edges(const TunnelLine& line, std::vector<TunnelSplit> splits, TunnelGr
         line, splits[i - 1], splits[i], nodes[static_cast<std::size_t>(from)].p_world,
         nodes[static_cast<std::size_t>(to)].p_world);
     const double length = length_of(points);
-    // What is left between two places that are one node; a loop is longer.
+    // Remainders between two splits of the same node; a real loop is longer.
     if (from == to && length <= 2.0 * line.width_m) continue;
     graph.edges.push_back({from, to, std::move(points), length, line.width_m, line.name});
   }

@@ -11,18 +11,19 @@
 
 namespace adit {
 
-/// Where a drift is split at a node: the place along it, and that of the node.
+/// Where a tunnel is split at a node: the distance along it, and the position of the node.
 struct TunnelSplit {
-  double s_m = 0.0;                  ///< along the drift
+  double s_m = 0.0;                  ///< along the tunnel
   Eigen::Vector2d p_node{0.0, 0.0};  ///< p_world [m]
 };
 
-/// For each drift, in no particular order: where it crosses itself or another, where another ends
-/// within half its width, and its own ends.
+/// For each tunnel, unordered: where it crosses itself or another, where another ends within half
+/// of its width, and its own ends.
 std::vector<std::vector<TunnelSplit>> tunnel_splits(const std::vector<TunnelLine>& tunnels);
 
-/// The middles of the drifts as a graph: split where lines cross, or where one ends within half a
-/// width of another, to the middle of which it is then led. Nodes less than a metre apart are one.
+/// The centre lines of the tunnels as a graph: split where lines cross, or where one ends within
+/// half a width of another; it is then extended to the centre line of the other. Nodes less than 1
+/// m apart are merged.
 TunnelGraph tunnel_graph(const std::vector<TunnelLine>& tunnels);
 
 }  // namespace adit

@@ -13,13 +13,13 @@
 namespace adit {
 namespace {
 
-// One that ends on the wall of another touches it, whatever the last bits say.
+// Tolerance by which a tunnel that ends on the wall of another touches it.
 constexpr double kTouchMargin = 0.01;
-// Nearer points than this are one: the way from one to the other has no direction to rely on [m].
+// Closer points count as the same, since the segment between them has no reliable direction [m].
 constexpr double kSamePoint = 1e-3;
 
 TunnelLine line_of(const TunnelDescription& tunnel) {
-  const std::string what = "drift '" + tunnel.name + "'";
+  const std::string what = "tunnel '" + tunnel.name + "'";
   TunnelLine line{tunnel.name, corner_list(tunnel.points_m, 2, what), tunnel.width_m,
                   tunnel.entrance};
   for (std::size_t i = 1; i < line.points.size(); ++i) {
@@ -45,7 +45,7 @@ TunnelLine crosscut(const PanelDescription& panel, int j) {
   const double x_last = x + y * std::tan(panel.slant_rad);
   const std::string name = panel.name + "_crosscut_" + std::to_string(j);
   if (std::min(x, x_last) < 0.0 || std::max(x, x_last) > panel.length_m) {
-    throw std::invalid_argument("drift '" + name + "' leaves its panel, which is " +
+    throw std::invalid_argument("tunnel '" + name + "' leaves its panel, which is " +
                                 std::to_string(panel.length_m) + " m long");
   }
   const Pose2& T = panel.T_world_panel;
@@ -65,7 +65,7 @@ void check_names(const std::vector<TunnelLine>& lines) {
   std::set<std::string> names;
   for (const TunnelLine& line : lines) {
     if (!names.insert(line.name).second) {
-      throw std::invalid_argument("two drifts are named '" + line.name + "'");
+      throw std::invalid_argument("two tunnels are named '" + line.name + "'");
     }
   }
 }
@@ -139,8 +139,8 @@ const TunnelLine& find_tunnel(const std::vector<TunnelLine>& tunnels, const std:
     if (tunnel.name == name) return tunnel;
     names += (names.empty() ? "" : ", ") + tunnel.name;
   }
-  throw std::invalid_argument(what + " is in drift '" + name + "', but there " +
-                              (names.empty() ? "are no drifts" : "are only: " + names));
+  throw std::invalid_argument(what + " is in tunnel '" + name + "', but there " +
+                              (names.empty() ? "are no tunnels" : "are only: " + names));
 }
 
 }  // namespace adit

@@ -11,18 +11,18 @@
 
 namespace adit {
 
-/// The middle of one drift, in world.
+/// The centre line of one tunnel, in world.
 struct TunnelLine {
-  /// A place along it.
+  /// Position and heading at a distance along the line.
   struct Station {
     Eigen::Vector2d p_world{0.0, 0.0};  ///< [m]
     double heading_rad = 0.0;           ///< of the line there
   };
 
-  /// A place as a drift counts it.
+  /// Position relative to the line.
   struct Place {
     double s_m = 0.0;       ///< along the line, from its first point
-    double across_m = 0.0;  ///< to the left of it
+    double across_m = 0.0;  ///< to the left of the line
   };
 
   std::string name;
@@ -31,23 +31,24 @@ struct TunnelLine {
   bool entrance = false;  ///< the first point is open to the outside
 
   [[nodiscard]] double length_m() const;
-  /// `s_m` counts from the first point; before the start and behind the end, that end.
+  /// `s_m` is the distance from the first point, clamped to the ends.
   [[nodiscard]] Station at(double s_m) const;
-  /// `across_m` to the left of the middle at `s_m`.
+  /// The point `across_m` to the left of the line at `s_m`.
   [[nodiscard]] Eigen::Vector2d beside(double s_m, double across_m) const;
-  /// By the place on the line that is nearest. Beyond an end `s_m` is that of the end.
+  /// Relative to the nearest point of the line; `s_m` is clamped to the ends.
   [[nodiscard]] Place place_of(const Eigen::Vector2d& p_world) const;
-  /// From the place on the line that is nearest.
+  /// Distance to the nearest point of the line.
   [[nodiscard]] double distance_m(const Eigen::Vector2d& p_world) const;
-  /// Whether a place is in the drift as planned, or on its wall, by a centimetre.
+  /// Whether a point is in the tunnel as planned, or on its wall within 1 cm.
   [[nodiscard]] bool contains(const Eigen::Vector2d& p_world) const;
 };
 
-/// All drifts of a plan, those of its panels included. Throws std::invalid_argument, naming the
-/// drift, for fewer than two points, an odd list, a line of no length, or a name that comes twice.
+/// All tunnels of a plan, including those of its panels. Throws std::invalid_argument with the name
+/// of the tunnel for fewer than two points, an odd list, a line without length, or a duplicate
+/// name.
 std::vector<TunnelLine> tunnel_lines(const PlanDescription& plan);
 
-/// Throws std::invalid_argument with `what` and the names that there are.
+/// Throws std::invalid_argument with `what` and the known names if there is no such tunnel.
 const TunnelLine& find_tunnel(const std::vector<TunnelLine>& tunnels, const std::string& name,
                               const std::string& what);
 

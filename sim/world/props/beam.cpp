@@ -8,8 +8,8 @@
 namespace adit {
 namespace {
 
-constexpr double kIntoWall = 0.1;   // how far the ends go behind the plan of the walls [m]
-constexpr double kCableSpan = 5.0;  // from where a cable leaves the roof to where it is again [m]
+constexpr double kIntoWall = 0.1;       // how far the ends go behind the plan of the walls [m]
+constexpr double kCableSpan = 5.0;      // length of a cable between its ends at the roof [m]
 constexpr double kCableSegment = 0.05;  // [m]
 
 /// A box of square section from one point to another.
@@ -24,8 +24,8 @@ OrientedBox timber_between(const Eigen::Vector3d& from, const Eigen::Vector3d& t
   return box;
 }
 
-/// The middle of the lower end lies half a thickness above the floor, that of the upper one where
-/// the description says.
+/// The centre of the lower end is half a thickness above the floor, that of the upper end at the
+/// described height.
 void add_timber(const BeamDescription& beam, const TunnelLine& tunnel, PropSite& site) {
   const double half_m = (tunnel.width_m / 2.0 + kIntoWall);
   const double along_m = half_m * std::tan(beam.yaw_rad);
@@ -42,8 +42,8 @@ void add_timber(const BeamDescription& beam, const TunnelLine& tunnel, PropSite&
   end_obstacle(site, first);
 }
 
-/// A parabola between two points of the roof, which a cable is where it hangs by little of its
-/// length. `lane` is from −1, at the right wall, to 1.
+/// A parabola between two points of the roof, which approximates a catenary of little sag. `lane`
+/// is from −1, at the right wall, to 1.
 void add_cable(const BeamDescription& beam, const TunnelLine& tunnel, double lane, PropSite& site) {
   const auto at_roof = [&](double side) {
     const double across_m = (lane + site.between(-0.35, 0.35)) * tunnel.width_m / 2.0;

@@ -12,7 +12,7 @@ constexpr double kPlate = 0.04;        // thickness of the body's sides [m]
 constexpr double kWheelWidth = 0.06;   // [m]
 constexpr double kWheelRadius = 0.18;  // at most [m]
 
-/// A box by its lowest and highest corner in the axes of the car.
+/// A box by its minimum and maximum corner in the frame of the car.
 void add_plate(const Eigen::Isometry3d& T_world_car, const Eigen::Vector3d& low,
                const Eigen::Vector3d& high, MeshBuilder& builder) {
   OrientedBox box;
@@ -22,7 +22,7 @@ void add_plate(const Eigen::Isometry3d& T_world_car, const Eigen::Vector3d& low,
   builder.box(box);
 }
 
-/// A tub without a lid, its bottom at `bottom_m`.
+/// An open tub whose bottom is at `bottom_m`.
 void add_tub(const CarDescription& car, const Eigen::Isometry3d& T_world_car, double bottom_m,
              MeshBuilder& builder) {
   const double x = car.length_m / 2.0;

@@ -9,7 +9,7 @@
 
 namespace adit {
 
-// The hole itself is in the floor already (apply_height_changes).
+// apply_height_changes() has already lowered the floor.
 void add_prop(const PitDescription& pit, PropSite& site) {
   const TunnelLine& tunnel = tunnel_with(site.tunnels, pit.tunnel, pit.at_m, site.what);
   const Eigen::Vector2d middle = tunnel.beside(pit.at_m, pit.across_m);
@@ -38,12 +38,12 @@ void add_prop(const MudDescription& mud, PropSite& site) {
                                         .z_high_m = floor_m});
 }
 
-// The roof itself hangs low already (apply_height_changes).
+// apply_height_changes() has already lowered the roof.
 void add_prop(const LowRoofDescription& low, PropSite& site) {
   const TunnelLine& tunnel = tunnel_with(site.tunnels, low.tunnel, low.from_m, low.to_m, site.what);
   Obstacle obstacle{.kind = PartKind::kRoof,
                     .name = low.name,
-                    .outline = convex_outline(stretch_outline(tunnel, low.from_m, low.to_m)),
+                    .outline = convex_outline(section_outline(tunnel, low.from_m, low.to_m)),
                     .z_low_m = std::numeric_limits<double>::infinity(),
                     .z_high_m = -std::numeric_limits<double>::infinity()};
   for (const double s_m : places_between(low.from_m, low.to_m, 0.2)) {

@@ -15,7 +15,7 @@ bool turns_left(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
   return cross(b - a, c - a) > 0.0;
 }
 
-/// The chain below points in order, without its last point, with which the other chain begins.
+/// The lower chain of sorted points, without its last point, which is the first of the other chain.
 template <class Iterator>
 void append_chain(Iterator begin, Iterator end, std::vector<Eigen::Vector2d>& outline) {
   const std::size_t first = outline.size();

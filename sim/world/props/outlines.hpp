@@ -8,8 +8,8 @@
 
 namespace adit {
 
-/// The smallest convex polygon around points, counter-clockwise (Andrew's monotone chain, 1979).
-/// Fewer than three corners where the points lie on one line.
+/// Convex hull, counter-clockwise (Andrew's monotone chain, 1979). Fewer than three corners if the
+/// points are collinear.
 std::vector<Eigen::Vector2d> convex_outline(std::vector<Eigen::Vector2d> points);
 
 /// A regular polygon around a circle, counter-clockwise, p_world [m].

@@ -13,7 +13,7 @@ namespace {
 
 void require_along(const TunnelLine& tunnel, double at_m, const std::string& what) {
   if (at_m >= 0.0 && at_m <= tunnel.length_m()) return;
-  throw std::invalid_argument(what + ": " + number_text(at_m) + " m is not along drift '" +
+  throw std::invalid_argument(what + ": " + number_text(at_m) + " m is not along tunnel '" +
                               tunnel.name + "', which is " + number_text(tunnel.length_m()) +
                               " m long");
 }
@@ -43,7 +43,7 @@ std::vector<double> places_between(double from_m, double to_m, double step_m) {
   return places;
 }
 
-std::vector<Eigen::Vector2d> stretch_outline(const TunnelLine& tunnel, double from_m, double to_m) {
+std::vector<Eigen::Vector2d> section_outline(const TunnelLine& tunnel, double from_m, double to_m) {
   const double aside_m = tunnel.width_m / 2.0 + kBehindWalls;
   const std::vector<double> places = places_between(from_m, to_m, 1.0);
   std::vector<Eigen::Vector2d> outline;
@@ -54,7 +54,7 @@ std::vector<Eigen::Vector2d> stretch_outline(const TunnelLine& tunnel, double fr
   return outline;
 }
 
-double share_of_stretch(const TunnelLine& tunnel, double from_m, double to_m,
+double fraction_of_section(const TunnelLine& tunnel, double from_m, double to_m,
                         const Eigen::Vector2d& p_world) {
   const TunnelLine::Place place = tunnel.place_of(p_world);
   if (std::abs(place.across_m) > tunnel.width_m / 2.0 + kBehindWalls) return -1.0;

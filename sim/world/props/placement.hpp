@@ -12,33 +12,33 @@
 
 namespace adit {
 
-/// Which prop it is, as the world file has it: `props.posts[2]`.
+/// Name of a prop as in the world file: `props.posts[2]`.
 inline std::string prop_name(const std::string& list, std::size_t index) {
   return "props." + list + "[" + std::to_string(index) + "]";
 }
 
-/// The drift in which a prop is. Throws std::invalid_argument, beginning with `what`, where there
-/// is no such drift or `at_m` is not along it.
+/// The tunnel of a prop. Throws std::invalid_argument, starting with `what`, if there is no such
+/// tunnel or `at_m` is not along it.
 const TunnelLine& tunnel_with(const std::vector<TunnelLine>& tunnels, const std::string& name,
                               double at_m, const std::string& what);
 
-/// The same for a stretch, which must not run backwards.
+/// The same for a section, whose end must not be before its start.
 const TunnelLine& tunnel_with(const std::vector<TunnelLine>& tunnels, const std::string& name,
                               double from_m, double to_m, const std::string& what);
 
-/// Places along a stretch, its ends included, at most `step_m` apart [m].
+/// Positions along a section, including its ends, at most `step_m` apart [m].
 std::vector<double> places_between(double from_m, double to_m, double step_m);
 
-/// How far what fills a drift from wall to wall goes on behind the planned walls, so that their
+/// Extension beyond the planned walls of props that fill a tunnel from wall to wall, so that the
 /// relief leaves no gap [m].
 constexpr double kBehindWalls = 0.5;
 
-/// The part of a drift from one place to another, as an outline: the right side onwards, then the
-/// left side back; counter-clockwise, p_world [m].
-std::vector<Eigen::Vector2d> stretch_outline(const TunnelLine& tunnel, double from_m, double to_m);
+/// The outline of a section of a tunnel, counter-clockwise: the right side forward, then the left
+/// side backward; p_world [m].
+std::vector<Eigen::Vector2d> section_outline(const TunnelLine& tunnel, double from_m, double to_m);
 
-/// How far a place is along a stretch, from 0 to 1; negative for one that is not in it.
-double share_of_stretch(const TunnelLine& tunnel, double from_m, double to_m,
+/// Position of a point along a section, 0 to 1; negative if it is not in the section.
+double fraction_of_section(const TunnelLine& tunnel, double from_m, double to_m,
                         const Eigen::Vector2d& p_world);
 
 }  // namespace adit

@@ -9,11 +9,11 @@
 
 namespace adit {
 
-// What stands, lies, hangs or gapes in a mine. Places along a drift count in metres from its first
-// point; places across it in metres to the left of its middle. The bounds are wide for a mine and
-// keep a slip of the pen from becoming millions of posts or triangles.
+// Objects and hazards in a mine. Positions along a tunnel are distances from its first point;
+// positions across it are to the left of its centre line [m]. The bounds are wide for a mine and
+// prevent a typing error from becoming millions of posts or triangles.
 
-/// Two rails on sleepers, along the middle of a stretch of drift.
+/// Two rails on sleepers, along the centre line of a section of a tunnel.
 struct RailsDescription {
   std::string tunnel;
   double from_m = 0.0;
@@ -44,7 +44,7 @@ struct PostsDescription {
   double across_m = 1.2;
   bool both_sides = false;  ///< at −across_m as well
   double radius_m = 0.1;
-  double lean_rad = 0.03;  ///< at most, at random
+  double lean_rad = 0.03;  ///< maximum random lean
 
   template <class V>
   void visit(V& v) {
@@ -75,7 +75,7 @@ struct CribDescription {
   }
 };
 
-/// A fall of the roof: a cone of rubble with stones on it, and the roof broken out above.
+/// A roof fall: a cone of rubble with stones on it, and a cavity in the roof above.
 struct RubbleDescription {
   std::string tunnel;
   double at_m = 0.0;
@@ -93,17 +93,17 @@ struct RubbleDescription {
   }
 };
 
-/// A broken beam, one end at the roof and one on the floor, slanting across the drift, with cables
-/// of the roof dragged down beside it.
+/// A broken beam, one end at the roof and one on the floor, slanting across the tunnel, with roof
+/// cables pulled down beside it.
 struct BeamDescription {
   std::string tunnel;
   double at_m = 0.0;
   double thickness_m = 0.25;
-  double yaw_rad = 0.3;     ///< of the beam against the line across the drift
+  double yaw_rad = 0.3;     ///< of the beam, relative to the normal of the tunnel
   double high_end_m = 1.6;  ///< of its upper end above the floor
   int cables = 2;
   double cable_diameter_m = 0.03;
-  double cable_sag_m = 0.9;  ///< how far the middle of a cable hangs below the roof
+  double cable_sag_m = 0.9;  ///< distance of the middle of a cable below the roof
 
   template <class V>
   void visit(V& v) {
@@ -118,7 +118,7 @@ struct BeamDescription {
   }
 };
 
-/// A mine car, left standing.
+/// An abandoned mine car.
 struct CarDescription {
   std::string tunnel;
   double at_m = 0.0;
@@ -138,7 +138,7 @@ struct CarDescription {
   }
 };
 
-/// A stretch where the roof comes down to `clearance_m` above the floor.
+/// A section with the roof only `clearance_m` above the floor.
 struct LowRoofDescription {
   std::string name;
   std::string tunnel;
@@ -176,7 +176,7 @@ struct PitDescription {
   }
 };
 
-/// Water that stands in a stretch of drift, over its whole width.
+/// Standing water in a section of a tunnel, over its full width.
 struct WaterDescription {
   std::string name;
   std::string tunnel;
@@ -184,7 +184,7 @@ struct WaterDescription {
   double to_m = 0.0;
   double depth_m =
       0.5;              ///< in the middle of the stretch; the floor is lowered for it towards there
-  bool mirror = false;  ///< whether a laser sees the image of the roof in it, or nothing
+  bool mirror = false;  ///< whether the surface reflects a laser to the roof, or gives no return
 
   template <class V>
   void visit(V& v) {
@@ -204,7 +204,7 @@ struct MudDescription {
   double at_m = 0.0;
   double across_m = 0.0;
   double radius_m = 2.0;
-  double depth_m = 0.15;  ///< of a wheel in the middle
+  double depth_m = 0.15;  ///< sinkage of a wheel in the centre
 
   template <class V>
   void visit(V& v) {
@@ -217,13 +217,13 @@ struct MudDescription {
   }
 };
 
-/// Bad air.
+/// A pocket of gas.
 struct GasDescription {
   std::string name;
   std::string tunnel;
   double at_m = 0.0;
   double radius_m = 5.0;        ///< one standard deviation
-  double methane_share = 0.02;  ///< of the air, in the middle
+  double methane_share = 0.02;  ///< fraction of the air in the centre
 
   template <class V>
   void visit(V& v) {

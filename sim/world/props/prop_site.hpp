@@ -17,14 +17,14 @@
 
 namespace adit {
 
-/// What one prop is given to put itself into the world.
+/// Context for adding one prop to the world.
 struct PropSite {
   const std::vector<TunnelLine>& tunnels;
   const Heights& heights;
   MeshBuilder& builder;
   World& world;
   std::string what;        ///< which prop it is, for messages: `props.posts[2]`
-  std::mt19937_64 random;  ///< its own, so that no prop changes another
+  std::mt19937_64 random;  ///< a separate stream, so that no prop changes another
 
   /// Uniformly random.
   double between(double low, double high) {
@@ -32,22 +32,23 @@ struct PropSite {
   }
 };
 
-/// A point on the floor beside the middle of a drift, in world.
+/// A point on the floor beside the centre line of a tunnel, in world.
 Eigen::Vector3d on_floor(const PropSite& site, const TunnelLine& tunnel, double s_m,
                          double across_m);
 
-/// Axes at a place of a drift: x along it, y to its left, z up; the origin at `p_world`.
+/// Frame at a position of a tunnel: x along it, y to its left, z up; origin at `p_world`.
 Eigen::Isometry3d tunnel_axes(const TunnelLine& tunnel, double s_m, const Eigen::Vector3d& p_world);
 
-/// Begins a part of the mesh that will be an obstacle. Returns what `end_obstacle` needs.
+/// Begins a part of the mesh that is an obstacle. Returns the argument of `end_obstacle`.
 std::size_t begin_obstacle(PropSite& site, PartKind kind, Material material,
                            const std::string& name);
 
-/// All vertices since `begin_obstacle` are one obstacle of the truth.
+/// Adds the vertices since `begin_obstacle` to the ground truth as one obstacle.
 void end_obstacle(PropSite& site, std::size_t first_vertex);
 
-// One prop: its surfaces into the mesh, what is true of it into the world. Each throws
-// std::invalid_argument, naming the prop, for one in no drift or beyond its end.
+// Adds one prop: its surfaces to the mesh, its ground truth to the world. Each throws
+// std::invalid_argument with the name of the prop for an unknown tunnel or a position beyond its
+// end.
 void add_prop(const RailsDescription& rails, PropSite& site);
 void add_prop(const PostsDescription& posts, PropSite& site);
 void add_prop(const CribDescription& crib, PropSite& site);

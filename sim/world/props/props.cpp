@@ -13,10 +13,10 @@
 namespace adit {
 namespace {
 
-// The sides of a pit go down over this distance [m].
+// Horizontal width of the sides of a pit [m].
 constexpr double kPitSide = 0.1;
 
-// What has fallen fills this many times the volume of its cavity.
+// Volume of fallen rock relative to that of its cavity.
 constexpr double kBulking = 1.5;
 
 using Tunnels = std::vector<TunnelLine>;
@@ -30,8 +30,8 @@ HeightChange pit(const PitDescription& pit, const TunnelLine& tunnel) {
           }};
 }
 
-/// A paraboloid above the cone. Of the same base, the one has half and the other a third of the
-/// volume of their cylinder.
+/// A paraboloid above the cone. On the same base, they have half and a third of the volume of their
+/// cylinder.
 HeightChange cavity(const RubbleDescription& rubble, const TunnelLine& tunnel) {
   const Eigen::Vector2d middle = tunnel.beside(rubble.at_m, rubble.across_m);
   const double rise_m = rubble.height_m * (2.0 / 3.0) / kBulking;
@@ -43,12 +43,12 @@ HeightChange cavity(const RubbleDescription& rubble, const TunnelLine& tunnel) {
           }};
 }
 
-/// `bare` has the floor without pits and hollows, from which the clearance counts.
+/// `bare` has the floor without pits and hollows, to which the clearance refers.
 HeightChange low_roof(const LowRoofDescription& low, const TunnelLine& tunnel,
                       const std::shared_ptr<const Heights>& bare) {
-  const PlanBox box = box_around(stretch_outline(tunnel, low.from_m, low.to_m));
+  const PlanBox box = box_around(section_outline(tunnel, low.from_m, low.to_m));
   return {box.low, box.high, [low, tunnel, bare](const Eigen::Vector2d& p_world, double roof_m) {
-            const double share = share_of_stretch(tunnel, low.from_m, low.to_m, p_world);
+            const double share = fraction_of_section(tunnel, low.from_m, low.to_m, p_world);
             return share < 0.0 ? roof_m : std::min(roof_m, bare->floor(p_world) + low.clearance_m);
           }};
 }

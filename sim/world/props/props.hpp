@@ -11,14 +11,14 @@
 
 namespace adit {
 
-/// What the props do to floor and roof: pits, hollows under water, low roof, cavities above falls.
-/// To be asked before the surfaces are made. Throws std::invalid_argument, naming the prop, for one
-/// in no drift or beyond its end.
+/// Applies the changes of floor and roof by props: pits, hollows under water, low roofs, cavities
+/// above roof falls. Must be called before the surfaces are built. Throws std::invalid_argument
+/// with the name of the prop for an unknown tunnel or a position beyond its end.
 void apply_height_changes(const PropDescriptions& props, const std::vector<TunnelLine>& tunnels,
                           Heights& heights);
 
-/// Puts the props into the mesh, and what is to be known of them into the world: obstacles of its
-/// truth, soft ground, water, gas. `seed` is that of what is random in them. Throws as above.
+/// Adds the props to the mesh, and their ground truth to the world: obstacles, soft ground, water,
+/// gas. `seed` is that of their random dimensions. Throws as above.
 void add_props(const PropDescriptions& props, const std::vector<TunnelLine>& tunnels,
                const Heights& heights, int seed, MeshBuilder& builder, World& world);
 

@@ -8,26 +8,26 @@
 namespace adit {
 namespace {
 
-// A sleeper [m]. Its top shows above the floor by less than the foot of a rail is thick.
+// A sleeper [m]. Its top is above the floor by less than the thickness of a rail's foot.
 constexpr double kSleeperWidth = 0.2;
 constexpr double kSleeperThickness = 0.12;
 constexpr double kSleeperTop = 0.015;
 constexpr double kSleeperOverhang = 0.3;  // beyond each rail
 
-// Shares of the height of a rail, after profiles of 15 to 30 kg/m.
+// Fractions of the height of a rail, after profiles of 15 to 30 kg/m.
 constexpr double kFootWidth = 0.8;
 constexpr double kFootThickness = 0.2;
 constexpr double kWebWidth = 0.13;
 constexpr double kHeadWidth = 0.45;
 constexpr double kHeadThickness = 0.3;
 
-// Half the length over which a rail bridges the relief of the floor [m].
+// Half of the length over which a rail bridges the relief of the floor [m].
 constexpr double kBridge = 1.0;
 
 constexpr std::size_t kSectionCorners = 12;
 using Section = std::array<std::uint32_t, kSectionCorners>;
 
-/// Height on which a track lies: the mean of the floor around.
+/// Height of the track bed: the mean of the floor around it.
 double bed_height(const PropSite& site, const TunnelLine& tunnel, double s_m, double across_m,
                   double gauge_m) {
   double sum = 0.0;
@@ -78,7 +78,7 @@ void close_end(MeshBuilder& builder, const Section& end) {
   builder.quad(end[8], end[5], end[6], end[7]);
 }
 
-/// One rail; `side` is 1 for the left one and −1 for the right one.
+/// One rail; `side` is 1 for the left rail and −1 for the right rail.
 void add_rail(const RailsDescription& rails, const TunnelLine& tunnel, double side,
               PropSite& site) {
   // The gauge is that between the inner faces of the heads.

@@ -10,9 +10,9 @@
 namespace adit {
 namespace {
 
-// How deep the ends stand in floor and roof, so that relief leaves no gap [m].
+// Depth of the ends in floor and roof, so that the relief leaves no gap [m].
 constexpr double kSunk = 0.05;
-// How much radii differ from post to post, to either side.
+// Relative variation of the radii, to either side.
 constexpr double kRadiusSpread = 0.15;
 
 std::string next_name(const World& world) {
@@ -56,7 +56,7 @@ namespace {
 
 constexpr double kTimber = 0.15;  // side of the section of a timber [m]
 
-/// Two timbers side by side, the layer's middle at `T_world_layer`, along its x.
+/// Two parallel timbers along x of the layer's frame `T_world_layer`.
 void add_layer(const Eigen::Isometry3d& T_world_layer, double side_m, MeshBuilder& builder) {
   for (const double side : {-1.0, 1.0}) {
     OrientedBox timber;
@@ -77,7 +77,7 @@ void add_prop(const CribDescription& crib, PropSite& site) {
   const std::size_t first = begin_obstacle(site, PartKind::kCrib, Material::kTimber, "crib");
   Eigen::Isometry3d T_world_layer = tunnel_axes(tunnel, crib.at_m, foot);
   T_world_layer.rotate(Eigen::AngleAxisd(site.between(-0.2, 0.2), Eigen::Vector3d::UnitZ()));
-  // The lowest layer is sunk by half, and the uppermost is wedged into the roof.
+  // The lowest layer is half below the floor, and the uppermost layer penetrates the roof.
   while (T_world_layer.translation().z() < roof_m) {
     add_layer(T_world_layer, crib.side_m, site.builder);
     T_world_layer.translate(Eigen::Vector3d(0.0, 0.0, kTimber));

@@ -15,8 +15,8 @@
 namespace adit {
 namespace {
 
-/// Corners are shaken by so little, of their distance 1 from the middle, that the facets of an
-/// icosahedron remain those of the convex hull.
+/// Random displacement of the corners, relative to their distance from the centre: small enough
+/// that the facets of the icosahedron remain those of the convex hull.
 constexpr double kShake = 0.12;
 
 std::array<Eigen::Vector3d, 12> icosahedron() {
@@ -74,14 +74,14 @@ void add_stone(const Eigen::Vector3d& middle, double radius_m, std::mt19937_64& 
 namespace {
 
 constexpr double kSunk = 0.05;   // how far the rim lies under the floor [m]
-constexpr double kNoise = 0.12;  // of the surface, as a share of the height
+constexpr double kNoise = 0.12;  // of the surface, as a fraction of the height
 constexpr double kStonesPerM2 = 5.0;
 
 Eigen::Vector2d on_circle(const Eigen::Vector2d& middle, double radius_m, double angle) {
   return middle + radius_m * Eigen::Vector2d(std::cos(angle), std::sin(angle));
 }
 
-/// Height of the smooth cone above the floor, `share` of the radius from its middle.
+/// Height of the smooth cone above the floor at the fraction `share` of the radius.
 double cone_height(const RubbleDescription& rubble, double share) {
   return rubble.height_m * (1.0 - share);
 }

@@ -10,7 +10,8 @@
 
 namespace adit {
 
-/// A convex block of twenty facets, turned at random, at most `radius_m` from `middle` (world).
+/// Adds a convex block of twenty facets with a random orientation, within `radius_m` of `middle`
+/// (world).
 void add_stone(const Eigen::Vector3d& middle, double radius_m, std::mt19937_64& random,
                MeshBuilder& builder);
 

@@ -18,18 +18,18 @@ double water_level(const WaterDescription& water, const TunnelLine& tunnel,
 
 HeightChange water_hollow(const WaterDescription& water, const TunnelLine& tunnel, double level_m) {
   const auto apply = [water, tunnel, level_m](const Eigen::Vector2d& p_world, double floor_m) {
-    const double share = share_of_stretch(tunnel, water.from_m, water.to_m, p_world);
+    const double share = fraction_of_section(tunnel, water.from_m, water.to_m, p_world);
     if (share < 0.0) return floor_m;
     const double hollow = 4.0 * share * (1.0 - share);
     return floor_m + hollow * (level_m - water.depth_m - floor_m);
   };
-  const PlanBox box = box_around(stretch_outline(tunnel, water.from_m, water.to_m));
+  const PlanBox box = box_around(section_outline(tunnel, water.from_m, water.to_m));
   return {box.low, box.high, apply};
 }
 
 namespace {
 
-/// A flat strip between the two sides of an outline that `stretch_outline` made.
+/// A flat strip between the two sides of an outline by `section_outline`.
 void add_surface(const std::vector<Eigen::Vector2d>& outline, double level_m,
                  MeshBuilder& builder) {
   std::vector<std::uint32_t> rim;
@@ -48,7 +48,7 @@ void add_prop(const WaterDescription& water, PropSite& site) {
   const TunnelLine& tunnel =
       tunnel_with(site.tunnels, water.tunnel, water.from_m, water.to_m, site.what);
   const double level_m = water_level(water, tunnel, site.heights);
-  const std::vector<Eigen::Vector2d> outline = stretch_outline(tunnel, water.from_m, water.to_m);
+  const std::vector<Eigen::Vector2d> outline = section_outline(tunnel, water.from_m, water.to_m);
 
   site.builder.begin_part(PartKind::kWater, water.mirror ? Material::kMirror : Material::kWater,
                           water.name);

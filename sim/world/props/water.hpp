@@ -8,12 +8,11 @@
 
 namespace adit {
 
-/// z of the surface: that of the floor, where the water leaves it as it is, at the lower end of the
-/// stretch.
+/// z of the water's surface: that of the unchanged floor at the lower end of the section.
 double water_level(const WaterDescription& water, const TunnelLine& tunnel, const Heights& heights);
 
-/// The hollow under the water. It begins at the floor at both ends of the stretch, and half-way is
-/// as deep below `level_m` as described.
+/// The hollow under the water. It starts at the floor at both ends of the section and has the
+/// described depth below `level_m` at half its length.
 HeightChange water_hollow(const WaterDescription& water, const TunnelLine& tunnel, double level_m);
 
 }  // namespace adit

@@ -14,10 +14,10 @@ namespace {
 constexpr double kLengthMin = 60.0;        // of which a branch can be spared [m]
 constexpr double kMainShare = 0.5;         // of the length
 constexpr double kBranchLengthMin = 12.0;  // [m]
-constexpr double kSpacingMin = 9.0;        // from middle to middle of drifts that do not meet [m]
+constexpr double kSpacingMin = 9.0;        // between centre lines of tunnels that do not meet [m]
 constexpr int kTrials = 400;
 
-/// Whether a branch keeps away from all drifts, but for its first metres, which leave one.
+/// Whether a branch keeps its distance from all tunnels, except along its first metres.
 bool is_clear(const TunnelLine& branch, const std::vector<TunnelLine>& tunnels) {
   for (double s_m = kSpacingMin + 2.0; s_m <= branch.length_m(); s_m += 1.0) {
     const Eigen::Vector2d p_world = branch.at(s_m).p_world;
@@ -29,7 +29,7 @@ bool is_clear(const TunnelLine& branch, const std::vector<TunnelLine>& tunnels) 
   return true;
 }
 
-/// A branch of a drift that is chosen at random; nothing where it has no room.
+/// A branch of a random tunnel; empty if there is no space for it.
 std::optional<TunnelDescription> branch_of(const std::vector<TunnelLine>& tunnels, double length_m,
                                            RandomGenerator& rng) {
   const int last = static_cast<int>(tunnels.size()) - 1;

@@ -9,15 +9,15 @@
 namespace adit {
 namespace {
 
-constexpr double kLengthMin = 120.0;  // of which two entries can be made [m]
+constexpr double kLengthMin = 120.0;  // minimum for two entries [m]
 
-/// What is `spacing_m` to the left of `main`, from `kUndamagedLength` to its end.
+/// The line `spacing_m` to the left of `main`, from `kUndamagedLength` to its end.
 std::vector<Eigen::Vector2d> line_beside(const TunnelLine& main, double spacing_m) {
   std::vector<Eigen::Vector2d> line{main.beside(kUndamagedLength, spacing_m)};
   double s_m = 0.0;
   for (std::size_t i = 1; i < main.points.size(); ++i) {
     s_m += (main.points[i] - main.points[i - 1]).norm();
-    // Within a piece, off its ends, where the side steps.
+    // Within a segment, off its ends, where the offset line has a step.
     if (s_m > kUndamagedLength + 5.0) line.push_back(main.beside(s_m - 1.0, spacing_m));
   }
   return line;

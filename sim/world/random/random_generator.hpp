@@ -7,7 +7,7 @@
 
 namespace adit {
 
-/// The random choices of one mine.
+/// The random numbers of one mine.
 class RandomGenerator {
  public:
   explicit RandomGenerator(std::uint64_t seed) : random_(seed) {}

@@ -30,9 +30,8 @@ Topology find_topology(const std::string& name, RandomGenerator& rng) {
   for (const NamedTopology& topology : kTopologies) {
     if (name == topology.name) return topology.make;
   }
-  throw std::invalid_argument(
-      "no topology '" + name +
-      "'; there are any, parallel_entries, room_and_pillar, branching, ring");
+  throw std::invalid_argument("unknown topology '" + name +
+                              "'; known: any, parallel_entries, room_and_pillar, branching, ring");
 }
 
 HeightsDescription random_heights(double length_m, RandomGenerator& rng) {

@@ -9,11 +9,11 @@
 
 namespace adit {
 
-/// What kind of mine chance is to make.
+/// Parameters of a random mine.
 struct RandomMineParams {
   std::string topology = "any";  ///< any, parallel_entries, room_and_pillar, branching or ring
-  double length_m = 300.0;       ///< of all drifts, about
-  double damage = 0.5;           ///< share of the drifts with falls, water, pits, low roof; 0 to 1
+  double length_m = 300.0;       ///< approximate, of all tunnels
+  double damage = 0.5;           ///< fraction of tunnels with roof falls, water, pits or low roof
 
   template <class V>
   void visit(V& v) {
@@ -24,9 +24,9 @@ struct RandomMineParams {
   }
 };
 
-/// A made-up mine: the same parameters and seed give the same description. Always has an entrance
-/// and at least 20 m of sound drift behind it. Throws std::invalid_argument for an unknown
-/// topology.
+/// Generates a random mine: the same parameters and seed give the same description. It has an
+/// entrance and at least 20 m of undamaged tunnel behind it. Throws std::invalid_argument for an
+/// unknown topology.
 WorldDescription random_mine(int seed, const RandomMineParams& params = {});
 
 }  // namespace adit

@@ -12,8 +12,8 @@
 namespace adit {
 namespace {
 
-constexpr double kPlaceEvery = 12.0;  // what stands at one place reaches less far than this [m]
-constexpr double kFromEnds = 4.0;     // places keep off the junctions at the ends of a drift [m]
+constexpr double kPlaceEvery = 12.0;  // longer than the props of one place [m]
+constexpr double kFromEnds = 4.0;     // distance of places from the junctions at the ends of a tunnel [m]
 constexpr double kPostsShare = 0.3;   // of the places without damage
 constexpr double kRailsShare = 0.6;   // of the mines
 constexpr double kReach = 5.0;        // of the largest prop from its place [m]
@@ -109,14 +109,14 @@ void add_car(const Place& place, RandomGenerator& rng, PropDescriptions& props) 
 
 void add_damage(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
   using Add = void (*)(const Place&, RandomGenerator&, PropDescriptions&);
-  // Falls are what damages mines most; cribs stand where one was feared.
+  // Roof falls are the most frequent damage; cribs support roofs at risk.
   constexpr std::array<Add, 10> kKinds{add_rubble, add_rubble, add_rubble, add_crib, add_low_roof,
                                        add_pit,    add_water,  add_mud,    add_beam, add_car};
   const int kind = rng.between(0, static_cast<int>(kKinds.size()) - 1);
   kKinds[static_cast<std::size_t>(kind)](place, rng, props);
 }
 
-/// The drift behind the entrance is sound, and what leaves it begins behind that.
+/// The tunnel behind the entrance is undamaged; branches begin beyond that.
 bool is_undamaged(const Place& place) {
   return place.tunnel.at(place.at_m).p_world.norm() < kUndamagedLength + kReach;
 }

@@ -7,8 +7,8 @@
 
 namespace adit {
 
-/// What stands, lies and gapes along all drifts but for the first metres behind the entrance:
-/// damage at the share of places that `damage` says, and whole posts between.
+/// Generates the props along all tunnels except the first metres behind the entrance: damage at the
+/// fraction `damage` of the places, and intact posts between them.
 PropDescriptions random_props(const PlanDescription& plan, double damage, RandomGenerator& rng);
 
 }  // namespace adit

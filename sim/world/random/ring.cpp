@@ -10,7 +10,7 @@
 namespace adit {
 namespace {
 
-constexpr double kLengthMin = 110.0;  // of which a loop can be made [m]
+constexpr double kLengthMin = 110.0;  // minimum for a loop [m]
 constexpr int kCorners = 16;
 
 using Line = std::vector<Eigen::Vector2d>;
@@ -21,7 +21,7 @@ double length_of(const Line& line) {
   return length;
 }
 
-/// A closed line around (1, 0), begun at the origin, of a radius about 1.
+/// A closed line around (1, 0) with a radius of about 1 that starts at the origin.
 Line uneven_circle(RandomGenerator& rng) {
   Line line;
   for (int i = 0; i < kCorners; ++i) {

@@ -9,7 +9,7 @@
 namespace adit {
 namespace {
 
-constexpr double kLengthMin = 120.0;  // of which two by two ways can be made [m]
+constexpr double kLengthMin = 120.0;  // minimum for two entries and two crosscuts [m]
 constexpr int kCountMax = 60;         // of entries, and of crosscuts
 
 double entry_length(const PanelDescription& panel) {
@@ -21,7 +21,8 @@ double tunnel_length(const PanelDescription& panel) {
          panel.crosscuts * (panel.entries - 1) * panel.entry_spacing_m;
 }
 
-/// As many entries and crosscuts as come nearest to a length, in a panel that is not too slender.
+/// The numbers of entries and crosscuts whose total length is nearest to a length, in a panel that
+/// is not too narrow.
 void choose_size(double length_m, double slender, PanelDescription& panel) {
   PanelDescription trial = panel;
   double nearest_m = std::numeric_limits<double>::infinity();
@@ -52,11 +53,11 @@ PlanDescription room_and_pillar(double length_m, RandomGenerator& rng) {
   panel.crosscut_width_m = rng.between(2.6, 4.5);
   panel.entry_spacing_m = panel.entry_width_m + rng.between(5.0, 8.0);
   panel.crosscut_spacing_m = panel.crosscut_width_m + rng.between(8.0, 14.0);
-  // The entries go on by half the width of the outer crosscuts, so that the corners are square.
+  // The entries extend by half the width of the outer crosscuts, so that the corners are square.
   panel.first_crosscut_m = panel.crosscut_width_m / 2.0;
   choose_size(length_m - kUndamagedLength, rng.between(0.7, 1.6), panel);
 
-  // `main` meets the first crosscut half-way between two entries.
+  // `main` meets the first crosscut at the midpoint of two entries.
   const double reach_m = kUndamagedLength + panel.crosscut_width_m / 2.0;
   plan.tunnels.push_back(main_tunnel(reach_m, rng));
   const auto& points = plan.tunnels.front().points_m;

@@ -7,19 +7,20 @@
 
 namespace adit {
 
-/// Length of the drift behind the entrance before anything leaves it or stands in it [m].
+/// Length of the tunnel behind the entrance without branches and props [m].
 constexpr double kUndamagedLength = 24.0;
 
-// Plans of about `length_m` of drifts, all widths 2.5 to 6 m. The first drift is `main`; it begins
-// at the origin, along x, and is the entrance. What is too short for its topology is `main` alone.
+// Plans with about `length_m` of tunnels, 2.5 to 6 m wide. The first tunnel is `main`, which begins
+// at the origin along x and is the entrance. A length too short for the topology gives `main`
+// alone.
 
-/// Two or three drifts side by side, with crosscuts.
+/// Two or three parallel tunnels with crosscuts.
 PlanDescription parallel_entries(double length_m, RandomGenerator& rng);
-/// A panel of pillars behind one drift.
+/// A panel of pillars behind one tunnel.
 PlanDescription room_and_pillar(double length_m, RandomGenerator& rng);
-/// A drift from which others leave to both sides, and others again from these.
+/// A tunnel with branches to both sides, which branch again.
 PlanDescription branching(double length_m, RandomGenerator& rng);
-/// A loop, and a drift across it.
+/// A loop, and a tunnel across it.
 PlanDescription ring(double length_m, RandomGenerator& rng);
 
 }  // namespace adit

@@ -10,7 +10,8 @@
 namespace adit {
 namespace {
 
-constexpr double kBend = 0.15;  // of a piece against the direction of the whole, at most [rad]
+constexpr double kBend =
+    0.15;  // maximum deviation of a segment from the direction of the line [rad]
 
 }  // namespace
 
@@ -19,7 +20,7 @@ std::vector<Eigen::Vector2d> wandering_line(const Eigen::Vector2d& from, double 
   std::vector<Eigen::Vector2d> line{from};
   for (double left_m = length_m; left_m > 0.0;) {
     double segment_m = std::min(left_m, rng.between(15.0, 35.0));
-    if (left_m - segment_m < 5.0) segment_m = left_m;  // no tiny piece at the end
+    if (left_m - segment_m < 5.0) segment_m = left_m;  // no short segment at the end
     const double heading = heading_rad + rng.between(-kBend, kBend);
     line.emplace_back(line.back() +
                       segment_m * Eigen::Vector2d(std::cos(heading), std::sin(heading)));

@@ -11,15 +11,15 @@
 
 namespace adit {
 
-/// A line of the given length that bends a little now and then but keeps to its direction.
+/// A line of the given length with small random bends about its direction.
 std::vector<Eigen::Vector2d> wandering_line(const Eigen::Vector2d& from, double heading_rad,
                                             double length_m, RandomGenerator& rng);
 
-/// The drift along a line.
+/// The tunnel along a line.
 TunnelDescription tunnel_along(const std::string& name, const std::vector<Eigen::Vector2d>& line,
                                double width_m);
 
-/// `main`, from the origin along x, straight for `kUndamagedLength` and wandering thereafter.
+/// `main`, from the origin along x, straight for `kUndamagedLength`, with random bends beyond.
 TunnelDescription main_tunnel(double length_m, RandomGenerator& rng);
 
 }  // namespace adit

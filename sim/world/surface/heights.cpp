@@ -17,14 +17,14 @@ constexpr double kHeightMax = 5000.0;  // deeper than any mine [m]
 
 HeightProfile::HeightProfile(const std::vector<double>& profile_m) {
   if (profile_m.size() % 2 != 0) {
-    throw std::invalid_argument("heights: profile_m has an s without its z");
+    throw std::invalid_argument("heights: profile_m has an s without a z");
   }
   for (std::size_t i = 0; i < profile_m.size(); i += 2) {
     if (!std::isfinite(profile_m[i]) || !std::isfinite(profile_m[i + 1])) {
       throw std::invalid_argument("heights: profile_m has a number that is not finite");
     }
     if (std::abs(profile_m[i + 1]) > kHeightMax) {
-      throw std::invalid_argument("heights: profile_m goes farther up or down than 5000 m");
+      throw std::invalid_argument("heights: profile_m has a height beyond 5000 m");
     }
     if (!knots_.empty() && profile_m[i] <= knots_.back().s_m) {
       throw std::invalid_argument("heights: the distances in profile_m do not ascend");
@@ -40,7 +40,7 @@ void HeightProfile::set_slopes() {
     const double after = knots_[i + 1].s_m - knots_[i].s_m;
     const double in = (knots_[i].z_m - knots_[i - 1].z_m) / before;
     const double out = (knots_[i + 1].z_m - knots_[i].z_m) / after;
-    if (in * out <= 0.0) continue;  // level at a top or in a hollow
+    if (in * out <= 0.0) continue;  // slope 0 at a local extremum
     const double share = (before + 2.0 * after) / (3.0 * (before + after));
     knots_[i].slope = in * out / (share * out + (1.0 - share) * in);
   }

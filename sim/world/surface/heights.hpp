@@ -12,13 +12,13 @@
 
 namespace adit {
 
-/// A smooth curve through points, that rises where they rise and falls where they fall: cubic
-/// Hermite with the slopes of Fritsch and Butland ("A method for constructing local monotone
-/// piecewise cubic interpolants", 1984), level at its ends and beyond them.
+/// A smooth, monotonicity-preserving curve through points: cubic Hermite interpolation with the
+/// slopes of Fritsch and Butland ("A method for constructing local monotone piecewise cubic
+/// interpolants", 1984), level at and beyond its ends.
 class HeightProfile {
  public:
-  /// `profile_m` is s, z, s, z, .. Throws std::invalid_argument for an odd list, where s does
-  /// not ascend, and for heights that no mine has. Zero everywhere for none.
+  /// `profile_m` is s, z, s, z, ..; empty gives 0 everywhere. Throws std::invalid_argument for an
+  /// odd list, for s that does not ascend, and for heights beyond 5000 m.
   explicit HeightProfile(const std::vector<double>& profile_m);
 
   [[nodiscard]] double at(double s_m) const;
@@ -34,15 +34,15 @@ class HeightProfile {
   std::vector<Knot> knots_;
 };
 
-/// What a prop does to the floor or the roof within a rectangle of the plan.
+/// Change of the floor or the roof by a prop, within a rectangle of the plan.
 struct HeightChange {
   Eigen::Vector2d low{0.0, 0.0};   ///< corner of the rectangle, p_world [m]
   Eigen::Vector2d high{0.0, 0.0};  ///< the opposite one
-  /// Takes the height there [m] to the new one.
+  /// Maps the height at a point [m] to the new height.
   std::function<double(const Eigen::Vector2d& p_world, double height_m)> apply;
 };
 
-/// Where floor and roof are, as functions of the plan, inside and outside of the mine. Frame world.
+/// Heights of floor and roof as functions of the plan, inside and outside of the mine. Frame world.
 class Heights {
  public:
   /// Throws std::invalid_argument for a profile that does not ascend.
@@ -56,7 +56,7 @@ class Heights {
   [[nodiscard]] double roof(const Eigen::Vector2d& p_world) const;
 
  private:
-  /// Of the floor, before relief and changes.
+  /// Height of the floor without relief and changes.
   [[nodiscard]] double base(const Eigen::Vector2d& p_world) const;
 
   HeightProfile profile_;

@@ -10,10 +10,11 @@
 namespace adit {
 namespace {
 
-// A wall bulges from nothing at floor and roof to all it may over this share of its height.
+// The bulge of a wall grows from 0 at floor and roof to its full size over this fraction of the
+// height.
 constexpr double kShareToBulge = 0.2;
 
-/// At right angles to the line between the neighbours.
+/// Normal to the line between the neighbours.
 std::vector<Eigen::Vector2d> directions_into_open(const PlanMesh& plan) {
   std::vector<Eigen::Vector2d> directions(plan.points.size(), Eigen::Vector2d::Zero());
   std::vector<std::uint32_t> before(plan.points.size(), PlanMesh::kNone);
@@ -48,7 +49,7 @@ Eigen::Vector3d WallShape::at(std::uint32_t point, double share) const {
 
 namespace {
 
-/// A function of the plan at each of its points.
+/// Evaluates a function of the plan at each of its points.
 template <class Function>
 auto at_points(const PlanMesh& plan, const Function& function) {
   std::vector<decltype(function(plan.points[0]))> values;
@@ -78,7 +79,7 @@ class SurfaceBuilder {
     add_walls();
   }
 
-  /// Follows each wall once around.
+  /// Follows each closed wall once.
   [[nodiscard]] std::vector<PlanRing> outlines() const {
     std::vector<PlanRing> rings;
     std::vector<bool> done(plan_.points.size(), false);
@@ -162,7 +163,7 @@ class SurfaceBuilder {
     }
   }
 
-  /// Where the mesh has the wall at the height of the outlines, under the roof.
+  /// Position of the wall in the mesh at the height of the outlines, below the roof.
   [[nodiscard]] Eigen::Vector2d outline_point(std::uint32_t i) const {
     const double row = std::min(kOutlineHeight / (roof_m_[i] - floor_m_[i]), 1.0) * wall_rows_;
     const double below = std::min(std::floor(row), wall_rows_ - 1.0);

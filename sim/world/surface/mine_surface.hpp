@@ -15,7 +15,7 @@
 
 namespace adit {
 
-/// The walls of a mine between floor and roof: upright over the points of a plan, with the bulges
+/// The walls of a mine between floor and roof: vertical above the points of a plan, with the bulges
 /// of the open space. Frame world.
 class WallShape {
  public:
@@ -23,7 +23,8 @@ class WallShape {
   WallShape(const OpenSpace& space, const PlanMesh& plan, const std::vector<double>& floor_m,
             const std::vector<double>& roof_m);
 
-  /// The wall at a point of the plan that lies on one, at a share of the way from floor to roof.
+  /// The point of the wall above a wall point of the plan, at a fraction of the height from floor
+  /// to roof.
   [[nodiscard]] Eigen::Vector3d at(std::uint32_t point, double share) const;
 
  private:
@@ -34,13 +35,13 @@ class WallShape {
   std::vector<Eigen::Vector2d> into_open_;  ///< for each point: unit, away from the wall
 };
 
-/// Height above the floor at which the outlines of the truth are taken: that of the lasers [m].
+/// Height above the floor of the outlines in the ground truth: that of the lasers [m].
 inline constexpr double kOutlineHeight = 0.6;
 
-/// Puts floor, roof and walls into the mesh, as three parts. They share the points where they
-/// meet, so that a mine without an entrance is closed. In front of an entrance there is floor only.
-/// Returns the outlines of the walls as they are in the mesh, kOutlineHeight above the floor; they
-/// run straight across an entrance.
+/// Adds floor, roof and walls to the mesh as three parts. They share vertices where they meet, so
+/// that a mine without an entrance is a closed surface. In front of an entrance there is floor
+/// only. Returns the outlines of the walls in the mesh, kOutlineHeight above the floor; they run
+/// straight across an entrance.
 std::vector<PlanRing> add_mine_surface(const OpenSpace& space, const Heights& heights,
                                        double grid_m, double clearance_m, MeshBuilder& builder);
 

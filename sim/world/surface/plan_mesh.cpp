@@ -12,16 +12,16 @@
 namespace adit {
 namespace {
 
-// Of an edge of the grid: nearer to a corner of it no wall crosses.
+// Fraction of a grid edge: minimum distance of a wall crossing from the edge's ends.
 constexpr double kEdgeShareMin = 0.01;
-// Of an edge of the grid: no piece of wall is shorter.
+// Fraction of a grid edge: minimum length of a wall segment.
 constexpr double kWallShareMin = 0.1;
-// Squares of the grid around drifts and rooms, and in all; more would take longer than some
-// seconds.
+// Limits on the grid squares around tunnels and rooms, and in total; more would take longer than a
+// few seconds.
 constexpr std::int64_t kNearSquaresMax = 10'000'000;
 constexpr std::int64_t kSquaresMax = 2'000'000'000;
 
-/// One row of corners of the grid: depths, and the points made of them so far.
+/// One row of grid corners: depths, and the points created from them.
 struct NodeRow {
   explicit NodeRow(std::size_t nodes) : depth(nodes), node(nodes), crossing(nodes) {}
 
@@ -36,8 +36,8 @@ struct NodeRow {
   std::vector<std::uint32_t> crossing;  ///< on the edge to the next corner of the row
 };
 
-/// A corner of one square of the grid, or an edge by the corner where it begins, counter-clockwise
-/// from the lowest.
+/// A corner of a grid square, or an edge by its first corner, counter-clockwise from the lower
+/// left.
 constexpr std::array<std::array<int, 2>, 4> kSquareCorners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
 void require_reasonable_size(const PlanBuckets& buckets, double grid_m) {
@@ -52,10 +52,10 @@ void require_reasonable_size(const PlanBuckets& buckets, double grid_m) {
   const std::int64_t all = std::int64_t{buckets.rows()} * buckets.columns();
   if (near * in_bucket <= kNearSquaresMax && all * in_bucket <= kSquaresMax) return;
   throw std::invalid_argument("the plan is too large for edges of " + std::to_string(grid_m) +
-                              " m: make it smaller, or grid_m greater");
+                              " m: reduce it, or increase grid_m");
 }
 
-/// Goes over the grid row by row from below, so that only two rows are in memory.
+/// Processes the grid row by row, with two rows in memory.
 class PlanMesher {
  public:
   PlanMesher(const OpenSpace& space, double grid_m)
@@ -210,7 +210,7 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-/// Points into which others go, as indices of the points before.
+/// Merges points; indices are those of the points before the merge.
 class WallMerger {
  public:
   WallMerger(PlanMesh& mesh, double shortest_m)
@@ -239,14 +239,14 @@ class WallMerger {
     return count;
   }
 
-  /// Where to begin, so that the way around ends with a step that stays.
+  /// A start such that the traversal of the wall ends with a segment that is kept.
   [[nodiscard]] std::uint32_t end_of_long_step(std::uint32_t start, std::size_t count) const {
     std::uint32_t i = start;
     for (std::size_t k = 0; k < count && is_short(i); ++k) i = mesh_.next_on_wall[i];
     return mesh_.next_on_wall[i];
   }
 
-  /// Whether the next point of the wall is too near.
+  /// Whether the next point of the wall is too close.
   [[nodiscard]] bool is_short(std::uint32_t i) const {
     return (mesh_.points[mesh_.next_on_wall[i]] - mesh_.points[i]).norm() < shortest_m_;
   }
@@ -290,7 +290,7 @@ class WallMerger {
 
   PlanMesh& mesh_;
   double shortest_m_;
-  Indices goes_into_;  ///< for each point itself, or the one before it on its wall
+  Indices goes_into_;  ///< for each point, itself or its predecessor on the wall
 };
 
 }  // namespace

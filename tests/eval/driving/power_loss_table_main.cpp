@@ -81,9 +81,10 @@ int run(const Options& options) {
       break;
     if (power_losses % 5 == 3)
       drive.sweep(std::uniform_real_distribution<double>(0.5, 8.0)(random));
-    test::PowerLoss loss = drive.lose_power(power_losses % 4 == 2 ? test::DiskAfterPowerLoss::kTruncated
-                                                            : test::DiskAfterPowerLoss::kIntact,
-                                      random);
+    test::PowerLoss loss =
+        drive.lose_power(power_losses % 4 == 2 ? test::DiskAfterPowerLoss::kTruncated
+                                               : test::DiskAfterPowerLoss::kIntact,
+                         random);
     if (!drive.drive(kOnM)) break;
     drive.evaluate_later(loss);
     print(loss);

@@ -11,7 +11,7 @@
 
 #include "procs/scan_matching/scan_matching.hpp"
 #include "tools/carmen/carmen_reader.hpp"
-#include "tools/sample_mine/sample_run.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit {
 namespace {
@@ -167,9 +167,9 @@ MappedRun map_corrected(const std::filesystem::path& log) {
   return run;
 }
 
-MappedRun map_sample(std::uint64_t seed, bool half_degree, bool use_odometry) {
+MappedRun map_sample(int seed, bool half_degree, bool use_odometry) {
   Mapper mapper;
-  SampleRun sample(seed, half_degree ? half_degree_laser() : SyntheticLaserModel{});
+  SampleRun sample({.seed = seed, .beams = half_degree ? 361 : 181});
   while (const auto reading = sample.next()) {
     if (use_odometry) mapper.add(reading->odometry);
     mapper.add(reading->scan);

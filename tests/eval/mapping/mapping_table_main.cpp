@@ -18,7 +18,7 @@
 #include "tests/support/scratch_folder.hpp"
 #include "tools/eval/path_error.hpp"
 #include "tools/eval/relations.hpp"
-#include "tools/sample_mine/sample_log.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit {
 namespace {
@@ -93,8 +93,9 @@ void print_path(const std::string& name, bool use_odometry, const Evaluation& ru
             << costs(run) << std::flush;
 }
 
-void print_sample(const std::string& name, SampleRun sample, bool use_odometry, int runs) {
+void print_sample(const std::string& name, int beams, bool use_odometry, int runs) {
   const test::ScratchFolder scratch;
+  SampleRun sample({.beams = beams});
   write_sample_log(sample, scratch / "mine.lcmlog");
   print_path(name, use_odometry, evaluate(scratch / "mine.lcmlog", use_odometry, runs),
              sample.truth());
@@ -113,8 +114,8 @@ void print_paths_table(int runs) {
                "| ms per local map, mean | max | kB per local map |\n"
                "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const bool use_odometry : {true, false}) {
-    print_sample("sample mine, 181 beams", SampleRun(1), use_odometry, runs);
-    print_sample("sample mine, 361 beams", SampleRun(1, half_degree_laser()), use_odometry, runs);
+    print_sample("sample mine, 181 beams", 181, use_odometry, runs);
+    print_sample("sample mine, 361 beams", 361, use_odometry, runs);
   }
   for (const Corrected& recording : kCorrected) print_corrected(recording, runs);
 }

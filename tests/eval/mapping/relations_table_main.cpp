@@ -13,7 +13,7 @@
 #include "tests/support/scratch_folder.hpp"
 #include "tools/eval/path_error.hpp"
 #include "tools/eval/relations.hpp"
-#include "tools/sample_mine/sample_log.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit {
 namespace {
@@ -61,7 +61,7 @@ void print_path(const std::string& name, bool use_odometry, const Evaluation& ru
 
 void print_sample(bool half_degree, bool use_odometry, int runs) {
   const test::ScratchFolder scratch;
-  SampleRun sample(1, half_degree ? half_degree_laser() : SyntheticLaserModel{});
+  SampleRun sample({.beams = half_degree ? 361 : 181});
   write_sample_log(sample, scratch / "mine.lcmlog");
   print_path(half_degree ? "sample mine, 361 beams" : "sample mine, 181 beams", use_odometry,
              evaluate(scratch / "mine.lcmlog", use_odometry, runs), sample.truth());

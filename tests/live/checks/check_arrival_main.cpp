@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// check_arrival LOG: whether the robot in a simulator's LOG found a path, drove it to its end,
-// where it truly stands, said so, and touched nothing. Says how often it was held on the way: on a
-// machine that is so busy that readings come late the guard does that. Ends with 1 if not.
+// check_arrival LOG: checks that the robot in a LOG of the simulator found a path, reached its true
+// end, reported the arrival, and did not collide. Prints the number of guard stops, which occur on
+// a loaded machine where readings arrive late. Exit code 1 if a requirement fails.
 #include <cmath>
 #include <cstdint>
 #include <exception>
 #include <iostream>
 #include <optional>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/log/event_source.hpp"
@@ -22,7 +24,7 @@ namespace adit {
 namespace {
 
 constexpr double kPathLengthMinM = 3.0;
-constexpr double kEndM = 0.15;  // poses are those of scan matching, over a few metres
+constexpr double kEndM = 0.15;  // error of scan matching over a few metres
 constexpr double kStationaryS = 1.0;
 
 struct LogSummary {
@@ -30,9 +32,9 @@ struct LogSummary {
   Pose2 T_world_body;
   PlannedPath path;
   DrivingState state;
-  std::int64_t moving_utime = 0;  // last
+  std::int64_t moving_utime = 0;  // of the last motion
   std::int64_t end_utime = 0;
-  int guard_stops = 0;  // how often, while there was a path to drive
+  int guard_stops = 0;  // while a path was driven
   bool stopped = true;
   std::string failure;
 };
@@ -65,23 +67,23 @@ Requirements require;
 
 int check(const std::string& path) {
   const LogSummary summary = summarize(LogFile(path));
-  require(!summary.path.points.empty(), "there is a path: " + summary.path.reason);
-  require(summary.T_world_odom.has_value(), "there is truth");
+  require(!summary.path.points.empty(), "a path is found: " + summary.path.reason);
+  require(summary.T_world_odom.has_value(), "the log has TRUTH");
   if (!require.all_met()) return require.exit_code();
   const Pose2 T_world_end = *summary.T_world_odom * summary.path.points.back().T_odom_body;
-  const double off_m = between(T_world_end, summary.T_world_body).translation().norm();
+  const double error_m = between(T_world_end, summary.T_world_body).translation().norm();
   const double path_length_m =
       between(*summary.T_world_odom, summary.T_world_body).translation().norm();
   const double stationary_s = static_cast<double>(summary.end_utime - summary.moving_utime) * 1e-6;
-  std::cout << "drove " << path_length_m << " m, stands " << off_m
-            << " m from the end of its path, since " << stationary_s << " s, was held "
-            << summary.guard_stops << " times\n";
-  require(path_length_m > kPathLengthMinM, "it drove");
+  std::cout << fmt::format(
+      "distance {} m, error at the end of the path {} m, stationary for {} s, {} guard stops\n",
+      path_length_m, error_m, stationary_s, summary.guard_stops);
+  require(path_length_m > kPathLengthMinM, "the robot drives");
   require(summary.state.kind == DrivingState::Kind::kArrived,
-          "it arrived: " + summary.state.reason);
-  require(off_m < kEndM, "it stands at the end of its path");
-  require(stationary_s > kStationaryS, "and for good");
-  require(summary.failure.empty(), "it touched nothing: " + summary.failure);
+          "the robot arrives: " + summary.state.reason);
+  require(error_m < kEndM, "the robot stops at the end of the path");
+  require(stationary_s > kStationaryS, "the robot remains stationary");
+  require(summary.failure.empty(), "no collision: " + summary.failure);
   return require.exit_code();
 }
 

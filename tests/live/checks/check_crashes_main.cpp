@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// check_crashes RECORDED JOURNAL TRUTH TORN: whether the journal of a mapping that was killed again
-// and again has what was heard of it, but for one record each of the TORN times that its end was
-// cut off, and makes one map of the place. Says what is not so and ends with 1.
+// check_crashes RECORDED JOURNAL TRUTH TORN: checks that the journal of a mapping process that was
+// killed repeatedly contains everything it published, except one record for each of the TORN
+// truncations, and gives one consistent map. Prints failed requirements; exit code 1.
 #include <algorithm>
 #include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/log/event_source.hpp"
@@ -22,7 +24,7 @@
 namespace adit {
 namespace {
 
-constexpr double kFarthestM = 0.5;
+constexpr double kErrorMaxM = 0.5;
 constexpr int kSessionsMin = 3;
 
 struct ReceivedMessages {
@@ -60,19 +62,19 @@ int check(const std::string& recorded, const std::string& journal, const std::st
   const MapGraph graph = test::restore_graph(stored);
   const int lost =
       missing(received.maps, stored.maps) + missing(received.associations, stored.associations);
-  const double farthest_m = test::error_of(stored, graph, read_tum(truth)).farthest_m;
-  const int closures_to_earlier = test::loop_closures_between_sessions(stored, graph);
+  const double error_max_m = test::error_of(stored, graph, read_tum(truth)).farthest_m;
+  const int cross_session_loop_closures = test::loop_closures_between_sessions(stored, graph);
   const int sessions = stored.maps.empty() ? 0 : stored.maps.back().session + 1;
-  std::cout << received.maps.size() << " local maps and " << received.associations.size()
-            << " decisions heard, " << stored.maps.size() << " and " << stored.associations.size()
-            << " stored, " << lost << " lost to " << torn << " torn records; " << sessions
-            << " sessions, " << closures_to_earlier << " closures between them, farthest "
-            << farthest_m << " m\n";
-  require(received.maps.size() > stored.maps.size() / 2, "most local maps were heard of");
-  require(lost <= torn, "nothing else is lost that was announced");
-  require(sessions >= kSessionsMin, "the mapping was killed");
-  require(closures_to_earlier > 0, "later sessions recognise places of earlier ones");
-  require(farthest_m < kFarthestM, "the map is that of the place");
+  std::cout << fmt::format(
+      "received {} local maps and {} decisions, stored {} and {}, lost {} in {} torn records; {} "
+      "sessions, {} loop closures between them, maximum error {} m\n",
+      received.maps.size(), received.associations.size(), stored.maps.size(),
+      stored.associations.size(), lost, torn, sessions, cross_session_loop_closures, error_max_m);
+  require(received.maps.size() > stored.maps.size() / 2, "most local maps are received");
+  require(lost <= torn, "published data are lost only in torn records");
+  require(sessions >= kSessionsMin, "mapping was killed");
+  require(cross_session_loop_closures > 0, "loop closures exist between sessions");
+  require(error_max_m < kErrorMaxM, "the map is accurate");
   return require.exit_code();
 }
 

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// check_losses DIR: whether the journals of the mission in DIR have every local map and every 3D
-// scan that its logs say was announced. Prints on one line, with tabs between: how far the true
-// body is from the start [m], local maps announced, of them lost, 3D scans announced, of them lost,
-// and which, as KIND ID@SECONDS-BEFORE: when, and how long before its log ends. Ends with 1 where
-// something is lost.
-#include <array>
-#include <cstdio>
+// check_losses DIR: checks that the journals of the mission in DIR contain every local map and
+// every 3D scan that was published according to its logs. Prints one line, separated by tabs:
+// distance of the true body from the start [m], local maps published, lost, 3D scans published,
+// lost, and the lost items as KIND ID@SECONDS-BEFORE: time of publication, and time before the end
+// of the log. Exit code 1 if an item is lost.
 #include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "tests/live/checks/mission_losses.hpp"
 #include "tools/mission/mission_folder.hpp"
@@ -18,27 +18,25 @@
 namespace adit {
 namespace {
 
-using test::AnnouncedItem;
+using test::PublishedItem;
 
-std::string names_of(const std::string& kind, const std::vector<AnnouncedItem>& items) {
+std::string names_of(const std::string& kind, const std::vector<PublishedItem>& items) {
   std::string names;
-  for (const AnnouncedItem& item : items) {
-    std::array<char, 80> text{};
-    std::snprintf(text.data(), text.size(), " %s %d@%.1f-%.1f", kind.c_str(), item.id, item.at_s,
-                  item.before_log_end_s);
-    names += text.data();
+  for (const PublishedItem& item : items) {
+    names += fmt::format(" {} {}@{:.1f}-{:.1f}", kind, item.id, item.at_s, item.before_log_end_s);
   }
   return names;
 }
 
 int check(const std::string& folder) {
   const MissionFolder mission(folder);
-  const test::Announced announced = test::announced_in(mission.logs());
-  const test::MissionLosses lost = test::losses(announced, mission.path() / "mapping.journal",
+  const test::PublishedData published = test::published_in(mission.logs());
+  const test::MissionLosses lost = test::losses(published, mission.path() / "mapping.journal",
                                                 mission.path() / "volume_map.journal");
-  std::printf("%.2f\t%zu\t%zu\t%zu\t%zu\t%s\n", announced.distance_from_start_m,
-              announced.maps.size(), lost.maps.size(), announced.scans.size(), lost.scans.size(),
-              (names_of("map", lost.maps) + names_of("scan", lost.scans)).c_str());
+  std::cout << fmt::format("{:.2f}\t{}\t{}\t{}\t{}\t{}\n", published.distance_from_start_m,
+                           published.maps.size(), lost.maps.size(), published.scans.size(),
+                           lost.scans.size(),
+                           names_of("map", lost.maps) + names_of("scan", lost.scans));
   return lost.maps.empty() && lost.scans.empty() ? 0 : 1;
 }
 

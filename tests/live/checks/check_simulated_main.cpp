@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// check_simulated SECONDS LOG: listens until SIGTERM, as a stage for which the simulator waits by
-// the name `check`, and says then whether scan matching has made something of every scan of so many
-// simulated seconds, mapping of what scan matching said, neither lost anything, scan matching
-// followed the robot, which drove, and the simulator's LOG has all of that. Ends with 1 if not.
+// check_simulated SECONDS LOG: subscribes until SIGTERM, as a stage `check` for which the simulator
+// waits. Then checks that scan matching published a match for every scan of the simulated SECONDS,
+// that mapping published local maps, that no stage lost a message, that the robot drove and scan
+// matching tracked it, and that the LOG of the simulator is complete. Exit code 1 if not.
 #include <array>
 #include <exception>
 #include <iostream>
@@ -23,11 +23,11 @@
 namespace adit {
 namespace {
 
-constexpr int kBeforeFirstTilt = 4;       // scans of two lasers in 20 ms: nobody knows how tilted
+constexpr int kBeforeFirstTilt = 4;       // scans of two lasers in 20 ms, before the tilt is known
 constexpr double kScansPerSecond = 75.0;  // of two lasers with 361 beams
 constexpr double kDrivenMinM = 5.0;
-constexpr std::size_t kWaiting = 1000;
-constexpr double kErrorMaxM = 0.5;  // over less than twenty metres, sideways and along
+constexpr std::size_t kQueued = 1000;
+constexpr double kErrorMaxM = 0.5;  // over less than twenty metres
 
 struct ReceivedMessages {
   std::map<std::string, int> messages;          // by channel
@@ -40,19 +40,18 @@ struct ReceivedMessages {
 constexpr std::array kCounted{channels::kLaserFront, channels::kLaserRear, channels::kImu,
                               channels::kPose,       channels::kScanMatch, channels::kLocalMap};
 
-void count(Bus& bus, ReceivedMessages& received) {
+void subscribe_counts(Bus& bus, ReceivedMessages& received) {
   for (const std::string_view channel : kCounted) {
-    bus.subscribe(channel, Delivery::queued(kWaiting),
-                  [&received](const ReceivedMessage& message) {
-                    ++received.messages[std::string(message.channel)];
-                    return std::string_view();
-                  });
+    bus.subscribe(channel, Delivery::queued(kQueued), [&received](const ReceivedMessage& message) {
+      ++received.messages[std::string(message.channel)];
+      return std::string_view();
+    });
   }
 }
 
-void listen(Bus& bus, ReceivedMessages& received) {
-  count(bus, received);
-  const auto queued = Delivery::queued(kWaiting);
+void subscribe_all(Bus& bus, ReceivedMessages& received) {
+  subscribe_counts(bus, received);
+  const auto queued = Delivery::queued(kQueued);
   subscribe<pose_t>(bus, channels::kPose, queued,
                     [&received](const StampedPose& pose) { received.pose = pose.T_odom_body; });
   subscribe<pose_t>(bus, channels::kTruth, queued, [&received](const StampedPose& pose) {
@@ -74,14 +73,14 @@ LcmBusOptions bus_options() {
   return options;
 }
 
-/// Also the simulator itself.
+/// Includes the simulator.
 void check_stages(const ReceivedMessages& received) {
   for (const char* stage : {"scan_matching", "mapping", "sim"}) {
     const auto found = received.heartbeats.find(stage);
-    require(found != received.heartbeats.end(), std::string(stage) + " said that it is alive");
+    require(found != received.heartbeats.end(), std::string(stage) + " published heartbeats");
     if (found == received.heartbeats.end()) continue;
     require(found->second.dropped == 0, std::string(stage) + " dropped no message");
-    require(found->second.rejected == 0, std::string(stage) + " refused no message");
+    require(found->second.rejected == 0, std::string(stage) + " rejected no message");
   }
 }
 
@@ -92,7 +91,7 @@ void check_log(const std::string& path, ReceivedMessages& received) {
   for (const std::string_view counted : kCounted) {
     const std::string channel(counted);
     require(recorded[channel] == received.messages[channel],
-            "all of " + channel + " is in the log");
+            "the log has all messages on " + channel);
   }
 }
 
@@ -100,22 +99,22 @@ int check(double seconds, const std::string& log) {
   const StopSignal stop;
   LcmBus bus(bus_options());
   ReceivedMessages received;
-  listen(bus, received);
+  subscribe_all(bus, received);
   bus.run(stop.descriptor());
   const int scans = received.messages["LASER_FRONT"] + received.messages["LASER_REAR"];
-  require(scans >= static_cast<int>(kScansPerSecond * seconds) - 2, "all scans are there");
+  require(scans >= static_cast<int>(kScansPerSecond * seconds) - 2, "all scans are received");
   const int unmatched = scans - received.messages["SCAN_MATCH"];
-  require(unmatched >= 0 && unmatched <= kBeforeFirstTilt, "each scan has its match");
-  require(received.messages["LOCAL_MAP"] > 0, "mapping made a map of them");
+  require(unmatched >= 0 && unmatched <= kBeforeFirstTilt, "each scan has a match");
+  require(received.messages["LOCAL_MAP"] > 0, "mapping published local maps");
   check_stages(received);
   check_log(log, received);
   if (!received.first_truth) return 1;
   const Pose2 driven = between(*received.first_truth, received.truth);
   const double error_m = between(driven, received.pose).translation().norm();
-  require(driven.translation().norm() > kDrivenMinM, "the robot drove");
-  require(error_m < kErrorMaxM, "scan matching followed it");
-  std::cout << scans << " scans, " << driven.translation().norm() << " m driven, " << error_m
-            << " m off\n";
+  require(driven.translation().norm() > kDrivenMinM, "the robot drives");
+  require(error_m < kErrorMaxM, "scan matching tracks the robot");
+  std::cout << scans << " scans, " << driven.translation().norm() << " m driven, error " << error_m
+            << " m\n";
   return require.exit_code();
 }
 

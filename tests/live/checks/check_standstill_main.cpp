@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// check_standstill LOG CHANNEL EXPIRY: whether the vehicle in a simulator's LOG drove when the last
-// message came on CHANNEL, stands within 300 ms after this has been so for EXPIRY seconds, for
-// good, and says why it stands. Ends with 1 if not.
+// check_standstill LOG CHANNEL EXPIRY: checks that the vehicle in a LOG of the simulator was
+// driving at the last message on CHANNEL, stops within 300 ms after EXPIRY seconds without a
+// message, remains stationary, and reports the stop. Exit code 1 if not.
 #include <cmath>
 #include <cstdint>
 #include <exception>
 #include <iostream>
 #include <optional>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/log/event_source.hpp"
@@ -26,9 +28,9 @@ constexpr double kDrivingSpeedMinM_S = 0.1;
 constexpr double kStationaryS = 1.0;
 
 struct LogSummary {
-  std::optional<std::int64_t> last_utime;    // of a message on the channel
-  double speed_then_m_s = 0.0;               // when it came
-  std::optional<std::int64_t> moving_utime;  // last
+  std::optional<std::int64_t> last_utime;    // of the last message on the channel
+  double speed_then_m_s = 0.0;               // at this message
+  std::optional<std::int64_t> moving_utime;  // of the last motion
   std::int64_t end_utime = 0;
   VehicleState state;
   std::string failure;
@@ -60,17 +62,18 @@ Requirements require;
 int check(const std::string& path, const std::string& channel, double expiry_s) {
   const LogSummary summary = summarize(LogFile(path), channel);
   require(summary.last_utime && summary.moving_utime,
-          "there is " + channel + " and motion in the log");
+          "the log has messages on " + channel + ", and motion");
   if (!require.all_met()) return require.exit_code();
   const auto seconds = [](std::int64_t us) { return static_cast<double>(us) * 1e-6; };
   const double stopping_time_s = seconds(*summary.moving_utime - *summary.last_utime);
-  std::cout << "stood " << stopping_time_s << " s after the last " << channel << ", of which "
-            << expiry_s << " s are allowed to pass, at " << summary.speed_then_m_s << " m/s\n";
-  require(summary.speed_then_m_s > kDrivingSpeedMinM_S, "the vehicle drove");
-  require(stopping_time_s <= expiry_s + kStopTimeMaxS, "it stands soon");
-  require(seconds(summary.end_utime - *summary.moving_utime) > kStationaryS, "and for good");
-  require(summary.state.stopped, "it says that it is held");
-  require(summary.failure.empty(), "it touched nothing: " + summary.failure);
+  std::cout << fmt::format("stopped {} s after the last {} (expiry {} s), from {} m/s\n",
+                           stopping_time_s, channel, expiry_s, summary.speed_then_m_s);
+  require(summary.speed_then_m_s > kDrivingSpeedMinM_S, "the vehicle drives");
+  require(stopping_time_s <= expiry_s + kStopTimeMaxS, "the vehicle stops in time");
+  require(seconds(summary.end_utime - *summary.moving_utime) > kStationaryS,
+          "the vehicle remains stationary");
+  require(summary.state.stopped, "the vehicle reports the stop");
+  require(summary.failure.empty(), "no collision: " + summary.failure);
   return require.exit_code();
 }
 

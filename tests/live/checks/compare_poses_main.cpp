@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// compare_poses EXPECTED RECORDED: whether the second log has the poses of the first on POSE, each
-// time once, to a millimetre and a milliradian. Says what differs and ends with 1.
+// compare_poses EXPECTED RECORDED: checks that both logs have the same poses on POSE at the same
+// times, within 1 mm and 1 mrad. Prints the differences; exit code 1.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "common/bus/channels.hpp"
 #include "common/bus/log/event_source.hpp"
 #include "common/messages/codec.hpp"
@@ -19,8 +21,8 @@
 namespace adit {
 namespace {
 
-constexpr double kNearM = 1e-3;
-constexpr double kNearRad = 1e-3;
+constexpr double kToleranceM = 1e-3;
+constexpr double kToleranceRad = 1e-3;
 constexpr int kShownMax = 10;
 
 using Poses = std::multimap<std::int64_t, Pose2>;
@@ -43,32 +45,32 @@ class Comparison {
  public:
   void count(std::int64_t utime, std::size_t expected, std::size_t recorded) {
     if (expected == recorded) return;
-    report_fault("at " + std::to_string(utime) + ": " + std::to_string(recorded) +
-                 " poses were recorded, not " + std::to_string(expected));
+    print_difference(
+        fmt::format("at {}: {} poses recorded, {} expected", utime, recorded, expected));
   }
 
   void compare(std::int64_t utime, const Pose2& expected, const Pose2& recorded) {
     const Pose2 error = between(expected, recorded);
     const double distance_m = error.translation().norm();
-    farthest_m_ = std::max(farthest_m_, distance_m);
-    if (distance_m <= kNearM && std::abs(error.theta) <= kNearRad) return;
-    report_fault("at " + std::to_string(utime) + ": the pose is off by " +
-                 std::to_string(distance_m) + " m and " + std::to_string(error.theta) + " rad");
+    distance_max_m_ = std::max(distance_max_m_, distance_m);
+    if (distance_m <= kToleranceM && std::abs(error.theta) <= kToleranceRad) return;
+    print_difference(
+        fmt::format("at {}: pose error {} m and {} rad", utime, distance_m, error.theta));
   }
 
-  [[nodiscard]] int faults() const { return faults_; }
-  [[nodiscard]] double farthest_m() const { return farthest_m_; }
+  [[nodiscard]] int differences() const { return differences_; }
+  [[nodiscard]] double distance_max_m() const { return distance_max_m_; }
 
  private:
-  void report_fault(const std::string& what) {
-    if (++faults_ <= kShownMax) std::cerr << what << "\n";
+  void print_difference(const std::string& difference) {
+    if (++differences_ <= kShownMax) std::cerr << difference << "\n";
   }
 
-  int faults_ = 0;
-  double farthest_m_ = 0.0;
+  int differences_ = 0;
+  double distance_max_m_ = 0.0;
 };
 
-/// 0 if all agree.
+/// Returns the exit code.
 int compare(const Poses& expected, const Poses& recorded) {
   Comparison comparison;
   for (const auto& [utime, pose] : expected) {
@@ -79,9 +81,10 @@ int compare(const Poses& expected, const Poses& recorded) {
   for (const auto& [utime, pose] : recorded) {
     if (!expected.contains(utime)) comparison.count(utime, 0, recorded.count(utime));
   }
-  std::cout << recorded.size() << " poses recorded, " << expected.size() << " expected; "
-            << comparison.faults() << " faults, farthest " << comparison.farthest_m() << " m\n";
-  return comparison.faults() == 0 && !expected.empty() ? 0 : 1;
+  std::cout << fmt::format("{} poses recorded, {} expected; {} differences, maximum {} m\n",
+                           recorded.size(), expected.size(), comparison.differences(),
+                           comparison.distance_max_m());
+  return comparison.differences() == 0 && !expected.empty() ? 0 : 1;
 }
 
 }  // namespace

@@ -11,12 +11,12 @@
 
 namespace adit {
 
-/// What does not hold of a run is told on standard error, all of it, and counted.
+/// Prints failed requirements on standard error and counts them.
 class Requirements {
  public:
-  void operator()(bool holds, const std::string& what) {
+  void operator()(bool holds, const std::string& requirement) {
     if (holds) return;
-    std::cerr << "not so: " << what << "\n";
+    std::cerr << "requirement failed: " << requirement << "\n";
     ++failures_;
   }
   [[nodiscard]] bool all_met() const { return failures_ == 0; }
@@ -26,13 +26,13 @@ class Requirements {
   int failures_ = 0;
 };
 
-/// What a message of a log says. Throws std::runtime_error for one that no stage would take.
+/// Decodes a message of a log. Throws std::runtime_error for a message that stages reject.
 template <class Msg>
 auto value_of(const LogEventView& event) {
   const auto message = decode<Msg>(event.data);
-  if (!message) throw std::runtime_error("a message that does not decode");
+  if (!message) throw std::runtime_error("malformed message");
   const auto value = from_message(*message);
-  if (!value) throw std::runtime_error("a message that is refused");
+  if (!value) throw std::runtime_error("invalid message");
   return *value;
 }
 

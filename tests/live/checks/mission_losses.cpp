@@ -24,8 +24,8 @@
 namespace adit::test {
 namespace {
 
-/// Listens to the lives of a mission, one log after the other.
-class Listener {
+/// Collects the published data of the logs of a mission, in order.
+class PublishedDataReader {
  public:
   void add_log(const std::filesystem::path& path) {
     const LogFile log(path);
@@ -34,14 +34,14 @@ class Listener {
     for (const LogEventView& event : log.events()) add_log(event);
   }
 
-  Announced take() {
-    Announced announced;
-    for (auto& [id, map] : maps_) announced.maps.push_back(std::move(map));
-    for (const auto& [id, times] : map_times_) announced.map_times.push_back(times);
-    for (const auto& [id, times] : scans_) announced.scans.push_back(times);
-    announced.graph_nodes = graph_nodes_;
-    if (p_world_start_) announced.distance_from_start_m = (p_world_body_ - *p_world_start_).norm();
-    return announced;
+  PublishedData take() {
+    PublishedData published;
+    for (auto& [id, map] : maps_) published.maps.push_back(std::move(map));
+    for (const auto& [id, times] : map_times_) published.map_times.push_back(times);
+    for (const auto& [id, times] : scans_) published.scans.push_back(times);
+    published.graph_nodes = graph_nodes_;
+    if (p_world_start_) published.distance_from_start_m = (p_world_body_ - *p_world_start_).norm();
+    return published;
   }
 
  private:
@@ -57,12 +57,12 @@ class Listener {
     } else if (event.channel == channels::kPoseGraph) {
       graph_nodes_ = value_of<pose_graph_t>(event).n_nodes;
     } else if (event.channel == channels::kTruth) {
-      p_world_body_ = value_of<pose_t>(event).T_odom_body.translation();  // of TRUTH: in world
+      p_world_body_ = value_of<pose_t>(event).T_odom_body.translation();  // in world: TRUTH
       if (!p_world_start_) p_world_start_ = p_world_body_;
     }
   }
 
-  [[nodiscard]] AnnouncedItem item(std::int32_t id, std::int64_t utime) const {
+  [[nodiscard]] PublishedItem item(std::int32_t id, std::int64_t utime) const {
     return {id, 1e-6 * static_cast<double>(utime - begin_utime_),
             1e-6 * static_cast<double>(end_utime_ - utime)};
   }
@@ -70,11 +70,11 @@ class Listener {
   LocalMapReassembler local_maps_;
   CloudReassembler clouds_;
   std::map<int, LocalMap> maps_;  // by id
-  std::map<int, AnnouncedItem> map_times_;
-  std::map<int, AnnouncedItem> scans_;  // by id
+  std::map<int, PublishedItem> map_times_;
+  std::map<int, PublishedItem> scans_;  // by id
   int graph_nodes_ = 0;
-  std::int64_t begin_utime_ = 0;  // of the first life
-  std::int64_t end_utime_ = 0;    // of the present one
+  std::int64_t begin_utime_ = 0;  // of the first log
+  std::int64_t end_utime_ = 0;    // of the current log
   std::optional<Eigen::Vector2d> p_world_start_;
   Eigen::Vector2d p_world_body_{0.0, 0.0};
 };
@@ -91,26 +91,26 @@ std::set<std::int32_t> scans_in(const std::filesystem::path& volume_journal) {
 
 }  // namespace
 
-Announced announced_in(const std::vector<std::filesystem::path>& logs) {
-  Listener log_reader;
+PublishedData published_in(const std::vector<std::filesystem::path>& logs) {
+  PublishedDataReader reader;
   for (const std::filesystem::path& log : logs) {
-    if (std::filesystem::file_size(log) > 0) log_reader.add_log(log);
+    if (std::filesystem::file_size(log) > 0) reader.add_log(log);
   }
-  return log_reader.take();
+  return reader.take();
 }
 
-MissionLosses losses(const Announced& announced, const std::filesystem::path& map_journal,
+MissionLosses losses(const PublishedData& published, const std::filesystem::path& map_journal,
                      const std::filesystem::path& volume_journal) {
   MissionLosses lost;
   const StoredMap stored = read_map_journal(map_journal);
-  for (std::size_t i = 0; i < announced.maps.size(); ++i) {
-    const LocalMap& map = announced.maps[i];
-    const bool stored_ids = std::ranges::find(stored.maps, map) != stored.maps.end();
-    if (!stored_ids || map.id >= announced.graph_nodes) lost.maps.push_back(announced.map_times[i]);
+  for (std::size_t i = 0; i < published.maps.size(); ++i) {
+    const LocalMap& map = published.maps[i];
+    const bool is_stored = std::ranges::find(stored.maps, map) != stored.maps.end();
+    if (!is_stored || map.id >= published.graph_nodes) lost.maps.push_back(published.map_times[i]);
   }
   const std::set<std::int32_t> stored_ids = scans_in(volume_journal);
-  std::ranges::copy_if(announced.scans, std::back_inserter(lost.scans),
-                       [&](const AnnouncedItem& scan) { return !stored_ids.contains(scan.id); });
+  std::ranges::copy_if(published.scans, std::back_inserter(lost.scans),
+                       [&](const PublishedItem& scan) { return !stored_ids.contains(scan.id); });
   return lost;
 }
 

@@ -10,35 +10,34 @@
 
 namespace adit::test {
 
-/// A local map or a 3D scan, and when it was last whole on its channel.
-struct AnnouncedItem {
+/// Time at which a local map or a 3D scan was last complete on its channel.
+struct PublishedItem {
   std::int32_t id = 0;
-  double at_s = 0.0;  ///< since the mission began
-  double before_log_end_s =
-      0.0;  ///< of the log that has it: of a life that was cut off, its last words
+  double at_s = 0.0;              ///< since the start of the mission
+  double before_log_end_s = 0.0;  ///< before the end of its log, which can end with a power loss
 };
 
-/// What was announced on LOCAL_MAP, POSE_GRAPH and CLOUD in the course of a mission.
-struct Announced {
-  std::vector<LocalMap> maps;            ///< the newest of each id, in order of ids
-  std::vector<AnnouncedItem> map_times;  ///< of these
-  std::vector<AnnouncedItem> scans;      ///< each once
-  int graph_nodes = 0;                   ///< of the last graph
-  double distance_from_start_m = 0.0;    ///< of the true body from where it began, at the end
+/// Data published on LOCAL_MAP, POSE_GRAPH and CLOUD during a mission.
+struct PublishedData {
+  std::vector<LocalMap> maps;            ///< the newest per id, in order of ids
+  std::vector<PublishedItem> map_times;  ///< of `maps`
+  std::vector<PublishedItem> scans;      ///< in order of ids
+  int graph_nodes = 0;                   ///< of the last pose graph
+  double distance_from_start_m = 0.0;    ///< of the true body at the end
 };
 
-/// Of the lives of a mission, in order of time; those without a byte are passed over. Throws
-/// std::runtime_error for what is no log.
-Announced announced_in(const std::vector<std::filesystem::path>& logs);
+/// Reads the logs of a mission, in order of time; empty logs are skipped. Throws std::runtime_error
+/// for a file that is not a log.
+PublishedData published_in(const std::vector<std::filesystem::path>& logs);
 
-/// What of it the journals of the mission do not have.
+/// Published data that the journals of the mission do not contain.
 struct MissionLosses {
-  std::vector<AnnouncedItem> maps;   ///< also those that the last graph lacks
-  std::vector<AnnouncedItem> scans;  ///< of which no point is in the volume
+  std::vector<PublishedItem> maps;   ///< also those missing in the last pose graph
+  std::vector<PublishedItem> scans;  ///< without any point in the volume
 };
 
-/// Throws std::runtime_error for a journal that is not there.
-MissionLosses losses(const Announced& announced, const std::filesystem::path& map_journal,
+/// Throws std::runtime_error if a journal is missing.
+MissionLosses losses(const PublishedData& published, const std::filesystem::path& map_journal,
                      const std::filesystem::path& volume_journal);
 
 }  // namespace adit::test

@@ -36,11 +36,11 @@ Cloud scan(std::int32_t id) {
   return cloud;
 }
 
-/// A life of a mission that announces local maps 0 and 1 after 10 s and scans 1 and 2 after 1 and
-/// 2 s, and journals that can be made to lack some of it.
-class MissionLossesOnDisk : public testing::Test {
+/// A mission that publishes local maps 0 and 1 after 10 s and scans 1 and 2 after 1 and 2 s, and
+/// journals that can be incomplete.
+class MissionLossesTest : public testing::Test {
  protected:
-  MissionLossesOnDisk() {
+  MissionLossesTest() {
     LogWriter log(log_);
     for (const std::int32_t id : {1, 2}) {
       for (const CloudFragment& fragment : split(scan(id)))
@@ -63,11 +63,11 @@ class MissionLossesOnDisk : public testing::Test {
     for (const auto& fragment : split(graph)) write(log, 20, channels::kPoseGraph, fragment);
   }
 
-  void keep_maps(int maps) const {
+  void store_maps(int maps) const {
     MapJournal journal(maps_);
     for (int id = 0; id < maps; ++id) journal.append({local_map(id, 3), {}});
   }
-  void keep_scans(const std::vector<std::int32_t>& ids) const {
+  void store_scans(const std::vector<std::int32_t>& ids) const {
     VolumeJournal journal(scans_);
     VolumeMap map{VolumeMapParams{}};
     for (const std::int32_t id : ids) {
@@ -75,7 +75,7 @@ class MissionLossesOnDisk : public testing::Test {
       journal.store(map);
     }
   }
-  [[nodiscard]] MissionLosses found() const { return losses(announced_in({log_}), maps_, scans_); }
+  [[nodiscard]] MissionLosses found() const { return losses(published_in({log_}), maps_, scans_); }
 
   ScratchFolder scratch_;
   std::filesystem::path log_ = scratch_ / "run.lcmlog";
@@ -83,30 +83,30 @@ class MissionLossesOnDisk : public testing::Test {
   std::filesystem::path scans_ = scratch_ / "volume_map.journal";
 };
 
-TEST_F(MissionLossesOnDisk, AreNoneWhereTheJournalsHaveAll) {
-  keep_maps(2);
-  keep_scans({1, 2});
+TEST_F(MissionLossesTest, AreEmptyForCompleteJournals) {
+  store_maps(2);
+  store_scans({1, 2});
   EXPECT_THAT(found().maps, IsEmpty());
   EXPECT_THAT(found().scans, IsEmpty());
 }
 
-TEST_F(MissionLossesOnDisk, NameTheLocalMapThatIsMissing) {
-  keep_maps(1);
-  keep_scans({1, 2});
-  EXPECT_THAT(found().maps, ElementsAre(Field(&AnnouncedItem::id, 1)));
+TEST_F(MissionLossesTest, ReportAMissingLocalMap) {
+  store_maps(1);
+  store_scans({1, 2});
+  EXPECT_THAT(found().maps, ElementsAre(Field(&PublishedItem::id, 1)));
   EXPECT_THAT(found().scans, IsEmpty());
 }
 
-TEST_F(MissionLossesOnDisk, NameALocalMapOfWhichLessIsKeptThanWasSaid) {
-  keep_scans({1, 2});
+TEST_F(MissionLossesTest, ReportAnOutdatedLocalMap) {
+  store_scans({1, 2});
   MapJournal(maps_).append({local_map(0, 2), {}});
   MapJournal(maps_).append({local_map(1, 3), {}});
-  EXPECT_THAT(found().maps, ElementsAre(Field(&AnnouncedItem::id, 0)));
+  EXPECT_THAT(found().maps, ElementsAre(Field(&PublishedItem::id, 0)));
 }
 
-TEST_F(MissionLossesOnDisk, NameTheScanThatIsMissingAndWhenItWasTaken) {
-  keep_maps(2);
-  keep_scans({1});
+TEST_F(MissionLossesTest, ReportAMissingScanWithItsTime) {
+  store_maps(2);
+  store_scans({1});
   const MissionLosses lost = found();
   ASSERT_EQ(lost.scans.size(), 1U);
   EXPECT_EQ(lost.scans[0].id, 2);
@@ -114,18 +114,18 @@ TEST_F(MissionLossesOnDisk, NameTheScanThatIsMissingAndWhenItWasTaken) {
   EXPECT_DOUBLE_EQ(lost.scans[0].before_log_end_s, 18.0);
 }
 
-TEST_F(MissionLossesOnDisk, NameALocalMapThatTheLastGraphLacks) {
-  keep_maps(2);
-  keep_scans({1, 2});
+TEST_F(MissionLossesTest, ReportALocalMapMissingInTheLastGraph) {
+  store_maps(2);
+  store_scans({1, 2});
   LogWriter second(scratch_ / "run_2.lcmlog");
   write_graph(second, 1);
   second.close();
-  const Announced announced = announced_in({log_, scratch_ / "run_2.lcmlog"});
-  EXPECT_THAT(losses(announced, maps_, scans_).maps, ElementsAre(Field(&AnnouncedItem::id, 1)));
+  const PublishedData published = published_in({log_, scratch_ / "run_2.lcmlog"});
+  EXPECT_THAT(losses(published, maps_, scans_).maps, ElementsAre(Field(&PublishedItem::id, 1)));
 }
 
-TEST_F(MissionLossesOnDisk, AreNotFoundWithoutJournals) {
-  EXPECT_THROW(losses(announced_in({log_}), maps_, scans_), std::runtime_error);
+TEST_F(MissionLossesTest, RequireJournals) {
+  EXPECT_THROW(losses(published_in({log_}), maps_, scans_), std::runtime_error);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@ import java.io.InputStreamReader;
 import lcm.spy.LCMTypeDatabase;
 
 /**
- * Whether lcm-spy finds each type of standard input ("name fingerprint" a line, from the C++ side)
- * in the jars of CLASSPATH. Ends with 1 if not.
+ * Checks that lcm-spy finds each type on standard input (one line "name fingerprint" per type, from
+ * C++) in the jars of CLASSPATH. Exit code 1 if a type is missing.
  */
 public class TypeDatabaseTest {
     public static void main(String[] arguments) throws Exception {
@@ -15,12 +15,12 @@ public class TypeDatabaseTest {
         int found = 0;
         int missing = 0;
         for (String line = lines.readLine(); line != null; line = lines.readLine()) {
-            String[] words = line.split(" ");
-            Class<?> type = database.getClassByFingerprint(Long.parseLong(words[1]));
-            boolean known = type != null && type.getName().equals(words[0]);
-            System.out.println((known ? "found " : "MISSING ") + line);
-            found += known ? 1 : 0;
-            missing += known ? 0 : 1;
+            String[] fields = line.split(" ");
+            Class<?> type = database.getClassByFingerprint(Long.parseLong(fields[1]));
+            boolean matches = type != null && type.getName().equals(fields[0]);
+            System.out.println((matches ? "found " : "MISSING ") + line);
+            found += matches ? 1 : 0;
+            missing += matches ? 0 : 1;
         }
         System.exit(found > 0 && missing == 0 ? 0 : 1);
     }

@@ -3,9 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # screenshot.sh LOG PICTURE.png SPY [ARGUMENT..]
-# What lcm-spy shows while LOG is played: starts the command SPY (live_spy of the tests, or
-# `adit spy`) on a virtual display and a private network, opens four channels and writes
-# a picture of the screen. For people to look at.
+# Takes a screenshot of lcm-spy while LOG is played: starts the command SPY (live_spy of the tests, or `adit spy`)
+# on a virtual display and a private network, and opens four channels.
 set -u
 here=$(dirname "$(readlink -f "$0")")
 
@@ -13,7 +12,7 @@ if [[ ${ADIT_PRIVATE_NETWORK:-} != yes ]]; then
   ADIT_PRIVATE_NETWORK=yes exec "$here/../in_private_network.sh" "$0" "$@"
 fi
 log=$1; picture=$2; shift 2
-kRows=(2 3 4 5)   # of the table of channels, which is in order of the alphabet
+kRows=(2 3 4 5)   # of the alphabetical table of channels
 for tool in Xvfb xdotool import lcm-logplayer; do
   if ! command -v "$tool" >/dev/null; then
     echo "skipped: no $tool, try: apt install xvfb xdotool imagemagick liblcm-bin libjchart2d-java" >&2
@@ -38,24 +37,24 @@ if [[ -z $window ]]; then
   exit 1
 fi
 lcm-logplayer "$log" >/dev/null & processes+=($!)
-sleep 3   # for the table to fill: nothing outside of lcm-spy says when it has
+sleep 3   # for the table to fill; lcm-spy does not signal this
 
-# Without a window manager new windows come up in the corner: move each out of the way.
+# Without a window manager, new windows open in the corner: move each one aside.
 windows() { xdotool search --onlyvisible --name "." | sort; }
 xdotool windowsize --sync "$window" 1270 260
 for row in 0 1 2 3; do
   windows >"$scratch/before"
   for ((i = 0; i < 100; ++i)); do
-    if ((i % 20 == 0)); then   # again where the row was late
+    if ((i % 20 == 0)); then   # repeat if the row appears late
       xdotool mousemove 60 $((27 + 16 * kRows[row])) click --repeat 2 --delay 80 1
     fi
     viewer=$(windows | comm -13 "$scratch/before" - | head -1)
     [[ -n $viewer ]] && break
     sleep 0.1
   done
-  if [[ -z $viewer ]]; then echo "no window came up for a channel" >&2; exit 1; fi
+  if [[ -z $viewer ]]; then echo "no window opened for a channel" >&2; exit 1; fi
   xdotool windowsize --sync "$viewer" 630 460 windowmove --sync "$viewer" \
     $((640 * (row % 2))) $((270 + 470 * (row / 2)))
 done
-sleep 1   # for the windows to be painted
+sleep 1   # for the windows to be drawn
 import -window root "$picture"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// live_spy [LOG]: what `adit spy` does, apart from the rest of adit.
+// live_spy [LOG]: `adit spy` as a program without the other commands.
 #include <exception>
 #include <iostream>
 

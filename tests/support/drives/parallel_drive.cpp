@@ -10,13 +10,13 @@
 namespace adit::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;
 constexpr const char* kChannel = "LASER_FRONT";
 
-SampleSite site(double yaw_bias_deg_per_m) {
-  SampleSite site = sample_site(SampleWorld::kParallel, kSeed);
-  site.odometry.drift_rad_per_m = deg_to_rad(yaw_bias_deg_per_m);
-  return site;
+SampleParams drive_params(double yaw_bias_deg_per_m) {
+  SampleParams params;
+  params.world = "parallel";
+  params.turn_bias_rad_per_m = deg_to_rad(yaw_bias_deg_per_m);
+  return params;
 }
 
 MappingParams params(const DisplacementErrorParams& assumed_error) {
@@ -31,7 +31,7 @@ bool in_force(int chosen) { return chosen != Association::kNone; }
 
 ParallelDrive::ParallelDrive(double yaw_bias_deg_per_m,
                              const DisplacementErrorParams& assumed_error)
-    : run_(site(yaw_bias_deg_per_m), kSeed), params_(params(assumed_error)) {
+    : run_(drive_params(yaw_bias_deg_per_m)), params_(params(assumed_error)) {
   mapping_.emplace(params_);
 }
 

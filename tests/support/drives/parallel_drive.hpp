@@ -6,7 +6,7 @@
 
 #include "procs/mapping/mapping.hpp"
 #include "tools/eval/path_error.hpp"
-#include "tools/sample_mine/sample_run.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit::test {
 

@@ -22,8 +22,8 @@ void for_each_line(const std::filesystem::path& path,
                    const std::function<void(std::istringstream&)>& use) {
   GzipLineReader lines(path);
   while (const auto line = lines.next()) {
-    if (!line->fault.empty())
-      throw std::runtime_error(path.string() + ": " + std::string(line->fault));
+    if (!line->error.empty())
+      throw std::runtime_error(path.string() + ": " + std::string(line->error));
     if (line->text.starts_with('#')) continue;
     std::istringstream words{std::string(line->text)};
     use(words);

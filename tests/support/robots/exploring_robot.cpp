@@ -24,12 +24,6 @@ constexpr double kOnwardM = 6.0;          // beyond a stub, straight on
 constexpr double kBeyondFrontierM = 1.5;  // of a stub, where what is blocked begins
 constexpr double kAlignedM = 30.0;        // over which the map bends
 
-SyntheticLaserModel noisy_laser() {
-  SyntheticLaserModel model;
-  model.range_max_m = 30.0;
-  return model;
-}
-
 /// What a planner does: past what is in the way, and back to the route as far ahead as possible.
 struct WayRound {
   std::vector<Eigen::Vector2d> cells;  // p_world; empty where there is no way of kNoWayM
@@ -95,7 +89,7 @@ WayRound way_round(const PlanarMine& mine, const Eigen::Vector2d& from,
 ExploringRobot::ExploringRobot(const PlanarMine& mine, double distortion_m, std::uint64_t seed)
     : mine_(&mine),
       distortion_m_(distortion_m),
-      laser_(noisy_laser(), seed),
+      laser_(mine.walls, seed),
       T_world_body_(mine.T_world_start),
       covered_(mine.corridor.size()) {
   start_map();
@@ -124,9 +118,8 @@ void ExploringRobot::scan() {
   const Lasers lasers;
   for (const auto& [channel, mount] :
        {std::pair("LASER_FRONT", lasers.front), std::pair("LASER_REAR", lasers.rear)}) {
-    map_.scans.push_back({channel,
-                          laser_.measure(mine_->walls, T_world_body_ * mount.T_body_laser, utime()),
-                          T_local_body});
+    map_.scans.push_back(
+        {channel, laser_.measure(T_world_body_ * mount.T_body_laser, utime()), T_local_body});
   }
   update_coverage();
 }
@@ -258,7 +251,8 @@ class Run {
     while (robot_.distance_travelled_m() < budget_m_ && step()) note_share();
     while (run_.covered_share.size() < 4) run_.covered_share.push_back(robot_.covered_share());
     run_.missed_m = robot_.missed_m();
-    for (const auto& p_world : robot_.traversed_path()) run_.path_map.push_back(robot_.to_map(p_world));
+    for (const auto& p_world : robot_.traversed_path())
+      run_.path_map.push_back(robot_.to_map(p_world));
     run_.distance_travelled_m = robot_.distance_travelled_m();
     run_.distance_from_start_m =
         (robot_.T_world_body().translation() - mine_.T_world_start.translation()).norm();

@@ -9,7 +9,7 @@
 #include "common/types/local_map.hpp"
 #include "procs/exploration/exploration.hpp"
 #include "tests/support/worlds/planar_mine.hpp"
-#include "tools/sample_mine/synthetic_laser.hpp"
+#include "tests/support/worlds/wall_world.hpp"
 
 namespace adit::test {
 
@@ -57,7 +57,7 @@ class ExploringRobot {
 
   const PlanarMine* mine_;
   double distortion_m_;
-  SyntheticLaser laser_;
+  LevelLaser laser_;
   Pose2 T_world_body_;
   Pose2 T_world_local_;
   std::vector<Pose2> T_world_locals_;

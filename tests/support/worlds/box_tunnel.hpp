@@ -9,7 +9,7 @@
 
 namespace adit {
 
-/// A straight drift of flat surfaces along x, from x = −length/2 to length/2, closed at its ends;
+/// A straight tunnel of flat surfaces along x, from x = −length/2 to length/2, closed at its ends;
 /// the floor is z = 0 and the middle y = 0. The robot starts at the origin, looking along x.
 struct BoxTunnel {
   double length_m = 40.0;

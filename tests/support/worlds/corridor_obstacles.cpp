@@ -26,7 +26,7 @@ double anywhere_m(const RandomCorridorMine& mine, RandomGenerator& rng) {
 double at_m(RandomGenerator& rng) { return rng.between(kNearM, kFarM); }
 double low_at_m(RandomGenerator& rng) { return rng.between(kLowNearM, kFarM); }
 
-/// Adds something at a place of the drift: `add(builder, T_world_place, floor_m)`.
+/// Adds something at a place of the tunnel: `add(builder, T_world_place, floor_m)`.
 template <class Add>
 void add_at(RandomCorridorMine& mine, double s_m, double across_m, const Add& add) {
   const TunnelLine tunnel = tunnel_lines(mine.description.plan).front();
@@ -187,7 +187,7 @@ void pit(RandomCorridorMine& mine, RandomGenerator& rng) {
   }
 }
 
-/// Across the whole drift, as a ditch for drainage is.
+/// Across the whole tunnel, as a ditch for drainage is.
 void trench(RandomCorridorMine& mine, RandomGenerator& rng) {
   // The floor is a pair of slabs then, on which the robot stands, with nothing between them.
   const double depth_m = rng.between(0.08, 0.6);

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/support/worlds/crooked_room.hpp"
 
+#include <Eigen/Core>
+
+#include "common/sensing/laser_mount.hpp"
+
 namespace adit::test {
 namespace {
 
@@ -13,24 +17,19 @@ void add_closed(std::vector<Segment>& walls, const std::vector<Eigen::Vector2d>&
 
 }  // namespace
 
-SyntheticWorld crooked_room() {
+WallWorld crooked_room() {
   std::vector<Segment> walls;
   add_closed(walls, {{-6, -3}, {2, -4}, {7, -1}, {6, 4}, {1, 3}, {0, 5}, {-5, 4}});
   add_closed(walls, {{2, 0}, {2.6, 0.2}, {2.4, 0.8}, {1.8, 0.6}});
-  return SyntheticWorld(walls);
+  return WallWorld(walls);
 }
 
-SyntheticLaserModel perfect_laser() {
-  SyntheticLaserModel laser;
-  laser.noise_sd_m = 0.0;
-  laser.quantum_m = 0.0;
-  return laser;
+std::vector<SurfacePoint> scan_points(const LaserScan& scan) {
+  return surface_points(scan, LaserMount{}, SurfaceParams{});
 }
 
-std::vector<SurfacePoint> scan_points(const SyntheticWorld& world, const Pose2& T_world_body,
-                                      const SyntheticLaserModel& laser, std::uint64_t seed) {
-  SyntheticLaser eye(laser, seed);
-  return surface_points(eye.measure(world, T_world_body, 1'000'000), LaserMount{}, SurfaceParams{});
+std::vector<SurfacePoint> scan_points(const WallWorld& world, const Pose2& T_world_body) {
+  return scan_points(exact_scan(world, T_world_body, 1'000'000));
 }
 
 }  // namespace adit::test

@@ -102,18 +102,16 @@ std::vector<Eigen::Vector2d> corridor_of(const TunnelGraph& tunnels, const Reach
 PlanarMine planar_mine(const World& world, const Vehicle& vehicle) {
   const ReachableArea area = reachable_area(world, vehicle);
   const auto reach = std::make_shared<const Reach>(area.cells);
-  return {SyntheticWorld(walls_of(world.truth)), world.T_world_start,
+  return {WallWorld(walls_of(world.truth)), world.T_world_start,
           [reach](const Eigen::Vector2d& p) { return reach->near(p, kSnapM); },
           corridor_of(world.truth.tunnels, *reach)};
 }
 
 PlanarMine planar_mine(std::vector<Segment> walls, const Pose2& T_world_start,
                        std::vector<Eigen::Vector2d> corridor, double radius_m) {
-  const auto walls_copy = std::make_shared<const SyntheticWorld>(walls);
-  return {SyntheticWorld(std::move(walls)), T_world_start,
-          [walls_copy, radius_m](const Eigen::Vector2d& p) {
-            return !walls_copy->clearance(p, radius_m);
-          },
+  const WallWorld world(std::move(walls));
+  return {world, T_world_start,
+          [world, radius_m](const Eigen::Vector2d& p) { return !world.clearance(p, radius_m); },
           std::move(corridor)};
 }
 

@@ -8,16 +8,16 @@
 #include "common/geometry/pose2.hpp"
 #include "common/types/vehicle.hpp"
 #include "sim/world/world.hpp"
-#include "tools/sample_mine/synthetic_world.hpp"
+#include "tests/support/worlds/wall_world.hpp"
 
 namespace adit::test {
 
 /// A mine without physics: what a laser sees of its plan, and where a vehicle can be.
 struct PlanarMine {
-  SyntheticWorld walls;
+  WallWorld walls;
   Pose2 T_world_start;
   std::function<bool(const Eigen::Vector2d& p_world)> reachable;
-  /// Places in the middles of the drifts that can be reached, kSpacingM apart: what there is to
+  /// Places in the middles of the tunnels that can be reached, kSpacingM apart: what there is to
   /// explore.
   std::vector<Eigen::Vector2d> corridor;
 

@@ -62,11 +62,11 @@ OrientedBox plan_box(const Pose2& T_world_plan, double middle_m, const Eigen::Ve
 namespace {
 
 constexpr double kLengthM = 26.0;
-constexpr double kSegmentM = 4.0;  // from one bend of the drift to the next
+constexpr double kSegmentM = 4.0;  // from one bend of the tunnel to the next
 constexpr double kAheadM = 8.0;
 constexpr int kAttemptsMax = 100;
 
-/// The middle of a drift that wanders, and may turn sharply once.
+/// The middle of a tunnel that wanders, and may turn sharply once.
 std::vector<double> wandering(RandomGenerator& rng) {
   std::vector<double> points{0.0, 0.0};
   const double sharp_at_m = rng.chance(0.3) ? rng.between(8.0, 16.0) : 2.0 * kLengthM;

@@ -16,7 +16,7 @@
 
 namespace adit {
 
-/// What no description of a world has: hung up, laid or thrown into a drift by hand.
+/// What no description of a world has: hung up, laid or thrown into a tunnel by hand.
 using AddObjects = std::function<void(MeshBuilder&, const World&)>;
 
 /// Puts things into a world that is built.
@@ -31,14 +31,14 @@ void add_cable(MeshBuilder& builder, const Eigen::Vector3d& from, const Eigen::V
 OrientedBox plan_box(const Pose2& T_world_plan, double middle_m, const Eigen::Vector3d& size,
                      double tilt_rad = 0.0);
 
-/// A rough drift named `main`, bent and 26 m long, in which a robot stands 6 m from its beginning
+/// A rough tunnel named `main`, bent and 26 m long, in which a robot stands 6 m from its beginning
 /// and looks along it.
 struct RandomCorridorMine {
   std::string kind;  ///< what is in it
   WorldDescription description;
   std::vector<AddObjects> objects;
   double across_m = 0.0;     ///< of the robot, to the left of the middle
-  double heading_rad = 0.0;  ///< of the robot, against the drift
+  double heading_rad = 0.0;  ///< of the robot, against the tunnel
 };
 
 /// Where the robot stands in `main` [m].
@@ -57,7 +57,7 @@ struct Corridor {
   std::unique_ptr<Site> site;
   Pose2 T_world_robot;
   Eigen::Isometry3d T_world_body;  ///< as its wheels hold it
-  double direction_rad = 0.0;      ///< to where the drift is 8 m ahead, in world
+  double direction_rad = 0.0;      ///< to where the tunnel is 8 m ahead, in world
 };
 
 /// Throws std::invalid_argument where the robot cannot stand.

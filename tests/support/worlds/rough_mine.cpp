@@ -62,9 +62,9 @@ class Lattice {
   [[nodiscard]] int corner(int x, int y, int z) const {
     return (z * (side_ + 1) + y) * (side_ + 1) + x;
   }
-  void quad(int at, int one_way, int other_way) {
+  void quad(int at, int first_step, int second_step) {
     const auto id = [](int i) { return static_cast<std::uint32_t>(i); };
-    builder_.quad(id(at), id(at + one_way), id(at + one_way + other_way), id(at + other_way));
+    builder_.quad(id(at), id(at + first_step), id(at + first_step + second_step), id(at + second_step));
   }
 
   int layers_;

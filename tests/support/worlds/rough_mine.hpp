@@ -10,7 +10,7 @@ namespace adit {
 /// floor is about z = 0. One begins at each multiple of `spacing_m` in x and in y from 0 on.
 struct RoughMine {
   int pillars = 1;          ///< along each side
-  double spacing_m = 12.0;  ///< from drift to drift; a drift is a quarter of it wide
+  double spacing_m = 12.0;  ///< from tunnel to tunnel; a tunnel is a quarter of it wide
   double height_m = 2.0;
   double grid_m = 0.2;  ///< length of the edges of the mesh, about
   double roughness_m = 0.05;

@@ -29,7 +29,7 @@ void paint_disc(TerrainMap& terrain, const TerrainCell& cell, const Eigen::Vecto
 /// The same, mirrored about the x axis, which must run through the middle of a row.
 TerrainMap mirrored(const TerrainMap& terrain);
 
-/// A corridor along an arc that begins at the origin along x and goes on behind it, straight, with
+/// A corridor along an arc that begins at the origin along x and continues straight behind it, with
 /// walls, behind which nothing was seen. In it a lane winds from side to side.
 struct CorridorScene {
   struct Post {

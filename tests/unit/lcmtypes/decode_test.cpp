@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a hostile or damaged message can do to the generated code: nothing.
+// Decoding of malformed or hostile messages.
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -69,14 +69,14 @@ constexpr std::int32_t kBadCounts[] = {-1,
                                        1000,
                                        1 << 30};
 
-TEST(Decode, GivesBackWhatWasEncoded) {
+TEST(Decode, RestoresAnEncodedMessage) {
   const auto decoded = decode<planar_lidar_t>(scan_bytes());
   ASSERT_TRUE(decoded);
   EXPECT_EQ(decoded->utime, 17);
   EXPECT_EQ(decoded->ranges, (std::vector{1.0F, 2.0F, 3.0F}));
 }
 
-TEST(Decode, GivesBackEveryShapeOfArray) {
+TEST(Decode, RestoresEveryShapeOfArray) {
   const Bytes bytes = encode(nested());
   const auto decoded = decode<traps::nested_t>(bytes);
   ASSERT_TRUE(decoded);
@@ -108,9 +108,7 @@ TEST(Decode, RejectsCountsThatDoNotFit) {
   for (const std::int32_t count : kBadCounts) {
     Bytes bytes = scan_bytes();
     write_int32(bytes, kCountOfRanges, count);
-    EXPECT_EQ(decode<planar_lidar_t>(bytes).rejection(),
-              "truncated, or invalid count")
-        << count;
+    EXPECT_EQ(decode<planar_lidar_t>(bytes).rejection(), "truncated, or invalid count") << count;
   }
 }
 

@@ -13,17 +13,17 @@
 
 namespace {
 
-TEST(Fingerprint, OfALaserScanIsThatOfBotCore) {
+TEST(Fingerprint, MatchesBotCoreForALaserScan) {
   EXPECT_EQ(adit::planar_lidar_t::getHash(), bot_core::planar_lidar_t::getHash());
 }
 
-TEST(Fingerprint, OfAPoseIsThatOfBotCore) {
+TEST(Fingerprint, MatchesBotCoreForAPose) {
   EXPECT_EQ(adit::pose_t::getHash(), bot_core::pose_t::getHash());
 }
 
-// It covers names, types and order of the members, but not the name of the type: two types of one
-// layout would pass for each other.
-TEST(Fingerprint, BelongsToOneTypeOnly) {
+// The fingerprint covers names, types and order of the members, but not the name of the type: two
+// types with equal members would decode as each other.
+TEST(Fingerprint, IsUnique) {
   std::map<std::int64_t, std::string> owners;
   for (const adit::MessageType& type : adit::message_types()) {
     const auto [owner, is_new] = owners.emplace(type.fingerprint, type.name);

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The types of procman, whose layouts are written down here once more: LCM's own computation of a
-// fingerprint (lcmgen.c: lcm_struct_hash, and what the generated code makes of it) tells whether
-// ours are those that a stock sheriff decodes.
+// Repeats the layouts of procman's types and LCM's computation of fingerprints (lcmgen.c:
+// lcm_struct_hash and the generated code), to verify that a stock sheriff decodes our messages.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -106,7 +105,7 @@ const Layout kDiscovery{{{"int64_t", "utime", "", nullptr},
                          {"string", "transmitter_id", "", nullptr},
                          {"int64_t", "nonce", "", nullptr}}};
 
-TEST(ProcmanFingerprint, IsComputedHereAsLcmDoes) {
+TEST(ProcmanFingerprint, IsComputedLikeLcm) {
   const Layout lidar{{{"int64_t", "utime", "", nullptr},
                       {"int32_t", "nranges", "", nullptr},
                       {"float", "ranges", "nranges", nullptr},
@@ -117,7 +116,7 @@ TEST(ProcmanFingerprint, IsComputedHereAsLcmDoes) {
   EXPECT_EQ(adit::planar_lidar_t::getHash(), expected(lidar));
 }
 
-TEST(ProcmanFingerprint, IsThatOfProcmanForEveryType) {
+TEST(ProcmanFingerprint, MatchesProcmanForEveryType) {
   EXPECT_EQ(procman_lcm::cmd_t::getHash(), expected(kCommand));
   EXPECT_EQ(procman_lcm::cmd_desired_t::getHash(), expected(kDesired));
   EXPECT_EQ(procman_lcm::cmd_status_t::getHash(), expected(kStatus));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Commands that make no sense, as the simulator finds them on the bus.
+// Invalid commands on the bus of the simulator.
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ class SimNodeCommands : public testing::Test {
     publish(bus_, channels::kTiltCommandFront, to_message(command));
   }
 
-  /// 20 times a second, at times that are `offset_us` wrong.
+  /// Publishes 20 times a second with stamps that are wrong by `offset_us`.
   void drive(double speed_m_s, std::int64_t offset_us) {
     bus_.create_timer(50'000, [this, speed_m_s, offset_us](std::int64_t utime) {
       send(DriveCommand{utime + offset_us, speed_m_s, 0.0});
@@ -65,10 +65,10 @@ class SimNodeCommands : public testing::Test {
   Heartbeat heartbeat_;
 };
 
-TEST_F(SimNodeCommands, ThatAreNoNumbersAreRejectedAndCounted) {
+TEST_F(SimNodeCommands, ThatAreNotFiniteAreRejectedAndCounted) {
   std::int64_t sent = 0;
   for (const double bad : {kNaN, kInfinity, -kInfinity}) {
-    // One by one: of those that wait together only the newest is taken.
+    // One by one, since only the newest of several queued commands is handled.
     for (const DriveCommand& command : {DriveCommand{kStart, bad, 0.0}, {kStart, 0.4, bad}}) {
       send(command);
       run(0.05);
@@ -88,7 +88,7 @@ TEST_F(SimNodeCommands, ThatAreNoNumbersAreRejectedAndCounted) {
   EXPECT_EQ(tilt_.angle_rad, 0.0);
 }
 
-TEST_F(SimNodeCommands, ThatAreHugeAreClamped) {
+TEST_F(SimNodeCommands, BeyondTheLimitsAreClamped) {
   send(TiltCommand{kStart, 1e300, 1e300});
   bus_.create_timer(50'000, [this](std::int64_t utime) {
     send(DriveCommand{utime, 1e300, -1e300});
@@ -104,7 +104,7 @@ TEST_F(SimNodeCommands, ThatAreHugeAreClamped) {
   EXPECT_EQ(heartbeat_.rejected, 0);
 }
 
-TEST_F(SimNodeCommands, OfTimesThatCannotBeAreRejectedAndCounted) {
+TEST_F(SimNodeCommands, WithInvalidTimesAreRejectedAndCounted) {
   for (const std::int64_t utime : {INT64_MIN, INT64_C(-1), INT64_MAX}) {
     send(DriveCommand{utime, 0.4, 0.0});
     send(StopOrder{utime, true, "never"});
@@ -118,31 +118,31 @@ TEST_F(SimNodeCommands, OfTimesThatCannotBeAreRejectedAndCounted) {
   EXPECT_EQ(tilt_.angle_rad, 0.0);
 }
 
-TEST_F(SimNodeCommands, OfLastYearDoNotMoveIt) {
+TEST_F(SimNodeCommands, FromThePastDoNotMoveTheVehicle) {
   drive(0.4, -kYear);
   run(2.0);
   EXPECT_TRUE(state_.expired);
   EXPECT_EQ(state_.speed_m_s, 0.0);
 }
 
-TEST_F(SimNodeCommands, OfNextYearHoldNoLongerThanOthers) {
+TEST_F(SimNodeCommands, FromTheFutureExpireAsOthersDo) {
   send(DriveCommand{kStart + kYear, 0.4, 0.0});
   run(2.0);
   EXPECT_TRUE(state_.expired);
   EXPECT_EQ(state_.speed_m_s, 0.0);
-  drive(0.4, 0);  // and do not keep it from what comes at its time
+  drive(0.4, 0);  // and do not block later valid commands
   run(2.0);
   EXPECT_FALSE(state_.expired);
   EXPECT_GT(state_.speed_m_s, 0.3);
 }
 
-TEST_F(SimNodeCommands, AStopOfNextYearHoldsAndIsReleasedToday) {
+TEST_F(SimNodeCommands, AStopFromTheFutureIsReleasedByACurrentOrder) {
   drive(0.4, 0);
   send(StopOrder{kStart + kYear, true, "a clock is wrong"});
   run(2.0);
   EXPECT_TRUE(state_.stopped);
   EXPECT_EQ(state_.speed_m_s, 0.0);
-  for (int i = 0; i < 20; ++i) {  // orders must go on
+  for (int i = 0; i < 20; ++i) {  // orders must keep arriving
     send(StopOrder{bus_.now_utime(), false, ""});
     run(0.1);
   }

@@ -40,7 +40,7 @@ class SimNodeTest : public testing::Test {
     }
   }
 
-  /// 20 times a second, as whoever drives does.
+  /// Publishes commands 20 times a second.
   void drive(double speed_m_s) {
     bus_.create_timer(50'000, [this, speed_m_s](std::int64_t utime) {
       publish(bus_, channels::kDriveCommand, to_message(DriveCommand{utime, speed_m_s, 0.0}));
@@ -71,7 +71,7 @@ TEST_F(SimNodeTest, PublishesEveryChannelAtItsRate) {
   EXPECT_GE(counts_["RUN_STATE"], 10);  // and on change
 }
 
-TEST_F(SimNodeTest, ObeysDriveCommandsAndTellsTheTruth) {
+TEST_F(SimNodeTest, FollowsDriveCommandsAndPublishesTheTruth) {
   StampedPose truth;
   store<pose_t>(channels::kTruth, truth);
   drive(kSpeed);
@@ -95,7 +95,7 @@ TEST_F(SimNodeTest, StandsUnderAStopOrder) {
   EXPECT_EQ(state.speed_m_s, 0.0);
 }
 
-TEST_F(SimNodeTest, TiltsTheLaserThatIsToldTo) {
+TEST_F(SimNodeTest, TiltsTheCommandedLaser) {
   TiltReading front;
   TiltReading rear;
   store<tilt_t>(channels::kTiltFront, front);
@@ -106,18 +106,18 @@ TEST_F(SimNodeTest, TiltsTheLaserThatIsToldTo) {
   EXPECT_NEAR(rear.angle_rad, 0.3, 1e-3);  // the encoder's step, and more
 }
 
-TEST_F(SimNodeTest, IsAtFaultWhenTheRunHasFailed) {
+TEST_F(SimNodeTest, ReportsAFaultWhenTheRunHasFailed) {
   RunState state;
   store<run_state_t>(channels::kRunState, state);
   EXPECT_EQ(node_.health().level, Health::Level::kOk);
   drive(0.5);
-  run(60.0);  // the end of the drift is 20 m ahead
+  run(60.0);  // the end of the tunnel is 20 m ahead
   EXPECT_EQ(node_.health().level, Health::Level::kFault);
   EXPECT_FALSE(state.failure.empty());
   EXPECT_EQ(node_.health().reason, state.failure);
 }
 
-TEST_F(SimNodeTest, SaysTheTimeAgainWhenAsked) {
+TEST_F(SimNodeTest, PublishesTheTimeAgainOnRequest) {
   std::vector<std::int64_t> times;
   subscribe<sim_time_t>(bus_, channels::kSimTime, Delivery::queued(10),
                         [&](const SimTime& time) { times.push_back(time.utime - kStart); });

@@ -8,19 +8,19 @@
 
 namespace adit {
 
-/// The folder that holds the tree.
+/// The root of the source tree.
 std::filesystem::path source_root();
 
-/// The text of a file; empty where it cannot be read.
+/// The text of a file; empty if unreadable.
 std::string text_of(const std::filesystem::path& path);
 
-/// The headers and sources of all folders, tests included.
+/// All headers and sources, including tests.
 std::vector<std::filesystem::path> source_files();
 
-/// As the rules write it: from the root, with slashes.
+/// Path relative to the root.
 std::string name_in_tree(const std::filesystem::path& path);
 
-/// What stands behind each `#include` of a text, with its quotes or brackets.
+/// The text after each `#include`, with its quotes or brackets.
 std::vector<std::string> includes_of(const std::string& text);
 
 }  // namespace adit

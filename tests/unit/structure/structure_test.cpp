@@ -1,40 +1,33 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What holds the tree together and no compiler checks: who includes whom, and that the tables in
-// the READMEs name what there is.
+// Rules of the source tree that no compiler checks: which components may include which.
 #include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/bus/channels.hpp"
-#include "common/bus/node/stages.hpp"
-#include "tests/support/message_types.hpp"
 #include "tests/unit/structure/source_tree.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
-using testing::ElementsAreArray;
 using testing::IsEmpty;
-using testing::IsSubsetOf;
 
 using adit::source_files;
 using adit::text_of;
 
 const fs::path kRoot = adit::source_root();
 
-/// An include: the file that has it and what stands behind `#include`, with its quotes.
+/// An include directive: the file and the text after `#include`, with its quotes.
 struct Include {
-  std::string file;  // from the root, with slashes
+  std::string file;  // relative to the root
   std::string what;
 
   [[nodiscard]] bool is_in(const std::string& folder) const {
@@ -55,7 +48,7 @@ std::vector<Include> includes() {
   return found;
 }
 
-/// Those that break the rule, as "file includes what".
+/// The includes that break a rule, as "file includes what".
 std::vector<std::string> offenders(const std::function<bool(const Include&)>& breaks_the_rule) {
   std::vector<std::string> lines;
   for (const Include& include : includes()) {
@@ -64,39 +57,7 @@ std::vector<std::string> offenders(const std::function<bool(const Include&)>& br
   return lines;
 }
 
-/// The first column of a table, without back-ticks; empty without the heading.
-std::set<std::string> first_column(const std::string& text, const std::string& heading) {
-  std::set<std::string> names;
-  static const std::regex row(R"(\| *`?\[?`?([A-Za-z0-9_]+)[^|]*\|.*)");
-  std::istringstream lines(text);
-  std::string line;
-  while (std::getline(lines, line) && !line.starts_with("| " + heading + " |")) {
-  }
-  std::smatch match;
-  while (std::getline(lines, line) && line.starts_with('|')) {
-    if (std::regex_match(line, match, row)) names.insert(match[1]);
-  }
-  return names;
-}
-
-std::set<std::string> stage_folders() {
-  std::set<std::string> names;
-  for (const auto& entry : fs::directory_iterator(kRoot / "procs")) {
-    if (entry.is_directory()) names.insert(entry.path().filename().string());
-  }
-  return names;
-}
-
-std::set<std::string> matches(const std::string& text, const std::string& pattern) {
-  std::set<std::string> found;
-  const std::regex regex(pattern);
-  for (std::sregex_iterator it(text.begin(), text.end(), regex), end; it != end; ++it) {
-    found.insert((*it)[1]);
-  }
-  return found;
-}
-
-/// Files that include a library, which are to be one class: x.cpp and x.hpp at most.
+/// Files outside tests that include a library, without extension: x.cpp and x.hpp count as one.
 std::set<std::string> stems_that_include(const std::string& prefix) {
   std::set<std::string> stems;
   for (const Include& include : includes()) {
@@ -116,14 +77,14 @@ TEST(Structure, FindsTheSources) {
   EXPECT_GT(includes().size(), 100U);
 }
 
-TEST(Structure, OnlyTheBusKnowsLcm) {
+TEST(Structure, OnlyTheBusIncludesLcm) {
   EXPECT_THAT(offenders([](const Include& include) {
                 return include.what.starts_with("<lcm/") && !include.is_in("common/bus");
               }),
               IsEmpty());
 }
 
-TEST(Structure, OnlyConversionsAndNodesKnowGeneratedMessages) {
+TEST(Structure, OnlyConversionsAndNodesIncludeGeneratedMessages) {
   EXPECT_THAT(offenders([](const Include& include) {
                 const bool generated = include.is_of("adit") || include.is_of("procman_lcm");
                 return generated && !include.is_in("common/messages") && !include.is_in("tests") &&
@@ -132,7 +93,7 @@ TEST(Structure, OnlyConversionsAndNodesKnowGeneratedMessages) {
               IsEmpty());
 }
 
-TEST(Structure, StagesKnowNothingOfEachOther) {
+TEST(Structure, StagesDoNotIncludeEachOther) {
   EXPECT_THAT(offenders([](const Include& include) {
                 const std::string stage = include.file.substr(0, include.file.find('/', 6));
                 return include.is_in("procs") && include.is_of("procs") && !include.is_of(stage);
@@ -152,19 +113,19 @@ TEST(Structure, DependenciesPointOneWay) {
               IsEmpty());
 }
 
-TEST(Structure, AlgorithmsKnowNoTransport) {
+TEST(Structure, AlgorithmsDoNotIncludeTransport) {
   EXPECT_THAT(offenders([](const Include& include) {
                 const bool may = is_node_file(include.file) || include.file.ends_with("/main.cpp");
-                // A journal keeps messages, but has them from nobody.
-                const bool keeps_messages =
+                // A journal stores encoded messages but has no bus.
+                const bool stores_messages =
                     include.file.ends_with("_journal.cpp") && include.is_of("common/messages");
-                return include.is_in("procs") && !may && !keeps_messages &&
+                return include.is_in("procs") && !may && !stores_messages &&
                        (include.is_of("common/bus") || include.is_of("common/messages"));
               }),
               IsEmpty());
 }
 
-TEST(Structure, OnlyWhatRunsTheSimulatorKnowsTransport) {
+TEST(Structure, SimulationDoesNotIncludeTransport) {
   EXPECT_THAT(offenders([](const Include& include) {
                 const bool may = is_node_file(include.file) || include.file == "sim/main.cpp" ||
                                  include.is_in("sim/live");
@@ -174,13 +135,13 @@ TEST(Structure, OnlyWhatRunsTheSimulatorKnowsTransport) {
               IsEmpty());
 }
 
-TEST(Structure, LargeLibrariesOfTheSimulatorAreBehindOneClassEach) {
+TEST(Structure, SimulatorLibrariesAreBehindOneClassEach) {
   EXPECT_THAT(stems_that_include("<embree3/"), testing::ElementsAre("sim/mesh/ray_scene"));
   EXPECT_LE(stems_that_include("<assimp/").size(), 1U);
 }
 
-/// Types of headers, with the files that define them. All programs link everything, and two types
-/// of one name would be taken for each other without a word.
+/// Types defined in headers, with the defining files. All programs link everything: two types of
+/// one name would violate the one-definition rule without a diagnostic.
 std::map<std::string, std::set<std::string>> defined_types() {
   static const std::regex pattern(R"((?:^|\n)(?:class|struct|enum class) (\w+)[^;\n]*\{)");
   std::map<std::string, std::set<std::string>> types;
@@ -195,7 +156,7 @@ std::map<std::string, std::set<std::string>> defined_types() {
   return types;
 }
 
-TEST(Structure, NoTwoTypesHaveOneName) {
+TEST(Structure, TypeNamesAreUnique) {
   for (const auto& [type, files] : defined_types()) {
     EXPECT_THAT(files, testing::SizeIs(1)) << type;
   }
@@ -208,12 +169,11 @@ TEST(Structure, OctoMapAndCholmodAreBehindOneClassEach) {
               testing::ElementsAre("common/pose_graph/sparse_cholesky"));
 }
 
-TEST(Structure, YamlIsReadInOneFolder) {
-  EXPECT_THAT(stems_that_include("<yaml-cpp/"),
-              testing::ElementsAre("common/config/config_file", "common/config/second_document"));
+TEST(Structure, YamlIsBehindOneClass) {
+  EXPECT_THAT(stems_that_include("<yaml-cpp/"), testing::ElementsAre("common/config/config_file"));
 }
 
-TEST(Structure, EverySourceFileSaysItsLicence) {
+TEST(Structure, EverySourceFileHasALicence) {
   std::vector<std::string> without;
   for (const fs::path& path : source_files()) {
     if (!text_of(path).starts_with("// SPDX-FileCopyrightText: The Adit authors\n"
@@ -222,86 +182,6 @@ TEST(Structure, EverySourceFileSaysItsLicence) {
     }
   }
   EXPECT_THAT(without, IsEmpty());
-}
-
-TEST(Structure, EveryStageHasItsRowInTheReadme) {
-  const std::string readme = text_of(kRoot / "README.md");
-  if (readme.empty() || stage_folders().empty()) GTEST_SKIP() << "no README.md or no stage yet";
-  EXPECT_THAT(stage_folders(), IsSubsetOf(first_column(readme, "stage")));
-}
-
-TEST(Structure, EveryStageIsKnownToTheConfiguration) {
-  EXPECT_THAT(stage_folders(), IsSubsetOf(adit::stage_names()));
-}
-
-TEST(Structure, EveryChannelHasItsRowInTheTableAndEveryRowIsAChannel) {
-  const auto constants = matches(text_of(kRoot / "common/bus/channels.hpp"),
-                                 R"re(std::string_view k\w+ = "(\w+)";)re");
-  const auto rows = first_column(text_of(kRoot / "lcmtypes/README.md"), "channel");
-  EXPECT_FALSE(constants.empty());
-  EXPECT_THAT(rows, ElementsAreArray(constants));
-  const std::set<std::string> listed(adit::channels::kAll.begin(), adit::channels::kAll.end());
-  EXPECT_THAT(listed, ElementsAreArray(constants));
-}
-
-std::vector<fs::path> type_files() {
-  std::vector<fs::path> paths;
-  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "lcmtypes")) {
-    if (entry.path().extension() == ".lcm") paths.push_back(entry.path());
-  }
-  return paths;
-}
-
-/// Types that are fields of others, and so on no channel.
-std::set<std::string> nested_types() {
-  std::set<std::string> nested;
-  for (const fs::path& path : type_files()) nested.merge(matches(text_of(path), R"(\n +(\w+_t))"));
-  for (const char* number : {"int8_t", "int16_t", "int32_t", "int64_t"}) nested.erase(number);
-  return nested;
-}
-
-TEST(Structure, EveryTypeIsInTheTableOfChannelsOrOfNestedTypes) {
-  const std::string readme = text_of(kRoot / "lcmtypes/README.md");
-  for (const fs::path& path : type_files()) {
-    EXPECT_NE(readme.find("| `" + path.stem().string() + "` |"), std::string::npos) << path;
-  }
-  EXPECT_THAT(first_column(readme, "nested type"), ElementsAreArray(nested_types()));
-}
-
-TEST(Structure, EveryTypeOfAChannelIsAmongThoseThatTestsGoOver) {
-  const std::set<std::string> nested = nested_types();
-  std::set<std::string> files;
-  for (const fs::path& path : type_files()) {
-    if (!nested.contains(path.stem().string())) files.insert(path.stem().string());
-  }
-  std::set<std::string> types;
-  for (const adit::MessageType& type : adit::message_types()) types.insert(type.name);
-  EXPECT_THAT(types, ElementsAreArray(files));
-}
-
-/// The text within the braces of a struct, comments that stand alone left out.
-std::vector<std::string> fields(const std::string& lcm) {
-  std::vector<std::string> lines;
-  std::istringstream text(lcm.substr(lcm.find('{') + 1));
-  static const std::regex field(R"( *(?!const)[a-z]\w* +\w+(\[\w+\])*;.*)");
-  for (std::string line; std::getline(text, line);) {
-    if (std::regex_match(line, field)) lines.push_back(line);
-  }
-  return lines;
-}
-
-TEST(Structure, EveryFieldOfEveryTypeSaysWhatItIs) {
-  const std::set<std::string> nested = nested_types();
-  for (const fs::path& path : type_files()) {
-    const auto lines = fields(text_of(path));
-    ASSERT_FALSE(lines.empty()) << path;
-    if (!nested.contains(path.stem().string())) {
-      EXPECT_THAT(lines.front(), testing::ContainsRegex("int64_t utime; +// time|bus time"));
-    }
-    for (const std::string& line : lines) {
-      EXPECT_NE(line.find("//"), std::string::npos) << path << ": " << line;
-    }
-  }
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/adit/commands/eval_command.hpp"
-
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -31,32 +29,32 @@ struct EvalMapOptions {
   MapScoreOptions score;
 };
 
-constexpr const char* kEvalMapFooter =
-    R"(DIR is what `adit map DIR` has written: trajectory.tum, map.pgm with map.yaml, and run.lcmlog, in
-which the simulator's truth is on channel TRUTH. The world must be the one that was driven in, and so
-must the seed. The figures come as JSON:
+constexpr const char* kEvalMapDetails =
+    R"(Inputs: the files trajectory.tum, map.pgm, map.yaml and run.lcmlog in the output folder of `adit map`.
+The log provides the true poses of the simulator on channel TRUTH. World and seed must be those of the
+simulation.
 
-trajectory  over the times that the truth covers
-  aligned         distances from the true positions after the rigid motion that makes them least:
-                  the absolute trajectory error of Sturm et al., IROS 2012
-  anchored        the same with the first poses laid upon each other: what a robot without truth has
-  relative        mean error of the motion over 1, 10 and 100 m of the way (Geiger et al., CVPR 2012);
-                  no figures where the way is shorter
-  length_ratio    length of the path over that of the true one, in steps of 0.5 m: below 1 it shrinks
-map  its occupied cells, moved into the world by the same rigid motion; definitions of DARPA's
-     map_analysis for the Subterranean Challenge, in the plan
-  coverage          share of the walls that could be seen from the true way, to 10 m, that have a cell
+Output: JSON on standard output.
+
+trajectory  over the time span of the true poses
+  aligned         absolute trajectory error after least-squares alignment (Sturm et al., IROS 2012)
+  anchored        the same with the first poses aligned instead
+  relative        mean relative pose error over path lengths of 1, 10 and 100 m (Geiger et al., CVPR
+                  2012); omitted where the path is shorter
+  length_ratio    path length over true path length, in steps of 0.5 m; below 1 the map shrinks
+map  its occupied cells after the same alignment, in 2D, with the definitions of DARPA's map_analysis for
+     the Subterranean Challenge
+  coverage          share of the walls visible from the true path within 10 m that have an occupied cell
                     within the tolerance
-  coverage_of_mine  the same for the outlines of the whole mine, driven or not; null where unknown
-  deviation         share of the cells that are far from any wall, post or rubble of the world between
-                    0.1 and 2 m above its floor
-  wall_distance     from the cells to the nearest of these: mean, median, 95th percentile
+  coverage_of_mine  the same for the walls of the complete mine; null if unknown
+  deviation         share of the occupied cells that are farther than --deviation-m from every wall, post
+                    and rubble of the world between 0.1 and 2 m above the floor
+  wall_distance     distance from the cells to the nearest of these: mean, median, 95th percentile)";
 
-Examples:
-  adit map run.lcmlog --out mine && adit eval map mine --world bruceton
+constexpr const char* kEvalMapExamples =
+    R"(  adit map run.lcmlog --out mine && adit eval map mine --world bruceton
   adit eval map mine --world random --seed 7 --truth truth.tum)";
 
-/// That of the folder unless another is named.
 Trajectory true_trajectory(const EvalMapOptions& options) {
   if (options.truth.empty()) return read_ground_truth(options.folder / "run.lcmlog");
   return read_tum(options.truth);
@@ -72,67 +70,66 @@ void print_score(const EvalMapOptions& options) {
   std::cout << to_json(score, map) << "\n";
 }
 
-}  // namespace
-
 void add_eval_map_command(CLI::App& eval) {
   CLI::App* map =
       eval.add_subcommand("map", "Score a trajectory and a map against a simulated world");
-  map->footer(kEvalMapFooter);
+  set_help(*map, {kEvalMapDetails, "", kEvalMapExamples});
   const auto options = std::make_shared<EvalMapOptions>();
-  map->add_option("DIR", options->folder, "Folder of a run of `adit map`")
+  map->add_option("DIR", options->folder, "Output folder of `adit map`")
       ->type_name("DIR")
       ->required();
-  map->add_option("--world", options->world, "Name of a world, or a world file or mesh")
+  map->add_option("--world", options->world, "Built-in world, world file or mesh")
       ->type_name("WORLD")
       ->required();
-  map->add_option("--seed", options->seed, "Of the world, instead of its own")->type_name("N");
-  map->add_option("--truth", options->truth, "True poses in the TUM format, instead of the log's")
+  map->add_option("--seed", options->seed, "Seed of the world, instead of its default")
+      ->type_name("N");
+  map->add_option("--truth", options->truth,
+                  "True poses in the TUM format, instead of those in the log")
       ->type_name("FILE");
   map->add_option("--tolerance-m", options->score.tolerance_m,
-                  "To a cell, for a wall that counts as covered")
+                  "Maximum distance of a covered wall to an occupied cell [m]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   map->add_option("--deviation-m", options->score.deviation_m,
-                  "To a wall, beyond which a cell is wrong")
+                  "Distance to the nearest wall beyond which a cell is wrong [m]")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   map->callback([options] { print_score(*options); });
 }
-
-namespace {
 
 struct EvalRelationsOptions {
   std::filesystem::path relations;
   std::filesystem::path trajectory;
 };
 
-constexpr const char* kRelationsFooter =
-    R"(The metric of Kümmerle et al., "On measuring the accuracy of SLAM algorithms", Autonomous Robots
-2009: each relation compares the motion between two times with the true one, so that an early error
-is not counted again and again. The figures come as JSON: mean, standard deviation, median and
-maximum of the translational error in metres and of the rotational error in degrees.
+constexpr const char* kRelationsDetails =
+    R"(Computes the metric of Kümmerle et al., "On measuring the accuracy of SLAM algorithms", Autonomous
+Robots 2009. Each relation compares the estimated motion between two times with the true motion, so that
+an early error counts once.
 
-Example:
-  adit eval relations intel.relations out/trajectory.tum)";
+Output: JSON on standard output with mean, standard deviation, median and maximum of the translational
+error [m] and of the rotational error [degrees].)";
+
+constexpr const char* kRelationsExamples =
+    "  adit eval relations intel.relations out/trajectory.tum";
 
 void print_score(const EvalRelationsOptions& options) {
   const auto relations = read_relations(options.relations);
   const RelationsScore score = score_relations(relations, read_tum(options.trajectory));
   if (score.used == 0) {
     throw std::runtime_error("no relation of " + options.relations.string() +
-                             " lies within the time of " + options.trajectory.string());
+                             " is within the time span of " + options.trajectory.string());
   }
   std::cout << to_json(score) << "\n";
 }
 
-}  // namespace
-
 void add_eval_relations_command(CLI::App& eval) {
   CLI::App* relations =
       eval.add_subcommand("relations", "Score a trajectory against hand-verified relations");
-  relations->footer(kRelationsFooter);
+  set_help(*relations, {kRelationsDetails, "", kRelationsExamples});
   const auto options = std::make_shared<EvalRelationsOptions>();
-  relations->add_option("RELATIONS", options->relations, "Lines `t1 t2 dx dy dz droll dpitch dyaw`")
+  relations
+      ->add_option("RELATIONS", options->relations, "Text lines `t1 t2 dx dy dz droll dpitch dyaw`")
       ->type_name("FILE")
       ->required();
   relations->add_option("TRAJECTORY", options->trajectory, "Poses in the TUM format")
@@ -141,8 +138,10 @@ void add_eval_relations_command(CLI::App& eval) {
   relations->callback([options] { print_score(*options); });
 }
 
+}  // namespace
+
 void add_eval_command(CLI::App& adit) {
-  CLI::App* eval = adit.add_subcommand("eval", "Measure how good a trajectory or a map is");
+  CLI::App* eval = adit.add_subcommand("eval", "Measure the accuracy of a trajectory or a map");
   eval->require_subcommand(1);
   add_eval_map_command(*eval);
   add_eval_relations_command(*eval);

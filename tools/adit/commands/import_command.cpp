@@ -18,45 +18,46 @@ struct ImportOptions {
   std::filesystem::path output;
 };
 
-constexpr const char* kCarmenFooter =
-    R"(Scans go onto LASER_FRONT and wheel odometry onto WHEEL_ODOMETRY, with their own times. The poses
-that a line gives for the laser are not imported: in many logs somebody has corrected them.
+constexpr const char* kCarmenDetails =
+    R"(Scans are written to channel LASER_FRONT and wheel odometry to WHEEL_ODOMETRY, with their
+timestamps. The laser pose of a line is not imported, because many public logs contain corrected poses.
+Malformed lines are skipped and reported on standard error, by reason.)";
 
-Examples:
-  adit import carmen intel.log.gz intel.lcmlog
-  adit spy intel.lcmlog                           look at what is in it)";
+constexpr const char* kCarmenExamples =
+    R"(  adit import carmen intel.log.gz intel.lcmlog
+  adit spy intel.lcmlog                           inspect the messages)";
 
-void report(const CarmenReport& found, const ImportOptions& options) {
-  for (const std::string& message : found.sentences()) {
+void print_result(const CarmenReport& report, const ImportOptions& options) {
+  for (const std::string& message : report.messages()) {
     std::cerr << "adit: " << options.input.string() << ": skipped " << message << "\n";
   }
-  std::cout << options.output.string() << ": " << found.scans << " scans, " << found.odometry_lines
-            << " odometry lines; " << found.rejected_lines() << " of " << found.lines
-            << " lines skipped\n";
+  std::cout << options.output.string() << ": " << report.scans << " scans, "
+            << report.odometry_lines << " odometry lines; " << report.rejected_lines() << " of "
+            << report.lines << " lines skipped\n";
 }
 
 void import_carmen_log(const ImportOptions& options) {
-  CarmenReport found;
+  CarmenReport report;
   {
     ProgressBar bar("importing");
-    found = import_carmen(options.input, options.output, [&](double done) { bar.update(done); });
+    report = import_carmen(options.input, options.output, [&](double done) { bar.update(done); });
   }
-  report(found, options);
+  print_result(report, options);
 }
 
 }  // namespace
 
 void add_import_command(CLI::App& adit) {
-  CLI::App* import = adit.add_subcommand("import", "Turn a log of another kind into an LCM log");
+  CLI::App* import = adit.add_subcommand("import", "Convert a log of another format to an LCM log");
   import->require_subcommand(1);
   CLI::App* carmen = import->add_subcommand(
-      "carmen", "Turn a CARMEN log (FLASER, ROBOTLASER1 and ODOM lines) into an LCM log");
-  carmen->footer(kCarmenFooter);
+      "carmen", "Convert a CARMEN log (FLASER, ROBOTLASER1 and ODOM lines) to an LCM log");
+  set_help(*carmen, {kCarmenDetails, "", kCarmenExamples});
   const auto options = std::make_shared<ImportOptions>();
-  carmen->add_option("IN", options->input, "The CARMEN log, plain or gzip")
+  carmen->add_option("IN", options->input, "CARMEN log, plain or gzip")
       ->type_name("FILE")
       ->required();
-  carmen->add_option("OUT", options->output, "The LCM log to write")->type_name("FILE")->required();
+  carmen->add_option("OUT", options->output, "LCM log to write")->type_name("FILE")->required();
   carmen->callback([options] { import_carmen_log(*options); });
 }
 

@@ -13,30 +13,33 @@
 namespace adit {
 namespace {
 
-constexpr const char* kMapFooter =
-    R"(The folder then holds
-  trajectory.tum        the path in the map: time x y z qx qy qz qw, one line for each scan
-  odometry.tum          the same before loops were closed: smooth, but it drifts
-  map.png               a picture of the place with the path in it
-  map.pgm, map.yaml     the same for ROS's map_server and nav2
-  graph.g2o             the pose graph: local maps, and what holds them together
-  associations.tsv      which places were taken for the same, when and why; what was undone
-  map.journal           what mapping knows, for --resume
-  run.lcmlog            all messages that went in and came out, for lcm-logplayer and adit spy
-  summary.json          scans, path length, closures, times, memory, where motion was not observed
+constexpr const char* kMapDetails =
+    R"(Estimates the trajectory of the robot by scan matching, detects loop closures and optimizes the pose
+graph.
 
-Where the lasers sit on the body is taken from the section `lasers` of the configuration, or else from the
-log, if it says so itself (channel CONFIG), or else they sit at the body's origin.
+Outputs in DIR:
+  trajectory.tum        corrected trajectory: time x y z qx qy qz qw, one line per scan
+  odometry.tum          trajectory of scan matching before loop closure: smooth, with drift
+  map.png               picture of the map with the trajectory
+  map.pgm, map.yaml     occupancy grid for ROS map_server and Nav2
+  graph.g2o             pose graph of local maps
+  associations.tsv      loop closure decisions, with time and reason; also those that were revoked
+  map.journal           state of mapping, for --resume
+  run.lcmlog            all input and output messages, for lcm-logplayer and adit spy
+  summary.json          scans, path length, loop closures, computation times, memory, degenerate motion
 
-A map that is resumed keeps its frame. The recording is looked for in it as if the robot might have been
-carried anywhere; afterwards path and pictures show both. One or two closures that hold it there may be
-mistaken: look at map.png with --draw-graph. DIR and the folder to resume may be the same.
+The poses of the lasers on the body are read from the section `lasers` of the configuration, else from the
+log (channel CONFIG); by default the lasers are at the origin of the body.
 
-Examples:
-  adit map intel.log.gz --out intel                    a CARMEN log
-  adit map run.lcmlog --out again --no-odometry        from the laser alone
-  adit map second.lcmlog --out both --resume first     go on with the map in the folder first
-  adit-mapping --print-config > my.yaml                every parameter of a stage; edit, then
+With --resume, the map keeps its frame, and the start of the recording is localized anywhere in it. The
+trajectory and the pictures then show both runs. A localization by only one or two loop closures can be
+wrong: check map.png with --draw-graph. DIR and the folder to resume may be the same.)";
+
+constexpr const char* kMapExamples =
+    R"(  adit map intel.log.gz --out intel                    a CARMEN log
+  adit map run.lcmlog --out laser_only --no-odometry   laser only
+  adit map second.lcmlog --out both --resume first     continue the map in the folder first
+  adit-mapping --print-config > my.yaml                print all parameters of a stage, edit them, then
   adit map run.lcmlog --out mine --config my.yaml)";
 
 void map(const MapRunOptions& options) {
@@ -54,9 +57,9 @@ void map(const MapRunOptions& options) {
   std::cout << options.folder.string() << ": " << result.scans << " scans over "
             << result.path_length_m << " m in " << result.wall_s << " s, " << result.lost
             << " of them lost; " << result.local_maps << " local maps, " << result.loop_closures
-            << (result.loop_closures == 1 ? " closure" : " closures");
+            << (result.loop_closures == 1 ? " loop closure" : " loop closures");
   if (!options.resume.empty()) {
-    std::cout << ", " << result.cross_session_loop_closures << " of them to the map of "
+    std::cout << ", " << result.cross_session_loop_closures << " of them to the map in "
               << options.resume.string();
   }
   std::cout << "\n";
@@ -65,26 +68,27 @@ void map(const MapRunOptions& options) {
 }  // namespace
 
 void add_map_command(CLI::App& adit) {
-  CLI::App* command = adit.add_subcommand(
-      "map", "Find the robot's path in a laser log, close its loops, and draw the place");
-  command->footer(kMapFooter);
+  CLI::App* command =
+      adit.add_subcommand("map", "Build a 2D map and the trajectory from a laser log (SLAM)");
+  set_help(*command, {kMapDetails, "", kMapExamples});
   const auto options = std::make_shared<MapRunOptions>();
-  command->add_option("INPUT", options->input, "A CARMEN log, plain or gzip, or an LCM log")
+  command->add_option("INPUT", options->input, "CARMEN log, plain or gzip, or LCM log")
       ->type_name("FILE")
       ->required();
-  command->add_option("--out", options->folder, "Where the results go; made if it is not there")
+  command->add_option("--out", options->folder, "Output folder; created if it does not exist")
       ->type_name("DIR")
       ->required();
-  command->add_option("--config", options->config, "YAML file with a section for each stage")
+  command->add_option("--config", options->config, "YAML file with a section per stage")
       ->type_name("FILE");
   command->add_flag_callback(
       "--no-odometry", [options] { options->use_odometry = false; },
-      "Leave out wheel odometry and IMU: the laser alone");
+      "Ignore wheel odometry and IMU; use the laser only");
   command
-      ->add_option("--resume", options->resume, "Continue the map in this folder of an earlier run")
+      ->add_option("--resume", options->resume,
+                   "Continue the map in the output folder of an earlier run")
       ->type_name("DIR");
   command->add_flag("--draw-graph", options->draw_graph,
-                    "Draw local maps and closures into map.png, those that were undone too");
+                    "Draw local maps and loop closures in map.png, also revoked ones");
   command->callback([options] { map(*options); });
 }
 

@@ -13,60 +13,52 @@
 #include <unistd.h>
 
 #include "tools/adit/adit_app.hpp"
-#include "tools/adit/commands/report_command.hpp"
 #include "tools/mission/mission_folder.hpp"
 #include "tools/mission/mission_live.hpp"
 #include "tools/mission/mission_progress.hpp"
 #include "tools/mission/mission_run.hpp"
+#include "tools/report/report.hpp"
 
 namespace adit {
 namespace {
 
-/// Shows how a mission goes: on a terminal one line that changes, in a file a line now and then.
+/// Prints the progress of a mission: on a terminal one line that is updated, in a file one line
+/// every ten seconds.
 class MissionProgressPrinter {
  public:
-  MissionProgressPrinter();
+  /// `wall_s` is the wall time since the start of the mission.
+  void update(const MissionProgress& progress, double wall_s) {
+    const double factor = wall_s > 0.0 ? progress.simulated_s / wall_s : 0.0;
+    if (is_terminal_) {
+      std::printf("\r%s ", progress_text(progress, factor).c_str());
+    } else if (wall_s >= next_s_) {
+      std::printf("%s\n", progress_text(progress, factor).c_str());
+      next_s_ = wall_s + kLinePeriodS;
+    }
+    std::fflush(stdout);
+  }
 
-  /// `wall_s` is the time since the mission began.
-  void update(const MissionProgress& progress, double wall_s);
-  /// What a person should know, on standard error.
-  void print_message(const std::string& what) const;
-  /// How it ended, and how long that took. `trouble` is why it did not come to its end, or empty.
-  static void end(const MissionProgress& last, const std::string& abort_reason, double wall_s);
+  /// Prints a message for the operator on standard error.
+  void print_message(const std::string& message) const {
+    if (is_terminal_) std::printf("\n");
+    std::fflush(stdout);
+    std::cerr << "adit mission: " << message << std::endl;
+  }
+
+  /// Prints the outcome and the run time. `abort_reason` is empty if the mission ended by itself.
+  static void end(const MissionProgress& last, const std::string& abort_reason, double wall_s) {
+    std::printf("\n%s\n%.0f s of simulated time in %.0f s; %.2f m from the start at the end\n",
+                abort_reason.empty() ? last.phase.reason.c_str() : abort_reason.c_str(),
+                last.simulated_s, wall_s, last.distance_from_start_m);
+    std::fflush(stdout);
+  }
 
  private:
-  bool is_terminal_;
+  static constexpr double kLinePeriodS = 10.0;
+
+  bool is_terminal_ = isatty(STDOUT_FILENO) == 1;
   double next_s_ = 0.0;
 };
-
-constexpr double kLinePeriodS = 10.0;
-
-MissionProgressPrinter::MissionProgressPrinter() : is_terminal_(isatty(STDOUT_FILENO) == 1) {}
-
-void MissionProgressPrinter::update(const MissionProgress& progress, double wall_s) {
-  const double factor = wall_s > 0.0 ? progress.simulated_s / wall_s : 0.0;
-  if (is_terminal_) {
-    std::printf("\r%s ", progress_text(progress, factor).c_str());
-  } else if (wall_s >= next_s_) {
-    std::printf("%s\n", progress_text(progress, factor).c_str());
-    next_s_ = wall_s + kLinePeriodS;
-  }
-  std::fflush(stdout);
-}
-
-void MissionProgressPrinter::print_message(const std::string& what) const {
-  if (is_terminal_) std::printf("\n");
-  std::fflush(stdout);
-  std::cerr << "adit mission: " << what << std::endl;
-}
-
-void MissionProgressPrinter::end(const MissionProgress& last, const std::string& abort_reason,
-                                 double wall_s) {
-  std::printf("\n%s\n%.0f s of simulated time in %.0f s; %.2f m from the start at the end\n",
-              abort_reason.empty() ? last.phase.reason.c_str() : abort_reason.c_str(),
-              last.simulated_s, wall_s, last.distance_from_start_m);
-  std::fflush(stdout);
-}
 
 constexpr int kExitNotReturned = 1;
 
@@ -75,46 +67,53 @@ struct MissionOptions {
   bool in_process = false;
 };
 
-constexpr const char* kMissionFooter =
-    R"(Sends a robot into a simulated mine: it explores, scans, plans and drives by itself, and comes home. Each
-stage is a process of its own, kept running by an adit-supervisor, on a network of their own; with
---in-process all are in this one, with the same log each time. Exit code 0 when the robot is at home, 1
-when it is not.
+constexpr const char* kMissionDetails =
+    R"(Runs an autonomous mission in a simulated mine: the robot explores, scans, plans and drives, and returns
+to the start. Each stage is a process under an adit-supervisor, on a private network. With --in-process, all
+stages run in this process, and the same options give the same log to the byte.
 
-The folder then holds the report of adit report, mission.html with map and figures and the files that belong
-to it; run.lcmlog with all that was said, phases.tsv with what the robot was at and why, the journals from
-which it can go on, and the configuration of all processes. While it runs:
-  adit ps --socket DIR/supervisor.sock          its processes; adit logs NAME and adit restart NAME, too
-  adit order return --mission DIR            what a person may order
+Outputs in DIR:
+  mission.html ..   the report and its files, see adit report --help
+  run.lcmlog        all messages; run_2.lcmlog .. after --resume
+  phases.tsv        phases of the mission and their reasons
+  *.journal         state of the stages, for --resume
+  *.yaml, *.cfg     configuration of all processes
 
-Faults are those of adit sim; a process that is killed or suspended is started again.
+During the mission:
+  adit ps --socket DIR/supervisor.sock       list its processes; also adit logs NAME, adit restart NAME
+  adit order return --mission DIR            order it to pause, resume, return or stop
 
-Examples:
-  adit mission mathies --out mission
+Faults are those of adit sim. The supervisor restarts processes that are killed or suspended.)";
+
+constexpr const char* kMissionExitCodes = "  1  the robot did not return to the start";
+
+constexpr const char* kMissionExamples =
+    R"(  adit mission mathies --out mission
   adit mission random --seed 7 --length-m 60 --out mission --fault kill:mapping@100
-  adit mission --out mission --resume           after it was interrupted, or all of it was cut off
+  adit mission --out mission --resume           after an interruption or a power loss
   adit mission mathies --in-process --out mission)";
 
-/// Makes the folder of the mission from its logs, also of one that did not come home. What stops
-/// that is said, and changes nothing of how the mission ended. A life that was cut off at once has
-/// left an empty log.
+/// Writes the report from the logs of the mission, also if the robot did not return. An error is
+/// printed and does not change the outcome of the mission. A run that was killed immediately leaves
+/// an empty log, which is skipped.
 void report(const std::filesystem::path& folder) try {
   const MissionFolder mission(folder);
   std::vector<std::filesystem::path> logs = mission.logs();
   std::erase_if(logs, [](const auto& log) { return std::filesystem::file_size(log) == 0; });
   print_report({logs, mission.path()});
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "adit mission: there is no report: %s\n", error.what());
+  std::fprintf(stderr, "adit mission: cannot write the report: %s\n", error.what());
 }
 
-/// Throws the exit code of a mission that did not come home.
+/// Throws the exit code of a mission whose robot did not return.
 void require_return(const MissionProgress& last, const std::string& abort_reason) {
   const bool home = abort_reason.empty() && last.phase.outcome == MissionOutcome::kHome;
   if (!home) throw CLI::RuntimeError(kExitNotReturned);
 }
 
 void run_in_process(const MissionLiveOptions& mission) {
-  if (mission.resume) throw std::invalid_argument("--resume is for a mission of processes");
+  if (mission.resume)
+    throw std::invalid_argument("--resume requires a mission of processes, without --in-process");
   MissionFolder(mission.folder).require_new();
   MissionRunOptions options;
   options.world = mission.world;
@@ -129,9 +128,9 @@ void run_in_process(const MissionLiveOptions& mission) {
     printer.update(progress, wall.count());
   });
   const bool ended = result.last.phase.phase == Phase::kEnded;
-  const std::string abort_reason = !result.failure.empty() ? "the run has failed: " + result.failure
+  const std::string abort_reason = !result.failure.empty() ? "the run failed: " + result.failure
                                    : ended                 ? ""
-                                                           : "its time is up";
+                                                           : "the time limit is reached";
   MissionProgressPrinter::end(result.last, abort_reason, result.wall_s);
   report(mission.folder);
   require_return(result.last, abort_reason);
@@ -143,7 +142,7 @@ void run_processes(const MissionLiveOptions& mission) {
   const MissionLiveResult result = run_live_mission(
       mission,
       [&](const MissionProgress& progress, double wall_s) { printer.update(progress, wall_s); },
-      [&](const std::string& what) { printer.print_message(what); });
+      [&](const std::string& message) { printer.print_message(message); });
   MissionProgressPrinter::end(result.last, result.abort_reason, result.wall_s);
   if (!result.interrupted) report(folder);
   require_return(result.last, result.abort_reason);
@@ -152,7 +151,7 @@ void run_processes(const MissionLiveOptions& mission) {
 void run(const MissionOptions& options) {
   if (options.mission.world.name.empty() == !options.mission.resume) {
     throw std::invalid_argument(
-        "say in which mine, or --resume to go on with the mission of --out");
+        "either WORLD or --resume, to continue the mission in --out, is required");
   }
   if (options.in_process) return run_in_process(options.mission);
   run_processes(options.mission);
@@ -161,24 +160,29 @@ void run(const MissionOptions& options) {
 void add_options(CLI::App& command, MissionOptions& options) {
   MissionLiveOptions& mission = options.mission;
   CLI::Option* world = add_world_options(command, mission.world);
-  command.add_option("--world", mission.world.name, "The same as WORLD")->excludes(world);
-  command.add_option("--out", mission.folder, "Folder for what it brings back")
+  command.add_option("--world", mission.world.name, "Same as WORLD")->excludes(world);
+  command.add_option("--out", mission.folder, "Output folder; created if it does not exist")
       ->type_name("DIR")
       ->required();
   CLI::Option* in_process =
-      command.add_flag("--in-process", options.in_process, "All stages in this process");
-  command.add_flag("--resume", mission.resume, "Go on with the mission in the folder")
+      command.add_flag("--in-process", options.in_process, "Run all stages in this process");
+  command.add_flag("--resume", mission.resume, "Continue the mission in the output folder")
       ->excludes(world)
       ->excludes(in_process);
-  command.add_option("--config", mission.config, "YAML file with sections of stages and sim")
+  command.add_option("--config", mission.config, "YAML file with sections of the stages and sim")
       ->type_name("FILE");
-  command.add_option("--fault", mission.faults, "As for adit sim; may be given several times")
+  command
+      .add_option("--fault", mission.faults, "Fault to inject, as for adit sim; can be repeated")
       ->type_name("FAULT")
       ->allow_extra_args(false);
-  command.add_option("--speed", mission.speed, "Times real time, or max: as fast as it goes")
+  command
+      .add_option("--speed", mission.speed,
+                  "Speed as a multiple of real time, or max: as fast as possible")
       ->type_name("F|max")
       ->excludes(in_process);
-  command.add_option("--time-max-s", mission.time_max_s, "Of simulated time, until it is given up")
+  command
+      .add_option("--time-max-s", mission.time_max_s,
+                  "Simulated time after which the mission is aborted")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
 }
@@ -186,8 +190,9 @@ void add_options(CLI::App& command, MissionOptions& options) {
 }  // namespace
 
 void add_mission_command(CLI::App& adit) {
-  CLI::App* command = adit.add_subcommand("mission", "Send a robot into a simulated mine");
-  command->footer(kMissionFooter);
+  CLI::App* command =
+      adit.add_subcommand("mission", "Run an autonomous mission in a simulated mine");
+  set_help(*command, {kMissionDetails, kMissionExitCodes, kMissionExamples});
   const auto options = std::make_shared<MissionOptions>();
   add_options(*command, *options);
   command->callback([options] { run(*options); });

@@ -22,39 +22,43 @@ struct OptimizeOptions {
   std::string order = "best_first";
 };
 
-constexpr const char* kOptimizeFooter =
-    R"(Poses are found that agree best with all constraints, the first pose held where it is. They are
-found from the constraints alone: the poses in the file, or whether there are any, make no difference
-to the answer. The figures come as JSON: the objective (the sum of e' I e over all constraints, as g2o
-has it), steps, factorisations, and where the time went, reading and writing left out.
+constexpr const char* kOptimizeDetails =
+    R"(Finds the poses that minimize the objective, the sum of e' I e over all constraints as in g2o, with the
+first pose fixed. The initial estimate is computed from the constraints; poses in the file are not used.
 
-Both spellings are read, plain or gzip: VERTEX_SE2 and EDGE_SE2 (g2o), VERTEX2 and EDGE2 (TORO).
+Input: g2o (VERTEX_SE2, EDGE_SE2) or TORO (VERTEX2, EDGE2), plain or gzip.
 
-  --loops all      every constraint of the file counts
-  --loops lazy     loops may be wrong and are decided upon one after the other, in the order of their
-                   later pose, by lazy data association: what fits is taken; where a loop contradicts
-                   what was taken before, earlier decisions are undone if that explains more
+Output: JSON on standard output with the objective, the steps, the factorizations and the computation
+times without reading and writing. --out writes the optimized graph as g2o.
 
-The first constraint from a pose to the next in the order of ids is the way and is believed; there must
-be one for each pose but the last. All others are loops. The figures then have loops_accepted and loops_rejected
-as [from, to] in the ids of the file, trials (how many other sets of decisions were worked out) and
-revisions (decisions that were changed later). In the optimum, loops that were kept count the less the
-worse they fit; the objective is the sum over all that is believed, each in full.
+Loop closures:
+  --loops all      accept every constraint
+  --loops lazy     accept or reject each loop closure by lazy data association, in the order of the later
+                   pose. A loop closure that contradicts earlier decisions revokes them if this increases
+                   the likelihood.
 
-  --order best_first   undo what promises most, by a bound on what it can bring
-  --order threshold    undo the latest loops first, then earlier ones too, until the new one is likely
+With --loops lazy, the first constraint between each pose and the next one in the order of ids is odometry
+and is always accepted; it must exist for each pair. All other constraints are loop closures. The output
+then includes loops_accepted and loops_rejected as [from, to] in the ids of the file, trials (evaluated
+alternative sets of decisions) and revisions (decisions that were changed later). A robust kernel reduces
+the weight of accepted loop closures with large residuals; the objective sums all accepted constraints
+without it.
 
-Examples:
-  adit optimize intel.g2o                       the figures
-  adit optimize intel.g2o --out best.g2o        and the optimal poses, with the same constraints
-  adit optimize mine.g2o --loops lazy           which loops are wrong?
+  --order best_first   revoke first the decisions with the best bound on the likelihood
+  --order threshold    revoke the latest decisions first, then earlier ones, until the new loop closure is
+                       likely)";
+
+constexpr const char* kOptimizeExamples =
+    R"(  adit optimize intel.g2o                       print the figures
+  adit optimize intel.g2o --out best.g2o        also write the optimized poses and the same constraints
+  adit optimize mine.g2o --loops lazy           find wrong loop closures
   adit optimize mine.g2o --loops lazy --out good.g2o
-                                                and the graph without them, with its optimal poses)";
+                                                also write the graph without them, optimized)";
 
 OptimizeRun run_lazy_association(G2oGraph& file, const OptimizeOptions& options) {
   LazyAssociationParams params;
   params.best_first = options.order == "best_first";
-  ProgressBar bar("deciding about loops");
+  ProgressBar bar("loop closures");
   return optimize_lazily(file, params, [&](double done) { bar.update(done); });
 }
 
@@ -76,25 +80,25 @@ void optimize_file(const OptimizeOptions& options) {
 }  // namespace
 
 void add_optimize_command(CLI::App& adit) {
-  CLI::App* command =
-      adit.add_subcommand("optimize", "Find the poses of a pose graph that agree best");
-  command->footer(kOptimizeFooter);
+  CLI::App* command = adit.add_subcommand(
+      "optimize", "Optimize a 2D pose graph, on request with rejection of wrong loop closures");
+  set_help(*command, {kOptimizeDetails, "", kOptimizeExamples});
   const auto options = std::make_shared<OptimizeOptions>();
-  command->add_option("GRAPH", options->graph, "Poses and constraints, as g2o or TORO write them")
+  command->add_option("GRAPH", options->graph, "Pose graph in the g2o or TORO format")
       ->type_name("FILE")
       ->required();
-  command->add_option("--out", options->out, "Where the graph goes with its optimal poses")
-      ->type_name("FILE");
-  command->add_option("--loops", options->loops, "Which loop closures to believe")
+  command->add_option("--out", options->out, "Optimized graph to write, as g2o")->type_name("FILE");
+  command->add_option("--loops", options->loops, "Loop closures to accept")
       ->check(CLI::IsMember({"all", "lazy"}))
       ->capture_default_str();
   CLI::Option* order =
-      command->add_option("--order", options->order, "In which order --loops lazy undoes decisions")
+      command
+          ->add_option("--order", options->order, "Order in which --loops lazy revokes decisions")
           ->check(CLI::IsMember({"best_first", "threshold"}))
           ->capture_default_str();
   command->callback([options, order] {
     if (order->count() > 0 && options->loops != "lazy") {
-      throw CLI::ValidationError("--order", "needs --loops lazy");
+      throw CLI::ValidationError("--order", "requires --loops lazy");
     }
     optimize_file(*options);
   });

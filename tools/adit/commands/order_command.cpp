@@ -18,38 +18,39 @@ const std::map<std::string, MissionOrder::Kind> kOrders{{"pause", MissionOrder::
                                                         {"return", MissionOrder::Kind::kReturnHome},
                                                         {"stop", MissionOrder::Kind::kStop}};
 
-constexpr const char* kOrderFooter =
+constexpr const char* kOrderDetails =
     R"(Orders:
-  pause      stand, until told to go on
-  resume      after a pause, or where the mission waits for the order to begin
-  return  turn around, for good
-  stop       stand, and end the mission where the robot is: nobody will bring it home
+  pause   stop the vehicle until the order resume
+  resume  continue after a pause, or start a mission that waits for this order
+  return  return to the start; this cannot be undone
+  stop    stop the vehicle and end the mission in place; the robot does not return
 
-The order is said again until the mission obeys; exit code 2 where none answers. In the mine there is no
-radio: orders are for the surface, and for a simulated mine.
+The order is repeated until the mission executes it; the new phase is printed. Orders require a network
+connection to the robot: use them at the surface and in simulation.)";
 
-Examples:
-  adit order return                          the mission on this network
-  adit order pause --mission out                that of adit mission mathies --out out)";
+constexpr const char* kOrderExamples =
+    R"(  adit order return                          the mission on this network
+  adit order pause --mission out             the mission of `adit mission mathies --out out`)";
 
 }  // namespace
 
 void add_order_command(CLI::App& adit) {
   CLI::App* command =
-      adit.add_subcommand("order", "Tell a mission to pause, go on, come home, stop");
-  command->footer(kOrderFooter);
+      adit.add_subcommand("order", "Order a mission to pause, resume, return or stop");
+  set_help(*command, {kOrderDetails, "", kOrderExamples});
   const auto options = std::make_shared<MissionOrderOptions>();
   command->add_option("ORDER", options->order, "pause, resume, return or stop")
       ->transform(CLI::CheckedTransformer(kOrders).description(""))
       ->required();
-  command
-      ->add_option("--mission", options->mission, "Folder of a mission with a network of its own")
+  command->add_option("--mission", options->mission, "Output folder of a running adit mission")
       ->type_name("DIR");
-  command->add_option("--timeout-s", options->timeout_s, "How long to wait until it obeys")
+  command
+      ->add_option("--timeout-s", options->timeout_s,
+                   "Maximum time until the mission executes the order")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command->add_option("--lcm-url", options->lcm_url, "Where LCM is, if not at its default")
+  command->add_option("--lcm-url", options->lcm_url, "LCM network, instead of the default")
       ->type_name("URL");
   command->callback([options] { std::cout << order_mission(*options) << "\n"; });
 }

@@ -25,68 +25,78 @@ struct ProcessOptions {
   bool follow = false;
 };
 
-constexpr const char* kChangeFooter =
-    R"(Only what stands in the supervisor's process list can be started, and only by the user whose supervisor
-it is, or root, on the same computer. One in charge has the processes of other computers started too. A
-process waits for what it depends on, which is not started with it.
+constexpr const char* kChangeDetails =
+    R"(Controls only processes in the process list of the supervisor. Only the user who runs the supervisor, or
+root, on the same computer may do this. A supervisor in charge also controls the processes of the other
+computers. A process waits for its dependencies (depends_on); they are not started with it.)";
 
-Examples:
-  adit start mapping terrain
-  adit start --all                  in the order of what depends on what
-  adit start --script explore       a script of the list; takes the place of one that still runs
+constexpr const char* kChangeExamples =
+    R"(  adit start mapping terrain
+  adit start --all                  in the order of the dependencies
+  adit start --script explore       run a script of the list; replaces a script that still runs
   adit restart mapping)";
 
-constexpr const char* kPsFooter =
-    R"(States: stopped, waiting (for what it depends on), starting (runs, and has not shown life yet), running,
-stopping, pausing (until it is started again), failed (given up), unknown (its computer is silent).
-CPU and memory are those of the process and all that it started; 100 % is one core.
+constexpr const char* kPsDetails =
+    R"(Columns: computer and group of the process, state, process id, CPU (100 % is one core) and memory of the
+process and its children, number of restarts, last error.
 
-Examples:
-  adit ps
+States:
+  stopped    not running
+  waiting    for its dependencies
+  starting   running, without a heartbeat yet
+  running
+  stopping
+  pausing    before the next restart
+  failed     the restart limit is reached
+  unknown    no status from its computer)";
+
+constexpr const char* kPsExamples = R"(  adit ps
   watch -n1 adit ps)";
 
-constexpr const char* kLogsFooter =
-    R"(The last thousand lines that a process has printed; of another computer's, those of them that came over
-the network since the supervisor of this one started.
+constexpr const char* kLogsDetails =
+    R"(Prints the last thousand lines of output of a process. For a process of another computer, these are the
+lines received since the supervisor of this computer started.)";
 
-Examples:
-  adit logs mapping
-  adit logs mapping -f              and what it prints from now on, until Ctrl-C)";
+constexpr const char* kLogsExamples =
+    R"(  adit logs mapping
+  adit logs mapping -f              also print new output, until Ctrl-C)";
 
-constexpr const char* kReloadFooter =
-    R"(What has not changed runs on, what has is restarted if it runs, what is gone is stopped, what is new waits
-for adit start. Each computer reads its own list. A list that is wrong is refused and the old one stays. The
-same as: kill -HUP, systemctl reload adit-supervisor.)";
+constexpr const char* kReloadDetails =
+    R"(Unchanged processes keep running, changed ones are restarted if they run, removed ones are stopped, and
+new ones wait for adit start. Each computer reads its own list. An invalid list is rejected, and the current
+list stays in effect. Same as kill -HUP and systemctl reload adit-supervisor.)";
+
+constexpr const char* kReloadExamples = "  adit reload";
 
 std::shared_ptr<ProcessOptions> add_socket_option(CLI::App& command) {
   auto options = std::make_shared<ProcessOptions>();
   options->socket = find_socket_path();
   command
       .add_option("--socket", options->socket,
-                  "Where the supervisor listens; the user's own without, or the system's")
+                  "Socket of the supervisor; by default that of the user, else of the system")
       ->type_name("PATH");
   return options;
 }
 
 void change(const std::string& verb, const ProcessOptions& options) {
-  std::vector<std::string> words{verb};
+  std::vector<std::string> request{verb};
   if (!options.script.empty()) {
-    words = {"script", options.script};
+    request = {"script", options.script};
   } else if (options.all == !options.names.empty()) {
-    throw std::invalid_argument("say which processes, or --all");
+    throw std::invalid_argument("either process names or --all is required");
   }
-  words.insert(words.end(), options.names.begin(), options.names.end());
-  request_from_supervisor(options.socket, words);
+  request.insert(request.end(), options.names.begin(), options.names.end());
+  request_from_supervisor(options.socket, request);
 }
 
-CLI::App* add_change_command(CLI::App& adit, const std::string& verb, const std::string& what) {
-  CLI::App* command = adit.add_subcommand(verb, what);
-  command->footer(kChangeFooter);
+CLI::App* add_change_command(CLI::App& adit, const std::string& verb, const std::string& purpose) {
+  CLI::App* command = adit.add_subcommand(verb, purpose);
+  set_help(*command, {kChangeDetails, "", kChangeExamples});
   const auto options = add_socket_option(*command);
-  CLI::Option* names = command->add_option("NAME", options->names, "Processes of the list");
-  CLI::Option* all = command->add_flag("--all", options->all, "All processes of the list");
+  CLI::Option* names = command->add_option("NAME", options->names, "Processes of the process list");
+  CLI::Option* all = command->add_flag("--all", options->all, "All processes of the process list");
   if (verb == "start") {
-    command->add_option("--script", options->script, "Run a script of the list")
+    command->add_option("--script", options->script, "Run a script of the process list")
         ->excludes(names)
         ->excludes(all);
   }
@@ -97,11 +107,11 @@ CLI::App* add_change_command(CLI::App& adit, const std::string& verb, const std:
 }  // namespace
 
 void add_process_commands(CLI::App& adit) {
-  add_change_command(adit, "start", "Start processes that the supervisor keeps");
-  add_change_command(adit, "stop", "Stop processes that the supervisor keeps");
-  add_change_command(adit, "restart", "Stop processes and start them again");
-  CLI::App* ps = adit.add_subcommand("ps", "Show the processes that the supervisor keeps");
-  ps->footer(kPsFooter);
+  add_change_command(adit, "start", "Start processes of the supervisor");
+  add_change_command(adit, "stop", "Stop processes of the supervisor");
+  add_change_command(adit, "restart", "Restart processes of the supervisor");
+  CLI::App* ps = adit.add_subcommand("ps", "List the processes of the supervisor");
+  set_help(*ps, {kPsDetails, "", kPsExamples});
   const auto options = add_socket_option(*ps);
   ps->callback([options] {
     std::cout << process_table_text(request_from_supervisor(options->socket, {"ps"}));
@@ -109,20 +119,19 @@ void add_process_commands(CLI::App& adit) {
 }
 
 void add_reload_command(CLI::App& adit) {
-  CLI::App* reload = adit.add_subcommand("reload", "Have the supervisor read its list again");
-  reload->footer(kReloadFooter);
+  CLI::App* reload = adit.add_subcommand("reload", "Reload the process list of the supervisor");
+  set_help(*reload, {kReloadDetails, "", kReloadExamples});
   const auto options = add_socket_option(*reload);
   reload->callback(
       [options] { std::cout << request_from_supervisor(options->socket, {"reload"}); });
 }
 
 void add_logs_command(CLI::App& adit) {
-  CLI::App* logs =
-      adit.add_subcommand("logs", "Show what a process that the supervisor keeps prints");
-  logs->footer(kLogsFooter);
+  CLI::App* logs = adit.add_subcommand("logs", "Print the output of a process of the supervisor");
+  set_help(*logs, {kLogsDetails, "", kLogsExamples});
   const auto options = add_socket_option(*logs);
-  logs->add_option("NAME", options->names, "A process of the list")->required()->expected(1);
-  logs->add_flag("-f,--follow", options->follow, "Go on with what it prints");
+  logs->add_option("NAME", options->names, "Process of the process list")->required()->expected(1);
+  logs->add_flag("-f,--follow", options->follow, "Also print new output");
   logs->callback([options] {
     request_from_supervisor(options->socket,
                             {options->follow ? "follow" : "logs", options->names.front()},

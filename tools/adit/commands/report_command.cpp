@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/adit/commands/report_command.hpp"
-
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -11,6 +9,7 @@
 
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
+#include "tools/report/report.hpp"
 
 namespace adit {
 
@@ -29,43 +28,42 @@ void print_report(const ReportOptions& options) {
 
 namespace {
 
-constexpr const char* kReportFooter =
-    R"(The folder then holds
-  mission.html          how the mission went, its map, phases, 3D scans, openings, events: one page that
-                        needs nothing else, to be read, printed and passed on
-  map.png, map.svg      the map with the way of the robot
-  map.pgm, map.yaml     the same for ROS's map_server and nav2
-  graph.g2o             the pose graph
-  trajectory.tum        the path in the map: time x y z qx qy qz qw
-  cloud.ply             the points of all 3D scans, in the map
-  volume.bt             the mine as an OctoMap
-  junctions.geojson     corridors, junctions, dead ends, openings and what became of them; metres in the map
-  summary.json          the figures, and the configuration of each stage
+constexpr const char* kReportDetails =
+    R"(Outputs in DIR:
+  mission.html          report: outcome, map, phases, 3D scans, frontiers, events; a self-contained page
+  map.png, map.svg      map with the traversed path
+  map.pgm, map.yaml     occupancy grid for ROS map_server and Nav2
+  graph.g2o             pose graph
+  trajectory.tum        trajectory in the map frame: time x y z qx qy qz qw
+  cloud.ply             points of all 3D scans in the map frame
+  volume.bt             3D map as an OctoMap
+  junctions.geojson     corridors, junctions, dead ends and frontiers with their outcome; map frame [m]
+  summary.json          figures, and the configuration of each stage
   run.lcmlog            the log
 
-Several logs are those of one mission after restarts, in order. The map is the one in the log (LOCAL_MAP,
-POSE_GRAPH); with --remap it is made anew from the laser scans and their matches. What a log does not hold
-is left out, and said.
+Several logs are the logs of one mission after restarts, in order of time. The map is read from the log
+(LOCAL_MAP, POSE_GRAPH); --remap computes it from the laser scans and their matches. Outputs whose messages
+are missing in the log are omitted with a warning.)";
 
-Examples:
-  adit report run.lcmlog --out mission
+constexpr const char* kReportExamples =
+    R"(  adit report run.lcmlog --out mission
   adit report before.lcmlog after.lcmlog --out mission
-  adit report run.lcmlog --out again --remap)";
+  adit report run.lcmlog --out remapped --remap)";
 
 }  // namespace
 
 void add_report_command(CLI::App& adit) {
   CLI::App* command = adit.add_subcommand(
-      "report", "Make the folder of a mission from its log: a page to read, map, volume, figures");
-  command->footer(kReportFooter);
+      "report", "Create the report of a mission from its log: HTML page, maps, 3D map, figures");
+  set_help(*command, {kReportDetails, "", kReportExamples});
   const auto options = std::make_shared<ReportOptions>();
   command->add_option("LOG", options->logs, "LCM logs of one mission, in order of time")
       ->type_name("FILE")
       ->required();
-  command->add_option("--out", options->folder, "Where the results go; made if it is not there")
+  command->add_option("--out", options->folder, "Output folder; created if it does not exist")
       ->type_name("DIR")
       ->required();
-  command->add_flag("--remap", options->remap, "Make the map anew from the laser scans");
+  command->add_flag("--remap", options->remap, "Compute the map from the laser scans");
   command->callback([options] { print_report(*options); });
 }
 

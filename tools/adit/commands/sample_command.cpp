@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cstdint>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,65 +13,53 @@
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/eval/tum.hpp"
-#include "tools/sample_mine/sample_log.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit {
 namespace {
 
-const std::map<std::string, SampleWorld> kWorlds = {{"ring", SampleWorld::kRing},
-                                                    {"parallel", SampleWorld::kParallel},
-                                                    {"long", SampleWorld::kLong}};
-constexpr double kLongDriveM = 10'000.0;
-
 struct SampleOptions {
   std::filesystem::path output;
   std::filesystem::path truth;
-  std::uint64_t seed = 1;
-  std::optional<double> length_m;
-  bool half_degree = false;
-  std::string world = "ring";
+  SampleParams run;
   std::optional<double> yaw_bias_deg_per_m;
   double bearing_error_percent = 0.0;
+  bool half_degree = false;
 };
 
-constexpr const char* kSampleFooter =
-    R"(The mine is made up. Laser and wheels have errors like real ones. The same seed gives the same bytes.
+constexpr const char* kSampleDetails =
+    R"(Runs the simulator along the built-in drive of a world and writes one laser and the wheel odometry,
+with their errors. The same options give the same bytes.
+
+Outputs:
+  OUT        LCM log (.lcmlog) or CARMEN text (.log)
+  --truth    true path in the TUM format
 
 Worlds:
-  ring      an adit, a ring of workings, a cross-cut through a room on pillars, dead ends;
-            the robot drives 450 m through it and closes two loops
-  parallel  two drifts that look the same, 12 m apart: after 800 m the odometry makes the robot believe
-            that it is in the other one, until it comes to a corner; scan matching alone is led
-            astray with --bearing-error-percent -2.5
-  long      a grid of drifts, 320 m by 210 m, through which the robot drives as far as --length-m says,
-            10 km if it does not, with a scan every 0.1 m
+  sample    an adit, a ring of tunnels, a cross-cut through a room and pillars, dead ends; the robot
+            drives 450 m and closes two loops
+  parallel  two similar tunnels, 12 m apart. After 800 m, the odometry error places the robot in the
+            wrong tunnel until it reaches a corner. Scan matching alone fails in the same way with
+            --bearing-error-percent -2.5
+  grid      a grid of tunnels, 320 m by 210 m; 10.8 km, with a scan every 0.1 m)";
 
-Examples:
-  adit sample mine.log                                  as a CARMEN log
-  adit sample mine.lcmlog --truth mine.tum --seed 7     as an LCM log, with the true path
-  adit sample far.lcmlog --world long --length-m 2000   2 km in a large mine)";
+constexpr const char* kSampleExamples =
+    R"(  adit sample mine.log                                  a CARMEN log
+  adit sample mine.lcmlog --truth mine.tum --seed 7     an LCM log and the true path
+  adit sample far.lcmlog --world grid --length-m 2000   2 km in a large mine)";
 
-double length_of(const SampleOptions& options) {
-  constexpr double kFullLength = std::numeric_limits<double>::infinity();
-  return options.length_m.value_or(options.world == "long" ? kLongDriveM : kFullLength);
-}
-
-SampleSite site_of(const SampleOptions& options) {
-  SampleSite site = sample_site(kWorlds.at(options.world), options.seed, length_of(options));
+SampleParams run_params(const SampleOptions& options) {
+  SampleParams params = options.run;
+  if (options.half_degree) params.beams = 361;
+  params.bearing_scale = 1.0 + options.bearing_error_percent / 100.0;
   if (options.yaw_bias_deg_per_m) {
-    site.odometry.drift_rad_per_m = deg_to_rad(*options.yaw_bias_deg_per_m);
+    params.turn_bias_rad_per_m = deg_to_rad(*options.yaw_bias_deg_per_m);
   }
-  return site;
-}
-
-SyntheticLaserModel laser_of(const SampleOptions& options) {
-  SyntheticLaserModel laser = options.half_degree ? half_degree_laser() : SyntheticLaserModel{};
-  laser.bearing_scale = 1.0 + options.bearing_error_percent / 100.0;
-  return laser;
+  return params;
 }
 
 void write_sample(const SampleOptions& options) {
-  SampleRun run(site_of(options), options.seed, laser_of(options), length_of(options));
+  SampleRun run(run_params(options));
   {
     ProgressBar bar("sampling");
     write_sample_log(run, options.output, [&](double done) { bar.update(done); });
@@ -87,36 +73,37 @@ void write_sample(const SampleOptions& options) {
 
 void add_sample_command(CLI::App& adit) {
   CLI::App* sample =
-      adit.add_subcommand("sample", "Write the log of a drive through a made-up mine");
-  sample->footer(kSampleFooter);
+      adit.add_subcommand("sample", "Write the log of a drive through a synthetic mine");
+  set_help(*sample, {kSampleDetails, "", kSampleExamples});
   const auto options = std::make_shared<SampleOptions>();
-  sample->add_option("OUT", options->output, "The log to write: .lcmlog, or .log for CARMEN text")
+  sample->add_option("OUT", options->output, "Log to write: .lcmlog, or .log for CARMEN text")
       ->type_name("FILE")
       ->required();
-  sample->add_option("--truth", options->truth, "Also write the true path, in the TUM format")
+  sample->add_option("--truth", options->truth, "True path to write, in the TUM format")
       ->type_name("FILE");
-  sample->add_option("--seed", options->seed, "Another number gives another mine")
+  sample->add_option("--seed", options->run.seed, "Seed of the mine and of the sensor noise")
       ->type_name("N")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  sample->add_option("--length-m", options->length_m, "Only this much of the way")
+  sample->add_option("--length-m", options->run.length_max_m, "End the drive after this distance")
       ->type_name("METRES")
       ->check(CLI::PositiveNumber);
-  sample->add_option("--world", options->world, "Which mine: ring, parallel or long")
+  sample->add_option("--world", options->run.world, "World to drive in: sample, parallel or grid")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"ring", "parallel", "long"}))
+      ->check(CLI::IsMember({"sample", "parallel", "grid"}))
       ->capture_default_str();
   sample
       ->add_option("--yaw-bias-deg-per-m", options->yaw_bias_deg_per_m,
-                   "How the odometry turns away from the truth, instead of as the world has it")
+                   "Heading drift of the odometry, instead of that of the world")
       ->type_name("DEG")
       ->check(CLI::Range(-10.0, 10.0));
   sample
       ->add_option("--bearing-error-percent", options->bearing_error_percent,
-                   "By how much the laser's true bearings exceed those it reports")
+                   "Scale error of the laser bearings: true over reported, minus 1")
       ->type_name("PERCENT")
       ->check(CLI::Range(-10.0, 10.0))
       ->capture_default_str();
-  sample->add_flag("--half-degree", options->half_degree, "361 beams for each scan, not 181");
+  sample->add_flag("--half-degree", options->half_degree, "361 beams per scan instead of 181");
   sample->callback([options] { write_sample(*options); });
 }
 

@@ -25,17 +25,20 @@ struct ScanOptions {
   std::string laser = "front";
 };
 
-constexpr const char* kScanFooter =
-    R"(One sweep of a tilting laser of a vehicle that stands there, as the simulator's laser sees it,
-placed without error. A log holds all of it, for adit plan or a stage; a PLY file the bare points, in metres
-from where the vehicle's middle stands on the ground, x ahead, y to the left, z up.
+constexpr const char* kScanDetails =
+    R"(Simulates one sweep of a tilting laser of a stationary vehicle, with true poses.
 
-Examples:
-  adit scan mathies --at 308,5.84,-4.4 --out beam.lcmlog     before the broken beam
-  adit scan bruceton --out start.ply                         where the world has its start
+Output:
+  .lcmlog  the complete scan, as input of adit plan or of a stage
+  .ply     the points only, in m; origin on the ground below the centre of the vehicle, x forward, y left,
+           z up. The matching adit plan command is printed)";
+
+constexpr const char* kScanExamples =
+    R"(  adit scan mathies --at 308,5.84,-4.4 --out beam.lcmlog     in front of the broken beam
+  adit scan bruceton --out start.ply                         at the start pose of the world
   adit plan beam.lcmlog --out beam)";
 
-/// The mean of where the lines begin.
+/// Mean of the origins of the lines, in level [m].
 Eigen::Vector3f laser_of(const Cloud& cloud) {
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   for (const CloudLine& line : cloud.lines) sum += line.origin;
@@ -52,28 +55,28 @@ void scan(const ScanOptions& options) {
   std::cout << options.file.string() << ": " << cloud.points() << " points\n";
   if (options.file.extension() != ".ply") return;
   const Eigen::Vector3f laser = laser_of(cloud);
-  std::cout << "adit plan " << options.file.string() << " --origin " << laser.x() << ","
-            << laser.y() << "," << laser.z() << " --stand 0,0 --ground 0 --out DIR\n";
+  std::cout << "adit plan " << options.file.string() << " --laser-at " << laser.x() << ","
+            << laser.y() << "," << laser.z() << " --vehicle-at 0,0 --ground-m 0 --out DIR\n";
 }
 
 }  // namespace
 
 void add_scan_command(CLI::App& adit) {
   CLI::App* command =
-      adit.add_subcommand("scan", "Write a 3D scan of a simulated mine, to plan on");
-  command->footer(kScanFooter);
+      adit.add_subcommand("scan", "Write a 3D scan of a simulated mine, as input of adit plan");
+  set_help(*command, {kScanDetails, "", kScanExamples});
   const auto options = std::make_shared<ScanOptions>();
   add_world_options(*command, options->world)->required();
   command
       ->add_option_function<std::string>(
           "--at",
-          [options](const std::string& place) { options->T_world_plan = parse_view_pose(place); },
-          "Where the vehicle stands; at the start of the world without")
+          [options](const std::string& pose) { options->T_world_plan = parse_view_pose(pose); },
+          "Pose of the vehicle; by default the start pose of the world")
       ->type_name("X,Y,HEADING_DEG");
-  command->add_option("--out", options->file, "An LCM log (.lcmlog) or bare points (.ply)")
+  command->add_option("--out", options->file, "Scan to write: LCM log (.lcmlog) or points (.ply)")
       ->type_name("FILE")
       ->required();
-  command->add_option("--laser", options->laser, "Which of the two")
+  command->add_option("--laser", options->laser, "Laser to sweep")
       ->check(CLI::IsMember({"front", "rear"}))
       ->capture_default_str();
   command->callback([options] { scan(*options); });

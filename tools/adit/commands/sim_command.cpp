@@ -30,16 +30,14 @@ struct SimOptions {
   }
 };
 
-constexpr const char* kExamples = R"(
-
-Examples:
-  adit sim bruceton                                        in real time; then, beside it
-  adit-scan_matching --sim-time & adit drive --keys        and drive
-  adit sim mathies --speed max --wait-for scan_matching    as fast as scan matching keeps up
+constexpr const char* kSimExamples =
+    R"(  adit sim bruceton                                        in real time; in another terminal:
+  adit-scan_matching --sim-time & adit drive --keyboard    drive by the keyboard
+  adit sim mathies --speed max --wait-for scan_matching    as fast as scan matching allows
   adit sim mathies --config deploy/config/groundhog.yaml --record run.lcmlog
   adit sim random --seed 7 --damage 0.8 --describe my.yaml
-  adit sim my.yaml --view my.png --truth my_truth          a picture; centre lines, plan and obstacles as JSON
-  adit sim mathies --view beam.png --camera 300,0,0        what one sees who stands there)";
+  adit sim my.yaml --view my.png --truth my_truth          picture; centre lines, plan and obstacles as JSON
+  adit sim mathies --view beam.png --camera 300,0,0        picture with a perspective from this pose)";
 
 void write_files(const SimOptions& options) {
   const WorldDescription description = describe(options.world);
@@ -55,28 +53,26 @@ void write_files(const SimOptions& options) {
 
 void add_sim_command(CLI::App& adit) {
   CLI::App* sim = adit.add_subcommand(
-      "sim", "A mine to drive in, on LCM; or what it looks like, and what is true of it");
-  sim->footer(std::string(kLiveRunFooter) + kExamples);
+      "sim", "Simulate a robot in a mine on LCM, or write pictures and ground truth of the mine");
+  set_help(*sim, {kLiveRunFooter, "", kSimExamples});
   const auto options = std::make_shared<SimOptions>();
   options->run.program = "adit sim";
   add_world_options(*sim, options->world)->required();
   add_live_run_options(*sim, options->run);
-  CLI::Option* view = sim->add_option("--view", options->view,
-                                      "Draw it as plan, section and in perspective, and end")
-                          ->type_name("PNG");
+  CLI::Option* view =
+      sim->add_option("--view", options->view, "Draw plan, section and perspective view, and exit")
+          ->type_name("PNG");
   sim->add_option_function<std::string>(
          "--camera",
-         [options](const std::string& place) {
-           options->view_options.from = parse_view_pose(place);
-         },
-         "With --view: where to stand and look in perspective; behind the start without")
+         [options](const std::string& pose) { options->view_options.from = parse_view_pose(pose); },
+         "Pose of the camera of --view; by default behind the start pose")
       ->type_name("X,Y,HEADING_DEG")
       ->needs(view);
   sim->add_option("--truth", options->truth,
-                  "Write drifts.geojson, plan.geojson, obstacles.json, and end")
+                  "Write ground truth (tunnels.geojson, plan.geojson, obstacles.json), and exit")
       ->type_name("DIR");
   sim->add_option("--describe", options->description,
-                  "Write the whole description as a world file, and end")
+                  "Write the complete description as a world file, and exit")
       ->type_name("FILE");
   sim->callback([options] {
     if (options->writes_files_only()) return write_files(*options);

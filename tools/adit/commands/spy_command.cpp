@@ -12,21 +12,22 @@
 namespace adit {
 namespace {
 
-constexpr const char* kSpyFooter =
-    R"(Needs Java and LCM's Java programs, and says what to install where they are missing.
+constexpr const char* kSpyDetails =
+    R"(Starts lcm-spy, or with LOG lcm-logplayer-gui, with the message types of this project. Requires Java and
+the Java tools of LCM; an error names missing packages.)";
 
-Examples:
-  adit spy                    what is on the channels at this moment
-  adit spy mine.lcmlog        the window of the log player, to play a log onto the channels)";
+constexpr const char* kSpyExamples =
+    R"(  adit spy                    inspect the live channels
+  adit spy mine.lcmlog        play a log onto the channels)";
 
 }  // namespace
 
 void add_spy_command(CLI::App& adit) {
   CLI::App* spy =
-      adit.add_subcommand("spy", "Look at messages: start lcm-spy, or the log player's window");
-  spy->footer(kSpyFooter);
+      adit.add_subcommand("spy", "Inspect messages: start lcm-spy or the graphical log player");
+  set_help(*spy, {kSpyDetails, "", kSpyExamples});
   const auto log = std::make_shared<std::optional<std::filesystem::path>>();
-  spy->add_option("LOG", *log, "An LCM log to play")->type_name("FILE");
+  spy->add_option("LOG", *log, "LCM log to play")->type_name("FILE");
   spy->callback([log] { run_lcm_spy(*log); });
 }
 

@@ -12,21 +12,21 @@
 namespace adit {
 namespace {
 
-constexpr const char* kVolumeFooter =
-    R"(The folder then holds
-  volume.bt     which cells are free and which are occupied: OctoMap's binary form, for octovis
+constexpr const char* kVolumeDetails =
+    R"(Input: an LCM log with the channels CLOUD, POSE_GRAPH and MAP_CORRECTION, recorded while scan_assembly
+and mapping ran.
+
+Outputs in DIR, in the map frame of the last pose graph in the log:
+  volume.bt     free and occupied cells as a binary OctoMap, for octovis
   volume.ot     the same with log-odds
-  cloud.ply     the points, each with the id of its scan
+  cloud.ply     points, each with the id of its scan)";
 
-All are in map, as the last pose graph of the log has it. The log holds the channels CLOUD, POSE_GRAPH
-and MAP_CORRECTION, as one has that was recorded while scan_assembly and mapping ran.
-
-Examples:
-  adit volume run.lcmlog --out mine
-  adit-volume_map --print-config > my.yaml             every parameter; edit, then
+constexpr const char* kVolumeExamples =
+    R"(  adit volume run.lcmlog --out mine
+  adit-volume_map --print-config > my.yaml             print all parameters, edit them, then
   adit volume run.lcmlog --out mine --config my.yaml)";
 
-void make_volume(const VolumeRunOptions& options) {
+void build_volume(const VolumeRunOptions& options) {
   VolumeRunResult result;
   {
     ProgressBar bar("volume");
@@ -42,17 +42,17 @@ void make_volume(const VolumeRunOptions& options) {
 }  // namespace
 
 void add_volume_command(CLI::App& adit) {
-  CLI::App* command =
-      adit.add_subcommand("volume", "Make a volume and a cloud of points of the 3D scans in a log");
-  command->footer(kVolumeFooter);
+  CLI::App* command = adit.add_subcommand(
+      "volume", "Build a 3D map (OctoMap) and a point cloud from the 3D scans in a log");
+  set_help(*command, {kVolumeDetails, "", kVolumeExamples});
   const auto options = std::make_shared<VolumeRunOptions>();
-  command->add_option("LOG", options->input, "An LCM log")->type_name("FILE")->required();
-  command->add_option("--out", options->folder, "Where the results go; made if it is not there")
+  command->add_option("LOG", options->input, "LCM log")->type_name("FILE")->required();
+  command->add_option("--out", options->folder, "Output folder; created if it does not exist")
       ->type_name("DIR")
       ->required();
-  command->add_option("--config", options->config, "YAML file with a section volume_map")
+  command->add_option("--config", options->config, "YAML file with the section volume_map")
       ->type_name("FILE");
-  command->callback([options] { make_volume(*options); });
+  command->callback([options] { build_volume(*options); });
 }
 
 }  // namespace adit

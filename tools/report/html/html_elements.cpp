@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/html/html_elements.hpp"
 
+#include <fmt/format.h>
+
 #include "tools/report/html/text_format.hpp"
 
 namespace adit {
 
 std::string element(const std::string& tag, const std::string& html,
                     const std::string& attributes) {
-  const std::string space = attributes.empty() ? "" : " ";
-  return "<" + tag + space + attributes + ">" + html + "</" + tag + ">";
+  const char* const space = attributes.empty() ? "" : " ";
+  return fmt::format("<{0}{1}{2}>{3}</{0}>", tag, space, attributes, html);
 }
 
 std::string html_table(const std::string& caption_text, const std::vector<std::string>& head_texts,
@@ -22,12 +24,13 @@ std::string html_table(const std::string& caption_text, const std::vector<std::s
     for (const std::string& cell : row.cells) cells += element("td", cell);
     body += element("tr", cells, row.attributes) + "\n";
   }
+  const std::string caption = escaped(caption_text);
+  const std::string table =
+      element("table", element("caption", caption) + element("thead", element("tr", head)) +
+                           element("tbody", body));
   return element(
-      "div",
-      element("table", element("caption", escaped(caption_text)) +
-                           element("thead", element("tr", head)) + element("tbody", body)),
-      std::string("class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"") +
-          escaped(caption_text) + "\"");
+      "div", table,
+      fmt::format(R"(class="scroll" tabindex="0" role="region" aria-label="{}")", caption));
 }
 
 std::string html_metrics(const HtmlMetrics& metrics) {

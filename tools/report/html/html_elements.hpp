@@ -8,26 +8,25 @@
 
 namespace adit {
 
-// Pieces of a page. What is called html is taken as it is; what is called text is escaped.
+// HTML elements. Parameters named html are inserted as they are, parameters named text are escaped.
 
 /// <tag attributes>html</tag>
 std::string element(const std::string& tag, const std::string& html,
                     const std::string& attributes = "");
 
-/// A table with a head, in a box that scrolls on narrow screens; each cell is html. Each row may
-/// have attributes.
 struct HtmlRow {
-  std::vector<std::string> cells;
+  std::vector<std::string> cells;  ///< html
   std::string attributes = {};
 };
+/// A table with a head row, in a box that scrolls horizontally on narrow screens.
 std::string html_table(const std::string& caption_text, const std::vector<std::string>& head_texts,
                        const std::vector<HtmlRow>& rows);
 
-/// Names with their values (html), side by side where there is room.
+/// Names (text) with their values (html), side by side where the width allows it.
 using HtmlMetrics = std::vector<std::pair<std::string, std::string>>;
 std::string html_metrics(const HtmlMetrics& metrics);
 
-/// What opens at a click.
+/// A <details> element, closed.
 std::string html_details(const std::string& summary_text, const std::string& html);
 
 }  // namespace adit

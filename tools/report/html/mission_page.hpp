@@ -10,10 +10,10 @@
 
 namespace adit {
 
-/// The page of a mission, HTML 5 with everything in it: nothing is asked of any network. `notes`
-/// are said at its head: what the log lacks, a sentence each.
+/// The page of a mission: page.html with its placeholders filled. HTML 5 in one file, which loads
+/// nothing else. `warnings` are shown in its header, one sentence each.
 std::string mission_page(const MissionRecords& records, const MissionStatistics& statistics,
                          const MapContent& map, const std::string& title,
-                         const std::vector<std::string>& notes);
+                         const std::vector<std::string>& warnings);
 
 }  // namespace adit

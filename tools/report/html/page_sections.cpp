@@ -3,11 +3,16 @@
 #include "tools/report/html/page_sections.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
+#include <utility>
+#include <vector>
 
+#include <fmt/format.h>
+
+#include "tools/map/map_files.hpp"
 #include "tools/report/html/html_elements.hpp"
 #include "tools/report/html/text_format.hpp"
-#include "tools/report/svg/map_layers.hpp"
 
 namespace adit {
 namespace {
@@ -28,14 +33,6 @@ const char* name_of(MissionEvent::Kind kind) {
   return "";
 }
 
-std::string decision_of(const Association& a) {
-  if (a.action == Association::Action::kProposed) {
-    return a.chosen == Association::kNone ? "left open" : "accepted";
-  }
-  if (a.chosen == Association::kNone) return "revoked";
-  return a.previously_chosen == Association::kNone ? "accepted after all" : "revised";
-}
-
 std::string older_map_of(const Association& a) {
   const int index = a.chosen != Association::kNone ? a.chosen : a.previously_chosen;
   const auto i = static_cast<std::size_t>(std::max(index, 0));
@@ -43,7 +40,7 @@ std::string older_map_of(const Association& a) {
   return std::to_string(a.loop_closure.alternatives[i].older_map);
 }
 
-/// How often each thing happened, the most frequent first.
+/// The most frequent events with their counts.
 std::string event_counts_html(const std::vector<MissionEvent>& events) {
   std::map<std::string, std::size_t> counts;
   for (const MissionEvent& event : events) ++counts[event.source + ": " + event.description];
@@ -54,11 +51,9 @@ std::string event_counts_html(const std::vector<MissionEvent>& events) {
   constexpr std::size_t kShown = 8;
   std::string items;
   for (std::size_t i = 0; i < std::min(kShown, sorted.size()); ++i) {
-    items += element(
-        "li", escaped(sorted[i].second) +
-                  (sorted[i].first > 1 ? std::string(" <small>") + std::to_string(sorted[i].first) +
-                                             " times</small>"
-                                       : ""));
+    const auto& [count, description] = sorted[i];
+    const std::string times = count > 1 ? fmt::format(" <small>{} times</small>", count) : "";
+    items += element("li", escaped(description) + times);
   }
   if (sorted.size() > kShown) items += element("li", "and others, see the table");
   return element("ul", items);
@@ -75,60 +70,61 @@ std::string frontiers_html(const MissionRecords& records) {
   });
   std::vector<HtmlRow> rows;
   for (const Frontier& frontier : frontiers) {
-    rows.push_back({{std::to_string(frontier.id), escaped(name_of(frontier.state)),
-                     fixed(frontier.p_map.x(), 1) + ", " + fixed(frontier.p_map.y(), 1),
-                     metres(frontier.width_m), frontier.utime > 0 ? clock_text(frontier.utime) : "",
-                     escaped(sentence(frontier.evidence))},
-                    std::string("id=\"stub-") + std::to_string(frontier.id) + "\" class=\"" +
-                        (is_closed(frontier.state) ? "closed" : "open") + "\""});
+    rows.push_back(
+        {{std::to_string(frontier.id), escaped(name_of(frontier.state)),
+          fmt::format("{}, {}", fixed(frontier.p_map.x(), 1), fixed(frontier.p_map.y(), 1)),
+          metres(frontier.width_m), frontier.utime > 0 ? clock_text(frontier.utime) : "",
+          escaped(sentence(frontier.evidence))},
+         fmt::format(R"(id="frontier-{}" class="{}")", frontier.id,
+                     is_closed(frontier.state) ? "closed" : "open")});
   }
-  if (rows.empty()) return "<p>No opening was seen.</p>";
-  const std::string certificate =
+  if (rows.empty()) return "<p>No frontiers were found.</p>";
+  const std::string summary =
       report->decision.complete
-          ? "<p>Exploration says that the mine is complete: every opening ever seen is closed. The "
-            "table is the certificate.</p>"
-          : "<p>Places where the mine goes on, or seemed to (the stubs of the log). What is not "
-            "closed was left for "
-            "another mission.</p>";
-  return certificate +
-         html_table("Openings, their state and its evidence",
-                    {"no.", "state", "x, y in the map [m]", "width", "since", "evidence"}, rows);
+          ? "<p>The exploration is complete: every frontier is closed, with the evidence below.</p>"
+          : "<p>The exploration is not complete. Open frontiers remain for another mission.</p>";
+  return summary +
+         html_table("Frontiers with state and evidence",
+                    {"no.", "state", "x, y in the map [m]", "width", "since (UTC)", "evidence"},
+                    rows);
 }
 
 std::string loop_closures_html(const MissionMap& map) {
   std::vector<HtmlRow> rows;
   for (const Association* a : map.full_map().associations) {
-    const std::string decision = decision_of(*a);
+    const std::string decision = decision_text(*a);
     rows.push_back({{clock_text(a->utime), decision, std::to_string(a->loop_closure.newer_map),
                      older_map_of(*a), std::to_string(a->loop_closure.alternatives.size()),
                      escaped(sentence(a->reason))},
                     decision == "revoked" ? "class=\"revoked\"" : ""});
   }
-  if (rows.empty()) return "<p>No place was seen again.</p>";
+  if (rows.empty()) return "<p>No loop closures were proposed.</p>";
   return html_details(
-      std::string("All decisions (") + std::to_string(rows.size()) + ")",
-      html_table("Decisions on places that were seen again",
-                 {"time", "decision", "local map", "as", "alternatives", "why"}, rows));
+      fmt::format("All decisions ({})", rows.size()),
+      html_table("Decisions of data association",
+                 {"time (UTC)", "decision", "newer map", "older map", "alternatives", "reason"},
+                 rows));
 }
 
 std::string events_html(const MissionRecords& records) {
   const std::vector<MissionEvent>& events = records.events.events();
-  if (events.empty()) return "<p>Nothing out of the ordinary.</p>";
+  if (events.empty()) return "<p>No events.</p>";
   std::vector<HtmlRow> rows;
   for (const MissionEvent& event : events) {
     rows.push_back({{clock_text(event.utime), name_of(event.kind), escaped(event.source),
-                     event.to_utime > event.utime ? duration_text(event.seconds()) : "",
+                     event.to_utime > event.utime ? duration_text(event.duration_s()) : "",
                      escaped(sentence(event.description))}});
   }
   std::string more;
   if (records.events.dropped() > 0) {
-    more = std::string("<p class=\"note\">") + std::to_string(records.events.dropped()) +
-           " more events are not shown.</p>";
+    more = element("p", fmt::format("{} more events are not shown.", records.events.dropped()),
+                   "class=\"note\"");
   }
   return event_counts_html(events) + more +
          html_details(
-             std::string("All events (") + std::to_string(rows.size()) + ")",
-             html_table("Events", {"time", "what", "who", "length", "of what kind"}, rows));
+             fmt::format("All events ({})", rows.size()),
+             html_table("Events", {"time (UTC)", "kind", "source", "duration", "description"},
+                        rows));
 }
 
 std::string configuration_html(const LogInfo& log_info) {
@@ -140,51 +136,53 @@ std::string configuration_html(const LogInfo& log_info) {
   for (const auto& [channel, count] : log_info.messages) {
     rows.push_back({{escaped(channel), std::to_string(count)}});
   }
-  details += html_details("messages of the log",
-                          html_table("Messages of the log", {"channel", "messages"}, rows));
+  details += html_details("Messages in the log",
+                          html_table("Messages in the log", {"channel", "messages"}, rows));
   return details;
 }
 
 namespace {
 
 HtmlMetrics headline_metrics(const MissionStatistics& statistics) {
-  HtmlMetrics metrics{{"Time", duration_text(statistics.seconds())},
-                      {"Way", metres(statistics.distance_travelled_m)},
-                      {"Farthest from the start", metres(statistics.farthest_m)},
+  HtmlMetrics metrics{{"Duration", duration_text(statistics.duration_s())},
+                      {"Distance travelled", metres(statistics.distance_travelled_m)},
+                      {"Largest distance from the start", metres(statistics.farthest_m)},
                       {"3D scans", std::to_string(statistics.scans)}};
-  if (statistics.explored_m)
-    metrics.emplace_back("Corridors known", metres(*statistics.explored_m));
-  if (statistics.frontiers) {
-    metrics.emplace_back("Openings closed", std::to_string(statistics.frontiers->closed) + " of " +
-                                                std::to_string(statistics.frontiers->found));
+  if (statistics.explored_m) {
+    metrics.emplace_back("Corridors explored", metres(*statistics.explored_m));
   }
-  metrics.emplace_back("Places recognised", std::to_string(statistics.loop_closures.in_force));
-  if (statistics.revoked > 0)
-    metrics.emplace_back("Taken back", std::to_string(statistics.revoked));
+  if (const auto& frontiers = statistics.frontiers) {
+    metrics.emplace_back("Frontiers closed",
+                         fmt::format("{} of {}", frontiers->closed, frontiers->found));
+  }
+  metrics.emplace_back("Loop closures accepted", std::to_string(statistics.loop_closures.accepted));
+  if (statistics.revoked > 0) {
+    metrics.emplace_back("Loop closures revoked", std::to_string(statistics.revoked));
+  }
   if (statistics.score) {
-    metrics.emplace_back("Path against the truth, RMSE",
-                         metres(statistics.score->aligned.rmse_m, 2));
+    metrics.emplace_back("RMSE of the trajectory", metres(statistics.score->aligned.rmse_m, 2));
   }
-  if (statistics.failure)
+  if (statistics.failure) {
     metrics.emplace_back("Collisions", statistics.failure->empty() ? "none" : "yes");
+  }
   return metrics;
 }
 
 HtmlMetrics map_metrics(const MissionStatistics& statistics) {
   HtmlMetrics metrics{{"Local maps", std::to_string(statistics.local_maps)},
-                      {"Closures proposed", std::to_string(statistics.loop_closures.proposed)},
-                      {"Closures in force", std::to_string(statistics.loop_closures.in_force)},
+                      {"Loop closures proposed", std::to_string(statistics.loop_closures.proposed)},
+                      {"Loop closures accepted", std::to_string(statistics.loop_closures.accepted)},
                       {"Decisions revised", std::to_string(statistics.loop_closures.revised)},
-                      {"Closures revoked", std::to_string(statistics.revoked)},
+                      {"Loop closures revoked", std::to_string(statistics.revoked)},
                       {"Scans without a path", std::to_string(statistics.scans_without_path)},
-                      {"Stops by the guard", std::to_string(statistics.stops) + ", " +
-                                                 duration_text(statistics.stopped_s)},
-                      {"Restarts and silences", std::to_string(statistics.restarts)}};
+                      {"Stops by the guard", fmt::format("{}, {}", statistics.stops,
+                                                         duration_text(statistics.stopped_s))},
+                      {"Restarts and timeouts", std::to_string(statistics.restarts)}};
   if (statistics.score) {
-    metrics.emplace_back("Farthest from the truth", metres(statistics.score->aligned.max_m, 2));
-    metrics.emplace_back("RMSE, laid on at the start",
+    metrics.emplace_back("Largest trajectory error", metres(statistics.score->aligned.max_m, 2));
+    metrics.emplace_back("RMSE, anchored at the start",
                          metres(statistics.score->anchored.rmse_m, 2));
-    metrics.emplace_back("True way", metres(statistics.score->true_length_m));
+    metrics.emplace_back("True path length", metres(statistics.score->true_length_m));
   }
   return metrics;
 }
@@ -195,9 +193,9 @@ void add_state(const StateRecord& state, HtmlMetrics& metrics) {
                                         percent(state.vehicle_last()->battery_share));
   }
   if (!state.gas_extremes()) return;
-  metrics.emplace_back("Most methane", percent(state.gas_extremes()->methane_share));
-  metrics.emplace_back("Least oxygen", percent(state.gas_extremes()->oxygen_share));
-  metrics.emplace_back("Most carbon monoxide",
+  metrics.emplace_back("Methane, maximum", percent(state.gas_extremes()->methane_share));
+  metrics.emplace_back("Oxygen, minimum", percent(state.gas_extremes()->oxygen_share));
+  metrics.emplace_back("Carbon monoxide, maximum",
                        fixed(1e6 * state.gas_extremes()->carbon_monoxide_share, 0) + " ppm");
 }
 

@@ -8,17 +8,19 @@
 
 namespace adit {
 
-// Sections of the page of a mission, html.
+// Sections of the page of a mission, as HTML.
 
-/// The figures that matter, and the rest of them in a fold.
+/// The main figures; the other figures in a closed <details>.
 std::string metrics_html(const MissionStatistics& statistics, const MissionRecords& records);
-/// Every opening that was ever seen, with its state and the evidence for it: open ones first.
+/// Intervals of each phase and of stops on a common time axis, and as a table.
+std::string timeline_html(const MissionRecords& records, const MissionStatistics& statistics);
+/// All frontiers with state and evidence, open ones first.
 std::string frontiers_html(const MissionRecords& records);
-/// What was decided on places that look alike, in the order in which it was.
+/// Decisions of data association, in order of time.
 std::string loop_closures_html(const MissionMap& map);
-/// Stops of the guard, orders, restarts, health.
+/// Stops, orders, restarts, health and driving failures.
 std::string events_html(const MissionRecords& records);
-/// Of each stage, as it was in effect.
+/// CONFIG of each stage, and the number of messages per channel.
 std::string configuration_html(const LogInfo& log_info);
 
 }  // namespace adit

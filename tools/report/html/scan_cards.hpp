@@ -10,13 +10,13 @@
 
 namespace adit {
 
-/// What came of a scan, in a sentence.
+/// Result of the last plan on a scan, one sentence.
 std::string outcome_text(const RecordedScan& scan);
 
-/// The scans where the map has them; those of which it does not know where are left out.
+/// Marks of the scans on the map. Scans without a pose on the map are left out.
 std::vector<ScanMark> scan_marks(const MissionRecords& records, const MissionMap& map);
 
-/// What the colours of the cards mean, and a card for each 3D scan.
+/// A legend and one card for each 3D scan, as HTML.
 std::string scan_cards(const MissionRecords& records, const MissionMap& map);
 
 }  // namespace adit

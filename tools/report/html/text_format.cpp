@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/html/text_format.hpp"
 
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <ctime>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
 
 namespace adit {
 namespace {
@@ -15,16 +16,9 @@ namespace {
 constexpr const char* kReplacement = "\xEF\xBF\xBD";
 constexpr const char* kNoBreak = "\xC2\xA0";
 
-template <class... Values>
-std::string format_text(const char* format, Values... values) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
-
 bool is_continuation_byte(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
-/// Bytes of the character that begins here; 0 where none does.
+/// Length of the UTF-8 character at the start of a text [bytes]; 0 for an invalid one.
 std::size_t character_bytes(std::string_view text) {
   const auto first = static_cast<unsigned char>(text.front());
   if (first < 0x80U) return 1;
@@ -35,8 +29,9 @@ std::size_t character_bytes(std::string_view text) {
   }
   const auto second = static_cast<unsigned char>(text[1]);
   const bool overlong = (first == 0xE0U && second < 0xA0U) || (first == 0xF0U && second < 0x90U);
-  const bool beyond = (first == 0xEDU && second > 0x9FU) || (first == 0xF4U && second > 0x8FU);
-  return overlong || beyond ? 0 : length;
+  const bool out_of_range =
+      (first == 0xEDU && second > 0x9FU) || (first == 0xF4U && second > 0x8FU);
+  return overlong || out_of_range ? 0 : length;
 }
 
 std::string escaped_byte(char byte) {
@@ -66,13 +61,6 @@ std::tm calendar(std::int64_t utime) {
   return time;
 }
 
-std::string format_time(std::int64_t utime, const char* format) {
-  const std::tm time = calendar(utime);
-  std::array<char, 64> text{};
-  std::strftime(text.data(), text.size(), format, &time);
-  return text.data();
-}
-
 }  // namespace
 
 std::string escaped(std::string_view text) {
@@ -89,7 +77,7 @@ std::string escaped(std::string_view text) {
 
 std::string fixed(double number, int digits) {
   if (!std::isfinite(number)) return "–";
-  const std::string text = format_text("%.*f", digits, number);
+  const std::string text = fmt::format("{:.{}f}", number, digits);
   const bool zero = text.find_first_of("123456789") == std::string::npos;
   return zero && text.front() == '-' ? text.substr(1) : text;
 }
@@ -100,23 +88,25 @@ std::string percent(double share) {
   return fixed(100.0 * share, share > 0.0 && share < 0.0995 ? 1 : 0) + kNoBreak + "%";
 }
 
-std::string count_text(std::size_t count, const std::string& one, const std::string& many) {
-  const std::string word = count == 1 ? one : many.empty() ? one + "s" : many;
-  return std::to_string(count) + " " + word;
+std::string count_text(std::size_t count, const std::string& singular) {
+  return fmt::format("{} {}{}", count, singular, count == 1 ? "" : "s");
 }
 
 std::string duration_text(double seconds) {
   if (!std::isfinite(seconds)) return "–";
-  const auto whole = static_cast<long long>(std::llround(std::fmax(seconds, 0.0)));
-  if (whole < 60) return format_text("%lld%ss", whole, kNoBreak);
-  if (whole < 3600)
-    return format_text("%lld%smin %02lld%ss", whole / 60, kNoBreak, whole % 60, kNoBreak);
-  const long long minutes = (whole + 30) / 60;
-  return format_text("%lld%sh %02lld%smin", minutes / 60, kNoBreak, minutes % 60, kNoBreak);
+  const long long rounded = std::llround(std::fmax(seconds, 0.0));
+  if (rounded < 60) return fmt::format("{}{}s", rounded, kNoBreak);
+  if (rounded < 3600) {
+    return fmt::format("{0}{2}min {1:02}{2}s", rounded / 60, rounded % 60, kNoBreak);
+  }
+  const long long minutes = (rounded + 30) / 60;
+  return fmt::format("{0}{2}h {1:02}{2}min", minutes / 60, minutes % 60, kNoBreak);
 }
 
-std::string date_text(std::int64_t utime) { return format_time(utime, "%Y-%m-%d %H:%M:%S UTC"); }
-std::string clock_text(std::int64_t utime) { return format_time(utime, "%H:%M:%S"); }
+std::string date_text(std::int64_t utime) {
+  return fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", calendar(utime));
+}
+std::string clock_text(std::int64_t utime) { return fmt::format("{:%H:%M:%S}", calendar(utime)); }
 
 std::string sentence(std::string text) {
   if (text.empty()) return text;

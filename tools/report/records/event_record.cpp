@@ -3,6 +3,7 @@
 #include "tools/report/records/event_record.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 using Kind = MissionEvent::Kind;
 
-constexpr std::size_t kWaiting = 100;
+constexpr std::size_t kQueued = 100;
 constexpr std::int64_t kStalenessUs = 5'000'000;  // five heartbeats
 constexpr const char* kGuard = "guard";
 constexpr const char* kDriving = "driving";
@@ -24,11 +25,11 @@ const char* name_of(MissionOrder::Kind kind) {
     case MissionOrder::Kind::kPause:
       return "pause";
     case MissionOrder::Kind::kResume:
-      return "go on";
+      return "resume";
     case MissionOrder::Kind::kReturnHome:
-      return "come home";
+      return "return home";
     case MissionOrder::Kind::kStop:
-      return "stop, and end the mission";
+      return "stop and end the mission";
   }
   return "";
 }
@@ -36,7 +37,7 @@ const char* name_of(MissionOrder::Kind kind) {
 }  // namespace
 
 EventRecord::EventRecord(Bus& bus) {
-  const Delivery all = Delivery::queued(kWaiting);
+  const Delivery all = Delivery::queued(kQueued);
   subscribe<stop_t>(bus, channels::kStop, all, [this](const StopOrder& o) { on_stop(o); });
   subscribe<mission_order_t>(bus, channels::kMissionOrder, all,
                              [this](const MissionOrder& o) { on_order(o); });
@@ -46,14 +47,14 @@ EventRecord::EventRecord(Bus& bus) {
                              [this](const DrivingState& s) { on_driving(s); });
 }
 
-/// The first reason counts: those that follow tell of the same thing from where it stands.
+/// Keeps the first reason: the guard repeats the order with updated numbers while the stop lasts.
 void EventRecord::on_stop(const StopOrder& order) {
-  if (!order.stopped) return end(stops_, kGuard, order.utime);
+  if (!order.stopped) return end_event(stops_, kGuard, order.utime);
   if (stops_.contains(kGuard)) return;
   begin_or_extend(stops_, {Kind::kStop, order.utime, order.utime, kGuard, order.reason});
 }
 
-/// It is repeated until it is heard.
+/// The sender repeats an order until the mission confirms it.
 void EventRecord::on_order(const MissionOrder& order) {
   if (!order_ || order_->kind != order.kind) {
     add({Kind::kOrder, order.utime, order.utime, "operator", name_of(order.kind)});
@@ -65,15 +66,15 @@ void EventRecord::on_heartbeat(const Heartbeat& heartbeat) {
   const auto before = heartbeats_.find(heartbeat.stage);
   if (before != heartbeats_.end()) {
     const std::int64_t since_utime = before->second.utime;
-    const bool again = heartbeat.handled < before->second.handled;
-    if (again || heartbeat.utime - since_utime > kStalenessUs) {
+    const bool restarted = heartbeat.handled < before->second.handled;
+    if (restarted || heartbeat.utime - since_utime > kStalenessUs) {
       add({Kind::kRestart, since_utime, heartbeat.utime, heartbeat.stage,
-           again ? "started again" : "was silent"});
+           restarted ? "restarted" : "no heartbeat"});
     }
   }
   heartbeats_[heartbeat.stage] = heartbeat;
   if (heartbeat.health.level == Health::Level::kOk) {
-    return end(health_, heartbeat.stage, heartbeat.utime);
+    return end_event(health_, heartbeat.stage, heartbeat.utime);
   }
   const bool fault = heartbeat.health.level == Health::Level::kFault;
   begin_or_extend(health_, {Kind::kHealth, heartbeat.utime, heartbeat.utime, heartbeat.stage,
@@ -81,16 +82,15 @@ void EventRecord::on_heartbeat(const Heartbeat& heartbeat) {
 }
 
 void EventRecord::on_driving(const DrivingState& state) {
-  const bool waits = state.kind == DrivingState::Kind::kWaiting;
+  const bool waiting = state.kind == DrivingState::Kind::kWaiting;
   const bool failed = state.kind == DrivingState::Kind::kFailed;
-  if (!waits && !failed) return end(driving_, kDriving, state.utime);
-  begin_or_extend(driving_,
-                  {Kind::kDriving, state.utime, state.utime, kDriving,
-                   (failed ? "gave the path up: " : "stood and waited: ") + state.reason});
+  if (!waiting && !failed) return end_event(driving_, kDriving, state.utime);
+  begin_or_extend(driving_, {Kind::kDriving, state.utime, state.utime, kDriving,
+                             (failed ? "path failed: " : "waiting: ") + state.reason});
 }
 
-/// Begins what lasts, or goes on with it. What is said of it may change by numbers alone, and then
-/// is the same thing.
+/// Starts an event, or extends the one of the same source if the descriptions differ in numbers
+/// only.
 void EventRecord::begin_or_extend(OngoingEvents& ongoing, const MissionEvent& event) {
   const auto without_digits = [](std::string text) {
     std::erase_if(text, [](char c) {
@@ -98,17 +98,17 @@ void EventRecord::begin_or_extend(OngoingEvents& ongoing, const MissionEvent& ev
     });
     return text;
   };
-  const auto now = ongoing.find(event.source);
-  if (now != ongoing.end() &&
-      without_digits(now->second.description) == without_digits(event.description)) {
-    now->second.to_utime = std::max(now->second.to_utime, event.utime);
+  const auto current = ongoing.find(event.source);
+  if (current != ongoing.end() &&
+      without_digits(current->second.description) == without_digits(event.description)) {
+    current->second.to_utime = std::max(current->second.to_utime, event.utime);
     return;
   }
-  end(ongoing, event.source, event.utime);
+  end_event(ongoing, event.source, event.utime);
   ongoing[event.source] = event;
 }
 
-void EventRecord::end(OngoingEvents& ongoing, const std::string& source, std::int64_t utime) {
+void EventRecord::end_event(OngoingEvents& ongoing, const std::string& source, std::int64_t utime) {
   const auto ended = ongoing.find(source);
   if (ended == ongoing.end()) return;
   ended->second.to_utime = std::max(ended->second.utime, utime);
@@ -126,7 +126,7 @@ void EventRecord::add(const MissionEvent& event) {
 
 void EventRecord::finish(std::int64_t end_utime) {
   for (OngoingEvents* ongoing : {&stops_, &health_, &driving_}) {
-    while (!ongoing->empty()) end(*ongoing, std::string(ongoing->begin()->first), end_utime);
+    while (!ongoing->empty()) end_event(*ongoing, std::string(ongoing->begin()->first), end_utime);
   }
   std::stable_sort(events_.begin(), events_.end(),
                    [](const MissionEvent& a, const MissionEvent& b) { return a.utime < b.utime; });

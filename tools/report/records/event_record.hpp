@@ -11,43 +11,44 @@
 
 #include "common/bus/bus.hpp"
 #include "common/messages/diagnostics.hpp"
+#include "common/sensing/seconds.hpp"
 #include "common/types/driving_state.hpp"
 #include "common/types/mission.hpp"
 #include "common/types/vehicle_state.hpp"
 
 namespace adit {
 
-/// Something that happened on a mission and that a person may want to know.
+/// An event of a mission that is worth reporting: a stop, an order, a restart or a fault.
 struct MissionEvent {
   enum class Kind : std::uint8_t { kStop, kOrder, kRestart, kHealth, kDriving };
 
   Kind kind = Kind::kStop;
   std::int64_t utime = 0;
-  std::int64_t to_utime = 0;  ///< the same where it has no length
+  std::int64_t to_utime = 0;  ///< equal to `utime` for an event without duration
   std::string source;         ///< name of the stage, or "operator"
   std::string description;    ///< one line
 
-  [[nodiscard]] double seconds() const { return 1e-6 * static_cast<double>(to_utime - utime); }
+  [[nodiscard]] double duration_s() const { return seconds(to_utime - utime); }
 };
 
-/// Listens to STOP, MISSION_ORDER, HEARTBEAT and DRIVING_STATE for what is out of the ordinary.
+/// Extracts events from STOP, MISSION_ORDER, HEARTBEAT and DRIVING_STATE.
 class EventRecord {
  public:
-  /// More are counted, and not kept.
+  /// Events beyond this number are counted only.
   static constexpr std::size_t kEventsMax = 5000;
 
   /// `bus` must outlive this.
   explicit EventRecord(Bus& bus);
 
-  /// To be called when the log has ended, then: what lasted ended with it.
+  /// Must be called at the end of the log. Ends all ongoing events.
   void finish(std::int64_t end_utime);
 
-  /// In order of time.
+  /// Sorted by time.
   [[nodiscard]] const std::vector<MissionEvent>& events() const { return events_; }
   [[nodiscard]] std::size_t dropped() const { return dropped_; }
 
  private:
-  /// What lasts, by who it is of.
+  /// Events that have not ended yet, by source.
   using OngoingEvents = std::map<std::string, MissionEvent>;
 
   void on_stop(const StopOrder& order);
@@ -55,7 +56,7 @@ class EventRecord {
   void on_heartbeat(const Heartbeat& heartbeat);
   void on_driving(const DrivingState& state);
   void begin_or_extend(OngoingEvents& ongoing, const MissionEvent& event);
-  void end(OngoingEvents& ongoing, const std::string& source, std::int64_t utime);
+  void end_event(OngoingEvents& ongoing, const std::string& source, std::int64_t utime);
   void add(const MissionEvent& event);
 
   OngoingEvents stops_;

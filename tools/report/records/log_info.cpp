@@ -3,8 +3,9 @@
 #include "tools/report/records/log_info.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/log/lcm_log.hpp"
@@ -18,16 +19,11 @@ namespace {
 void add_config(const LogEventView& event, LogInfo& log_info) {
   const auto message = decode<config_t>(event.data);
   if (!message) return;
-  if (const auto copy = from_message(*message)) log_info.configs[copy->stage] = *copy;
+  if (const auto config = from_message(*message)) log_info.configs[config->stage] = *config;
 }
 
 void add_event(const LogEventView& event, LogInfo& log_info) {
-  const auto known = log_info.messages.find(event.channel);
-  if (known == log_info.messages.end()) {
-    log_info.messages.emplace(event.channel, 1);
-  } else {
-    ++known->second;
-  }
+  ++log_info.messages[std::string(event.channel)];
   if (event.channel == channels::kConfig) add_config(event, log_info);
   log_info.last_utime = std::max(log_info.last_utime, event.utime);
   if (log_info.first_utime == 0) log_info.first_utime = event.utime;
@@ -36,22 +32,21 @@ void add_event(const LogEventView& event, LogInfo& log_info) {
 
 void add_warnings(const LogHealth& health, const std::string& file, LogInfo& log_info) {
   if (health.corrupt_bytes > 0) {
-    log_info.warnings.push_back(std::string("skipped ") + std::to_string(health.corrupt_bytes) +
-                                " corrupt bytes of " + file);
+    log_info.warnings.push_back(
+        fmt::format("skipped {} corrupt bytes of {}", health.corrupt_bytes, file));
   }
   if (health.truncated_bytes > 0) {
-    log_info.warnings.push_back(file + " is cut off in the middle of an event");
+    log_info.warnings.push_back(file + " is truncated within an event");
   }
-  if (health.events == 0) log_info.warnings.push_back("no event in " + file);
+  if (health.events == 0) log_info.warnings.push_back("no events in " + file);
 }
 
-std::optional<Lasers> lasers_of(const ConfigSnapshot& copy) {
-  try {
-    const ConfigFile config = ConfigFile::parse(copy.yaml, "CONFIG of " + copy.stage);
-    if (config.section(Lasers::kSection) == nullptr) return std::nullopt;
-    return load_section<Lasers>(config, Lasers::kSection);
-  } catch (const ConfigError&) {
-    return std::nullopt;
+void add_lasers(LogInfo& log_info) {
+  for (const auto& [stage, config] : log_info.configs) {
+    const auto lasers = recorded_section<Lasers>(config, Lasers::kSection, log_info.warnings);
+    if (!lasers) continue;
+    log_info.lasers = *lasers;
+    return;
   }
 }
 
@@ -59,13 +54,6 @@ std::optional<Lasers> lasers_of(const ConfigSnapshot& copy) {
 
 bool LogInfo::simulated() const {
   return has(channels::kTruth) || has(channels::kRunState) || configs.contains(kSimSection);
-}
-
-Lasers LogInfo::lasers() const {
-  for (const auto& [stage, copy] : configs) {
-    if (const auto lasers = lasers_of(copy)) return *lasers;
-  }
-  return {};
 }
 
 LogInfo read_log_info(const std::vector<std::filesystem::path>& logs) {
@@ -77,8 +65,9 @@ LogInfo read_log_info(const std::vector<std::filesystem::path>& logs) {
     add_warnings(parser.health(), path.filename().string(), log_info);
   }
   if (log_info.messages.empty()) {
-    throw std::runtime_error("no event in " + (logs.empty() ? "no log" : logs.front().string()));
+    throw std::runtime_error("no events in " + (logs.empty() ? "no log" : logs.front().string()));
   }
+  add_lasers(log_info);
   return log_info;
 }
 

@@ -5,52 +5,46 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "common/config/config.hpp"
 #include "common/messages/diagnostics.hpp"
 #include "common/sensing/laser_mount.hpp"
+#include "tools/map/recorded_config.hpp"
 
 namespace adit {
 
-/// What there is in the logs of a mission, before any of it is looked at closely.
+/// Contents of the logs of a mission: channels, time span, configuration and damage.
 struct LogInfo {
-  std::map<std::string, std::size_t, std::less<>> messages;  ///< by channel
-  std::int64_t first_utime = 0;                              ///< of the recording
+  std::map<std::string, std::size_t, std::less<>> messages;  ///< number of messages by channel
+  std::int64_t first_utime = 0;
   std::int64_t last_utime = 0;
-  std::map<std::string, ConfigSnapshot> configs;  ///< the last of each stage
-  std::vector<std::string> warnings;              ///< of the files, a sentence each
+  std::map<std::string, ConfigSnapshot> configs;  ///< last CONFIG of each stage
+  Lasers lasers;                      ///< of the first CONFIG that has them, or defaults
+  std::vector<std::string> warnings;  ///< damage of the logs, one sentence each
 
   [[nodiscard]] bool has(std::string_view channel) const {
     return messages.find(channel) != messages.end();
   }
-  [[nodiscard]] double duration_s() const {
-    return 1e-6 * static_cast<double>(last_utime - first_utime);
-  }
-  /// Whether a simulator made the measurements.
+  /// True if the log has channels or a CONFIG of the simulator.
   [[nodiscard]] bool simulated() const;
-  /// Where the lasers were, by the first stage that says it; defaults without.
-  [[nodiscard]] Lasers lasers() const;
 };
 
-/// The parameters with which a stage ran, by its CONFIG; defaults where there is none, or one that
-/// another version wrote and this one does not understand.
+/// Parameters of a stage from its recorded CONFIG; defaults if there is none. Defaults are also
+/// used for a CONFIG that cannot be read (damaged, or of another version), with a warning.
 template <class Params>
-Params recorded_params(const LogInfo& log_info, const std::string& stage) {
-  const auto copy = log_info.configs.find(stage);
-  if (copy == log_info.configs.end()) return {};
-  try {
-    return load_section<Params>(ConfigFile::parse(copy->second.yaml, "CONFIG of " + stage), stage);
-  } catch (const ConfigError&) {
-    return {};
-  }
+Params recorded_params(const LogInfo& log_info, const std::string& stage,
+                       std::vector<std::string>& warnings) {
+  const auto config = log_info.configs.find(stage);
+  if (config == log_info.configs.end()) return {};
+  return recorded_section<Params>(config->second, stage, warnings).value_or(Params{});
 }
 
-/// Goes through the logs once. Throws std::runtime_error where one cannot be read, or there is no
-/// event in any.
+/// Reads the logs once. Throws std::runtime_error if a log cannot be read, or if no log has an
+/// event.
 LogInfo read_log_info(const std::vector<std::filesystem::path>& logs);
 
 }  // namespace adit

@@ -4,28 +4,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
-#include "common/messages/mapping/association.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::size_t kWaiting = 1000;
+constexpr std::size_t kQueued = 1000;
 constexpr double kStepM = 0.05;
 constexpr double kStepRad = 0.02;
 constexpr std::int64_t kStepUs = 1'000'000;
 
-/// The last pose of all is kept too: it is replaced until a step is done.
+/// Appends a pose. The last pose is always kept; it is replaced until it is a step away from the
+/// previous one.
 void append_thinned(const StampedPose& pose, Trajectory& poses) {
   if (!poses.empty() && pose.utime <= poses.back().utime) return;
   if (poses.size() > 1) {
-    const TimedPose& stored = poses[poses.size() - 2];
-    const Pose2 step = between(stored.pose, pose.T_odom_body);
+    const TimedPose& previous = poses[poses.size() - 2];
+    const Pose2 step = between(previous.pose, pose.T_odom_body);
     const bool is_step = step.translation().norm() >= kStepM || std::abs(step.theta) >= kStepRad ||
-                         pose.utime - stored.utime >= kStepUs;
+                         pose.utime - previous.utime >= kStepUs;
     if (!is_step) poses.pop_back();
   }
   poses.push_back({pose.utime, pose.T_odom_body});
@@ -34,23 +35,17 @@ void append_thinned(const StampedPose& pose, Trajectory& poses) {
 }  // namespace
 
 MapRecord::MapRecord(Bus& bus) {
-  subscribe<local_map_t>(bus, channels::kLocalMap, Delivery::queued(kWaiting),
-                         [this](const LocalMapFragment& fragment) {
-                           if (auto map = local_map_fragments_.add(fragment)) {
-                             const int id = map->id;
-                             local_maps_.insert_or_assign(id, std::move(*map));
-                           }
-                         });
-  subscribe<pose_graph_t>(bus, channels::kPoseGraph, Delivery::queued(kWaiting),
-                          [this](const PoseGraphFragment& fragment) {
-                            if (auto graph = graph_fragments_.add(fragment))
-                              graph_ = std::move(graph);
-                          });
-  subscribe<association_t>(bus, channels::kAssociation, Delivery::queued(kWaiting),
-                           [this](const Association& association) { on_association(association); });
-  subscribe<pose_t>(bus, channels::kPose, Delivery::queued(kWaiting),
+  subscription_.subscribe(bus,
+                          {.on_local_map =
+                               [this](LocalMap map) {
+                                 const int id = map.id;
+                                 local_maps_.insert_or_assign(id, std::move(map));
+                               },
+                           .on_graph = [this](MapGraph graph) { graph_ = std::move(graph); },
+                           .on_association = [this](const Association& a) { on_association(a); }});
+  subscribe<pose_t>(bus, channels::kPose, Delivery::queued(kQueued),
                     [this](const StampedPose& pose) { append_thinned(pose, odometry_); });
-  subscribe<pose_t>(bus, channels::kTruth, Delivery::queued(kWaiting),
+  subscribe<pose_t>(bus, channels::kTruth, Delivery::queued(kQueued),
                     [this](const StampedPose& pose) { append_thinned(pose, truth_); });
 }
 

@@ -8,41 +8,39 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
-#include "common/messages/mapping/local_map.hpp"
 #include "common/messages/mapping/odometry.hpp"
-#include "common/messages/mapping/pose_graph.hpp"
 #include "common/pose_graph/map_graph.hpp"
 #include "common/types/association.hpp"
 #include "common/types/local_map.hpp"
 #include "tools/eval/trajectory.hpp"
+#include "tools/map/map_subscription.hpp"
 
 namespace adit {
 
-/// Listens to what mapping says, to POSE and to TRUTH. Of poses it keeps one for each step of a few
-/// centimetres or a second, so that a log of hours fits.
+/// Collects the output of mapping, POSE and TRUTH. Poses are thinned to one per 0.05 m, 0.02 rad or
+/// second, so that a log of several hours fits into memory.
 class MapRecord {
  public:
   /// `bus` must outlive this.
   explicit MapRecord(Bus& bus);
 
-  /// The newest of each id, in order.
+  /// The newest map of each id, in order of ids. Leaves none.
   [[nodiscard]] std::vector<LocalMap> release_local_maps();
   [[nodiscard]] const std::map<int, LocalMap>& local_maps() const { return local_maps_; }
-  /// A decision that was told again after a restart is there once.
+  /// Without duplicates, which mapping publishes after a restart.
   [[nodiscard]] const std::vector<Association>& associations() const { return associations_; }
-  /// The last one.
+  /// Last POSE_GRAPH.
   [[nodiscard]] const std::optional<MapGraph>& graph() const { return graph_; }
 
-  /// T_odom_body, thinned. Where the process began anew, odom may begin anew.
+  /// T_odom_body, thinned. The odom frame may change after a restart of scan_matching.
   [[nodiscard]] const Trajectory& odometry() const { return odometry_; }
-  /// T_world_body of a simulator, thinned; empty on a robot.
+  /// T_world_body of the simulator, thinned; empty for a real robot.
   [[nodiscard]] const Trajectory& truth() const { return truth_; }
 
  private:
   void on_association(const Association& association);
 
-  LocalMapReassembler local_map_fragments_;
-  PoseGraphReassembler graph_fragments_;
+  MapSubscription subscription_;
   std::map<int, LocalMap> local_maps_;
   std::vector<Association> associations_;
   std::optional<MapGraph> graph_;

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/log/lcm_log.hpp"
@@ -20,16 +23,12 @@
 namespace adit {
 namespace {
 
-/// Plays logs to a bus, one after the other, each in the order in which it was written; channels
-/// that are not wanted are passed over. Nothing of a log is kept. `progress` is called with the
-/// share that is done. Throws std::runtime_error where a file cannot be read.
-void play_logs(const std::vector<std::filesystem::path>& logs,
-               const std::set<std::string, std::less<>>& selected, MemoryBus& bus,
-               const std::function<void(double)>& progress);
+using Channels = std::set<std::string, std::less<>>;
 
 constexpr std::size_t kEventsPerProgress = 10'000;
 
-/// A log that says it stopped for longer is another log: timers need not make up for that.
+// Events after a longer gap are skipped: their time is damaged, and the bus would run its timers
+// over the gap.
 constexpr std::int64_t kGapMaxUs = 24LL * 3600 * 1'000'000;
 
 bool is_plausible_at(std::int64_t utime, const MemoryBus& bus) {
@@ -37,9 +36,10 @@ bool is_plausible_at(std::int64_t utime, const MemoryBus& bus) {
   return bus.now_utime() == 0 || utime - bus.now_utime() < kGapMaxUs;
 }
 
-void play_logs(const std::vector<std::filesystem::path>& logs,
-               const std::set<std::string, std::less<>>& selected, MemoryBus& bus,
-               const std::function<void(double)>& progress) {
+/// Replays the selected channels of logs, one log after the other, each in its order. Throws
+/// std::runtime_error for a file that cannot be read.
+void play_logs(const std::vector<std::filesystem::path>& logs, const Channels& selected,
+               MemoryBus& bus, const std::function<void(double)>& progress) {
   for (std::size_t i = 0; i < logs.size(); ++i) {
     const MappedFile file(logs[i]);
     LogParser parser(file.bytes());
@@ -55,8 +55,6 @@ void play_logs(const std::vector<std::filesystem::path>& logs,
     }
   }
 }
-
-using Channels = std::set<std::string, std::less<>>;
 
 Channels selected_channels(bool remap) {
   Channels selected;
@@ -74,21 +72,12 @@ Channels selected_channels(bool remap) {
   return selected;
 }
 
-/// As the mission had it, but for its journal.
-MappingNodeParams mapping_params(const LogInfo& log_info) {
-  auto params = recorded_params<MappingNodeParams>(log_info, "mapping");
-  params.lasers = log_info.lasers();
-  params.journal.clear();
-  return params;
-}
-
-PlanningParams planning_params(const LogInfo& log_info) {
-  return recorded_params<PlanningParams>(log_info, "planning");
-}
-
-/// The journal stays where it was.
-VolumeMapNode::Params volume_params(const LogInfo& log_info) {
-  auto params = recorded_params<VolumeMapNode::Params>(log_info, "volume_map");
+/// Recorded parameters of a stage, without its journal.
+template <class Params>
+Params stage_params(const LogInfo& log_info, const std::string& stage,
+                    std::vector<std::string>& warnings) {
+  auto params = recorded_params<Params>(log_info, stage, warnings);
+  if constexpr (requires { params.lasers; }) params.lasers = log_info.lasers;
   params.journal.clear();
   return params;
 }
@@ -97,10 +86,13 @@ VolumeMapNode::Params volume_params(const LogInfo& log_info) {
 
 MissionLogReader::MissionLogReader(const LogInfo& log_info, bool remap)
     : log_info_(log_info),
-      scan_renderer_(planning_params(log_info)),
+      scan_renderer_(recorded_params<PlanningParams>(log_info, "planning", config_warnings_)),
       scans_(stage_bus_, [this](const ScanProducts& scan) { return scan_renderer_.render(scan); }),
-      volume_(stage_bus_, volume_params(log_info)) {
-  if (remap) mapping_.emplace(stage_bus_, mapping_params(log_info));
+      volume_(stage_bus_,
+              stage_params<VolumeMapNode::Params>(log_info, "volume_map", config_warnings_)) {
+  if (!remap) return;
+  mapping_.emplace(stage_bus_,
+                   stage_params<MappingNodeParams>(log_info, "mapping", config_warnings_));
 }
 
 void MissionLogReader::read(const ReportOptions& options,
@@ -112,16 +104,16 @@ void MissionLogReader::read(const ReportOptions& options,
 }
 
 std::vector<std::string> MissionLogReader::warnings() const {
-  std::map<std::string, std::int64_t> rejected;  // by channel; several may hear one
+  std::map<std::string, std::int64_t> rejected;  // by channel, which may have several subscribers
   for (const SubscriptionId id : stage_bus_.subscriptions()) {
     const SubscriptionStats& stats = stage_bus_.stats(id);
     rejected[stats.channel] = std::max(rejected[stats.channel], stats.rejected);
   }
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = config_warnings_;
   for (const auto& [channel, count] : rejected) {
     if (count == 0) continue;
-    warnings.push_back("passed over " + std::to_string(count) + " messages of " + channel +
-                       " that are damaged, or of another version");
+    warnings.push_back(fmt::format(
+        "skipped {} messages of {} that are damaged or of another version", count, channel));
   }
   return warnings;
 }

@@ -22,18 +22,18 @@
 
 namespace adit {
 
-/// Plays the logs of a mission to all that keeps something of it, and to the stages that make of it
-/// what is wanted: volume_map, and mapping where the map is to be made anew.
+/// Replays the logs of a mission to the records, to the stage volume_map and, with `remap`, to the
+/// stage mapping.
 class MissionLogReader {
  public:
-  explicit MissionLogReader(const LogInfo& log_info, bool remap);
+  /// `log_info` must outlive this.
+  MissionLogReader(const LogInfo& log_info, bool remap);
   MissionLogReader(const MissionLogReader&) = delete;
   MissionLogReader& operator=(const MissionLogReader&) = delete;
 
   void read(const ReportOptions& options, const std::function<void(double)>& progress);
 
-  /// Messages that are not what they should be, those of another version among them: a sentence for
-  /// each channel.
+  /// Unreadable CONFIGs and rejected messages, one sentence each.
   [[nodiscard]] std::vector<std::string> warnings() const;
   [[nodiscard]] MissionRecords records() const {
     return {log_info_, phases_, map_, scans_, events_, state_};
@@ -43,6 +43,7 @@ class MissionLogReader {
 
  private:
   const LogInfo& log_info_;
+  std::vector<std::string> config_warnings_;
   MemoryBus bus_;
   StageBus stage_bus_{bus_, StageBus::Measure::kNothing};
   ScanRenderer scan_renderer_;

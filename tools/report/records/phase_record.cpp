@@ -14,7 +14,7 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kWaiting = 100;
+constexpr std::size_t kQueued = 100;
 
 bool is_same_interval(const MissionPhase& a, const MissionPhase& b) {
   return a.sequence == b.sequence && a.phase == b.phase && a.utime == b.utime;
@@ -23,16 +23,16 @@ bool is_same_interval(const MissionPhase& a, const MissionPhase& b) {
 }  // namespace
 
 PhaseRecord::PhaseRecord(Bus& bus) {
-  subscribe<phase_t>(bus, channels::kPhase, Delivery::queued(kWaiting),
+  subscribe<phase_t>(bus, channels::kPhase, Delivery::queued(kQueued),
                      [this](const MissionPhase& phase) { on_phase(phase); });
   subscribe<scan_request_t>(
-      bus, channels::kScanRequest, Delivery::queued(kWaiting),
+      bus, channels::kScanRequest, Delivery::queued(kQueued),
       [this](const ScanRequest& request) { infer(request.utime, Phase::kScan); });
   subscribe<cloud_t>(
-      bus, channels::kCloud, Delivery::queued(kWaiting),
+      bus, channels::kCloud, Delivery::queued(kQueued),
       [this](const CloudFragment& fragment) { infer(fragment.part.utime, Phase::kWaiting); });
   subscribe<driving_state_t>(
-      bus, channels::kDrivingState, Delivery::queued(kWaiting), [this](const DrivingState& state) {
+      bus, channels::kDrivingState, Delivery::queued(kQueued), [this](const DrivingState& state) {
         const bool is_driving = state.kind == DrivingState::Kind::kDriving;
         const bool was_driving =
             !inferred_.empty() && inferred_.back().phase.phase == Phase::kExecute;
@@ -43,31 +43,31 @@ PhaseRecord::PhaseRecord(Bus& bus) {
 
 void PhaseRecord::on_phase(const MissionPhase& phase) {
   if (reported_.empty() || !is_same_interval(reported_.back().phase, phase)) {
-    if (!reported_.empty())
+    if (!reported_.empty()) {
       reported_.back().to_utime = std::max(phase.utime, reported_.back().phase.utime);
+    }
     reported_.push_back({phase, phase.utime, phase.distance_travelled_m});
   }
   reported_.back().end_distance_travelled_m = phase.distance_travelled_m;
-  if (reported_.size() > 1 && is_same_interval(reported_.back().phase, phase)) {
-    auto& before = reported_[reported_.size() - 2];
-    before.end_distance_travelled_m =
-        std::max(before.end_distance_travelled_m, reported_.back().phase.distance_travelled_m);
+  if (reported_.size() > 1) {
+    auto& previous = reported_[reported_.size() - 2];
+    previous.end_distance_travelled_m =
+        std::max(previous.end_distance_travelled_m, reported_.back().phase.distance_travelled_m);
   }
-  if (phase.returning_home && !homeward_utime_) homeward_utime_ = phase.utime;
+  if (phase.returning_home && !return_home_utime_) return_home_utime_ = phase.utime;
   last_ = phase;
 }
 
 void PhaseRecord::infer(std::int64_t utime, Phase phase) {
   if (!inferred_.empty() && inferred_.back().phase.phase == phase) return;
-  // A drive that a scan interrupts ended with it.
   if (!inferred_.empty()) {
     utime = std::max(utime, inferred_.back().phase.utime);
     inferred_.back().to_utime = utime;
   }
-  MissionPhase begun;
-  begun.utime = utime;
-  begun.phase = phase;
-  inferred_.push_back({begun, utime, 0.0});
+  MissionPhase start;
+  start.utime = utime;
+  start.phase = phase;
+  inferred_.push_back({start, utime, 0.0});
 }
 
 void PhaseRecord::finish(std::int64_t end_utime) {

@@ -7,40 +7,39 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/sensing/seconds.hpp"
 #include "common/types/mission.hpp"
 
 namespace adit {
 
-/// A stretch of time that the mission spent in one phase.
+/// An interval of time in one phase.
 struct PhaseInterval {
-  MissionPhase phase;                     ///< as it began
-  std::int64_t to_utime = 0;              ///< where the next began, or the log ended
-  double end_distance_travelled_m = 0.0;  ///< way at its end
+  MissionPhase phase;                     ///< at the start of the interval
+  std::int64_t to_utime = 0;              ///< start of the next interval, or end of the log
+  double end_distance_travelled_m = 0.0;  ///< at the end of the interval
 
-  [[nodiscard]] double seconds() const {
-    return 1e-6 * static_cast<double>(to_utime - phase.utime);
-  }
+  [[nodiscard]] double duration_s() const { return seconds(to_utime - phase.utime); }
 };
 
-/// Listens to PHASE. Where a mission never said how it stands, what its stages did stands for that:
-/// it was scanning from a SCAN_REQUEST to its CLOUD, and executing while driving said so.
+/// Collects the phases of a mission from PHASE. For a log without PHASE it infers them: scan from
+/// SCAN_REQUEST to CLOUD, execute while DRIVING_STATE is driving, waiting otherwise.
 class PhaseRecord {
  public:
   /// `bus` must outlive this.
   explicit PhaseRecord(Bus& bus);
 
-  /// To be called when the log has ended, then.
+  /// Must be called at the end of the log. Ends the last interval.
   void finish(std::int64_t end_utime);
 
   [[nodiscard]] const std::vector<PhaseInterval>& intervals() const {
     return reported_.empty() ? inferred_ : reported_;
   }
-  /// Whether the mission said so itself.
+  /// True if the intervals are from PHASE, false if they are inferred.
   [[nodiscard]] bool reported() const { return !reported_.empty(); }
-  /// As it stands at last; nothing without PHASE.
+  /// Last PHASE; nothing without PHASE.
   [[nodiscard]] const std::optional<MissionPhase>& last() const { return last_; }
-  /// When it turned around.
-  [[nodiscard]] std::optional<std::int64_t> homeward_utime() const { return homeward_utime_; }
+  /// Time of the decision to return home.
+  [[nodiscard]] std::optional<std::int64_t> return_home_utime() const { return return_home_utime_; }
 
  private:
   void on_phase(const MissionPhase& phase);
@@ -49,7 +48,7 @@ class PhaseRecord {
   std::vector<PhaseInterval> reported_;
   std::vector<PhaseInterval> inferred_;
   std::optional<MissionPhase> last_;
-  std::optional<std::int64_t> homeward_utime_;
+  std::optional<std::int64_t> return_home_utime_;
 };
 
 }  // namespace adit

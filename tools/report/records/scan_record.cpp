@@ -13,7 +13,7 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kWaiting = 1000;
+constexpr std::size_t kQueued = 1000;
 
 RecordedPlan to_recorded_plan(const PlannedPath& path, const std::optional<PlanGoal>& goal) {
   const bool is_answer = goal && goal->id == path.id;
@@ -29,7 +29,7 @@ RecordedPlan to_recorded_plan(const PlannedPath& path, const std::optional<PlanG
 }  // namespace
 
 ScanRecord::ScanRecord(Bus& bus, Render render) : render_(std::move(render)) {
-  const Delivery all = Delivery::queued(kWaiting);
+  const Delivery all = Delivery::queued(kQueued);
   subscribe<scan_request_t>(bus, channels::kScanRequest, all, [this](const ScanRequest& request) {
     laser_ = request.laser;
     request_id_ = request.id;
@@ -64,7 +64,7 @@ void ScanRecord::on_terrain(TerrainMap terrain) {
     current_.terrain = std::move(terrain);
 }
 
-/// A plan rests on the scan from which its terrain was made.
+/// A path has the time of the scan from which its terrain is made.
 void ScanRecord::on_path(const PlannedPath& path) {
   if (scans_.empty() || scans_.back().utime != path.utime) return;
   scans_.back().plans.push_back(to_recorded_plan(path, goal_));

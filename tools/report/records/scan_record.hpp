@@ -19,20 +19,20 @@
 
 namespace adit {
 
-/// What the planner said to one goal.
+/// The answer of the planner to one goal.
 struct RecordedPlan {
-  std::int64_t utime = 0;  ///< of the goal, or else of the terrain
+  std::int64_t utime = 0;  ///< of the goal if it is in the log, otherwise of the terrain
   PlanOutcome outcome = PlanOutcome::kFound;
   std::string reason;
   double reached_m = 0.0;
   double length_m = 0.0;
   double least_clearance_m = 0.0;  ///< infinite without a path
-  std::size_t blocking = 0;        ///< cells
+  std::size_t blocking = 0;        ///< number of blocking cells
 };
 
-/// A 3D scan of a mission and what came of it.
+/// A 3D scan of a mission with its plans and pictures.
 struct RecordedScan {
-  int number = 0;  ///< in the order of the log, from 1
+  int number = 0;  ///< in order of the log, from 1
   std::int32_t id = 0;
   std::int64_t utime = 0;  ///< end of the sweep
   std::optional<LaserId> laser;
@@ -43,8 +43,8 @@ struct RecordedScan {
   ScanPictures pictures;
 };
 
-/// Listens to SCAN_REQUEST, CLOUD, TERRAIN, GOAL and PATH and makes the pictures of each scan as
-/// soon as the next one comes: of clouds and terrains it holds one at a time.
+/// Collects 3D scans from SCAN_REQUEST, CLOUD, TERRAIN, GOAL and PATH. The pictures of a scan are
+/// rendered when the next scan arrives, so that only one cloud and one terrain are in memory.
 class ScanRecord {
  public:
   using Render = std::function<ScanPictures(const ScanProducts&)>;
@@ -52,7 +52,7 @@ class ScanRecord {
   /// `bus` must outlive this.
   ScanRecord(Bus& bus, Render render);
 
-  /// To be called when the log has ended.
+  /// Must be called at the end of the log. Renders the last scan.
   void finish() { finish_scan(); }
 
   [[nodiscard]] const std::vector<RecordedScan>& scans() const { return scans_; }
@@ -70,7 +70,7 @@ class ScanRecord {
   std::optional<LaserId> laser_;  ///< of the last request
   std::int32_t request_id_ = 0;
   std::optional<PlanGoal> goal_;  ///< the last one
-  ScanProducts current_;          ///< what there is of the last scan
+  ScanProducts current_;          ///< of the last scan
 };
 
 }  // namespace adit

@@ -14,12 +14,12 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kWaiting = 100;
+constexpr std::size_t kQueued = 100;
 
 }  // namespace
 
 StateRecord::StateRecord(Bus& bus) {
-  const Delivery all = Delivery::queued(kWaiting);
+  const Delivery all = Delivery::queued(kQueued);
   subscribe<exploration_t>(bus, channels::kExploration, all,
                            [this](const ExplorationReport& report) { on_exploration(report); });
   subscribe<run_state_t>(bus, channels::kRunState, all,
@@ -35,10 +35,10 @@ StateRecord::StateRecord(Bus& bus) {
 void StateRecord::on_exploration(const ExplorationReport& report) {
   using Kind = ExplorationDecision::Kind;
   const bool home = report.decision.kind == Kind::kHome || report.decision.kind == Kind::kDone;
-  if (!home) homeward_utime_.reset();
-  if (home && !homeward_utime_) {
-    homeward_utime_ = report.utime;
-    homeward_reason_ = report.decision.reason;
+  if (!home) return_home_utime_.reset();
+  if (home && !return_home_utime_) {
+    return_home_utime_ = report.utime;
+    return_home_reason_ = report.decision.reason;
   }
   exploration_ = report;
 }

@@ -19,21 +19,20 @@
 namespace adit {
 namespace {
 
-/// An image by a palette.
-struct IndexedImage {
-  std::vector<RgbImage::Pixel> palette;  ///< 256 colours at most
-  std::vector<std::uint8_t> indices;     ///< of each pixel
-};
-
-/// Exact where the palette holds all colours; otherwise those that share their highest bits become
-/// one, their mean.
-IndexedImage indexed_image(const RgbImage& image);
-
+using Bytes = std::vector<std::uint8_t>;
 using Pixel = RgbImage::Pixel;
 
 constexpr std::size_t kColoursMax = 256;
+constexpr std::string_view kBase64Digits =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Colours that share their highest bits are one.
+/// An image by a palette.
+struct IndexedImage {
+  std::vector<Pixel> palette;         ///< at most 256 colours
+  std::vector<std::uint8_t> indices;  ///< one per pixel
+};
+
+/// The highest `bits` bits of each channel.
 Pixel key_of(const Pixel& pixel, int bits) {
   const auto mask = static_cast<std::uint8_t>(0xffU << (8U - static_cast<unsigned>(bits)));
   return {static_cast<std::uint8_t>(pixel[0] & mask), static_cast<std::uint8_t>(pixel[1] & mask),
@@ -46,7 +45,7 @@ struct Sum {
   std::uint8_t index = 0;
 };
 
-/// Nothing where there are more colours than a palette holds.
+/// Merges colours with equal keys. Nothing if more than 256 colours remain.
 std::optional<IndexedImage> indexed_by(const RgbImage& image, int bits) {
   std::map<Pixel, Sum> sums;
   for (const Pixel& pixel : image.pixels) {
@@ -71,6 +70,7 @@ std::optional<IndexedImage> indexed_by(const RgbImage& image, int bits) {
   return indexed;
 }
 
+/// Exact for up to 256 colours, otherwise with as many bits per channel as possible.
 IndexedImage indexed_image(const RgbImage& image) {
   for (int bits = 8; bits > 2; --bits) {
     if (auto indexed = indexed_by(image, bits)) return std::move(*indexed);
@@ -78,16 +78,13 @@ IndexedImage indexed_image(const RgbImage& image) {
   return *indexed_by(image, 2);
 }
 
-using Bytes = std::vector<std::uint8_t>;
-using Pixel = RgbImage::Pixel;
-
 int depth_of(std::size_t colours) {
   if (colours <= 2) return 1;
   if (colours <= 4) return 2;
   return colours <= 16 ? 4 : 8;
 }
 
-/// Rows as PNG has them: each with its filter, none, in front.
+/// PNG scanlines: filter type 0 (none), then the packed indices.
 Bytes rows_of(const RgbImage& image, const Bytes& indices, int depth) {
   const auto width = static_cast<std::size_t>(image.width);
   Bytes rows;
@@ -107,7 +104,7 @@ Bytes deflated(const Bytes& bytes) {
   uLongf size = compressBound(bytes.size());
   Bytes packed(size);
   if (compress2(packed.data(), &size, bytes.data(), bytes.size(), 9) != Z_OK) {
-    throw std::runtime_error("an image could not be compressed");
+    throw std::runtime_error("zlib cannot compress an image");
   }
   packed.resize(size);
   return packed;
@@ -142,44 +139,38 @@ Bytes header_of(const RgbImage& image, int depth) {
 
 }  // namespace
 
-std::vector<std::uint8_t> indexed_png(const RgbImage& image, const std::optional<Pixel>& clear) {
-  if (image.width <= 0 || image.height <= 0) throw std::invalid_argument("an image without pixels");
+std::vector<std::uint8_t> indexed_png(const RgbImage& image,
+                                      const std::optional<Pixel>& transparent) {
+  if (image.width <= 0 || image.height <= 0) throw std::invalid_argument("an image has no pixels");
   const IndexedImage indexed = indexed_image(image);
   const int depth = depth_of(indexed.palette.size());
   Bytes palette;
   Bytes alpha;
   for (const Pixel& colour : indexed.palette) {
     palette.insert(palette.end(), colour.begin(), colour.end());
-    alpha.push_back(clear && colour == *clear ? 0 : 255);
+    alpha.push_back(transparent && colour == *transparent ? 0 : 255);
   }
   Bytes png{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
   append_chunk(png, "IHDR", header_of(image, depth));
   append_chunk(png, "PLTE", palette);
-  if (clear) append_chunk(png, "tRNS", alpha);
+  if (transparent) append_chunk(png, "tRNS", alpha);
   append_chunk(png, "IDAT", deflated(rows_of(image, indexed.indices, depth)));
   append_chunk(png, "IEND", {});
   return png;
 }
 
-namespace {
-
-constexpr std::string_view kDigits =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-}  // namespace
-
 std::string data_uri(const std::string& media_type, std::span<const std::uint8_t> bytes) {
   std::string uri = "data:" + media_type + ";base64,";
   uri.reserve(uri.size() + (bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t left = bytes.size() - i;
+    const std::size_t remaining = bytes.size() - i;
     std::uint32_t three = static_cast<std::uint32_t>(bytes[i]) << 16U;
-    if (left > 1) three |= static_cast<std::uint32_t>(bytes[i + 1]) << 8U;
-    if (left > 2) three |= bytes[i + 2];
-    uri += kDigits[three >> 18U & 63U];
-    uri += kDigits[three >> 12U & 63U];
-    uri += left > 1 ? kDigits[three >> 6U & 63U] : '=';
-    uri += left > 2 ? kDigits[three & 63U] : '=';
+    if (remaining > 1) three |= static_cast<std::uint32_t>(bytes[i + 1]) << 8U;
+    if (remaining > 2) three |= bytes[i + 2];
+    uri += kBase64Digits[three >> 18U & 63U];
+    uri += kBase64Digits[three >> 12U & 63U];
+    uri += remaining > 1 ? kBase64Digits[three >> 6U & 63U] : '=';
+    uri += remaining > 2 ? kBase64Digits[three & 63U] : '=';
   }
   return uri;
 }

@@ -12,14 +12,14 @@
 
 namespace adit {
 
-/// The bytes of a PNG file with a palette, a byte or less for each pixel: a third or less of what
-/// true colour takes. More than 256 colours are brought down to that, the like by their mean.
-/// `clear` is a colour that lets through what is behind the image. The same image gives the same
-/// bytes with the same zlib.
-std::vector<std::uint8_t> indexed_png(const RgbImage& image,
-                                      const std::optional<RgbImage::Pixel>& clear = std::nullopt);
+/// The bytes of a PNG file with a palette and at most 8 bits per pixel, which is a third or less of
+/// the size in true colour. An image of more than 256 colours is quantised: similar colours are
+/// replaced by their mean. `transparent` is a colour to be transparent. The result is the same for
+/// the same image and zlib.
+std::vector<std::uint8_t> indexed_png(
+    const RgbImage& image, const std::optional<RgbImage::Pixel>& transparent = std::nullopt);
 
-/// Bytes in a page itself, RFC 2397: "data:image/png;base64,…".
+/// Bytes as a data URI of RFC 2397: "data:image/png;base64,…".
 std::string data_uri(const std::string& media_type, std::span<const std::uint8_t> bytes);
 
 }  // namespace adit

@@ -5,14 +5,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "tools/map/map_files.hpp"
 #include "tools/report/html/text_format.hpp"
+#include "tools/report/mission_statistics.hpp"
 #include "tools/report/svg/svg_elements.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kPathStepUnits = 0.6;  // finer than what is seen
+constexpr double kPathStepUnits = 0.6;      // below the resolution of a screen
+constexpr double kDirectionUnits = 12.0;    // length of the line at a frontier
+constexpr double kScanRadiusUnits = 7.5;    // of the circle around a number
+constexpr double kScanSpacingUnits = 16.0;  // between rows of numbers beside the path
+constexpr int kScanRowsMax = 4;
 
 std::string edges(const std::vector<GraphPicture::Edge>& edges, const MapView& view) {
   std::string d;
@@ -20,7 +27,7 @@ std::string edges(const std::vector<GraphPicture::Edge>& edges, const MapView& v
   return d;
 }
 
-/// A way between two times, without the steps that nobody sees.
+/// The path between two times, without invisibly small steps.
 std::string path_data(const Trajectory& path, std::int64_t from_utime, std::int64_t to_utime,
                       const MapView& view) {
   std::string d;
@@ -64,33 +71,28 @@ std::string graph_svg(const MissionMap& map, const MapView& view) {
     nodes += svg_circle("node", view.at(node.translation()), 1.2);
   return svg_group("layer-graph",
                    svg_path_element("edge", edges(graph.sequential, view)) + nodes +
-                       svg_path_element("closure", edges(graph.loop_closures, view))) +
+                       svg_path_element("loop-closure", edges(graph.loop_closures, view))) +
          svg_group("layer-revoked", svg_path_element("revoked", edges(graph.revoked, view)));
 }
 
-std::string paths_svg(const Trajectory& path, const std::optional<std::int64_t>& homeward_utime,
+std::string paths_svg(const Trajectory& path, const std::optional<std::int64_t>& return_home_utime,
                       const MapView& view) {
   if (path.empty()) return "";
   const std::int64_t end = path.back().utime;
-  const std::int64_t turn = homeward_utime.value_or(end);
-  const std::string home = homeward_utime ? path_data(path, turn, end, view) : "";
+  const std::int64_t turn = return_home_utime.value_or(end);
+  const std::string outbound = path_data(path, path.front().utime, turn, view);
+  const std::string back = return_home_utime ? path_data(path, turn, end, view) : "";
   return svg_group("layer-path",
-                   svg_path_element("out", path_data(path, path.front().utime, turn, view)) +
-                       svg_path_element("back", home));
+                   svg_path_element("outbound", outbound) + svg_path_element("return", back));
 }
 
-std::string start_svg(const Trajectory& path, const MapView& view) {
+std::string ends_svg(const Trajectory& path, const MapView& view) {
   if (path.empty()) return "";
-  return svg_circle("home", view.at(path.front().pose.translation()), 6.0, "where it started") +
-         svg_circle("end", view.at(path.back().pose.translation()), 4.0, "where it stood at last");
+  return svg_circle("start", view.at(path.front().pose.translation()), 6.0, "start") +
+         svg_circle("end", view.at(path.back().pose.translation()), 4.0, "end");
 }
 
 namespace {
-
-constexpr double kAimUnits = 12.0;
-constexpr double kRadius = 7.5;
-constexpr double kBeside = 16.0;
-constexpr int kRowsMax = 4;
 
 std::string css_of(FrontierState state) {
   if (!is_closed(state)) return "open";
@@ -101,68 +103,45 @@ std::string css_of(FrontierState state) {
 std::string frontier_svg(const Frontier& frontier, const MapView& view, const std::string& page) {
   const std::string css = css_of(frontier.state);
   const Eigen::Vector2d at = view.at(frontier.p_map);
-  const Eigen::Vector2d aim(frontier.direction_map.x(), -frontier.direction_map.y());
-  const std::string id = std::to_string(frontier.id);
+  const Eigen::Vector2d direction(frontier.direction_map.x(), -frontier.direction_map.y());
   const std::string text =
-      "Opening " + id + ", " + name_of(frontier.state) + ": " + frontier.evidence;
+      fmt::format("Frontier {}, {}: {}", frontier.id, name_of(frontier.state), frontier.evidence);
   const bool done = css == "done";
-  return "<a href=\"" + page + "#stub-" + id + "\">" +
-         (done ? std::string()
-               : svg_path_element("aim " + css, line_data(at, at + kAimUnits * aim))) +
-         svg_circle("stub " + css, at, done ? 2.6 : 4.5, text) + "</a>";
+  const std::string line = line_data(at, at + kDirectionUnits * direction);
+  return fmt::format(R"(<a href="{}#frontier-{}">{}{}</a>)", page, frontier.id,
+                     done ? "" : svg_path_element("direction " + css, line),
+                     svg_circle("frontier " + css, at, done ? 2.6 : 4.5, text));
 }
 
-std::string scan_svg(const ScanMark& scan, const Eigen::Vector2d& place, const Eigen::Vector2d& at,
-                     const std::string& page) {
-  const std::string number = std::to_string(scan.number);
-  const std::string css = scan.found ? "scan" : "scan stuck";
-  return "<a class=\"" + css + "\" href=\"" + page + "#scan-" + number + "\"><title>" +
-         escaped(scan.text) + "</title>" + svg_path_element("lead", line_data(place, at)) +
-         svg_circle("mark", at, kRadius) + "<text x=\"" + fixed(at.x(), 1) + "\" y=\"" +
-         fixed(at.y() + 3.0, 1) + "\">" + number + "</text></a>";
+std::string scan_svg(const ScanMark& scan, const Eigen::Vector2d& position,
+                     const Eigen::Vector2d& label, const std::string& page) {
+  return fmt::format(
+      R"(<a class="{}" href="{}#scan-{}"><title>{}</title>{}{}<text x="{}" y="{}">{}</text></a>)",
+      scan.has_path ? "scan" : "scan no-path", page, scan.number, escaped(scan.text),
+      svg_path_element("lead", line_data(position, label)),
+      svg_circle("mark", label, kScanRadiusUnits), fixed(label.x(), 1), fixed(label.y() + 3.0, 1),
+      scan.number);
 }
 
-/// Beside the way, as far from it as it takes not to lie on another.
-Eigen::Vector2d free_label_position(const Eigen::Vector2d& place, const Eigen::Vector2d& left,
+/// The nearest position to the left of a scan where its number covers no other.
+Eigen::Vector2d free_label_position(const Eigen::Vector2d& position, const Eigen::Vector2d& left,
                                     const std::vector<Eigen::Vector2d>& occupied) {
   const auto is_free = [&](const Eigen::Vector2d& at) {
     return std::none_of(occupied.begin(), occupied.end(), [&](const Eigen::Vector2d& other) {
-      return (other - at).norm() < 2.0 * kRadius;
+      return (other - at).norm() < 2.0 * kScanRadiusUnits;
     });
   };
   int row = 1;
-  while (row < kRowsMax && !is_free(place + row * kBeside * left)) ++row;
-  return place + row * kBeside * left;
+  while (row < kScanRowsMax && !is_free(position + row * kScanSpacingUnits * left)) ++row;
+  return position + row * kScanSpacingUnits * left;
 }
 
 }  // namespace
 
-const char* name_of(FrontierState state) {
-  switch (state) {
-    case FrontierState::kOpen:
-      return "open";
-    case FrontierState::kExplored:
-      return "explored";
-    case FrontierState::kBlocked:
-      return "blocked";
-    case FrontierState::kTooNarrow:
-      return "too narrow";
-    case FrontierState::kBeyondBudget:
-      return "too far";
-    case FrontierState::kUnobservable:
-      return "nothing came back";
-    case FrontierState::kOutsideMine:
-      return "the way out";
-    case FrontierState::kUnconfirmed:
-      return "no way found, doubtful";
-  }
-  return "";
-}
-
 std::string frontiers_svg(const std::vector<Frontier>& frontiers, const MapView& view,
                           const std::string& page) {
   std::string parts;
-  for (const bool closed : {true, false}) {  // what is open over what is closed
+  for (const bool closed : {true, false}) {  // open ones on top
     for (const Frontier& frontier : frontiers) {
       if (is_closed(frontier.state) == closed) parts += frontier_svg(frontier, view, page);
     }
@@ -175,11 +154,11 @@ std::string scans_svg(const std::vector<ScanMark>& scans, const MapView& view,
   std::vector<Eigen::Vector2d> occupied;
   std::string parts;
   for (const ScanMark& scan : scans) {
-    const double heading = scan.T_map_ahead.theta;
-    const Eigen::Vector2d place = view.at(scan.T_map_ahead.translation());
+    const double heading = scan.T_map_laser.theta;
+    const Eigen::Vector2d position = view.at(scan.T_map_laser.translation());
     const Eigen::Vector2d left(-std::sin(heading), -std::cos(heading));
-    occupied.push_back(free_label_position(place, left, occupied));
-    parts += scan_svg(scan, place, occupied.back(), page);
+    occupied.push_back(free_label_position(position, left, occupied));
+    parts += scan_svg(scan, position, occupied.back(), page);
   }
   return svg_group("layer-scans", parts);
 }

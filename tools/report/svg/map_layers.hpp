@@ -13,22 +13,21 @@
 
 namespace adit {
 
-// Layers of the map of a mission, a <g> each; empty where there is nothing to show. `page` is where
-// links lead; empty for the page that the map is on.
+// Layers of the map of a mission, one <g> each; empty without content. `page` is the file that
+// links refer to; empty for the page that contains the map.
 
 std::string corridors_svg(const CorridorGraph& graph, const MapView& view);
 std::string graph_svg(const MissionMap& map, const MapView& view);
-/// Out and home, told apart by colour and dashes: they mostly lie upon each other.
-std::string paths_svg(const Trajectory& path, const std::optional<std::int64_t>& homeward_utime,
+/// Outbound and return path. They mostly overlap, therefore the return path is thin and dashed.
+std::string paths_svg(const Trajectory& path, const std::optional<std::int64_t>& return_home_utime,
                       const MapView& view);
 std::string frontiers_svg(const std::vector<Frontier>& frontiers, const MapView& view,
                           const std::string& page);
-/// Numbers to the left of the way on, so that those of the way home are on the other side.
+/// Numbers to the left of the scan direction, so that those of the return path are on the other
+/// side of the tunnel.
 std::string scans_svg(const std::vector<ScanMark>& scans, const MapView& view,
                       const std::string& page);
-std::string start_svg(const Trajectory& path, const MapView& view);
-
-/// "open", "explored", ...: what became of an opening.
-const char* name_of(FrontierState state);
+/// First and last position.
+std::string ends_svg(const Trajectory& path, const MapView& view);
 
 }  // namespace adit

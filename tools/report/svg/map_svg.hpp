@@ -14,32 +14,28 @@
 
 namespace adit {
 
-/// Where a 3D scan was taken, to be marked on the map.
+/// A 3D scan on the map.
 struct ScanMark {
   int number = 0;
-  Pose2 T_map_ahead;  ///< its heading is where the laser looked, ahead or behind
-  bool found = true;  ///< a path came of it
-  std::string text;   ///< for who points at it
+  Pose2 T_map_laser;     ///< position of the body, heading of the laser that scanned
+  bool has_path = true;  ///< the planner found a path
+  std::string text;      ///< tooltip
 };
 
-/// What is to be seen on the map of a mission.
+/// Content of the map of a mission.
 struct MapContent {
   const MissionMap* map = nullptr;
   const OccupancyGrid* grid = nullptr;             ///< may be null
   const ExplorationReport* exploration = nullptr;  ///< may be null
   std::vector<ScanMark> scans;
-  std::optional<std::int64_t> homeward_utime;  ///< from when on the way leads home
+  std::optional<std::int64_t> return_home_utime;  ///< start of the return path
 };
 
-/// The map as an <svg> for a page; the numbers of scans lead to "#scan-1" and so on, the openings
-/// to "#stub-0". Classes of its parts are those of map_style.
+/// The map as an <svg> element for a page, styled by map.css. Scans link to "#scan-1" and so on,
+/// frontiers to "#frontier-0".
 std::string map_svg(const MapContent& map);
 
-/// The same as a file of its own, with a title and what the colours mean.
+/// The map as an SVG file with style, title and legend. Links refer to mission.html.
 std::string map_svg_file(const MapContent& map, const std::string& title);
-
-/// CSS of the map's parts. The colours are variables, which `map_colours` defines.
-const char* map_style();
-const char* map_colours();
 
 }  // namespace adit

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "common/picture/legend.hpp"
 #include "common/picture/palette.hpp"
 #include "tools/report/html/text_format.hpp"
@@ -17,11 +19,11 @@ constexpr double kSideUnits = 1000.0;
 constexpr double kUnitsPerMetreMax = 40.0;
 constexpr double kMarginUnits = 78.0;  // for the numbers beside the path
 constexpr int kPixelsMax = 2400;
-constexpr double kWallAt = 0.4;  // share of hits that is a wall for sure
+constexpr double kWallAt = 0.4;  // occupancy that is drawn as a wall
 constexpr double kShades = 8.0;
 const RgbImage::Pixel kUnknownPixel{255, 0, 255};
 
-/// The wall in a block of cells counts, or else what is open.
+/// The most occupied cell of a block counts.
 RgbImage::Pixel pixel_of(const OccupancyGrid& grid, const Eigen::Vector2i& from, int block) {
   bool known = false;
   double occupancy = 0.0;
@@ -73,23 +75,22 @@ std::string ground_svg(const OccupancyGrid& grid, const MapView& view) {
   const Eigen::Vector2d corner =
       grid.resolution_m() * box.from.cast<double>() + Eigen::Vector2d(0.0, image.height * cell_m);
   const Eigen::Vector2d at = view.at(corner);
-  return std::string("<image class=\"ground\" x=\"") + fixed(at.x(), 2) + "\" y=\"" +
-         fixed(at.y(), 2) + "\" width=\"" +
-         fixed(image.width * cell_m * view.units_per_metre(), 2) + "\" height=\"" +
-         fixed(image.height * cell_m * view.units_per_metre(), 2) + "\" href=\"" +
-         data_uri("image/png", indexed_png(image, kUnknownPixel)) + "\"/>";
+  const double units_per_pixel = cell_m * view.units_per_metre();
+  return fmt::format(R"(<image class="ground" x="{}" y="{}" width="{}" height="{}" href="{}"/>)",
+                     fixed(at.x(), 2), fixed(at.y(), 2), fixed(image.width * units_per_pixel, 2),
+                     fixed(image.height * units_per_pixel, 2),
+                     data_uri("image/png", indexed_png(image, kUnknownPixel)));
 }
 
 std::string scale_svg(const MapView& view, const Eigen::Vector2d& left) {
   const double length_m = scale_bar_m(std::max(view.width() / 4.0, 60.0) / view.units_per_metre());
   const double units = length_m * view.units_per_metre();
   const auto x = [&](double share) { return fixed(left.x() + share * units, 1); };
-  const std::string y = fixed(left.y(), 1);
-  return "<g class=\"scale\"><path d=\"M" + x(0.0) + " " + y + "v-6v12v-6H" + x(1.0) +
-         "v-6v12v-6M" + x(0.5) + " " + y + "v-4\"/><text x=\"" + x(0.0) + "\" y=\"" +
-         fixed(left.y() - 10.0, 1) + "\">0</text><text x=\"" + x(1.0) + "\" y=\"" +
-         fixed(left.y() - 10.0, 1) + "\" text-anchor=\"end\">" +
-         fixed(length_m, length_m < 1 ? 1 : 0) + " m</text></g>";
+  return fmt::format(
+      R"(<g class="scale"><path d="M{0} {3}v-6v12v-6H{2}v-6v12v-6M{1} {3}v-4"/>)"
+      R"(<text x="{0}" y="{4}">0</text><text x="{2}" y="{4}" text-anchor="end">{5} m</text></g>)",
+      x(0.0), x(0.5), x(1.0), fixed(left.y(), 1), fixed(left.y() - 10.0, 1),
+      fixed(length_m, length_m < 1 ? 1 : 0));
 }
 
 }  // namespace adit

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "common/picture/cloud_picture.hpp"
 #include "common/picture/plan_picture.hpp"
 #include "common/picture/terrain_picture.hpp"
@@ -20,13 +22,14 @@ namespace {
 constexpr int kViewWidth = 400;
 constexpr int kViewHeight = 240;
 
-/// Seen as the laser looks: the points of the rear one lie behind the robot.
+/// The cloud turned so that the laser points along x: points of the rear laser are behind the
+/// robot.
 Cloud in_laser_direction(Cloud cloud) {
-  double ahead_m = 0.0;
+  double sum_x_m = 0.0;
   for (const CloudLine& line : cloud.lines) {
-    for (const Eigen::Vector3f& p : line.points) ahead_m += p.x();
+    for (const Eigen::Vector3f& p : line.points) sum_x_m += p.x();
   }
-  if (ahead_m >= 0.0) return cloud;
+  if (sum_x_m >= 0.0) return cloud;
   for (CloudLine& line : cloud.lines) {
     for (Eigen::Vector3f& p : line.points) p.head<2>() *= -1.0F;
   }
@@ -35,13 +38,12 @@ Cloud in_laser_direction(Cloud cloud) {
 
 std::string view_of(const Cloud& cloud) {
   const RgbImage image = cloud_image(in_laser_direction(cloud), kViewWidth, kViewHeight);
-  return std::string("<img width=\"") + std::to_string(kViewWidth) + "\" height=\"" +
-         std::to_string(kViewHeight) +
-         "\" alt=\"The points of the scan, as the laser looks\" src=\"" +
-         data_uri("image/png", indexed_png(image)) + "\">";
+  return fmt::format(
+      R"(<img width="{}" height="{}" alt="Points of the scan, in the direction of the laser" src="{}">)",
+      kViewWidth, kViewHeight, data_uri("image/png", indexed_png(image)));
 }
 
-/// Of the way: where the path leads, or was to lead.
+/// Heading of the middle of the path, otherwise of the route or the goal, in level [rad].
 double heading_of(const ScanProducts& scan) {
   const Pose2& T_odom_level = scan.terrain->T_odom_level;
   if (scan.path && scan.path->points.size() > 1) {
@@ -75,11 +77,11 @@ ScanPictures ScanRenderer::render(const ScanProducts& scan) {
   if (!scan.terrain || scan.terrain->cells.empty()) return pictures;
   const CellBox box = visible_box(scan);
   pictures.terrain = terrain_svg(scan, terrain_image(*scan.terrain), box, params_.vehicle,
-                                 "The terrain: bright is easy to pass");
+                                 "Terrain: bright cells are smooth");
   const double heading_rad = heading_of(scan);
   try {
     planning_.prepare(*scan.terrain, scan.terrain->T_odom_level);
-  } catch (const std::invalid_argument&) {  // cells that no vehicle of ours can be planned on
+  } catch (const std::invalid_argument&) {  // cells too coarse for the planner
     return pictures;
   }
   const PlanPicture plan = planning_picture("", *scan.terrain, scan.path.value_or(PlannedPath{}),
@@ -87,9 +89,8 @@ ScanPictures ScanRenderer::render(const ScanProducts& scan) {
   if (plan.slices.empty()) return pictures;
   const double heading_deg = rad_to_deg(heading_rad);
   pictures.heading_deg = heading_deg;
-  pictures.c_space = terrain_svg(
-      scan, image_of(plan.slices.front()), box, params_.vehicle,
-      std::string("Where the vehicle can be, at a heading of ") + fixed(heading_deg, 0) + "°");
+  pictures.c_space = terrain_svg(scan, image_of(plan.slices.front()), box, params_.vehicle,
+                                 fmt::format("C-space at a heading of {}°", fixed(heading_deg, 0)));
   return pictures;
 }
 

@@ -14,7 +14,7 @@
 
 namespace adit {
 
-/// A 3D scan and what was made of it, as far as there is of it in a log.
+/// A 3D scan and its products, as far as the log has them.
 struct ScanProducts {
   std::optional<Cloud> cloud;
   std::optional<TerrainMap> terrain;
@@ -22,15 +22,16 @@ struct ScanProducts {
   std::optional<PlannedPath> path;
 };
 
-/// Small pictures of a scan, each ready to stand in a page; empty where there is nothing to show.
+/// Small pictures of a scan as HTML; empty without data.
 struct ScanPictures {
-  std::string view;          ///< of the points, an <img>
-  std::string terrain;       ///< an <svg>, with the path or the blocking cells
-  std::string c_space;       ///< likewise, at the heading of the way
-  double heading_deg = 0.0;  ///< of that, ahead being 0
+  std::string view;          ///< <img> of the points
+  std::string terrain;       ///< <svg> with the path or the blocking cells
+  std::string c_space;       ///< <svg>, at `heading_deg`
+  double heading_deg = 0.0;  ///< heading of the path or the goal in the frame of the level
 };
 
-/// Draws scans for the page of a mission.
+/// Renders scans for the page of a mission. The C-space is computed with the recorded parameters of
+/// the planner.
 class ScanRenderer {
  public:
   explicit ScanRenderer(const PlanningParams& params) : params_(params), planning_(params) {}

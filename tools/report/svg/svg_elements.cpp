@@ -2,33 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/svg/svg_elements.hpp"
 
+#include <fmt/format.h>
+
 #include "tools/report/html/text_format.hpp"
 
 namespace adit {
 
-std::string svg_point(const Eigen::Vector2d& p) { return fixed(p.x(), 1) + "," + fixed(p.y(), 1); }
+std::string svg_point(const Eigen::Vector2d& p) {
+  return fmt::format("{},{}", fixed(p.x(), 1), fixed(p.y(), 1));
+}
 
 std::string svg_group(const char* css_class, const std::string& parts) {
-  return parts.empty() ? "" : std::string("<g class=\"") + css_class + "\">" + parts + "</g>";
+  return parts.empty() ? "" : fmt::format(R"(<g class="{}">{}</g>)", css_class, parts);
 }
 
 std::string svg_path_element(const std::string& css_class, const std::string& d) {
-  return d.empty() ? "" : std::string("<path class=\"") + css_class + "\" d=\"" + d + "\"/>";
+  return d.empty() ? "" : fmt::format(R"(<path class="{}" d="{}"/>)", css_class, d);
 }
 
 std::string svg_circle(const std::string& css_class, const Eigen::Vector2d& at, double radius,
                        const std::string& text) {
-  const std::string circle = "<circle class=\"" + css_class + "\" cx=\"" + fixed(at.x(), 1) +
-                             "\" cy=\"" + fixed(at.y(), 1) + "\" r=\"" + fixed(radius, 1) + "\"";
-  return text.empty() ? circle + "/>" : circle + "><title>" + escaped(text) + "</title></circle>";
+  const std::string title =
+      text.empty() ? "/>" : fmt::format("><title>{}</title></circle>", escaped(text));
+  return fmt::format(R"(<circle class="{}" cx="{}" cy="{}" r="{}"{})", css_class, fixed(at.x(), 1),
+                     fixed(at.y(), 1), fixed(radius, 1), title);
 }
 
 std::string line_data(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  std::string d(1, 'M');
-  d += svg_point(a);
-  d += 'L';
-  d += svg_point(b);
-  return d;
+  return fmt::format("M{}L{}", svg_point(a), svg_point(b));
 }
 
 }  // namespace adit

@@ -8,18 +8,18 @@
 
 namespace adit {
 
-// Parts of a drawing, with a class of CSS each.
+// SVG elements, each with a CSS class.
 
-/// Nothing where there are no parts.
+/// <g>; empty without parts.
 std::string svg_group(const char* css_class, const std::string& parts);
-/// Nothing where there is no line.
+/// <path>; empty without data.
 std::string svg_path_element(const std::string& css_class, const std::string& d);
-/// `text` is for who points at it.
+/// <circle>; `text` is its tooltip.
 std::string svg_circle(const std::string& css_class, const Eigen::Vector2d& at, double radius,
                        const std::string& text = "");
-/// Of a line: from one place to another.
+/// Path data of a line from a to b.
 std::string line_data(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
-/// "12.3,45.6" of a place.
+/// "12.3,45.6".
 std::string svg_point(const Eigen::Vector2d& p);
 
 }  // namespace adit

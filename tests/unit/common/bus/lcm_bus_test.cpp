@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// LCM inside of this process (memq). tests/live has what takes a network.
+// LCM within one process (memq). tests/live has the tests that use a network.
 #include "common/bus/lcm_bus.hpp"
 
 #include <array>
@@ -57,14 +57,14 @@ TEST_F(LcmBusTest, DeliversToEverySubscriptionOfAChannel) {
   EXPECT_THAT(recorded_, ElementsAre("a", "a"));
 }
 
-TEST_F(LcmBusTest, KeepsOnlyTheNewestForAStateThatWaits) {
+TEST_F(LcmBusTest, KeepsOnlyTheNewestOfAState) {
   bus_.subscribe("POSE", Delivery::latest(), record_messages());
   for (int i = 0; i < 100; ++i) bus_.publish("POSE", bytes(std::to_string(i)));
   handle_all();
   EXPECT_THAT(recorded_, ElementsAre("99"));
 }
 
-TEST_F(LcmBusTest, KeepsTheNewestOfAFullQueueAndCountsTheRest) {
+TEST_F(LcmBusTest, DropsTheOldestOfAFullQueueAndCountsThem) {
   const auto id = bus_.subscribe("POSE", Delivery::queued(2), record_messages());
   for (int i = 0; i < 100; ++i) bus_.publish("POSE", bytes(std::to_string(i)));
   handle_all();
@@ -72,14 +72,14 @@ TEST_F(LcmBusTest, KeepsTheNewestOfAFullQueueAndCountsTheRest) {
   EXPECT_EQ(bus_.stats(id).dropped, 98);
 }
 
-TEST_F(LcmBusTest, RejectsMessagesThatAreTooLarge) {
+TEST_F(LcmBusTest, RejectsOversizedMessages) {
   const auto id = bus_.subscribe("POSE", Delivery::queued(2), record_messages());
   bus_.publish("POSE", std::vector<std::uint8_t>(17));
   handle_all();
   EXPECT_EQ(bus_.stats(id).rejections.at("too large"), 1);
 }
 
-TEST_F(LcmBusTest, PassesAHandlersExceptionOnAndGoesOnAfterwards) {
+TEST_F(LcmBusTest, PropagatesAHandlersExceptionAndContinues) {
   bus_.subscribe("IMU", Delivery::latest(), [](const ReceivedMessage&) -> std::string_view {
     throw std::runtime_error("broken");
   });
@@ -92,20 +92,30 @@ TEST_F(LcmBusTest, PassesAHandlersExceptionOnAndGoesOnAfterwards) {
 }
 
 TEST_F(LcmBusTest, RunsTimersWithoutMessages) {
-  int ticks = 0;
-  bus_.create_timer(1000, [&](std::int64_t) { ++ticks; });
-  while (ticks < 3) bus_.handle(1000);
+  constexpr std::int64_t kPeriodUs = 1000;
+  std::vector<std::int64_t> ticks;
+  bus_.create_timer(kPeriodUs, [&](std::int64_t utime) { ticks.push_back(utime); });
+  for (int i = 0; i < 100 && ticks.size() < 3; ++i) {
+    EXPECT_FALSE(bus_.handle(1000)) << "no message was sent";
+  }
+  ASSERT_GE(ticks.size(), 3U);
+  // A late tick does not delay the next, so only the sum of two periods is certain.
+  EXPECT_GE(ticks[2] - ticks[0], kPeriodUs);
+  EXPECT_LT(ticks[0], ticks[2]);
 }
 
-TEST_F(LcmBusTest, StopsWhenToldTo) {
+TEST_F(LcmBusTest, StopsWhenTheDescriptorIsReadable) {
   std::array<int, 2> pipe_ends{};
   ASSERT_EQ(pipe(pipe_ends.data()), 0);
-  bus_.subscribe("POSE", Delivery::latest(), [&](const ReceivedMessage&) -> std::string_view {
-    EXPECT_EQ(write(pipe_ends[1], "x", 1), 1);
-    return {};
-  });
+  const auto id =
+      bus_.subscribe("POSE", Delivery::queued(10), [&](const ReceivedMessage&) -> std::string_view {
+        EXPECT_EQ(write(pipe_ends[1], "x", 1), 1);
+        return {};
+      });
+  bus_.publish("POSE", {});
   bus_.publish("POSE", {});
   bus_.run(pipe_ends[0]);
+  EXPECT_EQ(bus_.stats(id).handled, 1) << "the second message is not handled";
   close(pipe_ends[0]);
   close(pipe_ends[1]);
 }
@@ -139,14 +149,14 @@ class LcmBusSimTime : public testing::Test {
   std::vector<std::string> events_;
 };
 
-TEST_F(LcmBusSimTime, KnowsNoTimeAndRunsNoTimersAtFirst) {
+TEST_F(LcmBusSimTime, HasTimeZeroAndRunsNoTimersBeforeTheFirstTime) {
   bus_.create_timer(1, [&](std::int64_t) { events_.emplace_back("tick"); });
   handle_all();
   EXPECT_EQ(bus_.now_utime(), 0);
   EXPECT_THAT(events_, IsEmpty());
 }
 
-TEST_F(LcmBusSimTime, RunsTimersByIt) {
+TEST_F(LcmBusSimTime, RunsTimersOnSimulatedTime) {
   bus_.create_timer(100, [&](std::int64_t utime) {
     events_.push_back("tick " + std::to_string(utime) + " " + std::to_string(bus_.now_utime()));
   });
@@ -158,7 +168,7 @@ TEST_F(LcmBusSimTime, RunsTimersByIt) {
                                    "tick 5100 5100", "mapping 5100"));
 }
 
-TEST_F(LcmBusSimTime, RunsTimersOfTheWorldWithoutIt) {
+TEST_F(LcmBusSimTime, RunsWallTimersWithoutSimulatedTime) {
   int ticks = 0;
   bus_.create_wall_timer(1000, [&](std::int64_t utime) {
     EXPECT_EQ(utime, bus_.now_utime());
@@ -173,7 +183,7 @@ TEST_F(LcmBusSimTime, RunsTimersOfTheWorldWithoutIt) {
   EXPECT_EQ(bus_.now_utime(), 5000);
 }
 
-TEST_F(LcmBusSimTime, AnswersWhenAllThatCameBeforeHasBeenHandled) {
+TEST_F(LcmBusSimTime, AcknowledgesAfterAllEarlierMessagesAreHandled) {
   for (const char* channel : {"POSE", "IMU"}) {
     bus_.subscribe(channel, Delivery::queued(10), [this](const ReceivedMessage& received) {
       events_.push_back(std::string(received.channel) + " " + std::to_string(bus_.now_utime()));
@@ -189,14 +199,14 @@ TEST_F(LcmBusSimTime, AnswersWhenAllThatCameBeforeHasBeenHandled) {
   EXPECT_THAT(events_, ElementsAre("IMU 0", "POSE 0", "POSE 70", "mapping 70", "mapping 80"));
 }
 
-TEST_F(LcmBusSimTime, FollowsASimulatorThatBeginsReset) {
+TEST_F(LcmBusSimTime, FollowsASimulatorThatRestarts) {
   send_time(90'000'000);
   send_time(1'000'000);
   handle_all();
   EXPECT_EQ(bus_.now_utime(), 1'000'000);
 }
 
-TEST(LcmBus, AnswersInNobodysNameWithoutAStage) {
+TEST(LcmBus, DoesNotAcknowledgeTimeWithoutAStage) {
   LcmBus bus(sim_time_options(""));
   const auto id = bus.subscribe(channels::kSimTimeDone, Delivery::latest(),
                                 [](const ReceivedMessage&) { return std::string_view(); });
@@ -207,7 +217,7 @@ TEST(LcmBus, AnswersInNobodysNameWithoutAStage) {
   EXPECT_EQ(bus.stats(id).handled, 0);
 }
 
-TEST(LcmBus, ThrowsForAUrlThatIsNone) { EXPECT_THROW(LcmBus({"nonsense://"}), std::runtime_error); }
+TEST(LcmBus, ThrowsForAnInvalidUrl) { EXPECT_THROW(LcmBus({"nonsense://"}), std::runtime_error); }
 
 }  // namespace
 }  // namespace adit

@@ -19,7 +19,7 @@ constexpr std::int64_t kSecond = 1'000'000;
 
 std::vector<std::uint8_t> bytes(const std::string& text) { return {text.begin(), text.end()}; }
 
-/// A handler that keeps what comes.
+/// A handler that records messages.
 Handler record_messages(std::vector<std::string>& recorded) {
   return [&recorded](const ReceivedMessage& received) -> std::string_view {
     recorded.emplace_back(received.bytes.begin(), received.bytes.end());
@@ -49,7 +49,7 @@ TEST(MemoryBus, DeliversToEverySubscriptionOfAChannel) {
   EXPECT_THAT(other, IsEmpty());
 }
 
-TEST(MemoryBus, HandlesWhatAHandlerPublishesAfterTheHandlerAndInOrder) {
+TEST(MemoryBus, HandlesNestedPublicationsAfterTheHandlerInOrder) {
   MemoryBus bus;
   std::vector<std::string> order;
   bus.subscribe("IMU", Delivery::queued(10), [&](const ReceivedMessage&) -> std::string_view {
@@ -63,7 +63,7 @@ TEST(MemoryBus, HandlesWhatAHandlerPublishesAfterTheHandlerAndInOrder) {
   EXPECT_THAT(order, ElementsAre("handler is done", "first", "second"));
 }
 
-TEST(MemoryBus, KeepsOnlyTheNewestForAStateThatWaits) {
+TEST(MemoryBus, KeepsOnlyTheNewestOfAState) {
   MemoryBus bus;
   std::vector<std::string> recorded;
   bus.subscribe("IMU", Delivery::queued(10), publish_three(bus, "POSE"));
@@ -97,7 +97,7 @@ TEST(MemoryBus, CountsRejectionsByReason) {
   EXPECT_EQ(bus.stats(id).rejections.at("empty"), 2);
 }
 
-TEST(MemoryBus, RejectsMessagesThatAreTooLarge) {
+TEST(MemoryBus, RejectsOversizedMessages) {
   MemoryBus bus(3);
   std::vector<std::string> recorded;
   const auto id = bus.subscribe("POSE", Delivery::queued(10), record_messages(recorded));
@@ -107,7 +107,7 @@ TEST(MemoryBus, RejectsMessagesThatAreTooLarge) {
   EXPECT_EQ(bus.stats(id).rejections.at("too large"), 1);
 }
 
-TEST(MemoryBus, ThrowsForNamesThatAreNoChannels) {
+TEST(MemoryBus, ThrowsForInvalidChannelNames) {
   MemoryBus bus;
   for (const std::string& name :
        std::vector<std::string>{"", "pose", "A B", "A.*", std::string(64, 'A')}) {
@@ -117,7 +117,7 @@ TEST(MemoryBus, ThrowsForNamesThatAreNoChannels) {
   EXPECT_NO_THROW(bus.publish(std::string(63, 'A'), {}));
 }
 
-TEST(MemoryBus, PassesAHandlersExceptionOnAndGoesOnAfterwards) {
+TEST(MemoryBus, PropagatesAHandlersExceptionAndContinues) {
   MemoryBus bus;
   std::vector<std::string> recorded;
   bus.subscribe("IMU", Delivery::latest(), [](const ReceivedMessage&) -> std::string_view {
@@ -129,7 +129,7 @@ TEST(MemoryBus, PassesAHandlersExceptionOnAndGoesOnAfterwards) {
   EXPECT_THAT(recorded, ElementsAre("a"));
 }
 
-TEST(MemoryBus, TakesItsTimeFromWhatIsInjected) {
+TEST(MemoryBus, TakesBusTimeFromInjectedMessages) {
   MemoryBus bus;
   std::vector<std::int64_t> times;
   bus.subscribe("POSE", Delivery::latest(),
@@ -142,7 +142,7 @@ TEST(MemoryBus, TakesItsTimeFromWhatIsInjected) {
   EXPECT_THAT(times, ElementsAre(5 * kSecond, 5 * kSecond));
 }
 
-TEST(MemoryBus, NeverLetsTimeGoBack) {
+TEST(MemoryBus, KeepsBusTimeMonotonic) {
   MemoryBus bus;
   std::int64_t utime = 0;
   bus.subscribe("POSE", Delivery::latest(),
@@ -155,7 +155,7 @@ TEST(MemoryBus, NeverLetsTimeGoBack) {
   EXPECT_EQ(utime, 5 * kSecond);
 }
 
-TEST(MemoryBus, RunsTimersBeforeTheMessageThatBringsTheirTime) {
+TEST(MemoryBus, RunsDueTimersBeforeTheInjectedMessage) {
   MemoryBus bus;
   std::vector<std::string> order;
   bus.create_timer(kSecond,
@@ -166,7 +166,7 @@ TEST(MemoryBus, RunsTimersBeforeTheMessageThatBringsTheirTime) {
   EXPECT_THAT(order, ElementsAre("1", "a", "2", "3", "b"));
 }
 
-TEST(MemoryBus, HandlesWhatATimerPublishesBeforeTheNextTimer) {
+TEST(MemoryBus, HandlesPublicationsOfATimerBeforeTheNextTimer) {
   MemoryBus bus;
   std::vector<std::string> order;
   bus.create_timer(kSecond, [&](std::int64_t utime) {
@@ -179,7 +179,7 @@ TEST(MemoryBus, HandlesWhatATimerPublishesBeforeTheNextTimer) {
   EXPECT_THAT(order, ElementsAre("tick", "1", "tick", "2", "tick", "3"));
 }
 
-TEST(MemoryBus, ShowsEverythingToItsTapInOrder) {
+TEST(MemoryBus, PassesEveryMessageToTheTapInOrder) {
   MemoryBus bus;
   std::vector<std::string> seen;
   bus.tap([&](const ReceivedMessage& received) { seen.emplace_back(received.channel); });

@@ -17,7 +17,7 @@ int ticks_due(Timers& timers, std::int64_t utime) {
   return ticks;
 }
 
-TEST(Timers, TickAtOnceAndThenEachPeriod) {
+TEST(Timers, TickImmediatelyAndThenOncePerPeriod) {
   Timers timers;
   timers.add(kSecond, {});
   EXPECT_EQ(ticks_due(timers, 100 * kSecond), 1);
@@ -41,14 +41,14 @@ TEST(Timers, MakeUpForAShortGap) {
   EXPECT_EQ(ticks_due(timers, 8 * kSecond), 8);
 }
 
-TEST(Timers, LeaveOutTheTicksOfALongGap) {
+TEST(Timers, SkipTheTicksOfALongGap) {
   Timers timers;
   timers.add(kSecond, {});
   EXPECT_EQ(ticks_due(timers, 0), 1);
   EXPECT_EQ(ticks_due(timers, 1'000'000 * kSecond), 1);
 }
 
-TEST(Timers, FollowAClockThatIsPutBack) {
+TEST(Timers, FollowAClockThatIsSetBack) {
   Timers timers;
   timers.add(kSecond, {});
   EXPECT_EQ(ticks_due(timers, 1000 * kSecond), 1);
@@ -56,7 +56,7 @@ TEST(Timers, FollowAClockThatIsPutBack) {
   EXPECT_EQ(ticks_due(timers, 501 * kSecond), 1);
 }
 
-TEST(Timers, SayHowLongToWait) {
+TEST(Timers, ReportTheTimeToTheNextTick) {
   Timers timers;
   EXPECT_FALSE(timers.wait_us(0));
   timers.add(3 * kSecond, {});
@@ -67,7 +67,7 @@ TEST(Timers, SayHowLongToWait) {
   EXPECT_EQ(timers.wait_us(2 * kSecond), 0);
 }
 
-TEST(Timers, ThrowForAPeriodThatIsNone) {
+TEST(Timers, ThrowForANonPositivePeriod) {
   EXPECT_THROW(Timers().add(0, {}), std::invalid_argument);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 const LaserScan kScan{17, {1.0F, 2.0F}, -1.5, 0.5};
 
-TEST(TypedSubscription, GivesTheMessage) {
+TEST(TypedSubscription, PassesTheMessage) {
   MemoryBus bus;
   std::int32_t beams = 0;
   subscribe<planar_lidar_t>(bus, channels::kLaserFront, Delivery::latest(),
@@ -24,7 +24,7 @@ TEST(TypedSubscription, GivesTheMessage) {
   EXPECT_EQ(beams, 2);
 }
 
-TEST(TypedSubscription, GivesWhatTheMessageStandsFor) {
+TEST(TypedSubscription, PassesTheConvertedValue) {
   MemoryBus bus;
   LaserScan received;
   subscribe<planar_lidar_t>(bus, channels::kLaserFront, Delivery::latest(),
@@ -33,14 +33,14 @@ TEST(TypedSubscription, GivesWhatTheMessageStandsFor) {
   EXPECT_EQ(received, kScan);
 }
 
-TEST(TypedSubscription, CountsWhatDoesNotDecodeAndWhatDoesNotConvert) {
+TEST(TypedSubscription, CountsDecodingAndConversionErrors) {
   MemoryBus bus;
   const auto id = subscribe<planar_lidar_t>(bus, channels::kLaserFront, Delivery::queued(9),
                                             [](const LaserScan&) { FAIL(); });
   planar_lidar_t message = to_message(kScan);
-  std::vector<std::uint8_t> cut = encode(message);
-  cut.resize(30);
-  bus.publish(channels::kLaserFront, cut);
+  std::vector<std::uint8_t> truncated = encode(message);
+  truncated.resize(30);
+  bus.publish(channels::kLaserFront, truncated);
   message.rad0 = std::numeric_limits<float>::infinity();
   publish(bus, channels::kLaserFront, message);
   EXPECT_EQ(bus.stats(id).rejected, 2);

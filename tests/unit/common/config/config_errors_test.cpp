@@ -23,19 +23,19 @@ std::string error_of(const std::string& yaml) {
   return "";
 }
 
-TEST(ConfigErrors, AnUnknownKeyComesWithTheNearestKnownOne) {
+TEST(ConfigErrors, SuggestTheNearestKnownKey) {
   EXPECT_EQ(error_of("outer:\n  share: 0.5\n  serch_radius: 1\n"),
             "robot.yaml:3: unknown key 'serch_radius' in outer; did you mean 'search_radius_m'?");
   EXPECT_EQ(error_of("outer:\n  inner:\n    iteration: 1\n"),
             "robot.yaml:3: unknown key 'iteration' in outer.inner; did you mean 'iterations'?");
 }
 
-TEST(ConfigErrors, AnUnknownKeyLikeNoOtherComesWithAllThatAreKnown) {
+TEST(ConfigErrors, ListTheValidKeysWithoutANearOne) {
   EXPECT_EQ(error_of("outer: {inner: {zzz: 1}}"),
-            "robot.yaml:1: unknown key 'zzz' in outer.inner; known here: iterations, robust");
+            "robot.yaml:1: unknown key 'zzz' in outer.inner; valid keys: iterations, robust");
 }
 
-TEST(ConfigErrors, AValueOutOfBoundsComesWithTheBounds) {
+TEST(ConfigErrors, StateTheBoundsOfAValue) {
   EXPECT_EQ(error_of("outer:\n  share: 1.5\n"),
             "robot.yaml:2: outer.share is 1.5; allowed: 0 to 1");
   EXPECT_EQ(error_of("outer:\n  search_radius_m: 0\n"),
@@ -46,36 +46,37 @@ TEST(ConfigErrors, AValueOutOfBoundsComesWithTheBounds) {
             "robot.yaml:4: outer.thresholds_m is -1; allowed: >= 0");
 }
 
-TEST(ConfigErrors, AWrongTypeIsNotConverted) {
+TEST(ConfigErrors, RejectWrongTypes) {
   const std::string number = "robot.yaml:1: outer.share is ";
   EXPECT_EQ(error_of("outer: {share: high}"), number + "'high', not a number");
   EXPECT_EQ(error_of("outer: {share: \"0.5\"}"), number + "'0.5', not a number");
   EXPECT_EQ(error_of("outer: {share: [0.5]}"), number + "a list, not a number");
   EXPECT_EQ(error_of("outer: {share: }"), number + "nothing, not a number");
   EXPECT_EQ(error_of("outer: {share: 0.5m}"), number + "'0.5m', not a number");
-  EXPECT_THAT(error_of("outer: {inner: {iterations: 2.0}}"), HasSubstr("not a whole number"));
-  EXPECT_THAT(error_of("outer: {inner: {iterations: 9999999999}}"), HasSubstr("whole number"));
+  EXPECT_THAT(error_of("outer: {inner: {iterations: 2.0}}"), HasSubstr("not an integer"));
+  EXPECT_THAT(error_of("outer: {inner: {iterations: 9999999999}}"), HasSubstr("integer"));
   EXPECT_THAT(error_of("outer: {inner: {robust: yes}}"), HasSubstr("not true or false"));
   EXPECT_THAT(error_of("outer: {inner: 3}"), HasSubstr("outer.inner is '3', not a map of keys"));
-  EXPECT_THAT(error_of("outer: {channel: [a]}"), HasSubstr("not a text"));
+  EXPECT_THAT(error_of("outer: {channel: [a]}"), HasSubstr("not a string"));
   EXPECT_THAT(error_of("outer: {thresholds_m: 1}"), HasSubstr("not a list of numbers"));
   EXPECT_THAT(error_of("outer: {T_body_laser: [1, 2, 3]}"), HasSubstr("not a map of keys"));
   EXPECT_THAT(error_of("outer: 7"), HasSubstr("outer is '7', not a map of keys"));
 }
 
-TEST(ConfigErrors, NumbersAreFinite) {
+TEST(ConfigErrors, RejectNumbersThatAreNotFinite) {
   for (const char* text : {"nan", "inf", "-inf", "1e999", ".nan", ".inf"}) {
     EXPECT_THAT(error_of("outer: {share: " + std::string(text) + "}"), HasSubstr("number")) << text;
   }
 }
 
-TEST(ConfigErrors, NoKeyComesTwice) {
+TEST(ConfigErrors, RejectDuplicateKeys) {
   EXPECT_EQ(error_of("outer:\n  share: 0.5\n  share: 0.6\n"),
-            "robot.yaml:3: 'share' again; first on line 2");
-  EXPECT_EQ(error_of("outer: {}\nouter: {}\n"), "robot.yaml:2: 'outer' again; first on line 1");
+            "robot.yaml:3: duplicate key 'share'; first on line 2");
+  EXPECT_EQ(error_of("outer: {}\nouter: {}\n"),
+            "robot.yaml:2: duplicate key 'outer'; first on line 1");
 }
 
-TEST(ConfigErrors, UnknownSectionsAreRejected) {
+TEST(ConfigErrors, RejectUnknownSections) {
   const ConfigFile file = ConfigFile::parse("outer: {}\nmaping: {}\n", "robot.yaml");
   EXPECT_NO_THROW(file.require_known_sections({"outer", "maping"}));
   try {
@@ -86,32 +87,34 @@ TEST(ConfigErrors, UnknownSectionsAreRejected) {
   }
 }
 
-TEST(ConfigErrors, WhatIsNotYamlIsRejectedWithItsLine) {
+TEST(ConfigErrors, LocateInvalidYaml) {
   EXPECT_THAT(error_of("outer:\n  share: [0.5\n"), StartsWith("robot.yaml:3: "));
   EXPECT_THAT(error_of("outer:\n\tshare: 1\n"), StartsWith("robot.yaml:2: "));
-  EXPECT_THAT(error_of("- a\n- b\n"), StartsWith("robot.yaml:1: sections belong here"));
+  EXPECT_THAT(error_of("- a\n- b\n"),
+              StartsWith("robot.yaml:1: the file must be a map of sections"));
   EXPECT_THAT(error_of("a: 1\n---\nb: 2\n"), HasSubstr("robot.yaml:2: a second document"));
-  EXPECT_NE(error_of(",m"), "");  // of which yaml-cpp makes documents without end
+  EXPECT_NE(error_of(",m"), "");  // yaml-cpp parses an unlimited number of documents
   EXPECT_THAT(error_of("outer: &a {inner: *a}\n"), StartsWith("robot.yaml:1: "));
-  EXPECT_THAT(error_of("outer: {[1, 2]: 3}\n"), HasSubstr("a key that is not a word"));
+  EXPECT_THAT(error_of("outer: {[1, 2]: 3}\n"), HasSubstr("a key must be a scalar"));
   EXPECT_THAT(error_of("outer: " + std::string(100000, '[')), StartsWith("robot.yaml:"));
 }
 
-TEST(ConfigErrors, WhatIsNoTextIsRejectedBeforeItIsReadAsYaml) {
-  EXPECT_EQ(error_of("outer:\n  share: \x01\n"), "robot.yaml:2: no text");
-  EXPECT_EQ(error_of(std::string("\0", 1)), "robot.yaml:1: no text");
-  EXPECT_EQ(error_of("a: 1\n\nb: \xC3("), "robot.yaml:3: no text");  // half a character
-  EXPECT_EQ(error_of("outer: {} # \xFF"), "robot.yaml:1: no text");
-  EXPECT_EQ(error_of("outer: {} # \xE2\x82"), "robot.yaml:1: no text");  // cut off
+TEST(ConfigErrors, RejectBinaryInputBeforeParsing) {
+  EXPECT_EQ(error_of("outer:\n  share: \x01\n"), "robot.yaml:2: not a text file");
+  EXPECT_EQ(error_of(std::string("\0", 1)), "robot.yaml:1: not a text file");
+  EXPECT_EQ(error_of("a: 1\n\nb: \xC3("), "robot.yaml:3: not a text file");  // truncated character
+  EXPECT_EQ(error_of("outer: {} # \xFF"), "robot.yaml:1: not a text file");
+  EXPECT_EQ(error_of("outer: {} # \xE2\x82"),
+            "robot.yaml:1: not a text file");  // truncated character
   EXPECT_EQ(error_of("outer: {} # \xC3\xA9 \xE2\x82\xAC \xF0\x9F\x98\x80\t\r\n"), "");
 }
 
-TEST(ConfigErrors, AFileThatCannotBeReadIsNamed) {
+TEST(ConfigErrors, RejectUnreadableFiles) {
   EXPECT_THROW(ConfigFile::load("/nonexistent/robot.yaml"), ConfigError);
   EXPECT_THROW(ConfigFile::load(testing::TempDir()), ConfigError);
 }
 
-TEST(ConfigErrors, AnEmptyFileIsNoError) {
+TEST(ConfigErrors, AcceptAnEmptyFile) {
   const test::ScratchFolder folder;
   std::ofstream(folder / "empty.yaml").flush();
   EXPECT_NO_THROW(ConfigFile::load(folder / "empty.yaml"));

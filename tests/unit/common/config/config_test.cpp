@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/config/config.hpp"
 
+#include <bit>
+#include <cmath>
 #include <limits>
+#include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/config/number_text.hpp"
 #include "tests/unit/common/config/example_params.hpp"
 
 namespace adit {
 namespace {
 
-TEST(Config, AMissingKeyKeepsItsDefault) {
+TEST(Config, KeepsTheDefaultOfAMissingKey) {
   EXPECT_EQ(load_outer(""), OuterParams{});
   EXPECT_EQ(load_outer("# nothing\n"), OuterParams{});
   EXPECT_EQ(load_outer("outer:\n"), OuterParams{});
@@ -51,7 +55,7 @@ TEST(Config, WritesWhatItLoads) {
   EXPECT_EQ(load_outer(to_yaml(params, "outer")), params);
 }
 
-TEST(Config, WritesWhatIsAllowedBesideTheValue) {
+TEST(Config, WritesTheBoundsNextToTheValue) {
   EXPECT_EQ(to_yaml(OuterParams{}, "outer"), R"(outer:
   search_radius_m: 0.3  # > 0
   share: 0.1  # 0 to 1
@@ -92,7 +96,7 @@ std::string fleet_error(const std::string& yaml) {
   return "";
 }
 
-TEST(Config, AListOfMapsStartsEachFromTheDefaults) {
+TEST(Config, StartsEachElementOfAListFromTheDefaults) {
   const FleetParams fleet = load_fleet("fleet:\n  robots: [{iterations: 3}, {robust: false}]\n");
   EXPECT_EQ(fleet.robots, (std::vector<InnerParams>{{3, true}, {10, false}}));
   EXPECT_EQ(load_fleet("fleet: {robots: []}"), FleetParams{});
@@ -113,7 +117,7 @@ TEST(Config, WritesAListOfMapsAsItLoadsIt) {
 )");
 }
 
-TEST(Config, AFaultInAListOfMapsNamesItsItem) {
+TEST(Config, NamesTheListElementOfAnError) {
   EXPECT_EQ(fleet_error("fleet:\n  robots:\n    - iterations: 3\n    - iterations: 0\n"),
             "robot.yaml:4: fleet.robots[1].iterations is 0; allowed: 1 to 100");
   EXPECT_EQ(fleet_error("fleet: {robots: {iterations: 3}}"),
@@ -122,7 +126,7 @@ TEST(Config, AFaultInAListOfMapsNamesItsItem) {
             "robot.yaml:1: fleet.robots[0] is '3', not a map of keys");
 }
 
-TEST(Config, ANameIsOneOfThoseAllowed) {
+TEST(Config, AcceptsAllowedNamesOnly) {
   EXPECT_EQ(load_fleet("fleet: {steering: four_wheel}").steering, "four_wheel");
   EXPECT_EQ(fleet_error("fleet: {steering: skid}"),
             "robot.yaml:1: fleet.steering is 'skid'; allowed: ackermann or four_wheel");
@@ -139,7 +143,7 @@ struct SharingParams {
   }
 };
 
-TEST(Config, WhatStagesShareHasASectionOfItsOwn) {
+TEST(Config, LoadsSharedParametersFromASectionOfTheirOwn) {
   const auto file = ConfigFile::parse("one: {own: 3}\ncommon: {iterations: 7}\n", "test.yaml");
   for (const char* stage : {"one", "other"}) {
     EXPECT_EQ(load_section<SharingParams>(file, stage).inner.iterations, 7) << stage;
@@ -149,7 +153,7 @@ TEST(Config, WhatStagesShareHasASectionOfItsOwn) {
   EXPECT_EQ(yaml, "one:\n  own: 3\ncommon:\n  iterations: 7  # 1 to 100\n  robust: true\n");
 }
 
-TEST(Config, SharedKeysAreCheckedLikeOthers) {
+TEST(Config, ChecksSharedKeys) {
   const auto failure = [](const std::string& text) -> std::string {
     try {
       load_section<SharingParams>(ConfigFile::parse(text, "test.yaml"), "one");
@@ -164,7 +168,25 @@ TEST(Config, SharedKeysAreCheckedLikeOthers) {
               testing::HasSubstr("unknown key 'inner'"));
 }
 
-TEST(Config, BoundsSayWhatTheyAllow) {
+TEST(NumberText, ReadsBackAsTheSameNumber) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 100'000; ++i) {
+    const auto number = std::bit_cast<double>(random());
+    if (!std::isfinite(number)) continue;
+    EXPECT_EQ(parse_number<double>(number_text(number)), number) << number;
+  }
+}
+
+// fmt's "{}" gives 100000, 0.0001 and 1500000: files compared to the byte would change.
+TEST(NumberText, IsTheShortestNotation) {
+  EXPECT_EQ(number_text(1e5), "1e+05");
+  EXPECT_EQ(number_text(1e-4), "1e-04");
+  EXPECT_EQ(number_text(1.5e6), "1500000");
+  EXPECT_EQ(number_text(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(number_text(-0.0), "-0");
+}
+
+TEST(Config, DescribesBounds) {
   EXPECT_EQ(above_up_to(0.0, 1.0).text(), "> 0, <= 1");
   EXPECT_EQ((Bounds{.max = 2.0}.text()), "<= 2");
   EXPECT_FALSE(above(0.0).allow(0.0));

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-TEST(Angle, WrapsIntoTheHalfOpenIntervalThatHoldsPi) {
+TEST(Angle, WrapsToTheHalfOpenIntervalThatIncludesPi) {
   EXPECT_DOUBLE_EQ(wrap_angle(kPi), kPi);
   EXPECT_DOUBLE_EQ(wrap_angle(-kPi), kPi);
   EXPECT_NEAR(wrap_angle(3.0 * kPi / 2.0), -kPi / 2.0, 1e-15);
@@ -20,7 +20,7 @@ TEST(Angle, WrapsIntoTheHalfOpenIntervalThatHoldsPi) {
   EXPECT_DOUBLE_EQ(wrap_angle(0.0), 0.0);
 }
 
-TEST(Angle, DifferenceTakesTheShortWayAround) {
+TEST(Angle, DifferenceIsTheShorterTurn) {
   EXPECT_NEAR(angle_diff(deg_to_rad(179.0), deg_to_rad(-179.0)), deg_to_rad(-2.0), 1e-12);
   EXPECT_NEAR(angle_diff(deg_to_rad(-179.0), deg_to_rad(179.0)), deg_to_rad(2.0), 1e-12);
 }
@@ -70,7 +70,7 @@ TEST_F(Pose2Laws, BetweenUndoesComposition) {
   }
 }
 
-TEST_F(Pose2Laws, AdjointMovesASmallMotionToTheOtherFrame) {
+TEST_F(Pose2Laws, AdjointTransformsASmallMotionToTheOtherFrame) {
   for (int i = 0; i < 100; ++i) {
     const Pose2 T_a_b = random_pose();
     const Eigen::Vector3d small = 1e-7 * random_pose().vector();
@@ -79,7 +79,7 @@ TEST_F(Pose2Laws, AdjointMovesASmallMotionToTheOtherFrame) {
   }
 }
 
-TEST_F(Pose2Laws, MovesPointsAsTheMatrixDoes) {
+TEST_F(Pose2Laws, TransformsPointsAsTheMatrixDoes) {
   const Pose2 a = random_pose();
   const Eigen::Vector2d p(1.5, -2.0);
   const Eigen::Vector3d moved = matrix(a) * Eigen::Vector3d(p.x(), p.y(), 1.0);

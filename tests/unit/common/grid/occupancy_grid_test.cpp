@@ -25,7 +25,7 @@ CellState state_at(const OccupancyGrid& grid, double x, double y) {
   return grid.state(grid.cell_at({x, y}));
 }
 
-TEST(OccupancyGrid, ABeamCarvesItsWayAndHitsAtItsEnd) {
+TEST(OccupancyGrid, ABeamMissesAlongItsRayAndHitsAtItsEnd) {
   OccupancyGrid grid(ten_centimetres());
   ASSERT_TRUE(grid.insert(one_beam(2.0F, 0.0), {0.05, 0.05, 0.0}));
   for (double x = 0.05; x < 2.0; x += 0.1) EXPECT_EQ(state_at(grid, x, 0.05), CellState::kFree);
@@ -34,7 +34,7 @@ TEST(OccupancyGrid, ABeamCarvesItsWayAndHitsAtItsEnd) {
   EXPECT_EQ(state_at(grid, 1.05, 0.15), CellState::kUnknown);
 }
 
-TEST(OccupancyGrid, BeamsGoInEveryDirection) {
+TEST(OccupancyGrid, TracesBeamsInEveryDirection) {
   for (double angle = -3.1; angle < 3.15; angle += 0.1) {
     OccupancyGrid grid(ten_centimetres());
     const Pose2 T_map_laser{-7.03, 4.04, angle};
@@ -46,7 +46,7 @@ TEST(OccupancyGrid, BeamsGoInEveryDirection) {
   }
 }
 
-TEST(OccupancyGrid, WhatReflectsInAScanIsNotMissedByItsOtherBeams) {
+TEST(OccupancyGrid, ACellHitInAScanIsNotMissedByItsOtherBeams) {
   OccupancyGrid grid(ten_centimetres());
   LaserScan grazing{0, {}, -0.01, 0.00002};
   for (int i = 0; i < 1000; ++i) grazing.ranges_m.push_back(i % 2 == 0 ? 2.0F : 3.0F);
@@ -54,7 +54,7 @@ TEST(OccupancyGrid, WhatReflectsInAScanIsNotMissedByItsOtherBeams) {
   EXPECT_DOUBLE_EQ(grid.occupancy(grid.cell_at({2.05, 0.05})), 1.0);
 }
 
-TEST(OccupancyGrid, AWallThatIsSeenThroughFades) {
+TEST(OccupancyGrid, OccupancyFallsWithMisses) {
   OccupancyGrid grid(ten_centimetres());
   ASSERT_TRUE(grid.insert(one_beam(2.0F, 0.0), {0.05, 0.05, 0.0}));
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(grid.insert(one_beam(4.0F, 0.0), {0.05, 0.05, 0.0}));
@@ -62,7 +62,7 @@ TEST(OccupancyGrid, AWallThatIsSeenThroughFades) {
   EXPECT_EQ(state_at(grid, 2.05, 0.05), CellState::kFree);
 }
 
-TEST(OccupancyGrid, ReadingsThatMeanNothingLeaveNoTrace) {
+TEST(OccupancyGrid, IgnoresInvalidReadings) {
   OccupancyGrid grid({});
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
@@ -72,7 +72,7 @@ TEST(OccupancyGrid, ReadingsThatMeanNothingLeaveNoTrace) {
   EXPECT_TRUE(grid.observed_box().empty());
 }
 
-TEST(OccupancyGrid, GrowsAndKeepsWhatItHas) {
+TEST(OccupancyGrid, KeepsItsCellsWhenItGrows) {
   OccupancyGrid grid(ten_centimetres());
   for (const double x : {0.05, 500.05, -300.05}) {
     ASSERT_TRUE(grid.insert(one_beam(2.0F, 0.0), {x, 0.05, 0.0}));
@@ -84,7 +84,7 @@ TEST(OccupancyGrid, GrowsAndKeepsWhatItHas) {
   EXPECT_EQ(grid.observed_box().to, Eigen::Vector2i(5021, 1));
 }
 
-TEST(OccupancyGrid, RejectsPosesOutOfReach) {
+TEST(OccupancyGrid, RejectsPosesOutOfRange) {
   OccupancyGridParams params = ten_centimetres();
   params.cells_max = 1'000'000;
   OccupancyGrid grid(params);
@@ -127,12 +127,12 @@ TEST_F(MapServer, WritesShadesFromTheHighestRowDown) {
             "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
 }
 
-TEST_F(MapServer, AnEmptyMapIsStillAMap) {
+TEST_F(MapServer, WritesAnEmptyMap) {
   write_map_server(OccupancyGrid({}), folder_, "map");
   EXPECT_EQ(contents(folder_ / "map.pgm"), "P5\n2 2\n255\n\xCD\xCD\xCD\xCD");
 }
 
-TEST_F(MapServer, SaysWhatItCannotWrite) {
+TEST_F(MapServer, NamesTheFileThatItCannotWrite) {
   EXPECT_THROW(write_map_server(OccupancyGrid({}), folder_ / "missing", "map"), std::runtime_error);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is left of a journal after its bytes were damaged: all that the damage left whole.
+// Recovery of a journal with damaged bytes: all intact records remain.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using test::record;
 using test::Records;
 using test::records;
 
-/// The first length and `count` more: the sizes of the journal after each record.
+/// Sizes of the journal after 0 to `count` records.
 std::vector<std::size_t> ends(int count) {
   std::vector<std::size_t> result = {0};
   for (const auto& [kind, bytes] : records(count)) {
@@ -27,13 +27,13 @@ std::vector<std::size_t> ends(int count) {
 
 class CorruptJournals : public test::JournalTest {};
 
-TEST_F(CorruptJournals, LoseATornLastRecordAtWhateverByteItWasTorn) {
+TEST_F(CorruptJournals, RemoveALastRecordTruncatedAtAnyByte) {
   constexpr int kRecords = 5;
   (void)append(1, kRecords);
-  const std::string whole = contents(path_);
+  const std::string complete = contents(path_);
   const std::size_t start = ends(kRecords)[kRecords - 1];
-  for (std::size_t size = start; size < whole.size(); ++size) {
-    overwrite(whole.substr(0, size));
+  for (std::size_t size = start; size < complete.size(); ++size) {
+    overwrite(complete.substr(0, size));
     const auto [found, health] = reopened();
     ASSERT_EQ(found, records(kRecords - 1)) << size;
     ASSERT_EQ(health, (JournalHealth{kRecords - 1, 0, 0, size - start})) << size;
@@ -41,25 +41,25 @@ TEST_F(CorruptJournals, LoseATornLastRecordAtWhateverByteItWasTorn) {
   }
 }
 
-TEST_F(CorruptJournals, LoseAFirstRecordThatIsTorn) {
+TEST_F(CorruptJournals, RemoveATruncatedFirstRecord) {
   (void)append(1, 1);
-  const std::string whole = contents(path_);
-  for (std::size_t size = 0; size < whole.size(); ++size) {
-    overwrite(whole.substr(0, size));
+  const std::string complete = contents(path_);
+  for (std::size_t size = 0; size < complete.size(); ++size) {
+    overwrite(complete.substr(0, size));
     ASSERT_EQ(reopened().second, (JournalHealth{0, 0, 0, size}));
     (void)append(1, 1);
     ASSERT_EQ(reopened().first, records(1));
   }
 }
 
-TEST_F(CorruptJournals, LoseTheRecordInWhichAByteChangedAndNoOther) {
+TEST_F(CorruptJournals, SkipOnlyTheRecordWithAChangedByte) {
   constexpr int kRecords = 5;
   (void)append(1, kRecords);
-  const std::string whole = contents(path_);
+  const std::string complete = contents(path_);
   const auto limits = ends(kRecords);
-  for (std::size_t at = 0; at < whole.size(); ++at) {
+  for (std::size_t at = 0; at < complete.size(); ++at) {
     for (const int flip : {0x01, 0x80, 0xFF}) {
-      std::string bytes = whole;
+      std::string bytes = complete;
       bytes[at] = static_cast<char>(bytes[at] ^ flip);
       overwrite(bytes);
       Records expected = records(kRecords);
@@ -69,16 +69,16 @@ TEST_F(CorruptJournals, LoseTheRecordInWhichAByteChangedAndNoOther) {
       ASSERT_EQ(found, expected) << at;
       ASSERT_EQ(health.corrupt_regions, 1U) << at;
       ASSERT_EQ(health.corrupt_bytes, limits[std::size_t(hit) + 1] - limits[std::size_t(hit)]);
-      ASSERT_EQ(contents(path_), bytes) << "damage is no reason to write";
+      ASSERT_EQ(contents(path_), bytes) << "reading does not modify a damaged file";
     }
   }
 }
 
-TEST_F(CorruptJournals, AreContinuedBehindTheDamage) {
+TEST_F(CorruptJournals, ContinueAfterTheDamage) {
   (void)append(1, 5);
   std::string bytes = contents(path_);
   bytes[bytes.size() - 1] ^= 1;
-  overwrite(bytes + std::string(5000, '\0'));  // as after a loss of power
+  overwrite(bytes + std::string(5000, '\0'));  // as after a power loss
   const Records added = append(6, 7);
   Records expected = records(4);
   expected.insert(expected.end(), added.begin(), added.end());
@@ -87,18 +87,17 @@ TEST_F(CorruptJournals, AreContinuedBehindTheDamage) {
   EXPECT_EQ(health.corrupt_regions, 1U);
 }
 
-TEST_F(CorruptJournals, OfNothingButZerosAreTakenUpAgain) {
+TEST_F(CorruptJournals, AcceptAFileOfZeros) {
   overwrite(std::string(4096, '\0'));
   EXPECT_EQ(reopened().second, (JournalHealth{0, 1, 4096, 0}));
   EXPECT_EQ(append(1, 2), records(2));
   EXPECT_EQ(reopened().first, records(2));
 }
 
-TEST_F(CorruptJournals, AreToldFromFilesThatAreNone) {
+TEST_F(CorruptJournals, RejectFilesThatAreNotJournals) {
   for (const std::string text : {"# A list of things that nobody wants to lose\n", "x", "ADx"}) {
     overwrite(text);
-    EXPECT_EQ(error_of([&] { const Journal journal(path_); }),
-              path_.string() + ": is not a journal");
+    EXPECT_EQ(error_of([&] { const Journal journal(path_); }), path_.string() + ": not a journal");
     EXPECT_EQ(contents(path_), text);
   }
 }

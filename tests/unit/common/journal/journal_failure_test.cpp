@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a journal does when the disk is full, the path is bad, or its process is killed.
+// Behaviour of a journal with a full disk, an invalid path, or a killed process.
 #include <csignal>
 #include <cstdlib>
 #include <random>
@@ -19,7 +19,7 @@ using test::error_of;
 using test::record;
 using test::records;
 
-/// Files of this process grow no further than this while it is there.
+/// Limits the size of files of this process for its own lifetime.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(std::size_t bytes) {
@@ -42,7 +42,7 @@ class FileSizeLimit {
 
 class FailingJournals : public test::JournalTest {};
 
-TEST_F(FailingJournals, AreAsTheyWereBeforeWhereARecordDoesNotFit) {
+TEST_F(FailingJournals, AreUnchangedIfARecordDoesNotFit) {
   Journal journal(path_);
   const auto [kind, bytes] = record(1);
   journal.append(kind, bytes);
@@ -60,24 +60,24 @@ TEST_F(FailingJournals, AreAsTheyWereBeforeWhereARecordDoesNotFit) {
   EXPECT_EQ(count, 2U);
 }
 
-TEST_F(FailingJournals, SayWhatIsWrongWithTheirPath) {
+TEST_F(FailingJournals, ReportErrorsOfTheirPath) {
   EXPECT_EQ(error_of([] { const Journal journal("/nonexistent/a.journal"); }),
             "/nonexistent/a.journal: cannot open: No such file or directory");
   EXPECT_EQ(error_of([&] { const Journal journal(folder_.path()); }),
             folder_.path().string() + ": cannot open: Is a directory");
-  EXPECT_EQ(error_of([] { const Journal journal("/dev/full"); }), "/dev/full: is no ordinary file");
+  EXPECT_EQ(error_of([] { const Journal journal("/dev/full"); }), "/dev/full: not a regular file");
 }
 
-TEST_F(FailingJournals, SayThatTheyMayNotBeWritten) {
-  if (geteuid() == 0) GTEST_SKIP() << "nothing is forbidden to root";
+TEST_F(FailingJournals, ReportMissingPermissions) {
+  if (geteuid() == 0) GTEST_SKIP() << "root may write every file";
   (void)append(1, 1);
   std::filesystem::permissions(path_, std::filesystem::perms::owner_read);
   EXPECT_EQ(error_of([&] { const Journal journal(path_); }),
             path_.string() + ": cannot open: Permission denied");
 }
 
-/// Appends until it is killed, and tells through the pipe how many records that were.
-[[noreturn]] void append_for_ever(const std::filesystem::path& path, int pipe) {
+/// Appends until it is killed, and writes the number of appended records to the pipe.
+[[noreturn]] void append_forever(const std::filesystem::path& path, int pipe) {
   try {
     int next = 1;
     Journal journal(path, [&](const JournalRecord&) { ++next; });
@@ -91,21 +91,21 @@ TEST_F(FailingJournals, SayThatTheyMayNotBeWritten) {
   }
 }
 
-/// The last number that came through the pipe, 0 if none; reads it to its end.
+/// The last number in the pipe, 0 if none; reads it to its end.
 int last_number(int pipe) {
   int last = 0;
   for (int number = 0; read(pipe, &number, sizeof(number)) == sizeof(number);) last = number;
   return last;
 }
 
-/// Lets a process append for a while and kills it. How many records it had appended at least.
+/// Kills a child process that appends. Returns the minimum number of records that it had appended.
 int append_until_killed(const std::filesystem::path& path, int microseconds) {
   int ends[2];
   if (pipe(ends) != 0) return -1;
   const pid_t child = fork();
   if (child == 0) {
     close(ends[0]);
-    append_for_ever(path, ends[1]);
+    append_forever(path, ends[1]);
   }
   close(ends[1]);
   usleep(static_cast<useconds_t>(microseconds));
@@ -118,7 +118,7 @@ int append_until_killed(const std::filesystem::path& path, int microseconds) {
   return appended;
 }
 
-TEST_F(FailingJournals, KeepAllRecordsOfAProcessThatIsKilled) {
+TEST_F(FailingJournals, KeepAllRecordsOfAKilledProcess) {
   std::mt19937 random(1);
   std::uniform_int_distribution<int> microseconds(1000, 8000);
   std::size_t before = 0;

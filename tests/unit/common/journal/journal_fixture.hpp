@@ -15,11 +15,11 @@
 
 namespace adit::test {
 
-/// A record that outlives the journal.
+/// A copy of a record.
 using StoredRecord = std::pair<std::string, std::vector<std::uint8_t>>;
 using Records = std::vector<StoredRecord>;
 
-/// Record number i: of a length and with bytes of its own.
+/// Record number i, with length and bytes that depend on i.
 inline StoredRecord record(int i) {
   std::vector<std::uint8_t> bytes;
   for (int k = 0; k < (i * 37) % 100; ++k) bytes.push_back(static_cast<std::uint8_t>(i * 31 + k));
@@ -32,7 +32,7 @@ inline Records records(int count) {
   return result;
 }
 
-/// A test with a folder of its own for one journal.
+/// A test with one journal in its own folder.
 class JournalTest : public testing::Test {
  protected:
   [[nodiscard]] Records append(int from, int to) const {
@@ -45,7 +45,7 @@ class JournalTest : public testing::Test {
     return added;
   }
 
-  /// What is in the journal now, and in what state opening found it.
+  /// The records in the journal and its integrity on opening.
   std::pair<Records, JournalHealth> reopened() const {
     Records found;
     const Journal journal(path_, [&](const JournalRecord& record) {
@@ -62,7 +62,7 @@ class JournalTest : public testing::Test {
   std::filesystem::path path_ = folder_ / "mission.journal";
 };
 
-/// The line of the exception that `action` ends with, or nothing.
+/// The text of the exception that `action` throws, or nothing.
 template <class Action>
 std::string error_of(const Action& action) {
   try {

@@ -11,7 +11,7 @@ using test::contents;
 using test::error_of;
 using test::records;
 
-TEST(JournalRecord, HasTheBytesThatTheReadmeSays) {
+TEST(JournalRecord, HasTheBytesOfTheReadme) {
   const std::vector<std::uint8_t> data = {1, 2, 3};
   const auto bytes = journal_format::write({"POSE", data});
   ASSERT_EQ(bytes.size(), 27U);
@@ -22,7 +22,7 @@ TEST(JournalRecord, HasTheBytesThatTheReadmeSays) {
   EXPECT_EQ(bytes.back(), 3);
 }
 
-TEST(JournalRecord, TakesNoKindThatIsEmptyOrTooLong) {
+TEST(JournalRecord, RejectsAnEmptyOrOverlongKind) {
   EXPECT_THROW(journal_format::write({"", {}}), std::length_error);
   EXPECT_THROW(journal_format::write({std::string(64, 'x'), {}}), std::length_error);
   EXPECT_NO_THROW(journal_format::write({std::string(63, 'x'), {}}));
@@ -30,19 +30,19 @@ TEST(JournalRecord, TakesNoKindThatIsEmptyOrTooLong) {
 
 class Journals : public test::JournalTest {};
 
-TEST_F(Journals, GiveBackWhatWasAppendedInOrder) {
+TEST_F(Journals, ReturnAppendedRecordsInOrder) {
   EXPECT_EQ(append(1, 20), records(20));
   EXPECT_EQ(reopened().first, records(20));
   EXPECT_EQ(reopened().second, (JournalHealth{20, 0, 0, 0}));
 }
 
-TEST_F(Journals, AreContinued) {
+TEST_F(Journals, ContinueAnExistingFile) {
   (void)append(1, 3);
   (void)append(4, 9);
   EXPECT_EQ(reopened().first, records(9));
 }
 
-TEST_F(Journals, HaveTheSameBytesEachTime) {
+TEST_F(Journals, AreReproducible) {
   (void)append(1, 20);
   const std::string first = contents(path_);
   std::filesystem::remove(path_);
@@ -50,16 +50,16 @@ TEST_F(Journals, HaveTheSameBytesEachTime) {
   EXPECT_EQ(contents(path_), first);
 }
 
-TEST_F(Journals, AreCreatedEmptyAndMayStaySo) {
+TEST_F(Journals, MayBeEmpty) {
   EXPECT_EQ(reopened().second, JournalHealth{});
   EXPECT_TRUE(std::filesystem::exists(path_));
   EXPECT_EQ(reopened().second, JournalHealth{});
 }
 
-TEST_F(Journals, AreOpenedByOneAtATime) {
+TEST_F(Journals, AreOpenedExclusively) {
   const Journal first(path_);
   EXPECT_EQ(error_of([&] { const Journal second(path_); }),
-            path_.string() + ": is in use by another process");
+            path_.string() + ": in use by another process");
 }
 
 TEST_F(Journals, CanBeReadWhileTheyAreWritten) {
@@ -71,7 +71,7 @@ TEST_F(Journals, CanBeReadWhileTheyAreWritten) {
   EXPECT_EQ(count, 1U);
 }
 
-TEST_F(Journals, ReadingOneThatIsNotThereIsAnErrorAndCreatesNothing) {
+TEST_F(Journals, ThrowOnReadingAMissingFileAndDoNotCreateIt) {
   EXPECT_NE(error_of([&] { read_journal(path_, [](const JournalRecord&) {}); }), "");
   EXPECT_FALSE(std::filesystem::exists(path_));
 }

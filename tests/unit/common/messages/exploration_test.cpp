@@ -17,14 +17,14 @@ namespace {
 constexpr std::int64_t kUtime = 1'600'000'000'000'000;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// With so many stubs, the last of them open, and corridors in a chain.
+/// A report with so many frontiers, the last one open, and a chain of corridors.
 ExplorationReport report_of(int frontiers, int corridors) {
   ExplorationReport report;
   report.utime = kUtime;
   report.revision = 3;
   report.decision = {ExplorationDecision::Kind::kGoTo, {1, 2, 0.5}, 12.0, 0, false, "onwards"};
   report.T_odom_goal = {3, 4, 0.25};
-  report.budget = {100.0, 20.0, 50.0};
+  report.budget = {100.0, 50.0};
   for (int i = 0; i < frontiers; ++i) {
     const auto state = i + 1 == frontiers ? FrontierState::kOpen : FrontierState::kExplored;
     report.frontiers.push_back({i, 2, {1.0 * i, 5}, {0, 1}, 2.5, state, kUtime, "it was seen"});
@@ -47,24 +47,24 @@ std::string_view rejection_after(const std::function<void(exploration_t&)>& chan
   return from_message(message).rejection();
 }
 
-TEST(ExplorationMessage, ComesBackAsItWas) {
+TEST(ExplorationMessage, SurvivesARoundTrip) {
   EXPECT_EQ(*round_trip(report_of(3, 4)), report_of(3, 4));
   EXPECT_EQ(*round_trip(ExplorationReport{}), ExplorationReport{});
 }
 
-TEST(ExplorationMessage, FitsAFragmentAndLeavesOutWhatIsClosedFirst) {
+TEST(ExplorationMessage, FitsTheSizeLimitAndOmitsClosedFrontiersFirst) {
   const exploration_t message = to_message(report_of(3000, 1500));
   EXPECT_LE(encode(message).size(), kFragmentBytes);
   EXPECT_EQ(message.n_frontiers_found, 3000);
   EXPECT_EQ(message.n_corridors_found, 1500);
   EXPECT_LT(message.n_frontiers, 3000);
   ASSERT_GT(message.n_frontiers, 100);
-  EXPECT_EQ(message.frontiers[0].id, 2999);  // it is open
+  EXPECT_EQ(message.frontiers[0].id, 2999);  // open
   EXPECT_GT(message.n_corridors, 100);
   EXPECT_TRUE(from_message(message));
 }
 
-TEST(ExplorationMessage, CutsLongSentences) {
+TEST(ExplorationMessage, TruncatesLongSentences) {
   ExplorationReport report = report_of(1, 0);
   report.decision.reason = std::string(1000, 'a');
   report.frontiers[0].evidence = std::string(1000, 'b');
@@ -73,21 +73,21 @@ TEST(ExplorationMessage, CutsLongSentences) {
   EXPECT_EQ(back->frontiers[0].evidence.size(), kSentenceMax);
 }
 
-TEST(ExplorationMessage, IsRejectedWhereItCannotBe) {
+TEST(ExplorationMessage, IsRejectedWithInvalidContent) {
   using Message = exploration_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.revision = -1; }), "negative revision");
   EXPECT_EQ(rejection_after([](Message& m) { m.kind = 5; }), "unknown decision");
   EXPECT_EQ(rejection_after([](Message& m) { m.frontier = -2; }), "negative frontier id");
   EXPECT_EQ(rejection_after([](Message& m) { m.T_odom_goal[2] = kNaN; }), "pose is not finite");
-  EXPECT_EQ(rejection_after([](Message& m) { m.home_m = kNaN; }), "distance is not finite");
+  EXPECT_EQ(rejection_after([](Message& m) { m.explored_m = kNaN; }), "distance is not finite");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_frontiers_found = 1; }),
             "frontier count below the number of frontiers");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_corridors_found = 1; }),
             "corridor count below the number of corridors");
 }
 
-TEST(ExplorationMessage, IsRejectedWithPartsThatCannotBe) {
+TEST(ExplorationMessage, IsRejectedWithInvalidParts) {
   using Message = exploration_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.frontiers[1].id = -1; }),
             "frontier with a negative id or local map");
@@ -97,10 +97,8 @@ TEST(ExplorationMessage, IsRejectedWithPartsThatCannotBe) {
   EXPECT_EQ(rejection_after([](Message& m) { m.frontiers[1].p_map[0] = kNaN; }),
             "frontier is not finite");
   EXPECT_EQ(rejection_after([](Message& m) { m.nodes[1].kind = 3; }), "unknown node kind");
-  EXPECT_EQ(rejection_after([](Message& m) { m.nodes[1].p_map[1] = kNaN; }),
-            "node is not finite");
-  EXPECT_EQ(rejection_after([](Message& m) { m.corridors[1].to = 3; }),
-            "corridor without nodes");
+  EXPECT_EQ(rejection_after([](Message& m) { m.nodes[1].p_map[1] = kNaN; }), "node is not finite");
+  EXPECT_EQ(rejection_after([](Message& m) { m.corridors[1].to = 3; }), "corridor without nodes");
   EXPECT_EQ(rejection_after([](Message& m) { m.corridors[1].length_m = kNaN; }),
             "corridor is not finite");
   EXPECT_EQ(rejection_after([](Message& m) { m.corridors[1].points_map.resize(1); }),

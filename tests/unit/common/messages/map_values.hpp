@@ -21,9 +21,9 @@ inline Eigen::Matrix3d information() {
   return matrix;
 }
 
-inline constexpr std::int64_t kPeriod = 100'000;  // from scan to scan
+inline constexpr std::int64_t kPeriod = 100'000;  // between scans
 
-/// Scans of 181 beams.
+/// A local map with scans of 181 beams.
 inline LocalMap local_map(int id, int scans) {
   LocalMap map;
   map.id = id;
@@ -43,7 +43,7 @@ inline LocalMap local_map(int id, int scans) {
   return map;
 }
 
-/// Through the bytes of the wire and back.
+/// Encodes and decodes a value.
 template <class Value>
 auto round_trip(const Value& value) {
   const auto message = to_message(value);

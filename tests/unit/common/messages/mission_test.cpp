@@ -62,7 +62,7 @@ ExploreRequest blocked() {
   return {kUtime, 6, 800.0, true, BlockedVerdict{kUtime - 9, 1, 1.4, "a beam", true}};
 }
 
-TEST(MissionMessages, KeepWhatTheySay) {
+TEST(MissionMessages, SurviveARoundTrip) {
   EXPECT_EQ(*round_trip(at(kUtime)), at(kUtime));
   EXPECT_EQ(*round_trip(returning_home()), returning_home());
   EXPECT_EQ(*round_trip(blocked()), blocked());
@@ -72,13 +72,13 @@ TEST(MissionMessages, KeepWhatTheySay) {
   EXPECT_EQ(*round_trip(order), order);
   const MapRequest request{kUtime, "exploration"};
   EXPECT_EQ(*round_trip(request), request);
-  const CloudRequest clouds{kUtime, "volume_map", 0, {kUtime - 2, kUtime - 1}};
+  const CloudRequest clouds{kUtime, 0, {kUtime - 2, kUtime - 1}};
   EXPECT_EQ(*round_trip(clouds), clouds);
   const TerrainReady made{kUtime, 4, false};
   EXPECT_EQ(*round_trip(made), made);
 }
 
-TEST(MissionMessages, AreRejectedWithATimeThatCannotBe) {
+TEST(MissionMessages, AreRejectedWithImplausibleTimes) {
   EXPECT_EQ(round_trip(at(-1)).rejection(), kImplausibleTime);
   EXPECT_EQ(round_trip(ExploreRequest{-1, 1, 0.0, false, {}}).rejection(), kImplausibleTime);
   EXPECT_EQ(round_trip(MissionOrder{-1}).rejection(), kImplausibleTime);
@@ -87,17 +87,15 @@ TEST(MissionMessages, AreRejectedWithATimeThatCannotBe) {
   EXPECT_EQ(round_trip(MapRequest{kUtime, ""}).rejection(), "no stage");
 }
 
-TEST(CloudRequestMessage, IsRejectedWhereItCanNotBe) {
-  EXPECT_EQ(round_trip(CloudRequest{-1, "volume_map", 0, {}}).rejection(), kImplausibleTime);
-  EXPECT_EQ(round_trip(CloudRequest{kUtime, "volume_map", -1, {}}).rejection(), kImplausibleTime);
-  EXPECT_EQ(round_trip(CloudRequest{kUtime, "volume_map", 0, {-1}}).rejection(), kImplausibleTime);
-  EXPECT_EQ(round_trip(CloudRequest{kUtime, "", 0, {}}).rejection(), "no stage");
+TEST(CloudRequestMessage, IsRejectedWithInvalidContent) {
+  EXPECT_EQ(round_trip(CloudRequest{-1, 0, {}}).rejection(), kImplausibleTime);
+  EXPECT_EQ(round_trip(CloudRequest{kUtime, -1, {}}).rejection(), kImplausibleTime);
+  EXPECT_EQ(round_trip(CloudRequest{kUtime, 0, {-1}}).rejection(), kImplausibleTime);
   const std::vector<std::int64_t> many(CloudRequest::kReceivedMax + 1, kUtime);
-  EXPECT_EQ(round_trip(CloudRequest{kUtime, "volume_map", 0, many}).rejection(),
-            "implausible number of scans");
+  EXPECT_EQ(round_trip(CloudRequest{kUtime, 0, many}).rejection(), "implausible number of scans");
 }
 
-TEST(PhaseMessage, IsRejectedWhereItSaysNothing) {
+TEST(PhaseMessage, IsRejectedWithInvalidContent) {
   using Message = phase_t;
   const auto rejection = [](const std::function<void(Message&)>& change) {
     return rejection_after<Message>(returning_home(), change);
@@ -111,7 +109,7 @@ TEST(PhaseMessage, IsRejectedWhereItSaysNothing) {
   EXPECT_EQ(rejection([](Message& m) { m.remaining_m = -0.1; }), "invalid distance");
 }
 
-TEST(ExploreRequestMessage, IsRejectedWhereItSaysNothing) {
+TEST(ExploreRequestMessage, IsRejectedWithInvalidContent) {
   using Message = explore_request_t;
   const auto rejection = [](const std::function<void(Message&)>& change) {
     return rejection_after<Message>(blocked(), change);
@@ -123,7 +121,7 @@ TEST(ExploreRequestMessage, IsRejectedWhereItSaysNothing) {
   EXPECT_EQ(rejection([](Message& m) { m.blocked_utime = -1; }), kImplausibleTime);
 }
 
-TEST(MissionOrderMessage, IsRejectedWhereThereIsNoSuchOrder) {
+TEST(MissionOrderMessage, IsRejectedForAnUnknownOrder) {
   const auto rejection = rejection_after<mission_order_t>(MissionOrder{kUtime},
                                                           [](mission_order_t& m) { m.kind = 4; });
   EXPECT_EQ(rejection, "unknown order");

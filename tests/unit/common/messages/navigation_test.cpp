@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the robot is asked on its way, what planning answers, and how the drive stands.
+// Scan requests, goals, planned paths and driving states.
 #include "common/messages/navigation.hpp"
 
 #include <functional>
@@ -55,7 +55,7 @@ std::string_view rejection_after(const Value& value, const std::function<void(Me
   return from_message(message).rejection();
 }
 
-TEST(NavigationMessages, GoThereAndBack) {
+TEST(NavigationMessages, SurviveARoundTrip) {
   for (const LaserId laser : {LaserId::kFront, LaserId::kRear}) {
     const ScanRequest request{kUtime, 3, laser};
     EXPECT_EQ(*round_trip(request), request);
@@ -74,7 +74,7 @@ TEST(NavigationMessages, GoThereAndBack) {
   EXPECT_EQ(*round_trip(driving()), driving());
 }
 
-TEST(NavigationMessages, AreRejectedWithATimeOrAnIdThatCannotBe) {
+TEST(NavigationMessages, AreRejectedWithImplausibleTimesOrIds) {
   EXPECT_EQ(round_trip(ScanRequest{-1}).rejection(), kImplausibleTime);
   EXPECT_EQ(round_trip(ScanRequest{kUtime, -1}).rejection(), "negative id");
   EXPECT_EQ(round_trip(goal(-1)).rejection(), kImplausibleTime);
@@ -85,7 +85,7 @@ TEST(NavigationMessages, AreRejectedWithATimeOrAnIdThatCannotBe) {
   EXPECT_EQ(round_trip(driving(kUtime, -1)).rejection(), "negative id");
 }
 
-TEST(ScanRequestMessage, IsRejectedForALaserThatIsNone) {
+TEST(ScanRequestMessage, IsRejectedForAnUnknownLaser) {
   for (const char* laser : {"", "LASER_LEFT", "LASER_FRONT "}) {
     const auto rejection = rejection_after<scan_request_t>(
         ScanRequest{kUtime}, [laser](scan_request_t& m) { m.laser = laser; });
@@ -93,7 +93,7 @@ TEST(ScanRequestMessage, IsRejectedForALaserThatIsNone) {
   }
 }
 
-TEST(PlanGoalMessage, IsRejectedWhereItLeadsNowhere) {
+TEST(PlanGoalMessage, IsRejectedWithAnInvalidGoal) {
   using Message = plan_goal_t;
   const auto rejection = [](const std::function<void(Message&)>& change) {
     return rejection_after<Message>(goal(kUtime), change);
@@ -121,11 +121,11 @@ TEST(PlanGoalMessage, IsRejectedWhereItLeadsNowhere) {
   EXPECT_EQ(rejection([](Message& m) { m.distance_max_m = 0.0; }), "distance is not positive");
 }
 
-TEST(PlannedPathMessage, CutsEvidenceThatIsTooLongAndKeepsItsCount) {
+TEST(PlannedPathMessage, TruncatesBlockingCellsAndKeepsTheirCount) {
   const planned_path_t message = to_message(blocked(10'000));
   const auto bytes = encode(message).size();
   EXPECT_LE(bytes, kFragmentBytes);
-  EXPECT_GT(bytes, kFragmentBytes - 100);  // a cell takes 25
+  EXPECT_GT(bytes, kFragmentBytes - 100);  // a cell has 25 bytes
   EXPECT_EQ(message.n_blocking_found, 10'000);
   const auto path = from_message(message);
   ASSERT_TRUE(path);
@@ -133,7 +133,7 @@ TEST(PlannedPathMessage, CutsEvidenceThatIsTooLongAndKeepsItsCount) {
   EXPECT_TRUE(std::equal(path->blocking.begin(), path->blocking.end(), all.begin()));
 }
 
-TEST(PlannedPathMessage, NeverCutsThePath) {
+TEST(PlannedPathMessage, NeverTruncatesThePath) {
   PlannedPath path = found();
   path.points.resize(2000, path.points.front());  // 98 kB
   path.blocking = blocked(10).blocking;
@@ -143,7 +143,7 @@ TEST(PlannedPathMessage, NeverCutsThePath) {
   EXPECT_EQ(message.n_blocking_found, 10);
 }
 
-TEST(PlannedPathMessage, IsRejectedWhereItContradictsItself) {
+TEST(PlannedPathMessage, IsRejectedIfContradictory) {
   using Message = planned_path_t;
   EXPECT_EQ(rejection_after<Message>(found(), [](Message& m) { m.outcome = 6; }),
             "unknown outcome");
@@ -155,7 +155,7 @@ TEST(PlannedPathMessage, IsRejectedWhereItContradictsItself) {
             "cell count below the number of blocking cells");
 }
 
-TEST(PlannedPathMessage, IsRejectedWithNumbersThatCannotBe) {
+TEST(PlannedPathMessage, IsRejectedWithInvalidNumbers) {
   using Message = planned_path_t;
   const auto rejection = [](const std::function<void(Message&)>& change) {
     return rejection_after<Message>(found(), change);
@@ -164,12 +164,11 @@ TEST(PlannedPathMessage, IsRejectedWithNumbersThatCannotBe) {
   EXPECT_EQ(rejection([](Message& m) { m.points[1].T_odom_body[0] = kNaN; }), kPoseNotFinite);
   EXPECT_EQ(rejection([](Message& m) { m.points[1].curvature_1_m = kNaN; }),
             "curvature is not finite");
-  EXPECT_EQ(rejection([](Message& m) { m.points[1].clearance_m = kNaN; }),
-            "clearance is NaN");
+  EXPECT_EQ(rejection([](Message& m) { m.points[1].clearance_m = kNaN; }), "clearance is NaN");
   EXPECT_EQ(rejection([](Message& m) { m.points[1].cost = kNaN; }), "cost is not finite");
 }
 
-TEST(PlannedPathMessage, IsRejectedWithEvidenceThatIsNone) {
+TEST(PlannedPathMessage, IsRejectedWithInvalidBlockingCells) {
   using Message = planned_path_t;
   EXPECT_EQ(
       rejection_after<Message>(blocked(2), [](Message& m) { m.blocking[1].p_odom[0] = kNaN; }),
@@ -181,7 +180,7 @@ TEST(PlannedPathMessage, IsRejectedWithEvidenceThatIsNone) {
               }).empty());
 }
 
-TEST(DrivingStateMessage, IsRejectedWithWhatCannotBe) {
+TEST(DrivingStateMessage, IsRejectedWithInvalidContent) {
   using Message = driving_state_t;
   const auto rejection = [](const std::function<void(Message&)>& change) {
     return rejection_after<Message>(driving(), change);

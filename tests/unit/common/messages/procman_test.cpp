@@ -16,7 +16,7 @@ const ProcmanInfo kInfo{
 const ProcmanOrders kOrders{kUtime, "robot", "base", {{kCommand, 4, false}, {kCommand, 5, true}}};
 const double kNan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(ProcmanMessages, GiveBackWhatWentIn) {
+TEST(ProcmanMessages, SurviveARoundTrip) {
   const ProcmanOutput output{kUtime, "robot", {{"a", "one\ntwo"}, {"b", ""}}};
   const ProcmanDiscovery discovery{kUtime, "base", 7};
   EXPECT_EQ(*from_message(to_message(kInfo)), kInfo);
@@ -25,7 +25,7 @@ TEST(ProcmanMessages, GiveBackWhatWentIn) {
   EXPECT_EQ(*from_message(to_message(discovery)), discovery);
 }
 
-TEST(ProcmanMessages, RejectWhatCannotBe) {
+TEST(ProcmanMessages, AreRejectedWithInvalidContent) {
   const auto rejection = [](const auto& value) {
     return from_message(to_message(value)).rejection();
   };

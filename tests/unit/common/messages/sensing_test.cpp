@@ -19,7 +19,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr float kFloatNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr std::int64_t kUtime = 1'600'000'000'000'000;
 
-/// Through the bytes of the wire and back.
+/// Encodes and decodes a value.
 template <class Value>
 auto round_trip(const Value& value) {
   const auto message = to_message(value);
@@ -46,9 +46,9 @@ ScanMatch report() {
   return report;
 }
 
-TEST(LaserScanMessage, GoesThereAndBack) { EXPECT_EQ(*round_trip(scan()), scan()); }
+TEST(LaserScanMessage, SurvivesARoundTrip) { EXPECT_EQ(*round_trip(scan()), scan()); }
 
-TEST(LaserScanMessage, KeepsReadingsThatAreNoNumbers) {
+TEST(LaserScanMessage, PreservesNanReadings) {
   LaserScan strange = scan();
   strange.ranges_m[1] = kFloatNaN;
   EXPECT_TRUE(std::isnan(round_trip(strange)->ranges_m[1]));
@@ -60,7 +60,7 @@ TEST(LaserScanMessage, MayBeEmpty) {
   EXPECT_EQ(*round_trip(empty), empty);
 }
 
-TEST(LaserScanMessage, IsRejectedWithBearingsThatMeanNothing) {
+TEST(LaserScanMessage, IsRejectedWithInvalidBearings) {
   for (const double step : {0.0, -0.1, kNaN}) {
     LaserScan bad = scan();
     bad.angle_step_rad = step;
@@ -74,7 +74,7 @@ TEST(LaserScanMessage, IsRejectedWithBearingsThatMeanNothing) {
   EXPECT_EQ(round_trip(bad).rejection(), "bearings span more than two turns");
 }
 
-TEST(LaserScanMessage, IsRejectedWithATimeThatCannotBe) {
+TEST(LaserScanMessage, IsRejectedWithAnImplausibleTime) {
   for (const std::int64_t utime : {std::int64_t{-1}, std::numeric_limits<std::int64_t>::max(),
                                    std::numeric_limits<std::int64_t>::min()}) {
     LaserScan bad = scan();
@@ -83,7 +83,7 @@ TEST(LaserScanMessage, IsRejectedWithATimeThatCannotBe) {
   }
 }
 
-TEST(PoseMessage, GoesThereAndBack) {
+TEST(PoseMessage, SurvivesARoundTrip) {
   for (const double theta : {0.0, 1.0, -3.0, std::numbers::pi}) {
     const StampedPose pose{kUtime, {1.0, -2.0, theta}, Eigen::Vector3d(0.5, 0.0, 0.1)};
     const auto back = round_trip(pose);
@@ -96,7 +96,7 @@ TEST(PoseMessage, GoesThereAndBack) {
   }
 }
 
-TEST(PoseMessage, SaysThatAVelocityIsUnknown) {
+TEST(PoseMessage, MayHaveNoVelocity) {
   const auto back = round_trip(StampedPose{kUtime, {}, {}});
   EXPECT_FALSE(back->v_body);
 }
@@ -109,7 +109,7 @@ TEST(PoseMessage, IsRejectedWithoutAUnitQuaternion) {
   EXPECT_EQ(from_message(message).rejection(), "orientation is not a unit quaternion");
 }
 
-TEST(PoseMessage, IsRejectedWhereItHasNoHeading) {
+TEST(PoseMessage, IsRejectedWithoutAHeading) {
   pose_t message = to_message(StampedPose{kUtime, {}, {}});
   message.orientation[0] = std::sqrt(0.5);
   message.orientation[2] = std::sqrt(0.5);  // nose down
@@ -121,7 +121,7 @@ TEST(PoseMessage, IsRejectedWithAPositionThatIsNotFinite) {
             "position is not finite");
 }
 
-TEST(WheelOdometryMessage, GoesThereAndBack) {
+TEST(WheelOdometryMessage, SurvivesARoundTrip) {
   const auto back = round_trip(WheelOdometry{kUtime, {1.0, 2.0, 30.0}});
   EXPECT_EQ(back->utime, kUtime);
   EXPECT_EQ(back->T_wheel_body, (Pose2{1.0, 2.0, 30.0}));
@@ -131,7 +131,7 @@ TEST(WheelOdometryMessage, IsRejectedWithAPoseThatIsNotFinite) {
   EXPECT_EQ(round_trip(WheelOdometry{kUtime, {0.0, kNaN, 0.0}}).rejection(), "pose is not finite");
 }
 
-TEST(ImuMessage, GoesThereAndBack) {
+TEST(ImuMessage, SurvivesARoundTrip) {
   const ImuReading reading{kUtime, {0.1, 0.2, 0.3}, {0.0, 0.0, 9.81}};
   const auto back = round_trip(reading);
   EXPECT_EQ(back->utime, kUtime);
@@ -144,7 +144,7 @@ TEST(ImuMessage, IsRejectedWithNumbersThatAreNotFinite) {
   EXPECT_FALSE(round_trip(ImuReading{kUtime, {0.0, 0.0, 0.0}, {0.0, 0.0, kNaN}}));
 }
 
-TEST(TiltMessage, GoesThereAndBack) {
+TEST(TiltMessage, SurvivesARoundTrip) {
   const TiltReading reading{kUtime, 0.3, -0.1};
   EXPECT_EQ(*round_trip(reading), reading);
 }
@@ -154,15 +154,15 @@ TEST(TiltMessage, IsRejectedWithNumbersThatAreNotFinite) {
   EXPECT_FALSE(round_trip(TiltReading{kUtime, 0.0, kNaN}));
 }
 
-TEST(ScanMatchMessage, GoesThereAndBack) { EXPECT_EQ(*round_trip(report()), report()); }
+TEST(ScanMatchMessage, SurvivesARoundTrip) { EXPECT_EQ(*round_trip(report()), report()); }
 
-TEST(ScanMatchMessage, HoldsItsCovarianceRowByRow) {
+TEST(ScanMatchMessage, StoresItsCovarianceRowByRow) {
   const scan_match_t message = to_message(report());
   EXPECT_EQ(message.covariance[0][1], 2.0);
   EXPECT_EQ(message.covariance[1][0], 4.0);
 }
 
-TEST(ScanMatchMessage, IsRejectedWithConstantsNobodyKnows) {
+TEST(ScanMatchMessage, IsRejectedWithUnknownConstants) {
   scan_match_t message = to_message(report());
   message.status = 99;
   EXPECT_EQ(from_message(message).rejection(), "unknown status");
@@ -177,7 +177,7 @@ TEST(ScanMatchMessage, IsRejectedWithNumbersThatAreNotFinite) {
   EXPECT_EQ(round_trip(bad).rejection(), "pose or covariance is not finite");
 }
 
-TEST(HeartbeatMessage, GoesThereAndBack) {
+TEST(HeartbeatMessage, SurvivesARoundTrip) {
   const Heartbeat heartbeat{kUtime, "mapping", {Health::Level::kDegraded, "no odometry"}, 3, 2, 1};
   EXPECT_EQ(*round_trip(heartbeat), heartbeat);
 }
@@ -186,17 +186,17 @@ TEST(HeartbeatMessage, IsRejectedWithoutAStage) {
   EXPECT_EQ(round_trip(Heartbeat{kUtime, "", {}, 0, 0, 0}).rejection(), "no stage");
 }
 
-TEST(ConfigMessage, GoesThereAndBack) {
+TEST(ConfigMessage, SurvivesARoundTrip) {
   const ConfigSnapshot copy{kUtime, "mapping", "0.1.0", "a: 1\nb: [2, 3]\n"};
   EXPECT_EQ(*round_trip(copy), copy);
 }
 
-TEST(StageStatsMessage, GoesThereAndBack) {
+TEST(StageStatsMessage, SurvivesARoundTrip) {
   const StageStats stats{kUtime, "mapping", 5.0, {{"POSE", 3, 2, 1, 0.5, 0.7}, {"IMU", 1}}};
   EXPECT_EQ(*round_trip(stats), stats);
 }
 
-TEST(StageStatsMessage, IsRejectedWithAnIntervalThatIsNone) {
+TEST(StageStatsMessage, IsRejectedWithAnInvalidInterval) {
   EXPECT_FALSE(round_trip(StageStats{kUtime, "mapping", -1.0, {}}));
   EXPECT_FALSE(round_trip(StageStats{kUtime, "mapping", kNaN, {}}));
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What a vehicle is told and says, and what a simulator says of it.
+// Commands and states of the vehicle, and states of the simulator.
 #include <gtest/gtest.h>
 
 #include "common/messages/checks.hpp"
@@ -16,7 +16,7 @@ using test::kNaN;
 using test::kUtime;
 using test::round_trip;
 
-TEST(VehicleMessages, GoThereAndBack) {
+TEST(VehicleMessages, SurviveARoundTrip) {
   const DriveCommand drive{kUtime, -0.4, 0.2};
   EXPECT_EQ(*round_trip(drive), drive);
   const StopOrder stop{kUtime, true, "a wall is near"};
@@ -31,7 +31,7 @@ TEST(VehicleMessages, GoThereAndBack) {
   EXPECT_EQ(*round_trip(sinkage), sinkage);
 }
 
-TEST(SimulationMessages, GoThereAndBack) {
+TEST(SimulationMessages, SurviveARoundTrip) {
   const RunState state{kUtime, 120.5, "hit a post"};
   EXPECT_EQ(*round_trip(state), state);
   EXPECT_EQ(*round_trip(SimTime{kUtime}), SimTime{kUtime});
@@ -39,7 +39,7 @@ TEST(SimulationMessages, GoThereAndBack) {
   EXPECT_EQ(*round_trip(done), done);
 }
 
-TEST(VehicleMessages, AreRejectedWithATimeThatCannotBe) {
+TEST(VehicleMessages, AreRejectedWithImplausibleTimes) {
   EXPECT_EQ(round_trip(DriveCommand{-1}).rejection(), kImplausibleTime);
   EXPECT_EQ(round_trip(StopOrder{-1, true, ""}).rejection(), kImplausibleTime);
   EXPECT_EQ(round_trip(TiltCommand{-1, 0.0, 1.0}).rejection(), kImplausibleTime);
@@ -56,33 +56,33 @@ TEST(DriveCommandMessage, IsRejectedWithNumbersThatAreNotFinite) {
   EXPECT_EQ(round_trip(DriveCommand{kUtime, 0.0, kNaN}).rejection(), "curvature is not finite");
 }
 
-TEST(TiltCommandMessage, IsRejectedWhereItLeadsNowhere) {
+TEST(TiltCommandMessage, IsRejectedWithAnInvalidTarget) {
   EXPECT_EQ(round_trip(TiltCommand{kUtime, kNaN, 0.1}).rejection(), "angle is not finite");
   EXPECT_EQ(round_trip(TiltCommand{kUtime, 0.1, kNaN}).rejection(), "rate is not finite");
   EXPECT_EQ(round_trip(TiltCommand{kUtime, 0.1, 0.0}).rejection(), "rate is not positive");
 }
 
-TEST(VehicleStateMessage, IsRejectedWithNumbersThatCannotBe) {
+TEST(VehicleStateMessage, IsRejectedWithInvalidNumbers) {
   EXPECT_FALSE(round_trip(VehicleState{kUtime, kNaN}));
   EXPECT_FALSE(round_trip(VehicleState{kUtime, 0.0, kNaN}));
   EXPECT_EQ(round_trip(VehicleState{kUtime, 0.0, 0.0, 1.1}).rejection(), kShareOutOfRange);
   EXPECT_EQ(round_trip(VehicleState{kUtime, 0.0, 0.0, kNaN}).rejection(), kShareOutOfRange);
 }
 
-TEST(GasMessage, IsRejectedWithMoreOrLessThanAllOfTheAir) {
+TEST(GasMessage, IsRejectedWithInvalidShares) {
   EXPECT_EQ(round_trip(GasReading{kUtime, -0.1, 0.2, 0.0}).rejection(), kShareOutOfRange);
   EXPECT_EQ(round_trip(GasReading{kUtime, 0.1, 1.2, 0.0}).rejection(), kShareOutOfRange);
   EXPECT_EQ(round_trip(GasReading{kUtime, 0.1, 0.2, kNaN}).rejection(), kShareOutOfRange);
 }
 
-TEST(SinkageMessage, IsRejectedWithWheelsAboveTheGround) {
+TEST(SinkageMessage, IsRejectedWithInvalidDepths) {
   EXPECT_EQ(round_trip(SinkageReading{kUtime, {0.0, 0.0, -0.1, 0.0}}).rejection(),
             "depth is negative");
   EXPECT_EQ(round_trip(SinkageReading{kUtime, {0.0, 0.0, 0.0, kNaN}}).rejection(),
             "depth is not finite");
 }
 
-TEST(RunStateMessage, IsRejectedWithAWayThatIsNone) {
+TEST(RunStateMessage, IsRejectedWithAnInvalidDistance) {
   EXPECT_EQ(round_trip(RunState{kUtime, -1.0, ""}).rejection(), "distance is negative");
   EXPECT_EQ(round_trip(RunState{kUtime, kNaN, ""}).rejection(), "distance is not finite");
 }

@@ -24,33 +24,33 @@ int height_of(const std::filesystem::path& path) {
   return height;
 }
 
-TEST(Sheet, IsAsHighAsWhatIsDrawnOnIt) {
+TEST(Sheet, IsAsHighAsItsContent) {
   const test::ScratchFolder folder;
   write_sheet(folder / "a.png", 100.0, [](const Canvas&, double, double top) { return top + 300; });
   EXPECT_EQ(height_of(folder / "a.png"), 300 + 2 * 24);  // and its margins
 }
 
-TEST(Sheet, SaysWhereItCannotBeWritten) {
+TEST(Sheet, NamesTheFileThatItCannotWrite) {
   EXPECT_THROW(
       write_sheet("/nowhere/a.png", 10.0, [](const Canvas&, double, double top) { return top; }),
       std::runtime_error);
 }
 
-TEST(TextBlock, TakesAsManyLinesAsTheWidthNeeds) {
+TEST(TextBlock, BreaksLinesAtTheWidth) {
   const Canvas canvas(1, 1);
-  const std::string text = "No path: an obstacle is in the way after 2 m";
+  const std::string text = "No path: an obstacle blocks the path after 2 m";
   EXPECT_DOUBLE_EQ(draw_text_block(canvas, text, 0, 10, 2000, {.line = 20}), 30);
   EXPECT_GE(draw_text_block(canvas, text, 0, 10, 100, {.line = 20}), 70);
   EXPECT_DOUBLE_EQ(draw_text_block(canvas, "", 0, 10, 100, {.line = 20}), 30);
 }
 
-TEST(Legend, GoesOnInTheNextRowWhereAnItemDoesNotFit) {
+TEST(Legend, BreaksRowsAtTheWidth) {
   const Canvas canvas(1, 1);
   const Legend legend(6, LegendItem{rgb(0xff0000), "too high to drive over", {}});
   EXPECT_GT(draw_legend(canvas, legend, 0, 0, 300), draw_legend(canvas, legend, 0, 0, 3000));
 }
 
-TEST(MapPanel, PutsPlacesWhereTheirCellsAreDrawn) {
+TEST(MapPanel, PlacesPointsOnTheirCells) {
   TerrainMap map;
   map.columns = 20;
   map.rows = 10;
@@ -66,7 +66,7 @@ TEST(MapPanel, PutsPlacesWhereTheirCellsAreDrawn) {
   EXPECT_DOUBLE_EQ(panel.pixel({0.5, 0.5}).y(), panel.bottom() - 100.0);
 }
 
-TEST(TerrainPng, IsNoLargerForALargerMap) {
+TEST(TerrainPng, HasAFixedSize) {
   const test::ScratchFolder folder;
   TerrainMap map;
   map.columns = 1500;
@@ -77,7 +77,7 @@ TEST(TerrainPng, IsNoLargerForALargerMap) {
   EXPECT_LT(height_of(folder / "large.png"), 1500);
 }
 
-TEST(CloudPicture, ShowsWhatLiesAheadAndNothingBehind) {
+TEST(CloudPicture, ShowsPointsAheadOnly) {
   Cloud cloud;
   cloud.lines.resize(1);
   const RgbImage empty = cloud_image(cloud, 100, 50);
@@ -95,7 +95,7 @@ TEST(CloudPicture, ShowsWhatLiesAheadAndNothingBehind) {
 }  // namespace
 namespace {
 
-TEST(ScaleBar, IsARoundLengthThatFits) {
+TEST(ScaleBar, IsTheLongestRoundLengthThatFits) {
   EXPECT_DOUBLE_EQ(scale_bar_m(1.0), 1.0);
   EXPECT_DOUBLE_EQ(scale_bar_m(1.9), 1.0);
   EXPECT_DOUBLE_EQ(scale_bar_m(4.9), 2.0);
@@ -104,14 +104,14 @@ TEST(ScaleBar, IsARoundLengthThatFits) {
   EXPECT_DOUBLE_EQ(scale_bar_m(120.0), 100.0);
 }
 
-/// Blue of a pixel; the ink has little, the paper much.
+/// Blue of a pixel: low for ink, high for paper.
 int blue(const Canvas& canvas, int x, int y) {
   cairo_surface_t* surface = cairo_get_target(canvas.cairo());
   cairo_surface_flush(surface);
   return cairo_image_surface_get_data(surface)[y * cairo_image_surface_get_stride(surface) + 4 * x];
 }
 
-TEST(ScaleBar, IsAsLongAsItSays) {
+TEST(ScaleBar, HasTheGivenLength) {
   const Canvas canvas(200, 80);
   canvas.colour(kPaper);
   canvas.fill_rectangle(0, 0, 200, 80);
@@ -122,7 +122,7 @@ TEST(ScaleBar, IsAsLongAsItSays) {
   EXPECT_GT(blue(canvas, 141, 28), 200);
 }
 
-TEST(Canvas, TakesPixelsAsTheyAre) {
+TEST(Canvas, CopiesPixels) {
   RgbImage image(2, 1);
   image.at(0, 0) = {10, 20, 30};
   image.at(1, 0) = {200, 100, 50};

@@ -17,7 +17,7 @@ namespace {
 
 using test::contents;
 
-/// A room of 20 m by 10 m seen from its middle.
+/// A room of 20 m by 10 m, observed from its centre.
 OccupancyGrid room() {
   OccupancyGrid grid({});
   LaserScan scan{0, {}, 0.0, 0.005};
@@ -53,7 +53,7 @@ TEST_F(MapPng, TheSameMapGivesTheSameBytes) {
   EXPECT_GT(first.size(), 1000U);
 }
 
-TEST_F(MapPng, ShowsWhichStretchesAreDegenerate) {
+TEST_F(MapPng, ShowsDegenerateSegments) {
   MapPicture picture{"A room", {{0, 0, 0}, {1, 0, 0}, {2, 1, 1}}, {}};
   write_map_png(room(), picture, path_);
   const std::string without = contents(path_);
@@ -62,7 +62,7 @@ TEST_F(MapPng, ShowsWhichStretchesAreDegenerate) {
   EXPECT_NE(without, contents(path_));
 }
 
-TEST_F(MapPng, NoLineLeadsToWhereAnotherSessionBegins) {
+TEST_F(MapPng, DrawsNoLineToTheStartOfAnotherSession) {
   MapPicture picture{"A room", {{-8, 0, 0}, {-7, 0, 0}, {7, 0, 0}, {8, 0, 0}}, {}};
   write_map_png(room(), picture, path_);
   const std::string joined = contents(path_);
@@ -71,7 +71,7 @@ TEST_F(MapPng, NoLineLeadsToWhereAnotherSessionBegins) {
   EXPECT_NE(joined, contents(path_));
 }
 
-TEST_F(MapPng, ShowsEachPartOfThePoseGraphThatItIsGiven) {
+TEST_F(MapPng, ShowsEachPartOfThePoseGraph) {
   MapPicture picture{"A room", {{0, 0, 0}, {1, 0, 0}, {2, 1, 1}}, {}};
   const GraphPicture::Edge edge{{0.0, 0.0}, {2.0, 1.0}};
   std::set<std::string> pictures;
@@ -98,7 +98,7 @@ TEST_F(MapPng, ShowsAPoseGraphWithoutAPathAndBeyondTheMap) {
   EXPECT_GT(size().first, 2 * size().second);
 }
 
-TEST_F(MapPng, HasRoomForTheKeysBelowANarrowMap) {
+TEST_F(MapPng, HasRoomForTheLegendBelowANarrowMap) {
   MapPicture picture{"High", {{0, 0, 0}, {0, 900, 0}}, {true, true}};
   write_map_png(room(), picture, path_);
   const int width = size().first;
@@ -108,7 +108,7 @@ TEST_F(MapPng, HasRoomForTheKeysBelowANarrowMap) {
   EXPECT_GT(size().first, width);
 }
 
-TEST_F(MapPng, KeepsToItsLargestSize) {
+TEST_F(MapPng, StaysWithinItsMaximumSize) {
   write_map_png(room(), {"Wide", {{0, 0, 0}, {900, 0, 0}}, {}}, path_);
   EXPECT_LE(size().first, 2400);
   write_map_png(room(), {"High", {{0, 0, 0}, {0, 900, 0}}, {}}, path_);
@@ -121,7 +121,7 @@ TEST_F(MapPng, DrawsAnEmptyMap) {
   EXPECT_GT(size().first, 0);
 }
 
-TEST_F(MapPng, SaysWhatItCannotWrite) {
+TEST_F(MapPng, NamesTheFileThatItCannotWrite) {
   EXPECT_THROW(write_map_png(room(), {"A room", {}, {}}, "/nonexistent/map.png"),
                std::runtime_error);
 }

@@ -24,7 +24,7 @@ TerrainMap one_of_each() {
   return map;
 }
 
-TEST(TerrainLayer, BrightIsEasyAndHigh) {
+TEST(TerrainLayer, IsBrightForEasyGroundAndAHighRoof) {
   const TerrainMap map = one_of_each();
   const RgbImage coefficient = terrain_image(map);
   EXPECT_EQ(coefficient.at(0, 0), (RgbImage::Pixel{255, 255, 255}));
@@ -32,10 +32,10 @@ TEST(TerrainLayer, BrightIsEasyAndHigh) {
   const RgbImage clearance = terrain_image(map, TerrainLayer::kClearance);
   EXPECT_EQ(clearance.at(0, 0), (RgbImage::Pixel{255, 255, 255}));
   EXPECT_EQ(clearance.at(5, 0), (RgbImage::Pixel{0, 0, 0}));
-  EXPECT_NE(clearance.at(6, 0), clearance.at(0, 0));  // no roof seen
+  EXPECT_NE(clearance.at(6, 0), clearance.at(0, 0));  // no roof observed
 }
 
-TEST(TerrainLayer, EachKindOfUnknownGroundHasOneColourInAllLayersAndAName) {
+TEST(TerrainLayer, HasOneColourAndNamePerClassOfUnknownGroundInAllLayers) {
   const TerrainMap map = one_of_each();
   std::set<RgbImage::Pixel> colours;
   for (int i = 1; i < 5; ++i) colours.insert(terrain_image(map).at(i, 0));

@@ -8,8 +8,8 @@
 
 namespace adit::test {
 
-/// What the sparse classes are held against: H and b of the field linearised at the poses, node 0
-/// left out, written down from the definition.
+/// Dense reference for tests: H and b of the field linearised at the poses, without node 0, from
+/// the definition.
 struct DenseField {
   explicit DenseField(const PoseGraph& graph) {
     const auto n = 3 * static_cast<Eigen::Index>(graph.poses.size());

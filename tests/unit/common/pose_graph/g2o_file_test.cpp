@@ -22,8 +22,8 @@ class G2oFile : public testing::Test {
     std::ofstream(folder_ / "g.g2o") << text;
     return read_g2o(folder_ / "g.g2o");
   }
-  /// What is said of it.
-  std::string complaint(const std::string& text) {
+  /// The error for a text.
+  std::string error_of(const std::string& text) {
     try {
       read(text);
     } catch (const G2oError& error) {
@@ -37,7 +37,7 @@ class G2oFile : public testing::Test {
 
 constexpr const char* kEdge = "EDGE_SE2 0 1 1 2 0.5 11 12 13 220 23 330\n";
 
-TEST_F(G2oFile, ReadsTheSpellingOfG2o) {
+TEST_F(G2oFile, ReadsTheG2oFormat) {
   const G2oGraph g =
       read(std::string("# a graph\n\nVERTEX_SE2 1 4 5 6\r\nVERTEX_SE2 0 1 2 3 # first\n"
                        "FIX 0\n") +
@@ -54,14 +54,14 @@ TEST_F(G2oFile, ReadsTheSpellingOfG2o) {
   EXPECT_EQ(c.information, information);
 }
 
-TEST_F(G2oFile, ReadsTheSpellingOfToro) {
+TEST_F(G2oFile, ReadsTheToroFormat) {
   const G2oGraph toro =
       read("VERTEX2 0 0 0 0\nVERTEX2 1 0 0 0\nEDGE2 0 1 1 2 0.5 11 12 220 330 13 23");
   const G2oGraph g2o = read(kEdge);
   EXPECT_EQ(toro.graph.constraints.front().information, g2o.graph.constraints.front().information);
 }
 
-TEST_F(G2oFile, ChainsOdometryWhereThereAreNoVertices) {
+TEST_F(G2oFile, ChainsOdometryWithoutVertices) {
   const G2oGraph g = read("EDGE_SE2 7 9 1 0 0.5 1 0 0 1 0 1\nEDGE_SE2 9 12 1 0 0 1 0 0 1 0 1\n");
   EXPECT_THAT(g.ids, ElementsAre(7, 9, 12));
   EXPECT_EQ(g.graph.poses[0], Pose2{});
@@ -82,25 +82,25 @@ TEST_F(G2oFile, ReadsBackWhatItWrote) {
   }
 }
 
-TEST_F(G2oFile, NamesTheLineAndTheFault) {
+TEST_F(G2oFile, ReportsTheLineAndTheReason) {
   const std::string two = "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 0 0 0\n";
-  EXPECT_THAT(complaint(two + "EDGE_SE2 0 1 1 2 nan 1 0 0 1 0 1"), HasSubstr("g.g2o:3: 'nan'"));
-  EXPECT_THAT(complaint(two + "EDGE_SE2 0 1 1 2 3 1 0 0 -1 0 1"), HasSubstr(":3: the information"));
-  EXPECT_THAT(complaint(two + "EDGE_SE2 1 1 1 2 3 1 0 0 1 0 1"), EndsWith("from 1 to itself"));
-  EXPECT_THAT(complaint(two + "EDGE_SE2 0 2 1 2 3 1 0 0 1 0 1"), EndsWith(":3: no vertex 2"));
-  EXPECT_THAT(complaint(two + "EDGE_SE2 0 1 1 2 3 1 0 0 1 0"), HasSubstr(":3: the line ends"));
-  EXPECT_THAT(complaint(two + "EDGE_SE2 0 1 1 2 3 1 0 0 1 0 1 7"), HasSubstr("'7' behind"));
-  EXPECT_THAT(complaint(two + "EDGE_SE3 0 1"), EndsWith(":3: unknown tag 'EDGE_SE3'"));
-  EXPECT_THAT(complaint(two + "VERTEX_SE2 0 1 1 1"), EndsWith("vertex 0 for the second time"));
-  EXPECT_THAT(complaint(two + "FIX 1"), HasSubstr(":3: only the first pose"));
-  EXPECT_THAT(complaint("VERTEX_SE2 0.5 0 0 0"), HasSubstr(":1: '0.5' is no id"));
+  EXPECT_THAT(error_of(two + "EDGE_SE2 0 1 1 2 nan 1 0 0 1 0 1"), HasSubstr("g.g2o:3: 'nan'"));
+  EXPECT_THAT(error_of(two + "EDGE_SE2 0 1 1 2 3 1 0 0 -1 0 1"), HasSubstr(":3: the information"));
+  EXPECT_THAT(error_of(two + "EDGE_SE2 1 1 1 2 3 1 0 0 1 0 1"), EndsWith("from 1 to itself"));
+  EXPECT_THAT(error_of(two + "EDGE_SE2 0 2 1 2 3 1 0 0 1 0 1"), EndsWith(":3: no vertex 2"));
+  EXPECT_THAT(error_of(two + "EDGE_SE2 0 1 1 2 3 1 0 0 1 0"), HasSubstr(":3: the line ends"));
+  EXPECT_THAT(error_of(two + "EDGE_SE2 0 1 1 2 3 1 0 0 1 0 1 7"), HasSubstr("'7' after"));
+  EXPECT_THAT(error_of(two + "EDGE_SE3 0 1"), EndsWith(":3: unknown tag 'EDGE_SE3'"));
+  EXPECT_THAT(error_of(two + "VERTEX_SE2 0 1 1 1"), EndsWith("vertex 0 is defined twice"));
+  EXPECT_THAT(error_of(two + "FIX 1"), HasSubstr(":3: only the first pose"));
+  EXPECT_THAT(error_of("VERTEX_SE2 0.5 0 0 0"), HasSubstr(":1: '0.5' is not a valid id"));
 }
 
-TEST_F(G2oFile, AFileThatIsNotThereOrDamagedIsAnError) {
+TEST_F(G2oFile, ThrowsForAMissingOrCorruptFile) {
   EXPECT_THROW(read_g2o(folder_ / "missing"), std::runtime_error);
-  write_g2o(read(kEdge), folder_ / "whole.gz");
-  const std::string whole = test::contents(folder_ / "whole.gz");
-  std::ofstream(folder_ / "half.gz") << whole.substr(0, whole.size() / 2);
+  write_g2o(read(kEdge), folder_ / "complete.gz");
+  const std::string complete = test::contents(folder_ / "complete.gz");
+  std::ofstream(folder_ / "half.gz") << complete.substr(0, complete.size() / 2);
   EXPECT_THROW(read_g2o(folder_ / "half.gz"), std::runtime_error);
 }
 

@@ -11,7 +11,7 @@
 namespace adit {
 namespace {
 
-constexpr double kTolerance = 1e-8;  // relative; the matrices have a condition of some 1e5
+constexpr double kTolerance = 1e-8;  // relative; the condition number is about 1e5
 
 class FieldOfASquareWalk : public testing::Test {
  protected:
@@ -25,7 +25,7 @@ class FieldOfASquareWalk : public testing::Test {
     return J * inverse * J.transpose();
   }
 
-  /// Not among those of the graph; node 47 stands where 7 and 27 do.
+  /// Not among those of the graph; node 47 is at the place of 7 and 27.
   [[nodiscard]] PoseConstraint loop() const {
     return {47, 7, {0.3, -0.2, 0.05}, graph_.constraints.front().information};
   }
@@ -33,7 +33,7 @@ class FieldOfASquareWalk : public testing::Test {
   PoseGraph graph_ = test::square_trajectory_graph(60, 5, 0.1);
 };
 
-TEST_F(FieldOfASquareWalk, HasItsModeWhereTheDenseOneHas) {
+TEST_F(FieldOfASquareWalk, HasTheModeOfTheDenseField) {
   const GaussianField field(graph_);
   const test::DenseField dense(graph_);
   const Eigen::VectorXd mode = dense.H.inverse() * dense.b;
@@ -41,16 +41,16 @@ TEST_F(FieldOfASquareWalk, HasItsModeWhereTheDenseOneHas) {
   EXPECT_NEAR(field.objective(), dense.constant - mode.dot(dense.b), kTolerance * dense.constant);
 }
 
-TEST_F(FieldOfASquareWalk, AddingIsAsIfTheConstraintHadBeenThere) {
+TEST_F(FieldOfASquareWalk, AddingEqualsAFieldWithTheConstraint) {
   GaussianField field(graph_);
   field.add(loop());
   graph_.constraints.push_back(loop());
-  const GaussianField whole(graph_);
-  EXPECT_TRUE(field.mode().isApprox(whole.mode(), kTolerance));
-  EXPECT_NEAR(field.objective(), whole.objective(), kTolerance * whole.objective());
+  const GaussianField expected(graph_);
+  EXPECT_TRUE(field.mode().isApprox(expected.mode(), kTolerance));
+  EXPECT_NEAR(field.objective(), expected.objective(), kTolerance * expected.objective());
 }
 
-TEST_F(FieldOfASquareWalk, RemovingWhatWasAddedGivesTheOriginalBack) {
+TEST_F(FieldOfASquareWalk, RemovingAnAddedConstraintRestoresTheField) {
   GaussianField field(graph_);
   const Eigen::VectorXd mode = field.mode();
   const double objective = field.objective();
@@ -70,7 +70,7 @@ TEST_F(FieldOfASquareWalk, RemovesAConstraintOfTheGraph) {
   EXPECT_TRUE(field.mode().isApprox(without.mode(), kTolerance));
 }
 
-TEST_F(FieldOfASquareWalk, RejectsToRemoveWhatHoldsItTogether) {
+TEST_F(FieldOfASquareWalk, RejectsRemovalThatDisconnectsThePoses) {
   graph_ = test::square_trajectory_graph(10, 5, 0.1);  // no loop
   GaussianField field(graph_);
   const Eigen::VectorXd mode = field.mode();
@@ -78,7 +78,7 @@ TEST_F(FieldOfASquareWalk, RejectsToRemoveWhatHoldsItTogether) {
   EXPECT_EQ(field.mode(), mode);
 }
 
-TEST_F(FieldOfASquareWalk, ForetellsTheRiseOfTheObjective) {
+TEST_F(FieldOfASquareWalk, PredictsTheIncreaseOfTheObjective) {
   GaussianField field(graph_);
   for (const PoseConstraint& c :
        {loop(), PoseConstraint{0, 33, {1.0, 2.0, 0.3}, loop().information}}) {
@@ -89,7 +89,7 @@ TEST_F(FieldOfASquareWalk, ForetellsTheRiseOfTheObjective) {
   }
 }
 
-TEST_F(FieldOfASquareWalk, ForetellsItForSingularInformationToo) {
+TEST_F(FieldOfASquareWalk, PredictsTheIncreaseForSingularInformation) {
   GaussianField field(graph_);
   PoseConstraint along_a_tunnel = loop();
   along_a_tunnel.information = Eigen::Vector3d(0.0, 400.0, 4000.0).asDiagonal();
@@ -122,7 +122,7 @@ TEST(GaussianField, HasTheCovarianceOfASingleConstraint) {
   EXPECT_TRUE(field.relative_covariance(0, 1).isApprox(covariance, kTolerance));
 }
 
-TEST(GaussianField, RejectsAGraphThatFallsApart) {
+TEST(GaussianField, RejectsADisconnectedGraph) {
   PoseGraph graph = test::square_trajectory_graph(10, 5, 0.1);
   graph.constraints.erase(graph.constraints.begin() + 4);
   EXPECT_THROW(GaussianField{graph}, std::runtime_error);

@@ -15,7 +15,7 @@
 namespace adit {
 namespace {
 
-TEST(Optimize, FindsTheTruthAgainWithoutNoise) {
+TEST(Optimize, RecoversTheTruthWithoutNoise) {
   PoseGraph graph = test::square_trajectory_graph(100, 6, 0.0);
   const std::vector<Pose2> truth = graph.poses;
   for (std::size_t i = 1; i < graph.poses.size(); ++i) graph.poses[i] = {};
@@ -34,7 +34,7 @@ TEST(Optimize, HoldsTheFirstPose) {
   EXPECT_EQ(graph.poses.front(), (Pose2{3.0, 4.0, 1.0}));
 }
 
-TEST(Optimize, ReachesTheSameObjectiveWithAndWithoutAStartOfItsOwn) {
+TEST(Optimize, ReachesTheSameObjectiveWithAndWithoutInitialization) {
   PoseGraph a = test::square_trajectory_graph(200, 8, 0.1);
   PoseGraph b = a;
   const OptimizeResult with = optimize(a, {});
@@ -44,7 +44,7 @@ TEST(Optimize, ReachesTheSameObjectiveWithAndWithoutAStartOfItsOwn) {
   EXPECT_NEAR(with.objective, objective(a), 1e-9 * with.objective);
 }
 
-TEST(Optimize, GivesTheSameBytesTwice) {
+TEST(Optimize, IsDeterministic) {
   PoseGraph a = test::square_trajectory_graph(200, 8, 0.1);
   PoseGraph b = a;
   optimize(a, {});
@@ -52,7 +52,7 @@ TEST(Optimize, GivesTheSameBytesTwice) {
   EXPECT_EQ(a.poses, b.poses);
 }
 
-TEST(Optimize, MeetsDirectionsWithoutInformation) {
+TEST(Optimize, HandlesDirectionsWithoutInformation) {
   PoseGraph graph = test::square_trajectory_graph(100, 5, 0.05);
   for (PoseConstraint& c : graph.constraints) {
     if (c.to != c.from + 1) c.information = Eigen::Vector3d(0.0, 400.0, 0.0).asDiagonal();
@@ -60,7 +60,7 @@ TEST(Optimize, MeetsDirectionsWithoutInformation) {
   EXPECT_TRUE(optimize(graph, {}).converged);
 }
 
-TEST(Optimize, SaysWhichNodeIsNotConnected) {
+TEST(Optimize, ReportsANodeThatIsNotConnected) {
   PoseGraph graph = test::square_trajectory_graph(10, 5, 0.1);
   graph.constraints.erase(graph.constraints.begin() + 6);
   const OptimizeResult result = optimize(graph, {});
@@ -70,7 +70,7 @@ TEST(Optimize, SaysWhichNodeIsNotConnected) {
   EXPECT_THAT(text(result.reason, result.node), testing::HasSubstr("pose 7"));
 }
 
-TEST(Optimize, SaysWhichNodeIsFreeToMove) {
+TEST(Optimize, ReportsANodeThatIsNotDetermined) {
   for (const bool rotation_initialization : {true, false}) {
     PoseGraph graph = test::square_trajectory_graph(10, 5, 0.1);
     graph.constraints.back().information = Eigen::Vector3d(0.0, 400.0, 4000.0).asDiagonal();
@@ -83,20 +83,21 @@ TEST(Optimize, SaysWhichNodeIsFreeToMove) {
   }
 }
 
-TEST(Optimize, HasAnAnswerForGraphsOfNoneAndOne) {
+TEST(Optimize, HandlesGraphsOfZeroAndOnePoses) {
   PoseGraph graph;
   EXPECT_EQ(optimize(graph, {}).reason, OptimizeReason::kEmpty);
   graph.poses.emplace_back();
   EXPECT_TRUE(optimize(graph, {}).converged);
 }
 
-TEST(Optimize, TellsAnObserverWhatItIsAt) {
+TEST(Optimize, ReportsItsPhasesToAnObserver) {
   PoseGraph graph = test::square_trajectory_graph(60, 5, 0.1);
   std::map<OptimizePhase, int> entered;
   const OptimizeResult result = optimize(graph, {}, [&](OptimizePhase p) { ++entered[p]; });
   EXPECT_EQ(entered[OptimizePhase::kAnalysis], 1);
   EXPECT_EQ(entered[OptimizePhase::kStart], 1);
-  EXPECT_EQ(entered[OptimizePhase::kFactorisation], result.factorisations - 1);  // one is the start
+  EXPECT_EQ(entered[OptimizePhase::kFactorisation],
+            result.factorisations - 1);  // one is the initialisation
   EXPECT_EQ(entered[OptimizePhase::kEnd], 1);
 }
 
@@ -111,7 +112,7 @@ TEST(ChainOdometry, FollowsTheMeasuredSteps) {
   EXPECT_NEAR(graph.poses[2].x, 1.0 + std::cos(0.5), 1e-12);
 }
 
-/// A public graph and the best objective known.
+/// A public graph and the best known objective.
 struct KnownOptimum {
   const char* name;
   double objective;
@@ -121,7 +122,7 @@ void PrintTo(const KnownOptimum& optimum, std::ostream* out) { *out << optimum.n
 
 class OptimizeFromOdometry : public testing::TestWithParam<KnownOptimum> {};
 
-TEST_P(OptimizeFromOdometry, ReachesTheBestObjectiveKnown) {
+TEST_P(OptimizeFromOdometry, ReachesTheBestKnownObjective) {
   const std::string name = std::string("posegraph/") + GetParam().name + ".g2o";
   ADIT_RECORDING_OR_SKIP(path, name);
   PoseGraph graph = read_g2o(path).graph;

@@ -10,8 +10,8 @@ namespace adit {
 namespace {
 
 constexpr double kStep = 1e-6;
-constexpr double kTolerance =
-    1e-8;  // rounding over the step; central differences err by its square
+// Rounding over the step; central differences err by its square.
+constexpr double kTolerance = 1e-8;
 
 Pose2 moved(const Pose2& pose, int k, double by) {
   Eigen::Vector3d v = pose.vector();
@@ -41,25 +41,25 @@ TEST_P(PotentialOfARandomConstraint, HasTheJacobiansOfFiniteDifferences) {
   }
 }
 
-TEST_P(PotentialOfARandomConstraint, HasTheSameResidualWhereItIsLinearised) {
+TEST_P(PotentialOfARandomConstraint, HasTheSameResidualWhenLinearised) {
   const LinearPotential potential = linearise(constraint_, from_, to_);
   EXPECT_LT((potential.e - residual(constraint_, from_, to_)).norm(), 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, PotentialOfARandomConstraint, testing::Values(1U, 2U, 3U, 4U));
 
-TEST(Potential, IsNilWhereThePosesAreAsMeasured) {
+TEST(Potential, IsZeroForPosesAsMeasured) {
   const PoseConstraint constraint{0, 1, {1.0, 2.0, 0.5}, Eigen::Matrix3d::Identity()};
   const Pose2 from{3.0, -1.0, 2.0};
   EXPECT_LT(residual(constraint, from, from * constraint.T_from_to).norm(), 1e-12);
 }
 
-TEST(Potential, TakesAnglesTheShortWayAround) {
+TEST(Potential, WrapsAngles) {
   const PoseConstraint constraint{0, 1, {0.0, 0.0, 3.1}, Eigen::Matrix3d::Identity()};
   EXPECT_NEAR(residual(constraint, {}, {0.0, 0.0, -3.1}).z(), 2.0 * 3.14159265358979 - 6.2, 1e-12);
 }
 
-TEST(Potential, ObjectiveIsTheSumWithoutAHalf) {
+TEST(Potential, ObjectiveIsTheSumWithoutTheFactorOneHalf) {
   PoseGraph graph;
   graph.poses = {{}, {2.0, 0.0, 0.0}};
   graph.constraints = {{0, 1, {1.0, 0.0, 0.0}, 3.0 * Eigen::Matrix3d::Identity()}};

@@ -9,7 +9,7 @@
 namespace adit {
 namespace {
 
-TEST(RotationInitialization, FindsOrientationsThatWindAroundManyTimes) {
+TEST(RotationInitialization, FindsOrientationsOverManyTurns) {
   const PoseGraph graph = test::square_trajectory_graph(400, 10, 0.0);
   const std::vector<double> theta = solve_rotations(graph, analyse(graph));
   for (std::size_t i = 0; i < theta.size(); ++i) {
@@ -17,7 +17,7 @@ TEST(RotationInitialization, FindsOrientationsThatWindAroundManyTimes) {
   }
 }
 
-TEST(RotationInitialization, DoesNotLookAtThePosesItIsGiven) {
+TEST(RotationInitialization, IsIndependentOfTheGivenPoses) {
   PoseGraph a = test::square_trajectory_graph(100, 5, 0.1);
   PoseGraph b = a;
   for (std::size_t i = 1; i < b.poses.size(); ++i) b.poses[i] = {7.0, -3.0, 2.0};

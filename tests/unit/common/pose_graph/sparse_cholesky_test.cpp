@@ -12,7 +12,7 @@
 namespace adit {
 namespace {
 
-constexpr double kTolerance = 1e-9;  // relative; the matrices have a condition of some 1e5
+constexpr double kTolerance = 1e-9;  // relative; the condition number is about 1e5
 
 class SparseCholeskyOfAField : public testing::Test {
  protected:
@@ -30,14 +30,14 @@ TEST_F(SparseCholeskyOfAField, SolvesAsTheDenseMatrixDoes) {
   EXPECT_TRUE(equations_.b().isApprox(dense_.b, kTolerance));
 }
 
-TEST_F(SparseCholeskyOfAField, FactorisesAgainInTheSameOrder) {
+TEST_F(SparseCholeskyOfAField, FactorisesAgainWithTheSameResult) {
   ASSERT_TRUE(sparse().factorise());
   const Eigen::VectorXd first = sparse().solve(dense_.b);
   ASSERT_TRUE(sparse().factorise());
   EXPECT_EQ(sparse().solve(dense_.b), first);
 }
 
-TEST_F(SparseCholeskyOfAField, FindsTheDiagonalOfTheInverse) {
+TEST_F(SparseCholeskyOfAField, ComputesTheDiagonalOfTheInverse) {
   ASSERT_TRUE(sparse().factorise());
   const Eigen::MatrixXd inverse = dense_.H.inverse();
   const auto diagonal = sparse().inverse_diagonal();
@@ -48,7 +48,7 @@ TEST_F(SparseCholeskyOfAField, FindsTheDiagonalOfTheInverse) {
   }
 }
 
-TEST_F(SparseCholeskyOfAField, FindsColumnsAndPartsOfTheInverse) {
+TEST_F(SparseCholeskyOfAField, ComputesColumnsAndSubmatricesOfTheInverse) {
   ASSERT_TRUE(sparse().factorise());
   const Eigen::MatrixXd inverse = dense_.H.inverse();
   EXPECT_TRUE(sparse().inverse_columns(17).isApprox(inverse.middleCols<3>(51), kTolerance));
@@ -72,20 +72,20 @@ TEST_F(SparseCholeskyOfAField, UpdatesBetweenBlocksThatWereNotLinked) {
   EXPECT_TRUE(sparse().solve(dense_.b).isApprox(dense_.H.inverse() * dense_.b, kTolerance));
 }
 
-TEST_F(SparseCholeskyOfAField, ForgetsUpdatesWhenItFactorisesAgain) {
+TEST_F(SparseCholeskyOfAField, DiscardsUpdatesWhenItFactorisesAgain) {
   ASSERT_TRUE(sparse().factorise());
   ASSERT_TRUE(sparse().update({50, 2}, Eigen::MatrixXd::Ones(6, 3)));
   ASSERT_TRUE(sparse().factorise());
   EXPECT_TRUE(sparse().solve(dense_.b).isApprox(dense_.H.inverse() * dense_.b, kTolerance));
 }
 
-TEST_F(SparseCholeskyOfAField, TellsWhenADowndateLeavesNothing) {
+TEST_F(SparseCholeskyOfAField, ReportsADowndateThatIsNotPositiveDefinite) {
   ASSERT_TRUE(sparse().factorise());
   EXPECT_FALSE(sparse().downdate({58}, 1e4 * Eigen::MatrixXd::Identity(3, 3)));
   EXPECT_FALSE(sparse().has_factor());
 }
 
-TEST(SparseCholesky, TellsThatAMatrixIsSingularAndWhere) {
+TEST(SparseCholesky, ReportsTheBlockOfASingularMatrix) {
   const BlockPattern pattern{3, {{0, 1}}};
   SparseCholesky A(pattern, order_blocks(pattern), 1);
   using Scalar = Eigen::Matrix<double, 1, 1>;
@@ -98,7 +98,7 @@ TEST(SparseCholesky, TellsThatAMatrixIsSingularAndWhere) {
   EXPECT_TRUE(A.factorise());
 }
 
-TEST(SparseCholesky, TellsThatAMatrixIsIndefinite) {
+TEST(SparseCholesky, ReportsAnIndefiniteMatrix) {
   const BlockPattern pattern{2, {{1, 0}}};
   SparseCholesky A(pattern, order_blocks(pattern), 3);
   A.add_to_diagonal<3>(0, Eigen::Matrix3d::Identity());
@@ -107,7 +107,7 @@ TEST(SparseCholesky, TellsThatAMatrixIsIndefinite) {
   EXPECT_FALSE(A.factorise());
 }
 
-TEST(SparseCholesky, KeepsTheSidesOfAPairApart) {
+TEST(SparseCholesky, DistinguishesThePairFromItsTranspose) {
   const BlockPattern pattern{2, {{1, 0}}};
   SparseCholesky A(pattern, order_blocks(pattern), 3);
   Eigen::MatrixXd dense = 9.0 * Eigen::MatrixXd::Identity(6, 6);

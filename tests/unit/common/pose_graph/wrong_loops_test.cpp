@@ -33,7 +33,8 @@ TEST_F(WrongLoops, AreWrong) {
   }
 }
 
-/// A group alone, hung onto the way from its first to its last node, is as good as a right one.
+/// A group of wrong loops alone, added to the odometry from its first to its last node, is as
+/// consistent as a correct one.
 TEST_F(WrongLoops, AgreeWithEachOtherInAGroup) {
   const auto group = test::consistent_wrong_loops(graph_, 20, 1);
   const auto& first = group.front();

@@ -5,14 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds/crooked_room.hpp"
-#include "tools/sample_mine/mine_worlds.hpp"
 
 namespace adit {
 namespace {
 
 const Pose2 kReferencePose{-2.0, 0.0, 0.2};
 
-SurfelMap reference_of(const SyntheticWorld& world, const Pose2& pose) {
+SurfelMap reference_of(const test::WallWorld& world, const Pose2& pose) {
   SurfelMap map{SurfelMapParams{}};
   map.insert(test::scan_points(world, pose), pose, 0.0);
   return map;
@@ -21,7 +20,7 @@ SurfelMap reference_of(const SyntheticWorld& world, const Pose2& pose) {
 class CorrelativeSearchFinds : public testing::TestWithParam<Pose2> {};
 
 TEST_P(CorrelativeSearchFinds, ALargeMotionToWithinItsStep) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const Pose2 truth = kReferencePose * GetParam();
   const CorrelativeSearchParams params;
   const auto peaks =
@@ -37,8 +36,8 @@ INSTANTIATE_TEST_SUITE_P(Motions, CorrelativeSearchFinds,
                          testing::Values(Pose2{}, Pose2{1.2, 0.0, 0.0}, Pose2{0.3, -0.9, 0.5},
                                          Pose2{-0.5, 0.4, -1.0}, Pose2{0.0, 0.0, 1.1}));
 
-TEST(CorrelativeSearch, GivesPeaksInOrderAndApart) {
-  const SyntheticWorld room = test::crooked_room();
+TEST(CorrelativeSearch, ReturnsDistinctPeaksInOrderOfScore) {
+  const test::WallWorld room = test::crooked_room();
   const CorrelativeSearchParams params;
   const auto peaks =
       search_correlation(test::scan_points(room, kReferencePose),
@@ -51,31 +50,31 @@ TEST(CorrelativeSearch, GivesPeaksInOrderAndApart) {
   EXPECT_LE(peaks.front().score, 1.0);
 }
 
-TEST(CorrelativeSearch, BoundsNeverHideTheBest) {
-  // The bound and the branch must not change the answer: a search over small windows, each of which
-  // is one block, finds no better score anywhere in the large window.
-  const SyntheticWorld mine = sample_mine(3);
+TEST(CorrelativeSearch, BoundsNeverPruneTheBestPose) {
+  // Branch and bound must not change the result: a search over small windows, each of which is one
+  // block, finds no better score anywhere in the large window.
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 here{10.0, 0.0, 0.0};
   const SurfelMap reference = reference_of(mine, here);
   const auto points = test::scan_points(mine, here * Pose2{0.7, 0.3, 0.2});
   const CorrelativeSearchParams params;
-  const auto whole = search_correlation(points, reference, here, {1.2, 0.3}, 1, params);
-  ASSERT_FALSE(whole.empty());
+  const auto all_peaks = search_correlation(points, reference, here, {1.2, 0.3}, 1, params);
+  ASSERT_FALSE(all_peaks.empty());
   for (double x = -1.2; x <= 1.2; x += 0.4) {
     for (double y = -1.2; y <= 1.2; y += 0.4) {
       const Pose2 centre{here.x + x, here.y + y, here.theta};
       for (const auto& peak :
            search_correlation(points, reference, centre, {0.1, 0.3}, 1, params)) {
         const Eigen::Vector2d off = peak.T_odom_body.translation() - here.translation();
-        if (off.cwiseAbs().maxCoeff() > 1.2) continue;      // outside of the large window
-        EXPECT_LE(peak.score, whole.front().score + 0.03);  // grids are aligned differently
+        if (off.cwiseAbs().maxCoeff() > 1.2) continue;          // outside of the large window
+        EXPECT_LE(peak.score, all_peaks.front().score + 0.03);  // grids are aligned differently
       }
     }
   }
 }
 
-TEST(CorrelativeSearch, FindsItsWayInAWideWindow) {
-  const SyntheticWorld mine = sample_mine(3);
+TEST(CorrelativeSearch, FindsThePoseInAWideWindow) {
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 here{10.0, 0.0, 0.0};
   CorrelativeSearchParams params;
   params.cell_m = 0.2;
@@ -90,9 +89,9 @@ TEST(CorrelativeSearch, FindsItsWayInAWideWindow) {
 }
 
 TEST(CorrelativeSearch, FindsTheSameWithMoreLevels) {
-  // A wide window has five levels, a narrow one three. Centres are whole cells apart, so the grids
-  // are aligned.
-  const SyntheticWorld mine = sample_mine(3);
+  // A wide window has five levels, a narrow one three. Centres are all_peaks cells apart, so the
+  // grids are aligned.
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 here{10.0, 0.0, 0.0};
   const SurfelMap reference = reference_of(mine, here);
   const auto points = test::scan_points(mine, here * Pose2{0.31, 0.22, 0.1});
@@ -106,8 +105,8 @@ TEST(CorrelativeSearch, FindsTheSameWithMoreLevels) {
   EXPECT_LT(between(narrow.front().T_odom_body, wide.front().T_odom_body).vector().norm(), 1e-6);
 }
 
-TEST(CorrelativeSearch, TakesAPeakOnceThoughTheWindowGoesAllAround) {
-  const SyntheticWorld room = test::crooked_room();
+TEST(CorrelativeSearch, ReturnsAPeakOnceInAWindowOfAFullTurn) {
+  const test::WallWorld room = test::crooked_room();
   const SurfelMap reference = reference_of(room, kReferencePose);
   const CorrelativeSearchParams params;
   const Pose2 turned_away{kReferencePose.x, kReferencePose.y, kReferencePose.theta + 3.1};
@@ -124,9 +123,9 @@ TEST(CorrelativeSearch, TakesAPeakOnceThoughTheWindowGoesAllAround) {
   }
 }
 
-TEST(CorrelativeSearch, KeepsToTheGate) {
+TEST(CorrelativeSearch, StaysInsideTheGate) {
   // Long along the body's x axis, narrow across.
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const SurfelMap reference = reference_of(room, kReferencePose);
   SearchWindow window{2.0, 0.3};
   window.information.diagonal() << 1.0, 100.0, 100.0;
@@ -142,8 +141,8 @@ TEST(CorrelativeSearch, KeepsToTheGate) {
   }
 }
 
-TEST(CorrelativeSearch, LeavesOutPoorPeaks) {
-  const SyntheticWorld room = test::crooked_room();
+TEST(CorrelativeSearch, DiscardsPeaksBelowTheMinimumScore) {
+  const test::WallWorld room = test::crooked_room();
   const SurfelMap reference = reference_of(room, kReferencePose);
   CorrelativeSearchParams params;
   params.score_min = 0.5;
@@ -154,8 +153,8 @@ TEST(CorrelativeSearch, LeavesOutPoorPeaks) {
   for (const auto& peak : peaks) EXPECT_GE(peak.score, params.score_min);
 }
 
-TEST(CorrelativeSearch, FindsNothingInNothing) {
-  const SyntheticWorld room = test::crooked_room();
+TEST(CorrelativeSearch, ReturnsNothingForAnEmptyScanOrReference) {
+  const test::WallWorld room = test::crooked_room();
   const SurfelMap nothing{SurfelMapParams{}};
   EXPECT_TRUE(
       search_correlation(test::scan_points(room, {}), nothing, {}, {1.0, 0.5}, 3, {}).empty());

@@ -12,7 +12,7 @@ namespace {
 
 const Eigen::Matrix3d kNothing = Eigen::Matrix3d::Zero();
 
-TEST(Degeneracy, LeavesWellKnownInformationAsItIs) {
+TEST(Degeneracy, KeepsWellConstrainedInformation) {
   Eigen::Matrix3d information;
   information << 1e5, 2e4, 1e3, 2e4, 9e4, 500, 1e3, 500, 4e6;
   const auto split = split_degenerate(information, kNothing, 3.0, {});
@@ -21,8 +21,8 @@ TEST(Degeneracy, LeavesWellKnownInformationAsItIs) {
   EXPECT_TRUE(split.covariance.isApprox(information.inverse(), 1e-9));
 }
 
-TEST(Degeneracy, NamesTheDirectionThatIsUnknown) {
-  // All normals along (0.6, 0.8): nothing is known along (0.8, −0.6).
+TEST(Degeneracy, ReportsTheUnconstrainedDirection) {
+  // All normals along (0.6, 0.8): (0.8, −0.6) is unconstrained.
   const Eigen::Vector3d n(0.6, 0.8, 0.0);
   const Eigen::Matrix3d turn = Eigen::Vector3d(0, 0, 1e6).asDiagonal();
   const Eigen::Matrix3d information = 1e5 * n * n.transpose() + turn;
@@ -35,14 +35,14 @@ TEST(Degeneracy, NamesTheDirectionThatIsUnknown) {
       1e-6);
 }
 
-TEST(Degeneracy, DoesNotBelieveWhatNoisyNormalsFeign) {
+TEST(Degeneracy, DiscardsInformationProducedByNoisyNormals) {
   const Eigen::Matrix3d information = Eigen::Vector3d(2000, 1e5, 1e6).asDiagonal();
-  const Eigen::Matrix3d feigned = Eigen::Vector3d(1000, 0, 0).asDiagonal();
+  const Eigen::Matrix3d spurious = Eigen::Vector3d(1000, 0, 0).asDiagonal();
   EXPECT_TRUE(split_degenerate(information, kNothing, 1.0, {}).degenerate.empty());
-  ASSERT_EQ(split_degenerate(information, feigned, 1.0, {}).degenerate.size(), 1U);
+  ASSERT_EQ(split_degenerate(information, spurious, 1.0, {}).degenerate.size(), 1U);
 }
 
-TEST(Degeneracy, OfNoInformationIsInAllDirections) {
+TEST(Degeneracy, ReportsAllDirectionsWithoutInformation) {
   EXPECT_EQ(split_degenerate(kNothing, kNothing, 1.0, {}).degenerate.size(), 3U);
 }
 

@@ -8,24 +8,22 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds/crooked_room.hpp"
-#include "tools/sample_mine/mine_worlds.hpp"
 
 namespace adit {
 namespace {
 
 const Pose2 kReferencePose{-2.0, 0.0, 0.2};
 
-SurfelMap reference_of(const SyntheticWorld& world,
-                       const SyntheticLaserModel& laser = test::perfect_laser()) {
+SurfelMap reference_of(const test::WallWorld& world) {
   SurfelMap map{SurfelMapParams{}};
-  map.insert(test::scan_points(world, kReferencePose, laser), kReferencePose, 0.0);
+  map.insert(test::scan_points(world, kReferencePose), kReferencePose, 0.0);
   return map;
 }
 
 class PointToLineRecovers : public testing::TestWithParam<Pose2> {};
 
 TEST_P(PointToLineRecovers, AKnownMotionWithoutAGuess) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const Pose2 truth = kReferencePose * GetParam();
   const auto result = match_point_to_line(test::scan_points(room, truth), reference_of(room),
                                           kReferencePose, PosePrior{}, PointToLineParams{});
@@ -41,8 +39,8 @@ INSTANTIATE_TEST_SUITE_P(Motions, PointToLineRecovers,
                                          Pose2{-0.2, 0.1, 0.0}, Pose2{0.0, 0.0, 0.1},
                                          Pose2{0.1, 0.05, -0.1}));
 
-TEST(PointToLine, FollowsAStrongPriorAndIgnoresAWeakOne) {
-  const SyntheticWorld room = test::crooked_room();
+TEST(PointToLine, FollowsAStrongPriorAndIgnoresAWeakPrior) {
+  const test::WallWorld room = test::crooked_room();
   const auto points = test::scan_points(room, kReferencePose);
   const SurfelMap reference = reference_of(room);
   PosePrior prior;
@@ -55,8 +53,8 @@ TEST(PointToLine, FollowsAStrongPriorAndIgnoresAWeakOne) {
   EXPECT_NEAR(between(kReferencePose, free.T_odom_body).vector().norm(), 0.0, 1e-3);
 }
 
-TEST(PointToLine, StopsWhereItJoinsAMatchThatConverged) {
-  const SyntheticWorld room = test::crooked_room();
+TEST(PointToLine, StopsOnTheTrailOfAConvergedMatch) {
+  const test::WallWorld room = test::crooked_room();
   const Pose2 truth = kReferencePose * Pose2{0.1, 0.05, -0.1};
   const auto points = test::scan_points(room, truth);
   const SurfelMap reference = reference_of(room);
@@ -72,8 +70,8 @@ TEST(PointToLine, StopsWhereItJoinsAMatchThatConverged) {
   EXPECT_LT(second.iterations, alone.iterations);
 }
 
-TEST(PointToLine, LeavesNoTrailWhereItDoesNotConverge) {
-  const SyntheticWorld room = test::crooked_room();
+TEST(PointToLine, AddsNoTrailIfItDoesNotConverge) {
+  const test::WallWorld room = test::crooked_room();
   const auto points = test::scan_points(room, kReferencePose * Pose2{0.1, 0.05, -0.1});
   PointToLineParams hasty;
   hasty.iterations_max = 2;
@@ -84,8 +82,8 @@ TEST(PointToLine, LeavesNoTrailWhereItDoesNotConverge) {
   EXPECT_TRUE(trail.empty());
 }
 
-TEST(PointToLine, SaysNothingOfItselfWithoutPointsOrReference) {
-  const SyntheticWorld room = test::crooked_room();
+TEST(PointToLine, ReturnsNoStatisticsWithoutPointsOrReference) {
+  const test::WallWorld room = test::crooked_room();
   const SurfelMap nothing{SurfelMapParams{}};
   const auto no_reference =
       match_point_to_line(test::scan_points(room, {}), nothing, kReferencePose, PosePrior{}, {});
@@ -98,25 +96,25 @@ TEST(PointToLine, SaysNothingOfItselfWithoutPointsOrReference) {
   }
 }
 
-TEST(PointToLine, HasFewInliersInAnotherPlace) {
-  const auto result = match_point_to_line(test::scan_points(straight_tunnel(60.0, 2.0), {}),
+TEST(PointToLine, HasFewInliersInADifferentPlace) {
+  const auto result = match_point_to_line(test::scan_points(test::straight_tunnel(60.0, 2.0), {}),
                                           reference_of(test::crooked_room()), kReferencePose,
                                           PosePrior{}, PointToLineParams{});
   EXPECT_LT(result.inlier_share, 0.6);
 }
 
-TEST(PointToLine, InformationIsThatOfItsResiduals) {
+TEST(PointToLine, InformationIsConsistentWithTheSpreadOfEstimates) {
   // The information matrix is the curvature of half the squared, standardised residuals, so the
   // spread of estimates over noise has its inverse as covariance.
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   Eigen::Matrix3d claimed = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   constexpr int kTrials = 300;
   const SurfelMap reference = reference_of(room);
   for (int i = 0; i < kTrials; ++i) {
+    const LaserScan scan = test::LevelLaser(room, i + 1).measure(kReferencePose, 1'000'000);
     const auto result =
-        match_point_to_line(test::scan_points(room, kReferencePose, SyntheticLaserModel{}, i + 1),
-                            reference, kReferencePose, PosePrior{}, {});
+        match_point_to_line(test::scan_points(scan), reference, kReferencePose, PosePrior{}, {});
     const Eigen::Vector3d error = between(kReferencePose, result.T_odom_body).vector();
     spread += error * error.transpose() / kTrials;
     claimed += result.information.inverse() / kTrials;

@@ -16,7 +16,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-/// 181 beams over a half circle that look at a wall, x = `distance` in the frame of the laser.
+/// 181 beams over a half circle towards a wall, x = `distance` in the laser frame.
 LaserScan wall_ahead(double distance) {
   LaserScan scan{1'000'000, {}, -kPi / 2, kPi / 180};
   for (int i = 0; i < 181; ++i) {
@@ -37,7 +37,7 @@ TEST(SurfacePoints, LieOnTheWallWithNormalsTowardsTheLaser) {
   EXPECT_TRUE(points[points.size() / 2].has_normal());
 }
 
-TEST(SurfacePoints, AreGivenInTheFrameOfTheBody) {
+TEST(SurfacePoints, AreInTheBodyFrame) {
   LaserMount rear;
   rear.T_body_laser = {-1.0, 0.5, kPi};
   const auto points = surface_points(wall_ahead(3.0), rear, SurfaceParams{});
@@ -47,7 +47,7 @@ TEST(SurfacePoints, AreGivenInTheFrameOfTheBody) {
   EXPECT_NEAR(ahead.normal.x(), 1.0, 1e-4);
 }
 
-TEST(SurfacePoints, LeaveOutReadingsThatMeanNothing) {
+TEST(SurfacePoints, DiscardInvalidReadings) {
   LaserScan scan = wall_ahead(3.0);
   const std::size_t good = surface_points(scan, LaserMount{}, SurfaceParams{}).size();
   scan.ranges_m[80] = kNan;
@@ -61,11 +61,11 @@ TEST(SurfacePoints, LeaveOutReadingsThatMeanNothing) {
   for (const auto& point : points) EXPECT_TRUE(point.p.allFinite() && point.normal.allFinite());
 }
 
-TEST(SurfacePoints, OfAnEmptyScanAreNone) {
+TEST(SurfacePoints, AreEmptyForAnEmptyScan) {
   EXPECT_TRUE(surface_points(LaserScan{}, LaserMount{}, SurfaceParams{}).empty());
 }
 
-TEST(SurfacePoints, LeaveOutAMixedPixelBetweenAPostAndTheWallBehind) {
+TEST(SurfacePoints, DiscardAMixedPixelBetweenAPostAndTheWallBehind) {
   LaserScan scan = wall_ahead(6.0);
   for (int i = 88; i <= 92; ++i) scan.ranges_m[i] = 2.0F;  // a post
   scan.ranges_m[93] = 4.0F;                                // its edge: half on the wall
@@ -85,7 +85,7 @@ TEST(SurfacePoints, KeepAThinPostOfOneBeam) {
   EXPECT_FALSE(post->has_normal());
 }
 
-TEST(SurfacePoints, KnowLessOfAFarWallAtAGrazingAngle) {
+TEST(SurfacePoints, AreLessCertainOnADistantWallAtAGrazingAngle) {
   LaserScan scan{1'000'000, {}, 0.0, kPi / 180};
   for (int i = 0; i < 91; ++i) {  // a wall beside the laser, y = 1
     const double sine = std::sin(i * scan.angle_step_rad);
@@ -95,7 +95,8 @@ TEST(SurfacePoints, KnowLessOfAFarWallAtAGrazingAngle) {
   const SurfaceParams params;
   const double head_on = params.range_sd_m * params.range_sd_m;
   EXPECT_NEAR(points.back().variance, head_on, 0.01 * head_on);
-  EXPECT_GT(points.front().variance, 5.0 * head_on);  // 19 m away at 3°: bearing counts
+  EXPECT_GT(points.front().variance,
+            5.0 * head_on);  // 19 m away at 3°: the bearing error dominates
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ SurfacePoint point(double x, double y, const Eigen::Vector2d& normal = {0.0, 0.0
   return p;
 }
 
-TEST(SurfelMap, FindsTheNearestAsExhaustiveSearchDoes) {
+TEST(SurfelMap, FindsTheSameNearestSurfelAsExhaustiveSearch) {
   SurfelMap map{SurfelMapParams{}};
   std::mt19937 random(5);
   std::uniform_real_distribution<double> metres(-3.0, 3.0);
@@ -43,7 +43,7 @@ TEST(SurfelMap, FindsTheNearestAsExhaustiveSearchDoes) {
   }
 }
 
-TEST(SurfelMap, SaysHowFarAPointMayMoveWithoutAnotherAnswer) {
+TEST(SurfelMap, ReportsTheClearanceWithinWhichTheResultHolds) {
   SurfelMap map{SurfelMapParams{}};
   std::mt19937 random(2);
   std::uniform_real_distribution<double> metres(-2.0, 2.0);
@@ -71,7 +71,7 @@ TEST(SurfelMap, SaysHowFarAPointMayMoveWithoutAnotherAnswer) {
   }
 }
 
-TEST(SurfelMap, AveragesWhatItSeesAgainAlongTheNormal) {
+TEST(SurfelMap, AveragesRepeatedObservationsAlongTheNormal) {
   SurfelMap map{SurfelMapParams{}};
   for (const double offset : {0.01, -0.01, 0.02, -0.02}) {
     map.insert({point(1.0, offset, {0.0, -1.0})}, kOrigin, 0.0);
@@ -82,14 +82,14 @@ TEST(SurfelMap, AveragesWhatItSeesAgainAlongTheNormal) {
   EXPECT_NEAR(map.surfels()[0].variance, 1e-4 / 4, 1e-9);
 }
 
-TEST(SurfelMap, KeepsTheTwoSidesOfAThinWallApart) {
+TEST(SurfelMap, SeparatesTheTwoSidesOfAThinWall) {
   SurfelMap map{SurfelMapParams{}};
   map.insert({point(1.0, 0.0, {0.0, -1.0}), point(1.0, 0.02, {0.0, 1.0})}, kOrigin, 0.0);
   EXPECT_EQ(map.surfels().size(), 2U);
   EXPECT_GT(map.nearest({1.0, 0.0}, {0.0, 1.0}, 0.5).surfel->normal.y(), 0.0);
 }
 
-TEST(SurfelMap, PlacesPointsByThePose) {
+TEST(SurfelMap, TransformsPointsByThePose) {
   SurfelMap map{SurfelMapParams{}};
   map.insert({point(1.0, 0.0, {-1.0, 0.0})}, {2.0, 3.0, std::numbers::pi / 2}, 0.0);
   EXPECT_NEAR(map.surfels()[0].p.x(), 2.0, 1e-12);
@@ -97,7 +97,7 @@ TEST(SurfelMap, PlacesPointsByThePose) {
   EXPECT_NEAR(map.surfels()[0].normal.y(), -1.0, 1e-12);
 }
 
-TEST(SurfelMap, ForgetsWhatWasNotSeenForLong) {
+TEST(SurfelMap, RemovesSurfelsNotObservedForALongDistance) {
   SurfelMap map{SurfelMapParams{}};
   map.insert({point(1.0, 0.0), point(2.0, 0.0)}, kOrigin, 0.0);
   map.insert({point(2.0, 0.0)}, kOrigin, 10.0);
@@ -106,7 +106,7 @@ TEST(SurfelMap, ForgetsWhatWasNotSeenForLong) {
   EXPECT_NE(map.nearest({2.0, 0.0}, {0.0, 0.0}, 0.5).surfel, nullptr);
 }
 
-TEST(SurfelMap, IsNotConfusedByPlacesAWholeGridAway) {
+TEST(SurfelMap, DistinguishesPlacesOneGridLengthApart) {
   SurfelMap map{SurfelMapParams{}};
   const double period = 512 * SurfelMap::kBucket;
   map.insert({point(1.0, 1.0)}, kOrigin, 0.0);

@@ -18,13 +18,13 @@ void expect_near(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   EXPECT_LT((a - b).norm(), 1e-12) << a.transpose() << " is not " << b.transpose();
 }
 
-TEST(LaserMount, LevelIsWhereItIsMounted) {
+TEST(LaserMount, IsAtItsMountPoseWhenLevel) {
   const Eigen::Isometry3d T = tilted_laser(kFront, 0.0);
   expect_near(T.translation(), {1.05, 0.0, 0.62});
   EXPECT_TRUE(T.linear().isIdentity(1e-12));
 }
 
-TEST(LaserMount, PositiveTiltLooksDown) {
+TEST(LaserMount, TiltsDownwardsForAPositiveAngle) {
   // The axis is at (0.99, 0, 0.54); a quarter turn takes what was above it ahead of it.
   const Eigen::Isometry3d T = tilted_laser(kFront, pi / 2.0);
   expect_near(T.translation(), {0.99 + 0.08, 0.0, 0.54 - 0.06});
@@ -32,7 +32,7 @@ TEST(LaserMount, PositiveTiltLooksDown) {
   expect_near(T.linear() * Eigen::Vector3d::UnitY(), {0.0, 1.0, 0.0});
 }
 
-TEST(LaserMount, ALaserThatLooksBackTiltsAboutItsOwnAxis) {
+TEST(LaserMount, TiltsARearFacingLaserAboutItsOwnAxis) {
   LaserMount rear = kFront;
   rear.T_body_laser = {-1.05, 0.0, pi};
   const Eigen::Isometry3d T = tilted_laser(rear, pi / 2.0);
@@ -41,7 +41,7 @@ TEST(LaserMount, ALaserThatLooksBackTiltsAboutItsOwnAxis) {
   expect_near(T.linear() * Eigen::Vector3d::UnitY(), {0.0, -1.0, 0.0});
 }
 
-TEST(LaserMount, ThirtyDegreesByHand) {
+TEST(LaserMount, AgreesWithAHandComputedTiltOfThirtyDegrees) {
   const Eigen::Isometry3d T = tilted_laser(kFront, pi / 6.0);
   const double c = std::sqrt(3.0) / 2.0;
   expect_near(T.translation(), {0.99 + 0.06 * c + 0.08 * 0.5, 0.0, 0.54 - 0.06 * 0.5 + 0.08 * c});

@@ -29,7 +29,7 @@ TEST(ScanTiming, HalfADegreeTakesTwoTurnsInterlaced) {
   EXPECT_NEAR(kTiming.beam_time_s(359, step), 1.0 / 75.0 + 179.5 / 360.0 / 75.0, 1e-15);
 }
 
-TEST(ScanTiming, FollowsTheMirror) {
+TEST(ScanTiming, ScalesWithTheMirrorFrequency) {
   const ScanTiming slow{.mirror_hz = 10.0};
   EXPECT_NEAR(slow.scan_period_s(deg_to_rad(0.5)), 0.2, 1e-15);
   EXPECT_NEAR(slow.beam_time_s(180, deg_to_rad(1.0)), 0.05, 1e-15);

@@ -13,7 +13,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::int64_t kEighth = std::int64_t{1} << 45U;  // of the cells of the cube
 
-/// A chain of first children, and then `last`.
+/// A chain of first children that ends in `last`.
 Bytes chain(std::size_t length, std::uint8_t last) {
   Bytes bytes(2 * length + 2, 0x00);
   for (std::size_t i = 0; i < length; ++i) bytes[2 * i] = 0x03;
@@ -21,7 +21,7 @@ Bytes chain(std::size_t length, std::uint8_t last) {
   return bytes;
 }
 
-TEST(OctreeStream, GivesTheLeavesInOrder) {
+TEST(OctreeStream, VisitsTheLeavesInOrder) {
   // Of the root: child 0 free, 1 with children, 2 occupied. Of child 1: child 7 occupied.
   const Bytes bytes = {0b00101101, 0x00, 0x00, 0x80};
   std::vector<CellRun> leaves;
@@ -40,21 +40,21 @@ TEST(OctreeStream, CountsCells) {
   EXPECT_EQ(counts.occupied, kEighth);
 }
 
-TEST(OctreeStream, OfNoBytesKnowsNothing) {
+TEST(OctreeStream, TreatsNoBytesAsUnknown) {
   const OctreeCounts counts = count_cells({});
   EXPECT_EQ(counts.rejection, "");
   EXPECT_EQ(counts.free + counts.occupied, 0);
 }
 
-TEST(OctreeStream, GoesDownToSingleCells) { EXPECT_EQ(count_cells(chain(15, 0x01)).free, 1); }
+TEST(OctreeStream, ReachesSingleCells) { EXPECT_EQ(count_cells(chain(15, 0x01)).free, 1); }
 
-TEST(OctreeStream, IsRejectedWhereItIsDamaged) {
-  EXPECT_EQ(count_cells(chain(16, 0x01)).rejection, "octree deeper than one can be");
-  EXPECT_EQ(count_cells(chain(100'000, 0x01)).rejection, "octree deeper than one can be");
-  EXPECT_EQ(count_cells(chain(3, 0x03)).rejection, "octree without its end");
-  EXPECT_EQ(count_cells(Bytes{0x01}).rejection, "octree without its end");
-  EXPECT_EQ(count_cells(chain(3, 0x00)).rejection, "octree with a branch that bears nothing");
-  EXPECT_EQ(count_cells(Bytes{0x01, 0x00, 0x01}).rejection, "octree with bytes behind its end");
+TEST(OctreeStream, RejectsDamagedData) {
+  EXPECT_EQ(count_cells(chain(16, 0x01)).rejection, "octree deeper than the limit");
+  EXPECT_EQ(count_cells(chain(100'000, 0x01)).rejection, "octree deeper than the limit");
+  EXPECT_EQ(count_cells(chain(3, 0x03)).rejection, "octree truncated");
+  EXPECT_EQ(count_cells(Bytes{0x01}).rejection, "octree truncated");
+  EXPECT_EQ(count_cells(chain(3, 0x00)).rejection, "octree with an empty branch");
+  EXPECT_EQ(count_cells(Bytes{0x01, 0x00, 0x01}).rejection, "octree with trailing bytes");
   EXPECT_EQ(count_cells(Bytes(kOctreeBytesMax + 1)).rejection, "octree larger than plausible");
 }
 

@@ -43,7 +43,7 @@ class DrivingNodeTest : public testing::Test {
     match.status = status;
     publish(bus_, channels::kScanMatch, to_message(match));
   }
-  /// Of a robot at one place, 20 poses a second.
+  /// Publishes poses of a standing robot at 20 Hz.
   void wait(double seconds, const Pose2& T_odom_body = {}) {
     for (int i = 0; i < std::lround(seconds / 0.05); ++i) {
       bus_.advance_to(bus_.now_utime() + 50'000);
@@ -58,7 +58,7 @@ class DrivingNodeTest : public testing::Test {
   std::vector<DrivingState> states_;
 };
 
-TEST_F(DrivingNodeTest, CommandsTwentyTimesASecondAlsoToStand) {
+TEST_F(DrivingNodeTest, PublishesCommandsAt20HzAlsoToStand) {
   bus_.advance_to(kUtime + 1'000'000);
   ASSERT_EQ(commands_.size(), 21U);
   for (std::size_t i = 0; i < commands_.size(); ++i) {
@@ -70,7 +70,7 @@ TEST_F(DrivingNodeTest, CommandsTwentyTimesASecondAlsoToStand) {
   EXPECT_EQ(node_.health(), Health{});
 }
 
-TEST_F(DrivingNodeTest, DrivesAPathAndTellsChangesAtOnce) {
+TEST_F(DrivingNodeTest, DrivesAPathAndPublishesChangesImmediately) {
   wait(0.1);
   send_path();
   states_.clear();
@@ -84,10 +84,10 @@ TEST_F(DrivingNodeTest, DrivesAPathAndTellsChangesAtOnce) {
   EXPECT_EQ(node_.health(), Health{});
 }
 
-TEST_F(DrivingNodeTest, IsDegradedWhileItDoesNotKnowWhereItIs) {
+TEST_F(DrivingNodeTest, IsDegradedWhileNotLocalized) {
   send_path();
   bus_.advance_to(bus_.now_utime() + 100'000);
-  EXPECT_EQ(node_.health(), (Health{Health::Level::kDegraded, "no pose has come yet"}));
+  EXPECT_EQ(node_.health(), (Health{Health::Level::kDegraded, "no pose received yet"}));
   wait(1.0);
   EXPECT_EQ(node_.health(), Health{});
   send_match(ScanMatch::Status::kLost);
@@ -96,7 +96,7 @@ TEST_F(DrivingNodeTest, IsDegradedWhileItDoesNotKnowWhereItIs) {
   EXPECT_EQ(commands_.back().speed_m_s, 0.0);
 }
 
-TEST_F(DrivingNodeTest, SaysThatTheVehicleIsHeld) {
+TEST_F(DrivingNodeTest, ReportsThatTheVehicleIsHeld) {
   send_path();
   wait(0.5);
   VehicleState state;
@@ -108,7 +108,7 @@ TEST_F(DrivingNodeTest, SaysThatTheVehicleIsHeld) {
   EXPECT_EQ(node_.health(), (Health{Health::Level::kDegraded, "held by a stop order"}));
 }
 
-TEST_F(DrivingNodeTest, IsAtFaultBesideItsPath) {
+TEST_F(DrivingNodeTest, ReportsAFaultBesideThePath) {
   send_path();
   wait(0.5, {0.0, 1.0, 0.0});
   EXPECT_EQ(node_.health().level, Health::Level::kFault);

@@ -20,7 +20,7 @@ using Kind = DrivingState::Kind;
 constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr std::int64_t kPeriodUs = 50'000;
 
-/// A vehicle with four-wheel steering that does at once what it is told.
+/// A vehicle with four-wheel steering that executes commands without delay.
 class IdealVehicle : public testing::Test {
  protected:
   DriveOutput step(bool with_pose = true) {
@@ -32,7 +32,7 @@ class IdealVehicle : public testing::Test {
     return output;
   }
 
-  /// Until it is in a state, or for a minute.
+  /// Drives until a state is reached, for at most a minute.
   DriveOutput drive_until(Kind kind, const std::function<void(const DriveOutput&)>& inspect = {}) {
     DriveOutput output;
     for (int i = 0; i < 1200; ++i) {
@@ -43,7 +43,7 @@ class IdealVehicle : public testing::Test {
     return output;
   }
 
-  /// Of a vehicle that somebody holds where it is.
+  /// A cycle of a vehicle that is held by a stop order.
   DriveOutput step_while_held() {
     utime_ += kPeriodUs;
     driving_.add_pose(utime_, T_odom_body_);
@@ -86,9 +86,9 @@ class IdealVehicle : public testing::Test {
   Pose2 T_odom_body_;
 };
 
-TEST_F(IdealVehicle, StandsWithoutAPath) { expect_stopped(Kind::kIdle, "no path has come yet"); }
+TEST_F(IdealVehicle, StandsWithoutAPath) { expect_stopped(Kind::kIdle, "no path received yet"); }
 
-TEST_F(IdealVehicle, DrivesToTheEndAndStandsThere) {
+TEST_F(IdealVehicle, DrivesToTheEndAndStopsThere) {
   driving_.follow(straight(7));
   double fastest = 0.0;
   double before = 0.0;
@@ -107,7 +107,7 @@ TEST_F(IdealVehicle, DrivesToTheEndAndStandsThere) {
   expect_stopped(Kind::kArrived, "", false);
 }
 
-TEST_F(IdealVehicle, StandsInACuspUntilItIsSteeredTheOtherWay) {
+TEST_F(IdealVehicle, StandsInACuspUntilTheCurvatureIsReversed) {
   driving_.follow(TestPathBuilder({}).forward(2.0, 0.5).back(2.0, -0.5).path());
   int standing = 0;
   bool reversed = false;
@@ -130,7 +130,7 @@ TEST_F(IdealVehicle, StandsInACuspUntilItIsSteeredTheOtherWay) {
   EXPECT_LT(std::abs(between(T_odom_end, T_odom_body_).theta), deg_to_rad(2.0));
 }
 
-TEST_F(IdealVehicle, ArrivesAtOnceWhereThePathIsOnePlace) {
+TEST_F(IdealVehicle, ArrivesImmediatelyOnAPathOfOnePoint) {
   PlannedPath path = straight();
   path.points.resize(1);
   driving_.follow(path);
@@ -138,33 +138,33 @@ TEST_F(IdealVehicle, ArrivesAtOnceWhereThePathIsOnePlace) {
   EXPECT_EQ(T_odom_body_, Pose2{});
 }
 
-TEST_F(IdealVehicle, WaitsForPosesAndGoesOnByItself) {
+TEST_F(IdealVehicle, WaitsForPosesAndResumes) {
   driving_.follow(straight());
-  expect_stopped(Kind::kWaiting, "no pose has come yet", false);
+  expect_stopped(Kind::kWaiting, "no pose received yet", false);
   step_for(5.0);
   EXPECT_EQ(step().state.kind, Kind::kDriving);
   step_for(0.25, false);
-  expect_stopped(Kind::kWaiting, "the newest pose is too old", false);
+  expect_stopped(Kind::kWaiting, "the newest pose is stale", false);
   EXPECT_EQ(step().state.kind, Kind::kDriving);
   EXPECT_EQ(drive_until(Kind::kArrived).state.kind, Kind::kArrived);
 }
 
-TEST_F(IdealVehicle, WaitsWhileScanMatchingIsLostForLong) {
+TEST_F(IdealVehicle, WaitsWhileScanMatchingIsLost) {
   driving_.follow(straight());
   step_for(3.0);
   match(ScanMatch::Status::kLost);
   step_for(0.5);
   EXPECT_EQ(driving_.state().kind, Kind::kDriving);
-  match(ScanMatch::Status::kLost);  // still
+  match(ScanMatch::Status::kLost);  // again
   expect_stopped(Kind::kWaiting, "scan matching is lost");
-  match(ScanMatch::Status::kRejected);  // says nothing
+  match(ScanMatch::Status::kRejected);  // does not count
   expect_stopped(Kind::kWaiting, "scan matching is lost");
   match(ScanMatch::Status::kMatched);
   EXPECT_EQ(step().state.kind, Kind::kDriving);
 }
 
-/// In a smooth drift without wheels the pose says that it stands, and the path never ends.
-TEST_F(IdealVehicle, GivesUpWhereNothingTellsHowItMoves) {
+/// In a smooth tunnel without wheel odometry the pose stands still, and the robot never arrives.
+TEST_F(IdealVehicle, FailsAfterADistanceOfUnobservedMotion) {
   using Fill = DegenerateDirection::Fill;
   const DegenerateDirection filled{Eigen::Vector3d::UnitX(), Fill::kOdometry};
   const DegenerateDirection open{Eigen::Vector3d::UnitX(), Fill::kNone};
@@ -186,12 +186,12 @@ TEST_F(IdealVehicle, GivesUpWhereNothingTellsHowItMoves) {
   match(ScanMatch::Status::kMatched, {open});
   drive(1200);
   EXPECT_EQ(driving_.state().kind, Kind::kFailed);
-  EXPECT_NE(driving_.state().reason.find("how it moves"), std::string::npos);
-  EXPECT_NEAR(distance_m, params_.unobserved_distance_max_m, 0.05);  // some steps
+  EXPECT_NE(driving_.state().reason.find("not observed"), std::string::npos);
+  EXPECT_NEAR(distance_m, params_.progress.unobserved_distance_max_m, 0.05);  // a few steps
 }
 
-/// A laser that looks at the floor says that the robot stands, and the wheels say that it goes on.
-TEST_F(IdealVehicle, NeedsANewPathWhereWheelsAndScansDisagree) {
+/// A laser that scans the floor reports a standing robot while the wheels turn.
+TEST_F(IdealVehicle, FailsWhereWheelOdometryAndScansDiffer) {
   driving_.follow(straight());
   const auto drive = [&](double seconds, bool moves) {
     for (int i = 0; i < std::lround(seconds / 0.05); ++i) {
@@ -207,52 +207,52 @@ TEST_F(IdealVehicle, NeedsANewPathWhereWheelsAndScansDisagree) {
   EXPECT_EQ(driving_.state().kind, Kind::kDriving);
   drive(3.0, false);
   EXPECT_EQ(driving_.state().kind, Kind::kFailed);
-  EXPECT_NE(driving_.state().reason.find("disagree by"), std::string::npos);
+  EXPECT_NE(driving_.state().reason.find("differ by"), std::string::npos);
 }
 
-TEST_F(IdealVehicle, StandsBesideItsPathUntilANewOneComes) {
+TEST_F(IdealVehicle, FailsBesideThePathUntilANewOneArrives) {
   driving_.follow(straight());
   step_for(5.0);
   const Pose2 on_path = T_odom_body_;
   T_odom_body_.y = 0.6;
-  expect_stopped(Kind::kFailed, "it is 0.60 m off the path");
+  expect_stopped(Kind::kFailed, "0.60 m off the path");
   T_odom_body_ = on_path;
   step_for(1.0);
-  expect_stopped(Kind::kFailed, "it is 0.60 m off the path");
+  expect_stopped(Kind::kFailed, "0.60 m off the path");
   driving_.follow(TestPathBuilder({}, T_odom_body_).forward(2.0).path());
   EXPECT_EQ(step().state.kind, Kind::kDriving);
 }
 
-TEST_F(IdealVehicle, DoesNotDriveToAPathThatBeginsElsewhere) {
+TEST_F(IdealVehicle, FailsOnAPathThatStartsElsewhere) {
   driving_.follow(TestPathBuilder({}, {1.5, 0.0, 0.0}).forward(5.0).path());
-  expect_stopped(Kind::kFailed, "it is 1.50 m off the path");
+  expect_stopped(Kind::kFailed, "1.50 m off the path");
 }
 
-TEST_F(IdealVehicle, DoesNotFollowAPathWithoutEnd) {
+TEST_F(IdealVehicle, RejectsAnEndlessPath) {
   PlannedPath path = straight();
   path.points.back().T_odom_body.x = 1e300;
   driving_.follow(path);
-  expect_stopped(Kind::kIdle, "the path is longer than any that can be driven");
+  expect_stopped(Kind::kIdle, "the path exceeds the maximum length");
 }
 
-TEST_F(IdealVehicle, DoesNotFollowAPathThatItLooksAwayFrom) {
+TEST_F(IdealVehicle, FailsOnAPathInAnotherDirection) {
   T_odom_body_.theta = 0.6;
   driving_.follow(straight());
-  expect_stopped(Kind::kFailed, "it looks 34 degrees off the path");
+  expect_stopped(Kind::kFailed, "heading 34 degrees off the path");
 }
 
-TEST_F(IdealVehicle, StandsWhenANewPlanFoundNoPath) {
+TEST_F(IdealVehicle, StopsWhenANewPlanFoundNoPath) {
   driving_.follow(straight());
   step_for(5.0);
   PlannedPath none;
   none.id = 2;
-  none.reason = "No path: a roof that is too low is in the way.";
+  none.reason = "No path: blocked by a roof that is too low.";
   driving_.follow(none);
   expect_stopped(Kind::kIdle, none.reason);
   EXPECT_EQ(driving_.state().path_id, 2);
 }
 
-TEST_F(IdealVehicle, AsksToCreepWhileItIsHeldAndGoesOnFromThere) {
+TEST_F(IdealVehicle, CommandsCreepingWhileHeldAndResumes) {
   driving_.follow(straight());
   step_for(5.0);
   for (int i = 0; i < 20; ++i) {
@@ -261,7 +261,7 @@ TEST_F(IdealVehicle, AsksToCreepWhileItIsHeldAndGoesOnFromThere) {
     EXPECT_EQ(output.state.reason, "held by a stop order");
     EXPECT_DOUBLE_EQ(output.command.speed_m_s, 0.05);
   }
-  step_for(0.3);  // no word of the vehicle: what it said is too old
+  step_for(0.3);  // without vehicle states: the last one is stale
   const DriveOutput output = step();
   EXPECT_EQ(output.state.kind, Kind::kDriving);
   EXPECT_GT(output.command.speed_m_s, 0.05);
@@ -269,31 +269,32 @@ TEST_F(IdealVehicle, AsksToCreepWhileItIsHeldAndGoesOnFromThere) {
   EXPECT_EQ(drive_until(Kind::kArrived).state.kind, Kind::kArrived);
 }
 
-TEST_F(IdealVehicle, NeedsANewPathWhereItIsHeldForLong) {
+TEST_F(IdealVehicle, FailsAfterALongHold) {
   driving_.follow(straight());
   step_for(5.0);
   for (int i = 0; i < 201; ++i) EXPECT_EQ(step_while_held().state.kind, Kind::kWaiting);
   const DriveOutput output = step_while_held();
   EXPECT_EQ(output.state.kind, Kind::kFailed);
-  EXPECT_EQ(output.state.reason, "held by a stop order, no way on for 10 s");
-  EXPECT_EQ(output.command.speed_m_s, 0.0);  // who held it for what is ahead lets it go now
+  EXPECT_EQ(output.state.reason, "held by a stop order, no progress for 10 s");
+  EXPECT_EQ(output.command.speed_m_s,
+            0.0);  // so that an obstacle ahead is no reason to hold it any more
   step_for(0.5);
   driving_.follow(TestPathBuilder({}, T_odom_body_).forward(2.0).path());
   EXPECT_EQ(step_while_held().state.kind, Kind::kWaiting);
 }
 
-TEST_F(IdealVehicle, KnowsWhereItIsWhileItIsHeld) {
+TEST_F(IdealVehicle, KeepsItsProgressWhileHeld) {
   driving_.follow(straight());
   step_for(5.0);
   for (int i = 0; i < 10; ++i) step_while_held();
   const double held_m = step_while_held().state.progress_m;
   for (int i = 0; i < 100; ++i) step_while_held();
-  // It begins anew from where the last commands would have led in 50 ms at 0.4 m/s.
+  // Up to the prediction of the last commands, 50 ms at 0.4 m/s.
   EXPECT_NEAR(held_m, T_odom_body_.x, 0.021);
   EXPECT_NEAR(driving_.state().progress_m, held_m, 1e-6);
 }
 
-TEST_F(IdealVehicle, DoesNotCreepWhereItDoesNotKnowWhereItIs) {
+TEST_F(IdealVehicle, DoesNotCreepWhileNotLocalized) {
   driving_.follow(straight());
   step_for(5.0);
   step_while_held();
@@ -304,7 +305,7 @@ TEST_F(IdealVehicle, DoesNotCreepWhereItDoesNotKnowWhereItIs) {
   EXPECT_EQ(output.command.speed_m_s, 0.0);
 }
 
-TEST_F(IdealVehicle, TakesANewPathWhileItMoves) {
+TEST_F(IdealVehicle, AcceptsANewPathWhileMoving) {
   driving_.follow(straight());
   step_for(5.0);
   const double before = step().command.speed_m_s;
@@ -315,11 +316,11 @@ TEST_F(IdealVehicle, TakesANewPathWhileItMoves) {
   EXPECT_EQ(drive_until(Kind::kArrived).state.kind, Kind::kArrived);
 }
 
-TEST_F(IdealVehicle, WaitsWhereTimeIsNotThatOfThePoses) {
+TEST_F(IdealVehicle, WaitsAfterAStepBackOfTheClock) {
   driving_.follow(straight());
   step_for(5.0);
-  utime_ -= 3'600'000'000;  // the clock of the commands, and of no pose yet
-  expect_stopped(Kind::kWaiting, "the newest pose is of a time to come", false);
+  utime_ -= 3'600'000'000;  // the clock of the commands only
+  expect_stopped(Kind::kWaiting, "the newest pose is from the future", false);
   EXPECT_EQ(step().state.kind, Kind::kDriving);
 }
 

@@ -14,74 +14,70 @@ using Status = ScanMatch::Status;
 
 constexpr std::int64_t kNow = 1'600'000'000'000'000;
 
-TEST(LocalizationMonitor, DoubtsPosesThatAreTooOldOrYetToCome) {
-  const LocalizationMonitor trust({0.25, 0.5});
-  EXPECT_EQ(trust.lost_reason(kNow, std::nullopt), "no pose has come yet");
-  EXPECT_FALSE(trust.lost_reason(kNow, kNow - 250'000));
-  EXPECT_EQ(trust.lost_reason(kNow, kNow - 250'001), "the newest pose is too old");
-  EXPECT_FALSE(trust.lost_reason(kNow, kNow + 250'000));
-  EXPECT_EQ(trust.lost_reason(kNow, kNow + 250'001), "the newest pose is of a time to come");
+TEST(LocalizationMonitor, RejectsStalePosesAndPosesFromTheFuture) {
+  const LocalizationMonitor monitor({0.25, 0.5});
+  EXPECT_EQ(monitor.lost_reason(kNow, std::nullopt), "no pose received yet");
+  EXPECT_FALSE(monitor.lost_reason(kNow, kNow - 250'000));
+  EXPECT_EQ(monitor.lost_reason(kNow, kNow - 250'001), "the newest pose is stale");
+  EXPECT_FALSE(monitor.lost_reason(kNow, kNow + 250'000));
+  EXPECT_EQ(monitor.lost_reason(kNow, kNow + 250'001), "the newest pose is from the future");
 }
 
-TEST(LocalizationMonitor, CountsFromTheFirstOfManyLostMatches) {
-  LocalizationMonitor trust({0.25, 0.5});
-  for (std::int64_t after : {0, 200'000, 400'000}) trust.add_match(kNow + after, Status::kLost);
-  EXPECT_FALSE(trust.lost_reason(kNow + 500'000, kNow + 500'000));
-  EXPECT_EQ(trust.lost_reason(kNow + 500'001, kNow + 500'001), "scan matching is lost");
-  trust.add_match(kNow + 600'000, Status::kMatched);
-  EXPECT_FALSE(trust.lost_reason(kNow + 600'000, kNow + 600'000));
-  trust.add_match(kNow + 700'000, Status::kLost);
-  EXPECT_FALSE(trust.lost_reason(kNow + 1'200'000, kNow + 1'200'000));
+TEST(LocalizationMonitor, CountsFromTheFirstOfConsecutiveLostMatches) {
+  LocalizationMonitor monitor({0.25, 0.5});
+  for (std::int64_t after : {0, 200'000, 400'000}) monitor.add_match(kNow + after, Status::kLost);
+  EXPECT_FALSE(monitor.lost_reason(kNow + 500'000, kNow + 500'000));
+  EXPECT_EQ(monitor.lost_reason(kNow + 500'001, kNow + 500'001), "scan matching is lost");
+  monitor.add_match(kNow + 600'000, Status::kMatched);
+  EXPECT_FALSE(monitor.lost_reason(kNow + 600'000, kNow + 600'000));
+  monitor.add_match(kNow + 700'000, Status::kLost);
+  EXPECT_FALSE(monitor.lost_reason(kNow + 1'200'000, kNow + 1'200'000));
 }
 
-TEST(LocalizationMonitor, DoubtsALossOfAnotherTime) {
-  LocalizationMonitor trust({0.25, 0.5});
-  trust.add_match(kNow, Status::kLost);
-  EXPECT_TRUE(trust.lost_reason(kNow - 3'600'000'000, kNow - 3'600'000'000));
+TEST(LocalizationMonitor, IsLostAfterAStepBackOfTheClock) {
+  LocalizationMonitor monitor({0.25, 0.5});
+  monitor.add_match(kNow, Status::kLost);
+  EXPECT_TRUE(monitor.lost_reason(kNow - 3'600'000'000, kNow - 3'600'000'000));
 }
 
-}  // namespace
-namespace {
-
-constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr std::int64_t kPeriodUs = 50'000;
 
-MissionPhase in(Phase phase, std::int32_t goal_id = 5) {
-  MissionPhase said;
-  said.phase = phase;
-  said.goal_id = goal_id;
-  return said;
+MissionPhase phase_of(Phase phase, std::int32_t goal_id = 5) {
+  MissionPhase message;
+  message.phase = phase;
+  message.goal_id = goal_id;
+  return message;
 }
 
-TEST(MotionPermission, IsNotNeededWhereThereIsNoMission) {
-  EXPECT_FALSE(MotionPermission().denial_reason(kStart, 5));
+TEST(MissionPermission, IsNotNeededWithoutAMission) {
+  EXPECT_FALSE(MissionPermission().denial_reason(kNow, 5));
 }
 
-TEST(MotionPermission, IsForThePathOfThePhaseExecute) {
-  MotionPermission leave;
-  leave.update(in(Phase::kExecute), kStart);
-  EXPECT_FALSE(leave.denial_reason(kStart, 5));
-  EXPECT_EQ(leave.denial_reason(kStart, 4), "the mission means another path");
+TEST(MissionPermission, CoversThePathOfThePhaseExecute) {
+  MissionPermission permission;
+  permission.update(phase_of(Phase::kExecute), kNow);
+  EXPECT_FALSE(permission.denial_reason(kNow, 5));
+  EXPECT_EQ(permission.denial_reason(kNow, 4), "the mission is executing another path");
   for (const Phase phase : {Phase::kWaiting, Phase::kExplore, Phase::kScan, Phase::kPlan,
                             Phase::kPaused, Phase::kEnded}) {
-    leave.update(in(phase), kStart);
-    EXPECT_EQ(leave.denial_reason(kStart, 5), "the mission is not executing a path");
+    permission.update(phase_of(phase), kNow);
+    EXPECT_EQ(permission.denial_reason(kNow, 5), "the mission is not executing a path");
   }
 }
 
-TEST(MotionPermission, ExpiresWhereTheMissionIsStale) {
-  MotionPermission leave;
-  leave.update(in(Phase::kExecute), kStart);
-  EXPECT_FALSE(leave.denial_reason(kStart + MotionPermission::kTimeoutUs, 5));
-  EXPECT_EQ(leave.denial_reason(kStart + MotionPermission::kTimeoutUs + 1, 5),
-            "the mission is silent");
+TEST(MissionPermission, TimesOut) {
+  MissionPermission permission;
+  permission.update(phase_of(Phase::kExecute), kNow);
+  EXPECT_FALSE(permission.denial_reason(kNow + MissionPermission::kTimeoutUs, 5));
+  EXPECT_EQ(permission.denial_reason(kNow + MissionPermission::kTimeoutUs + 1, 5),
+            "mission phase timed out");
 }
 
-TEST(DrivingWithAMission, StandsWhileThePhaseIsNotExecuteAndGoesOnAfter) {
+TEST(DrivingWithAMission, StopsWhileThePhaseIsNotExecuteAndResumes) {
   Driving driving{DrivingParams{}};
   PlannedPath path = TestPathBuilder({}).forward(8.0).path();
   path.id = 5;
-  std::int64_t utime = kStart;
+  std::int64_t utime = kNow;
   DriveOutput output;
   const auto run = [&](const MissionPhase& phase, double seconds) {
     for (int i = 0; i < 20 * seconds; ++i) {
@@ -91,69 +87,64 @@ TEST(DrivingWithAMission, StandsWhileThePhaseIsNotExecuteAndGoesOnAfter) {
       output = driving.drive(utime);
     }
   };
-  run(in(Phase::kPlan), 0.5);
+  run(phase_of(Phase::kPlan), 0.5);
   driving.follow(path);
-  run(in(Phase::kPlan), 1.0);
+  run(phase_of(Phase::kPlan), 1.0);
   EXPECT_EQ(output.command.speed_m_s, 0.0);
   EXPECT_EQ(output.state.kind, DrivingState::Kind::kWaiting);
   EXPECT_EQ(output.state.reason, "the mission is not executing a path");
-  run(in(Phase::kExecute), 1.0);
+  run(phase_of(Phase::kExecute), 1.0);
   EXPECT_GT(output.command.speed_m_s, 0.0);
-  run(in(Phase::kPaused), 0.1);
+  run(phase_of(Phase::kPaused), 0.1);
   EXPECT_EQ(output.command.speed_m_s, 0.0);
-  run(in(Phase::kExecute), 1.0);
+  run(phase_of(Phase::kExecute), 1.0);
   EXPECT_GT(output.command.speed_m_s, 0.0);
 }
 
-}  // namespace
-namespace {
-
-constexpr std::int64_t kUtime = 1'600'000'000'000'000;
-
 VehicleState state(double speed_m_s, bool stopped, bool expired) {
   VehicleState state;
-  state.utime = kUtime;
+  state.utime = kNow;
   state.speed_m_s = speed_m_s;
   state.stopped = stopped;
   state.expired = expired;
   return state;
 }
 
-TEST(VehicleFeedback, BelievesThatOneObeysThatIsStale) {
+TEST(VehicleFeedback, AssumesTheCommandedSpeedWithoutAFreshState) {
   const VehicleFeedback vehicle;
-  EXPECT_EQ(vehicle.speed_m_s(kUtime, 0.4), 0.4);
-  EXPECT_EQ(vehicle.hold_reason(kUtime), std::nullopt);
+  EXPECT_EQ(vehicle.speed_m_s(kNow, 0.4), 0.4);
+  EXPECT_EQ(vehicle.hold_reason(kNow), std::nullopt);
 }
 
-TEST(VehicleFeedback, CanHaveComeToItsSpeedOnlySoFar) {
+TEST(VehicleFeedback, LimitsThePredictedAcceleration) {
   VehicleFeedback vehicle;
   vehicle.update(state(-0.3, false, false));
-  EXPECT_DOUBLE_EQ(vehicle.speed_m_s(kUtime + 50'000, -0.33), -0.33);
-  EXPECT_DOUBLE_EQ(vehicle.speed_m_s(kUtime + 50'000, 0.0), -0.2);
-  EXPECT_DOUBLE_EQ(vehicle.speed_m_s(kUtime + 150'000, -0.6), -0.5);
-  EXPECT_EQ(vehicle.hold_reason(kUtime), std::nullopt);
+  EXPECT_DOUBLE_EQ(vehicle.speed_m_s(kNow + 50'000, -0.33), -0.33);
+  EXPECT_DOUBLE_EQ(vehicle.speed_m_s(kNow + 50'000, 0.0), -0.2);
+  EXPECT_DOUBLE_EQ(vehicle.speed_m_s(kNow + 150'000, -0.6), -0.5);
+  EXPECT_EQ(vehicle.hold_reason(kNow), std::nullopt);
 }
 
-TEST(VehicleFeedback, IsAsFastAsItSaysWhileItIsHeld) {
+TEST(VehicleFeedback, HasTheMeasuredSpeedWhileHeld) {
   VehicleFeedback vehicle;
   vehicle.update(state(0.1, true, false));
-  EXPECT_EQ(vehicle.speed_m_s(kUtime + 100'000, 0.05), 0.1);
+  EXPECT_EQ(vehicle.speed_m_s(kNow + 100'000, 0.05), 0.1);
 }
 
-TEST(VehicleFeedback, SaysWhyItIsHeld) {
+TEST(VehicleFeedback, ReportsTheReasonOfAHold) {
   VehicleFeedback vehicle;
   vehicle.update(state(0.0, true, true));
-  EXPECT_EQ(vehicle.hold_reason(kUtime), "held by a stop order");
+  EXPECT_EQ(vehicle.hold_reason(kNow), "held by a stop order");
   vehicle.update(state(0.0, false, true));
-  EXPECT_EQ(vehicle.hold_reason(kUtime), "held because commands come too late");
+  EXPECT_EQ(vehicle.hold_reason(kNow), "held since drive commands timed out");
 }
 
-TEST(VehicleFeedback, ForgetsWhatIsOldOrOfAnotherTime) {
+TEST(VehicleFeedback, IgnoresStatesThatAreStaleOrFromTheFuture) {
   VehicleFeedback vehicle;
   vehicle.update(state(0.3, true, false));
   for (const std::int64_t apart : {-300'000, 300'000}) {
-    EXPECT_EQ(vehicle.speed_m_s(kUtime + apart, 0.0), 0.0);
-    EXPECT_EQ(vehicle.hold_reason(kUtime + apart), std::nullopt);
+    EXPECT_EQ(vehicle.speed_m_s(kNow + apart, 0.0), 0.0);
+    EXPECT_EQ(vehicle.hold_reason(kNow + apart), std::nullopt);
   }
 }
 

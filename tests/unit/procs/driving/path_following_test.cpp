@@ -14,9 +14,9 @@ namespace {
 
 using Kind = DrivingState::Kind;
 
-constexpr double kNearM = 0.10;         // what is asked of 95 % of the way
-constexpr double kSwingsPerM = 0.6;     // of a slalom, that has bends of 2.5 m, with one cut each
-constexpr double kSteeringRate = 0.25;  // rms [1/m/s], beside 0.4 that it may have
+constexpr double kErrorMaxM = 0.10;     // for 95 % of the path
+constexpr double kSwingsPerM = 0.6;     // a slalom of bends of 2.5 m, each cut once
+constexpr double kSteeringRate = 0.25;  // rms [1/m/s]; the limit is 0.4
 
 class PathFollowing : public testing::TestWithParam<const char*> {
  protected:
@@ -27,8 +27,8 @@ class PathFollowing : public testing::TestWithParam<const char*> {
   }
 };
 
-/// Four drives, each with other noise and slip.
-void expect_near(const PlannedPath& path, PathDriveSetup setup) {
+/// Four drives with different noise and slip.
+void expect_small_error(const PlannedPath& path, PathDriveSetup setup) {
   std::vector<double> cross_track_error_m;
   for (setup.seed = 1; setup.seed <= 4; ++setup.seed) {
     const PathDrive drive = drive_path(path, setup);
@@ -38,25 +38,25 @@ void expect_near(const PlannedPath& path, PathDriveSetup setup) {
     cross_track_error_m.insert(cross_track_error_m.end(), drive.cross_track_error_m.begin(),
                                drive.cross_track_error_m.end());
   }
-  EXPECT_LE(quantile(cross_track_error_m, 0.95), kNearM);
+  EXPECT_LE(quantile(cross_track_error_m, 0.95), kErrorMaxM);
 }
 
-TEST_P(PathFollowing, StaysNearEveryShapeInBothDirections) {
+TEST_P(PathFollowing, StaysOnEachShapeInBothDirections) {
   for (const PathShape& shape : path_shapes(setup().driving.vehicle, 1.6)) {
     SCOPED_TRACE(shape.name);
-    expect_near(shape.path, setup());
-    expect_near(driven_in_reverse(shape.path), setup());
+    expect_small_error(shape.path, setup());
+    expect_small_error(driven_in_reverse(shape.path), setup());
   }
 }
 
-TEST_P(PathFollowing, StaysNearWhatPlanningFinds) {
+TEST_P(PathFollowing, StaysOnPlannedPaths) {
   for (std::uint32_t seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE(seed);
-    expect_near(random_corridor_path(seed, setup().driving.vehicle), setup());
+    expect_small_error(random_corridor_path(seed, setup().driving.vehicle), setup());
   }
 }
 
-TEST_P(PathFollowing, ArrivesWhereThePathEndsWherePosesAreGood) {
+TEST_P(PathFollowing, ArrivesAtTheEndWithExactPoses) {
   PathDriveSetup quiet = setup();
   quiet.noise = PoseNoise::none();
   for (const PathShape& shape : path_shapes(quiet.driving.vehicle, 1.8)) {
@@ -68,7 +68,7 @@ TEST_P(PathFollowing, ArrivesWhereThePathEndsWherePosesAreGood) {
   }
 }
 
-TEST_P(PathFollowing, TakesUpABeginningBesideThePath) {
+TEST_P(PathFollowing, CorrectsAStartBesideThePath) {
   PathDriveSetup quiet = setup();
   quiet.noise = PoseNoise::none();
   for (const double side : {-1.0, 1.0}) {
@@ -77,7 +77,7 @@ TEST_P(PathFollowing, TakesUpABeginningBesideThePath) {
       const auto path = TestPathBuilder(quiet.driving.vehicle, start).forward(10.0).path();
       const PathDrive drive = drive_path(path, quiet);
       ASSERT_EQ(drive.end, Kind::kArrived) << drive.reason;
-      // After five metres, six times the response, what is left is that of side slip.
+      // After 5 m, six times the response, the remaining error is due to side slip.
       const std::vector<double> late(drive.cross_track_error_m.begin() + 250,
                                      drive.cross_track_error_m.end());
       EXPECT_LE(quantile(late, 1.0), 0.05);
@@ -85,7 +85,7 @@ TEST_P(PathFollowing, TakesUpABeginningBesideThePath) {
   }
 }
 
-TEST_P(PathFollowing, StandsWithinItsBrakingDistanceWhenPosesEnd) {
+TEST_P(PathFollowing, StopsWithinItsBrakingDistanceWhenPosesEnd) {
   PathDriveSetup stale = setup();
   stale.poses_end_m = 4.0;
   const PathDrive drive =
@@ -93,12 +93,12 @@ TEST_P(PathFollowing, StandsWithinItsBrakingDistanceWhenPosesEnd) {
   const double v = drive.speed_at_last_pose_m_s;
   EXPECT_EQ(drive.end, Kind::kWaiting);
   EXPECT_NEAR(v, 0.4, 0.01);
-  // The age at which a pose is too old, and a period of commands; a centimetre of time steps.
-  const double reaction_s = stale.driving.trust.pose_age_max_s + 0.05;
+  // The maximum age of a pose and a period of commands; 1 cm for the time steps.
+  const double reaction_s = stale.driving.localization.pose_age_max_s + 0.05;
   EXPECT_LE(drive.distance_without_poses_m, v * reaction_s + v * v / (2.0 * 0.8) + 0.01);
 }
 
-TEST_P(PathFollowing, GivesTheSameDriveTwice) {
+TEST_P(PathFollowing, IsDeterministic) {
   const auto path = path_shapes(setup().driving.vehicle, 1.6)[3].path;
   EXPECT_EQ(drive_path(path, setup()).cross_track_error_m,
             drive_path(path, setup()).cross_track_error_m);
@@ -106,14 +106,14 @@ TEST_P(PathFollowing, GivesTheSameDriveTwice) {
 
 INSTANTIATE_TEST_SUITE_P(Driving, PathFollowing, testing::Values("four_wheel", "ackermann"));
 
-TEST(PurePursuit, FollowsGentlePathsToo) {
+TEST(PurePursuit, FollowsGentlePaths) {
   PathDriveSetup setup;
   setup.driving.controller = "pure_pursuit";
   const auto shapes = path_shapes(setup.driving.vehicle, 1.6);
   for (const std::size_t i : {0U, 1U, 2U}) {  // straight, gentle S, circle
     SCOPED_TRACE(shapes[i].name);
-    expect_near(shapes[i].path, setup);
-    expect_near(driven_in_reverse(shapes[i].path), setup);
+    expect_small_error(shapes[i].path, setup);
+    expect_small_error(driven_in_reverse(shapes[i].path), setup);
   }
 }
 

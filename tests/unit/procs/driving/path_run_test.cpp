@@ -20,7 +20,7 @@ PathRun only_run(const PlannedPath& path, const Vehicle& vehicle = {}) {
   return runs.front();
 }
 
-TEST(SplitIntoRuns, AreCutWhereTheDirectionOfTravelChanges) {
+TEST(SplitIntoRuns, SplitsWhereTheDirectionOfTravelChanges) {
   const auto path = TestPathBuilder({}).forward(2.0).back(1.5, 0.3).forward(1.0).path();
   const auto runs = split_into_runs(path.points, SteeredPoint({}));
   ASSERT_EQ(runs.size(), 3U);
@@ -32,7 +32,7 @@ TEST(SplitIntoRuns, AreCutWhereTheDirectionOfTravelChanges) {
   EXPECT_NEAR(runs[1].at(0.0).x, 2.0, 1e-9);
 }
 
-TEST(SplitIntoRuns, NeedNoPointTwiceWhereTheDirectionChanges) {
+TEST(SplitIntoRuns, NeedsNoDuplicatePointAtAChangeOfDirection) {
   auto points = TestPathBuilder({}).forward(2.0).back(1.5).path().points;
   const auto cusp = std::find_if(points.begin(), points.end(), [](auto& p) { return p.reverse; });
   points.erase(cusp - 1);
@@ -42,7 +42,7 @@ TEST(SplitIntoRuns, NeedNoPointTwiceWhereTheDirectionChanges) {
   EXPECT_NEAR(runs[1].length_m(), 1.5, 1e-9);
 }
 
-TEST(SplitIntoRuns, OfOnePointHaveNoLength) {
+TEST(SplitIntoRuns, YieldsARunOfZeroLengthFromOnePoint) {
   const std::vector<PathPoint> points(1);
   const auto runs = split_into_runs(points, SteeredPoint({}));
   ASSERT_EQ(runs.size(), 1U);
@@ -53,30 +53,30 @@ TEST(SplitIntoRuns, OfOnePointHaveNoLength) {
   EXPECT_EQ(blended(runs[0], 0.5).length_m(), 0.0);
 }
 
-TEST(PathRun, KnowsItsCurvatureInBothDirections) {
+TEST(PathRun, HasTheCurvatureOfThePathInBothDirections) {
   const PathRun left = only_run(TestPathBuilder({}).forward(3.0, 0.5).path());
   EXPECT_NEAR(left.curvature_1_m(0.7, 1.9), 0.5, 1e-3);  // chords of an arc
   const PathRun back = only_run(TestPathBuilder({}).back(3.0, 0.5).path());
   EXPECT_NEAR(back.curvature_1_m(0.7, 1.9), 0.5, 1e-3);
 }
 
-TEST(PathRun, GoesOnBehindItsEndAsItBends) {
+TEST(PathRun, ContinuesBeyondItsEndWithItsLastCurvature) {
   const PathRun run = only_run(TestPathBuilder({}).back(3.0, 0.5).path());
   const Pose2 longer = TestPathBuilder({}).back(3.6, 0.5).path().points.back().T_odom_body;
-  const Pose2 behind = run.at(run.length_m() + 0.6);
-  EXPECT_NEAR(behind.x, longer.x, 1e-3);
-  EXPECT_NEAR(behind.y, longer.y, 1e-3);
-  EXPECT_NEAR(behind.theta, longer.theta, 1e-3);
+  const Pose2 beyond = run.at(run.length_m() + 0.6);
+  EXPECT_NEAR(beyond.x, longer.x, 1e-3);
+  EXPECT_NEAR(beyond.y, longer.y, 1e-3);
+  EXPECT_NEAR(beyond.theta, longer.theta, 1e-3);
 }
 
-TEST(PathRun, TurnsMoreThanOnceRoundWithoutAJump) {
+TEST(PathRun, HasNoJumpOfTheHeadingAfterAFullTurn) {
   const PathRun run = only_run(TestPathBuilder({}).forward(30.0, 0.5).path());  // 15 rad
   for (double s_m = 0.1; s_m < 29.0; s_m += 0.1) {
     ASSERT_NEAR(run.curvature_1_m(s_m, s_m + 0.5), 0.5, 1e-3);
   }
 }
 
-TEST(PathRun, IsThatOfTheRearAxleWithAckermannSteering) {
+TEST(PathRun, IsThePathOfTheRearAxleWithAckermannSteering) {
   Vehicle vehicle;
   vehicle.steering = "ackermann";
   const PathRun run = only_run(TestPathBuilder(vehicle).forward(3.0, 0.5).path(), vehicle);
@@ -86,14 +86,14 @@ TEST(PathRun, IsThatOfTheRearAxleWithAckermannSteering) {
   EXPECT_NEAR(SteeredPoint(vehicle).curvature_of_origin(1.0 / radius), 0.5, 1e-12);
 }
 
-TEST(SteeredPointOfAVehicle, IsRejectedWhereNoPathIsAsTight) {
+TEST(SteeredPoint, RejectsATurningRadiusOfHalfTheWheelbase) {
   Vehicle vehicle;
   vehicle.steering = "ackermann";
   vehicle.turning_radius_m = vehicle.wheelbase_m / 2.0;
   EXPECT_THROW(SteeredPoint{vehicle}, std::invalid_argument);
 }
 
-TEST(BlendedRun, TurnsAJumpOfCurvatureIntoARamp) {
+TEST(BlendedRun, HasARampInsteadOfAJumpOfTheCurvature) {
   const double jump = 0.5;
   const PathRun run =
       blended(only_run(TestPathBuilder({}, {}, 0.01).forward(2.0).forward(2.0, jump).path()), 0.5);
@@ -104,14 +104,14 @@ TEST(BlendedRun, TurnsAJumpOfCurvatureIntoARamp) {
   EXPECT_NEAR(run.at(1.5).y, 0.0, 1e-9);
 }
 
-TEST(BlendedRun, CutsABendByAsMuchAsItSays) {
+TEST(BlendedRun, CutsABendByTheDocumentedAmount) {
   const PathRun run =
       blended(only_run(TestPathBuilder({}, {}, 0.01).forward(6.0, 0.5).path()), 0.5);
   const double radius = (run.at(3.0).translation() - Eigen::Vector2d(0.0, 2.0)).norm();
-  EXPECT_NEAR(2.0 - radius, 0.5 * 0.5 * 0.5 / 24.0, 2e-4);  // that it has knots
+  EXPECT_NEAR(2.0 - radius, 0.5 * 0.5 * 0.5 / 24.0, 2e-4);  // spacing of the knots
 }
 
-TEST(BlendedRun, BeginsAndEndsWhereTheRunDoes) {
+TEST(BlendedRun, KeepsTheEndsOfTheRun) {
   const PathRun raw = only_run(TestPathBuilder({}).forward(1.0, 0.6).forward(1.0, -0.6).path());
   const PathRun run = blended(raw, 0.5);
   for (const auto& [a, b] : {std::pair{raw.at(0.0), run.at(0.0)},
@@ -120,27 +120,25 @@ TEST(BlendedRun, BeginsAndEndsWhereTheRunDoes) {
   }
 }
 
-}  // namespace
-namespace {
-
 PathProgress along(const PlannedPath& path) {
   return PathProgress(split_into_runs(path.points, SteeredPoint({})));
 }
 
 TEST(PathProgress, DoesNotJumpWhereThePathCrossesItself) {
-  const double round_m = 2.0 * std::numbers::pi * 2.0;
-  const auto eight = TestPathBuilder({}).forward(round_m, 0.5).forward(round_m, -0.5).path();
+  const double circle_m = 2.0 * std::numbers::pi * 2.0;
+  const auto eight = TestPathBuilder({}).forward(circle_m, 0.5).forward(circle_m, -0.5).path();
   const PathRun run = split_into_runs(eight.points, SteeredPoint({})).front();
   PathProgress progress = along(eight);
   for (double s_m = 0.0; s_m < run.length_m(); s_m += 0.02) {
-    const double aside = 0.1 * std::sin(s_m);
-    progress.advance(run.at(s_m) * Pose2{0.0, aside, 0.0});
+    const double lateral_m = 0.1 * std::sin(s_m);
+    progress.advance(run.at(s_m) * Pose2{0.0, lateral_m, 0.0});
     ASSERT_NEAR(progress.s_m(), s_m, 0.02);  // corners between chords, 10 cm beside
-    ASSERT_NEAR(progress.error(run.at(s_m) * Pose2{0.0, aside, 0.0}).lateral_m, aside, 0.002);
+    ASSERT_NEAR(progress.error(run.at(s_m) * Pose2{0.0, lateral_m, 0.0}).lateral_m, lateral_m,
+                0.002);
   }
 }
 
-TEST(PathProgress, NeverGoesBack) {
+TEST(PathProgress, NeverDecreases) {
   PathProgress progress = along(TestPathBuilder({}).forward(5.0).path());
   progress.advance({0.4, 0.0, 0.0});
   progress.advance({0.8, 0.0, 0.0});
@@ -149,7 +147,7 @@ TEST(PathProgress, NeverGoesBack) {
   EXPECT_NEAR(progress.remaining_m(), 4.2, 1e-9);
 }
 
-TEST(PathProgress, DrivesRunsInOrderAndCountsTheirWay) {
+TEST(PathProgress, CompletesRunsInOrderAndSumsUpTheirLength) {
   PathProgress progress = along(TestPathBuilder({}).forward(1.0).back(2.0).path());
   for (const double x : {0.4, 0.8, 1.0}) progress.advance({x, 0.0, 0.0});
   EXPECT_NEAR(progress.run_remaining_m(), 0.0, 1e-9);

@@ -16,7 +16,7 @@ constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr std::int64_t kPeriod = 26'667;
 
 std::int64_t nth(int i) { return kStart + i * kPeriod; }
-/// At 0.4 m/s on a circle of 2.5 m.
+/// The pose at 0.4 m/s on a circle of 2.5 m.
 Pose2 truth(std::int64_t utime) {
   const double distance_m = 0.4 * 1e-6 * static_cast<double>(utime - kStart);
   return along_arc(distance_m, 0.4 * distance_m);
@@ -24,7 +24,7 @@ Pose2 truth(std::int64_t utime) {
 
 double distance(const Pose2& a, const Pose2& b) { return between(a, b).translation().norm(); }
 
-TEST(PoseFilter, DoesNotLagBehindWhatWasTold) {
+TEST(PoseFilter, DoesNotLagBehindTheCommandedMotion) {
   PoseFilter filter(0.3);
   filter.set_motion(0.4, 0.4);
   for (int i = 0; i < 100; ++i) filter.add(nth(i), truth(nth(i)));
@@ -35,7 +35,7 @@ TEST(PoseFilter, DoesNotLagBehindWhatWasTold) {
   }
 }
 
-TEST(PoseFilter, TakesMostOfTheNoiseAway) {
+TEST(PoseFilter, AttenuatesNoise) {
   PoseFilter filter(0.3);
   filter.set_motion(0.4, 0.4);
   std::mt19937 engine(1);
@@ -50,14 +50,14 @@ TEST(PoseFilter, TakesMostOfTheNoiseAway) {
   EXPECT_NEAR(std::sqrt(squares / 1900.0), 0.0042, 0.0005);
 }
 
-TEST(PoseFilter, CountsTheFirstPosesAlike) {
+TEST(PoseFilter, AveragesTheFirstPoses) {
   PoseFilter filter(10.0);
   filter.add(nth(0), {0.0, 0.0, 0.0});
   filter.add(nth(1), {0.3, 0.0, 0.0});
   EXPECT_NEAR(filter.at(nth(1)).x, 0.15, 1e-12);
 }
 
-TEST(PoseFilter, BeginsResetAfterALeapOrAGap) {
+TEST(PoseFilter, ResetsAfterAJumpOrAGap) {
   PoseFilter filter(10.0);
   filter.add(nth(0), {});
   filter.add(nth(1), {3.0, 0.0, 0.0});
@@ -66,7 +66,7 @@ TEST(PoseFilter, BeginsResetAfterALeapOrAGap) {
   EXPECT_EQ(filter.at(nth(50)), (Pose2{3.2, 0.0, 0.0}));
 }
 
-TEST(PoseFilter, LeavesOutWhatIsLateAndTakesATimeThatWentBack) {
+TEST(PoseFilter, IgnoresLatePosesAndResetsAfterAStepBackInTime) {
   PoseFilter filter(0.3);
   EXPECT_FALSE(filter.utime());
   filter.add(nth(50), {});

@@ -28,12 +28,12 @@ TEST(SpeedProfile, NeverExceedsItsLimits) {
     constexpr double kStepM = 0.01;
     for (double s_m = 0.1; s_m < run.length_m() - 0.1; s_m += kStepM) {
       const double v = profile.at(s_m);
-      const double bend = run.curvature_1_m(s_m - 0.05, s_m + 0.05);
+      const double curvature = run.curvature_1_m(s_m - 0.05, s_m + 0.05);
       const double change =
           (run.curvature_1_m(s_m, s_m + 0.1) - run.curvature_1_m(s_m - 0.1, s_m)) / 0.1;
       ASSERT_LE(v, params.speed_m_s);
       ASSERT_GE(v, params.creep_m_s);
-      ASSERT_LE(v * v * std::abs(bend), 1.02 * params.lateral_acceleration_m_s2);  // samples
+      ASSERT_LE(v * v * std::abs(curvature), 1.02 * params.lateral_acceleration_m_s2);  // sampling
       ASSERT_LE(v * std::abs(change), kRate);
       if (s_m > 0.1) {
         ASSERT_LE((last * last - v * v) / (2.0 * kStepM), params.acceleration_m_s2 + 1e-9);
@@ -45,7 +45,7 @@ TEST(SpeedProfile, NeverExceedsItsLimits) {
   }
 }
 
-TEST(SpeedProfile, BrakesToTheEndAsATrapezoid) {
+TEST(SpeedProfile, BrakesToTheEndWithConstantDeceleration) {
   const PathRun run = run_of(TestPathBuilder({}).forward(5.0).path());
   const SpeedProfile profile(run, {}, 0.5, kRate);
   EXPECT_DOUBLE_EQ(profile.at(1.0), 0.4);
@@ -54,7 +54,7 @@ TEST(SpeedProfile, BrakesToTheEndAsATrapezoid) {
   }
 }
 
-TEST(SpeedProfile, IsSlowBesideObstacles) {
+TEST(SpeedProfile, SlowsDownBesideObstacles) {
   PlannedPath path = TestPathBuilder({}).forward(5.0).path();
   for (PathPoint& point : path.points) point.clearance_m = 0.15;
   EXPECT_NEAR(SpeedProfile(run_of(path), {}, 0.5, kRate).at(2.0), 0.2, 1e-9);
@@ -62,14 +62,11 @@ TEST(SpeedProfile, IsSlowBesideObstacles) {
   EXPECT_NEAR(SpeedProfile(run_of(path), {}, 0.5, kRate).at(2.0), 0.05, 1e-9);
 }
 
-TEST(SpeedProfile, KeepsToWhatTheVehicleCanDo) {
+TEST(SpeedProfile, KeepsTheMaximumSpeedOfTheVehicle) {
   const PathRun run = run_of(TestPathBuilder({}).forward(5.0).path());
   EXPECT_DOUBLE_EQ(SpeedProfile(run, {}, 0.3, kRate).at(2.0), 0.3);
   EXPECT_DOUBLE_EQ(SpeedProfile(run, {}, 0.03, kRate).at(2.0), 0.03);
 }
-
-}  // namespace
-namespace {
 
 constexpr double kTickS = 0.05;
 
@@ -85,7 +82,7 @@ class CommandRampTest : public testing::Test {
   CommandRamp ramp_{0.2, 0.4};
 };
 
-TEST_F(CommandRampTest, GrowsAsFastAsItMayAndSlowsDownAtOnce) {
+TEST_F(CommandRampTest, LimitsTheAccelerationAndSlowsDownImmediately) {
   stop(10);
   drive(0.3, 0.0, 10);
   EXPECT_NEAR(ramp_.speed_m_s(), 0.1, 1e-9);
@@ -97,7 +94,7 @@ TEST_F(CommandRampTest, GrowsAsFastAsItMayAndSlowsDownAtOnce) {
   EXPECT_NEAR(ramp_.curvature_1_m(), 0.1, 1e-9);
 }
 
-TEST_F(CommandRampTest, DrivesOffWhenItHasStoodAndIsSteered) {
+TEST_F(CommandRampTest, StartsAfterAPauseAndWithTheCurvatureSet) {
   stop(10);
   drive(0.3, 0.6, 27);  // 1.35 s: 0.54 1/m
   EXPECT_EQ(ramp_.speed_m_s(), 0.0);
@@ -108,7 +105,7 @@ TEST_F(CommandRampTest, DrivesOffWhenItHasStoodAndIsSteered) {
   EXPECT_EQ(ramp_.speed_m_s(), 0.0);
 }
 
-TEST_F(CommandRampTest, StandsBeforeItGoesTheOtherWay) {
+TEST_F(CommandRampTest, StopsBeforeAChangeOfDirection) {
   stop(10);
   drive(-0.3, 0.0, 20);
   EXPECT_NEAR(ramp_.speed_m_s(), -0.2, 1e-9);

@@ -60,7 +60,7 @@ class ExplorationNodeOnABus : public testing::Test {
     path.utime = robot_.utime();
     path.id = id;
     path.outcome = PlanOutcome::kBlocked;
-    path.reason = "a beam is in the way";
+    path.reason = "a beam blocks the path";
     path.reached_m = 1.0;
     publish(bus_, channels::kPath, to_message(path));
   }
@@ -71,7 +71,7 @@ class ExplorationNodeOnABus : public testing::Test {
     publish(bus_, channels::kExploreRequest, to_message(request));
   }
   [[nodiscard]] BlockedVerdict verdict() const {
-    return {robot_.utime(), reports_.back().decision.frontier, 1.0, "a beam is in the way"};
+    return {robot_.utime(), reports_.back().decision.frontier, 1.0, "a beam blocks the path"};
   }
   [[nodiscard]] Pose2 body_in_odom() const { return kMapOdom.inverse() * robot_.T_map_body(); }
 
@@ -84,7 +84,7 @@ class ExplorationNodeOnABus : public testing::Test {
   std::vector<ExplorationReport> reports_;
 };
 
-TEST_F(ExplorationNodeOnABus, DecidesWithEachGraph) {
+TEST_F(ExplorationNodeOnABus, DecidesOnEachGraph) {
   send_all();
   ASSERT_EQ(reports_.size(), 1U);
   const ExplorationReport& report = reports_[0];
@@ -97,7 +97,7 @@ TEST_F(ExplorationNodeOnABus, DecidesWithEachGraph) {
   EXPECT_EQ(node_.health(), Health{});
 }
 
-TEST_F(ExplorationNodeOnABus, DecidesEachSecondWhileTheRobotMoves) {
+TEST_F(ExplorationNodeOnABus, DecidesEverySecondWhileTheRobotMoves) {
   send_all();
   bus_.advance_to(robot_.utime() + 5 * kSecond);
   EXPECT_EQ(reports_.size(), 1U);
@@ -108,7 +108,7 @@ TEST_F(ExplorationNodeOnABus, DecidesEachSecondWhileTheRobotMoves) {
   EXPECT_NEAR(reports_[1].budget.remaining_m, ExplorationNodeParams{}.budget_m - 2.0, 0.01);
 }
 
-TEST_F(ExplorationNodeOnABus, TakesAFrontierForBlockedAfterTwoAnswersWithoutAPath) {
+TEST_F(ExplorationNodeOnABus, MarksAFrontierAsBlockedAfterTwoFailedPlans) {
   send_all();
   send_no_path(1);
   EXPECT_EQ(reports_.size(), 1U);
@@ -117,12 +117,12 @@ TEST_F(ExplorationNodeOnABus, TakesAFrontierForBlockedAfterTwoAnswersWithoutAPat
   const int frontier = reports_[0].decision.frontier;
   const Frontier& blocked = reports_[1].frontiers[static_cast<std::size_t>(frontier)];
   EXPECT_EQ(blocked.state, FrontierState::kBlocked);
-  EXPECT_EQ(blocked.evidence, "the planner found no path (2): a beam is in the way");
+  EXPECT_EQ(blocked.evidence, "the planner found no path (2): a beam blocks the path");
   EXPECT_EQ(reports_[1].decision.kind, Kind::kDone);
   EXPECT_TRUE(reports_[1].decision.complete);
 }
 
-TEST_F(ExplorationNodeOnABus, AnswersEachRequestWithWhatIsLeftByIt) {
+TEST_F(ExplorationNodeOnABus, AnswersEachRequestWithItsRemainingBudget) {
   send_all();
   EXPECT_EQ(reports_.back().request, 0);
   send_request(7, 300.0);
@@ -143,7 +143,7 @@ TEST_F(ExplorationNodeOnABus, AnswersEachRequestWithWhatIsLeftByIt) {
   EXPECT_FALSE(reports_[3].decision.complete);
 }
 
-TEST_F(ExplorationNodeOnABus, LetsAVerdictCountOnceForEachRequest) {
+TEST_F(ExplorationNodeOnABus, CountsAVerdictOncePerRequest) {
   mine_ = tunnel_mine(junction());
   robot_ = test::ExploringRobot(mine_);
   send_all();
@@ -161,12 +161,12 @@ TEST_F(ExplorationNodeOnABus, LetsAVerdictCountOnceForEachRequest) {
             FrontierState::kBlocked);
   EXPECT_EQ(first.frontiers[static_cast<std::size_t>(blocked.frontier)].evidence, blocked.evidence);
   EXPECT_NE(first.decision.frontier, blocked.frontier);
-  send_request(1, 300.0, false, verdict());  // of the next target, but of the same request
+  send_request(1, 300.0, false, verdict());  // for the next target, but of the same request
   EXPECT_EQ(reports_.back().decision, first.decision);
   EXPECT_EQ(reports_.back().frontiers, first.frontiers);
 }
 
-TEST_F(ExplorationNodeOnABus, TakesNoVerdictsFromPathsOnceItIsAsked) {
+TEST_F(ExplorationNodeOnABus, IgnoresFailedPlansAfterTheFirstRequest) {
   send_all();
   send_request(1, 300.0);
   for (const int id : {1, 2, 3}) send_no_path(id);
@@ -175,7 +175,7 @@ TEST_F(ExplorationNodeOnABus, TakesNoVerdictsFromPathsOnceItIsAsked) {
   EXPECT_EQ(reports_.back().decision, reports_.front().decision);
 }
 
-TEST_F(ExplorationNodeOnABus, DecidesForHomeAloneWhereThatIsAskedFor) {
+TEST_F(ExplorationNodeOnABus, ReturnsHomeOnRequest) {
   send_all();
   robot_.drive({{5.0, 0.0}}, 5.0);
   send_all();
@@ -189,7 +189,7 @@ TEST_F(ExplorationNodeOnABus, DecidesForHomeAloneWhereThatIsAskedFor) {
   EXPECT_EQ(reports_.back().decision.kind, Kind::kAlong);
 }
 
-TEST_F(ExplorationNodeOnABus, SaysThatThereIsNoMapYetAndKeepsVerdictsForLater) {
+TEST_F(ExplorationNodeOnABus, ReportsAMissingMapAndAnswersVerdictsLater) {
   send_request(1, 300.0);
   EXPECT_TRUE(reports_.empty());
   send_pose();
@@ -198,7 +198,7 @@ TEST_F(ExplorationNodeOnABus, SaysThatThereIsNoMapYetAndKeepsVerdictsForLater) {
   EXPECT_EQ(reports_[0].request, 1);
   EXPECT_EQ(reports_[0].decision.kind, Kind::kStay);
   EXPECT_EQ(reports_[0].decision.reason, "there is no map yet");
-  const BlockedVerdict blocked{robot_.utime(), 0, 1.0, "a beam is in the way"};
+  const BlockedVerdict blocked{robot_.utime(), 0, 1.0, "a beam blocks the path"};
   send_request(2, 300.0, false, blocked);
   EXPECT_EQ(reports_.size(), 1U);
   send_all();
@@ -207,13 +207,13 @@ TEST_F(ExplorationNodeOnABus, SaysThatThereIsNoMapYetAndKeepsVerdictsForLater) {
   EXPECT_EQ(reports_.back().frontiers[0].state, FrontierState::kBlocked);
 }
 
-TEST_F(ExplorationNodeOnABus, SaysWhatLocalMapsItLacks) {
+TEST_F(ExplorationNodeOnABus, RequestsAndReportsMissingLocalMaps) {
   send_correction();
   send_pose();
   robot_.drive({{5.0, 0.0}}, 5.0);
   send_map();
   send_graph();
-  EXPECT_EQ(node_.health().reason, "1 local maps never came");
+  EXPECT_EQ(node_.health().reason, "1 local maps are missing");
 }
 
 }  // namespace

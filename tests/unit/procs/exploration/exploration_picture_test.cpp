@@ -24,18 +24,18 @@ ExplorationPicture picture_of_a_junction() {
   return exploration_picture("a junction", exploration, run.path_map);
 }
 
-TEST(ExplorationPicture, HoldsAllThatIsKnown) {
+TEST(ExplorationPicture, ContainsTheObservedSpace) {
   const ExplorationPicture picture = picture_of_a_junction();
   ASSERT_GT(picture.columns, 0);
   EXPECT_EQ(picture.cells.size() % static_cast<std::size_t>(picture.columns), 0U);
   const auto drivable = std::count(picture.cells.begin(), picture.cells.end(), Ground::kDrivable);
-  // 62 m of drifts, 3 m wide, less half the width of the vehicle at each wall and in the ends.
+  // 62 m of tunnels, 3 m wide, less half the width of the vehicle at each wall and at the ends.
   EXPECT_NEAR(static_cast<double>(drivable) * picture.cell_m * picture.cell_m, 62.0 * 1.9, 15.0);
   EXPECT_FALSE(picture.report.frontiers.empty());
   EXPECT_FALSE(picture.traversed_path.empty());
 }
 
-TEST(ExplorationPicture, IsDrawnWithAndWithoutAnything) {
+TEST(ExplorationPicture, DrawsAFullAndAnEmptyPicture) {
   const test::ScratchFolder folder;
   write_exploration_png(picture_of_a_junction(), folder.path() / "junction.png");
   write_exploration_png({}, folder.path() / "nothing.png");
@@ -43,7 +43,7 @@ TEST(ExplorationPicture, IsDrawnWithAndWithoutAnything) {
   EXPECT_GT(std::filesystem::file_size(folder.path() / "nothing.png"), 100U);
 }
 
-TEST(ExplorationPicture, SaysWhereItCannotBeWritten) {
+TEST(ExplorationPicture, NamesTheFileThatItCannotWrite) {
   EXPECT_THROW(write_exploration_png({}, "/nowhere/at/all.png"), std::runtime_error);
 }
 

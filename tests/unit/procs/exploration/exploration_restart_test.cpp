@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The stage dies again and again while a mine is explored, and goes on as if it had not.
+// The stage is killed repeatedly during an exploration, and continues as if it had not been.
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -30,9 +30,10 @@ constexpr double kBudgetM = 1500.0;
 constexpr std::size_t kDecisionsMax = 300;
 constexpr double kMapM = 5.0;
 constexpr double kOnwardM = 6.0;
-constexpr double kProgressMinM = 1.0;  // after which it is seen anew before anything is blocked
+constexpr double kProgressMinM =
+    1.0;  // after which the surroundings are observed again before anything is blocked
 
-/// The stage from its start to its death, with a mapping that has all local maps.
+/// The stage between two restarts, with a mapping that has all local maps.
 class StageRun {
  public:
   StageRun(const std::filesystem::path& journal, const test::ExploringRobot& robot,
@@ -68,7 +69,7 @@ class StageRun {
     bus_.inject(robot_.utime(), channels::kPose,
                 encode(to_message(StampedPose{robot_.utime(), robot_.T_map_body(), {}})));
   }
-  /// Once more while there is no answer, as the mission does.
+  /// Repeats until there is an answer, as the mission does.
   ExplorationReport request_decision(const ExploreRequest& request) {
     report_ = {};
     for (int i = 0; i < 10 && report_.request != request.id; ++i) {
@@ -95,7 +96,8 @@ struct Outcome {
   int restarts = 0;
 };
 
-/// A mission that asks, goes, and asks again, and kills the stage in this share of its steps.
+/// A mission that requests, drives, and requests again, and kills the stage in this share of its
+/// steps.
 class Mission {
  public:
   Mission(const test::PlanarMine& mine, double restart_share, unsigned seed)
@@ -172,7 +174,7 @@ class Mission {
   Outcome outcome_;
 };
 
-/// With something across a drift that lasers do not see.
+/// With an obstacle across a tunnel that lasers do not detect.
 test::PlanarMine mine_with_invisible_obstacle() {
   test::PlanarMine mine = tunnel_mine(rooms_and_pillars());
   const auto reachable = mine.reachable;
@@ -185,7 +187,7 @@ test::PlanarMine mine_with_invisible_obstacle() {
 
 class ExplorationRestart : public testing::TestWithParam<unsigned> {};
 
-TEST_P(ExplorationRestart, DeathAndDecidesAsItWouldHave) {
+TEST_P(ExplorationRestart, DoesNotChangeTheDecisions) {
   const test::PlanarMine mine = mine_with_invisible_obstacle();
   const Outcome uninterrupted = Mission(mine, 0.0, 0).run();
   const Outcome restarted = Mission(mine, 0.25, GetParam()).run();
@@ -201,7 +203,7 @@ TEST_P(ExplorationRestart, DeathAndDecidesAsItWouldHave) {
 
 INSTANTIATE_TEST_SUITE_P(Seed, ExplorationRestart, testing::Values(1U, 2U));
 
-TEST(ExplorationJournal, LeavesOutWhatIsTornAndForgetsWhatBelongsToAnotherMap) {
+TEST(ExplorationJournal, SkipsTornRecordsAndDiscardsTheStateOfAnotherMap) {
   const test::ScratchFolder scratch;
   const std::filesystem::path path = scratch / "exploration.journal";
   StoredExploration stored;
@@ -209,7 +211,7 @@ TEST(ExplorationJournal, LeavesOutWhatIsTornAndForgetsWhatBelongsToAnotherMap) {
   stored.exploration.barriers = {{Barrier::Kind::kBlocked, 0, 3, {1.0, 0.1}, {0.0, 1.0}, "a beam"}};
   stored.exploration.frontiers.resize(2);
   stored.exploration.frontiers[1].frontier.id = 1;
-  stored.exploration.frontiers[1].frontier.evidence = "seen by local map 3";
+  stored.exploration.frontiers[1].frontier.evidence = "observed by local map 3";
   stored.exploration.frontiers[1].track.p_local = {1.0 / 3.0, -0.1};
   stored.exploration.target = 1;
   stored.request = ExploreRequest{kSecond, 3, 1.0 / 7.0, true, {}};

@@ -17,7 +17,7 @@ namespace {
 using Kind = ExplorationDecision::Kind;
 constexpr double kPlenty = 2000.0;
 
-/// A robot, and an exploration that knows what it saw.
+/// A robot, and an exploration with its local maps.
 class Explorer {
  public:
   explicit Explorer(const test::PlanarMine& mine, const ExplorationParams& params = {},
@@ -33,7 +33,7 @@ class Explorer {
   const ExplorationDecision& decide(double remaining_m = kPlenty) {
     return exploration.decide({robot.utime(), robot.T_map_body(), remaining_m, 0.0});
   }
-  /// On along the route of the last decision.
+  /// Drives along the route of the last decision.
   void drive(double distance_m) {
     robot.drive(exploration.route(), distance_m);
     update_map();
@@ -50,27 +50,27 @@ class Explorer {
   test::ExploringRobot robot;
 };
 
-TEST(Exploration, StaysWhileThereIsNoMap) {
+TEST(Exploration, StaysWithoutAMap) {
   Exploration exploration{ExplorationParams{}};
   const ExplorationDecision decision = exploration.decide({1, {}, kPlenty, 0.0});
   EXPECT_EQ(decision.kind, Kind::kStay);
   EXPECT_EQ(decision.reason, "there is no map yet");
 }
 
-TEST(Exploration, BeginsStraightAheadAndCallsWhatIsBehindTheWayOut) {
+TEST(Exploration, StartsStraightAheadAndClosesTheExitBehindTheStart) {
   const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
   const ExplorationDecision decision = explorer.decide();
   EXPECT_EQ(decision.kind, Kind::kAlong);
-  EXPECT_GT(decision.T_map_goal.x, 5.0);  // it sees 8 m
+  EXPECT_GT(decision.T_map_goal.x, 5.0);  // range of 8 m
   EXPECT_NEAR(decision.T_map_goal.theta, 0.0, 0.4);
   const auto open = explorer.frontiers(FrontierState::kOpen);
   ASSERT_EQ(open.size(), 1U);
-  EXPECT_NEAR(open[0].width_m, 3.0, 0.7);  // rough walls, and the frontier is an arc
+  EXPECT_NEAR(open[0].width_m, 3.0, 0.7);  // rough walls, and the rim of the known space is an arc
   EXPECT_FALSE(explorer.frontiers(FrontierState::kOutsideMine).empty());
 }
 
-TEST(Exploration, SeesTheArmsOfAJunctionAsFrontiers) {
+TEST(Exploration, DetectsTheArmsOfAJunctionAsFrontiers) {
   const auto mine = tunnel_mine(junction());
   Explorer explorer(mine);
   for (int i = 0; i < 4; ++i) {  // 20 m, to the junction
@@ -83,7 +83,7 @@ TEST(Exploration, SeesTheArmsOfAJunctionAsFrontiers) {
   EXPECT_LT(open[0].p_map.y() * open[1].p_map.y(), 0.0);
 }
 
-TEST(Exploration, ExploresEveryKindOfMineToItsEndAndComesHome) {
+TEST(Exploration, ExploresEveryMineCompletelyAndReturnsHome) {
   for (const auto& tunnels : {straight(), junction(), crossroads(), ring(), rooms_and_pillars()}) {
     Exploration exploration{ExplorationParams{}};
     const auto mine = tunnel_mine(tunnels);
@@ -97,7 +97,7 @@ TEST(Exploration, ExploresEveryKindOfMineToItsEndAndComesHome) {
   }
 }
 
-TEST(Exploration, IsNeverLateAtHome) {
+TEST(Exploration, ReturnsHomeWithinTheBudget) {
   for (int seed = 1; seed <= 6; ++seed) {
     const auto mine = test::planar_mine(build_world(random_mine(seed)));
     for (const double budget_m : {60.0, 120.0, 200.0}) {
@@ -109,20 +109,20 @@ TEST(Exploration, IsNeverLateAtHome) {
   }
 }
 
-TEST(Exploration, SaysWhyItIsNotComplete) {
+TEST(Exploration, ReportsWhyItIsIncomplete) {
   const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
   const ExplorationDecision decision = explorer.decide(30.0);
-  EXPECT_EQ(decision.kind, Kind::kDone);  // it has not left home
+  EXPECT_EQ(decision.kind, Kind::kDone);  // it is still at home
   EXPECT_FALSE(decision.complete);
   ASSERT_EQ(explorer.frontiers(FrontierState::kBeyondBudget).size(), 1U);
   const auto reasons = explorer.exploration.incomplete_reasons();
   ASSERT_EQ(reasons.size(), 1U);
   EXPECT_NE(reasons[0].find("beyond the budget"), std::string::npos) << reasons[0];
-  EXPECT_EQ(explorer.decide(kPlenty).kind, Kind::kAlong);  // with more, it is open again
+  EXPECT_EQ(explorer.decide(kPlenty).kind, Kind::kAlong);  // with a larger budget it is open again
 }
 
-TEST(Exploration, KeepsTheIdentityOfAFrontierWhileTheGraphMoves) {
+TEST(Exploration, RetainsTheIdentityOfAFrontierWhenTheGraphMoves) {
   const auto mine = tunnel_mine(crossroads());
   Explorer explorer(mine, {}, 0.3);
   for (int i = 0; i < 4; ++i) {
@@ -139,7 +139,7 @@ TEST(Exploration, KeepsTheIdentityOfAFrontierWhileTheGraphMoves) {
   ASSERT_EQ(after.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(after[i].id, before[i].id);
-    // Cells are cut anew, so that the middle of a frontier moves by a few of them.
+    // Cells are rastered again, so that the centre of a frontier moves by a few of them.
     EXPECT_LT((after[i].p_map - T * before[i].p_map).norm(), 0.8);
   }
 }
@@ -154,7 +154,7 @@ TEST(Exploration, FollowsAFrontierDownItsCorridor) {
   }
 }
 
-TEST(Exploration, DoesNotChooseABlockedFrontierAgainNorWhatLiesBehind) {
+TEST(Exploration, DoesNotChooseABlockedFrontierOrFrontiersBehindIt) {
   const auto mine = tunnel_mine(crossroads());
   Explorer explorer(mine);
   for (int i = 0; i < 4; ++i) {
@@ -174,8 +174,8 @@ TEST(Exploration, DoesNotChooseABlockedFrontierAgainNorWhatLiesBehind) {
   EXPECT_FALSE(explorer.exploration.report_blocked(999, {}));
 }
 
-/// The line across the drift ahead lies across the mouth of the branch as well.
-TEST(Exploration, CallsNoBranchBlockedByWhatIsInTheWayOfAnotherFrontier) {
+/// The barrier across the tunnel ahead also crosses the mouth of the branch.
+TEST(Exploration, RetriesABranchBehindTheBarrierOfAnotherFrontier) {
   const auto mine = tunnel_mine({{0, 0, 45, 0}, {25, 0, 33, -16}});
   Explorer explorer(mine);
   while (explorer.robot.T_map_body().x < 20.5) {  // from 3 m in world
@@ -196,8 +196,8 @@ TEST(Exploration, CallsNoBranchBlockedByWhatIsInTheWayOfAnotherFrontier) {
   EXPECT_TRUE(explorer.exploration.incomplete_reasons().empty());
 }
 
-/// A robot that came past a barrier on its own track has to come home through it.
-TEST(Exploration, DropsABarrierThatTheRobotCameThrough) {
+/// A robot that passed a barrier must return home through it.
+TEST(Exploration, RemovesABarrierThatTheRobotHasPassed) {
   const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
   explorer.decide();
@@ -207,35 +207,35 @@ TEST(Exploration, DropsABarrierThatTheRobotCameThrough) {
   EXPECT_TRUE(
       explorer.exploration.report_blocked(frontier, {explorer.robot.utime(), 1.0, "a beam"}));
   ASSERT_EQ(explorer.decide().kind, Kind::kHome);
-  explorer.robot.drive(route, 4.0);  // the barrier is 2 m from where it was
+  explorer.robot.drive(route, 4.0);  // the barrier is 2 m from the start of the route
   explorer.update_map();
   EXPECT_NE(explorer.decide().kind, Kind::kStay);
   EXPECT_FALSE(explorer.exploration.route().empty());
 }
 
-TEST(Exploration, TriesWhatIsDoubtfulOnceMoreAndNeverCallsItComplete) {
+TEST(Exploration, RetriesAnUnconfirmedFrontierOnceAndIsNeverComplete) {
   const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
   const int frontier = explorer.decide().frontier;
-  const BlockedEvidence doubt{1, 1.0, "nothing was seen", true};
-  EXPECT_TRUE(explorer.exploration.report_blocked(frontier, doubt));
+  const BlockedEvidence evidence{1, 1.0, "nothing was observed", true};
+  EXPECT_TRUE(explorer.exploration.report_blocked(frontier, evidence));
   EXPECT_EQ(explorer.decide().frontier, frontier);
-  EXPECT_TRUE(explorer.exploration.report_blocked(frontier, doubt));
+  EXPECT_TRUE(explorer.exploration.report_blocked(frontier, evidence));
   EXPECT_EQ(explorer.decide().kind, Kind::kDone);
   EXPECT_FALSE(explorer.decide().complete);
   EXPECT_EQ(explorer.frontiers(FrontierState::kUnconfirmed).size(), 1U);
-  EXPECT_NE(explorer.decide().reason.find("nothing was seen"), std::string::npos);
-  // What is seen to be blocked after all is known.
+  EXPECT_NE(explorer.decide().reason.find("nothing was observed"), std::string::npos);
+  // A confirmed obstacle closes it.
   EXPECT_TRUE(explorer.exploration.reopen(frontier, 2));
   EXPECT_TRUE(explorer.exploration.report_blocked(frontier, {3, 1.0, "a beam"}));
   EXPECT_TRUE(explorer.decide().complete);
 }
 
-TEST(Exploration, TriesWhatItSawNothingOfOnceMoreAndNeverCallsItComplete) {
+TEST(Exploration, RetriesAnUnobservableFrontierOnceAndIsNeverComplete) {
   const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
   const int frontier = explorer.decide().frontier;
-  // Twice as many as it takes, and one by which it is tried again, which only shows where it is.
+  // Twice the number of stalls, and one of the retry that only sets the least distance.
   const int local_maps = 2 * ExplorationParams{}.frontiers.stalls + 1;
   for (int i = 0; i < local_maps; ++i) {
     EXPECT_EQ(explorer.decide().frontier, frontier) << i;
@@ -244,10 +244,10 @@ TEST(Exploration, TriesWhatItSawNothingOfOnceMoreAndNeverCallsItComplete) {
   EXPECT_EQ(explorer.decide().kind, Kind::kDone);
   EXPECT_EQ(explorer.frontiers(FrontierState::kUnobservable).size(), 1U);
   EXPECT_FALSE(explorer.decide().complete);
-  EXPECT_NE(explorer.decide().reason.find("saw nothing of it"), std::string::npos);
+  EXPECT_NE(explorer.decide().reason.find("observed nothing behind it"), std::string::npos);
 }
 
-TEST(Exploration, TriesOtherFrontiersBeforeWhatIsDoubtful) {
+TEST(Exploration, VisitsOtherFrontiersBeforeUnconfirmedOnes) {
   const auto mine = tunnel_mine(crossroads());
   Explorer explorer(mine);
   for (int i = 0; i < 4; ++i) {
@@ -255,14 +255,14 @@ TEST(Exploration, TriesOtherFrontiersBeforeWhatIsDoubtful) {
     explorer.drive(5.0);
   }
   const int unconfirmed = explorer.decide().frontier;
-  const BlockedEvidence doubt{explorer.robot.utime(), 1.0, "nothing was seen", true};
-  EXPECT_TRUE(explorer.exploration.report_blocked(unconfirmed, doubt));
+  const BlockedEvidence evidence{explorer.robot.utime(), 1.0, "nothing was observed", true};
+  EXPECT_TRUE(explorer.exploration.report_blocked(unconfirmed, evidence));
   const ExplorationDecision next = explorer.decide();
   EXPECT_NE(next.frontier, unconfirmed);
   EXPECT_NE(next.frontier, ExplorationDecision::kNoFrontier);
 }
 
-TEST(Exploration, GoesToABlockedFrontierThatAPersonReopens) {
+TEST(Exploration, VisitsABlockedFrontierThatTheOperatorReopens) {
   const auto mine = tunnel_mine(straight());
   Explorer explorer(mine);
   const int frontier = explorer.decide().frontier;
@@ -274,7 +274,7 @@ TEST(Exploration, GoesToABlockedFrontierThatAPersonReopens) {
   EXPECT_FALSE(explorer.exploration.reopen(frontier, 2));  // it is not closed
 }
 
-TEST(Exploration, TurnsRoundAtTheEndOfTheCorridorInTheModeOfThePaper) {
+TEST(Exploration, ReturnsFromTheEndOfTheCorridorInTheModeOfThePaper) {
   ExplorationParams params;
   params.mode = "corridor";
   Exploration exploration(params);
@@ -282,11 +282,11 @@ TEST(Exploration, TurnsRoundAtTheEndOfTheCorridorInTheModeOfThePaper) {
   const auto run = test::run_exploration(mine, exploration, kPlenty);
   EXPECT_TRUE(run.returned);
   EXPECT_FALSE(run.complete);                 // the arms to both sides stay open
-  EXPECT_GT(run.distance_travelled_m, 60.0);  // 42 m in, less what it sees ahead, and back
+  EXPECT_GT(run.distance_travelled_m, 60.0);  // 42 m in, less the range ahead, and back
   EXPECT_LT(run.distance_travelled_m, 90.0);
 }
 
-TEST(Exploration, DecidesTheSameEachTime) {
+TEST(Exploration, IsDeterministic) {
   const auto mine = tunnel_mine(rooms_and_pillars());
   std::vector<ExplorationReport> reports;
   for (int i = 0; i < 2; ++i) {
@@ -297,7 +297,7 @@ TEST(Exploration, DecidesTheSameEachTime) {
   EXPECT_EQ(reports[0], reports[1]);
 }
 
-TEST(Exploration, DoesNotPaceAtCrossings) {
+TEST(Exploration, DoesNotOscillateAtCrossings) {
   Exploration exploration{ExplorationParams{}};
   const auto mine = tunnel_mine(rooms_and_pillars());
   const auto run = test::run_exploration(mine, exploration, kPlenty, 0.1);
@@ -306,7 +306,7 @@ TEST(Exploration, DoesNotPaceAtCrossings) {
   EXPECT_LT(run.distance_travelled_m, 2.0 * mine.corridor_m());
 }
 
-TEST(Exploration, LeavesOutMalformedLocalMaps) {
+TEST(Exploration, RejectsMalformedLocalMaps) {
   const auto mine = tunnel_mine(straight());
   const test::ExploringRobot robot(mine);
   Exploration exploration{ExplorationParams{}};
@@ -321,7 +321,7 @@ TEST(Exploration, LeavesOutMalformedLocalMaps) {
   EXPECT_FALSE(exploration.add(map));
   map = robot.last_map();
   for (float& range : map.scans[0].scan.ranges_m) range = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_TRUE(exploration.add(map));  // half of what it saw is gone
+  EXPECT_TRUE(exploration.add(map));  // with half of its scans
   MapGraph graph = robot.graph();
   graph.poses[0].theta = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(exploration.update(graph));

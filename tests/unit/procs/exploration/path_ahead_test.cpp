@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The next of the way that exploration gives to who plans.
+// The path ahead that exploration gives to the planner.
 #include <gtest/gtest.h>
 
 #include "procs/exploration/exploration.hpp"
@@ -40,13 +40,13 @@ class PathAhead : public testing::Test {
   Exploration exploration_{ExplorationParams{}};
 };
 
-TEST_F(PathAhead, BeginsAtTheRobotAndStaysWhereItCanDrive) {
+TEST_F(PathAhead, BeginsAtTheRobotAndStaysInDrivableSpace) {
   for (int i = 0; i < 4; ++i) {
     const auto path = this->path(false);
     ASSERT_GT(path.size(), 2U);
     EXPECT_EQ(path.front(), robot_.T_map_body().translation());
     EXPECT_LE(length_of(path), kLengthM + 1e-9);
-    for (std::size_t k = 0; k < path.size() / 2; ++k) {  // what lies beyond a stub, nobody knows
+    for (std::size_t k = 0; k < path.size() / 2; ++k) {  // beyond a frontier the space is unknown
       EXPECT_TRUE(mine_.reachable(mine_.T_world_start * path[k]));
     }
     robot_.drive(path, 5.0);
@@ -54,8 +54,8 @@ TEST_F(PathAhead, BeginsAtTheRobotAndStaysWhereItCanDrive) {
   }
 }
 
-/// The side drift goes back beside the way in.
-TEST(PathAheadIntoAReturningSideTunnel, DoesNotComeBackToTheRobot) {
+/// The side tunnel leads back parallel to the main one.
+TEST(PathAheadIntoAReturningSideTunnel, DoesNotLeadBackToTheRobot) {
   const test::PlanarMine mine = tunnel_mine({{0, 0, 30, 0}, {20, 0, 14, 14}});
   test::ExploringRobot robot(mine);
   Exploration exploration{ExplorationParams{}};
@@ -89,9 +89,9 @@ TEST_F(PathAhead, EndsAtHome) {
   EXPECT_NEAR(length_of(home), 5.0, 0.5);
 }
 
-TEST_F(PathAhead, IsNoneAtHome) { EXPECT_TRUE(path(true).empty()); }
+TEST_F(PathAhead, IsEmptyAtHome) { EXPECT_TRUE(path(true).empty()); }
 
-TEST_F(PathAhead, IsNoneWithoutAMap) {
+TEST_F(PathAhead, IsEmptyWithoutAMap) {
   EXPECT_TRUE(Exploration(ExplorationParams{}).path_ahead(kLengthM, kSpacingM).empty());
 }
 

@@ -10,19 +10,19 @@
 
 namespace adit {
 
-using Tunnel = std::vector<double>;  ///< x, y, x, y, .. of its middle
+using Tunnel = std::vector<double>;  ///< x, y, x, y, ... of its centre line
 
-/// A mine of drifts, 3 m wide, with walls as rough as those of the simulator. The first drift is
-/// open where it begins, at the origin; the robot starts 3 m from there and looks along x.
+/// A mine of tunnels, 3 m wide, with walls as rough as in the simulator. The first tunnel begins at
+/// the origin and is open there; the robot starts 3 m from it and faces along x.
 inline World tunnel_world(const std::vector<Tunnel>& tunnels, double width_m = 3.0, int seed = 1) {
   WorldDescription description;
-  description.name = "drifts";
+  description.name = "tunnels";
   description.seed = seed;
   description.T_world_start = {3.0, 0.0, 0.0};
   for (const Tunnel& points : tunnels) {
     const bool first = description.plan.tunnels.empty();
     description.plan.tunnels.push_back(
-        {"drift_" + std::to_string(description.plan.tunnels.size()), points, width_m, first});
+        {"tunnel_" + std::to_string(description.plan.tunnels.size()), points, width_m, first});
   }
   return build_world(description);
 }
@@ -44,7 +44,7 @@ inline const std::vector<Tunnel>& crossroads() {
   static const std::vector<Tunnel> tunnels{{0, 0, 45, 0}, {25, -20, 25, 20}};
   return tunnels;
 }
-inline const std::vector<Tunnel>& ring() {  // 20 m by 20 m behind a way of 10 m
+inline const std::vector<Tunnel>& ring() {  // 20 m by 20 m behind an entry of 10 m
   static const std::vector<Tunnel> tunnels{{0, 0, 10, 0},
                                            {10, -10, 30, -10, 30, 10, 10, 10, 10, -10}};
   return tunnels;

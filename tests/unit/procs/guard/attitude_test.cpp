@@ -14,10 +14,10 @@ namespace {
 constexpr double kGravity = 9.81;
 constexpr std::int64_t kPeriodUs = 10'000;
 
-/// A body that leans, read at 100 Hz.
-class LeaningBody {
+/// A tilted body with an IMU at 100 Hz.
+class TiltedBody {
  public:
-  /// Turned by roll about x, then by pitch about y, the nose down where that is positive.
+  /// At rest, rotated by roll about x, then by pitch about y; positive is nose down.
   void stand(double roll, double pitch, double seconds) {
     const Eigen::Matrix3d R = rotation(roll, pitch);
     for (int i = 0; i < std::lround(seconds * 100.0); ++i) {
@@ -44,40 +44,40 @@ class LeaningBody {
   std::int64_t at_us_ = 0;
 };
 
-TEST(Attitude, SaysRollAndPitchOfABodyAtRest) {
-  LeaningBody body;
+TEST(Attitude, MeasuresRollAndPitchAtRest) {
+  TiltedBody body;
   body.stand(0.2, -0.1, 0.1);
   EXPECT_NEAR(body.roll(), 0.2, 1e-9);
   EXPECT_NEAR(body.pitch_up(), 0.1, 1e-9);
 }
 
-TEST(Attitude, FollowsATurnAtOnce) {
-  LeaningBody body;
+TEST(Attitude, FollowsARotationImmediately) {
+  TiltedBody body;
   body.stand(0.0, 0.0, 1.0);
-  // Half a second at 0.8 rad/s about x, the force that of a body that stays level.
+  // 0.5 s at 0.8 rad/s about x, with a force that is not gravity.
   for (int i = 0; i < 50; ++i) body.read({0.0, 0.0, 50.0}, {0.8, 0.0, 0.0});
   EXPECT_NEAR(body.roll(), 0.4, 1e-3);  // steps of 10 ms
 }
 
-TEST(Attitude, IsNotMovedByABump) {
-  LeaningBody body;
+TEST(Attitude, IgnoresABump) {
+  TiltedBody body;
   body.stand(0.0, 0.0, 1.0);
   for (int i = 0; i < 20; ++i) body.read({25.0, 10.0, 30.0}, Eigen::Vector3d::Zero());
   EXPECT_EQ(body.roll(), 0.0);
   EXPECT_EQ(body.pitch_up(), 0.0);
 }
 
-TEST(Attitude, IsCorrectedByGravityInItsTime) {
-  LeaningBody body;
+TEST(Attitude, IsCorrectedByGravityWithItsTimeConstant) {
+  TiltedBody body;
   body.stand(0.0, 0.0, 1.0);
-  body.stand(0.3, 0.0, 1.0);                                     // which the gyroscopes did not see
-  EXPECT_NEAR(body.roll(), 0.3 * (1.0 - std::exp(-1.0)), 0.01);  // of unit vectors, and steps
+  body.stand(0.3, 0.0, 1.0);                                     // not measured by the gyroscopes
+  EXPECT_NEAR(body.roll(), 0.3 * (1.0 - std::exp(-1.0)), 0.01);  // normalisation and steps
   body.stand(0.3, 0.0, 9.0);
   EXPECT_NEAR(body.roll(), 0.3, 1e-3);
 }
 
-TEST(Attitude, IsNotKnownLongWithoutGravity) {
-  LeaningBody body;
+TEST(Attitude, IsUnknownAfterALongTimeWithoutGravity) {
+  TiltedBody body;
   body.stand(0.1, 0.0, 1.0);
   for (int i = 0; i < 1000; ++i) body.read({0.0, 0.0, 1.0}, Eigen::Vector3d::Zero());
   EXPECT_TRUE(body.is_known());
@@ -87,9 +87,9 @@ TEST(Attitude, IsNotKnownLongWithoutGravity) {
   EXPECT_TRUE(body.is_known());
 }
 
-TEST(Attitude, IsNotKnownAfterATurnBeyondAllMeasure) {
+TEST(Attitude, IsUnknownAfterAnOverflow) {
   for (const double rate : {std::numeric_limits<double>::max(), 1e200}) {
-    LeaningBody body;
+    TiltedBody body;
     body.stand(0.1, 0.0, 1.0);
     body.read({0.0, 0.0, 50.0}, {rate, rate, -rate});
     EXPECT_TRUE(!body.is_known() || std::isfinite(body.roll())) << rate;
@@ -98,8 +98,8 @@ TEST(Attitude, IsNotKnownAfterATurnBeyondAllMeasure) {
   }
 }
 
-TEST(Attitude, BeginsWithAReadingThatMayBeGravity) {
-  LeaningBody body;
+TEST(Attitude, StartsWithAReadingOfAboutGravity) {
+  TiltedBody body;
   body.read({25.0, 10.0, 30.0}, Eigen::Vector3d::Zero());
   EXPECT_FALSE(body.is_known());
   body.stand(0.1, 0.0, 0.01);

@@ -27,20 +27,20 @@ Lasers lasers() {
 
 class FlankMemoryTest : public testing::Test {
  protected:
-  /// Drives on and looks; there is one post, of two beams, at a place in odom.
+  /// Drives and scans; there is one post, hit by two beams, at a point in odom.
   void drive(const Pose2& step, int times, const Eigen::Vector2d& post_odom) {
     for (int i = 0; i < times; ++i) {
       T_odom_body_ = T_odom_body_ * step;
       memory_.move_to(T_odom_body_);
-      look(post_odom);
+      scan(post_odom);
     }
   }
-  void look(const Eigen::Vector2d& post_odom) {
+  void scan(const Eigen::Vector2d& post_odom) {
     const Eigen::Vector2d p = T_odom_body_.inverse() * post_odom;
-    memory_.observe(LaserId::kFront, seen(p, p.x() >= 1.0));
-    memory_.observe(LaserId::kRear, seen(p, p.x() <= -1.0));
+    memory_.observe(LaserId::kFront, points_of(p, p.x() >= 1.0));
+    memory_.observe(LaserId::kRear, points_of(p, p.x() <= -1.0));
   }
-  static LaserPoints seen(const Eigen::Vector2d& p_body, bool visible) {
+  static LaserPoints points_of(const Eigen::Vector2d& p_body, bool visible) {
     const Eigen::Vector2d p = visible ? p_body : kNothing;
     return {{kNothing, p, p + Eigen::Vector2d(0.0, 0.01), kNothing}, 2};
   }
@@ -50,10 +50,10 @@ class FlankMemoryTest : public testing::Test {
   const Pose2 kAhead{0.02, 0.0, 0.0};
 };
 
-TEST_F(FlankMemoryTest, KeepsWhatTheVehiclePassesUntilItIsInSightAgain) {
+TEST_F(FlankMemoryTest, StoresAnObstacleWhileTheVehiclePassesIt) {
   const Eigen::Vector2d post = T_odom_body_ * Eigen::Vector2d(1.5, 0.8);
   drive(kAhead, 20, post);
-  EXPECT_THAT(memory_.p_body(), IsEmpty());  // in sight, 1.1 m ahead
+  EXPECT_THAT(memory_.p_body(), IsEmpty());  // in view, 1.1 m ahead
   drive(kAhead, 30, post);
   ASSERT_THAT(memory_.p_body(), Not(IsEmpty()));
   EXPECT_LT((memory_.p_body()[0] - Eigen::Vector2d(0.5, 0.8)).norm(), 0.012);  // the other beam
@@ -63,7 +63,7 @@ TEST_F(FlankMemoryTest, KeepsWhatTheVehiclePassesUntilItIsInSightAgain) {
   EXPECT_THAT(memory_.p_body(), IsEmpty());
 }
 
-TEST_F(FlankMemoryTest, KeepsItAlsoInReverseAndInATurn) {
+TEST_F(FlankMemoryTest, StoresAnObstacleInReverseAndInATurn) {
   const Eigen::Vector2d post = T_odom_body_ * Eigen::Vector2d(-1.2, -0.9);
   drive({-0.02, 0.0, 0.004}, 30, post);
   ASSERT_THAT(memory_.p_body(), Not(IsEmpty()));
@@ -71,7 +71,7 @@ TEST_F(FlankMemoryTest, KeepsItAlsoInReverseAndInATurn) {
   EXPECT_LT((memory_.p_body()[0] - truth).norm(), 0.012);
 }
 
-TEST_F(FlankMemoryTest, BelievesNoSingleBeam) {
+TEST_F(FlankMemoryTest, IgnoresSingleBeams) {
   const Eigen::Vector2d post = T_odom_body_ * Eigen::Vector2d(1.01, 0.8);
   memory_.move_to(T_odom_body_);
   const Eigen::Vector2d p = T_odom_body_.inverse() * post;
@@ -80,11 +80,11 @@ TEST_F(FlankMemoryTest, BelievesNoSingleBeam) {
   EXPECT_THAT(memory_.p_body(), IsEmpty());
 }
 
-TEST_F(FlankMemoryTest, ForgetsWhereTheVehicleHasBeenAndWhatIsFar) {
+TEST_F(FlankMemoryTest, DeletesPointsUnderTheFootprintAndFarAway) {
   const Eigen::Vector2d post = T_odom_body_ * Eigen::Vector2d(1.05, 0.62);
   drive(kAhead, 10, post);
   EXPECT_THAT(memory_.p_body(), Not(IsEmpty()));
-  drive({0.0, 0.01, 0.0}, 5, {100.0, 100.0});  // slips over it
+  drive({0.0, 0.01, 0.0}, 5, {100.0, 100.0});  // sideways over it
   EXPECT_THAT(memory_.p_body(), IsEmpty());
   const Eigen::Vector2d other = T_odom_body_ * Eigen::Vector2d(1.05, 1.5);
   drive(kAhead, 10, other);
@@ -93,7 +93,7 @@ TEST_F(FlankMemoryTest, ForgetsWhereTheVehicleHasBeenAndWhatIsFar) {
   EXPECT_THAT(memory_.p_body(), IsEmpty());
 }
 
-TEST_F(FlankMemoryTest, ForgetsAllWhereThePoseJumps) {
+TEST_F(FlankMemoryTest, DeletesAllPointsWhenThePoseJumps) {
   drive(kAhead, 10, T_odom_body_ * Eigen::Vector2d(1.05, 0.8));
   EXPECT_THAT(memory_.p_body(), Not(IsEmpty()));
   T_odom_body_.x += 0.6;
@@ -104,14 +104,14 @@ TEST_F(FlankMemoryTest, ForgetsAllWhereThePoseJumps) {
 TEST_F(FlankMemoryTest, DoesNotGrowWhileTheVehicleStands) {
   const Eigen::Vector2d post = T_odom_body_ * Eigen::Vector2d(1.0, 0.8);
   for (int i = 0; i < 10'000; ++i) drive({0.001 * std::sin(i), 0.001 * std::cos(i), 0.0}, 1, post);
-  EXPECT_LE(memory_.p_body().size(), 8U);  // cells that it may be in
+  EXPECT_LE(memory_.p_body().size(), 8U);  // cells that the post may be in
 }
 
 TEST_F(FlankMemoryTest, NeedsAPose) {
-  memory_.observe(LaserId::kFront, seen({1.05, 0.8}, true));
+  memory_.observe(LaserId::kFront, points_of({1.05, 0.8}, true));
   EXPECT_THAT(memory_.p_body(), IsEmpty());
-  memory_.move_to({1e200, -1e200, 0.3});  // anywhere
-  memory_.observe(LaserId::kFront, seen({1.05, 0.8}, true));
+  memory_.move_to({1e200, -1e200, 0.3});  // far away
+  memory_.observe(LaserId::kFront, points_of({1.05, 0.8}, true));
 }
 
 }  // namespace

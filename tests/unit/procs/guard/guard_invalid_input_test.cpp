@@ -16,7 +16,7 @@ constexpr double kMax = std::numeric_limits<double>::max();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// Finite, as the conversions of messages let through.
+/// Finite numbers, as the conversion of messages accepts.
 constexpr std::array kNumbers{0.0, -0.0, 0.3, -0.3, 1e-300, 12.0, -1e9, kMax, -kMax};
 constexpr std::array kRanges{kNan, kInfinity, -kInfinity, 0.0F, -1.0F, 0.3F, 0.9F, 5.0F, 3e38F};
 
@@ -67,14 +67,14 @@ class RandomInput {
   std::mt19937 random_;
 };
 
-TEST(GuardInvalidInput, IsAnsweredWithAReasonOrNone) {
+TEST(GuardInvalidInput, YieldsAConsistentOrder) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     Guard guard(groundhog_guard());
-    RandomInput anything(seed);
+    RandomInput input(seed);
     std::int64_t now = HealthyRobot::kStart;
     for (int i = 0; i < 2000; ++i) {
       now += i % 500 == 499 ? -3'600'000'000 : 7'000;
-      anything.send(guard, now);
+      input.send(guard, now);
       const StopOrder order = guard.evaluate(now);
       EXPECT_EQ(order.utime, now);
       EXPECT_EQ(order.stopped, !order.reason.empty());

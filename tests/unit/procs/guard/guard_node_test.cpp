@@ -31,7 +31,7 @@ class GuardNodeTest : public testing::Test {
                       [this](const StopOrder& order) { orders_.push_back(order); });
   }
 
-  /// With a pose and a command to stand each 50 ms, where they are not silent.
+  /// Publishes a pose and a command each 50 ms, unless switched off.
   void run(double seconds) {
     for (int i = 0; i < std::lround(seconds * 1e6 / kStepUs); ++i) {
       bus_.advance_to(now_ += kStepUs);
@@ -52,13 +52,13 @@ class GuardNodeTest : public testing::Test {
   double speed_m_s_ = 0.0;
 };
 
-TEST_F(GuardNodeTest, SaysAtOnceThatTheVehicleIsToStand) {
+TEST_F(GuardNodeTest, PublishesAStopImmediately) {
   bus_.advance_to(kStart);
   ASSERT_EQ(orders_.size(), 1U);
-  EXPECT_EQ(orders_[0], (StopOrder{kStart, true, "no pose yet; no command yet"}));
+  EXPECT_EQ(orders_[0], (StopOrder{kStart, true, "no pose received yet; no command received yet"}));
 }
 
-TEST_F(GuardNodeTest, RepeatsItselfTenTimesASecond) {
+TEST_F(GuardNodeTest, RepeatsTheOrderAt10Hz) {
   run(2.0);
   orders_.clear();
   run(2.0);
@@ -66,7 +66,7 @@ TEST_F(GuardNodeTest, RepeatsItselfTenTimesASecond) {
   for (const StopOrder& order : orders_) EXPECT_FALSE(order.stopped);
 }
 
-TEST_F(GuardNodeTest, TellsAStopWithinATickOfItsTimer) {
+TEST_F(GuardNodeTest, PublishesAStopWithinOneTimerPeriod) {
   run(2.0);
   poses_ = false;
   orders_.clear();
@@ -76,10 +76,10 @@ TEST_F(GuardNodeTest, TellsAStopWithinATickOfItsTimer) {
   ASSERT_NE(stop, orders_.end());
   EXPECT_GT(stop->utime, last_pose + 250'000);
   EXPECT_LE(stop->utime, last_pose + 250'000 + GuardNode::kEvaluationPeriodUs);
-  EXPECT_THAT(stop->reason, testing::StartsWith("pose silent"));
+  EXPECT_THAT(stop->reason, testing::StartsWith("pose stale"));
 }
 
-TEST_F(GuardNodeTest, HeedsTheHeartbeatOfTheSupervisorOnly) {
+TEST_F(GuardNodeTest, MonitorsTheHeartbeatOfTheSupervisorOnly) {
   beat("mapping");
   run(10.0);
   EXPECT_FALSE(orders_.back().stopped);
@@ -88,47 +88,47 @@ TEST_F(GuardNodeTest, HeedsTheHeartbeatOfTheSupervisorOnly) {
   EXPECT_FALSE(orders_.back().stopped);
   beat("mapping");
   run(0.3);
-  EXPECT_THAT(orders_.back().reason, testing::StartsWith("supervisor silent for 3."));
+  EXPECT_THAT(orders_.back().reason, testing::StartsWith("supervisor stale for 3."));
   beat("supervisor");
   run(1.0);
   EXPECT_FALSE(orders_.back().stopped);
 }
 
-TEST_F(GuardNodeTest, TakesAMessageThatMakesNoSenseForNone) {
+TEST_F(GuardNodeTest, IgnoresInvalidMessages) {
   run(1.0);
   EXPECT_FALSE(orders_.back().stopped);
   speed_m_s_ = std::numeric_limits<double>::quiet_NaN();
   run(0.5);
-  EXPECT_THAT(orders_.back().reason, testing::StartsWith("command silent"));
+  EXPECT_THAT(orders_.back().reason, testing::StartsWith("command stale"));
 }
 
-TEST_F(GuardNodeTest, IsDegradedByWhatIsWrongWithTheRobotNotByWhoDrives) {
+TEST_F(GuardNodeTest, IsDegradedByTheRobotNotByTheDriver) {
   run(1.0);
   EXPECT_EQ(node_.health(), Health{});
   publish(bus_, channels::kGas, to_message(GasReading{now_, 0.02, 0.2, 0.0}));
   run(0.1);
   EXPECT_EQ(node_.health().level, Health::Level::kDegraded);
   EXPECT_EQ(node_.health().reason,
-            "methane 2.00 %, limit 1.00 % (times so far: pose 1, command 1, gas 1)");
-  run(20.0);  // and the gas is silent
-  EXPECT_THAT(node_.health().reason, testing::StartsWith("gas silent"));
+            "methane 2.00 %, limit 1.00 % (count: pose 1, command 1, gas 1)");
+  run(20.0);  // gas becomes stale
+  EXPECT_THAT(node_.health().reason, testing::StartsWith("gas stale"));
 }
 
-TEST(GuardConfiguration, LasersThatWouldSeeNothingAreRejected) {
+TEST(GuardConfiguration, RejectsLasersThatSeeNoObstacles) {
   GuardParams params = groundhog_guard();
   EXPECT_NO_THROW(Guard{params});
   params.lasers.rear.height_m = 0.1;
   EXPECT_THROW(Guard{params}, std::invalid_argument);
   EXPECT_THROW(Guard{GuardParams{}}, std::invalid_argument);  // lasers on the ground
   params = groundhog_guard();
-  params.obstacle.margin_m = 0.04;  // the laser is blind for 0.05 m before the vehicle
+  params.obstacle.margin_m = 0.04;  // the laser is blind up to 0.05 m ahead of the vehicle
   EXPECT_THROW(Guard{params}, std::invalid_argument);
   params = groundhog_guard();
   params.tilt_margin_rad = 0.5;
   EXPECT_THROW(Guard{params}, std::invalid_argument);
 }
 
-TEST(GuardConfiguration, NoTimeOutCanBeSwitchedOff) {
+TEST(GuardConfiguration, RejectsDisabledTimeouts) {
   for (const char* key : {"timeout_s", "slow_timeout_s", "supervisor_timeout_s"}) {
     for (const char* value : {"0", "-1", ".nan", ".inf", "1e9"}) {
       const std::string yaml = std::string("guard: {") + key + ": " + value + "}\n";

@@ -12,37 +12,37 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-TEST(GuardRelease, StandsAtTheStartUntilAllIsReceived) {
+TEST(GuardRelease, StopsAtTheStartUntilAllDataIsReceived) {
   Guard guard(groundhog_guard());
   const StopOrder order = guard.evaluate(HealthyRobot::kStart);
   EXPECT_TRUE(order.stopped);
-  EXPECT_EQ(order.reason, "no pose yet; no command yet");
+  EXPECT_EQ(order.reason, "no pose received yet; no command received yet");
 
   HealthyRobot robot;
   robot.muted = {"front"};
   robot.run(2.0);
-  EXPECT_EQ(robot.order.reason, "no laser front yet");
+  EXPECT_EQ(robot.order.reason, "no laser front received yet");
   robot.muted = {};
   robot.run(0.3);
-  EXPECT_THAT(robot.order.reason, StartsWith("to be released, was: no laser front yet"));
+  EXPECT_THAT(robot.order.reason, StartsWith("release pending, was: no laser front received yet"));
   robot.run(0.4);
   EXPECT_FALSE(robot.order.stopped);
 }
 
-TEST(GuardRelease, NeedsACommandThatIsNewerThanTheStop) {
+TEST(GuardRelease, NeedsACommandNewerThanTheStop) {
   Guard guard(groundhog_guard());
   std::int64_t now = HealthyRobot::kStart;
   guard.receive(DriveCommand{now, 0.0, 0.0}, now);
-  guard.evaluate(now);  // no pose yet
+  guard.evaluate(now);  // no pose received yet
   guard.receive_pose({}, now + 500'000, now + 500'000);
-  // The same command again and again, as if it were stuck somewhere: stale.
+  // An old command that is repeated is stale.
   guard.receive(DriveCommand{now, 0.0, 0.0}, now + 500'000);
   const StopOrder order = guard.evaluate(now + 500'000);
   EXPECT_TRUE(order.stopped);
-  EXPECT_EQ(order.reason, "command silent for 0.50 s");
+  EXPECT_EQ(order.reason, "command stale for 0.50 s");
 }
 
-TEST(GuardRelease, LetsTheVehicleBackAwayFromAnObstacle) {
+TEST(GuardRelease, AllowsToReverseFromAnObstacle) {
   HealthyRobot robot;
   robot.run(2.0);
   robot.front = HealthyRobot::scan_with(0.35F, 21);
@@ -57,7 +57,7 @@ TEST(GuardRelease, LetsTheVehicleBackAwayFromAnObstacle) {
   EXPECT_TRUE(robot.seconds_to_stop(0.06));  // with the next command
 }
 
-TEST(GuardRelease, DoesNotMindWhatIsNearWhileTheVehicleIsToStand) {
+TEST(GuardRelease, IgnoresObstaclesWhileTheCommandIsToStand) {
   HealthyRobot robot;
   robot.speed_m_s = 0.0;
   robot.front = HealthyRobot::scan_with(0.25F, 101);
@@ -67,7 +67,7 @@ TEST(GuardRelease, DoesNotMindWhatIsNearWhileTheVehicleIsToStand) {
   EXPECT_FALSE(robot.order.stopped) << robot.order.reason;
 }
 
-TEST(GuardRelease, LetsTheVehicleLeaveBadAirBackwardsOnly) {
+TEST(GuardRelease, AllowsToLeaveBadAirInTheOppositeDirectionOnly) {
   HealthyRobot robot;
   robot.run(2.0);
   robot.gas.methane_share = 0.02;
@@ -81,7 +81,7 @@ TEST(GuardRelease, LetsTheVehicleLeaveBadAirBackwardsOnly) {
   EXPECT_THAT(robot.order.reason, HasSubstr("methane"));
 }
 
-TEST(GuardRelease, DoesNotFlutter) {
+TEST(GuardRelease, DoesNotAlternate) {
   HealthyRobot robot;
   robot.run(2.0);
   for (int i = 0; i < 20; ++i) {
@@ -91,7 +91,7 @@ TEST(GuardRelease, DoesNotFlutter) {
   }
 }
 
-TEST(GuardClocks, AStepBackDoesNotKeepAStaleSourceAlive) {
+TEST(GuardClocks, AStepBackDoesNotHideAStaleSource) {
   HealthyRobot robot;
   robot.run(2.0);
   robot.clock_ahead_us = -3'600'000'000;
@@ -99,17 +99,17 @@ TEST(GuardClocks, AStepBackDoesNotKeepAStaleSourceAlive) {
   const auto seconds = robot.seconds_to_stop(1.0);
   ASSERT_TRUE(seconds);
   EXPECT_NEAR(*seconds, 0.25, 0.04);  // the pose is up to 30 ms old, a step of the clock 10 ms
-  EXPECT_THAT(robot.order.reason, StartsWith("pose silent"));
+  EXPECT_THAT(robot.order.reason, StartsWith("pose stale"));
 }
 
-TEST(GuardClocks, AStepBackOfAllDoesNotStopTheRobot) {
+TEST(GuardClocks, AStepBackOfAllClocksDoesNotStopTheRobot) {
   HealthyRobot robot;
   robot.run(2.0);
   robot.clock_ahead_us = -3'600'000'000;
   EXPECT_EQ(robot.seconds_to_stop(2.0), std::nullopt) << robot.order.reason;
 }
 
-TEST(GuardClocks, AStepAheadStopsTheRobotForAMomentOnly) {
+TEST(GuardClocks, AStepAheadStopsTheRobotBriefly) {
   HealthyRobot robot;
   robot.run(2.0);
   robot.clock_ahead_us = 3'600'000'000;
@@ -118,7 +118,7 @@ TEST(GuardClocks, AStepAheadStopsTheRobotForAMomentOnly) {
   EXPECT_FALSE(robot.order.stopped) << robot.order.reason;
 }
 
-TEST(GuardClocks, WhatIsOfTheFutureIsOfNow) {
+TEST(GuardClocks, DataFromTheFutureCountsAsNow) {
   Guard guard(groundhog_guard());
   const std::int64_t now = HealthyRobot::kStart;
   guard.evaluate(now - 1'000'000);
@@ -126,10 +126,10 @@ TEST(GuardClocks, WhatIsOfTheFutureIsOfNow) {
   guard.receive(DriveCommand{now + 3'600'000'000, 0.0, 0.0}, now);
   EXPECT_FALSE(guard.evaluate(now).stopped);
   EXPECT_EQ(guard.evaluate(now + 300'000).reason,
-            "pose silent for 0.30 s; command silent for 0.30 s");
+            "pose stale for 0.30 s; command stale for 0.30 s");
 }
 
-TEST(GuardClocks, WhatIsOldIsStaleHoweverOftenItComes) {
+TEST(GuardClocks, OldDataIsStaleHoweverOftenItArrives) {
   HealthyRobot robot;
   robot.run(2.0);
   robot.muted = {"pose"};
@@ -138,7 +138,7 @@ TEST(GuardClocks, WhatIsOldIsStaleHoweverOftenItComes) {
     const std::int64_t now = HealthyRobot::kStart + i * 50'000;
     guard.receive_pose({}, now - 1'000'000, now);
     guard.receive(DriveCommand{now, 0.0, 0.0}, now);
-    EXPECT_EQ(guard.evaluate(now).reason, "pose silent for 1.00 s");
+    EXPECT_EQ(guard.evaluate(now).reason, "pose stale for 1.00 s");
   }
 }
 

@@ -26,8 +26,8 @@ inline GuardParams groundhog_guard() {
   return params;
 }
 
-/// A guard that hears all that it wants from a robot that drives ahead, with nothing near it, at
-/// the rates of lcmtypes/README.md. A test changes what is said.
+/// A guard that receives all data from a robot that drives ahead without obstacles, at the rates of
+/// lcmtypes/README.md. A test changes the data.
 class HealthyRobot {
  public:
   static constexpr std::int64_t kStart = 1'600'000'000'000'000;
@@ -39,7 +39,7 @@ class HealthyRobot {
     for (int i = 0; i < std::lround(seconds * 1e6 / kStepUs); ++i) step();
   }
 
-  /// Seconds until the order is to stand; nothing if it is not within the time.
+  /// Seconds until the order is to stop; nothing if it is not within the time.
   std::optional<double> seconds_to_stop(double seconds_max) {
     for (int i = 1; i * kStepUs <= std::lround(seconds_max * 1e6); ++i) {
       step();
@@ -60,8 +60,9 @@ class HealthyRobot {
 
   [[nodiscard]] const Guard& guard() const { return guard_; }
 
-  // What is said.
-  std::set<std::string> muted;  ///< who says nothing: front, rear, tilt, pose, command, state, ..
+  // The data.
+  std::set<std::string>
+      muted;  ///< sources without data: front, rear, tilt, pose, command, state, …
   double speed_m_s = 0.3;
   double curvature_1_m = 0.0;
   VehicleState state;
@@ -71,19 +72,19 @@ class HealthyRobot {
   ImuReading imu{0, Eigen::Vector3d::Zero(), {0.0, 0.0, 9.81}};
   GasReading gas;
   SinkageReading sinkage;
-  std::int64_t clock_ahead_us = 0;  ///< of the bus and of all who say something
+  std::int64_t clock_ahead_us = 0;  ///< offset of the bus and all sources
 
-  StopOrder order{0, true, "not judged yet"};
+  StopOrder order{0, true, "not evaluated yet"};
 
  private:
   template <class Value>
-  void send(const char* who, int every_steps, Value value) {
-    if (steps_ % every_steps != 0 || muted.contains(who)) return;
+  void send(const char* source, int every_steps, Value value) {
+    if (steps_ % every_steps != 0 || muted.contains(source)) return;
     value.utime = now_;
     guard_.receive(value, now_);
   }
-  void send(const char* who, LaserId laser, LaserScan scan) {
-    if (muted.contains(who)) return;
+  void send(const char* source, LaserId laser, LaserScan scan) {
+    if (muted.contains(source)) return;
     scan.utime = now_ - 27'000;
     guard_.receive(laser, scan, now_);
   }

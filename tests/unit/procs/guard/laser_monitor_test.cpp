@@ -24,7 +24,7 @@ LaserMount mount() {
   return mount;
 }
 
-LaserScan ahead(std::vector<float> ranges_m) {
+LaserScan scan_ahead(std::vector<float> ranges_m) {
   const double half = 0.5 * static_cast<double>(ranges_m.size() - 1);
   return {1, std::move(ranges_m), -half * 0.01, 0.01};
 }
@@ -36,59 +36,60 @@ int obstacles(const LaserPoints& points) {
 }
 
 int obstacles_at(float range_m, double tilt_rad, const Eigen::Vector3d& up_body = kLevel) {
-  return obstacles(project_scan(ahead({range_m}), mount(), tilt_rad, up_body, Vehicle{}));
+  return obstacles(project_scan(scan_ahead({range_m}), mount(), tilt_rad, up_body, Vehicle{}));
 }
 
-TEST(LaserPoints, ArePlacedOnTheBody) {
-  const LaserPoints points = project_scan(ahead({2.0F, 1.0F, 2.0F}), mount(), 0.0, kLevel, {});
+TEST(LaserPoints, AreInTheBodyFrame) {
+  const LaserPoints points = project_scan(scan_ahead({2.0F, 1.0F, 2.0F}), mount(), 0.0, kLevel, {});
   ASSERT_EQ(points.p_body.size(), 3U);
   EXPECT_NEAR(points.p_body[1].x(), 2.05, 1e-6);
   EXPECT_NEAR(points.p_body[1].y(), 0.0, 1e-6);
   EXPECT_NEAR(points.p_body[2].y(), 2.0 * std::sin(0.01), 1e-6);
 }
 
-TEST(LaserPoints, LeaveOutWhatIsNoReturn) {
+TEST(LaserPoints, LeaveOutInvalidRanges) {
   const float infinite = std::numeric_limits<float>::infinity();
-  const LaserPoints points = project_scan(ahead({kNan, infinite, -1.0F, 0.0F, 0.1F, 50.0F, 81.91F}),
-                                          mount(), 0.0, kLevel, {});
+  const LaserPoints points = project_scan(
+      scan_ahead({kNan, infinite, -1.0F, 0.0F, 0.1F, 50.0F, 81.91F}), mount(), 0.0, kLevel, {});
   EXPECT_EQ(points.returns, 0);
   EXPECT_EQ(obstacles(points), 0);
   EXPECT_EQ(project_scan({}, mount(), 0.0, kLevel, {}).p_body.size(), 0U);
 }
 
-TEST(LaserPoints, TakeGroundAndRoofForNone) {
+TEST(LaserPoints, LeaveOutGroundAndRoof) {
   const double down = 0.5;
   const auto floor_m = static_cast<float>(0.62 / std::sin(down));
   EXPECT_EQ(obstacles_at(floor_m, down), 0);
   EXPECT_EQ(obstacles_at(0.5F * floor_m, down), 1);  // 0.31 m above the floor
-  EXPECT_EQ(obstacles_at(3.0F, -down), 0);           // two metres up
-  EXPECT_EQ(obstacles_at(0.5F, -down), 1);           // 0.86 m, and the vehicle has a metre
+  EXPECT_EQ(obstacles_at(3.0F, -down), 0);           // 2 m high
+  EXPECT_EQ(obstacles_at(0.5F, -down), 1);           // 0.86 m high; the vehicle is 1 m high
 }
 
-TEST(LaserPoints, KeepAWallBeforeABodyThatPitches) {
-  // The nose is up by 0.07 rad, as with the front wheels on a rail: the ray rises.
+TEST(LaserPoints, ContainAWallAheadOfAPitchedBody) {
+  // Nose up by 0.07 rad, as with the front wheels on a rail: the beam rises.
   const Eigen::Vector3d nose_up(std::sin(0.07), 0.0, std::cos(0.07));
   EXPECT_EQ(obstacles_at(1.0F, 0.0, nose_up), 1);
-  // The floor of a body whose nose is down: above the plane of its wheels, but level.
+  // Floor ahead of a body with its nose down: above the plane of its wheels, but not by gravity.
   const Eigen::Vector3d nose_down(-std::sin(0.2), 0.0, std::cos(0.2));
   EXPECT_EQ(obstacles_at(2.0F, 0.0, nose_down), 0);
 }
 
-TEST(WayToObstacle, NeedsTwoNeighbouringBeams) {
+TEST(DistanceToObstacle, NeedsTwoNeighbouringBeams) {
   const ArcSweep sweep(Vehicle{}, {0.4, 0.0}, 0.05);
   const auto distance_m = [&](std::vector<float> ranges_m) {
     return distance_to_obstacle_m(
-        project_scan(ahead(std::move(ranges_m)), mount(), 0.0, kLevel, {}), sweep, 2.0);
+        project_scan(scan_ahead(std::move(ranges_m)), mount(), 0.0, kLevel, {}), sweep, 2.0);
   };
   EXPECT_EQ(distance_m({kNan, 1.0F, kNan, 1.0F, kNan}), std::numeric_limits<double>::infinity());
   EXPECT_NEAR(distance_m({9.0F, 1.0F, 1.0F, 9.0F}), 1.05 + 1.0 - 1.2, 1e-3);
   EXPECT_NEAR(distance_m({9.0F, 0.5F, 1.0F, 9.0F}), 1.05 + 1.0 - 1.2,
-              1e-3);  // both are at the second
+              1e-3);  // two neighbours at the second range
   EXPECT_EQ(distance_m({}), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(distance_m({4.0F, 4.0F}), std::numeric_limits<double>::infinity());  // too far away
+  EXPECT_EQ(distance_m({4.0F, 4.0F}),
+            std::numeric_limits<double>::infinity());  // beyond the stopping distance
 }
 
-TEST(StoppingDistance, IsReactionAndBrakingAndMargin) {
+TEST(StoppingDistance, IsTheSumOfReactionBrakingAndMargin) {
   const ObstacleParams params{0.1, 0.5, 0.15, 0.05};
   EXPECT_NEAR(stopping_distance_m(params, 0.4, 0.05), 0.4 * 0.15 + 0.16 + 0.15, 1e-12);
   EXPECT_NEAR(stopping_distance_m(params, -0.4, 0.05), 0.4 * 0.15 + 0.16 + 0.15, 1e-12);

@@ -18,14 +18,14 @@ constexpr double kNoContact = std::numeric_limits<double>::infinity();
 constexpr double kStepM = 0.001;
 constexpr double kReachM = 3.0;
 
-/// Where the vehicle is after a way, four wheels steering: by the equations of a circle.
-Pose2 after(double distance_m, double curvature) {
+/// The pose after a distance along a circle, with four-wheel steering.
+Pose2 pose_after(double distance_m, double curvature) {
   if (curvature == 0.0) return {distance_m, 0.0, 0.0};
   const double turn = distance_m * curvature;
   return {std::sin(turn) / curvature, (1.0 - std::cos(turn)) / curvature, turn};
 }
 
-/// How far the point is outside of the footprint, at a pose of the vehicle; negative inside.
+/// Distance of a point from the footprint at a pose of the vehicle; negative inside.
 double outside_m(const Vehicle& vehicle, double side_margin_m, const Pose2& T,
                  const Eigen::Vector2d& p) {
   const Eigen::Vector2d q = T.inverse() * p;
@@ -37,27 +37,27 @@ double stepped_distance_m(const Vehicle& vehicle, double side_margin_m, const Ar
                           const Eigen::Vector2d& p) {
   const double sign = std::copysign(1.0, motion.speed_m_s);
   for (int i = 0; i * kStepM < kReachM; ++i) {
-    const Pose2 T = after(sign * i * kStepM, motion.curvature_1_m);
+    const Pose2 T = pose_after(sign * i * kStepM, motion.curvature_1_m);
     if (outside_m(vehicle, side_margin_m, T, p) <= 0.0) return i * kStepM;
   }
   return kNoContact;
 }
 
-struct Agreement {
+struct Comparison {
   int met = 0;
   int grazed = 0;  // met for less than a step
 };
 
-/// Points around, and the way to each by the equation against that by small steps.
-Agreement compare(const ArcMotion& motion, std::uint32_t seed) {
+/// Compares the distance to random points by the closed form with that by small steps.
+Comparison compare(const ArcMotion& motion, std::uint32_t seed) {
   const Vehicle vehicle;
   constexpr double kMarginM = 0.05;
   const ArcSweep sweep(vehicle, motion, kMarginM);
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> anywhere(-3.5, 3.5);
-  Agreement agreement;
+  std::uniform_real_distribution<double> coordinate(-3.5, 3.5);
+  Comparison comparison;
   for (int i = 0; i < 1000; ++i) {
-    const Eigen::Vector2d p(anywhere(random), anywhere(random));
+    const Eigen::Vector2d p(coordinate(random), coordinate(random));
     const bool in_margin = outside_m(vehicle, kMarginM, {}, p) <= 0.0;
     const double margin_m = in_margin ? 0.0 : kMarginM;
     if (outside_m(vehicle, 0.0, {}, p) <= 0.0) continue;
@@ -65,56 +65,59 @@ Agreement compare(const ArcMotion& motion, std::uint32_t seed) {
     const double stepped_m = stepped_distance_m(vehicle, margin_m, motion, p);
     EXPECT_LE(distance_m, stepped_m + 1e-9) << p.transpose();  // rounding
     if (distance_m >= kReachM - kStepM) continue;
-    ++agreement.met;
+    ++comparison.met;
     EXPECT_LE(p.norm(), sweep.reach_m(distance_m) + 1e-9);
-    const Pose2 T = after(std::copysign(distance_m, motion.speed_m_s), motion.curvature_1_m);
+    const Pose2 T = pose_after(std::copysign(distance_m, motion.speed_m_s), motion.curvature_1_m);
     EXPECT_NEAR(outside_m(vehicle, margin_m, T, p), 0.0, 1e-6)
-        << p.transpose();  // 1e-7 is taken for straight
-    if (stepped_m > distance_m + kStepM + 1e-9) ++agreement.grazed;
+        << p.transpose();  // a curvature of 1e-7 counts as straight
+    if (stepped_m > distance_m + kStepM + 1e-9) ++comparison.grazed;
   }
-  return agreement;
+  return comparison;
 }
 
-TEST(ArcSweep, MeetsPointsWhereTheFootprintInSmallStepsDoes) {
+TEST(ArcSweep, AgreesWithSmallSteps) {
   std::uint32_t seed = 1;
   for (const double speed : {0.4, -0.4}) {
     for (const double curvature : {0.0, 1e-7, 0.05, -0.05, 0.3, -0.3, 0.625, -0.625}) {
-      const Agreement agreement = compare({speed, curvature}, seed++);
-      EXPECT_GT(agreement.met, 40) << speed << " " << curvature;
-      EXPECT_LE(agreement.grazed, 5) << speed << " " << curvature;  // by a corner
+      const Comparison comparison = compare({speed, curvature}, seed++);
+      EXPECT_GT(comparison.met, 40) << speed << " " << curvature;
+      EXPECT_LE(comparison.grazed, 5) << speed << " " << curvature;  // at a corner
     }
   }
 }
 
-TEST(ArcSweep, TheOuterRearCornerSwingsOut) {
-  const Vehicle vehicle;                      // 2.4 × 1.2 m, at least 1.6 m
-  const Eigen::Vector2d beside(-1.3, -0.65);  // behind its rear, right of its flank
+TEST(ArcSweep, IncludesTheSwingOfTheOuterRearCorner) {
+  const Vehicle vehicle;                      // 2.4 × 1.2 m, turning radius 1.6 m
+  const Eigen::Vector2d beside(-1.3, -0.65);  // behind the rear, right of the flank
   EXPECT_EQ(ArcSweep(vehicle, {0.4, 0.0}, 0.0).distance_m(beside), kNoContact);
-  const Eigen::Vector2d at_the_rear(-0.9, -0.65);  // on the inside: met from behind, after a turn
+  const Eigen::Vector2d at_the_rear(-0.9,
+                                    -0.65);  // on the inner side: met from behind, after a turn
   EXPECT_GT(ArcSweep(vehicle, {0.4, -0.6}, 0.0).distance_m(at_the_rear), 5.0);
-  // Its distance from the centre of the turn is less than that of the corner.
+  // It is closer to the centre of rotation than the corner.
   const double distance_m =
       ArcSweep(vehicle, {0.4, 0.6}, 0.0).distance_m(Eigen::Vector2d(-1.0, -0.65));
   EXPECT_GT(distance_m, 0.0);
   EXPECT_LT(distance_m, 0.2);
 }
 
-TEST(ArcSweep, LetsTheVehicleGoOnBesideWhatIsCloserThanTheMargin) {
+TEST(ArcSweep, AllowsToContinueBesideAnObstacleWithinTheMargin) {
   const Vehicle vehicle;
   const Eigen::Vector2d beside(0.5, 0.62);
   EXPECT_EQ(ArcSweep(vehicle, {0.4, 0.0}, 0.05).distance_m(beside), kNoContact);
-  EXPECT_LT(ArcSweep(vehicle, {0.4, 0.6}, 0.05).distance_m(beside), 0.3);   // but not into it
-  EXPECT_GT(ArcSweep(vehicle, {0.4, -0.1}, 0.05).distance_m(beside), 1.0);  // nor its rear for long
+  EXPECT_LT(ArcSweep(vehicle, {0.4, 0.6}, 0.05).distance_m(beside),
+            0.3);  // but not into the obstacle
+  EXPECT_GT(ArcSweep(vehicle, {0.4, -0.1}, 0.05).distance_m(beside),
+            1.0);  // nor with the rear into it
 }
 
-TEST(ArcSweep, DrivesOutOfWhatItStandsInAndNotOn) {
+TEST(ArcSweep, AllowsToLeaveAnObstacleInsideTheFootprint) {
   const Vehicle vehicle;
   const Eigen::Vector2d in_the_front(1.15, 0.3);
   EXPECT_EQ(ArcSweep(vehicle, {0.4, 0.2}, 0.05).distance_m(in_the_front), 0.0);
   EXPECT_EQ(ArcSweep(vehicle, {-0.4, 0.2}, 0.05).distance_m(in_the_front), kNoContact);
 }
 
-TEST(ArcSweep, ClampsACurvatureThatNobodyCanSteer) {
+TEST(ArcSweep, ClampsTheCurvatureToThatOfTheVehicle) {
   const Vehicle vehicle;
   const Eigen::Vector2d ahead(1.8, 0.7);
   const double most_m =
@@ -123,7 +126,7 @@ TEST(ArcSweep, ClampsACurvatureThatNobodyCanSteer) {
   EXPECT_EQ(ArcSweep(vehicle, {0.4, 50.0}, 0.0).distance_m(ahead), most_m);
 }
 
-/// Steps for a vehicle whose rear axle goes along its own x axis.
+/// The same by small steps for a vehicle whose rear axle moves along its x axis.
 double stepped_distance_of_ackermann_m(const Vehicle& vehicle, const ArcMotion& motion,
                                        const Eigen::Vector2d& p) {
   const double back = -0.5 * vehicle.wheelbase_m;
@@ -140,23 +143,22 @@ double stepped_distance_of_ackermann_m(const Vehicle& vehicle, const ArcMotion& 
   return kNoContact;
 }
 
-TEST(ArcSweep, TurnsAboutTheRearAxleOfAVehicleThatSteersByItsFrontWheels) {
+TEST(ArcSweep, RotatesAboutTheLineOfTheRearAxleWithAckermannSteering) {
   Vehicle vehicle;
   vehicle.steering = "ackermann";
   std::mt19937 random(7);
-  std::uniform_real_distribution<double> anywhere(-2.5, 2.5);
+  std::uniform_real_distribution<double> coordinate(-2.5, 2.5);
   int met = 0;
   for (const ArcMotion motion : {ArcMotion{0.4, 0.4}, ArcMotion{0.4, -0.4}, ArcMotion{-0.4, 0.4}}) {
     const ArcSweep sweep(vehicle, motion, 0.0);
     for (int i = 0; i < 500; ++i) {
-      const Eigen::Vector2d p(anywhere(random), anywhere(random));
+      const Eigen::Vector2d p(coordinate(random), coordinate(random));
       if (outside_m(vehicle, 0.0, {}, p) <= 0.0) continue;
       const double stepped_m = stepped_distance_of_ackermann_m(vehicle, motion, p);
       EXPECT_LE(sweep.distance_m(p), stepped_m + 1e-9);
       if (stepped_m == kNoContact) continue;
       ++met;
-      EXPECT_NEAR(sweep.distance_m(p), stepped_m, 20 * kStepM)
-          << p.transpose();  // a corner that grazes
+      EXPECT_NEAR(sweep.distance_m(p), stepped_m, 20 * kStepM) << p.transpose();  // at a corner
     }
   }
   EXPECT_GT(met, 100);

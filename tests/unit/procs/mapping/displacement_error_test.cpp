@@ -45,7 +45,7 @@ TEST(DisplacementError, IsPositiveDefiniteFromTheStart) {
   EXPECT_GT(error.covariance().determinant(), 0.0);
 }
 
-TEST(DisplacementError, GrowsWithTheWayAndNotWithTheNumberOfScans) {
+TEST(DisplacementError, GrowsWithPathLengthAndNotWithTheNumberOfScans) {
   DisplacementError few{DisplacementErrorParams{}};
   drive(few, matched(), 50);
   DisplacementError many{DisplacementErrorParams{}};
@@ -55,42 +55,42 @@ TEST(DisplacementError, GrowsWithTheWayAndNotWithTheNumberOfScans) {
   }
   EXPECT_NEAR(sd(few, 0), sd(many, 0), 1e-9);
   EXPECT_NEAR(sd(few, 2), sd(many, 2), 1e-9);
-  EXPECT_NEAR(sd(few, 1), sd(many, 1), 1e-3);  // heading is swept in finer steps
+  EXPECT_NEAR(sd(few, 1), sd(many, 1), 1e-3);  // heading is sampled more finely
 }
 
-TEST(DisplacementError, OfHeadingBecomesOneOfPlace) {
+TEST(DisplacementError, OfHeadingPropagatesToPosition) {
   const DisplacementErrorParams params;
   DisplacementError error{params};
   drive(error, matched(), 500);
-  // A random walk of the heading over L metres: sd² = q² L³ / 3 across the way.
+  // A random walk of the heading over L metres: sd² = q² L³ / 3 across the path.
   const double swept = params.drift_rad_per_sqrt_m * std::sqrt(50.0 * 50.0 * 50.0 / 3.0);
   EXPECT_NEAR(sd(error, 1), std::hypot(swept, params.drift_m_per_sqrt_m * std::sqrt(50.0)), 2e-3);
 }
 
-TEST(DisplacementError, TakesFromOdometryWhatScansLeaveOpen) {
+TEST(DisplacementError, UsesOdometryInDegenerateDirections) {
   DisplacementError error{DisplacementErrorParams{}};
   drive(error, open_along_x(DegenerateDirection::Fill::kOdometry), 50);
   EXPECT_NEAR(sd(error, 0), 0.02 * std::sqrt(50.0), 0.01);  // independent from step to step
   DisplacementError closed{DisplacementErrorParams{}};
   drive(closed, matched(), 50);
-  EXPECT_NEAR(sd(error, 1), sd(closed, 1), 1e-6);  // across is measured as ever
+  EXPECT_NEAR(sd(error, 1), sd(closed, 1), 1e-6);  // the direction across is constrained by scans
 }
 
-TEST(DisplacementError, OfAnAssumedSpeedGrowsWithTheTime) {
+TEST(DisplacementError, OfAnAssumedSpeedGrowsWithTime) {
   const DisplacementErrorParams params;
   DisplacementError error{params};
   drive(error, open_along_x(DegenerateDirection::Fill::kNone), 50);
   EXPECT_NEAR(sd(error, 0), params.speed_sd_m_s * kPeriodS * 50, 0.01);
-  drive(error, matched(), 10);  // and does not go away
+  drive(error, matched(), 10);  // and remains
   EXPECT_GT(sd(error, 0), 0.99 * params.speed_sd_m_s * kPeriodS * 50);
 }
 
-TEST(DisplacementError, ForgetsAShortStretchThatWasOpenOrLost) {
+TEST(DisplacementError, DropsAShortDegenerateOrLostStretch) {
   DisplacementError closed{DisplacementErrorParams{}};
   drive(closed, matched(), 10);
   DisplacementError open{DisplacementErrorParams{}};
   drive(open, open_along_x(DegenerateDirection::Fill::kNone), 3);
-  EXPECT_GT(sd(open, 0), 0.1);  // while it lasts it counts
+  EXPECT_GT(sd(open, 0), 0.1);  // it counts while it lasts
   drive(open, matched(), 7);
   EXPECT_NEAR(sd(open, 0), sd(closed, 0), 1e-9);
 
@@ -104,7 +104,7 @@ TEST(DisplacementError, ForgetsAShortStretchThatWasOpenOrLost) {
   DisplacementError long_loss{DisplacementErrorParams{}};
   drive(long_loss, lost, 4);
   drive(long_loss, matched(), 6);
-  EXPECT_GT(sd(long_loss, 0), 0.2);  // scan matching has begun anew
+  EXPECT_GT(sd(long_loss, 0), 0.2);  // the reference of scan matching was reset
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ using Status = ScanMatch::Status;
 const std::string kFront = "LASER_FRONT";
 const std::string kRear = "LASER_REAR";
 
-/// Feeds the builder with scans that scan matching has found at given poses.
+/// Feeds the builder with scans matched at given poses.
 class Feed {
  public:
   explicit Feed(int first_id = 0, int session = 0) : builder_({}, first_id, session) {}
@@ -42,7 +42,7 @@ class Feed {
     if (auto map = builder_.add(channel, scan, match)) maps.push_back(std::move(*map));
   }
 
-  /// Scan matching was started anew.
+  /// Scan matching was restarted.
   void restart() {
     first_ = true;
     T_odom_body_ = {};
@@ -64,7 +64,7 @@ class Feed {
   bool first_ = true;
 };
 
-TEST(LocalMapBuilder, BeginsAMapEveryFiveMetres) {
+TEST(LocalMapBuilder, StartsAMapEveryFiveMetres) {
   Feed feed;
   feed.scan(Status::kFirstScan);
   for (int i = 0; i < 80; ++i) feed.step({0.15, 0.0, 0.0});  // 12 m
@@ -79,7 +79,7 @@ TEST(LocalMapBuilder, BeginsAMapEveryFiveMetres) {
   EXPECT_EQ(feed.builder().current().id, 2);
 }
 
-TEST(LocalMapBuilder, LetsConsecutiveMapsTouchInOneScan) {
+TEST(LocalMapBuilder, SharesOneScanBetweenConsecutiveMaps) {
   Feed feed;
   feed.scan(Status::kFirstScan);
   for (int i = 0; i < 80; ++i) feed.step({0.15, 0.0, 0.05});
@@ -94,17 +94,17 @@ TEST(LocalMapBuilder, LetsConsecutiveMapsTouchInOneScan) {
   EXPECT_LT(end.vector().norm(), 1e-12);
 }
 
-TEST(LocalMapBuilder, KeepsAScanAfterATenthOfAMetreOrOfARadian) {
+TEST(LocalMapBuilder, StoresAScanEveryTenthOfAMetreOrRadian) {
   Feed feed;
   feed.scan(Status::kFirstScan);
-  for (int i = 0; i < 10; ++i) feed.step({0.03, 0.0, 0.0});  // keeps the 4th and the 8th
+  for (int i = 0; i < 10; ++i) feed.step({0.03, 0.0, 0.0});  // stores the 4th and the 8th
   for (int i = 0; i < 10; ++i) feed.step({0.0, 0.0, 0.03});  // two more
   feed.finish();
   ASSERT_EQ(feed.maps.size(), 1U);
   EXPECT_EQ(feed.maps[0].scans.size(), 1U + 2U + 2U);
 }
 
-TEST(LocalMapBuilder, KeepsTheScansOfEachLaser) {
+TEST(LocalMapBuilder, StoresTheScansOfEachLaser) {
   Feed feed;
   feed.scan(Status::kFirstScan);
   feed.scan(Status::kFirstScan, kRear);
@@ -127,14 +127,14 @@ TEST(LocalMapBuilder, MakesNoMapsAtRest) {
   EXPECT_EQ(feed.builder().current().scans.size(), 1U);
 }
 
-TEST(LocalMapBuilder, FinishesAMapAfterMuchTurningOnTheSpot) {
+TEST(LocalMapBuilder, FinishesAMapAfterTurningInPlace) {
   Feed feed;
   feed.scan(Status::kFirstScan);
   for (int i = 0; i < 65; ++i) feed.step({0.0, 0.0, 0.1});  // 6.5 rad
   EXPECT_EQ(feed.maps.size(), 1U);
 }
 
-TEST(LocalMapBuilder, LeavesOutLostScansAndIgnoresRejectedOnes) {
+TEST(LocalMapBuilder, SkipsLostScansAndIgnoresRejectedOnes) {
   Feed feed;
   feed.scan(Status::kFirstScan);
   for (int i = 0; i < 10; ++i) {
@@ -147,12 +147,12 @@ TEST(LocalMapBuilder, LeavesOutLostScansAndIgnoresRejectedOnes) {
   EXPECT_EQ(feed.maps[0].scans.size(), 11U);
 }
 
-TEST(LocalMapBuilder, BeginsASessionWithANewOdomFrame) {
+TEST(LocalMapBuilder, StartsASessionForEachOdomFrame) {
   Feed feed;
   feed.scan(Status::kFirstScan);
   for (int i = 0; i < 20; ++i) feed.step({0.1, 0.0, 0.0});
   feed.restart();
-  ASSERT_EQ(feed.maps.size(), 1U);  // what there was is not lost
+  ASSERT_EQ(feed.maps.size(), 1U);  // the unfinished map is not lost
   EXPECT_EQ(feed.maps[0].id, 0);
   EXPECT_EQ(feed.maps[0].session, 0);
   EXPECT_EQ(feed.builder().current().id, 1);
@@ -160,7 +160,7 @@ TEST(LocalMapBuilder, BeginsASessionWithANewOdomFrame) {
   EXPECT_EQ(feed.builder().current().scans.size(), 1U);
 }
 
-TEST(LocalMapBuilder, BeginsALaterSessionWithAMapOfWhereItStands) {
+TEST(LocalMapBuilder, StartsALaterSessionWithAShortMap) {
   Feed feed(7, 2);
   feed.scan(Status::kFirstScan);
   for (int i = 0; i < 2; ++i) feed.step({});
@@ -177,18 +177,18 @@ TEST(LocalMapBuilder, BeginsALaterSessionWithAMapOfWhereItStands) {
   EXPECT_EQ(feed.maps[1].session, 2);
 }
 
-TEST(LocalMapBuilder, SaysHowSureADisplacementIs) {
+TEST(LocalMapBuilder, ReportsTheCovarianceOfADisplacement) {
   Feed feed;
   feed.scan(Status::kFirstScan);
   for (int i = 0; i < 80; ++i) feed.step({0.15, 0.0, 0.0});
   ASSERT_GE(feed.maps.size(), 2U);
   const Eigen::Matrix3d covariance = feed.maps[1].information.inverse();
-  EXPECT_GT(std::sqrt(covariance(0, 0)), 0.003);  // more than a match alone,
-  EXPECT_LT(std::sqrt(covariance(0, 0)), 0.03);   // less than half a percent of the way
+  EXPECT_GT(std::sqrt(covariance(0, 0)), 0.003);  // more than a single match,
+  EXPECT_LT(std::sqrt(covariance(0, 0)), 0.03);   // less than half a percent of the path length
   EXPECT_LT(rad_to_deg(std::sqrt(covariance(2, 2))), 0.3);
 }
 
-TEST(LocalMapBuilder, HasNothingToFinishBeforeTheFirstScan) {
+TEST(LocalMapBuilder, FinishesNothingBeforeTheFirstScan) {
   LocalMapBuilder builder{LocalMapBuilderParams{}};
   EXPECT_FALSE(builder.finish());
 }

@@ -33,7 +33,7 @@ class MapJournalOnDisk : public testing::Test {
   std::filesystem::path path_ = scratch_ / "map.journal";
 };
 
-TEST_F(MapJournalOnDisk, GivesBackWhatThereWasOfTheLocalMapInTheMaking) {
+TEST_F(MapJournalOnDisk, RestoresTheUnfinishedLocalMap) {
   {
     MapJournal journal(path_);
     journal.append({local_map(0, 3), {}});
@@ -46,7 +46,7 @@ TEST_F(MapJournalOnDisk, GivesBackWhatThereWasOfTheLocalMapInTheMaking) {
   EXPECT_EQ(*stored.unfinished, local_map(1, 5));
 }
 
-TEST_F(MapJournalOnDisk, LosesOnePartToATornRecord) {
+TEST_F(MapJournalOnDisk, LosesOnePartToATruncatedRecord) {
   {
     MapJournal journal(path_);
     journal.append_unfinished(local_map(0, 2));
@@ -58,7 +58,7 @@ TEST_F(MapJournalOnDisk, LosesOnePartToATornRecord) {
   EXPECT_EQ(*stored.unfinished, local_map(0, 2));
 }
 
-TEST_F(MapJournalOnDisk, ForgetsThePartsOfAFinishedLocalMap) {
+TEST_F(MapJournalOnDisk, DropsThePartsOfAFinishedLocalMap) {
   {
     MapJournal journal(path_);
     journal.append_unfinished(local_map(0, 2));
@@ -70,8 +70,8 @@ TEST_F(MapJournalOnDisk, ForgetsThePartsOfAFinishedLocalMap) {
   EXPECT_EQ(stored.maps[0], local_map(0, 6));
 }
 
-/// One that was not kept leaves its id to the next.
-TEST_F(MapJournalOnDisk, GivesBackTheOneThatTookThePlaceOfAnother) {
+/// The next local map reuses the id of a discarded one.
+TEST_F(MapJournalOnDisk, RestoresTheReplacementOfADiscardedLocalMap) {
   LocalMap next = local_map(1, 4);
   for (LocalScan& scan : next.scans) scan.scan.utime += 10'000;
   next.utime += 10'000;

@@ -18,7 +18,7 @@ std::vector<std::size_t> rest_of_round(MapResender& repeater) {
   return round;
 }
 
-TEST(MapResender, GivesEachLocalMapOnce) {
+TEST(MapResender, SendsEachLocalMapOnce) {
   MapResender repeater;
   EXPECT_FALSE(repeater.next(kMaps));
   repeater.request(kMaps);
@@ -26,7 +26,7 @@ TEST(MapResender, GivesEachLocalMapOnce) {
   EXPECT_TRUE(repeater.done());
 }
 
-TEST(MapResender, GoesRoundForWhoeverAsksInBetween) {
+TEST(MapResender, RestartsTheCycleForARequestDuringOne) {
   MapResender repeater;
   repeater.request(kMaps);
   for (int i = 0; i < 6; ++i) repeater.next(kMaps);

@@ -8,7 +8,6 @@
 #include "common/types/local_map.hpp"
 #include "procs/mapping/loop_closure/local_walls.hpp"
 #include "tests/support/worlds/crooked_room.hpp"
-#include "tools/sample_mine/mine_worlds.hpp"
 
 namespace adit::test {
 
@@ -17,19 +16,19 @@ inline const std::string kFront = "LASER_FRONT";
 inline LaserMounts front_mount() { return {{kFront, LaserMount{}}}; }
 
 /// A local map of a straight way of `length_m`, a scan every 0.2 m, each at its true pose.
-inline LocalMap drive_straight(const SyntheticWorld& world, const Pose2& T_world_local,
-                               double length_m, std::uint64_t seed) {
-  SyntheticLaser laser(SyntheticLaserModel{}, seed);
+inline LocalMap drive_straight(const WallWorld& world, const Pose2& T_world_local, double length_m,
+                               std::uint64_t seed) {
+  LevelLaser laser(world, seed);
   LocalMap map;
   for (double x = 0.0; x <= length_m; x += 0.2) {
     const Pose2 T_local_body{x, 0.0, 0.0};
     map.scans.push_back(
-        {kFront, laser.measure(world, T_world_local * T_local_body, 1'000'000), T_local_body});
+        {kFront, laser.measure(T_world_local * T_local_body, 1'000'000), T_local_body});
   }
   return map;
 }
 
-inline LocalWalls walls_of(const SyntheticWorld& world, const Pose2& T_world_local,
+inline LocalWalls walls_of(const WallWorld& world, const Pose2& T_world_local,
                            double length_m = 5.0, std::uint64_t seed = 1) {
   return local_walls(drive_straight(world, T_world_local, length_m, seed), front_mount(), {});
 }

@@ -18,14 +18,14 @@
 #include "common/messages/sensing.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tools/sample_mine/sample_run.hpp"
+#include "tools/sim/sample_run.hpp"
 
 namespace adit {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000;
 
-/// The stage on a drive through the sample mine, and who listens to it.
+/// The stage on a drive through the sample mine, with a subscriber.
 class MappingNodeOnABus : public testing::Test {
  protected:
   MappingNodeOnABus() { begin(); }
@@ -64,7 +64,7 @@ class MappingNodeOnABus : public testing::Test {
   }
 
   test::ScratchFolder scratch_;
-  SampleRun run_{1, {}, 300.0};
+  SampleRun run_{{.length_max_m = 300.0}};
   ScanMatching matching_{ScanMatchingParams{}};
   std::unique_ptr<MemoryBus> bus_;
   std::unique_ptr<MappingNode> node_;
@@ -75,7 +75,7 @@ class MappingNodeOnABus : public testing::Test {
   std::int64_t utime_ = 0;
 };
 
-TEST_F(MappingNodeOnABus, RepeatsItsMapForThoseWhoAskALittleAtATime) {
+TEST_F(MappingNodeOnABus, ResendsItsMapOnRequestInSmallBatches) {
   drive(400);
   const std::size_t maps = node_->map().local_maps().size();
   ASSERT_GT(maps, 5U);
@@ -85,7 +85,7 @@ TEST_F(MappingNodeOnABus, RepeatsItsMapForThoseWhoAskALittleAtATime) {
     publish(*bus_, channels::kMapRequest, to_message(MapRequest{utime_, stage}));
   }
   bus_->advance_to(utime_ + 60'000);
-  EXPECT_LE(received_.size(), 8U);  // two ticks of four pieces at most
+  EXPECT_LE(received_.size(), 8U);  // at most two ticks of four fragments
   ASSERT_TRUE(graph_);
   EXPECT_EQ(graph_->poses.size(), maps);
   bus_->advance_to(utime_ + 10 * kSecond);
@@ -93,13 +93,13 @@ TEST_F(MappingNodeOnABus, RepeatsItsMapForThoseWhoAskALittleAtATime) {
   EXPECT_EQ(std::set<int>(received_.begin(), received_.end()).size(), maps);
 }
 
-TEST_F(MappingNodeOnABus, SaysWhereOdomIsAsSoonAsItKnows) {
+TEST_F(MappingNodeOnABus, PublishesTheCorrectionAsSoonAsOdomIsKnown) {
   drive(200);
   const MapCorrection before = *correction_;
   begin();
   bus_->advance_to(utime_ + 1);
   EXPECT_TRUE(graph_);
-  EXPECT_FALSE(correction_);  // odom may have begun anew
+  EXPECT_FALSE(correction_);  // odom may have been reset
   drive(1);
   ASSERT_TRUE(correction_);
   const Pose2 off = between(before.T_map_odom, correction_->T_map_odom);
@@ -107,7 +107,7 @@ TEST_F(MappingNodeOnABus, SaysWhereOdomIsAsSoonAsItKnows) {
   EXPECT_LT(std::abs(off.theta), 0.01);
 }
 
-TEST_F(MappingNodeOnABus, SaysNothingOfANewOdomBeforeItHasSeenIt) {
+TEST_F(MappingNodeOnABus, PublishesNoCorrectionBeforeTheFirstMapInNewOdom) {
   drive(200);
   begin();
   matching_ = ScanMatching(ScanMatchingParams{});

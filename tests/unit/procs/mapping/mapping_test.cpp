@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Mapping that goes through the same drift again and again.
+// Mapping of repeated traversals of one tunnel.
 #include "procs/mapping/mapping.hpp"
 
 #include <cmath>
@@ -15,22 +15,21 @@ namespace adit {
 namespace {
 
 constexpr double kStepM = 0.2;
-constexpr double kTunnelM = 30.0;  // to and fro, facing the same way: the first drift of the mine
-// Of odometry, within what mapping takes it for (DisplacementError): 0.3 of its deviations over 5
+// Back and forth with the same heading, in the first tunnel of the mine.
+constexpr double kTunnelM = 30.0;
+// Errors of odometry, within the model of DisplacementError: 0.3 of its standard deviations over 5
 // m.
-constexpr double kTurnOff = 2.5e-5;  // at each step [rad]
+constexpr double kTurnOff = 2.5e-5;  // per step [rad]
 constexpr double kLengthOff = 1.0005;
-constexpr double kErrorM = 0.05;  // of a map at its far end; noise of matches is 3 mm and 1 mrad
+// Of a map at its far end; the noise of matches is 3 mm and 1 mrad.
+constexpr double kErrorM = 0.05;
 constexpr std::int64_t kStepUs = 1'000'000;
 constexpr std::int64_t kStart = 1'600'000'000'000'000;
 
-/// Where the way has this length: there and back, without end.
+/// The true position at this path length: back and forth, without end.
 Pose2 pose_at(double distance_m) {
   const double round = std::fmod(distance_m, 2.0 * kTunnelM);
-  static const std::vector<Eigen::Vector2d> route = sample_mine_route();
-  static const Eigen::Vector2d ahead = (route[1] - route[0]).normalized();
-  const Eigen::Vector2d p = route[0] + std::min(round, 2.0 * kTunnelM - round) * ahead;
-  return {p.x(), p.y(), std::atan2(ahead.y(), ahead.x())};
+  return {std::min(round, 2.0 * kTunnelM - round), 0.0, 0.0};
 }
 
 class Shuttle {
@@ -45,7 +44,7 @@ class Shuttle {
       step();
   }
 
-  /// Killed, and goes on from what it would have kept. Odom goes on.
+  /// Restarts from the stored map. Odom continues.
   void restart(int maps_per_place_max) {
     MappingParams params;
     params.maps_per_place_max = maps_per_place_max;
@@ -56,7 +55,7 @@ class Shuttle {
     mapping->restore(std::move(stored));
   }
 
-  /// Of where the body is believed to be in map.
+  /// Error of the estimated pose of the body in map.
   [[nodiscard]] double error_m() const {
     const Pose2 T_map_body = mapping->correction()->T_map_odom * T_odom_body_;
     return between(between(pose_at(0.0), T_world_body_), T_map_body).translation().norm();
@@ -79,7 +78,7 @@ class Shuttle {
     match.status = utime_ == kStart ? ScanMatch::Status::kFirstScan : ScanMatch::Status::kMatched;
     match.reference_utime = utime_ == kStart ? 0 : utime_ - kStepUs;
     match.T_odom_body = T_odom_body_;
-    const LaserScan scan = laser_.measure(mine_, T_world_body_, utime_);
+    const LaserScan scan = laser_.measure(T_world_body_, utime_);
     if (const auto update = mapping->add(test::kFront, scan, match); update && update->stored) {
       decided_.insert(decided_.end(), update->associations.begin(), update->associations.end());
     }
@@ -87,8 +86,7 @@ class Shuttle {
   }
 
   double gate_;
-  SyntheticWorld mine_ = sample_mine(1);
-  SyntheticLaser laser_{SyntheticLaserModel{}, 1};
+  test::LevelLaser laser_{test::sample_mine(1), 1};
   std::vector<Association> decided_;
   double distance_m_ = 0.0;
   std::int64_t utime_ = kStart;
@@ -96,19 +94,19 @@ class Shuttle {
   Pose2 T_odom_body_;
 };
 
-TEST(MappingOfRevisitedPlaces, KeepsNoMoreOfAPlaceThanItIsTold) {
+TEST(MappingOfRevisitedPlaces, StoresNoMoreMapsOfAPlaceThanConfigured) {
   Shuttle shuttle(3);
   shuttle.go(4.0 * kTunnelM);
   const std::size_t maps = shuttle.maps();
   shuttle.go(8.0 * kTunnelM);
-  EXPECT_LE(shuttle.maps(), maps + 2);  // the ends of the drift are passed half as often
+  EXPECT_LE(shuttle.maps(), maps + 2);  // the ends of the tunnel are passed half as often
   Shuttle keeps_all(0);
   keeps_all.go(12.0 * kTunnelM);
   EXPECT_GT(keeps_all.maps(), 3 * maps);
 }
 
-/// What "none" costs is so little that of right closures some are left out.
-TEST(MappingOfRevisitedPlaces, KeepsNoneForALoopClosureThatIsLeftOutAgainstMany) {
+/// The cost of rejecting is so low that some correct loop closures are rejected.
+TEST(MappingOfRevisitedPlaces, StoresNoMapForOneRejectedLoopClosureAmongMany) {
   Shuttle shuttle(3, 0.3);
   shuttle.go(4.0 * kTunnelM);
   const std::size_t maps = shuttle.maps();
@@ -116,7 +114,7 @@ TEST(MappingOfRevisitedPlaces, KeepsNoneForALoopClosureThatIsLeftOutAgainstMany)
   EXPECT_LE(shuttle.maps(), maps + 4);
 }
 
-TEST(MappingOfRevisitedPlaces, KnowsWhereTheBodyIsAllTheSame) {
+TEST(MappingOfRevisitedPlaces, StillLocalisesTheBody) {
   Shuttle shuttle(3);
   shuttle.go(4.0 * kTunnelM);
   for (int i = 0; i < 32; ++i) {  // 240 m, over which odometry turns by 1.7° and is off by 0.9 m
@@ -125,20 +123,20 @@ TEST(MappingOfRevisitedPlaces, KnowsWhereTheBodyIsAllTheSame) {
   }
 }
 
-TEST(MappingOfRevisitedPlaces, KeepsWhatIsNew) {
+TEST(MappingOfRevisitedPlaces, StoresMapsOfNewPlaces) {
   Shuttle shuttle(1);
   shuttle.go(kTunnelM);
-  EXPECT_GE(shuttle.maps(), 3U);  // beyond what the first one saw, which is 20 m
+  EXPECT_GE(shuttle.maps(), 3U);  // beyond the view of the first, which is 20 m
 }
 
-TEST(MappingOfRevisitedPlaces, GoesOnAfterARestartFromWhereItWasLast) {
+TEST(MappingOfRevisitedPlaces, ResumesAfterARestartFromTheLastPose) {
   Shuttle shuttle(3);
   shuttle.go(10.0 * kTunnelM + 8.0);
   const std::size_t maps = shuttle.maps();
   shuttle.restart(3);
   shuttle.go(1.0);
   EXPECT_LT(shuttle.error_m(), kErrorM);
-  EXPECT_EQ(shuttle.maps(), maps + 2);  // what there was of one, and a glance where it stands
+  EXPECT_EQ(shuttle.maps(), maps + 2);  // the unfinished map, and a short one at the restart
 }
 
 }  // namespace

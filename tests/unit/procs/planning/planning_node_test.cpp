@@ -42,7 +42,7 @@ class PlanningNodeTest : public testing::Test {
   std::vector<PlannedPath> paths_;
 };
 
-TEST_F(PlanningNodeTest, AnswersEachGoalOnce) {
+TEST_F(PlanningNodeTest, PublishesOnePathForEachGoal) {
   send_pose();
   send_terrain();
   EXPECT_TRUE(paths_.empty());
@@ -58,11 +58,11 @@ TEST_F(PlanningNodeTest, AnswersEachGoalOnce) {
   EXPECT_EQ(paths_.size(), 2U);
 }
 
-TEST_F(PlanningNodeTest, LetsAGoalWaitForTheFirstTerrainAndPose) {
+TEST_F(PlanningNodeTest, HoldsAGoalUntilTheFirstTerrainAndPose) {
   send_goal(3);
-  EXPECT_EQ(node_.health().reason, "a goal waits for the first terrain");
+  EXPECT_EQ(node_.health().reason, "goal pending: no terrain received yet");
   send_terrain();
-  EXPECT_EQ(node_.health().reason, "a goal waits for the first pose");
+  EXPECT_EQ(node_.health().reason, "goal pending: no pose received yet");
   send_goal(4);
   EXPECT_TRUE(paths_.empty());
   send_pose();
@@ -71,7 +71,7 @@ TEST_F(PlanningNodeTest, LetsAGoalWaitForTheFirstTerrainAndPose) {
   EXPECT_EQ(node_.health(), Health{});
 }
 
-TEST_F(PlanningNodeTest, AnswersAlsoWhereTheTerrainCannotBePlannedOn) {
+TEST_F(PlanningNodeTest, PublishesAReasonWhereTheTerrainCannotBePlannedOn) {
   send_pose();
   send_terrain(even_ground(20.0, 5.0));  // cells that are larger than the vehicle
   send_goal(3);

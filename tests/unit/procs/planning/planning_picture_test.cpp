@@ -25,7 +25,7 @@ struct DrawnPlan {
   PlanPicture picture;
 };
 
-TEST(PlanningPicture, HasMapsOfTheSizeOfTheTerrainAndKernels) {
+TEST(PlanningPicture, HasSlicesOfTheSizeOfTheTerrainAndKernels) {
   const DrawnPlan drawn(terrain_of(random_corridor(4)));
   ASSERT_EQ(drawn.picture.slices.size(), 2U);
   for (const GreyCells& slice : drawn.picture.slices) {
@@ -42,11 +42,11 @@ TEST(PlanningPicture, IsDrawnWithAPathAndWithoutOne) {
   write_plan_png(DrawnPlan(terrain_of(random_corridor(4))).picture, folder.path() / "found.png");
   write_plan_png(DrawnPlan(blocked).picture, folder.path() / "blocked.png");
   for (const char* name : {"found.png", "blocked.png"}) {
-    EXPECT_GT(std::filesystem::file_size(folder.path() / name), 1000U);  // it is not empty
+    EXPECT_GT(std::filesystem::file_size(folder.path() / name), 1000U);  // not empty
   }
 }
 
-TEST(PlanningPicture, SaysWhereItCannotBeWritten) {
+TEST(PlanningPicture, ThrowsWhereItCannotBeWritten) {
   const DrawnPlan drawn(terrain_of(CorridorScene{}));
   EXPECT_THROW(write_plan_png(drawn.picture, "/nowhere/plan.png"), std::runtime_error);
 }

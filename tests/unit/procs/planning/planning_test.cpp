@@ -23,7 +23,7 @@ PlannedPath plan(const TerrainMap& terrain, const PlanGoal& goal = {}, const Pos
   return Planning(params).plan(terrain, goal, robot);
 }
 
-PlanGoal to(const Pose2& pose) {
+PlanGoal goal_to(const Pose2& pose) {
   PlanGoal goal;
   goal.kind = PlanGoal::Kind::kToPose;
   goal.T_odom_goal = pose;
@@ -42,11 +42,11 @@ int count(const PlannedPath& path, Reason reason) {
                                         [&](const auto& cell) { return cell.reason == reason; }));
 }
 
-/// Points of lethal cells that the vehicle itself touches on its way.
-int touched(const PlannedPath& path, const TerrainMap& terrain, const Vehicle& vehicle) {
+/// Number of contacts of the footprint with points of lethal cells along a path.
+int contacts(const PlannedPath& path, const TerrainMap& terrain, const Vehicle& vehicle) {
   const std::vector<BodyRectangle> body{body_outline(vehicle)};
   const auto wheels = wheel_tracks(vehicle);
-  int touches = 0;
+  int count = 0;
   for (const PathPoint& point : path.points) {
     const Pose2 T_body_level = (terrain.T_odom_level.inverse() * point.T_odom_body).inverse();
     for (int row = 0; row < terrain.rows; ++row) {
@@ -58,16 +58,16 @@ int touched(const PlannedPath& path, const TerrainMap& terrain, const Vehicle& v
           for (const double dy : {-0.5, 0.0, 0.5}) {
             const Eigen::Vector2d p = T_body_level * (terrain.centre(column, row) +
                                                       terrain.cell_m * Eigen::Vector2d(dx, dy));
-            if (any_contains(any ? body : wheels, p)) ++touches;
+            if (any_contains(any ? body : wheels, p)) ++count;
           }
         }
       }
     }
   }
-  return touches;
+  return count;
 }
 
-TEST(Planning, FindsTheWayDownAFreeCorridor) {
+TEST(Planning, DrivesStraightDownAFreeCorridor) {
   PlanGoal goal;
   goal.distance_m = 12.0;
   const PlannedPath path = plan(terrain_of(CorridorScene{}, 30.0), goal);
@@ -81,7 +81,7 @@ TEST(Planning, FindsTheWayDownAFreeCorridor) {
   }
 }
 
-TEST(Planning, GivesAPathThatCanBeDriven) {
+TEST(Planning, KeepsToTheCurvatureOfTheVehicle) {
   const double spacing = PlanningParams{}.point_spacing_m;
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const PlannedPath path = plan(terrain_of(random_corridor(seed)));
@@ -89,33 +89,33 @@ TEST(Planning, GivesAPathThatCanBeDriven) {
     for (std::size_t i = 1; i < path.points.size(); ++i) {
       const PathPoint& here = path.points[i - 1];
       const Pose2 T_here_next = between(here.T_odom_body, path.points[i].T_odom_body);
-      const double way = T_here_next.translation().norm();
-      EXPECT_LE(way, 1.5 * spacing);
-      EXPECT_EQ(T_here_next.x < -1e-9, here.reverse && way > 1e-9);
-      // An arc turns by its length times its curvature; a stretch may be part arc, part straight.
-      EXPECT_LE(std::abs(T_here_next.theta), 1.01 * way / Vehicle{}.turning_radius_m + 1e-9);
+      const double step_m = T_here_next.translation().norm();
+      EXPECT_LE(step_m, 1.5 * spacing);
+      EXPECT_EQ(T_here_next.x < -1e-9, here.reverse && step_m > 1e-9);
+      // An arc turns by its length times its curvature; a segment may be part arc, part line.
+      EXPECT_LE(std::abs(T_here_next.theta), 1.01 * step_m / Vehicle{}.turning_radius_m + 1e-9);
       EXPECT_LE(std::abs(here.curvature_1_m), 1.0 / Vehicle{}.turning_radius_m + 1e-9);
       EXPECT_GE(path.points[i].cost, here.cost);
     }
   }
 }
 
-TEST(Planning, TouchesNothingLethalOnItsWay) {
+TEST(Planning, TouchesNoLethalGround) {
   for (std::uint32_t seed = 100; seed < 130; ++seed) {
     const TerrainMap terrain = terrain_of(random_corridor(seed));
     const PlannedPath path = plan(terrain);
     ASSERT_EQ(path.outcome, PlanOutcome::kFound) << seed;
-    EXPECT_EQ(touched(path, terrain, Vehicle{}), 0) << seed;
+    EXPECT_EQ(contacts(path, terrain, Vehicle{}), 0) << seed;
   }
 }
 
-TEST(Planning, AnswersAMirroredSceneWithTheMirroredPath) {
-  const double off = 0.05;  // the middle of a row, about which maps are mirrored
+TEST(Planning, PlansTheMirrorImageInAMirroredScene) {
+  const double centre_m = 0.05;  // of a cell; maps are mirrored about the centre of a row
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     TerrainMap terrain = terrain_of(random_corridor(seed), 20.1);
     terrain.p_level_corner.y() = -10.05;
-    const PlannedPath path = plan(terrain, {}, {off, 0.0, 0.0});
-    const PlannedPath image = plan(mirrored(terrain), {}, {off, 0.0, 0.0});
+    const PlannedPath path = plan(terrain, {}, {centre_m, 0.0, 0.0});
+    const PlannedPath image = plan(mirrored(terrain), {}, {centre_m, 0.0, 0.0});
     ASSERT_EQ(path.points.size(), image.points.size()) << seed;
     for (std::size_t i = 0; i < path.points.size(); ++i) {
       EXPECT_NEAR(path.points[i].T_odom_body.x, image.points[i].T_odom_body.x, 1e-9);
@@ -125,13 +125,13 @@ TEST(Planning, AnswersAMirroredSceneWithTheMirroredPath) {
   }
 }
 
-TEST(Planning, GivesTheSamePathTwice) {
+TEST(Planning, IsDeterministic) {
   Planning planning(PlanningParams{});
   const TerrainMap terrain = terrain_of(random_corridor(5));
   EXPECT_EQ(planning.plan(terrain, {}, {}), planning.plan(terrain, {}, {}));
 }
 
-TEST(Planning, PassesAGapOfOneMetreEighty) {
+TEST(Planning, PassesAGapOf1Point8Metres) {
   TerrainMap terrain = corridor_with(obstacle_cell(1.0), {4.0, -2.0}, {4.3, -0.9});
   paint_box(terrain, obstacle_cell(1.0), {4.0, 0.9}, {4.3, 2.0});
   const PlannedPath path = plan(terrain);
@@ -144,25 +144,26 @@ TEST(Planning, StraddlesRails) {
   scene.rails = true;
   const PlannedPath path = plan(terrain_of(scene), {}, {0.0, 0.4, 0.0});
   ASSERT_EQ(path.outcome, PlanOutcome::kFound);
-  // The tracks are as far apart as the rails: no more on them than it takes to get off them.
+  // The wheels are as far apart as the rails: the robot leaves the rails as soon as it can.
   const double gauge = 0.9;
-  int ridden = 0;
+  int on_rails = 0;
   for (const PathPoint& point : path.points) {
     const double left = point.T_odom_body.y + Vehicle{}.track_m / 2.0;
     const double right = point.T_odom_body.y - Vehicle{}.track_m / 2.0;
-    const bool on = std::min({std::abs(left - gauge / 2.0), std::abs(right + gauge / 2.0),
-                              std::abs(left + gauge / 2.0), std::abs(right - gauge / 2.0)}) < 0.1;
-    if (on) ++ridden;
+    const bool on_rail =
+        std::min({std::abs(left - gauge / 2.0), std::abs(right + gauge / 2.0),
+                  std::abs(left + gauge / 2.0), std::abs(right - gauge / 2.0)}) < 0.1;
+    if (on_rail) ++on_rails;
   }
-  EXPECT_LT(ridden, static_cast<int>(path.points.size()) / 3);
+  EXPECT_LT(on_rails, static_cast<int>(path.points.size()) / 3);
 }
 
-TEST(Planning, ShowsABeamAcrossTheCorridorAsEvidence) {
+TEST(Planning, ReportsABeamAcrossTheCorridorAsEvidence) {
   const PlannedPath path = plan(corridor_with(obstacle_cell(0.6), {2.8, -2.0}, {3.0, 2.0}));
   EXPECT_EQ(path.outcome, PlanOutcome::kBlocked);
   EXPECT_TRUE(path.points.empty());
-  EXPECT_GT(path.reached_m, 2.8 - 1.2 - 0.35);  // half its length before it, and the margins
-  EXPECT_LT(path.reached_m, 2.8 - 0.6);         // half its width, where it turns before it
+  EXPECT_GT(path.reached_m, 2.8 - 1.2 - 0.35);  // half its length, and the margins
+  EXPECT_LT(path.reached_m, 2.8 - 0.6);         // half its width, where it has turned
   EXPECT_GT(count(path, Reason::kBelly), 20);
   for (const BlockingCell& cell : path.blocking) {
     EXPECT_TRUE(std::abs(cell.p_odom.y()) > 1.8 || std::abs(cell.p_odom.x() - 2.9) < 0.11);
@@ -170,7 +171,7 @@ TEST(Planning, ShowsABeamAcrossTheCorridorAsEvidence) {
   EXPECT_THAT(path.reason, testing::HasSubstr("too high to drive over"));
 }
 
-TEST(Planning, TellsWhatIsInTheWay) {
+TEST(Planning, ReportsTheReasonOfBlockingCells) {
   const auto across = [](const TerrainCell& cell) {
     return plan(corridor_with(cell, {2.5, -2.0}, {3.5, 2.0}));
   };
@@ -187,7 +188,7 @@ TEST(Planning, TellsWhatIsInTheWay) {
   EXPECT_GT(count(across(obstacle_cell(0.22)), Reason::kStep), 10);
 }
 
-TEST(Planning, TellsWhatIsBlockedFromWhatIsNotSeen) {
+TEST(Planning, DistinguishesUnobservedGroundFromObstacles) {
   const Eigen::Vector2d low(2.5, -2.0);
   const PlannedPath unknown =
       plan(corridor_with(unmeasured_cell(Ground::kOccluded), low, {5.5, 2.0}));
@@ -198,30 +199,30 @@ TEST(Planning, TellsWhatIsBlockedFromWhatIsNotSeen) {
   EXPECT_EQ(plan(both).outcome, PlanOutcome::kBlocked);
 }
 
-TEST(Planning, FindsNoWayRoundThroughWhatWasNotSeenBehindIt) {
-  // A look ahead shows the drift shut. Of what lies behind the robot and behind the walls it shows
-  // nothing, which is no way round.
+TEST(Planning, FindsNoDetourThroughUnobservedGroundBehindIt) {
+  // The scan ahead shows a closed tunnel. Unobserved ground behind the robot and behind the walls
+  // must not count as a detour.
   CorridorScene scene;
   scene.end_m = 3.0;
   TerrainMap terrain = terrain_of(scene);
   paint_box(terrain, unmeasured_cell(Ground::kNeverObserved), {-10.0, -10.0}, {-1.0, 10.0});
   EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kBlocked);
-  // Nor is what it knows of the drift behind it.
+  // The same with some observed ground of the tunnel behind it.
   terrain = terrain_of(scene);
   paint_box(terrain, unmeasured_cell(Ground::kNeverObserved), {-10.0, -10.0}, {-6.0, 10.0});
   EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kBlocked);
 }
 
-TEST(Planning, DoesNotCallBlockedWhatMarginsAloneReject) {
+TEST(Planning, IsNarrowWhereOnlyMarginsBlock) {
   const auto with_gap = [](double gap_m) {
     TerrainMap terrain = corridor_with(obstacle_cell(1.0), {3.0, gap_m / 2.0}, {4.0, 2.0});
     paint_box(terrain, obstacle_cell(1.0), {3.0, -2.0}, {4.0, -gap_m / 2.0});
     return plan(terrain);
   };
-  // 1.2 m wide, with slack for the sweep, but in cells of 0.1 m. Obstacles as wide as the terrain
-  // makes them, by 0.1 to 0.2 m to each side.
+  // The vehicle is 1.2 m wide, plus the kernel margin, in cells of 0.1 m. Obstacles are as wide as
+  // in the terrain map, which widens them by 0.1 to 0.2 m on each side.
   EXPECT_EQ(with_gap(1.6).outcome, PlanOutcome::kFound);
-  for (const double gap_m : {0.9, 1.1}) {  // what the terrain leaves of gaps of 1.2 and 1.4 m
+  for (const double gap_m : {0.9, 1.1}) {  // of gaps of 1.2 and 1.4 m in the terrain map
     const PlannedPath tight = with_gap(gap_m);
     EXPECT_EQ(tight.outcome, PlanOutcome::kNarrow) << gap_m;
     EXPECT_THAT(tight.reason, testing::HasSubstr("may just fit")) << gap_m;
@@ -236,36 +237,36 @@ TEST(Planning, DoesNotCallBlockedWhatMarginsAloneReject) {
   EXPECT_EQ(below(0.95), PlanOutcome::kBlocked);
 }
 
-TEST(Planning, CallsBlockedByADropOnlyWhatBeamsReachedInto) {
-  const auto over = [](double beams_m) {
+TEST(Planning, IsBlockedByADropOnlyIfBeamsReachedIntoIt) {
+  const auto outcome_over = [](double beams_m) {
     TerrainCell cell = unmeasured_cell(Ground::kBelowRay);
     cell.low_m = static_cast<float>(beams_m);
     return plan(corridor_with(cell, {2.5, -2.0}, {3.5, 2.0})).outcome;
   };
-  EXPECT_EQ(over(0.08), PlanOutcome::kNarrow);   // the height of a rail
-  EXPECT_EQ(over(-0.15), PlanOutcome::kNarrow);  // wheels climb 0.2 m
-  EXPECT_EQ(over(-0.25), PlanOutcome::kBlocked);
+  EXPECT_EQ(outcome_over(0.08), PlanOutcome::kNarrow);   // the height of a rail
+  EXPECT_EQ(outcome_over(-0.15), PlanOutcome::kNarrow);  // wheels climb 0.2 m
+  EXPECT_EQ(outcome_over(-0.25), PlanOutcome::kBlocked);
 }
 
-TEST(Planning, CallsAPitADropOfWhichAWallIsSeen) {
-  // Beams sink over the pit to 0.3 m below the floor, and meet some of its wall far below that,
-  // beside which there is room. It makes the mean of what was seen round the hollow 0.15 m lower.
-  TerrainCell passed = unmeasured_cell(Ground::kBelowRay);
-  passed.low_m = -0.3F;
-  TerrainMap terrain = corridor_with(passed, {2.5, -2.0}, {3.5, 2.0});
+TEST(Planning, IsBlockedByAPitWithAnObservedWall) {
+  // Beams pass over the pit down to 0.3 m below the floor and meet some of its wall far below;
+  // there is room beside it. The wall lowers the mean height of the rim by 0.15 m.
+  TerrainCell pit = unmeasured_cell(Ground::kBelowRay);
+  pit.low_m = -0.3F;
+  TerrainMap terrain = corridor_with(pit, {2.5, -2.0}, {3.5, 2.0});
   TerrainCell wall = obstacle_cell(0.9);
   wall.low_m = -0.9F;
   paint_box(terrain, wall, {2.7, -0.2}, {3.3, 0.2});
   EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kBlocked);
 }
 
-TEST(Planning, TakesNoPocketInAWallForAWayThrough) {
-  // A smaller robot gets 0.2 m nearer to the wall, with which it has come 2.5 m.
+TEST(Planning, DoesNotTakeAPocketInAWallForAPassage) {
+  // Without margins the robot gets 0.2 m closer to the wall, to a progress of 2.5 m.
   EXPECT_EQ(plan(corridor_with(obstacle_cell(1.0), {3.6, -2.0}, {3.9, 2.0})).outcome,
             PlanOutcome::kBlocked);
 }
 
-TEST(Planning, TakesLessThanTwoAndAHalfMetresForNoPath) {
+TEST(Planning, FindsNoPathBelowTheMinimumProgress) {
   const auto end_at = [](double x) {
     return plan(corridor_with(obstacle_cell(1.0), {x, -2.0}, {x + 0.3, 2.0}));
   };
@@ -273,19 +274,19 @@ TEST(Planning, TakesLessThanTwoAndAHalfMetresForNoPath) {
   EXPECT_EQ(end_at(4.5).outcome, PlanOutcome::kFound);
 }
 
-/// Right before a wall it could not turn any more, and would see no way on.
-TEST(Planning, EndsWhereThereIsRoomToGoOn) {
+/// Directly in front of a wall the robot cannot turn and no laser scans the continuation.
+TEST(Planning, EndsWhereTheRobotCanContinue) {
   PlanGoal route;
   route.kind = PlanGoal::Kind::kRoute;
   route.route_odom = {{0.0, 0.0}, {10.0, 0.0}};
   const PlannedPath path = plan(corridor_with(obstacle_cell(1.0), {7.0, -2.0}, {7.3, 2.0}), route);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound);
-  EXPECT_LT(path.reached_m, 7.0 - 1.2 - 1.5 + 0.2);  // half its length, and the room
-  EXPECT_GT(path.reached_m, 7.0 - 1.2 - 1.5 - 0.8);  // margins, and steps of the look ahead
+  EXPECT_LT(path.reached_m, 7.0 - 1.2 - 1.5 + 0.2);  // half its length, and the width of a turn
+  EXPECT_GT(path.reached_m, 7.0 - 1.2 - 1.5 - 0.8);  // margins, and steps of the check ahead
 }
 
-/// The pose is not exact, and nothing warns of a roof that is too low for the body.
-TEST(Planning, EndsBeforeWhatIsLethalWhereAPathWithMoreRoomWouldBeTooShort) {
+/// The end of a drive is not exact, and the guard does not stop for a roof that is too low.
+TEST(Planning, KeepsADistanceToLethalGroundAtTheEndOfAShortPath) {
   PlanGoal route;
   route.kind = PlanGoal::Kind::kRoute;
   route.route_odom = {{0.0, 0.0}, {10.0, 0.0}};
@@ -298,7 +299,7 @@ TEST(Planning, EndsBeforeWhatIsLethalWhereAPathWithMoreRoomWouldBeTooShort) {
   }
 }
 
-TEST(Planning, SeesNothingOfTheGroundUnderItself) {
+TEST(Planning, NeedsNoObservedGroundUnderTheRobot) {
   TerrainMap terrain =
       corridor_with(unmeasured_cell(Ground::kNeverObserved), {-1.5, -0.9}, {1.5, 0.9});
   EXPECT_EQ(plan(terrain).outcome, PlanOutcome::kFound);
@@ -311,30 +312,30 @@ TEST(Planning, LeavesAStartThatNoiseMakesLethal) {
   EXPECT_EQ(beside.outcome, PlanOutcome::kFound);
 }
 
-/// The edge of a drop is taken to be 0.3 m nearer than it is seen, but not under the robot.
-TEST(Planning, StandsWhereItStandsBesideADrop) {
+/// Drops are dilated by 0.3 m, but not under the robot.
+TEST(Planning, DoesNotBlockAStartBesideADrop) {
   const TerrainMap terrain =
       corridor_with(unmeasured_cell(Ground::kBelowRay), {-0.5, 0.65}, {0.5, 1.1});
   EXPECT_NE(plan(terrain).outcome, PlanOutcome::kStartBlocked);
 }
 
-/// A cell of the terrain beside a post is an obstacle, too: the robot stands there nevertheless.
-TEST(Planning, LeavesAPlaceRightBesideAPost) {
+/// The cell beside a post is an obstacle, too, but the robot stands there.
+TEST(Planning, LeavesAStartBesideAPost) {
   const TerrainMap terrain = corridor_with(obstacle_cell(0.5), {-0.4, 0.6}, {-0.1, 0.9});
-  const Pose2 half_a_cell_off{0.0, 0.04, 0.03};
-  EXPECT_EQ(plan(terrain, {}, half_a_cell_off).outcome, PlanOutcome::kFound);
+  const Pose2 half_a_cell_beside{0.0, 0.04, 0.03};
+  EXPECT_EQ(plan(terrain, {}, half_a_cell_beside).outcome, PlanOutcome::kFound);
 }
 
-TEST(Planning, DoesNotStartWhereTheWheelsAreNotSeen) {
+TEST(Planning, DoesNotStartWithUnobservedGroundUnderTheWheels) {
   PlanningParams params;
   params.c_space.ground.blind_margin_m = 0.0;
-  // The footprint stands for itself, but a pose of the lattice is up to half a cell from it.
+  // The footprint is cleared, but the lattice pose is up to half a cell beside it.
   TerrainMap terrain =
       corridor_with(unmeasured_cell(Ground::kNeverObserved), {-9.0, -2.0}, {9.0, 2.0});
   EXPECT_NE(plan(terrain, {}, {}, params).outcome, PlanOutcome::kFound);
 }
 
-TEST(Planning, SaysThatTheRobotIsNotOnTheMap) {
+TEST(Planning, ReportsARobotOutsideTheMap) {
   for (const double x : {50.0, 1e300, std::nan("")}) {
     const PlannedPath path = plan(terrain_of(CorridorScene{}), {}, {x, 0.0, 0.0});
     EXPECT_EQ(path.outcome, PlanOutcome::kStartBlocked);
@@ -345,25 +346,25 @@ TEST(Planning, SaysThatTheRobotIsNotOnTheMap) {
 TEST(Planning, ReachesAPoseWithinItsTolerances) {
   const GoalParams tolerances;
   for (const Pose2& pose : {Pose2{4.0, 0.8, 0.4}, Pose2{-3.0, 0.0, 0.0}, Pose2{0.0, 0.0, 0.0}}) {
-    const PlannedPath path = plan(terrain_of(CorridorScene{}), to(pose));
+    const PlannedPath path = plan(terrain_of(CorridorScene{}), goal_to(pose));
     ASSERT_EQ(path.outcome, PlanOutcome::kFound);
-    const Pose2 off = between(pose, path.points.back().T_odom_body);
-    EXPECT_LE(off.translation().norm(), tolerances.tolerance_m + 1e-9);
-    EXPECT_LE(std::abs(off.theta), tolerances.heading_tolerance_rad);
+    const Pose2 error = between(pose, path.points.back().T_odom_body);
+    EXPECT_LE(error.translation().norm(), tolerances.tolerance_m + 1e-9);
+    EXPECT_LE(std::abs(error.theta), tolerances.heading_tolerance_rad);
   }
 }
 
-TEST(Planning, BacksUpToAPoseBehindIt) {
-  const PlannedPath path = plan(terrain_of(CorridorScene{}), to({-3.0, 0.0, 0.0}));
+TEST(Planning, ReversesToAPoseBehindIt) {
+  const PlannedPath path = plan(terrain_of(CorridorScene{}), goal_to({-3.0, 0.0, 0.0}));
   ASSERT_EQ(path.outcome, PlanOutcome::kFound);
   EXPECT_TRUE(path.points.front().reverse);
 }
 
-/// Goals behind it, of both kinds, straight and in bends.
-TEST(Planning, GoesBackInReverseAllTheWay) {
+/// Goals behind the robot, along a corridor and at a pose.
+TEST(Planning, DrivesInReverseToGoalsBehindIt) {
   for (std::uint32_t seed = 0; seed < 3; ++seed) {
     const TerrainMap terrain = terrain_of(random_corridor(seed));
-    // A robot that has come from the far end: the corridor lies behind it.
+    // The corridor lies behind the robot.
     PlanGoal along;
     const PlannedPath back = plan(terrain, along, {0.0, 0.0, std::numbers::pi});
     ASSERT_EQ(back.outcome, PlanOutcome::kFound) << seed;
@@ -371,12 +372,12 @@ TEST(Planning, GoesBackInReverseAllTheWay) {
     const PlannedPath ahead = plan(terrain, along);
     EXPECT_NEAR(back.reached_m, ahead.reached_m, 0.3) << seed;
   }
-  const PlannedPath path = plan(even_ground(), to({-6.0, 1.0, 0.0}));
+  const PlannedPath path = plan(even_ground(), goal_to({-6.0, 1.0, 0.0}));
   ASSERT_EQ(path.outcome, PlanOutcome::kFound);
   for (const PathPoint& point : path.points) EXPECT_TRUE(point.reverse);
 }
 
-TEST(Planning, PlansInTheFrameOfTheOdometry) {
+TEST(Planning, PlansInTheOdometryFrame) {
   TerrainMap terrain = terrain_of(random_corridor(3));
   const PlannedPath here = plan(terrain);
   const Pose2 T_odom_level{40.0, -7.0, 2.0};
@@ -391,28 +392,28 @@ TEST(Planning, PlansInTheFrameOfTheOdometry) {
   }
 }
 
-TEST(Planning, RejectsAMapThatIsNotWhatItSays) {
+TEST(Planning, RejectsAnInconsistentMap) {
   TerrainMap terrain = even_ground();
   terrain.cells.pop_back();
   EXPECT_THROW(plan(terrain), std::invalid_argument);
   EXPECT_THROW(plan(TerrainMap{}), std::invalid_argument);
 }
 
-TEST(Planning, RejectsCostsByWhichRoughGroundDoesNotPay) {
+TEST(Planning, RejectsAShortfallFactorBelowTheCostOfRoughGround) {
   PlanningParams params;
   params.goals.shortfall_factor = 1.0 + params.c_space.rough_factor;
   EXPECT_THROW(Planning{params}, std::invalid_argument);
 }
 
-TEST(Planning, BeginsWhereTheRobotIs) {
+TEST(Planning, StartsAtTheRobot) {
   TerrainMap terrain = terrain_of(CorridorScene{}, 20.1);  // the origin in the middle of a cell
   EXPECT_EQ(plan(terrain).points.front().T_odom_body, (Pose2{0.0, 0.0, 0.0}));
   const Pose2 robot{0.03, -0.04, 0.05};
   EXPECT_EQ(plan(terrain, {}, robot).points.front().T_odom_body, robot);
 }
 
-TEST(Planning, KeepsItsBodyOffWhatWasNotSeen) {
-  // A wall may stand right behind the edge of what hides it.
+TEST(Planning, KeepsTheBodyOffUnobservedGround) {
+  // A wall may stand directly behind the edge of an occluded region.
   TerrainMap terrain = corridor_with(unmeasured_cell(Ground::kOccluded), {4.0, 0.0}, {6.0, 2.0});
   const PlannedPath path = plan(terrain);
   ASSERT_EQ(path.outcome, PlanOutcome::kFound);
@@ -423,7 +424,7 @@ TEST(Planning, KeepsItsBodyOffWhatWasNotSeen) {
   }
 }
 
-TEST(Planning, TakesBlindGroundForEvenOnlyWhereItGoesOnBeyond) {
+TEST(Planning, AssumesEvenGroundInTheBlindZoneOnlyWhereItContinues) {
   const auto with_step = [](double height_m) {
     TerrainMap terrain =
         corridor_with(unmeasured_cell(Ground::kNeverObserved), {-5.0, -2.0}, {2.0, 2.0});

@@ -16,9 +16,9 @@ using test::assembly_params;
 using test::perfect_laser;
 using test::SweepingRobot;
 
-constexpr float kNo = std::numeric_limits<float>::infinity();
+constexpr float kNoReturn = std::numeric_limits<float>::infinity();
 
-int removed(RangeImage image, int turns = 1) {
+int removed_count(RangeImage image, int turns = 1) {
   const RangeImage before = image;
   remove_mixed_pixels(image, turns, {});
   int n = 0;
@@ -30,60 +30,60 @@ int removed(RangeImage image, int turns = 1) {
   return n;
 }
 
-TEST(MixedPixelFilter, TakesOutWhatLiesBetweenTwoSurfacesEvenInAColumn) {
+TEST(MixedPixelFilter, RemovesReturnsBetweenTwoSurfacesEvenAboveEachOther) {
   const std::vector<float> row{3.0F, 3.0F, 3.0F, 3.2F, 3.4F, 3.4F, 3.4F};
-  EXPECT_EQ(removed({row}), 1);
-  EXPECT_EQ(removed({row, row, row}), 3);
+  EXPECT_EQ(removed_count({row}), 1);
+  EXPECT_EQ(removed_count({row, row, row}), 3);
 }
 
-TEST(MixedPixelFilter, LeavesAStepBetweenTwoSurfacesAlone) {
+TEST(MixedPixelFilter, KeepsAStepBetweenTwoSurfaces) {
   const std::vector<float> row{3.0F, 3.0F, 3.0F, 3.4F, 3.4F, 3.4F};
-  EXPECT_EQ(removed({row, row, row}), 0);
+  EXPECT_EQ(removed_count({row, row, row}), 0);
 }
 
-TEST(MixedPixelFilter, LeavesAWallAtGrazingIncidenceAlone) {
+TEST(MixedPixelFilter, KeepsAWallAtGrazingIncidence) {
   std::vector<float> row;
   for (int i = 0; i < 40; ++i)
     row.push_back(2.0F / std::sin(0.05F + 0.0087F * static_cast<float>(i)));
   EXPECT_GT(row[0] - row[1], 1.0F);
-  EXPECT_EQ(removed({row, row, row}), 0);
+  EXPECT_EQ(removed_count({row, row, row}), 0);
 }
 
-TEST(MixedPixelFilter, LeavesFloorAloneThatIsSeenInTwoTurnsOfTheMirror) {
+TEST(MixedPixelFilter, KeepsFloorThatIsScannedInTwoTurnsOfTheMirror) {
   std::vector<float> row;
   for (int i = 0; i < 40; ++i) {
     const float bearing = 0.9F + 0.0087F * static_cast<float>(i);
-    const float distance = i % 2 == 0 ? 3.0F : 2.9F;  // at which the plane of the turn meets it
+    const float distance = i % 2 == 0 ? 3.0F : 2.9F;  // by turn of the mirror
     row.push_back(distance / std::cos(bearing));
   }
-  EXPECT_EQ(removed({row, row, row}, 2), 0);
+  EXPECT_EQ(removed_count({row, row, row}, 2), 0);
 }
 
-TEST(MixedPixelFilter, LeavesWhatIsThinInSeveralScansAndTakesOutWhatIsInOne) {
+TEST(MixedPixelFilter, KeepsThinObjectsInSeveralScansAndRemovesThoseInOne) {
   const std::vector<float> cable{6.0F, 6.0F, 4.0F, 6.0F, 6.0F};
   const std::vector<float> wall(5, 6.0F);
-  EXPECT_EQ(removed({wall, cable, cable, wall}), 0);
-  EXPECT_EQ(removed({wall, cable, wall}), 1);
+  EXPECT_EQ(removed_count({wall, cable, cable, wall}), 0);
+  EXPECT_EQ(removed_count({wall, cable, wall}), 1);
 }
 
-TEST(MixedPixelFilter, FollowsACableThatLeans) {
+TEST(MixedPixelFilter, KeepsAnInclinedCable) {
   RangeImage image;
   for (std::size_t i = 0; i < 8; ++i) {
-    image.emplace_back(12, kNo)[2 + i] = 4.0F + 0.02F * static_cast<float>(i);
+    image.emplace_back(12, kNoReturn)[2 + i] = 4.0F + 0.02F * static_cast<float>(i);
   }
-  EXPECT_EQ(removed(image), 0);
+  EXPECT_EQ(removed_count(image), 0);
 }
 
-TEST(MixedPixelFilter, TakesRowsOfAnyLength) {
-  EXPECT_EQ(removed({}), 0);
-  EXPECT_EQ(removed({{}, {1.0F}, {1.0F, 2.0F, 1.0F}, {}}), 0 + 1);
+TEST(MixedPixelFilter, AcceptsRowsOfAnyLength) {
+  EXPECT_EQ(removed_count({}), 0);
+  EXPECT_EQ(removed_count({{}, {1.0F}, {1.0F, 2.0F, 1.0F}, {}}), 0 + 1);
 }
 
 constexpr double kPost = 4.0;    // from the origin to its face [m]
-constexpr double kWall = 4.4;    // nearer behind it than a pulse is long
+constexpr double kWall = 4.4;    // less than a pulse length behind it
 constexpr double kCableY = 0.8;  // across [m]
 
-/// A post and a cable of 3 cm before a wall.
+/// A post and a cable of 3 cm in front of a wall.
 World post_and_cable() {
   return box_tunnel({40.0, 40.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kPost, Material::kRock, "post");
@@ -96,7 +96,7 @@ World post_and_cable() {
 }
 
 struct Counts {
-  int mixed = 0;  ///< well behind the post's face and before the wall, at the post
+  int mixed = 0;  ///< between the face of the post and the wall, beside the post
   int cable = 0;  ///< within 4 cm of its axis
   std::size_t all = 0;
 };
@@ -124,8 +124,8 @@ Counts count(int support_min) {
   return counts;
 }
 
-TEST(MixedPixelFilter, ClearsTheEdgesOfAPostAndLeavesACable) {
-  const Counts before = count(0);  // nothing is taken out
+TEST(MixedPixelFilter, ClearsTheEdgesOfAPostAndKeepsACable) {
+  const Counts before = count(0);  // nothing is removed
   const Counts after = count(1);
   EXPECT_GT(before.mixed, 40);
   EXPECT_LE(after.mixed, before.mixed / 10);

@@ -41,8 +41,8 @@ class ScanAssemblyNodeTest : public testing::Test {
     publish(bus_, channels::kScanRequest, to_message(ScanRequest{bus_.now_utime(), 5, laser}));
   }
 
-  BoxTunnel drift_;
-  GroundTruthRobot robot_{box_tunnel(drift_)};
+  BoxTunnel tunnel_;
+  GroundTruthRobot robot_{box_tunnel(tunnel_)};
   MemoryBus& bus_ = robot_.bus();
   NodeHost host_{bus_, {"scan_assembly", "0.1.0", ""}};
   ScanAssemblyNode node_{host_.bus(), with_groundhog_lasers<ScanAssemblyNodeParams>()};
@@ -52,7 +52,7 @@ class ScanAssemblyNodeTest : public testing::Test {
   int fragments_ = 0;
 };
 
-TEST_F(ScanAssemblyNodeTest, AnswersARequestWithACloudInTenSeconds) {
+TEST_F(ScanAssemblyNodeTest, PublishesTheCloudOfARequestInTenSeconds) {
   run(1.5);
   request(LaserId::kFront);
   run(10.0);
@@ -67,11 +67,11 @@ TEST_F(ScanAssemblyNodeTest, AnswersARequestWithACloudInTenSeconds) {
   EXPECT_EQ(heartbeat_.dropped, 0);
   EXPECT_EQ(heartbeat_.rejected, 0);
   // Offset, unit and noise of the laser: 15, 5 and 24 mm; a bias of the accelerometers of three
-  // times 0.02 m/s² over up to 12 m that are met steeply: 72 mm.
-  EXPECT_LE(test::largest_error(drift_, cloud), 0.044 + 0.072);
+  // times 0.02 m/s² over up to 12 m at steep incidence: 72 mm.
+  EXPECT_LE(test::largest_error(tunnel_, cloud), 0.044 + 0.072);
 }
 
-TEST_F(ScanAssemblyNodeTest, LooksBackWithTheRearLaser) {
+TEST_F(ScanAssemblyNodeTest, ScansBackwardsWithTheRearLaser) {
   run(1.5);
   request(LaserId::kRear);
   run(10.0);
@@ -84,7 +84,7 @@ TEST_F(ScanAssemblyNodeTest, LooksBackWithTheRearLaser) {
   EXPECT_EQ(node_.health(), Health{});
 }
 
-TEST_F(ScanAssemblyNodeTest, AnswersEachRequestReset) {
+TEST_F(ScanAssemblyNodeTest, PublishesOneCloudForEachRequest) {
   run(1.5);
   request(LaserId::kFront);
   run(10.0);
@@ -93,8 +93,8 @@ TEST_F(ScanAssemblyNodeTest, AnswersEachRequestReset) {
   EXPECT_EQ(clouds_.size(), 2U);
 }
 
-/// Who asks, asks until it is answered.
-TEST_F(ScanAssemblyNodeTest, TakesARepeatedRequestForOne) {
+/// A request is repeated until its cloud arrives.
+TEST_F(ScanAssemblyNodeTest, IgnoresRepetitionsOfARequest) {
   run(1.5);
   for (int i = 0; i < 5; ++i) {
     request(LaserId::kFront);
@@ -105,50 +105,50 @@ TEST_F(ScanAssemblyNodeTest, TakesARepeatedRequestForOne) {
   EXPECT_EQ(clouds_.size(), 1U);
 }
 
-TEST_F(ScanAssemblyNodeTest, RepeatsAScanForWhoDoesNotHaveItOnceItCanNotBeOnItsWay) {
-  CloudReassembler repeated;
-  std::vector<std::int64_t> again;
+TEST_F(ScanAssemblyNodeTest, ResendsAMissingScanAfterTheResendDelay) {
+  CloudReassembler resent;
+  std::vector<std::int64_t> resent_utime;
   subscribe<cloud_t>(bus_, channels::kCloudResend, Delivery::queued(100),
                      [&](const CloudFragment& fragment) {
-                       if (const auto cloud = repeated.add(fragment)) again.push_back(cloud->utime);
+                       if (const auto cloud = resent.add(fragment))
+                         resent_utime.push_back(cloud->utime);
                      });
-  const auto ask = [&](const std::vector<std::int64_t>& have) {
-    publish(bus_, channels::kCloudRequest,
-            to_message(CloudRequest{bus_.now_utime(), "volume_map", 0, have}));
+  const auto request_missing = [&](const std::vector<std::int64_t>& received) {
+    publish(bus_, channels::kCloudRequest, to_message(CloudRequest{bus_.now_utime(), 0, received}));
   };
   run(1.5);
   request(LaserId::kFront);
   while (clouds_.empty()) run(0.1);
-  ask({});
-  EXPECT_TRUE(again.empty());
+  request_missing({});
+  EXPECT_TRUE(resent_utime.empty());
   run(3.5);
-  ask({clouds_[0].utime});
-  EXPECT_TRUE(again.empty());
-  ask({});
-  EXPECT_EQ(again, (std::vector{clouds_[0].utime}));
+  request_missing({clouds_[0].utime});
+  EXPECT_TRUE(resent_utime.empty());
+  request_missing({});
+  EXPECT_EQ(resent_utime, (std::vector{clouds_[0].utime}));
 }
 
-TEST_F(ScanAssemblyNodeTest, SaysWhyItRejectsARequest) {
+TEST_F(ScanAssemblyNodeTest, ReportsWhyARequestIsRejected) {
   request(LaserId::kFront);
   EXPECT_EQ(node_.health().level, Health::Level::kDegraded);
-  EXPECT_EQ(node_.health().reason, "request refused: the pose is not known");
+  EXPECT_EQ(node_.health().reason, "request rejected: no pose received yet");
 }
 
-/// One sweep of a robot whose stage has the journal: the time of the scan, which is in the journal
-/// as soon as the first of it goes out.
-std::int64_t announced_and_stored(const ScanAssemblyNodeParams& params) {
+/// Runs one sweep with a journal and checks that the scan is in the journal when its first fragment
+/// is published. Returns the time of the scan.
+std::int64_t published_and_stored(const ScanAssemblyNodeParams& params) {
   BoxTunnel tunnel;
   GroundTruthRobot robot{box_tunnel(tunnel)};
   MemoryBus& bus = robot.bus();
   const ScanAssemblyNode node(bus, params);
   std::vector<std::uint8_t> truth;
-  std::int64_t announced = 0;
+  std::int64_t published_utime = 0;
   bus.tap([&](const ReceivedMessage& message) {
     if (message.channel == channels::kTruth) {
       truth.assign(message.bytes.begin(), message.bytes.end());
     }
-    if (message.channel != channels::kCloud || announced != 0) return;
-    announced = decode<cloud_t>(message.bytes)->utime;
+    if (message.channel != channels::kCloud || published_utime != 0) return;
+    published_utime = decode<cloud_t>(message.bytes)->utime;
     std::size_t records = 0;
     read_journal(params.journal, [&](const JournalRecord&) { ++records; });
     EXPECT_GT(records, 0U);
@@ -161,35 +161,34 @@ std::int64_t announced_and_stored(const ScanAssemblyNodeParams& params) {
               to_message(ScanRequest{bus.now_utime(), 5, LaserId::kFront}));
     }
   }
-  return announced;
+  return published_utime;
 }
 
-TEST(ScanAssemblyNode, HasAScanOnTheDiskBeforeItIsAnnouncedUntilSomebodyHasIt) {
+TEST(ScanAssemblyNode, StoresAScanBeforeItIsPublishedUntilItIsAcknowledged) {
   const test::ScratchFolder scratch;
   auto params = with_groundhog_lasers<ScanAssemblyNodeParams>();
   params.journal = (scratch / "scans.journal").string();
-  const std::int64_t announced = announced_and_stored(params);
-  ASSERT_NE(announced, 0);
+  const std::int64_t published_utime = published_and_stored(params);
+  ASSERT_NE(published_utime, 0);
 
-  MemoryBus bus;  // all was cut off
-  std::vector<std::int64_t> again;
+  MemoryBus bus;  // after a power loss
+  std::vector<std::int64_t> resent_utime;
   CloudReassembler assembler;
   subscribe<cloud_t>(bus, channels::kCloudResend, Delivery::queued(100),
                      [&](const CloudFragment& fragment) {
                        if (const auto cloud = assembler.add(fragment))
-                         again.push_back(cloud->utime);
+                         resent_utime.push_back(cloud->utime);
                      });
   const ScanAssemblyNode node(bus, params);
-  const auto ask = [&](const std::vector<std::int64_t>& have) {
-    publish(bus, channels::kCloudRequest,
-            to_message(CloudRequest{bus.now_utime(), "volume_map", 0, have}));
+  const auto request_missing = [&](const std::vector<std::int64_t>& received) {
+    publish(bus, channels::kCloudRequest, to_message(CloudRequest{bus.now_utime(), 0, received}));
   };
-  bus.advance_to(announced + 60'000'000);
-  ask({});
-  EXPECT_EQ(again, std::vector{announced});
+  bus.advance_to(published_utime + 60'000'000);
+  request_missing({});
+  EXPECT_EQ(resent_utime, std::vector{published_utime});
   EXPECT_GT(std::filesystem::file_size(params.journal), 0U);
-  ask({announced});
-  EXPECT_EQ(again.size(), 1U);
+  request_missing({published_utime});
+  EXPECT_EQ(resent_utime.size(), 1U);
   EXPECT_EQ(std::filesystem::file_size(params.journal), 0U);
 }
 

@@ -17,11 +17,10 @@ using test::largest_error;
 using test::perfect_laser;
 using test::SweepingRobot;
 
-const BoxTunnel kDrift;
+const BoxTunnel kTunnel;
 
-// Half the unit of the laser, and what 10 ms steps of the tilt leave when they are interpolated
-// while it accelerates: 2 rad/s² · (20 ms)² / 8 = 0.1 mrad, at up to 4 m where floor and roof are
-// met steeply.
+// Half the unit of the laser, and the error of the interpolated tilt while it accelerates:
+// 2 rad/s² · (20 ms)² / 8 = 0.1 mrad, over up to 4 m where beams hit floor and roof steeply.
 constexpr double kExactM = 0.001;
 
 SweepingRobot::PoseAt at_rest(const Eigen::Isometry3d& T_world_body) {
@@ -29,7 +28,7 @@ SweepingRobot::PoseAt at_rest(const Eigen::Isometry3d& T_world_body) {
 }
 
 TEST(ScanAssembly, PutsEveryPointOnASurface) {
-  SweepingRobot robot(box_tunnel(kDrift));
+  SweepingRobot robot(box_tunnel(kTunnel));
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
@@ -37,19 +36,19 @@ TEST(ScanAssembly, PutsEveryPointOnASurface) {
   EXPECT_EQ(cloud->id, 7);
   EXPECT_EQ(assembly.problem(), "");
   EXPECT_NEAR(static_cast<double>(cloud->lines.size()), 243.0, 4.0);  // 6.4 s and ramps at 37.5 Hz
-  EXPECT_GT(cloud->points(), 70'000U);  // of 361 beams less those along the drift
-  EXPECT_LE(largest_error(kDrift, *cloud), kExactM);
+  EXPECT_GT(cloud->points(), 70'000U);  // of 361 beams less those along the tunnel
+  EXPECT_LE(largest_error(kTunnel, *cloud), kExactM);
 }
 
 TEST(ScanAssembly, IsAsExactAsTheLaser) {
-  SweepingRobot robot(box_tunnel(kDrift), LaserParams{});
+  SweepingRobot robot(box_tunnel(kTunnel), LaserParams{});
   ScanAssemblyParams params = assembly_params();
   params.lasers = groundhog_lasers();
   ScanAssembly assembly(params);
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
   // Offset of up to 15 mm, half a unit of 10 mm, 4.8 standard deviations of 5 mm for 86,000 points.
-  EXPECT_LE(largest_error(kDrift, *cloud), 0.015 + 0.005 + 0.024);
+  EXPECT_LE(largest_error(kTunnel, *cloud), 0.015 + 0.005 + 0.024);
 }
 
 TEST(ScanAssembly, LevelsTheCloudOnASlope) {
@@ -59,25 +58,25 @@ TEST(ScanAssembly, LevelsTheCloudOnASlope) {
     Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
     T_world_body.rotate(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
     T_world_body.rotate(Eigen::AngleAxisd(slope, axis));
-    SweepingRobot robot(box_tunnel(kDrift), perfect_laser(), at_rest(T_world_body));
+    SweepingRobot robot(box_tunnel(kTunnel), perfect_laser(), at_rest(T_world_body));
     ScanAssembly assembly(assembly_params());
     const auto cloud = robot.sweep(assembly);
     ASSERT_TRUE(cloud);
-    EXPECT_LE(largest_error(kDrift, *cloud), kExactM);
+    EXPECT_LE(largest_error(kTunnel, *cloud), kExactM);
   }
 }
 
-TEST(ScanAssembly, TakesTheBodyAsLevelWithoutInertialReadingsAndSaysSo) {
+TEST(ScanAssembly, AssumesALevelBodyWithoutImuReadingsAndReportsIt) {
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
   T_world_body.rotate(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY()));
-  SweepingRobot robot(box_tunnel(kDrift), perfect_laser(), at_rest(T_world_body));
+  SweepingRobot robot(box_tunnel(kTunnel), perfect_laser(), at_rest(T_world_body));
   robot.has_imu = false;
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
   EXPECT_TRUE(cloud->complete);
-  EXPECT_GT(largest_error(kDrift, *cloud), 0.1);  // of 0.1 rad over more than a metre
-  EXPECT_NE(assembly.problem().find("taken as level"), std::string::npos);
+  EXPECT_GT(largest_error(kTunnel, *cloud), 0.1);  // 0.1 rad over more than a metre
+  EXPECT_NE(assembly.problem().find("assumed level"), std::string::npos);
 }
 
 TEST(ScanAssembly, PlacesBeamsByThePoseAtTheirOwnTime) {
@@ -85,17 +84,17 @@ TEST(ScanAssembly, PlacesBeamsByThePoseAtTheirOwnTime) {
     return Eigen::Translation3d(0.003 * seconds, 0.001 * seconds, 0.0) *
            Eigen::AngleAxisd(0.001 * seconds, Eigen::Vector3d::UnitZ());
   };
-  SweepingRobot robot(box_tunnel(kDrift), perfect_laser(),
+  SweepingRobot robot(box_tunnel(kTunnel), perfect_laser(),
                       [&](double s) { return Eigen::Isometry3d(creeps(s)); });
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
   EXPECT_TRUE(cloud->complete);
-  EXPECT_LE(largest_error(kDrift, *cloud), kExactM);
+  EXPECT_LE(largest_error(kTunnel, *cloud), kExactM);
 }
 
-TEST(ScanAssembly, GivesEachLineTheOriginOfItsLaser) {
-  SweepingRobot robot(box_tunnel(kDrift));
+TEST(ScanAssembly, SetsTheOriginOfEachLine) {
+  SweepingRobot robot(box_tunnel(kTunnel));
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
@@ -104,12 +103,12 @@ TEST(ScanAssembly, GivesEachLineTheOriginOfItsLaser) {
                              static_cast<float>(mount.height_m - mount.lever_z_m));
   const double lever = std::hypot(mount.lever_x_m, mount.lever_z_m);
   for (const CloudLine& line : cloud->lines) EXPECT_NEAR((line.origin - axis).norm(), lever, 1e-5);
-  // Looking up it is behind of where it is looking down.
+  // The laser is farther back while it is tilted up.
   EXPECT_LT(cloud->lines.front().origin.x(), cloud->lines.back().origin.x() - 0.05F);
 }
 
-TEST(ScanAssembly, SaysWhereNothingCameBack) {
-  SweepingRobot robot(box_tunnel(kDrift));
+TEST(ScanAssembly, ReportsMisses) {
+  SweepingRobot robot(box_tunnel(kTunnel));
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
@@ -118,15 +117,15 @@ TEST(ScanAssembly, SaysWhereNothingCameBack) {
     for (const Eigen::Vector3f& direction : line.misses) {
       const auto hit = robot.scene().cast({line.origin, direction}, 100.0F);
       ASSERT_TRUE(hit);
-      EXPECT_GT(hit->distance_m, 7.9F);  // 8 m, less what the origin moves within a line
+      EXPECT_GT(hit->distance_m, 7.9F);  // 8 m, less the motion of the origin within a line
       ++misses;
     }
   }
   EXPECT_GT(misses, 1000U);
 }
 
-TEST(ScanAssembly, HasLinesInOrderOfTimeThatEndWithTheSweep) {
-  SweepingRobot robot(box_tunnel(kDrift));
+TEST(ScanAssembly, HasLinesInOrderOfTime) {
+  SweepingRobot robot(box_tunnel(kTunnel));
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
@@ -137,25 +136,25 @@ TEST(ScanAssembly, HasLinesInOrderOfTimeThatEndWithTheSweep) {
   EXPECT_GT(cloud->utime, cloud->lines.back().utime);
 }
 
-TEST(ScanAssembly, BringsTheLaserBackToLevel) {
-  SweepingRobot robot(box_tunnel(kDrift));
+TEST(ScanAssembly, ReturnsTheLaserToLevel) {
+  SweepingRobot robot(box_tunnel(kTunnel));
   ScanAssembly assembly(assembly_params());
   EXPECT_TRUE(robot.sweep(assembly));
   EXPECT_NEAR(robot.tilt_rad(), 0.0, 1e-6);
 }
 
-TEST(ScanAssembly, TakesTiltsInAnyOrder) {
-  SweepingRobot robot(box_tunnel(kDrift));
+TEST(ScanAssembly, AcceptsTiltsInAnyOrder) {
+  SweepingRobot robot(box_tunnel(kTunnel));
   robot.swaps_tilt_order = true;
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly);
   ASSERT_TRUE(cloud);
   EXPECT_TRUE(cloud->complete);
-  EXPECT_LE(largest_error(kDrift, *cloud), kExactM);
+  EXPECT_LE(largest_error(kTunnel, *cloud), kExactM);
 }
 
-TEST(ScanAssembly, RepeatsACommandThatWasLost) {
-  SweepingRobot robot(box_tunnel(kDrift));
+TEST(ScanAssembly, RepeatsALostCommand) {
+  SweepingRobot robot(box_tunnel(kTunnel));
   robot.delivers_commands = [](double seconds) { return seconds > 2.5; };  // the first is at 2.0 s
   ScanAssembly assembly(assembly_params());
   const auto cloud = robot.sweep(assembly, 14.0);

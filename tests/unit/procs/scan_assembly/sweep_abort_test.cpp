@@ -17,11 +17,11 @@ using test::perfect_laser;
 using test::SweepingRobot;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kDuringSweepS = 6.0;  // it lasts from 3.3 s to 9.8 s after the start
+constexpr double kDuringSweepS = 6.0;  // the sweep lasts from 3.3 s to 9.8 s
 
-const BoxTunnel kDrift;
+const BoxTunnel kTunnel;
 
-/// Drives away at a time.
+/// A body that starts to drive at a time.
 SweepingRobot::PoseAt drives_from(double begin_s) {
   return [begin_s](double seconds) {
     Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
@@ -35,55 +35,55 @@ void expect_partial_cloud(const std::optional<Cloud>& cloud) {
   EXPECT_FALSE(cloud->complete);
   EXPECT_GT(cloud->lines.size(), 90U);
   EXPECT_LT(cloud->lines.size(), 130U);
-  // Half the unit of the laser, and 0.1 mrad of tilt: see scan_assembly_test.
-  EXPECT_LE(largest_error(kDrift, *cloud), 0.001);
+  // As in scan_assembly_test.cpp.
+  EXPECT_LE(largest_error(kTunnel, *cloud), 0.001);
 }
 
-TEST(SweepAbort, GivesWhatItHasWhenTheRobotMoves) {
-  SweepingRobot robot(box_tunnel(kDrift), perfect_laser(), drives_from(kDuringSweepS));
+TEST(SweepAbort, PublishesAnIncompleteCloudWhenTheRobotMoves) {
+  SweepingRobot robot(box_tunnel(kTunnel), perfect_laser(), drives_from(kDuringSweepS));
   ScanAssembly assembly(assembly_params());
   expect_partial_cloud(robot.sweep(assembly));
   EXPECT_EQ(assembly.problem(), "the robot moved");
   EXPECT_NEAR(robot.tilt_rad(), 0.0, 1e-6);
 }
 
-TEST(SweepAbort, GivesWhatItHasWhenTheLaserFallsStale) {
-  SweepingRobot robot(box_tunnel(kDrift));
+TEST(SweepAbort, PublishesAnIncompleteCloudWhenTheLaserTimesOut) {
+  SweepingRobot robot(box_tunnel(kTunnel));
   robot.delivers_scans = [](double seconds) { return seconds < kDuringSweepS; };
   ScanAssembly assembly(assembly_params());
   expect_partial_cloud(robot.sweep(assembly));
-  EXPECT_EQ(assembly.problem(), "the front laser is silent");
+  EXPECT_EQ(assembly.problem(), "scans of the front laser timed out");
 }
 
-TEST(SweepAbort, GivesWhatItHasWhenTheTiltFallsStale) {
-  SweepingRobot robot(box_tunnel(kDrift));
+TEST(SweepAbort, PublishesAnIncompleteCloudWhenTheTiltTimesOut) {
+  SweepingRobot robot(box_tunnel(kTunnel));
   robot.delivers_tilts = [](double seconds) { return seconds < kDuringSweepS; };
   ScanAssembly assembly(assembly_params());
   expect_partial_cloud(robot.sweep(assembly));
-  EXPECT_EQ(assembly.problem(), "the tilt of the front laser is silent");
+  EXPECT_EQ(assembly.problem(), "tilt of the front laser timed out");
 }
 
-TEST(SweepAbort, GivesNothingBeforeTheFirstLine) {
-  SweepingRobot robot(box_tunnel(kDrift), perfect_laser(), drives_from(2.2));
+TEST(SweepAbort, PublishesNoCloudBeforeTheFirstLine) {
+  SweepingRobot robot(box_tunnel(kTunnel), perfect_laser(), drives_from(2.2));
   ScanAssembly assembly(assembly_params());
   EXPECT_FALSE(robot.sweep(assembly));
   EXPECT_EQ(assembly.problem(), "the robot moved");
 }
 
-TEST(SweepAbort, GivesUpALaserThatDoesNotObey) {
-  SweepingRobot robot(box_tunnel(kDrift));
+TEST(SweepAbort, TimesOutIfTheLaserDoesNotMove) {
+  SweepingRobot robot(box_tunnel(kTunnel));
   robot.delivers_commands = [](double) { return false; };
   ScanAssembly assembly(assembly_params());
   EXPECT_FALSE(robot.sweep(assembly, 20.0));
-  EXPECT_EQ(assembly.problem(), "the sweep took too long");
+  EXPECT_EQ(assembly.problem(), "the sweep timed out");
 }
 
-TEST(SweepAbort, IsForgottenWithTheNextSweep) {
-  SweepingRobot robot(box_tunnel(kDrift), perfect_laser(), drives_from(1e9));
+TEST(SweepAbort, DoesNotAffectTheNextSweep) {
+  SweepingRobot robot(box_tunnel(kTunnel), perfect_laser(), drives_from(1e9));
   robot.delivers_scans = [](double) { return false; };
   ScanAssembly assembly(assembly_params());
   EXPECT_FALSE(robot.sweep(assembly));
-  SweepingRobot other(box_tunnel(kDrift));
+  SweepingRobot other(box_tunnel(kTunnel));
   const auto cloud = other.sweep(assembly);
   ASSERT_TRUE(cloud);
   EXPECT_TRUE(cloud->complete);
@@ -93,21 +93,21 @@ TEST(SweepAbort, IsForgottenWithTheNextSweep) {
 TEST(ScanRequest, IsRejectedWithoutAPose) {
   ScanAssembly assembly(assembly_params());
   assembly.begin({kStart, 1, LaserId::kFront}, kStart);
-  EXPECT_EQ(assembly.problem(), "request refused: the pose is not known");
+  EXPECT_EQ(assembly.problem(), "request rejected: no pose received yet");
   EXPECT_FALSE(assembly.advance(kStart).command);
 }
 
-TEST(ScanRequest, IsRejectedWhileASweepIsUnderWay) {
+TEST(ScanRequest, IsRejectedDuringASweep) {
   ScanAssembly assembly(assembly_params());
   assembly.add(kStart, Pose2{});
   assembly.begin({kStart, 1, LaserId::kFront}, kStart);
   EXPECT_TRUE(assembly.advance(kStart).command);
   assembly.begin({kStart, 2, LaserId::kRear}, kStart);
-  EXPECT_EQ(assembly.problem(), "request refused: a sweep is under way");
+  EXPECT_EQ(assembly.problem(), "request rejected: a sweep is in progress");
   EXPECT_EQ(assembly.laser(), LaserId::kFront);
 }
 
-TEST(Readings, AreRejectedWhereTheyAreNotFinite) {
+TEST(SweepInput, RejectsReadingsThatAreNotFinite) {
   ScanAssembly assembly(assembly_params());
   EXPECT_FALSE(assembly.add(kStart, Pose2{0.0, kNaN, 0.0}));
   EXPECT_FALSE(assembly.add(ImuReading{kStart, {}, {0.0, kNaN, 9.81}}));
@@ -117,7 +117,7 @@ TEST(Readings, AreRejectedWhereTheyAreNotFinite) {
   EXPECT_TRUE(assembly.add(LaserId::kFront, TiltReading{kStart, 0.1, kNaN}));
 }
 
-/// In the midst of a sweep.
+/// An assembly during a sweep.
 ScanAssembly sweeping() {
   ScanAssembly assembly(assembly_params());
   assembly.add(kStart, Pose2{});
@@ -129,7 +129,7 @@ ScanAssembly sweeping() {
   return assembly;
 }
 
-TEST(Scans, AreRejectedWhereTheyDoNotAdvanceInTimeOrAreOfAnotherLaser) {
+TEST(SweepInput, RejectsScansThatDoNotAdvanceInTimeOrAreOfAnotherLaser) {
   ScanAssembly assembly = sweeping();
   const LaserScan scan{kStart + 30'000, std::vector<float>(361, 2.0F), -1.57, 0.0087};
   EXPECT_FALSE(assembly.add(LaserId::kRear, scan));
@@ -138,15 +138,15 @@ TEST(Scans, AreRejectedWhereTheyDoNotAdvanceInTimeOrAreOfAnotherLaser) {
   EXPECT_FALSE(assembly.add(LaserId::kFront, {kStart + 60'000, {2.0F}, kNaN, 0.0087}));
 }
 
-TEST(Scans, OfReadingsThatSayNothingAreNeitherPointsNorMisses) {
+TEST(SweepInput, InvalidRangesAreNeitherPointsNorMisses) {
   ScanAssembly assembly = sweeping();
-  const float nothing = std::numeric_limits<float>::quiet_NaN();
+  const float invalid = std::numeric_limits<float>::quiet_NaN();
   const float infinite = std::numeric_limits<float>::infinity();
   assembly.add(
       LaserId::kFront,
-      {kStart + 30'000, {nothing, 0.0F, -infinite, -1.0F, infinite, 8.5F, 2.0F}, 0.0, 0.01});
+      {kStart + 30'000, {invalid, 0.0F, -infinite, -1.0F, infinite, 8.5F, 2.0F}, 0.0, 0.01});
   assembly.add(LaserId::kFront, TiltReading{kStart + 500'000, -0.4, 0.0});
-  const auto cloud = assembly.advance(kStart + 30'000'000).cloud;  // too late
+  const auto cloud = assembly.advance(kStart + 30'000'000).cloud;  // after the timeout
   ASSERT_TRUE(cloud);
   ASSERT_EQ(cloud->lines.size(), 1U);
   EXPECT_EQ(cloud->lines[0].points.size(), 1U);

@@ -19,7 +19,7 @@ namespace adit::test {
 
 inline constexpr std::int64_t kStart = 1'600'000'000'000'000;
 
-/// A laser that makes no errors, sees all that is nearer than 8 m and reads millimetres.
+/// A laser without errors, with a range of 8 m and a resolution of 1 mm.
 inline LaserParams perfect_laser() {
   LaserParams params;
   params.unit_m = 0.001;
@@ -35,8 +35,8 @@ inline ScanAssemblyParams assembly_params() {
   return params;
 }
 
-/// A body with a tilting laser in front and all that assembly is told of it, in steps of 10 ms.
-/// `odom` is `world`.
+/// A body with a tilting front laser, and all input of the assembly, in steps of 10 ms. The frame
+/// odom is world.
 class SweepingRobot {
  public:
   using PoseAt = std::function<Eigen::Isometry3d(double seconds)>;
@@ -48,14 +48,14 @@ class SweepingRobot {
         T_world_body_(std::move(T_world_body)),
         laser_(site_.scene(), setup(laser), kStart, T_world_body_(0.0)) {}
 
-  // What does not reach the assembly, by seconds since the start.
+  // Whether data reaches the assembly, by seconds since the start.
   std::function<bool(double)> delivers_scans = [](double) { return true; };
   std::function<bool(double)> delivers_tilts = [](double) { return true; };
   std::function<bool(double)> delivers_commands = [](double) { return true; };
   bool has_imu = true;
-  bool swaps_tilt_order = false;  ///< each second reading comes before the first
+  bool swaps_tilt_order = false;  ///< of each two readings the second arrives first
 
-  /// Two seconds of rest, a request, and what came of it after `seconds` in all.
+  /// The cloud of a request after 2 s of rest, if it is published within `seconds`.
   std::optional<Cloud> sweep(ScanAssembly& assembly, double seconds = 12.0) {
     std::optional<Cloud> cloud;
     for (int step = 1; step <= std::lround(seconds * 100.0); ++step) {
@@ -115,14 +115,14 @@ class SweepingRobot {
   std::optional<TiltReading> buffer_;
 };
 
-/// From a point to the nearest surface of a drift without anything in it [m].
+/// Distance of a point to the nearest surface of an empty tunnel [m].
 inline double distance_to_surface(const BoxTunnel& tunnel, const Eigen::Vector3d& p_world) {
   return std::min({std::abs(p_world.z()), std::abs(p_world.z() - tunnel.height_m),
                    std::abs(std::abs(p_world.y()) - tunnel.width_m / 2.0),
                    std::abs(std::abs(p_world.x()) - tunnel.length_m / 2.0)});
 }
 
-/// Of the point of a cloud that is farthest from a surface [m]; odom is world.
+/// Maximum distance of the points of a cloud to the surfaces [m]; odom is world.
 inline double largest_error(const BoxTunnel& tunnel, const Cloud& cloud) {
   double largest = 0.0;
   for (const CloudLine& line : cloud.lines) {

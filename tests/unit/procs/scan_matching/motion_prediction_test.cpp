@@ -21,7 +21,7 @@ ImuReading turning(double t_s, double rate) {
   return reading;
 }
 
-TEST(MotionPrediction, TakesTheStepThatTheWheelsReport) {
+TEST(MotionPrediction, UsesTheStepOfTheWheels) {
   MotionPrediction motion{MotionPredictionParams{}};
   motion.correct(kStart, {5.0, 1.0, 0.5}, true);
   motion.add(wheels(0.0, {100.0, 0.0, 2.0}));
@@ -33,7 +33,7 @@ TEST(MotionPrediction, TakesTheStepThatTheWheelsReport) {
   EXPECT_GT(expected.prior.information(0, 0), 0.0);
 }
 
-TEST(MotionPrediction, InterpolatesTheWheelsBetweenReadings) {
+TEST(MotionPrediction, InterpolatesBetweenWheelReadings) {
   MotionPrediction motion{MotionPredictionParams{}};
   motion.correct(kStart + kSecond / 2, {}, true);
   motion.add(wheels(0.0, {0.0, 0.0, 0.0}));
@@ -42,7 +42,7 @@ TEST(MotionPrediction, InterpolatesTheWheelsBetweenReadings) {
   EXPECT_NEAR(motion.predict(kStart + kSecond * 5 / 4).prior.T_odom_body.x, 0.75, 1e-12);
 }
 
-TEST(MotionPrediction, DoesNotBelieveWheelsThatFellStale) {
+TEST(MotionPrediction, IgnoresStaleWheelReadings) {
   MotionPrediction motion{MotionPredictionParams{}};
   motion.correct(kStart, {}, true);
   motion.add(wheels(0.0, {}));
@@ -51,7 +51,7 @@ TEST(MotionPrediction, DoesNotBelieveWheelsThatFellStale) {
   EXPECT_TRUE(expected.prior.information.isZero());
 }
 
-TEST(MotionPrediction, DoesNotBelieveWheelsThatJump) {
+TEST(MotionPrediction, IgnoresWheelsThatJump) {
   MotionPrediction motion{MotionPredictionParams{}};
   motion.correct(kStart, {}, true);
   motion.add(wheels(0.0, {}));
@@ -79,7 +79,7 @@ TEST(MotionPrediction, IntegratesTheGyroOverTheStep) {
   EXPECT_EQ(expected.prior.information(0, 0), 0.0);
 }
 
-TEST(MotionPrediction, DoesNotIntegrateTheGyroOverAGap) {
+TEST(MotionPrediction, IgnoresTheGyroAcrossAGap) {
   MotionPrediction motion{MotionPredictionParams{}};
   motion.correct(kStart, {}, true);
   motion.add(turning(0.0, 0.3));
@@ -87,23 +87,24 @@ TEST(MotionPrediction, DoesNotIntegrateTheGyroOverAGap) {
   EXPECT_FALSE(motion.predict(kStart + kSecond).from_gyro);
 }
 
-TEST(MotionPrediction, GoesOnAtTheLastSpeedWithoutSensors) {
+TEST(MotionPrediction, ExtrapolatesTheLastSpeedWithoutSensors) {
   MotionPredictionParams params;
   MotionPrediction motion{params};
   motion.correct(kStart, {}, true);
   motion.correct(kStart + kSecond, {0.5, 0.0, 0.0}, true);
   const double x = motion.predict(kStart + 2 * kSecond).prior.T_odom_body.x;
-  EXPECT_GT(x, 0.9);  // the speed dies away over 5 s
+  EXPECT_GT(x, 0.9);  // the speed decays over 5 s
   EXPECT_LE(x, 1.0);
 }
 
-/// In a drift that tells nothing of the way along it, scan after scan is where the prediction is.
-TEST(MotionPrediction, GoesNoFartherWithoutMeasurementsHoweverManyScansCome) {
+/// In a tunnel that does not constrain the motion along it, the pose of each scan is the
+/// prediction.
+TEST(MotionPrediction, ExtrapolatedDistanceDoesNotDependOnTheNumberOfScans) {
   const MotionPredictionParams params;
   constexpr double kSpeedM_s = 0.4;
   constexpr double kOpenS = 20.0;
   const double memory_s = params.speed_memory_s;
-  // The integral of a speed that dies away exponentially.
+  // The integral of an exponentially decaying speed.
   const double expected_m = kSpeedM_s * memory_s * (1.0 - std::exp(-kOpenS / memory_s));
   for (const int scans : {20, 100, 1500}) {
     MotionPrediction motion{params};
@@ -119,27 +120,27 @@ TEST(MotionPrediction, GoesNoFartherWithoutMeasurementsHoweverManyScansCome) {
   }
 }
 
-TEST(MotionPrediction, TakesNoSpeedFromStampsThatNearlyCoincide) {
+TEST(MotionPrediction, MeasuresNoSpeedFromNearlyEqualTimeStamps) {
   MotionPrediction motion{MotionPredictionParams{}};
   motion.correct(kStart, {}, true);
   motion.correct(kStart + 1000, {0.3, 0.0, 0.0}, true);
   EXPECT_NEAR(motion.predict(kStart + kSecond).prior.T_odom_body.x, 0.3, 1e-9);
 }
 
-TEST(MotionPrediction, StandsOnceTheWheelsHaveNotMovedForAWhile) {
+TEST(MotionPrediction, IsStationaryAfterTheWheelsHaveStoodForAWhile) {
   MotionPrediction motion{MotionPredictionParams{}};
   motion.add(wheels(-1.0, {}));
   motion.add(wheels(-0.3, {0.2, 0.0, 0.0}));
   motion.add(wheels(0.1, {0.2, 0.0, 0.0}));
   motion.correct(kStart, {}, true);
-  EXPECT_FALSE(motion.predict(kStart + kSecond / 10).stationary);  // odometry that repeats itself
+  EXPECT_FALSE(motion.predict(kStart + kSecond / 10).stationary);  // repeated odometry
   motion.add(wheels(0.4, {0.2, 0.0, 0.0}));
   EXPECT_TRUE(motion.predict(kStart + 4 * kSecond / 10).stationary);
   motion.add(wheels(0.5, {0.21, 0.0, 0.0}));
   EXPECT_FALSE(motion.predict(kStart + kSecond / 2).stationary);
 }
 
-TEST(MotionPrediction, DoesNotStandWhileTheGyroTurns) {
+TEST(MotionPrediction, IsNotStationaryWhileTheGyroTurns) {
   MotionPrediction motion{MotionPredictionParams{}};
   for (int i = -10; i <= 10; ++i) {
     motion.add(wheels(0.1 * i, {}));
@@ -149,7 +150,7 @@ TEST(MotionPrediction, DoesNotStandWhileTheGyroTurns) {
   EXPECT_FALSE(motion.predict(kStart + kSecond).stationary);
 }
 
-TEST(MotionPrediction, IsAsSureOfManyShortStepsAsOfOneLongOne) {
+TEST(MotionPrediction, UncertaintyDoesNotDependOnTheNumberOfSteps) {
   MotionPredictionParams params;
   MotionPrediction motion{params};
   motion.add(wheels(0.0, {}));

@@ -28,15 +28,14 @@ class ScanMatchingNodeOnABus : public testing::Test {
   }
 
   void scan(std::int64_t utime, const Pose2& T_world_body) {
-    const LaserScan seen = laser_.measure(room_, T_world_body, utime);
+    const LaserScan seen = laser_.measure(T_world_body, utime);
     bus_.inject(utime, channels::kLaserFront, encode(to_message(seen)));
   }
   void tilt(std::int64_t utime, double angle_rad) {
     bus_.inject(utime, channels::kTiltFront, encode(to_message(TiltReading{utime, angle_rad, 0})));
   }
 
-  SyntheticWorld room_ = test::crooked_room();
-  SyntheticLaser laser_{SyntheticLaserModel{}, 1};
+  test::LevelLaser laser_{test::crooked_room(), 1};
   MemoryBus bus_;
   ScanMatchingNode node_{bus_, ScanMatchingParams{}};
   std::vector<ScanMatch> matches_;
@@ -55,7 +54,7 @@ TEST_F(ScanMatchingNodeOnABus, PublishesAPoseAndAMatchForEachScan) {
   EXPECT_EQ(node_.health().level, Health::Level::kOk);
 }
 
-TEST_F(ScanMatchingNodeOnABus, SaysThatAScanWasRejectedButGivesNoPoseForIt) {
+TEST_F(ScanMatchingNodeOnABus, PublishesARejectedMatchWithoutAPose) {
   scan(kStart, {-2.0, 0.0, 0.0});
   scan(kStart, {-1.9, 0.0, 0.0});
   ASSERT_EQ(matches_.size(), 2U);
@@ -63,7 +62,7 @@ TEST_F(ScanMatchingNodeOnABus, SaysThatAScanWasRejectedButGivesNoPoseForIt) {
   EXPECT_EQ(poses_.size(), 1U);
 }
 
-TEST_F(ScanMatchingNodeOnABus, LeavesTiltedScansAlone) {
+TEST_F(ScanMatchingNodeOnABus, IgnoresTiltedScans) {
   scan(kStart, {-2.0, 0.0, 0.0});
   tilt(kStart + 100'000, 0.4);
   scan(kStart + 200'000, {-1.9, 0.0, 0.0});
@@ -73,7 +72,7 @@ TEST_F(ScanMatchingNodeOnABus, LeavesTiltedScansAlone) {
   EXPECT_EQ(matches_.size(), 2U);
 }
 
-TEST_F(ScanMatchingNodeOnABus, LeavesTiltedScansAloneAlsoWhenItIsLate) {
+TEST_F(ScanMatchingNodeOnABus, IgnoresTiltedScansAlsoWhenItRunsLate) {
   bus_.subscribe("BUSY", Delivery::latest(), [this](const ReceivedMessage&) {
     tilt(kStart, 0.4);
     scan(kStart + 10'000, {-2.0, 0.0, 0.0});
@@ -86,7 +85,7 @@ TEST_F(ScanMatchingNodeOnABus, LeavesTiltedScansAloneAlsoWhenItIsLate) {
   EXPECT_EQ(matches_[0].utime, kStart + 30'000);
 }
 
-TEST_F(ScanMatchingNodeOnABus, IsDegradedWhileItIsLost) {
+TEST_F(ScanMatchingNodeOnABus, IsDegradedWhileScansAreLost) {
   scan(kStart, {-2.0, 0.0, 0.0});
   LaserScan blind{kStart + 200'000, std::vector<float>(181, 81.83F), -1.57, 0.01745};
   bus_.inject(blind.utime, channels::kLaserFront, encode(to_message(blind)));

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds/crooked_room.hpp"
-#include "tools/sample_mine/mine_worlds.hpp"
 
 namespace adit {
 namespace {
@@ -20,12 +19,11 @@ using Status = ScanMatch::Status;
 constexpr std::int64_t kStart = 1'000'000'000;
 constexpr std::int64_t kPeriod = 200'000;
 
-/// A body with a laser that is moved through a world by known steps.
+/// A body with a laser, moved through a world by known steps.
 class SimulatedDrive {
  public:
-  SimulatedDrive(SyntheticWorld world, const Pose2& start, const SyntheticLaserModel& laser = {},
-                 std::uint64_t seed = 1)
-      : world_(std::move(world)), laser_(laser, seed), T_world_body_(start) {
+  SimulatedDrive(const test::WallWorld& world, const Pose2& start, std::uint64_t seed = 1)
+      : laser_(world, seed), T_world_body_(start) {
     matches_.push_back(matching_.add_scan(LaserId::kFront, measure_scan()));
   }
 
@@ -37,17 +35,16 @@ class SimulatedDrive {
     return matches_.back();
   }
 
-  LaserScan measure_scan() { return laser_.measure(world_, T_world_body_, utime_); }
+  LaserScan measure_scan() { return laser_.measure(T_world_body_, utime_); }
   ScanMatch first() const { return matches_.front(); }
   ScanMatching& matching() { return matching_; }
   std::int64_t utime() const { return utime_; }
   const Pose2& T_world_body() const { return T_world_body_; }
-  /// In odom, which begins where the ride did.
+  /// True pose in odom, which starts at the first pose.
   const Pose2& truth() const { return truth_; }
 
  private:
-  SyntheticWorld world_;
-  SyntheticLaser laser_;
+  test::LevelLaser laser_;
   ScanMatching matching_{ScanMatchingParams{}};
   std::int64_t utime_ = kStart;
   Pose2 T_world_body_;
@@ -61,7 +58,7 @@ void expect_near(const Pose2& actual, const Pose2& expected, double metres, doub
   EXPECT_LT(std::abs(error.theta), radians);
 }
 
-TEST(ScanMatching, BeginsOdomAtTheFirstScan) {
+TEST(ScanMatching, StartsOdomAtTheFirstScan) {
   SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
   EXPECT_EQ(drive.first().status, Status::kFirstScan);
   EXPECT_EQ(drive.first().T_odom_body, Pose2{});
@@ -93,10 +90,10 @@ TEST(ScanMatching, DriftsLittleOverAFewMetres) {
 
 TEST(ScanMatching, CovarianceIsConsistentWithTheError) {
   // The normalised error squared has the expectation 3, its number of dimensions. Over 200 seeds
-  // its mean is known to 0.17; the rest is what the model leaves out (quantised ranges, corners,
-  // surfels that several points share).
-  const SyntheticWorld room = test::crooked_room();
-  const SyntheticWorld workings = sample_mine(3);
+  // its mean is known to 0.17; the remaining tolerance is for effects outside the model (quantised
+  // ranges, corners, surfels shared by several points).
+  const test::WallWorld room = test::crooked_room();
+  const test::WallWorld workings = test::sample_mine(3);
   for (const int steps : {1, 8}) {
     for (const bool mine : {false, true}) {
       double sum = 0.0;
@@ -106,7 +103,7 @@ TEST(ScanMatching, CovarianceIsConsistentWithTheError) {
         std::uniform_real_distribution<double> u(-1.0, 1.0);
         const Pose2 start = mine ? Pose2{12.0 + 5.0 * u(random), 0.2 * u(random), 0.1 * u(random)}
                                  : Pose2{-2.0 + u(random), u(random), 3.0 * u(random)};
-        SimulatedDrive drive(mine ? workings : room, start, SyntheticLaserModel{}, seed + 1);
+        SimulatedDrive drive(mine ? workings : room, start, seed + 1);
         ScanMatch match;
         Pose2 step;
         for (int i = 0; i < steps; ++i) {
@@ -123,9 +120,9 @@ TEST(ScanMatching, CovarianceIsConsistentWithTheError) {
   }
 }
 
-TEST(ScanMatching, ReportsDegeneracyInAStraightDrift) {
+TEST(ScanMatching, ReportsDegeneracyInAStraightTunnel) {
   for (const double heading : {0.0, 0.05, -0.1}) {
-    SimulatedDrive drive(straight_tunnel(400.0, 3.0), {0.0, 0.2, heading});
+    SimulatedDrive drive(test::straight_tunnel(400.0, 3.0), {0.0, 0.2, heading});
     for (int i = 0; i < 5; ++i) {
       const ScanMatch match = drive.step({0.1, 0.0, 0.0});
       ASSERT_EQ(match.status, Status::kMatched);
@@ -134,16 +131,16 @@ TEST(ScanMatching, ReportsDegeneracyInAStraightDrift) {
       const Eigen::Vector3d axis_body(std::cos(theta), -std::sin(theta), 0.0);
       EXPECT_GT(std::abs(match.degenerate[0].direction.dot(axis_body)), 0.99);
       EXPECT_EQ(match.degenerate[0].fill, DegenerateDirection::Fill::kNone);
-      EXPECT_GT(match.covariance(0, 0), 0.25);  // and it says how little: half a metre
+      EXPECT_GT(match.covariance(0, 0), 0.25);  // at least half a metre
     }
-    // Across the drift and in heading it is as sure as ever.
+    // Across the tunnel and in heading the match is certain.
     const ScanMatch match = drive.step({0.0, 0.0, 0.02});
     EXPECT_NEAR(wrap_angle(match.T_odom_body.theta - drive.truth().theta), 0.0, 0.004);
   }
 }
 
-TEST(ScanMatching, FillsAnOpenDirectionFromOdometry) {
-  SimulatedDrive drive(straight_tunnel(400.0, 3.0), {0.0, 0.2, 0.05});
+TEST(ScanMatching, FillsADegenerateDirectionFromOdometry) {
+  SimulatedDrive drive(test::straight_tunnel(400.0, 3.0), {0.0, 0.2, 0.05});
   Pose2 wheels;
   drive.matching().add(WheelOdometry{drive.utime(), wheels});
   ScanMatch match;
@@ -154,22 +151,22 @@ TEST(ScanMatching, FillsAnOpenDirectionFromOdometry) {
     ASSERT_EQ(match.degenerate.size(), 1U);
     EXPECT_EQ(match.degenerate[0].fill, DegenerateDirection::Fill::kOdometry);
   }
-  expect_near(match.T_odom_body, drive.truth(), 0.05, 0.005);  // 1 % of the way
+  expect_near(match.T_odom_body, drive.truth(), 0.05, 0.005);  // 1 % of the path length
   EXPECT_LT(match.covariance(0, 0), 0.01);
 }
 
-TEST(ScanMatching, NeitherInventsNorFreezesMotionWhereNothingMeasuresIt) {
-  // Out of the room with its corners into a drift: the last observed speed goes on, and dies away.
-  SimulatedDrive drive(straight_tunnel(400.0, 3.0), {0.0, 0.0, 0.0});
+TEST(ScanMatching, ExtrapolatesUnobservedMotionAtADecayingSpeed) {
+  // From the room with its corners into a tunnel: the last observed speed continues and decays.
+  SimulatedDrive drive(test::straight_tunnel(400.0, 3.0), {0.0, 0.0, 0.0});
   for (int i = 0; i < 20; ++i) {
     const ScanMatch match = drive.step({0.1, 0.0, 0.0});
-    EXPECT_LT(std::abs(match.T_reference_body.x), 0.05);  // at rest as far as anyone can tell
+    EXPECT_LT(std::abs(match.T_reference_body.x), 0.05);  // no motion is observable
   }
 }
 
 TEST(ScanMatching, IsNotDegenerateInARoomOrAMine) {
   SimulatedDrive room(test::crooked_room(), {-2.0, 0.0, 0.3});
-  SimulatedDrive mine(sample_mine(3), {12.0, 0.0, 0.0});
+  SimulatedDrive mine(test::sample_mine(3), {12.0, 0.0, 0.0});
   for (int i = 0; i < 10; ++i) {
     EXPECT_TRUE(room.step({0.05, 0.0, 0.1}).degenerate.empty());
     EXPECT_TRUE(mine.step({0.1, 0.0, 0.0}).degenerate.empty());
@@ -190,7 +187,7 @@ TEST(ScanMatching, RejectsScansThatDoNotAdvanceInTime) {
   expect_near(drive.step({0.1, 0.0, 0.0}).T_odom_body, drive.truth(), 0.008, 0.002);
 }
 
-TEST(ScanMatching, IsLostInAnEmptyScanAndFindsItselfAgain) {
+TEST(ScanMatching, IsLostInAnEmptyScanAndRecovers) {
   SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
   drive.step({0.1, 0.0, 0.0});
   LaserScan blind = drive.measure_scan();
@@ -207,17 +204,16 @@ TEST(ScanMatching, IsLostInAnEmptyScanAndFindsItselfAgain) {
   expect_near(match.T_odom_body, drive.truth(), 0.01, 0.003);
 }
 
-TEST(ScanMatching, StartsResetInAPlaceThatMatchesNothing) {
+TEST(ScanMatching, ResetsTheReferenceInAPlaceThatMatchesNothing) {
   SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
-  SyntheticLaser laser(SyntheticLaserModel{}, 9);
-  const SyntheticWorld elsewhere = sample_mine(3);
+  test::LevelLaser laser(test::sample_mine(3), 9);
   std::int64_t utime = drive.utime();
   int lost = 0;
   ScanMatch match;
   for (int i = 0; i < 8; ++i) {
     utime += kPeriod;
     match = drive.matching().add_scan(LaserId::kFront,
-                                      laser.measure(elsewhere, {40.0 + 0.1 * i, 0.0, 0.0}, utime));
+                                      laser.measure({40.0 + 0.1 * i, 0.0, 0.0}, utime));
     lost += match.status == Status::kLost ? 1 : 0;
   }
   EXPECT_GE(lost, 1);
@@ -225,13 +221,13 @@ TEST(ScanMatching, StartsResetInAPlaceThatMatchesNothing) {
   EXPECT_EQ(match.status, Status::kMatched);
 }
 
-TEST(ScanMatching, SurvivesReadingsThatMeanNothing) {
+TEST(ScanMatching, ToleratesInvalidReadings) {
   SimulatedDrive drive(test::crooked_room(), {-2.0, 0.0, 0.3});
   drive.step({0.1, 0.0, 0.0});
   LaserScan scan = drive.measure_scan();
   scan.utime += kPeriod;
   std::mt19937 random(3);
-  for (float& range : scan.ranges_m) {  // a fifth of the readings are nonsense
+  for (float& range : scan.ranges_m) {  // a fifth of the readings is invalid
     switch (random() % 15) {
       case 0:
         range = std::numeric_limits<float>::quiet_NaN();
@@ -252,9 +248,9 @@ TEST(ScanMatching, SurvivesReadingsThatMeanNothing) {
 }
 
 TEST(ScanMatching, MatchesTheRearLaserToo) {
-  const SyntheticWorld room = test::crooked_room();
-  SyntheticLaser front(SyntheticLaserModel{}, 1);
-  SyntheticLaser rear(SyntheticLaserModel{}, 2);
+  const test::WallWorld room = test::crooked_room();
+  test::LevelLaser front(room, 1);
+  test::LevelLaser rear(room, 2);
   ScanMatching matching{ScanMatchingParams{}};
   const Pose2 start{-1.0, 0.0, 0.3};
   const Pose2 T_body_rear{0.0, 0.0, std::numbers::pi};
@@ -263,9 +259,8 @@ TEST(ScanMatching, MatchesTheRearLaserToo) {
   for (int i = 0; i < 20; ++i) {
     const Pose2 T_world_body = start * truth;
     const std::int64_t utime = kStart + i * kPeriod;
-    matching.add_scan(LaserId::kFront, front.measure(room, T_world_body, utime));
-    match =
-        matching.add_scan(LaserId::kRear, rear.measure(room, T_world_body * T_body_rear, utime));
+    matching.add_scan(LaserId::kFront, front.measure(T_world_body, utime));
+    match = matching.add_scan(LaserId::kRear, rear.measure(T_world_body * T_body_rear, utime));
     EXPECT_NE(match.status, Status::kRejected);  // both measured at one time
     if (i < 19) truth = truth * Pose2{0.05, 0.0, 0.05};
   }
@@ -273,13 +268,13 @@ TEST(ScanMatching, MatchesTheRearLaserToo) {
   expect_near(match.T_odom_body, truth, 0.01, 0.003);
 }
 
-TEST(ScanMatching, IsNotMisledByWheelsThatSpin) {
+TEST(ScanMatching, IgnoresSpinningWheels) {
   SimulatedDrive drive(test::crooked_room(), {-3.0, 0.0, 0.0});
   Pose2 wheels;
   drive.matching().add(WheelOdometry{drive.utime(), wheels});
   ScanMatch match;
   for (int i = 0; i < 20; ++i) {
-    wheels = wheels * Pose2{0.3, 0.0, 0.1};  // while the body stands still
+    wheels = wheels * Pose2{0.3, 0.0, 0.1};  // the body stands
     drive.matching().add(WheelOdometry{drive.utime() + kPeriod, wheels});
     match = drive.step({});
   }

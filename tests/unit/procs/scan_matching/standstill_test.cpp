@@ -10,7 +10,6 @@
 
 #include "procs/scan_matching/scan_matching.hpp"
 #include "tests/support/worlds/crooked_room.hpp"
-#include "tools/sample_mine/mine_worlds.hpp"
 
 namespace adit {
 namespace {
@@ -18,23 +17,23 @@ namespace {
 using Status = ScanMatch::Status;
 
 constexpr std::int64_t kStart = 1'000'000'000;
-constexpr std::int64_t kPeriod = 26'666;  // of each LMS-200; the two take turns
+constexpr std::int64_t kPeriod = 26'666;  // of each LMS-200; the lasers alternate
 
-/// A robot with a laser at each end, wheels that may lie, and a true place.
+/// A robot with a laser at each end, wheel odometry that may be wrong, and a true pose.
 class TwoLasers {
  public:
-  explicit TwoLasers(SyntheticWorld world, const Pose2& start = {})
-      : world_(std::move(world)), T_world_body_(start), T_world_start_(start) {}
+  explicit TwoLasers(const test::WallWorld& world, const Pose2& start = {})
+      : front_(world, 1), rear_(world, 2), T_world_body_(start), T_world_start_(start) {}
 
-  /// One scan of each laser; before them, body and wheels make a step.
+  /// One scan of each laser, after a step of body and wheels.
   void step(const Pose2& motion, const Pose2& wheels) {
     T_world_body_ = T_world_body_ * motion;
     T_wheel_body_ = T_wheel_body_ * wheels;
     utime_ += kPeriod;
     if (has_wheels_) matching_.add(WheelOdometry{utime_, T_wheel_body_});
-    take(LaserId::kFront, front_.measure(world_, T_world_body_, utime_));
+    take(LaserId::kFront, front_.measure(T_world_body_, utime_));
     const Pose2 T_world_rear = T_world_body_ * Pose2{kRearOffM, 0.0, std::numbers::pi};
-    take(LaserId::kRear, rear_.measure(world_, T_world_rear, utime_));
+    take(LaserId::kRear, rear_.measure(T_world_rear, utime_));
   }
 
   [[nodiscard]] Pose2 error() const {
@@ -46,7 +45,7 @@ class TwoLasers {
   void leave_out_wheels() { has_wheels_ = false; }
 
  private:
-  static constexpr double kRearOffM = 0.02;  // the lasers' offsets are of this size
+  static constexpr double kRearOffM = 0.02;  // typical mount error
 
   void take(LaserId laser, const LaserScan& scan) {
     const ScanMatch match = matching_.add_scan(laser, scan);
@@ -55,9 +54,8 @@ class TwoLasers {
     T_odom_body_ = match.T_odom_body;
   }
 
-  SyntheticWorld world_;
-  SyntheticLaser front_{SyntheticLaserModel{}, 1};
-  SyntheticLaser rear_{SyntheticLaserModel{}, 2};
+  test::LevelLaser front_;
+  test::LevelLaser rear_;
   ScanMatching matching_{ScanMatchingParams{}};
   std::int64_t utime_ = kStart;
   Pose2 T_world_body_;
@@ -69,9 +67,10 @@ class TwoLasers {
   bool has_wheels_ = true;
 };
 
-TEST(Standstill, ARobotThatStandsByItsWheelsDoesNotCreep) {
+TEST(Standstill, HoldsThePoseWhileTheWheelsStand) {
   for (const bool mine : {false, true}) {
-    TwoLasers robot(mine ? sample_mine(3) : straight_tunnel(400.0, 3.0), {12.0, 0.1, 0.05});
+    TwoLasers robot(mine ? test::sample_mine(3) : test::straight_tunnel(400.0, 3.0),
+                    {12.0, 0.1, 0.05});
     for (int i = 0; i < 40; ++i) robot.step({0.01, 0.0, 0.0}, {0.01, 0.0, 0.0});
     for (int i = 0; i < 30; ++i) robot.step({}, {});  // more than the half second of stationary_s
     robot.forget_counts();
@@ -81,23 +80,23 @@ TEST(Standstill, ARobotThatStandsByItsWheelsDoesNotCreep) {
   }
 }
 
-TEST(Standstill, IsRefutedByScansWhereTheWheelsAreBlocked) {
+TEST(Standstill, IsRefutedByScansWithBlockedWheels) {
   TwoLasers robot(test::crooked_room(), {-3.0, 0.0, 0.0});
   for (int i = 0; i < 30; ++i) robot.step({}, {});
   for (int i = 0; i < 100; ++i) robot.step({0.005, 0.0, 0.0}, {});  // it slides half a metre
   EXPECT_LT(robot.error().translation().norm(), 0.03);
 }
 
-TEST(Standstill, IsOverWhenTheWheelsMove) {
+TEST(Standstill, EndsWhenTheWheelsMove) {
   TwoLasers robot(test::crooked_room(), {-3.0, 0.0, 0.0});
   for (int i = 0; i < 30; ++i) robot.step({}, {});
   for (int i = 0; i < 4; ++i) robot.step({0.01, 0.0, 0.0}, {0.01, 0.0, 0.0});
-  EXPECT_LT(robot.error().translation().norm(), 0.03);  // 0.04 if it were still held
+  EXPECT_LT(robot.error().translation().norm(), 0.03);  // 0.04 if the pose were still held
 }
 
-TEST(ScanMatching, KeepsTheWallsAroundARobotThatStandsForLong) {
-  // Without wheels that hold it, what the lasers disagree about adds up to metres.
-  TwoLasers robot(sample_mine(3), {12.0, 0.1, 0.05});
+TEST(ScanMatching, KeepsTheReferenceOfARobotThatStandsForLong) {
+  // Without wheel odometry, the disagreement of the lasers adds up to metres.
+  TwoLasers robot(test::sample_mine(3), {12.0, 0.1, 0.05});
   robot.leave_out_wheels();
   for (int i = 0; i < 4000; ++i) robot.step({}, {});
   EXPECT_GT(robot.moved_m(), LocalReferenceParams{}.memory_m);
@@ -105,21 +104,21 @@ TEST(ScanMatching, KeepsTheWallsAroundARobotThatStandsForLong) {
   EXPECT_EQ(robot.lost(), 0);
 }
 
-TEST(ScanMatching, BeginsALaserResetThatMatchesNothingWhileTheOtherOneMatches) {
+TEST(ScanMatching, ResetsALaserThatMatchesNothingWhileTheOtherMatches) {
   ScanMatching matching{ScanMatchingParams{}};
-  SyntheticLaser front(SyntheticLaserModel{}, 1);
-  SyntheticLaser rear(SyntheticLaserModel{}, 2);
-  const SyntheticWorld room = test::crooked_room();
-  const SyntheticWorld elsewhere = sample_mine(3);
+  const test::WallWorld room = test::crooked_room();
+  test::LevelLaser front(room, 1);
+  test::LevelLaser rear(room, 2);
+  test::LevelLaser rear_elsewhere(test::sample_mine(3), 2);
   int lost = 0;
   ScanMatch ahead;
   ScanMatch behind;
   for (int i = 0; i < 12; ++i) {
     const std::int64_t utime = kStart + i * kPeriod;
-    ahead = matching.add_scan(LaserId::kFront, front.measure(room, {-2.0, 0.0, 0.0}, utime));
+    ahead = matching.add_scan(LaserId::kFront, front.measure({-2.0, 0.0, 0.0}, utime));
     const Pose2 T_world_rear{i < 3 ? -2.0 : 40.0, 0.0, std::numbers::pi};
     behind = matching.add_scan(LaserId::kRear,
-                               rear.measure(i < 3 ? room : elsewhere, T_world_rear, utime));
+                               (i < 3 ? rear : rear_elsewhere).measure(T_world_rear, utime));
     lost += behind.status == Status::kLost ? 1 : 0;
   }
   EXPECT_GE(lost, 1);

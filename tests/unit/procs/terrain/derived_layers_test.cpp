@@ -12,7 +12,7 @@
 namespace adit {
 namespace {
 
-/// 12 × 12 cells of 0.1 m, seen from column 3 on.
+/// 12 × 12 cells of 0.1 m, observed from column 3 on.
 TerrainMap edge_of_view(const std::function<float(int column, int row)>& low_m) {
   TerrainMap map;
   map.columns = 12;
@@ -29,21 +29,21 @@ TerrainMap edge_of_view(const std::function<float(int column, int row)>& low_m) 
   return map;
 }
 
-TEST(GroundShape, RailsThatAreSeenAloneAtTheEdgeOfSightAreNoSlope) {
+TEST(SlopeAndStep, RailsAtTheEdgeOfTheObservedGroundAreNotASlope) {
   const TerrainMap map = edge_of_view([](int column, int) { return column <= 4 ? 0.11F : 0.0F; });
   for (int column = 3; column < 10; ++column) {
     const float slope_rad = map.at(column, 6).slope_rad;
-    EXPECT_TRUE(std::isnan(slope_rad) || slope_rad < 0.35F) << column;  // what a robot drives on
+    EXPECT_TRUE(std::isnan(slope_rad) || slope_rad < 0.35F) << column;  // drivable
   }
   EXPECT_FLOAT_EQ(map.at(4, 6).step_m, 0.11F);
 }
 
-TEST(GroundShape, ARampIsASlopeTwoCellsFromTheEdgeOfSight) {
+TEST(SlopeAndStep, ARampIsASlopeTwoCellsFromTheEdgeOfTheObservedGround) {
   const TerrainMap map =
       edge_of_view([](int column, int) { return 0.05F * static_cast<float>(column); });
   EXPECT_TRUE(std::isnan(map.at(4, 6).slope_rad));
   for (int column = 5; column < 10; ++column) {
-    EXPECT_NEAR(map.at(column, 6).slope_rad, std::atan(0.5), 1e-5);  // of floats
+    EXPECT_NEAR(map.at(column, 6).slope_rad, std::atan(0.5), 1e-5);  // single precision
   }
 }
 
@@ -61,7 +61,7 @@ TerrainMap level_map() {
   return map;
 }
 
-TEST(Repulsion, FallsWithTheDistanceFromAnObstacleAndEndsAtTheRadius) {
+TEST(Repulsion, DecreasesWithTheDistanceAndEndsAtTheRadius) {
   TerrainMap map = level_map();
   map.at(kMiddle, kMiddle).coefficient_m = 0.8F;
   set_repulsion(map, {.radius_m = 0.5});
@@ -75,7 +75,7 @@ TEST(Repulsion, FallsWithTheDistanceFromAnObstacleAndEndsAtTheRadius) {
   }
 }
 
-TEST(Repulsion, AtTheFootOfAWallIsItsCoefficient) {
+TEST(Repulsion, AtTheFootOfAWallEqualsItsCoefficient) {
   TerrainMap map = level_map();
   for (int row = 0; row < kSide; ++row) {
     for (int column = kMiddle; column < kSide; ++column) map.at(column, row).coefficient_m = 0.6F;
@@ -86,7 +86,7 @@ TEST(Repulsion, AtTheFootOfAWallIsItsCoefficient) {
   EXPECT_EQ(map.at(kMiddle - 5, kMiddle).repulsion_m, 0.0F);
 }
 
-TEST(Repulsion, NeitherPebblesNorTheUnknownRepel) {
+TEST(Repulsion, IsZeroForPebblesAndUnknownCells) {
   TerrainMap map = level_map();
   map.at(5, 5).coefficient_m = 0.04F;
   map.at(30, 30).coefficient_m = std::numeric_limits<float>::quiet_NaN();
@@ -95,7 +95,7 @@ TEST(Repulsion, NeitherPebblesNorTheUnknownRepel) {
                           [](const TerrainCell& cell) { return cell.repulsion_m == 0.0F; }));
 }
 
-TEST(Repulsion, OfNoRadiusStaysWhereItIs) {
+TEST(Repulsion, WithZeroRadiusEqualsTheCoefficient) {
   TerrainMap map = level_map();
   map.at(0, 0).coefficient_m = 0.3F;
   set_repulsion(map, {.radius_m = 0.0});

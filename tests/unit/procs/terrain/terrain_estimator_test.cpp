@@ -10,18 +10,18 @@
 namespace adit {
 namespace {
 
-constexpr double kObstacle = 0.15;  // coefficient from which a cell counts as one [m]
-constexpr int kApart = 5;           // cells from one filled cell to the next: regions do not touch
+constexpr double kObstacle = 0.15;  // coefficient from which a cell is an obstacle [m]
+constexpr int kApart = 5;           // spacing of the filled cells: regions do not overlap
 
-/// Many single cells of flat ground, alike but for chance.
+/// Many single cells of flat ground with the same distribution.
 struct Cells {
   int points = 100;
   double sigma_m = 0.01;
-  double outlier_share = 0.0;  ///< of points anywhere in the headroom
-  int on_obstacle = 0;         ///< points of each cell that lie on something thin
+  double outlier_share = 0.0;  ///< share of points anywhere in the headroom
+  int on_obstacle = 0;         ///< points of each cell on a thin obstacle
 };
 
-/// Share of the cells that are found to be obstacles.
+/// Share of the cells that are classified as obstacles.
 double obstacle_share(const Cells& cells, const std::string& estimator) {
   TerrainParams params;
   params.estimator.kind = estimator;
@@ -65,7 +65,7 @@ TEST(TerrainEstimator, OrderStatisticsIgnoreStrayPointsThatMinimumAndMaximumDoNo
   EXPECT_LT(obstacle_share(many, "kth"), 0.03);  // three of 100: 0.014
 }
 
-TEST(TerrainEstimator, OrderStatisticsKeepThinThings) {
+TEST(TerrainEstimator, OrderStatisticsRetainThinObstacles) {
   // All three points must be more than 0.15 m above the ground, the third lowest of which is two
   // standard deviations below its mean.
   const double one = (0.95 - (kObstacle - 0.02)) / 0.9;

@@ -40,7 +40,7 @@ bool same(const TerrainMap& a, const TerrainMap& b) {
                     [](const TerrainCell& x, const TerrainCell& y) { return same(x, y); });
 }
 
-/// Share of the cells that are alike, where `other(column, row)` names the one to compare with.
+/// Share of equal cells; `other(column, row)` is the cell to compare with.
 template <class Other>
 double share_alike(const TerrainMap& a, const TerrainMap& b, const Other& other) {
   int alike = 0;
@@ -62,7 +62,7 @@ TerrainParams square() {
   return params;
 }
 
-/// All of the cloud turned about the z axis through the origin.
+/// The cloud rotated about the z axis through the origin.
 Cloud turned(Cloud cloud, float angle_rad) {
   const Eigen::Matrix3f R =
       Eigen::AngleAxisf(angle_rad, Eigen::Vector3f::UnitZ()).toRotationMatrix();
@@ -74,7 +74,7 @@ Cloud turned(Cloud cloud, float angle_rad) {
   return cloud;
 }
 
-TEST(TerrainInput, AnEmptyCloudGivesAMapOfNothingSeen) {
+TEST(TerrainInput, AnEmptyCloudGivesAnUnobservedMap) {
   Cloud cloud;
   cloud.utime = 5;
   cloud.id = 3;
@@ -96,7 +96,7 @@ TEST(TerrainInput, AnEmptyCloudGivesAMapOfNothingSeen) {
   }
 }
 
-TEST(TerrainInput, WhatIsNoPointIsPassedOverAndCounted) {
+TEST(TerrainInput, UnusablePointsAreSkippedAndCounted) {
   const Cloud good = tunnel_with_post();
   EXPECT_EQ(unusable_points(good), 0U);
   Cloud bad = good;
@@ -111,7 +111,7 @@ TEST(TerrainInput, WhatIsNoPointIsPassedOverAndCounted) {
   EXPECT_TRUE(same(Terrain({}).make(bad), Terrain({}).make(good)));
 }
 
-TEST(TerrainInput, ALineFromNowhereDoesNotHideTheOthers) {
+TEST(TerrainInput, ALineWithAnInvalidOriginDoesNotAffectTheOthers) {
   Cloud cloud = tunnel_with_post();
   CloudLine lost;
   lost.origin = {kNaN, kNaN, kNaN};
@@ -132,14 +132,14 @@ TEST(TerrainInput, TheOrderOfTheLinesDoesNotMatter) {
   const TerrainMap map = Terrain({}).make(cloud);
   std::reverse(cloud.lines.begin(), cloud.lines.end());
   const auto itself = [](int column, int row) { return std::pair(column, row); };
-  // But for rounding: the mean of the origins is added up in another order.
+  // Up to rounding: the mean of the origins is summed in another order.
   EXPECT_GT(share_alike(map, Terrain({}).make(cloud), itself), 0.999);
 }
 
-// Points at the edge of a cell, and beams at the edge of a sector, may go either way.
+// Points at the edge of a cell, and beams at the edge of a sector, may be assigned to either side.
 constexpr double kAlikeShareMin = 0.97;
 
-TEST(TerrainInput, ATurnedCloudGivesATurnedMap) {
+TEST(TerrainInput, ARotatedCloudGivesARotatedMap) {
   const Cloud cloud = tunnel_with_post();
   const TerrainMap map = Terrain(square()).make(cloud);
   const TerrainMap left = Terrain(square()).make(turned(cloud, std::numbers::pi_v<float> / 2.0F));
@@ -152,7 +152,7 @@ TEST(TerrainInput, ATurnedCloudGivesATurnedMap) {
       kAlikeShareMin);
 }
 
-TEST(TerrainInput, AMapThatBeginsElsewhereSaysTheSame) {
+TEST(TerrainInput, AMapWithAnotherOriginHasTheSameCells) {
   const Cloud cloud = tunnel_with_post();
   TerrainParams shifted;
   shifted.behind_m += 1.0;  // ten cells

@@ -11,29 +11,29 @@
 
 namespace adit {
 
-/// What a vehicle at the origin, looking along x, sees of what `add` builds. Its floor is z = 0
-/// below it; `T_world_body` may tilt it.
+/// The scan of a vehicle at the origin facing along x, in the world that `add` builds. The floor
+/// below it is z = 0; `T_world_body` may tilt the vehicle.
 Cloud cloud_of(const std::function<void(MeshBuilder&)>& add,
                const Eigen::Isometry3d& T_world_body = Eigen::Isometry3d::Identity());
 
-/// The ground from x = `from_m` to `to_m`, 4 m wide, its upper side at z = `top_m`.
+/// Ground from x = `from_m` to `to_m`, 4 m wide, with its upper side at z = `top_m`.
 void add_ground(MeshBuilder& builder, double from_m, double to_m, double top_m = 0.0);
-/// A drift 30 m long, 4 m wide and 2 m high with the vehicle in its middle.
+/// A tunnel 30 m long, 4 m wide and 2 m high with the vehicle in its middle.
 void add_tunnel(MeshBuilder& builder);
 void add_rock(MeshBuilder& builder, const Eigen::Vector3d& middle, const Eigen::Vector3d& size);
 
-/// The cell around a place in level [m].
+/// The cell at a point in level [m].
 const TerrainCell& cell_at(const TerrainMap& map, double x, double y);
 
-/// Visits all cells whose middle is within a rectangle in level [m].
+/// Visits all cells whose centre is within a rectangle in level [m].
 void for_cells(const TerrainMap& map, const Eigen::AlignedBox2d& box,
                const std::function<void(const TerrainCell&)>& visit);
-/// Share of these cells of which something is true.
+/// Share of these cells for which a condition holds.
 double share_of(const TerrainMap& map, const Eigen::AlignedBox2d& box,
                 const std::function<bool(const TerrainCell&)>& is);
 
-/// A vehicle that drives and looks in what is built anew for each look, by its terrain stage. It
-/// drives straight, in pieces of 5 cm, 0.4 m/s.
+/// A vehicle that drives and scans, in a world built for each scan, with its terrain stage. It
+/// drives straight, in steps of 5 cm, at 0.4 m/s.
 class ScanningVehicle {
  public:
   using Build = std::function<void(MeshBuilder&)>;
@@ -44,7 +44,7 @@ class ScanningVehicle {
   }
 
   void drive_to(const Pose2& T_world_body);
-  /// `floor_m`: z of the ground in world where it stands. `T_odom_world` is what odom gets wrong.
+  /// `floor_m`: z of the ground in world below the vehicle. `T_odom_world`: error of odom.
   TerrainMap scan(const Build& build, bool rear = false, double floor_m = 0.0,
                   const Pose2& T_odom_world = {});
 

@@ -12,8 +12,9 @@
 namespace adit {
 namespace {
 
-// Of a height: the laser's systematic error of 15 mm at most, its noise of 5 mm and its unit of
-// 10 mm, of which a beam to the ground or a low thing puts no more than half into the height.
+// Error of a height: the systematic error of the laser of at most 15 mm, its noise of 5 mm and its
+// resolution of 10 mm, of which at most half affects the height for beams to the ground and to low
+// obstacles.
 constexpr double kNoise = 0.03;
 const Eigen::AlignedBox2d kAhead(Eigen::Vector2d(2.5, -1.5), Eigen::Vector2d(7.5, 1.5));
 
@@ -34,7 +35,7 @@ class OfBothEstimators : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Terrain, OfBothEstimators, testing::Values("kth", "paper"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST_P(OfBothEstimators, FlatGroundIsEasy) {
+TEST_P(OfBothEstimators, FlatGroundHasALowCoefficient) {
   const TerrainMap map = map_of(cloud_of(add_tunnel), GetParam());
   for_cells(map, kAhead, [](const TerrainCell& cell) {
     EXPECT_EQ(cell.ground, Ground::kObserved);
@@ -46,14 +47,14 @@ TEST_P(OfBothEstimators, FlatGroundIsEasy) {
   });
 }
 
-TEST_P(OfBothEstimators, ABoxIsAsHardAsItIsHigh) {
+TEST_P(OfBothEstimators, TheCoefficientOfABoxIsItsHeight) {
   const auto box = [](MeshBuilder& builder) {
     add_rock(builder, {5.0, 0.5, 0.15}, {0.6, 0.6, 0.3});
   };
   const TerrainMap map = map_of(tunnel_with(box), GetParam());
   const Eigen::AlignedBox2d above(Eigen::Vector2d(4.7, 0.2), Eigen::Vector2d(5.3, 0.8));
-  // Where a region begins at the face of the box, its lowest may pass for ground that rises: by a
-  // quarter over two cells, and the noise.
+  // Where a region begins at the face of the box, its lowest height may pass for rising ground: by
+  // a quarter over two cells, and the noise.
   constexpr double kRise = 0.25 * 0.2 + kNoise;
   for_cells(map, above, [](const TerrainCell& cell) {
     EXPECT_NEAR(cell.coefficient_m, 0.3, kRise);
@@ -62,7 +63,7 @@ TEST_P(OfBothEstimators, ABoxIsAsHardAsItIsHigh) {
   EXPECT_LT(cell_at(map, 4.35, 0.5).coefficient_m, kNoise);
 }
 
-TEST_P(OfBothEstimators, RailsShowAndTheGroundBetweenThemDoesNot) {
+TEST_P(OfBothEstimators, RailsAreObstaclesAndTheGroundBetweenThemIsNot) {
   const auto rails = [](MeshBuilder& builder) {
     for (const double y : {-0.45, 0.45}) add_rock(builder, {0.0, y, 0.05}, {28.0, 0.06, 0.1});
   };
@@ -74,7 +75,7 @@ TEST_P(OfBothEstimators, RailsShowAndTheGroundBetweenThemDoesNot) {
   for_cells(map, between, [](const TerrainCell& cell) { EXPECT_LT(cell.coefficient_m, kNoise); });
 }
 
-TEST_P(OfBothEstimators, AThinHangingCableIsInTheWay) {
+TEST_P(OfBothEstimators, AThinHangingCableIsAnObstacle) {
   const auto cable = [](MeshBuilder& builder) {
     builder.bar({4.05, -1.9, 0.8}, {4.05, 1.9, 0.8}, 0.015);
   };
@@ -85,7 +86,7 @@ TEST_P(OfBothEstimators, AThinHangingCableIsInTheWay) {
   });
 }
 
-TEST_P(OfBothEstimators, WhatHangsAboveTheVehicleIsClearanceHoweverLow) {
+TEST_P(OfBothEstimators, ObstaclesAboveTheVehicleLimitTheClearanceOnly) {
   const auto low_roof = [](MeshBuilder& builder) {
     add_rock(builder, {7.5, 0.0, 1.65}, {5.0, 4.0, 1.2});
   };
@@ -97,7 +98,7 @@ TEST_P(OfBothEstimators, WhatHangsAboveTheVehicleIsClearanceHoweverLow) {
   });
 }
 
-TEST_P(OfBothEstimators, ALowRoofIsInTheWayAndAHighOneIsClearance) {
+TEST_P(OfBothEstimators, ALowRoofIsAnObstacleAndAHighOneIsClearance) {
   const auto low_roof = [](MeshBuilder& builder) {
     add_rock(builder, {7.5, 0.0, 1.4}, {5.0, 4.0, 1.2});
   };
@@ -111,7 +112,7 @@ TEST_P(OfBothEstimators, ALowRoofIsInTheWayAndAHighOneIsClearance) {
   });
 }
 
-TEST(Terrain, TheRoofIsNoGroundWhereTheGroundIsHidden) {
+TEST(Terrain, TheRoofIsNotGroundWhereTheGroundIsOccluded) {
   const auto block = [](MeshBuilder& builder) {
     add_rock(builder, {3.0, 0.0, 0.5}, {0.4, 3.9, 1.0});
   };
@@ -139,13 +140,13 @@ TEST(Terrain, MeasuresTheSlopeOfARamp) {
     ASSERT_EQ(cell.ground, Ground::kObserved);
     sum += cell.slope_rad;
     ++cells;
-    EXPECT_NEAR(cell.slope_rad, 0.1745, 0.06);            // as flat ground, and the lines on it
+    EXPECT_NEAR(cell.slope_rad, 0.1745, 0.06);  // as on flat ground, plus the line spacing
     EXPECT_LT(cell.coefficient_m, 0.3 * grade + kNoise);  // the rise within a region
   });
-  EXPECT_NEAR(sum / cells, 0.1745, 0.01);  // the single ones are off to both sides
+  EXPECT_NEAR(sum / cells, 0.1745, 0.01);  // errors of single cells have both signs
 }
 
-TEST(Terrain, IsLevelWhereTheVehicleIsNot) {
+TEST(Terrain, IsLevelForATiltedVehicle) {
   Eigen::Isometry3d T_world_body = Eigen::Isometry3d::Identity();
   T_world_body.rotate(Eigen::AngleAxisd(0.06, Eigen::Vector3d(0.6, 0.8, 0.0)));
   const TerrainMap map = map_of(cloud_of(add_tunnel, T_world_body));

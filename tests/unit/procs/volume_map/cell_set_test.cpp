@@ -10,7 +10,7 @@
 namespace adit {
 namespace {
 
-TEST(CellSet, HasEachCellOnce) {
+TEST(CellSet, ContainsEachCellOnce) {
   CellSet set;
   EXPECT_TRUE(set.insert(5));
   EXPECT_FALSE(set.insert(5));
@@ -21,17 +21,17 @@ TEST(CellSet, HasEachCellOnce) {
   EXPECT_FALSE(set.contains(VoxelCode{5} << 20U));
 }
 
-TEST(CellRuns, AreAsLongAsTheyCanBe) {
+TEST(CellRuns, AreMaximal) {
   CellSet free;
   CellSet occupied;
-  for (VoxelCode cell = 100; cell < 70'000; ++cell) free.insert(cell);  // over blocks
+  for (VoxelCode cell = 100; cell < 70'000; ++cell) free.insert(cell);  // across blocks
   occupied.insert(300);
   const std::vector<CellRun> expected = {{100, 300, false}, {300, 301, true}, {301, 70'000, false}};
   EXPECT_EQ(runs_of(free, occupied), expected);
 }
 
-/// By sets of the standard library.
-TEST(CellRuns, HaveEveryCellOfBothInOrderAndPreferTheOccupied) {
+/// Compares with sets of the standard library.
+TEST(CellRuns, ContainAllCellsInOrderAndPreferOccupied) {
   std::mt19937_64 random(3);
   CellSet free;
   CellSet occupied;
@@ -53,7 +53,7 @@ TEST(CellRuns, HaveEveryCellOfBothInOrderAndPreferTheOccupied) {
   EXPECT_EQ(next, all.end());
 }
 
-TEST(VoxelCode, GoesBackToItsKeys) {
+TEST(VoxelCode, ConvertsBackToItsKeys) {
   std::mt19937 random(4);
   for (int i = 0; i < 1000; ++i) {
     const VoxelGrid::Keys keys(static_cast<int>(random() % 65536),

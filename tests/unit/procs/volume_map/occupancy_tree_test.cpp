@@ -21,7 +21,7 @@ using test::sweep_of_tunnel;
 constexpr double kCellM = 0.1;
 constexpr double kRangeMaxM = 6.0;
 
-/// Ours and OctoMap's, of the same scans.
+/// Our tree and OctoMap's tree of the same scans.
 class OccupancyTreeAgainstOctoMap : public testing::Test {
  protected:
   void insert(const Cloud& cloud) {
@@ -50,7 +50,7 @@ TEST_F(OccupancyTreeAgainstOctoMap, AreTheSameAfterAScan) {
   expect_equal();
 }
 
-/// Cells that were pruned come apart, and others come together.
+/// Pruned cells are expanded again, and others are pruned.
 TEST_F(OccupancyTreeAgainstOctoMap, AreTheSameAfterScansFromSeveralPlaces) {
   for (int i = 0; i < 6; ++i) {
     insert(sweep_of_tunnel({0.5 * i, 0.2 * i, 0.9 * i}, 20));
@@ -58,15 +58,15 @@ TEST_F(OccupancyTreeAgainstOctoMap, AreTheSameAfterScansFromSeveralPlaces) {
   }
 }
 
-/// The log-odds of free cells end at −2, those of occupied ones at 3.5.
-TEST_F(OccupancyTreeAgainstOctoMap, AreTheSameWhereLogOddsAreAtTheirEnd) {
+/// Log-odds are clamped at −2 for free cells and at 3.5 for occupied ones.
+TEST_F(OccupancyTreeAgainstOctoMap, AreTheSameWhereLogOddsAreClamped) {
   for (int i = 0; i < 8; ++i) insert(sweep_of_tunnel({0.0, 0.0, 0.0}, 20));
   expect_equal();
   for (int i = 0; i < 3; ++i) insert(sweep_of_tunnel({0.3, -0.4, 0.2}, 20));
   expect_equal();
 }
 
-TEST_F(OccupancyTreeAgainstOctoMap, WriteTheSameStreamOnceOctoMapsIsPruned) {
+TEST_F(OccupancyTreeAgainstOctoMap, WriteTheSameStreamAfterPruning) {
   for (int i = 0; i < 3; ++i) insert(sweep_of_tunnel({0.5 * i, 0.2 * i, 0.9 * i}, 20));
   reference_.toMaxLikelihood();
   reference_.prune();
@@ -87,7 +87,7 @@ TEST_F(OccupancyTreeAgainstOctoMap, AreReadBackFromBtFiles) {
   EXPECT_TRUE(leaves(read) == leaves(reference_));
 }
 
-TEST(OccupancyTree, OfNothingIsWrittenToo) {
+TEST(OccupancyTree, IsWrittenWhenEmpty) {
   const test::ScratchFolder folder;
   OccupancyTree tree(kCellM);
   tree.update({});
@@ -99,7 +99,7 @@ TEST(OccupancyTree, OfNothingIsWrittenToo) {
   EXPECT_TRUE(leaves(tree, folder / "tree.ot").empty());
 }
 
-TEST(OccupancyTree, SaysWhereItCannotWrite) {
+TEST(OccupancyTree, ReportsAnUnwritableFile) {
   const OccupancyTree tree(kCellM);
   EXPECT_THROW(tree.write_bt("/nonexistent/tree.bt"), std::runtime_error);
   EXPECT_THROW(tree.write_ot("/nonexistent/tree.ot"), std::runtime_error);

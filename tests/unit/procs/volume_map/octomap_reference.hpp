@@ -15,7 +15,7 @@
 
 namespace adit::test {
 
-/// The cells that OctoMap finds: computeUpdate for each line with its own origin; what is occupied
+/// The cells of OctoMap: computeUpdate for each line with its own origin; a cell that is occupied
 /// for any line is not free. Cells along the curve.
 struct OctoMapCells {
   std::vector<VoxelCode> free;
@@ -25,10 +25,10 @@ struct OctoMapCells {
 };
 OctoMapCells octomap_cells(const Cloud& cloud, double cell_m, double range_max_m);
 
-/// The same of ours.
+/// The same from our implementation.
 OctoMapCells our_cells(const Cloud& cloud, double cell_m, double range_max_m);
 
-/// updateNode with each of these cells.
+/// Calls updateNode for each of these cells.
 void insert(const OctoMapCells& cells, octomap::OcTree& tree);
 
 struct Leaf {
@@ -42,7 +42,7 @@ std::ostream& operator<<(std::ostream& out, const Leaf& leaf);
 
 /// In order along the curve.
 std::vector<Leaf> leaves(const octomap::OcTree& tree);
-/// By way of a file.
+/// Through a file.
 std::vector<Leaf> leaves(const OccupancyTree& tree, const std::filesystem::path& scratch);
 
 }  // namespace adit::test

@@ -32,11 +32,11 @@ Cloud cloud_of(std::vector<CloudLine> lines) {
   return cloud;
 }
 
-TEST(ScanCells, AreThoseThatOctoMapFindsLineByLine) {
+TEST(ScanCells, EqualThoseOfOctoMapForEachLine) {
   expect_cells_of_octomap(test::sweep_of_tunnel({1.0, 0.3, 0.4}));
 }
 
-TEST(ScanCells, AreThoseOfOctoMapForBeamsOfAnyDirection) {
+TEST(ScanCells, EqualThoseOfOctoMapForRandomBeams) {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> place(-1.0F, 1.0F);
   std::uniform_real_distribution<float> end(-8.0F, 8.0F);
@@ -49,7 +49,7 @@ TEST(ScanCells, AreThoseOfOctoMapForBeamsOfAnyDirection) {
 }
 
 /// Along axes and edges of cells, through their corners, within one cell.
-TEST(ScanCells, AreThoseOfOctoMapForBeamsWithTies) {
+TEST(ScanCells, EqualThoseOfOctoMapForBeamsWithTies) {
   std::mt19937 random(6);
   std::uniform_int_distribution<int> twentieths(-100, 100);
   const auto coordinate = [&] { return 0.05F * static_cast<float>(twentieths(random)); };
@@ -77,21 +77,21 @@ TEST(ScanCells, LieBetweenTheOriginAndThePoint) {
   EXPECT_EQ(VoxelGrid::keys_at(cells.occupied[0]), Eigen::Vector3i(32778, 32768, 32768));
 }
 
-TEST(ScanCells, BeyondTheRangeAreNotSaidToBeOccupied) {
+TEST(ScanCells, BeyondTheRangeAreNotOccupied) {
   const auto cells = our_cells(cloud_of({{0, {0.05F, 0.05F, 0.05F}, {{20.0F, 0.05F, 0.05F}}, {}}}),
                                kCellM, kRangeMaxM);
   EXPECT_EQ(cells.free.size(), 60U);  // of 0.1 m, up to 6 m
   EXPECT_TRUE(cells.occupied.empty());
 }
 
-TEST(ScanCells, KnowNothingOfBeamsWithoutReturn) {
+TEST(ScanCells, IgnoreBeamsWithoutReturn) {
   const auto cells =
       our_cells(cloud_of({{0, {0.0F, 0.0F, 0.0F}, {}, {{1.0F, 0.0F, 0.0F}}}}), kCellM, kRangeMaxM);
   EXPECT_TRUE(cells.free.empty());
   EXPECT_TRUE(cells.occupied.empty());
 }
 
-TEST(ScanCells, RejectPointsThatCannotBe) {
+TEST(ScanCells, RejectInvalidPoints) {
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinite = std::numeric_limits<float>::infinity();
   ScanCells cells;
@@ -105,8 +105,8 @@ TEST(ScanCells, RejectPointsThatCannotBe) {
   EXPECT_EQ(cells.occupied.size(), 0U);
 }
 
-/// The ends of the cube are no place to go beyond.
-TEST(ScanCells, GoUpToTheEndOfTheGrid) {
+/// The traversal must not leave the grid.
+TEST(ScanCells, ExtendToTheEndOfTheGrid) {
   ScanCells cells;
   add_line(VoxelGrid(kCellM), {0, {3276.0F, 0.0F, 0.0F}, {{3276.75F, 0.0F, 0.0F}}, {}}, kRangeMaxM,
            cells);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// A look that sees three points of rock before it.
+/// A scan of three points of rock ahead.
 Cloud scan_of_rock(const Pose2& T_odom_level, std::int32_t id, float laser_m = 1.0F) {
   CloudLine line{0, {laser_m, 0.0F, 0.5F}, {}, {}};
   for (const float y : {-1.0F, 0.0F, 1.0F}) line.points.emplace_back(2.0F * laser_m, y, 0.5F);
@@ -41,7 +41,7 @@ class ScanReplacement : public testing::Test {
   }
   void scan_from(double x) { scan_from(Pose2{x, 0.0, 0.0}); }
 
-  /// The looks that are there, by the id of the sub-volume; 0 where there is none.
+  /// The ids of the stored scans by sub-volume; 0 if it is empty.
   [[nodiscard]] std::vector<std::int32_t> stored_scans() const {
     std::vector<std::int32_t> stored_scans;
     for (const PlacedVolume& placed : map_.volumes()) {
@@ -59,18 +59,18 @@ class ScanReplacement : public testing::Test {
   std::int32_t scans_ = 0;
 };
 
-TEST_F(ScanReplacement, HasTheNewestLookFromEachPlaceForEachWay) {
+TEST_F(ScanReplacement, KeepsTheNewestScanOfEachViewpointAndHeading) {
   scan_from(0.0);
   scan_from(12.0);
   scan_from({0.0, 0.0, kPi});
   scan_from(12.0);
   scan_from(0.5);
   EXPECT_EQ(stored_scans(), (std::vector{5, 4, 3}));
-  EXPECT_EQ(map_.volumes()[0].volume.scans(), 3);  // two looks, and one that was forgotten
+  EXPECT_EQ(map_.volumes()[0].volume.scans(), 3);  // two scans, and one for the replacement
   EXPECT_TRUE(map_.volumes()[0].volume.is_open());
 }
 
-TEST_F(ScanReplacement, KeepsWhatTheOtherLaserSawFromTheSamePlace) {
+TEST_F(ScanReplacement, KeepsTheScanOfTheOtherLaserFromTheSamePlace) {
   for (int round = 0; round < 2; ++round) {
     scan_from(Pose2{}, 1.0F);
     scan_from(Pose2{}, -1.0F);
@@ -79,19 +79,19 @@ TEST_F(ScanReplacement, KeepsWhatTheOtherLaserSawFromTheSamePlace) {
   EXPECT_EQ(stored_scans(), (std::vector{4, 5, 6}));
 }
 
-TEST_F(ScanReplacement, ForgetsAllOlderLooksNearTheNewest) {
+TEST_F(ScanReplacement, DiscardsAllOlderScansNearTheNewest) {
   scan_from(-1.5);
   scan_from(12.0);
   scan_from(1.5);
   scan_from(12.0);
   scan_from(0.0);
   EXPECT_EQ(stored_scans(), (std::vector{5, 4, 0}));
-  EXPECT_EQ(map_.volumes()[2].volume.scans(), 2);  // so that others hear of it
+  EXPECT_EQ(map_.volumes()[2].volume.scans(), 2);  // so that subscribers are notified
   scan_from(20.0);
   EXPECT_EQ(stored_scans(), (std::vector{5, 4, 6}));
 }
 
-TEST_F(ScanReplacement, IsNotTakenAlongByTheRobotThatMakesIt) {
+TEST_F(ScanReplacement, DoesNotMoveTheViewpointWithTheRobot) {
   for (int drive = 0; drive < 3; ++drive) {
     for (int i = 0; i < 20; ++i) scan_from(1.5 * i + 0.4 * drive);
     scan_from({40.0, 0.0, kPi / 2.0});
@@ -99,7 +99,7 @@ TEST_F(ScanReplacement, IsNotTakenAlongByTheRobotThatMakesIt) {
   EXPECT_EQ(count(), 11);  // one in 3 m of 30 m, and the one at the end
 }
 
-TEST_F(ScanReplacement, TakesLooksOfOneVisitTogether) {
+TEST_F(ScanReplacement, CombinesScansOfOneVisit) {
   scan_from(0.0);
   scan_from(1.0);
   scan_from(0.5);
@@ -107,8 +107,8 @@ TEST_F(ScanReplacement, TakesLooksOfOneVisitTogether) {
   EXPECT_EQ(map_.volumes()[0].volume.scans(), 3);
 }
 
-/// Rounds through a drift of 120 m, there and back, with a look each 8.5 m or so from wherever that
-/// is. After few rounds there are no more than later on.
+/// Rounds through a tunnel of 120 m and back, with a scan about every 8.5 m. After a few rounds the
+/// number of scans does not grow.
 class ScanReplacementOnPatrol : public ScanReplacement {
  protected:
   ScanReplacementOnPatrol() : ScanReplacement(4.0) {}
@@ -140,8 +140,8 @@ TEST_F(ScanReplacementOnPatrol, DoesNotGrowAfterTheFirstRounds) {
   const double early = mean_count_over(20);
   mean_count_over(200);
   const double late = mean_count_over(20);
-  EXPECT_NEAR(late, early, 0.05 * early);  // 5 %, as of the memory of the process
-  EXPECT_LT(map_.volumes().size(), 60U);   // of ids: 4 m apart, for two ways
+  EXPECT_NEAR(late, early, 0.05 * early);  // 5 %, the tolerance for the memory of the process
+  EXPECT_LT(map_.volumes().size(), 60U);   // 4 m apart, for two headings
 }
 
 }  // namespace

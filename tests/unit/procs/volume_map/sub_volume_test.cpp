@@ -33,7 +33,7 @@ test::OctoMapCells cells_of(const SubVolume& volume) {
   return cells;
 }
 
-TEST(SubVolume, HasTheCellsOfItsScan) {
+TEST(SubVolume, ContainsTheCellsOfItsScan) {
   const Cloud cloud = sweep_of_tunnel({2.0, 0.5, 0.3});
   const SubVolume volume = volume_of(cloud);
   const SubVolumeParams params;
@@ -43,21 +43,21 @@ TEST(SubVolume, HasTheCellsOfItsScan) {
   EXPECT_EQ(volume.utime(), cloud.utime);
 }
 
-TEST(SubVolume, IsOccupiedWhereThereIsRockAndFreeWhereThereIsNone) {
+TEST(SubVolume, IsOccupiedAtRockAndFreeElsewhere) {
   const SubVolume volume = volume_of(sweep_of_tunnel({0.0, 0.0, 0.0}));
   const VoxelGrid grid(volume.cell_m());
   const auto depth_in_rock = [&](VoxelCode cell) {
     const Eigen::Vector3d p = grid.centre_m(VoxelGrid::keys_at(cell));
     return std::max({std::abs(p.x()) - 20.0, std::abs(p.y()) - 2.0, -p.z(), p.z() - 2.0});
   };
-  constexpr double kHalf = 0.052;  // of a cell, half a unit of the laser, single precision
+  constexpr double kHalf = 0.052;  // half a cell, half a unit of the laser, single precision
   for (const VoxelCode cell : cells_of(volume).occupied) {
     EXPECT_NEAR(depth_in_rock(cell), 0.0, kHalf);
   }
   for (const VoxelCode cell : cells_of(volume).free) EXPECT_LT(depth_in_rock(cell), kHalf);
 }
 
-TEST(SubVolume, TakesScansFromSeveralPlaces) {
+TEST(SubVolume, CombinesScansFromSeveralPlaces) {
   SubVolume volume{SubVolumeParams{}};
   const Pose2 T_world_volume{2.0, 0.5, 0.3};
   const Pose2 T_world_level{3.0, -0.5, -0.4};
@@ -76,27 +76,27 @@ TEST(SubVolume, TakesScansFromSeveralPlaces) {
   }
 }
 
-TEST(SubVolume, KeepsOnePointInEachSmallCell) {
+TEST(SubVolume, StoresOnePointPerSmallCell) {
   const Cloud cloud = sweep_of_tunnel({0.0, 0.0, 0.0});
   const SubVolume volume = volume_of(cloud);
   EXPECT_LT(volume.points().size(), cloud.points());
   EXPECT_GT(volume.points().size(), cloud.points() / 4);
   const VoxelGrid grid(SubVolumeParams{}.point_spacing_m);
-  CellSet seen;
+  CellSet observed;
   for (const VolumePoint& point : volume.points()) {
-    EXPECT_TRUE(seen.insert(VoxelGrid::code_of(*grid.keys_of(point.p_volume))));
+    EXPECT_TRUE(observed.insert(VoxelGrid::code_of(*grid.keys_of(point.p_volume))));
     EXPECT_EQ(point.scan, cloud.id);
   }
 }
 
-TEST(SubVolume, TakesAnEmptyScan) {
+TEST(SubVolume, AcceptsAnEmptyScan) {
   const SubVolume volume = volume_of({});
   EXPECT_EQ(volume.scans(), 1);
   EXPECT_TRUE(volume.octree().empty());
   EXPECT_TRUE(volume.points().empty());
 }
 
-TEST(SubVolume, TakesWhatThereIsOfAScanThatWasCutShort) {
+TEST(SubVolume, AcceptsAnIncompleteScan) {
   Cloud cloud = sweep_of_tunnel({0.0, 0.0, 0.0});
   const std::int64_t all = volume_of(cloud).free();
   cloud.complete = false;
@@ -106,7 +106,7 @@ TEST(SubVolume, TakesWhatThereIsOfAScanThatWasCutShort) {
   EXPECT_LT(half, all);
 }
 
-TEST(SubVolume, LeavesOutPointsThatCannotBe) {
+TEST(SubVolume, RejectsInvalidPoints) {
   Cloud cloud = sweep_of_tunnel({0.0, 0.0, 0.0});
   const SubVolume expected = volume_of(cloud);
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
@@ -121,7 +121,7 @@ TEST(SubVolume, LeavesOutPointsThatCannotBe) {
   EXPECT_EQ(volume.points().size(), expected.points().size());
 }
 
-TEST(SubVolume, KeepsWhatItKnowsWhenItIsClosed) {
+TEST(SubVolume, RetainsItsCellsWhenClosed) {
   SubVolume volume = volume_of(sweep_of_tunnel({0.0, 0.0, 0.0}));
   const auto octree = volume.octree();
   const std::size_t points = volume.points().size();

@@ -9,8 +9,8 @@
 
 namespace adit::test {
 
-/// A sweep in the drift of tests/support/box_drift.hpp, from where the pose says, by a laser
-/// without noise that reads millimetres.
+/// A sweep in the tunnel of tests/support/worlds/box_tunnel.hpp from a pose, by a laser without
+/// noise and with a resolution of 1 mm.
 inline Cloud sweep_of_tunnel(const Pose2& T_world_level, int lines = 60) {
   static const Site site(box_tunnel());
   TiltSweep sweep;
@@ -19,7 +19,7 @@ inline Cloud sweep_of_tunnel(const Pose2& T_world_level, int lines = 60) {
   sweep.laser.offset_max_m = 0.0;
   sweep.laser.unit_m = 0.001;
   sweep.laser.range_at_10_percent_m = 1000.0;
-  sweep.mount.range_max_m = 8.0;  // no return reads 8.191 m
+  sweep.mount.range_max_m = 8.0;  // 8.191 m means no return
   Cloud cloud = tilt_sweep(site, level_on_floor(site.world(), T_world_level), sweep);
   cloud.utime = 1'600'000'000'000'000;
   return cloud;

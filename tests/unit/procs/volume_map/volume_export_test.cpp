@@ -24,7 +24,7 @@ VolumeMap map_of_two_scans() {
   return map;
 }
 
-TEST(VolumeFiles, HaveEveryPointWithItsScanInThePly) {
+TEST(VolumeExport, WritesEveryPointWithItsScanToPly) {
   const test::ScratchFolder folder;
   const VolumeMap map = map_of_two_scans();
   ASSERT_EQ(map.volumes().size(), 2U);
@@ -44,7 +44,7 @@ TEST(VolumeFiles, HaveEveryPointWithItsScanInThePly) {
     std::int32_t scan = 0;
     std::memcpy(p.data(), ply.data() + head.size() + 16 * i, 12);
     std::memcpy(&scan, ply.data() + head.size() + 16 * i + 12, 4);
-    // On a surface of the drift, within half a unit of the laser and single precision.
+    // On a surface of the tunnel, within half a unit of the laser and single precision.
     const float to_rock =
         std::min({2.0F - std::abs(p[1]), 20.0F - std::abs(p[0]), p[2], 2.0F - p[2]});
     ASSERT_NEAR(to_rock, 0.0, 0.002);
@@ -54,7 +54,7 @@ TEST(VolumeFiles, HaveEveryPointWithItsScanInThePly) {
   EXPECT_EQ(of_scan[0], map.volumes()[0].volume.points().size());
 }
 
-TEST(VolumeFiles, AreReadByOctoMap) {
+TEST(VolumeExport, WritesFilesThatOctoMapReads) {
   const test::ScratchFolder folder;
   const VolumeMap map = map_of_two_scans();
   export_volume(map, folder.path());
@@ -70,7 +70,7 @@ TEST(VolumeFiles, AreReadByOctoMap) {
   EXPECT_GT(bt.size(), 1000U);
 }
 
-TEST(VolumeFiles, SayWhichCannotBeWritten) {
+TEST(VolumeExport, ReportsAnUnwritableFile) {
   EXPECT_THROW(write_ply(map_of_two_scans(), "/nonexistent/cloud.ply"), std::runtime_error);
 }
 

@@ -64,11 +64,11 @@ class VolumeJournalOnDisk : public testing::Test {
   std::filesystem::path path_ = scratch_ / "volume.journal";
 };
 
-TEST_F(VolumeJournalOnDisk, GivesBackAllThatWasSeen) {
+TEST_F(VolumeJournalOnDisk, RestoresTheVolume) {
   VolumeMap map{VolumeMapParams{}};
   {
     VolumeJournal journal(path_);
-    map.add(sweep(1, 0.0));  // before there is a graph
+    map.add(sweep(1, 0.0));  // before the first graph
     journal.store(map);
     place(map, 0, 1, {});
     journal.store(map);
@@ -81,15 +81,15 @@ TEST_F(VolumeJournalOnDisk, GivesBackAllThatWasSeen) {
   place(again, 0, 1, {});
   expect_same(again, map);
   EXPECT_EQ(again.excluded(), 0);
-  again.add(sweep(4, 12.5));  // what was kept is closed
+  again.add(sweep(4, 12.5));  // restored volumes are closed
   EXPECT_EQ(again.volumes().size(), 3U);
   std::size_t points = 0;
   for (const PlacedVolume& placed : map.volumes()) points += placed.volume.points().size();
   EXPECT_LT(std::filesystem::file_size(path_), 16 * points);
 }
 
-/// As the stage does, whose points are in the journal alone.
-TEST_F(VolumeJournalOnDisk, HasAllPointsThoughTheMapForgetsThem) {
+/// As the stage does, which stores points in the journal only.
+TEST_F(VolumeJournalOnDisk, HasAllPointsThoughTheMapReleasesThem) {
   VolumeMap all{VolumeMapParams{}};
   VolumeMap released_map{VolumeMapParams{}};
   place(all, 0, 1, {});
@@ -106,7 +106,7 @@ TEST_F(VolumeJournalOnDisk, HasAllPointsThoughTheMapForgetsThem) {
   {
     VolumeJournal journal(path_);
     add(journal, sweep(1, 0.0));
-    add(journal, sweep(2, 1.0));  // into the same one
+    add(journal, sweep(2, 1.0));  // into the same sub-volume
     add(journal, sweep(3, 12.0));
   }
   VolumeMap again = restored();
@@ -122,7 +122,7 @@ TEST_F(VolumeJournalOnDisk, HasAllPointsThoughTheMapForgetsThem) {
   EXPECT_GT(released_map.volumes()[0].volume.released_points(), 1000U);
 }
 
-TEST_F(VolumeJournalOnDisk, GivesBackTheOneThatTookThePlaceOfAnother) {
+TEST_F(VolumeJournalOnDisk, RestoresAReplacedVolume) {
   VolumeMapParams params;
   params.replace_radius_m = 1.0;
   VolumeMap map{params};
@@ -133,7 +133,7 @@ TEST_F(VolumeJournalOnDisk, GivesBackTheOneThatTookThePlaceOfAnother) {
       map.add(sweep(static_cast<std::int32_t>(x), x));
       journal.store(map);
     }
-    map.add(sweep(4, 1.5));  // into the same one
+    map.add(sweep(4, 1.5));  // into the same sub-volume
     journal.store(map);
   }
   ASSERT_EQ(map.volumes().size(), 2U);
@@ -142,7 +142,7 @@ TEST_F(VolumeJournalOnDisk, GivesBackTheOneThatTookThePlaceOfAnother) {
   expect_same(again, map);
 }
 
-TEST_F(VolumeJournalOnDisk, KnowsWhichWayEachLooked) {
+TEST_F(VolumeJournalOnDisk, RestoresTheViewpoints) {
   VolumeMapParams params;
   params.replace_radius_m = 1.0;
   const auto behind = [](std::int32_t id, double x) {
@@ -185,7 +185,7 @@ TEST_F(VolumeJournalOnDisk, LosesOneScanToATornRecord) {
   expect_same(again, first);
 }
 
-TEST_F(VolumeJournalOnDisk, KnowsWhichScansItHas) {
+TEST_F(VolumeJournalOnDisk, RestoresTheScanTimes) {
   VolumeMap map{VolumeMapParams{}};
   {
     VolumeJournal journal(path_);
@@ -197,11 +197,12 @@ TEST_F(VolumeJournalOnDisk, KnowsWhichScansItHas) {
   EXPECT_EQ(restored().scan_utimes(), (std::vector{kUtime + 1, kUtime + 2}));
   EXPECT_EQ(restored().scan_utimes(), map.scan_utimes());
   std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - kTimeRecordBytes - 7);
-  EXPECT_EQ(restored().scan_utimes(), (std::vector{kUtime + 1}));  // the other can be had again
+  EXPECT_EQ(restored().scan_utimes(),
+            (std::vector{kUtime + 1}));  // the other one can be requested again
 }
 
-/// All is cut off before a scan is kept that was announced; odom begins anew.
-TEST_F(VolumeJournalOnDisk, TiesAScanFromBeforeARestartByTheOdomOfThen) {
+/// A power loss before an announced scan is stored; a new odom frame begins.
+TEST_F(VolumeJournalOnDisk, AnchorsAnEarlierScanByItsOdomFrameAfterARestart) {
   const Pose2 T_map_odom{3.0, 0.5, 0.2};
   {
     VolumeMap map{VolumeMapParams{}};
@@ -212,17 +213,17 @@ TEST_F(VolumeJournalOnDisk, TiesAScanFromBeforeARestartByTheOdomOfThen) {
   }
   VolumeMap again = restored();
   again.set_odom_epoch(kUtime + 100);
-  place(again, 1, 2, {});  // where the odom of now lies says nothing of then
+  place(again, 1, 2, {});  // the pose of the current odom frame does not matter
   EXPECT_EQ(again.localized_from_utime(), kUtime - 50);
   EXPECT_TRUE(again.add(sweep(7, 1.0)));
   const Pose2 expected = T_map_odom * Pose2{1.0, 0.0, 0.0};
   const Pose2& T_map_volume = again.volumes().back().T_map_volume;
   EXPECT_LT((T_map_volume.vector() - expected.vector()).norm(), 1e-9);
-  EXPECT_FALSE(again.add(sweep(-60, 0.0)));  // from before that odom
+  EXPECT_FALSE(again.add(sweep(-60, 0.0)));  // from before that odom frame
   EXPECT_EQ(again.excluded(), 1);
 }
 
-TEST_F(VolumeJournalOnDisk, KnowsWhichOdomEndedWithoutALocalMap) {
+TEST_F(VolumeJournalOnDisk, RestoresAnOdomFrameThatEndedWithoutALocalMap) {
   {
     VolumeMap map{VolumeMapParams{}};
     map.set_odom_epoch(kUtime - 50);
@@ -240,7 +241,7 @@ TEST_F(VolumeJournalOnDisk, KnowsWhichOdomEndedWithoutALocalMap) {
   EXPECT_TRUE(again.add(sweep(50, 0.0)));
 }
 
-TEST_F(VolumeJournalOnDisk, GoesOnInTheSameOdomWhereOnlyItsProcessEnded) {
+TEST_F(VolumeJournalOnDisk, ContinuesInTheSameOdomFrameAfterARestartOfTheProcess) {
   const Pose2 T_map_odom{3.0, 0.5, 0.2};
   {
     VolumeMap map{VolumeMapParams{}};
@@ -255,7 +256,7 @@ TEST_F(VolumeJournalOnDisk, GoesOnInTheSameOdomWhereOnlyItsProcessEnded) {
   EXPECT_EQ(again.volumes().back().anchor->local_map, 0);
 }
 
-TEST_F(VolumeJournalOnDisk, IsRejectedByAMapOfOtherCells) {
+TEST_F(VolumeJournalOnDisk, IsRejectedByAMapWithAnotherCellSize) {
   VolumeMap map{VolumeMapParams{}};
   map.add(sweep(1, 0.0));
   VolumeJournal(path_).store(map);
@@ -265,7 +266,7 @@ TEST_F(VolumeJournalOnDisk, IsRejectedByAMapOfOtherCells) {
   EXPECT_THROW(other.restore(VolumeJournal(path_).take_restored()), std::runtime_error);
 }
 
-TEST(VolumeRecord, IsNothingWhereTheBytesAreNone) {
+TEST(VolumeRecord, IsEmptyForMalformedBytes) {
   EXPECT_FALSE(volume_record_from({}));
   VolumeRecord record;
   record.volume.contents.cell_m = 0.1;
@@ -276,8 +277,8 @@ TEST(VolumeRecord, IsNothingWhereTheBytesAreNone) {
   }
 }
 
-/// The robot was cut off before its first local map, and odom began anew.
-TEST_F(VolumeJournalOnDisk, LeavesOutWhatLiesInAnOdomThatNobodyKnows) {
+/// A power loss before the first local map; a new odom frame begins.
+TEST_F(VolumeJournalOnDisk, ExcludesVolumesOfAnUnknownOdomFrame) {
   VolumeMap map{VolumeMapParams{}};
   map.add(sweep(1, 0.0));
   VolumeJournal(path_).store(map);
@@ -287,12 +288,12 @@ TEST_F(VolumeJournalOnDisk, LeavesOutWhatLiesInAnOdomThatNobodyKnows) {
   EXPECT_FALSE(again.volumes()[0].anchor);
 }
 
-TEST(VolumeMapOverSessions, TiesAScanToTheOdomThatItWasTakenIn) {
+TEST(VolumeMapOverSessions, AnchorsAScanToItsOdomFrame) {
   VolumeMap map{VolumeMapParams{}};
   place(map, 0, 1, {1.0, 0.0, 0.0});
   place(map, 1, 100, {7.0, 0.0, 0.0});
-  EXPECT_TRUE(map.add(sweep(50, 2.0)));   // from before the new session
-  EXPECT_TRUE(map.add(sweep(150, 2.0)));  // of it
+  EXPECT_TRUE(map.add(sweep(50, 2.0)));   // of the previous session
+  EXPECT_TRUE(map.add(sweep(150, 2.0)));  // of the new session
   ASSERT_EQ(map.volumes().size(), 2U);
   EXPECT_NEAR(map.volumes()[0].T_map_volume.x, 3.0, 1e-9);
   EXPECT_EQ(map.volumes()[0].anchor->local_map, 0);

@@ -63,7 +63,7 @@ class VolumeMapNodeOnABus : public testing::Test {
   std::vector<Volume> poses_;
 };
 
-TEST_F(VolumeMapNodeOnABus, PublishesASubVolumeWithEachCloud) {
+TEST_F(VolumeMapNodeOnABus, PublishesASubVolumeAfterEachCloud) {
   send_graph(1, {{}});
   EXPECT_TRUE(volumes_.empty());
   send_cloud(1, 0.0);
@@ -80,7 +80,7 @@ TEST_F(VolumeMapNodeOnABus, PublishesASubVolumeWithEachCloud) {
   EXPECT_EQ(node_.health(), Health{});
 }
 
-TEST_F(VolumeMapNodeOnABus, PublishesNothingBeforeTheFirstGraphAndThenAll) {
+TEST_F(VolumeMapNodeOnABus, PublishesAllSubVolumesAfterTheFirstGraph) {
   send_cloud(1, 0.0);
   send_cloud(2, 12.0);
   EXPECT_TRUE(volumes_.empty());
@@ -89,11 +89,11 @@ TEST_F(VolumeMapNodeOnABus, PublishesNothingBeforeTheFirstGraphAndThenAll) {
   EXPECT_EQ(volumes_[1].T_map_volume, (Pose2{12.0, 0.0, 0.0}));
 }
 
-TEST_F(VolumeMapNodeOnABus, PublishesPosesAloneWhereTheGraphMoves) {
+TEST_F(VolumeMapNodeOnABus, PublishesOnlyPosesWhenTheGraphMoves) {
   send_graph(1, {{}});
   send_cloud(1, 0.0);
   send_graph(2, {{}, {12.0, 0.0, 0.0}});
-  EXPECT_TRUE(poses_.empty());  // the first one stays
+  EXPECT_TRUE(poses_.empty());  // the first one does not move
   send_cloud(2, 12.0);
   send_graph(3, {{}, {12.0, 0.5, 0.0}});
   EXPECT_EQ(volumes_.size(), 2U);
@@ -104,7 +104,7 @@ TEST_F(VolumeMapNodeOnABus, PublishesPosesAloneWhereTheGraphMoves) {
   EXPECT_EQ(poses_[0].T_map_volume, (Pose2{12.0, 0.5, 0.0}));
 }
 
-TEST_F(VolumeMapNodeOnABus, SaysWhichScansItHasAndTakesOneThatItMissed) {
+TEST_F(VolumeMapNodeOnABus, RequestsMissedScans) {
   CloudRequest last_request;
   subscribe<cloud_request_t>(bus_, channels::kCloudRequest, Delivery::latest(),
                              [&](const CloudRequest& request) { last_request = request; });
@@ -119,17 +119,17 @@ TEST_F(VolumeMapNodeOnABus, SaysWhichScansItHasAndTakesOneThatItMissed) {
   EXPECT_EQ(last_request.received_utime, (std::vector{kUtime + 1, kUtime + 3, kUtime + 2}));
   ASSERT_EQ(volumes_.size(), 3U);
   EXPECT_EQ(volumes_.back().revision, 3);
-  EXPECT_EQ(volumes_.back().utime, kUtime + 3);  // of the newest in it
+  EXPECT_EQ(volumes_.back().utime, kUtime + 3);  // of its newest scan
 }
 
-TEST_F(VolumeMapNodeOnABus, LeavesOutScansOfAnOdomThatItDidNotKnow) {
+TEST_F(VolumeMapNodeOnABus, ExcludesScansOfAnUnknownOdomFrame) {
   CloudRequest last_request;
   subscribe<cloud_request_t>(bus_, channels::kCloudRequest, Delivery::latest(),
                              [&](const CloudRequest& request) { last_request = request; });
   send_odom_epoch(kUtime + 5);
   send_graph(1, {{}});
   bus_.advance_to(kUtime + 2'000'000);
-  EXPECT_EQ(last_request.after_utime, kUtime + 4);  // what ended then is not asked for
+  EXPECT_EQ(last_request.after_utime, kUtime + 4);  // earlier scans are not requested
   send_cloud(3, 0.0, channels::kCloudResend);
   EXPECT_EQ(node_.map().excluded(), 1);
   EXPECT_TRUE(volumes_.empty());
@@ -137,7 +137,7 @@ TEST_F(VolumeMapNodeOnABus, LeavesOutScansOfAnOdomThatItDidNotKnow) {
   EXPECT_EQ(volumes_.size(), 1U);
 }
 
-TEST_F(VolumeMapNodeOnABus, TakesAScanOnce) {
+TEST_F(VolumeMapNodeOnABus, InsertsAScanOnce) {
   send_graph(1, {{}});
   send_cloud(1, 0.0);
   send_cloud(1, 0.0, channels::kCloudResend);
@@ -145,7 +145,7 @@ TEST_F(VolumeMapNodeOnABus, TakesAScanOnce) {
   EXPECT_EQ(node_.map().volumes()[0].volume.scans(), 1);
 }
 
-TEST_F(VolumeMapNodeOnABus, SaysWhereACloudWasCutShort) {
+TEST_F(VolumeMapNodeOnABus, ReportsAnIncompleteCloud) {
   Cloud cloud = test::sweep_of_tunnel({}, 5);
   cloud.complete = false;
   for (const CloudFragment& fragment : split(cloud)) {

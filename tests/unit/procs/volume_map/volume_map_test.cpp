@@ -14,7 +14,7 @@
 namespace adit {
 namespace {
 
-/// A scan that is true, but for where odometry takes it to be.
+/// A true scan with the pose error of odometry.
 Cloud scan_at(const Pose2& T_world_level, const Pose2& T_odom_level, std::int32_t id = 0) {
   Cloud cloud = test::sweep_of_tunnel(T_world_level, 30);
   cloud.T_odom_level = T_odom_level;
@@ -40,7 +40,7 @@ std::vector<VoxelCode> cells(const VolumeMap& map, bool occupied) {
   return found;
 }
 
-/// Of the farthest occupied cell from the walls, floor, roof and ends of the drift [m].
+/// Distance of the farthest occupied cell from the walls, floor, roof and ends of the tunnel [m].
 double farthest_from_rock_m(const VolumeMap& map) {
   const VoxelGrid grid(0.1);
   double farthest = 0.0;
@@ -55,11 +55,11 @@ double farthest_from_rock_m(const VolumeMap& map) {
 }
 
 const Pose2 kStart{};
-const Pose2 kSecond{9.0, 0.2, 0.1};                        // the truth
-const Pose2 kDrifted{9.4, 1.3, 0.18};                      // what odometry makes of it
-constexpr double kResampledM = 0.1 * std::numbers::sqrt3;  // half a cell's diagonal, twice
+const Pose2 kSecond{9.0, 0.2, 0.1};                        // true pose
+const Pose2 kDrifted{9.4, 1.3, 0.18};                      // pose by odometry
+constexpr double kResampledM = 0.1 * std::numbers::sqrt3;  // twice half the diagonal of a cell
 
-/// The first scan in local map 0, the second in local map 1, before the loop was closed.
+/// The first scan in local map 0, the second in local map 1, before the loop closure.
 VolumeMap drifted_map() {
   VolumeMap map{VolumeMapParams{}};
   map.set_graph(graph_of(1, {kStart}));
@@ -71,17 +71,17 @@ VolumeMap drifted_map() {
   return map;
 }
 
-TEST(VolumeMap, HasASubVolumeForEachLocalMap) {
+TEST(VolumeMap, HasASubVolumePerLocalMap) {
   const VolumeMap map = drifted_map();
   ASSERT_EQ(map.volumes().size(), 2U);
   EXPECT_EQ(map.volumes()[0].anchor->local_map, 0);
   EXPECT_EQ(map.volumes()[1].anchor->local_map, 1);
   EXPECT_FALSE(map.volumes()[0].volume.is_open());
   EXPECT_TRUE(map.volumes()[1].volume.is_open());
-  EXPECT_GT(farthest_from_rock_m(map), 0.5);  // the second stands askew
+  EXPECT_GT(farthest_from_rock_m(map), 0.5);  // the second one is misaligned
 }
 
-TEST(VolumeMap, ClosesALoopWithoutInsertingAgain) {
+TEST(VolumeMap, AppliesALoopClosureWithoutInsertingAgain) {
   VolumeMap map = drifted_map();
   const auto octree = map.volumes()[1].volume.octree();
   map.set_graph(graph_of(3, {kStart, kSecond}));
@@ -94,12 +94,12 @@ TEST(VolumeMap, ClosesALoopWithoutInsertingAgain) {
   EXPECT_LT(farthest_from_rock_m(map), kResampledM);
 }
 
-TEST(VolumeMap, MovesCellsByAsMuchAsTheGraphMoves) {
+TEST(VolumeMap, MovesCellsWithTheGraph) {
   VolumeMap map = drifted_map();
   map.set_graph(graph_of(3, {kStart, kSecond}));
   const auto occupied = cells(map, true);
   const auto free = cells(map, false);
-  // A quarter turn, 30 cells along x and −20 along y of map, of all.
+  // All poses rotated by a quarter turn and moved by 30 cells along x and −20 along y of map.
   const Pose2 motion{3.0, -2.0, std::numbers::pi / 2.0};
   map.set_graph(graph_of(4, {motion * kStart, motion * kSecond}));
   const auto moved = [](const std::vector<VoxelCode>& before) {
@@ -116,7 +116,7 @@ TEST(VolumeMap, MovesCellsByAsMuchAsTheGraphMoves) {
   EXPECT_EQ(cells(map, false), moved(free));
 }
 
-TEST(VolumeMap, TiesWhatCameBeforeTheFirstGraph) {
+TEST(VolumeMap, AnchorsScansFromBeforeTheFirstGraph) {
   VolumeMap map{VolumeMapParams{}};
   map.add(scan_at(kStart, kStart));
   map.add(scan_at({1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}));
@@ -126,7 +126,7 @@ TEST(VolumeMap, TiesWhatCameBeforeTheFirstGraph) {
   const Pose2 T_map_odom{5.0, -2.0, 1.0};
   const Pose2 T_odom_local{0.5, 0.0, 0.1};
   map.set_correction(correction(1, 0, T_map_odom));
-  EXPECT_FALSE(map.volumes()[0].anchor);  // without the graph nobody knows
+  EXPECT_FALSE(map.volumes()[0].anchor);  // unknown without the graph
   map.set_graph(graph_of(1, {T_map_odom * T_odom_local}));
   ASSERT_TRUE(map.volumes()[0].anchor);
   const Pose2 expected = T_map_odom * kStart;
@@ -135,8 +135,8 @@ TEST(VolumeMap, TiesWhatCameBeforeTheFirstGraph) {
   EXPECT_NEAR(map.volumes()[0].anchor->T_local_volume.x, T_odom_local.inverse().x, 1e-12);
 }
 
-/// A correction of one graph and the poses of another would put it somewhere else.
-TEST(VolumeMap, WaitsForACorrectionAndAGraphOfOneRevision) {
+/// A correction and poses of different graphs would misplace it.
+TEST(VolumeMap, WaitsForACorrectionAndAGraphOfTheSameRevision) {
   VolumeMap map{VolumeMapParams{}};
   map.add(scan_at(kStart, kStart));
   map.set_graph(graph_of(1, {kStart}));
@@ -147,7 +147,7 @@ TEST(VolumeMap, WaitsForACorrectionAndAGraphOfOneRevision) {
   EXPECT_EQ(map.volumes()[0].T_map_volume, (Pose2{1.0, 0.0, 0.0}));
 }
 
-TEST(VolumeMap, TakesScansOfOneLocalMapTogetherWhereTheyAreNear) {
+TEST(VolumeMap, CombinesNearScansOfOneLocalMap) {
   VolumeMap map{VolumeMapParams{}};
   map.set_graph(graph_of(1, {kStart}));
   map.set_correction(correction(1, 0, {}));
@@ -158,14 +158,14 @@ TEST(VolumeMap, TakesScansOfOneLocalMapTogetherWhereTheyAreNear) {
   EXPECT_LT(farthest_from_rock_m(map), kResampledM);
 }
 
-TEST(VolumeMap, LeavesWhatTheGraphLacksWhereItIs) {
+TEST(VolumeMap, DoesNotMoveVolumesThatAreNotInTheGraph) {
   VolumeMap map = drifted_map();
   map.set_graph(graph_of(3, {kSecond}));
   EXPECT_EQ(map.volumes()[0].T_map_volume, kSecond);
   EXPECT_NEAR(map.volumes()[1].T_map_volume.x, kDrifted.x, 1e-12);
 }
 
-/// Turned cells leave no holes: what is inside of free space is free.
+/// Rotated cells leave no holes in free space.
 TEST(VolumeMap, HasNoHolesInFreeSpaceWhenMerged) {
   VolumeMap map{VolumeMapParams{}};
   map.add(scan_at(kStart, {0.03, 0.04, 0.6}));
@@ -177,7 +177,7 @@ TEST(VolumeMap, HasNoHolesInFreeSpaceWhenMerged) {
                                 static_cast<float>(p_level.z())});
     return std::binary_search(free.begin(), free.end(), VoxelGrid::code_of(*keys));
   };
-  for (double x = 1.6; x < 2.2; x += 0.03) {  // through which beams go to the floor
+  for (double x = 1.6; x < 2.2; x += 0.03) {  // traversed by beams to the floor
     for (double y = -0.4; y < 0.4; y += 0.03) EXPECT_TRUE(is_free({x, y, 0.35})) << x << " " << y;
   }
 }

@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kExact = 1e-12;
 
-/// 3 m along x, then 4 m along y, then 3 m back along x at a distance of 4 m.
+/// 3 m along x, then 4 m along y, then 3 m back along −x.
 WaypointPath hook() { return WaypointPath({{0.0, 0.0}, {3.0, 0.0}, {3.0, 4.0}, {0.0, 4.0}}); }
 
-TEST(WaypointPath, CountsAlongItsLegsAndGoesOnBehindTheEnd) {
+TEST(WaypointPath, IsParametrisedByDistanceAndContinuesBeyondItsEnd) {
   const WaypointPath path = hook();
   EXPECT_DOUBLE_EQ(path.length_m(), 10.0);
   EXPECT_TRUE(path.at(2.0).isApprox(Eigen::Vector2d(2.0, 0.0), kExact));
@@ -28,7 +28,7 @@ TEST(WaypointPath, CountsAlongItsLegsAndGoesOnBehindTheEnd) {
   EXPECT_NEAR(path.heading_rad(1), std::numbers::pi / 2.0, kExact);
 }
 
-TEST(WaypointPath, FindsTheNearestPlaceBetweenTwo) {
+TEST(WaypointPath, FindsTheNearestPointBetweenTwoDistances) {
   const WaypointPath path = hook();
   const Eigen::Vector2d p(1.0, 2.5);  // nearest to the last leg
   EXPECT_NEAR(path.nearest_m(p, 0.0, 10.0), 9.0, kExact);
@@ -48,17 +48,17 @@ Waypoint at(double x, double y, std::optional<double> speed_m_s = {}) {
 }
 
 constexpr DrivePlanParams kForward{0.4, 0.5, false};
-constexpr DrivePlanParams kEitherWay{0.4, 0.5, true};
+constexpr DrivePlanParams kReversing{0.4, 0.5, true};
 
-TEST(DrivePlan, IsOneStretchWhereNobodyMayReverse) {
+TEST(DrivePlan, IsOneRunWithoutReversing) {
   const auto plan = plan_drive({at(5, 0), at(5, 4), at(5, 0)}, {}, kForward);
   ASSERT_THAT(plan, SizeIs(1));
   EXPECT_DOUBLE_EQ(plan[0].path.length_m(), 13.0);
   EXPECT_FALSE(plan[0].reverse);
 }
 
-TEST(DrivePlan, IsCutWhereTheDirectionOfDrivingChanges) {
-  const auto plan = plan_drive({at(5, 0), at(8, 1), at(3, 0), at(9, 0)}, {}, kEitherWay);
+TEST(DrivePlan, IsSplitWhereTheDrivingDirectionChanges) {
+  const auto plan = plan_drive({at(5, 0), at(8, 1), at(3, 0), at(9, 0)}, {}, kReversing);
   ASSERT_THAT(plan, SizeIs(3));
   EXPECT_FALSE(plan[0].reverse);
   EXPECT_TRUE(plan[1].reverse);
@@ -67,18 +67,18 @@ TEST(DrivePlan, IsCutWhereTheDirectionOfDrivingChanges) {
   EXPECT_EQ(plan[1].path.at(0.0), Eigen::Vector2d(8, 1));
 }
 
-TEST(DrivePlan, TurnsToWhatIsAside) {
-  EXPECT_FALSE(plan_drive({at(-1, 1.01)}, {}, kEitherWay)[0].reverse);  // 45° from straight back
-  EXPECT_TRUE(plan_drive({at(-1, 0.99)}, {}, kEitherWay)[0].reverse);
+TEST(DrivePlan, TurnsToWaypointsAtTheSide) {
+  EXPECT_FALSE(plan_drive({at(-1, 1.01)}, {}, kReversing)[0].reverse);  // 45° from straight back
+  EXPECT_TRUE(plan_drive({at(-1, 0.99)}, {}, kReversing)[0].reverse);
 }
 
-TEST(DrivePlan, GoesAsFastAsWaypointsSayAndTheVehicleCan) {
+TEST(DrivePlan, UsesTheSpeedsOfWaypointsUpToTheLimitOfTheVehicle) {
   const auto plan = plan_drive({at(1, 0), at(2, 0, 0.2), at(3, 0, 7.0)}, {}, kForward);
   ASSERT_THAT(plan, SizeIs(1));
   EXPECT_THAT(plan[0].speeds_m_s, ElementsAre(0.4, 0.2, 0.5));
 }
 
-TEST(DrivePlan, LeavesOutWhatLeadsNowhere) {
+TEST(DrivePlan, IgnoresRepeatedWaypoints) {
   EXPECT_THAT(plan_drive({at(0, 0), at(0.0005, 0)}, {}, kForward), SizeIs(0));
 }
 

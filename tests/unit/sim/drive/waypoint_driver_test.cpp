@@ -20,12 +20,12 @@ using testing::HasSubstr;
 
 constexpr double kStepS = 0.01;
 
-/// A hall of 60 m by 60 m, its middle the origin.
+/// A hall of 60 m by 60 m, centred on the origin.
 World hall() { return box_tunnel({60.0, 60.0, 2.0}); }
 
-/// What became of a drive.
+/// Result of a drive.
 struct Drive {
-  double off_line_max_m = 0.0;  ///< greatest distance from the line given
+  double off_line_max_m = 0.0;  ///< greatest distance from a given line
   double seconds = 0.0;
   double speed_min_m_s = std::numeric_limits<double>::infinity();
   double speed_max_m_s = -std::numeric_limits<double>::infinity();
@@ -54,7 +54,7 @@ std::vector<Waypoint> waypoints(const std::vector<Eigen::Vector2d>& points) {
   return waypoints;
 }
 
-/// One period of a sine of 2 m over 20 m: no tighter than a radius of 5 m.
+/// One period of a sine of 2 m over 20 m: radius at least 5 m.
 std::vector<Eigen::Vector2d> s_curve() {
   std::vector<Eigen::Vector2d> points;
   for (int i = 0; i <= 40; ++i) {
@@ -90,7 +90,7 @@ TEST_P(WaypointDriverOf, FollowsACurveAndStopsAtTheEnd) {
   EXPECT_LT((place(vehicle) - s_curve().back()).norm(), 0.15);
 }
 
-/// Two drifts of 3 m that meet at (8, 0), at a right angle to the left.
+/// Two tunnels of 3 m that meet at (8, 0), at a right angle to the left.
 World corner_of_tunnels() {
   return box_tunnel({60.0, 60.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kWall, Material::kRock, "inner_rib");
@@ -101,7 +101,7 @@ World corner_of_tunnels() {
   });
 }
 
-TEST_P(WaypointDriverOf, TakesACornerOfDriftsOfThreeMetres) {
+TEST_P(WaypointDriverOf, TakesACornerOfTunnelsThreeMetresWide) {
   const Site site(corner_of_tunnels());
   Vehicle shape;
   shape.steering = GetParam();
@@ -115,7 +115,7 @@ TEST_P(WaypointDriverOf, TakesACornerOfDriftsOfThreeMetres) {
 
 INSTANTIATE_TEST_SUITE_P(Steerings, WaypointDriverOf, testing::Values("four_wheel", "ackermann"));
 
-TEST(WaypointDriver, SlowsDownInABendAndHeedsTheSpeedOfALeg) {
+TEST(WaypointDriver, SlowsDownInABendAndKeepsTheSpeedOfALeg) {
   const Site site(hall());
   VehicleModel vehicle(site, {}, {}, 1, 0);
   std::vector<Waypoint> corner = waypoints({{8.0, 0.0}, {8.0, 8.0}});
@@ -149,7 +149,7 @@ TEST(WaypointDriver, DrivesACrossingInOrder) {
   EXPECT_LT(drive_of.off_line_max_m, 0.75);  // half of the look-ahead
 }
 
-TEST(WaypointDriver, BacksUpToWhatLiesBehindWhereItMay) {
+TEST(WaypointDriver, ReversesToWaypointsBehindIfAllowed) {
   const Site site(hall());
   VehicleModel vehicle(site, {}, {}, 1, 0);
   const std::vector<Eigen::Vector2d> back{{6.0, 0.0}, {-4.0, 1.0}};
@@ -164,7 +164,7 @@ TEST(WaypointDriver, BacksUpToWhatLiesBehindWhereItMay) {
   EXPECT_LT(drive_of.off_line_max_m, 0.15);
 }
 
-TEST(WaypointDriver, TurnsRoundWhereItMayNotBackUp) {
+TEST(WaypointDriver, TurnsIfItMayNotReverse) {
   const Site site(hall());
   VehicleModel vehicle(site, {}, {}, 1, 0);
   WaypointDriver driver(waypoints({{-8.0, 2.0}}), {}, WaypointDriverParams{.off_path_max_m = 5.0});
@@ -173,17 +173,17 @@ TEST(WaypointDriver, TurnsRoundWhereItMayNotBackUp) {
   EXPECT_GE(drive_of.speed_min_m_s, 0.0);
 }
 
-TEST(WaypointDriver, GivesUpFarOffTheWay) {
+TEST(WaypointDriver, AbortsFarOffThePath) {
   WaypointDriver driver(waypoints({{10.0, 0.0}}), {});
   BodyMotion motion;
   EXPECT_GT(driver.command(motion).speed_m_s, 0.0);
   motion.T_world_body.translation() = Eigen::Vector3d(0.5, 2.1, 0.0);
   EXPECT_EQ(driver.command(motion).speed_m_s, 0.0);
   ASSERT_TRUE(driver.abort_reason());
-  EXPECT_THAT(*driver.abort_reason(), HasSubstr("off the way after 0.50 m"));
+  EXPECT_THAT(*driver.abort_reason(), HasSubstr("off the path after 0.50 m"));
 }
 
-TEST(WaypointDriver, GivesUpWithoutProgress) {
+TEST(WaypointDriver, AbortsWithoutProgress) {
   WaypointDriver driver(waypoints({{10.0, 0.0}}), {});
   BodyMotion motion;
   motion.utime = 5'000'000;
@@ -196,13 +196,13 @@ TEST(WaypointDriver, GivesUpWithoutProgress) {
   EXPECT_THAT(*driver.abort_reason(), HasSubstr("no progress after 0.00 m"));
 }
 
-TEST(WaypointDriver, IsDoneAtOnceWhereItAlreadyIs) {
+TEST(WaypointDriver, IsDoneImmediatelyAtTheLastWaypoint) {
   WaypointDriver driver(waypoints({{0.0, 0.0}}), {});
   EXPECT_EQ(driver.command({}).speed_m_s, 0.0);
   EXPECT_TRUE(driver.done());
 }
 
-TEST(WaypointDriver, RejectsWaypointsThatAreNone) {
+TEST(WaypointDriver, RejectsInvalidWaypoints) {
   EXPECT_THROW(WaypointDriver({}, {}), std::invalid_argument);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(WaypointDriver(waypoints({{0.0, nan}}), {}), std::invalid_argument);

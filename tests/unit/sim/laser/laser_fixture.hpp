@@ -9,7 +9,7 @@
 
 namespace adit {
 
-/// A laser that makes no errors, sees everything and reads millimetres.
+/// A laser without errors, with returns from all surfaces and readings in millimetres.
 inline LaserParams perfect_laser() {
   LaserParams params;
   params.unit_m = 0.001;
@@ -19,10 +19,10 @@ inline LaserParams perfect_laser() {
   return params;
 }
 
-/// Half the unit of perfect_laser(), and what single precision costs.
+/// Half the unit of perfect_laser(), and the error of single precision.
 constexpr double kHalfMillimetre = 0.0005 + 0.00002;
 
-/// Turned by `yaw_rad` and then tilted, positive looking down.
+/// Rotated by `yaw_rad`, then tilted, positive downward.
 inline Eigen::Isometry3d laser_at(const Eigen::Vector3d& p_world, double yaw_rad = 0.0,
                                   double tilt_rad = 0.0) {
   return Eigen::Translation3d(p_world) * Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()) *
@@ -37,7 +37,7 @@ inline double beam_angle(const LaserScan& scan, std::size_t beam) {
   return scan.angle_min_rad + static_cast<double>(beam) * scan.angle_step_rad;
 }
 
-/// Of a ray in the plan from the middle of a rectangle of these sides to its rim.
+/// Range in the plan from the centre of a rectangle to its edge.
 inline double range_in_rectangle(double length_m, double width_m, double angle_rad) {
   return std::min(length_m / 2.0 / std::abs(std::cos(angle_rad)),
                   width_m / 2.0 / std::abs(std::sin(angle_rad)));

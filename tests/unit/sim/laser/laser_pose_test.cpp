@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the laser is and how it moves, against closed forms.
+// Poses and motion of the laser, against closed forms.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace adit {
 namespace {
 
-TEST(LaserModel, TiltedOnItsLeverSeesTheFloorToAMillimetre) {
+TEST(LaserModel, TiltedOnItsLeverMeasuresTheFloorToAMillimetre) {
   const World world = box_tunnel({40.0, 40.0, 3.0});
   const RayScene scene(world.mesh);
   LaserModel laser(scene, perfect_laser(), 1);
@@ -19,7 +19,7 @@ TEST(LaserModel, TiltedOnItsLeverSeesTheFloorToAMillimetre) {
       .T_body_laser = {1.05, 0.0, 0.0}, .height_m = 0.62, .lever_x_m = 0.06, .lever_z_m = 0.08};
   for (const double tilt : {0.1, 0.25, 0.4, 0.52}) {
     const LaserScan scan = scan_at_rest(laser, tilted_laser(mount, tilt));
-    // The axis of tilt stays; the laser goes round it, ahead and down.
+    // The laser moves about the fixed axis of tilt, forward and down.
     const double height = 0.62 - 0.08 + 0.08 * std::cos(tilt) - 0.06 * std::sin(tilt);
     for (std::size_t i = 0; i < scan.ranges_m.size(); ++i) {
       const double range = height / (std::sin(tilt) * std::cos(beam_angle(scan, i)));
@@ -29,13 +29,13 @@ TEST(LaserModel, TiltedOnItsLeverSeesTheFloorToAMillimetre) {
   }
 }
 
-/// A wall across x, seen by a laser that drives along x and turns.
+/// A wall across x, measured by a laser that moves along x and turns.
 double range_in_motion(double wall_x, double speed, double turn_rate, double seconds,
                        double angle) {
   return (wall_x - speed * seconds) / std::cos(angle + turn_rate * seconds);
 }
 
-TEST(LaserModel, MotionBendsAWallAsTheTimesOfTheBeamsSay) {
+TEST(LaserModel, MotionDistortsAWallByTheTimesOfTheBeams) {
   const World world = box_tunnel({12.0, 40.0, 2.0});
   const RayScene scene(world.mesh);
   constexpr double kSpeed = 2.0;
@@ -64,7 +64,7 @@ TEST(LaserModel, MotionBendsAWallAsTheTimesOfTheBeamsSay) {
   }
 }
 
-TEST(LaserModel, AFastTurnIsFollowedToAMillimetre) {
+TEST(LaserModel, InterpolatesAFastTurnToAMillimetre) {
   const World world = box_tunnel({12.0, 12.0, 2.0});
   const RayScene scene(world.mesh);
   LaserModel laser(scene, perfect_laser(), 1);
@@ -78,7 +78,7 @@ TEST(LaserModel, AFastTurnIsFollowedToAMillimetre) {
   }
 }
 
-TEST(LaserModel, StillWaterShowsTheRoofBelowTheFloor) {
+TEST(LaserModel, StillWaterReflectsTheRoof) {
   const double level = 0.1;
   const World world = box_tunnel({60.0, 60.0, 2.0}, [level](MeshBuilder& builder) {
     builder.begin_part(PartKind::kWater, Material::kMirror, "water");
@@ -104,7 +104,7 @@ TEST(LaserModel, StillWaterShowsTheRoofBelowTheFloor) {
   }
 }
 
-TEST(LaserModel, StillWaterMirrorsLessTheSteeperItIsLookedAt) {
+TEST(LaserModel, StillWaterReflectsLessAtSteeperIncidence) {
   const World world = box_tunnel({400.0, 400.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kWater, Material::kMirror, "water");
     builder.box(level_box({0.0, 0.0, 0.0}, {400.0, 400.0, 0.1}));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Ranges, their errors and their limits, against closed forms in a drift of flat walls.
+// Ranges, their errors and their limits, against closed forms in a tunnel of flat walls.
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -14,13 +14,13 @@ namespace {
 
 const Eigen::Vector3d kMiddle(0.0, 0.0, 1.0);
 
-TEST(LaserModel, SeesWallsWithinItsErrors) {
+TEST(LaserModel, MeasuresWallsWithinItsErrors) {
   const World world = box_tunnel({40.0, 4.0, 2.0});
   const RayScene scene(world.mesh);
   for (const int beams : {181, 361}) {
     LaserParams params;
     params.beams = beams;
-    params.range_at_10_percent_m = 1000.0;  // walls are seen however slanting
+    params.range_at_10_percent_m = 1000.0;  // walls return at any incidence
     LaserModel laser(scene, params, 3);
     EXPECT_LE(std::abs(laser.offset_m()), params.offset_max_m);
     const LaserScan scan = scan_at_rest(laser, laser_at(kMiddle));
@@ -34,7 +34,7 @@ TEST(LaserModel, SeesWallsWithinItsErrors) {
   }
 }
 
-TEST(LaserModel, NoiseHasTheMeanAndSpreadThatIsSaid) {
+TEST(LaserModel, NoiseHasTheConfiguredMeanAndDeviation) {
   const World world = box_tunnel({12.0, 6.0, 2.0});
   const RayScene scene(world.mesh);
   LaserParams params = perfect_laser();
@@ -58,11 +58,11 @@ TEST(LaserModel, NoiseHasTheMeanAndSpreadThatIsSaid) {
   }
   const double n = kScans * static_cast<double>(sum.size());
   const double variance = 0.005 * 0.005 + 0.001 * 0.001 / 12.0;  // of the noise and the rounding
-  // n times the share is distributed as χ² with n degrees of freedom: mean n, variance 2n.
+  // n times the ratio is distributed as χ² with n degrees of freedom: mean n, variance 2n.
   EXPECT_NEAR(squares / n / variance, 1.0, 5.0 * std::sqrt(2.0 / n));
 }
 
-TEST(LaserModel, OffsetsOfManyLasersFillTheirBounds) {
+TEST(LaserModel, OffsetsAreUniformWithinTheirBounds) {
   const TriangleMesh nothing;
   const RayScene scene(nothing);
   double least = 1.0;
@@ -92,14 +92,14 @@ TEST(LaserModel, ReadingsAreWholeUnits) {
   }
 }
 
-TEST(LaserModel, NothingToSeeIsTheLargestReading) {
+TEST(LaserModel, NoReturnIsTheLargestReading) {
   const TriangleMesh nothing;
   const RayScene scene(nothing);
   LaserModel laser(scene, {}, 1);
   EXPECT_THAT(scan_at_rest(laser, laser_at(kMiddle)).ranges_m, testing::Each(81.91F));
 }
 
-TEST(LaserModel, WhatIsTooNearDoesNotReturn) {
+TEST(LaserModel, RangesBelowTheMinimumDoNotReturn) {
   const World world = box_tunnel({40.0, 0.3, 2.0});
   const RayScene scene(world.mesh);
   LaserModel laser(scene, perfect_laser(), 1);
@@ -111,7 +111,7 @@ TEST(LaserModel, WhatIsTooNearDoesNotReturn) {
   }
 }
 
-TEST(LaserModel, HowFarASurfaceIsSeenIsUpToItsReflectivityAndIncidence) {
+TEST(LaserModel, MaximumRangeDependsOnReflectivityAndIncidence) {
   const World world = box_tunnel({400.0, 6.0, 2.0});
   const RayScene scene(world.mesh);
   for (const int subrays : {1, 9}) {
@@ -127,7 +127,7 @@ TEST(LaserModel, HowFarASurfaceIsSeenIsUpToItsReflectivityAndIncidence) {
       const double range = 3.0 / cosine;
       const double power_share =
           reflectivity(Material::kRock) / 0.1 * cosine * 25.0 / range / range;
-      if (std::abs(power_share - 1.0) < 0.01) continue;  // what the width of a beam does to it
+      if (std::abs(power_share - 1.0) < 0.01) continue;  // effect of the width of the beam
       EXPECT_EQ(scan.ranges_m[i]<81.9F, power_share> 1.0) << i;
       merge += power_share > 1.0 ? 1 : 0;
     }
@@ -136,7 +136,7 @@ TEST(LaserModel, HowFarASurfaceIsSeenIsUpToItsReflectivityAndIncidence) {
   }
 }
 
-TEST(LaserModel, WaterSwallowsTheBeam) {
+TEST(LaserModel, WaterGivesNoReturn) {
   const World world = box_tunnel({40.0, 40.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kWater, Material::kWater, "water");
     builder.box(level_box({0.0, 0.0, 0.1}, {20.0, 20.0, 0.1}));
@@ -148,12 +148,12 @@ TEST(LaserModel, WaterSwallowsTheBeam) {
     LaserModel laser(scene, params, 1);
     const LaserScan scan = scan_at_rest(laser, laser_at(kMiddle, 0.0, 0.5));
     EXPECT_FLOAT_EQ(scan.ranges_m[180], 8.191F);
-    // 1 − 0.15 = 0.85 above the water, which they meet 3.5 m away.
+    // The laser is 1 − 0.15 = 0.85 m above the water, which the beams hit at 3.5 m.
     EXPECT_FLOAT_EQ(scan.ranges_m[90], 8.191F);
   }
 }
 
-TEST(LaserModel, ABeamKeepsItsNoiseWhereTheWorldChangesElsewhere) {
+TEST(LaserModel, NoiseOfABeamDoesNotDependOnOtherBeams) {
   const auto scan_of = [](const World& world, std::uint64_t seed) {
     const RayScene scene(world.mesh);
     LaserModel laser(scene, {}, seed);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A post in front of a wall, seen by beams that have a width.
+// A post in front of a wall, measured by beams of finite width.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPost = 2.9;       // from the laser to its face [m]
 constexpr double kPostHalf = 0.1;   // of its width [m]
-constexpr double kOuterBeam = 0.5;  // up to which angle the wall is seen [rad]
+constexpr double kOuterBeam = 0.5;  // limit of the wall [rad]
 
 World post_before_wall(double wall_m) {
   return box_tunnel({40.0, 40.0, 2.0}, [wall_m](MeshBuilder& builder) {
@@ -29,7 +29,7 @@ struct Counts {
   int between = 0;
 };
 
-/// Checks the beams that meet one surface only, and counts what those at the edges say.
+/// Checks the beams that hit one surface only, and classifies those at the edges.
 Counts scan_edge(double wall_m) {
   const World world = post_before_wall(wall_m);
   const RayScene scene(world.mesh);
@@ -47,7 +47,7 @@ Counts scan_edge(double wall_m) {
       const double to_post = kPost / std::cos(angle);
       const double to_wall = wall_m / std::cos(angle);
       const double range = scan.ranges_m[i];
-      // Over the width of a beam the range to a slanting wall differs; the mean is this near.
+      // The range to an oblique wall varies over the width of a beam; the mean is within this.
       const double near = 0.001;
       if (std::abs(angle) + half_width < edge) {
         EXPECT_NEAR(range, to_post, near) << angle;
@@ -70,7 +70,7 @@ TEST(MixedPixels, AppearAtEdgesOnly) {
   EXPECT_GT(edges.between, 10);
 }
 
-TEST(MixedPixels, AreNotBetweenSurfacesFartherApartThanAPulse) {
+TEST(MixedPixels, DoNotAppearBetweenSurfacesFartherApartThanAPulse) {
   const Counts edges = scan_edge(kPost + 0.6);
   EXPECT_EQ(edges.between, 0);
   EXPECT_GT(edges.post, 0);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStep = 0.01;
 
-/// Runs for a time and checks that rate, acceleration and the goal are kept.
+/// Runs for a time and checks the limits of rate and acceleration and the goal.
 void run(TiltActuator& tilt, double seconds, double goal_rad, double rate_max_rad_s) {
   const TiltParams params;
   const double side = goal_rad - tilt.angle_rad();
@@ -30,7 +30,7 @@ void run(TiltActuator& tilt, double seconds, double goal_rad, double rate_max_ra
   }
 }
 
-TEST(TiltActuator, ArrivesWhenATrapezoidDoesAndStays) {
+TEST(TiltActuator, FollowsATrapezoidalRateProfileAndHoldsTheGoal) {
   TiltActuator tilt({});
   tilt.command({0, 0.4, 0.5});
   run(tilt, 1.04, 0.4, 0.5);
@@ -42,7 +42,7 @@ TEST(TiltActuator, ArrivesWhenATrapezoidDoesAndStays) {
   EXPECT_EQ(tilt.angle_rad(), 0.4);
 }
 
-TEST(TiltActuator, AShortWayIsATriangle) {
+TEST(TiltActuator, AShortMotionHasATriangularRateProfile) {
   TiltActuator tilt({});
   tilt.command({0, -0.02, 0.5});
   run(tilt, 0.1, -0.02, 0.5);  // half of 2 √(0.02 / 2) = 0.2 s
@@ -52,7 +52,7 @@ TEST(TiltActuator, AShortWayIsATriangle) {
   EXPECT_EQ(tilt.angle_rad(), -0.02);
 }
 
-TEST(TiltActuator, KeepsToTheRateOfTheCommandAndOfTheMotor) {
+TEST(TiltActuator, KeepsTheRateLimitsOfCommandAndMotor) {
   TiltActuator slow({});
   slow.command({0, 0.4, 0.1});
   run(slow, 4.2, 0.4, 0.1);
@@ -63,7 +63,7 @@ TEST(TiltActuator, KeepsToTheRateOfTheCommandAndOfTheMotor) {
   EXPECT_EQ(fast.angle_rad(), 0.4);
 }
 
-TEST(TiltActuator, TurnsRoundOnTheWay) {
+TEST(TiltActuator, ReversesDuringAMotion) {
   TiltActuator tilt({});
   tilt.command({0, 0.4, 0.5});
   tilt.advance(0.5);
@@ -99,7 +99,7 @@ TEST(TiltActuator, StaysWithinItsAngles) {
   EXPECT_EQ(tilt.angle_rad(), -0.524);
 }
 
-TEST(TiltActuator, IgnoresWhatMakesNoSense) {
+TEST(TiltActuator, IgnoresInvalidCommands) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInf = std::numeric_limits<double>::infinity();
   for (const TiltCommand& odd :

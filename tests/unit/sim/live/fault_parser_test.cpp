@@ -34,7 +34,7 @@ TEST(FaultParser, HasKindTargetAmountAndTime) {
   EXPECT_EQ(parse_fault("kill:scan_matching@60").target, "scan_matching");
 }
 
-TEST(FaultParser, SaysWhatIsWrong) {
+TEST(FaultParser, ReportsInvalidFaults) {
   EXPECT_THAT(error_of("laser_dies:front"), HasSubstr("no time"));
   EXPECT_THAT(error_of("laser_dies:front@soon"), HasSubstr("'soon' is no number"));
   EXPECT_THAT(error_of("laser_dies:front@-1"), HasSubstr("before the start"));
@@ -50,7 +50,7 @@ TEST(FaultParser, SaysWhatIsWrong) {
   EXPECT_THAT(error_of(""), HasSubstr("no time"));
 }
 
-TEST(FaultParser, ProcessesCannotBeFaultedWhereThereAreNone) {
+TEST(FaultParser, RejectsProcessFaultsInASingleProcess) {
   reject_process_faults({parse_fault("laser_dies:front@20"), parse_fault("packet_loss=0.1@5")});
   EXPECT_THROW(reject_process_faults({parse_fault("kill:mapping@1")}), std::invalid_argument);
   EXPECT_THROW(reject_process_faults({parse_fault("suspend:mapping@1")}), std::invalid_argument);

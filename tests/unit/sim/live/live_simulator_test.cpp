@@ -54,14 +54,14 @@ class LiveSimulatorTest : public testing::Test {
   std::vector<std::int64_t> times_;  // that were sent, since the start
 };
 
-TEST_F(LiveSimulatorTest, RunsUntilItsTimeIsUp) {
+TEST_F(LiveSimulatorTest, RunsForItsDuration) {
   LiveSimulator simulator = this->simulator({});
   while (!simulator.done()) simulator.advance(0);
   EXPECT_EQ(times_.size(), 21U);  // each 50 ms, the start as well
   EXPECT_EQ(times_.back(), kSecond);
 }
 
-TEST_F(LiveSimulatorTest, GoesNoFartherThanTheStagesAllowThatItWaitsFor) {
+TEST_F(LiveSimulatorTest, WaitsForTheSelectedStages) {
   LiveSimulator simulator = this->simulator({"mapping"});
   const auto advance = [&] {
     for (int i = 0; i < 100; ++i) simulator.advance(0);
@@ -71,7 +71,7 @@ TEST_F(LiveSimulatorTest, GoesNoFartherThanTheStagesAllowThatItWaitsFor) {
   answer(kStart);
   advance();
   EXPECT_EQ(times_.back(), kAheadMaxUs);
-  answer(kStart + kSecond);  // of what it has not said: another simulator is answered
+  answer(kStart + kSecond);  // of a time that it has not published: an answer to another simulator
   advance();
   EXPECT_EQ(times_.back(), kAheadMaxUs);
   answer(kStart + kAheadMaxUs);
@@ -79,14 +79,14 @@ TEST_F(LiveSimulatorTest, GoesNoFartherThanTheStagesAllowThatItWaitsFor) {
   EXPECT_EQ(times_.back(), 2 * kAheadMaxUs);
 }
 
-TEST_F(LiveSimulatorTest, RepeatsTheTimeForAStageThatComesLate) {
+TEST_F(LiveSimulatorTest, RepeatsTheTimeForAStageThatStartsLate) {
   LiveSimulator simulator = this->simulator({"mapping"});
   times_.clear();
   for (int ms = 1; ms <= 1100; ++ms) simulator.advance(kSecond + ms * 1000);
   EXPECT_THAT(times_, ElementsAre(0, 0, 0));  // twice a second
 }
 
-TEST_F(LiveSimulatorTest, RecordsAllThatIsOnTheBusInOrder) {
+TEST_F(LiveSimulatorTest, RecordsAllMessagesInOrder) {
   const test::ScratchFolder scratch;
   LiveRunOptions options = options_waiting_for({});
   options.record = scratch / "run.lcmlog";
@@ -111,7 +111,7 @@ TEST_F(LiveSimulatorTest, RecordsAllThatIsOnTheBusInOrder) {
   EXPECT_EQ(log.events().back().utime, kStart + kSecond);
 }
 
-TEST_F(LiveSimulatorTest, NamesAStageThatDoesNotAnswer) {
+TEST_F(LiveSimulatorTest, ReportsAStageThatDoesNotAnswer) {
   LiveSimulator simulator = this->simulator({"mapping"});
   testing::internal::CaptureStderr();
   simulator.advance(0);
@@ -119,7 +119,7 @@ TEST_F(LiveSimulatorTest, NamesAStageThatDoesNotAnswer) {
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("waiting for mapping"));
 }
 
-TEST(ProgressLine, SaysHowItGoes) {
+TEST(ProgressLine, ReportsTheStateOfTheRun) {
   const VehicleState driving{kStart, 0.4, 0.0, 0.9, false, false};
   EXPECT_EQ(progress_line(83.42, 7.94, {kStart, 31.24, ""}, driving),
             "83.4 s simulated, 7.9 x real time, 31.2 m, driving");

@@ -17,12 +17,12 @@ constexpr std::int64_t kSecond = 1'000'000;
 constexpr std::int64_t kAheadMaxUs = 200'000;  // the default
 constexpr std::int64_t kStep = 10'000;
 
-TEST(Pacing, GoesAsFastAsItCanWhereNobodyAsksForMore) {
+TEST(Pacing, IsUnlimitedByDefault) {
   Pacing pacing({});
   for (int i = 0; i < 1000; ++i) EXPECT_EQ(pacing.decide(kStart + i * kStep, 0).kind, Kind::kStep);
 }
 
-TEST(Pacing, KeepsToRealTimeTimesTheFactor) {
+TEST(Pacing, FollowsScaledRealTime) {
   Pacing pacing({.factor = 4.0, .wait_for = {}});
   EXPECT_EQ(pacing.decide(kStart, 77).kind, Kind::kStep);
   const auto early = pacing.decide(kStart + kStep, 77 + 500);
@@ -31,7 +31,7 @@ TEST(Pacing, KeepsToRealTimeTimesTheFactor) {
   EXPECT_EQ(pacing.decide(kStart + kStep, 77 + kStep / 4).kind, Kind::kStep);
 }
 
-TEST(Pacing, MakesUpForALittleDelayAndNotForALongOne) {
+TEST(Pacing, CatchesUpShortDelaysOnly) {
   Pacing pacing({.factor = 1.0, .wait_for = {}});
   EXPECT_EQ(pacing.decide(kStart, 0).kind, Kind::kStep);
   EXPECT_EQ(pacing.decide(kStart + kStep, 50'000).kind, Kind::kStep);  // 40 ms late
@@ -51,20 +51,20 @@ TEST(Pacing, DoesNotBeginBeforeAllStagesHaveAnswered) {
   EXPECT_EQ(pacing.decide(kStart + kStep, 0).kind, Kind::kStep);
 }
 
-TEST(Pacing, DoesNotWaitForAStageThatItGaveUp) {
+TEST(Pacing, DoesNotWaitForAnExcludedStage) {
   Pacing pacing({.factor = {}, .wait_for = {"mapping", "scan_matching"}});
   pacing.done("mapping", kStart);
   pacing.done("scan_matching", kStart);
   EXPECT_EQ(pacing.decide(kStart + kSecond, 0).kind, Kind::kWaitForStages);
   pacing.exclude("mapping", kStart + kStep);
   pacing.exclude("nobody", kStart + kStep);
-  pacing.done("mapping", kStart + kStep);  // its last answer, which was on its way
+  pacing.done("mapping", kStart + kStep);  // its last answer, which was in transit
   pacing.done("scan_matching", kStart + kSecond);
   EXPECT_EQ(pacing.decide(kStart + kSecond, 0).kind, Kind::kStep);
   EXPECT_THAT(pacing.newly_timed_out(100 * kSecond), IsEmpty());
 }
 
-TEST(Pacing, WaitsAgainForAStageThatItGaveUpOnceItAnswers) {
+TEST(Pacing, WaitsAgainForAnExcludedStageOnceItAnswers) {
   Pacing pacing({.factor = {}, .wait_for = {"mapping"}, .outage_max_s = {}});
   pacing.done("mapping", kStart);
   pacing.exclude("mapping", kStart);
@@ -74,7 +74,7 @@ TEST(Pacing, WaitsAgainForAStageThatItGaveUpOnceItAnswers) {
   EXPECT_EQ(pacing.decide(kStart + 101 * kSecond, 0).kind, Kind::kWaitForStages);
 }
 
-TEST(Pacing, DoesWithoutAStageThatItGaveUpForAsLongAsItMay) {
+TEST(Pacing, ExcludesAStageForTheMaximumOutage) {
   Pacing pacing({.factor = {}, .wait_for = {"mapping"}, .outage_max_s = 10.0});
   pacing.done("mapping", kStart);
   pacing.exclude("mapping", kStart + kSecond);
@@ -85,7 +85,7 @@ TEST(Pacing, DoesWithoutAStageThatItGaveUpForAsLongAsItMay) {
   EXPECT_EQ(pacing.decide(kStart + 11 * kSecond + kStep, 0).kind, Kind::kStep);
 }
 
-TEST(Pacing, IsNeverFartherAheadOfTheSlowestThanItMay) {
+TEST(Pacing, LimitsTheLeadOverTheSlowestStage) {
   Pacing pacing({.factor = {}, .wait_for = {"mapping", "scan_matching"}});
   pacing.done("mapping", kStart + kSecond);
   pacing.done("scan_matching", kStart);
@@ -95,7 +95,7 @@ TEST(Pacing, IsNeverFartherAheadOfTheSlowestThanItMay) {
   EXPECT_EQ(pacing.decide(kStart + kAheadMaxUs + kStep, 0).kind, Kind::kStep);
 }
 
-TEST(Pacing, WaitsForClockAndStagesBoth) {
+TEST(Pacing, WaitsForClockAndStages) {
   Pacing pacing({.factor = 1.0, .wait_for = {"mapping"}});
   pacing.done("mapping", kStart);
   EXPECT_EQ(pacing.decide(kStart, 0).kind, Kind::kStep);
@@ -103,7 +103,7 @@ TEST(Pacing, WaitsForClockAndStagesBoth) {
   EXPECT_EQ(pacing.decide(kStart + kSecond, 2 * kSecond).kind, Kind::kWaitForStages);
 }
 
-TEST(Pacing, LetsAnswersThroughThatAreOldOrOfOthers) {
+TEST(Pacing, IgnoresOldAnswersAndThoseOfOtherStages) {
   Pacing pacing({.factor = {}, .wait_for = {"mapping"}});
   pacing.done("mapping", kStart + kSecond);
   pacing.done("mapping", kStart);
@@ -111,7 +111,7 @@ TEST(Pacing, LetsAnswersThroughThatAreOldOrOfOthers) {
   EXPECT_EQ(pacing.decide(kStart + kSecond + kStep, 0).kind, Kind::kStep);
 }
 
-TEST(Pacing, NamesAStageThatIsStaleOnceAndAgainAfterItAnswered) {
+TEST(Pacing, ReportsAStaleStageOnceUntilItAnswers) {
   Pacing pacing({.factor = {}, .wait_for = {"mapping", "scan_matching"}});
   pacing.done("scan_matching", kStart);
   EXPECT_EQ(pacing.decide(kStart + kStep, 0).kind, Kind::kWaitForStages);
@@ -125,7 +125,7 @@ TEST(Pacing, NamesAStageThatIsStaleOnceAndAgainAfterItAnswered) {
               ElementsAre("mapping", "scan_matching"));
 }
 
-TEST(Pacing, IsAsFarAheadOfAStageAsItMayBeAndNoFarther) {
+TEST(Pacing, UsesTheCompleteLeadOverAStage) {
   Pacing pacing({.factor = {}, .wait_for = {"mapping"}, .ahead_max_s = 0.1});
   pacing.done("mapping", kStart);
   EXPECT_EQ(pacing.decide(kStart + 100'000, 0).kind, Kind::kStep);

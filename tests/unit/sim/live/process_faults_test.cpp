@@ -21,7 +21,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Processes that do nothing, with executables of any name.
+/// Idle processes with executables of any name.
 class ProcessFaultsTest : public testing::Test {
  protected:
   void TearDown() override {
@@ -67,7 +67,7 @@ class ProcessFaultsTest : public testing::Test {
   std::vector<pid_t> orphans_;
 
  private:
-  /// Returns when the executable runs: its end of the pipe closes as it does.
+  /// Returns when the executable runs: its end of the pipe closes on exec.
   static pid_t start_child(const std::string& path) {
     std::array<int, 2> pipe_ends{};
     EXPECT_EQ(pipe2(pipe_ends.data(), O_CLOEXEC), 0);
@@ -84,20 +84,20 @@ class ProcessFaultsTest : public testing::Test {
   }
 };
 
-TEST_F(ProcessFaultsTest, AreFoundByTheNameOfTheirExecutable) {
+TEST_F(ProcessFaultsTest, FindProcessesByTheNameOfTheirExecutable) {
   const pid_t mapping = start("adit-mapping");
   start("adit-mapping2");
   start("sleep");
   EXPECT_THAT(descendants_named(getpid(), "adit-mapping"), ElementsAre(mapping));
 }
 
-TEST_F(ProcessFaultsTest, AreNotFoundAmongStrangers) {
+TEST_F(ProcessFaultsTest, IgnoreProcessesThatAreNotDescendants) {
   const pid_t orphan = start_orphan("adit-mapping");
-  EXPECT_EQ(kill(orphan, 0), 0);  // it lives
+  EXPECT_EQ(kill(orphan, 0), 0);  // it still exists
   EXPECT_THAT(descendants_named(getpid(), "adit-mapping"), IsEmpty());
 }
 
-TEST_F(ProcessFaultsTest, AreStartedByWhoIsAboveTheirWatcher) {
+TEST_F(ProcessFaultsTest, FindTheStarterAboveAWatcher) {
   const std::string shell = folder_ / "adit-watch";
   std::filesystem::copy_file("/bin/sh", shell);
   started_.push_back(fork());
@@ -118,7 +118,7 @@ TEST_F(ProcessFaultsTest, AreStartedByWhoIsAboveTheirWatcher) {
 }
 
 /// A process that signals its siblings, as the simulator does.
-TEST_F(ProcessFaultsTest, OnlySiblingsOfTheNameGetTheSignal) {
+TEST_F(ProcessFaultsTest, SignalSiblingsOfTheNameOnly) {
   const pid_t victim = start("adit-mapping");
   const pid_t other = start("adit-scan_matching");
   const pid_t orphan = start_orphan("adit-mapping");

@@ -16,18 +16,18 @@ namespace {
 
 constexpr int kSeconds = 1;
 
-TEST(ChildProcess, GivesWhatTheWorkReturns) {
+TEST(ChildProcess, ReturnsTheResultOfTheWork) {
   EXPECT_EQ(run_in_child_process([] { return Bytes(300'000, 7); }, kSeconds), Bytes(300'000, 7));
   EXPECT_EQ(run_in_child_process([] { return Bytes(); }, kSeconds), Bytes());
 }
 
-TEST(ChildProcess, ThrowsWhatTheWorkThrows) {
+TEST(ChildProcess, RethrowsAnErrorOfTheWork) {
   const auto work = []() -> Bytes { throw std::invalid_argument("no such thing"); };
   EXPECT_THAT([&] { run_in_child_process(work, kSeconds); },
               testing::ThrowsMessage<std::runtime_error>("no such thing"));
 }
 
-TEST(ChildProcess, SurvivesACrash) {
+TEST(ChildProcess, ReportsACrash) {
   const auto work = []() -> Bytes {
     std::signal(SIGSEGV, SIG_DFL);  // a sanitizer would report it at length
     std::raise(SIGSEGV);
@@ -37,7 +37,7 @@ TEST(ChildProcess, SurvivesACrash) {
               testing::ThrowsMessage<ChildProcessError>("its reader crashed"));
 }
 
-TEST(ChildProcess, EndsWhatTakesTooLong) {
+TEST(ChildProcess, KillsWorkBeyondTheTimeLimit) {
   const auto work = []() -> Bytes {
     for (volatile bool forever = true; forever;) {
     }
@@ -47,7 +47,7 @@ TEST(ChildProcess, EndsWhatTakesTooLong) {
               testing::ThrowsMessage<ChildProcessError>("it takes too long to read"));
 }
 
-TEST(ChildProcess, AMeshComesAcrossAsItIs) {
+TEST(ChildProcess, TransfersAMeshUnchanged) {
   const TriangleMesh mesh = box_tunnel().mesh;
   const TriangleMesh same =
       mesh_from_bytes(run_in_child_process([&] { return to_bytes(mesh); }, kSeconds));

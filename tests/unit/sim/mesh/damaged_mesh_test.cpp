@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Mesh files damaged at random. They are no target of the fuzzing program: each is read in a
-// process of its own, which takes milliseconds.
+// Randomly damaged mesh files. They are not a target of the fuzzing program, since each is read in
+// its own process, which takes milliseconds.
 #include <fstream>
 #include <stdexcept>
 #include <string>

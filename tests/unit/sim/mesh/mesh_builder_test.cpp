@@ -7,7 +7,7 @@
 namespace adit {
 namespace {
 
-TEST(MeshBuilder, ANameThatIsTakenGetsANumber) {
+TEST(MeshBuilder, NumbersDuplicateNames) {
   MeshBuilder builder;
   for (const char* name : {"post", "post_2", "post", "post"}) {
     builder.begin_part(PartKind::kPost, Material::kTimber, name);
@@ -19,7 +19,7 @@ TEST(MeshBuilder, ANameThatIsTakenGetsANumber) {
   EXPECT_EQ(parts[3].name, "post_4");
 }
 
-TEST(MeshBuilder, TheCurrentPartTakesOverWhatIsChosen) {
+TEST(MeshBuilder, ReassignsSelectedTriangles) {
   MeshBuilder builder;
   builder.begin_part(PartKind::kFloor, Material::kRock, "floor");
   for (const float x : {0.0F, 10.0F}) {

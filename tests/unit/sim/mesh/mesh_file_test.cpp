@@ -64,7 +64,7 @@ TEST_F(MeshFile, ReadsAPlyAndSplitsItsPolygons) {
   EXPECT_EQ(mesh.triangles.size(), 2U);
 }
 
-TEST_F(MeshFile, ReadsADaeWithTheAxesAndPlacesOfItsNodes) {
+TEST_F(MeshFile, ReadsADaeWithTheAxesAndTransformsOfItsNodes) {
   const TriangleMesh mesh = load_mesh_file(write("a.dae", R"(<?xml version="1.0"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
   <asset><up_axis>Z_UP</up_axis></asset>
@@ -96,13 +96,13 @@ TEST_F(MeshFile, ScalesAndTurnsTheAxisUp) {
   EXPECT_EQ(first(1.0, 'x'), Eigen::Vector3f(2.0F, 3.0F, 1.0F));
 }
 
-TEST_F(MeshFile, SaysThatThereIsNone) {
+TEST_F(MeshFile, ReportsAMissingFile) {
   EXPECT_THAT(error_of(scratch_ / "none.obj"), StartsWith("there is no mesh file"));
   std::filesystem::create_directory(scratch_ / "folder.obj");
   EXPECT_THAT(error_of(scratch_ / "folder.obj"), StartsWith("there is no mesh file"));
 }
 
-TEST_F(MeshFile, SaysThatItIsNoMesh) {
+TEST_F(MeshFile, ReportsAFileThatIsNotAMesh) {
   EXPECT_THAT(error_of(write("empty.obj", "")), HasSubstr("is empty"));
   EXPECT_NE(error_of(write("text.obj", "Dear reader,\nthis is a letter.\n")), "");
   EXPECT_THAT(error_of(write("text.ply", "Dear reader")), HasSubstr("is not a mesh"));
@@ -111,7 +111,7 @@ TEST_F(MeshFile, SaysThatItIsNoMesh) {
   EXPECT_NE(error_of(write("points.obj", kSquare)), "");
 }
 
-TEST_F(MeshFile, SurvivesBytesOfChance) {
+TEST_F(MeshFile, SurvivesRandomBytes) {
   std::mt19937_64 random(1);
   for (const char* name : {"a.obj", "a.ply", "a.dae", "a.stl", "a.glb"}) {
     std::string bytes(5000, '\0');
@@ -120,7 +120,7 @@ TEST_F(MeshFile, SurvivesBytesOfChance) {
   }
 }
 
-TEST_F(MeshFile, LeavesOutTrianglesWithoutArea) {
+TEST_F(MeshFile, DropsTrianglesWithoutArea) {
   const auto file = write("a.obj", std::string(kSquare) + "f 1 2 3\nf 1 1 2\nf 3 3 3\nf 1 3 4\n");
   const TriangleMesh mesh = load_mesh_file(file);
   EXPECT_EQ(mesh.triangles.size(), 2U);
@@ -128,7 +128,7 @@ TEST_F(MeshFile, LeavesOutTrianglesWithoutArea) {
               HasSubstr("no triangle with an area"));
 }
 
-TEST_F(MeshFile, LeavesOutCornersThatAreNoNumbers) {
+TEST_F(MeshFile, DropsVerticesThatAreNotFinite) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
   std::string text =
@@ -149,7 +149,7 @@ TEST_F(MeshFile, LeavesOutCornersThatAreNoNumbers) {
   EXPECT_TRUE(scene.cast({{5.0F, 2.0F, 3.0F}, {0.0F, 0.0F, -1.0F}}, 10.0F));
 }
 
-TEST_F(MeshFile, DoesNotBelieveASizeThatNoMineHas) {
+TEST_F(MeshFile, RejectsAnImplausibleSize) {
   const std::string text = std::string(kSquare) + "f 1 2 3\n";
   const auto file = write("a.obj", text);
   EXPECT_THAT(error_of(file, {0.001, 'z'}), HasSubstr("scale"));

@@ -33,13 +33,13 @@ TEST(MeshSlice, OfABoxIsItsRectangle) {
   }
 }
 
-TEST(MeshSlice, AboveAndBelowIsNothing) {
+TEST(MeshSlice, AboveAndBelowIsEmpty) {
   const World world = box_tunnel();
   EXPECT_TRUE(slice(world.mesh, -0.1).empty());
   EXPECT_TRUE(slice(world.mesh, 2.1).empty());
 }
 
-TEST(MeshSlice, WhatStandsInItHasItsOwnLoop) {
+TEST(MeshSlice, ObjectsHaveTheirOwnLoops) {
   const World world = box_tunnel({}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kCrib, Material::kTimber, "crib");
     builder.box(level_box({3.0, 0.0, 1.0}, {1.0, 0.5, 1.9}));
@@ -49,14 +49,14 @@ TEST(MeshSlice, WhatStandsInItHasItsOwnLoop) {
   EXPECT_NEAR(std::min(area(loops[0]), area(loops[1])), 0.5, 1e-5);
 }
 
-TEST(MeshSlice, LeavesOutWhatDoesNotClose) {
+TEST(MeshSlice, DropsOpenLines) {
   World world = box_tunnel();
   world.mesh.triangles.pop_back();  // of a wall
   world.mesh.triangle_parts.pop_back();
   EXPECT_TRUE(slice(world.mesh, 0.6).empty());
 }
 
-TEST(MeshSlice, VerticesAtOnePlaceAreOne) {
+TEST(MeshSlice, MergesCoincidentVertices) {
   const World world = box_tunnel();
   TriangleMesh soup;
   for (const TriangleMesh::Triangle& triangle : world.mesh.triangles) {
@@ -67,7 +67,7 @@ TEST(MeshSlice, VerticesAtOnePlaceAreOne) {
   ASSERT_EQ(slice(soup, 0.6).size(), 1U);
 }
 
-TEST(MeshSlice, PassesThroughVerticesAndOverWhatIsNoNumber) {
+TEST(MeshSlice, HandlesVerticesOnThePlaneAndNotFiniteOnes) {
   World world = box_tunnel();
   const auto n = static_cast<std::uint32_t>(world.mesh.vertices.size());
   world.mesh.vertices.emplace_back(std::numeric_limits<float>::quiet_NaN(), 0.0F, 0.0F);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes that somebody made a mistake with.
+// Invalid meshes.
 #include <fstream>
 #include <stdexcept>
 
@@ -38,7 +38,7 @@ class OddMesh : public testing::Test {
   test::ScratchFolder scratch_;
 };
 
-TEST_F(OddMesh, AnnouncedInMillionsIsRejectedBeforeItFillsTheMemory) {
+TEST_F(OddMesh, AnnouncingMillionsOfElementsIsRejected) {
   const auto one_line = AllOf(HasSubstr("announces"), Not(HasSubstr("\n")));
   EXPECT_THAT(error_of("a.ply",
                        "ply\nformat ascii 1.0\nelement vertex 3000000000\nproperty float x\n"
@@ -54,18 +54,18 @@ TEST_F(OddMesh, AnnouncedInMillionsIsRejectedBeforeItFillsTheMemory) {
               one_line);
 }
 
-TEST_F(OddMesh, OfAHeaderWithoutEndIsRejectedBeforeItsEndIsLookedForForEver) {
+TEST_F(OddMesh, WithAnUnterminatedHeaderIsRejected) {
   const std::string header = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n";
   EXPECT_THAT(error_of("a.ply", header), HasSubstr("no end"));
   EXPECT_THAT(error_of("a.ply", header + "end_headi\xf4\x7f\n-8 -"), HasSubstr("none of a PLY"));
 }
 
-TEST_F(OddMesh, OfWrongXmlIsRejected) {
+TEST_F(OddMesh, OfInvalidXmlIsRejected) {
   EXPECT_NE(error_of("a.dae", "<?xml version=\"1.0\"?><COLLADA><mesh></COLLADA>"), "");
   EXPECT_NE(error_of("b.dae", "<?xml version=\"1.0\"?><html><body/></html>"), "");
 }
 
-TEST_F(OddMesh, WithIndicesOutOfRangeIsRejectedOrLeavesThemOut) {
+TEST_F(OddMesh, WithIndicesOutOfRangeIsRejectedOrDropsThem) {
   const std::string corners = "v 0 0 0\nv 10 0 0\nv 10 10 0\n";
   for (const char* face : {"f 1 2 9\n", "f 0 1 2\n", "f -9 1 2\n", "f 1 2 99999999999\n"}) {
     try {
@@ -85,7 +85,7 @@ TEST_F(OddMesh, OfAHundredThousandTrianglesInOnePlaceIsRead) {
   EXPECT_TRUE(scene.cast({{5.0F, 2.0F, 3.0F}, {0.0F, 0.0F, -1.0F}}, 10.0F));
 }
 
-TEST(MeshBuilder, NumbersNamesThatAreAskedForThousandsOfTimes) {
+TEST(MeshBuilder, NumbersThousandsOfDuplicateNames) {
   MeshBuilder builder;
   for (int i = 0; i < 50'000; ++i) {
     builder.begin_part(PartKind::kPost, Material::kTimber, i == 3 ? "post_5" : "post");
@@ -96,7 +96,7 @@ TEST(MeshBuilder, NumbersNamesThatAreAskedForThousandsOfTimes) {
   EXPECT_EQ(builder.mesh().parts.back().name, "post_50000");
 }
 
-TEST(MeshBuilder, RejectsMoreThanFitsIntoTheMemory) {
+TEST(MeshBuilder, RejectsMoreThanTheLimits) {
   MeshBuilder builder;
   EXPECT_THROW(builder.reserve(0, MeshBuilder::kTrianglesMax + 1), std::invalid_argument);
   EXPECT_THROW(builder.reserve(MeshBuilder::kTrianglesMax + 1, 0), std::invalid_argument);

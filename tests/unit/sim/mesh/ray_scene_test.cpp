@@ -21,7 +21,7 @@ Ray ray(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
   return {origin.cast<float>(), direction.normalized().cast<float>()};
 }
 
-TEST(RayScene, MeetsTheNearestSurface) {
+TEST(RayScene, HitsTheNearestSurface) {
   const World world = box_tunnel({40.0, 4.0, 2.0});
   const RayScene scene(world.mesh);
   const auto wall = scene.cast(ray({0.0, 0.5, 1.0}, {0.0, 1.0, 0.0}), kFar);
@@ -36,14 +36,14 @@ TEST(RayScene, MeetsTheNearestSurface) {
   EXPECT_EQ(world.mesh.part_of(floor->triangle).kind, PartKind::kFloor);
 }
 
-TEST(RayScene, SeesNothingBeyondTheRange) {
+TEST(RayScene, HitsNothingBeyondTheRange) {
   const World world = box_tunnel();
   const RayScene scene(world.mesh);
   EXPECT_FALSE(scene.cast(ray({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}), 19.0F));
   EXPECT_TRUE(scene.cast(ray({0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}), 21.0F));
 }
 
-TEST(RayScene, ManyRaysAtOnceMeetWhatEachMeets) {
+TEST(RayScene, BatchesOfRaysAgreeWithSingleRays) {
   const World world = box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kPost, Material::kTimber, "post");
     builder.bar({3.0, 1.0, 0.0}, {3.0, 1.0, 2.0}, 0.1);
@@ -66,7 +66,7 @@ TEST(RayScene, ManyRaysAtOnceMeetWhatEachMeets) {
   }
 }
 
-TEST(RayScene, NoRayOfAFanGetsLost) {
+TEST(RayScene, MissesNoRayOfAFan) {
   const TriangleMesh mesh = rough_mine();
   const RayScene scene(mesh);
   std::vector<RayHit> hits(361);
@@ -86,7 +86,7 @@ TEST(RayScene, NoRayOfAFanGetsLost) {
   }
 }
 
-TEST(RayScene, WaterIsThereForLightOnly) {
+TEST(RayScene, WaterIsInTheOpticalLayerOnly) {
   const World world = box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kWater, Material::kWater, "water");
     builder.box(level_box({0.0, 0.0, 0.3}, {4.0, 4.0, 0.2}));
@@ -107,7 +107,7 @@ TEST(RayScene, WaterIsThereForLightOnly) {
   EXPECT_THAT(scene.touching(level_box({0.0, 0.0, 0.3}, {1.0, 1.0, 0.4})), testing::IsEmpty());
 }
 
-TEST(RayScene, FindsWhatABoxTouches) {
+TEST(RayScene, FindsTheTrianglesThatABoxTouches) {
   const World world = box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kCable, Material::kSteel, "cable");
     builder.bar({5.0, -2.0, 1.0}, {5.0, 2.0, 1.0}, 0.015);
@@ -121,7 +121,7 @@ TEST(RayScene, FindsWhatABoxTouches) {
   }
 }
 
-TEST(RayScene, AnEmptyMeshIsASceneOfNothing) {
+TEST(RayScene, AcceptsAnEmptyMesh) {
   const TriangleMesh nothing;
   const RayScene scene(nothing);
   EXPECT_FALSE(scene.cast(ray({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}), kFar));
@@ -131,7 +131,7 @@ TEST(RayScene, AnEmptyMeshIsASceneOfNothing) {
 }  // namespace
 namespace {
 
-/// Whether one of many points of the triangle is in the box: never true where the two are apart.
+/// Whether one of many points of the triangle is in the box: a sufficient condition for overlap.
 bool has_a_point_inside(const OrientedBox& box, const std::array<Eigen::Vector3d, 3>& triangle) {
   constexpr int kSteps = 40;
   for (int i = 0; i <= kSteps; ++i) {
@@ -170,7 +170,7 @@ TEST(BoxOverlap, AgreesWithPointsOfTheTriangle) {
   EXPECT_LT(missed, 0.15 * touching);
 }
 
-TEST(BoxOverlap, NothingTouchesACornerThatIsNoNumber) {
+TEST(BoxOverlap, IsFalseForVerticesThatAreNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   OrientedBox box;
   box.half_size = {1.0, 1.0, 1.0};

@@ -11,7 +11,7 @@ namespace {
 
 Eigen::Vector3d place(int i) { return {0.37 * i - 90.0, 40.0 - 0.23 * i, 0.11 * i}; }
 
-TEST(SmoothNoise, StaysBetweenMinusOneAndOneAndUsesTheWholeOfIt) {
+TEST(SmoothNoise, CoversTheRangeFromMinusOneToOne) {
   const SmoothNoise noise(1);
   double low = 0.0;
   double high = 0.0;
@@ -25,7 +25,7 @@ TEST(SmoothNoise, StaysBetweenMinusOneAndOneAndUsesTheWholeOfIt) {
   EXPECT_GT(high, 0.6);
 }
 
-TEST(SmoothNoise, HasNoSteps) {
+TEST(SmoothNoise, IsContinuous) {
   const SmoothNoise noise(2);
   constexpr double kStep = 1e-6;
   // Between values 2 apart along each axis the slope of the blend is 1.5 times that at most.
@@ -38,7 +38,7 @@ TEST(SmoothNoise, HasNoSteps) {
   }
 }
 
-TEST(SmoothNoise, IsTheSameForTheSameSeedAndAnotherForAnother) {
+TEST(SmoothNoise, DependsOnItsSeed) {
   int same = 0;
   for (int i = 0; i < 100; ++i) {
     EXPECT_EQ(SmoothNoise(3).in_space(place(i)), SmoothNoise(3).in_space(place(i)));
@@ -47,7 +47,7 @@ TEST(SmoothNoise, IsTheSameForTheSameSeedAndAnotherForAnother) {
   EXPECT_EQ(same, 0);
 }
 
-TEST(SmoothNoise, VariesInHeightToo) {
+TEST(SmoothNoise, VariesWithHeight) {
   const SmoothNoise noise(5);
   double change = 0.0;
   for (int i = 0; i < 100; ++i) {

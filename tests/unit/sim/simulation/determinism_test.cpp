@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The same once more, and what depends on what.
+// Reproducibility and independence of random streams.
 #include <set>
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ std::vector<std::string> bytes_of_only(const std::vector<Reading>& readings) {
 
 const Commander kRoundTrip = drive(10.0, 0.5, 0.02);
 
-TEST(Simulation, TheSameSeedAndCommandsGiveTheSameBytes) {
+TEST(Simulation, SameSeedAndCommandsGiveTheSameBytes) {
   const Site site(box_tunnel());
   const Site same(box_tunnel());
   for (const int subrays : {1, 9}) {
@@ -36,7 +36,7 @@ TEST(Simulation, TheSameSeedAndCommandsGiveTheSameBytes) {
   }
 }
 
-TEST(Simulation, AnotherSeedGivesOtherNoiseEverywhere) {
+TEST(Simulation, AnotherSeedChangesAllNoise) {
   const Site site(box_tunnel());
   const auto one = run(site, {}, 5.0, kRoundTrip, 1);
   const auto other = run(site, {}, 5.0, kRoundTrip, 2);
@@ -46,7 +46,7 @@ TEST(Simulation, AnotherSeedGivesOtherNoiseEverywhere) {
   EXPECT_NE(bytes_of_only<BodyMotion>(one), bytes_of_only<BodyMotion>(other));
 }
 
-TEST(Simulation, OneSensorDoesNotChangeWhatChanceDoesToOthers) {
+TEST(Simulation, SensorsHaveIndependentRandomStreams) {
   const Site site(box_tunnel());
   SimulationParams params;
   const auto one = run(site, params, 5.0, kRoundTrip);

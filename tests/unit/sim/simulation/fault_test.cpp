@@ -56,8 +56,7 @@ TEST(Faults, ATimeJumpMovesTheClockOfTheSensorsOnly) {
   }
 }
 
-/// Speed a second after the clock of the sensors has jumped at 2 s, under a driver that tells by
-/// that clock what time it is.
+/// Speed one second after a jump of the sensors' clock at 2 s, under a driver that uses that clock.
 double speed_after_jump(double jump_s) {
   const Site site(box_tunnel());
   Simulation simulation(site, with({{"time_jump", 2.0, "", jump_s}}), 1, kStart);
@@ -71,15 +70,15 @@ double speed_after_jump(double jump_s) {
   return simulation.vehicle().state().speed_m_s;
 }
 
-TEST(Faults, AVehicleStandsWhereTheClockOfItsDriverWentBack) {
+TEST(Faults, AVehicleStandsIfTheClockOfItsDriverJumpsBack) {
   EXPECT_EQ(speed_after_jump(-2.0), 0.0);  // expired after 0.25 s, then brakes for 0.5 s
 }
 
-TEST(Faults, AVehicleGoesOnWhereTheClockOfItsDriverIsAhead) {
+TEST(Faults, AVehicleContinuesIfTheClockOfItsDriverIsAhead) {
   EXPECT_DOUBLE_EQ(speed_after_jump(5.0), 0.4);
 }
 
-TEST(Faults, PacketLossTakesItsShareOfAllButTheTruth) {
+TEST(Faults, PacketLossDropsItsFractionOfAllButTheTruth) {
   const Site site(box_tunnel());
   const auto all = bytes_of(run(site, {}, 20.0));
   const auto rest = run(site, with({{"packet_loss", 10.0, "", 0.3}}), 20.0);
@@ -88,7 +87,7 @@ TEST(Faults, PacketLossTakesItsShareOfAllButTheTruth) {
   const double n = (static_cast<double>(all.size()) - 1020.0) / 2.0;  // that may be lost
   const double lost = static_cast<double>(all.size() - rest.size());
   EXPECT_NEAR(lost, 0.3 * n, 4.0 * std::sqrt(n * 0.3 * 0.7));  // four standard deviations
-  // What is left is as it would have been.
+  // The remaining messages are unchanged.
   auto next = all.begin();
   for (const std::string& bytes : bytes_of(rest)) {
     next = std::find(next, all.end(), bytes);
@@ -96,7 +95,7 @@ TEST(Faults, PacketLossTakesItsShareOfAllButTheTruth) {
   }
 }
 
-TEST(Faults, ALossOfNothingAndOfEverything) {
+TEST(Faults, PacketLossOfNothingAndOfEverything) {
   const Site site(box_tunnel());
   const auto rest =
       run(site, with({{"packet_loss", 1.0, "", 1.0}, {"packet_loss", 2.0, "", 0.0}}), 3.0);
@@ -108,7 +107,7 @@ TEST(Faults, ALossOfNothingAndOfEverything) {
   }
 }
 
-TEST(Faults, LostScansAreTheShareThatIsSaid) {
+TEST(Faults, LostScansAreTheConfiguredFraction) {
   const Site site(box_tunnel());
   SimulationParams params;
   params.laser.scan_loss = 0.2;
@@ -118,14 +117,14 @@ TEST(Faults, LostScansAreTheShareThatIsSaid) {
               4.0 * std::sqrt(n * 0.2 * 0.8));  // four standard deviations
 }
 
-TEST(Faults, ThoseOfProcessesDoNothingHere) {
+TEST(Faults, OfProcessesAreIgnored) {
   const Site site(box_tunnel());
   const auto readings =
       run(site, with({{"kill", 0.5, "mapping", 0.0}, {"suspend", 0.6, "mapping", 0.0}}), 1.0);
   EXPECT_EQ(bytes_of(readings), bytes_of(run(site, {}, 1.0)));
 }
 
-TEST(Faults, ThatMakeNoSenseAreRejected) {
+TEST(Faults, ThatAreInvalidAreRejected) {
   const Site site(box_tunnel());
   EXPECT_THROW(run(site, with({{"laser_dies", 1.0, "left", 0.0}}), 0.1), std::invalid_argument);
   EXPECT_THROW(run(site, with({{"packet_loss", 1.0, "", 1.5}}), 0.1), std::invalid_argument);

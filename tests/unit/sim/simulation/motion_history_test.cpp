@@ -25,7 +25,7 @@ void expect_at(const MotionHistory& history, std::int64_t utime, double seconds,
   EXPECT_NEAR(found.tilt_rad, right.tilt_rad, 1e-12);
 }
 
-TEST(MotionHistory, IsEvenBetweenMoments) {
+TEST(MotionHistory, InterpolatesLinearly) {
   MotionHistory history(state(1'000'000, 1.0, 0.0, 0.0));
   history.add(state(1'010'000, 2.0, 0.1, 0.2));
   history.add(state(1'020'000, 2.0, 0.3, 0.2));
@@ -35,14 +35,14 @@ TEST(MotionHistory, IsEvenBetweenMoments) {
   expect_at(history, 1'004'000, 0.011, state(0, 2.0, 0.2, 0.2));
 }
 
-TEST(MotionHistory, OutsideIsTheNearestMoment) {
+TEST(MotionHistory, ClampsToItsEnds) {
   MotionHistory history(state(1'000'000, 1.0, 0.0, 0.0));
   history.add(state(1'010'000, 2.0, 0.1, 0.2));
   expect_at(history, 900'000, 0.0, state(0, 1.0, 0.0, 0.0));
   expect_at(history, 1'010'000, 0.1, state(0, 2.0, 0.1, 0.2));
 }
 
-TEST(MotionHistory, KeepsWhatIsStillAskedFor) {
+TEST(MotionHistory, KeepsTheStatesThatAreStillNeeded) {
   MotionHistory history(state(0, 0.0, 0.0, 0.0));
   for (double x = 1.0; x < 10.5; ++x) {
     history.add(state(std::llround(x * 10'000.0), x, 0.0, 0.0));

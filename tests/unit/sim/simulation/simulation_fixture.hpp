@@ -15,12 +15,12 @@ namespace adit {
 
 constexpr std::int64_t kStart = 1'000'000'000'000;
 
-/// Tells a simulation what to do before a step; `seconds` count from its start.
+/// Sends commands to a simulation before a step; `seconds` count from its start.
 using Commander = std::function<void(Simulation&, double seconds)>;
 
 inline void stand(Simulation&, double) {}
 
-/// Straight on, in reverse after `turn_s`, with the lasers nodding.
+/// Straight ahead, in reverse after `turn_s`, with nodding lasers.
 inline Commander drive(double turn_s = 1e9, double speed_m_s = 0.5, double curvature_1_m = 0.0) {
   return [=](Simulation& simulation, double seconds) {
     const std::int64_t utime = simulation.utime();

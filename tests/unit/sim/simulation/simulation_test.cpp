@@ -49,7 +49,7 @@ TEST(Simulation, LasersOfOneDegreeScanTwiceAsOften) {
   EXPECT_EQ(scans.front().ranges_m.size(), 181U);
 }
 
-TEST(Simulation, LeavesOutWhatIsNotThereOrNotKept) {
+TEST(Simulation, OmitsAbsentSensorsAndDecimatedScans) {
   const Site site(box_tunnel());
   SimulationParams params;
   params.imu.present = false;
@@ -63,7 +63,7 @@ TEST(Simulation, LeavesOutWhatIsNotThereOrNotKept) {
   EXPECT_NEAR(static_cast<double>(scans[2].utime - scans[1].utime), 5.0 / 37.5 * 1e6, 1.0);
 }
 
-TEST(Simulation, ScansComeWhenTheirLastBeamIsMeasured) {
+TEST(Simulation, ScansAreDeliveredAtTheirLastBeam) {
   const Site site(box_tunnel());
   Simulation simulation(site, {}, 1, kStart);
   const double last_beam_us = (1.0 + 179.5 / 360.0) / 75.0 * 1e6;
@@ -95,7 +95,7 @@ TEST(Simulation, TheRearLaserIsHalfAPeriodBehind) {
   }
 }
 
-/// Between the moments that the truth was told.
+/// Interpolates between the published true poses.
 Eigen::Vector3d position_at(const std::vector<BodyMotion>& truth, double utime) {
   const auto after = std::find_if(truth.begin(), truth.end(), [&](const BodyMotion& motion) {
     return static_cast<double>(motion.utime) >= utime;
@@ -106,7 +106,7 @@ Eigen::Vector3d position_at(const std::vector<BodyMotion>& truth, double utime) 
   return (1.0 - share) * a.T_world_body.translation() + share * after->T_world_body.translation();
 }
 
-TEST(Simulation, BeamsLeaveFromWhereTheBodyIsAtTheirTime) {
+TEST(Simulation, BeamsStartAtThePoseOfTheBodyAtTheirTime) {
   const Site site(box_tunnel({16.0, 4.0, 2.0}));
   const auto readings = run(site, perfect_lasers(), 5.0, [](Simulation& simulation, double) {
     simulation.command(DriveCommand{simulation.utime(), 0.5, 0.0});
@@ -126,7 +126,7 @@ TEST(Simulation, BeamsLeaveFromWhereTheBodyIsAtTheirTime) {
   EXPECT_GT(checked, 180);
 }
 
-TEST(Simulation, TiltedLasersSeeTheFloorWhereTheirEncoderSays) {
+TEST(Simulation, TiltedLasersMeasureTheFloorAtTheirEncoderAngle) {
   const Site site(box_tunnel());
   Simulation simulation(site, perfect_lasers(), 1, kStart);
   for (const SimLaser laser : {SimLaser::kFront, SimLaser::kRear}) {
@@ -144,7 +144,7 @@ TEST(Simulation, TiltedLasersSeeTheFloorWhereTheirEncoderSays) {
   }
 }
 
-TEST(Simulation, GasFallsOffAsANormalDistributionDoes) {
+TEST(Simulation, GasFallsOffAsANormalDistribution) {
   World world = box_tunnel();
   world.gas = {{"pocket", {3.0, 4.0}, 5.0, 0.04}};
   const Site site(std::move(world));
@@ -154,7 +154,7 @@ TEST(Simulation, GasFallsOffAsANormalDistributionDoes) {
   EXPECT_NEAR(only<GasReading>(readings)[0].oxygen_share, 0.209 * (1.0 - share), 1e-9);
 }
 
-TEST(Simulation, AFailedRunIsToldAtOnceAndTheSensorsGoOn) {
+TEST(Simulation, AFailureIsReportedImmediatelyAndSensorsContinue) {
   const Site site(box_tunnel({8.0, 4.0, 2.0}));
   Simulation simulation(site, {}, 1, kStart);
   std::vector<RunState> failed;
@@ -178,7 +178,7 @@ TEST(Simulation, AFailedRunIsToldAtOnceAndTheSensorsGoOn) {
   EXPECT_EQ(simulation.vehicle().motion().T_world_body.translation(), there);
 }
 
-TEST(Simulation, RejectsToTakeNoReturnForARange) {
+TEST(Simulation, RejectsAMountThatAcceptsTheNoReturnReading) {
   const Site site(box_tunnel());
   SimulationParams params;
   params.laser.unit_m = 0.001;

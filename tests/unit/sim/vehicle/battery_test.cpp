@@ -17,7 +17,7 @@ constexpr double kWeightN = 680.0 * 9.81;
 constexpr double kEfficiency = 0.5;
 constexpr double kRolling = 0.15;
 
-/// Power drawn in an hour of that [W].
+/// Mean power drawn over an hour [W].
 double drawn_w(double speed_m_s, double rise) {
   VehicleModelParams params;
   params.battery_wh = kCapacityWh;
@@ -26,7 +26,7 @@ double drawn_w(double speed_m_s, double rise) {
   return (1.0 - battery.share()) * kCapacityWh;
 }
 
-TEST(Battery, DrawsWhatComputersNeedWhereItStands) {
+TEST(Battery, DrawsIdlePowerAtRest) {
   EXPECT_NEAR(drawn_w(0.0, 0.0), kIdleW, kExact);
   EXPECT_NEAR(drawn_w(0.0, 0.3), kIdleW, kExact);  // the brakes hold it
 }
@@ -37,21 +37,21 @@ TEST(Battery, DrawsAgainstRollingResistanceOnLevelGround) {
   EXPECT_NEAR(drawn_w(-0.4, 0.0), expected, kExact);
 }
 
-TEST(Battery, LiftsTheVehicleUphillInEitherDirection) {
+TEST(Battery, DrawsPowerUphillInEitherDirection) {
   const double rise = std::sin(0.2);
   const double expected = kIdleW + kWeightN * (kRolling * std::cos(0.2) + rise) * 0.4 / kEfficiency;
   EXPECT_NEAR(drawn_w(0.4, rise), expected, kExact);
   EXPECT_NEAR(drawn_w(-0.4, -rise), expected, kExact);
 }
 
-TEST(Battery, GetsNothingBackDownhill) {
+TEST(Battery, RecuperatesNothingDownhill) {
   EXPECT_NEAR(drawn_w(0.4, -0.3), kIdleW, kExact);  // steeper than it rolls by itself
   const double rise = -0.05;
   const double left = kRolling * std::sqrt(1.0 - rise * rise) + rise;
   EXPECT_NEAR(drawn_w(0.4, rise), kIdleW + kWeightN * left * 0.4 / kEfficiency, kExact);
 }
 
-TEST(Battery, IsEmptyAtItsEndAndNotBefore) {
+TEST(Battery, IsEmptyWhenItsEnergyIsDrawn) {
   VehicleModelParams params;
   params.battery_wh = kIdleW;
   Battery battery({}, params);

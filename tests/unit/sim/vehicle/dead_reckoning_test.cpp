@@ -10,7 +10,7 @@
 namespace adit {
 namespace {
 
-/// What it says after driving on without change.
+/// The reading after constant motion.
 Pose2 reckoned(DeadReckoning reckoning, double speed_m_s, double curvature_1_m, double seconds,
                double step_s = 0.01) {
   const long steps = std::lround(seconds / step_s);
@@ -35,7 +35,7 @@ TEST(DeadReckoning, ScalesDistanceAndTurn) {
   EXPECT_NEAR(bend.y, radius * (1.0 - std::cos(0.97)), 1e-9);
 }
 
-TEST(DeadReckoning, KnowsHowTheVehicleIsSteered) {
+TEST(DeadReckoning, AccountsForTheSteering) {
   Vehicle vehicle;
   vehicle.steering = "ackermann";
   const double radius = 2.0;
@@ -48,7 +48,7 @@ TEST(DeadReckoning, KnowsHowTheVehicleIsSteered) {
   EXPECT_NEAR(end.y, 0.0, 1e-9);
 }
 
-TEST(DeadReckoning, DoesNotDriftWhereItStands) {
+TEST(DeadReckoning, DoesNotDriftAtRest) {
   EXPECT_EQ(reckoned(DeadReckoning({}, 3), 0.0, 0.3, 60.0), Pose2{});
 }
 
@@ -70,7 +70,7 @@ Spread spread(const WheelOdometryParams& params, double step_s) {
   return {std::sqrt(along / kDrives), std::sqrt(turn / kDrives)};
 }
 
-TEST(DeadReckoning, ErrsWithTheRootOfTheWayWhateverTheStep) {
+TEST(DeadReckoning, ErrorGrowsWithTheRootOfTheDistanceForAnyStep) {
   for (const double step_s : {0.02, 0.5}) {
     // Over √25: five times. 2000 drives know a standard deviation to 1.6 %, three times.
     EXPECT_NEAR(spread(errors(1.0, 1.0, 0.01, 0.0), step_s).along_m, 0.05, 0.05 * 0.05);
@@ -78,7 +78,7 @@ TEST(DeadReckoning, ErrsWithTheRootOfTheWayWhateverTheStep) {
   }
 }
 
-TEST(DeadReckoning, IsTheSameAgainForTheSameSeed) {
+TEST(DeadReckoning, IsReproducible) {
   EXPECT_EQ(reckoned(DeadReckoning({}, 5), 0.4, 0.2, 10.0),
             reckoned(DeadReckoning({}, 5), 0.4, 0.2, 10.0));
 }

@@ -21,7 +21,7 @@ struct Driven {
 
 class DrivetrainTest : public testing::Test {
  protected:
-  void tell(double speed_m_s, double curvature_1_m = 0.0) {
+  void send_command(double speed_m_s, double curvature_1_m = 0.0) {
     drivetrain_.command(DriveCommand{drivetrain_.utime(), speed_m_s, curvature_1_m});
   }
   void order(bool stopped, std::int64_t utime) {
@@ -31,7 +31,7 @@ class DrivetrainTest : public testing::Test {
   double drive(double speed_m_s, double curvature_1_m, double seconds) {
     double distance_m = 0.0;
     for (int i = 0; i < std::lround(seconds / kStepS); ++i) {
-      tell(speed_m_s, curvature_1_m);
+      send_command(speed_m_s, curvature_1_m);
       drivetrain_.advance(kStepS);
       distance_m += drivetrain_.wheel_distance_m();
     }
@@ -71,47 +71,47 @@ TEST_F(DrivetrainTest, BrakesToASlowerSpeedAndThroughAChangeOfDirection) {
   EXPECT_NEAR(drivetrain_.speed_m_s(), -0.25 * 0.3, kExact);
 }
 
-TEST_F(DrivetrainTest, SteersAtItsRateAlsoWhereItStands) {
+TEST_F(DrivetrainTest, SteersAtItsRateAlsoAtRest) {
   drive(0.0, 0.4, 0.5);
   EXPECT_NEAR(drivetrain_.curvature_1_m(), 0.25, kExact);
   drive(0.0, 0.4, 0.5);
   EXPECT_NEAR(drivetrain_.curvature_1_m(), 0.4, kExact);
 }
 
-TEST_F(DrivetrainTest, ClampsWhatIsOutOfRange) {
+TEST_F(DrivetrainTest, ClampsCommandsToItsLimits) {
   drive(3.0, -7.0, 5.0);
   EXPECT_NEAR(drivetrain_.speed_m_s(), vehicle_.speed_max_m_s, kExact);
   EXPECT_NEAR(drivetrain_.curvature_1_m(), -1.0 / vehicle_.turning_radius_m, kExact);
 }
 
-TEST_F(DrivetrainTest, IgnoresWhatIsNotANumberOrOlderThanTheLast) {
+TEST_F(DrivetrainTest, IgnoresCommandsThatAreNotFiniteOrOutdated) {
   drive(0.4, 0.0, 2.0);
-  tell(0.4);
-  tell(std::numeric_limits<double>::quiet_NaN());
-  tell(0.4, std::numeric_limits<double>::infinity());
+  send_command(0.4);
+  send_command(std::numeric_limits<double>::quiet_NaN());
+  send_command(0.4, std::numeric_limits<double>::infinity());
   drivetrain_.command(DriveCommand{drivetrain_.utime() - 1, 0.1, 0.0});
   drivetrain_.advance(kStepS);
   EXPECT_NEAR(drivetrain_.speed_m_s(), 0.4, kExact);
 }
 
-TEST_F(DrivetrainTest, StandsUntilItIsTold) {
+TEST_F(DrivetrainTest, StandsUntilACommand) {
   drivetrain_.advance(kStepS);
   EXPECT_EQ(drivetrain_.speed_m_s(), 0.0);
   EXPECT_TRUE(drivetrain_.expired());
-  tell(0.1);
+  send_command(0.1);
   EXPECT_FALSE(drivetrain_.expired());
 }
 
 TEST_F(DrivetrainTest, BrakesAfterAQuarterOfASecondWithoutCommand) {
   drive(0.4, 0.0, 2.0);
-  tell(0.4);
+  send_command(0.4);
   const Driven driven = coast();
   EXPECT_TRUE(drivetrain_.expired());
   EXPECT_NEAR(driven.distance_m, 0.4 * 0.25 + 0.4 * 0.4 / (2.0 * 0.8), kExact);
   EXPECT_NEAR(driven.seconds, 0.25 + 0.4 / 0.8, kExact);
 }
 
-TEST_F(DrivetrainTest, TakesACommandFromTheFutureForOneOfNow) {
+TEST_F(DrivetrainTest, TreatsACommandFromTheFutureAsCurrent) {
   drive(0.4, 0.0, 2.0);
   drivetrain_.command(DriveCommand{drivetrain_.utime() + 60'000'000, 0.4, 0.0});
   EXPECT_NEAR(coast().seconds, 0.25 + 0.4 / 0.8, kExact);
@@ -136,7 +136,7 @@ TEST_F(DrivetrainTest, HoldsAStopUntilANewerOrderReleasesIt) {
   EXPECT_NEAR(drivetrain_.speed_m_s(), 0.15, kExact);
 }
 
-TEST_F(DrivetrainTest, ObeysAStopOfAClockThatWentBack) {
+TEST_F(DrivetrainTest, ObeysAStopOrderOfAClockThatJumpedBack) {
   drive(0.4, 0.0, 2.0);
   order(false, drivetrain_.utime());
   order(true, drivetrain_.utime() - 5'000'000);
@@ -148,7 +148,7 @@ TEST_F(DrivetrainTest, ObeysAStopOfAClockThatWentBack) {
   EXPECT_FALSE(drivetrain_.stopped());
 }
 
-TEST_F(DrivetrainTest, StandsWhereStopOrdersNoLongerCome) {
+TEST_F(DrivetrainTest, StandsWhenStopOrdersTimeOut) {
   drive(0.4, 0.0, 2.0);
   EXPECT_FALSE(drivetrain_.stopped());  // none ever came
   for (int i = 0; i < 20; ++i) {
@@ -168,7 +168,7 @@ TEST_F(DrivetrainTest, StandsWhereStopOrdersNoLongerCome) {
   EXPECT_NEAR(drivetrain_.speed_m_s(), 0.03, kExact);
 }
 
-TEST_F(DrivetrainTest, IsNotKeptGoingByReleasesThatDoNotCount) {
+TEST_F(DrivetrainTest, IgnoresOutdatedReleases) {
   drive(0.4, 0.0, 2.0);
   order(false, drivetrain_.utime());
   for (int i = 0; i < 10; ++i) {  // of a clock that went back
@@ -179,7 +179,7 @@ TEST_F(DrivetrainTest, IsNotKeptGoingByReleasesThatDoNotCount) {
   EXPECT_EQ(drivetrain_.speed_m_s(), 0.0);
 }
 
-TEST_F(DrivetrainTest, StandsUnderADriverWhoseClockWentBack) {
+TEST_F(DrivetrainTest, StandsUnderADriverWhoseClockJumpedBack) {
   drive(0.4, 0.0, 2.0);
   for (int i = 0; i < 300; ++i) {
     drivetrain_.command(DriveCommand{drivetrain_.utime() - 2'000'000, 0.4, 0.0});

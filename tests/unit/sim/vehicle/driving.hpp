@@ -15,14 +15,14 @@ namespace adit {
 
 constexpr double kStepS = 0.01;
 
-/// Wheels that go exactly where they are told.
+/// Parameters without slip and dynamics.
 inline VehicleModelParams without_slip() {
   VehicleModelParams params;
   params.slip_share = params.slip_sd = params.side_slip_sd_rad = 0.0;
   return params;
 }
 
-/// Commands and advances, as long as there is no failure.
+/// Commands and advances the vehicle until it fails.
 inline void drive(VehicleModel& vehicle, double speed_m_s, double curvature_1_m, double seconds) {
   const long steps = std::lround(seconds / kStepS);
   for (long i = 0; i < steps && !vehicle.failure(); ++i) {

@@ -34,7 +34,7 @@ double spread(int count, const Sample& sample) {
   return std::sqrt(squares / (3.0 * count));
 }
 
-TEST(InertialUnit, FeelsGravityOnASlope) {
+TEST(InertialUnit, MeasuresGravityOnASlope) {
   InertialUnit unit(perfect(), 1);
   const double pitch = -0.2;  // nose up
   const double roll = 0.1;    // left side up
@@ -61,7 +61,7 @@ TEST(InertialUnit, MeasuresTheMeanTurnInTheBodyFrame) {
   EXPECT_EQ(reading.utime, 77);
 }
 
-TEST(InertialUnit, FeelsAccelerationAndBends) {
+TEST(InertialUnit, MeasuresAccelerationAndBends) {
   InertialUnit unit(perfect(), 1);
   BodyMotion before = at_rest();
   before.v_body.x() = 0.4;
@@ -93,7 +93,7 @@ TEST(InertialUnit, NoiseIsThatOfTheParameters) {
   EXPECT_NEAR(spread(20'000, accelerometer), 0.03, 0.01 * 0.03);
 }
 
-TEST(InertialUnit, EachUnitHasABiasOfItsOwn) {
+TEST(InertialUnit, EachUnitHasItsOwnBias) {
   ImuParams params = perfect();
   params.gyro_bias_sd_rad_s = 0.0005;
   params.accelerometer_bias_sd_m_s2 = 0.02;

@@ -32,7 +32,7 @@ TEST(Steering, ArcsAreThoseOfACircle) {
   expect_near(along_arc(2.0, 0.0), {2.0, 0.0, 0.0});
 }
 
-TEST(Steering, ArcsHaveNoJumpNearStraight) {
+TEST(Steering, ArcsAreContinuousNearStraight) {
   for (const double turn : {1.9e-4, 2.1e-4}) {  // to either side of where the series takes over
     expect_near(along_arc(1.0, turn), {std::sin(turn) / turn, (1.0 - std::cos(turn)) / turn, turn});
   }
@@ -58,12 +58,12 @@ TEST(Steering, WithAckermannTheRearAxleMovesAlongItsXAxis) {
               T_body_centre * quarter * T_body_centre.inverse());
 }
 
-TEST(Steering, SideSlipTurnsTheWayAndNotTheBody) {
+TEST(Steering, SideSlipTurnsThePathAndNotTheBody) {
   const Steering steering(with_steering("four_wheel"));
   expect_near(steering.motion(1.0, 0.0, 0.1), {std::cos(0.1), std::sin(0.1), 0.0});
 }
 
-TEST(Steering, RejectsACircleThatAckermannCannotDrive) {
+TEST(Steering, RejectsATurningRadiusThatAckermannCannotDrive) {
   Vehicle vehicle = with_steering("ackermann");
   vehicle.turning_radius_m = 0.5 * vehicle.wheelbase_m;
   EXPECT_THROW(Steering{vehicle}, std::invalid_argument);

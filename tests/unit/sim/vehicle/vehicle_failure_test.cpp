@@ -15,7 +15,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// A drift with one thing in it.
+/// A tunnel with one object.
 World tunnel_with(PartKind kind, const char* name, const std::function<void(MeshBuilder&)>& add) {
   return box_tunnel({}, [&](MeshBuilder& builder) {
     builder.begin_part(kind, Material::kRock, name);
@@ -34,7 +34,7 @@ World with_post() {
   });
 }
 
-/// A floor of stretches along x, 4 m wide, each at its height, and nothing else.
+/// A floor of sections along x, 4 m wide, each at its height.
 struct Stretch {
   double from_m;
   double to_m;
@@ -67,17 +67,18 @@ World with_water(double level_m) {
   return world;
 }
 
-TEST(VehicleFailure, APostStopsItWhereItsFrontIs) {
+TEST(VehicleFailure, APostStopsItAtItsFront) {
   const Site site(with_post());
   VehicleModel vehicle(site, {}, without_slip(), 1, 0);
   drive(vehicle, 0.5, 0.0, 30.0);
   ASSERT_TRUE(vehicle.failure());
   EXPECT_THAT(*vehicle.failure(), StartsWith("collision with 'post' after 3.7"));
-  // The post begins at 4.9 m, the vehicle ends 1.2 m ahead; it looks each 4 cm, and moves by 5 mm.
+  // The post begins at 4.9 m and the vehicle's front is at 1.2 m; collisions are checked every 4
+  // cm, and a step is 5 mm.
   EXPECT_NEAR(vehicle.distance_travelled_m(), 3.7 + 0.0225, 0.0225);
 }
 
-TEST(VehicleFailure, IsForGood) {
+TEST(VehicleFailure, IsPermanent) {
   const Site site(with_post());
   VehicleModel vehicle(site, {}, without_slip(), 1, 0);
   drive(vehicle, 0.5, 0.0, 30.0);
@@ -94,7 +95,7 @@ TEST(VehicleFailure, IsForGood) {
   EXPECT_EQ(vehicle.motion().utime, stood.utime + 1'000'000);
 }
 
-TEST(VehicleFailure, ACableAcrossTheWayCatchesIt) {
+TEST(VehicleFailure, ACableAcrossThePathIsACollision) {
   const auto cable = [](double z) {
     return tunnel_with(PartKind::kCable, "cable", [z](MeshBuilder& builder) {
       builder.bar({5.0, -2.0, z}, {5.0, 2.0, z}, 0.015);
@@ -104,7 +105,7 @@ TEST(VehicleFailure, ACableAcrossTheWayCatchesIt) {
   EXPECT_EQ(failure_ahead(cable(1.1)), "none");
 }
 
-TEST(VehicleFailure, ALowRoofCatchesItAndAHigherOneDoesNot) {
+TEST(VehicleFailure, ALowRoofIsACollisionAndAHigherOneIsNot) {
   EXPECT_THAT(failure_ahead(with_box("low_roof", {6.0, 0.0, 1.9}, {2.0, 4.0, 2.0})),
               HasSubstr("collision with 'low_roof'"));
   EXPECT_EQ(failure_ahead(with_box("low_roof", {6.0, 0.0, 2.05}, {2.0, 4.0, 2.0})), "none");
@@ -143,19 +144,19 @@ World with_ramp(double slope) {
   });
 }
 
-TEST(VehicleFailure, FallsOverWhereItIsTooSteep) {
+TEST(VehicleFailure, TipsOverWhereItIsTooSteep) {
   EXPECT_THAT(failure_ahead(with_ramp(0.4), 10.0), HasSubstr("none"));
   World steep = with_ramp(0.6);
   Vehicle high;
-  high.belly_clearance_m = 0.6;  // so that its nose goes over the foot of the ramp
+  high.belly_clearance_m = 0.6;  // so that its front passes over the foot of the ramp
   const Site site(std::move(steep));
   VehicleModel vehicle(site, high, without_slip(), 1, 0);
   drive(vehicle, 0.5, 0.0, 20.0);
   EXPECT_THAT(vehicle.failure().value_or("none"),
-              StartsWith("falls over at a pitch of 29 degrees after"));  // 0.5 rad
+              StartsWith("tips over at a pitch of 29 degrees after"));  // 0.5 rad
 }
 
-TEST(VehicleFailure, AStepThatItClimbsIsNone) {
+TEST(VehicleFailure, AStepBelowTheLimitIsClimbed) {
   EXPECT_EQ(failure_ahead(with_box("ledge", {10.0, 0.0, 0.0}, {10.0, 4.0, 0.3})), "none");
   EXPECT_EQ(failure_ahead(with_floor({{-20.0, 5.0, 0.0}, {5.0, 20.0, -0.15}})), "none");
 }
@@ -167,16 +168,16 @@ TEST(VehicleFailure, APitWithAndWithoutABottom) {
               StartsWith("no ground under the front left wheel after 4.2"));
 }
 
-TEST(VehicleFailure, DeepWaterDrownsItAndShallowWaterDoesNot) {
+TEST(VehicleFailure, DeepWaterIsAFailureAndShallowWaterIsNot) {
   EXPECT_THAT(failure_ahead(with_water(0.3)), StartsWith("in water 'sump' of 0.30 m after 3.0"));
   EXPECT_EQ(failure_ahead(with_water(0.2)), "none");
 }
 
-TEST(VehicleFailure, MudHoldsIt) {
+TEST(VehicleFailure, StuckInMud) {
   World world = box_tunnel();
   world.soft_ground.push_back({"mud", {4.0, 0.0}, 2.0, 0.3});
   EXPECT_THAT(failure_ahead(std::move(world)),
-              StartsWith("front left wheel stuck in 'mud', sunk in by 0.20 m"));
+              StartsWith("front left wheel stuck in 'mud', sinkage 0.20 m"));
 }
 
 /// Why the vehicle cannot stand at the start.
@@ -191,7 +192,7 @@ std::string start_fault(World world, const Pose2& start = {}) {
   return "none";
 }
 
-TEST(VehicleFailure, AStartMustHaveRoom) {
+TEST(VehicleFailure, StartMustHaveRoom) {
   EXPECT_EQ(start_fault(with_post(), {4.5, 0.0, 0.0}),
             "the vehicle cannot stand at the start: collision with 'post'");
   EXPECT_EQ(start_fault(box_tunnel(), {100.0, 0.0, 0.0}),

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kFloat = 1e-5;  // of heights of some metres, over an axle
 
-/// A hall with a plane through (0, 0, 5), turned about an axis, as its floor.
+/// A hall whose floor is a plane through (0, 0, 5), rotated about an axis.
 World sloping_hall(double angle_rad, const Eigen::Vector3d& axis) {
   const Eigen::AngleAxisd turn(angle_rad, axis);
   World world = box_tunnel({40.0, 40.0, 12.0}, [&](MeshBuilder& builder) {
@@ -29,7 +29,7 @@ World sloping_hall(double angle_rad, const Eigen::Vector3d& axis) {
   return world;
 }
 
-/// Bars of 0.07 m by `height_m` along the drift.
+/// Bars of 0.07 m by `height_m` along the tunnel.
 World with_rails(std::initializer_list<double> across_m, double height_m) {
   return box_tunnel({}, [&](MeshBuilder& builder) {
     builder.begin_part(PartKind::kRail, Material::kSteel, "rails");
@@ -47,7 +47,8 @@ TEST(VehicleGround, PitchesOnARamp) {
   ASSERT_FALSE(vehicle.failure()) << *vehicle.failure();
   EXPECT_NEAR((roll_pitch_heading(vehicle) - Eigen::Vector3d(0.0, -slope, 0.0)).norm(), 0.0,
               kFloat);
-  // The way counts along the slope, and a wheel touches it beside its lowest point: r/cos α − r.
+  // The distance is that along the slope, and a wheel touches it beside its lowest point: r/cos α −
+  // r.
   const Eigen::Vector3d p = vehicle.motion().T_world_body.translation();
   const double distance_m = 0.5 * 5.0 - 0.5 * 0.5 / (2.0 * 0.3);
   EXPECT_NEAR(p.x(), distance_m * std::cos(slope), 1e-3);
@@ -77,7 +78,7 @@ TEST(VehicleGround, KeepsItsHeadingAcrossASlope) {
   EXPECT_LT((up - Eigen::Vector3d(-std::sin(0.2), 0.0, std::cos(0.2))).norm(), 1e-4);
 }
 
-TEST(VehicleGround, StartsOnASlopeAsSteepAsItStandsOn) {
+TEST(VehicleGround, StartsOnASlopeUpToItsLimit) {
   for (const Eigen::Vector3d axis : {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()}) {
     const Site site(sloping_hall(0.45, axis));
     const VehicleModel vehicle(site, {}, without_slip(), 1, 0);
@@ -85,7 +86,7 @@ TEST(VehicleGround, StartsOnASlopeAsSteepAsItStandsOn) {
   }
 }
 
-TEST(VehicleGround, LooksForAFloorWhereTheWorldKnowsNone) {
+TEST(VehicleGround, SearchesTheFloorOfAnImportedMesh) {
   World world = box_tunnel({}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kOther, Material::kRock, "hillside");
     builder.box(level_box({0.0, 0.0, 30.0}, {40.0, 40.0, 1.0}));  // with room below and above
@@ -115,7 +116,7 @@ TEST(VehicleGround, RollsWithTheWheelsOfOneSideOnARail) {
   EXPECT_NEAR(vehicle.motion().T_world_body.translation().z(), 0.05, kFloat);
 }
 
-TEST(VehicleGround, ALeastSquaresPlaneTakesOneWheelOnAStone) {
+TEST(VehicleGround, StandsOnALeastSquaresPlaneWithOneWheelOnAStone) {
   World world = box_tunnel({}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kRubble, Material::kRock, "stone");
     builder.box(level_box({0.75, 0.475, 0.05}, {0.5, 0.3, 0.1}));
@@ -128,7 +129,7 @@ TEST(VehicleGround, ALeastSquaresPlaneTakesOneWheelOnAStone) {
   EXPECT_NEAR(vehicle.motion().T_world_body.translation().z(), 0.025, kFloat);
 }
 
-TEST(VehicleGround, ClimbsAStepWithoutAJump) {
+TEST(VehicleGround, ClimbsAStepContinuously) {
   World world = box_tunnel({}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kFloor, Material::kRock, "ledge");
     builder.box(level_box({8.0, 0.0, 0.0}, {10.0, 4.0, 0.3}));
@@ -167,7 +168,7 @@ TEST(VehicleGround, SinksIntoMud) {
   EXPECT_NEAR(T_world_body.translation().z(), -mean, kFloat);
 }
 
-TEST(VehicleGround, LosesMoreOfItsWayInMud) {
+TEST(VehicleGround, SlipsMoreInMud) {
   World mud = box_tunnel();
   mud.soft_ground.push_back({"mud", {0.0, 0.0}, 30.0, 0.15});
   const Site firm_site(box_tunnel());

@@ -12,7 +12,7 @@ namespace {
 
 class SteeredBy : public testing::TestWithParam<const char*> {};
 
-TEST_P(SteeredBy, TheOriginRunsOnTheCircleThatIsCommanded) {
+TEST_P(SteeredBy, TheOriginFollowsTheCommandedCircle) {
   const Site site(box_tunnel({40.0, 40.0, 2.0}));
   Vehicle shape;
   shape.steering = GetParam();
@@ -32,7 +32,7 @@ TEST_P(SteeredBy, TheOriginRunsOnTheCircleThatIsCommanded) {
 
 INSTANTIATE_TEST_SUITE_P(VehicleMotion, SteeredBy, testing::Values("four_wheel", "ackermann"));
 
-TEST(VehicleMotion, CountsItsWayInBothDirections) {
+TEST(VehicleMotion, CountsItsDistanceInBothDirections) {
   const Site site(box_tunnel());
   VehicleModel vehicle(site, {}, without_slip(), 1, 0);
   drive(vehicle, 0.3, 0.0, 4.0);   // 0.3 m/s after one second: 0.15 m + 0.9 m
@@ -43,7 +43,7 @@ TEST(VehicleMotion, CountsItsWayInBothDirections) {
   EXPECT_EQ(vehicle.motion().utime, 9'000'000);
 }
 
-TEST(VehicleMotion, SlipTakesItsShareOfTheWay) {
+TEST(VehicleMotion, SlipReducesTheDistance) {
   const Site site(box_tunnel({120.0, 6.0, 2.0}));
   VehicleModel vehicle(site, {}, {}, 4, 0);
   double wheels_m = 0.0;
@@ -59,7 +59,7 @@ TEST(VehicleMotion, SlipTakesItsShareOfTheWay) {
   EXPECT_NEAR(y, 0.0, 3.0 * 0.01 * std::sqrt(2.0 * 40.0));  // side slip over as many
 }
 
-TEST(VehicleMotion, IsTheSameAgainForTheSameSeed) {
+TEST(VehicleMotion, IsReproducible) {
   const Site site(box_tunnel({40.0, 40.0, 2.0}));
   VehicleModel one(site, {}, {}, 7, 0);
   VehicleModel same(site, {}, {}, 7, 0);
@@ -71,7 +71,7 @@ TEST(VehicleMotion, IsTheSameAgainForTheSameSeed) {
   EXPECT_NE(one.motion().T_world_body.matrix(), other.motion().T_world_body.matrix());
 }
 
-TEST(VehicleMotion, SaysWhatTheWheelsSayAndHowItIsHeld) {
+TEST(VehicleMotion, ReportsTheSpeedOfTheWheelsAndStops) {
   const Site site(box_tunnel());
   VehicleModel vehicle(site, {}, {}, 1, 500);
   EXPECT_TRUE(vehicle.state().expired);

@@ -20,7 +20,7 @@ double mean_product(const std::vector<double>& values, double mean, std::size_t 
 
 TEST(WheelSlip, VariesAboutItsMeanOverAMetre) {
   VehicleModelParams params;
-  params.slip_share = 0.3;  // so that nothing is cut off at 0
+  params.slip_share = 0.3;  // so that nothing is clamped at 0
   params.slip_sd = 0.02;
   WheelSlip slip(params, 5);
   std::vector<double> lost;
@@ -49,7 +49,7 @@ TEST(WheelSlip, GrowsOnSoftGround) {
   EXPECT_LE(slip.slip_ratio(5.0), 0.9);
 }
 
-TEST(WheelSlip, IsNoneWhereNoneIsAskedFor) {
+TEST(WheelSlip, IsZeroWithZeroParameters) {
   VehicleModelParams params;
   params.slip_share = params.slip_sd = params.side_slip_sd_rad = 0.0;
   WheelSlip slip(params, 1);

@@ -17,10 +17,10 @@ Eigen::Isometry3d level(const Eigen::Vector3d& eye, double heading_rad) {
   return T_world_camera;
 }
 
-/// More red than blue by far: timber in the light of a lamp, and nothing else of a bare drift.
+/// Much more red than blue: only timber in the light of a lamp.
 bool is_timber(const RgbImage::Pixel& pixel) { return pixel[0] > pixel[2] + 40; }
 
-TEST(Camera, APointIsWhereItsRayGoes) {
+TEST(Camera, ProjectionInvertsTheRay) {
   const Camera camera(level({1.0, 2.0, 3.0}, 0.7), 1.2, 640, 480);
   for (const Eigen::Vector2d& uv : {Eigen::Vector2d(320.0, 240.0), {10.5, 20.5}, {600.0, 400.0}}) {
     const Ray ray = camera.ray(uv);
@@ -31,13 +31,13 @@ TEST(Camera, APointIsWhereItsRayGoes) {
   EXPECT_FALSE(camera.pixel(camera.eye() - camera.T_world_camera().linear().col(0)));
 }
 
-TEST(Camera, TheFieldOfViewIsThatOfTheWidth) {
+TEST(Camera, FieldOfViewIsHorizontal) {
   const Camera camera(level({0.0, 0.0, 0.0}, 0.0), 2.0 * std::atan(0.5), 400, 300);
   // At 10 m ahead 5 m to the left is the left edge, 3.75 m up the upper one.
   EXPECT_LT((*camera.pixel({10.0, 5.0, 3.75}) - Eigen::Vector2d(0.0, 0.0)).norm(), 1e-9);
 }
 
-TEST(PerspectiveView, APostIsWhereTheCameraModelHasIt) {
+TEST(PerspectiveView, APostIsAtItsProjection) {
   const Site site(box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kPost, Material::kTimber, "post");
     builder.bar({5.0, 1.0, 0.0}, {5.0, 1.0, 2.0}, 0.1, 24);
@@ -52,7 +52,7 @@ TEST(PerspectiveView, APostIsWhereTheCameraModelHasIt) {
   EXPECT_FALSE(is_timber(image.at(static_cast<int>(middle.x()) + 8, row)));
 }
 
-TEST(PerspectiveView, ThingsFarOffAreDarker) {
+TEST(PerspectiveView, DistantSurfacesAreDarker) {
   const Site site(box_tunnel({200.0, 4.0, 2.0}));
   const Camera camera(level({0.0, 0.0, 1.2}, 0.0), 1.2, 320, 200);
   const RgbImage image = perspective_view(site.scene(), camera);
@@ -62,16 +62,16 @@ TEST(PerspectiveView, ThingsFarOffAreDarker) {
             2 * image.at(160, static_cast<int>(far.y()))[0]);
 }
 
-TEST(PerspectiveView, AThingThrowsAShadow) {
+TEST(PerspectiveView, AnObjectCastsAShadow) {
   const auto seen = [](bool with_board) {
     const Site site(box_tunnel({16.0, 8.0, 3.0}, [&](MeshBuilder& builder) {
       builder.begin_part(PartKind::kCar, Material::kSteel, "board");
       if (with_board) builder.box(level_box({4.0, 0.0, 1.2}, {0.02, 0.4, 0.4}));
     }));
     const Camera camera(level({0.0, 0.0, 1.2}, 0.0), 1.2, 320, 200);
-    // The lamp is 0.45 m to the left and 0.3 m above the eye: on the wall, as far behind the board
-    // as that is before the lamp, the shadow is the board twice as large around (−0.45, 0.9). The
-    // board itself hides what is up to 0.4 m to the right.
+    // The lamp is 0.45 m to the left and 0.3 m above the camera: on the wall, as far behind the
+    // board as the board is from the lamp, the shadow is the board twice as large around (−0.45,
+    // 0.9). The board itself hides what is up to 0.4 m to the right.
     const Eigen::Vector2d uv = *camera.pixel({8.0, -0.6, 0.9});
     return perspective_view(site.scene(), camera)
         .at(static_cast<int>(uv.x()), static_cast<int>(uv.y()));
@@ -79,7 +79,7 @@ TEST(PerspectiveView, AThingThrowsAShadow) {
   EXPECT_LT(seen(true)[0], 0.8 * seen(false)[0]);
 }
 
-TEST(PerspectiveView, TheCameraStandsBehindTheStartAsFarAsTheMineLetsIt) {
+TEST(PerspectiveView, TheCameraIsBehindTheStartWithinFreeSpace) {
   World world = box_tunnel();
   const Site roomy(world);
   const ViewOptions options;
@@ -91,7 +91,7 @@ TEST(PerspectiveView, TheCameraStandsBehindTheStartAsFarAsTheMineLetsIt) {
   EXPECT_NEAR(camera_of(tight, options, 320, 200).eye().x(), -19.5, 1e-5);
 }
 
-TEST(PerspectiveView, ItIsDayWhereNothingIs) {
+TEST(PerspectiveView, RaysWithoutAHitShowTheSky) {
   const TriangleMesh nothing;
   const RayScene scene(nothing);
   const RgbImage image = perspective_view(scene, Camera(level({0.0, 0.0, 1.0}, 0.0), 1.2, 32, 20));

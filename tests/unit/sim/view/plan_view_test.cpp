@@ -10,7 +10,7 @@
 namespace adit {
 namespace {
 
-/// The only window, and a picture of it.
+/// The single window and a picture of it.
 struct Plan {
   explicit Plan(const World& world)
       : view(world), windows(view.windows(1000, 400, 10)), image(view.draw(windows.front())) {}
@@ -27,14 +27,14 @@ struct Plan {
 
 const RgbImage::Pixel kRock = to_pixel(linear(PlanView::kRock));
 
-/// What a wide level floor looks like: light from the upper left at its height (1.6 of the length
-/// of (−1, 1, 1.6)) and from all around.
+/// Colour of a wide level floor: light from the upper left at its height (1.6 of the length of (−1,
+/// 1, 1.6)) and from all around.
 RgbImage::Pixel level_floor() {
   const float light = 0.55F + 0.75F * 1.6F / std::sqrt(1.0F + 1.0F + 1.6F * 1.6F);
   return to_pixel(light * plain_colour({PartKind::kFloor, Material::kRock, ""}));
 }
 
-TEST(PlanView, FloorIsFloorAndRockIsRock) {
+TEST(PlanView, ShowsFloorAndRock) {
   // A room of 20 m by 10 m: 24 m by 14 m with the margin, at 400 / 14 pixels for a metre.
   const Plan plan(box_tunnel({20.0, 10.0, 2.0}));
   ASSERT_EQ(plan.windows.size(), 1U);
@@ -57,7 +57,7 @@ TEST(PlanView, XIsToTheRightAndYUp) {
   EXPECT_EQ(plan.at(6.0, -2.0), level_floor());
 }
 
-TEST(PlanView, TheRoofIsGoneAndWhatHangsBelowItIsThere) {
+TEST(PlanView, OmitsTheRoofAndShowsObjectsBelowIt) {
   const Plan plan(box_tunnel({20.0, 10.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kBeam, Material::kTimber, "beam");
     builder.box(level_box({0.0, 0.0, 1.9}, {0.3, 8.0, 0.2}));
@@ -66,7 +66,7 @@ TEST(PlanView, TheRoofIsGoneAndWhatHangsBelowItIsThere) {
   EXPECT_EQ(plan.at(5.0, 3.0), level_floor());
 }
 
-TEST(PlanView, TheRoofOfAMeshFromElsewhereIsGuessed) {
+TEST(PlanView, GuessesTheRoofOfAnImportedMesh) {
   World world = box_tunnel({20.0, 10.0, 2.0});
   const RgbImage::Pixel known = Plan(world).at(0.0, 0.0);
   for (Part& part : world.mesh.parts) part.kind = PartKind::kOther;
@@ -78,7 +78,7 @@ TEST(PlanView, TheRoofOfAMeshFromElsewhereIsGuessed) {
   EXPECT_NEAR(guessed[0], known[0] * std::pow(other.x() / floor.x(), 1.0F / 2.2F), 1.0);
 }
 
-TEST(PlanView, CutsALongMineIntoWindowsOfOneScale) {
+TEST(PlanView, SplitsALongMineIntoWindowsOfOneScale) {
   const World world = box_tunnel({400.0, 4.0, 2.0});
   const PlanView view(world);
   const auto windows = view.windows(1000, 400, 10);
@@ -90,7 +90,7 @@ TEST(PlanView, CutsALongMineIntoWindowsOfOneScale) {
   EXPECT_NEAR(windows[0].pixels_per_metre, 4.0 * 1000.0 / 404.0, 1e-9);
 }
 
-TEST(PlanView, ThePlaceOfAPixelIsThePixelOfThePlace) {
+TEST(PlanView, PixelAndPointConversionsAreInverse) {
   const PlanWindow window{{-3.0, 2.0}, {7.0, 12.0}, 20.0};
   EXPECT_EQ(window.pixel({-3.0, 12.0}), Eigen::Vector2d(0.0, 0.0));
   EXPECT_EQ(window.pixel({7.0, 2.0}), Eigen::Vector2d(window.width(), window.height()));

@@ -13,7 +13,7 @@ namespace {
 const RgbImage::Pixel kRock = to_pixel(linear(SectionView::kRock));
 const TunnelLine kMiddle{"middle", {{-20.0, 0.0}, {20.0, 0.0}}, 4.0, false};
 
-/// A picture of the only window.
+/// A picture of the single window.
 struct Section {
   Section(const Site& site, const TunnelLine& line)
       : window(SectionView(site, line).windows(1000).front()),
@@ -28,7 +28,7 @@ struct Section {
   RgbImage image;
 };
 
-TEST(SectionView, RockIsDarkAndTheFrontierLight) {
+TEST(SectionView, RockIsDarkAndTheOpeningLight) {
   const Site site(box_tunnel({40.0, 4.0, 2.0}));
   const Section section(site, kMiddle);
   EXPECT_NEAR(section.window.pixels_per_metre, 25.0, 1e-9);  // 1000 pixels for 40 m
@@ -43,7 +43,7 @@ TEST(SectionView, RockIsDarkAndTheFrontierLight) {
   }
 }
 
-TEST(SectionView, ShowsAPropBehindTheCutAndNoneBeforeIt) {
+TEST(SectionView, ShowsAPropBehindTheCutAndNoneInFrontOfIt) {
   const Site site(box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kCar, Material::kSteel, "left");
     builder.box(level_box({-5.0, 1.0, 0.5}, {2.0, 1.0, 1.0}));
@@ -67,7 +67,7 @@ TEST(SectionView, ExaggeratesHeightsInALongMine) {
   EXPECT_NEAR(windows[3].to_m, 400.0, 1e-9);
 }
 
-TEST(SectionLine, GoesFromWallToWallWhereNobodyKnowsTheDrifts) {
+TEST(SectionLine, GoesFromWallToWallWithoutATunnelGraph) {
   World world = box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kPost, Material::kTimber, "post");
     builder.bar({3.0, 0.0, 0.0}, {3.0, 0.0, 2.0}, 0.1);
@@ -80,7 +80,7 @@ TEST(SectionLine, GoesFromWallToWallWhereNobodyKnowsTheDrifts) {
   EXPECT_NEAR(line.points[1].x(), 20.5, 0.02);   // and not at the post
 }
 
-TEST(SectionLine, FollowsTheDriftOfTheStartOverItsEdges) {
+TEST(SectionLine, FollowsTheTunnelAtTheStartAlongItsEdges) {
   World world = box_tunnel();
   world.T_world_start = {-10.0, 0.0, 0.0};
   world.truth.tunnels.nodes.resize(4);

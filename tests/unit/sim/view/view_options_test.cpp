@@ -17,11 +17,11 @@ TEST(ViewPose, IsMetresAndDegrees) {
   EXPECT_DOUBLE_EQ(place.theta, std::numbers::pi / 2.0);
 }
 
-TEST(ViewPose, HeadingsGoAround) {
+TEST(ViewPose, NormalisesHeadings) {
   EXPECT_NEAR(parse_view_pose("0,0,-270").theta, std::numbers::pi / 2.0, 1e-12);
 }
 
-TEST(ViewPose, RejectsWhatIsNotThreeNumbers) {
+TEST(ViewPose, RejectsTextThatIsNotThreeNumbers) {
   for (const char* text : {"", "1", "1,2", "1,2,", "1,2,3,4", "1,2,3 ", "1;2;3", "a,2,3", "1,,3",
                            "1,2,nan", "inf,2,3"}) {
     EXPECT_THROW(parse_view_pose(text), std::invalid_argument) << text;

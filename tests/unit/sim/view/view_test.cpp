@@ -33,21 +33,21 @@ class View : public testing::Test {
   std::filesystem::path png_ = folder_ / "view.png";
 };
 
-TEST_F(View, TheSameMineGivesTheSameBytesOnASheetOfItsWidth) {
+TEST_F(View, SameMineGivesTheSameBytes) {
   const Site site(box_tunnel());
   const Site again(box_tunnel());
   EXPECT_EQ(drawn(site), drawn(again));
   EXPECT_EQ(width(), 600);
 }
 
-TEST_F(View, ShowsAnotherPictureFromAnotherPlace) {
+TEST_F(View, DependsOnThePoseOfTheCamera) {
   const Site site(box_tunnel());
   ViewOptions options;
   options.from = Pose2{5.0, 0.0, 1.0};
   EXPECT_NE(drawn(site), drawn(site, options));
 }
 
-TEST_F(View, DrawsAMineThatKnowsItsDrifts) {
+TEST_F(View, DrawsAMineWithATunnelGraph) {
   World world = box_tunnel();
   world.truth.tunnels = {{{{-20.0, 0.0}, false}, {{20.0, 0.0}, false}},
                          {{0, 1, {{-20.0, 0.0}, {20.0, 0.0}}, 40.0, 4.0, "main"}}};
@@ -56,12 +56,12 @@ TEST_F(View, DrawsAMineThatKnowsItsDrifts) {
   EXPECT_NE(drawn(with), drawn(without));  // a title, and another line to cut along
 }
 
-TEST_F(View, DrawsAWorldOfNothing) {
+TEST_F(View, DrawsAnEmptyWorld) {
   const Site site(World{});
   EXPECT_FALSE(drawn(site).empty());
 }
 
-TEST_F(View, SaysWhatItCannotWrite) {
+TEST_F(View, ReportsAWriteError) {
   const Site site(World{});
   EXPECT_THROW(write_view(site, "/nonexistent/view.png"), std::runtime_error);
 }

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 WorldDescription tunnel() {
   WorldDescription description;
-  description.name = "one drift";
+  description.name = "one tunnel";
   description.plan.tunnels = {{"main", {0.0, 0.0, 30.0, 0.0}, 3.0, false}};
   description.T_world_start = {5.0, 0.0, 0.5};
   return description;
@@ -31,12 +31,12 @@ std::string error_of(const WorldDescription& description) {
 
 TEST(BuildWorld, KeepsNameAndStart) {
   const World world = build_world(tunnel());
-  EXPECT_EQ(world.name, "one drift");
+  EXPECT_EQ(world.name, "one tunnel");
   EXPECT_EQ(world.T_world_start, (Pose2{5.0, 0.0, 0.5}));
 }
 
-TEST(BuildWorld, RejectsAPlanOfNothing) {
-  EXPECT_THAT(error_of(WorldDescription{}), HasSubstr("neither a drift nor a room"));
+TEST(BuildWorld, RejectsAnEmptyPlan) {
+  EXPECT_THAT(error_of(WorldDescription{}), HasSubstr("neither a tunnel nor a room"));
 }
 
 TEST(BuildWorld, RejectsAStartInRockOrFarAway) {
@@ -47,7 +47,7 @@ TEST(BuildWorld, RejectsAStartInRockOrFarAway) {
   EXPECT_THAT(error_of(description), HasSubstr("in rock"));
 }
 
-TEST(BuildWorld, RejectsRoomsThatAreNone) {
+TEST(BuildWorld, RejectsInvalidRooms) {
   WorldDescription description = tunnel();
   description.plan.rooms = {{"r", {0.0, 0.0, 1.0, 1.0}}};
   EXPECT_THAT(error_of(description), HasSubstr("room 'r'"));
@@ -56,7 +56,7 @@ TEST(BuildWorld, RejectsRoomsThatAreNone) {
   EXPECT_THAT(error_of(description), HasSubstr("pillar 'q'"));
 }
 
-TEST(BuildWorld, RejectsAPlanLargerThanItCanBuild) {
+TEST(BuildWorld, RejectsAPlanBeyondTheLimits) {
   WorldDescription description = tunnel();
   description.plan.tunnels[0].points_m = {0.0, 0.0, 1e9, 0.0};
   EXPECT_THAT(error_of(description), HasSubstr("from the origin"));

@@ -20,7 +20,7 @@ const TunnelLine& tunnel(const std::vector<TunnelLine>& tunnels, const std::stri
   return find_tunnel(tunnels, name, "the test");
 }
 
-TEST(BuiltInWorlds, AreTheSameEachTimeTheyAreBuilt) {
+TEST(BuiltInWorlds, AreReproducible) {
   for (const std::string& name : built_in_worlds()) {
     const World first = build_world(find_world(name));
     const World second = build_world(find_world(name));
@@ -55,7 +55,7 @@ class Mathies : public testing::Test {
 };
 
 TEST_F(Mathies, HasTheBeam308MetresFromTheStart) {
-  const double start_m = description_.T_world_start.x;  // the drift begins at the origin, along x
+  const double start_m = description_.T_world_start.x;  // the tunnel begins at the origin, along x
   EXPECT_EQ(description_.props.beams.at(0).at_m - start_m, 308.0);
 }
 
@@ -65,7 +65,7 @@ TEST_F(Mathies, LeavesMoreThanTheVehicleNeedsUpToTheBeam) {
   EXPECT_TRUE(is_passable(site_, {}, tunnel(tunnels_, "main"), 4.0, 306.0));
 }
 
-TEST_F(Mathies, LetsNoVehiclePastTheBeam) {
+TEST_F(Mathies, IsImpassableAtTheBeam) {
   EXPECT_FALSE(is_passable(site_, {}, tunnel(tunnels_, "main"), 304.0, 320.0));
 }
 
@@ -129,51 +129,51 @@ class BrucetonDrive : public testing::Test {
       double x = 0.0;
       double y = 0.0;
       words >> x >> y;
-      way_.points.emplace_back(x, y);
+      drive_.points.emplace_back(x, y);
     }
   }
 
-  TunnelLine way_;
+  TunnelLine drive_;
   const Site site_{build_world(find_world("bruceton"))};
 };
 
 TEST_F(BrucetonDrive, IsLongerThanAMileAndBeginsAtTheStart) {
-  ASSERT_GT(way_.points.size(), 2U);
-  EXPECT_GT(way_.length_m(), 1700.0);
+  ASSERT_GT(drive_.points.size(), 2U);
+  EXPECT_GT(drive_.length_m(), 1700.0);
   const Pose2& start = site_.world().T_world_start;
-  EXPECT_NEAR((way_.points.front() - start.translation()).norm(), 0.0, 1e-9);
-  EXPECT_NEAR(angle_diff(way_.at(0.0).heading_rad, start.theta), 0.0, 0.01);
+  EXPECT_NEAR((drive_.points.front() - start.translation()).norm(), 0.0, 1e-9);
+  EXPECT_NEAR(angle_diff(drive_.at(0.0).heading_rad, start.theta), 0.0, 0.01);
 }
 
-TEST_F(BrucetonDrive, HasRoomForTheVehicleAllAlong) {
-  const double length_m = way_.length_m();
+TEST_F(BrucetonDrive, HasRoomForTheVehicleAlongItsLength) {
+  const double length_m = drive_.length_m();
   for (double s_m = 0.0; s_m < length_m; s_m += 0.5) {
-    // As the heading of a vehicle of some length, not that of a short piece of the way.
-    const Eigen::Vector2d ahead = way_.at(s_m + 0.5).p_world - way_.at(s_m - 0.5).p_world;
-    const Eigen::Vector2d p = way_.at(s_m).p_world;
+    // Heading over the length of a vehicle, not that of a short segment.
+    const Eigen::Vector2d ahead = drive_.at(s_m + 0.5).p_world - drive_.at(s_m - 0.5).p_world;
+    const Eigen::Vector2d p = drive_.at(s_m).p_world;
     EXPECT_TRUE(is_free(site_, {}, {p.x(), p.y(), std::atan2(ahead.y(), ahead.x())}))
         << "at x " << p.x() << ", y " << p.y();
   }
 }
 
-TEST_F(BrucetonDrive, TurnsNowhereMoreTightlyThanTheVehicleCan) {
+TEST_F(BrucetonDrive, KeepsTheTurningRadiusOfTheVehicle) {
   constexpr double kSegment = 1.0;
-  for (double s_m = kSegment; s_m < way_.length_m() - kSegment; s_m += 0.5) {
-    const Eigen::Vector2d in = way_.at(s_m).p_world - way_.at(s_m - kSegment).p_world;
-    const Eigen::Vector2d out = way_.at(s_m + kSegment).p_world - way_.at(s_m).p_world;
+  for (double s_m = kSegment; s_m < drive_.length_m() - kSegment; s_m += 0.5) {
+    const Eigen::Vector2d in = drive_.at(s_m).p_world - drive_.at(s_m - kSegment).p_world;
+    const Eigen::Vector2d out = drive_.at(s_m + kSegment).p_world - drive_.at(s_m).p_world;
     const double turn = angle_diff(std::atan2(out.y(), out.x()), std::atan2(in.y(), in.x()));
     EXPECT_LT(std::abs(turn), kSegment / 1.6) << "at " << s_m;
   }
 }
 
-TEST_F(BrucetonDrive, PassesNearlyEveryDrift) {
+TEST_F(BrucetonDrive, PassesNearlyEveryTunnel) {
   double passed_m = 0.0;
   double all_m = 0.0;
   for (const TunnelEdge& edge : site_.world().truth.tunnels.edges) {
     const TunnelLine line{edge.tunnel, edge.points, edge.width_m, false};
     for (double s_m = 0.5; s_m < line.length_m(); s_m += 1.0) {
       all_m += 1.0;
-      if (way_.distance_m(line.at(s_m).p_world) < 10.0) passed_m += 1.0;
+      if (drive_.distance_m(line.at(s_m).p_world) < 10.0) passed_m += 1.0;
     }
   }
   EXPECT_GT(passed_m / all_m, 0.95);

@@ -28,7 +28,7 @@ TEST(HeightProfile, GoesThroughItsPointsAndIsLevelBeyondThem) {
   EXPECT_DOUBLE_EQ(profile.at(99.0), 2.0);
 }
 
-TEST(HeightProfile, ClimbsWithoutEdgesAndWithoutOvershooting) {
+TEST(HeightProfile, IsSmoothAndMonotonic) {
   const HeightProfile profile({0.0, 0.0, 10.0, 1.0, 14.0, 4.0});
   constexpr double kStep = 0.01;
   double slope_before = 0.0;
@@ -40,7 +40,7 @@ TEST(HeightProfile, ClimbsWithoutEdgesAndWithoutOvershooting) {
   }
 }
 
-TEST(HeightProfile, RejectsWhatDoesNotAscend) {
+TEST(HeightProfile, RejectsDistancesThatDoNotAscend) {
   EXPECT_THROW(HeightProfile({0.0, 0.0, 0.0, 1.0}), std::invalid_argument);
   EXPECT_THROW(HeightProfile({0.0, 0.0, 5.0}), std::invalid_argument);
   EXPECT_THROW(HeightProfile({0.0, std::nan("")}), std::invalid_argument);

@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 class MeshWorld : public testing::Test {
  protected:
-  /// Writes the mesh as a file, and describes a world of it.
+  /// Writes the mesh to a file and describes a world of it.
   WorldDescription description_of(const TriangleMesh& mesh) {
     std::ofstream file(scratch_ / "mine.obj");
     for (const Eigen::Vector3f& v : mesh.vertices) {
@@ -55,7 +55,7 @@ TEST_F(MeshWorld, ABoxHasItsFloorAndItsOutline) {
   EXPECT_EQ(Site(world).scene().mesh().triangles.size(), 12U);
 }
 
-TEST_F(MeshWorld, TheGroundUnderTheRockAroundIsNoFloor) {
+TEST_F(MeshWorld, GroundBelowTheRockIsNotFloor) {
   const World box = box_tunnel({}, [](MeshBuilder& builder) {
     builder.box(level_box({0.0, 0.0, 1.0}, {42.0, 6.0, 2.8}));  // 0.4 m of rock all around
   });
@@ -65,7 +65,7 @@ TEST_F(MeshWorld, TheGroundUnderTheRockAroundIsNoFloor) {
   EXPECT_NEAR(world.truth.plan[0].signed_area_m2(), 160.0, 1e-3);
 }
 
-TEST_F(MeshWorld, WhatStandsInItIsAPillarOfThePlan) {
+TEST_F(MeshWorld, ObjectsArePillarsOfThePlan) {
   const World box = box_tunnel({}, [](MeshBuilder& builder) {
     builder.box(level_box({5.0, 0.0, 1.0}, {1.0, 1.0, 2.2}));
   });
@@ -101,7 +101,7 @@ TEST_F(MeshWorld, RejectsAStartOutsidePropsAndAPlan) {
   EXPECT_THAT(error_of(description), HasSubstr("no floor at the start"));
   description.T_world_start = {};
   description.props.posts = {{.tunnel = "main"}};
-  EXPECT_THAT(error_of(description), HasSubstr("no drifts"));
+  EXPECT_THAT(error_of(description), HasSubstr("no tunnels"));
   description.props.posts.clear();
   description.plan.tunnels = {{"main", {0.0, 0.0, 30.0, 0.0}, 3.0, false}};
   EXPECT_THAT(error_of(description), HasSubstr("not of both"));

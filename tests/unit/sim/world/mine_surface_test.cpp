@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the surfaces of a plan are like, asked with rays.
+// Surfaces built from a plan, tested with rays.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -35,7 +35,7 @@ WorldDescription panel_world() {
   return description;
 }
 
-/// A drift along x from 0, without relief anywhere.
+/// A tunnel along x from 0, without relief anywhere.
 WorldDescription smooth_tunnel(bool entrance = false) {
   WorldDescription description;
   description.plan.tunnels = {{"main", {0.0, 0.0, 30.0, 0.0}, 3.0, entrance}};
@@ -51,7 +51,7 @@ std::optional<RayHit> cast(const Site& site, const Eigen::Vector3d& from,
   return site.scene().cast({from.cast<float>(), towards.normalized().cast<float>()}, kFar);
 }
 
-/// Somewhere on a middle line, between floor and roof.
+/// A point on a centre line, between floor and roof.
 Eigen::Vector3d inner_place(const World& world, std::mt19937_64& random) {
   const std::vector<TunnelEdge>& edges = world.truth.tunnels.edges;
   const TunnelEdge& edge =
@@ -85,7 +85,7 @@ TEST(MineSurface, EveryEdgeBelongsToTwoTriangles) {
       balance[{low, high}] += triangle[i] == low ? 1 : -1;
     }
   }
-  // Each runs along it in its own direction, so that all normals point into the open.
+  // Each traverses it in its own direction, so that all normals point into the open space.
   EXPECT_TRUE(std::all_of(balance.begin(), balance.end(),
                           [](const auto& edge) { return edge.second == 0; }));
 }
@@ -126,7 +126,7 @@ TEST(MineSurface, FloorIsOfMudWhereItIsSoft) {
   EXPECT_EQ(part(15.0).kind, PartKind::kFloor);
   EXPECT_EQ(part(15.0).material, Material::kMud);
   EXPECT_EQ(part(15.0).name, "mud");
-  // The middle of a triangle says whose it is: no corner is farther from it than 0.2 m.
+  // The centre of a triangle selects its owner: no vertex is farther from it than 0.2 m.
   EXPECT_EQ(part(15.0 + 1.2 - 0.2).material, Material::kMud);
   EXPECT_EQ(part(15.0 + 1.2 + 0.2).material, Material::kRock);
   EXPECT_EQ(part(15.0 - 1.2 - 0.2).material, Material::kRock);
@@ -197,7 +197,7 @@ TEST(MineSurface, RoughWallsLeaveNothingInAMouth) {
   }
 }
 
-TEST(MineSurface, OutlineOfAStraightDriftIsItsRectangle) {
+TEST(MineSurface, OutlineOfAStraightTunnelIsItsRectangle) {
   for (const bool entrance : {false, true}) {
     const World world = build_world(smooth_tunnel(entrance));
     ASSERT_EQ(world.truth.plan.size(), 1U);
@@ -247,7 +247,7 @@ TEST(MineSurface, PillarsStandInRooms) {
   EXPECT_TRUE(site.world().truth.tunnels.edges.empty());
 }
 
-TEST(MineSurface, DriftsOpenIntoRoomsAndDriftsThatTheyOnlyTouch) {
+TEST(MineSurface, TunnelsOpenIntoRoomsAndTunnelsThatTheyOnlyTouch) {
   WorldDescription description = smooth_tunnel();
   description.wall_relief = {.height_m = 0.4, .length_m = 0.5, .octaves = 2};
   description.plan.rooms = {{"room", {30.0, -5.0, 40.0, -5.0, 40.0, 5.0, 30.0, 5.0}}};

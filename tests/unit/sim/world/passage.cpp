@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStep = 0.2;   // along and across [m]
 constexpr double kTurn = 0.15;  // [rad]
-constexpr int kTurnsMax = 5;    // to either side of the drift's direction
+constexpr int kTurnsMax = 5;    // to either side of the tunnel's direction
 
 using State = std::array<int, 3>;  // steps along, across, of heading
 

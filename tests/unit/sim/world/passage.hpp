@@ -7,7 +7,7 @@
 
 namespace adit {
 
-/// What has to fit: a level box that keeps `belly_m` above the floor in its middle.
+/// A level box that keeps `belly_m` above the floor at its centre.
 struct Body {
   double length_m = 2.4;
   double width_m = 1.2;
@@ -15,11 +15,11 @@ struct Body {
   double belly_m = 0.3;
 };
 
-/// Whether a body stands free at a pose of the plan.
+/// Whether a body is free of collisions at a pose of the plan.
 bool is_free(const Site& site, const Body& body, const Pose2& T_world_body);
 
-/// Whether a body gets from one place of a drift to another within it, by small steps along,
-/// across and of heading, whatever its steering allows.
+/// Whether a body can move between two positions of a tunnel within it, by small steps along,
+/// across and of heading, independent of its steering.
 bool is_passable(const Site& site, const Body& body, const TunnelLine& tunnel, double from_m,
                  double to_m);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kGrid = 0.2;
 
-/// Askew to the grid, so that its walls pass the corners of the grid at any distance.
+/// Rotated against the grid, so that its walls pass the corners of the grid at any distance.
 PlanMesh mesh_of_askew_tunnel() {
   WorldDescription description;
   description.plan.tunnels = {{"main", {0.0, 0.0, 60.0, 7.0}, 3.0, false}};
@@ -55,8 +55,8 @@ TEST(PlanMesh, CoversThePlan) {
   EXPECT_NEAR(area_m2(mesh), 3.0 * length, 0.001 * 2.0 * length + 4 * 0.1 * kGrid * kGrid);
 }
 
-TEST(ShortWalls, BecomeOnePointAndTheirTrianglesGo) {
-  // A square with one corner cut off by 1 cm, as a fan around its middle.
+TEST(ShortWalls, AreMergedAndTheirTrianglesRemoved) {
+  // A square with one corner cut by 1 cm, as a fan around its centre.
   PlanMesh mesh;
   mesh.points = {{0.5, 0.5}, {0.0, 0.0}, {0.99, 0.0}, {1.0, 0.01}, {1.0, 1.0}, {0.0, 1.0}};
   mesh.next_on_wall = {PlanMesh::kNone, 2, 3, 4, 5, 1};
@@ -69,7 +69,7 @@ TEST(ShortWalls, BecomeOnePointAndTheirTrianglesGo) {
   EXPECT_EQ(mesh.next_on_wall, around);
 }
 
-TEST(ShortWalls, LeaveAWallThreePoints) {
+TEST(ShortWalls, KeepThreePointsOfAWall) {
   PlanMesh mesh;
   mesh.points = {{0.0, 0.0}, {0.01, 0.0}, {0.01, 0.01}, {0.0, 0.01}};
   mesh.next_on_wall = {1, 2, 3, 0};

@@ -16,7 +16,7 @@ namespace {
 const std::vector<std::string> kTopologies{"parallel_entries", "room_and_pillar", "branching",
                                            "ring"};
 
-TEST(RandomMine, IsTheSameForTheSameSeedAndOthersForOthers) {
+TEST(RandomMine, DependsOnItsSeed) {
   std::set<std::string> all;
   for (int seed = 0; seed < 20; ++seed) {
     const std::string text = to_world_file(random_mine(seed));
@@ -26,34 +26,34 @@ TEST(RandomMine, IsTheSameForTheSameSeedAndOthersForOthers) {
   EXPECT_EQ(all.size(), 20U);
 }
 
-TEST(RandomMine, BuildsAndIsAboutAsLongAsAskedFor) {
+TEST(RandomMine, BuildsWithAboutTheRequestedLength) {
   for (int seed = 0; seed < 50; ++seed) {
-    for (const double asked_m : {60.0, 150.0, 300.0}) {
-      const RandomMineParams params{.length_m = asked_m, .damage = 0.02 * seed};
+    for (const double requested_m : {60.0, 150.0, 300.0}) {
+      const RandomMineParams params{.length_m = requested_m, .damage = 0.02 * seed};
       const World world = build_world(random_mine(seed, params));
-      EXPECT_NEAR(world.truth.tunnels.length_m(), asked_m, 0.4 * asked_m) << seed;
+      EXPECT_NEAR(world.truth.tunnels.length_m(), requested_m, 0.4 * requested_m) << seed;
     }
   }
 }
 
-TEST(RandomMine, IsOfEachTopologyAboutAsLongAsAskedFor) {
+TEST(RandomMine, HasAboutTheRequestedLengthInEachTopology) {
   for (const std::string& topology : kTopologies) {
     for (int seed = 0; seed < 50; ++seed) {
-      for (const double asked_m : {30.0, 110.0, 130.0, 400.0, 1500.0, 5000.0}) {
-        const WorldDescription mine = random_mine(seed, {topology, asked_m, 0.0});
+      for (const double requested_m : {30.0, 110.0, 130.0, 400.0, 1500.0, 5000.0}) {
+        const WorldDescription mine = random_mine(seed, {topology, requested_m, 0.0});
         double length_m = 0.0;
         for (const TunnelLine& tunnel : tunnel_lines(mine.plan)) {
           length_m += tunnel.length_m();
           EXPECT_GE(tunnel.width_m, 2.5);
           EXPECT_LE(tunnel.width_m, 6.0);
         }
-        EXPECT_NEAR(length_m, asked_m, 0.4 * asked_m) << topology << " " << seed;
+        EXPECT_NEAR(length_m, requested_m, 0.4 * requested_m) << topology << " " << seed;
       }
     }
   }
 }
 
-TEST(RandomMine, HasASoundDriftBehindItsEntrance) {
+TEST(RandomMine, HasAnUndamagedTunnelBehindItsEntrance) {
   for (int seed = 0; seed < 50; ++seed) {
     const WorldDescription mine = random_mine(seed, {.damage = 1.0});
     const Site site(build_world(mine));
@@ -68,7 +68,7 @@ TEST(RandomMine, HasASoundDriftBehindItsEntrance) {
   }
 }
 
-TEST(RandomMine, IsDamagedAsMuchAsAskedFor) {
+TEST(RandomMine, HasTheRequestedDamage) {
   const auto obstacles = [](double damage) {
     std::size_t count = 0;
     for (int seed = 0; seed < 20; ++seed) {
@@ -84,7 +84,7 @@ TEST(RandomMine, IsDamagedAsMuchAsAskedFor) {
   EXPECT_GT(obstacles(1.0), 2U * obstacles(0.3));
 }
 
-TEST(RandomMine, RejectsATopologyThatThereIsNot) {
+TEST(RandomMine, RejectsAnUnknownTopology) {
   EXPECT_THROW(random_mine(1, {.topology = "spiral"}), std::invalid_argument);
 }
 

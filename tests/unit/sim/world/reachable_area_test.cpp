@@ -14,7 +14,7 @@
 namespace adit {
 namespace {
 
-// A vehicle may be off the middle of its cell, and squares of 0.1 m count as a whole.
+// A vehicle may be off the centre of its cell, and squares of 0.1 m count completely.
 constexpr double kCellAndSquare = 0.3;
 
 Obstacle block(double x_low, double x_high, double y_low, double y_high) {
@@ -25,7 +25,7 @@ Obstacle block(double x_low, double x_high, double y_low, double y_high) {
           .z_high_m = 2.0};
 }
 
-/// In which the vehicle cannot stand across.
+/// In it, the vehicle cannot stand across.
 World narrow_tunnel() { return box_tunnel({.length_m = 40.0, .width_m = 2.2, .height_m = 2.0}); }
 
 double farthest_x(const ReachableArea& area) {
@@ -41,26 +41,26 @@ double reached_m(const ReachableArea& area) {
 TEST(ReachableArea, OfABoxIsTheBoxLessHalfTheVehicle) {
   const Vehicle vehicle;
   const ReachableArea area = reachable_area(narrow_tunnel(), vehicle);
-  // The middle comes no nearer to an end than half the length, to a side than half the width.
+  // The centre keeps half of the length from the ends and half of the width from the sides.
   EXPECT_NEAR(farthest_x(area), 20.0 - vehicle.length_m / 2.0, kCellAndSquare);
   const double width = 2.2 - vehicle.width_m;
   const double length = 40.0 - vehicle.length_m;
   EXPECT_NEAR(area.area_m2, width * length, 0.2 * (width + length));
 }
 
-TEST(ReachableArea, EndsAtAPostThatLeavesNoWayAround) {
+TEST(ReachableArea, EndsAtAPostThatBlocksTheTunnel) {
   World world = narrow_tunnel();
   world.truth.obstacles = {block(5.0, 5.3, -0.1, 0.1)};  // 1.0 m to either side
   EXPECT_NEAR(farthest_x(reachable_area(world, {})), 5.0 - 1.2, kCellAndSquare);
 }
 
-TEST(ReachableArea, GoesAroundOneThatLeavesAWay) {
+TEST(ReachableArea, ContinuesBehindAPostThatLeavesRoom) {
   World world = box_tunnel();
   world.truth.obstacles = {block(5.0, 5.3, -0.3, 0.3)};  // 1.7 m to either side
   EXPECT_GT(farthest_x(reachable_area(world, {})), 18.0);
 }
 
-TEST(ReachableArea, IsNothingWhereTheVehicleDoesNotFit) {
+TEST(ReachableArea, IsEmptyWhereTheVehicleDoesNotFit) {
   World world = box_tunnel({.length_m = 40.0, .width_m = 1.0, .height_m = 2.0});
   EXPECT_TRUE(reachable_area(world, {}).cells.empty());
   world = box_tunnel();
@@ -70,7 +70,7 @@ TEST(ReachableArea, IsNothingWhereTheVehicleDoesNotFit) {
   EXPECT_EQ(reachable_area(world, {}).area_m2, 0.0);
 }
 
-TEST(ReachableArea, CountsTheLengthOfDriftsAndTheGroundOutside) {
+TEST(ReachableArea, CountsTheLengthOfTunnelsAndTheGroundOutside) {
   WorldDescription description;
   description.grid_m = 0.2;
   description.plan.tunnels = {{"main", {0.0, 0.0, 40.0, 0.0}, 3.0, true},
@@ -82,7 +82,7 @@ TEST(ReachableArea, CountsTheLengthOfDriftsAndTheGroundOutside) {
   const ReachableArea area = reachable_area(world, vehicle);
   ASSERT_EQ(area.edge_length_m.size(), world.truth.tunnels.edges.size());
   const double half_length = vehicle.length_m / 2.0;
-  // Into the narrow one its nose may look; its middle stays in the wide one, 1.5 m to either side.
+  // Its front may enter the narrow one; its centre stays in the wide one, 1.5 m to either side.
   const double expected = 40.0 - half_length + 30.0 - half_length;
   EXPECT_NEAR(reached_m(area), expected, 1.5 + 3 * 0.3);
 }

@@ -55,7 +55,7 @@ TEST(TunnelGraph, EdgesRunFromNodeToNode) {
   EXPECT_NEAR(graph.length_m(), 20.0 + 12.0, 1e-9);
 }
 
-TEST(TunnelGraph, ADriftThatEndsAtTheWallOfAnotherIsLedToItsMiddle) {
+TEST(TunnelGraph, ATunnelThatEndsAtTheWallOfAnotherIsExtendedToItsCentreLine) {
   const TunnelGraph graph =
       tunnel_graph({line("a", {{0.0, 0.0}, {20.0, 0.0}}), line("b", {{8.0, 1.5}, {8.0, 11.5}})});
   EXPECT_EQ(graph.nodes.size(), 4U);
@@ -63,7 +63,7 @@ TEST(TunnelGraph, ADriftThatEndsAtTheWallOfAnotherIsLedToItsMiddle) {
   EXPECT_DOUBLE_EQ(graph.edges[2].length_m, 11.5);
 }
 
-TEST(TunnelGraph, OneThatEndsBehindTheMiddleOfAnotherMeetsItThere) {
+TEST(TunnelGraph, OneThatEndsBehindTheCentreLineOfAnotherMeetsItThere) {
   const TunnelGraph graph =
       tunnel_graph({line("a", {{0.0, 0.0}, {20.0, 0.0}}), line("b", {{8.0, -1.2}, {8.0, 11.5}})});
   EXPECT_EQ(graph.nodes.size(), 4U);
@@ -111,7 +111,7 @@ TEST(TunnelGraph, CrossingsCloseToEachOtherAreOneNode) {
   EXPECT_EQ(nodes_of_degree(graph, 4), 1);
 }
 
-TEST(TunnelGraph, KnowsTheEntrance) {
+TEST(TunnelGraph, MarksTheEntrance) {
   TunnelLine mouth = line("a", {{0.0, 0.0}, {20.0, 0.0}});
   mouth.entrance = true;
   const TunnelGraph graph = tunnel_graph({mouth});

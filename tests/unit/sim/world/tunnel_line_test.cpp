@@ -26,29 +26,29 @@ std::string error_of(const PlanDescription& plan) {
   return "";
 }
 
-TEST(TunnelLine, CountsAlongItsPoints) {
+TEST(TunnelLine, IsParametrisedByDistance) {
   EXPECT_DOUBLE_EQ(kBent.length_m(), 15.0);
   EXPECT_EQ(kBent.at(4.0).p_world, Eigen::Vector2d(4.0, 0.0));
   EXPECT_EQ(kBent.at(12.0).p_world, Eigen::Vector2d(10.0, 2.0));
   EXPECT_DOUBLE_EQ(kBent.at(12.0).heading_rad, std::atan2(1.0, 0.0));
 }
 
-TEST(TunnelLine, StaysAtItsEnds) {
+TEST(TunnelLine, ClampsDistancesToItsEnds) {
   EXPECT_EQ(kBent.at(-1.0).p_world, Eigen::Vector2d(0.0, 0.0));
   EXPECT_EQ(kBent.at(99.0).p_world, Eigen::Vector2d(10.0, 5.0));
 }
 
-TEST(TunnelLine, HasItsLeftBesideIt) {
+TEST(TunnelLine, PointsBesideItAreToItsLeft) {
   EXPECT_TRUE(kBent.beside(4.0, 1.0).isApprox(Eigen::Vector2d(4.0, 1.0)));
   EXPECT_TRUE(kBent.beside(12.0, 1.0).isApprox(Eigen::Vector2d(9.0, 2.0)));
 }
 
-TEST(TunnelLine, KnowsHowFarAPlaceIs) {
+TEST(TunnelLine, MeasuresTheDistanceOfAPoint) {
   EXPECT_DOUBLE_EQ(kBent.distance_m({4.0, -2.0}), 2.0);
   EXPECT_DOUBLE_EQ(kBent.distance_m({13.0, 9.0}), 5.0);
 }
 
-TEST(TunnelLine, CountsPlacesAlongAndToItsLeft) {
+TEST(TunnelLine, GivesThePositionAlongAndAcross) {
   for (const auto& [p, s_m, across_m] : {std::tuple(Eigen::Vector2d(4.0, 1.0), 4.0, 1.0),
                                          {{4.0, -2.0}, 4.0, -2.0},
                                          {{9.0, 4.0}, 14.0, 1.0},
@@ -102,7 +102,7 @@ TEST(TunnelLines, SayWhatIsWrong) {
   EXPECT_THAT(error_of(plan), HasSubstr("'p_crosscut_3'"));
 }
 
-TEST(TunnelLines, AnUnknownDriftIsAnsweredWithThoseThereAre) {
+TEST(TunnelLines, AnUnknownTunnelIsRejectedWithTheKnownNames) {
   try {
     find_tunnel({kBent}, "other", "pit 'deep'");
     FAIL();

@@ -32,12 +32,13 @@ std::string write(const std::filesystem::path& path, const std::string& text) {
   return path.string();
 }
 
-TEST(WorldFile, FourMinesAreBuiltIn) {
-  EXPECT_THAT(built_in_worlds(), ElementsAre("bruceton", "florence", "mathies", "straight"));
+TEST(WorldFile, SevenWorldsAreBuiltIn) {
+  EXPECT_THAT(built_in_worlds(), ElementsAre("bruceton", "florence", "grid", "mathies", "parallel",
+                                             "sample", "straight"));
   for (const std::string& name : built_in_worlds()) EXPECT_EQ(find_world(name).name, name);
 }
 
-TEST(WorldFile, WrittenLoadsAgainAsTheSame) {
+TEST(WorldFile, WrittenLoadsAgainUnchanged) {
   const test::ScratchFolder folder;
   std::vector<std::string> names = built_in_worlds();
   names.emplace_back("random");
@@ -48,13 +49,13 @@ TEST(WorldFile, WrittenLoadsAgainAsTheSame) {
   }
 }
 
-TEST(WorldFile, ASeedTakesThePlaceOfThatOfTheFile) {
+TEST(WorldFile, ASeedReplacesThatOfTheFile) {
   EXPECT_EQ(find_world("mathies").seed, 1877);
   EXPECT_EQ(find_world("mathies", 5).seed, 5);
   EXPECT_NE(to_world_file(find_world("random", 5)), to_world_file(find_world("random", 6)));
 }
 
-TEST(WorldFile, NamesAMeshThatLiesBesideIt) {
+TEST(WorldFile, RefersToAMeshBesideIt) {
   const test::ScratchFolder folder;
   const std::string path =
       write(folder / "own.yaml", "world:\n  mesh: {file: tunnel.obj, scale: 0.01}\n");
@@ -63,7 +64,7 @@ TEST(WorldFile, NamesAMeshThatLiesBesideIt) {
   EXPECT_EQ(description.name, "own");
 }
 
-TEST(WorldFile, AMeshIsAWorldByItself) {
+TEST(WorldFile, AMeshFileIsAWorld) {
   const test::ScratchFolder folder;
   const std::string path = write(folder / "cave.obj", "v 0 0 0\n");
   const WorldDescription description = find_world(path);
@@ -71,14 +72,14 @@ TEST(WorldFile, AMeshIsAWorldByItself) {
   EXPECT_EQ(description.name, "cave");
 }
 
-TEST(WorldFile, AnUnknownNameIsRejectedWithWhatThereIs) {
+TEST(WorldFile, AnUnknownNameIsRejectedWithTheKnownNames) {
   EXPECT_THAT(error_of("mathis"),
               AllOf(HasSubstr("no world 'mathis'"), HasSubstr("did you mean 'mathies'?"),
                     HasSubstr("bruceton, florence, mathies, straight, random")));
   EXPECT_THAT(error_of("/nowhere/x.yaml"), HasSubstr("no world '/nowhere/x.yaml'"));
 }
 
-TEST(WorldFile, AFileThatIsNotOneIsRejectedWithItsLine) {
+TEST(WorldFile, AnInvalidFileIsRejectedWithItsLine) {
   const test::ScratchFolder folder;
   const auto with = [&](const std::string& text) {
     return error_of(write(folder / "bad.yaml", text));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// World files with a slip of the pen are refused before they take minutes or all of the memory.
+// World files with typing errors are rejected before they take minutes or all memory.
 #include <fstream>
 #include <stdexcept>
 
@@ -19,11 +19,11 @@ using testing::Not;
 
 class WorldLimits : public testing::Test {
  protected:
-  /// Of a drift along x and what else is in the section `world`, one key per line.
+  /// A world file with a tunnel along x and further keys of the section `world`, one per line.
   std::string error_of(const std::string& more, const std::string& tunnel_end = "40, 0") {
     const std::filesystem::path path = folder_ / "odd.yaml";
     std::ofstream(path) << "world:\n  T_world_start: {x_m: 5, y_m: 0, theta_rad: 0}\n"
-                        << "  plan: {drifts: [{name: main, points_m: [0, 0, " << tunnel_end
+                        << "  plan: {tunnels: [{name: main, points_m: [0, 0, " << tunnel_end
                         << "]}]}\n"
                         << more;
     try {
@@ -38,7 +38,7 @@ class WorldLimits : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(WorldLimits, ADriftOfAMillionKilometresIsRejected) {
+TEST_F(WorldLimits, ATunnelOfAMillionKilometresIsRejected) {
   EXPECT_THAT(error_of("", "1e9, 0"), HasSubstr("m is the most"));
   EXPECT_THAT(error_of("", "1e300, 1e300"), HasSubstr("m is the most"));
   EXPECT_THAT(error_of("", "1e-9, 0"), HasSubstr("same point twice"));
@@ -55,13 +55,13 @@ TEST_F(WorldLimits, WallsOfTooManyTrianglesAreRejected) {
               HasSubstr("too many"));
 }
 
-TEST_F(WorldLimits, NumbersThatNoMineHasAreRejectedByTheirKey) {
+TEST_F(WorldLimits, ImplausibleNumbersAreRejectedByTheirKey) {
   const std::vector<std::pair<std::string, std::string>> worlds{
-      {"props: {posts: [{drift: main, to_m: 30, every_m: 1e-9}]}", "every_m"},
-      {"props: {rails: [{drift: main, to_m: 30, height_m: 1e9}]}", "height_m"},
-      {"props: {rubble: [{drift: main, at_m: 9, radius_m: 1e9}]}", "radius_m"},
-      {"props: {rubble: [{drift: main, at_m: 9, height_m: 1e9}]}", "height_m"},
-      {"props: {cribs: [{drift: main, at_m: 9, across_m: 1e300}]}", "across_m"},
+      {"props: {posts: [{tunnel: main, to_m: 30, every_m: 1e-9}]}", "every_m"},
+      {"props: {rails: [{tunnel: main, to_m: 30, height_m: 1e9}]}", "height_m"},
+      {"props: {rubble: [{tunnel: main, at_m: 9, radius_m: 1e9}]}", "radius_m"},
+      {"props: {rubble: [{tunnel: main, at_m: 9, height_m: 1e9}]}", "height_m"},
+      {"props: {cribs: [{tunnel: main, at_m: 9, across_m: 1e300}]}", "across_m"},
       {"heights: {clearance_m: 1e9}", "clearance_m"},
       {"heights: {profile_m: [0, 0, 9, 1e300]}", "profile_m"},
       {"heights: {floor_relief: {length_m: 1e-300}}", "length_m"},

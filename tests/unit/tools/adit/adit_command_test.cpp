@@ -33,13 +33,17 @@ class AditCommand : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(AditCommand, TeachesByItsHelp) {
+TEST_F(AditCommand, DescribesEveryCommandInItsHelp) {
   EXPECT_EQ(adit({"--help"}).exit_code, 0);
   for (const std::vector<std::string>& command : {std::vector<std::string>{"import", "carmen"},
                                                   {"eval", "map"},
                                                   {"eval", "relations"},
                                                   {"drive"},
                                                   {"logs"},
+                                                  {"mission"},
+                                                  {"order"},
+                                                  {"reload"},
+                                                  {"report"},
                                                   {"map"},
                                                   {"optimize"},
                                                   {"plan"},
@@ -52,21 +56,23 @@ TEST_F(AditCommand, TeachesByItsHelp) {
                                                   {"volume"},
                                                   {"start"},
                                                   {"stop"},
-                                                  {"completion"}}) {
+                                                  {"completion", "bash"}}) {
     std::vector<std::string> arguments = command;
     arguments.emplace_back("--help");
     const CommandResult outcome = adit(arguments);
     EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_THAT(outcome.out, AllOf(HasSubstr("Usage: adit " + command[0]), HasSubstr("Example")));
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("Usage: adit " + command[0]),
+                                   HasSubstr("\nExit codes:\n"), HasSubstr("\nExamples:\n")));
   }
 }
 
-TEST_F(AditCommand, SaysItsVersion) { EXPECT_THAT(adit({"--version"}).out, StartsWith("adit ")); }
+TEST_F(AditCommand, PrintsItsVersion) { EXPECT_THAT(adit({"--version"}).out, StartsWith("adit ")); }
 
-TEST_F(AditCommand, WrongUseIsOneLineAndExitCodeTwo) {
+TEST_F(AditCommand, ReportsInvalidUsageInOneLineWithExitCodeTwo) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"imprt"},
         {"import"},
+        {"completion", "zsh"},
         {"sample"},
         {"sample", at("x.txt")},
         {"import", "carmen", at("missing"), at("out")},
@@ -99,7 +105,7 @@ TEST_F(AditCommand, WrongUseIsOneLineAndExitCodeTwo) {
 
 constexpr const char* kEdge = "EDGE_SE2 3 4 1 0 0 1 0 0 1 0 1\n";
 
-TEST_F(AditCommand, OptimizePrintsFiguresAndWritesPoses) {
+TEST_F(AditCommand, OptimizesAGraphAndWritesItsPoses) {
   std::ofstream(at("g.g2o")) << kEdge << "EDGE_SE2 3 4 2 0 0 1 0 0 1 0 1\n";
   const CommandResult outcome = adit({"optimize", at("g.g2o"), "--out", at("best.g2o")});
   EXPECT_EQ(outcome.exit_code, 0);
@@ -107,7 +113,7 @@ TEST_F(AditCommand, OptimizePrintsFiguresAndWritesPoses) {
   EXPECT_THAT(contents("best.g2o"), HasSubstr("VERTEX_SE2 4 1.5 0 0\n"));
 }
 
-TEST_F(AditCommand, OptimizeNamesTheLineOrTheNodeThatIsWrong) {
+TEST_F(AditCommand, OptimizeReportsTheInvalidLineOrNode) {
   std::ofstream(at("line.g2o")) << kEdge << "EDGE_SE2 4 5 1 0\n";
   EXPECT_THAT(adit({"optimize", at("line.g2o")}).err, HasSubstr("line.g2o:2: "));
   std::ofstream(at("apart.g2o")) << kEdge << "VERTEX_SE2 3 0 0 0\nVERTEX_SE2 4 0 0 0\n"
@@ -117,16 +123,16 @@ TEST_F(AditCommand, OptimizeNamesTheLineOrTheNodeThatIsWrong) {
   EXPECT_THAT(outcome.err, HasSubstr("apart.g2o: no chain of constraints links pose 9"));
 }
 
-/// Two rounds of a square and a loop that is wrong.
-G2oGraph two_rounds() {
+/// Two laps of a square trajectory and one wrong loop closure.
+G2oGraph two_laps() {
   G2oGraph file{test::square_trajectory_graph(160, 20, 0.05), {}};
   for (long id = 0; id < 160; ++id) file.ids.push_back(id);
   file.graph.constraints.push_back({10, 130, {}, 100.0 * Eigen::Matrix3d::Identity()});
   return file;
 }
 
-TEST_F(AditCommand, OptimizeDecidesAboutLoopsAndWritesWhatItBelieves) {
-  const G2oGraph file = two_rounds();
+TEST_F(AditCommand, OptimizeRejectsAWrongLoopClosure) {
+  const G2oGraph file = two_laps();
   write_g2o(file, at("g.g2o"));
   for (const char* order : {"best_first", "threshold"}) {
     const CommandResult outcome = adit(
@@ -140,20 +146,21 @@ TEST_F(AditCommand, OptimizeDecidesAboutLoopsAndWritesWhatItBelieves) {
     EXPECT_EQ(good.graph.constraints.size(), file.graph.constraints.size() - 1);
     for (std::size_t i = 0; i < good.graph.poses.size(); ++i) {
       const Pose2 apart = between(good.graph.poses[i], file.graph.poses[i]);
-      EXPECT_LT(apart.translation().norm(), 1.0);  // the wrong loop would bend it by tens of metres
+      EXPECT_LT(apart.translation().norm(),
+                1.0);  // the wrong loop closure causes an error of tens of metres
     }
   }
 }
 
-TEST_F(AditCommand, OptimizeNeedsAWayToHoldLoopsAgainst) {
+TEST_F(AditCommand, OptimizeRequiresOdometryForLazyAssociation) {
   std::ofstream(at("gap.g2o")) << kEdge << "EDGE_SE2 3 9 1 0 0 1 0 0 1 0 1\n";
   const CommandResult outcome = adit({"optimize", at("gap.g2o"), "--loops", "lazy"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("gap.g2o: no constraint links pose 4 with the next, pose 9"));
+  EXPECT_THAT(outcome.err, HasSubstr("gap.g2o: no constraint between pose 4 and the next pose 9"));
   EXPECT_EQ(adit({"optimize", at("gap.g2o")}).exit_code, 0);
 }
 
-TEST_F(AditCommand, ASampleIsTheSameTwiceAndCanBeImported) {
+TEST_F(AditCommand, SampleIsReproducibleAndCanBeImported) {
   ASSERT_EQ(adit({"sample", at("a.log"), "--truth", at("a.tum")}).exit_code, 0);
   ASSERT_EQ(adit({"sample", at("b.log")}).exit_code, 0);
   EXPECT_EQ(contents("a.log"), contents("b.log"));
@@ -171,7 +178,7 @@ TEST_F(AditCommand, ASampleIsTheSameTwiceAndCanBeImported) {
   EXPECT_THAT(contents("a.log"), StartsWith(contents("d.log")));
 }
 
-TEST_F(AditCommand, ASampleMayBeOfAnotherWorld) {
+TEST_F(AditCommand, SampleSupportsSeveralWorlds) {
   const auto sample = [&](const std::string& name, std::vector<std::string> options) {
     options.insert(options.begin(), {"sample", at(name), "--length-m", "5"});
     EXPECT_EQ(adit(options).exit_code, 0);
@@ -182,7 +189,8 @@ TEST_F(AditCommand, ASampleMayBeOfAnotherWorld) {
   const std::string parallel = sample("parallel.log", {"--world", "parallel"});
   EXPECT_NE(parallel, ring);
   EXPECT_NE(parallel, sample("biased.log", {"--world", "parallel", "--yaw-bias-deg-per-m", "1"}));
-  EXPECT_NE(parallel, sample("bent.log", {"--world", "parallel", "--bearing-error-percent", "2"}));
+  EXPECT_NE(parallel,
+            sample("scaled.log", {"--world", "parallel", "--bearing-error-percent", "2"}));
   EXPECT_NE(parallel, sample("long.log", {"--world", "long"}));
 }
 
@@ -194,15 +202,15 @@ TEST_F(AditCommand, MapsASample) {
   EXPECT_THAT(contents("map/summary.json"), HasSubstr("\"total\": 63"));
 }
 
-TEST_F(AditCommand, ImportReportsWhatItSkips) {
+TEST_F(AditCommand, ImportReportsSkippedLines) {
   std::ofstream(at("in.log")) << "FLASER 2 1 1 0 0 0 0 0 0 5 h 5\nODOM 0 0 0 0 0 0 0 h 0\n";
   const CommandResult outcome = adit({"import", "carmen", at("in.log"), at("out.lcmlog")});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_THAT(outcome.err, HasSubstr("skipped line 2: a time that is not positive"));
+  EXPECT_THAT(outcome.err, HasSubstr("skipped line 2: timestamp not positive"));
   EXPECT_THAT(outcome.out, HasSubstr("1 of 2 lines skipped"));
 }
 
-TEST_F(AditCommand, ImportLeavesNoLogWhereThereWasNothingToImport) {
+TEST_F(AditCommand, ImportWritesNoLogWithoutReadings) {
   std::ofstream(at("in.log")) << "PARAM a b\n";
   EXPECT_EQ(adit({"import", "carmen", at("in.log"), at("out.lcmlog")}).exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(at("out.lcmlog")));
@@ -210,7 +218,7 @@ TEST_F(AditCommand, ImportLeavesNoLogWhereThereWasNothingToImport) {
   EXPECT_EQ(contents("in.log"), "PARAM a b\n");
 }
 
-TEST_F(AditCommand, EvalRelationsWritesJson) {
+TEST_F(AditCommand, EvalRelationsPrintsJson) {
   std::ofstream(at("a.relations")) << "1 2 1 0 0 0 0 0\n1 9 0 0 0 0 0 0\n";
   std::ofstream(at("a.tum")) << "1 0 0 0 0 0 0 1\n2 1.5 0 0 0 0 0 1\n";
   const CommandResult outcome = adit({"eval", "relations", at("a.relations"), at("a.tum")});

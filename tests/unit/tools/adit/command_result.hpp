@@ -11,7 +11,7 @@
 
 namespace adit {
 
-/// What a run of the command left.
+/// Exit code and output of a run of the command line.
 struct CommandResult {
   int exit_code;
   std::string out;

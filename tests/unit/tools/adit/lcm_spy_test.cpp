@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// An installation with the programs and jars that a test asks for.
+/// An installation tree with the programs and jars that a test requests.
 class SpyTest : public testing::Test {
  protected:
   SpyTest() {
@@ -43,14 +43,14 @@ class SpyTest : public testing::Test {
     } catch (const std::runtime_error& error) {
       return error.what();
     }
-    return "no complaint";
+    return "no error";
   }
 
   test::ScratchFolder folder_;
   fs::path root_ = folder_.path();
 };
 
-TEST_F(SpyTest, PutsOurJarsOnTheClassPath) {
+TEST_F(SpyTest, AddsJarsOfThisProjectToTheClassPath) {
   for (const char* file : {"tools/lcm-spy", "tools/java", "share/java/lcmtypes_adit.jar",
                            "share/java/lcmspy_plugins_adit.jar", "share/java/other.jar"}) {
     install(file);
@@ -64,7 +64,7 @@ TEST_F(SpyTest, PutsOurJarsOnTheClassPath) {
               HasSubstr("-XX:+IgnoreUnrecognizedVMOptions"));
 }
 
-TEST_F(SpyTest, OpensALogInThePlayersWindow) {
+TEST_F(SpyTest, OpensALogInTheGraphicalPlayer) {
   for (const char* file :
        {"tools/lcm-logplayer-gui", "tools/java", "share/java/lcmtypes_adit.jar", "run.lcmlog"}) {
     install(file);
@@ -74,7 +74,7 @@ TEST_F(SpyTest, OpensALogInThePlayersWindow) {
       ElementsAre((root_ / "tools/lcm-logplayer-gui").string(), (root_ / "run.lcmlog").string()));
 }
 
-TEST_F(SpyTest, SaysWhatToInstall) {
+TEST_F(SpyTest, ReportsMissingPackages) {
   EXPECT_THAT(error_text(), HasSubstr("lcm-spy is missing, try: sudo apt install liblcm-bin"));
   install("tools/lcm-spy");
   EXPECT_THAT(error_text(), HasSubstr("java is missing, try: sudo apt install default-jre"));
@@ -83,7 +83,7 @@ TEST_F(SpyTest, SaysWhatToInstall) {
               HasSubstr("has no lcmtypes_adit.jar, try: sudo apt install default-jdk"));
 }
 
-TEST_F(SpyTest, SaysThatALogIsMissing) {
+TEST_F(SpyTest, ReportsAMissingLog) {
   EXPECT_THAT(error_text(root_ / "run.lcmlog"), HasSubstr("run.lcmlog: No such file"));
 }
 

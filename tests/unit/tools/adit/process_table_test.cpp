@@ -7,7 +7,7 @@
 namespace adit {
 namespace {
 
-TEST(ProcessTableText, HasAHeadingAndAColumnForEach) {
+TEST(ProcessTableText, HasAHeadingAndARowPerProcess) {
   EXPECT_EQ(
       process_table_text("mapping\trobot\tslam\trunning\t4711\t0.5\t40000000\t2\tended with 1\n"
                          "x\tfar\t\tstopped\t0\t0\t0\t0\t\n"),
@@ -16,13 +16,13 @@ TEST(ProcessTableText, HasAHeadingAndAColumnForEach) {
       "x        far              stopped     -      -     -         0\n");
 }
 
-TEST(ProcessTableText, LeavesOutGroupsWhereThereAreNone) {
+TEST(ProcessTableText, OmitsAnEmptyGroupColumn) {
   EXPECT_EQ(process_table_text("x\tfar\t\tstopped\t0\t0\t0\t0\t\n"),
             "NAME  COMPUTER  STATE    PID  CPU %  MB  RESTARTS\n"
             "x     far       stopped    -      -   -         0\n");
 }
 
-TEST(ProcessTableText, OfNothingIsTheHeading) {
+TEST(ProcessTableText, WithoutProcessesIsTheHeading) {
   EXPECT_EQ(process_table_text(""), "NAME  COMPUTER  STATE  PID  CPU %  MB  RESTARTS\n");
 }
 

@@ -16,20 +16,20 @@ using testing::HasSubstr;
 
 constexpr std::chrono::milliseconds kNoDelay{0};
 
-TEST(ProgressBar, ShowsTheShareThatIsDone) {
+TEST(ProgressBar, ShowsTheCompletedFraction) {
   std::ostringstream out;
   ProgressBar bar("importing", &out, kNoDelay);
   bar.update(0.25);
   EXPECT_THAT(out.str(), HasSubstr("importing  [##########..............................]  25 %"));
 }
 
-TEST(ProgressBar, LeavesNothingBehind) {
+TEST(ProgressBar, IsErasedAtTheEnd) {
   std::ostringstream out;
   { ProgressBar("importing", &out, kNoDelay).update(0.5); }
   EXPECT_THAT(out.str(), EndsWith("\r\033[K"));
 }
 
-TEST(ProgressBar, SaysNothingOfWorkThatIsSoonDone) {
+TEST(ProgressBar, IsHiddenForShortWork) {
   std::ostringstream out;
   {
     ProgressBar bar("importing", &out, std::chrono::hours(1));
@@ -38,7 +38,7 @@ TEST(ProgressBar, SaysNothingOfWorkThatIsSoonDone) {
   EXPECT_EQ(out.str(), "");
 }
 
-TEST(ProgressBar, DrawsNoOftenerThanTheEyeCanFollow) {
+TEST(ProgressBar, LimitsTheRedrawRate) {
   std::ostringstream out;
   ProgressBar bar("importing", &out, kNoDelay);
   bar.update(0.1);
@@ -47,9 +47,9 @@ TEST(ProgressBar, DrawsNoOftenerThanTheEyeCanFollow) {
   EXPECT_EQ(out.str(), first);
 }
 
-TEST(ProgressBar, IsStaleWithoutATerminal) { ProgressBar("", nullptr, kNoDelay).update(0.5); }
+TEST(ProgressBar, DrawsNothingWithoutATerminal) { ProgressBar("", nullptr, kNoDelay).update(0.5); }
 
-TEST(ProgressBar, SurvivesSharesThatAreNone) {
+TEST(ProgressBar, ClampsInvalidFractions) {
   std::ostringstream out;
   { ProgressBar("importing", &out, kNoDelay).update(7.0); }
   { ProgressBar("importing", &out, kNoDelay).update(-7.0); }

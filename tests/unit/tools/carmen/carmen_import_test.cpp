@@ -27,7 +27,7 @@ CarmenScan example() {
   return scan;
 }
 
-TEST(CarmenText, IsReadBackAsWritten) {
+TEST(CarmenLine, RoundTripsAFlaserLine) {
   const auto read = std::get<CarmenScan>(parse_carmen_line(flaser_line(example())));
   EXPECT_EQ(read.scan, example().scan);
   EXPECT_EQ(read.T_log_laser, example().T_log_laser);

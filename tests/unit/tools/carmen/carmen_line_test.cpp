@@ -35,7 +35,7 @@ TEST(CarmenLine, ReadsFlaser) {
   EXPECT_EQ(result.odometry.utime, result.scan.utime);
 }
 
-TEST(CarmenLine, KnowsBothHalfCirclesOfFlaser) {
+TEST(CarmenLine, DerivesTheAnglesOfFlaserFromTheNumberOfBeams) {
   for (const int beams : {180, 181, 360, 361}) {
     const auto result = std::get<CarmenScan>(parse_carmen_line(flaser(beams)));
     EXPECT_DOUBLE_EQ(result.scan.angle_min_rad, deg_to_rad(-90.0));
@@ -62,39 +62,38 @@ TEST(CarmenLine, ReadsOdom) {
   EXPECT_EQ(result.utime, 313517);
 }
 
-TEST(CarmenLine, IgnoresWhatIsOfNoConcern) {
+TEST(CarmenLine, IgnoresOtherLines) {
   for (const char* line :
        {"", "   ", "# FLASER", "NEFF 30", "PARAM a b", "RAWLASER1 0", "odom 1"}) {
     EXPECT_TRUE(std::holds_alternative<CarmenIgnored>(parse_carmen_line(line))) << line;
   }
 }
 
-TEST(CarmenLine, RejectsACountThatTheLineCannotHold) {
-  EXPECT_EQ(reason("FLASER 1000000000 1 2 3"), "fewer readings than the line announces");
-  EXPECT_EQ(reason("FLASER 99999999999999999999 1 2"), "a word where a number belongs");
-  EXPECT_EQ(reason("FLASER -4 1 2"), "a word where a number belongs");
+TEST(CarmenLine, RejectsACountThatExceedsTheLine) {
+  EXPECT_EQ(reason("FLASER 1000000000 1 2 3"), "fewer readings than the count in the line");
+  EXPECT_EQ(reason("FLASER 99999999999999999999 1 2"), "malformed number");
+  EXPECT_EQ(reason("FLASER -4 1 2"), "malformed number");
   EXPECT_EQ(reason("FLASER 0 1 2 0.5 3 4 -0.5 12.3 host 99.5"), "fewer than two readings");
   EXPECT_EQ(reason("ROBOTLASER1 0 -2 4 2 30 0.01 0 2 1 2 900000000000 1"),
-            "fewer readings than the line announces");
+            "fewer readings than the count in the line");
 }
 
 TEST(CarmenLine, RejectsEveryTruncationOfALine) {
   const std::string line = flaser(5);
-  for (std::size_t words = line.find(' '); words != std::string::npos;
-       words = line.find(' ', words + 1)) {
-    EXPECT_NE(reason(line.substr(0, words)), "") << line.substr(0, words);
+  for (std::size_t end = line.find(' '); end != std::string::npos; end = line.find(' ', end + 1)) {
+    EXPECT_NE(reason(line.substr(0, end)), "") << line.substr(0, end);
   }
 }
 
-TEST(CarmenLine, RejectsWrongValues) {
-  EXPECT_EQ(reason("FLASER 2 1 x 0 0 0 0 0 0 1 host 1"), "a word where a number belongs");
-  EXPECT_EQ(reason("FLASER 2 1 1 nan 0 0 0 0 0 1 host 1"), "a value that is not finite");
-  EXPECT_EQ(reason("FLASER 2 1 1 0 0 0 0 0 0 1 host 1 2"), "more words than the line announces");
-  EXPECT_EQ(reason("ODOM 0 0 0 0 0 0 0 pippo 0"), "a time that is not positive");
-  EXPECT_EQ(reason("ODOM 0 0 0 0 0 0 1.5e-52 pippo 0"), "a time that is not positive");
-  EXPECT_EQ(reason("ODOM 0 0 0 0 0 0 1e300 pippo 0"), "a time beyond all reason");
+TEST(CarmenLine, RejectsInvalidValues) {
+  EXPECT_EQ(reason("FLASER 2 1 x 0 0 0 0 0 0 1 host 1"), "malformed number");
+  EXPECT_EQ(reason("FLASER 2 1 1 nan 0 0 0 0 0 1 host 1"), "value not finite");
+  EXPECT_EQ(reason("FLASER 2 1 1 0 0 0 0 0 0 1 host 1 2"), "excess tokens at the end of the line");
+  EXPECT_EQ(reason("ODOM 0 0 0 0 0 0 0 pippo 0"), "timestamp not positive");
+  EXPECT_EQ(reason("ODOM 0 0 0 0 0 0 1.5e-52 pippo 0"), "timestamp not positive");
+  EXPECT_EQ(reason("ODOM 0 0 0 0 0 0 1e300 pippo 0"), "implausible timestamp");
   EXPECT_EQ(reason("ROBOTLASER1 0 -2 4 0 30 0.01 0 2 1 2 0 0 0 0 0 0 0 0 0 0 0 0 1 h 1"),
-            "a step between beams that is not positive");
+            "angular step not positive");
 }
 
 }  // namespace

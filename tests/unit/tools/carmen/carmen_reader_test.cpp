@@ -52,7 +52,7 @@ int count_records(CarmenReader& reader) {
   return count;
 }
 
-TEST_F(CarmenReaderFile, YieldsTheOdometryOfAScanBeforeTheScan) {
+TEST_F(CarmenReaderFile, ReturnsTheOdometryOfAScanBeforeTheScan) {
   CarmenReader reader(plain("NEFF 3\nFLASER 2 1 1 0 0 0 7 8 0.5 2.5 h 1\n"));
   const auto first = reader.next();
   const auto second = reader.next();
@@ -63,7 +63,7 @@ TEST_F(CarmenReaderFile, YieldsTheOdometryOfAScanBeforeTheScan) {
   EXPECT_FALSE(reader.next());
 }
 
-TEST_F(CarmenReaderFile, ReadsGzipAndPlainAlike) {
+TEST_F(CarmenReaderFile, ReadsGzipAndPlainText) {
   const std::string text = odom_lines(20000);
   CarmenReader from_plain(plain(text));
   EXPECT_EQ(count_records(from_plain), 20000);
@@ -72,55 +72,55 @@ TEST_F(CarmenReaderFile, ReadsGzipAndPlainAlike) {
   EXPECT_DOUBLE_EQ(from_gzip.fraction_read(), 1.0);
 }
 
-TEST_F(CarmenReaderFile, ReadsALastLineWithoutAnEnd) {
+TEST_F(CarmenReaderFile, ReadsALastLineWithoutLineEnd) {
   CarmenReader reader(plain("ODOM 1 0 0 0 0 0 1 h 1"));
   EXPECT_EQ(count_records(reader), 1);
 }
 
-TEST_F(CarmenReaderFile, SkipsBadLinesAndReportsTheFirstOfEachKind) {
+TEST_F(CarmenReaderFile, ReportsTheFirstRejectedLinesPerReason) {
   std::string text = odom_lines(2);
   for (int i = 0; i < 10; ++i) text += "ODOM 0 0 0 0 0 0 0 h 0\n";
   text += "FLASER x\n" + odom_lines(1);
   CarmenReader reader(plain(text));
   EXPECT_EQ(count_records(reader), 3);
   EXPECT_EQ(reader.report().rejected_lines(), 11U);
-  EXPECT_THAT(reader.report().sentences(),
-              ElementsAre("lines 3, 4, 5 and 7 more: a time that is not positive",
-                          "line 13: a word where a number belongs"));
+  EXPECT_THAT(
+      reader.report().messages(),
+      ElementsAre("lines 3, 4, 5 and 7 more: timestamp not positive", "line 13: malformed number"));
 }
 
-TEST_F(CarmenReaderFile, SkipsAStampFromLongBefore) {
+TEST_F(CarmenReaderFile, RejectsAnOutdatedTimestamp) {
   CarmenReader reader(
       plain("ODOM 1 0 0 0 0 0 100 h 1\nODOM 2 0 0 0 0 0 3.7 h 1\nODOM 3 0 0 0 0 0 99.9 h 1\n"));
   EXPECT_EQ(count_records(reader), 2);
-  EXPECT_THAT(reader.report().sentences(),
-              ElementsAre("line 2: a time from long before the lines above it"));
+  EXPECT_THAT(reader.report().messages(),
+              ElementsAre("line 2: timestamp long before those of the preceding lines"));
 }
 
-TEST_F(CarmenReaderFile, GoesOnAfterAStampFromTheFuture) {
+TEST_F(CarmenReaderFile, RecoversFromATimestampInTheFuture) {
   CarmenReader reader(plain("ODOM 1 0 0 0 0 0 5e9 h 1\n" + odom_lines(5)));
-  EXPECT_EQ(count_records(reader), 5);  // one is lost: only the next shows that it was right
+  EXPECT_EQ(count_records(reader), 5);  // the first is lost: only the second one confirms the clock
 }
 
-TEST_F(CarmenReaderFile, ReportsACompressedFileThatBreaksOff) {
+TEST_F(CarmenReaderFile, ReportsATruncatedGzipFile) {
   std::filesystem::resize_file(compressed(odom_lines(20000)), 30000);
   CarmenReader reader(path_);
   EXPECT_GT(count_records(reader), 100);
-  EXPECT_EQ(reader.report().rejected.back().reason, "the compressed file is damaged from here on");
+  EXPECT_EQ(reader.report().rejected.back().reason, "compressed file damaged from this line on");
 }
 
-TEST_F(CarmenReaderFile, SkipsALineOfMegabytes) {
+TEST_F(CarmenReaderFile, SkipsAnOverlongLine) {
   CarmenReader reader(plain("FLASER 9 " + std::string(5U << 20U, '1') + "\n" + odom_lines(1)));
   EXPECT_EQ(count_records(reader), 1);
-  EXPECT_THAT(reader.report().sentences(), ElementsAre("line 1: a line of more than a megabyte"));
+  EXPECT_THAT(reader.report().messages(), ElementsAre("line 1: line longer than 1 MiB"));
 }
 
-TEST_F(CarmenReaderFile, SurvivesBytesThatAreNoText) {
+TEST_F(CarmenReaderFile, IgnoresBinaryData) {
   CarmenReader reader(plain("\xff\x01 FLASER\0\n\n\nODOM \0 1\n"s));
   EXPECT_EQ(count_records(reader), 0);
 }
 
-TEST(CarmenReader, RejectsAFileThatIsNotThere) {
+TEST(CarmenReader, RejectsAMissingFile) {
   EXPECT_THROW(CarmenReader{"/nonexistent.log"}, std::runtime_error);
   EXPECT_THROW(CarmenReader{testing::TempDir()}, std::runtime_error);
 }

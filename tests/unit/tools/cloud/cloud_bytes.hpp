@@ -18,9 +18,9 @@ inline std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// The bytes of a number, the least first or last.
+/// Binary encoding of a number.
 template <class T>
-std::string laid_down(T value, bool big_endian = false) {
+std::string encoded(T value, bool big_endian = false) {
   using Bits = std::conditional_t<
       sizeof(T) == 8, std::uint64_t,
       std::conditional_t<sizeof(T) == 4, std::uint32_t,
@@ -34,7 +34,7 @@ std::string laid_down(T value, bool big_endian = false) {
   return text;
 }
 
-inline std::string in_words(const Points& points) {
+inline std::string as_text(const Points& points) {
   std::string text;
   for (const auto& p : points) {
     text +=
@@ -48,10 +48,10 @@ std::string ply(const std::string& format, const std::string& type, const Points
   std::string text = "ply\nformat " + format + " 1.0\nelement vertex " +
                      std::to_string(points.size()) + "\nproperty " + type + " x\nproperty " + type +
                      " y\nproperty " + type + " z\nend_header\n";
-  if (format == "ascii") return text + in_words(points);
+  if (format == "ascii") return text + as_text(points);
   for (const auto& p : points) {
     for (const double value : p) {
-      text += laid_down(static_cast<T>(value), format == "binary_big_endian");
+      text += encoded(static_cast<T>(value), format == "binary_big_endian");
     }
   }
   return text;
@@ -67,35 +67,35 @@ inline std::string pcd_head(const std::string& data, char type, int size, std::s
          data + "\n";
 }
 
-/// What unpacks to the same, without a single repetition.
+/// PCD data compressed with LZF, as literals only.
 inline std::string packed(const std::string& text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); i += 32) {
-    const std::string part = text.substr(i, 32);
-    out += static_cast<char>(part.size() - 1) + part;
+    const std::string literal = text.substr(i, 32);
+    out += static_cast<char>(literal.size() - 1) + literal;
   }
-  return laid_down(static_cast<std::uint32_t>(out.size())) +
-         laid_down(static_cast<std::uint32_t>(text.size())) + out;
+  return encoded(static_cast<std::uint32_t>(out.size())) +
+         encoded(static_cast<std::uint32_t>(text.size())) + out;
 }
 
 template <class T>
 std::string pcd(const std::string& data, char type, const Points& points) {
   const std::string head = pcd_head(data, type, sizeof(T), points.size());
-  if (data == "ascii") return head + in_words(points);
+  if (data == "ascii") return head + as_text(points);
   std::string body;
   if (data == "binary") {
     for (const auto& p : points) {
-      for (const double value : p) body += laid_down(static_cast<T>(value));
+      for (const double value : p) body += encoded(static_cast<T>(value));
     }
     return head + body;
   }
   for (int axis = 0; axis < 3; ++axis) {
-    for (const auto& p : points) body += laid_down(static_cast<T>(p[axis]));
+    for (const auto& p : points) body += encoded(static_cast<T>(p[axis]));
   }
   return head + packed(body);
 }
 
-/// Which floats and whole numbers hold alike.
+/// Points that floating-point and integer types represent exactly.
 inline Points some_points() { return {{1, -2, 3}, {0, 0, 0}, {-100, 50, 7}, {4, 5, -6}}; }
 
 }  // namespace adit::test

@@ -11,7 +11,6 @@
 
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/tools/cloud/cloud_bytes.hpp"
-#include "tools/cloud/ply_file.hpp"
 
 namespace adit {
 namespace {
@@ -39,30 +38,30 @@ class CloudFile : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(CloudFile, IsToldByItsNameAndByHowItBegins) {
+TEST_F(CloudFile, IsIdentifiedByExtensionOrFirstBytes) {
   const std::string ply = test::ply<float>("binary_little_endian", "float", some_points());
   const std::string pcd = test::pcd<float>("binary", 'F', some_points());
   for (const auto& file :
        {write("a.ply", ply), write("b.PLY", ply), write("c", ply), write("d.pcd", pcd),
-        write("e.bin", pcd), write("f.xyz", test::in_words(some_points())),
-        write("g.csv", test::in_words(some_points()))}) {
+        write("e.bin", pcd), write("f.xyz", test::as_text(some_points())),
+        write("g.csv", test::as_text(some_points()))}) {
     EXPECT_EQ(read_cloud_file(file).points, some_points()) << file;
   }
 }
 
-TEST_F(CloudFile, NamesTheFileThatCannotBeUsed) {
+TEST_F(CloudFile, ErrorsNameTheFile) {
   EXPECT_THAT(rejection(folder_ / "none.ply"), HasSubstr("none.ply"));
   EXPECT_THAT(rejection(folder_.path()), HasSubstr("directory"));
   EXPECT_THAT(rejection(write("empty.ply", "")),
-              AllOf(HasSubstr("empty.ply"), HasSubstr("is empty")));
-  EXPECT_THAT(rejection(write("photo.jpg", "\xff\xd8\xff")), HasSubstr("PLY, PCD or XYZ"));
+              AllOf(HasSubstr("empty.ply"), HasSubstr("file is empty")));
+  EXPECT_THAT(rejection(write("photo.jpg", "\xff\xd8\xff")), HasSubstr("PLY, PCD and XYZ"));
   EXPECT_THAT(rejection(write("none.xyz", "# nothing\n")), HasSubstr("no points"));
-  EXPECT_THAT(rejection(write("nan.xyz", "nan 0 0\n")), HasSubstr("no usable point"));
+  EXPECT_THAT(rejection(write("nan.xyz", "nan 0 0\n")), HasSubstr("no valid point"));
   EXPECT_THAT(rejection(write("utm.xyz", "610000 5410000 300\n")), HasSubstr("100 km"));
   EXPECT_THAT(rejection(write("bad.xyz", "1 2 3\n1 2\n")), HasSubstr("bad.xyz: line 2: "));
 }
 
-TEST_F(CloudFile, WhatIsWrittenAsPlyComesBackWithTheSameBits) {
+TEST_F(CloudFile, RoundTripsPlyExactly) {
   Cloud cloud;
   cloud.lines.resize(2);
   cloud.lines[0].points = {{0.1F, -2.5F, 1e-7F}, {1.0F / 3.0F, 0.0F, -0.0F}};
@@ -75,7 +74,7 @@ TEST_F(CloudFile, WhatIsWrittenAsPlyComesBackWithTheSameBits) {
   EXPECT_EQ(read.points[2].cast<float>(), cloud.lines[1].points[0]);
 }
 
-TEST(PointCloud, RejectsMorePointsThanItCanHoldBeforeItMakesRoom) {
+TEST(PointCloud, RejectsTooManyPointsBeforeAllocation) {
   PointCloud cloud;
   EXPECT_THROW(cloud.reserve(PointCloud::kPointsMax + 1), std::runtime_error);
   EXPECT_EQ(cloud.points.capacity(), 0U);

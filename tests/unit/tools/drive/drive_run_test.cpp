@@ -24,7 +24,7 @@ constexpr const char* kWorld = R"(world:
   name: small
   T_world_start: {x_m: 3, y_m: 0, theta_rad: 0}
   plan:
-    drifts:
+    tunnels:
       - {name: main, points_m: [0, 0, 20, 0], width_m: 3.5}
       - {name: side, points_m: [12, 0, 12, 10], width_m: 3.5}
 )";
@@ -45,7 +45,7 @@ class DriveRun : public testing::Test {
   test::ScratchFolder folder_;
 };
 
-TEST_F(DriveRun, GoesToTheLastWaypoint) {
+TEST_F(DriveRun, ReachesTheLastWaypoint) {
   DriveRunOptions drive = options("6 0\n8 0\n", "run.lcmlog");
   drive.truth = folder_ / "run.tum";
   double share = 0.0;
@@ -59,7 +59,7 @@ TEST_F(DriveRun, GoesToTheLastWaypoint) {
   EXPECT_LT(truth.front().utime, kDriveStartUtime + 100'000);
 }
 
-TEST_F(DriveRun, GivesTheSameBytesTwiceAndOthersWithAnotherSeed) {
+TEST_F(DriveRun, IsReproducibleAndDependsOnTheSeed) {
   run_drive(options("5 0\n", "first.lcmlog"));
   run_drive(options("5 0\n", "second.lcmlog"));
   DriveRunOptions other = options("5 0\n", "third.lcmlog");
@@ -71,7 +71,7 @@ TEST_F(DriveRun, GivesTheSameBytesTwiceAndOthersWithAnotherSeed) {
   EXPECT_FALSE(first == test::contents(folder_ / "third.lcmlog"));
 }
 
-TEST_F(DriveRun, RecordsAllThatIsOnTheBus) {
+TEST_F(DriveRun, RecordsAllChannels) {
   run_drive(options("5 0\n", "run.lcmlog"));
   LogFile log(folder_ / "run.lcmlog");
   std::set<std::string> channels;
@@ -82,7 +82,7 @@ TEST_F(DriveRun, RecordsAllThatIsOnTheBus) {
                             "TRUTH", "RUN_STATE", "SIM_TIME", "CONFIG", "HEARTBEAT"}));
 }
 
-TEST_F(DriveRun, EndsWithTheReasonWhereItFailsAndKeepsTheLog) {
+TEST_F(DriveRun, ReportsAFailureAndKeepsTheLog) {
   const DriveRunResult result = run_drive(options("8 6\n", "run.lcmlog"));  // through rock
   EXPECT_NE(result.failure, "");
   EXPECT_GT(LogFile(folder_ / "run.lcmlog").size(), 1000U);
@@ -94,7 +94,7 @@ TEST_F(DriveRun, RejectsFaultsOfProcesses) {
   EXPECT_THROW(run_drive(drive), std::invalid_argument);
 }
 
-TEST_F(DriveRun, RejectsWhatIsSaidOfARandomMineForAnother) {
+TEST_F(DriveRun, RejectsOptionsOfRandomMinesForOtherWorlds) {
   DriveRunOptions drive = options("5 0\n", "run.lcmlog");
   drive.world.damage = 0.5;
   EXPECT_THROW(run_drive(drive), std::invalid_argument);

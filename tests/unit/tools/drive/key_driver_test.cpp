@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(KeyReader, KnowsLettersAndArrows) {
+TEST(KeyReader, DecodesLettersAndArrows) {
   KeyReader reader;
   EXPECT_THAT(reader.read("wasd q"),
               ElementsAre(DriveKey::kFaster, DriveKey::kLeft, DriveKey::kSlower, DriveKey::kRight,
@@ -27,12 +27,12 @@ TEST(KeyReader, WaitsForTheRestOfAnArrow) {
   EXPECT_THAT(reader.read("A"), ElementsAre(DriveKey::kFaster));
 }
 
-TEST(KeyReader, LetsOtherKeysThrough) {
+TEST(KeyReader, IgnoresOtherKeys) {
   KeyReader reader;
   EXPECT_THAT(reader.read("xyzAB\n\x1b[Z\x1bw"), ElementsAre(DriveKey::kFaster));
 }
 
-TEST(KeyDriver, StandsAtFirstAndAfterSpace) {
+TEST(KeyDriver, StandsInitiallyAndAfterSpace) {
   KeyDriver driver(Vehicle{});
   EXPECT_EQ(driver.command(7), (DriveCommand{7, 0.0, 0.0}));
   for (const DriveKey key : {DriveKey::kFaster, DriveKey::kLeft, DriveKey::kStop}) {
@@ -41,7 +41,7 @@ TEST(KeyDriver, StandsAtFirstAndAfterSpace) {
   EXPECT_EQ(driver.command(8), (DriveCommand{8, 0.0, 0.0}));
 }
 
-TEST(KeyDriver, GoesNoFasterAndTurnsNoTighterThanTheVehicleCan) {
+TEST(KeyDriver, KeepsTheLimitsOfTheVehicle) {
   const Vehicle vehicle;
   KeyDriver driver(vehicle);
   for (int i = 0; i < 20; ++i) {
@@ -53,7 +53,7 @@ TEST(KeyDriver, GoesNoFasterAndTurnsNoTighterThanTheVehicleCan) {
   EXPECT_NEAR(command.curvature_1_m, -1.0 / vehicle.turning_radius_m, 1e-12);
 }
 
-TEST(KeyDriver, QuitsWhenToldTo) {
+TEST(KeyDriver, QuitsOnQ) {
   KeyDriver driver(Vehicle{});
   EXPECT_FALSE(driver.quits());
   driver.press(DriveKey::kQuit);

@@ -39,7 +39,7 @@ constexpr const char* kYaml =
     "image: map.pgm\nmode: trinary\nresolution: 0.5\norigin: [-1.0, 2.0, 0.0]\nnegate: 0\n"
     "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
 
-TEST_F(MapImage, OccupiedCellsAreWhereTheMapHasThem) {
+TEST_F(MapImage, ReturnsTheCentresOfOccupiedCells) {
   write("map.yaml", kYaml);
   // 3 × 2: the upper row unknown, occupied, free; the lower one free, free, occupied.
   write("map.pgm", std::string("P5\n3 2\n255\n") + '\xcd' + '\0' + '\xfe' + '\xfe' + '\xfe' + '\0');
@@ -49,13 +49,13 @@ TEST_F(MapImage, OccupiedCellsAreWhereTheMapHasThem) {
   EXPECT_EQ(occupied[1], Eigen::Vector2d(0.25, 2.25));
 }
 
-TEST_F(MapImage, PassesOverTheCommentOfMapSaver) {
+TEST_F(MapImage, SkipsTheCommentOfMapSaver) {
   write("map.yaml", kYaml);
   write("map.pgm", std::string("P5\n# CREATOR: map_saver.cpp 0.500 m/pix\n1 1\n255\n") + '\0');
   EXPECT_EQ(read().size(), 1U);
 }
 
-TEST_F(MapImage, ReadsWhatAGridWrites) {
+TEST_F(MapImage, ReadsTheMapOfAGrid) {
   OccupancyGrid grid({.resolution_m = 0.05});
   ASSERT_TRUE(grid.insert({0, {2.0F, 3.0F}, 0.0, 1.5}, {1.0, 1.0, 0.25}));
   write_map_server(grid, folder_.path(), "map");
@@ -71,7 +71,7 @@ TEST_F(MapImage, ReadsWhatAGridWrites) {
   }
 }
 
-TEST_F(MapImage, SaysWhatIsWrong) {
+TEST_F(MapImage, ReportsErrors) {
   using testing::HasSubstr;
   EXPECT_THAT(rejection(), HasSubstr("cannot read"));
   write("map.yaml", kYaml);
@@ -79,7 +79,7 @@ TEST_F(MapImage, SaysWhatIsWrong) {
   write("map.pgm", "P6\n3 2\n255\n");
   EXPECT_THAT(rejection(), HasSubstr("map.pgm: is not a binary PGM"));
   write("map.pgm", "P5\n3 2\n255\nabc");
-  EXPECT_THAT(rejection(), HasSubstr("map.pgm: does not hold as many pixels"));
+  EXPECT_THAT(rejection(), HasSubstr("map.pgm: has a different number of pixels"));
   write("map.yaml", "resolution: 0.05\n");
   EXPECT_THAT(rejection(), HasSubstr("map.yaml: has no image"));
   write("map.yaml", "image: map.pgm\nresolution: fine\n");

@@ -15,8 +15,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-/// The walls of a drift 40 m long and 4 m wide, a point each 5 cm from cell middle to cell middle,
-/// from one end to `end_x`.
+/// The walls of a tunnel 40 m long and 4 m wide up to `end_x`, a point per cell of 5 cm.
 Points walls_to(double end_x) {
   Points points;
   for (int i = 0; - 19.975 + 0.05 * i < end_x; ++i) {
@@ -33,7 +32,7 @@ Points moved(const Pose2& T_to_from, Points points) {
   return points;
 }
 
-/// Through the drift from end to end.
+/// Through the tunnel from end to end.
 const Trajectory kPath{{1'000'000, {-15.0, 0.0, 0.0}},
                        {2'000'000, {-5.0, 0.0, 0.0}},
                        {3'000'000, {5.0, 0.0, 0.0}},
@@ -48,7 +47,7 @@ class MapScoreOf : public testing::Test {
   Site site_{box_tunnel({40.0, 4.0, 2.0})};
 };
 
-TEST_F(MapScoreOf, ThePerfectMapIsPerfectInAnyFrame) {
+TEST_F(MapScoreOf, APerfectMapHasAPerfectScoreInAnyFrame) {
   const Pose2 T_map_world{7.0, -3.0, 1.1};
   const MapScore found = score(moved(T_map_world, walls_to(20.0)), T_map_world.inverse());
   EXPECT_EQ(found.mapped_points, walls_to(20.0).size());
@@ -61,7 +60,7 @@ TEST_F(MapScoreOf, ThePerfectMapIsPerfectInAnyFrame) {
   EXPECT_NEAR(found.wall_distance.p95_m, 0.0, 1e-9);
 }
 
-TEST_F(MapScoreOf, AShiftIsTheDistanceFromTheWalls) {
+TEST_F(MapScoreOf, AShiftIsMeasuredAsWallDistance) {
   // 0.1 m to the side: the long walls, 40 of 44 m, are off by that, the ends are not.
   const MapScore found = score(moved({0.0, 0.1, 0.0}, walls_to(20.0)));
   EXPECT_EQ(found.coverage, 1.0);
@@ -70,17 +69,17 @@ TEST_F(MapScoreOf, AShiftIsTheDistanceFromTheWalls) {
   EXPECT_NEAR(found.wall_distance.mean_m, 0.1 * 40.0 / 44.0, 1e-3);  // near the corners less
 }
 
-TEST_F(MapScoreOf, ALargeShiftUncoversTheWalls) {
+TEST_F(MapScoreOf, ALargeShiftLosesCoverage) {
   // 0.5 m to the side: only the ends still lie upon walls, but for half a metre of each, and within
   // 0.15 m of these the long walls.
   const MapScore found = score(moved({0.0, 0.5, 0.0}, walls_to(20.0)));
   EXPECT_LT(found.coverage, 0.1);
-  // All of one long wall is 0.5 m out of the drift. All of the other is 0.5 m inside, but 6 points
-  // at each end lie within 0.3 m of it. Of either end, 4 points are more than 0.3 m out.
+  // All of one long wall is 0.5 m outside the tunnel. All of the other is 0.5 m inside, but 6
+  // points at each end lie within 0.3 m of it. Of either end, 4 points are more than 0.3 m out.
   EXPECT_DOUBLE_EQ(found.deviation, (800.0 + 800.0 - 12.0 + 8.0) / 1760.0);
 }
 
-TEST_F(MapScoreOf, AWrongWallDeviatesByItsShare) {
+TEST_F(MapScoreOf, AWrongWallAddsItsShareToTheDeviation) {
   Points mapped = walls_to(20.0);
   const std::size_t right = mapped.size();
   for (int i = 0; i < 44; ++i) mapped.emplace_back(0.1 * i, 0.0);  // 2 m from either wall
@@ -91,25 +90,25 @@ TEST_F(MapScoreOf, AWrongWallDeviatesByItsShare) {
   EXPECT_NEAR(found.wall_distance.median_m, 0.0, 1e-9);
 }
 
-TEST_F(MapScoreOf, WhatIsFarFromAllWallsCountsAsFiveMetres) {
+TEST_F(MapScoreOf, LimitsWallDistancesToFiveMetres) {
   EXPECT_DOUBLE_EQ(score({{0.0, 100.0}}).wall_distance.mean_m, 5.0);
 }
 
-TEST_F(MapScoreOf, AMissingHalfIsNotCovered) {
+TEST_F(MapScoreOf, AMissingHalfLosesHalfOfTheCoverage) {
   const MapScore found = score(walls_to(0.0));
   EXPECT_NEAR(found.coverage, 0.5, 0.01);  // 0.15 m on each wall, and points in two cells
   EXPECT_NEAR(*found.coverage_of_mine, 0.5, 0.01);
   EXPECT_EQ(found.deviation, 0.0);
 }
 
-TEST_F(MapScoreOf, WhatCannotBeSeenFromTheWayNeedNotBeMapped) {
-  const Trajectory short_way{{1'000'000, {-15.0, 0.0, 0.0}}, {2'000'000, {-12.0, 0.0, 0.0}}};
-  const MapScore found = score_map(walls_to(0.0), {}, site_, short_way);
+TEST_F(MapScoreOf, WallsNotVisibleFromThePathDoNotCount) {
+  const Trajectory short_path{{1'000'000, {-15.0, 0.0, 0.0}}, {2'000'000, {-12.0, 0.0, 0.0}}};
+  const MapScore found = score_map(walls_to(0.0), {}, site_, short_path);
   EXPECT_EQ(found.coverage, 1.0);
   EXPECT_NEAR(*found.coverage_of_mine, 0.5, 0.01);
 }
 
-TEST_F(MapScoreOf, APostIsAWallAndCountsWhereItIsSeen) {
+TEST_F(MapScoreOf, AVisiblePostCountsAsAWall) {
   const Site site(box_tunnel({40.0, 4.0, 2.0}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kPost, Material::kTimber, "post");
     builder.bar({0.0, 1.0, 0.0}, {0.0, 1.0, 2.0}, 0.1);
@@ -123,13 +122,13 @@ TEST_F(MapScoreOf, APostIsAWallAndCountsWhereItIsSeen) {
   EXPECT_EQ(with.deviation, 0.0);
 }
 
-TEST_F(MapScoreOf, SaysWhatItCannotScore) {
+TEST_F(MapScoreOf, RejectsEmptyMapsAndDistantPaths) {
   EXPECT_THROW((void)score({}), std::runtime_error);
   const Trajectory elsewhere{{1'000'000, {500.0, 0.0, 0.0}}};
   EXPECT_THROW((void)score_map(walls_to(20.0), {}, site_, elsewhere), std::runtime_error);
 }
 
-TEST_F(MapScoreOf, JsonHasNoFiguresWhereThereAreNone) {
+TEST_F(MapScoreOf, JsonHasNoFiguresWithoutData) {
   MapScore map = score(walls_to(20.0));
   map.coverage_of_mine.reset();
   const auto json = nlohmann::json::parse(to_json(score_trajectory(kPath, kPath), map));

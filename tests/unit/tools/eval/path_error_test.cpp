@@ -30,7 +30,7 @@ TEST(PathError, DoesNotDependOnTheFrame) {
 }
 
 TEST(PathError, AlignsByAllPositions) {
-  // Square corners, two of which are off along the line through the centre: no motion helps.
+  // Corners of a square, two of them moved away from the centre: alignment does not help.
   const Trajectory reference{{1'000'000, {1, 0, 0}},
                              {2'000'000, {0, 1, 0}},
                              {3'000'000, {-1, 0, 0}},
@@ -44,7 +44,7 @@ TEST(PathError, AlignsByAllPositions) {
   EXPECT_NEAR(error.step_m, 0.2, 1e-12);
 }
 
-TEST(PathError, LooksOnlyAtTimesThatTheReferenceCovers) {
+TEST(PathError, UsesOnlyTimesThatTheReferenceCovers) {
   Trajectory longer = kPath;
   longer.push_back({9'000'000, {100, 100, 0}});
   EXPECT_EQ(path_error(longer, kPath).poses, 4U);

@@ -39,7 +39,7 @@ TEST(Relations, ReadsThePlanarPart) {
   EXPECT_EQ(relations[0].T_1_2, (Pose2{0.3, 0.02, 0.24}));
 }
 
-TEST(Relations, ATrajectoryThatAgreesScoresNothing) {
+TEST(Relations, AnExactTrajectoryHasNoError) {
   const Trajectory trajectory{{0, {5, 5, 1}}, {2'000'000, Pose2{5, 5, 1} * Pose2{2, 0.5, 3}}};
   const auto score = score_relations(parse("0 2 2 0.5 0 0 0 3"), trajectory);
   EXPECT_EQ(score.used, 1U);
@@ -58,25 +58,25 @@ TEST(Relations, MeasuresTheErrorInTheFrameOfTheRelation) {
   EXPECT_NEAR(score.rotation_deg.mean, rad_to_deg(0.4 / 3.0), 1e-9);
 }
 
-TEST(Relations, CountsWhatTheTrajectoryDoesNotCover) {
+TEST(Relations, CountsRelationsOutsideTheTrajectory) {
   const Trajectory trajectory{{0, {}}, {2'000'000, {}}};
   const auto score = score_relations(parse("0 2 0 0 0 0 0 0\n1 3 0 0 0 0 0 0"), trajectory);
   EXPECT_EQ(score.used, 1U);
   EXPECT_EQ(score.outside, 1U);
 }
 
-TEST(Relations, WritesNoFigureWhereNothingWasMeasured) {
+TEST(Relations, WritesNoFiguresWithoutUsedRelations) {
   EXPECT_THAT(to_json({}), Not(HasSubstr("translation_m")));
   EXPECT_THAT(to_json(score_relations(parse("0 2 2 0.5 0 0 0 3"), {{0, {}}, {2'000'000, {}}})),
               HasSubstr("\"mean\": 2.06"));
 }
 
-// The scores of raw odometry that others found with the same files.
+// Published scores of raw odometry for the same files.
 TEST(Relations, ScoresTheOdometryOfIntel) {
   ADIT_RECORDING_OR_SKIP(log, "laser2d/intel_raw.log.gz");
   ADIT_RECORDING_OR_SKIP(relations, "laser2d/intel.relations");
   const auto score = score_relations(read_relations(relations), odometry_of(log));
-  EXPECT_EQ(score.used + score.outside, 2984U);  // four lie outside the log's time
+  EXPECT_EQ(score.used + score.outside, 2984U);  // four are outside the log
   EXPECT_NEAR(score.translation_m.mean, 7.36, 0.005);
   EXPECT_NEAR(score.rotation_deg.mean, 40.0, 0.5);
 }

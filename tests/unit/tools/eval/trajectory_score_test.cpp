@@ -26,11 +26,11 @@ class GroundTruth : public testing::Test {
   LogWriter log_{folder_ / "run.lcmlog"};
 };
 
-TEST_F(GroundTruth, IsWhatTheLogHasOnItsChannel) {
+TEST_F(GroundTruth, ReadsTheTruthChannel) {
   write(1'000'000, "TRUTH", {1.0, 2.0, 0.5});
   write(1'000'000, "POSE", {9.0, 9.0, 0.0});
   write(2'000'000, "TRUTH", {2.0, 2.0, -3.0});
-  write(2'000'000, "TRUTH", {8.0, 8.0, 0.0});  // the same time again
+  write(2'000'000, "TRUTH", {8.0, 8.0, 0.0});  // duplicate time
   log_.close();
   const Trajectory truth = read_ground_truth(folder_ / "run.lcmlog");
   ASSERT_EQ(truth.size(), 2U);
@@ -38,7 +38,7 @@ TEST_F(GroundTruth, IsWhatTheLogHasOnItsChannel) {
   EXPECT_NEAR(between(truth[1].pose, {2.0, 2.0, -3.0}).vector().norm(), 0.0, 1e-9);
 }
 
-TEST_F(GroundTruth, SaysSoWhereThereIsNone) {
+TEST_F(GroundTruth, RejectsALogWithoutTruth) {
   write(1'000'000, "POSE", {});
   log_.close();
   EXPECT_THROW(read_ground_truth(folder_ / "run.lcmlog"), std::runtime_error);
@@ -48,7 +48,7 @@ TEST_F(GroundTruth, SaysSoWhereThereIsNone) {
 }  // namespace
 namespace {
 
-/// Straight along x from the origin, a pose each 0.1 m and 0.1 s.
+/// Straight along x from the origin, a pose every 0.1 m and 0.1 s.
 Trajectory straight(double length_m, double scale = 1.0) {
   Trajectory trajectory;
   for (int i = 0; i <= std::lround(10.0 * length_m); ++i) {
@@ -62,7 +62,7 @@ Trajectory moved(const Pose2& T_to_from, Trajectory trajectory) {
   return trajectory;
 }
 
-TEST(TrajectoryScore, ThePerfectPathHasNoErrorInAnyFrame) {
+TEST(TrajectoryScore, APerfectPathHasNoErrorInAnyFrame) {
   const Trajectory truth = straight(120.0);
   const Pose2 T_map_world{3.0, -4.0, 2.0};
   const TrajectoryScore score = score_trajectory(moved(T_map_world, truth), truth);
@@ -79,9 +79,8 @@ TEST(TrajectoryScore, ThePerfectPathHasNoErrorInAnyFrame) {
   }
 }
 
-TEST(TrajectoryScore, APathThatShrinksEvenlyErrsInProportion) {
-  // 2 % short over 100 m: anchored at the start, up to 2 m, 1 m in the mean, 2 / √3 m in the mean
-  // square; aligned, half of that to either side.
+TEST(TrajectoryScore, AScaledPathHasProportionalErrors) {
+  // 2 % short over 100 m. Anchored: maximum 2 m, mean 1 m, RMSE 2 / √3 m; aligned: half of that.
   const Trajectory truth = straight(100.0);
   const TrajectoryScore score = score_trajectory(straight(100.0, 0.98), truth);
   EXPECT_NEAR(score.anchored.max_m, 2.0, 1e-9);
@@ -90,12 +89,12 @@ TEST(TrajectoryScore, APathThatShrinksEvenlyErrsInProportion) {
   EXPECT_NEAR(score.aligned.max_m, 1.0, 1e-9);
   EXPECT_NEAR(score.aligned.rmse_m, 1.0 / std::sqrt(3.0), 1e-3);
   EXPECT_NEAR(score.length_ratio, 0.98, 1e-9);
-  EXPECT_NEAR(score.relative[0].translation_m, 0.02, 2.1e-3);  // a stretch may be a pose longer
+  EXPECT_NEAR(score.relative[0].translation_m, 0.02, 2.1e-3);  // a segment may be a pose longer
   EXPECT_NEAR(score.relative[1].translation_m, 0.2, 2.1e-3);
 }
 
-TEST(TrajectoryScore, AOneTimeTurnCostsEachLengthItsShare) {
-  // 10° in the middle of 40 m: of the stretches of 10 m a quarter of the 31 has it.
+TEST(TrajectoryScore, ASingleRotationAffectsTheSegmentsThatContainIt) {
+  // 10° in the middle of 40 m: about a third of the 31 segments of 10 m contain it.
   const double turn = deg_to_rad(10.0);
   const Trajectory truth = straight(40.0);
   Trajectory found = truth;
@@ -105,12 +104,12 @@ TEST(TrajectoryScore, AOneTimeTurnCostsEachLengthItsShare) {
   const TrajectoryScore score = score_trajectory(found, truth);
   EXPECT_EQ(score.relative[1].length_m, 10.0);
   EXPECT_NEAR(static_cast<double>(score.relative[1].segments), 31.0, 1.0);
-  // Those that begin in the ten metres before the turn and end behind it.
-  EXPECT_NEAR(score.relative[1].rotation_deg, 10.0 * 10.0 / 31.0, 0.4);  // one stretch more or less
-  EXPECT_EQ(score.relative[2].segments, 0U);                             // 100 m were not driven
+  // Segments that start within 10 m before the rotation.
+  EXPECT_NEAR(score.relative[1].rotation_deg, 10.0 * 10.0 / 31.0, 0.4);  // one segment more or less
+  EXPECT_EQ(score.relative[2].segments, 0U);  // the path is shorter than 100 m
 }
 
-TEST(TrajectoryScore, NoiseDoesNotCountAsWay) {
+TEST(TrajectoryScore, NoiseAddsNoLength) {
   const Trajectory truth = straight(50.0);
   Trajectory found = truth;
   for (std::size_t i = 0; i < found.size(); ++i) found[i].pose.y = i % 2 == 0 ? 0.05 : -0.05;
@@ -119,17 +118,17 @@ TEST(TrajectoryScore, NoiseDoesNotCountAsWay) {
   EXPECT_NEAR(score_trajectory(found, truth).length_ratio, 1.0, 0.02);
 }
 
-TEST(TrajectoryScore, SaysSoWhereNoTimeIsCovered) {
+TEST(TrajectoryScore, RejectsTrajectoriesWithoutCommonTimes) {
   Trajectory later = straight(10.0);
   for (TimedPose& at : later) at.utime += 1'000'000'000;
   EXPECT_THROW(score_trajectory(later, straight(10.0)), std::runtime_error);
   EXPECT_THROW(score_trajectory({}, straight(10.0)), std::runtime_error);
 }
 
-TEST(DownsampledTrajectory, KeepsTheFirstAndOneForEachStep) {
-  const Trajectory kept = downsampled(straight(10.0), 0.45);
-  ASSERT_EQ(kept.size(), 21U);  // each half metre, the next tenth after 0.45 m
-  EXPECT_NEAR(kept[1].pose.x, 0.5, 1e-9);
+TEST(DownsampledTrajectory, KeepsTheFirstPoseAndOnePerStep) {
+  const Trajectory selected = downsampled(straight(10.0), 0.45);
+  ASSERT_EQ(selected.size(), 21U);  // every 0.5 m: the first pose after 0.45 m
+  EXPECT_NEAR(selected[1].pose.x, 0.5, 1e-9);
   EXPECT_TRUE(downsampled(Trajectory{}, 0.5).empty());
 }
 

@@ -17,7 +17,7 @@ Trajectory parse(const std::string& text) {
   return read_tum(in, "t.tum");
 }
 
-std::string complaint(const std::string& text) {
+std::string error_of(const std::string& text) {
   try {
     parse(text);
   } catch (const std::runtime_error& error) {
@@ -33,7 +33,7 @@ TEST(Tum, WritesFixedDigits) {
             "1134864629.000005 1.500000000 -2.000000000 0 0 0 0.000000000000 1.000000000000\n");
 }
 
-TEST(Tum, ReadsBackWhatItWrote) {
+TEST(Tum, ReadsWrittenTrajectories) {
   const Trajectory written{{1134864629895182, {1.25, -2.5, 3.1}},
                            {1134864629995182, {99, 4, -3.1}}};
   std::ostringstream out;
@@ -46,24 +46,22 @@ TEST(Tum, ReadsBackWhatItWrote) {
   }
 }
 
-TEST(Tum, TakesTheYawOfATiltedPose) {
+TEST(Tum, ReadsTheYawOfATiltedPose) {
   // A roll of 90° before a yaw of 60°: q = (0, 0, sin 30°, cos 30°) ⊗ (sin 45°, 0, 0, cos 45°).
   const Trajectory read = parse("1 0 0 0 0.612372436 0.353553391 0.353553391 0.612372436");
   EXPECT_NEAR(rad_to_deg(read.at(0).pose.theta), 60.0, 1e-6);
 }
 
-TEST(Tum, NamesTheLineThatIsWrong) {
+TEST(Tum, ReportsTheLineOfAnError) {
   const std::string good = "1 0 0 0 0 0 0 1\n";
-  EXPECT_EQ(complaint(good + "2 0 0 0 0 0 1\n"), "t.tum:2: 7 numbers where 8 belong");
-  EXPECT_EQ(complaint(good + "2 0 x 0 0 0 0 1\n"), "t.tum:2: 'x' is not a finite number");
-  EXPECT_EQ(complaint(good + "2 0 nan 0 0 0 0 1\n"), "t.tum:2: 'nan' is not a finite number");
-  EXPECT_EQ(complaint(good + "\n" + good), "t.tum:3: the time is not later than the one above");
-  EXPECT_EQ(complaint("1 0 0 0 0 0 0 2\n"), "t.tum:1: the quaternion is not of unit length");
+  EXPECT_EQ(error_of(good + "2 0 0 0 0 0 1\n"), "t.tum:2: expected 8 numbers, found 7");
+  EXPECT_EQ(error_of(good + "2 0 x 0 0 0 0 1\n"), "t.tum:2: 'x' is not a finite number");
+  EXPECT_EQ(error_of(good + "2 0 nan 0 0 0 0 1\n"), "t.tum:2: 'nan' is not a finite number");
+  EXPECT_EQ(error_of(good + "\n" + good), "t.tum:3: the time does not increase");
+  EXPECT_EQ(error_of("1 0 0 0 0 0 0 2\n"), "t.tum:1: the quaternion has no unit length");
 }
 
-TEST(Tum, RejectsAFileThatIsNotThere) {
-  EXPECT_THROW(read_tum("/nonexistent.tum"), std::runtime_error);
-}
+TEST(Tum, RejectsAMissingFile) { EXPECT_THROW(read_tum("/nonexistent.tum"), std::runtime_error); }
 
 }  // namespace
 }  // namespace adit

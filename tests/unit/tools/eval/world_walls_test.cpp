@@ -14,17 +14,17 @@
 namespace adit {
 namespace {
 
-TEST(WorldWalls, DistancesAreThoseToTheWalls) {
+TEST(WorldWalls, MeasuresDistancesToTheNearestWall) {
   const World world = box_tunnel({40.0, 4.0, 2.0});
   const WorldWalls walls(world, 5.0);
   EXPECT_NEAR(walls.distance_m({0.0, 0.0}), 2.0, 1e-9);
   EXPECT_NEAR(walls.distance_m({3.0, 1.5}), 0.5, 1e-9);
-  EXPECT_NEAR(walls.distance_m({3.0, -2.5}), 0.5, 1e-9);  // in the rock
+  EXPECT_NEAR(walls.distance_m({3.0, -2.5}), 0.5, 1e-9);  // outside the tunnel
   EXPECT_NEAR(walls.distance_m({23.0, 6.0}), 5.0, 1e-9);  // the corner
   EXPECT_TRUE(std::isinf(walls.distance_m({0.0, 8.0})));
 }
 
-TEST(WorldWalls, WhatStandsIsAWallAndWhatLiesLowIsNone) {
+TEST(WorldWalls, TallPartsAreWallsAndLowPartsAreNot) {
   const World world = box_tunnel({40.0, 4.0, 2.5}, [](MeshBuilder& builder) {
     builder.begin_part(PartKind::kCar, Material::kSteel, "car");
     builder.box(level_box({5.0, 0.0, 0.5}, {2.0, 1.0, 1.0}));
@@ -43,7 +43,7 @@ TEST(WorldWalls, WhatStandsIsAWallAndWhatLiesLowIsNone) {
   EXPECT_NEAR(walls.distance_m({-10.0, 0.0}), 2.0, 1e-6);
 }
 
-TEST(NearestPoints, FindsWhatASearchThroughAllFinds) {
+TEST(NearestPoints, AgreesWithAnExhaustiveSearch) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> place(-3.0, 3.0);
   std::vector<Eigen::Vector2d> points;
@@ -62,11 +62,11 @@ TEST(NearestPoints, FindsWhatASearchThroughAllFinds) {
   }
 }
 
-TEST(DownsampledPoints, LeavesOneForEachCell) {
-  const std::vector<Eigen::Vector2d> kept = downsampled(
+TEST(DownsampledPoints, KeepsOnePointPerCell) {
+  const std::vector<Eigen::Vector2d> selected = downsampled(
       std::vector<Eigen::Vector2d>{{0.01, 0.01}, {0.09, 0.05}, {-0.01, 0.01}, {0.3, 0.3}}, 0.1);
-  ASSERT_EQ(kept.size(), 3U);
-  EXPECT_EQ(kept[0], Eigen::Vector2d(0.01, 0.01));
+  ASSERT_EQ(selected.size(), 3U);
+  EXPECT_EQ(selected[0], Eigen::Vector2d(0.01, 0.01));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr std::int64_t kSecond = 1'000'000;
 
-/// Straight ahead by 0.1 m each second.
+/// Straight along x, 0.1 m per second.
 Trajectory straight(int poses) {
   Trajectory odometry;
   for (int i = 0; i < poses; ++i) odometry.push_back({kStart + i * kSecond, {0.1 * i, 0.0, 0.0}});
@@ -29,12 +29,12 @@ void expect_near(const Pose2& a, const Pose2& b, double tolerance = 1e-12) {
   EXPECT_NEAR(angle_diff(a.theta, b.theta), 0.0, tolerance);
 }
 
-TEST(CorrectedTrajectory, WithoutLocalMapsOdomIsMap) {
+TEST(CorrectedTrajectory, IsOdometryWithoutLocalMaps) {
   EXPECT_EQ(corrected_trajectory(straight(5), {}), straight(5));
   EXPECT_TRUE(corrected_trajectory({}, {anchor({kStart, {}}, {1, 2, 3})}).empty());
 }
 
-TEST(CorrectedTrajectory, OneCorrectionMovesAllAsOne) {
+TEST(CorrectedTrajectory, AppliesAConstantCorrectionToAllPoses) {
   const Trajectory odometry = straight(20);
   const Pose2 T_map_odom{3.0, -2.0, 1.0};
   const auto corrected = corrected_trajectory(
@@ -46,7 +46,7 @@ TEST(CorrectedTrajectory, OneCorrectionMovesAllAsOne) {
   }
 }
 
-TEST(CorrectedTrajectory, IsAtEachLocalMapWhereTheMapHasIt) {
+TEST(CorrectedTrajectory, PassesThroughThePosesOfTheLocalMaps) {
   const Trajectory odometry = straight(31);
   const std::vector<MapAnchor> anchors{anchor(odometry[0], {}),
                                        anchor(odometry[10], {0.2, 0.1, 0.05}),
@@ -55,17 +55,17 @@ TEST(CorrectedTrajectory, IsAtEachLocalMapWhereTheMapHasIt) {
   for (std::size_t k = 0; k < anchors.size(); ++k) {
     expect_near(corrected[10 * k].pose, anchors[k].T_map_local);
   }
-  const Pose2 last{0.1, 0.3, 0.1};  // holds to the end
+  const Pose2 last{0.1, 0.3, 0.1};  // applies until the end
   expect_near(corrected[30].pose, last * odometry[30].pose);
 }
 
-TEST(CorrectedTrajectory, DoesNotJumpFarFromTheOrigin) {
+TEST(CorrectedTrajectory, IsContinuousFarFromTheOrigin) {
   Trajectory odometry = straight(41);
   for (TimedPose& at : odometry) at.pose = Pose2{500.0, 800.0, 2.0} * at.pose;
   const Pose2 turned{9.0, -4.0, 0.01};
   const auto corrected =
       corrected_trajectory(odometry, {anchor(odometry[0], {}), anchor(odometry[40], turned)});
-  // The correction moves the last pose by some 10 m, each of 40 steps by a fortieth of that.
+  // The correction moves the last pose by about 10 m, and each of 40 steps by 1/40 of that.
   const double moved =
       (corrected.back().pose.translation() - odometry.back().pose.translation()).norm();
   for (std::size_t i = 1; i < corrected.size(); ++i) {
@@ -75,7 +75,7 @@ TEST(CorrectedTrajectory, DoesNotJumpFarFromTheOrigin) {
   }
 }
 
-TEST(CorrectedTrajectory, StandsStillWhereTheBodyDoes) {
+TEST(CorrectedTrajectory, DoesNotMoveWhileTheBodyRests) {
   Trajectory odometry = straight(11);
   for (int i = 1; i <= 100; ++i) {
     odometry.push_back({odometry[10].utime + i * kSecond, odometry[10].pose});
@@ -88,7 +88,7 @@ TEST(CorrectedTrajectory, StandsStillWhereTheBodyDoes) {
   for (std::size_t i = 10; i <= 110; ++i) expect_near(corrected[i].pose, {1.0, 0.2, 0.0});
 }
 
-TEST(CorrectedTrajectory, TakesTheShortWayRound) {
+TEST(CorrectedTrajectory, BlendsAnglesByTheShortestRotation) {
   Trajectory odometry = straight(11);
   const auto corrected = corrected_trajectory(
       odometry, {anchor(odometry[0], {0.0, 0.0, 3.1}), anchor(odometry[10], {0.0, 0.0, -3.1})});

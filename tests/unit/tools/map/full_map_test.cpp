@@ -22,13 +22,13 @@ using testing::HasSubstr;
 
 constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr std::int64_t kSecond = 1'000'000;
-constexpr int kScans = 5;  // in a local map, a metre apart; neighbours share one
+constexpr int kScans = 5;  // per local map, 1 m apart; consecutive maps share one
 
 LaserScan scan_at(int second) {
   return {kStart + second * kSecond, std::vector<float>(3, 2.0F), -0.1, 0.1};
 }
 
-/// A local map of a straight way along x of odom, a metre each second since `first_second`.
+/// A local map of a straight path along x of odom, 1 m per second from `first_second`.
 LocalMap local_map(int id, int session, int first_second, double x_odom) {
   LocalMap map;
   map.id = id;
@@ -54,12 +54,11 @@ Association association(int loop_closure, int newer, int older, int chosen, int 
       loop_closure, newer, {{older, {1.0, 0.0, 0.0}, Eigen::Matrix3d::Identity(), 7.0}}};
   a.chosen = chosen;
   a.previously_chosen = before;
-  a.reason = "said so";
+  a.reason = "test";
   return a;
 }
 
-/// Maps 0 and 1 of an earlier session, which the run that is recorded joins with map 2, and a metre
-/// of way after that.
+/// Maps 0 and 1 of an earlier session; the recorded run adds map 2 and 1 m of path after it.
 class FullMapTest : public testing::Test {
  protected:
   FullMapTest() {
@@ -102,10 +101,10 @@ class FullMapTest : public testing::Test {
   FullMap map_;
 };
 
-TEST_F(FullMapTest, HoldsBothRunsInOneFrame) {
+TEST_F(FullMapTest, HasBothRunsInOneFrame) {
   ASSERT_EQ(map_.local_maps.size(), 3U);
   ASSERT_EQ(map_.paths.size(), 2U);
-  EXPECT_EQ(map_.paths[0].size(), 2U * kScans - 1U);  // neighbours share a scan
+  EXPECT_EQ(map_.paths[0].size(), 2U * kScans - 1U);  // consecutive maps share a scan
   EXPECT_EQ(map_.paths[1].size(), kScans + 1U);
   EXPECT_EQ(map_.scans.size(), 3U * kScans + 1U);
   const Trajectory path = joined_path(map_);
@@ -116,44 +115,44 @@ TEST_F(FullMapTest, HoldsBothRunsInOneFrame) {
   EXPECT_EQ(count_cross_session_loop_closures(map_), 1U);
 }
 
-TEST_F(FullMapTest, OfTwoPosesAtOneTimeTheLaterSessionHasIt) {
+TEST_F(FullMapTest, UsesTheLaterSessionForPosesOfTheSameTime) {
   map_.paths[1].front().utime = map_.paths[0].front().utime;
   const Trajectory path = joined_path(map_);
   EXPECT_EQ(path.size(), 3U * kScans - 1U);
   EXPECT_EQ(path.front().pose, (Pose2{0, 3, 0}));
 }
 
-TEST_F(FullMapTest, KeepsForTheTailWhatNoLocalMapHas) {
+TEST_F(FullMapTest, KeepsScansAfterTheLastLocalMap) {
   ASSERT_EQ(record_.tail().size(), 1U);
   EXPECT_EQ(record_.tail().front().scan.utime, scan_at(105).utime);
   EXPECT_EQ(record_.odometry().size(), kScans + 1U);
 }
 
-TEST_F(FullMapTest, DrawsWhatIsInForceAndWhatWasRevoked) {
+TEST_F(FullMapTest, DrawsAcceptedAndRevokedLoopClosures) {
   const GraphPicture picture = graph_picture(map_);
   EXPECT_EQ(picture.nodes, map_.graph.poses);
-  EXPECT_EQ(picture.sequential.size(), 1U) << "no line from one session to the next";
+  EXPECT_EQ(picture.sequential.size(), 1U) << "no edge between sessions";
   ASSERT_EQ(picture.loop_closures.size(), 1U);
   EXPECT_EQ(picture.loop_closures[0].b, Eigen::Vector2d(0, 3));
   ASSERT_EQ(picture.revoked.size(), 1U);
   EXPECT_EQ(picture.revoked[0].b, Eigen::Vector2d(4, 1));
 }
 
-TEST_F(FullMapTest, WhatWasRedoneIsNotRevoked) {
-  const Association again = association(0, 1, 0, 0, Association::kNone);
-  map_.associations.push_back(&again);
+TEST_F(FullMapTest, DoesNotDrawReacceptedLoopClosuresAsRevoked) {
+  const Association reaccepted = association(0, 1, 0, 0, Association::kNone);
+  map_.associations.push_back(&reaccepted);
   EXPECT_TRUE(graph_picture(map_).revoked.empty());
 }
 
-TEST_F(FullMapTest, ListsDecisionsInOrder) {
+TEST_F(FullMapTest, ListsDecisionsInOrderOfTime) {
   const std::string table = association_table(map_);
   const std::string first =
-      "1600000000.000000\tclosed\t0\t1\t0\t1\tnone\t1\t1.000\t0.000\t0.00\t7.0";
-  EXPECT_THAT(table, testing::StartsWith("time_s\tdecision\tclosure\t"));
+      "1600000000.000000\taccepted\t0\t1\t0\t1\tnone\t1\t1.000\t0.000\t0.00\t7.0";
+  EXPECT_THAT(table, testing::StartsWith("time_s\tdecision\tloop_closure\t"));
   EXPECT_THAT(table, HasSubstr("\n" + first));
-  EXPECT_THAT(table, HasSubstr("\tundone\t0\t1\t0\tnone\t1\t"));
-  EXPECT_LT(table.find("closed\t1\t"), table.find("undone\t0\t"));
-  EXPECT_THAT(table, testing::EndsWith("\tsaid so\n"));
+  EXPECT_THAT(table, HasSubstr("\trevoked\t0\t1\t0\tnone\t1\t"));
+  EXPECT_LT(table.find("accepted\t1\t"), table.find("revoked\t0\t"));
+  EXPECT_THAT(table, testing::EndsWith("\ttest\n"));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ void write_log(const std::filesystem::path& path, double x_m) {
   log.close();
 }
 
-TEST(MissionFolder, ProtectsTheMissionThatIsThere) {
+TEST(MissionFolder, ProtectsAnExistingMission) {
   const test::ScratchFolder scratch;
   const MissionFolder folder(scratch.path() / "new");
   folder.require_new();
@@ -39,20 +39,20 @@ TEST(MissionFolder, ProtectsTheMissionThatIsThere) {
   EXPECT_THROW(folder.require_new(), std::runtime_error);
 }
 
-TEST(MissionFolder, FindsWhereTheRobotWasInTheNewestLogThatSaysIt) {
+TEST(MissionFolder, FindsTheLastPoseInTheNewestLogWithTruth) {
   const test::ScratchFolder scratch;
   const MissionFolder folder(scratch.path());
   EXPECT_THROW(static_cast<void>(folder.last_pose()), std::runtime_error);
   write_log(folder.next_log(), 1.0);
   write_log(folder.next_log(), 2.0);
-  write_text_file("", folder.next_log());  // a life that was cut off at once
-  const SimulatedPose stand = folder.last_pose();
-  EXPECT_EQ(stand.utime, kStart);
-  EXPECT_EQ(stand.T_world_body.translation(), Eigen::Vector2d(2.0, 0.5));
+  write_text_file("", folder.next_log());  // power loss immediately after the start
+  const SimulatedPose last = folder.last_pose();
+  EXPECT_EQ(last.utime, kStart);
+  EXPECT_EQ(last.T_world_body.translation(), Eigen::Vector2d(2.0, 0.5));
   EXPECT_EQ(folder.logs().size(), 3);
 }
 
-TEST(MissionFolder, DoesNotGoOnWithAMissionThatHasEnded) {
+TEST(MissionFolder, DoesNotResumeAMissionThatHasEnded) {
   const test::ScratchFolder scratch;
   const MissionFolder folder(scratch.path());
   write_text_file("", folder.world());
@@ -67,7 +67,7 @@ TEST(MissionFolder, DoesNotGoOnWithAMissionThatHasEnded) {
   EXPECT_THROW(folder.require_unfinished(), std::runtime_error);
 }
 
-TEST(MissionFiles, HoldEachSectionOnceAndLoadAgain) {
+TEST(MissionFiles, HaveEachSectionOnceAndCanBeLoaded) {
   const ConfigFile file = ConfigFile::parse(mission_config(""), "mission.yaml");
   file.require_known_sections(config_sections());
   for (const char* section : {"mapping", "mission", "guard", "lasers", "vehicle", "sim"}) {

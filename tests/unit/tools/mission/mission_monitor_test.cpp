@@ -37,11 +37,11 @@ class MissionMonitorTest : public testing::Test {
     bus_.advance_to(utime);
   }
   void publish_phase(Phase phase, std::int32_t sequence) {
-    MissionPhase now;
-    now.utime = kStart;
-    now.sequence = sequence;
-    now.phase = phase;
-    publish(bus_, channels::kPhase, to_message(now));
+    MissionPhase published;
+    published.utime = kStart;
+    published.sequence = sequence;
+    published.phase = phase;
+    publish(bus_, channels::kPhase, to_message(published));
     bus_.advance_to(bus_.now_utime());
   }
 
@@ -50,7 +50,7 @@ class MissionMonitorTest : public testing::Test {
   MissionMonitor monitor_{bus_, scratch_.path() / "phases.tsv", {3.0, 0.0}};
 };
 
-TEST_F(MissionMonitorTest, MissesTheStageThatHoldsUpTheSimulatorOnce) {
+TEST_F(MissionMonitorTest, ReportsATimedOutStageOnce) {
   EXPECT_THAT(monitor_.newly_timed_out(0), IsEmpty());
   publish_time(kStart);
   all_but_planning_respond(kStart);
@@ -61,7 +61,7 @@ TEST_F(MissionMonitorTest, MissesTheStageThatHoldsUpTheSimulatorOnce) {
   EXPECT_THAT(monitor_.newly_timed_out(5 + 3 * MissionMonitor::kStageTimeoutUs), IsEmpty());
 }
 
-TEST_F(MissionMonitorTest, ForgivesAStageThatAnswersInTheEnd) {
+TEST_F(MissionMonitorTest, DoesNotReportAStageThatRespondsLate) {
   publish_time(kStart);
   all_but_planning_respond(kStart);
   EXPECT_THAT(monitor_.newly_timed_out(0), IsEmpty());
@@ -70,7 +70,7 @@ TEST_F(MissionMonitorTest, ForgivesAStageThatAnswersInTheEnd) {
   EXPECT_THAT(monitor_.newly_timed_out(2 * MissionMonitor::kStageTimeoutUs), IsEmpty());
 }
 
-TEST_F(MissionMonitorTest, LetsTheLogGoOnForAWhileAfterTheEnd) {
+TEST_F(MissionMonitorTest, HasEndedTwoSecondsAfterTheEndedPhase) {
   publish_time(kStart);
   publish_phase(Phase::kExplore, 1);
   EXPECT_FALSE(monitor_.has_ended());
@@ -80,14 +80,14 @@ TEST_F(MissionMonitorTest, LetsTheLogGoOnForAWhileAfterTheEnd) {
   EXPECT_TRUE(monitor_.has_ended());
 }
 
-TEST_F(MissionMonitorTest, MeasuresFromWhereTheRobotOnceBegan) {
-  const auto be_at = [&](double x_m) {
+TEST_F(MissionMonitorTest, MeasuresDistancesFromTheFirstStart) {
+  const auto publish_truth = [&](double x_m) {
     publish(bus_, channels::kTruth, to_message(StampedPose{kStart, {x_m, 4.0, 0.0}, {}}));
     bus_.advance_to(kStart);
   };
-  be_at(6.0);
+  publish_truth(6.0);
   EXPECT_DOUBLE_EQ(monitor_.progress().distance_from_start_m, 5.0);  // 3, 4, 5
-  be_at(3.0);
+  publish_truth(3.0);
   EXPECT_DOUBLE_EQ(monitor_.progress().distance_from_start_m, 4.0);
   EXPECT_DOUBLE_EQ(monitor_.farthest_m(), 5.0);
 }

@@ -20,8 +20,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using Ids = LoopDecisions::Ids;
 
-/// Two and a half rounds of 80 poses whose ids begin at 1000 and go up by 10, and the loops of the
-/// last of them.
+/// 2.5 laps of 80 poses with the ids 1000, 1010, .., and the loop closures of the last poses.
 class OptimizeRunTest : public testing::Test {
  protected:
   OptimizeRunTest() {
@@ -40,7 +39,7 @@ class OptimizeRunTest : public testing::Test {
   G2oGraph file_;
 };
 
-std::string reason(const std::function<void()>& work) {
+std::string error_of(const std::function<void()>& work) {
   try {
     work();
   } catch (const std::runtime_error& error) {
@@ -49,8 +48,8 @@ std::string reason(const std::function<void()>& work) {
   return "no error";
 }
 
-TEST_F(OptimizeRunTest, GivesLoopsByTheIdsOfTheFileAndLeavesOutTheWrongOnes) {
-  const G2oGraph right = file_;
+TEST_F(OptimizeRunTest, RemovesWrongLoopsAndListsThemByTheIdsOfTheFile) {
+  const G2oGraph correct = file_;
   const auto wrong = test::random_wrong_loops(file_.graph, 5, 1);
   add(wrong);
   const OptimizeRun run = optimize_lazily(file_, {});
@@ -59,11 +58,11 @@ TEST_F(OptimizeRunTest, GivesLoopsByTheIdsOfTheFileAndLeavesOutTheWrongOnes) {
   std::vector<Ids> expected;
   for (const PoseConstraint& c : wrong) expected.push_back(ids(c));
   EXPECT_THAT(run.loops->rejected, testing::UnorderedElementsAreArray(expected));
-  EXPECT_EQ(file_.graph.constraints.size(), right.graph.constraints.size());
+  EXPECT_EQ(file_.graph.constraints.size(), correct.graph.constraints.size());
   EXPECT_NEAR(run.result.objective, objective(file_.graph), 1e-9);
 }
 
-TEST_F(OptimizeRunTest, FindsNearlyThePosesOfPlainOptimisationWhereAllIsRight) {
+TEST_F(OptimizeRunTest, AgreesWithPlainOptimisationIfAllLoopsAreCorrect) {
   G2oGraph plain = file_;
   const OptimizeRun all = optimize_all(plain);
   EXPECT_FALSE(all.loops);
@@ -72,29 +71,29 @@ TEST_F(OptimizeRunTest, FindsNearlyThePosesOfPlainOptimisationWhereAllIsRight) {
   EXPECT_GE(lazy.result.objective, all.result.objective);
   EXPECT_NEAR(lazy.result.objective, all.result.objective, 0.01 * all.result.objective);
   for (std::size_t i = 0; i < plain.graph.poses.size(); ++i) {
-    const Pose2 apart = between(plain.graph.poses[i], file_.graph.poses[i]);
-    EXPECT_LT(apart.vector().norm(), 0.01);  // a tenth of the noise
+    const Pose2 difference = between(plain.graph.poses[i], file_.graph.poses[i]);
+    EXPECT_LT(difference.vector().norm(), 0.01);  // a tenth of the noise
   }
 }
 
-TEST_F(OptimizeRunTest, SaysHowLongThingsTook) {
+TEST_F(OptimizeRunTest, MeasuresWallTimes) {
   const OptimizeRun run = optimize_lazily(file_, {});
   EXPECT_GT(run.loops->association_ms, 0.0);
   EXPECT_GT(run.stopwatch.ms(OptimizePhase::kFactorisation), 0.0);
 }
 
-TEST_F(OptimizeRunTest, NamesThePosesBetweenWhichTheWayHasAGap) {
+TEST_F(OptimizeRunTest, ReportsAGapInTheOdometry) {
   std::erase_if(file_.graph.constraints, [](const auto& c) { return c.from == 4 && c.to == 5; });
-  EXPECT_THAT(reason([&] { optimize_lazily(file_, {}); }),
-              HasSubstr("no constraint links pose 1040 with the next, pose 1050"));
-  EXPECT_EQ(reason([&] { optimize_all(file_); }), "no error");
+  EXPECT_THAT(error_of([&] { optimize_lazily(file_, {}); }),
+              HasSubstr("no constraint between pose 1040 and the next pose 1050"));
+  EXPECT_EQ(error_of([&] { optimize_all(file_); }), "no error");
 }
 
-TEST_F(OptimizeRunTest, NamesAPoseThatHangsOnNothing) {
+TEST_F(OptimizeRunTest, ReportsAPoseWithoutConstraints) {
   file_.graph.poses.emplace_back();
   file_.ids.push_back(7777);
-  EXPECT_THAT(reason([&] { optimize_all(file_); }), HasSubstr("7777"));
-  EXPECT_THAT(reason([&] { optimize_lazily(file_, {}); }), HasSubstr("7777"));
+  EXPECT_THAT(error_of([&] { optimize_all(file_); }), HasSubstr("7777"));
+  EXPECT_THAT(error_of([&] { optimize_lazily(file_, {}); }), HasSubstr("7777"));
 }
 
 TEST_F(OptimizeRunTest, IsWrittenAsJson) {
@@ -112,12 +111,12 @@ TEST_F(OptimizeRunTest, IsWrittenAsJson) {
   const auto& wall = json["wall_ms"];
   const double sum = wall["association"].get<double>() + wall["start"].get<double>() +
                      wall["analysis"].get<double>() + wall["factorisation"].get<double>() +
-                     wall["rest"].get<double>();
+                     wall["other"].get<double>();
   EXPECT_NEAR(wall["total"].get<double>(), sum, 1e-6);
   EXPECT_THAT(text, HasSubstr("[1000, 1800]"));
 }
 
-TEST_F(OptimizeRunTest, SaysNothingOfLoopsWhereNobodyDecided) {
+TEST_F(OptimizeRunTest, JsonHasNoLoopsWithoutAssociation) {
   const auto json = nlohmann::json::parse(to_json(file_.graph, optimize_all(file_)));
   EXPECT_FALSE(json.contains("loops_accepted"));
   EXPECT_FALSE(json["wall_ms"].contains("association"));

@@ -9,13 +9,11 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "tools/plan/ground_estimate.hpp"
-
 namespace adit {
 namespace {
 
-/// Ground at z = 0 with a wall at y = 2 and a block beside the middle, every 5 cm, seen by a laser
-/// 1.5 m above the origin.
+/// Ground at z = 0, a wall at y = 2 and a block beside the origin, with points every 5 cm and a
+/// laser 1.5 m above the origin.
 PointCloud room() {
   PointCloud cloud;
   for (int i = -60; i <= 60; ++i) {
@@ -46,40 +44,40 @@ void expect_same(const Cloud& a, const Cloud& b, float tolerance_m) {
   EXPECT_LT(worst, tolerance_m);
 }
 
-TEST(CloudPlacement, FindsTheGroundBelowTheLaser) {
+TEST(CloudPlacement, EstimatesTheGroundBelowTheLaser) {
   const auto T = Eigen::Isometry3d(Eigen::Translation3d(50.0, -20.0, 7.0));
   expect_same(place_cloud(moved(room(), T), {}), place_cloud(room(), {.ground_m = 0.0}), 1e-5F);
 }
 
-TEST(CloudPlacement, KnowsEveryAxisThatMayPointUp) {
+TEST(CloudPlacement, SupportsEveryUpAxis) {
   const Cloud expected = place_cloud(room(), {});
   for (const char* up : {"x", "y", "z", "-x", "-y", "-z"}) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
     T.linear() = upright(up).transpose();
-    EXPECT_NEAR(T.linear().determinant(), 1.0, 1e-12) << up;  // a rotation, and no mirror
+    EXPECT_NEAR(T.linear().determinant(), 1.0, 1e-12) << up;  // a rotation, not a reflection
     expect_same(place_cloud(moved(room(), T), {.up = up}), expected, 1e-5F);
   }
   EXPECT_THROW(upright("w"), std::invalid_argument);
 }
 
-TEST(CloudPlacement, PutsTheVehicleWhereItIsToldTo) {
+TEST(CloudPlacement, PlacesTheVehicleAtTheGivenPose) {
   CloudPlacement placement;
   placement.p_plan_vehicle = Eigen::Vector2d(1.0, -1.0);
   placement.heading_rad = std::numbers::pi / 2.0;
   const Cloud cloud = place_cloud(room(), placement);
-  // The laser lies 1 m left of a vehicle that looks along y, and 1 m ahead.
+  // The vehicle heads along y: the laser is 1 m to its left and 1 m ahead.
   EXPECT_LT((cloud.lines[0].origin - Eigen::Vector3f(1.0F, 1.0F, 1.5F)).norm(), 1e-5F);
 }
 
-TEST(CloudPlacement, LevelsACloudByTheGroundNearBy) {
+TEST(CloudPlacement, LevelsTheCloudByTheGround) {
   const Eigen::Isometry3d T = Eigen::Translation3d(0.0, 0.0, 1.5) *
                               Eigen::AngleAxisd(0.1, Eigen::Vector3d(0.6, 0.8, 0.0)) *
                               Eigen::Translation3d(0, 0, -1.5);
   const Cloud cloud = place_cloud(moved(room(), T), {.level = true});
-  expect_same(cloud, place_cloud(room(), {}), 0.02F);  // a hundredth of the way to the corners
+  expect_same(cloud, place_cloud(room(), {}), 0.02F);  // 1 % of the distance to the corners
 }
 
-TEST(CloudPlacement, SaysWhatItCannotFind) {
+TEST(CloudPlacement, RejectsUnobservedGround) {
   PointCloud above = room();
   above.sensor = Eigen::Vector3d(0.0, 0.0, -1.0);
   EXPECT_THROW(place_cloud(above, {}), std::runtime_error);
@@ -90,7 +88,7 @@ TEST(CloudPlacement, SaysWhatItCannotFind) {
   EXPECT_THROW(place_cloud(far, {.level = true}), std::runtime_error);
 }
 
-TEST(GroundEstimate, IsNotMisledByStrayPointsBelowTheGround) {
+TEST(GroundEstimate, IsRobustToOutliersBelowTheGround) {
   PointCloud cloud = room();
   for (int i = 0; i < 40; ++i) cloud.points.emplace_back(0.2 * i - 4.0, -0.3, -3.0);
   EXPECT_NEAR(estimate_ground_height(cloud.points, {0.0, 0.0}, 1.5), 0.0, 1e-9);

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// adit plan on swept scans, against the stages themselves.
+// adit plan on simulated scans, compared with the stages.
 #include "tools/plan/plan_run.hpp"
 
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -34,7 +34,7 @@ PlannedPath path_of_stages(const Cloud& cloud) {
       .plan(Terrain(TerrainParams{}).make(cloud), goal, cloud.T_odom_level);
 }
 
-/// As a bare cloud has it: one line, no misses.
+/// As in a point cloud file: one line, no beams without return.
 Cloud without_lines(const Cloud& cloud, const Eigen::Vector3f& origin) {
   Cloud bare;
   bare.lines.resize(1);
@@ -58,7 +58,7 @@ void expect_same_path(const json& written, const PlannedPath& path) {
 
 class PlanRun : public testing::Test {
  protected:
-  /// In the frame of the scan, whose vehicle stands at the origin.
+  /// With the placement of the scan, whose vehicle is at the origin.
   [[nodiscard]] PlanRunOptions options(const std::string& input) const {
     PlanRunOptions options;
     options.input = folder_ / input;
@@ -82,7 +82,7 @@ class PlanRun : public testing::Test {
   std::ostringstream err_;
 };
 
-TEST_F(PlanRun, FindsThePathOfTheStagesOnAScanInALog) {
+TEST_F(PlanRun, FindsThePathOfTheStagesForAScanInALog) {
   const Cloud cloud = test::swept_tunnel(true);
   write_scan(cloud, folder_ / "scan.lcmlog");
   EXPECT_TRUE(run(options("scan.lcmlog")));
@@ -99,30 +99,27 @@ TEST_F(PlanRun, FindsThePathOfTheStagesOnAScanInALog) {
   }
 }
 
-TEST_F(PlanRun, FindsThePathOfTheStagesOnBarePoints) {
+TEST_F(PlanRun, FindsThePathOfTheStagesForAPointCloud) {
   const Cloud cloud = test::swept_tunnel(true);
   write_scan(cloud, folder_ / "scan.ply");
   EXPECT_TRUE(run(options("scan.ply")));
   expect_same_path(path_json(), path_of_stages(without_lines(cloud, origin_)));
 }
 
-TEST_F(PlanRun, EveryKindOfFileGivesTheSameTerrain) {
+TEST_F(PlanRun, GivesTheSameTerrainForEveryFileFormat) {
   const Cloud cloud = test::swept_tunnel(true);
   write_scan(cloud, folder_ / "scan.ply");
   test::Points points;
-  std::string words;
+  std::string text;
   for (const CloudLine& line : cloud.lines) {
     for (const Eigen::Vector3f& p : line.points) {
       points.emplace_back(p.cast<double>());
-      char text[80];
-      std::snprintf(text, sizeof text, "%.9g %.9g %.9g\n", double{p.x()}, double{p.y()},
-                    double{p.z()});
-      words += text;
+      text += fmt::format("{:.9g} {:.9g} {:.9g}\n", double{p.x()}, double{p.y()}, double{p.z()});
     }
   }
   std::ofstream(folder_ / "scan.pcd", std::ios::binary)
       << test::pcd<float>("binary_compressed", 'F', points);
-  std::ofstream(folder_ / "scan.xyz") << words;
+  std::ofstream(folder_ / "scan.xyz") << text;
   std::vector<std::string> terrains;
   for (const char* name : {"scan.ply", "scan.pcd", "scan.xyz"}) {
     run(options(name));
@@ -133,7 +130,7 @@ TEST_F(PlanRun, EveryKindOfFileGivesTheSameTerrain) {
   EXPECT_EQ(terrains[0], terrains[2]);
 }
 
-TEST_F(PlanRun, ShowsWhatIsInTheWayWhereThereIsNoPath) {
+TEST_F(PlanRun, ReportsBlockingCellsWithoutAPath) {
   write_scan(test::swept_tunnel(false), folder_ / "scan.lcmlog");
   EXPECT_FALSE(run(options("scan.lcmlog")));
   const json written = path_json();
@@ -144,7 +141,7 @@ TEST_F(PlanRun, ShowsWhatIsInTheWayWhereThereIsNoPath) {
   EXPECT_THAT(out_.str(), HasSubstr("No path: "));
 }
 
-TEST_F(PlanRun, TheSameScanGivesTheSamePicturesTwice) {
+TEST_F(PlanRun, GivesTheSamePicturesTwice) {
   write_scan(test::swept_tunnel(true), folder_ / "scan.lcmlog");
   const auto pictures = [&] {
     run(options("scan.lcmlog"));
@@ -155,17 +152,17 @@ TEST_F(PlanRun, TheSameScanGivesTheSamePicturesTwice) {
   EXPECT_EQ(pictures(), pictures());
 }
 
-TEST_F(PlanRun, GoesToAPlaceThatIsNamed) {
+TEST_F(PlanRun, PlansToAGoalPose) {
   write_scan(test::swept_tunnel(true), folder_ / "scan.lcmlog");
   PlanRunOptions to = options("scan.lcmlog");
   to.goal = {PlanGoal::Kind::kToPose, {5.0, 0.5, 0.0}, 0.0};
   EXPECT_TRUE(run(to));
   const json last = path_json()["points"].back();
-  EXPECT_NEAR(last["x_m"], 5.0, 0.35);  // the tolerance of a goal, and half a cell
+  EXPECT_NEAR(last["x_m"], 5.0, 0.35);  // goal tolerance and half a cell
   EXPECT_NEAR(last["y_m"], 0.5, 0.35);
 }
 
-TEST_F(PlanRun, AVehicleThatIsAsHighAsTheDriftFindsNoPath) {
+TEST_F(PlanRun, FindsNoPathForAVehicleAsHighAsTheTunnel) {
   write_scan(test::swept_tunnel(true), folder_ / "scan.lcmlog");
   std::ofstream(folder_ / "high.yaml") << "vehicle: {height_m: 1.95}\n";
   PlanRunOptions high = options("scan.lcmlog");
@@ -174,7 +171,7 @@ TEST_F(PlanRun, AVehicleThatIsAsHighAsTheDriftFindsNoPath) {
   EXPECT_THAT(out_.str(), HasSubstr("No path: "));
 }
 
-TEST_F(PlanRun, LeavesNothingBehindWhereItFails) {
+TEST_F(PlanRun, WritesNothingOnFailure) {
   std::ofstream(folder_ / "bad.xyz") << "1 2\n";
   EXPECT_THROW(run(options("bad.xyz")), std::runtime_error);
   std::ofstream(folder_ / "bad.yaml") << "terain: {}\n";

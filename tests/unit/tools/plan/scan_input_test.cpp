@@ -49,7 +49,7 @@ class ScanInputs : public testing::Test {
   std::filesystem::path file_ = folder_ / "scans.lcmlog";
 };
 
-/// A small scan.
+/// A minimal scan.
 Cloud scan(int id, bool complete = true) {
   Cloud cloud;
   cloud.utime = 1'000'000 * (id + 1);
@@ -66,7 +66,7 @@ std::vector<int> ids(const std::vector<NumberedScan>& scans) {
   return result;
 }
 
-TEST_F(ScanInputs, ALogMayHoldSeveralOfWhichOneIsChosen) {
+TEST_F(ScanInputs, SelectsAmongTheScansOfALog) {
   write({scan(3, false), scan(5), scan(9)});
   const ScanInput source = scans_of_log(file_, {});
   ASSERT_EQ(source.clouds.size(), 3U);
@@ -80,14 +80,14 @@ TEST_F(ScanInputs, ALogMayHoldSeveralOfWhichOneIsChosen) {
   EXPECT_EQ(ids(select_scans(scans_of_log(file_, {}), {})), (std::vector<int>{3}));
 }
 
-TEST_F(ScanInputs, SaysWhatALogLacks) {
+TEST_F(ScanInputs, ReportsMissingChannels) {
   write({test::swept_tunnel(true)}, 1);
   EXPECT_THAT(error_text(), HasSubstr("scans.lcmlog: no 3D scan"));
-  EXPECT_THAT(error_text(), HasSubstr("it lacks SCAN_REQUEST, LASER_FRONT, TILT_FRONT, POSE"));
+  EXPECT_THAT(error_text(), HasSubstr("missing: SCAN_REQUEST, LASER_FRONT, TILT_FRONT, POSE"));
 }
 
-/// What the drivers, scan matching and whoever asks for a scan put on the bus, and the scan that
-/// came of it there.
+/// Records the messages of drivers, scan matching and scan requests during a sweep; returns the
+/// assembled scan.
 Cloud record_sweep(const std::filesystem::path& file) {
   GroundTruthRobot robot(box_tunnel());
   MemoryBus& bus = robot.bus();
@@ -114,12 +114,12 @@ Cloud record_sweep(const std::filesystem::path& file) {
   return swept;
 }
 
-TEST_F(ScanInputs, PutsAScanTogetherFromWhatALogHoldsOfTheSweep) {
+TEST_F(ScanInputs, AssemblesAScanFromTheMessagesOfASweep) {
   const Cloud live = record_sweep(file_);
   const ScanInput source = scans_of_log(file_, {});
   ASSERT_EQ(source.clouds.size(), 1U);
   const Cloud& repeated = source.clouds[0];
-  EXPECT_THAT(source.warnings, testing::ElementsAre(HasSubstr("taken for Groundhog's")));
+  EXPECT_THAT(source.warnings, testing::ElementsAre(HasSubstr("those of Groundhog")));
   EXPECT_TRUE(repeated.complete);
   EXPECT_GT(repeated.points(), 50'000U);
   ASSERT_EQ(repeated.lines.size(), live.lines.size());

@@ -8,11 +8,11 @@
 
 namespace adit::test {
 
-/// What the front laser sees at the start of a drift that is free, or has a fall across it 3.2 m
+/// Sweep of the front laser at the start of a tunnel that is free, or blocked by rubble 3.2 m
 /// ahead.
 inline Cloud swept_tunnel(bool free) {
   const Site site(free ? box_tunnel() : box_tunnel({}, [](MeshBuilder& builder) {
-    builder.begin_part(PartKind::kWall, Material::kRock, "fall");
+    builder.begin_part(PartKind::kWall, Material::kRock, "rubble");
     builder.box(level_box({3.2, 0.0, 0.4}, {0.6, 4.0, 0.8}));
   }));
   Cloud cloud = tilt_sweep(site, Eigen::Isometry3d::Identity());

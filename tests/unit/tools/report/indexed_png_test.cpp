@@ -17,7 +17,7 @@ namespace {
 
 using Pixel = RgbImage::Pixel;
 
-/// As cairo reads it: alpha, red, green, blue of each pixel.
+/// Decodes with cairo: alpha, red, green, blue of each pixel.
 std::vector<std::uint32_t> read_back(const std::vector<std::uint8_t>& png, int width, int height) {
   const test::ScratchFolder folder;
   std::ofstream(folder / "image.png", std::ios::binary)
@@ -42,7 +42,7 @@ std::uint32_t rgb_of(const Pixel& p) {
   return static_cast<std::uint32_t>(p[0]) << 16U | static_cast<std::uint32_t>(p[1]) << 8U | p[2];
 }
 
-/// An image of so many colours, its width no multiple of what fits a byte.
+/// An image with a number of colours. Its width is not a multiple of the pixels per byte.
 RgbImage image_of(int colours) {
   RgbImage image(21, 17);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -62,7 +62,7 @@ TEST(IndexedPng, KeepsEveryPixelOfUpTo256Colours) {
   }
 }
 
-TEST(IndexedPng, BringsMoreColoursDownToThoseNearBy) {
+TEST(IndexedPng, QuantisesMoreThan256Colours) {
   RgbImage image(64, 64);
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 64; ++x) {
@@ -72,11 +72,11 @@ TEST(IndexedPng, BringsMoreColoursDownToThoseNearBy) {
   const auto pixels = read_back(indexed_png(image), 64, 64);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const int red = static_cast<int>(pixels[i] >> 16U & 0xffU);
-    ASSERT_LE(std::abs(red - image.pixels[i][0]), 8);  // half of what 4 bits tell apart
+    ASSERT_LE(std::abs(red - image.pixels[i][0]), 8);  // half of the step of 4 bits
   }
 }
 
-TEST(IndexedPng, LetsOneColourThrough) {
+TEST(IndexedPng, MakesOneColourTransparent) {
   RgbImage image(3, 1);
   image.at(1, 0) = {255, 0, 255};
   const auto pixels = read_back(indexed_png(image, Pixel{255, 0, 255}), 3, 1);

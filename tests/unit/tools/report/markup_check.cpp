@@ -21,7 +21,7 @@ bool is_name(char c) {
          c == ':';
 }
 
-/// Reads tags one after the other; what a script or a style holds is passed over.
+/// Reads tags in order. Skips the content of scripts and styles.
 class MarkupReader {
  public:
   explicit MarkupReader(std::string_view text) : text_(text) {}
@@ -31,7 +31,7 @@ class MarkupReader {
     raw_.clear();
     const std::size_t open = text_.find('<', at_);
     const std::size_t stray = text_.find('>', at_);
-    if (stray != std::string_view::npos && stray < open) errors.emplace_back("a stray >");
+    if (stray != std::string_view::npos && stray < open) errors.emplace_back("unescaped >");
     if (open == std::string_view::npos) return std::nullopt;
     at_ = open + 1;
     if (text_[at_] == '!' || text_[at_] == '?') {
@@ -41,11 +41,11 @@ class MarkupReader {
     Tag tag;
     tag.closes = take('/');
     tag.name = name();
-    if (tag.name.empty()) errors.push_back("a stray < at " + std::to_string(open));
+    if (tag.name.empty()) errors.push_back("unescaped < at " + std::to_string(open));
     while (attribute(tag, errors)) {
     }
     tag.empty = take('/');
-    if (!take('>')) errors.push_back("<" + tag.name + " does not end");
+    if (!take('>')) errors.push_back("<" + tag.name + " is not terminated");
     if (!tag.closes && (tag.name == "script" || tag.name == "style")) raw_ = tag.name;
     return tag;
   }
@@ -72,7 +72,7 @@ class MarkupReader {
       at_ = end + 1;
       if (value.find('<') != std::string::npos) errors.push_back("a < in " + key);
     }
-    if (!tag.attributes.emplace(key, value).second) errors.push_back(key + " twice");
+    if (!tag.attributes.emplace(key, value).second) errors.push_back("duplicate attribute " + key);
     return true;
   }
 
@@ -115,12 +115,12 @@ std::vector<std::string> markup_errors(const std::string& text) {
   for (const Tag& tag : tags) {
     const auto id = tag.attributes.find("id");
     if (id != tag.attributes.end() && !ids.insert(id->second).second) {
-      errors.push_back("id " + id->second + " twice");
+      errors.push_back("duplicate id " + id->second);
     }
   }
   for (const std::string& link : markup_links(text)) {
     if (link.starts_with('#') && !ids.contains(link.substr(1))) {
-      errors.push_back("nothing at " + link);
+      errors.push_back("no target for " + link);
     }
   }
   return errors;

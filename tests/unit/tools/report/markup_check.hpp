@@ -8,12 +8,11 @@
 
 namespace adit::test {
 
-/// What is wrong with a page or an SVG file: tags that do not close in order, an attribute without
-/// quotes or twice, ids given twice, links to places of the page that are not there. Empty:
-/// nothing.
+/// Errors of an HTML page or an SVG file: tags not closed in order, attributes without quotes or
+/// duplicate, duplicate ids, links to missing targets in the page. Empty for a valid file.
 std::vector<std::string> markup_errors(const std::string& text);
 
-/// Values of all src and href of a page, in order.
+/// Values of all src and href attributes of a page, in order.
 std::vector<std::string> markup_links(const std::string& text);
 
 }  // namespace adit::test

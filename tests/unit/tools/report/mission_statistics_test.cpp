@@ -16,21 +16,19 @@ MissionStatistics mission_at_home(bool complete, const FrontierCounts& frontiers
   return statistics;
 }
 
-TEST(MissionStatistics, SaysOfAnExploredMineWhatIsBlocked) {
+TEST(MissionStatistics, OutcomeOfACompleteExplorationHasBlockedFrontiers) {
   EXPECT_EQ(outcome_text(mission_at_home(true, {.found = 5, .closed = 5, .blocked = 1})),
-            "The robot came home. It explored the mine: every one of the 5 openings that it saw is "
-            "closed, with evidence; 1 is blocked.");
+            "The robot returned home. The exploration is complete: 5 of 5 frontiers are closed "
+            "(1 blocked).");
   EXPECT_EQ(outcome_text(mission_at_home(true, {.found = 2, .closed = 2})),
-            "The robot came home. It explored the mine: every one of the 2 openings that it saw is "
-            "closed, with evidence.");
+            "The robot returned home. The exploration is complete: 2 of 2 frontiers are closed.");
 }
 
-TEST(MissionStatistics, SaysOfTheOthersWhatIsOpenAndWhatIsDoubtful) {
-  EXPECT_EQ(
-      outcome_text(mission_at_home(
-          false, {.found = 7, .closed = 3, .open = 4, .blocked = 2, .unconfirmed = 1})),
-      "The robot came home. Of 7 openings, 3 are left open, 1 is given up, though nobody saw what "
-      "blocks the way, 2 are blocked.");
+TEST(MissionStatistics, OutcomeOfAnIncompleteExplorationHasOpenFrontiers) {
+  EXPECT_EQ(outcome_text(mission_at_home(
+                false, {.found = 7, .closed = 3, .open = 4, .blocked = 2, .unconfirmed = 1})),
+            "The robot returned home. The exploration is incomplete: 3 of 7 frontiers are closed "
+            "(2 blocked), 3 open, 1 abandoned without evidence of a blockage.");
 }
 
 }  // namespace

@@ -24,6 +24,7 @@
 #include "common/messages/navigation.hpp"
 #include "common/messages/sensing.hpp"
 #include "common/messages/sim.hpp"
+#include "common/sensing/seconds.hpp"
 #include "procs/planning/planning.hpp"
 #include "procs/terrain/terrain.hpp"
 #include "tests/unit/procs/volume_map/swept_tunnel.hpp"
@@ -38,18 +39,18 @@ std::int64_t at(double seconds) {
   return kMissionUtime + static_cast<std::int64_t>(std::llround(1e6 * seconds));
 }
 
-Pose2 place(double seconds) {
+Pose2 pose_at(double seconds) {
   const double out_m = std::min(0.5 * seconds, 10.0);
   return {seconds < 30.0 ? out_m : 10.0 - 0.5 * (seconds - 30.0), 0.0, 0.0};
 }
 
-/// What a laser in the drift reads from a place.
+/// Scan of a laser in the tunnel at a time.
 LaserScan scan_of_tunnel(double seconds) {
   LaserScan scan{at(seconds), {}, -std::numbers::pi / 2.0, std::numbers::pi / 180.0};
   for (int i = 0; i <= 180; ++i) {
     const double angle = scan.angle_min_rad + i * scan.angle_step_rad;
     const double across = kHalfWidthM / std::max(std::abs(std::sin(angle)), 1e-9);
-    const double along = (kEndsM[1] - place(seconds).x) / std::max(std::cos(angle), 1e-9);
+    const double along = (kEndsM[1] - pose_at(seconds).x) / std::max(std::cos(angle), 1e-9);
     scan.ranges_m.push_back(static_cast<float>(std::min(across, along)));
   }
   return scan;
@@ -66,9 +67,9 @@ class SyntheticMissionLog {
     if (!is_time || options_.omitted_channels.contains(channel)) return;
     events_.push_back({at(seconds), std::string(channel), encode(to_message(value))});
   }
-  template <class Whole>
-  void write_fragments(double seconds, std::string_view channel, const Whole& whole) {
-    for (const auto& fragment : split(whole)) write(seconds, channel, fragment);
+  template <class Value>
+  void write_fragments(double seconds, std::string_view channel, const Value& value) {
+    for (const auto& fragment : split(value)) write(seconds, channel, fragment);
   }
   void close() {
     std::stable_sort(events_.begin(), events_.end(),
@@ -89,7 +90,7 @@ MissionPhase phase(double seconds, int sequence, Phase phase, const std::string&
   reported.sequence = sequence;
   reported.phase = phase;
   reported.reason = reason;
-  reported.distance_travelled_m = seconds < 30.0 ? place(seconds).x : 20.0 - place(seconds).x;
+  reported.distance_travelled_m = seconds < 30.0 ? pose_at(seconds).x : 20.0 - pose_at(seconds).x;
   reported.returning_home = seconds >= 30.0;
   if (reported.returning_home) reported.return_home_reason = kHtmlInjection;
   if (phase == Phase::kEnded) reported.outcome = MissionOutcome::kHome;
@@ -100,20 +101,20 @@ void write_phases(SyntheticMissionLog& log) {
   const MissionPhase phases[] = {phase(0.0, 1, Phase::kWaiting, "the mission begins"),
                                  phase(2.0, 2, Phase::kExecute, "ahead"),
                                  phase(20.0, 3, Phase::kScan, kHtmlInjection),
-                                 phase(28.0, 4, Phase::kPlan, "the scan is there"),
+                                 phase(28.0, 4, Phase::kPlan, "scan received"),
                                  phase(30.0, 5, Phase::kExecute, "home"),
                                  phase(kMissionS, 6, Phase::kEnded, "at home")};
   for (const MissionPhase& reported : phases) {
-    const double seconds = 1e-6 * static_cast<double>(reported.utime - kMissionUtime);
-    for (const double again : {0.0, 1.0}) log.write(seconds + again, channels::kPhase, reported);
+    const double seconds = adit::seconds(reported.utime - kMissionUtime);
+    for (const double delay : {0.0, 1.0}) log.write(seconds + delay, channels::kPhase, reported);
   }
 }
 
 void write_poses(SyntheticMissionLog& log) {
   const Pose2 T_world_odom{100.0, 50.0, 0.3};
   for (double t = 0.0; t <= kMissionS; t += 0.1) {
-    log.write(t, channels::kPose, StampedPose{at(t), place(t), {}});
-    log.write(t, channels::kTruth, StampedPose{at(t), T_world_odom * place(t), {}});
+    log.write(t, channels::kPose, StampedPose{at(t), pose_at(t), {}});
+    log.write(t, channels::kTruth, StampedPose{at(t), T_world_odom * pose_at(t), {}});
     log.write(t, channels::kRunState, RunState{at(t), 0.0, ""});
     log.write(t, channels::kGas, GasReading{at(t), 0.001, 0.2, 1e-5});
   }
@@ -124,10 +125,10 @@ LocalMap local_map(int id, double from_s) {
   map.id = id;
   map.utime = at(from_s);
   map.end_utime = at(from_s + 10.0);
-  map.T_odom_local = place(from_s);
+  map.T_odom_local = pose_at(from_s);
   map.information = Eigen::Matrix3d::Identity();
   for (double t = from_s; t <= from_s + 10.0; t += 1.0) {
-    map.scans.push_back({"LASER_FRONT", scan_of_tunnel(t), between(map.T_odom_local, place(t))});
+    map.scans.push_back({"LASER_FRONT", scan_of_tunnel(t), between(map.T_odom_local, pose_at(t))});
   }
   return map;
 }
@@ -142,9 +143,9 @@ void write_map(SyntheticMissionLog& log) {
   const double begins_s[] = {0.0, 10.0, 30.0, 40.0};
   for (int id = 0; id < 4; ++id) {
     log.write_fragments(begins_s[id] + 10.0, channels::kLocalMap, local_map(id, begins_s[id]));
-    graph.poses.push_back(place(begins_s[id]));
+    graph.poses.push_back(pose_at(begins_s[id]));
     if (id > 0) {
-      const double step = place(begins_s[id]).x - place(begins_s[id - 1]).x;
+      const double step = pose_at(begins_s[id]).x - pose_at(begins_s[id - 1]).x;
       graph.constraints.push_back(constraint(id - 1, id, step, Kind::kSequential));
     }
     if (id == 3) graph.constraints.push_back(constraint(1, 3, 0.0, Kind::kLoopClosure));
@@ -189,10 +190,10 @@ PlannedPath blocked() {
 }
 
 void write_scan(SyntheticMissionLog& log, double seconds, int id) {
-  Cloud cloud = sweep_of_tunnel(place(seconds), 24);
+  Cloud cloud = sweep_of_tunnel(pose_at(seconds), 24);
   cloud.id = id;
   cloud.utime = at(seconds);
-  cloud.T_odom_level = place(seconds);
+  cloud.T_odom_level = pose_at(seconds);
   const TerrainMap terrain = Terrain(TerrainParams{}).make(cloud);
   const PlanGoal goal{at(seconds), 10 + id, PlanGoal::Kind::kAlong, cloud.T_odom_level, 8.0, {}};
   PlannedPath path = id == 1 ? found(terrain, goal) : blocked();
@@ -212,7 +213,7 @@ void write_exploration(SyntheticMissionLog& log) {
   report.decision.reason = "home is near";
   report.frontiers = {
       {0, 0, {15.0, 0.0}, {1.0, 0.0}, 4.0, FrontierState::kOpen, at(28.0), kHtmlInjection},
-      {1, 0, {-3.0, 0.0}, {-1.0, 0.0}, 4.0, FrontierState::kOutsideMine, at(1.0), "the way out"},
+      {1, 0, {-3.0, 0.0}, {-1.0, 0.0}, 4.0, FrontierState::kOutsideMine, at(1.0), "the entrance"},
       {2, 1, {9.0, 2.0}, {0.0, 1.0}, 1.0, FrontierState::kTooNarrow, at(9.0), "1 m wide"}};
   report.corridors.nodes = {{{0.0, 0.0}, CorridorNode::Kind::kDeadEnd},
                             {{15.0, 0.0}, CorridorNode::Kind::kOpenEnd}};
@@ -234,10 +235,10 @@ void write_events(SyntheticMissionLog& log) {
     log.write(t, channels::kHeartbeat, heartbeat);
   }
   for (int t = 0; t < 50; ++t) {
-    const bool drives = t >= 2 && (t < 20 || t >= 30);
+    const bool driving = t >= 2 && (t < 20 || t >= 30);
     DrivingState state;
     state.utime = at(t);
-    state.kind = drives ? DrivingState::Kind::kDriving : DrivingState::Kind::kIdle;
+    state.kind = driving ? DrivingState::Kind::kDriving : DrivingState::Kind::kIdle;
     log.write(t, channels::kDrivingState, state);
   }
 }

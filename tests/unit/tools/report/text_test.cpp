@@ -10,21 +10,21 @@
 namespace adit {
 namespace {
 
-TEST(ReportText, EscapesWhatHasAMeaningInHtml) {
+TEST(ReportText, EscapesHtmlCharacters) {
   EXPECT_EQ(escaped("<a href=\"x\">'&'</a>"),
             "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;&lt;/a&gt;");
 }
 
-TEST(ReportText, KeepsUtf8AndShowsWhatIsNone) {
+TEST(ReportText, KeepsUtf8AndReplacesInvalidBytes) {
   EXPECT_EQ(escaped("µ – €\U0001F4A1"), "µ – €\U0001F4A1");
   EXPECT_EQ(escaped("a\x01z"), "a\uFFFDz");                  // control character
   EXPECT_EQ(escaped("a\xFFz"), "a\uFFFDz");                  // no lead byte
-  EXPECT_EQ(escaped("\xC3"), "\uFFFD");                      // cut off
-  EXPECT_EQ(escaped("\xC0\xBC"), "\uFFFD\uFFFD");            // '<' in a form that is too long
+  EXPECT_EQ(escaped("\xC3"), "\uFFFD");                      // truncated
+  EXPECT_EQ(escaped("\xC0\xBC"), "\uFFFD\uFFFD");            // overlong '<'
   EXPECT_EQ(escaped("\xED\xA0\x80"), "\uFFFD\uFFFD\uFFFD");  // half of a surrogate pair
 }
 
-TEST(ReportText, WritesNumbersAsPeopleDo) {
+TEST(ReportText, FormatsNumbers) {
   EXPECT_EQ(fixed(1.25, 1), "1.2");
   EXPECT_EQ(fixed(-0.01, 1), "0.0");
   EXPECT_EQ(fixed(std::numeric_limits<double>::quiet_NaN(), 1), "–");
@@ -35,7 +35,7 @@ TEST(ReportText, WritesNumbersAsPeopleDo) {
   EXPECT_EQ(count_text(0, "scan"), "0 scans");
 }
 
-TEST(ReportText, WritesTimes) {
+TEST(ReportText, FormatsTimes) {
   EXPECT_EQ(duration_text(59.4), "59\u00A0s");
   EXPECT_EQ(duration_text(59.6), "1\u00A0min 00\u00A0s");
   EXPECT_EQ(duration_text(7200 + 59 * 60 + 40), "3\u00A0h 00\u00A0min");
@@ -43,14 +43,14 @@ TEST(ReportText, WritesTimes) {
   EXPECT_EQ(clock_text(1'054'252'800'000'000 + 61'500'000), "00:01:01");
 }
 
-TEST(ReportText, MakesSentences) {
-  EXPECT_EQ(sentence("no way"), "No way.");
-  EXPECT_EQ(sentence("No way!"), "No way!");
+TEST(ReportText, FormatsSentences) {
+  EXPECT_EQ(sentence("no path"), "No path.");
+  EXPECT_EQ(sentence("No path!"), "No path!");
   EXPECT_EQ(sentence(""), "");
 }
 
 /// RFC 4648, section 10.
-TEST(DataUri, IsBase64) {
+TEST(DataUri, EncodesBase64) {
   const auto uri = [](const std::string& text) {
     return data_uri("text/plain",
                     {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});

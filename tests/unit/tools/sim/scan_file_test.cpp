@@ -14,7 +14,7 @@
 namespace adit {
 namespace {
 
-TEST(ScanFile, ALogHoldsAllOfTheScan) {
+TEST(ScanFile, ALogHoldsTheCompleteScan) {
   const test::ScratchFolder folder;
   Cloud cloud;
   cloud.utime = 5'000'000;
@@ -39,7 +39,7 @@ TEST(ScanFile, ALogHoldsAllOfTheScan) {
   EXPECT_EQ(read->lines[7].misses.size(), 5U);
 }
 
-TEST(ScanFile, RejectsAnyOtherKindOfFile) {
+TEST(ScanFile, RejectsOtherExtensions) {
   EXPECT_THROW(write_scan({}, "scan.stl"), std::runtime_error);
   EXPECT_THROW(write_scan({}, "/nowhere/scan.ply"), std::runtime_error);
 }

@@ -34,7 +34,7 @@ class TruthFiles : public testing::Test {
 };
 
 TEST_F(TruthFiles, HaveTheCentreLinesWithTheirLengths) {
-  const Json features = read("drifts.geojson")["features"];
+  const Json features = read("tunnels.geojson")["features"];
   ASSERT_EQ(features.size(), 3U);
   EXPECT_EQ(features[0]["geometry"]["type"], "Point");
   EXPECT_EQ(features[0]["properties"]["entrance"], true);
@@ -57,7 +57,7 @@ TEST_F(TruthFiles, HaveTheObstacles) {
   EXPECT_EQ(obstacle["z_high_m"], 2.0);
 }
 
-TEST_F(TruthFiles, AreMissedWhereTheyCannotBeWritten) {
+TEST_F(TruthFiles, ReportAWriteError) {
   EXPECT_THROW(write_truth_files(sample_world(), "/proc/truth"), std::runtime_error);
 }
 

@@ -56,7 +56,7 @@ class VolumeRun : public testing::Test {
   bool closed_ = false;
 };
 
-TEST_F(VolumeRun, MakesThreeFilesOfALog) {
+TEST_F(VolumeRun, WritesThreeFiles) {
   write_graph();
   write_cloud(0.0);
   write_cloud(12.0);
@@ -69,7 +69,7 @@ TEST_F(VolumeRun, MakesThreeFilesOfALog) {
   EXPECT_GT(fs::file_size(folder_ / "out" / "cloud.ply"), 16 * result.points);
 }
 
-TEST_F(VolumeRun, GivesTheSameBytesAgain) {
+TEST_F(VolumeRun, IsReproducible) {
   write_graph();
   write_cloud(0.0);
   run("first");
@@ -81,7 +81,7 @@ TEST_F(VolumeRun, GivesTheSameBytesAgain) {
   }
 }
 
-TEST_F(VolumeRun, SaysWhereThereIsNoGraph) {
+TEST_F(VolumeRun, WarnsOfAMissingPoseGraph) {
   write_cloud(0.0);
   EXPECT_THAT(run("out").warnings, ElementsAre(HasSubstr("no pose graph")));
 }

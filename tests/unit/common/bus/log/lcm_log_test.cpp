@@ -43,7 +43,7 @@ void write(const Bytes& bytes, const std::filesystem::path& path) {
 
 /// A log of `count` events of kEvent bytes at the times 0, 1, ..
 Bytes log_of(int count) {
-  const auto path = scratch("whole.lcmlog");
+  const auto path = scratch("complete.lcmlog");
   LogWriter writer(path);
   for (int i = 0; i < count; ++i) {
     writer.write({i, "POSE", Bytes(kData, static_cast<std::uint8_t>(i))});
@@ -65,7 +65,7 @@ Parsed parse(const Bytes& bytes) {
   return parsed;
 }
 
-TEST(Log, GivesBackWhatWasWritten) {
+TEST(Log, RestoresWrittenEvents) {
   const std::vector<LogEvent> events{{1'600'000'000'000'000, "POSE", {1, 2, 3}},
                                      {1'600'000'000'000'001, "LASER_FRONT", {}},
                                      {1'600'000'000'000'002, "IMU", Bytes(100'000, 7)}};
@@ -127,7 +127,7 @@ TEST(Log, MayBeEmpty) {
   EXPECT_EQ(LogFile(path).size(), 0U);
 }
 
-TEST(Log, ThatIsNoneIsRejectedWithItsPath) {
+TEST(Log, RejectsAFileThatIsNotALogWithItsPath) {
   const auto path = scratch("notes.txt");
   write(Bytes(1000, 'x'), path);
   try {
@@ -140,7 +140,7 @@ TEST(Log, ThatIsNoneIsRejectedWithItsPath) {
   EXPECT_THROW(LogFile{testing::TempDir()}, std::runtime_error);
 }
 
-TEST(LogWriter, ThrowsWhereItCannotWrite) {
+TEST(LogWriter, ThrowsIfItCannotWrite) {
   EXPECT_THROW(LogWriter(scratch("no/such/folder.lcmlog")), std::runtime_error);
   LogWriter full("/dev/full");
   full.write({0, "POSE", Bytes(10)});
@@ -156,7 +156,7 @@ TEST(LogParser, FindsTheNextEventAfterDamage) {
   EXPECT_EQ(parsed.health.corrupt_regions, 1U);
 }
 
-TEST(LogParser, SkipsAnEventWhoseSyncWordIsDamaged) {
+TEST(LogParser, SkipsAnEventWithADamagedSyncWord) {
   Bytes bytes = log_of(3);
   bytes[kEvent] ^= 1U;
   const Parsed parsed = parse(bytes);
@@ -164,20 +164,20 @@ TEST(LogParser, SkipsAnEventWhoseSyncWordIsDamaged) {
   EXPECT_EQ(parsed.health.corrupt_bytes, kEvent);
 }
 
-TEST(LogParser, DoesNotFollowALengthThatSwallowsLaterEvents) {
+TEST(LogParser, IgnoresALengthThatSpansLaterEvents) {
   Bytes bytes = log_of(5);
   bytes[kEvent + 26] = 1;  // 256 bytes more
   const Parsed parsed = parse(bytes);
   EXPECT_THAT(parsed.utimes, ElementsAre(0, 2, 3, 4));
 }
 
-TEST(LogParser, DoesNotFollowALengthBeyondTheEnd) {
+TEST(LogParser, IgnoresALengthBeyondTheEnd) {
   for (const std::uint8_t high : {0x7F, 0xFF}) {
     Bytes bytes = log_of(3);
     bytes[kEvent + 24] = high;
     EXPECT_THAT(parse(bytes).utimes, ElementsAre(0, 2));
     bytes = log_of(3);
-    bytes[kEvent + 20] = high;  // that of the channel
+    bytes[kEvent + 20] = high;  // length of the channel
     EXPECT_THAT(parse(bytes).utimes, ElementsAre(0, 2));
   }
 }
@@ -189,26 +189,27 @@ TEST(LogParser, ReadsPastASyncWordInTheData) {
   EXPECT_THAT(parse(bytes).utimes, ElementsAre(0, 1, 2));
 }
 
-TEST(LogParser, ReportsATailThatIsPowerLoss) {
-  const Bytes whole = log_of(3);
-  for (std::size_t size = 2 * kEvent + 1; size < whole.size(); ++size) {
-    const Parsed parsed = parse({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)});
+TEST(LogParser, ReportsATruncatedTail) {
+  const Bytes complete = log_of(3);
+  for (std::size_t size = 2 * kEvent + 1; size < complete.size(); ++size) {
+    const Parsed parsed =
+        parse({complete.begin(), complete.begin() + static_cast<std::ptrdiff_t>(size)});
     EXPECT_THAT(parsed.utimes, ElementsAre(0, 1));
     EXPECT_EQ(parsed.health.truncated_bytes, size - 2 * kEvent);
     EXPECT_EQ(parsed.health.corrupt_bytes, 0U);
   }
 }
 
-TEST(LogParser, AccountsForEveryByteWhateverThereIs) {
-  const Bytes whole = log_of(4);
-  for (std::size_t at = 0; at < whole.size(); ++at) {
-    Bytes bytes = whole;
+TEST(LogParser, AccountsForEveryByte) {
+  const Bytes complete = log_of(4);
+  for (std::size_t at = 0; at < complete.size(); ++at) {
+    Bytes bytes = complete;
     bytes[at] ^= 0xFFU;
     const Parsed parsed = parse(bytes);
     EXPECT_GE(parsed.utimes.size(), 3U) << at;
     EXPECT_EQ(
         parsed.health.events * kEvent + parsed.health.corrupt_bytes + parsed.health.truncated_bytes,
-        whole.size())
+        complete.size())
         << at;
   }
 }

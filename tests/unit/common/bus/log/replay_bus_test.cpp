@@ -35,7 +35,7 @@ std::filesystem::path scratch(const std::string& name) {
   return folder / name;
 }
 
-/// A stage that answers each scan with a pose.
+/// A stage that publishes a pose for each scan.
 void answer_scans(Bus& bus) {
   bus.subscribe("LASER_FRONT", Delivery::queued(10),
                 [&bus](const ReceivedMessage& received) -> std::string_view {
@@ -82,7 +82,7 @@ TEST(ReplayBus, GivesTheSameBytesFromShuffledEvents) {
             replayed(shuffled, scratch("twice.lcmlog")));
 }
 
-TEST(ReplayBus, WritesOutputsWithTheTimeOfTheInputThatCausedThem) {
+TEST(ReplayBus, StampsOutputsWithTheTimeOfTheirInput) {
   EventList source(scans(3));
   LogWriter output(scratch("out.lcmlog"));
   ReplayBus bus(source, &output);
@@ -103,7 +103,7 @@ TEST(ReplayBus, WritesOutputsWithTheTimeOfTheInputThatCausedThem) {
   EXPECT_FALSE(log.next());
 }
 
-TEST(ReplayBus, LeavesOutChannelsThatAreMadeReset) {
+TEST(ReplayBus, OmitsChannelsThatStagesPublishAgain) {
   const std::string once = replayed(scans(200), scratch("once.lcmlog"));
   LogFile source(scratch("once.lcmlog"));
   LogWriter output(scratch("twice.lcmlog"));
@@ -116,7 +116,7 @@ TEST(ReplayBus, LeavesOutChannelsThatAreMadeReset) {
   EXPECT_EQ(once, std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
-TEST(ReplayBus, LetsChannelsOfOthersThrough) {
+TEST(ReplayBus, ReplaysForeignChannels) {
   EventList source({{10, "video-front.raw", {1}}});
   LogWriter output(scratch("out.lcmlog"));
   ReplayBus(source, &output).run();
@@ -124,7 +124,7 @@ TEST(ReplayBus, LetsChannelsOfOthersThrough) {
   EXPECT_EQ(LogFile(scratch("out.lcmlog")).next()->channel, "video-front.raw");
 }
 
-TEST(ReplayBus, LeavesOutEventsOfTimesThatCannotBe) {
+TEST(ReplayBus, OmitsEventsWithImplausibleTimes) {
   EventList source({{-5, "POSE", {}}, {10, "POSE", {}}, {INT64_MAX, "POSE", {}}});
   ReplayBus bus(source, nullptr);
   bus.run();
@@ -132,7 +132,7 @@ TEST(ReplayBus, LeavesOutEventsOfTimesThatCannotBe) {
   EXPECT_EQ(bus.now_utime(), 10);
 }
 
-TEST(ReplayBus, SaysHowFarItIs) {
+TEST(ReplayBus, ReportsProgress) {
   EventList source(scans(4));
   ReplayBus bus(source, nullptr);
   std::vector<double> shares;

@@ -19,7 +19,7 @@ namespace {
 constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr std::int64_t kSecond = 1'000'000;
 
-/// A bus with ears for what stages say of themselves.
+/// A bus with subscriptions to what NodeHost publishes.
 class NodeHostTest : public testing::Test {
  protected:
   NodeHostTest() {
@@ -32,8 +32,8 @@ class NodeHostTest : public testing::Test {
                              [this](const StageStats& it) { stats_.push_back(it); });
   }
 
-  /// Refuses empty messages.
-  static void listen_to_poses(Bus& bus) {
+  /// Subscribes to POSE and rejects empty messages.
+  static void subscribe_to_poses(Bus& bus) {
     bus.subscribe("POSE", Delivery::latest(),
                   [](const ReceivedMessage& received) -> std::string_view {
                     return received.bytes.empty() ? "empty" : "";
@@ -50,7 +50,7 @@ class NodeHostTest : public testing::Test {
   std::vector<StageStats> stats_;
 };
 
-TEST_F(NodeHostTest, PublishesTheConfigurationAtTheStartAndEachTenSeconds) {
+TEST_F(NodeHostTest, PublishesTheConfigurationAtTheStartAndEveryTenSeconds) {
   const NodeHost host(bus_, {"mapping", "0.1.0", "a: 1\n"});
   run_for(25);
   ASSERT_EQ(configs_.size(), 3U);
@@ -58,7 +58,7 @@ TEST_F(NodeHostTest, PublishesTheConfigurationAtTheStartAndEachTenSeconds) {
   EXPECT_EQ(configs_[1].utime, kStart + 10 * kSecond);
 }
 
-TEST_F(NodeHostTest, BeatsEachSecond) {
+TEST_F(NodeHostTest, PublishesAHeartbeatEverySecond) {
   const NodeHost host(bus_, {"mapping", "0.1.0", ""});
   run_for(3);
   ASSERT_EQ(heartbeats_.size(), 4U);
@@ -72,10 +72,10 @@ TEST_F(NodeHostTest, ReportsTheHealthOfTheNode) {
   EXPECT_EQ(heartbeats_.at(0).health, (Health{Health::Level::kDegraded, "no odometry"}));
 }
 
-TEST_F(NodeHostTest, CountsTheMessagesOfItsStageOnly) {
+TEST_F(NodeHostTest, CountsOnlyMessagesOfItsStage) {
   NodeHost mapping(bus_, {"mapping", "0.1.0", ""});
   NodeHost planning(bus_, {"planning", "0.1.0", ""});
-  listen_to_poses(mapping.bus());
+  subscribe_to_poses(mapping.bus());
   run_for(0);
   bus_.publish("POSE", {});
   bus_.publish("POSE", std::vector<std::uint8_t>{1});
@@ -84,9 +84,9 @@ TEST_F(NodeHostTest, CountsTheMessagesOfItsStageOnly) {
   EXPECT_EQ(heartbeats_.at(3), (Heartbeat{kStart + kSecond, "planning", {}, 0, 0, 0}));
 }
 
-TEST_F(NodeHostTest, ReportsWhatWasDoneInEachIntervalWithoutTimesOfTheMachine) {
+TEST_F(NodeHostTest, ReportsEachIntervalIndependentOfTheComputer) {
   NodeHost host(bus_, {"mapping", "0.1.0", ""});
-  listen_to_poses(host.bus());
+  subscribe_to_poses(host.bus());
   run_for(0);
   bus_.publish("POSE", std::vector<std::uint8_t>{1});
   run_for(5);
@@ -99,9 +99,9 @@ TEST_F(NodeHostTest, ReportsWhatWasDoneInEachIntervalWithoutTimesOfTheMachine) {
             (StageStats{kStart + 10 * kSecond, "mapping", 5.0, {{"POSE", 0, 1, 0, -1.0, -1.0}}}));
 }
 
-TEST_F(NodeHostTest, MeasuresHandlersWhereAskedTo) {
+TEST_F(NodeHostTest, MeasuresHandlerTimesOnRequest) {
   NodeHost host(bus_, {"mapping", "0.1.0", ""}, StageBus::Measure::kHandlerTimes);
-  listen_to_poses(host.bus());
+  subscribe_to_poses(host.bus());
   run_for(0);
   bus_.publish("POSE", {});
   run_for(5);
@@ -110,15 +110,15 @@ TEST_F(NodeHostTest, MeasuresHandlersWhereAskedTo) {
             stats_.at(0).subscriptions.at(0).handler_mean_ms);
 }
 
-TEST_F(NodeHostTest, TellsEachKindOfRejectionOnce) {
-  std::ostringstream complaints;
-  NodeHost host(bus_, {"mapping", "0.1.0", ""}, StageBus::Measure::kNothing, &complaints);
-  listen_to_poses(host.bus());
+TEST_F(NodeHostTest, ReportsEachKindOfRejectionOnce) {
+  std::ostringstream errors;
+  NodeHost host(bus_, {"mapping", "0.1.0", ""}, StageBus::Measure::kNothing, &errors);
+  subscribe_to_poses(host.bus());
   run_for(0);
   bus_.publish("POSE", {});
   bus_.publish("POSE", {});
   run_for(5);
-  EXPECT_EQ(complaints.str(), "mapping: POSE refused: empty\n");
+  EXPECT_EQ(errors.str(), "mapping: POSE rejected: empty\n");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct Params {
   }
 };
 
-/// Ends by a signal at its first tick.
+/// Raises SIGTERM at its first tick.
 class TerminatingNode {
  public:
   using Params = adit::Params;
@@ -37,7 +37,7 @@ class TerminatingNode {
   }
 };
 
-/// Breaks at its first tick.
+/// Throws at its first tick.
 class ThrowingNode {
  public:
   using Params = adit::Params;
@@ -71,13 +71,13 @@ std::string config_file(const std::string& text) {
   return folder / "config.yaml";
 }
 
-TEST(RunNode, EndsCleanlyByASignal) {
+TEST(RunNode, ExitsCleanlyOnASignal) {
   const Outcome outcome = run<TerminatingNode>({"--lcm-url", "memq://"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
 }
 
-TEST(RunNode, EndsWithTwoAndOneLineWhenTheNodeBreaks) {
+TEST(RunNode, ExitsWithTwoAndOneLineOnAnException) {
   const Outcome outcome = run<ThrowingNode>({"--lcm-url", "memq://"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.err, "adit-mapping: the laser is gone\n");
@@ -110,7 +110,7 @@ TEST(RunNode, RejectsAnUnknownSection) {
   EXPECT_THAT(outcome.err, HasSubstr("scan_matching"));
 }
 
-TEST(RunNode, TakesTheSectionsOfOtherStages) {
+TEST(RunNode, AcceptsSectionsOfOtherStages) {
   const std::string path = config_file("scan_matching: {}\nmapping: {}\nsim: {}\nvehicle: {}\n");
   EXPECT_EQ(run<TerminatingNode>({"--print-config", "--config", path}).exit_code, 0);
 }
@@ -120,7 +120,7 @@ TEST(RunNode, RejectsAMissingFileAndAnUnknownOption) {
   EXPECT_EQ(run<TerminatingNode>({"--speed", "2"}).exit_code, 2);
 }
 
-TEST(RunNode, SaysItsVersionAndHelps) {
+TEST(RunNode, PrintsVersionAndHelp) {
   const Outcome version = run<TerminatingNode>({"--version"});
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_THAT(version.out, StartsWith("adit-mapping "));
@@ -129,10 +129,10 @@ TEST(RunNode, SaysItsVersionAndHelps) {
   EXPECT_THAT(help.out, HasSubstr("--lcm-url"));
 }
 
-TEST(RunNode, SaysWhatIsWrongWithTheNetwork) {
+TEST(RunNode, ReportsNetworkErrors) {
   const Outcome outcome = run<TerminatingNode>({"--lcm-url", "nonsense://"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("adit-mapping: no LCM on nonsense://"));
+  EXPECT_THAT(outcome.err, HasSubstr("adit-mapping: cannot open LCM on nonsense://"));
 }
 
 }  // namespace

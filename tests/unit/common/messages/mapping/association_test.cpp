@@ -47,25 +47,30 @@ std::string_view rejection_after(const std::function<void(association_t&)>& chan
   return from_message(message).rejection();
 }
 
-TEST(MapCorrectionMessage, GoesThereAndBack) { EXPECT_EQ(*round_trip(correction()), correction()); }
+TEST(MapCorrectionMessage, SurvivesARoundTrip) {
+  EXPECT_EQ(*round_trip(correction()), correction());
+}
 
-TEST(MapCorrectionMessage, SaysThatItsCovarianceIsUnknown) {
+TEST(MapCorrectionMessage, MayHaveNoCovariance) {
   MapCorrection without = correction();
   without.covariance.reset();
   EXPECT_EQ(*round_trip(without), without);
 }
 
-TEST(MapCorrectionMessage, IsRejectedWithNumbersThatMeanNothing) {
+TEST(MapCorrectionMessage, IsRejectedWithInvalidNumbers) {
   using Message = map_correction_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.revision = -1; }), "negative revision");
   EXPECT_EQ(rejection_after([](Message& m) { m.session = -1; }), "negative id or session");
   EXPECT_EQ(rejection_after([](Message& m) { m.local_map = -1; }), "negative id or session");
   EXPECT_EQ(rejection_after([](Message& m) { m.T_map_odom[2] = kNaN; }), kPoseNotFinite);
-  EXPECT_EQ(rejection_after([](Message& m) { m.covariance[0][0] = -1.0; }), "invalid covariance matrix");
+  EXPECT_EQ(rejection_after([](Message& m) { m.covariance[0][0] = -1.0; }),
+            "invalid covariance matrix");
 }
 
-TEST(AssociationMessage, GoesThereAndBack) { EXPECT_EQ(*round_trip(association()), association()); }
+TEST(AssociationMessage, SurvivesARoundTrip) {
+  EXPECT_EQ(*round_trip(association()), association());
+}
 
 TEST(AssociationMessage, MayHaveNoAlternatives) {
   Association none = association();
@@ -74,7 +79,7 @@ TEST(AssociationMessage, MayHaveNoAlternatives) {
   EXPECT_EQ(*round_trip(none), none);
 }
 
-TEST(AssociationMessage, IsRejectedWithAChoiceThatIsNoAlternative) {
+TEST(AssociationMessage, IsRejectedWithAnInvalidChoice) {
   for (const int chosen : {-2, 2, INT32_MAX}) {
     EXPECT_EQ(rejection_after([&](association_t& m) { m.chosen = chosen; }),
               "choice is not an alternative");
@@ -83,7 +88,7 @@ TEST(AssociationMessage, IsRejectedWithAChoiceThatIsNoAlternative) {
   }
 }
 
-TEST(AssociationMessage, IsRejectedWithAlternativesThatMeanNothing) {
+TEST(AssociationMessage, IsRejectedWithInvalidAlternatives) {
   using Message = association_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.alternatives[1].older_map = 40; }),
             "alternative is not an older map");
@@ -102,7 +107,7 @@ TEST(AssociationMessage, IsRejectedWithAlternativesThatMeanNothing) {
             "implausible number of alternatives");
 }
 
-TEST(AssociationMessage, IsRejectedWithNumbersThatMeanNothing) {
+TEST(AssociationMessage, IsRejectedWithInvalidNumbers) {
   using Message = association_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.action = 2; }), "unknown action");

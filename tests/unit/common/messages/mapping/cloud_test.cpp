@@ -18,7 +18,7 @@ using test::kUtime;
 
 constexpr float kNotFinite = std::numeric_limits<float>::quiet_NaN();
 
-/// Of lines of 361 beams, each tenth of which met nothing.
+/// A cloud with lines of 361 beams, every tenth without a return.
 Cloud cloud(int lines, std::int32_t id = 7) {
   Cloud result{kUtime, id, {12.0, -3.0, 0.7}, false, {}};
   for (int i = 0; i < lines; ++i) {
@@ -38,7 +38,7 @@ Cloud cloud(int lines, std::int32_t id = 7) {
   return result;
 }
 
-/// Their bits, which is more than equality.
+/// The encoded fragments, which compare all bits.
 std::vector<std::vector<std::uint8_t>> bytes_of(const Cloud& cloud) {
   std::vector<std::vector<std::uint8_t>> bytes;
   for (const CloudFragment& fragment : split(cloud)) bytes.push_back(encode(to_message(fragment)));
@@ -51,13 +51,13 @@ std::string_view rejection_after(const std::function<void(cloud_t&)>& change) {
   return from_message(message).rejection();
 }
 
-TEST(CloudFragments, OfAWholeSweepAreAllSmall) {
+TEST(CloudFragments, FitTheSizeLimit) {
   const auto fragments = bytes_of(cloud(240));
   EXPECT_LT(fragments.size(), 20U);
   for (const auto& bytes : fragments) EXPECT_LE(bytes.size(), kFragmentBytes);
 }
 
-TEST(CloudFragments, GoOverTheWireAndAreJoinedInAnyOrder) {
+TEST(CloudFragments, AreReassembledInAnyOrder) {
   const Cloud sent = cloud(240);
   auto messages = bytes_of(sent);
   std::rotate(messages.begin(), messages.begin() + 5, messages.end());
@@ -72,13 +72,13 @@ TEST(CloudFragments, GoOverTheWireAndAreJoinedInAnyOrder) {
   EXPECT_EQ(bytes_of(*received), bytes_of(sent));
 }
 
-TEST(CloudFragments, OfACloudWithoutLinesIsOne) {
+TEST(CloudFragments, AreOneForACloudWithoutLines) {
   const auto fragments = split(cloud(0));
   ASSERT_EQ(fragments.size(), 1U);
   EXPECT_TRUE(CloudReassembler().add(*test::round_trip(fragments[0]))->lines.empty());
 }
 
-TEST(CloudFragments, GiveALineThatIsTooLargeAFragmentOfItsOwn) {
+TEST(CloudFragments, GiveAnOversizedLineItsOwnFragment) {
   Cloud sent = cloud(3);
   sent.lines[1].points.resize(10'000, Eigen::Vector3f::Ones());
   const auto fragments = split(sent);
@@ -86,7 +86,7 @@ TEST(CloudFragments, GiveALineThatIsTooLargeAFragmentOfItsOwn) {
   for (const CloudFragment& fragment : fragments) EXPECT_TRUE(test::round_trip(fragment));
 }
 
-TEST(CloudMessage, IsRejectedWithAHeadThatCannotBe) {
+TEST(CloudMessage, IsRejectedWithAnInvalidHeader) {
   using Message = cloud_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.id = -1; }), "negative id");
@@ -97,7 +97,7 @@ TEST(CloudMessage, IsRejectedWithAHeadThatCannotBe) {
   EXPECT_EQ(rejection_after([](Message& m) { m.fragment = 1; }), "fragment index out of range");
 }
 
-TEST(CloudMessage, IsRejectedWithLinesThatCannotBe) {
+TEST(CloudMessage, IsRejectedWithInvalidLines) {
   using Message = cloud_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.lines[1].utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.lines[1].utime = m.utime + 1; }),
@@ -116,7 +116,7 @@ TEST(CloudMessage, IsRejectedWithLinesThatCannotBe) {
   }
 }
 
-TEST(CloudReassembler, DropsWhatIsIncompleteForANewerCloud) {
+TEST(CloudReassembler, ReplacesAnIncompleteCloudByANewerOne) {
   const auto older = split(cloud(40, 7));
   const auto newer = split(cloud(40, 8));
   CloudReassembler reassembler;
@@ -130,7 +130,7 @@ TEST(CloudReassembler, DropsWhatIsIncompleteForANewerCloud) {
   EXPECT_EQ(reassembler.counts(), (CloudReassembler::Counts{1, 0, 0, 1, 1, 0}));
 }
 
-TEST(CloudReassembler, CountsFragmentsThatComeTwiceOrDoNotBelong) {
+TEST(CloudReassembler, CountsDuplicateAndContradictoryFragments) {
   const auto fragments = split(cloud(40));
   CloudReassembler reassembler;
   reassembler.add(fragments[0]);
@@ -142,8 +142,8 @@ TEST(CloudReassembler, CountsFragmentsThatComeTwiceOrDoNotBelong) {
   EXPECT_EQ(reassembler.counts().contradictory, 1);
 }
 
-TEST(CloudReassembler, HoldsNoMoreBytesThanItMay) {
-  CloudReassembler reassembler(1000);
+TEST(CloudReassembler, RespectsTheByteLimit) {
+  CloudReassembler reassembler({.incomplete = 1, .bytes = 1000});
   EXPECT_FALSE(reassembler.add(split(cloud(40))[0]));
   EXPECT_EQ(reassembler.counts().abandoned, 1);
 }

@@ -15,6 +15,7 @@ namespace {
 
 using test::kNaN;
 using test::kUtime;
+using test::local_map;
 using test::round_trip;
 
 LocalMapFragment fragment() { return {test::local_map(7, 3), 4, 1}; }
@@ -25,32 +26,32 @@ std::string_view rejection_after(const std::function<void(local_map_t&)>& change
   return from_message(message).rejection();
 }
 
-TEST(LocalMapMessage, GoesThereAndBackBitForBit) { EXPECT_EQ(*round_trip(fragment()), fragment()); }
+TEST(LocalMapMessage, SurvivesARoundTrip) { EXPECT_EQ(*round_trip(fragment()), fragment()); }
 
 TEST(LocalMapMessage, MayHaveNoScans) {
   const LocalMapFragment empty{test::local_map(0, 1), 1, 0};
   EXPECT_EQ(*round_trip(empty), empty);
 }
 
-TEST(LocalMapMessage, KeepsReadingsThatAreNoNumbers) {
+TEST(LocalMapMessage, PreservesNanReadings) {
   LocalMapFragment strange = fragment();
   strange.part.scans[0].scan.ranges_m[1] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_TRUE(std::isnan(round_trip(strange)->part.scans[0].scan.ranges_m[1]));
 }
 
-TEST(LocalMapMessage, HoldsItsInformationRowByRow) {
+TEST(LocalMapMessage, StoresItsInformationRowByRow) {
   EXPECT_EQ(to_message(fragment()).information[0][2], 5.0);
   EXPECT_EQ(to_message(fragment()).information[1][2], -7.0);
 }
 
-TEST(LocalMapMessage, IsRejectedWithATimeThatCannotBe) {
+TEST(LocalMapMessage, IsRejectedWithInvalidTimes) {
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.end_utime = INT64_MAX; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.end_utime = map.utime - 1; }),
             "end time before start time");
 }
 
-TEST(LocalMapMessage, IsRejectedWithNumbersThatMeanNothing) {
+TEST(LocalMapMessage, IsRejectedWithInvalidNumbers) {
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.id = -1; }), "negative id or session");
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.session = -1; }), "negative id or session");
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.T_odom_local[1] = kNaN; }), kPoseNotFinite);
@@ -58,7 +59,7 @@ TEST(LocalMapMessage, IsRejectedWithNumbersThatMeanNothing) {
             kPoseNotFinite);
 }
 
-TEST(LocalMapMessage, IsRejectedWithInformationThatIsNone) {
+TEST(LocalMapMessage, IsRejectedWithInvalidInformation) {
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.information[2][2] = -1.0; }),
             kInvalidInformation);
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.information[0][1] = 25.0; }),
@@ -71,7 +72,7 @@ TEST(LocalMapMessage, IsRejectedWithInformationThatIsNone) {
             kInvalidInformation);
 }
 
-TEST(LocalMapMessage, IsRejectedWithAPlaceAmongItsFragmentsThatCannotBe) {
+TEST(LocalMapMessage, IsRejectedWithAnInvalidFragmentIndex) {
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.n_fragments = 0; }), "no fragments");
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.n_fragments = 1'000'000; }),
             "implausible number of fragments");
@@ -81,12 +82,12 @@ TEST(LocalMapMessage, IsRejectedWithAPlaceAmongItsFragmentsThatCannotBe) {
             "fragment index out of range");
 }
 
-TEST(LocalMapMessage, IsRejectedWhereItIsTooLarge) {
+TEST(LocalMapMessage, IsRejectedIfTooLarge) {
   EXPECT_EQ(round_trip(LocalMapFragment{test::local_map(7, 1500), 1, 0}).rejection(),
             "fragment too large");
 }
 
-TEST(LocalMapMessage, IsRejectedWithScansThatCannotBe) {
+TEST(LocalMapMessage, IsRejectedWithInvalidScans) {
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.scans[1].angle_step_rad = 0.0; }),
             "bearings do not increase");
   EXPECT_EQ(rejection_after([](local_map_t& map) { map.scans[1].angle_min_rad = kNaN; }),
@@ -97,47 +98,42 @@ TEST(LocalMapMessage, IsRejectedWithScansThatCannotBe) {
             "scan outside the time range of its local map");
 }
 
-}  // namespace
-namespace {
-
-using test::local_map;
-
-constexpr int kScans = 200;  // of 181 beams: three pieces
+constexpr int kScans = 200;  // of 181 beams: three fragments
 
 std::optional<LocalMap> add_all(LocalMapReassembler& reassembler,
                                 const std::vector<LocalMapFragment>& fragments) {
   std::optional<LocalMap> last;
   for (const LocalMapFragment& fragment : fragments) {
-    EXPECT_FALSE(last);  // it is complete with the last piece, not before
+    EXPECT_FALSE(last);  // complete only with the last fragment
     last = reassembler.add(fragment);
   }
   return last;
 }
 
-TEST(LocalMapFragments, AreSmallAndNoneIsSmallerThanItMustBe) {
+TEST(LocalMapFragments, FillTheSizeLimit) {
   const auto fragments = split(local_map(7, kScans));
   ASSERT_EQ(fragments.size(), 3U);
   for (const LocalMapFragment& fragment : fragments) {
     const auto bytes = encode(to_message(fragment)).size();
     EXPECT_LE(bytes, kFragmentBytes);
     if (&fragment != &fragments.back()) {
-      EXPECT_GT(bytes, kFragmentBytes - 1000);  // a scan takes less
+      EXPECT_GT(bytes, kFragmentBytes - 1000);  // size of a scan
     }
   }
 }
 
-TEST(LocalMapFragments, AreTheSameEachTime) {
+TEST(LocalMapFragments, AreReproducible) {
   EXPECT_EQ(split(local_map(7, kScans)), split(local_map(7, kScans)));
 }
 
-TEST(LocalMapFragments, OfALocalMapWithoutScansIsOne) {
+TEST(LocalMapFragments, AreOneForALocalMapWithoutScans) {
   LocalMap map = local_map(7, 1);
   map.scans.clear();
   LocalMapReassembler reassembler;
   EXPECT_EQ(add_all(reassembler, split(map)), map);
 }
 
-TEST(LocalMapFragments, GiveAScanThatIsTooLargeAFragmentOfItsOwn) {
+TEST(LocalMapFragments, GiveAnOversizedScanItsOwnFragment) {
   LocalMap map = local_map(7, 3);
   map.scans[1].scan.ranges_m.resize(20'000, 1.0F);
   map.scans[1].scan.angle_step_rad = 1e-4;
@@ -146,7 +142,7 @@ TEST(LocalMapFragments, GiveAScanThatIsTooLargeAFragmentOfItsOwn) {
   for (const LocalMapFragment& fragment : fragments) EXPECT_TRUE(test::round_trip(fragment));
 }
 
-TEST(LocalMapReassembler, JoinsFragmentsInAnyOrder) {
+TEST(LocalMapReassembler, ReassemblesFragmentsInAnyOrder) {
   const LocalMap map = local_map(7, kScans);
   std::vector<LocalMapFragment> fragments = split(map);
   std::vector<int> order = {0, 1, 2};
@@ -159,7 +155,7 @@ TEST(LocalMapReassembler, JoinsFragmentsInAnyOrder) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST(LocalMapReassembler, JoinsSeveralLocalMapsAtOnce) {
+TEST(LocalMapReassembler, ReassemblesSeveralIdsInParallel) {
   const auto a = split(local_map(7, kScans));
   const auto b = split(local_map(8, kScans));
   LocalMapReassembler reassembler;
@@ -172,7 +168,7 @@ TEST(LocalMapReassembler, JoinsSeveralLocalMapsAtOnce) {
   EXPECT_EQ(reassembler.counts().reassembled, 2);
 }
 
-TEST(LocalMapReassembler, CountsFragmentsThatComeTwice) {
+TEST(LocalMapReassembler, CountsDuplicates) {
   const auto fragments = split(local_map(7, kScans));
   LocalMapReassembler reassembler;
   reassembler.add(fragments[0]);
@@ -182,7 +178,7 @@ TEST(LocalMapReassembler, CountsFragmentsThatComeTwice) {
   EXPECT_TRUE(reassembler.add(fragments[2]));
 }
 
-TEST(LocalMapReassembler, DropsWhatIsIncompleteForANewerRevision) {
+TEST(LocalMapReassembler, ReplacesAnIncompleteMapByANewerRevision) {
   const auto older = split(local_map(7, kScans));
   const LocalMap newer = local_map(7, kScans + 1);
   const auto fragments = split(newer);
@@ -196,7 +192,7 @@ TEST(LocalMapReassembler, DropsWhatIsIncompleteForANewerRevision) {
   EXPECT_EQ(reassembler.counts().outdated, 1);
 }
 
-TEST(LocalMapReassembler, RejectsAFragmentWithAnotherHead) {
+TEST(LocalMapReassembler, RejectsAFragmentWithAnotherHeader) {
   const LocalMap map = local_map(7, kScans);
   auto fragments = split(map);
   LocalMapFragment other = fragments[1];
@@ -212,7 +208,7 @@ TEST(LocalMapReassembler, RejectsAFragmentWithAnotherHead) {
   EXPECT_EQ(reassembler.add(fragments[2]), map);
 }
 
-TEST(LocalMapReassembler, GivesUpTheOldestWhereTooManyAreIncomplete) {
+TEST(LocalMapReassembler, AbandonsTheOldestBeyondTheLimit) {
   LocalMapReassembler reassembler({2, 64'000'000});
   for (const int id : {1, 2, 3}) reassembler.add(split(local_map(id, kScans))[0]);
   EXPECT_EQ(reassembler.incomplete(), 2U);
@@ -222,7 +218,7 @@ TEST(LocalMapReassembler, GivesUpTheOldestWhereTooManyAreIncomplete) {
   EXPECT_TRUE(reassembler.add(third[2]));
 }
 
-TEST(LocalMapReassembler, HoldsNoMoreBytesThanItMay) {
+TEST(LocalMapReassembler, RespectsTheByteLimit) {
   LocalMapReassembler reassembler({100, 200'000});
   for (int id = 0; id < 100; ++id) reassembler.add(split(local_map(id, kScans))[0]);
   EXPECT_LE(reassembler.incomplete(), 4U);  // of about 60 kB

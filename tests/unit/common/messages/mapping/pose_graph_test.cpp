@@ -17,7 +17,7 @@ using test::information;
 using test::kNaN;
 using test::kUtime;
 
-/// A way of so many local maps, with a closure at every hundredth.
+/// A chain of local maps with a loop closure at every hundredth.
 MapGraph graph(int nodes, std::int64_t revision = 5) {
   MapGraph result{kUtime, revision, {}, {}};
   for (int i = 0; i < nodes; ++i) {
@@ -34,7 +34,7 @@ MapGraph graph(int nodes, std::int64_t revision = 5) {
   return result;
 }
 
-/// Their bits, which is more than equality.
+/// The encoded fragments, which compare all bits.
 std::vector<std::vector<std::uint8_t>> bytes_of(const MapGraph& graph) {
   std::vector<std::vector<std::uint8_t>> bytes;
   for (const PoseGraphFragment& fragment : split(graph))
@@ -48,13 +48,13 @@ std::string_view rejection_after(const std::function<void(pose_graph_t&)>& chang
   return from_message(message).rejection();
 }
 
-TEST(PoseGraphFragments, OfTenThousandLocalMapsAreAllSmall) {
+TEST(PoseGraphFragments, FitTheSizeLimit) {
   const auto fragments = bytes_of(graph(10'000));
   EXPECT_LT(fragments.size(), 30U);
   for (const auto& bytes : fragments) EXPECT_LE(bytes.size(), kFragmentBytes);
 }
 
-TEST(PoseGraphFragments, GoOverTheWireAndAreJoinedInAnyOrder) {
+TEST(PoseGraphFragments, AreReassembledInAnyOrder) {
   const MapGraph sent = graph(10'000);
   auto messages = bytes_of(sent);
   std::rotate(messages.begin(), messages.begin() + 7, messages.end());
@@ -69,13 +69,13 @@ TEST(PoseGraphFragments, GoOverTheWireAndAreJoinedInAnyOrder) {
   EXPECT_EQ(bytes_of(*received), bytes_of(sent));
 }
 
-TEST(PoseGraphFragments, OfAnEmptyGraphIsOne) {
+TEST(PoseGraphFragments, AreOneForAnEmptyGraph) {
   const auto fragments = split(MapGraph{kUtime, 0, {}, {}});
   ASSERT_EQ(fragments.size(), 1U);
   EXPECT_TRUE(PoseGraphReassembler().add(*test::round_trip(fragments[0]))->poses.empty());
 }
 
-TEST(PoseGraphMessage, IsRejectedWithAPlaceThatCannotBe) {
+TEST(PoseGraphMessage, IsRejectedWithAnInvalidHeader) {
   using Message = pose_graph_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.revision = -1; }), "negative revision");
@@ -92,7 +92,7 @@ TEST(PoseGraphMessage, IsRejectedWithAPlaceThatCannotBe) {
   }
 }
 
-TEST(PoseGraphMessage, IsRejectedWithPosesAndConstraintsThatMeanNothing) {
+TEST(PoseGraphMessage, IsRejectedWithInvalidPosesAndConstraints) {
   using Message = pose_graph_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.poses[1][0] = kNaN; }), kPoseNotFinite);
   EXPECT_EQ(rejection_after([](Message& m) { m.constraints[1].T_from_to[0] = kNaN; }),
@@ -109,7 +109,7 @@ TEST(PoseGraphMessage, IsRejectedWithPosesAndConstraintsThatMeanNothing) {
   }
 }
 
-TEST(PoseGraphReassembler, DropsWhatIsIncompleteForANewerGraph) {
+TEST(PoseGraphReassembler, ReplacesAnIncompleteGraphByANewerOne) {
   const auto older = split(graph(3000, 5));
   const auto newer = split(graph(3000, 6));
   PoseGraphReassembler reassembler;
@@ -122,7 +122,7 @@ TEST(PoseGraphReassembler, DropsWhatIsIncompleteForANewerGraph) {
   EXPECT_EQ(reassembler.counts(), (PoseGraphReassembler::Counts{1, 0, 0, 1, 1, 0}));
 }
 
-TEST(PoseGraphReassembler, CountsFragmentsThatComeTwiceOrDoNotBelong) {
+TEST(PoseGraphReassembler, CountsDuplicateAndContradictoryFragments) {
   const auto fragments = split(graph(3000));
   PoseGraphReassembler reassembler;
   reassembler.add(fragments[0]);
@@ -134,7 +134,7 @@ TEST(PoseGraphReassembler, CountsFragmentsThatComeTwiceOrDoNotBelong) {
   EXPECT_EQ(reassembler.counts().contradictory, 1);
 }
 
-TEST(PoseGraphReassembler, RejectsAGraphThatLacksPoses) {
+TEST(PoseGraphReassembler, RejectsAGraphWithMissingPoses) {
   auto fragments = split(graph(3));
   fragments[0].poses.pop_back();
   PoseGraphReassembler reassembler;
@@ -142,8 +142,8 @@ TEST(PoseGraphReassembler, RejectsAGraphThatLacksPoses) {
   EXPECT_EQ(reassembler.counts().abandoned, 1);
 }
 
-TEST(PoseGraphReassembler, HoldsNoMoreBytesThanItMay) {
-  PoseGraphReassembler reassembler(1000);
+TEST(PoseGraphReassembler, RespectsTheByteLimit) {
+  PoseGraphReassembler reassembler({.incomplete = 1, .bytes = 1000});
   EXPECT_FALSE(reassembler.add(split(graph(3000))[0]));
   EXPECT_EQ(reassembler.counts().abandoned, 1);
 }

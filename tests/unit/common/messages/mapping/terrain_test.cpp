@@ -19,7 +19,7 @@ using test::kUtime;
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
-/// Of ground that rises and falls, with cells of all kinds in it.
+/// A map of undulating ground with cells of all kinds.
 TerrainMap terrain(int columns, int rows, std::int32_t id = 7) {
   TerrainMap map{kUtime, id, {12.0, -3.0, 0.7}, {-4.0, -10.0}, 0.1, columns, rows, {}};
   for (int i = 0; i < columns * rows; ++i) {
@@ -49,7 +49,7 @@ void expect_near(float a, float b, float tolerance) {
 }
 
 void expect_near(const TerrainCell& a, const TerrainCell& b) {
-  constexpr float kM = 0.00051F;     // half a millimetre, and what a float rounds
+  constexpr float kM = 0.00051F;     // half a millimetre plus float rounding
   constexpr float kRad = 0.000051F;  // half of 0.1 mrad
   EXPECT_EQ(a.ground, b.ground);
   EXPECT_EQ(a.count, b.count);
@@ -62,7 +62,7 @@ void expect_near(const TerrainCell& a, const TerrainCell& b) {
   expect_near(a.repulsion_m, b.repulsion_m, kM);
 }
 
-TerrainCell after_the_wire(const TerrainCell& cell) {
+TerrainCell round_tripped(const TerrainCell& cell) {
   const TerrainMap map{kUtime, 0, {}, {0.0, 0.0}, 0.1, 1, 1, {cell}};
   return test::round_trip(split(map).front())->part.cells.front();
 }
@@ -73,7 +73,7 @@ std::string_view rejection_after(const std::function<void(terrain_t&)>& change) 
   return from_message(message).rejection();
 }
 
-TEST(TerrainFragments, GoOverTheWireAndAreJoinedInAnyOrder) {
+TEST(TerrainFragments, AreReassembledInAnyOrder) {
   const TerrainMap sent = terrain(200, 200);
   auto fragments = split(sent);
   EXPECT_EQ(fragments.size(), 12U);  // 40,000 cells of 17 bytes
@@ -95,14 +95,14 @@ TEST(TerrainFragments, GoOverTheWireAndAreJoinedInAnyOrder) {
   }
 }
 
-TEST(TerrainFragments, OfAMapWithoutCellsIsOne) {
+TEST(TerrainFragments, AreOneForAMapWithoutCells) {
   const auto fragments = split(terrain(0, 0));
   ASSERT_EQ(fragments.size(), 1U);
   EXPECT_TRUE(TerrainReassembler().add(*test::round_trip(fragments[0]))->cells.empty());
 }
 
-TEST(TerrainFragments, KeepWhatIsTooLargeAtTheLargest) {
-  const TerrainCell cell = after_the_wire(
+TEST(TerrainFragments, ClampValuesOutOfRange) {
+  const TerrainCell cell = round_tripped(
       {Ground::kObserved, 60'000, -50.0F, 50.0F, kInfinite, 100.0F, 9.0F, 0.0F, 0.0F});
   EXPECT_EQ(cell.count, 32'767);
   EXPECT_FLOAT_EQ(cell.low_m, -32.766F);
@@ -112,14 +112,13 @@ TEST(TerrainFragments, KeepWhatIsTooLargeAtTheLargest) {
   EXPECT_FLOAT_EQ(cell.slope_rad, 3.2766F);
 }
 
-TEST(TerrainMessage, IsRejectedWithAMapThatCannotBe) {
+TEST(TerrainMessage, IsRejectedWithAnInvalidHeader) {
   using Message = terrain_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.id = -1; }), "negative id");
   EXPECT_EQ(rejection_after([](Message& m) { m.T_odom_level[0] = kNaN; }), kPoseNotFinite);
   for (const double x : {kNaN, 1e6}) {
-    EXPECT_EQ(rejection_after([x](Message& m) { m.p_level_corner[1] = x; }),
-              "implausible corner");
+    EXPECT_EQ(rejection_after([x](Message& m) { m.p_level_corner[1] = x; }), "implausible corner");
   }
   for (const double cell : {kNaN, 0.0, -0.1}) {
     EXPECT_EQ(rejection_after([cell](Message& m) { m.cell_m = cell; }), "invalid cell size");
@@ -129,7 +128,7 @@ TEST(TerrainMessage, IsRejectedWithAMapThatCannotBe) {
             "implausible number of cells");
 }
 
-TEST(TerrainMessage, IsRejectedWithAPlaceOrCellsThatCannotBe) {
+TEST(TerrainMessage, IsRejectedWithAnInvalidIndexOrCells) {
   using Message = terrain_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 0; }), "no fragments");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = INT32_MAX; }),
@@ -140,13 +139,12 @@ TEST(TerrainMessage, IsRejectedWithAPlaceOrCellsThatCannotBe) {
               "cells outside the map");
   }
   for (const std::int8_t ground : {-1, 5}) {
-    EXPECT_EQ(rejection_after([ground](Message& m) { m.ground[2] = ground; }),
-              "unknown ground");
+    EXPECT_EQ(rejection_after([ground](Message& m) { m.ground[2] = ground; }), "unknown ground");
   }
   EXPECT_EQ(rejection_after([](Message& m) { m.count[2] = -1; }), "negative count of points");
 }
 
-TEST(TerrainReassembler, RejectsAMapThatLacksCells) {
+TEST(TerrainReassembler, RejectsAMapWithMissingCells) {
   auto fragments = split(terrain(4, 3));
   fragments[0].part.cells.pop_back();
   TerrainReassembler reassembler;
@@ -154,7 +152,7 @@ TEST(TerrainReassembler, RejectsAMapThatLacksCells) {
   EXPECT_EQ(reassembler.counts().abandoned, 1);
 }
 
-TEST(TerrainReassembler, RejectsATileOfAnotherMap) {
+TEST(TerrainReassembler, RejectsAFragmentOfAnotherMap) {
   auto fragments = split(terrain(200, 200));
   TerrainReassembler reassembler;
   reassembler.add(fragments[0]);

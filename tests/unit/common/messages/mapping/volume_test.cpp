@@ -16,8 +16,8 @@ namespace {
 using test::kNaN;
 using test::kUtime;
 
-/// A full tree: nodes down to `depth` have children, and those there have a free and an occupied
-/// one.
+/// A full tree: nodes above depth 0 have eight children; nodes at depth 0 have a free and an
+/// occupied one.
 void grow(int depth, std::vector<std::uint8_t>& octree) {
   const bool last = depth == 0;
   octree.push_back(last ? 0x09 : 0xFF);
@@ -40,7 +40,7 @@ std::string_view rejection_after(const std::function<void(volume_t&)>& change) {
   return from_message(message).rejection();
 }
 
-TEST(VolumeFragments, GoOverTheWireAndAreJoinedInAnyOrder) {
+TEST(VolumeFragments, AreReassembledInAnyOrder) {
   const Volume sent = volume();
   auto fragments = split(sent);
   EXPECT_EQ(fragments.size(), 2U);  // 37,449 nodes of 2 bytes
@@ -65,7 +65,7 @@ TEST(VolumeFragments, GoOverTheWireAndAreJoinedInAnyOrder) {
   EXPECT_EQ(received->octree, sent.octree);
 }
 
-TEST(VolumeFragments, OfAVolumeWithoutCellsIsOne) {
+TEST(VolumeFragments, AreOneForAVolumeWithoutCells) {
   Volume nothing = volume();
   nothing.octree.clear();
   nothing.occupied = nothing.free = 0;
@@ -75,7 +75,7 @@ TEST(VolumeFragments, OfAVolumeWithoutCellsIsOne) {
   EXPECT_TRUE(VolumeReassembler().add(*test::round_trip(fragments[0])));
 }
 
-TEST(VolumeFragments, HaveNothingButThePoseWhereOnlyThatChanged) {
+TEST(VolumeFragments, MayBePoseOnly) {
   const Volume sent = volume();
   const VolumeFragment fragment = *test::round_trip(pose_only(sent));
   EXPECT_TRUE(is_pose_only(fragment));
@@ -84,7 +84,7 @@ TEST(VolumeFragments, HaveNothingButThePoseWhereOnlyThatChanged) {
   EXPECT_LT(encode(to_message(fragment)).size(), 128U);
 }
 
-TEST(VolumeMessage, IsRejectedWithAVolumeThatCannotBe) {
+TEST(VolumeMessage, IsRejectedWithAnInvalidHeader) {
   using Message = volume_t;
   EXPECT_EQ(rejection_after([](Message& m) { m.utime = -1; }), kImplausibleTime);
   EXPECT_EQ(rejection_after([](Message& m) { m.id = -1; }), "negative id");
@@ -93,16 +93,17 @@ TEST(VolumeMessage, IsRejectedWithAVolumeThatCannotBe) {
   EXPECT_EQ(rejection_after([](Message& m) { m.graph_revision = -1; }), "negative revision");
   EXPECT_EQ(rejection_after([](Message& m) { m.T_map_volume[2] = kNaN; }), kPoseNotFinite);
   for (const double cell : {kNaN, 0.0, -0.1, 11.0}) {
-    EXPECT_EQ(rejection_after([cell](Message& m) { m.cell_m = cell; }),
-              "implausible cell size");
+    EXPECT_EQ(rejection_after([cell](Message& m) { m.cell_m = cell; }), "implausible cell size");
   }
   EXPECT_EQ(rejection_after([](Message& m) { m.free = -1; }), "negative number of cells");
 }
 
-TEST(VolumeMessage, IsRejectedWithAFragmentThatCannotBe) {
+TEST(VolumeMessage, IsRejectedWithAnInvalidFragment) {
   using Message = volume_t;
-  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = -1; }), "negative number of fragments");
-  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 101; }), "implausible number of fragments");
+  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = -1; }),
+            "negative number of fragments");
+  EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 101; }),
+            "implausible number of fragments");
   EXPECT_EQ(rejection_after([](Message& m) { m.n_fragments = 0; }),
             "octree in a pose-only message");
   for (const std::int32_t fragment : {-1, 1}) {
@@ -116,7 +117,7 @@ TEST(VolumeMessage, IsRejectedWithAFragmentThatCannotBe) {
             "fragment too large");
 }
 
-TEST(VolumeReassembler, RejectsWhatIsNoOctree) {
+TEST(VolumeReassembler, RejectsAnInvalidOctree) {
   auto fragments = split(volume(1));
   fragments[0].part.octree.pop_back();
   VolumeReassembler reassembler;
@@ -124,7 +125,7 @@ TEST(VolumeReassembler, RejectsWhatIsNoOctree) {
   EXPECT_EQ(reassembler.counts().abandoned, 1);
 }
 
-TEST(VolumeReassembler, RejectsAnOctreeOfOtherCellsThanWasSaid) {
+TEST(VolumeReassembler, RejectsAnOctreeWithOtherCellCounts) {
   auto fragments = split(volume(1));
   ++fragments[0].part.occupied;
   VolumeReassembler reassembler;

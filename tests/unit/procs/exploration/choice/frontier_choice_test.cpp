@@ -14,7 +14,7 @@
 namespace adit {
 namespace {
 
-/// Places on a plane, the robot and home at two of them.
+/// Points in the plane; two of them are the robot and home.
 struct Places {
   std::vector<FrontierCandidate> candidates;
   Eigen::MatrixXd between_m;
@@ -34,7 +34,7 @@ Places on_a_line(const std::vector<double>& x, double here = 0.0) {
   return places;
 }
 
-/// By trying every order.
+/// Brute force over all orders.
 std::vector<double> costs_by_enumeration(const Places& places, const FrontierChoiceParams& params) {
   const std::size_t n = places.candidates.size();
   double sum = 0.0;
@@ -57,7 +57,7 @@ std::vector<double> costs_by_enumeration(const Places& places, const FrontierCho
   return best;
 }
 
-TEST(FrontierChoice, FindsTheBestOrderAsTryingAllDoes) {
+TEST(FrontierChoice, FindsTheSameTourAsBruteForce) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> anywhere(-50.0, 50.0);
   for (int trial = 0; trial < 20; ++trial) {
@@ -72,12 +72,12 @@ TEST(FrontierChoice, FindsTheBestOrderAsTryingAllDoes) {
   }
 }
 
-TEST(FrontierChoice, TakesWhatLiesBesideTheWayBeforeWhatIsFar) {
+TEST(FrontierChoice, VisitsFrontiersAlongThePathBeforeFarOnes) {
   const Places places = on_a_line({3.0, -20.0, 25.0});
   EXPECT_EQ(choose_frontier(places.candidates, places.between_m, {}, {}), 0);
 }
 
-TEST(FrontierChoice, KeepsToItsTargetUnlessAnotherIsClearlyBetter) {
+TEST(FrontierChoice, RetainsTheTargetUnlessAnotherIsClearlyBetter) {
   const Places close = on_a_line({-10.0, 9.5});
   EXPECT_EQ(choose_frontier(close.candidates, close.between_m, {}, {}), 1);
   EXPECT_EQ(choose_frontier(close.candidates, close.between_m, 0, {}), 0);
@@ -85,13 +85,13 @@ TEST(FrontierChoice, KeepsToItsTargetUnlessAnotherIsClearlyBetter) {
   EXPECT_EQ(choose_frontier(clear.candidates, clear.between_m, 0, {}), 1);
 }
 
-TEST(FrontierChoice, OfEqualsTakesThatWithTheLowerId) {
+TEST(FrontierChoice, BreaksTiesByTheLowerId) {
   const Places places = on_a_line({-10.0, 10.0});
   EXPECT_EQ(choose_frontier(places.candidates, places.between_m, {}, {}), 0);
   EXPECT_EQ(choose_frontier({}, {}, {}, {}), std::nullopt);
 }
 
-TEST(FrontierChoice, AlwaysWeighsTheTarget) {
+TEST(FrontierChoice, AlwaysIncludesTheTarget) {
   FrontierChoiceParams params;
   params.tour_frontiers = 2;
   const auto candidates = nearest_candidates(on_a_line({1, 2, 3, 40}).candidates, 3, params);
@@ -100,7 +100,7 @@ TEST(FrontierChoice, AlwaysWeighsTheTarget) {
   EXPECT_EQ(candidates[1].frontier, 3);
 }
 
-TEST(FrontierChoice, NeverSpendsTheWayHome) {
+TEST(FrontierChoice, NeverSpendsTheBudgetForThePathHome) {
   const FrontierCandidate candidate{0, 10.0, 30.0, 60.0};
   FrontierChoiceParams params;  // 30 + 10 + 1.5 (60 + 10) + 20
   EXPECT_TRUE(is_within_budget(candidate, 10.0, 165.0, params));
@@ -112,7 +112,7 @@ namespace {
 
 constexpr int kNone = -1;
 
-/// Stubs at places of map, offered to a body at the origin, by the straight way.
+/// Frontiers at points of map as candidates of a body at the origin, with straight paths.
 class BaselineRules : public testing::Test {
  protected:
   void frontier_at(double x, double y) {
@@ -131,34 +131,34 @@ class BaselineRules : public testing::Test {
   std::vector<FrontierCandidate> candidates_;
 };
 
-TEST_F(BaselineRules, IsNoneWhereNothingIsOffered) {
+TEST_F(BaselineRules, ChooseNothingWithoutCandidates) {
   for (const char* rule : {"nearest", "right_hand", "random"}) EXPECT_FALSE(choose(rule));
 }
 
-TEST_F(BaselineRules, OfTheNearestDoesNotKeepToATarget) {
+TEST_F(BaselineRules, NearestDoesNotRetainATarget) {
   frontier_at(9.0, 0.0);
   frontier_at(0.0, 5.0);
   EXPECT_EQ(choose("nearest"), 1);
   EXPECT_EQ(choose("nearest", 0), 1);
 }
 
-TEST_F(BaselineRules, ByTheRightHandTurnsWithTheBody) {
+TEST_F(BaselineRules, RightHandDependsOnTheHeading) {
   frontier_at(0.0, 5.0);
   frontier_at(9.0, 0.0);
   frontier_at(0.0, -14.0);
   frontier_at(-1.0, -30.0);  // not near
   EXPECT_EQ(choose("right_hand"), 2);
   EXPECT_EQ(choose("right_hand", kNone, -3.0), 0);  // facing back, left is right
-  EXPECT_EQ(choose("right_hand", 1), 1);            // the target, while it is on offer
+  EXPECT_EQ(choose("right_hand", 1), 1);            // the target, while it is a candidate
 }
 
-TEST_F(BaselineRules, ByTheRightHandIsTheNearestWhereNoneIsNear) {
+TEST_F(BaselineRules, RightHandFallsBackToTheNearest) {
   frontier_at(40.0, 0.0);
   frontier_at(0.0, -50.0);
   EXPECT_EQ(choose("right_hand"), 0);
 }
 
-TEST_F(BaselineRules, AtRandomIsTheSameTwiceAndAnyOverMany) {
+TEST_F(BaselineRules, RandomIsDeterministicAndVaries) {
   std::set<int> chosen;
   for (int n = 0; n < 60; ++n) {
     frontier_at(n, 1.0);
@@ -168,11 +168,12 @@ TEST_F(BaselineRules, AtRandomIsTheSameTwiceAndAnyOverMany) {
     EXPECT_EQ(choose("random", 0), 0);
     chosen.insert(*choice);
   }
-  // Of 60 choices of one in n, each new stub is met at most once; a third at least are others.
+  // In 60 choices of one in n each new frontier is chosen at most once; at least a third are
+  // others.
   EXPECT_GT(chosen.size(), 20U);
 }
 
-TEST_F(BaselineRules, ByARuleThatNobodyKnowsIsRejected) {
+TEST_F(BaselineRules, RejectAnUnknownRule) {
   frontier_at(1.0, 0.0);
   EXPECT_THROW(static_cast<void>(choose("left_hand")), std::invalid_argument);
 }

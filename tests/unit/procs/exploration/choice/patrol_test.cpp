@@ -18,7 +18,7 @@ ExplorationParams on_patrol() {
   return params;
 }
 
-TEST(Patrol, GoesToWhereItWasLongestAgo) {
+TEST(Patrol, SelectsThePlaceVisitedLongestAgo) {
   Patrol patrol;
   patrol.pass(kPlaces, {0.0, 0.5}, 1);
   patrol.pass(kPlaces, {10.0, 0.0}, 2);
@@ -28,7 +28,7 @@ TEST(Patrol, GoesToWhereItWasLongestAgo) {
   EXPECT_FALSE(patrol.next({}));
 }
 
-TEST(Patrol, KeepsToItsGoalUntilThatIsPassed) {
+TEST(Patrol, RetainsItsGoalUntilItIsPassed) {
   Patrol patrol;
   patrol.pass(kPlaces, {0.0, 0.0}, 1);
   EXPECT_EQ(patrol.next(kPlaces)->local_map, 1);
@@ -38,14 +38,14 @@ TEST(Patrol, KeepsToItsGoalUntilThatIsPassed) {
   EXPECT_EQ(patrol.next(kPlaces)->local_map, 2);
 }
 
-TEST(Patrol, GoesElsewhereWhereNoPathLeads) {
+TEST(Patrol, SelectsAnotherPlaceIfOneIsUnreachable) {
   Patrol patrol;
   patrol.mark_unreachable(0, 1);
   EXPECT_EQ(patrol.next(kPlaces)->local_map, 1);
 }
 
-/// Crossroads have 85 m of drift: exploring them takes less than 250 m.
-TEST(PatrolInAMine, GoesOnUntilTheBudgetSaysHome) {
+/// The crossroads have 85 m of tunnel: exploring them takes less than 250 m.
+TEST(PatrolInAMine, ContinuesUntilTheBudgetRequiresTheReturn) {
   const auto mine = tunnel_mine(crossroads());
   Exploration explored{ExplorationParams{}};
   const auto once = test::run_exploration(mine, explored, 1000.0);
@@ -55,12 +55,12 @@ TEST(PatrolInAMine, GoesOnUntilTheBudgetSaysHome) {
   EXPECT_TRUE(often.complete);
   EXPECT_EQ(often.missed_m, 0.0);
   EXPECT_LT(once.distance_travelled_m, 250.0);
-  // What is kept back: the reserve, half of the way home, and the last place at 55 m from home.
+  // Retained: the reserve, half of the path home, and the last place at 55 m from home.
   EXPECT_GT(often.distance_travelled_m, 850.0);
   EXPECT_LE(often.distance_travelled_m, 1000.0);
 }
 
-TEST(PatrolInAMine, PassesEveryPlaceAgainAndAgain) {
+TEST(PatrolInAMine, PassesEveryPlaceRepeatedly) {
   const auto mine = tunnel_mine(crossroads());
   Exploration exploration{on_patrol()};
   const auto run = test::run_exploration(mine, exploration, 1000.0);
@@ -69,7 +69,7 @@ TEST(PatrolInAMine, PassesEveryPlaceAgainAndAgain) {
     int visits = 0;
     bool was_near = false;
     for (const Eigen::Vector2d& p_map : run.path_map) {
-      const bool near = (p_map - end).norm() < 13.0;  // it sees 8 m, and a local map is 5 m long
+      const bool near = (p_map - end).norm() < 13.0;  // range of 8 m, and a local map of 5 m
       visits += near && !was_near ? 1 : 0;
       was_near = near;
     }
@@ -77,7 +77,7 @@ TEST(PatrolInAMine, PassesEveryPlaceAgainAndAgain) {
   }
 }
 
-TEST(PatrolInAMine, LeavesAPlaceToWhichThePlannerFindsNoPathForAnother) {
+TEST(PatrolInAMine, SkipsAPlaceToWhichThePlannerFindsNoPath) {
   const auto mine = tunnel_mine(straight());
   Exploration exploration{on_patrol()};
   test::ExploringRobot robot(mine);

@@ -22,7 +22,7 @@ LocalMapTile tile() {
   return tile;
 }
 
-/// A stub that local map 0 saw from afar, and that closed when local map 1 looked there.
+/// A frontier that local map 0 detected from a distance and local map 1 closed.
 class ClosedFrontier : public testing::Test {
  protected:
   ClosedFrontier() {
@@ -51,24 +51,25 @@ class ClosedFrontier : public testing::Test {
 
 TEST_F(ClosedFrontier, IsExplored) {
   EXPECT_EQ(state(), FrontierState::kExplored);
-  EXPECT_EQ(frontiers_.find(0)->evidence, "what lies there was seen by local map 1");
+  EXPECT_EQ(frontiers_.find(0)->evidence, "the space behind it was observed by local map 1");
 }
 
-TEST_F(ClosedFrontier, StaysClosedWhereASeamOpensThatNobodyHasSeen) {
+TEST_F(ClosedFrontier, StaysClosedAtASeamThatNoLaterLocalMapObserved) {
   scan_from({100.0, 0.0, 0.0});
   update({{kEnd + Eigen::Vector2d(0.3, 0.4)}});
   EXPECT_EQ(state(), FrontierState::kExplored);
   EXPECT_EQ(frontiers_.frontiers().size(), 1U);
 }
 
-TEST_F(ClosedFrontier, OpensAgainWhereALaterLocalMapSawThePlace) {
+TEST_F(ClosedFrontier, ReopensIfALaterLocalMapObservedThePlace) {
   scan_from({12.0, 0.0, 0.0});
   update({{kEnd + Eigen::Vector2d(0.3, 0.4)}});
   EXPECT_EQ(state(), FrontierState::kOpen);
 }
 
-/// It is asked of those that came since nothing was open there, not since it was closed.
-TEST_F(ClosedFrontier, StaysClosedWhereThoseThatSawThePlaceFoundNothingOpen) {
+/// Local maps count that were added after the last update without a detection there, not after the
+/// frontier was closed.
+TEST_F(ClosedFrontier, StaysClosedIfLaterLocalMapsObservedNoFrontierThere) {
   scan_from({12.0, 0.0, 0.0});
   update({});
   scan_from({100.0, 0.0, 0.0});
@@ -76,14 +77,14 @@ TEST_F(ClosedFrontier, StaysClosedWhereThoseThatSawThePlaceFoundNothingOpen) {
   EXPECT_EQ(state(), FrontierState::kExplored);
 }
 
-TEST_F(ClosedFrontier, OpensAgainWhereWhoSawItLiesElsewhereNow) {
+TEST_F(ClosedFrontier, ReopensIfTheClosingLocalMapHasMoved) {
   poses_[1].y = 1.0;
   scan_from({100.0, 0.0, 0.0});
   update({{kEnd}});
   EXPECT_EQ(state(), FrontierState::kOpen);
 }
 
-TEST_F(ClosedFrontier, IsAskedForAgainAfterARestart) {
+TEST_F(ClosedFrontier, ReopensAfterARestart) {
   const std::vector<StoredFrontier> stored_frontiers = frontiers_.stored_frontiers();
   frontiers_ = FrontierRegister{FrontierRegisterParams{}};
   frontiers_.restore(stored_frontiers);

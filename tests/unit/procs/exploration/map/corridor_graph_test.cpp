@@ -14,7 +14,7 @@ namespace {
 
 using Kind = CorridorNode::Kind;
 
-/// The corridors of a mine that was explored to its end.
+/// The corridors of a completely explored mine.
 CorridorGraph corridors_of(const std::vector<Tunnel>& tunnels, double width_m = 3.0, int seed = 1) {
   Exploration exploration{ExplorationParams{}};
   const auto mine = tunnel_mine(tunnels, width_m, seed);
@@ -36,15 +36,15 @@ void expect_place(const std::vector<Eigen::Vector2d>& places, double x, double y
   const bool there = std::any_of(places.begin(), places.end(), [&](const Eigen::Vector2d& p) {
     return std::hypot(p.x() + 3.0 - x, p.y() - y) <= within;
   });
-  EXPECT_TRUE(there) << "nothing at " << x << ", " << y;
+  EXPECT_TRUE(there) << "no node at " << x << ", " << y;
 }
 
-// The middle of a rough corridor, in cells of 0.2 m; a skeleton ends before the wall by about what
-// the vehicle does, and as much may be lost in the corners.
+// Centre line of a rough corridor in cells of 0.2 m; a skeleton ends before the wall by about the
+// radius of the vehicle, and as much may be lost in corners.
 constexpr double kJunctionM = 1.0;
 constexpr double kEndM = 2.0;
 
-TEST(Corridors, HaveTheJunctionAndTheEndsOfAT) {
+TEST(Corridors, HaveTheJunctionAndTheEndsOfATJunction) {
   const CorridorGraph graph = corridors_of(junction());
   ASSERT_EQ(places(graph, Kind::kJunction).size(), 1U);
   expect_place(places(graph, Kind::kJunction), 25, 0, kJunctionM);
@@ -53,21 +53,21 @@ TEST(Corridors, HaveTheJunctionAndTheEndsOfAT) {
   expect_place(places(graph, Kind::kDeadEnd), 25, 20, kEndM);
 }
 
-TEST(Corridors, AreAsLongAndAsWideAsTheDrifts) {
+TEST(Corridors, HaveTheLengthAndWidthOfTheTunnels) {
   const CorridorGraph graph = corridors_of(junction());
   // 22 m from the start, or from where the robot's rear would be, and twice 20 m.
   EXPECT_NEAR(graph.length_m(), 22.0 + 40.0, 2.0 * kEndM + 1.5);
   for (const Corridor& corridor : graph.corridors) EXPECT_NEAR(corridor.width_m, 3.0, 0.7);
 }
 
-TEST(Corridors, MeetInOneJunctionAtACrossroads) {
+TEST(Corridors, MeetInOneJunctionAtACrossing) {
   const CorridorGraph graph = corridors_of(crossroads());
   ASSERT_EQ(places(graph, Kind::kJunction).size(), 1U);
   expect_place(places(graph, Kind::kJunction), 25, 0, kJunctionM);
   EXPECT_EQ(graph.corridors.size(), 4U);
 }
 
-TEST(Corridors, HaveNeitherJunctionsNorBaysInARoughStraightDrift) {
+TEST(Corridors, HaveNeitherJunctionsNorNichesInARoughStraightTunnel) {
   for (const int seed : {1, 2, 3}) {
     const CorridorGraph graph = corridors_of(straight(), 3.0, seed);
     EXPECT_TRUE(places(graph, Kind::kJunction).empty()) << seed;
@@ -76,20 +76,21 @@ TEST(Corridors, HaveNeitherJunctionsNorBaysInARoughStraightDrift) {
   }
 }
 
-TEST(Corridors, CloseToARing) {
+TEST(Corridors, CloseALoop) {
   const CorridorGraph graph = corridors_of(ring());
   ASSERT_EQ(places(graph, Kind::kJunction).size(), 1U);
   expect_place(places(graph, Kind::kJunction), 10, 0, kJunctionM);
   EXPECT_EQ(graph.corridors.size(), 2U);
-  EXPECT_NEAR(graph.length_m(), 7.0 + 80.0, 5.0);  // corners are cut
+  EXPECT_NEAR(graph.length_m(), 7.0 + 80.0, 5.0);  // corners are rounded
 }
 
-TEST(Corridors, SurroundEveryPillar) {
+TEST(Corridors, SurroundEachPillar) {
   const CorridorGraph graph = corridors_of(rooms_and_pillars());
-  // Twelve crossings; those of two corridors at the corners are none.
+  // Twelve crossings; the corners, of two corridors each, are not junctions.
   EXPECT_EQ(places(graph, Kind::kJunction).size(), 9U);
   const auto rings = static_cast<int>(graph.corridors.size()) -
-                     static_cast<int>(graph.nodes.size()) + 1;  // Euler, of one piece
+                     static_cast<int>(graph.nodes.size()) +
+                     1;  // Euler characteristic of a connected graph
   EXPECT_EQ(rings, 6);
 }
 

@@ -12,7 +12,7 @@ namespace {
 constexpr double kCellM = 0.2;
 constexpr double kWidthM = 1.2;
 
-/// A drift of 20 m along x and 4 m wide, with walls, of which the middle was driven as far as said.
+/// A tunnel of 20 m along x and 4 m wide, with walls, whose centre line is driven up to a given x.
 Grid2<Occupancy> tunnel(double driven_m) {
   Grid2<Occupancy> known(CellBox{{-1, -11}, {101, 11}}, Occupancy::kWall);
   for (int y = -10; y < 10; ++y) {
@@ -31,12 +31,12 @@ Access beyond(double driven_m, bool passable_where_driven) {
   return space.access.get(space.cell_at({15.0, 0.0}));
 }
 
-TEST(DrivableSpace, EndsAtACut) {
+TEST(DrivableSpace, EndsAtABarrier) {
   EXPECT_EQ(beyond(0.0, false), Access::kBehindBarrier);
   EXPECT_EQ(beyond(20.0, false), Access::kBehindBarrier);
 }
 
-TEST(DrivableSpace, GoesOnThroughACutThatSparesWhatWasDriven) {
+TEST(DrivableSpace, ContinuesThroughABarrierThatIsPassableWhereDriven) {
   EXPECT_EQ(beyond(20.0, true), Access::kReachable);
   EXPECT_EQ(beyond(5.0, true), Access::kBehindBarrier);
 }

@@ -7,7 +7,7 @@
 namespace adit {
 namespace {
 
-/// A body went 4 m along x, and saw a strip of 1 m to both sides of that.
+/// A body drove 4 m along x and observed a strip of 1 m to each side.
 LocalMapTile strip() {
   LocalMapTile tile;
   for (int y = -5; y < 5; ++y) {
@@ -25,12 +25,12 @@ Occupancy between_tiles_at(double gap_m) {
   return space.cells().get(cell_of({4.0 + gap_m / 2.0, 0.1}, space.resolution_m()));
 }
 
-TEST(KnownSpace, HoldsTheWayTogetherWhereTheGraphHasBentIt) {
+TEST(KnownSpace, ConnectsThePathAcrossASeamOfLocalMaps) {
   EXPECT_EQ(between_tiles_at(1.0), Occupancy::kDriven);
 }
 
-/// As where mapping kept no local maps of what lies between: there may be rock.
-TEST(KnownSpace, DoesNotTakeForDrivenWhatLiesBetweenLocalMapsThatDoNotFollowEachOther) {
+/// As where mapping stored no local maps in between: there may be rock.
+TEST(KnownSpace, DoesNotMarkTheGapBetweenDistantLocalMapsAsDriven) {
   EXPECT_EQ(between_tiles_at(10.0), Occupancy::kUnseen);
 }
 

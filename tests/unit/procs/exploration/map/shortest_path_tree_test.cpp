@@ -7,9 +7,9 @@
 namespace adit {
 namespace {
 
-constexpr double kFineM = 0.25;  // exact in binary, so that lengths are
+constexpr double kFineM = 0.25;  // exact in binary, so that lengths are exact too
 
-/// A room of 40 m by `room_m`, all of it clear, with a rim of wall.
+/// A free room of 40 m by `room_m`, with a rim of wall.
 class ShortestPathTreeInARoom : public testing::Test {
  protected:
   void make(double room_m) {
@@ -23,7 +23,7 @@ class ShortestPathTreeInARoom : public testing::Test {
       for (int x = 0; x < size.x(); ++x) space_.access[at(x, y)] = Access::kReachable;
     }
   }
-  /// From the first place up, along the other side, and down to the second.
+  /// Up from the first point, along the other side, and down to the second.
   void drive_around(double room_m) {
     const int top = cells(room_m) - 1;
     for (int y = 0; y <= top; ++y) {
@@ -39,27 +39,27 @@ class ShortestPathTreeInARoom : public testing::Test {
   static int cells(double m) { return static_cast<int>(m / kFineM); }
   [[nodiscard]] std::size_t at(int x, int y) const { return space_.known.index({x, y}); }
 
-  static constexpr double kAcrossM = 40.0 - kFineM;  // from middle to middle
+  static constexpr double kAcrossM = 40.0 - kFineM;  // from centre to centre
   DrivableSpace space_;
 };
 
-TEST_F(ShortestPathTreeInARoom, IsCrossedStraight) {
+TEST_F(ShortestPathTreeInARoom, IsCrossedOnAStraightLine) {
   make(10.0);
   EXPECT_NEAR(path_length_m(PathPreference::kAnyDrivable), kAcrossM, 1e-3);
   EXPECT_NEAR(path_length_m(PathPreference::kDriven), kAcrossM, 1e-3);
 }
 
-/// 59.5 m that were driven, for 39.75 m that were not.
-TEST_F(ShortestPathTreeInARoom, IsLedRoundWhereWhatWasDrivenIsTrusted) {
+/// 59.5 m of driven cells instead of 39.75 m of others.
+TEST_F(ShortestPathTreeInARoom, IsBypassedOverDrivenCells) {
   make(10.0);
   drive_around(10.0);
   EXPECT_NEAR(path_length_m(PathPreference::kAnyDrivable), kAcrossM, 1.0);
   EXPECT_NEAR(path_length_m(PathPreference::kDriven), kAcrossM + 2.0 * (10.0 - kFineM),
-              1.0);  // corners are cut
+              1.0);  // corners are rounded
 }
 
-/// 119.5 m that were driven are too long a way round.
-TEST_F(ShortestPathTreeInARoom, IsCrossedWhereThatSparesMuch) {
+/// 119.5 m of driven cells are too long a detour.
+TEST_F(ShortestPathTreeInARoom, IsCrossedIfTheDetourIsTooLong) {
   make(40.0);
   drive_around(40.0);
   EXPECT_NEAR(path_length_m(PathPreference::kDriven), kAcrossM, 1.0);

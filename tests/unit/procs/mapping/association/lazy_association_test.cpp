@@ -17,9 +17,9 @@ using testing::Each;
 using testing::IsEmpty;
 
 constexpr int kNone = Association::kNone;
-const Pose2 kBeside{0.0, 8.0, 0.0};  // as in a parallel corridor
+const Pose2 kBeside{0.0, 8.0, 0.0};  // as in a parallel tunnel
 
-/// What is decided about groups of closures, in the order in which they come.
+/// The decisions on groups of loop closures, in order.
 std::vector<int> chosen_of(const LazyAssociation& association, int first, int count) {
   const auto& all = association.hypothesis().chosen;
   return {all.begin() + first, all.begin() + first + count};
@@ -31,7 +31,7 @@ int revisions(const std::vector<Association>& history) {
   }));
 }
 
-/// In both orders of search.
+/// Parameterised by the order of search.
 class BothOrders : public testing::TestWithParam<bool> {
  protected:
   [[nodiscard]] static LazyAssociationParams params() { return {.best_first = GetParam()}; }
@@ -47,7 +47,7 @@ class BothOrders : public testing::TestWithParam<bool> {
 INSTANTIATE_TEST_SUITE_P(LazyAssociation, BothOrders, testing::Bool(),
                          [](const auto& order) { return order.param ? "BestFirst" : "Threshold"; });
 
-TEST_P(BothOrders, TakeRightLoopClosures) {
+TEST_P(BothOrders, AcceptCorrectLoopClosures) {
   test::RingWalk walk(300);
   const auto history = decide(walk, together({walk.group(205, 10), walk.group(260, 10)}));
   EXPECT_THAT(association_.hypothesis().chosen, Each(0));
@@ -55,7 +55,7 @@ TEST_P(BothOrders, TakeRightLoopClosures) {
   EXPECT_EQ(revisions(history), 0);
 }
 
-TEST_P(BothOrders, ComeBackToHowThingsStood) {
+TEST_P(BothOrders, RollBackToACheckpoint) {
   test::RingWalk walk(300);
   const auto loop_closures = together({walk.group(205, 10), walk.group(260, 10)});
   decide(walk, loop_closures);
@@ -74,7 +74,7 @@ TEST_P(BothOrders, ComeBackToHowThingsStood) {
   EXPECT_EQ(again(), 1U);
 }
 
-TEST_P(BothOrders, TakeNoneWhereNothingFits) {
+TEST_P(BothOrders, RejectUnlikelyLoopClosures) {
   test::RingWalk walk(300);
   auto far = walk.loop_closure(100, 210);
   far.alternatives.push_back(walk.alternative(80, 210));
@@ -87,43 +87,43 @@ TEST_P(BothOrders, TakeNoneWhereNothingFits) {
   EXPECT_EQ(association_.trials(), 0);
 }
 
-TEST_P(BothOrders, UndoAnEarlyWrongLoopClosureForSeveralRightOnes) {
+TEST_P(BothOrders, RevokeAnEarlyWrongLoopClosureForSeveralCorrectOnes) {
   test::RingWalk walk(300);
   const auto history = decide(walk, together({walk.group(203, 1, kBeside), walk.group(240, 6)}));
   ASSERT_FALSE(history.empty());
-  EXPECT_EQ(history.front().chosen, 0) << "was not believed at first: nothing to undo";
+  EXPECT_EQ(history.front().chosen, 0) << "was not accepted at first: nothing to revoke";
   EXPECT_EQ(association_.hypothesis().chosen, (std::vector<int>{kNone, 0, 0, 0, 0, 0, 0}));
   EXPECT_GE(revisions(history), 1);
 }
 
-TEST_P(BothOrders, UndoAGroupOfWrongLoopClosuresThatAgreeForTwoRightGroups) {
+TEST_P(BothOrders, RevokeAConsistentWrongGroupForTwoCorrectGroups) {
   test::RingWalk walk(330);
   const auto history = decide(
       walk, together({walk.group(203, 20, kBeside), walk.group(255, 15), walk.group(290, 15)}));
   ASSERT_GE(history.size(), 20U);
-  EXPECT_EQ(history[19].chosen, 0) << "was not believed at first: nothing to undo";
+  EXPECT_EQ(history[19].chosen, 0) << "was not accepted at first: nothing to revoke";
   EXPECT_THAT(chosen_of(association_, 0, 20), Each(kNone));
   EXPECT_THAT(chosen_of(association_, 20, 30), Each(0));
 }
 
-TEST_P(BothOrders, KeepAGroupOfRightLoopClosuresAgainstAWrongOne) {
+TEST_P(BothOrders, KeepACorrectGroupAgainstAWrongLoopClosure) {
   test::RingWalk walk(300);
   decide(walk, together({walk.group(203, 20), walk.group(255, 10, kBeside)}));
   EXPECT_THAT(chosen_of(association_, 0, 20), Each(0));
   EXPECT_THAT(chosen_of(association_, 20, 10), Each(kNone));
 }
 
-TEST_P(BothOrders, ChooseTheNextAlternativeWhenTheFirstIsContradicted) {
+TEST_P(BothOrders, ChooseAnotherAlternativeWhenTheFirstIsContradicted) {
   test::RingWalk walk(300);
   LoopClosure open = walk.loop_closure(3, 203);
   open.alternatives = {walk.alternative(3, 203, kBeside, 10.0), walk.alternative(3, 203, {}, 8.0)};
   const auto history = decide(walk, together({{open}, walk.group(240, 6)}));
   ASSERT_FALSE(history.empty());
-  EXPECT_EQ(history.front().chosen, 0) << "was not believed at first: nothing to undo";
+  EXPECT_EQ(history.front().chosen, 0) << "was not accepted at first: nothing to revoke";
   EXPECT_EQ(association_.hypothesis().chosen, (std::vector<int>{1, 0, 0, 0, 0, 0, 0}));
 }
 
-TEST_P(BothOrders, TakeWhatIsKnownOfAnOpenDirection) {
+TEST_P(BothOrders, AcceptLoopClosuresWithADegenerateDirection) {
   test::RingWalk walk(300);
   auto loop_closures = together({walk.group(205, 5), walk.group(260, 5)});
   for (LoopClosure& loop_closure : loop_closures) {
@@ -149,7 +149,7 @@ std::vector<LoopClosure> right_and_wrong(test::RingWalk& walk) {
                    walk.group(290, 5)});
 }
 
-TEST_P(BothOrders, HaveAHistoryThatReplaysToTheSameEstimate) {
+TEST_P(BothOrders, ReplayTheHistoryToTheSameEstimate) {
   test::RingWalk walk(300);
   auto history = decide(walk, right_and_wrong(walk));
   const auto late = association_.reconsider(300);
@@ -164,11 +164,11 @@ TEST_P(BothOrders, HaveAHistoryThatReplaysToTheSameEstimate) {
   EXPECT_NEAR(again.hypothesis().cost, expected.cost, 1e-3 * expected.cost);
   for (std::size_t i = 0; i < expected.T_map_local.size(); ++i) {
     const Pose2 apart = between(expected.T_map_local[i], again.hypothesis().T_map_local[i]);
-    EXPECT_LT(apart.vector().norm(), 0.05) << i;  // fields that are not quite settled
+    EXPECT_LT(apart.vector().norm(), 0.05) << i;  // fields that have not fully converged
   }
 }
 
-TEST_P(BothOrders, ProposeEachLoopClosureOnceAndReviseOnlyWhatWasProposed) {
+TEST_P(BothOrders, ProposeEachLoopClosureOnceBeforeRevisions) {
   test::RingWalk walk(300);
   const auto loop_closures = right_and_wrong(walk);
   std::vector<int> decided;
@@ -186,7 +186,7 @@ TEST_P(BothOrders, ProposeEachLoopClosureOnceAndReviseOnlyWhatWasProposed) {
   EXPECT_EQ(decided.size(), loop_closures.size());
 }
 
-TEST_P(BothOrders, DecideTheSameTwice) {
+TEST_P(BothOrders, AreDeterministic) {
   test::RingWalk walk(300);
   const auto loop_closures = right_and_wrong(walk);
   const auto history = decide(walk, loop_closures);
@@ -196,14 +196,14 @@ TEST_P(BothOrders, DecideTheSameTwice) {
   EXPECT_EQ(again.trials(), association_.trials());
 }
 
-TEST(LazyAssociation, IsNothingWhileThereIsNoMap) {
+TEST(LazyAssociation, IsEmptyWithoutMaps) {
   LazyAssociation association({});
   EXPECT_THAT(association.decide({}, 0), IsEmpty());
   EXPECT_THAT(association.reconsider(0), IsEmpty());
   EXPECT_THAT(association.hypothesis().T_map_local, IsEmpty());
 }
 
-TEST(LazyAssociation, PutsTheMapsWhereTheWayHasThemWithoutLoopClosures) {
+TEST(LazyAssociation, FollowsTheOdometryWithoutLoopClosures) {
   const test::RingWalk walk(50);
   LazyAssociation association({});
   test::drive(association, walk, {});

@@ -19,7 +19,7 @@ using testing::Each;
 
 class LazyLoopClosures : public testing::Test {
  protected:
-  /// Behind the others; how many of them, and of the others, are believed.
+  /// Appends loops; the number of accepted ones among them and among the others.
   struct Accepted {
     long right = 0;
     long wrong = 0;
@@ -38,14 +38,14 @@ class LazyLoopClosures : public testing::Test {
   PoseGraph graph_ = test::square_trajectory_graph(400, 20, 0.1);
 };
 
-TEST_F(LazyLoopClosures, BelieveAllThatIsRight) {
+TEST_F(LazyLoopClosures, AcceptAllCorrectLoops) {
   const LazyLoopClosuresResult result = associate_loops_lazily(graph_, {});
   EXPECT_THAT(result.accepted, Each(true));
-  EXPECT_EQ(result.constraint_of_loop_closure.size(), 320U);  // a round is 80
+  EXPECT_EQ(result.constraint_of_loop_closure.size(), 320U);  // a lap is 80
   EXPECT_EQ(result.history.size(), 320U);
 }
 
-TEST_F(LazyLoopClosures, LeaveOutWhatIsWrong) {
+TEST_F(LazyLoopClosures, RejectWrongLoops) {
   const auto right = std::ssize(graph_.constraints);
   for (const bool best_first : {true, false}) {
     const LazyAssociationParams params{.best_first = best_first};
@@ -61,7 +61,7 @@ TEST_F(LazyLoopClosures, LeaveOutWhatIsWrong) {
 }
 
 /// The same loops, each as the pose of the earlier node in the later one.
-TEST_F(LazyLoopClosures, MayBeWrittenEitherWayRound) {
+TEST_F(LazyLoopClosures, MayBeGivenInEitherDirection) {
   const auto wrong = test::random_wrong_loops(graph_, 30, 1);
   const Accepted forward = accepted_with(wrong);
   for (PoseConstraint& c : graph_.constraints) {
@@ -74,7 +74,7 @@ TEST_F(LazyLoopClosures, MayBeWrittenEitherWayRound) {
   EXPECT_EQ(back.wrong, forward.wrong);
 }
 
-TEST_F(LazyLoopClosures, ComeInTheOrderOfTheirLaterNodeWhateverTheFile) {
+TEST_F(LazyLoopClosures, AreOrderedByTheirLaterNode) {
   std::reverse(graph_.constraints.begin(), graph_.constraints.end());
   const LazyLoopClosuresResult result = associate_loops_lazily(graph_, {});
   int last = 0;
@@ -86,7 +86,7 @@ TEST_F(LazyLoopClosures, ComeInTheOrderOfTheirLaterNodeWhateverTheFile) {
   EXPECT_THAT(result.accepted, Each(true));
 }
 
-TEST_F(LazyLoopClosures, SayHowFarTheyAre) {
+TEST_F(LazyLoopClosures, ReportProgress) {
   double done = 0.0;
   associate_loops_lazily(graph_, {}, [&](double share) {
     EXPECT_GT(share, done);
@@ -95,21 +95,21 @@ TEST_F(LazyLoopClosures, SayHowFarTheyAre) {
   EXPECT_EQ(done, 1.0);
 }
 
-TEST_F(LazyLoopClosures, NeedAWay) {
+TEST_F(LazyLoopClosures, RequireCompleteOdometry) {
   EXPECT_EQ(odometry_gap(graph_), std::nullopt);
   std::erase_if(graph_.constraints, [](const auto& c) { return c.from == 41 && c.to == 42; });
   EXPECT_EQ(odometry_gap(graph_), 41);
   EXPECT_THROW(associate_loops_lazily(graph_, {}), std::invalid_argument);
 }
 
-TEST(LazyLoopClosuresOfAFewPoses, AreNoneWhereThereAreNone) {
+TEST(LazyLoopClosuresOfAFewPoses, AreEmptyForAGraphWithoutLoops) {
   EXPECT_THAT(associate_loops_lazily({}, {}).accepted, testing::IsEmpty());
   PoseGraph graph = test::square_trajectory_graph(10, 5, 0.1);
   EXPECT_EQ(associate_loops_lazily(graph, {}).accepted, std::vector<bool>(9, true));
 }
 
-/// Two poses in a row of which the way says 0 and a loop `apart`: the first constraint between
-/// neighbours is the way, the second may be wrong.
+/// Two consecutive poses with odometry 0 and a loop `apart`: the first constraint between
+/// neighbours is the odometry, the second may be wrong.
 PoseGraph two_measurements(double apart) {
   PoseGraph graph;
   graph.poses.resize(2);
@@ -118,15 +118,15 @@ PoseGraph two_measurements(double apart) {
   return graph;
 }
 
-TEST(LazyLoopClosuresOfAFewPoses, MayContradictTheWayOnlyWithinTheGate) {
+TEST(LazyLoopClosuresOfAFewPoses, MayContradictTheOdometryOnlyWithinTheGate) {
   EXPECT_EQ(associate_loops_lazily(two_measurements(6.0), {}).accepted,
             (std::vector<bool>{true, true}));
   EXPECT_EQ(associate_loops_lazily(two_measurements(7.0), {}).accepted,
             (std::vector<bool>{true, false}));
 }
 
-/// The least of x² + (d − x)² / (1 + (d − x)² / k), the kernel of Geman and McClure, that is
-/// reached from the middle: where its derivative is zero.
+/// The local minimum, from the middle, of x² + (d − x)² / (1 + (d − x)² / k), the kernel of Geman
+/// and McClure: where its derivative is zero.
 double optimum(double d) {
   constexpr double kKernel2 = 7.8;
   double low = 0.0;
@@ -140,7 +140,7 @@ double optimum(double d) {
   return low;
 }
 
-TEST(OptimizeAccepted, TrustsALoopTheLessTheWorseItFits) {
+TEST(OptimizeAccepted, DownWeightsALoopByItsResidual) {
   for (const double apart : {0.5, 2.0, 5.0}) {
     PoseGraph graph = two_measurements(apart);
     const OptimizeResult result = optimize_accepted(graph, {true, true});
@@ -151,14 +151,14 @@ TEST(OptimizeAccepted, TrustsALoopTheLessTheWorseItFits) {
   }
 }
 
-TEST(OptimizeAccepted, DoesNotLookAtTheOthers) {
+TEST(OptimizeAccepted, IgnoresRejectedLoops) {
   PoseGraph graph = two_measurements(5.0);
   const OptimizeResult result = optimize_accepted(graph, {true, false});
   EXPECT_NEAR(graph.poses[1].x, 0.0, 1e-9);
   EXPECT_NEAR(result.objective, 0.0, 1e-12);
 }
 
-TEST(OptimizeAccepted, LeavesThePosesWhereTheyAreNotDetermined) {
+TEST(OptimizeAccepted, LeavesUndeterminedPosesUnchanged) {
   PoseGraph graph = two_measurements(5.0);
   graph.poses[1].x = 3.0;
   const OptimizeResult result = optimize_accepted(graph, {false, false});
@@ -167,7 +167,7 @@ TEST(OptimizeAccepted, LeavesThePosesWhereTheyAreNotDetermined) {
   EXPECT_EQ(graph.poses[1].x, 3.0);
 }
 
-TEST(OptimizeAccepted, TellsTheObserverWhenItEnds) {
+TEST(OptimizeAccepted, ReportsTheEndToTheObserver) {
   PoseGraph graph = two_measurements(5.0);
   std::vector<OptimizePhase> phases;
   optimize_accepted(graph, {true, true}, [&](OptimizePhase phase) { phases.push_back(phase); });

@@ -19,21 +19,21 @@ const Eigen::Vector3d kLoopClosureSd(0.03, 0.02, 0.004);
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// A bend of 30 steps, each with a covariance of its own.
+/// A bend of 30 steps, each with its own covariance.
 class BentChain : public testing::Test {
  protected:
   BentChain() {
-    way_.add_map({});
+    chain_.add_map({});
     for (int i = 0; i < 30; ++i) {
       Eigen::Matrix3d A;
       A << 1.0, 0.1 * i, 0.0, -0.2, 1.0, 0.3, 0.0, 0.1, 1.0;
       const Eigen::Matrix3d scaled = A * kStepSd.asDiagonal();
       steps_.push_back({{1.0, 0.02 * i, 0.1 - 0.004 * i}, scaled * scaled.transpose()});
-      way_.add_map(steps_.back());
+      chain_.add_map(steps_.back());
     }
   }
 
-  /// By a loop over the steps; `moved` says by how much each of them is moved.
+  /// By a loop over the steps, each displaced by `moved`.
   template <class Moved>
   [[nodiscard]] Pose2 walk(int from, int to, const Moved& moved) const {
     Pose2 T;
@@ -46,7 +46,7 @@ class BentChain : public testing::Test {
     return walk(from, to, [](int) { return Pose2{}; });
   }
 
-  /// Derivatives by differences, step by step.
+  /// Numerical derivatives, step by step.
   [[nodiscard]] Eigen::Matrix3d walked_covariance(int from, int to) const {
     constexpr double kDelta = 1e-6;
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
@@ -63,19 +63,20 @@ class BentChain : public testing::Test {
   }
 
   std::vector<UncertainPose> steps_;
-  OdometryChain way_;
+  OdometryChain chain_;
 };
 
-TEST_F(BentChain, IsWhatALoopOverTheStepsGives) {
+TEST_F(BentChain, EqualsALoopOverTheSteps) {
   for (const auto& [from, to] : {std::pair{0, 30}, {3, 17}, {17, 3}, {29, 30}, {30, 0}}) {
-    const UncertainPose found = way_.between(from, to);
+    const UncertainPose found = chain_.between(from, to);
     EXPECT_LT(between(walk(from, to), found.T_from_to).vector().norm(), 1e-12);
-    EXPECT_TRUE(found.covariance.isApprox(walked_covariance(from, to), 1e-4));  // of differences
+    EXPECT_TRUE(found.covariance.isApprox(walked_covariance(from, to),
+                                          1e-4));  // error of the numerical derivatives
   }
-  EXPECT_TRUE(way_.between(7, 7).covariance.isZero(1e-15));
+  EXPECT_TRUE(chain_.between(7, 7).covariance.isZero(1e-15));
 }
 
-TEST_F(BentChain, HasTheCovarianceOfManyDraws) {
+TEST_F(BentChain, HasTheCovarianceOfRandomSamples) {
   constexpr int kDraws = 20000;
   test::Normal normal(1);
   for (const auto& [from, to] : {std::pair{2, 22}, {22, 2}}) {
@@ -88,28 +89,28 @@ TEST_F(BentChain, HasTheCovarianceOfManyDraws) {
       const Eigen::Vector3d e = between(walk(from, to), moved).vector();
       drawn += e * e.transpose() / kDraws;
     }
-    const Eigen::Matrix3d found = way_.between(from, to).covariance;
+    const Eigen::Matrix3d found = chain_.between(from, to).covariance;
     const Eigen::Vector3d sd = found.diagonal().cwiseSqrt();
     const Eigen::Matrix3d error = (drawn - found).cwiseQuotient(sd * sd.transpose());
     EXPECT_LT(error.cwiseAbs().maxCoeff(), 0.05);  // 5 times √(2 / draws)
   }
 }
 
-TEST_F(BentChain, KnowsItsLength) {
+TEST_F(BentChain, MeasuresItsLength) {
   double length = 0.0;
   for (int k = 0; k < 12; ++k) length += steps_[at(k)].T_from_to.translation().norm();
-  EXPECT_NEAR(way_.length_m(12), length, 1e-12);
-  EXPECT_EQ(way_.maps(), 31);
+  EXPECT_NEAR(chain_.length_m(12), length, 1e-12);
+  EXPECT_EQ(chain_.maps(), 31);
 }
 
-TEST(UncertainPose, TurnedRoundTwiceIsItself) {
+TEST(UncertainPose, InvertedTwiceIsTheSame) {
   const UncertainPose a{{1.0, -2.0, 0.7}, kStepSd.cwiseAbs2().asDiagonal()};
   const UncertainPose b = inverse(inverse(a));
   EXPECT_LT(between(a.T_from_to, b.T_from_to).vector().norm(), 1e-12);
   EXPECT_TRUE(b.covariance.isApprox(a.covariance, 1e-12));
 }
 
-TEST(UncertainPose, IsWideWhereAConstraintKnowsNothing) {
+TEST(UncertainPose, IsWideInDirectionsWithoutInformation) {
   PoseConstraint open;
   open.T_from_to = {4.0, 1.0, 0.2};
   open.information = Eigen::Vector3d(0.0, 400.0, 10000.0).asDiagonal();
@@ -133,7 +134,8 @@ void expect_chi_square(const std::vector<double>& values) {
   EXPECT_NEAR(above, 0.05, 4.0 * std::sqrt(0.05 * 0.95 / n));
 }
 
-/// Thirty straight steps and a turn each ten; measurements and closures with noise as stated.
+/// Thirty straight steps with a turn every ten; measurements and loop closures with the stated
+/// noise.
 class Draw {
  public:
   explicit Draw(std::uint32_t seed) : normal_(seed) {
@@ -158,7 +160,7 @@ class Draw {
   std::vector<Pose2> truth_;
 };
 
-TEST(Disagreement, OfTwoRightLoopClosuresIsChiSquare) {
+TEST(Disagreement, OfTwoCorrectLoopClosuresIsChiSquare) {
   std::vector<double> values;
   for (std::uint32_t seed = 1; seed <= 3000; ++seed) {
     Draw draw(seed);
@@ -168,7 +170,7 @@ TEST(Disagreement, OfTwoRightLoopClosuresIsChiSquare) {
   expect_chi_square(values);
 }
 
-TEST(Disagreement, OfARightLoopClosureAndTheWayIsChiSquare) {
+TEST(Disagreement, OfACorrectLoopClosureAndTheOdometryIsChiSquare) {
   std::vector<double> values;
   for (std::uint32_t seed = 1; seed <= 3000; ++seed) {
     Draw draw(seed);
@@ -177,15 +179,15 @@ TEST(Disagreement, OfARightLoopClosureAndTheWayIsChiSquare) {
   expect_chi_square(values);
 }
 
-TEST(Disagreement, IsTheSameWhicheverLoopClosureComesFirst) {
+TEST(Disagreement, IsSymmetric) {
   Draw draw(1);
   const PoseConstraint a = draw.loop_closure(2, 25);
   const PoseConstraint b = draw.loop_closure(8, 29);
-  // Residuals are measured in another frame: the same but for terms of second order.
+  // Residuals are in different frames: equal up to second order.
   EXPECT_NEAR(disagreement(draw.odometry, a, b), disagreement(draw.odometry, b, a), 0.1);
 }
 
-TEST(Disagreement, GrowsWithTheErrorButNotAlongAnOpenDirection) {
+TEST(Disagreement, GrowsWithTheErrorExceptAlongADegenerateDirection) {
   Draw draw(1);
   const PoseConstraint a = draw.loop_closure(2, 25);
   PoseConstraint b = draw.loop_closure(3, 26);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kGate = 21.1;
 const Pose2 kBeside{0.0, 4.0, 0.0};
 
-/// What is decided already, and whether the closures chosen are `suspects` of the last one.
+/// The present decisions, and whether the chosen loop closures are `suspects` of the last one.
 class RevisionCandidatesOnARing : public testing::Test {
  protected:
   void decide(std::vector<LoopClosure> loop_closures, const std::vector<int>& chosen) {
@@ -42,7 +42,7 @@ class RevisionCandidatesOnARing : public testing::Test {
   std::optional<Trial> trial_;
 };
 
-TEST_F(RevisionCandidatesOnARing, AreTheOnesThatContradict) {
+TEST_F(RevisionCandidatesOnARing, AreTheContradictingOnes) {
   decide(test::together({walk_.group(205, 1, kBeside), walk_.group(225, 2)}), {0});
   const auto found = candidates_of_last();
   ASSERT_FALSE(found.empty());
@@ -50,12 +50,12 @@ TEST_F(RevisionCandidatesOnARing, AreTheOnesThatContradict) {
   EXPECT_LT(found.front().bound, cost());
 }
 
-TEST_F(RevisionCandidatesOnARing, AreNoneWhereNothingIsChosen) {
+TEST_F(RevisionCandidatesOnARing, AreEmptyIfNothingIsChosen) {
   decide(walk_.group(205, 3), {});
   EXPECT_TRUE(candidates_of_last().empty());
 }
 
-TEST_F(RevisionCandidatesOnARing, AreNoneWhereUndoingCannotPay) {
+TEST_F(RevisionCandidatesOnARing, AreEmptyIfRevokingCannotLowerTheCost) {
   std::vector<int> chosen(20);
   for (int k = 0; k < 20; ++k) chosen[static_cast<std::size_t>(k)] = k;
   decide(test::together({walk_.group(205, 20), walk_.group(235, 1, kBeside)}), chosen);
@@ -63,7 +63,7 @@ TEST_F(RevisionCandidatesOnARing, AreNoneWhereUndoingCannotPay) {
   EXPECT_TRUE(candidates_of_last().empty());
 }
 
-TEST_F(RevisionCandidatesOnARing, ComeInTheOrderOfTheirBounds) {
+TEST_F(RevisionCandidatesOnARing, AreOrderedByTheirBounds) {
   decide(test::together(
              {walk_.group(205, 2, kBeside), walk_.group(225, 1, kBeside), walk_.group(235, 4)}),
          {0, 1, 2});
@@ -71,7 +71,7 @@ TEST_F(RevisionCandidatesOnARing, ComeInTheOrderOfTheirBounds) {
   for (std::size_t i = 1; i < found.size(); ++i) EXPECT_GE(found[i].bound, found[i - 1].bound);
 }
 
-TEST_F(RevisionCandidatesOnARing, InThePapersOrderAreTheLatestGroupsAndThenOneMore) {
+TEST_F(RevisionCandidatesOnARing, AreTheLatestGroupsInThePapersOrder) {
   decide(walk_.group(205, 6), {0, 1, 2, 3, 5});
   problem_.groups = {0, 0, 1, 1, 1, 2};
   const auto found = latest_groups(problem_, *trial_, 8);

@@ -12,7 +12,7 @@
 
 namespace adit::test {
 
-/// Numbers of the standard normal distribution, the same with every library (Box and Muller).
+/// Standard normal random numbers, the same with every library (Box and Muller).
 class Normal {
  public:
   explicit Normal(std::uint32_t seed) : rng_(seed) {}
@@ -23,7 +23,7 @@ class Normal {
     return std::sqrt(-2.0 * std::log(u)) * std::cos(2.0 * std::numbers::pi * v);
   }
 
-  /// A small motion with these standard deviations.
+  /// A random small motion with these standard deviations.
   Pose2 motion(const Eigen::Vector3d& sd) {
     const double x = (*this)() * sd.x();
     const double y = (*this)() * sd.y();
@@ -38,8 +38,8 @@ inline Eigen::Matrix3d information_of(const Eigen::Vector3d& sd) {
   return sd.array().square().inverse().matrix().asDiagonal();
 }
 
-/// Round and round a square of 50 m a side, a step a metre, so that map i + 200 is where map i is.
-/// Over a round the way alone is uncertain by some metres, over the next corner by some decimetres.
+/// Laps of a square of 50 m a side, a step per metre, so that map i + 200 is at the place of map i.
+/// Over a lap the odometry is uncertain by some metres, to the next corner by some decimetres.
 class RingWalk {
  public:
   static constexpr int kRound = 200;
@@ -56,7 +56,7 @@ class RingWalk {
     }
   }
 
-  /// Where the newer map lies on the older: as it is, but for noise, or moved by `error`.
+  /// A loop closure with the true pose plus noise, or displaced by `error`.
   LoopClosureAlternative alternative(int older, int newer, const Pose2& error = {},
                                      double log_likelihood = 0.0) {
     return {older, true_motion(older, newer) * error * normal_.motion(kLoopClosure),
@@ -68,7 +68,8 @@ class RingWalk {
     result.alternatives = {alternative(older, newer, error)};
     return result;
   }
-  /// Closures of `count` maps from `newer` on with those a round before, all with the same error.
+  /// Loop closures of `count` maps from `newer` on with those one lap before, all with the same
+  /// error.
   std::vector<LoopClosure> group(int newer, int count, const Pose2& error = {}) {
     std::vector<LoopClosure> result;
     for (int k = 0; k < count; ++k) {
@@ -97,8 +98,8 @@ inline std::vector<LoopClosure> together(const std::vector<std::vector<LoopClosu
   return all;
 }
 
-/// Adds the maps of the walk one by one and has the closures decided, which are in order of their
-/// newer map, as soon as that is there. What was decided.
+/// Adds the maps of the walk one by one and decides the loop closures, given in order of their
+/// newer map, as soon as that map exists. Returns the decisions.
 inline std::vector<Association> drive(LazyAssociation& association, const RingWalk& walk,
                                       const std::vector<LoopClosure>& loop_closures) {
   std::vector<Association> history;
@@ -115,7 +116,7 @@ inline std::vector<Association> drive(LazyAssociation& association, const RingWa
   return history;
 }
 
-/// The same as a problem of which nothing is decided yet; every closure its own group.
+/// The same as an undecided problem; every loop closure in its own group.
 inline AssociationProblem problem_of(const RingWalk& walk, std::vector<LoopClosure> loop_closures) {
   AssociationProblem problem;
   problem.chain = walk.chain;
@@ -130,7 +131,7 @@ inline AssociationProblem problem_of(const RingWalk& walk, std::vector<LoopClosu
   return problem;
 }
 
-/// Nothing is chosen: the maps lie as the way has them.
+/// The hypothesis without loop closures: poses by odometry.
 inline Hypothesis nothing_chosen(const AssociationProblem& problem) {
   Hypothesis hypothesis;
   hypothesis.chosen.assign(problem.loop_closures.size(), Association::kNone);

@@ -10,7 +10,7 @@
 namespace adit {
 namespace {
 
-constexpr double kFirstOrder = 0.05;  // relative: the way bends by a few degrees when it is closed
+constexpr double kFirstOrder = 0.05;  // relative: loop closures bend the odometry by a few degrees
 
 double farthest(const std::vector<Pose2>& a, const std::vector<Pose2>& b) {
   double distance = 0.0;
@@ -25,17 +25,17 @@ class TrialOnARing : public testing::Test {
   TrialOnARing() : problem_(test::problem_of(walk_, loop_closures())) {}
 
   std::vector<LoopClosure> loop_closures() {
-    auto all = walk_.group(205, 3);                               // 0, 1, 2: right
-    all.push_back(walk_.loop_closure(20, 220, {0.0, 4.0, 0.0}));  // 3: beside it
-    all.push_back(walk_.loop_closure(30, 230));                   // 4: right across
+    auto all = walk_.group(205, 3);                               // 0, 1, 2: correct
+    all.push_back(walk_.loop_closure(20, 220, {0.0, 4.0, 0.0}));  // 3: displaced
+    all.push_back(walk_.loop_closure(30, 230));                   // 4: correct across,
     all.back().alternatives.front().information.row(0).setZero();
     all.back().alternatives.front().information.col(0).setZero();
-    all.back().alternatives.front().T_older_newer.x += 2.0;      // and nothing along
-    all.push_back(walk_.loop_closure(60, 40, {0.0, 0.0, 2.5}));  // 5: turned round
+    all.back().alternatives.front().T_older_newer.x += 2.0;      // without information along
+    all.push_back(walk_.loop_closure(60, 40, {0.0, 0.0, 2.5}));  // 5: turned
     return all;
   }
 
-  /// With the poses found anew, from the constraints alone.
+  /// With the poses optimised again, from the constraints alone.
   [[nodiscard]] Hypothesis optimized_from_scratch(std::vector<int> chosen) const {
     Hypothesis hypothesis{std::move(chosen), nothing().T_map_local, 0.0, 0.0};
     PoseGraph graph = graph_of(problem_, hypothesis);
@@ -53,7 +53,7 @@ class TrialOnARing : public testing::Test {
   AssociationProblem problem_;
 };
 
-TEST_F(TrialOnARing, PriceIsWhatTheObjectiveThenRisesBy) {
+TEST_F(TrialOnARing, PredictsTheIncreaseOfTheObjective) {
   const Hypothesis before = optimized_from_scratch({0, kNo, 0, kNo, kNo, kNo});
   Trial trial(problem_, before);
   for (const int k : {1, 3, 4}) {
@@ -64,7 +64,7 @@ TEST_F(TrialOnARing, PriceIsWhatTheObjectiveThenRisesBy) {
   }
 }
 
-TEST_F(TrialOnARing, TakingMovesTheMapsToTheMode) {
+TEST_F(TrialOnARing, AcceptingMovesTheMapsToTheMode) {
   Trial trial(problem_, nothing());
   for (const int k : {0, 2, 4}) trial.accept(k, 0);
   trial.reoptimize();
@@ -75,7 +75,7 @@ TEST_F(TrialOnARing, TakingMovesTheMapsToTheMode) {
   EXPECT_LT(farthest(found.T_map_local, expected.T_map_local), 1e-2);
 }
 
-TEST_F(TrialOnARing, RevokingGivesBackWhatWasThereBefore) {
+TEST_F(TrialOnARing, RevokingRestoresThePreviousEstimate) {
   const Hypothesis before = optimized_from_scratch({0, kNo, 0, kNo, kNo, kNo});
   Trial trial(problem_, before);
   trial.accept(3, 0);
@@ -89,7 +89,7 @@ TEST_F(TrialOnARing, RevokingGivesBackWhatWasThereBefore) {
   EXPECT_LT(farthest(after.T_map_local, before.T_map_local), 1e-2);
 }
 
-TEST_F(TrialOnARing, FindsTheModeWhereALoopClosureTurnsTheMapsFarRound) {
+TEST_F(TrialOnARing, FindsTheModeAfterALargeRotationOfTheMaps) {
   Trial trial(problem_, nothing());
   trial.accept(0, 0);
   trial.accept(5, 0);
@@ -98,7 +98,7 @@ TEST_F(TrialOnARing, FindsTheModeWhereALoopClosureTurnsTheMapsFarRound) {
   EXPECT_NEAR(trial.objective(), expected.objective, 1e-3 * expected.objective);
 }
 
-TEST_F(TrialOnARing, ForetellsWhatItWouldBeWithoutEach) {
+TEST_F(TrialOnARing, PredictsTheEffectOfLeavingEachOut) {
   const Hypothesis before = optimized_from_scratch({0, kNo, 0, 0, kNo, kNo});
   Trial trial(problem_, before);
   const std::vector<int> chosen = {0, 2, 3};
@@ -119,7 +119,7 @@ TEST_F(TrialOnARing, GrowsWithTheProblem) {
   Trial trial(problem_, nothing());
   problem_.loop_closures.push_back(problem_.loop_closures.front());
   problem_.loop_closures.back().id = 6;
-  trial.grow();
+  trial.add_undecided();
   EXPECT_EQ(trial.chosen(6), kNo);
   trial.accept(6, 0);
   EXPECT_EQ(trial.decisions(), (std::vector<int>{kNo, kNo, kNo, kNo, kNo, kNo, 0}));

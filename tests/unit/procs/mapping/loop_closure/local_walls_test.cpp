@@ -10,11 +10,11 @@ namespace adit {
 namespace {
 
 TEST(LocalWalls, LieOnTheWallsThinnedOut) {
-  const SyntheticWorld room = test::crooked_room();
+  const test::WallWorld room = test::crooked_room();
   const Pose2 T_world_local{-3.0, 0.0, 0.3};
   const LocalWallsParams params;
   const LocalWalls walls = test::walls_of(room, T_world_local, 3.0);
-  EXPECT_GT(walls.length_m, 15.0);  // the room's walls are 40 m, of which half are in sight
+  EXPECT_GT(walls.length_m, 15.0);  // the walls of the room are 40 m, half of them visible
   EXPECT_LT(walls.points.size(), 60.0 / params.spacing_m);
   for (const auto& point : walls.points) {
     const auto clearance = room.clearance(T_world_local * point.p, 1.0);
@@ -24,14 +24,14 @@ TEST(LocalWalls, LieOnTheWallsThinnedOut) {
   }
 }
 
-TEST(LocalWalls, KeepFewViewsOfTheFreeSpace) {
+TEST(LocalWalls, StoreFewViewsOfTheFreeSpace) {
   const LocalMap map = test::drive_straight(test::crooked_room(), {-3.0, 0.0, 0.0}, 3.0, 1);
   const LocalWalls walls = local_walls(map, test::front_mount(), {});
-  EXPECT_GE(walls.views.size(), 3U);  // at about each metre
+  EXPECT_GE(walls.views.size(), 3U);  // about one per metre
   EXPECT_LE(walls.views.size(), 4U);
 }
 
-TEST(LocalWalls, LeaveOutScansWithoutAMount) {
+TEST(LocalWalls, IgnoreScansWithoutAMount) {
   LocalMap map = test::drive_straight(test::crooked_room(), {-3.0, 0.0, 0.0}, 1.0, 1);
   for (auto& scan : map.scans) scan.channel = "LASER_ELSEWHERE";
   const LocalWalls walls = local_walls(map, test::front_mount(), {});
@@ -54,7 +54,7 @@ class RoomAgreement : public testing::Test {
   SurfelMap reference_{SurfelMapParams{}};
 };
 
-TEST_F(RoomAgreement, OfAMapWithItselfIsWhole) {
+TEST_F(RoomAgreement, OfAMapWithItselfIsComplete) {
   const WallAgreement found = at({});
   EXPECT_EQ(found.near, found.points);
   EXPECT_EQ(found.contradicting, 0);
@@ -76,9 +76,9 @@ TEST_F(RoomAgreement, FallsWithTheDistanceFromTheTruth) {
   }
 }
 
-TEST_F(RoomAgreement, SaysNothingOfWhatWasNeverSeen) {
+TEST_F(RoomAgreement, IgnoresUnobservedSpace) {
   const WallAgreement found = at({200.0, 0.0, 0.0});
-  EXPECT_EQ(found.known(), 0);
+  EXPECT_EQ(found.observed(), 0);
   EXPECT_EQ(found.log_likelihood, 0.0);
 }
 

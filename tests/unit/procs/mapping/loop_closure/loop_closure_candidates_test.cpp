@@ -16,15 +16,15 @@ Eigen::Matrix3d sure_to(double sd_m) {
   return Eigen::Vector3d(sd_m * sd_m, sd_m * sd_m, 1e-4).asDiagonal();
 }
 
-/// A way of local maps in a long drift, all with the same walls around them.
+/// A path of local maps in a long tunnel, all with the same walls.
 struct MappedPath {
   std::vector<Pose2> poses;
   std::vector<Eigen::Matrix3d> covariances;
   std::vector<MapExtent> extents;
 
   void add(const Pose2& T_map_local, double sd_m) {
-    static const MapExtent extent(
-        test::walls_of(straight_tunnel(20.0, 3.0), {-2.5, 0.0, 0.0}));  // 20 m by 3 m around it
+    static const MapExtent extent(test::walls_of(test::straight_tunnel(20.0, 3.0),
+                                                 {-2.5, 0.0, 0.0}));  // 20 m by 3 m around it
     poses.push_back(T_map_local);
     covariances.push_back(sure_to(sd_m));
     extents.push_back(extent);
@@ -39,7 +39,7 @@ struct MappedPath {
   }
 };
 
-/// 10 maps out along x, then back at a distance of `beside_m`, the newest beside the 3rd.
+/// 10 maps along x, then back at a distance of `beside_m`, the newest beside the 3rd.
 MappedPath out_and_back(double beside_m, double sd_m) {
   MappedPath mapped;
   for (int i = 0; i < 10; ++i) mapped.add({5.0 * i, 0.0, 0.0}, sd_m);
@@ -47,13 +47,13 @@ MappedPath out_and_back(double beside_m, double sd_m) {
   return mapped;
 }
 
-TEST(LoopClosureCandidates, AreMapsThatSawTheSameWalls) {
+TEST(LoopClosureCandidates, AreMapsWithOverlappingWalls) {
   const auto found = out_and_back(0.0, 0.1).older();
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found.front(), 2);
 }
 
-TEST(LoopClosureCandidates, AreNotTheNeighboursInTheChain) {
+TEST(LoopClosureCandidates, ExcludeNeighboursInTheChain) {
   MappedPath mapped;
   for (int i = 0; i < 4; ++i) mapped.add({0.5 * i, 0.0, 0.0}, 0.1);
   EXPECT_EQ(mapped.older(), std::vector<int>{0});
@@ -62,12 +62,12 @@ TEST(LoopClosureCandidates, AreNotTheNeighboursInTheChain) {
   EXPECT_TRUE(MappedPath{}.older().empty());
 }
 
-TEST(LoopClosureCandidates, DependOnHowSureThePlaceIs) {
+TEST(LoopClosureCandidates, DependOnTheUncertaintyOfThePose) {
   EXPECT_TRUE(out_and_back(30.0, 0.1).older().empty());
   EXPECT_FALSE(out_and_back(30.0, 12.0).older().empty());
 }
 
-TEST(LoopClosureCandidates, AreFewAndApart) {
+TEST(LoopClosureCandidates, AreFewAndDistinct) {
   MappedPath mapped = out_and_back(0.0, 20.0);
   for (int i = 0; i < 40; ++i) mapped.add({12.0 + 0.1 * i, 0.0, 0.0}, 20.0);
   LoopClosureCandidatesParams params;
@@ -81,8 +81,8 @@ TEST(LoopClosureCandidates, AreFewAndApart) {
   EXPECT_EQ(found, mapped.older(params));
 }
 
-TEST(MapExtent, OverlapsItselfWholeAndElsewhereNot) {
-  const MapExtent extent(test::walls_of(straight_tunnel(20.0, 3.0), {-2.5, 0.0, 0.0}));
+TEST(MapExtent, OverlapsItselfCompletelyAndDistantMapsNot) {
+  const MapExtent extent(test::walls_of(test::straight_tunnel(20.0, 3.0), {-2.5, 0.0, 0.0}));
   EXPECT_EQ(extent.overlap(extent, {}), 1.0);
   EXPECT_EQ(extent.overlap(extent, {0.0, 10.0, 0.0}), 0.0);
   EXPECT_EQ(extent.overlap(MapExtent{}, {}), 0.0);

@@ -35,7 +35,7 @@ void expect_near(const Pose2& actual, const Pose2& expected, double metres, doub
 class MapMatchingRecovers : public testing::TestWithParam<Pose2> {};
 
 TEST_P(MapMatchingRecovers, AKnownDisplacement) {
-  const SyntheticWorld mine = sample_mine(3);
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 T_world_older{8.0, 0.0, 0.0};
   const Pose2 truth{1.0, 0.2, 0.1};
   const auto found = match(walls_of(mine, T_world_older * truth, 5.0, 2),
@@ -50,8 +50,8 @@ INSTANTIATE_TEST_SUITE_P(Predictions, MapMatchingRecovers,
                          testing::Values(Pose2{}, Pose2{1.5, 1.0, 0.0}, Pose2{-2.0, 0.5, 0.3},
                                          Pose2{0.5, -1.5, -0.4}));
 
-TEST(MapMatching, FindsTheWayBackInTheOtherDirectionInAWideGate) {
-  const SyntheticWorld mine = sample_mine(3);
+TEST(MapMatching, FindsTheReverseTraversalInAWideGate) {
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 T_world_older{6.0, 0.0, 0.0};
   const Pose2 truth{7.0, 0.3, std::numbers::pi - 0.1};
   const auto found =
@@ -62,8 +62,9 @@ TEST(MapMatching, FindsTheWayBackInTheOtherDirectionInAWideGate) {
 }
 
 TEST(MapMatching, InformationIsConsistentWithTheError) {
-  // Expectation 3; smaller, since the model allows for maps that are bent, which these are not.
-  const SyntheticWorld mine = sample_mine(5);
+  // The expectation is 3; the result is smaller, since the model allows for bent maps, which these
+  // are not.
+  const test::WallWorld mine = test::sample_mine(5);
   double sum = 0.0;
   constexpr int kSeeds = 30;
   for (int seed = 0; seed < kSeeds; ++seed) {
@@ -82,8 +83,8 @@ TEST(MapMatching, InformationIsConsistentWithTheError) {
   EXPECT_LT(sum, 3.5);
 }
 
-TEST(MapMatching, GivesNoInformationAlongAStraightDrift) {
-  const SyntheticWorld tunnel = straight_tunnel(400.0, 3.0);
+TEST(MapMatching, GivesNoInformationAlongAStraightTunnel) {
+  const test::WallWorld tunnel = test::straight_tunnel(400.0, 3.0);
   for (const double heading : {0.0, 0.05, -0.1}) {
     const Pose2 T_world_older{0.0, 0.2, heading};
     const Pose2 truth = T_world_older.inverse() * Pose2{2.0, 0.1, heading + 0.1};
@@ -95,20 +96,20 @@ TEST(MapMatching, GivesNoInformationAlongAStraightDrift) {
     const double theta = (T_world_older * T_older_newer).theta;
     const Eigen::Vector3d axis_newer(std::cos(theta), -std::sin(theta), 0.0);
     const Eigen::Vector3d across_newer(std::sin(theta), std::cos(theta), 0.0);
-    EXPECT_LT(axis_newer.dot(information * axis_newer), 1.0);      // less than a metre would say
-    EXPECT_GT(across_newer.dot(information * across_newer), 1e4);  // a centimetre
+    EXPECT_LT(axis_newer.dot(information * axis_newer), 1.0);      // less than that of 1 m
+    EXPECT_GT(across_newer.dot(information * across_newer), 1e4);  // that of 1 cm
     const Pose2 error = between(T_world_older * truth, T_world_older * T_older_newer);
     EXPECT_LT(std::abs(Eigen::Vector3d(error.x, error.y, 0.0).dot(across_newer)), 0.02);
     EXPECT_LT(std::abs(error.theta), 0.004);
-    // Along it, the prediction stands.
+    // Along the tunnel, the pose is the prediction.
     const Pose2 moved = between(predicted, T_older_newer);
     EXPECT_LT(std::abs(moved.vector().dot(axis_newer)), 0.1);
   }
 }
 
-/// A straight drift with a recess on one side at each of the given places.
-SyntheticWorld tunnel_with_recesses(const std::vector<double>& at) {
-  std::vector<Segment> walls{{{-100.0, -1.5}, {100.0, -1.5}}};
+/// A straight tunnel with a recess on one side at each of the given positions.
+test::WallWorld tunnel_with_recesses(const std::vector<double>& at) {
+  std::vector<test::Segment> walls{{{-100.0, -1.5}, {100.0, -1.5}}};
   double from = -100.0;
   for (const double x : at) {
     const std::vector<Eigen::Vector2d> corners{
@@ -119,11 +120,11 @@ SyntheticWorld tunnel_with_recesses(const std::vector<double>& at) {
     from = x + 2.0;
   }
   walls.push_back({{from, 1.5}, {100.0, 1.5}});
-  return SyntheticWorld(walls);
+  return test::WallWorld(walls);
 }
 
-TEST(MapMatching, KeepsBothOfTwoPlacesThatLookAlike) {
-  // The newer map saw one recess, the older one two, 6 m apart: which of them was it?
+TEST(MapMatching, ReturnsBothOfTwoSimilarPlaces) {
+  // The newer map observed one recess, the older one two, 6 m apart: both matches are possible.
   const LocalWalls older = walls_of(tunnel_with_recesses({2.0, 8.0}), {-1.0, 0.0, 0.0}, 10.0);
   const LocalWalls newer = walls_of(tunnel_with_recesses({2.0}), {0.0, 0.0, 0.0}, 3.0, 2);
   const auto found = match(newer, older, around({4.0, 0.0, 0.0}, 1.5, 0.05));
@@ -137,16 +138,16 @@ TEST(MapMatching, KeepsBothOfTwoPlacesThatLookAlike) {
   EXPECT_TRUE(lies_at(7.0));
 }
 
-TEST(MapMatching, FindsNothingInAnotherPlace) {
+TEST(MapMatching, FindsNothingInADifferentPlace) {
   const LocalWalls older = walls_of(test::crooked_room(), {-3.0, 0.0, 0.0}, 3.0);
-  const LocalWalls newer = walls_of(sample_mine(3), {8.0, 0.0, 0.0}, 5.0, 2);
+  const LocalWalls newer = walls_of(test::sample_mine(3), {8.0, 0.0, 0.0}, 5.0, 2);
   for (const double turn : {0.0, 1.5, 3.0}) {
     EXPECT_TRUE(match(newer, older, around({0.0, 0.0, turn}, 0.7, 0.2)).empty()) << turn;
   }
 }
 
-TEST(MapMatching, KeepsToTheGate) {
-  const SyntheticWorld mine = sample_mine(3);
+TEST(MapMatching, StaysInsideTheGate) {
+  const test::WallWorld mine = test::sample_mine(3);
   const Pose2 T_world_older{8.0, 0.0, 0.0};
   const RelativePose wrong = around({4.0, 0.0, 0.0}, 0.4, 0.05);
   for (const auto& found :
@@ -157,7 +158,7 @@ TEST(MapMatching, KeepsToTheGate) {
   }
 }
 
-TEST(MapMatching, FindsNothingInNothing) {
+TEST(MapMatching, FindsNothingInEmptyMaps) {
   const LocalWalls room = walls_of(test::crooked_room(), {-2.0, 0.0, 0.0}, 1.0);
   EXPECT_TRUE(match({}, room, around({}, 0.5, 0.1)).empty());
   EXPECT_TRUE(match(room, {}, around({}, 0.5, 0.1)).empty());

@@ -16,11 +16,11 @@ namespace adit {
 namespace {
 
 constexpr double kCellM = 0.1;
-constexpr double kHigh = 1.0;             // no vehicle passes over it
+constexpr double kHigh = 1.0;             // too high for the belly
 constexpr double kStepM = 0.22;           // too high for a wheel, low enough for the belly
-const Pose2 kFarAway{100.0, 100.0, 0.0};  // a robot that clears no ground of the map
+const Pose2 kFarAway{100.0, 100.0, 0.0};  // a robot that is not on the map
 
-/// Kernels and C-space of a terrain on which no robot stands yet.
+/// Kernels and C-space of a terrain map without a robot on it.
 struct Mapped {
   explicit Mapped(const TerrainMap& terrain_map, const CSpaceParams& params = {})
       : terrain(terrain_map),
@@ -28,7 +28,7 @@ struct Mapped {
         kernels(vehicle, params, terrain.cell_m),
         space(kernels.convolve(layers)) {}
 
-  /// At the cell of a point, with the heading nearest to an angle.
+  /// The cost at the cell and heading nearest to a pose.
   [[nodiscard]] std::uint16_t at(const Pose2& T_level_body) const {
     const Eigen::Vector2d cell =
         (T_level_body.translation() - terrain.p_level_corner) / terrain.cell_m;
@@ -57,22 +57,21 @@ TerrainMap random_ground(std::uint32_t seed, double side_m) {
   return terrain;
 }
 
-/// What a layer has under a kernel, cell by cell; outside of it, a value for each cell.
-std::uint32_t direct_sum(const GroundLayers& layers, const std::vector<std::uint8_t>& layer,
-                         const RunKernel& kernel, int column, int row, std::uint32_t outside) {
+/// The sum of a layer over a kernel, cell by cell; cells outside the layer count `outside`.
+std::uint32_t direct_sum(const CellLayer& layer, const RunKernel& kernel, int column, int row,
+                         std::uint32_t outside) {
   std::uint32_t sum = 0;
   for (const auto& run : kernel.runs) {
     for (int dx = run.first; dx <= run.last; ++dx) {
       const int x = column + dx;
       const int y = row + run.row;
-      const bool inside = x >= 0 && y >= 0 && x < layers.columns && y < layers.rows;
-      sum += inside ? layer[layers.index(x, y)] : outside;
+      sum += layer.contains({x, y}) ? layer.at({x, y}) : outside;
     }
   }
   return sum;
 }
 
-TEST(CSpace, IsTheDirectSumAtEachPose) {
+TEST(CSpace, IsTheDirectSumOverTheKernelAtEachPose) {
   const Mapped mapped(random_ground(1, 8.0));
   const auto outside =
       static_cast<std::uint32_t>(std::lround(255 * GroundLimits{}.unknown_roughness));
@@ -81,9 +80,8 @@ TEST(CSpace, IsTheDirectSumAtEachPose) {
     const auto& kernel = mapped.kernels.oriented(k);
     for (int row = 0; row < mapped.space.rows(); ++row) {
       for (int column = 0; column < mapped.space.columns(); ++column) {
-        const auto sum = [&](const std::vector<std::uint8_t>& layer, const RunKernel& of,
-                             std::uint32_t beyond) {
-          return direct_sum(mapped.layers, layer, of, column, row, beyond);
+        const auto sum = [&](const CellLayer& layer, const RunKernel& of, std::uint32_t beyond) {
+          return direct_sum(layer, of, column, row, beyond);
         };
         const bool lethal = sum(mapped.layers.under_body, kernel.lethal_body, 0) +
                                 sum(mapped.layers.under_wheels, kernel.lethal_wheels, 0) >
@@ -104,10 +102,10 @@ TEST(CSpace, IsTheDirectSumAtEachPose) {
       }
     }
   }
-  EXPECT_GT(free, 1000);  // or nothing was compared but lethal poses
+  EXPECT_GT(free, 1000);  // the comparison covers poses that are not lethal
 }
 
-TEST(CSpace, WantsACloseLookWhereALethalPointMayBeUnderAnyContinuousPose) {
+TEST(CSpace, IsMarginalOrLethalWhereAnyContinuousPoseIsLethal) {
   std::mt19937 engine(2);
   std::uniform_real_distribution<double> place(-2.0, 2.0);
   std::uniform_real_distribution<double> angle(-4.0, 4.0);
@@ -123,7 +121,7 @@ TEST(CSpace, WantsACloseLookWhereALethalPointMayBeUnderAnyContinuousPose) {
     const std::vector<BodyRectangle> body{body_outline(mapped.vehicle)};
     const auto rectangles = high ? body : wheel_tracks(mapped.vehicle);
     for (int i = 0; i < 3000; ++i) {
-      // Any point of the cell may be the lethal one.
+      // The obstacle may be at any point of its cell.
       const Eigen::Vector2d p =
           terrain.p_level_corner +
           kCellM * Eigen::Vector2d(column + share(engine), row + share(engine));
@@ -138,12 +136,12 @@ TEST(CSpace, WantsACloseLookWhereALethalPointMayBeUnderAnyContinuousPose) {
   EXPECT_GT(covered, 10000);
 }
 
-TEST(CSpace, IsNotMoreCautiousThanCellsAndHeadingsAsk) {
+TEST(CSpace, ConservativeKernelsExceedTheFootprintByTheCellAndHeadingOnly) {
   // Half a cell for the pose and half for the point in x and in y, half a heading at the corner,
-  // and the slack of 1 cm with which kernels are made: beyond all that a pose is free.
+  // and the margin of 1 cm of the kernels.
   const Mapped even(even_ground(10.0));
   for (int k = 0; k < even.kernels.headings().count(); ++k) {
-    const double half_gap = 0.12;  // that of 32 headings is 0.098, their uneven spacing a bit more
+    const double half_gap = 0.12;  // 0.098 for 32 headings; their spacing is uneven
     const double corner = std::hypot(1.2, 0.6);
     const double margin = kCellM * std::sqrt(2.0) + corner * half_gap + 0.02;
     const BodyRectangle grown = body_outline(even.vehicle).grown(margin);
@@ -157,13 +155,13 @@ TEST(CSpace, IsNotMoreCautiousThanCellsAndHeadingsAsk) {
   }
 }
 
-TEST(CSpace, RejectsAnObstacleBetweenTheWheelsThatAMeanWouldHide) {
+TEST(CSpace, IsLethalAtAnObstacleBetweenTheWheels) {
   TerrainMap terrain = even_ground(10.0);
   paint_box(terrain, obstacle_cell(0.5), {-0.05, -0.05}, {0.05, 0.05});
   EXPECT_EQ(Mapped(terrain).at({0.0, 0.0, 0.0}), CSpace::kLethal);
 }
 
-TEST(CSpace, StraddlesAStepThatNoWheelMayMeet) {
+TEST(CSpace, AllowsToStraddleAStepThatBlocksTheWheels) {
   TerrainMap terrain = even_ground(10.0);
   paint_box(terrain, obstacle_cell(kStepM), {-5.0, 0.0}, {5.0, 0.1});
   const Mapped mapped(terrain);
@@ -182,7 +180,7 @@ TEST(CSpace, CostsMoreWithARailUnderTheWheelsThanBetweenThem) {
   EXPECT_EQ(mapped.at({0.0, 2.0, 0.0}), CSpace::kEven);
 }
 
-TEST(CSpace, RejectsALowRoofAWetFloorADropAndASlope) {
+TEST(CSpace, IsLethalAtALowRoofWaterADropAndASlope) {
   TerrainCell slope = obstacle_cell(0.1);
   slope.slope_rad = 0.5F;
   for (const TerrainCell& cell : {roofed_cell(1.05), unmeasured_cell(Ground::kNoReturn),
@@ -194,16 +192,16 @@ TEST(CSpace, RejectsALowRoofAWetFloorADropAndASlope) {
   }
 }
 
-TEST(CSpace, ToleratesSomeUnseenGroundUnderTheWheelsAndNotMuch) {
-  TerrainMap some = even_ground(10.0);
-  paint_box(some, unmeasured_cell(Ground::kNeverObserved), {0.0, -1.0}, {0.25, 1.0});
-  EXPECT_LT(Mapped(some).at({0.0, 0.0, 0.0}), CSpace::kUnknown);
+TEST(CSpace, ToleratesALimitedShareOfUnobservedGroundUnderTheWheels) {
+  TerrainMap little = even_ground(10.0);
+  paint_box(little, unmeasured_cell(Ground::kNeverObserved), {0.0, -1.0}, {0.25, 1.0});
+  EXPECT_LT(Mapped(little).at({0.0, 0.0, 0.0}), CSpace::kUnknown);
   TerrainMap much = even_ground(10.0);
   paint_box(much, unmeasured_cell(Ground::kNeverObserved), {0.0, -1.0}, {1.5, 1.0});
   EXPECT_EQ(Mapped(much).at({0.0, 0.0, 0.0}), CSpace::kUnknown);
 }
 
-TEST(CSpace, LeavesRoomInAGapOfOneMetreEightyAtEachHeading) {
+TEST(CSpace, AllowsAGapOf1Point8MetresAtEachHeading) {
   const HeadingSet headings(CSpaceParams{}.headings);
   for (int k = 0; k < headings.count(); ++k) {
     TerrainMap terrain = even_ground(10.0);
@@ -214,7 +212,7 @@ TEST(CSpace, LeavesRoomInAGapOfOneMetreEightyAtEachHeading) {
   }
 }
 
-TEST(CSpace, RejectsCellsThatDoNotSuitTheVehicle) {
+TEST(CSpace, RejectsCellsTooSmallOrTooLargeForTheVehicle) {
   EXPECT_THROW(CSpaceKernels(Vehicle{}, CSpaceParams{}, 0.02), std::invalid_argument);
   EXPECT_THROW(CSpaceKernels(Vehicle{}, CSpaceParams{}, 5.0), std::invalid_argument);
 }

@@ -13,10 +13,10 @@
 namespace adit {
 namespace {
 
-class HeadingSetOfCount : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(HeadingSet, HeadingSetOfCount, testing::Values(8, 16, 32, 64, 72));
+class HeadingSetSizes : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Sizes, HeadingSetSizes, testing::Values(8, 16, 32, 64, 72));
 
-TEST_P(HeadingSetOfCount, HasAboutEqualSpacing) {
+TEST_P(HeadingSetSizes, HaveAboutEqualSpacing) {
   const HeadingSet headings(GetParam());
   const double gap = 2.0 * std::numbers::pi / GetParam();
   for (int k = 0; k < GetParam(); ++k) {
@@ -24,7 +24,7 @@ TEST_P(HeadingSetOfCount, HasAboutEqualSpacing) {
   }
 }
 
-TEST_P(HeadingSetOfCount, IsItsOwnMirrorImageAndTurn) {
+TEST_P(HeadingSetSizes, AreSymmetricUnderReflectionAndRotation) {
   const HeadingSet headings(GetParam());
   for (int k = 0; k < GetParam(); ++k) {
     const Eigen::Vector2i& v = headings.direction(k);
@@ -34,12 +34,12 @@ TEST_P(HeadingSetOfCount, IsItsOwnMirrorImageAndTurn) {
   }
 }
 
-TEST_P(HeadingSetOfCount, FindsTheNearest) {
+TEST_P(HeadingSetSizes, FindTheNearestHeading) {
   const HeadingSet headings(GetParam());
   for (double angle = -4.0; angle < 4.0; angle += 0.013) {
-    const double off = std::abs(angle_diff(headings.angle(headings.nearest(angle)), angle));
+    const double error = std::abs(angle_diff(headings.angle(headings.nearest(angle)), angle));
     for (int k = 0; k < GetParam(); ++k) {
-      EXPECT_LE(off, std::abs(angle_diff(headings.angle(k), angle)) + 1e-12);
+      EXPECT_LE(error, std::abs(angle_diff(headings.angle(k), angle)) + 1e-12);
     }
   }
 }

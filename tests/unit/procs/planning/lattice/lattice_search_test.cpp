@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "procs/planning/goals/goal_field.hpp"
 #include "procs/planning/lattice/cell_heuristic.hpp"
 #include "procs/planning/lattice/lattice.hpp"
 #include "tests/support/worlds/terrain_scenes.hpp"
@@ -11,7 +12,7 @@
 namespace adit {
 namespace {
 
-/// A corridor ready to be searched.
+/// A corridor with the maps of a search.
 struct Scene {
   explicit Scene(std::uint32_t seed, const PlanGoal& to = {}, double side_m = 12.0)
       : terrain(terrain_of(random_corridor(seed), side_m)), goal(to) {}
@@ -33,17 +34,17 @@ struct Scene {
   }
 };
 
-PlanGoal turned_round(double x, double y) {
+PlanGoal goal_behind(double x, double y) {
   PlanGoal goal;
   goal.kind = PlanGoal::Kind::kToPose;
   goal.T_odom_goal = {x, y, 0.5};
   return goal;
 }
 
-TEST(LatticeSearch, CostsWhatDijkstraFinds) {
+TEST(LatticeSearch, FindsTheCostOfDijkstra) {
   int found = 0;
   for (std::uint32_t seed = 0; seed < 12; ++seed) {
-    const Scene scene(seed, seed % 3 == 0 ? turned_round(-1.5, 0.4) : PlanGoal{});
+    const Scene scene(seed, seed % 3 == 0 ? goal_behind(-1.5, 0.4) : PlanGoal{});
     const LatticePath a_star = scene.search(cell_heuristic(scene.lattice, scene.goals, 0.1));
     const LatticePath dijkstra = scene.search(std::vector<std::int32_t>(scene.space.cells(), 0));
     ASSERT_EQ(a_star.found, dijkstra.found) << seed;
@@ -57,7 +58,7 @@ TEST(LatticeSearch, CostsWhatDijkstraFinds) {
 TEST(LatticeSearch, HasAConsistentHeuristic) {
   for (std::uint32_t seed = 0; seed < 4; ++seed) {
     const Scene scene(seed);
-    const auto left = cell_heuristic(scene.lattice, scene.goals, 0.1);
+    const auto heuristic = cell_heuristic(scene.lattice, scene.goals, 0.1);
     for (int heading = 0; heading < 32; ++heading) {
       for (int row = 0; row < scene.space.rows(); row += 3) {
         for (int column = 0; column < scene.space.columns(); column += 3) {
@@ -67,9 +68,9 @@ TEST(LatticeSearch, HasAConsistentHeuristic) {
             const std::int32_t cost = scene.lattice.cost(pose, step);
             if (cost == Lattice::kBlocked) continue;
             const LatticePose next = Lattice::successor(pose, step);
-            const std::int32_t successor = left[scene.space.index(next.column, next.row)];
+            const std::int32_t successor = heuristic[scene.space.index(next.column, next.row)];
             if (successor == kUnreachable) continue;
-            ASSERT_LE(left[scene.space.index(column, row)], cost + successor);
+            ASSERT_LE(heuristic[scene.space.index(column, row)], cost + successor);
           }
         }
       }
@@ -77,7 +78,7 @@ TEST(LatticeSearch, HasAConsistentHeuristic) {
   }
 }
 
-TEST(LatticeSearch, AddsUpToTheCostOfItsSteps) {
+TEST(LatticeSearch, SumsUpTheCostsOfItsSteps) {
   const Scene scene(1);
   const LatticePath path = scene.search(cell_heuristic(scene.lattice, scene.goals, 0.1));
   ASSERT_TRUE(path.found);
@@ -86,12 +87,12 @@ TEST(LatticeSearch, AddsUpToTheCostOfItsSteps) {
   for (std::size_t i = 0; i < path.steps.size(); ++i) {
     cost += scene.lattice.cost(pose, *path.steps[i]);
     pose = Lattice::successor(pose, *path.steps[i]);
-    EXPECT_EQ(path.costs[i], cost) << "no change of direction on this way";
+    EXPECT_EQ(path.costs[i], cost) << "without changes of direction";
   }
   EXPECT_EQ(path.cost, cost + scene.goals.ending_cost(scene.space.index(pose.column, pose.row)));
 }
 
-TEST(LatticeSearch, GivesUpAtItsLimit) {
+TEST(LatticeSearch, StopsAtTheMaximumNumberOfExpansions) {
   const Scene scene(1);
   const LatticePath path =
       search_lattice(scene.lattice, scene.kernels.headings(), scene.start, scene.goals,

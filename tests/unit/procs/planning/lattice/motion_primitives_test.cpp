@@ -33,27 +33,27 @@ struct PrimitiveSet {
 
 void PrintTo(const PrimitiveSet& set, std::ostream* os) { *os << set.steering << ' ' << set.count; }
 
-class EachPrimitiveSet : public testing::TestWithParam<PrimitiveSet> {
+class MotionPrimitiveSets : public testing::TestWithParam<PrimitiveSet> {
  protected:
   Vehicle vehicle_ = GetParam().vehicle();
   HeadingSet headings_{GetParam().count};
   MotionPrimitives primitives_{vehicle_, {}, headings_, kCellM};
 
   template <class Check>
-  void each(const Check& check) const {
+  void for_each(const Check& check) const {
     for (int k = 0; k < headings_.count(); ++k) {
       for (const MotionPrimitive& primitive : primitives_.from(k)) check(primitive);
     }
   }
 };
-INSTANTIATE_TEST_SUITE_P(MotionPrimitives, EachPrimitiveSet,
+INSTANTIATE_TEST_SUITE_P(Steering, MotionPrimitiveSets,
                          testing::Values(PrimitiveSet{}, PrimitiveSet{"ackermann"},
                                          PrimitiveSet{"four_wheel", 16},
                                          PrimitiveSet{"ackermann", 16},
                                          PrimitiveSet{"four_wheel", 72}));
 
-TEST_P(EachPrimitiveSet, BeginsAndEndsOnTheLatticeExactly) {
-  each([&](const MotionPrimitive& primitive) {
+TEST_P(MotionPrimitiveSets, StartAndEndExactlyOnTheLattice) {
+  for_each([&](const MotionPrimitive& primitive) {
     const Pose2 begin = primitives_.pose_at(primitive, 0.0);
     const Pose2 end = primitives_.pose_at(primitive, primitive.curve.length_m());
     EXPECT_NEAR(begin.translation().norm(), 0.0, kRounding);
@@ -67,14 +67,14 @@ TEST_P(EachPrimitiveSet, BeginsAndEndsOnTheLatticeExactly) {
   });
 }
 
-TEST_P(EachPrimitiveSet, MovesThePointThatCanOnlyMoveAlongTheVehicle) {
+TEST_P(MotionPrimitiveSets, MoveTheSteeredPointAlongTheXAxis) {
   const double axle = vehicle_.steering == "ackermann" ? vehicle_.wheelbase_m / 2.0 : 0.0;
-  each([&](const MotionPrimitive& primitive) {
+  for_each([&](const MotionPrimitive& primitive) {
     const double step = 1e-5;
-    for (double way = step; way + step < primitive.curve.length_m(); way += 0.05) {
-      const Pose2 before = primitives_.pose_at(primitive, way - step);
-      const Pose2 after = primitives_.pose_at(primitive, way + step);
-      const Pose2 here = primitives_.pose_at(primitive, way);
+    for (double s_m = step; s_m + step < primitive.curve.length_m(); s_m += 0.05) {
+      const Pose2 before = primitives_.pose_at(primitive, s_m - step);
+      const Pose2 after = primitives_.pose_at(primitive, s_m + step);
+      const Pose2 here = primitives_.pose_at(primitive, s_m);
       const Eigen::Vector2d moved =
           after * Eigen::Vector2d(-axle, 0.0) - before * Eigen::Vector2d(-axle, 0.0);
       const Eigen::Vector2d x(std::cos(here.theta), std::sin(here.theta));
@@ -84,22 +84,22 @@ TEST_P(EachPrimitiveSet, MovesThePointThatCanOnlyMoveAlongTheVehicle) {
   });
 }
 
-TEST_P(EachPrimitiveSet, TurnsLessTightThanTheVehicleByTheReserve) {
+TEST_P(MotionPrimitiveSets, KeepTheReserveOfTheTurningRadius) {
   const double tightest_m = vehicle_.turning_radius_m * (1.0 + PrimitiveParams{}.radius_reserve);
-  each([&](const MotionPrimitive& primitive) {
-    for (double way = 0.0; way < primitive.curve.length_m(); way += 0.01) {
-      EXPECT_LE(std::abs(primitives_.curvature_at(primitive, way)), 1.0 / tightest_m + kRounding);
+  for_each([&](const MotionPrimitive& primitive) {
+    for (double s_m = 0.0; s_m < primitive.curve.length_m(); s_m += 0.01) {
+      EXPECT_LE(std::abs(primitives_.curvature_at(primitive, s_m)), 1.0 / tightest_m + kRounding);
     }
   });
 }
 
-TEST_P(EachPrimitiveSet, EndsABendInAnotherHeading) {
-  each([&](const MotionPrimitive& primitive) {
+TEST_P(MotionPrimitiveSets, ChangeTheHeadingInEachBend) {
+  for_each([&](const MotionPrimitive& primitive) {
     EXPECT_EQ(primitive.curve.turn_rad != 0.0, primitive.from != primitive.to);
   });
 }
 
-TEST_P(EachPrimitiveSet, ReachesEachHeadingOnAnEmptyMapForwards) {
+TEST_P(MotionPrimitiveSets, ReachAllHeadingsForwards) {
   std::set<int> reached{0};
   for (int round = 0; round < headings_.count(); ++round) {
     for (const int k : std::set<int>(reached)) {
@@ -111,18 +111,18 @@ TEST_P(EachPrimitiveSet, ReachesEachHeadingOnAnEmptyMapForwards) {
   EXPECT_EQ(reached.size(), static_cast<std::size_t>(headings_.count()));
 }
 
-TEST_P(EachPrimitiveSet, SweepsAllPosesInBetween) {
-  each([&](const MotionPrimitive& primitive) {
-    for (double way = 0.0; way < primitive.curve.length_m(); way += 0.013) {
-      const Pose2 pose = primitives_.pose_at(primitive, way);
+TEST_P(MotionPrimitiveSets, SweepAllPosesInBetween) {
+  for_each([&](const MotionPrimitive& primitive) {
+    for (double s_m = 0.0; s_m < primitive.curve.length_m(); s_m += 0.013) {
+      const Pose2 pose = primitives_.pose_at(primitive, s_m);
       const auto near = [&](double column, double row, int heading) {
-        // Sampled each twentieth of a cell, a corner may be cut by as much.
-        const double off =
+        // Poses are sampled at each twentieth of a cell: a corner may be missed by as much.
+        const double distance =
             std::max(std::abs(pose.x / kCellM - column), std::abs(pose.y / kCellM - row));
         const double turn = std::abs(angle_diff(pose.theta, headings_.angle(heading)));
         const double half = std::max(headings_.half_gap(heading),
                                      headings_.half_gap(headings_.wrapped(heading - 1)));
-        return off <= 0.5 + 0.05 && turn <= half + 0.01;
+        return distance <= 0.5 + 0.05 && turn <= half + 0.01;
       };
       EXPECT_TRUE(near(0, 0, primitive.from) ||
                   std::any_of(primitive.swept.begin(), primitive.swept.end(),
@@ -131,8 +131,8 @@ TEST_P(EachPrimitiveSet, SweepsAllPosesInBetween) {
   });
 }
 
-/// Whether a kernel has the cell of a point.
-bool has(const RunKernel& kernel, const Eigen::Vector2d& p) {
+/// Whether a kernel contains the cell of a point.
+bool contains(const RunKernel& kernel, const Eigen::Vector2d& p) {
   const auto column = static_cast<int>(std::lround(p.x() / kCellM));
   const auto row = static_cast<int>(std::lround(p.y() / kCellM));
   return std::any_of(kernel.runs.begin(), kernel.runs.end(), [&](const RunKernel::Run& run) {
@@ -140,27 +140,28 @@ bool has(const RunKernel& kernel, const Eigen::Vector2d& p) {
   });
 }
 
-TEST_P(EachPrimitiveSet, CoversAllThatTheTrueFootprintComesOver) {
+TEST_P(MotionPrimitiveSets, CoverTheSweptFootprint) {
   const BodyRectangle body = body_outline(vehicle_);
   std::mt19937 engine(1);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
-  each([&](const MotionPrimitive& primitive) {
-    for (double way = 0.0; way < primitive.curve.length_m(); way += 0.017) {
-      const Pose2 pose = primitives_.pose_at(primitive, way);
+  for_each([&](const MotionPrimitive& primitive) {
+    for (double s_m = 0.0; s_m < primitive.curve.length_m(); s_m += 0.017) {
+      const Pose2 pose = primitives_.pose_at(primitive, s_m);
       const Eigen::Vector2d anywhere(share(engine), share(engine));
-      ASSERT_TRUE(has(primitive.body, pose * (body.middle + body.half.cwiseProduct(anywhere))));
-      ASSERT_TRUE(has(primitive.body, pose * (body.middle + body.half)));
+      ASSERT_TRUE(
+          contains(primitive.body, pose * (body.middle + body.half.cwiseProduct(anywhere))));
+      ASSERT_TRUE(contains(primitive.body, pose * (body.middle + body.half)));
       for (const BodyRectangle& track : wheel_tracks(vehicle_)) {
-        ASSERT_TRUE(has(primitive.wheels, pose * (track.middle + track.half)));
+        ASSERT_TRUE(contains(primitive.wheels, pose * (track.middle + track.half)));
         ASSERT_TRUE(
-            has(primitive.wheels, pose * (track.middle + track.half.cwiseProduct(anywhere))));
+            contains(primitive.wheels, pose * (track.middle + track.half.cwiseProduct(anywhere))));
       }
     }
   });
 }
 
-TEST_P(EachPrimitiveSet, CoversNoMoreThanACellBesideIt) {
-  each([&](const MotionPrimitive& primitive) {
+TEST_P(MotionPrimitiveSets, CoverAtMostACellBesideTheFootprint) {
+  for_each([&](const MotionPrimitive& primitive) {
     if (primitive.from != primitive.to) return;
     const Pose2 T_grid_body{0.0, 0.0, headings_.angle(primitive.from)};
     const double most = vehicle_.width_m / 2.0 + 0.02 + kCellM * std::sqrt(0.5);
@@ -174,9 +175,9 @@ TEST_P(EachPrimitiveSet, CoversNoMoreThanACellBesideIt) {
   });
 }
 
-TEST_P(EachPrimitiveSet, IsItsOwnMirrorImage) {
+TEST_P(MotionPrimitiveSets, AreMirrorSymmetric) {
   const LatticeSymmetry mirror{true, 0};
-  each([&](const MotionPrimitive& primitive) {
+  for_each([&](const MotionPrimitive& primitive) {
     const MotionPrimitive image = mirror.of(primitive, headings_);
     const auto& there = primitives_.from(image.from);
     EXPECT_EQ(std::count_if(there.begin(), there.end(),
@@ -188,7 +189,7 @@ TEST_P(EachPrimitiveSet, IsItsOwnMirrorImage) {
   });
 }
 
-TEST(MotionPrimitives, RejectsARadiusThatAckermannSteeringCannotDo) {
+TEST(MotionPrimitives, RejectARadiusOfLessThanHalfTheWheelbaseWithAckermannSteering) {
   Vehicle vehicle;
   vehicle.steering = "ackermann";
   vehicle.turning_radius_m = 0.7;

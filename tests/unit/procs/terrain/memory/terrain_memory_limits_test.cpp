@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where memory is not to be trusted, and that it is bounded.
+// Cases in which memory must not be used, and its bounds.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -16,18 +16,18 @@ const Eigen::AlignedBox2d kBeside(Eigen::Vector2d(-2.0, 0.8), Eigen::Vector2d(1.
 
 bool is_seen(const TerrainCell& cell) { return cell.ground == Ground::kObserved; }
 
-TEST(TerrainMemoryLimits, LooksOfTooLongAgoAreForgotten) {
+TEST(TerrainMemoryLimits, OldScansAreDiscarded) {
   for (const double detour_m : {3.0, 6.0}) {
     ScanningVehicle vehicle(kFirst);
     vehicle.scan(add_tunnel);
     vehicle.drive_to({detour_m, 0.0, 0.0});
-    vehicle.drive_to(kHere);  // 12 m after the look, or 18 m
+    vehicle.drive_to(kHere);  // 12 m or 18 m after the scan
     const TerrainMap map = vehicle.scan(add_tunnel);
     EXPECT_EQ(share_of(map, kBeside, is_seen), detour_m < 4.5 ? 1.0 : 0.0) << detour_m;
   }
 }
 
-TEST(TerrainMemoryLimits, KeepsOnlySoManyMaps) {
+TEST(TerrainMemoryLimits, LimitsTheNumberOfMaps) {
   TerrainParams params;
   params.memory.maps_max = 2;
   ScanningVehicle vehicle(kHere, params);
@@ -37,7 +37,7 @@ TEST(TerrainMemoryLimits, KeepsOnlySoManyMaps) {
   }
 }
 
-TEST(TerrainMemoryLimits, NoneIsKeptWhereNoneIsWanted) {
+TEST(TerrainMemoryLimits, StoresNoMapsIfDisabled) {
   TerrainParams params;
   params.memory.maps_max = 0;
   ScanningVehicle vehicle(kFirst, params);
@@ -46,7 +46,7 @@ TEST(TerrainMemoryLimits, NoneIsKeptWhereNoneIsWanted) {
   EXPECT_EQ(share_of(vehicle.scan(add_tunnel), kBeside, is_seen), 0.0);
 }
 
-TEST(TerrainMemoryLimits, AJumpOfOdomEndsIt) {
+TEST(TerrainMemoryLimits, AJumpOfOdomClearsIt) {
   ScanningVehicle vehicle(kFirst);
   vehicle.scan(add_tunnel);
   vehicle.drive_to(kHere);
@@ -54,7 +54,7 @@ TEST(TerrainMemoryLimits, AJumpOfOdomEndsIt) {
   EXPECT_EQ(vehicle.memory().maps(), 0U);
 }
 
-TEST(TerrainMemoryLimits, ItGoesOnInANewOdomOnceThatIsTiedToTheOneBefore) {
+TEST(TerrainMemoryLimits, ItResumesInANewOdomFrameThatIsAnchored) {
   const Pose2 T_new_old{90.0, -4.0, 2.0};
   const auto rescan = [&](bool anchored) {
     ScanningVehicle vehicle(kFirst);
@@ -71,7 +71,7 @@ TEST(TerrainMemoryLimits, ItGoesOnInANewOdomOnceThatIsTiedToTheOneBefore) {
   EXPECT_EQ(rescan(false), 0.0);
 }
 
-TEST(TerrainMemoryLimits, ANewOdomThatDoesNotJumpEndsItToo) {
+TEST(TerrainMemoryLimits, ANewOdomFrameWithoutAJumpClearsIt) {
   ScanningVehicle vehicle(kFirst);
   vehicle.scan(add_tunnel);
   vehicle.drive_to(kHere);
@@ -84,7 +84,7 @@ TEST(TerrainMemoryLimits, ANewOdomThatDoesNotJumpEndsItToo) {
   EXPECT_EQ(vehicle.memory().maps(), 1U);
 }
 
-TEST(TerrainMemoryLimits, ALookWhoseWallsAreElsewhereIsRejected) {
+TEST(TerrainMemoryLimits, AScanWithMovedWallsIsRejected) {
   for (const Pose2& wrong : {Pose2{0.0, 0.5, 0.0}, Pose2{0.0, 0.0, 0.1}}) {
     ScanningVehicle vehicle(kFirst);
     vehicle.scan(add_tunnel, false, 0.0, wrong);
@@ -95,8 +95,8 @@ TEST(TerrainMemoryLimits, ALookWhoseWallsAreElsewhereIsRejected) {
   }
 }
 
-TEST(TerrainMemoryLimits, ALookWhoseGroundIsAnotherIsRejected) {
-  const auto ramp = [](MeshBuilder& builder) {  // of a level that is off by 10 degrees
+TEST(TerrainMemoryLimits, AScanWithDifferentGroundIsRejected) {
+  const auto ramp = [](MeshBuilder& builder) {  // a level with an error of 10 degrees
     const auto corner = [&](float x, float y) {
       return builder.vertex({x, y, 0.18F * (x + 6.0F)});
     };

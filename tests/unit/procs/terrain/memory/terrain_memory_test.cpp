@@ -12,11 +12,12 @@
 namespace adit {
 namespace {
 
-// Of a height: noise of one look as in the tests of the terrain, and as much of the other.
+// Error of a height: the noise of one scan as in the tests of the terrain, and as much of the
+// other.
 constexpr double kNoise = 0.04;
 const Pose2 kFirst{-6.0, 0.0, 0.0};
 const Pose2 kHere{0.0, 0.0, 0.0};
-/// Around the vehicle that stands at kHere: no beam of its front laser meets the ground there.
+/// Around the vehicle at kHere, where no beam of its front laser hits the ground.
 const Eigen::AlignedBox2d kBlind(Eigen::Vector2d(-2.4, -1.5), Eigen::Vector2d(1.9, 1.5));
 
 bool is_even(const TerrainCell& cell) {
@@ -35,7 +36,7 @@ ScanningVehicle::Build tunnel_with_rock(const Eigen::Vector3d& middle,
   return tunnel_with([=](MeshBuilder& builder) { add_rock(builder, middle, size); });
 }
 
-TEST(TerrainMemory, ASecondLookHasNoHolesWhereTheFirstOneSaw) {
+TEST(TerrainMemory, FillsHolesOfASecondScanFromTheFirst) {
   ScanningVehicle vehicle(kFirst);
   vehicle.scan(add_tunnel);
   vehicle.drive_to(kHere);
@@ -46,7 +47,7 @@ TEST(TerrainMemory, ASecondLookHasNoHolesWhereTheFirstOneSaw) {
   EXPECT_EQ(vehicle.memory().recall_result().changed, 0);
 }
 
-TEST(TerrainMemory, ASingleLookIsAsItIsWithoutMemory) {
+TEST(TerrainMemory, DoesNotChangeASingleScan) {
   ScanningVehicle vehicle(kHere);
   const TerrainMap map = vehicle.scan(add_tunnel);
   const TerrainMap single_scan = Terrain({}).make(cloud_of(add_tunnel));
@@ -57,7 +58,7 @@ TEST(TerrainMemory, ASingleLookIsAsItIsWithoutMemory) {
   EXPECT_EQ(share_of(map, ahead, is_seen), share_of(single_scan, ahead, is_seen));
 }
 
-TEST(TerrainMemory, LooksForwardsAndBackFromOnePlaceMakeOneMap) {
+TEST(TerrainMemory, CombinesScansOfBothLasersFromOnePlace) {
   ScanningVehicle vehicle(kHere);
   vehicle.scan(add_tunnel);
   const TerrainMap map = vehicle.scan(add_tunnel, true);
@@ -65,10 +66,11 @@ TEST(TerrainMemory, LooksForwardsAndBackFromOnePlaceMakeOneMap) {
   const Eigen::AlignedBox2d behind(Eigen::Vector2d(-10.0, -1.5), Eigen::Vector2d(-2.5, 1.5));
   EXPECT_EQ(share_of(map, ahead, is_even), 1.0);
   EXPECT_EQ(share_of(map, behind, is_even), 1.0);
-  EXPECT_NEAR(map.p_level_corner.x(), -14.0, map.cell_m);  // 6 m are before the rear laser's back
+  EXPECT_NEAR(map.p_level_corner.x(), -14.0,
+              map.cell_m);  // 6 m of the map lie behind the rear laser
 }
 
-TEST(TerrainMemory, HeightsAreCarriedOverOnRisingGround) {
+TEST(TerrainMemory, TransfersHeightsOnRisingGround) {
   constexpr double kGrade = 0.06;
   const auto ramp = [&](MeshBuilder& builder) {
     const auto corner = [&](float x, float y) {
@@ -86,18 +88,18 @@ TEST(TerrainMemory, HeightsAreCarriedOverOnRisingGround) {
   }
 }
 
-TEST(TerrainMemory, WhatStoodWhereNobodyLooksStillStands) {
+TEST(TerrainMemory, RetainsObstaclesOutsideTheFieldOfView) {
   const auto tunnel = tunnel_with_rock({1.5, 0.9, 0.25}, {0.4, 0.4, 0.5});
   ScanningVehicle vehicle(kFirst);
   vehicle.scan(tunnel);
   vehicle.drive_to(kHere);
   const TerrainMap map = vehicle.scan(tunnel);
   for (const double y : {0.75, 0.95}) {
-    EXPECT_NEAR(cell_at(map, 1.35, y).coefficient_m, 0.5, 0.1) << y;  // the face that was seen
+    EXPECT_NEAR(cell_at(map, 1.35, y).coefficient_m, 0.5, 0.1) << y;  // the observed face
   }
 }
 
-TEST(TerrainMemory, ADropThatWasSeenStaysOne) {
+TEST(TerrainMemory, RetainsADrop) {
   const auto pit = [](MeshBuilder& builder) {
     add_ground(builder, -15.0, 1.3);
     add_ground(builder, 1.3, 2.3, -1.0);
@@ -112,14 +114,14 @@ TEST(TerrainMemory, ADropThatWasSeenStaysOne) {
   EXPECT_EQ(cell_at(map, 1.75, 0.0).ground, Ground::kBelowRay);
 }
 
-/// A rock of 1.2 m, higher than the laser, and how much of its plan the look at it alone takes for
-/// ground: some cells along its sides, where beams pass close by.
+/// A rock of 1.2 m, higher than the laser, and the share of its footprint that a single scan of it
+/// classifies as ground: some cells along its sides, which beams pass closely.
 const ScanningVehicle::Build kFallen = tunnel_with_rock({4.0, 0.0, 0.4}, {1.2, 1.2, 0.8});
 const Eigen::AlignedBox2d kPlan(Eigen::Vector2d(3.4, -0.6), Eigen::Vector2d(4.6, 0.6));
 
 double even_share_alone() { return share_of(Terrain({}).make(cloud_of(kFallen)), kPlan, is_even); }
 
-TEST(TerrainMemory, ARockThatHasFallenSinceIsInTheMapWithWhatItHides) {
+TEST(TerrainMemory, AddsAFallenRockWithItsOccludedPart) {
   ScanningVehicle vehicle(kFirst);
   vehicle.scan(add_tunnel);
   vehicle.drive_to(kHere);
@@ -127,10 +129,10 @@ TEST(TerrainMemory, ARockThatHasFallenSinceIsInTheMapWithWhatItHides) {
   EXPECT_GT(cell_at(map, 3.45, 0.0).coefficient_m, 0.5);
   EXPECT_EQ(share_of(map, kPlan, is_even), even_share_alone());
   EXPECT_GT(vehicle.memory().recall_result().changed, 0);
-  EXPECT_EQ(share_of(map, kBlind, is_even), 1.0);  // far from it all is as it was
+  EXPECT_EQ(share_of(map, kBlind, is_even), 1.0);  // far from the rock nothing changes
 }
 
-TEST(TerrainMemory, WhatAFallenRockHidesStaysUnknownForLaterLooks) {
+TEST(TerrainMemory, TheGroundBehindAFallenRockStaysUnknownInLaterScans) {
   ScanningVehicle vehicle(kFirst);
   vehicle.scan(add_tunnel);
   vehicle.drive_to(kHere);
@@ -140,7 +142,7 @@ TEST(TerrainMemory, WhatAFallenRockHidesStaysUnknownForLaterLooks) {
   EXPECT_LE(share_of(map, kPlan, is_even), even_share_alone() + 1e-9);
 }
 
-TEST(TerrainMemory, WhatIsGoneIsForgotten) {
+TEST(TerrainMemory, ForgetsObstaclesThatHaveDisappeared) {
   ScanningVehicle vehicle(kFirst);
   vehicle.scan(tunnel_with_rock({4.0, 0.0, 0.3}, {0.6, 0.6, 0.6}));
   vehicle.drive_to(kHere);

@@ -10,8 +10,8 @@
 namespace adit {
 namespace {
 
-constexpr double kLaserHeight = 0.62;  // above the ground [m]
-constexpr double kLaserAhead = 1.05;   // of the body's origin [m]
+constexpr double kLaserHeight = 0.62;  // height above the ground [m]
+constexpr double kLaserAhead = 1.05;   // ahead of the origin of body [m]
 
 TerrainMap map_of(const std::function<void(MeshBuilder&)>& add) {
   return Terrain({}).make(cloud_of(add));
@@ -21,16 +21,16 @@ std::function<bool(const TerrainCell&)> is(Ground ground) {
   return [ground](const TerrainCell& cell) { return cell.ground == ground; };
 }
 
-TEST(UnseenGround, BehindTheLaserNothingWasEverSeen) {
+TEST(UnseenGround, IsNeverObservedBehindTheLaser) {
   const TerrainMap map = map_of(add_tunnel);
   EXPECT_EQ(cell_at(map, -2.0, 0.0).ground, Ground::kNeverObserved);
   EXPECT_TRUE(std::isnan(cell_at(map, -2.0, 0.0).low_m));
   EXPECT_TRUE(std::isnan(cell_at(map, -2.0, 0.0).coefficient_m));
-  // At 30° the steepest beam meets the ground 1.07 m ahead of the laser.
+  // At 30° the steepest beam hits the ground 1.07 m ahead of the laser.
   EXPECT_EQ(cell_at(map, 1.7, 0.0).ground, Ground::kNeverObserved);
 }
 
-TEST(UnseenGround, LiesInTheShadowOfAPillar) {
+TEST(UnseenGround, IsOccludedInTheShadowOfAPillar) {
   const TerrainMap map = map_of([](MeshBuilder& builder) {
     add_tunnel(builder);
     add_rock(builder, {4.0, 0.0, 1.0}, {0.5, 0.5, 2.0});
@@ -41,18 +41,19 @@ TEST(UnseenGround, LiesInTheShadowOfAPillar) {
   EXPECT_EQ(share_of(map, beside, is(Ground::kObserved)), 1.0);
 }
 
-TEST(UnseenGround, OfAPitIsBelowTheBeamsOverIt) {
+TEST(UnseenGround, InAPitIsBelowTheBeamsOverIt) {
   const TerrainMap map = map_of([](MeshBuilder& builder) {
     add_ground(builder, -5.0, 4.0);
     add_ground(builder, 4.0, 5.5, -1.0);
     add_ground(builder, 5.5, 15.0);
   });
-  // Two cells from its edges: a region that reaches over the edge shows the ground beyond it.
+  // Two cells from its edges: a region across the edge shows the ground beyond it.
   const Eigen::AlignedBox2d pit(Eigen::Vector2d(4.2, -1.0), Eigen::Vector2d(5.2, 1.0));
   EXPECT_EQ(share_of(map, pit, is(Ground::kBelowRay)), 1.0);
   const double edge_grade = kLaserHeight / (4.0 - kLaserAhead);
   for (const double x : {4.35, 4.75, 5.05}) {
-    // The first beam over the edge passes at most a line, 0.3° here, above that along the edge.
+    // The first beam over the edge passes at most one line, here 0.3°, above the one along the
+    // edge.
     const double along_edge = -edge_grade * (x - 4.0);
     EXPECT_NEAR(cell_at(map, x, 0.05).low_m, along_edge, 0.3 * 0.0175 * (x - kLaserAhead) + 0.03);
   }
@@ -60,8 +61,8 @@ TEST(UnseenGround, OfAPitIsBelowTheBeamsOverIt) {
   EXPECT_LT(cell_at(map, 6.5, 0.0).coefficient_m, 0.03);
 }
 
-/// Of a rail as high as ours, and the beams that pass over it.
-TEST(UnseenGround, BehindARailIsHiddenAndNoDrop) {
+/// For a rail of standard height, and the beams that pass over it.
+TEST(UnseenGround, BehindARailIsOccludedAndNotADrop) {
   const auto rail = [](MeshBuilder& builder) {
     add_rock(builder, {5.0, 0.0, 0.05}, {0.06, 2.0, 0.1});
   };
@@ -75,7 +76,8 @@ TEST(UnseenGround, BehindARailIsHiddenAndNoDrop) {
   const TerrainMap pit = map_of([&](MeshBuilder& builder) {
     add_ground(builder, -5.0, 5.1);
     add_ground(builder, 5.1, 9.5, -1.0);
-    add_rock(builder, {12.25, 0.0, -0.5}, {5.5, 8.0, 1.0});  // its far wall, and the ground behind
+    add_rock(builder, {12.25, 0.0, -0.5},
+             {5.5, 8.0, 1.0});  // the far wall of the pit, and the ground behind it
     rail(builder);
   });
   EXPECT_EQ(share_of(pit, behind, is(Ground::kBelowRay)), 1.0);
@@ -92,7 +94,7 @@ TEST(UnseenGround, BeyondACrestIsBelowTheBeamsOverIt) {
 
 constexpr double kRailHeight = 0.12;  // [m]
 
-/// Level ground, and across it a rail with its middle at `x_m`.
+/// Level ground with a rail across it, whose centre is at `x_m`.
 std::function<void(MeshBuilder&)> with_rail(double x_m) {
   return [x_m](MeshBuilder& builder) {
     add_ground(builder, -5.0, 15.0);
@@ -100,14 +102,14 @@ std::function<void(MeshBuilder&)> with_rail(double x_m) {
   };
 }
 
-TEST(UnseenGround, BehindARailNearByIsNoDrop) {
+TEST(UnseenGround, BehindANearRailIsNotADrop) {
   const TerrainMap map = map_of(with_rail(2.6));
   // Its shadow is 1.58 m · 0.12 / 0.50 = 0.38 m long.
   const Eigen::AlignedBox2d behind(Eigen::Vector2d(2.65, -1.0), Eigen::Vector2d(4.0, 1.0));
   EXPECT_EQ(share_of(map, behind, is(Ground::kObserved)), 1.0);
 }
 
-TEST(UnseenGround, BehindARailAfarIsNotKnown) {
+TEST(UnseenGround, BehindADistantRailIsUnknown) {
   const TerrainMap map = map_of(with_rail(5.0));
   // Its shadow is 3.92 m · 0.12 / 0.50 = 0.94 m long; two cells from its ends, as for a pit.
   const Eigen::AlignedBox2d shadow(Eigen::Vector2d(5.25, -1.0), Eigen::Vector2d(5.75, 1.0));
@@ -116,7 +118,7 @@ TEST(UnseenGround, BehindARailAfarIsNotKnown) {
   EXPECT_EQ(share_of(map, beyond, is(Ground::kObserved)), 1.0);
 }
 
-TEST(UnseenGround, OfAPitBehindARailIsBelowTheBeamsOverIt) {
+TEST(UnseenGround, InAPitBehindARailIsBelowTheBeamsOverIt) {
   const TerrainMap map = map_of([](MeshBuilder& builder) {
     add_ground(builder, -5.0, 2.7);
     add_rock(builder, {2.6, 0.0, kRailHeight / 2.0}, {0.06, 4.0, kRailHeight});
@@ -127,7 +129,7 @@ TEST(UnseenGround, OfAPitBehindARailIsBelowTheBeamsOverIt) {
   EXPECT_EQ(share_of(map, pit, is(Ground::kBelowRay)), 1.0);
 }
 
-TEST(UnseenGround, OfWaterReturnsNothing) {
+TEST(UnseenGround, UnderWaterReturnsNoBeams) {
   const TerrainMap map = map_of([](MeshBuilder& builder) {
     add_ground(builder, -5.0, 15.0);
     builder.begin_part(PartKind::kWater, Material::kWater, "water");
@@ -139,14 +141,14 @@ TEST(UnseenGround, OfWaterReturnsNothing) {
   EXPECT_EQ(cell_at(map, 7.0, 0.0).ground, Ground::kObserved);
 }
 
-TEST(UnseenGround, BetweenLinesOnLevelGroundIsTheGround) {
+TEST(UnseenGround, BetweenLinesOnLevelGroundIsInterpolated) {
   const TerrainMap map = map_of(add_tunnel);
   // At 8 m from the laser the lines are 0.45 m apart, more than a region is wide.
   const Eigen::AlignedBox2d far(Eigen::Vector2d(8.0, -1.0), Eigen::Vector2d(9.0, 1.0));
   EXPECT_EQ(share_of(map, far, is(Ground::kObserved)), 1.0);
   EXPECT_GT(share_of(map, far, [](const TerrainCell& cell) { return cell.count == 0; }), 0.1);
   for_cells(map, far, [](const TerrainCell& cell) {
-    EXPECT_NEAR(cell.low_m, 0.0, 0.03);  // noise as on seen ground
+    EXPECT_NEAR(cell.low_m, 0.0, 0.03);  // noise as on observed ground
     EXPECT_LT(cell.coefficient_m, 0.03);
   });
 }

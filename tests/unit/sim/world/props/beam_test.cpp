@@ -19,7 +19,7 @@ PropDescriptions with_beam() {
   return props;
 }
 
-TEST(Beam, SpansTheDriftFromTheFloorToItsHighEnd) {
+TEST(Beam, SpansTheTunnelFromTheFloorToItsHighEnd) {
   const PropScene scene(with_beam());
   const Obstacle* beam = scene.obstacle("beam");
   ASSERT_NE(beam, nullptr);
@@ -33,22 +33,22 @@ TEST(Beam, SpansTheDriftFromTheFloorToItsHighEnd) {
   EXPECT_NEAR(beam->z_low_m, 0.0, 0.02);
 }
 
-TEST(Beam, StandsInTheWayAtTheHeightOfItsSlope) {
+TEST(Beam, BlocksRaysAtTheHeightOfItsSlope) {
   const PropScene scene(with_beam());
-  // Half-way across its middle is half-way between 0.125 m and 1.6 m.
+  // In the centre of the tunnel its height is the mean of 0.125 m and 1.6 m.
   const auto up = scene.range({30.0, 0.0, 0.0}, kUp);
   ASSERT_TRUE(up.has_value());
   const double tilt = std::atan2(1.6 - 0.125, 4.2 / std::cos(0.3));
   EXPECT_NEAR(*up, (1.6 + 0.125) / 2.0 - 0.125 / std::cos(tilt), 1e-3);
 }
 
-TEST(Cable, HangsAsAParabolaOfTheSagAskedFor) {
+TEST(Cable, HangsAsAParabolaWithTheGivenSag) {
   const PropScene scene(with_beam());
   const Obstacle* cable = scene.obstacle("cable");
   ASSERT_NE(cable, nullptr);
   EXPECT_NEAR(cable->z_low_m, 2.0 - 0.9 - 0.015, 1e-3);
   EXPECT_NEAR(cable->z_high_m, 2.0 + 0.015, 0.005);  // its ends are cut at right angles to it
-  // In all cross-sections, 8 vertices each, the middle is on the parabola.
+  // The centres of all cross-sections of 8 vertices are on the parabola.
   const auto& mesh = scene.world.mesh;
   const auto part = std::find_if(mesh.parts.begin(), mesh.parts.end(),
                                  [](const Part& p) { return p.kind == PartKind::kCable; });
@@ -66,9 +66,9 @@ TEST(Cable, HangsAsAParabolaOfTheSagAskedFor) {
   }
 }
 
-TEST(Cable, IsAsThickToARayAsToOneWhoMeasures) {
+TEST(Cable, HasItsDiameterForRays) {
   const PropScene scene(with_beam());
-  // Down through the lowest place of the cable, then up: the ways leave its diameter.
+  // Rays down to and up to the lowest point of the cable: the difference is its diameter.
   const auto& cable = *scene.obstacle("cable");
   double y = 0.0;
   for (const Eigen::Vector2d& p : cable.outline) {

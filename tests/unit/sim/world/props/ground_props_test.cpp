@@ -12,14 +12,14 @@ namespace {
 const Eigen::Vector3d kDown = -Eigen::Vector3d::UnitZ();
 const ReliefDescription kRelief{.height_m = 0.03, .length_m = 2.0};
 
-TEST(Pits, AreAsDeepAndWideAsToldWithSteepSides) {
+TEST(Pits, HaveTheGivenDepthAndSteepSides) {
   PropDescriptions props;
   props.pits.push_back({.name = "sump", .tunnel = "main", .at_m = 30.0, .across_m = 0.5});
   const PropScene scene(props);
   EXPECT_EQ(scene.heights.floor({30.0, 0.5}), -1.0);
   EXPECT_EQ(scene.heights.floor({30.69, 0.5}), -1.0);
   EXPECT_EQ(scene.heights.floor({30.81, 0.5}), 0.0);
-  EXPECT_NEAR(scene.heights.floor({30.75, 0.5}), -0.5, 1e-9);  // half-way down its side of 0.1 m
+  EXPECT_NEAR(scene.heights.floor({30.75, 0.5}), -0.5, 1e-9);  // in the middle of its side of 0.1 m
   const Obstacle* pit = scene.obstacle("sump");
   ASSERT_NE(pit, nullptr);
   EXPECT_EQ(pit->kind, PartKind::kFloor);
@@ -59,7 +59,7 @@ PropDescriptions with_water(bool mirror) {
   return props;
 }
 
-TEST(StandingWater, IsLevelAndOfTheDepthAskedFor) {
+TEST(StandingWater, IsLevelAndHasTheGivenDepth) {
   const PropScene scene(with_water(false), kRelief);
   ASSERT_EQ(scene.world.water.size(), 1U);
   const double level = scene.world.water[0].level_m;
@@ -70,7 +70,7 @@ TEST(StandingWater, IsLevelAndOfTheDepthAskedFor) {
   }
 }
 
-TEST(StandingWater, IsThereForLasersAndNotForWheels) {
+TEST(StandingWater, IsSolidForLasersOnly) {
   for (const bool mirror : {false, true}) {
     const PropScene scene(with_water(mirror));
     EXPECT_TRUE(scene.range({30.0, 0.0, 1.0}, kDown).has_value());
@@ -98,7 +98,7 @@ TEST(Mud, IsSoftGroundAndAnObstacle) {
   EXPECT_NEAR(scene.obstacle("mud")->z_low_m, -0.15, 1e-12);
 }
 
-TEST(Gas, IsWhereItWasPut) {
+TEST(Gas, IsAtItsPosition) {
   PropDescriptions props;
   props.gas.push_back({.name = "gas", .tunnel = "bent", .at_m = 10.0});
   const PropScene scene(props);

@@ -13,7 +13,7 @@
 namespace adit {
 namespace {
 
-/// How far outside of a convex outline a point lies; 0 or less within.
+/// Distance of a point from a convex outline; 0 or less inside.
 double outside(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d& p) {
   double farthest = -1e9;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -103,20 +103,20 @@ std::string error_of(const PropDescriptions& props) {
   return "";
 }
 
-TEST(Props, InADriftThatIsNotThereAreRejectedByName) {
+TEST(Props, InAnUnknownTunnelAreRejectedByName) {
   PropDescriptions props = one_of_each();
   props.posts.push_back({.tunnel = "mian", .from_m = 3.0});
-  EXPECT_THAT(error_of(props), testing::StartsWith("props.posts[1] is in drift 'mian'"));
+  EXPECT_THAT(error_of(props), testing::StartsWith("props.posts[1] is in tunnel 'mian'"));
   props = {};
   props.water.push_back({.name = "pool", .tunnel = "mian", .from_m = 1.0, .to_m = 2.0});
-  EXPECT_THAT(error_of(props), testing::StartsWith("props.water[0] is in drift 'mian'"));
+  EXPECT_THAT(error_of(props), testing::StartsWith("props.water[0] is in tunnel 'mian'"));
 }
 
-TEST(Props, BeyondTheEndOfTheirDriftAreRejectedByName) {
+TEST(Props, BeyondTheEndOfTheirTunnelAreRejectedByName) {
   PropDescriptions props;
   props.beams.push_back({.tunnel = "main", .at_m = 60.5});
   EXPECT_EQ(error_of(props),
-            "props.beams[0]: 60.5 m is not along drift 'main', which is 60 m long");
+            "props.beams[0]: 60.5 m is not along tunnel 'main', which is 60 m long");
   props = {};
   props.low_roofs.push_back({.name = "low", .tunnel = "main", .from_m = 50.0, .to_m = 61.0});
   EXPECT_THAT(error_of(props), testing::StartsWith("props.low_roofs[0]: 61 m is not along"));

@@ -22,7 +22,7 @@ PropDescriptions with_rails(const std::string& tunnel) {
   return props;
 }
 
-/// Across-coordinates at which a level line across the drift at x enters or leaves steel.
+/// Across-coordinates at which a level line across the tunnel at x enters or leaves steel.
 std::vector<double> crossings(const PropScene& scene, double x, double z) {
   std::vector<double> found;
   double y = -2.0;
@@ -34,7 +34,7 @@ std::vector<double> crossings(const PropScene& scene, double x, double z) {
   return found;
 }
 
-TEST(Rails, AreTwoHeadsTheGaugeApartAtEveryStation) {
+TEST(Rails, AreTwoHeadsAtTheGaugeEverywhere) {
   const PropScene scene(with_rails("main"));
   for (const double x : {5.01, 20.3, 44.99}) {
     const std::vector<double> faces = crossings(scene, x, 0.09);
@@ -46,7 +46,7 @@ TEST(Rails, AreTwoHeadsTheGaugeApartAtEveryStation) {
   EXPECT_TRUE(crossings(scene, 45.1, 0.09).empty());
 }
 
-TEST(Rails, RiseNoHigherThanToldAboveTheReliefOfTheFloor) {
+TEST(Rails, HaveTheGivenHeightAboveTheReliefOfTheFloor) {
   const ReliefDescription relief{.height_m = 0.03, .length_m = 2.0};
   const PropScene scene(with_rails("bent"), relief);
   for (const Eigen::Vector3f& p : scene.world.mesh.vertices) {
@@ -92,18 +92,18 @@ TEST(Posts, StandFromFloorToRoofAndStopARay) {
       EXPECT_LE(post.z_low_m, scene.heights.floor(p));
       EXPECT_GE(post.z_high_m, scene.heights.roof(p));
     }
-    EXPECT_NEAR(std::abs(middle.y()), 1.2, 0.1);  // leans by 2 m · 0.03 at most; uneven corners
+    EXPECT_NEAR(std::abs(middle.y()), 1.2, 0.1);  // leans by at most 2 m · 0.03; random corners
     EXPECT_TRUE(scene.range({middle.x() - 1.0, middle.y(), 1.0}, kAhead).has_value());
   }
 }
 
-TEST(Posts, AreOneWhereNoRowIsAskedFor) {
+TEST(Posts, AreSingleWithoutARow) {
   PropDescriptions props;
   props.posts.push_back({.tunnel = "main", .from_m = 10.0});
   EXPECT_EQ(PropScene(props).world.truth.obstacles.size(), 1U);
 }
 
-TEST(Cribs, FillTheFrontier) {
+TEST(Cribs, ReachFromFloorToRoof) {
   PropDescriptions props;
   props.cribs.push_back({.tunnel = "main", .at_m = 30.0, .across_m = -0.5});
   const PropScene scene(props);
@@ -111,12 +111,12 @@ TEST(Cribs, FillTheFrontier) {
   ASSERT_NE(crib, nullptr);
   EXPECT_LE(crib->z_low_m, 0.0);
   EXPECT_GE(crib->z_high_m, 2.0);
-  for (const double z : {0.03, 1.0, 1.95}) {  // timbers cross: from any side one is in the way
+  for (const double z : {0.03, 1.0, 1.95}) {  // timbers cross: rays from any side hit one
     EXPECT_TRUE(scene.range({28.0, -0.85, z}, kAhead).has_value()) << z;
   }
 }
 
-TEST(Rubble, IsAConeOfTheHeightAskedForUnderACavity) {
+TEST(Rubble, IsAConeOfTheGivenHeightUnderACavity) {
   PropDescriptions props;
   props.rubble.push_back({.tunnel = "main", .at_m = 30.0, .radius_m = 1.5, .height_m = 0.8});
   const PropScene scene(props);
@@ -129,7 +129,7 @@ TEST(Rubble, IsAConeOfTheHeightAskedForUnderACavity) {
   EXPECT_NEAR(scene.heights.roof({31.5, 0.0}), 2.0, 1e-9);
 }
 
-TEST(Cars, AreOpenOnTopAndAsLargeAsTold) {
+TEST(Cars, AreOpenOnTopAndHaveTheGivenSize) {
   PropDescriptions props;
   props.cars.push_back({.tunnel = "main", .at_m = 30.0});
   const PropScene scene(props);
@@ -141,7 +141,7 @@ TEST(Cars, AreOpenOnTopAndAsLargeAsTold) {
   EXPECT_GT(*scene.range({30.0, 0.0, 2.0}, kDown), 2.0 - 0.4);  // the bottom, not a lid
 }
 
-TEST(Props, HaveNamesOfTheirOwn) {
+TEST(Props, HaveUniqueNames) {
   PropDescriptions props = with_rails("main");
   props.posts.push_back({.tunnel = "main", .from_m = 10.0, .to_m = 22.0, .both_sides = true});
   props.posts.push_back({.tunnel = "bent", .from_m = 10.0, .to_m = 22.0});
@@ -155,7 +155,7 @@ TEST(Props, HaveNamesOfTheirOwn) {
   }
 }
 
-TEST(Props, AreTheSameAgainWhateverElseThereIs) {
+TEST(Props, DoNotDependOnOtherProps) {
   PropDescriptions props;
   props.rubble.push_back({.tunnel = "main", .at_m = 30.0});
   const PropScene alone(props);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A mine from a file of one's own: a usable world, or one clear line and exit code 2.
+// Worlds from user files: a valid world, or a one-line error and exit code 2.
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// A floor and a roof around the origin, without walls [m].
+// Floor and roof around the origin, without walls [m].
 constexpr const char* kOpen =
     "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nv -9 -9 2\nv 9 -9 2\nv 9 9 2\nv -9 9 2\n"
     "f 1 2 3 4\nf 5 6 7 8\n";
@@ -29,30 +29,30 @@ class SimCommand : public testing::Test {
     return folder_ / name;
   }
 
-  /// Writes what is true of the world, which needs all of it.
-  [[nodiscard]] CommandResult truth_of(const std::string& world) const {
+  /// Writes the ground truth, which builds the complete world.
+  [[nodiscard]] CommandResult write_truth(const std::string& world) const {
     return adit({"sim", world, "--truth", folder_ / "truth"});
   }
 
-  void expect_error(const std::string& world, const std::string& what) const {
-    const CommandResult outcome = truth_of(world);
+  void expect_error(const std::string& world, const std::string& text) const {
+    const CommandResult outcome = write_truth(world);
     EXPECT_EQ(outcome.exit_code, 2) << world;
     EXPECT_THAT(outcome.err, StartsWith("adit: "));
-    EXPECT_THAT(outcome.err, HasSubstr(what)) << world;
+    EXPECT_THAT(outcome.err, HasSubstr(text)) << world;
     EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
   }
 
   test::ScratchFolder folder_;
 };
 
-TEST_F(SimCommand, MakesAWorldOfAMeshWithHolesAndOfOneWithUselessTriangles) {
-  EXPECT_EQ(truth_of(write("open.obj", kOpen)).exit_code, 0);
+TEST_F(SimCommand, AcceptsMeshesWithHolesAndDegenerateTriangles) {
+  EXPECT_EQ(write_truth(write("open.obj", kOpen)).exit_code, 0);
   const std::string odd = "v nan 0 1\nv 5 5 1\nf 1 1 2\nf 9 1 2\nf 10 10 10\n";
-  EXPECT_EQ(truth_of(write("odd.obj", kOpen + odd)).exit_code, 0);
-  EXPECT_EQ(truth_of(write("one.obj", "v -9 -9 0\nv 9 -9 0\nv 0 9 0\nf 1 2 3\n")).exit_code, 0);
+  EXPECT_EQ(write_truth(write("odd.obj", kOpen + odd)).exit_code, 0);
+  EXPECT_EQ(write_truth(write("one.obj", "v -9 -9 0\nv 9 -9 0\nv 0 9 0\nf 1 2 3\n")).exit_code, 0);
 }
 
-TEST_F(SimCommand, RejectsWhatIsNoMeshInOneLine) {
+TEST_F(SimCommand, RejectsInvalidMeshesInOneLine) {
   expect_error(folder_ / "none.obj", "none.obj");
   std::filesystem::create_directory(folder_ / "folder.obj");
   expect_error(folder_ / "folder.obj", "folder.obj");
@@ -64,18 +64,18 @@ TEST_F(SimCommand, RejectsWhatIsNoMeshInOneLine) {
                "announces");
 }
 
-TEST_F(SimCommand, RejectsMillimetresTakenForMetres) {
+TEST_F(SimCommand, RejectsAMeshInMillimetres) {
   const std::string text = "v -90000 -90000 0\nv 90000 -90000 0\nv 90000 90000 0\nf 1 2 3\n";
   expect_error(write("mm.obj", text), "scale");
 }
 
-TEST_F(SimCommand, RejectsAWorldFileOfAbsurdSizeInOneLine) {
+TEST_F(SimCommand, RejectsOversizedWorldFilesInOneLine) {
   expect_error(write("long.yaml",
-                     "world:\n  plan:\n    drifts:\n"
+                     "world:\n  plan:\n    tunnels:\n"
                      "      - {name: main, points_m: [0, 0, 1e9, 0]}\n"),
                "is the most");
   expect_error(write("fine.yaml",
-                     "world:\n  grid_m: 0.05\n  plan:\n    drifts:\n"
+                     "world:\n  grid_m: 0.05\n  plan:\n    tunnels:\n"
                      "      - {name: main, points_m: [0, 0, 4900, 490]}\n"),
                "grid_m");
   expect_error(write("text.yaml", "world: [1, 2\n"), "text.yaml");

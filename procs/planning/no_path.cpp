@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/planning/no_path.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "procs/planning/blocking_evidence.hpp"
+#include "procs/planning/c_space/unobserved_ground.hpp"
+
+namespace adit {
+namespace {
+
+// Progress beyond an obstacle that counts as passing it. A smaller robot gets closer to a wall, but
+// not through it.
+constexpr double kPassedM = 1.0;
+
+// In the order of BlockingCell::Reason.
+constexpr std::array kReasonNames{
+    "a step under the wheels",
+    "an obstacle that is too high to drive over",
+    "a roof that is too low",
+    "unobserved ground",
+    "possible water",
+    "a slope that is too steep",
+    "a drop",
+};
+
+/// The most frequent reason of the cells.
+std::string main_reason(const std::vector<BlockingCell>& cells) {
+  if (cells.empty()) return "the edge of the map";
+  std::array<int, kReasonNames.size()> counts{};
+  std::size_t main = 0;
+  for (const BlockingCell& cell : cells) {
+    const auto i = static_cast<std::size_t>(cell.reason);
+    if (++counts.at(i) > counts.at(main)) main = i;
+  }
+  return kReasonNames.at(main);
+}
+
+std::vector<std::uint8_t> cells_of(const ReachableRegion& region, const CSpace& space) {
+  std::vector<std::uint8_t> reached(space.cells(), 0);
+  for (const LatticePose& pose : region.poses) reached[space.index(pose.column, pose.row)] = 1;
+  return reached;
+}
+
+PlannedPath explain_blocked_start(const LatticePose& start, const Lattice& lattice,
+                                  const EvidenceContext& context) {
+  PlannedPath path;
+  path.outcome = PlanOutcome::kStartBlocked;
+  if (!lattice.space.contains(start.column, start.row)) {
+    path.reason = "The robot is not on the terrain map.";
+    return path;
+  }
+  path.blocking = blocking_cells(start, lattice, context);
+  path.reason = fmt::format("The start pose is blocked by {}.", main_reason(path.blocking));
+  return path;
+}
+
+/// The C-space in which unobserved ground is lethal behind the robot and beside its route. Unknown
+/// ground ahead may hide a path; a path that returns, leaves the scanned area and leads around
+/// through the rock does not exist.
+CSpace with_unknown_ahead_only(CSpace space, const TerrainMap& terrain, const GoalField& goals,
+                               const Eigen::Vector2d& p_level_body) {
+  const Eigen::Vector2d ahead = goals.direction(p_level_body);
+  for (int row = 0; row < space.rows(); ++row) {
+    for (int column = 0; column < space.columns(); ++column) {
+      const bool has_progress = goals.progress(space.index(column, row)) > 0.0;
+      if (has_progress || ahead.dot(terrain.centre(column, row) - p_level_body) >= 0.0) continue;
+      for (int heading = 0; heading < space.headings() / 2; ++heading) {
+        std::uint16_t& cost = space.slice(heading).at({column, row});
+        if (cost == CSpace::kUnknown) cost = CSpace::kLethal;
+      }
+    }
+  }
+  return space;
+}
+
+GroundLimits without_margins(GroundLimits limits) {
+  limits.step_margin_m = limits.belly_margin_m = limits.roof_margin_m = 0.0;
+  return limits;
+}
+
+/// Obstacles of the terrain map extend up to a cell beyond the true ones, which narrows a gap on
+/// either side; a vehicle that is smaller by as much compensates for it.
+Vehicle without_cell_margin(Vehicle vehicle, double cell_m) {
+  vehicle.length_m -= 2.0 * cell_m;
+  vehicle.width_m -= 2.0 * cell_m;
+  vehicle.track_m -= 2.0 * cell_m;
+  return vehicle;
+}
+
+/// Whether the robot may make a progress of `enough_m` if all margins are removed: the safety
+/// margins, those of the cells of obstacles and poses (as much again, a cell on each side of a gap
+/// for each), and unconfirmed drops. If so, the obstacle does not prove that there is no path.
+bool fits_without_margins(const Lattice& lattice, const LatticePose& start, const GoalField& goals,
+                          const NoPathContext& context, double enough_m) {
+  const TerrainMap terrain = with_confirmed_drops(context.terrain, context.vehicle.step_max_m);
+  const CSpaceKernels kernels(without_cell_margin(context.vehicle, terrain.cell_m), context.c_space,
+                              terrain.cell_m);
+  const GroundLayers layers = ground_layers(terrain, context.T_level_body, context.vehicle,
+                                            without_margins(context.c_space.ground));
+  const CSpace space = with_unknown_ahead_only(kernels.convolve(layers), context.terrain, goals,
+                                               context.T_level_body.translation());
+  const Lattice permissive{space, lattice.primitives, CSpace::kLethal, nullptr, true};
+  return reachable_region(permissive, start, goals, enough_m).progress_m >= enough_m;
+}
+
+}  // namespace
+
+NoPathExplanation explain_no_path(const Lattice& lattice, const LatticePose& start,
+                                  const GoalField& goals, const NoPathContext& context) {
+  const EvidenceContext evidence{context.terrain, context.layers, context.kernels, context.vehicle,
+                                 context.c_space.ground};
+  if (!lattice.is_valid(start)) return {explain_blocked_start(start, lattice, evidence), {}};
+
+  const ReachableRegion region = reachable_region(lattice, start, goals);
+  const double min_progress_m = goals.min_progress();
+  const CSpace space = with_unknown_ahead_only(lattice.space, context.terrain, goals,
+                                               context.T_level_body.translation());
+  const Lattice over_unknown{space, lattice.primitives, CSpace::kLethal, lattice.exact_check};
+  const double over_unknown_m =
+      reachable_region(over_unknown, start, goals, min_progress_m).progress_m;
+  const bool unknown = over_unknown_m >= min_progress_m;
+  const bool narrow =
+      !unknown && fits_without_margins(lattice, start, goals, context,
+                                       std::max(min_progress_m, over_unknown_m + kPassedM));
+
+  PlannedPath path;
+  path.outcome = unknown  ? PlanOutcome::kUnknown
+                 : narrow ? PlanOutcome::kNarrow
+                          : PlanOutcome::kBlocked;
+  path.reached_m = region.progress_m;
+  path.blocking = blocking_cells(region, lattice, goals, evidence);
+  path.reason = fmt::format("No path: blocked by {} after {:.1f} m towards the goal{}.",
+                            main_reason(path.blocking), region.progress_m,
+                            narrow ? ", but the robot may just fit" : "");
+  return {path, cells_of(region, lattice.space)};
+}
+
+}  // namespace adit

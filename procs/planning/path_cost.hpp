@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace adit {
+
+/// The cost of a path, which A* minimises (section 3.3 of the paper). All terms are integers in one
+/// unit: driving 1 mm over even ground costs kEvenCost, 1 m costs kCostPerM. The terms are
+///
+/// | term                | value                                            | added in            |
+/// |---------------------|--------------------------------------------------|---------------------|
+/// | pose                | kEvenCost · (1 + rough_factor · weighted mean    | CSpaceKernels::     |
+/// |  [per mm driven]    | roughness under the vehicle)                     | Oriented::cost      |
+/// |  - roughness [0, 1] | step and slope as a share of their limits; plus  | ground_layers()     |
+/// |                     | repulsion of obstacles around; unknown_roughness |                     |
+/// |                     | for unobserved ground                            |                     |
+/// | travel              | Σ pose cost · length [mm] over the poses that a  | Lattice::cost       |
+/// |                     | primitive sweeps                                 |                     |
+/// |  - bends            | length · turn_factor                             | MotionPrimitives    |
+/// |  - reverse          | length · reverse_factor, or forwards for goals   | reversed(),         |
+/// |                     | behind the robot                                 | rear_leading()      |
+/// | direction change    | direction_change_m · kCostPerM for each change   | search_lattice()    |
+/// |                     | between forwards and reverse                     |                     |
+/// | start pose          | cost of ground at the limit, for poses around    | clear_start()       |
+/// |                     | the start that only margins make lethal          |                     |
+/// | end of the path     | shortfall_factor · metres short of the goal,     | GoalField           |
+/// |  [once]             | + lateral_factor · metres beside the line,       |                     |
+/// |                     | + end_clearance_factor · metres of clearance     |                     |
+/// |                     | below end_clearance_m                            |                     |
+inline constexpr std::uint16_t kEvenCost = 100;
+inline constexpr std::int32_t kCostPerM = 1000 * kEvenCost;
+
+/// Cost of so many metres of even ground.
+inline std::int32_t even_ground_cost(double distance_m) {
+  return static_cast<std::int32_t>(std::lround(kCostPerM * distance_m));
+}
+
+inline constexpr std::int32_t kUnreachable = std::numeric_limits<std::int32_t>::max();
+
+/// The goals of a search, as A* and its heuristic see them: the array of goals of section 3.3 of
+/// the paper. GoalField implements it.
+class GoalArray {
+ public:
+  static constexpr std::int32_t kNoGoal = -1;
+
+  virtual ~GoalArray() = default;
+
+  /// Cost of ending in a cell, or kNoGoal.
+  [[nodiscard]] virtual std::int32_t ending_cost(std::size_t cell) const = 0;
+  /// Whether a path may end in a cell with this heading [rad].
+  [[nodiscard]] virtual bool accepts(std::size_t cell, double heading_rad) const = 0;
+
+ protected:
+  GoalArray() = default;
+  GoalArray(const GoalArray&) = default;
+  GoalArray(GoalArray&&) = default;
+  GoalArray& operator=(const GoalArray&) = default;
+  GoalArray& operator=(GoalArray&&) = default;
+};
+
+}  // namespace adit

@@ -6,12 +6,9 @@
 #include <numbers>
 #include <utility>
 
-#include "common/sensing/seconds.hpp"
-
 namespace adit {
 namespace {
 
-constexpr double kRequestPeriodS = 2.0;         // a message may be lost
 constexpr double kExplorationTimeoutS = 300.0;  // it may restart, and wait for the map
 constexpr double kScanTimeoutS = 30.0;          // a sweep takes 8 s
 constexpr double kPlanTimeoutS = 10.0;
@@ -45,6 +42,8 @@ std::optional<std::int32_t> frontier_of(const ExplorationDecision& decision) {
   return decision.frontier;
 }
 
+bool is_under_way(Phase phase) { return phase != Phase::kPaused && phase != Phase::kEnded; }
+
 Evidence evidence_of(const PlannedPath& path) {
   // Without a blocking cell, no ground was observed to block.
   if (path.outcome == PlanOutcome::kBlocked && !path.blocking.empty()) return Evidence::kObserved;
@@ -57,11 +56,11 @@ void Mission::restore(const MissionPhase& last, std::int64_t start_utime,
                       std::vector<StoredPathPose> path) {
   localization_.restore(last.utime, last.distance_travelled_m, std::move(path));
   limits_.begin(last.distance_travelled_m);
-  start_utime_ = start_utime;
+  clock_.restore(start_utime);
   explore_id_ = last.sequence;  // exploration answers each id once
   return_is_final_ = last.returning_home && !last.frontier;
   phase_ = last;
-  if (last.phase == Phase::kEnded || last.phase == Phase::kPaused) return;
+  if (!is_under_way(last.phase)) return;
   phase_.utime = 0;
   phase_.phase = Phase::kWaiting;
   phase_.frontier.reset();
@@ -75,7 +74,8 @@ void Mission::restore(const MissionPhase& last, std::int64_t start_utime,
 
 MissionRequests Mission::advance(std::int64_t utime) {
   set_time(utime);
-  if (is_under_way() && limits_.reason() && !return_is_final_) turn_around(*limits_.reason());
+  if (is_under_way(phase_.phase) && limits_.reason() && !return_is_final_)
+    turn_around(*limits_.reason());
   if (phase_.phase == Phase::kWaiting) wait_for_stages();
   MissionRequests requests;
   switch (phase_.phase) {
@@ -100,15 +100,10 @@ MissionRequests Mission::advance(std::int64_t utime) {
 }
 
 void Mission::set_time(std::int64_t utime) {
-  utime_ = utime;
-  if (!start_utime_) start_utime_ = utime;
-  if (!phase_utime_) {
-    phase_utime_ = utime;
-    phase_.utime = utime;
-  }
+  clock_.set_time(utime);
+  phase_.utime = *clock_.phase_utime();
   phase_.distance_travelled_m = localization_.traversed_path().distance_travelled_m();
-  phase_.remaining_m =
-      limits_.remaining_m(seconds(utime - *start_utime_), phase_.distance_travelled_m);
+  phase_.remaining_m = limits_.remaining_m(clock_.mission_age_s(), phase_.distance_travelled_m);
 }
 
 /// Waits for poses and driving states, and after a reset of odom for the map correction.
@@ -117,10 +112,11 @@ void Mission::wait_for_stages() {
     enter(Phase::kPaused, "waiting for the order to start");
     return;
   }
-  const bool has_driving = inputs_.driving && inputs_.driving_utime &&
-                           seconds(*utime_ - *inputs_.driving_utime) < kDrivingTimeoutS;
-  if (!localization_.has_recent_pose(*utime_) || !has_driving) return;
-  if (localization_.is_waiting_for_correction() && phase_age_s() < params_.relocalization_wait_s)
+  const auto driving_age_s = clock_.age_s(inputs_.driving_utime);
+  const bool has_driving = inputs_.driving && driving_age_s && *driving_age_s < kDrivingTimeoutS;
+  if (!localization_.has_recent_pose(*clock_.utime()) || !has_driving) return;
+  if (localization_.is_waiting_for_correction() &&
+      clock_.phase_age_s() < params_.relocalization_wait_s)
     return;
   enter(Phase::kExplore,
         localization_.is_restored() ? "the mission resumes" : "the stages are ready");
@@ -131,16 +127,17 @@ std::optional<ExploreRequest> Mission::explore() {
     scan_straight_ahead("no map correction: scanning straight ahead to recognise a place");
     return std::nullopt;
   }
-  if (phase_age_s() > kExplorationTimeoutS) {
+  if (clock_.phase_age_s() > kExplorationTimeoutS) {
     note_failed_try("exploration does not answer");
     return std::nullopt;
   }
-  if (!is_request_due()) return std::nullopt;
-  return ExploreRequest{*utime_, explore_id_, phase_.remaining_m, return_is_final_, verdict_};
+  if (!clock_.is_request_due()) return std::nullopt;
+  return ExploreRequest{*clock_.utime(), explore_id_, phase_.remaining_m, return_is_final_,
+                        verdict_};
 }
 
 std::optional<ScanRequest> Mission::scan() {
-  if (phase_age_s() > kScanTimeoutS) {
+  if (clock_.phase_age_s() > kScanTimeoutS) {
     if (++scan_tries_ > params_.failed_tries_max) {
       end(MissionOutcome::kStranded, "no 3D scan arrives");
       return std::nullopt;
@@ -149,25 +146,29 @@ std::optional<ScanRequest> Mission::scan() {
                  "no 3D scan arrived: scanning again");
     return std::nullopt;
   }
-  if (!is_request_due()) return std::nullopt;
-  return ScanRequest{*utime_, phase_.goal_id, phase_.laser};
+  if (!clock_.is_request_due()) return std::nullopt;
+  return ScanRequest{*clock_.utime(), phase_.goal_id, phase_.laser};
 }
 
 std::optional<PlanGoal> Mission::plan() {
-  if (phase_age_s() > kPlanTimeoutS) {
-    request_scan(phase_.laser, "planning did not answer: scanning again");
+  if (clock_.phase_age_s() > kPlanTimeoutS) {
+    if (target_.route_odom.empty()) {  // a rejoin right after a restart
+      enter(Phase::kExplore, "planning did not answer: exploring again");
+    } else {
+      request_scan(phase_.laser, "planning did not answer: scanning again");
+    }
     return std::nullopt;
   }
-  if (!is_request_due()) return std::nullopt;
+  if (!clock_.is_request_due()) return std::nullopt;
   PlanGoal goal = goal_of(maneuver_, {target_.route_odom, home_arrival_.is_end_of_route()});
-  goal.utime = *utime_;
+  goal.utime = *clock_.utime();
   goal.id = phase_.goal_id;
   return goal;
 }
 
 /// Arrival and failure are handled when DRIVING_STATE arrives.
 void Mission::execute() {
-  if (seconds(*utime_ - *inputs_.driving_utime) > kDrivingTimeoutS) {
+  if (clock_.age_s(inputs_.driving_utime) > kDrivingTimeoutS) {
     recover({Evidence::kDriveFailed, 0.0, "Driving timed out."});
   }
 }
@@ -184,7 +185,7 @@ void Mission::evaluate(const ExplorationReport& report) {
     const bool is_first_odom = !localization_.is_restored() && !localization_.odom_was_reset();
     if (report.revision == 0 && is_first_odom) {
       scan_straight_ahead("no map yet: scanning straight ahead");
-    } else if (phase_age_s() > params_.exploration_wait_s) {
+    } else if (clock_.phase_age_s() > params_.exploration_wait_s) {
       note_failed_try(decision.reason);
     }
     return;
@@ -211,7 +212,7 @@ void Mission::set_target(const ExplorationReport& report) {
   phase_.frontier = frontier_of(decision);
   target_.is_straight_ahead = false;
   if (recovery_.set_target(phase_.frontier, home)) {
-    retracing_.rejoins = 0;
+    retracing_.note_progress();
     homeward_progress_.reset();
   }
   if (home && homeward_progress_.add(decision.distance_m)) note_progress();
@@ -273,12 +274,12 @@ void Mission::add_path(const PlannedPath& path) {
 void Mission::evaluate(const PlannedPath& path) {
   if (path.outcome == PlanOutcome::kFound) {
     progress_.begin_drive(localization_.traversed_path().distance_travelled_m());
-    inputs_.driving_utime = utime_;
+    inputs_.driving_utime = clock_.utime();
     enter(Phase::kExecute, path.reason);
   } else if (auto planned = planned_instead_of_retraced(maneuver_)) {
     begin(std::move(*planned), "backing off by a planned path: " + path.reason);
   } else if (is_off_route(maneuver_)) {
-    retracing_.failed = true;
+    retracing_.note_drive(true);
     recover(
         {Evidence::kDriveFailed, recovery_.reached_m(), "No path back was found: " + path.reason});
   } else if (std::holds_alternative<Approach>(maneuver_)) {
@@ -291,14 +292,14 @@ void Mission::evaluate(const PlannedPath& path) {
 
 void Mission::add_driving(const DrivingState& state) {
   inputs_.driving = state;
-  inputs_.driving_utime = utime_;
+  inputs_.driving_utime = clock_.utime();
   if (phase_.phase == Phase::kExecute) evaluate(state);
 }
 
 void Mission::evaluate(const DrivingState& state) {
   using Kind = DrivingState::Kind;
   if (state.path_id != phase_.goal_id || state.kind == Kind::kIdle) {
-    if (phase_age_s() > kPathReceiptS) enter(Phase::kExplore, "driving lost its path");
+    if (clock_.phase_age_s() > kPathReceiptS) enter(Phase::kExplore, "driving lost its path");
   } else if (state.kind == Kind::kArrived) {
     handle_arrival();
   } else if (state.kind == Kind::kFailed) {
@@ -307,9 +308,10 @@ void Mission::evaluate(const DrivingState& state) {
 }
 
 void Mission::handle_arrival() {
-  retracing_.failed = false;
+  retracing_.note_drive(false);
   if (!leads_away(maneuver_)) {
-    if (!is_returning() && is_beyond_rejections()) note_progress();
+    if (!is_returning() && progress_.is_beyond_rejections(localization_.traversed_path()))
+      note_progress();
     const auto& T_odom_body = localization_.T_odom_body();
     if (T_odom_body && progress_.add_path_end(T_odom_body->translation())) {
       recover({Evidence::kDriveFailed, 0.0, "The last paths all ended at the same place."});
@@ -327,11 +329,12 @@ void Mission::handle_failed_drive(const std::string& reason) {
     return;
   }
   if (is_off_route(maneuver_)) {
-    retracing_.failed = uses_traversed_path(maneuver_);
+    retracing_.note_drive(uses_traversed_path(maneuver_));
     enter(Phase::kExplore, "scanning from where the drive ended: " + reason);
     return;
   }
-  if (!is_returning() && is_beyond_rejections()) recovery_.reset();
+  if (!is_returning() && progress_.is_beyond_rejections(localization_.traversed_path()))
+    recovery_.reset();
   recover({Evidence::kDriveFailed, 0.0, reason});
 }
 
@@ -349,8 +352,8 @@ void Mission::add_match(const ScanMatch& match) {
   if (change == OdomChange::kNone) return;
   progress_.reset_odom();
   home_arrival_.clear();
-  retracing_ = {};
-  if (!is_under_way()) return;
+  retracing_.reset();
+  if (!is_under_way(phase_.phase)) return;
   if (change == OdomChange::kResetBeforeRestart && !return_is_final_ &&
       params_.after_power_loss == "home") {
     return_is_final_ = phase_.returning_home = true;
@@ -380,12 +383,11 @@ void Mission::add_order(const MissionOrder& order) {
 }
 
 void Mission::enter(Phase phase, const std::string& reason) {
-  phase_utime_ = utime_;
-  phase_.utime = now_utime();
+  clock_.begin_phase();
+  phase_.utime = clock_.utime().value_or(phase_.utime);
   ++phase_.sequence;
   phase_.phase = phase;
   phase_.reason = reason;
-  requested_utime_.reset();
   if (phase == Phase::kExplore) ++explore_id_;
   if (phase != Phase::kPlan && phase != Phase::kExecute) maneuver_ = FollowRoute{};
 }
@@ -402,27 +404,6 @@ void Mission::turn_around(const std::string& reason) {
   phase_.frontier.reset();  // in the journal, this marks the return as final
   verdict_.reset();
   enter(Phase::kExplore, "the robot turns around: " + reason);
-}
-
-double Mission::phase_age_s() const {
-  return utime_ && phase_utime_ ? seconds(*utime_ - *phase_utime_) : 0.0;
-}
-
-bool Mission::is_request_due() {
-  if (requested_utime_ && seconds(*utime_ - *requested_utime_) < kRequestPeriodS) return false;
-  requested_utime_ = utime_;
-  return true;
-}
-
-bool Mission::is_under_way() const {
-  return phase_.phase != Phase::kPaused && phase_.phase != Phase::kEnded;
-}
-
-bool Mission::is_beyond_rejections() const {
-  const auto& T_odom_body = localization_.T_odom_body();
-  return T_odom_body &&
-         progress_.is_beyond_rejections(localization_.traversed_path().distance_travelled_m(),
-                                        T_odom_body->translation());
 }
 
 bool Mission::is_returning() const { return phase_.returning_home && !target_.is_straight_ahead; }

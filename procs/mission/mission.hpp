@@ -21,6 +21,7 @@
 #include "procs/mission/maneuver.hpp"
 #include "procs/mission/mission_limits.hpp"
 #include "procs/mission/mission_localization.hpp"
+#include "procs/mission/phase_clock.hpp"
 #include "procs/mission/progress_checker.hpp"
 #include "procs/mission/recovery.hpp"
 #include "procs/mission/return_home.hpp"
@@ -97,7 +98,7 @@ class Mission {
   struct Inputs {
     std::optional<std::int64_t> terrain_utime;  ///< of the newest terrain
     std::optional<DrivingState> driving;
-    std::optional<std::int64_t> driving_utime;  ///< mission time when `driving` was received
+    std::optional<std::int64_t> driving_utime;  ///< PhaseClock when `driving` was received
   };
 
   /// Where the maneuvers lead.
@@ -106,23 +107,12 @@ class Mission {
     bool is_straight_ahead = false;  ///< not chosen by exploration
   };
 
-  /// Drives along the traversed path since progress was made.
-  struct Retracing {
-    bool failed = false;  ///< the last one
-    int rejoins = 0;
-  };
-
   void set_time(std::int64_t utime);
-  [[nodiscard]] std::int64_t now_utime() const { return utime_.value_or(0); }
-  [[nodiscard]] double phase_age_s() const;
-  [[nodiscard]] bool is_request_due();
   void enter(Phase phase, const std::string& reason);
   void end(MissionOutcome outcome, const std::string& reason);
   void turn_around(const std::string& reason);
-  [[nodiscard]] bool is_under_way() const;
   /// Towards home, on a route of exploration.
   [[nodiscard]] bool is_returning() const;
-  [[nodiscard]] bool is_beyond_rejections() const;
 
   void wait_for_stages();
   [[nodiscard]] std::optional<ExploreRequest> explore();
@@ -144,15 +134,13 @@ class Mission {
   void recover(const Recovery::Rejection& rejection);
   [[nodiscard]] Recovery::Options recovery_options(double reached_m) const;
   void begin(Maneuver maneuver, const std::string& reason);
-  void approach(double reached_m, const std::string& reason);
   void back_off(double distance_m, const std::string& reason);
-  void rejoin(double length_m, const std::string& reason);
+  void rejoin(const std::string& reason);
   void abandon_target();
   void retry_near_home(const std::string& reason);
   void end_near_home(const std::string& reason);
   void note_progress();
   void note_failed_try(const std::string& reason);
-  [[nodiscard]] bool path_leads_back() const;
   [[nodiscard]] std::optional<double> rejoin_length_m() const;
 
   MissionParams params_;
@@ -161,12 +149,9 @@ class Mission {
   Inputs inputs_;
 
   MissionPhase phase_;
-  std::optional<std::int64_t> utime_;            ///< of the newest advance()
-  std::optional<std::int64_t> start_utime_;      ///< when the mission began
-  std::optional<std::int64_t> phase_utime_;      ///< when the phase began
-  std::optional<std::int64_t> requested_utime_;  ///< of the newest request of this phase
-  std::int32_t explore_id_ = 0;                  ///< of the newest explore request
-  bool return_is_final_ = false;                 ///< by order, limit or power loss
+  PhaseClock clock_;
+  std::int32_t explore_id_ = 0;   ///< of the newest explore request
+  bool return_is_final_ = false;  ///< by order, limit or power loss
 
   Target target_;
   Maneuver maneuver_;  ///< in phases plan and execute

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Recovery of Mission when no path is found or a drive fails, and the last metre to home.
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,15 +12,9 @@
 namespace adit {
 namespace {
 
-constexpr double kBackOffMinM = 1.0;      // of traversed path behind the robot
 constexpr double kBackOffBesideM = 1.2;   // from the nose to the centre of the vehicle
 constexpr double kApproachMarginM = 0.3;  // before the place where paths end
 constexpr double kObstacleDepthM = 1.0;   // beyond the reached place, where the obstacle may be
-constexpr double kLeadsBackMinM = 0.1;    // of traversed path; the robot can go back along it
-constexpr double kSharedMinM = 2.5;       // of the route with the traversed path
-constexpr double kRejoinM = 6.0;          // at first
-constexpr double kRejoinMaxM = 30.0;      // after several rejoins
-constexpr double kRejoinViewM = 10.0;     // poses beyond the rejoin length that planning may reach
 constexpr double kStartRadiusM = 0.3;     // distance travelled; the robot is still at home
 
 using Action = Recovery::Action;
@@ -49,13 +42,14 @@ void Mission::recover(const Recovery::Rejection& rejection) {
     case Action::kScanBeside:
       return back_off(kBackOffBesideM, reason);
     case Action::kApproach:
-      return approach(rejection.reached_m, reason);
+      return begin(Approach{rejection.reached_m - kApproachMarginM},
+                   "driving nearer to scan from there: " + reason);
     case Action::kScanOtherLaser:
       return request_scan(other(phase_.laser), "scanning with the other laser: " + reason);
     case Action::kBackOff:
       return back_off(recovery_.back_offs() * params_.back_off_m, reason);
     case Action::kRejoin:
-      return rejoin(*rejoin_length_m(), reason);
+      return rejoin(reason);
     case Action::kRescan:
       return enter(Phase::kExplore, "scanning again: " + reason);
     case Action::kAbandon:
@@ -68,9 +62,9 @@ void Mission::recover(const Recovery::Rejection& rejection) {
 Recovery::Options Mission::recovery_options(double reached_m) const {
   const TraversedPath& path = localization_.traversed_path();
   Recovery::Options options;
-  options.can_back_off = path.back_length_m(params_.back_off_m) > kBackOffMinM;
+  options.can_back_off = Retracing::can_back_off(path, params_.back_off_m);
   options.is_short_cut_home =
-      is_returning() && !homeward_progress_.is_blocked() && path_leads_back() &&
+      is_returning() && !homeward_progress_.is_blocked() && Retracing::leads_back(path) &&
       path.shared_length_m(target_.route_odom) < reached_m + kObstacleDepthM;
   options.can_rejoin = !options.is_short_cut_home && rejoin_length_m().has_value();
   return options;
@@ -82,44 +76,21 @@ void Mission::begin(Maneuver maneuver, const std::string& reason) {
   enter(Phase::kPlan, reason);
 }
 
-void Mission::approach(double reached_m, const std::string& reason) {
-  begin(Approach{reached_m - kApproachMarginM}, "driving nearer to scan from there: " + reason);
-}
-
 void Mission::back_off(double distance_m, const std::string& reason) {
-  const auto kind = retracing_.failed ? PlanGoal::Kind::kRoute : PlanGoal::Kind::kRetrace;
-  begin(BackOff{kind, distance_m, localization_.traversed_path().back(distance_m),
-                approach_of(maneuver_)},
+  begin(retracing_.back_off(localization_.traversed_path(), distance_m, maneuver_),
         "backing off to scan from another viewpoint: " + reason);
 }
 
-/// Planning leads onto the traversed path over observed ground. Before the first scan in a new odom
-/// frame no ground is observed, so the path is retraced pose by pose.
-void Mission::rejoin(double length_m, const std::string& reason) {
-  ++retracing_.rejoins;
+void Mission::rejoin(const std::string& reason) {
   const bool has_terrain = inputs_.terrain_utime >= localization_.odom_epoch_utime();
-  const auto kind = has_terrain ? PlanGoal::Kind::kRejoin : PlanGoal::Kind::kRetrace;
-  begin(Rejoin{kind, length_m,
-               localization_.traversed_path().poses_back_within(length_m + kRejoinViewM),
-               approach_of(maneuver_)},
-        "resuming along the traversed path: " + reason);
+  begin(
+      retracing_.rejoin(localization_.traversed_path(), *rejoin_length_m(), has_terrain, maneuver_),
+      "resuming along the traversed path: " + reason);
 }
 
-bool Mission::path_leads_back() const {
-  return localization_.traversed_path().back_length_m(kBackOffMinM) > kLeadsBackMinM;
-}
-
-/// Along the traversed path; empty if it does not lead to the target. On the return home it always
-/// does, if by a detour; the length grows with the number of rejoins.
 std::optional<double> Mission::rejoin_length_m() const {
-  if (retracing_.failed) return std::nullopt;
-  if (phase_.returning_home) {
-    if (!path_leads_back()) return std::nullopt;
-    return std::min(kRejoinM * (1 + retracing_.rejoins / 2), kRejoinMaxM);
-  }
-  const double shared_m = localization_.traversed_path().shared_length_m(target_.route_odom);
-  if (shared_m < kSharedMinM) return std::nullopt;
-  return std::min(shared_m, kRejoinM);
+  return retracing_.rejoin_length_m(localization_.traversed_path(), target_.route_odom,
+                                    phase_.returning_home);
 }
 
 /// Reports a verdict on the target to exploration, unless it is straight ahead of the robot: then
@@ -133,8 +104,9 @@ void Mission::abandon_target() {
     note_failed_try(evidence);
     return;
   }
-  verdict_ = BlockedVerdict{now_utime(), phase_.frontier.value_or(ExplorationDecision::kNoFrontier),
-                            reached_m, evidence, unconfirmed};
+  verdict_ = BlockedVerdict{clock_.utime().value_or(0),
+                            phase_.frontier.value_or(ExplorationDecision::kNoFrontier), reached_m,
+                            evidence, unconfirmed};
   homeward_progress_.mark_blocked();
   if (!phase_.frontier && ++failed_tries_ > params_.failed_tries_max) {
     end(MissionOutcome::kStranded, "no path onward was found: " + evidence);
@@ -161,7 +133,7 @@ void Mission::end_near_home(const std::string& reason) {
 
 void Mission::note_progress() {
   recovery_.reset();
-  retracing_.rejoins = 0;
+  retracing_.note_progress();
   failed_tries_ = 0;
 }
 
@@ -173,7 +145,7 @@ void Mission::note_failed_try(const std::string& reason) {
     end(never_left ? MissionOutcome::kHome : MissionOutcome::kStranded,
         (never_left ? "no path into the mine was found: " : "no path onward was found: ") + reason);
   } else if (phase_.returning_home && localization_.has_correction() && rejoin_length_m()) {
-    rejoin(*rejoin_length_m(), "exploration found no route (" + reason + ")");
+    rejoin("exploration found no route (" + reason + ")");
   } else {
     scan_straight_ahead("exploration found no route (" + reason + "): scanning straight ahead");
   }

@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include "procs/mission/traversed_path.hpp"
+
 namespace adit {
 
 /// Where the last paths ended, in odom. A path that was found and driven may still lead nowhere:
@@ -75,10 +77,9 @@ class ProgressChecker {
   }
 
   /// Whether the drive led to a place where no target was rejected before.
-  [[nodiscard]] bool is_beyond_rejections(double distance_travelled_m,
-                                          const Eigen::Vector2d& p_odom_body) const {
-    return distance_travelled_m - drive_start_m_ >= kProgressMinM &&
-           rejected_.all_farther_than(kProgressMinM, p_odom_body);
+  [[nodiscard]] bool is_beyond_rejections(const TraversedPath& path) const {
+    return path.distance_travelled_m() - drive_start_m_ >= kProgressMinM && path.T_odom_body() &&
+           rejected_.all_farther_than(kProgressMinM, path.T_odom_body()->translation());
   }
 
  private:

@@ -515,6 +515,27 @@ TEST_F(MissionRecovery, ReturnsOnTheTraversedPathIfExplorationFindsNoRoute) {
   EXPECT_EQ(goal_.kind, PlanGoal::Kind::kRejoin);
 }
 
+/// There is no route along which to scan.
+TEST_F(MissionRecovery, ExploresAgainIfPlanningDoesNotAnswerARejoinWithoutATarget) {
+  match(kStart);
+  for (int i = 0; i < 40; ++i) {
+    x_m_ += 0.25;
+    tick();
+  }
+  map(utime_);
+  order(MissionOrder::Kind::kReturnHome);
+  for (int i = 0; i < 32 && now() == Phase::kExplore; ++i) {
+    ExplorationReport stay;
+    stay.request = request_.id;
+    stay.revision = 1;
+    mission_.add_exploration(stay);
+    wait(1.0);
+  }
+  ASSERT_EQ(now(), Phase::kPlan);
+  wait(10.5);
+  EXPECT_EQ(now(), Phase::kExplore);
+}
+
 TEST_F(MissionRecovery, IsStrandedAfterTooManyTriesOnTheWayHome) {
   to_explore();
   for (int i = 0; i < 100 && now() != Phase::kEnded; ++i) {

@@ -13,6 +13,10 @@
 namespace adit {
 namespace {
 
+// On 920 m, of which 800 m are held at their ends alone: 2 % of the 24 m to 28 m by which the
+// odometry is off when the robot returns to the corridors.
+constexpr double kCorrectedRmseM = 0.5;
+
 class ParallelCorridors : public testing::TestWithParam<double> {};
 
 /// Closures of the second pass through the corridors with the first.
@@ -40,7 +44,7 @@ TEST_P(ParallelCorridors, AreToldApartAtTheCorner) {
 
   while (drive.next()) {
   }
-  EXPECT_LE(drive.error().rmse_m, 0.2);  // on 920 m, of which 800 m are held at their ends alone
+  EXPECT_LE(drive.error().rmse_m, kCorrectedRmseM);
 }
 
 INSTANTIATE_TEST_SUITE_P(YawBias, ParallelCorridors, testing::Values(-0.022, -0.026),
@@ -71,7 +75,7 @@ TEST_P(ParallelCorridorsWithATornRevision, AreToldApartAfterTheRestart) {
   drive.restart(stored);
   while (drive.next()) {
   }
-  EXPECT_LE(drive.error().rmse_m, 0.2);
+  EXPECT_LE(drive.error().rmse_m, kCorrectedRmseM);
 }
 
 INSTANTIATE_TEST_SUITE_P(Share, ParallelCorridorsWithATornRevision, testing::Values(0.3, 0.7),

@@ -74,10 +74,10 @@ Eigen::Vector3f lamp_of(const RayScene& scene, const Camera& camera) {
 
 /// For each point, whether the lamp illuminates it.
 std::vector<bool> lit_by(const RayScene& scene, const Eigen::Vector3f& lamp,
-                         const std::vector<SurfacePoint>& points) {
+                         const std::vector<ShadedPoint>& points) {
   std::vector<Ray> rays;
   rays.reserve(points.size());
-  for (const SurfacePoint& point : points) {
+  for (const ShadedPoint& point : points) {
     rays.push_back({lamp, (point.p_world - lamp).normalized()});
   }
   std::vector<RayHit> hits(rays.size());
@@ -97,7 +97,7 @@ float fall_off(float distance_m) {
 }
 
 /// Specular reflection of steel and water (Blinn and Phong).
-float gloss(Material material, const SurfacePoint& point, const Eigen::Vector3f& to_lamp,
+float gloss(Material material, const ShadedPoint& point, const Eigen::Vector3f& to_lamp,
             const Eigen::Vector3f& to_eye) {
   if (material != Material::kSteel && material != Material::kWater && material != Material::kMirror)
     return 0.0F;
@@ -109,7 +109,7 @@ struct Lighting {
   Eigen::Vector3f eye;
   Eigen::Vector3f lamp;
 
-  [[nodiscard]] Rgb seen(const Part& part, const SurfacePoint& point, bool lit,
+  [[nodiscard]] Rgb seen(const Part& part, const ShadedPoint& point, bool lit,
                          float openness) const {
     const Eigen::Vector3f to_lamp = (lamp - point.p_world).normalized();
     const Eigen::Vector3f to_eye = (eye - point.p_world).normalized();
@@ -147,9 +147,9 @@ RgbImage perspective_view(const RayScene& scene, const Camera& camera) {
     for (const Eigen::Vector2d& uv : samples) rays.push_back(camera.ray(uv));
     std::vector<RayHit> hits(rays.size());
     scene.cast(rays, kRangeMax, hits);
-    std::vector<SurfacePoint> points(rays.size(), {lighting.eye, Eigen::Vector3f::UnitZ()});
+    std::vector<ShadedPoint> points(rays.size(), {lighting.eye, Eigen::Vector3f::UnitZ()});
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      if (std::isfinite(hits[i].distance_m)) points[i] = surface_point(rays[i], hits[i]);
+      if (std::isfinite(hits[i].distance_m)) points[i] = shaded_point(rays[i], hits[i]);
     }
     const std::vector<bool> lit = lit_by(scene, lighting.lamp, points);
     std::vector<float> openness(points.size());

@@ -52,7 +52,7 @@ TriangleMesh without_roof(const World& world) {
 
 bool is_ground(PartKind kind) { return kind == PartKind::kFloor || kind == PartKind::kOther; }
 
-Rgb lit(const Part& part, const SurfacePoint& point, float openness) {
+Rgb lit(const Part& part, const ShadedPoint& point, float openness) {
   Eigen::Vector3f normal = point.normal;
   if (is_ground(part.kind)) {
     normal.head<2>() *= kReliefFactor;
@@ -120,9 +120,9 @@ RgbImage PlanView::draw(const PlanWindow& window) const {
     }
     std::vector<RayHit> hits(rays.size());
     scene_.cast(rays, reach, hits);
-    std::vector<SurfacePoint> points(rays.size(), {rays[0].origin, Eigen::Vector3f::UnitZ()});
+    std::vector<ShadedPoint> points(rays.size(), {rays[0].origin, Eigen::Vector3f::UnitZ()});
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      if (std::isfinite(hits[i].distance_m)) points[i] = surface_point(rays[i], hits[i]);
+      if (std::isfinite(hits[i].distance_m)) points[i] = shaded_point(rays[i], hits[i]);
     }
     std::vector<float> openness(points.size());
     find_openness(scene_, points, kOcclusionReach, openness);

@@ -98,7 +98,7 @@ Rgb behind(const TriangleMesh& mesh, const Ray& ray, const RayHit& hit) {
   if (is_mine_surface(part.kind)) {
     return std::exp(-hit.distance_m / kDarkening) * (0.55F + 0.45F * facing) * kAir;
   }
-  return (0.5F + 0.5F * facing) * colour_at(part, surface_point(ray, hit).p_world);
+  return (0.5F + 0.5F * facing) * colour_at(part, shaded_point(ray, hit).p_world);
 }
 
 /// 1, or the vertical exaggeration that makes an opening of this many pixels visible.

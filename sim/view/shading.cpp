@@ -57,7 +57,7 @@ std::array<Eigen::Vector3f, kDirections> hemisphere() {
 
 }  // namespace
 
-SurfacePoint surface_point(const Ray& ray, const RayHit& hit) {
+ShadedPoint shaded_point(const Ray& ray, const RayHit& hit) {
   return {ray.origin + hit.distance_m * ray.direction + kHair * hit.normal, hit.normal};
 }
 
@@ -66,7 +66,7 @@ bool is_mine_surface(PartKind kind) {
          kind == PartKind::kOther;
 }
 
-void find_openness(const RayScene& scene, std::span<const SurfacePoint> points, float reach_m,
+void find_openness(const RayScene& scene, std::span<const ShadedPoint> points, float reach_m,
                    std::span<float> openness) {
   static const std::array<Eigen::Vector3f, kDirections> kHemisphere = hemisphere();
   std::vector<Ray> rays;
@@ -101,7 +101,7 @@ double distance_to_rock(const RayScene& scene, const Ray& ray, float reach_m) {
   float done_m = 0.0F;
   while (const auto hit = scene.cast(rest, reach_m - done_m)) {
     if (is_mine_surface(scene.mesh().part_of(hit->triangle).kind)) return done_m + hit->distance_m;
-    rest.origin = surface_point(rest, {hit->distance_m, hit->triangle, -hit->normal}).p_world;
+    rest.origin = shaded_point(rest, {hit->distance_m, hit->triangle, -hit->normal}).p_world;
     done_m = (rest.origin - ray.origin).norm();
     if (done_m >= reach_m) break;
   }

@@ -28,10 +28,16 @@ namespace adit {
 /// |                     | between forwards and reverse                     |                     |
 /// | start pose          | cost of ground at the limit, for poses around    | clear_start()       |
 /// |                     | the start that only margins make lethal          |                     |
-/// | end of the path     | shortfall_factor · metres short of the goal,     | GoalField           |
-/// |  [once]             | + lateral_factor · metres beside the line,       |                     |
+/// | end of the path     | along a line or route: shortfall_factor · metres | GoalField           |
+/// |  [once]             | short of the goal + lateral_factor · metres      |                     |
+/// |                     | beside the line; at a goal pose: metres from it; |                     |
+/// |                     | rejoining: metres of traversed path that remain; |                     |
 /// |                     | + end_clearance_factor · metres of clearance     |                     |
 /// |                     | below end_clearance_m                            |                     |
+///
+/// Roughness includes repulsion and is clamped to 1. Files: CSpaceKernels in c_space/kernel,
+/// ground_layers in c_space/, reversed in lattice/lattice_symmetry, the others in lattice/ and
+/// goals/ under their names.
 inline constexpr std::uint16_t kEvenCost = 100;
 inline constexpr std::int32_t kCostPerM = 1000 * kEvenCost;
 

@@ -81,7 +81,7 @@ LaserScan LevelLaser::measure(const Pose2& T_world_laser, std::int64_t utime) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.translation() = Eigen::Vector3d(T_world_laser.x, T_world_laser.y, world_.laser_z_m());
   T.linear() = Eigen::AngleAxisd(T_world_laser.theta, Eigen::Vector3d::UnitZ()).matrix();
-  return laser_.measure([&](double) { return T; }, utime);
+  return laser_->measure([&](double) { return T; }, utime);
 }
 
 LaserScan exact_scan(const WallWorld& world, const Pose2& T_world_laser, std::int64_t utime) {

@@ -55,13 +55,14 @@ class LevelLaser {
  public:
   LevelLaser(const WallWorld& world, std::uint64_t seed,
              const LaserParams& params = level_laser_params())
-      : world_(world), laser_(world_.scene(), params, seed) {}
+      : world_(world),
+        laser_(std::make_unique<LaserModel>(world_.scene(), params, seed)) {}
 
   LaserScan measure(const Pose2& T_world_laser, std::int64_t utime);
 
  private:
   WallWorld world_;  // keeps the scene
-  LaserModel laser_;
+  std::unique_ptr<LaserModel> laser_;  // a LaserModel cannot be assigned
 };
 
 /// The true ranges, 181 beams at 1°; 81.91 m where there is no wall within 80 m.

@@ -18,10 +18,10 @@ bool is_name_letter(char c) {
 
 struct Word {
   std::string text;
-  std::size_t unquoted = 0;  // bytes at its beginning that stood outside of quotes
+  std::size_t unquoted = 0;  // leading bytes outside of quotes
 };
 
-/// Takes words off a line.
+/// Splits a line into words.
 class WordReader {
  public:
   explicit WordReader(std::string_view text) : text_(text) {}
@@ -41,10 +41,10 @@ class WordReader {
       if (plain) {
         word.text += c;
       } else if (c == '\\') {
-        if (at_ == text_.size()) return Rejected{"a backslash at the end"};
+        if (at_ == text_.size()) return Rejected{"trailing backslash"};
         word.text += text_[at_++];
       } else if (!take_quoted(c, word.text)) {
-        return Rejected{"a quote that does not end"};
+        return Rejected{"unterminated quote"};
       }
     }
     word.unquoted = unquoted.value_or(word.text.size());
@@ -52,8 +52,8 @@ class WordReader {
   }
 
  private:
-  /// Up to the end of the quote. Within double quotes a backslash is itself but before " and the
-  /// backslash; what else it is for in a shell is not known here.
+  /// Reads up to the closing quote; false if there is none. Within double quotes a backslash
+  /// escapes only " and the backslash, and is literal otherwise.
   bool take_quoted(char quote, std::string& text) {
     while (at_ < text_.size() && text_[at_] != quote) {
       const bool escapes = quote == '"' && text_[at_] == '\\' && at_ + 1 < text_.size() &&
@@ -68,7 +68,7 @@ class WordReader {
   std::size_t at_ = 0;
 };
 
-/// Where the = of `NAME=value` is.
+/// Position of the = of `NAME=value`; nothing if the word is not an assignment.
 std::optional<std::size_t> assignment(const Word& word) {
   const std::size_t sign = word.text.find('=');
   if (sign == std::string::npos || sign == 0 || sign >= word.unquoted) return std::nullopt;
@@ -81,7 +81,7 @@ std::optional<std::size_t> assignment(const Word& word) {
 }  // namespace
 
 Result<CommandLine> parse_command_line(std::string_view text) {
-  if (text.find('\0') != std::string_view::npos) return Rejected{"a NUL in the command line"};
+  if (text.find('\0') != std::string_view::npos) return Rejected{"NUL byte in the command line"};
   CommandLine line;
   WordReader words(text);
   while (words.find_next()) {

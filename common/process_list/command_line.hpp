@@ -11,18 +11,19 @@
 
 namespace adit {
 
-/// A program with its arguments, and what is added to its environment.
+/// A program with its arguments and its additional environment variables.
 struct CommandLine {
   std::vector<std::pair<std::string, std::string>> environment;
-  std::vector<std::string> arguments;  ///< the program first; at least that
+  std::vector<std::string> arguments;  ///< not empty; the program first
 
   friend bool operator==(const CommandLine&, const CommandLine&) = default;
 };
 
-/// Divides a line as a shell would (POSIX, 2.2 Quoting): blanks between words, backslash, single
-/// and double quotes. Words `NAME=value` before the program go into its environment. Nothing else
-/// of a shell is known: no variable, no pattern, no pipe; `;`, `|`, `$` and the like are
-/// themselves. Refused: a quote that does not end, a backslash at the end, a NUL, no program.
+/// Splits a line into words by the quoting rules of a shell (POSIX, 2.2 Quoting): blanks,
+/// backslash, single and double quotes. Words `NAME=value` before the program are environment
+/// variables. Other shell syntax (variables, patterns, pipes) is not interpreted: `;`, `|`, `$`
+/// etc. are literal. Rejects an unterminated quote, a trailing backslash, a NUL byte and a line
+/// without a program.
 Result<CommandLine> parse_command_line(std::string_view text);
 
 }  // namespace adit

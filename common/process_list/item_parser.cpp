@@ -16,43 +16,25 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kLongest = 200;
-constexpr std::ptrdiff_t kDeepest = 16;
+using Kind = ListToken::Kind;
+using ActionKind = ScriptAction::Kind;
+
+constexpr std::size_t kNameBytesMax = 200;
+constexpr std::ptrdiff_t kGroupSlashesMax = 16;
+constexpr int kWaitMaxMs = 3'600'000;
 
 bool is_name(const std::string& text) {
-  return !text.empty() && text.size() <= kLongest &&
+  return !text.empty() && text.size() <= kNameBytesMax &&
          std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) >= 0x20; });
 }
 
-}  // namespace
-
-void require_name(const TokenStream& tokens, const ListToken& token) {
-  if (is_name(token.text) && token.text.find('/') == std::string::npos) return;
-  tokens.fail(token.position, "a name is 1 to 200 bytes, without slashes and control characters");
-}
-
-void require_group_path(const TokenStream& tokens, const TextPosition& position,
-                        const std::string& path) {
-  if (std::ranges::count(path, '/') >= kDeepest) {
-    tokens.fail(position, "groups lie more than sixteen deep in each other");
-  }
-  std::istringstream parts(path);
-  bool good = !path.ends_with('/');
-  for (std::string part; std::getline(parts, part, '/');) good = good && is_name(part);
-  if (!good) tokens.fail(position, "\"" + path + "\" is no path of groups: names with / between");
-}
-
-namespace {
-
-using Kind = ListToken::Kind;
-
-constexpr double kLongestS = 3600.0;
+constexpr double kTimeMaxS = 3600.0;
 constexpr double kRateMinHz = 0.01;
 constexpr double kRateMaxHz = 1000.0;
 constexpr int kRestartsMax = 1'000'000;
 constexpr int kLastSignal = 64;
 
-/// A command as it grows. The rate of the sign of life may come before its channel.
+/// A command during parsing. alive_rate_hz may precede alive_channel.
 struct Draft {
   ListedCommand command;
   std::optional<std::string> channel;
@@ -61,29 +43,30 @@ struct Draft {
 
 using SetAttribute = std::function<void(TokenStream&, Draft&)>;
 
-std::string string_of(TokenStream& tokens) {
-  return tokens.expect(Kind::kString, "a text in quotes").text;
+std::string parse_string(TokenStream& tokens) {
+  return tokens.expect(Kind::kString, "a quoted string").text;
 }
 
-std::vector<std::string> strings_of(TokenStream& tokens) {
-  std::vector<std::string> all{string_of(tokens)};
-  while (tokens.take_if(Kind::kComma)) all.push_back(string_of(tokens));
+std::vector<std::string> parse_strings(TokenStream& tokens) {
+  std::vector<std::string> all{parse_string(tokens)};
+  while (tokens.take_if(Kind::kComma)) all.push_back(parse_string(tokens));
   return all;
 }
 
-std::string channel_of(TokenStream& tokens) {
+std::string parse_channel(TokenStream& tokens) {
   const TextPosition position = tokens.next().position;
-  std::string channel = string_of(tokens);
+  std::string channel = parse_string(tokens);
   if (!is_channel_name(channel)) {
-    tokens.fail(position, "\"" + channel + "\" is no channel: A to Z, 0 to 9 and _, at most 63");
+    tokens.fail(position,
+                "\"" + channel + "\" is not a channel name: at most 63 of A to Z, 0 to 9 and _");
   }
   return channel;
 }
 
-/// "outer/inner", procman's leading slash left out.
-std::string group_of(TokenStream& tokens) {
+/// Returns "outer/inner", without procman's leading slash.
+std::string parse_group_attribute(TokenStream& tokens) {
   const TextPosition position = tokens.next().position;
-  std::string group = string_of(tokens);
+  std::string group = parse_string(tokens);
   if (group.starts_with('/')) group.erase(0, 1);
   if (!group.empty()) require_group_path(tokens, position, group);
   return group;
@@ -91,9 +74,10 @@ std::string group_of(TokenStream& tokens) {
 
 const std::map<std::string, SetAttribute>& attributes() {
   static const std::map<std::string, SetAttribute> all{
-      {"exec", [](auto& tokens, auto& draft) { draft.command.exec = string_of(tokens); }},
-      {"deputy", [](auto& tokens, auto& draft) { draft.command.deputy = string_of(tokens); }},
-      {"group", [](auto& tokens, auto& draft) { draft.command.group = group_of(tokens); }},
+      {"exec", [](auto& tokens, auto& draft) { draft.command.exec = parse_string(tokens); }},
+      {"deputy", [](auto& tokens, auto& draft) { draft.command.deputy = parse_string(tokens); }},
+      {"group",
+       [](auto& tokens, auto& draft) { draft.command.group = parse_group_attribute(tokens); }},
       {"auto_respawn",
        [](auto& tokens, auto& draft) {
          const std::string text = tokens.expect_one_of(Kind::kString, {"true", "false"});
@@ -105,21 +89,21 @@ const std::map<std::string, SetAttribute>& attributes() {
        }},
       {"stop_time_allowed",
        [](auto& tokens, auto& draft) {
-         draft.command.stop_time_allowed_s = tokens.expect_number(0.0, kLongestS);
+         draft.command.stop_time_allowed_s = tokens.expect_number(0.0, kTimeMaxS);
        }},
       {"depends_on",
-       [](auto& tokens, auto& draft) { draft.command.depends_on = strings_of(tokens); }},
+       [](auto& tokens, auto& draft) { draft.command.depends_on = parse_strings(tokens); }},
       {"restart_limit",
        [](auto& tokens, auto& draft) {
          draft.command.restart_limit = tokens.expect_integer(0, kRestartsMax);
        }},
-      {"alive_channel", [](auto& tokens, auto& draft) { draft.channel = channel_of(tokens); }},
+      {"alive_channel", [](auto& tokens, auto& draft) { draft.channel = parse_channel(tokens); }},
       {"alive_rate_hz",
        [](auto& tokens, auto& draft) {
          draft.rate_hz = tokens.expect_number(kRateMinHz, kRateMaxHz);
        }},
       {"start_timeout_s", [](auto& tokens, auto& draft) {
-         draft.command.start_timeout_s = tokens.expect_number(0.0, kLongestS);
+         draft.command.start_timeout_s = tokens.expect_number(0.0, kTimeMaxS);
        }}};
   return all;
 }
@@ -130,21 +114,21 @@ std::vector<std::string> attribute_names() {
   return names;
 }
 
-/// `host` is what older files call the deputy.
+/// `host` is the name of `deputy` in older files.
 const SetAttribute& attribute(TokenStream& tokens, const ListToken& word, std::string name) {
   if (name == "host") name = "deputy";
   const auto found = attributes().find(name);
   if (found != attributes().end()) return found->second;
   const std::string nearest = nearest_name(name, attribute_names());
-  tokens.fail(word.position, "a command has no attribute '" + name + "'" +
-                                 (nearest.empty() ? "" : "; meant is perhaps '" + nearest + "'"));
+  tokens.fail(word.position, "unknown attribute '" + name + "'" +
+                                 (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
 }
 
 void parse_attribute(TokenStream& tokens, Draft& draft, std::set<std::string>& seen) {
   const ListToken word = tokens.expect(Kind::kWord, "an attribute of the command or '}'");
   const SetAttribute& set = attribute(tokens, word, word.text);
   if (!seen.insert(word.text == "host" ? "deputy" : word.text).second) {
-    tokens.fail(word.position, "'" + word.text + "' stands here twice");
+    tokens.fail(word.position, "duplicate attribute '" + word.text + "'");
   }
   tokens.expect(Kind::kAssign, "'='");
   set(tokens, draft);
@@ -152,7 +136,7 @@ void parse_attribute(TokenStream& tokens, Draft& draft, std::set<std::string>& s
 }
 
 std::string parse_name(TokenStream& tokens) {
-  const ListToken name = tokens.expect(Kind::kString, "the name of the command in quotes");
+  const ListToken name = tokens.expect(Kind::kString, "a quoted command name");
   require_name(tokens, name);
   return name.text;
 }
@@ -163,37 +147,15 @@ ListedCommand finished(const TokenStream& tokens, const TextPosition& position, 
   }
   if (draft.rate_hz && !draft.channel) {
     tokens.fail(position,
-                "command \"" + draft.command.id + "\" has alive_rate_hz without a channel");
+                "command \"" + draft.command.id + "\" has alive_rate_hz but no alive_channel");
   }
   if (draft.channel)
     draft.command.alive = LivenessSignal{*draft.channel, draft.rate_hz.value_or(1.0)};
   return draft.command;
 }
 
-}  // namespace
-
-ListedCommand parse_listed_command(TokenStream& tokens, const std::string& group) {
-  Draft draft;
-  const TextPosition position = tokens.next().position;
-  draft.command.id = parse_name(tokens);
-  draft.command.group = group;
-  tokens.expect(Kind::kOpen, "'{'");
-  std::set<std::string> seen;
-  while (tokens.next().kind != Kind::kClose) parse_attribute(tokens, draft, seen);
-  tokens.take();
-  return finished(tokens, position, std::move(draft));
-}
-
-namespace {
-
-using Kind = ListToken::Kind;
-using ActionKind = ScriptAction::Kind;
-
-constexpr int kWaitMaxMs = 3'600'000;
-constexpr double kTimeoutMaxS = 3600.0;
-
 std::string name_of(TokenStream& tokens) {
-  return tokens.expect(Kind::kString, "a name in quotes").text;
+  return tokens.expect(Kind::kString, "a quoted name").text;
 }
 
 AwaitedStatus parse_status(TokenStream& tokens) {
@@ -205,7 +167,7 @@ void parse_timeout(TokenStream& tokens, ScriptAction& action) {
   if (tokens.next().kind == Kind::kEnd) return;
   if (tokens.next().text != "timeout_s") tokens.fail_next("';' or timeout_s");
   tokens.take();
-  action.timeout_s = tokens.expect_number(0.0, kTimeoutMaxS);
+  action.timeout_s = tokens.expect_number(0.0, kTimeMaxS);
 }
 
 ScriptAction parse_change(TokenStream& tokens, ActionKind kind) {
@@ -250,8 +212,37 @@ ScriptAction parse_action(TokenStream& tokens) {
 
 }  // namespace
 
+void require_name(const TokenStream& tokens, const ListToken& token) {
+  if (is_name(token.text) && token.text.find('/') == std::string::npos) return;
+  tokens.fail(token.position,
+              "a name must have 1 to 200 bytes and no slashes or control characters");
+}
+
+void require_group_path(const TokenStream& tokens, const TextPosition& position,
+                        const std::string& path) {
+  if (std::ranges::count(path, '/') >= kGroupSlashesMax) {
+    tokens.fail(position, "groups are nested more than sixteen levels deep");
+  }
+  std::istringstream parts(path);
+  bool valid = !path.ends_with('/');
+  for (std::string part; std::getline(parts, part, '/');) valid = valid && is_name(part);
+  if (!valid) tokens.fail(position, "\"" + path + "\" is not a group path: names separated by /");
+}
+
+ListedCommand parse_listed_command(TokenStream& tokens, const std::string& group) {
+  Draft draft;
+  const TextPosition position = tokens.next().position;
+  draft.command.id = parse_name(tokens);
+  draft.command.group = group;
+  tokens.expect(Kind::kOpen, "'{'");
+  std::set<std::string> seen;
+  while (tokens.next().kind != Kind::kClose) parse_attribute(tokens, draft, seen);
+  tokens.take();
+  return finished(tokens, position, std::move(draft));
+}
+
 ProcessScript parse_process_script(TokenStream& tokens) {
-  const ListToken name = tokens.expect(Kind::kString, "the name of the script in quotes");
+  const ListToken name = tokens.expect(Kind::kString, "a quoted script name");
   require_name(tokens, name);
   ProcessScript script{name.text, {}};
   tokens.expect(Kind::kOpen, "'{'");

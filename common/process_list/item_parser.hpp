@@ -9,19 +9,19 @@
 
 namespace adit {
 
-/// Throws ConfigError unless the token can be the name of a command, group or script: not empty,
-/// without slashes and control characters, at most 200 bytes.
+/// Throws ConfigError unless the token is a valid name of a command, group or script: 1 to 200
+/// bytes, no slashes or control characters.
 void require_name(const TokenStream& tokens, const ListToken& token);
 
-/// The same for names with slashes between, of which there are at most sixteen.
+/// Throws ConfigError unless `path` is at most sixteen valid names separated by slashes.
 void require_group_path(const TokenStream& tokens, const TextPosition& position,
                         const std::string& path);
 
-/// Reads what follows on `cmd`: the name and the attributes in braces. `group` is where it stands.
-/// Throws ConfigError.
+/// Parses what follows `cmd`: the name and the attributes in braces. `group` is the path of the
+/// enclosing group. Throws ConfigError.
 ListedCommand parse_listed_command(TokenStream& tokens, const std::string& group);
 
-/// Reads what follows on `script`: the name and the steps in braces. Throws ConfigError.
+/// Parses what follows `script`: the name and the actions in braces. Throws ConfigError.
 ProcessScript parse_process_script(TokenStream& tokens);
 
 }  // namespace adit

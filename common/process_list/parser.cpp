@@ -19,9 +19,9 @@
 namespace adit {
 namespace {
 
-/// What is wrong with a list as a whole, one line; empty where nothing is: a name that two commands
-/// or scripts have, no program, a dependency that does not exist or leads in a circle, a script
-/// that means what is not there or runs itself.
+/// Returns the first error in the list as a whole, one line, or an empty string: a duplicate name
+/// of a command or script, a command without a program, a missing or cyclic dependency, a script
+/// that refers to a missing item or calls itself.
 std::string validation_error(const ProcessList& list);
 
 using Links = std::map<std::string, std::vector<std::string>>;
@@ -31,14 +31,14 @@ std::string quoted(const std::string& name) { return "\"" + name + "\""; }
 template <class Named, class Name>
 std::string duplicate_name(const std::vector<Named>& all, Name name, const std::string& what) {
   std::set<std::string> seen;
-  for (const Named& one : all) {
-    if (!seen.insert(one.*name).second) return "two " + what + " are called " + quoted(one.*name);
+  for (const Named& item : all) {
+    if (!seen.insert(item.*name).second) return "duplicate " + what + " " + quoted(item.*name);
   }
   return {};
 }
 
-/// Where links lead from a name back to it, in the order of the list; depth first, without
-/// recursion, which a long list could exhaust.
+/// Returns a name that is part of a cycle, or an empty string. Depth-first search in the order of
+/// the names; iterative, since a long list could exhaust the stack of a recursion.
 std::string find_cycle(const Links& links) {
   std::set<std::string> done;
   for (const auto& start : links) {
@@ -103,17 +103,16 @@ Links calls(const ProcessList& list) {
 }
 
 std::string names_error(const ProcessList& list) {
-  const std::string commands = duplicate_name(list.commands, &ListedCommand::id, "commands");
-  return commands.empty() ? duplicate_name(list.scripts, &ProcessScript::name, "scripts")
-                          : commands;
+  const std::string commands = duplicate_name(list.commands, &ListedCommand::id, "command");
+  return commands.empty() ? duplicate_name(list.scripts, &ProcessScript::name, "script") : commands;
 }
 
 std::string links_error(const ProcessList& list) {
   if (const std::string name = find_cycle(dependencies(list)); !name.empty()) {
-    return "command " + quoted(name) + " depends on itself, in a circle";
+    return "command " + quoted(name) + " is part of a dependency cycle";
   }
   if (const std::string name = find_cycle(calls(list)); !name.empty()) {
-    return "script " + quoted(name) + " runs itself, in a circle";
+    return "script " + quoted(name) + " is part of a call cycle";
   }
   return {};
 }
@@ -135,7 +134,7 @@ std::string validation_error(const ProcessList& list) {
 using Kind = ListToken::Kind;
 
 std::string parse_group_name(TokenStream& tokens, const std::string& outer) {
-  const ListToken name = tokens.expect(Kind::kString, "the name of the group in quotes");
+  const ListToken name = tokens.expect(Kind::kString, "a quoted group name");
   require_name(tokens, name);
   std::string group = outer.empty() ? name.text : outer + "/" + name.text;
   require_group_path(tokens, name.position, group);
@@ -166,11 +165,11 @@ void parse_item(TokenStream& tokens, ProcessList& list) {
   }
 }
 
-/// Also of strings within: what is no text would go onto terminals and other computers.
+/// Applies to strings in the list as well: they are shown on terminals and sent to other computers.
 void require_text(std::string_view text, const std::string& name) {
   const auto position = find_non_text_byte(text);
   if (!position) return;
-  throw ConfigError(name + ": byte " + std::to_string(*position) + " is no text");
+  throw ConfigError(name + ": byte " + std::to_string(*position) + " is not valid text");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace adit {
 
-/// Reads a process list in procman's grammar (python/src/procman/sheriff_config.py):
+/// Parses a process list in procman's grammar (python/src/procman/sheriff_config.py):
 ///   group "sensing" {
 ///     cmd "scan_matching" {
 ///       exec = "adit-scan_matching --config robot.yaml"; deputy = "robot";
@@ -21,14 +21,15 @@ namespace adit {
 ///   }
 ///   script "go" { start group "sensing" wait "running" timeout_s 20; wait ms 500;
 ///                 wait cmd "mapping" status "running"; run_script "other"; }
-/// The third line of the command and `timeout_s` are ours. Older files have `host` for `deputy`; a
-/// number may stand in quotes, as procman itself writes it. What stands in the list is checked, see
-/// check_process_list.
+/// `depends_on`, `restart_limit`, the last line of the command and `timeout_s` extend procman's
+/// grammar. Older files have `host` for `deputy`; a number may be quoted, as procman writes it.
+/// The list is validated: unique names, existing and acyclic dependencies and script calls.
 ///
-/// Throws ConfigError, `name:line:column: ` and what was expected there.
+/// Throws ConfigError: `name:line:column: ` and the expected token, or `name: ` and the error in
+/// the list.
 ProcessList parse_process_list(std::string_view text, const std::string& name);
 
-/// The same from a file. Throws ConfigError also where it cannot be read.
+/// Reads and parses a file. Throws ConfigError as above, and if the file cannot be read.
 ProcessList read_process_list(const std::filesystem::path& path);
 
 }  // namespace adit

@@ -60,10 +60,10 @@ ProcessListDiff diff(const ProcessList& before, const ProcessList& after) {
 }
 
 std::string text_of(const ProcessListDiff& change) {
-  const std::string text = names_line("changed:", change.changed) +
-                           names_line("new:", change.added) + names_line("gone:", change.removed) +
-                           (change.scripts ? "scripts have changed\n" : "");
-  return text.empty() ? "nothing has changed\n" : text;
+  const std::string text =
+      names_line("changed:", change.changed) + names_line("added:", change.added) +
+      names_line("removed:", change.removed) + (change.scripts ? "scripts changed\n" : "");
+  return text.empty() ? "no changes\n" : text;
 }
 
 }  // namespace adit

@@ -9,53 +9,53 @@
 
 namespace adit {
 
-/// By what a process shows that it works: it publishes.
+/// A process is alive while it publishes on this channel at this rate.
 struct LivenessSignal {
   std::string channel;
-  double rate_hz = 1.0;  ///< at least, by the wall clock
+  double rate_hz = 1.0;  ///< minimum rate, wall clock time
 
   friend bool operator==(const LivenessSignal&, const LivenessSignal&) = default;
 };
 
-/// A program that is to be kept running, as procman describes it and with what we add.
+/// A program managed by a supervisor: procman's attributes and the extensions below.
 struct ListedCommand {
-  std::string id;      ///< unique in the list, without slashes
-  std::string exec;    ///< `A=B program "an argument"`, see CommandLine; no shell is asked
-  std::string deputy;  ///< on which computer: the name of its supervisor
+  std::string id;      ///< unique in the list; no slashes
+  std::string exec;    ///< `A=B program "an argument"`, see CommandLine; run without a shell
+  std::string deputy;  ///< name of the supervisor that runs it
   std::string group;   ///< "outer/inner"; empty: none
   bool auto_respawn = false;
   int stop_signal = SIGINT;
-  double stop_time_allowed_s = 7.0;  ///< from that signal to SIGKILL
+  double stop_time_allowed_s = 7.0;  ///< from stop_signal to SIGKILL
 
-  // What procman does not have.
-  std::vector<std::string> depends_on;  ///< commands that must work before this one starts
-  std::optional<int> restart_limit;     ///< restarts without a good time between; none: no limit
-  std::optional<LivenessSignal> alive;  ///< none: it works as soon as it runs
-  double start_timeout_s = 10.0;        ///< until it must show that it is alive
+  // Extensions of procman's attributes.
+  std::vector<std::string> depends_on;  ///< commands that must be running before it starts
+  std::optional<int> restart_limit;     ///< consecutive restarts; none: unlimited
+  std::optional<LivenessSignal> alive;  ///< none: running as soon as it is started
+  double start_timeout_s = 10.0;        ///< until it must be alive
 
   friend bool operator==(const ListedCommand&, const ListedCommand&) = default;
 };
 
-/// Which commands a script means.
+/// The commands that a script action applies to.
 struct ScriptTarget {
   enum class Kind { kEverything, kGroup, kCommand };
   Kind kind = Kind::kEverything;
-  std::string name;  ///< of the group or command
+  std::string name;  ///< name of the group or command
 
   friend bool operator==(const ScriptTarget&, const ScriptTarget&) = default;
 };
 
 enum class AwaitedStatus { kNone, kRunning, kStopped };
 
-/// One step of a script.
+/// One action of a script.
 struct ScriptAction {
   enum class Kind { kStart, kStop, kRestart, kWaitTime, kWaitStatus, kRunScript };
   Kind kind = Kind::kStart;
-  ScriptTarget target = {};                      ///< of start, stop, restart and a wait for status
-  AwaitedStatus awaited = AwaitedStatus::kNone;  ///< of these, what to wait for
-  int wait_ms = 0;                               ///< of a wait for time
-  std::optional<double> timeout_s = {};          ///< of a wait for status; none: the default
-  std::string script = {};                       ///< to run
+  ScriptTarget target = {};                      ///< of start, stop, restart and kWaitStatus
+  AwaitedStatus awaited = AwaitedStatus::kNone;  ///< status to wait for
+  int wait_ms = 0;                               ///< of kWaitTime
+  std::optional<double> timeout_s = {};          ///< of waits for a status; none: the default
+  std::string script = {};                       ///< of kRunScript
 
   friend bool operator==(const ScriptAction&, const ScriptAction&) = default;
 };
@@ -67,23 +67,23 @@ struct ProcessScript {
   friend bool operator==(const ProcessScript&, const ProcessScript&) = default;
 };
 
-/// What is to run, on all computers, and what may be done to it. Only what stands here is ever run.
+/// The commands of all computers and the scripts. A supervisor runs only commands of its list.
 struct ProcessList {
-  std::vector<ListedCommand> commands;  ///< in the order of the file
+  std::vector<ListedCommand> commands;  ///< in file order
   std::vector<ProcessScript> scripts;
 
   [[nodiscard]] const ListedCommand* find(const std::string& id) const;
   [[nodiscard]] const ProcessScript* find_script(const std::string& name) const;
 
-  /// The names of the commands that are meant, those of a group with the groups within it.
+  /// The ids of the commands of a target; a group includes its nested groups.
   [[nodiscard]] std::vector<std::string> ids_of(const ScriptTarget& target) const;
 
   friend bool operator==(const ProcessList&, const ProcessList&) = default;
 };
 
-/// What a list that was read again says otherwise than before; names, in the order of the lists.
+/// Difference between two versions of a process list: ids, in the order of the lists.
 struct ProcessListDiff {
-  std::vector<std::string> changed;  ///< in anything: command line, computer, limits
+  std::vector<std::string> changed;  ///< in any attribute
   std::vector<std::string> added;
   std::vector<std::string> removed;
   bool scripts = false;
@@ -91,7 +91,7 @@ struct ProcessListDiff {
 
 ProcessListDiff diff(const ProcessList& before, const ProcessList& after);
 
-/// For people: a line for each kind of change, or that there is none.
+/// Human-readable: a line per kind of change, or "no changes".
 std::string text_of(const ProcessListDiff& change);
 
 }  // namespace adit

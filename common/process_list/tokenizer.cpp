@@ -15,7 +15,7 @@ namespace {
 
 using Kind = ListToken::Kind;
 
-// By hand and not <cctype>: the same for every locale.
+// Not <cctype>, which depends on the locale.
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
@@ -83,7 +83,7 @@ ListToken ListTokenizer::string_token(const TextPosition& position) {
     if (c == '\\' && (at_end() || peek() == '\n')) break;
     token.text += c == '\\' ? unescaped(take()) : c;
   }
-  fail(position, "a string that does not end on its line");
+  fail(position, "unterminated string");
 }
 
 ListToken ListTokenizer::next() {
@@ -101,13 +101,13 @@ ListToken ListTokenizer::next() {
       token.text += take();
     }
   }
-  if (token.text.empty()) fail(position, printable(c) + " begins nothing that a process list has");
+  if (token.text.empty()) fail(position, "unexpected " + printable(c));
   return token;
 }
 
 namespace {
 
-/// Step by step: GCC 12 warns of a sum of texts here, wrongly (its bug 105651).
+/// Appends stepwise: GCC 12 gives a false warning for a sum of strings here (bug 105651).
 std::string between_quotes(std::string_view text, char quote) {
   std::string result(1, quote);
   result += text;
@@ -123,9 +123,9 @@ std::string description_of(const ListToken& token) {
 
 std::string alternatives(std::initializer_list<std::string_view> texts, bool in_quotes) {
   std::string text;
-  for (const std::string_view* one = texts.begin(); one != texts.end(); ++one) {
-    if (one != texts.begin()) text += one + 1 == texts.end() ? " or " : ", ";
-    text += in_quotes ? between_quotes(*one, '"') : std::string(*one);
+  for (const std::string_view* item = texts.begin(); item != texts.end(); ++item) {
+    if (item != texts.begin()) text += item + 1 == texts.end() ? " or " : ", ";
+    text += in_quotes ? between_quotes(*item, '"') : std::string(*item);
   }
   return text;
 }
@@ -179,7 +179,7 @@ int TokenStream::expect_integer(int min, int max) {
   const ListToken token = next_;
   const double number = expect_number(min, max);
   if (number != std::floor(number)) {
-    fail(token.position, "expected a whole number, not " + description_of(token));
+    fail(token.position, "expected an integer, not " + description_of(token));
   }
   return static_cast<int>(number);
 }

@@ -9,7 +9,7 @@
 
 namespace adit {
 
-/// A place in a text, both from 1; columns count bytes.
+/// A position in a text. Line and column start at 1; the column counts bytes.
 struct TextPosition {
   int line = 1;
   int column = 1;
@@ -18,19 +18,21 @@ struct TextPosition {
 struct ListToken {
   enum class Kind { kWord, kString, kNumber, kOpen, kClose, kAssign, kComma, kEnd, kEndOfFile };
   Kind kind = Kind::kEndOfFile;
-  std::string text;  ///< of a word or number; of a string what it stands for
+  std::string text;  ///< of a string: without quotes, escapes resolved
   TextPosition position;
 };
 
-/// Divides a process list into words (a letter or _, then letters, digits, _ and -), strings in
-/// double or single quotes on one line (\n, \r, \t; before anything else a backslash goes), numbers
-/// (digits, at most one point) and { } = , ; with comments from # to the end of the line left out.
+/// Splits a process list into words (a letter or _, then letters, digits, _ and -), strings in
+/// double or single quotes on one line (escapes \n, \r, \t; a backslash before another character is
+/// dropped), numbers (digits, at most one point) and { } = , ; and skips comments from # to the end
+/// of the line.
 class ListTokenizer {
  public:
-  /// `name` stands for the file in messages. The text must outlive this.
+  /// `name` is the file name in error messages. The text must outlive the tokenizer.
   ListTokenizer(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
 
-  /// Throws ConfigError, with file, line and column, where no token begins or a string has no end.
+  /// Throws ConfigError, with file, line and column, at an unexpected character or an unterminated
+  /// string.
   ListToken next();
 
   /// Throws ConfigError: `name:line:column: what`.
@@ -49,8 +51,8 @@ class ListTokenizer {
   TextPosition position_;
 };
 
-/// Tokens one after the other, with the next one in sight. What is expected and not there throws
-/// ConfigError with the place, what was expected and what stands there.
+/// The tokens of a process list, with one token of lookahead. The `expect` functions throw
+/// ConfigError with the position, the expected and the actual token.
 class TokenStream {
  public:
   using Kind = ListToken::Kind;
@@ -62,10 +64,10 @@ class TokenStream {
   bool take_if(Kind kind);
   ListToken expect(Kind kind, const std::string& what);
 
-  /// The text of a token of the kind that is one of these.
+  /// Returns the text of the next token, which must be of the kind and one of `texts`.
   std::string expect_one_of(Kind kind, std::initializer_list<std::string_view> texts);
 
-  /// A number, in quotes or not, of at least `least` and at most `most`.
+  /// Returns a number in [min, max], quoted or not.
   double expect_number(double min, double max);
   int expect_integer(int min, int max);
 

@@ -19,7 +19,7 @@ Fleet::Fleet(const SupervisorSetup& setup, const RestartBackoff& backoff)
 
 void Fleet::require_change_allowed(const std::string& id) {
   const ListedCommand* const command = setup_.list.find(id);
-  if (!command) throw std::invalid_argument("there is no process \"" + id + "\" in the list");
+  if (!command) throw std::invalid_argument("no process \"" + id + "\" in the list");
   if (!setup_.in_charge && command->deputy != setup_.deputy) {
     throw std::invalid_argument("\"" + id + "\" runs on " + command->deputy +
                                 ", and this supervisor is not in charge");
@@ -35,7 +35,7 @@ void Fleet::change(const ScriptChange& change, std::int64_t now_us) {
       enqueue_stop(*setup_.list.find(id), change.kind == Kind::kRestart, now_us);
     }
   }
-  stop_those_due(now_us);
+  issue_due_stops(now_us);
 }
 
 void Fleet::enqueue_stop(const ListedCommand& command, bool and_start, std::int64_t now_us) {
@@ -51,7 +51,7 @@ void Fleet::start(const std::string& id) {
 
 void Fleet::stop(const StopSequence::Stop& stop, std::int64_t now_us) {
   if (ManagedProcess* const process =
-          process_manager_.find(stop.id)) {  // one that is gone from the list too
+          process_manager_.find(stop.id)) {  // also one removed from the list
     if (stop.and_start) return process->restart(now_us);
     process->stop(now_us);
   } else if (remotes_.has(stop.id)) {
@@ -60,8 +60,9 @@ void Fleet::stop(const StopSequence::Stop& stop, std::int64_t now_us) {
   }
 }
 
-/// Again and again, since what does not run is no longer in the way as soon as it was told.
-void Fleet::stop_those_due(std::int64_t now_us) {
+/// Repeats until nothing is due: a stop of a process that does not run is complete immediately and
+/// can make others due.
+void Fleet::issue_due_stops(std::int64_t now_us) {
   const auto is_ending = [&](const std::string& id) {
     if (ManagedProcess* const process = process_manager_.find(id)) {
       return process->lifecycle().state() == LifecycleState::kStopping;
@@ -78,18 +79,18 @@ void Fleet::stop_those_due(std::int64_t now_us) {
 void Fleet::update_list(const ProcessList& before, std::int64_t now_us) {
   for (const ListedCommand& old : before.commands) {
     ManagedProcess* const process = process_manager_.find(old.id);
-    const ListedCommand* const now = setup_.list.find(old.id);
-    if (!process || (now && *now == old)) continue;
+    const ListedCommand* const updated = setup_.list.find(old.id);
+    if (!process || (updated && *updated == old)) continue;
     const LifecycleState state = process->lifecycle().state();
-    const bool stays = now && now->deputy == setup_.deputy;
-    // One that was given up has another chance, now that it is another.
+    const bool stays = updated && updated->deputy == setup_.deputy;
+    // A failed process is started again, since its command has changed.
     const bool and_start =
         stays && (process->lifecycle().should_run() || state == LifecycleState::kFailed);
     if (!stays || and_start) enqueue_stop(old, and_start, now_us);
   }
   process_manager_.update_list(setup_.list);
   remotes_.update_list(setup_.list);
-  stop_those_due(now_us);
+  issue_due_stops(now_us);
 }
 
 const OutputLog* Fleet::output(const std::string& id) {
@@ -113,7 +114,7 @@ void Fleet::on_message(std::string_view channel, std::int64_t now_us) {
 }
 
 bool Fleet::advance(std::int64_t now_us) {
-  stop_those_due(now_us);
+  issue_due_stops(now_us);
   return process_manager_.advance(now_us, [&](const std::string& id) {
     return process_state(id, now_us) == ProcessState::kRunning;
   });
@@ -144,9 +145,9 @@ bool FleetScript::advance(Fleet& fleet, std::int64_t now_us) {
   return changed;
 }
 
-bool FleetScript::end(const std::string& why) {
+bool FleetScript::abort(const std::string& reason) {
   if (!run_) return false;
-  failure_ = "script \"" + run_->name() + "\" " + why;
+  failure_ = "script \"" + run_->name() + "\" " + reason;
   run_.reset();
   return true;
 }

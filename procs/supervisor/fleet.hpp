@@ -16,23 +16,24 @@
 
 namespace adit {
 
-/// All processes of the list, on this computer and on others, by their names.
+/// All processes of the list, local and remote, by id. Local processes are controlled directly,
+/// remote ones by orders to their deputies.
 class Fleet {
  public:
   Fleet(const SupervisorSetup& setup, const RestartBackoff& backoff);
 
-  /// Does to each what a script or a terminal wants. Throws std::invalid_argument, and does
-  /// nothing, where a name is not in the list, or a process is another computer's and this
-  /// supervisor is not in charge. Of several that are to stop, what depends on others goes first.
+  /// Starts, stops or restarts processes for a script or a control request. Dependents are stopped
+  /// before their dependencies. Throws std::invalid_argument, without any effect, if an id is not
+  /// in the list, or if a process is remote and this supervisor is not in charge.
   void change(const ScriptChange& change, std::int64_t now_us);
 
-  /// The list of the site is another than `before`: what runs here and has changed is stopped and
-  /// started as it is now, what is gone is stopped.
+  /// Applies the reloaded list of the setup; `before` is the previous list. Changed local processes
+  /// that run are restarted, removed ones are stopped.
   void update_list(const ProcessList& before, std::int64_t now_us);
 
   [[nodiscard]] ProcessState process_state(const std::string& id, std::int64_t now_us);
 
-  /// Whether it is to be stopped, once what depends on it is.
+  /// Whether a stop of the process waits for its dependents to stop.
   [[nodiscard]] bool stop_is_pending(const std::string& id) const {
     return stop_sequence_.is_pending(id);
   }
@@ -41,10 +42,10 @@ class Fleet {
   void on_message(const ProcmanOutput& output) {
     remote_output_.on_message(output, setup_.list, setup_.deputy);
   }
-  /// What a process has printed; null where it is another computer's of which nothing was heard.
+  /// Output of a process; null for a remote process without received output.
   [[nodiscard]] const OutputLog* output(const std::string& id);
 
-  /// Whether anything has changed on this computer.
+  /// Returns whether the state of any local process has changed.
   bool advance(std::int64_t now_us);
 
   [[nodiscard]] const SupervisorSetup& setup() const { return setup_; }
@@ -57,7 +58,7 @@ class Fleet {
   void start(const std::string& id);
   void stop(const StopSequence::Stop& stop, std::int64_t now_us);
   void enqueue_stop(const ListedCommand& command, bool and_start, std::int64_t now_us);
-  void stop_those_due(std::int64_t now_us);
+  void issue_due_stops(std::int64_t now_us);
 
   const SupervisorSetup& setup_;
   ProcessManager process_manager_;
@@ -66,17 +67,17 @@ class Fleet {
   StopSequence stop_sequence_;
 };
 
-/// The script that runs on a fleet, one at a time, and how the last one fared.
+/// Runs scripts on a fleet, one at a time, and stores the failure of the last one.
 class FleetScript {
  public:
-  /// Takes the place of one that runs. Throws std::invalid_argument where there is no such script.
+  /// Replaces a running script. Throws std::invalid_argument if there is no such script.
   void begin(const std::string& name, const ProcessList& list, double timeout_s);
-  /// Does what its turn has come for. Whether anything was changed.
+  /// Executes the actions that are due. Returns whether any process was changed.
   bool advance(Fleet& fleet, std::int64_t now_us);
-  /// Ends it, with that as its failure. Whether one ran.
-  bool end(const std::string& why);
+  /// Ends a running script with `reason` as its failure. Returns whether a script was running.
+  bool abort(const std::string& reason);
 
-  /// Why the last one ended before its end; empty where it did not.
+  /// Why the last script failed; empty if it did not.
   [[nodiscard]] const std::string& failure() const { return failure_; }
 
  private:

@@ -45,9 +45,9 @@ std::string_view state_of(const ProcmanStatus& status) {
   return status.pid > 0 ? "running" : "stopped";
 }
 
-/// What it waits for, or its trouble.
+/// What the process waits for, or its error.
 std::string status_note(Fleet& fleet, const ManagedProcess& process, std::int64_t now_us) {
-  if (fleet.stop_is_pending(process.command().id)) return "stops after what depends on it";
+  if (fleet.stop_is_pending(process.command().id)) return "waits for its dependents to stop";
   if (process.lifecycle().state() != LifecycleState::kWaiting) return process.lifecycle().error();
   std::string note;
   for (const std::string& id : process.command().depends_on) {
@@ -68,7 +68,7 @@ std::string status_row(Fleet& fleet, const ListedCommand& command, std::int64_t 
     out << state_of(*status) << '\t' << status->pid << '\t' << status->cpu_cores << '\t'
         << status->memory_bytes << "\t0\t";
   } else {
-    out << "unknown\t0\t0\t0\t0\tnothing was heard from " << command.deputy << " for five seconds";
+    out << "unknown\t0\t0\t0\t0\tno status from " << command.deputy << " for five seconds";
   }
   return out.str();
 }
@@ -85,14 +85,14 @@ std::string status_rows(Fleet& fleet, std::int64_t now_us) {
 
 namespace {
 
-constexpr std::size_t kAnswerBytesMax = 2'000'000;  // more than an OutputLog has
+constexpr std::size_t kResponseBytesMax = 2'000'000;  // more than the capacity of an OutputLog
 
-/// What was printed since line `next`; looked for by name each time, since a list that is read
-/// again can take a process away.
+/// Output from line `next` on. Finds the log by id each time, since reloading the list can remove a
+/// process.
 std::string text_since(Fleet& fleet, const std::string& id, std::int64_t& next) {
   const OutputLog* const output = fleet.output(id);
   if (!output) return {};
-  const OutputLines unread = output->since(next, kAnswerBytesMax);
+  const OutputLines unread = output->since(next, kResponseBytesMax);
   next = unread.next;
   return text_of(unread);
 }
@@ -101,10 +101,10 @@ std::string text_since(Fleet& fleet, const std::string& id, std::int64_t& next) 
 
 ControlResponse logs_response(Fleet& fleet, const std::string& id, bool follow) {
   const ListedCommand* const listed = fleet.setup().list.find(id);
-  if (!listed) throw std::invalid_argument("there is no process \"" + id + "\" in the list");
+  if (!listed) throw std::invalid_argument("no process \"" + id + "\" in the list");
   std::int64_t next = 0;
   ControlResponse response{text_since(fleet, id, next)};
-  if (!fleet.output(id)) response.text = "(nothing was heard of it from " + listed->deputy + ")\n";
+  if (!fleet.output(id)) response.text = "(no output received from " + listed->deputy + ")\n";
   if (!follow) return response;
   response.more = [&fleet, id, next]() mutable { return text_since(fleet, id, next); };
   return response;

@@ -11,23 +11,23 @@
 
 namespace adit {
 
-/// What is not as it should be with the processes of this computer, the first of it; empty where
-/// all is well.
+/// The first problem of the local processes: a failed or pausing process, or a log file that cannot
+/// be written. Empty if there is none.
 std::string first_problem(const ProcessManager& process_manager);
 
-/// Whether some process was given up.
+/// Whether any local process is in the state kFailed.
 bool any_failed(const ProcessManager& process_manager);
 
 /// "3 of 12 processes run".
 std::string running_count_text(const ProcessManager& process_manager);
 
-/// For people: a line for each process, in the order of the list, its words divided by tabs:
-/// name, deputy, group, state, process id, cores in use, memory [bytes], restarts, trouble.
+/// A line per process, in list order, fields separated by tabs: id, deputy, group, state, process
+/// id, CPU usage [cores], memory [bytes], restarts, note (error or what the process waits for).
 std::string status_rows(Fleet& fleet, std::int64_t now_us);
 
-/// What a process has printed and, with `follow`, what it prints from now on; the fleet must
-/// outlive the answer then. Of another computer's that is what was heard since this supervisor
-/// started. Throws std::invalid_argument where the process is not in the list.
+/// Output of a process and, with `follow`, its further output; the fleet must then outlive the
+/// response. For a remote process, output received since the start of this supervisor. Throws
+/// std::invalid_argument if the process is not in the list.
 ControlResponse logs_response(Fleet& fleet, const std::string& id, bool follow);
 
 }  // namespace adit

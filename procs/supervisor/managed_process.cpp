@@ -11,7 +11,7 @@
 namespace adit {
 namespace {
 
-// A program that prints faster than this at each look waits until the next.
+// Read per advance(). A program that prints faster blocks until the next one.
 constexpr std::size_t kOutputBytesMax = 256 * 1024;
 
 LifecycleRules rules_of(const ListedCommand& command, const RestartBackoff& backoff) {
@@ -46,7 +46,7 @@ void ManagedProcess::apply_next_command() {
   rate_ = rate_of(command_);
 }
 
-/// A word of the supervisor's own in the file.
+/// Adds a line of the supervisor to the log file.
 void ManagedProcess::log_event(const std::string& what) { log_.add("--- " + what, wall_utime()); }
 
 void ManagedProcess::start() {
@@ -82,7 +82,7 @@ bool ManagedProcess::advance(std::int64_t now_us, bool dependencies_ready) {
   return state != lifecycle_.state() || pid != this->pid();
 }
 
-/// Not while only what the program left behind still runs.
+/// False while only descendants of an ended program run.
 bool ManagedProcess::is_ready() const {
   return !stop_announced_ && lifecycle_.state() == LifecycleState::kRunning && child_ &&
          !child_->program_has_ended();
@@ -100,8 +100,8 @@ void ManagedProcess::poll_child(std::int64_t now_us) {
   log_event(end->text());
 }
 
-void ManagedProcess::apply(ProcessLifecycle::Act what, std::int64_t now_us) {
-  switch (what) {
+void ManagedProcess::apply(ProcessLifecycle::Act act, std::int64_t now_us) {
+  switch (act) {
     case ProcessLifecycle::Act::kNothing:
       return;
     case ProcessLifecycle::Act::kStart:

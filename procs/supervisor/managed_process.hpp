@@ -19,15 +19,14 @@
 namespace adit {
 
 struct ProcessManagerOptions {
-  std::string deputy;             ///< whose commands of the list are kept
-  std::filesystem::path watcher;  ///< adit-watch
+  std::string deputy;             ///< commands of this deputy are managed
+  std::filesystem::path watcher;  ///< path of adit-watch
   RestartBackoff backoff = {};
-  std::filesystem::path log_dir = {};  ///< for what they print; empty: no files
+  std::filesystem::path log_dir = {};  ///< folder of the log files; empty: no files
   RotatedFile::Limits log_limits = {};
 };
 
-/// One command of the list, kept as it is wanted: its life and the process that lives it. Times are
-/// those of steady_us().
+/// One command of the list: its lifecycle, its process and its output. Times are steady_us().
 class ManagedProcess {
  public:
   ManagedProcess(const ListedCommand& command, const ProcessManagerOptions& options);
@@ -37,31 +36,32 @@ class ManagedProcess {
   void start();
   void stop(std::int64_t now_us);
   void restart(std::int64_t now_us);
-  /// It is to stop, or to restart, when its turn has come: until then nobody is to start on it.
+  /// A stop or restart is pending; until then no dependent may start.
   void announce_stop() { stop_announced_ = true; }
-  /// From its next start on it is this command; at once where it does not run.
+  /// Replaces the command at the next start, or immediately if the process does not run.
   void update_command(const ListedCommand& command);
-  /// As procman's deputies take orders: another run id asks for a new run.
+  /// Executes an order as procman's deputy does: a new run id requests a restart.
   void order(std::int32_t run_id, bool stop, std::int64_t now_us);
-  /// A message came on the channel that shows its life.
+  /// A message was received on the liveness channel.
   void on_message(std::int64_t now_us);
 
-  /// Does what is to be done. Whether anything about it has changed.
+  /// Polls the process and executes lifecycle actions. Returns whether its state or pid has
+  /// changed.
   bool advance(std::int64_t now_us, bool dependencies_ready);
   void measure(const ProcessTable& table, std::int64_t now_us);
 
   [[nodiscard]] const ListedCommand& command() const { return command_; }
   [[nodiscard]] const ProcessLifecycle& lifecycle() const { return lifecycle_; }
   [[nodiscard]] const OutputLog& output() const { return output_; }
-  /// Whether others can depend on it.
+  /// Whether its dependents may start.
   [[nodiscard]] bool is_ready() const;
-  /// Why what it prints does not get into its file; empty where it does.
+  /// Why the log file cannot be written; empty if it can.
   [[nodiscard]] std::string log_error() const { return log_.error(); }
   [[nodiscard]] const ResourceUsage& usage() const { return usage_; }
   [[nodiscard]] std::int32_t run_id() const { return run_id_; }
-  /// Of its last end, as waitpid has it.
+  /// Of the last end, as returned by waitpid.
   [[nodiscard]] int wait_status() const { return wait_status_; }
-  /// 0 where it does not run.
+  /// 0 if it does not run.
   [[nodiscard]] pid_t pid() const { return child_ ? child_->pid() : 0; }
   [[nodiscard]] pid_t watcher() const { return child_ ? child_->watcher() : 0; }
 
@@ -70,7 +70,7 @@ class ManagedProcess {
   void apply_next_command();
   void log_event(const std::string& what);
   void poll_child(std::int64_t now_us);
-  void apply(ProcessLifecycle::Act what, std::int64_t now_us);
+  void apply(ProcessLifecycle::Act act, std::int64_t now_us);
 
   ListedCommand command_;
   std::optional<ListedCommand> next_command_;
@@ -81,7 +81,7 @@ class ManagedProcess {
   OutputLog output_;
   UsageMeter meter_;
   ResourceUsage usage_;
-  std::int64_t measured_us_ = 0;  ///< the last time, or when it was started
+  std::int64_t measured_us_ = 0;  ///< time of the last measurement or of the start
   std::unique_ptr<ChildProcess> child_;
   bool stop_announced_ = false;
   std::int32_t run_id_ = 0;

@@ -83,10 +83,10 @@ void ProcessManager::on_message(std::string_view channel, std::int64_t now_us) {
   }
 }
 
-bool ProcessManager::advance(std::int64_t now_us, const ReadyElsewhere& ready_elsewhere) {
+bool ProcessManager::advance(std::int64_t now_us, const RemoteReady& remote_ready) {
   bool changed = false;
   for (ManagedProcess& process : processes_) {
-    const bool may_start = dependencies_ready(process, ready_elsewhere);
+    const bool may_start = dependencies_ready(process, remote_ready);
     if (process.advance(now_us, may_start)) changed = true;
   }
   if (!removed_.empty()) erase_removed();
@@ -94,10 +94,10 @@ bool ProcessManager::advance(std::int64_t now_us, const ReadyElsewhere& ready_el
 }
 
 bool ProcessManager::dependencies_ready(const ManagedProcess& process,
-                                        const ReadyElsewhere& ready_elsewhere) {
+                                        const RemoteReady& remote_ready) {
   return std::ranges::all_of(process.command().depends_on, [&](const std::string& id) {
-    const ManagedProcess* const here = find(id);
-    return here ? here->is_ready() : ready_elsewhere(id);
+    const ManagedProcess* const local = find(id);
+    return local ? local->is_ready() : remote_ready(id);
   });
 }
 
@@ -107,7 +107,7 @@ void ProcessManager::measure(std::int64_t now_us) {
   kill_strays(table);
 }
 
-/// Only whoever lost its watcher is a child of ours without being one.
+/// A child of this process that is not a watcher is an orphan of a watcher that was killed.
 void ProcessManager::kill_strays(const ProcessTable& table) const {
   std::set<pid_t> strays = table.children_of(getpid());
   for (const ManagedProcess& process : processes_) strays.erase(process.watcher());

@@ -14,47 +14,47 @@
 
 namespace adit {
 
-/// Keeps the processes of one computer. Nothing that these start outlives it, however it ends: see
-/// ChildProcess; and should one of the watchers be killed, those that it watched over come to this
-/// process (PR_SET_CHILD_SUBREAPER), which kills them. Times are those of steady_us().
+/// Runs the processes of one computer. No descendant of these outlives it, however it ends, see
+/// ChildProcess; if a watcher is killed, its descendants become children of this process
+/// (PR_SET_CHILD_SUBREAPER), which kills them. Times are steady_us().
 class ProcessManager {
  public:
-  /// Whether a command of another computer works.
-  using ReadyElsewhere = std::function<bool(const std::string& id)>;
+  /// Whether a remote command is running.
+  using RemoteReady = std::function<bool(const std::string& id)>;
 
   ProcessManager(const ProcessList& list, const ProcessManagerOptions& options);
-  /// Stops all, what depends on others before these, and waits for that.
+  /// Stops all processes, dependents before their dependencies, and waits until they have ended.
   ~ProcessManager();
   ProcessManager(const ProcessManager&) = delete;
   ProcessManager& operator=(const ProcessManager&) = delete;
 
-  /// Keeps what this list says from now on. A process that the list has otherwise runs on as it was
-  /// until it is restarted; one that it has no more runs on until it is stopped, and is forgotten.
+  /// Replaces the list. A changed process keeps its old command until it is restarted; a removed
+  /// process continues until it is stopped, and is then erased.
   void update_list(const ProcessList& list);
 
-  /// Null where the command is none of this computer's.
+  /// Null if the command is not local.
   [[nodiscard]] ManagedProcess* find(const std::string& id);
   [[nodiscard]] const std::list<ManagedProcess>& processes() const { return processes_; }
 
   void on_message(std::string_view channel, std::int64_t now_us);
 
-  /// To be called every few hundredths of a second. Whether anything has changed.
-  bool advance(std::int64_t now_us, const ReadyElsewhere& ready_elsewhere);
+  /// Must be called every few 10 ms. Returns whether any state has changed.
+  bool advance(std::int64_t now_us, const RemoteReady& remote_ready);
 
-  /// How much each process uses; about once a second.
+  /// Updates the resource usage of each process and kills orphans; about once per second.
   void measure(std::int64_t now_us);
 
  private:
   [[nodiscard]] bool dependencies_ready(const ManagedProcess& process,
-                                        const ReadyElsewhere& ready_elsewhere);
+                                        const RemoteReady& remote_ready);
   [[nodiscard]] bool is_local(const ListedCommand& command) const;
   void erase_removed();
   void kill_strays(const ProcessTable& table) const;
   [[nodiscard]] bool any_runs() const;
 
   ProcessManagerOptions options_;
-  std::set<std::string> removed_;        // from the list
-  std::list<ManagedProcess> processes_;  // in the order of the list, those that are gone first
+  std::set<std::string> removed_;        // ids removed from the list
+  std::list<ManagedProcess> processes_;  // in list order, removed ones first
 };
 
 }  // namespace adit

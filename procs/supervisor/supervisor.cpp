@@ -16,7 +16,7 @@ namespace {
 ProcessList reread_list(const SupervisorParams& params) try {
   return make_setup(params).list;
 } catch (const std::runtime_error& rejection) {
-  throw std::runtime_error(std::string(rejection.what()) + "; the old process list stays");
+  throw std::runtime_error(std::string(rejection.what()) + "; the old process list stays in use");
 }
 
 OrderPolicy policy_of(const SupervisorParams& params) {
@@ -38,28 +38,28 @@ Supervisor::Supervisor(const SupervisorParams& params)
 
 Supervisor::Changes Supervisor::advance(std::int64_t now_us) {
   control_server_.poll(
-      [this](const std::vector<std::string>& words) { return handle_request(words); });
+      [this](const std::vector<std::string>& fields) { return handle_request(fields); });
   if (reload_signal_.received()) reload_by_signal(now_us);
   if (script_.advance(fleet_, now_us)) changes_.remote = true;
   if (fleet_.advance(now_us)) changes_.local = true;
   return std::exchange(changes_, {});
 }
 
-/// Nobody waits for an answer: what is wrong shows in the heartbeat.
+/// Without a client that receives a response, an error is reported in the heartbeat.
 void Supervisor::reload_by_signal(std::int64_t now_us) try {
   reload(now_us);
 } catch (const std::runtime_error& rejection) {
   list_error_ = rejection.what();
 }
 
-/// A script knows its list by heart, so it cannot go on by another.
+/// A running script refers to actions of the old list, so it is aborted.
 std::string Supervisor::reload(std::int64_t now_us) {
   changes_.list = true;
   ProcessList list = reread_list(params_);
   list_error_.clear();
   const ProcessListDiff change = diff(setup_.list, list);
   std::string text = text_of(change);
-  if (script_.end("was ended by a new process list")) text += script_.failure() + "\n";
+  if (script_.abort("was aborted by a new process list")) text += script_.failure() + "\n";
   std::swap(setup_.list, list);
   fleet_.update_list(list, now_us);
   changes_.local = true;
@@ -126,13 +126,13 @@ std::string Supervisor::problem() const {
   return list_error_.empty() ? script_.failure() : list_error_;
 }
 
-ControlResponse Supervisor::handle_request(const std::vector<std::string>& words) {
+ControlResponse Supervisor::handle_request(const std::vector<std::string>& fields) {
   static const std::map<std::string, ScriptAction::Kind> kChanges{
       {"start", ScriptAction::Kind::kStart},
       {"stop", ScriptAction::Kind::kStop},
       {"restart", ScriptAction::Kind::kRestart}};
-  const std::string& verb = words.front();
-  const std::vector<std::string> names(words.begin() + 1, words.end());
+  const std::string& verb = fields.front();
+  const std::vector<std::string> names(fields.begin() + 1, fields.end());
   if (verb == "ps") return {status_rows(fleet_, steady_us())};
   if ((verb == "logs" || verb == "follow") && names.size() == 1) {
     return logs_response(fleet_, names.front(), verb == "follow");

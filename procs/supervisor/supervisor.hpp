@@ -19,29 +19,32 @@
 
 namespace adit {
 
-/// Keeps the processes of this computer and, where it is in charge, has those of others kept. It
-/// obeys the terminals of this computer, its start script and, as far as the configuration allows,
-/// orders from the network; whoever orders can only start and stop what is in the list. The list is
-/// read again on SIGHUP and for a terminal; where it is wrong, the old one stays.
+/// Manages the processes of this computer and, if it is in charge, orders the deputies of other
+/// computers to manage theirs. Executes local control requests, the start script and, if the
+/// configuration allows, orders from the network, all of which can only start and stop commands of
+/// the list. The list is reloaded on SIGHUP and on request; if it is invalid, the old list stays in
+/// use.
 ///
 /// Times are those of steady_us(), `utime` that of wall_utime().
 class Supervisor {
  public:
   struct Changes {
-    bool local = false;   ///< something has changed on this computer
-    bool remote = false;  ///< there are new orders for others
-    bool list = false;    ///< the process list was read again, for better or worse
+    bool local = false;   ///< a local process has changed
+    bool remote = false;  ///< there are new orders for other deputies
+    bool list = false;    ///< the process list was reloaded, or failed to
   };
 
-  /// Throws ConfigError for what cannot be, std::runtime_error where the socket cannot be had.
+  /// Throws ConfigError for an invalid configuration, std::runtime_error if the control socket
+  /// cannot be created.
   explicit Supervisor(const SupervisorParams& params);
 
-  /// To be called every few hundredths of a second.
+  /// Must be called every few 10 ms.
   Changes advance(std::int64_t now_us);
   void measure(std::int64_t now_us);
 
-  /// Orders from the network. Returns why one was refused, as a text of static storage; those
-  /// beside it are obeyed. Orders for other computers are none of ours.
+  /// Applies orders from the network; ignores orders for other deputies. Returns the reason of a
+  /// rejected order, with static storage duration, or an empty string; the other orders are
+  /// applied.
   std::string_view apply_orders(const ProcmanOrders& orders, std::int64_t now_us);
   void on_message(const ProcmanInfo& info, std::int64_t now_us) {
     fleet_.remotes().on_message(info, now_us);
@@ -52,27 +55,27 @@ class Supervisor {
   }
 
   [[nodiscard]] ProcmanInfo info(std::int64_t utime) const;
-  /// None where this supervisor is not in charge.
+  /// Empty if this supervisor is not in charge.
   [[nodiscard]] std::vector<ProcmanOrders> orders(std::int64_t utime);
-  /// What processes have printed since, in pieces of less than 60 kB.
+  /// Output of local processes since the last call, in messages of less than 60 kB.
   [[nodiscard]] std::vector<ProcmanOutput> take_output(std::int64_t utime) {
     return relay_.take(fleet_.process_manager(), setup_.deputy, utime);
   }
 
-  /// On which processes show that they are alive.
+  /// The alive_channels of the list.
   [[nodiscard]] std::set<std::string> liveness_channels() const;
 
-  /// What is not as it should be; empty where all is well.
+  /// The first problem: of a process, the list or a script. Empty if there is none.
   [[nodiscard]] std::string problem() const;
-  /// Whether some process was given up.
+  /// Whether any local process is in the state kFailed.
   [[nodiscard]] bool any_process_failed() const { return any_failed(fleet_.process_manager()); }
-  /// Why the process list could not be read again; empty where it could.
+  /// Why the last reload failed; empty if it did not.
   [[nodiscard]] const std::string& list_error() const { return list_error_; }
 
  private:
   void reload_by_signal(std::int64_t now_us);
   std::string reload(std::int64_t now_us);
-  ControlResponse handle_request(const std::vector<std::string>& words);
+  ControlResponse handle_request(const std::vector<std::string>& fields);
   void begin_script(const std::string& name);
   void change(const ScriptChange& change, std::int64_t now_us);
 

@@ -12,13 +12,13 @@
 namespace adit {
 namespace {
 
-constexpr std::int64_t kPollUs = 20'000;  // how late an end or a line is seen
+constexpr std::int64_t kPollUs = 20'000;  // maximum delay of detecting an end or output
 constexpr std::int64_t kOutputUs = 100'000;
 constexpr std::int64_t kSecondUs = 1'000'000;
 constexpr std::size_t kOrdersQueueMax = 100;
-constexpr std::size_t kLivenessQueueMax = 200;  // of life, in a second of the fastest channel
+constexpr std::size_t kLivenessQueueMax = 200;  // one second of the fastest channel
 
-/// Decodes, converts and hands on; what `take` returns is why it refuses.
+/// Decodes and converts a message and passes it to `take`, which returns a rejection or "".
 template <class Msg, class Take>
 Handler decoding(Take take) {
   return [take](const ReceivedMessage& received) -> std::string_view {
@@ -61,7 +61,7 @@ void SupervisorNode::subscribe_to_procman() {
   subscribe_to_liveness();
 }
 
-/// A channel that no list names any more is listened to for nothing.
+/// Channels that are no longer in the list remain subscribed, without effect.
 void SupervisorNode::subscribe_to_liveness() {
   for (const std::string& channel : supervisor_.liveness_channels()) {
     if (!liveness_channels_.insert(channel).second) continue;

@@ -11,23 +11,22 @@
 
 namespace adit {
 
-/// In:  PM_ORDERS (orders_t), as far as the configuration allows; PM_INFO (deputy_info_t) of
-/// others;
-///      PM_DISCOVER (discovery_t); PM_OUTPUT (output_t) of others; whatever channels the process
-///      list says show life.
-/// Out: PM_INFO (deputy_info_t) each second and on change; PM_OUTPUT (output_t); where it is in
-///      charge, PM_ORDERS (orders_t) for others each second and on change.
-/// All of it by the time of the world, also where bus time is a simulator's. When it goes, it stops
-/// its processes and waits for that.
+/// In:  PM_ORDERS (orders_t), if the configuration allows; PM_INFO (deputy_info_t) and PM_OUTPUT
+///      (output_t) of other deputies; PM_DISCOVER (discovery_t); the alive_channels of the list.
+/// Out: PM_INFO (deputy_info_t) at 1 Hz and on change; PM_OUTPUT (output_t); if in charge,
+/// PM_ORDERS
+///      (orders_t) for other deputies at 1 Hz and on change.
+/// Uses wall clock time even if bus time is simulated. The destructor stops the processes and waits
+/// until they have ended.
 class SupervisorNode {
  public:
   using Params = SupervisorParams;
 
-  /// Throws as Supervisor does.
+  /// Throws as the constructor of Supervisor.
   SupervisorNode(Bus& bus, const Params& params);
 
-  /// Fault where a process was given up, degraded where one waits to be started again or a script
-  /// has ended before its end.
+  /// Fault if a process has failed; degraded for other problems, such as a process that pauses
+  /// before its restart or a failed script.
   [[nodiscard]] Health health() const;
 
  private:
@@ -41,7 +40,7 @@ class SupervisorNode {
 
   Bus& bus_;
   Supervisor supervisor_;
-  std::set<std::string> liveness_channels_;  // that are listened to
+  std::set<std::string> liveness_channels_;  // subscribed
 };
 
 }  // namespace adit

@@ -32,7 +32,7 @@ void create_log_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error || access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw ConfigError("supervisor.log_dir: " + folder.string() + " cannot be written to");
+    throw ConfigError("supervisor.log_dir: " + folder.string() + " is not writable");
   }
 }
 
@@ -41,7 +41,7 @@ void assign_deputies(ProcessList& list, const std::string& in_charge, const std:
     if (!command.deputy.empty() && command.deputy != "localhost") continue;
     if (in_charge.empty()) {
       throw ConfigError(file + ": command \"" + command.id +
-                        "\" names no deputy, and supervisor.in_charge is not set");
+                        "\" has no deputy, and supervisor.in_charge is not set");
     }
     command.deputy = in_charge;
   }
@@ -59,7 +59,7 @@ SupervisorSetup make_setup(const SupervisorParams& params) {
   setup.socket = params.socket.empty() ? default_socket_path() : fs::path(params.socket);
   setup.watcher = params.watcher.empty() ? sibling_program("adit-watch") : fs::path(params.watcher);
   if (access(setup.watcher.c_str(), X_OK) != 0) {
-    throw ConfigError("supervisor.watcher: " + setup.watcher.string() + " cannot be run");
+    throw ConfigError("supervisor.watcher: " + setup.watcher.string() + " is not executable");
   }
   setup.log_dir = params.log_dir;
   setup.log_limits = {std::llround(params.log_file_max_mb * 1e6), params.log_files};

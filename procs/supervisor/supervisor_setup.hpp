@@ -13,18 +13,18 @@
 namespace adit {
 
 struct SupervisorParams {
-  std::string processes;           ///< file with the process list; there is none without
-  std::string deputy_id;           ///< whose commands run here; empty: the name of this computer
-  std::string role = "in_charge";  ///< or "deputy", which obeys the one in charge
-  std::string in_charge;       ///< of a deputy: the deputy_id of the one in charge; empty: nobody
-  bool accept_orders = false;  ///< whether anybody on the network may start and stop processes
-  std::string start_script;    ///< to run at the start; empty: nothing starts by itself
-  double script_timeout_s = 30.0;  ///< for waits in scripts that name no time
-  std::string socket;              ///< for `adit ps` and the like; empty: the default of this user
-  std::string watcher;             ///< adit-watch; empty: the one beside this program
-  std::string log_dir;             ///< for what processes print, a file for each; empty: nowhere
-  double log_file_max_mb = 4.0;    ///< of one file, before it is put aside
-  int log_files = 5;               ///< of each process, the oldest go
+  std::string processes;           ///< file of the process list; required
+  std::string deputy_id;           ///< commands of this deputy run here; empty: the host name
+  std::string role = "in_charge";  ///< or "deputy", which accepts orders of in_charge
+  std::string in_charge;       ///< for a deputy: deputy_id of the supervisor in charge; empty: none
+  bool accept_orders = false;  ///< accept orders of any sheriff on the network
+  std::string start_script;    ///< script to run at startup; empty: none
+  double script_timeout_s = 30.0;  ///< for script waits without timeout_s
+  std::string socket;              ///< control socket; empty: default_socket_path()
+  std::string watcher;             ///< path of adit-watch; empty: in the folder of this program
+  std::string log_dir;             ///< folder of the process logs; empty: no logs
+  double log_file_max_mb = 4.0;    ///< maximum size of a log file before rotation
+  int log_files = 5;               ///< log files per process, the current one included
   RestartBackoff restart;
 
   template <class V>
@@ -45,20 +45,21 @@ struct SupervisorParams {
   }
 };
 
-/// What a supervisor is to be, with everything that the configuration leaves open filled in.
+/// Configuration of a supervisor with the defaults resolved and the process list loaded.
 struct SupervisorSetup {
-  ProcessList list;  ///< each command with its deputy
+  ProcessList list;  ///< every command has a deputy
   std::string deputy;
   bool in_charge = true;
   std::filesystem::path socket;
   std::filesystem::path watcher;
-  std::filesystem::path log_dir;  ///< empty: what processes print is kept in no files
+  std::filesystem::path log_dir;  ///< empty: no log files
   RotatedFile::Limits log_limits;
 };
 
-/// Reads the process list, and makes the folder for logs. A command without a deputy, or with
-/// procman's "localhost", is that of the one in charge. Throws ConfigError where there is no list,
-/// or no one in charge for such a command, or no such script, or no such folder.
+/// Loads the process list and creates the log folder. A command without a deputy, or with procman's
+/// "localhost", is assigned to the supervisor in charge. Throws ConfigError if the list is missing
+/// or invalid, the supervisor in charge is needed and not set, the start script is not in the list,
+/// adit-watch is not executable or the log folder is not writable.
 SupervisorSetup make_setup(const SupervisorParams& params);
 
 }  // namespace adit

@@ -19,12 +19,12 @@ FileDescriptor connected_to(const std::filesystem::path& path) {
   if (connect(connection.get(), to_sockaddr(address), sizeof(address)) == 0) return connection;
   throw std::runtime_error("no supervisor at " + path.string() + " (" +
                            std::generic_category().message(errno) +
-                           "); start adit-supervisor, or say --socket");
+                           "); start adit-supervisor or set --socket");
 }
 
-void send_request(int connection, const std::vector<std::string>& words) {
+void send_request(int connection, const std::vector<std::string>& request) {
   std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : "\t") + word;
+  for (const std::string& field : request) line += (line.empty() ? "" : "\t") + field;
   line += '\n';
   std::string_view rest = line;
   while (!rest.empty()) {
@@ -34,7 +34,7 @@ void send_request(int connection, const std::vector<std::string>& words) {
   }
 }
 
-/// Takes the first line off what was heard: "ok", or an error.
+/// Strips the first line of a response: "ok", or an error, which it throws.
 class ResponseReader {
  public:
   explicit ResponseReader(const std::function<void(std::string_view)>& take) : take_(take) {}
@@ -61,23 +61,23 @@ class ResponseReader {
 }  // namespace
 
 void request_from_supervisor(const std::filesystem::path& socket,
-                             const std::vector<std::string>& words,
+                             const std::vector<std::string>& request,
                              const std::function<void(std::string_view)>& take) {
   const FileDescriptor connection = connected_to(socket);
-  send_request(connection.get(), words);
+  send_request(connection.get(), request);
   ResponseReader response(take);
   std::array<char, 4096> buffer;
   ssize_t n = 0;
   while ((n = recv(connection.get(), buffer.data(), buffer.size(), 0)) > 0) {
     response.add({buffer.data(), static_cast<std::size_t>(n)});
   }
-  if (!response.accepted()) throw std::runtime_error("the supervisor hung up");
+  if (!response.accepted()) throw std::runtime_error("the supervisor closed the connection");
 }
 
 std::string request_from_supervisor(const std::filesystem::path& socket,
-                                    const std::vector<std::string>& words) {
+                                    const std::vector<std::string>& request) {
   std::string response;
-  request_from_supervisor(socket, words, [&](std::string_view text) { response += text; });
+  request_from_supervisor(socket, request, [&](std::string_view text) { response += text; });
   return response;
 }
 

@@ -10,14 +10,15 @@
 
 namespace adit {
 
-/// Sends a request to the supervisor of this computer and hands on its answer as it comes, until
-/// its end. Throws std::runtime_error where no supervisor listens, or with what it says against it.
+/// Sends a request to the supervisor of this computer and passes its response to `take` as it
+/// arrives, until the connection closes. Throws std::runtime_error if no supervisor listens, or
+/// with the error of the response.
 void request_from_supervisor(const std::filesystem::path& socket,
-                             const std::vector<std::string>& words,
+                             const std::vector<std::string>& request,
                              const std::function<void(std::string_view)>& take);
 
-/// The same for an answer that has an end.
+/// Returns the complete response; for requests other than "follow".
 std::string request_from_supervisor(const std::filesystem::path& socket,
-                                    const std::vector<std::string>& words);
+                                    const std::vector<std::string>& request);
 
 }  // namespace adit

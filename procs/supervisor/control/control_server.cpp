@@ -29,7 +29,7 @@ constexpr mode_t kOwnerOnly = 0077;
 
 std::string errno_text() { return std::generic_category().message(errno); }
 
-/// Ours alone, so that nobody else puts a socket there.
+/// Creates the folder with access for the owner only, so that no other user can put a socket there.
 void make_folder(const fs::path& folder) {
   const mode_t mask = umask(kOwnerOnly);
   std::error_code error;
@@ -38,11 +38,11 @@ void make_folder(const fs::path& folder) {
   struct stat info {};
   if (lstat(folder.c_str(), &info) != 0) fail(folder, errno_text());
   if (!S_ISDIR(info.st_mode) || (info.st_uid != geteuid() && info.st_uid != 0)) {
-    fail(folder, "is no folder of this user");
+    fail(folder, "is not a directory of this user");
   }
 }
 
-/// A socket that nobody listens to is left from a supervisor that was killed.
+/// Removes the socket file of a supervisor that was killed. Throws if a supervisor listens there.
 void remove_stale(const fs::path& path) {
   const sockaddr_un address = unix_address(path);
   const FileDescriptor probe(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
@@ -60,15 +60,15 @@ bool is_authorized(int socket) {
 }
 
 std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> words(1);
+  std::vector<std::string> fields(1);
   for (const char c : line) {
     if (c == '\t') {
-      words.emplace_back();
+      fields.emplace_back();
     } else {
-      words.back() += c;
+      fields.back() += c;
     }
   }
-  return words;
+  return fields;
 }
 
 }  // namespace
@@ -80,9 +80,9 @@ ControlServer::ControlServer(fs::path path) : path_(std::move(path)) {
   const sockaddr_un address = unix_address(path_);
   const mode_t mask = umask(kOwnerOnly | S_IXUSR);
   const int bound = bind(socket_.get(), to_sockaddr(address), sizeof(address));
-  const std::string why = errno_text();
+  const std::string bind_error = errno_text();
   umask(mask);
-  if (bound != 0) fail(path_, why);
+  if (bound != 0) fail(path_, bind_error);
   if (listen(socket_.get(), static_cast<int>(kClientsMax)) != 0) fail(path_, errno_text());
 }
 
@@ -122,9 +122,9 @@ void ControlServer::receive(Client& client, const RequestHandler& handler) {
   }
   client.responded = true;
   try {
-    ControlResponse given = handler(fields_of(client.received.substr(0, end)));
-    client.unsent = "ok\n" + given.text;
-    client.more = std::move(given.more);
+    ControlResponse response = handler(fields_of(client.received.substr(0, end)));
+    client.unsent = "ok\n" + response.text;
+    client.more = std::move(response.more);
   } catch (const std::exception& error) {
     client.unsent = "error " + std::string(error.what()) + "\n";
   }
@@ -146,7 +146,7 @@ void ControlServer::send(Client& client) {
 bool ControlServer::is_done(const Client& client) {
   if (!client.more) return client.unsent.empty();
   char nothing = 0;
-  return recv(client.socket.get(), &nothing, 1, MSG_DONTWAIT | MSG_PEEK) == 0;  // hung up
+  return recv(client.socket.get(), &nothing, 1, MSG_DONTWAIT | MSG_PEEK) == 0;  // disconnected
 }
 
 }  // namespace adit

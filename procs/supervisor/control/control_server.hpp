@@ -13,22 +13,23 @@
 
 namespace adit {
 
-/// What a terminal is answered: "ok" or "error" and a text on the first line, then the text.
+/// Response to a request. On the socket, a line "ok" precedes the text; an error is the one line
+/// "error TEXT".
 struct ControlResponse {
   std::string text;
-  std::function<std::string()> more = {};  ///< what to send besides, as long as somebody listens
+  std::function<std::string()> more = {};  ///< further text, polled until the client disconnects
 };
 
-/// Serves `adit ps` and the like on a socket of this computer that only the same user and root may
-/// open: the file is theirs alone, and the kernel says who is at the other end. A request is one
-/// line of words divided by tabs. Nothing here ever waits; a client that does not read is let go.
+/// Serves `adit ps` and related commands on a Unix domain socket. Only the same user and root may
+/// connect: by the file mode, and by the peer credentials of the kernel (SO_PEERCRED). A request is
+/// one line of fields separated by tabs. Never blocks; a client that does not read is disconnected.
 class ControlServer {
  public:
-  /// Answers a request; an exception becomes the error that the terminal shows.
-  using RequestHandler = std::function<ControlResponse(const std::vector<std::string>& words)>;
+  /// Handles a request; an exception becomes the error response.
+  using RequestHandler = std::function<ControlResponse(const std::vector<std::string>& fields)>;
 
-  /// Makes the folder and the socket. Throws std::runtime_error where that cannot be, or another
-  /// supervisor listens there already.
+  /// Creates the folder and the socket. Throws std::runtime_error on failure, or if another
+  /// supervisor listens there.
   explicit ControlServer(std::filesystem::path path);
   ~ControlServer();
   ControlServer(const ControlServer&) = delete;

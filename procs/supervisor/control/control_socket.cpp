@@ -25,11 +25,11 @@ std::filesystem::path default_socket_path() {
 }
 
 std::filesystem::path find_socket_path() {
-  const std::filesystem::path own = default_socket_path();
+  const std::filesystem::path user_path = default_socket_path();
   std::error_code denied;
-  const bool only_the_system = !std::filesystem::exists(own, denied) &&
-                               std::filesystem::exists(system_socket_path(), denied);
-  return only_the_system ? system_socket_path() : own;
+  const bool only_system = !std::filesystem::exists(user_path, denied) &&
+                           std::filesystem::exists(system_socket_path(), denied);
+  return only_system ? system_socket_path() : user_path;
 }
 
 }  // namespace adit

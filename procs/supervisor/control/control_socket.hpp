@@ -12,14 +12,13 @@
 
 namespace adit {
 
-/// The address of a socket in the file system. Throws std::runtime_error where the path is longer
-/// than the system takes.
+/// Address of a Unix domain socket. Throws std::runtime_error if the path is too long for sun_path.
 inline sockaddr_un unix_address(const std::filesystem::path& path) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   const std::string text = path.string();
   if (text.size() >= sizeof(address.sun_path)) {
-    throw std::runtime_error(text + ": too long for a socket");
+    throw std::runtime_error(text + ": path too long for a socket");
   }
   std::ranges::copy(text, address.sun_path);
   return address;
@@ -29,12 +28,12 @@ inline const sockaddr* to_sockaddr(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);
 }
 
-/// Where a supervisor of this user listens to `adit ps` and the like: in XDG_RUNTIME_DIR, else in
-/// /run/adit for root, else in a folder of the user's own below /tmp.
+/// Default socket of a supervisor of this user: in XDG_RUNTIME_DIR, else in /run/adit for root,
+/// else in /tmp/adit-UID.
 std::filesystem::path default_socket_path();
 
-/// Where a terminal of this user finds a supervisor: there, or else, where it may look into it, in
-/// /run/adit, which has the one that the system starts.
+/// Socket that a client of this user connects to: default_socket_path() if it exists, else that of
+/// the system's supervisor in /run/adit if it exists and is visible to this user.
 std::filesystem::path find_socket_path();
 
 }  // namespace adit

@@ -55,7 +55,7 @@ OutputLines OutputLog::since(std::int64_t next, std::size_t bytes_max) const {
 std::string text_of(const OutputLines& unread) {
   std::string text;
   if (unread.omitted > 0)
-    text.append("(").append(std::to_string(unread.omitted)).append(" lines left out)\n");
+    text.append("(").append(std::to_string(unread.omitted)).append(" lines omitted)\n");
   for (const std::string& line : unread.lines) text.append(line).append("\n");
   return text;
 }

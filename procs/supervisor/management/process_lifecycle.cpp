@@ -74,12 +74,12 @@ void ProcessLifecycle::request_restart(std::int64_t now_us) {
   if (state_ != LifecycleState::kStopping) begin_stop(now_us, "");
 }
 
-void ProcessLifecycle::begin_stop(std::int64_t now_us, const std::string& why) {
+void ProcessLifecycle::begin_stop(std::int64_t now_us, const std::string& reason) {
   state_ = LifecycleState::kStopping;
   since_us_ = now_us;
   stop_requested_ = false;
   next_kill_us_ = now_us + us(rules_.stop_time_allowed_s);
-  error_ = why;
+  error_ = reason;
 }
 
 ProcessLifecycle::Act ProcessLifecycle::advance(std::int64_t now_us, bool dependencies_ready,
@@ -105,7 +105,8 @@ ProcessLifecycle::Act ProcessLifecycle::check_start(std::int64_t now_us, bool pu
   if (publishes || !rules_.requires_liveness) {
     state_ = LifecycleState::kRunning;
   } else if (now_us - since_us_ >= us(rules_.start_timeout_s)) {
-    begin_stop(now_us, "showed no life within " + seconds_text(rules_.start_timeout_s));
+    begin_stop(now_us,
+               "did not reach its publish rate within " + seconds_text(rules_.start_timeout_s));
     return enforce_stop(now_us);
   }
   return Act::kNothing;
@@ -113,7 +114,7 @@ ProcessLifecycle::Act ProcessLifecycle::check_start(std::int64_t now_us, bool pu
 
 ProcessLifecycle::Act ProcessLifecycle::check_running(std::int64_t now_us, bool publishes) {
   if (rules_.requires_liveness && !publishes) {
-    begin_stop(now_us, "no longer publishes as it should");
+    begin_stop(now_us, "publish rate too low");
     return enforce_stop(now_us);
   }
   if (now_us - since_us_ >= us(rules_.backoff.stable_time_s)) {
@@ -139,8 +140,8 @@ void ProcessLifecycle::started(std::int64_t now_us) {
   state_ = rules_.requires_liveness ? LifecycleState::kStarting : LifecycleState::kRunning;
 }
 
-void ProcessLifecycle::start_failed(std::int64_t now_us, const std::string& why) {
-  error_ = why;
+void ProcessLifecycle::start_failed(std::int64_t now_us, const std::string& reason) {
+  error_ = reason;
   fail_or_back_off(now_us);
 }
 
@@ -163,10 +164,11 @@ void ProcessLifecycle::ended(std::int64_t now_us, const std::string& how, bool s
 
 void ProcessLifecycle::fail_or_back_off(std::int64_t now_us) {
   since_us_ = now_us;
-  const bool may = rules_.auto_respawn && restarts_ < rules_.restart_limit.value_or(restarts_ + 1);
-  state_ = may ? LifecycleState::kBackoff : LifecycleState::kFailed;
-  should_run_ = may;
-  if (may) ++restarts_;
+  const bool may_restart =
+      rules_.auto_respawn && restarts_ < rules_.restart_limit.value_or(restarts_ + 1);
+  state_ = may_restart ? LifecycleState::kBackoff : LifecycleState::kFailed;
+  should_run_ = may_restart;
+  if (may_restart) ++restarts_;
 }
 
 std::int64_t ProcessLifecycle::backoff_us() const {

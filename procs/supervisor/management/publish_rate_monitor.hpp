@@ -8,15 +8,16 @@
 
 namespace adit {
 
-/// Whether messages come often enough: over the last two seconds, or two periods where these are
-/// longer, as many as the rate asks for, less one. So a rate well below the usual one is asked for.
-/// The time for which it waits for the disk does not count, up to a minute in a row.
+/// Checks a minimum message rate: the messages of the last two seconds, or of two periods if
+/// longer, must be at most one fewer than the rate requires. The configured rate should be well
+/// below the nominal one. Time that the process is blocked on the disk does not count, up to one
+/// minute without a message.
 class PublishRateMonitor {
  public:
   explicit PublishRateMonitor(double rate_hz);
 
   void on_message(std::int64_t now_us);
-  /// It could not publish for so long, until now.
+  /// The process was blocked for `blocked_us` until `now_us`.
   void add_blocked_time(std::int64_t now_us, std::int64_t blocked_us);
   void reset();
   [[nodiscard]] bool is_met(std::int64_t now_us) const;

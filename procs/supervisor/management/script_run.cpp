@@ -20,7 +20,7 @@ bool is_change(const ScriptAction& action) {
 ScriptRun::ScriptRun(const ProcessList& list, const std::string& name, double timeout_s)
     : list_(list), name_(name), timeout_s_(timeout_s) {
   const ProcessScript* const script = list.find_script(name);
-  if (!script) throw std::invalid_argument("there is no script \"" + name + "\"");
+  if (!script) throw std::invalid_argument("no script \"" + name + "\"");
   calls_.push_back({script});
 }
 
@@ -44,30 +44,30 @@ std::optional<ScriptChange> ScriptRun::advance(std::int64_t now_us,
 }
 
 void ScriptRun::begin_wait(const ScriptAction& action, std::int64_t now_us) {
-  const bool for_time = action.kind == Kind::kWaitTime;
-  if (!for_time && action.awaited == AwaitedStatus::kNone) return;
+  const bool is_time = action.kind == Kind::kWaitTime;
+  if (!is_time && action.awaited == AwaitedStatus::kNone) return;
   waiting_ = &action;
-  const double wait_s = for_time ? action.wait_ms * 1e-3 : action.timeout_s.value_or(timeout_s_);
+  const double wait_s = is_time ? action.wait_ms * 1e-3 : action.timeout_s.value_or(timeout_s_);
   wait_end_us_ = now_us + std::llround(wait_s * 1e6);
 }
 
-/// A wait that is over without success ends all.
+/// A wait that times out ends the script with a failure.
 bool ScriptRun::is_waiting(std::int64_t now_us, const ProcessStateOf& process_state_of) {
   if (!waiting_) return false;
-  const bool in_time = now_us < wait_end_us_;
+  const bool within_timeout = now_us < wait_end_us_;
   if (waiting_->kind == Kind::kWaitTime) {
-    if (!in_time) waiting_ = nullptr;
-    return in_time;
+    if (!within_timeout) waiting_ = nullptr;
+    return within_timeout;
   }
   const bool running = waiting_->awaited == AwaitedStatus::kRunning;
   const ProcessState awaited = running ? ProcessState::kRunning : ProcessState::kStopped;
   const std::vector<std::string> ids = list_.ids_of(waiting_->target);
-  const auto missing =
+  const auto pending =
       std::ranges::find_if(ids, [&](const auto& id) { return process_state_of(id) != awaited; });
-  if (missing != ids.end() && in_time) return true;
+  if (pending != ids.end() && within_timeout) return true;
   waiting_ = nullptr;
-  if (missing == ids.end()) return false;
-  failure_ = "script \"" + name_ + "\" waited in vain for \"" + *missing + "\" to be " +
+  if (pending == ids.end()) return false;
+  failure_ = "script \"" + name_ + "\" timed out waiting for \"" + *pending + "\" to be " +
              (running ? "running" : "stopped");
   calls_.clear();
   return true;

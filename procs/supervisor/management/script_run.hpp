@@ -13,30 +13,31 @@
 
 namespace adit {
 
-/// How a process stands, for who waits for it.
+/// State of a process for scripts that wait for it.
 enum class ProcessState { kStopped, kRunning, kChanging };
 
-/// What a script asks for.
+/// A change of processes requested by a script.
 struct ScriptChange {
   ScriptAction::Kind kind = ScriptAction::Kind::kStart;  ///< start, stop or restart
   std::vector<std::string> ids;
 };
 
-/// A script on its way. Knows no clock: times are given, in µs of a clock that is never put back.
+/// Execution of a script. Times are passed in, in µs of a monotonic clock.
 class ScriptRun {
  public:
   using ProcessStateOf = std::function<ProcessState(const std::string& id)>;
 
-  /// The list must outlive this; it has been checked, so that no script runs itself. `timeout_s` is
-  /// for waits that name none. Throws std::invalid_argument where there is no such script.
+  /// The list must outlive the run and be valid: no recursive scripts. `timeout_s` applies to waits
+  /// without one. Throws std::invalid_argument if there is no such script.
   ScriptRun(const ProcessList& list, const std::string& name, double timeout_s);
 
-  /// Goes on as far as the next change, which is to be made before the next call; nothing where the
-  /// script waits or is over. A wait for a status that is not reached in time ends the script.
+  /// Continues to the next change and returns it; the caller must apply it before the next call.
+  /// Returns nothing while the script waits and after its end. A wait for a status that times out
+  /// ends the script.
   std::optional<ScriptChange> advance(std::int64_t now_us, const ProcessStateOf& process_state_of);
 
   [[nodiscard]] bool is_finished() const { return calls_.empty(); }
-  /// Why it ended before its end; empty where it did not.
+  /// Why the script failed; empty if it did not.
   [[nodiscard]] const std::string& failure() const { return failure_; }
   [[nodiscard]] const std::string& name() const { return name_; }
 
@@ -52,7 +53,7 @@ class ScriptRun {
   const ProcessList& list_;
   std::string name_;
   double timeout_s_;
-  std::vector<Call> calls_;  // the innermost last
+  std::vector<Call> calls_;  // call stack, innermost last
   const ScriptAction* waiting_ = nullptr;
   std::int64_t wait_end_us_ = 0;
   std::string failure_;

@@ -27,7 +27,7 @@ std::vector<StopSequence::Stop> StopSequence::take_due(
   std::vector<Entry*> due;
   for (Entry& entry : entries_) {
     const bool within_timeout = now_us - entry.since_us < kTimeoutUs;
-    if (!entry.issued && (!within_timeout || !is_needed(entry.stop.id))) due.push_back(&entry);
+    if (!entry.issued && (!within_timeout || !has_dependents(entry.stop.id))) due.push_back(&entry);
   }
   std::vector<Stop> stops;
   for (Entry* const entry : due) {
@@ -37,7 +37,7 @@ std::vector<StopSequence::Stop> StopSequence::take_due(
   return stops;
 }
 
-bool StopSequence::is_needed(const std::string& id) const {
+bool StopSequence::has_dependents(const std::string& id) const {
   return std::ranges::any_of(entries_, [&](const Entry& entry) {
     return std::ranges::find(entry.depends_on, id) != entry.depends_on.end();
   });

@@ -11,27 +11,28 @@
 
 namespace adit {
 
-/// When to stop whom, where several are to be stopped: what depends on others before these, in the
-/// reverse of the order in which they start. One that nobody who is to be stopped depends on is
-/// stopped at once; that others depend on it which are to run on does not hold it. Knows no clock
-/// and no process: times are given, in µs of a clock that is never put back.
+/// Order in which processes are stopped: dependents before their dependencies, the reverse of the
+/// start order. A process without dependents among the pending stops is stopped immediately, even
+/// if other dependents continue to run. Pure logic: times are passed in, in µs of a monotonic
+/// clock.
 class StopSequence {
  public:
-  /// After so long it is its turn in any case: another computer may not do what it is told.
+  /// A stop is due after this time in any case, since a remote deputy may not execute its order.
   static constexpr std::int64_t kTimeoutUs = 60'000'000;
 
   struct Stop {
     std::string id;
-    bool and_start = false;  ///< again
+    bool and_start = false;  ///< restart
   };
 
   void add(const ListedCommand& command, bool and_start, std::int64_t now_us);
-  /// Somebody wants it to run after all; nothing where it is not in here.
+  /// Cancels the stop of a process, if there is one.
   void remove(const std::string& id);
-  /// Whether it is to be stopped and its turn has not come.
+  /// Whether its stop is not due yet.
   [[nodiscard]] bool is_pending(const std::string& id) const;
 
-  /// Those whose turn has come. `is_ending`: whether one that was handed out is still on its way.
+  /// Returns the stops that are due. `is_ending`: whether a process whose stop was issued still
+  /// runs.
   std::vector<Stop> take_due(std::int64_t now_us,
                              const std::function<bool(const std::string& id)>& is_ending);
 
@@ -43,7 +44,7 @@ class StopSequence {
     bool issued = false;
   };
 
-  [[nodiscard]] bool is_needed(const std::string& id) const;
+  [[nodiscard]] bool has_dependents(const std::string& id) const;
 
   std::vector<Entry> entries_;
 };

@@ -28,21 +28,21 @@ namespace adit {
 namespace {
 
 struct SpawnOptions {
-  std::vector<std::string> arguments;  ///< the program first, with its path
+  std::vector<std::string> arguments;  ///< path of the program first
   std::vector<std::string> environment;
-  std::vector<int> descriptors;  ///< become 0, 1, 2, ..; all are higher; no other is inherited
+  std::vector<int> descriptors;  ///< become 0, 1, 2, ...; must be higher; no others are inherited
 };
 
-/// Starts a program, with no signal blocked or ignored, and returns its process id. No other code
-/// of this process runs in the child, which matters where there are threads. Throws
+/// Starts a program with no signals blocked or ignored and returns its process id. Uses
+/// posix_spawn: no code of this process runs in the child, which is required with threads. Throws
 /// std::system_error.
 pid_t spawn(const SpawnOptions& options);
 
-/// That of this process, with the additions, and with the folder at the end of PATH.
+/// The environment of this process with the additions, and with `folder` appended to PATH.
 std::vector<std::string> environment_with(
     const std::vector<std::pair<std::string, std::string>>& additions, const std::string& folder);
 
-/// What posix_spawn takes, and takes apart again.
+/// Owns the attributes and file actions of posix_spawn.
 class SpawnAttributes {
  public:
   explicit SpawnAttributes(const std::vector<int>& descriptors) {
@@ -79,11 +79,11 @@ std::vector<char*> pointers_to(const std::vector<std::string>& texts) {
 }
 
 pid_t spawn(const SpawnOptions& options) {
-  const SpawnAttributes setting(options.descriptors);
+  const SpawnAttributes spawn_attributes(options.descriptors);
   pid_t pid = -1;
-  const int error =
-      posix_spawn(&pid, options.arguments.front().c_str(), &setting.actions, &setting.attributes,
-                  pointers_to(options.arguments).data(), pointers_to(options.environment).data());
+  const int error = posix_spawn(&pid, options.arguments.front().c_str(), &spawn_attributes.actions,
+                                &spawn_attributes.attributes, pointers_to(options.arguments).data(),
+                                pointers_to(options.environment).data());
   if (error != 0) {
     throw std::system_error(error, std::generic_category(), options.arguments.front());
   }
@@ -106,18 +106,18 @@ std::vector<std::string> environment_with(
   return environment;
 }
 
-/// A terminal without a screen, so that programs print line by line. It changes nothing in what
-/// goes through it and repeats nothing that is typed.
+/// A pseudo terminal, on which programs use line-buffered output. Without output processing and
+/// without echo.
 struct PseudoTerminal {
-  FileDescriptor parent_end;  ///< does not block
+  FileDescriptor parent_end;  ///< non-blocking
   FileDescriptor child_end;
 
   /// Throws std::system_error.
   static PseudoTerminal open();
 };
 
-void require(bool good, const char* what) {
-  if (!good) throw std::system_error(errno, std::generic_category(), what);
+void require(bool succeeded, const char* what) {
+  if (!succeeded) throw std::system_error(errno, std::generic_category(), what);
 }
 
 void set_raw_mode(int terminal) {
@@ -142,7 +142,7 @@ PseudoTerminal PseudoTerminal::open() {
   return terminal;
 }
 
-constexpr int kAboveStandard = 10;  // so that none is in the way when they get their places
+constexpr int kAboveStandard = 10;  // source descriptors must not collide with the targets of dup2
 
 FileDescriptor moved_above_standard(FileDescriptor descriptor) {
   FileDescriptor high(fcntl(descriptor.get(), F_DUPFD_CLOEXEC, kAboveStandard));
@@ -150,8 +150,8 @@ FileDescriptor moved_above_standard(FileDescriptor descriptor) {
   return high;
 }
 
-/// One end for us, one for adit-watch. Sockets, not pipes: who writes to one whose other end is
-/// gone gets an error and no SIGPIPE.
+/// Connection to adit-watch. Sockets instead of pipes: a write after the peer has closed returns an
+/// error (MSG_NOSIGNAL) instead of raising SIGPIPE.
 struct SocketPair {
   FileDescriptor parent_end;
   FileDescriptor child_end;
@@ -199,11 +199,12 @@ ChildProcess::ChildProcess(const ChildStart& start) {
   terminal_ = std::move(terminal.parent_end);
   reports_ = std::move(reports.parent_end);
   signals_ = std::move(signals.parent_end);
-  reports.child_end.reset();  // else its end would not be heard
+  reports.child_end.reset();  // otherwise the end of adit-watch would not be detected
   wait_for_start();
 }
 
-/// Whoever is left is killed by adit-watch when the line closes. It is waited for: milliseconds.
+/// adit-watch kills all remaining processes when the connection closes; waiting for it takes
+/// milliseconds.
 ChildProcess::~ChildProcess() {
   if (watcher_ <= 0) return;
   signals_.reset();
@@ -222,7 +223,7 @@ void ChildProcess::wait_for_start() {
   waitpid(watcher_, nullptr, 0);
   throw std::runtime_error("cannot be started: " +
                            (received ? std::generic_category().message(report.number)
-                                     : std::string("its adit-watch ended")));
+                                     : std::string("adit-watch ended")));
 }
 
 std::optional<ChildProcess::End> ChildProcess::poll() {
@@ -232,7 +233,7 @@ std::optional<ChildProcess::End> ChildProcess::poll() {
   read_reports();
   if (!gone) return std::nullopt;
   watcher_ = -1;
-  return end_.value_or(End{status});  // one whose adit-watch was killed went with it
+  return end_.value_or(End{status});  // if adit-watch was killed, so was the program
 }
 
 void ChildProcess::read_reports() {
@@ -247,7 +248,7 @@ std::string ChildProcess::read_output(std::size_t bytes_max) const {
   std::array<char, 4096> buffer;
   while (output.size() < bytes_max) {
     const ssize_t n = read(terminal_.get(), buffer.data(), buffer.size());
-    if (n <= 0) break;  // nothing yet, or nobody has the other end any more
+    if (n <= 0) break;  // no data, or the other end is closed
     output.append(buffer.data(), static_cast<std::size_t>(n));
   }
   return output;

@@ -17,14 +17,14 @@ namespace adit {
 
 struct ChildStart {
   CommandLine line;
-  int stop_signal = 0;  ///< for what the program leaves behind when it ends by itself
+  int stop_signal = 0;  ///< for descendants left when the program ends
   double stop_time_s = 0.0;
-  std::filesystem::path watcher;  ///< adit-watch; its folder is the last in the program's PATH
+  std::filesystem::path watcher;  ///< path of adit-watch; its folder is appended to PATH
 };
 
-/// A program that runs, with all that it starts: under an adit-watch of its own (see Watch), which
-/// lets nobody get away and kills all when this process ends. The program has a pseudo terminal for
-/// input and output, no other descriptor of ours, and a session of its own.
+/// A running program with all its descendants, under its own adit-watch (see Watch), which tracks
+/// all descendants and kills them if this process ends. The program has a pseudo terminal for input
+/// and output, its own session, and inherits no other file descriptors.
 class ChildProcess {
  public:
   /// How a program ended.
@@ -36,27 +36,28 @@ class ChildProcess {
     [[nodiscard]] std::string text() const;
   };
 
-  /// Returns when the program runs. Throws std::runtime_error where it cannot be started.
+  /// Returns when the program runs. Throws std::runtime_error if it cannot be started.
   explicit ChildProcess(const ChildStart& start);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Hears what happened, without waiting. Returns how it ended once nothing of it is left; that is
-  /// the last thing it returns.
+  /// Reads the reports of adit-watch without blocking. Returns the end of the program once, when
+  /// all its descendants have ended too.
   std::optional<End> poll();
 
-  /// What was printed since, without waiting; so many bytes at most.
+  /// Reads output without blocking, until about `bytes_max` bytes.
   std::string read_output(std::size_t bytes_max) const;
 
-  /// To the program and all that it started. SIGKILL leaves nobody.
+  /// Sends a signal to the program and all its descendants. SIGKILL is repeated until all have
+  /// ended.
   void send(int signal) const;
 
-  /// Whether the program itself has ended; something that it started may be left.
+  /// Whether the program itself has ended; descendants may still run.
   [[nodiscard]] bool program_has_ended() const { return end_.has_value(); }
-  /// Of adit-watch: all processes descend from it.
+  /// Process id of adit-watch, the ancestor of all processes.
   [[nodiscard]] pid_t watcher() const { return watcher_; }
-  /// Of the program.
+  /// Process id of the program.
   [[nodiscard]] pid_t pid() const { return pid_; }
 
  private:

@@ -53,7 +53,7 @@ void ServiceManager::notify(std::string_view state) const {
   address.sun_family = AF_UNIX;
   if (socket_.empty() || socket_.size() >= sizeof(address.sun_path)) return;
   std::ranges::copy(socket_, address.sun_path);
-  if (socket_.front() == '@') address.sun_path[0] = '\0';  // one without a file
+  if (socket_.front() == '@') address.sun_path[0] = '\0';  // abstract socket
   const FileDescriptor sender(::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   sendto(sender.get(), state.data(), state.size(), MSG_NOSIGNAL | MSG_DONTWAIT,
          reinterpret_cast<const sockaddr*>(&address),

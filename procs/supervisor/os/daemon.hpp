@@ -9,8 +9,8 @@
 
 namespace adit {
 
-/// SIGHUP, by which a daemon is asked to read its files again, as something to be asked for. It is
-/// to be blocked before any thread is made, which inherits that; else it ends the process.
+/// Polls for SIGHUP, the request to a daemon to reload its files. The signal must be blocked before
+/// any thread is created, since threads inherit the mask; otherwise it terminates the process.
 class ReloadSignal {
  public:
   static void block();
@@ -18,20 +18,20 @@ class ReloadSignal {
   /// Throws std::system_error.
   ReloadSignal();
 
-  /// Whether it came since the last time that this was asked, without waiting for it.
+  /// Whether the signal was received since the last call; does not block.
   [[nodiscard]] bool received() const;
 
  private:
   FileDescriptor descriptor_;
 };
 
-/// Who started this process and wants to hear how it fares (systemd, Type=notify): what sd_notify
-/// does, by the socket that NOTIFY_SOCKET names. Nothing where nobody asks, and it never waits.
+/// Status notifications to systemd (Type=notify): the protocol of sd_notify(3) on the socket
+/// NOTIFY_SOCKET. Has no effect without that variable and never blocks.
 class ServiceManager {
  public:
   ServiceManager();
 
-  /// "READY=1", "WATCHDOG=1", "STATUS=…", one on each line.
+  /// `state`: "READY=1", "WATCHDOG=1", "STATUS=...", one per line.
   void notify(std::string_view state) const;
 
  private:

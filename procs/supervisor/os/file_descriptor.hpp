@@ -8,7 +8,7 @@
 
 namespace adit {
 
-/// Owns a file descriptor of the system, or none.
+/// Owns a file descriptor, or none.
 class FileDescriptor {
  public:
   FileDescriptor() = default;

@@ -55,7 +55,7 @@ bool RotatedFile::open() {
 
 void RotatedFile::rotate() {
   file_.reset();
-  std::error_code ignored;  // one that is not there, or cannot be moved: then this one grows on
+  std::error_code ignored;  // if a file cannot be moved, the current one keeps growing
   std::filesystem::remove(numbered(path_, limits_.files - 1), ignored);
   for (int i = limits_.files - 1; i > 0; --i) {
     std::filesystem::rename(numbered(path_, i - 1), numbered(path_, i), ignored);

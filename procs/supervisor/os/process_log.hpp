@@ -12,22 +12,22 @@
 
 namespace adit {
 
-/// A file that grows up to a bound and is then put aside as "name.1", what was there as "name.2"
-/// and so on, up to a number of files. Goes on with a file that is there.
+/// A file with size-based rotation: a full file is renamed to "name.1", that one to "name.2" and so
+/// on, up to a number of files. Appends to an existing file.
 class RotatedFile {
  public:
   struct Limits {
-    std::int64_t bytes_max = 4'000'000;  ///< of one file; what is written at once stays together
-    int files = 5;                       ///< in all
+    std::int64_t bytes_max = 4'000'000;  ///< of one file; a write is never split
+    int files = 5;                       ///< including the current one
   };
 
   RotatedFile(std::filesystem::path path, const Limits& limits)
       : path_(std::move(path)), limits_(limits) {}
 
-  /// Never throws, since a full disk is to stop nobody; see trouble().
+  /// Never throws, since a full disk must not stop the supervisor; see error().
   void write(std::string_view text);
 
-  /// Why the last writing failed, with the path; empty where it did not.
+  /// Why the last write failed, with the path; empty if it did not.
   [[nodiscard]] const std::string& error() const { return error_; }
 
  private:
@@ -42,15 +42,15 @@ class RotatedFile {
   std::string error_;
 };
 
-/// "2003-05-30T10:20:30.123Z" of a time [µs since the epoch].
+/// Formats a time [µs since the epoch] as "2003-05-30T10:20:30.123Z".
 std::string utc_text(std::int64_t utime);
 
-/// What a process prints and how it fares, in files that outlast the supervisor; each line begins
-/// with the wall clock's time. Written once per look, not by the line.
+/// Log files of one process: its output and its starts and ends, each line with the UTC wall clock
+/// time. Buffered until flush(), to write once per poll instead of once per line.
 class ProcessLog {
  public:
-  /// "FOLDER/ID.log", with bytes of the name that a file had better not have as %XX. An empty
-  /// folder: nothing is kept.
+  /// Writes to "FOLDER/ID.log", with bytes of the id other than ASCII letters, digits, _ and -
+  /// encoded as %XX. Writes nothing if `folder` is empty.
   ProcessLog(const std::filesystem::path& folder, const std::string& id,
              const RotatedFile::Limits& limits);
 

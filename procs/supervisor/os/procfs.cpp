@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Behind the name, from 0 (proc(5)).
+// Indices of the fields after the name (proc(5)).
 constexpr std::size_t kState = 0;
 constexpr std::size_t kParent = 1;
 constexpr std::size_t kUserTicks = 11;
@@ -28,13 +28,13 @@ constexpr std::size_t kAddressBytes = 20;
 constexpr std::size_t kResidentPages = 21;
 
 std::vector<std::string_view> fields_of(std::string_view text) {
-  std::vector<std::string_view> words;
+  std::vector<std::string_view> fields;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
-    if (end > 0) words.push_back(text.substr(0, end));
+    if (end > 0) fields.push_back(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
-  return words;
+  return fields;
 }
 
 double tick_s() {
@@ -48,15 +48,15 @@ std::optional<ProcessEntry> parse_process_entry(std::string_view stat) {
   const std::size_t name_end = stat.rfind(')');
   if (name_end == std::string_view::npos) return std::nullopt;
   const auto pid = parse_number<pid_t>(stat.substr(0, stat.find(' ')));
-  const std::vector<std::string_view> words = fields_of(stat.substr(name_end + 1));
-  if (!pid || words.size() <= kResidentPages) return std::nullopt;
+  const std::vector<std::string_view> fields = fields_of(stat.substr(name_end + 1));
+  if (!pid || fields.size() <= kResidentPages) return std::nullopt;
   const auto number = [&](std::size_t at) {
-    return parse_number<std::int64_t>(words[at]).value_or(0);
+    return parse_number<std::int64_t>(fields[at]).value_or(0);
   };
   ProcessEntry entry;
   entry.pid = *pid;
   entry.parent = static_cast<pid_t>(number(kParent));
-  entry.state = words[kState][0];
+  entry.state = fields[kState][0];
   entry.cpu_s = static_cast<double>(number(kUserTicks) + number(kSystemTicks)) * tick_s();
   entry.address_bytes = number(kAddressBytes);
   entry.memory_bytes = number(kResidentPages) * sysconf(_SC_PAGESIZE);
@@ -71,7 +71,7 @@ ProcessTable ProcessTable::read(const fs::path& proc) {
     if (!pid) continue;
     std::ifstream file(folder.path() / "stat");
     std::string stat;
-    std::getline(file, stat, '\0');  // all of it; one that ends meanwhile cannot be read
+    std::getline(file, stat, '\0');  // the whole file; fails if the process has ended meanwhile
     if (const auto entry = parse_process_entry(stat)) entries[*pid] = *entry;
   }
   return ProcessTable(std::move(entries));
@@ -107,8 +107,8 @@ ResourceUsage UsageMeter::measure(const ProcessTable& table, pid_t ancestor, std
     usage.address_bytes += entry.address_bytes;
     usage.memory_bytes += entry.memory_bytes;
     if (entry.state == 'D') usage.in_disk_sleep = true;
-    const auto known = before.find(pid);
-    busy_s += entry.cpu_s - (known == before.end() ? 0.0 : known->second);
+    const auto previous = before.find(pid);
+    busy_s += entry.cpu_s - (previous == before.end() ? 0.0 : previous->second);
     cpu_s_[pid] = entry.cpu_s;
   }
   const auto last_us = std::exchange(last_us_, now_us);
@@ -120,7 +120,7 @@ ResourceUsage UsageMeter::measure(const ProcessTable& table, pid_t ancestor, std
 
 namespace {
 
-/// "MemTotal:  8048404 kB" and so on, in bytes.
+/// Reads lines such as "MemTotal:  8048404 kB"; returns bytes by name.
 std::map<std::string, std::int64_t> read_meminfo(const std::filesystem::path& path) {
   std::ifstream file(path);
   std::map<std::string, std::int64_t> bytes;
@@ -136,7 +136,7 @@ struct Ticks {
   double all = 0.0;
 };
 
-/// "cpu  user nice system idle iowait irq softirq steal ..", since the start of the computer.
+/// Reads "cpu  user nice system idle iowait irq softirq steal ...", the ticks since boot.
 Ticks read_ticks(const std::filesystem::path& path) {
   std::ifstream file(path);
   std::string name;

@@ -16,21 +16,21 @@
 
 namespace adit {
 
-/// A process as /proc/PID/stat has it.
+/// A process as reported by /proc/PID/stat.
 struct ProcessEntry {
   pid_t pid = 0;
   pid_t parent = 0;
-  /// Z: it is over, and its parent has not asked; D: it waits for the disk.
+  /// Z: zombie; D: uninterruptible sleep, usually disk access.
   char state = '?';
   double cpu_s = 0.0;
   std::int64_t address_bytes = 0;
   std::int64_t memory_bytes = 0;
 };
 
-/// From a line of /proc/PID/stat; nothing where it is none. The name may hold anything.
+/// Parses /proc/PID/stat; nothing if it is invalid. The name may contain any characters.
 std::optional<ProcessEntry> parse_process_entry(std::string_view stat);
 
-/// The processes of this computer. No snapshot: it is read while they live.
+/// The processes of this computer. Not an atomic snapshot: processes start and end during the read.
 class ProcessTable {
  public:
   static ProcessTable read(const std::filesystem::path& proc = "/proc");
@@ -38,25 +38,25 @@ class ProcessTable {
 
   [[nodiscard]] const std::map<pid_t, ProcessEntry>& entries() const { return entries_; }
   [[nodiscard]] std::set<pid_t> children_of(pid_t parent) const;
-  /// At whatever depth, without the process itself.
+  /// At any depth, without `ancestor`.
   [[nodiscard]] std::set<pid_t> descendants_of(pid_t ancestor) const;
 
  private:
   std::map<pid_t, ProcessEntry> entries_;
 };
 
-/// What a process and all that it started use of the computer.
+/// Resource usage of a process and all its descendants.
 struct ResourceUsage {
-  double cpu_cores = 0.0;  ///< since the last time it was asked for; 1: one core is busy
+  double cpu_cores = 0.0;  ///< mean since the last measurement; 1: one core is busy
   std::int64_t address_bytes = 0;
   std::int64_t memory_bytes = 0;
-  bool in_disk_sleep = false;  ///< in a sleep that no signal ends, not even SIGKILL
+  bool in_disk_sleep = false;  ///< uninterruptible, even by SIGKILL
 };
 
-/// Tells it from one look at the table to the next.
+/// Measures resource usage between successive process tables.
 class UsageMeter {
  public:
-  /// Of the descendants of a process, without itself.
+  /// Usage of the descendants of `ancestor`, without itself.
   ResourceUsage measure(const ProcessTable& table, pid_t ancestor, std::int64_t now_us);
 
  private:
@@ -64,7 +64,7 @@ class UsageMeter {
   std::optional<std::int64_t> last_us_;
 };
 
-/// How busy this computer is, from one look at /proc to the next.
+/// Measures the load of this computer between successive reads of /proc.
 class HostMeter {
  public:
   explicit HostMeter(std::filesystem::path proc = "/proc") : proc_(std::move(proc)) {}

@@ -8,7 +8,7 @@
 namespace adit {
 
 std::string_view rejection_reason(const OrderPolicy& policy, const ProcmanOrders& orders) {
-  if (policy.accepts_everybody) return {};
+  if (policy.accepts_all) return {};
   const bool accepted =
       !policy.accepted_sheriff.empty() && orders.sheriff == policy.accepted_sheriff;
   return accepted ? "" : "orders of a foreign sheriff, and accept_orders is off";
@@ -23,7 +23,7 @@ std::string_view rejection_reason(const ListedCommand* command, const ProcmanOrd
 
 namespace {
 
-constexpr std::size_t kTextBytesMax = 8'000;     // of one process at a time
+constexpr std::size_t kTextBytesMax = 8'000;     // of one process per call
 constexpr std::size_t kOutputBytesMax = 50'000;  // of one message
 
 }  // namespace
@@ -47,7 +47,7 @@ std::vector<ProcmanOutput> OutputRelay::take(const ProcessManager& process_manag
   for (const ManagedProcess& process : process_manager.processes()) {
     std::int64_t& sent = sent_lines_[process.command().id];
     if (process.output().next() == sent) continue;
-    if (process.output().next() < sent) sent = 0;  // it was forgotten between
+    if (process.output().next() < sent) sent = 0;  // the process was removed and added again
     const OutputLines unread = process.output().since(sent, kTextBytesMax);
     sent = unread.next;
     std::string text = text_of(unread);

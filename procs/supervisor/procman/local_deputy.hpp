@@ -14,28 +14,28 @@
 
 namespace adit {
 
-/// Whose orders from the network are obeyed. The names are not proven by anything: whoever is on
-/// the network can take any. What they can do is to start and stop what is in the list.
+/// The sheriffs whose orders are accepted. Sheriff names are not authenticated: any host of the
+/// network can use any name. Orders can only start and stop commands of the list.
 struct OrderPolicy {
-  std::string accepted_sheriff;    ///< the supervisor in charge; empty: none
-  bool accepts_everybody = false;  ///< accept_orders
+  std::string accepted_sheriff;  ///< deputy_id of the supervisor in charge; empty: none
+  bool accepts_all = false;      ///< parameter accept_orders
 };
 
-/// Each returns why not, as a text of static storage; empty where there is nothing against it.
+/// Both return the reason of a rejection, with static storage duration, or an empty string.
 std::string_view rejection_reason(const OrderPolicy& policy, const ProcmanOrders& orders);
 
-/// `command` is what the list has under the name of the order, null where it has nothing. A command
-/// line that comes along must be that of the list, and is not used even then.
+/// `command` is the local command with the id of the order, or null. The command line of an order
+/// must be empty or equal to that of the list, and is never executed.
 std::string_view rejection_reason(const ListedCommand* command, const ProcmanOrder& order);
 
-/// How a process is, in procman's words.
+/// State of a process in procman's representation.
 ProcmanStatus procman_status(const ManagedProcess& process);
 
-/// Hands on what processes print, to who shows it elsewhere: of each the newest 8 kB at a time, and
-/// how many lines were left out, so that one that floods does not fill the network.
+/// Relays the output of processes to other computers: per call and process at most the newest 8 kB
+/// and the number of omitted lines, to limit the network load.
 class OutputRelay {
  public:
-  /// What is new since the last call, in messages of less than 60 kB. `utime` is wall_utime().
+  /// Output since the last call, in messages of less than 60 kB. `utime` is wall_utime().
   std::vector<ProcmanOutput> take(const ProcessManager& process_manager, const std::string& deputy,
                                   std::int64_t utime);
 

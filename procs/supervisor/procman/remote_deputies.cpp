@@ -7,8 +7,7 @@
 namespace adit {
 namespace {
 
-constexpr std::int64_t kDeputyTimeoutUs =
-    5'000'000;  // five times as long as a deputy is ever silent
+constexpr std::int64_t kDeputyTimeoutUs = 5'000'000;  // five times the period of deputy_info_t
 
 ProcmanCommand to_procman(const ListedCommand& command) {
   return {command.id,           command.exec,        command.group,
@@ -63,14 +62,14 @@ void RemoteDeputies::on_message(std::string_view channel, std::int64_t now_us) {
   }
 }
 
-/// A command that runs already is left to run, under the number that it has.
+/// A command that already runs continues under its run id.
 void RemoteDeputies::decide(Command& command) {
   if (command.request == Request::kNone || !command.status) return;
   const bool stop = command.request == Request::kStop;
-  const bool keeps = stop || (command.request == Request::kRun && command.status->pid > 0);
+  const bool keeps_run = stop || (command.request == Request::kRun && command.status->pid > 0);
   const std::int32_t run_id = command.status->run_id;
   command.order =
-      ProcmanOrder{to_procman(command.listed), keeps ? run_id : next_run_id(run_id), stop};
+      ProcmanOrder{to_procman(command.listed), keeps_run ? run_id : next_run_id(run_id), stop};
   command.request = Request::kNone;
 }
 
@@ -106,8 +105,8 @@ ProcessState RemoteDeputies::process_state(const std::string& id, std::int64_t n
   if (order && (order->stop ? runs : status->run_id != order->run_id))
     return ProcessState::kChanging;
   if (!runs) return ProcessState::kStopped;
-  const bool requires_liveness = !command.listed.alive || command.rate.is_met(now_us);
-  return requires_liveness ? ProcessState::kRunning : ProcessState::kChanging;
+  const bool is_alive = !command.listed.alive || command.rate.is_met(now_us);
+  return is_alive ? ProcessState::kRunning : ProcessState::kChanging;
 }
 
 bool RemoteDeputies::is_ending(const std::string& id, std::int64_t now_us) const {

@@ -17,17 +17,15 @@
 
 namespace adit {
 
-/// The commands of other computers: how they are, as their deputies say, and how they are to be, as
-/// the one in charge says. Orders are repeated, so that a lost message does no harm, and name only
-/// commands about which somebody has decided; the others are left as they are. Times are those of a
-/// clock that is never put back [µs].
+/// The commands of other computers: their state as reported by their deputies, and the orders for
+/// them. Orders are repeated, to tolerate lost messages, and contain only commands that were
+/// started or stopped explicitly. Times are those of a monotonic clock [µs].
 class RemoteDeputies {
  public:
-  /// All commands but those of `own`.
+  /// Contains the commands of all deputies except `own`.
   RemoteDeputies(const ProcessList& list, const std::string& own);
 
-  /// Those of this list from now on. What is known and ordered of a command stays, as long as it is
-  /// the same computer's.
+  /// Replaces the list. The state and order of a command are retained if its deputy is unchanged.
   void update_list(const ProcessList& list);
 
   void on_message(const ProcmanInfo& info, std::int64_t now_us);
@@ -38,14 +36,14 @@ class RemoteDeputies {
   void stop(const std::string& id) { commands_.at(id).request = Request::kStop; }
   void restart(const std::string& id) { commands_.at(id).request = Request::kRestart; }
 
-  /// What each deputy is to be told. A command whose deputy was not heard yet waits.
+  /// The orders for each deputy. A command without a status from its deputy is omitted.
   std::vector<ProcmanOrders> orders(const std::string& sheriff, std::int64_t utime);
 
-  /// Between, where it is on its way to what was ordered, or its deputy is silent.
+  /// kChanging if the order is not fulfilled yet or the deputy has timed out.
   [[nodiscard]] ProcessState process_state(const std::string& id, std::int64_t now_us) const;
-  /// Whether it still runs and is to stop, as far as is heard.
+  /// Whether it is ordered to stop or restart and still runs by its last status.
   [[nodiscard]] bool is_ending(const std::string& id, std::int64_t now_us) const;
-  /// The newest; nothing where the deputy has been silent for five seconds.
+  /// The newest status; nothing if it is older than five seconds.
   [[nodiscard]] std::optional<ProcmanStatus> status(const std::string& id,
                                                     std::int64_t now_us) const;
 
@@ -58,7 +56,7 @@ class RemoteDeputies {
     std::optional<ProcmanStatus> status;
     std::int64_t received_us = 0;
     Request request = Request::kNone;
-    std::optional<ProcmanOrder> order;  // that is repeated
+    std::optional<ProcmanOrder> order;  // is repeated
   };
 
   static Command begin(const ListedCommand& command);
@@ -68,14 +66,14 @@ class RemoteDeputies {
   std::map<std::string, Command> commands_;
 };
 
-/// What the processes of other computers print, as far as it was heard: of each the last lines, as
-/// for those of this computer. Their names are those of the list, so nobody can fill the memory.
+/// Received output of remote processes: the last lines of each. Only processes of the list are
+/// stored, which bounds the memory.
 class RemoteOutput {
  public:
-  /// What comes from another computer than the list says is left out, and so is what is `own`.
+  /// Ignores output of the deputy `own`, and of processes that the list assigns to another deputy.
   void on_message(const ProcmanOutput& output, const ProcessList& list, const std::string& own);
 
-  /// Null where nothing was heard.
+  /// Null if no output was received.
   [[nodiscard]] const OutputLog* find(const std::string& id) const;
 
  private:

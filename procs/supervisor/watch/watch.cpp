@@ -23,7 +23,7 @@
 namespace adit {
 namespace {
 
-constexpr int kExecFailed = 127;  // as shells say it
+constexpr int kExecFailed = 127;  // exit code of shells
 
 void reset_signals() {
   for (int signal = 1; signal < NSIG; ++signal) std::signal(signal, SIG_DFL);
@@ -35,7 +35,7 @@ void reset_signals() {
 [[noreturn]] void exec_program(char* const* argv, pid_t parent, int report) {
   reset_signals();
   setsid();
-  ioctl(STDIN_FILENO, TIOCSCTTY, 0);  // fails where there is no terminal, and need not succeed
+  ioctl(STDIN_FILENO, TIOCSCTTY, 0);  // fails without a terminal, which is not an error
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() == parent) execvp(argv[0], argv);
   const int error = errno;
@@ -46,7 +46,7 @@ void reset_signals() {
 }  // namespace
 
 ProgramStart start_program(char* const* argv) {
-  int report[2];  // closes when the program takes over
+  int report[2];  // closed by exec
   if (pipe2(report, O_CLOEXEC) != 0) return {-1, errno};
   const pid_t parent = getpid();
   const pid_t pid = fork();
@@ -62,9 +62,10 @@ ProgramStart start_program(char* const* argv) {
 
 namespace {
 
-constexpr int kKillPeriodMs = 20;  // what was born meanwhile
+constexpr int kKillPeriodMs = 20;  // for processes forked meanwhile
 
-/// Who is to outlive all others must not be asked to end with them.
+/// adit-watch must outlive its descendants, so it ignores the signals of the terminal and the
+/// group.
 void ignore_signals() {
   for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGTTIN, SIGTTOU, SIGTSTP}) {
     std::signal(signal, SIG_IGN);
@@ -103,7 +104,7 @@ void Watch::run() {
   for (reap(); any_child_left_; reap()) {
     if (kill_at_us_ && steady_us() >= *kill_at_us_) killing_ = true;
     if (killing_) send_to_all(SIGKILL);
-    // Nobody writes any more where the supervisor is gone: that is not to wake us for ever.
+    // The closed connection of an ended supervisor would wake poll() continuously.
     const int signals = killing_ ? -1 : kWatchSignalsDescriptor;
     std::array<pollfd, 2> descriptors{{{signals, POLLIN, 0}, {child_signals_, POLLIN, 0}}};
     poll(descriptors.data(), descriptors.size(), timeout_ms());
@@ -126,7 +127,7 @@ void Watch::forward_signals() {
     return;
   }
   send_to_all(signal);
-  send_to_all(SIGCONT);  // one that stands still would not hear it
+  send_to_all(SIGCONT);  // a stopped process does not handle other signals
 }
 
 void Watch::send_to_all(int signal) const {
@@ -134,8 +135,8 @@ void Watch::send_to_all(int signal) const {
 }
 
 void Watch::reap() {
-  signalfd_siginfo news{};
-  while (read(child_signals_, &news, sizeof(news)) > 0) {
+  signalfd_siginfo info{};
+  while (read(child_signals_, &info, sizeof(info)) > 0) {
   }
   int status = 0;
   pid_t pid = 0;

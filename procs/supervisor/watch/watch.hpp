@@ -14,29 +14,29 @@ namespace adit {
 
 struct ProgramStart {
   pid_t pid = -1;
-  int error = 0;  ///< as errno; 0: the program runs
+  int error = 0;  ///< errno; 0: the program runs
 };
 
-/// Runs a program, looked for in PATH, as a child in a session of its own, whose terminal is the
-/// standard input where that is one; with no signal blocked or ignored, and killed by the kernel if
-/// this process ends. `argv` ends with a null pointer.
+/// Starts a program, searched in PATH, as a child in its own session, with the standard input as
+/// its controlling terminal if it is a terminal. No signals are blocked or ignored. The kernel
+/// kills the child if this process ends (PR_SET_PDEATHSIG). `argv` ends with a null pointer.
 ProgramStart start_program(char* const* argv);
 
 struct WatchOptions {
-  int stop_signal = SIGINT;     ///< for what the program leaves behind when it ends
-  double stop_time_s = 7.0;     ///< from there to SIGKILL
-  char* const* argv = nullptr;  ///< of the program
+  int stop_signal = SIGINT;     ///< for descendants left when the program ends
+  double stop_time_s = 7.0;     ///< from stop_signal to SIGKILL
+  char* const* argv = nullptr;  ///< program and arguments
 };
 
-/// Runs a program and stays until it and everything that it started, at whatever depth and in
-/// whatever session, is gone. Whoever loses its parent among these becomes a child of this process
-/// (PR_SET_CHILD_SUBREAPER), so that nobody gets away. Signals that come over the line go to all of
-/// them. When the line closes, because the supervisor is gone, however it went, all are killed.
+/// Runs a program and waits until it and all its descendants, at any depth and in any session, have
+/// ended. Orphaned descendants become children of this process (PR_SET_CHILD_SUBREAPER). Signals
+/// received from the supervisor are forwarded to all descendants. When the connection closes,
+/// because the supervisor has ended for any reason, all are killed.
 class Watch {
  public:
   explicit Watch(const WatchOptions& options);
 
-  /// Returns when nothing is left.
+  /// Returns when all descendants have ended.
   void run();
 
  private:

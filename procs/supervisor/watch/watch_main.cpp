@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// adit-watch STOP_SIGNAL STOP_TIME_S PROGRAM [ARGUMENT..]: for adit-supervisor, not for people.
+// adit-watch STOP_SIGNAL STOP_TIME_S PROGRAM [ARGUMENT..]: started by adit-supervisor, not
+// manually.
 #include <exception>
 #include <iostream>
 
@@ -16,7 +17,7 @@ int watch(int argc, char** argv) {
   const auto stop_signal = argc > kFirstOfProgram ? adit::parse_number<int>(argv[1]) : std::nullopt;
   const auto stop_time_s = stop_signal ? adit::parse_number<double>(argv[2]) : std::nullopt;
   if (!stop_time_s) {
-    std::cerr << "adit-watch: is started by adit-supervisor, for each program one\n";
+    std::cerr << "adit-watch: is started by adit-supervisor, one per program\n";
     return kExitUnusable;
   }
   adit::Watch({*stop_signal, *stop_time_s, argv + kFirstOfProgram}).run();

@@ -6,14 +6,14 @@
 
 namespace adit {
 
-/// What adit-watch and who started it tell each other over two lines. To adit-watch: single bytes,
-/// the number of a signal for all that it watches over; SIGKILL means that nothing is to be left.
-/// From it: reports, in the byte order of the machine; and its end, once nothing is left.
+/// Protocol between adit-watch and the supervisor, on two sockets. To adit-watch: single bytes, the
+/// number of a signal for all descendants; SIGKILL is repeated until all have ended. From
+/// adit-watch: reports in native byte order.
 struct WatchReport {
   enum class Kind : std::int32_t {
-    kStarted,      ///< number: the process id of the program
-    kStartFailed,  ///< number: why, as errno
-    kEnded,        ///< number: the program's wait status; what it started may live on
+    kStarted,      ///< number: process id of the program
+    kStartFailed,  ///< number: errno
+    kEnded,        ///< number: wait status of the program; descendants may still run
   };
   Kind kind = Kind::kStarted;
   std::int32_t number = 0;

@@ -15,29 +15,29 @@ using testing::Pair;
 std::vector<std::string> words(std::string_view text) {
   const auto line = parse_command_line(text);
   return line ? line->arguments
-              : std::vector<std::string>{"refused", std::string(line.rejection())};
+              : std::vector<std::string>{"rejected", std::string(line.rejection())};
 }
 
-TEST(CommandLine, DividesAtBlanks) {
+TEST(CommandLine, SplitsAtBlanks) {
   EXPECT_THAT(words("  adit-mapping\t--sim-time \n x "),
               ElementsAre("adit-mapping", "--sim-time", "x"));
 }
 
-TEST(CommandLine, KeepsTogetherWhatIsQuoted) {
+TEST(CommandLine, KeepsQuotedTextInOneWord) {
   EXPECT_THAT(words(R"(a "b c" 'd "e' f\ g h"i"'j' "" '')"),
               ElementsAre("a", "b c", "d \"e", "f g", "hij", "", ""));
 }
 
-TEST(CommandLine, EscapesAsAShellDoes) {
+TEST(CommandLine, EscapesLikeAShell) {
   EXPECT_THAT(words(R"(a "\"b\\" '\' "c\d" \")"), ElementsAre("a", "\"b\\", "\\", "c\\d", "\""));
 }
 
-TEST(CommandLine, IsNotForAShell) {
+TEST(CommandLine, DoesNotInterpretShellSyntax) {
   EXPECT_THAT(words("a $HOME; rm -rf * | `b` > c && d"),
               ElementsAre("a", "$HOME;", "rm", "-rf", "*", "|", "`b`", ">", "c", "&&", "d"));
 }
 
-TEST(CommandLine, PutsAssignmentsBeforeTheProgramIntoItsEnvironment) {
+TEST(CommandLine, AddsLeadingAssignmentsToTheEnvironment) {
   const auto line = parse_command_line("A=B _C1='d e' EMPTY= prog X=Y");
   ASSERT_TRUE(line);
   EXPECT_THAT(line->environment,
@@ -45,7 +45,7 @@ TEST(CommandLine, PutsAssignmentsBeforeTheProgramIntoItsEnvironment) {
   EXPECT_THAT(line->arguments, ElementsAre("prog", "X=Y"));
 }
 
-TEST(CommandLine, KnowsWhatIsNoAssignment) {
+TEST(CommandLine, TreatsInvalidAssignmentsAsArguments) {
   for (const char* text : {"'A'=B", "=B", "1A=B", "a-b=c", "\"A=B\""}) {
     const auto line = parse_command_line(text);
     ASSERT_TRUE(line) << text;
@@ -53,15 +53,15 @@ TEST(CommandLine, KnowsWhatIsNoAssignment) {
   }
 }
 
-TEST(CommandLine, RejectsWhatHasNoEndAndWhatRunsNothing) {
-  EXPECT_THAT(words("a 'b"), ElementsAre("refused", "a quote that does not end"));
-  EXPECT_THAT(words("a \"b\\\""), ElementsAre("refused", "a quote that does not end"));
-  EXPECT_THAT(words("a \\"), ElementsAre("refused", "a backslash at the end"));
-  EXPECT_THAT(words(""), ElementsAre("refused", "no program to run"));
-  EXPECT_THAT(words("A=B"), ElementsAre("refused", "no program to run"));
-  EXPECT_THAT(words("'' x"), ElementsAre("refused", "no program to run"));
+TEST(CommandLine, RejectsUnterminatedAndEmptyLines) {
+  EXPECT_THAT(words("a 'b"), ElementsAre("rejected", "unterminated quote"));
+  EXPECT_THAT(words("a \"b\\\""), ElementsAre("rejected", "unterminated quote"));
+  EXPECT_THAT(words("a \\"), ElementsAre("rejected", "trailing backslash"));
+  EXPECT_THAT(words(""), ElementsAre("rejected", "no program to run"));
+  EXPECT_THAT(words("A=B"), ElementsAre("rejected", "no program to run"));
+  EXPECT_THAT(words("'' x"), ElementsAre("rejected", "no program to run"));
   EXPECT_THAT(words(std::string_view("a\0b", 3)),
-              ElementsAre("refused", "a NUL in the command line"));
+              ElementsAre("rejected", "NUL byte in the command line"));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 ProcessList parse(const std::string& text) { return parse_process_list(text, "list"); }
 
-TEST(ProcessListParser, ReadsWhatProcmanReads) {
+TEST(ProcessListParser, ReadsProcmanAttributes) {
   const ProcessList list = parse(R"(# what runs
 group "sensing" {
   cmd "laser" { exec = "laser --rate 75"; host = "robot"; stop_signal = 15; stop_time_allowed = 3; }
@@ -44,7 +44,7 @@ cmd "loose" { exec = "sleep 5"; group = "/other"; stop_signal = "2"; }   # as pr
   EXPECT_EQ(list.commands[2].stop_time_allowed_s, 7.0);
 }
 
-TEST(ProcessListParser, ReadsWhatWeAdd) {
+TEST(ProcessListParser, ReadsExtensionsOfProcman) {
   const ProcessList list = parse(R"(
 cmd "laser" { exec = "laser"; }
 cmd "imu" { exec = "imu"; }
@@ -65,7 +65,7 @@ ScriptAction action_of(ScriptAction::Kind kind) {
   return action;
 }
 
-TEST(ProcessListParser, ReadsEveryStepOfAScript) {
+TEST(ProcessListParser, ReadsEveryScriptAction) {
   using Kind = ScriptAction::Kind;
   const ProcessList list = parse(R"(
 group "g" { cmd "x" { exec = "x"; } }
@@ -91,13 +91,13 @@ script "other" { })");
   EXPECT_EQ(actions[5], run_other);
 }
 
-TEST(ProcessListParser, TakesQuotesOfBothKindsAndWhatIsEscapedInThem) {
+TEST(ProcessListParser, AcceptsBothQuotesAndEscapes) {
   const ProcessList list = parse(R"(cmd 'it "is"' { exec = "a \"b\" \\ \t'c' \x"; })");
   EXPECT_EQ(list.commands.at(0).id, "it \"is\"");
   EXPECT_EQ(list.commands.at(0).exec, "a \"b\" \\ \t'c' x");
 }
 
-TEST(ProcessListParser, FindsTheCommandsOfAGroupAndOfTheGroupsWithin) {
+TEST(ProcessListParser, FindsCommandsOfNestedGroups) {
   const ProcessList list = parse(R"(group "a" { cmd "1" { exec = "x"; }
     group "b" { cmd "2" { exec = "x"; } } } group "ab" { cmd "3" { exec = "x"; } })");
   const auto ids = [&](const ScriptTarget& target) { return list.ids_of(target); };
@@ -108,17 +108,17 @@ TEST(ProcessListParser, FindsTheCommandsOfAGroupAndOfTheGroupsWithin) {
 
 struct BadList {
   std::string text;
-  std::string complaint;
+  std::string message;
 };
 
 class ProcessListErrors : public testing::TestWithParam<BadList> {};
 
-TEST_P(ProcessListErrors, NameThePlaceAndWhatWasExpected) {
+TEST_P(ProcessListErrors, ReportPositionAndExpectedToken) {
   try {
     parse(GetParam().text);
-    FAIL() << "taken: " << GetParam().text;
+    FAIL() << "accepted: " << GetParam().text;
   } catch (const ConfigError& error) {
-    EXPECT_EQ(error.what(), "list" + GetParam().complaint);
+    EXPECT_EQ(error.what(), "list" + GetParam().message);
   }
 }
 
@@ -127,38 +127,37 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadList{"command", ":1:1: expected cmd, group or script, not 'command'"},
         BadList{"\n  42", ":2:3: expected cmd, group or script, not '42'"},
-        BadList{"@", ":1:1: '@' begins nothing that a process list has"},
-        BadList{"cmd \"a\n\"", ":1:5: a string that does not end on its line"},
-        BadList{"cmd \"a\\", ":1:5: a string that does not end on its line"},
-        BadList{"cmd a", ":1:5: expected the name of the command in quotes, not 'a'"},
+        BadList{"@", ":1:1: unexpected '@'"}, BadList{"cmd \"a\n\"", ":1:5: unterminated string"},
+        BadList{"cmd \"a\\", ":1:5: unterminated string"},
+        BadList{"cmd a", ":1:5: expected a quoted command name, not 'a'"},
         BadList{"cmd \"a/b\" {",
-                ":1:5: a name is 1 to 200 bytes, without slashes and control characters"},
+                ":1:5: a name must have 1 to 200 bytes and no slashes or control characters"},
         BadList{"group \"\" {",
-                ":1:7: a name is 1 to 200 bytes, without slashes and control characters"},
+                ":1:7: a name must have 1 to 200 bytes and no slashes or control characters"},
         BadList{"cmd \"a\" exec", ":1:9: expected '{', not 'exec'"},
         BadList{"cmd \"a\" {",
                 ":1:10: expected an attribute of the command or '}', not the end of "
                 "the file"},
         BadList{"cmd \"a\" { }", ":1:5: command \"a\" has no exec"},
         BadList{"cmd \"a\" { exec \"x\"", ":1:16: expected '=', not \"x\""},
-        BadList{"cmd \"a\" { exec = x", ":1:18: expected a text in quotes, not 'x'"},
+        BadList{"cmd \"a\" { exec = x", ":1:18: expected a quoted string, not 'x'"},
         BadList{"cmd \"a\" { exec = \"x\" }", ":1:22: expected ';', not '}'"},
-        BadList{"cmd \"a\" { exec = \"x\"; exec = \"y\"; }", ":1:23: 'exec' stands here twice"},
-        BadList{"cmd \"a\" { deputy = \"x\"; host = \"y\"; }", ":1:25: 'host' stands here twice"},
+        BadList{"cmd \"a\" { exec = \"x\"; exec = \"y\"; }", ":1:23: duplicate attribute 'exec'"},
+        BadList{"cmd \"a\" { deputy = \"x\"; host = \"y\"; }", ":1:25: duplicate attribute 'host'"},
         BadList{"cmd \"a\" { exce = \"x\"; }",
-                ":1:11: a command has no attribute 'exce'; meant is perhaps 'exec'"},
+                ":1:11: unknown attribute 'exce'; did you mean 'exec'?"},
         BadList{"cmd \"a\" { auto_respawn = \"yes\"; }",
                 ":1:26: expected \"true\" or \"false\", not \"yes\""},
         BadList{"cmd \"a\" { stop_signal = 0; }", ":1:25: expected a number, 1 to 64, not '0'"},
-        BadList{"cmd \"a\" { stop_signal = 1.5; }", ":1:25: expected a whole number, not '1.5'"},
+        BadList{"cmd \"a\" { stop_signal = 1.5; }", ":1:25: expected an integer, not '1.5'"},
         BadList{"cmd \"a\" { stop_time_allowed = \"nan\"; }",
                 ":1:31: expected a number, 0 to 3600, not \"nan\""},
         BadList{"cmd \"a\" { alive_channel = \"pose\"; }",
-                ":1:27: \"pose\" is no channel: A to Z, 0 to 9 and _, at most 63"},
+                ":1:27: \"pose\" is not a channel name: at most 63 of A to Z, 0 to 9 and _"},
         BadList{"cmd \"a\" { exec = \"x\"; alive_rate_hz = 5; }",
-                ":1:5: command \"a\" has alive_rate_hz without a channel"},
+                ":1:5: command \"a\" has alive_rate_hz but no alive_channel"},
         BadList{"cmd \"a\" { exec = \"x\"; group = \"a//b\"; }",
-                ":1:31: \"a//b\" is no path of groups: names with / between"},
+                ":1:31: \"a//b\" is not a group path: names separated by /"},
         BadList{"group \"g\" { exec", ":1:13: expected cmd or group, not 'exec'"},
         BadList{"group \"g\" {", ":1:12: expected cmd, group or '}', not the end of the file"},
         BadList{"script \"s\" { go; }",
@@ -170,28 +169,28 @@ INSTANTIATE_TEST_SUITE_P(
                 ":1:36: expected \"running\" or \"stopped\", not \"up\""},
         BadList{"script \"s\" { start everything wait \"running\" 5; }",
                 ":1:46: expected ';' or timeout_s, not '5'"},
-        BadList{"script \"s\" { wait ms 1.5; }", ":1:22: expected a whole number, not '1.5'"},
-        BadList{std::string("cmd \"a\" \x01"), ": byte 8 is no text"},
+        BadList{"script \"s\" { wait ms 1.5; }", ":1:22: expected an integer, not '1.5'"},
+        BadList{std::string("cmd \"a\" \x01"), ": byte 8 is not valid text"},
         BadList{"cmd \"a\" { exec = \"x\"; } cmd \"a\" { exec = \"x\"; }",
-                ": two commands are called \"a\""},
-        BadList{"script \"a\" { } script \"a\" { }", ": two scripts are called \"a\""},
+                ": duplicate command \"a\""},
+        BadList{"script \"a\" { } script \"a\" { }", ": duplicate script \"a\""},
         BadList{"cmd \"a\" { exec = \"A=B\"; }", ": command \"a\": no program to run"},
-        BadList{"cmd \"a\" { exec = \"x 'y\"; }", ": command \"a\": a quote that does not end"},
+        BadList{"cmd \"a\" { exec = \"x 'y\"; }", ": command \"a\": unterminated quote"},
         BadList{"cmd \"a\" { exec = \"x\"; depends_on = \"b\"; }",
                 ": command \"a\" depends on \"b\", which is not in the list"},
         BadList{"cmd \"a\" { exec = \"x\"; depends_on = \"a\"; }",
-                ": command \"a\" depends on itself, in a circle"},
+                ": command \"a\" is part of a dependency cycle"},
         BadList{"cmd \"a\" { exec = \"x\"; depends_on = \"b\"; }"
                 "cmd \"b\" { exec = \"x\"; depends_on = \"c\"; }"
                 "cmd \"c\" { exec = \"x\"; depends_on = \"b\"; }",
-                ": command \"b\" depends on itself, in a circle"},
+                ": command \"b\" is part of a dependency cycle"},
         BadList{"script \"s\" { stop cmd \"x\"; }", ": script \"s\": no command \"x\""},
         BadList{"script \"s\" { stop group \"x\"; }", ": script \"s\": no group \"x\""},
         BadList{"script \"s\" { run_script \"t\"; }", ": script \"s\": no script \"t\""},
         BadList{"script \"s\" { run_script \"t\"; } script \"t\" { run_script \"s\"; }",
-                ": script \"s\" runs itself, in a circle"}));
+                ": script \"s\" is part of a call cycle"}));
 
-TEST(ProcessListParser, ADependencyThatManyHaveIsNoCircle) {
+TEST(ProcessListParser, AcceptsASharedDependency) {
   EXPECT_EQ(parse(R"(cmd "a" { exec = "x"; depends_on = "b", "c"; }
     cmd "b" { exec = "x"; depends_on = "d"; } cmd "c" { exec = "x"; depends_on = "d"; }
     cmd "d" { exec = "x"; })")
@@ -199,25 +198,25 @@ TEST(ProcessListParser, ADependencyThatManyHaveIsNoCircle) {
             4U);
 }
 
-TEST(ProcessListParser, RejectsGroupsThatLieTooDeep) {
+TEST(ProcessListParser, RejectsGroupsNestedTooDeep) {
   std::string text;
   for (int i = 0; i < 20; ++i) text += "group \"g\" { ";
   try {
     parse(text);
     FAIL();
   } catch (const ConfigError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("more than sixteen deep"));
+    EXPECT_THAT(error.what(), HasSubstr("more than sixteen levels deep"));
   }
 }
 
-TEST(ProcessListParser, ReadsAFileAndNamesOneThatIsNotThere) {
+TEST(ProcessListParser, ReadsAFileAndRejectsAMissingOne) {
   const test::ScratchFolder folder;
   std::ofstream(folder / "list.cfg") << "cmd \"a\" { exec = \"x\"; }";
   EXPECT_EQ(read_process_list(folder / "list.cfg").commands.size(), 1U);
   EXPECT_THROW(read_process_list(folder / "none.cfg"), ConfigError);
 }
 
-TEST(ProcessListWriter, WritesWhatReadsBackTheSame) {
+TEST(ProcessListWriter, WritesAListThatParsesToTheSame) {
   const ProcessList list = parse(R"(
 cmd "first \"one\"" { exec = "A=B x 'y z' \\ \n"; deputy = "far"; }
 group "a" {

@@ -17,21 +17,21 @@ ProcessListDiff change_to(const std::string& text) {
   return diff(parse_process_list(kList, "before"), parse_process_list(text, "after"));
 }
 
-TEST(ProcessListDiff, SaysWhatIsChangedNewAndGone) {
+TEST(ProcessListDiff, ListsChangedAddedAndRemovedCommands) {
   const ProcessListDiff change = change_to(R"(
 cmd "d" { exec = "four"; } cmd "b" { exec = "two"; } cmd "a" { exec = "one"; stop_signal = 9; }
 script "go" { start cmd "a"; })");
-  EXPECT_EQ(text_of(change), "changed: a\nnew: d\ngone: c\n");
+  EXPECT_EQ(text_of(change), "changed: a\nadded: d\nremoved: c\n");
 }
 
-TEST(ProcessListDiff, SaysThatThereIsNone) {
-  EXPECT_EQ(text_of(change_to(kList)), "nothing has changed\n");
+TEST(ProcessListDiff, IsEmptyForEqualLists) {
+  EXPECT_EQ(text_of(change_to(kList)), "no changes\n");
 }
 
-TEST(ProcessListDiff, SeesScripts) {
+TEST(ProcessListDiff, DetectsChangedScripts) {
   const ProcessListDiff change = change_to(R"(
 cmd "a" { exec = "one"; } cmd "b" { exec = "two"; } cmd "c" { exec = "three"; })");
-  EXPECT_EQ(text_of(change), "scripts have changed\n");
+  EXPECT_EQ(text_of(change), "scripts changed\n");
 }
 
 }  // namespace

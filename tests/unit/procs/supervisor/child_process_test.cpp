@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Real processes: what a program that is started sees, and that nobody gets away.
+// Real processes: the environment of a started program, and the tracking of its descendants.
 #include "procs/supervisor/os/child_process.hpp"
 
 #include <csignal>
@@ -27,10 +27,10 @@ ChildStart start_of(const std::string& line) {
   return {*parse_command_line(line), SIGTERM, 5.0, ADIT_WATCH};
 }
 
-/// A shell with a script, which must have no single quotes.
+/// A shell with a script, which must not contain single quotes.
 ChildStart shell(const std::string& script) { return start_of("sh -c '" + script + "'"); }
 
-/// Runs it to its end.
+/// Polls the process until it ends.
 ChildProcess::End end_of(ChildProcess& child, std::string* output = nullptr) {
   std::optional<ChildProcess::End> end;
   EXPECT_TRUE(test::becomes_true([&] {
@@ -49,7 +49,7 @@ std::string output_of(const ChildStart& start) {
   return output;
 }
 
-TEST(ChildProcess, GivesBackHowTheProgramEnded) {
+TEST(ChildProcess, ReturnsHowTheProgramEnded) {
   ChildProcess succeeded(shell("exit 0"));
   EXPECT_TRUE(end_of(succeeded).succeeded());
   ChildProcess badly(shell("exit 3"));
@@ -60,7 +60,7 @@ TEST(ChildProcess, GivesBackHowTheProgramEnded) {
   EXPECT_EQ(end_of(killed).text(), "killed by SIGSEGV");
 }
 
-TEST(ChildProcess, SaysWhyAProgramCannotBeStarted) {
+TEST(ChildProcess, ReportsWhyAProgramCannotBeStarted) {
   EXPECT_THROW(
       {
         try {
@@ -73,12 +73,12 @@ TEST(ChildProcess, SaysWhyAProgramCannotBeStarted) {
       std::runtime_error);
 }
 
-TEST(ChildProcess, PassesArgumentsAsTheyAreAndAddsToTheEnvironment) {
+TEST(ChildProcess, PassesArgumentsUnchangedAndExtendsTheEnvironment) {
   EXPECT_EQ(output_of(start_of(R"(printf '%s|' "a b" '' '$HOME;' c\ d)")), "a b||$HOME;|c d|");
   EXPECT_EQ(output_of(start_of("ADIT_TEST='x y' sh -c 'echo $ADIT_TEST $0'")), "x y sh\n");
 }
 
-TEST(ChildProcess, HasATerminalWhoseLinesComeUnchanged) {
+TEST(ChildProcess, HasATerminalWithoutOutputProcessing) {
   EXPECT_EQ(output_of(shell("test -t 0 && test -t 1 && test -t 2 && echo yes; echo err >&2")),
             "yes\nerr\n");
 }
@@ -90,31 +90,31 @@ TEST(ChildProcess, LeadsASession) {
 }
 
 TEST(ChildProcess, ReceivesAllSignals) {
-  // Signals 32 and 33 are glibc's own: it ignores them between fork and exec.
+  // Signals 32 and 33 are internal to glibc, which ignores them between fork and exec.
   EXPECT_EQ(output_of(start_of("grep -Ec 'SigBlk:.0{16}|SigIgn:.*0{7}$' /proc/self/status")),
             "2\n");
 }
 
 TEST(ChildProcess, InheritsNoDescriptors) {
-  const int leak = open("/dev/null", O_RDONLY);  // as LCM's sockets are: not close-on-exec
+  const int leak = open("/dev/null", O_RDONLY);  // not close-on-exec, like LCM's sockets
   ASSERT_GE(leak, 3);
-  // 3 is that of ls itself, which reads the folder.
+  // Descriptor 3 is the folder that ls reads.
   EXPECT_EQ(output_of(start_of("ls -1 /proc/self/fd")), "0\n1\n2\n3\n");
   close(leak);
 }
 
-TEST(ChildProcess, SendsSignalsToAllThatDescendFromIt) {
+TEST(ChildProcess, SendsSignalsToAllDescendants) {
   const std::string sleep = test::unique_sleep();
   ChildProcess child(
       shell("sleep " + sleep + " & setsid sh -c \"sleep " + sleep + "; true\" & wait"));
-  // Two that sleep, and the two shells that were told so.
+  // Two sleep processes and two shells with that text on their command lines.
   ASSERT_TRUE(test::becomes_true([&] { return test::count_processes_with(sleep) >= 4; }));
   child.send(SIGTERM);
   EXPECT_EQ(end_of(child).text(), "killed by SIGTERM");
   EXPECT_EQ(test::count_processes_with(sleep), 0);
 }
 
-TEST(ChildProcess, KillsWhatDoesNotWantToEnd) {
+TEST(ChildProcess, KillsProcessesThatIgnoreTheStopSignal) {
   const std::string sleep = test::unique_sleep();
   ChildProcess child(
       shell("trap \"\" TERM INT HUP; sleep " + sleep + " & echo ready; wait; sleep " + sleep));
@@ -127,14 +127,14 @@ TEST(ChildProcess, KillsWhatDoesNotWantToEnd) {
   EXPECT_EQ(test::count_processes_with(sleep), 0);
 }
 
-TEST(ChildProcess, StopsWhatAProgramLeavesBehind) {
+TEST(ChildProcess, StopsRemainingDescendants) {
   const std::string sleep = test::unique_sleep();
   ChildProcess child(shell("setsid sleep " + sleep + " & exit 4"));
   EXPECT_EQ(end_of(child).text(), "ended with exit code 4");
   EXPECT_EQ(test::count_processes_with(sleep), 0);
 }
 
-TEST(ChildProcess, KillsWhatAProgramLeavesBehindAndDoesNotStop) {
+TEST(ChildProcess, KillsRemainingDescendantsThatDoNotStop) {
   const std::string sleep = test::unique_sleep();
   ChildStart start = shell("(trap \"\" TERM; sleep " + sleep + ") & sleep 0.1; exit 4");
   start.stop_time_s = 0.1;
@@ -143,7 +143,7 @@ TEST(ChildProcess, KillsWhatAProgramLeavesBehindAndDoesNotStop) {
   EXPECT_EQ(test::count_processes_with(sleep), 0);
 }
 
-TEST(ChildProcess, TakesAllWithItWhenItGoes) {
+TEST(ChildProcess, KillsAllDescendantsOnDestruction) {
   const std::string sleep = test::unique_sleep();
   {
     const ChildProcess child(
@@ -153,12 +153,12 @@ TEST(ChildProcess, TakesAllWithItWhenItGoes) {
   EXPECT_EQ(test::count_processes_with(sleep), 0);
 }
 
-TEST(ChildProcess, SurvivesTheDeathOfItsWatcher) {
+TEST(ChildProcess, ReportsTheEndOfItsWatcher) {
   ChildProcess child(shell("sleep " + test::unique_sleep()));
   kill(child.watcher(), SIGKILL);
   ASSERT_TRUE(test::becomes_true(
       [&] { return ProcessTable::read().entries().at(child.watcher()).state == 'Z'; }));
-  child.send(SIGTERM);  // to nobody
+  child.send(SIGTERM);  // without effect
   EXPECT_EQ(end_of(child).text(), "killed by SIGKILL");
 }
 
@@ -176,7 +176,7 @@ TEST(ChildProcess, LeavesNoZombies) {
   EXPECT_TRUE(ProcessTable::read().children_of(getpid()).empty());
 }
 
-TEST(ChildProcess, WaitsWithItsOutputUntilSomebodyReads) {
+TEST(ChildProcess, BlocksItsOutputUntilItIsRead) {
   ChildProcess child(shell("yes 0123456789 | head -c 3000000"));
   std::string output;
   EXPECT_TRUE(end_of(child, &output).succeeded());

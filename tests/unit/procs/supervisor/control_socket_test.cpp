@@ -26,27 +26,27 @@ class ControlSocketTest : public testing::Test {
   ControlSocketTest()
       : server_(folder_.path() / "deep" / "s.sock"), thread_([this](const std::stop_token& stop) {
           while (!stop.stop_requested()) {
-            server_.poll([](const auto& words) { return answer(words); });
+            server_.poll([](const auto& request) { return respond(request); });
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
           }
         }) {}
 
-  static ControlResponse answer(const std::vector<std::string>& words) {
-    if (words[0] == "fail") throw std::invalid_argument("no such thing");
-    if (words[0] == "large") return {std::string(3'000'000, 'x')};
-    if (words[0] == "count") {
+  static ControlResponse respond(const std::vector<std::string>& request) {
+    if (request[0] == "fail") throw std::invalid_argument("no such thing");
+    if (request[0] == "large") return {std::string(3'000'000, 'x')};
+    if (request[0] == "count") {
       return {"", [n = 0]() mutable { return std::to_string(n++) + "\n"; }};
     }
     std::string text;
-    for (const std::string& word : words) text += "<" + word + ">";
+    for (const std::string& field : request) text += "<" + field + ">";
     return {text};
   }
 
   [[nodiscard]] std::filesystem::path path() const { return folder_.path() / "deep" / "s.sock"; }
 
-  std::string error_of(const std::vector<std::string>& words) const {
+  std::string error_of(const std::vector<std::string>& request) const {
     try {
-      request_from_supervisor(path(), words);
+      request_from_supervisor(path(), request);
     } catch (const std::runtime_error& error) {
       return error.what();
     }
@@ -58,21 +58,21 @@ class ControlSocketTest : public testing::Test {
   std::jthread thread_;
 };
 
-TEST_F(ControlSocketTest, CarriesWordsThereAndTheAnswerBack) {
+TEST_F(ControlSocketTest, TransmitsRequestAndResponse) {
   EXPECT_EQ(request_from_supervisor(path(), {"start", "a b", "", "c"}), "<start><a b><><c>");
   EXPECT_EQ(request_from_supervisor(path(), {"ps"}), "<ps>");
 }
 
-TEST_F(ControlSocketTest, CarriesALargeAnswer) {
+TEST_F(ControlSocketTest, TransmitsALargeResponse) {
   EXPECT_EQ(request_from_supervisor(path(), {"large"}).size(), 3'000'000U);
 }
 
-TEST_F(ControlSocketTest, GivesTheErrorToWhoAsked) {
+TEST_F(ControlSocketTest, ReturnsTheErrorToTheClient) {
   EXPECT_EQ(error_of({"fail"}), "no such thing");
   EXPECT_EQ(request_from_supervisor(path(), {"ps"}), "<ps>");
 }
 
-TEST_F(ControlSocketTest, GoesOnAsLongAsSomebodyListens) {
+TEST_F(ControlSocketTest, StreamsUntilTheClientDisconnects) {
   std::string received;
   const auto take = [&](std::string_view text) {
     received += text;
@@ -83,7 +83,7 @@ TEST_F(ControlSocketTest, GoesOnAsLongAsSomebodyListens) {
   EXPECT_EQ(request_from_supervisor(path(), {"ps"}), "<ps>");
 }
 
-TEST_F(ControlSocketTest, BelongsToItsUserAlone) {
+TEST_F(ControlSocketTest, IsAccessibleToItsUserOnly) {
   struct stat info {};
   ASSERT_EQ(stat(path().c_str(), &info), 0);
   EXPECT_EQ(info.st_mode & 0777U, 0600U);
@@ -91,7 +91,7 @@ TEST_F(ControlSocketTest, BelongsToItsUserAlone) {
   EXPECT_EQ(info.st_mode & 0777U, 0700U);
 }
 
-TEST_F(ControlSocketTest, IsNotTakenFromASupervisorThatListens) {
+TEST_F(ControlSocketTest, IsNotTakenFromARunningSupervisor) {
   try {
     const ControlServer second(path());
     FAIL();
@@ -100,7 +100,7 @@ TEST_F(ControlSocketTest, IsNotTakenFromASupervisorThatListens) {
   }
 }
 
-TEST_F(ControlSocketTest, LetsGoOfWhoSaysNothingSensible) {
+TEST_F(ControlSocketTest, DisconnectsInvalidClients) {
   const FileDescriptor stale(socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
   const sockaddr_un address = unix_address(path());
   ASSERT_EQ(connect(stale.get(), to_sockaddr(address), sizeof(address)), 0);
@@ -111,7 +111,7 @@ TEST_F(ControlSocketTest, LetsGoOfWhoSaysNothingSensible) {
   EXPECT_EQ(request_from_supervisor(path(), {"ps"}), "<ps>");
 }
 
-TEST(ControlClient, TakesThePlaceOfASocketThatWasLeftBehind) {
+TEST(ControlClient, ReplacesAStaleSocket) {
   const test::ScratchFolder folder;
   const auto path = folder / "s.sock";
   {
@@ -120,10 +120,10 @@ TEST(ControlClient, TakesThePlaceOfASocketThatWasLeftBehind) {
     ASSERT_EQ(bind(killed.get(), to_sockaddr(address), sizeof(address)), 0);
   }
   EXPECT_NO_THROW(ControlServer{path});
-  EXPECT_FALSE(std::filesystem::exists(path));  // and clears up
+  EXPECT_FALSE(std::filesystem::exists(path));  // removed by the destructor
 }
 
-TEST(ControlClient, SaysWhatToDoWithoutASupervisor) {
+TEST(ControlClient, ReportsAMissingSupervisor) {
   const test::ScratchFolder folder;
   try {
     request_from_supervisor(folder / "none.sock", {"ps"});

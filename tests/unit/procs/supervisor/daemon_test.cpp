@@ -18,7 +18,7 @@
 namespace adit {
 namespace {
 
-/// What systemd has: a socket that hears. '@' stands for the zero of one without a file.
+/// A notification socket like that of systemd. '@' is the NUL of an abstract socket.
 class Listener {
  public:
   explicit Listener(const std::string& name)
@@ -43,7 +43,7 @@ class Listener {
   FileDescriptor socket_;
 };
 
-TEST(ServiceManager, IsToldByTheSocketThatItNames) {
+TEST(ServiceManager, ReceivesNotificationsOnItsSocket) {
   const test::ScratchFolder folder;
   const Listener listener((folder / "notify").string());
   const ServiceManager manager;
@@ -52,13 +52,13 @@ TEST(ServiceManager, IsToldByTheSocketThatItNames) {
   EXPECT_EQ(listener.received(), "READY=1\nSTATUS=all run");
 }
 
-TEST(ServiceManager, IsToldByASocketWithoutAFile) {
+TEST(ServiceManager, ReceivesNotificationsOnAnAbstractSocket) {
   const Listener listener("@adit-test-" + std::to_string(getpid()));
   ServiceManager().notify("WATCHDOG=1");
   EXPECT_EQ(listener.received(), "WATCHDOG=1");
 }
 
-TEST(ServiceManager, MayBeAbsentOrGone) {
+TEST(ServiceManager, MayBeMissing) {
   EXPECT_NO_THROW(ServiceManager().notify("READY=1"));
   const test::ScratchFolder folder;
   std::string name = (folder / "notify").string();
@@ -67,7 +67,7 @@ TEST(ServiceManager, MayBeAbsentOrGone) {
   unsetenv("NOTIFY_SOCKET");
 }
 
-TEST(ReloadSignal, CanBeAskedFor) {
+TEST(ReloadSignal, CanBePolled) {
   ReloadSignal::block();
   const ReloadSignal signal;
   EXPECT_FALSE(signal.received());

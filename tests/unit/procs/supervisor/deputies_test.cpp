@@ -25,21 +25,21 @@ ListedCommand listed(const std::string& id, const std::string& deputy) {
 
 ProcmanOrders from(const std::string& sheriff) { return {kUtime, "robot", sheriff, {}}; }
 
-TEST(OrderPolicy, ObeysNobodyByDefault) {
-  EXPECT_THAT(rejection_reason(OrderPolicy{}, from("anybody")), testing::HasSubstr("foreign"));
+TEST(OrderPolicy, RejectsAllSheriffsByDefault) {
+  EXPECT_THAT(rejection_reason(OrderPolicy{}, from("any")), testing::HasSubstr("foreign"));
 }
 
-TEST(OrderPolicy, ObeysTheOneInChargeOnly) {
+TEST(OrderPolicy, AcceptsOnlyTheSupervisorInCharge) {
   const OrderPolicy policy{"base", false};
   EXPECT_THAT(rejection_reason(policy, from("base")), IsEmpty());
   EXPECT_THAT(rejection_reason(policy, from("other")), testing::HasSubstr("foreign"));
 }
 
-TEST(OrderPolicy, ObeysEverybodyWhereItIsToldTo) {
-  EXPECT_THAT(rejection_reason(OrderPolicy{"", true}, from("anybody")), IsEmpty());
+TEST(OrderPolicy, AcceptsAllSheriffsIfConfigured) {
+  EXPECT_THAT(rejection_reason(OrderPolicy{"", true}, from("any")), IsEmpty());
 }
 
-TEST(OrderPolicy, KnowsOnlyCommandsAndCommandLinesOfTheList) {
+TEST(OrderPolicy, AcceptsOnlyCommandsAndCommandLinesOfTheList) {
   const ListedCommand command = listed("slam", "robot");
   const auto reason = [&](const std::string& exec) {
     ProcmanOrder order;
@@ -82,13 +82,13 @@ class RemoteDeputiesTest : public testing::Test {
   RemoteDeputies remotes_{list(), "robot"};
 };
 
-TEST_F(RemoteDeputiesTest, OrderNothingThatNobodyWants) {
+TEST_F(RemoteDeputiesTest, OrderNothingWithoutARequest) {
   receive("there", 17, 3, 0);
   EXPECT_THAT(remotes_.orders("robot", kUtime), IsEmpty());
   EXPECT_FALSE(remotes_.has("here"));
 }
 
-TEST_F(RemoteDeputiesTest, WaitForTheDeputyBeforeTheyOrder) {
+TEST_F(RemoteDeputiesTest, WaitForTheStatusBeforeOrdering) {
   remotes_.start("there");
   EXPECT_FALSE(order());
   receive("there", 0, 7, 0);
@@ -97,17 +97,17 @@ TEST_F(RemoteDeputiesTest, WaitForTheDeputyBeforeTheyOrder) {
   EXPECT_EQ(order()->command.exec, "x");
 }
 
-TEST_F(RemoteDeputiesTest, LeaveARunThatRunsAlready) {
+TEST_F(RemoteDeputiesTest, DoNotRestartARunningCommand) {
   receive("there", 17, 7, 0);
   remotes_.start("there");
   EXPECT_EQ(order()->run_id, 7);
   remotes_.restart("there");
   EXPECT_EQ(order()->run_id, 8);
-  EXPECT_EQ(order()->run_id, 8);  // repeated, not counted on
+  EXPECT_EQ(order()->run_id, 8);  // repeated, not incremented
 }
 
-TEST_F(RemoteDeputiesTest, TellHowFarAnOrderHasCome) {
-  EXPECT_EQ(remotes_.process_state("there", 0), ProcessState::kChanging);  // nothing was heard
+TEST_F(RemoteDeputiesTest, ReportTheProgressOfAnOrder) {
+  EXPECT_EQ(remotes_.process_state("there", 0), ProcessState::kChanging);  // no status received
   receive("there", 0, 7, 0);
   EXPECT_EQ(remotes_.process_state("there", 0), ProcessState::kStopped);
   remotes_.start("there");
@@ -123,19 +123,19 @@ TEST_F(RemoteDeputiesTest, TellHowFarAnOrderHasCome) {
   EXPECT_EQ(remotes_.process_state("there", 2 * kSecond), ProcessState::kStopped);
 }
 
-TEST_F(RemoteDeputiesTest, KnowNothingOfADeputyThatIsStale) {
+TEST_F(RemoteDeputiesTest, HaveNoStatusOfATimedOutDeputy) {
   receive("there", 17, 1, 0);
   EXPECT_EQ(remotes_.status("there", 5 * kSecond)->pid, 17);
   EXPECT_FALSE(remotes_.status("there", 5 * kSecond + 1));
   EXPECT_EQ(remotes_.process_state("there", 5 * kSecond + 1), ProcessState::kChanging);
 }
 
-TEST_F(RemoteDeputiesTest, BelieveOnlyTheDeputyOfTheList) {
+TEST_F(RemoteDeputiesTest, AcceptStatusOnlyFromTheDeputyOfTheList) {
   receive("there", 17, 1, 0, "other");
   EXPECT_FALSE(remotes_.status("there", 0));
 }
 
-TEST_F(RemoteDeputiesTest, AskForSignsOfLifeToo) {
+TEST_F(RemoteDeputiesTest, RequireTheLivenessSignal) {
   receive("seen", 17, 1, 0);
   EXPECT_EQ(remotes_.process_state("seen", 0), ProcessState::kChanging);
   remotes_.on_message("POSE", 0);

@@ -13,7 +13,7 @@ using testing::IsEmpty;
 
 constexpr std::size_t kPlenty = 1'000'000;
 
-TEST(OutputLog, MakesLinesOfWhatComesInFragments) {
+TEST(OutputLog, JoinsFragmentsToLines) {
   OutputLog log;
   log.add("one\ntw");
   EXPECT_THAT(log.since(0, kPlenty).lines, ElementsAre("one"));
@@ -24,7 +24,7 @@ TEST(OutputLog, MakesLinesOfWhatComesInFragments) {
   EXPECT_THAT(log.since(0, kPlenty).lines, ElementsAre("one", "two", "", "three"));
 }
 
-TEST(OutputLog, GivesOnlyWhatIsNew) {
+TEST(OutputLog, ReturnsOnlyNewLines) {
   OutputLog log;
   log.add("1\n2\n");
   const OutputLines first = log.since(0, kPlenty);
@@ -36,17 +36,17 @@ TEST(OutputLog, GivesOnlyWhatIsNew) {
   EXPECT_THAT(log.since(second.next, kPlenty).lines, IsEmpty());
 }
 
-TEST(OutputLog, LeavesOutTheOldestWhereItIsTooMuchAndSaysHowMany) {
+TEST(OutputLog, OmitsAndCountsTheOldestLinesBeyondTheLimit) {
   OutputLog log;
   log.add("11\n22\n33\n44\n");
   const OutputLines unread = log.since(0, 6);
   EXPECT_THAT(unread.lines, ElementsAre("33", "44"));
-  EXPECT_EQ(text_of(unread), "(2 lines left out)\n33\n44\n");
+  EXPECT_EQ(text_of(unread), "(2 lines omitted)\n33\n44\n");
   EXPECT_EQ(unread.omitted, 2);
   EXPECT_EQ(unread.next, 4);
 }
 
-TEST(OutputLog, KeepsTheLastThousandLines) {
+TEST(OutputLog, StoresTheLastThousandLines) {
   OutputLog log;
   for (int i = 0; i < 2500; ++i) log.add(std::to_string(i) + "\n");
   const OutputLines unread = log.since(500, kPlenty);
@@ -56,7 +56,7 @@ TEST(OutputLog, KeepsTheLastThousandLines) {
   EXPECT_EQ(unread.next, 2500);
 }
 
-TEST(OutputLog, CutsALineThatNeverEnds) {
+TEST(OutputLog, SplitsLongLines) {
   OutputLog log;
   log.add(std::string(2500, 'x'));
   const OutputLines unread = log.since(0, kPlenty);
@@ -64,7 +64,7 @@ TEST(OutputLog, CutsALineThatNeverEnds) {
   EXPECT_EQ(unread.lines[0].size(), 1000U);
 }
 
-TEST(OutputLog, ShowsNothingThatATerminalWouldObey) {
+TEST(OutputLog, ReplacesTerminalControlCharacters) {
   OutputLog log;
   log.add("\x1b[2J red\x07\tgr\xC3\xBCn \xFF\n");
   log.add(std::string_view("a\0b\n", 4));

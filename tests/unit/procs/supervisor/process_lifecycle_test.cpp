@@ -28,7 +28,7 @@ LifecycleRules requiring_liveness() {
   return rules;
 }
 
-/// A life that has begun at time 0.
+/// A lifecycle started at time 0.
 ProcessLifecycle started_lifecycle(const LifecycleRules& rules) {
   ProcessLifecycle lifecycle(rules);
   lifecycle.request_start();
@@ -37,14 +37,14 @@ ProcessLifecycle started_lifecycle(const LifecycleRules& rules) {
   return lifecycle;
 }
 
-TEST(ProcessLifecycle, IsLeftAloneUntilSomebodyWantsIt) {
+TEST(ProcessLifecycle, DoesNothingUntilStartIsRequested) {
   ProcessLifecycle lifecycle(respawning());
   EXPECT_EQ(lifecycle.advance(0, true, true), Act::kNothing);
   EXPECT_EQ(lifecycle.state(), State::kStopped);
   EXPECT_FALSE(lifecycle.runs());
 }
 
-TEST(ProcessLifecycle, WaitsForWhatItDependsOn) {
+TEST(ProcessLifecycle, WaitsForItsDependencies) {
   ProcessLifecycle lifecycle(respawning());
   lifecycle.request_start();
   EXPECT_EQ(lifecycle.advance(0, false, false), Act::kNothing);
@@ -52,11 +52,12 @@ TEST(ProcessLifecycle, WaitsForWhatItDependsOn) {
   EXPECT_EQ(lifecycle.advance(kSecond, true, false), Act::kStart);
   lifecycle.started(kSecond);
   EXPECT_EQ(lifecycle.state(), State::kRunning);
-  EXPECT_EQ(lifecycle.advance(2 * kSecond, false, false), Act::kNothing);  // too late to matter
+  EXPECT_EQ(lifecycle.advance(2 * kSecond, false, false),
+            Act::kNothing);  // no effect after the start
   EXPECT_EQ(lifecycle.state(), State::kRunning);
 }
 
-TEST(ProcessLifecycle, WorksOnceItShowsLife) {
+TEST(ProcessLifecycle, RunsOnceItIsAlive) {
   ProcessLifecycle lifecycle = started_lifecycle(requiring_liveness());
   EXPECT_EQ(lifecycle.advance(kSecond, true, false), Act::kNothing);
   EXPECT_EQ(lifecycle.state(), State::kStarting);
@@ -64,14 +65,14 @@ TEST(ProcessLifecycle, WorksOnceItShowsLife) {
   EXPECT_EQ(lifecycle.state(), State::kRunning);
 }
 
-TEST(ProcessLifecycle, IsStoppedAndStartedAgainIfItShowsNoLifeInTime) {
+TEST(ProcessLifecycle, IsRestartedIfItIsNotAliveInTime) {
   ProcessLifecycle lifecycle = started_lifecycle(requiring_liveness());
   EXPECT_EQ(lifecycle.advance(2 * kSecond - 1, true, false), Act::kNothing);
   EXPECT_EQ(lifecycle.advance(2 * kSecond, true, false), Act::kRequestStop);
-  EXPECT_EQ(lifecycle.error(), "showed no life within 2.0 s");
+  EXPECT_EQ(lifecycle.error(), "did not reach its publish rate within 2.0 s");
   lifecycle.ended(3 * kSecond, "killed by SIGINT", false);
   EXPECT_EQ(lifecycle.state(), State::kBackoff);
-  EXPECT_EQ(lifecycle.error(), "showed no life within 2.0 s");
+  EXPECT_EQ(lifecycle.error(), "did not reach its publish rate within 2.0 s");
   EXPECT_EQ(lifecycle.advance(3 * kSecond + 499 * kMs, true, false), Act::kNothing);
   EXPECT_EQ(lifecycle.advance(3 * kSecond + 500 * kMs, true, false), Act::kStart);
 }
@@ -80,11 +81,11 @@ TEST(ProcessLifecycle, IsStoppedIfItNoLongerPublishes) {
   ProcessLifecycle lifecycle = started_lifecycle(requiring_liveness());
   lifecycle.advance(kSecond, true, true);
   EXPECT_EQ(lifecycle.advance(2 * kSecond, true, false), Act::kRequestStop);
-  EXPECT_EQ(lifecycle.error(), "no longer publishes as it should");
+  EXPECT_EQ(lifecycle.error(), "publish rate too low");
   EXPECT_EQ(lifecycle.state(), State::kStopping);
 }
 
-TEST(ProcessLifecycle, IsGivenUpWhereItIsNotToBeStartedAgain) {
+TEST(ProcessLifecycle, FailsWithoutAutoRespawn) {
   LifecycleRules rules = requiring_liveness();
   rules.auto_respawn = false;
   ProcessLifecycle lifecycle = started_lifecycle(rules);
@@ -94,7 +95,7 @@ TEST(ProcessLifecycle, IsGivenUpWhereItIsNotToBeStartedAgain) {
   EXPECT_EQ(lifecycle.advance(100 * kSecond, true, false), Act::kNothing);
 }
 
-TEST(ProcessLifecycle, IsAskedOnceToStopAndKilledWhenItsTimeIsOver) {
+TEST(ProcessLifecycle, IsStoppedOnceAndKilledAfterTheTimeAllowed) {
   ProcessLifecycle lifecycle = started_lifecycle(respawning());
   lifecycle.request_stop(kSecond);
   EXPECT_EQ(lifecycle.advance(kSecond, true, false), Act::kRequestStop);
@@ -105,10 +106,10 @@ TEST(ProcessLifecycle, IsAskedOnceToStopAndKilledWhenItsTimeIsOver) {
   EXPECT_EQ(lifecycle.advance(5 * kSecond, true, false), Act::kKill);
   lifecycle.ended(5 * kSecond, "killed by SIGKILL", false);
   EXPECT_EQ(lifecycle.state(), State::kStopped);
-  EXPECT_EQ(lifecycle.error(), "");  // it was asked for
+  EXPECT_EQ(lifecycle.error(), "");  // the stop was requested
 }
 
-TEST(ProcessLifecycle, IsKilledAtOnceWhereNoTimeIsAllowed) {
+TEST(ProcessLifecycle, IsKilledImmediatelyIfNoTimeIsAllowed) {
   LifecycleRules rules = respawning();
   rules.stop_time_allowed_s = 0.0;
   ProcessLifecycle lifecycle = started_lifecycle(rules);
@@ -116,7 +117,7 @@ TEST(ProcessLifecycle, IsKilledAtOnceWhereNoTimeIsAllowed) {
   EXPECT_EQ(lifecycle.advance(kSecond, true, false), Act::kKill);
 }
 
-TEST(ProcessLifecycle, PausesTwiceAsLongEachTimeUpToALimit) {
+TEST(ProcessLifecycle, DoublesTheBackoffUpToALimit) {
   ProcessLifecycle lifecycle = started_lifecycle(respawning());
   std::int64_t now = 0;
   for (const std::int64_t pause : {500 * kMs, 1000 * kMs, 2000 * kMs, 4000 * kMs, 4000 * kMs}) {
@@ -130,7 +131,7 @@ TEST(ProcessLifecycle, PausesTwiceAsLongEachTimeUpToALimit) {
   EXPECT_EQ(lifecycle.restarts(), 5);
 }
 
-TEST(ProcessLifecycle, ForgetsThePastAfterAGoodTime) {
+TEST(ProcessLifecycle, ResetsTheBackoffAfterAStableRun) {
   ProcessLifecycle lifecycle = started_lifecycle(respawning());
   lifecycle.ended(0, "ended with exit code 1", false);
   lifecycle.advance(kSecond, true, false);
@@ -143,7 +144,7 @@ TEST(ProcessLifecycle, ForgetsThePastAfterAGoodTime) {
   EXPECT_EQ(lifecycle.error(), "");
 }
 
-TEST(ProcessLifecycle, IsGivenUpAtItsLimit) {
+TEST(ProcessLifecycle, FailsAtItsRestartLimit) {
   LifecycleRules rules = respawning();
   rules.restart_limit = 2;
   ProcessLifecycle lifecycle = started_lifecycle(rules);
@@ -154,12 +155,12 @@ TEST(ProcessLifecycle, IsGivenUpAtItsLimit) {
   }
   lifecycle.ended(30 * kSecond, "ended with exit code 1", false);
   EXPECT_EQ(lifecycle.state(), State::kFailed);
-  lifecycle.request_start();  // somebody has seen to it
+  lifecycle.request_start();  // explicit start
   EXPECT_EQ(lifecycle.restarts(), 0);
   EXPECT_EQ(lifecycle.advance(40 * kSecond, true, false), Act::kStart);
 }
 
-TEST(ProcessLifecycle, CountsAProgramThatCannotBeStarted) {
+TEST(ProcessLifecycle, CountsFailedStarts) {
   LifecycleRules rules = respawning();
   rules.restart_limit = 0;
   ProcessLifecycle lifecycle(rules);
@@ -170,7 +171,7 @@ TEST(ProcessLifecycle, CountsAProgramThatCannotBeStarted) {
   EXPECT_EQ(lifecycle.error(), "no such file");
 }
 
-TEST(ProcessLifecycle, EndsAsItMayWhereItIsNotToBeStartedAgain) {
+TEST(ProcessLifecycle, StopsAfterASuccessfulEndWithoutAutoRespawn) {
   LifecycleRules rules;
   ProcessLifecycle succeeded = started_lifecycle(rules);
   succeeded.ended(kSecond, "ended with exit code 0", true);
@@ -181,7 +182,7 @@ TEST(ProcessLifecycle, EndsAsItMayWhereItIsNotToBeStartedAgain) {
   EXPECT_EQ(badly.error(), "killed by SIGSEGV");
 }
 
-TEST(ProcessLifecycle, StartsAgainAtOnceWhenARestartIsWanted) {
+TEST(ProcessLifecycle, RestartsImmediatelyOnRequest) {
   ProcessLifecycle lifecycle = started_lifecycle(respawning());
   lifecycle.request_restart(kSecond);
   EXPECT_EQ(lifecycle.state(), State::kStopping);
@@ -193,7 +194,7 @@ TEST(ProcessLifecycle, StartsAgainAtOnceWhenARestartIsWanted) {
   EXPECT_EQ(lifecycle.error(), "");
 }
 
-TEST(ProcessLifecycle, StartsAgainWhereItIsWantedWhileItStops) {
+TEST(ProcessLifecycle, RestartsIfStartIsRequestedWhileStopping) {
   ProcessLifecycle lifecycle = started_lifecycle(respawning());
   lifecycle.request_stop(kSecond);
   lifecycle.request_start();
@@ -201,7 +202,7 @@ TEST(ProcessLifecycle, StartsAgainWhereItIsWantedWhileItStops) {
   EXPECT_EQ(lifecycle.advance(2 * kSecond, true, false), Act::kStart);
 }
 
-TEST(ProcessLifecycle, StaysStoppedWhereThatWasTheLastWish) {
+TEST(ProcessLifecycle, StaysStoppedIfThatWasTheLastRequest) {
   ProcessLifecycle lifecycle = started_lifecycle(respawning());
   lifecycle.request_restart(kSecond);
   lifecycle.request_stop(kSecond);
@@ -215,7 +216,7 @@ TEST(ProcessLifecycle, StaysStoppedWhereThatWasTheLastWish) {
   EXPECT_EQ(pausing.state(), State::kStopped);
 }
 
-TEST(ProcessLifecycle, HasAWordForEachState) {
+TEST(ProcessLifecycle, NamesItsStates) {
   EXPECT_EQ(name_of(State::kRunning), "running");
   EXPECT_EQ(name_of(State::kBackoff), "pausing");
   EXPECT_EQ(name_of(State::kFailed), "failed");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The supervisor with real processes, whose list is written anew while they run.
+// The supervisor with real processes, whose list is changed while they run.
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -51,20 +51,20 @@ class ProcessListReload : public testing::Test {
     });
   }
 
-  /// What a terminal is told, which asks from a thread of its own.
-  std::string request(const std::vector<std::string>& words) {
-    std::string said;
+  /// Response to a control request, sent from another thread.
+  std::string request(const std::vector<std::string>& fields) {
+    std::string response;
     std::atomic<bool> done = false;
     const std::jthread thread([&] {
       try {
-        said = request_from_supervisor(folder_ / "s.sock", words);
+        response = request_from_supervisor(folder_ / "s.sock", fields);
       } catch (const std::runtime_error& error) {
-        said = error.what();
+        response = error.what();
       }
       done = true;
     });
     EXPECT_TRUE(becomes_true([&] { return done.load(); }));
-    return said;
+    return response;
   }
 
   [[nodiscard]] ProcmanStatus status(const std::string& id) const {
@@ -87,12 +87,12 @@ cmd "new" { exec = "sleep 1004"; } cmd "changes" { exec = "sleep 1005"; stop_sig
 cmd "stays" { exec = "sleep 1000"; } cmd "rests" { exec = "sleep 1006"; }
 cmd "fails" { exec = "sleep 1007"; alive_channel = "SIGN"; start_timeout_s = 60; })";
 
-TEST_F(ProcessListReload, DoesToEachWhatItsChangeAsksFor) {
+TEST_F(ProcessListReload, AppliesEachChange) {
   const int stayed = pid("stays");
   const int changed = pid("changes");
   write_list(kAnother);
   EXPECT_EQ(request({"reload"}),
-            "changed: changes rests fails\nnew: new\ngone: goes\nscripts have changed\n");
+            "changed: changes rests fails\nadded: new\nremoved: goes\nscripts changed\n");
   EXPECT_TRUE(becomes_true([&] { return pid("changes") > 0 && pid("changes") != changed; }));
   EXPECT_EQ(status("changes").command.exec, "sleep 1005");
   EXPECT_TRUE(becomes_true([&] { return !is_listed("goes"); }));
@@ -101,20 +101,20 @@ TEST_F(ProcessListReload, DoesToEachWhatItsChangeAsksFor) {
   EXPECT_TRUE(is_listed("new"));
   EXPECT_EQ(pid("rests"), 0);
   EXPECT_EQ(status("rests").command.exec, "sleep 1006");
-  EXPECT_TRUE(becomes_true([&] { return pid("fails") > 0; }));  // it has another chance
+  EXPECT_TRUE(becomes_true([&] { return pid("fails") > 0; }));  // restarted since it has changed
   EXPECT_THAT(supervisor_->liveness_channels(), testing::ElementsAre("SIGN"));
   EXPECT_THAT(request({"ps"}), Not(HasSubstr("goes")));
-  EXPECT_THAT(request({"stop", "goes"}), HasSubstr("there is no process \"goes\""));
+  EXPECT_THAT(request({"stop", "goes"}), HasSubstr("no process \"goes\""));
 }
 
-TEST_F(ProcessListReload, ComesWithTheSignalToo) {
+TEST_F(ProcessListReload, IsTriggeredBySighup) {
   write_list(kAnother);
   raise(SIGHUP);
   EXPECT_TRUE(becomes_true([&] { return is_listed("new"); }));
   EXPECT_THAT(supervisor_->list_error(), testing::IsEmpty());
 }
 
-TEST_F(ProcessListReload, OfABadListLeavesAllAsItIs) {
+TEST_F(ProcessListReload, OfAnInvalidListChangesNothing) {
   const int stayed = pid("stays");
   const int changed = pid("changes");
   write_list(R"(cmd "stays" { exec = "sleep 1000"; } cmd "changes" { exec = ; })");
@@ -130,12 +130,12 @@ TEST_F(ProcessListReload, OfABadListLeavesAllAsItIs) {
   EXPECT_THAT(supervisor_->list_error(), testing::IsEmpty());
 }
 
-TEST_F(ProcessListReload, EndsAScriptAndSaysSo) {
+TEST_F(ProcessListReload, AbortsAScriptAndReportsIt) {
   EXPECT_EQ(request({"script", "wait"}), "");
-  EXPECT_THAT(request({"reload"}), HasSubstr("script \"wait\" was ended by a new process list"));
+  EXPECT_THAT(request({"reload"}), HasSubstr("script \"wait\" was aborted by a new process list"));
 }
 
-TEST_F(ProcessListReload, RevokesAChangeBeforeItCame) {
+TEST_F(ProcessListReload, RevokesAPendingChange) {
   const int stayed = pid("stays");
   write_list(R"(cmd "stays" { exec = "sleep 1000"; })");
   request({"reload"});
@@ -147,7 +147,7 @@ TEST_F(ProcessListReload, RevokesAChangeBeforeItCame) {
   EXPECT_TRUE(becomes_true([&] { return pid("changes") > 0; }));
 }
 
-TEST_F(ProcessListReload, RestartsInOrderOfWhatDependsOnWhat) {
+TEST_F(ProcessListReload, RestartsInDependencyOrder) {
   write_list(R"(cmd "first" { exec = "sleep 1000"; }
                 cmd "second" { exec = "sleep 1001"; depends_on = "first"; })");
   request({"reload"});
@@ -166,7 +166,7 @@ TEST_F(ProcessListReload, RestartsInOrderOfWhatDependsOnWhat) {
   EXPECT_EQ(status("second").command.exec, "sleep 1003");
 }
 
-TEST_F(ProcessListReload, DoesNotLeaveWhoFollowsALogHanging) {
+TEST_F(ProcessListReload, EndsTheLogOfARemovedProcess) {
   std::string received;
   std::atomic<bool> over = false;
   const std::jthread follower([&] {
@@ -179,7 +179,7 @@ TEST_F(ProcessListReload, DoesNotLeaveWhoFollowsALogHanging) {
   write_list(kAnother);
   request({"reload"});
   EXPECT_TRUE(becomes_true([&] { return !is_listed("goes"); }));
-  supervisor_.reset();  // and nothing is read that is gone
+  supervisor_.reset();  // must not access removed processes
   EXPECT_TRUE(test::becomes_true([&] { return over.load(); }));
 }
 

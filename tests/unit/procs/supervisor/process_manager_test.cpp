@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The keeper with real processes: small shells.
+// ProcessManager with real processes: small shell scripts.
 #include "procs/supervisor/process_manager.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ class ProcessManagerTest : public testing::Test {
   ManagedProcess& process(const std::string& id) { return *process_manager_->find(id); }
 
   void advance() {
-    process_manager_->advance(steady_us(), [this](const std::string&) { return ready_elsewhere_; });
+    process_manager_->advance(steady_us(), [this](const std::string&) { return remote_ready_; });
   }
 
   bool becomes(const std::string& id, LifecycleState state) {
@@ -57,34 +57,34 @@ class ProcessManagerTest : public testing::Test {
   }
 
   std::unique_ptr<ProcessManager> process_manager_;
-  bool ready_elsewhere_ = false;
+  bool remote_ready_ = false;
 };
 
-TEST_F(ProcessManagerTest, KillsWhatIgnoresItsStopSignal) {
+TEST_F(ProcessManagerTest, KillsAProcessThatIgnoresItsStopSignal) {
   const std::string sleep = test::unique_sleep();
-  manage(R"(cmd "deaf" { exec = "sh -c 'trap \"\" TERM; echo ready; exec sleep )" + sleep +
+  manage(R"(cmd "ignoring" { exec = "sh -c 'trap \"\" TERM; echo ready; exec sleep )" + sleep +
          R"('"; stop_signal = 15; stop_time_allowed = 0.1; })");
-  process("deaf").start();
-  ASSERT_TRUE(prints("deaf", "ready"));
-  process("deaf").stop(steady_us());
-  EXPECT_TRUE(becomes("deaf", LifecycleState::kStopped));
-  EXPECT_EQ(WTERMSIG(process("deaf").wait_status()), SIGKILL);
+  process("ignoring").start();
+  ASSERT_TRUE(prints("ignoring", "ready"));
+  process("ignoring").stop(steady_us());
+  EXPECT_TRUE(becomes("ignoring", LifecycleState::kStopped));
+  EXPECT_EQ(WTERMSIG(process("ignoring").wait_status()), SIGKILL);
   EXPECT_EQ(test::count_processes_with(sleep), 0);
 }
 
-TEST_F(ProcessManagerTest, SendsTheStopSignalThatTheListSays) {
+TEST_F(ProcessManagerTest, SendsTheStopSignalOfTheList) {
   manage(
-      R"(cmd "polite" { exec = "sh -c 'trap \"echo bye; exit 7\" USR1; echo ready; while :; do sleep 0.01; done'";
+      R"(cmd "handling" { exec = "sh -c 'trap \"echo bye; exit 7\" USR1; echo ready; while :; do sleep 0.01; done'";
                          stop_signal = 10; })");
-  process("polite").start();
-  ASSERT_TRUE(prints("polite", "ready"));
-  process("polite").stop(steady_us());
-  EXPECT_TRUE(becomes("polite", LifecycleState::kStopped));
-  EXPECT_EQ(lines("polite").back(), "bye");
-  EXPECT_EQ(WEXITSTATUS(process("polite").wait_status()), 7);
+  process("handling").start();
+  ASSERT_TRUE(prints("handling", "ready"));
+  process("handling").stop(steady_us());
+  EXPECT_TRUE(becomes("handling", LifecycleState::kStopped));
+  EXPECT_EQ(lines("handling").back(), "bye");
+  EXPECT_EQ(WEXITSTATUS(process("handling").wait_status()), 7);
 }
 
-TEST_F(ProcessManagerTest, StartsAgainUpToTheLimitAndGivesUp) {
+TEST_F(ProcessManagerTest, RestartsUpToTheLimit) {
   manage(
       R"(cmd "crash" { exec = "sh -c 'echo run; exit 3'"; auto_respawn = "true"; restart_limit = 3; })");
   process("crash").start();
@@ -93,7 +93,7 @@ TEST_F(ProcessManagerTest, StartsAgainUpToTheLimitAndGivesUp) {
   EXPECT_EQ(process("crash").lifecycle().error(), "ended with exit code 3");
 }
 
-TEST_F(ProcessManagerTest, SaysWhatCannotBeStarted) {
+TEST_F(ProcessManagerTest, ReportsAProgramThatCannotBeStarted) {
   manage(R"(cmd "none" { exec = "/nonexistent/program"; })");
   process("none").start();
   EXPECT_TRUE(becomes("none", LifecycleState::kFailed));
@@ -116,24 +116,24 @@ TEST_F(ProcessManagerTest, StartsInTheOrderOfDependencies) {
   EXPECT_TRUE(becomes("last", LifecycleState::kRunning));
 }
 
-TEST_F(ProcessManagerTest, WaitsForWhatWorksOnOtherComputers) {
+TEST_F(ProcessManagerTest, WaitsForRemoteDependencies) {
   manage(R"(cmd "here" { exec = "sleep 100"; depends_on = "there"; }
           cmd "there" { exec = "sleep 100"; deputy = "far"; })");
   EXPECT_EQ(process_manager_->find("there"), nullptr);
   process("here").start();
   advance();
   EXPECT_EQ(process("here").lifecycle().state(), LifecycleState::kWaiting);
-  ready_elsewhere_ = true;
+  remote_ready_ = true;
   EXPECT_TRUE(becomes("here", LifecycleState::kRunning));
 }
 
-TEST_F(ProcessManagerTest, TakesOrdersAsProcmanDoes) {
+TEST_F(ProcessManagerTest, ExecutesOrdersLikeProcman) {
   manage(R"(cmd "a" { exec = "sleep 100"; })");
   process("a").order(5, false, steady_us());
   ASSERT_TRUE(becomes("a", LifecycleState::kRunning));
   const pid_t first = process("a").pid();
   EXPECT_EQ(process("a").run_id(), 5);
-  process("a").order(5, false, steady_us());  // is repeated each second
+  process("a").order(5, false, steady_us());  // orders are repeated every second
   advance();
   EXPECT_EQ(process("a").pid(), first);
   process("a").order(6, false, steady_us());
@@ -143,12 +143,12 @@ TEST_F(ProcessManagerTest, TakesOrdersAsProcmanDoes) {
   }));
   process("a").order(6, true, steady_us());
   EXPECT_TRUE(becomes("a", LifecycleState::kStopped));
-  process("a").order(6, false, steady_us());  // that run is over
+  process("a").order(6, false, steady_us());  // this run was stopped
   advance();
   EXPECT_EQ(process("a").lifecycle().state(), LifecycleState::kStopped);
 }
 
-TEST_F(ProcessManagerTest, KeepsTheEndOfAFlood) {
+TEST_F(ProcessManagerTest, StoresTheEndOfALargeOutput) {
   manage(R"(cmd "flood" { exec = "sh -c 'seq 1 300000'"; })");
   process("flood").start();
   EXPECT_TRUE(becomes("flood", LifecycleState::kStopped));
@@ -157,25 +157,25 @@ TEST_F(ProcessManagerTest, KeepsTheEndOfAFlood) {
   EXPECT_EQ(unread.omitted + static_cast<std::int64_t>(unread.lines.size()), 300'000);
 }
 
-TEST_F(ProcessManagerTest, TellsWhatAProcessUses) {
+TEST_F(ProcessManagerTest, MeasuresResourceUsage) {
   manage(R"(cmd "busy" { exec = "sh -c 'echo on; while :; do :; done'"; }
           cmd "idle" { exec = "sleep 100"; })");
   process("busy").start();
   process("idle").start();
   ASSERT_TRUE(prints("busy", "on"));
   process_manager_->measure(steady_us());
-  EXPECT_TRUE(test::becomes_true([&] {  // a tick of the kernel's clock at least
+  EXPECT_TRUE(test::becomes_true([&] {  // at least one clock tick
     process_manager_->measure(steady_us());
     return process("busy").usage().cpu_cores > 0.0;
   }));
-  EXPECT_LT(process("busy").usage().cpu_cores, 20.0);  // one tick in one look at the table
+  EXPECT_LT(process("busy").usage().cpu_cores, 20.0);  // one tick within one measurement
   EXPECT_EQ(process("idle").usage().cpu_cores, 0.0);
   EXPECT_GT(process("idle").usage().memory_bytes, 100'000);  // a shell takes about 2 MB
   EXPECT_LT(process("idle").usage().memory_bytes, 100'000'000);
   EXPECT_GT(process("idle").usage().address_bytes, process("idle").usage().memory_bytes);
 }
 
-TEST_F(ProcessManagerTest, StopsAllWhenItGoes) {
+TEST_F(ProcessManagerTest, StopsAllProcessesOnDestruction) {
   const std::string sleep = test::unique_sleep();
   manage(R"(cmd "a" { exec = "sleep )" + sleep + R"("; } cmd "b" { exec = "setsid -f sleep )" +
          sleep + R"("; } cmd "c" { exec = "sh -c 'trap \"\" INT; sleep )" + sleep +
@@ -187,7 +187,7 @@ TEST_F(ProcessManagerTest, StopsAllWhenItGoes) {
   EXPECT_EQ(test::count_processes_with(sleep), 0);
 }
 
-TEST_F(ProcessManagerTest, KillsWhoLostTheirWatcher) {
+TEST_F(ProcessManagerTest, KillsOrphansOfAKilledWatcher) {
   const std::string sleep = test::unique_sleep();
   manage(R"(cmd "a" { exec = "sh -c 'setsid sleep )" + sleep + R"( & echo ready; wait'"; })");
   process("a").start();
@@ -200,7 +200,7 @@ TEST_F(ProcessManagerTest, KillsWhoLostTheirWatcher) {
   }));
 }
 
-TEST_F(ProcessManagerTest, StopsWhatDependsOnOthersBeforeThese) {
+TEST_F(ProcessManagerTest, StopsDependentsBeforeTheirDependencies) {
   const test::ScratchFolder folder;
   const auto noted = [&](const std::string& id, const std::string& more = "") {
     return "cmd \"" + id + "\" { exec = \"sh -c 'trap \\\"sleep 0.05; echo " + id + " >> " +
@@ -216,7 +216,7 @@ TEST_F(ProcessManagerTest, StopsWhatDependsOnOthersBeforeThese) {
   EXPECT_EQ(test::contents(folder / "order"), "mapping\nmatching\nlaser\n");
 }
 
-TEST_F(ProcessManagerTest, WritesWhatIsPrintedToFilesAndHowItEnded) {
+TEST_F(ProcessManagerTest, WritesOutputAndEndsToFiles) {
   const test::ScratchFolder folder;
   process_manager_ = std::make_unique<ProcessManager>(
       parse_process_list(R"(cmd "flood" { exec = "sh -c 'seq 1 5000; exit 3'"; })", "list"),
@@ -224,12 +224,12 @@ TEST_F(ProcessManagerTest, WritesWhatIsPrintedToFilesAndHowItEnded) {
   process("flood").start();
   ASSERT_TRUE(becomes("flood", LifecycleState::kFailed));
   const std::string text = test::contents(folder / "flood.log");
-  EXPECT_EQ(std::ranges::count(text, '\n'), 5002);  // more than is kept in memory
+  EXPECT_EQ(std::ranges::count(text, '\n'), 5002);  // more lines than OutputLog stores
   EXPECT_THAT(text, HasSubstr("Z --- started: sh -c 'seq 1 5000; exit 3'\n"));
   EXPECT_THAT(text, testing::EndsWith("Z --- ended with exit code 3\n"));
 }
 
-/// The program of this test that keeps a process, until it is killed.
+/// Runs manage_processes, which is killed by the test.
 pid_t spawn_process_manager(std::string command_line) {
   std::string program = ADIT_MANAGE_PROCESSES;
   std::string watcher = ADIT_WATCH;
@@ -241,12 +241,12 @@ pid_t spawn_process_manager(std::string command_line) {
 
 TEST(KilledProcessManager, LeavesNoOrphanAtAnyDepth) {
   const std::string sleep = test::unique_sleep();
-  // One that ignores all that can be ignored, one in a session of its own, one whose parent ended.
+  // One ignores all signals, one has its own session, one is orphaned.
   const pid_t process_manager =
       spawn_process_manager("sh -c 'trap \"\" HUP INT TERM; setsid sleep " + sleep + " & (sleep " +
                             sleep + " &) ; while :; do sleep " + sleep + "; done'");
   const auto all_run = [&] { return test::count_processes_with(sleep) >= 6; };
-  ASSERT_TRUE(test::becomes_true(all_run));  // with the keeper, the watcher and the shell
+  ASSERT_TRUE(test::becomes_true(all_run));  // with the manager, the watcher and the shell
   kill(process_manager, SIGKILL);
   waitpid(process_manager, nullptr, 0);
   EXPECT_TRUE(test::becomes_true([&] { return test::count_processes_with(sleep) == 0; }));

@@ -13,14 +13,13 @@
 
 namespace adit::test {
 
-/// A number of seconds for `sleep` that no other process of this computer sleeps for, so that the
-/// processes of a test can be told by it.
+/// A unique argument of `sleep` [s] by which the processes of a test are identified.
 inline std::string unique_sleep() {
   static int count = 0;
   return "1000." + std::to_string(getpid()) + "00" + std::to_string(++count);
 }
 
-/// Processes, zombies left out, on whose command line the text is.
+/// Number of processes, without zombies, whose command line contains the text.
 inline int count_processes_with(const std::string& text) {
   int found = 0;
   std::error_code gone;
@@ -28,13 +27,13 @@ inline int count_processes_with(const std::string& text) {
     if (folder.path() == std::filesystem::path("/proc") / std::to_string(getpid())) continue;
     std::ifstream file(folder.path() / "cmdline");
     std::string line;
-    std::getline(file, line);  // of one that has ended nothing, and no exception
+    std::getline(file, line);  // empty if the process has ended
     if (line.find(text) != std::string::npos) ++found;
   }
   return found;
 }
 
-/// Whether the condition comes true within ten seconds.
+/// Whether the condition becomes true within ten seconds.
 inline bool becomes_true(const std::function<bool()>& condition) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
   while (!condition()) {

@@ -21,7 +21,7 @@ constexpr const char* kStat =
     "4711 (a) (b) S 17 4711 4711 0 -1 4194304 100 0 0 0 150 50 0 0 20 0 3 0 999 8192000 100 "
     "18446744073709551615 1 1 0 0 0 0 0 0 0 0 0 0 17 2 0 0 0 0 0";
 
-TEST(ProcessTable, ReadsALineWhateverTheProcessIsCalled) {
+TEST(ProcessTable, ParsesAnyProcessName) {
   const auto entry = parse_process_entry(kStat);
   ASSERT_TRUE(entry);
   EXPECT_EQ(entry->pid, 4711);
@@ -32,7 +32,7 @@ TEST(ProcessTable, ReadsALineWhateverTheProcessIsCalled) {
   EXPECT_EQ(entry->memory_bytes, 100 * sysconf(_SC_PAGESIZE));
 }
 
-TEST(ProcessTable, TakesNothingElse) {
+TEST(ProcessTable, RejectsInvalidLines) {
   for (const char* text : {"", "4711", "4711 (a", "4711 (a) S 17", ") S 1 2 3"}) {
     EXPECT_FALSE(parse_process_entry(text)) << text;
   }
@@ -42,28 +42,27 @@ ProcessEntry entry(pid_t pid, pid_t parent, double cpu_s = 0.0) {
   return {pid, parent, 'S', cpu_s, 1000, 10};
 }
 
-TEST(ProcessTable, FindsDescendantsAtEveryDepthAlsoInATornTable) {
+TEST(ProcessTable, FindsDescendantsAtAnyDepthInAnInconsistentTable) {
   const ProcessTable table({{2, entry(2, 1)},
                             {3, entry(3, 2)},
                             {4, entry(4, 3)},
                             {5, entry(5, 1)},
                             {7, entry(7, 8)},
-                            {8, entry(8, 7)}});  // a circle, as reading meanwhile can make it
+                            {8, entry(8, 7)}});  // a cycle, possible in a non-atomic read
   EXPECT_THAT(table.descendants_of(2), ElementsAre(3, 4));
   EXPECT_THAT(table.children_of(1), ElementsAre(2, 5));
   EXPECT_THAT(table.descendants_of(7), ElementsAre(8));
 }
 
-TEST(ProcessTable, HasThisProcess) {
+TEST(ProcessTable, ContainsThisProcess) {
   const ProcessTable table = ProcessTable::read();
   ASSERT_TRUE(table.entries().contains(getpid()));
   EXPECT_EQ(table.entries().at(getpid()).parent, getppid());
   EXPECT_GT(table.entries().at(getpid()).memory_bytes, 1'000'000);
 }
 
-/// A file that is there and can be opened, and then cannot be read, as that of a process that ends
-/// in between.
-TEST(ProcessTable, LeavesOutAProcessThatEndsWhileItIsReadOf) {
+/// A file that can be opened but not read, like that of a process that ends in between.
+TEST(ProcessTable, OmitsAProcessThatEndsDuringTheRead) {
   const test::ScratchFolder proc;
   std::filesystem::create_directories(proc / "17" / "stat");
   std::filesystem::create_directories(proc / "4711");
@@ -73,19 +72,19 @@ TEST(ProcessTable, LeavesOutAProcessThatEndsWhileItIsReadOf) {
   EXPECT_TRUE(table.entries().contains(4711));
 }
 
-TEST(UsageMeter, AddsUpWhatDescendantsUse) {
+TEST(UsageMeter, SumsTheUsageOfDescendants) {
   UsageMeter meter;
   const ProcessTable before({{2, entry(2, 1, 5.0)}, {3, entry(3, 2, 1.0)}, {4, entry(4, 3, 2.0)}});
   const ResourceUsage first = meter.measure(before, 2, 10'000'000);
-  EXPECT_EQ(first.cpu_cores, 0.0);  // nothing to compare with
+  EXPECT_EQ(first.cpu_cores, 0.0);  // no previous measurement
   EXPECT_EQ(first.address_bytes, 2000);
   EXPECT_EQ(first.memory_bytes, 20);
-  // 3 has worked half a second, 4 is gone, 5 is new.
+  // 3 has used half a second, 4 has ended, 5 is new.
   const ProcessTable after({{2, entry(2, 1, 9.0)}, {3, entry(3, 2, 1.5)}, {5, entry(5, 3, 0.25)}});
   EXPECT_DOUBLE_EQ(meter.measure(after, 2, 12'000'000).cpu_cores, 0.375);
 }
 
-TEST(UsageMeter, TellsWhetherADescendantWaitsForTheDisk) {
+TEST(UsageMeter, DetectsDescendantsInDiskSleep) {
   UsageMeter meter;
   ProcessEntry waiting = entry(4, 3);
   waiting.state = 'D';
@@ -94,9 +93,9 @@ TEST(UsageMeter, TellsWhetherADescendantWaitsForTheDisk) {
   EXPECT_FALSE(meter.measure(table, 5, 11'000'000).in_disk_sleep);
 }
 
-TEST(HostMeter, TellsMemoryAndLoadOfThisComputer) {
+TEST(HostMeter, MeasuresMemoryAndLoadOfThisComputer) {
   HostMeter meter;
-  const HostLoad load = meter.measure();  // since its start
+  const HostLoad load = meter.measure();  // since boot
   EXPECT_GT(load.cpu_share, 0.0);
   EXPECT_LT(load.cpu_share, 1.0);
   EXPECT_GT(load.memory_bytes, load.memory_free_bytes);

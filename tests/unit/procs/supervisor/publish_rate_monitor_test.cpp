@@ -9,31 +9,31 @@ namespace {
 
 constexpr std::int64_t kMs = 1000;
 
-/// Messages each period for five seconds.
+/// A monitor with one message per period for five seconds.
 PublishRateMonitor publishing_each(std::int64_t period_us, double rate_hz) {
   PublishRateMonitor rate(rate_hz);
   for (std::int64_t t = 0; t <= 5000 * kMs; t += period_us) rate.on_message(t);
   return rate;
 }
 
-TEST(PublishRateMonitor, IsKeptByWhoPublishesAsOften) {
+TEST(PublishRateMonitor, IsMetAtTheRequiredRate) {
   EXPECT_TRUE(publishing_each(200 * kMs, 5.0).is_met(5000 * kMs));
   EXPECT_TRUE(publishing_each(200 * kMs, 5.0).is_met(5199 * kMs));  // just before the next
   EXPECT_TRUE(publishing_each(10 * kMs, 100.0).is_met(5000 * kMs));
 }
 
-TEST(PublishRateMonitor, IsNotKeptByWhoPublishesLess) {
+TEST(PublishRateMonitor, IsNotMetAtALowerRate) {
   EXPECT_FALSE(publishing_each(260 * kMs, 5.0).is_met(5000 * kMs));  // nine take 2.08 s
   EXPECT_FALSE(publishing_each(20 * kMs, 100.0).is_met(5000 * kMs));
 }
 
-TEST(PublishRateMonitor, EndsWithTheMessages) {
+TEST(PublishRateMonitor, IsNotMetAfterTheLastMessage) {
   const PublishRateMonitor rate = publishing_each(200 * kMs, 5.0);
-  EXPECT_TRUE(rate.is_met(5400 * kMs));  // nine of two seconds
+  EXPECT_TRUE(rate.is_met(5400 * kMs));  // nine messages in two seconds
   EXPECT_FALSE(rate.is_met(5500 * kMs));
 }
 
-TEST(PublishRateMonitor, OfLessThanOneEachSecondAsksForOneInTwoPeriods) {
+TEST(PublishRateMonitor, RequiresOneMessageInTwoPeriodsBelowOneHertz) {
   PublishRateMonitor rate(0.1);
   EXPECT_FALSE(rate.is_met(0));
   rate.on_message(0);
@@ -41,7 +41,7 @@ TEST(PublishRateMonitor, OfLessThanOneEachSecondAsksForOneInTwoPeriods) {
   EXPECT_FALSE(rate.is_met(20'001 * kMs));
 }
 
-TEST(PublishRateMonitor, DoesNotCountTheTimeThatItWaitsForTheDisk) {
+TEST(PublishRateMonitor, IgnoresTimeBlockedOnTheDisk) {
   PublishRateMonitor rate(0.2);
   rate.on_message(0);
   std::int64_t now = 0;
@@ -54,14 +54,14 @@ TEST(PublishRateMonitor, DoesNotCountTheTimeThatItWaitsForTheDisk) {
   EXPECT_FALSE(rate.is_met(now + 10'001 * kMs));
   wait(35);
   EXPECT_TRUE(rate.is_met(now + 10'000 * kMs));
-  wait(11);  // a minute is over: what waits for so long will not come back
+  wait(11);  // blocked time counts after a minute
   EXPECT_FALSE(rate.is_met(now));
   rate.on_message(now);
   wait(25);
   EXPECT_TRUE(rate.is_met(now));
 }
 
-TEST(PublishRateMonitor, BeginsResetForAnotherProcess) {
+TEST(PublishRateMonitor, IsNotMetAfterReset) {
   PublishRateMonitor rate = publishing_each(200 * kMs, 5.0);
   rate.reset();
   EXPECT_FALSE(rate.is_met(5000 * kMs));

@@ -34,7 +34,7 @@ class ScriptRunTest : public testing::Test {
   std::map<std::string, ProcessState> standings_;
 };
 
-TEST_F(ScriptRunTest, ChangesWhatItNamesOneStepAfterTheOther) {
+TEST_F(ScriptRunTest, ChangesTheNamedCommandsInOrder) {
   const ProcessList list =
       list_with(R"(script "s" { start group "g"; stop cmd "c"; restart everything; })");
   ScriptRun run(list, "s", 10.0);
@@ -52,7 +52,7 @@ TEST_F(ScriptRunTest, ChangesWhatItNamesOneStepAfterTheOther) {
   EXPECT_EQ(run.failure(), "");
 }
 
-TEST_F(ScriptRunTest, WaitsForTheTimeThatItSays) {
+TEST_F(ScriptRunTest, WaitsForATime) {
   const ProcessList list = list_with(R"(script "s" { wait ms 500; start cmd "c"; })");
   ScriptRun run(list, "s", 10.0);
   EXPECT_FALSE(advance(run, 1000 * kMs));
@@ -60,7 +60,7 @@ TEST_F(ScriptRunTest, WaitsForTheTimeThatItSays) {
   EXPECT_TRUE(advance(run, 1500 * kMs));
 }
 
-TEST_F(ScriptRunTest, WaitsUntilAllWork) {
+TEST_F(ScriptRunTest, WaitsUntilAllAreRunning) {
   const ProcessList list =
       list_with(R"(script "s" { start group "g" wait "running"; start cmd "c"; })");
   ScriptRun run(list, "s", 10.0);
@@ -72,7 +72,7 @@ TEST_F(ScriptRunTest, WaitsUntilAllWork) {
   EXPECT_THAT(advance(run, 2)->ids, ElementsAre("c"));
 }
 
-TEST_F(ScriptRunTest, EndsWhereWhatItWaitsForDoesNotCome) {
+TEST_F(ScriptRunTest, FailsIfAWaitTimesOut) {
   const ProcessList list = list_with(
       R"(script "s" { wait cmd "c" status "running" timeout_s 2; start cmd "c"; }
          script "t" { wait group "g" status "running"; })");
@@ -82,7 +82,7 @@ TEST_F(ScriptRunTest, EndsWhereWhatItWaitsForDoesNotCome) {
   EXPECT_FALSE(run.is_finished());
   EXPECT_FALSE(advance(run, 2000 * kMs));
   EXPECT_TRUE(run.is_finished());
-  EXPECT_EQ(run.failure(), "script \"s\" waited in vain for \"c\" to be running");
+  EXPECT_EQ(run.failure(), "script \"s\" timed out waiting for \"c\" to be running");
 
   ScriptRun slow(list, "t", 10.0);
   EXPECT_FALSE(advance(slow, 0));
@@ -92,7 +92,7 @@ TEST_F(ScriptRunTest, EndsWhereWhatItWaitsForDoesNotCome) {
   EXPECT_TRUE(slow.is_finished());
 }
 
-TEST_F(ScriptRunTest, RunsOthersAndGoesOnBehindThem) {
+TEST_F(ScriptRunTest, ResumesAfterNestedScripts) {
   const ProcessList list = list_with(R"(script "s" { run_script "t"; start cmd "a"; }
                                         script "t" { wait ms 5; stop cmd "b" wait "stopped"; })");
   standings_ = {{"b", ProcessState::kChanging}};
@@ -106,7 +106,7 @@ TEST_F(ScriptRunTest, RunsOthersAndGoesOnBehindThem) {
   EXPECT_TRUE(run.is_finished());
 }
 
-TEST_F(ScriptRunTest, IsRejectedWhereThereIsNone) {
+TEST_F(ScriptRunTest, RejectsAMissingScript) {
   const ProcessList list = list_with("");
   EXPECT_THROW(ScriptRun(list, "s", 10.0), std::invalid_argument);
 }

@@ -34,7 +34,7 @@ class StopSequenceTest : public testing::Test {
   std::set<std::string> ending_;
 };
 
-TEST_F(StopSequenceTest, StopsWhatDependsOnOthersBeforeThese) {
+TEST_F(StopSequenceTest, StopsDependentsBeforeTheirDependencies) {
   stop_sequence_.add(command("laser"), false, 0);
   stop_sequence_.add(command("mapping", {"matching"}), false, 0);
   stop_sequence_.add(command("matching", {"laser"}), false, 0);
@@ -51,14 +51,14 @@ TEST_F(StopSequenceTest, StopsWhatDependsOnOthersBeforeThese) {
   EXPECT_THAT(due(), ElementsAre("laser"));
 }
 
-TEST_F(StopSequenceTest, IsNotHeldByWhatIsToRunOn) {
+TEST_F(StopSequenceTest, DoesNotWaitForDependentsThatContinueToRun) {
   stop_sequence_.add(command("laser"), false, 0);
   stop_sequence_.add(command("mapping", {"matching"}), false,
-                     0);  // matching, between them, runs on
+                     0);  // matching, between them, continues to run
   EXPECT_THAT(due(), ElementsAre("laser", "mapping"));
 }
 
-TEST_F(StopSequenceTest, LetsGoOfOneThatIsWantedAgain) {
+TEST_F(StopSequenceTest, CancelsAStop) {
   stop_sequence_.add(command("laser"), false, 0);
   stop_sequence_.add(command("matching", {"laser"}), true, 0);
   EXPECT_THAT(due(), ElementsAre("matching"));
@@ -68,7 +68,7 @@ TEST_F(StopSequenceTest, LetsGoOfOneThatIsWantedAgain) {
   EXPECT_FALSE(stop_sequence_.is_pending("laser"));
 }
 
-TEST_F(StopSequenceTest, DoesNotWaitForEverForOneThatDoesNotObey) {
+TEST_F(StopSequenceTest, TimesOutIfADependentDoesNotStop) {
   stop_sequence_.add(command("laser"), false, 0);
   stop_sequence_.add(command("far", {"laser"}), false, 0);
   EXPECT_THAT(due(), ElementsAre("far"));

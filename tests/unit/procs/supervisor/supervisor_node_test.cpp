@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The stage with real processes, on a bus in memory whose time goes on as the world's does.
+// The stage with real processes, on an in-memory bus that runs in real time.
 #include "procs/supervisor/supervisor_node.hpp"
 
 #include <atomic>
@@ -82,7 +82,7 @@ class SupervisorNodeTest : public testing::Test {
     return {};
   }
 
-  /// As a stock sheriff sends it.
+  /// Publishes an order as procman's sheriff does.
   void order(const std::string& sheriff, const std::string& id, const std::string& exec,
              std::int32_t run_id, bool stop = false) {
     ProcmanOrder order;
@@ -96,21 +96,21 @@ class SupervisorNodeTest : public testing::Test {
 
   [[nodiscard]] const SubscriptionStats& order_stats() const { return bus_.stats(0); }
 
-  /// What a terminal says, from a thread of its own since the node answers on this one.
-  std::string control_request(const std::vector<std::string>& words) {
-    std::string said;
+  /// Response to a control request, sent from another thread since the node runs on this one.
+  std::string control_request(const std::vector<std::string>& request) {
+    std::string response;
     std::atomic<bool> done = false;
     std::jthread thread([&] {
       try {
-        said = request_from_supervisor(params_.socket, words);
+        response = request_from_supervisor(params_.socket, request);
       } catch (const std::runtime_error& error) {
-        said = std::string("error: ") + error.what();
+        response = std::string("error: ") + error.what();
       }
       done = true;
     });
     EXPECT_TRUE(becomes_true([&] { return done.load(); }));
     thread.join();
-    return said;
+    return response;
   }
 
   test::ScratchFolder folder_;
@@ -124,18 +124,18 @@ class SupervisorNodeTest : public testing::Test {
   std::string printed_;
 };
 
-TEST_F(SupervisorNodeTest, TellsOfItsProcessesAsProcmanDoes) {
+TEST_F(SupervisorNodeTest, PublishesProcessStatesLikeProcman) {
   start_node();
   run_on();
   EXPECT_EQ(info_.deputy, "robot");
-  ASSERT_EQ(info_.commands.size(), 2U);  // not that of another computer
+  ASSERT_EQ(info_.commands.size(), 2U);  // without the remote command
   EXPECT_EQ(info_.commands[0].command,
             (ProcmanCommand{"talk", "sh -c 'echo hello; exec sleep 1000'", "g", false, 2, 7.0}));
   EXPECT_EQ(info_.commands[0].pid, 0);
   EXPECT_GT(info_.load.memory_bytes, 0);
 }
 
-TEST_F(SupervisorNodeTest, TellsEachSecondAndOnChangeAndWhenAsked) {
+TEST_F(SupervisorNodeTest, PublishesInfoPeriodicallyOnChangeAndOnDiscovery) {
   start_node();
   bus_.advance_to(kStart);
   infos_ = 0;
@@ -158,7 +158,7 @@ TEST_F(SupervisorNodeTest, RejectsForeignOrdersByDefault) {
   EXPECT_EQ(status("talk").pid, 0);
 }
 
-TEST_F(SupervisorNodeTest, ObeysASheriffWhereItIsToldToAndRunsOnlyWhatIsListed) {
+TEST_F(SupervisorNodeTest, ExecutesOrdersOfListedCommandsIfAccepted) {
   params_.accept_orders = true;
   start_node();
   order("sheriff", "talk", status("talk").command.exec, 5);
@@ -177,7 +177,7 @@ TEST_F(SupervisorNodeTest, ObeysASheriffWhereItIsToldToAndRunsOnlyWhatIsListed) 
   EXPECT_EQ(node_->health(), Health{});
 }
 
-TEST_F(SupervisorNodeTest, AsADeputyObeysTheOneInCharge) {
+TEST_F(SupervisorNodeTest, AsADeputyExecutesOrdersOfTheSupervisorInCharge) {
   params_.role = "deputy";
   params_.in_charge = "base";
   start_node();
@@ -187,10 +187,10 @@ TEST_F(SupervisorNodeTest, AsADeputyObeysTheOneInCharge) {
   ASSERT_TRUE(becomes_true([&] { return status("talk").pid > 0; }));
   EXPECT_EQ(status("talk").run_id, 2);
   EXPECT_THAT(control_request({"start", "far"}), HasSubstr("\"far\" runs on sensors, and this"));
-  EXPECT_THAT(orders_, testing::SizeIs(2));  // those of this test
+  EXPECT_THAT(orders_, testing::SizeIs(2));  // published by this test
 }
 
-TEST_F(SupervisorNodeTest, RunsItsStartScriptAndOrdersWhatOthersAreToRun) {
+TEST_F(SupervisorNodeTest, RunsItsStartScriptAndPublishesOrders) {
   params_.start_script = "go";
   start_node();
   ASSERT_TRUE(becomes_true([&] { return status("quiet").pid > 0; }));
@@ -198,7 +198,7 @@ TEST_F(SupervisorNodeTest, RunsItsStartScriptAndOrdersWhatOthersAreToRun) {
   publish(bus_, channels::kPmInfo,
           to_message(ProcmanInfo{kStart, "sensors", {}, {{{"far", "", "", false, 0, 0.0}, 0, 3}}}));
   run_on();
-  EXPECT_THAT(orders_, IsEmpty());  // the script waits for a sign of life
+  EXPECT_THAT(orders_, IsEmpty());  // the script waits for the liveness channel
   EXPECT_TRUE(becomes_true([&] {
     bus_.publish(channels::kPose, {});
     return !orders_.empty();
@@ -210,15 +210,15 @@ TEST_F(SupervisorNodeTest, RunsItsStartScriptAndOrdersWhatOthersAreToRun) {
   EXPECT_EQ(orders_.back().orders[0].run_id, 4);
 }
 
-TEST_F(SupervisorNodeTest, SaysWhyAScriptHasEnded) {
+TEST_F(SupervisorNodeTest, ReportsWhyAScriptFailed) {
   params_.start_script = "hopeless";
   start_node();
   run_on();
   EXPECT_EQ(node_->health().level, Health::Level::kDegraded);
-  EXPECT_THAT(node_->health().reason, HasSubstr("waited in vain for \"quiet\""));
+  EXPECT_THAT(node_->health().reason, HasSubstr("timed out waiting for \"quiet\""));
 }
 
-TEST_F(SupervisorNodeTest, ServesTerminals) {
+TEST_F(SupervisorNodeTest, ServesControlRequests) {
   start_node();
   EXPECT_EQ(control_request({"start", "talk"}), "");
   ASSERT_TRUE(becomes_true([&] { return !printed_.empty(); }));
@@ -226,19 +226,18 @@ TEST_F(SupervisorNodeTest, ServesTerminals) {
   EXPECT_THAT(control_request({"ps"}), AllOf(HasSubstr("talk\trobot\tg\trunning\t"),
                                              HasSubstr("quiet\trobot\t\tstopped\t0\t"),
                                              HasSubstr("far\tsensors\t\tunknown\t0\t")));
-  EXPECT_EQ(control_request({"stop"}), "");  // all
+  EXPECT_EQ(control_request({"stop"}), "");  // all processes
   EXPECT_TRUE(becomes_true([&] { return status("talk").pid == 0; }));
-  EXPECT_THAT(control_request({"start", "talk", "none"}),
-              HasSubstr("there is no process \"none\""));
+  EXPECT_THAT(control_request({"start", "talk", "none"}), HasSubstr("no process \"none\""));
   run_on();
-  EXPECT_EQ(status("talk").pid, 0);  // nothing was done by halves
-  EXPECT_THAT(control_request({"logs", "far"}), HasSubstr("nothing was heard of it from sensors"));
+  EXPECT_EQ(status("talk").pid, 0);  // the request has no partial effect
+  EXPECT_THAT(control_request({"logs", "far"}), HasSubstr("no output received from sensors"));
   EXPECT_THAT(control_request({"logs", "none"}), HasSubstr("no process \"none\""));
   EXPECT_THAT(control_request({"script", "none"}), HasSubstr("no script \"none\""));
   EXPECT_THAT(control_request({"dance"}), HasSubstr("unknown request"));
 }
 
-TEST_F(SupervisorNodeTest, ShowsWhatIsPrintedOnOtherComputers) {
+TEST_F(SupervisorNodeTest, ShowsOutputOfRemoteProcesses) {
   start_node();
   const auto printed = [&](const std::string& deputy, const std::string& id, const char* text) {
     publish(bus_, channels::kPmOutput, to_message(ProcmanOutput{kStart, deputy, {{id, text}}}));
@@ -246,13 +245,13 @@ TEST_F(SupervisorNodeTest, ShowsWhatIsPrintedOnOtherComputers) {
   printed("sensors", "far", "one\n");
   printed("stranger", "far", "lie\n");
   printed("sensors", "unlisted", "lie\n");
-  printed("robot", "talk", "lie\n");  // as one's own words come back
+  printed("robot", "talk", "lie\n");  // own output, received from the bus
   printed("sensors", "far", "two\n\x1b[2J");
   EXPECT_EQ(control_request({"logs", "far"}), "one\ntwo\n");
   EXPECT_EQ(control_request({"logs", "talk"}), "");
 }
 
-TEST_F(SupervisorNodeTest, StopsInOrderAcrossComputers) {
+TEST_F(SupervisorNodeTest, StopsInDependencyOrderAcrossComputers) {
   std::ofstream(folder_ / "list.cfg") << R"(cmd "near" { exec = "sleep 1000"; deputy = "robot"; }
     cmd "far" { exec = "sleep 1000"; deputy = "sensors"; depends_on = "near"; })";
   start_node();
@@ -268,13 +267,13 @@ TEST_F(SupervisorNodeTest, StopsInOrderAcrossComputers) {
   EXPECT_TRUE(orders_.back().orders[0].stop);
   for (int i = 0; i < 5; ++i) run_on();
   EXPECT_THAT(control_request({"ps"}), AllOf(HasSubstr("near\trobot\t\trunning"),
-                                             HasSubstr("stops after what depends on it")));
+                                             HasSubstr("waits for its dependents to stop")));
   far_is(0);
   EXPECT_TRUE(
       becomes_true([&] { return control_request({"ps"}).starts_with("near\trobot\t\tstopped"); }));
 }
 
-TEST_F(SupervisorNodeTest, ReportsAProcessThatWasGivenUp) {
+TEST_F(SupervisorNodeTest, ReportsAFailedProcess) {
   std::ofstream(folder_ / "list.cfg") << R"(cmd "bad" { exec = "false"; })";
   start_node();
   control_request({"start", "bad"});
@@ -282,7 +281,7 @@ TEST_F(SupervisorNodeTest, ReportsAProcessThatWasGivenUp) {
   EXPECT_EQ(node_->health().reason, "bad is failed: ended with exit code 1");
 }
 
-TEST_F(SupervisorNodeTest, RejectsAConfigurationThatCannotBe) {
+TEST_F(SupervisorNodeTest, RejectsAnInvalidConfiguration) {
   const auto error_of = [&](const SupervisorParams& params) -> std::string {
     try {
       const SupervisorNode node(bus_, params);
@@ -301,13 +300,13 @@ TEST_F(SupervisorNodeTest, RejectsAConfigurationThatCannotBe) {
   EXPECT_THAT(error_of(params), HasSubstr("has no script \"none\""));
   params = params_;
   params.watcher = "/nonexistent";
-  EXPECT_THAT(error_of(params), HasSubstr("/nonexistent cannot be run"));
+  EXPECT_THAT(error_of(params), HasSubstr("/nonexistent is not executable"));
   params = params_;
   params.log_dir = "/proc/logs";
-  EXPECT_THAT(error_of(params), HasSubstr("/proc/logs cannot be written to"));
+  EXPECT_THAT(error_of(params), HasSubstr("/proc/logs is not writable"));
   params = params_;
   params.role = "deputy";
-  EXPECT_THAT(error_of(params), HasSubstr("command \"quiet\" names no deputy"));
+  EXPECT_THAT(error_of(params), HasSubstr("command \"quiet\" has no deputy"));
 }
 
 }  // namespace

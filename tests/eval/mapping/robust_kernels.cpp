@@ -15,7 +15,8 @@ namespace {
 constexpr double kChiSquare99 = 11.345;  // three degrees of freedom
 constexpr int kRoundsMax = 30;
 constexpr double kWeightTolerance = 1e-3;
-constexpr double kWeightMin = 1e-9;  // keeps a graph determined whose parts one loop connects
+constexpr double kWeightMin =
+    1e-9;  // a graph with parts connected by a single loop must stay determined
 
 using Kernel = double (*)(double chi_square);
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What it takes to undo a group of wrong closures and to associate anew what came after, at the end
-// of ways of different length: by closures that contradict it, and by surprise. The loop that is
-// concerned is the same in all, so that the time should be, too.
+// Time to revoke a group of wrong loop closures and to repeat the later data association, at the
+// end of trajectories of different length: on contradicting loop closures, and on a map
+// inconsistency. The affected loop is the same in all cases, so that the time should not depend on
+// the length.
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -23,14 +24,14 @@ constexpr double kStepM = 5.0;
 constexpr int kLongSide = 28;  // steps
 constexpr int kShortSide = 2;
 constexpr int kRound = 2 * (kLongSide + kShortSide);
-constexpr int kRevisited = 12;  // maps of a second round, each with a closure
-constexpr int kFar = 8;         // steps to the next loop
-constexpr int kLoop = kRound + kRevisited + kFar;
-constexpr int kWrong = 12;  // closures
-constexpr int kRight = 16;  // that contradict them
+constexpr int kRevisited = 12;  // local maps of a second round, each with a loop closure
+constexpr int kGap = 8;         // steps to the next loop
+constexpr int kLoop = kRound + kRevisited + kGap;
+constexpr int kWrong = 12;  // loop closures
+constexpr int kRight = 16;  // loop closures that contradict them
 constexpr int kLast = kRound + kWrong + kRight;
 
-const Eigen::Vector3d kStepSd(0.05, 0.05, 0.012);  // of a step of the way
+const Eigen::Vector3d kStepSd(0.05, 0.05, 0.012);  // of one step: m, m, rad
 const Eigen::Vector3d kLoopClosureSd(0.05, 0.05, 0.005);
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -39,8 +40,8 @@ Eigen::Matrix3d information(const Eigen::Vector3d& sd) {
   return sd.cwiseInverse().cwiseAbs2().asDiagonal();
 }
 
-/// Rounds of narrow rectangles, each begun a second time and then left for the next; at the end of
-/// the way the second round is taken for the other long side.
+/// Rounds of narrow rectangles, each revisited over its first steps before the next one follows. At
+/// the end, wrong loop closures place the second round on the opposite long side.
 class LongTrajectory {
  public:
   explicit LongTrajectory(int maps) {
@@ -52,8 +53,8 @@ class LongTrajectory {
     go_round();
     go(kWrong + kRight - 1);
     for (int i = 0; i < kWrong; ++i) {
-      previous_closures_.push_back(loop_closure(start_ + kRound - kShortSide - i,
-                                                start_ + kRound + i, {0.0, 0.0, std::numbers::pi}));
+      previous_loop_closures_.push_back(loop_closure(
+          start_ + kRound - kShortSide - i, start_ + kRound + i, {0.0, 0.0, std::numbers::pi}));
     }
     measure();
   }
@@ -61,11 +62,11 @@ class LongTrajectory {
   [[nodiscard]] int maps() const { return static_cast<int>(truth_.size()); }
   [[nodiscard]] int first_right() const { return start_ + kRound + kWrong; }
 
-  /// The way up to a map and all closures until then, the wrong ones too.
-  void begin(LazyAssociation& association, int maps) const {
+  /// Restores the first `maps` local maps and all their loop closures, including the wrong ones.
+  void restore(LazyAssociation& association, int maps) const {
     for (int map = 0; map < maps; ++map) add_map(association, map);
     std::vector<Association> decisions;
-    for (const LoopClosure& loop_closure : previous_closures_) {
+    for (const LoopClosure& loop_closure : previous_loop_closures_) {
       Association a;
       a.loop_closure = loop_closure;
       a.loop_closure.id = static_cast<int>(decisions.size());
@@ -79,8 +80,8 @@ class LongTrajectory {
     association.add_map(steps_[at(map)], information(kStepSd));
   }
 
-  /// The closures that are right for a map of a second round.
-  [[nodiscard]] std::vector<LoopClosure> right(int map) const {
+  /// The right loop closures of a local map of a second round.
+  [[nodiscard]] std::vector<LoopClosure> right_loop_closures(int map) const {
     const auto found = starts_.upper_bound(map);
     if (found == starts_.begin()) return {};
     const int start = *std::prev(found);
@@ -91,10 +92,10 @@ class LongTrajectory {
     return {loop_closure(map - kRound, map, between(truth_[at(map - kRound)], truth_[at(map)]))};
   }
 
-  /// How far a map is from where it should be, seen from the beginning of the last loop [m].
+  /// Position error of a local map relative to the start of the last loop [m].
   [[nodiscard]] double error_m(const std::vector<Pose2>& poses, int map) const {
-    const Pose2 found = between(poses[at(start_)], poses[at(map)]);
-    return between(between(truth_[at(start_)], truth_[at(map)]), found).translation().norm();
+    const Pose2 estimated = between(poses[at(start_)], poses[at(map)]);
+    return between(between(truth_[at(start_)], truth_[at(map)]), estimated).translation().norm();
   }
 
  private:
@@ -115,9 +116,9 @@ class LongTrajectory {
     const int start = static_cast<int>(truth_.size()) - 1;
     go_round();
     go(kRevisited, -std::numbers::pi / 2.0);
-    go(kFar, std::numbers::pi / 2.0);
+    go(kGap, std::numbers::pi / 2.0);
     for (int map = start + kRound; map < start + kRound + kRevisited; ++map) {
-      for (const LoopClosure& c : right(map)) previous_closures_.push_back(c);
+      for (const LoopClosure& c : right_loop_closures(map)) previous_loop_closures_.push_back(c);
     }
   }
 
@@ -139,7 +140,7 @@ class LongTrajectory {
     for (std::size_t i = 1; i < truth_.size(); ++i) {
       steps_.push_back(between(truth_[i - 1], truth_[i]) * noise(0.5 * kStepSd));
     }
-    for (LoopClosure& c : previous_closures_) {
+    for (LoopClosure& c : previous_loop_closures_) {
       Pose2& T = c.alternatives.front().T_older_newer;
       T = T * noise(0.5 * kLoopClosureSd);
     }
@@ -147,7 +148,7 @@ class LongTrajectory {
 
   std::vector<Pose2> truth_;
   std::vector<Pose2> steps_;
-  std::vector<LoopClosure> previous_closures_;
+  std::vector<LoopClosure> previous_loop_closures_;
   std::set<int> starts_;
   int start_ = 0;  // of the last loop
 };
@@ -157,15 +158,15 @@ const LongTrajectory& trajectory_of(int maps) {
   return trajectories.try_emplace(maps, maps).first->second;
 }
 
-/// What is right is at hand, without matching.
-class Prepared : public Evidence {
+/// Evidence from the ground truth, without matching.
+class TrueEvidence : public Evidence {
  public:
-  explicit Prepared(const LongTrajectory& position) : trajectory_(position) {}
+  explicit TrueEvidence(const LongTrajectory& trajectory) : trajectory_(trajectory) {}
 
   [[nodiscard]] std::vector<LoopClosure> loop_closures(int map, Trial& trial, bool) const override {
     benchmark::DoNotOptimize(trial.hypothesis().T_map_local);
     benchmark::DoNotOptimize(trial.covariances_to(map));
-    return trajectory_.right(map);
+    return trajectory_.right_loop_closures(map);
   }
 
   [[nodiscard]] double map_inconsistency(const std::vector<Pose2>& T_map_local) const override {
@@ -177,7 +178,7 @@ class Prepared : public Evidence {
   const LongTrajectory& trajectory_;
 };
 
-/// Of CPU time, so that others on the machine do not count.
+/// Measures CPU time, which does not depend on other processes.
 class Stopwatch {
  public:
   [[nodiscard]] double s() const { return now() - begin_; }
@@ -192,8 +193,8 @@ class Stopwatch {
   double begin_ = now();
 };
 
-/// What every new map asks before anything is decided.
-void look(LazyAssociation& association, int map) {
+/// Covariances that every new local map needs before any decision.
+void compute_covariances(LazyAssociation& association, int map) {
   benchmark::DoNotOptimize(association.trial().covariances_to(map));
 }
 
@@ -203,56 +204,56 @@ bool revised(const std::vector<Association>& decided) {
   });
 }
 
-/// A new map, before anything is decided: what every one costs.
+/// Cost of each new local map, before any decision.
 void new_map(benchmark::State& state) {
-  const LongTrajectory& position = trajectory_of(static_cast<int>(state.range(0)));
+  const LongTrajectory& trajectory = trajectory_of(static_cast<int>(state.range(0)));
   LazyAssociation association{LazyAssociationParams{}};
-  position.begin(association, position.first_right());
+  trajectory.restore(association, trajectory.first_right());
   for (auto _ : state) {
     Trial trial(association.problem(), association.hypothesis());
-    benchmark::DoNotOptimize(trial.covariances_to(position.first_right() - 1));
+    benchmark::DoNotOptimize(trial.covariances_to(trajectory.first_right() - 1));
   }
 }
 
-/// The closure at which the wrong group is given up.
+/// The loop closure at which the wrong group is revoked.
 void contradicted(benchmark::State& state) {
-  const LongTrajectory& position = trajectory_of(static_cast<int>(state.range(0)));
+  const LongTrajectory& trajectory = trajectory_of(static_cast<int>(state.range(0)));
   double slowest_s = 0.0;
   for (auto _ : state) {
     LazyAssociation association{LazyAssociationParams{}};
-    position.begin(association, position.first_right());
+    trajectory.restore(association, trajectory.first_right());
     bool done = false;
-    for (int map = position.first_right(); map < position.maps() && !done; ++map) {
-      position.add_map(association, map);
-      look(association, map);
+    for (int map = trajectory.first_right(); map < trajectory.maps() && !done; ++map) {
+      trajectory.add_map(association, map);
+      compute_covariances(association, map);
       const Stopwatch stopwatch;
-      done = revised(association.decide(position.right(map), 0));
+      done = revised(association.decide(trajectory.right_loop_closures(map), 0));
       const double s = stopwatch.s();
       slowest_s = std::max(slowest_s, s);
       if (done) state.SetIterationTime(s);
     }
     if (!done ||
-        position.error_m(association.hypothesis().T_map_local, position.first_right()) > 2.0) {
-      return state.SkipWithError("the wrong group stays");
+        trajectory.error_m(association.hypothesis().T_map_local, trajectory.first_right()) > 2.0) {
+      return state.SkipWithError("the wrong group was not revoked");
     }
-    state.counters["beliefs"] = association.trials();
+    state.counters["hypotheses"] = association.trials();
   }
-  state.counters["slowest_ms"] = 1e3 * slowest_s;  // of the closures until then
+  state.counters["slowest_ms"] = 1e3 * slowest_s;  // of the preceding loop closures
 }
 
-/// The map that lies where it cannot.
-void surprised(benchmark::State& state) {
-  const LongTrajectory& position = trajectory_of(static_cast<int>(state.range(0)));
-  const Prepared evidence(position);
+/// A local map that is inconsistent with the map.
+void map_inconsistency(benchmark::State& state) {
+  const LongTrajectory& trajectory = trajectory_of(static_cast<int>(state.range(0)));
+  const TrueEvidence evidence(trajectory);
   for (auto _ : state) {
     LazyAssociation association{LazyAssociationParams{}};
-    position.begin(association, position.first_right());
-    look(association, position.first_right() - 1);
+    trajectory.restore(association, trajectory.first_right());
+    compute_covariances(association, trajectory.first_right() - 1);
     const Stopwatch stopwatch;
     const bool done = revised(association.revise(evidence, 0));
     state.SetIterationTime(stopwatch.s());
-    if (!done) return state.SkipWithError("the wrong group stays");
-    state.counters["beliefs"] = association.trials();
+    if (!done) return state.SkipWithError("the wrong group was not revoked");
+    state.counters["hypotheses"] = association.trials();
   }
 }
 
@@ -262,7 +263,7 @@ void lengths(benchmark::internal::Benchmark* bench) {
 
 BENCHMARK(new_map)->Apply(lengths);
 BENCHMARK(contradicted)->Apply(lengths)->UseManualTime();
-BENCHMARK(surprised)->Apply(lengths)->UseManualTime();
+BENCHMARK(map_inconsistency)->Apply(lengths)->UseManualTime();
 
 }  // namespace
 }  // namespace adit

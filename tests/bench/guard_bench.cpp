@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the guard does for one scan of 361 beams, in a drift of 1.8 m with its end ahead: places it,
-// sweeps both arcs over both scans and over what is remembered beside it, and judges all else.
+// Time of the guard for one scan of 361 beams in a tunnel of 1.8 m width with its end ahead:
+// localization of the scan, sweep of both arcs over both scans and the remembered obstacles beside
+// the vehicle, and all other checks.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -34,8 +35,8 @@ LaserScan tunnel_scan(double end_m) {
   return scan;
 }
 
-/// With the end of the drift so many metres ahead of the laser.
-void judge_scan(benchmark::State& state, double end_m) {
+/// `end_m`: distance of the end of the tunnel from the laser.
+void evaluate_scan(benchmark::State& state, double end_m) {
   Guard guard(params());
   LaserScan scan = tunnel_scan(end_m);
   std::int64_t now = kStart;
@@ -52,8 +53,8 @@ void judge_scan(benchmark::State& state, double end_m) {
   }
 }
 
-BENCHMARK_CAPTURE(judge_scan, far_from_the_end, 20.0)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(judge_scan, before_the_end, 0.4)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(evaluate_scan, far_from_end, 20.0)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(evaluate_scan, close_to_end, 0.4)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace adit

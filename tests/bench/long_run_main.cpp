@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// long_run: what a long drive costs, from scans to the map: time and memory as the map grows, and
-// how far the map is from the truth, as Markdown.
+// long_run: time and memory of scan matching and mapping on a long log as the map grows, and the
+// error of the map by the ground truth, as a table in Markdown.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -30,7 +30,7 @@
 namespace adit {
 namespace {
 
-constexpr double kSameM = 0.5;  // a closure that is farther from the truth is wrong
+constexpr double kRightM = 0.5;  // largest error of a right loop closure
 constexpr double kMb = 1e6;
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
@@ -39,7 +39,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 double cpu_s() { return process_cost().cpu_s; }
 
-/// Bytes that are allocated now.
+/// Currently allocated heap [bytes].
 double heap_bytes() {
   const auto heap = mallinfo2();
   return static_cast<double>(heap.uordblks + heap.hblkhd);
@@ -61,13 +61,13 @@ double serialised_bytes(const MapUpdate& update) {
   return static_cast<double>(bytes);
 }
 
-/// Scan matching and mapping, one after the other, with a row for every so many local maps.
+/// Scan matching and mapping in sequence. Prints a row for every `maps_in_row` local maps.
 class LongRun {
  public:
   explicit LongRun(int maps_in_row) : maps_in_row_(maps_in_row), heap_before_(heap_bytes()) {
     std::puts(
         "| local maps | scan matching (ms per map) | mapping (ms per map) | slowest (ms) | "
-        "closures | believed | revised | in memory (kB per map) | serialised (kB per map) |\n"
+        "loop closures | accepted | revised | in memory (kB per map) | serialised (kB per map) |\n"
         "|---|---|---|---|---|---|---|---|---|");
   }
 
@@ -137,7 +137,7 @@ class LongRun {
   double serialised_ = 0.0;
 };
 
-/// The poses of all kept scans, in map and, as scan matching alone has them, in odom.
+/// Poses of all stored scans, in the map frame or, by scan matching alone, in the odom frame.
 Trajectory trajectory_of(const Mapping& mapping, bool in_odom) {
   Trajectory trajectory;
   const auto& poses = mapping.association().hypothesis().T_map_local;
@@ -154,10 +154,10 @@ Trajectory trajectory_of(const Mapping& mapping, bool in_odom) {
 void print_error(const Mapping& mapping, const Trajectory& truth) {
   for (const bool in_odom : {true, false}) {
     const PathError error = path_error(trajectory_of(mapping, in_odom), truth);
-    std::printf("%s: RMSE %.3f m, farthest %.3f m\n", in_odom ? "scan matching alone" : "map",
+    std::printf("%s: RMSE %.3f m, largest error %.3f m\n", in_odom ? "scan matching alone" : "map",
                 error.rmse_m, error.farthest_m);
   }
-  const auto where = [&](int map) {
+  const auto true_pose = [&](int map) {
     return interpolate(truth, mapping.local_maps()[static_cast<std::size_t>(map)].utime);
   };
   int wrong = 0;
@@ -166,13 +166,13 @@ void print_error(const Mapping& mapping, const Trajectory& truth) {
     const int chosen = mapping.association().hypothesis().chosen[k];
     if (chosen == Association::kNone) continue;
     const auto& a = loop_closures[k].alternatives[static_cast<std::size_t>(chosen)];
-    const auto older = where(a.older_map);
-    const auto newer = where(loop_closures[k].newer_map);
+    const auto older = true_pose(a.older_map);
+    const auto newer = true_pose(loop_closures[k].newer_map);
     if (!older || !newer) continue;
-    const Pose2 apart = between(a.T_older_newer, between(*older, *newer));
-    wrong += apart.translation().norm() > kSameM ? 1 : 0;
+    const Pose2 error = between(a.T_older_newer, between(*older, *newer));
+    wrong += error.translation().norm() > kRightM ? 1 : 0;
   }
-  std::printf("closures farther than %.1f m from the truth: %d\n", kSameM, wrong);
+  std::printf("loop closures with an error above %.1f m: %d\n", kRightM, wrong);
 }
 
 void run(const std::filesystem::path& log, const std::optional<std::filesystem::path>& truth,
@@ -185,7 +185,7 @@ void run(const std::filesystem::path& log, const std::optional<std::filesystem::
   const RunCost cost = process_cost();
   std::printf(
       "\n%d scans, %zu local maps: wall time %.1f s, CPU time %.1f s, peak memory %.0f MB, "
-      "%d beliefs tried\n",
+      "%d hypotheses\n",
       run.scans(), run.mapping().local_maps().size(), seconds_since(begin), cost.cpu_s,
       cost.peak_memory_mb * 1024.0 * 1024.0 / kMb, run.mapping().association().trials());
   if (truth) print_error(run.mapping(), read_tum(*truth));
@@ -195,13 +195,13 @@ void run(const std::filesystem::path& log, const std::optional<std::filesystem::
 }  // namespace adit
 
 int main(int argc, char** argv) try {
-  CLI::App app("Time and memory of a long drive from scans to the map, as Markdown");
+  CLI::App app("Measures time and memory of scan matching and mapping on a long log");
   std::filesystem::path log;
   std::optional<std::filesystem::path> truth;
   int maps_in_row = 200;
-  app.add_option("LOG", log, "an LCM log")->required();
-  app.add_option("--truth", truth, "the true path, in the TUM format");
-  app.add_option("--row", maps_in_row, "local maps in a row")
+  app.add_option("LOG", log, "LCM log")->required();
+  app.add_option("--truth", truth, "Ground truth trajectory, TUM format");
+  app.add_option("--row", maps_in_row, "Local maps in each row")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   CLI11_PARSE(app, argc, argv);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of a plan on a map of 20 × 20 m: layers, C-space maps of 32 headings at two sizes of
-// cells, heuristic and search, and all of it.
+// Times of the steps of planning on a terrain map of 20 × 20 m: ground layers, C-space of 32
+// headings at two cell sizes, heuristic, search, and the complete plan.
 #include <benchmark/benchmark.h>
 
 #include "procs/planning/lattice/cell_heuristic.hpp"
@@ -33,8 +33,8 @@ void c_space(benchmark::State& state) {
 }
 BENCHMARK(c_space)->Arg(100)->Arg(50)->ArgName("cell_mm")->Unit(benchmark::kMillisecond);
 
-/// What a search needs.
-struct Prepared {
+/// Inputs of a search.
+struct SearchProblem {
   TerrainMap terrain = scene();
   PlanningParams params;
   CSpaceKernels kernels{params.vehicle, params.c_space, terrain.cell_m};
@@ -47,20 +47,22 @@ struct Prepared {
 };
 
 void heuristic(benchmark::State& state) {
-  const Prepared with;
+  const SearchProblem problem;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(cell_heuristic(with.lattice, with.goals, with.terrain.cell_m));
+    benchmark::DoNotOptimize(
+        cell_heuristic(problem.lattice, problem.goals, problem.terrain.cell_m));
   }
 }
 BENCHMARK(heuristic)->Unit(benchmark::kMillisecond);
 
 void search(benchmark::State& state) {
-  const Prepared with;
-  const auto left = cell_heuristic(with.lattice, with.goals, with.terrain.cell_m);
-  const LatticePose start = nearest_pose(with.terrain, with.kernels.headings(), {});
+  const SearchProblem problem;
+  const auto heuristic_costs =
+      cell_heuristic(problem.lattice, problem.goals, problem.terrain.cell_m);
+  const LatticePose start = nearest_pose(problem.terrain, problem.kernels.headings(), {});
   for (auto _ : state) {
-    const LatticePath path = search_lattice(with.lattice, with.kernels.headings(), start,
-                                            with.goals, left, with.params.search);
+    const LatticePath path = search_lattice(problem.lattice, problem.kernels.headings(), start,
+                                            problem.goals, heuristic_costs, problem.params.search);
     state.counters["expansions"] = path.expansions;
   }
 }

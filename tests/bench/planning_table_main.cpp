@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// planning_table [SCENES]: times of the parts of a plan over random bent corridors with posts, each
-// of which has a lane that is 2 m wide and bends no more than a radius of 3 m, as Markdown.
+// planning_table [SCENES]: times of the steps of planning in random bent corridors with posts, as a
+// table in Markdown. Each corridor has a free lane 2 m wide with a radius of curvature of at least
+// 3 m.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -17,9 +18,9 @@
 namespace adit {
 namespace {
 
-constexpr double kFarM = 5.0;  // of progress, from which on a scene counts as solved
+constexpr double kSolvedM = 5.0;  // least progress along the corridor in a solved scene
 
-/// Of this process's own time: what else the machine does is of no concern.
+/// CPU time of this process, which does not depend on other processes.
 double ms_of(const std::function<void()>& work) {
   const std::clock_t begin = std::clock();
   work();
@@ -45,9 +46,9 @@ void run(int scenes) {
   const MotionPrimitives primitives(params.vehicle, params.primitives, kernels.headings(), 0.1);
   Planning planning(params);
   Row rows[] = {{"C-space [ms]", {}},          {"heuristic [ms]", {}}, {"A* [ms]", {}},
-                {"heuristic and A* [ms]", {}}, {"expansions", {}},     {"whole plan [ms]", {}}};
+                {"heuristic and A* [ms]", {}}, {"expansions", {}},     {"complete plan [ms]", {}}};
   int found = 0;
-  int far = 0;
+  int solved = 0;
   for (int seed = 0; seed < scenes; ++seed) {
     const TerrainMap terrain = terrain_of(random_corridor(static_cast<std::uint32_t>(seed)));
     const GroundLayers layers = ground_layers(terrain, {}, params.vehicle, params.c_space.ground);
@@ -55,25 +56,26 @@ void run(int scenes) {
     rows[0].values.push_back(ms_of([&] { space = kernels.convolve(layers); }));
     const Lattice lattice{space, primitives};
     const GoalField goals(PlanGoal{}, {}, {}, terrain, params.goals);
-    std::vector<std::int32_t> left;
-    rows[1].values.push_back(ms_of([&] { left = cell_heuristic(lattice, goals, 0.1); }));
+    std::vector<std::int32_t> heuristic;
+    rows[1].values.push_back(ms_of([&] { heuristic = cell_heuristic(lattice, goals, 0.1); }));
     LatticePath path;
     rows[2].values.push_back(ms_of([&] {
       path =
           search_lattice(lattice, kernels.headings(), nearest_pose(terrain, kernels.headings(), {}),
-                         goals, left, params.search);
+                         goals, heuristic, params.search);
     }));
     rows[3].values.push_back(rows[1].values.back() + rows[2].values.back());
     rows[4].values.push_back(path.expansions);
     PlannedPath plan;
     rows[5].values.push_back(ms_of([&] { plan = planning.plan(terrain, PlanGoal{}, {}); }));
     if (plan.outcome == PlanOutcome::kFound) ++found;
-    if (plan.outcome == PlanOutcome::kFound && plan.reached_m >= kFarM) ++far;
-    if (plan.outcome != PlanOutcome::kFound || plan.reached_m < kFarM) {
+    if (plan.outcome == PlanOutcome::kFound && plan.reached_m >= kSolvedM) ++solved;
+    if (plan.outcome != PlanOutcome::kFound || plan.reached_m < kSolvedM) {
       std::fprintf(stderr, "seed %d: %.1f m. %s\n", seed, plan.reached_m, plan.reason.c_str());
     }
   }
-  std::printf("%d scenes, %d with a path, %d of them over %.0f m\n\n", scenes, found, far, kFarM);
+  std::printf("%d scenes, %d with a path, %d of them reach %.0f m\n\n", scenes, found, solved,
+              kSolvedM);
   std::printf("| | median | 95 %% | worst |\n|---|---|---|---|\n");
   for (Row& row : rows) row.print();
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pose graphs from chained odometry to the optimum, whole and in parts, on the public graphs that
-// are there; and what the field does for data association. The target is a time for the whole of
-// at most 1.5 times one analysis and four factorisations.
+// Times of pose graph optimization from chained odometry to the optimum, in total and by step, on
+// the installed public graphs, and of the Gaussian field operations of data association. The target
+// of the total is 1.5 times one analysis and four factorizations.
 #include <benchmark/benchmark.h>
 
 #include "common/pose_graph/g2o_file.hpp"
@@ -53,7 +53,7 @@ void solution(benchmark::State& state, const std::filesystem::path& path) {
   for (auto _ : state) benchmark::DoNotOptimize(equations.matrix().solve(equations.b()));
 }
 
-void start(benchmark::State& state, const std::filesystem::path& path) {
+void rotation_initialization(benchmark::State& state, const std::filesystem::path& path) {
   const PoseGraph odometry = from_odometry(path);
   const GraphStructure structure = analyse(odometry);
   NormalEquations equations(structure);
@@ -81,7 +81,7 @@ GaussianField optimal_field(const std::filesystem::path& path) {
   return GaussianField(graph);
 }
 
-/// A constraint from end to end, added and taken out again.
+/// Adds and removes a constraint between distant nodes.
 void update_and_downdate(benchmark::State& state, const std::filesystem::path& path) {
   const int last = static_cast<int>(from_odometry(path).poses.size()) - 1;
   GaussianField field = optimal_field(path);
@@ -119,8 +119,8 @@ constexpr std::pair<const char*, Measure> kMeasures[] = {
     {"linearisation", linearisation},
     {"factorisation", factorisation},
     {"solution", solution},
-    {"start", start},
-    {"whole", full_optimization},
+    {"rotation_initialization", rotation_initialization},
+    {"total", full_optimization},
     {"update_and_downdate", update_and_downdate},
     {"relative_covariance", covariance},
     {"relative_covariances_to", covariances},

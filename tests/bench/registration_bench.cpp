@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of scan matching alone, on a scan in the sample mine against the walls of the ten
-// metres before it. The argument is the number of beams.
+// Times of the steps of scan matching for a scan in the sample mine and a reference of the
+// preceding 10 m. The argument is the number of beams.
 #include <benchmark/benchmark.h>
 
 #include "common/registration/correlative_search.hpp"
@@ -12,13 +12,13 @@
 namespace adit {
 namespace {
 
-constexpr double kLength = 10.0;
-const Pose2 kOff{0.08, -0.05, 0.04};  // what a prediction may be off by
+constexpr double kLengthM = 10.0;
+const Pose2 kPredictionError{0.08, -0.05, 0.04};
 
 /// The last scan of a short drive, and the others as reference, all at their true poses.
 struct Place {
   explicit Place(std::int64_t beams) {
-    SampleRun run({.beams = static_cast<int>(beams), .length_max_m = kLength});
+    SampleRun run({.beams = static_cast<int>(beams), .length_max_m = kLengthM});
     while (const auto reading = run.next()) {
       if (!points.empty()) reference.insert(points, T_world_body, 0.0);
       scan = reading->scan;
@@ -41,7 +41,7 @@ void bench_surface_points(benchmark::State& state) {
 
 void bench_match_point_to_line(benchmark::State& state) {
   const Place place(state.range(0));
-  const Pose2 start = place.T_world_body * kOff;
+  const Pose2 start = place.T_world_body * kPredictionError;
   PointToLineResult result;
   for (auto _ : state) {
     result = match_point_to_line(place.points, place.reference, start, {start, {}}, {});
@@ -55,7 +55,7 @@ void bench_match_point_to_line(benchmark::State& state) {
 void search(benchmark::State& state, const SearchWindow& window, double coarseness) {
   constexpr int kPeaks = 3;
   const Place place(state.range(0));
-  const Pose2 centre = place.T_world_body * kOff;
+  const Pose2 centre = place.T_world_body * kPredictionError;
   CorrelativeSearchParams params;
   params.cell_m *= coarseness;
   params.angle_step_rad *= coarseness;

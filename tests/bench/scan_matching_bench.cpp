@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Scan matching over whole logs. An iteration is a log; the counters are what counts: milliseconds
-// for a scan, mean and 99th percentile (of all scans of all iterations), in time of this thread's
-// CPU, which others that share the machine do not stretch.
+// Time of scan matching on complete logs. An iteration processes one log. The counters mean_ms and
+// p99_ms are milliseconds per scan over all iterations, in CPU time of the thread, which does not
+// depend on other processes.
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <time.h>  // clock_gettime, which is of POSIX
+#include <time.h>  // clock_gettime (POSIX)
 
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/vehicle_readings.hpp"
@@ -23,7 +23,7 @@
 namespace adit {
 namespace {
 
-/// What a log holds, in memory, so that a benchmark reads nothing while it measures.
+/// The readings of a log in memory, so that reading files is not measured.
 using Readings = std::vector<std::variant<WheelOdometry, LaserScan>>;
 
 /// The complete drive through the built-in world `sample`.
@@ -51,7 +51,7 @@ Readings recorded_readings(const std::filesystem::path& path) {
   return readings;
 }
 
-enum class Odometry { kUsed, kLeftOut };
+enum class Odometry { kUsed, kIgnored };
 
 double thread_cpu_ms() {
   timespec now{};
@@ -89,14 +89,14 @@ void match_sample(benchmark::State& state, int beams, Odometry odometry) {
 
 void match_recording(benchmark::State& state, const std::string& name, Odometry odometry) {
   const auto path = test::find_recording("laser2d/" + name);
-  if (!path) return state.SkipWithError("no such recording here; set ADIT_DATA");
+  if (!path) return state.SkipWithError("recording not found; set ADIT_DATA");
   measure(state, recorded_readings(*path), odometry);
 }
 
-#define ADIT_BENCH_LOG(function, name, log)                                \
-  BENCHMARK_CAPTURE(function, name##_with_odometry, log, Odometry::kUsed)  \
-      ->Unit(benchmark::kMillisecond);                                     \
-  BENCHMARK_CAPTURE(function, name##_laser_alone, log, Odometry::kLeftOut) \
+#define ADIT_BENCH_LOG(function, name, log)                               \
+  BENCHMARK_CAPTURE(function, name##_with_odometry, log, Odometry::kUsed) \
+      ->Unit(benchmark::kMillisecond);                                    \
+  BENCHMARK_CAPTURE(function, name##_laser_only, log, Odometry::kIgnored) \
       ->Unit(benchmark::kMillisecond)
 
 ADIT_BENCH_LOG(match_sample, mine_181_beams, 181);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How long a 3D scan of 240 × 361 beams takes to become a terrain map of 20 × 20 m at 0.1 m. Times
-// are of the processor, so that others on the machine count little.
+// Time to make a terrain map of 20 × 20 m with cells of 0.1 m from a 3D scan of 240 × 361 beams.
+// Times are CPU times, which hardly depend on other processes.
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -41,7 +41,7 @@ void broken_beam(benchmark::State& state, const char* estimator) {
   make_terrain(state, cloud, estimator);
 }
 
-/// As a mission does, with all the earlier looks that are kept.
+/// With the memory of earlier 3D scans, as in a mission.
 void with_memory(benchmark::State& state) {
   static std::vector<Cloud> clouds{
       scan_of("mathies", "main", 44.0), scan_of("mathies", "main", 46.0),
@@ -64,7 +64,7 @@ void with_memory(benchmark::State& state) {
     benchmark::DoNotOptimize(terrain.make(clouds.back(), memory_copy));
     used = memory_copy.recall_result().used;
   }
-  state.counters["looks"] = used;
+  state.counters["remembered_scans"] = used;
 }
 
 BENCHMARK(with_memory)->Unit(benchmark::kMillisecond);

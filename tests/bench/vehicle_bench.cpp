@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What it costs to drive a simulated vehicle over rough ground of a million triangles, in CPU time
-// for each second of simulated time.
+// CPU time to simulate one second of a vehicle that drives over rough ground of a million
+// triangles.
 #include <cmath>
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kSideM = 70.0F;
 
-/// Waves of some centimetres about a height, over the whole hall.
+/// A wavy surface around a height, with amplitudes of some centimetres, over the complete hall.
 void add_surface(MeshBuilder& builder, float height_m, int cells) {
   const float cell_m = kSideM / static_cast<float>(cells);
   std::vector<std::uint32_t> before;
@@ -47,7 +47,7 @@ World rough_hall() {
   return world;
 }
 
-/// One simulated second each.
+/// One simulated second per iteration.
 void drive_in_circles(benchmark::State& state) {
   const Site site(rough_hall());
   VehicleModel vehicle(site, {}, {}, 1, 0);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How long a 3D scan of 240 × 361 beams takes to get into an octree of 0.1 m: with OctoMap as it
-// comes, from one origin and with that of each line, and as volume_map does it. Times are of the
-// processor, so that others on the machine count little.
+// Time to insert a 3D scan of 240 × 361 beams into an octree with cells of 0.1 m: with OctoMap,
+// from one origin or from the origin of each line, and with volume_map. Times are CPU times, which
+// hardly depend on other processes.
 #include <algorithm>
 
 #include <benchmark/benchmark.h>
@@ -30,20 +30,20 @@ Cloud make_scan() {
   return tilt_sweep(site, level_on_floor(site.world(), {p_world.x(), p_world.y(), heading_rad}));
 }
 
-/// A hall of 16 × 4 m: beams are longer, and more cells are seen.
+/// A hall of 16 × 4 m, with longer beams and more cells than a tunnel.
 Cloud make_scan_of_hall() {
   const Site site(box_tunnel({40.0, 16.0, 4.0}));
   return tilt_sweep(site, level_on_floor(site.world(), {}));
 }
 
-/// Whether of the hall is the second argument of a benchmark.
+/// The scan of the tunnel or the hall, by the second argument of a benchmark.
 const Cloud& scan(const benchmark::State& state) {
   static const Cloud tunnel = make_scan();
   static const Cloud hall = make_scan_of_hall();
   return state.range(1) == 0 ? tunnel : hall;
 }
 
-/// The first argument of a benchmark, in millimetres.
+/// Cell size [m], from the first argument of a benchmark [mm].
 double cell_m(const benchmark::State& state) { return 1e-3 * static_cast<double>(state.range(0)); }
 
 octomap::point3d octo(const Eigen::Vector3f& p) { return {p.x(), p.y(), p.z()}; }
@@ -54,7 +54,7 @@ octomap::Pointcloud points_of(const CloudLine& line) {
   return points;
 }
 
-/// As most do it: one origin for all, here that of the line in the middle.
+/// The common use of OctoMap: one origin for all points, here that of the middle line.
 void octomap_one_origin(benchmark::State& state, bool discretize) {
   const Cloud& cloud = scan(state);
   octomap::Pointcloud points;
@@ -73,26 +73,27 @@ struct Update {
   octomap::KeySet occupied;
 };
 
-/// With the origin of each line; what any line met is not free.
+/// With the origin of each line; cells occupied by any line are not free.
 Update update_of(octomap::OcTree& tree, const Cloud& cloud, bool discretize) {
   Update all;
   for (const CloudLine& line : cloud.lines) {
-    Update of_line;
+    Update line_update;
     const auto points = points_of(line);
     const auto origin = octo(line.origin);
     if (discretize) {
-      tree.computeDiscreteUpdate(points, origin, of_line.free, of_line.occupied, kRangeMaxM);
+      tree.computeDiscreteUpdate(points, origin, line_update.free, line_update.occupied,
+                                 kRangeMaxM);
     } else {
-      tree.computeUpdate(points, origin, of_line.free, of_line.occupied, kRangeMaxM);
+      tree.computeUpdate(points, origin, line_update.free, line_update.occupied, kRangeMaxM);
     }
-    all.free.insert(of_line.free.begin(), of_line.free.end());
-    all.occupied.insert(of_line.occupied.begin(), of_line.occupied.end());
+    all.free.insert(line_update.free.begin(), line_update.free.end());
+    all.occupied.insert(line_update.occupied.begin(), line_update.occupied.end());
   }
   for (const auto& key : all.occupied) all.free.erase(key);
   return all;
 }
 
-/// In one of them and not in the other.
+/// Number of keys that are in exactly one of the sets.
 double count_different(const octomap::KeySet& a, const octomap::KeySet& b) {
   const auto missing = [](const octomap::KeySet& keys) {
     return [&keys](const octomap::OcTreeKey& key) { return keys.find(key) == keys.end(); };
@@ -125,7 +126,7 @@ ScanCells cells_of(const Cloud& cloud, double cell_m) {
   return cells;
 }
 
-void ours_each_origin(benchmark::State& state) {
+void adit_each_origin(benchmark::State& state) {
   const Cloud& cloud = scan(state);
   for (auto _ : state) {
     OccupancyTree tree(cell_m(state));
@@ -135,13 +136,13 @@ void ours_each_origin(benchmark::State& state) {
   }
 }
 
-/// Of these, the way along the beams.
-void ours_beams(benchmark::State& state) {
+/// The part of adit_each_origin that follows the beams.
+void adit_beams(benchmark::State& state) {
   const Cloud& cloud = scan(state);
   for (auto _ : state) benchmark::DoNotOptimize(cells_of(cloud, cell_m(state)));
 }
 
-/// All that a scan costs: the tree, the points that are kept, the stream that is published.
+/// Total cost of a scan: the tree, the stored points, and the published stream.
 void sub_volume(benchmark::State& state) {
   const Cloud& cloud = scan(state);
   for (auto _ : state) {
@@ -152,8 +153,8 @@ void sub_volume(benchmark::State& state) {
   }
 }
 
-/// What a change of the graph costs: a hundred sub-volumes move.
-void change_of_graph(benchmark::State& state) {
+/// Cost of a change of the pose graph that moves a hundred sub-volumes.
+void graph_change(benchmark::State& state) {
   VolumeMap map{VolumeMapParams{}};
   Cloud cloud;
   for (int i = 0; i < 100; ++i) {
@@ -174,10 +175,10 @@ BENCHMARK_CAPTURE(octomap_one_origin, exact, false)->Apply(arguments);
 BENCHMARK_CAPTURE(octomap_one_origin, discretised, true)->Apply(arguments);
 BENCHMARK_CAPTURE(octomap_each_origin, exact, false)->Apply(arguments);
 BENCHMARK_CAPTURE(octomap_each_origin, discretised, true)->Apply(arguments);
-BENCHMARK(ours_each_origin)->Apply(arguments);
-BENCHMARK(ours_beams)->Apply(arguments);
+BENCHMARK(adit_each_origin)->Apply(arguments);
+BENCHMARK(adit_beams)->Apply(arguments);
 BENCHMARK(sub_volume)->Apply(arguments);
-BENCHMARK(change_of_graph)->Unit(benchmark::kMillisecond);
+BENCHMARK(graph_change)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace adit

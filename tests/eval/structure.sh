@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # structure.sh [CHECKOUT]
-# Prints the figures of docs/results/structure.md for a checkout (this one): how many sources, how long, how
-# full their folders are. Tests are not counted. Substance: lines that are not blank, comment, #include or
-# namespace. A header with one function: one free function and no type.
+# Prints the figures of docs/results/structure.md for a checkout (default: this one): number and length of the
+# sources, and sources per folder, without tests. Lines of substance exclude blank lines, comments, #include and
+# namespace lines. A header with one function has one free function and no type.
 set -euo pipefail
 cd "${1:-$(dirname "$(dirname "$(dirname "$(readlink -f "$0")")")")}"
 

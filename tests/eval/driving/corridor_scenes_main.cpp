@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// corridor_scenes_table SCENES: random corridors of the simulator, each looked at once and planned
-// in, the paths driven by the true vehicle in the true mesh; as Markdown. Seeds of all that is not
-// as it should be go to the standard error.
+// corridor_scenes_table SCENES: plans a path over one 3D scan in each of SCENES random corridors of
+// the simulator and drives it with the true vehicle in the true mesh. Prints a table in Markdown;
+// the seeds of scenes with a fault or without a path go to the standard error.
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -16,19 +16,20 @@
 #include <CLI/CLI.hpp>
 
 #include "procs/planning/planning_picture.hpp"
+#include "tests/eval/markdown.hpp"
 #include "tests/support/scores/corridor_run.hpp"
 #include "tests/support/scores/path_feasibility.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kEnoughM = 8.0;  // of drift that a vehicle has to be able to drive
+constexpr double kPassableM = 8.0;  // length of tunnel that the vehicle must be able to drive
 
 struct Options {
   int scenes = 200;
   int first = 0;
   int jobs = 1;
-  double room_m = 0.2;  ///< what cells and the regions of the terrain take away
+  double margin_m = 0.2;  ///< around the vehicle, lost by the cells and regions of the terrain
   std::string estimator = "kth";
   std::string kind;
   std::filesystem::path picture;
@@ -39,21 +40,21 @@ struct Scene {
   std::string kind;
   PlannedPath path;
   std::optional<FeasibilityFault> fault;
-  double along_m = 0.0;
-  double passage_m = 0.0;  ///< that the true vehicle has, with room all round it
+  double along_m = 0.0;    ///< length of the path along the corridor
+  double passage_m = 0.0;  ///< length that the true vehicle with the margin can drive
   double terrain_ms = 0.0;
   double plan_ms = 0.0;
 
   [[nodiscard]] bool found() const { return path.outcome == PlanOutcome::kFound; }
-  [[nodiscard]] bool passable() const { return passage_m >= kEnoughM; }
+  [[nodiscard]] bool passable() const { return passage_m >= kPassableM; }
 };
 
-Scene scene_of(int seed, const Options& options, Planning& planning) {
+Scene evaluate_scene(int seed, const Options& options, Planning& planning) {
   const Corridor corridor = random_corridor_with_robot(seed);
   const CorridorRun run =
       run_corridor(corridor, options.estimator, static_cast<std::uint64_t>(seed), planning);
   const double passage_m =
-      feasible_distance_m(corridor, inflated_vehicle(Vehicle{}, options.room_m), kEnoughM);
+      feasible_distance_m(corridor, inflated_vehicle(Vehicle{}, options.margin_m), kPassableM);
   return {seed,        corridor.kind, run.path,       run.fault,
           run.along_m, passage_m,     run.terrain_ms, run.plan_ms};
 }
@@ -76,7 +77,7 @@ void draw(int seed, const Options& options) {
                  options.picture);
 }
 
-/// What went wrong, or nothing.
+/// The fault of a scene, or an empty text.
 std::string error_text(const Scene& scene) {
   char text[400] = "";
   if (scene.fault) {
@@ -128,14 +129,14 @@ void print(const std::vector<Scene>& scenes) {
     terrain_ms.push_back(scene.terrain_ms);
     plan_ms.push_back(scene.plan_ms);
     both_ms.push_back(scene.terrain_ms + scene.plan_ms);
-    const std::string what = error_text(scene);
-    if (what.empty()) continue;
+    const std::string error = error_text(scene);
+    if (error.empty()) continue;
     std::fprintf(stderr, "seed %d, %s, passage %.1f m, path %.1f m: %s\n", scene.seed,
-                 scene.kind.c_str(), scene.passage_m, scene.along_m, what.c_str());
+                 scene.kind.c_str(), scene.passage_m, scene.along_m, error.c_str());
   }
-  std::printf(
-      "| corridor | scenes | paths | faults | passable | solved | to [m] | blocked | refused |\n");
-  std::printf("|---|---|---|---|---|---|---|---|---|\n");
+  print_heading(
+      "| corridor | scenes | paths | faults | passable | solved | path length (m) | blocked "
+      "| rejected |");
   for (const auto& [name, counts] : kinds) counts.print(name);
   all.print("all");
   std::printf("\n");
@@ -156,7 +157,7 @@ std::vector<Scene> run(const Options& options) {
   const auto work = [&] {
     Planning planning{PlanningParams{}};
     for (std::size_t i = next++; i < seeds.size(); i = next++) {
-      scenes[i] = scene_of(seeds[i], options, planning);
+      scenes[i] = evaluate_scene(seeds[i], options, planning);
     }
   };
   std::vector<std::thread> threads;
@@ -170,14 +171,17 @@ std::vector<Scene> run(const Options& options) {
 
 int main(int argc, char** argv) {
   adit::Options options;
-  CLI::App app{"Random corridors of the simulator: paths over one 3D scan, driven in truth"};
-  app.add_option("scenes", options.scenes, "how many")->check(CLI::Range(1, 100000));
-  app.add_option("--first", options.first, "seed of the first one");
-  app.add_option("--jobs", options.jobs, "at the same time")->check(CLI::Range(1, 64));
-  app.add_option("--room", options.room_m, "round the vehicle in what counts as passable [m]");
-  app.add_option("--estimator", options.estimator)->check(CLI::IsMember({"kth", "paper"}));
-  app.add_option("--kind", options.kind)->check(CLI::IsMember(adit::corridor_kinds()));
-  app.add_option("--picture", options.picture, "draw the first scene only, as PNG");
+  CLI::App app{"Plans over one 3D scan in random simulated corridors and drives the paths"};
+  app.add_option("scenes", options.scenes, "Number of scenes")->check(CLI::Range(1, 100000));
+  app.add_option("--first", options.first, "Seed of the first scene");
+  app.add_option("--jobs", options.jobs, "Number of parallel threads")->check(CLI::Range(1, 64));
+  app.add_option("--margin", options.margin_m,
+                 "Margin around the vehicle in passable corridors [m]");
+  app.add_option("--estimator", options.estimator, "Terrain estimator")
+      ->check(CLI::IsMember({"kth", "paper"}));
+  app.add_option("--kind", options.kind, "Only corridors of this kind")
+      ->check(CLI::IsMember(adit::corridor_kinds()));
+  app.add_option("--picture", options.picture, "Draws the first scene only, to this PNG file");
   CLI11_PARSE(app, argc, argv);
   try {
     if (options.picture.empty()) {
@@ -185,8 +189,8 @@ int main(int argc, char** argv) {
     } else {
       adit::draw(options.first, options);
     }
-  } catch (const std::exception& failure) {
-    std::fprintf(stderr, "corridor_scenes_table: %s\n", failure.what());
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "corridor_scenes_table: %s\n", error.what());
     return 2;
   }
   return 0;

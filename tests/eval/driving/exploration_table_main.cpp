@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// exploration_table MINES..: explores simulated mines without physics by several rules, as a table
-// in Markdown. A mine is a name, or random:SEED.
+// exploration_table MINES..: explores simulated mines with a kinematic robot by several rules of
+// goal selection, as a table in Markdown. A mine is a world name, or random:SEED.
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -16,14 +16,14 @@
 #include "sim/world/build_world.hpp"
 #include "sim/world/random/random_mine.hpp"
 #include "sim/world/world_file.hpp"
-#include "tests/eval/benchmarks.hpp"
+#include "tests/eval/markdown.hpp"
 #include "tests/support/exploration_picture.hpp"
 #include "tests/support/robots/exploring_robot.hpp"
 
 namespace adit {
 namespace {
 
-constexpr double kBudgetBaseM = 100.0;  // however small the mine
+constexpr double kBudgetBaseM = 100.0;  // for a mine of any size
 
 struct Options {
   std::vector<std::string> mines;
@@ -31,7 +31,7 @@ struct Options {
   double budget_factor = 2.5;
   double distortion_m = 0.0;
   std::filesystem::path config;   // section `exploration`; empty: defaults
-  std::filesystem::path picture;  // of the last mine and rule; empty: none
+  std::filesystem::path picture;  // of the last mine and rule; empty: not drawn
 };
 
 World world_of(const std::string& mine) {
@@ -56,11 +56,10 @@ void print_row(const std::string& mine, const std::string& rule, double corridor
 }
 
 void print_table(const Options& options) {
-  std::cout << "| mine | corridor (m) | budget (m) | rule | seen at 25 % | 50 % | 75 % | 100 % "
-               "| home | missed (m) | way (m) | way per corridor | complete | stubs | blocked | "
-               "wrongly | turns "
-               "| longest decision (ms) |\n"
-               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  print_heading(
+      "| mine | corridor (m) | budget (m) | rule | seen at 25 % | 50 % | 75 % | 100 % | returned "
+      "| missed (m) | path length (m) | path length per corridor | complete | frontiers | blocked "
+      "| falsely blocked | turns | longest decision (ms) |");
   ExplorationParams params;
   if (!options.config.empty()) {
     params = load_section<ExplorationParams>(ConfigFile::load(options.config), "exploration");
@@ -83,14 +82,15 @@ void print_table(const Options& options) {
 }  // namespace adit
 
 int main(int argc, char** argv) try {
-  CLI::App app("Explores simulated mines without physics, as a table in Markdown");
+  CLI::App app("Explores simulated mines with a kinematic robot, as a table in Markdown");
   adit::Options options;
-  app.add_option("MINES", options.mines, "Worlds by name, or random:SEED")->required();
-  app.add_option("--rules", options.rules, "tour, which is ours, nearest, right_hand, random");
-  app.add_option("--budget", options.budget_factor, "Way per metre of corridor that is reachable");
-  app.add_option("--bend", options.distortion_m, "By which the map is wrong [m]");
-  app.add_option("--config", options.config, "YAML file with a section exploration");
-  app.add_option("--picture", options.picture, "PNG of the last mine and rule");
+  app.add_option("MINES", options.mines, "World names, or random:SEED")->required();
+  app.add_option("--rules", options.rules,
+                 "Rules: tour (default of exploration), nearest, right_hand, random");
+  app.add_option("--budget", options.budget_factor, "Path length per metre of reachable corridor");
+  app.add_option("--distortion", options.distortion_m, "Distortion of the map [m]");
+  app.add_option("--config", options.config, "YAML file with section exploration");
+  app.add_option("--picture", options.picture, "PNG file for the map of the last mine and rule");
   CLI11_PARSE(app, argc, argv);
   adit::print_table(options);
   return 0;

@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 #include "sim/world/build_world.hpp"
-#include "tests/eval/benchmarks.hpp"
+#include "tests/eval/markdown.hpp"
 #include "tests/support/scores/mission_log.hpp"
 #include "tools/mission/mission_run.hpp"
 
@@ -38,7 +38,7 @@ std::filesystem::path folder_of(const MissionRow& row, const MissionRowOptions& 
   return options.folder / name;
 }
 
-/// What a child does; its words are in a file.
+/// Runs a mission in the child process and writes its score to a file.
 [[noreturn]] void run_child(const MissionRow& row, const MissionRowOptions& options) {
   int code = 0;
   try {
@@ -62,6 +62,33 @@ void read_score(int status, MissionRow& row, const MissionRowOptions& options) {
   }
   std::cerr << row.name << ": " << row.score.outcome << ", " << row.score.reason << "\n";
 }
+
+struct MissionSums {
+  int returned = 0, failed = 0, crashed = 0, returned_to_start = 0, verdicts = 0,
+      false_verdicts = 0;
+  int unconfirmed = 0, route_home_verdicts = 0, complete = 0, false_complete = 0,
+      certainly_false_complete = 0, guard_stops = 0;
+  double covered_share = 0.0, distance_travelled_m = 0.0, simulated_s = 0.0, rmse_max_m = 0.0;
+
+  void add(const test::MissionScore& score) {
+    returned += score.outcome == "home";
+    returned_to_start += score.outcome == "home" && score.distance_from_start_m <= 0.5;
+    failed += score.outcome == "failed";
+    crashed += score.outcome == "crashed";
+    verdicts += score.verdicts;
+    false_verdicts += score.false_verdicts;
+    unconfirmed += score.unconfirmed;
+    route_home_verdicts += score.route_home_verdicts;
+    complete += score.complete;
+    false_complete += score.false_complete();
+    certainly_false_complete += score.complete && score.certainly_missed_m > 2.0;
+    guard_stops += score.guard_stops;
+    covered_share += score.covered_share;
+    distance_travelled_m += score.distance_travelled_m;
+    simulated_s += score.simulated_s;
+    rmse_max_m = std::max(rmse_max_m, score.rmse_m);
+  }
+};
 
 }  // namespace
 
@@ -99,45 +126,13 @@ void run_rows(std::vector<MissionRow>& rows, const MissionRowOptions& options, i
   while (!active.empty()) wait_for_one();
 }
 
-namespace {
-
-struct Sum {
-  int returned = 0, failed = 0, crashed = 0, at_home = 0, verdicts = 0, false_verdicts = 0;
-  int unconfirmed = 0, route_home_verdicts = 0, complete = 0, false_complete = 0,
-      surely_false_complete = 0, guard_stops = 0;
-  double covered_share = 0.0, distance_travelled_m = 0.0, simulated_s = 0.0, rmse_max_m = 0.0;
-
-  void add(const test::MissionScore& score) {
-    returned += score.outcome == "home";
-    at_home += score.outcome == "home" && score.distance_from_start_m <= 0.5;
-    failed += score.outcome == "failed";
-    crashed += score.outcome == "crashed";
-    verdicts += score.verdicts;
-    false_verdicts += score.false_verdicts;
-    unconfirmed += score.unconfirmed;
-    route_home_verdicts += score.route_home_verdicts;
-    complete += score.complete;
-    false_complete += score.false_complete();
-    surely_false_complete += score.complete && score.certainly_missed_m > 2.0;
-    guard_stops += score.guard_stops;
-    covered_share += score.covered_share;
-    distance_travelled_m += score.distance_travelled_m;
-    simulated_s += score.simulated_s;
-    rmse_max_m = std::max(rmse_max_m, score.rmse_m);
-  }
-};
-
-}  // namespace
-
 void print_table(const std::vector<MissionRow>& rows) {
-  std::cout
-      << "| mine | outcome | from the start (m) | farthest (m) | corridor (m) | seen (%) "
-         "| missed; by the vehicle with room (m) | way (m) | simulated (s) | wall (s) | scans | "
-         "RMSE, map (m) "
-         "| RMSE, believed (m) | length ratio | blocked | falsely | doubtful | on the way home "
-         "| complete | falsely | other laser | back-offs | guard stops |\n"
-         "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---"
-         "|---|\n";
+  print_heading(
+      "| mine | outcome | from the start (m) | farthest (m) | corridor (m) | seen (%) "
+      "| missed; by the vehicle with margin (m) | path length (m) | simulated (s) | wall (s) "
+      "| scans | RMSE, map (m) | RMSE, online (m) | length ratio | blocked | falsely blocked "
+      "| unconfirmed | on the return route | complete | falsely complete | rescans | back-offs "
+      "| guard stops |");
   for (const auto& [name, world, score] : rows) {
     std::cout
         << format("| %s | %s | %.2f | %.0f | %.0f | %.1f | %.0f; %.0f | %.0f | %.0f | %.0f | %d ",
@@ -154,27 +149,27 @@ void print_table(const std::vector<MissionRow>& rows) {
 }
 
 void print_summary(const std::vector<MissionRow>& rows, double wall_s) {
-  Sum sum;
+  MissionSums sum;
   for (const MissionRow& row : rows) sum.add(row.score);
   const double n = std::max<double>(1.0, static_cast<double>(rows.size()));
-  std::cout << format("\n| of %zu missions | |\n|---|---|\n", rows.size())
-            << format("| ended at home; by the truth within 0.5 m of the start | %d; %d |\n",
-                      sum.returned, sum.at_home)
-            << format("| runs that failed (collisions, for one); that crashed | %d; %d |\n",
-                      sum.failed, sum.crashed)
-            << format("| corridor seen, mean | %.1f %% |\n", 100.0 * sum.covered_share / n)
-            << format("| verdicts that a stub is blocked; of them false | %d; %d |\n", sum.verdicts,
-                      sum.false_verdicts)
-            << format("| stubs given up that nobody saw to be blocked | %d |\n", sum.unconfirmed)
-            << format("| verdicts on the way home or without a stub | %d |\n",
-                      sum.route_home_verdicts)
-            << format(
-                   "| called complete; of them falsely; for the vehicle with room | %d; %d; %d |\n",
-                   sum.complete, sum.false_complete, sum.surely_false_complete)
-            << format("| guard stops | %d |\n", sum.guard_stops)
-            << format("| largest RMSE of the map | %.2f m |\n", sum.rmse_max_m)
-            << format("| way, simulated time, wall time | %.0f m, %.0f s, %.0f s |\n",
-                      sum.distance_travelled_m, sum.simulated_s, wall_s);
+  std::cout
+      << format("\n| %zu missions | |\n|---|---|\n", rows.size())
+      << format("| returned; true position within 0.5 m of the start | %d; %d |\n", sum.returned,
+                sum.returned_to_start)
+      << format("| failed runs (e.g. collisions); crashed | %d; %d |\n", sum.failed, sum.crashed)
+      << format("| corridor seen, mean | %.1f %% |\n", 100.0 * sum.covered_share / n)
+      << format("| frontiers reported as blocked; falsely | %d; %d |\n", sum.verdicts,
+                sum.false_verdicts)
+      << format("| frontiers abandoned without a confirmed blockage | %d |\n", sum.unconfirmed)
+      << format("| blockages reported on the return route or without a frontier | %d |\n",
+                sum.route_home_verdicts)
+      << format(
+             "| reported complete; falsely; falsely for the vehicle with margin | %d; %d; %d |\n",
+             sum.complete, sum.false_complete, sum.certainly_false_complete)
+      << format("| guard stops | %d |\n", sum.guard_stops)
+      << format("| largest RMSE of the map | %.2f m |\n", sum.rmse_max_m)
+      << format("| path length, simulated time, wall time | %.0f m, %.0f s, %.0f s |\n",
+                sum.distance_travelled_m, sum.simulated_s, wall_s);
 }
 
 }  // namespace adit

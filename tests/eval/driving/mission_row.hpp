@@ -11,7 +11,7 @@
 
 namespace adit {
 
-/// A mission that is to be run, and what became of it: a row of the table.
+/// A mission in a simulated mine and its score: a row of the table.
 struct MissionRow {
   std::string name;
   WorldChoice world;
@@ -19,19 +19,20 @@ struct MissionRow {
 };
 
 struct MissionRowOptions {
-  std::filesystem::path folder;  ///< of all missions, one folder for each in it
+  std::filesystem::path folder;  ///< holds a subfolder for each mission
   std::filesystem::path config;
   double time_max_s = 3600.0;
   bool keep_log = false;
 };
 
-/// Runs it in this process and scores it.
+/// Runs a mission in this process and scores it.
 test::MissionScore run_row(const MissionRow& row, const MissionRowOptions& options);
 
-/// Runs all, `jobs` at the same time, each in a child process, so that one that dies is a row.
+/// Runs all missions, `jobs` at the same time. Each runs in a child process, so that a crash is
+/// recorded in its row.
 void run_rows(std::vector<MissionRow>& rows, const MissionRowOptions& options, int jobs);
 
-/// As Markdown.
+/// Prints the rows and their sums as tables in Markdown.
 void print_table(const std::vector<MissionRow>& rows);
 void print_summary(const std::vector<MissionRow>& rows, double wall_s);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// mission_table MINES..: whole missions in simulated mines, all stages in one process for each, as
-// a table in Markdown. A mine is a name, or random:COUNT for that many random ones.
+// mission_table MINES..: complete missions in simulated mines with all stages in one process, as a
+// table in Markdown. A mine is a world name, or random:COUNT for COUNT random mines.
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -13,16 +13,10 @@
 #include "sim/live/world_choice.hpp"
 #include "tests/eval/driving/mission_row.hpp"
 
-namespace adit::test {
+namespace adit {
+namespace {
 
-/// One of the random mines that missions are counted over: 40 to 100 m of drift, all topologies,
-/// sound ones and ruins. The same number gives the same mine.
-WorldChoice mission_mine(int number);
-
-}  // namespace adit::test
-
-namespace adit::test {
-
+/// Random mine by number: 40 to 100 m of tunnel, all topologies, undamaged to fully damaged.
 WorldChoice mission_mine(int number) {
   constexpr std::array kTopologies{"parallel_entries", "room_and_pillar", "branching", "ring"};
   constexpr std::array kDamages{0.0, 0.25, 0.5, 0.75, 1.0};
@@ -36,11 +30,6 @@ WorldChoice mission_mine(int number) {
   choice.length_m = kLengthsM[n % kLengthsM.size()];
   return choice;
 }
-
-}  // namespace adit::test
-
-namespace adit {
-namespace {
 
 struct Options {
   std::vector<std::string> mines;
@@ -59,7 +48,7 @@ std::vector<MissionRow> rows_of(const Options& options) {
     }
     const int count = std::stoi(mine.substr(prefix.size()));
     for (int number = options.first; number < options.first + count; ++number) {
-      rows.push_back({prefix + std::to_string(number), test::mission_mine(number), {}});
+      rows.push_back({prefix + std::to_string(number), mission_mine(number), {}});
     }
   }
   return rows;
@@ -78,17 +67,19 @@ void run(const Options& options) {
 }  // namespace adit
 
 int main(int argc, char** argv) try {
-  CLI::App app("Whole missions in simulated mines, as a table in Markdown");
+  CLI::App app("Runs complete missions in simulated mines, as a table in Markdown");
   adit::Options options;
-  app.add_option("MINES", options.mines, "Worlds by name, or random:COUNT")->required();
+  app.add_option("MINES", options.mines, "World names, or random:COUNT")->required();
   app.add_option("--first", options.first, "Number of the first random mine")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--jobs", options.jobs, "At the same time")->check(CLI::Range(1, 64));
-  app.add_option("--out", options.row.folder, "Folder for a folder of each mission")->required();
+  app.add_option("--jobs", options.jobs, "Number of missions at the same time")
+      ->check(CLI::Range(1, 64));
+  app.add_option("--out", options.row.folder, "Folder for the subfolders of the missions")
+      ->required();
   app.add_option("--config", options.row.config, "YAML file");
-  app.add_option("--time-max-s", options.row.time_max_s, "Of simulated time, for each")
+  app.add_option("--time-max-s", options.row.time_max_s, "Limit of simulated time for each mission")
       ->check(CLI::PositiveNumber);
-  app.add_flag("--keep-logs", options.row.keep_log, "Else they are deleted once they are scored");
+  app.add_flag("--keep-logs", options.row.keep_log, "Keep the logs after scoring");
   CLI11_PARSE(app, argc, argv);
   adit::run(options);
   return 0;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// path_following_table [DRIVES [CORRIDORS [RADIUS]]]: how far the simulated vehicle is from its
-// path, by controller, steering and direction, as Markdown. Each shape is driven DRIVES times with
-// other noise and slip, each of CORRIDORS planned paths once; the tightest bends of the shapes have
-// RADIUS.
+// path_following_table [DRIVES [CORRIDORS [RADIUS]]]: cross-track error of the simulated vehicle by
+// path, controller, steering and direction (95 % / largest, in cm), as a table in Markdown. Each
+// path shape is driven DRIVES times with different noise and slip, each of CORRIDORS planned paths
+// once. The tightest bends of the shapes have RADIUS metres.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -21,7 +21,7 @@ namespace {
 constexpr const char* kControllers[] = {"pd", "pure_pursuit"};
 constexpr const char* kSteerings[] = {"four_wheel", "ackermann"};
 
-/// What became of several drives.
+/// Errors of several drives.
 struct Score {
   std::vector<double> cross_track_error_m;
   std::vector<double> oscillations_per_m;
@@ -67,7 +67,7 @@ using MakePath = std::function<PlannedPath(int drive, const Vehicle& vehicle)>;
 struct Row {
   std::string name;
   int drives;
-  bool both_ways;
+  bool also_reverse;
   MakePath path;
 };
 
@@ -93,13 +93,13 @@ std::vector<Row> rows(int drives, int corridors, double radius_m) {
                       return path_shapes(vehicle, radius_m)[i].path;
                     }});
   }
-  rows.push_back(
-      {"straight, begun 7 cm and 5.6° beside", drives, true, [](int drive, const Vehicle& vehicle) {
-         const double side = drive % 2 == 0 ? 1.0 : -1.0;
-         const double turn = drive % 4 < 2 ? 1.0 : -1.0;
-         const Pose2 start{0.0, 0.07 * side, deg_to_rad(5.6) * turn};
-         return TestPathBuilder(vehicle, start).forward(12.0).path();
-       }});
+  rows.push_back({"straight, initial error 7 cm and 5.6°", drives, true,
+                  [](int drive, const Vehicle& vehicle) {
+                    const double side = drive % 2 == 0 ? 1.0 : -1.0;
+                    const double turn = drive % 4 < 2 ? 1.0 : -1.0;
+                    const Pose2 start{0.0, 0.07 * side, deg_to_rad(5.6) * turn};
+                    return TestPathBuilder(vehicle, start).forward(12.0).path();
+                  }});
   rows.push_back(
       {"planned, random corridors", corridors, false, [](int drive, const Vehicle& vehicle) {
          return random_corridor_path(static_cast<std::uint32_t>(drive), vehicle);
@@ -114,34 +114,34 @@ void print(const Score& score) {
   std::printf(" |");
 }
 
-/// The way from the last pose that came to a stand, on a straight.
+/// Prints the longest distance from the last pose to standstill on a straight path.
 void print_stops(int drives) {
   double worst_m = 0.0;
   double speed_m_s = 0.0;
   for (int i = 0; i < drives; ++i) {
     PathDriveSetup setup;
     setup.seed = static_cast<std::uint64_t>(i) + 1;
-    setup.poses_end_m = 4.0 + 0.002 * i;  // at another time between two commands
+    setup.poses_end_m = 4.0 + 0.002 * i;  // varies the time between two commands
     const PathDrive drive =
         drive_path(TestPathBuilder(setup.driving.vehicle).forward(12.0).path(), setup);
     if (drive.distance_without_poses_m < worst_m) continue;
     worst_m = drive.distance_without_poses_m;
     speed_m_s = drive.speed_at_last_pose_m_s;
   }
-  std::printf("\nPoses end: it stands after %.2f m, from %.2f m/s (worst of %d).\n", worst_m,
-              speed_m_s, drives);
+  std::printf("\nPoses time out: standstill after %.2f m, from %.2f m/s (worst of %d drives).\n",
+              worst_m, speed_m_s, drives);
 }
 
 void run(int drives, int corridors, double radius_m) {
   Score totals[2];
-  std::printf("| path | steering | PD | PD, reverse | pursuit | pursuit, reverse |\n");
+  std::printf("| path | steering | PD | PD, reverse | pure pursuit | pure pursuit, reverse |\n");
   std::printf("|---|---|---|---|---|---|\n");
   for (const Row& row : rows(drives, corridors, radius_m)) {
     for (const char* steering : kSteerings) {
       std::printf("| %s | %s |", row.name.c_str(), steering);
       for (int c = 0; c < 2; ++c) {
         for (const bool reverse : {false, true}) {
-          if (reverse && !row.both_ways) {
+          if (reverse && !row.also_reverse) {
             std::printf(" – |");
             continue;
           }
@@ -154,7 +154,7 @@ void run(int drives, int corridors, double radius_m) {
       std::printf("\n");
     }
   }
-  std::printf("\n| of all drives | PD | pursuit |\n|---|---|---|\n");
+  std::printf("\n| all drives | PD | pure pursuit |\n|---|---|---|\n");
   const auto line = [&](const char* name, const char* format, const auto& value) {
     std::printf("| %s |", name);
     for (const Score& total : totals) std::printf(format, value(total));
@@ -162,13 +162,15 @@ void run(int drives, int corridors, double radius_m) {
   };
   line("drives", " %.0f |", [](const Score& s) { return 1.0 * s.drives; });
   line("arrived [%]", " %.1f |", [](const Score& s) { return 100.0 * s.arrived / s.drives; });
-  line("end, 95 % [cm]", " %.1f |", [](const Score& s) { return 100.0 * quantile(s.end_m, 0.95); });
-  line("end, 95 % [°]", " %.1f |",
+  line("final position error, 95 % [cm]", " %.1f |",
+       [](const Score& s) { return 100.0 * quantile(s.end_m, 0.95); });
+  line("final heading error, 95 % [°]", " %.1f |",
        [](const Score& s) { return rad_to_deg(quantile(s.end_rad, 0.95)); });
-  line("swings, mean [1/m]", " %.2f |", [](const Score& s) { return mean(s.oscillations_per_m); });
-  line("swings, 95 % [1/m]", " %.2f |",
+  line("oscillations, mean [1/m]", " %.2f |",
+       [](const Score& s) { return mean(s.oscillations_per_m); });
+  line("oscillations, 95 % [1/m]", " %.2f |",
        [](const Score& s) { return quantile(s.oscillations_per_m, 0.95); });
-  line("steering, rms rate, 95 % [1/m/s]", " %.2f |",
+  line("RMS steering rate, 95 % [1/m/s]", " %.2f |",
        [](const Score& s) { return quantile(s.steering_rms_1_m_s, 0.95); });
   print_stops(drives);
 }
@@ -177,8 +179,8 @@ void run(int drives, int corridors, double radius_m) {
 }  // namespace adit
 
 int main(int argc, char** argv) {
-  const auto number = [&](int i, double without) {
-    return argc > i ? std::atof(argv[i]) : without;
+  const auto number = [&](int i, double default_value) {
+    return argc > i ? std::atof(argv[i]) : default_value;
   };
   adit::run(std::max(1, static_cast<int>(number(1, 20))),
             std::max(0, static_cast<int>(number(2, 100))), number(3, 1.6));

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// bicocca_table: what methods make of loops that place recognition found, a third of them wrong, as
-// a table in Markdown. A method says which constraints it believes; these are then optimised, once
-// by plain least squares and once as lazy data association does, so that all are judged alike.
+// bicocca_table: compares methods of loop closure selection on loops of place recognition, a third
+// of them wrong, as a table in Markdown. Each method selects the accepted constraints. These are
+// then optimized once by plain least squares and once as in lazy data association, so that the
+// errors are comparable.
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -16,6 +17,7 @@
 #include "common/pose_graph/optimize.hpp"
 #include "procs/mapping/association/lazy_loop_closures.hpp"
 #include "tests/eval/mapping/robust_kernels.hpp"
+#include "tests/eval/markdown.hpp"
 #include "tests/support/graphs/labelled_graph.hpp"
 #include "tests/support/recordings.hpp"
 
@@ -37,9 +39,9 @@ std::vector<bool> lazy(const PoseGraph& graph, bool best_first) {
 }
 
 template <class LoopSelection>
-std::vector<bool> accept_if(const LabelledGraph& labelled, const LoopSelection& believes) {
+std::vector<bool> accept_if(const LabelledGraph& labelled, const LoopSelection& accepts) {
   std::vector<bool> accepted;
-  for (const LoopLabel label : labelled.labels) accepted.push_back(believes(label));
+  for (const LoopLabel label : labelled.labels) accepted.push_back(accepts(label));
   return accepted;
 }
 
@@ -54,7 +56,7 @@ const std::vector<Method>& methods() {
       {"DCS", [](const auto& l) { return accepted_by_dcs(l.graph); }},
       {"**lazy**", [](const auto& l) { return lazy(l.graph, true); }},
       {"lazy, paper's order", [](const auto& l) { return lazy(l.graph, false); }},
-      {"told which are right", [](const auto& l) {
+      {"ground truth", [](const auto& l) {
          return accept_if(l, [](LoopLabel label) {
            return label == LoopLabel::kNone || label == LoopLabel::kRight;
          });
@@ -63,12 +65,12 @@ const std::vector<Method>& methods() {
 }
 
 double plain_rmse_m(const LabelledGraph& labelled, const std::vector<bool>& accepted) {
-  PoseGraph part{labelled.graph.poses, {}};
+  PoseGraph accepted_graph{labelled.graph.poses, {}};
   for (std::size_t k = 0; k < accepted.size(); ++k) {
-    if (accepted[k]) part.constraints.push_back(labelled.graph.constraints[k]);
+    if (accepted[k]) accepted_graph.constraints.push_back(labelled.graph.constraints[k]);
   }
-  optimize(part, {});
-  return test::rmse_m(labelled, part.poses);
+  optimize(accepted_graph, {});
+  return test::rmse_m(labelled, accepted_graph.poses);
 }
 
 double weighted_rmse_m(const LabelledGraph& labelled, const std::vector<bool>& accepted) {
@@ -93,11 +95,11 @@ void print_graph(const std::string& name) {
   const auto g2o = test::find_recording("posegraph/" + name + ".g2o");
   const auto truth = test::find_recording("posegraph/bicocca_ground_truth.txt.gz");
   if (!g2o || !truth) {
-    std::cerr << "no recording " << name << "; set ADIT_DATA\n";
+    std::cerr << "recording " << name << " not found; set ADIT_DATA\n";
     return;
   }
   LabelledGraph labelled = test::read_labelled_graph(*g2o, *truth);
-  chain_odometry(labelled.graph);  // what a method may start from
+  chain_odometry(labelled.graph);  // initial guess of all methods
   for (const Method& method : methods()) print_row(name, labelled, method);
 }
 
@@ -105,14 +107,13 @@ void print_graph(const std::string& name) {
 }  // namespace adit
 
 int main(int argc, char** argv) try {
-  CLI::App app("Loops that place recognition found, some of them wrong, as a table in Markdown");
+  CLI::App app("Compares selection methods on loops of place recognition, as a table in Markdown");
   std::vector<std::string> graphs = {"bicocca_0.150", "bicocca_0.500"};
-  app.add_option("--graphs", graphs, "of the recordings")->capture_default_str();
+  app.add_option("--graphs", graphs, "Names of the recorded graphs")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  std::puts(
-      "| graph | method | right kept | wrong kept | unknown kept | RMSE, loops in full (m) "
-      "| RMSE, loops by their fit (m) | time to decide (s) |\n"
-      "|---|---|---|---|---|---|---|---|");
+  adit::print_heading(
+      "| graph | method | right accepted | wrong accepted | unknown accepted "
+      "| RMSE, unweighted (m) | RMSE, loops weighted by fit (m) | selection time (s) |");
   for (const std::string& graph : graphs) adit::print_graph(graph);
   return 0;
 } catch (const std::exception& error) {

@@ -33,15 +33,15 @@ Evaluation read_results(const std::filesystem::path& folder) {
   result.lost_scans = summary.at("scans").at("lost");
   result.searched = summary.at("scans").at("searched");
   result.degenerate = summary.at("scans").at("degenerate");
-  for (const auto& stretch : summary.at("unobserved_segments")) {
-    if (stretch.at("what") != "degenerate") continue;
-    ++result.degenerate_stretches;
-    result.degenerate_m += stretch.at("length_m").get<double>();
+  for (const auto& segment : summary.at("unobserved_segments")) {
+    if (segment.at("kind") != "degenerate") continue;
+    ++result.degenerate_segments;
+    result.degenerate_m += segment.at("length_m").get<double>();
   }
   result.scan_ms = summary.at("ms_per_scan").at("mean");
   result.scan_p99_ms = summary.at("ms_per_scan").at("p99");
-  result.loop_closures = summary.at("map").at("closures").at("in_force");
-  result.replaced_decisions = summary.at("map").at("closures").at("revised");
+  result.loop_closures = summary.at("map").at("loop_closures").at("accepted");
+  result.revised_decisions = summary.at("map").at("loop_closures").at("revised");
   result.local_map_ms = summary.at("ms_per_local_map").at("mean");
   result.local_map_max_ms = summary.at("ms_per_local_map").at("max");
   result.local_map_kbytes =
@@ -63,7 +63,7 @@ Evaluation evaluate(const std::filesystem::path& log, bool use_odometry, int run
     const Evaluation run = read_results(scratch / "run");
     if (i == 0) result = run;
     if (run.trajectory != result.trajectory) {
-      throw std::runtime_error(log.string() + ": not the same trajectory twice");
+      throw std::runtime_error(log.string() + ": two runs give different trajectories");
     }
     means_ms.push_back(run.scan_ms);
     p99s_ms.push_back(run.scan_p99_ms);

@@ -10,28 +10,28 @@
 
 namespace adit {
 
-/// What `adit map` made of a log, over several runs.
+/// Results of several runs of `adit map` on one log.
 struct Evaluation {
-  Trajectory odometry;    ///< T_odom_body: of scan matching
-  Trajectory trajectory;  ///< T_map_body: of mapping
+  Trajectory odometry;    ///< T_odom_body of scan matching
+  Trajectory trajectory;  ///< T_map_body of mapping
   StoredMap map;
   std::size_t scans = 0;
   std::size_t lost_scans = 0;
-  std::size_t searched = 0;
-  std::size_t degenerate = 0;  ///< scans that left a direction open
-  std::size_t degenerate_stretches = 0;
-  double degenerate_m = 0.0;           ///< length of these stretches together
-  double scan_ms = 0.0;                ///< mean of a run, median of the runs
-  double scan_p99_ms = 0.0;            ///< 99th percentile of a run, median of the runs
-  std::size_t loop_closures = 0;       ///< in force at the end
-  std::size_t replaced_decisions = 0;  ///< decisions that were replaced
-  double local_map_ms = 0.0;           ///< mapping, mean of a run, median of the runs
-  double local_map_max_ms = 0.0;       ///< the longest of a run, median of the runs
-  double local_map_kbytes = 0.0;       ///< serialised
+  std::size_t searched = 0;    ///< scans for which the correlative search ran
+  std::size_t degenerate = 0;  ///< scans that do not constrain one direction or more
+  std::size_t degenerate_segments = 0;
+  double degenerate_m = 0.0;          ///< total length of the degenerate segments
+  double scan_ms = 0.0;               ///< mean per scan of a run, median of the runs
+  double scan_p99_ms = 0.0;           ///< 99th percentile per scan of a run, median of the runs
+  std::size_t loop_closures = 0;      ///< accepted at the end
+  std::size_t revised_decisions = 0;  ///< of data association
+  double local_map_ms = 0.0;          ///< mean per local map of a run, median of the runs
+  double local_map_max_ms = 0.0;      ///< maximum of a run, median of the runs
+  double local_map_kbytes = 0.0;      ///< serialized
 };
 
-/// Runs the pipeline `runs` times on a log, in a folder that is gone afterwards. Throws
-/// std::runtime_error where the runs do not all give the same trajectory.
+/// Runs scan matching and mapping `runs` times on a log, with a temporary output folder. Throws
+/// std::runtime_error if two runs give different trajectories.
 Evaluation evaluate(const std::filesystem::path& log, bool use_odometry, int runs);
 
 }  // namespace adit

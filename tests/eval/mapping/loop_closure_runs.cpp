@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kChannel = "LASER_FRONT";
 
-/// Scan matching and local maps, fed with readings.
+/// Scan matching and the builder of local maps.
 class Mapper {
  public:
   void add(const WheelOdometry& reading) { matching_.add(reading); }
@@ -54,8 +54,8 @@ std::vector<double> odometer_of(const Trajectory& trajectory) {
   return odometer;
 }
 
-/// Poses about a metre apart.
-std::vector<std::size_t> stops_on(const std::vector<double>& odometer) {
+/// Indices of poses about 1 m apart.
+std::vector<std::size_t> sample_stops(const std::vector<double>& odometer) {
   std::vector<std::size_t> stops;
   for (std::size_t i = 0; i < odometer.size(); ++i) {
     if (stops.empty() || odometer[i] - odometer[stops.back()] >= 1.0) stops.push_back(i);
@@ -67,7 +67,7 @@ std::vector<Relation> relations_of(const Trajectory& truth) {
   constexpr double kRevisitM = 1.5;
   constexpr double kElsewhereM = 15.0;
   const auto odometer = odometer_of(truth);
-  const auto stops = stops_on(odometer);
+  const auto stops = sample_stops(odometer);
   std::vector<Relation> relations;
   const auto relate = [&](std::size_t i, std::size_t j) {
     relations.push_back({truth[i].utime, truth[j].utime, between(truth[i].pose, truth[j].pose)});
@@ -94,25 +94,25 @@ std::size_t index_of(const Trajectory& trajectory, std::int64_t utime) {
   return i > 0 && utime - trajectory[i - 1].utime < after->utime - utime ? i - 1 : i;
 }
 
-/// What the pose at a time may be off for being between two scans.
-struct Blur {
+/// Distance of an interpolated pose from the pose of the nearest scan.
+struct InterpolationDistance {
   double m = 0.0;
   double rad = 0.0;
 
   [[nodiscard]] bool small() const { return m < 0.03 && rad < 0.02; }
 };
 
-Blur blur_at(const Trajectory& trajectory, std::int64_t utime) {
+InterpolationDistance interpolation_distance(const Trajectory& trajectory, std::int64_t utime) {
   const std::size_t i = index_of(trajectory, utime);
   const auto T_odom_here = interpolate(trajectory, utime);
   if (!T_odom_here) return {};
-  const Pose2 off = between(trajectory[i].pose, *T_odom_here);
-  return {off.translation().norm(), std::abs(off.theta)};
+  const Pose2 difference = between(trajectory[i].pose, *T_odom_here);
+  return {difference.translation().norm(), std::abs(difference.theta)};
 }
 
-bool is_sharp(const Trajectory& trajectory, const Relation& relation) {
-  return blur_at(trajectory, relation.utime_1).small() &&
-         blur_at(trajectory, relation.utime_2).small();
+bool is_accurate(const Trajectory& trajectory, const Relation& relation) {
+  return interpolation_distance(trajectory, relation.utime_1).small() &&
+         interpolation_distance(trajectory, relation.utime_2).small();
 }
 
 double median(std::vector<double> values) {
@@ -186,7 +186,7 @@ TruePairs true_pairs(const MappedRun& run) {
     int older = run.map_at(relation.utime_1);
     int newer = run.map_at(relation.utime_2);
     if (older < 0 || newer < 0 || std::abs(newer - older) < kNeighbours) continue;
-    if (relation.T_1_2.translation().norm() > 5.0 || !is_sharp(run.odom, relation)) continue;
+    if (relation.T_1_2.translation().norm() > 5.0 || !is_accurate(run.odom, relation)) continue;
     Pose2 T_older_newer = run.pose_in_map(older, relation.utime_1) * relation.T_1_2 *
                           run.pose_in_map(newer, relation.utime_2).inverse();
     if (older > newer) {
@@ -200,21 +200,21 @@ TruePairs true_pairs(const MappedRun& run) {
 
 Scatter scatter_of_relations(const MappedRun& run) {
   constexpr double kShortM = 2.0;
-  constexpr double kToSd = 1.4826;  // of a normal distribution, from the median of |x|
+  constexpr double kToSd = 1.4826;  // from the median of |x| to σ, normal distribution
   const auto odometer = odometer_of(run.odom);
   std::vector<double> metres;
   std::vector<double> radians;
   for (const Relation& relation : run.relations) {
     const auto from = interpolate(run.odom, relation.utime_1);
     const auto to = interpolate(run.odom, relation.utime_2);
-    if (!from || !to || !is_sharp(run.odom, relation)) continue;
+    if (!from || !to || !is_accurate(run.odom, relation)) continue;
     const double path_length_m = odometer[index_of(run.odom, relation.utime_2)] -
                                  odometer[index_of(run.odom, relation.utime_1)];
     if (std::abs(path_length_m) > kShortM) continue;
-    const Pose2 off = between(relation.T_1_2, between(*from, *to));
-    metres.push_back(std::abs(off.x));
-    metres.push_back(std::abs(off.y));
-    radians.push_back(std::abs(off.theta));
+    const Pose2 error = between(relation.T_1_2, between(*from, *to));
+    metres.push_back(std::abs(error.x));
+    metres.push_back(std::abs(error.y));
+    radians.push_back(std::abs(error.theta));
   }
   return {kToSd * median(metres), kToSd * median(radians)};
 }
@@ -233,22 +233,22 @@ std::vector<DisplacementScore> score_displacements(const MappedRun& run,
       const auto from = interpolate(run.odom, relation.utime_1);
       const auto to = interpolate(run.odom, relation.utime_2);
       if (path_length_m < score.from_m || path_length_m >= score.to_m || !from || !to) continue;
-      if (!is_sharp(run.odom, relation)) continue;
-      DisplacementError error(params.error);
+      if (!is_accurate(run.odom, relation)) continue;
+      DisplacementError model(params.error);
       for (std::size_t k = i + 1; k <= j; ++k) {
         const Pose2 step = between(run.odom[k - 1].pose, run.odom[k].pose);
-        error.add_step(step, run.matches[k]);
-        error.add_travel(step.translation().norm(), step.theta);
+        model.add_step(step, run.matches[k]);
+        model.add_travel(step.translation().norm(), step.theta);
       }
       const bool forward = relation.utime_1 < relation.utime_2;
       const Pose2 truth = forward ? relation.T_1_2 : relation.T_1_2.inverse();
-      const Pose2 found = forward ? between(*from, *to) : between(*to, *from);
-      const Eigen::Matrix3d covariance = error.covariance();
-      const Eigen::Vector3d off = between(truth, found).vector();
-      nees.push_back(off.dot((covariance + scatter).inverse() * off));
+      const Pose2 estimated = forward ? between(*from, *to) : between(*to, *from);
+      const Eigen::Matrix3d covariance = model.covariance();
+      const Eigen::Vector3d error = between(truth, estimated).vector();
+      nees.push_back(error.dot((covariance + scatter).inverse() * error));
       score.nees += nees.back();
-      score.translation_m += off.head<2>().norm();
-      score.rotation_deg += rad_to_deg(std::abs(off.z()));
+      score.translation_m += error.head<2>().norm();
+      score.rotation_deg += rad_to_deg(std::abs(error.z()));
       score.sd_m += std::sqrt(0.5 * covariance.topLeftCorner<2, 2>().trace());
       score.sd_deg += rad_to_deg(std::sqrt(covariance(2, 2)));
     }

@@ -17,34 +17,34 @@
 
 namespace adit {
 
-/// A recording after scan matching, cut into local maps, and what is known of the truth.
+/// A recording after scan matching, split into local maps, with its reference relations.
 struct MappedRun {
   std::vector<ScanMatch> matches;
   Trajectory odom;  ///< T_odom_body at each match
   std::vector<LocalMap> maps;
-  std::vector<LocalWalls> walls;  ///< of each of the maps
+  std::vector<LocalWalls> walls;  ///< of each local map
   std::vector<Relation> relations;
 
   /// T_local_body at a time in a local map.
   [[nodiscard]] Pose2 pose_in_map(int map, std::int64_t utime) const;
-  /// The local map that holds a time, or −1.
+  /// The local map whose time interval contains a time, or −1.
   [[nodiscard]] int map_at(std::int64_t utime) const;
 };
 
-/// A CARMEN log with its relations.
+/// Processes a CARMEN log with its relations.
 MappedRun map_recording(const std::filesystem::path& log, const std::filesystem::path& relations,
                         bool use_odometry);
 
-/// A CARMEN log whose pose fields hold a path that others have corrected by closing loops: the
-/// laser alone, with relations made of that path as those of the sample mine are of its truth.
+/// Processes a CARMEN log whose pose fields hold a path corrected by loop closing: uses the laser
+/// only, and derives relations from that path as map_sample does from the ground truth.
 MappedRun map_corrected(const std::filesystem::path& log);
 
-/// A drive through the sample mine, with relations made from its truth: over 5, 20 and 50 m of way,
-/// and between passes by the same place.
+/// Processes a drive through the sample mine, with relations derived from its ground truth: over
+/// path lengths of 5, 20 and 50 m, and between revisits of the same place.
 MappedRun map_sample(std::uint64_t seed, bool half_degree, bool use_odometry);
 
-/// How much relations differ from scan matching over ways so short that it cannot be wrong: the
-/// scatter of the relations themselves, by median, of (x or y, θ).
+/// Standard deviation of the relations, estimated robustly (by the median) from their differences
+/// from scan matching over paths of at most 2 m, where the errors of scan matching are negligible.
 struct Scatter {
   double sd_m = 0.0;
   double sd_rad = 0.0;
@@ -56,15 +56,15 @@ struct Scatter {
 
 Scatter scatter_of_relations(const MappedRun& run);
 
-/// Two local maps that lie together, and how: T_older_newer as the relations have it.
+/// Overlapping local maps (older, newer) with T_older_newer by the relations.
 using TruePairs = std::map<std::pair<int, int>, Pose2>;
 
-/// All pairs of maps, other than neighbours in the chain, between which there is a relation at
-/// times where a scan was taken or the body hardly moved.
+/// All pairs of local maps, except neighbours in the chain, with a relation of at most 5 m between
+/// them at times of scans or of slow motion, where interpolated poses are accurate.
 TruePairs true_pairs(const MappedRun& run);
 
-/// Normalised error squared of displacements (expectation 3, median 2.4), by length of way. The
-/// scatter of the relations is counted with the model.
+/// Normalized estimation error squared (NEES; expectation 3, median 2.4) of displacements over one
+/// range of path length. The covariance includes the scatter of the relations.
 struct DisplacementScore {
   double from_m = 0.0;
   double to_m = 0.0;
@@ -73,7 +73,7 @@ struct DisplacementScore {
   double nees_median = 0.0;
   double translation_m = 0.0;  ///< mean error
   double rotation_deg = 0.0;
-  double sd_m = 0.0;  ///< mean of what the model says, per axis
+  double sd_m = 0.0;  ///< mean standard deviation of the error model, per axis
   double sd_deg = 0.0;
 };
 

@@ -13,18 +13,17 @@
 
 namespace adit {
 
-/// Which closures are in force, against relations.
+/// Precision and recall of the accepted loop closures, by relations.
 ///
-/// Two local maps are linked where a relation has one time in each and they are not neighbours in
-/// the chain. Each such relation gives a pose of the newer map in the older one; relations whose
-/// times fall between scans while the body moved are left out, as they give a wrong one.
+/// A relation links two local maps if it has one time in each and they are not neighbours in the
+/// chain. Each such relation gives a pose of the newer map in the older one. Relations with a time
+/// between scans while the body moved are ignored, since the interpolated pose is inaccurate.
 struct LoopClosureScore {
-  std::size_t in_force = 0;
-  std::size_t evaluated = 0;  ///< of maps that relations link
-  std::size_t right = 0;  ///< of these, those within 0.5 m and 5° of half of the relations or more
-  std::size_t expected =
-      0;                  ///< pairs of maps that relations link, with 5 m at most between the poses
-  std::size_t found = 0;  ///< of these, those with a closure in force between them or neighbours
+  std::size_t accepted = 0;
+  std::size_t evaluated = 0;  ///< accepted loop closures of linked maps
+  std::size_t right = 0;      ///< of these, within 0.5 m and 5° of at least half of the relations
+  std::size_t expected = 0;   ///< pairs of maps linked by a relation of at most 5 m
+  std::size_t found = 0;  ///< of these, with an accepted loop closure between them or neighbours
 
   [[nodiscard]] double precision() const { return share(right, evaluated); }
   [[nodiscard]] double recall() const { return share(found, expected); }
@@ -35,7 +34,7 @@ struct LoopClosureScore {
   }
 };
 
-/// `odometry` is that of which the map was made: T_odom_body, one session.
+/// `odometry` is the input of the map: T_odom_body of one session.
 LoopClosureScore score_loop_closures(const StoredMap& map, const Trajectory& odometry,
                                      const std::vector<Relation>& relations);
 

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// loop_closures_table [--sd-m S] [--sd-deg S] [--seeds N]: how well local maps are matched onto
-// each other, over every recording that has relations and drives through sample mines: tables in
-// Markdown. Predictions are the truth, disturbed; false pairs are maps of different places that are
-// offered as one.
+// loop_closures_table [--sd-m S] [--sd-deg S] [--seeds N]: accuracy of the matching of local maps
+// on all recordings with relations and on drives through sample mines, as tables in Markdown.
+// Predictions are the true relative poses with added noise. False pairs are maps of different
+// places with a prediction that they overlap.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <exception>
 #include <functional>
@@ -22,6 +21,7 @@
 #include "procs/mapping/loop_closure/map_matching.hpp"
 #include "tests/eval/mapping/loop_closure_runs.hpp"
 #include "tests/eval/mapping/quadrilaterals.hpp"
+#include "tests/eval/markdown.hpp"
 #include "tests/support/recordings.hpp"
 
 namespace adit {
@@ -38,13 +38,6 @@ struct Options {
   bool verbose = false;
 };
 
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  char text[400];
-  std::snprintf(text, sizeof(text), pattern, values...);
-  return text;
-}
-
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
   const auto i = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -58,24 +51,25 @@ double mean(const std::vector<double>& values) {
   return sum / static_cast<double>(std::max<std::size_t>(1, values.size()));
 }
 
-bool within_of(const LoopClosureAlternative& alternative, const Pose2& truth, double metres,
+bool is_within(const LoopClosureAlternative& alternative, const Pose2& truth, double metres,
                double degrees) {
-  const Pose2 off = between(truth, alternative.T_older_newer);
-  return off.translation().norm() < metres && std::abs(off.theta) < deg_to_rad(degrees);
+  const Pose2 error = between(truth, alternative.T_older_newer);
+  return error.translation().norm() < metres && std::abs(error.theta) < deg_to_rad(degrees);
 }
 
-bool right(const LoopClosureAlternative& alternative, const Pose2& truth) {
-  return within_of(alternative, truth, 0.25, 3.0);
+bool is_right(const LoopClosureAlternative& alternative, const Pose2& truth) {
+  return is_within(alternative, truth, 0.25, 3.0);
 }
 
-/// Relations of some recordings are off by more than that.
-bool right_place(const LoopClosureAlternative& alternative, const Pose2& truth) {
-  return within_of(alternative, truth, 1.0, 10.0);
+/// Looser than is_right, since relations of some recordings have larger errors.
+bool is_right_place(const LoopClosureAlternative& alternative, const Pose2& truth) {
+  return is_within(alternative, truth, 1.0, 10.0);
 }
 
-class Table {
+/// Statistics of the matches of one run.
+class MatchStatistics {
  public:
-  Table(const MappedRun& run, const Options& options)
+  MatchStatistics(const MappedRun& run, const Options& options)
       : run_(run), options_(options), scatter_(scatter_of_relations(run)) {}
 
   void match_true_pairs() {
@@ -92,7 +86,7 @@ class Table {
       for (int newer = older + 3; newer < maps; newer += 5) {
         const Pose2 apart = between(run_.maps[older].T_odom_local, run_.maps[newer].T_odom_local);
         if (apart.translation().norm() < kNearM || apart.translation().norm() > kFarM) continue;
-        if (falses_ >= 300) return;
+        if (false_pairs_ >= 300) return;
         match(older, newer, {0.0, 0.0, uniform_(random_)}, false);
       }
     }
@@ -100,8 +94,8 @@ class Table {
 
   void print(const std::string& name) const {
     std::cout << format("| %s | %zu | %d | %.3f | %.3f | %.3f | %.3f | %d / %d |", name.c_str(),
-                        run_.maps.size(), trues_, share(best_place_), share(best_right_),
-                        share(any_right_), right_of_first(), false_accepted_, falses_)
+                        run_.maps.size(), true_pairs_, share(best_place_), share(best_right_),
+                        share(any_right_), right_of_matched(), false_accepted_, false_pairs_)
               << format(" %.4f (%.4f) | %.3f | %.2f (%.2f) | %.2f | %zu | %.1f | %.1f |",
                         mean(errors_m_), quantile(errors_m_, 0.5), mean(errors_deg_), mean(nees_),
                         quantile(nees_, 0.5), mean(alternatives_), degenerate_, mean(ms_),
@@ -113,10 +107,12 @@ class Table {
   }
 
  private:
-  [[nodiscard]] double share(int count) const { return count / std::max(1.0, 1.0 * trues_); }
+  [[nodiscard]] double share(int count) const { return count / std::max(1.0, 1.0 * true_pairs_); }
 
-  /// Of the matches of true pairs that gave anything, how many had the right one first.
-  [[nodiscard]] double right_of_first() const { return best_right_ / std::max(1.0, 1.0 * given_); }
+  /// Share of the true pairs with any alternative whose best alternative is right.
+  [[nodiscard]] double right_of_matched() const {
+    return best_right_ / std::max(1.0, 1.0 * matched_);
+  }
 
   static bool fully_observed(const LoopClosureAlternative& a) {
     return a.information.determinant() > 1e3;
@@ -125,9 +121,9 @@ class Table {
   void match(int older, int newer, const Pose2& truth, bool is_true) {
     const double sd_rad = deg_to_rad(options_.sd_deg);
     const Eigen::Vector3d sd(options_.sd_m, options_.sd_m, sd_rad);
-    const Eigen::Vector3d off(normal_(random_), normal_(random_), normal_(random_));
+    const Eigen::Vector3d noise(normal_(random_), normal_(random_), normal_(random_));
     RelativePose predicted;
-    predicted.T_older_newer = truth * Pose2::from_vector(off.cwiseProduct(sd));
+    predicted.T_older_newer = truth * Pose2::from_vector(noise.cwiseProduct(sd));
     predicted.covariance = sd.cwiseAbs2().asDiagonal();
     const std::clock_t start = std::clock();
     const auto found =
@@ -135,44 +131,45 @@ class Table {
     ms_.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     if (is_true) {
       count_true(older, newer, truth, found);
-    } else if (!coincide(older, newer, found)) {
-      ++falses_;
+    } else if (!contains_truth(older, newer, found)) {
+      ++false_pairs_;
       false_accepted_ += found.empty() ? 0 : 1;
       if (!found.empty()) false_likelihoods_.push_back(found.front().log_likelihood);
     }
   }
 
-  /// Is the alternative where the maps truly lie? A wide gate around the wrong place may hold it.
-  [[nodiscard]] bool coincide(int older, int newer,
-                              const std::vector<LoopClosureAlternative>& found) const {
+  /// Whether an alternative is at the true relative pose, which a wide gate around the wrong place
+  /// may contain.
+  [[nodiscard]] bool contains_truth(int older, int newer,
+                                    const std::vector<LoopClosureAlternative>& found) const {
     const Pose2 apart = between(run_.maps[older].T_odom_local, run_.maps[newer].T_odom_local);
     return std::any_of(found.begin(), found.end(), [&](const LoopClosureAlternative& a) {
-      const Pose2 off = between(apart, a.T_older_newer);
-      return off.translation().norm() < 2.0 && std::abs(off.theta) < 0.3;
+      const Pose2 error = between(apart, a.T_older_newer);
+      return error.translation().norm() < 2.0 && std::abs(error.theta) < 0.3;
     });
   }
 
   void count_true(int older, int newer, const Pose2& truth,
                   const std::vector<LoopClosureAlternative>& found) {
-    ++trues_;
-    given_ += found.empty() ? 0 : 1;
+    ++true_pairs_;
+    matched_ += found.empty() ? 0 : 1;
     alternatives_.push_back(static_cast<double>(found.size()));
     const auto hit =
-        std::find_if(found.begin(), found.end(), [&](const auto& a) { return right(a, truth); });
+        std::find_if(found.begin(), found.end(), [&](const auto& a) { return is_right(a, truth); });
     any_right_ += hit != found.end() ? 1 : 0;
-    best_place_ += !found.empty() && right_place(found.front(), truth) ? 1 : 0;
+    best_place_ += !found.empty() && is_right_place(found.front(), truth) ? 1 : 0;
     best_right_ += !found.empty() && hit == found.begin() ? 1 : 0;
     if (options_.verbose) report(older, newer, truth, found);
     if (hit == found.end()) return;
-    const Eigen::Vector3d off = between(truth, hit->T_older_newer).vector();
-    errors_m_.push_back(off.head<2>().norm());
-    errors_deg_.push_back(rad_to_deg(std::abs(off.z())));
+    const Eigen::Vector3d error = between(truth, hit->T_older_newer).vector();
+    errors_m_.push_back(error.head<2>().norm());
+    errors_deg_.push_back(rad_to_deg(std::abs(error.z())));
     true_likelihoods_.push_back(hit->log_likelihood);
     if (!fully_observed(*hit)) {
       ++degenerate_;
     } else {
       const Eigen::Matrix3d covariance = hit->information.inverse() + scatter_.covariance();
-      nees_.push_back(off.dot(covariance.inverse() * off));
+      nees_.push_back(error.dot(covariance.inverse() * error));
     }
   }
 
@@ -206,12 +203,12 @@ class Table {
   std::mt19937_64 random_{1};
   std::normal_distribution<double> normal_;
   std::uniform_real_distribution<double> uniform_{-3.14, 3.14};
-  int trues_ = 0;
-  int given_ = 0;
+  int true_pairs_ = 0;
+  int matched_ = 0;
   int best_right_ = 0;
   int best_place_ = 0;
   int any_right_ = 0;
-  int falses_ = 0;
+  int false_pairs_ = 0;
   int false_accepted_ = 0;
   std::size_t degenerate_ = 0;
   std::vector<double> errors_m_;
@@ -271,59 +268,53 @@ void print_displacements(const std::string& name, const MappedRun& run) {
   }
 }
 
-}  // namespace
-
-/// The heading of a table, "| a | b |", and the line below it.
-void print_heading(const std::string& heading) {
-  std::cout << heading << "\n|";
-  const auto columns = std::count(heading.begin(), heading.end(), '|') - 1;
-  for (std::ptrdiff_t i = 0; i < columns; ++i) std::cout << "---|";
-  std::cout << "\n";
-}
-
 void print_tables(const Options& options) {
   std::vector<std::pair<std::string, MappedRun>> runs;
   for (const NamedRun& run : all_runs()) {
     if (run.name.find(options.only) != std::string::npos) runs.emplace_back(run.name, run.make());
   }
   print_heading(
-      "| log | odometry | maps | true pairs | best is the place | best is right | any is right "
-      "| best is right, of those with any | false pairs accepted "
-      "| error, mean (median) (m) | error (°) | normalised error squared (median) "
+      "| log | odometry | maps | true pairs | best at the place | best right | any right "
+      "| best right, of matched pairs | false pairs accepted "
+      "| error, mean (median) (m) | error (°) | normalized error squared (median) "
       "| alternatives | degenerate | ms | p99 "
-      "| log likelihood: right, 10 % and 50 %; of accepted false, 50 % and most |");
+      "| log likelihood: right, 10 % and 50 %; accepted false, 50 % and 100 % |");
   for (const auto& [name, run] : runs) {
-    Table table(run, options);
-    table.match_true_pairs();
-    table.match_false_pairs();
-    table.print(name);
+    MatchStatistics statistics(run, options);
+    statistics.match_true_pairs();
+    statistics.match_false_pairs();
+    statistics.print(name);
   }
   std::cout << "\n";
   print_heading(
-      "| log | odometry | quadrilaterals | gap (m) | gap (°) | normalised gap squared, mean "
+      "| log | odometry | quadrilaterals | gap (m) | gap (°) | normalized gap squared, mean "
       "| median | scatter of the relations (m) | (°) |");
   for (const auto& [name, run] : runs) print_gaps(name, run, options);
   std::cout << "\n";
   print_heading(
-      "| log | odometry | way (m) | displacements | normalised error squared, mean | median "
+      "| log | odometry | path length (m) | displacements | normalized error squared, mean | "
+      "median "
       "| error (m) | model, sd (m) | error (°) | model, sd (°) |");
   for (const auto& [name, run] : runs) print_displacements(name, run);
 }
 
+}  // namespace
 }  // namespace adit
 
 int main(int argc, char** argv) try {
-  CLI::App app("Matching of local maps over all recordings, as tables in Markdown");
+  CLI::App app("Matching of local maps on all recordings, as tables in Markdown");
   adit::Options options;
-  app.add_option("--sd-m", options.sd_m, "of the prediction, each axis")->capture_default_str();
-  app.add_option("--sd-deg", options.sd_deg, "of its heading")->capture_default_str();
-  app.add_option("--seeds", options.seeds, "predictions for each true pair")->capture_default_str();
-  app.add_option("--neighbours", options.neighbours,
-                 "local maps on each side of the older one that are matched with it")
+  app.add_option("--sd-m", options.sd_m, "Standard deviation of the predicted position, per axis")
       ->capture_default_str();
-  app.add_option("--only", options.only, "runs whose name contains this");
-  app.add_flag("--verbose", options.verbose, "every true pair, with all alternatives");
-  app.add_option("--config", options.config, "YAML file with a section map_matching");
+  app.add_option("--sd-deg", options.sd_deg, "Standard deviation of the predicted heading")
+      ->capture_default_str();
+  app.add_option("--seeds", options.seeds, "Predictions for each true pair")->capture_default_str();
+  app.add_option("--neighbours", options.neighbours,
+                 "Local maps on each side of the older one that are matched with it")
+      ->capture_default_str();
+  app.add_option("--only", options.only, "Only runs whose name contains this text");
+  app.add_flag("--verbose", options.verbose, "Print all alternatives of every true pair");
+  app.add_option("--config", options.config, "YAML file with section map_matching");
   CLI11_PARSE(app, argc, argv);
   if (!options.config.empty()) {
     options.matching = adit::load_section<adit::MapMatchingParams>(

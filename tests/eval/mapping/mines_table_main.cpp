@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// mines_table WORLD WAYPOINTS..: drives through simulated mines, maps what the lasers saw, with the
-// wheels and the inertial unit and without, and scores the maps by the truth, as a table in
-// Markdown.
+// mines_table WORLD WAYPOINTS..: drives through simulated mines, maps the laser scans with and
+// without wheel odometry and IMU, and scores the maps by the ground truth, as a table in Markdown.
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -14,7 +13,7 @@
 
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_file.hpp"
-#include "tests/eval/benchmarks.hpp"
+#include "tests/eval/markdown.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tools/drive/drive_run.hpp"
 #include "tools/eval/map_image.hpp"
@@ -43,7 +42,7 @@ DriveRunResult drive(const std::string& world, const std::filesystem::path& wayp
   return result;
 }
 
-std::string scores(const std::filesystem::path& folder, const Site& site) {
+std::string score_columns(const std::filesystem::path& folder, const Site& site) {
   const Trajectory truth = read_ground_truth(folder / "run.lcmlog");
   const TrajectoryScore path = score_trajectory(read_tum(folder / "trajectory.tum"), truth);
   const MapScore map =
@@ -66,16 +65,16 @@ void print_rows(const std::string& world, const std::filesystem::path& waypoints
                 [](const std::string&, double) {});
     std::cout << format("| %s | %.0f | %.0f | %s | %zu |", world.c_str(), run.distance_travelled_m,
                         run.simulated_s / run.wall_s, use_odometry ? "yes" : "no", map.scans)
-              << scores(folder, site) << format(" %zu | %.0f |\n", map.loop_closures, map.wall_s)
-              << std::flush;
+              << score_columns(folder, site)
+              << format(" %zu | %.0f |\n", map.loop_closures, map.wall_s) << std::flush;
   }
 }
 
 void print_table(const Options& options) {
-  std::cout << "| mine | way (m) | drive, times real time | wheels and IMU | scans "
-               "| error: RMSE (m) | largest (m) | RMSE, anchored (m) | length ratio | coverage "
-               "| deviation | from the walls: median, 95 % (m) | closures | mapped in (s) |\n"
-               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  print_heading(
+      "| mine | path length (m) | drive, × real time | wheels, IMU | scans | RMSE (m) "
+      "| largest error (m) | RMSE, anchored (m) | length ratio | coverage | deviation "
+      "| distance from walls: median, 95 % (m) | loop closures | mapped in (s) |");
   for (std::size_t i = 0; i + 1 < options.drives.size(); i += 2) {
     print_rows(options.drives[i], options.drives[i + 1], options.config);
   }
@@ -87,7 +86,7 @@ void print_table(const Options& options) {
 int main(int argc, char** argv) try {
   CLI::App app("Drives, maps and scores simulated mines, as a table in Markdown");
   adit::Options options;
-  app.add_option("DRIVES", options.drives, "Worlds, each followed by a file of waypoints")
+  app.add_option("DRIVES", options.drives, "Worlds, each followed by its waypoint file")
       ->required();
   app.add_option("--config", options.config, "YAML file with sections sim, scan_matching, mapping");
   CLI11_PARSE(app, argc, argv);

@@ -28,18 +28,20 @@ struct Leg {
 
 Leg displacement(const LocalMap& map) { return {map.T_previous_local, map.information.inverse()}; }
 
-/// The best match of two maps, if it leaves nothing open.
+/// The best match of two maps, if it constrains all directions.
 std::optional<Leg> match(const MappedRun& run, int older, int newer, const Pose2& expected,
                          const MapMatchingParams& params) {
-  constexpr double kWhole = 1e3;  // determinant; a tenth of a metre and of a radian give 1e6
+  constexpr double kDeterminantMin = 1e3;  // of the information; sd of 0.1 m and 0.1 rad give 1e6
   const RelativePose predicted{expected, Eigen::Vector3d(0.09, 0.09, 0.01).asDiagonal()};
   const auto found =
       match_maps(run.walls[newer], {{&run.walls[older], {}}}, older, predicted, params);
-  if (found.empty() || found.front().information.determinant() < kWhole) return std::nullopt;
+  if (found.empty() || found.front().information.determinant() < kDeterminantMin)
+    return std::nullopt;
   return Leg{found.front().T_older_newer, found.front().information.inverse()};
 }
 
-/// From `older` to the map after `newer`, both ways around by way of `side`, a neighbour of older.
+/// Compares the two paths from `older` to the map after `newer`: by `newer`, and by `side`, a
+/// neighbour of `older`.
 void add_gap(const MappedRun& run, int older, int newer, int side, const Pose2& T_older_newer,
              const MapMatchingParams& params, QuadrilateralGaps& gaps) {
   constexpr double kFarM = 3.0;

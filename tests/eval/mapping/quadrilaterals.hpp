@@ -9,16 +9,16 @@
 
 namespace adit {
 
-/// By how much the ways around quadrilaterals fail to close, one value for each.
+/// Closing errors of quadrilaterals of local maps, one value for each.
 struct QuadrilateralGaps {
   std::vector<double> metres;
   std::vector<double> degrees;
-  std::vector<double> normalised;  ///< squared, by the stated information; expectation 3
+  std::vector<double> normalised;  ///< squared, by the estimated covariance; expectation 3
 };
 
-/// Two maps and the next ones after them make a quadrilateral: two matches across, and the
-/// displacements along the sides. Around it all must add up to nothing, which needs no truth. Each
-/// map is matched with one other alone, so that the two matches have no scan in common.
+/// Computes closing errors, which need no ground truth. Two local maps and a neighbour of each form
+/// a quadrilateral of two matches and two displacements, whose product should be the identity. Each
+/// map is matched with one other map only, so that the two matches share no scans.
 QuadrilateralGaps close_quadrilaterals(const MappedRun& run, const MapMatchingParams& params);
 
 }  // namespace adit

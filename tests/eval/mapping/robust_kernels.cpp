@@ -15,7 +15,8 @@ namespace {
 constexpr double kChiSquare99 = 11.345;  // three degrees of freedom
 constexpr int kRoundsMax = 30;
 constexpr double kWeightTolerance = 1e-3;
-constexpr double kWeightMin = 1e-9;  // keeps a field that hangs on one loop determined
+constexpr double kWeightMin =
+    1e-9;  // a graph with parts connected by a single loop must stay determined
 
 using Kernel = double (*)(double chi_square);
 
@@ -40,7 +41,7 @@ double largest_change(const std::vector<double>& a, const std::vector<double>& b
   return change;
 }
 
-std::vector<bool> believe(const PoseGraph& graph, Kernel kernel) {
+std::vector<bool> reweight_and_select(const PoseGraph& graph, Kernel kernel) {
   const OptimizeParams short_optimization{
       .rotation_initialization = false, .tolerance = 1e-4, .iterations_max = 5};
   PoseGraph weighted = graph;
@@ -65,11 +66,12 @@ std::vector<bool> believe(const PoseGraph& graph, Kernel kernel) {
 }  // namespace
 
 std::vector<bool> accepted_by_huber(const PoseGraph& graph) {
-  return believe(graph, [](double chi) { return chi > 1.0 ? 1.0 / std::sqrt(chi) : 1.0; });
+  return reweight_and_select(graph,
+                             [](double chi) { return chi > 1.0 ? 1.0 / std::sqrt(chi) : 1.0; });
 }
 
 std::vector<bool> accepted_by_dcs(const PoseGraph& graph) {
-  return believe(graph, [](double chi) {
+  return reweight_and_select(graph, [](double chi) {
     const double s = std::min(1.0, 2.0 / (1.0 + chi));
     return s * s;
   });

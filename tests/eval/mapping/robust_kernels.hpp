@@ -8,11 +8,11 @@
 
 namespace adit {
 
-// What others do about wrong loops, to compare with: constraints between nodes that are not
-// neighbours get weights that depend on their residuals, and the weighted field is optimised, in
-// turn until the weights stay. Both start from chained odometry. Each returns, for every
-// constraint, whether it is believed in the end: what is left of it (eᵀ R e) passes the chi-square
-// test at 99 %.
+// Robust kernels of other authors, for comparison, as iteratively reweighted least squares:
+// constraints between nodes that are not neighbours get weights that depend on their residuals, and
+// the weighted graph is optimized, in turn until the weights converge. The initial guess is chained
+// odometry. Each function returns for every constraint whether it is accepted: its final residual
+// (eᵀ R e) passes the chi-square test at 99 %.
 
 /// Weight min(1, δ / |e|) with δ = 1, the default of g2o (Huber 1964).
 std::vector<bool> accepted_by_huber(const PoseGraph& graph);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// wrong_loops_table: what methods make of wrong loop closures that are added to public pose graphs,
-// as a table in Markdown. A method looks at a graph and says which constraints it believes; these
-// are then optimised, so that all are judged alike.
+// wrong_loops_table: compares methods of loop closure selection on public pose graphs with added
+// wrong loop closures, as a table in Markdown. Each method selects the accepted constraints. These
+// are then optimized in the same manner for all methods, so that the errors are comparable.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -18,6 +18,7 @@
 #include "common/pose_graph/optimize.hpp"
 #include "procs/mapping/association/lazy_loop_closures.hpp"
 #include "tests/eval/mapping/robust_kernels.hpp"
+#include "tests/eval/markdown.hpp"
 #include "tests/support/graphs/synthetic_graphs.hpp"
 #include "tests/support/recordings.hpp"
 #include "tools/eval/path_error.hpp"
@@ -25,7 +26,7 @@
 namespace adit {
 namespace {
 
-/// Whether each constraint is believed.
+/// Whether each constraint of a graph is accepted.
 using LoopSelection = std::function<std::vector<bool>(const PoseGraph&)>;
 
 struct Method {
@@ -51,7 +52,7 @@ const std::vector<Method>& methods() {
   return all;
 }
 
-/// A graph at its optimum, and wrong loops for it.
+/// A graph at its optimum, and wrong loops to add.
 struct Trial {
   std::string graph_name;
   std::string kind;
@@ -59,7 +60,7 @@ struct Trial {
   std::vector<PoseConstraint> wrong;
 };
 
-/// How far the nodes are from where the clean graph has them, after rigid alignment [m].
+/// RMSE of the node positions from those of the clean graph, after rigid alignment [m].
 double rmse_m(const std::vector<Pose2>& poses, const std::vector<Pose2>& reference) {
   const auto trajectory = [](const std::vector<Pose2>& nodes) {
     Trajectory result;
@@ -71,7 +72,7 @@ double rmse_m(const std::vector<Pose2>& poses, const std::vector<Pose2>& referen
   return path_error(trajectory(poses), trajectory(reference)).rmse_m;
 }
 
-/// Loops alone are counted.
+/// Counts of loops, without odometry constraints.
 struct Count {
   int right = 0;
   int right_accepted = 0;
@@ -89,33 +90,33 @@ Count count_loops(const Trial& trial, const std::vector<bool>& accepted) {
   return count;
 }
 
-PoseGraph accepted_part(const PoseGraph& graph, const std::vector<bool>& accepted) {
-  PoseGraph part{graph.poses, {}};
+PoseGraph accepted_graph(const PoseGraph& graph, const std::vector<bool>& accepted) {
+  PoseGraph result{graph.poses, {}};
   for (std::size_t i = 0; i < accepted.size(); ++i) {
-    if (accepted[i]) part.constraints.push_back(graph.constraints[i]);
+    if (accepted[i]) result.constraints.push_back(graph.constraints[i]);
   }
-  return part;
+  return result;
 }
 
-double share(int part, int whole) {
-  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 1.0;
+double ratio(int count, int total) {
+  return total > 0 ? static_cast<double>(count) / static_cast<double>(total) : 1.0;
 }
 
 void print_row(const Trial& trial, const Method& method) {
   PoseGraph graph = trial.clean;
   graph.constraints.insert(graph.constraints.end(), trial.wrong.begin(), trial.wrong.end());
-  chain_odometry(graph);  // what a method may start from
+  chain_odometry(graph);  // initial guess of all methods
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<bool> accepted = method.accept(graph);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   const Count count = count_loops(trial, accepted);
-  PoseGraph part = accepted_part(graph, accepted);
-  const OptimizeResult result = optimize(part, {});
+  PoseGraph optimized = accepted_graph(graph, accepted);
+  const OptimizeResult result = optimize(optimized, {});
   std::printf("| %s | %zu, %s | %s | %.3f | %.3f | %.6g | %.3f | %.2f |\n",
               trial.graph_name.c_str(), trial.wrong.size(), trial.kind.c_str(), method.name,
-              share(count.right_accepted, count.right_accepted + count.wrong_accepted),
-              share(count.right_accepted, count.right), result.objective,
-              rmse_m(part.poses, trial.clean.poses), wall.count());
+              ratio(count.right_accepted, count.right_accepted + count.wrong_accepted),
+              ratio(count.right_accepted, count.right), result.objective,
+              rmse_m(optimized.poses, trial.clean.poses), wall.count());
   std::fflush(stdout);
 }
 
@@ -123,7 +124,7 @@ struct Options {
   std::vector<std::string> graphs = {"intel", "manhattan"};
   std::vector<int> counts = {0, 10, 100, 1000};
   std::vector<std::string> kinds = {"random", "groups"};
-  std::vector<std::string> only;  // methods; all where it is empty
+  std::vector<std::string> only;  // names of methods; empty: all
   std::uint32_t seed = 1;
   bool no_head = false;
 };
@@ -140,7 +141,7 @@ void print_trial(const Trial& trial, const Options& options) {
 void print_graph(const std::string& name, const Options& options) {
   const auto path = test::find_recording("posegraph/" + name + ".g2o");
   if (!path) {
-    std::cerr << "no recording " << name << "; set ADIT_DATA\n";
+    std::cerr << "recording " << name << " not found; set ADIT_DATA\n";
     return;
   }
   PoseGraph clean = read_g2o(*path).graph;
@@ -161,21 +162,21 @@ void print_graph(const std::string& name, const Options& options) {
 }  // namespace adit
 
 int main(int argc, char** argv) try {
-  CLI::App app("Wrong loop closures added to public pose graphs, as a table in Markdown");
+  CLI::App app(
+      "Compares selection methods on pose graphs with added wrong loops, as a table in Markdown");
   adit::Options options;
-  app.add_option("--graphs", options.graphs, "of the recordings")->capture_default_str();
-  app.add_option("--counts", options.counts, "of wrong loops")->capture_default_str();
-  app.add_option("--kinds", options.kinds, "of wrong loops")
+  app.add_option("--graphs", options.graphs, "Names of the recorded graphs")->capture_default_str();
+  app.add_option("--counts", options.counts, "Numbers of wrong loops")->capture_default_str();
+  app.add_option("--kinds", options.kinds, "Kinds of wrong loops")
       ->check(CLI::IsMember({"random", "groups"}))
       ->capture_default_str();
-  app.add_option("--only", options.only, "the methods of these names");
-  app.add_option("--seed", options.seed, "of the wrong loops")->capture_default_str();
-  app.add_flag("--no-head", options.no_head, "rows only");
+  app.add_option("--only", options.only, "Names of the methods (default: all)");
+  app.add_option("--seed", options.seed, "Seed of the wrong loops")->capture_default_str();
+  app.add_flag("--no-head", options.no_head, "Omit the table heading");
   CLI11_PARSE(app, argc, argv);
   if (!options.no_head) {
-    std::puts(
-        "| graph | wrong loops | method | precision | recall | objective | RMSE (m) | time (s) |\n"
-        "|---|---|---|---|---|---|---|---|");
+    adit::print_heading(
+        "| graph | wrong loops | method | precision | recall | objective | RMSE (m) | time (s) |");
   }
   for (const std::string& graph : options.graphs) adit::print_graph(graph, options);
   return 0;

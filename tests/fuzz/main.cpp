@@ -65,7 +65,8 @@ bool samples_are_valid(const std::vector<Target>& targets) {
     for (const Bytes& sample : target.samples) {
       const std::string_view reason = target.process(sample);
       if (!reason.empty()) {
-        std::fprintf(stderr, "a sample of %s is rejected: %s\n", target.name.c_str(), reason.data());
+        std::fprintf(stderr, "a sample of %s is rejected: %s\n", target.name.c_str(),
+                     reason.data());
       }
       valid = valid && reason.empty();
     }

@@ -26,17 +26,19 @@ struct ReachableArea {
 
   std::vector<Eigen::Vector2d> cells;  ///< cell centres, p_world [m]
   double area_m2 = 0.0;
-  /// For each edge of the tunnel graph, the length that is reachable somewhere across its width [m].
+  /// For each edge of the tunnel graph, the length that is reachable somewhere across its width
+  /// [m].
   std::vector<double> edge_length_m;
 };
 
-/// The area that a vehicle can reach from the start pose, from ground truth. A flood fill over cells
-/// of 0.2 m and 16 headings moves the rectangle of the vehicle along its heading, with turns of
-/// about 25° between adjacent cells, wherever it touches neither rock nor an obstacle that is not
-/// passable (is_passable). The result generally overestimates the drivable area: turns are tighter
-/// than the turning radius, poses may shift by a third of a cell and of a heading step to fit, and
-/// tilt is ignored; but obstacles block their complete outline. Empty if the vehicle does not fit at
-/// the start or the world has no plan. Throws std::invalid_argument if the plan is too large.
+/// The area that a vehicle can reach from the start pose, from ground truth. A flood fill over
+/// cells of 0.2 m and 16 headings moves the rectangle of the vehicle along its heading, with turns
+/// of about 25° between adjacent cells, wherever it touches neither rock nor an obstacle that is
+/// not passable (is_passable). The result generally overestimates the drivable area: turns are
+/// tighter than the turning radius, poses may shift by a third of a cell and of a heading step to
+/// fit, and tilt is ignored; but obstacles block their complete outline. Empty if the vehicle does
+/// not fit at the start or the world has no plan. Throws std::invalid_argument if the plan is too
+/// large.
 ReachableArea reachable_area(const World& world, const Vehicle& vehicle);
 
 }  // namespace adit

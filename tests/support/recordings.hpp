@@ -8,9 +8,9 @@
 
 namespace adit::test {
 
-/// The path of a recording; `name` is relative to the data folder. Nothing if it does not exist: the
-/// test must then be skipped. The data folder is $ADIT_DATA or, if unset, `../shared/data` relative
-/// to the source folder.
+/// The path of a recording; `name` is relative to the data folder. Nothing if it does not exist:
+/// the test must then be skipped. The data folder is $ADIT_DATA or, if unset, `../shared/data`
+/// relative to the source folder.
 std::optional<std::filesystem::path> find_recording(std::string_view name);
 
 }  // namespace adit::test

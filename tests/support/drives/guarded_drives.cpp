@@ -144,8 +144,8 @@ class GuardedRun {
  private:
   [[nodiscard]] const BodyMotion& motion() const { return robot_.simulation().vehicle().motion(); }
 
-  /// Aligns odom with world at the current pose, so that the previous errors of scan matching do not
-  /// count as driving errors.
+  /// Aligns odom with world at the current pose, so that the previous errors of scan matching do
+  /// not count as driving errors.
   void update_odom_world() {
     T_odom_world_ = T_odom_body_ * in_plan(motion().T_world_body).inverse();
   }

@@ -41,9 +41,9 @@ struct GuardedDrive {
 };
 
 /// Runs up to `scans` cycles in a mine of one tunnel: the robot scans ahead, plans at most
-/// `distance_m` along the tunnel and drives. All nodes run on one bus: scan matching, scan assembly,
-/// terrain, planning, driving and guard. A drive ends when driving arrives or fails, or after 120 s.
-/// The first cycle without a path or with a failed run is the last one.
+/// `distance_m` along the tunnel and drives. All nodes run on one bus: scan matching, scan
+/// assembly, terrain, planning, driving and guard. A drive ends when driving arrives or fails, or
+/// after 120 s. The first cycle without a path or with a failed run is the last one.
 std::vector<GuardedDrive> drive_guarded(const WorldDescription& mine, int scans,
                                         double distance_m = 8.0);
 

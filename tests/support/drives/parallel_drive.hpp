@@ -10,9 +10,9 @@
 
 namespace adit::test {
 
-/// The drive of figure 4 of the paper, one local map at a time: through two parallel tunnels, around
-/// a long loop and back into the first tunnel (world `parallel`). Poses are wheel odometry with a
-/// yaw bias, so that the other tunnel may match the estimated pose.
+/// The drive of figure 4 of the paper, one local map at a time: through two parallel tunnels,
+/// around a long loop and back into the first tunnel (world `parallel`). Poses are wheel odometry
+/// with a yaw bias, so that the other tunnel may match the estimated pose.
 class ParallelDrive {
  public:
   explicit ParallelDrive(double yaw_bias_deg_per_m,

@@ -22,7 +22,8 @@ struct Segment {
   Eigen::Vector2d b;
 };
 
-/// A world at the height of a level laser. Rays are cast by the simulator. Copies share the mesh.
+/// The section through a world at the height of a level laser. The simulator casts the rays. Copies
+/// share the mesh.
 class WallWorld {
  public:
   /// Vertical walls.
@@ -60,7 +61,7 @@ class LevelLaser {
   LaserScan measure(const Pose2& T_world_laser, std::int64_t utime);
 
  private:
-  WallWorld world_;  // keeps the scene
+  WallWorld world_;  // owns the scene
   LaserModel laser_;
 };
 

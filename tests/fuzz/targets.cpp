@@ -60,9 +60,6 @@ std::string_view take_octree(std::span<const std::uint8_t> bytes) {
 
 Target octree_target() { return {"octree", {sample_octree()}, take_octree}; }
 
-}  // namespace adit::fuzz
-
-namespace adit::fuzz {
 namespace {
 
 Bytes sample_log() {

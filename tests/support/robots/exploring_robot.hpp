@@ -22,7 +22,7 @@ class ExploringRobot {
                           std::uint64_t seed = 1);
 
   /// Follows a route in map for at most `distance_m` and makes one local map. Detours around
-  /// obstacles use the ground truth within 10 m; the robot stops where no path of 2.5 m exists.
+  /// obstacles use the ground truth within 10 m; the robot stops if no path of 2.5 m exists.
   /// Returns the distance travelled [m].
   double drive(const std::vector<Eigen::Vector2d>& route_map, double distance_m);
   /// Whether the last drive ended at an obstacle without a detour.

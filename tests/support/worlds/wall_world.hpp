@@ -65,7 +65,7 @@ class LevelLaser {
   LaserModel laser_;
 };
 
-/// The true ranges, 181 beams at 1°; 81.91 m where there is no wall within 80 m.
+/// The true ranges, 181 beams at 1°; 81.91 m if no wall is within 80 m.
 LaserScan exact_scan(const WallWorld& world, const Pose2& T_world_laser, std::int64_t utime);
 
 /// Two smooth walls along x, centred on the origin, open at both ends.

@@ -15,7 +15,7 @@ using testing::Pair;
 std::vector<std::string> words(std::string_view text) {
   const auto line = parse_command_line(text);
   return line ? line->arguments
-              : std::vector<std::string>{"rejected", std::string(line.rejection())};
+              : std::vector<std::string>{"refused", std::string(line.rejection())};
 }
 
 TEST(CommandLine, DividesAtBlanks) {
@@ -54,14 +54,14 @@ TEST(CommandLine, KnowsWhatIsNoAssignment) {
 }
 
 TEST(CommandLine, RejectsWhatHasNoEndAndWhatRunsNothing) {
-  EXPECT_THAT(words("a 'b"), ElementsAre("rejected", "a quote that does not end"));
-  EXPECT_THAT(words("a \"b\\\""), ElementsAre("rejected", "a quote that does not end"));
-  EXPECT_THAT(words("a \\"), ElementsAre("rejected", "a backslash at the end"));
-  EXPECT_THAT(words(""), ElementsAre("rejected", "no program to run"));
-  EXPECT_THAT(words("A=B"), ElementsAre("rejected", "no program to run"));
-  EXPECT_THAT(words("'' x"), ElementsAre("rejected", "no program to run"));
+  EXPECT_THAT(words("a 'b"), ElementsAre("refused", "a quote that does not end"));
+  EXPECT_THAT(words("a \"b\\\""), ElementsAre("refused", "a quote that does not end"));
+  EXPECT_THAT(words("a \\"), ElementsAre("refused", "a backslash at the end"));
+  EXPECT_THAT(words(""), ElementsAre("refused", "no program to run"));
+  EXPECT_THAT(words("A=B"), ElementsAre("refused", "no program to run"));
+  EXPECT_THAT(words("'' x"), ElementsAre("refused", "no program to run"));
   EXPECT_THAT(words(std::string_view("a\0b", 3)),
-              ElementsAre("rejected", "a NUL in the command line"));
+              ElementsAre("refused", "a NUL in the command line"));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ std::optional<std::int32_t> frontier_of(const ExplorationDecision& decision) {
   return decision.frontier;
 }
 
-bool is_under_way(Phase phase) { return phase != Phase::kPaused && phase != Phase::kEnded; }
+bool is_active(Phase phase) { return phase != Phase::kPaused && phase != Phase::kEnded; }
 
 Evidence evidence_of(const PlannedPath& path) {
   // Without a blocking cell, no ground was observed to block.
@@ -60,7 +60,7 @@ void Mission::restore(const MissionPhase& last, std::int64_t start_utime,
   explore_id_ = last.sequence;  // exploration answers each id once
   return_is_final_ = last.returning_home && !last.frontier;
   phase_ = last;
-  if (!is_under_way(last.phase)) return;
+  if (!is_active(last.phase)) return;
   phase_.utime = 0;
   phase_.phase = Phase::kWaiting;
   phase_.frontier.reset();
@@ -74,7 +74,7 @@ void Mission::restore(const MissionPhase& last, std::int64_t start_utime,
 
 MissionRequests Mission::advance(std::int64_t utime) {
   set_time(utime);
-  if (is_under_way(phase_.phase) && limits_.reason() && !return_is_final_)
+  if (is_active(phase_.phase) && limits_.reason() && !return_is_final_)
     turn_around(*limits_.reason());
   if (phase_.phase == Phase::kWaiting) wait_for_stages();
   MissionRequests requests;
@@ -353,7 +353,7 @@ void Mission::add_match(const ScanMatch& match) {
   progress_.reset_odom();
   home_arrival_.clear();
   retracing_.reset();
-  if (!is_under_way(phase_.phase)) return;
+  if (!is_active(phase_.phase)) return;
   if (change == OdomChange::kResetBeforeRestart && !return_is_final_ &&
       params_.after_power_loss == "home") {
     return_is_final_ = phase_.returning_home = true;

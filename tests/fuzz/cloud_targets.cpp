@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Point cloud files, the input of `adit plan`.
+// Fuzz targets for point cloud files, the input of `adit plan`.
 #include <stdexcept>
 #include <string>
 

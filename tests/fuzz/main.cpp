@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// fuzz_inputs --cases N --seed S: damages good messages, logs and lines of text and gives them to
-// what takes such from outside. A crash, an exception, a hang or a complaint of a sanitizer makes
-// it fail, and it names the case. The same seed gives the same cases, whatever ran before them.
+// fuzz_inputs --cases N --seed S: mutates valid messages, logs and lines of text and passes them to
+// the parsers of external input. A crash, an exception, a hang or a sanitizer report fails the run,
+// and the failing case is printed. Cases depend only on the seed and their number.
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -30,7 +30,7 @@ struct OutcomeCounts {
   std::map<std::string, std::int64_t, std::less<>> reasons;
 };
 
-/// Cases go to the targets in turn; each has a seed of its own.
+/// Runs one case. Targets take turns; each case has its own seed.
 void run_case(std::int64_t number, const Options& options, const std::vector<Target>& targets,
               std::vector<OutcomeCounts>& all_outcome_counts) {
   const std::size_t which = static_cast<std::size_t>(number) % targets.size();
@@ -46,7 +46,7 @@ void run_case(std::int64_t number, const Options& options, const std::vector<Tar
 
 void print(const std::vector<Target>& targets,
            const std::vector<OutcomeCounts>& all_outcome_counts) {
-  std::printf("%-18s %10s %10s\n", "target", "accepted", "refused");
+  std::printf("%-18s %10s %10s\n", "target", "accepted", "rejected");
   for (std::size_t i = 0; i < targets.size(); ++i) {
     std::printf("%-18s %10lld %10lld\n", targets[i].name.c_str(),
                 static_cast<long long>(all_outcome_counts[i].accepted),
@@ -57,14 +57,16 @@ void print(const std::vector<Target>& targets,
   }
 }
 
-/// A good input that is refused means that the cases reach nothing.
+/// Checks that every target accepts its unmodified samples. Mutations of a rejected sample would
+/// not get past the first check of the parser.
 bool samples_are_valid(const std::vector<Target>& targets) {
   bool valid = true;
   for (const Target& target : targets) {
     for (const Bytes& sample : target.samples) {
       const std::string_view reason = target.process(sample);
       if (!reason.empty()) {
-        std::fprintf(stderr, "a sample of %s is refused: %s\n", target.name.c_str(), reason.data());
+        std::fprintf(stderr, "a sample of %s is rejected: %s\n", target.name.c_str(),
+                     reason.data());
       }
       valid = valid && reason.empty();
     }
@@ -83,7 +85,7 @@ int run(const Options& options) {
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   print(targets, all_outcome_counts);
-  std::printf("%lld cases in %.1f s, %.0f a second\n", static_cast<long long>(options.cases),
+  std::printf("%lld cases in %.1f s, %.0f per second\n", static_cast<long long>(options.cases),
               taken.count(), static_cast<double>(options.cases) / taken.count());
   return 0;
 }
@@ -93,10 +95,10 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   adit::fuzz::Options options;
-  CLI::App app("Damages good inputs and gives them to what takes inputs from outside.");
-  app.add_option("--cases", options.cases, "How many")->capture_default_str();
-  app.add_option("--from", options.from, "Number of the first")->capture_default_str();
-  app.add_option("--seed", options.seed, "Other cases for each")->capture_default_str();
+  CLI::App app("Passes mutated inputs to the parsers of external input.");
+  app.add_option("--cases", options.cases, "Number of cases")->capture_default_str();
+  app.add_option("--from", options.from, "Number of the first case")->capture_default_str();
+  app.add_option("--seed", options.seed, "Random seed")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   const std::string command = std::string(argv[0]) + " --seed " + std::to_string(options.seed);
   adit::fuzz::start_watchdog(command);

@@ -9,12 +9,12 @@ namespace adit::fuzz {
 namespace {
 
 constexpr std::size_t kFingerprint = 8;
-constexpr std::array<std::uint32_t, 10> kAwkward{
+constexpr std::array<std::uint32_t, 10> kBoundaryValues{
     0, 1, 0xFFFFFFFF, 0x80000000, 0x7FFFFFFF, 0x40000000, 0x20000001, 1000, 0x7FF80000, 0xFF};
 
 }  // namespace
 
-/// SplitMix64 (Steele, Lea, Flood 2014).
+/// SplitMix64 (Steele, Lea and Flood, 2014).
 std::uint64_t Mutator::random() {
   state_ += 0x9E3779B97F4A7C15U;
   std::uint64_t z = state_;
@@ -25,7 +25,8 @@ std::uint64_t Mutator::random() {
 
 std::size_t Mutator::below(std::size_t end) { return end == 0 ? 0 : random() % end; }
 
-/// Mostly behind the fingerprint, without which little of a decoder is reached.
+/// A random position, usually behind the message fingerprint: a decoder rejects a wrong fingerprint
+/// before it decodes anything.
 std::size_t Mutator::position(const Bytes& bytes) {
   const bool anywhere = bytes.size() <= kFingerprint || below(16) == 0;
   return anywhere ? below(bytes.size()) : kFingerprint + below(bytes.size() - kFingerprint);
@@ -34,7 +35,7 @@ std::size_t Mutator::position(const Bytes& bytes) {
 Bytes Mutator::mutate(const std::vector<Bytes>& samples, const Bytes& other_sample) {
   if (below(64) == 0) return noise(200);
   Bytes bytes = samples[below(samples.size())];
-  const bool keep_length = below(2) == 0;  // what looks right from outside gets furthest
+  const bool keep_length = below(2) == 0;  // inputs of the right length get furthest
   for (std::size_t times = 1 + below(4); times > 0; --times) {
     keep_length ? change(bytes) : damage(bytes, other_sample);
   }
@@ -84,9 +85,9 @@ void Mutator::damage(Bytes& bytes, const Bytes& other_sample) {
   }
 }
 
-/// Four bytes become an awkward number: a count, a length, half of a float.
+/// Overwrites four bytes with a boundary value: a count, a length or half of a double.
 void Mutator::set_number(Bytes& bytes) {
-  const std::uint32_t number = kAwkward[below(kAwkward.size())];
+  const std::uint32_t number = kBoundaryValues[below(kBoundaryValues.size())];
   const std::size_t at = position(bytes);
   for (std::size_t i = 0; i < 4 && at + i < bytes.size(); ++i) {
     bytes[at + i] = static_cast<std::uint8_t>(number >> (24 - 8 * i));

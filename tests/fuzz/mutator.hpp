@@ -9,13 +9,13 @@
 
 namespace adit::fuzz {
 
-/// Damages good inputs. What it does follows from the seed alone, on every machine.
+/// Mutates valid inputs. The result depends only on the seed and is the same on every machine.
 class Mutator {
  public:
   explicit Mutator(std::uint64_t seed) : state_(seed) {}
 
-  /// A damaged copy of one of the samples: bits flipped, numbers set to awkward ones, ends cut off
-  /// or added, parts taken out, repeated or taken from `stranger`; or nothing but noise.
+  /// A mutated copy of one of the samples: bits flipped, numbers replaced by boundary values, the
+  /// end truncated, parts removed, repeated or inserted from `other_sample`; or random bytes.
   Bytes mutate(const std::vector<Bytes>& samples, const Bytes& other_sample);
 
  private:

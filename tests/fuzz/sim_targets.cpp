@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What people give to the simulator: descriptions of mines.
+// Fuzz targets for the input files of the simulator: world files.
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -45,8 +45,8 @@ constexpr std::string_view kWorld = R"(world:
 
 Bytes bytes_of(std::string_view text) { return {text.begin(), text.end()}; }
 
-/// Reads a description and writes it again. Nothing is built of it: a mine that is just not too
-/// large takes longer than a case may.
+/// Reads a world file and writes it again. The world is not built: a mine just below the size limit
+/// takes longer than the time limit of a case.
 std::string_view take_world(const std::filesystem::path& path,
                             std::span<const std::uint8_t> bytes) {
   std::ofstream(path, std::ios::binary)

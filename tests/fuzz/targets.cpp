@@ -26,7 +26,7 @@
 namespace adit::fuzz {
 namespace {
 
-/// Stretches of free and occupied cells, of all lengths.
+/// An octree with runs of free and occupied cells of many lengths.
 Bytes sample_octree() {
   std::vector<CellRun> runs;
   VoxelCode begin = VoxelGrid::code_of({32768, 32700, 32760});
@@ -40,7 +40,7 @@ Bytes sample_octree() {
   return tree.stream();
 }
 
-/// What passes our check OctoMap must read to the end, and find in it as many leaves.
+/// Checks that OctoMap reads every accepted stream to its end and finds the same number of leaves.
 std::string_view take_octree(std::span<const std::uint8_t> bytes) {
   std::size_t leaves = 0;
   const auto reason = visit_leaves(bytes, [&leaves](const CellRun&) { ++leaves; });
@@ -50,7 +50,7 @@ std::string_view take_octree(std::span<const std::uint8_t> bytes) {
   tree.readBinaryData(in);
   if (!in || in.peek() != std::istringstream::traits_type::eof() ||
       tree.getNumLeafNodes() != leaves) {
-    std::cerr << "OctoMap reads another octree than we checked\n";
+    std::cerr << "OctoMap reads a different octree than visit_leaves\n";
     std::abort();
   }
   return {};
@@ -60,9 +60,6 @@ std::string_view take_octree(std::span<const std::uint8_t> bytes) {
 
 Target octree_target() { return {"octree", {sample_octree()}, take_octree}; }
 
-}  // namespace adit::fuzz
-
-namespace adit::fuzz {
 namespace {
 
 Bytes sample_log() {
@@ -78,7 +75,7 @@ Bytes sample_log() {
   return bytes;
 }
 
-/// Reads all events; every byte must belong to one or be reported.
+/// Reads all events. Every byte must belong to an event or be counted as corrupt or truncated.
 std::string_view take_log(std::span<const std::uint8_t> bytes) {
   LogParser parser(bytes);
   std::size_t in_events = 0;
@@ -87,7 +84,7 @@ std::string_view take_log(std::span<const std::uint8_t> bytes) {
   }
   const LogHealth& health = parser.health();
   if (in_events + health.corrupt_bytes + health.truncated_bytes != bytes.size()) {
-    std::cerr << "the log reader lost count of the bytes\n";
+    std::cerr << "the byte counts of the log parser do not add up\n";
     std::abort();
   }
   return health.corrupt_bytes + health.truncated_bytes > 0 ? "damaged" : "";
@@ -111,7 +108,7 @@ Bytes sample_journal() {
   return bytes;
 }
 
-/// Reads all records; every byte must belong to one or be reported.
+/// Reads all records. Every byte must belong to a record or be counted as corrupt or truncated.
 std::string_view take_journal(std::span<const std::uint8_t> bytes) {
   JournalParser parser(bytes);
   std::size_t in_records = 0;
@@ -120,23 +117,23 @@ std::string_view take_journal(std::span<const std::uint8_t> bytes) {
   }
   const JournalHealth& health = parser.health();
   if (in_records + health.corrupt_bytes + health.truncated_bytes != bytes.size()) {
-    std::cerr << "the journal reader lost count of the bytes\n";
+    std::cerr << "the byte counts of the journal parser do not add up\n";
     std::abort();
   }
   return health.corrupt_bytes + health.truncated_bytes > 0 ? "damaged" : "";
 }
 
-/// Reads a list of processes; what was read must read back the same from what is written of it.
+/// Reads a process list. Writing and reading it again must give the same list.
 std::string_view take_process_list(std::span<const std::uint8_t> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   ProcessList list;
   try {
     list = parse_process_list(text, "list");
   } catch (const ConfigError&) {
-    return "refused";
+    return "rejected";
   }
   if (parse_process_list(to_text(list), "written") != list) {
-    std::cerr << "a process list is another when it is written and read\n";
+    std::cerr << "a process list changes when it is written and read again\n";
     std::abort();
   }
   return {};

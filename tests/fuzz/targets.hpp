@@ -13,16 +13,17 @@ namespace adit::fuzz {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Something that takes bytes from outside.
+/// A parser of external bytes, with valid inputs to mutate.
 struct Target {
   std::string name;
-  std::vector<Bytes> samples;  ///< good inputs, to be damaged
+  std::vector<Bytes> samples;  ///< valid inputs
 
-  /// Takes any bytes; must not throw. Returns why it refused them, or nothing.
+  /// Parses any bytes. Must not throw. Returns the reason for rejection, or an empty text.
   std::function<std::string_view(std::span<const std::uint8_t>)> process;
 };
 
-/// Each group has a file of its own; a new one is added to `all_targets` in targets.cpp.
+// Groups of targets. Add new groups to `all_targets` in targets.cpp.
+
 std::vector<Target> message_targets();
 Target log_target();
 Target carmen_target();
@@ -32,6 +33,7 @@ Target process_list_target();
 std::vector<Target> world_targets();
 std::vector<Target> cloud_targets();
 
+/// All targets of all groups.
 std::vector<Target> all_targets();
 
 }  // namespace adit::fuzz

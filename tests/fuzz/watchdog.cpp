@@ -10,7 +10,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-// There with the address sanitizer only. NOLINTNEXTLINE: the name is not ours.
+// Defined only with the address sanitizer. NOLINTNEXTLINE: the sanitizer chooses the name.
 extern "C" __attribute__((weak)) void __sanitizer_set_death_callback(void (*)());
 
 namespace adit::fuzz {
@@ -25,11 +25,11 @@ std::string_view command_line;
 
 void print_line(std::string_view text) { (void)!write(STDERR_FILENO, text.data(), text.size()); }
 
-// Only what a signal handler may do.
+// Async-signal-safe: called by signal handlers.
 void print_case() {
   std::array<char, 24> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), current.load()).ptr;
-  print_line("\nagain by: ");
+  print_line("\nrepeat with: ");
   print_line(command_line);
   print_line(" --cases 1 --from ");
   print_line({digits.data(), static_cast<std::size_t>(end - digits.data())});
@@ -46,7 +46,7 @@ void on_second(int) {
   seconds_on_case = current == last_case ? seconds_on_case + 1 : 0;
   last_case = current;
   if (seconds_on_case < kLimitSeconds) return;
-  print_line("a case takes too long");
+  print_line("a case exceeds the time limit");
   print_case();
   _exit(1);
 }

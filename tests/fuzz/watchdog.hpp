@@ -7,12 +7,12 @@
 
 namespace adit::fuzz {
 
-/// Ends the process with a line that names the case when one takes more than five seconds, crashes,
-/// or is what a sanitizer complains of. `command` starts such a line; both must outlive the
-/// process.
+/// Installs handlers that print the current case if it crashes, causes a sanitizer report or takes
+/// more than five seconds; the last also ends the process. The printed line starts with `command`,
+/// which must stay valid until the process ends.
 void start_watchdog(std::string_view command);
 
-/// Tells the watchdog which case is on.
+/// Sets the number of the current case.
 void watch(std::int64_t number);
 
 }  // namespace adit::fuzz

@@ -12,8 +12,8 @@
 namespace adit::test {
 
 /// Fault injection: a bus that loses a share of the messages to its subscribers at random, each
-/// subscription independently, like datagrams on a bad network. Messages of the simulator's time
-/// (SIM_TIME, SIM_TIME_DONE) are never lost, since a robot has none and stages wait for them.
+/// subscription independently, like datagrams on a bad network. Messages of the simulated clock
+/// (SIM_TIME, SIM_TIME_DONE) are never lost: a real robot has none, and stages wait for them.
 /// Forwards everything else to the decorated bus. The same seed loses the same messages.
 class LossyBus final : public Bus {
  public:

@@ -173,7 +173,7 @@ std::vector<MessageType> navigation_types() {
           type_of(channels::kExploration, to_message(sample_exploration()))};
 }
 
-/// Types of a mission.
+/// Types of the mission stage.
 std::vector<MessageType> mission_types() {
   MissionPhase phase;
   phase.utime = kUtime;
@@ -181,7 +181,7 @@ std::vector<MessageType> mission_types() {
   phase.phase = Phase::kExecute;
   phase.reason = "a path of 8.1 m";
   phase.returning_home = true;
-  phase.return_home_reason = "the way on is blocked";
+  phase.return_home_reason = "the route ahead is blocked";
   phase.laser = LaserId::kRear;
   phase.goal_id = 4;
   phase.scans = 5;

@@ -13,7 +13,7 @@ namespace adit {
 namespace {
 
 constexpr double kSquaresMax = 4e8;
-// Around an entrance, in which ground under the open sky is looked for.
+// Half side of the box around an entrance in which outside ground is added [m].
 constexpr double kEntranceReach = OpenSpace::kApronLength + 2.0;
 
 Eigen::AlignedBox2d box_of(const WorldTruth& truth) {
@@ -34,7 +34,7 @@ Eigen::Vector2d mean_of(const std::vector<Eigen::Vector2d>& points) {
   return sum / static_cast<double>(points.size());
 }
 
-/// x where the rings cross the middle of each row of squares, ascending.
+/// The x of all crossings of the rings with the middle line of each row of squares, ascending.
 std::vector<std::vector<double>> crossings(const std::vector<PlanRing>& plan, double y_first,
                                            double step, int rows) {
   std::vector<std::vector<double>> found(static_cast<std::size_t>(rows));
@@ -130,7 +130,7 @@ void PassableRaster::open_ground_at(const TunnelNode& entrance, const WorldTruth
                 });
 }
 
-/// Thin things close the squares that their outline comes through.
+/// Closes all squares within half a side of the outline, so that thin obstacles are not missed.
 void PassableRaster::close(const Obstacle& obstacle) {
   const PlanPolygon outline{obstacle.outline};
   const double reach = kSide / 2.0;

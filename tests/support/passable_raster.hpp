@@ -12,13 +12,13 @@
 
 namespace adit {
 
-/// Whether a vehicle could pass under, over or through an obstacle on this floor: no higher than
-/// its belly or what its wheels climb, no lower than its top; no deeper than it may fall, sink or
-/// wade.
+/// Whether a vehicle can pass under, over or through an obstacle on a floor at height `floor_m`:
+/// the obstacle is below the belly clearance or step height, or above the vehicle height; pits, mud
+/// and water are no deeper than the step, sinkage or wading limit.
 bool is_passable(const Obstacle& obstacle, double floor_m, const Vehicle& vehicle);
 
-/// The plan of a mine in squares: which of them have no rock and nothing in the way of a vehicle.
-/// In front of entrances the ground belongs to it.
+/// Raster of the plan of a mine: squares without rock and without obstacles that the vehicle cannot
+/// pass. Ground outside the entrances is included.
 class PassableRaster {
  public:
   static constexpr double kSide = 0.1;  ///< of a square [m]
@@ -26,11 +26,11 @@ class PassableRaster {
   /// Throws std::invalid_argument for a plan of more than a few hundred million squares.
   PassableRaster(const WorldTruth& truth, const Vehicle& vehicle);
 
-  /// Squares count from here along x and y [m].
+  /// Lowest corner of square (0, 0), p_world [m].
   [[nodiscard]] const Eigen::Vector2d& origin() const { return origin_; }
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }
-  /// False outside.
+  /// Whether a square is passable. False outside of the raster.
   [[nodiscard]] bool at(int column, int row) const {
     return column >= 0 && row >= 0 && column < columns_ && row < rows_ &&
            squares_[index(column, row)] != 0;

@@ -27,7 +27,7 @@ std::string between_quotes(std::string_view text) {
   return result + "\"";
 }
 
-/// In quotes where it has an exponent, which bare numbers have not.
+/// Quoted if it has an exponent, which the grammar does not allow in unquoted numbers.
 std::string number(double value) {
   const std::string text = number_text(value);
   return text.find('e') == std::string::npos ? text : between_quotes(text);
@@ -39,7 +39,7 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-/// What differs from the default is written.
+/// Writes one command. Attributes with default values are omitted.
 class CommandWriter {
  public:
   CommandWriter(std::ostream& out, std::string indent) : out_(out), indent_(std::move(indent)) {}

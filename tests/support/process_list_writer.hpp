@@ -8,9 +8,9 @@
 
 namespace adit {
 
-/// The list as a text that parse_process_list reads to the same list. Attributes at their defaults
-/// are left out, so that a list without additions of ours is one that procman reads. Groups are
-/// opened anew where they change, so that the order of the commands stays.
+/// The list as text, such that parse_process_list returns the same list. Attributes with default
+/// values are omitted, so that procman can read a list without Adit's extensions. A group block is
+/// written for each command, which preserves the order of the commands.
 std::string to_text(const ProcessList& list);
 
 }  // namespace adit

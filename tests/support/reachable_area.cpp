@@ -38,16 +38,16 @@ Footprint footprint(const Vehicle& vehicle, const Pose2& T_cell_body) {
 std::vector<Footprint> footprints(const Vehicle& vehicle, double heading_rad, double cell_m) {
   const std::array<double, 3> shifts{0.0, -cell_m / 3.0, cell_m / 3.0};
   constexpr std::array<double, 3> kTurns{0.0, -0.14, 0.14};  // headings are 0.46 rad apart at most
-  std::vector<Footprint> ways;
+  std::vector<Footprint> result;
   for (const double turn : kTurns) {
     for (const double x : shifts) {
       for (const double y : shifts) {
-        ways.push_back(
+        result.push_back(
             footprint(vehicle, {cell_m / 2.0 + x, cell_m / 2.0 + y, heading_rad + turn}));
       }
     }
   }
-  return ways;
+  return result;
 }
 
 namespace {
@@ -56,7 +56,7 @@ constexpr int kHeadings = 16;
 constexpr int kSquaresPerCell = 2;
 static_assert(kSquaresPerCell * PassableRaster::kSide == ReachableArea::kSide);
 
-/// Headings are the directions from a cell to others nearby, so that a move ends in a cell.
+/// A move to a nearby cell. Headings are the directions of the moves, so that each ends in a cell.
 struct Move {
   int columns;
   int rows;
@@ -86,7 +86,7 @@ struct State {
   int heading = 0;
 };
 
-/// Cells and headings that can be reached from one another.
+/// Flood fill over cells and headings.
 class Flood {
  public:
   Flood(const World& world, const Vehicle& vehicle)
@@ -94,9 +94,9 @@ class Flood {
         columns_((raster_.columns() + kSquaresPerCell - 1) / kSquaresPerCell),
         rows_((raster_.rows() + kSquaresPerCell - 1) / kSquaresPerCell),
         reached_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
-        asked_(reached_.size()) {
+        checked_(reached_.size()) {
     for (std::size_t i = 0; i < kHeadings; ++i) {
-      ways_[i] = footprints(vehicle, kMoves[i].heading_rad(), ReachableArea::kSide);
+      footprints_[i] = footprints(vehicle, kMoves[i].heading_rad(), ReachableArea::kSide);
     }
   }
 
@@ -141,7 +141,7 @@ class Flood {
            static_cast<std::size_t>(column);
   }
 
-  /// Outside of all cells where the pose is.
+  /// The state nearest to a pose; cell (-1, -1) for a pose outside of the raster.
   [[nodiscard]] State nearest(const Pose2& T_world_body) const {
     const Eigen::Vector2d place =
         (T_world_body.translation() - raster_.origin()) / ReachableArea::kSide;
@@ -156,7 +156,7 @@ class Flood {
             static_cast<int>(best - kMoves.begin())};
   }
 
-  /// Forwards and in reverse.
+  /// Adds the move forwards and in reverse.
   void add_moves(const State& from, int heading, const Move& move, std::vector<State>& open) {
     add({from.column + move.columns, from.row + move.rows, heading}, open);
     add({from.column - move.columns, from.row - move.rows, heading}, open);
@@ -166,16 +166,16 @@ class Flood {
     if (state.column < 0 || state.row < 0 || state.column >= columns_ || state.row >= rows_) return;
     const std::size_t cell = index(state.column, state.row);
     const auto bit = static_cast<std::uint16_t>(1U << static_cast<unsigned>(state.heading));
-    if ((asked_[cell] & bit) != 0) return;
-    asked_[cell] |= bit;
+    if ((checked_[cell] & bit) != 0) return;
+    checked_[cell] |= bit;
     if (!fits(state)) return;
     reached_[cell] |= bit;
     open.push_back(state);
   }
 
   [[nodiscard]] bool fits(const State& state) const {
-    const std::vector<Footprint>& ways = ways_[static_cast<std::size_t>(state.heading)];
-    return std::any_of(ways.begin(), ways.end(), [&](const Footprint& squares) {
+    const std::vector<Footprint>& poses = footprints_[static_cast<std::size_t>(state.heading)];
+    return std::any_of(poses.begin(), poses.end(), [&](const Footprint& squares) {
       return std::all_of(squares.begin(), squares.end(), [&](const std::array<int, 2>& square) {
         return raster_.at(state.column * kSquaresPerCell + square[0],
                           state.row * kSquaresPerCell + square[1]);
@@ -186,12 +186,12 @@ class Flood {
   PassableRaster raster_;
   int columns_;
   int rows_;
-  std::vector<std::uint16_t> reached_;  ///< a bit for each heading
-  std::vector<std::uint16_t> asked_;    ///< whether the vehicle fits, likewise
-  std::array<std::vector<Footprint>, kHeadings> ways_;
+  std::vector<std::uint16_t> reached_;  ///< of each cell, one bit per heading
+  std::vector<std::uint16_t> checked_;  ///< states whose fit was checked, likewise
+  std::array<std::vector<Footprint>, kHeadings> footprints_;
 };
 
-/// In steps along the edge, each of which counts if a place across it is reached.
+/// Length of the steps along the edge for which a position across its width is reached.
 double reached_length_m(const TunnelEdge& edge, const Flood& flood) {
   const TunnelLine line{edge.tunnel, edge.points, edge.width_m, false};
   const int steps = std::max(1, static_cast<int>(std::ceil(edge.length_m / ReachableArea::kSide)));

@@ -8,14 +8,14 @@
 
 namespace adit::test {
 
-/// Where a recording of the development data lies (path relative to its folder), or nothing where
-/// the folder is absent: a test then skips and says so. The folder is $ADIT_DATA or, without it,
-/// `../shared/data` beside the sources.
+/// The path of a recording; `name` is relative to the data folder. Nothing if it does not exist:
+/// the test must then be skipped. The data folder is $ADIT_DATA or, if unset, `../shared/data`
+/// relative to the source folder.
 std::optional<std::filesystem::path> find_recording(std::string_view name);
 
 }  // namespace adit::test
 
-// NOLINTBEGIN(bugprone-macro-parentheses): the name of a variable takes none
+// NOLINTBEGIN(bugprone-macro-parentheses): a variable name cannot be parenthesized
 /// Defines `variable` as the path of a recording, or skips the test.
 #define ADIT_RECORDING_OR_SKIP(variable, name)                                           \
   const auto variable##_found = adit::test::find_recording(name);                        \

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <system_error>
 
-#include <stdlib.h>  // mkdtemp, which is of POSIX
+#include <stdlib.h>  // mkdtemp (POSIX)
 
 namespace adit::test {
 

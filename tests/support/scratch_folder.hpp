@@ -7,7 +7,7 @@
 
 namespace adit::test {
 
-/// An empty folder of its own for each test, whichever tests run beside it; gone with this object.
+/// An empty, unique temporary folder for one test. The destructor removes it.
 class ScratchFolder {
  public:
   ScratchFolder();
@@ -22,7 +22,7 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// All bytes of a file; none where there is no such file.
+/// All bytes of a file; empty if there is no such file.
 std::string contents(const std::filesystem::path& path);
 
 }  // namespace adit::test

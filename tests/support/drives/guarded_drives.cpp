@@ -38,19 +38,19 @@ TunnelDescription bent_tunnel(RandomGenerator& rng) {
   tunnel.width_m = rng.between(2.9, 4.2);
   tunnel.points_m = {0.0, 0.0, 8.0, 0.0};
   double heading = 0.0;
-  for (double left_m = kLengthM - 8.0; left_m > 0.0;) {
+  for (double remaining_m = kLengthM - 8.0; remaining_m > 0.0;) {
     const double segment_m = rng.between(5.0, 9.0);
     heading = std::clamp(heading + rng.between(-0.5, 0.5), -1.2, 1.2);
     const std::size_t last = tunnel.points_m.size() - 2;
     tunnel.points_m.push_back(tunnel.points_m[last] + segment_m * std::cos(heading));
     tunnel.points_m.push_back(tunnel.points_m[last + 1] + segment_m * std::sin(heading));
-    left_m -= segment_m;
+    remaining_m -= segment_m;
   }
   return tunnel;
 }
 
-/// How far from the middle something of that radius may stand: anywhere from where it leaves the
-/// lane to where it touches the wall.
+/// A random lateral position for an obstacle of that radius: between the edge of the free lane and
+/// the wall, on a random side.
 double across_m(double width_m, double lane_m, double radius_m, RandomGenerator& rng) {
   const double outermost = width_m / 2.0;
   const double innermost = std::min(outermost, lane_m + radius_m - width_m / 2.0);
@@ -85,7 +85,7 @@ void add_obstacles(double width_m, double lane_m, WorldDescription& world, Rando
 WorldDescription random_tunnel(int seed, double lane_m) {
   RandomGenerator rng(static_cast<std::uint64_t>(seed));
   WorldDescription world;
-  world.name = "drift_to_drive_" + std::to_string(seed);
+  world.name = "tunnel_to_drive_" + std::to_string(seed);
   world.seed = seed;
   world.T_world_start = {3.0, 0.0, 0.0};
   world.plan.tunnels.push_back(bent_tunnel(rng));
@@ -100,10 +100,10 @@ using Kind = DrivingState::Kind;
 constexpr double kStepS = 0.1;
 constexpr double kTimeMaxS = 120.0;
 constexpr double kSweepS = 10.0;
-constexpr double kFreeM = 0.6;           // farthest that is looked at
-constexpr std::size_t kPointsAhead = 4;  // of 15 cm
+constexpr double kFreeM = 0.6;           // limit of GuardStop::free_m
+constexpr std::size_t kPointsAhead = 4;  // 15 cm apart
 
-/// The vehicle with what the guard wants to be left beside and ahead of it.
+/// The vehicle enlarged by the guard's margins at the sides and ahead.
 Vehicle vehicle_with_margins() {
   Vehicle vehicle;
   vehicle.width_m += 2.0 * ObstacleParams{}.side_margin_m;
@@ -144,7 +144,8 @@ class GuardedRun {
  private:
   [[nodiscard]] const BodyMotion& motion() const { return robot_.simulation().vehicle().motion(); }
 
-  /// What scan matching got wrong so far is no error of those who drive.
+  /// Aligns odom with world at the current pose, so that the previous errors of scan matching do
+  /// not count as driving errors.
   void update_odom_world() {
     T_odom_world_ = T_odom_body_ * in_plan(motion().T_world_body).inverse();
   }
@@ -196,8 +197,8 @@ class GuardedRun {
     return least;
   }
 
-  /// How far the true body, with what the guard wants to be left, can go on along the path without
-  /// touching, beside the path as it is.
+  /// Distance that the true vehicle, enlarged by the guard's margins, can move parallel to the path
+  /// without a collision. It keeps its current offset from the path.
   [[nodiscard]] double free_m() const {
     const std::vector<PathPoint>& points = path_.points;
     const std::size_t first = nearest_point();

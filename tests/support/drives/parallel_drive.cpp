@@ -25,7 +25,7 @@ MappingParams params(const DisplacementErrorParams& assumed_error) {
   return params;
 }
 
-bool in_force(int chosen) { return chosen != Association::kNone; }
+bool is_accepted(int chosen) { return chosen != Association::kNone; }
 
 }  // namespace
 
@@ -59,7 +59,7 @@ std::optional<MapUpdate> ParallelDrive::next() {
   return mapping_->finish();
 }
 
-/// What scan matching would say that always takes the word of the wheels.
+/// A scan match whose pose is that of the wheel odometry.
 ScanMatch ParallelDrive::match_from_odometry(const WheelOdometry& odometry) {
   ScanMatch match;
   match.utime = odometry.utime;
@@ -95,13 +95,13 @@ PathError ParallelDrive::error() const {
 
 int revoked(const MapUpdate& update) {
   return static_cast<int>(std::ranges::count_if(update.associations, [](const Association& a) {
-    return in_force(a.previously_chosen) && a.chosen != a.previously_chosen;
+    return is_accepted(a.previously_chosen) && a.chosen != a.previously_chosen;
   }));
 }
 
 int newly_accepted(const MapUpdate& update) {
   return static_cast<int>(std::ranges::count_if(update.associations, [](const Association& a) {
-    return in_force(a.chosen) && a.chosen != a.previously_chosen;
+    return is_accepted(a.chosen) && a.chosen != a.previously_chosen;
   }));
 }
 

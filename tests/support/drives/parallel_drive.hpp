@@ -10,28 +10,28 @@
 
 namespace adit::test {
 
-/// The drive of figure 4 of the paper, local map by local map: through two parallel drifts, round a
-/// long loop and back into the first of them (parallel_mine). The poses come from the wheels alone,
-/// whose heading turns away from the truth, so that the robot may believe itself in the other one.
+/// The drive of figure 4 of the paper, one local map at a time: through two parallel tunnels,
+/// around a long loop and back into the first tunnel (world `parallel`). Poses are wheel odometry
+/// with a yaw bias, so that the other tunnel may match the estimated pose.
 class ParallelDrive {
  public:
   explicit ParallelDrive(double yaw_bias_deg_per_m,
                          const DisplacementErrorParams& assumed_error = drifting_odometry_error());
 
-  /// The error that makes either corridor likely: 10° over the loop, one standard deviation.
+  /// An odometry error with which both tunnels are likely: 10° (1 σ) over the loop.
   static DisplacementErrorParams drifting_odometry_error();
 
-  /// Drives on to the end of a local map. Nothing at the end of the way.
+  /// Drives to the end of the next local map. Nothing at the end of the drive.
   std::optional<MapUpdate> next();
 
-  /// Lets the mapping begin again with what it had stored. The odometry goes on.
+  /// Restarts mapping from a stored map. The odometry continues.
   void restart(StoredMap stored);
 
   [[nodiscard]] const Mapping& mapping() const { return *mapping_; }
 
-  /// How far the newest local map is from where it truly was, seen from the first. [m]
+  /// Position error of the newest local map relative to the first one [m].
   [[nodiscard]] double newest_error_m() const;
-  /// Of all local maps.
+  /// Path error over all local maps.
   [[nodiscard]] PathError error() const;
 
  private:
@@ -44,8 +44,9 @@ class ParallelDrive {
   bool ended_ = false;
 };
 
-/// How many decisions of an update are these.
-int revoked(const MapUpdate& update);         ///< closures that were in force and are so no more
-int newly_accepted(const MapUpdate& update);  ///< closures that are in force and were not
+/// Number of loop closures that an update revokes or changes to another alternative.
+int revoked(const MapUpdate& update);
+/// Number of loop closures that an update newly accepts or changes to another alternative.
+int newly_accepted(const MapUpdate& update);
 
 }  // namespace adit::test

@@ -59,7 +59,7 @@ constexpr double kTimeWithoutPosesMaxS = 5.0;
 constexpr double kScoreM = 0.02;
 constexpr double kOscillationM = 0.03;
 
-/// Changes of side, of errors in order.
+/// Number of changes of side in a sequence of cross-track errors.
 int oscillations(const std::vector<double>& errors_m) {
   int count = 0;
   double side = 0.0;
@@ -71,7 +71,7 @@ int oscillations(const std::vector<double>& errors_m) {
   return count;
 }
 
-/// One drive, step by step.
+/// Simulates one drive in steps of kStepUs.
 class Run {
  public:
   Run(const PlannedPath& path, const PathDriveSetup& setup, const Site& site)

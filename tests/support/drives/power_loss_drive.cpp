@@ -32,14 +32,14 @@ namespace {
 constexpr const char* kMapJournal = "map.journal";
 constexpr const char* kVolumeJournal = "volume.journal";
 constexpr std::int64_t kStartUtime = 1'600'000'000'000'000;
-constexpr double kOffS = 2.0;   // the vehicle comes to rest in that time
-constexpr double kWaitS = 5.0;  // for a correction
+constexpr double kOffS = 2.0;   // enough for the vehicle to come to rest
+constexpr double kWaitS = 5.0;  // for a map correction
 constexpr double kStepS = 1e-6 * static_cast<double>(Simulation::kStepUs);
 constexpr std::array kSensors{channels::kLaserFront, channels::kLaserRear,
                               channels::kTiltFront,  channels::kTiltRear,
                               channels::kImu,        channels::kWheelOdometry};
 
-WaypointDriverParams patient() {
+WaypointDriverParams driver_without_timeout() {
   WaypointDriverParams params;
   params.progress_timeout_s = 1e6;
   return params;
@@ -59,7 +59,7 @@ int scans_in(const VolumeMap& map) {
 
 }  // namespace
 
-/// All stages from start to end, and what was heard of them.
+/// The stages from start to power loss, with the latest pose and map correction.
 class PowerLossDrive::Computer {
  public:
   Computer(MemoryBus& world, const std::filesystem::path& folder) {
@@ -110,7 +110,7 @@ PowerLossDrive::PowerLossDrive(World world, std::vector<Waypoint> waypoints,
     : folder_(std::move(folder)),
       site_(std::move(world)),
       sim_(bus_, site_, SimulationParams{}, 1, kStartUtime),
-      driver_(std::move(waypoints), Vehicle{}, patient()) {
+      driver_(std::move(waypoints), Vehicle{}, driver_without_timeout()) {
   bus_.tap([this](const ReceivedMessage& received) {
     const bool sensed = std::ranges::find(kSensors, received.channel) != kSensors.end();
     if (computer_ && sensed) computer_->receive(received);
@@ -216,7 +216,7 @@ void PowerLossDrive::evaluate_later(PowerLoss& loss) const {
   }
 }
 
-/// As a disk does that had not written all of it.
+/// Truncates the last record at a random position, like a disk that had not written all of it.
 void PowerLossDrive::truncate_journal(const std::filesystem::path& journal,
                                       std::mt19937& random) const {
   std::size_t last = 0;

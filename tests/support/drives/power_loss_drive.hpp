@@ -19,53 +19,53 @@
 
 namespace adit::test {
 
-/// What a power cut leaves on the disk.
+/// State of the journals on disk after a power loss.
 enum class DiskAfterPowerLoss {
   kIntact,
-  kTruncated,       ///< the last records of the map and of the volume have lost their ends
-  kBeforeLastScan,  ///< the volume was not written since the last scan began
+  kTruncated,       ///< the last records of the map and volume journals are truncated
+  kBeforeLastScan,  ///< the volume journal ends before the last 3D scan
 };
 
-/// How the computer of a robot was cut off, and what it knew when it was on again.
+/// A power loss of the on-board computer, and the state after its restart.
 struct PowerLoss {
-  double distance_travelled_m = 0.0;  ///< driven until then
-  bool in_motion = false;             ///< else at rest, or in a sweep
-  bool truncated = false;             ///< the last record of each journal lost its end
-  int maps = 0;                       ///< local maps that had been announced
+  double distance_travelled_m = 0.0;  ///< before the power loss
+  bool in_motion = false;             ///< false: at rest or in a sweep
+  bool truncated = false;             ///< the last record of each journal is truncated
+  int maps = 0;                       ///< local maps published before the power loss
   int maps_lost = 0;                  ///< of these
-  int scans = 0;                      ///< 3D scans that had been taken
-  int scans_lost = 0;
-  /// Seconds from the first scan to the first correction; nothing where none came.
+  int scans = 0;                      ///< 3D scans in the volume map before the power loss
+  int scans_lost = 0;                 ///< of these
+  /// Seconds from the restart to the first map correction; nothing if none was received.
   std::optional<double> localized_after_s;
-  /// Of the pose in map, against the truth, over the time of the cut.
+  /// Error of the motion in map over the power loss, against ground truth.
   double error_m = 0.0;
   double error_rad = 0.0;
-  double sd_m = 0.0;  ///< that the correction states, of the worst direction
+  double sd_m = 0.0;  ///< standard deviation of the correction in its least certain direction
   double sd_rad = 0.0;
-  double error_after_driving_m = 0.0;  ///< the same error, when it has driven on
+  double error_after_driving_m = 0.0;  ///< `error_m` after more driving (evaluate_later)
   double sd_after_driving_m = 0.0;
 };
 
-/// A simulated robot on a drive, whose computer is cut off at any moment: all stages are destroyed
-/// and made anew over the same journals, while the world goes on.
+/// A simulated robot on a drive whose on-board computer loses power at chosen moments: all stages
+/// are destroyed and restarted from the same journals, while the simulation continues.
 class PowerLossDrive {
  public:
   PowerLossDrive(World world, std::vector<Waypoint> waypoints, std::filesystem::path folder);
   ~PowerLossDrive();
 
-  /// So far on. False at the end of the way, or where it fails.
+  /// Drives this distance. False at the end of the waypoints or after a failure.
   bool drive(double distance_travelled_m);
-  /// Takes a 3D scan, or begins one and drives no more.
+  /// Stops, requests a 3D scan and waits. With a short time the scan stays unfinished.
   void sweep(double seconds = 10.0);
-  /// Cuts off, and waits standing for the first correction.
+  /// Loses power, restarts and waits at rest for the first map correction.
   PowerLoss lose_power(DiskAfterPowerLoss disk, std::mt19937& random);
-  /// Stands for so long.
+  /// Stands still.
   void wait(double seconds);
-  /// Fills in what is known later.
-  void evaluate_later(PowerLoss& lose_power) const;
+  /// Fills in the error after more driving.
+  void evaluate_later(PowerLoss& loss) const;
 
   [[nodiscard]] double distance_travelled_m() const { return driver_.progress_m(); }
-  /// As the stage has it now.
+  /// The current map of the volume map stage.
   [[nodiscard]] const VolumeMap& volume() const;
 
  private:
@@ -84,10 +84,10 @@ class PowerLossDrive {
   WaypointDriver driver_;
   bool driving_ = false;
   std::int32_t sweeps_ = 0;
-  std::uintmax_t volume_bytes_ = 0;  ///< of its journal, before the last sweep
+  std::uintmax_t volume_bytes_ = 0;  ///< size of the volume journal before the last sweep
   std::unique_ptr<Computer> computer_;
   Pose2 T_world_start_;
-  /// Before the last cut: where the robot truly was, and where it believed to be.
+  /// True and estimated pose before the last power loss.
   Pose2 T_world_before_loss_;
   Pose2 T_map_before_loss_;
 };

@@ -33,15 +33,15 @@ TestPathBuilder& TestPathBuilder::back(double length_m, double curvature_1_m) {
 
 TestPathBuilder& TestPathBuilder::add(double length_m, double curvature_1_m, bool reverse) {
   const Steering steering(vehicle_);
-  const int fragments = std::max(1, static_cast<int>(std::lround(length_m / spacing_m_)));
-  const double step_m = (reverse ? -1.0 : 1.0) * length_m / fragments;
+  const int steps = std::max(1, static_cast<int>(std::lround(length_m / spacing_m_)));
+  const double step_m = (reverse ? -1.0 : 1.0) * length_m / steps;
   const Pose2 T_body_next =
       steering.motion(step_m, step_m * steering.turn_rad_per_m(curvature_1_m));
   constexpr double kClear = std::numeric_limits<double>::infinity();
   if (!points_.empty() && points_.back().reverse != reverse) {
     points_.push_back({T_odom_body_, 0.0, !reverse, kClear, 0.0});
   }
-  for (int i = 0; i < fragments; ++i) {
+  for (int i = 0; i < steps; ++i) {
     points_.push_back({T_odom_body_, curvature_1_m, reverse, kClear, 0.0});
     T_odom_body_ = T_odom_body_ * T_body_next;
   }
@@ -62,19 +62,19 @@ PlannedPath TestPathBuilder::path() const {
 
 std::vector<PathShape> path_shapes(const Vehicle& vehicle, double radius_m,
                                    const Pose2& T_odom_start) {
-  const auto sketch = [&] { return TestPathBuilder(vehicle, T_odom_start); };
+  const auto builder = [&] { return TestPathBuilder(vehicle, T_odom_start); };
   const double tight = 1.0 / radius_m;
   const double quarter_m = kQuarter * radius_m;
-  TestPathBuilder slalom = sketch();
+  TestPathBuilder slalom = builder();
   slalom.forward(1.0).forward(0.5 * quarter_m, tight);
   for (int i = 0; i < 3; ++i) slalom.forward(quarter_m, -tight).forward(quarter_m, tight);
   slalom.forward(0.5 * quarter_m, -tight).forward(1.0);
-  return {{"straight", sketch().forward(12.0).path()},
+  return {{"straight", builder().forward(12.0).path()},
           {"gentle S",
-           sketch().forward(1.5).forward(4.0, 0.25).forward(4.0, -0.25).forward(1.5).path()},
-          {"circle", sketch().forward(1.0).forward(4.0 * quarter_m, tight).forward(1.0).path()},
+           builder().forward(1.5).forward(4.0, 0.25).forward(4.0, -0.25).forward(1.5).path()},
+          {"circle", builder().forward(1.0).forward(4.0 * quarter_m, tight).forward(1.0).path()},
           {"slalom", slalom.path()},
-          {"three-point turn", sketch()
+          {"three-point turn", builder()
                                    .forward(1.0)
                                    .forward(quarter_m, tight)
                                    .back(quarter_m, -tight)
@@ -89,7 +89,7 @@ PlannedPath driven_in_reverse(PlannedPath path) {
   std::vector<PathPoint> points(path.points.rbegin(), path.points.rend());
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].T_odom_body = T_odom_start * between(T_odom_end, points[i].T_odom_body);
-    // What a point says of the stretch to the next, was said by the next one.
+    // Direction and curvature of a segment are stored in its first point.
     const PathPoint& source =
         path.points[path.points.size() - (i + 1 < points.size() ? i + 2 : i + 1)];
     points[i].reverse = !source.reverse;

@@ -11,14 +11,14 @@
 
 namespace adit {
 
-/// A path by hand, of lines and arcs that join without a corner, as planning makes them: line and
-/// arc of the point that moves along the body's x axis.
+/// Builds a path of lines and arcs with continuous heading, like planned paths: line and arc are
+/// those of the point that moves along the x axis of the body.
 class TestPathBuilder {
  public:
   explicit TestPathBuilder(const Vehicle& vehicle, const Pose2& T_odom_start = {},
                            double spacing_m = 0.15);
 
-  /// On along an arc of the body's origin, positive to the left of x; curvature 0 is a line.
+  /// Appends an arc of the body origin, positive curvature to the left; curvature 0 is a line.
   TestPathBuilder& forward(double length_m, double curvature_1_m = 0.0);
   TestPathBuilder& back(double length_m, double curvature_1_m = 0.0);
 
@@ -33,20 +33,22 @@ class TestPathBuilder {
   std::vector<PathPoint> points_;
 };
 
-/// Shapes to try controllers on, from the pose where they begin; the tightest bends have
-/// `radius_m`.
+/// A test path for path-following controllers.
 struct PathShape {
   std::string name;
   PlannedPath path;
 };
+
+/// All shapes, starting at a pose; the tightest bends have `radius_m`.
 std::vector<PathShape> path_shapes(const Vehicle& vehicle, double radius_m,
                                    const Pose2& T_odom_start = {});
 
-/// The same path, driven the other way round: from where each run ends, in reverse.
+/// The same path driven backwards: the points in reverse order with the direction of travel
+/// reversed, moved such that it starts at the start pose of `path`.
 PlannedPath driven_in_reverse(PlannedPath path);
 
-/// What planning finds through a random corridor, for a robot that stands anywhere between the
-/// poses of the lattice; in the frame of that robot.
+/// The planned path through a random corridor for a robot at a random offset from the poses of the
+/// planning lattice, in the frame of that robot.
 PlannedPath random_corridor_path(std::uint32_t seed, const Vehicle& vehicle);
 
 }  // namespace adit

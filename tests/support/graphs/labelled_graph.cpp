@@ -64,7 +64,8 @@ LabelledGraph read_labelled_graph(const std::filesystem::path& g2o,
     std::string verdict;
     if (!(words >> from >> to >> verdict)) return;
     const auto k = constraint_of.find({from, to});
-    if (k == constraint_of.end()) throw std::runtime_error("a label for a loop that is not there");
+    if (k == constraint_of.end())
+      throw std::runtime_error("a label has no loop closure in the graph");
     result.labels[k->second] = label_of(verdict);
   });
   for_each_line(ground_truth, [&](auto& words) {

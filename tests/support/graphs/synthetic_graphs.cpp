@@ -26,8 +26,8 @@ class MeasurementNoise {
   }
 
  private:
-  /// Sums and differences of the generator's integers are the same with every library; its
-  /// distributions are not. From −1 to 1, near to the middle more often.
+  /// Triangular distribution from −1 to 1. Computed from the integers of the generator because the
+  /// distributions of the standard library differ between implementations.
   double number() {
     const auto uniform = [this] { return static_cast<double>(rng_()) / 4294967295.0; };
     const double a = uniform();
@@ -42,28 +42,24 @@ class MeasurementNoise {
 
 PoseGraph square_trajectory_graph(int nodes, int side, double noise, std::uint32_t seed) {
   PoseGraph graph;
-  MeasurementNoise surveyor(noise, seed);
+  MeasurementNoise noisy(noise, seed);
   Pose2 T_map_node;
   for (int i = 0; i < nodes; ++i) {
     graph.poses.push_back(T_map_node);
     const bool corner = (i + 1) % side == 0;
     T_map_node = T_map_node * Pose2{1.0, 0.0, corner ? std::numbers::pi / 2.0 : 0.0};
-    if (i > 0) graph.constraints.push_back(surveyor.measure(graph, i - 1, i));
+    if (i > 0) graph.constraints.push_back(noisy.measure(graph, i - 1, i));
     const int before = i - 4 * side;
-    if (before >= 0) graph.constraints.push_back(surveyor.measure(graph, before, i));
+    if (before >= 0) graph.constraints.push_back(noisy.measure(graph, before, i));
   }
   return graph;
 }
 
-}  // namespace adit::test
-
-namespace adit::test {
 namespace {
 
 constexpr double kWrongMin = 3.0;  // [m]
 constexpr int kGroup = 20;
-constexpr int kApart = 2 * kGroup;  // in the order of the nodes, so that no group overlaps itself
-
+constexpr int kApart = 2 * kGroup;  // in node indices, so that a group does not overlap itself
 constexpr std::size_t kPosesMin = 160;
 
 class WrongLoopGenerator {
@@ -73,12 +69,11 @@ class WrongLoopGenerator {
       if (is_loop(c)) information_.push_back(c.information);
     }
     if (information_.empty() || graph.poses.size() < kPosesMin) {
-      throw std::invalid_argument("a graph without loops, or too small for wrong ones");
+      throw std::invalid_argument("the graph has no loop closures or too few poses");
     }
   }
 
-  /// Constraints from a + k to b + k for k < `length`: node b is claimed to be near node a, and the
-  /// nodes behind them to follow as they do.
+  /// Constraints from a + k to b + k for k < `length`, consistent with node b being near node a.
   std::vector<PoseConstraint> make_group(int length) {
     while (true) {
       const int a = below(static_cast<int>(graph_.poses.size()) - kGroup);

@@ -14,21 +14,23 @@ namespace {
 
 constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr double kSpeed = 0.3;
-constexpr double kLookM = 1.25;           // way from scan to scan
-constexpr double kStrideM = 0.2;          // in which the robot goes
-constexpr double kMapM = 5.0;             // way in a local map
-constexpr double kViewM = 10.0;           // of the planner
-constexpr double kNoWayM = 2.5;           // less progress is none (paper, section 3.3)
-constexpr double kSomeWayM = 1.0;         // after which it is seen anew before anything is blocked
-constexpr double kOnwardM = 6.0;          // beyond a stub, straight on
-constexpr double kBeyondFrontierM = 1.5;  // of a stub, where what is blocked begins
-constexpr double kAlignedM = 30.0;        // over which the map bends
+constexpr double kScanSpacingM = 1.25;    // distance travelled between scans
+constexpr double kStrideM = 0.2;          // step of the robot
+constexpr double kMapM = 5.0;             // distance travelled per local map
+constexpr double kViewM = 10.0;           // range of the planner
+constexpr double kMinPathM = 2.5;         // shorter paths count as blocked (paper, section 3.3)
+constexpr double kMinProgressM = 1.0;     // with more, the target is scanned again before a verdict
+constexpr double kOnwardM = 6.0;          // route beyond a frontier, straight ahead
+constexpr double kBeyondFrontierM = 1.5;  // distance beyond a frontier at which access is checked
+constexpr double kAlignedM = 30.0;        // length scale of the map distortion
 
-/// What a planner does: past what is in the way, and back to the route as far ahead as possible.
-struct WayRound {
-  std::vector<Eigen::Vector2d> cells;  // p_world; empty where there is no way of kNoWayM
-  std::size_t skipped = 0;             // points of the route up to where it meets it again
+/// A planned path around an obstacle that rejoins the route as far ahead as possible.
+struct Detour {
+  std::vector<Eigen::Vector2d> cells;  // p_world; empty if there is no path of kMinPathM
+  std::size_t skipped = 0;             // points of the route up to the rejoined one
 };
+
+/// Flood fill of reachable places within kViewM of a position.
 
 class LocalFlood {
  public:
@@ -47,8 +49,8 @@ class LocalFlood {
     }
   }
 
-  /// Empty where it is not reached.
-  [[nodiscard]] std::vector<Eigen::Vector2d> way_to(const Eigen::Vector2d& p) const {
+  /// Empty if the place is not reached.
+  [[nodiscard]] std::vector<Eigen::Vector2d> path_to(const Eigen::Vector2d& p) const {
     const Eigen::Vector2d off = (p - origin_) / kStrideM;
     Cell cell{static_cast<int>(std::lround(off.x())), static_cast<int>(std::lround(off.y()))};
     std::vector<Eigen::Vector2d> path;
@@ -72,14 +74,14 @@ class LocalFlood {
   std::map<Cell, Cell> before_;
 };
 
-WayRound way_round(const PlanarMine& mine, const Eigen::Vector2d& from,
+Detour find_detour(const PlanarMine& mine, const Eigen::Vector2d& from,
                    const std::vector<Eigen::Vector2d>& route) {
   const LocalFlood flood(mine, from);
   for (std::size_t i = route.size(); i-- > 0;) {
-    const bool far = (route[i] - from).norm() >= kNoWayM || i + 1 == route.size();
+    const bool far = (route[i] - from).norm() >= kMinPathM || i + 1 == route.size();
     if (!far || (route[i] - from).norm() > kViewM) continue;
-    WayRound round{flood.way_to(route[i]), i + 1};
-    if (!round.cells.empty()) return round;
+    Detour detour{flood.path_to(route[i]), i + 1};
+    if (!detour.cells.empty()) return detour;
   }
   return {};
 }
@@ -126,10 +128,9 @@ void ExploringRobot::scan() {
 
 void ExploringRobot::update_coverage() {
   for (std::size_t i = 0; i < covered_.size(); ++i) {
-    const Eigen::Vector2d path = mine_->corridor[i] - T_world_body_.translation();
-    if (covered_[i] || path.norm() > kCoverageRangeM) continue;
-    if (mine_->walls.cast(T_world_body_.translation(), std::atan2(path.y(), path.x()),
-                          path.norm())) {
+    const Eigen::Vector2d ray = mine_->corridor[i] - T_world_body_.translation();
+    if (covered_[i] || ray.norm() > kCoverageRangeM) continue;
+    if (mine_->walls.cast(T_world_body_.translation(), std::atan2(ray.y(), ray.x()), ray.norm())) {
       continue;
     }
     covered_[i] = true;
@@ -144,44 +145,44 @@ double ExploringRobot::drive(const std::vector<Eigen::Vector2d>& route_map, doub
   const Pose2 T_world_map = T_world_body_ * T_map_body().inverse();
   std::vector<Eigen::Vector2d> route;
   for (const Eigen::Vector2d& p_map : route_map) route.push_back(T_world_map * p_map);
-  double path = 0.0;
-  for (std::size_t i = 0; i < route.size() && path < distance_m && !blocked_;) {
-    if (drive_to(route[i], distance_m, path)) {
+  double driven_m = 0.0;
+  for (std::size_t i = 0; i < route.size() && driven_m < distance_m && !blocked_;) {
+    if (drive_to(route[i], distance_m, driven_m)) {
       ++i;
       continue;
     }
     const std::vector<Eigen::Vector2d> rest(route.begin() + static_cast<std::ptrdiff_t>(i),
                                             route.end());
-    const auto round = way_round(*mine_, T_world_body_.translation(), rest);
-    blocked_ = round.cells.empty();
-    for (const Eigen::Vector2d& p : round.cells) {
-      if (!drive_to(p, distance_m, path)) break;
+    const Detour detour = find_detour(*mine_, T_world_body_.translation(), rest);
+    blocked_ = detour.cells.empty();
+    for (const Eigen::Vector2d& p : detour.cells) {
+      if (!drive_to(p, distance_m, driven_m)) break;
     }
-    i += round.skipped;
+    i += detour.skipped;
   }
   scan();
   maps_.push_back(map_);
-  return path;
+  return driven_m;
 }
 
-/// False where it stopped before something; true where it arrived or went as far as it may.
-bool ExploringRobot::drive_to(const Eigen::Vector2d& target, double distance_m, double& path) {
-  while (path < distance_m) {
+/// False if an obstacle stops the robot; true if it reaches the target or the distance limit.
+bool ExploringRobot::drive_to(const Eigen::Vector2d& target, double distance_m, double& driven_m) {
+  while (driven_m < distance_m) {
     const Eigen::Vector2d off = target - T_world_body_.translation();
-    const double stride = std::min({kStrideM, off.norm(), distance_m - path});
+    const double stride = std::min({kStrideM, off.norm(), distance_m - driven_m});
     if (off.norm() < 1e-6) return true;
     const Eigen::Vector2d next = T_world_body_.translation() + stride * off.normalized();
     if (!mine_->reachable(next)) return false;
     T_world_body_ = {next.x(), next.y(), std::atan2(off.y(), off.x())};
-    path += stride;
+    driven_m += stride;
     distance_travelled_m_ += stride;
     since_scan_m_ += stride;
-    if (since_scan_m_ >= kLookM) scan();
+    if (since_scan_m_ >= kScanSpacingM) scan();
   }
   return true;
 }
 
-/// The same place is bent the same way by all local maps of one graph.
+/// All local maps of one graph share the same distortion.
 Pose2 ExploringRobot::distorted(const Pose2& T_world) const {
   const Pose2 T_map = between(mine_->T_world_start, T_world);
   const double phase = static_cast<double>(maps_.size());
@@ -227,7 +228,7 @@ double ExploringRobot::covered_share() const {
 
 namespace {
 
-/// A stub is blocked wrongly where the vehicle can be beyond it.
+/// Number of blocked frontiers beyond which the vehicle can stand.
 int count_wrong_blocked(const PlanarMine& mine, const std::vector<Frontier>& frontiers) {
   return static_cast<int>(
       std::count_if(frontiers.begin(), frontiers.end(), [&](const Frontier& frontier) {
@@ -277,7 +278,7 @@ class Run {
     }
   }
 
-  /// False when all is done, or nothing can be.
+  /// False at the end of the exploration.
   bool step() {
     const int target = exploration_.report().decision.frontier;
     const auto before = std::chrono::steady_clock::now();
@@ -290,8 +291,8 @@ class Run {
     count_turn(target, decision.frontier);
     using Kind = ExplorationDecision::Kind;
     if (decision.kind == Kind::kDone || decision.kind == Kind::kStay) return false;
-    const double path = robot_.drive(route_of(decision), kMapM);
-    if (robot_.stopped() && path < kSomeWayM) {
+    const double driven_m = robot_.drive(route_of(decision), kMapM);
+    if (robot_.stopped() && driven_m < kMinProgressM) {
       ++run_.blocked;
       take_map();
       exploration_.decide(

@@ -13,19 +13,19 @@
 
 namespace adit::test {
 
-/// A robot without physics that goes along routes in a light mine, sees with two level lasers, and
-/// makes local maps of what it saw, with a graph that is a little wrong: map is where the robot
-/// started, bent smoothly by up to `distortion_m`, and bent anew with each local map.
+/// A kinematic robot that follows routes in a PlanarMine, scans with two level lasers and makes
+/// local maps. The origin of map is the start pose. The pose graph is distorted smoothly with an
+/// amplitude of `distortion_m`; the distortion changes with each local map.
 class ExploringRobot {
  public:
   explicit ExploringRobot(const PlanarMine& mine, double distortion_m = 0.0,
                           std::uint64_t seed = 1);
 
-  /// Along a route in map, this far at most, and round what is in the way, as a planner that sees
-  /// the truth for ten metres. How far it got; it stops where there is no way of 2.5 m.
-  /// A local map is made of the way.
+  /// Follows a route in map for at most `distance_m` and makes one local map. Detours around
+  /// obstacles use the ground truth within 10 m; the robot stops if no path of 2.5 m exists.
+  /// Returns the distance travelled [m].
   double drive(const std::vector<Eigen::Vector2d>& route_map, double distance_m);
-  /// Whether the last way ended before something that it cannot pass.
+  /// Whether the last drive ended at an obstacle without a detour.
   [[nodiscard]] bool stopped() const { return blocked_; }
 
   [[nodiscard]] const LocalMap& last_map() const { return maps_.back(); }
@@ -34,13 +34,13 @@ class ExploringRobot {
   [[nodiscard]] const Pose2& T_world_body() const { return T_world_body_; }
   [[nodiscard]] double distance_travelled_m() const { return distance_travelled_m_; }
   [[nodiscard]] std::int64_t utime() const;
-  /// Share of the corridor that was seen from within kCoverageRangeM [0 to 1].
+  /// Share of the corridor that was observed from within kCoverageRangeM [0 to 1].
   [[nodiscard]] double covered_share() const;
   [[nodiscard]] Eigen::Vector2d to_map(const Eigen::Vector2d& p_world) const;
 
-  /// Of the corridor, what is farther than kMissedM from all that was seen [m].
+  /// Length of corridor farther than kMissedM from all observed corridor [m].
   [[nodiscard]] double missed_m() const;
-  /// Where it has been, p_world.
+  /// Positions of the scans, p_world.
   [[nodiscard]] const std::vector<Eigen::Vector2d>& traversed_path() const {
     return traversed_path_;
   }
@@ -71,24 +71,25 @@ class ExploringRobot {
   std::vector<Eigen::Vector2d> traversed_path_;
 };
 
-/// How an exploration went.
+/// The result of an exploration.
 struct ExplorationRun {
   std::vector<double> covered_share;  ///< at 25, 50, 75 and 100 % of the budget
-  double missed_m = 0.0;              ///< of corridor that was not seen, nor anything near it
+  double missed_m = 0.0;              ///< ExploringRobot::missed_m at the end
   std::vector<Eigen::Vector2d> path_map;
   double distance_travelled_m = 0.0;
-  double distance_from_start_m = 0.0;  ///< from the start, at the end
-  bool returned = false;               ///< within half a metre, within the budget
-  bool complete = false;               ///< what the exploration says of it
+  double distance_from_start_m = 0.0;  ///< at the end
+  bool returned = false;               ///< to within half a metre of the start, within the budget
+  bool complete = false;               ///< as reported by the exploration
   int frontiers = 0;
-  int blocked = 0;          ///< stubs that the planner said to be blocked
-  int falsely_blocked = 0;  ///< of them those that could be reached
+  int blocked = 0;          ///< blocked verdicts of the planner
+  int falsely_blocked = 0;  ///< blocked frontiers that the vehicle can enter
   int decisions = 0;
-  int turns = 0;  ///< times that the target changed to another that was open before
+  int turns = 0;  ///< changes of target while the previous target was still open
   double longest_decision_s = 0.0;
 };
 
-/// Until the robot is at home to stay, or the budget is spent, or nothing more can be done.
+/// Explores until the exploration is done or stays, the budget is spent, or the robot makes no
+/// progress. `budget_m` limits the distance travelled.
 ExplorationRun run_exploration(const PlanarMine& mine, Exploration& exploration, double budget_m,
                                double distortion_m = 0.0, std::uint64_t seed = 1);
 

@@ -15,8 +15,8 @@
 
 namespace adit {
 
-/// A simulated robot (GroundTruthRobot, or another that is made, run and heard as it is) with
-/// the stages from the 3D scan to the path.
+/// A simulated robot with the stages from the 3D scan to the path. `Robot` has the interface of
+/// GroundTruthRobot: constructor from a World, run() and bus().
 template <class Robot>
 class PlanningRobot {
  public:
@@ -31,7 +31,8 @@ class PlanningRobot {
                          });
   }
 
-  /// Ten seconds, of which the sweep takes eight; then a goal straight ahead.
+  /// Requests a 3D scan, runs ten seconds (the sweep takes eight), then publishes a goal straight
+  /// ahead.
   void scan_and_plan(double distance_m) {
     run(1.5);
     publish(bus(), channels::kScanRequest,
@@ -41,7 +42,7 @@ class PlanningRobot {
             to_message(PlanGoal{bus().now_utime(), kGoal, PlanGoal::Kind::kAlong, {}, distance_m}));
   }
 
-  /// Of simulated time.
+  /// Runs for a simulated time.
   void run(double seconds) { robot_.run(seconds); }
 
   [[nodiscard]] MemoryBus& bus() { return robot_.bus(); }

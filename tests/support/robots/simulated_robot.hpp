@@ -13,7 +13,7 @@
 
 namespace adit {
 
-/// The parameters of a stage that is told of lasers, with those of the simulated robot.
+/// Default parameters of a stage, with the laser mounts of the simulated robot.
 template <class Params>
 Params with_groundhog_lasers() {
   Params params;
@@ -21,18 +21,18 @@ Params with_groundhog_lasers() {
   return params;
 }
 
-/// A simulated robot on a bus in memory, for stages that need to know where they are: the
-/// simulator's TRUTH goes out as POSE in place of scan matching, so that odom is world.
+/// A simulated robot on an in-memory bus with perfect localization: the simulator's TRUTH is
+/// published as POSE in place of scan matching, so that odom equals world.
 class GroundTruthRobot {
  public:
   static constexpr std::int64_t kStartUtime = 1'600'000'000'000'000;
 
   explicit GroundTruthRobot(World world, const SimulationParams& params = {});
 
-  /// Of simulated time.
+  /// Runs for a simulated time.
   void run(double seconds);
 
-  /// No POSE from now on.
+  /// Stops publishing POSE.
   void stop_localization() { localized_ = false; }
 
   [[nodiscard]] MemoryBus& bus() { return bus_; }
@@ -46,15 +46,15 @@ class GroundTruthRobot {
   bool localized_ = true;
 };
 
-/// A simulated robot on a bus in memory that finds its place as on a mission: by scan matching. It
-/// starts at the origin of world, so that odom is world but for what scan matching gets wrong.
+/// A simulated robot on an in-memory bus that is localized by scan matching. It starts at the
+/// origin of world, so that odom equals world up to the error of scan matching.
 class ScanMatchingRobot {
  public:
   static constexpr std::int64_t kStartUtime = 1'600'000'000'000'000;
 
   explicit ScanMatchingRobot(World world);
 
-  /// Of simulated time.
+  /// Runs for a simulated time.
   void run(double seconds);
 
   [[nodiscard]] MemoryBus& bus() { return bus_; }

@@ -13,19 +13,20 @@
 
 namespace adit {
 
-/// What a robot made of its corridor by one look at it, and what is true of the path.
+/// Terrain map and path from one 3D scan of a corridor, and the check of the path by ground truth.
 struct CorridorRun {
   TerrainMap terrain;
   PlannedPath path;
-  std::optional<FeasibilityFault> fault;  ///< of the true vehicle on the path
-  double along_m = 0.0;                   ///< the drift that the end of the path lies ahead
-  double terrain_ms = 0.0;                ///< of the time of this thread
-  double plan_ms = 0.0;
+  std::optional<FeasibilityFault> fault;  ///< first fault of the true vehicle on the path
+  double along_m = 0.0;                   ///< progress along the tunnel at the end of the path
+  double terrain_ms = 0.0;                ///< CPU time of this thread
+  double plan_ms = 0.0;                   ///< CPU time of this thread
 
   [[nodiscard]] bool found() const { return path.outcome == PlanOutcome::kFound; }
 };
 
-/// From a tilt of the front laser (`seed` of its noise) to a path of up to 10 m.
+/// Simulates one tilt sweep of the front laser (`seed` of its noise), makes the terrain map with an
+/// estimator (`terrain.estimator.kind`) and plans a path of up to 10 m along the tunnel.
 CorridorRun run_corridor(const Corridor& corridor, const std::string& estimator, std::uint64_t seed,
                          Planning& planning);
 

@@ -10,13 +10,14 @@
 
 namespace adit {
 
-/// How far the body's origin truly is beside a path, by a search of its own along the line between
-/// the points. To be asked in the order of the drive.
+/// Cross-track error of the true body origin: the lateral distance from the polyline of a path. The
+/// search is independent of driving. Positions must be passed in the order of the drive.
 class CrossTrackError {
  public:
   explicit CrossTrackError(const std::vector<PathPoint>& points);
 
-  /// To the left of the line, looking along the way; among places near to the last.
+  /// Signed distance [m], positive to the left of the direction of travel. Searches only near the
+  /// previous projection.
   double operator()(const Eigen::Vector2d& p_odom);
 
  private:

@@ -100,7 +100,7 @@ class Reader {
     stopped_ = order.stopped;
   }
 
-  /// By the local map that was the newest then.
+  /// Places a pose by the local map that was the newest at its time.
   void add_mapped(const TimedPose& at) {
     const LocalMap* newest = nullptr;
     for (const auto& [id, map] : locals_) {
@@ -115,7 +115,7 @@ class Reader {
   MissionLog log_;
   Trajectory odom_;
   Pose2 T_map_odom_;
-  std::map<int, LocalMap> locals_;  ///< with some of their scans
+  std::map<int, LocalMap> locals_;  ///< with a part of their scans only
   PoseGraphReassembler graphs_;
   MapGraph graph_;
   std::set<std::int32_t> reported_;

@@ -14,11 +14,11 @@
 
 namespace adit::test {
 
-/// What the log of a simulated mission says of it.
+/// The contents of the log of a simulated mission.
 struct MissionLog {
   Trajectory truth;                  ///< T_world_body
-  Trajectory estimated;              ///< T_map_body, as the robot believed it at the time
-  Trajectory mapped;                 ///< the same by the last graph, from the first local map on
+  Trajectory estimated;              ///< T_map_body, as estimated at the time
+  Trajectory mapped;                 ///< T_map_body by the last graph, from the first local map on
   std::vector<MissionPhase> phases;  ///< each change once
   std::vector<BlockedVerdict> verdicts;     ///< each once
   std::optional<ExplorationReport> report;  ///< the last
@@ -27,7 +27,8 @@ struct MissionLog {
   std::string failure;                      ///< why the run failed; empty if it did not
 };
 
-/// Poses ten times a second. Throws std::runtime_error where the file is no log.
+/// Reads a log; poses are sampled at 10 Hz. Throws std::runtime_error if the file is not an LCM
+/// log.
 MissionLog read_mission(const std::filesystem::path& log);
 
 }  // namespace adit::test

@@ -12,22 +12,22 @@
 namespace adit::test {
 namespace {
 
-constexpr double kCoverageStepM = 0.5;  // of the true way, from one look around to the next
+constexpr double kCoverageStepM = 0.5;  // true distance between viewpoints
 
-/// Nobody sees how deep water is, so that all of it is refused.
-Vehicle that_does_not_wade() {
+/// The sensors cannot measure the depth of water, so that planning rejects all water.
+Vehicle non_wading_vehicle() {
   Vehicle vehicle;
   vehicle.wading_depth_max_m = 0.0;
   return vehicle;
 }
 
-/// What it can do, nobody doubts.
-Vehicle with_room_round_it() {
-  Vehicle vehicle = that_does_not_wade();
+/// A vehicle with margins for all thresholds: wherever it fits, the real vehicle certainly fits.
+Vehicle vehicle_with_margin() {
+  Vehicle vehicle = non_wading_vehicle();
   vehicle.length_m += 2.0 * MissionTruth::kMarginM;
   vehicle.width_m += 2.0 * MissionTruth::kMarginM;
-  vehicle.height_m += 0.25;           // with which the terrain stage looks for what hangs
-  vehicle.belly_clearance_m -= 0.08;  // its margin, and roughness of the ground
+  vehicle.height_m += 0.25;           // overhead margin of the terrain stage
+  vehicle.belly_clearance_m -= 0.08;  // margin of the terrain stage and ground roughness
   vehicle.step_max_m -= 0.08;
   return vehicle;
 }
@@ -59,7 +59,7 @@ void add_phases(const MissionLog& log, MissionScore& score) {
   score.complete = log.phases.back().complete;
 }
 
-void add_way(const MissionLog& log, MissionScore& score) {
+void add_trajectory(const MissionLog& log, MissionScore& score) {
   score.distance_travelled_m = log.distance_travelled_m;
   if (log.truth.empty()) return;
   const Eigen::Vector2d start = log.truth.front().pose.translation();
@@ -76,7 +76,7 @@ void add_way(const MissionLog& log, MissionScore& score) {
   score.length_ratio = mapped.length_ratio;
 }
 
-/// Which places of the corridor were seen.
+/// Flags of the corridor points that were observed.
 std::vector<bool> covered_by(const PlanarMine& mine, const Trajectory& truth) {
   std::vector<bool> covered(mine.corridor.size());
   for (const TimedPose& at : downsampled(truth, kCoverageStepM)) {
@@ -105,14 +105,14 @@ double missed_m(const PlanarMine& mine, const std::vector<bool>& covered) {
 }  // namespace
 
 MissionTruth::MissionTruth(const World& world)
-    : mine_(planar_mine(world, that_does_not_wade())),
-      mine_with_margin_(planar_mine(world, with_room_round_it())) {}
+    : mine_(planar_mine(world, non_wading_vehicle())),
+      mine_with_margin_(planar_mine(world, vehicle_with_margin())) {}
 
 MissionScore MissionTruth::score(const MissionLog& log) const {
   MissionScore score;
   score.outcome = outcome_of(log);
   add_phases(log, score);
-  add_way(log, score);
+  add_trajectory(log, score);
   add_coverage(log, score);
   add_verdicts(log, score);
   score.guard_stops = log.guard_stops;
@@ -128,7 +128,7 @@ void MissionTruth::add_coverage(const MissionLog& log, MissionScore& score) cons
   score.certainly_missed_m = missed_m(mine_with_margin_, covered_by(mine_with_margin_, log.truth));
 }
 
-/// By where the stub is on the last map, laid upon the truth.
+/// Frontier positions are those of the last map, aligned with the ground truth.
 void MissionTruth::add_verdicts(const MissionLog& log, MissionScore& score) const {
   if (!log.report || log.mapped.empty()) return;
   const Pose2 T_world_map = score_trajectory(log.mapped, log.truth).T_world_map;

@@ -10,45 +10,46 @@
 
 namespace adit::test {
 
-/// How a mission went, by the truth.
+/// The result of a mission, evaluated against ground truth.
 struct MissionScore {
   std::string outcome;                 ///< home, stopped, stranded, timed out, failed or crashed
-  std::string reason;                  ///< for that, a sentence
-  double distance_from_start_m = 0.0;  ///< of the true body from the start, at the end
-  double farthest_m = 0.0;             ///< of the true body from the start, straight
-  double corridor_m = 0.0;             ///< that can be reached without wading
-  double covered_share = 0.0;          ///< of that, from within 8 m
-  double missed_m = 0.0;               ///< of that, farther than 2 m from all that was seen
-  double certainly_missed_m = 0.0;     ///< the same of what the vehicle with some room can reach
+  std::string reason;                  ///< of the outcome, a sentence
+  double distance_from_start_m = 0.0;  ///< true, at the end
+  double farthest_m = 0.0;             ///< true, largest straight distance from the start
+  double corridor_m = 0.0;             ///< length of corridor reachable without wading
+  double covered_share = 0.0;          ///< of it, observed from within 8 m
+  double missed_m = 0.0;               ///< of it, farther than 2 m from all observed corridor
+  double certainly_missed_m = 0.0;     ///< the same for corridor that an inflated vehicle reaches
   double distance_travelled_m = 0.0;   ///< true
   double simulated_s = 0.0;
   double wall_s = 0.0;
   int scans = 0;
-  double rmse_m = 0.0;            ///< of T_map_body by the last graph, laid upon the truth at first
-  double rmse_estimated_m = 0.0;  ///< as it was believed at the time
-  double length_ratio = 0.0;      ///< of the way by the last graph to the true one
-  int verdicts = 0;               ///< that a stub is blocked
-  int false_verdicts = 0;         ///< where the vehicle with some room fits beyond it
-  int unconfirmed = 0;            ///< stubs given up that nobody saw to be blocked
-  int route_home_verdicts = 0;    ///< that the way home is, or where no stub was
-  bool complete = false;          ///< said of the exploration
-  int rescans = 0;                ///< second looks from the same place
+  double rmse_m = 0.0;            ///< of T_map_body by the last graph, aligned at the start
+  double rmse_estimated_m = 0.0;  ///< of T_map_body as estimated at the time
+  double length_ratio = 0.0;      ///< path length by the last graph over the true one
+  int verdicts = 0;               ///< blocked verdicts on frontiers
+  int false_verdicts = 0;         ///< of these, where an inflated vehicle fits beyond the frontier
+  int unconfirmed = 0;            ///< frontiers abandoned without an observed obstacle
+  int route_home_verdicts = 0;    ///< blocked verdicts on the route home or without a frontier
+  bool complete = false;          ///< exploration reported as complete
+  int rescans = 0;                ///< repeated scans from the same viewpoint
   int back_offs = 0;
   int guard_stops = 0;
 
   [[nodiscard]] bool false_complete() const { return complete && missed_m > 2.0; }
 };
 
-/// The truth of a world that a mission is held against. Costs a search for what can be reached.
+/// Ground truth of a world for the evaluation of missions. The constructor searches the reachable
+/// area.
 class MissionTruth {
  public:
-  static constexpr double kCoverageRangeM = 8.0;   ///< from which corridor counts as seen
-  static constexpr double kBeyondFrontierM = 1.5;  ///< of a stub, where what is blocked begins
-  static constexpr double kMarginM = 0.1;          ///< round the vehicle that is sure to fit
+  static constexpr double kCoverageRangeM = 8.0;   ///< within which corridor counts as observed
+  static constexpr double kBeyondFrontierM = 1.5;  ///< distance at which access is checked
+  static constexpr double kMarginM = 0.1;          ///< around the inflated vehicle
 
   explicit MissionTruth(const World& world);
 
-  /// But for the wall time.
+  /// All fields except `wall_s`.
   [[nodiscard]] MissionScore score(const MissionLog& log) const;
 
  private:
@@ -56,7 +57,7 @@ class MissionTruth {
   void add_verdicts(const MissionLog& log, MissionScore& score) const;
 
   PlanarMine mine_;
-  PlanarMine mine_with_margin_;  ///< the same for a vehicle with room
+  PlanarMine mine_with_margin_;  ///< the same for the inflated vehicle
 };
 
 }  // namespace adit::test

@@ -15,8 +15,8 @@
 namespace adit {
 namespace {
 
-constexpr double kFeasibilityStepM = 0.01;  // of the outermost points, from one look to the next
-constexpr double kCornerM = 1.4;            // from the middle to a corner, at least
+constexpr double kFeasibilityStepM = 0.01;  // motion of the corners between checks
+constexpr double kCornerM = 1.4;            // distance of a corner from the centre, upper bound
 
 }  // namespace
 
@@ -51,12 +51,12 @@ std::optional<FeasibilityFault> find_first_fault(const Site& site, const Vehicle
   for (std::size_t i = 1; i < poses.size(); ++i) {
     const Pose2 step = between(poses[i - 1], poses[i]);
     const double length_m = step.translation().norm();
-    const int fragments = static_cast<int>(
+    const int steps = static_cast<int>(
         std::ceil((length_m + kCornerM * std::abs(step.theta)) / kFeasibilityStepM));
-    for (int k = 1; k <= fragments; ++k) {
-      const double share = static_cast<double>(k) / fragments;
+    for (int k = 1; k <= steps; ++k) {
+      const double share = static_cast<double>(k) / steps;
       const Pose2 pose = poses[i - 1] * Pose2{share * step.x, share * step.y, share * step.theta};
-      driven_m += length_m / fragments;
+      driven_m += length_m / steps;
       if (auto fault = fault_at(pose, stance.move(pose))) return fault;
     }
   }
@@ -66,11 +66,11 @@ std::optional<FeasibilityFault> find_first_fault(const Site& site, const Vehicle
 namespace {
 
 constexpr double kPassageStepM = 0.4;
-constexpr int kCheckedPoses = 4;  // on the way of a step
+constexpr int kCheckedPoses = 4;  // per step
 constexpr std::array kCurvatures{0.0, 0.25, -0.25, 0.5, -0.5};
 constexpr double kCellM = 0.15;
 constexpr double kHeadingCell = 0.15;     // [rad]
-constexpr double kHeuristicWeight = 2.0;  // a metre on along the drift is worth that of way
+constexpr double kHeuristicWeight = 2.0;  // of progress along the tunnel against path length
 
 struct State {
   double order;
@@ -137,11 +137,11 @@ Vehicle inflated_vehicle(const Vehicle& vehicle, double room_m) {
   Vehicle larger = vehicle;
   larger.length_m += 2.0 * room_m;
   larger.width_m += 2.0 * room_m;
-  larger.height_m += 0.25;           // with which the terrain stage looks for what hangs
-  larger.belly_clearance_m -= 0.08;  // the margin, and roughness of the ground
+  larger.height_m += 0.25;           // overhead margin of the terrain stage
+  larger.belly_clearance_m -= 0.08;  // margin of the terrain stage and ground roughness
   larger.step_max_m -= 0.08;
   larger.tilt_max_rad = 0.25;
-  larger.wading_depth_max_m = 0.0;  // all water is refused
+  larger.wading_depth_max_m = 0.0;  // planning rejects all water
   return larger;
 }
 

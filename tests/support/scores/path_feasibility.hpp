@@ -13,30 +13,31 @@
 
 namespace adit {
 
-/// What ends a drive, and where.
+/// The first fault on a path.
 struct FeasibilityFault {
   Pose2 T_world_body;
-  double driven_m = 0.0;  ///< from the beginning
-  std::string what;
+  double driven_m = 0.0;  ///< distance from the start of the path
+  std::string what;       ///< kind of fault
 };
 
-/// Why the vehicle, as its wheels hold it, may not be where it is: something within its body, or
-/// water that is too deep at the body's origin or a wheel.
+/// The fault of a vehicle that stands at a 3D pose: an object within its body, or water that is too
+/// deep below it (checked on a 3×3 grid over wheelbase and track). Nothing if the pose is feasible.
 std::optional<std::string> find_fault_at(const Site& site, const Vehicle& vehicle,
                                          const Eigen::Isometry3d& T_world_body);
 
-/// Moves the true vehicle along poses in world, of each straight to the next, by centimetres, and
-/// says what it meets first: no ground, a step, a tilt, a touch, deep water. `floor_m` is the
-/// height of the ground where it begins.
+/// Moves the true vehicle along poses in world, interpolated at steps of 1 cm, and returns the
+/// first fault: no ground, step, tilt, collision or deep water. `floor_m` is the floor height at
+/// the first pose.
 std::optional<FeasibilityFault> find_first_fault(const Site& site, const Vehicle& vehicle,
                                                  double floor_m, const std::vector<Pose2>& poses);
 
-/// The vehicle with room all round it, and with less in it to spare: what it can do, nobody doubts.
+/// The vehicle inflated by `room_m` on all sides and with margins on its limits: wherever it can
+/// drive, the real vehicle certainly can.
 Vehicle inflated_vehicle(const Vehicle& vehicle, double room_m);
 
-/// How far along its drift the vehicle can be driven forwards in the true mine [m], up to
-/// `enough_m`: a search over poses that has nothing in common with the planner, each tried in the
-/// mesh. Bends no tighter than 2 m.
+/// Distance that the vehicle can be driven forwards along the tunnel in the true mine [m], up to
+/// `enough_m`. A search over poses that is independent of the planner and checks each pose against
+/// the mesh. The smallest turning radius is 2 m.
 double feasible_distance_m(const Corridor& corridor, const Vehicle& vehicle, double enough_m);
 
 }  // namespace adit

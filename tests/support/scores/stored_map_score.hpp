@@ -7,14 +7,14 @@
 
 namespace adit::test {
 
-/// The map as a mapping would begin with it, that has the default configuration, but for what is
-/// unfinished.
+/// The map graph that mapping with the default configuration restores from a stored map, without
+/// the unfinished part.
 MapGraph restore_graph(const StoredMap& stored);
 
-/// Of the positions of the local maps.
+/// Error of the positions of the local maps.
 PathError error_of(const StoredMap& stored, const MapGraph& graph, const Trajectory& truth);
 
-/// How many closures hold a session to an earlier one.
+/// Number of loop closures between different sessions.
 int loop_closures_between_sessions(const StoredMap& stored, const MapGraph& graph);
 
 }  // namespace adit::test

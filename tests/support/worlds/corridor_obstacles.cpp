@@ -11,8 +11,8 @@
 namespace adit {
 namespace {
 
-// Tall things begin here: lower ones are hidden below the steepest beam up to 2.4 m ahead. Of that
-// ground a robot knows from before that it is free.
+// Nearest positions of tall and of low obstacles. Low ones nearer than 2.4 m are hidden below the
+// steepest beam; a robot has observed that ground in earlier scans.
 constexpr double kNearM = kCorridorStart + 1.8;
 constexpr double kLowNearM = kCorridorStart + 2.4;
 constexpr double kFarM = kCorridorStart + 7.0;
@@ -26,7 +26,7 @@ double anywhere_m(const RandomCorridorMine& mine, RandomGenerator& rng) {
 double at_m(RandomGenerator& rng) { return rng.between(kNearM, kFarM); }
 double low_at_m(RandomGenerator& rng) { return rng.between(kLowNearM, kFarM); }
 
-/// Adds something at a place of the tunnel: `add(builder, T_world_place, floor_m)`.
+/// Adds an object at a place in the tunnel: `add(builder, T_world_place, floor_m)`.
 template <class Add>
 void add_at(RandomCorridorMine& mine, double s_m, double across_m, const Add& add) {
   const TunnelLine tunnel = tunnel_lines(mine.description.plan).front();
@@ -37,7 +37,7 @@ void add_at(RandomCorridorMine& mine, double s_m, double across_m, const Add& ad
   });
 }
 
-void nothing(RandomCorridorMine& /*mine*/, RandomGenerator& /*dice*/) {}
+void nothing(RandomCorridorMine& /*mine*/, RandomGenerator& /*rng*/) {}
 
 void posts(RandomCorridorMine& mine, RandomGenerator& rng) {
   const int n = rng.between(1, 6);
@@ -160,7 +160,7 @@ void low_roof(RandomCorridorMine& mine, RandomGenerator& rng) {
                                               .clearance_m = rng.between(0.6, 1.6)});
 }
 
-/// A roof that comes down gently, as a slab.
+/// A slab with a gentle slope that lowers the roof.
 void sloping_roof(RandomCorridorMine& mine, RandomGenerator& rng) {
   const double length_m = rng.between(3.0, 8.0);
   const double pitch = rng.between(0.05, 0.25);
@@ -177,7 +177,7 @@ void sloping_roof(RandomCorridorMine& mine, RandomGenerator& rng) {
 void pit(RandomCorridorMine& mine, RandomGenerator& rng) {
   const int n = rng.between(1, 2);
   for (int i = 0; i < n; ++i) {
-    const double radius_m = rng.between(0.4, 1.3);  // a wheel bridges what is smaller
+    const double radius_m = rng.between(0.4, 1.3);  // a wheel bridges smaller pits
     mine.description.props.pits.push_back({.name = "pit_" + std::to_string(i),
                                            .tunnel = kTunnel,
                                            .at_m = low_at_m(rng) + radius_m,
@@ -187,11 +187,11 @@ void pit(RandomCorridorMine& mine, RandomGenerator& rng) {
   }
 }
 
-/// Across the whole tunnel, as a ditch for drainage is.
+/// A trench across the complete width of the tunnel, like a drainage ditch.
 void trench(RandomCorridorMine& mine, RandomGenerator& rng) {
-  // The floor is a pair of slabs then, on which the robot stands, with nothing between them.
+  // The floor is replaced by two slabs with a gap; the robot stands on the first one.
   const double depth_m = rng.between(0.08, 0.6);
-  const double gap_m = rng.between(0.6, 1.5);  // a wheel bridges what is narrower
+  const double gap_m = rng.between(0.6, 1.5);  // a wheel bridges narrower gaps
   const double edge = rng.between(2.4, 6.0);
   add_at(mine, kCorridorStart, 0.0, [=](MeshBuilder& builder, const Pose2& place, double floor) {
     builder.begin_part(PartKind::kFloor, Material::kRock, "slab");
@@ -227,7 +227,7 @@ void ramp(RandomCorridorMine& mine, RandomGenerator& rng) {
   mine.description.heights.profile_m = {0.0, 0.0, from, 0.0, from + length_m, rise * length_m};
 }
 
-/// Up where the height is positive; else the robot stands on a slab that ends.
+/// A step up, or a step down at the end of a slab on which the robot stands.
 void step(RandomCorridorMine& mine, RandomGenerator& rng) {
   const double height_m = rng.between(0.06, 0.4);
   const bool down = rng.chance(0.5);
@@ -241,7 +241,7 @@ void step(RandomCorridorMine& mine, RandomGenerator& rng) {
   });
 }
 
-/// Two blocks that leave a gap.
+/// Two blocks with a gap between them.
 void pinch(RandomCorridorMine& mine, RandomGenerator& rng) {
   const double gap_m = rng.between(1.4, 2.4);
   const double middle_m = rng.between(-0.5, 0.5) * std::max(0.0, width_m(mine) - gap_m);
@@ -258,7 +258,7 @@ void pinch(RandomCorridorMine& mine, RandomGenerator& rng) {
       });
 }
 
-void side_frontier(RandomCorridorMine& mine, RandomGenerator& rng) {
+void side_tunnel(RandomCorridorMine& mine, RandomGenerator& rng) {
   const TunnelLine tunnel = tunnel_lines(mine.description.plan).front();
   const auto station = tunnel.at(rng.between(kCorridorStart - 1.0, kFarM + 2.0));
   const Pose2 place{station.p_world.x(), station.p_world.y(), station.heading_rad};
@@ -313,9 +313,9 @@ void add_obstacles(RandomCorridorMine& mine, RandomGenerator& rng) {
   for (const auto& [name, add] : kKinds) {
     if (mine.kind == name) add(mine, rng);
   }
-  const bool slabs = mine.kind == "step" || mine.kind == "trench";  // which would bury them
+  const bool slabs = mine.kind == "step" || mine.kind == "trench";  // slabs would bury low objects
   if (!slabs && mine.kind != "rails" && rng.chance(0.25)) rails(mine, rng);
-  if (rng.chance(0.25)) side_frontier(mine, rng);
+  if (rng.chance(0.25)) side_tunnel(mine, rng);
   if (rng.chance(0.1)) mud(mine, rng);
   if (!slabs && rng.chance(0.15)) low_rubble(mine, rng);
   if (rng.chance(0.25)) {

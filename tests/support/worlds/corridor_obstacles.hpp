@@ -7,7 +7,8 @@
 
 namespace adit {
 
-/// What the kind of a mine says, ahead of its robot, and some rails, posts and stones.
+/// Adds the obstacles of `mine.kind` ahead of the robot, and random rails, posts, rubble, mud and
+/// side tunnels.
 void add_obstacles(RandomCorridorMine& mine, RandomGenerator& rng);
 
 }  // namespace adit

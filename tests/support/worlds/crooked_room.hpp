@@ -11,13 +11,13 @@
 
 namespace adit::test {
 
-/// A closed, crooked room of about 13 m by 9 m with a pillar: no two walls are parallel, so that a
-/// scan of it constrains all directions. The origin is inside.
+/// A closed, irregular room of about 13 m by 9 m with a pillar. No two walls are parallel, so that
+/// a scan constrains all directions. The origin is inside.
 WallWorld crooked_room();
 
 /// The surface points of a scan whose laser is at the origin of the body.
 std::vector<SurfacePoint> scan_points(const LaserScan& scan);
-/// Those of an exact scan.
+/// The surface points of an exact scan.
 std::vector<SurfacePoint> scan_points(const WallWorld& world, const Pose2& T_world_body);
 
 }  // namespace adit::test

@@ -14,7 +14,7 @@ namespace adit::test {
 namespace {
 
 constexpr double kLaserHeightM = 0.6;
-constexpr double kSnapM = 0.3;  // the robot may be that far from a place that counts as reachable
+constexpr double kSnapM = 0.3;  // largest distance of the robot from a reachable cell
 
 double width_at(const TunnelGraph& tunnels, int node) {
   double width = 0.0;
@@ -24,7 +24,7 @@ double width_at(const TunnelGraph& tunnels, int node) {
   return width;
 }
 
-/// The plan is closed at the mouth of the mine, where there is nothing to see.
+/// Whether a wall of the plan closes an entrance of the mine. There is no real wall.
 bool is_mouth(const Segment& wall, const TunnelGraph& tunnels) {
   for (std::size_t i = 0; i < tunnels.nodes.size(); ++i) {
     if (!tunnels.nodes[i].entrance) continue;
@@ -52,7 +52,7 @@ std::vector<Segment> walls_of(const WorldTruth& truth) {
   return walls;
 }
 
-/// Cells that can be reached, to be asked for places nearby.
+/// The reachable cells, for queries by distance.
 class Reach {
  public:
   explicit Reach(const std::vector<Eigen::Vector2d>& cells) {

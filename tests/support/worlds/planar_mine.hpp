@@ -12,13 +12,12 @@
 
 namespace adit::test {
 
-/// A mine without physics: what a laser sees of its plan, and where a vehicle can be.
+/// A 2D mine without physics: the walls that a level laser measures, and the reachable area.
 struct PlanarMine {
   WallWorld walls;
   Pose2 T_world_start;
   std::function<bool(const Eigen::Vector2d& p_world)> reachable;
-  /// Places in the middles of the tunnels that can be reached, kSpacingM apart: what there is to
-  /// explore.
+  /// Points on the centre lines of the reachable tunnels, kSpacingM apart: the corridor to explore.
   std::vector<Eigen::Vector2d> corridor;
 
   static constexpr double kSpacingM = 0.5;
@@ -27,10 +26,10 @@ struct PlanarMine {
   }
 };
 
-/// The plan of a world, open at its entrances, with what stands as high as the lasers.
+/// The plan of a world, open at its entrances, with all obstacles at the height of the lasers.
 PlanarMine planar_mine(const World& world, const Vehicle& vehicle = {});
 
-/// Walls by hand, for a round vehicle; there is nothing to explore but what is given.
+/// A mine of the given walls and corridor points, for a round vehicle.
 PlanarMine planar_mine(std::vector<Segment> walls, const Pose2& T_world_start,
                        std::vector<Eigen::Vector2d> corridor = {}, double radius_m = 0.62);
 

@@ -66,8 +66,8 @@ constexpr double kSegmentM = 4.0;  // from one bend of the tunnel to the next
 constexpr double kAheadM = 8.0;
 constexpr int kAttemptsMax = 100;
 
-/// The middle of a tunnel that wanders, and may turn sharply once.
-std::vector<double> wandering(RandomGenerator& rng) {
+/// The centre line of a gently winding tunnel with at most one sharp bend.
+std::vector<double> winding_line(RandomGenerator& rng) {
   std::vector<double> points{0.0, 0.0};
   const double sharp_at_m = rng.chance(0.3) ? rng.between(8.0, 16.0) : 2.0 * kLengthM;
   const double sharp = rng.side() * rng.between(0.25, 0.7);
@@ -86,7 +86,7 @@ WorldDescription bare_tunnel(int seed, double width_m, RandomGenerator& rng) {
   WorldDescription mine;
   mine.name = "corridor";
   mine.seed = seed;
-  mine.plan.tunnels.push_back({.name = "main", .points_m = wandering(rng), .width_m = width_m});
+  mine.plan.tunnels.push_back({.name = "main", .points_m = winding_line(rng), .width_m = width_m});
   mine.heights.clearance_m = rng.between(1.75, 2.3);
   mine.heights.floor_relief = {.height_m = rng.between(0.01, 0.03), .length_m = 2.0};
   mine.heights.roof_relief = {.height_m = rng.between(0.03, 0.12), .length_m = 2.0};
@@ -132,7 +132,7 @@ Corridor random_corridor_with_robot(int seed, const Vehicle& vehicle, double roo
     try {
       Corridor corridor = build_corridor(random_corridor_mine(seed * kAttemptsMax + i, kind));
       if (!colliding_part(corridor.site->scene(), larger, corridor.T_world_body)) return corridor;
-    } catch (const std::invalid_argument&) {  // it does not stand there
+    } catch (const std::invalid_argument&) {  // the robot cannot stand there
     }
   }
   throw std::invalid_argument("no corridor in which the vehicle stands");

@@ -11,7 +11,7 @@
 namespace adit {
 namespace {
 
-/// Corners of cubes of `grid_m`, each moved a little at random; some of their faces are surfaces.
+/// A lattice of `grid_m` whose vertices are displaced at random; surfaces consist of its faces.
 class Lattice {
  public:
   Lattice(const RoughMine& mine, MeshBuilder& builder)
@@ -64,7 +64,8 @@ class Lattice {
   }
   void quad(int at, int first_step, int second_step) {
     const auto id = [](int i) { return static_cast<std::uint32_t>(i); };
-    builder_.quad(id(at), id(at + first_step), id(at + first_step + second_step), id(at + second_step));
+    builder_.quad(id(at), id(at + first_step), id(at + first_step + second_step),
+                  id(at + second_step));
   }
 
   int layers_;

@@ -6,13 +6,13 @@
 
 namespace adit {
 
-/// Drifts that cross at right angles, with square pillars between them and rough surfaces; the
-/// floor is about z = 0. One begins at each multiple of `spacing_m` in x and in y from 0 on.
+/// Tunnels that cross at right angles, with square pillars between them and rough surfaces. The
+/// floor is near z = 0. Tunnels start at the multiples of `spacing_m` in x and y, from 0.
 struct RoughMine {
-  int pillars = 1;          ///< along each side
-  double spacing_m = 12.0;  ///< from tunnel to tunnel; a tunnel is a quarter of it wide
+  int pillars = 1;          ///< per side
+  double spacing_m = 12.0;  ///< between tunnels; the width of a tunnel is a quarter of it
   double height_m = 2.0;
-  double grid_m = 0.2;  ///< length of the edges of the mesh, about
+  double grid_m = 0.2;  ///< approximate edge length of the mesh
   double roughness_m = 0.05;
 };
 

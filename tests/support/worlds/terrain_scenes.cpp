@@ -11,11 +11,11 @@
 namespace adit {
 namespace {
 
-constexpr double kWallM = 0.4;  // how far walls are seen
+constexpr double kWallM = 0.4;  // observed depth of the walls
 constexpr double kWallHighM = 1.1;
 constexpr double kRailGaugeM = 0.9;
 constexpr double kRailHighM = 0.1;
-constexpr double kStraightM = 2.0;  // of the lane round the robot, where it runs straight
+constexpr double kStraightM = 2.0;  // length of the straight lane near the robot
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
@@ -38,7 +38,7 @@ TerrainCell cell_at(const CorridorScene& scene, const Eigen::Vector2d& to_corrid
   return obstacle_cell(scene.rails && rail ? kRailHighM : 0.02);
 }
 
-/// Far enough from the lane and from where the robot stands.
+/// Whether a post is far enough from the lane and from the robot.
 bool leaves_room(const CorridorScene& scene, const CorridorScene::Post& post, double lane_half_m) {
   for (double along = -3.0; along < 15.0; along += 0.1) {
     const Eigen::Vector2d lane(along, scene.lane_m(along));
@@ -128,7 +128,7 @@ Eigen::Vector2d CorridorScene::to_corridor(const Eigen::Vector2d& p_level) const
 
 double CorridorScene::lane_m(double along_m) const {
   const double distance_m = std::max(0.0, along_m - kStraightM);
-  const double rise = std::min(1.0, distance_m / kStraightM);  // it leaves the middle smoothly
+  const double rise = std::min(1.0, distance_m / kStraightM);  // smooth start
   return rise * rise * lane_swing_m *
          std::sin(2.0 * std::numbers::pi * distance_m / lane_wave_m + lane_phase_rad);
 }

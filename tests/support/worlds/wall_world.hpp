@@ -22,7 +22,8 @@ struct Segment {
   Eigen::Vector2d b;
 };
 
-/// A world at the height of a level laser. Rays are cast by the simulator. Copies share the mesh.
+/// The section through a world at the height of a level laser. The simulator casts the rays. Copies
+/// share the mesh.
 class WallWorld {
  public:
   /// Vertical walls.
@@ -65,7 +66,7 @@ class LevelLaser {
   std::unique_ptr<LaserModel> laser_;  // a LaserModel cannot be assigned
 };
 
-/// The true ranges, 181 beams at 1°; 81.91 m where there is no wall within 80 m.
+/// The true ranges, 181 beams at 1°; 81.91 m if no wall is within 80 m.
 LaserScan exact_scan(const WallWorld& world, const Pose2& T_world_laser, std::int64_t utime);
 
 /// Two smooth walls along x, centred on the origin, open at both ends.

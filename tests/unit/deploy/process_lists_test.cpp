@@ -69,8 +69,8 @@ TEST(ProcessLists, HaveEveryStageRunOnTheRobot) {
   }
 }
 
-/// What is told by a channel that is silent without input would be restarted for nothing.
-TEST(ProcessLists, HaveSignsOfLifeOnTheRobotThatComeWithoutInput) {
+/// A liveness channel that is published only on input would cause restarts of healthy processes.
+TEST(ProcessLists, UseLivenessChannelsThatArePublishedWithoutInput) {
   const ProcessList list = read_process_list(kRoot / "deploy/processes/robot.cfg");
   std::vector<std::string> channels;
   for (const ListedCommand& command : list.commands) {

@@ -101,7 +101,7 @@ TEST(Structure, StagesDoNotIncludeEachOther) {
               IsEmpty());
 }
 
-TEST(Structure, DependenciesPointOneWay) {
+TEST(Structure, DependenciesFollowTheLayers) {
   EXPECT_THAT(offenders([](const Include& include) {
                 const bool of_tools = include.is_of("tools") || include.is_of("tests");
                 const bool of_ends = include.is_of("procs") || include.is_of("sim") || of_tools;

@@ -46,7 +46,7 @@ MissionPhase returning_home() {
   phase.phase = Phase::kExecute;
   phase.reason = "a path of 8.1 m";
   phase.returning_home = true;
-  phase.return_home_reason = "the way on is blocked";
+  phase.return_home_reason = "the route ahead is blocked";
   phase.laser = LaserId::kRear;
   phase.goal_id = 4;
   phase.frontier = 3;

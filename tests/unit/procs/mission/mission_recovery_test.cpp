@@ -248,7 +248,7 @@ TEST_F(MissionRecovery, CannotBackOffWhereItOnlyTurned) {
   EXPECT_EQ(now(), Phase::kExplore);
 }
 
-TEST_F(MissionRecovery, KeepsItsRouteWherePlanningFallsStaleOnTheWayBack) {
+TEST_F(MissionRecovery, KeepsTheRouteIfPlanningTimesOutOnTheReturn) {
   drive_in();
   const auto route = goal_.route_odom;
   path(PlanOutcome::kBlocked);
@@ -389,7 +389,7 @@ TEST_F(MissionRecovery, ForgetsTheBackOffIfDrivingTimesOut) {
 }
 
 /// Backing off would lead into the mine again.
-TEST_F(MissionRecovery, RejoinsTheTraversedPathOnTheWayHome) {
+TEST_F(MissionRecovery, RejoinsTheTraversedPathOnTheReturn) {
   turn_home();
   path(PlanOutcome::kBlocked);
   ASSERT_EQ(now(), Phase::kPlan);
@@ -536,7 +536,7 @@ TEST_F(MissionRecovery, ExploresAgainIfPlanningDoesNotAnswerARejoinWithoutATarge
   EXPECT_EQ(now(), Phase::kExplore);
 }
 
-TEST_F(MissionRecovery, IsStrandedAfterTooManyTriesOnTheWayHome) {
+TEST_F(MissionRecovery, IsStrandedAfterTooManyAttemptsOnTheReturn) {
   to_explore();
   for (int i = 0; i < 100 && now() != Phase::kEnded; ++i) {
     answer(Kind::kHome);

@@ -43,28 +43,22 @@ const std::vector<std::pair<std::vector<std::string>, std::string>> kPhrases{
     {{"go", "back", "to"}, "roll back"},  {{"a", "look"}, "3D scan"},
     {{"second", "look"}, "re-scan"}};
 
+bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
+bool is_lower(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
+
 /// Lower-case words of a text; the parts of an identifier are words of their own.
 std::vector<std::string> words_of(const std::string& line) {
-  std::vector<std::string> words;
-  std::string word;
-  const auto end_word = [&] {
-    if (!word.empty()) words.push_back(word);
-    word.clear();
-  };
-  char before = ' ';
-  for (const char c : line) {
-    const auto letter = static_cast<unsigned char>(c);
-    if (std::isalpha(letter) == 0) {
-      end_word();
-    } else {
-      if (std::isupper(letter) != 0 && std::islower(static_cast<unsigned char>(before)) != 0) {
-        end_word();
-      }
-      word += static_cast<char>(std::tolower(letter));
-    }
-    before = c;
+  std::vector<std::string> words(1);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char before = i > 0 ? line[i - 1] : ' ';
+    const char after = i + 1 < line.size() ? line[i + 1] : ' ';
+    const bool begins = is_upper(line[i]) && (is_lower(before) || is_lower(after));
+    const bool is_escape = before == '\\';  // the t of "\t"
+    const bool is_letter = (is_upper(line[i]) || is_lower(line[i])) && !is_escape;
+    if ((begins || !is_letter) && !words.back().empty()) words.emplace_back();
+    if (is_letter) words.back() += static_cast<char>(std::tolower(line[i]));
   }
-  end_word();
+  if (words.back().empty()) words.pop_back();
   return words;
 }
 
@@ -145,6 +139,7 @@ TEST(Terms, AreFoundInIdentifiersAndPhrases) {
   EXPECT_THAT(findings("look at LoopClosure, at a loop", before), testing::SizeIs(1));
   EXPECT_THAT(findings("closure", before), testing::IsEmpty());
   EXPECT_THAT(findings("a Closure", before), testing::SizeIs(1));
+  EXPECT_THAT(findings("WithANewPath\\tloop_closure", before), testing::IsEmpty());
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ Worlds:
   sample    an adit, a ring of tunnels, a cross-cut through a room and pillars, dead ends; the robot
             drives 450 m and closes two loops
   parallel  two similar tunnels, 12 m apart. After 800 m, the odometry error places the robot in the
-            wrong tunnel until it reaches a corner. Scan matching alone fails in the same way with
+            wrong tunnel until it reaches a corner. Scan matching alone does the same with
             --bearing-error-percent -2.5
   grid      a grid of tunnels, 320 m by 210 m; 10.8 km, with a scan every 0.1 m)";
 

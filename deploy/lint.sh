@@ -3,10 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # lint.sh [BUILD [FILE..]]
-# Checks the layout of the sources (clang-format) and runs clang-tidy over the .cpp files, all but the
-# tests or the given ones, with the compile commands of a build folder (build/release, or build/dev where it
-# is absent). Sources that the build compiles as one are also read as one: most of the time goes into the
-# headers that they share.
+# Checks the layout of the sources (clang-format) and runs clang-tidy with the compile commands of a build folder
+# (build/release, or build/dev if it does not exist) on all sources except tests, or on the given ones. Sources that the
+# build compiles as one are also checked as one, since most of the time goes into shared headers.
 set -euo pipefail
 root=$(dirname "$(dirname "$(readlink -f "$0")")")
 cd "$root"
@@ -15,8 +14,8 @@ build=${1:-}
 build=$(readlink -f "$build")
 shift || true
 
-# Clang cannot read what GCC precompiled; the sources name all includes themselves. Each source that is
-# compiled together with others gets the command of the file that includes it, for who asks for it alone.
+# Clang cannot read GCC's precompiled headers; the sources include what they use anyway. Each source of a unity file gets
+# the command of that file, so that it can be checked alone.
 commands=$(mktemp -d)
 trap 'rm -r "$commands"' EXIT
 sed 's| -Winvalid-pch -include [^ ]*||' "$build/compile_commands.json" | awk '
@@ -45,11 +44,11 @@ fi
 failed=0
 clang-format --dry-run -Werror "${sources[@]}" || failed=1
 
-# One process for each file; what clang-tidy counts on standard error is of no interest.
+# One process per file, without the counts that clang-tidy prints on standard error.
 tidy() { clang-tidy -p "$1" --quiet "$2" 2> >(grep -v 'warnings\? generated' >&2); }
 export -f tidy
 printf '%s\n' "${tidied[@]}" | grep '\.c\(pp\|xx\)$' |
   xargs -P "$(nproc)" -I{} bash -c 'tidy "$0" "$1"' "$commands" {} || failed=1
 
-((failed)) && echo "lint: see above" >&2 || echo "lint: ${#sources[@]} files are fine"
+((failed)) && echo "lint: see above" >&2 || echo "lint: ${#sources[@]} files passed"
 exit $failed

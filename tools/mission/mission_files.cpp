@@ -103,7 +103,8 @@ script "start_all" {
 
 std::string supervisor_config() {
   return std::string(kLicence) +
-         "supervisor:\n  processes: processes.cfg\n  deputy_id: mission\n  start_script: start_all\n"
+         "supervisor:\n  processes: processes.cfg\n  deputy_id: mission\n  start_script: "
+         "start_all\n"
          "  socket: ./supervisor.sock\n";
 }
 

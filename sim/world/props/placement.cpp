@@ -55,7 +55,7 @@ std::vector<Eigen::Vector2d> section_outline(const TunnelLine& tunnel, double fr
 }
 
 double fraction_of_section(const TunnelLine& tunnel, double from_m, double to_m,
-                        const Eigen::Vector2d& p_world) {
+                           const Eigen::Vector2d& p_world) {
   const TunnelLine::Place place = tunnel.place_of(p_world);
   if (std::abs(place.across_m) > tunnel.width_m / 2.0 + kBehindWalls) return -1.0;
   const double share = (place.s_m - from_m) / (to_m - from_m);

@@ -39,6 +39,6 @@ std::vector<Eigen::Vector2d> section_outline(const TunnelLine& tunnel, double fr
 
 /// Position of a point along a section, 0 to 1; negative if it is not in the section.
 double fraction_of_section(const TunnelLine& tunnel, double from_m, double to_m,
-                        const Eigen::Vector2d& p_world);
+                           const Eigen::Vector2d& p_world);
 
 }  // namespace adit

@@ -13,10 +13,11 @@ namespace adit {
 namespace {
 
 constexpr double kPlaceEvery = 12.0;  // longer than the props of one place [m]
-constexpr double kFromEnds = 4.0;     // distance of places from the junctions at the ends of a tunnel [m]
-constexpr double kPostsShare = 0.3;   // of the places without damage
-constexpr double kRailsShare = 0.6;   // of the mines
-constexpr double kReach = 5.0;        // of the largest prop from its place [m]
+constexpr double kFromEnds =
+    4.0;  // distance of places from the junctions at the ends of a tunnel [m]
+constexpr double kPostsShare = 0.3;  // of the places without damage
+constexpr double kRailsShare = 0.6;  // of the mines
+constexpr double kReach = 5.0;       // of the largest prop from its place [m]
 
 /// A place for a prop.
 struct Place {

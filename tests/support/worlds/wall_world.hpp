@@ -56,13 +56,12 @@ class LevelLaser {
  public:
   LevelLaser(const WallWorld& world, std::uint64_t seed,
              const LaserParams& params = level_laser_params())
-      : world_(world),
-        laser_(std::make_unique<LaserModel>(world_.scene(), params, seed)) {}
+      : world_(world), laser_(std::make_unique<LaserModel>(world_.scene(), params, seed)) {}
 
   LaserScan measure(const Pose2& T_world_laser, std::int64_t utime);
 
  private:
-  WallWorld world_;  // keeps the scene
+  WallWorld world_;                    // keeps the scene
   std::unique_ptr<LaserModel> laser_;  // a LaserModel cannot be assigned
 };
 

@@ -39,7 +39,7 @@ inline std::string hex(std::span<const std::uint8_t> bytes) {
 
 template <class Msg>
 void expect_golden_bytes(const Msg& message) {
-  const auto path = golden_folder() / (std::string(Msg::getTypeName()) + ".hex");
+  const auto path = golden_folder() / fmt::format("{}.hex", Msg::getTypeName());
   if (std::getenv("ADIT_WRITE_GOLDEN") != nullptr) std::ofstream(path) << hex(encode(message));
   EXPECT_EQ(hex(encode(message)), contents(path)) << path;
 }

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::int64_t kStart = 1'600'000'000'000'000;
 constexpr double kSpeed = 0.3;
+constexpr double kLaserRangeM = 30.0;
+constexpr double kRangeSdM = 0.008;
 constexpr double kScanSpacingM = 1.25;    // distance travelled between scans
 constexpr double kStrideM = 0.2;          // step of the robot
 constexpr double kMapM = 5.0;             // distance travelled per local map
@@ -91,7 +93,8 @@ Detour find_detour(const PlanarMine& mine, const Eigen::Vector2d& from,
 ExploringRobot::ExploringRobot(const PlanarMine& mine, double distortion_m, std::uint64_t seed)
     : mine_(&mine),
       distortion_m_(distortion_m),
-      laser_(mine.walls, seed),
+      random_(seed),
+      noise_m_(0.0, kRangeSdM),
       T_world_body_(mine.T_world_start),
       covered_(mine.corridor.size()) {
   start_map();
@@ -112,6 +115,18 @@ std::int64_t ExploringRobot::utime() const {
   return kStart + static_cast<std::int64_t>(1e6 * distance_travelled_m_ / kSpeed);
 }
 
+/// A scan with noise, in steps of a centimetre, that ends at 30 m, so that tunnels are discovered
+/// step by step.
+LaserScan ExploringRobot::measure(const Pose2& T_world_laser) {
+  LaserScan scan = exact_scan(mine_->walls, T_world_laser, utime(), kLaserRangeM);
+  for (float& range_m : scan.ranges_m) {
+    const double noise_m = noise_m_(random_);  // drawn for each beam
+    if (range_m > kLaserRangeM) continue;
+    range_m = static_cast<float>(0.01 * std::round(100.0 * std::max(0.0, range_m + noise_m)));
+  }
+  return scan;
+}
+
 void ExploringRobot::scan() {
   since_scan_m_ = 0.0;
   traversed_path_.push_back(T_world_body_.translation());
@@ -120,8 +135,7 @@ void ExploringRobot::scan() {
   const Lasers lasers;
   for (const auto& [channel, mount] :
        {std::pair("LASER_FRONT", lasers.front), std::pair("LASER_REAR", lasers.rear)}) {
-    map_.scans.push_back(
-        {channel, laser_.measure(T_world_body_ * mount.T_body_laser, utime()), T_local_body});
+    map_.scans.push_back({channel, measure(T_world_body_ * mount.T_body_laser), T_local_body});
   }
   update_coverage();
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <random>
 #include <vector>
 
 #include "common/pose_graph/map_graph.hpp"
@@ -52,12 +53,14 @@ class ExploringRobot {
   [[nodiscard]] Pose2 distorted(const Pose2& T_world) const;
   void start_map();
   void scan();
+  LaserScan measure(const Pose2& T_world_laser);
   void update_coverage();
   bool drive_to(const Eigen::Vector2d& target, double distance_m, double& driven_m);
 
   const PlanarMine* mine_;
   double distortion_m_;
-  LevelLaser laser_;
+  std::mt19937_64 random_;
+  std::normal_distribution<double> noise_m_;
   Pose2 T_world_body_;
   Pose2 T_world_local_;
   std::vector<Pose2> T_world_locals_;

@@ -84,14 +84,14 @@ LaserScan LevelLaser::measure(const Pose2& T_world_laser, std::int64_t utime) {
   return laser_->measure([&](double) { return T; }, utime);
 }
 
-LaserScan exact_scan(const WallWorld& world, const Pose2& T_world_laser, std::int64_t utime) {
+LaserScan exact_scan(const WallWorld& world, const Pose2& T_world_laser, std::int64_t utime,
+                     double range_max_m) {
   constexpr int kBeams = 181;
-  constexpr double kRangeMaxM = 80.0;
   constexpr double kNoReturnM = 81.91;
   LaserScan scan{utime, {}, -std::numbers::pi / 2.0, std::numbers::pi / (kBeams - 1)};
   for (int i = 0; i < kBeams; ++i) {
     const double angle = T_world_laser.theta + scan.angle_min_rad + i * scan.angle_step_rad;
-    const auto range = world.cast(T_world_laser.translation(), angle, kRangeMaxM);
+    const auto range = world.cast(T_world_laser.translation(), angle, range_max_m);
     scan.ranges_m.push_back(static_cast<float>(range.value_or(kNoReturnM)));
   }
   return scan;

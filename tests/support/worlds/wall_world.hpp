@@ -65,8 +65,9 @@ class LevelLaser {
   std::unique_ptr<LaserModel> laser_;  // a LaserModel cannot be assigned
 };
 
-/// The true ranges, 181 beams at 1°; 81.91 m if no wall is within 80 m.
-LaserScan exact_scan(const WallWorld& world, const Pose2& T_world_laser, std::int64_t utime);
+/// The true ranges, 181 beams at 1°; 81.91 m if no wall is within `range_max_m`.
+LaserScan exact_scan(const WallWorld& world, const Pose2& T_world_laser, std::int64_t utime,
+                     double range_max_m = 80.0);
 
 /// Two smooth walls along x, centred on the origin, open at both ends.
 WallWorld straight_tunnel(double length_m, double width_m);

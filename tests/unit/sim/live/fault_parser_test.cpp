@@ -36,17 +36,17 @@ TEST(FaultParser, HasKindTargetAmountAndTime) {
 
 TEST(FaultParser, ReportsInvalidFaults) {
   EXPECT_THAT(error_of("laser_dies:front"), HasSubstr("no time"));
-  EXPECT_THAT(error_of("laser_dies:front@soon"), HasSubstr("'soon' is no number"));
+  EXPECT_THAT(error_of("laser_dies:front@soon"), HasSubstr("'soon' is not a number"));
   EXPECT_THAT(error_of("laser_dies:front@-1"), HasSubstr("before the start"));
   EXPECT_THAT(error_of("laser_dies:left@1"), HasSubstr("front or rear"));
   EXPECT_THAT(error_of("laser_dies@1"), HasSubstr("front or rear"));
   EXPECT_THAT(error_of("laser_dies:front=2@1"), HasSubstr("has no amount"));
   EXPECT_THAT(error_of("packet_loss@1"), HasSubstr("needs an amount"));
   EXPECT_THAT(error_of("packet_loss=1.5@1"), HasSubstr("0 to 1"));
-  EXPECT_THAT(error_of("packet_loss=nan@1"), HasSubstr("no number"));
+  EXPECT_THAT(error_of("packet_loss=nan@1"), HasSubstr("not a number"));
   EXPECT_THAT(error_of("time_jump:front=1@1"), HasSubstr("no target"));
   EXPECT_THAT(error_of("kill@1"), HasSubstr("name of a stage"));
-  EXPECT_THAT(error_of("explode@1"), HasSubstr("there are laser_dies, laser_recovers"));
+  EXPECT_THAT(error_of("explode@1"), HasSubstr("known: laser_dies, laser_recovers"));
   EXPECT_THAT(error_of(""), HasSubstr("no time"));
 }
 

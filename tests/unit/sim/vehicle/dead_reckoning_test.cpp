@@ -20,7 +20,7 @@ Pose2 reckoned(DeadReckoning reckoning, double speed_m_s, double curvature_1_m, 
 
 WheelOdometryParams errors(double distance_scale, double turn_scale, double distance_noise,
                            double turn_noise) {
-  return {true, distance_scale, turn_scale, distance_noise, turn_noise};
+  return {true, distance_scale, turn_scale, 0.0, distance_noise, turn_noise};
 }
 
 TEST(DeadReckoning, ScalesDistanceAndTurn) {

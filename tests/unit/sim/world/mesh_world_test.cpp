@@ -104,7 +104,7 @@ TEST_F(MeshWorld, RejectsAStartOutsidePropsAndAPlan) {
   EXPECT_THAT(error_of(description), HasSubstr("no tunnels"));
   description.props.posts.clear();
   description.plan.tunnels = {{"main", {0.0, 0.0, 30.0, 0.0}, 3.0, false}};
-  EXPECT_THAT(error_of(description), HasSubstr("not of both"));
+  EXPECT_THAT(error_of(description), HasSubstr("not both"));
 }
 
 }  // namespace

@@ -73,9 +73,10 @@ TEST(WorldFile, AMeshFileIsAWorld) {
 }
 
 TEST(WorldFile, AnUnknownNameIsRejectedWithTheKnownNames) {
-  EXPECT_THAT(error_of("mathis"),
-              AllOf(HasSubstr("no world 'mathis'"), HasSubstr("did you mean 'mathies'?"),
-                    HasSubstr("bruceton, florence, mathies, straight, random")));
+  EXPECT_THAT(
+      error_of("mathis"),
+      AllOf(HasSubstr("no world 'mathis'"), HasSubstr("did you mean 'mathies'?"),
+            HasSubstr("bruceton, florence, grid, mathies, parallel, sample, straight, random")));
   EXPECT_THAT(error_of("/nowhere/x.yaml"), HasSubstr("no world '/nowhere/x.yaml'"));
 }
 
@@ -86,7 +87,7 @@ TEST(WorldFile, AnInvalidFileIsRejectedWithItsLine) {
   };
   EXPECT_THAT(with("world:\n  nmae: x\n"), AllOf(HasSubstr("bad.yaml:2"), HasSubstr("'name'")));
   EXPECT_THAT(with("wrld:\n  name: x\n"), HasSubstr("bad.yaml:1"));
-  EXPECT_THAT(with("{}\n"), HasSubstr("has a section 'world'"));
+  EXPECT_THAT(with("{}\n"), HasSubstr("there is no section 'world'"));
 }
 
 }  // namespace

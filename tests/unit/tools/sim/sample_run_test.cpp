@@ -58,8 +58,9 @@ TEST(SampleRun, OfTheGridHasAScanEachTenthOfAMetre) {
   SampleRun run({.world = "grid", .length_max_m = 100.0});
   while (run.next()) {
   }
-  EXPECT_NEAR(static_cast<double>(run.truth().size()), 1000.0,
-              60.0);  // more from rest and in bends
+  // A tenth of a metre at full speed; less from rest and in bends, where the vehicle is slower.
+  EXPECT_GE(run.truth().size(), 990U);
+  EXPECT_LE(run.truth().size(), 1200U);
 }
 
 TEST(SampleRun, HasABiasOfTheOdometryOnRequest) {

@@ -57,7 +57,8 @@ TEST_F(OddMesh, AnnouncingMillionsOfElementsIsRejected) {
 TEST_F(OddMesh, WithAnUnterminatedHeaderIsRejected) {
   const std::string header = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n";
   EXPECT_THAT(error_of("a.ply", header), HasSubstr("no end"));
-  EXPECT_THAT(error_of("a.ply", header + "end_headi\xf4\x7f\n-8 -"), HasSubstr("not valid in a PLY file"));
+  EXPECT_THAT(error_of("a.ply", header + "end_headi\xf4\x7f\n-8 -"),
+              HasSubstr("not valid in a PLY file"));
 }
 
 TEST_F(OddMesh, OfInvalidXmlIsRejected) {

@@ -137,7 +137,8 @@ std::optional<double> Retracing::rejoin_length_m(const TraversedPath& path,
   if (failed_) return std::nullopt;
   if (returning_home) {
     if (!leads_back(path)) return std::nullopt;
-    return std::min(kRejoinM * (1 + rejoins_ / 2), kRejoinMaxM);
+    const int steps = 1 + rejoins_ / 2;  // farther at each second attempt
+    return std::min(kRejoinM * steps, kRejoinMaxM);
   }
   const double shared_m = path.shared_length_m(route_odom);
   if (shared_m < kSharedMinM) return std::nullopt;

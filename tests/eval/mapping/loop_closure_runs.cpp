@@ -167,7 +167,7 @@ MappedRun map_corrected(const std::filesystem::path& log) {
   return run;
 }
 
-MappedRun map_sample(std::uint64_t seed, bool half_degree, bool use_odometry) {
+MappedRun map_sample(int seed, bool half_degree, bool use_odometry) {
   Mapper mapper;
   SampleRun sample({.seed = seed, .beams = half_degree ? 361 : 181});
   while (const auto reading = sample.next()) {

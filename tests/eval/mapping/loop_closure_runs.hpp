@@ -41,7 +41,7 @@ MappedRun map_corrected(const std::filesystem::path& log);
 
 /// Processes a drive through the sample mine, with relations derived from its ground truth: over
 /// path lengths of 5, 20 and 50 m, and between revisits of the same place.
-MappedRun map_sample(std::uint64_t seed, bool half_degree, bool use_odometry);
+MappedRun map_sample(int seed, bool half_degree, bool use_odometry);
 
 /// Standard deviation of the relations, estimated robustly (by the median) from their differences
 /// from scan matching over paths of at most 2 m, where the errors of scan matching are negligible.

@@ -243,9 +243,9 @@ std::vector<NamedRun> all_runs() {
     const auto log = test::find_recording(std::string("laser2d/") + name + "_scans.log.gz");
     if (log) runs.push_back({std::string(name) + " | no", [=] { return map_corrected(*log); }});
   }
-  for (const std::uint64_t seed : {1, 2, 3}) {
-    runs.push_back({format("sample mine %d | no", static_cast<int>(seed)),
-                    [=] { return map_sample(seed, seed == 2, false); }});
+  for (const int seed : {1, 2, 3}) {
+    runs.push_back(
+        {format("sample mine %d | no", seed), [=] { return map_sample(seed, seed == 2, false); }});
   }
   return runs;
 }

@@ -33,7 +33,6 @@ struct Detour {
 };
 
 /// Flood fill of reachable places within kViewM of a position.
-
 class LocalFlood {
  public:
   LocalFlood(const PlanarMine& mine, const Eigen::Vector2d& from) : origin_(from) {

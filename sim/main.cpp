@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "common/bus/node/version.hpp"
 #include "sim/live/live_run.hpp"
@@ -24,7 +25,7 @@ int main(int argc, char** argv) try {
   adit::add_world_options(app, world)->required();
   adit::add_live_run_options(app, options);
   app.footer(adit::kLiveRunFooter);
-  app.set_version_flag("--version", "adit-sim " + adit::version());
+  app.set_version_flag("--version", fmt::format("adit-sim {}", adit::version()));
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& answer) {  // --help, --version

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace adit {
 namespace {
@@ -61,10 +62,9 @@ class Envelope {
 
 }  // namespace
 
-std::vector<float> distance_transform(const std::vector<std::uint8_t>& marked, int columns,
-                                      double cell_m) {
-  const auto width = static_cast<std::size_t>(columns);
-  const std::size_t height = width == 0 ? 0 : marked.size() / width;
+Grid2<float> distance_transform(const Grid2<std::uint8_t>& marked, double cell_m) {
+  const auto width = static_cast<std::size_t>(marked.columns());
+  const auto height = static_cast<std::size_t>(marked.rows());
   std::vector<double> squares(marked.size());
   for (std::size_t i = 0; i < marked.size(); ++i) squares[i] = marked[i] != 0 ? 0.0 : kInfinite;
   Envelope envelope(std::max(width, height));
@@ -74,7 +74,7 @@ std::vector<float> distance_transform(const std::vector<std::uint8_t>& marked, i
   for (std::size_t column = 0; column < width; ++column) {
     envelope.transform(squares.data() + column, height, width);
   }
-  std::vector<float> distances(squares.size());
+  Grid2<float> distances(marked.box());
   for (std::size_t i = 0; i < squares.size(); ++i) {
     distances[i] = static_cast<float>(cell_m * std::sqrt(squares[i]));
   }

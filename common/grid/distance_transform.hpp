@@ -3,14 +3,14 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+
+#include "common/grid/grid2.hpp"
 
 namespace adit {
 
 /// Distance from the centre of each cell to the centre of the nearest marked cell [m], exact;
 /// infinite if no cell is marked (Felzenszwalb and Huttenlocher, "Distance transforms of sampled
-/// functions", 2012). `marked`: row by row, `columns` cells per row, non-zero where marked.
-std::vector<float> distance_transform(const std::vector<std::uint8_t>& marked, int columns,
-                                      double cell_m);
+/// functions", 2012). `marked` is not zero where marked.
+Grid2<float> distance_transform(const Grid2<std::uint8_t>& marked, double cell_m);
 
 }  // namespace adit

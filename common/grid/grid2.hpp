@@ -77,8 +77,11 @@ class Grid2 {
   [[nodiscard]] const T& at(const Eigen::Vector2i& cell) const { return cells_[index(cell)]; }
   [[nodiscard]] T& operator[](std::size_t index) { return cells_[index]; }
   [[nodiscard]] const T& operator[](std::size_t index) const { return cells_[index]; }
-  [[nodiscard]] std::vector<T>& cells() { return cells_; }
-  [[nodiscard]] const std::vector<T>& cells() const { return cells_; }
+  /// The values in the order of the storage.
+  [[nodiscard]] auto begin() { return cells_.begin(); }
+  [[nodiscard]] auto begin() const { return cells_.begin(); }
+  [[nodiscard]] auto end() { return cells_.end(); }
+  [[nodiscard]] auto end() const { return cells_.end(); }
 
   /// Offsets in the storage from a cell to its eight neighbours, counter-clockwise from +x. Not
   /// valid for cells on the rim of the box.

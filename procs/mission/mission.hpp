@@ -22,9 +22,8 @@
 #include "procs/mission/mission_limits.hpp"
 #include "procs/mission/mission_localization.hpp"
 #include "procs/mission/phase_clock.hpp"
-#include "procs/mission/progress_checker.hpp"
+#include "procs/mission/progress.hpp"
 #include "procs/mission/recovery.hpp"
-#include "procs/mission/return_home.hpp"
 #include "procs/mission/traversed_path.hpp"
 
 namespace adit {

@@ -93,9 +93,9 @@ class BlockingMask {
   [[nodiscard]] std::vector<BlockingCell> cells() const {
     std::vector<BlockingCell> found;
     const TerrainMap& terrain = context_.terrain;
-    for (int row = 0; row < terrain.rows; ++row) {
-      for (int column = 0; column < terrain.columns; ++column) {
-        const TerrainCell& cell = terrain.at(column, row);
+    for (int row = 0; row < terrain.cells.rows(); ++row) {
+      for (int column = 0; column < terrain.cells.columns(); ++column) {
+        const TerrainCell& cell = terrain.cells.at({column, row});
         const auto reason = lethal_reason(cell, context_.vehicle, context_.limits);
         if (!reason || !marked_[context_.layers.index(column, row)]) continue;
         found.push_back({terrain.T_odom_level * terrain.centre(column, row), *reason,
@@ -113,7 +113,7 @@ class BlockingMask {
       for (int dx = run.first; dx <= run.last; ++dx) {
         const int column = pose.column + dx;
         const int row = pose.row + run.row;
-        if (!context_.terrain.contains(column, row)) continue;
+        if (!context_.terrain.cells.contains({column, row})) continue;
         const std::size_t i = context_.layers.index(column, row);
         if (layer[i] != 0 && counts(context_.terrain.centre(column, row))) marked_[i] = true;
       }

@@ -12,32 +12,35 @@ namespace adit {
 /// The cost of a path, which A* minimises (section 3.3 of the paper). All terms are integers in one
 /// unit: driving 1 mm over even ground costs kEvenCost, 1 m costs kCostPerM. The terms are
 ///
-/// | term                | value                                            | added in            |
-/// |---------------------|--------------------------------------------------|---------------------|
-/// | pose                | kEvenCost · (1 + rough_factor · weighted mean    | CSpaceKernels::     |
-/// |  [per mm driven]    | roughness under the vehicle)                     | Oriented::cost      |
-/// |  - roughness [0, 1] | step and slope as a share of their limits; plus  | ground_layers()     |
-/// |                     | repulsion of obstacles around; unknown_roughness |                     |
-/// |                     | for unobserved ground                            |                     |
-/// | travel              | Σ pose cost · length [mm] over the poses that a  | Lattice::cost       |
-/// |                     | primitive sweeps                                 |                     |
-/// |  - bends            | length · turn_factor                             | MotionPrimitives    |
-/// |  - reverse          | length · reverse_factor, or forwards for goals   | reversed(),         |
-/// |                     | behind the robot                                 | rear_leading()      |
-/// | direction change    | direction_change_m · kCostPerM for each change   | search_lattice()    |
-/// |                     | between forwards and reverse                     |                     |
-/// | start pose          | cost of ground at the limit, for poses around    | clear_start()       |
-/// |                     | the start that only margins make lethal          |                     |
-/// | end of the path     | along a line or route: shortfall_factor · metres | GoalField           |
-/// |  [once]             | short of the goal + lateral_factor · metres      |                     |
-/// |                     | beside the line; at a goal pose: metres from it; |                     |
-/// |                     | rejoining: metres of traversed path that remain; |                     |
-/// |                     | + end_clearance_factor · metres of clearance     |                     |
-/// |                     | below end_clearance_m                            |                     |
+/// | term                | value                                            | added in |
+/// |---------------------|--------------------------------------------------|-------------------------|
+/// | pose                | kEvenCost · (1 + rough_factor · weighted mean    | c_space/c_space.cpp:
+/// | |  [per mm driven]    | roughness under the vehicle)                     | CSpaceKernels | |
+/// - roughness [0, 1] | step as a share of its limit, or half that of    | c_space/ground_layers |
+/// |                     | the slope; unknown_roughness for unobserved      | | | | ground, 0 under
+/// the robot and in its blind zone; |                         | |                     | + repulsion
+/// of obstacles around; 1 at most       |                         | | travel              | Σ pose
+/// cost · length [mm] over the poses that a  | lattice/lattice.hpp     | |                     |
+/// primitive sweeps                                 |                         | |  - bends | length
+/// · turn_factor                             | lattice/                | |                     | |
+/// motion_primitives.cpp   | |  - reverse          | length · reverse_factor; forwards instead for
+/// | lattice/                | |                     | goals behind the robot |
+/// lattice_symmetry.cpp    | | direction change    | direction_change_m · kCostPerM for each change
+/// | lattice/                | |                     | between forwards and reverse |
+/// lattice_search.cpp      | | start pose          | if only margins make it lethal: cost of ground
+/// | lattice/lattice.cpp     | |                     | at the limit, for the poses around it | | |
+/// end of the path     | along a line or route: shortfall_factor · metres | goals/goal_field.cpp |
+/// |  [once]             | short of the goal + lateral_factor · metres      | | | | beside the
+/// line; within the goal radius:         |                         | |                     |
+/// shortfall_factor · metres from the goal; at a    |                         | | | goal pose:
+/// metres from it; rejoining: metres of  |                         | |                     |
+/// traversed path that remain                       |                         | | | +
+/// end_clearance_factor · metres of clearance     |                         | | | below
+/// end_clearance_m, outside the goal radius   |                         | |                     |
+/// where a line or route continues                  |                         |
 ///
-/// Roughness includes repulsion and is clamped to 1. Files: CSpaceKernels in c_space/kernel,
-/// ground_layers in c_space/, reversed in lattice/lattice_symmetry, the others in lattice/ and
-/// goals/ under their names.
+/// Planning chooses among them: the cost of the start pose and the direction of reverse in
+/// planning.cpp.
 inline constexpr std::uint16_t kEvenCost = 100;
 inline constexpr std::int32_t kCostPerM = 1000 * kEvenCost;
 

@@ -22,18 +22,12 @@ constexpr double kWidthReserveM = 0.4;  // for margins and the cell size
 /// Minimum distance to marked ground along the edges of a rectangle, sampled at each cell; at most
 /// `max_m`.
 double edge_distance_m(const BodyRectangle& rectangle, const Pose2& T_level_body,
-                       const std::vector<float>& distances, const TerrainMap& terrain,
-                       double max_m) {
+                       const Grid2<float>& distances, const TerrainMap& terrain, double max_m) {
   double distance_m = max_m;
   const auto sample = [&](double x, double y) {
-    const Eigen::Vector2d p = T_level_body * Eigen::Vector2d(x, y);
-    const Eigen::Vector2d cells = (p - terrain.p_level_corner) / terrain.cell_m;
-    const auto column = static_cast<int>(std::floor(cells.x()));
-    const auto row = static_cast<int>(std::floor(cells.y()));
-    if (!terrain.contains(column, row)) return;
-    const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(terrain.columns) +
-                   static_cast<std::size_t>(column);
-    distance_m = std::min(distance_m, static_cast<double>(distances[i]));
+    const Eigen::Vector2i cell = terrain.cell_at(T_level_body * Eigen::Vector2d(x, y));
+    if (!distances.contains(cell)) return;
+    distance_m = std::min(distance_m, static_cast<double>(distances.at(cell)));
   };
   const Eigen::Vector2d low = rectangle.middle - rectangle.half;
   const Eigen::Vector2d high = rectangle.middle + rectangle.half;

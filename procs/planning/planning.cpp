@@ -3,7 +3,6 @@
 #include "procs/planning/planning.hpp"
 
 #include <cmath>
-#include <cstddef>
 #include <stdexcept>
 #include <utility>
 
@@ -19,11 +18,9 @@ namespace {
 constexpr double kDefaultCellM = 0.1;
 
 void check(const TerrainMap& terrain) {
-  const bool is_consistent = terrain.columns > 0 && terrain.rows > 0 && terrain.cell_m > 0.0 &&
-                             terrain.cells.size() == static_cast<std::size_t>(terrain.columns) *
-                                                         static_cast<std::size_t>(terrain.rows);
-  if (!is_consistent) {
-    throw std::invalid_argument("the size of the terrain map does not match its cells");
+  if (terrain.cells.box().empty()) throw std::invalid_argument("the terrain map has no cells");
+  if (!(terrain.cell_m > 0.0)) {
+    throw std::invalid_argument("the cell size of the terrain map is not positive");
   }
 }
 

@@ -55,8 +55,8 @@ class Planning {
 
   /// A path from the robot, or the reason why there is none. The search starts at the lattice pose
   /// nearest to the robot, within half a cell and half a heading. Throws std::invalid_argument if
-  /// the terrain map is inconsistent or its cells are too small or too large for the vehicle. A
-  /// goal or pose outside the map is no error, but yields a reason.
+  /// the terrain map has no cells, or cells that are too small or too large for the vehicle. A goal
+  /// or pose outside the map is no error, but yields a reason.
   PlannedPath plan(const TerrainMap& terrain, const PlanGoal& goal, const Pose2& T_odom_body);
 
   // The two steps of plan(), separately for measurements. find() needs the arguments of the

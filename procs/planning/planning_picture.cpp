@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
+#include <utility>
 
 namespace adit {
 namespace {
@@ -28,32 +28,26 @@ std::uint8_t grey_of(std::uint16_t cost) {
 
 GreyCells slice_of(const CSpace& space, const HeadingSet& headings, double angle_rad) {
   const int heading = headings.nearest(angle_rad);
-  GreyCells slice{"C-space at " + degrees(headings.angle(heading)), space.columns(), {}};
-  const std::vector<std::uint16_t>& costs = space.slice(heading).cells();
-  std::transform(costs.begin(), costs.end(), std::back_inserter(slice.grey), grey_of);
-  return slice;
+  const Grid2<std::uint16_t>& costs = space.slice(heading);
+  Grid2<std::uint8_t> grey(costs.box());
+  std::transform(costs.begin(), costs.end(), grey.begin(), grey_of);
+  return {"C-space at " + degrees(headings.angle(heading)), std::move(grey)};
 }
 
-void fill(GreyCells& cells, const RunKernel& kernel, int reach, std::uint8_t grey) {
-  const auto side = static_cast<std::size_t>(cells.columns);
+void fill(Grid2<std::uint8_t>& cells, const RunKernel& kernel, std::uint8_t grey) {
   for (const RunKernel::Run& run : kernel.runs) {
-    for (int column = run.first; column <= run.last; ++column) {
-      cells.grey[static_cast<std::size_t>(run.row + reach) * side +
-                 static_cast<std::size_t>(column + reach)] = grey;
-    }
+    for (int column = run.first; column <= run.last; ++column) cells.at({column, run.row}) = grey;
   }
 }
 
 GreyCells kernel_of(const CSpaceKernels& kernels, int heading) {
   const auto& oriented = kernels.oriented(heading);
   const int reach = oriented.conservative_body.reach;
-  GreyCells cells{degrees(kernels.headings().angle(heading)), 2 * reach + 1, {}};
-  const auto side = static_cast<std::size_t>(cells.columns);
-  cells.grey.assign(side * side, kWhite);
-  fill(cells, oriented.conservative_body, reach, PlanPicture::kMarginGrey);
-  fill(cells, oriented.body, reach, PlanPicture::kBetweenGrey);
-  fill(cells, oriented.wheels, reach, PlanPicture::kWheelGrey);
-  return cells;
+  Grid2<std::uint8_t> cells(CellBox{{-reach, -reach}, {reach + 1, reach + 1}}, kWhite);
+  fill(cells, oriented.conservative_body, PlanPicture::kMarginGrey);
+  fill(cells, oriented.body, PlanPicture::kBetweenGrey);
+  fill(cells, oriented.wheels, PlanPicture::kWheelGrey);
+  return {degrees(kernels.headings().angle(heading)), std::move(cells)};
 }
 
 }  // namespace

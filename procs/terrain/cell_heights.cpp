@@ -39,8 +39,7 @@ std::size_t unusable_points(const Cloud& cloud) {
 }
 
 CellHeights::CellHeights(const Cloud& cloud, const TerrainMap& map)
-    : columns_(map.columns),
-      lowest_m_(map.cells.size(), std::numeric_limits<float>::infinity()),
+    : lowest_m_(map.cells.box(), std::numeric_limits<float>::infinity()),
       starts_(map.cells.size() + 1, 0) {
   const std::vector<int> cells = cells_of(cloud, CellFinder(map));
   for (const int cell : cells) {

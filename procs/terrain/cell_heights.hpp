@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "common/grid/grid2.hpp"
 #include "common/types/cloud.hpp"
 #include "common/types/terrain_map.hpp"
 
@@ -24,8 +25,8 @@ class CellFinder {
   explicit CellFinder(const TerrainMap& map)
       : corner_(map.p_level_corner.cast<float>()),
         cells_per_m_(static_cast<float>(1.0 / map.cell_m)),
-        columns_(map.columns),
-        rows_(map.rows) {}
+        columns_(map.cells.columns()),
+        rows_(map.cells.rows()) {}
 
   static constexpr int kOutside = -1;
   /// Index of the cell, row by row, or kOutside. Coordinates must be finite.
@@ -51,21 +52,16 @@ class CellHeights {
 
   /// z in level [m] of the points in the cells `first` to `last`, both included, of a row.
   [[nodiscard]] std::span<const float> in(int first, int last, int row) const {
-    const std::size_t base = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-    const std::uint32_t begin = starts_[base + static_cast<std::size_t>(first)];
-    const std::uint32_t end = starts_[base + static_cast<std::size_t>(last) + 1];
+    const std::uint32_t begin = starts_[lowest_m_.index({first, row})];
+    const std::uint32_t end = starts_[lowest_m_.index({last, row}) + 1];
     return std::span(heights_).subspan(begin, end - begin);
   }
 
   /// The lowest height in a cell [m]; infinite without points.
-  [[nodiscard]] float lowest_m(int column, int row) const {
-    return lowest_m_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                     static_cast<std::size_t>(column)];
-  }
+  [[nodiscard]] float lowest_m(int column, int row) const { return lowest_m_.at({column, row}); }
 
  private:
-  int columns_;
-  std::vector<float> lowest_m_;
+  Grid2<float> lowest_m_;
   std::vector<std::uint32_t> starts_;  ///< start of the heights of each cell, and the end
   std::vector<float> heights_;
 };

@@ -20,10 +20,11 @@ constexpr float kUndefined = std::numeric_limits<float>::quiet_NaN();
 template <class Visit>
 void visit_observed(const TerrainMap& map, int column, int row, int reach, const Visit& visit) {
   const int first = std::max(column - reach, 0);
-  const int last = std::min(column + reach, map.columns - 1);
-  for (int r = std::max(row - reach, 0); r <= std::min(row + reach, map.rows - 1); ++r) {
-    for (int c = first; c <= last; ++c) {
-      const TerrainCell& cell = map.at(c, r);
+  const int last = std::min(column + reach, map.cells.columns() - 1);
+  for (int r = std::max(row - reach, 0); r <= std::min(row + reach, map.cells.rows() - 1); ++r) {
+    std::size_t i = map.cells.index({first, r});
+    for (int c = first; c <= last; ++c, ++i) {
+      const TerrainCell& cell = map.cells[i];
       if (cell.ground == Ground::kObserved) {
         visit(static_cast<float>(c - column), static_cast<float>(r - row), cell.low_m);
       }
@@ -52,7 +53,7 @@ struct PlaneSums {
 };
 
 float slope_rad(const TerrainMap& map, int column, int row) {
-  const float middle = map.at(column, row).low_m;  // keeps the sums small, and thus exact
+  const float middle = map.cells.at({column, row}).low_m;  // keeps the sums small, and thus exact
   PlaneSums sums;
   visit_observed(map, column, row, kPlaneReach,
                  [&](float u, float v, float z) { sums.add(u, v, z - middle); });
@@ -61,7 +62,7 @@ float slope_rad(const TerrainMap& map, int column, int row) {
 }
 
 float step_m(const TerrainMap& map, int column, int row) {
-  const float middle = map.at(column, row).low_m;
+  const float middle = map.cells.at({column, row}).low_m;
   float step = 0.0F;
   int neighbours = -1;  // excludes the cell itself
   visit_observed(map, column, row, 1, [&](float, float, float z) {
@@ -74,9 +75,9 @@ float step_m(const TerrainMap& map, int column, int row) {
 }  // namespace
 
 void set_slope_and_step(TerrainMap& map) {
-  for (int row = 0; row < map.rows; ++row) {
-    for (int column = 0; column < map.columns; ++column) {
-      TerrainCell& cell = map.at(column, row);
+  for (int row = 0; row < map.cells.rows(); ++row) {
+    for (int column = 0; column < map.cells.columns(); ++column) {
+      TerrainCell& cell = map.cells.at({column, row});
       const bool observed = cell.ground == Ground::kObserved;
       cell.slope_rad = observed ? slope_rad(map, column, row) : kUndefined;
       cell.step_m = observed ? step_m(map, column, row) : kUndefined;
@@ -114,15 +115,13 @@ class Kernel {
   std::vector<float> weights_;
 };
 
-void add_cone(std::vector<float>& sums, const TerrainMap& map, int column, int row,
-              const Kernel& kernel) {
-  const float coefficient = map.at(column, row).coefficient_m;
+void add_cone(Grid2<float>& sums, float coefficient, int column, int row, const Kernel& kernel) {
   const int first = std::max(column - kernel.reach(), 0);
-  const int last = std::min(column + kernel.reach(), map.columns - 1);
-  const int top = std::min(row + kernel.reach(), map.rows - 1);
+  const int last = std::min(column + kernel.reach(), sums.columns() - 1);
+  const int top = std::min(row + kernel.reach(), sums.rows() - 1);
   for (int r = std::max(row - kernel.reach(), 0); r <= top; ++r) {
     const float* weights = kernel.row(r - row) - column;
-    float* out = sums.data() + static_cast<std::size_t>(r) * static_cast<std::size_t>(map.columns);
+    float* out = &sums.at({0, r});
     for (int c = first; c <= last; ++c) out[c] += coefficient * weights[c];
   }
 }
@@ -132,10 +131,11 @@ void add_cone(std::vector<float>& sums, const TerrainMap& map, int column, int r
 void set_repulsion(TerrainMap& map, const RepulsionParams& params) {
   const Kernel kernel(params.radius_m, map.cell_m);
   const auto least = static_cast<float>(params.coefficient_min_m);
-  std::vector<float> sums(map.cells.size(), 0.0F);
-  for (int row = 0; row < map.rows; ++row) {
-    for (int column = 0; column < map.columns; ++column) {
-      if (map.at(column, row).coefficient_m >= least) add_cone(sums, map, column, row, kernel);
+  Grid2<float> sums(map.cells.box());
+  for (int row = 0; row < map.cells.rows(); ++row) {
+    for (int column = 0; column < map.cells.columns(); ++column) {
+      const float coefficient = map.cells.at({column, row}).coefficient_m;
+      if (coefficient >= least) add_cone(sums, coefficient, column, row, kernel);
     }
   }
   for (std::size_t i = 0; i < sums.size(); ++i) map.cells[i].repulsion_m = sums[i];

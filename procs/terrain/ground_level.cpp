@@ -23,7 +23,7 @@ GroundLevel::GroundLevel(const TerrainMap& map, const std::vector<float>& low_m,
       unobserved_(map.cells.size(), kNotYet),
       observed_(map.cells.size(), 0) {
   start_below_vehicle(map, params.vehicle);
-  spread(static_cast<std::size_t>(map.columns));
+  spread(static_cast<std::size_t>(map.cells.columns()));
 }
 
 /// Starts with the cells of the footprint, or the nearest cells where the map does not extend to
@@ -35,12 +35,11 @@ void GroundLevel::start_below_vehicle(const TerrainMap& map, const Vehicle& vehi
     };
     return std::pair(cell(-half_m), cell(half_m));
   };
-  const auto columns = range(vehicle.length_m / 2.0, map.p_level_corner.x(), map.columns);
-  const auto rows = range(vehicle.width_m / 2.0, map.p_level_corner.y(), map.rows);
+  const auto columns = range(vehicle.length_m / 2.0, map.p_level_corner.x(), map.cells.columns());
+  const auto rows = range(vehicle.width_m / 2.0, map.p_level_corner.y(), map.cells.rows());
   for (int row = rows.first; row <= rows.second; ++row) {
     for (int column = columns.first; column <= columns.second; ++column) {
-      const auto cell = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +
-                        static_cast<std::size_t>(column);
+      const std::size_t cell = map.cells.index({column, row});
       observed_[cell] = low_m_[cell] <= step_m_ ? 1 : 0;
       enter(cell, 0.0F, 0);
     }

@@ -31,8 +31,8 @@ class Least {
 RegionHeights::RegionHeights(const CellHeights& heights, const TerrainMap& map,
                              const TerrainParams& params)
     : heights_(heights),
-      columns_(map.columns),
-      rows_(map.rows),
+      columns_(map.cells.columns()),
+      rows_(map.cells.rows()),
       headroom_m_(static_cast<float>(params.headroom_m())),
       k_(params.estimator.kind == "paper" ? 1 : params.estimator.k),
       points_per_rank_(params.estimator.points_per_rank) {}

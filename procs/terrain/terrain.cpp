@@ -19,8 +19,8 @@ constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 template <class Visit>
 void for_each_cell(const TerrainMap& map, const Visit& visit) {
   std::size_t i = 0;
-  for (int row = 0; row < map.rows; ++row) {
-    for (int column = 0; column < map.columns; ++column) visit(column, row, i++);
+  for (int row = 0; row < map.cells.rows(); ++row) {
+    for (int column = 0; column < map.cells.columns(); ++column) visit(column, row, i++);
   }
 }
 
@@ -102,18 +102,16 @@ TerrainMap Terrain::blank(const Cloud& cloud) const {
   map.id = cloud.id;
   map.T_odom_level = cloud.T_odom_level;
   map.cell_m = params_.cell_m;
-  map.columns = std::max(cells(params_.length_m), 1);
-  map.rows = std::max(cells(params_.width_m), 1);
-  // The vehicle stands at the centre of a cell, so that a path can begin at its pose.
-  const int behind_cells = cells(params_.behind_m);
-  const int behind = is_rear_scan(cloud) ? map.columns - 1 - behind_cells : behind_cells;
-  const int beside = map.rows / 2;
-  map.p_level_corner = -map.cell_m * Eigen::Vector2d(behind + 0.5, beside + 0.5);
   TerrainCell unknown;
   unknown.low_m = kUnknown;
   unknown.high_m = kUnknown;
-  map.cells.assign(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows),
-                   unknown);
+  map.cells = Grid2<TerrainCell>(std::max(cells(params_.length_m), 1),
+                                 std::max(cells(params_.width_m), 1), unknown);
+  // The vehicle stands at the centre of a cell, so that a path can begin at its pose.
+  const int behind_cells = cells(params_.behind_m);
+  const int behind = is_rear_scan(cloud) ? map.cells.columns() - 1 - behind_cells : behind_cells;
+  const int beside = map.cells.rows() / 2;
+  map.p_level_corner = -map.cell_m * Eigen::Vector2d(behind + 0.5, beside + 0.5);
   return map;
 }
 

@@ -14,7 +14,6 @@
 #include "common/geometry/pose2.hpp"
 #include "common/types/cloud.hpp"
 #include "common/volume/voxel_grid.hpp"
-#include "procs/volume_map/cell_set.hpp"
 #include "procs/volume_map/occupancy_tree.hpp"
 #include "procs/volume_map/scan_cells.hpp"
 

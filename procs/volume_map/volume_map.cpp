@@ -10,8 +10,7 @@
 
 #include "common/geometry/pose2.hpp"
 #include "common/volume/volume.hpp"
-#include "procs/volume_map/cell_set.hpp"
-#include "procs/volume_map/scan_replacement.hpp"
+#include "procs/volume_map/scan_cells.hpp"
 #include "procs/volume_map/sub_volume.hpp"
 
 namespace adit {
@@ -74,15 +73,6 @@ const Pose2& pose(const MapGraph& graph, int local_map) {
 }
 
 }  // namespace
-
-StoredVolume stored(const PlacedVolume& placed) {
-  const SubVolume& volume = placed.volume;
-  return {{volume.cell_m(), volume.utime(), volume.scans(), volume.octree(), volume.points(),
-           volume.rejected_points()},
-          placed.T_odom_volume,
-          placed.anchor,
-          placed.T_volume_viewpoint};
-}
 
 void VolumeMap::restore(StoredVolumes stored) {
   scan_utimes_ = std::move(stored.scan_utimes);

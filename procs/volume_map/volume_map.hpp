@@ -44,7 +44,7 @@ struct StoredVolumes {
 /// Scans before the first graph make sub-volumes that are anchored when it arrives. Only the newest
 /// sub-volume accepts further scans; the others are closed (SubVolume::close), so that memory grows
 /// with the number of scans. Where a mine is traversed repeatedly, the newest scan from a viewpoint
-/// may replace the older ones (`replace_radius_m`, see scan_replacement.hpp): it is the valid one,
+/// may replace the older ones (`replace_radius_m`, see placed_volume.hpp): it is the valid one,
 /// and memory grows with the mine only. A sub-volume then holds the scans of one visit to one
 /// place, and its id may have belonged to another place.
 ///

@@ -26,7 +26,9 @@ std::vector<std::string> split(const std::string& line) {
 
 double parse(const std::string& field) {
   const auto value = parse_number<double>(field);
-  if (!value || !std::isfinite(*value)) throw std::runtime_error("'" + field + "' is not a number");
+  if (!value || !std::isfinite(*value)) {
+    throw std::runtime_error(fmt::format("'{}' is not a number", field));
+  }
   return *value;
 }
 
@@ -55,7 +57,7 @@ std::vector<Waypoint> parse_waypoints(std::istream& text, const std::string& nam
       throw std::runtime_error(fmt::format("{}:{}: {}", name, line_number, error.what()));
     }
   }
-  if (waypoints.empty()) throw std::runtime_error(name + ": no waypoint");
+  if (waypoints.empty()) throw std::runtime_error(fmt::format("{}: no waypoint", name));
   return waypoints;
 }
 
@@ -64,7 +66,7 @@ std::vector<Waypoint> parse_waypoints(std::istream& text, const std::string& nam
 std::vector<Waypoint> read_waypoints(const std::filesystem::path& path) {
   std::ifstream file(path);
   if (!file || std::filesystem::is_directory(path)) {
-    throw std::runtime_error("cannot read " + path.string());
+    throw std::runtime_error(fmt::format("cannot read {}", path.string()));
   }
   return parse_waypoints(file, path.string());
 }
@@ -75,7 +77,7 @@ std::vector<Waypoint> built_in_drive(const std::string& world) {
     std::istringstream text(file.drive);
     return parse_waypoints(text, world + "_drive.txt");
   }
-  throw std::runtime_error("there is no built-in drive through '" + world + "'");
+  throw std::runtime_error(fmt::format("there is no built-in drive through '{}'", world));
 }
 
 }  // namespace adit

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <numbers>
+
 #include "common/config/bounds.hpp"
 #include "common/sensing/laser_scan.hpp"
 
@@ -54,7 +56,7 @@ struct LaserParams {
   /// The reading for no return: the maximum, 8191 units.
   [[nodiscard]] double no_return_m() const { return 8191.0 * unit_m; }
   /// Angle between two beams.
-  [[nodiscard]] double angle_step_rad() const;
+  [[nodiscard]] double angle_step_rad() const { return std::numbers::pi / (beams - 1); }
 };
 
 }  // namespace adit

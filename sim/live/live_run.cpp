@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <optional>
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "common/bus/lcm_bus.hpp"
 #include "common/bus/lcm_transport.hpp"
@@ -26,6 +28,16 @@ constexpr std::int64_t kSecondUs = 1'000'000;
 constexpr std::int64_t kWaitMaxUs = 50'000;  // limits the delay of a signal to stop
 constexpr int kQuietMs = 500;
 constexpr std::int64_t kDrainMaxUs = 10 * kSecondUs;
+
+std::optional<double> factor_from(const std::string& text) {
+  if (text == "max") return std::nullopt;
+  const auto factor = parse_number<double>(text);
+  if (!factor || !(*factor > 0.0 && *factor <= 1e6)) {
+    throw CLI::ValidationError("--speed",
+                               fmt::format("'{}' is neither a positive number nor max", text));
+  }
+  return factor;
+}
 
 std::int64_t full_second_utime() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -67,41 +79,6 @@ void drain(LcmBus& bus) {
   const std::int64_t end_us = wall_us() + kDrainMaxUs;
   while (bus.handle(kQuietMs) && wall_us() < end_us) {
   }
-}
-
-}  // namespace
-
-void run_live(const WorldChoice& world, const LiveRunOptions& options) {
-  const StopSignal stop;  // before Embree and LCM start threads
-  const SimulationParams params = load_simulation_params(options.config, options.faults);
-  if (options.print_config) {
-    std::cout << to_yaml(params, kSimSection);
-    return;
-  }
-  const WorldDescription description = describe(world);
-  const Site site(build_world(description));
-
-  if (const auto advice = receive_buffer_advice(options.lcm_url)) {
-    std::cerr << options.program << ": " << *advice << std::endl;
-  }
-  LcmBus bus(bus_options(options));
-  LiveSimulator simulator(bus, site, description, params, with_record_stage(options),
-                          options.start_utime.value_or(full_second_utime()));
-  run(bus, simulator, stop);
-  if (options.record.empty()) return;
-  drain(bus);
-  simulator.close_record();
-}
-
-namespace {
-
-std::optional<double> factor_from(const std::string& text) {
-  if (text == "max") return std::nullopt;
-  const auto factor = parse_number<double>(text);
-  if (!factor || !(*factor > 0.0 && *factor <= 1e6)) {
-    throw CLI::ValidationError("--speed", "'" + text + "' is neither a positive number nor max");
-  }
-  return factor;
 }
 
 }  // namespace
@@ -160,6 +137,28 @@ void add_live_run_options(CLI::App& app, LiveRunOptions& options) {
   app.add_option("--for", options.for_s, "Ends after this simulated time")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
+}
+
+void run_live(const WorldChoice& world, const LiveRunOptions& options) {
+  const StopSignal stop;  // before Embree and LCM start threads
+  const SimulationParams params = load_simulation_params(options.config, options.faults);
+  if (options.print_config) {
+    std::cout << to_yaml(params, kSimSection);
+    return;
+  }
+  const WorldDescription description = describe(world);
+  const Site site(build_world(description));
+
+  if (const auto advice = receive_buffer_advice(options.lcm_url)) {
+    std::cerr << options.program << ": " << *advice << std::endl;
+  }
+  LcmBus bus(bus_options(options));
+  LiveSimulator simulator(bus, site, description, params, with_record_stage(options),
+                          options.start_utime.value_or(full_second_utime()));
+  run(bus, simulator, stop);
+  if (options.record.empty()) return;
+  drain(bus);
+  simulator.close_record();
 }
 
 }  // namespace adit

@@ -11,6 +11,10 @@
 #include "sim/live/pacing.hpp"
 #include "sim/live/world_choice.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace adit {
 
 /// Options of a run of the simulator on LCM.
@@ -27,6 +31,12 @@ struct LiveRunOptions {
   bool print_config = false;  ///< write the configuration in effect to standard output and exit
 };
 
+/// The options of a live run, for `adit-sim` and `adit sim`.
+void add_live_run_options(CLI::App& app, LiveRunOptions& options);
+
+/// Help text of both on worlds, time and faults.
+extern const char* const kLiveRunFooter;
+
 /// Name of the recorder among the stages that the simulator waits for.
 inline constexpr const char* kRecordStage = "record";
 
@@ -35,19 +45,5 @@ inline constexpr const char* kRecordStage = "record";
 /// recorder, and at the end for outstanding messages of the stages. Throws for invalid options and
 /// on write errors.
 void run_live(const WorldChoice& world, const LiveRunOptions& options);
-
-}  // namespace adit
-
-namespace CLI {
-class App;
-}
-
-namespace adit {
-
-/// The options of a live run, for `adit-sim` and `adit sim`.
-void add_live_run_options(CLI::App& app, LiveRunOptions& options);
-
-/// Help text of both on worlds, time and faults.
-extern const char* const kLiveRunFooter;
 
 }  // namespace adit

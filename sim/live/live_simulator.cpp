@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/live/live_simulator.hpp"
 
-#include <array>
-#include <cstdio>
 #include <iostream>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/node/stages.hpp"
@@ -19,6 +19,20 @@ namespace adit {
 namespace {
 
 constexpr std::size_t kMessageQueueSize = 4096;  // of one channel
+constexpr std::size_t kAnswerQueueSize = 1000;
+constexpr std::int64_t kReminderUs = 500'000;  // of wall time
+
+std::string state_of(const RunState& run, const VehicleState& vehicle) {
+  if (!run.failure.empty()) return fmt::format("failed: {}", run.failure);
+  if (vehicle.stopped) return "held by a stop order";
+  if (vehicle.expired) return "without a command";
+  return "driving";
+}
+
+std::string waiting_message(const std::string& stage) {
+  return fmt::format(
+      "waiting for {}, which has not answered for 5 s; was it started with --sim-time?", stage);
+}
 
 }  // namespace
 
@@ -33,29 +47,16 @@ BusRecorder::BusRecorder(Bus& bus, const std::filesystem::path& path, Clock cloc
   }
 }
 
-namespace {
-
-std::string state_of(const RunState& run, const VehicleState& vehicle) {
-  if (!run.failure.empty()) return "failed: " + run.failure;
-  if (vehicle.stopped) return "held by a stop order";
-  if (vehicle.expired) return "without a command";
-  return "driving";
-}
-
-}  // namespace
-
 std::string progress_line(double elapsed_s, double factor, const RunState& run,
                           const VehicleState& vehicle) {
-  std::array<char, 96> numbers{};
-  std::snprintf(numbers.data(), numbers.size(), "%.1f s simulated, %.1f x real time, %.1f m, ",
-                elapsed_s, factor, run.distance_travelled_m);
-  return numbers.data() + state_of(run, vehicle);
+  return fmt::format("{:.1f} s simulated, {:.1f} x real time, {:.1f} m, {}", elapsed_s, factor,
+                     run.distance_travelled_m, state_of(run, vehicle));
 }
 
 void ProgressReporter::update(const Simulation& simulation, std::int64_t start_utime,
                               std::int64_t wall_us) {
   const std::string& failure = simulation.state().failure;
-  if (!failure.empty() && !failed_) print("the run has failed: " + failure);
+  if (!failure.empty() && !failed_) print(fmt::format("the run has failed: {}", failure));
   failed_ = !failure.empty();
 
   const std::int64_t utime = simulation.utime();
@@ -69,22 +70,8 @@ void ProgressReporter::update(const Simulation& simulation, std::int64_t start_u
 }
 
 void ProgressReporter::print(const std::string& what) const {
-  std::cerr << program_ + ": " + what + "\n" << std::flush;
+  std::cerr << fmt::format("{}: {}\n", program_, what) << std::flush;
 }
-
-namespace {
-
-constexpr std::size_t kAnswerQueueSize = 1000;
-constexpr std::int64_t kReminderUs = 500'000;  // of wall time
-
-std::string waiting_message(const std::string& stage) {
-  std::string line = "waiting for ";
-  line += stage;
-  line += ", which has not answered for 5 s; was it started with --sim-time?";
-  return line;
-}
-
-}  // namespace
 
 LiveSimulator::LiveSimulator(Bus& bus, const Site& site, const WorldDescription& description,
                              const SimulationParams& params, const LiveRunOptions& options,

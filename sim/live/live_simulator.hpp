@@ -40,6 +40,10 @@ class BusRecorder {
   Clock clock_;
 };
 
+/// `83.4 s simulated, 7.9 x real time, 31.2 m, driving`.
+std::string progress_line(double elapsed_s, double factor, const RunState& run,
+                          const VehicleState& vehicle);
+
 /// Reports the progress of a run on standard error: a line every kPeriodUs of wall time, and one
 /// when the run fails.
 class ProgressReporter {
@@ -64,10 +68,6 @@ class ProgressReporter {
   std::optional<Sample> last_;
   bool failed_ = false;
 };
-
-/// `83.4 s simulated, 7.9 x real time, 31.2 m, driving`.
-std::string progress_line(double elapsed_s, double factor, const RunState& run,
-                          const VehicleState& vehicle);
 
 /// The simulator on a bus with other processes: steps at its pace, publishes the status messages of
 /// every stage, injects process faults and reports progress on standard error.

@@ -11,10 +11,11 @@
 #include <optional>
 #include <system_error>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "common/config/number_text.hpp"
-#include "sim/live/fault_parser.hpp"
+#include "sim/live/sim_config.hpp"
 
 namespace adit {
 namespace {
@@ -92,11 +93,12 @@ int signal_siblings(const std::string& executable, int signal) {
 namespace {
 
 std::string apply_fault(const FaultDescription& fault) {
-  const std::string executable = "adit-" + fault.target;
+  const std::string executable = fmt::format("adit-{}", fault.target);
   const int sent = signal_siblings(executable, fault.kind == "kill" ? SIGKILL : SIGSTOP);
-  return fault.kind + " " + executable + ": " +
-         (sent == 0 ? "no such process was started beside this program"
-                    : std::to_string(sent) + (sent == 1 ? " process" : " processes"));
+  const std::string result = sent == 0
+                                 ? "no such process was started beside this program"
+                                 : fmt::format("{} {}", sent, sent == 1 ? "process" : "processes");
+  return fmt::format("{} {}: {}", fault.kind, executable, result);
 }
 
 }  // namespace

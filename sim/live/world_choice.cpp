@@ -26,8 +26,8 @@ RandomMineParams random_params(const WorldChoice& choice) {
 }  // namespace
 
 CLI::Option* add_world_options(CLI::App& app, WorldChoice& choice) {
-  CLI::Option* world =
-      app.add_option("WORLD", choice.name, "A built-in world, random, a world file, or a mesh");
+  CLI::Option* world = app.add_option(
+      "WORLD", choice.name, "A built-in world, random, grade:PERCENT, a world file, or a mesh");
   app.add_option("--seed", choice.seed, "Seed of everything random, instead of that of the world")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);

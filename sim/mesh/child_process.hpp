@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "sim/mesh/triangle_mesh.hpp"
+
 namespace adit {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -22,5 +24,10 @@ class ChildProcessError : public std::runtime_error {
 /// std::runtime_error with the same text. Throws ChildProcessError if the child crashes or needs
 /// more than `seconds` of processor time. Must be called while the process has one thread.
 Bytes run_in_child_process(const std::function<Bytes()>& work, int seconds);
+
+/// Serialisation of a mesh between two processes of one program.
+Bytes to_bytes(const TriangleMesh& mesh);
+/// For the output of to_bytes() only; the input is not validated.
+TriangleMesh mesh_from_bytes(const Bytes& bytes);
 
 }  // namespace adit

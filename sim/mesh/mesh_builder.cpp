@@ -9,6 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 namespace adit {
 namespace {
 
@@ -16,9 +18,9 @@ constexpr std::size_t kPartsMax = std::numeric_limits<std::uint16_t>::max();
 
 void require_room(std::size_t count, const char* what) {
   if (count <= MeshBuilder::kTrianglesMax) return;
-  throw std::invalid_argument("too many " + std::string(what) + " in one world: at most " +
-                              std::to_string(MeshBuilder::kTrianglesMax) +
-                              " are possible; make it smaller or coarser");
+  throw std::invalid_argument(
+      fmt::format("too many {} in one world: at most {} are possible; make it smaller or coarser",
+                  what, MeshBuilder::kTrianglesMax));
 }
 
 }  // namespace
@@ -27,7 +29,7 @@ void MeshBuilder::begin_part(PartKind kind, Material material, const std::string
   if (mesh_.parts.size() == kPartsMax) throw std::invalid_argument("too many parts in one world");
   std::string unique = name;
   while (!names_.insert(unique).second) {
-    unique = name + "_" + std::to_string(++repeats_[name] + 1);
+    unique = fmt::format("{}_{}", name, ++repeats_[name] + 1);
   }
   mesh_.parts.push_back({kind, material, unique});
 }

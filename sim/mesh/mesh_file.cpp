@@ -6,11 +6,14 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
 #include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -18,20 +21,103 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <fmt/format.h>
 
+#include "common/config/number_text.hpp"
 #include "sim/mesh/child_process.hpp"
 #include "sim/mesh/mesh_builder.hpp"
-#include "sim/mesh/mesh_bytes.hpp"
-#include "sim/mesh/mesh_file_check.hpp"
 #include "sim/mesh/triangle_mesh.hpp"
 
 namespace adit {
 namespace {
 
-/// Classifies a surface by a keyword in its name, case-insensitive: `floor`, `roof`, `wall`,
-/// `rail`, `sleeper`, `post`, `crib`, `rubble`, `beam`, `cable`, `car` or `water`. Rock of kind
-/// `kOther` without a keyword.
-std::pair<PartKind, Material> classify_surface(std::string name);
+// Larger than the text form of a mesh with the maximum number of triangles.
+constexpr std::uintmax_t kBytesMax = 1'000'000'000;
+
+[[noreturn]] void reject(const std::filesystem::path& file, const std::string& why) {
+  throw std::runtime_error(fmt::format("{} is not a mesh: {}", file.string(), why));
+}
+
+void check_count(const std::filesystem::path& file, double count, std::uintmax_t bytes) {
+  if (count >= 0.0 && count <= static_cast<double>(bytes)) return;
+  reject(file, fmt::format("it announces {} elements in {} bytes", number_text(count), bytes));
+}
+
+bool is_other_ply_keyword(const std::string& word) {
+  return word == "ply" || word == "format" || word == "comment" || word == "obj_info" ||
+         word == "property";
+}
+
+/// Checks lines `element NAME COUNT` in the header and its end; without an end, Assimp 5.2 loops
+/// endlessly.
+void check_ply_header(const std::filesystem::path& file, std::uintmax_t bytes) {
+  std::ifstream in(file, std::ios::binary);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::string word;
+    std::string name;
+    double count = -1.0;
+    words >> word;
+    if (word == "end_header") return;
+    if (word == "element" && words >> name >> count) {
+      check_count(file, count, bytes);
+    } else if (!is_other_ply_keyword(word)) {
+      reject(file, "its header has a line that is not valid in a PLY file");
+    }
+  }
+  reject(file, "its header has no end");
+}
+
+/// Checks attributes `count="COUNT"` anywhere in the file.
+void check_dae_counts(const std::filesystem::path& file, const std::string& text) {
+  constexpr std::string_view kCount = "count=";
+  for (std::size_t at = text.find(kCount); at != std::string::npos; at = text.find(kCount, at)) {
+    at += kCount.size() + 1;  // and the quotation mark
+    if (at >= text.size()) return;
+    double count = 0.0;
+    if (std::istringstream(text.substr(at, 30)) >> count) check_count(file, count, text.size());
+  }
+}
+
+/// Checks elements <p>: Assimp 5.2 loops endlessly on an index that is not a number.
+void check_dae_indices(const std::filesystem::path& file, const std::string& text) {
+  constexpr std::string_view kIndices = "<p>";
+  for (std::size_t at = text.find(kIndices); at != std::string::npos;
+       at = text.find(kIndices, at)) {
+    at = text.find_first_not_of("0123456789 \t\r\n", at + kIndices.size());
+    if (at == std::string::npos || text[at] != '<') {
+      reject(file, "an index in it is not a number");
+    }
+  }
+}
+
+void check_dae(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream all;
+  all << in.rdbuf();
+  const std::string text = all.str();
+  check_dae_counts(file, text);
+  check_dae_indices(file, text);
+}
+
+/// Checks a mesh file before it is read, so that a damaged file cannot exhaust the memory: one that
+/// is missing, empty or too large, a PLY file without a header, and a PLY or Collada (.dae) file
+/// that announces more elements than its size allows.
+void check_mesh_file(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw std::runtime_error(fmt::format("there is no mesh file {}", file.string()));
+  }
+  const std::uintmax_t bytes = std::filesystem::file_size(file);
+  if (bytes == 0) throw std::runtime_error(fmt::format("{} is empty", file.string()));
+  if (bytes > kBytesMax) {
+    throw std::runtime_error(
+        fmt::format("{} has more than {} bytes: simplify the mesh", file.string(), kBytesMax));
+  }
+  const std::string ending = file.extension().string();
+  if (ending == ".ply") check_ply_header(file, bytes);
+  if (ending == ".dae") check_dae(file);
+}
 
 struct NamedKind {
   std::string_view word;
@@ -54,6 +140,7 @@ constexpr std::array<NamedKind, 12> kNamedKinds{{
     {"water", PartKind::kWater, Material::kWater},
 }};
 
+/// By the first keyword that is in the name.
 std::pair<PartKind, Material> classify_surface(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -132,20 +219,23 @@ class Collector {
 };
 
 void check_size(const std::filesystem::path& file, const Eigen::AlignedBox3d& box, double scale) {
-  if (box.isEmpty()) throw std::runtime_error(file.string() + " has no triangle with an area");
+  if (box.isEmpty()) {
+    throw std::runtime_error(fmt::format("{} has no triangle with an area", file.string()));
+  }
   const double size = box.sizes().maxCoeff();
   const double farthest =
       std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  std::ostringstream what;
   if (size < kSizeMin || size > kSizeMax) {
-    what << file.string() << " is " << size << " m long with scale " << scale
-         << ": set `scale` to the metres of one unit of the file";
-    throw std::runtime_error(what.str());
+    throw std::runtime_error(
+        fmt::format("{} is {:g} m long with scale {:g}: "
+                    "set `scale` to the metres of one unit of the file",
+                    file.string(), size, scale));
   }
   if (farthest > kSizeMax) {
-    what << file.string() << " lies " << farthest << " m from its origin with scale " << scale
-         << ": move it nearer, or set `scale` to the metres of one unit of the file";
-    throw std::runtime_error(what.str());
+    throw std::runtime_error(
+        fmt::format("{} lies {:g} m from its origin with scale {:g}: "
+                    "move it nearer, or set `scale` to the metres of one unit of the file",
+                    file.string(), farthest, scale));
   }
 }
 
@@ -154,7 +244,7 @@ void check_indices(const std::filesystem::path& file, const aiMesh& mesh) {
   for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
     const std::span indices(face.mIndices, face.mNumIndices);
     if (std::ranges::all_of(indices, [&](unsigned i) { return i < mesh.mNumVertices; })) continue;
-    throw std::runtime_error(file.string() + " is not a mesh: a face refers to a missing vertex");
+    reject(file, "a face refers to a missing vertex");
   }
 }
 
@@ -191,8 +281,7 @@ TriangleMesh read_with_assimp(const std::filesystem::path& file, const MeshFileP
                                          aiProcess_JoinIdenticalVertices);
   }
   if (scene == nullptr || scene->mRootNode == nullptr) {
-    throw std::runtime_error(file.string() +
-                             " is not a mesh: " + first_line(importer.GetErrorString()));
+    reject(file, first_line(importer.GetErrorString()));
   }
   Collector collector;
   collector.add(*scene, *scene->mRootNode, Eigen::Affine3d(to_world(params)));
@@ -208,7 +297,7 @@ TriangleMesh load_mesh_file(const std::filesystem::path& file, const MeshFilePar
   try {
     return mesh_from_bytes(run_in_child_process(read, kSecondsMax));
   } catch (const ChildProcessError& death) {
-    throw std::runtime_error(file.string() + " is not a mesh: " + death.what());
+    reject(file, death.what());
   }
 }
 

@@ -17,11 +17,12 @@ struct MeshFileParams {
 };
 
 /// Reads a mesh file of any format of Assimp (OBJ, PLY, DAE, STL, ..), which only this file uses.
-/// Each mesh of the file becomes a part of the same name, whose keyword defines kind and material
-/// (classify_surface). Triangles without area or with a vertex that is not finite are dropped.
-/// Throws std::runtime_error, one line with the file name, for a file that is missing, empty, too
-/// large, not a mesh or without triangles, and for an extent beyond that of a mine, which indicates
-/// a wrong scale.
+/// Each mesh of the file becomes a part of the same name; a keyword in it, case-insensitive,
+/// defines kind and material: `floor`, `roof`, `wall`, `rail`, `sleeper`, `post`, `crib`, `rubble`,
+/// `beam`, `cable`, `car` or `water`. Without one it is rock of kind `kOther`. Triangles without
+/// area or with a vertex that is not finite are dropped. Throws std::runtime_error, one line with
+/// the file name, for a file that is missing, empty, too large, not a mesh or without triangles,
+/// and for an extent beyond that of a mine, which indicates a wrong scale.
 TriangleMesh load_mesh_file(const std::filesystem::path& file, const MeshFileParams& params = {});
 
 }  // namespace adit

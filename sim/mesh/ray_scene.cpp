@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <embree3/rtcore.h>
+#include <fmt/format.h>
 
 namespace adit {
 namespace {
@@ -73,8 +74,8 @@ class RayScene::Impl {
     if (!mesh.triangles.empty()) attach_mesh();
     rtcCommitScene(scene_.get());
     if (rtcGetDeviceError(device_.get()) != RTC_ERROR_NONE) {
-      throw std::runtime_error("Embree cannot take a mesh of " +
-                               std::to_string(mesh.triangles.size()) + " triangles");
+      throw std::runtime_error(
+          fmt::format("Embree cannot take a mesh of {} triangles", mesh.triangles.size()));
     }
   }
 

@@ -61,6 +61,14 @@ struct TriangleMesh {
 };
 
 /// Bounding box of all vertices that are finite; empty without any.
-Eigen::AlignedBox3f mesh_bounds(const TriangleMesh& mesh);
+inline Eigen::AlignedBox3f mesh_bounds(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3f box;
+  for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
+    for (const std::uint32_t i : triangle) {
+      if (mesh.vertices[i].allFinite()) box.extend(mesh.vertices[i]);
+    }
+  }
+  return box;
+}
 
 }  // namespace adit

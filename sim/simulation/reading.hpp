@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 #include <variant>
 
 #include "common/sensing/laser_scan.hpp"
@@ -30,9 +31,24 @@ using Reading = std::variant<LaserReading, LaserTiltReading, WheelOdometry, ImuR
                              SinkageReading, VehicleState, BodyMotion, RunState>;
 
 /// Time of measurement, by the clock of the sensor [µs since the epoch].
-std::int64_t& utime_of(Reading& reading);
+inline std::int64_t& utime_of(Reading& reading) {
+  return std::visit(
+      [](auto& value) -> std::int64_t& {
+        using Value = std::remove_reference_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, LaserReading>) {
+          return value.scan.utime;
+        } else if constexpr (std::is_same_v<Value, LaserTiltReading>) {
+          return value.reading.utime;
+        } else {
+          return value.utime;
+        }
+      },
+      reading);
+}
 
 /// Whether a driver publishes it, not the simulator itself.
-bool is_driver_reading(const Reading& reading);
+inline bool is_driver_reading(const Reading& reading) {
+  return !std::holds_alternative<BodyMotion>(reading) && !std::holds_alternative<RunState>(reading);
+}
 
 }  // namespace adit

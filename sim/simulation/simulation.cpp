@@ -13,9 +13,8 @@
 
 #include "common/sensing/seconds.hpp"
 #include "common/sensing/vehicle_readings.hpp"
-#include "sim/simulation/fault_schedule.hpp"
+#include "sim/simulation/fault_injection.hpp"
 #include "sim/simulation/random_stream.hpp"
-#include "sim/simulation/reading_queue.hpp"
 #include "sim/simulation/tilting_laser.hpp"
 #include "sim/vehicle/proprioception.hpp"
 #include "sim/world/world.hpp"
@@ -25,7 +24,6 @@ namespace {
 
 /// Composition of the air at a point of the plan. Gas pockets add up; methane displaces oxygen
 /// proportionally. There is no carbon monoxide.
-
 GasReading air_at(const World& world, const Eigen::Vector2d& p_world, std::int64_t utime) {
   GasReading reading;
   reading.utime = utime;

@@ -7,6 +7,20 @@
 #include "sim/vehicle/vehicle_params.hpp"
 
 namespace adit {
+namespace {
+
+Eigen::Vector3d draw(std::normal_distribution<double>& normal, std::mt19937_64& random,
+                     double standard_deviation) {
+  Eigen::Vector3d drawn;
+  for (double& value : drawn) value = standard_deviation * normal(random);
+  return drawn;
+}
+
+Eigen::Vector3d v_world(const BodyMotion& motion) {
+  return motion.T_world_body.linear() * motion.v_body;
+}
+
+}  // namespace
 
 void DeadReckoning::advance(double speed_m_s, double curvature_1_m, double seconds) {
   const double distance_m = speed_m_s * seconds;
@@ -22,21 +36,6 @@ void DeadReckoning::advance(double speed_m_s, double curvature_1_m, double secon
 }
 
 WheelOdometry DeadReckoning::reading(std::int64_t utime) const { return {utime, T_wheel_body_}; }
-
-namespace {
-
-Eigen::Vector3d draw(std::normal_distribution<double>& normal, std::mt19937_64& random,
-                     double standard_deviation) {
-  Eigen::Vector3d drawn;
-  for (double& value : drawn) value = standard_deviation * normal(random);
-  return drawn;
-}
-
-Eigen::Vector3d v_world(const BodyMotion& motion) {
-  return motion.T_world_body.linear() * motion.v_body;
-}
-
-}  // namespace
 
 InertialUnit::InertialUnit(const ImuParams& params, std::uint64_t seed)
     : params_(params), random_(seed) {

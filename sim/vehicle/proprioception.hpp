@@ -6,7 +6,7 @@
 #include <random>
 
 #include "common/sensing/vehicle_readings.hpp"
-#include "sim/vehicle/steering.hpp"
+#include "sim/vehicle/kinematics.hpp"
 #include "sim/vehicle/vehicle_model.hpp"
 #include "sim/vehicle/vehicle_params.hpp"
 

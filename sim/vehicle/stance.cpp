@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "common/geometry/pose2.hpp"
-#include "sim/vehicle/ground_hazards.hpp"
+#include "sim/vehicle/surroundings.hpp"
 
 namespace adit {
 namespace {

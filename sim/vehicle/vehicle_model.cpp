@@ -8,8 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/vehicle/body_clearance.hpp"
-#include "sim/vehicle/ground_hazards.hpp"
+#include "sim/vehicle/surroundings.hpp"
 
 namespace adit {
 namespace {
@@ -41,7 +40,9 @@ VehicleModel::VehicleModel(const Site& site, const Vehicle& vehicle,
   if (floor_m) fault = stance_.put(T_world_plan_, *floor_m);
   motion_ = {utime, stance_.T_world_body(), {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
   if (!fault) fault = check_surroundings();
-  if (fault) throw std::invalid_argument("the vehicle cannot stand at the start: " + *fault);
+  if (fault) {
+    throw std::invalid_argument(fmt::format("the vehicle cannot stand at the start: {}", *fault));
+  }
 }
 
 void VehicleModel::advance(double seconds) {

@@ -11,12 +11,10 @@
 
 #include "common/types/vehicle.hpp"
 #include "common/types/vehicle_state.hpp"
-#include "sim/vehicle/battery.hpp"
 #include "sim/vehicle/drivetrain.hpp"
+#include "sim/vehicle/kinematics.hpp"
 #include "sim/vehicle/stance.hpp"
-#include "sim/vehicle/steering.hpp"
 #include "sim/vehicle/vehicle_params.hpp"
-#include "sim/vehicle/wheel_slip.hpp"
 #include "sim/world/world.hpp"
 
 namespace adit {

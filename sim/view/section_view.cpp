@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 #include "sim/view/render.hpp"
 #include "sim/view/shading.hpp"
@@ -31,7 +32,7 @@ const TunnelEdge& nearest_edge(const TunnelGraph& tunnels, const Eigen::Vector2d
 
 /// The consecutive edges of one tunnel as a polyline.
 TunnelLine full_tunnel(const TunnelGraph& tunnels, const std::string& name) {
-  TunnelLine line{"along " + name, {}, 0.0, false};
+  TunnelLine line{fmt::format("along {}", name), {}, 0.0, false};
   for (const TunnelEdge& edge : tunnels.edges) {
     if (edge.tunnel != name) continue;
     const bool continues = !line.points.empty() && line.points.back() == edge.points.front();

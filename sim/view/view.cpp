@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "common/picture/canvas.hpp"
 #include "common/picture/legend.hpp"
@@ -46,13 +47,6 @@ std::vector<Placed<Window>> stack(const std::vector<Window>& windows, int width,
   return placed;
 }
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[240];
-  std::snprintf(buffer, sizeof(buffer), format, values...);
-  return buffer;
-}
-
 void draw_head(const Canvas& canvas, int width, int y, const std::string& title,
                const std::string& note) {
   canvas.colour(kInk);
@@ -78,14 +72,15 @@ void draw_ticks(const Canvas& canvas, const Placed<SectionWindow>& placed) {
     const double x = placed.corner.x() + window.pixel(s, 0.0).x();
     canvas.fill_rectangle(x - 0.5, y, 1.0, 4.0);
     const Align align = k == 0 ? Align::kLeft : k == ticks ? Align::kRight : Align::kCentre;
-    canvas.text(text("%g m", s), x, y + 17.0, 13.0, false, align);
+    canvas.text(fmt::format("{:g} m", s), x, y + 17.0, 13.0, false, align);
   }
 }
 
 std::string section_title(const TunnelLine& line, double exaggeration) {
-  const std::string heights =
-      exaggeration == 1.0 ? "heights to scale" : text("heights exaggerated %g times", exaggeration);
-  return "Section " + line.name + ", " + heights;
+  const std::string heights = exaggeration == 1.0
+                                  ? "heights to scale"
+                                  : fmt::format("heights exaggerated {:g} times", exaggeration);
+  return fmt::format("Section {}, {}", line.name, heights);
 }
 
 Pose2 in_plan(const Camera& camera) {
@@ -94,7 +89,8 @@ Pose2 in_plan(const Camera& camera) {
 }
 
 std::string camera_title(const Pose2& at, double eye_m) {
-  return text("From x = %.1f m, y = %.1f m, %.1f m above the floor", at.x, at.y, eye_m);
+  return fmt::format("From x = {:.1f} m, y = {:.1f} m, {:.1f} m above the floor", at.x, at.y,
+                     eye_m);
 }
 
 }  // namespace
@@ -121,8 +117,8 @@ void write_view(const Site& site, const std::filesystem::path& png, const ViewOp
   canvas.fill_rectangle(0, 0, width, y + camera.height() + kEdge);
   canvas.colour(kInk);
   canvas.text(world.name, kEdge, 44.0, 28.0, true, Align::kLeft);
-  canvas.text(text("%.0f m of tunnels, %zu triangles", world.truth.tunnels.length_m(),
-                   world.mesh.triangles.size()),
+  canvas.text(fmt::format("{:.0f} m of tunnels, {} triangles", world.truth.tunnels.length_m(),
+                          world.mesh.triangles.size()),
               width - kEdge, 44.0, 16.0, false, Align::kRight);
 
   draw_head(canvas, width, kTitle, "Plan without the roof", "green: start; red: camera");

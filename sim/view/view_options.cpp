@@ -7,13 +7,15 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "common/geometry/pose2.hpp"
 
 namespace adit {
 namespace {
 
 [[noreturn]] void fail(const std::string& text) {
-  throw std::invalid_argument("'" + text + "' is not a pose X,Y,HEADING_DEG");
+  throw std::invalid_argument(fmt::format("'{}' is not a pose X,Y,HEADING_DEG", text));
 }
 
 }  // namespace

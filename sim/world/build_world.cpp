@@ -2,12 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/world/build_world.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
-#include "sim/world/mesh_world.hpp"
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "sim/mesh/mesh_file.hpp"
+#include "sim/mesh/mesh_slice.hpp"
+#include "sim/mesh/triangle_mesh.hpp"
 #include "sim/world/plan/open_space.hpp"
+#include "sim/world/plan/plan_shapes.hpp"
 #include "sim/world/plan/tunnel_graph.hpp"
 #include "sim/world/props/props.hpp"
 #include "sim/world/surface/heights.hpp"
@@ -16,10 +27,120 @@
 namespace adit {
 namespace {
 
+// A surface with less free height above it is not floor.
+constexpr double kHeadroom = 0.5;
+
+/// A level rectangle that covers the mesh.
+void add_flat(TriangleMesh& mesh, const Eigen::AlignedBox3f& box, double z_m, const Part& part) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  const auto z = static_cast<float>(z_m);
+  mesh.vertices.insert(mesh.vertices.end(), {{box.min().x(), box.min().y(), z},
+                                             {box.max().x(), box.min().y(), z},
+                                             {box.max().x(), box.max().y(), z},
+                                             {box.min().x(), box.max().y(), z}});
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  mesh.triangles.push_back({first, first + 2, first + 3});
+  mesh.triangle_parts.insert(mesh.triangle_parts.end(), 2,
+                             static_cast<std::uint16_t>(mesh.parts.size()));
+  mesh.parts.push_back(part);
+}
+
+TriangleMesh load(const MeshDescription& description) {
+  TriangleMesh mesh = load_mesh_file(description.file, {description.scale, description.up.at(0)});
+  const Eigen::AlignedBox3f box = mesh_bounds(mesh);
+  if (description.flat_floor) {
+    add_flat(mesh, box, description.floor_m, {PartKind::kFloor, Material::kRock, "flat floor"});
+  }
+  if (description.flat_roof) {
+    add_flat(mesh, box, description.roof_m, {PartKind::kRoof, Material::kRock, "flat roof"});
+  }
+  return mesh;
+}
+
+/// Finds the floor of a mesh.
+class MeshGround {
+ public:
+  explicit MeshGround(TriangleMesh mesh)
+      : mesh_(std::move(mesh)), scene_(mesh_), box_(mesh_bounds(mesh_)) {}
+
+  [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
+
+  /// The lowest surface that has kHeadroom above it.
+  [[nodiscard]] std::optional<double> floor(const Eigen::Vector2d& p_world) const {
+    constexpr float kAbove = 1e-3F;  // above a surface, where the search for the next one starts
+    const float top = box_.max().z() + 1.0F;
+    Eigen::Vector3f from(static_cast<float>(p_world.x()), static_cast<float>(p_world.y()),
+                         box_.min().z() - 1.0F);
+    std::optional<float> below;
+    while (from.allFinite()) {
+      const auto hit =
+          scene_.cast({from, Eigen::Vector3f::UnitZ()}, top - from.z(), RayScene::Layer::kSolid);
+      const float surface = hit ? from.z() + hit->distance_m : top;
+      if (below && (!hit || surface - *below >= kHeadroom)) return *below;
+      if (!hit) break;
+      below = surface;
+      from.z() = surface + kAbove;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  TriangleMesh mesh_;
+  RayScene scene_;
+  Eigen::AlignedBox3f box_;
+};
+
+bool is_inside(const PlanRing& ring, const Eigen::Vector2d& p_world) {
+  return depth_m(PlanPolygon{ring.points}, p_world) > 0.0;
+}
+
+/// Orients the ring.
+PlanRing directed(PlanRing ring, bool pillar) {
+  if (ring.is_pillar() != pillar) std::reverse(ring.points.begin(), ring.points.end());
+  return ring;
+}
+
+/// The smallest ring around the start, and the rings directly inside it.
+std::vector<PlanRing> rings_around(const Eigen::Vector2d& start, std::vector<PlanRing> rings) {
+  std::sort(rings.begin(), rings.end(), [](const PlanRing& a, const PlanRing& b) {
+    return std::abs(a.signed_area_m2()) > std::abs(b.signed_area_m2());
+  });
+  const auto outer = std::find_if(rings.rbegin(), rings.rend(),
+                                  [&](const PlanRing& ring) { return is_inside(ring, start); });
+  if (outer == rings.rend()) return {};
+  std::vector<PlanRing> plan{directed(*outer, false)};
+  for (auto ring = outer.base(); ring != rings.end(); ++ring) {
+    const Eigen::Vector2d& p = ring->points[0];
+    const bool in_other = std::any_of(plan.begin() + 1, plan.end(),
+                                      [&](const PlanRing& other) { return is_inside(other, p); });
+    if (is_inside(plan[0], p) && !in_other) plan.push_back(directed(*ring, true));
+  }
+  return plan;
+}
+
+World build_mesh_world(const WorldDescription& description) {
+  const auto ground = std::make_shared<MeshGround>(load(description.mesh));
+  const Eigen::Vector2d start = description.T_world_start.translation();
+  const std::optional<double> floor = ground->floor(start);
+  if (!floor) {
+    throw std::invalid_argument(
+        fmt::format("the mesh has no floor at the start, x {:f}, y {:f}", start.x(), start.y()));
+  }
+  World world;
+  world.name = description.name;
+  world.mesh = ground->mesh();
+  world.T_world_start = description.T_world_start;
+  std::vector<PlanRing> rings;
+  for (auto& loop : slice(world.mesh, *floor + kOutlineHeight)) rings.push_back({std::move(loop)});
+  world.truth.plan = rings_around(start, std::move(rings));
+  world.truth.floor_height = [ground](const Eigen::Vector2d& p) { return ground->floor(p); };
+  return world;
+}
+
 void check_start(const OpenSpace& space, const Pose2& T_world_start) {
   if (space.depth_m(T_world_start.translation()) > 0.0) return;
-  throw std::invalid_argument("the start at x " + std::to_string(T_world_start.x) + ", y " +
-                              std::to_string(T_world_start.y) + " is in rock");
+  throw std::invalid_argument(
+      fmt::format("the start at x {:f}, y {:f} is in rock", T_world_start.x, T_world_start.y));
 }
 
 /// The tunnels of an imported mesh are not known: each prop is rejected with its name.

@@ -108,10 +108,11 @@ struct ReliefDescription {
 /// Heights of floor and roof.
 struct HeightsDescription {
   /// s, z, s, z, .. : height of the floor without relief at distance s along `heading_rad` from the
-  /// origin, ascending in s, interpolated smoothly, level beyond the ends. Empty: level at 0.
+  /// origin, ascending in s, level beyond the ends. Empty: level at 0.
   std::vector<double> profile_m;
   double heading_rad = 0.0;
-  double clearance_m = 2.0;  ///< from floor to roof
+  std::string grade = "smooth";  ///< between the points of the profile: smooth, or sudden (linear)
+  double clearance_m = 2.0;      ///< from floor to roof
   ReliefDescription floor_relief{.height_m = 0.03, .length_m = 2.0};
   ReliefDescription roof_relief{.height_m = 0.08, .length_m = 2.0};
 
@@ -119,6 +120,7 @@ struct HeightsDescription {
   void visit(V& v) {
     v("profile_m", profile_m);
     v("heading_rad", heading_rad);
+    v("grade", grade, OneOf({"smooth", "sudden"}));
     v("clearance_m", clearance_m, above_up_to(0.3, 50.0));
     v("floor_relief", floor_relief);
     v("roof_relief", roof_relief);

@@ -4,9 +4,12 @@
 
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "common/config/config.hpp"
 #include "common/config/nearest_name.hpp"
 #include "sim/world/built_in_world_files.hpp"
+#include "sim/world/grade_tunnel.hpp"
 #include "sim/world/random/random_mine.hpp"
 
 namespace adit {
@@ -17,7 +20,8 @@ constexpr const char* kRandom = "random";
 WorldDescription description_in(const ConfigFile& file) {
   file.require_known_sections({WorldDescription::kSection});
   if (file.section(WorldDescription::kSection) == nullptr) {
-    throw ConfigError(file.name() + ": there is no section 'world', which a world file must have");
+    throw ConfigError(
+        fmt::format("{}: there is no section 'world', which a world file must have", file.name()));
   }
   return load_section<WorldDescription>(file, WorldDescription::kSection);
 }
@@ -47,12 +51,13 @@ WorldDescription from_mesh(const std::filesystem::path& path) {
 [[noreturn]] void fail_unknown_world(const std::string& name) {
   std::vector<std::string> known = built_in_worlds();
   known.emplace_back(kRandom);
-  std::string message = "no world '" + name + "', and no file of that name";
+  known.emplace_back("grade:PERCENT");
   const std::string nearest = nearest_name(name, known);
-  if (!nearest.empty()) message += "; did you mean '" + nearest + "'?";
-  message += "; there are";
-  for (std::size_t i = 0; i < known.size(); ++i) message += (i > 0 ? ", " : " ") + known[i];
-  throw std::runtime_error(message + ", or the path of a world file (.yaml) or of a mesh");
+  const std::string advice = nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
+  throw std::runtime_error(
+      fmt::format("no world '{}', and no file of that name{}; there are {}, "
+                  "or the path of a world file (.yaml) or of a mesh",
+                  name, advice, fmt::join(known, ", ")));
 }
 
 WorldDescription from_path(const std::string& name) {
@@ -72,6 +77,7 @@ std::vector<std::string> built_in_worlds() {
 
 WorldDescription find_world(const std::string& name, std::optional<int> seed) {
   if (name == kRandom) return random_mine(seed.value_or(1));
+  if (const auto grade = parse_grade_tunnel(name)) return grade_tunnel(*grade, seed.value_or(1));
   std::optional<WorldDescription> known = built_in(name);
   WorldDescription description = known ? *std::move(known) : from_path(name);
   if (seed) description.seed = *seed;

@@ -27,7 +27,7 @@ run_with_fault() {
   "$localization" & processes+=($!)
   "$driver" "$kMetresPerSecond" & processes+=($!)
   "$sim" "$here/bent_tunnel.yaml" --speed 3 --config "$config" --fault "$1:$2@3" --for 6 \
-    --wait-for guard,truth_as_pose,constant_driver --record "$scratch/run.lcmlog" || return 1
+    --wait-for guard,truth_as_pose,constant_drive --record "$scratch/run.lcmlog" || return 1
   kill -KILL "${processes[@]}" 2>/dev/null; wait "${processes[@]}" 2>/dev/null
   processes=()
   "$check_standstill" "$scratch/run.lcmlog" "$3" "$4"
@@ -35,7 +35,7 @@ run_with_fault() {
 
 failed=0
 for kind in suspend kill; do
-  run_with_fault "$kind" constant_driver DRIVE_COMMAND "$kCommandExpiry" || failed=1
+  run_with_fault "$kind" constant_drive DRIVE_COMMAND "$kCommandExpiry" || failed=1
   run_with_fault "$kind" guard STOP "$kOrderExpiry" || failed=1
 done
 exit $failed

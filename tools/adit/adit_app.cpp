@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "common/bus/node/version.hpp"
 
@@ -26,7 +27,7 @@ Quick start, without a robot and without a recording:
 std::unique_ptr<CLI::App> make_adit_app() {
   auto app = std::make_unique<CLI::App>(
       "Mapping, planning and simulation for a robot that surveys abandoned mines.", "adit");
-  app->set_version_flag("--version", "adit " + version());
+  app->set_version_flag("--version", fmt::format("adit {}", version()));
   app->require_subcommand(0, 1);
   app->get_formatter()->column_width(34);
   app->footer(kAppFooter);
@@ -52,17 +53,16 @@ std::unique_ptr<CLI::App> make_adit_app() {
 }
 
 void set_help(CLI::App& command, const CommandHelp& help) {
-  const std::string own_codes = help.exit_codes.empty() ? "" : help.exit_codes + "\n";
-  command.footer(
-      help.details + R"(
+  command.footer(fmt::format(R"({}
 
 Exit codes:
   0  success
-)" + own_codes +
-      R"(  2  invalid usage or unusable input; one line on standard error states the reason
+{}{}  2  invalid usage or unusable input; one line on standard error states the reason
 
 Examples:
-)" + help.examples);
+{})",
+                             help.details, help.exit_codes, help.exit_codes.empty() ? "" : "\n",
+                             help.examples));
 }
 
 int run_adit(int argc, const char* const* argv) try {
@@ -78,10 +78,10 @@ int run_adit(int argc, const char* const* argv) try {
 } catch (const CLI::RuntimeError& error) {  // a command has printed the reason
   return error.get_exit_code();
 } catch (const CLI::ParseError& error) {
-  std::cerr << "adit: " << error.what() << "; see adit --help\n";
+  std::cerr << fmt::format("adit: {}; see adit --help\n", error.what());
   return kExitUnusable;
 } catch (const std::exception& error) {
-  std::cerr << "adit: " << error.what() << "\n";
+  std::cerr << fmt::format("adit: {}\n", error.what());
   return kExitUnusable;
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace CLI {
 class App;
@@ -31,6 +32,10 @@ void set_help(CLI::App& command, const CommandHelp& help);
 /// Writes a mission report with a progress bar. Warnings go to standard error, the location of the
 /// page and the outcome of the mission to standard output. Throws as write_report does.
 void print_report(const ReportOptions& options);
+
+/// Formats the answer of a supervisor to "ps" (one row per line, tab-separated columns) as a table
+/// with a heading. The group column is omitted if it is empty.
+std::string process_table_text(std::string_view rows);
 
 // Each function adds one sub-command (add_process_commands: start, stop, restart and ps).
 void add_completion_command(CLI::App& adit);

@@ -6,11 +6,18 @@
 #include <iostream>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "tools/adit/adit_app.hpp"
 
 namespace adit {
 namespace {
+
+constexpr const char* kCompletionDetails =
+    "Prints a script for bash that completes commands, options and file names.";
+
+constexpr const char* kCompletionExamples =
+    "  source <(adit completion bash)                              in ~/.bashrc";
 
 CommandCompletion completion_of(const CLI::App& app, const std::string& path) {
   CommandCompletion entries;
@@ -22,7 +29,7 @@ CommandCompletion completion_of(const CLI::App& app, const std::string& path) {
     const bool takes_value = option->get_items_expected_max() > 0;
     if (option->get_positional()) entries.takes_files = true;
     for (const std::string& name : option->get_lnames()) {
-      entries.options.push_back({"--" + name, takes_value});
+      entries.options.push_back({fmt::format("--{}", name), takes_value});
     }
   }
   return entries;
@@ -32,7 +39,8 @@ void collect_commands(std::vector<CommandCompletion>& commands, const CLI::App& 
                       const std::string& path) {
   commands.push_back(completion_of(app, path));
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
-    collect_commands(commands, *sub, path.empty() ? sub->get_name() : path + " " + sub->get_name());
+    collect_commands(commands, *sub,
+                     path.empty() ? sub->get_name() : fmt::format("{} {}", path, sub->get_name()));
   }
 }
 
@@ -90,10 +98,10 @@ _adit() {
   case $path in
 )";
   for (const CommandCompletion& command : commands) {
-    text += "    " + quoted(command.path) + ") commands=" + quoted(joined(command.subcommands)) +
-            " options=" + quoted(joined(command.options)) +
-            " valued=" + quoted(options_with_values(command)) +
-            " files=" + (command.takes_files ? "yes" : "") + " ;;\n";
+    text +=
+        fmt::format("    {}) commands={} options={} valued={} files={} ;;\n", quoted(command.path),
+                    quoted(joined(command.subcommands)), quoted(joined(command.options)),
+                    quoted(options_with_values(command)), command.takes_files ? "yes" : "");
   }
   return text + R"(  esac
   COMPREPLY=()
@@ -108,16 +116,6 @@ _adit() {
 complete -o filenames -F _adit adit
 )";
 }
-
-namespace {
-
-constexpr const char* kCompletionDetails =
-    "Prints a script for bash that completes commands, options and file names.";
-
-constexpr const char* kCompletionExamples =
-    "  source <(adit completion bash)                              in ~/.bashrc";
-
-}  // namespace
 
 void add_completion_command(CLI::App& adit) {
   CLI::App* completion = adit.add_subcommand("completion", "Print the shell completion script");

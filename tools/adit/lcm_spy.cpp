@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 namespace adit {
@@ -28,7 +29,7 @@ std::string find_program(const std::string& name, std::string_view search_path,
     const fs::path path = fs::path(folder) / name;
     if (access(path.c_str(), X_OK) == 0) return path.string();
   }
-  throw std::runtime_error(name + " is missing, try: " + install_hint);
+  throw std::runtime_error(fmt::format("{} is missing, try: {}", name, install_hint));
 }
 
 bool is_adit_jar(const fs::path& path) {
@@ -44,8 +45,10 @@ std::string class_path(const fs::path& folder) {
     if (is_adit_jar(entry.path())) jars.push_back(entry.path().string());
   }
   if (jars.empty()) {
-    throw std::runtime_error(folder.string() + " has no lcmtypes_adit.jar, try: " +
-                             "sudo apt install default-jdk-headless liblcm-java, then rebuild");
+    throw std::runtime_error(
+        fmt::format("{} has no lcmtypes_adit.jar, try: "
+                    "sudo apt install default-jdk-headless liblcm-java, then rebuild",
+                    folder.string()));
   }
   std::sort(jars.begin(), jars.end());
   std::string joined = environment("CLASSPATH");
@@ -55,10 +58,12 @@ std::string class_path(const fs::path& folder) {
 
 void require_log(const fs::path& log) {
   if (access(log.c_str(), R_OK) != 0) {
-    throw std::runtime_error(log.string() + ": " + std::generic_category().message(errno));
+    throw std::runtime_error(
+        fmt::format("{}: {}", log.string(), std::generic_category().message(errno)));
   }
   if (log.string().find(' ') != std::string::npos) {
-    throw std::runtime_error(log.string() + ": lcm-logplayer-gui cannot open a path with spaces");
+    throw std::runtime_error(
+        fmt::format("{}: lcm-logplayer-gui cannot open a path with spaces", log.string()));
   }
 }
 
@@ -93,7 +98,8 @@ void run_lcm_spy(const std::optional<fs::path>& log) {
   for (std::string& argument : command.arguments) arguments.push_back(argument.data());
   arguments.push_back(nullptr);
   execv(arguments[0], arguments.data());
-  throw std::runtime_error(command.arguments[0] + ": " + std::generic_category().message(errno));
+  throw std::runtime_error(
+      fmt::format("{}: {}", command.arguments[0], std::generic_category().message(errno)));
 }
 
 }  // namespace adit

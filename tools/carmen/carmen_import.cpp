@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <variant>
 
+#include <fmt/format.h>
+
 #include "common/bus/channels.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/sensing.hpp"
@@ -46,14 +48,16 @@ CarmenReport import_carmen(const std::filesystem::path& carmen_log,
                            const std::function<void(double)>& progress) {
   std::error_code ignored;
   if (std::filesystem::equivalent(carmen_log, lcm_log, ignored)) {
-    throw std::runtime_error("input and output are the same file: " + lcm_log.string());
+    throw std::runtime_error(
+        fmt::format("input and output are the same file: {}", lcm_log.string()));
   }
   CarmenReader reader(carmen_log);
   copy_readings(reader, lcm_log, progress);
   const CarmenReport& report = reader.report();
   if (report.scans + report.odometry_lines == 0) {
     std::filesystem::remove(lcm_log);
-    throw std::runtime_error("no valid FLASER, ROBOTLASER1 or ODOM line in " + carmen_log.string());
+    throw std::runtime_error(
+        fmt::format("no valid FLASER, ROBOTLASER1 or ODOM line in {}", carmen_log.string()));
   }
   return report;
 }

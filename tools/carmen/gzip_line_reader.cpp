@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
 #include <zlib.h>
 
 namespace adit {
@@ -25,7 +26,7 @@ void GzipLineReader::Close::operator()(gzFile_s* file) const { gzclose(file); }
 GzipLineReader::GzipLineReader(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_directory(path, error)) file_.reset(gzopen(path.c_str(), "rb"));
-  if (!file_) throw std::runtime_error("cannot read " + path.string());
+  if (!file_) throw std::runtime_error(fmt::format("cannot read {}", path.string()));
   size_bytes_ = static_cast<double>(std::filesystem::file_size(path, error));
 }
 

@@ -70,7 +70,7 @@ PointCloud read_cloud_file(const std::filesystem::path& file) {
             ? "file has no points"
             : "no valid point: all are not finite or farther than 100 km from the origin");
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(file.string() + ": " + error.what());
+    throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));
   }
 }
 

@@ -22,7 +22,7 @@ PlyIndices indices_in(const Element& vertex) {
   constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const auto index = vertex.scalar(kNames[i]);
-    if (!index) throw std::runtime_error(std::string("vertices without property ") + kNames[i]);
+    if (!index) throw std::runtime_error(fmt::format("vertices without property {}", kNames[i]));
     indices[i] = *index;
   }
   return indices;

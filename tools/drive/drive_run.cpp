@@ -14,12 +14,11 @@
 #include "common/messages/mapping/odometry.hpp"
 #include "common/sensing/seconds.hpp"
 #include "sim/drive/waypoint_file.hpp"
-#include "sim/live/fault_parser.hpp"
 #include "sim/live/sim_config.hpp"
 #include "sim/sim_node.hpp"
 #include "sim/waypoint_driver_node.hpp"
 #include "sim/world/build_world.hpp"
-#include "tools/eval/tum.hpp"
+#include "tools/eval/trajectory.hpp"
 
 namespace adit {
 namespace {

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "common/geometry/pose2.hpp"
 
 namespace adit {
@@ -20,13 +22,13 @@ namespace {
 using Keys = std::map<std::string, std::string>;
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
-  throw std::runtime_error(path.string() + ": " + reason);
+  throw std::runtime_error(fmt::format("{}: {}", path.string(), reason));
 }
 
 std::ifstream open(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in || std::filesystem::is_directory(path)) {
-    throw std::runtime_error("cannot read " + path.string());
+    throw std::runtime_error(fmt::format("cannot read {}", path.string()));
   }
   return in;
 }
@@ -46,14 +48,16 @@ Keys read_keys(const std::filesystem::path& path) {
 std::vector<double> numbers(const std::filesystem::path& path, const Keys& keys,
                             const std::string& key, std::size_t count) {
   const auto found = keys.find(key);
-  if (found == keys.end()) fail(path, "has no " + key);
+  if (found == keys.end()) fail(path, fmt::format("has no {}", key));
   std::string text = found->second;
   for (char& c : text) {
     if (c == '[' || c == ']' || c == ',') c = ' ';
   }
   std::istringstream stream(text);
   std::vector<double> values{std::istream_iterator<double>(stream), {}};
-  if (values.size() != count) fail(path, "cannot use '" + found->second + "' as " + key);
+  if (values.size() != count) {
+    fail(path, fmt::format("cannot use '{}' as {}", found->second, key));
+  }
   return values;
 }
 

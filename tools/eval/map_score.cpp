@@ -8,9 +8,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "tools/eval/nearest_points.hpp"
 #include "tools/eval/world_walls.hpp"
 
 namespace adit {
@@ -101,8 +101,8 @@ MapScore score_map(const std::vector<Eigen::Vector2d>& mapped, const Pose2& T_wo
   const WorldWalls walls(site.world(), kWallDistanceMaxM);
   const std::vector<Eigen::Vector2d> visible = visible_walls(site, walls, truth, options);
   if (visible.empty()) {
-    throw std::runtime_error("no wall of " + site.world().name +
-                             " is visible from the true path: is it the right world?");
+    throw std::runtime_error(fmt::format(
+        "no wall of {} is visible from the true path: is it the right world?", site.world().name));
   }
   MapScore score;
   score.mapped_points = points.size();

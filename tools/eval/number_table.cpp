@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "common/config/number_text.hpp"
 
 namespace adit {
@@ -32,13 +34,12 @@ std::optional<std::vector<double>> NumberTable::next() {
     std::vector<double> row;
     for (std::string token; tokens >> token;) {
       const auto value = finite_number(token);
-      if (!value) fail("'" + token + "' is not a finite number");
+      if (!value) fail(fmt::format("'{}' is not a finite number", token));
       row.push_back(*value);
     }
     if (row.empty()) continue;
     if (row.size() != columns_) {
-      fail("expected " + std::to_string(columns_) + " numbers, found " +
-           std::to_string(row.size()));
+      fail(fmt::format("expected {} numbers, found {}", columns_, row.size()));
     }
     return row;
   }
@@ -51,13 +52,13 @@ std::int64_t NumberTable::microseconds(double seconds) const {
 }
 
 void NumberTable::fail(std::string_view reason) const {
-  throw std::runtime_error(name_ + ":" + std::to_string(line_) + ": " + std::string(reason));
+  throw std::runtime_error(fmt::format("{}:{}: {}", name_, line_, reason));
 }
 
 std::ifstream open_table(const std::filesystem::path& path) {
   std::ifstream in(path);
   if (!in || std::filesystem::is_directory(path)) {
-    throw std::runtime_error("cannot read " + path.string());
+    throw std::runtime_error(fmt::format("cannot read {}", path.string()));
   }
   return in;
 }

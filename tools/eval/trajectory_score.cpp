@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "common/bus/channels.hpp"
 #include "common/bus/log/event_source.hpp"
 #include "common/geometry/pose2.hpp"
@@ -27,7 +29,7 @@ Trajectory read_ground_truth(const std::filesystem::path& log) {
     if (!pose || (!trajectory.empty() && pose->utime <= trajectory.back().utime)) continue;
     trajectory.push_back({pose->utime, pose->T_odom_body});
   }
-  if (trajectory.empty()) throw std::runtime_error(log.string() + " has no TRUTH");
+  if (trajectory.empty()) throw std::runtime_error(fmt::format("{} has no TRUTH", log.string()));
   return trajectory;
 }
 

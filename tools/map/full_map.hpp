@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,20 @@
 #include "tools/map/run_record.hpp"
 
 namespace adit {
+
+/// Start of a local map, which anchors odom to map there by T_map_local · T_odom_local⁻¹.
+struct MapAnchor {
+  std::int64_t utime = 0;  ///< [µs since the epoch]
+  Pose2 T_odom_local;
+  Pose2 T_map_local;
+};
+
+/// The trajectory of one session in map: T_map_body for each T_odom_body. A pose between the starts
+/// of two local maps gets a blend of their corrections. The weight is the share of the distance
+/// travelled, rotation included (1 m per radian), so that the path is continuous and does not move
+/// while the body rests. Poses before the first anchor get its correction, poses after the last one
+/// that of the last; without anchors map is odom. `anchors` must be in order of time.
+Trajectory corrected_trajectory(const Trajectory& odometry, const std::vector<MapAnchor>& anchors);
 
 /// A scan with its pose in the map.
 struct PlacedScan {

@@ -8,23 +8,12 @@
 
 #include <fmt/format.h>
 
+#include "common/bus/channels.hpp"
+#include "common/messages/codec.hpp"
 #include "tools/carmen/carmen_import.hpp"
 
 namespace adit {
 namespace {
-
-/// An LCM log starts with the sync word of its first event.
-bool is_lcm_log(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error("cannot read " + path.string());
-  constexpr std::array<unsigned char, 4> kSync{0xED, 0xA1, 0xDA, 0x01};
-  std::array<char, 4> head{};
-  file.read(head.data(), head.size());
-  for (std::size_t i = 0; i < kSync.size(); ++i) {
-    if (static_cast<unsigned char>(head[i]) != kSync[i]) return false;
-  }
-  return true;
-}
 
 std::vector<std::string> log_warnings(const LogHealth& health) {
   std::vector<std::string> warnings;
@@ -38,9 +27,20 @@ std::vector<std::string> log_warnings(const LogHealth& health) {
 
 }  // namespace
 
+bool is_lcm_log(const std::filesystem::path& file) {
+  if (file.extension() == ".lcmlog") return true;
+  std::ifstream stream(file, std::ios::binary);
+  constexpr std::array<unsigned char, 4> kSync{0xED, 0xA1, 0xDA, 0x01};
+  for (const unsigned char byte : kSync) {
+    if (stream.get() != byte) return false;
+  }
+  return true;
+}
+
 LogInput::LogInput(const std::filesystem::path& path, const std::filesystem::path& scratch,
                    const std::function<void(double)>& progress) {
-  if (is_lcm_log(path) || path.extension() == ".lcmlog") {
+  if (!std::ifstream(path)) throw std::runtime_error(fmt::format("cannot read {}", path.string()));
+  if (is_lcm_log(path)) {
     log_ = std::make_unique<LogFile>(path);
     warnings_ = log_warnings(log_->health());
   } else {
@@ -48,6 +48,21 @@ LogInput::LogInput(const std::filesystem::path& path, const std::filesystem::pat
     log_ = std::make_unique<LogFile>(scratch);
     std::filesystem::remove(scratch);  // the open file stays readable
   }
+}
+
+std::optional<Lasers> recorded_lasers(std::span<const LogEventView> events,
+                                      std::vector<std::string>& warnings) {
+  for (const LogEventView& event : events) {
+    if (event.channel != channels::kConfig) continue;
+    const auto message = decode<config_t>(event.data);
+    if (!message) continue;
+    const auto snapshot = from_message(*message);
+    if (!snapshot) continue;
+    if (auto lasers = recorded_section<Lasers>(*snapshot, Lasers::kSection, warnings)) {
+      return lasers;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace adit

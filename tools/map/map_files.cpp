@@ -17,18 +17,20 @@
 #include "common/grid/occupancy_grid.hpp"
 #include "common/picture/map_picture.hpp"
 #include "common/sensing/seconds.hpp"
-#include "tools/eval/tum.hpp"
+#include "tools/eval/trajectory.hpp"
 
 namespace adit {
 namespace {
 
-constexpr const char* kHeader =
+constexpr const char* kAssociationColumns =
     "time_s\tdecision\tloop_closure\tnewer_map\tolder_map\tchosen\tpreviously_chosen\t"
     "alternatives\tx_m\ty_m\ttheta_deg\tlog_likelihood\tlog_likelihood_of_all\treason\n";
 
+using Edge = GraphPicture::Edge;
+
 /// Alternatives are counted from 1, the most likely one first.
 std::string choice(int chosen) {
-  return chosen == Association::kNone ? "none" : std::to_string(chosen + 1);
+  return chosen == Association::kNone ? "none" : fmt::to_string(chosen + 1);
 }
 
 /// The alternative in a line: the chosen one, otherwise the previously chosen, otherwise the first.
@@ -39,7 +41,7 @@ const LoopClosureAlternative& described_alternative(const Association& a) {
   return a.loop_closure.alternatives[static_cast<std::size_t>(index)];
 }
 
-std::string line(const Association& a) {
+std::string association_line(const Association& a) {
   const LoopClosureAlternative& alternative = described_alternative(a);
   const Pose2& T = alternative.T_older_newer;
   return fmt::format(
@@ -49,26 +51,6 @@ std::string line(const Association& a) {
       a.loop_closure.alternatives.size(), T.x, T.y, rad_to_deg(T.theta), alternative.log_likelihood,
       a.log_likelihood, a.reason);
 }
-
-}  // namespace
-
-const char* decision_text(const Association& a) {
-  if (a.action == Association::Action::kProposed) {
-    return a.chosen == Association::kNone ? "left open" : "accepted";
-  }
-  if (a.chosen == Association::kNone) return "revoked";
-  return a.previously_chosen == Association::kNone ? "re-accepted" : "revised";
-}
-
-std::string association_table(const FullMap& map) {
-  std::string text = kHeader;
-  for (const Association* association : map.associations) text += line(*association);
-  return text;
-}
-
-namespace {
-
-using Edge = GraphPicture::Edge;
 
 Edge edge_of(const MapGraph& graph, int from, int to) {
   return {graph.poses[static_cast<std::size_t>(from)].translation(),
@@ -99,7 +81,42 @@ std::vector<Edge> revoked_edges(const FullMap& map) {
   return edges;
 }
 
+/// Times of scans of this run that did not observe all motion, ascending.
+std::vector<std::int64_t> unobserved_times(const RunRecord& record) {
+  std::vector<std::int64_t> times;
+  for (const ScanMatch& match : record.matches()) {
+    if (is_unobserved(match)) times.push_back(match.utime);
+  }
+  return times;
+}
+
+/// Marks the poses of this run, the last path, where motion was not fully observed.
+void mark_unobserved(const FullMap& map, const RunRecord& record, MapPicture& picture) {
+  const auto unobserved = unobserved_times(record);
+  for (const Trajectory& path : map.paths) {
+    const bool of_this_run = &path == &map.paths.back();
+    for (const TimedPose& pose : path) {
+      picture.degenerate.push_back(
+          of_this_run && std::binary_search(unobserved.begin(), unobserved.end(), pose.utime));
+    }
+  }
+}
+
 }  // namespace
+
+const char* decision_text(const Association& a) {
+  if (a.action == Association::Action::kProposed) {
+    return a.chosen == Association::kNone ? "left open" : "accepted";
+  }
+  if (a.chosen == Association::kNone) return "revoked";
+  return a.previously_chosen == Association::kNone ? "re-accepted" : "revised";
+}
+
+std::string association_table(const FullMap& map) {
+  std::string text = kAssociationColumns;
+  for (const Association* association : map.associations) text += association_line(*association);
+  return text;
+}
 
 G2oGraph g2o_of(const MapGraph& graph) {
   G2oGraph g2o;
@@ -131,31 +148,6 @@ GraphPicture graph_picture(const FullMap& map) {
   picture.revoked = revoked_edges(map);
   return picture;
 }
-
-namespace {
-
-/// Times of scans of this run that did not observe all motion, ascending.
-std::vector<std::int64_t> unobserved_times(const RunRecord& record) {
-  std::vector<std::int64_t> times;
-  for (const ScanMatch& match : record.matches()) {
-    if (is_unobserved(match)) times.push_back(match.utime);
-  }
-  return times;
-}
-
-/// Marks the poses of this run, the last path, where motion was not fully observed.
-void mark_unobserved(const FullMap& map, const RunRecord& record, MapPicture& picture) {
-  const auto unobserved = unobserved_times(record);
-  for (const Trajectory& path : map.paths) {
-    const bool of_this_run = &path == &map.paths.back();
-    for (const TimedPose& pose : path) {
-      picture.degenerate.push_back(
-          of_this_run && std::binary_search(unobserved.begin(), unobserved.end(), pose.utime));
-    }
-  }
-}
-
-}  // namespace
 
 MapPicture map_picture(const FullMap& map, const std::string& title) {
   MapPicture picture;

@@ -20,7 +20,6 @@
 #include "tools/map/full_map.hpp"
 #include "tools/map/log_input.hpp"
 #include "tools/map/map_files.hpp"
-#include "tools/map/recorded_config.hpp"
 #include "tools/map/result_folder.hpp"
 #include "tools/map/run_record.hpp"
 #include "tools/map/stopwatch_bus.hpp"
@@ -80,12 +79,12 @@ StoredMap load_resumed_map(const std::filesystem::path& resume,
   if (resume.empty()) return {};
   const std::filesystem::path journal = resume / kJournal;
   if (!std::filesystem::is_regular_file(journal)) {
-    throw std::runtime_error("no map to resume: " + journal.string() + " does not exist");
+    throw std::runtime_error(fmt::format("no map to resume: {} does not exist", journal.string()));
   }
   std::filesystem::copy_file(journal, folder / kJournal);
   StoredMap stored = read_map_journal(folder / kJournal);
   if (stored.maps.empty()) {
-    throw std::runtime_error("no map to resume: no local map in " + journal.string());
+    throw std::runtime_error(fmt::format("no map to resume: no local map in {}", journal.string()));
   }
   return stored;
 }
@@ -115,20 +114,23 @@ MapFilesOptions map_files_options(const ConfigFile& config, const Lasers& lasers
 void require_result(const RunRecord& record, const StoredMap& earlier,
                     const MapRunOptions& options) {
   if (record.matches().empty()) {
-    throw std::runtime_error("no usable laser scan in " + options.input.string());
+    throw std::runtime_error(fmt::format("no usable laser scan in {}", options.input.string()));
   }
   const auto& maps = record.local_maps();
   const bool has_own_map = std::any_of(maps.begin(), maps.end(), [&earlier](const LocalMap& map) {
     return earlier.maps.empty() || map.session > earlier.maps.back().session;
   });
   if (!options.resume.empty() && !has_own_map) {
-    throw std::runtime_error("log too short to continue a map: " + options.input.string());
+    throw std::runtime_error(
+        fmt::format("log too short to continue a map: {}", options.input.string()));
   }
 }
 
 std::vector<std::string> collect_warnings(const LogInput& input, const ReplayBus& bus) {
   std::vector<std::string> warnings;
-  for (const std::string& warning : input.warnings()) warnings.push_back("skipped " + warning);
+  for (const std::string& warning : input.warnings()) {
+    warnings.push_back(fmt::format("skipped {}", warning));
+  }
   if (bus.rejected_events() > 0) {
     warnings.push_back(
         fmt::format("skipped {} events with implausible times", bus.rejected_events()));

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <system_error>
+#include <utility>
 
 namespace adit {
 
@@ -12,9 +14,19 @@ namespace adit {
 class ResultFolder {
  public:
   /// Creates the folder if it does not exist. Throws std::filesystem::filesystem_error.
-  explicit ResultFolder(std::filesystem::path folder);
+  explicit ResultFolder(std::filesystem::path folder)
+      : folder_(std::move(folder)),
+        unfinished_(folder_ / ".unfinished"),
+        created_(std::filesystem::create_directories(folder_)) {
+    std::filesystem::remove_all(unfinished_);  // left by a killed run
+    std::filesystem::create_directory(unfinished_);
+  }
   /// Removes unpublished files, and the folder if it was created here and is empty.
-  ~ResultFolder();
+  ~ResultFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(unfinished_, ignored);
+    if (created_) std::filesystem::remove(folder_, ignored);  // fails if the folder has results
+  }
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;
 
@@ -22,7 +34,11 @@ class ResultFolder {
   [[nodiscard]] const std::filesystem::path& unfinished() const { return unfinished_; }
 
   /// Moves all files of the subfolder into the folder, replacing files of the same name.
-  void publish() const;
+  void publish() const {
+    for (const auto& entry : std::filesystem::directory_iterator(unfinished_)) {
+      std::filesystem::rename(entry.path(), folder_ / entry.path().filename());
+    }
+  }
 
  private:
   std::filesystem::path folder_;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,15 +12,35 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/messages/mapping/local_map.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
 #include "common/pose_graph/map_graph.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/scan_match.hpp"
 #include "common/types/association.hpp"
 #include "common/types/local_map.hpp"
 #include "tools/eval/trajectory.hpp"
-#include "tools/map/map_subscription.hpp"
 
 namespace adit {
+
+/// Receives the output of mapping: LOCAL_MAP and POSE_GRAPH, reassembled from their fragments, and
+/// ASSOCIATION.
+class MapSubscription {
+ public:
+  struct Handlers {
+    std::function<void(LocalMap)> on_local_map;
+    std::function<void(MapGraph)> on_graph;
+    std::function<void(const Association&)> on_association;
+  };
+
+  /// Must be called once. `bus` must not deliver messages after this is destroyed.
+  void subscribe(Bus& bus, Handlers handlers);
+
+ private:
+  Handlers handlers_;
+  LocalMapReassembler local_map_fragments_;
+  PoseGraphReassembler graph_fragments_;
+};
 
 /// Collects the data for the result files of a run: all scan matches, the output of mapping, and
 /// the scans that are not in a local map yet.

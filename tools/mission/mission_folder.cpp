@@ -3,22 +3,46 @@
 #include "tools/mission/mission_folder.hpp"
 
 #include <optional>
+#include <set>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/log/event_source.hpp"
+#include "common/bus/node/stages.hpp"
+#include "common/config/config.hpp"
+#include "common/files/file_utils.hpp"
 #include "common/messages/codec.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "procs/mission/mission_journal.hpp"
+#include "sim/live/sim_config.hpp"
+#include "sim/simulation/simulation.hpp"
+#include "sim/world/build_world.hpp"
+#include "sim/world/world_file.hpp"
+#include "tools/mission/pipeline.hpp"
 
 namespace adit {
 namespace {
 
 namespace fs = std::filesystem;
 
+// Pose and commands expire after 0.25 s and take two cycles from the simulator to the guard.
+constexpr const char* kAheadMax = "--ahead-max-s 0.1";
+
+// The supervisor of a robot detects a dead or hanging process within this time. At maximum speed,
+// minutes of simulated time would pass until then.
+constexpr const char* kOutageMax = "--outage-max-s 10";
+
+constexpr const char* kLicence =
+    "# SPDX-FileCopyrightText: The Adit authors\n# SPDX-License-Identifier: BSD-3-Clause\n";
+
+constexpr std::int64_t kPowerLossDurationUs = 10'000'000;  // of simulated time
+
 fs::path log_of_run(const fs::path& folder, int run_number) {
-  return folder /
-         (run_number == 1 ? "run.lcmlog" : "run_" + std::to_string(run_number) + ".lcmlog");
+  return folder / (run_number == 1 ? "run.lcmlog" : fmt::format("run_{}.lcmlog", run_number));
 }
 
 std::optional<SimulatedPose> truth_pose_in(const LogEventView& event) {
@@ -38,6 +62,88 @@ std::optional<SimulatedPose> last_truth_pose_in(const fs::path& log) {
     if (const auto pose = truth_pose_in(*event)) return pose;
   }
   return std::nullopt;
+}
+
+/// Start options of the simulator of a mission.
+struct SimulatorStart {
+  fs::path log;                             ///< file to record
+  std::optional<std::int64_t> start_utime;  ///< of simulated time; nothing: the wall clock
+  std::string speed = "max";                ///< value of `adit sim --speed`
+  std::vector<std::string> faults;          ///< in the syntax of parse_fault
+};
+
+std::string simulator_line(const SimulatorStart& start) {
+  std::string line = fmt::format(
+      "adit-sim start.yaml --config mission.yaml --speed {} {} {} --wait-for {} --record {}",
+      start.speed, kAheadMax, kOutageMax, fmt::join(stage_names(), ","),
+      start.log.filename().string());
+  if (start.start_utime) line += fmt::format(" --start-utime {}", *start.start_utime);
+  // In single quotes, as the line is within the double quotes of a process list.
+  for (const std::string& fault : start.faults) line += fmt::format(" --fault '{}'", fault);
+  return line;
+}
+
+/// The process list: the stages, and the simulator, which waits for all stages and records. It has
+/// no heartbeat timeouts: all processes stand still while the simulator does.
+std::string process_list_text(const SimulatorStart& start) {
+  std::string text = fmt::format(R"({}group "simulation" {{
+  cmd "sim" {{
+    exec = "{}";
+    stop_signal = 15; stop_time_allowed = 20;
+  }}
+}}
+group "stages" {{
+)",
+                                 kLicence, simulator_line(start));
+  for (const std::string& stage : stage_names()) {
+    if (stage == "supervisor") continue;  // it manages the others
+    text += fmt::format(R"(  cmd "{0}" {{
+    exec = "adit-{0} --sim-time --config mission.yaml";
+    auto_respawn = "true"; stop_signal = 15; stop_time_allowed = 3;
+  }}
+)",
+                        stage);
+  }
+  return text + R"(}
+script "start_all" {
+  start group "stages";
+  start cmd "sim";
+}
+)";
+}
+
+/// YAML for adit-supervisor.
+std::string supervisor_config() {
+  return fmt::format(R"({}supervisor:
+  processes: processes.cfg
+  deputy_id: mission
+  start_script: start_all
+  socket: ./supervisor.sock
+)",
+                     kLicence);
+}
+
+Eigen::Vector2d start_mission(const MissionLiveOptions& options, const MissionFolder& folder) {
+  folder.require_new();
+  const WorldDescription world = describe(options.world);
+  build_world(world);  // reports errors of the world here, not in the process of the simulator
+  write_text_file(mission_config(options.config), folder.config());
+  write_text_file(to_world_file(world), folder.world());
+  write_text_file(to_world_file(world), folder.start());
+  write_text_file(supervisor_config(), folder.path() / "supervisor.yaml");
+  return world.T_world_start.translation();
+}
+
+/// Returns the position of the first start. Sets the start time of the new run.
+Eigen::Vector2d resume_mission(const MissionFolder& folder, SimulatorStart& start) {
+  folder.require_unfinished();
+  WorldDescription world = find_world(folder.world().string());
+  Eigen::Vector2d p_world_start = world.T_world_start.translation();
+  const SimulatedPose pose = folder.last_pose();
+  world.T_world_start = pose.T_world_body;
+  start.start_utime = pose.utime + kPowerLossDurationUs;
+  write_text_file(to_world_file(world), folder.start());
+  return p_world_start;
 }
 
 }  // namespace
@@ -63,19 +169,19 @@ bool MissionFolder::has_mission() const { return fs::exists(journal()) || !logs(
 
 void MissionFolder::require_new() const {
   if (!has_mission()) return;
-  throw std::runtime_error(
-      path_.string() + " already has a mission: resume it with --resume, or use another folder");
+  throw std::runtime_error(fmt::format(
+      "{} already has a mission: resume it with --resume, or use another folder", path_.string()));
 }
 
 void MissionFolder::require_unfinished() const {
   if (!has_mission() || !fs::exists(world()) || !fs::exists(config())) {
-    throw std::runtime_error(path_.string() + " has no mission to resume");
+    throw std::runtime_error(fmt::format("{} has no mission to resume", path_.string()));
   }
   if (!fs::exists(journal())) return;  // power loss before the first phase
   const MissionJournal journal(this->journal());
   if (journal.last() && journal.last()->phase == Phase::kEnded) {
-    throw std::runtime_error("the mission in " + path_.string() +
-                             " has ended: " + journal.last()->reason);
+    throw std::runtime_error(
+        fmt::format("the mission in {} has ended: {}", path_.string(), journal.last()->reason));
   }
 }
 
@@ -84,8 +190,43 @@ SimulatedPose MissionFolder::last_pose() const {
   for (auto log = logs.rbegin(); log != logs.rend(); ++log) {
     if (const auto pose = last_truth_pose_in(*log)) return *pose;
   }
-  throw std::runtime_error(path_.string() +
-                           ": no log has TRUTH, the pose to resume from is unknown");
+  throw std::runtime_error(
+      fmt::format("{}: no log has TRUTH, the pose to resume from is unknown", path_.string()));
+}
+
+std::string without_repeated_sections(const std::vector<std::string>& yamls) {
+  std::set<std::string> sections;
+  std::string text;
+  for (const std::string& yaml : yamls) {
+    bool repeated = false;
+    std::istringstream lines(yaml);
+    for (std::string line; std::getline(lines, line);) {
+      const bool is_key = !line.empty() && line.front() != ' ' && line.front() != '#';
+      if (is_key) repeated = !sections.insert(line.substr(0, line.find(':'))).second;
+      if (!repeated) text += line + "\n";
+    }
+  }
+  return text;
+}
+
+std::string mission_config(const std::filesystem::path& config) {
+  const SimulationParams params = load_simulation_params(config, {});
+  std::vector<std::string> yamls;
+  for (const ConfiguredNode& node :
+       configure_pipeline(load_config(config), params.lasers, params.vehicle, "")) {
+    yamls.push_back(node.yaml);
+  }
+  yamls.push_back(to_yaml(params, kSimSection));
+  return without_repeated_sections(yamls);
+}
+
+Eigen::Vector2d prepare_mission(const MissionLiveOptions& options, const MissionFolder& folder) {
+  for (const std::string& fault : options.faults) parse_fault(fault);
+  SimulatorStart start{folder.next_log(), std::nullopt, options.speed, options.faults};
+  Eigen::Vector2d p_world_start =
+      options.resume ? resume_mission(folder, start) : start_mission(options, folder);
+  write_text_file(process_list_text(start), folder.path() / "processes.cfg");
+  return p_world_start;
 }
 
 }  // namespace adit

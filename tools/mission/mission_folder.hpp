@@ -4,9 +4,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "common/geometry/pose2.hpp"
+#include "tools/mission/mission_live.hpp"
 
 namespace adit {
 
@@ -51,5 +55,18 @@ class MissionFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// YAML for all processes of a mission: all keys of all stages with their effective values.
+/// Journals have no folder, because the processes run in the folder of the mission. Throws
+/// ConfigError.
+std::string mission_config(const std::filesystem::path& config);
+
+/// Joins YAML texts. Of sections with the same name the first one is used.
+std::string without_repeated_sections(const std::vector<std::string>& yamls);
+
+/// Writes all input files of the processes of a mission into its folder. A resumed mission keeps
+/// its configuration, and the simulated robot starts at the last TRUTH. Returns the position of the
+/// first start in world [m]. Throws for invalid options, and as MissionFolder does.
+Eigen::Vector2d prepare_mission(const MissionLiveOptions& options, const MissionFolder& folder);
 
 }  // namespace adit

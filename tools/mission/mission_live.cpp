@@ -14,6 +14,7 @@
 #include <thread>
 #include <utility>
 
+#include <fmt/format.h>
 #include <sched.h>
 
 #include "common/bus/lcm_bus.hpp"
@@ -22,7 +23,6 @@
 #include "common/sensing/seconds.hpp"
 #include "procs/supervisor/control/control_client.hpp"
 #include "procs/supervisor/os/child_process.hpp"
-#include "tools/mission/mission_files.hpp"
 #include "tools/mission/mission_folder.hpp"
 #include "tools/mission/mission_monitor.hpp"
 #include "tools/mission/private_network.hpp"
@@ -100,7 +100,7 @@ std::int64_t wall_us() {
 
 /// Other programs join the network of this process by its id.
 void write_pid(const LockedFile& file) {
-  const std::string text = std::to_string(getpid()) + "\n";
+  const std::string text = fmt::format("{}\n", getpid());
   file.truncate(0);
   file.write_at(0, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
@@ -155,10 +155,11 @@ class LiveMission {
 
   std::string abort_reason(const StopSignal& stop, std::int64_t now_us) {
     if (stop.received()) return "interrupted; continue with adit mission --resume";
-    if (!monitor_.failure().empty()) return "simulation failed: " + monitor_.failure();
+    if (!monitor_.failure().empty())
+      return fmt::format("simulation failed: {}", monitor_.failure());
     if (monitor_.progress().simulated_s > options_.time_max_s) return "time limit reached";
     if (const auto end = supervisor_.ended())
-      return "adit-supervisor " + *end + "; see supervisor.log";
+      return fmt::format("adit-supervisor {}; see supervisor.log", *end);
     if (std::exchange(utime_, monitor_.utime()) != monitor_.utime() || advanced_us_ == 0) {
       advanced_us_ = now_us;
     }
@@ -170,7 +171,7 @@ class LiveMission {
   /// sends heartbeats.
   void restart_timed_out_stages(std::int64_t now_us) {
     for (const std::string& stage : monitor_.newly_timed_out(now_us)) {
-      notify_(stage + " does not respond: restarting it");
+      notify_(fmt::format("{} does not respond: restarting it", stage));
       request_from_supervisor(folder_.socket(), {"restart", stage});
     }
   }

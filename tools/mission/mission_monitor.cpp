@@ -9,8 +9,6 @@
 #include "common/bus/node/stages.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/mapping/odometry.hpp"
-#include "common/messages/mapping/pose_graph.hpp"
-#include "common/messages/mission.hpp"
 #include "common/messages/sim.hpp"
 #include "common/sensing/seconds.hpp"
 
@@ -23,7 +21,7 @@ constexpr std::size_t kQueued = 1000;
 
 MissionMonitor::MissionMonitor(Bus& bus, const std::filesystem::path& trace,
                                const Eigen::Vector2d& p_world_start)
-    : p_world_start_(p_world_start), trace_(bus, trace, [this] { return simulated_s(); }) {
+    : p_world_start_(p_world_start), follower_(bus, trace, [this] { return simulated_s(); }) {
   for (const std::string& stage : stage_names()) {
     if (stage != "supervisor") responses_[stage];
   }
@@ -40,32 +38,15 @@ void MissionMonitor::subscribe_all(Bus& bus) {
     const auto found = responses_.find(done.stage);
     if (found != responses_.end()) found->second = {done.utime, std::nullopt, false};
   });
-  subscribe<phase_t>(bus, channels::kPhase, all, [this](const MissionPhase& phase) {
-    if (phase_.phase != Phase::kEnded) ended_s_ = simulated_s();
-    phase_ = phase;
-  });
-  subscribe<map_correction_t>(bus, channels::kMapCorrection, all,
-                              [this](const MapCorrection& correction) {
-                                local_maps_ = std::max(local_maps_, correction.local_map + 1);
-                              });
   subscribe<pose_t>(bus, channels::kTruth, Delivery::latest(), [this](const StampedPose& truth) {
-    distance_from_start_m_ =
-        (truth.T_odom_body.translation() - p_world_start_).norm();  // TRUTH: T_world_body
-    farthest_m_ = std::max(farthest_m_, distance_from_start_m_);
+    const Eigen::Vector2d p_world = truth.T_odom_body.translation();  // TRUTH: T_world_body
+    follower_.set_distance_from_start((p_world - p_world_start_).norm());
   });
   subscribe<run_state_t>(bus, channels::kRunState, Delivery::latest(),
                          [this](const RunState& state) { failure_ = state.failure; });
 }
 
 double MissionMonitor::simulated_s() const { return seconds(utime_ - first_utime_); }
-
-MissionProgress MissionMonitor::progress() const {
-  return {phase_, simulated_s(), distance_from_start_m_, local_maps_};
-}
-
-bool MissionMonitor::has_ended() const {
-  return phase_.phase == Phase::kEnded && simulated_s() > ended_s_ + kAfterEndS;
-}
 
 std::vector<std::string> MissionMonitor::newly_timed_out(std::int64_t wall_us) {
   std::vector<std::string> timed_out;

@@ -21,15 +21,14 @@ namespace adit {
 class MissionMonitor {
  public:
   static constexpr std::int64_t kStageTimeoutUs = 10'000'000;  ///< of wall time
-  static constexpr double kAfterEndS = 2.0;                    ///< recorded after the end
 
   /// `bus` must outlive this. `p_world_start` is the position of the first start.
   MissionMonitor(Bus& bus, const std::filesystem::path& trace,
                  const Eigen::Vector2d& p_world_start);
 
-  [[nodiscard]] MissionProgress progress() const;
-  [[nodiscard]] double farthest_m() const { return farthest_m_; }
-  [[nodiscard]] bool has_ended() const;
+  [[nodiscard]] MissionProgress progress() const { return follower_.progress(); }
+  [[nodiscard]] double farthest_m() const { return follower_.farthest_m(); }
+  [[nodiscard]] bool has_ended() const { return follower_.has_ended(); }
   /// Failure of the simulated run, a collision; empty without.
   [[nodiscard]] const std::string& failure() const { return failure_; }
 
@@ -51,15 +50,10 @@ class MissionMonitor {
 
   std::int64_t first_utime_ = 0;
   std::int64_t utime_ = 0;
-  MissionPhase phase_;
-  double ended_s_ = 0.0;
-  int local_maps_ = 0;
   Eigen::Vector2d p_world_start_;
-  double distance_from_start_m_ = 0.0;
-  double farthest_m_ = 0.0;
   std::string failure_;
   std::map<std::string, StageResponse> responses_;
-  PhaseTrace trace_;
+  MissionFollower follower_;
 };
 
 }  // namespace adit

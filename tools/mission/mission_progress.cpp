@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/mission/mission_progress.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <ostream>
 #include <utility>
@@ -10,13 +11,14 @@
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/mission.hpp"
 #include "common/messages/navigation.hpp"
 
 namespace adit {
 namespace {
 
-constexpr std::size_t kTraceQueued = 100;
+constexpr std::size_t kPhasesQueued = 1000;
 
 }  // namespace
 
@@ -30,27 +32,49 @@ std::string progress_text(const MissionProgress& progress, double factor) {
       factor);
 }
 
-PhaseTrace::PhaseTrace(Bus& bus, const std::filesystem::path& file, std::function<double()> now_s)
-    : file_(file, std::ios::app), now_s_(std::move(now_s)) {
-  subscribe<phase_t>(bus, channels::kPhase, Delivery::queued(kTraceQueued),
-                     [this](const MissionPhase& phase) {
-                       if (std::exchange(sequence_, phase.sequence) != phase.sequence) write(phase);
-                     });
-  subscribe<stop_t>(bus, channels::kStop, Delivery::queued(kTraceQueued),
-                    [this](const StopOrder& order) {
-                      const bool is_new = std::exchange(stop_, order.reason) != order.reason;
-                      if (!order.stopped || !is_new) return;
-                      file_ << now_s_() << "\tSTOP\t" << order.reason << std::endl;
-                    });
+MissionFollower::MissionFollower(Bus& bus, const std::filesystem::path& file,
+                                 std::function<double()> simulated_s)
+    : file_(file, std::ios::app), simulated_s_(std::move(simulated_s)) {
+  const Delivery all = Delivery::queued(kPhasesQueued);
+  subscribe<phase_t>(bus, channels::kPhase, all,
+                     [this](const MissionPhase& phase) { on_phase(phase); });
+  subscribe<stop_t>(bus, channels::kStop, all, [this](const StopOrder& order) {
+    const bool is_new = std::exchange(written_stop_, order.reason) != order.reason;
+    if (!order.stopped || !is_new) return;
+    file_ << fmt::format("{:g}\tSTOP\t{}", simulated_s_(), order.reason) << std::endl;
+  });
+  subscribe<map_correction_t>(bus, channels::kMapCorrection, all,
+                              [this](const MapCorrection& correction) {
+                                local_maps_ = std::max(local_maps_, correction.local_map + 1);
+                              });
 }
 
-void PhaseTrace::write(const MissionPhase& phase) {
-  file_ << fmt::format("{:.1f}\t{}\t{}\t{}\t{}\t{}\t{:.1f}\t{:.0f}\t{}", now_s_(),
+void MissionFollower::on_phase(const MissionPhase& phase) {
+  if (std::exchange(written_sequence_, phase.sequence) != phase.sequence) write(phase);
+  if (phase_.phase != Phase::kEnded) ended_s_ = simulated_s_();
+  phase_ = phase;
+}
+
+void MissionFollower::write(const MissionPhase& phase) {
+  file_ << fmt::format("{:.1f}\t{}\t{}\t{}\t{}\t{}\t{:.1f}\t{:.0f}\t{}", simulated_s_(),
                        static_cast<int>(phase.phase), phase.returning_home ? "home" : "out",
                        phase.goal_id, phase.frontier.value_or(-1),
                        phase.laser == LaserId::kFront ? "front" : "rear",
                        phase.distance_travelled_m, phase.remaining_m, phase.reason)
         << std::endl;
+}
+
+void MissionFollower::set_distance_from_start(double distance_m) {
+  distance_from_start_m_ = distance_m;
+  farthest_m_ = std::max(farthest_m_, distance_m);
+}
+
+MissionProgress MissionFollower::progress() const {
+  return {phase_, simulated_s_(), distance_from_start_m_, local_maps_};
+}
+
+bool MissionFollower::has_ended() const {
+  return phase_.phase == Phase::kEnded && simulated_s_() > ended_s_ + kAfterEndS;
 }
 
 }  // namespace adit

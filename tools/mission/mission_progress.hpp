@@ -24,23 +24,41 @@ struct MissionProgress {
 /// Progress as one line; `factor` is the speed in multiples of real time.
 std::string progress_text(const MissionProgress& progress, double factor);
 
-/// Appends each change of phase and each new stop reason to a file of tab-separated values: time
-/// [s], number of the phase, "out" or "home", goal, frontier, laser, distance travelled [m],
-/// remaining distance [m], reason.
-class PhaseTrace {
+/// Follows the phases of a simulated mission until it has ended. Appends each change of phase and
+/// each new stop reason to a file of tab-separated values: time [s], number of the phase, "out" or
+/// "home", goal, frontier, laser, distance travelled [m], remaining distance [m], reason.
+class MissionFollower {
  public:
-  /// `bus` must outlive this. `now_s` returns the time of a line.
-  PhaseTrace(Bus& bus, const std::filesystem::path& file, std::function<double()> now_s);
-  PhaseTrace(const PhaseTrace&) = delete;
-  PhaseTrace& operator=(const PhaseTrace&) = delete;
+  static constexpr double kAfterEndS = 2.0;  ///< recorded after the end
+
+  /// `bus` must outlive this. `simulated_s` returns the simulated time since the start.
+  MissionFollower(Bus& bus, const std::filesystem::path& file, std::function<double()> simulated_s);
+  MissionFollower(const MissionFollower&) = delete;
+  MissionFollower& operator=(const MissionFollower&) = delete;
+
+  /// Takes the present straight-line distance of the true pose from the start.
+  void set_distance_from_start(double distance_m);
+
+  [[nodiscard]] const MissionPhase& phase() const { return phase_; }
+  [[nodiscard]] MissionProgress progress() const;
+  /// Largest straight-line distance of the true pose from the start.
+  [[nodiscard]] double farthest_m() const { return farthest_m_; }
+  /// Whether the phase has been ended for kAfterEndS.
+  [[nodiscard]] bool has_ended() const;
 
  private:
+  void on_phase(const MissionPhase& phase);
   void write(const MissionPhase& phase);
 
   std::ofstream file_;
-  std::function<double()> now_s_;
-  std::int32_t sequence_ = 0;
-  std::string stop_;
+  std::function<double()> simulated_s_;
+  MissionPhase phase_;
+  std::int32_t written_sequence_ = 0;
+  std::string written_stop_;
+  double ended_s_ = 0.0;  ///< when the phase became ended
+  int local_maps_ = 0;
+  double distance_from_start_m_ = 0.0;
+  double farthest_m_ = 0.0;
 };
 
 }  // namespace adit

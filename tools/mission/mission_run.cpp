@@ -2,23 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/mission/mission_run.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <memory>
 
-#include "common/bus/channels.hpp"
 #include "common/bus/log/lcm_log.hpp"
 #include "common/bus/memory_bus.hpp"
 #include "common/bus/node/node_host.hpp"
 #include "common/bus/node/stages.hpp"
 #include "common/bus/node/version.hpp"
-#include "common/bus/typed_messages.hpp"
 #include "common/geometry/pose2.hpp"
-#include "common/messages/mapping/pose_graph.hpp"
-#include "common/messages/mission.hpp"
 #include "common/sensing/seconds.hpp"
-#include "sim/live/fault_parser.hpp"
 #include "sim/live/sim_config.hpp"
 #include "sim/sim_node.hpp"
 #include "sim/world/build_world.hpp"
@@ -29,9 +22,7 @@
 namespace adit {
 namespace {
 
-constexpr std::size_t kQueued = 100;
 constexpr double kProgressS = 1.0;  // of simulated time
-constexpr double kAfterEndS = 2.0;  // recorded after the end
 
 /// Simulator and all stages on one bus.
 class MissionInProcess {
@@ -43,12 +34,11 @@ class MissionInProcess {
         log_(options.folder / "run.lcmlog"),
         host_(bus_, {kSimSection, version(), yaml_in_effect(params_, world)}),
         sim_(host_.bus(), site, params_, static_cast<std::uint64_t>(world.seed), kDriveStartUtime),
-        trace_(bus_, options.folder / "phases.tsv", [this] { return simulated_s(); }) {
+        follower_(bus_, options.folder / "phases.tsv", [this] { return simulated_s(); }) {
     host_.set_health([this] { return sim_.health(); });
     bus_.tap([this](const ReceivedMessage& message) {
       log_.write({message.utime, message.channel, message.bytes});
     });
-    subscribe_all();
     for (const ConfiguredNode& node : configure_pipeline(
              load_config(options.config), params_.lasers, params_.vehicle, options.folder)) {
       nodes_.push_back(std::make_unique<HostedNode>(bus_, node));
@@ -60,39 +50,30 @@ class MissionInProcess {
     while (!is_over()) {
       bus_.advance_to(sim_.next_utime());
       sim_.step();
-      update_farthest();
-      if (progress &&
-          (simulated_s() >= reported_s_ + kProgressS || phase_.sequence != reported_sequence_)) {
+      follower_.set_distance_from_start(distance_from_start_m());
+      if (progress && is_progress_due()) {
         reported_s_ = simulated_s();
-        reported_sequence_ = phase_.sequence;
-        progress(current_progress());
+        reported_sequence_ = follower_.phase().sequence;
+        progress(follower_.progress());
       }
     }
     log_.close();
-    return {.last = current_progress(),
+    return {.last = follower_.progress(),
             .distance_from_start_m = distance_from_start_m(),
-            .farthest_m = farthest_m_,
+            .farthest_m = follower_.farthest_m(),
             .distance_travelled_m = sim_.simulation().state().distance_travelled_m,
             .failure = sim_.simulation().state().failure};
   }
 
  private:
-  void subscribe_all() {
-    subscribe<phase_t>(bus_, channels::kPhase, Delivery::queued(kQueued),
-                       [this](const MissionPhase& phase) {
-                         if (phase_.phase != Phase::kEnded) ended_s_ = simulated_s();
-                         phase_ = phase;
-                       });
-    subscribe<map_correction_t>(bus_, channels::kMapCorrection, Delivery::queued(kQueued),
-                                [this](const MapCorrection& correction) {
-                                  local_maps_ = std::max(local_maps_, correction.local_map + 1);
-                                });
+  [[nodiscard]] bool is_over() const {
+    return follower_.has_ended() || !sim_.simulation().state().failure.empty() ||
+           simulated_s() > options_.time_max_s;
   }
 
-  [[nodiscard]] bool is_over() const {
-    const bool ended = phase_.phase == Phase::kEnded && simulated_s() > ended_s_ + kAfterEndS;
-    return ended || !sim_.simulation().state().failure.empty() ||
-           simulated_s() > options_.time_max_s;
+  [[nodiscard]] bool is_progress_due() const {
+    return simulated_s() >= reported_s_ + kProgressS ||
+           follower_.phase().sequence != reported_sequence_;
   }
 
   [[nodiscard]] double simulated_s() const {
@@ -104,10 +85,6 @@ class MissionInProcess {
   [[nodiscard]] double distance_from_start_m() const {
     return (true_pose().translation() - start_).norm();
   }
-  void update_farthest() { farthest_m_ = std::max(farthest_m_, distance_from_start_m()); }
-  [[nodiscard]] MissionProgress current_progress() const {
-    return {phase_, simulated_s(), distance_from_start_m(), local_maps_};
-  }
 
   const MissionRunOptions& options_;
   SimulationParams params_;
@@ -115,15 +92,11 @@ class MissionInProcess {
   MemoryBus bus_;
   NodeHost host_;
   SimNode sim_;
-  PhaseTrace trace_;
+  MissionFollower follower_;
   std::vector<std::unique_ptr<HostedNode>> nodes_;
-  MissionPhase phase_;
-  double ended_s_ = 0.0;
   double reported_s_ = 0.0;
   std::int32_t reported_sequence_ = 0;
-  int local_maps_ = 0;
   Eigen::Vector2d start_{0.0, 0.0};
-  double farthest_m_ = 0.0;
 };
 
 }  // namespace

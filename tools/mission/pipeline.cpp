@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "common/config/config.hpp"
 #include "procs/driving/driving_node.hpp"
 #include "procs/exploration/exploration_node.hpp"
@@ -33,7 +35,7 @@ class Configurator {
     if constexpr (requires { params.vehicle; }) params.vehicle = vehicle_;
     if constexpr (requires { params.lasers_tilt; }) params.lasers_tilt = true;
     // CONFIG has the name of the journal without its folder.
-    if constexpr (requires { params.journal; }) params.journal = stage + ".journal";
+    if constexpr (requires { params.journal; }) params.journal = fmt::format("{}.journal", stage);
     const std::string yaml = to_yaml(params, stage);
     if constexpr (requires { params.journal; }) {
       params.journal = journals_.empty() ? "" : (journals_ / params.journal).string();

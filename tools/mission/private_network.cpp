@@ -11,6 +11,7 @@
 
 #include <arpa/inet.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <net/if.h>
 #include <net/route.h>
 #include <sched.h>
@@ -35,7 +36,7 @@ constexpr const char* kLoopback = "lo";
 
 /// Files keep their owner: the user namespace maps ids to themselves.
 void map_user_to_itself(uid_t user, gid_t group) {
-  const auto map = [](auto id) { return std::to_string(id) + " " + std::to_string(id) + " 1\n"; };
+  const auto map = [](auto id) { return fmt::format("{0} {0} 1\n", id); };
   write_text_file("deny", "/proc/self/setgroups");
   write_text_file(map(user), "/proc/self/uid_map");
   write_text_file(map(group), "/proc/self/gid_map");
@@ -93,13 +94,13 @@ bool enter_private_network() {
 }
 
 void enter_network_of(pid_t pid) {
-  const fs::path target = fs::path("/proc") / std::to_string(pid) / "ns";
+  const fs::path target = fs::path("/proc") / fmt::to_string(pid) / "ns";
   for (const char* space : {"user", "net"}) {  // the first gives the permission for the second
     if (is_same_inode(target / space, fs::path("/proc/self/ns") / space)) continue;
     const FileDescriptor joined(open((target / space).c_str(), O_RDONLY | O_CLOEXEC));
     if (joined && setns(joined.get(), 0) == 0) continue;
-    throw std::runtime_error("cannot join the network of process " + std::to_string(pid) + ": " +
-                             std::generic_category().message(errno));
+    throw std::runtime_error(fmt::format("cannot join the network of process {}: {}", pid,
+                                         std::generic_category().message(errno)));
   }
 }
 

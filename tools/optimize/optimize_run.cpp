@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "procs/mapping/association/lazy_loop_closures.hpp"
@@ -41,9 +42,10 @@ void require_poses(const G2oGraph& file, const OptimizeResult& result) {
 void require_odometry(const G2oGraph& file) {
   const auto gap = odometry_gap(file.graph);
   if (!gap) return;
-  throw std::runtime_error("no constraint between pose " + std::to_string(id_of(file, *gap)) +
-                           " and the next pose " + std::to_string(id_of(file, *gap + 1)) +
-                           ": loop closures cannot be verified without odometry");
+  throw std::runtime_error(
+      fmt::format("no constraint between pose {} and the next pose {}: loop closures cannot be "
+                  "verified without odometry",
+                  id_of(file, *gap), id_of(file, *gap + 1)));
 }
 
 LoopDecisions loop_decisions(const G2oGraph& file, const LazyLoopClosuresResult& lazy) {

@@ -11,8 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include "common/geometry/symmetric_eigen.hpp"
 
 namespace adit {
 namespace {
@@ -25,6 +27,7 @@ constexpr std::size_t kCellsNearest = 60;
 constexpr std::size_t kCellsMin = 10;
 constexpr int kRefinements = 20;
 constexpr double kNoiseM = 0.01;
+constexpr double kLaserHeightMinM = 0.05;
 
 /// The kRank-th lowest point of each cell within kRadiusM, sorted by distance from `p_plan`.
 std::vector<Eigen::Vector3d> low_points(const std::vector<Eigen::Vector3d>& points,
@@ -68,9 +71,35 @@ Plane fit_plane(const std::vector<Eigen::Vector3d>& points) {
   for (const auto& p : points) centroid += p / static_cast<double>(points.size());
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
   for (const auto& p : points) scatter += (p - centroid) * (p - centroid).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(scatter);
-  const Eigen::Vector3d normal = axes.eigenvectors().col(0);
+  const Eigen::Vector3d normal = symmetric_eigen(scatter).vectors.col(0);
   return {centroid, normal.z() < 0.0 ? Eigen::Vector3d(-normal) : normal};
+}
+
+struct Upright {
+  std::vector<Eigen::Vector3d> points;
+  Eigen::Vector3d laser;
+};
+
+Upright rotate_upright(const PointCloud& cloud, const CloudPlacement& placement) {
+  const Eigen::Matrix3d R = upright(placement.up);
+  const Eigen::Vector3d origin = cloud.sensor.value_or(Eigen::Vector3d::Zero());
+  Upright rotated{{}, R * placement.p_file_laser.value_or(origin)};
+  rotated.points.reserve(cloud.points.size());
+  for (const Eigen::Vector3d& p : cloud.points) rotated.points.emplace_back(R * p);
+  return rotated;
+}
+
+/// The shortest rotation from a unit vector that points upwards to the z axis.
+Eigen::Quaterniond from_up_to_z(const Eigen::Vector3d& up) {
+  const double s = std::sqrt(2.0 * (1.0 + up.z()));  // twice the cosine of half the angle
+  return {0.5 * s, up.y() / s, -up.x() / s, 0.0};
+}
+
+/// Rotates about the laser, so that the horizontal position of the laser does not change.
+void level(Upright& cloud, const Eigen::Vector2d& p_plan) {
+  const Eigen::Vector3d normal = estimate_ground_normal(cloud.points, p_plan, cloud.laser.z());
+  const Eigen::Quaterniond R = from_up_to_z(normal);
+  for (Eigen::Vector3d& p : cloud.points) p = cloud.laser + R * (p - cloud.laser);
 }
 
 }  // namespace
@@ -106,33 +135,6 @@ Eigen::Vector3d estimate_ground_normal(const std::vector<Eigen::Vector3d>& point
   return plane.normal;
 }
 
-namespace {
-
-constexpr double kLaserHeightMinM = 0.05;
-
-struct Upright {
-  std::vector<Eigen::Vector3d> points;
-  Eigen::Vector3d laser;
-};
-
-Upright rotate_upright(const PointCloud& cloud, const CloudPlacement& placement) {
-  const Eigen::Matrix3d R = upright(placement.up);
-  const Eigen::Vector3d origin = cloud.sensor.value_or(Eigen::Vector3d::Zero());
-  Upright rotated{{}, R * placement.p_file_laser.value_or(origin)};
-  rotated.points.reserve(cloud.points.size());
-  for (const Eigen::Vector3d& p : cloud.points) rotated.points.emplace_back(R * p);
-  return rotated;
-}
-
-/// Rotates about the laser, so that the horizontal position of the laser does not change.
-void level(Upright& cloud, const Eigen::Vector2d& p_plan) {
-  const Eigen::Vector3d normal = estimate_ground_normal(cloud.points, p_plan, cloud.laser.z());
-  const auto R = Eigen::Quaterniond::FromTwoVectors(normal, Eigen::Vector3d::UnitZ());
-  for (Eigen::Vector3d& p : cloud.points) p = cloud.laser + R * (p - cloud.laser);
-}
-
-}  // namespace
-
 Eigen::Matrix3d upright(const std::string& up) {
   using V = Eigen::Vector3d;
   const std::array<std::pair<const char*, std::pair<V, V>>, 6> axes{
@@ -148,7 +150,7 @@ Eigen::Matrix3d upright(const std::string& up) {
     R << plan.first.transpose(), plan.second.transpose(), plan.first.cross(plan.second).transpose();
     return R;
   }
-  throw std::invalid_argument("'" + up + "' is not one of the axes x, y, z, -x, -y, -z");
+  throw std::invalid_argument(fmt::format("'{}' is not one of the axes x, y, z, -x, -y, -z", up));
 }
 
 Cloud place_cloud(const PointCloud& points, const CloudPlacement& placement) {

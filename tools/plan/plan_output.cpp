@@ -17,6 +17,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kSlices = 8;  // over half a turn; the footprint is symmetric
+constexpr int kScanWidth = 708;
+constexpr int kScanHeight = 400;
+
 const char* name_of(BlockingCell::Reason reason) {
   switch (reason) {
     case BlockingCell::Reason::kStep:
@@ -90,8 +94,8 @@ Json times_of(const ScanPlan::Times& times) {
           {"kernels_once", times.kernels_ms}};
 }
 
-}  // namespace
-
+/// The plan as JSON, in level: outcome and reason, figures, goal, path points, blocking cells,
+/// number of ground cells by observation state, computation times. Infinite values are null.
 std::string path_json(const Cloud& cloud, const ScanPlan& plan) {
   const Json json{
       {"frame", "level: origin on the ground below the robot, x forward, y left"},
@@ -110,12 +114,16 @@ std::string path_json(const Cloud& cloud, const ScanPlan& plan) {
   return json.dump(2) + "\n";
 }
 
-namespace {
-
 std::string laser_of(const Cloud& cloud) {
   if (cloud.lines.empty()) return "";
   const Eigen::Vector3f& p = cloud.lines.front().origin;
   return fmt::format("; laser at {:.2f}, {:.2f}, {:.2f} m", p.x(), p.y(), p.z());
+}
+
+std::vector<double> slice_angles() {
+  std::vector<double> angles;
+  for (int i = 0; i < kSlices; ++i) angles.push_back(i * std::numbers::pi / kSlices);
+  return angles;
 }
 
 }  // namespace
@@ -126,10 +134,9 @@ std::vector<std::string> plan_summary(const Cloud& cloud, const ScanPlan& plan) 
   std::vector<std::string> summary{
       fmt::format("{} points{}{}", cloud.points(), cloud.complete ? "" : ", incomplete",
                   laser_of(cloud)),
-      fmt::format(
-          "{} cells: {} measured, {} not scanned, {} in shadow, {} below a beam, {} without "
-          "return",
-          plan.terrain.cells.size(), measured, never_scanned, shadow, below_ray, no_return),
+      fmt::format("{} cells: {} measured, {} not scanned, {} in shadow, {} below a beam, "
+                  "{} without return",
+                  plan.terrain.cells.size(), measured, never_scanned, shadow, below_ray, no_return),
       fmt::format("{}: {}", name_of(path.outcome), path.reason)};
   if (path.points.empty()) {
     summary.push_back(fmt::format("{} cells block the path", path.blocking.size()));
@@ -143,26 +150,11 @@ std::vector<std::string> plan_summary(const Cloud& cloud, const ScanPlan& plan) 
 
 std::string plan_times(const ScanPlan::Times& times) {
   return fmt::format(
-      "terrain {:.1f} ms, C-space {:.1f} ms, search {:.1f} ms: scan to path {:.1f} ms (kernels, "
-      "once: "
-      "{:.1f} ms)",
+      "terrain {:.1f} ms, C-space {:.1f} ms, search {:.1f} ms: scan to path {:.1f} ms "
+      "(kernels, once: {:.1f} ms)",
       times.terrain_ms, times.c_space_ms, times.search_ms, times.scan_to_path_ms(),
       times.kernels_ms);
 }
-
-namespace {
-
-constexpr int kSlices = 8;  // over half a turn; the footprint is symmetric
-constexpr int kScanWidth = 708;
-constexpr int kScanHeight = 400;
-
-std::vector<double> slice_angles() {
-  std::vector<double> angles;
-  for (int i = 0; i < kSlices; ++i) angles.push_back(i * std::numbers::pi / kSlices);
-  return angles;
-}
-
-}  // namespace
 
 void write_plan_files(const std::string& title, const Cloud& cloud, const ScanPlan& plan,
                       const Planning& planning, const Vehicle& vehicle,

@@ -10,10 +10,6 @@
 
 namespace adit {
 
-/// Formats the plan as JSON, in level: outcome and reason, figures, goal, path points, blocking
-/// cells, number of ground cells by observation state, computation times. Infinite values are null.
-std::string path_json(const Cloud& cloud, const ScanPlan& plan);
-
 /// Result of the plan as text lines for the terminal and the picture; the same for the same scan.
 std::vector<std::string> plan_summary(const Cloud& cloud, const ScanPlan& plan);
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/plan/plan_run.hpp"
 
-#include <iomanip>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "common/bus/node/stages.hpp"
 #include "tools/cloud/cloud_file.hpp"
+#include "tools/map/log_input.hpp"
 #include "tools/map/result_folder.hpp"
 #include "tools/plan/plan_output.hpp"
 
@@ -36,22 +36,22 @@ ScanInput scan_of_points(const PlanRunOptions& options) {
   try {
     source.clouds.push_back(place_cloud(points, options.placement));
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(options.input.string() + ": " + error.what());
+    throw std::runtime_error(fmt::format("{}: {}", options.input.string(), error.what()));
   }
   return source;
 }
 
 void print_warnings(const PlanRunOptions& options, const ScanInput& source, std::ostream& err) {
   for (const std::string& warning : source.warnings) {
-    err << "adit: " << options.input.string() << ": " << warning << "\n";
+    err << fmt::format("adit: {}: {}\n", options.input.string(), warning);
   }
 }
 
 std::string title_of(const PlanRunOptions& options, const NumberedScan& scan,
                      const PlannedPath& path) {
-  std::string title = options.input.filename().string();
-  if (options.choice.all || scan.number > 1) title += fmt::format(" {}", scan.number);
-  return title + ": " + path.reason;
+  const std::string number =
+      options.choice.all || scan.number > 1 ? fmt::format(" {}", scan.number) : "";
+  return fmt::format("{}{}: {}", options.input.filename().string(), number, path.reason);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ bool run_plan(const PlanRunOptions& options, std::ostream& out, std::ostream& er
   const ScanPlanParams params = load_scan_plan_params(config, options.estimator);
   Planning planning(params.planning);
   const ScanInput source =
-      is_scan_log(options.input) ? scans_of_log(options.input, config) : scan_of_points(options);
+      is_lcm_log(options.input) ? scans_of_log(options.input, config) : scan_of_points(options);
   print_warnings(options, source, err);
   bool all_found = true;
   const ResultFolder results(options.folder);
@@ -72,11 +72,12 @@ bool run_plan(const PlanRunOptions& options, std::ostream& out, std::ostream& er
     std::filesystem::create_directories(folder);
     write_plan_files(title_of(options, scan, plan.path), scan.cloud, plan, planning,
                      params.planning.vehicle, folder);
-    out << options.folder.string();
-    if (options.choice.all) out << "/scan_" << scan.number;
-    out << "\n";
-    for (const std::string& line : plan_summary(scan.cloud, plan)) out << "  " << line << "\n";
-    out << "  " << plan_times(plan.times) << "\n";
+    out << fmt::format("{}{}\n", options.folder.string(),
+                       options.choice.all ? fmt::format("/scan_{}", scan.number) : "");
+    for (const std::string& line : plan_summary(scan.cloud, plan)) {
+      out << fmt::format("  {}\n", line);
+    }
+    out << fmt::format("  {}\n", plan_times(plan.times));
     all_found = all_found && plan.path.outcome == PlanOutcome::kFound;
   }
   results.publish();
@@ -84,7 +85,7 @@ bool run_plan(const PlanRunOptions& options, std::ostream& out, std::ostream& er
 }
 
 void list_scans(const PlanRunOptions& options, std::ostream& out, std::ostream& err) {
-  if (!is_scan_log(options.input)) {
+  if (!is_lcm_log(options.input)) {
     throw std::invalid_argument("--list requires a log; a point cloud is one scan");
   }
   const ScanInput source = scans_of_log(options.input, load_config(options.config));
@@ -92,9 +93,8 @@ void list_scans(const PlanRunOptions& options, std::ostream& out, std::ostream& 
   out << "scan      id             utime   lines    points\n";
   int number = 0;
   for (const Cloud& cloud : source.clouds) {
-    out << std::setw(4) << ++number << std::setw(8) << cloud.id << std::setw(18) << cloud.utime
-        << std::setw(8) << cloud.lines.size() << std::setw(10) << cloud.points()
-        << (cloud.complete ? "\n" : "  incomplete\n");
+    out << fmt::format("{:4}{:8}{:18}{:8}{:10}{}\n", ++number, cloud.id, cloud.utime,
+                       cloud.lines.size(), cloud.points(), cloud.complete ? "" : "  incomplete");
   }
 }
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/plan/scan_input.hpp"
 
-#include <array>
-#include <fstream>
 #include <set>
 #include <stdexcept>
 
@@ -16,7 +14,7 @@
 #include "common/messages/mapping/cloud.hpp"
 #include "procs/scan_assembly/scan_assembly_node.hpp"
 #include "sim/simulation/simulation_params.hpp"
-#include "tools/map/recorded_config.hpp"
+#include "tools/map/log_input.hpp"
 
 namespace adit {
 namespace {
@@ -66,7 +64,7 @@ std::string missing_channels(const LogFile& log) {
   std::string missing;
   const auto require_any = [&](std::string_view channel, std::string_view alternative) {
     if (present_channels.contains(channel) || present_channels.contains(alternative)) return;
-    missing += (missing.empty() ? " (missing: " : ", ") + std::string(channel);
+    missing += fmt::format("{}{}", missing.empty() ? " (missing: " : ", ", channel);
   };
   require_any(channels::kScanRequest, channels::kScanRequest);
   require_any(channels::kLaserFront, channels::kLaserRear);
@@ -100,26 +98,16 @@ std::vector<Cloud> assembled_clouds(LogFile& log, const ConfigFile& config,
   bus.run();
   bus.advance_to(bus.now_utime() + kDrainUs);
   if (const std::string reason = node.health().reason; !reason.empty()) {
-    warnings.push_back("scan assembly: " + reason);
+    warnings.push_back(fmt::format("scan assembly: {}", reason));
   }
   return clouds;
 }
 
 std::string last_of(const std::vector<std::string>& warnings) {
-  return warnings.empty() ? "" : ": " + warnings.back();
+  return warnings.empty() ? "" : fmt::format(": {}", warnings.back());
 }
 
 }  // namespace
-
-bool is_scan_log(const std::filesystem::path& file) {
-  if (file.extension() == ".lcmlog") return true;
-  std::ifstream stream(file, std::ios::binary);
-  constexpr std::array<unsigned char, 4> kSync{0xED, 0xA1, 0xDA, 0x01};
-  for (const unsigned char byte : kSync) {
-    if (stream.get() != byte) return false;
-  }
-  return true;
-}
 
 ScanInput scans_of_log(const std::filesystem::path& file, const ConfigFile& config) {
   LogFile log(file);

@@ -25,9 +25,6 @@ struct ScanChoice {
   bool all = false;
 };
 
-/// Whether the file is an LCM log, by its first bytes or its extension.
-bool is_scan_log(const std::filesystem::path& file);
-
 /// Reads the clouds of a log (channel CLOUD). If it has none, runs scan assembly on its scan
 /// requests, laser scans, tilts and poses, with the laser poses of the configuration, else of the
 /// log (channel CONFIG). Throws std::runtime_error with the missing channels if there is no scan.

@@ -6,8 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "tools/map/corrected_trajectory.hpp"
-
 namespace adit {
 namespace {
 

@@ -176,7 +176,8 @@ std::string frontiers_text(const MissionStatistics& statistics) {
 }
 
 std::string end_text(const MissionStatistics& statistics) {
-  const std::string distance = metres(statistics.distance_from_start_m) + " from the start";
+  const std::string distance =
+      fmt::format("{} from the start", metres(statistics.distance_from_start_m));
   if (!statistics.last) {
     return fmt::format("The outcome is unknown: the log has no PHASE. At its end the robot was {}.",
                        distance);
@@ -201,7 +202,7 @@ std::string end_text(const MissionStatistics& statistics) {
 std::string outcome_text(const MissionStatistics& statistics) {
   std::string text = end_text(statistics) + frontiers_text(statistics);
   if (statistics.failure && !statistics.failure->empty()) {
-    text += " The simulated run failed: " + sentence(*statistics.failure);
+    text += fmt::format(" The simulated run failed: {}", sentence(*statistics.failure));
   }
   return text;
 }

@@ -10,13 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "common/bus/channels.hpp"
 #include "common/bus/log/lcm_log.hpp"
 #include "common/files/file_utils.hpp"
 #include "common/files/mapped_file.hpp"
 #include "tools/map/result_folder.hpp"
 #include "tools/report/html/mission_page.hpp"
-#include "tools/report/html/scan_cards.hpp"
 #include "tools/report/html/text_format.hpp"
 #include "tools/report/records/mission_log_reader.hpp"
 #include "tools/report/report_files.hpp"
@@ -55,12 +56,13 @@ LogInfo read_mission_log_info(const ReportOptions& options) {
        {channels::kPhase, channels::kPose, channels::kLocalMap, channels::kCloud}) {
     if (log_info.has(channel)) return log_info;
   }
-  throw std::runtime_error("no mission in " + options.logs.front().string() +
-                           ": it has none of PHASE, POSE, LOCAL_MAP and CLOUD");
+  throw std::runtime_error(
+      fmt::format("no mission in {}: it has none of PHASE, POSE, LOCAL_MAP and CLOUD",
+                  options.logs.front().string()));
 }
 
 std::string title_of(const LogInfo& log_info) {
-  return "Mission of " + date_text(log_info.first_utime).substr(0, 10);
+  return fmt::format("Mission of {:.10}", date_text(log_info.first_utime));
 }
 
 MapContent map_content(const MissionRecords& records, const MissionStatistics& statistics,
@@ -78,8 +80,8 @@ std::vector<std::string> collect_warnings(const LogInfo& log_info, const Mission
     if (is_new) warnings.push_back(std::move(warning));
   }
   if (map.missing_local_maps() > 0) {
-    warnings.push_back(count_text(map.missing_local_maps(), "local map") +
-                       " of the pose graph missing in the log");
+    warnings.push_back(fmt::format("{} of the pose graph missing in the log",
+                                   count_text(map.missing_local_maps(), "local map")));
   }
   return warnings;
 }

@@ -2,17 +2,178 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/report/report_files.hpp"
 
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
 #include "common/files/file_utils.hpp"
 #include "common/grid/occupancy_grid.hpp"
 #include "common/picture/map_picture.hpp"
 #include "common/pose_graph/g2o_file.hpp"
+#include "common/types/exploration.hpp"
 #include "procs/volume_map/volume_export.hpp"
-#include "tools/eval/tum.hpp"
+#include "tools/eval/trajectory.hpp"
 #include "tools/map/map_files.hpp"
-#include "tools/report/report_json.hpp"
+#include "tools/report/html/text_format.hpp"
 
 namespace adit {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json phases_json(const MissionStatistics& statistics) {
+  Json phases = Json::object();
+  for (const PhaseShare& share : statistics.phases) {
+    phases[name_of(share.phase)] = {
+        {"times", share.times}, {"duration_s", share.duration_s}, {"share", share.share}};
+  }
+  return {{"reported_by_mission", statistics.last.has_value()}, {"by_phase", std::move(phases)}};
+}
+
+Json outcome_json(const MissionStatistics& statistics) {
+  return {{"outcome", statistics.last ? Json(name_of(statistics.last->outcome)) : Json()},
+          {"complete", statistics.last ? Json(statistics.last->complete) : Json()},
+          {"text", outcome_text(statistics)},
+          {"last_phase", statistics.last ? Json(name_of(statistics.last->phase)) : Json()},
+          {"last_reason", statistics.last ? Json(statistics.last->reason) : Json()},
+          {"return_home_reason",
+           statistics.return_home_reason.empty() ? Json() : Json(statistics.return_home_reason)},
+          {"distance_from_start_m", statistics.distance_from_start_m}};
+}
+
+Json frontiers_json(const MissionStatistics& statistics) {
+  if (!statistics.frontiers) return {};
+  return {{"found", statistics.frontiers->found},
+          {"closed", statistics.frontiers->closed},
+          {"open", statistics.frontiers->open},
+          {"blocked", statistics.frontiers->blocked},
+          {"unconfirmed", statistics.frontiers->unconfirmed},
+          {"corridors_explored_m", *statistics.explored_m}};
+}
+
+Json truth_json(const MissionStatistics& statistics) {
+  if (!statistics.score) return {};
+  return {{"poses", statistics.score->poses},
+          {"rmse_m", statistics.score->aligned.rmse_m},
+          {"max_m", statistics.score->aligned.max_m},
+          {"anchored_rmse_m", statistics.score->anchored.rmse_m},
+          {"anchored_max_m", statistics.score->anchored.max_m},
+          {"true_length_m", statistics.score->true_length_m}};
+}
+
+Json configs_json(const LogInfo& log_info) {
+  Json configs = Json::object();
+  for (const auto& [stage, config] : log_info.configs) {
+    configs[stage] = {{"version", config.version}, {"yaml", config.yaml}};
+  }
+  return configs;
+}
+
+/// Figures of a mission as JSON, for summary.json. Values without data in the log are null.
+std::string mission_summary_json(const MissionStatistics& statistics, const LogInfo& log_info) {
+  const Json json{
+      {"simulated", statistics.simulated},
+      {"begin", date_text(statistics.from_utime)},
+      {"begin_utime", statistics.from_utime},
+      {"end_utime", statistics.to_utime},
+      {"duration_s", statistics.duration_s()},
+      {"distance_travelled_m", statistics.distance_travelled_m},
+      {"max_distance_from_start_m", statistics.farthest_m},
+      {"mission", outcome_json(statistics)},
+      {"phases", phases_json(statistics)},
+      {"scans", {{"taken", statistics.scans}, {"without_path", statistics.scans_without_path}}},
+      {"map",
+       {{"local_maps", statistics.local_maps},
+        {"loop_closures",
+         {{"proposed", statistics.loop_closures.proposed},
+          {"accepted", statistics.loop_closures.accepted},
+          {"revised", statistics.loop_closures.revised},
+          {"revoked", statistics.revoked}}}}},
+      {"frontiers", frontiers_json(statistics)},
+      {"guard", {{"stops", statistics.stops}, {"stopped_s", statistics.stopped_s}}},
+      {"restarts", statistics.restarts},
+      {"against_truth", truth_json(statistics)},
+      {"collision", statistics.failure ? Json(!statistics.failure->empty()) : Json()},
+      {"failure", statistics.failure ? Json(*statistics.failure) : Json()},
+      {"warnings", log_info.warnings},
+      {"version", statistics.version},
+      {"messages", log_info.messages},
+      {"config", configs_json(log_info)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// Rounded to millimetres.
+Json coordinates(const Eigen::Vector2d& p_map) {
+  return {std::round(1e3 * p_map.x()) / 1e3, std::round(1e3 * p_map.y()) / 1e3};
+}
+
+Json feature(const char* type, Json coordinates, Json properties) {
+  return {{"type", "Feature"},
+          {"geometry", {{"type", type}, {"coordinates", std::move(coordinates)}}},
+          {"properties", std::move(properties)}};
+}
+
+const char* kind_of(CorridorNode::Kind kind) {
+  switch (kind) {
+    case CorridorNode::Kind::kJunction:
+      return "junction";
+    case CorridorNode::Kind::kDeadEnd:
+      return "dead_end";
+    case CorridorNode::Kind::kOpenEnd:
+      return "open_end";
+  }
+  return "";
+}
+
+Json corridor_feature(const Corridor& corridor) {
+  Json line = Json::array();
+  for (const Eigen::Vector2d& p_map : corridor.points) line.push_back(coordinates(p_map));
+  return feature("LineString", std::move(line),
+                 {{"kind", "corridor"},
+                  {"from", corridor.from},
+                  {"to", corridor.to},
+                  {"length_m", corridor.length_m},
+                  {"width_m", corridor.width_m}});
+}
+
+Json frontier_feature(const Frontier& frontier) {
+  return feature("Point", coordinates(frontier.p_map),
+                 {{"kind", "frontier"},
+                  {"id", frontier.id},
+                  {"state", name_of(frontier.state)},
+                  {"closed", is_closed(frontier.state)},
+                  {"evidence", frontier.evidence},
+                  {"since_utime", frontier.utime},
+                  {"direction", coordinates(frontier.direction_map)},
+                  {"width_m", frontier.width_m},
+                  {"local_map", frontier.local_map}});
+}
+
+/// The corridor graph as GeoJSON: corridors as lines; junctions, dead ends and frontiers as points,
+/// frontiers with state and evidence. Coordinates are x and y in the map frame in metres, not
+/// longitude and latitude; the foreign member `coordinates_are` says so.
+std::string junctions_geojson(const ExplorationReport& report) {
+  Json features = Json::array();
+  for (std::size_t i = 0; i < report.corridors.nodes.size(); ++i) {
+    const CorridorNode& node = report.corridors.nodes[i];
+    features.push_back(
+        feature("Point", coordinates(node.p_map), {{"kind", kind_of(node.kind)}, {"node", i}}));
+  }
+  for (const Corridor& corridor : report.corridors.corridors) {
+    features.push_back(corridor_feature(corridor));
+  }
+  for (const Frontier& frontier : report.frontiers) features.push_back(frontier_feature(frontier));
+  const Json json{
+      {"type", "FeatureCollection"},
+      {"coordinates_are",
+       "x and y in the map frame in metres (origin: first pose of the first local map), "
+       "not longitude and latitude"},
+      {"graph_revision", report.revision},
+      {"features", std::move(features)}};
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 void write_map(const ReportInput& input, const std::filesystem::path& folder,
                std::vector<std::string>& warnings) {

@@ -12,6 +12,8 @@
 #include <utility>
 #include <variant>
 
+#include <fmt/format.h>
+
 #include "common/bus/log/lcm_log.hpp"
 #include "sim/drive/waypoint_file.hpp"
 #include "sim/world/build_world.hpp"
@@ -114,7 +116,9 @@ void SampleRun::step() {
   }
   const std::string failure =
       driver_.abort_reason().value_or(simulation_.vehicle().failure().value_or(""));
-  if (!failure.empty()) throw std::runtime_error("the sample drive failed: " + failure);
+  if (!failure.empty()) {
+    throw std::runtime_error(fmt::format("the sample drive failed: {}", failure));
+  }
   ended_ = driver_.done();
 }
 
@@ -145,7 +149,7 @@ void write_carmen(SampleRun& run, const std::filesystem::path& path,
     log << flaser_line({reading->scan, pose, reading->odometry}) << "\n";
     progress(run.fraction_done());
   }
-  if (!log.flush()) throw std::runtime_error("cannot write " + path.string());
+  if (!log.flush()) throw std::runtime_error(fmt::format("cannot write {}", path.string()));
 }
 
 }  // namespace

@@ -56,7 +56,8 @@ VolumeRunResult run_volume(const VolumeRunOptions& options,
 
   const VolumeMap& map = node.map();
   if (map.volumes().empty()) {
-    throw std::runtime_error("no 3D scan (channel CLOUD) in " + options.input.string());
+    throw std::runtime_error(
+        fmt::format("no 3D scan (channel CLOUD) in {}", options.input.string()));
   }
   const ResultFolder results(options.folder);
   export_volume(map, results.unfinished());

@@ -18,9 +18,9 @@ namespace {
 /// rounded up to full cells; 0 for walls and unseen cells.
 Grid2<float> wall_clearance(const Grid2<Occupancy>& known, double resolution_m,
                             double clearance_max_m) {
-  std::vector<std::uint8_t> walls(known.size());
+  Grid2<std::uint8_t> walls(known.box());
   for (std::size_t i = 0; i < known.size(); ++i) walls[i] = known[i] == Occupancy::kWall ? 1 : 0;
-  const std::vector<float> distance_m = distance_transform(walls, known.columns(), resolution_m);
+  const Grid2<float> distance_m = distance_transform(walls, resolution_m);
   const auto limit_m = static_cast<float>(resolution_m * std::ceil(clearance_max_m / resolution_m));
   Grid2<float> clearance(known.box());
   for (std::size_t i = 0; i < known.size(); ++i) {

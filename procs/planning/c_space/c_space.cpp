@@ -158,7 +158,7 @@ CSpace CSpaceKernels::convolve(const GroundLayers& layers) const {
     const Oriented& kernel = oriented(k);
     for (int row = 0; row < layers.rows(); ++row) {
       totals.gather(sums, kernel, row);
-      std::uint16_t* costs = space.slice(k).cells().data() + space.index(0, row);
+      std::uint16_t* costs = &space.slice(k).at({0, row});
       for (std::size_t i = 0; i < totals.lethal.size(); ++i) {
         if (totals.lethal[i] != 0) continue;
         const std::uint16_t cost =

@@ -46,7 +46,7 @@ bool is_shadow(Ground ground) { return ground == Ground::kOccluded; }
 bool is_wide(const TerrainMap& terrain, int column, int row, GroundPredicate is_member) {
   int around = 0;
   const auto count = [&](int c, int r) {
-    if (terrain.contains(c, r) && is_member(terrain.at(c, r).ground)) ++around;
+    if (terrain.cells.contains({c, r}) && is_member(terrain.cells.at({c, r}).ground)) ++around;
   };
   for (const int step : {-1, 1}) {
     count(column + step, row);
@@ -63,15 +63,15 @@ void dilate(CellLayer& layer, const TerrainMap& terrain, GroundPredicate is_memb
   const auto mark_around = [&](int column, int row, int reach) {
     for (int dy = -reach; dy <= reach; ++dy) {
       for (int dx = -reach; dx <= reach; ++dx) {
-        if (!terrain.contains(column + dx, row + dy)) continue;
+        if (!terrain.cells.contains({column + dx, row + dy})) continue;
         if (dx * dx + dy * dy > reach * reach) continue;
         layer.at({column + dx, row + dy}) = 1;
       }
     }
   };
-  for (int row = 0; row < terrain.rows; ++row) {
-    for (int column = 0; column < terrain.columns; ++column) {
-      if (!is_member(terrain.at(column, row).ground)) continue;
+  for (int row = 0; row < terrain.cells.rows(); ++row) {
+    for (int column = 0; column < terrain.cells.columns(); ++column) {
+      if (!is_member(terrain.cells.at({column, row}).ground)) continue;
       const int reach = is_wide(terrain, column, row, is_member) ? wide : narrow;
       if (reach > 0) mark_around(column, row, reach);
     }
@@ -82,8 +82,8 @@ void dilate(CellLayer& layer, const TerrainMap& terrain, GroundPredicate is_memb
 void clear_footprint(GroundLayers& layers, const TerrainMap& terrain, const Pose2& T_level_body,
                      const BodyRectangle& footprint) {
   const Pose2 T_body_level = T_level_body.inverse();
-  for (int row = 0; row < terrain.rows; ++row) {
-    for (int column = 0; column < terrain.columns; ++column) {
+  for (int row = 0; row < terrain.cells.rows(); ++row) {
+    for (int column = 0; column < terrain.cells.columns(); ++column) {
       if (!footprint.contains(T_body_level * terrain.centre(column, row))) continue;
       const std::size_t i = layers.index(column, row);
       layers.under_body[i] = layers.under_wheels[i] = layers.unknown[i] = 0;
@@ -132,14 +132,14 @@ std::optional<Reason> lethal_reason(const TerrainCell& cell, const Vehicle& vehi
 
 GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
                            const Vehicle& vehicle, const GroundLimits& limits) {
-  GroundLayers layers(terrain.columns, terrain.rows, terrain.cell_m);
+  GroundLayers layers(terrain.cells.columns(), terrain.cells.rows(), terrain.cell_m);
   const Pose2 T_body_level = T_level_body.inverse();
   const BodyRectangle footprint = body_outline(vehicle);
   const BlindZone blind_zone(terrain, T_level_body, vehicle, limits);
-  for (int row = 0; row < terrain.rows; ++row) {
-    for (int column = 0; column < terrain.columns; ++column) {
+  for (int row = 0; row < terrain.cells.rows(); ++row) {
+    for (int column = 0; column < terrain.cells.columns(); ++column) {
       const std::size_t i = layers.index(column, row);
-      const TerrainCell& cell = terrain.at(column, row);
+      const TerrainCell& cell = terrain.cells[i];
       const auto reason = lethal_reason(cell, vehicle, limits);
       const Eigen::Vector2d p_level = terrain.centre(column, row);
       const bool under_robot = footprint.contains(T_body_level * p_level);
@@ -154,10 +154,8 @@ GroundLayers ground_layers(const TerrainMap& terrain, const Pose2& T_level_body,
   dilate(layers.under_wheels, terrain, is_drop, 1, 3);
   dilate(layers.unknown, terrain, is_shadow, 0, 2);
   clear_footprint(layers, terrain, T_level_body, footprint);
-  layers.body_distance_m =
-      distance_transform(layers.under_body.cells(), layers.columns(), layers.cell_m);
-  layers.wheel_distance_m =
-      distance_transform(layers.under_wheels.cells(), layers.columns(), layers.cell_m);
+  layers.body_distance_m = distance_transform(layers.under_body, layers.cell_m);
+  layers.wheel_distance_m = distance_transform(layers.under_wheels, layers.cell_m);
   return layers;
 }
 

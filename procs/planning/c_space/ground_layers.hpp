@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "common/config/bounds.hpp"
 #include "common/grid/grid2.hpp"
@@ -55,12 +54,12 @@ struct GroundLayers {
         roughness(columns, rows) {}
 
   double cell_m;
-  CellLayer under_body;                 ///< 1: lethal under any part of the vehicle
-  CellLayer under_wheels;               ///< 1: lethal under the wheels
-  CellLayer unknown;                    ///< 1: unobserved ground
-  CellLayer roughness;                  ///< 0 (even) to 255 (at the limit)
-  std::vector<float> body_distance_m;   ///< to the nearest cell of `under_body` [m]
-  std::vector<float> wheel_distance_m;  ///< to the nearest cell of `under_wheels` [m]
+  CellLayer under_body;           ///< 1: lethal under any part of the vehicle
+  CellLayer under_wheels;         ///< 1: lethal under the wheels
+  CellLayer unknown;              ///< 1: unobserved ground
+  CellLayer roughness;            ///< 0 (even) to 255 (at the limit)
+  Grid2<float> body_distance_m;   ///< to the nearest cell of `under_body` [m]
+  Grid2<float> wheel_distance_m;  ///< to the nearest cell of `under_wheels` [m]
 
   [[nodiscard]] int columns() const { return under_body.columns(); }
   [[nodiscard]] int rows() const { return under_body.rows(); }

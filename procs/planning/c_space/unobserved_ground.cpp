@@ -24,14 +24,14 @@ std::optional<double> height_between(const TerrainMap& terrain, const Pose2& T_b
   double sum = 0.0;
   int observed = 0;
   int cells = 0;
-  for (int row = 0; row < terrain.rows; ++row) {
-    for (int column = 0; column < terrain.columns; ++column) {
+  for (int row = 0; row < terrain.cells.rows(); ++row) {
+    for (int column = 0; column < terrain.cells.columns(); ++column) {
       const Eigen::Vector2d p_body = T_body_level * terrain.centre(column, row);
       const double ahead = p_body.x() * (near_m < 0.0 ? -1.0 : 1.0);
       if (ahead < std::abs(near_m) || ahead > std::abs(far_m)) continue;
       if (std::abs(p_body.y()) > half_width_m) continue;
       ++cells;
-      const TerrainCell& cell = terrain.at(column, row);
+      const TerrainCell& cell = terrain.cells.at({column, row});
       if (cell.ground != Ground::kObserved || !std::isfinite(cell.low_m)) continue;
       ++observed;
       sum += cell.low_m;
@@ -106,27 +106,23 @@ class DepressionFinder {
   /// The depression of a cell; empty where the cell belongs to none or was visited before.
   Depression of(int column, int row) {
     Depression depression;
-    visit(column, row, depression);
+    visit({column, row}, depression);
     for (std::size_t k = 0; k < depression.cells.size(); ++k) {
-      const auto at = static_cast<int>(depression.cells[k]);
+      const Eigen::Vector2i at = terrain_.cells.cell(depression.cells[k]);
       for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
-          visit(at % terrain_.columns + dx, at / terrain_.columns + dy, depression);
-        }
+        for (int dx = -1; dx <= 1; ++dx) visit(at + Eigen::Vector2i(dx, dy), depression);
       }
     }
     return depression;
   }
 
  private:
-  void visit(int column, int row, Depression& depression) {
-    if (!terrain_.contains(column, row)) return;
-    const TerrainCell& cell = terrain_.at(column, row);
+  void visit(const Eigen::Vector2i& at, Depression& depression) {
+    if (!terrain_.cells.contains(at)) return;
+    const std::size_t i = terrain_.cells.index(at);
+    const TerrainCell& cell = terrain_.cells[i];
     if (cell.ground == Ground::kObserved && !depression.cells.empty())
       depression.rim_m.push_back(cell.low_m);
-    const std::size_t i =
-        static_cast<std::size_t>(row) * static_cast<std::size_t>(terrain_.columns) +
-        static_cast<std::size_t>(column);
     if (cell.ground != Ground::kBelowRay || visited_[i]) return;
     visited_[i] = true;
     depression.cells.push_back(i);
@@ -142,8 +138,8 @@ class DepressionFinder {
 TerrainMap with_confirmed_drops(TerrainMap terrain, double step_max_m) {
   std::vector<std::size_t> unconfirmed;
   DepressionFinder depressions(terrain);
-  for (int row = 0; row < terrain.rows; ++row) {
-    for (int column = 0; column < terrain.columns; ++column) {
+  for (int row = 0; row < terrain.cells.rows(); ++row) {
+    for (int column = 0; column < terrain.cells.columns(); ++column) {
       Depression depression = depressions.of(column, row);
       if (depression.is_drop(step_max_m)) continue;
       unconfirmed.insert(unconfirmed.end(), depression.cells.begin(), depression.cells.end());

@@ -19,7 +19,7 @@ Eigen::Vector2d unit_vector(double angle) { return {std::cos(angle), std::sin(an
 
 GoalField::GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose2& T_level_body,
                      const TerrainMap& terrain, const GoalParams& params,
-                     const std::vector<float>& clearance_m)
+                     const Grid2<float>& clearance_m)
     : kind_(goal.kind),
       params_(params),
       T_level_goal_(T_level_goal),
@@ -38,8 +38,9 @@ GoalField::GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose
   ending_costs_.reserve(terrain.cells.size());
   headings_rad_.reserve(terrain.cells.size());
   in_goal_radius_.reserve(terrain.cells.size());
-  for (int row = 0; row < terrain.rows; ++row) {
-    for (int column = 0; column < terrain.columns; ++column) add_cell(terrain.centre(column, row));
+  for (int row = 0; row < terrain.cells.rows(); ++row) {
+    for (int column = 0; column < terrain.cells.columns(); ++column)
+      add_cell(terrain.centre(column, row));
   }
   if (has_continuation()) add_clearance_cost(clearance_m);
   if (kind_ == PlanGoal::Kind::kRejoin) add_traversed_path(goal.traversed_path_odom, terrain);
@@ -56,14 +57,12 @@ void GoalField::add_traversed_path(const std::vector<Pose2>& traversed_path_odom
   for (std::size_t i = traversed_path_odom.size(); i-- > 0;) {
     const Pose2 T_level_traversed = T_level_odom * traversed_path_odom[i];
     const Eigen::Vector2d p = T_level_traversed.translation();
-    const Eigen::Vector2d cells = (p - terrain.p_level_corner) / terrain.cell_m;
-    const int column = static_cast<int>(std::floor(cells.x()));
-    const int row = static_cast<int>(std::floor(cells.y()));
-    for (int r = row - reach; r <= row + reach; ++r) {
-      for (int c = column - reach; c <= column + reach; ++c) {
-        if (!terrain.contains(c, r) || (terrain.centre(c, r) - p).norm() > kOnPathM) continue;
-        const auto cell = static_cast<std::size_t>(r) * static_cast<std::size_t>(terrain.columns) +
-                          static_cast<std::size_t>(c);
+    const Eigen::Vector2i at = terrain.cell_at(p);
+    for (int row = at.y() - reach; row <= at.y() + reach; ++row) {
+      for (int column = at.x() - reach; column <= at.x() + reach; ++column) {
+        if (!terrain.cells.contains({column, row})) continue;
+        if ((terrain.centre(column, row) - p).norm() > kOnPathM) continue;
+        const std::size_t cell = terrain.cells.index({column, row});
         if (ending_costs_[cell] != kNoGoal) continue;
         ending_costs_[cell] = even_ground_cost(remaining_m);
         headings_rad_[cell] = static_cast<float>(T_level_traversed.theta);
@@ -115,7 +114,7 @@ bool GoalField::continues_beyond(const Eigen::Vector2d& p_level) const {
 }
 
 /// With little clearance at the end, the robot may find no continuation, or only after backing up.
-void GoalField::add_clearance_cost(const std::vector<float>& clearance_m) {
+void GoalField::add_clearance_cost(const Grid2<float>& clearance_m) {
   for (std::size_t i = 0; i < clearance_m.size(); ++i) {
     if (ending_costs_[i] == kNoGoal || in_goal_radius_[i]) continue;
     const double missing_m =

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/config/bounds.hpp"
+#include "common/grid/grid2.hpp"
 #include "common/types/planned_path.hpp"
 #include "common/types/terrain_map.hpp"
 #include "procs/planning/goals/goal_route.hpp"
@@ -54,7 +55,7 @@ class GoalField : public GoalArray {
   /// leaves out the term of the clearance.
   GoalField(const PlanGoal& goal, const Pose2& T_level_goal, const Pose2& T_level_body,
             const TerrainMap& terrain, const GoalParams& params,
-            const std::vector<float>& clearance_m = {});
+            const Grid2<float>& clearance_m = {});
 
   [[nodiscard]] std::int32_t ending_cost(std::size_t cell) const override {
     return ending_costs_[cell];
@@ -81,7 +82,7 @@ class GoalField : public GoalArray {
   [[nodiscard]] std::int32_t corridor_cost(const Eigen::Vector2d& p_level) const;
   [[nodiscard]] std::int32_t target_cost(const Eigen::Vector2d& p_level) const;
   [[nodiscard]] std::int32_t route_cost(const GoalRoute::Projection& projection) const;
-  void add_clearance_cost(const std::vector<float>& clearance_m);
+  void add_clearance_cost(const Grid2<float>& clearance_m);
   void add_traversed_path(const std::vector<Pose2>& traversed_path_odom, const TerrainMap& terrain);
   [[nodiscard]] double progress(const GoalRoute::Projection& projection) const;
   void add_cell(const Eigen::Vector2d& p_level);

@@ -16,7 +16,7 @@ namespace {
 std::vector<std::uint16_t> min_costs(const CSpace& space) {
   std::vector<std::uint16_t> costs(space.cells(), CSpace::kLethal);
   for (int k = 0; k < space.headings() / 2; ++k) {
-    const std::vector<std::uint16_t>& slice = space.slice(k).cells();
+    const Grid2<std::uint16_t>& slice = space.slice(k);
     for (std::size_t i = 0; i < costs.size(); ++i) {
       costs[i] = std::min(costs[i], CSpace::unmarked(slice[i]));
     }

@@ -23,18 +23,15 @@ constexpr double kContactM = 0.1;  // contact of a wheel, before and behind its 
 template <class Visit>
 void visit_cells(const TerrainMap& map, const Pose2& T_level_body, const Eigen::Vector2d& middle,
                  const Eigen::Vector2d& half, const Visit& visit) {
-  const Eigen::Vector2d p = T_level_body * middle - map.p_level_corner;
+  const Eigen::Vector2i at = map.cell_at(T_level_body * middle);
   const int reach = static_cast<int>(std::ceil(half.norm() / map.cell_m));
-  const int column = static_cast<int>(std::floor(p.x() / map.cell_m));
-  const int row = static_cast<int>(std::floor(p.y() / map.cell_m));
+  const Eigen::Vector2i first = (at.array() - reach).max(0);
+  const Eigen::Vector2i last = (at.array() + reach).min(map.cells.box().to.array() - 1);
   const Eigen::Isometry2d T_body_level = motion_of(T_level_body.inverse());
-  for (int r = std::max(row - reach, 0); r <= std::min(row + reach, map.rows - 1); ++r) {
-    for (int c = std::max(column - reach, 0); c <= std::min(column + reach, map.columns - 1); ++c) {
+  for (int r = first.y(); r <= last.y(); ++r) {
+    for (int c = first.x(); c <= last.x(); ++c) {
       const Eigen::Vector2d off = T_body_level * map.centre(c, r) - middle;
-      if ((off.array().abs() <= half.array()).all()) {
-        visit(static_cast<std::size_t>(r) * static_cast<std::size_t>(map.columns) +
-              static_cast<std::size_t>(c));
-      }
+      if ((off.array().abs() <= half.array()).all()) visit(map.cells.index({c, r}));
     }
   }
 }

@@ -67,8 +67,8 @@ class Comparison {
         high_m_(static_cast<float>(vehicle.belly_clearance_m)),
         half_(vehicle.length_m / 2.0, vehicle.width_m / 2.0),
         T_before_now_(motion_of(between(before.T_odom_level(), now.T_odom_level))) {
-    for (int row = 0; row < now.rows; row += kStride) {
-      for (int column = 0; column < now.columns; column += kStride) {
+    for (int row = 0; row < now.cells.rows(); row += kStride) {
+      for (int column = 0; column < now.cells.columns(); column += kStride) {
         const Eigen::Vector2d p_now = now.centre(column, row);
         const Eigen::Vector2d p_before = T_before_now_ * p_now;
         const auto* cell =
@@ -88,7 +88,7 @@ class Comparison {
  private:
   void compare(int column, int row, const Eigen::Vector2d& p_now, const Eigen::Vector2d& p_before,
                const RememberedCell& before) {
-    const TerrainCell& now = now_.at(column, row);
+    const TerrainCell& now = now_.cells.at({column, row});
     const bool observed_now = now.ground == Ground::kObserved && now.count > 0;
     const bool observed_before = before.ground == Ground::kObserved && before.count > 0;
     const bool even_now = observed_now && now.high_m - now.low_m <= obstacle_m_;
@@ -112,7 +112,8 @@ class Comparison {
   [[nodiscard]] bool obstacle_near(int column, int row) const {
     for (int r = row - 1; r <= row + 1; ++r) {
       for (int c = column - 1; c <= column + 1; ++c) {
-        if (now_.contains(c, r) && is_obstacle(now_.at(c, r), obstacle_m_)) return true;
+        if (now_.cells.contains({c, r}) && is_obstacle(now_.cells.at({c, r}), obstacle_m_))
+          return true;
       }
     }
     return false;

@@ -9,9 +9,9 @@ namespace adit {
 RememberedMap::RememberedMap(const TerrainMap& map, double distance_travelled_m)
     : finder_(map), T_odom_level_(map.T_odom_level), distance_travelled_m_(distance_travelled_m) {
   cells_.reserve(map.cells.size());
-  for (int row = 0; row < map.rows; ++row) {
-    for (int column = 0; column < map.columns; ++column) {
-      const TerrainCell& cell = map.at(column, row);
+  for (int row = 0; row < map.cells.rows(); ++row) {
+    for (int column = 0; column < map.cells.columns(); ++column) {
+      const TerrainCell& cell = map.cells.at({column, row});
       const Ground ground = is_narrow_gap(map, column, row) ? Ground::kNeverObserved : cell.ground;
       cells_.push_back({cell.low_m, cell.high_m, cell.clearance_m, cell.count, ground});
     }
@@ -26,11 +26,11 @@ constexpr int kEvenAround = 5;  // even cells of the eight neighbours that close
 }  // namespace
 
 bool is_narrow_gap(const TerrainMap& map, int column, int row) {
-  if (map.at(column, row).ground != Ground::kBelowRay) return false;
+  if (map.cells.at({column, row}).ground != Ground::kBelowRay) return false;
   int around = 0;
   const auto count_open = [&](int c, int r) {
-    if (!map.contains(c, r)) return;
-    const Ground ground = map.at(c, r).ground;
+    if (!map.cells.contains({c, r})) return;
+    const Ground ground = map.cells.at({c, r}).ground;
     if (ground == Ground::kBelowRay || ground == Ground::kNoReturn) ++around;
   };
   for (const int step : {-1, 1}) {
@@ -44,16 +44,15 @@ void close_narrow_gaps(TerrainMap& map, const std::vector<std::uint8_t>& changed
                        float obstacle_m) {
   std::vector<std::pair<std::size_t, float>>
       closed;  // applied at the end: closed cells do not close others
-  for (int row = 1; row + 1 < map.rows; ++row) {
-    for (int column = 1; column + 1 < map.columns; ++column) {
-      const std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +
-                            static_cast<std::size_t>(column);
+  for (int row = 1; row + 1 < map.cells.rows(); ++row) {
+    for (int column = 1; column + 1 < map.cells.columns(); ++column) {
+      const std::size_t i = map.cells.index({column, row});
       if (!is_unknown(map.cells[i]) || changed[i] != 0) continue;
       int even = 0;
       float sum = 0.0F;
       for (int r = row - 1; r <= row + 1; ++r) {
         for (int c = column - 1; c <= column + 1; ++c) {
-          const TerrainCell& cell = map.at(c, r);
+          const TerrainCell& cell = map.cells.at({c, r});
           if (cell.ground != Ground::kObserved || cell.high_m - cell.low_m > obstacle_m) continue;
           ++even;
           sum += cell.low_m;

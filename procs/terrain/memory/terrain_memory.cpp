@@ -23,10 +23,8 @@ template <class Visit>
 void visit_around(const TerrainMap& map, int column, int row, int reach, const Visit& visit) {
   for (int r = row - reach; r <= row + reach; ++r) {
     for (int c = column - reach; c <= column + reach; ++c) {
-      if (!map.contains(c, r)) continue;
-      visit(c, r,
-            static_cast<std::size_t>(r) * static_cast<std::size_t>(map.columns) +
-                static_cast<std::size_t>(c));
+      if (!map.cells.contains({c, r})) continue;
+      visit(c, r, map.cells.index({c, r}));
     }
   }
 }
@@ -51,9 +49,9 @@ std::vector<std::uint8_t> changed_ground(const TerrainMap& now,
   const auto reach = static_cast<int>(std::lround(params.memory.change_reach_m / now.cell_m));
   std::vector<std::uint8_t> changed(now.cells.size(), 0);
   std::vector<std::pair<int, int>> front;
-  for (int row = 0; row < now.rows; ++row) {
-    for (int column = 0; column < now.columns; ++column) {
-      if (!is_obstacle(now.at(column, row), obstacle_m)) continue;
+  for (int row = 0; row < now.cells.rows(); ++row) {
+    for (int column = 0; column < now.cells.columns(); ++column) {
+      if (!is_obstacle(now.cells.at({column, row}), obstacle_m)) continue;
       if (was_even(now, recalled, column, row, obstacle_m)) front.emplace_back(column, row);
     }
   }
@@ -148,10 +146,10 @@ void TerrainMemory::gather(const TerrainMap& map, const RememberedMap& before,
   const auto cell_m = static_cast<float>(map.cell_m);
   const Eigen::Vector2f step_column(cell_m * static_cast<float>(std::cos(T_before_now.theta)),
                                     cell_m * static_cast<float>(std::sin(T_before_now.theta)));
-  for (int row = 0; row < map.rows; ++row) {
+  for (int row = 0; row < map.cells.rows(); ++row) {
     const Eigen::Vector2f first = (T_before_now * map.centre(0, row)).cast<float>();
-    std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns);
-    for (int column = 0; column < map.columns; ++column, ++i) {
+    std::size_t i = map.cells.index({0, row});
+    for (int column = 0; column < map.cells.columns(); ++column, ++i) {
       RememberedCell& cell = recalled_[i];
       if (cell.is_informative() && (cell.invalidated || cell.count > 0)) continue;
       const Eigen::Vector2f p = first + static_cast<float>(column) * step_column;

@@ -44,7 +44,7 @@ float foot_m(std::span<const BeamEnd> beams) {
 /// Distance from a point to the farthest corner of the map.
 float reach_m(const TerrainMap& map, const Eigen::Vector3f& origin) {
   const Eigen::Vector2d low = map.p_level_corner;
-  const Eigen::Vector2d high = low + map.cell_m * Eigen::Vector2d(map.columns, map.rows);
+  const Eigen::Vector2d high = low + map.cell_m * map.cells.box().to.cast<double>();
   const Eigen::Vector2d place = origin.head<2>().cast<double>();
   return static_cast<float>((place - low).cwiseAbs().cwiseMax((high - place).cwiseAbs()).norm());
 }
@@ -205,9 +205,9 @@ void classify_unseen_ground(TerrainMap& map, const Cloud& cloud, const CellHeigh
   const BeamEnds ends(map, ground, params);
   for (const auto& lines : by_viewpoint(cloud)) {
     const SightLines sight(lines, ends, map, params);
-    for (int row = 0; row < map.rows; ++row) {
-      for (int column = 0; column < map.columns; ++column) {
-        TerrainCell& cell = map.at(column, row);
+    for (int row = 0; row < map.cells.rows(); ++row) {
+      for (int column = 0; column < map.cells.columns(); ++column) {
+        TerrainCell& cell = map.cells.at({column, row});
         if (std::isfinite(heights.lowest_m(column, row)) && cell.ground == Ground::kObserved)
           continue;
         const Eigen::Vector2f p = map.centre(column, row).cast<float>();

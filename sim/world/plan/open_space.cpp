@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "common/config/number_text.hpp"
 #include "sim/world/plan/plan_geometry.hpp"
 #include "sim/world/relief.hpp"
@@ -61,7 +63,8 @@ std::vector<PlanPolygon> polygons_of(const std::vector<PolygonDescription>& desc
                                      const std::string& kind) {
   std::vector<PlanPolygon> polygons;
   for (const PolygonDescription& polygon : descriptions) {
-    polygons.push_back({corner_list(polygon.points_m, 3, kind + " '" + polygon.name + "'")});
+    polygons.push_back(
+        {corner_list(polygon.points_m, 3, fmt::format("{} '{}'", kind, polygon.name))});
   }
   return polygons;
 }
@@ -73,9 +76,9 @@ TunnelSegment apron_of(const TunnelSegment& first) {
 /// Also rejects NaN.
 void require_within(double farthest_m) {
   if (farthest_m <= OpenSpace::kExtentMax) return;
-  throw std::invalid_argument("the plan reaches " + number_text(farthest_m) +
-                              " m from the origin; " + number_text(OpenSpace::kExtentMax) +
-                              " m is the most");
+  throw std::invalid_argument(fmt::format("the plan reaches {} m from the origin; {} m is the most",
+                                          number_text(farthest_m),
+                                          number_text(OpenSpace::kExtentMax)));
 }
 
 void check_extent(const std::vector<PlanShape>& shapes) {

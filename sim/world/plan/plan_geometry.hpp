@@ -3,8 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
-#include <vector>
 
 #include <Eigen/Core>
 
@@ -28,10 +26,5 @@ inline double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2
                                   const Eigen::Vector2d& b) {
   return (p - a - nearest_share(p, a, b) * (b - a)).norm();
 }
-
-/// The points of a list x, y, x, y, .. Throws std::invalid_argument, beginning with `what`, for an
-/// odd list, one of fewer than `least` points, or one with a number that is not finite.
-std::vector<Eigen::Vector2d> corner_list(const std::vector<double>& numbers, std::size_t least,
-                                         const std::string& what);
 
 }  // namespace adit

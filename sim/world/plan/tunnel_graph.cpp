@@ -13,6 +13,8 @@
 namespace adit {
 namespace {
 
+constexpr double kMergeDistance = 1.0;
+
 /// One segment of a line.
 struct Segment {
   Eigen::Vector2d from;
@@ -45,6 +47,12 @@ std::optional<std::pair<double, double>> crossing(const Segment& a, const Segmen
   return std::pair(share_a, share_b);
 }
 
+/// Where a tunnel is split at a node: the distance along it, and the position of the node.
+struct TunnelSplit {
+  double s_m = 0.0;                  ///< along the tunnel
+  Eigen::Vector2d p_node{0.0, 0.0};  ///< p_world [m]
+};
+
 /// All tunnels of a plan, and where each of them is split.
 class Splitter {
  public:
@@ -53,6 +61,8 @@ class Splitter {
     for (const TunnelLine& tunnel : tunnels) segments_.push_back(segments_of(tunnel));
   }
 
+  /// For each tunnel, unordered: where it crosses itself or another, where another ends within half
+  /// of its width, and its own ends.
   std::vector<std::vector<TunnelSplit>> splits() {
     for (std::size_t a = 0; a < tunnels_.size(); ++a) {
       for (std::size_t b = a; b < tunnels_.size(); ++b) add_crossings(a, b);
@@ -102,16 +112,6 @@ class Splitter {
   std::vector<std::vector<Segment>> segments_;
   std::vector<std::vector<TunnelSplit>> splits_;
 };
-
-}  // namespace
-
-std::vector<std::vector<TunnelSplit>> tunnel_splits(const std::vector<TunnelLine>& tunnels) {
-  return Splitter(tunnels).splits();
-}
-
-namespace {
-
-constexpr double kMergeDistance = 1.0;
 
 int node_at(const Eigen::Vector2d& p_world, std::vector<TunnelNode>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -174,7 +174,7 @@ void add_edges(const TunnelLine& line, std::vector<TunnelSplit> splits, TunnelGr
 
 TunnelGraph tunnel_graph(const std::vector<TunnelLine>& tunnels) {
   TunnelGraph graph;
-  const std::vector<std::vector<TunnelSplit>> splits = tunnel_splits(tunnels);
+  const std::vector<std::vector<TunnelSplit>> splits = Splitter(tunnels).splits();
   for (std::size_t i = 0; i < tunnels.size(); ++i) add_edges(tunnels[i], splits[i], graph);
   for (const TunnelLine& tunnel : tunnels) {
     if (!tunnel.entrance) continue;

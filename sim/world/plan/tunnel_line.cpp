@@ -7,6 +7,9 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
 
 #include "sim/world/plan/plan_geometry.hpp"
 
@@ -19,12 +22,12 @@ constexpr double kTouchMargin = 0.01;
 constexpr double kSamePoint = 1e-3;
 
 TunnelLine line_of(const TunnelDescription& tunnel) {
-  const std::string what = "tunnel '" + tunnel.name + "'";
+  const std::string what = fmt::format("tunnel '{}'", tunnel.name);
   TunnelLine line{tunnel.name, corner_list(tunnel.points_m, 2, what), tunnel.width_m,
                   tunnel.entrance};
   for (std::size_t i = 1; i < line.points.size(); ++i) {
     if ((line.points[i] - line.points[i - 1]).norm() < kSamePoint) {
-      throw std::invalid_argument(what + " has the same point twice in a row");
+      throw std::invalid_argument(fmt::format("{} has the same point twice in a row", what));
     }
   }
   return line;
@@ -33,7 +36,7 @@ TunnelLine line_of(const TunnelDescription& tunnel) {
 TunnelLine entry(const PanelDescription& panel, int i) {
   const double y = i * panel.entry_spacing_m;
   const Pose2& T = panel.T_world_panel;
-  return {panel.name + "_entry_" + std::to_string(i),
+  return {fmt::format("{}_entry_{}", panel.name, i),
           {T * Eigen::Vector2d(0.0, y), T * Eigen::Vector2d(panel.length_m, y)},
           panel.entry_width_m,
           false};
@@ -43,10 +46,10 @@ TunnelLine crosscut(const PanelDescription& panel, int j) {
   const double x = panel.first_crosscut_m + j * panel.crosscut_spacing_m;
   const double y = (panel.entries - 1) * panel.entry_spacing_m;
   const double x_last = x + y * std::tan(panel.slant_rad);
-  const std::string name = panel.name + "_crosscut_" + std::to_string(j);
+  const std::string name = fmt::format("{}_crosscut_{}", panel.name, j);
   if (std::min(x, x_last) < 0.0 || std::max(x, x_last) > panel.length_m) {
-    throw std::invalid_argument("tunnel '" + name + "' leaves its panel, which is " +
-                                std::to_string(panel.length_m) + " m long");
+    throw std::invalid_argument(
+        fmt::format("tunnel '{}' leaves its panel, which is {:f} m long", name, panel.length_m));
   }
   const Pose2& T = panel.T_world_panel;
   return {name,
@@ -65,12 +68,30 @@ void check_names(const std::vector<TunnelLine>& lines) {
   std::set<std::string> names;
   for (const TunnelLine& line : lines) {
     if (!names.insert(line.name).second) {
-      throw std::invalid_argument("two tunnels are named '" + line.name + "'");
+      throw std::invalid_argument(fmt::format("two tunnels are named '{}'", line.name));
     }
   }
 }
 
 }  // namespace
+
+std::vector<Eigen::Vector2d> corner_list(const std::vector<double>& numbers, std::size_t least,
+                                         const std::string& what) {
+  if (numbers.size() % 2 != 0) {
+    throw std::invalid_argument(fmt::format("{}: points_m has an x without its y", what));
+  }
+  if (numbers.size() / 2 < least) {
+    throw std::invalid_argument(fmt::format("{}: points_m has {} points, at least {} are needed",
+                                            what, numbers.size() / 2, least));
+  }
+  if (!std::all_of(numbers.begin(), numbers.end(), [](double n) { return std::isfinite(n); })) {
+    throw std::invalid_argument(fmt::format("{}: points_m has a number that is not finite", what));
+  }
+  std::vector<Eigen::Vector2d> points;
+  for (std::size_t i = 0; i < numbers.size(); i += 2)
+    points.emplace_back(numbers[i], numbers[i + 1]);
+  return points;
+}
 
 double TunnelLine::length_m() const {
   double length = 0.0;
@@ -134,13 +155,14 @@ std::vector<TunnelLine> tunnel_lines(const PlanDescription& plan) {
 
 const TunnelLine& find_tunnel(const std::vector<TunnelLine>& tunnels, const std::string& name,
                               const std::string& what) {
-  std::string names;
+  std::vector<std::string_view> names;
   for (const TunnelLine& tunnel : tunnels) {
     if (tunnel.name == name) return tunnel;
-    names += (names.empty() ? "" : ", ") + tunnel.name;
+    names.emplace_back(tunnel.name);
   }
-  throw std::invalid_argument(what + " is in tunnel '" + name + "', but there " +
-                              (names.empty() ? "are no tunnels" : "are only: " + names));
+  throw std::invalid_argument(fmt::format(
+      "{} is in tunnel '{}', but there {}", what, name,
+      names.empty() ? "are no tunnels" : fmt::format("are only: {}", fmt::join(names, ", "))));
 }
 
 }  // namespace adit

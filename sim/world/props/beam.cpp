@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "sim/world/props/placement.hpp"
 #include "sim/world/props/prop_site.hpp"
 
 namespace adit {

@@ -3,11 +3,49 @@
 #include "sim/world/props/prop_site.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <stdexcept>
 
+#include <fmt/format.h>
+
+#include "common/config/number_text.hpp"
 #include "sim/world/props/outlines.hpp"
 
 namespace adit {
+namespace {
+
+void require_along(const TunnelLine& tunnel, double at_m, const std::string& what) {
+  if (at_m >= 0.0 && at_m <= tunnel.length_m()) return;
+  throw std::invalid_argument(fmt::format("{}: {} m is not along tunnel '{}', which is {} m long",
+                                          what, number_text(at_m), tunnel.name,
+                                          number_text(tunnel.length_m())));
+}
+
+}  // namespace
+
+const TunnelLine& tunnel_with(const std::vector<TunnelLine>& tunnels, const std::string& name,
+                              double at_m, const std::string& what) {
+  const TunnelLine& tunnel = find_tunnel(tunnels, name, what);
+  require_along(tunnel, at_m, what);
+  return tunnel;
+}
+
+const TunnelLine& tunnel_with(const std::vector<TunnelLine>& tunnels, const std::string& name,
+                              double from_m, double to_m, const std::string& what) {
+  const TunnelLine& tunnel = tunnel_with(tunnels, name, from_m, what);
+  require_along(tunnel, to_m, what);
+  if (to_m > from_m) return tunnel;
+  throw std::invalid_argument(fmt::format("{}: ends at {} m, and begins at {} m", what,
+                                          number_text(to_m), number_text(from_m)));
+}
+
+std::vector<double> places_between(double from_m, double to_m, double step_m) {
+  const int steps = std::max(1, static_cast<int>(std::ceil((to_m - from_m) / step_m)));
+  std::vector<double> places;
+  for (int i = 0; i <= steps; ++i) places.push_back(from_m + (to_m - from_m) * i / steps);
+  return places;
+}
 
 Eigen::Vector3d on_floor(const PropSite& site, const TunnelLine& tunnel, double s_m,
                          double across_m) {

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/world/props/placement.hpp"
+#include <fmt/format.h>
+
 #include "sim/world/props/prop_site.hpp"
 
 namespace adit {
@@ -18,7 +19,7 @@ constexpr double kRadiusSpread = 0.15;
 std::string next_name(const World& world) {
   const auto posts = std::count_if(world.truth.obstacles.begin(), world.truth.obstacles.end(),
                                    [](const Obstacle& o) { return o.kind == PartKind::kPost; });
-  return "post_" + std::to_string(posts + 1);
+  return fmt::format("post_{}", posts + 1);
 }
 
 void add_post(const PostsDescription& posts, const TunnelLine& tunnel, double s_m, double across_m,

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/world/props/rubble.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <vector>
 
 #include <Eigen/Geometry>
 
-#include "sim/world/props/placement.hpp"
+#include "sim/world/props/outlines.hpp"
 #include "sim/world/props/prop_site.hpp"
 
 namespace adit {
@@ -18,6 +18,11 @@ namespace {
 /// Random displacement of the corners, relative to their distance from the centre: small enough
 /// that the facets of the icosahedron remain those of the convex hull.
 constexpr double kShake = 0.12;
+
+constexpr double kSunk = 0.05;   // how far the rim lies under the floor [m]
+constexpr double kNoise = 0.12;  // of the surface, as a fraction of the height
+constexpr double kStonesPerM2 = 5.0;
+constexpr double kBulking = 1.5;  // volume of fallen rock relative to that of its cavity
 
 std::array<Eigen::Vector3d, 12> icosahedron() {
   const double g = std::numbers::phi;
@@ -53,29 +58,6 @@ Eigen::Matrix3d random_rotation(std::mt19937_64& random) {
   return Eigen::AngleAxisd(angle, (axis + Eigen::Vector3d(0.0, 0.0, 2.0)).normalized())
       .toRotationMatrix();
 }
-
-}  // namespace
-
-void add_stone(const Eigen::Vector3d& middle, double radius_m, std::mt19937_64& random,
-               MeshBuilder& builder) {
-  const Eigen::Vector3d half_axes = radius_m * random_vector(0.5, 1.0, random);
-  const Eigen::Matrix3d rotation = random_rotation(random);
-  std::array<std::uint32_t, 12> corners{};
-  const auto regular = icosahedron();
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Eigen::Vector3d shaken =
-        (regular[i].normalized() + random_vector(-kShake, kShake, random)).normalized();
-    const Eigen::Vector3d p_world = middle + rotation * half_axes.cwiseProduct(shaken);
-    corners[i] = builder.vertex(p_world.cast<float>());
-  }
-  for (const auto& [a, b, c] : kFacets) builder.triangle(corners[a], corners[b], corners[c]);
-}
-
-namespace {
-
-constexpr double kSunk = 0.05;   // how far the rim lies under the floor [m]
-constexpr double kNoise = 0.12;  // of the surface, as a fraction of the height
-constexpr double kStonesPerM2 = 5.0;
 
 Eigen::Vector2d on_circle(const Eigen::Vector2d& middle, double radius_m, double angle) {
   return middle + radius_m * Eigen::Vector2d(std::cos(angle), std::sin(angle));
@@ -130,6 +112,33 @@ void add_stones(const RubbleDescription& rubble, const Eigen::Vector2d& middle, 
 }
 
 }  // namespace
+
+void add_stone(const Eigen::Vector3d& middle, double radius_m, std::mt19937_64& random,
+               MeshBuilder& builder) {
+  const Eigen::Vector3d half_axes = radius_m * random_vector(0.5, 1.0, random);
+  const Eigen::Matrix3d rotation = random_rotation(random);
+  std::array<std::uint32_t, 12> corners{};
+  const auto regular = icosahedron();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector3d shaken =
+        (regular[i].normalized() + random_vector(-kShake, kShake, random)).normalized();
+    const Eigen::Vector3d p_world = middle + rotation * half_axes.cwiseProduct(shaken);
+    corners[i] = builder.vertex(p_world.cast<float>());
+  }
+  for (const auto& [a, b, c] : kFacets) builder.triangle(corners[a], corners[b], corners[c]);
+}
+
+HeightChange cavity_above(const RubbleDescription& rubble, const TunnelLine& tunnel) {
+  const Eigen::Vector2d middle = tunnel.beside(rubble.at_m, rubble.across_m);
+  // On the same base, paraboloid and cone have half and a third of the volume of their cylinder.
+  const double rise_m = rubble.height_m * (2.0 / 3.0) / kBulking;
+  const PlanBox box = box_around(middle, rubble.radius_m);
+  return {box.low, box.high,
+          [=, radius_m = rubble.radius_m](const Eigen::Vector2d& p_world, double roof_m) {
+            const double share2 = (p_world - middle).squaredNorm() / (radius_m * radius_m);
+            return roof_m + rise_m * std::max(0.0, 1.0 - share2);
+          }};
+}
 
 void add_prop(const RubbleDescription& rubble, PropSite& site) {
   const TunnelLine& tunnel = tunnel_with(site.tunnels, rubble.tunnel, rubble.at_m, site.what);

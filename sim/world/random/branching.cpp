@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <optional>
-#include <string>
+
+#include <fmt/format.h>
 
 #include "sim/world/plan/tunnel_line.hpp"
 #include "sim/world/random/topologies.hpp"
-#include "sim/world/random/wandering_line.hpp"
 
 namespace adit {
 namespace {
@@ -40,7 +40,7 @@ std::optional<TunnelDescription> branch_of(const std::vector<TunnelLine>& tunnel
   const TunnelLine::Station at = tunnel.at(rng.between(first_m, tunnel.length_m() - 2.0));
   const double heading = at.heading_rad + rng.side() * rng.between(0.9, 1.5);
   TunnelDescription branch =
-      tunnel_along("branch_" + std::to_string(tunnels.size()),
+      tunnel_along(fmt::format("branch_{}", tunnels.size()),
                    wandering_line(at.p_world, heading, length_m, rng), rng.between(2.5, 4.5));
   PlanDescription alone;
   alone.tunnels.push_back(branch);

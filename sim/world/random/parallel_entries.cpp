@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <string>
+
+#include <fmt/format.h>
 
 #include "sim/world/plan/tunnel_line.hpp"
 #include "sim/world/random/topologies.hpp"
-#include "sim/world/random/wandering_line.hpp"
 
 namespace adit {
 namespace {
@@ -38,15 +38,15 @@ PlanDescription parallel_entries(double length_m, RandomGenerator& rng) {
 
   const double end_m = main.length_m() - 3.0;
   for (int entry = 1; entry <= beside; ++entry) {
-    const std::string number = std::to_string(entry);
-    plan.tunnels.push_back(tunnel_along("entry_" + number, line_beside(main, entry * spacing_m),
+    plan.tunnels.push_back(tunnel_along(fmt::format("entry_{}", entry),
+                                        line_beside(main, entry * spacing_m),
                                         rng.between(2.6, 4.5)));
     int crosscut = 0;
     for (double s_m = kUndamagedLength + 2.0; s_m < end_m; s_m += crosscut_every_m) {
       const std::vector<Eigen::Vector2d> line{main.beside(s_m, (entry - 1) * spacing_m),
                                               main.beside(s_m, entry * spacing_m)};
-      plan.tunnels.push_back(tunnel_along("crosscut_" + number + "_" + std::to_string(++crosscut),
-                                          line, rng.between(2.5, 3.5)));
+      plan.tunnels.push_back(tunnel_along(fmt::format("crosscut_{}_{}", entry, ++crosscut), line,
+                                          rng.between(2.5, 3.5)));
     }
   }
   return plan;

@@ -2,15 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/world/random/random_mine.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
-#include "sim/world/random/random_props.hpp"
+#include <fmt/format.h>
+
+#include "sim/world/plan/tunnel_line.hpp"
+#include "sim/world/random/random_generator.hpp"
 #include "sim/world/random/topologies.hpp"
 
 namespace adit {
 namespace {
+
+constexpr double kPlaceEvery = 12.0;  // longer than the props of one place [m]
+constexpr double kFromEnds =
+    4.0;  // distance of places from the junctions at the ends of a tunnel [m]
+constexpr double kPostsShare = 0.3;  // of the places without damage
+constexpr double kRailsShare = 0.6;  // of the mines
+constexpr double kReach = 5.0;       // of the largest prop from its place [m]
 
 using Topology = PlanDescription (*)(double length_m, RandomGenerator& rng);
 
@@ -30,8 +43,9 @@ Topology find_topology(const std::string& name, RandomGenerator& rng) {
   for (const NamedTopology& topology : kTopologies) {
     if (name == topology.name) return topology.make;
   }
-  throw std::invalid_argument("unknown topology '" + name +
-                              "'; known: any, parallel_entries, room_and_pillar, branching, ring");
+  throw std::invalid_argument(fmt::format(
+      "unknown topology '{}'; known: any, parallel_entries, room_and_pillar, branching, ring",
+      name));
 }
 
 HeightsDescription random_heights(double length_m, RandomGenerator& rng) {
@@ -47,12 +61,143 @@ HeightsDescription random_heights(double length_m, RandomGenerator& rng) {
   return heights;
 }
 
+/// A place for a prop.
+struct Place {
+  const TunnelLine& tunnel;
+  double at_m;
+
+  [[nodiscard]] double half_width_m() const { return tunnel.width_m / 2.0; }
+};
+
+double beside_wall(const Place& place, double from_wall_m, RandomGenerator& rng) {
+  return rng.side() * std::max(0.0, place.half_width_m() - from_wall_m);
+}
+
+void add_posts(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  props.posts.push_back({.tunnel = place.tunnel.name,
+                         .from_m = place.at_m - 3.0,
+                         .to_m = place.at_m + 3.0,
+                         .every_m = rng.between(1.5, 3.0),
+                         .across_m = beside_wall(place, 0.35, rng),
+                         .both_sides = place.tunnel.width_m > 3.5 && rng.chance(0.4)});
+}
+
+void add_crib(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  props.cribs.push_back({.tunnel = place.tunnel.name,
+                         .at_m = place.at_m,
+                         .across_m = beside_wall(place, 0.5, rng),
+                         .side_m = rng.between(0.6, 1.0)});
+}
+
+void add_rubble(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  props.rubble.push_back({.tunnel = place.tunnel.name,
+                          .at_m = place.at_m,
+                          .across_m = rng.between(-1.0, 1.0) * place.half_width_m(),
+                          .radius_m = rng.between(0.8, 2.5),
+                          .height_m = rng.between(0.3, 2.0)});
+}
+
+void add_low_roof(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  const double half_m = rng.between(1.0, 3.5);
+  props.low_roofs.push_back({.name = fmt::format("low_roof_{}", props.low_roofs.size() + 1),
+                             .tunnel = place.tunnel.name,
+                             .from_m = place.at_m - half_m,
+                             .to_m = place.at_m + half_m,
+                             .clearance_m = rng.between(0.6, 1.4)});
+}
+
+void add_pit(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  props.pits.push_back({.name = fmt::format("pit_{}", props.pits.size() + 1),
+                        .tunnel = place.tunnel.name,
+                        .at_m = place.at_m,
+                        .across_m = rng.between(-0.8, 0.8) * place.half_width_m(),
+                        .radius_m = rng.between(0.4, 1.2),
+                        .depth_m = rng.between(0.4, 2.0)});
+}
+
+void add_water(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  const double half_m = rng.between(1.5, 3.8);
+  props.water.push_back({.name = fmt::format("water_{}", props.water.size() + 1),
+                         .tunnel = place.tunnel.name,
+                         .from_m = place.at_m - half_m,
+                         .to_m = place.at_m + half_m,
+                         .depth_m = rng.between(0.1, 0.8),
+                         .mirror = rng.chance(0.3)});
+}
+
+void add_mud(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  props.mud.push_back({.name = fmt::format("mud_{}", props.mud.size() + 1),
+                       .tunnel = place.tunnel.name,
+                       .at_m = place.at_m,
+                       .radius_m = rng.between(1.0, 3.0),
+                       .depth_m = rng.between(0.05, 0.3)});
+}
+
+void add_beam(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  props.beams.push_back({.tunnel = place.tunnel.name,
+                         .at_m = place.at_m,
+                         .thickness_m = rng.between(0.15, 0.3),
+                         .yaw_rad = rng.between(-0.8, 0.8),
+                         .high_end_m = rng.between(0.9, 1.5),
+                         .cables = rng.between(0, 3),
+                         .cable_sag_m = rng.between(0.3, 1.0)});
+}
+
+void add_car(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  props.cars.push_back({.tunnel = place.tunnel.name,
+                        .at_m = place.at_m,
+                        .across_m = rng.chance(0.5) ? 0.0 : beside_wall(place, 0.8, rng),
+                        .width_m = rng.between(0.8, 1.1)});
+}
+
+void add_damage(const Place& place, RandomGenerator& rng, PropDescriptions& props) {
+  using Add = void (*)(const Place&, RandomGenerator&, PropDescriptions&);
+  // Roof falls are the most frequent damage; cribs support roofs at risk.
+  constexpr std::array<Add, 10> kKinds{add_rubble, add_rubble, add_rubble, add_crib, add_low_roof,
+                                       add_pit,    add_water,  add_mud,    add_beam, add_car};
+  const int kind = rng.between(0, static_cast<int>(kKinds.size()) - 1);
+  kKinds[static_cast<std::size_t>(kind)](place, rng, props);
+}
+
+/// The tunnel behind the entrance is undamaged; branches begin beyond that.
+bool is_undamaged(const Place& place) {
+  return place.tunnel.at(place.at_m).p_world.norm() < kUndamagedLength + kReach;
+}
+
+void add_rails(const TunnelLine& main, PropDescriptions& props) {
+  props.rails.push_back(
+      {.tunnel = main.name, .from_m = 1.0, .to_m = main.length_m() - 2.0, .gauge_m = 0.6});
+}
+
+/// The props along all tunnels except the first metres behind the entrance: damage at the fraction
+/// `damage` of the places, and intact posts between them.
+PropDescriptions random_props(const PlanDescription& plan, double damage, RandomGenerator& rng) {
+  PropDescriptions props;
+  const std::vector<TunnelLine> tunnels = tunnel_lines(plan);
+  if (rng.chance(kRailsShare)) add_rails(tunnels.front(), props);
+  for (const TunnelLine& tunnel : tunnels) {
+    const double last_m = tunnel.length_m() - kFromEnds - kPlaceEvery / 2.0;
+    for (double s_m = kFromEnds; s_m <= last_m; s_m += kPlaceEvery) {
+      const Place place{tunnel, s_m + rng.between(4.0, 6.0)};
+      const bool damaged = rng.chance(damage);
+      const bool posts = rng.chance(kPostsShare);
+      if (is_undamaged(place)) continue;
+      if (damaged) {
+        add_damage(place, rng, props);
+      } else if (posts) {
+        add_posts(place, rng, props);
+      }
+    }
+  }
+  return props;
+}
+
 }  // namespace
 
 WorldDescription random_mine(int seed, const RandomMineParams& params) {
   RandomGenerator rng(static_cast<std::uint64_t>(seed));
   WorldDescription description;
-  description.name = "random_" + std::to_string(seed);
+  description.name = fmt::format("random_{}", seed);
   description.seed = seed;
   description.T_world_start = {3.0, 0.0, 0.0};
   description.plan = find_topology(params.topology, rng)(params.length_m, rng);

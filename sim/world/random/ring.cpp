@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "sim/world/random/topologies.hpp"
-#include "sim/world/random/wandering_line.hpp"
 
 namespace adit {
 namespace {

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "sim/world/random/topologies.hpp"
-#include "sim/world/random/wandering_line.hpp"
 
 namespace adit {
 namespace {

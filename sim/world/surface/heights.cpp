@@ -12,10 +12,21 @@ namespace adit {
 namespace {
 
 constexpr double kHeightMax = 5000.0;  // deeper than any mine [m]
+constexpr double kClearanceMin = 0.05;
+
+double changed(const std::vector<HeightChange>& changes, const Eigen::Vector2d& p_world,
+               double height_m) {
+  for (const HeightChange& change : changes) {
+    const bool within = (p_world.array() >= change.low.array()).all() &&
+                        (p_world.array() <= change.high.array()).all();
+    if (within) height_m = change.apply(p_world, height_m);
+  }
+  return height_m;
+}
 
 }  // namespace
 
-HeightProfile::HeightProfile(const std::vector<double>& profile_m) {
+HeightProfile::HeightProfile(const std::vector<double>& profile_m, Grade grade) : grade_(grade) {
   if (profile_m.size() % 2 != 0) {
     throw std::invalid_argument("heights: profile_m has an s without a z");
   }
@@ -56,29 +67,14 @@ double HeightProfile::at(double s_m) const {
   const Knot& b = *next;
   const double length = b.s_m - a.s_m;
   const double t = (s_m - a.s_m) / length;
+  if (grade_ == Grade::kSudden) return std::lerp(a.z_m, b.z_m, t);
   const double rest = 1.0 - t;
   return rest * rest * ((1.0 + 2.0 * t) * a.z_m + t * length * a.slope) +
          t * t * ((1.0 + 2.0 * rest) * b.z_m - rest * length * b.slope);
 }
 
-namespace {
-
-constexpr double kClearanceMin = 0.05;
-
-double changed(const std::vector<HeightChange>& changes, const Eigen::Vector2d& p_world,
-               double height_m) {
-  for (const HeightChange& change : changes) {
-    const bool within = (p_world.array() >= change.low.array()).all() &&
-                        (p_world.array() <= change.high.array()).all();
-    if (within) height_m = change.apply(p_world, height_m);
-  }
-  return height_m;
-}
-
-}  // namespace
-
 Heights::Heights(const HeightsDescription& description, int seed)
-    : profile_(description.profile_m),
+    : profile_(description.profile_m, HeightProfile::grade_named(description.grade)),
       heading_(std::cos(description.heading_rad), std::sin(description.heading_rad)),
       clearance_m_(description.clearance_m),
       floor_relief_(description.floor_relief, relief_seed(seed, ReliefKind::kFloor)),

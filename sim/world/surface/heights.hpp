@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,14 +13,20 @@
 
 namespace adit {
 
-/// A smooth, monotonicity-preserving curve through points: cubic Hermite interpolation with the
-/// slopes of Fritsch and Butland ("A method for constructing local monotone piecewise cubic
-/// interpolants", 1984), level at and beyond its ends.
+/// A curve through points, level beyond its ends: smooth and monotonicity-preserving, by cubic
+/// Hermite interpolation with the slopes of Fritsch and Butland ("A method for constructing local
+/// monotone piecewise cubic interpolants", 1984) and slope 0 at its ends, or linear.
 class HeightProfile {
  public:
+  enum class Grade { kSmooth, kSudden };
+  /// The value of a key `grade`.
+  static Grade grade_named(const std::string& name) {
+    return name == "sudden" ? Grade::kSudden : Grade::kSmooth;
+  }
+
   /// `profile_m` is s, z, s, z, ..; empty gives 0 everywhere. Throws std::invalid_argument for an
   /// odd list, for s that does not ascend, and for heights beyond 5000 m.
-  explicit HeightProfile(const std::vector<double>& profile_m);
+  explicit HeightProfile(const std::vector<double>& profile_m, Grade grade = Grade::kSmooth);
 
   [[nodiscard]] double at(double s_m) const;
 
@@ -31,6 +38,7 @@ class HeightProfile {
   };
   void set_slopes();
 
+  Grade grade_;
   std::vector<Knot> knots_;
 };
 

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <Eigen/Core>
 
 #include "sim/world/surface/plan_mesh.hpp"
 
@@ -29,25 +33,36 @@ std::vector<Eigen::Vector2d> directions_into_open(const PlanMesh& plan) {
   return directions;
 }
 
-}  // namespace
+/// The walls of a mine between floor and roof: vertical above the points of a plan, with the bulges
+/// of the open space. Frame world.
+class WallShape {
+ public:
+  /// Heights of floor and roof are those of each point of the plan. All must outlive this.
+  WallShape(const OpenSpace& space, const PlanMesh& plan, const std::vector<double>& floor_m,
+            const std::vector<double>& roof_m)
+      : space_(space),
+        plan_(plan),
+        floor_m_(floor_m),
+        roof_m_(roof_m),
+        into_open_(directions_into_open(plan)) {}
 
-WallShape::WallShape(const OpenSpace& space, const PlanMesh& plan,
-                     const std::vector<double>& floor_m, const std::vector<double>& roof_m)
-    : space_(space),
-      plan_(plan),
-      floor_m_(floor_m),
-      roof_m_(roof_m),
-      into_open_(directions_into_open(plan)) {}
+  /// The point of the wall above a wall point of the plan, at a fraction of the height from floor
+  /// to roof.
+  [[nodiscard]] Eigen::Vector3d at(std::uint32_t point, double share) const {
+    const Eigen::Vector2d& p = plan_.points[point];
+    const Eigen::Vector3d upright(p.x(), p.y(), std::lerp(floor_m_[point], roof_m_[point], share));
+    const double grown = std::min(1.0, std::min(share, 1.0 - share) / kShareToBulge);
+    const Eigen::Vector2d back = -grown * space_.bulge_m(upright) * into_open_[point];
+    return upright + Eigen::Vector3d(back.x(), back.y(), 0.0);
+  }
 
-Eigen::Vector3d WallShape::at(std::uint32_t point, double share) const {
-  const Eigen::Vector2d& p = plan_.points[point];
-  const Eigen::Vector3d upright(p.x(), p.y(), std::lerp(floor_m_[point], roof_m_[point], share));
-  const double grown = std::min(1.0, std::min(share, 1.0 - share) / kShareToBulge);
-  const Eigen::Vector2d back = -grown * space_.bulge_m(upright) * into_open_[point];
-  return upright + Eigen::Vector3d(back.x(), back.y(), 0.0);
-}
-
-namespace {
+ private:
+  const OpenSpace& space_;
+  const PlanMesh& plan_;
+  const std::vector<double>& floor_m_;
+  const std::vector<double>& roof_m_;
+  std::vector<Eigen::Vector2d> into_open_;  ///< for each point: unit, away from the wall
+};
 
 /// Evaluates a function of the plan at each of its points.
 template <class Function>

@@ -7,7 +7,8 @@
 #include <cstddef>
 #include <numeric>
 #include <stdexcept>
-#include <string>
+
+#include <fmt/format.h>
 
 namespace adit {
 namespace {
@@ -51,8 +52,8 @@ void require_reasonable_size(const PlanBuckets& buckets, double grid_m) {
   const std::int64_t in_bucket = side * side;
   const std::int64_t all = std::int64_t{buckets.rows()} * buckets.columns();
   if (near * in_bucket <= kNearSquaresMax && all * in_bucket <= kSquaresMax) return;
-  throw std::invalid_argument("the plan is too large for edges of " + std::to_string(grid_m) +
-                              " m: reduce it, or increase grid_m");
+  throw std::invalid_argument(fmt::format(
+      "the plan is too large for edges of {:f} m: reduce it, or increase grid_m", grid_m));
 }
 
 /// Processes the grid row by row, with two rows in memory.
@@ -197,17 +198,6 @@ class PlanMesher {
   PlanMesh mesh_;
 };
 
-}  // namespace
-
-PlanMesh plan_mesh(const OpenSpace& space, double grid_m) {
-  require_reasonable_size(space.buckets(), grid_m);
-  PlanMesh mesh = PlanMesher(space, grid_m).mesh();
-  merge_short_walls(mesh, kWallShareMin * grid_m);
-  return mesh;
-}
-
-namespace {
-
 using Indices = std::vector<std::uint32_t>;
 
 /// Merges points; indices are those of the points before the merge.
@@ -294,6 +284,13 @@ class WallMerger {
 };
 
 }  // namespace
+
+PlanMesh plan_mesh(const OpenSpace& space, double grid_m) {
+  require_reasonable_size(space.buckets(), grid_m);
+  PlanMesh mesh = PlanMesher(space, grid_m).mesh();
+  merge_short_walls(mesh, kWallShareMin * grid_m);
+  return mesh;
+}
 
 void merge_short_walls(PlanMesh& mesh, double shortest_m) { WallMerger(mesh, shortest_m).run(); }
 

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "tests/eval/mapping/evaluation.hpp"
+#include "procs/mapping/mapping.hpp"
 #include "tools/eval/relations.hpp"
 #include "tools/eval/trajectory.hpp"
 
@@ -21,6 +22,26 @@ struct Benchmark {
   int beams;
   const char* published;         ///< scan matching with odometry, Kümmerle et al. 2009
   const char* scan_to_scan_icp;  ///< point-to-line ICP from scan to scan, without odometry
+};
+
+/// Results of several runs of `adit map` on one log.
+struct Evaluation {
+  Trajectory odometry;    ///< T_odom_body of scan matching
+  Trajectory trajectory;  ///< T_map_body of mapping
+  StoredMap map;
+  std::size_t scans = 0;
+  std::size_t lost_scans = 0;
+  std::size_t searched = 0;    ///< scans for which the correlative search ran
+  std::size_t degenerate = 0;  ///< scans that do not constrain one direction or more
+  std::size_t degenerate_segments = 0;
+  double degenerate_m = 0.0;          ///< total length of the degenerate segments
+  double scan_ms = 0.0;               ///< mean per scan of a run, median of the runs
+  double scan_p99_ms = 0.0;           ///< 99th percentile per scan of a run, median of the runs
+  std::size_t loop_closures = 0;      ///< accepted at the end
+  std::size_t revised_decisions = 0;  ///< of data association
+  double local_map_ms = 0.0;          ///< mean per local map of a run, median of the runs
+  double local_map_max_ms = 0.0;      ///< maximum of a run, median of the runs
+  double local_map_kbytes = 0.0;      ///< serialized
 };
 
 /// A program that evaluates one stage on all recordings and prints two tables in Markdown: errors

@@ -18,8 +18,8 @@
 #include "tools/drive/drive_run.hpp"
 #include "tools/eval/map_image.hpp"
 #include "tools/eval/map_score.hpp"
+#include "tools/eval/trajectory.hpp"
 #include "tools/eval/trajectory_score.hpp"
-#include "tools/eval/tum.hpp"
 #include "tools/map/map_run.hpp"
 
 namespace adit {

@@ -19,7 +19,7 @@
 #include "procs/mapping/map_journal.hpp"
 #include "tests/live/checks/log_check.hpp"
 #include "tests/support/scores/stored_map_score.hpp"
-#include "tools/eval/tum.hpp"
+#include "tools/eval/trajectory.hpp"
 
 namespace adit {
 namespace {

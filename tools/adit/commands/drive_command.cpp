@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cstdio>
+#include <iostream>
 #include <memory>
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
@@ -50,10 +51,13 @@ void drive_in_process(const DriveRunOptions& options) {
     ProgressBar bar("driving");
     result = run_drive(options, [&](double done) { bar.update(done); });
   }
-  std::printf("%s: %lld messages, %.1f m in %.1f s of simulated time, %.1f times real time\n",
-              options.log.c_str(), static_cast<long long>(result.messages),
-              result.distance_travelled_m, result.simulated_s, result.simulated_s / result.wall_s);
-  if (!result.failure.empty()) throw std::runtime_error("the run failed: " + result.failure);
+  std::cout << fmt::format(
+      "{}: {} messages, {:.1f} m in {:.1f} s of simulated time, {:.1f} times real time\n",
+      options.log.string(), result.messages, result.distance_travelled_m, result.simulated_s,
+      result.simulated_s / result.wall_s);
+  if (!result.failure.empty()) {
+    throw std::runtime_error(fmt::format("the run failed: {}", result.failure));
+  }
 }
 
 void drive(const DriveOptions& options) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_file.hpp"
@@ -15,8 +16,8 @@
 #include "tools/eval/map_image.hpp"
 #include "tools/eval/map_score.hpp"
 #include "tools/eval/relations.hpp"
+#include "tools/eval/trajectory.hpp"
 #include "tools/eval/trajectory_score.hpp"
-#include "tools/eval/tum.hpp"
 
 namespace adit {
 namespace {
@@ -117,8 +118,8 @@ void print_score(const EvalRelationsOptions& options) {
   const auto relations = read_relations(options.relations);
   const RelationsScore score = score_relations(relations, read_tum(options.trajectory));
   if (score.used == 0) {
-    throw std::runtime_error("no relation of " + options.relations.string() +
-                             " is within the time span of " + options.trajectory.string());
+    throw std::runtime_error(fmt::format("no relation of {} is within the time span of {}",
+                                         options.relations.string(), options.trajectory.string()));
   }
   std::cout << to_json(score) << "\n";
 }

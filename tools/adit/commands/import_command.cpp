@@ -5,6 +5,7 @@
 #include <memory>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
@@ -29,11 +30,11 @@ constexpr const char* kCarmenExamples =
 
 void print_result(const CarmenReport& report, const ImportOptions& options) {
   for (const std::string& message : report.messages()) {
-    std::cerr << "adit: " << options.input.string() << ": skipped " << message << "\n";
+    std::cerr << fmt::format("adit: {}: skipped {}\n", options.input.string(), message);
   }
-  std::cout << options.output.string() << ": " << report.scans << " scans, "
-            << report.odometry_lines << " odometry lines; " << report.rejected_lines() << " of "
-            << report.lines << " lines skipped\n";
+  std::cout << fmt::format("{}: {} scans, {} odometry lines; {} of {} lines skipped\n",
+                           options.output.string(), report.scans, report.odometry_lines,
+                           report.rejected_lines(), report.lines);
 }
 
 void import_carmen_log(const ImportOptions& options) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
@@ -52,15 +53,15 @@ void map(const MapRunOptions& options) {
   });
   bar.reset();
   for (const std::string& message : result.warnings) {
-    std::cerr << "adit: " << options.input.string() << ": " << message << "\n";
+    std::cerr << fmt::format("adit: {}: {}\n", options.input.string(), message);
   }
-  std::cout << options.folder.string() << ": " << result.scans << " scans over "
-            << result.path_length_m << " m in " << result.wall_s << " s, " << result.lost
-            << " of them lost; " << result.local_maps << " local maps, " << result.loop_closures
-            << (result.loop_closures == 1 ? " loop closure" : " loop closures");
+  std::cout << fmt::format(
+      "{}: {} scans over {:g} m in {:g} s, {} of them lost; {} local maps, {} loop closure{}",
+      options.folder.string(), result.scans, result.path_length_m, result.wall_s, result.lost,
+      result.local_maps, result.loop_closures, result.loop_closures == 1 ? "" : "s");
   if (!options.resume.empty()) {
-    std::cout << ", " << result.cross_session_loop_closures << " of them to the map in "
-              << options.resume.string();
+    std::cout << fmt::format(", {} of them to the map in {}", result.cross_session_loop_closures,
+                             options.resume.string());
   }
   std::cout << "\n";
 }

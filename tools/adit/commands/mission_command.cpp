@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "tools/adit/adit_app.hpp"
@@ -30,27 +30,29 @@ class MissionProgressPrinter {
   void update(const MissionProgress& progress, double wall_s) {
     const double factor = wall_s > 0.0 ? progress.simulated_s / wall_s : 0.0;
     if (is_terminal_) {
-      std::printf("\r%s ", progress_text(progress, factor).c_str());
+      std::cout << fmt::format("\r{} ", progress_text(progress, factor));
     } else if (wall_s >= next_s_) {
-      std::printf("%s\n", progress_text(progress, factor).c_str());
+      std::cout << fmt::format("{}\n", progress_text(progress, factor));
       next_s_ = wall_s + kLinePeriodS;
     }
-    std::fflush(stdout);
+    std::cout << std::flush;
   }
 
   /// Prints a message for the operator on standard error.
   void print_message(const std::string& message) const {
-    if (is_terminal_) std::printf("\n");
-    std::fflush(stdout);
-    std::cerr << "adit mission: " << message << std::endl;
+    if (is_terminal_) std::cout << "\n";
+    std::cout << std::flush;
+    std::cerr << fmt::format("adit mission: {}\n", message);
   }
 
   /// Prints the outcome and the run time. `abort_reason` is empty if the mission ended by itself.
   static void end(const MissionProgress& last, const std::string& abort_reason, double wall_s) {
-    std::printf("\n%s\n%.0f s of simulated time in %.0f s; %.2f m from the start at the end\n",
-                abort_reason.empty() ? last.phase.reason.c_str() : abort_reason.c_str(),
-                last.simulated_s, wall_s, last.distance_from_start_m);
-    std::fflush(stdout);
+    std::cout << fmt::format("\n{}\n", abort_reason.empty() ? last.phase.reason : abort_reason)
+              << fmt::format(
+                     "{:.0f} s of simulated time in {:.0f} s; {:.2f} m from the start at "
+                     "the end\n",
+                     last.simulated_s, wall_s, last.distance_from_start_m)
+              << std::flush;
   }
 
  private:
@@ -102,7 +104,7 @@ void report(const std::filesystem::path& folder) try {
   std::erase_if(logs, [](const auto& log) { return std::filesystem::file_size(log) == 0; });
   print_report({logs, mission.path()});
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "adit mission: cannot write the report: %s\n", error.what());
+  std::cerr << fmt::format("adit mission: cannot write the report: {}\n", error.what());
 }
 
 /// Throws the exit code of a mission whose robot did not return.
@@ -128,9 +130,10 @@ void run_in_process(const MissionLiveOptions& mission) {
     printer.update(progress, wall.count());
   });
   const bool ended = result.last.phase.phase == Phase::kEnded;
-  const std::string abort_reason = !result.failure.empty() ? "the run failed: " + result.failure
-                                   : ended                 ? ""
-                                                           : "the time limit is reached";
+  const std::string abort_reason = !result.failure.empty()
+                                       ? fmt::format("the run failed: {}", result.failure)
+                                   : ended ? ""
+                                           : "the time limit is reached";
   MissionProgressPrinter::end(result.last, abort_reason, result.wall_s);
   report(mission.folder);
   require_return(result.last, abort_reason);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "common/pose_graph/g2o_file.hpp"
 #include "tools/adit/adit_app.hpp"
@@ -66,7 +67,7 @@ OptimizeRun run(G2oGraph& file, const OptimizeOptions& options) {
   try {
     return options.loops == "lazy" ? run_lazy_association(file, options) : optimize_all(file);
   } catch (const std::exception& error) {
-    throw std::runtime_error(options.graph.string() + ": " + error.what());
+    throw std::runtime_error(fmt::format("{}: {}", options.graph.string(), error.what()));
   }
 }
 

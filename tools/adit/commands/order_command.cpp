@@ -1,17 +1,39 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include "common/bus/channels.hpp"
+#include "common/bus/lcm_bus.hpp"
+#include "common/bus/typed_messages.hpp"
+#include "common/messages/mission.hpp"
+#include "common/types/mission.hpp"
 #include "tools/adit/adit_app.hpp"
-#include "tools/mission/mission_order_run.hpp"
+#include "tools/mission/private_network.hpp"
 
 namespace adit {
 namespace {
+
+constexpr int kRepeatMs = 200;
+
+/// An order of the operator to a mission on LCM.
+struct MissionOrderOptions {
+  MissionOrder::Kind order = MissionOrder::Kind::kPause;
+  std::filesystem::path mission;  ///< folder of a mission on a private network; empty: this network
+  std::string lcm_url;            ///< empty: LCM's default
+  double timeout_s = 10.0;        ///< of wall time
+};
 
 const std::map<std::string, MissionOrder::Kind> kOrders{{"pause", MissionOrder::Kind::kPause},
                                                         {"resume", MissionOrder::Kind::kResume},
@@ -31,6 +53,75 @@ connection to the robot: use them at the surface and in simulation.)";
 constexpr const char* kOrderExamples =
     R"(  adit order return                          the mission on this network
   adit order pause --mission out             the mission of `adit mission mathies --out out`)";
+
+/// The id in mission.pid. Throws std::runtime_error if no such process exists.
+pid_t process_of(const std::filesystem::path& folder) {
+  pid_t pid = 0;
+  std::ifstream(folder / "mission.pid") >> pid;
+  if (pid <= 0 || !std::filesystem::exists(fmt::format("/proc/{}", pid))) {
+    throw std::runtime_error(fmt::format("no mission is running in {}", folder.string()));
+  }
+  return pid;
+}
+
+bool is_executed(MissionOrder::Kind order, const MissionPhase& phase) {
+  using Kind = MissionOrder::Kind;
+  switch (order) {
+    case Kind::kPause:
+      return phase.phase == Phase::kPaused;
+    case Kind::kResume:
+      return phase.phase != Phase::kPaused;
+    case Kind::kReturnHome:
+      return phase.returning_home;
+    case Kind::kStop:
+      return phase.phase == Phase::kEnded;
+  }
+  return false;
+}
+
+std::string status_text(const MissionPhase& phase) {
+  if (!phase.returning_home) return phase.reason;
+  return fmt::format("{} (returning home: {})", phase.reason, phase.return_home_reason);
+}
+
+[[noreturn]] void fail_order(const std::optional<MissionPhase>& phase) {
+  if (!phase) {
+    throw std::runtime_error(
+        "no mission responds on LCM; a mission started by adit mission is on a private network: "
+        "use --mission DIR with its --out folder");
+  }
+  throw std::runtime_error(
+      fmt::format("the mission did not execute the order: {}", status_text(*phase)));
+}
+
+/// Repeats the order until PHASE confirms it. Returns the reason in PHASE, a sentence. Throws
+/// std::runtime_error if no mission responds, the order is not executed within the timeout, or the
+/// mission has ended.
+std::string order_mission(const MissionOrderOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  if (!options.mission.empty()) {
+    enter_network_of(process_of(options.mission));
+    unsetenv("LCM_DEFAULT_URL");
+  }
+  LcmBus bus({.url = options.lcm_url, .time = BusTime::kSimulated});
+  std::optional<MissionPhase> phase;
+  subscribe<phase_t>(bus, channels::kPhase, Delivery::latest(),
+                     [&](const MissionPhase& received) { phase = received; });
+  const auto deadline = Clock::now() + std::chrono::duration<double>(options.timeout_s);
+  while (Clock::now() < deadline) {
+    const auto utime = std::chrono::duration_cast<std::chrono::microseconds>(
+        std::chrono::system_clock::now().time_since_epoch());
+    publish(bus, channels::kMissionOrder, to_message(MissionOrder{utime.count(), options.order}));
+    const auto repeat = Clock::now() + std::chrono::milliseconds(kRepeatMs);
+    while (Clock::now() < repeat) bus.handle(kRepeatMs / 4);
+    if (!phase) continue;
+    if (is_executed(options.order, *phase)) return status_text(*phase);
+    if (phase->phase == Phase::kEnded) {
+      throw std::runtime_error(fmt::format("the mission has ended: {}", phase->reason));
+    }
+  }
+  fail_order(phase);
+}
 
 }  // namespace
 

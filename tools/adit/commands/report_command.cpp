@@ -6,6 +6,7 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
@@ -22,8 +23,11 @@ void print_report(const ReportOptions& options) {
     bar->update(done);
   });
   bar.reset();
-  for (const std::string& message : result.warnings) std::cerr << "adit: " << message << "\n";
-  std::cout << (options.folder / "mission.html").string() << ": " << result.outcome << std::endl;
+  for (const std::string& message : result.warnings) {
+    std::cerr << fmt::format("adit: {}\n", message);
+  }
+  std::cout << fmt::format("{}: {}\n", (options.folder / "mission.html").string(), result.outcome)
+            << std::flush;
 }
 
 namespace {

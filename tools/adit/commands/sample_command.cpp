@@ -8,11 +8,12 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "common/geometry/pose2.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
-#include "tools/eval/tum.hpp"
+#include "tools/eval/trajectory.hpp"
 #include "tools/sim/sample_run.hpp"
 
 namespace adit {
@@ -65,8 +66,8 @@ void write_sample(const SampleOptions& options) {
     write_sample_log(run, options.output, [&](double done) { bar.update(done); });
   }
   if (!options.truth.empty()) write_tum(options.truth, run.truth());
-  std::cout << options.output.string() << ": " << run.truth().size() << " scans over "
-            << std::lround(path_length_m(run.truth())) << " m\n";
+  std::cout << fmt::format("{}: {} scans over {} m\n", options.output.string(), run.truth().size(),
+                           std::lround(path_length_m(run.truth())));
 }
 
 }  // namespace

@@ -7,13 +7,14 @@
 #include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "sim/live/world_choice.hpp"
 #include "sim/sweep/tilt_sweep.hpp"
 #include "sim/view/view_options.hpp"
 #include "sim/world/build_world.hpp"
 #include "tools/adit/adit_app.hpp"
-#include "tools/sim/scan_file.hpp"
+#include "tools/sim/sim_files.hpp"
 
 namespace adit {
 namespace {
@@ -52,11 +53,12 @@ void scan(const ScanOptions& options) {
   const Pose2 T_world_plan = options.T_world_plan.value_or(site.world().T_world_start);
   const Cloud cloud = tilt_sweep(site, standing(site, T_world_plan), sweep);
   write_scan(cloud, options.file);
-  std::cout << options.file.string() << ": " << cloud.points() << " points\n";
+  std::cout << fmt::format("{}: {} points\n", options.file.string(), cloud.points());
   if (options.file.extension() != ".ply") return;
   const Eigen::Vector3f laser = laser_of(cloud);
-  std::cout << "adit plan " << options.file.string() << " --laser-at " << laser.x() << ","
-            << laser.y() << "," << laser.z() << " --vehicle-at 0,0 --ground-m 0 --out DIR\n";
+  std::cout << fmt::format(
+      "adit plan {} --laser-at {:g},{:g},{:g} --vehicle-at 0,0 --ground-m 0 --out DIR\n",
+      options.file.string(), laser.x(), laser.y(), laser.z());
 }
 
 }  // namespace

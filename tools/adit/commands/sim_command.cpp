@@ -12,7 +12,7 @@
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_file.hpp"
 #include "tools/adit/adit_app.hpp"
-#include "tools/sim/truth_files.hpp"
+#include "tools/sim/sim_files.hpp"
 
 namespace adit {
 namespace {

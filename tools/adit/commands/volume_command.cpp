@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
@@ -33,10 +34,10 @@ void build_volume(const VolumeRunOptions& options) {
     result = run_volume(options, [&bar](double done) { bar.update(done); });
   }
   for (const std::string& message : result.warnings) {
-    std::cerr << "adit: " << options.input.string() << ": " << message << "\n";
+    std::cerr << fmt::format("adit: {}: {}\n", options.input.string(), message);
   }
-  std::cout << options.folder.string() << ": " << result.scans << " 3D scans in " << result.volumes
-            << " sub-volumes, " << result.points << " points\n";
+  std::cout << fmt::format("{}: {} 3D scans in {} sub-volumes, {} points\n",
+                           options.folder.string(), result.scans, result.volumes, result.points);
 }
 
 }  // namespace

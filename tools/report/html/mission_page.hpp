@@ -16,4 +16,13 @@ std::string mission_page(const MissionRecords& records, const MissionStatistics&
                          const MapContent& map, const std::string& title,
                          const std::vector<std::string>& warnings);
 
+/// Intervals of each phase and of stops on a common time axis, and as a table, as HTML.
+std::string timeline_html(const MissionRecords& records, const MissionStatistics& statistics);
+
+/// A legend and one card for each 3D scan, as HTML.
+std::string scan_cards_html(const MissionRecords& records, const MissionMap& map);
+
+/// Marks of the scans on the map. Scans without a pose on the map are left out.
+std::vector<ScanMark> scan_marks(const MissionRecords& records, const MissionMap& map);
+
 }  // namespace adit

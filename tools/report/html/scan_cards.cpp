@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/report/html/scan_cards.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,7 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "tools/report/html/html_elements.hpp"
+#include "tools/report/html/markup.hpp"
+#include "tools/report/html/mission_page.hpp"
 #include "tools/report/html/text_format.hpp"
 #include "tools/report/svg/terrain_svg.hpp"
 
@@ -53,7 +52,7 @@ std::string scan_properties(const RecordedScan& scan, const std::optional<Pose2>
       {{"Time", clock_text(scan.utime)},
        {"Laser", laser},
        {"Pose in the map", pose_text(T_map_body)},
-       {"Points", std::to_string(scan.points) + (scan.complete ? "" : " (incomplete sweep)")}});
+       {"Points", fmt::format("{}{}", scan.points, scan.complete ? "" : " (incomplete sweep)")}});
 }
 
 /// All plans on a scan if there is more than one.
@@ -61,9 +60,15 @@ std::string plans_html(const RecordedScan& scan) {
   if (scan.plans.size() < 2) return "";
   std::string items;
   for (const RecordedPlan& plan : scan.plans) {
-    items += element("li", clock_text(plan.utime) + ": " + escaped(plan_text(plan)));
+    items += element("li", fmt::format("{}: {}", clock_text(plan.utime), escaped(plan_text(plan))));
   }
   return html_details(count_text(scan.plans.size(), "plan"), element("ol", items));
+}
+
+/// Result of the last plan on a scan, one sentence.
+std::string outcome_text(const RecordedScan& scan) {
+  if (scan.plans.empty()) return "The log has no plan on this scan.";
+  return plan_text(scan.plans.back());
 }
 
 std::string card(const RecordedScan& scan, const MissionMap& map) {
@@ -114,11 +119,6 @@ std::string legend() {
 
 }  // namespace
 
-std::string outcome_text(const RecordedScan& scan) {
-  if (scan.plans.empty()) return "The log has no plan on this scan.";
-  return plan_text(scan.plans.back());
-}
-
 std::vector<ScanMark> scan_marks(const MissionRecords& records, const MissionMap& map) {
   std::vector<ScanMark> marks;
   for (const RecordedScan& scan : records.scans.scans()) {
@@ -133,7 +133,7 @@ std::vector<ScanMark> scan_marks(const MissionRecords& records, const MissionMap
   return marks;
 }
 
-std::string scan_cards(const MissionRecords& records, const MissionMap& map) {
+std::string scan_cards_html(const MissionRecords& records, const MissionMap& map) {
   if (records.scans.scans().empty()) return "<p>The log has no 3D scans (channel CLOUD).</p>";
   std::string cards;
   for (const RecordedScan& scan : records.scans.scans()) cards += card(scan, map);

@@ -82,10 +82,13 @@ std::string fixed(double number, int digits) {
   return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
-std::string metres(double length_m, int digits) { return fixed(length_m, digits) + kNoBreak + "m"; }
+std::string metres(double length_m, int digits) {
+  return fmt::format("{}{}m", fixed(length_m, digits), kNoBreak);
+}
 
 std::string percent(double share) {
-  return fixed(100.0 * share, share > 0.0 && share < 0.0995 ? 1 : 0) + kNoBreak + "%";
+  const int digits = share > 0.0 && share < 0.0995 ? 1 : 0;
+  return fmt::format("{}{}%", fixed(100.0 * share, digits), kNoBreak);
 }
 
 std::string count_text(std::size_t count, const std::string& singular) {

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "tools/report/html/html_elements.hpp"
-#include "tools/report/html/page_sections.hpp"
+#include "tools/report/html/markup.hpp"
+#include "tools/report/html/mission_page.hpp"
 #include "tools/report/html/text_format.hpp"
 
 namespace adit {
@@ -47,7 +47,8 @@ std::string lane(const std::string& name, const std::string& css_class, const st
   return fmt::format(
       R"(<div class="lane {}"><span>{}</span><svg viewBox="0 0 1000 10" preserveAspectRatio="none" )"
       R"(role="img" aria-label="{}">{}{}</svg><span>{}</span></div>)",
-      css_class, escaped(name), escaped(name + ": " + summary), bars, turn, escaped(summary));
+      css_class, escaped(name), escaped(fmt::format("{}: {}", name, summary)), bars, turn,
+      escaped(summary));
 }
 
 std::string interval_text(const PhaseInterval& interval) {
@@ -65,8 +66,8 @@ std::string phase_lane(const MissionRecords& records, const PhaseShare& share,
     bars += bar(scale, interval.phase.utime, interval.to_utime, interval_text(interval));
   }
   const std::string name = name_of(share.phase);
-  return lane(name, name, bars, duration_text(share.duration_s) + ", " + percent(share.share),
-              turn);
+  return lane(name, name, bars,
+              fmt::format("{}, {}", duration_text(share.duration_s), percent(share.share)), turn);
 }
 
 std::string stop_lane(const MissionRecords& records, const MissionStatistics& statistics,
@@ -80,7 +81,8 @@ std::string stop_lane(const MissionRecords& records, const MissionStatistics& st
   }
   if (bars.empty()) return "";
   return lane("stopped", "stopped", bars,
-              count_text(statistics.stops, "stop") + ", " + duration_text(statistics.stopped_s),
+              fmt::format("{}, {}", count_text(statistics.stops, "stop"),
+                          duration_text(statistics.stopped_s)),
               turn);
 }
 

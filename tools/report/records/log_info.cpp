@@ -36,9 +36,9 @@ void add_warnings(const LogHealth& health, const std::string& file, LogInfo& log
         fmt::format("skipped {} corrupt bytes of {}", health.corrupt_bytes, file));
   }
   if (health.truncated_bytes > 0) {
-    log_info.warnings.push_back(file + " is truncated within an event");
+    log_info.warnings.push_back(fmt::format("{} is truncated within an event", file));
   }
-  if (health.events == 0) log_info.warnings.push_back("no events in " + file);
+  if (health.events == 0) log_info.warnings.push_back(fmt::format("no events in {}", file));
 }
 
 void add_lasers(LogInfo& log_info) {
@@ -65,7 +65,8 @@ LogInfo read_log_info(const std::vector<std::filesystem::path>& logs) {
     add_warnings(parser.health(), path.filename().string(), log_info);
   }
   if (log_info.messages.empty()) {
-    throw std::runtime_error("no events in " + (logs.empty() ? "no log" : logs.front().string()));
+    throw std::runtime_error(
+        fmt::format("no events in {}", logs.empty() ? "no log" : logs.front().string()));
   }
   add_lasers(log_info);
   return log_info;

@@ -13,7 +13,7 @@
 
 #include "common/messages/diagnostics.hpp"
 #include "common/sensing/laser_mount.hpp"
-#include "tools/map/recorded_config.hpp"
+#include "tools/map/log_input.hpp"
 
 namespace adit {
 

@@ -13,7 +13,7 @@
 #include "common/types/association.hpp"
 #include "common/types/local_map.hpp"
 #include "tools/eval/trajectory.hpp"
-#include "tools/map/map_subscription.hpp"
+#include "tools/map/run_record.hpp"
 
 namespace adit {
 

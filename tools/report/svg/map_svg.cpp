@@ -6,10 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "tools/report/html/page_template.hpp"
+#include "tools/report/html/markup.hpp"
 #include "tools/report/html/text_format.hpp"
 #include "tools/report/svg/map_layers.hpp"
-#include "tools/report/svg/map_view.hpp"
 
 namespace adit {
 namespace {

@@ -3,7 +3,6 @@
 #include "tools/report/svg/scan_pictures.hpp"
 
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -59,22 +58,12 @@ double heading_of(const ScanProducts& scan) {
   return between(T_odom_level, scan.goal->T_odom_goal).theta;
 }
 
-RgbImage image_of(const GreyCells& cells) {
-  RgbImage image(cells.columns, cells.rows());
-  for (std::size_t i = 0; i < cells.grey.size(); ++i) {
-    const int row = static_cast<int>(i) / image.width;
-    const std::uint8_t grey = cells.grey[i];
-    image.at(static_cast<int>(i) % image.width, image.height - 1 - row) = {grey, grey, grey};
-  }
-  return image;
-}
-
 }  // namespace
 
 ScanPictures ScanRenderer::render(const ScanProducts& scan) {
   ScanPictures pictures;
   if (scan.cloud) pictures.view = view_of(*scan.cloud);
-  if (!scan.terrain || scan.terrain->cells.empty()) return pictures;
+  if (!scan.terrain || scan.terrain->cells.box().empty()) return pictures;
   const CellBox box = visible_box(scan);
   pictures.terrain = terrain_svg(scan, terrain_image(*scan.terrain), box, params_.vehicle,
                                  "Terrain: bright cells are smooth");
@@ -89,7 +78,7 @@ ScanPictures ScanRenderer::render(const ScanProducts& scan) {
   if (plan.slices.empty()) return pictures;
   const double heading_deg = rad_to_deg(heading_rad);
   pictures.heading_deg = heading_deg;
-  pictures.c_space = terrain_svg(scan, image_of(plan.slices.front()), box, params_.vehicle,
+  pictures.c_space = terrain_svg(scan, grey_image(plan.slices.front()), box, params_.vehicle,
                                  fmt::format("C-space at a heading of {}°", fixed(heading_deg, 0)));
   return pictures;
 }

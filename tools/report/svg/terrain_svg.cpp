@@ -15,9 +15,9 @@
 
 #include "common/geometry/pose2.hpp"
 #include "common/types/terrain_map.hpp"
+#include "tools/report/html/markup.hpp"
 #include "tools/report/html/text_format.hpp"
 #include "tools/report/svg/indexed_png.hpp"
-#include "tools/report/svg/svg_elements.hpp"
 
 namespace adit {
 namespace {
@@ -165,26 +165,22 @@ const BlockingName& blocking_name(BlockingCell::Reason reason) {
 
 CellBox visible_box(const ScanProducts& scan) {
   const TerrainMap& terrain = *scan.terrain;
-  const Eigen::Vector2i size(terrain.columns, terrain.rows);
-  CellBox box{size, {0, 0}};
+  const CellBox& map = terrain.cells.box();
+  CellBox box{map.to, map.from};
   const auto include = [&](const Eigen::Vector2d& p_level, double margin_m) {
     const Eigen::Vector2d margin = Eigen::Vector2d::Constant(margin_m);
-    const auto cell = [&](const Eigen::Vector2d& p) {
-      return Eigen::Vector2i(
-          ((p - terrain.p_level_corner) / terrain.cell_m).array().floor().cast<int>());
-    };
-    box.from = box.from.cwiseMin(cell(p_level - margin));
-    box.to = box.to.cwiseMax(cell(p_level + margin) + Eigen::Vector2i(1, 1));
+    box.from = box.from.cwiseMin(terrain.cell_at(p_level - margin));
+    box.to = box.to.cwiseMax(terrain.cell_at(p_level + margin) + Eigen::Vector2i(1, 1));
   };
   include(Eigen::Vector2d::Zero(), kSideMinM / 2.0);
-  for (int row = 0; row < terrain.rows; ++row) {
-    for (int column = 0; column < terrain.columns; ++column) {
-      if (terrain.at(column, row).count > 0) include(terrain.centre(column, row), kMarginM);
+  for (int row = 0; row < terrain.cells.rows(); ++row) {
+    for (int column = 0; column < terrain.cells.columns(); ++column) {
+      if (terrain.cells.at({column, row}).count > 0) include(terrain.centre(column, row), kMarginM);
     }
   }
-  box.from = box.from.cwiseMax(Eigen::Vector2i(0, 0));
-  box.to = box.to.cwiseMin(size);
-  return box.empty() ? CellBox{{0, 0}, size} : box;
+  box.from = box.from.cwiseMax(map.from);
+  box.to = box.to.cwiseMin(map.to);
+  return box.empty() ? map : box;
 }
 
 std::string terrain_svg(const ScanProducts& scan, const RgbImage& cells, const CellBox& box,

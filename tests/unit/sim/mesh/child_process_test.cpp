@@ -8,7 +8,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/mesh/mesh_bytes.hpp"
 #include "tests/support/worlds/box_tunnel.hpp"
 
 namespace adit {

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/world/mesh_world.hpp"
-
+// Worlds of mesh files.
 #include <fstream>
 #include <stdexcept>
 

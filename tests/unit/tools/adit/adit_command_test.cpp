@@ -13,7 +13,7 @@
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/tools/adit/command_result.hpp"
 #include "tools/carmen/carmen_reader.hpp"
-#include "tools/eval/tum.hpp"
+#include "tools/eval/trajectory.hpp"
 
 namespace adit {
 namespace {

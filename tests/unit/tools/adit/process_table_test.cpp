@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/adit/process_table.hpp"
-
 #include <gtest/gtest.h>
+
+#include "tools/adit/adit_app.hpp"
 
 namespace adit {
 namespace {

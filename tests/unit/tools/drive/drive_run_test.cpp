@@ -12,7 +12,7 @@
 
 #include "common/bus/log/event_source.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tools/eval/tum.hpp"
+#include "tools/eval/trajectory.hpp"
 
 namespace adit {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/eval/tum.hpp"
-
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "tools/eval/trajectory.hpp"
 
 namespace adit {
 namespace {

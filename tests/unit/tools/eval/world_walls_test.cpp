@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds/box_tunnel.hpp"
-#include "tools/eval/nearest_points.hpp"
 
 namespace adit {
 namespace {

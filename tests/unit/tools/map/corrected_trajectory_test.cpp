@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/map/corrected_trajectory.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "tools/map/full_map.hpp"
 
 namespace adit {
 namespace {

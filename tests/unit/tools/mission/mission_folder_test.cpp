@@ -16,7 +16,6 @@
 #include "common/messages/mission.hpp"
 #include "procs/mission/mission_journal.hpp"
 #include "tests/support/scratch_folder.hpp"
-#include "tools/mission/mission_files.hpp"
 
 namespace adit {
 namespace {

@@ -16,7 +16,7 @@
 #include "tests/unit/tools/cloud/cloud_bytes.hpp"
 #include "tests/unit/tools/plan/swept_scan.hpp"
 #include "tools/cloud/cloud_file.hpp"
-#include "tools/sim/scan_file.hpp"
+#include "tools/sim/sim_files.hpp"
 
 namespace adit {
 namespace {

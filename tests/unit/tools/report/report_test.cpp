@@ -24,7 +24,7 @@
 #include "tests/unit/tools/report/synthetic_mission_log.hpp"
 #include "tools/cloud/cloud_file.hpp"
 #include "tools/eval/map_image.hpp"
-#include "tools/eval/tum.hpp"
+#include "tools/eval/trajectory.hpp"
 
 namespace adit {
 namespace {

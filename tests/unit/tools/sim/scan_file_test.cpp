@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/sim/scan_file.hpp"
-
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -10,6 +8,7 @@
 #include "common/messages/codec.hpp"
 #include "common/messages/mapping/cloud.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tools/sim/sim_files.hpp"
 
 namespace adit {
 namespace {

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tools/sim/truth_files.hpp"
-
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/scratch_folder.hpp"
+#include "tools/sim/sim_files.hpp"
 
 namespace adit {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/world/props/outlines.hpp"
-#include "sim/world/props/rubble.hpp"
+#include "sim/world/props/prop_site.hpp"
 #include "tests/unit/sim/world/props/prop_scene.hpp"
 
 namespace adit {

@@ -90,9 +90,6 @@ inline Pose2 in_plan(const Eigen::Isometry3d& T_a_b) {
 }
 
 /// A level pose in space from a planar pose and a height [m].
-inline Eigen::Isometry3d in_space(const Pose2& T_a_b, double z_m = 0.0) {
-  return Eigen::Translation3d(T_a_b.x, T_a_b.y, z_m) *
-         Eigen::AngleAxisd(T_a_b.theta, Eigen::Vector3d::UnitZ());
-}
+Eigen::Isometry3d in_space(const Pose2& T_a_b, double z_m = 0.0);
 
 }  // namespace adit

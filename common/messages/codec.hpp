@@ -14,7 +14,11 @@
 namespace adit {
 
 /// The first eight bytes of a message, which identify its type. Requires at least eight bytes.
-std::int64_t fingerprint(std::span<const std::uint8_t> bytes);
+inline std::int64_t fingerprint(std::span<const std::uint8_t> bytes) {
+  std::uint64_t value = 0;
+  for (const std::uint8_t byte : bytes.first<8>()) value = value << 8 | byte;
+  return static_cast<std::int64_t>(value);
+}
 
 /// Decodes a message of the generated type Msg from arbitrary bytes; never throws and never reads
 /// beyond them. Rejects everything that `encode` cannot produce: another fingerprint, counts that

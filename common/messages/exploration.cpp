@@ -212,6 +212,16 @@ void add_corridors(const std::vector<Corridor>& corridors, exploration_t& messag
   message.n_corridors = static_cast<std::int32_t>(message.corridors.size());
 }
 
+std::string_view rejection_reason(const explore_request_t& message) {
+  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
+  if (message.id <= 0) return "id is not positive";
+  if (!is_distance(message.remaining_m)) return "invalid distance";
+  if (message.blocked == 0) return {};
+  if (!is_plausible_utime(message.blocked_utime)) return kImplausibleTime;
+  if (message.blocked_frontier < -1) return "negative frontier id";
+  return is_distance(message.reached_m) ? std::string_view{} : "invalid distance";
+}
+
 }  // namespace
 
 exploration_t to_message(const ExplorationReport& report) {
@@ -257,20 +267,6 @@ Result<ExplorationReport> from_message(const exploration_t& message) {
   }
   return report;
 }
-
-namespace {
-
-std::string_view rejection_reason(const explore_request_t& message) {
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.id <= 0) return "id is not positive";
-  if (!is_distance(message.remaining_m)) return "invalid distance";
-  if (message.blocked == 0) return {};
-  if (!is_plausible_utime(message.blocked_utime)) return kImplausibleTime;
-  if (message.blocked_frontier < -1) return "negative frontier id";
-  return is_distance(message.reached_m) ? std::string_view{} : "invalid distance";
-}
-
-}  // namespace
 
 explore_request_t to_message(const ExploreRequest& request) {
   explore_request_t message;

@@ -81,11 +81,11 @@ struct ReassemblyCounts {
 /// longest ago is abandoned.
 ///
 /// A fragment has `n_fragments` and `fragment`, its index. Functions for each type of fragment:
-///   int reassembly_id(const Fragment&);              // constant where only the newest object
-///   counts auto recency(const Fragment&);                   // greater for a newer revision of the
-///   id bool same_header(const Fragment&, const Fragment&);  // but for the index std::size_t
-///   bytes_in_memory(const Fragment&); std::optional<Object> reassemble(const
-///   FragmentSet<Fragment>&);  // nothing if inconsistent
+/// - `int reassembly_id(const Fragment&)`: constant where only the newest object counts;
+/// - `auto recency(const Fragment&)`: greater for a newer revision of the id;
+/// - `bool same_header(const Fragment&, const Fragment&)`: but for the index;
+/// - `std::size_t bytes_in_memory(const Fragment&)`;
+/// - `std::optional<Object> reassemble(const FragmentSet<Fragment>&)`: nothing if inconsistent.
 template <class Fragment, ReassemblyLimits kDefaultLimits = ReassemblyLimits{}>
 class Reassembler {
  public:

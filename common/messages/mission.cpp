@@ -8,6 +8,8 @@
 namespace adit {
 namespace {
 
+using Kind = MissionOrder::Kind;
+
 static_assert(static_cast<int>(Phase::kWaiting) == phase_t::PHASE_WAITING);
 static_assert(static_cast<int>(Phase::kExplore) == phase_t::PHASE_EXPLORE);
 static_assert(static_cast<int>(Phase::kScan) == phase_t::PHASE_SCAN);
@@ -19,6 +21,10 @@ static_assert(static_cast<int>(MissionOutcome::kInProgress) == phase_t::OUTCOME_
 static_assert(static_cast<int>(MissionOutcome::kHome) == phase_t::OUTCOME_HOME);
 static_assert(static_cast<int>(MissionOutcome::kStopped) == phase_t::OUTCOME_STOPPED);
 static_assert(static_cast<int>(MissionOutcome::kStranded) == phase_t::OUTCOME_STRANDED);
+static_assert(static_cast<int>(Kind::kPause) == mission_order_t::KIND_PAUSE);
+static_assert(static_cast<int>(Kind::kResume) == mission_order_t::KIND_RESUME);
+static_assert(static_cast<int>(Kind::kReturnHome) == mission_order_t::KIND_RETURN_HOME);
+static_assert(static_cast<int>(Kind::kStop) == mission_order_t::KIND_STOP);
 
 constexpr std::int32_t kNoFrontier = -1;
 
@@ -79,17 +85,6 @@ Result<MissionPhase> from_message(const phase_t& message) {
   phase.complete = message.complete != 0;
   return phase;
 }
-
-namespace {
-
-using Kind = MissionOrder::Kind;
-
-static_assert(static_cast<int>(Kind::kPause) == mission_order_t::KIND_PAUSE);
-static_assert(static_cast<int>(Kind::kResume) == mission_order_t::KIND_RESUME);
-static_assert(static_cast<int>(Kind::kReturnHome) == mission_order_t::KIND_RETURN_HOME);
-static_assert(static_cast<int>(Kind::kStop) == mission_order_t::KIND_STOP);
-
-}  // namespace
 
 mission_order_t to_message(const MissionOrder& order) {
   mission_order_t message;

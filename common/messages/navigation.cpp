@@ -48,42 +48,6 @@ std::string_view rejection_reason(const plan_goal_t& message) {
   return are_finite(traversed_path) ? std::string_view{} : "traversed path is not finite";
 }
 
-}  // namespace
-
-plan_goal_t to_message(const PlanGoal& goal) {
-  plan_goal_t message;
-  message.utime = goal.utime;
-  message.id = goal.id;
-  message.kind = static_cast<std::int8_t>(goal.kind);
-  set_pose(goal.T_odom_goal, message.T_odom_goal);
-  message.distance_max_m = goal.distance_m;
-  message.n_route = static_cast<std::int32_t>(goal.route_odom.size());
-  for (const Eigen::Vector2d& p : goal.route_odom) message.route_odom.push_back({p.x(), p.y()});
-  message.n_traversed_path = static_cast<std::int32_t>(goal.traversed_path_odom.size());
-  for (const Pose2& pose : goal.traversed_path_odom) {
-    message.traversed_path_odom.push_back({pose.x, pose.y, pose.theta});
-  }
-  return message;
-}
-
-Result<PlanGoal> from_message(const plan_goal_t& message) {
-  if (const auto reason = rejection_reason(message); !reason.empty()) return Rejected{reason};
-  PlanGoal goal{message.utime,
-                message.id,
-                PlanGoal::Kind(message.kind),
-                pose_from(message.T_odom_goal),
-                message.distance_max_m,
-                {},
-                {}};
-  for (const std::vector<double>& p : message.route_odom) goal.route_odom.emplace_back(p[0], p[1]);
-  for (const std::vector<double>& pose : message.traversed_path_odom) {
-    goal.traversed_path_odom.push_back({pose[0], pose[1], pose[2]});
-  }
-  return goal;
-}
-
-namespace {
-
 using Reason = BlockingCell::Reason;
 
 static_assert(static_cast<int>(PlanOutcome::kFound) == planned_path_t::OUTCOME_FOUND);
@@ -172,7 +136,58 @@ void add_blocking_cells(const std::vector<BlockingCell>& blocking, planned_path_
   message.n_blocking = static_cast<std::int32_t>(n);
 }
 
+static_assert(static_cast<int>(DrivingState::Kind::kIdle) == driving_state_t::STATE_IDLE);
+static_assert(static_cast<int>(DrivingState::Kind::kDriving) == driving_state_t::STATE_DRIVING);
+static_assert(static_cast<int>(DrivingState::Kind::kWaiting) == driving_state_t::STATE_WAITING);
+static_assert(static_cast<int>(DrivingState::Kind::kArrived) == driving_state_t::STATE_ARRIVED);
+static_assert(static_cast<int>(DrivingState::Kind::kFailed) == driving_state_t::STATE_FAILED);
+
+std::string_view rejection_reason(const driving_state_t& message) {
+  const auto kind = DrivingState::Kind(message.state);
+  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
+  if (message.path_id < 0) return "negative id";
+  if (kind < DrivingState::Kind::kIdle || kind > DrivingState::Kind::kFailed)
+    return "unknown state";
+  if (!is_distance(message.progress_m) || !is_distance(message.remaining_m))
+    return "invalid distance";
+  if (!std::isfinite(message.lateral_error_m)) return "lateral error is not finite";
+  if (!std::isfinite(message.heading_error_rad)) return "heading error is not finite";
+  return {};
+}
+
 }  // namespace
+
+plan_goal_t to_message(const PlanGoal& goal) {
+  plan_goal_t message;
+  message.utime = goal.utime;
+  message.id = goal.id;
+  message.kind = static_cast<std::int8_t>(goal.kind);
+  set_pose(goal.T_odom_goal, message.T_odom_goal);
+  message.distance_max_m = goal.distance_m;
+  message.n_route = static_cast<std::int32_t>(goal.route_odom.size());
+  for (const Eigen::Vector2d& p : goal.route_odom) message.route_odom.push_back({p.x(), p.y()});
+  message.n_traversed_path = static_cast<std::int32_t>(goal.traversed_path_odom.size());
+  for (const Pose2& pose : goal.traversed_path_odom) {
+    message.traversed_path_odom.push_back({pose.x, pose.y, pose.theta});
+  }
+  return message;
+}
+
+Result<PlanGoal> from_message(const plan_goal_t& message) {
+  if (const auto reason = rejection_reason(message); !reason.empty()) return Rejected{reason};
+  PlanGoal goal{message.utime,
+                message.id,
+                PlanGoal::Kind(message.kind),
+                pose_from(message.T_odom_goal),
+                message.distance_max_m,
+                {},
+                {}};
+  for (const std::vector<double>& p : message.route_odom) goal.route_odom.emplace_back(p[0], p[1]);
+  for (const std::vector<double>& pose : message.traversed_path_odom) {
+    goal.traversed_path_odom.push_back({pose[0], pose[1], pose[2]});
+  }
+  return goal;
+}
 
 planned_path_t to_message(const PlannedPath& path) {
   planned_path_t message;
@@ -205,29 +220,6 @@ Result<PlannedPath> from_message(const planned_path_t& message) {
   }
   return path;
 }
-
-namespace {
-
-static_assert(static_cast<int>(DrivingState::Kind::kIdle) == driving_state_t::STATE_IDLE);
-static_assert(static_cast<int>(DrivingState::Kind::kDriving) == driving_state_t::STATE_DRIVING);
-static_assert(static_cast<int>(DrivingState::Kind::kWaiting) == driving_state_t::STATE_WAITING);
-static_assert(static_cast<int>(DrivingState::Kind::kArrived) == driving_state_t::STATE_ARRIVED);
-static_assert(static_cast<int>(DrivingState::Kind::kFailed) == driving_state_t::STATE_FAILED);
-
-std::string_view rejection_reason(const driving_state_t& message) {
-  const auto kind = DrivingState::Kind(message.state);
-  if (!is_plausible_utime(message.utime)) return kImplausibleTime;
-  if (message.path_id < 0) return "negative id";
-  if (kind < DrivingState::Kind::kIdle || kind > DrivingState::Kind::kFailed)
-    return "unknown state";
-  if (!is_distance(message.progress_m) || !is_distance(message.remaining_m))
-    return "invalid distance";
-  if (!std::isfinite(message.lateral_error_m)) return "lateral error is not finite";
-  if (!std::isfinite(message.heading_error_rad)) return "heading error is not finite";
-  return {};
-}
-
-}  // namespace
 
 driving_state_t to_message(const DrivingState& state) {
   driving_state_t message;

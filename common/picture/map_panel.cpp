@@ -25,18 +25,19 @@ MapPanel::MapPanel(const Canvas& canvas, const TerrainMap& terrain, double left,
       left_(left),
       top_(top + kTitle),
       width_(width),
-      cell_px_(std::min(width / terrain.columns, kHigherThanWide * width / terrain.rows)) {}
+      cell_px_(std::min(width / terrain.cells.columns(),
+                        kHigherThanWide * width / terrain.cells.rows())) {}
 
 Eigen::Vector2d MapPanel::pixel(const Eigen::Vector2d& p_level) const {
   const Eigen::Vector2d p = (p_level - terrain_.p_level_corner) / terrain_.cell_m;
-  return {left_ + p.x() * cell_px_, top_ + (terrain_.rows - p.y()) * cell_px_};
+  return {left_ + p.x() * cell_px_, top_ + (terrain_.cells.rows() - p.y()) * cell_px_};
 }
 
-double MapPanel::bottom() const { return top_ + terrain_.rows * cell_px_; }
+double MapPanel::bottom() const { return top_ + terrain_.cells.rows() * cell_px_; }
 
 void MapPanel::draw(const RgbImage& image, const std::string& title) const {
-  const double width = terrain_.columns * cell_px_;
-  const double height = terrain_.rows * cell_px_;
+  const double width = terrain_.cells.columns() * cell_px_;
+  const double height = terrain_.cells.rows() * cell_px_;
   canvas_.colour(kInk);
   canvas_.text(title, left_, top_ - 9.0, width_ < kNarrow ? 0.85 * kTitleText : kTitleText, false,
                Align::kLeft);
@@ -80,8 +81,8 @@ double MapPanel::finish(const Legend& legend) const {
 
 void MapPanel::clip() const {
   cairo_save(canvas_.cairo());
-  cairo_rectangle(canvas_.cairo(), left_, top_, terrain_.columns * cell_px_,
-                  terrain_.rows * cell_px_);
+  cairo_rectangle(canvas_.cairo(), left_, top_, terrain_.cells.columns() * cell_px_,
+                  terrain_.cells.rows() * cell_px_);
   cairo_clip(canvas_.cairo());
 }
 

@@ -165,17 +165,6 @@ double draw_title(const Canvas& canvas, const std::string& title, double left, d
   return draw_text_block(canvas, title, left, top, width, kTitle) + kGap / 2.0;
 }
 
-/// With the last row at the top.
-RgbImage image_of(const GreyCells& cells) {
-  RgbImage image(cells.columns, cells.rows());
-  for (std::size_t i = 0; i < cells.grey.size(); ++i) {
-    const int row = static_cast<int>(i) / cells.columns;
-    image.at(static_cast<int>(i) % cells.columns, image.height - 1 - row) = {
-        cells.grey[i], cells.grey[i], cells.grey[i]};
-  }
-  return image;
-}
-
 double draw_path(const Canvas& canvas, const PlanPicture& picture, double left, double top,
                  double width, const Legend& more) {
   const MapPanel panel(canvas, picture.terrain, left, top, width);
@@ -203,7 +192,7 @@ double draw_slices(const Canvas& canvas, const PlanPicture& picture, double left
     const auto place = static_cast<int>(i) % columns;
     if (place == 0) top = bottom;
     const MapPanel panel(canvas, picture.terrain, left + place * (width + kGap), top, width);
-    panel.draw(image_of(picture.slices[i]), picture.slices[i].label);
+    panel.draw(grey_image(picture.slices[i]), picture.slices[i].label);
     draw_path_line(panel, picture.path);
     bottom = std::max(bottom, panel.bottom() + kGap / 2.0);
   }
@@ -223,7 +212,7 @@ double draw_kernels(const Canvas& canvas, const PlanPicture& picture, double lef
     canvas.colour(kInk);
     canvas.text(kernel.label, x, top + kLabelText, kLabelText, false, Align::kLeft);
     canvas.fill_rectangle(x - 1.0, top + kLabel - 1.0, side + 2.0, side + 2.0);
-    canvas.image(image_of(kernel), x, top + kLabel, side, side);
+    canvas.image(grey_image(kernel), x, top + kLabel, side, side);
     x += side + kGap;
   }
   const Legend legend{
@@ -268,6 +257,16 @@ double draw_maps(const Canvas& canvas, const PlanPicture& picture, double left, 
 }
 
 }  // namespace
+
+RgbImage grey_image(const GreyCells& cells) {
+  RgbImage image(cells.grey.columns(), cells.grey.rows());
+  for (std::size_t i = 0; i < cells.grey.size(); ++i) {
+    const Eigen::Vector2i cell = cells.grey.cell(i) - cells.grey.box().from;
+    const std::uint8_t value = cells.grey[i];
+    image.at(cell.x(), image.height - 1 - cell.y()) = {value, value, value};
+  }
+  return image;
+}
 
 void write_path_png(const PlanPicture& picture, const std::filesystem::path& path) {
   write_sheet(path, kPathWidth, [&](const Canvas& canvas, double left, double top) {

@@ -8,22 +8,21 @@
 #include <string>
 #include <vector>
 
+#include "common/grid/grid2.hpp"
 #include "common/picture/rgb_image.hpp"
 #include "common/types/planned_path.hpp"
 #include "common/types/terrain_map.hpp"
 
 namespace adit {
 
-/// Grey cells, row by row, 0 black to 255 white.
+/// Grey cells with a label.
 struct GreyCells {
   std::string label;
-  int columns = 0;
-  std::vector<std::uint8_t> grey;
-
-  [[nodiscard]] int rows() const {
-    return columns == 0 ? 0 : static_cast<int>(grey.size()) / columns;
-  }
+  Grid2<std::uint8_t> grey;  ///< 0 black to 255 white
 };
+
+/// One pixel for each cell, the last row at the top.
+RgbImage grey_image(const GreyCells& cells);
 
 /// The steps of a plan: terrain, C-space, kernels and path.
 struct PlanPicture {

@@ -52,10 +52,11 @@ Colour colour_of(const TerrainCell& cell, TerrainLayer layer) {
 }  // namespace
 
 RgbImage terrain_image(const TerrainMap& map, TerrainLayer layer) {
-  RgbImage image(map.columns, map.rows);
-  for (int row = 0; row < map.rows; ++row) {
-    for (int column = 0; column < map.columns; ++column) {
-      image.at(column, map.rows - 1 - row) = rgb_pixel(colour_of(map.at(column, row), layer));
+  RgbImage image(map.cells.columns(), map.cells.rows());
+  for (int row = 0; row < map.cells.rows(); ++row) {
+    for (int column = 0; column < map.cells.columns(); ++column) {
+      image.at(column, map.cells.rows() - 1 - row) =
+          rgb_pixel(colour_of(map.cells.at({column, row}), layer));
     }
   }
   return image;

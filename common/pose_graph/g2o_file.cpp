@@ -13,11 +13,11 @@
 #include <string_view>
 #include <system_error>
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 #include <zlib.h>
 
 #include "common/config/number_text.hpp"
+#include "common/geometry/symmetric_eigen.hpp"
 #include "common/pose_graph/optimize.hpp"
 
 namespace adit {
@@ -171,9 +171,7 @@ class Parser {
     for (const auto& [r, c] : order) {
       information(r, c) = information(c, r) = tokens.number<double>("finite number of information");
     }
-    const Eigen::Vector3d eigenvalues =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information, Eigen::EigenvaluesOnly)
-            .eigenvalues();
+    const Eigen::Vector3d eigenvalues = symmetric_eigen(information).values;
     if (!(eigenvalues.minCoeff() >= -kNegativeMax * eigenvalues.cwiseAbs().maxCoeff())) {
       tokens.fail("the information has the negative eigenvalue " +
                   number_text(eigenvalues.minCoeff()));

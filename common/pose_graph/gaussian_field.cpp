@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
+#include "common/geometry/symmetric_eigen.hpp"
 #include "common/pose_graph/optimize.hpp"
 
 namespace adit {
@@ -18,8 +18,8 @@ constexpr double kShareMax = 1.0 - 1e-9;
 
 /// G with G Gᵀ = R, which may be singular.
 Eigen::Matrix3d square_root(const Eigen::Matrix3d& R) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(R);
-  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  const SymmetricEigen<3> eigen = symmetric_eigen(R);
+  return eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
 GraphStructure analyse_connected(const PoseGraph& graph) {
@@ -82,8 +82,7 @@ bool GaussianField::remove(const PoseConstraint& constraint) {
   // H − C Cᵀ is positive definite iff I − Cᵀ H⁻¹ C is; checked first, since a failed downdate
   // destroys the factor.
   const Eigen::Matrix3d share = C.transpose() * equations_.matrix().inverse_among(blocks) * C;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(share, Eigen::EigenvaluesOnly);
-  if (solver.eigenvalues().maxCoeff() > kShareMax) return false;
+  if (symmetric_eigen(share).values.maxCoeff() > kShareMax) return false;
   if (!equations_.matrix().downdate(blocks, C)) {
     throw std::runtime_error("the field is too ill-conditioned to remove a constraint");
   }

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include "common/geometry/pose2.hpp"
+#include "common/geometry/symmetric_eigen.hpp"
 
 namespace adit {
 
@@ -36,8 +36,7 @@ struct MapCorrection {
 inline std::optional<double> position_sd_m(const MapCorrection& correction) {
   if (!correction.covariance) return std::nullopt;
   const Eigen::Matrix2d covariance = correction.covariance->topLeftCorner<2, 2>();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(covariance, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, axes.eigenvalues().maxCoeff()));
+  return std::sqrt(std::max(0.0, symmetric_eigen(covariance).values.maxCoeff()));
 }
 
 /// Whether the pose of odom in map is accurate enough to transfer observations from another odom

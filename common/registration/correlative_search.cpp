@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-#include <Eigen/Eigenvalues>
+#include "common/geometry/symmetric_eigen.hpp"
 
 namespace adit {
 namespace {
@@ -132,9 +132,8 @@ class Gate {
   Gate(const SearchWindow& window, double theta) : sigmas_(window.sigmas) {
     const Eigen::Matrix3d turn = adjoint(Pose2{0.0, 0.0, theta});
     information_ = turn * window.information * turn.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> plane(
-        Eigen::Matrix2d(information_.topLeftCorner<2, 2>()), Eigen::EigenvaluesOnly);
-    sigmas_per_m_ = std::sqrt(std::max(0.0, plane.eigenvalues().y()));
+    const Eigen::Matrix2d plane = information_.topLeftCorner<2, 2>();
+    sigmas_per_m_ = std::sqrt(std::max(0.0, symmetric_eigen(plane).values.y()));
   }
 
   /// Whether any pose at this turn, within `radius` of this shift, lies in the gate. Conservative:

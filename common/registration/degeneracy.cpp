@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include <Eigen/Eigenvalues>
+#include "common/geometry/symmetric_eigen.hpp"
 
 namespace adit {
 
@@ -16,14 +16,14 @@ ConstrainedInformation split_degenerate(const Eigen::Matrix3d& information,
   const auto in_metres = [&](const Eigen::Matrix3d& M) -> Eigen::Matrix3d {
     return to_radians.asDiagonal() * M * to_radians.asDiagonal();
   };
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(in_metres(information));
+  const SymmetricEigen<3> principal = symmetric_eigen(in_metres(information));
   const Eigen::Matrix3d spurious_m = in_metres(spurious);
   const double least = 1.0 / (params.sd_max_m * params.sd_max_m);
 
   ConstrainedInformation result;
   for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d v = solver.eigenvectors().col(i);
-    const double information_i = solver.eigenvalues()[i];
+    const Eigen::Vector3d v = principal.vectors.col(i);
+    const double information_i = principal.values[i];
     const double spurious_i = v.dot(spurious_m * v);
     if (information_i <= std::max(least, params.spurious_ratio * spurious_i)) {
       result.degenerate.push_back({v, std::max(0.0, information_i - 2.0 * spurious_i)});

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "common/geometry/attitude.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/registration/surface_points.hpp"
 #include "common/sensing/laser_mount.hpp"
@@ -19,22 +20,33 @@ namespace adit {
 class FreeSpace {
  public:
   FreeSpace() = default;
-  FreeSpace(const LaserScan& scan, const LaserMount& mount);
+  /// `z_m`: height of the origin of the body frame, in the frame of the heights of the points.
+  FreeSpace(const LaserScan& scan, const LaserMount& mount, const Attitude& attitude = {},
+            double z_m = 0.0);
 
-  /// Number of points, transformed by `T_body_points` into the body frame of this scan, that are
-  /// nearer than the range measured in their direction by more than `margin` [m].
+  /// Number of points, transformed by `T_body_points` into the level frame of the body of this
+  /// scan, that are nearer than the range measured in their direction by more than `margin` [m],
+  /// and that the beam did not pass above or below.
   [[nodiscard]] int count_inside(const std::vector<SurfacePoint>& points,
                                  const Pose2& T_body_points, double margin) const;
 
-  /// The same for one point in the laser frame.
-  [[nodiscard]] bool inside(const Eigen::Vector2d& p_laser, double margin) const;
-  /// T_laser_body.
+  /// The same for one point, in the level frame of the laser.
+  [[nodiscard]] bool inside(const Eigen::Vector2d& p_laser, double z_m, double margin) const;
+  /// The same space, this much higher.
+  [[nodiscard]] FreeSpace raised(double dz_m) const {
+    FreeSpace raised = *this;
+    raised.z_laser_m_ += dz_m;
+    return raised;
+  }
+  /// T_laser_body, in plan.
   [[nodiscard]] const Pose2& body_in_laser() const { return T_laser_body_; }
 
  private:
   Pose2 T_laser_body_;
   double angle_min_ = 0.0;
   double angle_step_ = 1.0;
+  double z_laser_m_ = 0.0;
+  Eigen::Vector2d rise_{0.0, 0.0};  ///< of the plane of the scan, along x and y of the level laser
   std::vector<float> free_m_;  ///< by beam: minimum of the reading and its neighbours; 0: unknown
 };
 

@@ -113,7 +113,8 @@ class Accumulator {
     if (q == nullptr) return;
     ++sums_.corresponding;
     const Eigen::Vector2d d = p_odom - q->p;
-    const double variance = std::max(q->variance + point.variance, kVarianceMin);
+    const double lean_m = point.lean_sd * (point.z_m - q->z_m);
+    const double variance = std::max(q->variance + point.variance + lean_m * lean_m, kVarianceMin);
     if (q->has_normal()) {
       add_row(point.p, rotate_back(q->normal),
               {q->normal.dot(d), variance, point.weight, 1.0, q->normal_variance});

@@ -98,10 +98,32 @@ double variance_along_normal(const Return& at, const SurfacePoint& point,
   return range_variance + across * across * (1.0 - cosine * cosine);
 }
 
+/// Projects points of a planar scan, and their normals, along the vertical.
+class LevelProjection {
+ public:
+  LevelProjection(const LaserMount& mount, const Attitude& attitude)
+      : height_m_(mount.height_m), R_level_body_(attitude.rotation()) {}
+
+  void apply(SurfacePoint& point) const {
+    const Eigen::Vector3d p = R_level_body_ * Eigen::Vector3d(point.p.x(), point.p.y(), height_m_);
+    point.p = p.head<2>();
+    point.z_m = p.z();
+    if (!point.has_normal()) return;
+    // The line of the surface in the plane of the scan is projected; the normal is across it.
+    const Eigen::Vector2d line =
+        R_level_body_.topLeftCorner<2, 2>() * Eigen::Vector2d(-point.normal.y(), point.normal.x());
+    point.normal = Eigen::Vector2d(line.y(), -line.x()).normalized();
+  }
+
+ private:
+  double height_m_;
+  Eigen::Matrix3d R_level_body_;
+};
+
 }  // namespace
 
 std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount& mount,
-                                         const SurfaceParams& params) {
+                                         const SurfaceParams& params, const Attitude& attitude) {
   const auto returns = valid_returns(scan, mount);
   const auto connected = connect_neighbours(returns, params);
   const int n = static_cast<int>(returns.size());
@@ -109,6 +131,7 @@ std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount
   const double s = std::sin(mount.T_body_laser.theta);
   Eigen::Matrix2d R_body_laser;
   R_body_laser << c, -s, s, c;
+  const LevelProjection projection(mount, attitude);
 
   std::vector<SurfacePoint> points;
   points.reserve(n);
@@ -129,7 +152,10 @@ std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount
     fit_normal(returns, first, last, params, returns[i], point);
     point.variance = variance_along_normal(returns[i], point, params);
     point.p = mount.T_body_laser * returns[i].p_laser;
+    point.z_m = mount.height_m;
     point.normal = R_body_laser * point.normal;
+    point.beam = returns[i].beam;
+    if (!attitude.is_level()) projection.apply(point);
     point.weight = std::min(1.0, returns[i].range * scan.angle_step_rad / params.spacing_full_m);
     points.push_back(point);
   }

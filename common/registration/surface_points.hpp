@@ -7,18 +7,22 @@
 #include <Eigen/Core>
 
 #include "common/config/bounds.hpp"
+#include "common/geometry/attitude.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
 
 namespace adit {
 
-/// A point of a scan with the local normal of the surface it lies on.
+/// A point of a scan, seen from above, with the local normal of the surface it lies on.
 struct SurfacePoint {
   Eigen::Vector2d p = Eigen::Vector2d::Zero();       ///< [m]
+  double z_m = 0.0;                                  ///< height
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit, towards the laser; zero: unknown
   double normal_variance = 0.0;                      ///< of the direction of the normal [rad²]
   double variance = 0.0;                             ///< of the position along the normal [m²]
   double weight = 1.0;                               ///< lower where beams are dense
+  double lean_sd = 0.2;  ///< standard deviation of the surface's distance at another height [m/m]
+  int beam = 0;          ///< of the scan
 
   [[nodiscard]] bool has_normal() const { return normal.squaredNorm() > 0.5; }
 };
@@ -48,11 +52,14 @@ struct SurfaceParams {
   }
 };
 
-/// The valid points of a scan in the body frame, in order of angle. Discarded are NaN and infinite
+/// The valid points of a scan, in order of angle, in the level frame of the body: each is projected
+/// along the vertical, so that a vertical wall is seen at the same place whatever the attitude.
+/// Heights are above the origin of the body frame. Discarded are NaN and infinite
 /// readings, those outside the mount's range limits, and isolated points between a near and a far
 /// surface (mixed pixels, where the spot of the beam covers both). An empty scan gives an empty
 /// vector.
 std::vector<SurfacePoint> surface_points(const LaserScan& scan, const LaserMount& mount,
-                                         const SurfaceParams& params);
+                                         const SurfaceParams& params,
+                                         const Attitude& attitude = {});
 
 }  // namespace adit

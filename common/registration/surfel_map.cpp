@@ -79,7 +79,7 @@ void SurfelMap::merge(const SurfacePoint& point, double odometer) {
   }
   if (found == nullptr) {
     surfels_.push_back(
-        {point.p, point.normal, point.normal_variance, point.variance, odometer, -1});
+        {point.p, point.z_m, point.normal, point.normal_variance, point.variance, odometer, -1});
     link(static_cast<int>(surfels_.size()) - 1);
     return;
   }
@@ -101,6 +101,7 @@ void SurfelMap::merge(const SurfacePoint& point, double odometer) {
   }
   const double share = share_of_new(found->variance, point.variance);
   found->p += share * found->normal.dot(point.p - found->p) * found->normal;
+  found->z_m += share * (point.z_m - found->z_m);
   found->variance = share * point.variance;
 }
 

@@ -16,6 +16,7 @@ namespace adit {
 /// A small patch of a wall: the mean of all points measured on it.
 struct Surfel {
   Eigen::Vector2d p = Eigen::Vector2d::Zero();       ///< [m]
+  double z_m = 0.0;                                  ///< height of the beams that hit it
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit, towards the laser; zero: unknown
   double normal_variance = 0.0;                      ///< [rad²]
   double variance = 0.0;                             ///< of the position along the normal [m²]

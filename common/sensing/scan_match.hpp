@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "common/geometry/attitude.hpp"
 #include "common/geometry/pose2.hpp"
 
 namespace adit {
@@ -40,6 +42,11 @@ struct ScanMatch {
   Status status = Status::kRejected;
   Pose2 T_odom_body;
   Pose2 T_reference_body;  ///< motion since `reference_utime`
+
+  std::optional<Attitude> attitude;  ///< against gravity; nothing without an IMU
+  double z_m = 0.0;                  ///< height of the body in odom, by its motion along its pitch
+  /// Beams of the scan that hit the ground or the roof, not a wall, in increasing order.
+  std::vector<std::int32_t> ground_beams;
 
   /// Covariance of T_reference_body: of (x, y, θ) in the body frame at `utime` [m, m, rad].
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "common/geometry/attitude.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/sensing/laser_scan.hpp"
 
@@ -16,8 +18,11 @@ namespace adit {
 /// A scan of a local map.
 struct LocalScan {
   std::string channel;  ///< channel of the scan, e.g. LASER_FRONT
-  LaserScan scan;
+  LaserScan scan;       ///< 0 for beams that hit the ground or the roof
   Pose2 T_local_body;
+  double z_m = 0.0;  ///< height of the body above that of the first scan
+  /// Of the body against gravity; nothing without an IMU.
+  std::optional<Attitude> attitude = {};
 
   friend bool operator==(const LocalScan&, const LocalScan&) = default;
 };
@@ -35,6 +40,7 @@ struct LocalMap {
   /// Undefined for the first local map of a session.
   Pose2 T_previous_local;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  double climb_m = 0.0;  ///< height above the local map `id` − 1; 0 for the first of a session
   std::vector<LocalScan> scans;
 
   friend bool operator==(const LocalMap&, const LocalMap&) = default;

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include <Eigen/Core>
 
 #include "common/geometry/pose2.hpp"
+#include "common/grid/grid2.hpp"
 
 namespace adit {
 
@@ -38,31 +37,22 @@ struct TerrainCell {
 
 /// The 2½D terrain map of a 3D scan (the paper's section 3.1), in the frame level of its cloud.
 /// Cell (column, row) covers [column, column + 1) × [row, row + 1) times `cell_m` from
-/// `p_level_corner`; cells are stored row by row.
+/// `p_level_corner`, which is the corner of cell (0, 0), the first one.
 struct TerrainMap {
   std::int64_t utime = 0;  ///< time of the cloud [µs since the epoch]
   std::int32_t id = 0;     ///< id of the cloud
   Pose2 T_odom_level;
   Eigen::Vector2d p_level_corner{0.0, 0.0};  ///< [m]
   double cell_m = 0.1;
-  int columns = 0;
-  int rows = 0;
-  std::vector<TerrainCell> cells;
+  Grid2<TerrainCell> cells;  ///< from (0, 0)
 
-  [[nodiscard]] bool contains(int column, int row) const {
-    return column >= 0 && row >= 0 && column < columns && row < rows;
-  }
-  [[nodiscard]] const TerrainCell& at(int column, int row) const {
-    return cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                 static_cast<std::size_t>(column)];
-  }
-  [[nodiscard]] TerrainCell& at(int column, int row) {
-    return cells[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-                 static_cast<std::size_t>(column)];
-  }
   /// p_level of the centre of a cell [m].
   [[nodiscard]] Eigen::Vector2d centre(int column, int row) const {
     return p_level_corner + cell_m * Eigen::Vector2d(column + 0.5, row + 0.5);
+  }
+  /// The cell that contains a point, which may lie outside the map.
+  [[nodiscard]] Eigen::Vector2i cell_at(const Eigen::Vector2d& p_level) const {
+    return cell_of(p_level - p_level_corner, cell_m);
   }
 };
 

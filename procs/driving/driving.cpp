@@ -57,9 +57,9 @@ void Driving::begin_run() {
                    params_.steering.rate_1_m_s);
 }
 
-void Driving::add_pose(std::int64_t utime, const Pose2& T_odom_body) {
+void Driving::add_pose(std::int64_t utime, const Pose2& T_odom_body, const Attitude& attitude) {
   filter_.add(utime, steered_.pose(T_odom_body));
-  monitor_.add_pose(utime, T_odom_body);
+  monitor_.add_pose(utime, T_odom_body, attitude);
 }
 
 void Driving::add_match(const ScanMatch& match) {

@@ -80,7 +80,7 @@ class Driving {
 
   /// Replaces the path. Idle if the planner found none, or one longer than 1 km.
   void follow(const PlannedPath& path);
-  void add_pose(std::int64_t utime, const Pose2& T_odom_body);
+  void add_pose(std::int64_t utime, const Pose2& T_odom_body, const Attitude& attitude = {});
   void add_match(const ScanMatch& match);
   void add_state(const VehicleState& state);
   /// `utime` is the bus time of the reception.

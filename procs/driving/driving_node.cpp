@@ -25,7 +25,7 @@ bool has_changed(const DrivingState& state, const DrivingState& published) {
 DrivingNode::DrivingNode(Bus& bus, const Params& params) : bus_(bus), driving_(params) {
   const auto measured = Delivery::queued(kPoseQueueSize);
   subscribe<pose_t>(bus, channels::kPose, measured, [this](const StampedPose& pose) {
-    driving_.add_pose(pose.utime, pose.T_odom_body);
+    driving_.add_pose(pose.utime, pose.T_odom_body, pose.attitude);
   });
   subscribe<scan_match_t>(bus, channels::kScanMatch, measured,
                           [this](const ScanMatch& match) { driving_.add_match(match); });

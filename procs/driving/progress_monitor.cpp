@@ -45,17 +45,20 @@ void OdometryMismatch::add_state(const VehicleState& state) {
   state_ = state;
 }
 
-void OdometryMismatch::add_pose(std::int64_t utime, const Pose2& T_odom_body) {
+void OdometryMismatch::add_pose(std::int64_t utime, const Pose2& T_odom_body,
+                                const Attitude& attitude) {
   if (state_ && seconds(utime - state_->utime) > kStateGapMaxS) reset();
   if (T_odom_body_ && state_) {
     const Pose2 step = between(*T_odom_body_, T_odom_body);
-    pose_m_ += (Pose2{0.0, 0.0, -0.5 * step.theta} * step.translation()).x();
+    const double level_m = (Pose2{0.0, 0.0, -0.5 * step.theta} * step.translation()).x();
+    pose_m_ += level_m / std::cos(attitude.pitch_rad);
   }
   T_odom_body_ = T_odom_body;
 }
 
-void ProgressMonitor::add_pose(std::int64_t utime, const Pose2& T_odom_body) {
-  odometry_mismatch_.add_pose(utime, T_odom_body);
+void ProgressMonitor::add_pose(std::int64_t utime, const Pose2& T_odom_body,
+                               const Attitude& attitude) {
+  odometry_mismatch_.add_pose(utime, T_odom_body, attitude);
 }
 
 void ProgressMonitor::reset() {

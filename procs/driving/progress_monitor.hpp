@@ -8,6 +8,7 @@
 #include <string>
 
 #include "common/config/bounds.hpp"
+#include "common/geometry/attitude.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/sensing/scan_match.hpp"
 #include "common/types/driving_state.hpp"
@@ -63,7 +64,7 @@ class OdometryMismatch {
   /// Starts again after a gap of the vehicle states.
   void add_state(const VehicleState& state);
   /// Starts again if the vehicle states are stale.
-  void add_pose(std::int64_t utime, const Pose2& T_odom_body);
+  void add_pose(std::int64_t utime, const Pose2& T_odom_body, const Attitude& attitude = {});
   void reset() { *this = {}; }
 
   /// Positive if the distance by the wheels is larger [m].
@@ -105,7 +106,7 @@ class ProgressMonitor {
   explicit ProgressMonitor(const ProgressLimits& limits)
       : limits_(limits), hold_timeout_(limits.hold_timeout_s) {}
 
-  void add_pose(std::int64_t utime, const Pose2& T_odom_body);
+  void add_pose(std::int64_t utime, const Pose2& T_odom_body, const Attitude& attitude = {});
   void add_state(const VehicleState& state) { odometry_mismatch_.add_state(state); }
   void add_match(const ScanMatch& match) { unobserved_.add_match(match); }
   void add_drive(double distance_m) { unobserved_.add_drive(distance_m); }

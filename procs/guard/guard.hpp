@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "common/geometry/pose2.hpp"
+#include "common/sensing/attitude_filter.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/laser_tilt.hpp"
 #include "common/sensing/vehicle_readings.hpp"
 #include "common/types/vehicle_state.hpp"
-#include "procs/guard/attitude.hpp"
 #include "procs/guard/guard_params.hpp"
 #include "procs/guard/input_staleness.hpp"
 #include "procs/guard/obstacle_check.hpp"
@@ -34,7 +34,7 @@ struct StopReason {
 };
 
 /// The safety monitor of the vehicle. It is independent of all plans: it depends only on sensor
-/// data and on the commands to the vehicle. It orders a stop for
+/// data, POSE and the commands to the vehicle. It orders a stop for
 /// - an obstacle within the stopping distance on the commanded arc or on the measured one;
 /// - stale data: the laser in the direction of motion, pose, commands;
 /// - roll, pitch, sinkage and air beyond their limits; a retreat is permitted;
@@ -44,7 +44,9 @@ struct StopReason {
 /// `now` is bus time [µs since the epoch], and passed with all data.
 class Guard {
  public:
-  /// Throws as validated() does.
+  /// Throws std::invalid_argument if a level laser could see no obstacles, as it is below the
+  /// height of a step or above the vehicle; if the blind range of a laser exceeds the obstacle
+  /// margin; and if the tilt margin allows no tilt.
   explicit Guard(const GuardParams& params);
 
   void receive(LaserId laser, const LaserScan& scan, std::int64_t now);
@@ -86,7 +88,7 @@ class Guard {
   GuardParams params_;
   MonotonicTime time_;
   Surroundings surroundings_;
-  Attitude attitude_;
+  AttitudeFilter attitude_;
   LastReceived command_received_, state_received_, imu_received_, gas_received_, sinkage_received_,
       pose_received_, supervisor_received_;
   DriveCommand command_;

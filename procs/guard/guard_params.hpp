@@ -3,9 +3,9 @@
 #pragma once
 
 #include "common/config/bounds.hpp"
+#include "common/sensing/attitude_filter.hpp"
 #include "common/sensing/laser_mount.hpp"
 #include "common/types/vehicle.hpp"
-#include "procs/guard/attitude.hpp"
 #include "procs/guard/limit_checks.hpp"
 #include "procs/guard/obstacle_check.hpp"
 
@@ -25,7 +25,7 @@ struct GuardParams {
   double sinkage_share = 0.75;      ///< of Vehicle::sinkage_max_m
   ObstacleParams obstacle;
   AirParams air;
-  AttitudeParams attitude;
+  AttitudeFilterParams attitude;
 
   template <class V>
   void visit(V& v) {
@@ -43,10 +43,5 @@ struct GuardParams {
     v("attitude", attitude);
   }
 };
-
-/// Returns the parameters. Throws std::invalid_argument if a level laser could see no obstacles, as
-/// it is below the height of a step or above the vehicle; if the blind range of a laser exceeds the
-/// obstacle margin; and if the tilt margin allows no tilt.
-GuardParams validated(const GuardParams& params);
 
 }  // namespace adit

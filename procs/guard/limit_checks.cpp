@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "procs/guard/attitude.hpp"
+#include "common/sensing/attitude_filter.hpp"
 
 namespace adit {
 namespace {

@@ -38,13 +38,13 @@ std::optional<LocalMap> LocalMapBuilder::add(const std::string& channel, const L
   if (match.status == ScanMatch::Status::kLost) return finished;
   const bool due = first_map_due(scan.utime);
   if (!due && !moved_enough(channel, T_odom_body_)) return finished;
-  store_scan(channel, scan, T_odom_body_);
+  store_scan(channel, scan, match);
   if (!due && distance_travelled_m_ < params_.length_m && turn_rad_ < params_.turn_max_rad)
     return finished;
 
   finished = end();
   begin(T_odom_body_);
-  store_scan(channel, scan, T_odom_body_);
+  store_scan(channel, scan, match);
   return finished;
 }
 
@@ -58,12 +58,13 @@ std::optional<LocalMap> LocalMapBuilder::finish() {
   return finished;
 }
 
-void LocalMapBuilder::replace_last_map(const UncertainPose& T_before_last) {
+void LocalMapBuilder::replace_last_map(const UncertainPose& T_before_last, double climb_m) {
   --map_.id;
   const UncertainPose T_last_local{map_.T_previous_local, map_.information.inverse()};
   const UncertainPose T_before_local = T_before_last * T_last_local;
   map_.T_previous_local = T_before_local.T_from_to;
   map_.information = T_before_local.covariance.inverse();
+  map_.climb_m += climb_m;
 }
 
 bool LocalMapBuilder::first_map_due(std::int64_t utime) const {
@@ -80,7 +81,8 @@ bool LocalMapBuilder::moved_enough(const std::string& channel, const Pose2& T_od
 }
 
 void LocalMapBuilder::store_scan(const std::string& channel, const LaserScan& scan,
-                                 const Pose2& T_odom_body) {
+                                 const ScanMatch& match) {
+  const Pose2& T_odom_body = match.T_odom_body;
   const Pose2 moved = between(T_odom_stored_, T_odom_body);
   const double distance = moved.translation().norm();
   error_.add_travel(distance, moved.theta);
@@ -92,10 +94,15 @@ void LocalMapBuilder::store_scan(const std::string& channel, const LaserScan& sc
   if (map_.scans.empty()) {
     map_.utime = scan.utime;
     map_.T_odom_local = T_odom_body;
-    map_.scans.push_back({channel, scan, Pose2{}});
-  } else {
-    map_.scans.push_back({channel, scan, between(map_.T_odom_local, T_odom_body)});
+    z_odom_local_m_ = match.z_m;
   }
+  const Pose2 T_local_body = map_.scans.empty() ? Pose2{} : between(map_.T_odom_local, T_odom_body);
+  LocalScan stored{channel, scan, T_local_body, match.z_m - z_odom_local_m_, match.attitude};
+  for (const std::int32_t beam : match.ground_beams) {
+    const auto i = static_cast<std::size_t>(beam);
+    if (i < stored.scan.ranges_m.size()) stored.scan.ranges_m[i] = 0.0F;
+  }
+  map_.scans.push_back(std::move(stored));
 }
 
 void LocalMapBuilder::begin(const Pose2& T_odom_local) {
@@ -114,6 +121,7 @@ LocalMap LocalMapBuilder::end() {
   map_.session = finished.session;
   map_.T_previous_local = between(finished.T_odom_local, T_odom_body_);
   map_.information = error_.covariance().inverse();
+  map_.climb_m = finished.scans.back().z_m;
   return finished;
 }
 

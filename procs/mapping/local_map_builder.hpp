@@ -54,7 +54,7 @@ class LocalMapBuilder {
 
   /// Replaces the last finished local map, which is discarded, by the current one: links the
   /// current map to the one before, in which it begins at `T_before_last`.
-  void replace_last_map(const UncertainPose& T_before_last);
+  void replace_last_map(const UncertainPose& T_before_last, double climb_m);
 
   /// The current local map; without scans before the first scan and after `finish`.
   [[nodiscard]] const LocalMap& current() const { return map_; }
@@ -65,7 +65,7 @@ class LocalMapBuilder {
  private:
   [[nodiscard]] bool first_map_due(std::int64_t utime) const;
   [[nodiscard]] bool moved_enough(const std::string& channel, const Pose2& T_odom_body) const;
-  void store_scan(const std::string& channel, const LaserScan& scan, const Pose2& T_odom_body);
+  void store_scan(const std::string& channel, const LaserScan& scan, const ScanMatch& match);
   void begin(const Pose2& T_odom_local);
   LocalMap end();
 
@@ -76,6 +76,7 @@ class LocalMapBuilder {
   Pose2 T_odom_body_;                             ///< of the last match
   Pose2 T_odom_stored_;                           ///< of the last stored scan, of any laser
   std::map<std::string, Pose2> last_stored_;  ///< T_odom_body of the last stored scan, by channel
+  double z_odom_local_m_ = 0.0;               ///< height of the current local map in odom
   double distance_travelled_m_ = 0.0;
   double turn_rad_ = 0.0;
   bool continues_ = false;  ///< the current local map is the first of a later session

@@ -171,7 +171,7 @@ void Mapping::discard_newest(MapUpdate& update, LazyAssociation::Checkpoint befo
   maps_.pop_back();
   walls_.pop_back();
   extents_.pop_back();
-  builder_.replace_last_map(T_last_here);
+  builder_.replace_last_map(T_last_here, update.map.climb_m);
   --revision_;
   update.stored = false;
 }
@@ -314,7 +314,8 @@ std::vector<PlacedWalls> Mapping::walls_around(int map, std::span<const Pose2> T
   for (const int k : {map, map - 1, map + 1}) {
     if (k < 0 || k >= static_cast<int>(T_map_local.size())) continue;
     if (maps_[at(k)].session != maps_[at(map)].session) continue;
-    placed.push_back({&walls_[at(k)], between(T_map_local[at(map)], T_map_local[at(k)])});
+    const double z_m = k < map ? -maps_[at(map)].climb_m : k > map ? maps_[at(k)].climb_m : 0.0;
+    placed.push_back({&walls_[at(k)], between(T_map_local[at(map)], T_map_local[at(k)]), z_m});
   }
   return placed;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -14,11 +15,13 @@
 
 namespace adit {
 
-/// A preprocessed scan: its points in the body frame, and the free space that it observed.
+/// A preprocessed scan: its points in the level frame of the body, at heights in odom, and the free
+/// space that it observed.
 struct ScanObservation {
   LaserId laser = LaserId::kFront;
   std::vector<SurfacePoint> points;
   FreeSpace free_space;
+  std::vector<std::int32_t> ground_beams;  ///< that hit the ground or the roof; not in `points`
 };
 
 struct LocalReferenceParams {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "common/geometry/pose2.hpp"
@@ -67,6 +68,16 @@ Pose2 fill_unconstrained(const Pose2& T_odom_body, const MotionEstimate& expecte
 constexpr double kOdometerStepM = 0.1;
 constexpr double kTypicalShare = 0.05;  // weight of a new score in the running mean
 
+/// Of ground or roof at a grade of 20 %.
+constexpr double kGroundLeanSd = 5.0;
+
+/// Whether the surface may be rising ground ahead, or the roof over falling ground: it is not a
+/// wall along the direction of travel.
+bool may_be_ground(const SurfacePoint& point) {
+  constexpr double kAlongMax = 0.5;  // sine of 30°
+  return !point.has_normal() || std::abs(point.normal.x()) > kAlongMax;
+}
+
 /// Root mean square distance of the points: the mean displacement per radian of turn.
 double lever_arm_m(const std::vector<SurfacePoint>& points) {
   double squares = 0.0;
@@ -79,14 +90,19 @@ double lever_arm_m(const std::vector<SurfacePoint>& points) {
 ScanMatching::ScanMatching(const ScanMatchingParams& params)
     : params_(params),
       motion_(params.motion),
-      tilt_(params.body_tilt),
+      attitude_(params.attitude),
       reference_(params.reference),
       search_(params.search),
       standstill_(params.standstill) {}
 
 bool ScanMatching::add(const ImuReading& reading) {
-  tilt_.add(reading);
+  attitude_.add(reading);
   return motion_.add(reading);
+}
+
+void ScanMatching::add(TerrainMap terrain) {
+  // The robot stands from the end of the sweep until the map is used.
+  if (attitude_.attitude()) ground_.add(std::move(terrain), z_m_);
 }
 
 ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
@@ -94,9 +110,10 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   ScanMatch match = rejected(scan.utime);
   if (!advances_in_time(laser, scan.utime)) return match;
 
-  ScanObservation observation = observe(laser, scan);
-  match.points = static_cast<std::int32_t>(observation.points.size());
   const MotionEstimate expected = motion_.predict(scan.utime);
+  ScanObservation observation = observe(laser, scan, expected.prior.T_odom_body);
+  match.points = static_cast<std::int32_t>(observation.points.size());
+  match.ground_beams = observation.ground_beams;
   if (reference_.has_laser(laser)) {
     locate(observation, expected, match);  // Lu and Milios 1997; Censi 2008; Olson 2009
     standstill_.apply(expected, match);
@@ -106,6 +123,7 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
     match.T_odom_body = expected.prior.T_odom_body;
   }
   match.T_reference_body = between(T_odom_body_, match.T_odom_body);
+  match.z_m += climb_m(match);
   last_scan_utime_[laser] = scan.utime;
   advance(std::move(observation), match);
   return match;
@@ -118,7 +136,17 @@ ScanMatch ScanMatching::rejected(std::int64_t utime) const {
   match.reference_utime = utime_;
   match.odom_epoch_utime = odom_epoch_utime_;
   match.T_odom_body = T_odom_body_;
+  match.attitude = attitude_.attitude();
+  match.z_m = z_m_;
   return match;
+}
+
+/// The body moves along the plane on which it stands.
+double ScanMatching::climb_m(const ScanMatch& match) const {
+  if (!match.attitude) return 0.0;
+  const Eigen::Vector2d step =
+      Eigen::Rotation2Dd(-match.T_reference_body.theta) * match.T_reference_body.translation();
+  return ground_slope(*match.attitude).dot(step);
 }
 
 bool ScanMatching::advances_in_time(LaserId laser, std::int64_t utime) const {
@@ -127,11 +155,30 @@ bool ScanMatching::advances_in_time(LaserId laser, std::int64_t utime) const {
   return !repeated && utime >= utime_;
 }
 
-ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan) const {
+/// Points on the ground and the roof are left out: they move with the attitude of the body.
+ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
+                                      const Pose2& T_odom_expected) const {
   const LaserMount& mount = laser == LaserId::kFront ? params_.lasers.front : params_.lasers.rear;
-  std::vector<SurfacePoint> points = surface_points(scan, mount, params_.surface);
-  std::erase_if(points, [&](const SurfacePoint& point) { return !tilt_.is_level_at(point.p); });
-  return {laser, std::move(points), FreeSpace(scan, mount)};
+  const Attitude attitude = attitude_.attitude().value_or(Attitude{});
+  std::vector<SurfacePoint> points = surface_points(scan, mount, params_.surface, attitude);
+  std::vector<std::int32_t> ground_beams;
+  std::erase_if(points, [&](const SurfacePoint& point) {
+    using Surface = KnownGround::Surface;
+    const Surface surface =
+        ground_.surface_at(T_odom_expected * point.p, z_m_ + point.z_m, point.p.norm());
+    const bool wall = surface == Surface::kWall || (surface == Surface::kUnknown &&
+                                                    attitude_.is_level_at(point, mount.height_m));
+    if (!wall) ground_beams.push_back(point.beam);
+    return !wall;
+  });
+  for (SurfacePoint& point : points) {
+    const bool known = ground_.surface_at(T_odom_expected * point.p, z_m_ + point.z_m,
+                                          point.p.norm()) == KnownGround::Surface::kWall;
+    if (attitude_.attitude() && !known && may_be_ground(point)) point.lean_sd = kGroundLeanSd;
+    point.z_m += z_m_;
+  }
+  return {laser, std::move(points), FreeSpace(scan, mount, attitude, z_m_),
+          std::move(ground_beams)};
 }
 
 /// Matches the scan against the reference. Without an accepted match the pose is the prediction.
@@ -185,7 +232,9 @@ void ScanMatching::advance(ScanObservation observation, const ScanMatch& match) 
   const bool lost = match.status == ScanMatch::Status::kLost;
   motion_.correct(match.utime, match.T_odom_body, !lost && !has_unobserved_direction(match));
   T_odom_body_ = match.T_odom_body;
+  z_m_ = match.z_m;
   utime_ = match.utime;
+  attitude_.add(utime_, T_odom_body_);
   update_odometer();
   update_reference(std::move(observation), match);
 }
@@ -196,8 +245,9 @@ void ScanMatching::update_odometer() {
   const double step_m = between(T_odom_counted_, T_odom_body_).translation().norm();
   if (step_m < kOdometerStepM) return;
   odometer_m_ += step_m;
-  tilt_.drive(step_m);
+  attitude_.drive(step_m);
   T_odom_counted_ = T_odom_body_;
+  if (attitude_.attitude()) ground_.add(T_odom_body_.translation(), z_m_);
 }
 
 void ScanMatching::update_reference(ScanObservation observation, const ScanMatch& match) {

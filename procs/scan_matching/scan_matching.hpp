@@ -14,7 +14,8 @@
 #include "common/sensing/laser_mount.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "common/sensing/scan_match.hpp"
-#include "procs/scan_matching/body_tilt.hpp"
+#include "procs/scan_matching/body_attitude.hpp"
+#include "procs/scan_matching/known_ground.hpp"
 #include "procs/scan_matching/local_reference.hpp"
 #include "procs/scan_matching/motion_prediction.hpp"
 #include "procs/scan_matching/pose_search.hpp"
@@ -26,7 +27,7 @@ struct ScanMatchingParams {
   Lasers lasers;
   SurfaceParams surface;
   MotionPredictionParams motion;
-  BodyTiltParams body_tilt;
+  BodyAttitudeParams attitude;
   LocalReferenceParams reference;
   PoseSearchParams search;
   StandstillParams standstill;
@@ -45,7 +46,7 @@ struct ScanMatchingParams {
     v.shared(Lasers::kSection, lasers);
     v("surface", surface);
     v("motion", motion);
-    v("body_tilt", body_tilt);
+    v("attitude", attitude);
     v("reference", reference);
     v("search", search);
     v("standstill", standstill);
@@ -71,6 +72,8 @@ class ScanMatching {
   /// False: the reading does not advance in time and is ignored.
   bool add(const WheelOdometry& reading) { return motion_.add(reading); }
   bool add(const ImuReading& reading);
+  /// A terrain map of the last 3D scan, made where the body stands.
+  void add(TerrainMap terrain);
 
   /// Estimates the pose of the body in odom at the time of the scan. Odom starts at the first scan.
   /// A scan that does not advance in time, of its laser or of the body, is rejected. A scan that is
@@ -78,8 +81,10 @@ class ScanMatching {
   ScanMatch add_scan(LaserId laser, const LaserScan& scan);
 
  private:
-  [[nodiscard]] ScanObservation observe(LaserId laser, const LaserScan& scan) const;
+  [[nodiscard]] ScanObservation observe(LaserId laser, const LaserScan& scan,
+                                        const Pose2& T_odom_expected) const;
   [[nodiscard]] ScanMatch rejected(std::int64_t utime) const;
+  [[nodiscard]] double climb_m(const ScanMatch& match) const;
   [[nodiscard]] bool advances_in_time(LaserId laser, std::int64_t utime) const;
   void locate(const ScanObservation& observation, const MotionEstimate& expected, ScanMatch& match);
   void accept_match(const PoseCandidate& best, const MotionEstimate& expected, double lever_arm_m,
@@ -90,7 +95,8 @@ class ScanMatching {
 
   ScanMatchingParams params_;
   MotionPrediction motion_;
-  BodyTilt tilt_;
+  BodyAttitude attitude_;
+  KnownGround ground_;
   LocalReference reference_;
   PoseSearch search_;
   Standstill standstill_;
@@ -100,6 +106,7 @@ class ScanMatching {
   Pose2 T_odom_body_;
   /// Of the last pose in the reference.
   Eigen::Matrix3d reference_covariance_ = Eigen::Matrix3d::Zero();
+  double z_m_ = 0.0;  ///< height of the body in odom
   double odometer_m_ = 0.0;
   Pose2 T_odom_counted_;  ///< pose at the last update of the odometer
   double typical_score_ = 0.5;

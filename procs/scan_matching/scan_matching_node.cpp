@@ -3,10 +3,12 @@
 #include "procs/scan_matching/scan_matching_node.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/mapping/odometry.hpp"
+#include "common/messages/mapping/terrain.hpp"
 #include "common/messages/sensing.hpp"
 
 namespace adit {
@@ -38,6 +40,13 @@ ScanMatchingNode::ScanMatchingNode(Bus& bus, const Params& params)
   subscribe<imu_t>(bus, channels::kImu, measured,
                    [this](const ImuReading& reading) { scan_matching_.add(reading); });
 
+  subscribe<terrain_t>(bus, channels::kTerrain, Delivery::queued(TerrainFragment::kFragmentsMax),
+                       [this](const TerrainFragment& fragment) {
+                         if (auto terrain = terrain_.add(fragment)) {
+                           scan_matching_.add(std::move(*terrain));
+                         }
+                       });
+
   const auto subscribe_laser = [&](LaserId laser, std::string_view scans, std::string_view tilt) {
     // All readings are queued: a queue of one would put the newest reading behind the scans that
     // came before it, and each further reading behind more scans, so that a stage that runs late
@@ -67,7 +76,9 @@ void ScanMatchingNode::on_scan(LaserId laser, const std::string& channel, const 
   health_ = health_of(match);
   publish(bus_, channels::kScanMatch, to_message(match));
   if (match.status == ScanMatch::Status::kRejected) return;
-  publish(bus_, channels::kPose, to_message(StampedPose{match.utime, match.T_odom_body, {}}));
+  publish(bus_, channels::kPose,
+          to_message(StampedPose{
+              match.utime, match.T_odom_body, {}, match.z_m, match.attitude.value_or(Attitude{})}));
 }
 
 }  // namespace adit

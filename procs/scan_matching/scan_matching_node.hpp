@@ -6,12 +6,13 @@
 
 #include "common/bus/bus.hpp"
 #include "common/messages/diagnostics.hpp"
+#include "common/messages/mapping/terrain.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
 
 namespace adit {
 
 /// In:  LASER_FRONT, LASER_REAR (planar_lidar_t); optional TILT_FRONT, TILT_REAR (tilt_t),
-///      WHEEL_ODOMETRY (wheel_odometry_t), IMU (imu_t).
+///      WHEEL_ODOMETRY (wheel_odometry_t), IMU (imu_t), TERRAIN (terrain_t).
 /// Out: SCAN_MATCH (scan_match_t) for every level scan; POSE (pose_t, T_odom_body) for every scan
 ///      that is not rejected.
 class ScanMatchingNode {
@@ -31,6 +32,7 @@ class ScanMatchingNode {
   double tilt_max_rad_;
   bool lasers_tilt_;
   ScanMatching scan_matching_;
+  TerrainReassembler terrain_;
   std::map<LaserId, double> tilt_rad_;
   Health health_;
 };

@@ -24,7 +24,7 @@
 #include "procs/mapping/mapping.hpp"
 #include "procs/scan_matching/scan_matching.hpp"
 #include "tools/eval/path_error.hpp"
-#include "tools/eval/tum.hpp"
+#include "tools/eval/trajectory.hpp"
 #include "tools/map/summary.hpp"
 
 namespace adit {

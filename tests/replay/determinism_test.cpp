@@ -11,7 +11,7 @@
 #include "common/messages/codec.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "tests/replay/map_fixture.hpp"
-#include "tools/eval/tum.hpp"
+#include "tools/eval/trajectory.hpp"
 
 namespace adit {
 namespace {

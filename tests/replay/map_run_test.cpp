@@ -18,7 +18,7 @@
 #include "procs/mapping/map_journal.hpp"
 #include "tests/replay/map_fixture.hpp"
 #include "tools/carmen/carmen_import.hpp"
-#include "tools/eval/tum.hpp"
+#include "tools/eval/trajectory.hpp"
 
 namespace adit {
 namespace {

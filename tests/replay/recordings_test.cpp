@@ -11,7 +11,7 @@
 
 #include "tests/replay/map_fixture.hpp"
 #include "tools/eval/relations.hpp"
-#include "tools/eval/tum.hpp"
+#include "tools/eval/trajectory.hpp"
 
 namespace adit {
 namespace {

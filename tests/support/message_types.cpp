@@ -116,7 +116,7 @@ Cloud sample_cloud() {
 
 TerrainMap sample_terrain() {
   const TerrainCell cell{Ground::kObserved, 12, 0.01F, 0.11F, 0.1F, 1.7F, 0.02F, 0.05F, 0.03F};
-  return {kUtime, 3, {12.0, -3.0, 0.7}, {-1.0, -1.0}, 0.1, 3, 2, std::vector<TerrainCell>(6, cell)};
+  return {kUtime, 3, {12.0, -3.0, 0.7}, {-1.0, -1.0}, 0.1, {3, 2, cell}};
 }
 
 Volume sample_volume() {

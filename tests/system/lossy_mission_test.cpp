@@ -16,7 +16,6 @@
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/mission.hpp"
 #include "common/sensing/seconds.hpp"
-#include "sim/live/fault_parser.hpp"
 #include "sim/live/sim_config.hpp"
 #include "sim/live/world_choice.hpp"
 #include "sim/sim_node.hpp"

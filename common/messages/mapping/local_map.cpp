@@ -20,6 +20,7 @@ std::string_view header_rejection_reason(const local_map_t& message) {
   if (!all_finite(message.T_odom_local)) return kPoseNotFinite;
   if (!all_finite(message.T_previous_local)) return kPoseNotFinite;
   if (!is_information_matrix(message.information)) return kInvalidInformation;
+  if (!std::isfinite(message.climb_m)) return kPoseNotFinite;
   return fragment_rejection_reason(message, LocalMapFragment::kFragmentsMax);
 }
 
@@ -28,6 +29,8 @@ local_scan_t to_message(const LocalScan& local) {
   message.utime = local.scan.utime;
   message.channel = local.channel;
   set_pose(local.T_local_body, message.T_local_body);
+  message.z_m = local.z_m;
+  set_attitude(local.attitude, message);
   message.angle_min_rad = local.scan.angle_min_rad;
   message.angle_step_rad = local.scan.angle_step_rad;
   message.nranges = static_cast<std::int32_t>(local.scan.ranges_m.size());
@@ -38,7 +41,9 @@ local_scan_t to_message(const LocalScan& local) {
 LocalScan scan_from(const local_scan_t& message) {
   return {message.channel,
           {message.utime, message.ranges, message.angle_min_rad, message.angle_step_rad},
-          pose_from(message.T_local_body)};
+          pose_from(message.T_local_body),
+          message.z_m,
+          attitude_from(message)};
 }
 
 std::string_view rejection_reason(const LocalScan& local, const LocalMap& map) {
@@ -59,12 +64,14 @@ LocalMap header_of(const LocalMap& map) {
   header.T_odom_local = map.T_odom_local;
   header.T_previous_local = map.T_previous_local;
   header.information = map.information;
+  header.climb_m = map.climb_m;
   return header;
 }
 
-/// Encoded size: length of the channel and its NUL, time, pose, bearings, count, ranges.
+/// Encoded size: length of the channel and its NUL, time, pose, height and attitude, bearings,
+/// count, ranges.
 std::size_t encoded_bytes(const LocalScan& local) {
-  constexpr std::size_t kFixed = 4 + 1 + 8 + 24 + 16 + 4;
+  constexpr std::size_t kFixed = 4 + 1 + 8 + 24 + 25 + 16 + 4;
   return kFixed + local.channel.size() + sizeof(float) * local.scan.ranges_m.size();
 }
 
@@ -80,6 +87,7 @@ local_map_t to_message(const LocalMapFragment& fragment) {
   set_pose(map.T_odom_local, message.T_odom_local);
   set_pose(map.T_previous_local, message.T_previous_local);
   set_matrix(map.information, message.information);
+  message.climb_m = map.climb_m;
   message.n_fragments = fragment.n_fragments;
   message.fragment = fragment.fragment;
   message.n_scans = static_cast<std::int32_t>(map.scans.size());
@@ -98,8 +106,11 @@ Result<LocalMapFragment> from_message(const local_map_t& message) {
   map.T_odom_local = pose_from(message.T_odom_local);
   map.T_previous_local = pose_from(message.T_previous_local);
   map.information = matrix_from(message.information);
+  map.climb_m = message.climb_m;
   map.scans.reserve(message.scans.size());
   for (const local_scan_t& scan : message.scans) {
+    if (!std::isfinite(scan.z_m)) return Rejected{kPoseNotFinite};
+    if (!is_plausible_attitude(scan)) return Rejected{kImplausibleAttitude};
     map.scans.push_back(scan_from(scan));
     const auto reason = rejection_reason(map.scans.back(), map);
     if (!reason.empty()) return Rejected{reason};

@@ -35,8 +35,18 @@ pose_t to_message(const StampedPose& pose) {
   message.utime = pose.utime;
   message.pos[0] = pose.T_odom_body.x;
   message.pos[1] = pose.T_odom_body.y;
-  message.orientation[0] = std::cos(pose.T_odom_body.theta / 2.0);
-  message.orientation[3] = std::sin(pose.T_odom_body.theta / 2.0);
+  message.pos[2] = pose.z_m;
+  // R_z(heading) · R_y(pitch) · R_x(roll)
+  const double cz = std::cos(pose.T_odom_body.theta / 2.0);
+  const double sz = std::sin(pose.T_odom_body.theta / 2.0);
+  const double cy = std::cos(pose.attitude.pitch_rad / 2.0);
+  const double sy = std::sin(pose.attitude.pitch_rad / 2.0);
+  const double cx = std::cos(pose.attitude.roll_rad / 2.0);
+  const double sx = std::sin(pose.attitude.roll_rad / 2.0);
+  message.orientation[0] = cz * cy * cx + sz * sy * sx;
+  message.orientation[1] = cz * cy * sx - sz * sy * cx;
+  message.orientation[2] = cz * sy * cx + sz * cy * sx;
+  message.orientation[3] = sz * cy * cx - cz * sy * sx;
   set_velocity(pose.v_body, message);
   std::fill(std::begin(message.accel), std::end(message.accel), kUnknown);
   return message;
@@ -52,8 +62,15 @@ Result<StampedPose> from_message(const pose_t& message) {
   const double x = q[0] * q[0] + q[1] * q[1] - q[2] * q[2] - q[3] * q[3];
   const double y = 2.0 * (q[1] * q[2] + q[0] * q[3]);
   if (std::hypot(x, y) < 1e-6) return Rejected{"orientation has no heading"};
-  return StampedPose{
-      message.utime, {message.pos[0], message.pos[1], std::atan2(y, x)}, velocity(message)};
+  // The vertical in the body frame: the last row of the rotation matrix.
+  const Eigen::Vector3d up_body(2.0 * (q[1] * q[3] - q[0] * q[2]),
+                                2.0 * (q[2] * q[3] + q[0] * q[1]),
+                                q[0] * q[0] - q[1] * q[1] - q[2] * q[2] + q[3] * q[3]);
+  return StampedPose{message.utime,
+                     {message.pos[0], message.pos[1], std::atan2(y, x)},
+                     velocity(message),
+                     message.pos[2],
+                     Attitude::from_up(up_body)};
 }
 
 namespace {
@@ -88,12 +105,13 @@ std::vector<DegenerateDirection> degenerate_directions(const scan_match_t& messa
 
 std::string_view rejection_reason(const scan_match_t& message) {
   const bool finite = all_finite(message.T_odom_body) && all_finite(message.delta) &&
-                      matrix_from(message.covariance).allFinite();
+                      matrix_from(message.covariance).allFinite() && std::isfinite(message.z_m);
   if (!is_plausible_utime(message.utime)) return kImplausibleTime;
   if (!is_plausible_utime(message.reference_utime)) return kImplausibleTime;
   if (!is_plausible_utime(message.odom_epoch_utime)) return kImplausibleTime;
   if (!is_valid(ScanMatch::Status(message.status))) return "unknown status";
   if (!finite) return "pose or covariance is not finite";
+  if (!is_plausible_attitude(message)) return kImplausibleAttitude;
   if (message.n_degenerate > 3) return "more than three degenerate directions";
   return {};
 }
@@ -109,6 +127,10 @@ scan_match_t to_message(const ScanMatch& match) {
   message.status = static_cast<std::int8_t>(match.status);
   set_pose(match.T_odom_body, message.T_odom_body);
   set_pose(match.T_reference_body, message.delta);
+  message.z_m = match.z_m;
+  set_attitude(match.attitude, message);
+  message.n_ground_beams = static_cast<std::int32_t>(match.ground_beams.size());
+  message.ground_beams.assign(match.ground_beams.begin(), match.ground_beams.end());
   set_matrix(match.covariance, message.covariance);
   message.inlier_share = match.inlier_share;
   message.contradiction_share = match.contradiction_share;
@@ -136,6 +158,9 @@ Result<ScanMatch> from_message(const scan_match_t& message) {
   match.status = ScanMatch::Status(message.status);
   match.T_odom_body = pose_from(message.T_odom_body);
   match.T_reference_body = pose_from(message.delta);
+  match.z_m = message.z_m;
+  match.attitude = attitude_from(message);
+  match.ground_beams.assign(message.ground_beams.begin(), message.ground_beams.end());
   match.covariance = matrix_from(message.covariance);
   match.inlier_share = message.inlier_share;
   match.contradiction_share = message.contradiction_share;

@@ -10,25 +10,29 @@
 #include "adit/pose_t.hpp"
 #include "adit/scan_match_t.hpp"
 
+#include "common/geometry/attitude.hpp"
 #include "common/geometry/pose2.hpp"
 #include "common/messages/result.hpp"
 #include "common/sensing/scan_match.hpp"
 
 namespace adit {
 
-/// A planar pose of the body with its time, on channel POSE.
+/// The pose of the body in six degrees of freedom with its time, on channel POSE.
 struct StampedPose {
   std::int64_t utime = 0;  ///< time of measurement [µs since the epoch]
   Pose2 T_odom_body;
 
   /// Velocity in the body frame: forward, left [m/s], yaw rate [rad/s].
   std::optional<Eigen::Vector3d> v_body;
+
+  double z_m = 0.0;        ///< height of the body in odom
+  Attitude attitude = {};  ///< against gravity
 };
 
 /// Unknown values are NaN in the message: the velocities without `v_body`, the acceleration always.
 pose_t to_message(const StampedPose& pose);
 
-/// The planar part: x, y and the heading of the body's x axis. Rejects an implausible time, a
+/// Rejects an implausible time, a
 /// position or orientation that is not finite, an orientation that is not a unit quaternion, or one
 /// that points straight up or down and has no heading.
 Result<StampedPose> from_message(const pose_t& message);

@@ -115,21 +115,21 @@ std::string_view cells_rejection_reason(const terrain_t& message) {
 }  // namespace
 
 terrain_t to_message(const TerrainFragment& fragment) {
-  const TerrainMap& map = fragment.part;
+  const TerrainHeader& header = fragment.header;
   terrain_t message;
-  message.utime = map.utime;
-  message.id = map.id;
-  set_pose(map.T_odom_level, message.T_odom_level);
-  message.p_level_corner[0] = map.p_level_corner.x();
-  message.p_level_corner[1] = map.p_level_corner.y();
-  message.cell_m = map.cell_m;
-  message.columns = map.columns;
-  message.rows = map.rows;
+  message.utime = header.utime;
+  message.id = header.id;
+  set_pose(header.T_odom_level, message.T_odom_level);
+  message.p_level_corner[0] = header.p_level_corner.x();
+  message.p_level_corner[1] = header.p_level_corner.y();
+  message.cell_m = header.cell_m;
+  message.columns = header.columns;
+  message.rows = header.rows;
   message.n_fragments = fragment.n_fragments;
   message.fragment = fragment.fragment;
   message.first_cell = fragment.first_cell;
-  message.n_cells = static_cast<std::int32_t>(map.cells.size());
-  for (const TerrainCell& cell : map.cells) append(cell, message);
+  message.n_cells = static_cast<std::int32_t>(fragment.cells.size());
+  for (const TerrainCell& cell : fragment.cells) append(cell, message);
   return message;
 }
 
@@ -137,18 +137,22 @@ Result<TerrainFragment> from_message(const terrain_t& message) {
   if (const auto reason = map_rejection_reason(message); !reason.empty()) return Rejected{reason};
   if (const auto reason = run_rejection_reason(message); !reason.empty()) return Rejected{reason};
   if (const auto reason = cells_rejection_reason(message); !reason.empty()) return Rejected{reason};
-  TerrainMap map;
-  map.utime = message.utime;
-  map.id = message.id;
-  map.T_odom_level = pose_from(message.T_odom_level);
-  map.p_level_corner = Eigen::Vector2d(message.p_level_corner);
-  map.cell_m = message.cell_m;
-  map.columns = message.columns;
-  map.rows = message.rows;
-  map.cells.reserve(message.ground.size());
-  for (std::size_t i = 0; i < message.ground.size(); ++i)
-    map.cells.push_back(cell_from(message, i));
-  return TerrainFragment{std::move(map), message.n_fragments, message.fragment, message.first_cell};
+  TerrainFragment fragment;
+  fragment.header = {message.utime,
+                     message.id,
+                     pose_from(message.T_odom_level),
+                     Eigen::Vector2d(message.p_level_corner),
+                     message.cell_m,
+                     message.columns,
+                     message.rows};
+  fragment.n_fragments = message.n_fragments;
+  fragment.fragment = message.fragment;
+  fragment.first_cell = message.first_cell;
+  fragment.cells.reserve(message.ground.size());
+  for (std::size_t i = 0; i < message.ground.size(); ++i) {
+    fragment.cells.push_back(cell_from(message, i));
+  }
+  return fragment;
 }
 
 namespace {
@@ -158,9 +162,19 @@ constexpr std::size_t kHeaderBytes = 128;
 constexpr std::size_t kCellBytes = 1 + 8 * sizeof(std::int16_t);
 constexpr std::size_t kCellsPerFragment = (kFragmentBytes - kHeaderBytes) / kCellBytes;
 
-TerrainMap header_of(const TerrainMap& map) {
-  return {map.utime,  map.id,      map.T_odom_level, map.p_level_corner,
-          map.cell_m, map.columns, map.rows,         {}};
+TerrainHeader header_of(const TerrainMap& map) {
+  return {map.utime,           map.id,          map.T_odom_level, map.p_level_corner, map.cell_m,
+          map.cells.columns(), map.cells.rows()};
+}
+
+/// Whether each run of cells begins where the one before ends, and all are `n_cells` long.
+bool are_contiguous(const FragmentSet<TerrainFragment>& fragments, std::size_t n_cells) {
+  std::size_t end = 0;
+  for (const auto& fragment : fragments.fragments()) {
+    if (static_cast<std::size_t>(fragment->first_cell) != end) return false;
+    end += fragment->cells.size();
+  }
+  return end == n_cells;
 }
 
 }  // namespace
@@ -173,33 +187,32 @@ std::vector<TerrainFragment> split(const TerrainMap& map) {
   for (std::size_t i = 0; i < n_fragments; ++i) {
     const std::size_t first = i * kCellsPerFragment;
     const std::size_t end = std::min(n, first + kCellsPerFragment);
-    TerrainFragment fragment{header_of(map), static_cast<int>(n_fragments), static_cast<int>(i),
-                             static_cast<int>(first)};
-    fragment.part.cells.assign(map.cells.begin() + static_cast<std::ptrdiff_t>(first),
-                               map.cells.begin() + static_cast<std::ptrdiff_t>(end));
+    TerrainFragment fragment{header_of(map),
+                             static_cast<int>(n_fragments),
+                             static_cast<int>(i),
+                             static_cast<int>(first),
+                             {}};
+    fragment.cells.assign(map.cells.begin() + static_cast<std::ptrdiff_t>(first),
+                          map.cells.begin() + static_cast<std::ptrdiff_t>(end));
     fragments.push_back(std::move(fragment));
   }
   return fragments;
 }
 
-bool same_header(const TerrainFragment& a, const TerrainFragment& b) {
-  return a.part.T_odom_level == b.part.T_odom_level &&
-         a.part.p_level_corner == b.part.p_level_corner && a.part.cell_m == b.part.cell_m &&
-         a.part.columns == b.part.columns && a.part.rows == b.part.rows;
-}
-
 std::size_t bytes_in_memory(const TerrainFragment& fragment) {
-  return sizeof(TerrainCell) * fragment.part.cells.size();
+  return sizeof(TerrainCell) * fragment.cells.size();
 }
 
 std::optional<TerrainMap> reassemble(const FragmentSet<TerrainFragment>& fragments) {
-  TerrainMap map = header_of(fragments.fragments().front()->part);
+  const TerrainHeader& header = fragments.fragments().front()->header;
+  const CellBox box{{0, 0}, {header.columns, header.rows}};
+  if (!are_contiguous(fragments, box.count())) return std::nullopt;
+  TerrainMap map{header.utime,          header.id,     header.T_odom_level,
+                 header.p_level_corner, header.cell_m, Grid2<TerrainCell>(box)};
+  auto next = map.cells.begin();
   for (const auto& fragment : fragments.fragments()) {
-    if (static_cast<std::size_t>(fragment->first_cell) != map.cells.size()) return std::nullopt;
-    map.cells.insert(map.cells.end(), fragment->part.cells.begin(), fragment->part.cells.end());
+    next = std::copy(fragment->cells.begin(), fragment->cells.end(), next);
   }
-  const auto n = static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows);
-  if (map.cells.size() != n) return std::nullopt;
   return map;
 }
 

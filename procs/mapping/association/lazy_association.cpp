@@ -316,7 +316,7 @@ std::optional<Hypothesis> LazyAssociation::search(int loop_closure) {
   int budget = params_.trials_max;
   for (const RevisionCandidate& candidate : order) {
     if (budget-- == 0 || candidate.bound >= least) break;
-    auto hypothesis = revise_for(loop_closure, candidate);
+    auto hypothesis = hypothesis_accepting(loop_closure, candidate);
     if (!hypothesis || hypothesis->cost >= least) continue;
     least = hypothesis->cost;
     best = std::move(hypothesis);
@@ -341,8 +341,8 @@ int LazyAssociation::first_affected_map(const RevisionCandidate& candidate,
 
 /// The hypothesis in which the candidate's loop closures are revoked, `loop_closure` is chosen, and
 /// the loop closures between are decided again. Empty if `loop_closure` is unlikely even then.
-std::optional<Hypothesis> LazyAssociation::revise_for(int loop_closure,
-                                                      const RevisionCandidate& candidate) {
+std::optional<Hypothesis> LazyAssociation::hypothesis_accepting(
+    int loop_closure, const RevisionCandidate& candidate) {
   ++trials_;
   Trial trial(problem_, trial_->hypothesis(), first_affected_map(candidate, loop_closure));
   trial.revoke(candidate.loop_closures);

@@ -119,7 +119,8 @@ class LazyAssociation {
 
   bool search_is_due(int loop_closure);
   std::optional<Hypothesis> search(int loop_closure);
-  std::optional<Hypothesis> revise_for(int loop_closure, const RevisionCandidate& candidate);
+  std::optional<Hypothesis> hypothesis_accepting(int loop_closure,
+                                                 const RevisionCandidate& candidate);
   [[nodiscard]] int first_affected_map(const RevisionCandidate& candidate, int loop_closure) const;
 
   bool revision_is_due(double map_inconsistency);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Geometry>
@@ -13,9 +15,12 @@
 namespace adit {
 namespace {
 
+constexpr double kSameGroundM = 2.0;  // between two paths on one ground
+
 SurfacePoint to_point(const Surfel& surfel, double wall_variance) {
   SurfacePoint point;
   point.p = surfel.p;
+  point.z_m = surfel.z_m;
   point.normal = surfel.normal;
   point.normal_variance = surfel.normal_variance;
   point.variance = surfel.variance + wall_variance;
@@ -40,15 +45,20 @@ LocalWalls local_walls(const LocalMap& map, const LaserMounts& mounts,
   SurfelMap surfels(thinning);
   std::map<std::string, Pose2> last_view;
   for (const LocalScan& local : map.scans) {
+    const Eigen::Vector2d p = local.T_local_body.translation();
+    walls.path.emplace_back(p.x(), p.y(), local.z_m);
     const auto mount = mounts.find(local.channel);
     if (mount == mounts.end()) continue;
-    auto points = surface_points(local.scan, mount->second, params.surface);
+    const Attitude attitude = local.attitude.value_or(Attitude{});
+    auto points = surface_points(local.scan, mount->second, params.surface, attitude);
     std::erase_if(points, [&](const auto& q) { return q.p.norm() > params.range_max_m; });
+    for (SurfacePoint& point : points) point.z_m += local.z_m;
     surfels.insert(points, local.T_local_body, 0.0);
     const auto last = last_view.find(local.channel);
     if (last != last_view.end() && !new_view(local.T_local_body, last->second, params)) continue;
     last_view[local.channel] = local.T_local_body;
-    walls.views.push_back({FreeSpace(local.scan, mount->second), local.T_local_body});
+    walls.views.push_back(
+        {FreeSpace(local.scan, mount->second, attitude, local.z_m), local.T_local_body});
   }
   const double wall_variance = params.wall_sd_m * params.wall_sd_m;
   walls.length_m = params.spacing_m * static_cast<double>(surfels.surfels().size());
@@ -73,8 +83,8 @@ struct PlacedView {
     p_laser_reference = T.translation();
   }
 
-  [[nodiscard]] bool observed_free(const Eigen::Vector2d& p, double margin) const {
-    return free_space->inside(R_laser_reference * p + p_laser_reference, margin);
+  [[nodiscard]] bool observed_free(const Eigen::Vector2d& p, double z_m, double margin) const {
+    return free_space->inside(R_laser_reference * p + p_laser_reference, z_m, margin);
   }
 };
 
@@ -92,9 +102,30 @@ double log_ratio(double distance, const WallAgreementParams& params) {
 
 }  // namespace
 
+double height_offset(const std::vector<Eigen::Vector3d>& path, const Pose2& T_reference_path,
+                     const std::vector<Eigen::Vector3d>& path_reference) {
+  std::vector<double> offsets_m;
+  for (const Eigen::Vector3d& p : path) {
+    const Eigen::Vector2d there = T_reference_path * Eigen::Vector2d(p.head<2>());
+    const Eigen::Vector3d* nearest = nullptr;
+    double least = kSameGroundM * kSameGroundM;
+    for (const Eigen::Vector3d& q : path_reference) {
+      const double squared = (q.head<2>() - there).squaredNorm();
+      if (squared > least) continue;
+      least = squared;
+      nearest = &q;
+    }
+    if (nearest != nullptr) offsets_m.push_back(nearest->z() - p.z());
+  }
+  if (offsets_m.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = offsets_m.begin() + static_cast<std::ptrdiff_t>(offsets_m.size() / 2);
+  std::nth_element(offsets_m.begin(), middle, offsets_m.end());
+  return *middle;
+}
+
 WallAgreement agreement(const std::vector<SurfacePoint>& points, const Pose2& T_reference_points,
                         const SurfelMap& reference, const std::vector<LocalWalls::View>& views,
-                        const WallAgreementParams& params) {
+                        const WallAgreementParams& params, double z_reference_points_m) {
   const Eigen::Matrix2d R = Eigen::Rotation2Dd(T_reference_points.theta).toRotationMatrix();
   const std::vector<PlacedView> placed(views.begin(), views.end());
   const double log_near =
@@ -109,7 +140,7 @@ WallAgreement agreement(const std::vector<SurfacePoint>& points, const Pose2& T_
       ++result.near;
       result.log_likelihood += log_near + log_ratio(distance_from(*wall, p), params);
     } else if (std::any_of(placed.begin(), placed.end(), [&](const PlacedView& view) {
-                 return view.observed_free(p, params.margin_m);
+                 return view.observed_free(p, z_reference_points_m + point.z_m, params.margin_m);
                })) {
       ++result.contradicting;
       result.log_likelihood += log_contradiction;

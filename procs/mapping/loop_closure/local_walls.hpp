@@ -50,11 +50,18 @@ struct LocalWalls {
   std::vector<SurfacePoint> points;
   double length_m = 0.0;  ///< approximate total length of the walls
   std::vector<View> views;
+  std::vector<Eigen::Vector3d> path;  ///< of the body [m]
 };
 
 /// Extracts the walls of a local map. Scans on a channel without a mount are ignored.
 LocalWalls local_walls(const LocalMap& map, const LaserMounts& mounts,
                        const LocalWallsParams& params);
+
+/// The height of one map above another that shows the same place, from the ground that both drove
+/// on: the median over path points within 2 m of each other. NaN if their paths do not come so
+/// near.
+double height_offset(const std::vector<Eigen::Vector3d>& path, const Pose2& T_reference_path,
+                     const std::vector<Eigen::Vector3d>& path_reference);
 
 struct WallAgreementParams {
   /// Maximum distance between a point and its wall.
@@ -88,10 +95,11 @@ struct WallAgreement {
 };
 
 /// Classifies each of the `points`, at `T_reference_points`, in the reference: on a wall, near a
-/// wall, in free space, or unobserved. Two maps of one place rarely contradict each other; maps of
-/// different places do with every second point.
+/// wall, in free space, or unobserved. `z_reference_points_m`: height of their map; NaN if unknown,
+/// which is taken as the same height everywhere. Two maps of one place rarely contradict each
+/// other; maps of different places do with every second point.
 WallAgreement agreement(const std::vector<SurfacePoint>& points, const Pose2& T_reference_points,
                         const SurfelMap& reference, const std::vector<LocalWalls::View>& views,
-                        const WallAgreementParams& params);
+                        const WallAgreementParams& params, double z_reference_points_m = 0.0);
 
 }  // namespace adit

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include <Eigen/Eigenvalues>
+#include "common/geometry/symmetric_eigen.hpp"
 
 namespace adit {
 namespace {
@@ -109,8 +109,8 @@ Overlap overlap_in_gate(const MapExtent& older, const MapExtent& newest,
   if (apart > (radii + sigmas * std::sqrt(std::max(0.0, plane.trace()))) * kRoundingUp) {
     return overlap;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(plane);
-  const Eigen::Vector2d sd = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  const SymmetricEigen<2> axes = symmetric_eigen(Eigen::Matrix2d(plane));
+  const Eigen::Vector2d sd = axes.values.cwiseMax(0.0).cwiseSqrt();
   if (apart > radii + sigmas * sd.maxCoeff()) return overlap;
 
   const auto steps = [&](double axis_sd) {  // in each direction of an axis of the gate
@@ -123,7 +123,7 @@ Overlap overlap_in_gate(const MapExtent& older, const MapExtent& newest,
     for (int j = -steps_y; j <= steps_y; ++j) {
       const Eigen::Vector2d u(sigmas * i / steps_x, sigmas * j / steps_y);
       if (u.norm() > sigmas) continue;
-      const Eigen::Vector2d off = axes.eigenvectors() * u.cwiseProduct(sd);
+      const Eigen::Vector2d off = axes.vectors * u.cwiseProduct(sd);
       const double share =
           older.overlap(newest, predicted.T_older_newer * Pose2{off.x(), off.y(), 0.0});
       const double weight = std::exp(-0.5 * u.squaredNorm());

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+
+#include "common/geometry/symmetric_eigen.hpp"
 
 namespace adit {
 namespace {
@@ -36,6 +38,13 @@ std::vector<SurfacePoint> evenly_sampled(const std::vector<SurfacePoint>& points
   return chosen;
 }
 
+/// The points without their heights. Alignment compares maps whose heights differ by an unknown
+/// offset, and walls are expected to be vertical.
+std::vector<SurfacePoint> flat(std::vector<SurfacePoint> points) {
+  for (SurfacePoint& point : points) point.z_m = 0.0;
+  return points;
+}
+
 /// The covariance C = I⁻¹ enlarged by a floor F, as an information that stays zero where I is zero:
 /// (C + F)⁻¹ = I (1 + F I)⁻¹.
 Eigen::Matrix3d with_floor(const Eigen::Matrix3d& information, const Eigen::Matrix3d& floor) {
@@ -53,14 +62,22 @@ class MapMatcher {
         predicted_(predicted),
         newer_points_(evenly_sampled(newer.points, params.points_max)),
         few_points_(evenly_sampled(newer.points, kFewPoints)),
+        newer_flat_(flat(newer_points_)),
+        few_flat_(flat(few_points_)),
+        newer_path_(newer.path),
         newer_(SurfelMapParams{}),
         newer_views_(newer.views),
         older_(SurfelMapParams{}) {
-    newer_.insert(newer.points, {}, 0.0);
+    newer_.insert(flat(newer.points), {}, 0.0);
     for (const PlacedWalls& placed : older) {
-      older_.insert(placed.walls->points, placed.T_older_walls, 0.0);
+      older_.insert(flat(placed.walls->points), placed.T_older_walls, 0.0);
       for (const auto& view : placed.walls->views) {
-        older_views_.push_back({view.free_space, placed.T_older_walls * view.T_local_body});
+        older_views_.push_back({view.free_space.raised(placed.z_older_walls_m),
+                                placed.T_older_walls * view.T_local_body});
+      }
+      for (const Eigen::Vector3d& p : placed.walls->path) {
+        const Eigen::Vector2d there = placed.T_older_walls * Eigen::Vector2d(p.head<2>());
+        older_path_.emplace_back(there.x(), there.y(), p.z() + placed.z_older_walls_m);
       }
     }
     newer_step_m_ = newer.length_m / std::max<std::size_t>(1, newer_points_.size());
@@ -87,16 +104,21 @@ class MapMatcher {
   /// smaller.
   [[nodiscard]] double contradiction_near(const Pose2& T) const {
     if (newer_points_.empty() || older_.empty()) return 0.0;
-    const Pose2 aligned = align(newer_points_, T, params_.refinement).T_odom_body;
+    const Pose2 aligned = align(newer_flat_, T, params_.refinement).T_odom_body;
     const double there = contradiction(T);
     return same(aligned, T) ? std::min(there, contradiction(aligned)) : there;
   }
 
  private:
+  /// Of the newer map in the older one, and the reverse.
+  [[nodiscard]] std::pair<WallAgreement, WallAgreement> agreements(const Pose2& T) const {
+    const double z_m = height_offset(newer_path_, T, older_path_);
+    return {agreement(newer_points_, T, older_, older_views_, params_.agreement, z_m),
+            agreement(older_points_, T.inverse(), newer_, newer_views_, params_.agreement, -z_m)};
+  }
+
   [[nodiscard]] double contradiction(const Pose2& T) const {
-    const auto there = agreement(newer_points_, T, older_, older_views_, params_.agreement);
-    const auto back =
-        agreement(older_points_, T.inverse(), newer_, newer_views_, params_.agreement);
+    const auto [there, back] = agreements(T);
     return excess(there) * newer_step_m_ / params_.independent_m +
            excess(back) * older_step_m_ / params_.independent_m;
   }
@@ -113,8 +135,7 @@ class MapMatcher {
 
   [[nodiscard]] std::vector<CorrelationPeak> peaks() const {
     const Eigen::Matrix2d plane = predicted_.covariance.topLeftCorner<2, 2>();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(plane, Eigen::EigenvaluesOnly);
-    const double sd_m = std::sqrt(std::max(0.0, axes.eigenvalues().y()));
+    const double sd_m = std::sqrt(std::max(0.0, symmetric_eigen(plane).values.y()));
     const double sd_rad = std::sqrt(std::max(0.0, predicted_.covariance(2, 2)));
     CorrelativeSearchParams search_params = params_.search;
     SearchWindow window;
@@ -142,7 +163,7 @@ class MapMatcher {
     std::vector<Pose2> distinct_poses;
     for (const auto& peak : peaks()) {
       if (!plausible(peak.T_odom_body, 0.8)) continue;
-      const Pose2 T = align(few_points_, peak.T_odom_body, coarse).T_odom_body;
+      const Pose2 T = align(few_flat_, peak.T_odom_body, coarse).T_odom_body;
       if (!plausible(T, 1.0)) continue;
       const bool duplicate = std::any_of(distinct_poses.begin(), distinct_poses.end(),
                                          [&](const Pose2& other) { return same(T, other); });
@@ -153,7 +174,8 @@ class MapMatcher {
 
   /// Whether enough of the few points lie on walls, and not in free space.
   [[nodiscard]] bool plausible(const Pose2& T, double strictness) const {
-    const auto found = agreement(few_points_, T, older_, older_views_, params_.agreement);
+    const double z_m = height_offset(newer_path_, T, older_path_);
+    const auto found = agreement(few_points_, T, older_, older_views_, params_.agreement, z_m);
     return found.observed() >= strictness * params_.observed_share_min * found.points &&
            found.near >= strictness * params_.on_wall_share_min * found.observed();
   }
@@ -167,7 +189,7 @@ class MapMatcher {
   [[nodiscard]] std::optional<LoopClosureAlternative> refine(const Pose2& start) const {
     PointToLineParams fine = params_.refinement;
     fine.scale_start_m = fine.scale_end_m;
-    const PointToLineResult match = align(newer_points_, start, fine);
+    const PointToLineResult match = align(newer_flat_, start, fine);
     if (match.overlap < params_.observed_share_min) return std::nullopt;
     const double correlated = params_.correlated_points;
     const ConstrainedInformation constrained =
@@ -204,9 +226,7 @@ class MapMatcher {
   /// Sets the likelihood. False if the maps do not overlap or contradict each other.
   bool rate(LoopClosureAlternative& alternative) const {
     const Pose2& T = alternative.T_older_newer;
-    const auto there = agreement(newer_points_, T, older_, older_views_, params_.agreement);
-    const auto back =
-        agreement(older_points_, T.inverse(), newer_, newer_views_, params_.agreement);
+    const auto [there, back] = agreements(T);
     if (there.observed() < params_.observed_share_min * there.points) return false;
     const int observed = there.observed() + back.observed();
     if (there.near + back.near < params_.on_wall_share_min * observed) return false;
@@ -238,10 +258,14 @@ class MapMatcher {
   const RelativePose& predicted_;
   std::vector<SurfacePoint> newer_points_;
   std::vector<SurfacePoint> few_points_;
+  std::vector<SurfacePoint> newer_flat_;  ///< without heights, as is `few_flat_`
+  std::vector<SurfacePoint> few_flat_;
+  std::vector<Eigen::Vector3d> newer_path_;
   SurfelMap newer_;
   const std::vector<LocalWalls::View>& newer_views_;
   std::vector<SurfacePoint> older_points_;
   SurfelMap older_;
+  std::vector<Eigen::Vector3d> older_path_;
   std::vector<LocalWalls::View> older_views_;
   double newer_step_m_ = 0.0;  ///< length of wall per point
   double older_step_m_ = 0.0;

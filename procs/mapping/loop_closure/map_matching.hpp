@@ -64,6 +64,7 @@ struct MapMatchingParams {
 struct PlacedWalls {
   const LocalWalls* walls = nullptr;
   Pose2 T_older_walls;
+  double z_older_walls_m = 0.0;
 };
 
 /// The predicted pose of a map in the frame of an older one, as a Gaussian.

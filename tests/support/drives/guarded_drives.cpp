@@ -18,7 +18,7 @@
 #include "procs/planning/planning_node.hpp"
 #include "procs/scan_assembly/scan_assembly_node.hpp"
 #include "procs/terrain/terrain_node.hpp"
-#include "sim/vehicle/body_clearance.hpp"
+#include "sim/vehicle/surroundings.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/plan/tunnel_line.hpp"
 #include "sim/world/random/random_generator.hpp"

@@ -8,11 +8,10 @@
 #include <filesystem>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
-
 #include "common/bus/channels.hpp"
 #include "common/bus/typed_messages.hpp"
 #include "common/geometry/pose2.hpp"
+#include "common/geometry/symmetric_eigen.hpp"
 #include "common/journal/journal.hpp"
 #include "common/messages/mapping/cloud.hpp"
 #include "common/messages/mapping/local_map.hpp"
@@ -210,9 +209,8 @@ void PowerLossDrive::evaluate_later(PowerLoss& loss) const {
   const Pose2 found = between(T_map_before_loss_, computer_->T_map_body());
   loss.error_after_driving_m = between(truth, found).translation().norm();
   if (const auto& covariance = computer_->correction()->covariance) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
-        Eigen::Matrix2d(covariance->topLeftCorner<2, 2>()), Eigen::EigenvaluesOnly);
-    loss.sd_after_driving_m = std::sqrt(axes.eigenvalues().maxCoeff());
+    const Eigen::Matrix2d plane = covariance->topLeftCorner<2, 2>();
+    loss.sd_after_driving_m = std::sqrt(symmetric_eigen(plane).values.maxCoeff());
   }
 }
 

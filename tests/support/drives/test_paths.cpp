@@ -9,7 +9,7 @@
 #include <random>
 
 #include "procs/planning/planning.hpp"
-#include "sim/vehicle/steering.hpp"
+#include "sim/vehicle/kinematics.hpp"
 #include "tests/support/worlds/terrain_scenes.hpp"
 
 namespace adit {

@@ -9,8 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "sim/vehicle/body_clearance.hpp"
-#include "sim/vehicle/ground_hazards.hpp"
+#include "sim/vehicle/surroundings.hpp"
 
 namespace adit {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/world/props/rubble.hpp"
+#include "sim/world/props/prop_site.hpp"
 
 namespace adit {
 namespace {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "sim/sweep/tilt_sweep.hpp"
-#include "sim/vehicle/body_clearance.hpp"
+#include "sim/vehicle/surroundings.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/random/random_generator.hpp"
 #include "tests/support/worlds/corridor_obstacles.hpp"

@@ -55,12 +55,9 @@ TerrainMap even_ground(double side_m, double cell_m) {
   TerrainMap terrain;
   terrain.utime = 1;
   terrain.cell_m = cell_m;
-  terrain.columns = static_cast<int>(std::lround(side_m / cell_m));
-  terrain.rows = terrain.columns;
   terrain.p_level_corner.setConstant(-side_m / 2.0);
-  terrain.cells.assign(
-      static_cast<std::size_t>(terrain.columns) * static_cast<std::size_t>(terrain.rows),
-      obstacle_cell(0.0));
+  const int side = static_cast<int>(std::lround(side_m / cell_m));
+  terrain.cells = {side, side, obstacle_cell(0.0)};
   return terrain;
 }
 
@@ -88,9 +85,9 @@ TerrainCell roofed_cell(double clearance_m) {
 
 void paint(TerrainMap& terrain, const TerrainCell& cell,
            const std::function<bool(const Eigen::Vector2d&)>& inside) {
-  for (int row = 0; row < terrain.rows; ++row) {
-    for (int column = 0; column < terrain.columns; ++column) {
-      if (inside(terrain.centre(column, row))) terrain.at(column, row) = cell;
+  for (int row = 0; row < terrain.cells.rows(); ++row) {
+    for (int column = 0; column < terrain.cells.columns(); ++column) {
+      if (inside(terrain.centre(column, row))) terrain.cells.at({column, row}) = cell;
     }
   }
 }
@@ -109,9 +106,9 @@ void paint_disc(TerrainMap& terrain, const TerrainCell& cell, const Eigen::Vecto
 
 TerrainMap mirrored(const TerrainMap& terrain) {
   TerrainMap image = terrain;
-  for (int row = 0; row < terrain.rows; ++row) {
-    for (int column = 0; column < terrain.columns; ++column) {
-      image.at(column, row) = terrain.at(column, terrain.rows - 1 - row);
+  for (int row = 0; row < terrain.cells.rows(); ++row) {
+    for (int column = 0; column < terrain.cells.columns(); ++column) {
+      image.cells.at({column, row}) = terrain.cells.at({column, terrain.cells.rows() - 1 - row});
     }
   }
   return image;
@@ -160,9 +157,9 @@ CorridorScene random_corridor(std::uint32_t seed, double lane_half_m) {
 
 TerrainMap terrain_of(const CorridorScene& scene, double side_m, double cell_m) {
   TerrainMap terrain = even_ground(side_m, cell_m);
-  for (int row = 0; row < terrain.rows; ++row) {
-    for (int column = 0; column < terrain.columns; ++column) {
-      terrain.at(column, row) =
+  for (int row = 0; row < terrain.cells.rows(); ++row) {
+    for (int column = 0; column < terrain.cells.columns(); ++column) {
+      terrain.cells.at({column, row}) =
           cell_at(scene, scene.to_corridor(terrain.centre(column, row)), cell_m);
     }
   }

@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "common/sensing/laser_mount.hpp"
 #include "sim/mesh/mesh_builder.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_file.hpp"
@@ -44,6 +45,12 @@ Ray level_ray(const Eigen::Vector2d& p_world, double z_m, double angle_rad) {
   const Eigen::Vector3d origin(p_world.x(), p_world.y(), z_m);
   const Eigen::Vector3d direction(std::cos(angle_rad), std::sin(angle_rad), 0.0);
   return {origin.cast<float>(), direction.cast<float>()};
+}
+
+void add_closed(std::vector<Segment>& walls, const std::vector<Eigen::Vector2d>& corners) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    walls.push_back({corners[i], corners[(i + 1) % corners.size()]});
+  }
 }
 
 }  // namespace
@@ -104,5 +111,20 @@ WallWorld straight_tunnel(double length_m, double width_m) {
 }
 
 WallWorld sample_mine(int seed) { return {build_world(find_world("sample", seed)), kLaserHeightM}; }
+
+WallWorld crooked_room() {
+  std::vector<Segment> walls;
+  add_closed(walls, {{-6, -3}, {2, -4}, {7, -1}, {6, 4}, {1, 3}, {0, 5}, {-5, 4}});
+  add_closed(walls, {{2, 0}, {2.6, 0.2}, {2.4, 0.8}, {1.8, 0.6}});
+  return WallWorld(walls);
+}
+
+std::vector<SurfacePoint> scan_points(const LaserScan& scan) {
+  return surface_points(scan, LaserMount{}, SurfaceParams{});
+}
+
+std::vector<SurfacePoint> scan_points(const WallWorld& world, const Pose2& T_world_body) {
+  return scan_points(exact_scan(world, T_world_body, 1'000'000));
+}
 
 }  // namespace adit::test

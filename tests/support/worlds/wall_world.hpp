@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 
 #include "common/geometry/pose2.hpp"
+#include "common/registration/surface_points.hpp"
 #include "common/sensing/laser_scan.hpp"
 #include "sim/laser/laser_model.hpp"
 #include "sim/world/world.hpp"
@@ -74,5 +75,14 @@ WallWorld straight_tunnel(double length_m, double width_m);
 
 /// The built-in world `sample`, with the walls of a seed, at the height of a laser.
 WallWorld sample_mine(int seed);
+
+/// A closed, irregular room of about 13 m by 9 m with a pillar. No two walls are parallel, so that
+/// a scan constrains all directions. The origin is inside.
+WallWorld crooked_room();
+
+/// The surface points of a scan whose laser is at the origin of the body.
+std::vector<SurfacePoint> scan_points(const LaserScan& scan);
+/// The surface points of an exact scan.
+std::vector<SurfacePoint> scan_points(const WallWorld& world, const Pose2& T_world_body);
 
 }  // namespace adit::test

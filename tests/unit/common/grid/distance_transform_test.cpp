@@ -3,7 +3,6 @@
 #include "common/grid/distance_transform.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <random>
 
@@ -12,25 +11,24 @@
 namespace adit {
 namespace {
 
-constexpr int kColumns = 23;
-constexpr int kRows = 17;
+const CellBox kBox{{-5, 3}, {18, 20}};  // 23 × 17 cells
 constexpr double kCellM = 0.1;
 
 TEST(DistanceTransform, IsTheDistanceToTheNearestMarkedCell) {
   std::mt19937 engine(3);
   std::bernoulli_distribution marked(0.02);
   for (int round = 0; round < 50; ++round) {
-    std::vector<std::uint8_t> cells(kColumns * kRows);
+    Grid2<std::uint8_t> cells(kBox);
     for (auto& cell : cells) cell = marked(engine) ? 1 : 0;
-    const auto distances = distance_transform(cells, kColumns, kCellM);
-    for (int i = 0; i < kColumns * kRows; ++i) {
+    const Grid2<float> distances = distance_transform(cells, kCellM);
+    EXPECT_EQ(distances.box(), kBox);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
       double nearest = std::numeric_limits<double>::infinity();
-      for (int j = 0; j < kColumns * kRows; ++j) {
-        if (cells[static_cast<std::size_t>(j)] == 0) continue;
-        nearest =
-            std::min(nearest, std::hypot(i % kColumns - j % kColumns, i / kColumns - j / kColumns));
+      for (std::size_t j = 0; j < cells.size(); ++j) {
+        if (cells[j] == 0) continue;
+        nearest = std::min(nearest, (cells.cell(i) - cells.cell(j)).cast<double>().norm());
       }
-      EXPECT_FLOAT_EQ(distances[static_cast<std::size_t>(i)], static_cast<float>(kCellM * nearest));
+      EXPECT_FLOAT_EQ(distances[i], static_cast<float>(kCellM * nearest));
     }
   }
 }

@@ -52,11 +52,9 @@ TEST(Legend, BreaksRowsAtTheWidth) {
 
 TEST(MapPanel, PlacesPointsOnTheirCells) {
   TerrainMap map;
-  map.columns = 20;
-  map.rows = 10;
   map.cell_m = 0.1;
   map.p_level_corner = {-0.5, -0.5};
-  map.cells.resize(200);
+  map.cells = {20, 10};
   const Canvas canvas(400, 400);
   const MapPanel panel(canvas, map, 50.0, 0.0, 200.0);
   EXPECT_DOUBLE_EQ(panel.cell_px(), 10.0);
@@ -69,10 +67,8 @@ TEST(MapPanel, PlacesPointsOnTheirCells) {
 TEST(TerrainPng, HasAFixedSize) {
   const test::ScratchFolder folder;
   TerrainMap map;
-  map.columns = 1500;
-  map.rows = 6000;
   map.cell_m = 0.02;
-  map.cells.resize(9'000'000);
+  map.cells = {1500, 6000};
   write_terrain_png(map, folder / "large.png");
   EXPECT_LT(height_of(folder / "large.png"), 1500);
 }

@@ -13,14 +13,12 @@ namespace {
 
 TerrainMap one_of_each() {
   TerrainMap map;
-  map.columns = 7;
-  map.rows = 1;
-  map.cells.resize(7);
-  for (int i = 0; i < 5; ++i) map.at(i, 0).ground = static_cast<Ground>(i);
-  map.at(0, 0).clearance_m = 3.0F;
-  map.at(5, 0) = {.ground = Ground::kObserved, .coefficient_m = 0.4F};
-  map.at(6, 0) = {.ground = Ground::kObserved,
-                  .clearance_m = std::numeric_limits<float>::infinity()};
+  map.cells = {7, 1};
+  for (int i = 0; i < 5; ++i) map.cells.at({i, 0}).ground = static_cast<Ground>(i);
+  map.cells.at({0, 0}).clearance_m = 3.0F;
+  map.cells.at({5, 0}) = {.ground = Ground::kObserved, .coefficient_m = 0.4F};
+  map.cells.at({6, 0}) = {.ground = Ground::kObserved,
+                          .clearance_m = std::numeric_limits<float>::infinity()};
   return map;
 }
 
@@ -52,10 +50,8 @@ TEST(TerrainLayer, HasOneColourAndNamePerClassOfUnknownGroundInAllLayers) {
 
 TEST(TerrainLayer, HasYUp) {
   TerrainMap map;
-  map.columns = 1;
-  map.rows = 2;
-  map.cells.resize(2);
-  map.at(0, 1).ground = Ground::kObserved;
+  map.cells = {1, 2};
+  map.cells.at({0, 1}).ground = Ground::kObserved;
   EXPECT_EQ(terrain_image(map).at(0, 0), (RgbImage::Pixel{255, 255, 255}));
 }
 

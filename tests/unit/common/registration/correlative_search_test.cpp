@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/worlds/crooked_room.hpp"
+#include "tests/support/worlds/wall_world.hpp"
 
 namespace adit {
 namespace {

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "common/registration/free_space.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "tests/support/worlds/crooked_room.hpp"
+#include "tests/support/worlds/wall_world.hpp"
 
 namespace adit {
 namespace {
@@ -41,6 +42,20 @@ TEST(FreeSpace, IsUnknownForBeamsWithoutReturn) {
 
 TEST(FreeSpace, IsEmptyWithoutAScan) {
   EXPECT_EQ(FreeSpace().count_inside(test::scan_points(test::crooked_room(), {}), {}, kMargin), 0);
+}
+
+TEST(FreeSpace, IsNoneAboveAndBelowTheBeams) {
+  LaserScan scan;
+  scan.angle_min_rad = -0.1;
+  scan.angle_step_rad = 0.05;
+  scan.ranges_m = {10.0F, 10.0F, 10.0F, 10.0F, 10.0F};
+  LaserMount mount;
+  mount.height_m = 0.6;
+  const Attitude raised{0.0, -0.2};  // the beams rise by 0.2 m per metre
+  const FreeSpace space(scan, mount, raised, 3.0);
+  EXPECT_TRUE(space.inside({5.0, 0.0}, 3.6 + 5.0 * std::tan(0.2), kMargin));
+  EXPECT_FALSE(space.inside({5.0, 0.0}, 3.6, kMargin));
+  EXPECT_TRUE(FreeSpace(scan, mount).inside({5.0, 0.0}, 0.6, kMargin));
 }
 
 }  // namespace

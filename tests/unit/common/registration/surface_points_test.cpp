@@ -99,5 +99,39 @@ TEST(SurfacePoints, AreLessCertainOnADistantWallAtAGrazingAngle) {
             5.0 * head_on);  // 19 m away at 3°: the bearing error dominates
 }
 
+/// The scan of a laser at this height on a tilted body, 5 m before a vertical wall across x.
+LaserScan tilted_scan_of_wall(const Attitude& attitude, double height_m) {
+  LaserScan scan;
+  scan.angle_min_rad = -0.6;
+  scan.angle_step_rad = 0.01;
+  const Eigen::Matrix3d R = attitude.rotation();
+  const Eigen::Vector3d origin = R * Eigen::Vector3d(0.0, 0.0, height_m);
+  for (int i = 0; i < 121; ++i) {
+    const double angle = scan.angle_min_rad + i * scan.angle_step_rad;
+    const Eigen::Vector3d beam = R * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+    scan.ranges_m.push_back(static_cast<float>((5.0 - origin.x()) / beam.x()));
+  }
+  return scan;
+}
+
+TEST(SurfacePoints, OfAVerticalWallDoNotDependOnTheAttitude) {
+  for (const Attitude attitude : {Attitude{0.1, 0.0}, {0.0, 0.2}, {-0.15, -0.25}}) {
+    LaserMount mount;
+    mount.height_m = 0.63;
+    const auto points = surface_points(tilted_scan_of_wall(attitude, mount.height_m), mount,
+                                       SurfaceParams{}, attitude);
+    ASSERT_EQ(points.size(), 121U);
+    for (const SurfacePoint& point : points) {
+      EXPECT_NEAR(point.p.x(), 5.0, 1e-5);  // ranges are floats
+      const double rise = ground_slope(attitude).dot(point.p);
+      const double plane_m = 0.63 / std::cos(attitude.roll_rad) / std::cos(attitude.pitch_rad);
+      EXPECT_NEAR(point.z_m, plane_m + rise, 1e-5);
+      if (point.has_normal()) {
+        EXPECT_NEAR(point.normal.x(), -1.0, 1e-6);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace adit

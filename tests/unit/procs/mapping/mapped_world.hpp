@@ -7,7 +7,7 @@
 
 #include "common/types/local_map.hpp"
 #include "procs/mapping/loop_closure/local_walls.hpp"
-#include "tests/support/worlds/crooked_room.hpp"
+#include "tests/support/worlds/wall_world.hpp"
 
 namespace adit::test {
 

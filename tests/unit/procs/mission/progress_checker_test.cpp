@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/mission/progress_checker.hpp"
-
 #include <gtest/gtest.h>
+
+#include "procs/mission/progress.hpp"
 
 namespace adit {
 namespace {

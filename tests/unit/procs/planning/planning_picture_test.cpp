@@ -29,8 +29,7 @@ TEST(PlanningPicture, HasSlicesOfTheSizeOfTheTerrainAndKernels) {
   const DrawnPlan drawn(terrain_of(random_corridor(4)));
   ASSERT_EQ(drawn.picture.slices.size(), 2U);
   for (const GreyCells& slice : drawn.picture.slices) {
-    EXPECT_EQ(slice.columns, drawn.terrain.columns);
-    EXPECT_EQ(slice.rows(), drawn.terrain.rows);
+    EXPECT_EQ(slice.grey.box(), drawn.terrain.cells.box());
   }
   EXPECT_EQ(drawn.picture.kernels.size(), 8U);
 }

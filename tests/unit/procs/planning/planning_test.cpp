@@ -49,9 +49,9 @@ int contacts(const PlannedPath& path, const TerrainMap& terrain, const Vehicle& 
   int count = 0;
   for (const PathPoint& point : path.points) {
     const Pose2 T_body_level = (terrain.T_odom_level.inverse() * point.T_odom_body).inverse();
-    for (int row = 0; row < terrain.rows; ++row) {
-      for (int column = 0; column < terrain.columns; ++column) {
-        const auto reason = lethal_reason(terrain.at(column, row), vehicle, {});
+    for (int row = 0; row < terrain.cells.rows(); ++row) {
+      for (int column = 0; column < terrain.cells.columns(); ++column) {
+        const auto reason = lethal_reason(terrain.cells.at({column, row}), vehicle, {});
         if (!reason || *reason == Reason::kUnknown) continue;
         const bool any = *reason == Reason::kBelly || *reason == Reason::kRoof;
         for (const double dx : {-0.5, 0.0, 0.5}) {
@@ -392,11 +392,11 @@ TEST(Planning, PlansInTheOdometryFrame) {
   }
 }
 
-TEST(Planning, RejectsAnInconsistentMap) {
-  TerrainMap terrain = even_ground();
-  terrain.cells.pop_back();
-  EXPECT_THROW(plan(terrain), std::invalid_argument);
+TEST(Planning, RejectsAMapWithoutCellsOrCellSize) {
   EXPECT_THROW(plan(TerrainMap{}), std::invalid_argument);
+  TerrainMap terrain = even_ground();
+  terrain.cell_m = 0.0;
+  EXPECT_THROW(plan(terrain), std::invalid_argument);
 }
 
 TEST(Planning, RejectsAShortfallFactorBelowTheCostOfRoughGround) {
@@ -428,9 +428,9 @@ TEST(Planning, AssumesEvenGroundInTheBlindZoneOnlyWhereItContinues) {
   const auto with_step = [](double height_m) {
     TerrainMap terrain =
         corridor_with(unmeasured_cell(Ground::kNeverObserved), {-5.0, -2.0}, {2.0, 2.0});
-    for (int row = 0; row < terrain.rows; ++row) {
-      for (int column = 0; column < terrain.columns; ++column) {
-        TerrainCell& cell = terrain.at(column, row);
+    for (int row = 0; row < terrain.cells.rows(); ++row) {
+      for (int column = 0; column < terrain.cells.columns(); ++column) {
+        TerrainCell& cell = terrain.cells.at({column, row});
         if (cell.ground == Ground::kObserved) cell.low_m = static_cast<float>(height_m);
       }
     }

@@ -11,7 +11,7 @@
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/sensing.hpp"
-#include "tests/support/worlds/crooked_room.hpp"
+#include "tests/support/worlds/wall_world.hpp"
 
 namespace adit {
 namespace {

@@ -9,7 +9,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "tests/support/worlds/crooked_room.hpp"
+#include "tests/support/worlds/wall_world.hpp"
 
 namespace adit {
 namespace {

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "procs/scan_matching/scan_matching.hpp"
-#include "tests/support/worlds/crooked_room.hpp"
+#include "tests/support/worlds/wall_world.hpp"
 
 namespace adit {
 namespace {

@@ -32,8 +32,8 @@ double obstacle_share(const Cells& cells, const std::string& estimator) {
   Cloud cloud;
   cloud.lines.emplace_back();
   TerrainMap map = Terrain(params).make(cloud);
-  for (int row = 2; row < map.rows; row += kApart) {
-    for (int column = 2; column < map.columns; column += kApart) {
+  for (int row = 2; row < map.cells.rows(); row += kApart) {
+    for (int column = 2; column < map.cells.columns(); column += kApart) {
       const Eigen::Vector2d p = map.centre(column, row);
       for (int i = 0; i < cells.points; ++i) {
         const bool away = i < cells.on_obstacle || outlier(random);
@@ -45,9 +45,9 @@ double obstacle_share(const Cells& cells, const std::string& estimator) {
   map = Terrain(params).make(cloud);
   int obstacles = 0;
   int all = 0;
-  for (int row = 2; row < map.rows; row += kApart) {
-    for (int column = 2; column < map.columns; column += kApart, ++all) {
-      obstacles += map.at(column, row).coefficient_m > kObstacle ? 1 : 0;
+  for (int row = 2; row < map.cells.rows(); row += kApart) {
+    for (int column = 2; column < map.cells.columns(); column += kApart, ++all) {
+      obstacles += map.cells.at({column, row}).coefficient_m > kObstacle ? 1 : 0;
     }
   }
   return static_cast<double>(obstacles) / all;

@@ -44,11 +44,11 @@ bool same(const TerrainMap& a, const TerrainMap& b) {
 template <class Other>
 double share_alike(const TerrainMap& a, const TerrainMap& b, const Other& other) {
   int alike = 0;
-  for (int row = 0; row < a.rows; ++row) {
-    for (int column = 0; column < a.columns; ++column) {
+  for (int row = 0; row < a.cells.rows(); ++row) {
+    for (int column = 0; column < a.cells.columns(); ++column) {
       const auto [c, r] = other(column, row);
-      const TerrainCell& x = a.at(column, row);
-      const TerrainCell& y = b.at(c, r);
+      const TerrainCell& x = a.cells.at({column, row});
+      const TerrainCell& y = b.cells.at({c, r});
       const bool near = !(std::abs(x.coefficient_m - y.coefficient_m) > 0.02F);
       alike += x.ground == y.ground && near ? 1 : 0;
     }
@@ -83,8 +83,8 @@ TEST(TerrainInput, AnEmptyCloudGivesAnUnobservedMap) {
   EXPECT_EQ(map.utime, 5);
   EXPECT_EQ(map.id, 3);
   EXPECT_EQ(map.T_odom_level, cloud.T_odom_level);
-  EXPECT_EQ(map.columns, 200);
-  EXPECT_EQ(map.rows, 200);
+  EXPECT_EQ(map.cells.columns(), 200);
+  EXPECT_EQ(map.cells.rows(), 200);
   ASSERT_EQ(map.cells.size(), 40'000U);
   for (const TerrainCell& cell : map.cells) {
     EXPECT_EQ(cell.ground, Ground::kNeverObserved);
@@ -143,13 +143,15 @@ TEST(TerrainInput, ARotatedCloudGivesARotatedMap) {
   const Cloud cloud = tunnel_with_post();
   const TerrainMap map = Terrain(square()).make(cloud);
   const TerrainMap left = Terrain(square()).make(turned(cloud, std::numbers::pi_v<float> / 2.0F));
-  EXPECT_GT(share_alike(map, left, [&](int c, int r) { return std::pair(map.rows - 1 - r, c); }),
-            kAlikeShareMin);
-  const TerrainMap back = Terrain(square()).make(turned(cloud, std::numbers::pi_v<float>));
   EXPECT_GT(
-      share_alike(map, back,
-                  [&](int c, int r) { return std::pair(map.columns - 1 - c, map.rows - 1 - r); }),
+      share_alike(map, left, [&](int c, int r) { return std::pair(map.cells.rows() - 1 - r, c); }),
       kAlikeShareMin);
+  const TerrainMap back = Terrain(square()).make(turned(cloud, std::numbers::pi_v<float>));
+  EXPECT_GT(share_alike(map, back,
+                        [&](int c, int r) {
+                          return std::pair(map.cells.columns() - 1 - c, map.cells.rows() - 1 - r);
+                        }),
+            kAlikeShareMin);
 }
 
 TEST(TerrainInput, AMapWithAnotherOriginHasTheSameCells) {
@@ -159,12 +161,13 @@ TEST(TerrainInput, AMapWithAnotherOriginHasTheSameCells) {
   const TerrainMap map = Terrain({}).make(cloud);
   const TerrainMap other = Terrain(shifted).make(cloud);
   int alike = 0;
-  for (int row = 0; row < map.rows; ++row) {
-    for (int column = 0; column + 10 < map.columns; ++column) {
-      alike += map.at(column, row).ground == other.at(column + 10, row).ground ? 1 : 0;
+  for (int row = 0; row < map.cells.rows(); ++row) {
+    for (int column = 0; column + 10 < map.cells.columns(); ++column) {
+      alike +=
+          map.cells.at({column, row}).ground == other.cells.at({column + 10, row}).ground ? 1 : 0;
     }
   }
-  EXPECT_GT(alike, kAlikeShareMin * map.rows * (map.columns - 10));
+  EXPECT_GT(alike, kAlikeShareMin * map.cells.rows() * (map.cells.columns() - 10));
 }
 
 }  // namespace

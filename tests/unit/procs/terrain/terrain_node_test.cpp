@@ -50,7 +50,7 @@ class TerrainNodeOnABus : public testing::Test {
   TerrainNodeOnABus() {
     subscribe<terrain_t>(bus_, channels::kTerrain, Delivery::queued(100),
                          [this](const TerrainFragment& tile) {
-                           if (tile.fragment == 0) ready_.push_back(tile.part.id);
+                           if (tile.fragment == 0) ready_.push_back(tile.header.id);
                          });
     subscribe<cloud_request_t>(bus_, channels::kCloudRequest, Delivery::latest(),
                                [this](const CloudRequest& request) { last_request_ = request; });

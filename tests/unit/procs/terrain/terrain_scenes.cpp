@@ -40,15 +40,14 @@ void add_tunnel(MeshBuilder& builder) {
 }
 
 const TerrainCell& cell_at(const TerrainMap& map, double x, double y) {
-  const Eigen::Vector2d cell = (Eigen::Vector2d(x, y) - map.p_level_corner) / map.cell_m;
-  return map.at(static_cast<int>(std::floor(cell.x())), static_cast<int>(std::floor(cell.y())));
+  return map.cells.at(map.cell_at({x, y}));
 }
 
 void for_cells(const TerrainMap& map, const Eigen::AlignedBox2d& box,
                const std::function<void(const TerrainCell&)>& visit) {
-  for (int row = 0; row < map.rows; ++row) {
-    for (int column = 0; column < map.columns; ++column) {
-      if (box.contains(map.centre(column, row))) visit(map.at(column, row));
+  for (int row = 0; row < map.cells.rows(); ++row) {
+    for (int column = 0; column < map.cells.columns(); ++column) {
+      if (box.contains(map.centre(column, row))) visit(map.cells.at({column, row}));
     }
   }
 }

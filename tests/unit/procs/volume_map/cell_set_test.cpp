@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/volume_map/cell_set.hpp"
-
 #include <random>
 #include <set>
 
 #include <gtest/gtest.h>
+
+#include "procs/volume_map/scan_cells.hpp"
 
 namespace adit {
 namespace {

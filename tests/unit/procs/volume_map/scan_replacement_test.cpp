@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/volume_map/scan_replacement.hpp"
-
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -9,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "procs/volume_map/placed_volume.hpp"
 #include "procs/volume_map/volume_map.hpp"
 
 namespace adit {

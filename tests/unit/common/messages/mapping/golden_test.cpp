@@ -56,6 +56,12 @@ TEST(Golden, ScanMatch) {
   fill(message.covariance[0], {1.0, 2.0, 3.0});
   fill(message.covariance[1], {4.0, 5.0, 6.0});
   fill(message.covariance[2], {7.0, 8.0, 9.0});
+  message.z_m = -3.5;
+  message.has_attitude = 1;
+  message.roll_rad = 0.03125;
+  message.pitch_rad = -0.1875;
+  message.n_ground_beams = 2;
+  message.ground_beams = {90, 259};
   message.inlier_share = 0.875;
   message.contradiction_share = 0.375;
   message.rms_residual_m = 0.015625;
@@ -75,6 +81,9 @@ TEST(Golden, ScanMatch) {
   match.T_odom_body = {1.5, 2.5, 0.5};
   match.T_reference_body = {0.25, 0.125, 0.0625};
   match.covariance << 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0;
+  match.z_m = -3.5;
+  match.attitude = Attitude{0.03125, -0.1875};
+  match.ground_beams = {90, 259};
   match.inlier_share = 0.875;
   match.contradiction_share = 0.375;
   match.rms_residual_m = 0.015625;
@@ -92,6 +101,10 @@ TEST(Golden, LocalMap) {
   scan.utime = kUtime + 1;
   scan.channel = "LASER_REAR";
   fill(scan.T_local_body, {0.5, 0.25, 0.125});
+  scan.z_m = 0.375;
+  scan.has_attitude = 1;
+  scan.roll_rad = -0.0625;
+  scan.pitch_rad = 0.21875;
   scan.angle_min_rad = -1.5;
   scan.angle_step_rad = 0.75;
   scan.nranges = 2;
@@ -104,6 +117,7 @@ TEST(Golden, LocalMap) {
   fill(message.T_odom_local, {12.5, -3.5, 0.75});
   fill(message.T_previous_local, {5.5, 0.625, 0.0625});
   fill_matrix(message.information);
+  message.climb_m = 0.9375;
   message.n_fragments = 4;
   message.fragment = 3;
   message.n_scans = 1;
@@ -116,8 +130,12 @@ TEST(Golden, LocalMap) {
   fragment.part.T_odom_local = {12.5, -3.5, 0.75};
   fragment.part.T_previous_local = {5.5, 0.625, 0.0625};
   fragment.part.information = matrix();
-  fragment.part.scans = {
-      {"LASER_REAR", {kUtime + 1, {3.5F, 4.5F}, -1.5, 0.75}, {0.5, 0.25, 0.125}}};
+  fragment.part.climb_m = 0.9375;
+  fragment.part.scans = {{"LASER_REAR",
+                          {kUtime + 1, {3.5F, 4.5F}, -1.5, 0.75},
+                          {0.5, 0.25, 0.125},
+                          0.375,
+                          Attitude{-0.0625, 0.21875}}};
   fragment.n_fragments = 4;
   fragment.fragment = 3;
   expect_golden(message, fragment);
@@ -263,8 +281,8 @@ TEST(Golden, Terrain) {
   const float unknown = std::numeric_limits<float>::quiet_NaN();
   const float infinite = std::numeric_limits<float>::infinity();
   TerrainFragment fragment;
-  fragment.part = {kUtime, 3, {12.5, -3.5, 0.75}, {-4.5, -10.5}, 0.125, 30, 20, {}};
-  fragment.part.cells = {
+  fragment.header = {kUtime, 3, {12.5, -3.5, 0.75}, {-4.5, -10.5}, 0.125, 30, 20};
+  fragment.cells = {
       {Ground::kObserved, 12, 0.011F, 0.112F, 0.101F, 1.715F, 0.0216F, 0.057F, 0.038F},
       {Ground::kNoReturn, 0, unknown, -0.013F, 0.014F, infinite, 0.0017F, 0.018F, 0.019F}};
   fragment.n_fragments = 8;

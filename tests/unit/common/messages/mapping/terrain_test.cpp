@@ -21,7 +21,7 @@ constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
 /// A map of undulating ground with cells of all kinds.
 TerrainMap terrain(int columns, int rows, std::int32_t id = 7) {
-  TerrainMap map{kUtime, id, {12.0, -3.0, 0.7}, {-4.0, -10.0}, 0.1, columns, rows, {}};
+  TerrainMap map{kUtime, id, {12.0, -3.0, 0.7}, {-4.0, -10.0}, 0.1, {columns, rows}};
   for (int i = 0; i < columns * rows; ++i) {
     const auto height = static_cast<float>(std::sin(0.01 * i));
     TerrainCell cell{static_cast<Ground>(i % 5),
@@ -35,7 +35,7 @@ TerrainMap terrain(int columns, int rows, std::int32_t id = 7) {
                      0.07F};
     if (cell.ground == Ground::kOccluded) cell = {Ground::kOccluded, 0, kUnknown, kUnknown};
     if (i % 7 == 0) cell.clearance_m = kInfinite;
-    map.cells.push_back(cell);
+    map.cells[static_cast<std::size_t>(i)] = cell;
   }
   return map;
 }
@@ -63,8 +63,8 @@ void expect_near(const TerrainCell& a, const TerrainCell& b) {
 }
 
 TerrainCell round_tripped(const TerrainCell& cell) {
-  const TerrainMap map{kUtime, 0, {}, {0.0, 0.0}, 0.1, 1, 1, {cell}};
-  return test::round_trip(split(map).front())->part.cells.front();
+  const TerrainMap map{kUtime, 0, {}, {0.0, 0.0}, 0.1, {1, 1, cell}};
+  return test::round_trip(split(map).front())->cells.front();
 }
 
 std::string_view rejection_after(const std::function<void(terrain_t&)>& change) {
@@ -98,7 +98,7 @@ TEST(TerrainFragments, AreReassembledInAnyOrder) {
 TEST(TerrainFragments, AreOneForAMapWithoutCells) {
   const auto fragments = split(terrain(0, 0));
   ASSERT_EQ(fragments.size(), 1U);
-  EXPECT_TRUE(TerrainReassembler().add(*test::round_trip(fragments[0]))->cells.empty());
+  EXPECT_TRUE(TerrainReassembler().add(*test::round_trip(fragments[0]))->cells.box().empty());
 }
 
 TEST(TerrainFragments, ClampValuesOutOfRange) {
@@ -144,19 +144,21 @@ TEST(TerrainMessage, IsRejectedWithAnInvalidIndexOrCells) {
   EXPECT_EQ(rejection_after([](Message& m) { m.count[2] = -1; }), "negative count of points");
 }
 
-TEST(TerrainReassembler, RejectsAMapWithMissingCells) {
-  auto fragments = split(terrain(4, 3));
-  fragments[0].part.cells.pop_back();
-  TerrainReassembler reassembler;
-  EXPECT_FALSE(reassembler.add(fragments[0]));
-  EXPECT_EQ(reassembler.counts().abandoned, 1);
+TEST(TerrainReassembler, RejectsAMapWithMissingOrSurplusCells) {
+  for (const std::size_t cells : {11U, 13U}) {
+    auto fragments = split(terrain(4, 3));
+    fragments[0].cells.resize(cells);
+    TerrainReassembler reassembler;
+    EXPECT_FALSE(reassembler.add(fragments[0]));
+    EXPECT_EQ(reassembler.counts().abandoned, 1);
+  }
 }
 
 TEST(TerrainReassembler, RejectsAFragmentOfAnotherMap) {
   auto fragments = split(terrain(200, 200));
   TerrainReassembler reassembler;
   reassembler.add(fragments[0]);
-  fragments[1].part.cell_m = 0.2;
+  fragments[1].header.cell_m = 0.2;
   EXPECT_FALSE(reassembler.add(fragments[1]));
   EXPECT_EQ(reassembler.counts().contradictory, 1);
 }

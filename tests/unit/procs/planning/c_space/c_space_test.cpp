@@ -116,7 +116,7 @@ TEST(CSpace, IsMarginalOrLethalWhereAnyContinuousPoseIsLethal) {
     TerrainMap terrain = even_ground(10.0, kCellM);
     const int column = 45 + round % 10;
     const int row = 43 + round % 13;
-    terrain.at(column, row) = obstacle_cell(high ? kHigh : kStepM);
+    terrain.cells.at({column, row}) = obstacle_cell(high ? kHigh : kStepM);
     const Mapped mapped(terrain);
     const std::vector<BodyRectangle> body{body_outline(mapped.vehicle)};
     const auto rectangles = high ? body : wheel_tracks(mapped.vehicle);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "procs/guard/attitude.hpp"
+#include "common/sensing/attitude_filter.hpp"
 
 #include <cmath>
 #include <limits>
@@ -40,18 +40,18 @@ class TiltedBody {
         .toRotationMatrix();
   }
 
-  Attitude attitude_{AttitudeParams{}};
+  AttitudeFilter attitude_{AttitudeFilterParams{}};
   std::int64_t at_us_ = 0;
 };
 
-TEST(Attitude, MeasuresRollAndPitchAtRest) {
+TEST(AttitudeFilter, MeasuresRollAndPitchAtRest) {
   TiltedBody body;
   body.stand(0.2, -0.1, 0.1);
   EXPECT_NEAR(body.roll(), 0.2, 1e-9);
   EXPECT_NEAR(body.pitch_up(), 0.1, 1e-9);
 }
 
-TEST(Attitude, FollowsARotationImmediately) {
+TEST(AttitudeFilter, FollowsARotationImmediately) {
   TiltedBody body;
   body.stand(0.0, 0.0, 1.0);
   // 0.5 s at 0.8 rad/s about x, with a force that is not gravity.
@@ -59,7 +59,7 @@ TEST(Attitude, FollowsARotationImmediately) {
   EXPECT_NEAR(body.roll(), 0.4, 1e-3);  // steps of 10 ms
 }
 
-TEST(Attitude, IgnoresABump) {
+TEST(AttitudeFilter, IgnoresABump) {
   TiltedBody body;
   body.stand(0.0, 0.0, 1.0);
   for (int i = 0; i < 20; ++i) body.read({25.0, 10.0, 30.0}, Eigen::Vector3d::Zero());
@@ -67,7 +67,7 @@ TEST(Attitude, IgnoresABump) {
   EXPECT_EQ(body.pitch_up(), 0.0);
 }
 
-TEST(Attitude, IsCorrectedByGravityWithItsTimeConstant) {
+TEST(AttitudeFilter, IsCorrectedByGravityWithItsTimeConstant) {
   TiltedBody body;
   body.stand(0.0, 0.0, 1.0);
   body.stand(0.3, 0.0, 1.0);                                     // not measured by the gyroscopes
@@ -76,7 +76,7 @@ TEST(Attitude, IsCorrectedByGravityWithItsTimeConstant) {
   EXPECT_NEAR(body.roll(), 0.3, 1e-3);
 }
 
-TEST(Attitude, IsUnknownAfterALongTimeWithoutGravity) {
+TEST(AttitudeFilter, IsUnknownAfterALongTimeWithoutGravity) {
   TiltedBody body;
   body.stand(0.1, 0.0, 1.0);
   for (int i = 0; i < 1000; ++i) body.read({0.0, 0.0, 1.0}, Eigen::Vector3d::Zero());
@@ -87,7 +87,7 @@ TEST(Attitude, IsUnknownAfterALongTimeWithoutGravity) {
   EXPECT_TRUE(body.is_known());
 }
 
-TEST(Attitude, IsUnknownAfterAnOverflow) {
+TEST(AttitudeFilter, IsUnknownAfterAnOverflow) {
   for (const double rate : {std::numeric_limits<double>::max(), 1e200}) {
     TiltedBody body;
     body.stand(0.1, 0.0, 1.0);
@@ -98,7 +98,7 @@ TEST(Attitude, IsUnknownAfterAnOverflow) {
   }
 }
 
-TEST(Attitude, StartsWithAReadingOfAboutGravity) {
+TEST(AttitudeFilter, StartsWithAReadingOfAboutGravity) {
   TiltedBody body;
   body.read({25.0, 10.0, 30.0}, Eigen::Vector3d::Zero());
   EXPECT_FALSE(body.is_known());

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/scan_matching/body_attitude.hpp"
+
+#include <cmath>
+
+#include "common/sensing/seconds.hpp"
+
+namespace adit {
+namespace {
+
+constexpr double kGapMaxS = 0.2;  // maximum time for which a turn rate is extrapolated
+// The speed is measured over intervals of this length: the noise of single poses would exceed it.
+constexpr double kSpeedS = 0.3;
+
+}  // namespace
+
+void BodyAttitude::add(const ImuReading& reading) {
+  if (reading.utime <= utime_) return;
+  const bool finite =
+      reading.linear_acceleration.allFinite() && reading.angular_velocity.allFinite();
+  if (!finite) return;
+  const double dt_s = seconds(reading.utime - utime_);
+  utime_ = reading.utime;
+  filter_.add(reading, reading.utime, acceleration(reading));
+  if (ground_slope_ && dt_s <= kGapMaxS) {
+    *ground_slope_ += dt_s * reading.angular_velocity.z() *
+                      Eigen::Vector2d(ground_slope_->y(), -ground_slope_->x());
+  }
+  if (!ground_slope_ && filter_.up_body()) ground_slope_ = ground_slope(*attitude());
+}
+
+/// Of the body, in its frame: the change of the speed along x over the last two intervals, and that
+/// of a turn. The first lags by half a second at most, which the filter does not notice: what
+/// matters is the sum.
+Eigen::Vector3d BodyAttitude::acceleration(const ImuReading& reading) const {
+  if (poses_.size() < 3) return Eigen::Vector3d::Zero();
+  const TimedPose& last = poses_.back();
+  const TimedPose* middle = nullptr;
+  for (const TimedPose& pose : poses_) {
+    if (seconds(last.utime - pose.utime) >= kSpeedS) middle = &pose;
+  }
+  const TimedPose& first = poses_.front();
+  if (middle == nullptr || middle == &first) return Eigen::Vector3d::Zero();
+  const double before_s = seconds(middle->utime - first.utime);
+  const double after_s = seconds(last.utime - middle->utime);
+  const double before = between(first.T_odom_body, middle->T_odom_body).x / before_s;
+  const double after = between(middle->T_odom_body, last.T_odom_body).x / after_s;
+  return {2.0 * (after - before) / (before_s + after_s), after * reading.angular_velocity.z(), 0.0};
+}
+
+void BodyAttitude::add(std::int64_t utime, const Pose2& T_odom_body) {
+  poses_.push_back({utime, T_odom_body});
+  while (poses_.size() > 2 && seconds(utime - poses_[1].utime) > 2.0 * kSpeedS) poses_.pop_front();
+  if (seconds(utime - poses_.front().utime) > 4.0 * kSpeedS) poses_.clear();  // a gap
+}
+
+void BodyAttitude::drive(double distance_m) {
+  const auto attitude = this->attitude();
+  if (!attitude || !ground_slope_) return;
+  const double share = 1.0 - std::exp(-distance_m / params_.ground_m);
+  *ground_slope_ += share * (ground_slope(*attitude) - *ground_slope_);
+}
+
+std::optional<Attitude> BodyAttitude::attitude() const {
+  if (!filter_.up_body() || !filter_.is_known(utime_)) return std::nullopt;
+  return Attitude::from_up(*filter_.up_body());
+}
+
+bool BodyAttitude::is_level_at(const SurfacePoint& point, double laser_m) const {
+  if (!ground_slope_) return true;
+  return std::abs(point.z_m - laser_m - ground_slope_->dot(point.p)) <= params_.rise_max_m;
+}
+
+}  // namespace adit

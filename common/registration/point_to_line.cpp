@@ -3,7 +3,9 @@
 #include "common/registration/point_to_line.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Cholesky>
 
@@ -28,6 +30,23 @@ struct Residual {
   double normal_variance;  ///< of the direction of the normal [rad²]
 };
 
+/// The part of the normal equations that belongs to the displacement of a grade group along x of
+/// the body: its own element, the column that ties it to the pose, and its gradient.
+struct GroupEquations {
+  double diagonal = 0.0;
+  Eigen::Vector3d column = Eigen::Vector3d::Zero();
+  double gradient = 0.0;
+  double prior_variances = 0.0;  ///< of the displacement, weighted [m²]
+  double weights = 0.0;
+
+  /// Inverse variance of the displacement by the prior; the limit keeps level ground finite.
+  [[nodiscard]] double prior_information() const {
+    return weights > 0.0 ? 1.0 / std::max(prior_variances / weights, kVarianceMin) : 0.0;
+  }
+};
+
+using GradeShifts = std::array<double, kGradeGroups>;
+
 /// The normal equations of one iteration, and the statistics of the match. Residuals are normalised
 /// to those of an accurate point: divided by their standard deviation, times that of an accurate
 /// point.
@@ -42,6 +61,7 @@ struct NormalEquations {
   double inliers = 0.0;
   double inlier_squares = 0.0;
   double closeness = 0.0;
+  std::array<GroupEquations, kGradeGroups> groups{};
 
   /// Estimated variance of the residual of an accurate point.
   [[nodiscard]] double unit_variance(double sd_min) const {
@@ -102,30 +122,40 @@ class Correspondences {
 /// y.
 class Accumulator {
  public:
-  Accumulator(const Pose2& T, double scale)
-      : c_(std::cos(T.theta)), s_(std::sin(T.theta)), T_(T), per_scale2_(1.0 / (scale * scale)) {}
+  Accumulator(const Pose2& T, const GradeShifts& shifts_m, const PointToLineParams& params,
+              double scale)
+      : c_(std::cos(T.theta)),
+        s_(std::sin(T.theta)),
+        T_(T),
+        per_scale2_(1.0 / (scale * scale)),
+        shifts_m_(shifts_m),
+        params_(params) {}
 
   void add(const SurfacePoint& point, std::size_t index, Correspondences& correspondences,
            double capture) {
-    const Eigen::Vector2d p_odom = rotate(point.p) + T_.translation();
+    group_ = point.grade_group;
+    const Eigen::Vector2d p_body = unshifted(point);
+    const Eigen::Vector2d p_odom = rotate(p_body) + T_.translation();
     const Eigen::Vector2d n_odom = rotate(point.normal);
     const Surfel* q = correspondences.find(index, p_odom, n_odom, capture);
     if (q == nullptr) return;
     ++sums_.corresponding;
     const Eigen::Vector2d d = p_odom - q->p;
-    const double lean_m = point.lean_sd * (point.z_m - q->z_m);
+    const double climb_m = point.z_m - q->z_m;
+    const double lean_m = point.lean_sd * climb_m;
+    if (group_) add_prior(point, climb_m);
     const double variance = std::max(q->variance + point.variance + lean_m * lean_m, kVarianceMin);
     if (q->has_normal()) {
-      add_row(point.p, rotate_back(q->normal),
+      add_row(p_body, rotate_back(q->normal),
               {q->normal.dot(d), variance, point.weight, 1.0, q->normal_variance});
     } else if (point.has_normal()) {
-      add_row(point.p, point.normal,
+      add_row(p_body, point.normal,
               {n_odom.dot(d), variance, point.weight, 1.0, point.normal_variance});
     } else {
       const Eigen::Vector2d d_body = rotate_back(d);
       const double weight = kClutterWeight * point.weight;
-      add_row(point.p, Eigen::Vector2d::UnitX(), {d_body.x(), variance, weight, 0.5, 0.0});
-      add_row(point.p, Eigen::Vector2d::UnitY(), {d_body.y(), variance, weight, 0.5, 0.0});
+      add_row(p_body, Eigen::Vector2d::UnitX(), {d_body.x(), variance, weight, 0.5, 0.0});
+      add_row(p_body, Eigen::Vector2d::UnitY(), {d_body.y(), variance, weight, 0.5, 0.0});
     }
   }
 
@@ -144,6 +174,24 @@ class Accumulator {
     return {c_ * v.x() + s_ * v.y(), -s_ * v.x() + c_ * v.y()};
   }
 
+  /// Where the point was before its group moved.
+  [[nodiscard]] Eigen::Vector2d unshifted(const SurfacePoint& point) const {
+    if (!point.grade_group) return point.p;
+    return {point.p.x() - shifts_m_[static_cast<std::size_t>(*point.grade_group)], point.p.y()};
+  }
+
+  /// Ground at this range that a beam at laser_m above the plane of the wheels hits has at least
+  /// the grade laser_m / range relative to it.
+  void add_prior(const SurfacePoint& point, double climb_m) {
+    const double range_m = point.p.norm();
+    const double inverse_grade = range_m / params_.laser_m;
+    const double pitch_m = params_.pitch_sd_rad * range_m;
+    GroupEquations& group = sums_.groups[static_cast<std::size_t>(*group_)];
+    group.weights += point.weight;
+    group.prior_variances +=
+        point.weight * inverse_grade * inverse_grade * (climb_m * climb_m + pitch_m * pitch_m);
+  }
+
   void add_row(const Eigen::Vector2d& p, const Eigen::Vector2d& n, const Residual& r) {
     const double to_unit2 = kUnitVariance / r.variance;
     const double residual2 = r.distance * r.distance * to_unit2;
@@ -154,6 +202,12 @@ class Accumulator {
     const Eigen::Vector3d J(n.x(), n.y(), p.x() * n.y() - p.y() * n.x());
     add_outer(w, J, sums_.H);
     sums_.g += w * r.distance * J;
+    if (group_) {
+      GroupEquations& group = sums_.groups[static_cast<std::size_t>(*group_)];
+      group.diagonal += w * n.x() * n.x();
+      group.column -= w * n.x() * J;
+      group.gradient -= w * n.x() * r.distance;
+    }
     // The same row with the normal turned by 90°: the effect of an error of the normal.
     const Eigen::Vector3d K(-n.y(), n.x(), p.x() * n.x() + p.y() * n.y());
     add_outer(w * r.normal_variance, K, sums_.spurious);
@@ -170,34 +224,77 @@ class Accumulator {
   double s_;
   Pose2 T_;
   double per_scale2_;
+  GradeShifts shifts_m_;
+  const PointToLineParams& params_;
+  std::optional<int> group_;  ///< of the point that is being added
   NormalEquations sums_;
 };
 
+/// The state of a match: the pose, and the displacements of the grade groups.
+struct MatchState {
+  Pose2 T_odom_body;
+  GradeShifts shifts_m{};
+};
+
 NormalEquations linearise(const std::vector<SurfacePoint>& points, Correspondences& correspondences,
-                          const Pose2& T, double scale, double capture) {
-  Accumulator accumulator(T, scale);
+                          const MatchState& state, const PointToLineParams& params, double scale,
+                          double capture) {
+  Accumulator accumulator(state.T_odom_body, state.shifts_m, params, scale);
   for (std::size_t i = 0; i < points.size(); ++i) {
     accumulator.add(points[i], i, correspondences, capture);
   }
   return accumulator.sums();
 }
 
-/// The Gauss-Newton step of match and prior together, in the body frame.
-Eigen::Vector3d solve(const NormalEquations& sums, const PosePrior& prior, const Pose2& T,
-                      double sd_min) {
+/// Information of a displacement by its points and its prior; zero: it has no points.
+double information_of(const GroupEquations& group, double precision) {
+  return group.weights > 0.0 ? precision * group.diagonal + group.prior_information() : 0.0;
+}
+
+/// The information of the pose after the displacements are eliminated (Schur complement).
+Eigen::Matrix3d marginal_information(const NormalEquations& sums, double precision) {
+  Eigen::Matrix3d information = precision * sums.H;
+  for (const GroupEquations& group : sums.groups) {
+    const double own = information_of(group, precision);
+    if (own > 0.0) {
+      information -= precision * precision / own * group.column * group.column.transpose();
+    }
+  }
+  return information;
+}
+
+/// Moves the state by the Gauss-Newton step of match and priors together. Returns the step of the
+/// pose, in the body frame.
+Eigen::Vector3d take_step(const NormalEquations& sums, const PosePrior& prior, double sd_min,
+                          MatchState& state) {
   const double precision = 1.0 / sums.unit_variance(sd_min);
-  const Eigen::Vector3d off = between(prior.T_odom_body, T).vector();
+  const Eigen::Vector3d off = between(prior.T_odom_body, state.T_odom_body).vector();
   // Small damping keeps the pose along unconstrained directions.
   const Eigen::Matrix3d damping = Eigen::Matrix3d::Identity() * 1e-6 * precision;
-  const Eigen::Matrix3d A = precision * sums.H + prior.information + damping;
-  return -A.ldlt().solve(precision * sums.g + prior.information * off);
+  const Eigen::Matrix3d A = marginal_information(sums, precision) + prior.information + damping;
+  Eigen::Vector3d g = precision * sums.g + prior.information * off;
+  std::array<double, kGradeGroups> gradients{};
+  for (std::size_t k = 0; k < kGradeGroups; ++k) {
+    const GroupEquations& group = sums.groups[k];
+    const double own = information_of(group, precision);
+    gradients[k] = precision * group.gradient + group.prior_information() * state.shifts_m[k];
+    if (own > 0.0) g -= precision * gradients[k] / own * group.column;
+  }
+  const Eigen::Vector3d step = -A.ldlt().solve(g);
+  for (std::size_t k = 0; k < kGradeGroups; ++k) {
+    const double own = information_of(sums.groups[k], precision);
+    if (own <= 0.0) continue;
+    state.shifts_m[k] -= (gradients[k] + precision * sums.groups[k].column.dot(step)) / own;
+  }
+  state.T_odom_body = state.T_odom_body * Pose2::from_vector(step);
+  return step;
 }
 
 void fill_statistics(const NormalEquations& sums, std::size_t points, double sd_min,
                      PointToLineResult& result) {
   const double precision = 1.0 / sums.unit_variance(sd_min);
   const auto n = static_cast<double>(points);
-  result.information = precision * sums.H;
+  result.information = marginal_information(sums, precision);
   result.spurious = precision * sums.spurious;
   result.overlap = sums.corresponding / n;
   result.inlier_share = sums.inliers / n;
@@ -222,6 +319,7 @@ PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_bo
                                       MatchTrail* trail) {
   PointToLineResult result;
   result.T_odom_body = start;
+  MatchState state{start, {}};
   if (points_body.empty() || reference.empty()) return result;
   const double sd_min = params.residual_sd_min_m;
   double scale = std::max(params.scale_start_m, params.scale_end_m);
@@ -230,16 +328,17 @@ PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_bo
   MatchTrail visited;
   while (result.iterations < params.iterations_max && !result.converged) {
     if (trail != nullptr) {
-      result.duplicate = on_trail(*trail, result.T_odom_body, scale);
+      result.duplicate = on_trail(*trail, state.T_odom_body, scale);
       if (result.duplicate) break;
-      visited.push_back({result.T_odom_body, scale});
+      visited.push_back({state.T_odom_body, scale});
     }
     ++result.iterations;
     const double capture = std::min(params.capture_m, std::max(2.5 * scale, kCaptureMin));
-    sums = linearise(points_body, correspondences, result.T_odom_body, scale, capture);
+    sums = linearise(points_body, correspondences, state, params, scale, capture);
     if (sums.corresponding < 3) return result;
-    const Eigen::Vector3d step = solve(sums, prior, result.T_odom_body, sd_min);
-    result.T_odom_body = result.T_odom_body * Pose2::from_vector(step);
+    const Eigen::Vector3d step = take_step(sums, prior, sd_min, state);
+    result.T_odom_body = state.T_odom_body;
+    result.grade_shift_m = state.shifts_m;
     result.converged = scale <= params.scale_end_m && step.norm() < params.done_m;
     // The kernel narrows only after convergence at the current width: narrowing earlier would
     // discard the few points that drive the motion.

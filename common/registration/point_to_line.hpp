@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <Eigen/Core>
@@ -20,6 +21,8 @@ struct PointToLineParams {
   double scale_end_m = 0.04;         ///< final width; a point beyond twice this is an outlier
   double residual_sd_min_m = 0.005;  ///< lower bound of the residual's standard deviation per point
   double done_m = 1e-4;  ///< converged at a step below this (metres; radians times one metre)
+  double laser_m = 0.6;  ///< height of the lasers above the ground that they may observe,
+  double pitch_sd_rad = 0.003;  ///< and standard deviation of the pitch of the body
 
   template <class V>
   void visit(V& v) {
@@ -29,6 +32,8 @@ struct PointToLineParams {
     v("scale_end_m", scale_end_m, within(0.001, 5.0));
     v("residual_sd_min_m", residual_sd_min_m, within(1e-4, 1.0));
     v("done_m", done_m, within(1e-9, 0.1));
+    v("laser_m", laser_m, above(0.0));
+    v("pitch_sd_rad", pitch_sd_rad, at_least(0.0));
   }
 };
 
@@ -38,6 +43,8 @@ struct PosePrior {
   /// Inverse covariance of (x, y, θ) in the body frame at T_odom_body; zero: no prior.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };
+
+constexpr int kGradeGroups = 2;  ///< grade groups are 0 and 1
 
 struct PointToLineResult {
   Pose2 T_odom_body;
@@ -53,6 +60,8 @@ struct PointToLineResult {
   double rms_residual_m = 0.0;
   int iterations = 0;
   bool converged = false;
+  /// Displacement of the points of each grade group along x of the body [m].
+  std::array<double, kGradeGroups> grade_shift_m{};
   bool duplicate = false;  ///< stopped on the trail of an earlier match, which it would repeat
 };
 
@@ -66,9 +75,12 @@ using MatchTrail = std::vector<MatchWaypoint>;
 /// Aligns the points of a scan with the reference: iterated closest point with distances along the
 /// surface normal (Censi, "An ICP variant using a point-to-line metric", ICRA 2008), a
 /// Geman-McClure kernel that narrows from coarse to fine, and the prior as an additional
-/// measurement. `trail` holds the iterates of earlier matches of the same scan that differ in their
-/// start only: a match stops when it joins the trail, and adds its own iterates if it converges or
-/// joins.
+/// measurement. Points of a grade group may lie on rising ground or a falling roof, where the place
+/// that a level beam hits moves along x of the body as it climbs, by at most range / laser_m for
+/// each metre of height: each group has a common unknown displacement, with this prior. Without
+/// these groups the result does not depend on heights but by `lean_sd`. `trail` holds the iterates
+/// of earlier matches of the same scan that differ in their start only: a match stops when it joins
+/// the trail, and adds its own iterates if it converges or joins.
 PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_body,
                                       const SurfelMap& reference, const Pose2& start,
                                       const PosePrior& prior, const PointToLineParams& params,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -22,7 +23,9 @@ struct SurfacePoint {
   double variance = 0.0;                             ///< of the position along the normal [m²]
   double weight = 1.0;                               ///< lower where beams are dense
   double lean_sd = 0.2;  ///< standard deviation of the surface's distance at another height [m/m]
-  int beam = 0;          ///< of the scan
+  /// Unknown inverse grade that it shares with other points; empty: the surface is a wall.
+  std::optional<int> grade_group;
+  int beam = 0;  ///< of the scan
 
   [[nodiscard]] bool has_normal() const { return normal.squaredNorm() > 0.5; }
 };

@@ -68,14 +68,15 @@ Pose2 fill_unconstrained(const Pose2& T_odom_body, const MotionEstimate& expecte
 constexpr double kOdometerStepM = 0.1;
 constexpr double kTypicalShare = 0.05;  // weight of a new score in the running mean
 
-/// Of ground or roof at a grade of 20 %.
-constexpr double kGroundLeanSd = 5.0;
-
-/// Whether the surface may be rising ground ahead, or the roof over falling ground: it is not a
-/// wall along the direction of travel.
-bool may_be_ground(const SurfacePoint& point) {
+/// The group of surfaces ahead or behind that may be rising ground, or the roof over falling
+/// ground: not walls along the direction of travel, and not so near that no vehicle could climb
+/// them.
+std::optional<int> grade_group_of(const SurfacePoint& point, double laser_m) {
   constexpr double kAlongMax = 0.5;  // sine of 30°
-  return !point.has_normal() || std::abs(point.normal.x()) > kAlongMax;
+  constexpr double kGradeMax = 0.35;
+  const bool along = point.has_normal() && std::abs(point.normal.x()) <= kAlongMax;
+  if (along || std::abs(point.p.x()) < laser_m / kGradeMax) return std::nullopt;
+  return point.p.x() > 0.0 ? 0 : 1;
 }
 
 /// Root mean square distance of the points: the mean displacement per radian of turn.
@@ -174,7 +175,7 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
   for (SurfacePoint& point : points) {
     const bool known = ground_.surface_at(T_odom_expected * point.p, z_m_ + point.z_m,
                                           point.p.norm()) == KnownGround::Surface::kWall;
-    if (attitude_.attitude() && !known && may_be_ground(point)) point.lean_sd = kGroundLeanSd;
+    if (attitude_.attitude() && !known) point.grade_group = grade_group_of(point, mount.height_m);
     point.z_m += z_m_;
   }
   return {laser, std::move(points), FreeSpace(scan, mount, attitude, z_m_),

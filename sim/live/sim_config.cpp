@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <ranges>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -45,7 +45,8 @@ constexpr const char* kForm = "a fault is KIND[:TARGET][=AMOUNT]@SECONDS";
 const Kind& kind_of(const FaultDescription& fault) {
   const auto* const kind = std::ranges::find(kKinds, fault.kind, &Kind::name);
   if (kind != kKinds.end()) return *kind;
-  const auto names = kKinds | std::views::transform(&Kind::name);
+  std::vector<std::string_view> names;
+  for (const Kind& known : kKinds) names.push_back(known.name);
   fail(fault.kind, fmt::format("unknown kind; known: {}", fmt::join(names, ", ")));
 }
 

@@ -30,12 +30,12 @@ struct Residual {
   double normal_variance;  ///< of the direction of the normal [rad²]
 };
 
-/// The part of the normal equations that belongs to the displacement of a grade group along x of
-/// the body: its own element, the column that ties it to the pose, and its gradient.
+/// The part of the normal equations that belongs to the displacement of a grade group in the body
+/// frame: its own block, the columns that tie it to the pose, and its gradient.
 struct GroupEquations {
-  double diagonal = 0.0;
-  Eigen::Vector3d column = Eigen::Vector3d::Zero();
-  double gradient = 0.0;
+  Eigen::Matrix2d H = Eigen::Matrix2d::Zero();
+  Eigen::Matrix<double, 3, 2> columns = Eigen::Matrix<double, 3, 2>::Zero();
+  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
   double prior_variances = 0.0;  ///< of the displacement, weighted [m²]
   double weights = 0.0;
 
@@ -45,7 +45,7 @@ struct GroupEquations {
   }
 };
 
-using GradeShifts = std::array<double, kGradeGroups>;
+using GradeShifts = std::array<Eigen::Vector2d, kGradeGroups>;
 
 /// The normal equations of one iteration, and the statistics of the match. Residuals are normalised
 /// to those of an accurate point: divided by their standard deviation, times that of an accurate
@@ -174,10 +174,10 @@ class Accumulator {
     return {c_ * v.x() + s_ * v.y(), -s_ * v.x() + c_ * v.y()};
   }
 
-  /// Where the point was before its group moved.
+  /// Where the point would be without the displacement of its group.
   [[nodiscard]] Eigen::Vector2d unshifted(const SurfacePoint& point) const {
     if (!point.grade_group) return point.p;
-    return {point.p.x() - shifts_m_[static_cast<std::size_t>(*point.grade_group)], point.p.y()};
+    return point.p - shifts_m_[static_cast<std::size_t>(*point.grade_group)];
   }
 
   /// Ground at this range that a beam at laser_m above the plane of the wheels hits has at least
@@ -204,9 +204,9 @@ class Accumulator {
     sums_.g += w * r.distance * J;
     if (group_) {
       GroupEquations& group = sums_.groups[static_cast<std::size_t>(*group_)];
-      group.diagonal += w * n.x() * n.x();
-      group.column -= w * n.x() * J;
-      group.gradient -= w * n.x() * r.distance;
+      group.H += w * n * n.transpose();
+      group.columns -= w * J * n.transpose();
+      group.gradient -= w * r.distance * n;
     }
     // The same row with the normal turned by 90°: the effect of an error of the normal.
     const Eigen::Vector3d K(-n.y(), n.x(), p.x() * n.x() + p.y() * n.y());
@@ -233,7 +233,7 @@ class Accumulator {
 /// The state of a match: the pose, and the displacements of the grade groups.
 struct MatchState {
   Pose2 T_odom_body;
-  GradeShifts shifts_m{};
+  GradeShifts shifts_m{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
 };
 
 NormalEquations linearise(const std::vector<SurfacePoint>& points, Correspondences& correspondences,
@@ -246,21 +246,26 @@ NormalEquations linearise(const std::vector<SurfacePoint>& points, Correspondenc
   return accumulator.sums();
 }
 
-/// Information of a displacement by its points and its prior; zero: it has no points.
-double information_of(const GroupEquations& group, double precision) {
-  return group.weights > 0.0 ? precision * group.diagonal + group.prior_information() : 0.0;
+/// Covariance of a displacement at a fixed pose, by its points and its prior.
+Eigen::Matrix2d covariance_of(const GroupEquations& group, double precision) {
+  const Eigen::Matrix2d prior = Eigen::Matrix2d::Identity() * group.prior_information();
+  return (precision * group.H + prior).inverse();
 }
 
 /// The information of the pose after the displacements are eliminated (Schur complement).
 Eigen::Matrix3d marginal_information(const NormalEquations& sums, double precision) {
   Eigen::Matrix3d information = precision * sums.H;
   for (const GroupEquations& group : sums.groups) {
-    const double own = information_of(group, precision);
-    if (own > 0.0) {
-      information -= precision * precision / own * group.column * group.column.transpose();
-    }
+    if (group.weights <= 0.0) continue;
+    const Eigen::Matrix<double, 3, 2> columns = precision * group.columns;
+    information -= columns * covariance_of(group, precision) * columns.transpose();
   }
   return information;
+}
+
+Eigen::Vector2d gradient_of(const GroupEquations& group, double precision,
+                            const Eigen::Vector2d& shift_m) {
+  return precision * group.gradient + group.prior_information() * shift_m;
 }
 
 /// Moves the state by the Gauss-Newton step of match and priors together. Returns the step of the
@@ -273,18 +278,19 @@ Eigen::Vector3d take_step(const NormalEquations& sums, const PosePrior& prior, d
   const Eigen::Matrix3d damping = Eigen::Matrix3d::Identity() * 1e-6 * precision;
   const Eigen::Matrix3d A = marginal_information(sums, precision) + prior.information + damping;
   Eigen::Vector3d g = precision * sums.g + prior.information * off;
-  std::array<double, kGradeGroups> gradients{};
   for (std::size_t k = 0; k < kGradeGroups; ++k) {
     const GroupEquations& group = sums.groups[k];
-    const double own = information_of(group, precision);
-    gradients[k] = precision * group.gradient + group.prior_information() * state.shifts_m[k];
-    if (own > 0.0) g -= precision * gradients[k] / own * group.column;
+    if (group.weights <= 0.0) continue;
+    g -= precision * group.columns * covariance_of(group, precision) *
+         gradient_of(group, precision, state.shifts_m[k]);
   }
   const Eigen::Vector3d step = -A.ldlt().solve(g);
   for (std::size_t k = 0; k < kGradeGroups; ++k) {
-    const double own = information_of(sums.groups[k], precision);
-    if (own <= 0.0) continue;
-    state.shifts_m[k] -= (gradients[k] + precision * sums.groups[k].column.dot(step)) / own;
+    const GroupEquations& group = sums.groups[k];
+    if (group.weights <= 0.0) continue;
+    state.shifts_m[k] -=
+        covariance_of(group, precision) * (gradient_of(group, precision, state.shifts_m[k]) +
+                                           precision * group.columns.transpose() * step);
   }
   state.T_odom_body = state.T_odom_body * Pose2::from_vector(step);
   return step;
@@ -319,7 +325,8 @@ PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_bo
                                       MatchTrail* trail) {
   PointToLineResult result;
   result.T_odom_body = start;
-  MatchState state{start, {}};
+  MatchState state;
+  state.T_odom_body = start;
   if (points_body.empty() || reference.empty()) return result;
   const double sd_min = params.residual_sd_min_m;
   double scale = std::max(params.scale_start_m, params.scale_end_m);
@@ -338,7 +345,6 @@ PointToLineResult match_point_to_line(const std::vector<SurfacePoint>& points_bo
     if (sums.corresponding < 3) return result;
     const Eigen::Vector3d step = take_step(sums, prior, sd_min, state);
     result.T_odom_body = state.T_odom_body;
-    result.grade_shift_m = state.shifts_m;
     result.converged = scale <= params.scale_end_m && step.norm() < params.done_m;
     // The kernel narrows only after convergence at the current width: narrowing earlier would
     // discard the few points that drive the motion.

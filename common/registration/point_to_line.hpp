@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include <Eigen/Core>
@@ -60,8 +59,6 @@ struct PointToLineResult {
   double rms_residual_m = 0.0;
   int iterations = 0;
   bool converged = false;
-  /// Displacement of the points of each grade group along x of the body [m].
-  std::array<double, kGradeGroups> grade_shift_m{};
   bool duplicate = false;  ///< stopped on the trail of an earlier match, which it would repeat
 };
 
@@ -76,7 +73,7 @@ using MatchTrail = std::vector<MatchWaypoint>;
 /// surface normal (Censi, "An ICP variant using a point-to-line metric", ICRA 2008), a
 /// Geman-McClure kernel that narrows from coarse to fine, and the prior as an additional
 /// measurement. Points of a grade group may lie on rising ground or a falling roof, where the place
-/// that a level beam hits moves along x of the body as it climbs, by at most range / laser_m for
+/// that a level beam hits moves as the body climbs, by at most range / laser_m for
 /// each metre of height: each group has a common unknown displacement, with this prior. Without
 /// these groups the result does not depend on heights but by `lean_sd`. `trail` holds the iterates
 /// of earlier matches of the same scan that differ in their start only: a match stops when it joins

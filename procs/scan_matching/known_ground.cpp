@@ -26,8 +26,10 @@ std::uint64_t key(const Eigen::Vector2i& cell) {
 KnownGround::Surface surface_in(const TerrainCell& cell, double z_level_m, double near_m) {
   using Surface = KnownGround::Surface;
   if (cell.ground != Ground::kObserved || !std::isfinite(cell.low_m)) return Surface::kUnknown;
-  if (!(cell.coefficient_m < kObstacleM)) return Surface::kWall;
   const double above_m = z_level_m - static_cast<double>(cell.low_m);
+  // Near the foot of a wall a cell holds both.
+  if (!(cell.coefficient_m < kObstacleM))
+    return above_m < near_m ? Surface::kUnknown : Surface::kWall;
   if (above_m < near_m) return Surface::kGround;
   if (above_m > static_cast<double>(cell.clearance_m) - near_m) return Surface::kRoof;
   return Surface::kUnknown;

@@ -35,6 +35,16 @@ bool Exploration::add(const LocalMap& map) {
   return true;
 }
 
+const ScannedGround* Exploration::add(const TerrainMap& terrain, const Pose2& T_map_level) {
+  auto anchor = known_.tile_at(T_map_level.translation());
+  if (!anchor) anchor = known_.newest();
+  if (!anchor) return nullptr;
+  known_.add({anchor->id, between(anchor->T_map_local, T_map_level),
+              scanned_cells(terrain, known_.resolution_m(), params_.vehicle.height_m)});
+  refresh();
+  return &known_.scanned_ground().back();
+}
+
 bool Exploration::update(const MapGraph& graph) {
   const bool valid = std::all_of(graph.poses.begin(), graph.poses.end(),
                                  [](const Pose2& pose) { return pose.vector().allFinite(); });
@@ -50,7 +60,8 @@ bool Exploration::update(const MapGraph& graph) {
 
 /// Recomputes everything that is derived from the known space.
 void Exploration::refresh() {
-  space_ = drivable_space(known_.cells(), known_.resolution_m(), params_.vehicle.width_m,
+  const Walls walls = verify_walls_ ? Walls::kConfirmed : Walls::kAll;
+  space_ = drivable_space(known_.cells(walls), known_.resolution_m(), params_.vehicle.width_m,
                           barrier_lines(), T_map_home().translation(), params_.drivable);
   detected_frontiers_ = detect_frontiers(space_, params_.frontiers.cluster_distance_m);
   for (DetectedFrontier& detected : detected_frontiers_) {
@@ -105,11 +116,20 @@ ExplorationDecision Exploration::make_decision(const ExplorationState& state) {
   if (state.returning_home) return to_home(state, *home_m, "the mission returns home");
   if (returning_) return to_home(state, *home_m, "the corridor is explored to its end");
   if (const auto target = choose(state, within_budget)) return to_frontier(*target, state, here);
-  if (retry_abandoned(state.utime)) return make_decision(state);
+  if (retry_abandoned(state.utime) || verify_walls()) return make_decision(state);
   if (const auto patrol = to_next_patrol_place(state, here)) return *patrol;
   returning_ = params_.mode == "corridor";
   const auto reasons = incomplete_reasons();
   return to_home(state, *home_m, reasons.empty() ? "every frontier is closed" : reasons.front());
+}
+
+/// A level laser sees rising ground and falling roof as a wall: before the mine counts as explored,
+/// each wall at the rim must have been seen by a 3D scan. Returns true when this begins.
+bool Exploration::verify_walls() {
+  if (verify_walls_ || known_.scanned_ground().empty()) return false;
+  verify_walls_ = true;
+  refresh();
+  return true;
 }
 
 std::vector<std::string> Exploration::incomplete_reasons() const {
@@ -122,8 +142,8 @@ std::vector<std::string> Exploration::incomplete_reasons() const {
 }
 
 ExplorationMemory Exploration::memory() const {
-  return {register_.stored_frontiers(), barriers_,          decision_.kind,
-          decision_.frontier,           pursuit_local_map_, returning_};
+  return {register_.stored_frontiers(), barriers_,  decision_.kind, decision_.frontier,
+          pursuit_local_map_,           returning_, verify_walls_};
 }
 
 void Exploration::restore(const ExplorationMemory& memory) {
@@ -134,6 +154,12 @@ void Exploration::restore(const ExplorationMemory& memory) {
   decision_.frontier = memory.target;
   pursuit_local_map_ = memory.pursuit_local_map;
   returning_ = memory.returning;
+  verify_walls_ = memory.verify_walls;
+}
+
+void Exploration::restore(std::vector<ScannedGround> grounds) {
+  known_.clear_scanned_ground();
+  for (ScannedGround& ground : grounds) known_.add(std::move(ground));
 }
 
 ExplorationReport Exploration::report() const {

@@ -89,6 +89,10 @@ class Exploration {
   /// is then ignored.
   bool add(const LocalMap& map);
 
+  /// Adds what a 3D scan observed, at a pose in map. Returns what was added, to be stored; null if
+  /// there is no local map with a pose yet.
+  const ScannedGround* add(const TerrainMap& terrain, const Pose2& T_map_level);
+
   /// Sets the poses of all local maps. Returns false if a pose is not finite; the graph is then
   /// ignored.
   bool update(const MapGraph& graph);
@@ -112,6 +116,7 @@ class Exploration {
   /// makes the same decisions as this one.
   [[nodiscard]] ExplorationMemory memory() const;
   void restore(const ExplorationMemory& memory);
+  void restore(std::vector<ScannedGround> grounds);
 
   [[nodiscard]] ExplorationReport report() const;
   [[nodiscard]] const std::vector<Frontier>& frontiers() const { return register_.frontiers(); }
@@ -129,6 +134,7 @@ class Exploration {
  private:
   void refresh();
   bool retry_abandoned(std::int64_t utime);
+  bool verify_walls();
   [[nodiscard]] std::optional<double> path_length_home_m(const ExplorationState& state) const;
   void drop_passed_barriers(const ExplorationState& state);
   [[nodiscard]] std::vector<BarrierLine> barrier_lines() const;
@@ -173,6 +179,8 @@ class Exploration {
   ExplorationDecision decision_;
   std::vector<Eigen::Vector2d> route_;
   bool returning_ = false;  ///< permanently; in the mode corridor
+  /// Every frontier was closed once: from then on walls that may be ground close none.
+  bool verify_walls_ = false;
   Patrol patrol_;
   std::optional<PatrolPlace> patrol_target_;  ///< of the last decision, if that is on patrol
 };

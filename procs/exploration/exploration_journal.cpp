@@ -16,6 +16,7 @@ constexpr std::string_view kMap = "MAP";
 constexpr std::string_view kFrontier = "FRONTIER";
 constexpr std::string_view kBarriers = "BARRIERS";
 constexpr std::string_view kState = "STATE";
+constexpr std::string_view kGround = "GROUND";
 constexpr int kFrontiersMax = 1'000'000;
 
 std::span<const std::uint8_t> bytes_of(const std::string& text) {
@@ -30,9 +31,9 @@ std::string_view text_of(std::span<const std::uint8_t> bytes) {
 std::string target_text(const StoredExploration& stored) {
   const ExplorationMemory& memory = stored.exploration;
   const ExploreRequest request = stored.request.value_or(ExploreRequest{});
-  return fmt::format("{} {} {} {:d} {} {} {:.17g} {:d} {:.17g}", static_cast<int>(memory.kind),
-                     memory.target, memory.pursuit_local_map, memory.returning, request.utime,
-                     request.id, request.remaining_m, request.returning_home,
+  return fmt::format("{} {} {} {:d} {:d} {} {} {:.17g} {:d} {:.17g}", static_cast<int>(memory.kind),
+                     memory.target, memory.pursuit_local_map, memory.returning, memory.verify_walls,
+                     request.utime, request.id, request.remaining_m, request.returning_home,
                      stored.distance_at_request_m);
 }
 
@@ -47,15 +48,16 @@ void read_state(std::string_view text, StoredExploration& stored) {
   int kind = 0;
   double distance_at_request_m = 0.0;
   double distance_travelled_m = 0.0;
-  in >> kind >> memory.target >> memory.pursuit_local_map >> memory.returning >> request.utime >>
-      request.id >> request.remaining_m >> request.returning_home >> distance_at_request_m >>
-      distance_travelled_m;
+  in >> kind >> memory.target >> memory.pursuit_local_map >> memory.returning >>
+      memory.verify_walls >> request.utime >> request.id >> request.remaining_m >>
+      request.returning_home >> distance_at_request_m >> distance_travelled_m;
   memory.kind = ExplorationDecision::Kind(kind);
   if (!in || kind < 0 || memory.kind > ExplorationDecision::Kind::kDone) return;
   stored.exploration.kind = memory.kind;
   stored.exploration.target = memory.target;
   stored.exploration.pursuit_local_map = memory.pursuit_local_map;
   stored.exploration.returning = memory.returning;
+  stored.exploration.verify_walls = memory.verify_walls;
   stored.request = request.id > 0 ? std::optional(request) : std::nullopt;
   stored.distance_at_request_m = distance_at_request_m;
   stored.distance_travelled_m = distance_travelled_m;
@@ -110,6 +112,9 @@ void ExplorationJournal::read(const JournalRecord& record) {
     if (auto barriers = barriers_from_text(text)) {
       restored_.exploration.barriers = std::move(*barriers);
     }
+  } else if (record.kind == kGround) {
+    if (auto ground = scanned_ground_from_text(text))
+      restored_.grounds.push_back(std::move(*ground));
   } else if (record.kind == kState) {
     read_state(text, restored_);
   }
@@ -133,6 +138,10 @@ void ExplorationJournal::store(const StoredExploration& stored) {
   important |= target != written_.target;
   written_.target = target;
   if (important) journal_.sync();
+}
+
+void ExplorationJournal::append(const ScannedGround& ground) {
+  journal_.append(kGround, bytes_of(to_text(ground)));
 }
 
 void ExplorationJournal::begin_map(std::int64_t map_utime) {

@@ -19,6 +19,7 @@ namespace adit {
 struct StoredExploration {
   std::int64_t map_utime = 0;  ///< of the first scan of the map it belongs to; 0 if none
   ExplorationMemory exploration;
+  std::vector<ScannedGround> grounds;     ///< of all 3D scans; see append()
   std::optional<ExploreRequest> request;  ///< the newest, without its verdict
   double distance_at_request_m = 0.0;     ///< distance travelled when it arrived
   double distance_travelled_m = 0.0;
@@ -35,7 +36,10 @@ class ExplorationJournal {
   [[nodiscard]] const StoredExploration& restored() const { return restored_; }
 
   /// Appends what changed. Synchronizes with the disk, unless only the distance travelled changed.
+  /// What 3D scans observed is not stored again.
   void store(const StoredExploration& stored);
+  /// Appends what a 3D scan observed.
+  void append(const ScannedGround& ground);
 
  private:
   struct Written {

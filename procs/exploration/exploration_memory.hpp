@@ -22,6 +22,7 @@ struct ExplorationMemory {
   int target = ExplorationDecision::kNoFrontier;
   int pursuit_local_map = -1;  ///< newest local map at the last update of the pursuit
   bool returning = false;
+  bool verify_walls = false;
 
   friend bool operator==(const ExplorationMemory&, const ExplorationMemory&) = default;
 };

@@ -20,6 +20,7 @@ namespace adit {
 namespace {
 
 constexpr std::size_t kFragmentsWaiting = 500;  // several local maps, or a large graph
+constexpr std::size_t kTerrainsWaiting = 10;
 constexpr std::int64_t kPeriodUs = 1'000'000;
 constexpr double kMovedM = 0.05;
 constexpr double kPathAheadM = 12.0;  // range of a 3D scan
@@ -38,6 +39,7 @@ ExplorationNode::ExplorationNode(Bus& bus, const Params& params)
   if (!params.journal.empty()) {
     const StoredExploration& stored = journal_.emplace(params.journal).restored();
     exploration_.restore(stored.exploration);
+    exploration_.restore(stored.grounds);
     map_utime_ = stored.map_utime;
     request_ = stored.request;
     distance_at_request_m_ = stored.distance_at_request_m;
@@ -51,6 +53,10 @@ ExplorationNode::ExplorationNode(Bus& bus, const Params& params)
                           [this](const PoseGraphFragment& fragment) {
                             if (const auto graph = graphs_.add(fragment)) on_graph(*graph);
                           });
+  subscribe<terrain_t>(bus, channels::kTerrain, Delivery::queued(TerrainFragment::kFragmentsMax),
+                       [this](const TerrainFragment& fragment) {
+                         if (auto terrain = terrain_.add(fragment)) on_terrain(std::move(*terrain));
+                       });
   subscribe<map_correction_t>(
       bus, channels::kMapCorrection, Delivery::latest(),
       [this](const MapCorrection& correction) { on_correction(correction); });
@@ -83,7 +89,10 @@ void ExplorationNode::on_local_map(const LocalMap& map) {
 
 /// State that belongs to another map is discarded.
 void ExplorationNode::reset_if_other_map(const LocalMap& first) {
-  if (map_utime_ != 0 && map_utime_ != first.utime) exploration_.restore({});
+  if (map_utime_ != 0 && map_utime_ != first.utime) {
+    exploration_.restore(ExplorationMemory{});
+    exploration_.restore(std::vector<ScannedGround>{});
+  }
   map_utime_ = first.utime;
 }
 
@@ -105,12 +114,32 @@ void ExplorationNode::apply_graph() {
   if (!graph_ || (!has_map_ && local_maps_missing() > 0)) return;
   if (!exploration_.update(*graph_)) return;
   has_map_ = true;
+  place_terrains();
+  publish_decision();
+}
+
+void ExplorationNode::on_terrain(TerrainMap terrain) {
+  unplaced_.push_back(std::move(terrain));
+  if (unplaced_.size() > kTerrainsWaiting) unplaced_.pop_front();
+  place_terrains();
+}
+
+/// Places 3D scans in map, once it is known where odom lies in it.
+void ExplorationNode::place_terrains() {
+  if (!has_map_ || !correction_ || unplaced_.empty()) return;
+  for (const TerrainMap& terrain : unplaced_) {
+    const auto* const added =
+        exploration_.add(terrain, correction_->T_map_odom * terrain.T_odom_level);
+    if (added != nullptr) store(*added);
+  }
+  unplaced_.clear();
   publish_decision();
 }
 
 void ExplorationNode::on_correction(const MapCorrection& correction) {
   const bool is_first = !correction_;
   correction_ = correction;
+  place_terrains();
   if (is_first) publish_decision();
 }
 
@@ -119,7 +148,10 @@ void ExplorationNode::on_pose(const StampedPose& pose) {
   if (pose_) {
     const double step_m = between(pose_->T_odom_body, pose.T_odom_body).translation().norm();
     if (step_m < kJumpM) distance_travelled_m_ += step_m;
-    if (step_m >= kJumpM) correction_.reset();
+    if (step_m >= kJumpM) {
+      correction_.reset();
+      unplaced_.clear();
+    }
   }
   pose_ = pose;
 }
@@ -183,12 +215,26 @@ void ExplorationNode::publish_decision() {
   publish_report();
 }
 
+/// The state that refers to it is stored, and synchronized, with the next decision.
+void ExplorationNode::store(const ScannedGround& ground) {
+  if (!journal_) return;
+  try {
+    journal_->append(ground);
+  } catch (const std::exception& failure) {
+    journal_failure_ = failure.what();
+  }
+}
+
 /// Stores before publishing, so that no published decision is lost.
 void ExplorationNode::store() {
   if (!journal_) return;
   journal_failure_.clear();
   try {
-    journal_->store({map_utime_, exploration_.memory(), request_, distance_at_request_m_,
+    journal_->store({map_utime_,
+                     exploration_.memory(),
+                     {},
+                     request_,
+                     distance_at_request_m_,
                      distance_travelled_m_});
   } catch (const std::exception& failure) {
     journal_failure_ = failure.what();

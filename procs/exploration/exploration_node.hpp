@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "common/messages/mapping/local_map.hpp"
 #include "common/messages/mapping/odometry.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/mapping/terrain.hpp"
 #include "common/pose_graph/map_correction.hpp"
 #include "common/types/exploration.hpp"
 #include "common/types/map_request.hpp"
@@ -38,10 +40,11 @@ struct ExplorationNodeParams : ExplorationParams {
   }
 };
 
-/// In:  LOCAL_MAP (local_map_t) and POSE_GRAPH (pose_graph_t), both in fragments; MAP_CORRECTION
-///      (map_correction_t); POSE (pose_t); PATH (planned_path_t), for plans that fail to reach the
-///      target; EXPLORE_REQUEST (explore_request_t), which requests a decision. From the first
-///      request on, the budget and blocked frontiers come from requests, and PATH is ignored.
+/// In:  LOCAL_MAP (local_map_t), POSE_GRAPH (pose_graph_t) and TERRAIN (terrain_t), in fragments;
+///      MAP_CORRECTION (map_correction_t); POSE (pose_t); PATH (planned_path_t), for plans that
+///      fail to reach the target; EXPLORE_REQUEST (explore_request_t), which requests a decision.
+///      From the first request on, the budget and blocked frontiers come from requests, and PATH is
+///      ignored.
 /// Out: EXPLORATION (exploration_t), after each pose graph and each request, and once a second
 ///      while the robot moves. The decision is not a command: the mission stage makes a goal of it.
 ///      Before there is a map a request is answered by kStay, and a request with a verdict is not
@@ -62,6 +65,8 @@ class ExplorationNode {
  private:
   void on_local_map(const LocalMap& map);
   void on_graph(const MapGraph& graph);
+  void on_terrain(TerrainMap terrain);
+  void place_terrains();
   void on_correction(const MapCorrection& correction);
   void on_pose(const StampedPose& pose);
   void on_path(const PlannedPath& path);
@@ -74,6 +79,7 @@ class ExplorationNode {
   void apply_graph();
   void decide();
   void store();
+  void store(const ScannedGround& ground);
   void publish_decision();
   void publish_report();
 
@@ -82,6 +88,8 @@ class ExplorationNode {
   Exploration exploration_;
   LocalMapReassembler local_maps_;
   PoseGraphReassembler graphs_;
+  TerrainReassembler terrain_;
+  std::deque<TerrainMap> unplaced_;  ///< 3D scans before the first map
   std::optional<MapCorrection> correction_;
   std::optional<StampedPose> pose_;
   std::optional<ExploreRequest> request_;  ///< the newest

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace adit {
 namespace {
@@ -25,7 +26,7 @@ double radius_of(const LocalMapTile& tile, double resolution_m) {
   double radius = 0.0;
   for (const auto& cell : tile.free)
     radius = std::max(radius, centre_of(cell, resolution_m).norm());
-  for (const auto& p : tile.walls) radius = std::max(radius, p.norm());
+  for (const auto& wall : tile.walls) radius = std::max(radius, wall.p_local.norm());
   for (const auto& p : tile.path) radius = std::max(radius, p.norm());
   return radius + resolution_m;
 }
@@ -58,6 +59,18 @@ void KnownSpace::add(int id, LocalMapTile tile) {
   entry.tile = std::move(tile);
 }
 
+void KnownSpace::add(ScannedGround ground) {
+  ground_.push_back(std::move(ground));
+  T_map_level_.emplace_back();
+  dropped_tiles_ += enter_ground(ground_.size() - 1) ? 0 : 1;
+}
+
+void KnownSpace::clear_scanned_ground() {
+  for (std::size_t i = 0; i < ground_.size(); ++i) withdraw_ground(i);
+  ground_.clear();
+  T_map_level_.clear();
+}
+
 void KnownSpace::pose(const std::vector<Pose2>& T_map_local) {
   dropped_tiles_ = 0;
   for (auto& [id, entry] : entries_) {
@@ -71,6 +84,7 @@ void KnownSpace::pose(const std::vector<Pose2>& T_map_local) {
     withdraw(entry);
     enter(entry, pose);
   }
+  for (std::size_t i = 0; i < ground_.size(); ++i) dropped_tiles_ += enter_ground(i) ? 0 : 1;
 }
 
 bool KnownSpace::moved(const Entry& entry, const Pose2& T_map_local) const {
@@ -130,23 +144,88 @@ void KnownSpace::vote(const Entry& entry, int sign) {
       }
     }
   }
-  for (const Eigen::Vector2d& p : entry.tile.walls) {
-    Votes& votes = votes_at(p.x(), p.y());
+  for (const WallCell& wall : entry.tile.walls) {
+    Votes& votes = votes_at(wall.p_local.x(), wall.p_local.y());
     votes.wall = static_cast<std::uint16_t>(votes.wall + sign * kVotesOfCell);
+    if (wall.steep) votes.steep_wall = static_cast<std::uint16_t>(votes.steep_wall + sign);
   }
 }
 
-Grid2<Occupancy> KnownSpace::cells() const {
+/// Votes at the present pose of its local map, if it has one. Returns false if the grid would
+/// become too large.
+bool KnownSpace::enter_ground(std::size_t i) {
+  const ScannedGround& ground = ground_[i];
+  const std::optional<Pose2> T_map_local = pose_of(ground.local_map);
+  const auto T_map_level =
+      T_map_local ? std::optional(*T_map_local * ground.T_local_level) : std::nullopt;
+  const CellBox& box = ground.cells.box();
+  const double radius_m =
+      resolution_m() * (box.from.cwiseAbs().cwiseMax(box.to.cwiseAbs())).cast<double>().norm();
+  if (T_map_level && T_map_level_[i]) {
+    const Pose2 motion = between(*T_map_level_[i], *T_map_level);
+    const double moved_m = motion.translation().norm() + radius_m * std::abs(motion.theta);
+    if (moved_m <= params_.update_distance_m) return true;
+  }
+  withdraw_ground(i);
+  if (!T_map_level) return true;
+  const Eigen::Vector2d p = T_map_level->translation();
+  const Eigen::Vector2d reach(radius_m, radius_m);
+  if (!reserve({cell_of(p - reach, resolution_m()),
+                cell_of(p + reach, resolution_m()) + Eigen::Vector2i(1, 1)})) {
+    return false;
+  }
+  T_map_level_[i] = T_map_level;
+  vote_ground(i, 1);
+  return true;
+}
+
+void KnownSpace::withdraw_ground(std::size_t i) {
+  if (!T_map_level_[i]) return;
+  vote_ground(i, -1);
+  T_map_level_[i].reset();
+}
+
+void KnownSpace::vote_ground(std::size_t i, int sign) {
+  const Grid2<ScannedCell>& cells = ground_[i].cells;
+  const Pose2& T_map_level = *T_map_level_[i];
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (cells[k] == ScannedCell::kUnknown) continue;
+    const Eigen::Vector2d p_map = T_map_level * centre_of(cells.cell(k), resolution_m());
+    Votes& votes = votes_.at(cell_of(p_map, resolution_m()));
+    std::uint16_t& count = cells[k] == ScannedCell::kGround ? votes.ground : votes.rock;
+    count = static_cast<std::uint16_t>(count + sign);
+  }
+}
+
+/// Whether the wall in a cell is too steep for ground, or 3D scans observed rock within two cells.
+bool KnownSpace::is_confirmed_wall(std::size_t votes_index) const {
+  if (votes_[votes_index].steep_wall > 0) return true;
+  constexpr int kReach = 2;
+  const Eigen::Vector2i middle = votes_.cell(votes_index);
+  for (int y = -kReach; y <= kReach; ++y) {
+    for (int x = -kReach; x <= kReach; ++x) {
+      if (votes_.get(middle + Eigen::Vector2i(x, y)).rock > 0) return true;
+    }
+  }
+  return false;
+}
+
+Grid2<Occupancy> KnownSpace::cells(Walls walls) const {
   CellBox box = votes_.box();
   if (votes_.size() == 0) return {};
   const Eigen::Vector2i rim(kRim, kRim);
   Grid2<Occupancy> known({box.from - rim, box.to + rim}, Occupancy::kUnseen);
+  const bool only_confirmed = walls == Walls::kConfirmed && !ground_.empty();
   for (std::size_t i = 0; i < votes_.size(); ++i) {
     const Votes& votes = votes_[i];
     if (votes.free == 0 && votes.wall == 0) continue;
-    known[known.index(votes_.cell(i))] = votes.wall > 0 && kFreeOverWall * votes.wall >= votes.free
-                                             ? Occupancy::kWall
-                                             : Occupancy::kFree;
+    const bool returns = votes.wall > 0 && kFreeOverWall * votes.wall >= votes.free;
+    const bool on_ground = votes.ground > 0 && votes.rock == 0;
+    Occupancy& cell = known[known.index(votes_.cell(i))];
+    cell = returns && !on_ground ? Occupancy::kWall : Occupancy::kFree;
+    if (cell == Occupancy::kWall && only_confirmed && !is_confirmed_wall(i)) {
+      cell = Occupancy::kUnseen;
+    }
   }
   fill_patches(known);
   mark_driven(known);

@@ -10,6 +10,7 @@
 #include "common/geometry/pose2.hpp"
 #include "common/grid/grid2.hpp"
 #include "procs/exploration/map/local_map_tile.hpp"
+#include "procs/exploration/map/scanned_ground.hpp"
 
 namespace adit {
 
@@ -24,7 +25,7 @@ struct KnownSpaceParams {
   LocalMapTileParams tiles;
   double update_distance_m = 0.05;  ///< motion of any point after which a tile votes again
   double unseen_patch_m2 = 1.0;     ///< enclosed unseen patches up to this size count as free
-  int cells_max = 20'000'000;       ///< limit of the grid; a cell takes 6 bytes
+  int cells_max = 20'000'000;       ///< limit of the grid; a cell takes 12 bytes
 
   template <class V>
   void visit(V& v) {
@@ -41,21 +42,32 @@ struct PosedTile {
   Pose2 T_map_local;
 };
 
-/// Occupancy of the mine in map, from the tiles of all local maps, each at its pose in the graph. A
-/// tile casts votes for free and for wall, and withdraws them when it moves, so that a graph update
-/// costs only what has moved.
+/// Walls that count.
+enum class Walls : std::uint8_t {
+  kAll,        ///< all returns of the level lasers, except from ground that 3D scans observed
+  kConfirmed,  ///< of these the steep ones and those where a 3D scan observed rock; the others are
+               ///< unseen, as they may be rising ground or falling roof
+};
+
+/// Occupancy of the mine in map, from the tiles of all local maps and the ground of all 3D scans,
+/// each at its pose in the graph. A tile casts votes for free and for wall, and withdraws them when
+/// it moves, so that a graph update costs only what has moved.
 class KnownSpace {
  public:
   explicit KnownSpace(const KnownSpaceParams& params) : params_(params) {}
 
   /// Adds a tile, or replaces the one with the same id.
   void add(int id, LocalMapTile tile);
+  void add(ScannedGround ground);
+  /// Forgets what 3D scans observed.
+  void clear_scanned_ground();
+  [[nodiscard]] const std::vector<ScannedGround>& scanned_ground() const { return ground_; }
 
   /// Sets the poses of all tiles, by id. Tiles that are not in the graph are withdrawn.
   void pose(const std::vector<Pose2>& T_map_local);
 
-  /// All cells, with a rim of two unseen cells.
-  [[nodiscard]] Grid2<Occupancy> cells() const;
+  /// All cells, with a rim of two unseen cells. Without 3D scans all walls count.
+  [[nodiscard]] Grid2<Occupancy> cells(Walls walls = Walls::kAll) const;
 
   /// The tile that observed this point as free and whose path is nearest to it: the one to anchor
   /// it to. Empty if there is none within 20 m.
@@ -76,6 +88,9 @@ class KnownSpace {
   struct Votes {
     std::uint16_t free = 0;
     std::uint16_t wall = 0;
+    std::uint16_t steep_wall = 0;
+    std::uint16_t ground = 0;
+    std::uint16_t rock = 0;
   };
   struct Entry {
     LocalMapTile tile;
@@ -88,11 +103,17 @@ class KnownSpace {
   void enter(Entry& entry, const Pose2& T_map_local);
   void withdraw(Entry& entry);
   void vote(const Entry& entry, int sign);
+  [[nodiscard]] bool enter_ground(std::size_t i);
+  void withdraw_ground(std::size_t i);
+  void vote_ground(std::size_t i, int sign);
+  [[nodiscard]] bool is_confirmed_wall(std::size_t votes_index) const;
   void mark_driven(Grid2<Occupancy>& known) const;
   void fill_patches(Grid2<Occupancy>& known) const;
 
   KnownSpaceParams params_;
   std::map<int, Entry> entries_;
+  std::vector<ScannedGround> ground_;
+  std::vector<std::optional<Pose2>> T_map_level_;  ///< of `ground_`, at which it has voted
   Grid2<Votes> votes_;
   int dropped_tiles_ = 0;
 };

@@ -37,6 +37,7 @@ struct Counts {
   std::uint32_t last_pass = 0;
   Eigen::Vector2f sum{0.0F, 0.0F};  // of the returns
   std::uint16_t returns = 0;
+  bool steep = false;  // a return came from nearby
 };
 
 CellBox box_around(const LocalMap& map, const LocalMapTileParams& params) {
@@ -76,7 +77,7 @@ class Raster {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       const Counts& counts = cells_[i];
       if (counts.ends > 0 && counts.ends >= params_.wall_share * (counts.ends + counts.passes)) {
-        tile.walls.emplace_back((counts.sum / counts.returns).cast<double>());
+        tile.walls.push_back({(counts.sum / counts.returns).cast<double>(), counts.steep});
       } else if (counts.passes > 0) {
         tile.free.push_back(cells_.cell(i));
       }
@@ -90,6 +91,7 @@ class Raster {
     Counts& counts = cells_[cells_.index(cell)];
     counts.sum += p_local.cast<float>();
     ++counts.returns;
+    counts.steep |= range < params_.steep_range_m;
     if (counts.last_end != scan_) ++counts.ends;
     counts.last_end = scan_;
   }

@@ -20,6 +20,8 @@ struct LocalMapTileParams {
   double view_distance_m = 0.5;  ///< motion of the laser after which a scan is entered
   double view_angle_rad = 0.3;   ///< or rotation
   double wall_share = 0.15;      ///< least share of scans ending in a cell that makes it a wall
+  double steep_range_m = 1.7;    ///< a return nearer than this comes from no ground that a vehicle
+                                 ///< climbs: it rises to the laser over this distance
 
   template <class V>
   void visit(V& v) {
@@ -28,7 +30,14 @@ struct LocalMapTileParams {
     v("view_distance_m", view_distance_m, at_least(0.0));
     v("view_angle_rad", view_angle_rad, at_least(0.0));
     v("wall_share", wall_share, within(0.0, 1.0));
+    v("steep_range_m", steep_range_m, at_least(0.0));
   }
+};
+
+/// A cell with returns.
+struct WallCell {
+  Eigen::Vector2d p_local{0.0, 0.0};  ///< mean of the returns [m]
+  bool steep = false;                 ///< too steep for ground: a return came from nearby
 };
 
 /// The cells that a local map observed, in its frame: computed once, and posed as often as the
@@ -37,9 +46,9 @@ struct LocalMapTileParams {
 struct LocalMapTile {
   int session = 0;
   std::int64_t end_utime = 0;
-  std::vector<Eigen::Vector2i> free;   ///< cells traversed by beams, by row, then column
-  std::vector<Eigen::Vector2d> walls;  ///< p_local: mean of the returns in each wall cell [m]
-  std::vector<Eigen::Vector2d> path;   ///< p_local of the body, in order of time [m]
+  std::vector<Eigen::Vector2i> free;  ///< cells traversed by beams, by row, then column
+  std::vector<WallCell> walls;
+  std::vector<Eigen::Vector2d> path;  ///< p_local of the body, in order of time [m]
 
   [[nodiscard]] bool is_free(const Eigen::Vector2i& cell_local) const;
 };

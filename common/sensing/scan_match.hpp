@@ -47,6 +47,9 @@ struct ScanMatch {
   double z_m = 0.0;                  ///< height of the body in odom, by its motion along its pitch
   /// Beams of the scan that hit the ground or the roof, not a wall, in increasing order.
   std::vector<std::int32_t> ground_beams;
+  /// Beams that hit what may be ground or roof, though no 3D scan shows whether, in increasing
+  /// order; empty before the first 3D scan.
+  std::vector<std::int32_t> unconfirmed_beams;
 
   /// Covariance of T_reference_body: of (x, y, θ) in the body frame at `utime` [m, m, rad].
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();

@@ -23,6 +23,7 @@ struct LocalScan {
   double z_m = 0.0;  ///< height of the body above that of the first scan
   /// Of the body against gravity; nothing without an IMU.
   std::optional<Attitude> attitude = {};
+  std::vector<std::int32_t> unconfirmed_beams = {};  ///< as in ScanMatch
 
   friend bool operator==(const LocalScan&, const LocalScan&) = default;
 };

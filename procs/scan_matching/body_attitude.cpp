@@ -23,11 +23,15 @@ void BodyAttitude::add(const ImuReading& reading) {
   const double dt_s = seconds(reading.utime - utime_);
   utime_ = reading.utime;
   filter_.add(reading, reading.utime, acceleration(reading));
-  if (ground_slope_ && dt_s <= kGapMaxS) {
-    *ground_slope_ += dt_s * reading.angular_velocity.z() *
-                      Eigen::Vector2d(ground_slope_->y(), -ground_slope_->x());
+  if (slopes_ && dt_s <= kGapMaxS) {
+    for (Eigen::Vector2d* slope : {&slopes_->ground, &slopes_->ramp}) {
+      *slope += dt_s * reading.angular_velocity.z() * Eigen::Vector2d(slope->y(), -slope->x());
+    }
   }
-  if (!ground_slope_ && filter_.up_body()) ground_slope_ = ground_slope(*attitude());
+  if (!slopes_ && filter_.up_body()) {
+    const Eigen::Vector2d slope = ground_slope(*attitude());
+    slopes_ = {slope, slope};
+  }
 }
 
 /// Of the body, in its frame: the change of the speed along x over the last two intervals, and that
@@ -57,9 +61,10 @@ void BodyAttitude::add(std::int64_t utime, const Pose2& T_odom_body) {
 
 void BodyAttitude::drive(double distance_m) {
   const auto attitude = this->attitude();
-  if (!attitude || !ground_slope_) return;
-  const double share = 1.0 - std::exp(-distance_m / params_.ground_m);
-  *ground_slope_ += share * (ground_slope(*attitude) - *ground_slope_);
+  if (!attitude || !slopes_) return;
+  const Eigen::Vector2d slope = ground_slope(*attitude);
+  slopes_->ground += (1.0 - std::exp(-distance_m / params_.ground_m)) * (slope - slopes_->ground);
+  slopes_->ramp += (1.0 - std::exp(-distance_m / params_.ramp_m)) * (slope - slopes_->ramp);
 }
 
 std::optional<Attitude> BodyAttitude::attitude() const {
@@ -68,8 +73,10 @@ std::optional<Attitude> BodyAttitude::attitude() const {
 }
 
 bool BodyAttitude::is_level_at(const SurfacePoint& point, double laser_m) const {
-  if (!ground_slope_) return true;
-  return std::abs(point.z_m - laser_m - ground_slope_->dot(point.p)) <= params_.rise_max_m;
+  if (!slopes_) return true;
+  const double above_m = point.z_m - laser_m;
+  return std::abs(above_m - slopes_->ground.dot(point.p)) <= params_.rise_max_m ||
+         std::abs(above_m - slopes_->ramp.dot(point.p)) <= params_.rise_max_m;
 }
 
 }  // namespace adit

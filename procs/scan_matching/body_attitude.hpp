@@ -19,13 +19,17 @@ namespace adit {
 
 struct BodyAttitudeParams {
   AttitudeFilterParams filter{.settling_s = 3.0, .deviation_max_m_s2 = 0.5, .bias_s = 20.0};
-  double ground_m = 10.0;  ///< path length over which the mean slope is taken as that of the ground
+  /// Path lengths over which the mean slope is taken as that of the ground: the longer one does not
+  /// follow a wheel on a rail, the shorter one follows a ramp.
+  double ground_m = 10.0;
+  double ramp_m = 2.0;
   double rise_max_m = 0.4;  ///< maximum change of a beam's height above the ground
 
   template <class V>
   void visit(V& v) {
     v("filter", filter);
     v("ground_m", ground_m, above(0.0));
+    v("ramp_m", ramp_m, above(0.0));
     v("rise_max_m", rise_max_m, above(0.0));
   }
 };
@@ -50,7 +54,7 @@ class BodyAttitude {
   [[nodiscard]] std::optional<Attitude> attitude() const;
 
   /// Whether a beam of a laser at `laser_m` above the origin of the body ends near this height
-  /// above the ground there. True while the attitude is unknown.
+  /// above the ground there, by one of the mean slopes. True while the attitude is unknown.
   [[nodiscard]] bool is_level_at(const SurfacePoint& point, double laser_m) const;
 
  private:
@@ -59,7 +63,11 @@ class BodyAttitude {
   BodyAttitudeParams params_;
   AttitudeFilter filter_;
   std::int64_t utime_ = 0;
-  std::optional<Eigen::Vector2d> ground_slope_;  ///< mean, along x and y of level [m/m]
+  struct MeanSlopes {
+    Eigen::Vector2d ground;  ///< along x and y of level [m/m]
+    Eigen::Vector2d ramp;
+  };
+  std::optional<MeanSlopes> slopes_;
   struct TimedPose {
     std::int64_t utime = 0;
     Pose2 T_odom_body;

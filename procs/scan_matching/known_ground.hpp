@@ -25,6 +25,8 @@ class KnownGround {
   /// The ground under the body.
   void add(const Eigen::Vector2d& p_odom, double z_odom_m);
   void clear();
+  /// Whether a 3D scan was added.
+  [[nodiscard]] bool has_terrain() const { return !terrains_.empty(); }
 
   /// What a beam that ends at this point hit; `range_m` bounds the error of its height.
   [[nodiscard]] Surface surface_at(const Eigen::Vector2d& p_odom, double z_odom_m,

@@ -115,6 +115,7 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   ScanObservation observation = observe(laser, scan, expected.prior.T_odom_body);
   match.points = static_cast<std::int32_t>(observation.points.size());
   match.ground_beams = observation.ground_beams;
+  match.unconfirmed_beams = observation.unconfirmed_beams;
   if (reference_.has_laser(laser)) {
     locate(observation, expected, match);  // Lu and Milios 1997; Censi 2008; Olson 2009
     standstill_.apply(expected, match);
@@ -163,6 +164,7 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
   const Attitude attitude = attitude_.attitude().value_or(Attitude{});
   std::vector<SurfacePoint> points = surface_points(scan, mount, params_.surface, attitude);
   std::vector<std::int32_t> ground_beams;
+  std::vector<std::int32_t> unconfirmed_beams;
   std::erase_if(points, [&](const SurfacePoint& point) {
     using Surface = KnownGround::Surface;
     const Surface surface =
@@ -176,10 +178,11 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
     const bool known = ground_.surface_at(T_odom_expected * point.p, z_m_ + point.z_m,
                                           point.p.norm()) == KnownGround::Surface::kWall;
     if (attitude_.attitude() && !known) point.grade_group = grade_group_of(point, mount.height_m);
+    if (point.grade_group && ground_.has_terrain()) unconfirmed_beams.push_back(point.beam);
     point.z_m += z_m_;
   }
-  return {laser, std::move(points), FreeSpace(scan, mount, attitude, z_m_),
-          std::move(ground_beams)};
+  return {laser, std::move(points), FreeSpace(scan, mount, attitude, z_m_), std::move(ground_beams),
+          std::move(unconfirmed_beams)};
 }
 
 /// Matches the scan against the reference. Without an accepted match the pose is the prediction.

@@ -35,6 +35,8 @@ local_scan_t to_message(const LocalScan& local) {
   message.angle_step_rad = local.scan.angle_step_rad;
   message.nranges = static_cast<std::int32_t>(local.scan.ranges_m.size());
   message.ranges = local.scan.ranges_m;
+  message.n_unconfirmed_beams = static_cast<std::int32_t>(local.unconfirmed_beams.size());
+  message.unconfirmed_beams.assign(local.unconfirmed_beams.begin(), local.unconfirmed_beams.end());
   return message;
 }
 
@@ -43,7 +45,8 @@ LocalScan scan_from(const local_scan_t& message) {
           {message.utime, message.ranges, message.angle_min_rad, message.angle_step_rad},
           pose_from(message.T_local_body),
           message.z_m,
-          attitude_from(message)};
+          attitude_from(message),
+          {message.unconfirmed_beams.begin(), message.unconfirmed_beams.end()}};
 }
 
 std::string_view rejection_reason(const LocalScan& local, const LocalMap& map) {
@@ -69,10 +72,11 @@ LocalMap header_of(const LocalMap& map) {
 }
 
 /// Encoded size: length of the channel and its NUL, time, pose, height and attitude, bearings,
-/// count, ranges.
+/// counts, ranges, beams.
 std::size_t encoded_bytes(const LocalScan& local) {
-  constexpr std::size_t kFixed = 4 + 1 + 8 + 24 + 25 + 16 + 4;
-  return kFixed + local.channel.size() + sizeof(float) * local.scan.ranges_m.size();
+  constexpr std::size_t kFixed = 4 + 1 + 8 + 24 + 25 + 16 + 4 + 4;
+  return kFixed + local.channel.size() + sizeof(float) * local.scan.ranges_m.size() +
+         sizeof(std::int16_t) * local.unconfirmed_beams.size();
 }
 
 }  // namespace

@@ -131,6 +131,8 @@ scan_match_t to_message(const ScanMatch& match) {
   set_attitude(match.attitude, message);
   message.n_ground_beams = static_cast<std::int32_t>(match.ground_beams.size());
   message.ground_beams.assign(match.ground_beams.begin(), match.ground_beams.end());
+  message.n_unconfirmed_beams = static_cast<std::int32_t>(match.unconfirmed_beams.size());
+  message.unconfirmed_beams.assign(match.unconfirmed_beams.begin(), match.unconfirmed_beams.end());
   set_matrix(match.covariance, message.covariance);
   message.inlier_share = match.inlier_share;
   message.contradiction_share = match.contradiction_share;
@@ -161,6 +163,8 @@ Result<ScanMatch> from_message(const scan_match_t& message) {
   match.z_m = message.z_m;
   match.attitude = attitude_from(message);
   match.ground_beams.assign(message.ground_beams.begin(), message.ground_beams.end());
+  match.unconfirmed_beams.assign(message.unconfirmed_beams.begin(),
+                                 message.unconfirmed_beams.end());
   match.covariance = matrix_from(message.covariance);
   match.inlier_share = message.inlier_share;
   match.contradiction_share = message.contradiction_share;

@@ -51,7 +51,11 @@ LocalWalls local_walls(const LocalMap& map, const LaserMounts& mounts,
     if (mount == mounts.end()) continue;
     const Attitude attitude = local.attitude.value_or(Attitude{});
     auto points = surface_points(local.scan, mount->second, params.surface, attitude);
-    std::erase_if(points, [&](const auto& q) { return q.p.norm() > params.range_max_m; });
+    const auto& unconfirmed = local.unconfirmed_beams;
+    std::erase_if(points, [&](const SurfacePoint& point) {
+      return point.p.norm() > params.range_max_m ||
+             std::binary_search(unconfirmed.begin(), unconfirmed.end(), point.beam);
+    });
     for (SurfacePoint& point : points) point.z_m += local.z_m;
     surfels.insert(points, local.T_local_body, 0.0);
     const auto last = last_view.find(local.channel);

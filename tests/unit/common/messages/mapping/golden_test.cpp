@@ -62,6 +62,8 @@ TEST(Golden, ScanMatch) {
   message.pitch_rad = -0.1875;
   message.n_ground_beams = 2;
   message.ground_beams = {90, 259};
+  message.n_unconfirmed_beams = 3;
+  message.unconfirmed_beams = {1, 2, 360};
   message.inlier_share = 0.875;
   message.contradiction_share = 0.375;
   message.rms_residual_m = 0.015625;
@@ -84,6 +86,7 @@ TEST(Golden, ScanMatch) {
   match.z_m = -3.5;
   match.attitude = Attitude{0.03125, -0.1875};
   match.ground_beams = {90, 259};
+  match.unconfirmed_beams = {1, 2, 360};
   match.inlier_share = 0.875;
   match.contradiction_share = 0.375;
   match.rms_residual_m = 0.015625;
@@ -109,6 +112,8 @@ TEST(Golden, LocalMap) {
   scan.angle_step_rad = 0.75;
   scan.nranges = 2;
   scan.ranges = {3.5F, 4.5F};
+  scan.n_unconfirmed_beams = 1;
+  scan.unconfirmed_beams = {1};
   local_map_t message;
   message.utime = kUtime;
   message.end_utime = kUtime + 2;
@@ -135,7 +140,8 @@ TEST(Golden, LocalMap) {
                           {kUtime + 1, {3.5F, 4.5F}, -1.5, 0.75},
                           {0.5, 0.25, 0.125},
                           0.375,
-                          Attitude{-0.0625, 0.21875}}};
+                          Attitude{-0.0625, 0.21875},
+                          {1}}};
   fragment.n_fragments = 4;
   fragment.fragment = 3;
   expect_golden(message, fragment);

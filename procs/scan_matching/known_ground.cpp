@@ -27,9 +27,11 @@ KnownGround::Surface surface_in(const TerrainCell& cell, double z_level_m, doubl
   using Surface = KnownGround::Surface;
   if (cell.ground != Ground::kObserved || !std::isfinite(cell.low_m)) return Surface::kUnknown;
   const double above_m = z_level_m - static_cast<double>(cell.low_m);
-  // Near the foot of a wall a cell holds both.
-  if (!(cell.coefficient_m < kObstacleM))
-    return above_m < near_m ? Surface::kUnknown : Surface::kWall;
+  // Near the foot of a wall a cell holds both, near its top the roof.
+  if (!(cell.coefficient_m < kObstacleM)) {
+    const double top_m = static_cast<double>(cell.coefficient_m) + near_m;
+    return above_m < near_m || above_m > top_m ? Surface::kUnknown : Surface::kWall;
+  }
   if (above_m < near_m) return Surface::kGround;
   if (above_m > static_cast<double>(cell.clearance_m) - near_m) return Surface::kRoof;
   return Surface::kUnknown;

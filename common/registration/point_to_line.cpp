@@ -133,12 +133,17 @@ class Accumulator {
 
   void add(const SurfacePoint& point, std::size_t index, Correspondences& correspondences,
            double capture) {
-    group_ = point.grade_group;
-    const Eigen::Vector2d p_body = unshifted(point);
-    const Eigen::Vector2d p_odom = rotate(p_body) + T_.translation();
     const Eigen::Vector2d n_odom = rotate(point.normal);
+    group_ = point.grade_group;
+    Eigen::Vector2d p_body = unshifted(point);
+    Eigen::Vector2d p_odom = rotate(p_body) + T_.translation();
     const Surfel* q = correspondences.find(index, p_odom, n_odom, capture);
     if (q == nullptr) return;
+    if (group_ && q->is_steep()) {
+      group_.reset();
+      p_body = point.p;
+      p_odom = rotate(p_body) + T_.translation();
+    }
     ++sums_.corresponding;
     const Eigen::Vector2d d = p_odom - q->p;
     const double climb_m = point.z_m - q->z_m;

@@ -20,8 +20,9 @@ struct PointToLineParams {
   double scale_end_m = 0.04;         ///< final width; a point beyond twice this is an outlier
   double residual_sd_min_m = 0.005;  ///< lower bound of the residual's standard deviation per point
   double done_m = 1e-4;  ///< converged at a step below this (metres; radians times one metre)
-  double laser_m = 0.6;  ///< height of the lasers above the ground that they may observe,
-  double pitch_sd_rad = 0.003;  ///< and standard deviation of the pitch of the body
+  double laser_m = 0.6;  ///< height of the lasers above the ground that they may observe
+  /// Standard deviation of the change of the body's pitch over the reference.
+  double pitch_sd_rad = 0.001;
 
   template <class V>
   void visit(V& v) {
@@ -74,7 +75,8 @@ using MatchTrail = std::vector<MatchWaypoint>;
 /// Geman-McClure kernel that narrows from coarse to fine, and the prior as an additional
 /// measurement. Points of a grade group may lie on rising ground or a falling roof, where the place
 /// that a level beam hits moves as the body climbs, by at most range / laser_m for
-/// each metre of height: each group has a common unknown displacement, with this prior. Without
+/// each metre of height: each group has a common unknown displacement, with this prior, except
+/// where the reference is steep. Without
 /// these groups the result does not depend on heights but by `lean_sd`. `trail` holds the iterates
 /// of earlier matches of the same scan that differ in their start only: a match stops when it joins
 /// the trail, and adds its own iterates if it converges or joins.

@@ -78,8 +78,8 @@ void SurfelMap::merge(const SurfacePoint& point, double odometer) {
     }
   }
   if (found == nullptr) {
-    surfels_.push_back(
-        {point.p, point.z_m, point.normal, point.normal_variance, point.variance, odometer, -1});
+    surfels_.push_back({point.p, point.z_m, point.z_m, point.z_m, point.normal,
+                        point.normal_variance, point.variance, odometer, -1});
     link(static_cast<int>(surfels_.size()) - 1);
     return;
   }
@@ -102,6 +102,8 @@ void SurfelMap::merge(const SurfacePoint& point, double odometer) {
   const double share = share_of_new(found->variance, point.variance);
   found->p += share * found->normal.dot(point.p - found->p) * found->normal;
   found->z_m += share * (point.z_m - found->z_m);
+  found->z_min_m = std::min(found->z_min_m, point.z_m);
+  found->z_max_m = std::max(found->z_max_m, point.z_m);
   found->variance = share * point.variance;
 }
 

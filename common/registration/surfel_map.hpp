@@ -15,8 +15,10 @@ namespace adit {
 
 /// A small patch of a wall: the mean of all points measured on it.
 struct Surfel {
-  Eigen::Vector2d p = Eigen::Vector2d::Zero();       ///< [m]
-  double z_m = 0.0;                                  ///< height of the beams that hit it
+  Eigen::Vector2d p = Eigen::Vector2d::Zero();  ///< [m]
+  double z_m = 0.0;                             ///< mean height of the beams that hit it,
+  double z_min_m = 0.0;                         ///< and their range
+  double z_max_m = 0.0;
   Eigen::Vector2d normal = Eigen::Vector2d::Zero();  ///< unit, towards the laser; zero: unknown
   double normal_variance = 0.0;                      ///< [rad²]
   double variance = 0.0;                             ///< of the position along the normal [m²]
@@ -24,6 +26,10 @@ struct Surfel {
   int next = -1;                                     ///< next surfel of the same bucket
 
   [[nodiscard]] bool has_normal() const { return normal.squaredNorm() > 0.5; }
+  /// Observed in one place at different heights: too steep for ground.
+  [[nodiscard]] bool is_steep() const { return z_max_m - z_min_m > kSteepM; }
+
+  static constexpr double kSteepM = 0.1;
 };
 
 /// The result of a nearest-surfel query, and how long it stays valid.

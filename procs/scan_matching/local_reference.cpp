@@ -5,12 +5,21 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 namespace adit {
 namespace {
 
 constexpr double kForgetIntervalM = 1.0;  // removal visits all surfels
 
 }  // namespace
+
+bool LocalReference::is_steep_at(const SurfacePoint& point_body, const Pose2& T_odom_body) const {
+  constexpr double kOnWallM = 0.1;
+  const Eigen::Vector2d n_odom = Eigen::Rotation2Dd(T_odom_body.theta) * point_body.normal;
+  const Surfel* wall = surfels_.nearest(T_odom_body * point_body.p, n_odom, kOnWallM).surfel;
+  return wall != nullptr && wall->is_steep();
+}
 
 double LocalReference::contradiction_share(const ScanObservation& observation,
                                            const Pose2& T_odom_body) const {

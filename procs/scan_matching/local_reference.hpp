@@ -60,6 +60,9 @@ class LocalReference {
   [[nodiscard]] double contradiction_share(const ScanObservation& observation,
                                            const Pose2& T_odom_body) const;
 
+  /// Whether the wall nearest to a point was observed in one place at different heights.
+  [[nodiscard]] bool is_steep_at(const SurfacePoint& point_body, const Pose2& T_odom_body) const;
+
   /// Adds the scan if the body has moved enough since the last keyframe of its laser.
   void add_keyframe(ScanObservation observation, const Pose2& T_odom_body, double odometer_m);
 

@@ -119,6 +119,7 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   if (reference_.has_laser(laser)) {
     locate(observation, expected, match);  // Lu and Milios 1997; Censi 2008; Olson 2009
     standstill_.apply(expected, match);
+    confirm_steep(observation, match);
   } else {
     const bool enough = match.points >= params_.points_min;
     match.status = enough ? ScanMatch::Status::kFirstScan : ScanMatch::Status::kLost;
@@ -141,6 +142,15 @@ ScanMatch ScanMatching::rejected(std::int64_t utime) const {
   match.attitude = attitude_.attitude();
   match.z_m = z_m_;
   return match;
+}
+
+/// What the reference shows at different heights needs no 3D scan to be a wall.
+void ScanMatching::confirm_steep(const ScanObservation& observation, ScanMatch& match) const {
+  if (match.unconfirmed_beams.empty()) return;
+  for (const SurfacePoint& point : observation.points) {
+    if (!point.grade_group || !reference_.is_steep_at(point, match.T_odom_body)) continue;
+    std::erase(match.unconfirmed_beams, point.beam);
+  }
 }
 
 /// The body moves along the plane on which it stands.

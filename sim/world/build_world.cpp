@@ -159,7 +159,9 @@ void check_mesh_alone(const WorldDescription& description) {
 World build_plan_world(const WorldDescription& description) {
   const std::vector<TunnelLine> tunnels = tunnel_lines(description.plan);
   const auto space = std::make_shared<OpenSpace>(description, tunnels);
-  const auto bare_heights = std::make_shared<Heights>(description.heights, description.seed);
+  const auto bare_heights = std::make_shared<Heights>(
+      description.heights, description.seed,
+      TunnelRises::of(tunnels, polygons_of(description.plan.rooms, "room"), space->reach_m()));
   Heights heights = *bare_heights;
   apply_height_changes(description.props, tunnels, heights);
   check_start(*space, description.T_world_start);

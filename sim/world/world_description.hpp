@@ -17,6 +17,11 @@ struct TunnelDescription {
   std::vector<double> points_m;  ///< x, y, x, y, .. of its centre line, in world
   double width_m = 3.0;
   bool entrance = false;  ///< the first point is open to the outside
+  /// s, z, s, z, .. : height of its floor above that of `heights` at distance s along its centre
+  /// line, ascending in s, constant beyond the ends. Empty: 0. Where tunnels meet, the floor passes
+  /// from the one to the other over half of their widths.
+  std::vector<double> rise_m = {};
+  std::string rise_grade = "smooth";  ///< between the points of rise_m: smooth, or sudden (linear)
 
   template <class V>
   void visit(V& v) {
@@ -24,6 +29,8 @@ struct TunnelDescription {
     v("points_m", points_m);
     v("width_m", width_m, above_up_to(0.0, 50.0));
     v("entrance", entrance);
+    v("rise_m", rise_m);
+    v("rise_grade", rise_grade, OneOf({"smooth", "sudden"}));
   }
 };
 
@@ -113,6 +120,7 @@ struct HeightsDescription {
   double heading_rad = 0.0;
   std::string grade = "smooth";  ///< between the points of the profile: smooth, or sudden (linear)
   double clearance_m = 2.0;      ///< from floor to roof
+  ReliefDescription rolls{.height_m = 0.0, .length_m = 20.0, .octaves = 1};  ///< of the seam
   ReliefDescription floor_relief{.height_m = 0.03, .length_m = 2.0};
   ReliefDescription roof_relief{.height_m = 0.08, .length_m = 2.0};
 
@@ -122,6 +130,7 @@ struct HeightsDescription {
     v("heading_rad", heading_rad);
     v("grade", grade, OneOf({"smooth", "sudden"}));
     v("clearance_m", clearance_m, above_up_to(0.3, 50.0));
+    v("rolls", rolls);
     v("floor_relief", floor_relief);
     v("roof_relief", roof_relief);
   }

@@ -16,6 +16,7 @@ namespace adit {
 namespace {
 
 constexpr const char* kRandom = "random";
+constexpr const char* kRandomLevel = "random_level";
 
 WorldDescription description_in(const ConfigFile& file) {
   file.require_known_sections({WorldDescription::kSection});
@@ -51,6 +52,7 @@ WorldDescription from_mesh(const std::filesystem::path& path) {
 [[noreturn]] void fail_unknown_world(const std::string& name) {
   std::vector<std::string> known = built_in_worlds();
   known.emplace_back(kRandom);
+  known.emplace_back(kRandomLevel);
   known.emplace_back("grade:PERCENT");
   const std::string nearest = nearest_name(name, known);
   const std::string advice = nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
@@ -76,7 +78,9 @@ std::vector<std::string> built_in_worlds() {
 }
 
 WorldDescription find_world(const std::string& name, std::optional<int> seed) {
-  if (name == kRandom) return random_mine(seed.value_or(1));
+  if (name == kRandom || name == kRandomLevel) {
+    return random_mine(seed.value_or(1), {.level = name == kRandomLevel});
+  }
   if (const auto grade = parse_grade_tunnel(name)) return grade_tunnel(*grade, seed.value_or(1));
   std::optional<WorldDescription> known = built_in(name);
   WorldDescription description = known ? *std::move(known) : from_path(name);

@@ -59,16 +59,6 @@ std::vector<TunnelSegment> tunnel_segments(const TunnelLine& tunnel,
   return segments;
 }
 
-std::vector<PlanPolygon> polygons_of(const std::vector<PolygonDescription>& descriptions,
-                                     const std::string& kind) {
-  std::vector<PlanPolygon> polygons;
-  for (const PolygonDescription& polygon : descriptions) {
-    polygons.push_back(
-        {corner_list(polygon.points_m, 3, fmt::format("{} '{}'", kind, polygon.name))});
-  }
-  return polygons;
-}
-
 TunnelSegment apron_of(const TunnelSegment& first) {
   return {first.from, -first.along, OpenSpace::kApronLength, first.half_width_m, true, true};
 }
@@ -97,6 +87,16 @@ void check_points(const std::vector<TunnelLine>& tunnels) {
 }
 
 }  // namespace
+
+std::vector<PlanPolygon> polygons_of(const std::vector<PolygonDescription>& descriptions,
+                                     const std::string& kind) {
+  std::vector<PlanPolygon> polygons;
+  for (const PolygonDescription& polygon : descriptions) {
+    polygons.push_back(
+        {corner_list(polygon.points_m, 3, fmt::format("{} '{}'", kind, polygon.name))});
+  }
+  return polygons;
+}
 
 OpenSpace::Shapes OpenSpace::shapes_of(const PlanDescription& plan,
                                        const std::vector<TunnelLine>& tunnels) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "sim/world/plan/plan_shapes.hpp"
@@ -10,6 +11,11 @@
 #include "sim/world/world_description.hpp"
 
 namespace adit {
+
+/// Rooms or pillars, which `kind` names in messages. Throws std::invalid_argument for odd lists of
+/// points.
+std::vector<PlanPolygon> polygons_of(const std::vector<PolygonDescription>& descriptions,
+                                     const std::string& kind);
 
 /// The open space of a mine in plan as a signed distance function: tunnels and rooms without
 /// pillars. In front of an entrance there is an apron of ground under the open sky. Frame world.
@@ -35,6 +41,8 @@ class OpenSpace {
   /// Whether a point is in front of an entrance.
   [[nodiscard]] bool on_apron(const Eigen::Vector2d& p_world) const;
 
+  /// Largest distance of the walls from their plan, and of the mesh from the walls.
+  [[nodiscard]] double reach_m() const { return reach_m_; }
   /// Buckets whose sides are a multiple of the grid's edges.
   [[nodiscard]] const PlanBuckets& buckets() const { return buckets_; }
 

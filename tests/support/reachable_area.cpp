@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "common/geometry/pose2.hpp"
 #include "sim/world/plan/tunnel_line.hpp"
@@ -86,11 +87,89 @@ struct State {
   int heading = 0;
 };
 
+/// Heights of the bare floor in the middle of the squares of a raster.
+class FloorGrid {
+ public:
+  FloorGrid(const WorldTruth& truth, const PassableRaster& raster)
+      : truth_(truth),
+        raster_(raster),
+        heights_(
+            static_cast<std::size_t>(raster.columns()) * static_cast<std::size_t>(raster.rows()),
+            kUnknown) {}
+
+  /// NaN where there is no floor.
+  double at(int column, int row) {
+    if (column < 0 || row < 0 || column >= raster_.columns() || row >= raster_.rows()) return kNone;
+    float& height =
+        heights_[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster_.columns()) +
+                 static_cast<std::size_t>(column)];
+    if (height == kUnknown) {
+      const Eigen::Vector2d middle =
+          raster_.origin() + PassableRaster::kSide * Eigen::Vector2d(column + 0.5, row + 0.5);
+      height = static_cast<float>(truth_.floor_at(middle).value_or(kNone));
+    }
+    return height;
+  }
+
+ private:
+  static constexpr float kUnknown = -1e30F;
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  const WorldTruth& truth_;
+  const PassableRaster& raster_;
+  std::vector<float> heights_;
+};
+
+/// Decides by the floor under its wheels whether a vehicle stands. Where there is no floor, it
+/// decides nothing.
+class Standing {
+ public:
+  Standing(const Vehicle& vehicle, double slope_max_rad)
+      : vehicle_(vehicle), grade_max_(std::tan(slope_max_rad)) {}
+
+  /// `p` is the middle of the vehicle in squares of the grid.
+  [[nodiscard]] bool is_safe(const Eigen::Vector2d& p, double heading_rad, FloorGrid& floor) const {
+    std::array<double, 4> height_m{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Eigen::Vector2d p_body((i < 2 ? 0.5 : -0.5) * vehicle_.wheelbase_m,
+                                   (i % 2 == 0 ? 0.5 : -0.5) * vehicle_.track_m);
+      const Eigen::Vector2d wheel =
+          p + Pose2{0.0, 0.0, heading_rad} * p_body / PassableRaster::kSide;
+      const int column = static_cast<int>(std::floor(wheel.x()));
+      const int row = static_cast<int>(std::floor(wheel.y()));
+      height_m[i] = floor.at(column, row);
+      if (is_at_step(column, row, floor)) return false;
+    }
+    const auto& [fl, fr, rl, rr] = height_m;
+    const double along = (fl + fr - rl - rr) / (2.0 * vehicle_.wheelbase_m);
+    const double across = (fl + rl - fr - rr) / (2.0 * vehicle_.track_m);
+    return !(std::hypot(along, across) > grade_max_);
+  }
+
+ private:
+  /// A change of height over two squares. Moves are shorter than the stretch, so that none passes
+  /// over a step.
+  [[nodiscard]] bool is_at_step(int column, int row, FloorGrid& floor) const {
+    constexpr int kReach = 3;
+    for (int i = -kReach; i + 2 <= kReach; ++i) {
+      const double in_x = floor.at(column + i + 2, row) - floor.at(column + i, row);
+      const double in_y = floor.at(column, row + i + 2) - floor.at(column, row + i);
+      if (std::abs(in_x) > vehicle_.step_max_m || std::abs(in_y) > vehicle_.step_max_m) return true;
+    }
+    return false;
+  }
+
+  Vehicle vehicle_;
+  double grade_max_;
+};
+
 /// Flood fill over cells and headings.
 class Flood {
  public:
-  Flood(const World& world, const Vehicle& vehicle)
+  Flood(const World& world, const Vehicle& vehicle, double slope_max_rad)
       : raster_(world.truth, vehicle),
+        floor_(world.truth, raster_),
+        standing_(vehicle, slope_max_rad),
         columns_((raster_.columns() + kSquaresPerCell - 1) / kSquaresPerCell),
         rows_((raster_.rows() + kSquaresPerCell - 1) / kSquaresPerCell),
         reached_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
@@ -173,17 +252,24 @@ class Flood {
     open.push_back(state);
   }
 
-  [[nodiscard]] bool fits(const State& state) const {
+  [[nodiscard]] bool fits(const State& state) {
     const std::vector<Footprint>& poses = footprints_[static_cast<std::size_t>(state.heading)];
-    return std::any_of(poses.begin(), poses.end(), [&](const Footprint& squares) {
+    const bool has_room = std::any_of(poses.begin(), poses.end(), [&](const Footprint& squares) {
       return std::all_of(squares.begin(), squares.end(), [&](const std::array<int, 2>& square) {
         return raster_.at(state.column * kSquaresPerCell + square[0],
                           state.row * kSquaresPerCell + square[1]);
       });
     });
+    const Eigen::Vector2d middle(kSquaresPerCell * (state.column + 0.5),
+                                 kSquaresPerCell * (state.row + 0.5));
+    return has_room &&
+           standing_.is_safe(middle, kMoves[static_cast<std::size_t>(state.heading)].heading_rad(),
+                             floor_);
   }
 
   PassableRaster raster_;
+  FloorGrid floor_;
+  Standing standing_;
   int columns_;
   int rows_;
   std::vector<std::uint16_t> reached_;  ///< of each cell, one bit per heading
@@ -211,8 +297,8 @@ double reached_length_m(const TunnelEdge& edge, const Flood& flood) {
 
 }  // namespace
 
-ReachableArea reachable_area(const World& world, const Vehicle& vehicle) {
-  Flood flood(world, vehicle);
+ReachableArea reachable_area(const World& world, const Vehicle& vehicle, double slope_max_rad) {
+  Flood flood(world, vehicle, slope_max_rad);
   flood.run(world.T_world_start);
   ReachableArea area;
   area.cells = flood.cells();

@@ -36,7 +36,7 @@ std::vector<Eigen::Vector2d> visible_walls(const Site& site, const WorldWalls& w
                                            const Trajectory& truth,
                                            const MapScoreOptions& options) {
   std::vector<Eigen::Vector2d> visible;
-  for (const auto& [utime, T_world_body] : downsampled(truth, kScanSpacingM)) {
+  for (const auto& [utime, T_world_body, z_m] : downsampled(truth, kScanSpacingM)) {
     const auto floor_m = site.world().truth.floor_at(T_world_body.translation());
     if (!floor_m) continue;
     const std::vector<Ray> rays =
@@ -127,8 +127,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const PositionErrors& errors) {
-  return {{"rmse_m", errors.rmse_m}, {"mean_m", errors.mean_m}, {"max_m", errors.max_m}};
+/// Heights are null if the trajectory has none.
+Json json_of(const PositionErrors& errors, bool heights) {
+  Json json = {{"rmse_m", errors.rmse_m},     {"mean_m", errors.mean_m},
+               {"max_m", errors.max_m},       {"rmse_x_m", errors.x.rmse_m},
+               {"rmse_y_m", errors.y.rmse_m}, {"rmse_z_m", nullptr},
+               {"max_z_m", nullptr}};
+  if (!heights) return json;
+  json["rmse_z_m"] = errors.z.rmse_m;
+  json["max_z_m"] = errors.z.max_m;
+  return json;
 }
 
 /// Without errors if there are no segments.
@@ -144,8 +152,8 @@ Json json_of(const TrajectoryScore& score) {
   Json relative = Json::array();
   for (const RelativeErrors& errors : score.relative) relative.push_back(json_of(errors));
   return {{"poses", score.poses},
-          {"aligned", json_of(score.aligned)},
-          {"anchored", json_of(score.anchored)},
+          {"aligned", json_of(score.aligned, score.heights)},
+          {"anchored", json_of(score.anchored, score.heights)},
           {"relative", relative},
           {"true_length_m", score.true_length_m},
           {"length_ratio", score.length_ratio}};

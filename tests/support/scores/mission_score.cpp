@@ -13,6 +13,7 @@ namespace adit::test {
 namespace {
 
 constexpr double kCoverageStepM = 0.5;  // true distance between viewpoints
+constexpr double kSlopeMargin = 0.05;   // of the slope that an inflated vehicle surely climbs [rad]
 
 /// The sensors cannot measure the depth of water, so that planning rejects all water.
 Vehicle non_wading_vehicle() {
@@ -62,17 +63,25 @@ void add_phases(const MissionLog& log, MissionScore& score) {
 void add_trajectory(const MissionLog& log, MissionScore& score) {
   score.distance_travelled_m = log.distance_travelled_m;
   if (log.truth.empty()) return;
-  const Eigen::Vector2d start = log.truth.front().pose.translation();
+  const Eigen::Vector3d start = log.truth.front().position();
+  double low_m = start.z();
+  double high_m = start.z();
   for (const TimedPose& at : log.truth) {
-    score.distance_from_start_m = (at.pose.translation() - start).norm();
+    score.distance_from_start_m = (at.position() - start).norm();
     score.farthest_m = std::max(score.farthest_m, score.distance_from_start_m);
+    low_m = std::min(low_m, at.z_m);
+    high_m = std::max(high_m, at.z_m);
   }
+  score.relief_m = high_m - low_m;
   score.simulated_s = 1e-6 * static_cast<double>(log.truth.back().utime - log.truth.front().utime);
   if (log.estimated.empty()) return;
-  score.rmse_estimated_m = score_trajectory(log.estimated, log.truth).anchored.rmse_m;
+  const TrajectoryScore estimated = score_trajectory(log.estimated, log.truth);
+  score.rmse_estimated_m = estimated.anchored.rmse_m;
+  score.rmse_estimated_z_m = estimated.anchored.z.rmse_m;
   if (log.mapped.empty()) return;
   const TrajectoryScore mapped = score_trajectory(log.mapped, log.truth);
   score.rmse_m = mapped.anchored.rmse_m;
+  score.rmse_xyz_m = {mapped.anchored.x.rmse_m, mapped.anchored.y.rmse_m, mapped.anchored.z.rmse_m};
   score.length_ratio = mapped.length_ratio;
 }
 
@@ -106,7 +115,7 @@ double missed_m(const PlanarMine& mine, const std::vector<bool>& covered) {
 
 MissionTruth::MissionTruth(const World& world)
     : mine_(planar_mine(world, non_wading_vehicle())),
-      mine_with_margin_(planar_mine(world, vehicle_with_margin())) {}
+      mine_with_margin_(planar_mine(world, vehicle_with_margin(), kSlopeMaxRad - kSlopeMargin)) {}
 
 MissionScore MissionTruth::score(const MissionLog& log) const {
   MissionScore score;

@@ -99,8 +99,8 @@ std::vector<Eigen::Vector2d> corridor_of(const TunnelGraph& tunnels, const Reach
 
 }  // namespace
 
-PlanarMine planar_mine(const World& world, const Vehicle& vehicle) {
-  const ReachableArea area = reachable_area(world, vehicle);
+PlanarMine planar_mine(const World& world, const Vehicle& vehicle, double slope_max_rad) {
+  const ReachableArea area = reachable_area(world, vehicle, slope_max_rad);
   const auto reach = std::make_shared<const Reach>(area.cells);
   return {WallWorld(walls_of(world.truth)), world.T_world_start,
           [reach](const Eigen::Vector2d& p) { return reach->near(p, kSnapM); },

@@ -11,7 +11,9 @@
 
 namespace adit {
 
-/// A tunnel along a polyline.
+/// A tunnel along a polyline. Tunnels of one level are one open space where they meet in plan.
+/// Those of two levels pass above each other, and meet only where an end of one is an end of the
+/// other, in line and with the same width (LevelPlan).
 struct TunnelDescription {
   std::string name;
   std::vector<double> points_m;  ///< x, y, x, y, .. of its centre line, in world
@@ -22,6 +24,7 @@ struct TunnelDescription {
   /// from the one to the other over half of their widths.
   std::vector<double> rise_m = {};
   std::string rise_grade = "smooth";  ///< between the points of rise_m: smooth, or sudden (linear)
+  int level = 0;                      ///< a number; heights follow from rise_m
 
   template <class V>
   void visit(V& v) {
@@ -31,6 +34,7 @@ struct TunnelDescription {
     v("entrance", entrance);
     v("rise_m", rise_m);
     v("rise_grade", rise_grade, OneOf({"smooth", "sudden"}));
+    v("level", level, within(-100, 100));
   }
 };
 
@@ -166,6 +170,7 @@ struct WorldDescription {
   int seed = 1;         ///< of everything random in the world
   double grid_m = 0.2;  ///< approximate edge length of the mesh
   Pose2 T_world_start;
+  int start_level = 0;  ///< of the tunnels at the start
   MeshDescription mesh;
   PlanDescription plan;
   HeightsDescription heights;
@@ -178,6 +183,7 @@ struct WorldDescription {
     v("seed", seed, at_least(0));
     v("grid_m", grid_m, within(0.05, 1.0));
     v("T_world_start", T_world_start);
+    v("start_level", start_level, within(-100, 100));
     v("mesh", mesh);
     v("plan", plan);
     v("heights", heights);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 
 #include "common/geometry/pose2.hpp"
 #include "sim/world/plan/tunnel_line.hpp"
@@ -85,13 +86,15 @@ struct State {
   int column = 0;
   int row = 0;
   int heading = 0;
+  std::size_t level = 0;  ///< index
 };
 
 /// Heights of the bare floor in the middle of the squares of a raster.
 class FloorGrid {
  public:
-  FloorGrid(const WorldTruth& truth, const PassableRaster& raster)
+  FloorGrid(const WorldTruth& truth, int level, const PassableRaster& raster)
       : truth_(truth),
+        level_(level),
         raster_(raster),
         heights_(
             static_cast<std::size_t>(raster.columns()) * static_cast<std::size_t>(raster.rows()),
@@ -106,7 +109,7 @@ class FloorGrid {
     if (height == kUnknown) {
       const Eigen::Vector2d middle =
           raster_.origin() + PassableRaster::kSide * Eigen::Vector2d(column + 0.5, row + 0.5);
-      height = static_cast<float>(truth_.floor_at(middle).value_or(kNone));
+      height = static_cast<float>(truth_.floor_at(middle, level_).value_or(kNone));
     }
     return height;
   }
@@ -116,6 +119,7 @@ class FloorGrid {
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
   const WorldTruth& truth_;
+  int level_;
   const PassableRaster& raster_;
   std::vector<float> heights_;
 };
@@ -163,17 +167,37 @@ class Standing {
   double grade_max_;
 };
 
-/// Flood fill over cells and headings.
+/// One level of a mine, and which of its states are reached.
+struct FloodLevel {
+  FloodLevel(const WorldTruth& truth, const Vehicle& vehicle, int level_number)
+      : number(level_number),
+        raster(truth, vehicle, level_number),
+        floor(truth, level_number, raster) {}
+  FloodLevel(const FloodLevel&) = delete;
+  FloodLevel& operator=(const FloodLevel&) = delete;
+
+  int number;
+  PassableRaster raster;
+  FloorGrid floor;
+  std::vector<std::uint16_t> reached = {};  ///< of each cell, one bit per heading
+  std::vector<std::uint16_t> checked = {};  ///< states whose fit was checked, likewise
+};
+
+/// Flood fill over levels, cells and headings.
 class Flood {
  public:
   Flood(const World& world, const Vehicle& vehicle, double slope_max_rad)
-      : raster_(world.truth, vehicle),
-        floor_(world.truth, raster_),
-        standing_(vehicle, slope_max_rad),
-        columns_((raster_.columns() + kSquaresPerCell - 1) / kSquaresPerCell),
-        rows_((raster_.rows() + kSquaresPerCell - 1) / kSquaresPerCell),
-        reached_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
-        checked_(reached_.size()) {
+      : standing_(vehicle, slope_max_rad) {
+    for (const int level : world.truth.levels) {
+      levels_.push_back(std::make_unique<FloodLevel>(world.truth, vehicle, level));
+      if (level == world.start_level) start_level_ = levels_.size() - 1;
+    }
+    columns_ = (raster().columns() + kSquaresPerCell - 1) / kSquaresPerCell;
+    rows_ = (raster().rows() + kSquaresPerCell - 1) / kSquaresPerCell;
+    for (auto& level : levels_) {
+      level->reached.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+      level->checked.resize(level->reached.size());
+    }
     for (std::size_t i = 0; i < kHeadings; ++i) {
       footprints_[i] = footprints(vehicle, kMoves[i].heading_rad(), ReachableArea::kSide);
     }
@@ -190,28 +214,34 @@ class Flood {
         add_moves(state, heading, kMoves[static_cast<std::size_t>(state.heading)], open);
         add_moves(state, heading, kMoves[static_cast<std::size_t>(heading)], open);
       }
+      add_other_levels(state, open);
     }
   }
 
-  [[nodiscard]] std::vector<Eigen::Vector2d> cells() const {
-    std::vector<Eigen::Vector2d> cells;
-    for (int row = 0; row < rows_; ++row) {
-      for (int column = 0; column < columns_; ++column) {
-        if (reached_[index(column, row)] == 0) continue;
-        cells.emplace_back(raster_.origin() +
-                           ReachableArea::kSide * Eigen::Vector2d(column + 0.5, row + 0.5));
+  void take_cells(ReachableArea& area) const {
+    for (const auto& level : levels_) {
+      for (int row = 0; row < rows_; ++row) {
+        for (int column = 0; column < columns_; ++column) {
+          if (level->reached[index(column, row)] == 0) continue;
+          area.cells.emplace_back(raster().origin() +
+                                  ReachableArea::kSide * Eigen::Vector2d(column + 0.5, row + 0.5));
+          area.levels.push_back(level->number);
+        }
       }
     }
-    return cells;
   }
 
-  [[nodiscard]] bool is_reached(const Eigen::Vector2d& p_world) const {
-    const Eigen::Vector2d place = (p_world - raster_.origin()) / ReachableArea::kSide;
-    return is_within(place) &&
-           reached_[index(static_cast<int>(place.x()), static_cast<int>(place.y()))] != 0;
+  [[nodiscard]] bool is_reached(const Eigen::Vector2d& p_world, int level_number) const {
+    const Eigen::Vector2d place = (p_world - raster().origin()) / ReachableArea::kSide;
+    if (!is_within(place)) return false;
+    const std::size_t cell = index(static_cast<int>(place.x()), static_cast<int>(place.y()));
+    return std::any_of(levels_.begin(), levels_.end(), [&](const auto& level) {
+      return level->number == level_number && level->reached[cell] != 0;
+    });
   }
 
  private:
+  [[nodiscard]] const PassableRaster& raster() const { return levels_.front()->raster; }
   [[nodiscard]] bool is_within(const Eigen::Vector2d& place) const {
     return place.x() >= 0.0 && place.y() >= 0.0 && place.x() < columns_ && place.y() < rows_;
   }
@@ -223,8 +253,8 @@ class Flood {
   /// The state nearest to a pose; cell (-1, -1) for a pose outside of the raster.
   [[nodiscard]] State nearest(const Pose2& T_world_body) const {
     const Eigen::Vector2d place =
-        (T_world_body.translation() - raster_.origin()) / ReachableArea::kSide;
-    if (!is_within(place)) return {-1, -1, 0};
+        (T_world_body.translation() - raster().origin()) / ReachableArea::kSide;
+    if (!is_within(place)) return {-1, -1, 0, 0};
     const auto off = [&](const Move& move) {
       return std::abs(angle_diff(move.heading_rad(), T_world_body.theta));
     };
@@ -232,48 +262,63 @@ class Flood {
         std::min_element(kMoves.begin(), kMoves.end(),
                          [&](const Move& a, const Move& b) { return off(a) < off(b); });
     return {static_cast<int>(place.x()), static_cast<int>(place.y()),
-            static_cast<int>(best - kMoves.begin())};
+            static_cast<int>(best - kMoves.begin()), start_level_};
   }
 
   /// Adds the move forwards and in reverse.
   void add_moves(const State& from, int heading, const Move& move, std::vector<State>& open) {
-    add({from.column + move.columns, from.row + move.rows, heading}, open);
-    add({from.column - move.columns, from.row - move.rows, heading}, open);
+    add({from.column + move.columns, from.row + move.rows, heading, from.level}, open);
+    add({from.column - move.columns, from.row - move.rows, heading, from.level}, open);
+  }
+
+  /// Adds the same state on the levels that have the same floor there.
+  void add_other_levels(const State& state, std::vector<State>& open) {
+    constexpr double kSameM = 0.05;
+    for (std::size_t level = 0; level < levels_.size(); ++level) {
+      if (level == state.level) continue;
+      const double here_m = floor_m(state, state.level);
+      if (std::abs(floor_m(state, level) - here_m) > kSameM) continue;
+      add({state.column, state.row, state.heading, level}, open);
+    }
+  }
+
+  /// Height of the floor of a level at a cell; NaN without.
+  [[nodiscard]] double floor_m(const State& state, std::size_t level) {
+    return levels_[level]->floor.at(kSquaresPerCell * state.column, kSquaresPerCell * state.row);
   }
 
   void add(const State& state, std::vector<State>& open) {
     if (state.column < 0 || state.row < 0 || state.column >= columns_ || state.row >= rows_) return;
+    FloodLevel& level = *levels_[state.level];
     const std::size_t cell = index(state.column, state.row);
     const auto bit = static_cast<std::uint16_t>(1U << static_cast<unsigned>(state.heading));
-    if ((checked_[cell] & bit) != 0) return;
-    checked_[cell] |= bit;
-    if (!fits(state)) return;
-    reached_[cell] |= bit;
+    if ((level.checked[cell] & bit) != 0) return;
+    level.checked[cell] |= bit;
+    if (!fits(state, level)) return;
+    level.reached[cell] |= bit;
     open.push_back(state);
   }
 
-  [[nodiscard]] bool fits(const State& state) {
+  [[nodiscard]] bool fits(const State& state, FloodLevel& level) {
     const std::vector<Footprint>& poses = footprints_[static_cast<std::size_t>(state.heading)];
     const bool has_room = std::any_of(poses.begin(), poses.end(), [&](const Footprint& squares) {
       return std::all_of(squares.begin(), squares.end(), [&](const std::array<int, 2>& square) {
-        return raster_.at(state.column * kSquaresPerCell + square[0],
-                          state.row * kSquaresPerCell + square[1]);
+        return level.raster.at(state.column * kSquaresPerCell + square[0],
+                               state.row * kSquaresPerCell + square[1]);
       });
     });
     const Eigen::Vector2d middle(kSquaresPerCell * (state.column + 0.5),
                                  kSquaresPerCell * (state.row + 0.5));
     return has_room &&
            standing_.is_safe(middle, kMoves[static_cast<std::size_t>(state.heading)].heading_rad(),
-                             floor_);
+                             level.floor);
   }
 
-  PassableRaster raster_;
-  FloorGrid floor_;
   Standing standing_;
-  int columns_;
-  int rows_;
-  std::vector<std::uint16_t> reached_;  ///< of each cell, one bit per heading
-  std::vector<std::uint16_t> checked_;  ///< states whose fit was checked, likewise
+  std::vector<std::unique_ptr<FloodLevel>> levels_;
+  std::size_t start_level_ = 0;
+  int columns_ = 0;
+  int rows_ = 0;
   std::array<std::vector<Footprint>, kHeadings> footprints_;
 };
 
@@ -287,7 +332,7 @@ double reached_length_m(const TunnelEdge& edge, const Flood& flood) {
     for (int j = 0; j <= across; ++j) {
       const Eigen::Vector2d p = line.beside(edge.length_m * (i + 0.5) / steps,
                                             edge.width_m * (static_cast<double>(j) / across - 0.5));
-      if (!flood.is_reached(p)) continue;
+      if (!flood.is_reached(p, edge.level)) continue;
       ++reached;
       break;
     }
@@ -301,7 +346,7 @@ ReachableArea reachable_area(const World& world, const Vehicle& vehicle, double 
   Flood flood(world, vehicle, slope_max_rad);
   flood.run(world.T_world_start);
   ReachableArea area;
-  area.cells = flood.cells();
+  flood.take_cells(area);
   area.area_m2 =
       static_cast<double>(area.cells.size()) * ReachableArea::kSide * ReachableArea::kSide;
   for (const TunnelEdge& edge : world.truth.tunnels.edges) {

@@ -28,6 +28,7 @@ struct ReachableArea {
   static constexpr double kSide = 0.2;  ///< of a cell [m]
 
   std::vector<Eigen::Vector2d> cells;  ///< cell centres, p_world [m]
+  std::vector<int> levels = {};        ///< of each cell
   double area_m2 = 0.0;
   /// For each edge of the tunnel graph, the length that is reachable somewhere across its width
   /// [m].
@@ -41,8 +42,9 @@ struct ReachableArea {
 /// tighter than the turning radius, and poses may shift by a third of a cell and of a heading step
 /// to fit; but obstacles block their complete outline. The bare floor counts: a pose whose four
 /// wheels stand on a plane steeper than `slope_max_rad`, or next to a step higher than the vehicle
-/// climbs, is not reached. Empty if the vehicle does not fit at the start or the world has no plan.
-/// Throws std::invalid_argument if the plan is too large.
+/// climbs, is not reached. It passes from one level to another where both have the same floor.
+/// Empty if the vehicle does not fit at the start or the world has no plan. Throws
+/// std::invalid_argument if the plan is too large.
 ReachableArea reachable_area(const World& world, const Vehicle& vehicle,
                              double slope_max_rad = kSlopeMaxRad);
 

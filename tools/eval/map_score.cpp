@@ -37,7 +37,9 @@ std::vector<Eigen::Vector2d> visible_walls(const Site& site, const WorldWalls& w
                                            const MapScoreOptions& options) {
   std::vector<Eigen::Vector2d> visible;
   for (const auto& [utime, T_world_body, z_m] : downsampled(truth, kScanSpacingM)) {
-    const auto floor_m = site.world().truth.floor_at(T_world_body.translation());
+    const WorldTruth& world_truth = site.world().truth;
+    const int level = world_truth.level_at({T_world_body.x, T_world_body.y, z_m});
+    const auto floor_m = world_truth.floor_at(T_world_body.translation(), level);
     if (!floor_m) continue;
     const std::vector<Ray> rays =
         horizontal_rays({T_world_body.x, T_world_body.y, *floor_m + options.laser_height_m});

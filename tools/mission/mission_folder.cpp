@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/mission/mission_folder.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -134,12 +135,24 @@ MissionStart start_mission(const MissionLiveOptions& options, const MissionFolde
   return {world.T_world_start.translation(), std::nullopt};
 }
 
+/// The level of the tunnels in which a robot is. Builds the world if there are several.
+int level_of(const WorldDescription& description, const SimulatedPose& pose) {
+  const auto& tunnels = description.plan.tunnels;
+  const bool one = std::all_of(tunnels.begin(), tunnels.end(), [&](const TunnelDescription& t) {
+    return t.level == tunnels.front().level;
+  });
+  if (one) return description.start_level;
+  return build_world(description)
+      .truth.level_at({pose.T_world_body.x, pose.T_world_body.y, pose.z_m});
+}
+
 /// Returns the first start. Sets the start time of the new run.
 MissionStart resume_mission(const MissionFolder& folder, SimulatorStart& start) {
   folder.require_unfinished();
   WorldDescription world = find_world(folder.world().string());
   const MissionStart first{world.T_world_start.translation(), folder.start_height_m()};
   const SimulatedPose pose = folder.last_pose();
+  world.start_level = level_of(world, pose);
   world.T_world_start = pose.T_world_body;
   start.start_utime = pose.utime + kPowerLossDurationUs;
   write_text_file(to_world_file(world), folder.start());

@@ -27,6 +27,11 @@ class OpenSpace {
   /// Throws std::invalid_argument for a plan without tunnel and room or beyond kExtentMax, and for
   /// odd lists of points.
   OpenSpace(const WorldDescription& description, const std::vector<TunnelLine>& tunnels);
+  /// One of several levels, whose buckets all cover the same rectangle.
+  OpenSpace(const WorldDescription& description, const std::vector<TunnelLine>& tunnels,
+            const Eigen::AlignedBox2d& all);
+  /// Bounding rectangle of the shapes.
+  [[nodiscard]] Eigen::AlignedBox2d bounds() const { return adit::bounds(shapes_.all); }
   static constexpr double kExtentMax = 5000.0;  ///< from the origin along each axis [m]
 
   /// Distance to the planned walls, negative in rock. Exact near a wall; a lower bound where shapes
@@ -53,7 +58,8 @@ class OpenSpace {
     std::vector<TunnelSegment> aprons;  ///< along x outwards
   };
   static Shapes shapes_of(const PlanDescription& plan, const std::vector<TunnelLine>& tunnels);
-  static PlanBuckets buckets_of(const Shapes& shapes, double grid_m, double reach_m);
+  static PlanBuckets buckets_of(const Shapes& shapes, double grid_m, double reach_m,
+                                const Eigen::AlignedBox2d& all);
 
   Shapes shapes_;
   double reach_m_;

@@ -37,6 +37,7 @@ struct TunnelLine {
   bool entrance = false;              ///< the first point is open to the outside
   std::vector<double> rise_m = {};    ///< as in TunnelDescription
   std::string rise_grade = "smooth";  ///< of rise_m: smooth or sudden
+  int level = 0;                      ///< as in TunnelDescription
 
   [[nodiscard]] double length_m() const;
   /// `s_m` is the distance from the first point, clamped to the ends.

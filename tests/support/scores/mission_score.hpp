@@ -60,8 +60,9 @@ class MissionTruth {
   void add_coverage(const MissionLog& log, MissionScore& score) const;
   void add_verdicts(const MissionLog& log, MissionScore& score) const;
 
-  PlanarMine mine_;
-  PlanarMine mine_with_margin_;  ///< the same for the inflated vehicle
+  WorldTruth truth_;
+  std::vector<PlanarMine> mines_;              ///< one for each level
+  std::vector<PlanarMine> mines_with_margin_;  ///< the same for the inflated vehicle
 };
 
 }  // namespace adit::test

@@ -105,7 +105,9 @@ std::string without_new_keys(const std::string& text) {
   for (std::string line; std::getline(lines, line);) {
     const std::string key = line.substr(line.find_first_not_of(' '));
     if (key.starts_with("rolls:")) skip = 5;
-    if (key == "rise_m: []" || key.starts_with("rise_grade: \"smooth\"")) skip = 1;
+    if (key == "rise_m: []" || key.starts_with("level: 0 ") || key.starts_with("start_level: 0 ") ||
+        key.starts_with("rise_grade: \"smooth\""))
+      skip = 1;
     if (skip > 0) {
       --skip;
     } else {

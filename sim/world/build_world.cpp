@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -66,7 +68,7 @@ class MeshGround {
 
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
 
-  /// The lowest surface that has kHeadroom above it.
+  /// The lowest surface that has kHeadroom above it, and is not a roof.
   [[nodiscard]] std::optional<double> floor(const Eigen::Vector2d& p_world) const {
     constexpr float kAbove = 1e-3F;  // above a surface, where the search for the next one starts
     const float top = box_.max().z() + 1.0F;
@@ -79,17 +81,80 @@ class MeshGround {
       const float surface = hit ? from.z() + hit->distance_m : top;
       if (below && (!hit || surface - *below >= kHeadroom)) return *below;
       if (!hit) break;
-      below = surface;
+      below.reset();
+      if (mesh_.part_of(hit->triangle).kind != PartKind::kRoof) below = surface;
       from.z() = surface + kAbove;
     }
     return std::nullopt;
   }
 
+  /// Whether walls surround a point of the plan: most horizontal rays from it, at the height of the
+  /// lasers, hit something.
+  [[nodiscard]] bool is_enclosed(const Eigen::Vector2d& p_world, double floor_m) const {
+    constexpr int kRays = 72;
+    const Eigen::Vector3d from(p_world.x(), p_world.y(), floor_m + kOutlineHeight);
+    const float range = box_.diagonal().norm();
+    int hits = 0;
+    for (int i = 0; i < kRays; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kRays;
+      const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0.0);
+      const auto hit = scene_.cast({from.cast<float>(), direction.cast<float>()}, range,
+                                   RayScene::Layer::kSolid);
+      hits += hit ? 1 : 0;
+    }
+    return 2 * hits > kRays;
+  }
+
+  /// The middle of a triangle with floor and a surface above, nearest to a point of the plan; empty
+  /// if there is none.
+  [[nodiscard]] std::optional<Eigen::Vector2d> nearest_floor(const Eigen::Vector2d& p_world) const {
+    std::vector<std::pair<double, Eigen::Vector2d>> places;
+    for (const auto& [a, b, c] : mesh_.triangles) {
+      const Eigen::Vector3f middle =
+          (mesh_.vertices[a] + mesh_.vertices[b] + mesh_.vertices[c]) / 3.0F;
+      const Eigen::Vector2d p = middle.head<2>().cast<double>();
+      places.emplace_back((p - p_world).norm(), p);
+    }
+    std::sort(places.begin(), places.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [distance_m, p] : places) {
+      const auto floor_m = floor(p);
+      if (floor_m && is_covered(p, *floor_m) && is_enclosed(p, *floor_m)) return p;
+    }
+    return std::nullopt;
+  }
+
  private:
+  [[nodiscard]] bool is_covered(const Eigen::Vector2d& p_world, double floor_m) const {
+    const Eigen::Vector3d from(p_world.x(), p_world.y(), floor_m + kHeadroom / 2.0);
+    return scene_
+        .cast({from.cast<float>(), Eigen::Vector3f::UnitZ()}, box_.sizes().z() + 1.0F,
+              RayScene::Layer::kSolid)
+        .has_value();
+  }
+
   TriangleMesh mesh_;
   RayScene scene_;
   Eigen::AlignedBox3f box_;
 };
+
+/// Rejects a start without floor, or beside the mine where floor or roof were added; says where it
+/// could be. Returns the height of the floor.
+double floor_at_start(const MeshGround& ground, const WorldDescription& description) {
+  const Eigen::Vector2d start = description.T_world_start.translation();
+  const std::optional<double> floor_m = ground.floor(start);
+  const bool added = description.mesh.flat_floor || description.mesh.flat_roof;
+  if (floor_m && (!added || ground.is_enclosed(start, *floor_m))) return *floor_m;
+  const auto place = ground.nearest_floor(start);
+  throw std::invalid_argument(fmt::format(
+      "{} at the start, x {:g}, y {:g}; {}",
+      floor_m ? "there are no walls around the floor" : "the mesh has no floor", start.x(),
+      start.y(),
+      place ? fmt::format(
+                  "the nearest one is at x {:.1f}, y {:.1f}: set T_world_start in a world file",
+                  place->x(), place->y())
+            : "there is none with walls around it and rock above"));
+}
 
 bool is_inside(const PlanRing& ring, const Eigen::Vector2d& p_world) {
   return depth_m(PlanPolygon{ring.points}, p_world) > 0.0;
@@ -122,17 +187,13 @@ std::vector<PlanRing> rings_around(const Eigen::Vector2d& start, std::vector<Pla
 World build_mesh_world(const WorldDescription& description) {
   const auto ground = std::make_shared<MeshGround>(load(description.mesh));
   const Eigen::Vector2d start = description.T_world_start.translation();
-  const std::optional<double> floor = ground->floor(start);
-  if (!floor) {
-    throw std::invalid_argument(
-        fmt::format("the mesh has no floor at the start, x {:f}, y {:f}", start.x(), start.y()));
-  }
+  const double floor_m = floor_at_start(*ground, description);
   World world;
   world.name = description.name;
   world.mesh = ground->mesh();
   world.T_world_start = description.T_world_start;
   std::vector<PlanRing> rings;
-  for (auto& loop : slice(world.mesh, *floor + kOutlineHeight)) rings.push_back({std::move(loop)});
+  for (auto& loop : slice(world.mesh, floor_m + kOutlineHeight)) rings.push_back({std::move(loop)});
   world.truth.plan = rings_around(start, std::move(rings));
   world.truth.floor_height = [ground](const Eigen::Vector2d& p) { return ground->floor(p); };
   return world;
@@ -233,8 +294,20 @@ void check_start(const std::vector<Level>& levels, const WorldDescription& descr
         fmt::format("start_level is {}, but no tunnel is on that level", description.start_level));
   }
   if (level->space->depth_m(start) > 0.0) return;
+  const TunnelLine* nearest = nullptr;
+  for (const TunnelLine& tunnel : level->tunnels) {
+    if (nearest == nullptr || tunnel.distance_m(start) < nearest->distance_m(start)) {
+      nearest = &tunnel;
+    }
+  }
+  std::string advice;
+  if (nearest != nullptr) {
+    const Eigen::Vector2d p = nearest->at(nearest->place_of(start).s_m).p_world;
+    advice = fmt::format("; the nearest tunnel, '{}', is at x {:.1f}, y {:.1f}", nearest->name,
+                         p.x(), p.y());
+  }
   throw std::invalid_argument(
-      fmt::format("the start at x {:f}, y {:f} is in rock", start.x(), start.y()));
+      fmt::format("the start at x {:g}, y {:g} is in rock{}", start.x(), start.y(), advice));
 }
 
 /// The floors of the levels.

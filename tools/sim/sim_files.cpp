@@ -136,6 +136,20 @@ void write_truth_files(const World& world, const std::filesystem::path& folder) 
   write(obstacles(world.truth.obstacles), folder / "obstacles.json");
 }
 
+std::vector<std::string> missing_truth(const World& world) {
+  std::vector<std::string> sentences;
+  if (world.truth.tunnels.edges.empty()) {
+    sentences.emplace_back(
+        "tunnels.geojson is empty: a mesh, or a plan of rooms alone, has no centre lines");
+  }
+  if (world.truth.plan.empty()) {
+    sentences.emplace_back(
+        "plan.geojson is empty: the mesh has no closed outline around the start at the height of "
+        "the lasers");
+  }
+  return sentences;
+}
+
 void write_scan(const Cloud& cloud, const std::filesystem::path& file) {
   if (file.extension() == ".lcmlog") return write_log(cloud, file);
   if (file.extension() == ".ply") return write_ply(cloud, file);

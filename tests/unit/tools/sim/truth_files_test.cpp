@@ -56,6 +56,16 @@ TEST_F(TruthFiles, HaveTheObstacles) {
   EXPECT_EQ(obstacle["z_high_m"], 2.0);
 }
 
+TEST_F(TruthFiles, SayWhichOfThemAreEmpty) {
+  EXPECT_TRUE(missing_truth(sample_world()).empty());
+  World mesh = sample_world();
+  mesh.truth.tunnels = {};
+  ASSERT_EQ(missing_truth(mesh).size(), 1U);
+  EXPECT_NE(missing_truth(mesh)[0].find("tunnels.geojson is empty"), std::string::npos);
+  mesh.truth.plan.clear();
+  EXPECT_EQ(missing_truth(mesh).size(), 2U);
+}
+
 TEST_F(TruthFiles, ReportAWriteError) {
   EXPECT_THROW(write_truth_files(sample_world(), "/proc/truth"), std::runtime_error);
 }

@@ -13,6 +13,7 @@ namespace adit {
 namespace {
 
 constexpr const char* kRandom = "random";
+constexpr const char* kRandomLevel = "random_level";
 constexpr int kFirstSeed = 1;
 
 RandomMineParams random_params(const WorldChoice& choice) {
@@ -20,6 +21,7 @@ RandomMineParams random_params(const WorldChoice& choice) {
   params.length_m = choice.length_m.value_or(params.length_m);
   params.topology = choice.topology.value_or(params.topology);
   params.damage = choice.damage.value_or(params.damage);
+  params.level = choice.name == kRandomLevel;
   return params;
 }
 
@@ -27,7 +29,8 @@ RandomMineParams random_params(const WorldChoice& choice) {
 
 CLI::Option* add_world_options(CLI::App& app, WorldChoice& choice) {
   CLI::Option* world = app.add_option(
-      "WORLD", choice.name, "A built-in world, random, grade:PERCENT, a world file, or a mesh");
+      "WORLD", choice.name,
+      "A built-in world, random, random_level, two_levels, grade:PERCENT, a world file, or a mesh");
   app.add_option("--seed", choice.seed, "Seed of everything random, instead of that of the world")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
@@ -48,8 +51,9 @@ CLI::Option* add_world_options(CLI::App& app, WorldChoice& choice) {
 
 WorldDescription describe(const WorldChoice& choice) {
   const bool of_random = choice.length_m || choice.topology || choice.damage;
-  if (of_random && choice.name != kRandom) {
-    throw std::invalid_argument("--length-m, --topology and --damage are for the world random");
+  if (of_random && choice.name != kRandom && choice.name != kRandomLevel) {
+    throw std::invalid_argument(
+        "--length-m, --topology and --damage are for the worlds random and random_level");
   }
   if (!of_random) return find_world(choice.name, choice.seed);
   return random_mine(choice.seed.value_or(kFirstSeed), random_params(choice));

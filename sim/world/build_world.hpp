@@ -12,7 +12,8 @@ namespace adit {
 /// outline that encloses the start, kOutlineHeight above the floor there, and the outlines in it.
 /// Throws std::invalid_argument, one line that names the part, for a description that cannot be
 /// built: neither tunnel nor room, a plan beyond OpenSpace::kExtentMax, an odd list of points, a
-/// prop in an unknown tunnel or beyond its end, a start in rock or without floor. Throws
+/// prop in an unknown tunnel or beyond its end, a start in rock or without floor (with a place that
+/// has floor). Throws
 /// std::runtime_error for an unusable mesh file.
 World build_world(const WorldDescription& description);
 

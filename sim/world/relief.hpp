@@ -18,6 +18,7 @@ enum class ReliefKind : std::uint64_t {
   kRoof = 2,
   kWallInPlan = 3,
   kWallInHeight = 4,
+  kRolls = 5,
 };
 
 /// The seed of a relief, from that of its world.

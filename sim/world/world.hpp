@@ -46,6 +46,7 @@ struct World {
   std::vector<StandingWater> water;
   std::vector<GasPocket> gas;
   Pose2 T_world_start;  ///< of the body at the start
+  int start_level = 0;  ///< of the tunnels there
   WorldTruth truth;
 };
 

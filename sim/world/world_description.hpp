@@ -11,12 +11,20 @@
 
 namespace adit {
 
-/// A tunnel along a polyline.
+/// A tunnel along a polyline. Tunnels of one level are one open space where they meet in plan.
+/// Those of two levels pass above each other, and meet only where an end of one is an end of the
+/// other, in line and with the same width (LevelPlan).
 struct TunnelDescription {
   std::string name;
   std::vector<double> points_m;  ///< x, y, x, y, .. of its centre line, in world
   double width_m = 3.0;
   bool entrance = false;  ///< the first point is open to the outside
+  /// s, z, s, z, .. : height of its floor above that of `heights` at distance s along its centre
+  /// line, ascending in s, constant beyond the ends. Empty: 0. Where tunnels meet, the floor passes
+  /// from the one to the other over half of their widths.
+  std::vector<double> rise_m = {};
+  std::string rise_grade = "smooth";  ///< between the points of rise_m: smooth, or sudden (linear)
+  int level = 0;                      ///< a number; heights follow from rise_m
 
   template <class V>
   void visit(V& v) {
@@ -24,6 +32,9 @@ struct TunnelDescription {
     v("points_m", points_m);
     v("width_m", width_m, above_up_to(0.0, 50.0));
     v("entrance", entrance);
+    v("rise_m", rise_m);
+    v("rise_grade", rise_grade, OneOf({"smooth", "sudden"}));
+    v("level", level, within(-100, 100));
   }
 };
 
@@ -113,6 +124,7 @@ struct HeightsDescription {
   double heading_rad = 0.0;
   std::string grade = "smooth";  ///< between the points of the profile: smooth, or sudden (linear)
   double clearance_m = 2.0;      ///< from floor to roof
+  ReliefDescription rolls{.height_m = 0.0, .length_m = 20.0, .octaves = 1};  ///< of the seam
   ReliefDescription floor_relief{.height_m = 0.03, .length_m = 2.0};
   ReliefDescription roof_relief{.height_m = 0.08, .length_m = 2.0};
 
@@ -122,6 +134,7 @@ struct HeightsDescription {
     v("heading_rad", heading_rad);
     v("grade", grade, OneOf({"smooth", "sudden"}));
     v("clearance_m", clearance_m, above_up_to(0.3, 50.0));
+    v("rolls", rolls);
     v("floor_relief", floor_relief);
     v("roof_relief", roof_relief);
   }
@@ -157,6 +170,7 @@ struct WorldDescription {
   int seed = 1;         ///< of everything random in the world
   double grid_m = 0.2;  ///< approximate edge length of the mesh
   Pose2 T_world_start;
+  int start_level = 0;  ///< of the tunnels at the start
   MeshDescription mesh;
   PlanDescription plan;
   HeightsDescription heights;
@@ -169,6 +183,7 @@ struct WorldDescription {
     v("seed", seed, at_least(0));
     v("grid_m", grid_m, within(0.05, 1.0));
     v("T_world_start", T_world_start);
+    v("start_level", start_level, within(-100, 100));
     v("mesh", mesh);
     v("plan", plan);
     v("heights", heights);

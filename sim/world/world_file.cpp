@@ -11,11 +11,14 @@
 #include "sim/world/built_in_world_files.hpp"
 #include "sim/world/grade_tunnel.hpp"
 #include "sim/world/random/random_mine.hpp"
+#include "sim/world/random/two_levels.hpp"
 
 namespace adit {
 namespace {
 
 constexpr const char* kRandom = "random";
+constexpr const char* kRandomLevel = "random_level";
+constexpr const char* kTwoLevels = "two_levels";
 
 WorldDescription description_in(const ConfigFile& file) {
   file.require_known_sections({WorldDescription::kSection});
@@ -51,6 +54,8 @@ WorldDescription from_mesh(const std::filesystem::path& path) {
 [[noreturn]] void fail_unknown_world(const std::string& name) {
   std::vector<std::string> known = built_in_worlds();
   known.emplace_back(kRandom);
+  known.emplace_back(kRandomLevel);
+  known.emplace_back(kTwoLevels);
   known.emplace_back("grade:PERCENT");
   const std::string nearest = nearest_name(name, known);
   const std::string advice = nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
@@ -76,7 +81,10 @@ std::vector<std::string> built_in_worlds() {
 }
 
 WorldDescription find_world(const std::string& name, std::optional<int> seed) {
-  if (name == kRandom) return random_mine(seed.value_or(1));
+  if (name == kRandom || name == kRandomLevel) {
+    return random_mine(seed.value_or(1), {.level = name == kRandomLevel});
+  }
+  if (name == kTwoLevels) return two_levels(seed.value_or(1));
   if (const auto grade = parse_grade_tunnel(name)) return grade_tunnel(*grade, seed.value_or(1));
   std::optional<WorldDescription> known = built_in(name);
   WorldDescription description = known ? *std::move(known) : from_path(name);

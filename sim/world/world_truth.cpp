@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/world/world_truth.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "sim/world/plan/plan_geometry.hpp"
 
 namespace adit {
@@ -26,6 +29,22 @@ double PlanRing::signed_area_m2() const {
 
 std::optional<double> WorldTruth::floor_at(const Eigen::Vector2d& p_world) const {
   return floor_height ? floor_height(p_world) : std::nullopt;
+}
+
+std::optional<double> WorldTruth::floor_at(const Eigen::Vector2d& p_world, int level) const {
+  return level_floor_height ? level_floor_height(p_world, level) : floor_at(p_world);
+}
+
+int WorldTruth::level_at(const Eigen::Vector3d& p_world) const {
+  int nearest = levels.front();
+  double nearest_m = std::numeric_limits<double>::infinity();
+  for (const int level : levels) {
+    const auto floor_m = floor_at(p_world.head<2>(), level);
+    if (!floor_m || std::abs(*floor_m - p_world.z()) >= nearest_m) continue;
+    nearest = level;
+    nearest_m = std::abs(*floor_m - p_world.z());
+  }
+  return nearest;
 }
 
 }  // namespace adit

@@ -17,6 +17,7 @@ namespace adit {
 struct TunnelNode {
   Eigen::Vector2d p_world{0.0, 0.0};  ///< [m]
   bool entrance = false;              ///< open to the outside
+  int level = 0;                      ///< the lower number where levels meet
 };
 
 /// A section of a tunnel between two nodes.
@@ -27,6 +28,7 @@ struct TunnelEdge {
   double length_m = 0.0;                ///< along the points
   double width_m = 0.0;                 ///< as planned, without the relief of the walls
   std::string tunnel;                   ///< name of its tunnel
+  int level = 0;                        ///< of its tunnel
 };
 
 /// The centre lines of all tunnels. Empty for an imported mesh.
@@ -39,9 +41,10 @@ struct TunnelGraph {
 
 /// A closed outline of rock in the plan at the height of the lasers; the first point is not
 /// repeated. The outer ring runs counter-clockwise, a pillar clockwise, so that open space is on
-/// the left.
+/// the left. Where levels meet, their outlines overlap by some metres, and run straight across.
 struct PlanRing {
   std::vector<Eigen::Vector2d> points;  ///< p_world [m]
+  int level = 0;                        ///< of the tunnels that it encloses
 
   [[nodiscard]] bool is_pillar() const;
   [[nodiscard]] double signed_area_m2() const;  ///< negative for a pillar
@@ -54,6 +57,7 @@ struct Obstacle {
   std::vector<Eigen::Vector2d> outline;  ///< convex, counter-clockwise, p_world [m]
   double z_low_m = 0.0;                  ///< lowest point, in world
   double z_high_m = 0.0;                 ///< highest point, in world
+  int level = 0;                         ///< of its tunnel
 };
 
 /// Ground truth of a world, for tests and scores. Frame `world`.
@@ -62,11 +66,22 @@ struct WorldTruth {
   std::vector<PlanRing> plan;
   std::vector<Obstacle> obstacles;
 
-  /// Height of the floor without props [m]; empty outside of the mine. Not set if unknown.
+  /// Height of the floor without props [m]; empty outside of the mine. Not set if unknown. Of
+  /// several levels, the first one with a floor there, beginning with that of the start.
   std::function<std::optional<double>(const Eigen::Vector2d& p_world)> floor_height;
 
-  /// The same; also empty where floor_height is not set.
+  /// The same for one level of several, which is continued by some metres where levels meet. Not
+  /// set for a world of one level.
+  std::function<std::optional<double>(const Eigen::Vector2d& p_world, int level)>
+      level_floor_height = {};
+  std::vector<int> levels{0};  ///< ascending
+
+  /// As floor_height; also empty where that is not set.
   [[nodiscard]] std::optional<double> floor_at(const Eigen::Vector2d& p_world) const;
+  /// The floor of one level.
+  [[nodiscard]] std::optional<double> floor_at(const Eigen::Vector2d& p_world, int level) const;
+  /// The level whose floor is nearest to a height; the first level where there is none.
+  [[nodiscard]] int level_at(const Eigen::Vector3d& p_world) const;
 };
 
 }  // namespace adit

@@ -17,7 +17,7 @@ kFaultsPerMission=9; kPowerLossesPerMission=3
 kFirstS=5; kIntervalS=28; kSpreadS=17      # simulated time between faults
 kPowerLossMinS=4; kPowerLossMaxS=20        # wall time between power losses
 kPowerLossEach=5; kRandomEach=4            # every n-th mission has power losses; is in a random mine
-kRandomMine=(random --length-m 50)
+kRandomMine=(random_level --length-m 50)
 kTimeoutSeconds=1200
 
 "$here/in_private_network.sh" true || exit

@@ -9,10 +9,10 @@
 # the growth over the last three quarters of the time. Exit code 1 if a process grew by more than 5 %, the mission
 # ended early, or a process was restarted. OPTIONs are the world options of `adit mission`.
 set -u
-adit=$(readlink -f "$1"); world=${3:-random}
+adit=$(readlink -f "$1"); world=${3:-random_level}
 requested_s=$(awk -v hours="$2" 'BEGIN { print int(3600 * hours) }')
 if (($# > 3)); then options=("${@:4}"); else options=(); fi
-[[ $world == random && ${#options[@]} -eq 0 ]] && options=(--seed 7 --length-m 60)
+[[ $world == random_level && ${#options[@]} -eq 0 ]] && options=(--seed 7 --length-m 60)
 kRowSeconds=1800     # simulated time
 kSettledShare=0.25   # share of the time in which memory may grow, for caches and the map
 kGrowthMax=5         # percent

@@ -68,7 +68,7 @@ bool is_passable(const Obstacle& obstacle, double floor_m, const Vehicle& vehicl
   return under || over;
 }
 
-PassableRaster::PassableRaster(const WorldTruth& truth, const Vehicle& vehicle) {
+PassableRaster::PassableRaster(const WorldTruth& truth, const Vehicle& vehicle, int level) {
   Eigen::AlignedBox2d box = box_of(truth);
   if (box.isEmpty()) return;
   for (const TunnelNode& node : truth.tunnels.nodes) {
@@ -83,12 +83,15 @@ PassableRaster::PassableRaster(const WorldTruth& truth, const Vehicle& vehicle) 
   rows_ = static_cast<int>(squares.y());
   squares_.assign(index(0, rows_), 0);
 
-  open(truth.plan);
+  std::vector<PlanRing> rings = truth.plan;
+  std::erase_if(rings, [&](const PlanRing& ring) { return ring.level != level; });
+  open(rings);
   for (const TunnelNode& node : truth.tunnels.nodes) {
-    if (node.entrance) open_ground_at(node, truth);
+    if (node.entrance && node.level == level) open_ground_at(node, truth, level);
   }
   for (const Obstacle& obstacle : truth.obstacles) {
-    const auto floor = truth.floor_at(mean_of(obstacle.outline));
+    if (obstacle.level != level) continue;
+    const auto floor = truth.floor_at(mean_of(obstacle.outline), level);
     if (!is_passable(obstacle, floor.value_or(obstacle.z_low_m), vehicle)) close(obstacle);
   }
 }
@@ -123,10 +126,11 @@ void PassableRaster::open(const std::vector<PlanRing>& plan) {
   }
 }
 
-void PassableRaster::open_ground_at(const TunnelNode& entrance, const WorldTruth& truth) {
+void PassableRaster::open_ground_at(const TunnelNode& entrance, const WorldTruth& truth,
+                                    int level) {
   visit_squares(around(entrance.p_world, kEntranceReach),
                 [&](const Eigen::Vector2d& p, std::uint8_t& square) {
-                  if (truth.floor_at(p)) square = 1;
+                  if (truth.floor_at(p, level)) square = 1;
                 });
 }
 

@@ -17,14 +17,15 @@ namespace adit {
 /// and water are no deeper than the step, sinkage or wading limit.
 bool is_passable(const Obstacle& obstacle, double floor_m, const Vehicle& vehicle);
 
-/// Raster of the plan of a mine: squares without rock and without obstacles that the vehicle cannot
-/// pass. Ground outside the entrances is included.
+/// Raster of the plan of one level of a mine: squares without rock and without obstacles that the
+/// vehicle cannot pass. Ground outside the entrances is included.
 class PassableRaster {
  public:
   static constexpr double kSide = 0.1;  ///< of a square [m]
 
-  /// Throws std::invalid_argument for a plan of more than a few hundred million squares.
-  PassableRaster(const WorldTruth& truth, const Vehicle& vehicle);
+  /// The rasters of all levels have the same squares. Throws std::invalid_argument for a plan of
+  /// more than a few hundred million squares.
+  PassableRaster(const WorldTruth& truth, const Vehicle& vehicle, int level = 0);
 
   /// Lowest corner of square (0, 0), p_world [m].
   [[nodiscard]] const Eigen::Vector2d& origin() const { return origin_; }
@@ -47,7 +48,7 @@ class PassableRaster {
   template <class Visit>
   void visit_squares(const Eigen::AlignedBox2d& box, const Visit& visit);
   void open(const std::vector<PlanRing>& plan);
-  void open_ground_at(const TunnelNode& entrance, const WorldTruth& truth);
+  void open_ground_at(const TunnelNode& entrance, const WorldTruth& truth, int level);
   void close(const Obstacle& obstacle);
 
   Eigen::Vector2d origin_{0.0, 0.0};

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <memory>
 
 #include "common/geometry/pose2.hpp"
 #include "sim/world/plan/tunnel_line.hpp"
@@ -84,17 +86,118 @@ struct State {
   int column = 0;
   int row = 0;
   int heading = 0;
+  std::size_t level = 0;  ///< index
 };
 
-/// Flood fill over cells and headings.
+/// Heights of the bare floor in the middle of the squares of a raster.
+class FloorGrid {
+ public:
+  FloorGrid(const WorldTruth& truth, int level, const PassableRaster& raster)
+      : truth_(truth),
+        level_(level),
+        raster_(raster),
+        heights_(
+            static_cast<std::size_t>(raster.columns()) * static_cast<std::size_t>(raster.rows()),
+            kUnknown) {}
+
+  /// NaN where there is no floor.
+  double at(int column, int row) {
+    if (column < 0 || row < 0 || column >= raster_.columns() || row >= raster_.rows()) return kNone;
+    float& height =
+        heights_[static_cast<std::size_t>(row) * static_cast<std::size_t>(raster_.columns()) +
+                 static_cast<std::size_t>(column)];
+    if (height == kUnknown) {
+      const Eigen::Vector2d middle =
+          raster_.origin() + PassableRaster::kSide * Eigen::Vector2d(column + 0.5, row + 0.5);
+      height = static_cast<float>(truth_.floor_at(middle, level_).value_or(kNone));
+    }
+    return height;
+  }
+
+ private:
+  static constexpr float kUnknown = -1e30F;
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+  const WorldTruth& truth_;
+  int level_;
+  const PassableRaster& raster_;
+  std::vector<float> heights_;
+};
+
+/// Decides by the floor under its wheels whether a vehicle stands. Where there is no floor, it
+/// decides nothing.
+class Standing {
+ public:
+  Standing(const Vehicle& vehicle, double slope_max_rad)
+      : vehicle_(vehicle), grade_max_(std::tan(slope_max_rad)) {}
+
+  /// `p` is the middle of the vehicle in squares of the grid.
+  [[nodiscard]] bool is_safe(const Eigen::Vector2d& p, double heading_rad, FloorGrid& floor) const {
+    std::array<double, 4> height_m{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Eigen::Vector2d p_body((i < 2 ? 0.5 : -0.5) * vehicle_.wheelbase_m,
+                                   (i % 2 == 0 ? 0.5 : -0.5) * vehicle_.track_m);
+      const Eigen::Vector2d wheel =
+          p + Pose2{0.0, 0.0, heading_rad} * p_body / PassableRaster::kSide;
+      const int column = static_cast<int>(std::floor(wheel.x()));
+      const int row = static_cast<int>(std::floor(wheel.y()));
+      height_m[i] = floor.at(column, row);
+      if (is_at_step(column, row, floor)) return false;
+    }
+    const auto& [fl, fr, rl, rr] = height_m;
+    const double along = (fl + fr - rl - rr) / (2.0 * vehicle_.wheelbase_m);
+    const double across = (fl + rl - fr - rr) / (2.0 * vehicle_.track_m);
+    return !(std::hypot(along, across) > grade_max_);
+  }
+
+ private:
+  /// A change of height over two squares. Moves are shorter than the stretch, so that none passes
+  /// over a step.
+  [[nodiscard]] bool is_at_step(int column, int row, FloorGrid& floor) const {
+    constexpr int kReach = 3;
+    for (int i = -kReach; i + 2 <= kReach; ++i) {
+      const double in_x = floor.at(column + i + 2, row) - floor.at(column + i, row);
+      const double in_y = floor.at(column, row + i + 2) - floor.at(column, row + i);
+      if (std::abs(in_x) > vehicle_.step_max_m || std::abs(in_y) > vehicle_.step_max_m) return true;
+    }
+    return false;
+  }
+
+  Vehicle vehicle_;
+  double grade_max_;
+};
+
+/// One level of a mine, and which of its states are reached.
+struct FloodLevel {
+  FloodLevel(const WorldTruth& truth, const Vehicle& vehicle, int level_number)
+      : number(level_number),
+        raster(truth, vehicle, level_number),
+        floor(truth, level_number, raster) {}
+  FloodLevel(const FloodLevel&) = delete;
+  FloodLevel& operator=(const FloodLevel&) = delete;
+
+  int number;
+  PassableRaster raster;
+  FloorGrid floor;
+  std::vector<std::uint16_t> reached = {};  ///< of each cell, one bit per heading
+  std::vector<std::uint16_t> checked = {};  ///< states whose fit was checked, likewise
+};
+
+/// Flood fill over levels, cells and headings.
 class Flood {
  public:
-  Flood(const World& world, const Vehicle& vehicle)
-      : raster_(world.truth, vehicle),
-        columns_((raster_.columns() + kSquaresPerCell - 1) / kSquaresPerCell),
-        rows_((raster_.rows() + kSquaresPerCell - 1) / kSquaresPerCell),
-        reached_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
-        checked_(reached_.size()) {
+  Flood(const World& world, const Vehicle& vehicle, double slope_max_rad)
+      : standing_(vehicle, slope_max_rad) {
+    for (const int level : world.truth.levels) {
+      levels_.push_back(std::make_unique<FloodLevel>(world.truth, vehicle, level));
+      if (level == world.start_level) start_level_ = levels_.size() - 1;
+    }
+    columns_ = (raster().columns() + kSquaresPerCell - 1) / kSquaresPerCell;
+    rows_ = (raster().rows() + kSquaresPerCell - 1) / kSquaresPerCell;
+    for (auto& level : levels_) {
+      level->reached.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+      level->checked.resize(level->reached.size());
+    }
     for (std::size_t i = 0; i < kHeadings; ++i) {
       footprints_[i] = footprints(vehicle, kMoves[i].heading_rad(), ReachableArea::kSide);
     }
@@ -111,28 +214,34 @@ class Flood {
         add_moves(state, heading, kMoves[static_cast<std::size_t>(state.heading)], open);
         add_moves(state, heading, kMoves[static_cast<std::size_t>(heading)], open);
       }
+      add_other_levels(state, open);
     }
   }
 
-  [[nodiscard]] std::vector<Eigen::Vector2d> cells() const {
-    std::vector<Eigen::Vector2d> cells;
-    for (int row = 0; row < rows_; ++row) {
-      for (int column = 0; column < columns_; ++column) {
-        if (reached_[index(column, row)] == 0) continue;
-        cells.emplace_back(raster_.origin() +
-                           ReachableArea::kSide * Eigen::Vector2d(column + 0.5, row + 0.5));
+  void take_cells(ReachableArea& area) const {
+    for (const auto& level : levels_) {
+      for (int row = 0; row < rows_; ++row) {
+        for (int column = 0; column < columns_; ++column) {
+          if (level->reached[index(column, row)] == 0) continue;
+          area.cells.emplace_back(raster().origin() +
+                                  ReachableArea::kSide * Eigen::Vector2d(column + 0.5, row + 0.5));
+          area.levels.push_back(level->number);
+        }
       }
     }
-    return cells;
   }
 
-  [[nodiscard]] bool is_reached(const Eigen::Vector2d& p_world) const {
-    const Eigen::Vector2d place = (p_world - raster_.origin()) / ReachableArea::kSide;
-    return is_within(place) &&
-           reached_[index(static_cast<int>(place.x()), static_cast<int>(place.y()))] != 0;
+  [[nodiscard]] bool is_reached(const Eigen::Vector2d& p_world, int level_number) const {
+    const Eigen::Vector2d place = (p_world - raster().origin()) / ReachableArea::kSide;
+    if (!is_within(place)) return false;
+    const std::size_t cell = index(static_cast<int>(place.x()), static_cast<int>(place.y()));
+    return std::any_of(levels_.begin(), levels_.end(), [&](const auto& level) {
+      return level->number == level_number && level->reached[cell] != 0;
+    });
   }
 
  private:
+  [[nodiscard]] const PassableRaster& raster() const { return levels_.front()->raster; }
   [[nodiscard]] bool is_within(const Eigen::Vector2d& place) const {
     return place.x() >= 0.0 && place.y() >= 0.0 && place.x() < columns_ && place.y() < rows_;
   }
@@ -144,8 +253,8 @@ class Flood {
   /// The state nearest to a pose; cell (-1, -1) for a pose outside of the raster.
   [[nodiscard]] State nearest(const Pose2& T_world_body) const {
     const Eigen::Vector2d place =
-        (T_world_body.translation() - raster_.origin()) / ReachableArea::kSide;
-    if (!is_within(place)) return {-1, -1, 0};
+        (T_world_body.translation() - raster().origin()) / ReachableArea::kSide;
+    if (!is_within(place)) return {-1, -1, 0, 0};
     const auto off = [&](const Move& move) {
       return std::abs(angle_diff(move.heading_rad(), T_world_body.theta));
     };
@@ -153,41 +262,63 @@ class Flood {
         std::min_element(kMoves.begin(), kMoves.end(),
                          [&](const Move& a, const Move& b) { return off(a) < off(b); });
     return {static_cast<int>(place.x()), static_cast<int>(place.y()),
-            static_cast<int>(best - kMoves.begin())};
+            static_cast<int>(best - kMoves.begin()), start_level_};
   }
 
   /// Adds the move forwards and in reverse.
   void add_moves(const State& from, int heading, const Move& move, std::vector<State>& open) {
-    add({from.column + move.columns, from.row + move.rows, heading}, open);
-    add({from.column - move.columns, from.row - move.rows, heading}, open);
+    add({from.column + move.columns, from.row + move.rows, heading, from.level}, open);
+    add({from.column - move.columns, from.row - move.rows, heading, from.level}, open);
+  }
+
+  /// Adds the same state on the levels that have the same floor there.
+  void add_other_levels(const State& state, std::vector<State>& open) {
+    constexpr double kSameM = 0.05;
+    for (std::size_t level = 0; level < levels_.size(); ++level) {
+      if (level == state.level) continue;
+      const double here_m = floor_m(state, state.level);
+      if (std::abs(floor_m(state, level) - here_m) > kSameM) continue;
+      add({state.column, state.row, state.heading, level}, open);
+    }
+  }
+
+  /// Height of the floor of a level at a cell; NaN without.
+  [[nodiscard]] double floor_m(const State& state, std::size_t level) {
+    return levels_[level]->floor.at(kSquaresPerCell * state.column, kSquaresPerCell * state.row);
   }
 
   void add(const State& state, std::vector<State>& open) {
     if (state.column < 0 || state.row < 0 || state.column >= columns_ || state.row >= rows_) return;
+    FloodLevel& level = *levels_[state.level];
     const std::size_t cell = index(state.column, state.row);
     const auto bit = static_cast<std::uint16_t>(1U << static_cast<unsigned>(state.heading));
-    if ((checked_[cell] & bit) != 0) return;
-    checked_[cell] |= bit;
-    if (!fits(state)) return;
-    reached_[cell] |= bit;
+    if ((level.checked[cell] & bit) != 0) return;
+    level.checked[cell] |= bit;
+    if (!fits(state, level)) return;
+    level.reached[cell] |= bit;
     open.push_back(state);
   }
 
-  [[nodiscard]] bool fits(const State& state) const {
+  [[nodiscard]] bool fits(const State& state, FloodLevel& level) {
     const std::vector<Footprint>& poses = footprints_[static_cast<std::size_t>(state.heading)];
-    return std::any_of(poses.begin(), poses.end(), [&](const Footprint& squares) {
+    const bool has_room = std::any_of(poses.begin(), poses.end(), [&](const Footprint& squares) {
       return std::all_of(squares.begin(), squares.end(), [&](const std::array<int, 2>& square) {
-        return raster_.at(state.column * kSquaresPerCell + square[0],
-                          state.row * kSquaresPerCell + square[1]);
+        return level.raster.at(state.column * kSquaresPerCell + square[0],
+                               state.row * kSquaresPerCell + square[1]);
       });
     });
+    const Eigen::Vector2d middle(kSquaresPerCell * (state.column + 0.5),
+                                 kSquaresPerCell * (state.row + 0.5));
+    return has_room &&
+           standing_.is_safe(middle, kMoves[static_cast<std::size_t>(state.heading)].heading_rad(),
+                             level.floor);
   }
 
-  PassableRaster raster_;
-  int columns_;
-  int rows_;
-  std::vector<std::uint16_t> reached_;  ///< of each cell, one bit per heading
-  std::vector<std::uint16_t> checked_;  ///< states whose fit was checked, likewise
+  Standing standing_;
+  std::vector<std::unique_ptr<FloodLevel>> levels_;
+  std::size_t start_level_ = 0;
+  int columns_ = 0;
+  int rows_ = 0;
   std::array<std::vector<Footprint>, kHeadings> footprints_;
 };
 
@@ -201,7 +332,7 @@ double reached_length_m(const TunnelEdge& edge, const Flood& flood) {
     for (int j = 0; j <= across; ++j) {
       const Eigen::Vector2d p = line.beside(edge.length_m * (i + 0.5) / steps,
                                             edge.width_m * (static_cast<double>(j) / across - 0.5));
-      if (!flood.is_reached(p)) continue;
+      if (!flood.is_reached(p, edge.level)) continue;
       ++reached;
       break;
     }
@@ -211,11 +342,11 @@ double reached_length_m(const TunnelEdge& edge, const Flood& flood) {
 
 }  // namespace
 
-ReachableArea reachable_area(const World& world, const Vehicle& vehicle) {
-  Flood flood(world, vehicle);
+ReachableArea reachable_area(const World& world, const Vehicle& vehicle, double slope_max_rad) {
+  Flood flood(world, vehicle, slope_max_rad);
   flood.run(world.T_world_start);
   ReachableArea area;
-  area.cells = flood.cells();
+  flood.take_cells(area);
   area.area_m2 =
       static_cast<double>(area.cells.size()) * ReachableArea::kSide * ReachableArea::kSide;
   for (const TunnelEdge& edge : world.truth.tunnels.edges) {

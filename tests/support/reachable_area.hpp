@@ -12,6 +12,9 @@
 
 namespace adit {
 
+/// Steepest ground that planning accepts by default (procs/planning: slope_max_rad).
+inline constexpr double kSlopeMaxRad = 0.35;
+
 /// Squares of a PassableRaster under a vehicle: column and row, relative to the lowest square of
 /// the cell that contains the centre of the vehicle.
 using Footprint = std::vector<std::array<int, 2>>;
@@ -25,6 +28,7 @@ struct ReachableArea {
   static constexpr double kSide = 0.2;  ///< of a cell [m]
 
   std::vector<Eigen::Vector2d> cells;  ///< cell centres, p_world [m]
+  std::vector<int> levels = {};        ///< of each cell
   double area_m2 = 0.0;
   /// For each edge of the tunnel graph, the length that is reachable somewhere across its width
   /// [m].
@@ -35,10 +39,13 @@ struct ReachableArea {
 /// cells of 0.2 m and 16 headings moves the rectangle of the vehicle along its heading, with turns
 /// of about 25° between adjacent cells, wherever it touches neither rock nor an obstacle that is
 /// not passable (is_passable). The result generally overestimates the drivable area: turns are
-/// tighter than the turning radius, poses may shift by a third of a cell and of a heading step to
-/// fit, and tilt is ignored; but obstacles block their complete outline. Empty if the vehicle does
-/// not fit at the start or the world has no plan. Throws std::invalid_argument if the plan is too
-/// large.
-ReachableArea reachable_area(const World& world, const Vehicle& vehicle);
+/// tighter than the turning radius, and poses may shift by a third of a cell and of a heading step
+/// to fit; but obstacles block their complete outline. The bare floor counts: a pose whose four
+/// wheels stand on a plane steeper than `slope_max_rad`, or next to a step higher than the vehicle
+/// climbs, is not reached. It passes from one level to another where both have the same floor.
+/// Empty if the vehicle does not fit at the start or the world has no plan. Throws
+/// std::invalid_argument if the plan is too large.
+ReachableArea reachable_area(const World& world, const Vehicle& vehicle,
+                             double slope_max_rad = kSlopeMaxRad);
 
 }  // namespace adit

@@ -82,7 +82,7 @@ TEST(LossyMissionTest, ReturnsThoughATwentiethOfAllMessagesIsLost) {
   const auto config = folder / "config.yaml";
   std::ofstream(config) << "mission: {limits: {path_length_max_m: 24}}\n";
   WorldChoice choice;
-  choice.name = "random";
+  choice.name = "random_level";
   choice.seed = 4;
   choice.length_m = 30.0;
   choice.topology = "branching";

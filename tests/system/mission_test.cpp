@@ -20,7 +20,7 @@ namespace {
 
 WorldChoice small_mine(int seed, const std::string& topology) {
   WorldChoice choice;
-  choice.name = "random";
+  choice.name = "random_level";
   choice.seed = seed;
   choice.length_m = 30.0;
   choice.topology = topology;

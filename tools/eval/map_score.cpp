@@ -36,8 +36,10 @@ std::vector<Eigen::Vector2d> visible_walls(const Site& site, const WorldWalls& w
                                            const Trajectory& truth,
                                            const MapScoreOptions& options) {
   std::vector<Eigen::Vector2d> visible;
-  for (const auto& [utime, T_world_body] : downsampled(truth, kScanSpacingM)) {
-    const auto floor_m = site.world().truth.floor_at(T_world_body.translation());
+  for (const auto& [utime, T_world_body, z_m] : downsampled(truth, kScanSpacingM)) {
+    const WorldTruth& world_truth = site.world().truth;
+    const int level = world_truth.level_at({T_world_body.x, T_world_body.y, z_m});
+    const auto floor_m = world_truth.floor_at(T_world_body.translation(), level);
     if (!floor_m) continue;
     const std::vector<Ray> rays =
         horizontal_rays({T_world_body.x, T_world_body.y, *floor_m + options.laser_height_m});
@@ -127,8 +129,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const PositionErrors& errors) {
-  return {{"rmse_m", errors.rmse_m}, {"mean_m", errors.mean_m}, {"max_m", errors.max_m}};
+/// Heights are null if the trajectory has none.
+Json json_of(const PositionErrors& errors, bool heights) {
+  Json json = {{"rmse_m", errors.rmse_m},     {"mean_m", errors.mean_m},
+               {"max_m", errors.max_m},       {"rmse_x_m", errors.x.rmse_m},
+               {"rmse_y_m", errors.y.rmse_m}, {"rmse_z_m", nullptr},
+               {"max_z_m", nullptr}};
+  if (!heights) return json;
+  json["rmse_z_m"] = errors.z.rmse_m;
+  json["max_z_m"] = errors.z.max_m;
+  return json;
 }
 
 /// Without errors if there are no segments.
@@ -144,8 +154,8 @@ Json json_of(const TrajectoryScore& score) {
   Json relative = Json::array();
   for (const RelativeErrors& errors : score.relative) relative.push_back(json_of(errors));
   return {{"poses", score.poses},
-          {"aligned", json_of(score.aligned)},
-          {"anchored", json_of(score.anchored)},
+          {"aligned", json_of(score.aligned, score.heights)},
+          {"anchored", json_of(score.anchored, score.heights)},
           {"relative", relative},
           {"true_length_m", score.true_length_m},
           {"length_ratio", score.length_ratio}};

@@ -10,9 +10,9 @@ namespace adit {
 
 std::vector<PosePair> pose_pairs(const Trajectory& trajectory, const Trajectory& reference) {
   std::vector<PosePair> pairs;
-  for (const auto& [utime, pose] : trajectory) {
-    if (const auto T_reference = interpolate(reference, utime)) {
-      pairs.push_back({pose, *T_reference});
+  for (const TimedPose& at : trajectory) {
+    if (const auto true_at = interpolate_in_space(reference, at.utime)) {
+      pairs.push_back({at.pose, true_at->pose, at.z_m, true_at->z_m});
     }
   }
   return pairs;
@@ -47,20 +47,43 @@ std::optional<Pose2> align(const Trajectory& trajectory, const Trajectory& refer
   return align(pairs);
 }
 
+namespace {
+
+void add_error(double error_m, AxisErrors& sums) {
+  sums.rmse_m += error_m * error_m;
+  sums.max_m = std::max(sums.max_m, std::abs(error_m));
+}
+
+}  // namespace
+
 PositionErrors position_errors(const std::vector<PosePair>& pairs,
-                               const Pose2& T_reference_trajectory) {
+                               const Pose2& T_reference_trajectory, double rise_m) {
   PositionErrors errors;
   double squares = 0.0;
-  for (const auto& [estimate, reference] : pairs) {
-    const double distance_m =
-        (T_reference_trajectory * estimate.translation() - reference.translation()).norm();
+  for (const PosePair& pair : pairs) {
+    const Eigen::Vector2d error =
+        T_reference_trajectory * pair.estimate.translation() - pair.reference.translation();
+    const double distance_m = error.norm();
     squares += distance_m * distance_m;
     errors.mean_m += distance_m;
     errors.max_m = std::max(errors.max_m, distance_m);
+    add_error(error.x(), errors.x);
+    add_error(error.y(), errors.y);
+    add_error(pair.z_estimate_m + rise_m - pair.z_reference_m, errors.z);
   }
-  errors.rmse_m = std::sqrt(squares / static_cast<double>(pairs.size()));
-  errors.mean_m /= static_cast<double>(pairs.size());
+  const auto count = static_cast<double>(pairs.size());
+  errors.rmse_m = std::sqrt(squares / count);
+  errors.mean_m /= count;
+  for (AxisErrors* axis : {&errors.x, &errors.y, &errors.z}) {
+    axis->rmse_m = std::sqrt(axis->rmse_m / count);
+  }
   return errors;
+}
+
+double mean_rise_m(const std::vector<PosePair>& pairs) {
+  double sum = 0.0;
+  for (const PosePair& pair : pairs) sum += pair.z_reference_m - pair.z_estimate_m;
+  return sum / static_cast<double>(pairs.size());
 }
 
 PathError path_error(const Trajectory& trajectory, const Trajectory& reference) {

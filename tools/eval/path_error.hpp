@@ -15,6 +15,8 @@ namespace adit {
 struct PosePair {
   Pose2 estimate;
   Pose2 reference;
+  double z_estimate_m = 0.0;
+  double z_reference_m = 0.0;
 };
 
 /// A pair for each pose whose time the reference covers, with the reference interpolated.
@@ -27,15 +29,28 @@ Pose2 align(const std::vector<PosePair>& pairs);
 /// Nothing if the reference covers no pose.
 std::optional<Pose2> align(const Trajectory& trajectory, const Trajectory& reference);
 
-/// Distances between estimated and reference positions. [m]
+/// Errors along one axis of the reference.
+struct AxisErrors {
+  double rmse_m = 0.0;
+  double max_m = 0.0;  ///< of the absolute error
+};
+
+/// Distances between estimated and reference positions in plan, and the errors along each axis.
 struct PositionErrors {
   double rmse_m = 0.0;
   double mean_m = 0.0;
   double max_m = 0.0;
+  AxisErrors x = {};
+  AxisErrors y = {};
+  AxisErrors z = {};
 };
-/// `pairs` must not be empty.
+/// `pairs` must not be empty. `rise_m` is the height of the origin of the trajectory in the
+/// reference.
 PositionErrors position_errors(const std::vector<PosePair>& pairs,
-                               const Pose2& T_reference_trajectory);
+                               const Pose2& T_reference_trajectory, double rise_m = 0.0);
+
+/// Mean height of the reference above the trajectory. `pairs` must not be empty.
+double mean_rise_m(const std::vector<PosePair>& pairs);
 
 /// Error of a trajectory against a reference, after alignment. All zero if the reference covers no
 /// pose.

@@ -8,6 +8,7 @@
 #include <istream>
 #include <ostream>
 #include <sstream>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,11 @@ Pose2 blend(const Pose2& a, const Pose2& b, double share) {
 }
 
 std::optional<Pose2> interpolate(const Trajectory& trajectory, std::int64_t utime) {
+  const auto at = interpolate_in_space(trajectory, utime);
+  return at ? std::optional(at->pose) : std::nullopt;
+}
+
+std::optional<TimedPose> interpolate_in_space(const Trajectory& trajectory, std::int64_t utime) {
   if (trajectory.empty() || utime < trajectory.front().utime - kToleranceUs ||
       utime > trajectory.back().utime + kToleranceUs) {
     return std::nullopt;
@@ -39,11 +45,18 @@ std::optional<Pose2> interpolate(const Trajectory& trajectory, std::int64_t utim
   const auto after =
       std::lower_bound(trajectory.begin(), trajectory.end(), utime,
                        [](const TimedPose& p, std::int64_t t) { return p.utime < t; });
-  if (after == trajectory.begin()) return after->pose;
-  if (after == trajectory.end()) return trajectory.back().pose;
+  if (after == trajectory.begin()) return TimedPose{utime, after->pose, after->z_m};
   const auto before = after - 1;
-  const auto span = static_cast<double>(after->utime - before->utime);
-  return blend(before->pose, after->pose, static_cast<double>(utime - before->utime) / span);
+  if (after == trajectory.end()) return TimedPose{utime, before->pose, before->z_m};
+  const double share = static_cast<double>(utime - before->utime) /
+                       static_cast<double>(after->utime - before->utime);
+  return TimedPose{utime, blend(before->pose, after->pose, share),
+                   std::lerp(before->z_m, after->z_m, share)};
+}
+
+bool has_heights(const Trajectory& trajectory) {
+  return std::any_of(trajectory.begin(), trajectory.end(),
+                     [](const TimedPose& at) { return at.z_m != 0.0; });
 }
 
 double path_length_m(const Trajectory& trajectory) {
@@ -67,9 +80,11 @@ double distance_travelled_m(const Trajectory& trajectory, double step_m) {
 }
 
 void write_tum(std::ostream& out, const Trajectory& trajectory) {
-  for (const auto& [utime, pose] : trajectory) {
-    out << fmt::format("{}.{:06} {:.9f} {:.9f} 0 0 0 {:.12f} {:.12f}\n", utime / kMicroseconds,
-                       utime % kMicroseconds, pose.x, pose.y, std::sin(pose.theta / 2.0),
+  const bool heights = has_heights(trajectory);
+  for (const auto& [utime, pose, z_m] : trajectory) {
+    const std::string z = heights ? fmt::format("{:.9f}", z_m) : "0";
+    out << fmt::format("{}.{:06} {:.9f} {:.9f} {} 0 0 {:.12f} {:.12f}\n", utime / kMicroseconds,
+                       utime % kMicroseconds, pose.x, pose.y, z, std::sin(pose.theta / 2.0),
                        std::cos(pose.theta / 2.0));
   }
 }
@@ -91,7 +106,7 @@ Trajectory read_tum(std::istream& in, std::string_view name) {
     if (!trajectory.empty() && utime <= trajectory.back().utime) {
       table.fail("the time does not increase");
     }
-    trajectory.push_back({utime, {v[1], v[2], yaw(v[4], v[5], v[6], v[7])}});
+    trajectory.push_back({utime, {v[1], v[2], yaw(v[4], v[5], v[6], v[7])}, v[3]});
   }
   return trajectory;
 }

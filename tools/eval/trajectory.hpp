@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "common/geometry/pose2.hpp"
 
 namespace adit {
@@ -17,6 +19,9 @@ namespace adit {
 struct TimedPose {
   std::int64_t utime = 0;  ///< [µs since the epoch]
   Pose2 pose;
+  double z_m = 0.0;  ///< height; 0 in trajectories without heights
+
+  [[nodiscard]] Eigen::Vector3d position() const { return {pose.x, pose.y, z_m}; }
 
   friend bool operator==(const TimedPose&, const TimedPose&) = default;
 };
@@ -31,6 +36,11 @@ Pose2 blend(const Pose2& a, const Pose2& b, double share);
 /// The pose at a time, interpolated. Nothing more than a millisecond before the first or after the
 /// last pose; within a millisecond, for stamps written with fewer digits, that pose.
 std::optional<Pose2> interpolate(const Trajectory& trajectory, std::int64_t utime);
+/// The same with its height.
+std::optional<TimedPose> interpolate_in_space(const Trajectory& trajectory, std::int64_t utime);
+
+/// Whether any pose has a height other than 0.
+bool has_heights(const Trajectory& trajectory);
 
 /// Sum of the distances between consecutive poses [m]. Includes jitter.
 double path_length_m(const Trajectory& trajectory);
@@ -50,7 +60,7 @@ void write_tum(std::ostream& out, const Trajectory& trajectory);
 /// Throws std::runtime_error with the path if the file cannot be written.
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory);
 
-/// Reads the planar part (x, y, yaw). A malformed line, or a time that does not increase, throws
+/// Reads position and yaw. A malformed line, or a time that does not increase, throws
 /// std::runtime_error with `name:line: reason`.
 Trajectory read_tum(std::istream& in, std::string_view name);
 Trajectory read_tum(const std::filesystem::path& path);

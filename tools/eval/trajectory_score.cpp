@@ -27,7 +27,7 @@ Trajectory read_ground_truth(const std::filesystem::path& log) {
     if (!message) continue;
     const auto pose = from_message(*message);
     if (!pose || (!trajectory.empty() && pose->utime <= trajectory.back().utime)) continue;
-    trajectory.push_back({pose->utime, pose->T_odom_body});
+    trajectory.push_back({pose->utime, pose->T_odom_body, pose->z_m});
   }
   if (trajectory.empty()) throw std::runtime_error(fmt::format("{} has no TRUTH", log.string()));
   return trajectory;
@@ -47,7 +47,7 @@ struct Station {
 /// Stations at the times of the truth that the trajectory covers.
 std::vector<Station> stations_of(const Trajectory& trajectory, const Trajectory& truth) {
   std::vector<Station> stations;
-  for (const auto& [utime, T_world_body] : truth) {
+  for (const auto& [utime, T_world_body, z_m] : truth) {
     const auto T_map_body = interpolate(trajectory, utime);
     if (!T_map_body) continue;
     double distance = 0.0;
@@ -110,9 +110,11 @@ TrajectoryScore score_trajectory(const Trajectory& trajectory, const Trajectory&
   TrajectoryScore score;
   score.poses = pairs.size();
   const Pose2 T_world_map_anchored = pairs.front().reference * pairs.front().estimate.inverse();
-  score.anchored = position_errors(pairs, T_world_map_anchored);
+  const double rise_anchored_m = pairs.front().z_reference_m - pairs.front().z_estimate_m;
+  score.heights = has_heights(trajectory);
+  score.anchored = position_errors(pairs, T_world_map_anchored, rise_anchored_m);
   score.T_world_map = align(pairs);
-  score.aligned = position_errors(pairs, score.T_world_map);
+  score.aligned = position_errors(pairs, score.T_world_map, mean_rise_m(pairs));
   const std::vector<Station> stations = stations_of(trajectory, truth);
   for (RelativeErrors& errors : score.relative) {
     errors = relative_errors(stations, errors.length_m);

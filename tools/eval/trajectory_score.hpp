@@ -12,8 +12,9 @@
 
 namespace adit {
 
-/// The planar part of T_world_body from TRUTH of an LCM log of the simulator. Poses whose time does
-/// not increase are skipped. Throws std::runtime_error if the log cannot be read or has no TRUTH.
+/// Position and heading of T_world_body from TRUTH of an LCM log of the simulator. Poses whose time
+/// does not increase are skipped. Throws std::runtime_error if the log cannot be read or has no
+/// TRUTH.
 Trajectory read_ground_truth(const std::filesystem::path& log);
 
 /// Mean errors of the motion over segments of a given length of the true path.
@@ -30,7 +31,9 @@ struct RelativeErrors {
 /// driving?", CVPR 2012).
 struct TrajectoryScore {
   std::size_t poses = 0;
-  Pose2 T_world_map;        ///< alignment with the least squared distances
+  bool heights =
+      false;          ///< whether the trajectory has heights, without which those errors are void
+  Pose2 T_world_map;  ///< alignment with the least squared distances
   PositionErrors aligned;   ///< by T_world_map
   PositionErrors anchored;  ///< with the first poses aligned instead
   std::array<RelativeErrors, 3> relative{{{1.0}, {10.0}, {100.0}}};

@@ -28,12 +28,15 @@ Corners corners_of(const TriangleMesh& mesh, std::uint32_t triangle) {
 
 /// Height of the floor below the centre of a triangle, or on either side of it: the floor ends at a
 /// wall.
-std::optional<double> floor_near(const World& world, const Eigen::Vector2d& middle,
+std::optional<double> floor_near(const World& world, const Eigen::Vector3d& p_world,
                                  const Eigen::Vector3d& normal) {
+  const Eigen::Vector2d middle = p_world.head<2>();
   const Eigen::Vector2d across = kFloorSearchDistanceM * normal.head<2>();
   for (const Eigen::Vector2d& beside :
        {Eigen::Vector2d(0.0, 0.0), across, Eigen::Vector2d(-across)}) {
-    if (const auto floor_m = world.truth.floor_at(middle + beside)) return floor_m;
+    const Eigen::Vector2d p = middle + beside;
+    const int level = world.truth.level_at({p.x(), p.y(), p_world.z()});
+    if (const auto floor_m = world.truth.floor_at(p, level)) return floor_m;
   }
   return std::nullopt;
 }
@@ -54,7 +57,7 @@ bool is_wall(const World& world, std::uint32_t triangle) {
   if (is_ignored_part(kind) || !normal.allFinite()) return false;
   if (!may_be_horizontal(kind) && std::abs(normal.z()) > kSteepNormalZMax) return false;
   const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-  const auto floor_m = floor_near(world, middle.head<2>(), normal);
+  const auto floor_m = floor_near(world, middle, normal);
   if (!floor_m) return true;  // height above the floor unknown
   const auto [low, high] = std::minmax({corners[0].z(), corners[1].z(), corners[2].z()});
   return high > *floor_m + kHeightMinM && low < *floor_m + kHeightMaxM;

@@ -111,7 +111,7 @@ Trajectory corrected_trajectory(const Trajectory& odometry, const std::vector<Ma
   Trajectory corrected;
   std::size_t k = 0;  // last anchor at or before the pose
   for (std::size_t i = 0; i < odometry.size(); ++i) {
-    const auto& [utime, T_odom_body] = odometry[i];
+    const auto& [utime, T_odom_body, z_odom_m] = odometry[i];
     while (k + 1 < anchors.size() && anchors[k + 1].utime <= utime) ++k;
     Pose2 T_map_body = apply_anchor(anchors[k], T_odom_body);
     if (k + 1 < anchors.size() && utime > anchors[k].utime) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tools/mission/mission_folder.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -51,7 +52,7 @@ std::optional<SimulatedPose> truth_pose_in(const LogEventView& event) {
   if (!message) return std::nullopt;
   const auto pose = from_message(*message);  // TRUTH: T_world_body
   if (!pose) return std::nullopt;
-  return SimulatedPose{pose->utime, pose->T_odom_body};
+  return SimulatedPose{pose->utime, pose->T_odom_body, pose->z_m};
 }
 
 std::optional<SimulatedPose> last_truth_pose_in(const fs::path& log) {
@@ -123,7 +124,7 @@ std::string supervisor_config() {
                      kLicence);
 }
 
-Eigen::Vector2d start_mission(const MissionLiveOptions& options, const MissionFolder& folder) {
+MissionStart start_mission(const MissionLiveOptions& options, const MissionFolder& folder) {
   folder.require_new();
   const WorldDescription world = describe(options.world);
   build_world(world);  // reports errors of the world here, not in the process of the simulator
@@ -131,19 +132,31 @@ Eigen::Vector2d start_mission(const MissionLiveOptions& options, const MissionFo
   write_text_file(to_world_file(world), folder.world());
   write_text_file(to_world_file(world), folder.start());
   write_text_file(supervisor_config(), folder.path() / "supervisor.yaml");
-  return world.T_world_start.translation();
+  return {world.T_world_start.translation(), std::nullopt};
 }
 
-/// Returns the position of the first start. Sets the start time of the new run.
-Eigen::Vector2d resume_mission(const MissionFolder& folder, SimulatorStart& start) {
+/// The level of the tunnels in which a robot is. Builds the world if there are several.
+int level_of(const WorldDescription& description, const SimulatedPose& pose) {
+  const auto& tunnels = description.plan.tunnels;
+  const bool one = std::all_of(tunnels.begin(), tunnels.end(), [&](const TunnelDescription& t) {
+    return t.level == tunnels.front().level;
+  });
+  if (one) return description.start_level;
+  return build_world(description)
+      .truth.level_at({pose.T_world_body.x, pose.T_world_body.y, pose.z_m});
+}
+
+/// Returns the first start. Sets the start time of the new run.
+MissionStart resume_mission(const MissionFolder& folder, SimulatorStart& start) {
   folder.require_unfinished();
   WorldDescription world = find_world(folder.world().string());
-  Eigen::Vector2d p_world_start = world.T_world_start.translation();
+  const MissionStart first{world.T_world_start.translation(), folder.start_height_m()};
   const SimulatedPose pose = folder.last_pose();
+  world.start_level = level_of(world, pose);
   world.T_world_start = pose.T_world_body;
   start.start_utime = pose.utime + kPowerLossDurationUs;
   write_text_file(to_world_file(world), folder.start());
-  return p_world_start;
+  return first;
 }
 
 }  // namespace
@@ -194,6 +207,16 @@ SimulatedPose MissionFolder::last_pose() const {
       fmt::format("{}: no log has TRUTH, the pose to resume from is unknown", path_.string()));
 }
 
+std::optional<double> MissionFolder::start_height_m() const {
+  const std::vector<fs::path> logs = this->logs();
+  if (logs.empty() || fs::file_size(logs.front()) == 0) return std::nullopt;
+  LogFile log(logs.front());
+  while (const auto event = log.next()) {
+    if (const auto pose = truth_pose_in(*event)) return pose->z_m;
+  }
+  return std::nullopt;
+}
+
 std::string without_repeated_sections(const std::vector<std::string>& yamls) {
   std::set<std::string> sections;
   std::string text;
@@ -220,13 +243,13 @@ std::string mission_config(const std::filesystem::path& config) {
   return without_repeated_sections(yamls);
 }
 
-Eigen::Vector2d prepare_mission(const MissionLiveOptions& options, const MissionFolder& folder) {
+MissionStart prepare_mission(const MissionLiveOptions& options, const MissionFolder& folder) {
   for (const std::string& fault : options.faults) parse_fault(fault);
   SimulatorStart start{folder.next_log(), std::nullopt, options.speed, options.faults};
-  Eigen::Vector2d p_world_start =
+  const MissionStart first =
       options.resume ? resume_mission(folder, start) : start_mission(options, folder);
   write_text_file(process_list_text(start), folder.path() / "processes.cfg");
-  return p_world_start;
+  return first;
 }
 
 }  // namespace adit

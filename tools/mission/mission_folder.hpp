@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 
 #include "common/geometry/pose2.hpp"
 #include "tools/mission/mission_live.hpp"
+#include "tools/mission/mission_progress.hpp"
 
 namespace adit {
 
@@ -18,6 +20,7 @@ namespace adit {
 struct SimulatedPose {
   std::int64_t utime = 0;  ///< [µs since the epoch]
   Pose2 T_world_body;
+  double z_m = 0.0;  ///< of the body in world
 };
 
 /// The folder of one mission: the log of each run, run.lcmlog, run_2.lcmlog, .., and the journals
@@ -51,6 +54,8 @@ class MissionFolder {
 
   /// Last pose of the simulated body in the logs. Throws std::runtime_error if no log has one.
   [[nodiscard]] SimulatedPose last_pose() const;
+  /// z of the first true pose of the first run; empty if its log has none.
+  [[nodiscard]] std::optional<double> start_height_m() const;
 
  private:
   std::filesystem::path path_;
@@ -65,8 +70,8 @@ std::string mission_config(const std::filesystem::path& config);
 std::string without_repeated_sections(const std::vector<std::string>& yamls);
 
 /// Writes all input files of the processes of a mission into its folder. A resumed mission keeps
-/// its configuration, and the simulated robot starts at the last TRUTH. Returns the position of the
-/// first start in world [m]. Throws for invalid options, and as MissionFolder does.
-Eigen::Vector2d prepare_mission(const MissionLiveOptions& options, const MissionFolder& folder);
+/// its configuration, and the simulated robot starts at the last TRUTH. Returns the
+/// first start. Throws for invalid options, and as MissionFolder does.
+MissionStart prepare_mission(const MissionLiveOptions& options, const MissionFolder& folder);
 
 }  // namespace adit

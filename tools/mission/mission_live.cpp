@@ -116,13 +116,12 @@ void use_batch_scheduling(const std::string& speed) {
 class LiveMission {
  public:
   LiveMission(const MissionLiveOptions& options, const MissionFolder& folder,
-              const Eigen::Vector2d& p_world_start,
-              const std::function<void(const std::string&)>& notify)
+              const MissionStart& start, const std::function<void(const std::string&)>& notify)
       : options_(options),
         folder_(folder),
         notify_(notify),
         bus_({.url = {}, .time = BusTime::kSimulated}),
-        monitor_(bus_, folder.path() / "phases.tsv", p_world_start),
+        monitor_(bus_, folder.path() / "phases.tsv", start),
         supervisor_("supervisor.yaml", folder.path() / "supervisor.log") {}
 
   MissionLiveResult run(const StopSignal& stop, const MissionLiveProgress& progress) {
@@ -201,9 +200,9 @@ MissionLiveResult run_live_mission(const MissionLiveOptions& options,
   const MissionFolder folder(options.folder);
   const LockedFile lock_file(folder.lock_file());
   write_pid(lock_file);
-  const Eigen::Vector2d p_world_start = prepare_mission(options, folder);
+  const MissionStart start = prepare_mission(options, folder);
   std::filesystem::current_path(folder.path());
-  LiveMission mission(options, folder, p_world_start, notify);
+  LiveMission mission(options, folder, start, notify);
   return mission.run(stop, progress);
 }
 

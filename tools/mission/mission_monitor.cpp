@@ -3,6 +3,7 @@
 #include "tools/mission/mission_monitor.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "common/bus/channels.hpp"
@@ -20,8 +21,8 @@ constexpr std::size_t kQueued = 1000;
 }  // namespace
 
 MissionMonitor::MissionMonitor(Bus& bus, const std::filesystem::path& trace,
-                               const Eigen::Vector2d& p_world_start)
-    : p_world_start_(p_world_start), follower_(bus, trace, [this] { return simulated_s(); }) {
+                               const MissionStart& start)
+    : start_(start), follower_(bus, trace, [this] { return simulated_s(); }) {
   for (const std::string& stage : stage_names()) {
     if (stage != "supervisor") responses_[stage];
   }
@@ -39,8 +40,9 @@ void MissionMonitor::subscribe_all(Bus& bus) {
     if (found != responses_.end()) found->second = {done.utime, std::nullopt, false};
   });
   subscribe<pose_t>(bus, channels::kTruth, Delivery::latest(), [this](const StampedPose& truth) {
-    const Eigen::Vector2d p_world = truth.T_odom_body.translation();  // TRUTH: T_world_body
-    follower_.set_distance_from_start((p_world - p_world_start_).norm());
+    const Eigen::Vector2d off = truth.T_odom_body.translation() - start_.p_world;  // T_world_body
+    if (!start_.z_m) start_.z_m = truth.z_m;
+    follower_.set_distance_from_start(std::hypot(off.x(), off.y(), truth.z_m - *start_.z_m));
   });
   subscribe<run_state_t>(bus, channels::kRunState, Delivery::latest(),
                          [this](const RunState& state) { failure_ = state.failure; });

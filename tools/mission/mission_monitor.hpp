@@ -22,9 +22,8 @@ class MissionMonitor {
  public:
   static constexpr std::int64_t kStageTimeoutUs = 10'000'000;  ///< of wall time
 
-  /// `bus` must outlive this. `p_world_start` is the position of the first start.
-  MissionMonitor(Bus& bus, const std::filesystem::path& trace,
-                 const Eigen::Vector2d& p_world_start);
+  /// `bus` must outlive this.
+  MissionMonitor(Bus& bus, const std::filesystem::path& trace, const MissionStart& start);
 
   [[nodiscard]] MissionProgress progress() const { return follower_.progress(); }
   [[nodiscard]] double farthest_m() const { return follower_.farthest_m(); }
@@ -50,7 +49,7 @@ class MissionMonitor {
 
   std::int64_t first_utime_ = 0;
   std::int64_t utime_ = 0;
-  Eigen::Vector2d p_world_start_;
+  MissionStart start_;
   std::string failure_;
   std::map<std::string, StageResponse> responses_;
   MissionFollower follower_;

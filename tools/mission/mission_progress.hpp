@@ -6,18 +6,27 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <string>
+
+#include <Eigen/Core>
 
 #include "common/bus/bus.hpp"
 #include "common/types/mission.hpp"
 
 namespace adit {
 
+/// Where the robot started first, in world.
+struct MissionStart {
+  Eigen::Vector2d p_world{0.0, 0.0};  ///< [m]
+  std::optional<double> z_m = {};     ///< empty: that of the first true pose
+};
+
 /// Progress of a mission.
 struct MissionProgress {
   MissionPhase phase;
   double simulated_s = 0.0;
-  double distance_from_start_m = 0.0;  ///< straight-line distance of the true pose
+  double distance_from_start_m = 0.0;  ///< straight-line distance of the true pose, in space
   int local_maps = 0;
 };
 

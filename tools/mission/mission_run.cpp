@@ -43,7 +43,7 @@ class MissionInProcess {
              load_config(options.config), params_.lasers, params_.vehicle, options.folder)) {
       nodes_.push_back(std::make_unique<HostedNode>(bus_, node));
     }
-    start_ = true_pose().translation();
+    start_ = true_position();
   }
 
   MissionRunResult run(const std::function<void(const MissionProgress&)>& progress) {
@@ -79,12 +79,10 @@ class MissionInProcess {
   [[nodiscard]] double simulated_s() const {
     return seconds(sim_.simulation().utime() - kDriveStartUtime);
   }
-  [[nodiscard]] Pose2 true_pose() const {
-    return in_plan(sim_.simulation().vehicle().motion().T_world_body);
+  [[nodiscard]] Eigen::Vector3d true_position() const {
+    return sim_.simulation().vehicle().motion().T_world_body.translation();
   }
-  [[nodiscard]] double distance_from_start_m() const {
-    return (true_pose().translation() - start_).norm();
-  }
+  [[nodiscard]] double distance_from_start_m() const { return (true_position() - start_).norm(); }
 
   const MissionRunOptions& options_;
   SimulationParams params_;
@@ -96,7 +94,7 @@ class MissionInProcess {
   std::vector<std::unique_ptr<HostedNode>> nodes_;
   double reported_s_ = 0.0;
   std::int32_t reported_sequence_ = 0;
-  Eigen::Vector2d start_{0.0, 0.0};
+  Eigen::Vector3d start_{0.0, 0.0, 0.0};
 };
 
 }  // namespace

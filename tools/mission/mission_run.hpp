@@ -25,10 +25,11 @@ struct MissionRunOptions {
 struct MissionRunResult {
   MissionProgress last;
   double wall_s = 0.0;
-  double distance_from_start_m = 0.0;  ///< straight-line distance of the true pose at the end
-  double farthest_m = 0.0;             ///< maximum of that distance
-  double distance_travelled_m = 0.0;   ///< true
-  std::string failure;                 ///< a collision; empty without
+  double distance_from_start_m =
+      0.0;                  ///< straight-line distance of the true pose, in space, at the end
+  double farthest_m = 0.0;  ///< maximum of that distance
+  double distance_travelled_m = 0.0;  ///< true
+  std::string failure;                ///< a collision; empty without
 };
 
 /// The same options give the same log, byte for byte. Throws for files that cannot be read or

@@ -55,12 +55,17 @@ Json frontiers_json(const MissionStatistics& statistics) {
 
 Json truth_json(const MissionStatistics& statistics) {
   if (!statistics.score) return {};
-  return {{"poses", statistics.score->poses},
-          {"rmse_m", statistics.score->aligned.rmse_m},
-          {"max_m", statistics.score->aligned.max_m},
-          {"anchored_rmse_m", statistics.score->anchored.rmse_m},
-          {"anchored_max_m", statistics.score->anchored.max_m},
-          {"true_length_m", statistics.score->true_length_m}};
+  const TrajectoryScore& score = *statistics.score;
+  Json json = {{"poses", score.poses},
+               {"rmse_m", score.aligned.rmse_m},
+               {"max_m", score.aligned.max_m},
+               {"anchored_rmse_m", score.anchored.rmse_m},
+               {"anchored_max_m", score.anchored.max_m},
+               {"true_length_m", score.true_length_m}};
+  if (!score.heights) return json;
+  json["anchored_rmse_z_m"] = score.anchored.z.rmse_m;
+  json["anchored_max_z_m"] = score.anchored.z.max_m;
+  return json;
 }
 
 Json configs_json(const LogInfo& log_info) {

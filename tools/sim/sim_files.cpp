@@ -74,18 +74,24 @@ const char* name_of(PartKind kind) {
   return "other";
 }
 
-Json tunnels(const TunnelGraph& graph) {
+/// The height of the floor at each node, where it is known.
+Json tunnels(const WorldTruth& truth) {
+  const TunnelGraph& graph = truth.tunnels;
   Json features = Json::array();
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
     const TunnelNode& node = graph.nodes[i];
-    features.push_back(
-        feature("Point", position(node.p_world), {{"node", i}, {"entrance", node.entrance}}));
+    Json properties = {{"node", i}, {"entrance", node.entrance}, {"level", node.level}};
+    if (const auto floor_m = truth.floor_at(node.p_world, node.level)) {
+      properties["floor_m"] = *floor_m;
+    }
+    features.push_back(feature("Point", position(node.p_world), std::move(properties)));
   }
   for (const TunnelEdge& edge : graph.edges) {
     features.push_back(feature("LineString", positions(edge.points),
                                {{"from", edge.from},
                                 {"to", edge.to},
                                 {"tunnel", edge.tunnel},
+                                {"level", edge.level},
                                 {"length_m", edge.length_m},
                                 {"width_m", edge.width_m}}));
   }
@@ -98,7 +104,8 @@ Json plan(const std::vector<PlanRing>& rings) {
   for (const PlanRing& ring : rings) {
     std::vector<Eigen::Vector2d> closed = ring.points;
     if (!closed.empty()) closed.push_back(closed.front());
-    features.push_back(feature("LineString", positions(closed), {{"pillar", ring.is_pillar()}}));
+    features.push_back(feature("LineString", positions(closed),
+                               {{"pillar", ring.is_pillar()}, {"level", ring.level}}));
   }
   return collection(std::move(features));
 }
@@ -108,6 +115,7 @@ Json obstacles(const std::vector<Obstacle>& all) {
   for (const Obstacle& obstacle : all) {
     list.push_back({{"kind", name_of(obstacle.kind)},
                     {"name", obstacle.name},
+                    {"level", obstacle.level},
                     {"outline_m", positions(obstacle.outline)},
                     {"z_low_m", obstacle.z_low_m},
                     {"z_high_m", obstacle.z_high_m}});
@@ -131,9 +139,23 @@ void write_log(const Cloud& cloud, const std::filesystem::path& file) {
 
 void write_truth_files(const World& world, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  write(tunnels(world.truth.tunnels), folder / "tunnels.geojson");
+  write(tunnels(world.truth), folder / "tunnels.geojson");
   write(plan(world.truth.plan), folder / "plan.geojson");
   write(obstacles(world.truth.obstacles), folder / "obstacles.json");
+}
+
+std::vector<std::string> missing_truth(const World& world) {
+  std::vector<std::string> sentences;
+  if (world.truth.tunnels.edges.empty()) {
+    sentences.emplace_back(
+        "tunnels.geojson is empty: a mesh, or a plan of rooms alone, has no centre lines");
+  }
+  if (world.truth.plan.empty()) {
+    sentences.emplace_back(
+        "plan.geojson is empty: the mesh has no closed outline around the start at the height of "
+        "the lasers");
+  }
+  return sentences;
 }
 
 void write_scan(const Cloud& cloud, const std::filesystem::path& file) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "common/types/cloud.hpp"
 #include "sim/world/world.hpp"
@@ -14,6 +16,9 @@ namespace adit {
 /// on the left), obstacles.json. Coordinates are in metres in world. Throws std::runtime_error with
 /// the path of a file that cannot be written.
 void write_truth_files(const World& world, const std::filesystem::path& folder);
+
+/// Which of these files are empty, and why: a sentence each. Imported meshes have no tunnels.
+std::vector<std::string> missing_truth(const World& world);
 
 /// Writes a 3D scan as an LCM log of its messages (.lcmlog), or its points only, in the frame level
 /// (.ply). Throws std::runtime_error for another extension, or if the file cannot be written.

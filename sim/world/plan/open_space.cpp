@@ -59,16 +59,6 @@ std::vector<TunnelSegment> tunnel_segments(const TunnelLine& tunnel,
   return segments;
 }
 
-std::vector<PlanPolygon> polygons_of(const std::vector<PolygonDescription>& descriptions,
-                                     const std::string& kind) {
-  std::vector<PlanPolygon> polygons;
-  for (const PolygonDescription& polygon : descriptions) {
-    polygons.push_back(
-        {corner_list(polygon.points_m, 3, fmt::format("{} '{}'", kind, polygon.name))});
-  }
-  return polygons;
-}
-
 TunnelSegment apron_of(const TunnelSegment& first) {
   return {first.from, -first.along, OpenSpace::kApronLength, first.half_width_m, true, true};
 }
@@ -98,6 +88,16 @@ void check_points(const std::vector<TunnelLine>& tunnels) {
 
 }  // namespace
 
+std::vector<PlanPolygon> polygons_of(const std::vector<PolygonDescription>& descriptions,
+                                     const std::string& kind) {
+  std::vector<PlanPolygon> polygons;
+  for (const PolygonDescription& polygon : descriptions) {
+    polygons.push_back(
+        {corner_list(polygon.points_m, 3, fmt::format("{} '{}'", kind, polygon.name))});
+  }
+  return polygons;
+}
+
 OpenSpace::Shapes OpenSpace::shapes_of(const PlanDescription& plan,
                                        const std::vector<TunnelLine>& tunnels) {
   check_points(tunnels);
@@ -121,14 +121,20 @@ OpenSpace::Shapes OpenSpace::shapes_of(const PlanDescription& plan,
   return shapes;
 }
 
-PlanBuckets OpenSpace::buckets_of(const Shapes& shapes, double grid_m, double reach_m) {
-  return {shapes.all, grid_m * std::ceil(kBucketSide / grid_m), reach_m};
+PlanBuckets OpenSpace::buckets_of(const Shapes& shapes, double grid_m, double reach_m,
+                                  const Eigen::AlignedBox2d& all) {
+  return {shapes.all, grid_m * std::ceil(kBucketSide / grid_m), reach_m,
+          all.isEmpty() ? adit::bounds(shapes.all) : all};
 }
 
 OpenSpace::OpenSpace(const WorldDescription& description, const std::vector<TunnelLine>& tunnels)
+    : OpenSpace(description, tunnels, Eigen::AlignedBox2d()) {}
+
+OpenSpace::OpenSpace(const WorldDescription& description, const std::vector<TunnelLine>& tunnels,
+                     const Eigen::AlignedBox2d& all)
     : shapes_(shapes_of(description.plan, tunnels)),
       reach_m_(description.wall_relief.height_m + 2.0 * description.grid_m),
-      buckets_(buckets_of(shapes_, description.grid_m, reach_m_)),
+      buckets_(buckets_of(shapes_, description.grid_m, reach_m_, all)),
       relief_in_plan_(wall_relief(description, kShareInPlan, ReliefKind::kWallInPlan)),
       relief_in_height_(wall_relief(description, 1.0 - kShareInPlan, ReliefKind::kWallInHeight)) {}
 

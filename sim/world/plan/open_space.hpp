@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "sim/world/plan/plan_shapes.hpp"
@@ -10,6 +11,11 @@
 #include "sim/world/world_description.hpp"
 
 namespace adit {
+
+/// Rooms or pillars, which `kind` names in messages. Throws std::invalid_argument for odd lists of
+/// points.
+std::vector<PlanPolygon> polygons_of(const std::vector<PolygonDescription>& descriptions,
+                                     const std::string& kind);
 
 /// The open space of a mine in plan as a signed distance function: tunnels and rooms without
 /// pillars. In front of an entrance there is an apron of ground under the open sky. Frame world.
@@ -21,6 +27,11 @@ class OpenSpace {
   /// Throws std::invalid_argument for a plan without tunnel and room or beyond kExtentMax, and for
   /// odd lists of points.
   OpenSpace(const WorldDescription& description, const std::vector<TunnelLine>& tunnels);
+  /// One of several levels, whose buckets all cover the same rectangle.
+  OpenSpace(const WorldDescription& description, const std::vector<TunnelLine>& tunnels,
+            const Eigen::AlignedBox2d& all);
+  /// Bounding rectangle of the shapes.
+  [[nodiscard]] Eigen::AlignedBox2d bounds() const { return adit::bounds(shapes_.all); }
   static constexpr double kExtentMax = 5000.0;  ///< from the origin along each axis [m]
 
   /// Distance to the planned walls, negative in rock. Exact near a wall; a lower bound where shapes
@@ -35,6 +46,8 @@ class OpenSpace {
   /// Whether a point is in front of an entrance.
   [[nodiscard]] bool on_apron(const Eigen::Vector2d& p_world) const;
 
+  /// Largest distance of the walls from their plan, and of the mesh from the walls.
+  [[nodiscard]] double reach_m() const { return reach_m_; }
   /// Buckets whose sides are a multiple of the grid's edges.
   [[nodiscard]] const PlanBuckets& buckets() const { return buckets_; }
 
@@ -45,7 +58,8 @@ class OpenSpace {
     std::vector<TunnelSegment> aprons;  ///< along x outwards
   };
   static Shapes shapes_of(const PlanDescription& plan, const std::vector<TunnelLine>& tunnels);
-  static PlanBuckets buckets_of(const Shapes& shapes, double grid_m, double reach_m);
+  static PlanBuckets buckets_of(const Shapes& shapes, double grid_m, double reach_m,
+                                const Eigen::AlignedBox2d& all);
 
   Shapes shapes_;
   double reach_m_;

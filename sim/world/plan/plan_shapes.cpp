@@ -65,10 +65,15 @@ Eigen::AlignedBox2d bounds(const PlanShape& shape) {
   return std::visit([](const auto& s) { return box_of(s); }, shape);
 }
 
-PlanBuckets::PlanBuckets(const std::vector<PlanShape>& shapes, double side_m, double reach_m)
-    : side_m_(side_m) {
+Eigen::AlignedBox2d bounds(const std::vector<PlanShape>& shapes) {
   Eigen::AlignedBox2d all;
   for (const PlanShape& shape : shapes) all.extend(bounds(shape));
+  return all;
+}
+
+PlanBuckets::PlanBuckets(const std::vector<PlanShape>& shapes, double side_m, double reach_m,
+                         const Eigen::AlignedBox2d& all)
+    : side_m_(side_m) {
   origin_ = all.min().array() - reach_m;
   columns_ = static_cast<int>(std::ceil((all.sizes().x() + 2.0 * reach_m) / side_m));
   rows_ = static_cast<int>(std::ceil((all.sizes().y() + 2.0 * reach_m) / side_m));

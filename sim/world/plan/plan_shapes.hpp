@@ -37,12 +37,17 @@ double depth_m(const PlanShape& shape, const Eigen::Vector2d& p_world);
 
 /// Bounding rectangle.
 Eigen::AlignedBox2d bounds(const PlanShape& shape);
+Eigen::AlignedBox2d bounds(const std::vector<PlanShape>& shapes);
 
 /// Spatial index: square cells of the plan with the shapes within reach of each.
 class PlanBuckets {
  public:
   /// The cells cover the shapes and a margin of `reach_m`.
-  PlanBuckets(const std::vector<PlanShape>& shapes, double side_m, double reach_m);
+  PlanBuckets(const std::vector<PlanShape>& shapes, double side_m, double reach_m)
+      : PlanBuckets(shapes, side_m, reach_m, bounds(shapes)) {}
+  /// The cells cover a rectangle, which contains the shapes, and a margin.
+  PlanBuckets(const std::vector<PlanShape>& shapes, double side_m, double reach_m,
+              const Eigen::AlignedBox2d& all);
 
   /// Indices of the shapes, ascending; empty outside of all cells.
   [[nodiscard]] std::span<const std::uint32_t> at(const Eigen::Vector2d& p_world) const;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/world/plan/level_plan.hpp"
 #include "sim/world/plan/plan_geometry.hpp"
 
 namespace adit {
@@ -51,6 +52,7 @@ std::optional<std::pair<double, double>> crossing(const Segment& a, const Segmen
 struct TunnelSplit {
   double s_m = 0.0;                  ///< along the tunnel
   Eigen::Vector2d p_node{0.0, 0.0};  ///< p_world [m]
+  bool joins_levels = false;         ///< the end of a tunnel of another level
 };
 
 /// All tunnels of a plan, and where each of them is split.
@@ -65,7 +67,9 @@ class Splitter {
   /// of its width, and its own ends.
   std::vector<std::vector<TunnelSplit>> splits() {
     for (std::size_t a = 0; a < tunnels_.size(); ++a) {
-      for (std::size_t b = a; b < tunnels_.size(); ++b) add_crossings(a, b);
+      for (std::size_t b = a; b < tunnels_.size(); ++b) {
+        if (tunnels_[a].level == tunnels_[b].level) add_crossings(a, b);
+      }
     }
     for (std::size_t a = 0; a < tunnels_.size(); ++a) {
       add_end(a, 0.0, tunnels_[a].points.front());
@@ -97,14 +101,14 @@ class Splitter {
     std::optional<std::size_t> tunnel;
     TunnelSplit foot{s_m, end};
     for (std::size_t b = 0; b < tunnels_.size(); ++b) {
-      if (b == a || !tunnels_[b].contains(end)) continue;
+      if (b == a || tunnels_[b].level != tunnels_[a].level || !tunnels_[b].contains(end)) continue;
       const TunnelLine::Place place = tunnels_[b].place_of(end);
       if (std::abs(place.across_m) >= nearest) continue;
       nearest = std::abs(place.across_m);
       tunnel = b;
       foot = {place.s_m, tunnels_[b].at(place.s_m).p_world};
     }
-    splits_[a].push_back({s_m, foot.p_node});
+    splits_[a].push_back({s_m, foot.p_node, is_level_joint(tunnels_, a, end)});
     if (tunnel) splits_[*tunnel].push_back(foot);
   }
 
@@ -113,11 +117,15 @@ class Splitter {
   std::vector<std::vector<TunnelSplit>> splits_;
 };
 
-int node_at(const Eigen::Vector2d& p_world, std::vector<TunnelNode>& nodes) {
+/// Nodes of different levels are the same only where one continues the other.
+int node_at(const TunnelSplit& split, int level, std::vector<TunnelNode>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if ((nodes[i].p_world - p_world).norm() < kMergeDistance) return static_cast<int>(i);
+    const bool same = nodes[i].level == level
+                          ? (nodes[i].p_world - split.p_node).norm() < kMergeDistance
+                          : split.joins_levels && nodes[i].p_world == split.p_node;
+    if (same) return static_cast<int>(i);
   }
-  nodes.push_back({p_world, false});
+  nodes.push_back({split.p_node, false, level});
   return static_cast<int>(nodes.size() - 1);
 }
 
@@ -157,8 +165,8 @@ void add_edges(const TunnelLine& line, std::vector<TunnelSplit> splits, TunnelGr
   std::stable_sort(splits.begin(), splits.end(),
                    [](const TunnelSplit& a, const TunnelSplit& b) { return a.s_m < b.s_m; });
   for (std::size_t i = 1; i < splits.size(); ++i) {
-    const int from = node_at(splits[i - 1].p_node, graph.nodes);
-    const int to = node_at(splits[i].p_node, graph.nodes);
+    const int from = node_at(splits[i - 1], line.level, graph.nodes);
+    const int to = node_at(splits[i], line.level, graph.nodes);
     const auto& nodes = graph.nodes;
     std::vector<Eigen::Vector2d> points = points_between(
         line, splits[i - 1], splits[i], nodes[static_cast<std::size_t>(from)].p_world,
@@ -166,7 +174,8 @@ void add_edges(const TunnelLine& line, std::vector<TunnelSplit> splits, TunnelGr
     const double length = length_of(points);
     // Remainders between two splits of the same node; a real loop is longer.
     if (from == to && length <= 2.0 * line.width_m) continue;
-    graph.edges.push_back({from, to, std::move(points), length, line.width_m, line.name});
+    graph.edges.push_back(
+        {from, to, std::move(points), length, line.width_m, line.name, line.level});
   }
 }
 
@@ -178,7 +187,7 @@ TunnelGraph tunnel_graph(const std::vector<TunnelLine>& tunnels) {
   for (std::size_t i = 0; i < tunnels.size(); ++i) add_edges(tunnels[i], splits[i], graph);
   for (const TunnelLine& tunnel : tunnels) {
     if (!tunnel.entrance) continue;
-    const int node = node_at(tunnel.points.front(), graph.nodes);
+    const int node = node_at({0.0, tunnel.points.front()}, tunnel.level, graph.nodes);
     graph.nodes[static_cast<std::size_t>(node)].entrance = true;
   }
   return graph;

@@ -23,8 +23,10 @@ constexpr double kSamePoint = 1e-3;
 
 TunnelLine line_of(const TunnelDescription& tunnel) {
   const std::string what = fmt::format("tunnel '{}'", tunnel.name);
-  TunnelLine line{tunnel.name, corner_list(tunnel.points_m, 2, what), tunnel.width_m,
-                  tunnel.entrance};
+  TunnelLine line{tunnel.name,    corner_list(tunnel.points_m, 2, what),
+                  tunnel.width_m, tunnel.entrance,
+                  tunnel.rise_m,  tunnel.rise_grade,
+                  tunnel.level};
   for (std::size_t i = 1; i < line.points.size(); ++i) {
     if ((line.points[i] - line.points[i - 1]).norm() < kSamePoint) {
       throw std::invalid_argument(fmt::format("{} has the same point twice in a row", what));

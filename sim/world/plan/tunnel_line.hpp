@@ -34,7 +34,10 @@ struct TunnelLine {
   std::string name;
   std::vector<Eigen::Vector2d> points;  ///< p_world [m], at least two
   double width_m = 3.0;
-  bool entrance = false;  ///< the first point is open to the outside
+  bool entrance = false;              ///< the first point is open to the outside
+  std::vector<double> rise_m = {};    ///< as in TunnelDescription
+  std::string rise_grade = "smooth";  ///< of rise_m: smooth or sudden
+  int level = 0;                      ///< as in TunnelDescription
 
   [[nodiscard]] double length_m() const;
   /// `s_m` is the distance from the first point, clamped to the ends.

@@ -13,6 +13,7 @@
 
 #include "sim/world/plan/tunnel_line.hpp"
 #include "sim/world/random/random_generator.hpp"
+#include "sim/world/random/random_relief.hpp"
 #include "sim/world/random/topologies.hpp"
 
 namespace adit {
@@ -23,7 +24,9 @@ constexpr double kFromEnds =
     4.0;  // distance of places from the junctions at the ends of a tunnel [m]
 constexpr double kPostsShare = 0.3;  // of the places without damage
 constexpr double kRailsShare = 0.6;  // of the mines
-constexpr double kReach = 5.0;       // of the largest prop from its place [m]
+// The relief has random numbers of its own, so that level mines stay as they are.
+constexpr std::uint64_t kReliefStream = 0x5eed0f7e1ef00000U;
+constexpr double kReach = 5.0;  // of the largest prop from its place [m]
 
 using Topology = PlanDescription (*)(double length_m, RandomGenerator& rng);
 
@@ -204,6 +207,10 @@ WorldDescription random_mine(int seed, const RandomMineParams& params) {
   description.heights = random_heights(params.length_m, rng);
   description.wall_relief = {.height_m = rng.between(0.05, 0.18), .length_m = 1.5};
   description.props = random_props(description.plan, params.damage, rng);
+  if (params.level) return description;
+  description.name = fmt::format("random_uneven_{}", seed);
+  RandomGenerator relief_rng(static_cast<std::uint64_t>(seed) ^ kReliefStream);
+  add_relief(description, relief_rng);
   return description;
 }
 

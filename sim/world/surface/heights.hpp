@@ -3,44 +3,17 @@
 #pragma once
 
 #include <functional>
-#include <string>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "sim/world/relief.hpp"
+#include "sim/world/surface/height_profile.hpp"
+#include "sim/world/surface/tunnel_rises.hpp"
 #include "sim/world/world_description.hpp"
 
 namespace adit {
-
-/// A curve through points, level beyond its ends: smooth and monotonicity-preserving, by cubic
-/// Hermite interpolation with the slopes of Fritsch and Butland ("A method for constructing local
-/// monotone piecewise cubic interpolants", 1984) and slope 0 at its ends, or linear.
-class HeightProfile {
- public:
-  enum class Grade { kSmooth, kSudden };
-  /// The value of a key `grade`.
-  static Grade grade_named(const std::string& name) {
-    return name == "sudden" ? Grade::kSudden : Grade::kSmooth;
-  }
-
-  /// `profile_m` is s, z, s, z, ..; empty gives 0 everywhere. Throws std::invalid_argument for an
-  /// odd list, for s that does not ascend, and for heights beyond 5000 m.
-  explicit HeightProfile(const std::vector<double>& profile_m, Grade grade = Grade::kSmooth);
-
-  [[nodiscard]] double at(double s_m) const;
-
- private:
-  struct Knot {
-    double s_m = 0.0;
-    double z_m = 0.0;
-    double slope = 0.0;
-  };
-  void set_slopes();
-
-  Grade grade_;
-  std::vector<Knot> knots_;
-};
 
 /// Change of the floor or the roof by a prop, within a rectangle of the plan.
 struct HeightChange {
@@ -53,8 +26,10 @@ struct HeightChange {
 /// Heights of floor and roof as functions of the plan, inside and outside of the mine. Frame world.
 class Heights {
  public:
-  /// Throws std::invalid_argument for a profile that does not ascend.
-  Heights(const HeightsDescription& description, int seed);
+  /// `rises` are those of the tunnels of the level; null for none. Throws std::invalid_argument for
+  /// a profile that does not ascend.
+  Heights(const HeightsDescription& description, int seed,
+          std::shared_ptr<const TunnelRises> rises = nullptr);
 
   void change_floor(HeightChange change) { floor_changes_.push_back(std::move(change)); }
   void change_roof(HeightChange change) { roof_changes_.push_back(std::move(change)); }
@@ -70,6 +45,8 @@ class Heights {
   HeightProfile profile_;
   Eigen::Vector2d heading_;
   double clearance_m_;
+  Relief rolls_;
+  std::shared_ptr<const TunnelRises> rises_;
   Relief floor_relief_;
   Relief roof_relief_;
   std::vector<HeightChange> floor_changes_;

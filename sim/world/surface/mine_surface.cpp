@@ -77,9 +77,11 @@ auto at_points(const PlanMesh& plan, const Function& function) {
 class SurfaceBuilder {
  public:
   SurfaceBuilder(const OpenSpace& space, const Heights& heights, int wall_rows, PlanMesh plan,
-                 MeshBuilder& builder)
+                 const OwnedPart& part, SharedVertices& shared, MeshBuilder& builder)
       : wall_rows_(wall_rows),
         plan_(std::move(plan)),
+        part_(part),
+        shared_(shared),
         builder_(builder),
         outside_(at_points(plan_, [&](const auto& p) { return space.on_apron(p); })),
         floor_m_(at_points(plan_, [&](const auto& p) { return heights.floor(p); })),
@@ -87,11 +89,13 @@ class SurfaceBuilder {
         walls_(space, plan_, floor_m_, roof_m_) {}
 
   void add() {
+    choose_owned();
     reserve();
     add_floor();
     add_roof();
     add_columns();
     add_walls();
+    share();
   }
 
   /// Follows each closed wall once.
@@ -110,6 +114,40 @@ class SurfaceBuilder {
   }
 
  private:
+  /// Keeps the triangles of the part, and the walls at their edges.
+  void choose_owned() {
+    wall_is_owned_.assign(plan_.points.size(), false);
+    point_is_owned_.assign(plan_.points.size(), false);
+    std::erase_if(plan_.triangles, [&](const auto& triangle) {
+      const auto& [a, b, c] = triangle;
+      const Eigen::Vector2d middle = (plan_.points[a] + plan_.points[b] + plan_.points[c]) / 3.0;
+      if (!part_.owns(middle)) return true;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t from = triangle[i];
+        point_is_owned_[from] = true;
+        if (plan_.next_on_wall[from] == triangle[(i + 1) % 3]) wall_is_owned_[from] = true;
+      }
+      return false;
+    });
+  }
+
+  /// The vertices of a point that another plan has, too.
+  [[nodiscard]] const std::array<std::uint32_t, 3>* shared_at(std::size_t point) const {
+    const Eigen::Vector2d& p = plan_.points[point];
+    if (shared_.empty() || !part_.is_shared(p)) return nullptr;
+    const auto found = shared_.find({p.x(), p.y()});
+    return found == shared_.end() ? nullptr : &found->second;
+  }
+
+  /// Offers the vertices where plans overlap to the others.
+  void share() {
+    for (std::size_t i = 0; i < plan_.points.size(); ++i) {
+      const Eigen::Vector2d& p = plan_.points[i];
+      if (!point_is_owned_[i] || !part_.is_shared(p)) continue;
+      shared_.insert({{p.x(), p.y()}, {floor_[i], roof_[i], columns_[i]}});
+    }
+  }
+
   void reserve() {
     const std::size_t points = plan_.points.size();
     const auto walls = static_cast<std::size_t>(
@@ -119,11 +157,16 @@ class SurfaceBuilder {
     builder_.reserve(2 * points + walls * rows, 2 * plan_.triangles.size() + 2 * walls * rows);
   }
 
-  /// A vertex over each point of the plan.
-  std::vector<std::uint32_t> add_vertices(const std::vector<double>& z_m) {
+  /// A vertex over each point of the plan; `which` of its shared vertices instead, if there are.
+  std::vector<std::uint32_t> add_vertices(const std::vector<double>& z_m, std::size_t which) {
     std::vector<std::uint32_t> indices;
     for (std::size_t i = 0; i < plan_.points.size(); ++i) {
       const Eigen::Vector2d& p = plan_.points[i];
+      const auto* shared = shared_at(i);
+      if (shared != nullptr || !point_is_owned_[i]) {
+        indices.push_back(shared != nullptr ? (*shared)[which] : PlanMesh::kNone);
+        continue;
+      }
       indices.push_back(builder_.vertex(Eigen::Vector3d(p.x(), p.y(), z_m[i]).cast<float>()));
     }
     return indices;
@@ -131,7 +174,7 @@ class SurfaceBuilder {
 
   void add_floor() {
     builder_.begin_part(PartKind::kFloor, Material::kRock, "floor");
-    floor_ = add_vertices(floor_m_);
+    floor_ = add_vertices(floor_m_, 0);
     for (const auto& [a, b, c] : plan_.triangles) {
       builder_.triangle(floor_[a], floor_[b], floor_[c]);
     }
@@ -139,7 +182,7 @@ class SurfaceBuilder {
 
   void add_roof() {
     builder_.begin_part(PartKind::kRoof, Material::kRock, "roof");
-    roof_ = add_vertices(roof_m_);
+    roof_ = add_vertices(roof_m_, 1);
     for (const auto& [a, b, c] : plan_.triangles) {
       if (outside_[a] && outside_[b] && outside_[c]) continue;
       builder_.triangle(roof_[a], roof_[c], roof_[b]);
@@ -151,7 +194,11 @@ class SurfaceBuilder {
     builder_.begin_part(PartKind::kWall, Material::kRock, "walls");
     columns_.assign(plan_.points.size(), PlanMesh::kNone);
     for (std::uint32_t i = 0; i < columns_.size(); ++i) {
-      if (!plan_.is_on_wall(i)) continue;
+      if (!plan_.is_on_wall(i) || !point_is_owned_[i]) continue;
+      if (const auto* shared = shared_at(i)) {
+        columns_[i] = (*shared)[2];
+        continue;
+      }
       for (int row = 1; row < wall_rows_; ++row) {
         const double share = static_cast<double>(row) / wall_rows_;
         const std::uint32_t index = builder_.vertex(walls_.at(i, share).cast<float>());
@@ -168,7 +215,7 @@ class SurfaceBuilder {
 
   void add_walls() {
     for (std::uint32_t i = 0; i < plan_.points.size(); ++i) {
-      if (!plan_.is_on_wall(i)) continue;
+      if (!plan_.is_on_wall(i) || !wall_is_owned_[i]) continue;
       const std::uint32_t j = plan_.next_on_wall[i];
       if (outside_[i] && outside_[j]) continue;
       for (int row = 0; row < wall_rows_; ++row) {
@@ -189,6 +236,8 @@ class SurfaceBuilder {
 
   int wall_rows_;
   PlanMesh plan_;
+  const OwnedPart& part_;
+  SharedVertices& shared_;
   MeshBuilder& builder_;
 
   // For each point of the plan:
@@ -196,6 +245,8 @@ class SurfaceBuilder {
   std::vector<double> floor_m_;
   std::vector<double> roof_m_;
   WallShape walls_;
+  std::vector<bool> point_is_owned_;  ///< a corner of a triangle of the part
+  std::vector<bool> wall_is_owned_;   ///< the wall from it to the next point
   std::vector<std::uint32_t> floor_;  ///< vertices
   std::vector<std::uint32_t> roof_;
   std::vector<std::uint32_t> columns_;  ///< first vertex above the floor
@@ -205,8 +256,18 @@ class SurfaceBuilder {
 
 std::vector<PlanRing> add_mine_surface(const OpenSpace& space, const Heights& heights,
                                        double grid_m, double clearance_m, MeshBuilder& builder) {
+  const OwnedPart all{[](const Eigen::Vector2d&) { return true; },
+                      [](const Eigen::Vector2d&) { return false; }};
+  SharedVertices none;
+  return add_mine_surface(space, heights, grid_m, clearance_m, all, none, builder);
+}
+
+std::vector<PlanRing> add_mine_surface(const OpenSpace& space, const Heights& heights,
+                                       double grid_m, double clearance_m, const OwnedPart& part,
+                                       SharedVertices& shared, MeshBuilder& builder) {
   const int wall_rows = std::max(1, static_cast<int>(std::lround(clearance_m / grid_m)));
-  SurfaceBuilder surface(space, heights, wall_rows, plan_mesh(space, grid_m), builder);
+  SurfaceBuilder surface(space, heights, wall_rows, plan_mesh(space, grid_m), part, shared,
+                         builder);
   surface.add();
   return surface.outlines();
 }

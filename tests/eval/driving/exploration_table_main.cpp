@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // exploration_table MINES..: explores simulated mines with a kinematic robot by several rules of
-// goal selection, as a table in Markdown. A mine is a world name, or random:SEED.
+// goal selection, as a table in Markdown. A mine is a world name, or
+// random_level:SEED for a level random mine, as all of its walls are those at one height.
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -35,9 +36,9 @@ struct Options {
 };
 
 World world_of(const std::string& mine) {
-  const std::string prefix = "random:";
+  const std::string prefix = "random_level:";
   if (!mine.starts_with(prefix)) return build_world(find_world(mine));
-  return build_world(random_mine(std::stoi(mine.substr(prefix.size()))));
+  return build_world(random_mine(std::stoi(mine.substr(prefix.size())), {.level = true}));
 }
 
 void print_row(const std::string& mine, const std::string& rule, double corridor_m, double budget_m,
@@ -84,7 +85,7 @@ void print_table(const Options& options) {
 int main(int argc, char** argv) try {
   CLI::App app("Explores simulated mines with a kinematic robot, as a table in Markdown");
   adit::Options options;
-  app.add_option("MINES", options.mines, "World names, or random:SEED")->required();
+  app.add_option("MINES", options.mines, "World names, or random_level:SEED")->required();
   app.add_option("--rules", options.rules,
                  "Rules: tour (default of exploration), nearest, right_hand, random");
   app.add_option("--budget", options.budget_factor, "Path length per metre of reachable corridor");

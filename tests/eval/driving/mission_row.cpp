@@ -22,11 +22,11 @@ namespace adit {
 namespace test {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MissionScore, outcome, reason, distance_from_start_m, farthest_m,
-                                   corridor_m, covered_share, missed_m, certainly_missed_m,
-                                   distance_travelled_m, simulated_s, wall_s, scans, rmse_m,
-                                   rmse_estimated_m, length_ratio, verdicts, false_verdicts,
-                                   unconfirmed, route_home_verdicts, complete, rescans, back_offs,
-                                   guard_stops)
+                                   relief_m, corridor_m, covered_share, missed_m,
+                                   certainly_missed_m, distance_travelled_m, simulated_s, wall_s,
+                                   scans, rmse_m, rmse_xyz_m, rmse_estimated_m, rmse_estimated_z_m,
+                                   length_ratio, verdicts, false_verdicts, unconfirmed,
+                                   route_home_verdicts, complete, rescans, back_offs, guard_stops)
 
 }  // namespace test
 

@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // mission_table MINES..: complete missions in simulated mines with all stages in one process, as a
-// table in Markdown. A mine is a world name, or random:COUNT for COUNT random mines.
+// table in Markdown. A mine is a world name, random:COUNT for COUNT random mines, or
+// random_level:COUNT for as many level ones.
 #include <array>
 #include <chrono>
 #include <cstddef>
 #include <exception>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "sim/live/world_choice.hpp"
 #include "tests/eval/driving/mission_row.hpp"
@@ -17,13 +21,13 @@ namespace adit {
 namespace {
 
 /// Random mine by number: 40 to 100 m of tunnel, all topologies, undamaged to fully damaged.
-WorldChoice mission_mine(int number) {
+WorldChoice mission_mine(const std::string& name, int number) {
   constexpr std::array kTopologies{"parallel_entries", "room_and_pillar", "branching", "ring"};
   constexpr std::array kDamages{0.0, 0.25, 0.5, 0.75, 1.0};
   constexpr std::array kLengthsM{40.0, 60.0, 80.0, 100.0, 50.0, 70.0, 90.0};
   const auto n = static_cast<std::size_t>(number);
   WorldChoice choice;
-  choice.name = "random";
+  choice.name = name;
   choice.seed = number;
   choice.topology = kTopologies[n % kTopologies.size()];
   choice.damage = kDamages[n % kDamages.size()];
@@ -39,16 +43,16 @@ struct Options {
 };
 
 std::vector<MissionRow> rows_of(const Options& options) {
-  const std::string prefix = "random:";
   std::vector<MissionRow> rows;
   for (const std::string& mine : options.mines) {
-    if (!mine.starts_with(prefix)) {
+    const std::string name = mine.substr(0, mine.find(':'));
+    if ((name != "random" && name != "random_level") || name == mine) {
       rows.push_back({mine, {mine, {}, {}, {}, {}}, {}});
       continue;
     }
-    const int count = std::stoi(mine.substr(prefix.size()));
+    const int count = std::stoi(mine.substr(name.size() + 1));
     for (int number = options.first; number < options.first + count; ++number) {
-      rows.push_back({prefix + std::to_string(number), mission_mine(number), {}});
+      rows.push_back({fmt::format("{}:{}", name, number), mission_mine(name, number), {}});
     }
   }
   return rows;
@@ -69,7 +73,8 @@ void run(const Options& options) {
 int main(int argc, char** argv) try {
   CLI::App app("Runs complete missions in simulated mines, as a table in Markdown");
   adit::Options options;
-  app.add_option("MINES", options.mines, "World names, or random:COUNT")->required();
+  app.add_option("MINES", options.mines, "World names, random:COUNT, or random_level:COUNT")
+      ->required();
   app.add_option("--first", options.first, "Number of the first random mine")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--jobs", options.jobs, "Number of missions at the same time")

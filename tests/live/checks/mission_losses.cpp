@@ -57,7 +57,8 @@ class PublishedDataReader {
     } else if (event.channel == channels::kPoseGraph) {
       graph_nodes_ = value_of<pose_graph_t>(event).n_nodes;
     } else if (event.channel == channels::kTruth) {
-      p_world_body_ = value_of<pose_t>(event).T_odom_body.translation();  // in world: TRUTH
+      const auto pose = value_of<pose_t>(event);  // in world: TRUTH
+      p_world_body_ = {pose.T_odom_body.x, pose.T_odom_body.y, pose.z_m};
       if (!p_world_start_) p_world_start_ = p_world_body_;
     }
   }
@@ -75,8 +76,8 @@ class PublishedDataReader {
   int graph_nodes_ = 0;
   std::int64_t begin_utime_ = 0;  // of the first log
   std::int64_t end_utime_ = 0;    // of the current log
-  std::optional<Eigen::Vector2d> p_world_start_;
-  Eigen::Vector2d p_world_body_{0.0, 0.0};
+  std::optional<Eigen::Vector3d> p_world_start_;
+  Eigen::Vector3d p_world_body_{0.0, 0.0, 0.0};
 };
 
 std::set<std::int32_t> scans_in(const std::filesystem::path& volume_journal) {

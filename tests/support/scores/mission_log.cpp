@@ -74,12 +74,13 @@ class Reader {
   }
 
   void add_truth(const StampedPose& pose) {
-    if (is_due(log_.truth, pose.utime)) log_.truth.push_back({pose.utime, pose.T_odom_body});
+    if (is_due(log_.truth, pose.utime))
+      log_.truth.push_back({pose.utime, pose.T_odom_body, pose.z_m});
   }
   void add_pose(const StampedPose& pose) {
     if (!is_due(odom_, pose.utime)) return;
-    odom_.push_back({pose.utime, pose.T_odom_body});
-    log_.estimated.push_back({pose.utime, T_map_odom_ * pose.T_odom_body});
+    odom_.push_back({pose.utime, pose.T_odom_body, pose.z_m});
+    log_.estimated.push_back({pose.utime, T_map_odom_ * pose.T_odom_body, pose.z_m});
   }
   void add(const PoseGraphFragment& fragment) {
     if (auto graph = graphs_.add(fragment)) graph_ = std::move(*graph);
@@ -109,7 +110,7 @@ class Reader {
     }
     if (!newest) return;
     const Pose2& T_map_local = graph_.poses[static_cast<std::size_t>(newest->id)];
-    log_.mapped.push_back({at.utime, T_map_local * between(newest->T_odom_local, at.pose)});
+    log_.mapped.push_back({at.utime, T_map_local * between(newest->T_odom_local, at.pose), at.z_m});
   }
 
   MissionLog log_;

@@ -13,6 +13,7 @@ namespace adit::test {
 namespace {
 
 constexpr double kCoverageStepM = 0.5;  // true distance between viewpoints
+constexpr double kSlopeMargin = 0.05;   // of the slope that an inflated vehicle surely climbs [rad]
 
 /// The sensors cannot measure the depth of water, so that planning rejects all water.
 Vehicle non_wading_vehicle() {
@@ -62,17 +63,25 @@ void add_phases(const MissionLog& log, MissionScore& score) {
 void add_trajectory(const MissionLog& log, MissionScore& score) {
   score.distance_travelled_m = log.distance_travelled_m;
   if (log.truth.empty()) return;
-  const Eigen::Vector2d start = log.truth.front().pose.translation();
+  const Eigen::Vector3d start = log.truth.front().position();
+  double low_m = start.z();
+  double high_m = start.z();
   for (const TimedPose& at : log.truth) {
-    score.distance_from_start_m = (at.pose.translation() - start).norm();
+    score.distance_from_start_m = (at.position() - start).norm();
     score.farthest_m = std::max(score.farthest_m, score.distance_from_start_m);
+    low_m = std::min(low_m, at.z_m);
+    high_m = std::max(high_m, at.z_m);
   }
+  score.relief_m = high_m - low_m;
   score.simulated_s = 1e-6 * static_cast<double>(log.truth.back().utime - log.truth.front().utime);
   if (log.estimated.empty()) return;
-  score.rmse_estimated_m = score_trajectory(log.estimated, log.truth).anchored.rmse_m;
+  const TrajectoryScore estimated = score_trajectory(log.estimated, log.truth);
+  score.rmse_estimated_m = estimated.anchored.rmse_m;
+  score.rmse_estimated_z_m = estimated.anchored.z.rmse_m;
   if (log.mapped.empty()) return;
   const TrajectoryScore mapped = score_trajectory(log.mapped, log.truth);
   score.rmse_m = mapped.anchored.rmse_m;
+  score.rmse_xyz_m = {mapped.anchored.x.rmse_m, mapped.anchored.y.rmse_m, mapped.anchored.z.rmse_m};
   score.length_ratio = mapped.length_ratio;
 }
 
@@ -102,11 +111,37 @@ double missed_m(const PlanarMine& mine, const std::vector<bool>& covered) {
   return missed;
 }
 
+/// The poses on the floor of a level; where levels meet, those of both.
+Trajectory poses_on_level(const Trajectory& poses, const WorldTruth& truth, int level) {
+  constexpr double kOnFloorM = 1.0;  // less than half of the distance between levels
+  if (truth.levels.size() == 1) return poses;
+  Trajectory on_level;
+  for (const TimedPose& at : poses) {
+    const auto floor_m = truth.floor_at(at.pose.translation(), level);
+    if (floor_m && std::abs(*floor_m - at.z_m) < kOnFloorM) on_level.push_back(at);
+  }
+  return on_level;
+}
+
+/// Index of the level of the true pose nearest to a point of the plan.
+std::size_t level_near(const Eigen::Vector2d& p_world, const Trajectory& poses,
+                       const WorldTruth& truth) {
+  const auto nearest =
+      std::min_element(poses.begin(), poses.end(), [&](const TimedPose& a, const TimedPose& b) {
+        return (a.pose.translation() - p_world).norm() < (b.pose.translation() - p_world).norm();
+      });
+  if (nearest == poses.end()) return 0;
+  const int level = truth.level_at(nearest->position());
+  const auto found = std::find(truth.levels.begin(), truth.levels.end(), level);
+  return static_cast<std::size_t>(found - truth.levels.begin());
+}
+
 }  // namespace
 
 MissionTruth::MissionTruth(const World& world)
-    : mine_(planar_mine(world, non_wading_vehicle())),
-      mine_with_margin_(planar_mine(world, vehicle_with_margin())) {}
+    : truth_(world.truth),
+      mines_(planar_mines(world, non_wading_vehicle(), kSlopeMaxRad)),
+      mines_with_margin_(planar_mines(world, vehicle_with_margin(), kSlopeMaxRad - kSlopeMargin)) {}
 
 MissionScore MissionTruth::score(const MissionLog& log) const {
   MissionScore score;
@@ -120,12 +155,21 @@ MissionScore MissionTruth::score(const MissionLog& log) const {
 }
 
 void MissionTruth::add_coverage(const MissionLog& log, MissionScore& score) const {
-  score.corridor_m = mine_.corridor_m();
-  const std::vector<bool> covered = covered_by(mine_, log.truth);
-  const auto n = static_cast<double>(std::count(covered.begin(), covered.end(), true));
-  if (!covered.empty()) score.covered_share = n / static_cast<double>(covered.size());
-  score.missed_m = missed_m(mine_, covered);
-  score.certainly_missed_m = missed_m(mine_with_margin_, covered_by(mine_with_margin_, log.truth));
+  std::size_t covered_points = 0;
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < mines_.size(); ++i) {
+    const Trajectory on_level = poses_on_level(log.truth, truth_, truth_.levels[i]);
+    const std::vector<bool> covered = covered_by(mines_[i], on_level);
+    covered_points += static_cast<std::size_t>(std::count(covered.begin(), covered.end(), true));
+    points += covered.size();
+    score.corridor_m += mines_[i].corridor_m();
+    score.missed_m += missed_m(mines_[i], covered);
+    score.certainly_missed_m +=
+        missed_m(mines_with_margin_[i], covered_by(mines_with_margin_[i], on_level));
+  }
+  if (points > 0) {
+    score.covered_share = static_cast<double>(covered_points) / static_cast<double>(points);
+  }
 }
 
 /// Frontier positions are those of the last map, aligned with the ground truth.
@@ -145,7 +189,8 @@ void MissionTruth::add_verdicts(const MissionLog& log, MissionScore& score) cons
     ++score.verdicts;
     const Frontier& frontier = log.report->frontiers[static_cast<std::size_t>(verdict.frontier)];
     const Eigen::Vector2d beyond = frontier.p_map + kBeyondFrontierM * frontier.direction_map;
-    score.false_verdicts += mine_with_margin_.reachable(T_world_map * beyond) ? 1 : 0;
+    const std::size_t level = level_near(T_world_map * frontier.p_map, log.truth, truth_);
+    score.false_verdicts += mines_with_margin_[level].reachable(T_world_map * beyond) ? 1 : 0;
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "sim/world/world.hpp"
@@ -14,8 +15,9 @@ namespace adit::test {
 struct MissionScore {
   std::string outcome;                 ///< home, stopped, stranded, timed out, failed or crashed
   std::string reason;                  ///< of the outcome, a sentence
-  double distance_from_start_m = 0.0;  ///< true, at the end
+  double distance_from_start_m = 0.0;  ///< true, in three dimensions, at the end
   double farthest_m = 0.0;             ///< true, largest straight distance from the start
+  double relief_m = 0.0;               ///< true, from the lowest to the highest pose
   double corridor_m = 0.0;             ///< length of corridor reachable without wading
   double covered_share = 0.0;          ///< of it, observed from within 8 m
   double missed_m = 0.0;               ///< of it, farther than 2 m from all observed corridor
@@ -24,15 +26,17 @@ struct MissionScore {
   double simulated_s = 0.0;
   double wall_s = 0.0;
   int scans = 0;
-  double rmse_m = 0.0;            ///< of T_map_body by the last graph, aligned at the start
-  double rmse_estimated_m = 0.0;  ///< of T_map_body as estimated at the time
-  double length_ratio = 0.0;      ///< path length by the last graph over the true one
-  int verdicts = 0;               ///< blocked verdicts on frontiers
-  int false_verdicts = 0;         ///< of these, where an inflated vehicle fits beyond the frontier
-  int unconfirmed = 0;            ///< frontiers abandoned without an observed obstacle
-  int route_home_verdicts = 0;    ///< blocked verdicts on the route home or without a frontier
-  bool complete = false;          ///< exploration reported as complete
-  int rescans = 0;                ///< repeated scans from the same viewpoint
+  double rmse_m = 0.0;  ///< in plan, of T_map_body by the last graph, aligned at the start
+  std::array<double, 3> rmse_xyz_m{};  ///< the same along the axes of the world
+  double rmse_estimated_m = 0.0;       ///< in plan, of T_map_body as estimated at the time
+  double rmse_estimated_z_m = 0.0;     ///< the same in height
+  double length_ratio = 0.0;           ///< path length by the last graph over the true one
+  int verdicts = 0;                    ///< blocked verdicts on frontiers
+  int false_verdicts = 0;       ///< of these, where an inflated vehicle fits beyond the frontier
+  int unconfirmed = 0;          ///< frontiers abandoned without an observed obstacle
+  int route_home_verdicts = 0;  ///< blocked verdicts on the route home or without a frontier
+  bool complete = false;        ///< exploration reported as complete
+  int rescans = 0;              ///< repeated scans from the same viewpoint
   int back_offs = 0;
   int guard_stops = 0;
 
@@ -56,8 +60,9 @@ class MissionTruth {
   void add_coverage(const MissionLog& log, MissionScore& score) const;
   void add_verdicts(const MissionLog& log, MissionScore& score) const;
 
-  PlanarMine mine_;
-  PlanarMine mine_with_margin_;  ///< the same for the inflated vehicle
+  WorldTruth truth_;
+  std::vector<PlanarMine> mines_;              ///< one for each level
+  std::vector<PlanarMine> mines_with_margin_;  ///< the same for the inflated vehicle
 };
 
 }  // namespace adit::test

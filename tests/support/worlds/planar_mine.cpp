@@ -25,9 +25,9 @@ double width_at(const TunnelGraph& tunnels, int node) {
 }
 
 /// Whether a wall of the plan closes an entrance of the mine. There is no real wall.
-bool is_mouth(const Segment& wall, const TunnelGraph& tunnels) {
+bool is_mouth(const Segment& wall, const TunnelGraph& tunnels, int level) {
   for (std::size_t i = 0; i < tunnels.nodes.size(); ++i) {
-    if (!tunnels.nodes[i].entrance) continue;
+    if (!tunnels.nodes[i].entrance || tunnels.nodes[i].level != level) continue;
     const double off = ((wall.a + wall.b) / 2.0 - tunnels.nodes[i].p_world).norm();
     if (off < 0.4 * width_at(tunnels, static_cast<int>(i))) return true;
   }
@@ -40,13 +40,17 @@ void add_ring(const std::vector<Eigen::Vector2d>& points, std::vector<Segment>& 
   }
 }
 
-std::vector<Segment> walls_of(const WorldTruth& truth) {
+std::vector<Segment> walls_of(const WorldTruth& truth, int number) {
   std::vector<Segment> walls;
-  for (const PlanRing& ring : truth.plan) add_ring(ring.points, walls);
-  std::erase_if(walls, [&](const Segment& wall) { return is_mouth(wall, truth.tunnels); });
+  for (const PlanRing& ring : truth.plan) {
+    if (ring.level == number) add_ring(ring.points, walls);
+  }
+  std::erase_if(walls, [&](const Segment& wall) { return is_mouth(wall, truth.tunnels, number); });
   for (const Obstacle& obstacle : truth.obstacles) {
     if (obstacle.kind == PartKind::kWater || obstacle.outline.size() < 3) continue;
-    const double level = truth.floor_at(obstacle.outline.front()).value_or(0.0) + kLaserHeightM;
+    if (obstacle.level != number) continue;
+    const double level =
+        truth.floor_at(obstacle.outline.front(), number).value_or(0.0) + kLaserHeightM;
     if (obstacle.z_low_m < level && obstacle.z_high_m > level) add_ring(obstacle.outline, walls);
   }
   return walls;
@@ -55,8 +59,10 @@ std::vector<Segment> walls_of(const WorldTruth& truth) {
 /// The reachable cells, for queries by distance.
 class Reach {
  public:
-  explicit Reach(const std::vector<Eigen::Vector2d>& cells) {
-    for (const Eigen::Vector2d& p : cells) cells_.insert(cell(p));
+  Reach(const ReachableArea& area, int level) {
+    for (std::size_t i = 0; i < area.cells.size(); ++i) {
+      if (area.levels[i] == level) cells_.insert(cell(area.cells[i]));
+    }
   }
 
   [[nodiscard]] bool near(const Eigen::Vector2d& p, double within_m) const {
@@ -80,9 +86,11 @@ class Reach {
   std::set<std::pair<int, int>> cells_;
 };
 
-std::vector<Eigen::Vector2d> corridor_of(const TunnelGraph& tunnels, const Reach& reach) {
+std::vector<Eigen::Vector2d> corridor_of(const TunnelGraph& tunnels, const Reach& reach,
+                                         int level) {
   std::vector<Eigen::Vector2d> places;
   for (const TunnelEdge& edge : tunnels.edges) {
+    if (edge.level != level) continue;
     double next = PlanarMine::kSpacingM / 2.0;
     double path_length = 0.0;
     for (std::size_t i = 1; i < edge.points.size(); ++i) {
@@ -99,12 +107,21 @@ std::vector<Eigen::Vector2d> corridor_of(const TunnelGraph& tunnels, const Reach
 
 }  // namespace
 
-PlanarMine planar_mine(const World& world, const Vehicle& vehicle) {
-  const ReachableArea area = reachable_area(world, vehicle);
-  const auto reach = std::make_shared<const Reach>(area.cells);
-  return {WallWorld(walls_of(world.truth)), world.T_world_start,
-          [reach](const Eigen::Vector2d& p) { return reach->near(p, kSnapM); },
-          corridor_of(world.truth.tunnels, *reach)};
+std::vector<PlanarMine> planar_mines(const World& world, const Vehicle& vehicle,
+                                     double slope_max_rad) {
+  const ReachableArea area = reachable_area(world, vehicle, slope_max_rad);
+  std::vector<PlanarMine> mines;
+  for (const int level : world.truth.levels) {
+    const auto reach = std::make_shared<const Reach>(area, level);
+    mines.push_back({WallWorld(walls_of(world.truth, level)), world.T_world_start,
+                     [reach](const Eigen::Vector2d& p) { return reach->near(p, kSnapM); },
+                     corridor_of(world.truth.tunnels, *reach, level)});
+  }
+  return mines;
+}
+
+PlanarMine planar_mine(const World& world, const Vehicle& vehicle, double slope_max_rad) {
+  return planar_mines(world, vehicle, slope_max_rad).front();
 }
 
 PlanarMine planar_mine(std::vector<Segment> walls, const Pose2& T_world_start,

@@ -8,6 +8,7 @@
 #include "common/geometry/pose2.hpp"
 #include "common/types/vehicle.hpp"
 #include "sim/world/world.hpp"
+#include "tests/support/reachable_area.hpp"
 #include "tests/support/worlds/wall_world.hpp"
 
 namespace adit::test {
@@ -27,7 +28,13 @@ struct PlanarMine {
 };
 
 /// The plan of a world, open at its entrances, with all obstacles at the height of the lasers.
-PlanarMine planar_mine(const World& world, const Vehicle& vehicle = {});
+/// Of several levels, the first. Reachable is what a vehicle reaches on ground that is not steeper
+/// than `slope_max_rad`.
+PlanarMine planar_mine(const World& world, const Vehicle& vehicle = {},
+                       double slope_max_rad = kSlopeMaxRad);
+/// One for each of WorldTruth::levels.
+std::vector<PlanarMine> planar_mines(const World& world, const Vehicle& vehicle,
+                                     double slope_max_rad);
 
 /// A mine of the given walls and corridor points, for a round vehicle.
 PlanarMine planar_mine(std::vector<Segment> walls, const Pose2& T_world_start,

@@ -38,7 +38,9 @@ simulation.
 Output: JSON on standard output.
 
 trajectory  over the time span of the true poses
-  aligned         absolute trajectory error after least-squares alignment (Sturm et al., IROS 2012)
+  aligned         absolute trajectory error after least-squares alignment (Sturm et al., IROS 2012):
+                  distances in plan, and the errors along x, y and z of the world; those of z are null for a
+                  trajectory without heights
   anchored        the same with the first poses aligned instead
   relative        mean relative pose error over path lengths of 1, 10 and 100 m (Geiger et al., CVPR
                   2012); omitted where the path is shorter

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <filesystem>
+#include <iostream>
 #include <memory>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
@@ -45,7 +47,12 @@ void write_files(const SimOptions& options) {
     write_text_file(to_world_file(description), options.description);
   if (options.view.empty() && options.truth.empty()) return;
   const Site site(build_world(description));
-  if (!options.truth.empty()) write_truth_files(site.world(), options.truth);
+  if (!options.truth.empty()) {
+    write_truth_files(site.world(), options.truth);
+    for (const std::string& sentence : missing_truth(site.world())) {
+      std::cerr << "adit sim: " << sentence << "\n";
+    }
+  }
   if (!options.view.empty()) write_view(site, options.view, options.view_options);
 }
 

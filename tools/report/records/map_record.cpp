@@ -29,7 +29,7 @@ void append_thinned(const StampedPose& pose, Trajectory& poses) {
                          pose.utime - previous.utime >= kStepUs;
     if (!is_step) poses.pop_back();
   }
-  poses.push_back({pose.utime, pose.T_odom_body});
+  poses.push_back({pose.utime, pose.T_odom_body, pose.z_m});
 }
 
 }  // namespace

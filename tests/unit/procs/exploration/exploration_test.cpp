@@ -99,7 +99,7 @@ TEST(Exploration, ExploresEveryMineCompletelyAndReturnsHome) {
 
 TEST(Exploration, ReturnsHomeWithinTheBudget) {
   for (int seed = 1; seed <= 6; ++seed) {
-    const auto mine = test::planar_mine(build_world(random_mine(seed)));
+    const auto mine = test::planar_mine(build_world(random_mine(seed, {.level = true})));
     for (const double budget_m : {60.0, 120.0, 200.0}) {
       Exploration exploration{ExplorationParams{}};
       const auto run = test::run_exploration(mine, exploration, budget_m);

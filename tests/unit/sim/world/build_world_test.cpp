@@ -42,7 +42,8 @@ TEST(BuildWorld, RejectsAnEmptyPlan) {
 TEST(BuildWorld, RejectsAStartInRockOrFarAway) {
   WorldDescription description = tunnel();
   description.T_world_start = {5.0, 2.0, 0.0};
-  EXPECT_THAT(error_of(description), HasSubstr("in rock"));
+  EXPECT_THAT(error_of(description),
+              HasSubstr("x 5, y 2 is in rock; the nearest tunnel, 'main', is at x 5.0, y 0.0"));
   description.T_world_start = {5e6, 2e9, 0.0};
   EXPECT_THAT(error_of(description), HasSubstr("in rock"));
 }

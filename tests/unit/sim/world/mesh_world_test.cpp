@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Worlds of mesh files.
+#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 
@@ -86,6 +87,59 @@ TEST_F(MeshWorld, AFlatFloorAndRoofAreAddedOnRequest) {
   const World world = build_world(description);
   EXPECT_NEAR(world.truth.floor_height({3.0, 1.0}).value(), 0.2, 1e-6);
   EXPECT_EQ(world.mesh.parts.back().kind, PartKind::kRoof);
+}
+
+TEST_F(MeshWorld, TheTopOfAnAddedRoofIsNotFloor) {
+  TriangleMesh walls = box_tunnel().mesh;
+  walls.triangles.erase(walls.triangles.begin(), walls.triangles.begin() + 4);
+  WorldDescription description = description_of(walls);
+  description.mesh.flat_roof = true;
+  EXPECT_THAT(error_of(description), HasSubstr("no floor at the start, x 0, y 0"));
+}
+
+/// The walls of two tunnels of 4 m width that leave the corner of a square, (0, 0), along x and y.
+TriangleMesh corner_walls() {
+  MeshBuilder builder;
+  builder.begin_part(PartKind::kOther, Material::kRock, "walls");
+  const auto wall = [&](double x0, double y0, double x1, double y1) {
+    builder.box(
+        level_box({(x0 + x1) / 2.0, (y0 + y1) / 2.0, 1.0}, {x1 - x0 + 0.1, y1 - y0 + 0.1, 2.0}));
+  };
+  wall(-2.0, -2.0, 30.0, -2.0);
+  wall(-2.0, -2.0, -2.0, 30.0);
+  wall(2.0, 2.0, 30.0, 2.0);
+  wall(2.0, 2.0, 2.0, 30.0);
+  wall(30.0, -2.0, 30.0, 2.0);
+  wall(-2.0, 30.0, 2.0, 30.0);
+  return builder.take();
+}
+
+TEST_F(MeshWorld, AStartBesideTheMineIsRejectedWhereFloorAndRoofWereAdded) {
+  WorldDescription description = description_of(corner_walls());
+  description.mesh.flat_floor = true;
+  description.mesh.flat_roof = true;
+  EXPECT_EQ(error_of(description), "");
+  description.T_world_start = {20.0, 0.0, 0.0};
+  EXPECT_EQ(error_of(description), "");
+  description.T_world_start = {25.0, 25.0, 0.0};  // within the rectangle of the mesh, in rock
+  EXPECT_THAT(error_of(description),
+              HasSubstr("no walls around the floor at the start, x 25, y 25"));
+  description.T_world_start = {60.0, 25.0, 0.0};
+  EXPECT_THAT(error_of(description), HasSubstr("no floor at the start, x 60, y 25"));
+}
+
+TEST_F(MeshWorld, ARejectedStartSaysWhereFloorIs) {
+  WorldDescription description = description_of(box_tunnel().mesh);
+  description.T_world_start = {50.0, 0.0, 0.0};
+  const std::string error = error_of(description);
+  EXPECT_THAT(error, HasSubstr("the nearest one is at x "));
+  double x = 0.0;
+  double y = 0.0;
+  ASSERT_EQ(
+      std::sscanf(error.substr(error.find("one is at")).c_str(), "one is at x %lf, y %lf", &x, &y),
+      2);
+  description.T_world_start = {x, y, 0.0};
+  EXPECT_EQ(error_of(description), "");
 }
 
 TEST_F(MeshWorld, AnOpenMeshIsAWorldWithoutOutline) {

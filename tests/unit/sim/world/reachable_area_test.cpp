@@ -87,6 +87,53 @@ TEST(ReachableArea, CountsTheLengthOfTunnelsAndTheGroundOutside) {
   EXPECT_NEAR(reached_m(area), expected, 1.5 + 3 * 0.3);
 }
 
+WorldDescription graded(double grade_percent, double step_m) {
+  WorldDescription description;
+  description.heights.floor_relief.height_m = 0.0;
+  TunnelDescription main{"main", {0.0, 0.0, 40.0, 0.0}, 3.0, true};
+  main.rise_m = {15.0, 0.0, 25.0, 0.1 * grade_percent, 35.0, 0.1 * grade_percent};
+  if (step_m != 0.0) main.rise_m = {15.0, 0.0, 15.05, step_m};
+  main.rise_grade = "sudden";
+  description.plan.tunnels = {main};
+  description.T_world_start = {3.0, 0.0, 0.0};
+  return description;
+}
+
+TEST(ReachableArea, EndsAtAGradeThatIsTooSteep) {
+  const auto reach = [](double grade_percent) {
+    return farthest_x(reachable_area(build_world(graded(grade_percent, 0.0)), {}));
+  };
+  EXPECT_GT(reach(30.0), 38.0);
+  EXPECT_GT(reach(-35.0), 38.0);  // 0.35 rad are 36.5 %
+  // The front axle, 0.75 m ahead, is on the grade up to the share of the limit.
+  const double on_grade = 1.5 * std::tan(kSlopeMaxRad) / 0.45;
+  EXPECT_NEAR(reach(45.0), 15.0 - 0.75 + on_grade, kCellAndSquare);
+  EXPECT_LT(reach(-60.0), 15.8);
+}
+
+TEST(ReachableArea, EndsAtAStepThatTheVehicleDoesNotClimb) {
+  const auto reach = [](double step_m) {
+    return farthest_x(reachable_area(build_world(graded(0.0, step_m)), {}));
+  };
+  EXPECT_GT(reach(0.15), 38.0);
+  EXPECT_GT(reach(-0.15), 38.0);
+  EXPECT_LT(reach(0.3), 15.0);
+  EXPECT_LT(reach(-0.3), 15.0);
+}
+
+TEST(ReachableArea, EndsAtACrossSlopeThatIsTooSteep) {
+  WorldDescription description = graded(0.0, 0.0);
+  // To the right of the centre line the ground is level.
+  const auto with = [&](double grade) {
+    description.heights.profile_m = {0.0, 0.0, 40.0, 40.0 * grade};
+    description.heights.heading_rad = 1.5707963;
+    description.heights.grade = "sudden";
+    return reachable_area(build_world(description), {}).cells.size();
+  };
+  EXPECT_GT(with(0.3), 100U);
+  EXPECT_EQ(with(1.0), 0U);
+}
+
 TEST(IsPassable, BelowTheBellyAboveTheTopAndShallow) {
   const Vehicle vehicle;  // 1.0 m high, belly at 0.3 m, 0.25 m of water
   Obstacle obstacle = block(0.0, 1.0, 0.0, 1.0);

@@ -42,6 +42,8 @@ TEST(WorldFile, WrittenLoadsAgainUnchanged) {
   const test::ScratchFolder folder;
   std::vector<std::string> names = built_in_worlds();
   names.emplace_back("random");
+  names.emplace_back("random_level");
+  names.emplace_back("two_levels");
   for (const std::string& name : names) {
     const std::string text = to_world_file(find_world(name));
     const std::string path = write(folder / "again.yaml", text);

@@ -132,5 +132,35 @@ TEST(DownsampledTrajectory, KeepsTheFirstPoseAndOnePerStep) {
   EXPECT_TRUE(downsampled(Trajectory{}, 0.5).empty());
 }
 
+/// Up a grade of 10 % along x.
+Trajectory climbing(double length_m) {
+  Trajectory trajectory = straight(length_m);
+  for (TimedPose& at : trajectory) at.z_m = 0.1 * at.pose.x;
+  return trajectory;
+}
+
+TEST(TrajectoryScore, MeasuresTheErrorAlongEachAxis) {
+  const Trajectory truth = climbing(20.0);
+  Trajectory found = moved({5.0, 0.0, 0.0}, truth);
+  for (TimedPose& at : found) {
+    at.z_m = 3.0 + 0.5 * at.z_m;                // from another height; 5 % of the distance too low
+    at.pose.y += at.pose.x > 15.0 ? 0.2 : 0.0;  // for the second half
+  }
+  const TrajectoryScore score = score_trajectory(found, truth);
+  EXPECT_TRUE(score.heights);
+  EXPECT_NEAR(score.anchored.x.rmse_m, 0.0, 1e-9);
+  EXPECT_NEAR(score.anchored.y.rmse_m, 0.2 * std::sqrt(0.5), 1e-3);  // 201 poses
+  EXPECT_NEAR(score.anchored.y.max_m, 0.2, 1e-9);
+  EXPECT_NEAR(score.anchored.rmse_m, score.anchored.y.rmse_m, 1e-9);
+  // The error is 0 to 1 m, evenly.
+  EXPECT_NEAR(score.anchored.z.rmse_m, std::sqrt(1.0 / 3.0), 3e-3);  // 201 poses
+  EXPECT_NEAR(score.anchored.z.max_m, 1.0, 1e-9);
+  EXPECT_NEAR(score.aligned.z.rmse_m, std::sqrt(1.0 / 12.0), 3e-3);
+}
+
+TEST(TrajectoryScore, SaysWhetherThereAreHeights) {
+  EXPECT_FALSE(score_trajectory(straight(5.0), climbing(5.0)).heights);
+}
+
 }  // namespace
 }  // namespace adit

@@ -22,7 +22,9 @@ TEST(Trajectory, InterpolatesByTheShortestRotation) {
 
 TEST(Trajectory, ReturnsItsOwnPoses) {
   const Trajectory trajectory{{10'000, {1, 2, 3}}, {20'000, {4, 5, 1}}, {30'000, {7, 8, 2}}};
-  for (const auto& [utime, pose] : trajectory) EXPECT_EQ(interpolate(trajectory, utime), pose);
+  for (const auto& [utime, pose, z_m] : trajectory) {
+    EXPECT_EQ(interpolate(trajectory, utime), pose);
+  }
 }
 
 TEST(Trajectory, HasNoPosesBeyondItsEnds) {

@@ -46,6 +46,17 @@ TEST(Tum, ReadsWrittenTrajectories) {
   }
 }
 
+TEST(Tum, KeepsHeights) {
+  const Trajectory written{{1134864629895182, {1.25, -2.5, 3.1}, 0.0},
+                           {1134864629995182, {99, 4, -3.1}, -7.25}};
+  std::ostringstream out;
+  write_tum(out, written);
+  const Trajectory read = parse(out.str());
+  EXPECT_EQ(read.at(0).z_m, 0.0);
+  EXPECT_EQ(read.at(1).z_m, -7.25);
+  EXPECT_NEAR(interpolate_in_space(read, 1134864629945182)->z_m, -3.625, 1e-9);
+}
+
 TEST(Tum, ReadsTheYawOfATiltedPose) {
   // A roll of 90° before a yaw of 60°: q = (0, 0, sin 30°, cos 30°) ⊗ (sin 45°, 0, 0, cos 45°).
   const Trajectory read = parse("1 0 0 0 0.612372436 0.353553391 0.353553391 0.612372436");

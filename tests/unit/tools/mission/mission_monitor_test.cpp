@@ -47,7 +47,7 @@ class MissionMonitorTest : public testing::Test {
 
   MemoryBus bus_;
   test::ScratchFolder scratch_;
-  MissionMonitor monitor_{bus_, scratch_.path() / "phases.tsv", {3.0, 0.0}};
+  MissionMonitor monitor_{bus_, scratch_.path() / "phases.tsv", {{3.0, 0.0}, std::nullopt}};
 };
 
 TEST_F(MissionMonitorTest, ReportsATimedOutStageOnce) {
@@ -81,14 +81,16 @@ TEST_F(MissionMonitorTest, HasEndedTwoSecondsAfterTheEndedPhase) {
 }
 
 TEST_F(MissionMonitorTest, MeasuresDistancesFromTheFirstStart) {
-  const auto publish_truth = [&](double x_m) {
-    publish(bus_, channels::kTruth, to_message(StampedPose{kStart, {x_m, 4.0, 0.0}, {}}));
+  const auto publish_truth = [&](double x_m, double z_m) {
+    publish(bus_, channels::kTruth, to_message(StampedPose{kStart, {x_m, 4.0, 0.0}, {}, z_m}));
     bus_.advance_to(kStart);
   };
-  publish_truth(6.0);
+  publish_truth(6.0, -2.0);
   EXPECT_DOUBLE_EQ(monitor_.progress().distance_from_start_m, 5.0);  // 3, 4, 5
-  publish_truth(3.0);
+  publish_truth(3.0, -2.0);
   EXPECT_DOUBLE_EQ(monitor_.progress().distance_from_start_m, 4.0);
+  publish_truth(3.0, 1.0);  // 3 m above the start
+  EXPECT_DOUBLE_EQ(monitor_.progress().distance_from_start_m, 5.0);
   EXPECT_DOUBLE_EQ(monitor_.farthest_m(), 5.0);
 }
 

@@ -42,6 +42,18 @@ TEST_F(TruthFiles, HaveTheCentreLinesWithTheirLengths) {
   EXPECT_EQ(features[2]["properties"]["to"], 1);
 }
 
+TEST_F(TruthFiles, HaveLevelsAndHeights) {
+  World world = sample_world();
+  world.truth.floor_height = [](const Eigen::Vector2d& p) { return 0.1 * p.x(); };
+  world.truth.tunnels.edges[0].level = 2;
+  world.truth.plan[0].level = 2;
+  write_truth_files(world, folder_ / "truth");
+  const Json features = read("tunnels.geojson")["features"];
+  EXPECT_NEAR(features[1]["properties"]["floor_m"], 1.0, 1e-12);
+  EXPECT_EQ(features[2]["properties"]["level"], 2);
+  EXPECT_EQ(read("plan.geojson")["features"][0]["properties"]["level"], 2);
+}
+
 TEST_F(TruthFiles, HaveThePlanAsClosedRings) {
   const Json line = read("plan.geojson")["features"][0]["geometry"]["coordinates"];
   ASSERT_EQ(line.size(), 5U);
@@ -54,6 +66,16 @@ TEST_F(TruthFiles, HaveTheObstacles) {
   EXPECT_EQ(obstacle["name"], "posts_0");
   EXPECT_EQ(obstacle["outline_m"].size(), 3U);
   EXPECT_EQ(obstacle["z_high_m"], 2.0);
+}
+
+TEST_F(TruthFiles, SayWhichOfThemAreEmpty) {
+  EXPECT_TRUE(missing_truth(sample_world()).empty());
+  World mesh = sample_world();
+  mesh.truth.tunnels = {};
+  ASSERT_EQ(missing_truth(mesh).size(), 1U);
+  EXPECT_NE(missing_truth(mesh)[0].find("tunnels.geojson is empty"), std::string::npos);
+  mesh.truth.plan.clear();
+  EXPECT_EQ(missing_truth(mesh).size(), 2U);
 }
 
 TEST_F(TruthFiles, ReportAWriteError) {

@@ -58,13 +58,15 @@ std::optional<LocalMap> LocalMapBuilder::finish() {
   return finished;
 }
 
-void LocalMapBuilder::replace_last_map(const UncertainPose& T_before_last, double climb_m) {
+void LocalMapBuilder::replace_last_map(const UncertainPose& T_before_last,
+                                       const LocalMap& discarded) {
   --map_.id;
   const UncertainPose T_last_local{map_.T_previous_local, map_.information.inverse()};
   const UncertainPose T_before_local = T_before_last * T_last_local;
   map_.T_previous_local = T_before_local.T_from_to;
   map_.information = T_before_local.covariance.inverse();
-  map_.climb_m += climb_m;
+  map_.climb_m += discarded.climb_m;
+  map_.forward_m += discarded.forward_m;
 }
 
 bool LocalMapBuilder::first_map_due(std::int64_t utime) const {
@@ -87,6 +89,7 @@ void LocalMapBuilder::store_scan(const std::string& channel, const LaserScan& sc
   const double distance = moved.translation().norm();
   error_.add_travel(distance, moved.theta);
   distance_travelled_m_ += distance;
+  forward_m_ += moved.x;
   turn_rad_ += std::abs(moved.theta);
   T_odom_stored_ = T_odom_body;
   last_stored_[channel] = T_odom_body;
@@ -94,11 +97,11 @@ void LocalMapBuilder::store_scan(const std::string& channel, const LaserScan& sc
   if (map_.scans.empty()) {
     map_.utime = scan.utime;
     map_.T_odom_local = T_odom_body;
-    z_odom_local_m_ = match.z_m;
+    map_.z_odom_m = match.z_m;
   }
   const Pose2 T_local_body = map_.scans.empty() ? Pose2{} : between(map_.T_odom_local, T_odom_body);
   LocalScan stored{channel,        scan,
-                   T_local_body,   match.z_m - z_odom_local_m_,
+                   T_local_body,   match.z_m - map_.z_odom_m,
                    match.attitude, match.unconfirmed_beams};
   for (const std::int32_t beam : match.ground_beams) {
     const auto i = static_cast<std::size_t>(beam);
@@ -111,6 +114,7 @@ void LocalMapBuilder::begin(const Pose2& T_odom_local) {
   T_odom_stored_ = T_odom_local;
   last_stored_.clear();
   distance_travelled_m_ = 0.0;
+  forward_m_ = 0.0;
   turn_rad_ = 0.0;
   error_.reset();
 }
@@ -124,6 +128,7 @@ LocalMap LocalMapBuilder::end() {
   map_.T_previous_local = between(finished.T_odom_local, T_odom_body_);
   map_.information = error_.covariance().inverse();
   map_.climb_m = finished.scans.back().z_m;
+  map_.forward_m = forward_m_;
   return finished;
 }
 

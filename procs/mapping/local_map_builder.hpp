@@ -54,7 +54,7 @@ class LocalMapBuilder {
 
   /// Replaces the last finished local map, which is discarded, by the current one: links the
   /// current map to the one before, in which it begins at `T_before_last`.
-  void replace_last_map(const UncertainPose& T_before_last, double climb_m);
+  void replace_last_map(const UncertainPose& T_before_last, const LocalMap& discarded);
 
   /// The current local map; without scans before the first scan and after `finish`.
   [[nodiscard]] const LocalMap& current() const { return map_; }
@@ -76,8 +76,8 @@ class LocalMapBuilder {
   Pose2 T_odom_body_;                             ///< of the last match
   Pose2 T_odom_stored_;                           ///< of the last stored scan, of any laser
   std::map<std::string, Pose2> last_stored_;  ///< T_odom_body of the last stored scan, by channel
-  double z_odom_local_m_ = 0.0;               ///< height of the current local map in odom
   double distance_travelled_m_ = 0.0;
+  double forward_m_ = 0.0;  ///< travelled forwards in the current local map
   double turn_rad_ = 0.0;
   bool continues_ = false;  ///< the current local map is the first of a later session
 };

@@ -60,11 +60,13 @@ Mapping::Mapping(const MappingParams& params)
     : params_(params),
       mounts_{{"LASER_FRONT", params.lasers.front}, {"LASER_REAR", params.lasers.rear}},
       builder_(builder_params(params)),
-      association_(params.association) {}
+      association_(params.association),
+      heights_(params.heights) {}
 
 std::optional<MapUpdate> Mapping::restore(StoredMap stored) {
   for (LocalMap& map : stored.maps) append_map(std::move(map));
   if (!maps_.empty()) association_.restore(stored.associations);
+  update_heights();
   revision_ = static_cast<std::int64_t>(maps_.size());
   std::optional<MapUpdate> update;
   if (stored.unfinished) update = add_local_map(std::move(*stored.unfinished));
@@ -116,7 +118,9 @@ MapUpdate Mapping::add_local_map(LocalMap map) {
   MapUpdate update;
   update.map = map;
   append_map(std::move(map));                   // section 2.1
+  update_heights();                             // of the chain, to tell levels apart
   update.associations = associate(update.map);  // sections 2.2 and 2.3
+  if (!update.associations.empty()) update_heights();
   ++revision_;
   covariance_ = covariance_in_older_sessions();
   if (before && is_redundant(update)) discard_newest(update, std::move(*before));
@@ -164,14 +168,16 @@ void Mapping::discard_newest(MapUpdate& update, LazyAssociation::Checkpoint befo
   const Association& best = update.associations.front();
   const auto chosen = static_cast<std::size_t>(best.chosen);
   localization_ = {update.map.end_utime, best.loop_closure.alternatives[chosen].older_map,
-                   poses.back() * update.map.T_odom_local.inverse()};
+                   poses.back() * update.map.T_odom_local.inverse(),
+                   heights_.height_m(update.map.id) - update.map.z_odom_m};
   const UncertainPose T_last_here{between(poses[poses.size() - 2], poses.back()),
                                   association_.trial().covariances_to(update.map.id).back()};
   association_.roll_back(std::move(before));
   maps_.pop_back();
   walls_.pop_back();
   extents_.pop_back();
-  builder_.replace_last_map(T_last_here, update.map.climb_m);
+  builder_.replace_last_map(T_last_here, update.map);
+  update_heights();
   --revision_;
   update.stored = false;
 }
@@ -194,6 +200,11 @@ void Mapping::append_map(LocalMap map) {
   extents_.emplace_back(walls_.back());
   association_.add_map(map.T_previous_local, map.information);
   maps_.push_back(std::move(map));
+}
+
+void Mapping::update_heights() {
+  heights_.update(maps_, walls_,
+                  constraints_in_force(association_.problem(), association_.hypothesis()));
 }
 
 /// Links a session to the end of the previous one, loosely: if odom continues, a few metres of the
@@ -280,6 +291,9 @@ std::vector<LoopClosure> Mapping::loop_closures(int map, Trial& trial, bool thor
     loop_closure.alternatives =
         match_maps(walls_[static_cast<std::size_t>(map)], walls_around(candidate.older, poses),
                    candidate.older, candidate.predicted, params_.matching);
+    std::erase_if(loop_closure.alternatives, [&](const LoopClosureAlternative& alternative) {
+      return !heights_.same_level(candidate.older, map, alternative.T_older_newer, walls_);
+    });
     if (!loop_closure.alternatives.empty()) found.push_back(std::move(loop_closure));
   }
   sort_by_likelihood(found);
@@ -297,10 +311,11 @@ double Mapping::map_inconsistency(const std::vector<Pose2>& T_map_local) const {
     double largest = 0.0;
     for (const LoopClosureCandidate& candidate :
          loop_closure_candidates(poses, certain, up_to(map, extents_), params_.candidates)) {
-      largest =
-          std::max(largest, contradiction(walls_[static_cast<std::size_t>(map)],
-                                          walls_around(candidate.older, poses),
-                                          candidate.predicted.T_older_newer, params_.matching));
+      const Pose2& T_older_newer = candidate.predicted.T_older_newer;
+      if (!heights_.same_level(candidate.older, map, T_older_newer, walls_)) continue;
+      largest = std::max(largest, contradiction(walls_[static_cast<std::size_t>(map)],
+                                                walls_around(candidate.older, poses), T_older_newer,
+                                                params_.matching));
     }
     map_inconsistency += largest;
   }
@@ -325,6 +340,11 @@ MapGraph Mapping::graph() const {
   graph.utime = maps_.empty() ? 0 : maps_.back().end_utime;
   graph.revision = revision_;
   graph.poses = association_.hypothesis().T_map_local;
+  const Eigen::VectorXd z_variance = heights_.variances_to(0);
+  for (int i = 0; i < static_cast<int>(graph.poses.size()); ++i) {
+    graph.z_m.push_back(heights_.height_m(i));
+    graph.z_variance.push_back(z_variance[i]);
+  }
   for (const PoseConstraint& c : association_.problem().chain) {
     graph.constraints.push_back({c, MapConstraint::Kind::kSequential});
   }
@@ -344,11 +364,14 @@ std::optional<MapCorrection> Mapping::correction() const {
   correction.local_map = newest.id;
   correction.T_map_odom =
       association_.hypothesis().T_map_local.back() * newest.T_odom_local.inverse();
+  correction.z_map_odom_m = heights_.height_m(newest.id) - newest.z_odom_m;
+  correction.z_variance = heights_.variances_to(0)[newest.id];
   correction.covariance = covariance_;
   if (localization_) {
     correction.utime = localization_->utime;
     correction.local_map = localization_->older_map;
     correction.T_map_odom = localization_->T_map_odom;
+    correction.z_map_odom_m = localization_->z_map_odom_m;
   }
   return correction;
 }

@@ -20,6 +20,7 @@
 #include "procs/mapping/loop_closure/local_walls.hpp"
 #include "procs/mapping/loop_closure/loop_closure_candidates.hpp"
 #include "procs/mapping/loop_closure/map_matching.hpp"
+#include "procs/mapping/map_heights.hpp"
 
 namespace adit {
 
@@ -30,6 +31,7 @@ struct MappingParams {
   LoopClosureCandidatesParams candidates;
   MapMatchingParams matching;
   LazyAssociationParams association;
+  MapHeightsParams heights;
   bool carried = false;  ///< true: the body may be anywhere after a restart of odom; false: it has
                          ///< not been moved
   /// Standard deviation of the motion between the stored pose and the restart.
@@ -47,6 +49,7 @@ struct MappingParams {
     v("candidates", candidates);
     v("matching", matching);
     v("association", association);
+    v("heights", heights);
     v("carried", carried);
     v("restart_sd_m", restart_sd_m, within(0.01, 100.0));
     v("restart_sd_rad", restart_sd_rad, within(0.01, 3.2));
@@ -110,6 +113,7 @@ class Mapping : private Evidence {
   [[nodiscard]] bool is_redundant(const MapUpdate& update) const;
   void discard_newest(MapUpdate& update, LazyAssociation::Checkpoint before);
   void append_map(LocalMap map);
+  void update_heights();
   void link_session(LocalMap& map) const;
   void update_odom(const ScanMatch& match);
   [[nodiscard]] std::optional<Eigen::Matrix3d> covariance_in_older_sessions();
@@ -129,6 +133,7 @@ class Mapping : private Evidence {
   std::vector<LocalMap> maps_;
   std::vector<LocalWalls> walls_;
   std::vector<MapExtent> extents_;
+  MapHeights heights_;
   std::int64_t revision_ = 0;
   enum class Odom {
     kKnown,     ///< that of the newest local map
@@ -144,6 +149,7 @@ class Mapping : private Evidence {
     std::int64_t utime = 0;
     int older_map = 0;  ///< on which it lies
     Pose2 T_map_odom;
+    double z_map_odom_m = 0.0;
   };
   std::optional<Localization> localization_;
 };

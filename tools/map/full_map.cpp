@@ -48,8 +48,7 @@ LocalMaps first_session(LocalMaps maps) {
 std::vector<MapAnchor> anchors_of(LocalMaps maps, const MapGraph& graph) {
   std::vector<MapAnchor> anchors;
   for (const LocalMap& map : maps) {
-    anchors.push_back(
-        {map.utime, map.T_odom_local, graph.poses.at(static_cast<std::size_t>(map.id))});
+    anchors.push_back(map_anchor(map, graph));
   }
   return anchors;
 }
@@ -60,7 +59,8 @@ Trajectory stored_odometry(LocalMaps maps) {
   for (const LocalMap& map : maps) {
     for (const LocalScan& scan : map.scans) {
       if (!odometry.empty() && scan.scan.utime <= odometry.back().utime) continue;
-      odometry.push_back({scan.scan.utime, map.T_odom_local * scan.T_local_body});
+      odometry.push_back(
+          {scan.scan.utime, map.T_odom_local * scan.T_local_body, map.z_odom_m + scan.z_m});
     }
   }
   return odometry;
@@ -97,6 +97,12 @@ void add_associations(const std::vector<Association>& associations, FullMap& ful
 
 }  // namespace
 
+MapAnchor map_anchor(const LocalMap& map, const MapGraph& graph) {
+  const auto id = static_cast<std::size_t>(map.id);
+  const double z_map_m = id < graph.z_m.size() ? graph.z_m[id] : 0.0;
+  return {map.utime, map.T_odom_local, graph.poses.at(id), z_map_m - map.z_odom_m};
+}
+
 Trajectory corrected_trajectory(const Trajectory& odometry, const std::vector<MapAnchor>& anchors) {
   if (anchors.empty() || odometry.empty()) return odometry;
   const std::vector<double> progress = progress_of(odometry);
@@ -114,13 +120,15 @@ Trajectory corrected_trajectory(const Trajectory& odometry, const std::vector<Ma
     const auto& [utime, T_odom_body, z_odom_m] = odometry[i];
     while (k + 1 < anchors.size() && anchors[k + 1].utime <= utime) ++k;
     Pose2 T_map_body = apply_anchor(anchors[k], T_odom_body);
+    double z_map_odom_m = anchors[k].z_map_odom_m;
     if (k + 1 < anchors.size() && utime > anchors[k].utime) {
       const double from = progress_at(anchors[k].utime);
       const double length = progress_at(anchors[k + 1].utime) - from;
       const double share = length > 0.0 ? (progress[i] - from) / length : 0.0;
       T_map_body = blend(T_map_body, apply_anchor(anchors[k + 1], T_odom_body), share);
+      z_map_odom_m = std::lerp(z_map_odom_m, anchors[k + 1].z_map_odom_m, share);
     }
-    corrected.push_back({utime, T_map_body});
+    corrected.push_back({utime, T_map_body, z_odom_m + z_map_odom_m});
   }
   return corrected;
 }

@@ -24,7 +24,11 @@ struct MapAnchor {
   std::int64_t utime = 0;  ///< [µs since the epoch]
   Pose2 T_odom_local;
   Pose2 T_map_local;
+  double z_map_odom_m = 0.0;  ///< height of odom in map
 };
+
+/// That of a local map of the graph.
+MapAnchor map_anchor(const LocalMap& map, const MapGraph& graph);
 
 /// The trajectory of one session in map: T_map_body for each T_odom_body. A pose between the starts
 /// of two local maps gets a blend of their corrections. The weight is the share of the distance

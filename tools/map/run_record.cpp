@@ -106,7 +106,7 @@ Trajectory RunRecord::odometry() const {
   for (const ScanMatch& match : matches_) {
     // Of two lasers with the same time, the second match has the better pose.
     if (!odometry.empty() && odometry.back().utime == match.utime) odometry.pop_back();
-    odometry.push_back({match.utime, match.T_odom_body});
+    odometry.push_back({match.utime, match.T_odom_body, match.z_m});
   }
   return odometry;
 }

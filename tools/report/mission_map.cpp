@@ -70,8 +70,7 @@ void MissionMap::add_sessions(const Trajectory& odometry) {
   std::map<int, std::vector<MapAnchor>> anchors;
   for (const LocalMap& map : local_maps_) {
     if (is_missing(map)) continue;
-    const Pose2& T_map_local = full_map_.graph.poses[static_cast<std::size_t>(map.id)];
-    anchors[map.session].push_back({map.utime, map.T_odom_local, T_map_local});
+    anchors[map.session].push_back(map_anchor(map, full_map_.graph));
   }
   if (anchors.empty()) full_map_.paths.push_back(odometry);
   std::int64_t from_utime = 0;

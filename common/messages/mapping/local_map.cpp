@@ -20,7 +20,10 @@ std::string_view header_rejection_reason(const local_map_t& message) {
   if (!all_finite(message.T_odom_local)) return kPoseNotFinite;
   if (!all_finite(message.T_previous_local)) return kPoseNotFinite;
   if (!is_information_matrix(message.information)) return kInvalidInformation;
-  if (!std::isfinite(message.climb_m)) return kPoseNotFinite;
+  if (!std::isfinite(message.climb_m) || !std::isfinite(message.forward_m) ||
+      !std::isfinite(message.z_odom_m)) {
+    return kPoseNotFinite;
+  }
   return fragment_rejection_reason(message, LocalMapFragment::kFragmentsMax);
 }
 
@@ -68,6 +71,8 @@ LocalMap header_of(const LocalMap& map) {
   header.T_previous_local = map.T_previous_local;
   header.information = map.information;
   header.climb_m = map.climb_m;
+  header.forward_m = map.forward_m;
+  header.z_odom_m = map.z_odom_m;
   return header;
 }
 
@@ -92,6 +97,8 @@ local_map_t to_message(const LocalMapFragment& fragment) {
   set_pose(map.T_previous_local, message.T_previous_local);
   set_matrix(map.information, message.information);
   message.climb_m = map.climb_m;
+  message.forward_m = map.forward_m;
+  message.z_odom_m = map.z_odom_m;
   message.n_fragments = fragment.n_fragments;
   message.fragment = fragment.fragment;
   message.n_scans = static_cast<std::int32_t>(map.scans.size());
@@ -111,6 +118,8 @@ Result<LocalMapFragment> from_message(const local_map_t& message) {
   map.T_previous_local = pose_from(message.T_previous_local);
   map.information = matrix_from(message.information);
   map.climb_m = message.climb_m;
+  map.forward_m = message.forward_m;
+  map.z_odom_m = message.z_odom_m;
   map.scans.reserve(message.scans.size());
   for (const local_scan_t& scan : message.scans) {
     if (!std::isfinite(scan.z_m)) return Rejected{kPoseNotFinite};

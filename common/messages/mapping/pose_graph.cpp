@@ -3,6 +3,7 @@
 #include "common/messages/mapping/pose_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "common/messages/checks.hpp"
@@ -70,6 +71,8 @@ pose_graph_t to_message(const PoseGraphFragment& fragment) {
   message.first_node = fragment.first_node;
   message.n_poses = static_cast<std::int32_t>(fragment.poses.size());
   for (const Pose2& pose : fragment.poses) message.poses.push_back({pose.x, pose.y, pose.theta});
+  message.z_m = fragment.z_m;
+  message.z_variance = fragment.z_variance;
   message.n_constraints = static_cast<std::int32_t>(fragment.constraints.size());
   for (const MapConstraint& constraint : fragment.constraints) {
     message.constraints.push_back(to_message(constraint));
@@ -87,10 +90,17 @@ Result<PoseGraphFragment> from_message(const pose_graph_t& message) {
                              message.fragment,
                              message.first_node,
                              {},
+                             message.z_m,
+                             message.z_variance,
                              {}};
   for (const auto& numbers : message.poses) {
     if (!all_finite(numbers)) return Rejected{kPoseNotFinite};
     fragment.poses.push_back({numbers[0], numbers[1], numbers[2]});
+  }
+  for (const auto* heights : {&fragment.z_m, &fragment.z_variance}) {
+    if (!std::ranges::all_of(*heights, [](double value) { return std::isfinite(value); })) {
+      return Rejected{kPoseNotFinite};
+    }
   }
   for (const pose_constraint_t& constraint : message.constraints) {
     const auto reason = rejection_reason(constraint, message.n_nodes);
@@ -104,7 +114,7 @@ namespace {
 
 // Encoded sizes.
 constexpr std::size_t kHeaderBytes = 64;
-constexpr std::size_t kPoseBytes = 3 * sizeof(double);
+constexpr std::size_t kPoseBytes = 5 * sizeof(double);
 constexpr std::size_t kConstraintBytes = 2 * sizeof(int) + 1 + 12 * sizeof(double);
 
 }  // namespace
@@ -127,7 +137,10 @@ std::vector<PoseGraphFragment> split(const MapGraph& graph) {
     return fragments.back();
   };
   for (std::size_t i = 0; i < graph.poses.size(); ++i) {
-    fragment_with_room(kPoseBytes, i).poses.push_back(graph.poses[i]);
+    PoseGraphFragment& fragment = fragment_with_room(kPoseBytes, i);
+    fragment.poses.push_back(graph.poses[i]);
+    fragment.z_m.push_back(i < graph.z_m.size() ? graph.z_m[i] : 0.0);
+    fragment.z_variance.push_back(i < graph.z_variance.size() ? graph.z_variance[i] : 0.0);
   }
   for (const MapConstraint& constraint : graph.constraints) {
     fragment_with_room(kConstraintBytes, graph.poses.size()).constraints.push_back(constraint);
@@ -144,16 +157,19 @@ bool same_header(const PoseGraphFragment& a, const PoseGraphFragment& b) {
 }
 
 std::size_t bytes_in_memory(const PoseGraphFragment& fragment) {
-  return sizeof(Pose2) * fragment.poses.size() +
+  return (sizeof(Pose2) + 2 * sizeof(double)) * fragment.poses.size() +
          sizeof(MapConstraint) * fragment.constraints.size();
 }
 
 std::optional<MapGraph> reassemble(const FragmentSet<PoseGraphFragment>& fragments) {
   const PoseGraphFragment& header = *fragments.fragments().front();
-  MapGraph graph{header.utime, header.revision, {}, {}};
+  MapGraph graph{header.utime, header.revision, {}, {}, {}, {}};
   for (const auto& part : fragments.fragments()) {
     if (!part->poses.empty() && part->first_node != static_cast<int>(graph.poses.size())) return {};
     graph.poses.insert(graph.poses.end(), part->poses.begin(), part->poses.end());
+    graph.z_m.insert(graph.z_m.end(), part->z_m.begin(), part->z_m.end());
+    graph.z_variance.insert(graph.z_variance.end(), part->z_variance.begin(),
+                            part->z_variance.end());
     graph.constraints.insert(graph.constraints.end(), part->constraints.begin(),
                              part->constraints.end());
   }
@@ -168,6 +184,8 @@ map_correction_t to_message(const MapCorrection& correction) {
   message.session = correction.session;
   message.local_map = correction.local_map;
   set_pose(correction.T_map_odom, message.T_map_odom);
+  message.z_map_odom_m = correction.z_map_odom_m;
+  message.z_variance = correction.z_variance;
   message.has_covariance = static_cast<std::int8_t>(correction.covariance.has_value());
   set_matrix(correction.covariance.value_or(Eigen::Matrix3d::Zero()), message.covariance);
   return message;
@@ -177,12 +195,17 @@ Result<MapCorrection> from_message(const map_correction_t& message) {
   if (!is_plausible_utime(message.utime)) return Rejected{kImplausibleTime};
   if (message.revision < 0) return Rejected{"negative revision"};
   if (message.local_map < 0 || message.session < 0) return Rejected{"negative id or session"};
-  if (!all_finite(message.T_map_odom)) return Rejected{kPoseNotFinite};
+  if (!all_finite(message.T_map_odom) || !std::isfinite(message.z_map_odom_m)) {
+    return Rejected{kPoseNotFinite};
+  }
+  if (!(message.z_variance >= 0.0)) return Rejected{"negative variance"};
   MapCorrection correction{message.utime,
                            message.revision,
                            message.session,
                            message.local_map,
                            pose_from(message.T_map_odom),
+                           message.z_map_odom_m,
+                           message.z_variance,
                            {}};
   if (message.has_covariance == 0) return correction;
   if (!is_information_matrix(message.covariance)) return Rejected{"invalid covariance matrix"};

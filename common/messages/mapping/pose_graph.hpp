@@ -32,6 +32,8 @@ struct PoseGraphFragment {
   int fragment = 0;                        ///< 0 to n_fragments − 1
   int first_node = 0;                      ///< node of the first pose here
   std::vector<Pose2> poses;                ///< T_map_local of consecutive nodes
+  std::vector<double> z_m;                 ///< their heights above node 0 [m],
+  std::vector<double> z_variance;          ///< and the variances of these [m²]
   std::vector<MapConstraint> constraints;  ///< between any nodes of the graph
 };
 

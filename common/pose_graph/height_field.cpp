@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/pose_graph/height_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+namespace adit {
+namespace {
+
+constexpr double kUnconstrainedM = 1000.0;
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+/// One row of the least squares problem: coefficients of unknowns, by index.
+struct Row {
+  std::vector<std::pair<int, double>> coefficients;
+  double value = 0.0;
+  double information = 1.0;
+};
+
+Row row_of(const HeightConstraint& constraint, int nodes) {
+  Row row;
+  if (constraint.from > 0) row.coefficients.emplace_back(constraint.from - 1, -1.0);
+  if (constraint.to > 0) row.coefficients.emplace_back(constraint.to - 1, 1.0);
+  // A body that seems to pitch down by e too much seems to descend by e times the distance.
+  if (constraint.forward_m != 0.0) {
+    row.coefficients.emplace_back(nodes - 1 + constraint.session, constraint.forward_m);
+  }
+  row.value = constraint.climb_m;
+  row.information = 1.0 / (constraint.sd_m * constraint.sd_m);
+  return row;
+}
+
+}  // namespace
+
+struct HeightField::Factor {
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> cholesky;
+};
+
+HeightField::HeightField() = default;
+HeightField::~HeightField() = default;
+HeightField::HeightField(HeightField&&) noexcept = default;
+HeightField& HeightField::operator=(HeightField&&) noexcept = default;
+
+HeightField::HeightField(int nodes, const std::vector<HeightConstraint>& constraints,
+                         double pitch_sd_rad)
+    : nodes_(std::max(nodes, 1)) {
+  int sessions = 0;
+  for (const HeightConstraint& constraint : constraints) {
+    sessions = std::max(sessions, constraint.session + 1);
+  }
+  const int unknowns = nodes_ - 1 + sessions;
+  if (unknowns == 0) return;
+  Triplets triplets;
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(unknowns);
+  for (int i = 0; i < unknowns; ++i) {
+    const double sd = i < nodes_ - 1 ? kUnconstrainedM : pitch_sd_rad;
+    triplets.emplace_back(i, i, 1.0 / (sd * sd));
+  }
+  for (const HeightConstraint& constraint : constraints) {
+    const Row row = row_of(constraint, nodes_);
+    for (const auto& [i, a] : row.coefficients) {
+      b[i] += row.information * a * row.value;
+      for (const auto& [k, c] : row.coefficients) {
+        triplets.emplace_back(i, k, row.information * a * c);
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> information(unknowns, unknowns);
+  information.setFromTriplets(triplets.begin(), triplets.end());
+  factor_ = std::make_unique<Factor>();
+  factor_->cholesky.compute(information);
+  solution_ = factor_->cholesky.solve(b);
+  marginals_ = Eigen::VectorXd::Zero(nodes_ - 1);
+  for (int node = 1; node < nodes_; ++node) {
+    marginals_[node - 1] = covariances_to(node)[node - 1];
+  }
+}
+
+/// Covariances of all unknowns with the height of `node`.
+Eigen::VectorXd HeightField::covariances_to(int node) const {
+  Eigen::VectorXd unit = Eigen::VectorXd::Zero(solution_.size());
+  unit[node - 1] = 1.0;
+  return factor_->cholesky.solve(unit);
+}
+
+double HeightField::height_m(int node) const { return node == 0 ? 0.0 : solution_[node - 1]; }
+
+Eigen::VectorXd HeightField::variances_to(int node) const {
+  Eigen::VectorXd variances = Eigen::VectorXd::Zero(nodes_);
+  variances.tail(nodes_ - 1) = marginals_;
+  if (node == 0) return variances;
+  const Eigen::VectorXd covariances = covariances_to(node);
+  const double own = marginals_[node - 1];
+  variances[0] = own;
+  for (int i = 1; i < nodes_; ++i) variances[i] += own - 2.0 * covariances[i - 1];
+  return variances.cwiseMax(0.0);
+}
+
+double HeightField::pitch_error_rad(int session) const {
+  const Eigen::Index i = nodes_ - 1 + session;
+  return session >= 0 && i < solution_.size() ? solution_[i] : 0.0;
+}
+
+}  // namespace adit

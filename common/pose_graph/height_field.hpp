@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace adit {
+
+/// A measured difference of the heights of two nodes.
+struct HeightConstraint {
+  int from = 0;
+  int to = 0;
+  double climb_m = 0.0;  ///< height of `to` above `from`
+  double sd_m = 1.0;
+  /// Signed distance travelled forwards [m], along which a constant error of the pitch adds up;
+  /// 0 where the difference was not integrated.
+  double forward_m = 0.0;
+  int session = 0;  ///< whose pitch error it is
+};
+
+/// Heights of the nodes of a pose graph: a linear Gaussian Markov random field on the same graph,
+/// solved exactly. Unknown are the height of each node except node 0, which is 0, and for each
+/// session a constant error of the pitch, as that of the accelerometer's bias and of the mount.
+class HeightField {
+ public:
+  /// An empty field of a single node.
+  HeightField();
+  /// `pitch_sd_rad`: prior standard deviation of the pitch errors. Nodes without a constraint have
+  /// height 0 with a standard deviation of 1 km.
+  HeightField(int nodes, const std::vector<HeightConstraint>& constraints, double pitch_sd_rad);
+  ~HeightField();
+  HeightField(HeightField&&) noexcept;
+  HeightField& operator=(HeightField&&) noexcept;
+
+  [[nodiscard]] int nodes() const { return nodes_; }
+  /// Height of a node above node 0 [m].
+  [[nodiscard]] double height_m(int node) const;
+  /// Variance of the heights of all nodes relative to `node` [m²].
+  [[nodiscard]] Eigen::VectorXd variances_to(int node) const;
+  /// Estimated pitch error of a session [rad].
+  [[nodiscard]] double pitch_error_rad(int session) const;
+
+ private:
+  struct Factor;
+
+  [[nodiscard]] Eigen::VectorXd covariances_to(int node) const;
+
+  int nodes_ = 1;
+  Eigen::VectorXd solution_;   ///< heights of nodes 1 .., then pitch errors
+  Eigen::VectorXd marginals_;  ///< variances of the heights of nodes 1 ..
+  std::unique_ptr<Factor> factor_;
+};
+
+}  // namespace adit

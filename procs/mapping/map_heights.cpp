@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/map_heights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace adit {
+namespace {
+
+constexpr double kSigmas = 3.0;
+constexpr double kUnknownM = 1000.0;
+
+/// Where two paths are nearest to each other in plan.
+struct Approach {
+  double distance_m = std::numeric_limits<double>::infinity();
+  double rise_m = 0.0;  ///< of the second path above the first, each in its local map
+};
+
+Approach approach(const std::vector<Eigen::Vector3d>& path, const Pose2& T_path_other,
+                  const std::vector<Eigen::Vector3d>& other) {
+  Approach nearest;
+  for (const Eigen::Vector3d& q : other) {
+    const Eigen::Vector2d there = T_path_other * Eigen::Vector2d(q.head<2>());
+    for (const Eigen::Vector3d& p : path) {
+      const double distance_m = (p.head<2>() - there).norm();
+      if (distance_m < nearest.distance_m) nearest = {distance_m, q.z() - p.z()};
+    }
+  }
+  return nearest;
+}
+
+}  // namespace
+
+/// A session begins at an unknown place: the slope bounds the climb from the end of the last one.
+HeightConstraint MapHeights::climb_of(const LocalMap& map, const LocalMap& before) const {
+  HeightConstraint climb{map.id - 1, map.id, map.climb_m, 0.0, map.forward_m, before.session};
+  if (map.session != before.session) {
+    const double sd_m = 1.0 / std::sqrt(std::max(map.information(0, 0), 1e-12));
+    const double length_m = map.T_previous_local.translation().norm();
+    climb.sd_m = std::min(kUnknownM, params_.slope_max * (sd_m + length_m) + params_.floor_m);
+    return climb;
+  }
+  const double length_m =
+      std::max(std::abs(map.forward_m), map.T_previous_local.translation().norm());
+  const bool has_attitude = !before.scans.empty() && before.scans.back().attitude.has_value();
+  const double drift = has_attitude ? params_.drift_per_m : params_.slope_max;
+  climb.sd_m = std::hypot(params_.floor_m, drift * length_m);
+  return climb;
+}
+
+/// NaN if the paths do not come near each other.
+double MapHeights::ground_offset_m(const PoseConstraint& loop_closure,
+                                   const std::vector<LocalWalls>& walls) {
+  Offset& offset = offsets_[{loop_closure.from, loop_closure.to}];
+  if (offset.T_from_to != loop_closure.T_from_to) {
+    offset = {
+        loop_closure.T_from_to,
+        height_offset(walls[static_cast<std::size_t>(loop_closure.to)].path, loop_closure.T_from_to,
+                      walls[static_cast<std::size_t>(loop_closure.from)].path)};
+  }
+  return offset.offset_m;
+}
+
+void MapHeights::update(const std::vector<LocalMap>& maps, const std::vector<LocalWalls>& walls,
+                        const std::vector<PoseConstraint>& loop_closures) {
+  std::vector<HeightConstraint> constraints;
+  for (std::size_t i = 1; i < maps.size(); ++i) {
+    constraints.push_back(climb_of(maps[i], maps[i - 1]));
+  }
+  for (const PoseConstraint& loop_closure : loop_closures) {
+    const double offset_m = ground_offset_m(loop_closure, walls);
+    if (!std::isfinite(offset_m)) continue;
+    constraints.push_back(
+        {loop_closure.from, loop_closure.to, offset_m, params_.ground_sd_m, 0.0, 0});
+  }
+  field_ = HeightField(static_cast<int>(maps.size()), constraints, params_.pitch_sd_rad);
+}
+
+bool MapHeights::same_level(int older, int newer, const Pose2& T_older_newer,
+                            const std::vector<LocalWalls>& walls) const {
+  const auto at = [](int i) { return static_cast<std::size_t>(i); };
+  const Approach nearest = approach(walls[at(older)].path, T_older_newer, walls[at(newer)].path);
+  const double rise_m = height_m(newer) - height_m(older) + nearest.rise_m;
+  const double variance = field_.variances_to(newer)[older];
+  const double allowed_m =
+      params_.level_m + params_.slope_max * nearest.distance_m + kSigmas * std::sqrt(variance);
+  return std::abs(rise_m) <= allowed_m;
+}
+
+}  // namespace adit

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <map>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "common/config/bounds.hpp"
+#include "common/geometry/pose2.hpp"
+#include "common/pose_graph/height_field.hpp"
+#include "common/pose_graph/pose_graph.hpp"
+#include "common/types/local_map.hpp"
+#include "procs/mapping/loop_closure/local_walls.hpp"
+
+namespace adit {
+
+struct MapHeightsParams {
+  double floor_m = 0.005;       ///< minimum standard deviation of the climb of a local map,
+  double drift_per_m = 0.002;   ///< and its growth with the distance travelled
+  double slope_max = 0.35;      ///< of ground; without an IMU the climb is unknown up to this
+  double pitch_sd_rad = 0.005;  ///< of the constant pitch error of a session
+  double ground_sd_m = 0.03;    ///< of the ground at a place where two local maps meet
+  double level_m = 1.0;         ///< local maps whose ground is farther apart show different levels
+
+  template <class V>
+  void visit(V& v) {
+    v("floor_m", floor_m, above(0.0));
+    v("drift_per_m", drift_per_m, at_least(0.0));
+    v("slope_max", slope_max, above(0.0));
+    v("pitch_sd_rad", pitch_sd_rad, above(0.0));
+    v("ground_sd_m", ground_sd_m, above(0.0));
+    v("level_m", level_m, above(0.0));
+  }
+};
+
+/// The heights of all local maps in map. In the chain they follow from the climb of each local map,
+/// at a loop closure from the ground that both local maps drove on.
+class MapHeights {
+ public:
+  explicit MapHeights(const MapHeightsParams& params) : params_(params) {}
+
+  /// Solves for the heights, with these loop closures in force.
+  void update(const std::vector<LocalMap>& maps, const std::vector<LocalWalls>& walls,
+              const std::vector<PoseConstraint>& loop_closures);
+
+  /// Height of the origin of a local map above that of the first [m].
+  [[nodiscard]] double height_m(int map) const { return field_.height_m(map); }
+  /// Variance of the heights of all local maps relative to one of them [m²].
+  [[nodiscard]] Eigen::VectorXd variances_to(int map) const { return field_.variances_to(map); }
+
+  /// Whether two local maps may show the same ground at this relative pose: not if their paths,
+  /// where they are nearest to each other, are farther apart in height than ground and the
+  /// uncertainty of the heights allow.
+  [[nodiscard]] bool same_level(int older, int newer, const Pose2& T_older_newer,
+                                const std::vector<LocalWalls>& walls) const;
+
+ private:
+  [[nodiscard]] HeightConstraint climb_of(const LocalMap& map, const LocalMap& before) const;
+  [[nodiscard]] double ground_offset_m(const PoseConstraint& loop_closure,
+                                       const std::vector<LocalWalls>& walls);
+
+  MapHeightsParams params_;
+  HeightField field_;
+  struct Offset {
+    Pose2 T_from_to;
+    double offset_m = 0.0;
+  };
+  std::map<std::array<int, 2>, Offset> offsets_;  ///< of loop closures, by local maps
+};
+
+}  // namespace adit

@@ -34,9 +34,9 @@ function(adit_precompiled name)
   add_library(${name} STATIC ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
   target_link_libraries(${name} PRIVATE adit_settings Eigen3::Eigen)
   target_precompile_headers(${name} PRIVATE
-    <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <limits> <map> <memory>
-    <numeric> <optional> <random> <set> <span> <sstream> <string> <string_view> <utility> <vector>
-    <Eigen/Core> <Eigen/Geometry> ${ARGN})
+    <algorithm> <array> <chrono> <cmath> <cstdint> <deque> <filesystem> <fstream> <functional> <iostream>
+    <limits> <map> <memory> <numeric> <optional> <random> <set> <span> <sstream> <string> <string_view>
+    <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry> <fmt/format.h> ${ARGN})
 endfunction()
 adit_precompiled(adit_precompiled)
 

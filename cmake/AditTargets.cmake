@@ -34,9 +34,9 @@ function(adit_precompiled name)
   add_library(${name} STATIC ${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp)
   target_link_libraries(${name} PRIVATE adit_settings Eigen3::Eigen)
   target_precompile_headers(${name} PRIVATE
-    <algorithm> <array> <cmath> <cstdint> <filesystem> <fstream> <functional> <limits> <map> <memory>
-    <numeric> <optional> <random> <set> <span> <sstream> <string> <string_view> <utility> <vector>
-    <Eigen/Core> <Eigen/Geometry> ${ARGN})
+    <algorithm> <array> <chrono> <cmath> <cstdint> <deque> <filesystem> <fstream> <functional> <iostream>
+    <limits> <map> <memory> <numeric> <optional> <random> <set> <span> <sstream> <string> <string_view>
+    <utility> <variant> <vector> <Eigen/Core> <Eigen/Geometry> <fmt/format.h> ${ARGN})
 endfunction()
 adit_precompiled(adit_precompiled)
 
@@ -62,7 +62,8 @@ function(adit_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;APART;DEPS" ${ARGN})
   set_source_files_properties(${ARG_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   add_executable(${name} ${ARG_SOURCES} ${ARG_APART})
-  target_link_libraries(${name} PRIVATE adit_settings ${ARG_DEPS} GTest::gmock GTest::gtest_main)
+  target_link_libraries(${name} PRIVATE adit_settings adit_test_settings ${ARG_DEPS}
+    GTest::gmock GTest::gtest_main)
   target_precompile_headers(${name} REUSE_FROM adit_test_precompiled)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60)

@@ -3,10 +3,11 @@
 #include <exception>
 #include <iostream>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
 #include "common/bus/node/version.hpp"
+#include "common/command_line/command_line.hpp"
 #include "sim/live/live_run.hpp"
 
 namespace {
@@ -16,21 +17,17 @@ constexpr int kExitUnusable = 2;
 }  // namespace
 
 int main(int argc, char** argv) try {
-  CLI::App app(
+  const auto app = adit::make_command_line(
       "Simulates the robot in a mine and publishes its sensor data on LCM until SIGINT or SIGTERM.",
       "adit-sim");
   adit::LiveRunOptions options;
   options.program = "adit-sim";
   adit::WorldChoice world;
-  adit::add_world_options(app, world)->required();
-  adit::add_live_run_options(app, options);
-  app.footer(adit::kLiveRunFooter);
-  app.set_version_flag("--version", fmt::format("adit-sim {}", adit::version()));
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& answer) {  // --help, --version
-    return app.exit(answer);
-  }
+  adit::add_world_options(*app, world)->required();
+  adit::add_live_run_options(*app, options);
+  app->footer(adit::kLiveRunFooter);
+  app->set_version_flag("--version", fmt::format("adit-sim {}", adit::version()));
+  if (const auto exit_code = adit::parse_command_line(*app, argc, argv)) return *exit_code;
   adit::run_live(world, options);
   return 0;
 } catch (const std::exception& error) {

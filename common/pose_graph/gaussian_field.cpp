@@ -4,9 +4,8 @@
 
 #include <stdexcept>
 
-#include <Eigen/Cholesky>
-
 #include "common/geometry/symmetric_eigen.hpp"
+#include "common/geometry/symmetric_solve.hpp"
 #include "common/pose_graph/optimize.hpp"
 
 namespace adit {
@@ -156,7 +155,7 @@ double increase_of(const Eigen::Vector3d& d, const Eigen::Matrix3d& Sigma,
                    const Eigen::Matrix3d& G) {
   const Eigen::Vector3d Gd = G.transpose() * d;
   const Eigen::Matrix3d S = Eigen::Matrix3d::Identity() + G.transpose() * Sigma * G;
-  return Gd.dot(S.ldlt().solve(Gd));
+  return Gd.dot(solve_symmetric(S, Gd));
 }
 
 }  // namespace
@@ -188,7 +187,7 @@ std::vector<GaussianField::LeaveOneOut> GaussianField::leave_one_out(
     // Removing u is adding it with −R: (R⁻¹ − S_uu)⁻¹ = G (I − Gᵀ S_uu G)⁻¹ Gᵀ.
     const Eigen::Matrix3d remaining =
         Eigen::Matrix3d::Identity() - u.G.transpose() * u.J * among * u.J.transpose() * u.G;
-    const Eigen::Matrix3d W = u.G * remaining.ldlt().solve(Eigen::Matrix3d(u.G.transpose()));
+    const Eigen::Matrix3d W = u.G * solve_symmetric(remaining, Eigen::Matrix3d(u.G.transpose()));
     const Eigen::Matrix3d S_cu = u.times(columns).transpose();
     all.push_back({u.d.dot(W * u.d),
                    increase_of(c.d + S_cu * W * u.d, S_cc + S_cu * W * S_cu.transpose(), c.G)});

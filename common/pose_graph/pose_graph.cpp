@@ -12,6 +12,10 @@ Eigen::Vector3d residual(const PoseConstraint& constraint, const Pose2& T_map_fr
   return between(constraint.T_from_to, between(T_map_from, T_map_to)).vector();
 }
 
+double energy(const PoseConstraint& constraint, const Eigen::Vector3d& e) {
+  return e.dot(constraint.information * e);
+}
+
 double objective(const PoseGraph& graph) {
   double sum = 0.0;
   for (const PoseConstraint& c : graph.constraints) {
@@ -20,6 +24,12 @@ double objective(const PoseGraph& graph) {
     sum += energy(c, residual(c, graph.poses[from], graph.poses[to]));
   }
   return sum;
+}
+
+Eigen::Matrix3d LinearPotential::jacobian_from() const {
+  Eigen::Matrix3d J = -J_to;
+  J.topRightCorner<2, 1>() -= J_to.topLeftCorner<2, 2>() * lever;
+  return J;
 }
 
 LinearPotential linearise(const PoseConstraint& constraint, const Pose2& T_map_from,

@@ -36,9 +36,7 @@ Eigen::Vector3d residual(const PoseConstraint& constraint, const Pose2& T_map_fr
 
 /// The exponent of the potential, eᵀ R e (paper, eq. 2). The sum over a graph is the objective, as
 /// in g2o without the factor ½.
-inline double energy(const PoseConstraint& constraint, const Eigen::Vector3d& e) {
-  return e.dot(constraint.information * e);
-}
+double energy(const PoseConstraint& constraint, const Eigen::Vector3d& e);
 
 /// The objective: the sum of all energies.
 double objective(const PoseGraph& graph);
@@ -57,11 +55,7 @@ struct LinearPotential {
   Eigen::Vector2d lever;  ///< S d [m]
 
   /// ∂e/∂ξ_from = −J_to · M.
-  [[nodiscard]] Eigen::Matrix3d jacobian_from() const {
-    Eigen::Matrix3d J = -J_to;
-    J.topRightCorner<2, 1>() -= J_to.topLeftCorner<2, 2>() * lever;
-    return J;
-  }
+  [[nodiscard]] Eigen::Matrix3d jacobian_from() const;
 };
 
 /// Linearises a constraint at the given poses.

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include <Eigen/Cholesky>
+#include "common/geometry/symmetric_solve.hpp"
 
 namespace adit {
 namespace {
@@ -289,7 +289,7 @@ Eigen::Vector3d take_step(const NormalEquations& sums, const PosePrior& prior, d
     g -= precision * group.columns * covariance_of(group, precision) *
          gradient_of(group, precision, state.shifts_m[k]);
   }
-  const Eigen::Vector3d step = -A.ldlt().solve(g);
+  Eigen::Vector3d step = -solve_symmetric(A, g);
   for (std::size_t k = 0; k < kGradeGroups; ++k) {
     const GroupEquations& group = sums.groups[k];
     if (group.weights <= 0.0) continue;

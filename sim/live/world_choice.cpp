@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include "sim/world/random/random_mine.hpp"
 #include "sim/world/world_file.hpp"

@@ -5,10 +5,11 @@
 #include <exception>
 #include <iostream>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
 #include "common/bus/node/version.hpp"
+#include "common/command_line/command_line.hpp"
 
 namespace adit {
 namespace {
@@ -25,7 +26,7 @@ Quick start, without a robot and without a recording:
 }  // namespace
 
 std::unique_ptr<CLI::App> make_adit_app() {
-  auto app = std::make_unique<CLI::App>(
+  auto app = make_command_line(
       "Mapping, planning and simulation for a robot that surveys abandoned mines.", "adit");
   app->set_version_flag("--version", fmt::format("adit {}", version()));
   app->require_subcommand(0, 1);
@@ -67,11 +68,7 @@ Examples:
 
 int run_adit(int argc, const char* const* argv) try {
   const auto app = make_adit_app();
-  try {
-    app->parse(argc, argv);
-  } catch (const CLI::Success& answer) {  // --help, --version
-    return app->exit(answer);
-  }
+  if (const auto exit_code = parse_command_line(*app, argc, argv)) return *exit_code;
   if (!app->get_subcommands().empty()) return 0;
   std::cerr << app->help();
   return kExitUnusable;

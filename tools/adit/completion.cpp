@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <iostream>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "common/command_line/command_line.hpp"
 #include "tools/adit/adit_app.hpp"
 
 namespace adit {
@@ -118,9 +119,9 @@ complete -o filenames -F _adit adit
 }
 
 void add_completion_command(CLI::App& adit) {
-  CLI::App* completion = adit.add_subcommand("completion", "Print the shell completion script");
+  CLI::App* completion = add_command(adit, "completion", "Print the shell completion script");
   completion->require_subcommand(1);
-  CLI::App* bash = completion->add_subcommand("bash", "Print the completion script for bash");
+  CLI::App* bash = add_command(*completion, "bash", "Print the completion script for bash");
   for (CLI::App* command : {completion, bash}) {
     set_help(*command, {kCompletionDetails, "", kCompletionExamples});
   }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <numeric>
-#include <regex>
 #include <stdexcept>
 #include <string>
 
@@ -124,8 +123,17 @@ Json wall_ms(const OptimizeRun& run) {
 
 /// Puts [a, b] on one line; the library writes one number per line.
 std::string with_pairs_on_one_line(const std::string& text) {
-  static const std::regex pair(R"(\[\s+(-?\d+),\s+(-?\d+)\s+\])");
-  return std::regex_replace(text, pair, "[$1, $2]");
+  std::string result;
+  bool in_pair = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '[') in_pair = text[text.find_first_not_of(" \n", i + 1)] != '[';  // innermost
+    if (c == ']') in_pair = false;
+    if (in_pair && (c == ' ' || c == '\n')) continue;
+    result += c;
+    if (in_pair && c == ',') result += ' ';
+  }
+  return result;
 }
 
 }  // namespace

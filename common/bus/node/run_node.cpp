@@ -9,13 +9,14 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include "common/bus/lcm_bus.hpp"
 #include "common/bus/lcm_transport.hpp"
 #include "common/bus/node/stages.hpp"
 #include "common/bus/node/stop_signal.hpp"
 #include "common/bus/node/version.hpp"
+#include "common/command_line/command_line.hpp"
 #include "common/files/file_utils.hpp"
 
 namespace adit {
@@ -87,14 +88,11 @@ void run_on_lcm(const std::string& program, const ConfiguredNode& node, const Op
 
 int run_stage(const std::string& stage, const Configure& configure, int argc, char** argv) try {
   const std::string program = "adit-" + stage;
-  CLI::App app("Runs the stage " + stage + " on LCM until SIGINT or SIGTERM.", program);
+  const auto app =
+      make_command_line("Runs the stage " + stage + " on LCM until SIGINT or SIGTERM.", program);
   Options options;
-  declare(app, program, options);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& answer) {  // --help, --version
-    return app.exit(answer);
-  }
+  declare(*app, program, options);
+  if (const auto exit_code = parse_command_line(*app, argc, argv)) return *exit_code;
 
   const ConfiguredNode node = configure(load(options.config, stage));
   if (options.print_config) {

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mapping/association/odometry_chain.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
+
+#include "common/geometry/symmetric_solve.hpp"
 
 namespace adit {
 namespace {
@@ -17,7 +18,7 @@ Eigen::Matrix3d moved(const Eigen::Matrix3d& covariance, const Pose2& T) {
 
 double normalised(const UncertainPose& cycle) {
   const Eigen::Vector3d e = cycle.T_from_to.vector();
-  return e.dot(cycle.covariance.ldlt().solve(e));
+  return e.dot(solve_symmetric(cycle.covariance, e));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <vector>
 
-#include <Eigen/Cholesky>
+#include "common/geometry/symmetric_solve.hpp"
 
 namespace adit {
 namespace {
@@ -38,7 +38,7 @@ HeightPlane fit(const std::vector<Difference>& differences) {
     moment += p * (d.dz - mean.z());
   }
   spread.diagonal().array() += kTiltSpread * kTiltSpread * static_cast<double>(differences.size());
-  const Eigen::Vector2d grade = spread.ldlt().solve(moment);
+  const Eigen::Vector2d grade = solve_symmetric(spread, moment);
   return {static_cast<float>(mean.z() - grade.dot(mean.head<2>())), grade.cast<float>()};
 }
 

@@ -6,6 +6,10 @@
 
 namespace adit {
 
+Eigen::Isometry2d motion_of(const Pose2& T_a_b) {
+  return Eigen::Translation2d(T_a_b.x, T_a_b.y) * Eigen::Rotation2Dd(T_a_b.theta);
+}
+
 RememberedMap::RememberedMap(const TerrainMap& map, double distance_travelled_m)
     : finder_(map), T_odom_level_(map.T_odom_level), distance_travelled_m_(distance_travelled_m) {
   cells_.reserve(map.cells.size());

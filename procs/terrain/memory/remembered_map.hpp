@@ -15,9 +15,7 @@
 namespace adit {
 
 /// A pose as a transformation, with sine and cosine computed once.
-inline Eigen::Isometry2d motion_of(const Pose2& T_a_b) {
-  return Eigen::Translation2d(T_a_b.x, T_a_b.y) * Eigen::Rotation2Dd(T_a_b.theta);
-}
+Eigen::Isometry2d motion_of(const Pose2& T_a_b);
 
 /// Height above the ground from which a cell is an obstacle and not rough ground [m].
 inline float obstacle_height_m(const Vehicle& vehicle) {

@@ -4,9 +4,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "common/command_line/command_line.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/drive/drive_run.hpp"
@@ -73,8 +74,9 @@ void drive(const DriveOptions& options) {
 }  // namespace
 
 void add_drive_command(CLI::App& adit) {
-  CLI::App* command = adit.add_subcommand(
-      "drive", "Drive the vehicle of a simulation or on LCM along waypoints or by the keyboard");
+  CLI::App* command =
+      add_command(adit, "drive",
+                  "Drive the vehicle of a simulation or on LCM along waypoints or by the keyboard");
   set_help(*command, {kDriveDetails, "", kDriveExamples});
   const auto options = std::make_shared<DriveOptions>();
   CLI::Option* world = add_world_options(*command, options->run.world);

@@ -7,9 +7,10 @@
 #include <stdexcept>
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "common/command_line/command_line.hpp"
 #include "sim/world/build_world.hpp"
 #include "sim/world/world_file.hpp"
 #include "tools/adit/adit_app.hpp"
@@ -75,7 +76,7 @@ void print_score(const EvalMapOptions& options) {
 
 void add_eval_map_command(CLI::App& eval) {
   CLI::App* map =
-      eval.add_subcommand("map", "Score a trajectory and a map against a simulated world");
+      add_command(eval, "map", "Score a trajectory and a map against a simulated world");
   set_help(*map, {kEvalMapDetails, "", kEvalMapExamples});
   const auto options = std::make_shared<EvalMapOptions>();
   map->add_option("DIR", options->folder, "Output folder of `adit map`")
@@ -128,7 +129,7 @@ void print_score(const EvalRelationsOptions& options) {
 
 void add_eval_relations_command(CLI::App& eval) {
   CLI::App* relations =
-      eval.add_subcommand("relations", "Score a trajectory against hand-verified relations");
+      add_command(eval, "relations", "Score a trajectory against hand-verified relations");
   set_help(*relations, {kRelationsDetails, "", kRelationsExamples});
   const auto options = std::make_shared<EvalRelationsOptions>();
   relations
@@ -144,7 +145,7 @@ void add_eval_relations_command(CLI::App& eval) {
 }  // namespace
 
 void add_eval_command(CLI::App& adit) {
-  CLI::App* eval = adit.add_subcommand("eval", "Measure the accuracy of a trajectory or a map");
+  CLI::App* eval = add_command(adit, "eval", "Measure the accuracy of a trajectory or a map");
   eval->require_subcommand(1);
   add_eval_map_command(*eval);
   add_eval_relations_command(*eval);

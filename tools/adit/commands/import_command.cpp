@@ -4,9 +4,10 @@
 #include <iostream>
 #include <memory>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "common/command_line/command_line.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/carmen/carmen_import.hpp"
@@ -49,10 +50,10 @@ void import_carmen_log(const ImportOptions& options) {
 }  // namespace
 
 void add_import_command(CLI::App& adit) {
-  CLI::App* import = adit.add_subcommand("import", "Convert a log of another format to an LCM log");
+  CLI::App* import = add_command(adit, "import", "Convert a log of another format to an LCM log");
   import->require_subcommand(1);
-  CLI::App* carmen = import->add_subcommand(
-      "carmen", "Convert a CARMEN log (FLASER, ROBOTLASER1 and ODOM lines) to an LCM log");
+  CLI::App* carmen = add_command(
+      *import, "carmen", "Convert a CARMEN log (FLASER, ROBOTLASER1 and ODOM lines) to an LCM log");
   set_help(*carmen, {kCarmenDetails, "", kCarmenExamples});
   const auto options = std::make_shared<ImportOptions>();
   carmen->add_option("IN", options->input, "CARMEN log, plain or gzip")

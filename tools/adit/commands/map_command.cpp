@@ -4,9 +4,10 @@
 #include <memory>
 #include <optional>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "common/command_line/command_line.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/map/map_run.hpp"
@@ -70,7 +71,7 @@ void map(const MapRunOptions& options) {
 
 void add_map_command(CLI::App& adit) {
   CLI::App* command =
-      adit.add_subcommand("map", "Build a 2D map and the trajectory from a laser log (SLAM)");
+      add_command(adit, "map", "Build a 2D map and the trajectory from a laser log (SLAM)");
   set_help(*command, {kMapDetails, "", kMapExamples});
   const auto options = std::make_shared<MapRunOptions>();
   command->add_option("INPUT", options->input, "CARMEN log, plain or gzip, or LCM log")

@@ -8,10 +8,11 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "common/command_line/command_line.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/mission/mission_folder.hpp"
 #include "tools/mission/mission_live.hpp"
@@ -193,8 +194,7 @@ void add_options(CLI::App& command, MissionOptions& options) {
 }  // namespace
 
 void add_mission_command(CLI::App& adit) {
-  CLI::App* command =
-      adit.add_subcommand("mission", "Run an autonomous mission in a simulated mine");
+  CLI::App* command = add_command(adit, "mission", "Run an autonomous mission in a simulated mine");
   set_help(*command, {kMissionDetails, kMissionExitCodes, kMissionExamples});
   const auto options = std::make_shared<MissionOptions>();
   add_options(*command, *options);

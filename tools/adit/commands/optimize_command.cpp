@@ -5,9 +5,10 @@
 #include <memory>
 #include <stdexcept>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "common/command_line/command_line.hpp"
 #include "common/pose_graph/g2o_file.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
@@ -81,8 +82,9 @@ void optimize_file(const OptimizeOptions& options) {
 }  // namespace
 
 void add_optimize_command(CLI::App& adit) {
-  CLI::App* command = adit.add_subcommand(
-      "optimize", "Optimize a 2D pose graph, on request with rejection of wrong loop closures");
+  CLI::App* command =
+      add_command(adit, "optimize",
+                  "Optimize a 2D pose graph, on request with rejection of wrong loop closures");
   set_help(*command, {kOptimizeDetails, "", kOptimizeExamples});
   const auto options = std::make_shared<OptimizeOptions>();
   command->add_option("GRAPH", options->graph, "Pose graph in the g2o or TORO format")

@@ -11,12 +11,13 @@
 #include <stdexcept>
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
 #include "common/bus/channels.hpp"
 #include "common/bus/lcm_bus.hpp"
 #include "common/bus/typed_messages.hpp"
+#include "common/command_line/command_line.hpp"
 #include "common/messages/mission.hpp"
 #include "common/types/mission.hpp"
 #include "tools/adit/adit_app.hpp"
@@ -127,7 +128,7 @@ std::string order_mission(const MissionOrderOptions& options) {
 
 void add_order_command(CLI::App& adit) {
   CLI::App* command =
-      adit.add_subcommand("order", "Order a mission to pause, resume, return or stop");
+      add_command(adit, "order", "Order a mission to pause, resume, return or stop");
   set_help(*command, {kOrderDetails, "", kOrderExamples});
   const auto options = std::make_shared<MissionOrderOptions>();
   command->add_option("ORDER", options->order, "pause, resume, return or stop")

@@ -10,9 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "common/command_line/command_line.hpp"
 #include "common/config/number_text.hpp"
 #include "common/geometry/pose2.hpp"
 #include "tools/adit/adit_app.hpp"
@@ -190,7 +191,7 @@ constexpr const char* kPlanExamples =
 
 void add_plan_command(CLI::App& adit) {
   CLI::App* command =
-      adit.add_subcommand("plan", "Plan a path on one 3D scan, and draw terrain, C-space and path");
+      add_command(adit, "plan", "Plan a path on one 3D scan, and draw terrain, C-space and path");
   set_help(*command, {kPlanDetails, kPlanExitCodes, kPlanExamples});
   struct PlanOptions {
     PlanRunOptions run;

@@ -10,9 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "common/command_line/command_line.hpp"
 #include "common/config/number_text.hpp"
 #include "procs/supervisor/control/control_client.hpp"
 #include "procs/supervisor/control/control_socket.hpp"
@@ -135,7 +136,7 @@ void change(const std::string& verb, const ProcessOptions& options) {
 }
 
 CLI::App* add_change_command(CLI::App& adit, const std::string& verb, const std::string& purpose) {
-  CLI::App* command = adit.add_subcommand(verb, purpose);
+  CLI::App* command = add_command(adit, verb, purpose);
   set_help(*command, {kChangeDetails, "", kChangeExamples});
   const auto options = add_socket_option(*command);
   CLI::Option* names = command->add_option("NAME", options->names, "Processes of the process list");
@@ -176,7 +177,7 @@ void add_process_commands(CLI::App& adit) {
   add_change_command(adit, "start", "Start processes of the supervisor");
   add_change_command(adit, "stop", "Stop processes of the supervisor");
   add_change_command(adit, "restart", "Restart processes of the supervisor");
-  CLI::App* ps = adit.add_subcommand("ps", "List the processes of the supervisor");
+  CLI::App* ps = add_command(adit, "ps", "List the processes of the supervisor");
   set_help(*ps, {kPsDetails, "", kPsExamples});
   const auto options = add_socket_option(*ps);
   ps->callback([options] {
@@ -185,7 +186,7 @@ void add_process_commands(CLI::App& adit) {
 }
 
 void add_reload_command(CLI::App& adit) {
-  CLI::App* reload = adit.add_subcommand("reload", "Reload the process list of the supervisor");
+  CLI::App* reload = add_command(adit, "reload", "Reload the process list of the supervisor");
   set_help(*reload, {kReloadDetails, "", kReloadExamples});
   const auto options = add_socket_option(*reload);
   reload->callback(
@@ -193,7 +194,7 @@ void add_reload_command(CLI::App& adit) {
 }
 
 void add_logs_command(CLI::App& adit) {
-  CLI::App* logs = adit.add_subcommand("logs", "Print the output of a process of the supervisor");
+  CLI::App* logs = add_command(adit, "logs", "Print the output of a process of the supervisor");
   set_help(*logs, {kLogsDetails, "", kLogsExamples});
   const auto options = add_socket_option(*logs);
   logs->add_option("NAME", options->names, "Process of the process list")->required()->expected(1);

@@ -5,9 +5,10 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "common/command_line/command_line.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/report/report.hpp"
@@ -57,8 +58,9 @@ constexpr const char* kReportExamples =
 }  // namespace
 
 void add_report_command(CLI::App& adit) {
-  CLI::App* command = adit.add_subcommand(
-      "report", "Create the report of a mission from its log: HTML page, maps, 3D map, figures");
+  CLI::App* command =
+      add_command(adit, "report",
+                  "Create the report of a mission from its log: HTML page, maps, 3D map, figures");
   set_help(*command, {kReportDetails, "", kReportExamples});
   const auto options = std::make_shared<ReportOptions>();
   command->add_option("LOG", options->logs, "LCM logs of one mission, in order of time")

@@ -7,9 +7,10 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "common/command_line/command_line.hpp"
 #include "common/geometry/pose2.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
@@ -74,7 +75,7 @@ void write_sample(const SampleOptions& options) {
 
 void add_sample_command(CLI::App& adit) {
   CLI::App* sample =
-      adit.add_subcommand("sample", "Write the log of a drive through a synthetic mine");
+      add_command(adit, "sample", "Write the log of a drive through a synthetic mine");
   set_help(*sample, {kSampleDetails, "", kSampleExamples});
   const auto options = std::make_shared<SampleOptions>();
   sample->add_option("OUT", options->output, "Log to write: .lcmlog, or .log for CARMEN text")

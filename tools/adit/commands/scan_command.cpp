@@ -6,9 +6,10 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "common/command_line/command_line.hpp"
 #include "sim/live/world_choice.hpp"
 #include "sim/sweep/tilt_sweep.hpp"
 #include "sim/view/view_options.hpp"
@@ -65,7 +66,7 @@ void scan(const ScanOptions& options) {
 
 void add_scan_command(CLI::App& adit) {
   CLI::App* command =
-      adit.add_subcommand("scan", "Write a 3D scan of a simulated mine, as input of adit plan");
+      add_command(adit, "scan", "Write a 3D scan of a simulated mine, as input of adit plan");
   set_help(*command, {kScanDetails, "", kScanExamples});
   const auto options = std::make_shared<ScanOptions>();
   add_world_options(*command, options->world)->required();

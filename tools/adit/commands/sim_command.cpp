@@ -5,8 +5,9 @@
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
+#include "common/command_line/command_line.hpp"
 #include "common/files/file_utils.hpp"
 #include "sim/live/live_run.hpp"
 #include "sim/view/view.hpp"
@@ -59,8 +60,9 @@ void write_files(const SimOptions& options) {
 }  // namespace
 
 void add_sim_command(CLI::App& adit) {
-  CLI::App* sim = adit.add_subcommand(
-      "sim", "Simulate a robot in a mine on LCM, or write pictures and ground truth of the mine");
+  CLI::App* sim = add_command(
+      adit, "sim",
+      "Simulate a robot in a mine on LCM, or write pictures and ground truth of the mine");
   set_help(*sim, {kLiveRunFooter, "", kSimExamples});
   const auto options = std::make_shared<SimOptions>();
   options->run.program = "adit sim";

@@ -4,8 +4,9 @@
 #include <memory>
 #include <optional>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
+#include "common/command_line/command_line.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/lcm_spy.hpp"
 
@@ -24,7 +25,7 @@ constexpr const char* kSpyExamples =
 
 void add_spy_command(CLI::App& adit) {
   CLI::App* spy =
-      adit.add_subcommand("spy", "Inspect messages: start lcm-spy or the graphical log player");
+      add_command(adit, "spy", "Inspect messages: start lcm-spy or the graphical log player");
   set_help(*spy, {kSpyDetails, "", kSpyExamples});
   const auto log = std::make_shared<std::optional<std::filesystem::path>>();
   spy->add_option("LOG", *log, "LCM log to play")->type_name("FILE");

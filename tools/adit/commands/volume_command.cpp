@@ -3,9 +3,10 @@
 #include <iostream>
 #include <memory>
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 #include <fmt/format.h>
 
+#include "common/command_line/command_line.hpp"
 #include "tools/adit/adit_app.hpp"
 #include "tools/adit/progress_bar.hpp"
 #include "tools/volume/volume_run.hpp"
@@ -43,8 +44,8 @@ void build_volume(const VolumeRunOptions& options) {
 }  // namespace
 
 void add_volume_command(CLI::App& adit) {
-  CLI::App* command = adit.add_subcommand(
-      "volume", "Build a 3D map (OctoMap) and a point cloud from the 3D scans in a log");
+  CLI::App* command = add_command(
+      adit, "volume", "Build a 3D map (OctoMap) and a point cloud from the 3D scans in a log");
   set_help(*command, {kVolumeDetails, "", kVolumeExamples});
   const auto options = std::make_shared<VolumeRunOptions>();
   command->add_option("LOG", options->input, "LCM log")->type_name("FILE")->required();

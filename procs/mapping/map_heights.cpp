@@ -50,17 +50,16 @@ HeightConstraint MapHeights::climb_of(const LocalMap& map, const LocalMap& befor
   return climb;
 }
 
-/// NaN if the paths do not come near each other.
-double MapHeights::ground_offset_m(const PoseConstraint& loop_closure,
-                                   const std::vector<LocalWalls>& walls) {
+const GroundOffset& MapHeights::offset_at(const PoseConstraint& loop_closure,
+                                          const std::vector<LocalWalls>& walls) {
   Offset& offset = offsets_[{loop_closure.from, loop_closure.to}];
   if (offset.T_from_to != loop_closure.T_from_to) {
     offset = {
         loop_closure.T_from_to,
-        height_offset(walls[static_cast<std::size_t>(loop_closure.to)].path, loop_closure.T_from_to,
+        ground_offset(walls[static_cast<std::size_t>(loop_closure.to)].path, loop_closure.T_from_to,
                       walls[static_cast<std::size_t>(loop_closure.from)].path)};
   }
-  return offset.offset_m;
+  return offset.ground;
 }
 
 void MapHeights::update(const std::vector<LocalMap>& maps, const std::vector<LocalWalls>& walls,
@@ -70,10 +69,10 @@ void MapHeights::update(const std::vector<LocalMap>& maps, const std::vector<Loc
     constraints.push_back(climb_of(maps[i], maps[i - 1]));
   }
   for (const PoseConstraint& loop_closure : loop_closures) {
-    const double offset_m = ground_offset_m(loop_closure, walls);
-    if (!std::isfinite(offset_m)) continue;
-    constraints.push_back(
-        {loop_closure.from, loop_closure.to, offset_m, params_.ground_sd_m, 0.0, 0});
+    const GroundOffset& ground = offset_at(loop_closure, walls);
+    if (!std::isfinite(ground.offset_m)) continue;
+    const double sd_m = std::hypot(params_.ground_sd_m, params_.ground_slope * ground.distance_m);
+    constraints.push_back({loop_closure.from, loop_closure.to, ground.offset_m, sd_m, 0.0, 0});
   }
   field_ = HeightField(static_cast<int>(maps.size()), constraints, params_.pitch_sd_rad);
 }

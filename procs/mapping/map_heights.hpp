@@ -23,7 +23,8 @@ struct MapHeightsParams {
   double drift_per_m = 0.002;   ///< and its growth with the distance travelled
   double slope_max = 0.35;      ///< of ground; without an IMU the climb is unknown up to this
   double pitch_sd_rad = 0.005;  ///< of the constant pitch error of a session
-  double ground_sd_m = 0.03;    ///< of the ground at a place where two local maps meet
+  double ground_sd_m = 0.02;    ///< of the ground at a place where two local maps meet,
+  double ground_slope = 0.2;    ///< and its growth with the distance between their paths
   double level_m = 1.0;         ///< local maps whose ground is farther apart show different levels
 
   template <class V>
@@ -33,6 +34,7 @@ struct MapHeightsParams {
     v("slope_max", slope_max, above(0.0));
     v("pitch_sd_rad", pitch_sd_rad, above(0.0));
     v("ground_sd_m", ground_sd_m, above(0.0));
+    v("ground_slope", ground_slope, at_least(0.0));
     v("level_m", level_m, above(0.0));
   }
 };
@@ -60,14 +62,14 @@ class MapHeights {
 
  private:
   [[nodiscard]] HeightConstraint climb_of(const LocalMap& map, const LocalMap& before) const;
-  [[nodiscard]] double ground_offset_m(const PoseConstraint& loop_closure,
-                                       const std::vector<LocalWalls>& walls);
+  [[nodiscard]] const GroundOffset& offset_at(const PoseConstraint& loop_closure,
+                                              const std::vector<LocalWalls>& walls);
 
   MapHeightsParams params_;
   HeightField field_;
   struct Offset {
     Pose2 T_from_to;
-    double offset_m = 0.0;
+    GroundOffset ground;
   };
   std::map<std::array<int, 2>, Offset> offsets_;  ///< of loop closures, by local maps
 };

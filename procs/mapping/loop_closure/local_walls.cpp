@@ -16,6 +16,7 @@ namespace adit {
 namespace {
 
 constexpr double kSameGroundM = 2.0;  // between two paths on one ground
+constexpr double kAsNearM = 0.1;      // in addition to the distance of the nearest points
 
 SurfacePoint to_point(const Surfel& surfel, double wall_variance) {
   SurfacePoint point;
@@ -106,25 +107,32 @@ double log_ratio(double distance, const WallAgreementParams& params) {
 
 }  // namespace
 
-double height_offset(const std::vector<Eigen::Vector3d>& path, const Pose2& T_reference_path,
-                     const std::vector<Eigen::Vector3d>& path_reference) {
-  std::vector<double> offsets_m;
+GroundOffset ground_offset(const std::vector<Eigen::Vector3d>& path, const Pose2& T_reference_path,
+                           const std::vector<Eigen::Vector3d>& path_reference) {
+  struct Pair {
+    double distance_m;
+    double offset_m;
+  };
+  std::vector<Pair> pairs;
+  GroundOffset result;
   for (const Eigen::Vector3d& p : path) {
     const Eigen::Vector2d there = T_reference_path * Eigen::Vector2d(p.head<2>());
-    const Eigen::Vector3d* nearest = nullptr;
-    double least = kSameGroundM * kSameGroundM;
+    Pair nearest{kSameGroundM, 0.0};
     for (const Eigen::Vector3d& q : path_reference) {
-      const double squared = (q.head<2>() - there).squaredNorm();
-      if (squared > least) continue;
-      least = squared;
-      nearest = &q;
+      const double distance_m = (q.head<2>() - there).norm();
+      if (distance_m < nearest.distance_m) nearest = {distance_m, q.z() - p.z()};
     }
-    if (nearest != nullptr) offsets_m.push_back(nearest->z() - p.z());
+    if (nearest.distance_m < kSameGroundM) pairs.push_back(nearest);
+    result.distance_m = std::min(result.distance_m, nearest.distance_m);
   }
-  if (offsets_m.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = offsets_m.begin() + static_cast<std::ptrdiff_t>(offsets_m.size() / 2);
-  std::nth_element(offsets_m.begin(), middle, offsets_m.end());
-  return *middle;
+  std::erase_if(pairs,
+                [&](const Pair& pair) { return pair.distance_m > result.distance_m + kAsNearM; });
+  if (pairs.empty()) return result;
+  const auto middle = pairs.begin() + static_cast<std::ptrdiff_t>(pairs.size() / 2);
+  std::nth_element(pairs.begin(), middle, pairs.end(),
+                   [](const Pair& a, const Pair& b) { return a.offset_m < b.offset_m; });
+  result.offset_m = middle->offset_m;
+  return result;
 }
 
 WallAgreement agreement(const std::vector<SurfacePoint>& points, const Pose2& T_reference_points,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -53,15 +54,21 @@ struct LocalWalls {
   std::vector<Eigen::Vector3d> path;  ///< of the body [m]
 };
 
-/// Extracts the walls of a local map, without what may be ground or roof. Scans on a channel without a mount are ignored.
+/// Extracts the walls of a local map, without what may be ground or roof. Scans on a channel
+/// without a mount are ignored.
 LocalWalls local_walls(const LocalMap& map, const LaserMounts& mounts,
                        const LocalWallsParams& params);
 
-/// The height of one map above another that shows the same place, from the ground that both drove
-/// on: the median over path points within 2 m of each other. NaN if their paths do not come so
-/// near.
-double height_offset(const std::vector<Eigen::Vector3d>& path, const Pose2& T_reference_path,
-                     const std::vector<Eigen::Vector3d>& path_reference);
+/// The height of one map above another that shows the same place.
+struct GroundOffset {
+  double offset_m = std::numeric_limits<double>::quiet_NaN();
+  double distance_m = 2.0;  ///< in plan, between the points that were compared
+};
+
+/// From the ground that both maps drove on: the median where their paths are nearest to each other.
+/// NaN if they do not come within 2 m.
+GroundOffset ground_offset(const std::vector<Eigen::Vector3d>& path, const Pose2& T_reference_path,
+                           const std::vector<Eigen::Vector3d>& path_reference);
 
 struct WallAgreementParams {
   /// Maximum distance between a point and its wall.

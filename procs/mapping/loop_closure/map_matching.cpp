@@ -112,7 +112,7 @@ class MapMatcher {
  private:
   /// Of the newer map in the older one, and the reverse.
   [[nodiscard]] std::pair<WallAgreement, WallAgreement> agreements(const Pose2& T) const {
-    const double z_m = height_offset(newer_path_, T, older_path_);
+    const double z_m = ground_offset(newer_path_, T, older_path_).offset_m;
     return {agreement(newer_points_, T, older_, older_views_, params_.agreement, z_m),
             agreement(older_points_, T.inverse(), newer_, newer_views_, params_.agreement, -z_m)};
   }
@@ -174,7 +174,7 @@ class MapMatcher {
 
   /// Whether enough of the few points lie on walls, and not in free space.
   [[nodiscard]] bool plausible(const Pose2& T, double strictness) const {
-    const double z_m = height_offset(newer_path_, T, older_path_);
+    const double z_m = ground_offset(newer_path_, T, older_path_).offset_m;
     const auto found = agreement(few_points_, T, older_, older_views_, params_.agreement, z_m);
     return found.observed() >= strictness * params_.observed_share_min * found.points &&
            found.near >= strictness * params_.on_wall_share_min * found.observed();

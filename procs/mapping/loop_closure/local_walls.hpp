@@ -53,7 +53,8 @@ struct LocalWalls {
   std::vector<Eigen::Vector3d> path;  ///< of the body [m]
 };
 
-/// Extracts the walls of a local map, without what may be ground or roof. Scans on a channel without a mount are ignored.
+/// Extracts the walls of a local map, without what may be ground or roof. Scans on a channel
+/// without a mount are ignored.
 LocalWalls local_walls(const LocalMap& map, const LaserMounts& mounts,
                        const LocalWallsParams& params);
 

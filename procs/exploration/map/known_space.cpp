@@ -10,8 +10,8 @@
 namespace adit {
 namespace {
 
-// A cell of a tile votes at four points within it, so that rotated cells leave no holes; a return
-// counts as much as the four together.
+// A cell of a tile or of a 3D scan votes at four points within it, so that rotated cells leave no
+// holes; a return counts as much as the four together.
 constexpr int kVotesOfCell = 4;
 // A wall with this many times more votes for free is free: grazing beams pass through walls.
 constexpr int kFreeOverWall = 3;
@@ -190,10 +190,15 @@ void KnownSpace::vote_ground(std::size_t i, int sign) {
   const Pose2& T_map_level = *T_map_level_[i];
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (cells[k] == ScannedCell::kUnknown) continue;
-    const Eigen::Vector2d p_map = T_map_level * centre_of(cells.cell(k), resolution_m());
-    Votes& votes = votes_.at(cell_of(p_map, resolution_m()));
-    std::uint16_t& count = cells[k] == ScannedCell::kGround ? votes.ground : votes.rock;
-    count = static_cast<std::uint16_t>(count + sign);
+    const Eigen::Vector2d corner = cells.cell(k).cast<double>();
+    for (const double dy : {0.25, 0.75}) {
+      for (const double dx : {0.25, 0.75}) {
+        const Eigen::Vector2d p_level = resolution_m() * (corner + Eigen::Vector2d(dx, dy));
+        Votes& votes = votes_.at(cell_of(T_map_level * p_level, resolution_m()));
+        std::uint16_t& count = cells[k] == ScannedCell::kGround ? votes.ground : votes.rock;
+        count = static_cast<std::uint16_t>(count + sign);
+      }
+    }
   }
 }
 

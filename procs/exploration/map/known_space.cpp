@@ -215,22 +215,41 @@ bool KnownSpace::is_confirmed_wall(std::size_t votes_index) const {
   return false;
 }
 
+bool KnownSpace::has_returns(std::size_t votes_index) const {
+  const Votes& votes = votes_[votes_index];
+  return votes.wall > 0 && kFreeOverWall * votes.wall >= votes.free;
+}
+
+Occupancy KnownSpace::occupancy(std::size_t votes_index, Walls walls) const {
+  const Votes& votes = votes_[votes_index];
+  if (votes.free == 0 && votes.wall == 0) return Occupancy::kUnseen;
+  const bool on_ground = votes.ground > 0 && votes.rock == 0;
+  if (!has_returns(votes_index) || on_ground) return Occupancy::kFree;
+  const bool counts = walls == Walls::kAll || ground_.empty() || is_confirmed_wall(votes_index);
+  return counts ? Occupancy::kWall : Occupancy::kUnseen;
+}
+
+bool KnownSpace::dismisses_wall_near(const Eigen::Vector2d& p_map, Walls walls) const {
+  constexpr int kReach = 3;
+  const Eigen::Vector2i middle = cell_of(p_map, resolution_m());
+  for (int y = -kReach; y <= kReach; ++y) {
+    for (int x = -kReach; x <= kReach; ++x) {
+      const Eigen::Vector2i cell = middle + Eigen::Vector2i(x, y);
+      if (!votes_.contains(cell)) continue;
+      const std::size_t i = votes_.index(cell);
+      if (has_returns(i) && occupancy(i, walls) != Occupancy::kWall) return true;
+    }
+  }
+  return false;
+}
+
 Grid2<Occupancy> KnownSpace::cells(Walls walls) const {
   CellBox box = votes_.box();
   if (votes_.size() == 0) return {};
   const Eigen::Vector2i rim(kRim, kRim);
   Grid2<Occupancy> known({box.from - rim, box.to + rim}, Occupancy::kUnseen);
-  const bool only_confirmed = walls == Walls::kConfirmed && !ground_.empty();
   for (std::size_t i = 0; i < votes_.size(); ++i) {
-    const Votes& votes = votes_[i];
-    if (votes.free == 0 && votes.wall == 0) continue;
-    const bool returns = votes.wall > 0 && kFreeOverWall * votes.wall >= votes.free;
-    const bool on_ground = votes.ground > 0 && votes.rock == 0;
-    Occupancy& cell = known[known.index(votes_.cell(i))];
-    cell = returns && !on_ground ? Occupancy::kWall : Occupancy::kFree;
-    if (cell == Occupancy::kWall && only_confirmed && !is_confirmed_wall(i)) {
-      cell = Occupancy::kUnseen;
-    }
+    known[known.index(votes_.cell(i))] = occupancy(i, walls);
   }
   fill_patches(known);
   mark_driven(known);

@@ -96,6 +96,20 @@ TEST_F(EndOfAStrip, IsUnseenUntilA3DScanConfirmsIt) {
   EXPECT_EQ(at(p_end_, Walls::kConfirmed), Occupancy::kWall);
 }
 
+TEST_F(EndOfAStrip, IsDismissedWhereItIsGroundOrUnconfirmed) {
+  const Eigen::Vector2d before = p_end_ - Eigen::Vector2d(0.6, 0.0);  // three cells
+  const Eigen::Vector2d far = p_end_ - Eigen::Vector2d(0.8, 0.0);
+  for (const Walls walls : {Walls::kAll, Walls::kConfirmed}) {
+    EXPECT_FALSE(space_.dismisses_wall_near(before, walls));
+  }
+  space_.add(scan_of(ScannedCell::kGround, {1.0, 0.1}));  // elsewhere
+  EXPECT_FALSE(space_.dismisses_wall_near(before, Walls::kAll));
+  EXPECT_TRUE(space_.dismisses_wall_near(before, Walls::kConfirmed));
+  EXPECT_FALSE(space_.dismisses_wall_near(far, Walls::kConfirmed));
+  space_.add(scan_of(ScannedCell::kGround, p_end_));
+  EXPECT_TRUE(space_.dismisses_wall_near(before, Walls::kAll));
+}
+
 TEST_F(EndOfAStrip, IsNotConfirmedByRockFartherAway) {
   space_.add(scan_of(ScannedCell::kRock, p_end_ + Eigen::Vector2d(1.0, 0.0)));  // 0.6 m beyond
   EXPECT_EQ(at(p_end_, Walls::kConfirmed), Occupancy::kUnseen);

@@ -66,6 +66,7 @@ void Exploration::refresh() {
   detected_frontiers_ = detect_frontiers(space_, params_.frontiers.cluster_distance_m);
   for (DetectedFrontier& detected : detected_frontiers_) {
     if (leads_out(detected)) detected.access = Access::kBehindBarrier;
+    detected.at_dismissed_wall = known_.dismisses_wall_near(detected.p_map, walls);
   }
   register_.update(detected_frontiers_, known_, barrier_evidence(), utime_);
   corridors_ = corridor_graph(space_, skeleton(space_), detected_frontiers_, params_.corridors);
@@ -128,6 +129,7 @@ ExplorationDecision Exploration::make_decision(const ExplorationState& state) {
 bool Exploration::verify_walls() {
   if (verify_walls_ || known_.scanned_ground().empty()) return false;
   verify_walls_ = true;
+  register_.forget_closings();
   refresh();
   return true;
 }

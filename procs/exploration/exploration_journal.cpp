@@ -140,7 +140,8 @@ void ExplorationJournal::store(const StoredExploration& stored) {
   if (important) journal_.sync();
 }
 
-void ExplorationJournal::append(const ScannedGround& ground) {
+void ExplorationJournal::append(std::int64_t map_utime, const ScannedGround& ground) {
+  if (map_utime != written_.map_utime) begin_map(map_utime);
   journal_.append(kGround, bytes_of(to_text(ground)));
 }
 

@@ -38,8 +38,8 @@ class ExplorationJournal {
   /// Appends what changed. Synchronizes with the disk, unless only the distance travelled changed.
   /// What 3D scans observed is not stored again.
   void store(const StoredExploration& stored);
-  /// Appends what a 3D scan observed.
-  void append(const ScannedGround& ground);
+  /// Appends what a 3D scan observed, of the map whose first scan has this time.
+  void append(std::int64_t map_utime, const ScannedGround& ground);
 
  private:
   struct Written {

@@ -219,7 +219,7 @@ void ExplorationNode::publish_decision() {
 void ExplorationNode::store(const ScannedGround& ground) {
   if (!journal_) return;
   try {
-    journal_->append(ground);
+    journal_->append(map_utime_, ground);
   } catch (const std::exception& failure) {
     journal_failure_ = failure.what();
   }

@@ -15,7 +15,7 @@
 namespace adit {
 namespace {
 
-using Ground = ExplorationPicture::Ground;
+using PictureCell = ExplorationPicture::Cell;
 
 /// The box of the observed cells.
 CellBox observed_box(const Grid2<Occupancy>& known) {
@@ -28,11 +28,11 @@ CellBox observed_box(const Grid2<Occupancy>& known) {
   return box.empty() ? CellBox{{0, 0}, {1, 1}} : box;
 }
 
-Ground ground_at(const DrivableSpace& space, const Eigen::Vector2i& cell) {
+PictureCell cell_of_picture(const DrivableSpace& space, const Eigen::Vector2i& cell) {
   const Occupancy known = space.known.get(cell, Occupancy::kUnseen);
-  if (known == Occupancy::kUnseen) return Ground::kUnseen;
-  if (known == Occupancy::kWall) return Ground::kWall;
-  return space.access.get(cell) == Access::kReachable ? Ground::kDrivable : Ground::kFree;
+  if (known == Occupancy::kUnseen) return PictureCell::kUnseen;
+  if (known == Occupancy::kWall) return PictureCell::kWall;
+  return space.access.get(cell) == Access::kReachable ? PictureCell::kDrivable : PictureCell::kFree;
 }
 
 constexpr int kMarginPx = 24;
@@ -81,11 +81,11 @@ class Sheet {
 
   void draw_cells() const {
     for (std::size_t i = 0; i < picture_.cells.size(); ++i) {
-      const Ground ground = picture_.cells[i];
-      if (ground == Ground::kUnseen) continue;
-      canvas_.colour(ground == Ground::kWall       ? kWall
-                     : ground == Ground::kDrivable ? kOpen
-                                                   : kCannotStand);
+      const PictureCell cell = picture_.cells[i];
+      if (cell == PictureCell::kUnseen) continue;
+      canvas_.colour(cell == PictureCell::kWall       ? kWall
+                     : cell == PictureCell::kDrivable ? kOpen
+                                                      : kCannotStand);
       const auto columns = static_cast<std::size_t>(columns_);
       canvas_.fill_rectangle(kMarginPx + side_px_ * static_cast<int>(i % columns),
                              kHeadPx + side_px_ * (rows_ - 1 - static_cast<int>(i / columns)),
@@ -158,14 +158,14 @@ void draw_keys(const Sheet& sheet) {
 ExplorationPicture exploration_picture(const std::string& title, const Exploration& exploration,
                                        std::vector<Eigen::Vector2d> traversed_path) {
   const DrivableSpace& space = exploration.space();
-  const Grid2<Ground> cells(observed_box(space.known));
+  const Grid2<PictureCell> cells(observed_box(space.known));
   ExplorationPicture picture;
   picture.title = title;
   picture.cell_m = space.resolution_m;
   picture.p_map_corner = space.resolution_m * cells.box().from.cast<double>();
   picture.columns = cells.box().size().x();
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    picture.cells.push_back(ground_at(space, cells.cell(i)));
+    picture.cells.push_back(cell_of_picture(space, cells.cell(i)));
   }
   picture.report = exploration.report();
   picture.traversed_path = std::move(traversed_path);

@@ -16,13 +16,13 @@ namespace adit {
 
 /// The content of a picture of an exploration.
 struct ExplorationPicture {
-  enum class Ground : std::uint8_t { kUnseen, kWall, kFree, kDrivable };
+  enum class Cell : std::uint8_t { kUnseen, kWall, kFree, kDrivable };
 
   std::string title;  ///< one line, UTF-8
   double cell_m = 0.2;
   Eigen::Vector2d p_map_corner{0.0, 0.0};  ///< lowest corner of the cells
   int columns = 0;
-  std::vector<Ground> cells;  ///< row by row from the lowest
+  std::vector<Cell> cells;  ///< row by row from the lowest
   ExplorationReport report;
   std::vector<Eigen::Vector2d> traversed_path;  ///< of the robot, p_map; may be empty
 };

@@ -16,6 +16,7 @@ struct DetectedFrontier {
   Eigen::Vector2d direction_map{1.0, 0.0};  ///< into the unseen space, a unit vector
   double width_m = 0.0;                     ///< approximate width from wall to wall
   Access access = Access::kReachable;
+  bool at_dismissed_wall = false;  ///< returns of the level lasers near it count as no wall
 };
 
 /// All frontiers, ordered by their lowest cell. Frontier cells no farther apart than

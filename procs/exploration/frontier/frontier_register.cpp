@@ -110,7 +110,8 @@ void FrontierRegister::match(const std::vector<DetectedFrontier>& detections,
     if (found[pair.frontier] || matched[pair.detection]) continue;
     const DetectedFrontier& detection = detections[pair.detection];
     matched[pair.detection] = true;
-    if (search == Search::kReopened && is_seam(pair.frontier, detection, posed.space)) continue;
+    const bool may_be_seam = search == Search::kReopened && !detection.at_dismissed_wall;
+    if (may_be_seam && is_seam(pair.frontier, detection, posed.space)) continue;
     found[pair.frontier] = true;
     move_to(pair.frontier, detection, posed);
   }
@@ -123,6 +124,14 @@ void FrontierRegister::close(std::size_t i, const PosedTile& newest, std::int64_
       fmt::format("the space behind it was observed by local map {}", newest.id), utime);
   tracks_[i].final = ++tracks_[i].closings >= params_.closings;
   closings_[i] = {newest.id, newest.T_map_local.inverse() * frontiers_[i].p_map, newest.id};
+}
+
+void FrontierRegister::forget_closings() {
+  for (std::size_t i = 0; i < frontiers_.size(); ++i) {
+    if (frontiers_[i].state != FrontierState::kExplored) continue;
+    tracks_[i].final = false;
+    tracks_[i].closings = 0;
+  }
 }
 
 /// The frontier was observed as closed, no local map has observed the place since then, and the one

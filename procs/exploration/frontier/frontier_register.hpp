@@ -59,8 +59,8 @@ struct StoredFrontier {
 /// the local map that observed it, moves with it, and advances along the corridor with the robot;
 /// at a junction one branch inherits it and the others are new. Where local maps move relative to
 /// each other, seams may open in the map. A detection at an explored frontier is ignored as a seam
-/// if no later local map observed the place and the local maps have not moved relative to each
-/// other; otherwise the frontier is reopened.
+/// if no later local map observed the place, the local maps have not moved relative to each other,
+/// and no wall there was dismissed; otherwise the frontier is reopened.
 class FrontierRegister {
  public:
   explicit FrontierRegister(const FrontierRegisterParams& params) : params_(params) {}
@@ -93,6 +93,8 @@ class FrontierRegister {
   /// because they lie behind a barrier; the latter open when the barriers are removed. Returns
   /// whether there was any.
   bool retry_abandoned(std::int64_t utime);
+  /// No frontier is explored permanently any more: what closed it may have been no wall.
+  void forget_closings();
   /// Sets whether an open frontier can be visited within the budget.
   void set_within_budget(int frontier, bool within, const std::string& evidence,
                          std::int64_t utime);

@@ -10,8 +10,8 @@
 namespace adit {
 namespace {
 
-// A cell of a tile votes at four points within it, so that rotated cells leave no holes; a return
-// counts as much as the four together.
+// A cell of a tile or of a 3D scan votes at four points within it, so that rotated cells leave no
+// holes; a return counts as much as the four together.
 constexpr int kVotesOfCell = 4;
 // A wall with this many times more votes for free is free: grazing beams pass through walls.
 constexpr int kFreeOverWall = 3;
@@ -190,10 +190,15 @@ void KnownSpace::vote_ground(std::size_t i, int sign) {
   const Pose2& T_map_level = *T_map_level_[i];
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (cells[k] == ScannedCell::kUnknown) continue;
-    const Eigen::Vector2d p_map = T_map_level * centre_of(cells.cell(k), resolution_m());
-    Votes& votes = votes_.at(cell_of(p_map, resolution_m()));
-    std::uint16_t& count = cells[k] == ScannedCell::kGround ? votes.ground : votes.rock;
-    count = static_cast<std::uint16_t>(count + sign);
+    const Eigen::Vector2d corner = cells.cell(k).cast<double>();
+    for (const double dy : {0.25, 0.75}) {
+      for (const double dx : {0.25, 0.75}) {
+        const Eigen::Vector2d p_level = resolution_m() * (corner + Eigen::Vector2d(dx, dy));
+        Votes& votes = votes_.at(cell_of(T_map_level * p_level, resolution_m()));
+        std::uint16_t& count = cells[k] == ScannedCell::kGround ? votes.ground : votes.rock;
+        count = static_cast<std::uint16_t>(count + sign);
+      }
+    }
   }
 }
 
@@ -210,22 +215,41 @@ bool KnownSpace::is_confirmed_wall(std::size_t votes_index) const {
   return false;
 }
 
+bool KnownSpace::has_returns(std::size_t votes_index) const {
+  const Votes& votes = votes_[votes_index];
+  return votes.wall > 0 && kFreeOverWall * votes.wall >= votes.free;
+}
+
+Occupancy KnownSpace::occupancy(std::size_t votes_index, Walls walls) const {
+  const Votes& votes = votes_[votes_index];
+  if (votes.free == 0 && votes.wall == 0) return Occupancy::kUnseen;
+  const bool on_ground = votes.ground > 0 && votes.rock == 0;
+  if (!has_returns(votes_index) || on_ground) return Occupancy::kFree;
+  const bool counts = walls == Walls::kAll || ground_.empty() || is_confirmed_wall(votes_index);
+  return counts ? Occupancy::kWall : Occupancy::kUnseen;
+}
+
+bool KnownSpace::dismisses_wall_near(const Eigen::Vector2d& p_map, Walls walls) const {
+  constexpr int kReach = 3;
+  const Eigen::Vector2i middle = cell_of(p_map, resolution_m());
+  for (int y = -kReach; y <= kReach; ++y) {
+    for (int x = -kReach; x <= kReach; ++x) {
+      const Eigen::Vector2i cell = middle + Eigen::Vector2i(x, y);
+      if (!votes_.contains(cell)) continue;
+      const std::size_t i = votes_.index(cell);
+      if (has_returns(i) && occupancy(i, walls) != Occupancy::kWall) return true;
+    }
+  }
+  return false;
+}
+
 Grid2<Occupancy> KnownSpace::cells(Walls walls) const {
   CellBox box = votes_.box();
   if (votes_.size() == 0) return {};
   const Eigen::Vector2i rim(kRim, kRim);
   Grid2<Occupancy> known({box.from - rim, box.to + rim}, Occupancy::kUnseen);
-  const bool only_confirmed = walls == Walls::kConfirmed && !ground_.empty();
   for (std::size_t i = 0; i < votes_.size(); ++i) {
-    const Votes& votes = votes_[i];
-    if (votes.free == 0 && votes.wall == 0) continue;
-    const bool returns = votes.wall > 0 && kFreeOverWall * votes.wall >= votes.free;
-    const bool on_ground = votes.ground > 0 && votes.rock == 0;
-    Occupancy& cell = known[known.index(votes_.cell(i))];
-    cell = returns && !on_ground ? Occupancy::kWall : Occupancy::kFree;
-    if (cell == Occupancy::kWall && only_confirmed && !is_confirmed_wall(i)) {
-      cell = Occupancy::kUnseen;
-    }
+    known[known.index(votes_.cell(i))] = occupancy(i, walls);
   }
   fill_patches(known);
   mark_driven(known);

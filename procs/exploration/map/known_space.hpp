@@ -69,6 +69,10 @@ class KnownSpace {
   /// All cells, with a rim of two unseen cells. Without 3D scans all walls count.
   [[nodiscard]] Grid2<Occupancy> cells(Walls walls = Walls::kAll) const;
 
+  /// Whether returns of the level lasers within three cells of a point count as no wall, by what 3D
+  /// scans observed.
+  [[nodiscard]] bool dismisses_wall_near(const Eigen::Vector2d& p_map, Walls walls) const;
+
   /// The tile that observed this point as free and whose path is nearest to it: the one to anchor
   /// it to. Empty if there is none within 20 m.
   [[nodiscard]] std::optional<PosedTile> tile_at(const Eigen::Vector2d& p_map) const;
@@ -106,7 +110,9 @@ class KnownSpace {
   [[nodiscard]] bool enter_ground(std::size_t i);
   void withdraw_ground(std::size_t i);
   void vote_ground(std::size_t i, int sign);
+  [[nodiscard]] bool has_returns(std::size_t votes_index) const;
   [[nodiscard]] bool is_confirmed_wall(std::size_t votes_index) const;
+  [[nodiscard]] Occupancy occupancy(std::size_t votes_index, Walls walls) const;
   void mark_driven(Grid2<Occupancy>& known) const;
   void fill_patches(Grid2<Occupancy>& known) const;
 

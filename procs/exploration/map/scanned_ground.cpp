@@ -25,8 +25,8 @@ struct Summary {
 };
 
 bool is_ground(const TerrainCell& cell, double vehicle_height_m) {
-  return cell.ground == Ground::kObserved &&
-         cell.coefficient_m<kObstacleM&& static_cast<double>(cell.clearance_m)> vehicle_height_m;
+  return cell.ground == Ground::kObserved && cell.coefficient_m < kObstacleM &&
+         vehicle_height_m < static_cast<double>(cell.clearance_m);
 }
 
 bool is_rock(const TerrainCell& cell) {

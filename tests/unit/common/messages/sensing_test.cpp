@@ -37,6 +37,8 @@ ScanMatch report() {
   report.T_odom_body = {1.0, 2.0, 0.5};
   report.T_reference_body = {0.1, 0.0, 0.01};
   report.covariance << 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0;
+  report.ground_beams = {3, 90};
+  report.unconfirmed_beams = {0, 91, 360};
   report.inlier_share = 0.9;
   report.rms_residual_m = 0.01;
   report.degenerate = {{Eigen::Vector3d::UnitX(), DegenerateDirection::Fill::kOdometry}};

@@ -89,6 +89,33 @@ TEST(SurfelMap, SeparatesTheTwoSidesOfAThinWall) {
   EXPECT_GT(map.nearest({1.0, 0.0}, {0.0, 1.0}, 0.5).surfel->normal.y(), 0.0);
 }
 
+TEST(SurfelMap, TakesForSteepWhatWasObservedInOnePlaceAtDifferentHeights) {
+  SurfelMap map{SurfelMapParams{}};
+  const auto observe = [&](double x, double z_m) {
+    SurfacePoint observed = point(x, 0.0, {0.0, -1.0});
+    observed.z_m = z_m;
+    map.insert({observed}, kOrigin, 0.0);
+  };
+  observe(1.0, 0.6);
+  EXPECT_FALSE(map.surfels()[0].is_steep());
+  observe(1.0, 0.65);
+  observe(1.0, 0.56);
+  ASSERT_EQ(map.surfels().size(), 1U);
+  EXPECT_FALSE(map.surfels()[0].is_steep());  // 0.09 m
+  observe(1.0, 0.54);
+  EXPECT_TRUE(map.surfels()[0].is_steep());
+  EXPECT_DOUBLE_EQ(map.surfels()[0].z_min_m, 0.54);
+  EXPECT_DOUBLE_EQ(map.surfels()[0].z_max_m, 0.65);
+  observe(1.0, 0.6);
+  EXPECT_TRUE(map.surfels()[0].is_steep());
+  // Ground that rises by 20 %: what is 0.2 m higher is 1 m farther.
+  observe(2.0, 0.6);
+  observe(3.0, 0.8);
+  ASSERT_EQ(map.surfels().size(), 3U);
+  EXPECT_FALSE(map.surfels()[1].is_steep());
+  EXPECT_FALSE(map.surfels()[2].is_steep());
+}
+
 TEST(SurfelMap, TransformsPointsByThePose) {
   SurfelMap map{SurfelMapParams{}};
   map.insert({point(1.0, 0.0, {-1.0, 0.0})}, {2.0, 3.0, std::numbers::pi / 2}, 0.0);

@@ -15,7 +15,7 @@
 namespace adit {
 namespace {
 
-using Ground = ExplorationPicture::Ground;
+using PictureCell = ExplorationPicture::Cell;
 
 ExplorationPicture picture_of_a_junction() {
   Exploration exploration{ExplorationParams{}};
@@ -28,7 +28,8 @@ TEST(ExplorationPicture, ContainsTheObservedSpace) {
   const ExplorationPicture picture = picture_of_a_junction();
   ASSERT_GT(picture.columns, 0);
   EXPECT_EQ(picture.cells.size() % static_cast<std::size_t>(picture.columns), 0U);
-  const auto drivable = std::count(picture.cells.begin(), picture.cells.end(), Ground::kDrivable);
+  const auto drivable =
+      std::count(picture.cells.begin(), picture.cells.end(), PictureCell::kDrivable);
   // 62 m of tunnels, 3 m wide, less half the width of the vehicle at each wall and at the ends.
   EXPECT_NEAR(static_cast<double>(drivable) * picture.cell_m * picture.cell_m, 62.0 * 1.9, 15.0);
   EXPECT_FALSE(picture.report.frontiers.empty());

@@ -16,6 +16,7 @@
 #include "common/bus/typed_messages.hpp"
 #include "common/messages/exploration.hpp"
 #include "common/messages/mapping/pose_graph.hpp"
+#include "common/messages/mapping/terrain.hpp"
 #include "procs/exploration/exploration_node.hpp"
 #include "tests/support/robots/exploring_robot.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -55,6 +56,11 @@ class StageRun {
   void send(const LocalMap& map) {
     for (const LocalMapFragment& fragment : split(map)) {
       publish(bus_, channels::kLocalMap, to_message(fragment));
+    }
+  }
+  void send(const TerrainMap& terrain) {
+    for (const TerrainFragment& fragment : split(terrain)) {
+      publish(bus_, channels::kTerrain, to_message(fragment));
     }
   }
   void send_graph() {
@@ -239,6 +245,70 @@ TEST(ExplorationJournal, SkipsTornRecordsAndDiscardsTheStateOfAnotherMap) {
     journal.store(other);
   }
   EXPECT_TRUE(ExplorationJournal(path).restored().exploration.frontiers.empty());
+}
+
+ScannedGround scanned_ground(int local_map) {
+  ScannedGround ground{local_map, {1.0 / 3.0, 0.1, -0.2}, Grid2<ScannedCell>({{-2, 0}, {3, 4}})};
+  ground.cells.at({1, 2}) = ScannedCell::kGround;
+  ground.cells.at({2, 3}) = ScannedCell::kRock;
+  return ground;
+}
+
+TEST(ExplorationJournal, RestoresTheGroundOf3DScansOfItsMap) {
+  const test::ScratchFolder scratch;
+  const std::filesystem::path path = scratch / "exploration.journal";
+  StoredExploration stored;
+  stored.map_utime = 5;
+  stored.exploration.verify_walls = true;
+  {
+    ExplorationJournal journal(path);
+    journal.append(5, scanned_ground(0));  // before the first decision
+    journal.store(stored);
+    journal.append(5, scanned_ground(1));
+  }
+  for (int restart = 0; restart < 2; ++restart) {
+    ExplorationJournal journal(path);
+    EXPECT_EQ(journal.restored().grounds,
+              std::vector<ScannedGround>({scanned_ground(0), scanned_ground(1)}));
+    EXPECT_TRUE(journal.restored().exploration.verify_walls);
+    journal.store(journal.restored());
+  }
+  {
+    ExplorationJournal journal(path);
+    StoredExploration other;
+    other.map_utime = 6;
+    journal.store(other);
+    journal.append(6, scanned_ground(2));
+  }
+  const ExplorationJournal journal(path);
+  EXPECT_EQ(journal.restored().grounds, std::vector<ScannedGround>({scanned_ground(2)}));
+  EXPECT_FALSE(journal.restored().exploration.verify_walls);
+}
+
+/// A 3D scan may arrive before the first pose graph: it is placed, and stored, after that.
+TEST(ExplorationRestart, KeepsA3DScanThatArrivedBeforeTheMap) {
+  const test::ScratchFolder scratch;
+  const std::filesystem::path path = scratch / "exploration.journal";
+  const test::PlanarMine mine = tunnel_mine(straight());
+  const test::ExploringRobot robot(mine);
+  const std::vector<LocalMap> maps{robot.last_map()};
+  TerrainMap terrain;
+  terrain.utime = robot.utime();
+  terrain.p_level_corner = {-1.0, -1.0};
+  TerrainCell ground;
+  ground.ground = Ground::kObserved;
+  ground.clearance_m = 2.0F;
+  terrain.cells = Grid2<TerrainCell>(20, 20, ground);
+  {
+    StageRun stage(path, robot, maps);
+    stage.send(terrain);
+    stage.request_decision({robot.utime(), 1, kBudgetM, false, {}});
+  }
+  const std::vector<ScannedGround> grounds = ExplorationJournal(path).restored().grounds;
+  ASSERT_EQ(grounds.size(), 1U);
+  EXPECT_EQ(grounds[0].local_map, 0);
+  const auto cell = cell_of({0.1, 0.1}, KnownSpaceParams{}.tiles.resolution_m);
+  EXPECT_EQ(grounds[0].cells.get(cell), ScannedCell::kGround);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include "procs/exploration/exploration.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -27,7 +29,8 @@ class Explorer {
   }
 
   void update_map() {
-    EXPECT_TRUE(exploration.add(robot.last_map()));
+    maps.push_back(robot.last_map());
+    EXPECT_TRUE(exploration.add(maps.back()));
     EXPECT_TRUE(exploration.update(robot.graph()));
   }
   const ExplorationDecision& decide(double remaining_m = kPlenty) {
@@ -48,6 +51,7 @@ class Explorer {
 
   Exploration exploration;
   test::ExploringRobot robot;
+  std::vector<LocalMap> maps;
 };
 
 TEST(Exploration, StaysWithoutAMap) {
@@ -325,6 +329,124 @@ TEST(Exploration, RejectsMalformedLocalMaps) {
   MapGraph graph = robot.graph();
   graph.poses[0].theta = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(exploration.update(graph));
+}
+
+/// A terrain map of 20 m by 6 m around a place in the tunnel straight(): ground within 1.4 m of its
+/// axis and up to its end, rock elsewhere; observed up to this x in map.
+constexpr double kEndM = 36.7;  // in map; the walls are rough
+TerrainMap terrain_of_tunnel(const Pose2& T_map_level, double observed_to_m, double end_m = kEndM) {
+  TerrainMap terrain;
+  terrain.p_level_corner = {-10.0, -3.0};
+  terrain.cell_m = 0.1;
+  terrain.cells = Grid2<TerrainCell>(200, 60);
+  for (std::size_t i = 0; i < terrain.cells.size(); ++i) {
+    const Eigen::Vector2i at = terrain.cells.cell(i);
+    const Eigen::Vector2d p_map = T_map_level * terrain.centre(at.x(), at.y());
+    if (p_map.x() > observed_to_m) continue;
+    TerrainCell& cell = terrain.cells[i];
+    cell.ground = Ground::kObserved;
+    cell.coefficient_m = p_map.x() > end_m || std::abs(p_map.y()) > 1.4 ? 1.0F : 0.02F;
+    cell.clearance_m = 2.0F;
+  }
+  return terrain;
+}
+constexpr double kBeforeTheEndM = 35.0;
+constexpr double kBeyondTheEndM = 100.0;
+
+/// In a tunnel whose end it has seen by level lasers, from farther than ground that rises to them.
+class DeadEnd : public testing::Test {
+ protected:
+  DeadEnd() {
+    while (explorer_.robot.T_map_body().x < 34.0 && explorer_.decide().kind == Kind::kAlong) {
+      explorer_.drive(1.0);
+    }
+  }
+  void scan_3d(const Pose2& T_map_level, double observed_to_m) {
+    const ScannedGround* added =
+        explorer_.exploration.add(terrain_of_tunnel(T_map_level, observed_to_m), T_map_level);
+    ASSERT_NE(added, nullptr);
+    grounds_.push_back(*added);
+  }
+
+  test::PlanarMine mine_ = tunnel_mine(straight());
+  Explorer explorer_{mine_};
+  std::vector<ScannedGround> grounds_;
+};
+
+TEST_F(DeadEnd, IsExploredWithout3DScans) {
+  EXPECT_NEAR(explorer_.robot.T_map_body().x, 30.0, 1.5);  // 8 m from the end
+  EXPECT_TRUE(explorer_.decide().complete);
+  EXPECT_FALSE(explorer_.exploration.memory().verify_walls);
+}
+
+TEST_F(DeadEnd, IsNotExploredUntilA3DScanShowsRock) {
+  for (double x_m = 0.0; x_m < 30.0; x_m += 5.0) scan_3d({x_m, 0.0, 0.0}, kBeforeTheEndM);
+  const ExplorationDecision decision = explorer_.decide();
+  EXPECT_TRUE(explorer_.exploration.memory().verify_walls);
+  EXPECT_FALSE(decision.complete);
+  ASSERT_NE(decision.frontier, ExplorationDecision::kNoFrontier);
+  const Frontier& frontier =
+      explorer_.exploration.frontiers()[static_cast<std::size_t>(decision.frontier)];
+  EXPECT_GT(frontier.p_map.x(), 34.0);
+  scan_3d(explorer_.robot.T_map_body(), kBeyondTheEndM);
+  EXPECT_TRUE(explorer_.decide().complete);
+  EXPECT_EQ(explorer_.decide().kind, Kind::kHome);
+}
+
+/// The level lasers saw rising ground.
+TEST_F(DeadEnd, IsReopenedByA3DScanThatShowsGround) {
+  ASSERT_TRUE(explorer_.decide().complete);
+  const Pose2 T_map_level = explorer_.robot.T_map_body();
+  const TerrainMap terrain = terrain_of_tunnel(T_map_level, kBeyondTheEndM, kBeyondTheEndM);
+  ASSERT_NE(explorer_.exploration.add(terrain, T_map_level), nullptr);
+  const ExplorationDecision decision = explorer_.decide();
+  EXPECT_EQ(decision.kind, Kind::kAlong);
+  ASSERT_NE(decision.frontier, ExplorationDecision::kNoFrontier);
+  EXPECT_GT(
+      explorer_.exploration.frontiers()[static_cast<std::size_t>(decision.frontier)].p_map.x(),
+      36.0);
+  EXPECT_FALSE(explorer_.exploration.memory().verify_walls);
+}
+
+/// After a restart all is there again, and the decision is the same.
+TEST_F(DeadEnd, IsNotExploredAfterARestartEither) {
+  for (double x_m = 0.0; x_m < 30.0; x_m += 5.0) scan_3d({x_m, 0.0, 0.0}, kBeforeTheEndM);
+  const ExplorationDecision decision = explorer_.decide();
+  Exploration restarted{ExplorationParams{}};
+  restarted.restore(explorer_.exploration.memory());
+  restarted.restore(grounds_);
+  for (const LocalMap& map : explorer_.maps) EXPECT_TRUE(restarted.add(map));
+  EXPECT_TRUE(restarted.update(explorer_.robot.graph()));
+  const auto again =
+      restarted.decide({explorer_.robot.utime(), explorer_.robot.T_map_body(), kPlenty, 0.0});
+  EXPECT_EQ(again, decision);
+}
+
+TEST(Exploration, VerifiesWallsOnlyOnceEveryFrontierIsClosed) {
+  const auto mine = tunnel_mine(straight());
+  Explorer explorer(mine);
+  ASSERT_NE(explorer.exploration.add(terrain_of_tunnel({}, kBeforeTheEndM), {}), nullptr);
+  EXPECT_EQ(explorer.decide().kind, Kind::kAlong);
+  EXPECT_FALSE(explorer.exploration.memory().verify_walls);
+}
+
+TEST(Exploration, AnchorsA3DScanToALocalMap) {
+  const auto mine = tunnel_mine(straight());
+  Exploration empty{ExplorationParams{}};
+  EXPECT_EQ(empty.add(terrain_of_tunnel({}, kBeforeTheEndM), {}), nullptr);  // no local map yet
+  Explorer explorer(mine);
+  for (int i = 0; i < 3; ++i) {
+    explorer.decide();
+    explorer.drive(5.0);
+  }
+  const Pose2 T_map_level{1.0, 0.1, 0.2};
+  const ScannedGround* added =
+      explorer.exploration.add(terrain_of_tunnel(T_map_level, kBeforeTheEndM), T_map_level);
+  ASSERT_NE(added, nullptr);
+  const auto local_map = static_cast<std::size_t>(added->local_map);
+  const Pose2 T_map_local = explorer.robot.graph().poses.at(local_map);
+  EXPECT_LT(between(T_map_level, T_map_local * added->T_local_level).vector().norm(), 1e-9);
+  EXPECT_LT(T_map_local.x, 6.0);  // near it, not the newest
 }
 
 }  // namespace

@@ -117,6 +117,23 @@ TEST(LocalMapBuilder, StoresTheScansOfEachLaser) {
   EXPECT_EQ(feed.maps[0].scans.size(), 22U);
 }
 
+TEST(LocalMapBuilder, PassesOnUnconfirmedBeamsAndRemovesGround) {
+  LocalMapBuilder builder{LocalMapBuilderParams{}};
+  ScanMatch match;
+  match.status = Status::kFirstScan;
+  match.utime = 1'000'000'000;
+  match.channel = kFront;
+  match.ground_beams = {1};
+  match.unconfirmed_beams = {0, 3};
+  const LaserScan scan{match.utime, {4.0F, 5.0F, 6.0F, 7.0F}, -0.1, 0.1};
+  EXPECT_FALSE(builder.add(kFront, scan, match));
+  ASSERT_EQ(builder.current().scans.size(), 1U);
+  const LocalScan& stored = builder.current().scans[0];
+  EXPECT_EQ(stored.unconfirmed_beams, match.unconfirmed_beams);
+  // Their ranges stay: the space in front of them is free whatever they hit.
+  EXPECT_EQ(stored.scan.ranges_m, std::vector<float>({4.0F, 0.0F, 6.0F, 7.0F}));
+}
+
 TEST(LocalMapBuilder, MakesNoMapsAtRest) {
   Feed feed;
   feed.scan(Status::kFirstScan);

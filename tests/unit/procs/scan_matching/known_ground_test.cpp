@@ -41,7 +41,7 @@ TEST(KnownGround, TellsGroundAndRoofFromWallsOnATerrainMap) {
   EXPECT_EQ(ground.surface_at({20.0, 8.05}, kLevelM + 0.61, 3.0), Surface::kGround);
   EXPECT_EQ(ground.surface_at({20.0, 8.05}, kLevelM + 1.2, 3.0), Surface::kUnknown);
   EXPECT_EQ(ground.surface_at({20.0, 8.05}, kLevelM + 2.55, 3.0), Surface::kRoof);
-  EXPECT_EQ(ground.surface_at({20.0, 11.05}, kLevelM + 1.3, 6.0), Surface::kWall);
+  EXPECT_EQ(ground.surface_at({20.0, 11.05}, kLevelM + 1.5, 6.0), Surface::kWall);
   EXPECT_EQ(ground.surface_at({20.0, 4.0}, kLevelM, 1.0), Surface::kUnknown);  // behind
 }
 
@@ -54,6 +54,31 @@ TEST(KnownGround, DoesNotJudgeByGroundThatWasNotObserved) {
   KnownGround ground;
   ground.add(map, kLevelM);
   EXPECT_EQ(ground.surface_at({20.0, 8.05}, kLevelM + 0.61, 3.0), Surface::kUnknown);
+}
+
+TEST(KnownGround, TakesNoFootOfAWallAndNothingAboveItsTopForAWall) {
+  KnownGround ground;
+  ground.add(ramp_with_wall(), kLevelM);
+  // The wall at 6 m stands on ground at 1.21 m, and its observed top is at 3.11 m.
+  const auto at = [&](double z_level_m) {
+    return ground.surface_at({20.0, 11.05}, kLevelM + z_level_m, 6.0);
+  };
+  const double near_m = 0.15 + 0.01 * 6.0;
+  EXPECT_EQ(at(1.21), Surface::kUnknown);
+  EXPECT_EQ(at(1.21 + near_m - 0.01), Surface::kUnknown);
+  EXPECT_EQ(at(1.21 + near_m + 0.01), Surface::kWall);
+  EXPECT_EQ(at(3.11 + near_m - 0.01), Surface::kWall);
+  EXPECT_EQ(at(3.11 + near_m + 0.01), Surface::kUnknown);
+}
+
+TEST(KnownGround, HasTerrainFromTheFirstMapOn) {
+  KnownGround ground;
+  ground.add(Eigen::Vector2d(0.0, 0.0), 0.0);
+  EXPECT_FALSE(ground.has_terrain());  // the driven ground is none
+  ground.add(ramp_with_wall(), kLevelM);
+  EXPECT_TRUE(ground.has_terrain());
+  ground.clear();
+  EXPECT_FALSE(ground.has_terrain());
 }
 
 TEST(KnownGround, RemembersTheGroundThatWasDrivenOn) {

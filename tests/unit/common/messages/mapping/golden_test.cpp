@@ -136,12 +136,13 @@ TEST(Golden, LocalMap) {
   fragment.part.T_previous_local = {5.5, 0.625, 0.0625};
   fragment.part.information = matrix();
   fragment.part.climb_m = 0.9375;
-  fragment.part.scans = {{"LASER_REAR",
-                          {kUtime + 1, {3.5F, 4.5F}, -1.5, 0.75},
-                          {0.5, 0.25, 0.125},
-                          0.375,
-                          Attitude{-0.0625, 0.21875},
-                          {1}}};
+  LocalScan& local = fragment.part.scans.emplace_back();
+  local.channel = "LASER_REAR";
+  local.scan = {kUtime + 1, {3.5F, 4.5F}, -1.5, 0.75};
+  local.T_local_body = {0.5, 0.25, 0.125};
+  local.z_m = 0.375;
+  local.attitude = Attitude{-0.0625, 0.21875};
+  local.unconfirmed_beams = {1};
   fragment.n_fragments = 4;
   fragment.fragment = 3;
   expect_golden(message, fragment);

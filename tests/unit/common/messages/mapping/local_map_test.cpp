@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,14 @@ std::string_view rejection_after(const std::function<void(local_map_t&)>& change
 }
 
 TEST(LocalMapMessage, SurvivesARoundTrip) { EXPECT_EQ(*round_trip(fragment()), fragment()); }
+
+TEST(LocalMapMessage, KeepsTheUnconfirmedBeamsOfEachScan) {
+  LocalMapFragment strange = fragment();
+  strange.part.scans[0].unconfirmed_beams = {0, 7, 180};
+  strange.part.scans[2].unconfirmed_beams = {90};
+  EXPECT_EQ(*round_trip(strange), strange);
+  EXPECT_EQ(to_message(strange).scans[0].n_unconfirmed_beams, 3);
+}
 
 TEST(LocalMapMessage, MayHaveNoScans) {
   const LocalMapFragment empty{test::local_map(0, 1), 1, 0};
@@ -118,6 +127,27 @@ TEST(LocalMapFragments, FillTheSizeLimit) {
     EXPECT_LE(bytes, kFragmentBytes);
     if (&fragment != &fragments.back()) {
       EXPECT_GT(bytes, kFragmentBytes - 1000);  // size of a scan
+    }
+  }
+}
+
+TEST(LocalMapFragments, FillTheSizeLimitWithUnconfirmedBeamsToo) {
+  LocalMap map = local_map(7, kScans);
+  for (LocalScan& local : map.scans) {
+    local.unconfirmed_beams.resize(local.scan.ranges_m.size());
+    std::iota(local.unconfirmed_beams.begin(), local.unconfirmed_beams.end(), 0);
+  }
+  const auto fragments = split(map);
+  EXPECT_GT(fragments.size(), split(local_map(7, kScans)).size());
+  LocalMapReassembler reassembler;
+  for (const LocalMapFragment& fragment : fragments) {
+    const auto bytes = encode(to_message(fragment)).size();
+    EXPECT_LE(bytes, kFragmentBytes);
+    if (&fragment == &fragments.back()) {
+      EXPECT_EQ(reassembler.add(fragment), map);
+    } else {
+      EXPECT_GT(bytes, kFragmentBytes - 1300);  // size of a scan
+      EXPECT_FALSE(reassembler.add(fragment));
     }
   }
 }

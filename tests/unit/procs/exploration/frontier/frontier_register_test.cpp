@@ -84,6 +84,30 @@ TEST_F(ClosedFrontier, ReopensIfTheClosingLocalMapHasMoved) {
   EXPECT_EQ(state(), FrontierState::kOpen);
 }
 
+TEST_F(ClosedFrontier, ReopensWhereAWallIsDismissed) {
+  DetectedFrontier detection{kEnd + Eigen::Vector2d(0.3, 0.4)};
+  update({detection});
+  EXPECT_EQ(state(), FrontierState::kExplored);
+  detection.at_dismissed_wall = true;
+  update({detection});
+  EXPECT_EQ(state(), FrontierState::kOpen);
+  EXPECT_EQ(frontiers_.frontiers().size(), 1U);
+}
+
+TEST_F(ClosedFrontier, IsNotExploredPermanentlyOnceClosingsAreForgotten) {
+  const DetectedFrontier detection{kEnd, {1.0, 0.0}, 3.0, Access::kReachable, true};
+  for (int i = 1; i < FrontierRegisterParams{}.closings; ++i) {
+    update({detection});
+    EXPECT_EQ(state(), FrontierState::kOpen);
+    update({});
+  }
+  update({detection});
+  EXPECT_EQ(state(), FrontierState::kExplored);  // permanently
+  frontiers_.forget_closings();
+  update({detection});
+  EXPECT_EQ(state(), FrontierState::kOpen);
+}
+
 TEST_F(ClosedFrontier, ReopensAfterARestart) {
   const std::vector<StoredFrontier> stored_frontiers = frontiers_.stored_frontiers();
   frontiers_ = FrontierRegister{FrontierRegisterParams{}};

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "procs/mapping/loop_closure/local_walls.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
 #include <gtest/gtest.h>
 
 #include "tests/unit/procs/mapping/mapped_world.hpp"
@@ -29,6 +34,35 @@ TEST(LocalWalls, StoreFewViewsOfTheFreeSpace) {
   const LocalWalls walls = local_walls(map, test::front_mount(), {});
   EXPECT_GE(walls.views.size(), 3U);  // about one per metre
   EXPECT_LE(walls.views.size(), 4U);
+}
+
+TEST(LocalWalls, LeaveOutUnconfirmedBeams) {
+  // The end of the tunnel may be rising ground: all beams to it are unconfirmed.
+  const test::WallWorld tunnel(
+      {{{-20.0, 1.5}, {10.0, 1.5}}, {{-20.0, -1.5}, {10.0, -1.5}}, {{10.0, -1.5}, {10.0, 1.5}}});
+  constexpr double kEndM = 9.5;  // corners are left out with the end
+  const auto at_end = [](const LocalWalls& walls) {
+    return std::ranges::count_if(walls.points,
+                                 [](const auto& point) { return point.p.x() > kEndM; });
+  };
+  const auto along = [](const LocalWalls& walls) {
+    return std::ranges::count_if(walls.points,
+                                 [](const auto& point) { return point.p.x() < kEndM; });
+  };
+  LocalMap map = test::drive_straight(tunnel, {}, 5.0, 1);
+  const LocalWalls all = local_walls(map, test::front_mount(), {});
+  EXPECT_GT(at_end(all), 10);
+  for (LocalScan& local : map.scans) {
+    for (std::size_t i = 0; i < local.scan.ranges_m.size(); ++i) {
+      const double bearing =
+          local.scan.angle_min_rad + static_cast<double>(i) * local.scan.angle_step_rad;
+      const double x_m = local.T_local_body.x + local.scan.ranges_m[i] * std::cos(bearing);
+      if (x_m > kEndM) local.unconfirmed_beams.push_back(static_cast<std::int32_t>(i));
+    }
+  }
+  const LocalWalls confirmed = local_walls(map, test::front_mount(), {});
+  EXPECT_EQ(at_end(confirmed), 0);
+  EXPECT_EQ(along(confirmed), along(all));
 }
 
 TEST(LocalWalls, IgnoreScansWithoutAMount) {

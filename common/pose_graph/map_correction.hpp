@@ -22,13 +22,14 @@ struct MapCorrection {
   int local_map = 0;  ///< id of the newest local map, to which odom is anchored; an older one where
                       ///< the newest was discarded (see MappingParams::maps_per_place_max)
   Pose2 T_map_odom;
-  double z_map_odom_m = 0.0;  ///< height of odom in map
-  double z_variance = 0.0;    ///< of the height of that local map above the first one [m²]
 
   /// Covariance of the pose of that local map in the map of earlier sessions, in which it is known
   /// best: (x, y, θ) in the frame of the local map [m², m rad, rad²]. Empty in the first session,
   /// which defines the map.
   std::optional<Eigen::Matrix3d> covariance;
+
+  double z_map_odom_m = 0.0;  ///< height of odom in map
+  double z_variance = 0.0;    ///< of the height of that local map above the first one [m²]
 
   friend bool operator==(const MapCorrection&, const MapCorrection&) = default;
 };

@@ -28,10 +28,10 @@ struct MapGraph {
   std::int64_t utime = 0;     ///< of the newest measurement in it [µs since the epoch]
   std::int64_t revision = 0;  ///< incremented with each change
   std::vector<Pose2> poses;   ///< T_map_local, by the id of the local map
-  /// Heights of the local maps above the first one [m], and their variances [m²]; as many as poses.
-  std::vector<double> z_m;
-  std::vector<double> z_variance;
   std::vector<MapConstraint> constraints;
+  /// Heights of the local maps above the first one [m], and their variances [m²]; as many as poses.
+  std::vector<double> z_m = {};
+  std::vector<double> z_variance = {};
 };
 
 }  // namespace adit

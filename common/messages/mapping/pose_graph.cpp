@@ -163,7 +163,7 @@ std::size_t bytes_in_memory(const PoseGraphFragment& fragment) {
 
 std::optional<MapGraph> reassemble(const FragmentSet<PoseGraphFragment>& fragments) {
   const PoseGraphFragment& header = *fragments.fragments().front();
-  MapGraph graph{header.utime, header.revision, {}, {}, {}, {}};
+  MapGraph graph{header.utime, header.revision, {}, {}};
   for (const auto& part : fragments.fragments()) {
     if (!part->poses.empty() && part->first_node != static_cast<int>(graph.poses.size())) return {};
     graph.poses.insert(graph.poses.end(), part->poses.begin(), part->poses.end());
@@ -204,9 +204,9 @@ Result<MapCorrection> from_message(const map_correction_t& message) {
                            message.session,
                            message.local_map,
                            pose_from(message.T_map_odom),
+                           {},
                            message.z_map_odom_m,
-                           message.z_variance,
-                           {}};
+                           message.z_variance};
   if (message.has_covariance == 0) return correction;
   if (!is_information_matrix(message.covariance)) return Rejected{"invalid covariance matrix"};
   correction.covariance = matrix_from(message.covariance);

@@ -123,6 +123,8 @@ TEST(Golden, LocalMap) {
   fill(message.T_previous_local, {5.5, 0.625, 0.0625});
   fill_matrix(message.information);
   message.climb_m = 0.9375;
+  message.forward_m = 4.75;
+  message.z_odom_m = -1.375;
   message.n_fragments = 4;
   message.fragment = 3;
   message.n_scans = 1;
@@ -136,6 +138,8 @@ TEST(Golden, LocalMap) {
   fragment.part.T_previous_local = {5.5, 0.625, 0.0625};
   fragment.part.information = matrix();
   fragment.part.climb_m = 0.9375;
+  fragment.part.forward_m = 4.75;
+  fragment.part.z_odom_m = -1.375;
   LocalScan& local = fragment.part.scans.emplace_back();
   local.channel = "LASER_REAR";
   local.scan = {kUtime + 1, {3.5F, 4.5F}, -1.5, 0.75};
@@ -164,6 +168,8 @@ TEST(Golden, PoseGraph) {
   message.first_node = 6;
   message.n_poses = 2;
   message.poses = {{1.5, 2.5, 0.5}, {3.5, 4.5, 0.25}};
+  message.z_m = {-0.5, 0.75};
+  message.z_variance = {0.0625, 0.03125};
   message.n_constraints = 1;
   message.constraints = {constraint};
   const PoseGraphFragment fragment{
@@ -174,6 +180,8 @@ TEST(Golden, PoseGraph) {
       4,
       6,
       {{1.5, 2.5, 0.5}, {3.5, 4.5, 0.25}},
+      {-0.5, 0.75},
+      {0.0625, 0.03125},
       {{{3, 1, {0.5, 0.25, 0.125}, matrix()}, MapConstraint::Kind::kLoopClosure}}};
   expect_golden(message, fragment);
 }
@@ -185,9 +193,11 @@ TEST(Golden, MapCorrection) {
   message.session = 1;
   message.local_map = 40;
   fill(message.T_map_odom, {0.5, -0.25, 0.125});
+  message.z_map_odom_m = -2.5;
+  message.z_variance = 0.046875;
   message.has_covariance = 1;
   fill_matrix(message.covariance);
-  expect_golden(message, MapCorrection{kUtime, 12, 1, 40, {0.5, -0.25, 0.125}, matrix()});
+  expect_golden(message, MapCorrection{kUtime, 12, 1, 40, {0.5, -0.25, 0.125}, matrix(), -2.5, 0.046875});
 }
 
 TEST(Golden, MapRequest) {

@@ -22,6 +22,8 @@ MapGraph graph(int nodes, std::int64_t revision = 5) {
   MapGraph result{kUtime, revision, {}, {}};
   for (int i = 0; i < nodes; ++i) {
     result.poses.push_back({5.0 * i, 0.1 * i, 0.001 * i});
+    result.z_m.push_back(0.01 * i);
+    result.z_variance.push_back(1e-4 * i);
     if (i > 0) {
       const PoseConstraint measured{i - 1, i, {5.0, 0.1, 0.001 * i}, information()};
       result.constraints.push_back({measured, MapConstraint::Kind::kSequential});

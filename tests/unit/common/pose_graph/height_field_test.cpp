@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "common/pose_graph/height_field.hpp"
+
+#include <random>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+constexpr double kPitchSd = 0.005;
+
+/// A chain of climbs; node i + 1 is `climb_m` above node i.
+std::vector<HeightConstraint> chain(int nodes, double climb_m, double sd_m, double forward_m) {
+  std::vector<HeightConstraint> constraints;
+  for (int i = 0; i + 1 < nodes; ++i) constraints.push_back({i, i + 1, climb_m, sd_m, forward_m});
+  return constraints;
+}
+
+TEST(HeightField, AddsUpClimbs) {
+  const HeightField field(5, chain(5, 0.25, 0.01, 0.0), kPitchSd);
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_NEAR(field.height_m(i), 0.25 * i, 1e-6);
+    EXPECT_NEAR(field.variances_to(0)[i], 1e-4 * i, 1e-9);
+    EXPECT_NEAR(field.variances_to(4)[i], 1e-4 * (4 - i), 1e-9);
+  }
+}
+
+TEST(HeightField, ErrorOfThePitchAddsUpWithTheDistance) {
+  const HeightField field(3, chain(3, 0.0, 0.01, 50.0), kPitchSd);
+  EXPECT_NEAR(field.variances_to(0)[2], 2e-4 + 0.25, 1e-6);  // (100 m · 5 mrad)²
+}
+
+TEST(HeightField, ReturnToTheStartRevealsTheErrorOfThePitch) {
+  constexpr double kError = 0.003;
+  auto constraints = chain(9, 0.0, 1e-3, 10.0);
+  for (HeightConstraint& climb : constraints) climb.climb_m = kError * climb.forward_m;
+  constraints.push_back({0, 8, 0.0, 1e-3});  // the same ground
+  const HeightField field(9, constraints, kPitchSd);
+  EXPECT_NEAR(field.pitch_error_rad(0), kError, 1e-5);
+  for (int i = 0; i < 9; ++i) EXPECT_NEAR(field.height_m(i), 0.0, 1e-3);
+}
+
+TEST(HeightField, NodesWithoutAConstraintAreUnknown) {
+  const HeightField field(3, {{0, 1, 0.5, 0.01}}, kPitchSd);
+  EXPECT_NEAR(field.height_m(1), 0.5, 1e-6);
+  EXPECT_NEAR(field.variances_to(0)[2], 1e6, 1.0);
+  EXPECT_EQ(HeightField().nodes(), 1);
+  EXPECT_EQ(HeightField().height_m(0), 0.0);
+  EXPECT_EQ(HeightField().variances_to(0).size(), 1);
+}
+
+/// Against the dense solution of the same least squares problem.
+TEST(HeightField, AgreesWithDenseLeastSquares) {
+  constexpr int kNodes = 12;
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  auto constraints = chain(kNodes, 0.0, 0.02, 5.0);
+  for (HeightConstraint& climb : constraints) {
+    climb.climb_m = 0.1 * normal(random);
+    climb.session = climb.from < 6 ? 0 : 1;
+  }
+  constraints.push_back({2, 9, 0.1, 0.03});
+  constraints.push_back({0, 11, -0.2, 0.03});
+  const HeightField field(kNodes, constraints, kPitchSd);
+
+  constexpr int kUnknowns = kNodes - 1 + 2;
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(kUnknowns, kUnknowns);
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(kUnknowns);
+  for (int i = 0; i < kUnknowns; ++i) information(i, i) = i < kNodes - 1 ? 1e-6 : 4e4;
+  for (const HeightConstraint& constraint : constraints) {
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(kUnknowns);
+    if (constraint.from > 0) row[constraint.from - 1] -= 1.0;
+    if (constraint.to > 0) row[constraint.to - 1] += 1.0;
+    row[kNodes - 1 + constraint.session] += constraint.forward_m;
+    const double weight = 1.0 / (constraint.sd_m * constraint.sd_m);
+    information += weight * row * row.transpose();
+    b += weight * constraint.climb_m * row;
+  }
+  const Eigen::MatrixXd covariance = information.inverse();
+  const Eigen::VectorXd solution = covariance * b;
+  for (int i = 1; i < kNodes; ++i) {
+    EXPECT_NEAR(field.height_m(i), solution[i - 1], 1e-9);
+    EXPECT_NEAR(field.variances_to(0)[i], covariance(i - 1, i - 1), 1e-9);
+    const double between = covariance(i - 1, i - 1) + covariance(4, 4) - 2.0 * covariance(i - 1, 4);
+    EXPECT_NEAR(field.variances_to(5)[i], between, 1e-9);
+  }
+  EXPECT_NEAR(field.pitch_error_rad(0), solution[kNodes - 1], 1e-9);
+  EXPECT_NEAR(field.pitch_error_rad(1), solution[kNodes], 1e-9);
+}
+
+}  // namespace
+}  // namespace adit

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: The Adit authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "procs/mapping/map_heights.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace adit {
+namespace {
+
+constexpr double kLengthM = 5.0;
+constexpr double kStepM = 0.25;
+
+/// A chain of straight local maps in one line with a constant grade.
+struct Ramp {
+  std::vector<LocalMap> maps;
+  std::vector<LocalWalls> walls;
+
+  explicit Ramp(int count, double grade, bool has_attitude = true) {
+    for (int id = 0; id < count; ++id) {
+      LocalMap map;
+      map.id = id;
+      map.T_previous_local = {kLengthM, 0.0, 0.0};
+      map.information = Eigen::Matrix3d::Identity() * 1e4;
+      if (id > 0) map.climb_m = grade * kLengthM;
+      if (id > 0) map.forward_m = kLengthM;
+      LocalScan scan;
+      if (has_attitude) scan.attitude = Attitude{0.0, -std::atan(grade)};
+      map.scans.push_back(scan);
+      LocalWalls wall;
+      for (double x = 0.0; x <= kLengthM; x += kStepM) wall.path.emplace_back(x, 0.0, grade * x);
+      maps.push_back(map);
+      walls.push_back(wall);
+    }
+  }
+};
+
+TEST(MapHeights, FollowTheClimbs) {
+  const Ramp ramp(20, 0.2);
+  MapHeights heights{MapHeightsParams{}};
+  heights.update(ramp.maps, ramp.walls, {});
+  for (int id = 0; id < 20; ++id) EXPECT_NEAR(heights.height_m(id), id * 1.0, 1e-3);
+  EXPECT_LT(std::sqrt(heights.variances_to(0)[19]), 0.6);
+}
+
+TEST(MapHeights, AreUnknownWithoutAnAttitude) {
+  const Ramp ramp(20, 0.0, false);
+  MapHeights heights{MapHeightsParams{}};
+  heights.update(ramp.maps, ramp.walls, {});
+  EXPECT_GT(std::sqrt(heights.variances_to(0)[19]), 5.0);  // 95 m of ground with any slope
+}
+
+/// Two parts of a ramp that lie above each other in plan, as where a ramp crosses itself.
+TEST(MapHeights, TellLevelsApart) {
+  const Ramp ramp(13, 0.1);
+  MapHeights heights{MapHeightsParams{}};
+  heights.update(ramp.maps, ramp.walls, {});
+  const Pose2 T_across{2.5, -2.5, 1.57};
+  EXPECT_FALSE(heights.same_level(0, 12, T_across, ramp.walls));  // 6 m above
+  EXPECT_TRUE(heights.same_level(0, 1, {kLengthM, 0.0, 0.0}, ramp.walls));
+
+  const Ramp level(13, 0.0);
+  heights.update(level.maps, level.walls, {});
+  EXPECT_TRUE(heights.same_level(0, 12, T_across, level.walls));
+}
+
+TEST(MapHeights, LevelsAreNotToldApartWithoutAnAttitude) {
+  const Ramp ramp(13, 0.1, false);
+  MapHeights heights{MapHeightsParams{}};
+  heights.update(ramp.maps, ramp.walls, {});
+  EXPECT_TRUE(heights.same_level(0, 12, {2.5, -2.5, 1.57}, ramp.walls));
+}
+
+TEST(MapHeights, LoopClosureTiesTheGroundOfBothMaps) {
+  Ramp ramp(9, 0.0);
+  for (LocalMap& map : ramp.maps) map.climb_m = 0.01 * map.forward_m;  // an error of the pitch
+  MapHeights heights{MapHeightsParams{}};
+  const PoseConstraint same_place{0, 8, {}, Eigen::Matrix3d::Identity()};
+  heights.update(ramp.maps, ramp.walls, {});
+  EXPECT_NEAR(heights.height_m(8), 0.4, 1e-3);
+  heights.update(ramp.maps, ramp.walls, {same_place});
+  EXPECT_NEAR(heights.height_m(8), 0.0, 0.03);
+}
+
+TEST(MapHeights, PathsInOneLineDoNotTieTheirEnds) {
+  // On a ramp the end of one path and the start of the next, a metre on, differ in height.
+  const Ramp ramp(2, 0.25);
+  const GroundOffset offset =
+      ground_offset(ramp.walls[1].path, {kLengthM + 1.0, 0.0, 0.0}, ramp.walls[0].path);
+  EXPECT_NEAR(offset.distance_m, 1.0, 1e-9);
+  const GroundOffset overlapping =
+      ground_offset(ramp.walls[1].path, {kLengthM - 1.0, 0.0, 0.0}, ramp.walls[0].path);
+  EXPECT_NEAR(overlapping.distance_m, 0.0, 1e-9);
+  EXPECT_NEAR(overlapping.offset_m, 0.25 * (kLengthM - 1.0), 1e-9);
+}
+
+}  // namespace
+}  // namespace adit

@@ -3,6 +3,7 @@
 #include "procs/exploration/exploration.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,6 +20,33 @@ std::string incomplete_reason(const Frontier& frontier) {
   if (is_visitable(frontier.state)) return name + " is open";
   return fmt::format("{} was abandoned without evidence that it is blocked: {}", name,
                      frontier.evidence);
+}
+
+/// The known space is planar: where levels lie above each other, their frontiers cannot be told
+/// apart. Empty if no two local maps are near each other in plan and a level apart in height.
+std::string overlapping_levels(const MapGraph& graph) {
+  constexpr double kNearM = 4.0;
+  constexpr double kLevelM = 3.0;
+  constexpr double kSigmas = 3.0;
+  if (graph.z_m.size() != graph.poses.size() || graph.z_variance.size() != graph.poses.size())
+    return {};
+  for (std::size_t i = 0; i < graph.poses.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const double apart_m = std::abs(graph.z_m[i] - graph.z_m[k]);
+      if (apart_m < kLevelM) continue;
+      const Pose2& a = graph.poses[i];
+      const Pose2& b = graph.poses[k];
+      if (std::hypot(a.x - b.x, a.y - b.y) > kNearM) continue;
+      const double sd_m = std::sqrt(graph.z_variance[i] + graph.z_variance[k]);
+      if (apart_m < kLevelM + kSigmas * sd_m) continue;
+      return fmt::format(
+          "levels lie above each other at local maps {} and {}, {:.1f} m apart in height: "
+          "frontiers "
+          "there cannot be told apart",
+          k, i, apart_m);
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -50,6 +78,7 @@ bool Exploration::update(const MapGraph& graph) {
                                  [](const Pose2& pose) { return pose.vector().allFinite(); });
   if (!valid) return false;
   known_.pose(graph.poses);
+  overlapping_levels_ = overlapping_levels(graph);
   revision_ = graph.revision;
   utime_ = std::max(utime_, graph.utime);
   if (!known_.newest()) return true;
@@ -136,6 +165,7 @@ bool Exploration::verify_walls() {
 
 std::vector<std::string> Exploration::incomplete_reasons() const {
   std::vector<std::string> reasons;
+  if (!overlapping_levels_.empty()) reasons.push_back(overlapping_levels_);
   for (const Frontier& frontier : register_.frontiers()) {
     if (is_closed(frontier.state)) continue;
     reasons.push_back(incomplete_reason(frontier));

@@ -127,7 +127,8 @@ class Exploration {
   /// The next `length_m` of the path in map, as points `spacing_m` apart: along the route, and from
   /// a frontier at its end straight ahead, unless that leads back. Empty if there is no target.
   [[nodiscard]] std::vector<Eigen::Vector2d> path_ahead(double length_m, double spacing_m) const;
-  /// Frontiers that are not closed, with the reason, one sentence each. Empty if the mine is
+  /// Frontiers that are not closed, with the reason, one sentence each, and where levels overlap in
+  /// plan, which leaves the exploration uncertain. Empty if the mine is
   /// explored.
   [[nodiscard]] std::vector<std::string> incomplete_reasons() const;
 
@@ -181,6 +182,7 @@ class Exploration {
   bool returning_ = false;  ///< permanently; in the mode corridor
   /// Every frontier was closed once: from then on walls that may be ground close none.
   bool verify_walls_ = false;
+  std::string overlapping_levels_;  ///< where levels overlap in plan, a sentence; empty: nowhere
   Patrol patrol_;
   std::optional<PatrolPlace> patrol_target_;  ///< of the last decision, if that is on patrol
 };

@@ -190,7 +190,7 @@ class Accumulator {
   void add_prior(const SurfacePoint& point, double climb_m) {
     const double range_m = point.p.norm();
     const double inverse_grade = range_m / params_.laser_m;
-    const double pitch_m = params_.pitch_sd_rad * range_m;
+    const double pitch_m = std::hypot(params_.pitch_sd_rad, point.pitch_sd_rad) * range_m;
     GroupEquations& group = sums_.groups[static_cast<std::size_t>(*group_)];
     group.weights += point.weight;
     group.prior_variances +=

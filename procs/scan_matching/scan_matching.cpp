@@ -65,6 +65,7 @@ Pose2 fill_unconstrained(const Pose2& T_odom_body, const MotionEstimate& expecte
   return T_odom_body * Pose2::from_vector(back.cwiseQuotient(scale));
 }
 
+constexpr double kUnknownPitchSd = 0.05;
 constexpr double kOdometerStepM = 0.1;
 constexpr double kTypicalShare = 0.05;  // weight of a new score in the running mean
 
@@ -103,7 +104,7 @@ bool ScanMatching::add(const ImuReading& reading) {
 
 void ScanMatching::add(TerrainMap terrain) {
   // The robot stands from the end of the sweep until the map is used.
-  if (attitude_.attitude()) ground_.add(std::move(terrain), z_m_);
+  ground_.add(std::move(terrain), z_m_);
 }
 
 ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
@@ -175,6 +176,8 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
   std::vector<SurfacePoint> points = surface_points(scan, mount, params_.surface, attitude);
   std::vector<std::int32_t> ground_beams;
   std::vector<std::int32_t> unconfirmed_beams;
+  // Logs of planar lasers alone are taken for level, as by any planar scan matching.
+  const bool ground_may_slope = attitude_.attitude() || ground_.has_terrain();
   std::erase_if(points, [&](const SurfacePoint& point) {
     using Surface = KnownGround::Surface;
     const Surface surface =
@@ -187,7 +190,8 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
   for (SurfacePoint& point : points) {
     const bool known = ground_.surface_at(T_odom_expected * point.p, z_m_ + point.z_m,
                                           point.p.norm()) == KnownGround::Surface::kWall;
-    if (attitude_.attitude() && !known) point.grade_group = grade_group_of(point, mount.height_m);
+    if (ground_may_slope && !known) point.grade_group = grade_group_of(point, mount.height_m);
+    if (!attitude_.attitude()) point.pitch_sd_rad = kUnknownPitchSd;
     if (point.grade_group && ground_.has_terrain()) unconfirmed_beams.push_back(point.beam);
     point.z_m += z_m_;
   }

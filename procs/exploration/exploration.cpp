@@ -25,7 +25,7 @@ std::string incomplete_reason(const Frontier& frontier) {
 /// The known space is planar: where levels lie above each other, their frontiers cannot be told
 /// apart. Empty if no two local maps are near each other in plan and a level apart in height.
 std::string overlapping_levels(const MapGraph& graph) {
-  constexpr double kNearM = 4.0;
+  constexpr double kAboveEachOtherM = 4.0;
   constexpr double kLevelM = 3.0;
   constexpr double kSigmas = 3.0;
   if (graph.z_m.size() != graph.poses.size() || graph.z_variance.size() != graph.poses.size())
@@ -36,7 +36,7 @@ std::string overlapping_levels(const MapGraph& graph) {
       if (apart_m < kLevelM) continue;
       const Pose2& a = graph.poses[i];
       const Pose2& b = graph.poses[k];
-      if (std::hypot(a.x - b.x, a.y - b.y) > kNearM) continue;
+      if (std::hypot(a.x - b.x, a.y - b.y) > kAboveEachOtherM) continue;
       const double sd_m = std::sqrt(graph.z_variance[i] + graph.z_variance[k]);
       if (apart_m < kLevelM + kSigmas * sd_m) continue;
       return fmt::format(

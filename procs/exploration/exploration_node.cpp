@@ -92,6 +92,7 @@ void ExplorationNode::reset_if_other_map(const LocalMap& first) {
   if (map_utime_ != 0 && map_utime_ != first.utime) {
     exploration_.restore(ExplorationMemory{});
     exploration_.restore(std::vector<ScannedGround>{});
+    unstored_.clear();
   }
   map_utime_ = first.utime;
 }
@@ -130,7 +131,7 @@ void ExplorationNode::place_terrains() {
   for (const TerrainMap& terrain : unplaced_) {
     const auto* const added =
         exploration_.add(terrain, correction_->T_map_odom * terrain.T_odom_level);
-    if (added != nullptr) store(*added);
+    if (added != nullptr && journal_) unstored_.push_back(*added);
   }
   unplaced_.clear();
   publish_decision();
@@ -215,21 +216,16 @@ void ExplorationNode::publish_decision() {
   publish_report();
 }
 
-/// The state that refers to it is stored, and synchronized, with the next decision.
-void ExplorationNode::store(const ScannedGround& ground) {
-  if (!journal_) return;
-  try {
-    journal_->append(map_utime_, ground);
-  } catch (const std::exception& failure) {
-    journal_failure_ = failure.what();
-  }
-}
-
-/// Stores before publishing, so that no published decision is lost.
+/// Stores before publishing, so that no published decision is lost. What could not be stored is
+/// stored with a later decision.
 void ExplorationNode::store() {
   if (!journal_) return;
   journal_failure_.clear();
   try {
+    while (!unstored_.empty()) {
+      journal_->append(map_utime_, unstored_.front());
+      unstored_.pop_front();
+    }
     journal_->store({map_utime_,
                      exploration_.memory(),
                      {},

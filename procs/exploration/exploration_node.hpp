@@ -79,7 +79,6 @@ class ExplorationNode {
   void apply_graph();
   void decide();
   void store();
-  void store(const ScannedGround& ground);
   void publish_decision();
   void publish_report();
 
@@ -106,7 +105,8 @@ class ExplorationNode {
   std::size_t local_maps_rejected_ = 0;
   std::optional<ExplorationJournal> journal_;
   std::string journal_failure_;
-  std::int64_t map_utime_ = 0;  ///< of the first scan of the map, as in StoredExploration
+  std::deque<ScannedGround> unstored_;  ///< not in the journal yet
+  std::int64_t map_utime_ = 0;          ///< of the first scan of the map, as in StoredExploration
   ExplorationDecision decision_;
 };
 

@@ -6,10 +6,10 @@
 #include <random>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/support/file_size_limit.hpp"
 #include "tests/unit/common/journal/journal_fixture.hpp"
 
 namespace adit {
@@ -19,27 +19,6 @@ using test::error_of;
 using test::record;
 using test::records;
 
-/// Limits the size of files of this process for its own lifetime.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(std::size_t bytes) {
-    signal_before_ = std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, signal_before_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*signal_before_)(int) = nullptr;
-};
-
 class FailingJournals : public test::JournalTest {};
 
 TEST_F(FailingJournals, AreUnchangedIfARecordDoesNotFit) {
@@ -48,7 +27,7 @@ TEST_F(FailingJournals, AreUnchangedIfARecordDoesNotFit) {
   journal.append(kind, bytes);
   const auto size = std::filesystem::file_size(path_);
   {
-    const FileSizeLimit limit(size + 30);
+    const test::FileSizeLimit limit(size + 30);
     const std::string error = error_of([&] { journal.append("LOCAL_MAP", record(2).second); });
     EXPECT_EQ(error.find(path_.string() + ": cannot write: "), 0U) << error;
     EXPECT_EQ(std::filesystem::file_size(path_), size);

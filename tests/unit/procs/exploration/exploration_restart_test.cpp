@@ -18,6 +18,7 @@
 #include "common/messages/mapping/pose_graph.hpp"
 #include "common/messages/mapping/terrain.hpp"
 #include "procs/exploration/exploration_node.hpp"
+#include "tests/support/file_size_limit.hpp"
 #include "tests/support/robots/exploring_robot.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/procs/exploration/test_mines.hpp"
@@ -285,30 +286,59 @@ TEST(ExplorationJournal, RestoresTheGroundOf3DScansOfItsMap) {
   EXPECT_FALSE(journal.restored().exploration.verify_walls);
 }
 
-/// A 3D scan may arrive before the first pose graph: it is placed, and stored, after that.
-TEST(ExplorationRestart, KeepsA3DScanThatArrivedBeforeTheMap) {
-  const test::ScratchFolder scratch;
-  const std::filesystem::path path = scratch / "exploration.journal";
-  const test::PlanarMine mine = tunnel_mine(straight());
-  const test::ExploringRobot robot(mine);
-  const std::vector<LocalMap> maps{robot.last_map()};
-  TerrainMap terrain;
-  terrain.utime = robot.utime();
-  terrain.p_level_corner = {-1.0, -1.0};
-  TerrainCell ground;
-  ground.ground = Ground::kObserved;
-  ground.clearance_m = 2.0F;
-  terrain.cells = Grid2<TerrainCell>(20, 20, ground);
-  {
-    StageRun stage(path, robot, maps);
-    stage.send(terrain);
-    stage.request_decision({robot.utime(), 1, kBudgetM, false, {}});
+/// At the start of straight().
+class A3DScan : public testing::Test {
+ protected:
+  A3DScan() {
+    terrain_.utime = robot_.utime();
+    terrain_.p_level_corner = {-1.0, -1.0};
+    TerrainCell ground;
+    ground.ground = Ground::kObserved;
+    ground.clearance_m = 2.0F;
+    terrain_.cells = Grid2<TerrainCell>(20, 20, ground);
   }
-  const std::vector<ScannedGround> grounds = ExplorationJournal(path).restored().grounds;
-  ASSERT_EQ(grounds.size(), 1U);
-  EXPECT_EQ(grounds[0].local_map, 0);
-  const auto cell = cell_of({0.1, 0.1}, KnownSpaceParams{}.tiles.resolution_m);
-  EXPECT_EQ(grounds[0].cells.get(cell), ScannedCell::kGround);
+  [[nodiscard]] ExploreRequest request(int id) const {
+    return {robot_.utime(), id, kBudgetM, false, {}};
+  }
+  void expect_stored() const {
+    const std::vector<ScannedGround> grounds = ExplorationJournal(path_).restored().grounds;
+    ASSERT_EQ(grounds.size(), 1U);
+    EXPECT_EQ(grounds[0].local_map, 0);
+    const auto cell = cell_of({0.1, 0.1}, KnownSpaceParams{}.tiles.resolution_m);
+    EXPECT_EQ(grounds[0].cells.get(cell), ScannedCell::kGround);
+  }
+
+  test::ScratchFolder scratch_;
+  std::filesystem::path path_ = scratch_ / "exploration.journal";
+  test::PlanarMine mine_ = tunnel_mine(straight());
+  test::ExploringRobot robot_{mine_};
+  std::vector<LocalMap> maps_{robot_.last_map()};
+  TerrainMap terrain_;
+};
+
+/// It is placed, and stored, after the first pose graph.
+TEST_F(A3DScan, IsKeptIfItArrivedBeforeTheMap) {
+  {
+    StageRun stage(path_, robot_, maps_);
+    stage.send(terrain_);
+    stage.request_decision(request(1));
+  }
+  expect_stored();
+}
+
+TEST_F(A3DScan, IsStoredOnceTheDiskHasRoom) {
+  {
+    StageRun stage(path_, robot_, maps_);
+    stage.request_decision(request(1));
+    {
+      const test::FileSizeLimit full(std::filesystem::file_size(path_));
+      stage.send(terrain_);
+      stage.request_decision(request(2));
+    }
+    stage.request_decision(request(3));
+    stage.request_decision(request(4));
+  }
+  expect_stored();
 }
 
 }  // namespace

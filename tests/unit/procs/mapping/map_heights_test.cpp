@@ -10,7 +10,7 @@ namespace adit {
 namespace {
 
 constexpr double kLengthM = 5.0;
-constexpr double kStepM = 0.25;
+constexpr double kPathStepM = 0.25;
 
 /// A chain of straight local maps in one line with a constant grade.
 struct Ramp {
@@ -29,7 +29,7 @@ struct Ramp {
       if (has_attitude) scan.attitude = Attitude{0.0, -std::atan(grade)};
       map.scans.push_back(scan);
       LocalWalls wall;
-      for (double x = 0.0; x <= kLengthM; x += kStepM) wall.path.emplace_back(x, 0.0, grade * x);
+      for (double x = 0.0; x <= kLengthM; x += kPathStepM) wall.path.emplace_back(x, 0.0, grade * x);
       maps.push_back(map);
       walls.push_back(wall);
     }

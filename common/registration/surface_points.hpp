@@ -25,7 +25,8 @@ struct SurfacePoint {
   double lean_sd = 0.2;  ///< standard deviation of the surface's distance at another height [m/m]
   /// Unknown inverse grade that it shares with other points; empty: the surface is a wall.
   std::optional<int> grade_group;
-  /// For points of such a group: standard deviation of the pitch of the body, if it is not measured.
+  /// For points of such a group: standard deviation of the pitch of the body, if it is not
+  /// measured.
   double pitch_sd_rad = 0.0;
   int beam = 0;  ///< of the scan
 

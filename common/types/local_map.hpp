@@ -41,7 +41,7 @@ struct LocalMap {
   /// Undefined for the first local map of a session.
   Pose2 T_previous_local;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  double climb_m = 0.0;  ///< height above the local map `id` − 1; 0 for the first of a session
+  double climb_m = 0.0;    ///< height above the local map `id` − 1; 0 for the first of a session
   double forward_m = 0.0;  ///< distance travelled forwards from there, less that backwards
   double z_odom_m = 0.0;   ///< height of the local map in odom
   std::vector<LocalScan> scans;

@@ -52,8 +52,9 @@ HeightConstraint MapHeights::climb_of(const LocalMap& map, const LocalMap& befor
 
 const GroundOffset& MapHeights::offset_at(const PoseConstraint& loop_closure,
                                           const std::vector<LocalWalls>& walls) {
-  Offset& offset = offsets_[{loop_closure.from, loop_closure.to}];
-  if (offset.T_from_to != loop_closure.T_from_to) {
+  const auto [entry, is_new] = offsets_.try_emplace({loop_closure.from, loop_closure.to});
+  Offset& offset = entry->second;
+  if (is_new || offset.T_from_to != loop_closure.T_from_to) {
     offset = {
         loop_closure.T_from_to,
         ground_offset(walls[static_cast<std::size_t>(loop_closure.to)].path, loop_closure.T_from_to,

@@ -37,9 +37,24 @@ KnownGround::Surface surface_in(const TerrainCell& cell, double z_level_m, doubl
   return Surface::kUnknown;
 }
 
+/// Whether a part of the ground is higher or lower than roughness and ruts explain.
+bool has_slope(const TerrainMap& terrain) {
+  constexpr float kRiseM = 0.25F;
+  constexpr double kShare = 0.05;
+  int ground = 0;
+  int sloped = 0;
+  for (const TerrainCell& cell : terrain.cells) {
+    if (cell.ground != Ground::kObserved || !(cell.coefficient_m < kObstacleM)) continue;
+    ++ground;
+    if (std::abs(cell.low_m) > kRiseM) ++sloped;
+  }
+  return sloped > kShare * ground;
+}
+
 }  // namespace
 
 void KnownGround::add(TerrainMap terrain, double z_odom_level_m) {
+  shows_slope_ |= has_slope(terrain);
   const Pose2 T_level_odom = terrain.T_odom_level.inverse();
   terrains_.push_front({std::move(terrain), z_odom_level_m, T_level_odom});
   if (terrains_.size() > kTerrains) terrains_.pop_back();
@@ -52,6 +67,7 @@ void KnownGround::add(const Eigen::Vector2d& p_odom, double z_odom_m) {
 void KnownGround::clear() {
   terrains_.clear();
   driven_z_m_.clear();
+  shows_slope_ = false;
 }
 
 KnownGround::Surface KnownGround::surface_at(const Eigen::Vector2d& p_odom, double z_odom_m,

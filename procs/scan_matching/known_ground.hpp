@@ -27,6 +27,8 @@ class KnownGround {
   void clear();
   /// Whether a 3D scan was added.
   [[nodiscard]] bool has_terrain() const { return !terrains_.empty(); }
+  /// Whether a 3D scan showed ground that is not level with that under the body.
+  [[nodiscard]] bool shows_slope() const { return shows_slope_; }
 
   /// What a beam that ends at this point hit; `range_m` bounds the error of its height.
   [[nodiscard]] Surface surface_at(const Eigen::Vector2d& p_odom, double z_odom_m,
@@ -39,6 +41,7 @@ class KnownGround {
     Pose2 T_level_odom;
   };
 
+  bool shows_slope_ = false;
   std::deque<PlacedTerrain> terrains_;                   ///< newest first
   std::unordered_map<std::uint64_t, float> driven_z_m_;  ///< by cell
 };

@@ -176,8 +176,8 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
   std::vector<SurfacePoint> points = surface_points(scan, mount, params_.surface, attitude);
   std::vector<std::int32_t> ground_beams;
   std::vector<std::int32_t> unconfirmed_beams;
-  // Logs of planar lasers alone are taken for level, as by any planar scan matching.
-  const bool ground_may_slope = attitude_.attitude() || ground_.has_terrain();
+  // Without an IMU ground is taken for level until a 3D scan shows that it is not.
+  const bool ground_may_slope = attitude_.attitude() || ground_.shows_slope();
   std::erase_if(points, [&](const SurfacePoint& point) {
     using Surface = KnownGround::Surface;
     const Surface surface =

@@ -29,7 +29,8 @@ struct Ramp {
       if (has_attitude) scan.attitude = Attitude{0.0, -std::atan(grade)};
       map.scans.push_back(scan);
       LocalWalls wall;
-      for (double x = 0.0; x <= kLengthM; x += kPathStepM) wall.path.emplace_back(x, 0.0, grade * x);
+      for (double x = 0.0; x <= kLengthM; x += kPathStepM)
+        wall.path.emplace_back(x, 0.0, grade * x);
       maps.push_back(map);
       walls.push_back(wall);
     }

@@ -197,7 +197,8 @@ TEST(Golden, MapCorrection) {
   message.z_variance = 0.046875;
   message.has_covariance = 1;
   fill_matrix(message.covariance);
-  expect_golden(message, MapCorrection{kUtime, 12, 1, 40, {0.5, -0.25, 0.125}, matrix(), -2.5, 0.046875});
+  expect_golden(message,
+                MapCorrection{kUtime, 12, 1, 40, {0.5, -0.25, 0.125}, matrix(), -2.5, 0.046875});
 }
 
 TEST(Golden, MapRequest) {

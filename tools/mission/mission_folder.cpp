@@ -150,7 +150,7 @@ int level_of(const WorldDescription& description, const SimulatedPose& pose) {
 MissionStart resume_mission(const MissionFolder& folder, SimulatorStart& start) {
   folder.require_unfinished();
   WorldDescription world = find_world(folder.world().string());
-  const MissionStart first{world.T_world_start.translation(), folder.start_height_m()};
+  MissionStart first{world.T_world_start.translation(), folder.start_height_m()};
   const SimulatedPose pose = folder.last_pose();
   world.start_level = level_of(world, pose);
   world.T_world_start = pose.T_world_body;
@@ -246,7 +246,7 @@ std::string mission_config(const std::filesystem::path& config) {
 MissionStart prepare_mission(const MissionLiveOptions& options, const MissionFolder& folder) {
   for (const std::string& fault : options.faults) parse_fault(fault);
   SimulatorStart start{folder.next_log(), std::nullopt, options.speed, options.faults};
-  const MissionStart first =
+  MissionStart first =
       options.resume ? resume_mission(folder, start) : start_mission(options, folder);
   write_text_file(process_list_text(start), folder.path() / "processes.cfg");
   return first;

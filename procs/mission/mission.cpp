@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "common/geometry/attitude.hpp"
+
 namespace adit {
 namespace {
 
@@ -348,6 +350,7 @@ void Mission::add_match(const ScanMatch& match) {
   const bool drives = phase_.phase == Phase::kExecute && inputs_.driving &&
                       inputs_.driving->kind == DrivingState::Kind::kDriving;
   limits_.add(match, drives);
+  slope_ = match.attitude ? ground_slope(*match.attitude).norm() : 0.0;
   const OdomChange change = localization_.set_odom_epoch(match.odom_epoch_utime);
   if (change == OdomChange::kNone) return;
   progress_.reset_odom();

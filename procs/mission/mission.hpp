@@ -159,7 +159,8 @@ class Mission {
   ProgressChecker progress_;
   HomewardProgress homeward_progress_;
   HomeArrival home_arrival_;
-  std::optional<BlockedVerdict> verdict_;                   ///< for the next explore request
+  std::optional<BlockedVerdict> verdict_;  ///< for the next explore request
+  double slope_ = 0.0;  ///< of the ground under the body, by the last match [m/m]
   std::set<std::optional<std::int32_t>> narrow_frontiers_;  ///< with Evidence::kNarrow
   int scan_tries_ = 0;                                      ///< for the present route
   int failed_tries_ = 0;                                    ///< in a row, without a path

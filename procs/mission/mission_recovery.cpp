@@ -15,7 +15,10 @@ namespace {
 constexpr double kBackOffBesideM = 1.2;   // from the nose to the centre of the vehicle
 constexpr double kApproachMarginM = 0.3;  // before the place where paths end
 constexpr double kObstacleDepthM = 1.0;   // beyond the reached place, where the obstacle may be
-constexpr double kStartRadiusM = 0.3;     // distance travelled; the robot is still at home
+// On steeper ground terrain of earlier scans may stand up as an obstacle: its place and its height
+// have errors that the slope couples [m/m].
+constexpr double kSlopeReliable = 0.15;
+constexpr double kStartRadiusM = 0.3;  // distance travelled; the robot is still at home
 
 using Action = Recovery::Action;
 using Evidence = Recovery::Evidence;
@@ -97,7 +100,8 @@ std::optional<double> Mission::rejoin_length_m() const {
 /// exploration did not choose it.
 void Mission::abandon_target() {
   const std::string evidence = recovery_.evidence();
-  const bool unconfirmed = recovery_.is_uncertain() || narrow_frontiers_.contains(phase_.frontier);
+  const bool unconfirmed = recovery_.is_uncertain() ||
+                           narrow_frontiers_.contains(phase_.frontier) || slope_ > kSlopeReliable;
   const double reached_m = recovery_.reached_m();
   recovery_.reset();
   if (target_.is_straight_ahead) {

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Adit authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What a mission does when planning finds no path or a drive fails.
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "tests/unit/procs/mission/scripted_stages.hpp"
@@ -168,6 +170,19 @@ TEST_F(MissionRecovery, ReportsBlockedAfterObservationsFromTwoPoses) {
   ASSERT_TRUE(request_.blocked);
   EXPECT_FALSE(request_.blocked->unconfirmed);
   EXPECT_THAT(phase().reason, HasSubstr("the path is blocked"));
+}
+
+/// There terrain of earlier scans may stand up as an obstacle.
+TEST_F(MissionRecovery, ReportsUnconfirmedFromASteepSlope) {
+  drive_in();
+  path(PlanOutcome::kBlocked);
+  scan_from_back(3.0);
+  ScanMatch match;
+  match.attitude = Attitude{0.0, -std::atan(0.25)};
+  mission_.add_match(match);
+  path(PlanOutcome::kBlocked);
+  ASSERT_TRUE(request_.blocked);
+  EXPECT_TRUE(request_.blocked->unconfirmed);
 }
 
 /// Two scans may miss by a cell what a third one shows.

@@ -22,7 +22,6 @@ struct ScanObservation {
   std::vector<SurfacePoint> points;
   FreeSpace free_space;
   std::vector<std::int32_t> ground_beams;  ///< that hit the ground or the roof; not in `points`
-  std::vector<std::int32_t> unconfirmed_beams;  ///< as in ScanMatch
 };
 
 struct LocalReferenceParams {

@@ -115,17 +115,16 @@ ScanMatch ScanMatching::add_scan(LaserId laser, const LaserScan& scan) {
   const MotionEstimate expected = motion_.predict(scan.utime);
   ScanObservation observation = observe(laser, scan, expected.prior.T_odom_body);
   match.points = static_cast<std::int32_t>(observation.points.size());
-  match.ground_beams = observation.ground_beams;
-  match.unconfirmed_beams = observation.unconfirmed_beams;
+  match.ground_beams = std::move(observation.ground_beams);
   if (reference_.has_laser(laser)) {
     locate(observation, expected, match);  // Lu and Milios 1997; Censi 2008; Olson 2009
     standstill_.apply(expected, match);
-    confirm_steep(observation, match);
   } else {
     const bool enough = match.points >= params_.points_min;
     match.status = enough ? ScanMatch::Status::kFirstScan : ScanMatch::Status::kLost;
     match.T_odom_body = expected.prior.T_odom_body;
   }
+  match.unconfirmed_beams = unconfirmed_beams(observation, match.T_odom_body);
   match.T_reference_body = between(T_odom_body_, match.T_odom_body);
   match.z_m += climb_m(match);
   last_scan_utime_[laser] = scan.utime;
@@ -145,13 +144,19 @@ ScanMatch ScanMatching::rejected(std::int64_t utime) const {
   return match;
 }
 
-/// What the reference shows at different heights needs no 3D scan to be a wall.
-void ScanMatching::confirm_steep(const ScanObservation& observation, ScanMatch& match) const {
-  if (match.unconfirmed_beams.empty()) return;
+/// Of the surfaces that may be ground or roof: what the reference shows at different heights needs
+/// no 3D scan to be a wall.
+std::vector<std::int32_t> ScanMatching::unconfirmed_beams(const ScanObservation& observation,
+                                                          const Pose2& T_odom_body) const {
+  std::vector<std::int32_t> beams;
+  if (!ground_.has_terrain()) return beams;
+  const bool has_reference = reference_.has_laser(observation.laser);
   for (const SurfacePoint& point : observation.points) {
-    if (!point.grade_group || !reference_.is_steep_at(point, match.T_odom_body)) continue;
-    std::erase(match.unconfirmed_beams, point.beam);
+    if (!point.grade_group) continue;
+    if (has_reference && reference_.is_steep_at(point, T_odom_body)) continue;
+    beams.push_back(point.beam);
   }
+  return beams;
 }
 
 /// The body moves along the plane on which it stands.
@@ -174,29 +179,27 @@ ScanObservation ScanMatching::observe(LaserId laser, const LaserScan& scan,
   const LaserMount& mount = laser == LaserId::kFront ? params_.lasers.front : params_.lasers.rear;
   const Attitude attitude = attitude_.attitude().value_or(Attitude{});
   std::vector<SurfacePoint> points = surface_points(scan, mount, params_.surface, attitude);
+  std::vector<SurfacePoint> walls;
+  walls.reserve(points.size());
   std::vector<std::int32_t> ground_beams;
-  std::vector<std::int32_t> unconfirmed_beams;
   // Without an IMU ground is taken for level until a 3D scan shows that it is not.
   const bool ground_may_slope = attitude_.attitude() || ground_.shows_slope();
-  std::erase_if(points, [&](const SurfacePoint& point) {
+  for (SurfacePoint& point : points) {
     using Surface = KnownGround::Surface;
     const Surface surface =
         ground_.surface_at(T_odom_expected * point.p, z_m_ + point.z_m, point.p.norm());
-    const bool wall = surface == Surface::kWall || (surface == Surface::kUnknown &&
-                                                    attitude_.is_level_at(point, mount.height_m));
-    if (!wall) ground_beams.push_back(point.beam);
-    return !wall;
-  });
-  for (SurfacePoint& point : points) {
-    const bool known = ground_.surface_at(T_odom_expected * point.p, z_m_ + point.z_m,
-                                          point.p.norm()) == KnownGround::Surface::kWall;
-    if (ground_may_slope && !known) point.grade_group = grade_group_of(point, mount.height_m);
+    const bool is_unknown = surface == Surface::kUnknown;
+    if (surface != Surface::kWall &&
+        !(is_unknown && attitude_.is_level_at(point, mount.height_m))) {
+      ground_beams.push_back(point.beam);
+      continue;
+    }
+    if (ground_may_slope && is_unknown) point.grade_group = grade_group_of(point, mount.height_m);
     if (!attitude_.attitude()) point.pitch_sd_rad = kUnknownPitchSd;
-    if (point.grade_group && ground_.has_terrain()) unconfirmed_beams.push_back(point.beam);
     point.z_m += z_m_;
+    walls.push_back(point);
   }
-  return {laser, std::move(points), FreeSpace(scan, mount, attitude, z_m_), std::move(ground_beams),
-          std::move(unconfirmed_beams)};
+  return {laser, std::move(walls), FreeSpace(scan, mount, attitude, z_m_), std::move(ground_beams)};
 }
 
 /// Matches the scan against the reference. Without an accepted match the pose is the prediction.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -84,7 +85,8 @@ class ScanMatching {
   [[nodiscard]] ScanObservation observe(LaserId laser, const LaserScan& scan,
                                         const Pose2& T_odom_expected) const;
   [[nodiscard]] ScanMatch rejected(std::int64_t utime) const;
-  void confirm_steep(const ScanObservation& observation, ScanMatch& match) const;
+  [[nodiscard]] std::vector<std::int32_t> unconfirmed_beams(const ScanObservation& observation,
+                                                            const Pose2& T_odom_body) const;
   [[nodiscard]] double climb_m(const ScanMatch& match) const;
   [[nodiscard]] bool advances_in_time(LaserId laser, std::int64_t utime) const;
   void locate(const ScanObservation& observation, const MotionEstimate& expected, ScanMatch& match);

@@ -76,30 +76,22 @@ HeightField::HeightField(int nodes, const std::vector<HeightConstraint>& constra
   factor_ = std::make_unique<Factor>();
   factor_->cholesky.compute(information);
   solution_ = factor_->cholesky.solve(b);
-  marginals_ = Eigen::VectorXd::Zero(nodes_ - 1);
-  for (int node = 1; node < nodes_; ++node) {
-    marginals_[node - 1] = covariances_to(node)[node - 1];
-  }
-}
-
-/// Covariances of all unknowns with the height of `node`.
-Eigen::VectorXd HeightField::covariances_to(int node) const {
-  Eigen::VectorXd unit = Eigen::VectorXd::Zero(solution_.size());
-  unit[node - 1] = 1.0;
-  return factor_->cholesky.solve(unit);
 }
 
 double HeightField::height_m(int node) const { return node == 0 ? 0.0 : solution_[node - 1]; }
 
+double HeightField::variance(int from, int to) const {
+  if (from == to) return 0.0;
+  Eigen::VectorXd difference = Eigen::VectorXd::Zero(solution_.size());
+  if (from > 0) difference[from - 1] = -1.0;
+  if (to > 0) difference[to - 1] = 1.0;
+  return difference.dot(factor_->cholesky.solve(difference));
+}
+
 Eigen::VectorXd HeightField::variances_to(int node) const {
-  Eigen::VectorXd variances = Eigen::VectorXd::Zero(nodes_);
-  variances.tail(nodes_ - 1) = marginals_;
-  if (node == 0) return variances;
-  const Eigen::VectorXd covariances = covariances_to(node);
-  const double own = marginals_[node - 1];
-  variances[0] = own;
-  for (int i = 1; i < nodes_; ++i) variances[i] += own - 2.0 * covariances[i - 1];
-  return variances.cwiseMax(0.0);
+  Eigen::VectorXd variances(nodes_);
+  for (int i = 0; i < nodes_; ++i) variances[i] = variance(node, i);
+  return variances;
 }
 
 double HeightField::pitch_error_rad(int session) const {

@@ -38,7 +38,9 @@ class HeightField {
   [[nodiscard]] int nodes() const { return nodes_; }
   /// Height of a node above node 0 [m].
   [[nodiscard]] double height_m(int node) const;
-  /// Variance of the heights of all nodes relative to `node` [m²].
+  /// Variance of the height of `to` above `from` [m²]; costs one solution with the factor.
+  [[nodiscard]] double variance(int from, int to) const;
+  /// Of all nodes above `node`.
   [[nodiscard]] Eigen::VectorXd variances_to(int node) const;
   /// Estimated pitch error of a session [rad].
   [[nodiscard]] double pitch_error_rad(int session) const;
@@ -46,11 +48,8 @@ class HeightField {
  private:
   struct Factor;
 
-  [[nodiscard]] Eigen::VectorXd covariances_to(int node) const;
-
   int nodes_ = 1;
-  Eigen::VectorXd solution_;   ///< heights of nodes 1 .., then pitch errors
-  Eigen::VectorXd marginals_;  ///< variances of the heights of nodes 1 ..
+  Eigen::VectorXd solution_;  ///< heights of nodes 1 .., then pitch errors
   std::unique_ptr<Factor> factor_;
 };
 

@@ -83,9 +83,8 @@ bool MapHeights::same_level(int older, int newer, const Pose2& T_older_newer,
   const auto at = [](int i) { return static_cast<std::size_t>(i); };
   const Approach nearest = approach(walls[at(older)].path, T_older_newer, walls[at(newer)].path);
   const double rise_m = height_m(newer) - height_m(older) + nearest.rise_m;
-  const double variance = field_.variances_to(newer)[older];
-  const double allowed_m =
-      params_.level_m + params_.slope_max * nearest.distance_m + kSigmas * std::sqrt(variance);
+  const double allowed_m = params_.level_m + params_.slope_max * nearest.distance_m +
+                           kSigmas * std::sqrt(variance(older, newer));
   return std::abs(rise_m) <= allowed_m;
 }
 

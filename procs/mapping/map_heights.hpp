@@ -51,6 +51,8 @@ class MapHeights {
 
   /// Height of the origin of a local map above that of the first [m].
   [[nodiscard]] double height_m(int map) const { return field_.height_m(map); }
+  /// Variance of the height of one local map above another [m²].
+  [[nodiscard]] double variance(int from, int to) const { return field_.variance(from, to); }
   /// Variance of the heights of all local maps relative to one of them [m²].
   [[nodiscard]] Eigen::VectorXd variances_to(int map) const { return field_.variances_to(map); }
 

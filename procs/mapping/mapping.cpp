@@ -365,7 +365,7 @@ std::optional<MapCorrection> Mapping::correction() const {
   correction.T_map_odom =
       association_.hypothesis().T_map_local.back() * newest.T_odom_local.inverse();
   correction.z_map_odom_m = heights_.height_m(newest.id) - newest.z_odom_m;
-  correction.z_variance = heights_.variances_to(0)[newest.id];
+  correction.z_variance = heights_.variance(0, newest.id);
   correction.covariance = covariance_;
   if (localization_) {
     correction.utime = localization_->utime;

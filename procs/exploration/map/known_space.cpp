@@ -80,26 +80,24 @@ void KnownSpace::pose(const std::vector<Pose2>& T_map_local) {
       continue;
     }
     const Pose2& pose = T_map_local[static_cast<std::size_t>(id)];
-    if (!moved(entry, pose)) continue;
+    if (!moved(entry.T_map_local, pose, entry.radius_m)) continue;
     withdraw(entry);
     enter(entry, pose);
   }
   for (std::size_t i = 0; i < ground_.size(); ++i) dropped_tiles_ += enter_ground(i) ? 0 : 1;
 }
 
-bool KnownSpace::moved(const Entry& entry, const Pose2& T_map_local) const {
-  if (!entry.T_map_local) return true;
-  const Pose2 motion = between(*entry.T_map_local, T_map_local);
-  return motion.translation().norm() + entry.radius_m * std::abs(motion.theta) >
+/// Whether what voted at a pose must vote again.
+bool KnownSpace::moved(const std::optional<Pose2>& T_map_voted, const Pose2& T_map,
+                       double radius_m) const {
+  if (!T_map_voted) return true;
+  const Pose2 motion = between(*T_map_voted, T_map);
+  return motion.translation().norm() + radius_m * std::abs(motion.theta) >
          params_.update_distance_m;
 }
 
 void KnownSpace::enter(Entry& entry, const Pose2& T_map_local) {
-  const Eigen::Vector2d p = T_map_local.translation();
-  const Eigen::Vector2d reach(entry.radius_m, entry.radius_m);
-  const bool has_valid_pose = T_map_local.vector().allFinite() && p.norm() < 1e6;
-  if (!has_valid_pose || !reserve({cell_of(p - reach, resolution_m()),
-                                   cell_of(p + reach, resolution_m()) + Eigen::Vector2i(1, 1)})) {
+  if (!reserve(T_map_local, entry.radius_m)) {
     ++dropped_tiles_;
     return;
   }
@@ -113,8 +111,14 @@ void KnownSpace::withdraw(Entry& entry) {
   entry.T_map_local.reset();
 }
 
-/// Returns false if the grid would become too large.
-bool KnownSpace::reserve(const CellBox& box) {
+/// Makes room around a pose. Returns false if the pose is invalid or the grid would become too
+/// large.
+bool KnownSpace::reserve(const Pose2& T_map, double radius_m) {
+  const Eigen::Vector2d p = T_map.translation();
+  if (!T_map.vector().allFinite() || p.norm() >= 1e6) return false;
+  const Eigen::Vector2d reach(radius_m, radius_m);
+  const CellBox box{cell_of(p - reach, resolution_m()),
+                    cell_of(p + reach, resolution_m()) + Eigen::Vector2i(1, 1)};
   if (votes_.size() > 0 && votes_.box().contains(box)) return true;
   const Eigen::Vector2i slack(kSlack, kSlack);
   CellBox grown_box{box.from - slack, box.to + slack};
@@ -128,24 +132,42 @@ bool KnownSpace::reserve(const CellBox& box) {
   return true;
 }
 
-void KnownSpace::vote(const Entry& entry, int sign) {
-  const double side = resolution_m();
-  const Pose2& T = *entry.T_map_local;
-  const double c = std::cos(T.theta);
-  const double s = std::sin(T.theta);
-  const auto votes_at = [&](double x, double y) -> Votes& {
-    return votes_[votes_.index(cell_of({T.x + c * x - s * y, T.y + s * x + c * y}, side))];
-  };
-  for (const Eigen::Vector2i& cell : entry.tile.free) {
+/// The cells of the map, by points in the frame of what votes.
+class KnownSpace::PlacedVotes {
+ public:
+  PlacedVotes(Grid2<Votes>& votes, const Pose2& T_map_voter, double resolution_m)
+      : votes_(votes),
+        T_(T_map_voter),
+        c_(std::cos(T_map_voter.theta)),
+        s_(std::sin(T_map_voter.theta)),
+        side_(resolution_m) {}
+
+  [[nodiscard]] Votes& at(double x, double y) {
+    return votes_[votes_.index(cell_of({T_.x + c_ * x - s_ * y, T_.y + s_ * x + c_ * y}, side_))];
+  }
+  /// Adds `sign` to a count at each of the four points within a cell of the voter.
+  void add(const Eigen::Vector2i& cell, std::uint16_t Votes::*count, int sign) {
     for (const double dy : {0.25, 0.75}) {
       for (const double dx : {0.25, 0.75}) {
-        Votes& votes = votes_at(side * (cell.x() + dx), side * (cell.y() + dy));
-        votes.free = static_cast<std::uint16_t>(votes.free + sign);
+        std::uint16_t& votes = at(side_ * (cell.x() + dx), side_ * (cell.y() + dy)).*count;
+        votes = static_cast<std::uint16_t>(votes + sign);
       }
     }
   }
+
+ private:
+  Grid2<Votes>& votes_;
+  const Pose2& T_;
+  double c_;
+  double s_;
+  double side_;
+};
+
+void KnownSpace::vote(const Entry& entry, int sign) {
+  PlacedVotes placed(votes_, *entry.T_map_local, resolution_m());
+  for (const Eigen::Vector2i& cell : entry.tile.free) placed.add(cell, &Votes::free, sign);
   for (const WallCell& wall : entry.tile.walls) {
-    Votes& votes = votes_at(wall.p_local.x(), wall.p_local.y());
+    Votes& votes = placed.at(wall.p_local.x(), wall.p_local.y());
     votes.wall = static_cast<std::uint16_t>(votes.wall + sign * kVotesOfCell);
     if (wall.steep) votes.steep_wall = static_cast<std::uint16_t>(votes.steep_wall + sign);
   }
@@ -161,19 +183,10 @@ bool KnownSpace::enter_ground(std::size_t i) {
   const CellBox& box = ground.cells.box();
   const double radius_m =
       resolution_m() * (box.from.cwiseAbs().cwiseMax(box.to.cwiseAbs())).cast<double>().norm();
-  if (T_map_level && T_map_level_[i]) {
-    const Pose2 motion = between(*T_map_level_[i], *T_map_level);
-    const double moved_m = motion.translation().norm() + radius_m * std::abs(motion.theta);
-    if (moved_m <= params_.update_distance_m) return true;
-  }
+  if (T_map_level && !moved(T_map_level_[i], *T_map_level, radius_m)) return true;
   withdraw_ground(i);
   if (!T_map_level) return true;
-  const Eigen::Vector2d p = T_map_level->translation();
-  const Eigen::Vector2d reach(radius_m, radius_m);
-  if (!reserve({cell_of(p - reach, resolution_m()),
-                cell_of(p + reach, resolution_m()) + Eigen::Vector2i(1, 1)})) {
-    return false;
-  }
+  if (!reserve(*T_map_level, radius_m)) return false;
   T_map_level_[i] = T_map_level;
   vote_ground(i, 1);
   return true;
@@ -187,18 +200,11 @@ void KnownSpace::withdraw_ground(std::size_t i) {
 
 void KnownSpace::vote_ground(std::size_t i, int sign) {
   const Grid2<ScannedCell>& cells = ground_[i].cells;
-  const Pose2& T_map_level = *T_map_level_[i];
+  PlacedVotes placed(votes_, *T_map_level_[i], resolution_m());
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (cells[k] == ScannedCell::kUnknown) continue;
-    const Eigen::Vector2d corner = cells.cell(k).cast<double>();
-    for (const double dy : {0.25, 0.75}) {
-      for (const double dx : {0.25, 0.75}) {
-        const Eigen::Vector2d p_level = resolution_m() * (corner + Eigen::Vector2d(dx, dy));
-        Votes& votes = votes_.at(cell_of(T_map_level * p_level, resolution_m()));
-        std::uint16_t& count = cells[k] == ScannedCell::kGround ? votes.ground : votes.rock;
-        count = static_cast<std::uint16_t>(count + sign);
-      }
-    }
+    const auto count = cells[k] == ScannedCell::kGround ? &Votes::ground : &Votes::rock;
+    placed.add(cells.cell(k), count, sign);
   }
 }
 

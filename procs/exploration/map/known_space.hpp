@@ -102,8 +102,11 @@ class KnownSpace {
     double radius_m = 0.0;
   };
 
-  [[nodiscard]] bool moved(const Entry& entry, const Pose2& T_map_local) const;
-  [[nodiscard]] bool reserve(const CellBox& box);
+  class PlacedVotes;
+
+  [[nodiscard]] bool moved(const std::optional<Pose2>& T_map_voted, const Pose2& T_map,
+                           double radius_m) const;
+  [[nodiscard]] bool reserve(const Pose2& T_map, double radius_m);
   void enter(Entry& entry, const Pose2& T_map_local);
   void withdraw(Entry& entry);
   void vote(const Entry& entry, int sign);
